@@ -1,0 +1,118 @@
+#include "core/base/spatial_index.h"
+
+#include <nanoflann.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace espalier {
+namespace {
+
+/// What nanoflann asks of a set of points.
+struct Columns {
+  const Eigen::Matrix3Xf* points;
+
+  [[nodiscard]] std::size_t kdtree_get_point_count() const {
+    return static_cast<std::size_t>(points->cols());
+  }
+  [[nodiscard]] float kdtree_get_pt(std::size_t column, std::size_t row) const {
+    return points->data()[3 * column + row];
+  }
+  template <class Box> bool kdtree_get_bbox(Box& /*unused*/) const { return false; }
+};
+
+using Metric = nanoflann::L2_Simple_Adaptor<float, Columns, float, std::uint32_t>;
+using Index = nanoflann::KDTreeSingleIndexAdaptor<Metric, Columns, 3, std::uint32_t>;
+
+// Results of searches, as nanoflann 1.4 and 1.5 both ask for them (they differ in their own).
+
+/// Keeps the nearest accepted point of a search.
+class NearestAccepted {
+public:
+  NearestAccepted(float squaredRadius, const std::function<bool(Eigen::Index)>& accepts)
+      : worst_(squaredRadius), accepts_(accepts) {}
+
+  bool addPoint(float squaredDistance, std::uint32_t index) {
+    if (squaredDistance < worst_ && accepts_(index)) {
+      worst_ = squaredDistance;
+      found_ = Neighbor{index, squaredDistance};
+    }
+    return true;
+  }
+  [[nodiscard]] float worstDist() const { return worst_; }
+  [[nodiscard]] static bool full() { return true; }
+  [[nodiscard]] std::size_t size() const { return found_ ? 1 : 0; }
+  void sort() const {}
+  [[nodiscard]] const std::optional<Neighbor>& found() const { return found_; }
+
+private:
+  float worst_;
+  const std::function<bool(Eigen::Index)>& accepts_;
+  std::optional<Neighbor> found_;
+};
+
+/// Keeps every point of a search within a radius.
+class Within {
+public:
+  explicit Within(float squaredRadius) : squaredRadius_(squaredRadius) {}
+
+  bool addPoint(float squaredDistance, std::uint32_t index) {
+    if (squaredDistance <= squaredRadius_) found_.push_back({index, squaredDistance});
+    return true;
+  }
+  [[nodiscard]] float worstDist() const { return squaredRadius_; }
+  [[nodiscard]] static bool full() { return true; }
+  [[nodiscard]] std::size_t size() const { return found_.size(); }
+  void sort() const {}
+  [[nodiscard]] std::vector<Neighbor> take() { return std::move(found_); }
+
+private:
+  float squaredRadius_;
+  std::vector<Neighbor> found_;
+};
+
+} // namespace
+
+struct SpatialIndex::Tree {
+  Columns columns;
+  Index index;
+
+  explicit Tree(const Eigen::Matrix3Xf& points)
+      : columns{&points}, index(3, columns, nanoflann::KDTreeSingleIndexAdaptorParams(12)) {}
+};
+
+SpatialIndex::SpatialIndex(const Eigen::Matrix3Xf& points) : tree_(std::make_unique<Tree>(points)) {}
+SpatialIndex::~SpatialIndex() = default;
+SpatialIndex::SpatialIndex(SpatialIndex&&) noexcept = default;
+SpatialIndex& SpatialIndex::operator=(SpatialIndex&&) noexcept = default;
+
+std::vector<Neighbor> SpatialIndex::nearest(const Eigen::Vector3f& place, int count) const {
+  const auto total = tree_->columns.kdtree_get_point_count();
+  const auto wanted = std::min(static_cast<std::size_t>(std::max(count, 0)), total);
+  if (wanted == 0) return {};
+  std::vector<std::uint32_t> indices(wanted);
+  std::vector<float> distances(wanted);
+  const std::size_t found =
+      tree_->index.knnSearch(place.data(), wanted, indices.data(), distances.data());
+  std::vector<Neighbor> result(found);
+  for (std::size_t i = 0; i < found; ++i) result[i] = {indices[i], distances[i]};
+  return result;
+}
+
+std::vector<Neighbor> SpatialIndex::within(const Eigen::Vector3f& place, float radius) const {
+  if (tree_->columns.kdtree_get_point_count() == 0) return {};
+  Within result(radius * radius);
+  tree_->index.findNeighbors(result, place.data(), {});
+  return result.take();
+}
+
+std::optional<Neighbor>
+SpatialIndex::nearestIf(const Eigen::Vector3f& place, float radius,
+                        const std::function<bool(Eigen::Index)>& accepts) const {
+  if (tree_->columns.kdtree_get_point_count() == 0) return std::nullopt;
+  NearestAccepted result(radius * radius, accepts);
+  tree_->index.findNeighbors(result, place.data(), {});
+  return result.found();
+}
+
+} // namespace espalier

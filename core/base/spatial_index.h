@@ -1,0 +1,46 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace espalier {
+
+/// A point found by a SpatialIndex.
+struct Neighbor {
+  Eigen::Index index;    // column of the indexed points
+  float squaredDistance; // [L^2]
+};
+
+/// Finds the points near a place. Balanced k-d tree; the points are referred to, not copied.
+///
+/// Build O(N log N), one query O(log N + found). Queries are const and may run on many threads.
+class SpatialIndex {
+public:
+  /// @param points 3 x N, finite; must outlive the index
+  explicit SpatialIndex(const Eigen::Matrix3Xf& points);
+  explicit SpatialIndex(Eigen::Matrix3Xf&& points) = delete;
+  ~SpatialIndex();
+  SpatialIndex(SpatialIndex&&) noexcept;
+  SpatialIndex& operator=(SpatialIndex&&) noexcept;
+
+  /// The `count` points nearest to `place`, nearest first; all of them if there are fewer.
+  [[nodiscard]] std::vector<Neighbor> nearest(const Eigen::Vector3f& place, int count) const;
+
+  /// The points within `radius` [L] of `place`, in no order that means anything.
+  [[nodiscard]] std::vector<Neighbor> within(const Eigen::Vector3f& place, float radius) const;
+
+  /// The nearest point within `radius` [L] that `accepts`, if any.
+  [[nodiscard]] std::optional<Neighbor>
+  nearestIf(const Eigen::Vector3f& place, float radius,
+            const std::function<bool(Eigen::Index)>& accepts) const;
+
+private:
+  struct Tree;
+  std::unique_ptr<Tree> tree_;
+};
+
+} // namespace espalier

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "core/base/progress.h"
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace espalier {
+
+using Color = std::array<std::uint8_t, 3>; // red, green, blue
+
+/// Points as a file lists them, before they become a PointCloud.
+struct RawPoints {
+  std::vector<Eigen::Vector3d> positions; // [L], in the frame of the file
+  std::vector<Color> colors;              // one per point, or none
+  std::vector<float> intensities;         // one per point, or none
+};
+
+/// The samples of a laser scanner. Immutable once made; shared as shared_ptr<const PointCloud>.
+///
+/// Invariants: all positions are finite; colors() and intensities() are empty or have one entry per
+/// point. Points are sorted along a space-filling curve, so that near points are near in memory.
+class PointCloud {
+public:
+  PointCloud() = default;
+
+  /// Points that are not finite are left out: size() then is less than raw.positions.size().
+  /// Time O(N log N).
+  explicit PointCloud(RawPoints raw, const Progress& progress = {});
+
+  [[nodiscard]] Eigen::Index size() const { return positions_.cols(); }
+  [[nodiscard]] bool isEmpty() const { return size() == 0; }
+
+  /// 3 x N about origin() [L]: 1 mm is kept of any coordinate as long as the plant is under 10 km.
+  [[nodiscard]] const Eigen::Matrix3Xf& positions() const { return positions_; }
+  [[nodiscard]] const Eigen::Vector3d& origin() const { return origin_; } // [L], frame of the file
+  [[nodiscard]] const std::vector<Color>& colors() const { return colors_; }
+  [[nodiscard]] const std::vector<float>& intensities() const { return intensities_; }
+
+  /// Where each point stood in the file.
+  [[nodiscard]] const std::vector<std::uint32_t>& fileOrder() const { return fileOrder_; }
+
+  /// Position in the frame of the file [L].
+  [[nodiscard]] Eigen::Vector3d position(Eigen::Index point) const {
+    return positions_.col(point).cast<double>() + origin_;
+  }
+  [[nodiscard]] Eigen::AlignedBox3d bounds() const; // [L], frame of the file; empty without points
+
+private:
+  Eigen::Matrix3Xf positions_;
+  Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
+  std::vector<Color> colors_;
+  std::vector<float> intensities_;
+  std::vector<std::uint32_t> fileOrder_;
+};
+
+/// Mean distance from a point to its nearest neighbor at another place [L]: the unit of the default
+/// rules. Taken over at most 20 000 points spread evenly through the cloud. 0 if all coincide.
+[[nodiscard]] double pointSpacing(const Eigen::Matrix3Xf& points);
+
+} // namespace espalier

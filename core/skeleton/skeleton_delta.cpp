@@ -1,0 +1,131 @@
+#include "core/skeleton/skeleton_delta.h"
+
+#include <cassert>
+#include <unordered_map>
+#include <utility>
+
+namespace espalier {
+namespace {
+
+std::optional<Node> lookUp(const Skeleton& skeleton, NodeId id) {
+  if (!skeleton.contains(id)) return std::nullopt;
+  return skeleton[id];
+}
+
+} // namespace
+
+SkeletonDelta SkeletonDelta::inverse() const {
+  SkeletonDelta result;
+  result.changes.reserve(changes.size());
+  for (const Change& change : changes)
+    result.changes.push_back({change.id, change.after, change.before});
+  return result;
+}
+
+SkeletonDelta SkeletonDelta::then(const SkeletonDelta& next) const {
+  SkeletonDelta result = *this;
+  std::unordered_map<std::uint32_t, std::size_t> places;
+  for (std::size_t i = 0; i < changes.size(); ++i)
+    places.emplace(static_cast<std::uint32_t>(changes[i].id), i);
+  for (const Change& change : next.changes) {
+    const auto [place, isNew] =
+        places.emplace(static_cast<std::uint32_t>(change.id), result.changes.size());
+    if (isNew)
+      result.changes.push_back(change);
+    else
+      result.changes[place->second].after = change.after;
+  }
+  std::erase_if(result.changes, [](const Change& c) { return c.before == c.after; });
+  return result;
+}
+
+void SkeletonDelta::apply(Skeleton& skeleton) const {
+  // Cut every changed link first: then no order of the changes can meet a missing parent, a cycle,
+  // or a removed node that still has children.
+  for (const Change& change : changes)
+    if (change.before) {
+      assert(skeleton.contains(change.id) && skeleton[change.id] == *change.before);
+      skeleton.makeRoot(change.id);
+    }
+  for (const Change& change : changes) {
+    if (change.before && !change.after) skeleton.erase(change.id);
+    if (!change.before) {
+      Node alone = *change.after;
+      alone.parent.reset();
+      skeleton.restore(change.id, alone);
+    }
+  }
+  for (const Change& change : changes) {
+    if (!change.after) continue;
+    skeleton.setPosition(change.id, change.after->position);
+    skeleton.setRadius(change.id, change.after->radius);
+    if (change.after->parent)
+      skeleton.reparent(change.id, *change.after->parent, change.after->edge);
+    else
+      skeleton.setEdge(change.id, change.after->edge);
+  }
+}
+
+SkeletonEditor::~SkeletonEditor() {
+  if (!noted_.empty()) changesSoFar().inverse().apply(skeleton_);
+}
+
+NodeId SkeletonEditor::add(const Node& node) {
+  const NodeId id = skeleton_.add(node);
+  ids_.insert(static_cast<std::uint32_t>(id));
+  noted_.push_back({id, std::nullopt, std::nullopt});
+  return id;
+}
+
+void SkeletonEditor::setPosition(NodeId id, const Eigen::Vector3d& position) {
+  note(id);
+  skeleton_.setPosition(id, position);
+}
+
+void SkeletonEditor::setRadius(NodeId id, double radius) {
+  note(id);
+  skeleton_.setRadius(id, radius);
+}
+
+void SkeletonEditor::setEdge(NodeId id, EdgeType edge) {
+  note(id);
+  skeleton_.setEdge(id, edge);
+}
+
+void SkeletonEditor::reparent(NodeId id, NodeId parent, EdgeType edge) {
+  note(id);
+  skeleton_.reparent(id, parent, edge);
+}
+
+void SkeletonEditor::makeRoot(NodeId id) {
+  note(id);
+  skeleton_.makeRoot(id);
+}
+
+void SkeletonEditor::erase(NodeId id) {
+  note(id);
+  skeleton_.erase(id);
+}
+
+SkeletonDelta SkeletonEditor::commit() {
+  SkeletonDelta delta = changesSoFar();
+  noted_.clear();
+  ids_.clear();
+  return delta;
+}
+
+void SkeletonEditor::note(NodeId id) {
+  if (!ids_.insert(static_cast<std::uint32_t>(id)).second) return;
+  noted_.push_back({id, skeleton_[id], std::nullopt});
+}
+
+SkeletonDelta SkeletonEditor::changesSoFar() const {
+  SkeletonDelta delta;
+  for (SkeletonDelta::Change change : noted_) {
+    change.after = lookUp(skeleton_, change.id);
+    if (change.before != change.after) delta.changes.push_back(std::move(change));
+  }
+  return delta;
+}
+
+} // namespace espalier

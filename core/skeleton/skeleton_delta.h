@@ -1,0 +1,68 @@
+#pragma once
+
+#include "core/skeleton/skeleton.h"
+
+#include <optional>
+#include <unordered_set>
+#include <vector>
+
+namespace espalier {
+
+/// What an edit changed: each touched node before and after it. Applying it and its inverse is exact.
+struct SkeletonDelta {
+  struct Change {
+    NodeId id;
+    std::optional<Node> before; // none: the edit added the node
+    std::optional<Node> after;  // none: the edit removed it
+
+    bool operator==(const Change&) const = default;
+  };
+  std::vector<Change> changes; // one per node, in order of first touch
+
+  [[nodiscard]] bool isEmpty() const { return changes.empty(); }
+  [[nodiscard]] SkeletonDelta inverse() const;
+
+  /// The delta of this edit followed by `next`: a drag of many steps merges into one.
+  [[nodiscard]] SkeletonDelta then(const SkeletonDelta& next) const;
+
+  /// Makes `skeleton` what it was after the edit.
+  /// pre: each changed node of `skeleton` is as it was before the edit
+  void apply(Skeleton& skeleton) const;
+
+  bool operator==(const SkeletonDelta&) const = default;
+};
+
+/// Edits a skeleton and notes each node before its first change.
+///
+/// Unless committed, destruction takes the whole edit back: an edit that throws leaves no trace.
+class SkeletonEditor {
+public:
+  explicit SkeletonEditor(Skeleton& skeleton) : skeleton_(skeleton) {}
+  ~SkeletonEditor();
+  SkeletonEditor(const SkeletonEditor&) = delete;
+  SkeletonEditor& operator=(const SkeletonEditor&) = delete;
+
+  [[nodiscard]] const Skeleton& skeleton() const { return skeleton_; }
+
+  // As in Skeleton.
+  NodeId add(const Node& node);
+  void setPosition(NodeId id, const Eigen::Vector3d& position);
+  void setRadius(NodeId id, double radius);
+  void setEdge(NodeId id, EdgeType edge);
+  void reparent(NodeId id, NodeId parent, EdgeType edge);
+  void makeRoot(NodeId id);
+  void erase(NodeId id);
+
+  /// Ends the edit and returns what it changed; nodes that ended as they were are left out.
+  [[nodiscard]] SkeletonDelta commit();
+
+private:
+  void note(NodeId id);
+  [[nodiscard]] SkeletonDelta changesSoFar() const;
+
+  Skeleton& skeleton_;
+  std::vector<SkeletonDelta::Change> noted_; // `after` is not filled in
+  std::unordered_set<std::uint32_t> ids_;    // of noted_
+};
+
+} // namespace espalier

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/skeleton/skeleton.h"
+
+#include <cstdint>
+
+namespace espalier::test {
+
+/// A root at the origin and nodes straight above it, `step` apart; all successors, radius 0.1.
+[[nodiscard]] Skeleton stick(int nodes, double step = 1);
+
+inline constexpr NodeId forkRoot{0};
+inline constexpr NodeId forkTop{1};
+
+/// A root at the origin, forkTop one above it, and on that `shoots` single nodes, evenly around at
+/// 45 degrees; the first is a successor, the others branch.
+[[nodiscard]] Skeleton fork(int shoots);
+
+/// A forest of `nodes` nodes (one to three trees) with arbitrary positions, radii and edges.
+[[nodiscard]] Skeleton randomPlant(int nodes, std::uint64_t seed);
+
+} // namespace espalier::test

@@ -1,0 +1,72 @@
+#pragma once
+
+#include "core/cloud/point_cloud.h"
+#include "core/skeleton/skeleton.h"
+#include "core/skeleton/skeleton_delta.h"
+#include "ui/document/tool_input.h"
+
+#include <QImage>
+#include <QWidget>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace espalier {
+
+enum class Layer { points, contracted, skeleton };
+enum class PointColor { uniform, height, intensity, rgb };
+enum class Projection { perspective, parallel };
+enum class StandardView { front, back, left, right, top, bottom, isometric };
+
+/// The 3D view of a plant: its points, its contracted points, and its skeleton.
+///
+/// Mirrors what it is given and owns no plant data; it never edits. The mouse goes first to the
+/// input handler; what that does not take turns, pans and zooms the camera.
+class PlantView : public QWidget {
+  Q_OBJECT
+
+public:
+  explicit PlantView(QWidget* parent = nullptr);
+  ~PlantView() override;
+
+  void setCloud(std::shared_ptr<const PointCloud> cloud); // null: none; does not move the camera
+  void setContracted(std::shared_ptr<const Eigen::Matrix3Xf> positions); // as cloud positions
+  void setSkeleton(const Skeleton& skeleton);
+  /// Redraws what an edit changed. Cost follows the size of the edit.
+  void updateSkeleton(const Skeleton& skeleton, const SkeletonDelta& delta);
+  void setSelection(const std::vector<NodeId>& nodes);
+  void setHovered(const Pick& pick);
+
+  void setLayerVisible(Layer layer, bool visible);
+  void setPointColor(PointColor color);
+  void setPointSize(int pixels);           // 1 to 10
+  void setShowRadii(bool trueRadii);       // edges as tubes of their radius instead of lines
+  void setProjection(Projection projection);
+  void setDark(bool dark);
+
+  void frameAll();
+  void frame(const Eigen::AlignedBox3d& box); // [L], frame of the file
+  void look(StandardView view);
+  void setPivot(const Eigen::Vector3d& place); // [L], what the camera turns around
+
+  /// Returns true for what it took: a taken press keeps the camera still until the release.
+  using InputHandler = std::function<bool(const ToolInput&)>;
+  void setInputHandler(InputHandler handler);
+
+  /// What is within reach of the pointer at `position`, in logical pixels.
+  [[nodiscard]] Pick pick(const QPointF& position) const;
+  /// Where a place of the plant is drawn, in logical pixels; none if behind the eye.
+  [[nodiscard]] std::optional<QPointF> project(const Eigen::Vector3d& place) const;
+
+  /// The view as it would be drawn at `size`, all points, no pointer.
+  [[nodiscard]] QImage picture(const QSize& size);
+
+private:
+  class Host;
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+} // namespace espalier

@@ -3,7 +3,6 @@
 #include "core/base/progress.h"
 
 #include <Eigen/Core>
-
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>

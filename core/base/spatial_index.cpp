@@ -1,6 +1,9 @@
 #include "core/base/spatial_index.h"
 
+#include "core/base/parallel.h"
+
 #include <nanoflann.hpp>
+#include <oneapi/tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
 #include <utility>
@@ -81,7 +84,8 @@ struct SpatialIndex::Tree {
       : columns{&points}, index(3, columns, nanoflann::KDTreeSingleIndexAdaptorParams(12)) {}
 };
 
-SpatialIndex::SpatialIndex(const Eigen::Matrix3Xf& points) : tree_(std::make_unique<Tree>(points)) {}
+SpatialIndex::SpatialIndex(const Eigen::Matrix3Xf& points)
+    : tree_(std::make_unique<Tree>(points)) {}
 SpatialIndex::~SpatialIndex() = default;
 SpatialIndex::SpatialIndex(SpatialIndex&&) noexcept = default;
 SpatialIndex& SpatialIndex::operator=(SpatialIndex&&) noexcept = default;
@@ -95,7 +99,8 @@ std::vector<Neighbor> SpatialIndex::nearest(const Eigen::Vector3f& place, int co
   const std::size_t found =
       tree_->index.knnSearch(place.data(), wanted, indices.data(), distances.data());
   std::vector<Neighbor> result(found);
-  for (std::size_t i = 0; i < found; ++i) result[i] = {indices[i], distances[i]};
+  for (std::size_t i = 0; i < found; ++i)
+    result[i] = {indices[i], distances[i]};
   return result;
 }
 
@@ -113,6 +118,39 @@ SpatialIndex::nearestIf(const Eigen::Vector3f& place, float radius,
   NearestAccepted result(radius * radius, accepts);
   tree_->index.findNeighbors(result, place.data(), {});
   return result.found();
+}
+
+NearestOthers SpatialIndex::nearestOthers(int count, const Progress& progress) const {
+  const auto total = static_cast<Eigen::Index>(tree_->columns.kdtree_get_point_count());
+  const auto perPoint =
+      std::min<Eigen::Index>(std::max(count, 0), std::max<Eigen::Index>(total - 1, 0));
+  NearestOthers result;
+  result.perPoint = perPoint;
+  if (perPoint == 0) return result;
+  result.indices.resize(static_cast<std::size_t>(total * perPoint));
+  result.squaredDistances.resize(result.indices.size());
+  struct Scratch {
+    std::vector<std::uint32_t> indices;
+    std::vector<float> distances;
+  };
+  const auto wanted = static_cast<std::size_t>(perPoint) + 1; // the point itself comes along
+  oneapi::tbb::enumerable_thread_specific<Scratch> scratches([&] {
+    return Scratch{std::vector<std::uint32_t>(wanted), std::vector<float>(wanted)};
+  });
+  const auto findOthersOf = [&](Eigen::Index point) {
+    Scratch& found = scratches.local();
+    tree_->index.knnSearch(tree_->columns.points->col(point).data(), wanted, found.indices.data(),
+                           found.distances.data());
+    auto out = static_cast<std::size_t>(point * perPoint);
+    const std::size_t end = out + static_cast<std::size_t>(perPoint);
+    for (std::size_t i = 0; i < wanted && out < end; ++i) {
+      if (found.indices[i] == static_cast<std::uint32_t>(point)) continue;
+      result.indices[out] = found.indices[i];
+      result.squaredDistances[out++] = found.distances[i];
+    }
+  };
+  parallelFor(total, findOthersOf, progress);
+  return result;
 }
 
 } // namespace espalier

@@ -1,7 +1,10 @@
 #pragma once
 
+#include "core/base/progress.h"
+
 #include <Eigen/Core>
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -13,6 +16,13 @@ namespace espalier {
 struct Neighbor {
   Eigen::Index index;    // column of the indexed points
   float squaredDistance; // [L^2]
+};
+
+/// The nearest others of each point, as one table.
+struct NearestOthers {
+  Eigen::Index perPoint = 0;           // entries per point
+  std::vector<std::uint32_t> indices;  // point i owns [i * perPoint, (i + 1) * perPoint),
+  std::vector<float> squaredDistances; // nearest first [L^2]
 };
 
 /// Finds the points near a place. Balanced k-d tree; the points are referred to, not copied.
@@ -37,6 +47,10 @@ public:
   [[nodiscard]] std::optional<Neighbor>
   nearestIf(const Eigen::Vector3f& place, float radius,
             const std::function<bool(Eigen::Index)>& accepts) const;
+
+  /// For each indexed point its `count` nearest others; all others if there are fewer.
+  /// Uses all threads. Time O(N count log N). @throws Cancelled if `progress` asks to stop
+  [[nodiscard]] NearestOthers nearestOthers(int count, const Progress& progress = {}) const;
 
 private:
   struct Tree;

@@ -1,0 +1,98 @@
+#include "core/base/random.h"
+#include "core/base/spatial_index.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+namespace espalier {
+namespace {
+
+Eigen::Matrix3Xf randomPoints(int count, std::uint64_t seed) {
+  Random random(seed);
+  Eigen::Matrix3Xf points(3, count);
+  for (int i = 0; i < count; ++i)
+    points.col(i) = random.direction().cast<float>();
+  return points;
+}
+
+/// Squared distances of all points to `place`, sorted.
+std::vector<float> sortedDistances(const Eigen::Matrix3Xf& points, const Eigen::Vector3f& place) {
+  std::vector<float> result;
+  for (int i = 0; i < points.cols(); ++i)
+    result.push_back((points.col(i) - place).squaredNorm());
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+TEST(SpatialIndex, FindsTheNearestPoints) {
+  const Eigen::Matrix3Xf points = randomPoints(500, 1);
+  const SpatialIndex index(points);
+  for (int i = 0; i < 50; ++i) {
+    const Eigen::Vector3f place = 0.9F * points.col(i);
+    const std::vector<float> expected = sortedDistances(points, place);
+    const std::vector<Neighbor> found = index.nearest(place, 10);
+    ASSERT_EQ(found.size(), 10U);
+    for (std::size_t j = 0; j < found.size(); ++j)
+      EXPECT_FLOAT_EQ(found[j].squaredDistance, expected[j]);
+  }
+}
+
+TEST(SpatialIndex, FindsAllPointsWithinARadius) {
+  const Eigen::Matrix3Xf points = randomPoints(500, 2);
+  const SpatialIndex index(points);
+  for (int i = 0; i < 50; ++i) {
+    const std::vector<float> all = sortedDistances(points, points.col(i));
+    const auto expected = std::count_if(all.begin(), all.end(), [](float d) { return d < 0.16F; });
+    EXPECT_EQ(index.within(points.col(i), 0.4F).size(), static_cast<std::size_t>(expected));
+  }
+}
+
+TEST(SpatialIndex, FindsTheNearestPointOfThoseAccepted) {
+  const Eigen::Matrix3Xf points = randomPoints(500, 3);
+  const SpatialIndex index(points);
+  const auto isOdd = [](Eigen::Index i) { return i % 2 == 1; };
+  for (int i = 0; i < 50; ++i) {
+    float nearest = 4;
+    for (int j = 1; j < points.cols(); j += 2)
+      nearest = std::min(nearest, (points.col(j) - points.col(i)).squaredNorm());
+    const auto found = index.nearestIf(points.col(i), 2, isOdd);
+    ASSERT_TRUE(found && isOdd(found->index));
+    EXPECT_FLOAT_EQ(found->squaredDistance, nearest);
+  }
+  EXPECT_FALSE(index.nearestIf(points.col(0), 2, [](Eigen::Index) { return false; }));
+}
+
+TEST(SpatialIndex, ListsOthersOfEachPointWithoutItself) {
+  const Eigen::Matrix3Xf points = randomPoints(300, 4);
+  const NearestOthers others = SpatialIndex(points).nearestOthers(5);
+  ASSERT_EQ(others.perPoint, 5);
+  for (std::size_t i = 0; i < 300; ++i) {
+    const auto begin = others.indices.begin() + static_cast<std::ptrdiff_t>(5 * i);
+    const std::set<std::uint32_t> own(begin, begin + 5);
+    EXPECT_EQ(own.size(), 5U);
+    EXPECT_FALSE(own.contains(static_cast<std::uint32_t>(i)));
+  }
+}
+
+TEST(SpatialIndex, CopesWithCoincidentPoints) {
+  const Eigen::Matrix3Xf points = Eigen::Matrix3Xf::Zero(3, 100);
+  const NearestOthers others = SpatialIndex(points).nearestOthers(5);
+  for (std::size_t i = 0; i < others.indices.size(); ++i)
+    EXPECT_NE(others.indices[i], static_cast<std::uint32_t>(i / 5));
+}
+
+TEST(SpatialIndex, GivesAllThereIsWhenAskedForMore) {
+  const Eigen::Matrix3Xf points = randomPoints(3, 5);
+  const SpatialIndex index(points);
+  EXPECT_EQ(index.nearest(points.col(0), 9).size(), 3U);
+  EXPECT_EQ(index.nearestOthers(9).perPoint, 2);
+  const Eigen::Matrix3Xf none(3, 0);
+  const SpatialIndex empty(none);
+  EXPECT_TRUE(empty.nearest(Eigen::Vector3f::Zero(), 3).empty());
+  EXPECT_TRUE(empty.within(Eigen::Vector3f::Zero(), 3).empty());
+}
+
+} // namespace
+} // namespace espalier

@@ -1,0 +1,26 @@
+#include "core/cloud/isolated_points.h"
+
+#include "core/base/spatial_index.h"
+
+#include <cmath>
+
+namespace espalier {
+
+std::vector<bool> isolatedPoints(const Eigen::Matrix3Xf& points,
+                                 const IsolatedPointOptions& options, const Progress& progress) {
+  std::vector<bool> result(static_cast<std::size_t>(points.cols()), false);
+  if (points.cols() <= options.neighbors) return result;
+  const NearestOthers others =
+      SpatialIndex(points).nearestOthers(options.neighbors, progress.part(0, 0.9));
+  const auto perPoint = static_cast<std::size_t>(others.perPoint);
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    double sum = 0;
+    for (std::size_t j = i * perPoint; j < (i + 1) * perPoint; ++j)
+      sum += std::sqrt(static_cast<double>(others.squaredDistances[j]));
+    result[i] = sum / static_cast<double>(perPoint) > options.distance;
+  }
+  progress.update(1);
+  return result;
+}
+
+} // namespace espalier

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/base/progress.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace espalier {
+
+struct IsolatedPointOptions {
+  int neighbors = 8;   // >= 1
+  double distance = 0; // [L] a point is isolated if these are farther away than this in the mean
+};
+
+/// Tells for each point whether it stands alone, as dust, rain and split laser beams do.
+///
+/// @param points 3 x N, finite [L]
+/// @return one entry per point; none is isolated where there are no more points than neighbors
+/// @throws Cancelled if `progress` asks to stop
+/// Time O(N k log N).
+[[nodiscard]] std::vector<bool> isolatedPoints(const Eigen::Matrix3Xf& points,
+                                               const IsolatedPointOptions& options,
+                                               const Progress& progress = {});
+
+} // namespace espalier

@@ -1,0 +1,157 @@
+#include "core/graph/components.h"
+
+#include "core/base/parallel.h"
+#include "core/base/spatial_index.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <tuple>
+
+namespace espalier {
+namespace {
+
+constexpr std::uint32_t unseen = std::numeric_limits<std::uint32_t>::max();
+
+/// Disjoint sets of 0 ... count - 1.
+class DisjointSets {
+public:
+  explicit DisjointSets(std::size_t count) : parent_(count) {
+    std::iota(parent_.begin(), parent_.end(), 0U);
+  }
+  std::uint32_t find(std::uint32_t of) {
+    while (parent_[of] != of)
+      of = parent_[of] = parent_[parent_[of]];
+    return of;
+  }
+  bool join(std::uint32_t a, std::uint32_t b) {
+    const auto [low, high] = std::minmax({find(a), find(b)});
+    parent_[high] = low;
+    return low != high;
+  }
+
+private:
+  std::vector<std::uint32_t> parent_;
+};
+
+/// A shortest link out of a component.
+struct Bridge {
+  float squaredLength = std::numeric_limits<float>::max();
+  std::uint32_t from = 0;
+  std::uint32_t to = 0;
+
+  [[nodiscard]] bool operator<(const Bridge& other) const { // the same choice at both ends
+    return std::tuple(squaredLength, std::min(from, to), std::max(from, to)) <
+           std::tuple(other.squaredLength, std::min(other.from, other.to),
+                      std::max(other.from, other.to));
+  }
+};
+
+/// For each component but the largest its shortest bridge to any other, if one is short enough.
+/// Not searching from the largest saves nearly all of the work and loses nothing: each of the
+/// others still finds an edge of the minimum spanning tree.
+std::vector<Bridge> shortestBridges(const Components& components, const Eigen::Matrix3Xf& points,
+                                    const SpatialIndex& index, float widestGap,
+                                    const Progress& progress) {
+  std::vector<Eigen::Index> searched;
+  for (Eigen::Index i = 0; i < points.cols(); ++i)
+    if (components.ofPoint[static_cast<std::size_t>(i)] != 0) searched.push_back(i);
+  std::vector<std::optional<Neighbor>> nearest(searched.size());
+  const auto search = [&](Eigen::Index i) {
+    const Eigen::Index point = searched[static_cast<std::size_t>(i)];
+    const std::uint32_t own = components.ofPoint[static_cast<std::size_t>(point)];
+    nearest[static_cast<std::size_t>(i)] =
+        index.nearestIf(points.col(point), widestGap, [&](Eigen::Index other) {
+          return components.ofPoint[static_cast<std::size_t>(other)] != own;
+        });
+  };
+  parallelFor(static_cast<Eigen::Index>(searched.size()), search, progress, 16);
+
+  std::vector<Bridge> best(components.count());
+  for (std::size_t i = 0; i < searched.size(); ++i) {
+    if (!nearest[i]) continue;
+    const Bridge bridge{nearest[i]->squaredDistance, static_cast<std::uint32_t>(searched[i]),
+                        static_cast<std::uint32_t>(nearest[i]->index)};
+    Bridge& shortest = best[components.ofPoint[bridge.from]];
+    shortest = std::min(shortest, bridge);
+  }
+  return best;
+}
+
+} // namespace
+
+Components connectedComponents(const NeighborhoodGraph& graph) {
+  Components result;
+  result.ofPoint.assign(static_cast<std::size_t>(graph.size()), unseen);
+  std::vector<std::uint32_t> stack;
+  for (std::size_t first = 0; first < result.ofPoint.size(); ++first) {
+    if (result.ofPoint[first] != unseen) continue;
+    const auto number = static_cast<std::uint32_t>(result.sizes.size());
+    Eigen::Index size = 0;
+    stack.push_back(static_cast<std::uint32_t>(first));
+    result.ofPoint[first] = number;
+    while (!stack.empty()) {
+      const std::uint32_t point = stack.back();
+      stack.pop_back();
+      ++size;
+      for (const NeighborhoodGraph::Link& link : graph.links(point))
+        if (result.ofPoint[link.to] == unseen) {
+          result.ofPoint[link.to] = number;
+          stack.push_back(link.to);
+        }
+    }
+    result.sizes.push_back(size);
+  }
+  std::vector<std::uint32_t> order(result.sizes.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](auto a, auto b) { return result.sizes[a] > result.sizes[b]; });
+  std::vector<std::uint32_t> rank(order.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i)
+    rank[order[i]] = i;
+  for (std::uint32_t& number : result.ofPoint)
+    number = rank[number];
+  std::sort(result.sizes.begin(), result.sizes.end(), std::greater<>());
+  return result;
+}
+
+NeighborhoodGraph joined(const NeighborhoodGraph& graph, const Eigen::Matrix3Xf& points,
+                         float widestGap, const Progress& progress) {
+  Components components = connectedComponents(graph);
+  std::vector<NeighborhoodGraph::Edge> bridges;
+  if (components.count() < 2) return graph;
+  const SpatialIndex index(points);
+  const auto startCount = static_cast<double>(components.count());
+  while (components.count() > 1) {
+    const double done = 1 - static_cast<double>(components.count()) / startCount;
+    DisjointSets sets(components.count());
+    bool anyJoined = false;
+    for (const Bridge& bridge : shortestBridges(components, points, index, widestGap,
+                                                progress.part(done, done + (1 - done) / 2))) {
+      if (bridge.squaredLength == std::numeric_limits<float>::max()) continue;
+      if (!sets.join(components.ofPoint[bridge.from], components.ofPoint[bridge.to])) continue;
+      bridges.emplace_back(bridge.from, bridge.to);
+      anyJoined = true;
+    }
+    if (!anyJoined) break; // the gaps left are too wide
+    // Number the joined components by the lowest number in them: the largest stays first.
+    std::vector<std::uint32_t> numbers(components.count(), unseen);
+    std::vector<Eigen::Index> sizes;
+    for (std::uint32_t old = 0; old < components.count(); ++old) {
+      const std::uint32_t set = sets.find(old);
+      if (numbers[set] == unseen) {
+        numbers[set] = static_cast<std::uint32_t>(sizes.size());
+        sizes.push_back(0);
+      }
+      sizes[numbers[set]] += components.sizes[old];
+    }
+    for (std::uint32_t& number : components.ofPoint)
+      number = numbers[sets.find(number)];
+    components.sizes = std::move(sizes);
+  }
+  progress.update(1);
+  return graph.withLinks(bridges, points);
+}
+
+} // namespace espalier

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/graph/neighborhood_graph.h"
+
+#include <Eigen/Core>
+
+namespace espalier {
+
+struct GeodesicCentroidOptions {
+  int neighbors = 7; // links per point, >= 1
+  double radius = 0; // [L] along the plant, > 0
+};
+
+/// Contracts a cloud towards the axes of the plant: each point moves to the mean of the points that
+/// are within `radius` of it along the plant.
+///
+/// The distance is measured along links between near points, so a neighboring twig does not pull.
+/// Tips shrink by about half the radius; the mean of a half cylinder lies 0.64 radii off its axis.
+///
+/// @param points 3 x N, finite [L]
+/// @return 3 x N, the new place of each point [L]
+/// @throws Cancelled if `progress` asks to stop
+/// Deterministic. Time O(N m log m) for m points within the radius, memory O(N k).
+/// Source: C. Preuksakarn, "Reconstructing plant architecture from 3D laser scanner data",
+/// Montpellier 2, 2012, section 4.6.
+[[nodiscard]] Eigen::Matrix3Xf contractedToGeodesicCentroids(const Eigen::Matrix3Xf& points,
+                                                             const GeodesicCentroidOptions& options,
+                                                             const Progress& progress = {});
+
+} // namespace espalier

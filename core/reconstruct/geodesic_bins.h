@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/skeleton/skeleton.h"
+
+#include <Eigen/Core>
+
+namespace espalier {
+
+struct GeodesicBinOptions {
+  int neighbors = 12;   // links per point, >= 1; more of them bridge wider gaps
+  double binWidth = 0;  // [L] along the plant, > 0
+  double widestGap = 0; // [L] parts of the plant farther apart are not joined; 0 = join all
+};
+
+/// Skeleton of a plant by binning the geodesic distance of its points to the root.
+///
+/// Links each point to its nearest neighbors, joins what falls apart by the shortest bridges,
+/// measures along these links how far each point is from `root`, and makes one node per connected
+/// part of each bin, at the centroid of its points. Parents follow the shortest ways over the
+/// nodes.
+///
+/// @param points   3 x N, a column per point [L], finite
+/// @param root     column of a point at the foot of the trunk, in [0, N)
+/// @return one tree, its root first; all edges are successors (see assembleAxes); radius = mean
+///         distance from a node to the points it stands for [L]
+/// @throws Error     if over half of the points cannot be reached from `root`
+/// @throws Cancelled if `progress` asks to stop
+/// Deterministic. Time O(N k log N), memory O(N k) for k neighbors.
+/// Source: H. Xu, N. Gossett, B. Chen, "Knowledge and heuristic-based modeling of laser-scanned
+/// trees", ACM Trans. Graph. 26(4), 2007. Differs: twigs missed by the scanner are not invented.
+[[nodiscard]] Skeleton skeletonByGeodesicBins(const Eigen::Matrix3Xf& points, Eigen::Index root,
+                                              const GeodesicBinOptions& options,
+                                              const Progress& progress = {});
+
+} // namespace espalier

@@ -1,0 +1,96 @@
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/graph/find_root.h"
+#include "core/reconstruct/geodesic_bins.h"
+#include "tests/support/clouds.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace espalier {
+namespace {
+
+constexpr GeodesicBinOptions options{.neighbors = 10, .binWidth = 0.15};
+
+std::ptrdiff_t countTips(const Skeleton& skeleton) {
+  const std::vector<NodeId> ids = skeleton.ids();
+  return std::count_if(ids.begin(), ids.end(),
+                       [&](NodeId id) { return skeleton.children(id).empty(); });
+}
+
+Skeleton skeletonOf(const Eigen::Matrix3Xf& points) {
+  return skeletonByGeodesicBins(points, findRoot(points), options);
+}
+
+TEST(GeodesicBins, FindTheForkOfAFork) {
+  const Skeleton skeleton = skeletonOf(test::forkCloud());
+  ASSERT_EQ(skeleton.roots().size(), 1U);
+  EXPECT_EQ(countTips(skeleton), 2);
+  // The bin of the fork holds both arms where they touch: its node stands up to half a bin between
+  // them.
+  EXPECT_LT(test::farthestFromFork(skeleton), options.binWidth / 2 + 0.04);
+  EXPECT_NEAR(static_cast<double>(skeleton.size()), (2 + 1.5 + 1.5) / 0.15, 3);
+}
+
+TEST(GeodesicBins, JoinWhatAGapParts) {
+  const Eigen::Matrix3Xf points = test::both(test::cylinder({0, 0, 0}, {0, 0, 1}, 0.04, 0.02),
+                                             test::cylinder({0, 0, 1.3}, {0, 0, 2}, 0.04, 0.02));
+  const Skeleton skeleton = skeletonOf(points);
+  EXPECT_EQ(skeleton.roots().size(), 1U);
+  EXPECT_EQ(countTips(skeleton), 1);
+}
+
+TEST(GeodesicBins, KeepOutWhatIsFartherThanTheWidestGap) {
+  const Eigen::Matrix3Xf points = test::both(test::cylinder({0, 0, 0}, {0, 0, 2}, 0.04, 0.02),
+                                             test::cylinder({1, 0, 1}, {1, 0, 2}, 0.04, 0.02));
+  GeodesicBinOptions strict = options;
+  strict.widestGap = 0.3;
+  const Skeleton skeleton = skeletonByGeodesicBins(points, findRoot(points), strict);
+  EXPECT_NEAR(static_cast<double>(skeleton.size()), 2 / 0.15, 2);
+}
+
+TEST(GeodesicBins, RefuseARootThatCarriesLessThanHalf) {
+  const Eigen::Matrix3Xf points = test::both(test::cylinder({0, 0, 0}, {0, 0, 0.5}, 0.04, 0.02),
+                                             test::cylinder({9, 0, 0}, {9, 0, 3}, 0.04, 0.02));
+  GeodesicBinOptions strict = options;
+  strict.widestGap = 1;
+  EXPECT_THROW((void)skeletonByGeodesicBins(points, 0, strict), Error);
+}
+
+TEST(GeodesicBins, FollowMovingTurningAndScaling) {
+  const Eigen::Matrix3Xf points = test::forkCloud();
+  const Skeleton skeleton = skeletonByGeodesicBins(points, 0, options);
+  Eigen::Affine3f change = Eigen::Affine3f::Identity();
+  change.scale(1000).rotate(Eigen::AngleAxisf(1, Eigen::Vector3f(1, 2, 3).normalized()));
+  GeodesicBinOptions scaled = options;
+  scaled.binWidth *= 1000;
+  const Skeleton moved = skeletonByGeodesicBins(change * points, 0, scaled);
+  ASSERT_EQ(moved.size(), skeleton.size());
+  const std::vector<NodeId> ids = skeleton.ids();
+  for (const NodeId id : ids)
+    EXPECT_LT((moved[id].position - change.cast<double>() * skeleton[id].position).norm(), 20);
+}
+
+TEST(GeodesicBins, AreTheSameOnAnyNumberOfThreads) {
+  const Eigen::Matrix3Xf points = test::forkCloud();
+  const Skeleton onMany = skeletonOf(points);
+  const ThreadLimit limit(1);
+  EXPECT_EQ(skeletonOf(points), onMany);
+}
+
+TEST(GeodesicBins, CopeWithTwoAndWithCoincidentPoints) {
+  Eigen::Matrix3Xf two(3, 2);
+  two << 0, 0, 0, 0, 0, 1;
+  EXPECT_EQ(skeletonByGeodesicBins(two, 0, options).size(), 2U);
+  EXPECT_EQ(skeletonByGeodesicBins(Eigen::Matrix3Xf::Ones(3, 100), 0, options).size(), 1U);
+}
+
+TEST(GeodesicBins, StopWhenAsked) {
+  EXPECT_TRUE(test::stopsWhenAsked([](const Progress& progress) {
+    (void)skeletonByGeodesicBins(test::forkCloud(), 0, options, progress);
+  }));
+}
+
+} // namespace
+} // namespace espalier

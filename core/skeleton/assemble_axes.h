@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/skeleton/skeleton.h"
+
+namespace espalier {
+
+struct AxisOptions {
+  double sharpestTurn = 1.0471975511965976; // [rad] an axis never turns more at a node, in (0, pi]
+};
+
+/// Chooses at each branching which child continues the axis: the one that carries most, unless it
+/// turns off too sharply; all others branch.
+///
+/// What a child carries is the length of all that hangs on it, so node spacing does not decide.
+/// Time O(n). Source: PlantScan3D counts nodes; else the same.
+[[nodiscard]] Skeleton withAssembledAxes(const Skeleton& skeleton, const AxisOptions& options = {});
+
+} // namespace espalier

@@ -1,0 +1,126 @@
+#include "core/skeleton/recenter.h"
+
+#include "core/base/parallel.h"
+#include "core/skeleton/assign_points.h"
+#include "core/skeleton/circle_fit.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace espalier {
+namespace {
+
+std::optional<NodeId> successorOf(const Skeleton& skeleton, NodeId id) {
+  const std::vector<NodeId>& children = skeleton.children(id);
+  if (children.empty() || skeleton[children.front()].edge != EdgeType::successor)
+    return std::nullopt;
+  return children.front();
+}
+
+/// The node before this one on its axis.
+std::optional<NodeId> predecessorOf(const Skeleton& skeleton, NodeId id) {
+  const Node& node = skeleton[id];
+  return node.edge == EdgeType::successor ? node.parent : std::nullopt;
+}
+
+/// Direction of the axis at a node; none for a node alone.
+std::optional<Eigen::Vector3d> axisAt(const Skeleton& skeleton, NodeId id) {
+  const std::optional<NodeId> below = skeleton[id].parent;
+  const std::optional<NodeId> above = successorOf(skeleton, id);
+  const Eigen::Vector3d& from = skeleton[below.value_or(id)].position;
+  const Eigen::Vector3d& to = skeleton[above.value_or(id)].position;
+  const double length = (to - from).norm();
+  if (length == 0) return std::nullopt;
+  return (to - from) / length;
+}
+
+/// The points around each node: those nearest to its half of an edge, by id.
+std::vector<std::vector<Eigen::Index>> pointsAround(const Skeleton& skeleton,
+                                                    const std::vector<PointOnSkeleton>& places) {
+  std::vector<std::vector<Eigen::Index>> result(skeleton.idEnd());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const PointOnSkeleton& place = places[i];
+    const Node& child = skeleton[place.child];
+    const bool isLower = place.fraction < 0.5 && child.parent;
+    if (isLower && child.edge == EdgeType::branching) continue; // not wood of the parent's axis
+    const NodeId node = isLower ? *child.parent : place.child;
+    result[indexOf(node)].push_back(static_cast<Eigen::Index>(i));
+  }
+  return result;
+}
+
+/// Where the middle of the wood around a node is, across its axis.
+Eigen::Vector3d middle(const Eigen::Vector3d& position, const Eigen::Vector3d& axis,
+                       const std::vector<Eigen::Vector3d>& points, const RecenterOptions& options) {
+  const Eigen::Vector3d right = axis.unitOrthogonal();
+  const Eigen::Vector3d up = axis.cross(right);
+  std::vector<Eigen::Vector2d> section;
+  section.reserve(points.size());
+  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+  for (const Eigen::Vector3d& point : points) {
+    section.emplace_back((point - position).dot(right), (point - position).dot(up));
+    mean += section.back() / static_cast<double>(points.size());
+  }
+  double spread = 0;
+  for (const Eigen::Vector2d& point : section)
+    spread += (point - mean).norm() / static_cast<double>(section.size());
+  constexpr std::size_t fewest = 8; // for a circle to mean something
+  if (section.size() >= fewest) {
+    const auto circle = fitCircle(section);
+    if (circle && circle->coverage >= options.leastCoverage &&
+        circle->error < 0.3 * circle->radius && circle->radius < 2 * spread)
+      mean = circle->center;
+  }
+  return position + mean.x() * right + mean.y() * up;
+}
+
+Skeleton smoothed(const Skeleton& skeleton, double share) {
+  Skeleton result = skeleton;
+  for (const NodeId id : skeleton.ids()) {
+    const auto before = predecessorOf(skeleton, id);
+    const auto after = successorOf(skeleton, id);
+    if (!before || !after) continue;
+    const Eigen::Vector3d mean = (skeleton[*before].position + skeleton[*after].position) / 2;
+    result.setPosition(id, (1 - share) * skeleton[id].position + share * mean);
+  }
+  return result;
+}
+
+} // namespace
+
+Skeleton recentered(const Skeleton& skeleton, const Eigen::Matrix3Xf& points,
+                    const Eigen::Vector3d& origin, const RecenterOptions& options,
+                    const Progress& progress) {
+  Skeleton result = skeleton;
+  if (skeleton.isEmpty() || points.cols() == 0) return result;
+  const std::vector<NodeId> ids = skeleton.ids();
+  for (int round = 0; round < options.rounds; ++round) {
+    const Progress part = progress.part(static_cast<double>(round) / options.rounds,
+                                        static_cast<double>(round + 1) / options.rounds);
+    const auto around =
+        pointsAround(result, assignPoints(points, origin, result, 8, part.part(0, 0.7)));
+    std::vector<Eigen::Vector3d> positions(skeleton.idEnd());
+    const auto place = [&](Eigen::Index i) {
+      const NodeId id = ids[static_cast<std::size_t>(i)];
+      positions[indexOf(id)] = result[id].position;
+      const auto axis = axisAt(result, id);
+      const std::vector<Eigen::Index>& own = around[indexOf(id)];
+      if (!axis || own.empty()) return;
+      std::vector<Eigen::Vector3d> near;
+      near.reserve(own.size());
+      for (const Eigen::Index point : own)
+        near.emplace_back(points.col(point).cast<double>() + origin);
+      positions[indexOf(id)] = middle(result[id].position, *axis, near, options);
+    };
+    parallelFor(static_cast<Eigen::Index>(ids.size()), place, part.part(0.7, 1), 64);
+    for (const NodeId id : ids)
+      result.setPosition(id, positions[indexOf(id)]);
+    result = smoothed(result, options.smoothing);
+  }
+  return result;
+}
+
+} // namespace espalier

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace espalier {
+
+/// What default rules derive lengths from.
+struct PlantScale {
+  double spacing = 0; // mean distance between neighboring points [L]
+  double height = 0;  // extent along the up axis [L]
+};
+
+/// How a default follows from the plant: the sum of its parts.
+struct Rule {
+  double fixed = 0;    // for counts and ratios
+  double spacings = 0; // in point spacings
+  double heights = 0;  // in plant heights
+
+  [[nodiscard]] double value(const PlantScale& scale) const {
+    return fixed + spacings * scale.spacing + heights * scale.height;
+  }
+  [[nodiscard]] std::string text() const; // "7.5 point spacings"
+};
+
+[[nodiscard]] constexpr Rule fixedAt(double value) {
+  return {.fixed = value};
+}
+[[nodiscard]] constexpr Rule spacings(double count) {
+  return {.spacings = count};
+}
+
+enum class OptionKind { length, ratio, count, angle };
+
+/// One option of a method, described once: form, command line, report and manual are made from it.
+struct Option {
+  std::string name;  // on the command line and in files
+  std::string label; // in the form
+  OptionKind kind = OptionKind::ratio;
+  Rule rule;          // the default
+  double minimum = 0; // in point spacings for a length, degrees for an angle
+  double maximum = 0; // likewise
+  std::string help;   // one line
+
+  /// The bounds of a value in the units it is set in: [L], degrees, or none.
+  [[nodiscard]] std::pair<double, double> range(const PlantScale& scale) const;
+};
+
+[[nodiscard]] std::string nameOf(OptionKind kind); // "length", "ratio", ...
+
+/// The options of one method, tied to the members of its options struct.
+template <class Options> class OptionTable {
+public:
+  template <class Member> OptionTable& add(Option option, Member Options::*member) {
+    descriptions_.push_back(std::move(option));
+    setters_.push_back(
+        [member](Options& options, double value) { options.*member = static_cast<Member>(value); });
+    return *this;
+  }
+
+  [[nodiscard]] const std::vector<Option>& descriptions() const { return descriptions_; }
+
+  /// The struct with `values`, one per option in order.
+  [[nodiscard]] Options with(const std::vector<double>& values) const {
+    Options options;
+    for (std::size_t i = 0; i < setters_.size(); ++i)
+      setters_[i](options, values[i]);
+    return options;
+  }
+
+private:
+  std::vector<Option> descriptions_;
+  std::vector<std::function<void(Options&, double)>> setters_;
+};
+
+} // namespace espalier

@@ -1,0 +1,183 @@
+#include "core/pipeline/pipeline.h"
+
+#include "core/base/error.h"
+
+#include <charconv>
+#include <cmath>
+#include <sstream>
+
+namespace espalier {
+namespace {
+
+std::string optionNames(const Method& method) {
+  std::string names;
+  for (const Option& option : method.options)
+    names += (names.empty() ? "" : ", ") + option.name;
+  return names.empty() ? "it has none" : "choose one of " + names;
+}
+
+const Method& chosenMethod(const Step& step, const PipelineOptions& options) {
+  const auto choice = options.methods.find(step.name);
+  return choice == options.methods.end() ? step.methods.front() : methodNamed(step, choice->second);
+}
+
+void requireKnownOptions(const PipelineOptions& options) {
+  for (const auto& [name, method] : options.methods)
+    (void)methodNamed(stepNamed(name), method);
+  for (const auto& [name, values] : options.settings) {
+    const Method& method = chosenMethod(stepNamed(name), options);
+    for (const auto& [optionName, value] : values) {
+      bool isKnown = false;
+      for (const Option& option : method.options)
+        isKnown = isKnown || option.name == optionName;
+      if (!isKnown)
+        throw Error("method " + method.name + " of step " + name + " has no option \"" +
+                    optionName + "\": " + optionNames(method));
+    }
+  }
+}
+
+double checkedValue(const Step& step, const Option& option, double value, const PlantScale& scale) {
+  const auto [least, most] = option.range(scale);
+  const bool isWhole = option.kind != OptionKind::count || value == std::round(value);
+  if (value >= least && value <= most && isWhole) return value;
+  std::ostringstream text;
+  text << step.name << '.' << option.name << " is " << value << ": choose "
+       << (option.kind == OptionKind::count ? "a whole number " : "a value ") << "from " << least
+       << " to " << most;
+  if (option.kind == OptionKind::length) text << " (the points are " << scale.spacing << " apart)";
+  throw Error(text.str());
+}
+
+} // namespace
+
+void PipelineOptions::set(const std::string& assignment) {
+  const std::size_t equals = assignment.find('=');
+  const std::size_t dot = assignment.find('.');
+  if (equals == std::string::npos || dot == std::string::npos || dot > equals)
+    throw Error("\"" + assignment +
+                "\" sets nothing: write STEP.OPTION=VALUE, such as "
+                "contract.radius=12.5");
+  const std::string step = assignment.substr(0, dot);
+  const std::string option = assignment.substr(dot + 1, equals - dot - 1);
+  const std::string text = assignment.substr(equals + 1);
+  if (option == "method") {
+    (void)methodNamed(stepNamed(step), text);
+    methods[step] = text;
+    return;
+  }
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+    throw Error("\"" + text + "\" is no number: write " + step + "." + option + "=VALUE");
+  (void)stepNamed(step);
+  settings[step][option] = value;
+}
+
+std::vector<double> resolvedValues(const Step& step, const Method& method,
+                                   const PipelineOptions& options, const PlantScale& scale) {
+  const auto settings = options.settings.find(step.name);
+  std::vector<double> values;
+  for (const Option& option : method.options) {
+    double value = option.rule.value(scale);
+    if (settings != options.settings.end())
+      if (const auto set = settings->second.find(option.name); set != settings->second.end())
+        value = checkedValue(step, option, set->second, scale);
+    values.push_back(value);
+  }
+  return values;
+}
+
+/// What the last run computed.
+struct Pipeline::Kept {
+  struct Result {
+    std::string method;
+    std::vector<double> values;
+    PipelineState state;
+  };
+  std::shared_ptr<const PointCloud> cloud;
+  std::optional<Eigen::Vector3d> root;
+  UpAxis up = UpAxis::z;
+  PlantScale scale;
+  std::vector<Result> results; // of the first steps
+
+  void start(const std::shared_ptr<const PointCloud>& newCloud, const PipelineOptions& options) {
+    if (cloud == newCloud && root == options.root && up == options.up) return;
+    results.clear();
+    if (cloud != newCloud || up != options.up)
+      scale = {pointSpacing(newCloud->positions()), plantHeight(newCloud->positions(), options.up)};
+    cloud = newCloud;
+    root = options.root;
+    up = options.up;
+  }
+
+  [[nodiscard]] PipelineState firstState() const {
+    return {.cloud = cloud,
+            .isLeftOut = std::vector<bool>(static_cast<std::size_t>(cloud->size()), false),
+            .contracted = std::make_shared<const Eigen::Matrix3Xf>(cloud->positions()),
+            .root = 0,
+            .skeleton = {}};
+  }
+
+  /// The foot of the plant among the points that cleaning kept.
+  [[nodiscard]] Eigen::Index rootPoint(const std::vector<bool>& isLeftOut) const {
+    std::vector<Eigen::Index> kept;
+    for (Eigen::Index i = 0; i < cloud->size(); ++i)
+      if (!isLeftOut[static_cast<std::size_t>(i)]) kept.push_back(i);
+    if (kept.empty()) return 0;
+    const Eigen::Matrix3Xf points = cloud->positions()(Eigen::all, kept);
+    const Eigen::Index found =
+        root ? nearestPoint(points, (*root - cloud->origin()).cast<float>()) : findRoot(points, up);
+    return kept[static_cast<std::size_t>(found)];
+  }
+};
+
+Pipeline::Pipeline() : kept_(std::make_unique<Kept>()) {}
+Pipeline::~Pipeline() = default;
+Pipeline::Pipeline(Pipeline&&) noexcept = default;
+Pipeline& Pipeline::operator=(Pipeline&&) noexcept = default;
+
+Reconstruction Pipeline::run(const std::shared_ptr<const PointCloud>& cloud,
+                             const PipelineOptions& options, const Progress& progress,
+                             const std::string& last) {
+  requireKnownOptions(options);
+  if (cloud->size() < 2) throw Error("a plant needs at least 2 points: check the scan");
+  kept_->start(cloud, options);
+  if (kept_->scale.spacing == 0)
+    throw Error("all points of the scan are at the same place: check the scan");
+
+  Reconstruction result;
+  result.scale = kept_->scale;
+  double total = 0;
+  for (const Step& step : pipelineSteps())
+    total += step.share;
+  double done = 0;
+  for (std::size_t i = 0; i < pipelineSteps().size(); ++i) {
+    const Step& step = pipelineSteps()[i];
+    const Method& method = chosenMethod(step, options);
+    const std::vector<double> values = resolvedValues(step, method, options, kept_->scale);
+    std::vector<Kept::Result>& results = kept_->results;
+    const bool isAtHand =
+        i < results.size() && results[i].method == method.name && results[i].values == values;
+    if (!isAtHand) {
+      results.resize(std::min(i, results.size()));
+      PipelineState state = i == 0 ? kept_->firstState() : results[i - 1].state;
+      method.run(state, values, progress.part(done, done + step.share / total, step.label));
+      if (step.name == "clean") state.root = kept_->rootPoint(state.isLeftOut);
+      results.push_back({method.name, values, std::move(state)});
+    }
+    done += step.share / total;
+    StepRecord record{.step = step.name, .method = method.name, .values = {}, .isNew = !isAtHand};
+    for (std::size_t v = 0; v < values.size(); ++v)
+      record.values.emplace_back(method.options[v].name, values[v]);
+    result.steps.push_back(std::move(record));
+    if (step.name == last) break;
+  }
+  const PipelineState& end = kept_->results[result.steps.size() - 1].state;
+  result.contracted = end.contracted;
+  result.skeleton = end.skeleton;
+  progress.update(1);
+  return result;
+}
+
+} // namespace espalier

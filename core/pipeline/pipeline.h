@@ -1,0 +1,72 @@
+#pragma once
+
+#include "core/pipeline/registry.h"
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace espalier {
+
+/// What the user decided; all else follows the rules of the option tables.
+struct PipelineOptions {
+  std::map<std::string, std::string> methods;                    // step -> method
+  std::map<std::string, std::map<std::string, double>> settings; // step -> option -> value
+  std::optional<Eigen::Vector3d> root;                           // [L], frame of the file
+  UpAxis up = UpAxis::z;
+
+  /// Sets one option by its full name, "step.option".
+  /// @throws Error naming what there is, if the step or option is unknown or the value is no number
+  void set(const std::string& assignment); // "contract.radius=12.5"
+
+  bool operator==(const PipelineOptions&) const = default;
+};
+
+/// What one step did, for the report.
+struct StepRecord {
+  std::string step;
+  std::string method;
+  std::vector<std::pair<std::string, double>> values; // option -> value used
+  bool isNew = true;                                  // false: the result was at hand
+};
+
+struct Reconstruction {
+  std::shared_ptr<const Eigen::Matrix3Xf> contracted; // by point, about the origin of the cloud
+  Skeleton skeleton;                                  // frame of the file
+  PlantScale scale;
+  std::vector<StepRecord> steps;
+};
+
+/// The values a step would use for a plant of this scale, one per option of its method, in order.
+/// @throws Error if a setting is out of range
+[[nodiscard]] std::vector<double> resolvedValues(const Step& step, const Method& method,
+                                                 const PipelineOptions& options,
+                                                 const PlantScale& scale);
+
+/// From scan to skeleton with radii, step by step.
+///
+/// Keeps each step's result: a changed option recomputes only that step and those behind it.
+class Pipeline {
+public:
+  Pipeline();
+  ~Pipeline();
+  Pipeline(Pipeline&&) noexcept;
+  Pipeline& operator=(Pipeline&&) noexcept;
+
+  /// Runs what has changed since the last run, up to and including step `last` (empty: all).
+  ///
+  /// @throws Error     if the cloud has fewer than 2 places, or an option is unknown or out of
+  /// range
+  /// @throws Cancelled if `progress` asks to stop; steps done until then are kept
+  [[nodiscard]] Reconstruction run(const std::shared_ptr<const PointCloud>& cloud,
+                                   const PipelineOptions& options = {},
+                                   const Progress& progress = {}, const std::string& last = {});
+
+private:
+  struct Kept;
+  std::unique_ptr<Kept> kept_;
+};
+
+} // namespace espalier

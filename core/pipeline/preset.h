@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/pipeline/pipeline.h"
+
+#include <iosfwd>
+#include <string>
+
+namespace espalier {
+
+/// Reads the methods and options of a preset, a JSON object of steps:
+/// {"contract": {"method": "geodesic_centroid", "radius": 12.5}, ...}. Lengths are in [L].
+///
+/// @throws Error if it is no such object, or names a step or method that does not exist
+[[nodiscard]] PipelineOptions readPreset(std::istream& in);
+
+/// Writes what readPreset reads.
+void writePreset(std::ostream& out, const PipelineOptions& options);
+
+} // namespace espalier

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/cloud/point_cloud.h"
+#include "core/graph/find_root.h"
+#include "core/pipeline/option_table.h"
+#include "core/skeleton/skeleton.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace espalier {
+
+/// What the steps of the pipeline hand on to each other.
+struct PipelineState {
+  std::shared_ptr<const PointCloud> cloud;
+  std::vector<bool> isLeftOut;                        // by point, once cleaned
+  std::shared_ptr<const Eigen::Matrix3Xf> contracted; // by point, about the origin of the cloud
+  Eigen::Index root = 0;                              // a point
+  Skeleton skeleton;                                  // frame of the file
+};
+
+/// One way to do a step.
+struct Method {
+  std::string name;  // on the command line and in files
+  std::string label; // in menus and forms
+  std::string help;  // one line
+  std::string source;
+  std::vector<Option> options;
+  /// `values`: one per option, in order.
+  std::function<void(PipelineState&, const std::vector<double>& values, const Progress&)> run;
+};
+
+/// One step from scan to radii.
+struct Step {
+  std::string name;
+  std::string label;
+  std::string help;
+  double share = 1;            // of the time of a run, for its progress
+  std::vector<Method> methods; // the first is the default
+};
+
+/// All steps in their order, each with all its methods.
+[[nodiscard]] const std::vector<Step>& pipelineSteps();
+
+/// @throws Error that lists the names there are
+[[nodiscard]] const Step& stepNamed(std::string_view name);
+[[nodiscard]] const Method& methodNamed(const Step& step, std::string_view name);
+
+} // namespace espalier

@@ -1,0 +1,138 @@
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/pipeline/pipeline.h"
+#include "tests/support/clouds.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <gmock/gmock.h>
+
+namespace espalier {
+namespace {
+
+std::shared_ptr<const PointCloud> cloudOf(const Eigen::Matrix3Xf& points,
+                                          const Eigen::Vector3d& place = {500, 600, 700}) {
+  RawPoints raw;
+  for (Eigen::Index i = 0; i < points.cols(); ++i)
+    raw.positions.emplace_back(points.col(i).cast<double>() + place);
+  return std::make_shared<const PointCloud>(std::move(raw));
+}
+
+std::vector<std::string> newSteps(const Reconstruction& reconstruction) {
+  std::vector<std::string> names;
+  for (const StepRecord& step : reconstruction.steps)
+    if (step.isNew) names.push_back(step.step);
+  return names;
+}
+
+std::ptrdiff_t countTips(const Skeleton& skeleton) {
+  const std::vector<NodeId> ids = skeleton.ids();
+  return std::count_if(ids.begin(), ids.end(),
+                       [&](NodeId id) { return skeleton.children(id).empty(); });
+}
+
+TEST(Pipeline, TurnsAScanIntoASkeletonWithRadii) {
+  const Reconstruction result = Pipeline().run(cloudOf(test::forkCloud()));
+  EXPECT_EQ(result.skeleton.roots().size(), 1U);
+  EXPECT_EQ(countTips(result.skeleton), 2);
+  for (const NodeId id : result.skeleton.ids())
+    EXPECT_GT(result.skeleton[id].radius, 0);
+  const Eigen::Vector3d root = result.skeleton[result.skeleton.roots().front()].position;
+  EXPECT_LT((root - Eigen::Vector3d(500, 600, 700)).norm(), 0.25);
+}
+
+TEST(Pipeline, DoesNotFollowStrayPoints) {
+  Eigen::Matrix3Xf strays(3, 3);
+  strays << 2, -2, 0, 1, 1, -2, 2, 1, 3;
+  const Reconstruction result = Pipeline().run(cloudOf(test::both(test::forkCloud(), strays)));
+  EXPECT_EQ(countTips(result.skeleton), 2);
+}
+
+TEST(Pipeline, RecomputesOnlyWhatLiesBehindAChange) {
+  Pipeline pipeline;
+  const auto cloud = cloudOf(test::forkCloud());
+  PipelineOptions options;
+  EXPECT_EQ(newSteps(pipeline.run(cloud, options)).size(), pipelineSteps().size());
+  EXPECT_THAT(newSteps(pipeline.run(cloud, options)), testing::IsEmpty());
+  options.set("prune.length=0.1");
+  EXPECT_THAT(newSteps(pipeline.run(cloud, options)),
+              testing::ElementsAre("prune", "axes", "recenter", "radius"));
+  options.root = Eigen::Vector3d(500, 600, 702);
+  EXPECT_EQ(newSteps(pipeline.run(cloud, options)).size(), pipelineSteps().size());
+}
+
+TEST(Pipeline, GivesTheSameAnewAsFromWhatIsAtHand) {
+  const auto cloud = cloudOf(test::forkCloud());
+  Pipeline kept;
+  (void)kept.run(cloud);
+  PipelineOptions options;
+  options.set("contract.radius=0.2");
+  EXPECT_EQ(kept.run(cloud, options).skeleton, Pipeline().run(cloud, options).skeleton);
+}
+
+TEST(Pipeline, RunsUpToAStep) {
+  const Reconstruction result = Pipeline().run(cloudOf(test::forkCloud()), {}, {}, "contract");
+  EXPECT_TRUE(result.skeleton.isEmpty());
+  ASSERT_TRUE(result.contracted);
+  EXPECT_EQ(result.steps.back().step, "contract");
+}
+
+TEST(Pipeline, StartsAtTheRootItIsGiven) {
+  PipelineOptions options;
+  options.root = Eigen::Vector3d(500 + 0.86, 600, 703.2);
+  const Reconstruction result = Pipeline().run(cloudOf(test::forkCloud()), options);
+  const Eigen::Vector3d root = result.skeleton[result.skeleton.roots().front()].position;
+  EXPECT_LT((root - *options.root).norm(), 0.25);
+}
+
+TEST(Pipeline, TakesMillimetersLikeMeters) {
+  const Skeleton meters = Pipeline().run(cloudOf(test::forkCloud(), {0, 0, 0})).skeleton;
+  const Skeleton millimeters =
+      Pipeline().run(cloudOf(1024 * test::forkCloud(), {0, 0, 0})).skeleton; // exact in binary
+  EXPECT_NEAR(static_cast<double>(millimeters.size()), static_cast<double>(meters.size()), 2);
+  EXPECT_EQ(countTips(millimeters), countTips(meters));
+}
+
+TEST(Pipeline, IsTheSameOnAnyNumberOfThreads) {
+  const auto cloud = cloudOf(test::forkCloud());
+  const Skeleton onMany = Pipeline().run(cloud).skeleton;
+  const ThreadLimit limit(1);
+  EXPECT_EQ(Pipeline().run(cloud).skeleton, onMany);
+}
+
+TEST(Pipeline, RefusesScansWithoutAPlant) {
+  EXPECT_THROW((void)Pipeline().run(cloudOf(Eigen::Matrix3Xf(3, 0))), Error);
+  EXPECT_THROW((void)Pipeline().run(cloudOf(Eigen::Matrix3Xf::Ones(3, 1))), Error);
+  EXPECT_THROW((void)Pipeline().run(cloudOf(Eigen::Matrix3Xf::Ones(3, 100))), Error);
+}
+
+TEST(Pipeline, TakesTheFewestPointsThereCanBe) {
+  for (int count = 2; count < 30; ++count)
+    EXPECT_FALSE(Pipeline().run(cloudOf(test::forkCloud().leftCols(count))).skeleton.isEmpty());
+}
+
+TEST(Pipeline, RefusesOptionsItDoesNotKnowAndValuesOutOfRange) {
+  const auto cloud = cloudOf(test::forkCloud());
+  const auto runWith = [&](const std::string& assignment) {
+    PipelineOptions options;
+    options.set(assignment);
+    (void)Pipeline().run(cloud, options);
+  };
+  EXPECT_THROW(runWith("contract.strength=2"), Error);
+  EXPECT_THROW(runWith("contract.radius=-1"), Error);
+  EXPECT_THROW(runWith("contract.neighbors=3.5"), Error);
+  EXPECT_THROW(runWith("contract.radius"), Error);
+  EXPECT_THROW(runWith("contract.radius=wide"), Error);
+  EXPECT_THROW(runWith("flower.radius=1"), Error);
+  EXPECT_THROW(runWith("skeleton.method=magic"), Error);
+}
+
+TEST(Pipeline, StopsWhenAsked) {
+  const auto cloud = cloudOf(test::forkCloud());
+  EXPECT_TRUE(test::stopsWhenAsked(
+      [&](const Progress& progress) { (void)Pipeline().run(cloud, {}, progress); }));
+}
+
+} // namespace
+} // namespace espalier

@@ -1,0 +1,69 @@
+#include "core/base/error.h"
+#include "core/pipeline/registry.h"
+
+#include <gtest/gtest.h>
+
+#include <regex>
+#include <set>
+
+namespace espalier {
+namespace {
+
+TEST(Registry, DescribesEveryMethodAndOption) {
+  const std::regex isName("[a-z][a-z0-9_]*");
+  for (const Step& step : pipelineSteps()) {
+    EXPECT_TRUE(std::regex_match(step.name, isName)) << step.name;
+    EXPECT_FALSE(step.label.empty() || step.help.empty()) << step.name;
+    ASSERT_FALSE(step.methods.empty()) << step.name;
+    std::set<std::string> methods;
+    for (const Method& method : step.methods) {
+      EXPECT_TRUE(methods.insert(method.name).second) << method.name;
+      EXPECT_FALSE(method.label.empty() || method.help.empty()) << method.name;
+      for (const Option& option : method.options) {
+        EXPECT_TRUE(std::regex_match(option.name, isName)) << option.name;
+        EXPECT_FALSE(option.label.empty() || option.help.empty()) << option.name;
+        EXPECT_LT(option.minimum, option.maximum) << option.name;
+      }
+    }
+  }
+}
+
+TEST(Registry, HasDefaultsInTheirOwnRange) {
+  const PlantScale scale{.spacing = 5, .height = 4000};
+  for (const Step& step : pipelineSteps())
+    for (const Method& method : step.methods)
+      for (const Option& option : method.options) {
+        const auto [least, most] = option.range(scale);
+        EXPECT_GE(option.rule.value(scale), least) << step.name << '.' << option.name;
+        EXPECT_LE(option.rule.value(scale), most) << step.name << '.' << option.name;
+      }
+}
+
+TEST(Registry, GivesLengthsByRulesOfThePlantNeverInAbsoluteUnits) {
+  for (const Step& step : pipelineSteps())
+    for (const Method& method : step.methods)
+      for (const Option& option : method.options)
+        if (option.kind == OptionKind::length) {
+          EXPECT_EQ(option.rule.fixed, 0) << option.name;
+        }
+}
+
+TEST(Registry, ListsWhatThereIsWhenANameIsUnknown) {
+  try {
+    (void)methodNamed(stepNamed("skeleton"), "magic");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("geodesic_bins"), std::string::npos);
+  }
+  EXPECT_THROW((void)stepNamed("flower"), Error);
+}
+
+TEST(Rule, SaysInWordsWhatItIs) {
+  EXPECT_EQ(spacings(7.5).text(), "7.5 point spacings");
+  EXPECT_EQ((Rule{.fixed = 0, .spacings = 1, .heights = 0.01}.text()),
+            "1 point spacing + 0.01 plant heights");
+  EXPECT_EQ(fixedAt(0).text(), "0");
+}
+
+} // namespace
+} // namespace espalier

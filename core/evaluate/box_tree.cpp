@@ -1,0 +1,47 @@
+#include "core/evaluate/box_tree.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace espalier {
+namespace {
+
+constexpr std::uint32_t boxesPerLeaf = 4;
+
+} // namespace
+
+BoxTree::BoxTree(std::vector<Eigen::AlignedBox3d> boxes)
+    : boxes_(std::move(boxes)), order_(boxes_.size()) {
+  if (boxes_.empty()) return;
+  std::iota(order_.begin(), order_.end(), 0U);
+  parts_.push_back({{}, 0, static_cast<std::uint32_t>(boxes_.size())});
+  for (std::uint32_t part = 0; part < parts_.size(); ++part)
+    split(part);
+}
+
+void BoxTree::split(std::uint32_t part) {
+  const std::uint32_t begin = parts_[part].begin;
+  const std::uint32_t end = parts_[part].end;
+  Eigen::AlignedBox3d centers;
+  for (std::uint32_t k = begin; k < end; ++k) {
+    parts_[part].box.extend(boxes_[order_[k]]);
+    centers.extend(boxes_[order_[k]].center());
+  }
+  if (end - begin <= boxesPerLeaf) return;
+
+  Eigen::Index axis = 0;
+  centers.sizes().maxCoeff(&axis);
+  const std::uint32_t middle = begin + (end - begin) / 2;
+  std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
+                   [&](std::uint32_t a, std::uint32_t b) {
+                     const double aCenter = boxes_[a].center()[axis];
+                     const double bCenter = boxes_[b].center()[axis];
+                     return aCenter != bCenter ? aCenter < bCenter : a < b;
+                   });
+  parts_[part].left = static_cast<std::uint32_t>(parts_.size());
+  parts_.push_back({{}, begin, middle});
+  parts_.push_back({{}, middle, end});
+}
+
+} // namespace espalier

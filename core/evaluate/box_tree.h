@@ -1,0 +1,104 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace espalier {
+
+/// Finds boxes near a place: axis-aligned boxes halved again and again at the median of their
+/// centers.
+///
+/// Build O(N log N), memory O(N). Queries are const and may run on many threads.
+class BoxTree {
+public:
+  explicit BoxTree(std::vector<Eigen::AlignedBox3d> boxes); // none of them empty
+
+  /// Calls visit(i) for each box i at most `distance` [L] from `box`, in no order that means
+  /// anything.
+  template <class Visit>
+  void within(const Eigen::AlignedBox3d& box, double distance, const Visit& visit) const {
+    if (parts_.empty()) return;
+    const double limit = distance * distance;
+    Stack open;
+    for (open.push({0, 0}); !open.isEmpty();) {
+      const Part& part = parts_[open.pop().part];
+      if (part.box.squaredExteriorDistance(box) > limit) continue;
+      if (part.isLeaf()) {
+        for (std::uint32_t k = part.begin; k < part.end; ++k)
+          if (boxes_[order_[k]].squaredExteriorDistance(box) <= limit) visit(order_[k]);
+      } else {
+        open.push({part.left, 0});
+        open.push({part.left + 1, 0});
+      }
+    }
+  }
+
+  /// The i of least squaredDistance(i), a distance to something inside box i [L^2]; none if there
+  /// are no boxes.
+  template <class SquaredDistance>
+  [[nodiscard]] std::optional<std::size_t> nearest(const Eigen::Vector3d& place,
+                                                   const SquaredDistance& squaredDistance) const {
+    std::optional<std::size_t> found;
+    double least = std::numeric_limits<double>::infinity();
+    if (parts_.empty()) return found;
+    Stack open;
+    for (open.push({0, 0}); !open.isEmpty();) {
+      const Visit next = open.pop();
+      if (next.squaredDistance >= least) continue;
+      const Part& part = parts_[next.part];
+      if (!part.isLeaf()) {
+        pushNearerLast(open, part.left, place);
+        continue;
+      }
+      for (std::uint32_t k = part.begin; k < part.end; ++k)
+        if (const double distance = squaredDistance(order_[k]); distance < least) {
+          least = distance;
+          found = order_[k];
+        }
+    }
+    return found;
+  }
+
+private:
+  struct Part {
+    Eigen::AlignedBox3d box;
+    std::uint32_t begin, end; // in order_
+    std::uint32_t left = 0;   // its halves are parts left and left + 1; 0 in a leaf
+    [[nodiscard]] bool isLeaf() const { return left == 0; }
+  };
+  struct Visit {
+    std::uint32_t part;
+    double squaredDistance;
+  };
+  /// Parts still to be looked at. Halving 2^32 boxes never leaves more than 64 of them.
+  struct Stack {
+    std::array<Visit, 64> visits;
+    std::size_t size = 0;
+    void push(const Visit& visit) { visits[size++] = visit; }
+    Visit pop() { return visits[--size]; }
+    [[nodiscard]] bool isEmpty() const { return size == 0; }
+  };
+
+  void pushNearerLast(Stack& open, std::uint32_t left, const Eigen::Vector3d& place) const {
+    const Visit a{left, parts_[left].box.squaredExteriorDistance(place)};
+    const Visit b{left + 1, parts_[left + 1].box.squaredExteriorDistance(place)};
+    const bool aIsNearer = a.squaredDistance < b.squaredDistance;
+    open.push(aIsNearer ? b : a);
+    open.push(aIsNearer ? a : b);
+  }
+
+  void split(std::uint32_t part);
+
+  std::vector<Eigen::AlignedBox3d> boxes_;
+  std::vector<std::uint32_t> order_; // boxes, those of a part next to each other
+  std::vector<Part> parts_;          // the whole first
+};
+
+} // namespace espalier

@@ -1,0 +1,60 @@
+#include "core/skeleton/axes.h"
+
+#include <cassert>
+
+namespace espalier {
+namespace {
+
+int step(const Node& node) {
+  return node.parent && node.edge == EdgeType::branching ? 1 : 0;
+}
+
+/// The node that continues the axis of `id`, if any.
+std::optional<NodeId> next(const Skeleton& skeleton, NodeId id) {
+  const std::vector<NodeId>& children = skeleton.children(id); // successors first
+  if (children.empty() || skeleton[children[0]].edge != EdgeType::successor) return std::nullopt;
+  return children[0];
+}
+
+} // namespace
+
+std::vector<int> orders(const Skeleton& skeleton) {
+  std::vector<int> result(skeleton.idEnd(), -1);
+  for (const NodeId id : skeleton.ids()) {
+    const Node& node = skeleton[id];
+    result[indexOf(id)] = step(node) + (node.parent ? result[indexOf(*node.parent)] : 0);
+  }
+  return result;
+}
+
+int order(const Skeleton& skeleton, NodeId id) {
+  int result = 0;
+  for (std::optional<NodeId> at = id; at; at = skeleton[*at].parent)
+    result += step(skeleton[*at]);
+  return result;
+}
+
+std::vector<Axis> axes(const Skeleton& skeleton) {
+  std::vector<Axis> result;
+  for (const NodeId id : skeleton.ids()) {
+    const std::optional<NodeId> parent = skeleton[id].parent;
+    if (parent && next(skeleton, *parent) == id) continue;
+    Axis axis;
+    for (std::optional<NodeId> at = id; at; at = next(skeleton, *at))
+      axis.push_back(*at);
+    result.push_back(std::move(axis));
+  }
+  return result;
+}
+
+double length(const Skeleton& skeleton, const Axis& axis) {
+  assert(!axis.empty());
+  double sum = 0;
+  for (const NodeId id : axis) {
+    const Node& node = skeleton[id];
+    if (node.parent) sum += (node.position - skeleton[*node.parent].position).norm();
+  }
+  return sum;
+}
+
+} // namespace espalier

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "core/skeleton/skeleton.h"
+
+#include <vector>
+
+namespace espalier {
+
+/// A maximal chain of successors, from its first node to its apex.
+using Axis = std::vector<NodeId>;
+
+/// Number of branching edges from the root to each node, by id; -1 where there is no node. O(N).
+[[nodiscard]] std::vector<int> orders(const Skeleton& skeleton);
+
+/// The order of one node. Time O(depth).
+[[nodiscard]] int order(const Skeleton& skeleton, NodeId id); // pre: contains(id)
+
+/// The axes of a skeleton; each comes after the one it hangs on. Where a node has several
+/// successors, the one with the lowest id continues the axis and the others begin their own. O(N).
+[[nodiscard]] std::vector<Axis> axes(const Skeleton& skeleton);
+
+/// Length of an axis along its nodes [L], with the edge to the node it hangs on.
+[[nodiscard]] double length(const Skeleton& skeleton, const Axis& axis);
+
+} // namespace espalier

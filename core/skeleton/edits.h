@@ -1,0 +1,46 @@
+#pragma once
+
+#include "core/skeleton/skeleton_delta.h"
+
+#include <Eigen/Core>
+
+namespace espalier {
+
+// Edits by hand, as PlantScan3D's users know them. Each leaves a valid forest with at most one
+// successor more per node than it found. pre, of all: each id given is contained.
+
+void moveNode(SkeletonEditor& editor, NodeId id, const Eigen::Vector3d& position);
+
+/// Hangs a new node on `parent`, with the radius of `parent`. It continues the axis if `parent` has
+/// no successor, else it branches.
+NodeId addChild(SkeletonEditor& editor, NodeId parent, const Eigen::Vector3d& position);
+
+/// Puts a new node on the edge of `id` to its parent, `fraction` of the way from the parent, in
+/// [0, 1]. It takes over the type of the edge and `id` follows it; its radius is interpolated.
+/// @throws Error if `id` is a root
+NodeId splitEdge(SkeletonEditor& editor, NodeId id, double fraction);
+
+/// Removes a node; its children hang on its parent from then on.
+///
+/// Its successor takes over its edge, so an axis stays one axis; its other children branch. When a
+/// root goes, its successor or only child becomes the root and carries the others; with several
+/// children and no successor each becomes a root: which one is the trunk is not for us to guess.
+void removeNode(SkeletonEditor& editor, NodeId id);
+
+/// Removes a node with all it carries. Any depth.
+void removeSubtree(SkeletonEditor& editor, NodeId id);
+
+/// Hangs `id`, with all it carries, on `parent`: as its successor if it has none, else branching.
+/// Nothing changes if it hangs there already.
+/// @throws Error if `parent` is `id` or a descendant of it
+void reparentNode(SkeletonEditor& editor, NodeId id, NodeId parent);
+
+/// Sets the type of the edge to the parent. A new successor makes its siblings branch.
+/// @throws Error if `id` is a root
+void setEdgeType(SkeletonEditor& editor, NodeId id, EdgeType type);
+
+/// Replaces all nodes by copies of those of `by`, under new ids in the same order: the same ids if
+/// the editor's skeleton has never had a node. Time O(N d) for depth d.
+void replaceSkeleton(SkeletonEditor& editor, const Skeleton& by);
+
+} // namespace espalier

@@ -1,0 +1,256 @@
+#include "core/base/error.h"
+#include "core/base/random.h"
+#include "core/skeleton/edits.h"
+#include "tests/support/plants.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <gmock/gmock.h>
+
+namespace espalier {
+namespace {
+
+using test::forkRoot;
+using test::forkTop;
+using testing::ElementsAre;
+
+SkeletonDelta edit(Skeleton& plant, const std::function<void(SkeletonEditor&)>& change) {
+  SkeletonEditor editor(plant);
+  change(editor);
+  return editor.commit();
+}
+
+std::size_t successors(const Skeleton& plant, NodeId id) {
+  std::size_t count = 0;
+  for (const NodeId child : plant.children(id))
+    if (plant[child].edge == EdgeType::successor) ++count;
+  return count;
+}
+
+TEST(AddChild, ContinuesAnApexAndBranchesElsewhere) {
+  Skeleton plant = test::stick(2);
+  edit(plant, [](SkeletonEditor& editor) {
+    addChild(editor, NodeId{1}, {0, 0, 2});
+    addChild(editor, NodeId{1}, {1, 0, 2});
+  });
+  EXPECT_EQ(plant[NodeId{2}].edge, EdgeType::successor);
+  EXPECT_EQ(plant[NodeId{3}].edge, EdgeType::branching);
+  EXPECT_DOUBLE_EQ(plant[NodeId{3}].radius, 0.1);
+}
+
+TEST(SplitEdge, PutsANodeOnTheEdge) {
+  Skeleton plant = test::fork(2);
+  plant.setRadius(NodeId{3}, 0.02);
+  edit(plant, [](SkeletonEditor& editor) { splitEdge(editor, NodeId{3}, 0.25); });
+  const Node& added = plant[NodeId{4}];
+  EXPECT_TRUE(added.position.isApprox(Eigen::Vector3d(-0.25, 0, 1.25)));
+  EXPECT_DOUBLE_EQ(added.radius, 0.08);
+  EXPECT_EQ(added.parent, forkTop);
+  EXPECT_EQ(added.edge, EdgeType::branching);
+  EXPECT_EQ(plant[NodeId{3}].parent, NodeId{4});
+  EXPECT_EQ(plant[NodeId{3}].edge, EdgeType::successor);
+}
+
+TEST(SplitEdge, RefusesARoot) {
+  Skeleton plant = test::stick(2);
+  EXPECT_THROW(edit(plant, [](SkeletonEditor& editor) { splitEdge(editor, NodeId{0}, 0.5); }),
+               Error);
+}
+
+TEST(RemoveNode, KeepsAnAxisInOnePiece) {
+  Skeleton plant = test::fork(3);
+  edit(plant, [](SkeletonEditor& editor) { removeNode(editor, forkTop); });
+  EXPECT_THAT(plant.children(forkRoot), ElementsAre(NodeId{2}, NodeId{3}, NodeId{4}));
+  EXPECT_EQ(plant[NodeId{2}].edge, EdgeType::successor);
+  EXPECT_EQ(plant[NodeId{3}].edge, EdgeType::branching);
+}
+
+TEST(RemoveNode, KeepsABranchABranch) {
+  Skeleton plant = test::fork(2);
+  plant.add({.parent = NodeId{3}});
+  edit(plant, [](SkeletonEditor& editor) { removeNode(editor, NodeId{3}); });
+  EXPECT_EQ(plant[NodeId{4}].parent, forkTop);
+  EXPECT_EQ(plant[NodeId{4}].edge, EdgeType::branching);
+}
+
+TEST(RemoveNode, MakesTheSuccessorOfARootTheRoot) {
+  Skeleton plant = test::fork(2);
+  plant.add({.parent = forkRoot, .edge = EdgeType::branching});
+  edit(plant, [](SkeletonEditor& editor) { removeNode(editor, forkRoot); });
+  EXPECT_THAT(plant.roots(), ElementsAre(forkTop));
+  EXPECT_EQ(plant[NodeId{4}].parent, forkTop);
+  EXPECT_EQ(plant[NodeId{4}].edge, EdgeType::branching);
+}
+
+TEST(RemoveNode, MakesTheOnlyChildOfARootTheRoot) {
+  Skeleton plant = test::stick(2);
+  plant.setEdge(NodeId{1}, EdgeType::branching);
+  edit(plant, [](SkeletonEditor& editor) { removeNode(editor, NodeId{0}); });
+  EXPECT_THAT(plant.roots(), ElementsAre(NodeId{1}));
+}
+
+TEST(RemoveNode, MakesNoTrunkOutOfABranch) {
+  Skeleton plant = test::stick(1);
+  plant.add({.parent = NodeId{0}, .edge = EdgeType::branching});
+  plant.add({.parent = NodeId{0}, .edge = EdgeType::branching});
+  edit(plant, [](SkeletonEditor& editor) { removeNode(editor, NodeId{0}); });
+  EXPECT_THAT(plant.roots(), ElementsAre(NodeId{1}, NodeId{2}));
+}
+
+TEST(RemoveNode, TakesTheLastNode) {
+  Skeleton plant = test::stick(1);
+  edit(plant, [](SkeletonEditor& editor) { removeNode(editor, NodeId{0}); });
+  EXPECT_TRUE(plant.isEmpty());
+}
+
+TEST(RemoveSubtree, TakesAllThatANodeCarries) {
+  Skeleton plant = test::fork(3);
+  edit(plant, [](SkeletonEditor& editor) { removeSubtree(editor, forkTop); });
+  EXPECT_THAT(plant.ids(), ElementsAre(forkRoot));
+}
+
+TEST(RemoveSubtree, ReachesAnyDepth) {
+  Skeleton plant = test::stick(200'000);
+  edit(plant, [](SkeletonEditor& editor) { removeSubtree(editor, NodeId{1}); });
+  EXPECT_EQ(plant.size(), 1U);
+}
+
+TEST(ReparentNode, ContinuesAnApexAndBranchesElsewhere) {
+  Skeleton plant = test::fork(3);
+  edit(plant, [](SkeletonEditor& editor) { reparentNode(editor, NodeId{3}, NodeId{4}); });
+  EXPECT_EQ(plant[NodeId{3}].edge, EdgeType::successor);
+  edit(plant, [](SkeletonEditor& editor) { reparentNode(editor, NodeId{2}, NodeId{4}); });
+  EXPECT_EQ(plant[NodeId{2}].edge, EdgeType::branching);
+}
+
+TEST(ReparentNode, ChangesNothingWhereItHangsAlready) {
+  Skeleton plant = test::fork(3);
+  EXPECT_TRUE(edit(plant, [](SkeletonEditor& editor) {
+                reparentNode(editor, NodeId{3}, forkTop);
+              }).isEmpty());
+}
+
+TEST(ReparentNode, RefusesADescendantAndSaysWhy) {
+  Skeleton plant = test::fork(3);
+  const auto onItsTwig = [](SkeletonEditor& editor) { reparentNode(editor, forkTop, NodeId{2}); };
+  EXPECT_THAT([&] { edit(plant, onItsTwig); },
+              testing::ThrowsMessage<Error>(testing::HasSubstr("node 1 on node 2")));
+  EXPECT_EQ(plant, test::fork(3));
+}
+
+TEST(ReparentNode, JoinsTwoTrees) {
+  Skeleton plant = test::stick(2);
+  plant.add({.position = {0, 0, 2}});
+  edit(plant, [](SkeletonEditor& editor) { reparentNode(editor, NodeId{2}, NodeId{1}); });
+  EXPECT_THAT(plant.roots(), ElementsAre(NodeId{0}));
+  EXPECT_EQ(plant[NodeId{2}].edge, EdgeType::successor);
+}
+
+TEST(SetEdgeType, DemotesTheSiblingOfANewSuccessor) {
+  Skeleton plant = test::fork(3);
+  edit(plant, [](SkeletonEditor& editor) { setEdgeType(editor, NodeId{4}, EdgeType::successor); });
+  EXPECT_EQ(plant[NodeId{4}].edge, EdgeType::successor);
+  EXPECT_EQ(plant[NodeId{2}].edge, EdgeType::branching);
+}
+
+TEST(SetEdgeType, RefusesARoot) {
+  Skeleton plant = test::stick(2);
+  EXPECT_THROW(
+      edit(plant,
+           [](SkeletonEditor& editor) { setEdgeType(editor, NodeId{0}, EdgeType::branching); }),
+      Error);
+}
+
+TEST(ReplaceSkeleton, CopiesIntoAnEmptyOneUnderTheSameIds) {
+  const Skeleton plant = test::randomPlant(200, 1);
+  Skeleton copy;
+  edit(copy, [&](SkeletonEditor& editor) { replaceSkeleton(editor, plant); });
+  EXPECT_EQ(copy, plant);
+}
+
+TEST(ReplaceSkeleton, CopiesNodesThatComeBeforeTheirParents) {
+  Skeleton plant = test::stick(3);
+  plant.makeRoot(NodeId{1});
+  plant.reparent(NodeId{0}, NodeId{2}, EdgeType::branching);
+  Skeleton copy;
+  edit(copy, [&](SkeletonEditor& editor) { replaceSkeleton(editor, plant); });
+  EXPECT_EQ(copy, plant);
+}
+
+TEST(ReplaceSkeleton, IsTakenBackAsOneEdit) {
+  Skeleton plant = test::randomPlant(100, 2);
+  const Skeleton before = plant;
+  const SkeletonDelta delta =
+      edit(plant, [](SkeletonEditor& editor) { replaceSkeleton(editor, test::fork(3)); });
+  EXPECT_EQ(plant.size(), 5U);
+  EXPECT_FALSE(plant.contains(NodeId{0})) << "ids are never handed out twice";
+  delta.inverse().apply(plant);
+  EXPECT_EQ(plant, before);
+}
+
+/// Some edit by hand. Refusals are part of it.
+void editAtRandom(SkeletonEditor& editor, Random& random) {
+  const std::vector<NodeId> ids = editor.skeleton().ids();
+  const NodeId id = ids[random.below(ids.size())];
+  const NodeId other = ids[random.below(ids.size())];
+  const bool isRoot = !editor.skeleton()[id].parent;
+  switch (random.below(9)) {
+  case 0:
+    moveNode(editor, id, random.direction());
+    break;
+  case 1:
+    if (!isRoot) splitEdge(editor, id, random.uniform());
+    break;
+  case 2:
+    removeNode(editor, id);
+    break;
+  case 3:
+    if (editor.skeleton().children(id).size() < 2) removeSubtree(editor, id);
+    break;
+  case 4:
+    if (!editor.skeleton().isAncestor(id, other)) reparentNode(editor, id, other);
+    break;
+  case 5:
+    if (!isRoot) setEdgeType(editor, id, EdgeType::successor);
+    break;
+  case 6:
+    if (!isRoot) setEdgeType(editor, id, EdgeType::branching);
+    break;
+  default:
+    addChild(editor, id, random.direction());
+  }
+}
+
+void expectTidy(const Skeleton& plant, const std::string& when) {
+  ASSERT_EQ(plant.ids().size(), plant.size()) << "a cycle or a lost node " << when;
+  for (const NodeId id : plant.ids())
+    ASSERT_LE(successors(plant, id), 1U) << when;
+}
+
+TEST(Edits, KeepAForestWithOneSuccessorAndAreTakenBackExactly) {
+  Random random(7);
+  Skeleton plant = test::fork(4);
+  Skeleton start = plant;
+  std::vector<SkeletonDelta> history;
+  for (int step = 0; step < 10'000; ++step) {
+    const Skeleton before = plant;
+    history.push_back(edit(plant, [&](SkeletonEditor& editor) { editAtRandom(editor, random); }));
+    expectTidy(plant, "at step " + std::to_string(step));
+    if (plant.isEmpty() || history.size() == 500) {
+      const Skeleton end = plant;
+      for (auto at = history.rbegin(); at != history.rend(); ++at)
+        at->inverse().apply(plant);
+      ASSERT_EQ(plant, start) << "undone from step " << step;
+      for (const SkeletonDelta& delta : history)
+        delta.apply(plant);
+      ASSERT_EQ(plant, end) << "redone to step " << step;
+      history.clear();
+      if (plant.isEmpty()) plant = test::fork(4);
+      start = plant;
+    }
+  }
+}
+
+} // namespace
+} // namespace espalier

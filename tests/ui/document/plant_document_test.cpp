@@ -1,0 +1,179 @@
+#include "core/base/error.h"
+#include "core/skeleton/edits.h"
+#include "tests/support/plants.h"
+#include "ui/document/plant_document.h"
+
+#include <QSignalSpy>
+#include <gtest/gtest.h>
+
+#include <gmock/gmock.h>
+
+namespace espalier {
+namespace {
+
+void moveTo(PlantDocument& document, double height, Gesture gesture = {}) {
+  document.edit(
+      "Move node 2",
+      [=](SkeletonEditor& editor) {
+        moveNode(editor, NodeId{2}, {0, 0, height});
+      },
+      gesture);
+}
+
+double height(const PlantDocument& document) {
+  return document.skeleton()[NodeId{2}].position.z();
+}
+
+struct PlantDocumentTest : testing::Test {
+  PlantDocument document;
+  void SetUp() override { document.openSkeleton(test::stick(3), "stick.mtg"); }
+};
+
+TEST_F(PlantDocumentTest, TakesAnEditBackAndMakesItAgain) {
+  moveTo(document, 5);
+  EXPECT_EQ(document.undoStack().undoText(), "Move node 2");
+  document.undoStack().undo();
+  EXPECT_EQ(document.skeleton(), test::stick(3));
+  document.undoStack().redo();
+  EXPECT_EQ(height(document), 5);
+}
+
+TEST_F(PlantDocumentTest, MakesNoStepOfAnEditThatChangesNothing) {
+  moveTo(document, 2); // where it is
+  EXPECT_EQ(document.undoStack().count(), 0);
+  EXPECT_FALSE(document.isModified());
+}
+
+TEST_F(PlantDocumentTest, MakesOneStepOfADrag) {
+  const Gesture drag = Gesture::begin();
+  for (const double z : {3.0, 4.0, 5.0})
+    moveTo(document, z, drag);
+  EXPECT_EQ(document.undoStack().count(), 1);
+  document.undoStack().undo();
+  EXPECT_EQ(document.skeleton(), test::stick(3));
+  document.undoStack().redo();
+  EXPECT_EQ(height(document), 5);
+}
+
+TEST_F(PlantDocumentTest, KeepsTwoDragsApart) {
+  moveTo(document, 3, Gesture::begin());
+  moveTo(document, 4, Gesture::begin());
+  EXPECT_EQ(document.undoStack().count(), 2);
+}
+
+TEST_F(PlantDocumentTest, MakesNoStepOfADragThatComesBack) {
+  const Gesture drag = Gesture::begin();
+  moveTo(document, 3, drag);
+  moveTo(document, 2, drag);
+  EXPECT_EQ(document.undoStack().count(), 0);
+  moveTo(document, 4, drag);
+  EXPECT_EQ(document.undoStack().count(), 1);
+}
+
+TEST_F(PlantDocumentTest, ForgetsACanceledDrag) {
+  moveTo(document, 9);
+  const Gesture drag = Gesture::begin();
+  for (const double z : {3.0, 4.0})
+    moveTo(document, z, drag);
+  document.cancel(drag);
+  EXPECT_EQ(height(document), 9);
+  EXPECT_EQ(document.undoStack().count(), 1);
+  EXPECT_FALSE(document.undoStack().canRedo());
+}
+
+TEST_F(PlantDocumentTest, CancelsNothingForADragWithoutEdits) {
+  moveTo(document, 9, Gesture::begin());
+  document.cancel(Gesture::begin());
+  document.cancel({});
+  EXPECT_EQ(height(document), 9);
+}
+
+TEST_F(PlantDocumentTest, TakesBackAnEditThatThrows) {
+  const auto refused = [](SkeletonEditor& editor) {
+    moveNode(editor, NodeId{2}, {1, 1, 1});
+    reparentNode(editor, NodeId{0}, NodeId{2});
+  };
+  EXPECT_THROW(document.edit("Reparent", refused), Error);
+  EXPECT_EQ(document.skeleton(), test::stick(3));
+  EXPECT_EQ(document.undoStack().count(), 0);
+}
+
+TEST_F(PlantDocumentTest, TellsTheDeltaOfEveryEditUndoAndRedo) {
+  std::vector<SkeletonDelta> told;
+  QObject::connect(&document, &PlantDocument::skeletonEdited,
+                   [&](const SkeletonDelta& delta) { told.push_back(delta); });
+  moveTo(document, 5);
+  document.undoStack().undo();
+  document.undoStack().redo();
+  ASSERT_EQ(told.size(), 3U);
+  EXPECT_EQ(told[0].changes.at(0).id, NodeId{2});
+  EXPECT_EQ(told[1], told[0].inverse());
+  EXPECT_EQ(told[2], told[0]);
+}
+
+TEST_F(PlantDocumentTest, IsModifiedFromAnEditUntilItIsSavedOrUndone) {
+  const QSignalSpy titles(&document, &PlantDocument::titleChanged);
+  moveTo(document, 5);
+  EXPECT_TRUE(document.isModified());
+  document.markSaved("other.mtg");
+  EXPECT_FALSE(document.isModified());
+  EXPECT_EQ(document.filePath(), "other.mtg");
+  document.undoStack().undo();
+  EXPECT_TRUE(document.isModified()) << "the file has the other state";
+  EXPECT_GE(titles.size(), 3);
+}
+
+TEST_F(PlantDocumentTest, NeverMergesADragIntoASavedState) {
+  const Gesture drag = Gesture::begin();
+  moveTo(document, 3, drag);
+  document.markSaved("stick.mtg");
+  moveTo(document, 4, drag);
+  EXPECT_TRUE(document.isModified());
+  document.undoStack().undo();
+  EXPECT_EQ(height(document), 3);
+  EXPECT_FALSE(document.isModified());
+}
+
+TEST_F(PlantDocumentTest, DropsRemovedNodesFromTheSelection) {
+  document.selection().set({NodeId{1}, NodeId{2}});
+  document.edit("Remove", [](SkeletonEditor& editor) { removeNode(editor, NodeId{2}); });
+  EXPECT_THAT(document.selection().nodes(), testing::ElementsAre(NodeId{1}));
+}
+
+TEST_F(PlantDocumentTest, OpensAPlantWithoutHistory) {
+  moveTo(document, 5);
+  document.selection().set({NodeId{2}});
+  document.openSkeleton(test::fork(2), "fork.mtg");
+  EXPECT_FALSE(document.undoStack().canUndo());
+  EXPECT_FALSE(document.isModified());
+  EXPECT_TRUE(document.selection().isEmpty());
+  EXPECT_EQ(document.filePath(), "fork.mtg");
+}
+
+TEST_F(PlantDocumentTest, DropsContractedPointsWithTheirScan) {
+  RawPoints raw;
+  raw.positions = {{0, 0, 0}, {0, 0, 1}};
+  document.setScan(std::make_unique<Scan>(PointCloud(raw)), "scan.ply");
+  document.setContracted(std::make_shared<Eigen::Matrix3Xf>(3, 2));
+  document.setScan(std::make_unique<Scan>(PointCloud(raw)), "other.ply");
+  EXPECT_EQ(document.contracted(), nullptr);
+}
+
+TEST_F(PlantDocumentTest, IsEmptyOnceCleared) {
+  moveTo(document, 5);
+  document.setUnit(LengthUnit::meter);
+  document.clear();
+  EXPECT_TRUE(document.isEmpty());
+  EXPECT_FALSE(document.isModified());
+  EXPECT_EQ(document.filePath(), "");
+  EXPECT_EQ(document.unit(), LengthUnit::unknown);
+}
+
+TEST(PlantDocument, IsDestroyedWithHistory) {
+  PlantDocument document;
+  document.openSkeleton(test::stick(3), "stick.mtg");
+  moveTo(document, 5);
+}
+
+} // namespace
+} // namespace espalier

@@ -1,0 +1,34 @@
+#include "ui/document/scan.h"
+
+#include <gtest/gtest.h>
+
+namespace espalier {
+namespace {
+
+/// Five points around (1000, 0, 2), and five far from them around (1000, 0, 8).
+Scan twoClumps() {
+  RawPoints raw;
+  for (const double z : {2.0, 8.0})
+    for (const Eigen::Vector2d& offset :
+         {Eigen::Vector2d(0, 0), Eigen::Vector2d(0.1, 0), Eigen::Vector2d(-0.1, 0),
+          Eigen::Vector2d(0, 0.1), Eigen::Vector2d(0, -0.1)})
+      raw.positions.emplace_back(1000 + offset.x(), offset.y(), z);
+  return Scan(PointCloud(raw));
+}
+
+TEST(Scan, FindsTheMiddleOfTheFiveNearestPoints) {
+  EXPECT_TRUE(twoClumps().onPoints({1000.3, 0.2, 7}).isApprox(Eigen::Vector3d(1000, 0, 8), 1e-7));
+}
+
+TEST(Scan, LeavesAPlaceThatIsOutOfReach) {
+  const Eigen::Vector3d place(1000, 0, 3.5);
+  EXPECT_EQ(twoClumps().onPoints(place, 1), place);
+  EXPECT_TRUE(twoClumps().onPoints(place, 2).isApprox(Eigen::Vector3d(1000, 0, 2), 1e-7));
+}
+
+TEST(Scan, KnowsItsLongestSide) {
+  EXPECT_NEAR(twoClumps().height(), 6, 1e-6);
+}
+
+} // namespace
+} // namespace espalier

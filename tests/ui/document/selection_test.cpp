@@ -1,0 +1,43 @@
+#include "tests/support/plants.h"
+#include "ui/document/selection.h"
+
+#include <QSignalSpy>
+#include <gtest/gtest.h>
+
+#include <gmock/gmock.h>
+
+namespace espalier {
+namespace {
+
+using testing::ElementsAre;
+
+TEST(Selection, TogglesNodesAndKeepsTheLastAsCurrent) {
+  Selection selection;
+  selection.toggle(NodeId{1});
+  selection.toggle(NodeId{2});
+  EXPECT_EQ(selection.current(), NodeId{2});
+  selection.toggle(NodeId{2});
+  EXPECT_THAT(selection.nodes(), ElementsAre(NodeId{1}));
+  selection.clear();
+  EXPECT_FALSE(selection.current());
+}
+
+TEST(Selection, TellsOnlyOfChanges) {
+  Selection selection;
+  const QSignalSpy changes(&selection, &Selection::changed);
+  selection.clear();
+  selection.set({NodeId{1}});
+  selection.set({NodeId{1}});
+  selection.keepThoseIn(test::stick(2));
+  EXPECT_EQ(changes.size(), 1);
+}
+
+TEST(Selection, DropsNodesThatAreGone) {
+  Selection selection;
+  selection.set({NodeId{1}, NodeId{7}});
+  selection.keepThoseIn(test::stick(2));
+  EXPECT_THAT(selection.nodes(), ElementsAre(NodeId{1}));
+}
+
+} // namespace
+} // namespace espalier

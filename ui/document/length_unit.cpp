@@ -1,0 +1,45 @@
+#include "ui/document/length_unit.h"
+
+#include <QLocale>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace espalier {
+namespace {
+
+constexpr std::array units = {LengthUnit::millimeter, LengthUnit::centimeter, LengthUnit::meter};
+
+} // namespace
+
+QString symbol(LengthUnit unit) {
+  switch (unit) {
+  case LengthUnit::millimeter:
+    return QStringLiteral("mm");
+  case LengthUnit::centimeter:
+    return QStringLiteral("cm");
+  case LengthUnit::meter:
+    return QStringLiteral("m");
+  case LengthUnit::unknown:
+    break;
+  }
+  return {};
+}
+
+LengthUnit unitOfSymbol(const QString& text) {
+  const auto* found =
+      std::ranges::find_if(units, [&](LengthUnit unit) { return symbol(unit) == text; });
+  return found == units.end() ? LengthUnit::unknown : *found;
+}
+
+QString formatLength(double length, LengthUnit unit, int digits) {
+  int decimals = 0;
+  if (length != 0 && std::isfinite(length))
+    decimals =
+        std::clamp(digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(length)))), 0, 6);
+  const QString number = QLocale::c().toString(length, 'f', decimals);
+  return unit == LengthUnit::unknown ? number : number + QChar(0x202f) + symbol(unit);
+}
+
+} // namespace espalier

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <QString>
+
+namespace espalier {
+
+/// The unit of the coordinates of a document. Display only: coordinates are never rescaled.
+enum class LengthUnit { unknown, millimeter, centimeter, meter };
+
+/// "mm", "cm", "m"; empty if unknown.
+[[nodiscard]] QString symbol(LengthUnit unit);
+
+/// The unit with this symbol; unknown for any other text.
+[[nodiscard]] LengthUnit unitOfSymbol(const QString& symbol);
+
+/// A length as people read it, to `digits` significant digits and no exponent: "12.4 mm".
+[[nodiscard]] QString formatLength(double length, LengthUnit unit, int digits = 4);
+
+} // namespace espalier

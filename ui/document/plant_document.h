@@ -1,0 +1,89 @@
+#pragma once
+
+#include "core/skeleton/skeleton.h"
+#include "core/skeleton/skeleton_delta.h"
+#include "ui/document/gesture.h"
+#include "ui/document/length_unit.h"
+#include "ui/document/scan.h"
+#include "ui/document/selection.h"
+
+#include <QObject>
+#include <QString>
+#include <QUndoStack>
+
+#include <functional>
+#include <memory>
+
+namespace espalier {
+
+/// One plant at work: its scan, its contracted points, its skeleton, and the history of its edits.
+///
+/// All edits of the GUI pass through edit() and come back as one delta each: undo, redo and every
+/// view read that delta. The scan and the contracted points are shown, not edited: they have no
+/// history.
+class PlantDocument : public QObject {
+  Q_OBJECT
+
+public:
+  explicit PlantDocument(QObject* parent = nullptr);
+  ~PlantDocument() override;
+
+  [[nodiscard]] const Scan* scan() const { return scan_.get(); } // null: none
+  [[nodiscard]] const std::shared_ptr<const Eigen::Matrix3Xf>& contracted() const {
+    return contracted_; // null: none; 3 x N, as the positions of the scan
+  }
+  [[nodiscard]] const Skeleton& skeleton() const { return skeleton_; }
+  [[nodiscard]] Selection& selection() { return selection_; }
+  [[nodiscard]] QUndoStack& undoStack() { return undoStack_; }
+  [[nodiscard]] LengthUnit unit() const { return unit_; }
+  [[nodiscard]] bool isModified() const { return !undoStack_.isClean(); }
+  [[nodiscard]] bool isEmpty() const { return !scan_ && skeleton_.isEmpty(); }
+
+  /// Where the skeleton was read from or saved to; empty if neither.
+  [[nodiscard]] const QString& filePath() const { return filePath_; }
+  [[nodiscard]] const QString& scanPath() const { return scanPath_; }
+
+  /// Edits the skeleton, as one undo step named `text`; edits of one gesture become one step. An
+  /// edit that changes nothing is no step. If `change` throws, nothing has changed.
+  void edit(const QString& text, const std::function<void(SkeletonEditor&)>& change,
+            Gesture gesture = {});
+
+  /// Takes back what the gesture has edited so far, and forgets it.
+  void cancel(Gesture gesture);
+
+  void setScan(std::unique_ptr<const Scan> scan, const QString& path); // drops contracted points
+  void setContracted(std::shared_ptr<const Eigen::Matrix3Xf> positions);
+  void setUnit(LengthUnit unit);
+
+  /// Shows another skeleton, read from `path`. It has no history yet.
+  void openSkeleton(Skeleton skeleton, const QString& path);
+  /// The skeleton as it is now stands in `path`.
+  void markSaved(const QString& path);
+  /// A new, empty document.
+  void clear();
+
+signals:
+  void skeletonEdited(const espalier::SkeletonDelta& delta);
+  void skeletonReplaced(); // by that of a file: not an edit
+  void scanChanged();
+  void contractedChanged();
+  void unitChanged();
+  void titleChanged(); // file, scan or modified
+
+private:
+  class EditSkeleton;
+  void apply(const SkeletonDelta& delta);
+  void announce(const SkeletonDelta& delta);
+
+  std::unique_ptr<const Scan> scan_;
+  std::shared_ptr<const Eigen::Matrix3Xf> contracted_;
+  Skeleton skeleton_;
+  Selection selection_;
+  QUndoStack undoStack_;
+  LengthUnit unit_ = LengthUnit::unknown;
+  QString filePath_;
+  QString scanPath_;
+  bool isCanceling_ = false; // the step undone now is to be forgotten
+};
+
+} // namespace espalier

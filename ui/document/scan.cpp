@@ -1,0 +1,29 @@
+#include "ui/document/scan.h"
+
+#include <cassert>
+#include <utility>
+
+namespace espalier {
+
+Scan::Scan(PointCloud cloud)
+    : cloud_(std::make_shared<const PointCloud>(std::move(cloud))), index_(cloud_->positions()),
+      height_(cloud_->bounds().sizes().maxCoeff()) {
+  assert(!cloud_->isEmpty());
+}
+
+Eigen::Vector3d Scan::onPoints(const Eigen::Vector3d& place) const {
+  constexpr int neighbors = 5; // as PlantScan3D's "Stick to points"
+  const Eigen::Vector3f local = (place - cloud_->origin()).cast<float>();
+  const std::vector<Neighbor> nearest = index_.nearest(local, neighbors);
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Neighbor& neighbor : nearest)
+    sum += cloud_->position(neighbor.index);
+  return sum / static_cast<double>(nearest.size());
+}
+
+Eigen::Vector3d Scan::onPoints(const Eigen::Vector3d& place, double reach) const {
+  const Eigen::Vector3d snapped = onPoints(place);
+  return (snapped - place).norm() <= reach ? snapped : place;
+}
+
+} // namespace espalier

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/base/spatial_index.h"
+#include "core/cloud/point_cloud.h"
+
+#include <memory>
+
+namespace espalier {
+
+/// The points of a document and what finds them. Never changes.
+class Scan {
+public:
+  /// Time O(N log N): made by the job that reads the file. pre: not empty
+  explicit Scan(PointCloud cloud);
+
+  [[nodiscard]] const std::shared_ptr<const PointCloud>& cloud() const { return cloud_; }
+  [[nodiscard]] double height() const { return height_; } // longest side of the bounds [L]
+
+  /// Centroid of the 5 points nearest to `place` [L]: one point alone is noise of the scanner.
+  [[nodiscard]] Eigen::Vector3d onPoints(const Eigen::Vector3d& place) const;
+
+  /// The same, or `place` itself if that would move it farther than `reach` [L].
+  [[nodiscard]] Eigen::Vector3d onPoints(const Eigen::Vector3d& place, double reach) const;
+
+private:
+  std::shared_ptr<const PointCloud> cloud_;
+  SpatialIndex index_;
+  double height_;
+};
+
+} // namespace espalier

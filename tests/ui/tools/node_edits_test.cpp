@@ -1,0 +1,124 @@
+#include "core/base/error.h"
+#include "tests/support/plants.h"
+#include "ui/tools/node_edits.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <gmock/gmock.h>
+
+namespace espalier {
+namespace {
+
+using test::forkTop;
+using testing::ElementsAre;
+
+struct NodeEditsTest : testing::Test {
+  PlantDocument document;
+
+  void SetUp() override { document.openSkeleton(test::fork(3), "fork.mtg"); }
+
+  void openScan() {
+    RawPoints raw;
+    for (int i = 0; i < 5; ++i)
+      raw.positions.emplace_back(0.01 * (i - 2), 0, 1.2);
+    document.setScan(std::make_unique<Scan>(PointCloud(raw)), "scan.ply");
+  }
+  void apply(const QString& id, const std::vector<NodeId>& nodes,
+             std::optional<EdgePick> edge = std::nullopt) {
+    const std::vector<NodeEdit> edits = nodeEdits();
+    const auto found = std::ranges::find(edits, id, &NodeEdit::id);
+    ASSERT_NE(found, edits.end()) << id.toStdString();
+    found->apply(document, {.nodes = nodes, .edge = edge});
+  }
+};
+
+TEST_F(NodeEditsTest, AreEachUndoneAsOneStepWithTheNameOfTheNode) {
+  openScan();
+  for (const NodeEdit& edit : nodeEdits()) {
+    edit.apply(document, {.nodes = {NodeId{3}}});
+    const std::string name = edit.id.toStdString();
+    if (edit.id == "make_branching") continue; // it branches already
+    ASSERT_EQ(document.undoStack().index(), 1) << name;
+    EXPECT_TRUE(document.undoStack().undoText().contains("node 3")) << name;
+    document.undoStack().undo();
+    EXPECT_EQ(document.skeleton(), test::fork(3)) << name;
+  }
+}
+
+TEST_F(NodeEditsTest, AddAChildAndChooseIt) {
+  apply("new_child", {NodeId{2}});
+  EXPECT_EQ(document.skeleton()[NodeId{5}].parent, NodeId{2});
+  EXPECT_TRUE(document.skeleton()[NodeId{5}].position.isApprox(Eigen::Vector3d(2, 0, 3)));
+  EXPECT_THAT(document.selection().nodes(), ElementsAre(NodeId{5}));
+}
+
+TEST_F(NodeEditsTest, SplitTheEdgeInTheMiddleOrWhereThePointerIs) {
+  apply("split_edge", {NodeId{2}});
+  EXPECT_TRUE(document.skeleton()[NodeId{5}].position.isApprox(Eigen::Vector3d(0.5, 0, 1.5)));
+  apply("split_edge", {NodeId{2}}, EdgePick{forkTop, 0.25, {0, 0, 0.25}});
+  EXPECT_TRUE(document.skeleton()[NodeId{6}].position.isApprox(Eigen::Vector3d(0, 0, 0.25)));
+}
+
+TEST_F(NodeEditsTest, RemoveNodesTogetherWithThoseTheyCarry) {
+  apply("remove_subtree", {forkTop, NodeId{3}}); // the second goes with the first
+  EXPECT_EQ(document.skeleton().size(), 1U);
+}
+
+TEST_F(NodeEditsTest, ChangeTheTypeOfAnEdge) {
+  apply("make_axial", {NodeId{4}});
+  EXPECT_EQ(document.skeleton()[NodeId{4}].edge, EdgeType::successor);
+  EXPECT_EQ(document.skeleton()[NodeId{2}].edge, EdgeType::branching);
+  apply("make_branching", {NodeId{4}});
+  EXPECT_EQ(document.skeleton()[NodeId{4}].edge, EdgeType::branching);
+}
+
+TEST_F(NodeEditsTest, ScaleTheRadiusByFivePercent) {
+  apply("radius_up", {NodeId{2}});
+  EXPECT_DOUBLE_EQ(document.skeleton()[NodeId{2}].radius, 0.105);
+  apply("radius_down", {NodeId{3}});
+  EXPECT_DOUBLE_EQ(document.skeleton()[NodeId{3}].radius, 0.095);
+}
+
+TEST_F(NodeEditsTest, RefuseToScaleARadiusThatIsNotKnown) {
+  setRadius(document, {NodeId{2}}, 0);
+  EXPECT_THROW(apply("radius_up", {NodeId{2}}), Error);
+}
+
+TEST_F(NodeEditsTest, StickANodeToThePoints) {
+  openScan();
+  apply("stick", {forkTop});
+  EXPECT_TRUE(document.skeleton()[forkTop].position.isApprox(Eigen::Vector3d(0, 0, 1.2), 1e-6));
+}
+
+TEST_F(NodeEditsTest, StickAllThatANodeCarries) {
+  openScan();
+  apply("stick_subtree", {forkTop});
+  EXPECT_TRUE(document.skeleton()[NodeId{4}].position.isApprox(Eigen::Vector3d(0, 0, 1.2), 1e-6));
+  EXPECT_EQ(document.skeleton()[test::forkRoot].position, Eigen::Vector3d::Zero());
+}
+
+TEST_F(NodeEditsTest, SayThatThereIsNoScanToStickTo) {
+  EXPECT_THAT([&] { apply("stick", {forkTop}); },
+              testing::ThrowsMessage<Error>(testing::HasSubstr("open the scan first")));
+}
+
+TEST_F(NodeEditsTest, RefuseTheEdgeOfARoot) {
+  for (const char* id : {"split_edge", "make_axial", "make_branching"})
+    EXPECT_THROW(apply(id, {test::forkRoot}), Error) << id;
+  EXPECT_EQ(document.undoStack().count(), 0);
+}
+
+TEST_F(NodeEditsTest, MeanTheChosenNodesUnlessThePointerIsOnAnother) {
+  document.selection().set({NodeId{2}, NodeId{3}});
+  const auto meant = [&](const Pick& under) {
+    return targetOf(document, under, Eigen::Vector3d::UnitY()).nodes;
+  };
+  EXPECT_THAT(meant({}), ElementsAre(NodeId{2}, NodeId{3}));
+  EXPECT_THAT(meant({.node = NodeId{3}}), ElementsAre(NodeId{2}, NodeId{3}));
+  EXPECT_THAT(meant({.node = NodeId{4}}), ElementsAre(NodeId{4}));
+  EXPECT_THAT(meant({.node = NodeId{99}}), ElementsAre(NodeId{2}, NodeId{3})) << "it is gone";
+}
+
+} // namespace
+} // namespace espalier

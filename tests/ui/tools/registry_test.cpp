@@ -1,0 +1,29 @@
+#include "ui/tools/node_edits.h"
+#include "ui/tools/registry.h"
+
+#include <gtest/gtest.h>
+
+#include <gmock/gmock.h>
+#include <set>
+
+namespace espalier {
+namespace {
+
+TEST(ToolRegistry, GivesEveryToolANameAnIconAndAHint) {
+  PlantDocument document;
+  for (const ToolEntry& entry : tools()) {
+    EXPECT_FALSE(entry.text.isEmpty() || entry.help.isEmpty() || entry.icon.isEmpty());
+    EXPECT_FALSE(entry.create(document)->hint().isEmpty()) << entry.id.toStdString();
+  }
+}
+
+TEST(ToolRegistry, UsesNoKeyTwice) {
+  std::set<QString> keys;
+  for (const ToolEntry& entry : tools())
+    EXPECT_TRUE(keys.insert(entry.shortcut.toString()).second) << entry.id.toStdString();
+  for (const NodeEdit& edit : nodeEdits())
+    EXPECT_TRUE(keys.insert(edit.shortcut.toString()).second) << edit.id.toStdString();
+}
+
+} // namespace
+} // namespace espalier

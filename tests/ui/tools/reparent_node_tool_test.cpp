@@ -1,0 +1,80 @@
+#include "core/base/error.h"
+#include "tests/support/plants.h"
+#include "tests/ui/tools/mouse.h"
+#include "ui/tools/reparent_node_tool.h"
+
+#include <QSignalSpy>
+#include <gtest/gtest.h>
+
+#include <gmock/gmock.h>
+
+namespace espalier {
+namespace {
+
+using test::onNode;
+
+struct ReparentNodeToolTest : testing::Test {
+  PlantDocument document;
+  ReparentNodeTool tool{document};
+  test::Mouse mouse{tool};
+
+  void SetUp() override { document.openSkeleton(test::fork(3), "fork.mtg"); }
+};
+
+TEST_F(ReparentNodeToolTest, HangsTheNodeOnTheOneClicked) {
+  const QSignalSpy finished(&tool, &Tool::finished);
+  tool.startWith({NodeId{3}});
+  EXPECT_TRUE(mouse.click(onNode(NodeId{4}), {0, 2}));
+  EXPECT_EQ(document.skeleton()[NodeId{3}].parent, NodeId{4});
+  EXPECT_EQ(document.undoStack().undoText(), "Reparent node 3 to 4");
+  EXPECT_EQ(finished.size(), 1);
+  document.undoStack().undo();
+  EXPECT_EQ(document.skeleton(), test::fork(3));
+}
+
+TEST_F(ReparentNodeToolTest, ChoosesTheNodeFirstWithoutOne) {
+  mouse.click(onNode(NodeId{3}), {0, 2});
+  EXPECT_EQ(document.selection().current(), NodeId{3});
+  mouse.click(onNode(NodeId{2}), {1, 2});
+  EXPECT_EQ(document.skeleton()[NodeId{3}].parent, NodeId{2});
+}
+
+TEST_F(ReparentNodeToolTest, HangsSeveralNodesAtOnce) {
+  tool.startWith({NodeId{3}, NodeId{4}});
+  mouse.click(onNode(NodeId{2}), {1, 2});
+  EXPECT_EQ(document.skeleton().children(NodeId{2}).size(), 2U);
+  EXPECT_EQ(document.undoStack().undoText(), "Reparent 2 nodes to 2");
+}
+
+TEST_F(ReparentNodeToolTest, RefusesADescendantAndLetsOneTryAgain) {
+  tool.startWith({test::forkTop});
+  EXPECT_THROW(mouse.press(onNode(NodeId{2}), {1, 2}), Error);
+  EXPECT_EQ(document.skeleton(), test::fork(3));
+  EXPECT_TRUE(tool.isBusy());
+}
+
+TEST_F(ReparentNodeToolTest, LeavesEmptySpaceToTheCamera) {
+  tool.startWith({NodeId{3}});
+  EXPECT_FALSE(mouse.click({}, {5, 5}));
+  EXPECT_FALSE(mouse.press(onNode(NodeId{4}), {0, 2}, Qt::ControlModifier));
+  EXPECT_EQ(document.skeleton(), test::fork(3));
+}
+
+TEST_F(ReparentNodeToolTest, EndsWithNothingChangedOnEscape) {
+  const QSignalSpy finished(&tool, &Tool::finished);
+  tool.startWith({NodeId{3}});
+  mouse.escape();
+  EXPECT_FALSE(tool.isBusy());
+  EXPECT_EQ(finished.size(), 1);
+  EXPECT_EQ(document.skeleton(), test::fork(3));
+}
+
+TEST_F(ReparentNodeToolTest, ForgetsANodeThatIsGone) {
+  tool.startWith({NodeId{3}});
+  document.edit("Remove", [](SkeletonEditor& editor) { editor.erase(NodeId{3}); });
+  mouse.click(onNode(NodeId{4}), {0, 2}); // chooses it
+  EXPECT_EQ(document.selection().current(), NodeId{4});
+}
+
+} // namespace
+} // namespace espalier

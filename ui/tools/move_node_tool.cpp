@@ -1,0 +1,110 @@
+#include "ui/tools/move_node_tool.h"
+
+#include "core/skeleton/edits.h"
+#include "ui/tools/node_edits.h"
+#include "ui/tools/screen_plane.h"
+
+namespace espalier {
+
+QString MoveNodeTool::hint() const {
+  if (drag_ && drag_->isCanceled) return tr("Put back. Release the button");
+  if (drag_ && drag_->hasMoved) return tr("Release: leave it here   Esc: put it back");
+  if (under().node && document().selection().contains(*under().node))
+    return document().selection().nodes().size() > 1
+               ? tr("Drag: move the %n nodes   Shift+click: leave this one out   N new child   "
+                    "P reparent   Del remove",
+                    nullptr, static_cast<int>(document().selection().nodes().size()))
+               : tr("Drag: move %1   N new child   E split edge   P reparent   Del remove")
+                     .arg(nodeName(*under().node));
+  if (under().node)
+    return tr("Click: select %1   Drag: move it   N new child   E split edge   P reparent   "
+              "Del remove")
+        .arg(nodeName(*under().node));
+  if (under().edge)
+    return tr("Click: select %1   E: split the edge here   Drag: turn   Right drag: pan")
+        .arg(nodeName(under().edge->child));
+  return tr("Drag: turn   Right drag: pan   Wheel: zoom   Click a node: select it");
+}
+
+void MoveNodeTool::cancel() {
+  if (!drag_) return;
+  document().cancel(drag_->gesture);
+  drag_->isCanceled = true;
+}
+
+bool MoveNodeTool::act(const ToolInput& input) {
+  switch (input.phase) {
+  case ToolInput::Phase::press:
+    return press(input);
+  case ToolInput::Phase::drag:
+    if (camera_ && isDragged(*camera_, input.screen)) camera_.reset();
+    if (!drag_) return false;
+    drag(input);
+    return true;
+  case ToolInput::Phase::release: {
+    const bool wasMine = drag_.has_value();
+    drag_.reset();
+    if (!wasMine) click(input);
+    camera_.reset();
+    return wasMine;
+  }
+  default:
+    return false;
+  }
+}
+
+bool MoveNodeTool::press(const ToolInput& input) {
+  drag_.reset();
+  camera_.reset();
+  if (input.button != Qt::LeftButton || input.modifiers.testFlag(Qt::ControlModifier)) return false;
+  if (!input.pick.node) {
+    camera_ = input.screen;
+    return false;
+  }
+  const NodeId node = *input.pick.node;
+  if (input.modifiers.testFlag(Qt::ShiftModifier))
+    document().selection().toggle(node);
+  else if (!document().selection().contains(node))
+    document().selection().set({node});
+  const auto plane = screenPlane(document().skeleton()[node].position, input);
+  const std::optional<Eigen::Vector3d> grip = meet(plane, input);
+  if (!grip || !document().selection().contains(node)) return true; // nothing to drag
+  drag_ = Drag{.node = node,
+               .start = {},
+               .plane = plane,
+               .grip = *grip,
+               .gesture = Gesture::begin(),
+               .screen = input.screen};
+  for (const NodeId id : document().selection().nodes())
+    drag_->start.emplace_back(id, document().skeleton()[id].position);
+  return true;
+}
+
+void MoveNodeTool::drag(const ToolInput& input) {
+  if (drag_->isCanceled) return;
+  drag_->hasMoved = drag_->hasMoved || isDragged(drag_->screen, input.screen);
+  const std::optional<Eigen::Vector3d> at = meet(drag_->plane, input);
+  if (!drag_->hasMoved || !at) return;
+  const Eigen::Vector3d way = *at - drag_->grip;
+  const auto move = [&](SkeletonEditor& editor) {
+    for (const auto& [id, start] : drag_->start)
+      moveNode(editor, id, start + way);
+  };
+  const QString text = drag_->start.size() == 1
+                           ? tr("Move %1").arg(nodeName(drag_->node))
+                           : tr("Move %n nodes", nullptr, static_cast<int>(drag_->start.size()));
+  document().edit(text, move, drag_->gesture);
+}
+
+void MoveNodeTool::click(const ToolInput& input) {
+  if (!camera_ || isDragged(*camera_, input.screen)) return;
+  const bool adds = input.modifiers.testFlag(Qt::ShiftModifier);
+  if (input.pick.edge && adds)
+    document().selection().toggle(input.pick.edge->child);
+  else if (input.pick.edge)
+    document().selection().set({input.pick.edge->child});
+  else if (!adds)
+    document().selection().clear();
+}
+
+} // namespace espalier

@@ -1,0 +1,178 @@
+#include "ui/tools/node_edits.h"
+
+#include "core/base/error.h"
+#include "core/skeleton/edits.h"
+#include "core/skeleton/propose_child.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace espalier {
+namespace {
+
+QString tr(const char* text, int n = -1) {
+  return QCoreApplication::translate("NodeEdits", text, nullptr, n);
+}
+
+bool isContained(PlantDocument& document, NodeId id) {
+  return document.skeleton().contains(id);
+}
+
+/// Applies `change` to each node as one undo step, and skips those that an earlier one removed.
+void editEach(PlantDocument& document, const NodeTarget& target, const QString& text,
+              const std::function<void(SkeletonEditor&, NodeId)>& change) {
+  document.edit(text.arg(nodeNames(target.nodes)), [&](SkeletonEditor& editor) {
+    for (const NodeId id : target.nodes)
+      if (editor.skeleton().contains(id)) change(editor, id);
+  });
+}
+
+/// What a lone root grows by, and how far a new child looks for points.
+double reach(const PlantDocument& document) {
+  return document.scan() && document.scan()->height() > 0 ? document.scan()->height() / 50 : 1;
+}
+
+void newChild(PlantDocument& document, const NodeTarget& target) {
+  const Snap snap = [&](const Eigen::Vector3d& place) {
+    return document.scan() ? document.scan()->onPoints(place, reach(document)) : place;
+  };
+  std::vector<NodeId> added;
+  editEach(document, target, tr("New child of %1"), [&](SkeletonEditor& editor, NodeId id) {
+    const Eigen::Vector3d place =
+        proposeChild(editor.skeleton(), id, target.viewDirection, reach(document), snap);
+    added.push_back(addChild(editor, id, place));
+  });
+  document.selection().set(added);
+}
+
+void split(PlantDocument& document, const NodeTarget& target) {
+  std::vector<NodeId> added;
+  if (target.edge) {
+    const auto at = [&](SkeletonEditor& editor) {
+      added.push_back(splitEdge(editor, target.edge->child, target.edge->fraction));
+    };
+    document.edit(tr("Split the edge of %1").arg(nodeName(target.edge->child)), at);
+  } else {
+    editEach(document, target, tr("Split the edge of %1"), [&](SkeletonEditor& editor, NodeId id) {
+      added.push_back(splitEdge(editor, id, 0.5));
+    });
+  }
+  document.selection().set(added);
+}
+
+void remove(PlantDocument& document, const NodeTarget& target) {
+  editEach(document, target, tr("Remove %1"), removeNode);
+}
+
+void removeBranch(PlantDocument& document, const NodeTarget& target) {
+  editEach(document, target, tr("Remove the subtree of %1"), removeSubtree);
+}
+
+void makeAxial(PlantDocument& document, const NodeTarget& target) {
+  editEach(document, target, tr("Make %1 axial"),
+           [](SkeletonEditor& editor, NodeId id) { setEdgeType(editor, id, EdgeType::successor); });
+}
+
+void makeBranching(PlantDocument& document, const NodeTarget& target) {
+  editEach(document, target, tr("Make %1 branching"),
+           [](SkeletonEditor& editor, NodeId id) { setEdgeType(editor, id, EdgeType::branching); });
+}
+
+void scaleRadius(PlantDocument& document, const NodeTarget& target, const QString& text,
+                 double factor) {
+  editEach(document, target, text, [factor](SkeletonEditor& editor, NodeId id) {
+    const double radius = editor.skeleton()[id].radius;
+    if (radius == 0)
+      throw Error(
+          tr("%1 has no radius yet: type one in the inspector").arg(nodeName(id)).toStdString());
+    editor.setRadius(id, factor * radius);
+  });
+}
+
+void requireScan(const PlantDocument& document) {
+  if (!document.scan())
+    throw Error(tr("there are no points to stick to: open the scan first").toStdString());
+}
+
+void stick(PlantDocument& document, const NodeTarget& target) {
+  requireScan(document);
+  editEach(document, target, tr("Stick %1 to the points"), [&](SkeletonEditor& editor, NodeId id) {
+    moveNode(editor, id, document.scan()->onPoints(editor.skeleton()[id].position));
+  });
+}
+
+void stickBranch(PlantDocument& document, const NodeTarget& target) {
+  requireScan(document);
+  const auto stickAll = [&](SkeletonEditor& editor, NodeId top) {
+    std::vector<NodeId> carried = {top};
+    for (std::size_t next = 0; next < carried.size(); ++next) {
+      const NodeId id = carried[next];
+      moveNode(editor, id, document.scan()->onPoints(editor.skeleton()[id].position));
+      const std::vector<NodeId>& children = editor.skeleton().children(id);
+      carried.insert(carried.end(), children.begin(), children.end());
+    }
+  };
+  editEach(document, target, tr("Stick the subtree of %1 to the points"), stickAll);
+}
+
+} // namespace
+
+QString nodeName(NodeId id) {
+  return tr("node %1").arg(indexOf(id));
+}
+
+QString nodeNames(const std::vector<NodeId>& ids) {
+  return ids.size() == 1 ? nodeName(ids.front()) : tr("%n nodes", static_cast<int>(ids.size()));
+}
+
+NodeTarget targetOf(PlantDocument& document, const Pick& under,
+                    const Eigen::Vector3d& viewDirection) {
+  NodeTarget target{
+      .nodes = document.selection().nodes(), .edge = under.edge, .viewDirection = viewDirection};
+  if (target.edge && !isContained(document, target.edge->child)) target.edge.reset();
+  if (under.node && isContained(document, *under.node) &&
+      !document.selection().contains(*under.node))
+    target.nodes = {*under.node};
+  return target;
+}
+
+std::vector<NodeEdit> nodeEdits() {
+  const auto scaleBy = [](const char* text, double factor) {
+    return [text, factor](PlantDocument& document, const NodeTarget& target) {
+      scaleRadius(document, target, tr(text), factor);
+    };
+  };
+  return {
+      {"new_child", tr("New Child"), tr("Adds a child, on the points ahead"), "add", Qt::Key_N,
+       newChild},
+      {"split_edge", tr("Split Edge"),
+       tr("Puts a node on the edge: where the pointer is, or in the middle"), "split", Qt::Key_E,
+       split},
+      {"make_axial", tr("Make Axial"), tr("Continues the axis of the parent (<)"), "axial",
+       Qt::Key_M, makeAxial},
+      {"make_branching", tr("Make Branching"), tr("Begins an axis of its own (+)"), "branching",
+       QKeySequence(Qt::SHIFT | Qt::Key_M), makeBranching},
+      {"stick", tr("Stick to Points"), tr("Moves the node to the middle of its 5 nearest points"),
+       "stick", Qt::Key_T, stick},
+      {"stick_subtree", tr("Stick Subtree to Points"), tr("The same for all that the node carries"),
+       "", Qt::Key_G, stickBranch},
+      {"radius_up", tr("Increase Radius"), tr("5 % more"), "", Qt::Key_A,
+       scaleBy(QT_TRANSLATE_NOOP("NodeEdits", "Increase the radius of %1"), 1.05)},
+      {"radius_down", tr("Decrease Radius"), tr("5 % less"), "", Qt::Key_Q,
+       scaleBy(QT_TRANSLATE_NOOP("NodeEdits", "Decrease the radius of %1"), 0.95)},
+      {"remove", tr("Remove Node"), tr("Its children hang on its parent"), "remove",
+       QKeySequence(Qt::Key_Delete), remove},
+      {"remove_subtree", tr("Remove Subtree"), tr("With all that the node carries"), "",
+       QKeySequence(Qt::SHIFT | Qt::Key_Delete), removeBranch},
+  };
+}
+
+void setRadius(PlantDocument& document, const std::vector<NodeId>& nodes, double radius) {
+  document.edit(tr("Set the radius of %1").arg(nodeNames(nodes)), [&](SkeletonEditor& editor) {
+    for (const NodeId id : nodes)
+      editor.setRadius(id, radius);
+  });
+}
+
+} // namespace espalier

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "ui/document/plant_document.h"
+#include "ui/document/tool_input.h"
+
+#include <QObject>
+#include <QString>
+
+#include <vector>
+
+namespace espalier {
+
+/// What the left button means in the 3D view: turns acts of the mouse into edits of the document.
+///
+/// It is told every act, also of gestures it did not take: the camera moves by those, and a tool
+/// may still act on their release if the pointer has not moved (a click).
+class Tool : public QObject {
+  Q_OBJECT
+
+public:
+  explicit Tool(PlantDocument& document, QObject* parent = nullptr)
+      : QObject(parent), document_(document) {}
+
+  /// Returns true for what it took: a taken press keeps the camera still until the release.
+  /// @throws Error if the act is refused; the document is as it was before the act
+  bool handle(const ToolInput& input);
+
+  /// What the mouse will do now, given what is under it.
+  [[nodiscard]] virtual QString hint() const = 0;
+
+  /// True in mid-gesture: then undo, Escape and other tools mean cancel().
+  [[nodiscard]] virtual bool isBusy() const { return false; }
+
+  /// Leaves the gesture with nothing changed.
+  virtual void cancel() {}
+
+  /// What the tool works on until its next use, for one that is started from a node.
+  virtual void startWith(const std::vector<NodeId>& /*nodes*/) {}
+
+signals:
+  void hintChanged();
+  void finished(); // back to the tool used before
+
+protected:
+  [[nodiscard]] PlantDocument& document() const { return document_; }
+  [[nodiscard]] const Pick& under() const { return under_; }
+
+private:
+  virtual bool act(const ToolInput& input) = 0;
+
+  PlantDocument& document_;
+  Pick under_;
+};
+
+} // namespace espalier

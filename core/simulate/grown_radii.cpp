@@ -17,8 +17,8 @@ constexpr double lengthPerApex = 19;
 /// What each node carries, by id.
 std::vector<double> loads(const Skeleton& plant, const std::vector<NodeId>& order, double unit) {
   std::vector<double> load(plant.idEnd(), 0);
-  for (auto next = order.rbegin(); next != order.rend(); ++next) { // children first
-    const NodeId id = *next;
+  for (std::size_t i = order.size(); i-- > 0;) { // children first
+    const NodeId id = order[i];
     double& own = load[indexOf(id)];
     if (plant.children(id).empty()) own = 1;
     const Node& node = plant[id];

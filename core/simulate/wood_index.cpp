@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace espalier {
@@ -10,17 +11,22 @@ namespace {
 constexpr std::uint32_t piecesPerBox = 4;
 constexpr std::size_t maxDepth = 64; // of a tree halved at each step: more than 2^32 pieces
 
+/// One over each coordinate. No infinity for 0: along a side of a box it would give 0 * infinity,
+/// and the NaN would hide the box.
+Eigen::Array3d inverseOf(const Eigen::Vector3d& direction) {
+  return direction.unaryExpr([](double x) { return std::abs(x) > 1e-300 ? 1 / x : 1e300; }).array();
+}
+
 /// Where the ray enters the box, or infinity if it misses it or enters beyond `range`.
 double entry(const Eigen::AlignedBox3d& box, const Ray& ray, const Eigen::Array3d& inverse,
              double range) {
-  const Eigen::Array3d a = (box.min() - ray.origin).array() * inverse;
-  const Eigen::Array3d b = (box.max() - ray.origin).array() * inverse;
-  // A ray along a side of the box gives 0 * infinity; such NaN must not hide the box.
   double from = 0;
   double to = range;
   for (int axis = 0; axis < 3; ++axis) {
-    from = std::max(from, std::min(a[axis], b[axis]));
-    to = std::min(to, std::max(a[axis], b[axis]));
+    const double a = (box.min()[axis] - ray.origin[axis]) * inverse[axis];
+    const double b = (box.max()[axis] - ray.origin[axis]) * inverse[axis];
+    from = std::max(from, std::min(a, b));
+    to = std::min(to, std::max(a, b));
   }
   return from <= to ? from : std::numeric_limits<double>::infinity();
 }
@@ -70,7 +76,7 @@ Eigen::AlignedBox3d WoodIndex::bounds() const {
 std::optional<WoodHit> WoodIndex::firstHit(const Ray& ray, double range) const {
   std::optional<WoodHit> best;
   if (boxes_.empty()) return best;
-  const Eigen::Array3d inverse = ray.direction.array().inverse();
+  const Eigen::Array3d inverse = inverseOf(ray.direction);
   std::array<std::pair<double, std::uint32_t>, maxDepth> open;
   std::size_t size = 0;
   open[size++] = {entry(boxes_[0].bounds, ray, inverse, range), 0};

@@ -1,0 +1,211 @@
+#include "core/simulate/laser_scanner.h"
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/base/random.h"
+#include "core/simulate/beam.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+
+namespace espalier {
+namespace {
+
+using Eigen::Index;
+using Eigen::Vector3d;
+using std::numbers::pi;
+
+void require(bool holds, const char* what) {
+  if (!holds) throw Error(std::string("scanner options: ") + what);
+}
+
+bool isIn(double value, double least, double most) {
+  return value >= least && value <= most; // no NaN is
+}
+
+void check(const ScannerOptions& options) {
+  require(options.points >= 10 && options.points <= 100'000'000, "expected 10 to 10^8 points");
+  require(options.stations >= 1 && options.stations <= 100, "expected 1 to 100 stations");
+  require(isIn(options.distance, 0.6, 100), "expected a distance of 0.6 to 100 plant extents");
+  require(isIn(options.elevation, -10, 10), "expected an elevation of -10 to 10 plant heights");
+  require(isIn(options.rangeNoise.value_or(0), 0, 1e300) && isIn(options.rangeNoiseInSteps, 0, 1e3),
+          "expected a range noise of 0 or more");
+  require(isIn(options.angularNoise, 0, 10), "expected an angular noise of 0 to 10 steps");
+  require(isIn(options.beamWidth, 0, 3), "expected a beam width of 0 to 3 steps");
+  require(isIn(options.grazingLoss, 0, 1), "expected a grazing loss of 0 to 1");
+  require(isIn(options.strayShare, 0, 0.5), "expected a share of stray points of 0 to 0.5");
+  require(options.clumps >= 0 && options.clumps <= 1000, "expected 0 to 1000 clumps of leaves");
+  require(isIn(options.clumpRadius, 0, 1), "expected a clump radius of 0 to 1 extents");
+}
+
+std::vector<Vector3d> stationsAround(const Eigen::AlignedBox3d& bounds, double extent,
+                                     const ScannerOptions& options, Random& random) {
+  const double any = random.uniform(0, 2 * pi);
+  if (!options.at.empty()) return options.at;
+  const double first = options.azimuth.value_or(any);
+  std::vector<Vector3d> stations;
+  for (int i = 0; i < options.stations; ++i) {
+    const double azimuth = first + 2 * pi * i / options.stations;
+    Vector3d station = bounds.center() + options.distance * extent *
+                                             Vector3d(std::cos(azimuth), std::sin(azimuth), 0);
+    station.z() = bounds.min().z() + options.elevation * bounds.sizes().z();
+    stations.push_back(station);
+  }
+  return stations;
+}
+
+std::vector<LeafClump> clumpsIn(const WoodIndex& wood, double extent, const ScannerOptions& options,
+                                Random& random) {
+  std::vector<LeafClump> clumps;
+  clumps.reserve(static_cast<std::size_t>(options.clumps));
+  for (int i = 0; i < options.clumps; ++i)
+    clumps.push_back(
+        {wood.wood()[random.below(wood.wood().size())].to, options.clumpRadius * extent});
+  return clumps;
+}
+
+/// The beams of a station as rows of even elevation.
+struct Sweep {
+  ScanWindow window;
+  Index rows = 0;
+  Index columns = 0;
+};
+
+Sweep sweepOf(const ScanWindow& window, double step) {
+  return {window, static_cast<Index>(std::ceil(window.height / step)),
+          static_cast<Index>(std::ceil(window.width / step))};
+}
+
+/// Beams per echo: how many of a sample of all beams of this step come back.
+/// @return echoes of all stations, expected for one beam per square radian
+double echoDensity(const ScanScene& scene, const std::vector<ScanWindow>& windows, double step,
+                   std::uint64_t seed, const Progress& progress) {
+  constexpr Index side = 192; // sampled beams in each direction, per station
+  double density = 0;
+  for (std::size_t w = 0; w < windows.size(); ++w) {
+    const ScanWindow& window = windows[w];
+    std::vector<Index> echoes(side, 0);
+    parallelFor(
+        side,
+        [&](Index row) {
+          for (Index column = 0; column < side; ++column) {
+            const auto number =
+                static_cast<std::uint64_t>((static_cast<Index>(w) * side + row) * side + column);
+            CountedRandom random(seed, number);
+            const double u = (static_cast<double>(column) + random.uniform()) / side;
+            const double v = (static_cast<double>(row) + random.uniform()) / side;
+            if (echoOf(scene, window.station, window.azimuth + u * window.width,
+                       window.elevation + v * window.height, step, random))
+              ++echoes[static_cast<std::size_t>(row)];
+          }
+        },
+        progress.part(static_cast<double>(w) / static_cast<double>(windows.size()),
+                      static_cast<double>(w + 1) / static_cast<double>(windows.size())),
+        8);
+    Index sum = 0;
+    for (const Index count : echoes)
+      sum += count;
+    density += static_cast<double>(sum) * window.width * window.height / (side * side);
+  }
+  return density;
+}
+
+/// The angle between beams that gives as many points as asked.
+double angularStep(const ScanScene& scene, const std::vector<ScanWindow>& windows,
+                   std::uint64_t seed, const Progress& progress) {
+  const double echoes = static_cast<double>(scene.options.points) * (1 - scene.options.strayShare);
+  double step = 0;
+  for (const double part : {0.0, 0.5}) { // the width of the beams depends on the step
+    const double density = echoDensity(scene, windows, step, seed, progress.part(part, part + 0.5));
+    if (!(density > 0))
+      throw Error("no beam of the scanner hits the plant: check the stations and the radii");
+    step = std::sqrt(density / echoes);
+  }
+  return step;
+}
+
+/// All echoes in the order of stations, rows and columns.
+std::vector<Echo> echoesOf(const ScanScene& scene, const std::vector<ScanWindow>& windows,
+                           double step, std::uint64_t seed, const Progress& progress) {
+  std::vector<std::pair<std::size_t, Index>> rows; // window, row
+  std::vector<Sweep> sweeps;
+  for (std::size_t w = 0; w < windows.size(); ++w) {
+    sweeps.push_back(sweepOf(windows[w], step));
+    for (Index row = 0; row < sweeps[w].rows; ++row)
+      rows.emplace_back(w, row);
+  }
+  std::vector<std::vector<Echo>> found(rows.size());
+  parallelFor(
+      static_cast<Index>(rows.size()),
+      [&](Index i) {
+        const auto [w, row] = rows[static_cast<std::size_t>(i)];
+        const auto& [window, rowCount, columns] = sweeps[w];
+        const double elevation = window.elevation + (static_cast<double>(row) + 0.5) * step;
+        for (Index column = 0; column < columns; ++column) {
+          const auto number =
+              static_cast<std::uint64_t>(i) << 32 | static_cast<std::uint64_t>(column);
+          const double azimuth = window.azimuth + (static_cast<double>(column) + 0.5) * step;
+          if (const auto echo = echoOf(scene, window.station, azimuth, elevation, step,
+                                       CountedRandom(seed, number)))
+            found[static_cast<std::size_t>(i)].push_back(*echo);
+        }
+      },
+      progress, 4);
+  std::vector<Echo> echoes;
+  for (const std::vector<Echo>& row : found)
+    echoes.insert(echoes.end(), row.begin(), row.end());
+  return echoes;
+}
+
+/// Points on nothing, around the plant.
+void addStrays(Scan& scan, double share, Eigen::AlignedBox3d bounds, Random& random) {
+  const Vector3d margin = Vector3d::Constant(0.05 * bounds.sizes().maxCoeff());
+  bounds = {bounds.min() - margin, bounds.max() + margin};
+  const double hits = static_cast<double>(scan.points.positions.size());
+  for (auto left = std::lround(hits * share / (1 - share)); left > 0; --left) {
+    Vector3d place;
+    for (int axis = 0; axis < 3; ++axis)
+      place[axis] = random.uniform(bounds.min()[axis], bounds.max()[axis]);
+    scan.points.positions.push_back(place);
+    scan.points.intensities.push_back(static_cast<float>(0.3 * random.uniform()));
+    scan.nodes.emplace_back();
+  }
+}
+
+} // namespace
+
+Scan scan(const Skeleton& plant, const ScannerOptions& options, std::uint64_t seed,
+          const Progress& progress) {
+  check(options);
+  const WoodIndex wood(woodOf(plant));
+  if (wood.wood().empty()) throw Error("the plant has no edges: nothing to scan");
+  const Eigen::AlignedBox3d bounds = wood.bounds();
+  const double extent = bounds.sizes().maxCoeff();
+  Random random(seed);
+  Scan result{.stations = stationsAround(bounds, extent, options, random)};
+  const ScanScene scene{.wood = wood,
+                        .options = options,
+                        .clumps = clumpsIn(wood, extent, options, random),
+                        .extent = extent,
+                        .rangeNoise = options.rangeNoise.value_or(extent / 2500)};
+  std::vector<ScanWindow> windows;
+  for (const Vector3d& station : result.stations) {
+    require(station.allFinite(), "expected finite places of the stations");
+    windows.push_back(windowOf(station, bounds));
+  }
+  result.angularStep = angularStep(scene, windows, seed + 1, progress.part(0, 0.15, "aim"));
+  for (const Echo& echo :
+       echoesOf(scene, windows, result.angularStep, seed + 2, progress.part(0.15, 0.95, "scan"))) {
+    result.points.positions.push_back(echo.position);
+    result.points.intensities.push_back(echo.intensity);
+    result.nodes.emplace_back(echo.node);
+  }
+  addStrays(result, options.strayShare, bounds, random);
+  progress.update(1);
+  return result;
+}
+
+} // namespace espalier

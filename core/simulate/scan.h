@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/cloud/point_cloud.h"
+#include "core/skeleton/skeleton.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <vector>
+
+namespace espalier {
+
+/// A simulated scan, and where each of its points is from.
+struct Scan {
+  RawPoints points;                         // frame of the plant; intensities in [0, 1]
+  std::vector<std::optional<NodeId>> nodes; // per point: whose edge it lies on; none: stray
+  std::vector<Eigen::Vector3d> stations;    // [L], where the scanner stood; none if it did not
+  double angularStep = 0;                   // between beams [rad], 0 without stations
+};
+
+} // namespace espalier

@@ -4,8 +4,11 @@
 #include "core/skeleton/skeleton.h"
 #include "core/skeleton/skeleton_delta.h"
 #include "ui/document/tool_input.h"
+#include "ui/view/camera.h"
+#include "ui/view/point_colors.h"
 
 #include <QImage>
+#include <QString>
 #include <QWidget>
 
 #include <functional>
@@ -16,14 +19,15 @@
 namespace espalier {
 
 enum class Layer { points, contracted, skeleton };
-enum class PointColor { uniform, height, intensity, rgb };
-enum class Projection { perspective, parallel };
-enum class StandardView { front, back, left, right, top, bottom, isometric };
 
 /// The 3D view of a plant: its points, its contracted points, and its skeleton.
 ///
 /// Mirrors what it is given and owns no plant data; it never edits. The mouse goes first to the
-/// input handler; what that does not take turns, pans and zooms the camera.
+/// input handler; what that does not take turns (left), pans (right) and zooms (middle, wheel) the
+/// camera, and a double click sets the pivot. With Ctrl all goes to the camera.
+///
+/// Moves of the camera that are asked for by function take 200 ms while the view is seen, and are
+/// at their end at once while it is not.
 class PlantView : public QWidget {
   Q_OBJECT
 
@@ -41,17 +45,25 @@ public:
 
   void setLayerVisible(Layer layer, bool visible);
   void setPointColor(PointColor color);
-  void setPointSize(int pixels);           // 1 to 10
-  void setShowRadii(bool trueRadii);       // edges as tubes of their radius instead of lines
+  void setPointSize(int pixels);     // 1 to 10
+  void setShowRadii(bool trueRadii); // edges as tubes of their radius instead of lines
   void setProjection(Projection projection);
   void setDark(bool dark);
+  void setLengthUnit(const QString& unit); // written at scales; empty: not known
 
   void frameAll();
   void frame(const Eigen::AlignedBox3d& box); // [L], frame of the file
   void look(StandardView view);
   void setPivot(const Eigen::Vector3d& place); // [L], what the camera turns around
 
-  /// Returns true for what it took: a taken press keeps the camera still until the release.
+  /// Is the view at rest: nothing moves, and all points are drawn?
+  [[nodiscard]] bool isStill() const;
+
+  /// Returns true for what it took: a taken press keeps the camera still until the release or a
+  /// cancel (Escape, or the keyboard goes elsewhere). It is told the drags and the release of
+  /// gestures it did not take as well, while they move the camera, since one that has not moved is
+  /// a click; but nothing with Ctrl. Such drags, and the hover that is told when the pointer leaves
+  /// the view, have an empty pick.
   using InputHandler = std::function<bool(const ToolInput&)>;
   void setInputHandler(InputHandler handler);
 
@@ -63,8 +75,19 @@ public:
   /// The view as it would be drawn at `size`, all points, no pointer.
   [[nodiscard]] QImage picture(const QSize& size);
 
+protected:
+  bool event(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+
 private:
-  class Host;
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };

@@ -1,0 +1,194 @@
+#include "ui/view/camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace espalier {
+namespace {
+
+constexpr double quarterTurn = std::numbers::pi / 2;
+
+/// The same direction with an angle in [-pi, pi].
+double wrapped(double angle) {
+  return std::remainder(angle, 2 * std::numbers::pi);
+}
+
+/// Rows: right, up, backward.
+Eigen::Matrix3d axes(const Camera& camera) {
+  Eigen::Matrix3d rows;
+  rows << camera.right().transpose(), camera.up().transpose(), -camera.forward().transpose();
+  return rows;
+}
+
+} // namespace
+
+Eigen::Vector3d Camera::right() const {
+  return {std::cos(yaw), std::sin(yaw), 0};
+}
+
+Eigen::Vector3d Camera::up() const {
+  return {-std::sin(yaw) * std::sin(pitch), std::cos(yaw) * std::sin(pitch), std::cos(pitch)};
+}
+
+Eigen::Vector3d Camera::forward() const {
+  return {-std::sin(yaw) * std::cos(pitch), std::cos(yaw) * std::cos(pitch), -std::sin(pitch)};
+}
+
+double Camera::halfHeight() const {
+  return distance * std::tan(fieldOfView / 2);
+}
+
+void Camera::turn(double byYaw, double byPitch) {
+  const Eigen::Vector3d held = axes(*this) * (focus - pivot);
+  yaw = wrapped(yaw + byYaw);
+  pitch = std::clamp(pitch + byPitch, -quarterTurn, quarterTurn);
+  focus = pivot + axes(*this).transpose() * held;
+}
+
+void Camera::pan(double toRight, double toUp) {
+  focus -= toRight * right() + toUp * up();
+}
+
+void Camera::zoom(double factor, const Eigen::Vector3d& anchor) {
+  focus = anchor + (focus - anchor) / factor;
+  distance /= factor;
+}
+
+void Camera::frame(const Eigen::AlignedBox3d& box, double aspect) {
+  constexpr double margin = 1.08;
+  focus = pivot = box.center();
+  const Eigen::Matrix3d toView = axes(*this);
+  const double slope = std::tan(fieldOfView / 2);
+  distance = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Eigen::Vector3d at =
+        toView * (box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)) - focus);
+    const double reach = std::max(std::abs(at.y()), std::abs(at.x()) / aspect) * margin / slope;
+    distance = std::max(distance, projection == Projection::perspective ? reach + at.z() : reach);
+  }
+  // A single node has no size: show about a unit around it.
+  if (!(distance > 0)) distance = 1;
+}
+
+void Camera::face(StandardView view) {
+  const double keptYaw = yaw;
+  const Eigen::Vector3d held = axes(*this) * (focus - pivot);
+  pitch = 0;
+  switch (view) {
+  case StandardView::front:
+    yaw = 0;
+    break;
+  case StandardView::back:
+    yaw = std::numbers::pi;
+    break;
+  case StandardView::left:
+    yaw = -quarterTurn;
+    break;
+  case StandardView::right:
+    yaw = quarterTurn;
+    break;
+  case StandardView::top:
+    yaw = 0;
+    pitch = quarterTurn;
+    break;
+  case StandardView::bottom:
+    yaw = 0;
+    pitch = -quarterTurn;
+    break;
+  case StandardView::isometric:
+    yaw = std::numbers::pi / 4;
+    pitch = std::atan(std::numbers::sqrt2 / 2);
+    break;
+  }
+  yaw = keptYaw + wrapped(yaw - keptYaw);
+  focus = pivot + axes(*this).transpose() * held;
+}
+
+Eigen::Matrix4d Camera::viewMatrix(const Eigen::Vector3d& origin) const {
+  Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
+  matrix.topLeftCorner<3, 3>() = axes(*this);
+  // Subtracted in double before it is turned: this is where large coordinates lose their size.
+  matrix.topRightCorner<3, 1>() = -(axes(*this) * (eye() - origin));
+  return matrix;
+}
+
+Eigen::Matrix4d Camera::projectionMatrix(double aspect, const DepthRange& depths) const {
+  const double n = depths.nearest;
+  const double f = depths.farthest;
+  Eigen::Matrix4d matrix = Eigen::Matrix4d::Zero();
+  if (projection == Projection::perspective) {
+    const double scale = 1 / std::tan(fieldOfView / 2);
+    matrix.diagonal() << scale / aspect, scale, -(f + n) / (f - n), 0;
+    matrix(2, 3) = -2 * f * n / (f - n);
+    matrix(3, 2) = -1;
+  } else {
+    const double scale = 1 / halfHeight();
+    matrix.diagonal() << scale / aspect, scale, -2 / (f - n), 1;
+    matrix(2, 3) = -(f + n) / (f - n);
+  }
+  return matrix;
+}
+
+DepthRange Camera::depthsOf(const Eigen::AlignedBox3d& box) const {
+  double nearest = distance;
+  double farthest = distance;
+  for (int corner = 0; corner < 8 && !box.isEmpty(); ++corner) {
+    const double depth =
+        forward().dot(box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)) - eye());
+    nearest = std::min(nearest, depth);
+    farthest = std::max(farthest, depth);
+  }
+  const double slack = 0.05 * (farthest - nearest) + 0.01 * distance; // for spheres and tubes
+  nearest -= slack;
+  farthest += slack;
+  if (projection == Projection::perspective) {
+    farthest = std::max(farthest, 0.1 * distance);
+    nearest = std::max({nearest, 1e-3 * distance, 1e-5 * farthest});
+  }
+  return {nearest, farthest};
+}
+
+Camera between(const Camera& from, const Camera& to, double part) {
+  if (part >= 1) return to;
+  Camera camera = to;
+  camera.yaw = from.yaw + part * wrapped(to.yaw - from.yaw);
+  camera.pitch = from.pitch + part * (to.pitch - from.pitch);
+  camera.focus = from.focus + part * (to.focus - from.focus);
+  camera.pivot = from.pivot + part * (to.pivot - from.pivot);
+  camera.distance = from.distance * std::pow(to.distance / from.distance, part);
+  return camera;
+}
+
+ScreenMap::ScreenMap(const Camera& camera, const Eigen::Vector2d& size)
+    : eye_(camera.eye()), right_(camera.right()), up_(camera.up()), forward_(camera.forward()),
+      middle_(size / 2), scale_(camera.halfHeight() / (size.y() / 2)),
+      perspective_(camera.projection == Projection::perspective) {
+  if (perspective_) scale_ /= camera.distance;
+}
+
+double ScreenMap::pixelSize(double depth) const {
+  return perspective_ ? scale_ * depth : scale_;
+}
+
+std::optional<ScreenMap::Place> ScreenMap::project(const Eigen::Vector3d& place) const {
+  const Eigen::Vector3d offset = place - eye_;
+  const double depth = forward_.dot(offset);
+  if (perspective_ && !(depth > 0)) return std::nullopt;
+  const Eigen::Vector2d shift(right_.dot(offset), -up_.dot(offset));
+  return Place{middle_ + shift / pixelSize(depth), depth};
+}
+
+Eigen::ParametrizedLine<double, 3> ScreenMap::ray(const Eigen::Vector2d& pixel) const {
+  const Eigen::Vector2d shift = (pixel - middle_) * scale_;
+  const Eigen::Vector3d aside = shift.x() * right_ - shift.y() * up_;
+  if (perspective_) return {eye_, (forward_ + aside).normalized()};
+  return {eye_ + aside, forward_};
+}
+
+Eigen::Vector3d ScreenMap::place(const Eigen::Vector2d& pixel, double depth) const {
+  const auto line = ray(pixel);
+  return line.pointAt(depth / line.direction().dot(forward_));
+}
+
+} // namespace espalier

@@ -1,0 +1,78 @@
+#include "ui/view/navigator.h"
+
+#include <cmath>
+
+namespace espalier {
+namespace {
+
+constexpr double turnPerPixel = 0.007; // [rad]
+constexpr double zoomPerPixel = 0.006; // as a power of e
+constexpr double zoomPerStep = 0.16;   // likewise, a notch of the wheel
+
+} // namespace
+
+Navigator::Navigator(QObject* parent) : QObject(parent) {
+  flight_.setDuration(200);
+  flight_.setStartValue(0.0);
+  flight_.setEndValue(1.0);
+  flight_.setEasingCurve(QEasingCurve::InOutCubic);
+  connect(&flight_, &QVariantAnimation::valueChanged, this, [this](const QVariant& part) {
+    camera_ = between(from_, to_, part.toDouble());
+    emit moved();
+  });
+}
+
+void Navigator::set(const Camera& camera) {
+  flight_.stop();
+  camera_ = camera;
+  emit moved();
+}
+
+void Navigator::flyTo(const Camera& camera) {
+  flight_.stop();
+  from_ = camera_;
+  to_ = camera;
+  flight_.start();
+}
+
+void Navigator::begin(Gesture gesture, const QPointF& at, const Eigen::Vector3d& anchor) {
+  flight_.stop();
+  gesture_ = gesture;
+  last_ = at;
+  anchor_ = anchor;
+  if (gesture != Gesture::turn) return;
+  // A pivot that was left behind by panning would swing the plant out of sight.
+  const Eigen::Vector2d size(screen_.width(), screen_.height());
+  const auto pivot = ScreenMap(camera_, size).project(camera_.pivot);
+  const bool seen =
+      pivot && (pivot->pixel.array() >= 0).all() && (pivot->pixel.array() <= size.array()).all();
+  if (!seen) camera_.pivot = camera_.focus;
+}
+
+void Navigator::drag(const QPointF& to) {
+  const QPointF by = to - last_;
+  last_ = to;
+  const double pixel = camera_.halfHeight() / (screen_.height() / 2);
+  switch (gesture_) {
+  case Gesture::turn:
+    camera_.turn(-turnPerPixel * by.x(), turnPerPixel * by.y());
+    break;
+  case Gesture::pan:
+    camera_.pan(pixel * by.x(), -pixel * by.y());
+    break;
+  case Gesture::zoom:
+    camera_.zoom(std::exp(-zoomPerPixel * by.y()), anchor_);
+    break;
+  case Gesture::none:
+    return;
+  }
+  emit moved();
+}
+
+void Navigator::wheel(double steps, const Eigen::Vector3d& anchor) {
+  flight_.stop();
+  camera_.zoom(std::exp(zoomPerStep * steps), anchor);
+  emit moved();
+}
+
+} // namespace espalier

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "ui/view/camera.h"
+
+#include <QObject>
+#include <QPointF>
+#include <QSizeF>
+#include <QVariantAnimation>
+
+namespace espalier {
+
+/// Moves the camera: by the hand of the user at once, by the program over 200 ms. A hand on the
+/// camera stops what the program does.
+class Navigator : public QObject {
+  Q_OBJECT
+
+public:
+  enum class Gesture { none, turn, pan, zoom };
+
+  explicit Navigator(QObject* parent = nullptr);
+
+  [[nodiscard]] const Camera& camera() const { return camera_; }
+  /// Where the camera is, or will be once it has arrived.
+  [[nodiscard]] const Camera& destination() const { return isFlying() ? to_ : camera_; }
+  [[nodiscard]] Gesture gesture() const { return gesture_; }
+  [[nodiscard]] bool isFlying() const { return flight_.state() == QAbstractAnimation::Running; }
+
+  void set(const Camera& camera);
+  void flyTo(const Camera& camera);
+
+  void setScreen(const QSizeF& size) { screen_ = size; } // [logical pixels]
+  /// @param anchor what a zoom keeps in place
+  void begin(Gesture gesture, const QPointF& at, const Eigen::Vector3d& anchor);
+  void drag(const QPointF& to); // pre: a gesture is on
+  void end() { gesture_ = Gesture::none; }
+  void wheel(double steps, const Eigen::Vector3d& anchor); // positive comes nearer
+
+signals:
+  void moved();
+
+private:
+  Camera camera_;
+  Camera from_, to_;
+  QVariantAnimation flight_;
+  Gesture gesture_ = Gesture::none;
+  Eigen::Vector3d anchor_ = Eigen::Vector3d::Zero();
+  QPointF last_;
+  QSizeF screen_{1, 1};
+};
+
+} // namespace espalier

@@ -1,0 +1,154 @@
+#include "ui/view/overlay.h"
+
+#include "ui/view/palette.h"
+
+#include <QCoreApplication>
+#include <QLinearGradient>
+#include <QLocale>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace espalier {
+namespace {
+
+constexpr double margin = 16; // [logical pixels], as all below
+
+QColor toQt(const Color& color, int alpha = 255) {
+  return {color[0], color[1], color[2], alpha};
+}
+
+QString translated(const char* text) {
+  return QCoreApplication::translate("espalier::Overlay", text);
+}
+
+/// A number with as many digits as a step between such numbers calls for.
+QString number(double value, double step) {
+  const int digits = std::clamp(static_cast<int>(-std::floor(std::log10(step) + 1e-9)), 0, 9);
+  return QLocale().toString(value, 'f', digits);
+}
+
+QString withUnit(const QString& text, const QString& unit) {
+  return unit.isEmpty() ? text : text + QChar::Nbsp + unit;
+}
+
+/// Text with a rim of the background, readable on points.
+void drawText(QPainter& painter, const QRectF& box, int alignment, const QString& text,
+              const Palette& colors) {
+  painter.setPen(toQt(colors.backgroundBottom, 170));
+  for (const QPointF& shift : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
+    painter.drawText(box.translated(shift), alignment, text);
+  painter.setPen(toQt(colors.text));
+  painter.drawText(box, alignment, text);
+}
+
+void paintColorBar(QPainter& painter, const Scene& scene, const QString& unit, const QSizeF& size) {
+  if (!scene.colorScale || !scene.points.visible) return;
+  const Palette colors = palette(scene.dark);
+  const ColorScale& scale = *scene.colorScale;
+  const bool isHeight = scale.quantity == ColorScale::Quantity::height;
+  const double height = std::min(180.0, 0.4 * size.height());
+  const QRectF bar(size.width() - margin - 10, margin + 24, 10, height);
+  QLinearGradient gradient(bar.bottomLeft(), bar.topLeft());
+  for (int i = 0; i <= 16; ++i)
+    gradient.setColorAt(i / 16.0, toQt(viridis(i / 16.0, scene.dark)));
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(gradient);
+  painter.drawRoundedRect(bar, 3, 3);
+  const QString name = isHeight ? translated("Height z") : translated("Intensity");
+  const QString title =
+      isHeight && !unit.isEmpty() ? name + QStringLiteral(" [%1]").arg(unit) : name;
+  const QRectF head(size.width() - margin - 160, margin - 4, 160, 20);
+  drawText(painter, head, Qt::AlignRight | Qt::AlignVCenter, title, colors);
+  const double step = roundLength((scale.to - scale.from) / 3);
+  for (double value = std::ceil(scale.from / step) * step; value <= scale.to; value += step) {
+    const double y = bar.bottom() - height * (value - scale.from) / (scale.to - scale.from);
+    painter.setPen(toQt(colors.text));
+    painter.drawLine(QPointF(bar.left() - 4, y), QPointF(bar.left() - 1, y));
+    drawText(painter, QRectF(bar.left() - 108, y - 10, 100, 20), Qt::AlignRight | Qt::AlignVCenter,
+             number(value, step), colors);
+  }
+}
+
+void paintScaleBar(QPainter& painter, const Scene& scene, const Camera& camera, const QString& unit,
+                   const QSizeF& size) {
+  const Palette colors = palette(scene.dark);
+  const double pixel = camera.halfHeight() / (size.height() / 2);
+  const double length = roundLength(140 * pixel);
+  const QPointF left(margin, size.height() - margin);
+  const QPointF right = left + QPointF(length / pixel, 0);
+  painter.setPen(QPen(toQt(colors.text), 1.5));
+  painter.drawLine(left, right);
+  for (const QPointF& end : {left, right})
+    painter.drawLine(end + QPointF(0, -4), end);
+  const QRectF box(left.x(), left.y() - 24, std::max(right.x() - left.x(), 80.0), 18);
+  drawText(painter, box, Qt::AlignLeft | Qt::AlignVCenter, withUnit(number(length, length), unit),
+           colors);
+}
+
+void paintAxes(QPainter& painter, const Scene& scene, const Camera& camera, const QSizeF& size) {
+  constexpr double reach = 26;
+  const QPointF middle(size.width() - margin - reach - 10, size.height() - margin - reach - 10);
+  struct Axis {
+    Eigen::Vector3d direction;
+    QString name;
+    QColor color;
+  };
+  std::array<Axis, 3> axes{
+      {{Eigen::Vector3d::UnitX(), QStringLiteral("x"), QColor(0xcc, 0x4b, 0x4b)},
+       {Eigen::Vector3d::UnitY(), QStringLiteral("y"), QColor(0x3f, 0x9a, 0x5f)},
+       {Eigen::Vector3d::UnitZ(), QStringLiteral("z"), QColor(0x4a, 0x7f, 0xd0)}}};
+  const Eigen::Vector3d forward = camera.forward();
+  std::sort(axes.begin(), axes.end(), [&](const Axis& a, const Axis& b) { // the nearest last
+    return a.direction.dot(forward) > b.direction.dot(forward);
+  });
+  for (const Axis& axis : axes) {
+    const QPointF along(axis.direction.dot(camera.right()), -axis.direction.dot(camera.up()));
+    const double depth = axis.direction.dot(forward);
+    QColor color = axis.color;
+    color.setAlphaF(static_cast<float>(0.75 - 0.25 * depth));
+    painter.setPen(QPen(color, 2, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(middle, middle + reach * along);
+    const QPointF place = middle + (reach + 8) * along;
+    painter.drawText(QRectF(place.x() - 8, place.y() - 8, 16, 16), Qt::AlignCenter, axis.name);
+  }
+  Q_UNUSED(scene);
+}
+
+void paintPivot(QPainter& painter, const Scene& scene, const Camera& camera, const QSizeF& size) {
+  const ScreenMap map(camera, {size.width(), size.height()});
+  const auto pivot = map.project(camera.pivot);
+  if (!pivot) return;
+  const QPointF place(pivot->pixel.x(), pivot->pixel.y());
+  const Palette colors = palette(scene.dark);
+  painter.setBrush(Qt::NoBrush);
+  // Flattened as a level ring around the pivot would be seen.
+  const double flat = std::max(0.08, std::abs(std::sin(camera.pitch)));
+  for (const QPen& pen :
+       {QPen(toQt(colors.backgroundBottom, 200), 4.5), QPen(toQt(colors.contracted), 2)}) {
+    painter.setPen(pen);
+    painter.drawEllipse(place, 18, 18 * flat);
+    painter.drawLine(place - QPointF(0, 12), place + QPointF(0, 12));
+  }
+}
+
+} // namespace
+
+double roundLength(double length) {
+  const double power = std::pow(10, std::floor(std::log10(length) + 1e-9));
+  const double rest = length / power * (1 + 1e-9);
+  return (rest >= 5 ? 5 : rest >= 2 ? 2 : 1) * power;
+}
+
+void Overlay::paint(QPainter& painter, const Scene& scene, const Camera& camera,
+                    const QSizeF& size) const {
+  painter.setRenderHint(QPainter::Antialiasing);
+  if (scene.bounds().isEmpty()) return;
+  paintColorBar(painter, scene, unit, size);
+  paintScaleBar(painter, scene, camera, unit, size);
+  paintAxes(painter, scene, camera, size);
+  if (pivotShown) paintPivot(painter, scene, camera, size);
+}
+
+} // namespace espalier

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "core/cloud/point_cloud.h"
+
+namespace espalier {
+
+/// The colors of the view; those of the skeleton are told apart by the color-blind
+/// (M. Okabe, K. Ito, "Color universal design", 2008).
+struct Palette {
+  Color backgroundTop;
+  Color backgroundBottom;
+  Color text;
+  Color point;      // where points have no color of their own
+  Color contracted; // the accent
+  Color successor;
+  Color branching{0xd5, 0x5e, 0x00};
+  Color selected{0xe6, 0x9f, 0x00};
+  Color hovered{0x56, 0xb4, 0xe9};
+  Color outline; // around the skeleton, so that it stands out from the points
+  Color solid;   // edges and nodes drawn with their radius
+};
+
+[[nodiscard]] constexpr Palette palette(bool dark) {
+  if (dark)
+    return {.backgroundTop = {0x1c, 0x1f, 0x22},
+            .backgroundBottom = {0x14, 0x16, 0x18},
+            .text = {0xd8, 0xdc, 0xda},
+            .point = {0x8d, 0x98, 0x94},
+            .contracted = {0x5c, 0xc4, 0x8d},
+            .successor = {0xf4, 0xf4, 0xf0},
+            .outline = {0x10, 0x12, 0x14},
+            .solid = {0xc9, 0xbe, 0xae}};
+  return {.backgroundTop = {0xff, 0xff, 0xff},
+          .backgroundBottom = {0xec, 0xef, 0xed},
+          .text = {0x3a, 0x40, 0x3d},
+          .point = {0x86, 0x90, 0x8b},
+          .contracted = {0x2f, 0x8f, 0x5b},
+          .successor = {0x16, 0x18, 0x1a},
+          .outline = {0xff, 0xff, 0xff},
+          .solid = {0xa8, 0x9c, 0x8a}};
+}
+
+} // namespace espalier

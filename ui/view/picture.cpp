@@ -1,0 +1,30 @@
+#include "ui/view/picture.h"
+
+#include "ui/view/offscreen_renderer.h"
+
+#include <limits>
+
+namespace espalier {
+
+QImage picture(const Scene& scene, const Camera& camera, const Overlay& overlay,
+               const QSize& size) {
+  Scene copy = scene; // drawing takes from a scene what changed in it
+  OffscreenRenderer renderer(copy);
+  PlantRenderer::Frame frame{.camera = camera, .size = size};
+  frame.points = std::numeric_limits<Eigen::Index>::max();
+  renderer.draw(frame);
+  QImage image = renderer.image();
+  QPainter painter(&image);
+  overlay.paint(painter, scene, camera, size);
+  return image;
+}
+
+Camera cameraOf(const Scene& scene, StandardView view, double aspect) {
+  Camera camera;
+  camera.face(view);
+  const Eigen::AlignedBox3d box = scene.bounds();
+  if (!box.isEmpty()) camera.frame(box, aspect);
+  return camera;
+}
+
+} // namespace espalier

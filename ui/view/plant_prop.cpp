@@ -1,0 +1,54 @@
+#include "ui/view/plant_prop.h"
+
+#include <vtkObjectFactory.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkViewport.h>
+
+namespace espalier {
+
+vtkStandardNewMacro(PlantProp);
+
+void PlantProp::show(Scene& scene) {
+  scene_ = &scene;
+  points_ = std::make_unique<PointPass>(scene);
+  skeleton_ = std::make_unique<SkeletonPass>(scene);
+}
+
+DrawSettings PlantProp::settings(vtkViewport* viewport) const {
+  const Camera& camera = frame_.camera;
+  const double width = frame_.size.width();
+  const double height = frame_.size.height();
+  const bool perspective = camera.projection == Projection::perspective;
+  const double pixelSize = camera.halfHeight() / (height / 2);
+  const DepthRange depths = camera.depthsOf(scene_->bounds());
+  return {.window = vtkOpenGLRenderWindow::SafeDownCast(viewport->GetVTKWindow()),
+          .toView = camera.viewMatrix(scene_->origin()).cast<float>(),
+          .toClip = camera.projectionMatrix(width / height, depths).cast<float>(),
+          .size = Eigen::Vector2d(width, height).cast<float>(),
+          .pixelRatio = static_cast<float>(frame_.pixelRatio),
+          .perspective = perspective,
+          .pixelSize = static_cast<float>(perspective ? pixelSize / camera.distance : pixelSize)};
+}
+
+int PlantProp::RenderOpaqueGeometry(vtkViewport* viewport) {
+  const DrawSettings drawn = settings(viewport);
+  const PointPass::Result points = points_->draw(drawn, frame_.points, frame_.moving);
+  // Shading is worth its time for a picture that stays; it stays while the skeleton is edited.
+  const bool relief = !frame_.moving;
+  if (points.changed || relief != wasRelief_)
+    shade_.shade(drawn, points_->picture(), palette(scene_->dark), relief);
+  wasRelief_ = relief;
+  shade_.copy(drawn, points_->picture(), scene_->showRadii);
+  skeleton_->draw(drawn);
+  result_ = {points.complete, points.drawn};
+  return 1;
+}
+
+void PlantProp::ReleaseGraphicsResources(vtkWindow* window) {
+  points_->release();
+  shade_.release();
+  skeleton_->release();
+  vtkProp::ReleaseGraphicsResources(window);
+}
+
+} // namespace espalier

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "ui/view/plant_renderer.h"
+#include "ui/view/point_pass.h"
+#include "ui/view/shade_pass.h"
+#include "ui/view/skeleton_pass.h"
+
+#include <vtkProp.h>
+
+#include <memory>
+
+namespace espalier {
+
+/// The scene as one thing that VTK draws: points, then the relief, then the skeleton.
+class PlantProp : public vtkProp {
+public:
+  static PlantProp* New();
+  PlantProp(const PlantProp&) = delete;
+  PlantProp& operator=(const PlantProp&) = delete;
+
+  void show(Scene& scene); // to be called once; `scene` must outlive the prop
+  void setFrame(const PlantRenderer::Frame& frame) { frame_ = frame; }
+  [[nodiscard]] PlantRenderer::Result result() const { return result_; }
+
+  int RenderOpaqueGeometry(vtkViewport* viewport) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  PlantProp() = default;
+  ~PlantProp() override = default;
+
+private:
+  [[nodiscard]] DrawSettings settings(vtkViewport* viewport) const;
+
+  Scene* scene_ = nullptr;
+  std::unique_ptr<PointPass> points_;
+  ShadePass shade_;
+  std::unique_ptr<SkeletonPass> skeleton_;
+  PlantRenderer::Frame frame_;
+  PlantRenderer::Result result_{};
+  bool wasRelief_ = false;
+};
+
+} // namespace espalier

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "ui/view/camera.h"
+#include "ui/view/scene.h"
+
+#include <QImage>
+#include <QSize>
+
+#include <functional>
+#include <memory>
+
+namespace espalier {
+
+/// Draws a scene with VTK, in an OpenGL context that someone else owns.
+class PlantRenderer {
+public:
+  /// How the context is reached. Both are called in the middle of drawing.
+  struct Context {
+    std::function<void()> makeCurrent;
+    std::function<bool()> isCurrent;
+  };
+
+  /// @param scene must outlive the renderer
+  PlantRenderer(Scene& scene, Context context);
+  /// The context is made current, if it still can be, to free what is held in it.
+  ~PlantRenderer();
+
+  struct Frame {
+    Camera camera;
+    QSize size;            // [device pixels], not empty
+    double pixelRatio = 1; // device pixels a logical pixel
+    Eigen::Index points;   // to draw in this frame, at most
+    bool moving = false;   // the next frame will show something else
+  };
+  struct Result {
+    bool complete;            // all points are drawn
+    Eigen::Index pointsDrawn; // by this frame
+  };
+  /// Draws into a framebuffer of its own. Still frames that are the same add to each other until
+  /// they are complete.
+  /// pre: the context is current
+  /// @throws Error if OpenGL is older than 3.3
+  Result draw(const Frame& frame);
+
+  /// Copies what was drawn into a framebuffer of the same size.
+  void copyTo(unsigned int framebuffer);
+  [[nodiscard]] QImage image();
+
+private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+} // namespace espalier

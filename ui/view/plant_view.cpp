@@ -1,0 +1,279 @@
+#include "ui/view/plant_view.h"
+
+#include "ui/view/detail_budget.h"
+#include "ui/view/navigator.h"
+#include "ui/view/overlay.h"
+#include "ui/view/picture.h"
+#include "ui/view/pointer_input.h"
+#include "ui/view/scene.h"
+#include "ui/view/view_surface.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QTimer>
+
+#include <algorithm>
+
+namespace espalier {
+namespace {
+
+constexpr double movingFrame = 34;  // [ms] of drawing: 25 a second with what Qt adds
+constexpr double restingFrame = 60; // [ms] a step of completing a still picture
+constexpr int restAfter = 120;      // [ms] after the last move
+
+} // namespace
+
+struct PlantView::Parts {
+  explicit Parts(PlantView& view)
+      : pointer(scene, navigator), surface(makeSurface(scene, client(view), &view)) {}
+
+  SurfaceClient client(PlantView& view);
+  void redraw() {
+    complete = false;
+    surface->update();
+  }
+  void moved() {
+    moving = true;
+    rest.start();
+    redraw();
+  }
+  void moveTo(const Camera& camera, bool seen) {
+    if (seen && wasFramed)
+      navigator.flyTo(camera);
+    else
+      navigator.set(camera);
+  }
+
+  Scene scene;
+  Navigator navigator;
+  PointerInput pointer;
+  Overlay overlay;
+  DetailBudget budget;
+  QTimer rest; // runs while the camera moves
+  bool moving = false;
+  bool complete = false;
+  bool wasFramed = false;
+  QWidget* surface; // owned by the view; goes before what it draws, see ~PlantView
+};
+
+SurfaceClient PlantView::Parts::client(PlantView& view) {
+  return {.nextFrame =
+              [this](QSize size, double pixelRatio) {
+                return PlantRenderer::Frame{.camera = navigator.camera(),
+                                            .size = size,
+                                            .pixelRatio = pixelRatio,
+                                            .points =
+                                                budget.points(moving ? movingFrame : restingFrame),
+                                            .moving = moving};
+              },
+          .drawn =
+              [this](const PlantRenderer::Result& result, double milliseconds) {
+                budget.measured(result.pointsDrawn, milliseconds);
+                complete = result.complete;
+                // Later, so that what the user does comes first.
+                if (!complete && !moving)
+                  QTimer::singleShot(0, surface, qOverload<>(&QWidget::update));
+              },
+          .paintOver =
+              [this, &view](QPainter& painter) {
+                overlay.pivotShown = navigator.gesture() == Navigator::Gesture::turn;
+                overlay.paint(painter, scene, navigator.camera(), view.size());
+              }};
+}
+
+PlantView::PlantView(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts>(*this)) {
+  setMouseTracking(true);
+  setFocusPolicy(Qt::StrongFocus);
+  setMinimumSize(160, 120);
+  parts_->surface->setAttribute(Qt::WA_TransparentForMouseEvents);
+  parts_->rest.setSingleShot(true);
+  parts_->rest.setInterval(restAfter);
+  connect(&parts_->rest, &QTimer::timeout, this, [this] {
+    parts_->moving = false;
+    parts_->redraw();
+  });
+  connect(&parts_->navigator, &Navigator::moved, this, [this] { parts_->moved(); });
+}
+
+PlantView::~PlantView() {
+  delete parts_->surface;
+}
+
+void PlantView::setCloud(std::shared_ptr<const PointCloud> cloud) {
+  parts_->scene.setCloud(std::move(cloud));
+  parts_->redraw();
+}
+
+void PlantView::setContracted(std::shared_ptr<const Eigen::Matrix3Xf> positions) {
+  parts_->scene.contracted.set(std::move(positions));
+  parts_->redraw();
+}
+
+void PlantView::setSkeleton(const Skeleton& skeleton) {
+  parts_->scene.setSkeleton(skeleton);
+  parts_->redraw();
+}
+
+void PlantView::updateSkeleton(const Skeleton& skeleton, const SkeletonDelta& delta) {
+  parts_->scene.skeleton.update(skeleton, delta);
+  parts_->redraw();
+}
+
+void PlantView::setSelection(const std::vector<NodeId>& nodes) {
+  parts_->scene.skeleton.select(nodes);
+  parts_->redraw();
+}
+
+void PlantView::setHovered(const Pick& pick) {
+  if (parts_->scene.skeleton.hover(pick)) parts_->redraw();
+}
+
+void PlantView::setLayerVisible(Layer layer, bool visible) {
+  switch (layer) {
+  case Layer::points:
+    parts_->scene.points.visible = visible;
+    break;
+  case Layer::contracted:
+    parts_->scene.contracted.visible = visible;
+    break;
+  case Layer::skeleton:
+    parts_->scene.skeletonVisible = visible;
+    break;
+  }
+  parts_->redraw();
+}
+
+void PlantView::setPointColor(PointColor color) {
+  parts_->scene.setPointColor(color);
+  parts_->redraw();
+}
+
+void PlantView::setPointSize(int pixels) {
+  parts_->scene.pointSize = std::clamp(pixels, 1, 10);
+  parts_->redraw();
+}
+
+void PlantView::setShowRadii(bool trueRadii) {
+  parts_->scene.showRadii = trueRadii;
+  parts_->redraw();
+}
+
+void PlantView::setProjection(Projection projection) {
+  Camera camera = parts_->navigator.destination();
+  camera.projection = projection;
+  parts_->navigator.set(camera);
+}
+
+void PlantView::setDark(bool dark) {
+  parts_->scene.setDark(dark);
+  parts_->redraw();
+}
+
+void PlantView::setLengthUnit(const QString& unit) {
+  parts_->overlay.unit = unit;
+  parts_->redraw();
+}
+
+void PlantView::frameAll() {
+  frame(parts_->scene.bounds());
+}
+
+void PlantView::frame(const Eigen::AlignedBox3d& box) {
+  if (box.isEmpty()) return;
+  Camera camera = parts_->navigator.destination();
+  camera.frame(box, width() / std::max(1.0, double(height())));
+  parts_->moveTo(camera, isVisible());
+  parts_->wasFramed = true;
+}
+
+void PlantView::look(StandardView view) {
+  Camera camera = parts_->navigator.destination();
+  camera.face(view);
+  parts_->moveTo(camera, isVisible());
+}
+
+void PlantView::setPivot(const Eigen::Vector3d& place) {
+  Camera camera = parts_->navigator.destination();
+  camera.focus = camera.pivot = place;
+  parts_->moveTo(camera, isVisible());
+}
+
+bool PlantView::isStill() const {
+  return parts_->complete && !parts_->moving && !parts_->navigator.isFlying();
+}
+
+void PlantView::setInputHandler(InputHandler handler) {
+  parts_->pointer.setHandler(std::move(handler));
+}
+
+Pick PlantView::pick(const QPointF& position) const {
+  return parts_->pointer.pick(position);
+}
+
+std::optional<QPointF> PlantView::project(const Eigen::Vector3d& place) const {
+  const auto found = parts_->pointer.screen().project(place);
+  if (!found) return std::nullopt;
+  return QPointF(found->pixel.x(), found->pixel.y());
+}
+
+QImage PlantView::picture(const QSize& size) {
+  Overlay overlay = parts_->overlay;
+  overlay.pivotShown = false;
+  return espalier::picture(parts_->scene, parts_->navigator.destination(), overlay, size);
+}
+
+bool PlantView::event(QEvent* event) {
+  // Escape ends a gesture before any shortcut of the window hears of it.
+  if (event->type() == QEvent::ShortcutOverride && parts_->pointer.isBusy() &&
+      static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+    event->accept();
+    return true;
+  }
+  return QWidget::event(event);
+}
+
+void PlantView::resizeEvent(QResizeEvent* /*event*/) {
+  parts_->surface->setGeometry(rect());
+  parts_->pointer.setSize(size());
+  parts_->redraw();
+}
+
+void PlantView::mousePressEvent(QMouseEvent* event) {
+  parts_->pointer.press(*event);
+}
+
+void PlantView::mouseMoveEvent(QMouseEvent* event) {
+  parts_->pointer.move(*event);
+}
+
+void PlantView::mouseReleaseEvent(QMouseEvent* event) {
+  parts_->pointer.release(*event);
+  parts_->redraw(); // the pivot is no longer shown
+}
+
+void PlantView::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (const auto place = parts_->pointer.doubleClick(*event)) setPivot(*place);
+}
+
+void PlantView::wheelEvent(QWheelEvent* event) {
+  parts_->pointer.wheel(*event);
+}
+
+void PlantView::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape && parts_->pointer.isBusy())
+    parts_->pointer.cancel();
+  else
+    QWidget::keyPressEvent(event);
+}
+
+void PlantView::focusOutEvent(QFocusEvent* event) {
+  parts_->pointer.cancel();
+  QWidget::focusOutEvent(event);
+}
+
+void PlantView::leaveEvent(QEvent* event) {
+  parts_->pointer.leave();
+  QWidget::leaveEvent(event);
+}
+
+} // namespace espalier

@@ -1,0 +1,188 @@
+#include "ui/view/point_pass.h"
+
+#include "ui/view/palette.h"
+
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
+#include <vtkShaderProgram.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace espalier {
+namespace {
+
+constexpr const char* vertexShader = R"(#version 330 core
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 color;
+uniform mat4 toClip;
+flat out vec3 pointColor;
+void main() {
+  gl_Position = toClip * vec4(position, 1.0);
+  pointColor = color;
+})";
+
+constexpr const char* squareShader = R"(#version 330 core
+flat in vec3 pointColor;
+out vec4 fragment;
+void main() { fragment = vec4(pointColor, 1.0); })";
+
+// Apart from the square one, because discarding costs the early depth test.
+constexpr const char* roundShader = R"(#version 330 core
+flat in vec3 pointColor;
+out vec4 fragment;
+void main() {
+  vec2 offset = gl_PointCoord - 0.5;
+  if (dot(offset, offset) > 0.25) discard;
+  fragment = vec4(pointColor, 1.0);
+})";
+
+/// A number near `count` over the golden ratio that shares no factor with it.
+Eigen::Index goldenStep(Eigen::Index count) {
+  auto step = static_cast<Eigen::Index>(std::llround(0.6180339887498949 * double(count)));
+  while (step > 1 && std::gcd(step, count) != 1)
+    --step;
+  return std::max<Eigen::Index>(step, 1);
+}
+
+/// The columns or entries of `count` things in the order in which they are drawn.
+template <class Value, class At> std::vector<Value> inDrawingOrder(Eigen::Index count, At at) {
+  std::vector<Value> values(static_cast<std::size_t>(count));
+  const Eigen::Index step = goldenStep(count);
+  Eigen::Index next = 0;
+  for (Value& value : values) {
+    value = at(next);
+    next += step;
+    if (next >= count) next -= count;
+  }
+  return values;
+}
+
+void uploadPositions(GlBuffer& buffer, const Eigen::Matrix3Xf& positions) {
+  using Place = std::array<float, 3>;
+  const auto places = inDrawingOrder<Place>(positions.cols(), [&](Eigen::Index i) {
+    return Place{positions(0, i), positions(1, i), positions(2, i)};
+  });
+  buffer.upload(places.data(), places.size() * sizeof(Place));
+}
+
+void uploadColors(GlBuffer& buffer, const std::vector<Color>& colors) {
+  using Padded = std::array<std::uint8_t, 4>; // aligned to four bytes, which graphics cards want
+  const auto padded =
+      inDrawingOrder<Padded>(static_cast<Eigen::Index>(colors.size()), [&](Eigen::Index i) {
+        const Color& color = colors[static_cast<std::size_t>(i)];
+        return Padded{color[0], color[1], color[2], 255};
+      });
+  buffer.upload(padded.data(), padded.size() * sizeof(Padded));
+}
+
+/// Points are as many pixels larger as fewer of them are drawn: the plant keeps its body.
+float sizeFor(const Scene& scene, const DrawSettings& settings, double part) {
+  const auto size = static_cast<float>(scene.pointSize) * settings.pixelRatio;
+  return std::round(size * static_cast<float>(std::clamp(std::pow(part, -0.25), 1.0, 2.0)));
+}
+
+} // namespace
+
+void PointPass::upload() {
+  if (cloud_.revision != scene_.points.revision && scene_.points.positions)
+    uploadPositions(cloud_.positions, *scene_.points.positions);
+  if (cloud_.colorRevision != scene_.colorRevision && scene_.cloud) {
+    const Color& plain = palette(scene_.dark).point;
+    uploadColors(cloud_.colors, pointColors(*scene_.cloud, scene_.pointColor, scene_.dark, plain));
+  }
+  if (contracted_.revision != scene_.contracted.revision && scene_.contracted.positions)
+    uploadPositions(contracted_.positions, *scene_.contracted.positions);
+  cloud_.revision = scene_.points.revision;
+  cloud_.colorRevision = scene_.colorRevision;
+  contracted_.revision = scene_.contracted.revision;
+}
+
+PointPass::Key PointPass::keyOf(const DrawSettings& settings, float pointSize) const {
+  return {settings.toClip * settings.toView,
+          settings.size,
+          pointSize,
+          {scene_.points.revision, scene_.colorRevision, scene_.contracted.revision,
+           scene_.points.visible ? 1U : 0U, scene_.contracted.visible ? 1U : 0U}};
+}
+
+PointPass::Result PointPass::draw(const DrawSettings& settings, Eigen::Index atMost, bool moving) {
+  upload();
+  Eigen::Index total = 0;
+  for (const PointLayer* layer : {&scene_.points, &scene_.contracted})
+    if (layer->visible) total += layer->size();
+  const double step = total > atMost ? static_cast<double>(atMost) / static_cast<double>(total) : 1;
+  const float pointSize = sizeFor(scene_, settings, moving ? step : 1);
+  const bool isNew = picture_.resize(static_cast<int>(settings.size.x()),
+                                     static_cast<int>(settings.size.y()), true);
+  const Key key = keyOf(settings, pointSize);
+  const bool restart = isNew || !key_ || !(*key_ == key);
+  if (!restart && (drawn_ >= 1 || moving)) return {false, drawn_ >= 1, 0};
+  key_ = key;
+
+  vtkOpenGLState* state = settings.window->GetState();
+  state->PushFramebufferBindings();
+  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, picture_.framebuffer());
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglDepthFunc(GL_LEQUAL);
+  if (restart) {
+    drawn_ = 0;
+    state->vtkglClearColor(0, 0, 0, 0);
+    state->vtkglClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  }
+  const double until = std::min(1.0, drawn_ + step);
+  if (scene_.points.visible) drawLayer(settings, scene_.points, cloud_, pointSize, drawn_, until);
+  if (scene_.contracted.visible)
+    drawLayer(settings, scene_.contracted, contracted_, pointSize, drawn_, until);
+  state->PopFramebufferBindings();
+  const auto drawn = static_cast<Eigen::Index>((until - drawn_) * static_cast<double>(total));
+  drawn_ = until;
+  return {true, drawn_ >= 1, drawn};
+}
+
+void PointPass::drawLayer(const DrawSettings& settings, const PointLayer& points,
+                          const Layer& layer, float pointSize, double from, double to) {
+  const auto count = static_cast<double>(points.size());
+  const auto first = static_cast<GLint>(std::llround(from * count));
+  const auto last = static_cast<GLint>(std::llround(to * count));
+  if (first == last) return;
+  const bool isRound = pointSize >= 4;
+  vtkShaderProgram& program =
+      readyProgram(*settings.window, vertexShader, isRound ? roundShader : squareShader);
+  const Eigen::Matrix4f matrix = settings.toClip * settings.toView;
+  program.SetUniformMatrix4x4("toClip", const_cast<float*>(matrix.data()));
+
+  if (vertexArray_ == 0) glGenVertexArrays(1, &vertexArray_);
+  glBindVertexArray(vertexArray_);
+  layer.positions.bind();
+  glEnableVertexAttribArray(0);
+  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
+  if (layer.colors.size() > 0) {
+    layer.colors.bind();
+    glEnableVertexAttribArray(1);
+    glVertexAttribPointer(1, 3, GL_UNSIGNED_BYTE, GL_TRUE, 4, nullptr);
+  } else {
+    const Color& color = palette(scene_.dark).contracted;
+    glDisableVertexAttribArray(1);
+    glVertexAttrib4Nub(1, color[0], color[1], color[2], 255);
+  }
+  glPointSize(pointSize);
+  glDrawArrays(GL_POINTS, first, last - first);
+  glBindVertexArray(0);
+}
+
+void PointPass::release() {
+  cloud_.positions.release();
+  cloud_.colors.release();
+  contracted_.positions.release();
+  cloud_ = contracted_ = {};
+  if (vertexArray_ != 0) glDeleteVertexArrays(1, &vertexArray_);
+  vertexArray_ = 0;
+  picture_.release();
+  key_.reset();
+}
+
+} // namespace espalier

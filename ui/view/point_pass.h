@@ -1,0 +1,62 @@
+#pragma once
+
+#include "ui/view/gl_objects.h"
+#include "ui/view/scene.h"
+
+#include <array>
+#include <optional>
+
+namespace espalier {
+
+/// Draws the points into a picture of its own, which is kept: frames that only change the skeleton
+/// draw no point, and a still picture is completed over several frames.
+///
+/// Points are drawn in steps of the golden ratio through the cloud: since near points are near in
+/// memory, every prefix of that order is an even sample of the plant.
+class PointPass {
+public:
+  explicit PointPass(const Scene& scene) : scene_(scene) {}
+
+  struct Result {
+    bool changed;       // the picture is another than before
+    bool complete;      // all points are in it
+    Eigen::Index drawn; // points drawn by this call
+  };
+  /// @param atMost points to draw in this call
+  /// @param moving  draw an even part of the points, larger: the next frame will be another
+  Result draw(const DrawSettings& settings, Eigen::Index atMost, bool moving);
+
+  [[nodiscard]] const GlPicture& picture() const { return picture_; }
+  void release();
+
+private:
+  struct Layer {
+    GlBuffer positions;
+    GlBuffer colors; // empty: all of one color
+    std::uint64_t revision = 0;
+    std::uint64_t colorRevision = 0;
+  };
+  /// All that the picture depends on, but for how much of it is done.
+  struct Key {
+    Eigen::Matrix4f matrix;
+    Eigen::Vector2f size;
+    float pointSize;
+    std::array<std::uint64_t, 5> states;
+    bool operator==(const Key&) const = default;
+  };
+
+  void upload();
+  [[nodiscard]] Key keyOf(const DrawSettings& settings, float pointSize) const;
+  void drawLayer(const DrawSettings& settings, const PointLayer& points, const Layer& layer,
+                 float pointSize, double from, double to);
+
+  const Scene& scene_;
+  Layer cloud_;
+  Layer contracted_;
+  GLuint vertexArray_ = 0;
+  GlPicture picture_;
+  std::optional<Key> key_;
+  double drawn_ = 0; // part of each layer that is in the picture, in [0, 1]
+};
+
+} // namespace espalier

@@ -1,0 +1,150 @@
+#include "ui/view/pointer_input.h"
+
+#include "ui/view/skeleton_picker.h"
+
+#include <QLineF>
+
+#include <utility>
+
+namespace espalier {
+namespace {
+
+constexpr double skeletonReach = 10; // [logical pixels]
+constexpr double pointReach = 6;
+constexpr double clickReach = 3; // a press that moves less is a click
+
+Navigator::Gesture gestureOf(Qt::MouseButton button) {
+  switch (button) {
+  case Qt::LeftButton:
+    return Navigator::Gesture::turn;
+  case Qt::RightButton:
+    return Navigator::Gesture::pan;
+  case Qt::MiddleButton:
+    return Navigator::Gesture::zoom;
+  default:
+    return Navigator::Gesture::none;
+  }
+}
+
+/// The scan point under a pixel, in the frame of the file.
+std::optional<Eigen::Vector3d> pointUnder(const PointLayer& layer, const Eigen::Vector3d& origin,
+                                          const ScreenMap& map, const Eigen::Vector2d& pixel) {
+  if (!layer.visible || layer.size() == 0) return std::nullopt;
+  const auto ray = map.ray(pixel);
+  const double slope = pointReach * (map.pixelSize(2) - map.pixelSize(1)); // 0 if parallel
+  const double radius = pointReach * map.pixelSize(0);
+  const ViewCone cone{(ray.origin() - origin).cast<float>(), ray.direction().cast<float>(),
+                      static_cast<float>(radius), static_cast<float>(slope)};
+  const auto found = layer.boxes.pick(*layer.positions, cone);
+  if (!found) return std::nullopt;
+  return layer.positions->col(*found).cast<double>() + origin;
+}
+
+/// Where a pick is; a node or edge before a point.
+std::optional<Eigen::Vector3d> placeOf(const Pick& pick, const SkeletonGlyphs& glyphs) {
+  if (pick.node) return glyphs.position(indexOf(*pick.node));
+  if (pick.edge) return pick.edge->position;
+  return pick.point;
+}
+
+} // namespace
+
+void PointerInput::setSize(const QSizeF& size) {
+  size_ = size.expandedTo({1, 1});
+  navigator_.setScreen(size_);
+}
+
+ScreenMap PointerInput::screen() const {
+  return {navigator_.camera(), {size_.width(), size_.height()}};
+}
+
+Pick PointerInput::pick(const QPointF& position) const {
+  const Eigen::Vector2d pixel(position.x(), position.y());
+  const ScreenMap map = screen();
+  Pick pick;
+  if (scene_.skeletonVisible) pick = pickSkeleton(scene_.skeleton, map, pixel, skeletonReach);
+  pick.point = pointUnder(scene_.points, scene_.origin(), map, pixel);
+  if (!pick.point) pick.point = pointUnder(scene_.contracted, scene_.origin(), map, pixel);
+  return pick;
+}
+
+ToolInput PointerInput::input(ToolInput::Phase phase, const Pointer& pointer,
+                              const Pick& pick) const {
+  const ScreenMap map = screen();
+  return {.phase = phase,
+          .ray = map.ray({pointer.position.x(), pointer.position.y()}),
+          .viewDirection = map.forward(),
+          .pick = pick,
+          .button = pointer.button,
+          .modifiers = pointer.modifiers,
+          .screen = pointer.position};
+}
+
+bool PointerInput::tell(ToolInput::Phase phase, const Pointer& pointer, const Pick& pick) {
+  return handler_ && handler_(input(phase, pointer, pick));
+}
+
+Eigen::Vector3d PointerInput::zoomAnchor(const QPointF& position, const Pick& pick) const {
+  if (const auto place = placeOf(pick, scene_.skeleton)) return *place;
+  return screen().place({position.x(), position.y()}, navigator_.camera().distance);
+}
+
+void PointerInput::press(const QMouseEvent& event) {
+  if (isBusy()) return; // a second button changes nothing
+  const QPointF position = event.position();
+  button_ = event.button();
+  pressed_ = last_ = position;
+  dragged_ = false;
+  cameraOnly_ = event.modifiers().testFlag(Qt::ControlModifier);
+  const Pick under = pick(position);
+  taken_ = !cameraOnly_ &&
+           tell(ToolInput::Phase::press, {position, button_, event.modifiers()}, under);
+  if (!taken_) navigator_.begin(gestureOf(button_), position, zoomAnchor(position, under));
+}
+
+void PointerInput::move(const QMouseEvent& event) {
+  const QPointF position = event.position();
+  const Pointer pointer{position, button_, event.modifiers()};
+  last_ = position;
+  if (!isBusy()) {
+    tell(ToolInput::Phase::hover, pointer, pick(position));
+    return;
+  }
+  if (!cameraOnly_) tell(ToolInput::Phase::drag, pointer, taken_ ? pick(position) : Pick());
+  dragged_ = dragged_ || QLineF(pressed_, position).length() > clickReach;
+  if (!taken_ && dragged_) navigator_.drag(position);
+}
+
+void PointerInput::release(const QMouseEvent& event) {
+  if (event.button() != button_ || !isBusy()) return;
+  const Pointer pointer{event.position(), std::exchange(button_, Qt::NoButton), event.modifiers()};
+  navigator_.end();
+  if (!cameraOnly_) tell(ToolInput::Phase::release, pointer, pick(event.position()));
+}
+
+std::optional<Eigen::Vector3d> PointerInput::doubleClick(const QMouseEvent& event) {
+  const Pick under = pick(event.position());
+  const Pointer pointer{event.position(), event.button(), event.modifiers()};
+  const bool cameraOnly = event.modifiers().testFlag(Qt::ControlModifier);
+  if (!cameraOnly && tell(ToolInput::Phase::doubleClick, pointer, under)) return std::nullopt;
+  if (event.button() != Qt::LeftButton) return std::nullopt;
+  return placeOf(under, scene_.skeleton);
+}
+
+void PointerInput::wheel(const QWheelEvent& event) {
+  const QPointF position = event.position();
+  navigator_.wheel(event.angleDelta().y() / 120.0, zoomAnchor(position, pick(position)));
+}
+
+void PointerInput::leave() {
+  if (!isBusy()) tell(ToolInput::Phase::hover, {last_, Qt::NoButton, Qt::NoModifier}, {});
+}
+
+void PointerInput::cancel() {
+  if (!isBusy()) return;
+  const Pointer pointer{last_, std::exchange(button_, Qt::NoButton), Qt::NoModifier};
+  navigator_.end();
+  if (!cameraOnly_) tell(ToolInput::Phase::cancel, pointer, {});
+}
+
+} // namespace espalier

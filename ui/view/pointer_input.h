@@ -1,0 +1,63 @@
+#pragma once
+
+#include "ui/document/tool_input.h"
+#include "ui/view/navigator.h"
+#include "ui/view/scene.h"
+
+#include <QMouseEvent>
+#include <QWheelEvent>
+
+#include <functional>
+#include <optional>
+
+namespace espalier {
+
+/// Tells the mouse over a scene to the tools and, where they do not want it, to the camera.
+class PointerInput {
+public:
+  using Handler = std::function<bool(const ToolInput&)>;
+
+  /// Both must outlive it.
+  PointerInput(const Scene& scene, Navigator& navigator) : scene_(scene), navigator_(navigator) {}
+  void setHandler(Handler handler) { handler_ = std::move(handler); }
+
+  void setSize(const QSizeF& size); // [logical pixels]
+  void press(const QMouseEvent& event);
+  void move(const QMouseEvent& event);
+  void release(const QMouseEvent& event);
+  /// Returns the place that is to become the pivot, if the click is on one and no tool took it.
+  [[nodiscard]] std::optional<Eigen::Vector3d> doubleClick(const QMouseEvent& event);
+  void wheel(const QWheelEvent& event);
+  void leave();
+  void cancel(); // ends what goes on; a tool undoes what it did
+
+  /// Is a gesture of a tool or of the camera going on?
+  [[nodiscard]] bool isBusy() const { return button_ != Qt::NoButton; }
+
+  [[nodiscard]] ScreenMap screen() const;
+  [[nodiscard]] Pick pick(const QPointF& position) const;
+
+private:
+  struct Pointer {
+    QPointF position;
+    Qt::MouseButton button;
+    Qt::KeyboardModifiers modifiers;
+  };
+  [[nodiscard]] ToolInput input(ToolInput::Phase phase, const Pointer& pointer,
+                                const Pick& pick) const;
+  bool tell(ToolInput::Phase phase, const Pointer& pointer, const Pick& pick);
+  [[nodiscard]] Eigen::Vector3d zoomAnchor(const QPointF& position, const Pick& pick) const;
+
+  const Scene& scene_;
+  Navigator& navigator_;
+  Handler handler_;
+  QSizeF size_{1, 1};
+  Qt::MouseButton button_ = Qt::NoButton; // which started the gesture that goes on
+  bool taken_ = false;      // by the handler
+  bool cameraOnly_ = false; // the handler is told nothing
+  bool dragged_ = false;    // farther than a click
+  QPointF pressed_;         // where
+  QPointF last_;
+};
+
+} // namespace espalier

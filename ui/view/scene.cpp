@@ -1,0 +1,52 @@
+#include "ui/view/scene.h"
+
+namespace espalier {
+
+void PointLayer::set(std::shared_ptr<const Eigen::Matrix3Xf> replacement) {
+  positions = std::move(replacement);
+  boxes = positions ? PointHierarchy(*positions) : PointHierarchy();
+  ++revision;
+}
+
+void Scene::setCloud(std::shared_ptr<const PointCloud> replacement) {
+  cloud = std::move(replacement);
+  // Shares the ownership of the cloud: its positions are not copied.
+  points.set(cloud ? std::shared_ptr<const Eigen::Matrix3Xf>(cloud, &cloud->positions()) : nullptr);
+  setPointColor(pointColor);
+  skeleton.moveOrigin(origin());
+}
+
+void Scene::setSkeleton(const Skeleton& replacement) {
+  Eigen::Vector3d about = origin();
+  if (points.size() == 0 && !replacement.isEmpty())
+    about = replacement[replacement.ids().front()].position;
+  skeleton.rebuild(replacement, about);
+}
+
+void Scene::setPointColor(PointColor color) {
+  pointColor = color;
+  colorScale = cloud ? espalier::colorScale(*cloud, color) : std::nullopt;
+  ++colorRevision;
+}
+
+void Scene::setDark(bool isDark) {
+  dark = isDark;
+  ++colorRevision;
+}
+
+Eigen::Vector3d Scene::origin() const {
+  return cloud && !cloud->isEmpty() ? cloud->origin() : skeleton.origin();
+}
+
+Eigen::AlignedBox3d Scene::bounds() const {
+  Eigen::AlignedBox3d box = skeleton.bounds();
+  for (const PointLayer* layer : {&points, &contracted}) {
+    const Eigen::AlignedBox3f local = layer->boxes.bounds();
+    if (local.isEmpty()) continue;
+    box.extend(Eigen::Vector3d(local.min().cast<double>() + origin()));
+    box.extend(Eigen::Vector3d(local.max().cast<double>() + origin()));
+  }
+  return box;
+}
+
+} // namespace espalier

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "core/cloud/point_cloud.h"
+#include "ui/view/point_colors.h"
+#include "ui/view/point_hierarchy.h"
+#include "ui/view/skeleton_glyphs.h"
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <cstdint>
+#include <memory>
+
+namespace espalier {
+
+/// Points of one layer. `revision` grows when they are replaced: the renderer then uploads anew.
+struct PointLayer {
+  std::shared_ptr<const Eigen::Matrix3Xf> positions; // about the origin of the scene; null: none
+  PointHierarchy boxes;
+  bool visible = true;
+  std::uint64_t revision = 0;
+
+  void set(std::shared_ptr<const Eigen::Matrix3Xf> replacement);
+  [[nodiscard]] Eigen::Index size() const { return positions ? positions->cols() : 0; }
+};
+
+/// What the view shows. Read by the renderer, the overlay and the picker; knows none of them.
+struct Scene {
+  std::shared_ptr<const PointCloud> cloud; // null: none
+  PointLayer points;
+  PointLayer contracted;
+  SkeletonGlyphs skeleton;
+  bool skeletonVisible = true;
+
+  PointColor pointColor = PointColor::height;
+  std::optional<ColorScale> colorScale; // of `cloud` by `pointColor`
+  std::uint64_t colorRevision = 0;      // grows when points are to be colored anew
+  int pointSize = 2;                    // [logical pixels]
+  bool showRadii = false;
+  bool dark = false;
+
+  void setCloud(std::shared_ptr<const PointCloud> replacement);
+  void setSkeleton(const Skeleton& replacement);
+  void setPointColor(PointColor color);
+  void setDark(bool isDark);
+
+  /// What float coordinates are counted from [L]: the cloud's origin, else the skeleton's.
+  [[nodiscard]] Eigen::Vector3d origin() const;
+  /// Encloses all there is, shown or not [L], frame of the file; empty if there is nothing.
+  [[nodiscard]] Eigen::AlignedBox3d bounds() const;
+};
+
+} // namespace espalier

@@ -1,0 +1,142 @@
+#include "ui/view/shade_pass.h"
+
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
+#include <vtkShaderProgram.h>
+
+namespace espalier {
+namespace {
+
+// One triangle that covers the screen; needs no vertices.
+constexpr const char* coverShader = R"(#version 330 core
+void main() {
+  vec2 corner = vec2((gl_VertexID << 1) & 2, gl_VertexID & 2);
+  gl_Position = vec4(corner * 2.0 - 1.0, 0.0, 1.0);
+})";
+
+constexpr const char* reliefShader = R"(#version 330 core
+uniform sampler2D pointColor;
+uniform sampler2D pointDepth;
+uniform vec3 top;
+uniform vec3 bottom;
+uniform float height;      // of the screen, in pixels
+uniform vec2 projection;   // the two terms of the projection matrix that make depths
+uniform float pixelSize;   // in perspective at depth 1
+uniform int perspective;
+uniform int reach;         // of the neighborhood, in pixels; 0: no relief
+out vec4 fragment;
+
+float linear(float stored) {
+  float ndc = 2.0 * stored - 1.0;
+  return perspective != 0 ? projection.y / (ndc + projection.x)
+                          : (projection.y - ndc) / projection.x;
+}
+
+void main() {
+  ivec2 here = ivec2(gl_FragCoord.xy);
+  vec4 color = texelFetch(pointColor, here, 0);
+  if (color.a == 0.0) {
+    fragment = vec4(mix(bottom, top, gl_FragCoord.y / height), 1.0);
+    return;
+  }
+  fragment = vec4(color.rgb, 1.0);
+  if (reach == 0) return;
+  const ivec2 around[8] = ivec2[8](ivec2(1, 0), ivec2(-1, 0), ivec2(0, 1), ivec2(0, -1),
+                                   ivec2(1, 1), ivec2(-1, 1), ivec2(1, -1), ivec2(-1, -1));
+  float depth = linear(texelFetch(pointDepth, here, 0).r);
+  float unit = pixelSize * float(reach) * (perspective != 0 ? depth : 1.0);
+  ivec2 last = textureSize(pointDepth, 0) - 1;
+  float hidden = 0.0;
+  for (int i = 0; i < 8; ++i) {
+    float stored = texelFetch(pointDepth, clamp(here + reach * around[i], ivec2(0), last), 0).r;
+    if (stored < 1.0) hidden += clamp((depth - linear(stored)) / (10.0 * unit), 0.0, 1.0);
+  }
+  fragment.rgb *= exp(-1.4 * hidden / 8.0);
+})";
+
+constexpr const char* copyShader = R"(#version 330 core
+uniform sampler2D shaded;
+out vec4 fragment;
+void main() { fragment = texelFetch(shaded, ivec2(gl_FragCoord.xy), 0); })";
+
+constexpr const char* copyWithDepthShader = R"(#version 330 core
+uniform sampler2D shaded;
+uniform sampler2D pointDepth;
+out vec4 fragment;
+void main() {
+  ivec2 here = ivec2(gl_FragCoord.xy);
+  fragment = texelFetch(shaded, here, 0);
+  gl_FragDepth = texelFetch(pointDepth, here, 0).r;
+})";
+
+void bindTexture(vtkOpenGLState& state, int unit, GLuint texture) {
+  state.vtkglActiveTexture(static_cast<unsigned>(GL_TEXTURE0 + unit));
+  glBindTexture(GL_TEXTURE_2D, texture);
+}
+
+void setColor(vtkShaderProgram& program, const char* name, const Color& color) {
+  const float values[3] = {color[0] / 255.0F, color[1] / 255.0F, color[2] / 255.0F};
+  program.SetUniform3f(name, values);
+}
+
+} // namespace
+
+void ShadePass::fill() {
+  if (vertexArray_ == 0) glGenVertexArrays(1, &vertexArray_);
+  glBindVertexArray(vertexArray_);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glBindVertexArray(0);
+}
+
+void ShadePass::shade(const DrawSettings& settings, const GlPicture& points, const Palette& palette,
+                      bool relief) {
+  shaded_.resize(static_cast<int>(settings.size.x()), static_cast<int>(settings.size.y()), false);
+  vtkOpenGLState* state = settings.window->GetState();
+  state->PushFramebufferBindings();
+  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, shaded_.framebuffer());
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  vtkShaderProgram& program = readyProgram(*settings.window, coverShader, reliefShader);
+  bindTexture(*state, 0, points.color());
+  bindTexture(*state, 1, points.depth());
+  program.SetUniformi("pointColor", 0);
+  program.SetUniformi("pointDepth", 1);
+  setColor(program, "top", palette.backgroundTop);
+  setColor(program, "bottom", palette.backgroundBottom);
+  program.SetUniformf("height", settings.size.y());
+  const float projection[2] = {settings.toClip(2, 2), settings.toClip(2, 3)};
+  program.SetUniform2f("projection", projection);
+  program.SetUniformf("pixelSize", settings.pixelSize);
+  program.SetUniformi("perspective", settings.perspective ? 1 : 0);
+  const int reach = static_cast<int>(settings.pixelRatio + 0.5F);
+  program.SetUniformi("reach", relief ? reach : 0);
+  fill();
+  state->PopFramebufferBindings();
+}
+
+void ShadePass::copy(const DrawSettings& settings, const GlPicture& points, bool withDepth) {
+  vtkOpenGLState* state = settings.window->GetState();
+  vtkShaderProgram& program =
+      readyProgram(*settings.window, coverShader, withDepth ? copyWithDepthShader : copyShader);
+  state->vtkglDisable(GL_BLEND);
+  bindTexture(*state, 0, shaded_.color());
+  program.SetUniformi("shaded", 0);
+  if (withDepth) {
+    bindTexture(*state, 1, points.depth());
+    program.SetUniformi("pointDepth", 1);
+    state->vtkglEnable(GL_DEPTH_TEST); // without the test no depth is written
+    state->vtkglDepthMask(GL_TRUE);
+    state->vtkglDepthFunc(GL_ALWAYS);
+  } else {
+    state->vtkglDisable(GL_DEPTH_TEST);
+  }
+  fill();
+}
+
+void ShadePass::release() {
+  shaded_.release();
+  if (vertexArray_ != 0) glDeleteVertexArrays(1, &vertexArray_);
+  vertexArray_ = 0;
+}
+
+} // namespace espalier

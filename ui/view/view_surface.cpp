@@ -1,0 +1,138 @@
+#include "ui/view/view_surface.h"
+
+#include "core/base/error.h"
+#include "ui/view/offscreen_renderer.h"
+
+#include <QElapsedTimer>
+#include <QGuiApplication>
+#include <QOpenGLContext>
+#include <QOpenGLWidget>
+#include <QPaintEvent>
+
+#include <memory>
+
+namespace espalier {
+namespace {
+
+QSize devicePixels(const QWidget& widget) {
+  return (QSizeF(widget.size()) * widget.devicePixelRatioF()).toSize().expandedTo({1, 1});
+}
+
+/// Draws a frame and tells the client what it took.
+template <class Renderer>
+void drawFrame(Renderer& renderer, const SurfaceClient& client, const QWidget& widget) {
+  const PlantRenderer::Frame frame =
+      client.nextFrame(devicePixels(widget), widget.devicePixelRatioF());
+  QElapsedTimer timer;
+  timer.start();
+  const PlantRenderer::Result result = renderer.draw(frame);
+  client.drawn(result, static_cast<double>(timer.nsecsElapsed()) * 1e-6);
+}
+
+/// An error has no caller to go to from within a paint event: it is shown where the plant would be.
+void paintError(QPainter& painter, const QWidget& widget, const Error& error) {
+  painter.fillRect(widget.rect(), widget.palette().window());
+  painter.setPen(widget.palette().windowText().color());
+  painter.drawText(widget.rect().marginsRemoved({24, 24, 24, 24}),
+                   Qt::AlignCenter | Qt::TextWordWrap, QString::fromUtf8(error.what()));
+}
+
+class ImageSurface : public QWidget {
+public:
+  ImageSurface(Scene& scene, SurfaceClient client, QWidget* parent)
+      : QWidget(parent), scene_(scene), client_(std::move(client)) {
+    setAttribute(Qt::WA_OpaquePaintEvent);
+  }
+
+protected:
+  void paintEvent(QPaintEvent* /*event*/) override {
+    QPainter painter(this);
+    try {
+      if (!renderer_) renderer_ = std::make_unique<OffscreenRenderer>(scene_);
+      drawFrame(*renderer_, client_, *this);
+      QImage image = renderer_->image();
+      image.setDevicePixelRatio(devicePixelRatioF());
+      painter.drawImage(0, 0, image);
+      client_.paintOver(painter);
+    } catch (const Error& error) {
+      paintError(painter, *this, error);
+    }
+  }
+
+private:
+  Scene& scene_;
+  SurfaceClient client_;
+  std::unique_ptr<OffscreenRenderer> renderer_;
+};
+
+class OpenGlSurface : public QOpenGLWidget {
+public:
+  OpenGlSurface(Scene& scene, SurfaceClient client, QWidget* parent)
+      : QOpenGLWidget(parent), scene_(scene), client_(std::move(client)) {
+    QSurfaceFormat format;
+    format.setVersion(3, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setDepthBufferSize(24);
+    format.setStencilBufferSize(8);
+    format.setSamples(0);
+    setFormat(format);
+  }
+  ~OpenGlSurface() override { release(); }
+  OpenGlSurface(const OpenGlSurface&) = delete;
+  OpenGlSurface& operator=(const OpenGlSurface&) = delete;
+
+protected:
+  void initializeGL() override {
+    // Comes again with another context, after the first has gone, when the widget changes windows.
+    // QOpenGLWidget::makeCurrent would also bind its framebuffer, in the midst of VTK's drawing.
+    surface_ = context()->surface();
+    lost_ = connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] { release(); });
+    renderer_ = std::make_unique<PlantRenderer>(
+        scene_, PlantRenderer::Context{
+                    [this] {
+                      if (context() && QOpenGLContext::currentContext() != context())
+                        context()->makeCurrent(surface_);
+                    },
+                    [this] { return context() && QOpenGLContext::currentContext() == context(); }});
+  }
+
+  void paintGL() override {
+    try {
+      drawFrame(*renderer_, client_, *this);
+      renderer_->copyTo(defaultFramebufferObject());
+      QPainter painter(this);
+      client_.paintOver(painter);
+    } catch (const Error& error) {
+      QPainter painter(this);
+      paintError(painter, *this, error);
+    }
+  }
+
+private:
+  void release() {
+    disconnect(lost_);
+    if (!renderer_) return;
+    makeCurrent();
+    renderer_.reset();
+    doneCurrent();
+  }
+
+  Scene& scene_;
+  SurfaceClient client_;
+  QSurface* surface_ = nullptr;
+  QMetaObject::Connection lost_;
+  std::unique_ptr<PlantRenderer> renderer_;
+};
+
+} // namespace
+
+QWidget* makeSurface(Scene& scene, SurfaceClient client, QWidget* parent) {
+  const QString platform = QGuiApplication::platformName();
+  // On these Qt crashes when a QOpenGLWidget is shown.
+  for (const char* without : {"offscreen", "minimal", "vnc"})
+    if (platform == QLatin1String(without))
+      return new ImageSurface(scene, std::move(client), parent);
+  return new OpenGlSurface(scene, std::move(client), parent);
+}
+
+} // namespace espalier

@@ -7,7 +7,7 @@ namespace espalier {
 
 Scan::Scan(PointCloud cloud)
     : cloud_(std::make_shared<const PointCloud>(std::move(cloud))), index_(cloud_->positions()),
-      height_(cloud_->bounds().sizes().maxCoeff()) {
+      height_(cloud_->bounds().sizes().z()), spacing_(pointSpacing(cloud_->positions())) {
   assert(!cloud_->isEmpty());
 }
 

@@ -14,7 +14,8 @@ public:
   explicit Scan(PointCloud cloud);
 
   [[nodiscard]] const std::shared_ptr<const PointCloud>& cloud() const { return cloud_; }
-  [[nodiscard]] double height() const { return height_; } // longest side of the bounds [L]
+  [[nodiscard]] double height() const { return height_; }   // extent along z [L]
+  [[nodiscard]] double spacing() const { return spacing_; } // between neighboring points [L]
 
   /// Centroid of the 5 points nearest to `place` [L]: one point alone is noise of the scanner.
   [[nodiscard]] Eigen::Vector3d onPoints(const Eigen::Vector3d& place) const;
@@ -26,6 +27,7 @@ private:
   std::shared_ptr<const PointCloud> cloud_;
   SpatialIndex index_;
   double height_;
+  double spacing_;
 };
 
 } // namespace espalier

@@ -30,7 +30,9 @@ void editEach(PlantDocument& document, const NodeTarget& target, const QString& 
 
 /// What a lone root grows by, and how far a new child looks for points.
 double reach(const PlantDocument& document) {
-  return document.scan() && document.scan()->height() > 0 ? document.scan()->height() / 50 : 1;
+  if (!document.scan()) return 1;
+  const double size = document.scan()->cloud()->bounds().sizes().maxCoeff();
+  return size > 0 ? size / 50 : 1;
 }
 
 void newChild(PlantDocument& document, const NodeTarget& target) {

@@ -26,8 +26,9 @@ TEST(Scan, LeavesAPlaceThatIsOutOfReach) {
   EXPECT_TRUE(twoClumps().onPoints(place, 2).isApprox(Eigen::Vector3d(1000, 0, 2), 1e-7));
 }
 
-TEST(Scan, KnowsItsLongestSide) {
+TEST(Scan, KnowsItsHeightAndSpacing) {
   EXPECT_NEAR(twoClumps().height(), 6, 1e-6);
+  EXPECT_NEAR(twoClumps().spacing(), 0.1, 1e-5);
 }
 
 } // namespace

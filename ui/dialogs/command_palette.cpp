@@ -1,0 +1,97 @@
+#include "ui/dialogs/command_palette.h"
+
+#include <QAction>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QTimer>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace espalier {
+namespace {
+
+QString fullText(const QAction& action) {
+  const QString name = action.text().remove('&').remove(QChar(0x2026)).simplified();
+  return action.property("section").toString() + ": " + name;
+}
+
+bool movesChoice(int key) {
+  return key == Qt::Key_Up || key == Qt::Key_Down || key == Qt::Key_PageUp ||
+         key == Qt::Key_PageDown;
+}
+
+} // namespace
+
+CommandPalette::CommandPalette(const QList<QAction*>& actions, QWidget* parent)
+    : QDialog(parent, Qt::Popup | Qt::FramelessWindowHint), actions_(actions),
+      typed_(new QLineEdit(this)), list_(new QListWidget(this)) {
+  setObjectName("command_palette");
+  setAttribute(Qt::WA_DeleteOnClose);
+  setFixedSize(520, 400);
+  typed_->setPlaceholderText(tr("Type a command"));
+  typed_->setAccessibleName(tr("Type a command"));
+  typed_->installEventFilter(this);
+  list_->setFocusPolicy(Qt::NoFocus);
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(8, 8, 8, 8);
+  column->setSpacing(8);
+  column->addWidget(typed_);
+  column->addWidget(list_, 1);
+  connect(typed_, &QLineEdit::textChanged, this, &CommandPalette::refill);
+  connect(typed_, &QLineEdit::returnPressed, this, &CommandPalette::runChosen);
+  connect(list_, &QListWidget::itemClicked, this, &CommandPalette::runChosen);
+  refill();
+  typed_->setFocus();
+}
+
+int CommandPalette::match(const QString& text, const QString& typed) {
+  int score = 1;
+  for (const QString& word : typed.split(' ', Qt::SkipEmptyParts)) {
+    if (!text.contains(word, Qt::CaseInsensitive)) return 0;
+    const bool beginsWord = text.startsWith(word, Qt::CaseInsensitive) ||
+                            text.contains(" " + word, Qt::CaseInsensitive);
+    score += beginsWord ? 10 : 1;
+  }
+  return score;
+}
+
+bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::KeyPress && movesChoice(static_cast<QKeyEvent*>(event)->key())) {
+    QCoreApplication::sendEvent(list_, event);
+    return true;
+  }
+  return QDialog::eventFilter(watched, event);
+}
+
+void CommandPalette::refill() {
+  std::vector<std::pair<int, QAction*>> found;
+  for (QAction* action : actions_) {
+    const int score = match(fullText(*action), typed_->text());
+    if (score > 0 && action->isEnabled() && action->isVisible()) found.emplace_back(score, action);
+  }
+  std::ranges::stable_sort(found, std::greater<>(), &std::pair<int, QAction*>::first);
+  list_->clear();
+  for (const auto& [score, action] : found) {
+    const QString keys = action->shortcut().toString(QKeySequence::NativeText);
+    const QString text = fullText(*action) + (keys.isEmpty() ? QString() : "    " + keys);
+    auto* item = new QListWidgetItem(action->icon(), text, list_);
+    item->setData(Qt::UserRole, QVariant::fromValue(action));
+    item->setToolTip(action->statusTip());
+  }
+  if (list_->count() > 0) list_->setCurrentRow(0);
+}
+
+void CommandPalette::runChosen() {
+  const QListWidgetItem* item = list_->currentItem();
+  if (item == nullptr) return;
+  auto* action = item->data(Qt::UserRole).value<QAction*>();
+  close();
+  QTimer::singleShot(0, action, &QAction::trigger); // once the palette is gone
+}
+
+} // namespace espalier

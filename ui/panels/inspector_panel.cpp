@@ -1,0 +1,153 @@
+#include "ui/panels/inspector_panel.h"
+
+#include "core/skeleton/axes.h"
+#include "ui/document/plant_document.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace espalier {
+namespace {
+
+/// Digits after the point that show a radius to about four figures.
+int decimalsFor(double radius) {
+  if (radius <= 0) return 4;
+  return std::clamp(3 - static_cast<int>(std::floor(std::log10(radius))), 0, 7);
+}
+
+QString describe(const Eigen::Vector3d& place) {
+  const auto number = [](double value) { return QLocale::c().toString(value, 'f', 3); };
+  return QStringLiteral("%1\n%2\n%3").arg(number(place.x()), number(place.y()), number(place.z()));
+}
+
+QLabel* makeValue(QWidget* parent) {
+  auto* label = new QLabel(parent);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  return label;
+}
+
+} // namespace
+
+InspectorPanel::InspectorPanel(PlantDocument& document, QWidget* parent)
+    : QWidget(parent), document_(document), title_(new QLabel(this)),
+      empty_(new QLabel(tr("Click a node to see it here.\nShift+click adds more."), this)),
+      body_(new QWidget(this)), form_(new QFormLayout(body_)), order_(makeValue(body_)),
+      edge_(new QComboBox(body_)), parent_(new QPushButton(body_)), children_(makeValue(body_)),
+      position_(makeValue(body_)), length_(makeValue(body_)), radius_(new QDoubleSpinBox(body_)) {
+  makeForm();
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(16, 12, 16, 12);
+  column->setSpacing(12);
+  column->addWidget(title_);
+  column->addWidget(empty_);
+  column->addWidget(body_);
+  column->addStretch(1);
+  connect(edge_, &QComboBox::activated, this,
+          [this] { emit edgeChosen(edge_->currentData().value<EdgeType>()); });
+  connect(radius_, &QDoubleSpinBox::valueChanged, this, &InspectorPanel::radiusTyped);
+  connect(parent_, &QPushButton::clicked, this, [this] {
+    const std::optional<NodeId> current = document_.selection().current();
+    if (current && document_.skeleton()[*current].parent)
+      emit nodeChosen(*document_.skeleton()[*current].parent);
+  });
+  connect(&document_.selection(), &Selection::changed, this, &InspectorPanel::refresh);
+  connect(&document_, &PlantDocument::skeletonEdited, this, &InspectorPanel::refresh);
+  connect(&document_, &PlantDocument::skeletonReplaced, this, &InspectorPanel::refresh);
+  connect(&document_, &PlantDocument::unitChanged, this, &InspectorPanel::refresh);
+  refresh();
+}
+
+void InspectorPanel::makeForm() {
+  title_->setProperty("role", "title");
+  empty_->setProperty("role", "quiet");
+  empty_->setWordWrap(true);
+  edge_->addItem(tr("Continues its axis  <"), QVariant::fromValue(EdgeType::successor));
+  edge_->addItem(tr("Branches off  +"), QVariant::fromValue(EdgeType::branching));
+  parent_->setProperty("role", "link");
+  parent_->setFlat(true);
+  parent_->setCursor(Qt::PointingHandCursor);
+  parent_->setToolTip(tr("Select the parent"));
+  radius_->setKeyboardTracking(false); // one edit, when the number is complete
+  radius_->setRange(0, 1e9);
+  radius_->setObjectName("radius");
+  radius_->setAccelerated(true);
+  radius_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+  form_->setContentsMargins(0, 0, 0, 0);
+  form_->setHorizontalSpacing(16);
+  form_->setVerticalSpacing(8);
+  form_->setLabelAlignment(Qt::AlignLeft | Qt::AlignTop);
+  form_->addRow(tr("Radius"), radius_);
+  form_->addRow(tr("Edge"), edge_);
+  form_->addRow(tr("Order"), order_);
+  form_->addRow(tr("Parent"), parent_);
+  form_->addRow(tr("Children"), children_);
+  form_->addRow(tr("Edge length"), length_);
+  form_->addRow(tr("Position"), position_);
+}
+
+void InspectorPanel::refresh() {
+  Selection& selection = document_.selection();
+  const bool isStale = std::ranges::any_of(selection.nodes(), [this](NodeId id) {
+    return !document_.skeleton().contains(id); // removed; the selection drops it next
+  });
+  const bool hasNode = !selection.isEmpty() && !isStale;
+  body_->setVisible(hasNode);
+  title_->setVisible(hasNode);
+  empty_->setVisible(!hasNode);
+  if (!hasNode) return;
+  const bool isOne = selection.nodes().size() == 1;
+  for (QWidget* widget : {static_cast<QWidget*>(edge_), static_cast<QWidget*>(order_),
+                          static_cast<QWidget*>(parent_), static_cast<QWidget*>(children_),
+                          static_cast<QWidget*>(length_), static_cast<QWidget*>(position_)}) {
+    widget->setVisible(isOne);
+    form_->labelForField(widget)->setVisible(isOne);
+  }
+  const QSignalBlocker quiet(radius_);
+  const QString unit = symbol(document_.unit());
+  radius_->setSuffix(unit.isEmpty() ? QString() : QChar(0x202f) + unit);
+  if (isOne)
+    showNode(selection.nodes().front());
+  else
+    showNodes();
+}
+
+void InspectorPanel::showNode(NodeId id) {
+  const Skeleton& skeleton = document_.skeleton();
+  const Node& node = skeleton[id];
+  title_->setText(tr("Node %1").arg(indexOf(id)));
+  radius_->setDecimals(decimalsFor(node.radius));
+  radius_->setValue(node.radius);
+  order_->setText(QString::number(order(skeleton, id)));
+  children_->setText(QString::number(skeleton.children(id).size()));
+  position_->setText(describe(node.position));
+  edge_->setCurrentIndex(edge_->findData(QVariant::fromValue(node.edge)));
+  edge_->setEnabled(node.parent.has_value());
+  parent_->setEnabled(node.parent.has_value());
+  parent_->setText(node.parent ? tr("Node %1").arg(indexOf(*node.parent)) : tr("None: the root"));
+  length_->setText(
+      node.parent
+          ? formatLength((node.position - skeleton[*node.parent].position).norm(), document_.unit())
+          : QStringLiteral("–"));
+}
+
+void InspectorPanel::showNodes() {
+  const std::vector<NodeId>& nodes = document_.selection().nodes();
+  double sum = 0;
+  for (const NodeId id : nodes)
+    sum += document_.skeleton()[id].radius;
+  const double mean = sum / static_cast<double>(nodes.size());
+  title_->setText(tr("%n nodes", nullptr, static_cast<int>(nodes.size())));
+  radius_->setDecimals(decimalsFor(mean));
+  radius_->setValue(mean);
+}
+
+} // namespace espalier

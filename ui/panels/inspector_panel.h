@@ -1,0 +1,52 @@
+#pragma once
+
+#include "core/skeleton/skeleton.h"
+
+#include <QWidget>
+
+#include <optional>
+
+class QComboBox;
+class QDoubleSpinBox;
+class QFormLayout;
+class QLabel;
+class QPushButton;
+
+namespace espalier {
+
+class PlantDocument;
+
+/// The properties of the chosen node, or how many are chosen. What can be typed is told as a
+/// signal: the window makes the edit.
+class InspectorPanel : public QWidget {
+  Q_OBJECT
+
+public:
+  explicit InspectorPanel(PlantDocument& document, QWidget* parent = nullptr);
+
+signals:
+  void radiusTyped(double radius); // [L], for all chosen nodes
+  void edgeChosen(espalier::EdgeType type);
+  void nodeChosen(espalier::NodeId id);
+
+private:
+  void makeForm();
+  void refresh();
+  void showNode(NodeId id);
+  void showNodes();
+
+  PlantDocument& document_;
+  QLabel* title_;
+  QLabel* empty_;
+  QWidget* body_;
+  QFormLayout* form_;
+  QLabel* order_;
+  QComboBox* edge_;
+  QPushButton* parent_;
+  QLabel* children_;
+  QLabel* position_;
+  QLabel* length_;
+  QDoubleSpinBox* radius_;
+};
+
+} // namespace espalier

@@ -1,0 +1,68 @@
+#include "ui/panels/message_banner.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QStyle>
+
+#include <utility>
+
+namespace espalier {
+
+MessageBanner::MessageBanner(QWidget* parent)
+    : QFrame(parent), text_(new QLabel(this)), action_(new QPushButton(this)) {
+  setObjectName("message_banner");
+  text_->setWordWrap(true);
+  text_->setTextFormat(Qt::PlainText);
+  text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  auto* dismiss = new QPushButton(tr("Dismiss"), this);
+  dismiss->setObjectName("dismiss");
+  for (QPushButton* button : {action_, dismiss}) {
+    button->setFlat(true);
+    button->setCursor(Qt::PointingHandCursor);
+  }
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(16, 6, 8, 6);
+  row->setSpacing(8);
+  row->addWidget(text_, 1);
+  row->addWidget(action_);
+  row->addWidget(dismiss);
+  connect(dismiss, &QPushButton::clicked, this, &QWidget::hide);
+  connect(action_, &QPushButton::clicked, this, [this] {
+    hide();
+    if (act_) act_();
+  });
+  hide();
+}
+
+void MessageBanner::showError(const QString& text) {
+  act_ = nullptr;
+  action_->hide();
+  showText("error", text);
+}
+
+void MessageBanner::showResult(const QString& text, const QString& action,
+                               std::function<void()> act) {
+  act_ = std::move(act);
+  action_->setText(action);
+  action_->setVisible(!action.isEmpty());
+  showText("result", text);
+}
+
+QString MessageBanner::text() const {
+  return text_->text();
+}
+
+bool MessageBanner::isError() const {
+  return property("kind") == "error";
+}
+
+void MessageBanner::showText(const QString& kind, const QString& text) {
+  text_->setText(text);
+  setProperty("kind", kind); // the style sheet colors by it
+  style()->unpolish(this);
+  style()->polish(this);
+  show();
+}
+
+} // namespace espalier

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <QFrame>
+
+#include <functional>
+
+class QLabel;
+class QPushButton;
+
+namespace espalier {
+
+/// One line above the view that tells what went wrong or what was done, until it is dismissed or
+/// the next one comes. Never in the way of work.
+class MessageBanner : public QFrame {
+  Q_OBJECT
+
+public:
+  explicit MessageBanner(QWidget* parent = nullptr);
+
+  void showError(const QString& text);
+  /// @param action text of a button for `act`, as "Undo"; none if empty
+  void showResult(const QString& text, const QString& action = {}, std::function<void()> act = {});
+
+  [[nodiscard]] QString text() const;
+  [[nodiscard]] bool isError() const;
+
+private:
+  void showText(const QString& kind, const QString& text);
+
+  QLabel* text_;
+  QPushButton* action_;
+  std::function<void()> act_;
+};
+
+} // namespace espalier

@@ -1,0 +1,95 @@
+#include "ui/panels/pipeline_panel.h"
+
+#include "ui/document/plant_document.h"
+#include "ui/panels/scan_form.h"
+#include "ui/panels/step_form.h"
+
+#include <QPushButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+namespace espalier {
+
+PipelinePanel::PipelinePanel(PlantDocument& document, QWidget* parent)
+    : QWidget(parent), document_(document), run_(new QPushButton(tr("Reconstruct"), this)) {
+  run_->setProperty("role", "primary");
+  run_->setObjectName("reconstruct_button");
+  run_->setToolTip(tr("Makes the skeleton from the scan (Ctrl+R)"));
+  auto* page = new QWidget;
+  page->setObjectName("pipeline_page");
+  auto* list = new QVBoxLayout(page);
+  list->setContentsMargins(4, 0, 4, 8);
+  list->setSpacing(0);
+  int number = 0;
+  for (const Step& step : pipelineSteps()) {
+    steps_.push_back(new StepForm(step, ++number, page));
+    steps_.back()->setOpen(step.name == "contract");
+    list->addWidget(steps_.back());
+    connect(steps_.back(), &StepForm::changed, this, &PipelinePanel::showIdle);
+  }
+  list->addStretch(1);
+  auto* scroll = new QScrollArea(this);
+  scroll->setWidget(page);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* scan = new ScanForm(document, this);
+  scan->setContentsMargins(16, 12, 16, 12);
+  auto* foot = new QVBoxLayout;
+  foot->setContentsMargins(16, 8, 16, 12);
+  foot->addWidget(run_);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(scan);
+  column->addWidget(scroll, 1);
+  column->addLayout(foot);
+  connect(run_, &QPushButton::clicked, this, &PipelinePanel::reconstructRequested);
+  connect(&document_, &PlantDocument::scanChanged, this, &PipelinePanel::refreshScale);
+  connect(&document_, &PlantDocument::unitChanged, this, &PipelinePanel::refreshScale);
+  refreshScale();
+}
+
+PipelineOptions PipelinePanel::options() const {
+  PipelineOptions options;
+  for (const StepForm* step : steps_)
+    step->addTo(options);
+  return options;
+}
+
+void PipelinePanel::showRunning(const QString& stage) {
+  bool isBefore = true;
+  for (StepForm* step : steps_) {
+    const bool isNow = QString::fromStdString(step->step().label) == stage;
+    if (isNow) isBefore = false;
+    step->setState(isNow      ? StepForm::State::running
+                   : isBefore ? StepForm::State::done
+                              : StepForm::State::idle);
+  }
+}
+
+void PipelinePanel::showDone() {
+  for (StepForm* step : steps_)
+    step->setState(StepForm::State::done);
+}
+
+void PipelinePanel::showIdle() {
+  for (StepForm* step : steps_)
+    step->setState(StepForm::State::idle);
+}
+
+void PipelinePanel::setRunnable(bool isRunnable) {
+  run_->setEnabled(isRunnable);
+}
+
+void PipelinePanel::refreshScale() {
+  const Scan* scan = document_.scan();
+  const PlantScale scale = scan ? PlantScale{.spacing = scan->spacing(), .height = scan->height()}
+                                : PlantScale{.spacing = 1, .height = 100};
+  for (StepForm* step : steps_)
+    step->setScale(scale, symbol(document_.unit()));
+  setRunnable(scan != nullptr);
+  showIdle();
+}
+
+} // namespace espalier

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "core/pipeline/pipeline.h"
+
+#include <QWidget>
+
+#include <vector>
+
+class QPushButton;
+
+namespace espalier {
+
+class PlantDocument;
+class StepForm;
+
+/// The steps from scan to skeleton, each with its generated form, and the button that runs them.
+class PipelinePanel : public QWidget {
+  Q_OBJECT
+
+public:
+  explicit PipelinePanel(PlantDocument& document, QWidget* parent = nullptr);
+
+  [[nodiscard]] PipelineOptions options() const;
+  [[nodiscard]] const std::vector<StepForm*>& steps() const { return steps_; }
+
+  /// Marks the step of this label as running, and those before it as done.
+  void showRunning(const QString& stage);
+  void showDone();
+  void showIdle();
+  void setRunnable(bool isRunnable);
+
+signals:
+  void reconstructRequested();
+
+private:
+  void refreshScale();
+
+  PlantDocument& document_;
+  std::vector<StepForm*> steps_;
+  QPushButton* run_;
+};
+
+} // namespace espalier

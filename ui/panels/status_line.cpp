@@ -1,0 +1,79 @@
+#include "ui/panels/status_line.h"
+
+#include "ui/jobs/time_left.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+
+namespace espalier {
+
+StatusLine::StatusLine(QWidget* parent)
+    : QWidget(parent), hint_(new QLabel(this)), job_(new QWidget(this)), jobName_(new QLabel(job_)),
+      bar_(new QProgressBar(job_)), timeLeft_(new QLabel(job_)), counts_(new QLabel(this)) {
+  setObjectName("status_line");
+  hint_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // gives way to the job
+  hint_->setTextFormat(Qt::PlainText);
+  hint_->setObjectName("hint");
+  counts_->setObjectName("counts");
+  bar_->setRange(0, 1000);
+  bar_->setTextVisible(false);
+  bar_->setFixedSize(140, 6);
+  bar_->setAccessibleName(tr("Progress"));
+  auto* cancel = new QPushButton(tr("Cancel"), job_);
+  cancel->setObjectName("cancel_job");
+  auto* jobRow = new QHBoxLayout(job_);
+  jobRow->setContentsMargins(0, 0, 0, 0);
+  jobRow->setSpacing(8);
+  for (QWidget* widget : {static_cast<QWidget*>(jobName_), static_cast<QWidget*>(bar_),
+                          static_cast<QWidget*>(timeLeft_), static_cast<QWidget*>(cancel)})
+    jobRow->addWidget(widget);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(12, 2, 12, 2);
+  row->setSpacing(24);
+  row->addWidget(hint_, 1);
+  row->addWidget(job_);
+  row->addWidget(counts_);
+  setFixedHeight(32);
+  job_->hide();
+  connect(cancel, &QPushButton::clicked, this, &StatusLine::cancelRequested);
+}
+
+void StatusLine::setHint(const QString& text) {
+  hint_->setText(text);
+  hint_->setToolTip(text); // in full where the window is narrow
+}
+
+void StatusLine::setCounts(const QString& text) {
+  counts_->setText(text);
+}
+
+QString StatusLine::hint() const {
+  return hint_->text();
+}
+
+QString StatusLine::counts() const {
+  return counts_->text();
+}
+
+void StatusLine::showJob(const QString& name) {
+  jobName_->setText(name);
+  timeLeft_->clear();
+  bar_->setValue(0);
+  elapsed_.start();
+  job_->show();
+}
+
+void StatusLine::showProgress(double fraction, const QString& stage) {
+  bar_->setValue(static_cast<int>(1000 * fraction));
+  if (!stage.isEmpty()) jobName_->setText(stage);
+  const double seconds = static_cast<double>(elapsed_.elapsed()) / 1000;
+  timeLeft_->setText(describeTimeLeft(secondsLeft(seconds, fraction)));
+}
+
+void StatusLine::hideJob() {
+  job_->hide();
+}
+
+} // namespace espalier

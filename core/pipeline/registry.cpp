@@ -7,6 +7,7 @@
 #include "core/radius/node_count_pipe_model.h"
 #include "core/reconstruct/geodesic_bins.h"
 #include "core/skeleton/assemble_axes.h"
+#include "core/skeleton/extend_ends.h"
 #include "core/skeleton/prune.h"
 #include "core/skeleton/recenter.h"
 
@@ -125,7 +126,7 @@ Method geodesicBinsMethod() {
       {.name = "bin_width",
        .label = "Bin width",
        .kind = OptionKind::length,
-       .rule = spacings(7.5),
+       .rule = spacings(6),
        .minimum = 1,
        .maximum = 100,
        .help = "Distance between nodes along the plant. Less finds more twigs, and more spurs."},
@@ -191,7 +192,7 @@ Method recenterMethod() {
   table.add({.name = "rounds",
              .label = "Rounds",
              .kind = OptionKind::count,
-             .rule = fixedAt(2),
+             .rule = fixedAt(1),
              .minimum = 0,
              .maximum = 20,
              .help = "How often nodes are moved and smoothed."},
@@ -199,7 +200,7 @@ Method recenterMethod() {
   table.add({.name = "smoothing",
              .label = "Smoothing",
              .kind = OptionKind::ratio,
-             .rule = fixedAt(0.5),
+             .rule = fixedAt(0.2),
              .minimum = 0,
              .maximum = 1,
              .help = "Share of the way each node moves to the mean of its neighbors on the axis."},
@@ -207,19 +208,34 @@ Method recenterMethod() {
   table.add({.name = "least_coverage",
              .label = "Least coverage",
              .kind = OptionKind::ratio,
-             .rule = fixedAt(0.4),
+             .rule = fixedAt(0.6),
              .minimum = 0.1,
              .maximum = 1,
              .help = "Share of a circle that points must cover before a fitted circle is trusted."},
             &Options::leastCoverage);
-  return {.name = "sections",
-          .label = "Recenter on sections",
-          .help = "Moves nodes to the middle of the wood around them and smooths the axes.",
-          .source = "circle: G. Taubin, IEEE PAMI 13, 1991",
-          .options = table.descriptions(),
-          .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
-            state.skeleton = recentered(state.skeleton, keptPositions(state), state.cloud->origin(),
-                                        table.with(values), progress);
+  return {
+      .name = "sections",
+      .label = "Recenter on sections",
+      .help =
+          "Moves nodes to the centers of circles fitted to the wood around them and smooths the "
+          "axes.",
+      .source = "circle: G. Taubin, IEEE PAMI 13, 1991",
+      .options = table.descriptions(),
+      .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
+        state.skeleton = recentered(state.skeleton, keptPositions(state), state.cloud->origin(),
+                                    table.with(values), progress);
+      }};
+}
+
+Method endsMethod() {
+  return {.name = "to_points",
+          .label = "Extend to the points",
+          .help = "Lengthens tips and roots to the points that contraction pulled inwards.",
+          .source = {},
+          .options = {},
+          .run = [](PipelineState& state, const Values&, const Progress& progress) {
+            state.skeleton = withExtendedEnds(state.skeleton, keptPositions(state),
+                                              state.cloud->origin(), progress);
           }};
 }
 
@@ -296,6 +312,11 @@ const std::vector<Step>& pipelineSteps() {
        .help = "Moves nodes into the middle of the wood.",
        .share = 0.15,
        .methods = {recenterMethod(), nothing("Leaves the nodes where they are.")}},
+      {.name = "ends",
+       .label = "Ends",
+       .help = "Gives tips and roots their full length.",
+       .share = 0.08,
+       .methods = {endsMethod(), nothing("Leaves the ends where they are.")}},
       {.name = "radius",
        .label = "Radius",
        .help = "Gives each node its radius.",

@@ -6,8 +6,7 @@
 
 #include <Eigen/Geometry>
 
-#include <algorithm>
-#include <cmath>
+#include <optional>
 #include <vector>
 
 namespace espalier {
@@ -52,29 +51,24 @@ std::vector<std::vector<Eigen::Index>> pointsAround(const Skeleton& skeleton,
   return result;
 }
 
-/// Where the middle of the wood around a node is, across its axis.
-Eigen::Vector3d middle(const Eigen::Vector3d& position, const Eigen::Vector3d& axis,
-                       const std::vector<Eigen::Vector3d>& points, const RecenterOptions& options) {
+/// Where the axis of the wood around a node is, across `axis`; none if that cannot be trusted.
+std::optional<Eigen::Vector3d> middle(const Eigen::Vector3d& position, const Eigen::Vector3d& axis,
+                                      const std::vector<Eigen::Vector3d>& points,
+                                      const RecenterOptions& options) {
+  constexpr std::size_t fewest = 8; // for a circle to mean something
+  if (points.size() < fewest) return std::nullopt;
   const Eigen::Vector3d right = axis.unitOrthogonal();
   const Eigen::Vector3d up = axis.cross(right);
   std::vector<Eigen::Vector2d> section;
   section.reserve(points.size());
-  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
-  for (const Eigen::Vector3d& point : points) {
+  for (const Eigen::Vector3d& point : points)
     section.emplace_back((point - position).dot(right), (point - position).dot(up));
-    mean += section.back() / static_cast<double>(points.size());
-  }
-  double spread = 0;
-  for (const Eigen::Vector2d& point : section)
-    spread += (point - mean).norm() / static_cast<double>(section.size());
-  constexpr std::size_t fewest = 8; // for a circle to mean something
-  if (section.size() >= fewest) {
-    const auto circle = fitCircle(section);
-    if (circle && circle->coverage >= options.leastCoverage &&
-        circle->error < 0.3 * circle->radius && circle->radius < 2 * spread)
-      mean = circle->center;
-  }
-  return position + mean.x() * right + mean.y() * up;
+  const auto circle = fitCircle(section);
+  constexpr double mostError = 0.3; // in radii: more of it is no circle
+  if (!circle || circle->coverage < options.leastCoverage ||
+      circle->error > mostError * circle->radius)
+    return std::nullopt;
+  return position + circle->center.x() * right + circle->center.y() * up;
 }
 
 Skeleton smoothed(const Skeleton& skeleton, double share) {
@@ -113,7 +107,8 @@ Skeleton recentered(const Skeleton& skeleton, const Eigen::Matrix3Xf& points,
       near.reserve(own.size());
       for (const Eigen::Index point : own)
         near.emplace_back(points.col(point).cast<double>() + origin);
-      positions[indexOf(id)] = middle(result[id].position, *axis, near, options);
+      positions[indexOf(id)] =
+          middle(result[id].position, *axis, near, options).value_or(result[id].position);
     };
     parallelFor(static_cast<Eigen::Index>(ids.size()), place, part.part(0.7, 1), 64);
     for (const NodeId id : ids)

@@ -8,18 +8,18 @@
 namespace espalier {
 
 struct RecenterOptions {
-  int rounds = 2; // >= 0
+  int rounds = 1; // >= 0
   double smoothing =
-      0.5; // share of each move towards the mean of the neighbors on the axis, [0, 1]
-  double leastCoverage = 0.4; // share of a circle that points must cover to trust it, (0, 1]
+      0.2; // share of each move towards the mean of the neighbors on the axis, [0, 1]
+  double leastCoverage = 0.6; // share of a circle that points must cover to trust it, (0, 1]
 };
 
 /// `skeleton` with its nodes moved to the middle of the wood around them.
 ///
-/// Each node looks at the points nearest to its edges, across the axis: where they cover enough of
-/// a circle, it moves to the center of the fitted circle, which a scan from one side does not pull
-/// outwards; else to their mean. Then positions are smoothed along each axis. Tips and roots slide
-/// across the axis only, so nothing gets shorter.
+/// Each node looks at the points nearest to its edges, across the axis. Where they cover enough of
+/// a circle, it moves to the center of the fitted circle, which a scan denser on one side does not
+/// pull; elsewhere, as on twigs thinner than the points are apart, it stays. Then positions are
+/// smoothed along each axis. Nodes slide across their axis only, so nothing gets shorter.
 ///
 /// @param points 3 x N [L], in the frame of the skeleton after adding `origin`
 /// @throws Cancelled if `progress` asks to stop

@@ -22,9 +22,9 @@ struct Node {
 
 /// Curve skeleton of a plant: a rooted forest of nodes.
 ///
-/// Invariants: each parent exists; no cycle. (Two successors of one node are legal in files of others:
-/// `check` finds them, nothing refuses them.)
-/// Ids are stable: an edit renumbers no node it keeps and never hands out an erased id again.
+/// Invariants: each parent exists; no cycle. (Two successors of one node are legal in files of
+/// others: `check` finds them, nothing refuses them.) Ids are stable: an edit renumbers no node it
+/// keeps and never hands out an erased id again.
 class Skeleton {
 public:
   [[nodiscard]] std::vector<NodeId> ids() const;   // parents before their children

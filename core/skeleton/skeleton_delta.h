@@ -8,7 +8,8 @@
 
 namespace espalier {
 
-/// What an edit changed: each touched node before and after it. Applying it and its inverse is exact.
+/// What an edit changed: each touched node before and after it. Applying it and its inverse is
+/// exact.
 struct SkeletonDelta {
   struct Change {
     NodeId id;

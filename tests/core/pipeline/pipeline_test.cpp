@@ -57,7 +57,7 @@ TEST(Pipeline, RecomputesOnlyWhatLiesBehindAChange) {
   EXPECT_THAT(newSteps(pipeline.run(cloud, options)), testing::IsEmpty());
   options.set("prune.length=0.1");
   EXPECT_THAT(newSteps(pipeline.run(cloud, options)),
-              testing::ElementsAre("prune", "axes", "recenter", "radius"));
+              testing::ElementsAre("prune", "axes", "recenter", "ends", "radius"));
   options.root = Eigen::Vector3d(500, 600, 702);
   EXPECT_EQ(newSteps(pipeline.run(cloud, options)).size(), pipelineSteps().size());
 }

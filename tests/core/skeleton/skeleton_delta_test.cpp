@@ -1,6 +1,5 @@
-#include "core/skeleton/skeleton_delta.h"
-
 #include "core/base/random.h"
+#include "core/skeleton/skeleton_delta.h"
 #include "tests/support/plants.h"
 
 #include <gtest/gtest.h>
@@ -16,17 +15,26 @@ void editAtRandom(SkeletonEditor& editor, Random& random) {
   const NodeId id = ids[random.below(ids.size())];
   const NodeId other = ids[random.below(ids.size())];
   switch (random.below(7)) {
-  case 0: editor.setPosition(id, random.direction()); break;
-  case 1: editor.setRadius(id, random.uniform()); break;
-  case 2: editor.setEdge(id, EdgeType::branching); break;
-  case 3: editor.add({.position = random.direction(), .parent = id}); break;
-  case 4: editor.makeRoot(id); break;
+  case 0:
+    editor.setPosition(id, random.direction());
+    break;
+  case 1:
+    editor.setRadius(id, random.uniform());
+    break;
+  case 2:
+    editor.setEdge(id, EdgeType::branching);
+    break;
+  case 3:
+    editor.add({.position = random.direction(), .parent = id});
+    break;
+  case 4:
+    editor.makeRoot(id);
+    break;
   case 5:
     if (editor.skeleton().children(id).empty()) editor.erase(id);
     break;
   default:
-    if (!editor.skeleton().isAncestor(id, other))
-      editor.reparent(id, other, EdgeType::successor);
+    if (!editor.skeleton().isAncestor(id, other)) editor.reparent(id, other, EdgeType::successor);
   }
 }
 
@@ -36,7 +44,8 @@ TEST(SkeletonDelta, AndItsInverseAreExactForAnyEdit) {
   for (int round = 0; round < 500; ++round) {
     const Skeleton before = plant;
     SkeletonEditor editor(plant);
-    for (std::size_t step = 0; step < 1 + random.below(12); ++step) editAtRandom(editor, random);
+    for (std::size_t step = 0; step < 1 + random.below(12); ++step)
+      editAtRandom(editor, random);
     const SkeletonDelta delta = editor.commit();
     const Skeleton after = plant;
     delta.inverse().apply(plant);
@@ -55,7 +64,8 @@ TEST(SkeletonDelta, MergesWithTheNextOne) {
     SkeletonDelta merged;
     for (int edit = 0; edit < 4; ++edit) {
       SkeletonEditor editor(plant);
-      for (int step = 0; step < 3; ++step) editAtRandom(editor, random);
+      for (int step = 0; step < 3; ++step)
+        editAtRandom(editor, random);
       merged = merged.then(editor.commit());
     }
     const Skeleton end = plant;

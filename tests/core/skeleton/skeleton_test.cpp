@@ -1,10 +1,10 @@
-#include "core/skeleton/skeleton.h"
-
 #include "core/base/error.h"
+#include "core/skeleton/skeleton.h"
 #include "tests/support/plants.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <gmock/gmock.h>
 
 namespace espalier {
 namespace {
@@ -17,8 +17,8 @@ TEST(Skeleton, ListsParentsBeforeTheirChildren) {
   Skeleton plant = test::fork(3);
   plant.add({.parent = NodeId{4}});
   plant.reparent(NodeId{2}, NodeId{5}, EdgeType::branching);
-  EXPECT_THAT(plant.ids(), ElementsAre(NodeId{0}, NodeId{1}, NodeId{3}, NodeId{4}, NodeId{5},
-                                       NodeId{2}));
+  EXPECT_THAT(plant.ids(),
+              ElementsAre(NodeId{0}, NodeId{1}, NodeId{3}, NodeId{4}, NodeId{5}, NodeId{2}));
 }
 
 TEST(Skeleton, ListsTheSuccessorFirst) {

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/evaluate/authors_comparison.h"
+#include "core/evaluate/landmark_agreement.h"
+#include "core/evaluate/registration.h"
+#include "core/evaluate/tolerance_curve.h"
+#include "core/evaluate/traits.h"
+#include "core/skeleton/skeleton.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace espalier {
+
+struct ComparisonOptions {
+  bool registers = true; // lays the result on the reference before anything is measured
+  RegistrationOptions registration;
+  AuthorsOptions authors;
+  ToleranceOptions tolerance;
+  double landmarkDistance = 0; // [L], for tips and branchings; 0 = the reference's median edge
+};
+
+/// All that tells how a result agrees with its reference.
+struct Comparison {
+  std::optional<Registration> registration; // none if it was not asked for
+  AuthorsComparison authors;
+  ToleranceCurve tolerance;
+  LandmarkAgreement tips;
+  LandmarkAgreement branchings;
+  Traits resultTraits;
+  Traits referenceTraits;
+  std::vector<std::string> warnings; // a line each: what makes the numbers doubtful
+};
+
+/// Compares a result with its reference: registration, then the authors' indices, tolerance curve,
+/// tips and branchings on the registered result, and the traits of both.
+///
+/// Warns if the two lie apart by more than the finest default tolerance, and if one is over 20
+/// times as large as the other, which most often is a unit.
+///
+/// @throws Error     if one of the two has no nodes, no length, or a position that is no number
+/// @throws Cancelled if `progress` asks to stop
+/// Deterministic. Cost: see the parts.
+[[nodiscard]] Comparison compare(const Skeleton& result, const Skeleton& reference,
+                                 const ComparisonOptions& options = {},
+                                 const Progress& progress = {});
+
+} // namespace espalier

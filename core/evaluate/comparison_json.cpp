@@ -1,0 +1,94 @@
+#include "core/evaluate/comparison_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include <numbers>
+
+namespace espalier {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json toJson(const Eigen::Vector3d& vector) {
+  return Json::array({vector.x(), vector.y(), vector.z()});
+}
+
+Json toJson(const AuthorsComparison& authors) {
+  return {{"segments",
+           {{"result", authors.resultSegments.size()},
+            {"reference", authors.referenceSegments.size()}}},
+          {"candidates", authors.candidates},
+          {"box_distance", authors.boxDistance},
+          {"cost", authors.cost},
+          {"matched", authors.matches.size()},
+          {"mapping", authors.mapping},
+          {"geometric", authors.geometric},
+          {"structural", authors.structural},
+          {"length_precision", authors.lengthPrecision},
+          {"length_recall", authors.lengthRecall}};
+}
+
+Json toJson(const std::vector<ToleranceScore>& scores) {
+  Json list = Json::array();
+  for (const ToleranceScore& score : scores)
+    list.push_back({{"distance", score.distance},
+                    {"precision", score.precision},
+                    {"recall", score.recall},
+                    {"f", score.f()}});
+  return list;
+}
+
+Json toJson(const DistanceSummary& summary) {
+  return {{"mean", summary.mean}, {"percentile_95", summary.percentile95}};
+}
+
+Json toJson(const Registration& registration) {
+  const double angle = Eigen::AngleAxisd(registration.motion.linear()).angle();
+  return {{"rotation", angle * 180 / std::numbers::pi},
+          {"reach", registration.reach},
+          {"residual_before", registration.residualBefore},
+          {"residual_after", registration.residualAfter}};
+}
+
+Json toJson(const Traits& traits) {
+  return {{"nodes", traits.nodes},
+          {"roots", traits.roots},
+          {"tips", traits.tips},
+          {"branchings", traits.branchings},
+          {"segments", traits.segments},
+          {"length", traits.length},
+          {"median_edge", traits.medianEdge},
+          {"extent", toJson(traits.extent)},
+          {"axes_by_order", traits.axesByOrder},
+          {"length_by_order", traits.lengthByOrder}};
+}
+
+Json toJson(const LandmarkAgreement& agreement) {
+  return {{"distance", agreement.distance},
+          {"matched", agreement.matched},
+          {"precision", agreement.precision()},
+          {"recall", agreement.recall()},
+          {"f", agreement.f()}};
+}
+
+} // namespace
+
+nlohmann::ordered_json toJson(const Comparison& comparison) {
+  const auto& registration = comparison.registration;
+  Json json;
+  json["authors"] = toJson(comparison.authors);
+  json["tolerance"] = toJson(comparison.tolerance.scores);
+  json["distances"] = {{"step", comparison.tolerance.step},
+                       {"to_reference", toJson(comparison.tolerance.toReference)},
+                       {"to_result", toJson(comparison.tolerance.toResult)}};
+  json["shift"] = toJson(registration ? registration->shift : Eigen::Vector3d::Zero().eval());
+  json["registration"] = registration ? toJson(*registration) : Json();
+  json["traits"] = {{"result", toJson(comparison.resultTraits)},
+                    {"reference", toJson(comparison.referenceTraits)},
+                    {"matched_tips", toJson(comparison.tips)},
+                    {"matched_branchings", toJson(comparison.branchings)}};
+  json["warnings"] = comparison.warnings;
+  return json;
+}
+
+} // namespace espalier

@@ -20,8 +20,8 @@ namespace espalier {
 /// @param radius [L], > 0
 /// @param width  [L], > 0: how far votes for one shift may scatter
 /// @return none if no pair is that near
-/// Deterministic. At most a thousand places of `from` vote, evenly chosen. Time and memory
-/// O(votes log votes).
+/// Deterministic. At most a thousand places of `from` vote, evenly chosen. Time O(votes), memory up
+/// to 32 MB; a cube is at least a hundredth of 2 x radius wide.
 [[nodiscard]] std::optional<Eigen::Vector3d> votedShift(const std::vector<Eigen::Vector3d>& from,
                                                         const std::vector<Eigen::Vector3d>& to,
                                                         const Eigen::Vector3d& about, double radius,

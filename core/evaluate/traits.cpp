@@ -2,6 +2,7 @@
 
 #include "core/evaluate/comparable.h"
 #include "core/evaluate/segments.h"
+#include "core/skeleton/axes.h"
 
 #include <Eigen/Geometry>
 
@@ -25,26 +26,16 @@ std::vector<Eigen::Vector3d> positions(const Skeleton& skeleton, const IsWanted&
   return result;
 }
 
-bool startsAxis(const Skeleton& skeleton, NodeId id) {
-  const Node& node = skeleton[id];
-  return !node.parent || node.edge == EdgeType::branching ||
-         skeleton.children(*node.parent).front() != id; // successors come first
-}
-
 void countByOrder(const Skeleton& skeleton, Traits& traits) {
-  std::vector<std::size_t> orderOf(skeleton.idEnd(), 0);
-  for (const NodeId id : skeleton.ids()) {
-    const Node& node = skeleton[id];
-    std::size_t& order = orderOf[indexOf(id)];
-    if (node.parent)
-      order = orderOf[indexOf(*node.parent)] + (node.edge == EdgeType::branching ? 1 : 0);
+  const std::vector<int> orderOf = orders(skeleton);
+  for (const Axis& axis : axes(skeleton)) {
+    const auto order = static_cast<std::size_t>(orderOf[indexOf(axis.front())]);
     if (order >= traits.axesByOrder.size()) {
       traits.axesByOrder.resize(order + 1, 0);
       traits.lengthByOrder.resize(order + 1, 0);
     }
-    if (startsAxis(skeleton, id)) ++traits.axesByOrder[order];
-    if (node.parent)
-      traits.lengthByOrder[order] += (node.position - skeleton[*node.parent].position).norm();
+    ++traits.axesByOrder[order];
+    traits.lengthByOrder[order] += length(skeleton, axis);
   }
 }
 

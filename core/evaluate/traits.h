@@ -19,11 +19,10 @@ struct Traits {
   double length = 0;                                // of all edges [L]
   double medianEdge = 0;                            // of the edges that have a length [L]
   Eigen::Vector3d extent = Eigen::Vector3d::Zero(); // sides of the bounding box [L]
-  std::vector<std::size_t> axesByOrder; // order 0 first; an order is the number of `+` on the way
-  std::vector<double> lengthByOrder;    // of the edges whose upper node has that order [L]
+  std::vector<std::size_t> axesByOrder;             // order 0 first
+  std::vector<double> lengthByOrder; // of these axes, with the edges they hang on [L]
 };
 
-/// An axis starts at a root, at a `+` edge, and at each successor after a node's first.
 /// Zero and empty for an empty skeleton. Time and memory O(N log N).
 [[nodiscard]] Traits traits(const Skeleton& skeleton);
 

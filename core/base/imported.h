@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace espalier {
+
+/// What a file held, and what its user should know of how it was read.
+template <class T> struct Imported {
+  T value;
+  std::vector<std::string> notes; // a line each: "scan.xyz: 3 of 100 points are not finite ..."
+};
+
+} // namespace espalier

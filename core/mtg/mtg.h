@@ -1,0 +1,71 @@
+#pragma once
+
+#include "core/skeleton/skeleton.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace espalier {
+
+enum class VertexId : std::uint32_t {}; // place in Mtg::vertices
+
+struct MtgClass {
+  std::string symbol; // "$" is the scene
+  int scale = 1;      // 0 for the scene, larger is finer
+  std::string decomposition = "FREE";
+  std::string indexation = "FREE";
+  std::string definition = "EXPLICIT";
+
+  bool operator==(const MtgClass&) const = default;
+};
+
+/// Which classes may follow which: a line of DESCRIPTION, as it is written. Not enforced.
+struct MtgRule {
+  std::string left;
+  std::string right; // one class or more, parted by commas
+  std::string edge;  // "<" or "+"
+  std::string most;  // how often, a number or "?"
+
+  bool operator==(const MtgRule&) const = default;
+};
+
+struct MtgFeature {
+  std::string name;
+  std::string type; // "REAL", "INT", "ALPHA", "DD/MM/YY" ...
+
+  bool operator==(const MtgFeature&) const = default;
+};
+
+struct MtgVertex {
+  std::string symbol;
+  std::optional<int> index;
+  int scale = 1;
+  std::optional<VertexId> complex; // what it is a part of, at a coarser scale; none: of the scene
+  std::optional<VertexId> parent;  // at its own scale
+  EdgeType edge = EdgeType::successor; // to the parent; without meaning if there is none
+  std::vector<std::string> values;     // by feature, as written; empty for none; may end early
+
+  bool operator==(const MtgVertex&) const = default;
+};
+
+/// A plant described at several scales: a multiscale tree graph.
+///
+/// Invariants: parent and complex of a vertex come before it; its parent has its scale, its complex
+/// a coarser one. Source: C. Godin, Y. Caraglio, "A multiscale model of plant topological
+/// structures", Journal of Theoretical Biology 191, 1998.
+struct Mtg {
+  std::vector<MtgClass> classes;
+  std::vector<MtgRule> rules;
+  std::vector<MtgFeature> features;
+  std::vector<MtgVertex> vertices; // by VertexId
+
+  bool operator==(const Mtg&) const = default;
+};
+
+[[nodiscard]] constexpr std::size_t indexOf(VertexId id) {
+  return static_cast<std::size_t>(id);
+}
+
+} // namespace espalier

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/base/text.h"
+#include "core/mtg/mtg.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace espalier {
+
+/// The fields of a line of an MTG file, parted by tabs, without blanks around them and without
+/// comments: those last from # to the next tab.
+[[nodiscard]] std::vector<std::string_view> mtgFields(std::string_view line);
+
+/// Reads the sections before the vertices: CODE, CLASSES, DESCRIPTION, FEATURES. `lines` then stand
+/// behind the line "MTG:".
+/// @throws Error naming the line that is wrong
+[[nodiscard]] Mtg readMtgSections(LineReader& lines, const std::string& file);
+
+} // namespace espalier

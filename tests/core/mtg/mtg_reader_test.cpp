@@ -1,0 +1,149 @@
+#include "core/base/error.h"
+#include "core/mtg/mtg_reader.h"
+#include "tests/core/mtg/mtg_text.h"
+#include "tests/support/shared_data.h"
+
+#include <fstream>
+#include <gmock/gmock.h>
+#include <map>
+#include <sstream>
+
+namespace espalier {
+namespace {
+
+using test::mtgText;
+using test::readMtgRows;
+
+VertexId vertex(std::uint32_t number) {
+  return VertexId{number};
+}
+
+std::string messageOf(const std::string& text) {
+  std::istringstream in(text);
+  try {
+    (void)readMtg(in, "plant.mtg");
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "read without an error";
+}
+
+TEST(ReadMtg, KeepsClassesRulesAndFeatures) {
+  const Mtg mtg = readMtgRows("/P1\n").value;
+  ASSERT_EQ(mtg.classes.size(), 4U);
+  EXPECT_EQ(mtg.classes[1], (MtgClass{.symbol = "P", .scale = 1}));
+  EXPECT_EQ(mtg.classes[0].definition, "IMPLICIT");
+  ASSERT_EQ(mtg.rules.size(), 1U);
+  EXPECT_EQ(mtg.rules[0], (MtgRule{"E", "E,A", "+", "?"}));
+  ASSERT_EQ(mtg.features.size(), 4U);
+  EXPECT_EQ(mtg.features[0], (MtgFeature{"XX", "REAL"}));
+  EXPECT_EQ(mtg.features[3], (MtgFeature{"radius", "ALPHA"})) << "it is not declared";
+}
+
+TEST(ReadMtg, HangsCodesByColumnAndCaret) {
+  const Mtg mtg = readMtgRows("/P1/A1\n^/E1\n^<E2\n\t+E3\n\t^<E4\n^<E5\n").value;
+  ASSERT_EQ(mtg.vertices.size(), 7U);
+  EXPECT_EQ(mtg.vertices[1].complex, vertex(0));
+  EXPECT_EQ(mtg.vertices[2].complex, vertex(1)) << "E1 is a part of A1";
+  EXPECT_EQ(mtg.vertices[2].parent, std::nullopt);
+  EXPECT_EQ(mtg.vertices[4].parent, vertex(3)) << "E3 branches from E2";
+  EXPECT_EQ(mtg.vertices[4].edge, EdgeType::branching);
+  EXPECT_EQ(mtg.vertices[5].parent, vertex(4)) << "E4 follows E3";
+  EXPECT_EQ(mtg.vertices[5].edge, EdgeType::successor);
+  EXPECT_EQ(mtg.vertices[6].parent, vertex(3)) << "E5 follows E2";
+  EXPECT_EQ(mtg.vertices[6].complex, vertex(1));
+  EXPECT_EQ(mtg.vertices[6].index, 5);
+}
+
+TEST(ReadMtg, HangsTheFirstPartWhereItsWholeBranches) {
+  const Mtg mtg = readMtgRows("/P1/A1/E1<E2+A2/E3\n").value;
+  ASSERT_EQ(mtg.vertices.size(), 6U);
+  EXPECT_EQ(mtg.vertices[4].parent, vertex(1)) << "A2 branches from A1";
+  EXPECT_EQ(mtg.vertices[4].edge, EdgeType::branching);
+  EXPECT_EQ(mtg.vertices[5].complex, vertex(4));
+  EXPECT_EQ(mtg.vertices[5].parent, vertex(3)) << "E3 branches from E2";
+  EXPECT_EQ(mtg.vertices[5].edge, EdgeType::branching);
+}
+
+TEST(ReadMtg, GivesValuesToTheLastVertexOfALine) {
+  const Mtg mtg = readMtgRows("/P1/A1\t\t\t1.5\t\t-2\n").value;
+  EXPECT_TRUE(mtg.vertices[0].values.empty());
+  EXPECT_THAT(mtg.vertices[1].values, testing::ElementsAre("1.5", "", "-2"));
+}
+
+TEST(ReadMtg, PassesOverCommentsAndEmptyLines) {
+  const Mtg mtg = readMtgRows("\n# a remark\n/P1 # one\t\t\t7\n\t\t\n").value;
+  ASSERT_EQ(mtg.vertices.size(), 1U);
+  EXPECT_THAT(mtg.vertices[0].values, testing::ElementsAre("7"));
+}
+
+TEST(ReadMtg, NotesValuesWithoutAColumn) {
+  const Imported<Mtg> mtg = readMtgRows("/P1\t\t\t1\t2\t3\t4\t5\n");
+  EXPECT_THAT(mtg.notes, testing::ElementsAre(testing::HasSubstr("1 values stand in columns")));
+}
+
+TEST(ReadMtg, TellsTheLineThatIsWrong) {
+  EXPECT_EQ(messageOf(mtgText("/P1\n^<Q1\n")),
+            "plant.mtg, line 22: 'Q1' begins with no symbol of the section CLASSES");
+  EXPECT_THAT(messageOf(mtgText("/P1\t\t\t1\t2\tx\n")),
+              testing::StartsWith("plant.mtg, line 21: ZZ is 'x', expected a number"));
+  EXPECT_THAT(messageOf(mtgText("/P1\n\t\t+A1\n")), testing::StartsWith("plant.mtg, line 22: "));
+  EXPECT_THAT(messageOf(mtgText("/P1\n^N\n")), testing::StartsWith("plant.mtg, line 22: "));
+  EXPECT_THAT(messageOf(mtgText("+E1\n")), testing::StartsWith("plant.mtg, line 21: "));
+  EXPECT_THAT(messageOf(mtgText("/P1\t/A1\n")), testing::HasSubstr("line 21: two codes"));
+  EXPECT_THAT(messageOf(mtgText("\t\t\t1\n")), testing::HasSubstr("line 21: values"));
+  EXPECT_THAT(messageOf(mtgText("/P1/A1\n^/E1<<E4\n")), testing::HasSubstr("line 22: ranges"));
+  EXPECT_THAT(messageOf(mtgText("/P1\n*\t\t\t1\n")), testing::HasSubstr("line 22: a vertex"));
+  EXPECT_THAT(messageOf(mtgText("/P99999999999\n")), testing::HasSubstr("too large"));
+}
+
+TEST(ReadMtg, RefusesWhatIsNoMtg) {
+  EXPECT_EQ(messageOf(""), "plant.mtg: is empty");
+  EXPECT_THAT(messageOf("1 2 3\n"), testing::StartsWith("plant.mtg, line 1: expected 'CODE"));
+  EXPECT_THAT(messageOf("CODE: FORM-B\n"), testing::HasSubstr("'FORM-B'"));
+  EXPECT_THAT(messageOf("CODE: FORM-A\n"), testing::HasSubstr("no section 'MTG:'"));
+  EXPECT_THAT(messageOf("CODE: FORM-A\nMTG:\n"), testing::HasSubstr("no CLASSES"));
+  EXPECT_THAT(messageOf(mtgText("")), testing::HasSubstr("holds no vertices"));
+}
+
+struct Counts {
+  std::string file;
+  std::map<int, int> perScale;
+  int successors = 0;
+  int branches = 0;
+};
+
+void PrintTo(const Counts& counts, std::ostream* out) {
+  *out << counts.file;
+}
+
+class ReadMtgOfOthers : public testing::TestWithParam<Counts> {};
+
+// What openalea.mtg itself counts in its samples, of those without ranges and dates.
+TEST_P(ReadMtgOfOthers, FindsTheVerticesAndEdgesThatOpenAleaFinds) {
+  ESPALIER_SHARED_FILE(path, "mtg/" + GetParam().file);
+  std::ifstream in(path);
+  const Mtg mtg = readMtg(in, GetParam().file).value;
+  Counts found{.file = GetParam().file};
+  for (const MtgVertex& each : mtg.vertices) {
+    ++found.perScale[each.scale];
+    if (each.parent) ++(each.edge == EdgeType::successor ? found.successors : found.branches);
+  }
+  EXPECT_EQ(found.perScale, GetParam().perScale);
+  EXPECT_EQ(found.successors, GetParam().successors);
+  EXPECT_EQ(found.branches, GetParam().branches);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Samples, ReadMtgOfOthers,
+    testing::Values(Counts{"code_file2.mtg", {{1, 1}, {2, 5}, {3, 29}}, 30, 2},
+                    Counts{"mtg1.mtg", {{1, 6}}, 5, 0}, Counts{"mtg2.mtg", {{1, 5}}, 3, 1},
+                    Counts{"mtg3.mtg", {{1, 12}}, 9, 2},
+                    Counts{"mtg4.mtg", {{1, 1}, {2, 6}, {3, 39}}, 33, 10},
+                    Counts{"mtg5.mtg", {{1, 1}, {2, 4}, {3, 13}}, 9, 6},
+                    Counts{"reconstructed_appletree.mtg", {{1, 1}, {2, 97}, {3, 356}}, 259, 192},
+                    Counts{"test6_apricot2.mtg", {{1, 1}, {2, 10}, {3, 20}, {4, 65}}, 45, 47},
+                    Counts{"test8_boutdenoylum2.mtg", {{1, 1}, {2, 63}, {3, 198}}, 135, 124}));
+
+} // namespace
+} // namespace espalier

@@ -1,0 +1,42 @@
+#include "tests/support/canonical.h"
+
+#include <algorithm>
+#include <optional>
+#include <tuple>
+#include <vector>
+
+namespace espalier::test {
+
+Skeleton canonical(const Skeleton& skeleton) {
+  const auto comesFirst = [&](NodeId a, NodeId b) {
+    const auto key = [&](const Node& node) {
+      return std::tuple(node.edge, node.position.x(), node.position.y(), node.position.z(),
+                        node.radius);
+    };
+    return key(skeleton[a]) < key(skeleton[b]);
+  };
+  struct Step {
+    NodeId from;
+    std::optional<NodeId> parent;
+  };
+  std::vector<Step> stack;
+  const auto push = [&](std::vector<NodeId> nodes, std::optional<NodeId> parent) {
+    std::ranges::sort(nodes, comesFirst);
+    for (auto node = nodes.rbegin(); node != nodes.rend(); ++node)
+      stack.push_back({*node, parent});
+  };
+  Skeleton result;
+  push(skeleton.roots(), std::nullopt);
+  while (!stack.empty()) {
+    const Step step = stack.back();
+    stack.pop_back();
+    Node node = skeleton[step.from];
+    node.parent = step.parent;
+    if (!node.parent) node.edge = EdgeType::successor; // without meaning for a root
+    const NodeId id = result.add(node);
+    push(skeleton.children(step.from), id);
+  }
+  return result;
+}
+
+} // namespace espalier::test

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "core/skeleton/skeleton.h"
+
+namespace espalier::test {
+
+/// The same plant under ids that depend on nothing but the plant: two skeletons that differ in the
+/// numbers of their nodes only have equal canonical forms. (Siblings must differ in edge, position
+/// or radius.)
+[[nodiscard]] Skeleton canonical(const Skeleton& skeleton);
+
+} // namespace espalier::test

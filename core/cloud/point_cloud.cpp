@@ -32,6 +32,11 @@ std::uint64_t mortonCode(const Eigen::Vector3d& point, const Eigen::AlignedBox3d
   return code;
 }
 
+/// Damaged files hold numbers whose squares, or whose floats, are infinite.
+bool isUsable(const Eigen::Vector3d& position) {
+  return (position.array().abs() <= PointCloud::largestCoordinate).all(); // not so for NaN
+}
+
 struct Place {
   std::uint64_t code;
   std::uint32_t index; // in the file
@@ -44,7 +49,7 @@ PointCloud::PointCloud(RawPoints raw, const Progress& progress) {
   std::vector<Place> places;
   places.reserve(raw.positions.size());
   for (std::size_t i = 0; i < raw.positions.size(); ++i) {
-    if (!raw.positions[i].allFinite()) continue;
+    if (!isUsable(raw.positions[i])) continue;
     bounds.extend(raw.positions[i]);
     places.push_back({0, static_cast<std::uint32_t>(i)});
   }

@@ -28,8 +28,10 @@ class PointCloud {
 public:
   PointCloud() = default;
 
-  /// Points that are not finite are left out: size() then is less than raw.positions.size().
-  /// Time O(N log N).
+  static constexpr double largestCoordinate = 1e12; // [L]
+
+  /// Points that are not finite, or have a larger coordinate, are left out: size() then is less
+  /// than raw.positions.size(). Time O(N log N).
   explicit PointCloud(RawPoints raw, const Progress& progress = {});
 
   [[nodiscard]] Eigen::Index size() const { return positions_.cols(); }

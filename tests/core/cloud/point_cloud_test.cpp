@@ -69,6 +69,14 @@ TEST(PointCloud, LeavesOutPointsThatAreNotFinite) {
   EXPECT_EQ(cloud.colors().size(), 8U);
 }
 
+// Their differences or squares would be infinite, although they are not.
+TEST(PointCloud, LeavesOutPointsBeyondAnyPlant) {
+  const PointCloud cloud(
+      RawPoints{.positions = {{1, 2, 3}, {1e300, 0, 0}, {0, -1e300, 0}, {4, 5, 6}}});
+  EXPECT_EQ(cloud.size(), 2);
+  EXPECT_TRUE(cloud.positions().allFinite());
+}
+
 TEST(PointCloud, OfNoPointsIsEmpty) {
   const PointCloud cloud((RawPoints()));
   EXPECT_TRUE(cloud.isEmpty());

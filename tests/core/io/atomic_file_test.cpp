@@ -1,0 +1,129 @@
+#include "core/base/error.h"
+#include "core/base/progress.h"
+#include "core/io/atomic_file.h"
+#include "tests/core/io/samples.h"
+#include "tests/support/shared_data.h"
+
+#include <fstream>
+#include <gmock/gmock.h>
+#include <sstream>
+#include <unistd.h>
+
+namespace espalier {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+void writeText(const fs::path& path, const std::string& text) {
+  writeAtomically(path, [&](std::ostream& out) { out << text; });
+}
+
+std::string textOf(const fs::path& path) {
+  std::ifstream in(path);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+std::ptrdiff_t filesIn(const fs::path& folder) {
+  return std::distance(fs::directory_iterator(folder), fs::directory_iterator());
+}
+
+TEST(WriteAtomically, WritesAndReplaces) {
+  const fs::path file = test::freshFolder() / "oak.mtg";
+  writeText(file, "first");
+  EXPECT_EQ(textOf(file), "first");
+  const std::string long_(3'000'000, 'x');
+  writeText(file, long_);
+  EXPECT_EQ(textOf(file), long_);
+  EXPECT_EQ(filesIn(file.parent_path()), 1);
+}
+
+TEST(WriteAtomically, LeavesTheOldFileIfWritingFails) {
+  const fs::path file = test::freshFolder() / "oak.mtg";
+  writeText(file, "old");
+  const auto fail = [](std::ostream& out) {
+    out << std::string(1'000'000, 'x');
+    throw Error("oak: has no root");
+  };
+  EXPECT_THROW(writeAtomically(file, fail), Error);
+  EXPECT_THROW(writeAtomically(file, [](std::ostream&) { throw Cancelled{}; }), Cancelled);
+  EXPECT_EQ(textOf(file), "old");
+  EXPECT_EQ(filesIn(file.parent_path()), 1) << "no temporary file is left";
+}
+
+TEST(WriteAtomically, TellsThatTheDiskIsFull) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full here";
+  for (const std::size_t size : {std::size_t{1}, std::size_t{3'000'000}}) {
+    const std::string error = test::errorOf([&] {
+      writeText("/dev/full", std::string(size, 'x'));
+      return 0;
+    });
+    EXPECT_THAT(error, HasSubstr("/dev/full: cannot be written: No space left on device")) << size;
+  }
+}
+
+TEST(WriteAtomically, WritesThroughDevices) {
+  if (!fs::exists("/dev/null")) GTEST_SKIP() << "there is no /dev/null here";
+  writeText("/dev/null", "anything");
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+}
+
+TEST(WriteAtomically, TellsWhatStandsInTheWay) {
+  const fs::path folder = test::freshFolder();
+  const auto errorFor = [](const fs::path& path) {
+    return test::errorOf([&] {
+      writeText(path, "text");
+      return 0;
+    });
+  };
+  EXPECT_THAT(errorFor(folder / "missing" / "oak.mtg"), HasSubstr("create the folder first"));
+  EXPECT_THAT(errorFor(folder), HasSubstr("Is a directory"));
+  writeText(folder / "file", "text");
+  EXPECT_THAT(errorFor(folder / "file" / "oak.mtg"), HasSubstr("Not a directory"));
+  EXPECT_EQ(filesIn(folder), 1);
+}
+
+TEST(WriteAtomically, TellsThatAFolderIsReadOnly) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root may write anywhere";
+  const fs::path folder = test::freshFolder();
+  fs::permissions(folder, fs::perms::owner_read | fs::perms::owner_exec);
+  EXPECT_THAT(test::errorOf([&] {
+                writeText(folder / "oak.mtg", "text");
+                return 0;
+              }),
+              HasSubstr("Permission denied"));
+  fs::permissions(folder, fs::perms::owner_all);
+}
+
+TEST(WriteAtomically, FollowsLinks) {
+  const fs::path folder = test::freshFolder();
+  fs::create_directory(folder / "plants");
+  fs::create_symlink("plants/oak.mtg", folder / "link.mtg"); // leads nowhere yet
+  writeText(folder / "link.mtg", "one");
+  EXPECT_TRUE(fs::is_symlink(folder / "link.mtg"));
+  EXPECT_EQ(textOf(folder / "plants/oak.mtg"), "one");
+  writeText(folder / "link.mtg", "two");
+  EXPECT_TRUE(fs::is_symlink(folder / "link.mtg"));
+  EXPECT_EQ(textOf(folder / "plants/oak.mtg"), "two");
+}
+
+TEST(WriteAtomically, RefusesLinksInACircle) {
+  const fs::path folder = test::freshFolder();
+  fs::create_symlink("b", folder / "a");
+  fs::create_symlink("a", folder / "b");
+  EXPECT_THROW(writeText(folder / "a", "text"), Error);
+}
+
+TEST(WriteAtomically, KeepsPermissions) {
+  const fs::path file = test::freshFolder() / "oak.mtg";
+  writeText(file, "one");
+  const fs::perms wanted = fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read;
+  fs::permissions(file, wanted);
+  writeText(file, "two");
+  EXPECT_EQ(fs::status(file).permissions(), wanted);
+}
+
+} // namespace
+} // namespace espalier

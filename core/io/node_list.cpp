@@ -1,0 +1,148 @@
+#include "core/io/node_list.h"
+
+#include "core/base/error.h"
+#include "core/base/text.h"
+
+#include <cmath>
+#include <cstdint>
+#include <ostream>
+#include <unordered_map>
+#include <vector>
+
+namespace espalier {
+namespace {
+
+constexpr std::string_view columnNames = "vid parentid edgetype XX YY ZZ Radius";
+
+struct Row {
+  std::string id;
+  std::string parent; // empty for a root
+  Node node;
+  std::size_t line = 0;
+};
+
+double numberOf(std::string_view field, std::string_view column, const std::string& where) {
+  const auto number = numberIn(field);
+  if (!number || !std::isfinite(*number))
+    throw Error(where + "expected a number as " + std::string(column) + ", found " +
+                inQuotes(field));
+  return *number;
+}
+
+bool isMissing(std::string_view field) {
+  return field.empty() || field == "None" || field == "-1";
+}
+
+Row rowOf(std::string_view line, std::size_t number, const std::string& file) {
+  const std::string where = place(file, number);
+  std::vector<std::string_view> fields;
+  for (std::size_t start = 0; start <= line.size();) {
+    const std::size_t end = std::min(line.find('\t', start), line.size());
+    fields.push_back(trimmed(line.substr(start, end - start)));
+    start = end + 1;
+  }
+  if (fields.size() < 6)
+    throw Error(where + "expected 7 fields parted by tabs (" + std::string(columnNames) +
+                "), found " + std::to_string(fields.size()));
+  Row row{.id = std::string(fields[0]), .line = number};
+  if (row.id.empty()) throw Error(where + "the node has no id");
+  if (!isMissing(fields[1])) row.parent = fields[1];
+  if (fields[2] == "+") row.node.edge = EdgeType::branching;
+  row.node.position = {numberOf(fields[3], "XX", where), numberOf(fields[4], "YY", where),
+                       numberOf(fields[5], "ZZ", where)};
+  if (fields.size() > 6 && !isMissing(fields[6]))
+    row.node.radius = numberOf(fields[6], "Radius", where);
+  if (row.node.radius < 0) throw Error(where + "the radius is negative");
+  return row;
+}
+
+std::vector<Row> rowsOf(std::string_view text, const std::string& file) {
+  std::vector<Row> rows;
+  bool hasCount = false;
+  LineReader lines(text);
+  while (const auto line = lines.next()) {
+    const std::string_view content = trimmed(*line);
+    if (content.empty() || content.starts_with('#') || content.starts_with("vid")) continue;
+    const bool isCount = content.find_first_not_of("0123456789") == std::string_view::npos;
+    if (isCount && !hasCount && rows.empty())
+      hasCount = true;
+    else
+      rows.push_back(rowOf(*line, lines.number(), file));
+  }
+  if (rows.empty()) throw Error(file + ": holds no nodes");
+  return rows;
+}
+
+using Index = std::unordered_map<std::string_view, std::size_t>; // rows by id
+
+/// Rows that hang on each row, roots under the number of rows.
+std::vector<std::vector<std::size_t>> childrenOf(const std::vector<Row>& rows,
+                                                 const std::string& file) {
+  Index index;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (!index.emplace(rows[i].id, i).second)
+      throw Error(place(file, rows[i].line) + "the id " + inQuotes(rows[i].id) + " occurs twice");
+  std::vector<std::vector<std::size_t>> children(rows.size() + 1);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto parent = index.find(rows[i].parent);
+    if (!rows[i].parent.empty() && parent == index.end())
+      throw Error(place(file, rows[i].line) + "the parent " + inQuotes(rows[i].parent) +
+                  " is not in the list");
+    children[rows[i].parent.empty() ? rows.size() : parent->second].push_back(i);
+  }
+  return children;
+}
+
+} // namespace
+
+bool isNodeList(std::string_view beginning) {
+  LineReader lines(beginning);
+  while (const auto line = lines.next()) {
+    const std::size_t name = line->find("vid");
+    if (name != std::string_view::npos && line->find("parentid") != std::string_view::npos)
+      return true;
+    if (!line->starts_with('#')) return false;
+  }
+  return false;
+}
+
+Imported<Skeleton> readNodeList(std::istream& in, const std::string& file) {
+  const std::string bytes = readAll(in);
+  const std::vector<Row> rows = rowsOf(bytes, file);
+  const std::vector<std::vector<std::size_t>> children = childrenOf(rows, file);
+  Imported<Skeleton> result;
+  std::vector<std::optional<NodeId>> ids(rows.size() + 1); // the last: parent of the roots
+  std::vector<std::size_t> order = {rows.size()};
+  for (std::size_t next = 0; next < order.size(); ++next)
+    for (const std::size_t child : children[order[next]]) {
+      Node node = rows[child].node;
+      node.parent = ids[order[next]];
+      ids[child] = result.value.add(node);
+      order.push_back(child);
+    }
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (!ids[i])
+      throw Error(place(file, rows[i].line) +
+                  "the node is among its own ancestors: correct its parent");
+  return result;
+}
+
+void writeNodeList(std::ostream& out, const Skeleton& skeleton) {
+  out << "# exported by Espalier\n# " << columnNames << '\n' << skeleton.size() << '\n';
+  std::vector<std::size_t> numbers(skeleton.idEnd());
+  std::size_t last = 0;
+  for (const NodeId id : skeleton.ids()) {
+    const Node& node = skeleton[id];
+    numbers[indexOf(id)] = ++last;
+    std::string line = std::to_string(last) + '\t';
+    if (node.parent) line += std::to_string(numbers[indexOf(*node.parent)]);
+    line += '\t';
+    line += node.parent ? static_cast<char>(node.edge) : '/';
+    for (const double coordinate : node.position)
+      line += '\t' + plainDecimal(coordinate);
+    line += '\t' + (node.radius > 0 ? plainDecimal(node.radius) : std::string());
+    out << line << '\n';
+  }
+}
+
+} // namespace espalier

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "core/base/imported.h"
+#include "core/base/progress.h"
+#include "core/cloud/point_cloud.h"
+
+#include <iosfwd>
+#include <string>
+#include <string_view>
+
+namespace espalier {
+
+/// Whether a file that begins so is PLY.
+[[nodiscard]] bool isPly(std::string_view beginning);
+
+/// Points of a PLY file, ascii or binary of either byte order: its element `vertex`.
+///
+/// Properties may be of any scalar type: x y z; red green blue (also `diffuse_`; 8 bits, 16 bits or
+/// fractions of 1); intensity, scalar_Intensity or reflectance. Other properties and elements,
+/// lists too, are passed over; faces left out are noted.
+///
+/// @param file  its name, for messages
+/// @throws Error naming the line of the header or of the text, or how many bytes are missing
+/// Time and memory O(size of the file).
+/// Specification: G. Turk, "The PLY Polygon File Format", 1994.
+[[nodiscard]] Imported<RawPoints> readPly(std::istream& in, const std::string& file,
+                                          const Progress& progress = {});
+
+/// Writes binary little endian: x y z as doubles, then what the cloud has of red green blue (uchar)
+/// and intensity (float). Points are in the order of the file they came from.
+/// @param positions  3 x cloud.size() about cloud.origin() [L]: those of the cloud, or moved ones
+void writePly(std::ostream& out, const PointCloud& cloud, const Eigen::Matrix3Xf& positions);
+
+} // namespace espalier

@@ -1,0 +1,95 @@
+#include "core/io/lzf.h"
+#include "core/io/pcd.h"
+#include "tests/core/io/samples.h"
+
+#include <gmock/gmock.h>
+#include <sstream>
+
+namespace espalier {
+namespace {
+
+using test::pcdFile;
+using test::PcdKind;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+Imported<RawPoints> read(const std::string& bytes) {
+  std::istringstream in(bytes);
+  return readPcd(in, "tree.pcd");
+}
+
+std::string errorOf(const std::string& bytes) {
+  return test::errorOf([&] { return read(bytes); });
+}
+
+/// The sample of text with `line` in the place of the header line of that keyword.
+std::string withLine(const std::string& keyword, const std::string& line) {
+  std::string bytes = pcdFile(PcdKind::ascii);
+  const std::size_t start = bytes.find("\n" + keyword + " ") + 1;
+  return bytes.replace(start, bytes.find('\n', start) - start, line);
+}
+
+class ReadPcdOfAnyKind : public testing::TestWithParam<PcdKind> {};
+
+TEST_P(ReadPcdOfAnyKind, FindsPositionsIntensitiesAndPackedColors) {
+  const std::string bytes = pcdFile(GetParam());
+  EXPECT_TRUE(isPcd(bytes));
+  const RawPoints points = read(bytes).value;
+  EXPECT_THAT(points.positions, ElementsAre(Eigen::Vector3d(1, 2.5, 0), Eigen::Vector3d(2, 2.5, -1),
+                                            Eigen::Vector3d(3, 2.5, -2)));
+  EXPECT_THAT(points.colors,
+              ElementsAre(Color{200, 100, 10}, Color{200, 100, 11}, Color{200, 100, 12}));
+  EXPECT_THAT(points.intensities, ElementsAre(0.0F, 7.0F, 14.0F));
+}
+
+TEST_P(ReadPcdOfAnyKind, RefusesAFileCutShort) {
+  const std::string bytes = pcdFile(GetParam());
+  const std::size_t data = bytes.find('\n', bytes.find("DATA")) + 1;
+  for (std::size_t size = data; size + 4 < bytes.size(); ++size)
+    EXPECT_NE(errorOf(bytes.substr(0, size)), "") << size;
+}
+
+TEST_P(ReadPcdOfAnyKind, DoesNotTrustItsHeader) {
+  std::string bytes = pcdFile(GetParam());
+  bytes.replace(bytes.find("POINTS 3"), 8, "POINTS 1000000000000");
+  EXPECT_THAT(errorOf(bytes), HasSubstr("promises 1000000000000 points"));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ReadPcdOfAnyKind,
+                         testing::Values(PcdKind::ascii, PcdKind::binary, PcdKind::compressed));
+
+TEST(ReadPcd, TellsTheLineThatIsWrong) {
+  EXPECT_THAT(errorOf(withLine("SIZE", "SIZE 4 4 4")), HasSubstr("line 4: expected 6 values"));
+  EXPECT_THAT(errorOf(withLine("TYPE", "TYPE F F F F F F")), HasSubstr("line 5: a field of type"));
+  EXPECT_THAT(errorOf(withLine("COUNT", "COUNT 1 1 1 x 1 1")),
+              HasSubstr("line 6: expected a whole"));
+  EXPECT_THAT(errorOf(withLine("FIELDS", "FIELDS x y w normal rgb i")), HasSubstr("no field 'z'"));
+  EXPECT_THAT(errorOf(withLine("DATA", "DATA hex")), HasSubstr("line 11: data of kind 'hex'"));
+  EXPECT_THAT(errorOf("# .PCD v0.7\nVERSION 0.7\n"), HasSubstr("no line DATA"));
+  std::string bytes = pcdFile(PcdKind::ascii);
+  bytes.replace(bytes.find("\n2 2.5"), 6, "\n2 two");
+  EXPECT_THAT(errorOf(bytes), HasSubstr("line 13: expected a number as value 2, found 'two'"));
+}
+
+TEST(ReadPcd, CountsByWidthAndHeightIfPointsAreNotTold) {
+  EXPECT_EQ(read(withLine("POINTS", "")).value.positions.size(), 3U);
+}
+
+TEST(UnpackedLzf, RepeatsWhatItRefersTo) {
+  using namespace std::string_literals;
+  EXPECT_EQ(unpackedLzf("\x02"s + "abc", 3), "abc");
+  EXPECT_EQ(unpackedLzf("\x00"s + "a" + "\x20\x00"s, 4), "aaaa");
+  EXPECT_EQ(unpackedLzf("\x00"s + "a" + "\xe0\x05\x00"s, 15), std::string(15, 'a'));
+}
+
+TEST(UnpackedLzf, RefusesDamagedData) {
+  using namespace std::string_literals;
+  EXPECT_EQ(unpackedLzf("\x05"s + "abc", 6), std::nullopt) << "ends too early";
+  EXPECT_EQ(unpackedLzf("\x00"s + "a" + "\x20\x01"s, 4), std::nullopt) << "refers before the start";
+  EXPECT_EQ(unpackedLzf("\x02"s + "abc", 4), std::nullopt) << "too few";
+  EXPECT_EQ(unpackedLzf("\x02"s + "abc", 2), std::nullopt) << "too many";
+  EXPECT_EQ(unpackedLzf("\x02"s + "abc", std::size_t{1} << 40), std::nullopt);
+}
+
+} // namespace
+} // namespace espalier

@@ -1,0 +1,83 @@
+#pragma once
+
+#include "core/base/imported.h"
+#include "core/base/progress.h"
+#include "core/cloud/point_cloud.h"
+#include "core/skeleton/skeleton.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <iosfwd>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace espalier {
+
+/// What a file holds.
+enum class Content : std::uint8_t { points, structure };
+
+/// A file format, and what can be done with it.
+struct Format {
+  std::string_view name;                    // "PLY"
+  std::string_view description;             // for a file dialog: "PLY points"
+  std::vector<std::string_view> extensions; // without the point, small letters, the usual one first
+  Content content = Content::points;
+  bool (*recognizes)(std::string_view beginning) = nullptr; // by content; none: by extension only
+
+  // Those that apply; none for a format that is recognized only to say what to do instead.
+  Imported<RawPoints> (*readPoints)(std::istream&, const std::string& file,
+                                    const Progress&) = nullptr;
+  Imported<Skeleton> (*readStructure)(std::istream&, const std::string& file) = nullptr;
+  void (*writePoints)(std::ostream&, const PointCloud&,
+                      const Eigen::Matrix3Xf& positions) = nullptr;
+  void (*writeStructure)(std::ostream&, const Skeleton&) = nullptr;
+  std::string_view advice; // what to do with a file that cannot be read
+
+  [[nodiscard]] bool canRead() const { return readPoints != nullptr || readStructure != nullptr; }
+  [[nodiscard]] bool canWrite() const {
+    return writePoints != nullptr || writeStructure != nullptr;
+  }
+};
+
+/// All formats. File dialogs and the command line are made from this table.
+[[nodiscard]] std::span<const Format> formats();
+
+/// The format of a file: what its content shows, else what its extension says.
+/// @throws Error if the file cannot be read, or is of no format known; the message lists those that
+/// are
+[[nodiscard]] const Format& formatOf(const std::filesystem::path& path);
+
+/// The format to write a file of this name in, told by its extension. A device or pipe without one,
+/// as /dev/stdout, gets the first format there is for this content.
+/// @throws Error if there is none for this content; the message lists those there are
+[[nodiscard]] const Format& formatToWrite(const std::filesystem::path& path, Content content);
+
+/// Points of any format; the notes tell what was left out.
+/// @throws Error    which file, where in it, what is wrong: also if the file holds a structure, or
+/// no
+///                  finite point
+/// @throws Cancelled if `progress` asks to stop
+[[nodiscard]] Imported<PointCloud> readPoints(const std::filesystem::path& path,
+                                              const Progress& progress = {});
+
+/// A skeleton of any structure format.
+/// @throws Error as readPoints; also if the file holds points
+[[nodiscard]] Imported<Skeleton> readStructure(const std::filesystem::path& path);
+
+/// Writes points in the format of the extension, in the order of the file they came from. The file
+/// is complete or as it was before.
+/// @throws Error why it cannot be written
+void writePoints(const std::filesystem::path& path, const PointCloud& cloud);
+
+/// The same with other positions for the points of the cloud, as contraction yields.
+/// @param positions  3 x cloud.size() about cloud.origin() [L]
+void writePoints(const std::filesystem::path& path, const PointCloud& cloud,
+                 const Eigen::Matrix3Xf& positions);
+
+/// Writes a skeleton in the format of the extension. The file is complete or as it was before.
+/// @throws Error why it cannot be written
+void writeStructure(const std::filesystem::path& path, const Skeleton& skeleton);
+
+} // namespace espalier

@@ -1,0 +1,114 @@
+#include "core/base/error.h"
+#include "core/base/random.h"
+#include "core/io/formats.h"
+#include "core/io/las.h"
+#include "core/io/node_list.h"
+#include "core/io/pcd.h"
+#include "core/io/ply.h"
+#include "core/io/xyz.h"
+#include "core/mtg/mtg_reader.h"
+#include "core/mtg/mtg_skeleton.h"
+#include "tests/core/io/samples.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <sstream>
+
+namespace espalier {
+namespace {
+
+/// Damage of the kinds that files meet: lost, added, repeated and changed bytes, and numbers that
+/// mean something else.
+std::string damaged(std::string bytes, Random& random) {
+  constexpr auto scraps = std::to_array<std::string_view>(
+      {"-1", "1e999", "nan", "999999999999", "\n", "\t", "^", "<", "/", "+", "#",
+       "\xff\xff\xff\xff", std::string_view("\0\0\0\0", 4), " ", ";", ",", "\x7f\xff\xff\xff"});
+  const std::size_t wounds = 1 + random.below(4);
+  for (std::size_t i = 0; i < wounds && !bytes.empty(); ++i) {
+    const std::size_t at = random.below(bytes.size());
+    const std::size_t length = 1 + random.below(std::min<std::size_t>(bytes.size() - at, 24));
+    switch (random.below(6)) {
+    case 0:
+      bytes[at] = static_cast<char>(random.below(256));
+      break;
+    case 1:
+      bytes.erase(at, length);
+      break;
+    case 2:
+      bytes.resize(at);
+      break;
+    case 3:
+      bytes.insert(at, bytes.substr(random.below(bytes.size()), length));
+      break;
+    case 4:
+      bytes.insert(at, scraps[random.below(scraps.size())]);
+      break;
+    default: {
+      const std::string_view scrap = scraps[random.below(scraps.size())];
+      bytes.replace(at, std::min(scrap.size(), bytes.size() - at), scrap);
+    }
+    }
+  }
+  return bytes;
+}
+
+struct Reader {
+  const char* name;
+  std::string (*sample)();
+  void (*read)(std::istream& in);
+};
+
+void PrintTo(const Reader& reader, std::ostream* out) {
+  *out << reader.name;
+}
+
+template <Imported<RawPoints> (*read)(std::istream&, const std::string&, const Progress&)>
+void readCloud(std::istream& in) {
+  const PointCloud cloud(read(in, "damaged", {}).value);
+  ASSERT_TRUE(cloud.positions().allFinite());
+}
+
+class DamagedFiles : public testing::TestWithParam<Reader> {};
+
+TEST_P(DamagedFiles, AreReadOrRefusedAndNothingElse) {
+  const std::string sample = GetParam().sample();
+  Random random(1);
+  int refused = 0;
+  constexpr int files = 3000;
+  for (int i = 0; i < files; ++i) {
+    const std::string bytes = damaged(sample, random);
+    std::istringstream in(bytes);
+    try {
+      GetParam().read(in);
+    } catch (const Error& error) {
+      ++refused;
+      ASSERT_EQ(std::string_view(error.what()).find('\n'), std::string_view::npos) << error.what();
+    }
+  }
+  EXPECT_GT(refused, files / 50) << "the damage does too little to test anything";
+  EXPECT_LT(refused, files) << "the damage is found before anything is read";
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, DamagedFiles,
+    testing::Values(
+        Reader{"PLY", [] { return test::plyFile(std::endian::little); }, readCloud<readPly>},
+        Reader{"PLY text", test::asciiPlyFile, readCloud<readPly>},
+        Reader{"LAS 1.2", [] { return test::lasFile({.format = 3}); }, readCloud<readLas>},
+        Reader{"LAS 1.4", [] { return test::lasFile({.minorVersion = 4, .format = 7}); },
+               readCloud<readLas>},
+        Reader{"PCD", [] { return test::pcdFile(test::PcdKind::binary); }, readCloud<readPcd>},
+        Reader{"PCD text", [] { return test::pcdFile(test::PcdKind::ascii); }, readCloud<readPcd>},
+        Reader{"PCD compressed", [] { return test::pcdFile(test::PcdKind::compressed); },
+               readCloud<readPcd>},
+        Reader{"XYZ", test::xyzFile, readCloud<readXyz>},
+        Reader{"MTG", test::mtgFile,
+               [](std::istream& in) {
+                 (void)skeletonOf(readMtg(in, "damaged").value, "damaged").value.ids();
+               }},
+        Reader{"node list", test::nodeListFile,
+               [](std::istream& in) { (void)readNodeList(in, "damaged").value.ids(); }}));
+
+} // namespace
+} // namespace espalier

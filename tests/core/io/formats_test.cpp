@@ -1,0 +1,197 @@
+#include "core/io/atomic_file.h"
+#include "core/io/formats.h"
+#include "tests/core/io/samples.h"
+#include "tests/support/canonical.h"
+#include "tests/support/plants.h"
+#include "tests/support/shared_data.h"
+
+#include <gmock/gmock.h>
+#include <limits>
+#include <unistd.h>
+
+namespace espalier {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+fs::path fileOf(const std::string& name, const std::string& bytes) {
+  const fs::path path = test::freshFolder() / name;
+  writeAtomically(path, [&](std::ostream& out) { out << bytes; });
+  return path;
+}
+
+std::string errorOfPoints(const fs::path& path) {
+  return test::errorOf([&] { return readPoints(path); });
+}
+
+std::string errorOfStructure(const fs::path& path) {
+  return test::errorOf([&] { return readStructure(path); });
+}
+
+TEST(Formats, AreReadByContentWhateverTheExtension) {
+  const std::vector<std::pair<std::string, std::string>> samples = {
+      {"PLY", test::plyFile(std::endian::big)},
+      {"LAS", test::lasFile({})},
+      {"LAZ", test::lasFile({.formatBits = 0x80})},
+      {"PCD", test::pcdFile(test::PcdKind::binary)},
+      {"MTG", test::mtgFile()},
+      {"node list", test::nodeListFile()}};
+  for (const auto& [name, bytes] : samples) {
+    EXPECT_EQ(formatOf(fileOf("wrong.csv", bytes)).name, name);
+    EXPECT_EQ(formatOf(fileOf("none", bytes)).name, name);
+  }
+  EXPECT_EQ(formatOf(fileOf("points.TXT", "1 2 3\n")).name, "XYZ");
+}
+
+TEST(Formats, TellWhetherAFileHoldsPointsOrAStructure) {
+  EXPECT_EQ(formatOf(fileOf("a.ply", test::asciiPlyFile())).content, Content::points);
+  EXPECT_EQ(formatOf(fileOf("a.txt", test::nodeListFile())).content, Content::structure);
+}
+
+TEST(Formats, TellApartPointsAndStructures) {
+  EXPECT_EQ(errorOfPoints(fileOf("oak.mtg", test::mtgFile())),
+            "oak.mtg: holds a structure (MTG), not points: open it as a structure");
+  EXPECT_EQ(errorOfStructure(fileOf("oak.ply", test::asciiPlyFile())),
+            "oak.ply: holds points (PLY), not a structure: open it as points");
+}
+
+TEST(Formats, TellWhatCanBeReadInstead) {
+  EXPECT_THAT(errorOfPoints(fileOf("oak.docx", "PK")), HasSubstr("PLY (.ply), XYZ (.xyz .asc"));
+  EXPECT_THAT(errorOfPoints(fileOf("oak.laz", test::lasFile({.formatBits = 0x80}))),
+              HasSubstr("laszip"));
+  EXPECT_THAT(errorOfPoints(fileOf("oak.laz", "anything")), HasSubstr("laszip"));
+  EXPECT_THAT(errorOfPoints(fileOf("oak.e57", "ASTM-E57")), HasSubstr("CloudCompare"));
+}
+
+TEST(Formats, TellWhyAFileCannotBeOpened) {
+  const fs::path folder = test::freshFolder();
+  EXPECT_EQ(errorOfPoints(folder), folder.string() + ": is a folder, choose a file in it");
+  EXPECT_THAT(errorOfPoints(folder / "missing.ply"), HasSubstr("No such file"));
+  EXPECT_THAT(errorOfPoints(fileOf("file", "text") / "oak.ply"), HasSubstr("Not a directory"));
+  EXPECT_EQ(errorOfPoints(fileOf("empty.ply", "")), "empty.ply: is empty");
+  EXPECT_EQ(errorOfStructure(fileOf("empty.mtg", " \n")), "empty.mtg: is empty");
+}
+
+TEST(Formats, TellThatAFileMayNotBeRead) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root may read anything";
+  const fs::path path = fileOf("oak.xyz", "1 2 3\n");
+  fs::permissions(path, fs::perms::none);
+  EXPECT_THAT(errorOfPoints(path), HasSubstr("Permission denied"));
+}
+
+TEST(ReadPoints, LeavesOutWhatIsNotFiniteAndSaysSo) {
+  const Imported<PointCloud> cloud =
+      readPoints(fileOf("scan.xyz", "1 2 3\nnan 5 6\n7 8 9\n1 inf 3\n"));
+  EXPECT_EQ(cloud.value.size(), 2);
+  EXPECT_THAT(cloud.notes, ElementsAre(HasSubstr("scan.xyz: 2 of 4 points are not finite")));
+  EXPECT_EQ(errorOfPoints(fileOf("scan.xyz", "nan nan nan\n")),
+            "scan.xyz: none of its 1 points is finite: export it again");
+}
+
+TEST(ReadPoints, TakesOnePointAndPointsThatCoincide) {
+  EXPECT_EQ(readPoints(fileOf("one.xyz", "1 2 3\n")).value.size(), 1);
+  const PointCloud same = readPoints(fileOf("same.xyz", "1 2 3\n1 2 3\n1 2 3\n")).value;
+  EXPECT_EQ(same.size(), 3);
+  EXPECT_EQ(same.position(2), Eigen::Vector3d(1, 2, 3));
+}
+
+TEST(ReadPoints, RefusesAFileWithoutAny) {
+  std::string bytes = test::asciiPlyFile();
+  bytes.replace(bytes.find("vertex 3"), 8, "vertex 0");
+  EXPECT_EQ(errorOfPoints(fileOf("oak.ply", bytes)), "oak.ply: holds no points");
+}
+
+TEST(ReadPoints, StopsWhenAsked) {
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_THROW((void)readPoints(fileOf("oak.xyz", "1 2 3\n"), Progress(stop.get_token(), {})),
+               Cancelled);
+}
+
+TEST(ReadPoints, FindsOneTreeInItsThreeFormats) {
+  ESPALIER_SHARED_FILE(las, "las/tree.las");
+  ESPALIER_SHARED_FILE(ply, "las/tree.ply");
+  ESPALIER_SHARED_FILE(txt, "las/tree.txt");
+  const auto inFileOrder = [](const PointCloud& cloud) {
+    std::vector<Eigen::Vector3d> points(static_cast<std::size_t>(cloud.size()));
+    for (Eigen::Index i = 0; i < cloud.size(); ++i)
+      points[cloud.fileOrder()[static_cast<std::size_t>(i)]] = cloud.position(i);
+    return points;
+  };
+  const auto a = inFileOrder(readPoints(las).value);
+  const auto b = inFileOrder(readPoints(ply).value);
+  const auto c = inFileOrder(readPoints(txt).value);
+  ASSERT_EQ(a.size(), 30826U);
+  ASSERT_EQ(b.size(), a.size());
+  ASSERT_EQ(c.size(), a.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    ASSERT_LT((a[i] - b[i]).norm(), 0.001) << i;
+    ASSERT_LT((b[i] - c[i]).norm(), 0.001) << i;
+  }
+}
+
+TEST(WritePoints, AndReadingGivesTheSameCloudInEachFormat) {
+  const PointCloud cloud = readPoints(fileOf("oak.xyz", test::xyzFile())).value;
+  const fs::path folder = test::freshFolder();
+  for (const Format& format : formats()) {
+    if (format.writePoints == nullptr) continue;
+    for (const std::string_view extension : format.extensions) {
+      const fs::path path = folder / ("oak." + std::string(extension));
+      writePoints(path, cloud);
+      const Imported<PointCloud> back = readPoints(path);
+      EXPECT_EQ(back.value.positions(), cloud.positions()) << path;
+      EXPECT_EQ(back.value.colors(), cloud.colors()) << path;
+      EXPECT_EQ(back.value.intensities(), cloud.intensities()) << path;
+      EXPECT_THAT(back.notes, IsEmpty());
+    }
+  }
+}
+
+TEST(WriteStructure, AndReadingGivesTheSamePlantInEachFormat) {
+  const Skeleton plant = test::randomPlant(100, 3);
+  const fs::path folder = test::freshFolder();
+  for (const Format& format : formats()) {
+    if (format.writeStructure == nullptr) continue;
+    const fs::path path = folder / ("oak." + std::string(format.extensions.front()));
+    writeStructure(path, plant);
+    EXPECT_EQ(test::canonical(readStructure(path).value), test::canonical(plant)) << path;
+  }
+}
+
+TEST(WriteStructure, TellsThatTheDiskIsFull) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full here";
+  EXPECT_THAT(test::errorOf([] {
+                writeStructure("/dev/full", test::stick(3));
+                return 0;
+              }),
+              HasSubstr("No space left on device"));
+}
+
+TEST(WriteStructure, LeavesTheOldFileIfThePlantCannotBeWritten) {
+  const fs::path path = test::freshFolder() / "oak.mtg";
+  writeStructure(path, test::stick(3));
+  Skeleton broken = test::stick(3);
+  broken.setPosition(NodeId{1}, {0, 0, std::numeric_limits<double>::quiet_NaN()});
+  EXPECT_NE(test::errorOf([&] {
+              writeStructure(path, broken);
+              return 0;
+            }),
+            "");
+  EXPECT_EQ(readStructure(path).value.size(), 3U);
+}
+
+TEST(FormatToWrite, NamesTheExtensionsThereAre) {
+  EXPECT_EQ(formatToWrite("a.txt", Content::points).name, "XYZ");
+  EXPECT_EQ(formatToWrite("a.txt", Content::structure).name, "node list");
+  EXPECT_EQ(test::errorOf([] { return formatToWrite("oak.ply", Content::structure).name; }),
+            "oak.ply: a structure cannot be written with this extension; choose one of MTG (.mtg), "
+            "node list (.txt)");
+  EXPECT_THAT(test::errorOf([] { return formatToWrite("oak.las", Content::points).name; }),
+              HasSubstr("PLY (.ply), XYZ ("));
+}
+
+} // namespace
+} // namespace espalier

@@ -1,0 +1,38 @@
+#include "tests/support/simulated.h"
+
+#include "core/simulate/laser_scanner.h"
+#include "core/simulate/plant_grower.h"
+#include "core/simulate/surface_sampler.h"
+
+#include <utility>
+
+namespace espalier::test {
+namespace {
+
+SimulatedPlant withCloud(Skeleton truth, Scan scan) {
+  PointCloud cloud(scan.points);
+  return {std::move(truth), std::move(scan), std::move(cloud)};
+}
+
+} // namespace
+
+const SimulatedPlant& simulatedTree() {
+  static const SimulatedPlant tree = [] {
+    Skeleton truth = growPlant({.height = 4, .segments = 120}, 1);
+    Scan points = scan(truth, {.points = 20'000}, 1);
+    return withCloud(std::move(truth), std::move(points));
+  }();
+  return tree;
+}
+
+const SimulatedPlant& simulatedHerb() {
+  static const SimulatedPlant herb = [] {
+    Skeleton truth =
+        growPlant({.architecture = Architecture::herb, .height = 300, .segments = 25}, 1);
+    Scan points = sampleSurface(truth, {.points = 4000}, 1);
+    return withCloud(std::move(truth), std::move(points));
+  }();
+  return herb;
+}
+
+} // namespace espalier::test

@@ -13,11 +13,12 @@ namespace espalier {
 
 /// The part of the sphere around a station in which there may be wood [rad].
 struct ScanWindow {
-  Eigen::Vector3d station; // [L]
-  double azimuth = 0;      // of the first beam
-  double elevation = 0;    // of the lowest beam
-  double width = 0;        // in azimuth
-  double height = 0;       // in elevation
+  Eigen::Vector3d station;                         // [L]
+  double azimuth = 0;                              // of the first beam
+  double elevation = 0;                            // of the lowest beam
+  double width = 0;                                // in azimuth
+  double height = 0;                               // in elevation
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero(); // [L], how far its scan is out of place
 };
 
 [[nodiscard]] ScanWindow windowOf(const Eigen::Vector3d& station,

@@ -33,6 +33,7 @@ void check(const ScannerOptions& options) {
   require(isIn(options.elevation, -10, 10), "expected an elevation of -10 to 10 plant heights");
   require(isIn(options.rangeNoise.value_or(0), 0, 1e300) && isIn(options.rangeNoiseInSteps, 0, 1e3),
           "expected a range noise of 0 or more");
+  require(isIn(options.misalignment.value_or(0), 0, 1e300), "expected a misalignment of 0 or more");
   require(isIn(options.angularNoise, 0, 10), "expected an angular noise of 0 to 10 steps");
   require(isIn(options.beamWidth, 0, 3), "expected a beam width of 0 to 3 steps");
   require(isIn(options.grazingLoss, 0, 1), "expected a grazing loss of 0 to 1");
@@ -150,7 +151,8 @@ std::vector<Echo> echoesOf(const ScanScene& scene, const std::vector<ScanWindow>
           const double azimuth = window.azimuth + (static_cast<double>(column) + 0.5) * step;
           if (const auto echo = echoOf(scene, window.station, azimuth, elevation, step,
                                        CountedRandom(seed, number)))
-            found[static_cast<std::size_t>(i)].push_back(*echo);
+            found[static_cast<std::size_t>(i)].push_back(
+                {echo->position + window.shift, echo->intensity, echo->node});
         }
       },
       progress, 4);
@@ -191,10 +193,13 @@ Scan scan(const Skeleton& plant, const ScannerOptions& options, std::uint64_t se
                         .clumps = clumpsIn(wood, extent, options, random),
                         .extent = extent,
                         .rangeNoise = options.rangeNoise.value_or(extent / 2500)};
+  const double misalignment = options.misalignment.value_or(extent / 2500);
   std::vector<ScanWindow> windows;
   for (const Vector3d& station : result.stations) {
     require(station.allFinite(), "expected finite places of the stations");
     windows.push_back(windowOf(station, bounds));
+    for (double& shift : windows.back().shift)
+      shift = misalignment * random.normal();
   }
   result.angularStep = angularStep(scene, windows, seed + 1, progress.part(0, 0.15, "aim"));
   for (const Echo& echo :

@@ -20,9 +20,12 @@ struct ScannerOptions {
   double elevation = 0.35;         // of the stations above its foot, in heights, in [-10, 10]
   std::optional<double> azimuth;   // of the first station [rad]; none: any
   std::vector<Eigen::Vector3d> at; // [L], stations at these places instead
-  std::optional<double>
-      rangeNoise;               // [L] standard deviation along the beam, >= 0; none: extent / 2500
-  double rangeNoiseInSteps = 0; // the same in spacings of the beams at that range, added to it
+
+  // Standard deviations [L], >= 0; none: extent / 2500.
+  std::optional<double> rangeNoise;   // along the beam
+  std::optional<double> misalignment; // of the scan of a station, in each coordinate
+
+  double rangeNoiseInSteps = 0; // noise in spacings of the beams at that range, added to the other
   double angularNoise = 0.1;    // standard deviation of beam directions, in steps, in [0, 10]
   double beamWidth = 0.5;       // diameter of a beam, in steps, in [0, 3]; 0: no mixed pixels
   double grazingLoss = 0.5;     // share of echoes lost where beams graze, in [0, 1]

@@ -37,6 +37,8 @@ void check(const Skeleton& plant, const PreparationOptions& options) {
     throw Error("preparation: expected a spacing of 0 or more and 0 to 100 smoothing passes");
   if (!(options.baseRadius >= 0) || !(options.apexRadius >= 0))
     throw Error("preparation: expected radii of 0 or more");
+  if (!(options.apexExtension.value_or(0) >= 0) || std::isinf(options.apexExtension.value_or(0)))
+    throw Error("preparation: expected an apex extension of 0 or more");
 }
 
 double medianOf(std::vector<double> values) { // pre: not empty
@@ -67,6 +69,16 @@ Skeleton smoothed(const Skeleton& plant) {
     result.setPosition(id, 0.5 * (plant[id].position + onChord));
   }
   return result;
+}
+
+Skeleton extended(Skeleton plant, double length) {
+  for (const NodeId id : plant.ids()) {
+    if (!plant.children(id).empty() || !plant[id].parent) continue;
+    const Vector3d& end = plant[id].position;
+    const Vector3d along = (end - plant[*plant[id].parent].position).normalized(); // or 0
+    plant.setPosition(id, end + length * along);
+  }
+  return plant;
 }
 
 Skeleton withMissingRadii(Skeleton plant, const PreparationOptions& options) {
@@ -168,13 +180,15 @@ Skeleton preparedPlant(const Skeleton& structure, const PreparationOptions& opti
   }
   if (!(total > 0)) return structure;
   const double mean = total / static_cast<double>(lengths.size());
-  double spacing = options.spacing > 0 ? options.spacing : medianOf(std::move(lengths)) / 3;
-  if (!(spacing > 0)) spacing = mean / 3; // over half of the edges have no length
+  const double median = medianOf(std::move(lengths));
+  const double common = median > 0 ? median : mean; // 0: over half of the edges have no length
+  const double spacing = options.spacing > 0 ? options.spacing : common / 3;
   if (total / spacing > 1e7)
     throw Error("preparation: so small a spacing gives over 10^7 nodes; try a larger one");
   Skeleton plant = structure;
   for (int pass = 0; pass < options.smoothing; ++pass)
     plant = smoothed(plant);
+  plant = extended(std::move(plant), options.apexExtension.value_or(common / 2));
   return resampled(withMissingRadii(std::move(plant), options), spacing);
 }
 

@@ -2,6 +2,8 @@
 
 #include "core/skeleton/skeleton.h"
 
+#include <optional>
+
 namespace espalier {
 
 struct PreparationOptions {
@@ -9,6 +11,7 @@ struct PreparationOptions {
   int smoothing = 1;     // passes that take kinks out of the axes, in [0, 100]
   double baseRadius = 0; // [L] where radii are missing, >= 0; 0 = height / 100
   double apexRadius = 0; // [L] where radii are missing, >= 0; 0 = height / 1500
+  std::optional<double> apexExtension; // [L] added to each apex, >= 0; none: half the median edge
 };
 
 /// A structure made by hand or by a program, made fit to be scanned and to be the truth of the

@@ -21,6 +21,7 @@ using Eigen::Vector3d;
 ScannerOptions ideal(Eigen::Index points) {
   return {.points = points,
           .rangeNoise = 0,
+          .misalignment = 0,
           .angularNoise = 0,
           .beamWidth = 0,
           .grazingLoss = 0,
@@ -207,6 +208,24 @@ TEST(LaserScanner, MixesTheRangesAtEdgesIfItsBeamIsWide) {
   EXPECT_LT(off, 0.3 * static_cast<double>(result.nodes.size()));
 }
 
+TEST(LaserScanner, PutsTheScanOfEachStationOutOfPlaceAsAWhole) {
+  ScannerOptions options = ideal(1000);
+  options.stations = 3;
+  const Skeleton plant = smallTree();
+  const Scan exact = scan(plant, options, 8);
+  options.misalignment = 0.05;
+  const Scan shifted = scan(plant, options, 8);
+  ASSERT_EQ(exact.nodes, shifted.nodes);
+  std::vector<Vector3d> shifts;
+  for (std::size_t i = 0; i < exact.nodes.size(); ++i) {
+    const Vector3d shift = shifted.points.positions[i] - exact.points.positions[i];
+    if (shifts.empty() || (shift - shifts.back()).norm() > 1e-9) shifts.push_back(shift);
+  }
+  ASSERT_EQ(shifts.size(), 3U);
+  for (const Vector3d& shift : shifts)
+    EXPECT_LT(shift.norm(), 0.3);
+}
+
 TEST(LaserScanner, LosesEchoesWhereBeamsGraze) {
   ScannerOptions options = ideal(20000);
   options.at = {{20, 0, 1}};
@@ -246,6 +265,7 @@ TEST(LaserScanner, RefusesWhatItCannotScan) {
   EXPECT_THROW(run(plant, {.stations = 0}), Error);
   EXPECT_THROW(run(plant, {.distance = std::nan("")}), Error);
   EXPECT_THROW(run(plant, {.rangeNoise = -1}), Error);
+  EXPECT_THROW(run(plant, {.misalignment = std::nan("")}), Error);
   EXPECT_THROW(run(plant, {.beamWidth = 9}), Error);
   EXPECT_THROW(run(plant, {.strayShare = 1}), Error);
   EXPECT_THROW(run(plant, {.clumps = -1}), Error);

@@ -43,7 +43,8 @@ std::size_t count(const Skeleton& plant, EdgeType type) {
 }
 
 TEST(PreparedPlant, PutsFurtherNodesOnASmoothCurve) {
-  const Skeleton plant = preparedPlant(arc(6), {.spacing = 0.02, .smoothing = 0});
+  const Skeleton plant =
+      preparedPlant(arc(6), {.spacing = 0.02, .smoothing = 0, .apexExtension = 0});
   EXPECT_LT(longestEdge(plant), 0.021);
   for (const NodeId id : plant.ids()) // chords miss the circle by 1 - cos(7.5 degrees) = 0.0086
     EXPECT_NEAR(plant[id].position.norm(), 1, 0.0005);
@@ -51,7 +52,7 @@ TEST(PreparedPlant, PutsFurtherNodesOnASmoothCurve) {
 
 TEST(PreparedPlant, KeepsTheNodesGivenIfItDoesNotSmooth) {
   const Skeleton given = arc(6);
-  const Skeleton plant = preparedPlant(given, {.smoothing = 0});
+  const Skeleton plant = preparedPlant(given, {.smoothing = 0, .apexExtension = 0});
   for (const NodeId id : given.ids()) {
     const std::vector<NodeId> ids = plant.ids();
     EXPECT_TRUE(std::any_of(ids.begin(), ids.end(), [&](NodeId other) {
@@ -65,7 +66,7 @@ TEST(PreparedPlant, LeavesAStraightAxisStraightHoweverUnevenItsNodes) {
   std::optional<NodeId> parent;
   for (const double z : {0.0, 1000.0, 1045.0, 1046.0, 1100.0})
     parent = given.add({.position = {0, 0, z}, .radius = 5, .parent = parent});
-  const Skeleton plant = preparedPlant(given, {.smoothing = 5});
+  const Skeleton plant = preparedPlant(given, {.smoothing = 5, .apexExtension = 0});
   double last = -1;
   for (const NodeId id : plant.ids()) {
     EXPECT_NEAR(plant[id].position.head<2>().norm(), 0, 1e-9);
@@ -110,7 +111,7 @@ TEST(PreparedPlant, TapersEvenlyBetweenTheGivenNodes) {
   given.setRadius(NodeId{0}, 0.5);
   given.setRadius(NodeId{1}, 0.3);
   given.setRadius(NodeId{2}, 0.2);
-  const Skeleton plant = preparedPlant(given, {.spacing = 0.1});
+  const Skeleton plant = preparedPlant(given, {.spacing = 0.1, .apexExtension = 0});
   for (const NodeId id : plant.ids()) {
     const double z = plant[id].position.z();
     EXPECT_NEAR(plant[id].radius, z < 1 ? 0.5 - 0.2 * z : 0.4 - 0.1 * z, 1e-9);
@@ -127,6 +128,18 @@ TEST(PreparedPlant, KeepsTheRadiusOfABranchDownToTheAxisThatBearsIt) {
       EXPECT_EQ(plant[id].radius, 0.1);
       EXPECT_EQ(plant[*plant[id].parent].radius, 0.7);
     }
+}
+
+TEST(PreparedPlant, ExtendsApicesByHalfAnEdgeUnlessToldOtherwise) {
+  const auto top = [](const PreparationOptions& options) {
+    const Skeleton plant = preparedPlant(test::stick(5), options);
+    double highest = 0;
+    for (const NodeId id : plant.ids())
+      highest = std::max(highest, plant[id].position.z());
+    return highest;
+  };
+  EXPECT_NEAR(top({}), 4.5, 1e-12);
+  EXPECT_NEAR(top({.apexExtension = 2}), 6, 1e-12);
 }
 
 TEST(PreparedPlant, GivesRadiiWhereThereAreNone) {
@@ -149,8 +162,9 @@ TEST(PreparedPlant, FitsMissingRadiiToThoseThatAreKnown) {
   Skeleton given = whole;
   for (const NodeId id : given.ids())
     given.setRadius(id, indexOf(id) % 3 == 0 ? 0 : 5 * given[id].radius);
-  const Skeleton plant =
-      preparedPlant(given, {.spacing = 9, .smoothing = 0, .baseRadius = 0.2, .apexRadius = 0.01});
+  const Skeleton plant = preparedPlant(
+      given,
+      {.spacing = 9, .smoothing = 0, .baseRadius = 0.2, .apexRadius = 0.01, .apexExtension = 0});
   for (const NodeId id : whole.ids())
     EXPECT_NEAR(plant[id].radius, 5 * whole[id].radius, 1e-9);
 }
@@ -176,6 +190,7 @@ TEST(PreparedPlant, RefusesBadNodesAndOptions) {
   EXPECT_THROW(run({.spacing = 1e-9}), Error);
   EXPECT_THROW(run({.smoothing = -1}), Error);
   EXPECT_THROW(run({.apexRadius = std::nan("")}), Error);
+  EXPECT_THROW(run({.apexExtension = -1}), Error);
 }
 
 } // namespace

@@ -29,7 +29,8 @@ Sprout sproutAt(const OrderHabit& habit, double place, double length, Random& ra
   const double u = std::clamp((share - habit.bare) / (1 - habit.bare), 0.02, 0.98);
   Sprout sprout{.place = place};
   sprout.angle = habit.angle + (habit.tipAngle - habit.angle) * share + 0.12 * random.normal();
-  sprout.length = habit.ratio * length * lengthShape(habit, u) * std::exp(0.2 * random.normal());
+  sprout.length = habit.ratio * length * lengthShape(habit, u) * std::exp(0.3 * random.normal());
+  if (random.uniform() < habit.shortShoots) sprout.length *= random.uniform(0.1, 0.4);
   if (share > 0.25 && share < 0.85 && random.uniform() < habit.fork) {
     sprout.rivals = true;
     sprout.angle = random.uniform(0.45, 0.7);

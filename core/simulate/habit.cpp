@@ -12,7 +12,7 @@ constexpr double goldenAngle = 137.508 * degrees;
 
 Habit broadleaf() {
   const OrderHabit trunk{.wander = 0.2,
-                         .rise = 0.1,
+                         .rise = 0.5,
                          .bare = 0.22,
                          .internode = 0.024,
                          .divergence = goldenAngle,
@@ -21,7 +21,8 @@ Habit broadleaf() {
                          .ratio = 0.66,
                          .acrotony = 0.1,
                          .basitony = 0.7,
-                         .fork = 0.12};
+                         .shortShoots = 0.2,
+                         .fork = 0.07};
   const OrderHabit bough{.wander = 0.4,
                          .rise = 0.5,
                          .bare = 0.15,
@@ -33,6 +34,7 @@ Habit broadleaf() {
                          .ratio = 0.42,
                          .acrotony = 0.4,
                          .basitony = 0.6,
+                         .shortShoots = 0.4,
                          .fork = 0.12};
   const OrderHabit twig{.wander = 0.4,
                         .rise = 0.3,
@@ -45,6 +47,7 @@ Habit broadleaf() {
                         .ratio = 0.4,
                         .acrotony = 0.5,
                         .basitony = 0.6,
+                        .shortShoots = 0.5,
                         .fork = 0.08};
   return {.baseRadius = 0.013, .apexRadius = 0.0006, .flare = 0.35, .orders = {trunk, bough, twig}};
 }
@@ -73,7 +76,8 @@ Habit conifer() {
                           .flatness = 0.85,
                           .ratio = 0.38,
                           .acrotony = 0.25,
-                          .basitony = 0.8};
+                          .basitony = 0.8,
+                          .shortShoots = 0.35};
   const OrderHabit twig{.wander = 0.25,
                         .rise = 0.15,
                         .bare = 0.2,
@@ -85,7 +89,8 @@ Habit conifer() {
                         .flatness = 0.85,
                         .ratio = 0.4,
                         .acrotony = 0.25,
-                        .basitony = 0.8};
+                        .basitony = 0.8,
+                        .shortShoots = 0.4};
   return {.baseRadius = 0.011, .apexRadius = 0.0007, .flare = 0.3, .orders = {trunk, branch, twig}};
 }
 
@@ -100,6 +105,7 @@ Habit shrub() {
                         .ratio = 0.42,
                         .acrotony = 0.1,
                         .basitony = 0.7,
+                        .shortShoots = 0.3,
                         .fork = 0.06};
   const OrderHabit branch{.wander = 0.5,
                           .rise = 0.45,
@@ -111,6 +117,7 @@ Habit shrub() {
                           .ratio = 0.4,
                           .acrotony = 0.4,
                           .basitony = 0.6,
+                          .shortShoots = 0.45,
                           .fork = 0.05};
   return {.stems = 7,
           .stemLean = 38 * degrees,
@@ -140,7 +147,8 @@ Habit herb() {
                          .tipAngle = 40 * degrees,
                          .ratio = 0.5,
                          .acrotony = 0.3,
-                         .basitony = 0.6};
+                         .basitony = 0.6,
+                         .shortShoots = 0.3};
   return {.baseRadius = 0.006, .apexRadius = 0.0016, .flare = 0, .orders = {stem, shoot}};
 }
 

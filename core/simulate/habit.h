@@ -26,6 +26,7 @@ struct OrderHabit {
   double ratio = 0.5;      // longest branch / this axis
   double acrotony = 0.5;   // branches get longer from base to tip as share^acrotony
   double basitony = 0.5;   // and shorter as (1 - share)^basitony
+  double shortShoots = 0;  // probability that a branch stays short, as fruit wood does
   double fork = 0;         // probability that a branch rivals the axis that bears it
 };
 

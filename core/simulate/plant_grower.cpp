@@ -117,8 +117,10 @@ private:
     for (const Sprout& sprout : sprouts) {
       const auto at = static_cast<std::size_t>(std::lround(sprout.place / step));
       if (at == 0 || at + 1 >= nodes.size()) continue; // the axis ended before it
-      // Long branches first, but by no means only: a plant bears short shoots everywhere.
-      const double priority = sprout.length * std::exp(0.7 * random_.normal());
+      // Long branches and those of the trunk first, but by no means only: a plant bears short
+      // shoots everywhere.
+      const double rank = bud.order == 0 ? 1.5 : 1;
+      const double priority = rank * std::sqrt(sprout.length) * std::exp(0.6 * random_.normal());
       buds_.push({nodes[at], course.branchDirection(at, sprout, habit.flatness), sprout.length,
                   guessedRadius(seed, sprout.place), bud.order + 1, true, priority, sown_++});
     }

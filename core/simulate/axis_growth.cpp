@@ -173,9 +173,9 @@ Course grow(const AxisSeed& seed, const OrderHabit& habit, double wander,
         crowdingAt(tip.next(), tip.direction(), guessedRadius(seed, place), feels, wood);
     if (crowding.blocked && place > std::min(free, 0.3 * seed.length)) break;
     Vector3d push = 0.6 * tip.step() / feels * std::min(1.0, place / (2 * free)) * crowding.push;
-    if (tip.next().z() < 0.03 && tip.direction().z() < 0.3)
-      push.z() += 6 * tip.step(); // the ground
+    if (tip.next().z() < 0.03 && tip.direction().z() < 0.3) push.z() += 6 * tip.step();
     tip.turn(habit, push);
+    if (tip.next().z() < 0) break; // the ground
     tip.advance();
   }
   return tip.course();

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace espalier {
@@ -29,9 +30,9 @@ std::vector<double> loads(const Skeleton& plant, const std::vector<NodeId>& orde
   return load;
 }
 
-/// Height above the ground in trunk radii, turned into a widening.
-double flareAt(double height, double radius, double flare) {
-  return 1 + flare * std::exp(-height / (1.5 * radius));
+/// How much wider a trunk is at this height above the ground.
+double flareAt(double height, const GrownRadiusOptions& options) {
+  return 1 + options.flare * std::exp(-height / (1.5 * options.baseRadius));
 }
 
 } // namespace
@@ -49,19 +50,22 @@ Skeleton withGrownRadii(Skeleton plant, const GrownRadiusOptions& options) {
       heaviest > 1 ? std::log(options.baseRadius / options.apexRadius) / std::log(heaviest) : 0;
 
   Random random(options.seed);
-  std::vector<double> vigor(plant.idEnd(), 1); // by id, of the axis
-  std::vector<double> ground(plant.idEnd(), 0);
+  struct Axis {
+    double vigor = 1;             // by which it is thicker than the pipe model has it
+    std::optional<double> ground; // [L], of a trunk
+  };
+  std::vector<Axis> axes(plant.idEnd()); // by id of node
   for (const NodeId id : order) {
     const Node& node = plant[id];
-    double& own = vigor[indexOf(id)];
-    if (!node.parent || node.edge == EdgeType::branching)
-      own = node.parent ? std::exp(options.spread * random.normal()) : 1;
+    Axis& axis = axes[indexOf(id)];
+    if (!node.parent)
+      axis.ground = node.position.z();
+    else if (node.edge == EdgeType::branching)
+      axis.vigor = std::exp(options.spread * random.normal());
     else
-      own = vigor[indexOf(*node.parent)];
-    ground[indexOf(id)] = node.parent ? ground[indexOf(*node.parent)] : node.position.z();
-    double radius = own * options.apexRadius * std::pow(load[indexOf(id)], exponent);
-    radius *= flareAt(std::max(0.0, node.position.z() - ground[indexOf(id)]), options.baseRadius,
-                      options.flare);
+      axis = axes[indexOf(*node.parent)];
+    double radius = axis.vigor * options.apexRadius * std::pow(load[indexOf(id)], exponent);
+    if (axis.ground) radius *= flareAt(std::max(0.0, node.position.z() - *axis.ground), options);
     if (node.parent) radius = std::min(radius, plant[*node.parent].radius);
     plant.setRadius(id, radius);
   }

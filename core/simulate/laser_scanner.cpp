@@ -84,7 +84,7 @@ Sweep sweepOf(const ScanWindow& window, double step) {
 /// @return echoes of all stations, expected for one beam per square radian
 double echoDensity(const ScanScene& scene, const std::vector<ScanWindow>& windows, double step,
                    std::uint64_t seed, const Progress& progress) {
-  constexpr Index side = 192; // sampled beams in each direction, per station
+  constexpr Index side = 128; // sampled beams in each direction, per station
   double density = 0;
   for (std::size_t w = 0; w < windows.size(); ++w) {
     const ScanWindow& window = windows[w];

@@ -124,7 +124,7 @@ TEST(LaserScanner, SeesOneSideOnlyFromOneStation) {
 
 TEST(LaserScanner, ReturnsAboutAsManyPointsAsAskedFor) {
   const Skeleton plant = smallTree();
-  for (const Eigen::Index asked : {500, 5000, 50000}) {
+  for (const Eigen::Index asked : {500, 20000}) {
     const auto found = static_cast<double>(scan(plant, {.points = asked}, 4).nodes.size());
     EXPECT_NEAR(found / static_cast<double>(asked), 1, 0.1);
   }
@@ -161,7 +161,7 @@ TEST(LaserScanner, IsTheSameForAnyNumberOfThreads) {
   const Skeleton plant = smallTree();
   const auto scanned = [&](int threads, std::uint64_t seed) {
     const ThreadLimit limit(threads);
-    return scan(plant, {.points = 5000, .clumps = 3}, seed);
+    return scan(plant, {.points = 3000, .stations = 2, .clumps = 3}, seed);
   };
   const Scan one = scanned(1, 9);
   const Scan two = scanned(2, 9);

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+
+namespace CLI {
+class App;
+}
+
+namespace espalier {
+
+// Each adds its subcommand, to be run when the arguments name it.
+void addReconstruct(CLI::App& app);
+void addContract(CLI::App& app);
+void addEvaluate(CLI::App& app);
+void addConvert(CLI::App& app);
+void addInfo(CLI::App& app);
+void addSimulate(CLI::App& app);
+void addMethods(CLI::App& app);
+void addPicture(CLI::App& app);
+
+} // namespace espalier

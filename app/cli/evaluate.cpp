@@ -1,0 +1,75 @@
+#include "app/cli/commands.h"
+#include "app/cli/terminal.h"
+#include "core/evaluate/comparison.h"
+#include "core/evaluate/comparison_json.h"
+#include "core/io/atomic_file.h"
+#include "core/io/formats.h"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <memory>
+#include <ostream>
+
+namespace espalier {
+namespace {
+
+struct Flags {
+  std::string result;
+  std::string reference;
+  bool noRegister = false;
+  std::string json;
+};
+
+void print(const Comparison& comparison) {
+  const AuthorsComparison& authors = comparison.authors;
+  std::printf("%zu of %zu segments matched with %zu of the reference\n", authors.matches.size(),
+              authors.resultSegments.size(), authors.referenceSegments.size());
+  std::printf("mapping %.3f  geometric index %.3f  structural index %.3f\n", authors.mapping,
+              authors.geometric, authors.structural);
+  if (comparison.registration) {
+    const Eigen::Vector3d& shift = comparison.registration->shift;
+    std::printf("moved by %.4g, %.4g, %.4g to lie on the reference\n", shift.x(), shift.y(),
+                shift.z());
+  }
+  std::printf("%12s %10s %10s %10s\n", "distance", "precision", "recall", "F");
+  for (const ToleranceScore& score : comparison.tolerance.scores)
+    std::printf("%12.4g %10.3f %10.3f %10.3f\n", score.distance, score.precision, score.recall,
+                score.f());
+}
+
+void evaluate(const Flags& flags) {
+  const TerminalProgress terminal;
+  const auto result = readStructure(flags.result);
+  const auto reference = readStructure(flags.reference);
+  printNotes(result.notes);
+  printNotes(reference.notes);
+  ComparisonOptions options;
+  options.registers = !flags.noRegister;
+  const Comparison comparison =
+      compare(result.value, reference.value, options, terminal.progress());
+  printNotes(comparison.warnings);
+  print(comparison);
+  if (flags.json.empty()) return;
+  auto json = toJson(comparison);
+  json["result"] = flags.result;
+  json["reference"] = flags.reference;
+  writeAtomically(flags.json, [&](std::ostream& out) { out << json.dump(2) << '\n'; });
+}
+
+} // namespace
+
+void addEvaluate(CLI::App& app) {
+  CLI::App* command =
+      app.add_subcommand("evaluate", "Measure a skeleton against a reference structure");
+  const auto flags = std::make_shared<Flags>();
+  command->add_option("result", flags->result, "Structure to judge")->required();
+  command->add_option("reference", flags->reference, "Structure taken as true")->required();
+  command->add_flag("--no-register", flags->noRegister,
+                    "Compare the structures where they are, without laying one on the other");
+  command->add_option("--json", flags->json, "File for all numbers");
+  command->callback([flags] { evaluate(*flags); });
+}
+
+} // namespace espalier

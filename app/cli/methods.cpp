@@ -1,0 +1,105 @@
+#include "app/cli/commands.h"
+#include "core/base/error.h"
+#include "core/pipeline/registry.h"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <iostream>
+#include <memory>
+#include <sstream>
+#include <string>
+
+namespace espalier {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Flags {
+  std::string name; // of a step or method; empty: all
+  bool isJson = false;
+};
+
+std::string number(double value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+std::string rangeText(const Option& option) {
+  const std::string text = number(option.minimum) + " to " + number(option.maximum);
+  if (option.kind == OptionKind::length) return text + " point spacings";
+  return option.kind == OptionKind::angle ? text + " degrees" : text;
+}
+
+bool isWanted(const Flags& flags, const Step& step, const Method& method) {
+  return flags.name.empty() || flags.name == step.name || flags.name == method.name;
+}
+
+void printText(const Flags& flags) {
+  for (const Step& step : pipelineSteps())
+    for (const Method& method : step.methods) {
+      if (!isWanted(flags, step, method)) continue;
+      const bool isDefault = &method == &step.methods.front();
+      std::cout << step.name << '.' << method.name << (isDefault ? "  (default)" : "") << "\n  "
+                << method.help << '\n';
+      if (!method.source.empty()) std::cout << "  Source: " << method.source << '\n';
+      for (const Option& option : method.options)
+        std::cout << "    " << step.name << '.' << option.name << "  " << nameOf(option.kind)
+                  << ", default " << option.rule.text() << ", range " << rangeText(option)
+                  << "\n        " << option.help << '\n';
+      std::cout << '\n';
+    }
+}
+
+Json toJson(const Option& option) {
+  return {{"name", option.name},        {"label", option.label},     {"kind", nameOf(option.kind)},
+          {"rule", option.rule.text()}, {"minimum", option.minimum}, {"maximum", option.maximum},
+          {"range", rangeText(option)}, {"help", option.help}};
+}
+
+void printJson(const Flags& flags) {
+  auto json = Json::array();
+  for (const Step& step : pipelineSteps())
+    for (const Method& method : step.methods) {
+      if (!isWanted(flags, step, method)) continue;
+      auto options = Json::array();
+      for (const Option& option : method.options)
+        options.push_back(toJson(option));
+      json.push_back({{"step", step.name},
+                      {"method", method.name},
+                      {"label", method.label},
+                      {"is_default", &method == &step.methods.front()},
+                      {"help", method.help},
+                      {"source", method.source},
+                      {"options", std::move(options)}});
+    }
+  std::cout << json.dump(2) << '\n';
+}
+
+void methods(const Flags& flags) {
+  bool isKnown = flags.name.empty();
+  for (const Step& step : pipelineSteps())
+    for (const Method& method : step.methods)
+      isKnown = isKnown || isWanted(flags, step, method);
+  if (!isKnown)
+    throw Error("there is no step or method \"" + flags.name +
+                "\": \"espalier methods\" lists all there are");
+  if (flags.isJson)
+    printJson(flags);
+  else
+    printText(flags);
+}
+
+} // namespace
+
+void addMethods(CLI::App& app) {
+  CLI::App* command =
+      app.add_subcommand("methods", "List every step, method and option with its default rule");
+  const auto flags = std::make_shared<Flags>();
+  command->add_option("name", flags->name, "A step or method (default: all)");
+  command->add_flag("--json", flags->isJson, "As JSON");
+  command->callback([flags] { methods(*flags); });
+}
+
+} // namespace espalier

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "core/pipeline/pipeline.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace espalier {
+
+/// The flags that reconstruct and contract share.
+struct PipelineFlags {
+  std::string scan;
+  std::string output;
+  std::string method;
+  std::vector<std::string> settings; // STEP.OPTION=VALUE
+  std::string preset;
+  std::string root = "lowest";
+  std::string up = "z";
+  std::string unit;
+  std::string json;
+  int threads = 0;
+
+  void addTo(CLI::App& command);
+
+  /// @throws Error naming the flag, what it holds and what it may hold
+  [[nodiscard]] PipelineOptions options(const std::string& stepOfMethod) const;
+};
+
+/// Holds loops to `threads` threads while it lives; 0 = all there are.
+class Threads {
+public:
+  explicit Threads(int threads);
+  ~Threads();
+  Threads(const Threads&) = delete;
+  Threads& operator=(const Threads&) = delete;
+
+private:
+  struct Limit;
+  std::unique_ptr<Limit> limit_;
+};
+
+void addThreadsFlag(CLI::App& command, int& threads);
+
+/// "X,Y,Z" as numbers. @throws Error if it is not three numbers
+[[nodiscard]] Eigen::Vector3d parsePlace(const std::string& text, const std::string& flag);
+
+} // namespace espalier

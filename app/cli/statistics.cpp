@@ -1,0 +1,90 @@
+#include "app/cli/statistics.h"
+
+#include "core/skeleton/axes.h"
+#include "core/skeleton/checks.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace espalier {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json toJson(const Eigen::Vector3d& place) {
+  return Json::array({place.x(), place.y(), place.z()});
+}
+
+Json toJson(const Eigen::AlignedBox3d& box) {
+  return {{"minimum", toJson(box.min())}, {"maximum", toJson(box.max())}};
+}
+
+} // namespace
+
+Json statistics(const PointCloud& cloud) {
+  return {{"points", cloud.size()},
+          {"bounds", toJson(cloud.bounds())},
+          {"spacing", pointSpacing(cloud.positions())},
+          {"has_colors", !cloud.colors().empty()},
+          {"has_intensities", !cloud.intensities().empty()}};
+}
+
+Json statistics(const Skeleton& skeleton) {
+  std::size_t tips = 0;
+  std::size_t successors = 0;
+  std::size_t branchings = 0;
+  double largestRadius = 0;
+  Eigen::AlignedBox3d bounds;
+  for (const NodeId id : skeleton.ids()) {
+    const Node& node = skeleton[id];
+    if (skeleton.children(id).empty()) ++tips;
+    if (node.parent) ++(node.edge == EdgeType::successor ? successors : branchings);
+    largestRadius = std::max(largestRadius, node.radius);
+    bounds.extend(node.position);
+  }
+  const std::vector<int> order = orders(skeleton);
+  std::vector<std::size_t> axesPerOrder;
+  double total = 0;
+  for (const Axis& axis : axes(skeleton)) {
+    const auto own = static_cast<std::size_t>(order[indexOf(axis.front())]);
+    axesPerOrder.resize(std::max(axesPerOrder.size(), own + 1));
+    ++axesPerOrder[own];
+    total += length(skeleton, axis);
+  }
+  auto findings = Json::array();
+  for (const Finding& finding : check(skeleton))
+    findings.push_back({{"kind", nameOf(finding.kind)},
+                        {"node", indexOf(finding.node)},
+                        {"text", describe(finding, skeleton)}});
+  return {{"nodes", skeleton.size()},
+          {"roots", skeleton.roots().size()},
+          {"tips", tips},
+          {"successor_edges", successors},
+          {"branching_edges", branchings},
+          {"length", total},
+          {"axes_per_order", axesPerOrder},
+          {"largest_radius", largestRadius},
+          {"bounds", skeleton.isEmpty() ? Json(nullptr) : toJson(bounds)},
+          {"findings", std::move(findings)}};
+}
+
+Json statistics(const Reconstruction& reconstruction,
+                const std::vector<std::pair<std::string, double>>& stageSeconds) {
+  auto steps = Json::array();
+  for (const StepRecord& record : reconstruction.steps) {
+    Json step = {{"step", record.step}, {"method", record.method}, {"options", Json::object()}};
+    for (const auto& [name, value] : record.values)
+      step["options"][name] = value;
+    steps.push_back(std::move(step));
+  }
+  auto seconds = Json::object();
+  for (const auto& [stage, spent] : stageSeconds)
+    seconds[stage] = spent;
+  return {{"scale",
+           {{"spacing", reconstruction.scale.spacing}, {"height", reconstruction.scale.height}}},
+          {"steps", std::move(steps)},
+          {"seconds", std::move(seconds)}};
+}
+
+} // namespace espalier

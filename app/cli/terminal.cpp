@@ -1,0 +1,68 @@
+#include "app/cli/terminal.h"
+
+#include <csignal>
+#include <cstdio>
+#include <iostream>
+#include <string>
+#include <thread>
+#include <unistd.h>
+
+namespace espalier {
+namespace {
+
+/// What Ctrl+C asks for: looked at by a thread, since a signal handler may not do more than set it.
+volatile std::sig_atomic_t wasInterrupted = 0;
+
+/// Turns Ctrl+C into a stop request while it lives.
+std::stop_token stopOnInterrupt() {
+  static std::stop_source source;
+  static const std::jthread watcher([](const std::stop_token& ending) {
+    while (!ending.stop_requested()) {
+      if (wasInterrupted != 0) source.request_stop();
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+  });
+  std::signal(SIGINT, [](int) { wasInterrupted = 1; });
+  return source.get_token();
+}
+
+} // namespace
+
+TerminalProgress::TerminalProgress()
+    : isTerminal_(isatty(STDERR_FILENO) != 0),
+      progress_(stopOnInterrupt(),
+                [this](double fraction, std::string_view stage) { report(fraction, stage); }) {}
+
+TerminalProgress::~TerminalProgress() {
+  if (isTerminal_) std::fputs("\r\033[K", stderr);
+}
+
+void TerminalProgress::report(double fraction, std::string_view stage) {
+  if (!stage.empty() && (stages_.empty() || stages_.back().first != stage))
+    stages_.emplace_back(stage, Clock::now());
+  if (!isTerminal_) return;
+  constexpr int width = 30;
+  const int full = static_cast<int>(fraction * width);
+  std::string bar(static_cast<std::size_t>(full), '#');
+  bar.resize(width, '.');
+  std::fprintf(stderr, "\r\033[K[%s] %3.0f %%  %s", bar.c_str(), 100 * fraction,
+               stages_.empty() ? "" : stages_.back().first.c_str());
+  std::fflush(stderr);
+}
+
+std::vector<std::pair<std::string, double>> TerminalProgress::stageSeconds() const {
+  std::vector<std::pair<std::string, double>> result;
+  for (std::size_t i = 0; i < stages_.size(); ++i) {
+    const auto end = i + 1 < stages_.size() ? stages_[i + 1].second : Clock::now();
+    result.emplace_back(stages_[i].first,
+                        std::chrono::duration<double>(end - stages_[i].second).count());
+  }
+  return result;
+}
+
+void printNotes(const std::vector<std::string>& notes) {
+  for (const std::string& note : notes)
+    std::cerr << "espalier: note: " << note << '\n';
+}
+
+} // namespace espalier

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "core/base/progress.h"
+
+#include <chrono>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace espalier {
+
+/// Progress on standard error: a bar on a terminal, nothing in a pipe. Ctrl+C stops the work.
+/// One at a time.
+class TerminalProgress {
+public:
+  TerminalProgress();
+  ~TerminalProgress();
+  TerminalProgress(const TerminalProgress&) = delete;
+  TerminalProgress& operator=(const TerminalProgress&) = delete;
+
+  [[nodiscard]] const Progress& progress() const { return progress_; }
+
+  /// Seconds spent in each stage so far, in their order; nameless stages count to the one before.
+  [[nodiscard]] std::vector<std::pair<std::string, double>> stageSeconds() const;
+
+private:
+  using Clock = std::chrono::steady_clock;
+  void report(double fraction, std::string_view stage);
+
+  std::vector<std::pair<std::string, Clock::time_point>> stages_; // when each began
+  bool isTerminal_;
+  Progress progress_;
+};
+
+/// Prints the notes a reader or writer had, each on its line of standard error.
+void printNotes(const std::vector<std::string>& notes);
+
+} // namespace espalier

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <functional>
-#include <limits>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -51,13 +51,16 @@ struct Option {
 
 [[nodiscard]] std::string nameOf(OptionKind kind); // "length", "ratio", ...
 
-/// The options of one method, tied to the members of its options struct.
+/// The options of one method, tied to the members of its options struct. Angles are in degrees to
+/// people, in radians in the struct.
 template <class Options> class OptionTable {
 public:
   template <class Member> OptionTable& add(Option option, Member Options::*member) {
+    const double unit = option.kind == OptionKind::angle ? std::numbers::pi / 180 : 1;
     descriptions_.push_back(std::move(option));
-    setters_.push_back(
-        [member](Options& options, double value) { options.*member = static_cast<Member>(value); });
+    setters_.push_back([member, unit](Options& options, double value) {
+      options.*member = static_cast<Member>(value * unit);
+    });
     return *this;
   }
 

@@ -12,7 +12,6 @@
 #include "core/skeleton/recenter.h"
 
 #include <algorithm>
-#include <numbers>
 #include <utility>
 
 namespace espalier {
@@ -242,24 +241,31 @@ Method endsMethod() {
 Method axesMethod() {
   using Options = AxisOptions;
   OptionTable<Options> table;
-  constexpr double degrees = std::numbers::pi / 180;
-  std::vector<Option> descriptions = {{.name = "sharpest_turn",
-                                       .label = "Sharpest turn",
-                                       .kind = OptionKind::angle,
-                                       .rule = fixedAt(60),
-                                       .minimum = 1,
-                                       .maximum = 180,
-                                       .help = "An axis never turns more than this at a node."}};
+  table.add({.name = "sharpest_turn",
+             .label = "Sharpest turn",
+             .kind = OptionKind::angle,
+             .rule = fixedAt(60),
+             .minimum = 1,
+             .maximum = 180,
+             .help = "An axis never turns more than this at a node."},
+            &Options::sharpestTurn);
+  table.add({.name = "reach",
+             .label = "Reach",
+             .kind = OptionKind::count,
+             .rule = fixedAt(4),
+             .minimum = 1,
+             .maximum = 50,
+             .help = "Edges before and behind a node over which its turn is measured."},
+            &Options::reach);
   return {.name = "heaviest_child",
           .label = "Heaviest child",
           .help =
               "The child that carries most continues the axis, unless it turns off too sharply.",
           .source = "PlantScan3D's rule, by length instead of node count",
-          .options = std::move(descriptions),
-          .run = [](PipelineState& state, const Values& values, const Progress& progress) {
+          .options = table.descriptions(),
+          .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
             progress.check();
-            state.skeleton =
-                withAssembledAxes(state.skeleton, Options{.sharpestTurn = values[0] * degrees});
+            state.skeleton = withAssembledAxes(state.skeleton, table.with(values));
           }};
 }
 

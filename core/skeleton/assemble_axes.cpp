@@ -20,12 +20,27 @@ std::vector<double> carriedLengths(const Skeleton& skeleton, const std::vector<N
   return carried;
 }
 
-double turn(const Skeleton& skeleton, NodeId child) {
-  const Node& node = skeleton[*skeleton[child].parent];
-  if (!node.parent) return 0;
-  const Eigen::Vector3d in = node.position - skeleton[*node.parent].position;
-  const Eigen::Vector3d out = skeleton[child].position - node.position;
-  return std::atan2(in.cross(out).norm(), in.dot(out));
+/// The child that carries most, of those of a node that has some.
+NodeId heaviestChild(const std::vector<NodeId>& children, const std::vector<double>& carried) {
+  return *std::min_element(children.begin(), children.end(), [&](NodeId a, NodeId b) {
+    const double left = carried[indexOf(a)];
+    const double right = carried[indexOf(b)];
+    return left != right ? left > right : a < b;
+  });
+}
+
+/// Angle between the ways into a node and out of it to a child, over some edges [rad].
+double turn(const Skeleton& skeleton, NodeId child, const std::vector<double>& carried, int reach) {
+  const NodeId node = *skeleton[child].parent;
+  NodeId before = node;
+  for (int i = 0; i < reach && skeleton[before].parent; ++i)
+    before = *skeleton[before].parent;
+  NodeId behind = child;
+  for (int i = 1; i < reach && !skeleton.children(behind).empty(); ++i)
+    behind = heaviestChild(skeleton.children(behind), carried);
+  const Eigen::Vector3d in = skeleton[node].position - skeleton[before].position;
+  const Eigen::Vector3d out = skeleton[behind].position - skeleton[node].position;
+  return std::atan2(in.cross(out).norm(), in.dot(out)); // 0 at a root
 }
 
 } // namespace
@@ -37,14 +52,10 @@ Skeleton withAssembledAxes(const Skeleton& skeleton, const AxisOptions& options)
   for (const NodeId id : ids) {
     const std::vector<NodeId>& children = skeleton.children(id);
     if (children.empty()) continue;
-    const NodeId heaviest =
-        *std::min_element(children.begin(), children.end(), [&](NodeId a, NodeId b) {
-          const double left = carried[indexOf(a)];
-          const double right = carried[indexOf(b)];
-          return left != right ? left > right : a < b;
-        });
+    const NodeId heaviest = heaviestChild(children, carried);
     for (const NodeId child : children) {
-      const bool continues = child == heaviest && turn(skeleton, child) <= options.sharpestTurn;
+      const bool continues = child == heaviest &&
+                             turn(skeleton, child, carried, options.reach) <= options.sharpestTurn;
       result.setEdge(child, continues ? EdgeType::successor : EdgeType::branching);
     }
   }

@@ -31,6 +31,15 @@ TEST(AssembleAxes, EndsAnAxisAtATooSharpTurn) {
   EXPECT_EQ(withAssembledAxes(plant, {.sharpestTurn = 1.6})[NodeId{2}].edge, EdgeType::successor);
 }
 
+TEST(AssembleAxes, LooksPastAKinkOfOneEdge) {
+  Skeleton plant = test::stick(6);
+  NodeId at{5};
+  at = plant.add({.position = {0.1, 0, 5}, .parent = at}); // a short step aside
+  for (int i = 1; i < 6; ++i) at = plant.add({.position = {0.1, 0, 5.0 + i}, .parent = at});
+  EXPECT_EQ(withAssembledAxes(plant)[NodeId{6}].edge, EdgeType::successor);
+  EXPECT_EQ(withAssembledAxes(plant, {.reach = 1})[NodeId{6}].edge, EdgeType::branching);
+}
+
 TEST(AssembleAxes, GivesEachNodeAtMostOneSuccessor) {
   const Skeleton plant = withAssembledAxes(test::randomPlant(300, 1), {.sharpestTurn = 3.2});
   for (const NodeId id : plant.ids()) {

@@ -48,6 +48,10 @@ void GlBuffer::bind() const {
   glBindBuffer(GL_ARRAY_BUFFER, name_);
 }
 
+void GlBuffer::bindAsIndices() const {
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, name_);
+}
+
 void GlBuffer::release() {
   if (name_ != 0) glDeleteBuffers(1, &name_);
   name_ = 0;

@@ -27,7 +27,8 @@ class GlBuffer {
 public:
   void upload(const void* data, std::size_t bytes);                    // replaces all
   void write(const void* data, std::size_t offset, std::size_t bytes); // pre: within its size
-  void bind() const;
+  void bind() const;                                       // as what attributes are read from
+  void bindAsIndices() const;                              // to the vertex array that is bound
   [[nodiscard]] std::size_t size() const { return size_; } // [bytes]
   void release();
 

@@ -14,6 +14,19 @@ void main() {
   gl_Position = vec4(corner * 2.0 - 1.0, 0.0, 1.0);
 })";
 
+// Apart from the one with relief, since software OpenGL takes the time of all branches.
+constexpr const char* flatShader = R"(#version 330 core
+uniform sampler2D pointColor;
+uniform vec3 top;
+uniform vec3 bottom;
+uniform float height;      // of the screen, in pixels
+out vec4 fragment;
+void main() {
+  vec4 color = texelFetch(pointColor, ivec2(gl_FragCoord.xy), 0);
+  vec3 background = mix(bottom, top, gl_FragCoord.y / height);
+  fragment = vec4(mix(background, color.rgb, color.a), 1.0);
+})";
+
 constexpr const char* reliefShader = R"(#version 330 core
 uniform sampler2D pointColor;
 uniform sampler2D pointDepth;
@@ -23,7 +36,7 @@ uniform float height;      // of the screen, in pixels
 uniform vec2 projection;   // the two terms of the projection matrix that make depths
 uniform float pixelSize;   // in perspective at depth 1
 uniform int perspective;
-uniform int reach;         // of the neighborhood, in pixels; 0: no relief
+uniform int reach;         // of the neighborhood, in pixels
 out vec4 fragment;
 
 float linear(float stored) {
@@ -40,7 +53,6 @@ void main() {
     return;
   }
   fragment = vec4(color.rgb, 1.0);
-  if (reach == 0) return;
   const ivec2 around[8] = ivec2[8](ivec2(1, 0), ivec2(-1, 0), ivec2(0, 1), ivec2(0, -1),
                                    ivec2(1, 1), ivec2(-1, 1), ivec2(1, -1), ivec2(-1, -1));
   float depth = linear(texelFetch(pointDepth, here, 0).r);
@@ -79,6 +91,15 @@ void setColor(vtkShaderProgram& program, const char* name, const Color& color) {
   program.SetUniform3f(name, values);
 }
 
+void setRelief(vtkShaderProgram& program, const DrawSettings& settings) {
+  program.SetUniformi("pointDepth", 1);
+  const float projection[2] = {settings.toClip(2, 2), settings.toClip(2, 3)};
+  program.SetUniform2f("projection", projection);
+  program.SetUniformf("pixelSize", settings.pixelSize);
+  program.SetUniformi("perspective", settings.perspective ? 1 : 0);
+  program.SetUniformi("reach", static_cast<int>(settings.pixelRatio + 0.5F));
+}
+
 } // namespace
 
 void ShadePass::fill() {
@@ -96,20 +117,15 @@ void ShadePass::shade(const DrawSettings& settings, const GlPicture& points, con
   state->vtkglBindFramebuffer(GL_FRAMEBUFFER, shaded_.framebuffer());
   state->vtkglDisable(GL_BLEND);
   state->vtkglDisable(GL_DEPTH_TEST);
-  vtkShaderProgram& program = readyProgram(*settings.window, coverShader, reliefShader);
+  vtkShaderProgram& program =
+      readyProgram(*settings.window, coverShader, relief ? reliefShader : flatShader);
   bindTexture(*state, 0, points.color());
   bindTexture(*state, 1, points.depth());
   program.SetUniformi("pointColor", 0);
-  program.SetUniformi("pointDepth", 1);
   setColor(program, "top", palette.backgroundTop);
   setColor(program, "bottom", palette.backgroundBottom);
   program.SetUniformf("height", settings.size.y());
-  const float projection[2] = {settings.toClip(2, 2), settings.toClip(2, 3)};
-  program.SetUniform2f("projection", projection);
-  program.SetUniformf("pixelSize", settings.pixelSize);
-  program.SetUniformi("perspective", settings.perspective ? 1 : 0);
-  const int reach = static_cast<int>(settings.pixelRatio + 0.5F);
-  program.SetUniformi("reach", relief ? reach : 0);
+  if (relief) setRelief(program, settings);
   fill();
   state->PopFramebufferBindings();
 }

@@ -120,7 +120,9 @@ void SkeletonGlyphs::drawEdge(const Skeleton& skeleton, NodeId id) {
   const NodeGlyph& child = nodes_[indexOf(id)];
   const NodeGlyph& parent = nodes_[indexOf(*skeleton[id].parent)];
   edge.parent = parent.position;
-  edge.parentRadius = parent.radius;
+  // A twig is as thick as itself where it leaves the trunk, not as the trunk.
+  const bool leaves = skeleton[id].edge == EdgeType::branching;
+  edge.parentRadius = leaves ? child.radius : parent.radius;
   edge.child = child.position;
   edge.childRadius = child.radius;
   edge.shape = shapeOf(skeleton[id].edge);

@@ -8,6 +8,7 @@
 #include <vtkShaderProgram.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace espalier {
@@ -15,31 +16,52 @@ namespace {
 
 static_assert(sizeof(NodeGlyph) == 20 && sizeof(EdgeGlyph) == 36, "the shaders read them");
 
-/// An attribute that is the same at all four corners of a glyph.
 void addAttribute(GLuint index, GLint count, GLenum type, std::size_t stride, std::size_t offset) {
   glEnableVertexAttribArray(index);
   glVertexAttribPointer(index, count, type, GL_FALSE, static_cast<GLsizei>(stride),
                         static_cast<const char*>(nullptr) + offset);
-  glVertexAttribDivisor(index, 1);
+}
+
+/// Each glyph once for each of its corners. (Instances would need no copies, but software OpenGL
+/// handles them one by one, which takes five times as long.)
+template <class Glyph>
+std::vector<Glyph> corners(const std::vector<Glyph>& glyphs, std::size_t begin, std::size_t end,
+                           std::size_t spare = 0) {
+  std::vector<Glyph> copies;
+  copies.reserve(4 * (end - begin + spare));
+  for (std::size_t i = begin; i < end; ++i)
+    copies.insert(copies.end(), 4, glyphs[i]);
+  copies.resize(4 * (end - begin + spare));
+  return copies;
 }
 
 template <class Glyph>
 void uploadChanges(GlBuffer& buffer, const std::vector<Glyph>& glyphs, const SlotRange& changed) {
-  const std::size_t bytes = glyphs.size() * sizeof(Glyph);
-  if (buffer.size() < bytes || buffer.size() > 2 * bytes + 4096) {
+  const std::size_t slot = 4 * sizeof(Glyph); // [bytes]
+  const std::size_t needed = glyphs.size() * slot;
+  if (buffer.size() < needed || buffer.size() > 2 * needed + 1024 * slot) {
     // Room for nodes to come: adding one does not move all others.
-    std::vector<Glyph> roomy(glyphs);
-    roomy.resize(glyphs.size() + glyphs.size() / 4 + 64);
-    buffer.upload(roomy.data(), roomy.size() * sizeof(Glyph));
+    const auto all = corners(glyphs, 0, glyphs.size(), glyphs.size() / 4 + 64);
+    buffer.upload(all.data(), all.size() * sizeof(Glyph));
   } else if (!changed.isEmpty()) {
-    buffer.write(glyphs.data() + changed.begin, changed.begin * sizeof(Glyph),
-                 (changed.end - changed.begin) * sizeof(Glyph));
+    const auto some = corners(glyphs, changed.begin, changed.end);
+    buffer.write(some.data(), changed.begin * slot, some.size() * sizeof(Glyph));
   }
 }
 
 void setColor(vtkShaderProgram& program, const char* name, const Color& color) {
   const float values[3] = {color[0] / 255.0F, color[1] / 255.0F, color[2] / 255.0F};
   program.SetUniform3f(name, values);
+}
+
+/// Nearest and farthest depth of the skeleton [L].
+Eigen::Vector2f depthsOf(const SkeletonGlyphs& skeleton, const DrawSettings& settings,
+                         const Eigen::Vector3d& origin) {
+  const Eigen::Vector3f middle = (skeleton.bounds().center() - origin).cast<float>();
+  const Eigen::Vector3f half = (skeleton.bounds().sizes() / 2).cast<float>();
+  const float depth = -(settings.toView * middle.homogeneous()).z();
+  const float reach = settings.toView.row(2).head<3>().cwiseAbs().dot(half);
+  return {depth - reach, depth + std::max(reach, 1e-6F * std::abs(depth) + 1e-30F)};
 }
 
 } // namespace
@@ -80,6 +102,10 @@ void SkeletonPass::setCommon(vtkShaderProgram& program, const DrawSettings& sett
   setColor(program, "selectedColor", colors.selected);
   setColor(program, "hoveredColor", colors.hovered);
   setColor(program, "outlineColor", colors.outline);
+  setColor(program, "backgroundColor", colors.backgroundBottom);
+  const Eigen::Vector2f depths = depthsOf(scene_.skeleton, settings, scene_.origin());
+  program.SetUniform2f("depths", depths.data());
+  program.SetUniformf("roominess", roominess(settings));
 }
 
 void SkeletonPass::drawEdges(const DrawSettings& settings) {
@@ -95,8 +121,7 @@ void SkeletonPass::drawEdges(const DrawSettings& settings) {
   addAttribute(0, 4, GL_FLOAT, stride, offsetof(EdgeGlyph, parent));
   addAttribute(1, 4, GL_FLOAT, stride, offsetof(EdgeGlyph, child));
   addAttribute(2, 4, GL_UNSIGNED_BYTE, stride, offsetof(EdgeGlyph, shape));
-  const auto count = static_cast<GLsizei>(scene_.skeleton.edges().size());
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count);
+  drawQuads(scene_.skeleton.edges().size());
 }
 
 void SkeletonPass::drawNodes(const DrawSettings& settings, bool spheres) {
@@ -105,7 +130,6 @@ void SkeletonPass::drawNodes(const DrawSettings& settings, bool spheres) {
       readyProgram(*settings.window, nodeVertex, spheres ? sphereFragment : discFragment);
   setCommon(program, settings, spheres);
   program.SetUniformi("spheres", spheres ? 1 : 0);
-  program.SetUniformf("scale", nodeScale(settings));
   program.SetUniformf("pushed", scene_.showRadii ? 1.1F : 0.0F);
   if (nodeArray_ == 0) glGenVertexArrays(1, &nodeArray_);
   glBindVertexArray(nodeArray_);
@@ -113,24 +137,37 @@ void SkeletonPass::drawNodes(const DrawSettings& settings, bool spheres) {
   const std::size_t stride = sizeof(NodeGlyph);
   addAttribute(0, 4, GL_FLOAT, stride, offsetof(NodeGlyph, position));
   addAttribute(1, 4, GL_UNSIGNED_BYTE, stride, offsetof(NodeGlyph, shape));
-  const auto count = static_cast<GLsizei>(scene_.skeleton.nodes().size());
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count);
+  drawQuads(scene_.skeleton.nodes().size());
 }
 
-float SkeletonPass::nodeScale(const DrawSettings& settings) const {
-  // From far, discs of full size would hide the edges between them.
+void SkeletonPass::drawQuads(std::size_t count) {
+  if (quads_.size() < count * 6 * sizeof(std::uint32_t)) {
+    std::vector<std::uint32_t> indices;
+    const auto quads = static_cast<std::uint32_t>(count + count / 4 + 64);
+    indices.reserve(6 * std::size_t{quads});
+    for (std::uint32_t first = 0; first < 4 * quads; first += 4)
+      for (const std::uint32_t corner : {0, 1, 2, 2, 1, 3})
+        indices.push_back(first + corner);
+    quads_.upload(indices.data(), indices.size() * sizeof(std::uint32_t));
+  }
+  quads_.bindAsIndices();
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(6 * count), GL_UNSIGNED_INT, nullptr);
+}
+
+float SkeletonPass::roominess(const DrawSettings& settings) const {
   constexpr float roomy = 16; // [logical pixels] between nodes
   const Eigen::Vector3d middle = scene_.skeleton.bounds().center() - scene_.origin();
   const float depth = -(settings.toView * middle.cast<float>().homogeneous()).z();
   const float pixel = settings.pixelSize * (settings.perspective ? std::max(depth, 0.0F) : 1.0F);
   const auto length = static_cast<float>(scene_.skeleton.typicalLength());
   const float spacing = length / std::max(pixel * settings.pixelRatio, 1e-30F);
-  return length > 0 ? std::clamp(spacing / roomy, 0.5F, 1.0F) : 1;
+  return length > 0 ? std::min(spacing / roomy, 1.0F) : 1;
 }
 
 void SkeletonPass::release() {
   nodes_.release();
   edges_.release();
+  quads_.release();
   for (GLuint* array : {&nodeArray_, &edgeArray_}) {
     if (*array != 0) glDeleteVertexArrays(1, array);
     *array = 0;

@@ -21,12 +21,16 @@ private:
   void upload();
   void drawEdges(const DrawSettings& settings);
   void drawNodes(const DrawSettings& settings, bool spheres);
+  void drawQuads(std::size_t count); // of the vertex array that is bound
   void setCommon(vtkShaderProgram& program, const DrawSettings& settings, bool isSolid) const;
-  [[nodiscard]] float nodeScale(const DrawSettings& settings) const;
+  /// How much room nodes have on the screen, in [0, 1]: from far, discs of full size would hide
+  /// the edges between them.
+  [[nodiscard]] float roominess(const DrawSettings& settings) const;
 
   Scene& scene_; // written only to take what changed
   GlBuffer nodes_;
   GlBuffer edges_;
+  GlBuffer quads_; // which corners make the triangles of a glyph
   GLuint nodeArray_ = 0;
   GLuint edgeArray_ = 0;
 };

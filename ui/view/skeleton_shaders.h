@@ -1,7 +1,7 @@
 #pragma once
 
-// The shaders of SkeletonPass. Each edge and node is a strip of four corners; a node faces the
-// screen, an edge turns about its axis to face the eye.
+// The shaders of SkeletonPass. Each edge and node has four corners, vertices in a row of the same
+// attributes; a node faces the screen, an edge turns about its axis to face the eye.
 
 namespace espalier::shaders {
 
@@ -18,7 +18,13 @@ namespace espalier::shaders {
   "uniform vec3 branchingColor;\n"                                                                 \
   "uniform vec3 selectedColor;\n"                                                                  \
   "uniform vec3 hoveredColor;\n"                                                                   \
-  "uniform vec3 outlineColor;\n"
+  "uniform vec3 backgroundColor;\n"                                                                \
+  "uniform vec2 depths;\n"     /* nearest and farthest of the skeleton [L] */                      \
+  "uniform float roominess;\n" /* 0: nodes crowd on the screen; 1: there is room for them */       \
+  "vec3 faded(vec3 color, float z) {\n" /* the far side steps back */                              \
+  "  float part = clamp((-z - depths.x) / (depths.y - depths.x), 0.0, 1.0);\n"                     \
+  "  return mix(color, backgroundColor, 0.6 * part * part);\n"                                     \
+  "}\n"
 
 // Lines of constant width, with an outline; a hovered one tapers toward the child.
 constexpr const char* lineVertex = ESPALIER_GLYPH_HEAD R"(
@@ -53,13 +59,14 @@ void main() {
   total = length(span);
   vec2 direction = total > 1e-6 ? span / total : vec2(1.0, 0.0);
   bool hovered = look.y > 1.5;
-  halfWidth = pixelRatio * (hovered ? vec2(2.6, 0.9) : vec2(1.0));
+  halfWidth = pixelRatio * (hovered ? vec2(2.6, 0.9) : vec2(mix(0.7, 1.0, roominess)));
   float reach = max(halfWidth.x, halfWidth.y) + 1.5 * pixelRatio;
   float side = (gl_VertexID & 1) == 0 ? -1.0 : 1.0;
-  bool atChild = gl_VertexID >= 2;
+  bool atChild = (gl_VertexID & 2) != 0;
   across = side * reach;
   along = atChild ? total : 0.0;
-  color = hovered ? hoveredColor : look.x > 1.5 ? branchingColor : successorColor;
+  color = hovered ? hoveredColor
+                  : faded(look.x > 1.5 ? branchingColor : successorColor, 0.5 * (a.z + b.z));
   isDashed = look.x > 1.5 && total > 24.0 * pixelRatio ? 1.0 : 0.0;
   vec4 clip = atChild ? clipB : clipA;
   vec2 screen = (atChild ? screenB : screenA) + vec2(-direction.y, direction.x) * across;
@@ -97,6 +104,8 @@ layout(location = 2) in vec4 look;
 out vec3 place;                         // view coordinates, on the axis plane
 out float radius;
 noperspective out float across;         // -1 to 1
+flat out float tilt;                    // sine of the angle between axis and line of sight
+out float toNearEnd;                    // along the axis, to its end nearer to the eye [L]
 flat out vec3 color;
 
 void main() {
@@ -104,17 +113,21 @@ void main() {
   if (look.x < 0.5) return;
   vec3 a = (toView * vec4(parent.xyz, 1.0)).xyz;
   vec3 b = (toView * vec4(child.xyz, 1.0)).xyz;
-  bool atChild = gl_VertexID >= 2;
+  bool atChild = (gl_VertexID & 2) != 0;
   vec3 axis = b - a;
   place = atChild ? b : a;
   vec3 toEye = perspective != 0 ? -place : vec3(0.0, 0.0, 1.0);
   vec3 sideways = cross(axis, toEye);
   float size = length(sideways);
   if (size < 1e-12) return; // seen end on: the spheres of its nodes cover it
+  tilt = max(size / (length(axis) * length(toEye)), 0.1);
+  bool isNearEnd = (dot(axis, toEye) > 0.0) == atChild;
+  toNearEnd = isNearEnd ? 0.0 : length(axis);
   float pixel = pixelSize * (perspective != 0 ? max(-place.z, 0.0) : 1.0);
   radius = max(atChild ? child.w : parent.w, pixelRatio * pixel);
   across = (gl_VertexID & 1) == 0 ? -1.0 : 1.0;
-  color = look.y > 1.5 ? hoveredColor : look.x > 1.5 ? branchingColor : successorColor;
+  color = look.y > 1.5 ? hoveredColor
+                       : faded(look.x > 1.5 ? branchingColor : successorColor, 0.5 * (a.z + b.z));
   gl_Position = toClip * vec4(place + sideways / size * across * radius, 1.0);
 })";
 
@@ -123,13 +136,17 @@ uniform mat4 toClip;
 in vec3 place;
 in float radius;
 noperspective in float across;
+flat in float tilt;
+in float toNearEnd;
 flat in vec3 color;
 out vec4 fragment;
 void main() {
   float facing = sqrt(max(0.0, 1.0 - across * across));
-  vec4 front = toClip * vec4(place.xy, place.z + radius * facing, 1.0);
+  // The front of a tilted cone belongs to a place farther along its axis, perhaps past its end.
+  if (radius * facing * sqrt(1.0 - tilt * tilt) > toNearEnd * tilt) discard;
+  vec4 front = toClip * vec4(place.xy, place.z + radius * facing / tilt, 1.0);
   gl_FragDepth = clamp(0.5 * front.z / front.w + 0.5, 0.0, 1.0);
-  fragment = vec4(color * (0.45 + 0.55 * facing), 1.0);
+  fragment = vec4(color * (0.4 + 0.6 * facing * tilt), 1.0);
 })";
 
 // Discs of constant size, by the shape of the node; or spheres of its radius.
@@ -137,7 +154,6 @@ constexpr const char* nodeVertex = ESPALIER_GLYPH_HEAD R"(
 layout(location = 0) in vec4 center;    // and radius
 layout(location = 1) in vec4 look;      // shape, mark
 uniform int spheres;
-uniform float scale;                    // of discs
 uniform float pushed;                   // discs toward the eye, in radii of the node
 out vec3 place;
 flat out float radius;                  // [L]
@@ -148,7 +164,7 @@ flat out int shape;
 
 float halfWidthOf(int kind, int mark) {
   float width = kind == 2 ? 4.5 : kind == 4 ? 3.6 : kind == 3 ? 3.2 : 2.5;
-  if (kind != 2) width *= scale;
+  if (kind != 2) width *= roominess;
   if (mark == 1) width = max(1.35 * width, 3.5);
   if (mark == 2) width = max(1.5 * width, 4.0);
   return width * pixelRatio;
@@ -159,12 +175,13 @@ void main() {
   shape = int(look.x + 0.5);
   int mark = int(look.y + 0.5);
   if (shape == 0) return;
+  if (spheres == 0 && roominess < 0.5 && shape != 2 && mark == 0) return; // edges show enough
   place = (toView * vec4(center.xyz, 1.0)).xyz;
   float pixel = pixelSize * (perspective != 0 ? -place.z : 1.0);
   if (pixel <= 0.0) return; // behind the eye
-  vec2 corner = vec2((gl_VertexID & 1) == 0 ? -1.0 : 1.0, gl_VertexID < 2 ? -1.0 : 1.0);
+  vec2 corner = vec2((gl_VertexID & 1) == 0 ? -1.0 : 1.0, (gl_VertexID & 2) == 0 ? -1.0 : 1.0);
   radius = max(center.w, pixelRatio * pixel);
-  color = mark == 2 ? hoveredColor : mark == 1 ? selectedColor : successorColor;
+  color = mark == 2 ? hoveredColor : mark == 1 ? selectedColor : faded(successorColor, place.z);
   halfWidth = spheres != 0 ? radius / pixel : halfWidthOf(shape, mark);
   offset = corner * (halfWidth + 1.5 * pixelRatio);
   vec4 clip = toClip * vec4(place, 1.0);
@@ -208,7 +225,7 @@ void main() {
   float facing = sqrt(1.0 - part * part);
   vec4 front = toClip * vec4(place.xy, place.z + radius * facing, 1.0);
   gl_FragDepth = clamp(0.5 * front.z / front.w + 0.5, 0.0, 1.0);
-  fragment = vec4(color * (0.45 + 0.55 * facing), 1.0);
+  fragment = vec4(color * (0.4 + 0.6 * facing), 1.0);
 })";
 
 #undef ESPALIER_GLYPH_HEAD

@@ -87,7 +87,7 @@ void paintScaleBar(QPainter& painter, const Scene& scene, const Camera& camera, 
            colors);
 }
 
-void paintAxes(QPainter& painter, const Scene& scene, const Camera& camera, const QSizeF& size) {
+void paintAxes(QPainter& painter, const Camera& camera, const QSizeF& size) {
   constexpr double reach = 26;
   const QPointF middle(size.width() - margin - reach - 10, size.height() - margin - reach - 10);
   struct Axis {
@@ -110,10 +110,10 @@ void paintAxes(QPainter& painter, const Scene& scene, const Camera& camera, cons
     color.setAlphaF(static_cast<float>(0.75 - 0.25 * depth));
     painter.setPen(QPen(color, 2, Qt::SolidLine, Qt::RoundCap));
     painter.drawLine(middle, middle + reach * along);
+    if (std::abs(depth) > 0.95) continue; // its name would stand on the others'
     const QPointF place = middle + (reach + 8) * along;
     painter.drawText(QRectF(place.x() - 8, place.y() - 8, 16, 16), Qt::AlignCenter, axis.name);
   }
-  Q_UNUSED(scene);
 }
 
 void paintPivot(QPainter& painter, const Scene& scene, const Camera& camera, const QSizeF& size) {
@@ -147,7 +147,7 @@ void Overlay::paint(QPainter& painter, const Scene& scene, const Camera& camera,
   if (scene.bounds().isEmpty()) return;
   paintColorBar(painter, scene, unit, size);
   paintScaleBar(painter, scene, camera, unit, size);
-  paintAxes(painter, scene, camera, size);
+  paintAxes(painter, camera, size);
   if (pivotShown) paintPivot(painter, scene, camera, size);
 }
 

@@ -10,6 +10,7 @@
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkOpenGLFramebufferObject.h>
+#include <vtkOpenGLShaderCache.h>
 #include <vtkOpenGLState.h>
 #include <vtkRenderer.h>
 
@@ -94,6 +95,7 @@ PlantRenderer::Result PlantRenderer::draw(const Frame& frame) {
   p.window->Render();
   glFinish(); // so that who measures the time of a frame measures its drawing
   state->Pop();
+  p.window->GetShaderCache()->ReleaseCurrentShader(); // who draws next may use another
   return p.plant->result();
 }
 

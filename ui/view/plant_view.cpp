@@ -10,6 +10,7 @@
 
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QPainter>
 #include <QTimer>
 
 #include <algorithm>
@@ -21,16 +22,41 @@ constexpr double movingFrame = 34;  // [ms] of drawing: 25 a second with what Qt
 constexpr double restingFrame = 60; // [ms] a step of completing a still picture
 constexpr int restAfter = 120;      // [ms] after the last move
 
+/// Lies over the surface and is transparent, so that hovers and edits need not paint it again.
+class OverlayWidget : public QWidget {
+public:
+  OverlayWidget(std::function<void(QPainter&)> paint, QWidget* parent)
+      : QWidget(parent), paint_(std::move(paint)) {
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+  }
+
+protected:
+  void paintEvent(QPaintEvent* /*event*/) override {
+    QPainter painter(this);
+    paint_(painter);
+  }
+
+private:
+  std::function<void(QPainter&)> paint_;
+};
+
 } // namespace
 
 struct PlantView::Parts {
   explicit Parts(PlantView& view)
-      : pointer(scene, navigator), surface(makeSurface(scene, client(view), &view)) {}
+      : pointer(scene, navigator), surface(makeSurface(scene, client(), &view)),
+        overlayWidget(
+            new OverlayWidget([this](QPainter& painter) { paintOverlay(painter); }, &view)) {}
 
-  SurfaceClient client(PlantView& view);
-  void redraw() {
+  SurfaceClient client();
+  void paintOverlay(QPainter& painter);
+  void redrawSkeleton() {
     complete = false;
     surface->update();
+  }
+  void redraw() {
+    redrawSkeleton();
+    overlayWidget->update();
   }
   void moved() {
     moving = true;
@@ -54,9 +80,10 @@ struct PlantView::Parts {
   bool complete = false;
   bool wasFramed = false;
   QWidget* surface; // owned by the view; goes before what it draws, see ~PlantView
+  QWidget* overlayWidget;
 };
 
-SurfaceClient PlantView::Parts::client(PlantView& view) {
+SurfaceClient PlantView::Parts::client() {
   return {.nextFrame =
               [this](QSize size, double pixelRatio) {
                 return PlantRenderer::Frame{.camera = navigator.camera(),
@@ -73,12 +100,12 @@ SurfaceClient PlantView::Parts::client(PlantView& view) {
                 // Later, so that what the user does comes first.
                 if (!complete && !moving)
                   QTimer::singleShot(0, surface, qOverload<>(&QWidget::update));
-              },
-          .paintOver =
-              [this, &view](QPainter& painter) {
-                overlay.pivotShown = navigator.gesture() == Navigator::Gesture::turn;
-                overlay.paint(painter, scene, navigator.camera(), view.size());
               }};
+}
+
+void PlantView::Parts::paintOverlay(QPainter& painter) {
+  overlay.pivotShown = navigator.gesture() == Navigator::Gesture::turn;
+  overlay.paint(painter, scene, navigator.camera(), overlayWidget->size());
 }
 
 PlantView::PlantView(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts>(*this)) {
@@ -96,6 +123,7 @@ PlantView::PlantView(QWidget* parent) : QWidget(parent), parts_(std::make_unique
 }
 
 PlantView::~PlantView() {
+  delete parts_->overlayWidget;
   delete parts_->surface;
 }
 
@@ -115,17 +143,19 @@ void PlantView::setSkeleton(const Skeleton& skeleton) {
 }
 
 void PlantView::updateSkeleton(const Skeleton& skeleton, const SkeletonDelta& delta) {
+  const bool isFirst = parts_->scene.bounds().isEmpty();
   parts_->scene.skeleton.update(skeleton, delta);
-  parts_->redraw();
+  parts_->redrawSkeleton();
+  if (isFirst) parts_->overlayWidget->update(); // there is something to measure now
 }
 
 void PlantView::setSelection(const std::vector<NodeId>& nodes) {
   parts_->scene.skeleton.select(nodes);
-  parts_->redraw();
+  parts_->redrawSkeleton();
 }
 
 void PlantView::setHovered(const Pick& pick) {
-  if (parts_->scene.skeleton.hover(pick)) parts_->redraw();
+  if (parts_->scene.skeleton.hover(pick)) parts_->redrawSkeleton();
 }
 
 void PlantView::setLayerVisible(Layer layer, bool visible) {
@@ -234,6 +264,7 @@ bool PlantView::event(QEvent* event) {
 
 void PlantView::resizeEvent(QResizeEvent* /*event*/) {
   parts_->surface->setGeometry(rect());
+  parts_->overlayWidget->setGeometry(rect());
   parts_->pointer.setSize(size());
   parts_->redraw();
 }

@@ -97,8 +97,8 @@ void PointerInput::press(const QMouseEvent& event) {
   dragged_ = false;
   cameraOnly_ = event.modifiers().testFlag(Qt::ControlModifier);
   const Pick under = pick(position);
-  taken_ = !cameraOnly_ &&
-           tell(ToolInput::Phase::press, {position, button_, event.modifiers()}, under);
+  taken_ =
+      !cameraOnly_ && tell(ToolInput::Phase::press, {position, button_, event.modifiers()}, under);
   if (!taken_) navigator_.begin(gestureOf(button_), position, zoomAnchor(position, under));
 }
 

@@ -53,10 +53,10 @@ private:
   Handler handler_;
   QSizeF size_{1, 1};
   Qt::MouseButton button_ = Qt::NoButton; // which started the gesture that goes on
-  bool taken_ = false;      // by the handler
-  bool cameraOnly_ = false; // the handler is told nothing
-  bool dragged_ = false;    // farther than a click
-  QPointF pressed_;         // where
+  bool taken_ = false;                    // by the handler
+  bool cameraOnly_ = false;               // the handler is told nothing
+  bool dragged_ = false;                  // farther than a click
+  QPointF pressed_;                       // where
   QPointF last_;
 };
 

@@ -8,6 +8,7 @@
 #include <QOpenGLContext>
 #include <QOpenGLWidget>
 #include <QPaintEvent>
+#include <QPainter>
 
 #include <memory>
 
@@ -53,7 +54,6 @@ protected:
       QImage image = renderer_->image();
       image.setDevicePixelRatio(devicePixelRatioF());
       painter.drawImage(0, 0, image);
-      client_.paintOver(painter);
     } catch (const Error& error) {
       paintError(painter, *this, error);
     }
@@ -100,8 +100,6 @@ protected:
     try {
       drawFrame(*renderer_, client_, *this);
       renderer_->copyTo(defaultFramebufferObject());
-      QPainter painter(this);
-      client_.paintOver(painter);
     } catch (const Error& error) {
       QPainter painter(this);
       paintError(painter, *this, error);

@@ -2,7 +2,6 @@
 
 #include "ui/view/plant_renderer.h"
 
-#include <QPainter>
 #include <QWidget>
 
 #include <functional>
@@ -13,7 +12,6 @@ namespace espalier {
 struct SurfaceClient {
   std::function<PlantRenderer::Frame(QSize devicePixels, double pixelRatio)> nextFrame;
   std::function<void(const PlantRenderer::Result& result, double milliseconds)> drawn;
-  std::function<void(QPainter& painter)> paintOver; // in logical pixels
 };
 
 /// A widget in which a scene appears; it draws when asked to by QWidget::update().

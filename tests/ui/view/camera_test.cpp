@@ -1,0 +1,141 @@
+#include "ui/view/camera.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <gmock/gmock.h>
+#include <numbers>
+
+namespace espalier {
+namespace {
+
+const Eigen::Vector2d screen(800, 600);
+const Eigen::Vector3d somewhere(3, -2, 5);
+
+Camera aCamera(Projection projection) {
+  Camera camera;
+  camera.projection = projection;
+  camera.yaw = 0.7;
+  camera.pitch = 0.4;
+  camera.frame({Eigen::Vector3d(1, -4, 2), Eigen::Vector3d(5, 0, 9)}, 800.0 / 600);
+  return camera;
+}
+
+class CameraIn : public testing::TestWithParam<Projection> {};
+INSTANTIATE_TEST_SUITE_P(Projections, CameraIn,
+                         testing::Values(Projection::perspective, Projection::parallel));
+
+Eigen::Vector2d pixelOf(const Camera& camera, const Eigen::Vector3d& place) {
+  return ScreenMap(camera, screen).project(place).value().pixel;
+}
+
+TEST_P(CameraIn, KeepsThePivotWhereItIsOnTheScreenWhenItTurns) {
+  Camera camera = aCamera(GetParam());
+  camera.pivot = somewhere;
+  const Eigen::Vector2d before = pixelOf(camera, somewhere);
+  camera.turn(1.3, -0.8);
+  EXPECT_LT((pixelOf(camera, somewhere) - before).norm(), 1e-9);
+}
+
+TEST_P(CameraIn, KeepsTheAnchorWhereItIsOnTheScreenWhenItZooms) {
+  Camera camera = aCamera(GetParam());
+  const Eigen::Vector2d before = pixelOf(camera, somewhere);
+  camera.zoom(2.5, somewhere);
+  EXPECT_LT((pixelOf(camera, somewhere) - before).norm(), 1e-9);
+}
+
+TEST_P(CameraIn, ShiftsTheFocusWithThePointerWhenItPans) {
+  Camera camera = aCamera(GetParam());
+  const Eigen::Vector3d held = camera.focus;
+  const double pixel = camera.halfHeight() / 300;
+  camera.pan(30 * pixel, -20 * pixel);
+  EXPECT_LT((pixelOf(camera, held) - Eigen::Vector2d(430, 320)).norm(), 1e-9);
+}
+
+TEST_P(CameraIn, ShowsAllOfAFramedBoxAndFillsTheScreenWithIt) {
+  const Eigen::AlignedBox3d box(Eigen::Vector3d(1, -4, 2), Eigen::Vector3d(5, 0, 9));
+  const Camera camera = aCamera(GetParam());
+  Eigen::AlignedBox2d seen;
+  for (int i = 0; i < 8; ++i)
+    seen.extend(pixelOf(camera, box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i))));
+  EXPECT_TRUE(Eigen::AlignedBox2d(Eigen::Vector2d(0, 0), screen).contains(seen));
+  EXPECT_GT(seen.sizes().y(), 0.75 * screen.y());
+}
+
+TEST_P(CameraIn, SendsTheRayOfAPixelThroughWhatIsDrawnThere) {
+  const ScreenMap map(aCamera(GetParam()), screen);
+  const auto place = map.project(somewhere).value();
+  EXPECT_LT(map.ray(place.pixel).distance(somewhere), 1e-9);
+  EXPECT_LT((map.place(place.pixel, place.depth) - somewhere).norm(), 1e-9);
+}
+
+// The matrices for OpenGL and the map for the pointer are computed apart from each other.
+TEST_P(CameraIn, DrawsWhereThePointerFinds) {
+  const Camera camera = aCamera(GetParam());
+  const Eigen::Vector3d origin(100, 200, 300);
+  const DepthRange depths{0.1, 100};
+  const Eigen::Vector4d clip = camera.projectionMatrix(screen.x() / screen.y(), depths) *
+                               camera.viewMatrix(origin) *
+                               Eigen::Vector3d(somewhere - origin).homogeneous();
+  const Eigen::Vector2d pixel((1 + clip.x() / clip.w()) * screen.x() / 2,
+                              (1 - clip.y() / clip.w()) * screen.y() / 2);
+  EXPECT_LT((pixel - pixelOf(camera, somewhere)).norm(), 1e-9);
+}
+
+TEST_P(CameraIn, EnclosesABoxBetweenItsDepths) {
+  const Eigen::AlignedBox3d box(Eigen::Vector3d(1, -4, 2), Eigen::Vector3d(5, 0, 9));
+  const Camera camera = aCamera(GetParam());
+  const DepthRange depths = camera.depthsOf(box);
+  const ScreenMap map(camera, screen);
+  for (int i = 0; i < 8; ++i) {
+    const auto corner = box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i));
+    EXPECT_GT(map.project(corner).value().depth, depths.nearest);
+    EXPECT_LT(map.project(corner).value().depth, depths.farthest);
+  }
+}
+
+TEST(Camera, FacesThePlantFromItsSides) {
+  Camera camera;
+  const auto looks = [&](StandardView view) {
+    camera.face(view);
+    return camera.forward();
+  };
+  EXPECT_TRUE(looks(StandardView::front).isApprox(Eigen::Vector3d::UnitY()));
+  EXPECT_TRUE(looks(StandardView::back).isApprox(-Eigen::Vector3d::UnitY()));
+  EXPECT_TRUE(looks(StandardView::left).isApprox(Eigen::Vector3d::UnitX()));
+  EXPECT_TRUE(looks(StandardView::right).isApprox(-Eigen::Vector3d::UnitX()));
+  EXPECT_TRUE(looks(StandardView::top).isApprox(-Eigen::Vector3d::UnitZ()));
+  EXPECT_TRUE(looks(StandardView::bottom).isApprox(Eigen::Vector3d::UnitZ()));
+  EXPECT_TRUE(looks(StandardView::isometric).isApprox(Eigen::Vector3d(-1, 1, -1).normalized()));
+}
+
+TEST(Camera, StopsAtTheZenith) {
+  Camera camera;
+  camera.turn(0, 5);
+  EXPECT_DOUBLE_EQ(camera.pitch, std::numbers::pi / 2);
+  EXPECT_TRUE(camera.up().isApprox(Eigen::Vector3d::UnitY()));
+}
+
+TEST(Camera, SeesNothingBehindItsEye) {
+  const ScreenMap map(Camera(), screen); // the eye is at (0, -1, 0)
+  EXPECT_FALSE(map.project({0, -2, 0}));
+}
+
+TEST(Camera, FliesTheShortWayRound) {
+  Camera from;
+  Camera to;
+  from.yaw = 3.0;
+  to.yaw = -3.0;
+  EXPECT_NEAR(std::abs(between(from, to, 0.5).yaw), std::numbers::pi, 1e-12);
+  EXPECT_EQ(between(from, to, 1), to);
+}
+
+TEST(Camera, ShowsASingleNode) {
+  Camera camera;
+  camera.frame({somewhere, somewhere}, 1);
+  EXPECT_EQ(camera.focus, somewhere);
+  EXPECT_GT(camera.distance, 0);
+}
+
+} // namespace
+} // namespace espalier

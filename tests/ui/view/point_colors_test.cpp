@@ -1,0 +1,76 @@
+#include "ui/view/point_colors.h"
+
+#include <gtest/gtest.h>
+
+#include <gmock/gmock.h>
+
+namespace espalier {
+namespace {
+
+constexpr Color plain{1, 2, 3};
+
+/// Points 0 to 100 high, as bright as they are high but for one that is very bright.
+PointCloud column() {
+  RawPoints raw;
+  for (int z = 0; z <= 100; ++z) {
+    raw.positions.emplace_back(0, 0, 500'000 + z);
+    raw.intensities.push_back(z == 50 ? 1e6F : static_cast<float>(z));
+    raw.colors.push_back({0, 0, static_cast<std::uint8_t>(z)});
+  }
+  return PointCloud(std::move(raw));
+}
+
+TEST(PointColors, RunThroughTheMapWithHeight) {
+  const PointCloud cloud = column();
+  const auto scale = colorScale(cloud, PointColor::height);
+  ASSERT_TRUE(scale);
+  EXPECT_DOUBLE_EQ(scale->from, 500'000);
+  EXPECT_DOUBLE_EQ(scale->to, 500'100);
+  const auto colors = pointColors(cloud, PointColor::height, true, plain);
+  for (std::size_t i = 0; i < colors.size(); ++i) {
+    const double height = cloud.position(static_cast<Eigen::Index>(i)).z() - 500'000;
+    const Color expected = viridis(height / 100, true);
+    for (std::size_t c = 0; c < 3; ++c)
+      EXPECT_NEAR(colors[i][c], expected[c], 3) << height;
+  }
+}
+
+TEST(PointColors, AreNotSpoiledByOneBrightPoint) {
+  const auto scale = colorScale(column(), PointColor::intensity);
+  ASSERT_TRUE(scale);
+  EXPECT_NEAR(scale->from, 2, 1);
+  EXPECT_NEAR(scale->to, 98, 2);
+}
+
+TEST(PointColors, AreThoseOfTheScannerOnRequest) {
+  const PointCloud cloud = column();
+  EXPECT_EQ(pointColors(cloud, PointColor::rgb, true, plain), cloud.colors());
+}
+
+TEST(PointColors, ArePlainForWantOfWhatTheyStandFor) {
+  RawPoints raw;
+  raw.positions.assign(5, {1, 2, 3});
+  const PointCloud cloud(std::move(raw));
+  for (const PointColor by :
+       {PointColor::uniform, PointColor::height, PointColor::intensity, PointColor::rgb}) {
+    EXPECT_FALSE(colorScale(cloud, by)); // all as high as each other
+    EXPECT_THAT(pointColors(cloud, by, false, plain), testing::Each(plain));
+  }
+  EXPECT_TRUE(pointColors(PointCloud(), PointColor::height, false, plain).empty());
+}
+
+// Relative luminance by the weights of sRGB: viridis is read by the order of its lightness.
+TEST(PointColors, GrowLighterAlongTheMap) {
+  for (const bool dark : {false, true}) {
+    double last = -1;
+    for (int i = 0; i <= 20; ++i) {
+      const Color color = viridis(i / 20.0, dark);
+      const double light = 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2];
+      EXPECT_GT(light, last);
+      last = light;
+    }
+  }
+}
+
+} // namespace
+} // namespace espalier

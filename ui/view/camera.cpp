@@ -55,20 +55,29 @@ void Camera::zoom(double factor, const Eigen::Vector3d& anchor) {
   distance /= factor;
 }
 
-void Camera::frame(const Eigen::AlignedBox3d& box, double aspect) {
+void Camera::frame(const std::vector<Eigen::Vector3d>& places, double aspect) {
   constexpr double margin = 1.08;
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& place : places)
+    box.extend(place);
   focus = pivot = box.center();
   const Eigen::Matrix3d toView = axes(*this);
   const double slope = std::tan(fieldOfView / 2);
   distance = 0;
-  for (int corner = 0; corner < 8; ++corner) {
-    const Eigen::Vector3d at =
-        toView * (box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)) - focus);
+  for (const Eigen::Vector3d& place : places) {
+    const Eigen::Vector3d at = toView * (place - focus);
     const double reach = std::max(std::abs(at.y()), std::abs(at.x()) / aspect) * margin / slope;
     distance = std::max(distance, projection == Projection::perspective ? reach + at.z() : reach);
   }
   // A single node has no size: show about a unit around it.
   if (!(distance > 0)) distance = 1;
+}
+
+void Camera::frame(const Eigen::AlignedBox3d& box, double aspect) {
+  std::vector<Eigen::Vector3d> corners;
+  for (int i = 0; i < 8; ++i)
+    corners.emplace_back(box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i)));
+  frame(corners, aspect);
 }
 
 void Camera::face(StandardView view) {

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 
 #include <optional>
+#include <vector>
 
 namespace espalier {
 
@@ -43,9 +44,11 @@ struct Camera {
   void pan(double toRight, double toUp);
   /// Makes things `factor` times as large on the screen; `anchor` stays where it is on it.
   void zoom(double factor, const Eigen::Vector3d& anchor); // pre: factor > 0
-  /// Shows all of a box that is not empty, and takes its middle as the pivot.
+  /// Shows all of these places, and takes the middle of their box as the pivot.
+  /// @param places not empty
   /// @param aspect width of the screen over its height
-  void frame(const Eigen::AlignedBox3d& box, double aspect);
+  void frame(const std::vector<Eigen::Vector3d>& places, double aspect);
+  void frame(const Eigen::AlignedBox3d& box, double aspect); // all of its corners
   void face(StandardView view);
 
   /// From the frame of the file, less `origin`, to that of the eye (x right, y up, z backward).

@@ -2,10 +2,8 @@
 
 #include "core/base/error.h"
 
-#include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLShaderCache.h>
 #include <vtkOpenGLState.h>
-#include <vtkShaderProgram.h>
 
 #include <utility>
 

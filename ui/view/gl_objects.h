@@ -1,12 +1,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkShaderProgram.h>
 #include <vtk_glew.h>
 
 #include <cstddef>
-
-class vtkOpenGLRenderWindow;
-class vtkShaderProgram;
 
 namespace espalier {
 

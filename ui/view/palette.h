@@ -17,6 +17,7 @@ struct Palette {
   Color selected{0xe6, 0x9f, 0x00};
   Color hovered{0x56, 0xb4, 0xe9};
   Color outline; // around the skeleton, so that it stands out from the points
+  float relief;  // how dark eye-dome lighting makes points, in [0, 2]
   Color solid;   // edges and nodes drawn with their radius
 };
 
@@ -29,6 +30,7 @@ struct Palette {
             .contracted = {0x5c, 0xc4, 0x8d},
             .successor = {0xf4, 0xf4, 0xf0},
             .outline = {0x10, 0x12, 0x14},
+            .relief = 1.4F,
             .solid = {0xc9, 0xbe, 0xae}};
   return {.backgroundTop = {0xff, 0xff, 0xff},
           .backgroundBottom = {0xec, 0xef, 0xed},
@@ -37,6 +39,7 @@ struct Palette {
           .contracted = {0x2f, 0x8f, 0x5b},
           .successor = {0x16, 0x18, 0x1a},
           .outline = {0xff, 0xff, 0xff},
+          .relief = 0.8F, // dark points would swallow the dark skeleton
           .solid = {0xa8, 0x9c, 0x8a}};
 }
 

@@ -22,8 +22,8 @@ QImage picture(const Scene& scene, const Camera& camera, const Overlay& overlay,
 Camera cameraOf(const Scene& scene, StandardView view, double aspect) {
   Camera camera;
   camera.face(view);
-  const Eigen::AlignedBox3d box = scene.bounds();
-  if (!box.isEmpty()) camera.frame(box, aspect);
+  const std::vector<Eigen::Vector3d> places = scene.outline();
+  if (!places.empty()) camera.frame(places, aspect);
   return camera;
 }
 

@@ -12,7 +12,7 @@
 namespace espalier {
 
 /// The scene as one thing that VTK draws: points, then the relief, then the skeleton.
-class PlantProp : public vtkProp {
+class PlantProp final : public vtkProp {
 public:
   static PlantProp* New();
   PlantProp(const PlantProp&) = delete;
@@ -25,11 +25,10 @@ public:
   int RenderOpaqueGeometry(vtkViewport* viewport) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
-protected:
+private:
   PlantProp() = default;
   ~PlantProp() override = default;
 
-private:
   [[nodiscard]] DrawSettings settings(vtkViewport* viewport) const;
 
   Scene* scene_ = nullptr;

@@ -18,7 +18,7 @@ namespace espalier {
 namespace {
 
 /// A render window in a context that it did not make.
-class GuestRenderWindow : public vtkGenericOpenGLRenderWindow {
+class GuestRenderWindow final : public vtkGenericOpenGLRenderWindow {
 public:
   static GuestRenderWindow* New();
   GuestRenderWindow(const GuestRenderWindow&) = delete;

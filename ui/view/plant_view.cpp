@@ -70,6 +70,14 @@ struct PlantView::Parts {
       navigator.set(camera);
   }
 
+  /// @param what a box, or places
+  template <class What> void frame(const What& what, const PlantView& view) {
+    Camera camera = navigator.destination();
+    camera.frame(what, view.width() / std::max(1.0, double(view.height())));
+    moveTo(camera, view.isVisible());
+    wasFramed = true;
+  }
+
   Scene scene;
   Navigator navigator;
   PointerInput pointer;
@@ -205,15 +213,12 @@ void PlantView::setLengthUnit(const QString& unit) {
 }
 
 void PlantView::frameAll() {
-  frame(parts_->scene.bounds());
+  const std::vector<Eigen::Vector3d> places = parts_->scene.outline();
+  if (!places.empty()) parts_->frame(places, *this);
 }
 
 void PlantView::frame(const Eigen::AlignedBox3d& box) {
-  if (box.isEmpty()) return;
-  Camera camera = parts_->navigator.destination();
-  camera.frame(box, width() / std::max(1.0, double(height())));
-  parts_->moveTo(camera, isVisible());
-  parts_->wasFramed = true;
+  if (!box.isEmpty()) parts_->frame(box, *this);
 }
 
 void PlantView::look(StandardView view) {

@@ -48,7 +48,7 @@ ColorScale intensityScale(std::vector<float> values) {
 } // namespace
 
 Color viridis(double fraction, bool dark) {
-  const double from = dark ? 0.14 : 0;
+  const double from = dark ? 0.14 : 0.1;
   const double to = dark ? 1 : 0.88;
   const double at = (from + (to - from) * fraction) * 8;
   const auto stop = std::min(static_cast<std::size_t>(at), viridisStops.size() - 2);

@@ -20,7 +20,7 @@ struct ColorScale {
 };
 
 /// A color of the map viridis (S. van der Walt, N. Smith, 2015), in the part of it that stands out
-/// from the background: without its darkest colors on dark, without its brightest on light.
+/// from background and skeleton: without its darkest colors, and on light without its brightest.
 [[nodiscard]] Color viridis(double fraction, bool dark); // fraction in [0, 1]
 
 /// The scale by which a cloud is colored; none if not by value, or if all values are equal.

@@ -2,9 +2,7 @@
 
 #include "ui/view/palette.h"
 
-#include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLState.h>
-#include <vtkShaderProgram.h>
 
 #include <algorithm>
 #include <cmath>

@@ -49,4 +49,15 @@ Eigen::AlignedBox3d Scene::bounds() const {
   return box;
 }
 
+std::vector<Eigen::Vector3d> Scene::outline() const {
+  constexpr Eigen::Index sample = 5000; // points of a layer
+  std::vector<Eigen::Vector3d> places;
+  for (std::size_t slot = 0; slot < skeleton.nodes().size(); ++slot)
+    if (skeleton.nodes()[slot].shape != NodeShape::none) places.push_back(skeleton.position(slot));
+  for (const PointLayer* layer : {&points, &contracted})
+    for (Eigen::Index i = 0; i < layer->size(); i += 1 + layer->size() / sample)
+      places.emplace_back(layer->positions->col(i).cast<double>() + origin());
+  return places;
+}
+
 } // namespace espalier

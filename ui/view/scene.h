@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace espalier {
 
@@ -48,6 +49,9 @@ struct Scene {
   [[nodiscard]] Eigen::Vector3d origin() const;
   /// Encloses all there is, shown or not [L], frame of the file; empty if there is nothing.
   [[nodiscard]] Eigen::AlignedBox3d bounds() const;
+  /// All nodes and an even sample of the points [L], frame of the file: what a camera has to frame
+  /// to show the whole, tighter than the bounds.
+  [[nodiscard]] std::vector<Eigen::Vector3d> outline() const;
 };
 
 } // namespace espalier

@@ -1,8 +1,6 @@
 #include "ui/view/shade_pass.h"
 
-#include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLState.h>
-#include <vtkShaderProgram.h>
 
 namespace espalier {
 namespace {
@@ -37,6 +35,7 @@ uniform vec2 projection;   // the two terms of the projection matrix that make d
 uniform float pixelSize;   // in perspective at depth 1
 uniform int perspective;
 uniform int reach;         // of the neighborhood, in pixels
+uniform float strength;
 out vec4 fragment;
 
 float linear(float stored) {
@@ -63,7 +62,7 @@ void main() {
     float stored = texelFetch(pointDepth, clamp(here + reach * around[i], ivec2(0), last), 0).r;
     if (stored < 1.0) hidden += clamp((depth - linear(stored)) / (10.0 * unit), 0.0, 1.0);
   }
-  fragment.rgb *= exp(-1.4 * hidden / 8.0);
+  fragment.rgb *= exp(-strength * hidden / 8.0);
 })";
 
 constexpr const char* copyShader = R"(#version 330 core
@@ -91,7 +90,8 @@ void setColor(vtkShaderProgram& program, const char* name, const Color& color) {
   program.SetUniform3f(name, values);
 }
 
-void setRelief(vtkShaderProgram& program, const DrawSettings& settings) {
+void setRelief(vtkShaderProgram& program, const DrawSettings& settings, float strength) {
+  program.SetUniformf("strength", strength);
   program.SetUniformi("pointDepth", 1);
   const float projection[2] = {settings.toClip(2, 2), settings.toClip(2, 3)};
   program.SetUniform2f("projection", projection);
@@ -125,7 +125,7 @@ void ShadePass::shade(const DrawSettings& settings, const GlPicture& points, con
   setColor(program, "top", palette.backgroundTop);
   setColor(program, "bottom", palette.backgroundBottom);
   program.SetUniformf("height", settings.size.y());
-  if (relief) setRelief(program, settings);
+  if (relief) setRelief(program, settings, palette.relief);
   fill();
   state->PopFramebufferBindings();
 }

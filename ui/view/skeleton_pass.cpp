@@ -3,9 +3,7 @@
 #include "ui/view/palette.h"
 #include "ui/view/skeleton_shaders.h"
 
-#include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLState.h>
-#include <vtkShaderProgram.h>
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,6 @@
 #include "ui/view/gl_objects.h"
 #include "ui/view/scene.h"
 
-class vtkShaderProgram;
-
 namespace espalier {
 
 /// Draws the skeleton over what is there: as lines and discs of constant size, or with its radii.

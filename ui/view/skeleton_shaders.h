@@ -23,7 +23,7 @@ namespace espalier::shaders {
   "uniform float roominess;\n" /* 0: nodes crowd on the screen; 1: there is room for them */       \
   "vec3 faded(vec3 color, float z) {\n" /* the far side steps back */                              \
   "  float part = clamp((-z - depths.x) / (depths.y - depths.x), 0.0, 1.0);\n"                     \
-  "  return mix(color, backgroundColor, 0.6 * part * part);\n"                                     \
+  "  return mix(color, backgroundColor, 0.5 * part * part);\n"                                     \
   "}\n"
 
 // Lines of constant width, with an outline; a hovered one tapers toward the child.

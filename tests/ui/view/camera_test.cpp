@@ -11,13 +11,14 @@ namespace {
 
 const Eigen::Vector2d screen(800, 600);
 const Eigen::Vector3d somewhere(3, -2, 5);
+const Eigen::AlignedBox3d box(Eigen::Vector3d(1, -4, 2), Eigen::Vector3d(5, 0, 9));
 
 Camera aCamera(Projection projection) {
   Camera camera;
   camera.projection = projection;
   camera.yaw = 0.7;
   camera.pitch = 0.4;
-  camera.frame({Eigen::Vector3d(1, -4, 2), Eigen::Vector3d(5, 0, 9)}, 800.0 / 600);
+  camera.frame(box, 800.0 / 600);
   return camera;
 }
 
@@ -53,7 +54,6 @@ TEST_P(CameraIn, ShiftsTheFocusWithThePointerWhenItPans) {
 }
 
 TEST_P(CameraIn, ShowsAllOfAFramedBoxAndFillsTheScreenWithIt) {
-  const Eigen::AlignedBox3d box(Eigen::Vector3d(1, -4, 2), Eigen::Vector3d(5, 0, 9));
   const Camera camera = aCamera(GetParam());
   Eigen::AlignedBox2d seen;
   for (int i = 0; i < 8; ++i)
@@ -83,7 +83,6 @@ TEST_P(CameraIn, DrawsWhereThePointerFinds) {
 }
 
 TEST_P(CameraIn, EnclosesABoxBetweenItsDepths) {
-  const Eigen::AlignedBox3d box(Eigen::Vector3d(1, -4, 2), Eigen::Vector3d(5, 0, 9));
   const Camera camera = aCamera(GetParam());
   const DepthRange depths = camera.depthsOf(box);
   const ScreenMap map(camera, screen);
@@ -132,7 +131,7 @@ TEST(Camera, FliesTheShortWayRound) {
 
 TEST(Camera, ShowsASingleNode) {
   Camera camera;
-  camera.frame({somewhere, somewhere}, 1);
+  camera.frame(Eigen::AlignedBox3d(somewhere), 1);
   EXPECT_EQ(camera.focus, somewhere);
   EXPECT_GT(camera.distance, 0);
 }

@@ -37,9 +37,10 @@ std::vector<Row> rowsOf(const Skeleton& skeleton, NodeId root) {
     rows.push_back(row);
     const auto next = continuation(skeleton, row.id, row.column);
     if (next) stack.push_back({*next, row.column, true}); // comes last: the others are on top of it
-    const std::vector<NodeId>& children = skeleton.children(row.id);
-    for (auto child = children.rbegin(); child != children.rend(); ++child)
-      if (*child != next) stack.push_back({*child, row.column + 1, false});
+    std::vector<NodeId> children = skeleton.children(row.id);
+    std::ranges::reverse(children); // the last one put on the stack is the first to be written
+    for (const NodeId child : children)
+      if (child != next) stack.push_back({child, row.column + 1, false});
   }
   return rows;
 }

@@ -8,12 +8,12 @@
 namespace espalier::test {
 
 Skeleton canonical(const Skeleton& skeleton) {
-  const auto comesFirst = [&](NodeId a, NodeId b) {
+  const auto comesLast = [&](NodeId a, NodeId b) {
     const auto key = [&](const Node& node) {
       return std::tuple(node.edge, node.position.x(), node.position.y(), node.position.z(),
                         node.radius);
     };
-    return key(skeleton[a]) < key(skeleton[b]);
+    return key(skeleton[b]) < key(skeleton[a]);
   };
   struct Step {
     NodeId from;
@@ -21,9 +21,9 @@ Skeleton canonical(const Skeleton& skeleton) {
   };
   std::vector<Step> stack;
   const auto push = [&](std::vector<NodeId> nodes, std::optional<NodeId> parent) {
-    std::ranges::sort(nodes, comesFirst);
-    for (auto node = nodes.rbegin(); node != nodes.rend(); ++node)
-      stack.push_back({*node, parent});
+    std::ranges::sort(nodes, comesLast); // the last one on the stack is taken first
+    for (const NodeId node : nodes)
+      stack.push_back({node, parent});
   };
   Skeleton result;
   push(skeleton.roots(), std::nullopt);

@@ -60,7 +60,8 @@ TEST(InQuotes, KeepsMessagesOnOneLineAndShort) {
 }
 
 TEST(ReadAll, TellsHowFarItIsAndStops) {
-  const std::string text(50'000'000, 'x');
+  std::string text;
+  text.resize(50'000'000, 'x');
   std::istringstream in(text);
   std::vector<double> fractions;
   const Progress progress(

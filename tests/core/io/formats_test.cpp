@@ -18,7 +18,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 fs::path fileOf(const std::string& name, const std::string& bytes) {
-  const fs::path path = test::freshFolder() / name;
+  fs::path path = test::freshFolder() / name;
   writeAtomically(path, [&](std::ostream& out) { out << bytes; });
   return path;
 }

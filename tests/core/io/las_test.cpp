@@ -8,7 +8,6 @@ namespace espalier {
 namespace {
 
 using test::lasFile;
-using test::LasSample;
 using testing::HasSubstr;
 
 Imported<RawPoints> read(const std::string& bytes) {

@@ -22,6 +22,13 @@ std::string errorOf(const std::string& bytes) {
   return test::errorOf([&] { return read(bytes); });
 }
 
+std::string joined(std::initializer_list<std::string_view> parts) {
+  std::string text;
+  for (const std::string_view part : parts)
+    text += part;
+  return text;
+}
+
 /// A binary file whose points have the properties `header`, with `data` after it.
 std::string binary(const std::string& header, const std::string& data) {
   return "ply\nformat binary_little_endian 1.0\n" + header + "end_header\n" + data;
@@ -63,12 +70,10 @@ class ReadPlyType : public testing::TestWithParam<NamedType> {};
 
 TEST_P(ReadPlyType, TakesItForCoordinates) {
   const auto [name, type] = GetParam();
-  const std::string property = "property " + std::string(name) + " ";
   for (const std::endian order : {std::endian::little, std::endian::big}) {
-    std::string bytes = std::string("ply\nformat binary_") +
-                        (order == std::endian::big ? "big" : "little") +
-                        "_endian 1.0\nelement vertex 1\n" + property + "x\n" + property + "y\n" +
-                        property + "z\nend_header\n";
+    std::string bytes = joined({"ply\nformat binary_", order == std::endian::big ? "big" : "little",
+                                "_endian 1.0\nelement vertex 1\nproperty ", name, " x\nproperty ",
+                                name, " y\nproperty ", name, " z\nend_header\n"});
     for (const int value : {1, 2, 100}) {
       switch (type) {
       case ScalarType::int8:
@@ -156,20 +161,18 @@ TEST(ReadPly, TellsTheLineOfTheHeaderThatIsWrong) {
 }
 
 TEST(ReadPly, DoesNotTrustItsHeader) {
-  const std::string xyz = "property float x\nproperty float y\nproperty float z\n";
-  for (const std::string format : {"ascii", "binary_little_endian"}) {
-    const std::string start = "ply\nformat " + format + " 1.0\n";
-    EXPECT_THAT(errorOf(start + "element vertex 1000000000000\n" + xyz + "end_header\n1 2 3\n"),
+  for (const std::string_view format : {"ascii", "binary_little_endian"}) {
+    const auto file = [&](std::string_view elements) {
+      return joined({"ply\nformat ", format, " 1.0\n", elements,
+                     "property float x\nproperty float y\nproperty float z\nend_header\n1 2 3\n"});
+    };
+    EXPECT_THAT(errorOf(file("element vertex 1000000000000\n")),
                 HasSubstr("promises 1000000000000 points"));
-    EXPECT_NE(errorOf(start +
-                      "element face 1000000000000\nproperty list uchar int i\n"
-                      "element vertex 1\n" +
-                      xyz + "end_header\n1 2 3\n"),
+    EXPECT_NE(errorOf(file("element face 1000000000000\nproperty list uchar int i\n"
+                           "element vertex 1\n")),
               "");
-    EXPECT_NE(errorOf(start +
-                      "element other 1000000000000\nproperty double i\n"
-                      "element vertex 1\n" +
-                      xyz + "end_header\n1 2 3\n"),
+    EXPECT_NE(errorOf(file("element other 1000000000000\nproperty double i\n"
+                           "element vertex 1\n")),
               "");
   }
 }

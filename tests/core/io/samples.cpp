@@ -17,12 +17,12 @@ template <class T> void put(std::string& bytes, std::size_t at, T value) {
   bytes.replace(at, raw.size(), raw);
 }
 
-constexpr std::array<int, 11> recordLengths = {20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
-constexpr std::array<int, 11> colorStarts = {0, 0, 20, 28, 0, 28, 0, 30, 30, 0, 30};
+constexpr std::array<std::size_t, 11> recordLengths = {20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
+constexpr std::array<std::size_t, 11> colorStarts = {0, 0, 20, 28, 0, 28, 0, 30, 30, 0, 30};
 
 std::string lasRecord(const LasSample& sample, int i) {
   const auto format = static_cast<std::size_t>(sample.format);
-  std::string record(static_cast<std::size_t>(recordLengths[format] + sample.extraBytes), '\x55');
+  std::string record(recordLengths[format] + sample.extraBytes, '\x55');
   put<std::int32_t>(record, 0, 1000 + i);
   put<std::int32_t>(record, 4, 2000 + 2 * i);
   put<std::int32_t>(record, 8, 3 * i);
@@ -30,10 +30,11 @@ std::string lasRecord(const LasSample& sample, int i) {
   const bool isWithheld = i == sample.withheld;
   put<std::uint8_t>(record, 15,
                     sample.format < 6 ? (isWithheld ? 0x82 : 0x02) : (isWithheld ? 4 : 0));
-  if (const int start = colorStarts[format]; start > 0)
-    for (int c = 0; c < 3; ++c)
-      put<std::uint16_t>(record, static_cast<std::size_t>(start + 2 * c),
-                         static_cast<std::uint16_t>((10 * (c + 1) + i) * sample.colorUnit));
+  if (const std::size_t start = colorStarts[format]; start > 0)
+    for (std::size_t c = 0; c < 3; ++c)
+      put<std::uint16_t>(
+          record, start + 2 * c,
+          static_cast<std::uint16_t>((10 * (static_cast<int>(c) + 1) + i) * sample.colorUnit));
   return record;
 }
 

@@ -24,7 +24,7 @@ struct LasSample {
   int minorVersion = 2;
   int format = 0;
   int points = 3;
-  int extraBytes = 0;          // at the end of each record
+  std::size_t extraBytes = 0;  // at the end of each record
   int withheld = -1;           // the point that is flagged
   int colorUnit = 256;         // colors are 10, 20 and 30 of these, and one more per point
   std::uint64_t promised = 0;  // points told in the header, 0: as many as there are

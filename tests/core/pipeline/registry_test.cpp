@@ -3,16 +3,20 @@
 
 #include <gtest/gtest.h>
 
-#include <regex>
 #include <set>
 
 namespace espalier {
 namespace {
 
+/// What command lines and files take: small letters, digits and underscores.
+bool isPlainName(const std::string& name) {
+  return !name.empty() &&
+         name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string::npos;
+}
+
 TEST(Registry, DescribesEveryMethodAndOption) {
-  const std::regex isName("[a-z][a-z0-9_]*");
   for (const Step& step : pipelineSteps()) {
-    EXPECT_TRUE(std::regex_match(step.name, isName)) << step.name;
+    EXPECT_TRUE(isPlainName(step.name)) << step.name;
     EXPECT_FALSE(step.label.empty() || step.help.empty()) << step.name;
     ASSERT_FALSE(step.methods.empty()) << step.name;
     std::set<std::string> methods;
@@ -20,7 +24,7 @@ TEST(Registry, DescribesEveryMethodAndOption) {
       EXPECT_TRUE(methods.insert(method.name).second) << method.name;
       EXPECT_FALSE(method.label.empty() || method.help.empty()) << method.name;
       for (const Option& option : method.options) {
-        EXPECT_TRUE(std::regex_match(option.name, isName)) << option.name;
+        EXPECT_TRUE(isPlainName(option.name)) << option.name;
         EXPECT_FALSE(option.label.empty() || option.help.empty()) << option.name;
         EXPECT_LT(option.minimum, option.maximum) << option.name;
       }

@@ -1,5 +1,6 @@
 #include "ui/view/navigator.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace espalier {
@@ -61,7 +62,7 @@ void Navigator::drag(const QPointF& to) {
     camera_.pan(pixel * by.x(), -pixel * by.y());
     break;
   case Gesture::zoom:
-    camera_.zoom(std::exp(-zoomPerPixel * by.y()), anchor_);
+    zoom(std::exp(-zoomPerPixel * by.y()), anchor_);
     break;
   case Gesture::none:
     return;
@@ -69,9 +70,18 @@ void Navigator::drag(const QPointF& to) {
   emit moved();
 }
 
+void Navigator::zoom(double factor, const Eigen::Vector3d& anchor) {
+  const double least = 1e-4 * extent_;
+  const double most = 20 * extent_;
+  const double before = camera_.distance;
+  // A camera that is already beyond the limits may come back, but not go on.
+  const double after = std::clamp(before / factor, std::min(least, before), std::max(most, before));
+  camera_.zoom(before / after, anchor);
+}
+
 void Navigator::wheel(double steps, const Eigen::Vector3d& anchor) {
   flight_.stop();
-  camera_.zoom(std::exp(zoomPerStep * steps), anchor);
+  zoom(std::exp(zoomPerStep * steps), anchor);
   emit moved();
 }
 

@@ -29,6 +29,8 @@ public:
   void flyTo(const Camera& camera);
 
   void setScreen(const QSizeF& size) { screen_ = size; } // [logical pixels]
+  /// How large the plant is [L]: zooms end well within and well outside of it.
+  void setExtent(double extent) { extent_ = extent; }
   /// @param anchor what a zoom keeps in place
   void begin(Gesture gesture, const QPointF& at, const Eigen::Vector3d& anchor);
   void drag(const QPointF& to); // pre: a gesture is on
@@ -39,6 +41,8 @@ signals:
   void moved();
 
 private:
+  void zoom(double factor, const Eigen::Vector3d& anchor);
+
   Camera camera_;
   Camera from_, to_;
   QVariantAnimation flight_;
@@ -46,6 +50,7 @@ private:
   Eigen::Vector3d anchor_ = Eigen::Vector3d::Zero();
   QPointF last_;
   QSizeF screen_{1, 1};
+  double extent_ = 1; // [L]
 };
 
 } // namespace espalier

@@ -26,6 +26,12 @@ Navigator::Gesture gestureOf(Qt::MouseButton button) {
   }
 }
 
+double extentOf(const Scene& scene) {
+  const Eigen::AlignedBox3d box = scene.bounds();
+  const double extent = box.isEmpty() ? 0 : box.diagonal().norm();
+  return extent > 0 ? extent : 1;
+}
+
 /// The scan point under a pixel, in the frame of the file.
 std::optional<Eigen::Vector3d> pointUnder(const PointLayer& layer, const Eigen::Vector3d& origin,
                                           const ScreenMap& map, const Eigen::Vector2d& pixel) {
@@ -33,8 +39,15 @@ std::optional<Eigen::Vector3d> pointUnder(const PointLayer& layer, const Eigen::
   const auto ray = map.ray(pixel);
   const double slope = pointReach * (map.pixelSize(2) - map.pixelSize(1)); // 0 if parallel
   const double radius = pointReach * map.pixelSize(0);
-  const ViewCone cone{(ray.origin() - origin).cast<float>(), ray.direction().cast<float>(),
-                      static_cast<float>(radius), static_cast<float>(slope)};
+  // In parallel projection, what is behind the plane of the eye is drawn as well.
+  const auto box = layer.boxes.bounds();
+  const double back =
+      map.isPerspective()
+          ? 0
+          : (box.center().cast<double>() + origin - ray.origin()).norm() + box.diagonal().norm();
+  const Eigen::Vector3d apex = ray.pointAt(-back) - origin;
+  const ViewCone cone{apex.cast<float>(), ray.direction().cast<float>(), static_cast<float>(radius),
+                      static_cast<float>(slope)};
   const auto found = layer.boxes.pick(*layer.positions, cone);
   if (!found) return std::nullopt;
   return layer.positions->col(*found).cast<double>() + origin;
@@ -99,6 +112,7 @@ void PointerInput::press(const QMouseEvent& event) {
   const Pick under = pick(position);
   taken_ =
       !cameraOnly_ && tell(ToolInput::Phase::press, {position, button_, event.modifiers()}, under);
+  navigator_.setExtent(extentOf(scene_));
   if (!taken_) navigator_.begin(gestureOf(button_), position, zoomAnchor(position, under));
 }
 
@@ -133,6 +147,7 @@ std::optional<Eigen::Vector3d> PointerInput::doubleClick(const QMouseEvent& even
 
 void PointerInput::wheel(const QWheelEvent& event) {
   const QPointF position = event.position();
+  navigator_.setExtent(extentOf(scene_));
   navigator_.wheel(event.angleDelta().y() / 120.0, zoomAnchor(position, pick(position)));
 }
 

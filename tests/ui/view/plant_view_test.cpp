@@ -101,6 +101,36 @@ TEST_F(PlantViewTest, PicksTheScanPointInFront) {
   EXPECT_FALSE(view_.pick(pixelOf(Eigen::Vector3d(1, -1, 2))).point);
 }
 
+// Zoomed in, the front of the plant is behind the plane of the eye, and drawn all the same.
+TEST_F(PlantViewTest, PicksInParallelProjectionWhateverIsDrawn) {
+  const Eigen::Vector3d place(0.1, -1, 2);
+  view_.setCloud(test::cloudOf({place, {0.1, 1, 2}}));
+  view_.setProjection(Projection::parallel);
+  view_.setPivot({0, 0, 2});
+  rest();
+  for (int i = 0; i < 18; ++i)
+    wheel({200, 150}, 120);
+  const auto point = view_.pick(pixelOf(place)).point;
+  ASSERT_TRUE(point);
+  EXPECT_LT((*point - place).norm(), 1e-6);
+}
+
+TEST_F(PlantViewTest, KeepsThePlantWithinTheReachOfTheWheel) {
+  for (const int delta : {120, -120}) {
+    for (int i = 0; i < 500; ++i)
+      wheel({200, 150}, delta);
+    const QPoint bottom = pixelOf(NodeId{0});
+    wheel({200, 150}, delta);
+    EXPECT_EQ(pixelOf(NodeId{0}), bottom);
+  }
+}
+
+TEST_F(PlantViewTest, FillsItselfWithThePlant) {
+  const double height = pixelOf(NodeId{0}).y() - pixelOf(NodeId{4}).y();
+  EXPECT_GT(height, 0.85 * view_.height());
+  EXPECT_LT(height, view_.height());
+}
+
 TEST_F(PlantViewTest, TurnsAboutThePivotByLeftDragsOnEmptyGround) {
   view_.setPivot(plant_[NodeId{1}].position);
   rest();

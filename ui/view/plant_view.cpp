@@ -2,7 +2,7 @@
 
 #include "ui/view/detail_budget.h"
 #include "ui/view/navigator.h"
-#include "ui/view/overlay.h"
+#include "ui/view/overlay_widget.h"
 #include "ui/view/picture.h"
 #include "ui/view/pointer_input.h"
 #include "ui/view/scene.h"
@@ -10,7 +10,6 @@
 
 #include <QKeyEvent>
 #include <QMouseEvent>
-#include <QPainter>
 #include <QTimer>
 
 #include <algorithm>
@@ -21,24 +20,6 @@ namespace {
 constexpr double movingFrame = 34;  // [ms] of drawing: 25 a second with what Qt adds
 constexpr double restingFrame = 60; // [ms] a step of completing a still picture
 constexpr int restAfter = 120;      // [ms] after the last move
-
-/// Lies over the surface and is transparent, so that hovers and edits need not paint it again.
-class OverlayWidget : public QWidget {
-public:
-  OverlayWidget(std::function<void(QPainter&)> paint, QWidget* parent)
-      : QWidget(parent), paint_(std::move(paint)) {
-    setAttribute(Qt::WA_TransparentForMouseEvents);
-  }
-
-protected:
-  void paintEvent(QPaintEvent* /*event*/) override {
-    QPainter painter(this);
-    paint_(painter);
-  }
-
-private:
-  std::function<void(QPainter&)> paint_;
-};
 
 } // namespace
 

@@ -119,6 +119,15 @@ PointPass::Result PointPass::draw(const DrawSettings& settings, Eigen::Index atM
   if (!restart && (drawn_ >= 1 || moving)) return {false, drawn_ >= 1, 0};
   key_ = key;
 
+  if (restart) drawn_ = 0;
+  const double until = std::min(1.0, drawn_ + step);
+  drawLayers(settings, pointSize, until);
+  const auto drawn = static_cast<Eigen::Index>((until - drawn_) * static_cast<double>(total));
+  drawn_ = until;
+  return {true, drawn_ >= 1, drawn};
+}
+
+void PointPass::drawLayers(const DrawSettings& settings, float pointSize, double until) {
   vtkOpenGLState* state = settings.window->GetState();
   state->PushFramebufferBindings();
   state->vtkglBindFramebuffer(GL_FRAMEBUFFER, picture_.framebuffer());
@@ -126,19 +135,14 @@ PointPass::Result PointPass::draw(const DrawSettings& settings, Eigen::Index atM
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthMask(GL_TRUE);
   state->vtkglDepthFunc(GL_LEQUAL);
-  if (restart) {
-    drawn_ = 0;
+  if (drawn_ == 0) {
     state->vtkglClearColor(0, 0, 0, 0);
     state->vtkglClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   }
-  const double until = std::min(1.0, drawn_ + step);
   if (scene_.points.visible) drawLayer(settings, scene_.points, cloud_, pointSize, drawn_, until);
   if (scene_.contracted.visible)
     drawLayer(settings, scene_.contracted, contracted_, pointSize, drawn_, until);
   state->PopFramebufferBindings();
-  const auto drawn = static_cast<Eigen::Index>((until - drawn_) * static_cast<double>(total));
-  drawn_ = until;
-  return {true, drawn_ >= 1, drawn};
 }
 
 void PointPass::drawLayer(const DrawSettings& settings, const PointLayer& points,

@@ -47,6 +47,8 @@ private:
 
   void upload();
   [[nodiscard]] Key keyOf(const DrawSettings& settings, float pointSize) const;
+  /// Draws what is missing up to a part of each layer.
+  void drawLayers(const DrawSettings& settings, float pointSize, double until);
   void drawLayer(const DrawSettings& settings, const PointLayer& points, const Layer& layer,
                  float pointSize, double from, double to);
 

@@ -1,0 +1,227 @@
+#include "ui/view/skeleton_shaders.h"
+
+namespace espalier::shaders {
+
+/// What the shaders of edges and nodes share.
+#define ESPALIER_GLYPH_HEAD                                                                        \
+  "#version 330 core\n"                                                                            \
+  "uniform mat4 toView;\n"                                                                         \
+  "uniform mat4 toClip;\n"                                                                         \
+  "uniform vec2 halfScreen;\n" /* [device pixels] */                                               \
+  "uniform float pixelRatio;\n"                                                                    \
+  "uniform float pixelSize;\n" /* [L], in perspective at depth 1 */                                \
+  "uniform int perspective;\n"                                                                     \
+  "uniform vec3 successorColor;\n"                                                                 \
+  "uniform vec3 branchingColor;\n"                                                                 \
+  "uniform vec3 selectedColor;\n"                                                                  \
+  "uniform vec3 hoveredColor;\n"                                                                   \
+  "uniform vec3 backgroundColor;\n"                                                                \
+  "uniform vec2 depths;\n"     /* nearest and farthest of the skeleton [L] */                      \
+  "uniform float roominess;\n" /* 0: nodes crowd on the screen; 1: there is room for them */       \
+  "vec3 faded(vec3 color, float z) {\n" /* the far side steps back */                              \
+  "  float part = clamp((-z - depths.x) / (depths.y - depths.x), 0.0, 1.0);\n"                     \
+  "  return mix(color, backgroundColor, 0.5 * part * part);\n"                                     \
+  "}\n"
+
+const char* const lineVertex = ESPALIER_GLYPH_HEAD R"(
+layout(location = 0) in vec4 parent;
+layout(location = 1) in vec4 child;
+layout(location = 2) in vec4 look;      // shape, mark
+noperspective out float across;         // from the axis, in device pixels
+noperspective out float along;          // from the parent, in device pixels
+flat out float total;                   // length on the screen, in device pixels
+flat out vec2 halfWidth;                // at the parent and at the child
+flat out vec3 color;
+flat out float isDashed;
+
+vec4 before(vec4 a, vec4 b) { // the part of a in front of the eye
+  float nearest = toClip[3][2] / (1.0 - toClip[2][2]); // view z of the near plane
+  if (perspective == 0 || a.z <= nearest) return a;
+  return mix(b, a, (nearest - b.z) / (a.z - b.z));
+}
+
+void main() {
+  gl_Position = vec4(2.0, 2.0, 2.0, 1.0); // outside: not drawn
+  if (look.x < 0.5) return;
+  vec4 a = toView * vec4(parent.xyz, 1.0);
+  vec4 b = toView * vec4(child.xyz, 1.0);
+  float nearest = toClip[3][2] / (1.0 - toClip[2][2]);
+  if (perspective != 0 && a.z > nearest && b.z > nearest) return;
+  vec4 clipA = toClip * before(a, b);
+  vec4 clipB = toClip * before(b, a);
+  vec2 screenA = clipA.xy / clipA.w * halfScreen;
+  vec2 screenB = clipB.xy / clipB.w * halfScreen;
+  vec2 span = screenB - screenA;
+  total = length(span);
+  vec2 direction = total > 1e-6 ? span / total : vec2(1.0, 0.0);
+  bool hovered = look.y > 1.5;
+  halfWidth = pixelRatio * (hovered ? vec2(2.6, 0.9) : vec2(mix(0.7, 1.0, roominess)));
+  float reach = max(halfWidth.x, halfWidth.y) + 1.5 * pixelRatio;
+  float side = (gl_VertexID & 1) == 0 ? -1.0 : 1.0;
+  bool atChild = (gl_VertexID & 2) != 0;
+  across = side * reach;
+  along = atChild ? total : 0.0;
+  color = hovered ? hoveredColor
+                  : faded(look.x > 1.5 ? branchingColor : successorColor, 0.5 * (a.z + b.z));
+  isDashed = look.x > 1.5 && total > 24.0 * pixelRatio ? 1.0 : 0.0;
+  vec4 clip = atChild ? clipB : clipA;
+  vec2 screen = (atChild ? screenB : screenA) + vec2(-direction.y, direction.x) * across;
+  gl_Position = vec4(screen / halfScreen * clip.w, clip.z, clip.w);
+})";
+
+const char* const lineFragment = R"(#version 330 core
+uniform vec3 outlineColor;
+uniform float pixelRatio;
+noperspective in float across;
+noperspective in float along;
+flat in float total;
+flat in vec2 halfWidth;
+flat in vec3 color;
+flat in float isDashed;
+out vec4 fragment;
+void main() {
+  float width = mix(halfWidth.x, halfWidth.y, total > 0.0 ? along / total : 0.0);
+  float beyond = abs(across) - width; // outside the line, in pixels
+  float line = clamp(0.5 - beyond, 0.0, 1.0);
+  // Whole dashes only, so that both ends of the edge are drawn.
+  float period = total / (floor(total / (9.0 * pixelRatio)) + 0.6);
+  if (isDashed > 0.5 && fract(along / period) > 0.6) line = 0.0;
+  float outline = 0.6 * clamp(0.5 - (beyond - pixelRatio), 0.0, 1.0);
+  float alpha = max(line, outline);
+  if (alpha < 0.05) discard;
+  fragment = vec4(mix(outlineColor, color, line), alpha);
+})";
+
+const char* const tubeVertex = ESPALIER_GLYPH_HEAD R"(
+layout(location = 0) in vec4 parent;
+layout(location = 1) in vec4 child;
+layout(location = 2) in vec4 look;
+out vec3 place;                         // view coordinates, on the axis plane
+out float radius;
+noperspective out float across;         // -1 to 1
+flat out float tilt;                    // sine of the angle between axis and line of sight
+out float toNearEnd;                    // along the axis, to its end nearer to the eye [L]
+flat out vec3 color;
+
+void main() {
+  gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+  if (look.x < 0.5) return;
+  vec3 a = (toView * vec4(parent.xyz, 1.0)).xyz;
+  vec3 b = (toView * vec4(child.xyz, 1.0)).xyz;
+  bool atChild = (gl_VertexID & 2) != 0;
+  vec3 axis = b - a;
+  place = atChild ? b : a;
+  vec3 toEye = perspective != 0 ? -place : vec3(0.0, 0.0, 1.0);
+  vec3 sideways = cross(axis, toEye);
+  float size = length(sideways);
+  if (size < 1e-12) return; // seen end on: the spheres of its nodes cover it
+  tilt = max(size / (length(axis) * length(toEye)), 0.1);
+  bool isNearEnd = (dot(axis, toEye) > 0.0) == atChild;
+  toNearEnd = isNearEnd ? 0.0 : length(axis);
+  float pixel = pixelSize * (perspective != 0 ? max(-place.z, 0.0) : 1.0);
+  radius = max(atChild ? child.w : parent.w, pixelRatio * pixel);
+  across = (gl_VertexID & 1) == 0 ? -1.0 : 1.0;
+  color = look.y > 1.5 ? hoveredColor
+                       : faded(look.x > 1.5 ? branchingColor : successorColor, 0.5 * (a.z + b.z));
+  gl_Position = toClip * vec4(place + sideways / size * across * radius, 1.0);
+})";
+
+const char* const tubeFragment = R"(#version 330 core
+uniform mat4 toClip;
+in vec3 place;
+in float radius;
+noperspective in float across;
+flat in float tilt;
+in float toNearEnd;
+flat in vec3 color;
+out vec4 fragment;
+void main() {
+  float facing = sqrt(max(0.0, 1.0 - across * across));
+  // The front of a tilted cone belongs to a place farther along its axis, perhaps past its end.
+  if (radius * facing * sqrt(1.0 - tilt * tilt) > toNearEnd * tilt) discard;
+  vec4 front = toClip * vec4(place.xy, place.z + radius * facing / tilt, 1.0);
+  gl_FragDepth = clamp(0.5 * front.z / front.w + 0.5, 0.0, 1.0);
+  fragment = vec4(color * (0.4 + 0.6 * facing * tilt), 1.0);
+})";
+
+const char* const nodeVertex = ESPALIER_GLYPH_HEAD R"(
+layout(location = 0) in vec4 center;    // and radius
+layout(location = 1) in vec4 look;      // shape, mark
+uniform int spheres;
+uniform float pushed;                   // discs toward the eye, in radii of the node
+out vec3 place;
+flat out float radius;                  // [L]
+noperspective out vec2 offset;          // from the center, in device pixels
+flat out float halfWidth;               // in device pixels
+flat out vec3 color;
+flat out int shape;
+
+float halfWidthOf(int kind, int mark) {
+  float width = kind == 2 ? 4.5 : kind == 4 ? 3.6 : kind == 3 ? 3.2 : 2.5;
+  if (kind != 2) width *= roominess;
+  if (mark == 1) width = max(1.35 * width, 3.5);
+  if (mark == 2) width = max(1.5 * width, 4.0);
+  return width * pixelRatio;
+}
+
+void main() {
+  gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+  shape = int(look.x + 0.5);
+  int mark = int(look.y + 0.5);
+  if (shape == 0) return;
+  if (spheres == 0 && roominess < 0.5 && shape != 2 && mark == 0) return; // edges show enough
+  place = (toView * vec4(center.xyz, 1.0)).xyz;
+  float pixel = pixelSize * (perspective != 0 ? -place.z : 1.0);
+  if (pixel <= 0.0) return; // behind the eye
+  vec2 corner = vec2((gl_VertexID & 1) == 0 ? -1.0 : 1.0, (gl_VertexID & 2) == 0 ? -1.0 : 1.0);
+  radius = max(center.w, pixelRatio * pixel);
+  color = mark == 2 ? hoveredColor : mark == 1 ? selectedColor : faded(successorColor, place.z);
+  halfWidth = spheres != 0 ? radius / pixel : halfWidthOf(shape, mark);
+  offset = corner * (halfWidth + 1.5 * pixelRatio);
+  vec4 clip = toClip * vec4(place, 1.0);
+  // Nodes before their edges, marked nodes before all others.
+  float nearer = spheres != 0 ? 0.0 : pushed * center.w + pixel * (4.0 + 8.0 * float(mark));
+  vec4 moved = toClip * vec4(place.xy, place.z + nearer, 1.0);
+  float depth = moved.w > 0.0 ? moved.z / moved.w : -1.0;
+  gl_Position = vec4(clip.xy + offset / halfScreen * clip.w, max(depth, -1.0) * clip.w, clip.w);
+})";
+
+const char* const discFragment = R"(#version 330 core
+uniform vec3 outlineColor;
+uniform float pixelRatio;
+noperspective in vec2 offset;
+flat in float halfWidth;
+flat in vec3 color;
+flat in int shape;
+out vec4 fragment;
+void main() {
+  float away = shape == 2 ? max(abs(offset.x), abs(offset.y)) : length(offset);
+  float beyond = away - halfWidth;
+  float disc = clamp(0.5 - beyond, 0.0, 1.0);
+  float outline = 0.85 * clamp(0.5 - (beyond - pixelRatio), 0.0, 1.0);
+  float alpha = max(disc, outline);
+  if (alpha < 0.05) discard;
+  float hole = shape == 3 ? clamp(0.5 + 0.5 * halfWidth - away, 0.0, 1.0) : 0.0; // apex: a ring
+  fragment = vec4(mix(outlineColor, color, disc * (1.0 - hole)), alpha);
+})";
+
+const char* const sphereFragment = R"(#version 330 core
+uniform mat4 toClip;
+in vec3 place;
+flat in float radius;
+noperspective in vec2 offset;
+flat in float halfWidth;
+flat in vec3 color;
+out vec4 fragment;
+void main() {
+  float part = length(offset) / halfWidth;
+  if (part > 1.0) discard;
+  float facing = sqrt(1.0 - part * part);
+  vec4 front = toClip * vec4(place.xy, place.z + radius * facing, 1.0);
+  gl_FragDepth = clamp(0.5 * front.z / front.w + 0.5, 0.0, 1.0);
+  fragment = vec4(color * (0.4 + 0.6 * facing), 1.0);
+})";
+
+#undef ESPALIER_GLYPH_HEAD
+
+} // namespace espalier::shaders

@@ -33,8 +33,8 @@ DrawSettings PlantProp::settings(vtkViewport* viewport) const {
 int PlantProp::RenderOpaqueGeometry(vtkViewport* viewport) {
   const DrawSettings drawn = settings(viewport);
   const PointPass::Result points = points_->draw(drawn, frame_.points, frame_.moving);
-  // Shading is worth its time for a picture that stays; it stays while the skeleton is edited.
-  const bool relief = !frame_.moving;
+  // Relief is worth its time for a picture that stays; it stays while the skeleton is edited.
+  const bool relief = !frame_.moving && points.complete;
   if (points.changed || relief != wasRelief_)
     shade_.shade(drawn, points_->picture(), palette(scene_->dark), relief);
   wasRelief_ = relief;

@@ -56,7 +56,7 @@ public:
   void look(StandardView view);
   void setPivot(const Eigen::Vector3d& place); // [L], what the camera turns around
 
-  /// Is the view at rest: nothing moves, and all points are drawn?
+  /// Is the view at rest: nothing moves, and all points are drawn? (Never, before it is shown.)
   [[nodiscard]] bool isStill() const;
 
   /// Returns true for what it took: a taken press keeps the camera still until the release or a

@@ -42,4 +42,11 @@ QString formatLength(double length, LengthUnit unit, int digits) {
   return unit == LengthUnit::unknown ? number : number + QChar(0x202f) + symbol(unit);
 }
 
+QString formatCount(std::size_t count) {
+  QString digits = QString::number(count);
+  for (qsizetype at = digits.size() - 3; at > 0; at -= 3)
+    digits.insert(at, QChar(0x202f));
+  return digits;
+}
+
 } // namespace espalier

@@ -2,6 +2,8 @@
 
 #include <QString>
 
+#include <cstddef>
+
 namespace espalier {
 
 /// The unit of the coordinates of a document. Display only: coordinates are never rescaled.
@@ -15,5 +17,8 @@ enum class LengthUnit { unknown, millimeter, centimeter, meter };
 
 /// A length as people read it, to `digits` significant digits and no exponent: "12.4 mm".
 [[nodiscard]] QString formatLength(double length, LengthUnit unit, int digits = 4);
+
+/// A count with its digits in threes: "147 989".
+[[nodiscard]] QString formatCount(std::size_t count);
 
 } // namespace espalier

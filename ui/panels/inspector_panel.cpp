@@ -45,7 +45,7 @@ InspectorPanel::InspectorPanel(PlantDocument& document, QWidget* parent)
       position_(makeValue(body_)), length_(makeValue(body_)), radius_(new QDoubleSpinBox(body_)) {
   makeForm();
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(16, 12, 16, 12);
+  column->setContentsMargins(12, 12, 12, 12);
   column->setSpacing(12);
   column->addWidget(title_);
   column->addWidget(empty_);
@@ -70,19 +70,19 @@ void InspectorPanel::makeForm() {
   title_->setProperty("role", "title");
   empty_->setProperty("role", "quiet");
   empty_->setWordWrap(true);
-  edge_->addItem(tr("Continues its axis  <"), QVariant::fromValue(EdgeType::successor));
-  edge_->addItem(tr("Branches off  +"), QVariant::fromValue(EdgeType::branching));
+  edge_->addItem(tr("<  axial"), QVariant::fromValue(EdgeType::successor));
+  edge_->addItem(tr("+  branching"), QVariant::fromValue(EdgeType::branching));
   parent_->setProperty("role", "link");
   parent_->setFlat(true);
   parent_->setCursor(Qt::PointingHandCursor);
   parent_->setToolTip(tr("Select the parent"));
   radius_->setKeyboardTracking(false); // one edit, when the number is complete
   radius_->setRange(0, 1e9);
-  radius_->setObjectName("radius");
-  radius_->setAccelerated(true);
+  radius_->setObjectName("node_radius");
+  radius_->setButtonSymbols(QAbstractSpinBox::NoButtons); // keys A and Q step it
   radius_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
   form_->setContentsMargins(0, 0, 0, 0);
-  form_->setHorizontalSpacing(16);
+  form_->setHorizontalSpacing(12);
   form_->setVerticalSpacing(8);
   form_->setLabelAlignment(Qt::AlignLeft | Qt::AlignTop);
   form_->addRow(tr("Radius"), radius_);
@@ -90,7 +90,7 @@ void InspectorPanel::makeForm() {
   form_->addRow(tr("Order"), order_);
   form_->addRow(tr("Parent"), parent_);
   form_->addRow(tr("Children"), children_);
-  form_->addRow(tr("Edge length"), length_);
+  form_->addRow(tr("Length"), length_);
   form_->addRow(tr("Position"), position_);
 }
 
@@ -132,7 +132,7 @@ void InspectorPanel::showNode(NodeId id) {
   edge_->setCurrentIndex(edge_->findData(QVariant::fromValue(node.edge)));
   edge_->setEnabled(node.parent.has_value());
   parent_->setEnabled(node.parent.has_value());
-  parent_->setText(node.parent ? tr("Node %1").arg(indexOf(*node.parent)) : tr("None: the root"));
+  parent_->setText(node.parent ? tr("Node %1").arg(indexOf(*node.parent)) : tr("root"));
   length_->setText(
       node.parent
           ? formatLength((node.position - skeleton[*node.parent].position).norm(), document_.unit())

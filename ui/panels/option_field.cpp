@@ -39,6 +39,7 @@ OptionField::OptionField(const Option& option, QGridLayout& grid, QWidget& paren
   slider_->setMinimumWidth(48);
   reset_->setText(QStringLiteral("↺"));
   reset_->setAutoRaise(true);
+  reset_->setFixedSize(20, 20);
   reset_->setToolTip(tr("Back to the default"));
   reset_->setAccessibleName(tr("Back to the default"));
   QSizePolicy keepsPlace = reset_->sizePolicy();
@@ -47,9 +48,9 @@ OptionField::OptionField(const Option& option, QGridLayout& grid, QWidget& paren
   label_->setBuddy(number_);
   const int row = grid.rowCount();
   grid.addWidget(label_, row, 0);
-  grid.addWidget(slider_, row, 1);
-  grid.addWidget(number_, row, 2);
-  grid.addWidget(reset_, row, 3);
+  grid.addWidget(reset_, row, 1, Qt::AlignRight);
+  grid.addWidget(slider_, row + 1, 0);
+  grid.addWidget(number_, row + 1, 1);
   connect(slider_, &QSlider::valueChanged, this, [this] { choose(valueAt(slider_->place())); });
   connect(slider_, &OptionSlider::defaultRequested, this, [this] { choose(std::nullopt); });
   connect(number_, &QDoubleSpinBox::valueChanged, this, [this](double typed) { choose(typed); });

@@ -16,13 +16,13 @@ namespace espalier {
 
 class OptionSlider;
 
-/// One option of a method as a row of a form: name, slider, number with unit, and the way back to
-/// the default. All of it is made from the option table.
+/// One option of a method in a form: name, slider, number with unit, and the way back to the
+/// default. All of it is made from the option table.
 class OptionField : public QObject {
   Q_OBJECT
 
 public:
-  /// Adds its widgets to the next row of `grid`.
+  /// Adds its widgets to the next rows of `grid`, which has two columns.
   OptionField(const Option& option, QGridLayout& grid, QWidget& parent);
 
   /// What the default and the range are, for this plant.

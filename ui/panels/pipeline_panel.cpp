@@ -18,7 +18,7 @@ PipelinePanel::PipelinePanel(PlantDocument& document, QWidget* parent)
   auto* page = new QWidget;
   page->setObjectName("pipeline_page");
   auto* list = new QVBoxLayout(page);
-  list->setContentsMargins(4, 0, 4, 8);
+  list->setContentsMargins(0, 0, 0, 8);
   list->setSpacing(0);
   int number = 0;
   for (const Step& step : pipelineSteps()) {
@@ -34,9 +34,9 @@ PipelinePanel::PipelinePanel(PlantDocument& document, QWidget* parent)
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* scan = new ScanForm(document, this);
-  scan->setContentsMargins(16, 12, 16, 12);
+  scan->setContentsMargins(12, 12, 12, 12);
   auto* foot = new QVBoxLayout;
-  foot->setContentsMargins(16, 8, 16, 12);
+  foot->setContentsMargins(12, 8, 12, 12);
   foot->addWidget(run_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);

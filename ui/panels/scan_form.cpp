@@ -6,7 +6,6 @@
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QLabel>
-#include <QLocale>
 
 namespace espalier {
 
@@ -42,7 +41,7 @@ void ScanForm::refresh() {
   const QString none = QStringLiteral("–");
   name_->setText(scan ? QFileInfo(document_.scanPath()).fileName() : none);
   name_->setToolTip(document_.scanPath());
-  points_->setText(scan ? QLocale().toString(static_cast<qlonglong>(scan->cloud()->size())) : none);
+  points_->setText(scan ? formatCount(std::size_t(scan->cloud()->size())) : none);
   if (!scan) {
     size_->setText(none);
     return;
@@ -50,7 +49,7 @@ void ScanForm::refresh() {
   const Eigen::Vector3d sides = scan->cloud()->bounds().sizes();
   const auto side = [&](int axis) { return formatLength(sides[axis], LengthUnit::unknown, 3); };
   size_->setText(
-      QStringLiteral("%1 × %2 × %3").arg(side(0), side(1), side(2)) +
+      QStringLiteral("%1×%2×%3").arg(side(0), side(1), side(2)) +
       (document_.unit() == LengthUnit::unknown ? QString() : " " + symbol(document_.unit())));
 }
 

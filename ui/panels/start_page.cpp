@@ -30,6 +30,7 @@ StartPage::StartPage(QWidget* parent)
     : QWidget(parent), icon_(new QLabel(this)), recent_(new QWidget(this)),
       files_(new QVBoxLayout(recent_)) {
   setObjectName("start_page");
+  setAttribute(Qt::WA_StyledBackground); // a plain widget paints no background of a style sheet
   icon_->setAlignment(Qt::AlignCenter);
   auto* open = new QPushButton(tr("Open…"), this);
   open->setObjectName("open_button");

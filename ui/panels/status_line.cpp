@@ -10,12 +10,12 @@
 namespace espalier {
 
 StatusLine::StatusLine(QWidget* parent)
-    : QWidget(parent), hint_(new QLabel(this)), job_(new QWidget(this)), jobName_(new QLabel(job_)),
+    : QWidget(parent), text_(new QLabel(this)), job_(new QWidget(this)), jobName_(new QLabel(job_)),
       bar_(new QProgressBar(job_)), timeLeft_(new QLabel(job_)), counts_(new QLabel(this)) {
   setObjectName("status_line");
-  hint_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // gives way to the job
-  hint_->setTextFormat(Qt::PlainText);
-  hint_->setObjectName("hint");
+  text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // gives way to the job
+  text_->setTextFormat(Qt::PlainText);
+  text_->setObjectName("hint");
   counts_->setObjectName("counts");
   bar_->setRange(0, 1000);
   bar_->setTextVisible(false);
@@ -32,25 +32,34 @@ StatusLine::StatusLine(QWidget* parent)
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(12, 2, 12, 2);
   row->setSpacing(24);
-  row->addWidget(hint_, 1);
+  row->addWidget(text_, 1);
   row->addWidget(job_);
   row->addWidget(counts_);
   setFixedHeight(32);
   job_->hide();
+  noteEnds_.setSingleShot(true);
+  noteEnds_.setInterval(5000);
+  connect(&noteEnds_, &QTimer::timeout, this, [this] { showNote({}); });
   connect(cancel, &QPushButton::clicked, this, &StatusLine::cancelRequested);
 }
 
 void StatusLine::setHint(const QString& text) {
-  hint_->setText(text);
-  hint_->setToolTip(text); // in full where the window is narrow
+  hint_ = text;
+  refreshText();
+}
+
+void StatusLine::showNote(const QString& text) {
+  note_ = text;
+  if (!text.isEmpty()) noteEnds_.start();
+  refreshText();
 }
 
 void StatusLine::setCounts(const QString& text) {
   counts_->setText(text);
 }
 
-QString StatusLine::hint() const {
-  return hint_->text();
+QString StatusLine::shownText() const {
+  return text_->text();
 }
 
 QString StatusLine::counts() const {
@@ -74,6 +83,12 @@ void StatusLine::showProgress(double fraction, const QString& stage) {
 
 void StatusLine::hideJob() {
   job_->hide();
+}
+
+void StatusLine::refreshText() {
+  const QString text = note_.isEmpty() ? hint_ : note_;
+  text_->setText(text);
+  text_->setToolTip(text); // in full where the window is narrow
 }
 
 } // namespace espalier

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QElapsedTimer>
+#include <QTimer>
 #include <QWidget>
 
 class QLabel;
@@ -17,8 +18,10 @@ public:
   explicit StatusLine(QWidget* parent = nullptr);
 
   void setHint(const QString& text);
-  void setCounts(const QString& text); // "147 989 pts · 1 204 nodes · mm"
-  [[nodiscard]] QString hint() const;
+  /// Shows `text` in place of the hint for as long as it takes to read it.
+  void showNote(const QString& text);
+  void setCounts(const QString& text);     // "147 989 pts · 1 204 nodes · mm"
+  [[nodiscard]] QString shownText() const; // the note or the hint
   [[nodiscard]] QString counts() const;
 
   void showJob(const QString& name);
@@ -29,7 +32,12 @@ signals:
   void cancelRequested();
 
 private:
-  QLabel* hint_;
+  void refreshText();
+
+  QLabel* text_;
+  QString hint_;
+  QString note_;
+  QTimer noteEnds_;
   QWidget* job_;
   QLabel* jobName_;
   QProgressBar* bar_;

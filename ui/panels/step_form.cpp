@@ -30,7 +30,7 @@ StepForm::StepForm(const Step& step, int number, QWidget* parent)
   }
   method_->setVisible(step.methods.size() > 1);
   method_->setAccessibleName(tr("Method of %1").arg(QString::fromStdString(step.label)));
-  column_->setContentsMargins(28, 4, 8, 12);
+  column_->setContentsMargins(28, 4, 12, 12);
   column_->setSpacing(8);
   column_->addWidget(method_);
   auto* grid = new QGridLayout(this);
@@ -85,15 +85,14 @@ void StepForm::showMethod() {
   auto* grid = new QGridLayout(options_);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setHorizontalSpacing(8);
-  grid->setVerticalSpacing(4);
-  grid->setColumnStretch(1, 1);
-  grid->setColumnMinimumWidth(0, 92); // one column of labels over all steps
+  grid->setVerticalSpacing(2);
+  grid->setColumnStretch(0, 1);
   const Method& method = step_.methods[static_cast<std::size_t>(method_->currentIndex())];
   auto* help = new QLabel(QString::fromStdString(method.help), options_);
   help->setWordWrap(true);
   help->setProperty("role", "quiet");
   if (!method.source.empty()) help->setToolTip(tr("Source: %1").arg(method.source.c_str()));
-  grid->addWidget(help, 0, 0, 1, 4);
+  grid->addWidget(help, 0, 0, 1, 2);
   for (const Option& option : method.options) {
     fields_.push_back(new OptionField(option, *grid, *options_));
     fields_.back()->setScale(scale_, unit_);

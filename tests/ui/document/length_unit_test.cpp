@@ -19,5 +19,12 @@ TEST(LengthUnit, FollowsANumberRoundedToItsSize) {
   EXPECT_EQ(formatLength(0, LengthUnit::unknown), "0");
 }
 
+TEST(FormatCount, GroupsDigitsInThrees) {
+  EXPECT_EQ(formatCount(7), "7");
+  EXPECT_EQ(formatCount(100), "100");
+  EXPECT_EQ(formatCount(147989), QString::fromUtf8("147\u202f989"));
+  EXPECT_EQ(formatCount(1234567), QString::fromUtf8("1\u202f234\u202f567"));
+}
+
 } // namespace
 } // namespace espalier

@@ -1,0 +1,62 @@
+#include "app/window/action_set.h"
+
+#include "app/window/icon.h"
+#include "core/base/error.h"
+
+#include <QAction>
+#include <QWidget>
+
+#include <utility>
+
+namespace espalier {
+
+ActionSet::ActionSet(QWidget& window) : QObject(&window), window_(window) {}
+
+QAction* ActionSet::add(const Command& command, std::function<void()> act) {
+  auto* action = new QAction(command.text, this);
+  action->setShortcut(command.keys);
+  action->setCheckable(command.isCheckable);
+  action->setStatusTip(command.help);
+  const QString keys = command.keys.toString(QKeySequence::NativeText);
+  const QString name = QString(command.text).remove('&').remove(QChar(0x2026));
+  action->setToolTip(QStringLiteral("<b>%1</b>%2<br>%3")
+                         .arg(name, keys.isEmpty() ? "" : "&nbsp;&nbsp; " + keys, command.help));
+  if (act)
+    connect(action, &QAction::triggered, this,
+            [this, refusal = command.refusal, act = std::move(act)] {
+              const auto done = [&] {
+                act();
+                return true;
+              };
+              guarded(done, refusal);
+            });
+  return adopt(command.id, action, command.icon);
+}
+
+QAction* ActionSet::adopt(const QString& id, QAction* action, const QString& icon) {
+  action->setObjectName(id);
+  action->setProperty("section", section_);
+  if (!icon.isEmpty()) action->setIcon(themedIcon(icon));
+  window_.addAction(action); // its keys work while no menu shows it
+  all_.append(action);
+  byId_.insert(id, action);
+  return action;
+}
+
+QAction* ActionSet::operator[](const QString& id) const {
+  Q_ASSERT(byId_.contains(id));
+  return byId_.value(id);
+}
+
+bool ActionSet::guarded(const std::function<bool()>& act, Refusal refusal, bool otherwise) {
+  try {
+    return act();
+  } catch (const Error& error) {
+    QString reason = QString::fromUtf8(error.what());
+    if (refusal == Refusal::atPointer && !reason.isEmpty()) reason[0] = reason[0].toUpper();
+    emit refused(reason, refusal);
+    return otherwise;
+  }
+}
+
+} // namespace espalier

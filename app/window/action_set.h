@@ -1,0 +1,60 @@
+#pragma once
+
+#include <QHash>
+#include <QKeySequence>
+#include <QList>
+#include <QObject>
+#include <QString>
+
+#include <functional>
+
+class QAction;
+class QWidget;
+
+namespace espalier {
+
+/// Where the reason is told if a command is refused: at the pointer for what one does there.
+enum class Refusal { inBanner, atPointer };
+
+/// A command of the window, as it is listed once for menu, toolbar, palette and shortcut sheet.
+struct Command {
+  QString id; // never translated: settings and tests know it by this
+  QString text;
+  QString help;      // one line
+  QString icon = {}; // name in resources/icons
+  QKeySequence keys = {};
+  bool isCheckable = false;
+  Refusal refusal = Refusal::inBanner;
+};
+
+/// All actions of the window, in sections. What an action throws as an Error is told as `refused`:
+/// this is where errors of commands are caught.
+class ActionSet : public QObject {
+  Q_OBJECT
+
+public:
+  explicit ActionSet(QWidget& window);
+
+  /// Begins a section; actions added from now on belong to it.
+  void beginSection(const QString& name) { section_ = name; }
+  QAction* add(const Command& command, std::function<void()> act);
+  /// Takes over an action that acts by itself.
+  QAction* adopt(const QString& id, QAction* action, const QString& icon = {});
+
+  [[nodiscard]] QAction* operator[](const QString& id) const; // pre: it was added
+  [[nodiscard]] const QList<QAction*>& all() const { return all_; }
+
+  /// Runs `act`, and tells an Error as `refused`. Returns what it returned, `otherwise` if refused.
+  bool guarded(const std::function<bool()>& act, Refusal refusal, bool otherwise = false);
+
+signals:
+  void refused(const QString& reason, espalier::Refusal where);
+
+private:
+  QWidget& window_;
+  QString section_;
+  QList<QAction*> all_;
+  QHash<QString, QAction*> byId_;
+};
+
+} // namespace espalier

@@ -1,0 +1,175 @@
+#include "app/window/editing.h"
+
+#include "app/window/action_set.h"
+#include "app/window/view_sync.h"
+#include "ui/tools/registry.h"
+#include "ui/view/plant_view.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QMenu>
+
+namespace espalier {
+
+Editing::Editing(PlantDocument& document, PlantView& view, ActionSet& actions, QObject* parent)
+    : QObject(parent), document_(document), view_(view), actions_(actions),
+      toolGroup_(new QActionGroup(this)) {
+  addTools();
+  addNodeEdits();
+  addNavigation();
+  view_.setInputHandler([this](const ToolInput& input) {
+    return actions_.guarded([&] { return handle(input); }, Refusal::atPointer, true);
+  });
+  connect(&document_, &PlantDocument::skeletonEdited, this, &Editing::refreshEnabled);
+  connect(&document_, &PlantDocument::skeletonReplaced, this, &Editing::refreshEnabled);
+  connect(&document_.selection(), &Selection::changed, this, &Editing::hintChanged);
+  refreshEnabled();
+}
+
+Editing::~Editing() {
+  view_.setInputHandler({});
+}
+
+void Editing::addTools() {
+  actions_.beginSection(tr("Tools"));
+  for (const ToolEntry& entry : tools()) {
+    std::unique_ptr<Tool> tool = entry.create(document_);
+    connect(tool.get(), &Tool::hintChanged, this, &Editing::hintChanged);
+    connect(tool.get(), &Tool::finished, this, [this] { useTool(toolBefore_); });
+    tools_.emplace(entry.id, std::move(tool));
+    QAction* action = actions_.add({.id = "tool_" + entry.id,
+                                    .text = entry.text,
+                                    .help = entry.help,
+                                    .icon = entry.icon,
+                                    .keys = entry.shortcut,
+                                    .isCheckable = true},
+                                   [this, id = entry.id] { useTool(id); });
+    toolGroup_->addAction(action);
+  }
+  useTool(tools().front().id);
+}
+
+void Editing::addNodeEdits() {
+  actions_.beginSection(tr("Skeleton"));
+  for (const NodeEdit& edit : nodeEdits())
+    edits_.append(actions_.add({.id = edit.id,
+                                .text = edit.text,
+                                .help = edit.help,
+                                .icon = edit.icon,
+                                .keys = edit.shortcut,
+                                .refusal = Refusal::atPointer},
+                               [this, apply = edit.apply] {
+                                 const NodeTarget meant = target();
+                                 if (!meant.nodes.empty() || meant.edge) apply(document_, meant);
+                               }));
+}
+
+void Editing::addNavigation() {
+  actions_.beginSection(tr("View"));
+  actions_.add({.id = "pivot",
+                .text = tr("Turn Around This"),
+                .help = tr("The place under the pointer stays in the middle"),
+                .icon = "pivot",
+                .keys = Qt::Key_R},
+               [this] {
+                 if (const auto place = placeUnder()) view_.setPivot(*place);
+               });
+  actions_.add({.id = "frame",
+                .text = tr("Frame Selection"),
+                .help = tr("The chosen nodes fill the view"),
+                .icon = "frame",
+                .keys = Qt::Key_F},
+               [this] { frameSelection(document_, view_); });
+}
+
+void Editing::setEnabled(bool isEnabled) {
+  if (!isEnabled && tool().isBusy()) tool().cancel();
+  isEnabled_ = isEnabled;
+  refreshEnabled();
+}
+
+QString Editing::hint() const {
+  return isEnabled_ ? tool().hint() : tr("Drag: turn   Right drag: pan   Wheel: zoom");
+}
+
+void Editing::useTool(const QString& id) {
+  if (!tool_.isEmpty() && id != tool_) {
+    if (tool_ != "reparent") toolBefore_ = tool_; // one does not come back to a tool that ends
+    const QString left = std::exchange(tool_, id);
+    if (tools_.at(left)->isBusy()) tools_.at(left)->cancel();
+  }
+  tool_ = id;
+  if (toolBefore_.isEmpty()) toolBefore_ = id;
+  if (const std::vector<NodeId> nodes = target().nodes; !nodes.empty()) tool().startWith(nodes);
+  actions_["tool_" + tool_]->setChecked(true);
+  emit hintChanged();
+}
+
+void Editing::undo() {
+  if (tool().isBusy())
+    tool().cancel();
+  else
+    document_.undoStack().undo();
+}
+
+void Editing::redo() {
+  if (!tool().isBusy()) document_.undoStack().redo();
+}
+
+void Editing::escape() {
+  if (tool().isBusy())
+    tool().cancel();
+  else if (tool_ != tools().front().id)
+    useTool(tools().front().id);
+  else
+    document_.selection().clear();
+}
+
+void Editing::fillContextMenu(QMenu& menu) const {
+  const NodeTarget meant = target();
+  if (!meant.nodes.empty()) {
+    QString title = nodeNames(meant.nodes);
+    title[0] = title[0].toUpper();
+    menu.addSection(title);
+    menu.addActions(edits_);
+    menu.insertAction(actions_["stick"], actions_["tool_reparent"]);
+    menu.insertSeparator(actions_["remove"]);
+    menu.addSeparator();
+  }
+  if (placeUnder()) menu.addAction(actions_["pivot"]);
+  menu.addAction(actions_["frame"]);
+}
+
+bool Editing::handle(const ToolInput& input) {
+  under_ = input.pick;
+  viewDirection_ = input.viewDirection;
+  if (input.phase == ToolInput::Phase::hover) view_.setHovered(isEnabled_ ? input.pick : Pick{});
+  if (!isEnabled_) return false;
+  if (input.phase == ToolInput::Phase::release && input.button == Qt::RightButton) {
+    emit contextMenuRequested(view_.mapToGlobal(input.screen.toPoint()));
+    return true;
+  }
+  return tool().handle(input);
+}
+
+void Editing::refreshEnabled() {
+  const bool canEdit = isEnabled_ && !document_.skeleton().isEmpty();
+  for (QAction* edit : edits_)
+    edit->setEnabled(canEdit);
+  for (QAction* tool : toolGroup_->actions())
+    tool->setEnabled(isEnabled_);
+  emit hintChanged();
+}
+
+NodeTarget Editing::target() const {
+  return targetOf(document_, under_, viewDirection_);
+}
+
+std::optional<Eigen::Vector3d> Editing::placeUnder() const {
+  if (under_.node && document_.skeleton().contains(*under_.node))
+    return document_.skeleton()[*under_.node].position;
+  if (under_.edge) return under_.edge->position;
+  return under_.point;
+}
+
+} // namespace espalier

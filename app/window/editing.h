@@ -1,0 +1,71 @@
+#pragma once
+
+#include "ui/tools/node_edits.h"
+#include "ui/tools/tool.h"
+
+#include <QList>
+#include <QObject>
+
+#include <map>
+#include <memory>
+#include <optional>
+
+class QAction;
+class QActionGroup;
+class QMenu;
+
+namespace espalier {
+
+class ActionSet;
+class PlantView;
+
+/// Joins tools, keys and the 3D view: decides which tool hears the mouse, and what a key means.
+class Editing : public QObject {
+  Q_OBJECT
+
+public:
+  Editing(PlantDocument& document, PlantView& view, ActionSet& actions, QObject* parent);
+  ~Editing() override;
+
+  /// While off, the mouse only moves the camera, and no key edits.
+  void setEnabled(bool isEnabled);
+
+  /// What the mouse will do now.
+  [[nodiscard]] QString hint() const;
+  [[nodiscard]] QString currentTool() const { return tool_; } // its id
+  void useTool(const QString& id);
+
+  void undo(); // in mid-gesture: leaves the gesture
+  void redo();
+  void escape(); // leaves the gesture, else the tool, else the selection
+
+  void fillContextMenu(QMenu& menu) const;
+
+signals:
+  void hintChanged();
+  void contextMenuRequested(const QPoint& globalPosition);
+
+private:
+  void addTools();
+  void addNodeEdits();
+  void addNavigation();
+  bool handle(const ToolInput& input);
+  void refreshEnabled();
+  [[nodiscard]] NodeTarget target() const;
+  [[nodiscard]] std::optional<Eigen::Vector3d> placeUnder() const;
+  [[nodiscard]] Tool& tool() const { return *tools_.at(tool_); }
+
+  PlantDocument& document_;
+  PlantView& view_;
+  ActionSet& actions_;
+  std::map<QString, std::unique_ptr<Tool>> tools_; // by id
+  QString tool_;
+  QString toolBefore_;
+  QActionGroup* toolGroup_;
+  QList<QAction*> edits_; // off while there is no skeleton
+  bool isEnabled_ = true;
+  Pick under_;
+  Eigen::Vector3d viewDirection_ = Eigen::Vector3d::UnitY();
+};
+
+} // namespace espalier

@@ -1,0 +1,166 @@
+#include "app/window/file_flow.h"
+
+#include "app/window/recent_files.h"
+#include "core/base/error.h"
+#include "core/io/formats.h"
+#include "ui/document/plant_document.h"
+#include "ui/jobs/job_runner.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSettings>
+
+#include <utility>
+
+namespace espalier {
+namespace {
+
+const QString folderKey = QStringLiteral("last_folder");
+
+QString patternsOf(const Format& format) {
+  QStringList patterns;
+  for (const std::string_view extension : format.extensions)
+    patterns.append("*." + QString::fromUtf8(extension.data(), qsizetype(extension.size())));
+  return patterns.join(' ');
+}
+
+QString filterOf(const Format& format) {
+  return QString::fromUtf8(format.description.data(), qsizetype(format.description.size())) + " (" +
+         patternsOf(format) + ")";
+}
+
+QString readableFilters() {
+  QStringList filters;
+  QStringList all;
+  for (const Format& format : formats()) {
+    all.append(patternsOf(format));
+    filters.append(filterOf(format));
+  }
+  filters.prepend(FileFlow::tr("Scans and skeletons (%1)").arg(all.join(' ')));
+  filters.append(FileFlow::tr("All files (*)"));
+  return filters.join(";;");
+}
+
+QString writableFilters() {
+  QStringList filters;
+  for (const Format& format : formats())
+    if (format.writeStructure != nullptr) filters.append(filterOf(format));
+  return filters.join(";;");
+}
+
+bool canBeSavedTo(const QString& path) {
+  if (path.isEmpty()) return false;
+  try {
+    return formatToWrite(toPath(path), Content::structure).canWrite();
+  } catch (const Error&) { // read from a format that is only read: another name is asked for
+    return false;
+  }
+}
+
+QString proposedPath(const PlantDocument& document, const QString& folder) {
+  if (!document.filePath().isEmpty()) return document.filePath();
+  const QFileInfo scan(document.scanPath());
+  if (scan.fileName().isEmpty()) return folder + "/plant.mtg";
+  return scan.path() + "/" + scan.completeBaseName() + ".mtg";
+}
+
+} // namespace
+
+FileFlow::FileFlow(const Parts& parts) : parts_(parts) {}
+
+void FileFlow::chooseAndOpen() {
+  const QStringList paths =
+      QFileDialog::getOpenFileNames(&parts_.window, tr("Open a scan or a skeleton"),
+                                    parts_.settings.value(folderKey).toString(), readableFilters());
+  if (!paths.isEmpty()) open(paths);
+}
+
+void FileFlow::open(const QStringList& paths) {
+  if (parts_.jobs.isRunning())
+    throw Error(
+        tr("%1 is still running: wait for it, or cancel it").arg(parts_.jobs.name()).toStdString());
+  bool hasScan = false;
+  bool hasStructure = false;
+  for (const QString& path : paths)
+    (formatOf(toPath(path)).content == Content::points ? hasScan : hasStructure) = true;
+  const bool isAnotherPlant = hasScan && parts_.document.scan() != nullptr;
+  if ((isAnotherPlant || hasStructure) && !mayDiscard()) return;
+  parts_.settings.setValue(folderKey, QFileInfo(paths.front()).absolutePath());
+  const QString name = QFileInfo(paths.front()).fileName();
+  parts_.jobs.start(
+      tr("Reading %1").arg(name),
+      [paths](const Progress& progress) { return loadFiles(paths, progress); },
+      [this, isAnotherPlant](LoadedFiles loaded) { show(std::move(loaded), isAnotherPlant); });
+}
+
+bool FileFlow::save() {
+  const QString path = parts_.document.filePath();
+  if (!canBeSavedTo(path)) return saveAs();
+  writeTo(path);
+  return true;
+}
+
+bool FileFlow::saveAs() {
+  const QString folder = parts_.settings.value(folderKey).toString();
+  QFileDialog dialog(&parts_.window, tr("Save the skeleton"), {}, writableFilters());
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setDefaultSuffix("mtg");
+  const QFileInfo proposed(proposedPath(parts_.document, folder));
+  dialog.setDirectory(proposed.absolutePath());
+  dialog.selectFile(proposed.fileName());
+  if (dialog.exec() != QDialog::Accepted) return false;
+  writeTo(dialog.selectedFiles().front());
+  return true;
+}
+
+bool FileFlow::mayDiscard() {
+  if (!parts_.document.isModified()) return true;
+  QMessageBox box(QMessageBox::NoIcon, tr("Unsaved edits"),
+                  tr("<b>Save the edits to this skeleton?</b>"), QMessageBox::NoButton,
+                  &parts_.window);
+  box.setInformativeText(tr("They are lost otherwise."));
+  QPushButton* save = box.addButton(tr("Save"), QMessageBox::AcceptRole);
+  QPushButton* discard = box.addButton(tr("Discard"), QMessageBox::DestructiveRole);
+  QPushButton* keep = box.addButton(tr("Keep editing"), QMessageBox::RejectRole);
+  box.setDefaultButton(save);
+  box.setEscapeButton(keep);
+  box.exec();
+  if (box.clickedButton() == save) return this->save();
+  return box.clickedButton() == discard;
+}
+
+void FileFlow::show(LoadedFiles loaded, bool isAnotherPlant) {
+  PlantDocument& document = parts_.document;
+  if (isAnotherPlant) document.clear();
+  if (loaded.scan) {
+    document.setUnit(likelyUnit(loaded.scan->cloud()->bounds().sizes().maxCoeff()));
+    document.setScan(std::move(loaded.scan), loaded.scanPath);
+    parts_.recent.add(loaded.scanPath);
+  }
+  if (loaded.skeleton) {
+    document.openSkeleton(std::move(*loaded.skeleton), loaded.skeletonPath);
+    parts_.recent.add(loaded.skeletonPath);
+    copied_.clear();
+  }
+  emit opened();
+  if (!loaded.notes.isEmpty()) emit noted(loaded.notes.join('\n'));
+}
+
+void FileFlow::writeTo(const QString& path) {
+  // A file of others may hold more than a skeleton: what it held before is kept once, beside it.
+  const bool isOfOthers = path == parts_.document.filePath() && path != copied_;
+  if (isOfOthers && QFileInfo(path).isFile()) {
+    std::error_code ignored; // the folder may allow no second file; saving is what was asked for
+    std::filesystem::copy_file(toPath(path), toPath(path + "~"),
+                               std::filesystem::copy_options::overwrite_existing, ignored);
+  }
+  writeStructure(toPath(path), parts_.document.skeleton());
+  copied_ = path;
+  parts_.document.markSaved(path);
+  parts_.recent.add(path);
+  emit saved(path);
+}
+
+} // namespace espalier

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "app/window/load_files.h"
+
+#include <QObject>
+#include <QStringList>
+
+class QSettings;
+class QWidget;
+
+namespace espalier {
+
+class JobRunner;
+class PlantDocument;
+class RecentFiles;
+
+/// Opening and saving: the dialogs, the jobs, and the question before unsaved work is lost.
+class FileFlow : public QObject {
+  Q_OBJECT
+
+public:
+  /// What it works with; all must outlive it.
+  struct Parts {
+    PlantDocument& document;
+    JobRunner& jobs;
+    RecentFiles& recent;
+    QSettings& settings;
+    QWidget& window;
+  };
+  explicit FileFlow(const Parts& parts);
+
+  void chooseAndOpen();
+
+  /// A structure replaces the skeleton; a scan comes under a skeleton that has none, else it begins
+  /// another plant.
+  /// @throws Error if a file cannot be read or a job is running; reading goes on as a job
+  void open(const QStringList& paths);
+
+  /// Each returns whether the skeleton is saved now; the user may have left the dialog.
+  /// @throws Error why it cannot be written
+  bool save();
+  bool saveAs();
+
+  /// Asks what to do with unsaved edits, if there are any. False: keep editing.
+  /// @throws Error if they are to be saved and cannot be
+  [[nodiscard]] bool mayDiscard();
+
+signals:
+  void opened();
+  void noted(const QString& message); // of how a file was read
+  void saved(const QString& path);
+
+private:
+  void show(LoadedFiles loaded, bool isAnotherPlant);
+  void writeTo(const QString& path);
+
+  Parts parts_;
+  QString copied_; // the file of others that a copy was kept of
+};
+
+} // namespace espalier

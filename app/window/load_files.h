@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/skeleton/skeleton.h"
+#include "ui/document/length_unit.h"
+#include "ui/document/scan.h"
+
+#include <QString>
+#include <QStringList>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+namespace espalier {
+
+/// What a set of files holds: at most one scan and one structure.
+struct LoadedFiles {
+  std::unique_ptr<const Scan> scan; // null: none
+  QString scanPath;
+  std::optional<Skeleton> skeleton;
+  QString skeletonPath;
+  QStringList notes; // what their user should know of how they were read
+};
+
+/// Reads the files, each for what its content shows.
+/// @throws Error     which file, where in it, what is wrong; or if there are two of a kind
+/// @throws Cancelled if `progress` asks to stop
+[[nodiscard]] LoadedFiles loadFiles(const QStringList& paths, const Progress& progress = {});
+
+/// The unit that makes a plant of this extent [L] between a hand and a tall tree high.
+[[nodiscard]] LengthUnit likelyUnit(double extent);
+
+/// The path of a QString, for core.
+[[nodiscard]] std::filesystem::path toPath(const QString& path);
+
+} // namespace espalier

@@ -1,0 +1,302 @@
+#include "app/window/main_window.h"
+
+#include "app/window/action_set.h"
+#include "app/window/editing.h"
+#include "app/window/file_flow.h"
+#include "app/window/icon.h"
+#include "app/window/recent_files.h"
+#include "app/window/reconstruct_flow.h"
+#include "app/window/view_options.h"
+#include "app/window/view_sync.h"
+#include "ui/panels/inspector_panel.h"
+#include "ui/panels/message_banner.h"
+#include "ui/panels/pipeline_panel.h"
+#include "ui/panels/start_page.h"
+#include "ui/panels/status_line.h"
+#include "ui/view/plant_view.h"
+
+#include <QAction>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMimeData>
+#include <QSettings>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QToolTip>
+#include <QVBoxLayout>
+
+/// Icons and style live in a static library, which the linker else leaves out. Not in a namespace,
+/// as the macro asks.
+static void useResources() {
+  Q_INIT_RESOURCE(icons);
+  Q_INIT_RESOURCE(style);
+}
+
+namespace espalier {
+namespace {
+
+QStringList localFiles(const QMimeData& data) {
+  QStringList paths;
+  for (const QUrl& url : data.urls())
+    if (url.isLocalFile()) paths.append(url.toLocalFile());
+  return paths;
+}
+
+} // namespace
+
+MainWindow::MainWindow(QSettings& settings, QWidget* parent)
+    : QMainWindow(parent), settings_(settings), recent_(std::make_unique<RecentFiles>(settings)),
+      actions_(std::make_unique<ActionSet>(*this)), status_(new StatusLine) {
+  useResources();
+  setObjectName("main_window");
+  setWindowIcon(programIcon());
+  setAcceptDrops(true);
+  setMinimumSize(960, 600);
+  resize(1280, 800);
+  makeCenter();
+  makeDocks();
+  statusBar()->addPermanentWidget(status_, 1);
+  statusBar()->setSizeGripEnabled(false);
+
+  sync_ = std::make_unique<ViewSync>(document_, *view_);
+  files_ =
+      std::make_unique<FileFlow>(FileFlow::Parts{document_, jobs_, *recent_, settings_, *this});
+  reconstruct_ = std::make_unique<ReconstructFlow>(document_, jobs_, nullptr);
+  addActions();
+  fillMenus();
+  fillToolBar();
+  connectJobs();
+  connectDocument();
+  useTheme(themeNamed(settings_.value("theme").toString()));
+  restoreGeometry(settings_.value("window/geometry").toByteArray());
+  restoreState(settings_.value("window/state").toByteArray());
+  refreshEmptiness();
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::open(const QStringList& paths) {
+  actions_->guarded(
+      [&] {
+        files_->open(paths);
+        return true;
+      },
+      Refusal::inBanner);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  const bool mayClose =
+      actions_->guarded([this] { return files_->mayDiscard(); }, Refusal::inBanner);
+  if (!mayClose) {
+    event->ignore();
+    return;
+  }
+  jobs_.cancel();
+  settings_.setValue("window/geometry", saveGeometry());
+  settings_.setValue("window/state", saveState());
+  event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (!localFiles(*event->mimeData()).isEmpty()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  event->acceptProposedAction();
+  open(localFiles(*event->mimeData()));
+}
+
+bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Close) {
+    if (watched == pipelineDock_) (*actions_)["show_pipeline"]->setChecked(false);
+    if (watched == inspectorDock_) (*actions_)["show_inspector"]->setChecked(false);
+  }
+  return QMainWindow::eventFilter(watched, event);
+}
+
+void MainWindow::makeCenter() {
+  auto* page = new QWidget(this);
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  banner_ = new MessageBanner(page);
+  center_ = new QStackedWidget(page);
+  start_ = new StartPage(center_);
+  view_ = new PlantView(center_);
+  start_->setIcon(programIcon());
+  center_->addWidget(start_);
+  center_->addWidget(view_);
+  column->addWidget(banner_);
+  column->addWidget(center_, 1);
+  setCentralWidget(page);
+}
+
+void MainWindow::makeDocks() {
+  pipeline_ = new PipelinePanel(document_);
+  inspector_ = new InspectorPanel(document_);
+  const auto add = [this](const QString& name, const QString& title, QWidget* panel, int width,
+                          Qt::DockWidgetArea area) {
+    auto* dock = new QDockWidget(title, this);
+    dock->setObjectName(name);
+    dock->setWidget(panel);
+    dock->installEventFilter(this);
+    addDockWidget(area, dock);
+    resizeDocks({dock}, {width}, Qt::Horizontal);
+    return dock;
+  };
+  pipelineDock_ = add("pipeline", tr("Pipeline"), pipeline_, 248, Qt::LeftDockWidgetArea);
+  inspectorDock_ = add("inspector", tr("Inspector"), inspector_, 176, Qt::RightDockWidgetArea);
+}
+
+void MainWindow::connectJobs() {
+  connect(&jobs_, &JobRunner::started, this, [this] {
+    status_->showJob(jobs_.name());
+    editing_->setEnabled(false); // what a job will replace is not to be edited meanwhile
+    pipeline_->setRunnable(false);
+    (*actions_)["reconstruct"]->setEnabled(false);
+  });
+  connect(&jobs_, &JobRunner::progressed, this, [this](double fraction, const QString& stage) {
+    status_->showProgress(fraction, stage);
+    if (reconstruct_->isRunning()) pipeline_->showRunning(stage);
+  });
+  connect(&jobs_, &JobRunner::failed, this, [this](const QString& message) {
+    banner_->showError(message);
+    pipeline_->showIdle();
+  });
+  connect(&jobs_, &JobRunner::finished, this, [this] {
+    status_->hideJob();
+    editing_->setEnabled(true);
+    if (jobs_.isCanceled()) pipeline_->showIdle();
+    refreshEmptiness();
+  });
+  connect(status_, &StatusLine::cancelRequested, &jobs_, &JobRunner::cancel);
+  connect(reconstruct_.get(), &ReconstructFlow::done, this, [this](const QString& message) {
+    pipeline_->showDone();
+    banner_->showResult(message, tr("Undo"), [this] { editing_->undo(); });
+  });
+  connect(files_.get(), &FileFlow::opened, this, [this] {
+    banner_->hide();
+    const auto* scan = document_.scan();
+    options_->setAvailable(scan != nullptr && !scan->cloud()->intensities().empty(),
+                           scan != nullptr && !scan->cloud()->colors().empty());
+    refreshEmptiness();
+    view_->frameAll();
+  });
+  connect(files_.get(), &FileFlow::noted, this,
+          [this](const QString& message) { banner_->showResult(message); });
+  connect(files_.get(), &FileFlow::saved, this, [this](const QString& path) {
+    status_->showNote(tr("Saved %1").arg(QFileInfo(path).fileName()));
+  });
+}
+
+void MainWindow::connectDocument() {
+  for (auto signal : {&PlantDocument::titleChanged, &PlantDocument::scanChanged})
+    connect(&document_, signal, this, &MainWindow::refreshTitle);
+  for (auto signal :
+       {&PlantDocument::scanChanged, &PlantDocument::skeletonReplaced, &PlantDocument::unitChanged})
+    connect(&document_, signal, this, &MainWindow::refreshCounts);
+  connect(&document_, &PlantDocument::skeletonEdited, this, &MainWindow::refreshCounts);
+  connect(&document_.undoStack(), &QUndoStack::indexChanged, banner_, [this] {
+    if (!banner_->isError()) banner_->hide(); // it told of the step before
+  });
+  connect(editing_.get(), &Editing::hintChanged, this, &MainWindow::refreshHint);
+  connect(editing_.get(), &Editing::contextMenuRequested, this, &MainWindow::showContextMenu);
+  connect(actions_.get(), &ActionSet::refused, this, &MainWindow::showRefusal);
+  connect(start_, &StartPage::openRequested, (*actions_)["open"], &QAction::trigger);
+  connect(start_, &StartPage::fileChosen, this, [this](const QString& path) { open({path}); });
+  connect(recent_.get(), &RecentFiles::changed, this,
+          [this] { start_->setRecentFiles(recent_->paths()); });
+  connect(pipeline_, &PipelinePanel::reconstructRequested, (*actions_)["reconstruct"],
+          &QAction::trigger);
+  connect(inspector_, &InspectorPanel::radiusTyped, this,
+          [this](double radius) { setRadius(document_, document_.selection().nodes(), radius); });
+  connect(inspector_, &InspectorPanel::edgeChosen, this, [this](EdgeType type) {
+    (*actions_)[type == EdgeType::successor ? "make_axial" : "make_branching"]->trigger();
+  });
+  connect(inspector_, &InspectorPanel::nodeChosen, this,
+          [this](NodeId id) { document_.selection().set({id}); });
+  start_->setRecentFiles(recent_->paths());
+}
+
+void MainWindow::refreshDocks() {
+  const bool hasPlant = center_->currentWidget() == view_; // panels that do not apply are absent
+  pipelineDock_->setVisible(hasPlant && (*actions_)["show_pipeline"]->isChecked());
+  inspectorDock_->setVisible(hasPlant && (*actions_)["show_inspector"]->isChecked());
+}
+
+void MainWindow::refreshTitle() {
+  const QString path = document_.filePath().isEmpty() ? document_.scanPath() : document_.filePath();
+  setWindowFilePath(path);
+  setWindowTitle(path.isEmpty() ? QStringLiteral("Espalier")
+                                : QFileInfo(path).fileName() + "[*] – Espalier");
+  setWindowModified(document_.isModified());
+}
+
+void MainWindow::refreshCounts() {
+  QStringList parts;
+  if (document_.scan() != nullptr)
+    parts.append(tr("%1 pts").arg(formatCount(std::size_t(document_.scan()->cloud()->size()))));
+  if (!document_.skeleton().isEmpty())
+    parts.append(tr("%1 nodes").arg(formatCount(document_.skeleton().size())));
+  if (document_.unit() != LengthUnit::unknown) parts.append(symbol(document_.unit()));
+  status_->setCounts(parts.join(QStringLiteral(" · ")));
+}
+
+void MainWindow::refreshHint() {
+  status_->setHint(document_.isEmpty() ? tr("Open a scan, or drop one here") : editing_->hint());
+}
+
+void MainWindow::refreshEmptiness() {
+  const bool isEmpty = document_.isEmpty() && !document_.undoStack().canUndo();
+  center_->setCurrentWidget(isEmpty ? static_cast<QWidget*>(start_) : view_);
+  const bool canRun = document_.scan() != nullptr && !jobs_.isRunning();
+  pipeline_->setRunnable(canRun);
+  (*actions_)["reconstruct"]->setEnabled(canRun);
+  (*actions_)["save_as"]->setEnabled(!document_.skeleton().isEmpty());
+  (*actions_)["save"]->setEnabled(!document_.skeleton().isEmpty());
+  refreshDocks();
+  refreshTitle();
+  refreshCounts();
+  refreshHint();
+}
+
+void MainWindow::reconstruct() {
+  reconstruct_->start(pipeline_->options());
+}
+
+void MainWindow::useTheme(Theme theme) {
+  settings_.setValue("theme", nameOf(theme));
+  view_->setDark(applyTheme(theme));
+  (*actions_)["theme_" + nameOf(theme)]->setChecked(true);
+}
+
+void MainWindow::resetLayout() {
+  for (const char* id : {"show_pipeline", "show_inspector"})
+    (*actions_)[id]->setChecked(true);
+  for (QDockWidget* dock : {pipelineDock_, inspectorDock_})
+    dock->setFloating(false);
+  addDockWidget(Qt::LeftDockWidgetArea, pipelineDock_);
+  addDockWidget(Qt::RightDockWidgetArea, inspectorDock_);
+  resizeDocks({pipelineDock_, inspectorDock_}, {248, 176}, Qt::Horizontal);
+  refreshDocks();
+}
+
+void MainWindow::showRefusal(const QString& reason, Refusal where) {
+  if (where == Refusal::inBanner) {
+    banner_->showError(reason);
+    return;
+  }
+  constexpr int reading = 6000; // ms
+  QToolTip::showText(QCursor::pos() + QPoint(8, 8), reason, view_, view_->rect(), reading);
+  status_->showNote(reason);
+}
+
+void MainWindow::showContextMenu(const QPoint& globalPosition) {
+  QMenu menu(this);
+  editing_->fillContextMenu(menu);
+  menu.exec(globalPosition);
+}
+
+} // namespace espalier

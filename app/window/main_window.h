@@ -1,0 +1,105 @@
+#pragma once
+
+#include "app/window/theme.h"
+#include "ui/document/plant_document.h"
+#include "ui/jobs/job_runner.h"
+
+#include <QMainWindow>
+
+#include <memory>
+
+class QDockWidget;
+class QSettings;
+class QStackedWidget;
+
+namespace espalier {
+
+enum class Refusal;
+class ActionSet;
+class Editing;
+class FileFlow;
+class InspectorPanel;
+class MessageBanner;
+class PipelinePanel;
+class PlantView;
+class RecentFiles;
+class ReconstructFlow;
+class StartPage;
+class StatusLine;
+class ViewOptions;
+class ViewSync;
+
+/// The window: joins document, view, panels and actions, and decides nothing itself.
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+public:
+  /// @param settings must outlive the window
+  explicit MainWindow(QSettings& settings, QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  /// Opens files as if they had been dropped here.
+  void open(const QStringList& paths);
+
+  [[nodiscard]] PlantDocument& document() { return document_; }
+  [[nodiscard]] JobRunner& jobs() { return jobs_; }
+  [[nodiscard]] PlantView& view() { return *view_; }
+  [[nodiscard]] const ActionSet& actionSet() const { return *actions_; }
+  [[nodiscard]] const MessageBanner& banner() const { return *banner_; }
+  [[nodiscard]] const StatusLine& statusLine() const { return *status_; }
+
+protected:
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override; // docks closed by their button
+
+private:
+  void addActions();      // main_window_actions.cpp
+  void addFileActions();  // likewise
+  void addEditActions();  // likewise
+  void addPanelActions(); // likewise
+  void addHelpActions();  // likewise
+  void addThemeActions(); // likewise
+  void fillMenus();       // menus.cpp
+  void fillViewMenu();    // likewise
+  void fillToolBar();     // likewise
+  void makeCenter();
+  void makeDocks();
+  void connectJobs();
+  void connectDocument();
+  void refreshDocks();
+  void refreshTitle();
+  void refreshCounts();
+  void refreshHint();
+  void refreshEmptiness();
+  void reconstruct();
+  void useTheme(Theme theme);
+  void resetLayout();
+  void showRefusal(const QString& reason, Refusal where);
+  void showContextMenu(const QPoint& globalPosition);
+
+  QSettings& settings_;
+  PlantDocument document_;
+  JobRunner jobs_;
+  std::unique_ptr<RecentFiles> recent_;
+  std::unique_ptr<ActionSet> actions_;
+
+  PlantView* view_;
+  StartPage* start_;
+  QStackedWidget* center_;
+  MessageBanner* banner_;
+  StatusLine* status_;
+  PipelinePanel* pipeline_;
+  InspectorPanel* inspector_;
+  QDockWidget* pipelineDock_;
+  QDockWidget* inspectorDock_;
+
+  std::unique_ptr<ViewSync> sync_;
+  std::unique_ptr<Editing> editing_;
+  std::unique_ptr<ViewOptions> options_;
+  std::unique_ptr<FileFlow> files_;
+  std::unique_ptr<ReconstructFlow> reconstruct_;
+};
+
+} // namespace espalier

@@ -1,0 +1,173 @@
+#include "app/window/action_set.h"
+#include "app/window/editing.h"
+#include "app/window/file_flow.h"
+#include "app/window/main_window.h"
+#include "app/window/view_options.h"
+#include "ui/dialogs/command_palette.h"
+#include "ui/dialogs/shortcut_sheet.h"
+#include "ui/view/plant_view.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QMessageBox>
+#include <QSettings>
+
+namespace espalier {
+
+void MainWindow::addActions() {
+  addFileActions();
+  addEditActions();
+  editing_ = std::make_unique<Editing>(document_, *view_, *actions_, nullptr);
+  options_ = std::make_unique<ViewOptions>(*view_, *actions_, settings_, nullptr);
+  addPanelActions();
+  addThemeActions();
+  addHelpActions();
+}
+
+void MainWindow::addFileActions() {
+  actions_->beginSection(tr("File"));
+  actions_->add({.id = "open",
+                 .text = tr("&Open…"),
+                 .help = tr("Opens a scan, or a skeleton over it"),
+                 .icon = "open",
+                 .keys = QKeySequence::Open},
+                [this] { files_->chooseAndOpen(); });
+  actions_->add({.id = "save",
+                 .text = tr("&Save"),
+                 .help = tr("Saves the skeleton"),
+                 .icon = "save",
+                 .keys = QKeySequence::Save},
+                [this] { files_->save(); });
+  actions_->add({.id = "save_as",
+                 .text = tr("Save &As…"),
+                 .help = tr("Saves the skeleton under another name"),
+                 .icon = "save_as",
+                 .keys = QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S)},
+                [this] { files_->saveAs(); });
+  actions_->add({.id = "close_plant",
+                 .text = tr("&Close Plant"),
+                 .help = tr("Puts scan and skeleton away"),
+                 .keys = QKeySequence(Qt::CTRL | Qt::Key_W)},
+                [this] {
+                  if (jobs_.isRunning()) jobs_.cancel();
+                  if (!files_->mayDiscard()) return;
+                  document_.clear();
+                  refreshEmptiness();
+                });
+  actions_->add({.id = "quit",
+                 .text = tr("&Quit"),
+                 .help = tr("Leaves the program"),
+                 .keys = QKeySequence(Qt::CTRL | Qt::Key_Q)},
+                [this] { close(); });
+}
+
+void MainWindow::addEditActions() {
+  actions_->beginSection(tr("Edit"));
+  QUndoStack& stack = document_.undoStack();
+  QAction* undo = actions_->add({.id = "undo",
+                                 .text = tr("&Undo"),
+                                 .help = tr("Takes the last edit back"),
+                                 .icon = "undo",
+                                 .keys = QKeySequence(Qt::CTRL | Qt::Key_Z)},
+                                [this] { editing_->undo(); });
+  QAction* redo = actions_->add({.id = "redo",
+                                 .text = tr("&Redo"),
+                                 .help = tr("Makes the edit again"),
+                                 .icon = "redo",
+                                 .keys = QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z)},
+                                [this] { editing_->redo(); });
+  redo->setShortcuts({redo->shortcut(), QKeySequence(Qt::CTRL | Qt::Key_Y)});
+  undo->setEnabled(false);
+  redo->setEnabled(false);
+  connect(&stack, &QUndoStack::canUndoChanged, undo, &QAction::setEnabled);
+  connect(&stack, &QUndoStack::canRedoChanged, redo, &QAction::setEnabled);
+  connect(&stack, &QUndoStack::undoTextChanged, undo, [undo](const QString& step) {
+    undo->setText(step.isEmpty() ? tr("&Undo") : tr("&Undo: %1").arg(step));
+    undo->setToolTip(undo->text().remove('&') + " (Ctrl+Z)");
+  });
+  connect(&stack, &QUndoStack::redoTextChanged, redo, [redo](const QString& step) {
+    redo->setText(step.isEmpty() ? tr("&Redo") : tr("&Redo: %1").arg(step));
+    redo->setToolTip(redo->text().remove('&') + " (Ctrl+Shift+Z)");
+  });
+  actions_->add({.id = "select_all",
+                 .text = tr("Select &All"),
+                 .help = tr("Selects all nodes"),
+                 .keys = QKeySequence::SelectAll},
+                [this] { document_.selection().set(document_.skeleton().ids()); });
+  actions_->add({.id = "leave",
+                 .text = tr("Leave"),
+                 .help = tr("Leaves the gesture, the tool, or the selection"),
+                 .keys = Qt::Key_Escape},
+                [this] { editing_->escape(); });
+  actions_->add({.id = "reconstruct",
+                 .text = tr("Re&construct"),
+                 .help = tr("Makes the skeleton from the scan"),
+                 .icon = "reconstruct",
+                 .keys = QKeySequence(Qt::CTRL | Qt::Key_R)},
+                [this] { reconstruct(); });
+}
+
+void MainWindow::addPanelActions() {
+  const auto add = [this](const QString& id, const QString& text, Qt::Key key) {
+    QAction* action = actions_->add({.id = id,
+                                     .text = text,
+                                     .help = tr("Shows or hides this panel"),
+                                     .keys = QKeySequence(key),
+                                     .isCheckable = true},
+                                    {});
+    action->setChecked(settings_.value("panels/" + id, true).toBool());
+    connect(action, &QAction::toggled, this, [this, id](bool isShown) {
+      settings_.setValue("panels/" + id, isShown);
+      refreshDocks();
+    });
+  };
+  add("show_pipeline", tr("Pipeline"), Qt::Key_F6);
+  add("show_inspector", tr("Inspector"), Qt::Key_F7);
+  actions_->add({.id = "reset_layout",
+                 .text = tr("Reset Layout"),
+                 .help = tr("Puts all panels back in their places")},
+                [this] { resetLayout(); });
+}
+
+void MainWindow::addThemeActions() {
+  auto* group = new QActionGroup(this);
+  const auto add = [&](Theme theme, const QString& text, const QString& icon) {
+    group->addAction(actions_->add({.id = "theme_" + nameOf(theme),
+                                    .text = text,
+                                    .help = tr("Changes the colors of the window"),
+                                    .icon = icon,
+                                    .isCheckable = true},
+                                   [this, theme] { useTheme(theme); }));
+  };
+  add(Theme::system, tr("As the System"), {});
+  add(Theme::light, tr("Light"), "light");
+  add(Theme::dark, tr("Dark"), "dark");
+}
+
+void MainWindow::addHelpActions() {
+  actions_->beginSection(tr("Help"));
+  actions_->add({.id = "palette",
+                 .text = tr("Find a Command…"),
+                 .help = tr("Runs any command by its name"),
+                 .icon = "search",
+                 .keys = QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P)},
+                [this] {
+                  auto* palette = new CommandPalette(actions_->all(), this);
+                  palette->move(mapToGlobal(QPoint((width() - palette->width()) / 2, 64)));
+                  palette->show();
+                });
+  actions_->add({.id = "shortcuts",
+                 .text = tr("Shortcuts"),
+                 .help = tr("Shows all keys on one sheet"),
+                 .icon = "keyboard",
+                 .keys = QKeySequence(Qt::Key_Question)},
+                [this] { (new ShortcutSheet(actions_->all(), this))->show(); });
+  actions_->add({.id = "about", .text = tr("About Espalier"), .help = tr("What this is")}, [this] {
+    QMessageBox::about(this, tr("About Espalier"),
+                       tr("<b>Espalier %1</b><br>From a laser scan of a plant to a skeleton an "
+                          "expert would sign.")
+                           .arg(QCoreApplication::applicationVersion()));
+  });
+}
+
+} // namespace espalier

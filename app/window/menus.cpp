@@ -1,0 +1,121 @@
+#include "app/window/action_set.h"
+#include "app/window/icon.h"
+#include "app/window/main_window.h"
+#include "app/window/recent_files.h"
+#include "app/window/view_options.h"
+#include "ui/tools/node_edits.h"
+#include "ui/tools/registry.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMenuBar>
+#include <QToolBar>
+#include <QToolButton>
+
+namespace espalier {
+namespace {
+
+/// Adds actions by id; an empty id is a separator.
+void add(QWidget& to, const ActionSet& actions, const QStringList& ids) {
+  for (const QString& id : ids) {
+    if (!id.isEmpty()) {
+      to.addAction(actions[id]);
+      continue;
+    }
+    auto* separator = new QAction(&to);
+    separator->setSeparator(true);
+    to.addAction(separator);
+  }
+}
+
+QToolButton* makeMenuButton(const QString& text, const QString& icon, QMenu* menu) {
+  auto* button = new QToolButton;
+  button->setText(text);
+  button->setIcon(themedIcon(icon));
+  button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  button->setPopupMode(QToolButton::InstantPopup);
+  button->setMenu(menu);
+  return button;
+}
+
+QStringList toolIds() {
+  QStringList ids;
+  for (const ToolEntry& tool : tools())
+    ids.append("tool_" + tool.id);
+  return ids;
+}
+
+} // namespace
+
+void MainWindow::fillMenus() {
+  QMenu* file = menuBar()->addMenu(tr("&File"));
+  add(*file, *actions_, {"open"});
+  QMenu* recent = file->addMenu(tr("Open &Recent"));
+  connect(recent, &QMenu::aboutToShow, recent, [this, recent] {
+    recent->clear();
+    for (const QString& path : recent_->paths())
+      recent->addAction(QDir::toNativeSeparators(path), this, [this, path] { open({path}); });
+    if (recent->isEmpty())
+      recent->addAction(tr("None yet"))->setEnabled(false);
+    else
+      recent->addSeparator();
+    recent->addAction(tr("Clear"), recent_.get(), &RecentFiles::clear);
+  });
+  add(*file, *actions_, {"", "save", "save_as", "", "close_plant", "quit"});
+
+  QMenu* edit = menuBar()->addMenu(tr("&Edit"));
+  add(*edit, *actions_, {"undo", "redo", "", "select_all", "leave", ""});
+  add(*edit, *actions_, toolIds());
+
+  fillViewMenu();
+
+  QMenu* skeleton = menuBar()->addMenu(tr("&Skeleton"));
+  add(*skeleton, *actions_, {"reconstruct", ""});
+  for (const NodeEdit& nodeEdit : nodeEdits())
+    add(*skeleton, *actions_, {nodeEdit.id});
+
+  QMenu* help = menuBar()->addMenu(tr("&Help"));
+  add(*help, *actions_, {"palette", "shortcuts", "", "about"});
+}
+
+void MainWindow::fillViewMenu() {
+  QMenu* view = menuBar()->addMenu(tr("&View"));
+  view->addSection(tr("Layers"));
+  view->addActions(options_->layers());
+  view->addSeparator();
+  view->addMenu(tr("Color Points By"))->addActions(options_->colors());
+  view->addMenu(tr("Point Size"))->addActions(options_->sizes());
+  view->addMenu(tr("Projection"))->addActions(options_->projections());
+  view->addMenu(tr("Look From"))->addActions(options_->standardViews());
+  add(*view, *actions_, {"frame_all", "frame", "pivot", ""});
+  add(*view->addMenu(tr("Panels")), *actions_,
+      {"show_pipeline", "show_inspector", "", "reset_layout"});
+  add(*view->addMenu(tr("Theme")), *actions_, {"theme_system", "theme_light", "theme_dark"});
+}
+
+void MainWindow::fillToolBar() {
+  QToolBar* bar = addToolBar(tr("Tools"));
+  bar->setObjectName("tools");
+  bar->setMovable(false);
+  bar->setIconSize(QSize(20, 20));
+  bar->setContextMenuPolicy(Qt::PreventContextMenu);
+  add(*bar, *actions_, {"open", "save", "", "undo", "redo", ""});
+  add(*bar, *actions_, toolIds());
+  add(*bar, *actions_, {"", "reconstruct", ""});
+  auto* layers = new QMenu(bar);
+  layers->addActions(options_->layers());
+  bar->addWidget(makeMenuButton(tr("Layers"), "layers", layers));
+  auto* colors = new QMenu(bar);
+  colors->addActions(options_->colors());
+  colors->addSeparator();
+  colors->addMenu(tr("Point Size"))->addActions(options_->sizes());
+  bar->addWidget(makeMenuButton(tr("Color By"), "color", colors));
+  add(*bar, *actions_, {"frame_all"});
+  auto* space = new QWidget(bar);
+  space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  bar->addWidget(space);
+  add(*bar, *actions_, {"palette", "shortcuts"});
+}
+
+} // namespace espalier

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QColor>
+#include <QPalette>
+#include <QString>
+
+namespace espalier {
+
+enum class Theme { system, light, dark };
+
+/// "system", "light", "dark": as settings keep it. Any other name is system.
+[[nodiscard]] QString nameOf(Theme theme);
+[[nodiscard]] Theme themeNamed(const QString& name);
+
+/// The colors of the window around the plant.
+struct ThemeColors {
+  QColor panel; // docks, bars
+  QColor field; // what is typed into, lists
+  QColor button;
+  QColor hover; // things under the pointer
+  QColor border;
+  QColor text;
+  QColor quiet;   // secondary text
+  QColor accent;  // focus, running step
+  QColor primary; // primary buttons
+  QColor onPrimary;
+  QColor error; // ground of an error message
+  QColor onError;
+};
+
+[[nodiscard]] ThemeColors themeColors(bool dark);
+
+/// Gives the whole program the look of the theme. Returns whether that is dark.
+bool applyTheme(Theme theme);
+
+} // namespace espalier

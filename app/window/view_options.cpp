@@ -1,0 +1,159 @@
+#include "app/window/view_options.h"
+
+#include "app/window/action_set.h"
+#include "ui/view/plant_view.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QSettings>
+
+namespace espalier {
+
+ViewOptions::ViewOptions(PlantView& view, ActionSet& actions, QSettings& settings, QObject* parent)
+    : QObject(parent), view_(view), actions_(actions), settings_(settings),
+      colors_(new QActionGroup(this)), sizes_(new QActionGroup(this)),
+      projections_(new QActionGroup(this)) {
+  actions_.beginSection(tr("View"));
+  addLayers();
+  addColors();
+  addSizes();
+  addProjections();
+  addStandardViews();
+}
+
+QList<QAction*> ViewOptions::colors() const {
+  return colors_->actions();
+}
+
+QList<QAction*> ViewOptions::sizes() const {
+  return sizes_->actions();
+}
+
+QList<QAction*> ViewOptions::projections() const {
+  return projections_->actions();
+}
+
+void ViewOptions::setAvailable(bool hasIntensity, bool hasColor) {
+  actions_["color_intensity"]->setVisible(hasIntensity);
+  actions_["color_rgb"]->setVisible(hasColor);
+  const QAction* chosen = colors_->checkedAction();
+  if (chosen != nullptr && !chosen->isVisible()) actions_["color_height"]->trigger();
+}
+
+void ViewOptions::addLayers() {
+  const auto add = [this](Layer layer, const Command& command) {
+    const QString key = "view/" + command.id;
+    QAction* action = actions_.add(command, {});
+    connect(action, &QAction::toggled, this, [this, layer, key](bool isShown) {
+      view_.setLayerVisible(layer, isShown);
+      settings_.setValue(key, isShown);
+    });
+    action->setChecked(true);
+    action->setChecked(settings_.value(key, true).toBool());
+    layers_.append(action);
+  };
+  add(Layer::points, {.id = "layer_points",
+                      .text = tr("Points"),
+                      .help = tr("Shows the scan"),
+                      .keys = QKeySequence(Qt::CTRL | Qt::Key_1),
+                      .isCheckable = true});
+  add(Layer::contracted, {.id = "layer_contracted",
+                          .text = tr("Contracted Points"),
+                          .help = tr("Shows where contraction has moved the points"),
+                          .keys = QKeySequence(Qt::CTRL | Qt::Key_2),
+                          .isCheckable = true});
+  add(Layer::skeleton, {.id = "layer_skeleton",
+                        .text = tr("Skeleton"),
+                        .help = tr("Shows nodes and edges"),
+                        .keys = QKeySequence(Qt::CTRL | Qt::Key_3),
+                        .isCheckable = true});
+  QAction* radii = actions_.add({.id = "true_radii",
+                                 .text = tr("True Radii"),
+                                 .help = tr("Draws edges as thick as the wood"),
+                                 .keys = QKeySequence(Qt::CTRL | Qt::Key_4),
+                                 .isCheckable = true},
+                                {});
+  connect(radii, &QAction::toggled, this, [this](bool isOn) {
+    view_.setShowRadii(isOn);
+    settings_.setValue("view/true_radii", isOn);
+  });
+  radii->setChecked(settings_.value("view/true_radii", false).toBool());
+  layers_.append(radii);
+}
+
+QAction* ViewOptions::addChoice(QActionGroup* group, const Command& command, const QString& key,
+                                const std::function<void()>& apply) {
+  QAction* action = actions_.add(command, [this, apply, key, id = command.id] {
+    apply();
+    settings_.setValue(key, id);
+  });
+  group->addAction(action);
+  if (settings_.value(key) == command.id) action->trigger();
+  return action;
+}
+
+void ViewOptions::addColors() {
+  const QString key = QStringLiteral("view/color");
+  const auto add = [&](PointColor color, const QString& id, const QString& text,
+                       const QString& help) {
+    addChoice(colors_, {.id = id, .text = text, .help = help, .isCheckable = true}, key,
+              [this, color] { view_.setPointColor(color); });
+  };
+  add(PointColor::height, "color_height", tr("Height"), tr("Colors points by their height"));
+  add(PointColor::intensity, "color_intensity", tr("Intensity"),
+      tr("Colors points by the strength of the echo"));
+  add(PointColor::rgb, "color_rgb", tr("Own Color"), tr("Colors points as the scanner saw them"));
+  add(PointColor::uniform, "color_uniform", tr("One Color"), tr("Draws all points alike"));
+  if (colors_->checkedAction() == nullptr) actions_["color_height"]->trigger();
+}
+
+void ViewOptions::addSizes() {
+  for (const int pixels : {1, 2, 3, 4, 6, 8})
+    addChoice(sizes_,
+              {.id = QStringLiteral("point_size_%1").arg(pixels),
+               .text = tr("%1 px").arg(pixels),
+               .help = tr("Draws points of this size"),
+               .isCheckable = true},
+              QStringLiteral("view/point_size"), [this, pixels] { view_.setPointSize(pixels); });
+  if (sizes_->checkedAction() == nullptr) actions_["point_size_2"]->trigger();
+}
+
+void ViewOptions::addProjections() {
+  const auto add = [this](Projection projection, const Command& command) {
+    addChoice(projections_, command, QStringLiteral("view/projection"),
+              [this, projection] { view_.setProjection(projection); });
+  };
+  add(Projection::perspective, {.id = "perspective",
+                                .text = tr("Perspective"),
+                                .help = tr("Near things are larger"),
+                                .isCheckable = true});
+  add(Projection::parallel, {.id = "parallel",
+                             .text = tr("Parallel"),
+                             .help = tr("Equal lengths look equal"),
+                             .isCheckable = true});
+  if (projections_->checkedAction() == nullptr) actions_["perspective"]->trigger();
+}
+
+void ViewOptions::addStandardViews() {
+  const auto add = [this](StandardView view, const QString& id, const QString& text, Qt::Key key) {
+    standardViews_.append(actions_.add(
+        {.id = id, .text = text, .help = tr("Looks from there"), .keys = QKeySequence(key)},
+        [this, view] { view_.look(view); }));
+  };
+  // As the number block lies, as in CloudCompare.
+  add(StandardView::front, "view_front", tr("Front"), Qt::Key_5);
+  add(StandardView::back, "view_back", tr("Back"), Qt::Key_0);
+  add(StandardView::left, "view_left", tr("Left"), Qt::Key_4);
+  add(StandardView::right, "view_right", tr("Right"), Qt::Key_6);
+  add(StandardView::top, "view_top", tr("Top"), Qt::Key_8);
+  add(StandardView::bottom, "view_bottom", tr("Bottom"), Qt::Key_2);
+  add(StandardView::isometric, "view_isometric", tr("Isometric"), Qt::Key_7);
+  actions_.add({.id = "frame_all",
+                .text = tr("Frame All"),
+                .help = tr("The whole plant fills the view"),
+                .icon = "frame_all",
+                .keys = Qt::Key_Home},
+               [this] { view_.frameAll(); });
+}
+
+} // namespace espalier

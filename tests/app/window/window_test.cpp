@@ -1,0 +1,324 @@
+#include "app/window/action_set.h"
+#include "tests/app/window/window_fixture.h"
+#include "tests/support/plants.h"
+#include "ui/panels/message_banner.h"
+#include "ui/panels/status_line.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QDropEvent>
+#include <QFile>
+#include <QListWidget>
+#include <QMenu>
+#include <QMimeData>
+#include <QTest>
+#include <QTimer>
+
+#include <algorithm>
+#include <gmock/gmock.h>
+
+namespace espalier {
+namespace {
+
+using test::forkTop;
+
+struct MainWindowTest : test::WindowTest {
+  void edit() {
+    document().edit("Move", [](SkeletonEditor& editor) {
+      editor.setPosition(forkTop, {0.5, 0.5, 0.5});
+    });
+  }
+  /// The node of the fork that stands at this place, whatever its id in the file.
+  NodeId nodeAt(const Eigen::Vector3d& place) {
+    for (const NodeId id : document().skeleton().ids())
+      if ((document().skeleton()[id].position - place).norm() < 1e-3) return id;
+    ADD_FAILURE() << "no node there";
+    return NodeId{0};
+  }
+};
+
+TEST_F(MainWindowTest, StartsWithWhatToDoAndNoPanels) {
+  EXPECT_TRUE(window().statusLine().shownText().contains("Open a scan"));
+  EXPECT_FALSE(find<QDockWidget>("pipeline").isVisible());
+  EXPECT_FALSE(action("save").isEnabled());
+  EXPECT_FALSE(action("reconstruct").isEnabled());
+  EXPECT_EQ(window().windowTitle(), "Espalier");
+}
+
+TEST_F(MainWindowTest, ShowsThePanelsOnceThereIsAPlant) {
+  open({writeFork("fork.mtg")});
+  EXPECT_TRUE(find<QDockWidget>("pipeline").isVisible());
+  EXPECT_TRUE(find<QDockWidget>("inspector").isVisible());
+  EXPECT_TRUE(action("save").isEnabled());
+  EXPECT_EQ(window().statusLine().counts(), "5 nodes");
+}
+
+TEST_F(MainWindowTest, RemembersWhichPanelsWereClosed) {
+  open({writeFork("fork.mtg")});
+  find<QDockWidget>("inspector").close();
+  restart();
+  open({path("fork.mtg")});
+  EXPECT_FALSE(find<QDockWidget>("inspector").isVisible());
+  action("reset_layout").trigger();
+  EXPECT_TRUE(find<QDockWidget>("inspector").isVisible());
+}
+
+TEST_F(MainWindowTest, TellsWhatIsWrongWithAFileInOneLine) {
+  QFile file(path("broken.xyz"));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("no numbers here\n");
+  file.close();
+  open({path("broken.xyz")});
+  EXPECT_TRUE(window().banner().isVisible());
+  EXPECT_TRUE(window().banner().isError());
+  EXPECT_TRUE(window().banner().text().contains("broken.xyz"));
+  EXPECT_FALSE(window().banner().text().contains('\n'));
+  EXPECT_TRUE(document().isEmpty());
+}
+
+TEST_F(MainWindowTest, KeepsThePlantWhenTheNextFileCannotBeRead) {
+  open({writeFork("fork.mtg")});
+  open({path("missing.mtg")});
+  EXPECT_TRUE(window().banner().isError());
+  EXPECT_EQ(document().skeleton().size(), 5U);
+}
+
+TEST_F(MainWindowTest, KeepsTheEditsWhenTheDiskIsFull) {
+  if (!QFile::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  open({writeFork("fork.mtg")});
+  edit();
+  const QString full = path("full.mtg");
+  ASSERT_TRUE(QFile::link("/dev/full", full));
+  document().undoStack().resetClean();
+  document().markSaved(full); // as if it had been saved there
+  edit();
+  document().edit("Move again", [](SkeletonEditor& editor) {
+    editor.setPosition(forkTop, {1, 1, 1});
+  });
+  const Skeleton edited = document().skeleton();
+  action("save").trigger();
+  EXPECT_TRUE(window().banner().isError());
+  EXPECT_TRUE(document().isModified());
+  EXPECT_EQ(document().skeleton(), edited);
+}
+
+TEST_F(MainWindowTest, AsksBeforeUnsavedEditsAreLost) {
+  open({writeFork("fork.mtg")});
+  edit();
+  answer(press("Keep editing"), [this] { EXPECT_FALSE(window().close()); });
+  EXPECT_TRUE(window().isVisible());
+  answer(press("Discard"), [this] { EXPECT_TRUE(window().close()); });
+  EXPECT_FALSE(window().isVisible());
+}
+
+TEST_F(MainWindowTest, SavesBeforeItClosesIfToldSo) {
+  open({writeFork("fork.mtg")});
+  edit();
+  const Eigen::Vector3d place = document().skeleton()[forkTop].position;
+  answer(press("Save"), [this] { EXPECT_TRUE(window().close()); });
+  restart();
+  open({path("fork.mtg")});
+  nodeAt(place);
+}
+
+TEST_F(MainWindowTest, ClosesWithoutAQuestionIfNothingIsLost) {
+  open({writeFork("fork.mtg")});
+  edit();
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(window().close());
+}
+
+TEST_F(MainWindowTest, KeepsACopyOfAFileOfOthersThatItOverwrites) {
+  open({writeFork("fork.mtg")});
+  QFile before(path("fork.mtg"));
+  ASSERT_TRUE(before.open(QIODevice::ReadOnly));
+  const QByteArray content = before.readAll();
+  for (const double height : {3.0, 4.0}) {
+    document().edit("Move", [=](SkeletonEditor& editor) {
+      editor.setPosition(forkTop, {0, 0, height});
+    });
+    key(Qt::Key_S, Qt::ControlModifier);
+  }
+  QFile copy(path("fork.mtg~"));
+  ASSERT_TRUE(copy.open(QIODevice::ReadOnly));
+  EXPECT_EQ(copy.readAll(), content);
+}
+
+TEST_F(MainWindowTest, OpensFilesThatAreDropped) {
+  QMimeData data;
+  data.setUrls({QUrl::fromLocalFile(writeFork("fork.mtg"))});
+  QDragEnterEvent enter(QPoint(600, 400), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&window(), &enter);
+  EXPECT_TRUE(enter.isAccepted());
+  QDropEvent drop(QPointF(600, 400), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&window(), &drop);
+  waitForJob();
+  EXPECT_EQ(document().skeleton().size(), 5U);
+}
+
+TEST_F(MainWindowTest, PutsASkeletonOverItsScanAndAnotherScanInPlaceOfBoth) {
+  open({writeScan("plant.xyz")});
+  open({writeFork("fork.mtg")});
+  EXPECT_NE(document().scan(), nullptr);
+  EXPECT_EQ(document().skeleton().size(), 5U);
+  open({writeScan("other.xyz")});
+  EXPECT_TRUE(document().skeleton().isEmpty());
+  EXPECT_TRUE(document().scanPath().endsWith("other.xyz"));
+}
+
+TEST_F(MainWindowTest, NamesTheStepsInUndoAndRedo) {
+  open({writeFork("fork.mtg")});
+  EXPECT_FALSE(action("undo").isEnabled());
+  edit();
+  EXPECT_EQ(action("undo").text(), "&Undo: Move");
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(action("redo").text(), "&Redo: Move");
+  EXPECT_FALSE(action("undo").isEnabled());
+}
+
+TEST_F(MainWindowTest, PutsANodeBackOnEscapeInMidDrag) {
+  open({writeFork("fork.mtg")});
+  const Skeleton start = document().skeleton();
+  const NodeId apex = nodeAt({1, 0, 2});
+  const QPoint from = placeOf(apex);
+  hover(from);
+  QTest::mousePress(&view(), Qt::LeftButton, Qt::NoModifier, from);
+  QTest::mouseMove(&view(), from + QPoint(40, 20));
+  EXPECT_NE(document().skeleton(), start);
+  EXPECT_TRUE(window().statusLine().shownText().contains("Esc"));
+  QTest::keyClick(&view(), Qt::Key_Escape);
+  QTest::mouseMove(&view(), from + QPoint(60, 20));
+  QTest::mouseRelease(&view(), Qt::LeftButton, Qt::NoModifier, from + QPoint(60, 20));
+  EXPECT_EQ(document().skeleton(), start);
+  EXPECT_FALSE(document().isModified());
+}
+
+TEST_F(MainWindowTest, UndoInMidDragLeavesTheDrag) {
+  open({writeFork("fork.mtg")});
+  const Skeleton start = document().skeleton();
+  const QPoint from = placeOf(nodeAt({1, 0, 2}));
+  hover(from);
+  QTest::mousePress(&view(), Qt::LeftButton, Qt::NoModifier, from);
+  QTest::mouseMove(&view(), from + QPoint(40, 20));
+  key(Qt::Key_Z, Qt::ControlModifier);
+  QTest::mouseRelease(&view(), Qt::LeftButton, Qt::NoModifier, from + QPoint(60, 20));
+  EXPECT_EQ(document().skeleton(), start);
+}
+
+TEST_F(MainWindowTest, SaysWhyAReparentIsRefusedAndGoesOn) {
+  open({writeFork("fork.mtg")});
+  const NodeId top = nodeAt({0, 0, 1});
+  const NodeId apex = nodeAt({1, 0, 2});
+  hover(placeOf(top));
+  key(Qt::Key_P);
+  EXPECT_TRUE(action("tool_reparent").isChecked());
+  click(placeOf(apex));
+  EXPECT_TRUE(window().statusLine().shownText().contains("which it carries itself"));
+  EXPECT_EQ(document().skeleton()[top].parent, nodeAt({0, 0, 0}));
+  key(Qt::Key_Escape);
+  EXPECT_TRUE(action("tool_move").isChecked());
+}
+
+TEST_F(MainWindowTest, InsertsANodeWhereAnEdgeIsPressedWithTheAddTool) {
+  open({writeFork("fork.mtg")});
+  key(Qt::Key_D);
+  const auto from = view().project({0, 0, 0});
+  const auto to = view().project({0, 0, 1});
+  click(((from.value() + to.value()) / 2).toPoint());
+  ASSERT_EQ(document().skeleton().size(), 6U);
+  const Eigen::Vector3d place =
+      document().skeleton()[document().selection().current().value()].position;
+  EXPECT_NEAR(place.z(), 0.5, 0.05);
+}
+
+TEST_F(MainWindowTest, ShowsAndSetsThePropertiesOfTheChosenNode) {
+  open({writeFork("fork.mtg")});
+  const NodeId apex = nodeAt({1, 0, 2});
+  click(placeOf(apex));
+  auto& radius = find<QDoubleSpinBox>("node_radius");
+  EXPECT_NEAR(radius.value(), 0.1, 1e-4);
+  radius.setFocus();
+  radius.selectAll();
+  QTest::keyClicks(&radius, "0.25");
+  QTest::keyClick(&radius, Qt::Key_Return);
+  EXPECT_NEAR(document().skeleton()[apex].radius, 0.25, 1e-9);
+  EXPECT_EQ(document().undoStack().count(), 1) << "one edit, when the number is complete";
+}
+
+TEST_F(MainWindowTest, OffersTheEditsOfANodeInItsMenu) {
+  open({writeFork("fork.mtg")});
+  const NodeId apex = nodeAt({1, 0, 2});
+  QStringList texts;
+  QTimer timer;
+  QObject::connect(&timer, &QTimer::timeout, [&] {
+    auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+    if (menu == nullptr) return;
+    for (const QAction* entry : menu->actions())
+      texts.append(entry->text());
+    menu->close();
+  });
+  timer.start(0);
+  click(placeOf(apex), Qt::NoModifier, Qt::RightButton);
+  EXPECT_EQ(texts.value(0), QString("Node %1").arg(indexOf(apex)));
+  EXPECT_TRUE(texts.contains("Remove Subtree"));
+  EXPECT_TRUE(texts.contains("Reparent"));
+}
+
+TEST_F(MainWindowTest, TakesTheUnitThatIsChosen) {
+  open({writeScan("plant.xyz")});
+  EXPECT_EQ(document().unit(), LengthUnit::meter) << "guessed from its extent";
+  auto& unit = find<QComboBox>("unit");
+  unit.setCurrentIndex(unit.findData("mm"));
+  emit unit.activated(unit.currentIndex());
+  EXPECT_TRUE(window().statusLine().counts().endsWith("mm"));
+}
+
+TEST_F(MainWindowTest, RunsACommandFoundInThePalette) {
+  open({writeFork("fork.mtg")});
+  key(Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
+  auto& palette = find<QDialog>("command_palette");
+  QTest::keyClicks(palette.findChild<QLineEdit*>(), "sel all");
+  QTest::keyClick(palette.findChild<QLineEdit*>(), Qt::Key_Return);
+  EXPECT_TRUE(QTest::qWaitFor([this] { return document().selection().nodes().size() == 5; }));
+}
+
+TEST_F(MainWindowTest, ShowsItsShortcuts) {
+  action("shortcuts").trigger();
+  auto& sheet = find<QDialog>("shortcut_sheet");
+  EXPECT_TRUE(sheet.isVisible());
+  sheet.reject();
+}
+
+TEST_F(MainWindowTest, GivesEveryActionANameAndHelpAndNoKeyTwice) {
+  std::map<QString, QString> owners;
+  for (const QAction* each : window().actionSet().all()) {
+    EXPECT_FALSE(each->text().isEmpty()) << each->objectName().toStdString();
+    EXPECT_FALSE(each->statusTip().isEmpty()) << each->objectName().toStdString();
+    for (const QKeySequence& keys : each->shortcuts()) {
+      const auto [owner, isNew] = owners.emplace(keys.toString(), each->objectName());
+      EXPECT_TRUE(isNew) << keys.toString().toStdString() << ": " << owner->second.toStdString()
+                         << " and " << each->objectName().toStdString();
+    }
+  }
+}
+
+TEST_F(MainWindowTest, FollowsTheThemeChosen) {
+  action("theme_dark").trigger();
+  EXPECT_LT(window().palette().color(QPalette::Window).lightness(), 64);
+  restart();
+  EXPECT_TRUE(action("theme_dark").isChecked());
+  action("theme_light").trigger();
+  EXPECT_GT(window().palette().color(QPalette::Window).lightness(), 220);
+}
+
+TEST_F(MainWindowTest, ForgetsThePlantThatIsClosed) {
+  open({writeFork("fork.mtg")});
+  key(Qt::Key_W, Qt::ControlModifier);
+  EXPECT_TRUE(document().isEmpty());
+  EXPECT_FALSE(find<QDockWidget>("pipeline").isVisible());
+}
+
+} // namespace
+} // namespace espalier

@@ -75,6 +75,7 @@ void Camera::frame(const std::vector<Eigen::Vector3d>& places, double aspect) {
 
 void Camera::frame(const Eigen::AlignedBox3d& box, double aspect) {
   std::vector<Eigen::Vector3d> corners;
+  corners.reserve(8);
   for (int i = 0; i < 8; ++i)
     corners.emplace_back(box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i)));
   frame(corners, aspect);

@@ -12,6 +12,7 @@
 namespace espalier {
 
 /// The scene as one thing that VTK draws: points, then the relief, then the skeleton.
+// VTK counts references. NOLINTNEXTLINE(cppcoreguidelines-virtual-class-destructor)
 class PlantProp final : public vtkProp {
 public:
   static PlantProp* New();

@@ -18,6 +18,7 @@ namespace espalier {
 namespace {
 
 /// A render window in a context that it did not make.
+// VTK counts references. NOLINTNEXTLINE(cppcoreguidelines-virtual-class-destructor)
 class GuestRenderWindow final : public vtkGenericOpenGLRenderWindow {
 public:
   static GuestRenderWindow* New();

@@ -2,6 +2,8 @@
 
 #include <vtkOpenGLState.h>
 
+#include <cmath>
+
 namespace espalier {
 namespace {
 
@@ -97,7 +99,7 @@ void setRelief(vtkShaderProgram& program, const DrawSettings& settings, float st
   program.SetUniform2f("projection", projection);
   program.SetUniformf("pixelSize", settings.pixelSize);
   program.SetUniformi("perspective", settings.perspective ? 1 : 0);
-  program.SetUniformi("reach", static_cast<int>(settings.pixelRatio + 0.5F));
+  program.SetUniformi("reach", static_cast<int>(std::lround(settings.pixelRatio)));
 }
 
 } // namespace

@@ -16,8 +16,9 @@ static_assert(sizeof(NodeGlyph) == 20 && sizeof(EdgeGlyph) == 36, "the shaders r
 
 void addAttribute(GLuint index, GLint count, GLenum type, std::size_t stride, std::size_t offset) {
   glEnableVertexAttribArray(index);
-  glVertexAttribPointer(index, count, type, GL_FALSE, static_cast<GLsizei>(stride),
-                        static_cast<const char*>(nullptr) + offset);
+  // OpenGL takes offsets as pointers. NOLINTNEXTLINE(performance-no-int-to-ptr)
+  const auto* place = reinterpret_cast<const void*>(offset);
+  glVertexAttribPointer(index, count, type, GL_FALSE, static_cast<GLsizei>(stride), place);
 }
 
 /// Each glyph once for each of its corners. (Instances would need no copies, but software OpenGL

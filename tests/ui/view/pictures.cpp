@@ -53,8 +53,8 @@ std::shared_ptr<const PointCloud> block(const Eigen::Vector3d& middle) {
   for (int i = 0; i < 40; ++i)
     for (int j = 0; j < 40; ++j)
       for (int k = 0; k < 40; ++k)
-        positions.push_back(middle + Eigen::Vector3d(i, j, k) / 39.0 -
-                            Eigen::Vector3d::Constant(0.5));
+        positions.emplace_back(middle + Eigen::Vector3d(i, j, k) / 39.0 -
+                               Eigen::Vector3d::Constant(0.5));
   return cloudOf(positions);
 }
 

@@ -31,10 +31,10 @@ protected:
     EXPECT_TRUE(QTest::qWaitFor([&] { return view_.isStill(); }));
   }
 
-  QPoint pixelOf(const Eigen::Vector3d& place) const {
+  [[nodiscard]] QPoint pixelOf(const Eigen::Vector3d& place) const {
     return view_.project(place).value().toPoint();
   }
-  QPoint pixelOf(NodeId id) const { return pixelOf(plant_[id].position); }
+  [[nodiscard]] QPoint pixelOf(NodeId id) const { return pixelOf(plant_[id].position); }
 
   void drag(Qt::MouseButton button, const QPoint& from, const QPoint& to,
             Qt::KeyboardModifiers modifiers = {}) {
@@ -64,7 +64,7 @@ protected:
       return takes;
     });
   }
-  std::vector<Phase> phases() const {
+  [[nodiscard]] std::vector<Phase> phases() const {
     std::vector<Phase> phases;
     for (const ToolInput& input : told_)
       phases.push_back(input.phase);

@@ -3,11 +3,14 @@
 #include "app/window/action_set.h"
 #include "app/window/view_sync.h"
 #include "ui/tools/registry.h"
+#include "ui/tools/screen_plane.h"
 #include "ui/view/plant_view.h"
 
 #include <QAction>
 #include <QActionGroup>
 #include <QMenu>
+
+#include <utility>
 
 namespace espalier {
 
@@ -145,11 +148,20 @@ bool Editing::handle(const ToolInput& input) {
   viewDirection_ = input.viewDirection;
   if (input.phase == ToolInput::Phase::hover) view_.setHovered(isEnabled_ ? input.pick : Pick{});
   if (!isEnabled_) return false;
-  if (input.phase == ToolInput::Phase::release && input.button == Qt::RightButton) {
+  if (isMenuClick(input)) {
     emit contextMenuRequested(view_.mapToGlobal(input.screen.toPoint()));
     return true;
   }
   return tool().handle(input);
+}
+
+bool Editing::isMenuClick(const ToolInput& input) {
+  if (input.phase == ToolInput::Phase::press) {
+    menuPress_.reset();
+    if (input.button == Qt::RightButton) menuPress_ = input.screen;
+  }
+  if (menuPress_ && isDragged(*menuPress_, input.screen)) menuPress_.reset(); // a pan
+  return input.phase == ToolInput::Phase::release && std::exchange(menuPress_, {}).has_value();
 }
 
 void Editing::refreshEnabled() {

@@ -50,6 +50,7 @@ private:
   void addNodeEdits();
   void addNavigation();
   bool handle(const ToolInput& input);
+  [[nodiscard]] bool isMenuClick(const ToolInput& input);
   void refreshEnabled();
   [[nodiscard]] NodeTarget target() const;
   [[nodiscard]] std::optional<Eigen::Vector3d> placeUnder() const;
@@ -65,6 +66,7 @@ private:
   QList<QAction*> edits_; // off while there is no skeleton
   bool isEnabled_ = true;
   Pick under_;
+  std::optional<QPointF> menuPress_; // where the right button went down, until it is a drag
   Eigen::Vector3d viewDirection_ = Eigen::Vector3d::UnitY();
 };
 

@@ -37,6 +37,10 @@ static void useResources() {
 namespace espalier {
 namespace {
 
+// Together under a third of the width of a small screen.
+constexpr int pipelineWidth = 248;
+constexpr int inspectorWidth = 176;
+
 QStringList localFiles(const QMimeData& data) {
   QStringList paths;
   for (const QUrl& url : data.urls())
@@ -146,8 +150,9 @@ void MainWindow::makeDocks() {
     resizeDocks({dock}, {width}, Qt::Horizontal);
     return dock;
   };
-  pipelineDock_ = add("pipeline", tr("Pipeline"), pipeline_, 248, Qt::LeftDockWidgetArea);
-  inspectorDock_ = add("inspector", tr("Inspector"), inspector_, 176, Qt::RightDockWidgetArea);
+  pipelineDock_ = add("pipeline", tr("Pipeline"), pipeline_, pipelineWidth, Qt::LeftDockWidgetArea);
+  inspectorDock_ =
+      add("inspector", tr("Inspector"), inspector_, inspectorWidth, Qt::RightDockWidgetArea);
 }
 
 void MainWindow::connectJobs() {
@@ -224,6 +229,8 @@ void MainWindow::refreshDocks() {
   const bool hasPlant = center_->currentWidget() == view_; // panels that do not apply are absent
   pipelineDock_->setVisible(hasPlant && (*actions_)["show_pipeline"]->isChecked());
   inspectorDock_->setVisible(hasPlant && (*actions_)["show_inspector"]->isChecked());
+  if (hasPlant && !settings_.contains("window/state")) // nobody has set the widths yet
+    resizeDocks({pipelineDock_, inspectorDock_}, {pipelineWidth, inspectorWidth}, Qt::Horizontal);
 }
 
 void MainWindow::refreshTitle() {
@@ -279,7 +286,7 @@ void MainWindow::resetLayout() {
     dock->setFloating(false);
   addDockWidget(Qt::LeftDockWidgetArea, pipelineDock_);
   addDockWidget(Qt::RightDockWidgetArea, inspectorDock_);
-  resizeDocks({pipelineDock_, inspectorDock_}, {248, 176}, Qt::Horizontal);
+  resizeDocks({pipelineDock_, inspectorDock_}, {pipelineWidth, inspectorWidth}, Qt::Horizontal);
   refreshDocks();
 }
 

@@ -2,6 +2,7 @@
 
 #include "ui/tools/add_node_tool.h"
 #include "ui/tools/move_node_tool.h"
+#include "ui/tools/navigate_tool.h"
 #include "ui/tools/reparent_node_tool.h"
 
 #include <QCoreApplication>
@@ -28,6 +29,8 @@ std::vector<ToolEntry> tools() {
        make<AddNodeTool>},
       {"reparent", tr("Reparent"), tr("Hang a branch on another node"), "reparent", Qt::Key_P,
        make<ReparentNodeTool>},
+      {"navigate", tr("Navigate"), tr("The mouse only moves the camera"), "navigate", Qt::Key_V,
+       make<NavigateTool>},
   };
 }
 

@@ -10,6 +10,7 @@
 #include <QApplication>
 #include <QDialog>
 #include <QFileDialog>
+#include <QMouseEvent>
 #include <QPushButton>
 #include <QTest>
 #include <QTimer>
@@ -103,8 +104,11 @@ QPoint WindowTest::placeOf(NodeId id) {
   return place.value_or(QPointF()).toPoint();
 }
 
+// Sent at once: QTest would move the real pointer, of which an X server tells when it likes.
 void WindowTest::hover(const QPoint& place) {
-  QTest::mouseMove(&view(), place);
+  QMouseEvent move(QEvent::MouseMove, QPointF(place), QPointF(view().mapToGlobal(place)),
+                   Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+  QApplication::sendEvent(&view(), &move);
 }
 
 void WindowTest::click(const QPoint& place, Qt::KeyboardModifiers modifiers,

@@ -266,6 +266,16 @@ TEST_F(MainWindowTest, OffersTheEditsOfANodeInItsMenu) {
   EXPECT_TRUE(texts.contains("Reparent"));
 }
 
+TEST_F(MainWindowTest, OpensNoMenuAfterAPan) {
+  open({writeFork("fork.mtg")});
+  const QPoint from = placeOf(nodeAt({1, 0, 2}));
+  QTest::mousePress(&view(), Qt::RightButton, Qt::NoModifier, from);
+  QTest::mouseMove(&view(), from + QPoint(50, 0));
+  QTest::mouseMove(&view(), from);
+  QTest::mouseRelease(&view(), Qt::RightButton, Qt::NoModifier, from);
+  EXPECT_EQ(QApplication::activePopupWidget(), nullptr);
+}
+
 TEST_F(MainWindowTest, TakesTheUnitThatIsChosen) {
   open({writeScan("plant.xyz")});
   EXPECT_EQ(document().unit(), LengthUnit::meter) << "guessed from its extent";

@@ -1,3 +1,5 @@
+#include "tests/support/plants.h"
+#include "tests/ui/tools/mouse.h"
 #include "ui/tools/node_edits.h"
 #include "ui/tools/registry.h"
 
@@ -14,6 +16,16 @@ TEST(ToolRegistry, GivesEveryToolANameAnIconAndAHint) {
   for (const ToolEntry& entry : tools()) {
     EXPECT_FALSE(entry.text.isEmpty() || entry.help.isEmpty() || entry.icon.isEmpty());
     EXPECT_FALSE(entry.create(document)->hint().isEmpty()) << entry.id.toStdString();
+  }
+}
+
+TEST(ToolRegistry, HasAToolThatLeavesTheMouseToTheCamera) {
+  PlantDocument document;
+  document.openSkeleton(test::fork(3), "fork.mtg");
+  for (const ToolEntry& entry : tools()) {
+    const std::unique_ptr<Tool> tool = entry.create(document);
+    const bool takes = test::Mouse(*tool).press(test::onNode(NodeId{2}), {1, 2});
+    EXPECT_EQ(takes, entry.id != "navigate") << entry.id.toStdString();
   }
 }
 

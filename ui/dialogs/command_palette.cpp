@@ -1,6 +1,7 @@
 #include "ui/dialogs/command_palette.h"
 
 #include <QAction>
+#include <QCoreApplication>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QListWidget>

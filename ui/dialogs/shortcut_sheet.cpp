@@ -76,7 +76,7 @@ QHBoxLayout* makeColumns(const std::vector<Section>& sections, std::size_t count
   QVBoxLayout* column = nullptr;
   std::size_t used = 0;
   for (const Section& section : sections) {
-    const std::size_t begun = static_cast<std::size_t>(columns->count());
+    const auto begun = static_cast<std::size_t>(columns->count());
     if (used * count >= begun * total) {
       if (column != nullptr) column->addStretch(1);
       column = new QVBoxLayout;

@@ -1,6 +1,6 @@
 #include "ui/panels/status_line.h"
 
-#include "ui/jobs/time_left.h"
+#include "ui/panels/time_left.h"
 
 #include <QHBoxLayout>
 #include <QLabel>

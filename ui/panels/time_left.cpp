@@ -1,4 +1,4 @@
-#include "ui/jobs/time_left.h"
+#include "ui/panels/time_left.h"
 
 #include <QCoreApplication>
 

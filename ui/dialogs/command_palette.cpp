@@ -5,6 +5,7 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QPixmap>
 #include <QTimer>
 #include <QVBoxLayout>
 
@@ -37,6 +38,7 @@ CommandPalette::CommandPalette(const QList<QAction*>& actions, QWidget* parent)
   typed_->setAccessibleName(tr("Type a command"));
   typed_->installEventFilter(this);
   list_->setFocusPolicy(Qt::NoFocus);
+  list_->setIconSize(QSize(18, 18));
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(8, 8, 8, 8);
@@ -77,10 +79,13 @@ void CommandPalette::refill() {
   }
   std::ranges::stable_sort(found, std::greater<>(), &std::pair<int, QAction*>::first);
   list_->clear();
+  QPixmap nothing(list_->iconSize());
+  nothing.fill(Qt::transparent); // keeps the names in one column
   for (const auto& [score, action] : found) {
     const QString keys = action->shortcut().toString(QKeySequence::NativeText);
     const QString text = fullText(*action) + (keys.isEmpty() ? QString() : "    " + keys);
-    auto* item = new QListWidgetItem(action->icon(), text, list_);
+    auto* item =
+        new QListWidgetItem(action->icon().isNull() ? QIcon(nothing) : action->icon(), text, list_);
     item->setData(Qt::UserRole, QVariant::fromValue(action));
     item->setToolTip(action->statusTip());
   }

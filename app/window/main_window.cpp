@@ -19,13 +19,13 @@
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QFileInfo>
+#include <QGridLayout>
 #include <QMenu>
 #include <QMimeData>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QToolTip>
-#include <QVBoxLayout>
 
 /// Icons and style live in a static library, which the linker else leaves out. Not in a namespace,
 /// as the macro asks.
@@ -38,8 +38,8 @@ namespace espalier {
 namespace {
 
 // Together under a third of the width of a small screen.
-constexpr int pipelineWidth = 248;
-constexpr int inspectorWidth = 176;
+constexpr int pipelineWidth = 230;
+constexpr int inspectorWidth = 196;
 
 QStringList localFiles(const QMimeData& data) {
   QStringList paths;
@@ -122,18 +122,17 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
 
 void MainWindow::makeCenter() {
   auto* page = new QWidget(this);
-  auto* column = new QVBoxLayout(page);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-  banner_ = new MessageBanner(page);
+  auto* layers = new QGridLayout(page); // the banner lies over the view, which keeps its size
+  layers->setContentsMargins(0, 0, 0, 0);
   center_ = new QStackedWidget(page);
   start_ = new StartPage(center_);
   view_ = new PlantView(center_);
   start_->setIcon(programIcon());
   center_->addWidget(start_);
   center_->addWidget(view_);
-  column->addWidget(banner_);
-  column->addWidget(center_, 1);
+  banner_ = new MessageBanner(page);
+  layers->addWidget(center_, 0, 0);
+  layers->addWidget(banner_, 0, 0, Qt::AlignBottom | Qt::AlignHCenter);
   setCentralWidget(page);
 }
 

@@ -81,6 +81,15 @@ void InspectorPanel::makeForm() {
   radius_->setObjectName("node_radius");
   radius_->setButtonSymbols(QAbstractSpinBox::NoButtons); // keys A and Q step it
   radius_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+  // What a node has to show must not widen the panel: the view would shift under the pointer.
+  for (QWidget* field : {static_cast<QWidget*>(title_), static_cast<QWidget*>(radius_),
+                         static_cast<QWidget*>(edge_), static_cast<QWidget*>(order_),
+                         static_cast<QWidget*>(parent_), static_cast<QWidget*>(children_),
+                         static_cast<QWidget*>(length_), static_cast<QWidget*>(position_)}) {
+    field->setMinimumWidth(72);
+    field->setSizePolicy(QSizePolicy::Ignored, field->sizePolicy().verticalPolicy());
+  }
+  form_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   form_->setContentsMargins(0, 0, 0, 0);
   form_->setHorizontalSpacing(12);
   form_->setVerticalSpacing(8);

@@ -12,7 +12,6 @@ namespace espalier {
 MessageBanner::MessageBanner(QWidget* parent)
     : QFrame(parent), text_(new QLabel(this)), action_(new QPushButton(this)) {
   setObjectName("message_banner");
-  text_->setWordWrap(true);
   text_->setTextFormat(Qt::PlainText);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* dismiss = new QPushButton(tr("Dismiss"), this);
@@ -22,11 +21,14 @@ MessageBanner::MessageBanner(QWidget* parent)
     button->setCursor(Qt::PointingHandCursor);
   }
   auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(16, 6, 8, 6);
+  row->setContentsMargins(16, 4, 8, 4);
   row->setSpacing(8);
   row->addWidget(text_, 1);
   row->addWidget(action_);
   row->addWidget(dismiss);
+  leaves_.setSingleShot(true);
+  leaves_.setInterval(10'000); // [ms], time to read it and to reach for Undo
+  connect(&leaves_, &QTimer::timeout, this, &QWidget::hide);
   connect(dismiss, &QPushButton::clicked, this, &QWidget::hide);
   connect(action_, &QPushButton::clicked, this, [this] {
     hide();
@@ -39,6 +41,7 @@ void MessageBanner::showError(const QString& text) {
   act_ = nullptr;
   action_->hide();
   showText("error", text);
+  leaves_.stop();
 }
 
 void MessageBanner::showResult(const QString& text, const QString& action,
@@ -47,6 +50,7 @@ void MessageBanner::showResult(const QString& text, const QString& action,
   action_->setText(action);
   action_->setVisible(!action.isEmpty());
   showText("result", text);
+  leaves_.start();
 }
 
 QString MessageBanner::text() const {
@@ -58,11 +62,16 @@ bool MessageBanner::isError() const {
 }
 
 void MessageBanner::showText(const QString& kind, const QString& text) {
+  constexpr int widest = 640;
+  const bool isLong = text_->fontMetrics().horizontalAdvance(text) > widest;
+  text_->setWordWrap(isLong);
+  text_->setMinimumWidth(isLong ? widest : 0); // a label that wraps asks for too little
   text_->setText(text);
   setProperty("kind", kind); // the style sheet colors by it
   style()->unpolish(this);
   style()->polish(this);
   show();
+  raise();
 }
 
 } // namespace espalier

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QFrame>
+#include <QTimer>
 
 #include <functional>
 
@@ -9,8 +10,8 @@ class QPushButton;
 
 namespace espalier {
 
-/// One line above the view that tells what went wrong or what was done, until it is dismissed or
-/// the next one comes. Never in the way of work.
+/// A line over the foot of the view that tells what went wrong or what was done, until it is
+/// dismissed or the next one comes; what was done leaves by itself. Never in the way of work.
 class MessageBanner : public QFrame {
   Q_OBJECT
 
@@ -29,6 +30,7 @@ private:
 
   QLabel* text_;
   QPushButton* action_;
+  QTimer leaves_;
   std::function<void()> act_;
 };
 

@@ -26,7 +26,14 @@ QString translated(const char* text) {
 /// A number with as many digits as a step between such numbers calls for.
 QString number(double value, double step) {
   const int digits = std::clamp(static_cast<int>(-std::floor(std::log10(step) + 1e-9)), 0, 9);
-  return QLocale().toString(value, 'f', digits);
+  QLocale locale = QLocale::c();
+  locale.setNumberOptions(QLocale::OmitGroupSeparator);
+  QString text = locale.toString(value, 'f', digits);
+  // Thin spaces between thousands, as everywhere in the window.
+  const qsizetype end = text.contains('.') ? text.indexOf('.') : text.size();
+  for (qsizetype i = end - 3; i > (text.startsWith('-') ? 1 : 0); i -= 3)
+    text.insert(i, QChar(0x202f));
+  return text;
 }
 
 QString withUnit(const QString& text, const QString& unit) {
@@ -43,6 +50,13 @@ void drawText(QPainter& painter, const QRectF& box, int alignment, const QString
   painter.drawText(box, alignment, text);
 }
 
+/// A veil under what is to be read over the plant.
+void paintVeil(QPainter& painter, const QRectF& box, const Color& background) {
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(toQt(background, 190));
+  painter.drawRoundedRect(box, 6, 6);
+}
+
 void paintColorBar(QPainter& painter, const Scene& scene, const QString& unit, const QSizeF& size) {
   if (!scene.colorScale || !scene.points.visible) return;
   const Palette colors = palette(scene.dark);
@@ -50,6 +64,8 @@ void paintColorBar(QPainter& painter, const Scene& scene, const QString& unit, c
   const bool isHeight = scale.quantity == ColorScale::Quantity::height;
   const double height = std::min(180.0, 0.4 * size.height());
   const QRectF bar(size.width() - margin - 10, margin + 24, 10, height);
+  paintVeil(painter, QRectF(bar.left() - 86, margin - 8, 86 + 10 + 8, height + 44),
+            colors.backgroundTop);
   QLinearGradient gradient(bar.bottomLeft(), bar.topLeft());
   for (int i = 0; i <= 16; ++i)
     gradient.setColorAt(i / 16.0, toQt(viridis(i / 16.0, scene.dark)));
@@ -78,6 +94,8 @@ void paintScaleBar(QPainter& painter, const Scene& scene, const Camera& camera, 
   const double length = roundLength(140 * pixel);
   const QPointF left(margin, size.height() - margin);
   const QPointF right = left + QPointF(length / pixel, 0);
+  paintVeil(painter, QRectF(left + QPointF(-8, -28), right + QPointF(8, 8)),
+            colors.backgroundBottom);
   painter.setPen(QPen(toQt(colors.text), 1.5));
   painter.drawLine(left, right);
   for (const QPointF& end : {left, right})

@@ -75,6 +75,8 @@ void SkeletonGlyphs::update(const Skeleton& skeleton, const SkeletonDelta& delta
     for (const NodeId child : skeleton.children(change.id))
       drawEdge(skeleton, child);
   }
+  // An edit of much of the plant, as a reconstruction is, may change what is typical of it.
+  if (4 * delta.changes.size() > nodes_.size()) typicalLength_ = medianLength(edges_);
 }
 
 void SkeletonGlyphs::moveOrigin(const Eigen::Vector3d& origin) {

@@ -70,7 +70,7 @@ public:
 
   /// Encloses all nodes [L], frame of the file. Grows with edits, shrinks when rebuilt.
   [[nodiscard]] const Eigen::AlignedBox3d& bounds() const { return bounds_; }
-  /// Median length of an edge when last rebuilt [L]; 0 without edges.
+  /// Median length of an edge when much of the plant last changed [L]; 0 without edges.
   [[nodiscard]] double typicalLength() const { return typicalLength_; }
 
   [[nodiscard]] SlotRange takeChangedNodes() { return std::exchange(changedNodes_, {}); }

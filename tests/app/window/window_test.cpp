@@ -1,6 +1,7 @@
 #include "app/window/action_set.h"
 #include "tests/app/window/window_fixture.h"
 #include "tests/support/plants.h"
+#include "tests/support/shared_data.h"
 #include "ui/panels/message_banner.h"
 #include "ui/panels/status_line.h"
 
@@ -13,6 +14,7 @@
 #include <QListWidget>
 #include <QMenu>
 #include <QMimeData>
+#include <QRegularExpression>
 #include <QTest>
 #include <QTimer>
 
@@ -312,6 +314,32 @@ TEST_F(MainWindowTest, GivesEveryActionANameAndHelpAndNoKeyTwice) {
                          << " and " << each->objectName().toStdString();
     }
   }
+}
+
+TEST_F(MainWindowTest, HasALineInTheManualForEveryAction) {
+  QFile file(
+      QString::fromStdString((test::sourceFolder() / "resources/manual/manual.md").string()));
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  const QString manual = QString::fromUtf8(file.readAll());
+  const QRegularExpression pointSize("^\\d+ px$"); // one line tells of all
+  for (const QAction* each : window().actionSet().all()) {
+    const QString name = each->text().remove('&');
+    if (!pointSize.match(name).hasMatch()) {
+      EXPECT_TRUE(manual.contains(name)) << name.toStdString();
+    }
+  }
+}
+
+TEST_F(MainWindowTest, KeepsTheViewInItsPlaceWhateverIsShown) {
+  open({writeScan("scan.xyz"), writeFork("fork.mtg")});
+  const QRect before = view().geometry();
+  click(placeOf(forkTop));
+  QCoreApplication::processEvents();
+  EXPECT_EQ(view().geometry(), before); // the inspector has not grown
+  open({path("missing.mtg")});
+  QCoreApplication::processEvents();
+  EXPECT_TRUE(window().banner().isVisible());
+  EXPECT_EQ(view().geometry(), before);
 }
 
 TEST_F(MainWindowTest, FollowsTheThemeChosen) {

@@ -122,6 +122,19 @@ TEST(SkeletonGlyphs, KeepTheSelectionThroughEdits) {
   EXPECT_EQ(glyphs.nodes()[3].mark, Mark::none);
 }
 
+TEST(SkeletonGlyphs, KnowTheTypicalLengthOfAPlantThatAnEditMade) {
+  Skeleton plant;
+  SkeletonGlyphs glyphs = glyphsOf(plant);
+  SkeletonEditor editor(plant);
+  for (std::uint32_t i = 0; i < 9; ++i) {
+    Node node{.position = {0, 0, 0.25 * i}};
+    if (i > 0) node.parent = NodeId{i - 1};
+    editor.add(node);
+  }
+  glyphs.update(plant, editor.commit());
+  EXPECT_NEAR(glyphs.typicalLength(), 0.25, 1e-6);
+}
+
 TEST(SkeletonGlyphs, StayInPlaceWhenTheirOriginMoves) {
   const Skeleton plant = test::randomPlant(20, 2);
   SkeletonGlyphs glyphs = glyphsOf(plant);

@@ -35,7 +35,8 @@ TEST(AssembleAxes, LooksPastAKinkOfOneEdge) {
   Skeleton plant = test::stick(6);
   NodeId at{5};
   at = plant.add({.position = {0.1, 0, 5}, .parent = at}); // a short step aside
-  for (int i = 1; i < 6; ++i) at = plant.add({.position = {0.1, 0, 5.0 + i}, .parent = at});
+  for (int i = 1; i < 6; ++i)
+    at = plant.add({.position = {0.1, 0, 5.0 + i}, .parent = at});
   EXPECT_EQ(withAssembledAxes(plant)[NodeId{6}].edge, EdgeType::successor);
   EXPECT_EQ(withAssembledAxes(plant, {.reach = 1})[NodeId{6}].edge, EdgeType::branching);
 }

@@ -178,4 +178,18 @@ void writeAtomically(const fs::path& path, const std::function<void(std::ostream
   syncFolder(file.parent_path());
 }
 
+void requireWritable(const fs::path& path) {
+  const fs::path file = target(path);
+  struct stat status {};
+  if (::stat(file.c_str(), &status) == 0 && !S_ISREG(status.st_mode)) {
+    if (S_ISDIR(status.st_mode)) fail(path, EISDIR);
+    if (::access(file.c_str(), W_OK) != 0) fail(path, errno);
+    return;
+  }
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  if (::stat(folder.c_str(), &status) != 0) fail(path, errno);
+  if (!S_ISDIR(status.st_mode)) fail(path, ENOTDIR);
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) fail(path, errno);
+}
+
 } // namespace espalier

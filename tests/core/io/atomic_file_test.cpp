@@ -125,5 +125,32 @@ TEST(WriteAtomically, KeepsPermissions) {
   EXPECT_EQ(fs::status(file).permissions(), wanted);
 }
 
+TEST(RequireWritable, WritesNothing) {
+  const fs::path folder = test::freshFolder();
+  requireWritable(folder / "oak.mtg");
+  EXPECT_EQ(filesIn(folder), 0);
+  writeText(folder / "oak.mtg", "old");
+  requireWritable(folder / "oak.mtg");
+  EXPECT_EQ(textOf(folder / "oak.mtg"), "old");
+  EXPECT_EQ(filesIn(folder), 1);
+}
+
+TEST(RequireWritable, SaysWhatWritingWouldSay) {
+  const fs::path folder = test::freshFolder();
+  writeText(folder / "file", "text");
+  for (const fs::path& path :
+       {folder, folder / "missing" / "oak.mtg", folder / "file" / "oak.mtg"}) {
+    const auto errorOf = [](const auto& act) {
+      return test::errorOf([&] {
+        act();
+        return 0;
+      });
+    };
+    const std::string error = errorOf([&] { requireWritable(path); });
+    EXPECT_EQ(error, errorOf([&] { writeText(path, "new"); }));
+    EXPECT_THAT(error, HasSubstr(path.string() + ": cannot be written: "));
+  }
+}
+
 } // namespace
 } // namespace espalier

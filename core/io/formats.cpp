@@ -128,7 +128,7 @@ std::string beginningOf(std::istream& in, const std::filesystem::path& path) {
 }
 
 const Format& formatOfContent(std::string_view beginning, const std::filesystem::path& path) {
-  if (trimmed(beginning).empty()) throw Error(nameOf(path) + ": is empty");
+  if (trimmed(beginning).empty()) throw Error(nameOf(path) + ": is empty: copy or export it again");
   for (const Format& format : formats())
     if (format.recognizes != nullptr && format.recognizes(beginning)) return format;
   const std::string extension = extensionOf(path);
@@ -148,8 +148,8 @@ const Format& readableFormat(std::istream& in, const std::filesystem::path& path
     throw Error(nameOf(path) + ": holds " +
                 (content == Content::points ? "a structure" : "points") + " (" +
                 std::string(format.name) + "), not " +
-                (content == Content::points ? "points: open it as a structure"
-                                            : "a structure: open it as points"));
+                (content == Content::points ? "points: choose a scan"
+                                            : "a structure: choose an MTG or a node list"));
   return format;
 }
 
@@ -189,7 +189,7 @@ Imported<PointCloud> readPoints(const std::filesystem::path& path, const Progres
   Imported<PointCloud> result{PointCloud(std::move(raw.value), progress.part(0.6, 1)),
                               std::move(raw.notes)};
   const auto kept = static_cast<std::size_t>(result.value.size());
-  if (listed == 0) throw Error(nameOf(path) + ": holds no points");
+  if (listed == 0) throw Error(nameOf(path) + ": holds no points: export it again");
   if (kept == 0)
     throw Error(nameOf(path) + ": none of its " + std::to_string(listed) +
                 " points is finite: export it again");

@@ -337,13 +337,14 @@ namespace {
 /// The named one of `all`; an Error that lists them otherwise.
 template <class Named>
 const Named& findNamed(const std::vector<Named>& all, std::string_view name,
-                       const std::string& what) {
+                       const std::string& what, const std::string& where = {}) {
   std::string names;
   for (const Named& each : all) {
     if (each.name == name) return each;
     names += (names.empty() ? "" : ", ") + each.name;
   }
-  throw Error("there is no " + what + " \"" + std::string(name) + "\": choose one of " + names);
+  throw Error("there is no " + what + " \"" + std::string(name) + "\"" + where +
+              ": choose one of " + names);
 }
 
 } // namespace
@@ -353,7 +354,7 @@ const Step& stepNamed(std::string_view name) {
 }
 
 const Method& methodNamed(const Step& step, std::string_view name) {
-  return findNamed(step.methods, name, "method for step " + step.name);
+  return findNamed(step.methods, name, "method", " for step " + step.name);
 }
 
 } // namespace espalier

@@ -53,9 +53,9 @@ TEST(Formats, TellWhetherAFileHoldsPointsOrAStructure) {
 
 TEST(Formats, TellApartPointsAndStructures) {
   EXPECT_EQ(errorOfPoints(fileOf("oak.mtg", test::mtgFile())),
-            "oak.mtg: holds a structure (MTG), not points: open it as a structure");
+            "oak.mtg: holds a structure (MTG), not points: choose a scan");
   EXPECT_EQ(errorOfStructure(fileOf("oak.ply", test::asciiPlyFile())),
-            "oak.ply: holds points (PLY), not a structure: open it as points");
+            "oak.ply: holds points (PLY), not a structure: choose an MTG or a node list");
 }
 
 TEST(Formats, TellWhatCanBeReadInstead) {
@@ -71,8 +71,9 @@ TEST(Formats, TellWhyAFileCannotBeOpened) {
   EXPECT_EQ(errorOfPoints(folder), folder.string() + ": is a folder, choose a file in it");
   EXPECT_THAT(errorOfPoints(folder / "missing.ply"), HasSubstr("No such file"));
   EXPECT_THAT(errorOfPoints(fileOf("file", "text") / "oak.ply"), HasSubstr("Not a directory"));
-  EXPECT_EQ(errorOfPoints(fileOf("empty.ply", "")), "empty.ply: is empty");
-  EXPECT_EQ(errorOfStructure(fileOf("empty.mtg", " \n")), "empty.mtg: is empty");
+  EXPECT_EQ(errorOfPoints(fileOf("empty.ply", "")), "empty.ply: is empty: copy or export it again");
+  EXPECT_EQ(errorOfStructure(fileOf("empty.mtg", " \n")),
+            "empty.mtg: is empty: copy or export it again");
 }
 
 TEST(Formats, TellThatAFileMayNotBeRead) {
@@ -101,7 +102,7 @@ TEST(ReadPoints, TakesOnePointAndPointsThatCoincide) {
 TEST(ReadPoints, RefusesAFileWithoutAny) {
   std::string bytes = test::asciiPlyFile();
   bytes.replace(bytes.find("vertex 3"), 8, "vertex 0");
-  EXPECT_EQ(errorOfPoints(fileOf("oak.ply", bytes)), "oak.ply: holds no points");
+  EXPECT_EQ(errorOfPoints(fileOf("oak.ply", bytes)), "oak.ply: holds no points: export it again");
 }
 
 TEST(ReadPoints, StopsWhenAsked) {

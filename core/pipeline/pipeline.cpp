@@ -21,20 +21,11 @@ const Method& chosenMethod(const Step& step, const PipelineOptions& options) {
   return choice == options.methods.end() ? step.methods.front() : methodNamed(step, choice->second);
 }
 
-void requireKnownOptions(const PipelineOptions& options) {
-  for (const auto& [name, method] : options.methods)
-    (void)methodNamed(stepNamed(name), method);
-  for (const auto& [name, values] : options.settings) {
-    const Method& method = chosenMethod(stepNamed(name), options);
-    for (const auto& [optionName, value] : values) {
-      bool isKnown = false;
-      for (const Option& option : method.options)
-        isKnown = isKnown || option.name == optionName;
-      if (!isKnown)
-        throw Error("method " + method.name + " of step " + name + " has no option \"" +
-                    optionName + "\": " + optionNames(method));
-    }
-  }
+void requireOption(const Step& step, const Method& method, const std::string& name) {
+  for (const Option& option : method.options)
+    if (option.name == name) return;
+  throw Error("method " + method.name + " of step " + step.name + " has no option \"" + name +
+              "\": " + optionNames(method));
 }
 
 double checkedValue(const Step& step, const Option& option, double value, const PlantScale& scale) {
@@ -72,6 +63,16 @@ void PipelineOptions::set(const std::string& assignment) {
     throw Error("\"" + text + "\" is no number: write " + step + "." + option + "=VALUE");
   (void)stepNamed(step);
   settings[step][option] = value;
+}
+
+void requireKnown(const PipelineOptions& options) {
+  for (const auto& [name, method] : options.methods)
+    (void)methodNamed(stepNamed(name), method);
+  for (const auto& [name, values] : options.settings) {
+    const Step& step = stepNamed(name);
+    for (const auto& [option, value] : values)
+      requireOption(step, chosenMethod(step, options), option);
+  }
 }
 
 std::vector<double> resolvedValues(const Step& step, const Method& method,
@@ -140,7 +141,7 @@ Pipeline& Pipeline::operator=(Pipeline&&) noexcept = default;
 Reconstruction Pipeline::run(const std::shared_ptr<const PointCloud>& cloud,
                              const PipelineOptions& options, const Progress& progress,
                              const std::string& last) {
-  requireKnownOptions(options);
+  requireKnown(options);
   if (cloud->size() < 2) throw Error("a plant needs at least 2 points: check the scan");
   kept_->start(cloud, options);
   if (kept_->scale.spacing == 0)

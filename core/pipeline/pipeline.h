@@ -24,6 +24,10 @@ struct PipelineOptions {
   bool operator==(const PipelineOptions&) const = default;
 };
 
+/// Checks the names of all steps, methods and options, before any scan is there.
+/// @throws Error naming what there is
+void requireKnown(const PipelineOptions& options);
+
 /// What one step did, for the report.
 struct StepRecord {
   std::string step;

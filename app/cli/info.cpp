@@ -2,24 +2,47 @@
 #include "app/cli/statistics.h"
 #include "app/cli/terminal.h"
 #include "core/io/formats.h"
+#include "core/mtg/mtg_reader.h"
+#include "core/mtg/mtg_skeleton.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <memory>
+#include <sstream>
 #include <string>
 
 namespace espalier {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 struct Flags {
   std::string file;
   bool isJson = false;
 };
 
+/// Numbers with as many digits as a person reads; arrays as "[1, 2, 3]".
+std::string textOf(const Json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_array()) {
+    std::string list;
+    for (const Json& each : value)
+      list += (list.empty() ? "" : ", ") + textOf(each);
+    return '[' + list + ']';
+  }
+  if (!value.is_number_float()) return value.dump();
+  std::ostringstream text;
+  text.precision(9); // millimeters of coordinates in the hundreds of kilometers
+  text << value.get<double>();
+  return text.str();
+}
+
 /// Prints "key  value" lines; objects are unfolded with dotted keys, findings to their number.
-void printLines(const nlohmann::ordered_json& json, const std::string& prefix = {}) {
+void printLines(const Json& json, const std::string& prefix = {}) {
   for (const auto& [key, value] : json.items()) {
     if (value.is_object()) {
       printLines(value, prefix + key + ".");
@@ -31,23 +54,44 @@ void printLines(const nlohmann::ordered_json& json, const std::string& prefix = 
     if (key == "findings")
       std::cout << value.size() << '\n';
     else
-      std::cout << (value.is_string() ? value.get<std::string>() : value.dump()) << '\n';
+      std::cout << textOf(value) << '\n';
   }
+}
+
+/// An MTG is told as it is, with all its scales; its skeleton only if it has one.
+Json infoOnMtg(const std::string& file) {
+  const std::string name = std::filesystem::path(file).filename().string();
+  std::ifstream in(file, std::ios::binary);
+  const Imported<Mtg> mtg = readMtg(in, name);
+  printNotes(mtg.notes);
+  Imported<Skeleton> skeleton;
+  if (hasPositions(mtg.value, name))
+    skeleton = skeletonOf(mtg.value, name);
+  else
+    skeleton.notes.push_back(name + ": has no positions, so there is no skeleton to measure");
+  printNotes(skeleton.notes);
+  Json json = statistics(skeleton.value);
+  json.update(statistics(mtg.value));
+  return json;
+}
+
+Json infoOn(const std::string& file, const Format& format) {
+  if (format.name == "MTG") return infoOnMtg(file);
+  if (format.content == Content::structure) {
+    const auto structure = readStructure(file);
+    printNotes(structure.notes);
+    return statistics(structure.value);
+  }
+  const TerminalProgress terminal;
+  const auto points = readPoints(file, terminal.progress());
+  printNotes(points.notes);
+  return statistics(points.value);
 }
 
 void info(const Flags& flags) {
   const Format& format = formatOf(flags.file);
-  nlohmann::ordered_json json = {{"file", flags.file}, {"format", std::string(format.name)}};
-  if (format.content == Content::points) {
-    const TerminalProgress terminal;
-    const auto points = readPoints(flags.file, terminal.progress());
-    printNotes(points.notes);
-    json.update(statistics(points.value));
-  } else {
-    const auto structure = readStructure(flags.file);
-    printNotes(structure.notes);
-    json.update(statistics(structure.value));
-  }
+  Json json = {{"file", flags.file}, {"format", std::string(format.name)}};
+  json.update(infoOn(flags.file, format));
   if (flags.isJson)
     std::cout << json.dump(2) << '\n';
   else
@@ -59,9 +103,11 @@ void info(const Flags& flags) {
 void addInfo(CLI::App& app) {
   CLI::App* command = app.add_subcommand("info", "Tell what a file holds");
   const auto flags = std::make_shared<Flags>();
-  command->add_option("file", flags->file, "Points or a structure")->required();
-  command->add_flag("--json", flags->isJson, "As JSON");
+  command->add_option("FILE", flags->file, "Points or a structure, of any format that can be read")
+      ->required();
+  command->add_flag("--json", flags->isJson, "Print JSON instead of text");
   command->callback([flags] { info(*flags); });
+  command->footer("Lengths are in the unit of the file.");
 }
 
 } // namespace espalier

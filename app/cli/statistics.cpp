@@ -30,6 +30,21 @@ Json statistics(const PointCloud& cloud) {
           {"has_intensities", !cloud.intensities().empty()}};
 }
 
+Json statistics(const Mtg& mtg) {
+  std::vector<std::size_t> vertices = {1};
+  std::size_t successors = 0;
+  std::size_t branchings = 0;
+  for (const MtgVertex& vertex : mtg.vertices) {
+    const auto scale = static_cast<std::size_t>(vertex.scale);
+    vertices.resize(std::max(vertices.size(), scale + 1));
+    ++vertices[scale];
+    if (vertex.parent) ++(vertex.edge == EdgeType::successor ? successors : branchings);
+  }
+  return {{"vertices_per_scale", vertices},
+          {"successor_edges", successors},
+          {"branching_edges", branchings}};
+}
+
 Json statistics(const Skeleton& skeleton) {
   std::size_t tips = 0;
   std::size_t successors = 0;

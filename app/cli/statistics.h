@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/cloud/point_cloud.h"
+#include "core/mtg/mtg.h"
 #include "core/pipeline/pipeline.h"
 #include "core/skeleton/skeleton.h"
 
@@ -11,8 +12,12 @@
 
 namespace espalier {
 
-/// Keys: points, bounds.{minimum,maximum}, origin, spacing, has_colors, has_intensities.
+/// Keys: points, bounds.{minimum,maximum}, spacing, has_colors, has_intensities.
 [[nodiscard]] nlohmann::ordered_json statistics(const PointCloud& cloud);
+
+/// Keys: vertices_per_scale, coarsest first, the scene of scale 0 included; successor_edges and
+/// branching_edges, of all scales.
+[[nodiscard]] nlohmann::ordered_json statistics(const Mtg& mtg);
 
 /// Keys: nodes, roots, tips, successor_edges, branching_edges, length, axes_per_order,
 /// bounds.{minimum,maximum}, largest_radius, findings.

@@ -60,13 +60,12 @@ std::optional<Eigen::Vector3d> positionOf(const MtgVertex& vertex, const Geometr
   return position;
 }
 
-int finestPositionedScale(const Mtg& mtg, const Geometry& geometry, const std::string& file) {
-  int finest = -1;
+std::optional<int> finestPositionedScale(const Mtg& mtg, const Geometry& geometry,
+                                         const std::string& file) {
+  std::optional<int> finest;
   for (const MtgVertex& vertex : mtg.vertices)
-    if (vertex.scale > finest && positionOf(vertex, geometry, file)) finest = vertex.scale;
-  if (finest < 0)
-    throw Error(file + ": none of its vertices has a position, in features XX, YY and ZZ: it "
-                       "describes a plant without its shape");
+    if (vertex.scale > finest.value_or(-1) && positionOf(vertex, geometry, file))
+      finest = vertex.scale;
   return finest;
 }
 
@@ -103,9 +102,16 @@ std::vector<std::string> notesOn(const Counts& counts, const std::string& file) 
 
 } // namespace
 
+bool hasPositions(const Mtg& mtg, const std::string& file) {
+  return finestPositionedScale(mtg, geometryOf(mtg), file).has_value();
+}
+
 Imported<Skeleton> skeletonOf(const Mtg& mtg, const std::string& file) {
   const Geometry geometry = geometryOf(mtg);
-  const int scale = finestPositionedScale(mtg, geometry, file);
+  const std::optional<int> scale = finestPositionedScale(mtg, geometry, file);
+  if (!scale)
+    throw Error(file + ": none of its vertices has a position, in features XX, YY and ZZ: it "
+                       "describes a plant without its shape");
   Imported<Skeleton> result;
   Counts counts;
   std::vector<Link> links(mtg.vertices.size());

@@ -8,6 +8,10 @@
 
 namespace espalier {
 
+/// Whether any vertex has a position, so that there is a skeleton of it.
+/// @throws Error if a coordinate is no number
+[[nodiscard]] bool hasPositions(const Mtg& mtg, const std::string& file);
+
 /// The vertices of the finest scale that has positions, as a skeleton.
 ///
 /// Positions are the features XX YY ZZ or X Y Z; radii the feature radius, or half of diameter; the

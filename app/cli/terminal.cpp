@@ -1,36 +1,15 @@
 #include "app/cli/terminal.h"
 
-#include <csignal>
 #include <cstdio>
 #include <iostream>
 #include <string>
-#include <thread>
 #include <unistd.h>
 
 namespace espalier {
-namespace {
-
-/// What Ctrl+C asks for: looked at by a thread, since a signal handler may not do more than set it.
-volatile std::sig_atomic_t wasInterrupted = 0;
-
-/// Turns Ctrl+C into a stop request while it lives.
-std::stop_token stopOnInterrupt() {
-  static std::stop_source source;
-  static const std::jthread watcher([](const std::stop_token& ending) {
-    while (!ending.stop_requested()) {
-      if (wasInterrupted != 0) source.request_stop();
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    }
-  });
-  std::signal(SIGINT, [](int) { wasInterrupted = 1; });
-  return source.get_token();
-}
-
-} // namespace
 
 TerminalProgress::TerminalProgress()
     : isTerminal_(isatty(STDERR_FILENO) != 0),
-      progress_(stopOnInterrupt(),
+      progress_(interrupt_.token(),
                 [this](double fraction, std::string_view stage) { report(fraction, stage); }) {}
 
 TerminalProgress::~TerminalProgress() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/cli/interrupt.h"
 #include "core/base/progress.h"
 
 #include <chrono>
@@ -21,6 +22,10 @@ public:
 
   [[nodiscard]] const Progress& progress() const { return progress_; }
 
+  /// Stops if Ctrl+C was pressed: for just before the first result is written.
+  /// @throws Cancelled
+  void check() const { progress_.check(); }
+
   /// Seconds spent in each stage so far, in their order; nameless stages count to the one before.
   [[nodiscard]] std::vector<std::pair<std::string, double>> stageSeconds() const;
 
@@ -30,6 +35,7 @@ private:
 
   std::vector<std::pair<std::string, Clock::time_point>> stages_; // when each began
   bool isTerminal_;
+  Interrupt interrupt_;
   Progress progress_;
 };
 

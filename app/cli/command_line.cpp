@@ -1,23 +1,33 @@
 #include "app/cli/command_line.h"
 
 #include "app/cli/commands.h"
+#include "app/cli/help.h"
 #include "core/base/progress.h"
+#include "core/base/text.h"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <string>
+#include <system_error>
 
 namespace espalier {
 namespace {
 
+constexpr int done = 0;
+constexpr int failed = 1;
+constexpr int wrongUsage = 2;
+constexpr int stopped = 130;
+
 void addAll(CLI::App& app) {
+  app.formatter(makeHelpFormatter());
+  app.set_help_flag("-h,--help", "Print this help");
   app.require_subcommand(1);
-  app.set_version_flag("--version", "espalier " ESPALIER_VERSION);
-  app.footer("Without a subcommand, espalier [FILE ...] opens the editor.");
   addReconstruct(app);
   addContract(app);
   addEvaluate(app);
@@ -26,6 +36,58 @@ void addAll(CLI::App& app) {
   addSimulate(app);
   addMethods(app);
   addPicture(app);
+  // What subcommands would inherit comes after them.
+  app.set_version_flag("--version", "espalier " ESPALIER_VERSION, "Print the version");
+  app.footer("\"espalier SUBCOMMAND --help\" tells all about one. Results go to files, messages\n"
+             "to standard error. Exit status: 0 done, 1 an error told in one line, 2 wrong\n"
+             "usage, 130 stopped by Ctrl+C.");
+}
+
+bool isSubcommand(const CLI::App& app, const std::string& name) {
+  return !app.get_subcommands([&](const CLI::App* each) { return each->get_name() == name; })
+              .empty();
+}
+
+/// Whether a first argument can only be meant for a subcommand: no file, nor the name of one.
+bool isMistypedSubcommand(const std::string& argument) {
+  std::error_code isMissing;
+  return argument.find_first_of("./") == std::string::npos &&
+         !std::filesystem::exists(argument, isMissing);
+}
+
+/// What is wrong with the arguments, with the name of the subcommand that tells more.
+std::string usageMessage(const CLI::App& app, const CLI::ParseError& problem) {
+  const auto chosen = app.get_subcommands();
+  const std::string name = chosen.empty() ? "espalier" : "espalier " + chosen.front()->get_name();
+  std::string what = problem.what();
+  if (dynamic_cast<const CLI::ExtrasError*>(&problem) != nullptr)
+    what = what.substr(what.find(": ") + 2) + " is not expected here";
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&problem) != nullptr)
+    what = what.substr(0, what.find(": ")) + " needs a value";
+  return what + "; see \"" + name + " --help\"";
+}
+
+int fail(int status, const std::string& message) {
+  std::cerr << "espalier: " << message << '\n';
+  return status;
+}
+
+/// Parses the arguments, which runs the subcommand they name.
+int run(CLI::App& app, int argc, char** argv) {
+  try {
+    app.parse(argc, argv);
+    return done;
+  } catch (const CLI::Success& help) { // help or version was asked for
+    return app.exit(help);
+  } catch (const CLI::ParseError& problem) {
+    return fail(wrongUsage, usageMessage(app, problem));
+  } catch (const Cancelled&) {
+    return fail(stopped, "stopped; nothing was written");
+  } catch (const std::bad_alloc&) {
+    return fail(failed, "not enough memory: close other programs, or thin the scan");
+  } catch (const std::exception& problem) {
+    return fail(failed, problem.what());
+  }
 }
 
 } // namespace
@@ -35,33 +97,21 @@ bool isForCommandLine(int argc, char** argv) {
   CLI::App app;
   addAll(app);
   const std::string first = argv[1];
-  const auto commands =
-      app.get_subcommands([&](const CLI::App* c) { return c->get_name() == first; });
-  return !commands.empty() || first == "--help" || first == "-h" || first == "--version";
+  return first.starts_with('-') || isSubcommand(app, first) || isMistypedSubcommand(first);
 }
 
 int runCommandLine(int argc, char** argv) {
-  constexpr int error = 1;
-  constexpr int wrongUsage = 2;
-  constexpr int stopped = 130;
   CLI::App app("Espalier: from a laser scan of a plant to a skeleton an expert would sign",
                "espalier");
   addAll(app);
-  try {
-    app.parse(argc, argv);
-    return 0;
-  } catch (const CLI::ParseError& problem) {
-    return app.exit(problem) == 0 ? 0 : wrongUsage;
-  } catch (const Cancelled&) {
-    std::cerr << "espalier: stopped; nothing was written\n";
-    return stopped;
-  } catch (const std::bad_alloc&) {
-    std::cerr << "espalier: not enough memory: close other programs, or thin the scan\n";
-    return error;
-  } catch (const std::exception& problem) {
-    std::cerr << "espalier: " << problem.what() << '\n';
-    return error;
-  }
+  if (argc > 1 && !isSubcommand(app, argv[1]) && app.get_option_no_throw(argv[1]) == nullptr)
+    return fail(wrongUsage,
+                inQuotes(argv[1]) + " is no file, subcommand or option; see \"espalier --help\"");
+  const int status = run(app, argc, argv);
+  std::cout.flush();
+  if (status == done && (!std::cout || std::fflush(stdout) != 0))
+    return fail(failed, "standard output cannot be written: free some room or write elsewhere");
+  return status;
 }
 
 } // namespace espalier

@@ -1,11 +1,13 @@
+#include "app/cli/arguments.h"
 #include "app/cli/commands.h"
+#include "app/cli/files.h"
+#include "app/cli/pipeline_flags.h"
 #include "app/cli/terminal.h"
+#include "core/evaluate/comparable.h"
 #include "core/evaluate/comparison.h"
 #include "core/evaluate/comparison_json.h"
 #include "core/io/atomic_file.h"
-#include "core/io/formats.h"
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
@@ -20,6 +22,7 @@ struct Flags {
   std::string reference;
   bool noRegister = false;
   std::string json;
+  int threads = 0;
 };
 
 void print(const Comparison& comparison) {
@@ -40,11 +43,15 @@ void print(const Comparison& comparison) {
 }
 
 void evaluate(const Flags& flags) {
+  const Threads threads(flags.threads);
+  requireOutput(flags.json, {flags.result, flags.reference});
   const TerminalProgress terminal;
   const auto result = readStructure(flags.result);
   const auto reference = readStructure(flags.reference);
   printNotes(result.notes);
   printNotes(reference.notes);
+  requireComparable(result.value, flags.result);
+  requireComparable(reference.value, flags.reference);
   ComparisonOptions options;
   options.registers = !flags.noRegister;
   const Comparison comparison =
@@ -64,12 +71,17 @@ void addEvaluate(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("evaluate", "Measure a skeleton against a reference structure");
   const auto flags = std::make_shared<Flags>();
-  command->add_option("result", flags->result, "Structure to judge")->required();
-  command->add_option("reference", flags->reference, "Structure taken as true")->required();
+  command->add_option("RESULT", flags->result, "Structure to judge: MTG or node list")->required();
+  command->add_option("REFERENCE", flags->reference, "Structure that is taken as true")->required();
   command->add_flag("--no-register", flags->noRegister,
-                    "Compare the structures where they are, without laying one on the other");
-  command->add_option("--json", flags->json, "File for all numbers");
+                    "Compare the two where they lie; without it the result is first laid on the "
+                    "reference");
+  command->add_option("--json", flags->json, "File to write all numbers to")->type_name("FILE");
+  addThreads(*command, flags->threads);
   command->callback([flags] { evaluate(*flags); });
+  command->footer("Lengths are in the unit of the structures.\n\n"
+                  "Example:\n"
+                  "  espalier evaluate pine.mtg expert.mtg --json numbers.json");
 }
 
 } // namespace espalier

@@ -84,7 +84,7 @@ void methods(const Flags& flags) {
       isKnown = isKnown || isWanted(flags, step, method);
   if (!isKnown)
     throw Error("there is no step or method \"" + flags.name +
-                "\": \"espalier methods\" lists all there are");
+                R"(": "espalier methods" lists all there are)");
   if (flags.isJson)
     printJson(flags);
   else
@@ -97,9 +97,12 @@ void addMethods(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("methods", "List every step, method and option with its default rule");
   const auto flags = std::make_shared<Flags>();
-  command->add_option("name", flags->name, "A step or method (default: all)");
-  command->add_flag("--json", flags->isJson, "As JSON");
+  command->add_option("NAME", flags->name, "A step or method")->default_str("all");
+  command->add_flag("--json", flags->isJson, "Print JSON instead of text");
   command->callback([flags] { methods(*flags); });
+  command->footer("Examples:\n"
+                  "  espalier methods contract\n"
+                  "  espalier reconstruct pine.las -o pine.mtg --set contract.radius=0.05");
 }
 
 } // namespace espalier

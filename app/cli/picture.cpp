@@ -1,20 +1,23 @@
 #include "ui/view/picture.h"
 
+#include "app/cli/arguments.h"
 #include "app/cli/commands.h"
+#include "app/cli/files.h"
 #include "app/cli/terminal.h"
-#include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/io/atomic_file.h"
-#include "core/io/formats.h"
 
-#include <CLI/CLI.hpp>
 #include <QBuffer>
 #include <QGuiApplication>
+#include <QTemporaryDir>
 
 #include <algorithm>
-#include <map>
+#include <filesystem>
 #include <memory>
 #include <ostream>
 #include <string>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 namespace espalier {
@@ -62,9 +65,33 @@ Scene sceneOf(const Flags& flags, const Progress& progress) {
   return scene;
 }
 
+void requirePng(const std::string& path) {
+  const std::string extension = lowerCase(std::filesystem::path(path).extension().string());
+  if (extension == ".png") return;
+  std::error_code isMissing;
+  const bool isDevice = std::filesystem::exists(path, isMissing) &&
+                        !std::filesystem::is_regular_file(path, isMissing) &&
+                        !std::filesystem::is_directory(path, isMissing);
+  if (!isDevice || !extension.empty())
+    throw Error(path + ": pictures are written as PNG: choose a name that ends in .png");
+}
+
+QByteArray pngOf(const QImage& image) {
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  buffer.open(QIODevice::WriteOnly);
+  image.save(&buffer, "PNG");
+  return bytes;
+}
+
 void drawPicture(const Flags& flags) {
-  // Drawing needs no display, but Qt an application.
+  requirePng(flags.output);
+  requireOutput(flags.output, flags.files);
+  // Drawing needs no display, but Qt an application, and that a folder of its own.
   qputenv("QT_QPA_PLATFORM", "offscreen");
+  const QTemporaryDir folder;
+  if (qEnvironmentVariableIsEmpty("XDG_RUNTIME_DIR"))
+    qputenv("XDG_RUNTIME_DIR", folder.path().toLocal8Bit());
   int argc = 1;
   std::string name = "espalier";
   char* argv[] = {name.data(), nullptr};
@@ -76,10 +103,8 @@ void drawPicture(const Flags& flags) {
   const Camera camera =
       cameraOf(scene, flags.view, static_cast<double>(flags.width) / flags.height);
   const QImage image = picture(scene, camera, {.unit = QString::fromStdString(flags.unit)}, size);
-  QByteArray bytes;
-  QBuffer buffer(&bytes);
-  buffer.open(QIODevice::WriteOnly);
-  image.save(&buffer, "PNG");
+  const QByteArray bytes = pngOf(image);
+  terminal.check();
   writeAtomically(flags.output, [&](std::ostream& out) {
     out.write(bytes.constData(), static_cast<std::streamsize>(bytes.size()));
   });
@@ -91,39 +116,39 @@ void addPicture(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("picture", "Draw a scan, a structure, or both, as the editor would");
   const auto flags = std::make_shared<Flags>();
-  command->add_option("files", flags->files, "A scan, a structure, or both")->required();
-  command->add_option("-o,--output", flags->output, "PNG file to write")->required();
-  const std::map<std::string, StandardView> views = {{"front", StandardView::front},
-                                                     {"back", StandardView::back},
-                                                     {"left", StandardView::left},
-                                                     {"side", StandardView::right},
-                                                     {"top", StandardView::top},
-                                                     {"bottom", StandardView::bottom},
-                                                     {"isometric", StandardView::isometric}};
-  command->add_option("--view", flags->view, "Side to look from")
-      ->transform(CLI::CheckedTransformer(views))
-      ->default_str("front");
-  command->add_option("--layers", flags->layers, "What to show (default: all)")
-      ->check(CLI::IsMember({"points", "skeleton"}))
-      ->delimiter(',');
-  const std::map<std::string, PointColor> colors = {{"uniform", PointColor::uniform},
-                                                    {"height", PointColor::height},
-                                                    {"intensity", PointColor::intensity},
-                                                    {"rgb", PointColor::rgb}};
-  command->add_option("--color", flags->color, "What the points are colored by")
-      ->transform(CLI::CheckedTransformer(colors))
-      ->default_str("height");
-  command->add_option("--width", flags->width, "[pixels]")
-      ->check(CLI::Range(16, 16384))
-      ->capture_default_str();
-  command->add_option("--height", flags->height, "[pixels]")
-      ->check(CLI::Range(16, 16384))
-      ->capture_default_str();
+  command->add_option("FILE", flags->files, "A scan, a structure, or one of each")->required();
+  addOutput(*command, flags->output, "PNG picture to write");
+  addChoice(*command, "--view", flags->view, "Side to look from",
+            {{"front", StandardView::front},
+             {"back", StandardView::back},
+             {"left", StandardView::left},
+             {"side", StandardView::right},
+             {"top", StandardView::top},
+             {"bottom", StandardView::bottom},
+             {"isometric", StandardView::isometric}});
+  command->add_option("--layers", flags->layers, "What to show, parted by commas: points, skeleton")
+      ->type_name("LIST")
+      ->default_str("all")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(oneOf({"points", "skeleton"}));
+  addChoice(*command, "--color", flags->color, "What the points are colored by",
+            {{"uniform", PointColor::uniform},
+             {"height", PointColor::height},
+             {"intensity", PointColor::intensity},
+             {"rgb", PointColor::rgb}});
+  for (const auto& [option, size] :
+       {std::pair{"--width", &flags->width}, std::pair{"--height", &flags->height}})
+    command->add_option(option, *size, "Size of the picture in pixels, 16 to 16384")
+        ->type_name("N")
+        ->check(wholeNumber(16, 16384))
+        ->capture_default_str();
   command->add_flag("--dark", flags->isDark, "On a dark background");
   command->add_flag("--radii", flags->showRadii, "Draw the skeleton as thick as the plant");
-  command->add_option("--unit", flags->unit, "Unit of lengths, for the scale bar")
-      ->check(CLI::IsMember({"mm", "cm", "m"}));
+  addUnit(*command, flags->unit, "Unit of lengths, for the scale bar");
   command->callback([flags] { drawPicture(*flags); });
+  command->footer("Example:\n"
+                  "  espalier picture pine.las pine.mtg -o pine.png --view side");
 }
 
 } // namespace espalier

@@ -1,18 +1,35 @@
 #include "app/cli/pipeline_flags.h"
 
-#include "core/base/error.h"
+#include "app/cli/arguments.h"
+#include "app/cli/files.h"
 #include "core/base/parallel.h"
+#include "core/base/text.h"
 #include "core/pipeline/preset.h"
-
-#include <CLI/CLI.hpp>
 
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
-#include <map>
 #include <optional>
+#include <system_error>
 
 namespace espalier {
+namespace {
+
+PipelineOptions presetIn(const std::string& path) {
+  std::error_code isMissing;
+  if (std::filesystem::is_directory(path, isMissing))
+    throw Error(path + ": is a folder, choose a file in it");
+  std::ifstream in(path);
+  if (!in) throw Error(path + ": cannot be read: check its name and your rights to it");
+  return about(path, [&] {
+    PipelineOptions options = readPreset(in);
+    requireKnown(options);
+    return options;
+  });
+}
+
+} // namespace
 
 struct Threads::Limit {
   std::optional<ThreadLimit> tbb;
@@ -23,11 +40,6 @@ Threads::Threads(int threads) : limit_(std::make_unique<Limit>()) {
 }
 Threads::~Threads() = default;
 
-void addThreadsFlag(CLI::App& command, int& threads) {
-  command.add_option("--threads", threads, "Use at most this many threads (default: all)")
-      ->check(CLI::Range(1, 1024));
-}
-
 Eigen::Vector3d parsePlace(const std::string& text, const std::string& flag) {
   Eigen::Vector3d place;
   const char* at = text.data();
@@ -37,47 +49,47 @@ Eigen::Vector3d parsePlace(const std::string& text, const std::string& flag) {
     const bool isLast = axis == 2;
     const bool endsWell = isLast ? next == end : next != end && *next == ',';
     if (error != std::errc() || !endsWell || !std::isfinite(place[axis]))
-      throw Error(flag + " " + text + ": write three numbers as X,Y,Z");
+      throw Error(flag + " " + inQuotes(text) + ": write lowest, or three numbers as X,Y,Z");
     at = next + (isLast ? 0 : 1);
   }
   return place;
 }
 
-void PipelineFlags::addTo(CLI::App& command) {
-  command.add_option("scan", scan, "Points of one plant: PLY, XYZ, LAS, PCD ...")->required();
-  command.add_option("-o,--output", output, "File to write")->required();
-  command.add_option("--method", method, "Method of the main step (see: espalier methods)");
-  command.add_option("--set", settings, "STEP.OPTION=VALUE; lengths in the unit of the scan")
-      ->take_all();
-  command.add_option("--preset", preset, "JSON file of steps and options");
-  command.add_option("--root", root, "Foot of the plant: lowest, or a place X,Y,Z")
+void PipelineFlags::addTo(CLI::App& command, const std::string& result) {
+  command.add_option("SCAN", scan, "Points of one plant: PLY, XYZ, LAS or PCD")->required();
+  addOutput(command, output, result);
+  command.add_option("--method", method, "Method of the main step (see: espalier methods)")
+      ->type_name("NAME");
+  command
+      .add_option("--set", settings,
+                  "STEP.OPTION=VALUE, as often as needed; lengths in the unit of the scan, angles "
+                  "in degrees (see: espalier methods)")
+      ->type_name("SETTING")
+      ->allow_extra_args(false);
+  command.add_option("--preset", preset, "JSON file of steps and options; --set goes before it")
+      ->type_name("FILE");
+  command
+      .add_option("--root", root,
+                  "Foot of the plant: lowest, or X,Y,Z for the point of the scan nearest to there")
+      ->type_name("PLACE")
       ->capture_default_str();
-  command.add_option("--up", up, "Axis that points up")
-      ->check(CLI::IsMember({"x", "y", "z"}))
-      ->capture_default_str();
-  command.add_option("--unit", unit, "Unit of the scan, for the statistics")
-      ->check(CLI::IsMember({"mm", "cm", "m"}));
-  command.add_option("--json", json, "File for statistics and the options used");
-  addThreadsFlag(command, threads);
+  addChoice(command, "--up", up, "Axis that points up",
+            {{"x", UpAxis::x}, {"y", UpAxis::y}, {"z", UpAxis::z}});
+  addUnit(command, unit, "Unit of the scan, to be named in the statistics");
+  command.add_option("--json", json, "File to write statistics and the options used to")
+      ->type_name("FILE");
+  addThreads(command, threads);
 }
 
 PipelineOptions PipelineFlags::options(const std::string& stepOfMethod) const {
   PipelineOptions result;
-  if (!preset.empty()) {
-    std::ifstream in(preset);
-    if (!in) throw Error(preset + ": cannot be read; check the path");
-    try {
-      result = readPreset(in);
-    } catch (const Error& error) {
-      throw Error(preset + ": " + error.what());
-    }
-  }
+  if (!preset.empty()) result = presetIn(preset);
   if (!method.empty()) result.set(stepOfMethod + ".method=" + method);
   for (const std::string& setting : settings)
     result.set(setting);
   if (root != "lowest") result.root = parsePlace(root, "--root");
-  result.up =
-      std::map<std::string, UpAxis>{{"x", UpAxis::x}, {"y", UpAxis::y}, {"z", UpAxis::z}}.at(up);
+  result.up = up;
+  requireKnown(result);
   return result;
 }
 

@@ -20,12 +20,13 @@ struct PipelineFlags {
   std::vector<std::string> settings; // STEP.OPTION=VALUE
   std::string preset;
   std::string root = "lowest";
-  std::string up = "z";
+  UpAxis up = UpAxis::z;
   std::string unit;
   std::string json;
   int threads = 0;
 
-  void addTo(CLI::App& command);
+  /// @param result what the output file holds, for the help
+  void addTo(CLI::App& command, const std::string& result);
 
   /// @throws Error naming the flag, what it holds and what it may hold
   [[nodiscard]] PipelineOptions options(const std::string& stepOfMethod) const;
@@ -43,8 +44,6 @@ private:
   struct Limit;
   std::unique_ptr<Limit> limit_;
 };
-
-void addThreadsFlag(CLI::App& command, int& threads);
 
 /// "X,Y,Z" as numbers. @throws Error if it is not three numbers
 [[nodiscard]] Eigen::Vector3d parsePlace(const std::string& text, const std::string& flag);

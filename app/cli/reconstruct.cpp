@@ -1,18 +1,27 @@
+#include "app/cli/arguments.h"
 #include "app/cli/commands.h"
+#include "app/cli/files.h"
 #include "app/cli/pipeline_flags.h"
 #include "app/cli/statistics.h"
 #include "app/cli/terminal.h"
 #include "core/io/atomic_file.h"
-#include "core/io/formats.h"
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <memory>
 #include <ostream>
+#include <utility>
 
 namespace espalier {
 namespace {
+
+/// What the two subcommands differ in.
+struct Task {
+  std::string mainStep; // whose method --method names
+  std::string lastStep; // empty: all are run
+  Content content;      // of the output
+  const char* outputHelp;
+};
 
 void writeStatistics(const PipelineFlags& flags, const PointCloud& cloud,
                      const Reconstruction& result, const TerminalProgress& terminal) {
@@ -26,49 +35,55 @@ void writeStatistics(const PipelineFlags& flags, const PointCloud& cloud,
   writeAtomically(flags.json, [&](std::ostream& out) { out << json.dump(2) << '\n'; });
 }
 
-void reconstruct(const PipelineFlags& flags) {
+void run(const PipelineFlags& flags, const Task& task) {
   const Threads threads(flags.threads);
-  const PipelineOptions options = flags.options("skeleton");
-  (void)formatToWrite(flags.output, Content::structure); // before the work, not after it
+  const PipelineOptions options = flags.options(task.mainStep);
+  requireOutput(flags.output, task.content, {flags.scan, flags.preset});
+  requireOutput(flags.json, {flags.scan, flags.preset});
   const TerminalProgress terminal;
   auto scan = readPoints(flags.scan, terminal.progress().part(0, 0.2, "Read"));
   printNotes(scan.notes);
   const auto cloud = std::make_shared<const PointCloud>(std::move(scan.value));
-  const Reconstruction result = Pipeline().run(cloud, options, terminal.progress().part(0.2, 1));
-  writeStructure(flags.output, result.skeleton);
+  const Reconstruction result = about(flags.scan, [&] {
+    return Pipeline().run(cloud, options, terminal.progress().part(0.2, 1), task.lastStep);
+  });
+  terminal.check();
+  if (task.content == Content::structure)
+    writeStructure(flags.output, result.skeleton);
+  else
+    writePoints(flags.output, *cloud, *result.contracted);
   writeStatistics(flags, *cloud, result, terminal);
 }
 
-void contract(const PipelineFlags& flags) {
-  const Threads threads(flags.threads);
-  const PipelineOptions options = flags.options("contract");
-  (void)formatToWrite(flags.output, Content::points);
-  const TerminalProgress terminal;
-  auto scan = readPoints(flags.scan, terminal.progress().part(0, 0.2, "Read"));
-  printNotes(scan.notes);
-  const auto cloud = std::make_shared<const PointCloud>(std::move(scan.value));
-  const Reconstruction result =
-      Pipeline().run(cloud, options, terminal.progress().part(0.2, 1), "contract");
-  writePoints(flags.output, *cloud, *result.contracted);
-  writeStatistics(flags, *cloud, result, terminal);
-}
-
-void add(CLI::App& app, const std::string& name, const std::string& help,
-         void (*run)(const PipelineFlags&)) {
+CLI::App* add(CLI::App& app, const std::string& name, const std::string& help, const Task& task) {
   CLI::App* command = app.add_subcommand(name, help);
   const auto flags = std::make_shared<PipelineFlags>();
-  flags->addTo(*command);
-  command->callback([flags, run] { run(*flags); });
+  flags->addTo(*command, task.outputHelp);
+  command->callback([flags, task] { run(*flags, task); });
+  return command;
 }
 
 } // namespace
 
 void addReconstruct(CLI::App& app) {
-  add(app, "reconstruct", "Find the skeleton of a scanned plant, with radii", reconstruct);
+  add(app, "reconstruct", "Find the skeleton of a scanned plant, with radii",
+      {.mainStep = "skeleton",
+       .lastStep = {},
+       .content = Content::structure,
+       .outputHelp = "Structure to write: an MTG (.mtg) or a node list (.txt)"})
+      ->footer("Examples:\n"
+               "  espalier reconstruct pine.las -o pine.mtg\n"
+               "  espalier reconstruct pine.las -o pine.mtg --set contract.radius=0.05");
 }
 
 void addContract(CLI::App& app) {
-  add(app, "contract", "Pull the points of a scan towards the axes of the plant", contract);
+  add(app, "contract", "Pull the points of a scan towards the axes of the plant",
+      {.mainStep = "contract",
+       .lastStep = "contract",
+       .content = Content::points,
+       .outputHelp = "Points to write: PLY (.ply) or text (.xyz, .asc, .txt, .csv, .pts)"})
+      ->footer("Example:\n"
+               "  espalier contract pine.las -o contracted.ply --set contract.radius=0.05");
 }
 
 } // namespace espalier

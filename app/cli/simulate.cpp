@@ -1,16 +1,15 @@
+#include "app/cli/arguments.h"
 #include "app/cli/commands.h"
+#include "app/cli/files.h"
 #include "app/cli/pipeline_flags.h"
 #include "app/cli/terminal.h"
-#include "core/io/formats.h"
 #include "core/simulate/laser_scanner.h"
 #include "core/simulate/plant_grower.h"
 #include "core/simulate/prepared_plant.h"
 
-#include <CLI/CLI.hpp>
-
 #include <cstdint>
 #include <iostream>
-#include <map>
+#include <limits>
 #include <memory>
 #include <string>
 
@@ -30,6 +29,10 @@ struct Flags {
 /// Scan and truth next to each other: PREFIX.ply and PREFIX.mtg.
 void simulate(const Flags& flags) {
   const Threads threads(flags.threads);
+  const std::string scanFile = flags.prefix + ".ply";
+  const std::string truthFile = flags.prefix + ".mtg";
+  requireOutput(scanFile, {flags.from});
+  requireOutput(truthFile, {flags.from});
   const TerminalProgress terminal;
   Skeleton truth;
   if (flags.from.empty()) {
@@ -37,52 +40,89 @@ void simulate(const Flags& flags) {
   } else {
     const auto structure = readStructure(flags.from);
     printNotes(structure.notes);
-    truth = preparedPlant(structure.value);
+    truth = about(flags.from, [&] { return preparedPlant(structure.value); });
   }
   ScannerOptions scanner = flags.scanner;
   if (flags.noise >= 0) scanner.rangeNoise = flags.noise;
-  Scan result = scan(truth, scanner, flags.seed, terminal.progress().part(0.3, 0.95, "Scan"));
+  const auto scanned = [&] {
+    return scan(truth, scanner, flags.seed, terminal.progress().part(0.3, 0.95, "Scan"));
+  };
+  Scan result = flags.from.empty() ? scanned() : about(flags.from, scanned);
   const PointCloud cloud(std::move(result.points));
-  writePoints(flags.prefix + ".ply", cloud);
-  writeStructure(flags.prefix + ".mtg", truth);
-  std::cerr << cloud.size() << " points in " << flags.prefix << ".ply, the truth of "
-            << truth.size() << " nodes in " << flags.prefix << ".mtg\n";
+  terminal.check();
+  writePoints(scanFile, cloud);
+  writeStructure(truthFile, truth);
+  std::cerr << cloud.size() << " points in " << scanFile << ", the truth of " << truth.size()
+            << " nodes in " << truthFile << '\n';
+}
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+void addGrowth(CLI::App& command, GrowthOptions& growth) {
+  addChoice(command, "--architecture", growth.architecture, "Kind of plant to grow",
+            {{"broadleaf", Architecture::broadleaf},
+             {"conifer", Architecture::conifer},
+             {"shrub", Architecture::shrub},
+             {"herb", Architecture::herb}});
+  command.add_option("--height", growth.height, "Height of the grown plant, in any unit")
+      ->type_name("LENGTH")
+      ->check(number(1e-6, 1e9))
+      ->capture_default_str();
+  command
+      .add_option("--segments", growth.segments,
+                  "Unbranched chains of the grown plant at least, 1 to 20000")
+      ->type_name("N")
+      ->check(wholeNumber(1, 20000))
+      ->capture_default_str();
+}
+
+void addScanner(CLI::App& command, ScannerOptions& scanner) {
+  command
+      .add_option("--points", scanner.points,
+                  "Points wanted of all stations together, 10 to 100000000")
+      ->type_name("N")
+      ->check(wholeNumber(10, 1e8))
+      ->capture_default_str();
+  command.add_option("--stations", scanner.stations, "Places the scanner looks from, 1 to 100")
+      ->type_name("N")
+      ->check(wholeNumber(1, 100))
+      ->capture_default_str();
+  command
+      .add_option("--strays", scanner.strayShare, "Share of points that lie on nothing, 0 to 0.5")
+      ->type_name("SHARE")
+      ->check(number(0, 0.5))
+      ->capture_default_str();
 }
 
 } // namespace
 
 void addSimulate(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
-      "simulate", "Grow a plant, or take a structure, and scan it: the truth is known");
+      "simulate", "Grow a plant, or take a structure, and scan it, so that the truth is known");
   const auto flags = std::make_shared<Flags>();
-  GrowthOptions& growth = flags->growth;
-  ScannerOptions& scanner = flags->scanner;
-  command->add_option("-o,--output", flags->prefix, "Writes PREFIX.ply and PREFIX.mtg")->required();
+  addOutput(*command, flags->prefix,
+            "Prefix of the files written: PREFIX.ply, the scan, and "
+            "PREFIX.mtg, the truth")
+      ->type_name("PREFIX");
   command->add_option("--seed", flags->seed, "The same seed gives the same plant and scan")
+      ->type_name("N")
+      ->check(wholeNumber(0, 1e15))
       ->capture_default_str();
-  command->add_option("--from", flags->from, "Structure to scan instead of growing one");
-  const std::map<std::string, Architecture> architectures = {{"broadleaf", Architecture::broadleaf},
-                                                             {"conifer", Architecture::conifer},
-                                                             {"shrub", Architecture::shrub},
-                                                             {"herb", Architecture::herb}};
-  command->add_option("--architecture", growth.architecture, "Kind of plant to grow")
-      ->transform(CLI::CheckedTransformer(architectures, CLI::ignore_case))
-      ->default_str("broadleaf");
-  command->add_option("--height", growth.height, "Height of the grown plant")
-      ->capture_default_str();
-  command->add_option("--segments", growth.segments, "Unbranched chains of the grown plant")
-      ->capture_default_str();
-  command->add_option("--points", scanner.points, "Points of all stations together")
-      ->capture_default_str();
-  command->add_option("--stations", scanner.stations, "Places the scanner looks from")
-      ->capture_default_str();
-  command->add_option("--noise", flags->noise, "Standard deviation of the range")
-      ->check(CLI::NonNegativeNumber)
-      ->default_str("a 2500th of the plant");
-  command->add_option("--strays", scanner.strayShare, "Share of points that lie on nothing")
-      ->capture_default_str();
-  addThreadsFlag(*command, flags->threads);
+  command->add_option("--from", flags->from, "Structure to scan instead of growing one")
+      ->type_name("FILE");
+  addGrowth(*command, flags->growth);
+  addScanner(*command, flags->scanner);
+  command
+      ->add_option("--noise", flags->noise,
+                   "Standard deviation of the range, in the unit of the plant")
+      ->type_name("LENGTH")
+      ->check(number(0, infinity))
+      ->default_str("extent / 2500");
+  addThreads(*command, flags->threads);
   command->callback([flags] { simulate(*flags); });
+  command->footer("Examples:\n"
+                  "  espalier simulate -o maple --seed 7 --points 200000\n"
+                  "  espalier simulate -o pine_again --from pine.mtg");
 }
 
 } // namespace espalier

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace espalier {
+
+/// Lets a value be a number from `least` to `most`, which may be infinite, and nothing else.
+[[nodiscard]] CLI::Validator number(double least, double most);
+[[nodiscard]] CLI::Validator wholeNumber(double least, double most);
+
+/// Lets a value be one of `names` and nothing else.
+[[nodiscard]] CLI::Validator oneOf(const std::vector<std::string>& names);
+
+/// Adds an option that takes one of the names of `choices`; `value` is what it is by default.
+template <class Value>
+CLI::Option* addChoice(CLI::App& command, const std::string& name, Value& value,
+                       const std::string& help,
+                       const std::vector<std::pair<std::string, Value>>& choices) {
+  std::vector<std::string> names;
+  std::string byDefault;
+  std::string list;
+  for (const auto& [choice, meaning] : choices) {
+    names.push_back(choice);
+    list += (list.empty() ? ": " : ", ") + choice;
+    if (meaning == value) byDefault = choice;
+  }
+  const auto take = [&value, choices](const std::string& text) {
+    for (const auto& [choice, meaning] : choices)
+      if (choice == text) value = meaning;
+  };
+  return command.add_option_function<std::string>(name, take, help + list)
+      ->type_name("NAME")
+      ->default_str(byDefault)
+      ->check(oneOf(names));
+}
+
+/// Adds -o, --output, which must be given.
+CLI::Option* addOutput(CLI::App& command, std::string& output, const std::string& help);
+
+/// Adds --threads; 0 = all there are.
+void addThreads(CLI::App& command, int& threads);
+
+/// Adds --unit, for those who read the numbers; empty = not known.
+void addUnit(CLI::App& command, std::string& unit, const std::string& help);
+
+} // namespace espalier

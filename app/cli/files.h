@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/base/error.h"
+#include "core/io/formats.h"
+
+#include <string>
+#include <vector>
+
+namespace espalier {
+
+/// Makes sure, before the work rather than after it, that a file can be written. An empty path is
+/// a file nobody asked for.
+/// @param inputs files that are read, which the output must not replace
+/// @throws Error which tells what to choose instead
+void requireOutput(const std::string& path, const std::vector<std::string>& inputs);
+
+/// The same of a file that holds points or a structure, with an extension that tells how.
+void requireOutput(const std::string& path, Content content,
+                   const std::vector<std::string>& inputs);
+
+/// What `work` returns; an Error of it is said to be about `file`.
+template <class Work> auto about(const std::string& file, const Work& work) {
+  try {
+    return work();
+  } catch (const Error& error) {
+    throw Error(file + ": " + error.what());
+  }
+}
+
+} // namespace espalier

@@ -5,7 +5,16 @@
 #include <QDir>
 #include <QSettings>
 
+#include <iostream>
+
 namespace {
+
+/// Whether there is something to open a window on. Without, Qt would abort.
+bool hasDisplay() {
+  return !qEnvironmentVariableIsEmpty("DISPLAY") ||
+         !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") ||
+         !qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM");
+}
 
 /// Opens the editor on the files given; returns when its window is closed.
 int runEditor(int argc, char** argv) {
@@ -25,5 +34,11 @@ int runEditor(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   if (espalier::isForCommandLine(argc, argv)) return espalier::runCommandLine(argc, argv);
+  if (!hasDisplay()) {
+    std::cerr
+        << "espalier: there is no display for the editor: log in on one, or use a subcommand, "
+           "which needs none (see espalier --help)\n";
+    return 1;
+  }
   return runEditor(argc, argv);
 }

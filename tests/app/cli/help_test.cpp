@@ -1,0 +1,67 @@
+#include "tests/app/cli/program.h"
+
+#include <gtest/gtest.h>
+
+#include <gmock/gmock.h>
+#include <sstream>
+
+namespace espalier {
+namespace {
+
+using test::Outcome;
+using test::runProgram;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const test::Arguments subcommands = {"reconstruct", "contract", "evaluate", "convert",
+                                     "info",        "simulate", "methods",  "picture"};
+
+void expectPage(const Outcome& help) {
+  EXPECT_EQ(help.status, 0);
+  EXPECT_THAT(help.err, IsEmpty());
+  EXPECT_THAT(help.out, HasSubstr("\nUsage: espalier "));
+  std::istringstream lines(help.out);
+  for (std::string line; std::getline(lines, line);) {
+    EXPECT_LE(line.size(), 80U) << line;
+    EXPECT_FALSE(line.ends_with(' ')) << line;
+    EXPECT_EQ(line.find_first_not_of("\n !\"#$%&'()*+,-./0123456789:;<=>?@[\\]_|~"
+                                     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"),
+              std::string::npos)
+        << line;
+  }
+}
+
+TEST(Help, OfTheProgramListsAllSubcommandsAndExitStatuses) {
+  const Outcome help = runProgram({"--help"});
+  expectPage(help);
+  for (const std::string& subcommand : subcommands)
+    EXPECT_THAT(help.out, HasSubstr("\n  " + subcommand + ' '));
+  EXPECT_THAT(help.out, HasSubstr("2 wrong"));
+  EXPECT_EQ(runProgram({"-h"}).out, help.out);
+}
+
+TEST(Help, OfEachSubcommandFitsThePage) {
+  for (const std::string& subcommand : subcommands) {
+    SCOPED_TRACE(subcommand);
+    const Outcome help = runProgram({subcommand, "--help"});
+    expectPage(help);
+    EXPECT_THAT(help.out, HasSubstr("\nUsage: espalier " + subcommand + ' '));
+  }
+}
+
+TEST(Help, TellsWhatMustBeGivenAndWhatOptionsAreByDefault) {
+  const std::string help = runProgram({"simulate", "--help"}).out;
+  EXPECT_THAT(help, HasSubstr("Usage: espalier simulate -o PREFIX [OPTION]...\n"));
+  EXPECT_THAT(help, HasSubstr("(default: 100000)"));
+  EXPECT_THAT(help, HasSubstr("(default: broadleaf)"));
+  EXPECT_THAT(help, HasSubstr("in the unit of the"));
+  EXPECT_THAT(runProgram({"picture", "--help"}).out,
+              HasSubstr("Usage: espalier picture FILE... -o FILE [OPTION]...\n"));
+}
+
+TEST(Help, TellsTheVersion) {
+  EXPECT_THAT(runProgram({"--version"}).out, testing::MatchesRegex("espalier [0-9.]+\n"));
+}
+
+} // namespace
+} // namespace espalier

@@ -21,13 +21,6 @@
 namespace espalier {
 namespace {
 
-Imported<Skeleton> readMtgSkeleton(std::istream& in, const std::string& file) {
-  Imported<Mtg> mtg = readMtg(in, file);
-  Imported<Skeleton> skeleton = skeletonOf(mtg.value, file);
-  skeleton.notes.insert(skeleton.notes.begin(), mtg.notes.begin(), mtg.notes.end());
-  return skeleton;
-}
-
 bool isE57(std::string_view beginning) {
   return beginning.starts_with("ASTM-E57");
 }
@@ -71,7 +64,7 @@ std::vector<Format> makeFormats() {
                    .extensions = {"mtg"},
                    .content = Content::structure,
                    .recognizes = isMtg,
-                   .readStructure = readMtgSkeleton,
+                   .readMtg = readMtg,
                    .writeStructure = writeMtg});
   table.push_back({.name = "node list",
                    .description = "Node list of PlantScan3D",
@@ -202,7 +195,12 @@ Imported<PointCloud> readPoints(const std::filesystem::path& path, const Progres
 
 Imported<Skeleton> readStructure(const std::filesystem::path& path) {
   std::ifstream in = openForReading(path);
-  return readableFormat(in, path, Content::structure).readStructure(in, nameOf(path));
+  const Format& format = readableFormat(in, path, Content::structure);
+  if (format.readStructure) return format.readStructure(in, nameOf(path));
+  Imported<Mtg> mtg = format.readMtg(in, nameOf(path));
+  Imported<Skeleton> skeleton = skeletonOf(mtg.value, nameOf(path));
+  skeleton.notes.insert(skeleton.notes.begin(), mtg.notes.begin(), mtg.notes.end());
+  return skeleton;
 }
 
 void writePoints(const std::filesystem::path& path, const PointCloud& cloud) {

@@ -3,6 +3,7 @@
 #include "core/base/imported.h"
 #include "core/base/progress.h"
 #include "core/cloud/point_cloud.h"
+#include "core/mtg/mtg.h"
 #include "core/skeleton/skeleton.h"
 
 #include <cstdint>
@@ -29,13 +30,14 @@ struct Format {
   // Those that apply; none for a format that is recognized only to say what to do instead.
   Imported<RawPoints> (*readPoints)(std::istream&, const std::string& file,
                                     const Progress&) = nullptr;
+  Imported<Mtg> (*readMtg)(std::istream&, const std::string& file) = nullptr;
   Imported<Skeleton> (*readStructure)(std::istream&, const std::string& file) = nullptr;
   void (*writePoints)(std::ostream&, const PointCloud&,
                       const Eigen::Matrix3Xf& positions) = nullptr;
   void (*writeStructure)(std::ostream&, const Skeleton&) = nullptr;
   std::string_view advice; // what to do with a file that cannot be read
 
-  [[nodiscard]] bool canRead() const { return readPoints != nullptr || readStructure != nullptr; }
+  [[nodiscard]] bool canRead() const { return readPoints || readMtg || readStructure; }
   [[nodiscard]] bool canWrite() const {
     return writePoints != nullptr || writeStructure != nullptr;
   }

@@ -46,6 +46,8 @@ struct MtgVertex {
   std::optional<VertexId> parent;  // at its own scale
   EdgeType edge = EdgeType::successor; // to the parent; without meaning if there is none
   std::vector<std::string> values;     // by feature, as written; empty for none; may end early
+  std::string alias = {};              // its name in the file, if it has one
+  std::vector<std::vector<std::string>> later = {}; // values at later dates, in order
 
   bool operator==(const MtgVertex&) const = default;
 };

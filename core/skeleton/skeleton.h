@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/skeleton/entity.h"
+
 #include <Eigen/Core>
 
 #include <cstdint>
@@ -16,6 +18,7 @@ struct Node {
   double radius = 0;                                  // [L], 0 until estimated
   std::optional<NodeId> parent;                       // none for a root
   EdgeType edge = EdgeType::successor;                // without meaning for a root
+  std::vector<Entity> entities = {}; // of an MTG, that start here: coarsest first, its own last
 
   bool operator==(const Node&) const = default;
 };

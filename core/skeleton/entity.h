@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace espalier {
+
+/// A value of a feature of an MTG, as it is written. Never evaluated.
+struct FeatureValue {
+  std::string feature;
+  std::string text; // not empty
+
+  bool operator==(const FeatureValue&) const = default;
+};
+
+/// What an MTG says of a vertex beyond its place in the plant.
+///
+/// The node that an entity of a coarser scale starts at carries it: every node belongs to those
+/// that start at it, and for the other scales to those its parent belongs to. So a new node joins
+/// the units it grows in, and marking a node begins a unit there.
+struct Entity {
+  int scale = 1;                         // larger is finer; the node's own entity has the finest
+  std::string symbol;                    // its class, as "U"
+  std::optional<int> index;              // as the 3 of "U3"
+  std::string alias = {};                // its name in the file, if it has one
+  std::vector<FeatureValue> values = {}; // but for position and radius
+  std::vector<std::vector<FeatureValue>> later = {}; // at later dates, in order
+
+  bool operator==(const Entity&) const = default;
+};
+
+} // namespace espalier

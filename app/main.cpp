@@ -5,6 +5,7 @@
 #include <QDir>
 #include <QSettings>
 
+#include <cstdlib>
 #include <iostream>
 
 namespace {
@@ -16,9 +17,25 @@ bool hasDisplay() {
          !qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM");
 }
 
+/// Says in one line what keeps Qt from starting, where it would abort: most often a display that
+/// DISPLAY names but nobody serves.
+void endOnFatal(QtMsgType type, const QMessageLogContext&, const QString&) {
+  if (type == QtFatalMsg) {
+    const QString display =
+        qEnvironmentVariable("DISPLAY", qEnvironmentVariable("WAYLAND_DISPLAY"));
+    std::cerr
+        << "espalier: the editor cannot open the display " << qPrintable(display)
+        << ": check the variable DISPLAY, or use a subcommand, which needs none (see espalier "
+           "--help)\n";
+    std::_Exit(1);
+  }
+}
+
 /// Opens the editor on the files given; returns when its window is closed.
 int runEditor(int argc, char** argv) {
+  const QtMessageHandler usual = qInstallMessageHandler(endOnFatal);
   const QApplication application(argc, argv);
+  qInstallMessageHandler(usual);
   QApplication::setApplicationName("Espalier");
   QApplication::setOrganizationName("Espalier");
   QApplication::setApplicationVersion(ESPALIER_VERSION);

@@ -70,10 +70,13 @@ private:
 };
 
 /// Starts the program; signals do there what they do by default, whoever runs these tests.
-pid_t start(const Arguments& arguments, const Redirections& redirections) {
+/// @param more  variables beside those of plainEnvironment, as "NAME=value"
+pid_t start(const Arguments& arguments, const Redirections& redirections,
+            const std::vector<std::string>& more = {}) {
   std::vector<std::string> words = {ESPALIER_PROGRAM};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<std::string> environment = plainEnvironment();
+  environment.insert(environment.end(), more.begin(), more.end());
   posix_spawnattr_t attributes{};
   posix_spawnattr_init(&attributes);
   sigset_t signals{};
@@ -121,9 +124,8 @@ private:
   int descriptor_;
 };
 
-} // namespace
-
-Outcome runProgram(const Arguments& arguments, const std::string& stdoutFile) {
+Outcome run(const Arguments& arguments, const std::string& stdoutFile,
+            const std::vector<std::string>& more) {
   const Recorder out;
   const Recorder err;
   Redirections redirections;
@@ -132,8 +134,18 @@ Outcome runProgram(const Arguments& arguments, const std::string& stdoutFile) {
   else
     redirections.open(STDOUT_FILENO, stdoutFile, O_WRONLY);
   redirections.copy(err.descriptor(), STDERR_FILENO);
-  const int status = waitFor(start(arguments, redirections));
+  const int status = waitFor(start(arguments, redirections, more));
   return {status, out.text(), err.text()};
+}
+
+} // namespace
+
+Outcome runProgram(const Arguments& arguments, const std::string& stdoutFile) {
+  return run(arguments, stdoutFile, {});
+}
+
+Outcome runOnDisplay(const std::string& display, const Arguments& arguments) {
+  return run(arguments, {}, {"DISPLAY=" + display});
 }
 
 Outcome runAndSignal(const Arguments& arguments, const std::string& text, int signal) {

@@ -19,6 +19,9 @@ using Arguments = std::vector<std::string>;
 /// @param stdoutFile where standard output goes instead of into the outcome; empty: there
 [[nodiscard]] Outcome runProgram(const Arguments& arguments, const std::string& stdoutFile = {});
 
+/// Runs it with this value of the variable DISPLAY.
+[[nodiscard]] Outcome runOnDisplay(const std::string& display, const Arguments& arguments);
+
 /// Runs it with a terminal as standard error, and sends `signal` once `text` is seen there.
 /// @return err is what the terminal showed
 [[nodiscard]] Outcome runAndSignal(const Arguments& arguments, const std::string& text, int signal);

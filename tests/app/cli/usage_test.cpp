@@ -45,6 +45,11 @@ TEST(Usage, TheEditorNeedsADisplay) {
   expectRefusal(runProgram({test::sample("young_tree.ply")}), 1, parts);
 }
 
+TEST(Usage, ADisplayThatNobodyServesIsTold) {
+  expectRefusal(test::runOnDisplay(":987", {}), 1,
+                {"cannot open the display :987", "use a subcommand"});
+}
+
 TEST(Usage, AValueOutOfRangeIsToldWithTheRange) {
   const auto expect = [](const test::Arguments& arguments, const std::string& advice) {
     SCOPED_TRACE(advice);

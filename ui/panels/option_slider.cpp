@@ -5,12 +5,14 @@
 #include <QStyle>
 #include <QStyleOptionSlider>
 
+#include <algorithm>
 #include <cmath>
 
 namespace espalier {
 namespace {
 
 constexpr int steps = 1000;
+constexpr double fineness = 0.1; // of the mouse's way, with Shift
 
 } // namespace
 
@@ -51,6 +53,25 @@ void OptionSlider::paintEvent(QPaintEvent* event) {
 void OptionSlider::mouseDoubleClickEvent(QMouseEvent* event) {
   emit defaultRequested();
   event->accept();
+}
+
+void OptionSlider::mouseMoveEvent(QMouseEvent* event) {
+  const double x = event->position().x();
+  if (!fine_ && isSliderDown() && event->modifiers().testFlag(Qt::ShiftModifier))
+    fine_ = FineDrag{x, static_cast<double>(value())};
+  if (!fine_) {
+    QSlider::mouseMoveEvent(event);
+    return;
+  }
+  const double moved = fineness * (x - fine_->x) * steps / std::max(width(), 1);
+  *fine_ = {x, std::clamp(fine_->value + moved, 0.0, static_cast<double>(steps))};
+  setValue(static_cast<int>(std::lround(fine_->value)));
+  event->accept();
+}
+
+void OptionSlider::mouseReleaseEvent(QMouseEvent* event) {
+  fine_.reset();
+  QSlider::mouseReleaseEvent(event);
 }
 
 void OptionSlider::wheelEvent(QWheelEvent* event) {

@@ -3,12 +3,23 @@
 #include "app/window/icon.h"
 #include "core/base/error.h"
 
+#include <QAbstractSpinBox>
 #include <QAction>
+#include <QApplication>
 #include <QWidget>
 
 #include <utility>
 
 namespace espalier {
+namespace {
+
+/// A number that is being typed counts, whether Enter was pressed or not.
+void takeWhatIsTyped() {
+  if (auto* number = qobject_cast<QAbstractSpinBox*>(QApplication::focusWidget()))
+    number->interpretText();
+}
+
+} // namespace
 
 ActionSet::ActionSet(QWidget& window) : QObject(&window), window_(window) {}
 
@@ -19,12 +30,14 @@ QAction* ActionSet::add(const Command& command, std::function<void()> act) {
   action->setStatusTip(command.help);
   const QString keys = command.keys.toString(QKeySequence::NativeText);
   const QString name = QString(command.text).remove('&').remove(QChar(0x2026));
+  action->setProperty("name", name); // for lists: its text may tell of what it acts on now
   action->setToolTip(QStringLiteral("<b>%1</b>%2<br>%3")
                          .arg(name, keys.isEmpty() ? "" : "&nbsp;&nbsp; " + keys, command.help));
   if (act)
     connect(action, &QAction::triggered, this,
             [this, refusal = command.refusal, act = std::move(act)] {
               const auto done = [&] {
+                takeWhatIsTyped();
                 act();
                 return true;
               };

@@ -2,6 +2,7 @@
 
 #include "app/window/action_set.h"
 #include "app/window/view_sync.h"
+#include "core/base/error.h"
 #include "ui/tools/registry.h"
 #include "ui/tools/screen_plane.h"
 #include "ui/view/plant_view.h"
@@ -23,7 +24,10 @@ Editing::Editing(PlantDocument& document, PlantView& view, ActionSet& actions, Q
   view_.setInputHandler([this](const ToolInput& input) {
     return actions_.guarded([&] { return handle(input); }, Refusal::atPointer, true);
   });
-  connect(&document_, &PlantDocument::skeletonEdited, this, &Editing::refreshEnabled);
+  connect(&document_, &PlantDocument::skeletonEdited, this, [this] {
+    if (!tool().isBusy()) view_.hoverAgain(); // another node may lie under the pointer now
+    refreshEnabled();
+  });
   connect(&document_, &PlantDocument::skeletonReplaced, this, &Editing::refreshEnabled);
   connect(&document_.selection(), &Selection::changed, this, &Editing::hintChanged);
   refreshEnabled();
@@ -61,10 +65,7 @@ void Editing::addNodeEdits() {
                                 .icon = edit.icon,
                                 .keys = edit.shortcut,
                                 .refusal = Refusal::atPointer},
-                               [this, apply = edit.apply] {
-                                 const NodeTarget meant = target();
-                                 if (!meant.nodes.empty() || meant.edge) apply(document_, meant);
-                               }));
+                               [this, apply = edit.apply] { apply(document_, chosenTarget()); }));
 }
 
 void Editing::addNavigation() {
@@ -171,6 +172,16 @@ void Editing::refreshEnabled() {
   for (QAction* tool : toolGroup_->actions())
     tool->setEnabled(isEnabled_);
   emit hintChanged();
+}
+
+NodeTarget Editing::chosenTarget() {
+  const NodeTarget meant = target();
+  if (meant.nodes.empty() && !meant.edge)
+    throw Error(tr("put the pointer on a node, or select one").toStdString());
+  // What is edited is selected: the inspector shows it, and once it is removed the same key does
+  // not fall on nodes that were selected somewhere else.
+  if (!meant.nodes.empty()) document_.selection().set(meant.nodes);
+  return meant;
 }
 
 NodeTarget Editing::target() const {

@@ -30,6 +30,8 @@ public:
   /// While off, the mouse only moves the camera, and no key edits.
   void setEnabled(bool isEnabled);
 
+  [[nodiscard]] bool isBusy() const { return tool().isBusy(); } // in mid-gesture
+
   /// What the mouse will do now.
   [[nodiscard]] QString hint() const;
   [[nodiscard]] QString currentTool() const { return tool_; } // its id
@@ -53,6 +55,7 @@ private:
   [[nodiscard]] bool isMenuClick(const ToolInput& input);
   void refreshEnabled();
   [[nodiscard]] NodeTarget target() const;
+  [[nodiscard]] NodeTarget chosenTarget(); // which is selected then
   [[nodiscard]] std::optional<Eigen::Vector3d> placeUnder() const;
   [[nodiscard]] Tool& tool() const { return *tools_.at(tool_); }
 

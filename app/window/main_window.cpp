@@ -22,15 +22,19 @@
 #include <QGridLayout>
 #include <QMenu>
 #include <QMimeData>
+#include <QScreen>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QToolTip>
 
-/// Icons and style live in a static library, which the linker else leaves out. Not in a namespace,
-/// as the macro asks.
+#include <utility>
+
+/// Icons, manual and style live in a static library, which the linker else leaves out. Not in a
+/// namespace, as the macro asks.
 static void useResources() {
   Q_INIT_RESOURCE(icons);
+  Q_INIT_RESOURCE(manual);
   Q_INIT_RESOURCE(style);
 }
 
@@ -58,7 +62,8 @@ MainWindow::MainWindow(QSettings& settings, QWidget* parent)
   setWindowIcon(programIcon());
   setAcceptDrops(true);
   setMinimumSize(960, 600);
-  resize(1280, 800);
+  constexpr QSize frame(16, 48); // what the desktop puts around a window, about
+  resize(QSize(1280, 800).boundedTo(screen()->availableSize() - frame));
   makeCenter();
   makeDocks();
   statusBar()->addPermanentWidget(status_, 1);
@@ -79,7 +84,9 @@ MainWindow::MainWindow(QSettings& settings, QWidget* parent)
   refreshEmptiness();
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow() {
+  document_.undoStack().disconnect(this); // it clears itself when the parts are gone
+}
 
 void MainWindow::open(const QStringList& paths) {
   actions_->guarded(
@@ -132,7 +139,6 @@ void MainWindow::makeCenter() {
   center_->addWidget(view_);
   banner_ = new MessageBanner(page);
   layers->addWidget(center_, 0, 0);
-  layers->addWidget(banner_, 0, 0, Qt::AlignBottom | Qt::AlignHCenter);
   setCentralWidget(page);
 }
 
@@ -172,7 +178,10 @@ void MainWindow::connectJobs() {
   connect(&jobs_, &JobRunner::finished, this, [this] {
     status_->hideJob();
     editing_->setEnabled(true);
-    if (jobs_.isCanceled()) pipeline_->showIdle();
+    if (jobs_.isCanceled()) {
+      pipeline_->showIdle();
+      status_->showNote(tr("Canceled: nothing has changed"));
+    }
     refreshEmptiness();
   });
   connect(status_, &StatusLine::cancelRequested, &jobs_, &JobRunner::cancel);
@@ -191,6 +200,7 @@ void MainWindow::connectJobs() {
   connect(files_.get(), &FileFlow::noted, this,
           [this](const QString& message) { banner_->showResult(message); });
   connect(files_.get(), &FileFlow::saved, this, [this](const QString& path) {
+    banner_->hide(); // of what kept it from being saved before
     status_->showNote(tr("Saved %1").arg(QFileInfo(path).fileName()));
   });
 }
@@ -202,9 +212,7 @@ void MainWindow::connectDocument() {
        {&PlantDocument::scanChanged, &PlantDocument::skeletonReplaced, &PlantDocument::unitChanged})
     connect(&document_, signal, this, &MainWindow::refreshCounts);
   connect(&document_, &PlantDocument::skeletonEdited, this, &MainWindow::refreshCounts);
-  connect(&document_.undoStack(), &QUndoStack::indexChanged, banner_, [this] {
-    if (!banner_->isError()) banner_->hide(); // it told of the step before
-  });
+  connect(&document_.undoStack(), &QUndoStack::indexChanged, this, &MainWindow::tellStep);
   connect(editing_.get(), &Editing::hintChanged, this, &MainWindow::refreshHint);
   connect(editing_.get(), &Editing::contextMenuRequested, this, &MainWindow::showContextMenu);
   connect(actions_.get(), &ActionSet::refused, this, &MainWindow::showRefusal);
@@ -216,12 +224,25 @@ void MainWindow::connectDocument() {
           &QAction::trigger);
   connect(inspector_, &InspectorPanel::radiusTyped, this,
           [this](double radius) { setRadius(document_, document_.selection().nodes(), radius); });
+  connect(inspector_, &InspectorPanel::leaveRequested, view_, qOverload<>(&QWidget::setFocus));
   connect(inspector_, &InspectorPanel::edgeChosen, this, [this](EdgeType type) {
     (*actions_)[type == EdgeType::successor ? "make_axial" : "make_branching"]->trigger();
   });
   connect(inspector_, &InspectorPanel::nodeChosen, this,
           [this](NodeId id) { document_.selection().set({id}); });
   start_->setRecentFiles(recent_->paths());
+}
+
+void MainWindow::tellStep(int index) {
+  if (!banner_->isError()) banner_->hide(); // it told of the step before
+  const QUndoStack& stack = document_.undoStack();
+  const int before = std::exchange(step_, index);
+  if (editing_->isBusy()) return; // a drag tells what it does itself
+  if (index == before - 1 && index < stack.count())
+    status_->showNote(tr("Undone: %1").arg(stack.text(index)));
+  else if (index == before + 1)
+    status_->showNote(index < stack.count() ? tr("Redone: %1").arg(stack.text(index - 1))
+                                            : stack.text(index - 1));
 }
 
 void MainWindow::refreshDocks() {

@@ -68,6 +68,7 @@ private:
   void makeDocks();
   void connectJobs();
   void connectDocument();
+  void tellStep(int index);
   void refreshDocks();
   void refreshTitle();
   void refreshCounts();
@@ -95,6 +96,7 @@ private:
   QDockWidget* pipelineDock_;
   QDockWidget* inspectorDock_;
 
+  int step_ = 0; // of the undo stack, when it was told last
   std::unique_ptr<ViewSync> sync_;
   std::unique_ptr<Editing> editing_;
   std::unique_ptr<ViewOptions> options_;

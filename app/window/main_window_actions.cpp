@@ -4,7 +4,9 @@
 #include "app/window/main_window.h"
 #include "app/window/view_options.h"
 #include "ui/dialogs/command_palette.h"
+#include "ui/dialogs/manual_window.h"
 #include "ui/dialogs/shortcut_sheet.h"
+#include "ui/panels/message_banner.h"
 #include "ui/view/plant_view.h"
 
 #include <QAction>
@@ -53,6 +55,7 @@ void MainWindow::addFileActions() {
                   if (jobs_.isRunning()) jobs_.cancel();
                   if (!files_->mayDiscard()) return;
                   document_.clear();
+                  banner_->hide();
                   refreshEmptiness();
                 });
   actions_->add({.id = "quit",
@@ -131,6 +134,7 @@ void MainWindow::addPanelActions() {
 }
 
 void MainWindow::addThemeActions() {
+  actions_->beginSection(tr("Theme"));
   auto* group = new QActionGroup(this);
   const auto add = [&](Theme theme, const QString& text, const QString& icon) {
     group->addAction(actions_->add({.id = "theme_" + nameOf(theme),
@@ -157,6 +161,12 @@ void MainWindow::addHelpActions() {
                   palette->move(mapToGlobal(QPoint((width() - palette->width()) / 2, 64)));
                   palette->show();
                 });
+  actions_->add({.id = "manual",
+                 .text = tr("Manual"),
+                 .help = tr("Tells how things are done"),
+                 .icon = "info",
+                 .keys = QKeySequence(Qt::Key_F1)},
+                [this] { (new ManualWindow(":/manual/manual.md", this))->show(); });
   actions_->add({.id = "shortcuts",
                  .text = tr("Shortcuts"),
                  .help = tr("Shows all keys on one sheet"),

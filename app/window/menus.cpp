@@ -36,6 +36,11 @@ QToolButton* makeMenuButton(const QString& text, const QString& icon, QMenu* men
   button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   button->setPopupMode(QToolButton::InstantPopup);
   button->setMenu(menu);
+  // It is told nothing of the pointer while the menu is open, and would stay lit.
+  QObject::connect(menu, &QMenu::aboutToHide, button, [button] {
+    button->setAttribute(Qt::WA_UnderMouse, false);
+    button->update();
+  });
   return button;
 }
 
@@ -76,7 +81,7 @@ void MainWindow::fillMenus() {
     add(*skeleton, *actions_, {nodeEdit.id});
 
   QMenu* help = menuBar()->addMenu(tr("&Help"));
-  add(*help, *actions_, {"palette", "shortcuts", "", "about"});
+  add(*help, *actions_, {"manual", "shortcuts", "palette", "", "about"});
 }
 
 void MainWindow::fillViewMenu() {

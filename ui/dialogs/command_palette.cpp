@@ -5,7 +5,9 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QPainter>
 #include <QPixmap>
+#include <QStyledItemDelegate>
 #include <QTimer>
 #include <QVBoxLayout>
 
@@ -20,6 +22,22 @@ QString fullText(const QAction& action) {
   const QString name = action.text().remove('&').remove(QChar(0x2026)).simplified();
   return action.property("section").toString() + ": " + name;
 }
+
+constexpr int keysRole = Qt::UserRole + 1;
+
+/// Keys stand in a column of their own, at the right.
+class PaletteRow final : public QStyledItemDelegate {
+public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+  void paint(QPainter* painter, const QStyleOptionViewItem& option,
+             const QModelIndex& index) const override {
+    QStyledItemDelegate::paint(painter, option, index);
+    painter->setPen(option.palette.color(QPalette::PlaceholderText));
+    painter->drawText(option.rect.adjusted(0, 0, -12, 0), Qt::AlignRight | Qt::AlignVCenter,
+                      index.data(keysRole).toString());
+  }
+};
 
 bool movesChoice(int key) {
   return key == Qt::Key_Up || key == Qt::Key_Down || key == Qt::Key_PageUp ||
@@ -39,6 +57,7 @@ CommandPalette::CommandPalette(const QList<QAction*>& actions, QWidget* parent)
   typed_->installEventFilter(this);
   list_->setFocusPolicy(Qt::NoFocus);
   list_->setIconSize(QSize(18, 18));
+  list_->setItemDelegate(new PaletteRow(list_));
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(8, 8, 8, 8);
@@ -82,20 +101,25 @@ void CommandPalette::refill() {
   QPixmap nothing(list_->iconSize());
   nothing.fill(Qt::transparent); // keeps the names in one column
   for (const auto& [score, action] : found) {
-    const QString keys = action->shortcut().toString(QKeySequence::NativeText);
-    const QString text = fullText(*action) + (keys.isEmpty() ? QString() : "    " + keys);
-    auto* item =
-        new QListWidgetItem(action->icon().isNull() ? QIcon(nothing) : action->icon(), text, list_);
+    auto* item = new QListWidgetItem(action->icon().isNull() ? QIcon(nothing) : action->icon(),
+                                     fullText(*action), list_);
     item->setData(Qt::UserRole, QVariant::fromValue(action));
+    item->setData(keysRole, action->shortcut().toString(QKeySequence::NativeText));
     item->setToolTip(action->statusTip());
   }
-  if (list_->count() > 0) list_->setCurrentRow(0);
+  if (list_->count() == 0) { // none can be chosen
+    auto* none = new QListWidgetItem(tr("No command is called so"), list_);
+    none->setFlags(Qt::NoItemFlags);
+    return;
+  }
+  list_->setCurrentRow(0);
 }
 
 void CommandPalette::runChosen() {
   const QListWidgetItem* item = list_->currentItem();
   if (item == nullptr) return;
   auto* action = item->data(Qt::UserRole).value<QAction*>();
+  if (action == nullptr) return; // that there is none
   close();
   QTimer::singleShot(0, action, &QAction::trigger); // once the palette is gone
 }

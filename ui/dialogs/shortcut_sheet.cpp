@@ -41,7 +41,7 @@ std::vector<Section> sectionsOf(const QList<QAction*>& actions) {
     const QString name = action->property("section").toString();
     if (sections.back().name != name) sections.push_back({name, {}});
     sections.back().rows.emplace_back(action->shortcut().toString(QKeySequence::NativeText),
-                                      action->text().remove('&').remove(QChar(0x2026)));
+                                      action->property("name").toString());
   }
   return sections;
 }

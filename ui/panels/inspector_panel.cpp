@@ -7,6 +7,7 @@
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QLocale>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -54,6 +55,8 @@ InspectorPanel::InspectorPanel(PlantDocument& document, QWidget* parent)
   connect(edge_, &QComboBox::activated, this,
           [this] { emit edgeChosen(edge_->currentData().value<EdgeType>()); });
   connect(radius_, &QDoubleSpinBox::valueChanged, this, &InspectorPanel::radiusTyped);
+  connect(radius_->findChild<QLineEdit*>(), &QLineEdit::returnPressed, this,
+          &InspectorPanel::leaveRequested);
   connect(parent_, &QPushButton::clicked, this, [this] {
     const std::optional<NodeId> current = document_.selection().current();
     if (current && document_.skeleton()[*current].parent)
@@ -70,8 +73,8 @@ void InspectorPanel::makeForm() {
   title_->setProperty("role", "title");
   empty_->setProperty("role", "quiet");
   empty_->setWordWrap(true);
-  edge_->addItem(tr("<  axial"), QVariant::fromValue(EdgeType::successor));
-  edge_->addItem(tr("+  branching"), QVariant::fromValue(EdgeType::branching));
+  edge_->addItem(tr("< axial"), QVariant::fromValue(EdgeType::successor));
+  edge_->addItem(tr("+ branching"), QVariant::fromValue(EdgeType::branching));
   parent_->setProperty("role", "link");
   parent_->setFlat(true);
   parent_->setCursor(Qt::PointingHandCursor);
@@ -133,8 +136,7 @@ void InspectorPanel::showNode(NodeId id) {
   const Skeleton& skeleton = document_.skeleton();
   const Node& node = skeleton[id];
   title_->setText(tr("Node %1").arg(indexOf(id)));
-  radius_->setDecimals(decimalsFor(node.radius));
-  radius_->setValue(node.radius);
+  showRadius(node.radius, tr("Radius"), {});
   order_->setText(QString::number(order(skeleton, id)));
   children_->setText(QString::number(skeleton.children(id).size()));
   position_->setText(describe(node.position));
@@ -151,12 +153,28 @@ void InspectorPanel::showNode(NodeId id) {
 void InspectorPanel::showNodes() {
   const std::vector<NodeId>& nodes = document_.selection().nodes();
   double sum = 0;
-  for (const NodeId id : nodes)
-    sum += document_.skeleton()[id].radius;
-  const double mean = sum / static_cast<double>(nodes.size());
-  title_->setText(tr("%n nodes", nullptr, static_cast<int>(nodes.size())));
-  radius_->setDecimals(decimalsFor(mean));
-  radius_->setValue(mean);
+  bool isCommon = true;
+  const double first = document_.skeleton()[nodes.front()].radius;
+  for (const NodeId id : nodes) {
+    const double radius = document_.skeleton()[id].radius;
+    sum += radius;
+    isCommon = isCommon && radius == first;
+  }
+  title_->setText(tr("%1 nodes").arg(formatCount(nodes.size())));
+  if (isCommon)
+    showRadius(first, tr("Radius"), {});
+  else
+    showRadius(sum / static_cast<double>(nodes.size()), tr("Mean radius"),
+               tr("The radii differ. A number typed here becomes the radius of all of them."));
+}
+
+void InspectorPanel::showRadius(double radius, const QString& name, const QString& help) {
+  auto* label = static_cast<QLabel*>(form_->labelForField(radius_));
+  label->setText(name);
+  label->setToolTip(help);
+  radius_->setToolTip(help);
+  radius_->setDecimals(decimalsFor(radius));
+  radius_->setValue(radius);
 }
 
 } // namespace espalier

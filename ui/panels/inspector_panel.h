@@ -25,6 +25,7 @@ public:
   explicit InspectorPanel(PlantDocument& document, QWidget* parent = nullptr);
 
 signals:
+  void leaveRequested();           // the number is complete: the keys are the plant's again
   void radiusTyped(double radius); // [L], for all chosen nodes
   void edgeChosen(espalier::EdgeType type);
   void nodeChosen(espalier::NodeId id);
@@ -34,6 +35,7 @@ private:
   void refresh();
   void showNode(NodeId id);
   void showNodes();
+  void showRadius(double radius, const QString& name, const QString& help);
 
   PlantDocument& document_;
   QLabel* title_;

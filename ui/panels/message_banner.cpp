@@ -1,10 +1,12 @@
 #include "ui/panels/message_banner.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QStyle>
 
+#include <algorithm>
 #include <utility>
 
 namespace espalier {
@@ -34,6 +36,7 @@ MessageBanner::MessageBanner(QWidget* parent)
     hide();
     if (act_) act_();
   });
+  parent->installEventFilter(this);
   hide();
 }
 
@@ -62,16 +65,34 @@ bool MessageBanner::isError() const {
 }
 
 void MessageBanner::showText(const QString& kind, const QString& text) {
-  constexpr int widest = 640;
-  const bool isLong = text_->fontMetrics().horizontalAdvance(text) > widest;
-  text_->setWordWrap(isLong);
-  text_->setMinimumWidth(isLong ? widest : 0); // a label that wraps asks for too little
   text_->setText(text);
   setProperty("kind", kind); // the style sheet colors by it
   style()->unpolish(this);
   style()->polish(this);
+  place();
   show();
   raise();
+}
+
+bool MessageBanner::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Resize) place();
+  return QFrame::eventFilter(watched, event);
+}
+
+void MessageBanner::place() {
+  constexpr int margin = 12;
+  constexpr int widest = 880;
+  const int most = std::min(widest, parentWidget()->width() - 2 * margin);
+  text_->setWordWrap(false);
+  layout()->activate();
+  QSize size = sizeHint();
+  if (size.width() > most) {
+    text_->setWordWrap(true);
+    layout()->activate();
+    size = {most, heightForWidth(most)};
+  }
+  setGeometry((parentWidget()->width() - size.width()) / 2,
+              parentWidget()->height() - size.height() - margin, size.width(), size.height());
 }
 
 } // namespace espalier

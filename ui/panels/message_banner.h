@@ -10,13 +10,13 @@ class QPushButton;
 
 namespace espalier {
 
-/// A line over the foot of the view that tells what went wrong or what was done, until it is
+/// A line over the foot of its parent that tells what went wrong or what was done, until it is
 /// dismissed or the next one comes; what was done leaves by itself. Never in the way of work.
 class MessageBanner : public QFrame {
   Q_OBJECT
 
 public:
-  explicit MessageBanner(QWidget* parent = nullptr);
+  explicit MessageBanner(QWidget* parent); // in no layout of it
 
   void showError(const QString& text);
   /// @param action text of a button for `act`, as "Undo"; none if empty
@@ -26,7 +26,9 @@ public:
   [[nodiscard]] bool isError() const;
 
 private:
+  bool eventFilter(QObject* watched, QEvent* event) override; // of the parent: it is resized
   void showText(const QString& kind, const QString& text);
+  void place(); // over the foot of the parent, within its width
 
   QLabel* text_;
   QPushButton* action_;

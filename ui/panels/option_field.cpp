@@ -33,7 +33,7 @@ OptionField::OptionField(const Option& option, QGridLayout& grid, QWidget& paren
   number_->setKeyboardTracking(false);
   number_->setAlignment(Qt::AlignRight);
   number_->setButtonSymbols(QAbstractSpinBox::NoButtons);
-  number_->setFixedWidth(76);
+  number_->setFixedWidth(84);
   number_->setAccessibleName(label_->text());
   slider_->setAccessibleName(label_->text());
   slider_->setMinimumWidth(48);
@@ -71,9 +71,9 @@ void OptionField::setScale(const PlantScale& scale, const QString& unit) {
   number_->setSuffix(suffix.isEmpty() || suffix == "°" ? suffix : QChar(0x202f) + suffix);
   number_->setSingleStep(option_.kind == OptionKind::count ? 1 : std::max(standard, minimum) / 10);
   slider_->setDefaultPlace(placeOf(standard));
-  const QString help =
-      tr("%1\nDefault: %2")
-          .arg(QString::fromStdString(option_.help), QString::fromStdString(option_.rule.text()));
+  const QString help = tr("<qt>%1<br>Default: %2</qt>") // rich, so that it is broken into lines
+                           .arg(QString::fromStdString(option_.help).toHtmlEscaped(),
+                                QString::fromStdString(option_.rule.text()).toHtmlEscaped());
   label_->setToolTip(help);
   slider_->setToolTip(help);
   number_->setToolTip(help);

@@ -47,6 +47,7 @@ PipelinePanel::PipelinePanel(PlantDocument& document, QWidget* parent)
   connect(run_, &QPushButton::clicked, this, &PipelinePanel::reconstructRequested);
   connect(&document_, &PlantDocument::scanChanged, this, &PipelinePanel::refreshScale);
   connect(&document_, &PlantDocument::unitChanged, this, &PipelinePanel::refreshScale);
+  connect(&document_, &PlantDocument::skeletonReplaced, this, &PipelinePanel::showIdle);
   refreshScale();
 }
 

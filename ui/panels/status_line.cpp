@@ -21,6 +21,7 @@ StatusLine::StatusLine(QWidget* parent)
   bar_->setTextVisible(false);
   bar_->setFixedSize(140, 6);
   bar_->setAccessibleName(tr("Progress"));
+  timeLeft_->setFixedWidth(timeLeft_->fontMetrics().horizontalAdvance(describeTimeLeft(59 * 60)));
   auto* cancel = new QPushButton(tr("Cancel"), job_);
   cancel->setObjectName("cancel_job");
   auto* jobRow = new QHBoxLayout(job_);
@@ -33,8 +34,8 @@ StatusLine::StatusLine(QWidget* parent)
   row->setContentsMargins(12, 2, 12, 2);
   row->setSpacing(24);
   row->addWidget(text_, 1);
-  row->addWidget(job_);
   row->addWidget(counts_);
+  row->addWidget(job_); // at the end, so that Cancel does not move with what is told
   setFixedHeight(32);
   job_->hide();
   noteEnds_.setSingleShot(true);
@@ -44,6 +45,10 @@ StatusLine::StatusLine(QWidget* parent)
 }
 
 void StatusLine::setHint(const QString& text) {
+  constexpr int glance = 1500; // [ms]
+  const bool isRead =
+      noteEnds_.isActive() && noteEnds_.interval() - noteEnds_.remainingTime() > glance;
+  if (text != hint_ && isRead) note_.clear(); // the pointer is at something else by now
   hint_ = text;
   refreshText();
 }

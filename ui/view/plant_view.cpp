@@ -8,6 +8,7 @@
 #include "ui/view/scene.h"
 #include "ui/view/view_surface.h"
 
+#include <QApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QTimer>
@@ -145,6 +146,10 @@ void PlantView::setSelection(const std::vector<NodeId>& nodes) {
 
 void PlantView::setHovered(const Pick& pick) {
   if (parts_->scene.skeleton.hover(pick)) parts_->redrawSkeleton();
+}
+
+void PlantView::hoverAgain() {
+  parts_->pointer.hoverAgain();
 }
 
 void PlantView::setLayerVisible(Layer layer, bool visible) {
@@ -286,6 +291,13 @@ void PlantView::keyPressEvent(QKeyEvent* event) {
 void PlantView::focusOutEvent(QFocusEvent* event) {
   parts_->pointer.cancel();
   QWidget::focusOutEvent(event);
+}
+
+void PlantView::enterEvent(QEnterEvent* event) {
+  // The keys are those of the plant where the pointer is; what was being typed elsewhere is taken.
+  if (isActiveWindow() && QApplication::activePopupWidget() == nullptr)
+    setFocus(Qt::MouseFocusReason);
+  QWidget::enterEvent(event);
 }
 
 void PlantView::leaveEvent(QEvent* event) {

@@ -42,6 +42,7 @@ public:
   void updateSkeleton(const Skeleton& skeleton, const SkeletonDelta& delta);
   void setSelection(const std::vector<NodeId>& nodes);
   void setHovered(const Pick& pick);
+  void hoverAgain(); // tells the handler what lies under the resting pointer now
 
   void setLayerVisible(Layer layer, bool visible);
   void setPointColor(PointColor color);
@@ -85,6 +86,7 @@ protected:
   void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
+  void enterEvent(QEnterEvent* event) override;
   void leaveEvent(QEvent* event) override;
 
 private:

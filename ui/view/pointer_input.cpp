@@ -120,6 +120,7 @@ void PointerInput::move(const QMouseEvent& event) {
   const QPointF position = event.position();
   const Pointer pointer{position, button_, event.modifiers()};
   last_ = position;
+  isInside_ = true;
   if (!isBusy()) {
     tell(ToolInput::Phase::hover, pointer, pick(position));
     return;
@@ -152,7 +153,13 @@ void PointerInput::wheel(const QWheelEvent& event) {
 }
 
 void PointerInput::leave() {
+  isInside_ = false;
   if (!isBusy()) tell(ToolInput::Phase::hover, {last_, Qt::NoButton, Qt::NoModifier}, {});
+}
+
+void PointerInput::hoverAgain() {
+  if (!isBusy() && isInside_)
+    tell(ToolInput::Phase::hover, {last_, Qt::NoButton, Qt::NoModifier}, pick(last_));
 }
 
 void PointerInput::cancel() {

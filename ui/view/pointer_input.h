@@ -29,7 +29,8 @@ public:
   [[nodiscard]] std::optional<Eigen::Vector3d> doubleClick(const QMouseEvent& event);
   void wheel(const QWheelEvent& event);
   void leave();
-  void cancel(); // ends what goes on; a tool undoes what it did
+  void hoverAgain(); // after the scene changed under a resting pointer
+  void cancel();     // ends what goes on; a tool undoes what it did
 
   /// Is a gesture of a tool or of the camera going on?
   [[nodiscard]] bool isBusy() const { return button_ != Qt::NoButton; }
@@ -58,6 +59,7 @@ private:
   bool dragged_ = false;                  // farther than a click
   QPointF pressed_;                       // where
   QPointF last_;
+  bool isInside_ = false; // the pointer, in the view
 };
 
 } // namespace espalier

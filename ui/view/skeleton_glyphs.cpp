@@ -132,7 +132,8 @@ void SkeletonGlyphs::drawEdge(const Skeleton& skeleton, NodeId id) {
 }
 
 Mark SkeletonGlyphs::markOf(std::size_t slot) const {
-  if (hoveredNode_ && indexOf(*hoveredNode_) == slot) return Mark::hovered;
+  if (hoveredNode_ && indexOf(*hoveredNode_) == slot)
+    return selected_[slot] ? Mark::both : Mark::hovered;
   return selected_[slot] ? Mark::selected : Mark::none;
 }
 

@@ -17,7 +17,7 @@ namespace espalier {
 
 enum class NodeShape : std::uint8_t { none, plain, root, apex, branching };
 enum class EdgeShape : std::uint8_t { none, successor, branching };
-enum class Mark : std::uint8_t { none, selected, hovered };
+enum class Mark : std::uint8_t { none, selected, hovered, both };
 
 /// A node as it is drawn. The layout is read by the shaders.
 struct NodeGlyph {

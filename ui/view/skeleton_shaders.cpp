@@ -154,13 +154,14 @@ flat out float radius;                  // [L]
 noperspective out vec2 offset;          // from the center, in device pixels
 flat out float halfWidth;               // in device pixels
 flat out vec3 color;
+flat out vec3 rim;                      // color of its edge
 flat out int shape;
 
 float halfWidthOf(int kind, int mark) {
   float width = kind == 2 ? 4.5 : kind == 4 ? 3.6 : kind == 3 ? 3.2 : 2.5;
   if (kind != 2) width *= roominess;
   if (mark == 1) width = max(1.35 * width, 3.5);
-  if (mark == 2) width = max(1.5 * width, 4.0);
+  if (mark >= 2) width = max(1.5 * width, mark == 3 ? 5.0 : 4.0);
   return width * pixelRatio;
 }
 
@@ -175,7 +176,10 @@ void main() {
   if (pixel <= 0.0) return; // behind the eye
   vec2 corner = vec2((gl_VertexID & 1) == 0 ? -1.0 : 1.0, (gl_VertexID & 2) == 0 ? -1.0 : 1.0);
   radius = max(center.w, pixelRatio * pixel);
-  color = mark == 2 ? hoveredColor : mark == 1 ? selectedColor : faded(successorColor, place.z);
+  color = mark == 2                ? hoveredColor
+          : mark == 1 || mark == 3 ? selectedColor
+                                   : faded(successorColor, place.z);
+  rim = mark == 3 ? hoveredColor : color;
   halfWidth = spheres != 0 ? radius / pixel : halfWidthOf(shape, mark);
   offset = corner * (halfWidth + 1.5 * pixelRatio);
   vec4 clip = toClip * vec4(place, 1.0);
@@ -192,6 +196,7 @@ uniform float pixelRatio;
 noperspective in vec2 offset;
 flat in float halfWidth;
 flat in vec3 color;
+flat in vec3 rim;
 flat in int shape;
 out vec4 fragment;
 void main() {
@@ -202,7 +207,8 @@ void main() {
   float alpha = max(disc, outline);
   if (alpha < 0.05) discard;
   float hole = shape == 3 ? clamp(0.5 + 0.5 * halfWidth - away, 0.0, 1.0) : 0.0; // apex: a ring
-  fragment = vec4(mix(outlineColor, color, disc * (1.0 - hole)), alpha);
+  vec3 fill = mix(color, rim, clamp(0.5 + beyond + 2.0 * pixelRatio, 0.0, 1.0));
+  fragment = vec4(mix(outlineColor, fill, disc * (1.0 - hole)), alpha);
 })";
 
 const char* const sphereFragment = R"(#version 330 core
@@ -212,14 +218,16 @@ flat in float radius;
 noperspective in vec2 offset;
 flat in float halfWidth;
 flat in vec3 color;
+flat in vec3 rim;
 out vec4 fragment;
 void main() {
   float part = length(offset) / halfWidth;
   if (part > 1.0) discard;
   float facing = sqrt(1.0 - part * part);
+  vec3 fill = part > 0.7 ? rim : color;
   vec4 front = toClip * vec4(place.xy, place.z + radius * facing, 1.0);
   gl_FragDepth = clamp(0.5 * front.z / front.w + 0.5, 0.0, 1.0);
-  fragment = vec4(color * (0.4 + 0.6 * facing), 1.0);
+  fragment = vec4(fill * (0.4 + 0.6 * facing), 1.0);
 })";
 
 #undef ESPALIER_GLYPH_HEAD

@@ -11,11 +11,14 @@
 #include <QDoubleSpinBox>
 #include <QDropEvent>
 #include <QFile>
+#include <QLabel>
 #include <QListWidget>
 #include <QMenu>
 #include <QMimeData>
 #include <QRegularExpression>
+#include <QScrollBar>
 #include <QTest>
+#include <QTextBrowser>
 #include <QTimer>
 
 #include <algorithm>
@@ -247,6 +250,95 @@ TEST_F(MainWindowTest, ShowsAndSetsThePropertiesOfTheChosenNode) {
   QTest::keyClick(&radius, Qt::Key_Return);
   EXPECT_NEAR(document().skeleton()[apex].radius, 0.25, 1e-9);
   EXPECT_EQ(document().undoStack().count(), 1) << "one edit, when the number is complete";
+}
+
+TEST_F(MainWindowTest, EnterInTheRadiusGivesTheKeysBackToThePlant) {
+  open({writeFork("fork.mtg")});
+  click(placeOf(nodeAt({1, 0, 2})));
+  auto& radius = find<QDoubleSpinBox>("node_radius");
+  radius.setFocus();
+  QTest::keyClick(&radius, Qt::Key_Return);
+  EXPECT_TRUE(view().hasFocus());
+}
+
+TEST_F(MainWindowTest, ACommandTakesTheNumberThatIsBeingTyped) {
+  open({writeFork("fork.mtg")});
+  const NodeId apex = nodeAt({1, 0, 2});
+  click(placeOf(apex));
+  auto& radius = find<QDoubleSpinBox>("node_radius");
+  radius.setFocus();
+  radius.selectAll();
+  QTest::keyClicks(&radius, "0.25");
+  action("save").trigger();
+  EXPECT_NEAR(document().skeleton()[apex].radius, 0.25, 1e-9);
+  EXPECT_FALSE(document().isModified()) << "it was saved without the number";
+}
+
+TEST_F(MainWindowTest, TellsThatTheRadiiOfTheChosenNodesDiffer) {
+  open({writeFork("fork.mtg")});
+  document().selection().set(document().skeleton().ids());
+  const auto names = [this] {
+    QStringList texts;
+    for (const QLabel* label : find<QWidget>("inspector").findChildren<QLabel*>())
+      if (label->isVisible()) texts.append(label->text());
+    return texts;
+  };
+  EXPECT_TRUE(names().contains("Radius"));
+  document().edit("Thicken", [](SkeletonEditor& editor) { editor.setRadius(NodeId{0}, 0.7); });
+  EXPECT_TRUE(names().contains("Mean radius"));
+}
+
+TEST_F(MainWindowTest, AKeyPressedTwiceDoesNotFallOnNodesSelectedBefore) {
+  open({writeFork("fork.mtg")});
+  const NodeId selected = nodeAt({1, 0, 2});
+  click(placeOf(selected));
+  ASSERT_EQ(document().selection().current(), selected);
+  hover(placeOf(nodeAt({0, 0, 0})));
+  key(Qt::Key_Delete);
+  EXPECT_EQ(document().skeleton().size(), 4U);
+  key(Qt::Key_Delete); // nothing is under the pointer now
+  EXPECT_EQ(document().skeleton().size(), 4U);
+  EXPECT_TRUE(document().skeleton().contains(selected));
+}
+
+TEST_F(MainWindowTest, SaysThatAKeyHasNothingToActOn) {
+  open({writeFork("fork.mtg")});
+  hover({5, 5});
+  key(Qt::Key_Delete);
+  EXPECT_TRUE(window().statusLine().shownText().contains("pointer on a node"));
+  EXPECT_FALSE(document().isModified());
+}
+
+TEST_F(MainWindowTest, TellsWhatWasUndone) {
+  open({writeFork("fork.mtg")});
+  hover(placeOf(nodeAt({1, 0, 2})));
+  key(Qt::Key_Delete);
+  EXPECT_TRUE(window().statusLine().shownText().startsWith("Remove node"));
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(window().statusLine().shownText().startsWith("Undone: Remove node"));
+}
+
+TEST_F(MainWindowTest, KeepsALongMessageWithinTheWindow) {
+  open({writeFork("fork.mtg")});
+  window().resize(960, 600);
+  auto& banner = find<MessageBanner>("message_banner");
+  banner.showError(QString("a long reason why it cannot be done ").repeated(10));
+  EXPECT_EQ(window().width(), 960);
+  EXPECT_GE(banner.x(), 0);
+  EXPECT_LE(banner.geometry().right(), banner.parentWidget()->width());
+  EXPECT_GT(banner.height(), 2 * banner.fontMetrics().height()) << "in one line";
+}
+
+TEST_F(MainWindowTest, ShowsTheManual) {
+  action("manual").trigger();
+  auto& manual = find<QDialog>("manual_window");
+  const auto* text = manual.findChild<QTextBrowser*>();
+  EXPECT_TRUE(text->toPlainText().contains("Remove Subtree"));
+  auto* headings = manual.findChild<QListWidget*>();
+  ASSERT_GT(headings->count(), 3);
+  headings->setCurrentRow(3);
+  EXPECT_GT(text->verticalScrollBar()->value(), 0);
+  manual.close();
 }
 
 TEST_F(MainWindowTest, OffersTheEditsOfANodeInItsMenu) {

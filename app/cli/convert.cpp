@@ -2,6 +2,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/files.h"
 #include "app/cli/terminal.h"
+#include "core/io/dropped.h"
 
 #include <memory>
 #include <string>
@@ -13,6 +14,19 @@ struct Flags {
   std::string input;
   std::string output;
 };
+
+/// ".ply, .xyz, ...": those that formats of this content are written by.
+std::string extensionsToWrite(Content content) {
+  std::string list;
+  for (const Format& format : formats()) {
+    if (format.content != content || !format.canWrite()) continue;
+    for (const std::string_view extension : format.extensions) {
+      const std::string item = "." + std::string(extension);
+      if (list.find(item + ',') == std::string::npos) list += item + ", ";
+    }
+  }
+  return list.substr(0, list.size() - 2);
+}
 
 void convert(const Flags& flags) {
   const Content content = formatOf(flags.input).content;
@@ -28,6 +42,7 @@ void convert(const Flags& flags) {
     printNotes(structure.notes);
     terminal.check();
     writeStructure(flags.output, structure.value);
+    printNotes(droppedBy(formatToWrite(flags.output, content), structure.value));
   }
 }
 
@@ -40,8 +55,9 @@ void addConvert(CLI::App& app) {
   command->add_option("INPUT", flags->input, "Points or a structure to read")->required();
   command
       ->add_option("OUTPUT", flags->output,
-                   "File to write, in the format of its extension: points as .ply, .xyz, .asc, "
-                   ".txt, .csv or .pts, a structure as .mtg or .txt")
+                   "File to write, in the format of its extension: points as " +
+                       extensionsToWrite(Content::points) + ", a structure as " +
+                       extensionsToWrite(Content::structure))
       ->required();
   command->callback([flags] { convert(*flags); });
   command->footer("Examples:\n"

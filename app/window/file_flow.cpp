@@ -2,6 +2,7 @@
 
 #include "app/window/recent_files.h"
 #include "core/base/error.h"
+#include "core/io/dropped.h"
 #include "core/io/formats.h"
 #include "ui/document/plant_document.h"
 #include "ui/jobs/job_runner.h"
@@ -50,10 +51,11 @@ QString writableFilters() {
   return filters.join(";;");
 }
 
+/// Whether a skeleton saved there can be opened again.
 bool canBeSavedTo(const QString& path) {
   if (path.isEmpty()) return false;
   try {
-    return formatToWrite(toPath(path), Content::structure).canWrite();
+    return formatToWrite(toPath(path), Content::structure).canRead();
   } catch (const Error&) { // read from a format that is only read: another name is asked for
     return false;
   }
@@ -112,7 +114,7 @@ bool FileFlow::saveAs() {
   dialog.selectFile(proposed.fileName());
   if (dialog.exec() != QDialog::Accepted) return false;
   writeTo(dialog.selectedFiles().front());
-  return true;
+  return !parts_.document.isModified();
 }
 
 bool FileFlow::mayDiscard() {
@@ -157,10 +159,21 @@ void FileFlow::writeTo(const QString& path) {
                                std::filesystem::copy_options::overwrite_existing, ignored);
   }
   writeStructure(toPath(path), parts_.document.skeleton());
+  emit saved(path);
+  noteDropped(path);
+  if (!canBeSavedTo(path))
+    return; // lines or a table, as other programs want: the plant is not kept
   copied_ = path;
   parts_.document.markSaved(path);
   parts_.recent.add(path);
-  emit saved(path);
+}
+
+void FileFlow::noteDropped(const QString& path) {
+  QStringList notes;
+  const Format& format = formatToWrite(toPath(path), Content::structure);
+  for (const std::string& sentence : droppedBy(format, parts_.document.skeleton()))
+    notes.append(QString::fromStdString(sentence));
+  if (!notes.isEmpty()) emit noted(notes.join('\n'));
 }
 
 } // namespace espalier

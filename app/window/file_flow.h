@@ -36,7 +36,8 @@ public:
   /// @throws Error if a file cannot be read or a job is running; reading goes on as a job
   void open(const QStringList& paths);
 
-  /// Each returns whether the skeleton is saved now; the user may have left the dialog.
+  /// Each returns whether the skeleton is saved now; the user may have left the dialog, or chosen a
+  /// format that cannot be opened again.
   /// @throws Error why it cannot be written
   bool save();
   bool saveAs();
@@ -47,12 +48,13 @@ public:
 
 signals:
   void opened();
-  void noted(const QString& message); // of how a file was read
+  void noted(const QString& message); // of how a file was read, or what one written does not keep
   void saved(const QString& path);
 
 private:
   void show(LoadedFiles loaded, bool isAnotherPlant);
   void writeTo(const QString& path);
+  void noteDropped(const QString& path);
 
   Parts parts_;
   QString copied_; // the file of others that a copy was kept of

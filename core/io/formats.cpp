@@ -7,6 +7,7 @@
 #include "core/io/node_list.h"
 #include "core/io/pcd.h"
 #include "core/io/ply.h"
+#include "core/io/swc.h"
 #include "core/io/xyz.h"
 #include "core/mtg/mtg_reader.h"
 #include "core/mtg/mtg_skeleton.h"
@@ -65,14 +66,24 @@ std::vector<Format> makeFormats() {
                    .content = Content::structure,
                    .recognizes = isMtg,
                    .readMtg = readMtg,
-                   .writeStructure = writeMtg});
+                   .writeStructure = writeMtg,
+                   .carried = {.radii = true, .edgeTypes = true, .severalTrees = true}});
   table.push_back({.name = "node list",
                    .description = "Node list of PlantScan3D",
                    .extensions = {"txt"},
                    .content = Content::structure,
                    .recognizes = isNodeList,
                    .readStructure = readNodeList,
-                   .writeStructure = writeNodeList});
+                   .writeStructure = writeNodeList,
+                   .carried = {.radii = true, .edgeTypes = true, .severalTrees = true}});
+  table.push_back({.name = "SWC",
+                   .description = "SWC structure",
+                   .extensions = {"swc"},
+                   .content = Content::structure,
+                   .recognizes = isSwc,
+                   .readStructure = readSwc,
+                   .writeStructure = writeSwc,
+                   .carried = {.radii = true, .severalTrees = true}});
   return table;
 }
 

@@ -19,6 +19,19 @@ namespace espalier {
 /// What a file holds.
 enum class Content : std::uint8_t { points, structure };
 
+/// What a structure format keeps of a skeleton, beside positions and which node hangs on which.
+struct Carried {
+  bool radii = false;
+  bool edgeTypes = false;    // which child continues an axis
+  bool severalTrees = false; // in one file
+  bool entities = false;     // of an MTG: classes, and coarser scales
+  bool labels = false;       // their indices and aliases
+  bool features = false;     // their values
+  bool dates = false;        // their values at later dates
+
+  bool operator==(const Carried&) const = default;
+};
+
 /// A file format, and what can be done with it.
 struct Format {
   std::string_view name;                    // "PLY"
@@ -35,6 +48,7 @@ struct Format {
   void (*writePoints)(std::ostream&, const PointCloud&,
                       const Eigen::Matrix3Xf& positions) = nullptr;
   void (*writeStructure)(std::ostream&, const Skeleton&) = nullptr;
+  Carried carried = {};    // by what writeStructure writes
   std::string_view advice; // what to do with a file that cannot be read
 
   [[nodiscard]] bool canRead() const { return readPoints || readMtg || readStructure; }

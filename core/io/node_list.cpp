@@ -2,24 +2,16 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/io/node_rows.h"
 
 #include <cmath>
-#include <cstdint>
 #include <ostream>
-#include <unordered_map>
 #include <vector>
 
 namespace espalier {
 namespace {
 
 constexpr std::string_view columnNames = "vid parentid edgetype XX YY ZZ Radius";
-
-struct Row {
-  std::string id;
-  std::string parent; // empty for a root
-  Node node;
-  std::size_t line = 0;
-};
 
 double numberOf(std::string_view field, std::string_view column, const std::string& where) {
   const auto number = numberIn(field);
@@ -33,7 +25,7 @@ bool isMissing(std::string_view field) {
   return field.empty() || field == "None" || field == "-1";
 }
 
-Row rowOf(std::string_view line, std::size_t number, const std::string& file) {
+NodeRow rowOf(std::string_view line, std::size_t number, const std::string& file) {
   const std::string where = place(file, number);
   std::vector<std::string_view> fields;
   for (std::size_t start = 0; start <= line.size();) {
@@ -44,7 +36,7 @@ Row rowOf(std::string_view line, std::size_t number, const std::string& file) {
   if (fields.size() < 6)
     throw Error(where + "expected 7 fields parted by tabs (" + std::string(columnNames) +
                 "), found " + std::to_string(fields.size()));
-  Row row{.id = std::string(fields[0]), .line = number};
+  NodeRow row{.id = std::string(fields[0]), .place = number};
   if (row.id.empty()) throw Error(where + "the node has no id");
   if (!isMissing(fields[1])) row.parent = fields[1];
   if (fields[2] == "+") row.node.edge = EdgeType::branching;
@@ -56,8 +48,8 @@ Row rowOf(std::string_view line, std::size_t number, const std::string& file) {
   return row;
 }
 
-std::vector<Row> rowsOf(std::string_view text, const std::string& file) {
-  std::vector<Row> rows;
+std::vector<NodeRow> rowsOf(std::string_view text, const std::string& file) {
+  std::vector<NodeRow> rows;
   bool hasCount = false;
   LineReader lines(text);
   while (const auto line = lines.next()) {
@@ -71,26 +63,6 @@ std::vector<Row> rowsOf(std::string_view text, const std::string& file) {
   }
   if (rows.empty()) throw Error(file + ": holds no nodes");
   return rows;
-}
-
-using Index = std::unordered_map<std::string_view, std::size_t>; // rows by id
-
-/// Rows that hang on each row, roots under the number of rows.
-std::vector<std::vector<std::size_t>> childrenOf(const std::vector<Row>& rows,
-                                                 const std::string& file) {
-  Index index;
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    if (!index.emplace(rows[i].id, i).second)
-      throw Error(place(file, rows[i].line) + "the id " + inQuotes(rows[i].id) + " occurs twice");
-  std::vector<std::vector<std::size_t>> children(rows.size() + 1);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const auto parent = index.find(rows[i].parent);
-    if (!rows[i].parent.empty() && parent == index.end())
-      throw Error(place(file, rows[i].line) + "the parent " + inQuotes(rows[i].parent) +
-                  " is not in the list");
-    children[rows[i].parent.empty() ? rows.size() : parent->second].push_back(i);
-  }
-  return children;
 }
 
 } // namespace
@@ -108,23 +80,9 @@ bool isNodeList(std::string_view beginning) {
 
 Imported<Skeleton> readNodeList(std::istream& in, const std::string& file) {
   const std::string bytes = readAll(in);
-  const std::vector<Row> rows = rowsOf(bytes, file);
-  const std::vector<std::vector<std::size_t>> children = childrenOf(rows, file);
-  Imported<Skeleton> result;
-  std::vector<std::optional<NodeId>> ids(rows.size() + 1); // the last: parent of the roots
-  std::vector<std::size_t> order = {rows.size()};
-  for (std::size_t next = 0; next < order.size(); ++next)
-    for (const std::size_t child : children[order[next]]) {
-      Node node = rows[child].node;
-      node.parent = ids[order[next]];
-      ids[child] = result.value.add(node);
-      order.push_back(child);
-    }
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    if (!ids[i])
-      throw Error(place(file, rows[i].line) +
-                  "the node is among its own ancestors: correct its parent");
-  return result;
+  return {skeletonOfRows(rowsOf(bytes, file),
+                         [&](const NodeRow& row) { return place(file, row.place); }),
+          {}};
 }
 
 void writeNodeList(std::ostream& out, const Skeleton& skeleton) {

@@ -17,13 +17,13 @@ namespace espalier {
 /// tabs.
 ///
 /// The parent of a root is empty, "None" or -1. An edge that is not + is a successor. An empty
-/// radius is not estimated. Nodes get new ids, breadth first from the roots.
+/// radius is not estimated. Nodes get new ids, breadth first from the roots, successors first.
 ///
 /// @param file  its name, for messages
 /// @throws Error naming the line that is no node, gives an id twice, or has a parent that is
 /// missing
 ///         or that it carries itself
-/// Time O(N log N).
+/// Time O(N).
 [[nodiscard]] Imported<Skeleton> readNodeList(std::istream& in, const std::string& file);
 
 /// Writes a node list; ids count from 1, parents before their children.

@@ -56,7 +56,8 @@ Skeleton withAssembledAxes(const Skeleton& skeleton, const AxisOptions& options)
     for (const NodeId child : children) {
       const bool continues = child == heaviest &&
                              turn(skeleton, child, carried, options.reach) <= options.sharpestTurn;
-      result.setEdge(child, continues ? EdgeType::successor : EdgeType::branching);
+      const EdgeType edge = continues ? EdgeType::successor : EdgeType::branching;
+      if (skeleton[child].edge != edge) result.setEdge(child, edge);
     }
   }
   return result;

@@ -5,6 +5,7 @@
 #include "core/io/node_list.h"
 #include "core/io/pcd.h"
 #include "core/io/ply.h"
+#include "core/io/swc.h"
 #include "core/io/xyz.h"
 #include "core/mtg/mtg_reader.h"
 #include "core/mtg/mtg_skeleton.h"
@@ -69,6 +70,13 @@ void readCloud(std::istream& in) {
   ASSERT_TRUE(cloud.positions().allFinite());
 }
 
+template <Imported<Skeleton> (*read)(std::istream&, const std::string&)>
+void readSkeleton(std::istream& in) {
+  const Skeleton skeleton = read(in, "damaged").value;
+  for (const NodeId id : skeleton.ids())
+    ASSERT_TRUE(skeleton[id].position.allFinite() && skeleton[id].radius >= 0);
+}
+
 class DamagedFiles : public testing::TestWithParam<Reader> {};
 
 TEST_P(DamagedFiles, AreReadOrRefusedAndNothingElse) {
@@ -107,8 +115,8 @@ INSTANTIATE_TEST_SUITE_P(
                [](std::istream& in) {
                  (void)skeletonOf(readMtg(in, "damaged").value, "damaged").value.ids();
                }},
-        Reader{"node list", test::nodeListFile,
-               [](std::istream& in) { (void)readNodeList(in, "damaged").value.ids(); }}));
+        Reader{"node list", test::nodeListFile, readSkeleton<readNodeList>},
+        Reader{"SWC", test::swcFile, readSkeleton<readSwc>}));
 
 } // namespace
 } // namespace espalier

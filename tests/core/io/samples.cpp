@@ -1,6 +1,7 @@
 #include "tests/core/io/samples.h"
 
 #include "core/io/node_list.h"
+#include "core/io/swc.h"
 #include "core/mtg/mtg_writer.h"
 #include "tests/support/plants.h"
 
@@ -36,6 +37,12 @@ std::string lasRecord(const LasSample& sample, int i) {
           record, start + 2 * c,
           static_cast<std::uint16_t>((10 * (static_cast<int>(c) + 1) + i) * sample.colorUnit));
   return record;
+}
+
+std::string structureFile(void (*write)(std::ostream&, const Skeleton&)) {
+  std::ostringstream out;
+  write(out, randomPlant(12, 1));
+  return out.str();
 }
 
 } // namespace
@@ -173,15 +180,15 @@ std::string xyzFile() {
 }
 
 std::string mtgFile() {
-  std::ostringstream out;
-  writeMtg(out, randomPlant(12, 1));
-  return out.str();
+  return structureFile(writeMtg);
 }
 
 std::string nodeListFile() {
-  std::ostringstream out;
-  writeNodeList(out, randomPlant(12, 1));
-  return out.str();
+  return structureFile(writeNodeList);
+}
+
+std::string swcFile() {
+  return structureFile(writeSwc);
 }
 
 } // namespace espalier::test

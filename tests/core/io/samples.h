@@ -52,8 +52,9 @@ enum class PcdKind : std::uint8_t { ascii, binary, compressed };
 /// A text of points with intensity and color, named in a first line.
 [[nodiscard]] std::string xyzFile();
 
-/// A structure of two plants with branches, and the same as a node list.
+/// A structure of two plants with branches, in each format.
 [[nodiscard]] std::string mtgFile();
 [[nodiscard]] std::string nodeListFile();
+[[nodiscard]] std::string swcFile();
 
 } // namespace espalier::test

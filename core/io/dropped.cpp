@@ -1,0 +1,65 @@
+#include "core/io/dropped.h"
+
+#include <cassert>
+
+namespace espalier {
+namespace {
+
+/// What there is in a skeleton to be kept.
+struct Contents {
+  bool radii = false;
+  bool edgeTypes = false; // some branch, or a node has several children
+  bool severalTrees = false;
+  bool entities = false;
+  bool labels = false;
+  bool features = false;
+  bool dates = false;
+};
+
+void add(const Entity& entity, Contents& contents) {
+  contents.entities = true;
+  contents.labels = contents.labels || entity.index || !entity.alias.empty();
+  contents.features = contents.features || !entity.values.empty();
+  contents.dates = contents.dates || !entity.later.empty();
+}
+
+Contents contentsOf(const Skeleton& skeleton) {
+  Contents contents;
+  std::size_t roots = 0;
+  for (const NodeId id : skeleton.ids()) {
+    const Node& node = skeleton[id];
+    if (node.radius > 0) contents.radii = true;
+    if (!node.parent) ++roots;
+    const bool branches = node.parent && node.edge == EdgeType::branching;
+    if (branches || skeleton.children(id).size() > 1) contents.edgeTypes = true;
+    for (const Entity& entity : node.entities)
+      add(entity, contents);
+  }
+  contents.severalTrees = roots > 1;
+  return contents;
+}
+
+} // namespace
+
+std::vector<std::string> droppedBy(const Format& format, const Skeleton& skeleton) {
+  assert(format.content == Content::structure);
+  const Contents contents = contentsOf(skeleton);
+  std::vector<std::string> sentences;
+  const auto check = [&](bool isThere, bool isCarried, const char* what) {
+    if (isThere && !isCarried) sentences.push_back(std::string(format.name) + " keeps " + what);
+  };
+  const Carried& carried = format.carried;
+  check(contents.radii, carried.radii, "no radii: how thick the nodes are is not written");
+  check(contents.edgeTypes, carried.edgeTypes,
+        "no edge types: which child continues an axis is not written");
+  check(contents.severalTrees, carried.severalTrees, "one tree only: the others are not written");
+  check(contents.entities, carried.entities,
+        "no classes or scales: units and axes that the nodes belong to are not written");
+  check(contents.labels, carried.labels, "no labels: indices and aliases are not written");
+  check(contents.features, carried.features,
+        "no features: values beside position and radius are not written");
+  check(contents.dates, carried.dates, "one date only: values at later dates are not written");
+  return sentences;
+}
+
+} // namespace espalier

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/io/formats.h"
+
+#include <string>
+#include <vector>
+
+namespace espalier {
+
+/// What a file of this format would not keep of this skeleton, a plain sentence each: "SWC keeps no
+/// edge types: ...". None if it keeps all.
+/// pre: format.content is Content::structure
+/// Time O(N).
+[[nodiscard]] std::vector<std::string> droppedBy(const Format& format, const Skeleton& skeleton);
+
+} // namespace espalier

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/skeleton/skeleton.h"
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace espalier {
+
+/// A node as a table lists it.
+struct NodeRow {
+  std::string id;
+  std::string parent;    // id of another row; empty for a root
+  Node node;             // but for its parent
+  std::size_t place = 0; // in the file: a line, say
+};
+
+/// The skeleton of rows in any order. Nodes are numbered breadth first from the roots, successors
+/// before their siblings.
+///
+/// @param where  the start of a message about a row: "oak.swc, line 12: "
+/// @throws Error for an id that occurs twice, a parent that is missing, and a node among its own
+///         ancestors
+/// Time O(N).
+[[nodiscard]] Skeleton skeletonOfRows(const std::vector<NodeRow>& rows,
+                                      const std::function<std::string(const NodeRow&)>& where);
+
+/// What a user should know of a file whose format has no edge types.
+[[nodiscard]] std::string noteOnAxes(const std::string& file, const std::string& format);
+
+} // namespace espalier

@@ -8,6 +8,7 @@
 #include "core/io/pcd.h"
 #include "core/io/ply.h"
 #include "core/io/swc.h"
+#include "core/io/treefile.h"
 #include "core/io/xyz.h"
 #include "core/mtg/mtg_reader.h"
 #include "core/mtg/mtg_skeleton.h"
@@ -83,6 +84,14 @@ std::vector<Format> makeFormats() {
                    .recognizes = isSwc,
                    .readStructure = readSwc,
                    .writeStructure = writeSwc,
+                   .carried = {.radii = true, .severalTrees = true}});
+  table.push_back({.name = "treefile",
+                   .description = "Treefile of RayCloudTools",
+                   .extensions = {"treefile", "txt"},
+                   .content = Content::structure,
+                   .recognizes = isTreefile,
+                   .readStructure = readTreefile,
+                   .writeStructure = writeTreefile,
                    .carried = {.radii = true, .severalTrees = true}});
   return table;
 }

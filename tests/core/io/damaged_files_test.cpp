@@ -6,6 +6,7 @@
 #include "core/io/pcd.h"
 #include "core/io/ply.h"
 #include "core/io/swc.h"
+#include "core/io/treefile.h"
 #include "core/io/xyz.h"
 #include "core/mtg/mtg_reader.h"
 #include "core/mtg/mtg_skeleton.h"
@@ -116,7 +117,8 @@ INSTANTIATE_TEST_SUITE_P(
                  (void)skeletonOf(readMtg(in, "damaged").value, "damaged").value.ids();
                }},
         Reader{"node list", test::nodeListFile, readSkeleton<readNodeList>},
-        Reader{"SWC", test::swcFile, readSkeleton<readSwc>}));
+        Reader{"SWC", test::swcFile, readSkeleton<readSwc>},
+        Reader{"treefile", test::treefileFile, readSkeleton<readTreefile>}));
 
 } // namespace
 } // namespace espalier

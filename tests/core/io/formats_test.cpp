@@ -41,7 +41,8 @@ TEST(Formats, AreReadByContentWhateverTheExtension) {
       {"PCD", test::pcdFile(test::PcdKind::binary)},
       {"MTG", test::mtgFile()},
       {"node list", test::nodeListFile()},
-      {"SWC", test::swcFile()}};
+      {"SWC", test::swcFile()},
+      {"treefile", test::treefileFile()}};
   for (const auto& [name, bytes] : samples) {
     EXPECT_EQ(formatOf(fileOf("wrong.csv", bytes)).name, name);
     EXPECT_EQ(formatOf(fileOf("none", bytes)).name, name);

@@ -2,6 +2,7 @@
 
 #include "core/io/node_list.h"
 #include "core/io/swc.h"
+#include "core/io/treefile.h"
 #include "core/mtg/mtg_writer.h"
 #include "tests/support/plants.h"
 
@@ -189,6 +190,10 @@ std::string nodeListFile() {
 
 std::string swcFile() {
   return structureFile(writeSwc);
+}
+
+std::string treefileFile() {
+  return structureFile(writeTreefile);
 }
 
 } // namespace espalier::test

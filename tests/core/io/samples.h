@@ -56,5 +56,6 @@ enum class PcdKind : std::uint8_t { ascii, binary, compressed };
 [[nodiscard]] std::string mtgFile();
 [[nodiscard]] std::string nodeListFile();
 [[nodiscard]] std::string swcFile();
+[[nodiscard]] std::string treefileFile();
 
 } // namespace espalier::test

@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/io/atomic_file.h"
+#include "core/io/graphml.h"
 #include "core/io/las.h"
 #include "core/io/node_list.h"
 #include "core/io/pcd.h"
@@ -93,6 +94,14 @@ std::vector<Format> makeFormats() {
                    .readStructure = readTreefile,
                    .writeStructure = writeTreefile,
                    .carried = {.radii = true, .severalTrees = true}});
+  table.push_back({.name = "GraphML",
+                   .description = "GraphML structure",
+                   .extensions = {"graphml"},
+                   .content = Content::structure,
+                   .recognizes = isGraphml,
+                   .readStructure = readGraphml,
+                   .writeStructure = writeGraphml,
+                   .carried = {.radii = true, .edgeTypes = true, .severalTrees = true}});
   return table;
 }
 

@@ -1,6 +1,7 @@
 #include "core/base/error.h"
 #include "core/base/random.h"
 #include "core/io/formats.h"
+#include "core/io/graphml.h"
 #include "core/io/las.h"
 #include "core/io/node_list.h"
 #include "core/io/pcd.h"
@@ -118,7 +119,8 @@ INSTANTIATE_TEST_SUITE_P(
                }},
         Reader{"node list", test::nodeListFile, readSkeleton<readNodeList>},
         Reader{"SWC", test::swcFile, readSkeleton<readSwc>},
-        Reader{"treefile", test::treefileFile, readSkeleton<readTreefile>}));
+        Reader{"treefile", test::treefileFile, readSkeleton<readTreefile>},
+        Reader{"GraphML", test::graphmlFile, readSkeleton<readGraphml>}));
 
 } // namespace
 } // namespace espalier

@@ -42,7 +42,8 @@ TEST(Formats, AreReadByContentWhateverTheExtension) {
       {"MTG", test::mtgFile()},
       {"node list", test::nodeListFile()},
       {"SWC", test::swcFile()},
-      {"treefile", test::treefileFile()}};
+      {"treefile", test::treefileFile()},
+      {"GraphML", test::graphmlFile()}};
   for (const auto& [name, bytes] : samples) {
     EXPECT_EQ(formatOf(fileOf("wrong.csv", bytes)).name, name);
     EXPECT_EQ(formatOf(fileOf("none", bytes)).name, name);

@@ -1,5 +1,6 @@
 #include "tests/core/io/samples.h"
 
+#include "core/io/graphml.h"
 #include "core/io/node_list.h"
 #include "core/io/swc.h"
 #include "core/io/treefile.h"
@@ -194,6 +195,10 @@ std::string swcFile() {
 
 std::string treefileFile() {
   return structureFile(writeTreefile);
+}
+
+std::string graphmlFile() {
+  return structureFile(writeGraphml);
 }
 
 } // namespace espalier::test

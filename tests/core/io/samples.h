@@ -57,5 +57,6 @@ enum class PcdKind : std::uint8_t { ascii, binary, compressed };
 [[nodiscard]] std::string nodeListFile();
 [[nodiscard]] std::string swcFile();
 [[nodiscard]] std::string treefileFile();
+[[nodiscard]] std::string graphmlFile();
 
 } // namespace espalier::test

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <pugixml.hpp>
+#include <string>
+#include <string_view>
+
+namespace espalier {
+
+/// Whether a file that begins so is XML whose outermost element has this name.
+[[nodiscard]] bool isXml(std::string_view beginning, std::string_view root);
+
+/// An XML document, and where in its file each element stands.
+///
+/// Of hostile files: entities are never expanded, and a document that defines some is refused, as
+/// is one of elements nested over 100 000 deep; nothing is loaded from elsewhere.
+class XmlFile {
+public:
+  /// @throws Error naming the line where the document is broken, or if its outermost element has
+  ///         another name
+  XmlFile(std::string bytes, std::string file, std::string_view root);
+
+  [[nodiscard]] pugi::xml_node root() const { return document_.document_element(); }
+  [[nodiscard]] const std::string& file() const { return file_; }
+
+  /// "oak.opf, line 12: ", for the start of a message. Time O(size of the file).
+  [[nodiscard]] std::string where(pugi::xml_node node) const;
+
+  /// The finite number that `text` is.
+  /// @param what  for the message: "x"
+  /// @throws Error naming the line of `node` if it is none
+  [[nodiscard]] double numberIn(pugi::xml_node node, std::string_view text,
+                                std::string_view what) const;
+
+private:
+  [[nodiscard]] std::string whereByte(std::ptrdiff_t byte) const;
+  void refuseEntities() const;
+  void refuseDeepNesting() const;
+
+  std::string bytes_;
+  std::string file_;
+  pugi::xml_document document_;
+};
+
+/// `text` as it is written between tags or quotes. Characters that XML cannot hold become blanks.
+[[nodiscard]] std::string xmlText(std::string_view text);
+
+} // namespace espalier

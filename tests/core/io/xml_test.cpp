@@ -1,0 +1,84 @@
+#include "core/io/xml.h"
+#include "tests/core/io/samples.h"
+
+#include <gmock/gmock.h>
+
+namespace espalier {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+std::string errorOf(const std::string& text) {
+  return test::errorOf([&] { return XmlFile(text, "oak.xml", "oak").root().name(); });
+}
+
+std::string nested(int depth) {
+  std::string text = "<oak>";
+  for (int i = 1; i < depth; ++i)
+    text += "<a>";
+  for (int i = 1; i < depth; ++i)
+    text += "</a>";
+  return text + "</oak>";
+}
+
+TEST(XmlFile, TellsTheLineWhereItIsBroken) {
+  EXPECT_THAT(errorOf("<oak>\n<a>\n</b>\n</oak>"),
+              StartsWith("oak.xml, line 3: the XML is broken"));
+  EXPECT_THAT(errorOf("<oak>\n<a>\n"), HasSubstr("the XML is broken"));
+  EXPECT_THAT(errorOf("no XML at all"), HasSubstr("the XML is broken"));
+  EXPECT_EQ(errorOf("\n<elm/>"), "oak.xml, line 2: expected an element 'oak', found 'elm'");
+}
+
+TEST(XmlFile, TellsTheLineOfAnElement) {
+  const XmlFile xml("<?xml version=\"1.0\"?>\n<oak>\n\n  <a/></oak>", "oak.xml", "oak");
+  EXPECT_EQ(xml.where(xml.root().child("a")), "oak.xml, line 4: ");
+}
+
+TEST(XmlFile, ReadsFiniteNumbersOnly) {
+  const XmlFile xml("<oak>\n<a>1.5</a><a>nan</a><a>two</a><a/></oak>", "oak.xml", "oak");
+  std::vector<std::string> outcomes;
+  for (const pugi::xml_node node : xml.root().children("a"))
+    outcomes.push_back(test::errorOf([&] { return xml.numberIn(node, node.child_value(), "x"); }));
+  EXPECT_THAT(outcomes,
+              testing::ElementsAre("", "oak.xml, line 2: expected a number as x, found 'nan'",
+                                   "oak.xml, line 2: expected a number as x, found 'two'",
+                                   "oak.xml, line 2: expected a number as x, found ''"));
+}
+
+TEST(XmlFile, RefusesDocumentsThatDefineEntities) {
+  const std::string laughs = "<?xml version=\"1.0\"?>\n<!DOCTYPE oak [\n<!ENTITY a \"ha\">\n"
+                             "<!ENTITY b \"&a;&a;&a;&a;&a;&a;&a;&a;&a;&a;\">\n]>\n<oak>&b;</oak>";
+  EXPECT_THAT(errorOf(laughs), HasSubstr("the document defines entities, which are not read"));
+  const std::string outside =
+      "<!DOCTYPE oak [<!ENTITY a SYSTEM \"file:///etc/hostname\">]><oak>&a;</oak>";
+  EXPECT_THAT(errorOf(outside), HasSubstr("the document defines entities"));
+}
+
+TEST(XmlFile, TakesADocumentTypeWithoutEntities) {
+  EXPECT_EQ(errorOf("<!DOCTYPE oak SYSTEM \"oak.dtd\"><oak/>"), "");
+}
+
+TEST(XmlFile, RefusesElementsNestedDeeperThanAnyPlant) {
+  EXPECT_EQ(errorOf(nested(100'000)), "");
+  EXPECT_EQ(errorOf(nested(100'001)),
+            "oak.xml, line 1: its elements are nested over 100000 deep, as in no plant");
+}
+
+TEST(IsXml, LooksAtTheOutermostElement) {
+  EXPECT_TRUE(isXml(
+      "\xEF\xBB\xBF<?xml version='1.0'?>\n<!-- a <b> -->\n<!DOCTYPE oak>\n<oak a='1'>", "oak"));
+  EXPECT_TRUE(isXml("<oak/>", "oak"));
+  EXPECT_FALSE(isXml("<oaks>", "oak"));
+  EXPECT_FALSE(isXml("<elm><oak>", "oak"));
+  EXPECT_FALSE(isXml("<oak", "oak"));
+  EXPECT_FALSE(isXml("<!-- <oak>", "oak"));
+  EXPECT_FALSE(isXml("", "oak"));
+}
+
+TEST(XmlText, HidesWhatXmlUsesItself) {
+  EXPECT_EQ(xmlText("a<b> & \"c\"\x01"), "a&lt;b&gt; &amp; &quot;c&quot; ");
+}
+
+} // namespace
+} // namespace espalier

@@ -6,6 +6,7 @@
 #include "core/io/graphml.h"
 #include "core/io/las.h"
 #include "core/io/node_list.h"
+#include "core/io/opf.h"
 #include "core/io/pcd.h"
 #include "core/io/ply.h"
 #include "core/io/swc.h"
@@ -102,6 +103,18 @@ std::vector<Format> makeFormats() {
                    .readStructure = readGraphml,
                    .writeStructure = writeGraphml,
                    .carried = {.radii = true, .edgeTypes = true, .severalTrees = true}});
+  table.push_back({.name = "OPF",
+                   .description = "OPF structure",
+                   .extensions = {"opf"},
+                   .content = Content::structure,
+                   .recognizes = isOpf,
+                   .readMtg = readOpf,
+                   .writeStructure = writeOpf,
+                   .carried = {.radii = true,
+                               .edgeTypes = true,
+                               .severalTrees = true,
+                               .entities = true,
+                               .features = true}});
   return table;
 }
 

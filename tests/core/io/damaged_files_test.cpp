@@ -4,6 +4,7 @@
 #include "core/io/graphml.h"
 #include "core/io/las.h"
 #include "core/io/node_list.h"
+#include "core/io/opf.h"
 #include "core/io/pcd.h"
 #include "core/io/ply.h"
 #include "core/io/swc.h"
@@ -120,7 +121,10 @@ INSTANTIATE_TEST_SUITE_P(
         Reader{"node list", test::nodeListFile, readSkeleton<readNodeList>},
         Reader{"SWC", test::swcFile, readSkeleton<readSwc>},
         Reader{"treefile", test::treefileFile, readSkeleton<readTreefile>},
-        Reader{"GraphML", test::graphmlFile, readSkeleton<readGraphml>}));
+        Reader{"GraphML", test::graphmlFile, readSkeleton<readGraphml>},
+        Reader{"OPF", test::opfFile, [](std::istream& in) {
+                 (void)skeletonOf(readOpf(in, "damaged").value, "damaged").value.ids();
+               }}));
 
 } // namespace
 } // namespace espalier

@@ -43,7 +43,8 @@ TEST(Formats, AreReadByContentWhateverTheExtension) {
       {"node list", test::nodeListFile()},
       {"SWC", test::swcFile()},
       {"treefile", test::treefileFile()},
-      {"GraphML", test::graphmlFile()}};
+      {"GraphML", test::graphmlFile()},
+      {"OPF", test::opfFile()}};
   for (const auto& [name, bytes] : samples) {
     EXPECT_EQ(formatOf(fileOf("wrong.csv", bytes)).name, name);
     EXPECT_EQ(formatOf(fileOf("none", bytes)).name, name);

@@ -2,6 +2,7 @@
 
 #include "core/io/graphml.h"
 #include "core/io/node_list.h"
+#include "core/io/opf.h"
 #include "core/io/swc.h"
 #include "core/io/treefile.h"
 #include "core/mtg/mtg_writer.h"
@@ -199,6 +200,10 @@ std::string treefileFile() {
 
 std::string graphmlFile() {
   return structureFile(writeGraphml);
+}
+
+std::string opfFile() {
+  return structureFile(writeOpf);
 }
 
 } // namespace espalier::test

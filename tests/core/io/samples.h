@@ -58,5 +58,6 @@ enum class PcdKind : std::uint8_t { ascii, binary, compressed };
 [[nodiscard]] std::string swcFile();
 [[nodiscard]] std::string treefileFile();
 [[nodiscard]] std::string graphmlFile();
+[[nodiscard]] std::string opfFile();
 
 } // namespace espalier::test

@@ -9,6 +9,7 @@
 #include "core/io/opf.h"
 #include "core/io/pcd.h"
 #include "core/io/ply.h"
+#include "core/io/rsml.h"
 #include "core/io/swc.h"
 #include "core/io/treefile.h"
 #include "core/io/xyz.h"
@@ -115,6 +116,14 @@ std::vector<Format> makeFormats() {
                                .severalTrees = true,
                                .entities = true,
                                .features = true}});
+  table.push_back({.name = "RSML",
+                   .description = "RSML root systems",
+                   .extensions = {"rsml"},
+                   .content = Content::structure,
+                   .recognizes = isRsml,
+                   .readStructure = readRsml,
+                   .writeStructure = writeRsml,
+                   .carried = {.radii = true, .edgeTypes = true, .severalTrees = true}});
   return table;
 }
 

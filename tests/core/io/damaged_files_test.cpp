@@ -7,6 +7,7 @@
 #include "core/io/opf.h"
 #include "core/io/pcd.h"
 #include "core/io/ply.h"
+#include "core/io/rsml.h"
 #include "core/io/swc.h"
 #include "core/io/treefile.h"
 #include "core/io/xyz.h"
@@ -122,9 +123,11 @@ INSTANTIATE_TEST_SUITE_P(
         Reader{"SWC", test::swcFile, readSkeleton<readSwc>},
         Reader{"treefile", test::treefileFile, readSkeleton<readTreefile>},
         Reader{"GraphML", test::graphmlFile, readSkeleton<readGraphml>},
-        Reader{"OPF", test::opfFile, [](std::istream& in) {
+        Reader{"OPF", test::opfFile,
+               [](std::istream& in) {
                  (void)skeletonOf(readOpf(in, "damaged").value, "damaged").value.ids();
-               }}));
+               }},
+        Reader{"RSML", test::rsmlFile, readSkeleton<readRsml>}));
 
 } // namespace
 } // namespace espalier

@@ -44,7 +44,8 @@ TEST(Formats, AreReadByContentWhateverTheExtension) {
       {"SWC", test::swcFile()},
       {"treefile", test::treefileFile()},
       {"GraphML", test::graphmlFile()},
-      {"OPF", test::opfFile()}};
+      {"OPF", test::opfFile()},
+      {"RSML", test::rsmlFile()}};
   for (const auto& [name, bytes] : samples) {
     EXPECT_EQ(formatOf(fileOf("wrong.csv", bytes)).name, name);
     EXPECT_EQ(formatOf(fileOf("none", bytes)).name, name);

@@ -3,6 +3,7 @@
 #include "core/io/graphml.h"
 #include "core/io/node_list.h"
 #include "core/io/opf.h"
+#include "core/io/rsml.h"
 #include "core/io/swc.h"
 #include "core/io/treefile.h"
 #include "core/mtg/mtg_writer.h"
@@ -204,6 +205,10 @@ std::string graphmlFile() {
 
 std::string opfFile() {
   return structureFile(writeOpf);
+}
+
+std::string rsmlFile() {
+  return structureFile(writeRsml);
 }
 
 } // namespace espalier::test

@@ -59,5 +59,6 @@ enum class PcdKind : std::uint8_t { ascii, binary, compressed };
 [[nodiscard]] std::string treefileFile();
 [[nodiscard]] std::string graphmlFile();
 [[nodiscard]] std::string opfFile();
+[[nodiscard]] std::string rsmlFile();
 
 } // namespace espalier::test

@@ -4,12 +4,14 @@
 #include "core/base/text.h"
 #include "core/io/atomic_file.h"
 #include "core/io/graphml.h"
+#include "core/io/internode_table.h"
 #include "core/io/las.h"
 #include "core/io/node_list.h"
 #include "core/io/opf.h"
 #include "core/io/pcd.h"
 #include "core/io/ply.h"
 #include "core/io/rsml.h"
+#include "core/io/skeleton_lines.h"
 #include "core/io/swc.h"
 #include "core/io/treefile.h"
 #include "core/io/xyz.h"
@@ -124,6 +126,27 @@ std::vector<Format> makeFormats() {
                    .readStructure = readRsml,
                    .writeStructure = writeRsml,
                    .carried = {.radii = true, .edgeTypes = true, .severalTrees = true}});
+  table.push_back({.name = "OBJ lines",
+                   .description = "Skeleton as OBJ lines",
+                   .extensions = {"obj"},
+                   .content = Content::structure,
+                   .writeStructure = writeObjLines,
+                   .carried = {.severalTrees = true},
+                   .advice = "open the structure that it was written from"});
+  table.push_back({.name = "PLY lines",
+                   .description = "Skeleton as PLY vertices and edges",
+                   .extensions = {"ply"},
+                   .content = Content::structure,
+                   .writeStructure = writePlyLines,
+                   .carried = {.radii = true, .edgeTypes = true, .severalTrees = true},
+                   .advice = "open the structure that it was written from"});
+  table.push_back({.name = "internodes",
+                   .description = "Node list with internode lengths and angles",
+                   .extensions = {"csv"},
+                   .content = Content::structure,
+                   .writeStructure = writeInternodeTable,
+                   .carried = {.radii = true, .edgeTypes = true, .severalTrees = true},
+                   .advice = "open the structure that it was written from"});
   return table;
 }
 

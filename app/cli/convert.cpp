@@ -2,7 +2,6 @@
 #include "app/cli/commands.h"
 #include "app/cli/files.h"
 #include "app/cli/terminal.h"
-#include "core/io/dropped.h"
 
 #include <memory>
 #include <string>
@@ -41,8 +40,7 @@ void convert(const Flags& flags) {
     const auto structure = readStructure(flags.input);
     printNotes(structure.notes);
     terminal.check();
-    writeStructure(flags.output, structure.value);
-    printNotes(droppedBy(formatToWrite(flags.output, content), structure.value));
+    writeStructureWithNotes(flags.output, structure.value);
   }
 }
 
@@ -62,7 +60,8 @@ void addConvert(CLI::App& app) {
   command->callback([flags] { convert(*flags); });
   command->footer("Examples:\n"
                   "  espalier convert pine.las pine.ply\n"
-                  "  espalier convert pine.mtg pine.txt");
+                  "  espalier convert pine.mtg pine.swc\n"
+                  "  espalier convert pine.mtg pine.csv   internode lengths and angles");
 }
 
 } // namespace espalier

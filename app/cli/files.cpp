@@ -1,6 +1,8 @@
 #include "app/cli/files.h"
 
+#include "app/cli/terminal.h"
 #include "core/io/atomic_file.h"
+#include "core/io/dropped.h"
 
 #include <filesystem>
 #include <system_error>
@@ -22,6 +24,11 @@ void requireOutput(const std::string& path, Content content,
                    const std::vector<std::string>& inputs) {
   (void)formatToWrite(path, content);
   requireOutput(path, inputs);
+}
+
+void writeStructureWithNotes(const std::string& path, const Skeleton& skeleton) {
+  writeStructure(path, skeleton);
+  printNotes(droppedBy(formatToWrite(path, Content::structure), skeleton));
 }
 
 } // namespace espalier

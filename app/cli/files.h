@@ -18,6 +18,11 @@ void requireOutput(const std::string& path, const std::vector<std::string>& inpu
 void requireOutput(const std::string& path, Content content,
                    const std::vector<std::string>& inputs);
 
+/// Writes a structure in the format of the extension; what that does not keep is noted on standard
+/// error.
+/// @throws Error why it cannot be written
+void writeStructureWithNotes(const std::string& path, const Skeleton& skeleton);
+
 /// What `work` returns; an Error of it is said to be about `file`.
 template <class Work> auto about(const std::string& file, const Work& work) {
   try {

@@ -2,7 +2,6 @@
 #include "app/cli/statistics.h"
 #include "app/cli/terminal.h"
 #include "core/io/formats.h"
-#include "core/mtg/mtg_reader.h"
 #include "core/mtg/mtg_skeleton.h"
 
 #include <CLI/CLI.hpp>
@@ -59,10 +58,10 @@ void printLines(const Json& json, const std::string& prefix = {}) {
 }
 
 /// An MTG is told as it is, with all its scales; its skeleton only if it has one.
-Json infoOnMtg(const std::string& file) {
+Json infoOnMtg(const std::string& file, const Format& format) {
   const std::string name = std::filesystem::path(file).filename().string();
   std::ifstream in(file, std::ios::binary);
-  const Imported<Mtg> mtg = readMtg(in, name);
+  const Imported<Mtg> mtg = format.readMtg(in, name);
   printNotes(mtg.notes);
   Imported<Skeleton> skeleton;
   if (hasPositions(mtg.value, name))
@@ -76,7 +75,7 @@ Json infoOnMtg(const std::string& file) {
 }
 
 Json infoOn(const std::string& file, const Format& format) {
-  if (format.name == "MTG") return infoOnMtg(file);
+  if (format.readMtg != nullptr) return infoOnMtg(file, format);
   if (format.content == Content::structure) {
     const auto structure = readStructure(file);
     printNotes(structure.notes);

@@ -36,6 +36,7 @@ QString readableFilters() {
   QStringList filters;
   QStringList all;
   for (const Format& format : formats()) {
+    if (!format.canRead() && format.canWrite()) continue; // made for other programs
     all.append(patternsOf(format));
     filters.append(filterOf(format));
   }

@@ -9,4 +9,7 @@ namespace espalier::test {
 /// or radius.)
 [[nodiscard]] Skeleton canonical(const Skeleton& skeleton);
 
+/// The same plant without what an MTG says of it.
+[[nodiscard]] Skeleton withoutEntities(const Skeleton& skeleton);
+
 } // namespace espalier::test

@@ -68,16 +68,16 @@ TEST(BadOutput, AFolderOneMayNotWriteToIsToldBeforeTheWork) {
 TEST(BadOutput, AnExtensionNobodyKnowsIsToldBeforeTheWork) {
   const fs::path folder = test::freshFolder();
   const auto file = [&](const char* name) { return (folder / name).string(); };
-  expectRefusal(runProgram({"reconstruct", "missing.ply", "-o", file("a.ply")}), 1,
-                {"a.ply: a structure cannot be written", "MTG (.mtg), node list (.txt)"});
+  expectRefusal(runProgram({"reconstruct", "missing.ply", "-o", file("a.las")}), 1,
+                {"a.las: a structure cannot be written", "MTG (.mtg), node list (.txt)"});
   expectRefusal(runProgram({"reconstruct", "missing.ply", "-o", file("a")}), 1,
                 {"a: a structure cannot be written", "MTG (.mtg), node list (.txt)"});
   expectRefusal(runProgram({"contract", "missing.ply", "-o", file("a.las")}), 1,
                 {"a.las: points cannot be written", "PLY (.ply), XYZ"});
   expectRefusal(runProgram({"convert", scan, file("a.mtg")}), 1,
                 {"a.mtg: points cannot be written", "PLY (.ply), XYZ"});
-  expectRefusal(runProgram({"convert", structure, file("a.ply")}), 1,
-                {"a.ply: a structure cannot be written", "MTG (.mtg), node list (.txt)"});
+  expectRefusal(runProgram({"convert", structure, file("a.pcd")}), 1,
+                {"a.pcd: a structure cannot be written", "MTG (.mtg), node list (.txt)"});
   expectRefusal(runProgram({"picture", "missing.ply", "-o", file("a.jpg")}), 1,
                 {"a.jpg: pictures are written as PNG", "ends in .png"});
   EXPECT_THAT(namesIn(folder), IsEmpty());

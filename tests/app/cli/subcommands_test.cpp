@@ -163,6 +163,24 @@ TEST_F(Subcommands, InfoCountsPoints) {
   EXPECT_THAT(text, HasSubstr("\nbounds.minimum          [-"));
 }
 
+TEST_F(Subcommands, ConvertNotesWhatTheFormatDoesNotKeep) {
+  test::writeBytes(file("y.txt"), "# vid\tparentid\tedgetype\tXX\tYY\tZZ\tRadius\n3\n"
+                                  "1\t\t<\t0\t0\t0\t0.2\n2\t1\t<\t0\t0\t1\t0.1\n"
+                                  "3\t1\t+\t0\t1\t1\t0.1\n");
+  const auto notes = [&](const char* output) {
+    const test::Outcome outcome = test::runProgram({"convert", file("y.txt"), file(output)});
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_TRUE(std::filesystem::exists(file(output)));
+    return outcome.err;
+  };
+  EXPECT_EQ(notes("y.mtg"), "");
+  EXPECT_EQ(notes("y.graphml"), "");
+  EXPECT_EQ(notes("y.swc"),
+            "espalier: note: SWC keeps no edge types: which child continues an axis "
+            "is not written\n");
+  EXPECT_THAT(notes("y.obj"), HasSubstr("note: OBJ lines keeps no radii"));
+}
+
 TEST_F(Subcommands, InfoCountsNodesAndAxes) {
   test::writeBytes(file("y.txt"), "# vid\tparentid\tedgetype\tXX\tYY\tZZ\tRadius\n4\n"
                                   "1\t\t<\t0\t0\t0\t0.2\n2\t1\t<\t0\t0\t1\t0.1\n"

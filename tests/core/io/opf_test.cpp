@@ -41,16 +41,8 @@ std::string written(const Skeleton& skeleton) {
   return out.str();
 }
 
-/// What is read, but for the entities that its nodes begin.
 Skeleton readBack(const std::string& text) {
-  const Skeleton read = skeletonOf(imported(text).value, "oak.opf").value;
-  Skeleton bare;
-  for (std::size_t i = 0; i < read.idEnd(); ++i) {
-    Node node = read[NodeId{static_cast<std::uint32_t>(i)}];
-    node.entities.clear();
-    bare.add(node);
-  }
-  return bare;
+  return test::withoutEntities(skeletonOf(imported(text).value, "oak.opf").value);
 }
 
 TEST(ReadOpf, TakesPartsSuccessorsAndBranches) {

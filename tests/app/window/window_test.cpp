@@ -151,6 +151,25 @@ TEST_F(MainWindowTest, KeepsACopyOfAFileOfOthersThatItOverwrites) {
   EXPECT_EQ(copy.readAll(), content);
 }
 
+TEST_F(MainWindowTest, TellsWhatTheFormatOfAFileDoesNotKeep) {
+  open({writeFork("fork.mtg")});
+  edit();
+  answer(chooseFile(path("fork.swc")), [this] { action("save_as").trigger(); });
+  EXPECT_FALSE(document().isModified());
+  EXPECT_TRUE(window().banner().isVisible());
+  EXPECT_FALSE(window().banner().isError());
+  EXPECT_TRUE(window().banner().text().contains("SWC keeps no edge types"));
+}
+
+TEST_F(MainWindowTest, LeavesThePlantUnsavedInAFormatThatCannotBeOpened) {
+  open({writeFork("fork.mtg")});
+  edit();
+  answer(chooseFile(path("fork.obj")), [this] { action("save_as").trigger(); });
+  EXPECT_TRUE(QFile::exists(path("fork.obj")));
+  EXPECT_TRUE(document().isModified());
+  EXPECT_EQ(document().filePath(), path("fork.mtg"));
+}
+
 TEST_F(MainWindowTest, OpensFilesThatAreDropped) {
   QMimeData data;
   data.setUrls({QUrl::fromLocalFile(writeFork("fork.mtg"))});

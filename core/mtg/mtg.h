@@ -13,7 +13,7 @@ enum class VertexId : std::uint32_t {}; // place in Mtg::vertices
 
 struct MtgClass {
   std::string symbol; // "$" is the scene
-  int scale = 1;      // 0 for the scene, larger is finer
+  int scale = 1;      // 0 for the scene, larger is finer; at most 100
   std::string decomposition = "FREE";
   std::string indexation = "FREE";
   std::string definition = "EXPLICIT";
@@ -33,7 +33,8 @@ struct MtgRule {
 
 struct MtgFeature {
   std::string name;
-  std::string type; // "REAL", "INT", "ALPHA", "DD/MM/YY" ...
+  std::string type;      // "REAL", "INT", "ALPHA", "DD/MM/YY" ...; kept whatever it is
+  std::string file = {}; // where its objects are, of a type such as GEOMETRY: "geom1.geom"
 
   bool operator==(const MtgFeature&) const = default;
 };
@@ -46,7 +47,8 @@ struct MtgVertex {
   std::optional<VertexId> parent;  // at its own scale
   EdgeType edge = EdgeType::successor; // to the parent; without meaning if there is none
   std::vector<std::string> values;     // by feature, as written; empty for none; may end early
-  std::string alias = {};              // its name in the file, if it has one
+  std::string alias = {};              // its name in the file: the value of the feature Alias,
+                                       // which is not among `values`
   std::vector<std::vector<std::string>> later = {}; // values at later dates, in order
 
   bool operator==(const MtgVertex&) const = default;
@@ -55,8 +57,9 @@ struct MtgVertex {
 /// A plant described at several scales: a multiscale tree graph.
 ///
 /// Invariants: parent and complex of a vertex come before it; its parent has its scale, its complex
-/// a coarser one. Source: C. Godin, Y. Caraglio, "A multiscale model of plant topological
-/// structures", Journal of Theoretical Biology 191, 1998.
+/// a coarser one. The scene is a vertex (of scale 0) only in files that name it. Source: C. Godin,
+/// Y. Caraglio, "A multiscale model of plant topological structures", Journal of Theoretical
+/// Biology 191, 1998.
 struct Mtg {
   std::vector<MtgClass> classes;
   std::vector<MtgRule> rules;

@@ -2,47 +2,214 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/mtg/mtg_rows.h"
+#include "core/mtg/mtg_sections.h"
+#include "core/mtg/mtg_values.h"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <ostream>
+#include <set>
 
 namespace espalier {
 namespace {
 
-constexpr std::size_t mostColumns = 64;
-
-struct Row {
-  NodeId id{};
-  std::size_t column = 0;
-  bool continues = false; // the column, on the node written last in it
-};
-
-/// The child that continues the column of its parent.
-std::optional<NodeId> continuation(const Skeleton& skeleton, NodeId id, std::size_t column) {
-  const std::vector<NodeId>& children = skeleton.children(id);
-  if (children.empty()) return std::nullopt;
-  if (skeleton[children.front()].edge == EdgeType::successor) return children.front();
-  if (column + 1 < mostColumns) return std::nullopt;
-  return children.back();
+std::string joined(const std::vector<std::string>& fields) {
+  std::string line;
+  for (const std::string& field : fields)
+    line += (&field == &fields.front() ? "" : "\t") + field;
+  return line + '\n';
 }
 
-/// All nodes from `root` on, each after its parent and directly after what branches off before it.
-std::vector<Row> rowsOf(const Skeleton& skeleton, NodeId root) {
-  std::vector<Row> rows;
-  std::vector<Row> stack = {{root, 0, true}};
-  while (!stack.empty()) {
-    const Row row = stack.back();
-    stack.pop_back();
-    rows.push_back(row);
-    const auto next = continuation(skeleton, row.id, row.column);
-    if (next) stack.push_back({*next, row.column, true}); // comes last: the others are on top of it
-    std::vector<NodeId> children = skeleton.children(row.id);
-    std::ranges::reverse(children); // the last one put on the stack is the first to be written
-    for (const NodeId child : children)
-      if (child != next) stack.push_back({child, row.column + 1, false});
+/// Whether a reader gets `text` back from between two tabs.
+bool survives(const std::string& text) {
+  if (text.find_first_of("\n\r") != std::string::npos) return false;
+  const std::vector<std::string_view> fields = mtgFields(text);
+  return fields.size() == 1 && fields.front() == text;
+}
+
+void checkText(const std::string& text, const std::string& what) {
+  if (survives(text)) return;
+  throw Error(what + ' ' + inQuotes(text) +
+              " cannot stand in an MTG text: take out tabs, line ends, comment signs (# or ;) and "
+              "blanks around it");
+}
+
+std::string labelOf(const MtgVertex& vertex) {
+  return vertex.symbol + (vertex.index ? std::to_string(*vertex.index) : "");
+}
+
+/// The value as it is written: of a number, no exponent.
+std::string cellOf(const std::string& value, const MtgFeature& feature) {
+  if (!isNumberFeature(feature) || value.find_first_of("eE+") == std::string::npos) return value;
+  const auto number = isMissingMtgValue(value) ? std::nullopt : numberIn(value);
+  return number && std::isfinite(*number) ? plainDecimal(*number) : value;
+}
+
+std::vector<std::string> cellsOf(const std::vector<std::string>& values, const Mtg& mtg) {
+  std::vector<std::string> cells(std::min(values.size(), mtg.features.size()));
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    cells[i] = cellOf(values[i], mtg.features[i]);
+  while (!cells.empty() && cells.back().empty())
+    cells.pop_back();
+  return cells;
+}
+
+std::string sectionsOf(const Mtg& mtg) {
+  std::string text = "CODE :\tFORM-A\n\nCLASSES :\n"
+                     "SYMBOL\tSCALE\tDECOMPOSITION\tINDEXATION\tDEFINITION\n";
+  for (const MtgClass& each : mtg.classes)
+    text += joined({each.symbol, std::to_string(each.scale), each.decomposition, each.indexation,
+                    each.definition});
+  text += "\nDESCRIPTION :\nLEFT\tRIGHT\tRELTYPE\tMAX\n";
+  for (const MtgRule& each : mtg.rules)
+    text += joined({each.left, each.right, each.edge, each.most});
+  text += "\nFEATURES :\nNAME\tTYPE\n";
+  for (const MtgFeature& each : mtg.features)
+    text += each.file.empty() ? joined({each.name, each.type})
+                              : joined({each.name, each.type, each.file});
+  return text;
+}
+
+/// The line of columns. OpenAlea seeks the first feature in it, so it must not be found before.
+std::string columnsOf(const Mtg& mtg, std::size_t columns) {
+  std::string line = "ENTITY-CODE";
+  if (!mtg.features.empty() && line.find(mtg.features.front().name) != std::string::npos)
+    line = "TOPO";
+  line.append(columns, '\t');
+  std::vector<std::string> names;
+  for (const MtgFeature& feature : mtg.features)
+    names.push_back(feature.name);
+  return line + joined(names);
+}
+
+std::string valuesOf(std::vector<std::string> cells, const std::string& alias, const Mtg& mtg) {
+  cells.resize(mtg.features.size());
+  for (std::size_t i = 0; i < cells.size() && !alias.empty(); ++i)
+    if (isAliasFeature(mtg.features[i])) cells[i] = alias;
+  return joined(cells);
+}
+
+std::string linesOf(const MtgRow& row, const Mtg& mtg, std::size_t columns) {
+  const MtgVertex& vertex = mtg.vertices[indexOf(row.vertex)];
+  const std::string indent(row.column, '\t');
+  const std::string gap(columns - row.column, '\t');
+  std::string lines = indent + (row.continues ? "^" : "") + row.edge + labelOf(vertex) + gap +
+                      valuesOf(vertex.values, vertex.alias, mtg);
+  for (const std::vector<std::string>& values : vertex.later)
+    lines += indent + '*' + gap + valuesOf(values, {}, mtg);
+  return lines;
+}
+
+void checkTexts(const Mtg& mtg) {
+  for (const MtgFeature& feature : mtg.features)
+    for (const std::string& text : {feature.name, feature.type, feature.file})
+      checkText(text, "the feature");
+  for (const MtgVertex& vertex : mtg.vertices) {
+    checkText(vertex.alias, "the alias");
+    for (std::size_t i = 0; i < vertex.values.size(); ++i)
+      checkText(vertex.values[i], "the value of " + labelOf(vertex));
+    for (const auto& values : vertex.later)
+      for (const std::string& value : values)
+        checkText(value, "the value of " + labelOf(vertex));
   }
-  return rows;
+}
+
+/// The class of each vertex must be listed: another program knows its scale from there alone.
+void checkClasses(const Mtg& mtg) {
+  std::set<std::pair<std::string_view, int>> known;
+  for (const MtgClass& each : mtg.classes) {
+    checkText(each.symbol, "the class");
+    known.insert({each.symbol, each.scale});
+  }
+  for (const MtgVertex& vertex : mtg.vertices)
+    if (!known.contains({vertex.symbol, vertex.scale}))
+      throw Error("the vertex " + labelOf(vertex) + " is of scale " + std::to_string(vertex.scale) +
+                  ", but no class of this symbol and scale is listed: rename its class");
+}
+
+/// With what writing changes or adds, but for the order of the vertices.
+Mtg normalized(Mtg mtg) {
+  const auto hasAlias = [](const MtgVertex& vertex) { return !vertex.alias.empty(); };
+  if (std::ranges::any_of(mtg.vertices, hasAlias) &&
+      std::ranges::none_of(mtg.features, isAliasFeature)) {
+    mtg.features.insert(mtg.features.begin(), {"Alias", "STRING"});
+    for (MtgVertex& vertex : mtg.vertices) {
+      if (!vertex.values.empty()) vertex.values.insert(vertex.values.begin(), "");
+      for (auto& values : vertex.later)
+        values.insert(values.begin(), "");
+    }
+  }
+  for (MtgVertex& vertex : mtg.vertices) {
+    vertex.values = cellsOf(vertex.values, mtg);
+    for (auto& values : vertex.later)
+      values = cellsOf(values, mtg);
+    if (!vertex.parent) vertex.edge = EdgeType::successor; // it has no meaning there
+  }
+  return mtg;
+}
+
+Mtg inOrderOf(const MtgRows& rows, const Mtg& mtg) {
+  std::vector<VertexId> place(mtg.vertices.size());
+  for (std::size_t i = 0; i < rows.rows.size(); ++i)
+    place[indexOf(rows.rows[i].vertex)] = VertexId{static_cast<std::uint32_t>(i)};
+  Mtg result{mtg.classes, mtg.rules, mtg.features, {}};
+  result.vertices.reserve(mtg.vertices.size());
+  for (const MtgRow& row : rows.rows) {
+    MtgVertex vertex = mtg.vertices[indexOf(row.vertex)];
+    for (std::optional<VertexId>* link : {&vertex.parent, &vertex.complex})
+      if (*link) *link = place[indexOf(**link)];
+    result.vertices.push_back(std::move(vertex));
+  }
+  return result;
+}
+
+/// The nodes of a tree below `root`, what continues an axis after what branches off it.
+std::vector<NodeId> inOrderOfLines(const Skeleton& skeleton, NodeId root) {
+  std::vector<NodeId> order;
+  std::vector<NodeId> stack = {root};
+  while (!stack.empty()) {
+    const NodeId id = stack.back();
+    stack.pop_back();
+    order.push_back(id);
+    const std::vector<NodeId>& children = skeleton.children(id);
+    const bool hasSuccessor =
+        !children.empty() && skeleton[children.front()].edge == EdgeType::successor;
+    if (hasSuccessor) stack.push_back(children.front());
+    for (std::size_t i = children.size(); i-- > (hasSuccessor ? 1 : 0);)
+      stack.push_back(children[i]);
+  }
+  return order;
+}
+
+MtgVertex vertexOf(const Node& node) {
+  MtgVertex vertex{.symbol = "N", .scale = 2, .edge = node.edge};
+  for (const double coordinate : node.position)
+    vertex.values.push_back(plainDecimal(coordinate));
+  if (node.radius > 0) vertex.values.push_back(plainDecimal(node.radius));
+  return vertex;
+}
+
+Mtg mtgOfPlants(const Skeleton& skeleton) {
+  Mtg mtg{.classes = {{.symbol = "$", .scale = 0, .definition = "IMPLICIT"},
+                      {.symbol = "P", .scale = 1},
+                      {.symbol = "N", .scale = 2}},
+          .rules = {{"N", "N", "<", "?"}, {"N", "N", "+", "?"}},
+          .features = {{"XX", "REAL"}, {"YY", "REAL"}, {"ZZ", "REAL"}, {"radius", "REAL"}}};
+  std::map<NodeId, VertexId> vertices;
+  int plants = 0;
+  for (const NodeId root : skeleton.roots()) {
+    const VertexId plant{static_cast<std::uint32_t>(mtg.vertices.size())};
+    mtg.vertices.push_back({.symbol = "P", .index = ++plants});
+    for (const NodeId id : inOrderOfLines(skeleton, root)) {
+      vertices[id] = VertexId{static_cast<std::uint32_t>(mtg.vertices.size())};
+      mtg.vertices.push_back(vertexOf(skeleton[id]));
+      mtg.vertices.back().complex = plant;
+      if (skeleton[id].parent) mtg.vertices.back().parent = vertices.at(*skeleton[id].parent);
+    }
+  }
+  return mtg;
 }
 
 void checkFinite(const Skeleton& skeleton) {
@@ -52,57 +219,28 @@ void checkFinite(const Skeleton& skeleton) {
                   " has a position or radius that is not finite: correct it before saving");
 }
 
-void writeHeader(std::ostream& out, std::size_t columns) {
-  out << "CODE :\tFORM-A\n\n"
-         "CLASSES :\n"
-         "SYMBOL\tSCALE\tDECOMPOSITION\tINDEXATION\tDEFINITION\n"
-         "$\t0\tFREE\tFREE\tIMPLICIT\n"
-         "P\t1\tFREE\tFREE\tEXPLICIT\n"
-         "N\t2\tFREE\tFREE\tEXPLICIT\n\n"
-         "DESCRIPTION :\n"
-         "LEFT\tRIGHT\tRELTYPE\tMAX\n"
-         "N\tN\t<\t?\n"
-         "N\tN\t+\t?\n\n"
-         "FEATURES :\n"
-         "NAME\tTYPE\n"
-         "XX\tREAL\n"
-         "YY\tREAL\n"
-         "ZZ\tREAL\n"
-         "radius\tREAL\n\n"
-         "MTG :\n"
-         "ENTITY-CODE"
-      << std::string(columns, '\t') << "XX\tYY\tZZ\tradius\n";
-}
-
-std::string lineOf(const Row& row, const Node& node, std::size_t columns) {
-  std::string line(row.column, '\t');
-  if (row.continues) line += '^';
-  line += node.parent ? static_cast<char>(node.edge) : '/';
-  line += 'N';
-  line.append(columns - row.column, '\t');
-  for (const double coordinate : node.position)
-    line += plainDecimal(coordinate) + '\t';
-  if (node.radius > 0) line += plainDecimal(node.radius);
-  return line + '\n';
-}
-
 } // namespace
+
+void writeMtg(std::ostream& out, const Mtg& mtg) {
+  const Mtg whole = normalized(mtg);
+  checkClasses(whole);
+  checkTexts(whole);
+  const MtgRows rows = mtgRows(whole);
+  std::string text = rows.isAmbiguous ? std::string(previousColumnMark) + '\n' : "";
+  text += sectionsOf(whole) + "\nMTG :\n" + columnsOf(whole, rows.columns);
+  for (const MtgRow& row : rows.rows)
+    text += linesOf(row, whole, rows.columns);
+  out << text;
+}
+
+Mtg mtgAsWritten(const Mtg& mtg) {
+  const Mtg whole = normalized(mtg);
+  return inOrderOf(mtgRows(whole), whole);
+}
 
 void writeMtg(std::ostream& out, const Skeleton& skeleton) {
   checkFinite(skeleton);
-  std::vector<std::vector<Row>> plants;
-  std::size_t columns = 1;
-  for (const NodeId root : skeleton.roots()) {
-    plants.push_back(rowsOf(skeleton, root));
-    for (const Row& row : plants.back())
-      columns = std::max(columns, row.column + 1);
-  }
-  writeHeader(out, columns);
-  for (std::size_t i = 0; i < plants.size(); ++i) {
-    out << "/P" << i + 1 << std::string(columns + 3, '\t') << '\n';
-    for (const Row& row : plants[i])
-      out << lineOf(row, skeleton[row.id], columns);
-  }
+  writeMtg(out, mtgOfPlants(skeleton));
 }
 
 } // namespace espalier

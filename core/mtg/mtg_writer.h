@@ -1,10 +1,29 @@
 #pragma once
 
+#include "core/mtg/mtg.h"
 #include "core/skeleton/skeleton.h"
 
 #include <iosfwd>
 
 namespace espalier {
+
+/// Writes a whole MTG as text: all classes, rules, features, vertices, aliases and dates.
+///
+/// A line per vertex, laid out as `mtgRows` tells, then a line "*" per later date; columns are
+/// parted by tabs, those of features are adjacent. Numbers of type REAL and INT lose their
+/// exponents, which OpenAlea takes for edges, and keep their value; other values are written as
+/// they are. A feature Alias is added if vertices have aliases and none is declared. OpenAlea,
+/// PlantScan3D and MultiScaleTreeGraph.jl read the result, but for what `openAleaLimits` lists.
+/// Reading the text gives `mtgAsWritten(mtg)`; writing that again gives the same bytes.
+/// @throws Error if something cannot be told in MTG text: a value with a tab, a line end or a
+///         comment sign, a symbol whose class is not listed, a vertex as told at `mtgRows`. Nothing
+///         is written then
+/// Time O(size of the text).
+void writeMtg(std::ostream& out, const Mtg& mtg);
+
+/// An MTG as it comes back from its text: vertices in the order of their lines, numbers without
+/// exponents, no empty values at the end.
+[[nodiscard]] Mtg mtgAsWritten(const Mtg& mtg);
 
 /// Writes a skeleton as MTG text, in PlantScan3D's way: a plant P of scale 1 per root, its nodes N
 /// of scale 2, features XX YY ZZ radius.

@@ -1,0 +1,183 @@
+#include "core/mtg/mtg_rows.h"
+
+#include "core/base/error.h"
+
+#include <algorithm>
+#include <functional>
+#include <ranges>
+#include <utility>
+
+namespace espalier {
+namespace {
+
+constexpr std::size_t mostColumns = 64; // no plant has more; then ^+ keeps chains of branches short
+
+using MaybeVertex = std::optional<VertexId>;
+
+std::string nameOf(const MtgVertex& vertex) {
+  return vertex.symbol + (vertex.index ? std::to_string(*vertex.index) : "");
+}
+
+/// What each vertex hangs on in the text.
+class Bearers {
+public:
+  explicit Bearers(const Mtg& mtg) : mtg_(mtg), firstParts_(mtg.vertices.size()) {
+    for (std::size_t i = 0; i < mtg.vertices.size(); ++i) {
+      const VertexId id{static_cast<std::uint32_t>(i)};
+      if (!comesFromOutside(id)) continue;
+      const MaybeVertex complex = mtg.vertices[i].complex;
+      if (!complex || firstParts_[indexOf(*complex)]) refuse(id);
+      firstParts_[indexOf(*complex)] = id;
+    }
+  }
+
+  /// The vertex that `id` hangs on, none for the scene; by which sign.
+  [[nodiscard]] std::pair<MaybeVertex, char> of(VertexId id) const {
+    const MtgVertex& vertex = at(id);
+    if (!vertex.parent) return {vertex.complex, '/'};
+    if (!comesFromOutside(id)) return {entryOf(id), static_cast<char>(vertex.edge)};
+    const MtgVertex& complex = at(*vertex.complex);
+    if (complex.edge != vertex.edge || !complex.parent ||
+        upTo(*vertex.parent, complex.scale) != complex.parent)
+      refuse(id);
+    return {vertex.complex, '/'};
+  }
+
+  [[nodiscard]] bool isFirstPart(VertexId id) const {
+    const MaybeVertex complex = at(id).complex;
+    return complex && firstParts_[indexOf(*complex)] == id;
+  }
+
+private:
+  [[nodiscard]] const MtgVertex& at(VertexId id) const { return mtg_.vertices[indexOf(id)]; }
+
+  [[nodiscard]] bool comesFromOutside(VertexId id) const {
+    const MtgVertex& vertex = at(id);
+    return vertex.parent && at(*vertex.parent).complex != vertex.complex;
+  }
+
+  [[nodiscard]] MaybeVertex upTo(MaybeVertex vertex, int scale) const {
+    while (vertex && at(*vertex).scale > scale)
+      vertex = at(*vertex).complex;
+    return vertex;
+  }
+
+  /// From which vertex `id` is reached: its parent, or the part of it that the first part of `id`
+  /// hangs on.
+  [[nodiscard]] VertexId entryOf(VertexId id) const {
+    VertexId entry = *at(id).parent;
+    for (MaybeVertex part = firstParts_[indexOf(id)]; part; part = firstParts_[indexOf(*part)])
+      entry = *at(*part).parent;
+    return entry;
+  }
+
+  [[noreturn]] void refuse(VertexId id) const {
+    const MtgVertex& vertex = at(id);
+    throw Error("the vertex " + nameOf(vertex) + " of scale " + std::to_string(vertex.scale) +
+                " hangs on " + nameOf(at(*vertex.parent)) +
+                ", but what it is a part of does not hang there: no MTG text can tell that; join "
+                "both to one unit, or let the unit begin there");
+  }
+
+  const Mtg& mtg_;
+  std::vector<MaybeVertex> firstParts_; // by complex: its part that hangs on a part of another
+};
+
+struct Child {
+  VertexId id{};
+  char edge = '/';
+  bool isFirstPart = false;
+};
+
+/// Which of the children of `vertex`, which stands in `column`, continues that column.
+std::size_t continuing(const std::vector<Child>& children, const MtgVertex& vertex, const Mtg& mtg,
+                       std::size_t column) {
+  for (const char edge : {'<', '/'})
+    for (std::size_t i = children.size(); i-- > 0;)
+      if (children[i].edge == edge) return i;
+  const bool isDeep = column + 1 >= mostColumns && !children.empty() &&
+                      mtg.vertices[indexOf(children.back().id)].scale == vertex.scale;
+  return isDeep ? children.size() - 1 : children.size();
+}
+
+class Layout {
+public:
+  explicit Layout(const Mtg& mtg) : mtg_(mtg), children_(mtg.vertices.size()) {
+    const Bearers bearers(mtg);
+    for (std::size_t i = 0; i < mtg.vertices.size(); ++i) {
+      const VertexId id{static_cast<std::uint32_t>(i)};
+      const auto [bearer, edge] = bearers.of(id);
+      (bearer ? children_[indexOf(*bearer)] : roots_)
+          .push_back({id, edge, bearers.isFirstPart(id)});
+    }
+    // One of a finer scale, read after a coarser one, would be taken for a part of it.
+    std::ranges::stable_sort(roots_, std::greater{}, [&](const Child& child) {
+      return mtg.vertices[indexOf(child.id)].scale;
+    });
+  }
+
+  MtgRows rows() {
+    for (const Child& root : roots_)
+      addFrom(root);
+    return std::move(result_);
+  }
+
+private:
+  void addFrom(const Child& root) {
+    std::vector<MtgRow> stack = {{root.id, 0, false, root.edge}};
+    while (!stack.empty()) {
+      const MtgRow row = stack.back();
+      stack.pop_back();
+      result_.rows.push_back(row);
+      result_.columns = std::max(result_.columns, row.column + 1);
+      const std::size_t firstOfChildren = stack.size();
+      pushChildren(row, stack);
+      std::reverse(stack.begin() + static_cast<std::ptrdiff_t>(firstOfChildren), stack.end());
+    }
+  }
+
+  /// In the order of their lines.
+  void pushChildren(const MtgRow& row, std::vector<MtgRow>& stack) {
+    std::vector<Child> children = std::move(children_[indexOf(row.vertex)]);
+    std::optional<Child> last;
+    const std::size_t which =
+        continuing(children, mtg_.vertices[indexOf(row.vertex)], mtg_, row.column);
+    if (which < children.size()) {
+      last = children[which];
+      children.erase(children.begin() + static_cast<std::ptrdiff_t>(which));
+    }
+    const auto rank = [](const Child& child) {
+      return child.edge == '<' ? 0 : child.isFirstPart ? 1 : 2;
+    };
+    if (last && last->isFirstPart && last->edge == '/' && !children.empty())
+      last = swapLast(*last, children);
+    std::ranges::stable_sort(children, {}, rank);
+    if (std::ranges::count(children, '<', &Child::edge) > 1) result_.isAmbiguous = true;
+    for (const Child& child : children)
+      stack.push_back({child.id, row.column + 1, false, child.edge});
+    if (last) stack.push_back({last->id, row.column, true, last->edge});
+  }
+
+  /// The first part must come before the other parts: another of them continues the column.
+  static Child swapLast(const Child& last, std::vector<Child>& children) {
+    for (Child& child : std::views::reverse(children))
+      if (child.edge == '/') return std::exchange(child, last);
+    return last;
+  }
+
+  const Mtg& mtg_;
+  std::vector<std::vector<Child>> children_; // by vertex
+  std::vector<Child> roots_;
+  MtgRows result_;
+};
+
+} // namespace
+
+MtgRows mtgRows(const Mtg& mtg) {
+  MtgRows result = Layout(mtg).rows();
+  if (result.rows.size() != mtg.vertices.size())
+    throw Error("the units of the plant hang on each other in a ring: no MTG text can tell that");
+  return result;
+}
+
+} // namespace espalier

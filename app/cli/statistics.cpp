@@ -37,7 +37,7 @@ Json statistics(const Mtg& mtg) {
   for (const MtgVertex& vertex : mtg.vertices) {
     const auto scale = static_cast<std::size_t>(vertex.scale);
     vertices.resize(std::max(vertices.size(), scale + 1));
-    ++vertices[scale];
+    if (scale > 0) ++vertices[scale]; // there is one scene, whether the file names it or not
     if (vertex.parent) ++(vertex.edge == EdgeType::successor ? successors : branchings);
   }
   return {{"vertices_per_scale", vertices},

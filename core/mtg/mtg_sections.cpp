@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <unordered_set>
 
 namespace espalier {
 namespace {
@@ -12,11 +13,12 @@ namespace {
 constexpr auto sectionNames =
     std::to_array<std::string_view>({"CODE", "CLASSES", "DESCRIPTION", "FEATURES", "MTG"});
 
-/// The section that a line opens, if it does: "FEATURES :".
+constexpr int finestScale = 100;           // no plant has more than ten
+constexpr std::size_t longestSymbol = 100; // bounds the search for the symbol in a label
+
+/// The section that a line opens, if it does: "FEATURES :", or its name alone.
 std::string_view sectionOf(std::string_view line) {
-  const std::size_t colon = line.find(':');
-  if (colon == std::string_view::npos) return {};
-  const std::string_view name = trimmed(line.substr(0, colon));
+  const std::string_view name = trimmed(line.substr(0, line.find(':')));
   const auto* found = std::ranges::find(sectionNames, name);
   return found == sectionNames.end() ? std::string_view() : *found;
 }
@@ -33,11 +35,17 @@ std::vector<std::string_view> filledFields(std::string_view line) {
   return fields;
 }
 
-void checkCode(std::string_view line, const std::string& where) {
-  const std::vector<std::string_view> fields = filledFields(line.substr(line.find(':') + 1));
-  if (fields.empty() || fields.front() != "FORM-A")
-    throw Error(where + "only MTG files of code FORM-A can be read, this one is of code " +
-                inQuotes(fields.empty() ? std::string_view() : fields.front()));
+void checkCode(std::string_view line, const std::string& where, MtgNotes& notes) {
+  const std::vector<std::string_view> fields =
+      filledFields(line.substr(std::min(line.find(':'), line.size() - 1) + 1));
+  const std::string_view form = fields.empty() ? std::string_view() : fields.front();
+  if (form == "FORM-B")
+    notes.repaired(where, "the old code FORM-B is read as FORM-A: look whether all vertices are "
+                          "where they belong");
+  else if (form != "FORM-A")
+    throw Error(where +
+                "only MTG files of code FORM-A or FORM-B can be read, this one is of code " +
+                inQuotes(form));
 }
 
 MtgClass classOf(std::string_view line, const std::string& where) {
@@ -49,32 +57,66 @@ MtgClass classOf(std::string_view line, const std::string& where) {
   result.symbol = fields[0];
   const char* end = fields[1].data() + fields[1].size();
   const auto [stop, error] = std::from_chars(fields[1].data(), end, result.scale);
-  if (stop != end || error != std::errc{} || result.scale < 0)
-    throw Error(where + "expected the scale of " + inQuotes(result.symbol) + ", found " +
+  if (stop != end || error != std::errc{} || result.scale < 0 || result.scale > finestScale)
+    throw Error(where + "expected the scale of " + inQuotes(result.symbol) +
+                ", a number from 0 to " + std::to_string(finestScale) + ", found " +
                 inQuotes(fields[1]));
+  if (result.symbol.size() > longestSymbol)
+    throw Error(where + "the symbol " + inQuotes(result.symbol) + " is too long");
   if (fields.size() > 2 && !fields[2].empty()) result.decomposition = fields[2];
   if (fields.size() > 3 && !fields[3].empty()) result.indexation = fields[3];
   if (fields.size() > 4 && !fields[4].empty()) result.definition = fields[4];
   return result;
 }
 
-/// Reads a line that is none of titles and empty lines into `mtg`.
-void readLine(std::string_view line, std::string_view section, const std::string& where, Mtg& mtg) {
-  const std::vector<std::string_view> fields = filledFields(line);
-  if (fields.empty()) return;
-  const auto field = [&](std::size_t i) {
-    return i < fields.size() ? std::string(fields[i]) : std::string();
-  };
-  if (section == "CLASSES" && fields[0] != "SYMBOL") {
-    mtg.classes.push_back(classOf(line, where));
-  } else if (section == "DESCRIPTION" && fields[0] != "LEFT") {
-    mtg.rules.push_back({field(0), field(1), field(2), field(3)});
-  } else if (section == "FEATURES" && fields[0] != "NAME") {
-    if (fields.size() < 2)
-      throw Error(where + "the feature " + inQuotes(fields[0]) + " has no type, as REAL");
-    mtg.features.push_back({field(0), field(1)});
-  }
+void addFeature(const std::vector<std::string_view>& fields, const std::string& where,
+                MtgNotes& notes, std::unordered_set<std::string>& known, Mtg& mtg) {
+  MtgFeature feature{std::string(fields[0]), "ALPHA"};
+  if (fields.size() > 1)
+    feature.type = fields[1];
+  else
+    notes.repaired(where,
+                   "the feature " + inQuotes(feature.name) + " has no type and is taken as ALPHA");
+  if (fields.size() > 2) feature.file = fields[2];
+  if (known.insert(feature.name).second)
+    mtg.features.push_back(std::move(feature));
+  else
+    notes.repaired(where, "the feature " + inQuotes(feature.name) + " is listed twice");
 }
+
+/// Reads lines that are none of titles and empty lines.
+class SectionReader {
+public:
+  SectionReader(Mtg& mtg, MtgNotes& notes) : mtg_(mtg), notes_(notes) {}
+
+  void read(std::string_view line, std::string_view section, const std::string& where) {
+    const std::vector<std::string_view> fields = filledFields(line);
+    if (fields.empty()) return;
+    const auto field = [&](std::size_t i) {
+      return i < fields.size() ? std::string(fields[i]) : std::string();
+    };
+    if (section == "CLASSES" && fields[0] != "SYMBOL")
+      addClass(classOf(line, where), where);
+    else if (section == "DESCRIPTION" && fields[0] != "LEFT")
+      mtg_.rules.push_back({field(0), field(1), field(2), field(3)});
+    else if (section == "FEATURES" && fields[0] != "NAME")
+      addFeature(fields, where, notes_, features_, mtg_);
+  }
+
+private:
+  void addClass(MtgClass added, const std::string& where) {
+    if (symbols_.insert(added.symbol).second)
+      mtg_.classes.push_back(std::move(added));
+    else
+      notes_.repaired(where, "the class " + inQuotes(added.symbol) +
+                                 " is listed twice: the first line of it counts");
+  }
+
+  Mtg& mtg_;
+  MtgNotes& notes_;
+  std::unordered_set<std::string> symbols_;
+  std::unordered_set<std::string> features_;
+};
 
 } // namespace
 
@@ -83,22 +125,23 @@ std::vector<std::string_view> mtgFields(std::string_view line) {
   for (std::size_t start = 0; start <= line.size();) {
     const std::size_t end = std::min(line.find('\t', start), line.size());
     const std::string_view field = line.substr(start, end - start);
-    fields.push_back(trimmed(field.substr(0, field.find('#'))));
+    fields.push_back(trimmed(field));
     start = end + 1;
   }
   return fields;
 }
 
-Mtg readMtgSections(LineReader& lines, const std::string& file) {
+Mtg readMtgSections(LineReader& lines, MtgNotes& notes) {
   Mtg mtg;
+  SectionReader reader(mtg, notes);
   std::string_view section;
   while (const auto line = lines.next()) {
-    const std::string where = place(file, lines.number());
+    const std::string where = place(notes.file(), lines.number());
     const std::string_view opened = sectionOf(*line);
-    if (section.empty() && opened.empty() && !trimmed(mtgFields(*line).front()).empty())
+    if (section.empty() && opened.empty() && !trimmed(*line).empty())
       throw Error(where + "expected 'CODE: FORM-A', found " + inQuotes(trimmed(*line)) +
                   ": is this an MTG file?");
-    if (opened == "CODE") checkCode(*line, where);
+    if (opened == "CODE") checkCode(*line, where, notes);
     if (opened == "MTG") {
       if (mtg.classes.empty()) throw Error(where + "no CLASSES are listed before the vertices");
       return mtg;
@@ -106,9 +149,9 @@ Mtg readMtgSections(LineReader& lines, const std::string& file) {
     if (!opened.empty())
       section = opened;
     else
-      readLine(*line, section, where, mtg);
+      reader.read(*line, section, where);
   }
-  throw Error(file + ": has no section 'MTG:': it is no MTG file, or is cut short");
+  throw Error(notes.file() + ": has no section 'MTG:': it is no MTG file, or is cut short");
 }
 
 } // namespace espalier

@@ -2,6 +2,7 @@
 
 #include "core/base/text.h"
 #include "core/mtg/mtg.h"
+#include "core/mtg/mtg_notes.h"
 
 #include <string>
 #include <string_view>
@@ -13,13 +14,13 @@ namespace espalier {
 /// column hangs on the column before, whatever other programs take it for.
 inline constexpr std::string_view previousColumnMark = "# dialect: previous column";
 
-/// The fields of a line of an MTG file, parted by tabs, without blanks around them and without
-/// comments: those last from # to the next tab.
+/// The fields of a line of an MTG file, parted by tabs, without blanks around them.
+/// pre: comments are taken out of it
 [[nodiscard]] std::vector<std::string_view> mtgFields(std::string_view line);
 
 /// Reads the sections before the vertices: CODE, CLASSES, DESCRIPTION, FEATURES. `lines` then stand
-/// behind the line "MTG:".
+/// behind the line "MTG:". A feature without a type becomes ALPHA, one listed twice is taken once.
 /// @throws Error naming the line that is wrong
-[[nodiscard]] Mtg readMtgSections(LineReader& lines, const std::string& file);
+[[nodiscard]] Mtg readMtgSections(LineReader& lines, MtgNotes& notes);
 
 } // namespace espalier

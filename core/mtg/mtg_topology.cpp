@@ -11,86 +11,266 @@ namespace espalier {
 namespace {
 
 constexpr std::string_view edges = "/<+";
+constexpr std::string_view signs = "/<+^(";
+constexpr std::string_view digits = "0123456789";
+constexpr std::string_view noIndex = "-9999"; // MultiScaleTreeGraph.jl writes it for none
+constexpr std::size_t mostInRanges = 200'000;
+constexpr int finestScale = 100;
+
+/// Whether `text` can name a class: letters, digits, _ and what is not ASCII, no digit first or
+/// last.
+bool isSymbol(std::string_view text) {
+  const auto isLetter = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) > 0x7F;
+  };
+  const auto isPart = [&](char c) {
+    return isLetter(c) || c == '_' || digits.find(c) != std::string_view::npos;
+  };
+  return !text.empty() && text.size() <= 100 && isLetter(text.front()) &&
+         std::ranges::all_of(text, isPart);
+}
+
+std::string_view withoutDigits(std::string_view text) {
+  return text.substr(0, text.find_last_not_of(digits) + 1);
+}
 
 } // namespace
 
-MtgTopology::MtgTopology(Mtg& mtg) : mtg_(mtg) {
+MtgTopology::MtgTopology(Mtg& mtg, MtgNotes& notes, bool continuesColumns)
+    : mtg_(mtg), notes_(notes), continuesColumns_(continuesColumns) {
   int coarsest = std::numeric_limits<int>::max();
   for (const MtgClass& each : mtg.classes) {
     scales_.emplace(each.symbol, each.scale);
+    scalesInUse_.insert(each.scale);
     if (each.scale > 0) coarsest = std::min(coarsest, each.scale);
   }
   coarsest_ = coarsest;
 }
 
-VertexId MtgTopology::add(std::string_view code, std::size_t column, const std::string& where) {
-  Column before = anchor(code, column, where);
-  Column own = code.starts_with('^') ? before : Column{};
-  if (code.starts_with('^')) code.remove_prefix(1);
-  if (code.empty() || edges.find(code.front()) == std::string_view::npos)
-    throw Error(where + "expected /, < or + before " + inQuotes(code));
-  while (!code.empty()) {
-    const char edge = code.front();
-    const std::size_t end = std::min(code.find_first_of("/<+^", 1), code.size());
-    if (end < code.size() && code[end] == '^')
-      throw Error(where + "^ may stand only at the beginning of a code");
-    const std::string_view label = code.substr(1, end - 1);
-    const bool isRange = label.empty() || label == ".";
-    if (isRange && end < code.size() && code[end] == edge)
-      throw Error(where + "ranges such as " + inQuotes(code.substr(0, end + 1)) +
-                  " cannot be read: write out each vertex");
-    const VertexId id = attach(labelOf(trimmed(label), where), edge, before, where);
-    for (Column* each : {&before, &own})
-      place(id, edge, *each);
-    code.remove_prefix(end);
+MtgSpan MtgTopology::add(std::string_view code, MtgPlace place) {
+  const bool isDisputed =
+      code.starts_with('<') && place.column > 0 && columns_.size() > place.column;
+  Path path = pathOf(code, place);
+  const std::size_t first = mtg_.vertices.size();
+  while (!code.empty())
+    follow(nextStep(code, place), path, place);
+  if (mtg_.vertices.size() == first)
+    throw Error(cell(place) + "expected /, < or + and a label, as in '^<U2'");
+  if (isDisputed) {
+    if (disputed_.empty()) firstDispute_ = place;
+    disputed_.push_back(VertexId{static_cast<std::uint32_t>(first)});
   }
-  columns_.resize(std::min(columns_.size(), column)); // what hung there is complete
-  columns_.push_back(own);
-  return *own.last;
+  columns_.resize(std::min(columns_.size(), place.column)); // what hung there is complete
+  columns_.push_back(std::move(path.own));
+  return path.span;
 }
 
-MtgTopology::Label MtgTopology::labelOf(std::string_view text, const std::string& where) const {
+VertexId MtgTopology::lastOf(MtgPlace place) const {
+  const auto last = columnAt(place.column, place).last;
+  if (!last) throw Error(cell(place) + "nothing stands above the *");
+  return *last;
+}
+
+void MtgTopology::name(std::string alias, VertexId vertex, MtgPlace place) {
+  if (!aliases_.insert_or_assign(alias, vertex).second)
+    notes_.repaired(cell(place), "the alias " + inQuotes(alias) +
+                                     " is given again: from here on it means this vertex");
+}
+
+std::string MtgTopology::cell(MtgPlace place) const {
+  return mtgCell(notes_.file(), place.line, place.column);
+}
+
+MtgTopology::Column MtgTopology::columnAt(std::size_t wanted, MtgPlace place) const {
+  if (wanted >= columns_.size())
+    throw Error(cell(place) + "this hangs on column " + std::to_string(wanted + 1) +
+                ", where nothing stands before it: move it to the left");
+  return columns_[wanted];
+}
+
+MtgTopology::Path MtgTopology::pathOf(std::string_view& code, MtgPlace place) {
+  const bool continues = code.starts_with('^');
+  if (continues && code.substr(1).starts_with('(')) code.remove_prefix(1); // the name says it all
+  if (code.starts_with('(')) return pathOfName(code, place);
+  Path path;
+  path.before = anchor(code, place, path.isName);
+  if (continues) {
+    path.own = path.before;
+    code.remove_prefix(1);
+  }
+  if (code.empty() || edges.find(code.front()) == std::string_view::npos)
+    throw Error(cell(place) + "expected /, < or + before " + inQuotes(code));
+  return path;
+}
+
+MtgTopology::Path MtgTopology::pathOfName(std::string_view& code, MtgPlace place) const {
+  const std::size_t end = code.find(')');
+  if (end == std::string_view::npos)
+    throw Error(cell(place) + "the name in " + inQuotes(code) + " is not closed with )");
+  const std::string alias(trimmed(code.substr(1, end - 1)));
+  const auto found = aliases_.find(alias);
+  if (found == aliases_.end())
+    throw Error(cell(place) + "no vertex before is named " + inQuotes(alias) +
+                " in the column Alias");
+  code = trimmed(code.substr(end + 1));
+  const Column column{found->second, {{scaleOf(found->second), found->second}}};
+  return {.before = column, .own = column, .isName = true, .span = {}};
+}
+
+MtgTopology::Column MtgTopology::anchor(std::string_view code, MtgPlace place, bool& isName) {
+  if (code.starts_with('^')) return columnAt(place.column, place);
+  if (place.column > 0) {
+    const bool isBelow = columns_.size() > place.column;
+    if (continuesColumns_ && isBelow && code.starts_with('<')) return columns_[place.column];
+    return columnAt(place.column - 1, place);
+  }
+  if (!code.starts_with('/')) return columnAt(0, place);
+  const std::string_view first = trimmed(code.substr(1, code.find_first_of(signs, 1) - 1));
+  const auto label = knownLabel(first, place);
+  const bool isPlant = columns_.empty() || (label && label->scale <= coarsest_);
+  if (!isPlant) return columnAt(0, place);
+  isName = true;
+  if (!scene_ || !label || label->scale == 0) return {};
+  return {scene_, {{0, *scene_}}};
+}
+
+MtgTopology::Step MtgTopology::nextStep(std::string_view& code, MtgPlace place) const {
+  Step step{.edge = code.front()};
+  code.remove_prefix(1);
+  if (edges.find(step.edge) == std::string_view::npos)
+    throw Error(cell(place) + inQuotes(std::string(1, step.edge)) +
+                " may stand only at the beginning of a code");
+  if (step.edge != '/') {
+    step.isShared = code.size() > 1 && code[0] == '.' && code[1] == step.edge;
+    step.isRange = step.isShared || code.starts_with(step.edge);
+    code.remove_prefix(step.isShared ? 2 : step.isRange ? 1 : 0);
+  }
+  const std::size_t end = std::min(code.find_first_of(signs), code.size());
+  step.label = trimmed(code.substr(0, end));
+  code.remove_prefix(end);
+  step.isLast = code.empty();
+  return step;
+}
+
+void MtgTopology::follow(const Step& step, Path& path, MtgPlace place) {
+  const Label label = labelOf(step, path.before, place);
+  if (step.isRange) {
+    path.isName = false;
+    followRange(step, label, path, place);
+    return;
+  }
+  const auto found = path.isName && !step.isLast && label.index
+                         ? names_.find({path.before.last, step.edge, label.symbol, *label.index})
+                         : names_.end();
+  path.isName = found != names_.end();
+  if (!path.isName) {
+    addOne(label, step.edge, path, place);
+    return;
+  }
+  for (Column* column : {&path.before, &path.own})
+    this->place(found->second, step.edge, *column);
+}
+
+void MtgTopology::followRange(const Step& step, const Label& label, Path& path, MtgPlace place) {
+  const auto bearer = bearerOf(label, step.edge, path.before);
+  const auto start = upTo(bearer, label.scale);
+  const MtgVertex* from = start ? &mtg_.vertices[indexOf(*start)] : nullptr;
+  if (from == nullptr || from->symbol != label.symbol || !from->index || !label.index ||
+      *from->index >= *label.index) {
+    notes_.repaired(cell(place), "the range to " + inQuotes(step.label) +
+                                     " does not count up from a vertex of its class: taken as a "
+                                     "single edge");
+    addOne(label, step.edge, path, place);
+    return;
+  }
+  const int before = *from->index;
+  inRanges_ += static_cast<std::size_t>(*label.index) - static_cast<std::size_t>(before);
+  if (inRanges_ > mostInRanges)
+    throw Error(cell(place) + "the ranges up to " + inQuotes(step.label) + " stand for more than " +
+                std::to_string(mostInRanges) + " vertices: correct the index");
+  const bool isOfThisCode = path.hasSpan && start == path.span.last;
+  const VertexId first =
+      isOfThisCode ? *start : VertexId{static_cast<std::uint32_t>(mtg_.vertices.size())};
+  for (int index = before + 1; index <= *label.index; ++index)
+    addOne({label.symbol, label.scale, index}, step.edge, path, place);
+  if (step.isShared) path.span.first = first;
+}
+
+void MtgTopology::addOne(const Label& label, char edge, Path& path, MtgPlace place) {
+  const VertexId id = attach(label, edge, path.before, place);
+  if (label.index) names_.try_emplace({path.before.last, edge, label.symbol, *label.index}, id);
+  if (label.scale == 0) scene_ = id;
+  for (Column* column : {&path.before, &path.own})
+    this->place(id, edge, *column);
+  path.span = {id, id};
+  path.hasSpan = true;
+}
+
+std::optional<MtgTopology::Label> MtgTopology::knownLabel(std::string_view text,
+                                                          MtgPlace place) const {
+  if (text.ends_with(noIndex)) text.remove_suffix(noIndex.size());
   // The index is the digits at the end; symbols may hold digits too, so the longest symbol wins.
-  const std::size_t letters = text.find_last_not_of("0123456789") + 1;
-  for (std::size_t length = text.size(); length >= std::max<std::size_t>(letters, 1); --length) {
-    const auto found = scales_.find(std::string(text.substr(0, length)));
+  const std::size_t letters = withoutDigits(text).size();
+  const std::size_t longest = std::min<std::size_t>(text.size(), 100);
+  for (std::size_t length = longest; length >= std::max<std::size_t>(letters, 1); --length) {
+    const auto found = scales_.find(text.substr(0, length));
     if (found == scales_.end()) continue;
     Label label{found->first, found->second, std::nullopt};
     if (length == text.size()) return label;
     int index = 0;
     const char* end = text.data() + text.size();
     if (std::from_chars(text.data() + length, end, index).ec != std::errc{})
-      throw Error(where + "the index in " + inQuotes(text) + " is too large");
+      throw Error(cell(place) + "the index in " + inQuotes(text) + " is too large");
     label.index = index;
     return label;
   }
-  throw Error(where + inQuotes(text) + " begins with no symbol of the section CLASSES");
+  return std::nullopt;
 }
 
-MtgTopology::Column MtgTopology::anchor(std::string_view code, std::size_t column,
-                                        const std::string& where) const {
-  const auto columnAt = [&](std::size_t wanted) {
-    if (wanted >= columns_.size())
-      throw Error(where + "the code in column " + std::to_string(column + 1) + " hangs on column " +
-                  std::to_string(wanted + 1) + ", where nothing stands before it");
-    return columns_[wanted];
-  };
-  if (code.starts_with('^')) return columnAt(column);
-  if (column > 0) return columnAt(column - 1);
-  if (!code.starts_with('/')) return columnAt(0);
-  const std::string_view first = code.substr(1, code.find_first_of("/<+^", 1) - 1);
-  const bool isPlant = columns_.empty() || labelOf(trimmed(first), where).scale <= coarsest_;
-  return isPlant ? Column{} : columnAt(0);
+MtgTopology::Label MtgTopology::labelOf(const Step& step, const Column& before, MtgPlace place) {
+  if (const auto known = knownLabel(step.label, place)) return *known;
+  const std::string_view symbol = withoutDigits(step.label);
+  if (!isSymbol(symbol))
+    throw Error(cell(place) + inQuotes(step.label) +
+                " begins with no symbol of the section CLASSES");
+  declare(symbol, step, before, place);
+  return *knownLabel(step.label, place);
+}
+
+void MtgTopology::declare(std::string_view symbol, const Step& step, const Column& before,
+                          MtgPlace place) {
+  MtgClass added{.symbol = std::string(symbol)};
+  if (!before.last && symbol == "Scene")
+    added.scale = 0;
+  else if (step.edge == '/')
+    added.scale = finerThan(before.last ? scaleOf(*before.last) : 0, place);
+  else if (before.last)
+    added.scale = scaleOf(*before.last);
+  else
+    throw Error(cell(place) + inQuotes(step.label) + " is of no class, and follows nothing");
+  notes_.repaired(cell(place), "the class " + inQuotes(symbol) +
+                                   " is not declared and is taken to be of scale " +
+                                   std::to_string(added.scale));
+  scales_.emplace(added.symbol, added.scale);
+  scalesInUse_.insert(added.scale);
+  mtg_.classes.push_back(std::move(added));
+}
+
+int MtgTopology::finerThan(int scale, MtgPlace place) const {
+  const auto finer = scalesInUse_.upper_bound(scale);
+  if (finer != scalesInUse_.end()) return *finer;
+  if (scale >= finestScale) throw Error(cell(place) + "there are too many scales");
+  return scale + 1;
 }
 
 std::optional<VertexId> MtgTopology::upTo(std::optional<VertexId> vertex, int scale) const {
-  while (vertex && mtg_.vertices[indexOf(*vertex)].scale > scale)
+  while (vertex && scaleOf(*vertex) > scale)
     vertex = mtg_.vertices[indexOf(*vertex)].complex;
   return vertex;
 }
 
 void MtgTopology::place(VertexId id, char edge, Column& column) const {
-  const int scale = mtg_.vertices[indexOf(id)].scale;
+  const int scale = scaleOf(id);
   // What branches off leaves the finer vertex that bears it open for more: "^+B2", "^+B3", "^<S4".
   if (edge != '+')
     column.lastOfScale.erase(column.lastOfScale.upper_bound(scale), column.lastOfScale.end());
@@ -101,7 +281,6 @@ void MtgTopology::place(VertexId id, char edge, Column& column) const {
 std::optional<VertexId> MtgTopology::bearerOf(const Label& label, char edge,
                                               const Column& before) const {
   if (edge == '/' || !before.last) return std::nullopt;
-  const auto scaleOf = [&](VertexId id) { return mtg_.vertices[indexOf(id)].scale; };
   const VertexId finest = before.lastOfScale.rbegin()->second;
   const VertexId from = edge == '+' && scaleOf(finest) > label.scale ? finest : *before.last;
   const auto peer = upTo(from, label.scale);
@@ -111,9 +290,8 @@ std::optional<VertexId> MtgTopology::bearerOf(const Label& label, char edge,
   return found->second;
 }
 
-VertexId MtgTopology::attach(const Label& label, char edge, const Column& before,
-                             const std::string& where) {
-  MtgVertex vertex{.symbol = label.symbol, .index = label.index, .scale = label.scale};
+VertexId MtgTopology::attach(const Label& label, char edge, const Column& before, MtgPlace place) {
+  MtgVertex vertex{.symbol = std::string(label.symbol), .index = label.index, .scale = label.scale};
   const VertexId id{static_cast<std::uint32_t>(mtg_.vertices.size())};
   if (const auto bearer = bearerOf(label, edge, before)) {
     vertex.parent = upTo(bearer, label.scale);
@@ -123,8 +301,13 @@ VertexId MtgTopology::attach(const Label& label, char edge, const Column& before
   } else {
     vertex.complex = upTo(before.last, label.scale - 1);
     if (edge != '/' && !vertex.complex)
-      throw Error(where + inQuotes(label.symbol) + " is of scale " + std::to_string(label.scale) +
+      throw Error(cell(place) + inQuotes(label.symbol) + " is of scale " +
+                  std::to_string(label.scale) +
                   ", and nothing stands before it that it could hang on");
+    if (edge != '/')
+      notes_.repaired(cell(place), "no vertex of its scale stands before " +
+                                       inQuotes(edge + std::string(label.symbol)) +
+                                       ": it is taken as the first part of its unit (/)");
     if (vertex.complex) linkFirstPart(vertex, id);
   }
   mtg_.vertices.push_back(std::move(vertex));
@@ -136,7 +319,7 @@ void MtgTopology::linkFirstPart(MtgVertex& part, VertexId id) {
   if (!found) return;
   const Entry entry = found.mapped();
   const auto parent = upTo(entry.vertex, part.scale);
-  if (!parent || mtg_.vertices[indexOf(*parent)].scale != part.scale) return;
+  if (!parent || scaleOf(*parent) != part.scale) return;
   part.parent = parent;
   part.edge = entry.edge;
   if (*parent != entry.vertex) entries_.insert({id, entry});

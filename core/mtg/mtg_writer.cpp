@@ -4,6 +4,7 @@
 #include "core/base/text.h"
 #include "core/mtg/mtg_rows.h"
 #include "core/mtg/mtg_sections.h"
+#include "core/mtg/mtg_source.h"
 #include "core/mtg/mtg_values.h"
 
 #include <algorithm>
@@ -24,9 +25,9 @@ std::string joined(const std::vector<std::string>& fields) {
 
 /// Whether a reader gets `text` back from between two tabs.
 bool survives(const std::string& text) {
-  if (text.find_first_of("\n\r") != std::string::npos) return false;
-  const std::vector<std::string_view> fields = mtgFields(text);
-  return fields.size() == 1 && fields.front() == text;
+  if (text.find_first_of("\t\n\r") != std::string::npos || trimmed(text) != text) return false;
+  return text.find_first_of("#;") == std::string::npos ||
+         mtgSource('\t' + text).text == '\t' + text;
 }
 
 void checkText(const std::string& text, const std::string& what) {

@@ -51,8 +51,10 @@ MtgColumns columnsOf(const std::vector<std::string_view>& names, const std::stri
   return columns;
 }
 
-MtgColumns readColumns(LineReader& lines, MtgNotes& notes, Mtg& mtg) {
-  while (const auto line = lines.next()) {
+MtgColumns readColumns(LineReader& lines, MtgNotes& notes, Mtg& mtg, std::size_t& start) {
+  for (start = lines.offset();; start = lines.offset()) {
+    const auto line = lines.next();
+    if (!line) break;
     const std::vector<std::string_view> names = mtgFields(*line);
     if (std::ranges::all_of(names, [](std::string_view name) { return name.empty(); })) continue;
     const std::string where = place(notes.file(), lines.number());
@@ -251,7 +253,7 @@ ParsedMtg parseMtg(std::string bytes, const std::string& file, const MtgReadOpti
     notes.tell(note);
   LineReader lines(parsed.source.text);
   parsed.mtg = readMtgSections(lines, notes);
-  parsed.columns = readColumns(lines, notes, parsed.mtg);
+  parsed.columns = readColumns(lines, notes, parsed.mtg, parsed.columnsStart);
   parsed.start = lines.offset();
   readBody(parsed, notes, lines, options.dialect);
   if (parsed.mtg.vertices.empty()) throw Error(file + ": holds no vertices");

@@ -31,7 +31,8 @@ struct ParsedMtg {
   Mtg mtg;
   MtgColumns columns;
   std::vector<MtgLine> lines;
-  std::size_t start = 0; // byte behind the line of columns
+  std::size_t columnsStart = 0; // first byte of the line of columns
+  std::size_t start = 0;        // byte behind it
   std::vector<std::string> notes;
 };
 

@@ -2,9 +2,9 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/mtg/mtg_lines.h"
 #include "core/mtg/mtg_rows.h"
 #include "core/mtg/mtg_sections.h"
-#include "core/mtg/mtg_source.h"
 #include "core/mtg/mtg_values.h"
 
 #include <algorithm>
@@ -23,15 +23,8 @@ std::string joined(const std::vector<std::string>& fields) {
   return line + '\n';
 }
 
-/// Whether a reader gets `text` back from between two tabs.
-bool survives(const std::string& text) {
-  if (text.find_first_of("\t\n\r") != std::string::npos || trimmed(text) != text) return false;
-  return text.find_first_of("#;") == std::string::npos ||
-         mtgSource('\t' + text).text == '\t' + text;
-}
-
 void checkText(const std::string& text, const std::string& what) {
-  if (survives(text)) return;
+  if (survivesMtg(text)) return;
   throw Error(what + ' ' + inQuotes(text) +
               " cannot stand in an MTG text: take out tabs, line ends, comment signs (# or ;) and "
               "blanks around it");
@@ -41,17 +34,10 @@ std::string labelOf(const MtgVertex& vertex) {
   return vertex.symbol + (vertex.index ? std::to_string(*vertex.index) : "");
 }
 
-/// The value as it is written: of a number, no exponent.
-std::string cellOf(const std::string& value, const MtgFeature& feature) {
-  if (!isNumberFeature(feature) || value.find_first_of("eE+") == std::string::npos) return value;
-  const auto number = isMissingMtgValue(value) ? std::nullopt : numberIn(value);
-  return number && std::isfinite(*number) ? plainDecimal(*number) : value;
-}
-
 std::vector<std::string> cellsOf(const std::vector<std::string>& values, const Mtg& mtg) {
   std::vector<std::string> cells(std::min(values.size(), mtg.features.size()));
   for (std::size_t i = 0; i < cells.size(); ++i)
-    cells[i] = cellOf(values[i], mtg.features[i]);
+    cells[i] = mtgCellText(values[i], mtg.features[i]);
   while (!cells.empty() && cells.back().empty())
     cells.pop_back();
   return cells;
@@ -83,24 +69,6 @@ std::string columnsOf(const Mtg& mtg, std::size_t columns) {
   for (const MtgFeature& feature : mtg.features)
     names.push_back(feature.name);
   return line + joined(names);
-}
-
-std::string valuesOf(std::vector<std::string> cells, const std::string& alias, const Mtg& mtg) {
-  cells.resize(mtg.features.size());
-  for (std::size_t i = 0; i < cells.size() && !alias.empty(); ++i)
-    if (isAliasFeature(mtg.features[i])) cells[i] = alias;
-  return joined(cells);
-}
-
-std::string linesOf(const MtgRow& row, const Mtg& mtg, std::size_t columns) {
-  const MtgVertex& vertex = mtg.vertices[indexOf(row.vertex)];
-  const std::string indent(row.column, '\t');
-  const std::string gap(columns - row.column, '\t');
-  std::string lines = indent + (row.continues ? "^" : "") + row.edge + labelOf(vertex) + gap +
-                      valuesOf(vertex.values, vertex.alias, mtg);
-  for (const std::vector<std::string>& values : vertex.later)
-    lines += indent + '*' + gap + valuesOf(values, {}, mtg);
-  return lines;
 }
 
 void checkTexts(const Mtg& mtg) {
@@ -229,8 +197,11 @@ void writeMtg(std::ostream& out, const Mtg& mtg) {
   const MtgRows rows = mtgRows(whole);
   std::string text = rows.isAmbiguous ? std::string(previousColumnMark) + '\n' : "";
   text += sectionsOf(whole) + "\nMTG :\n" + columnsOf(whole, rows.columns);
+  MtgLayout layout{.width = rows.columns + whole.features.size()};
+  for (std::size_t i = 0; i < whole.features.size(); ++i)
+    layout.columns.push_back(rows.columns + i);
   for (const MtgRow& row : rows.rows)
-    text += linesOf(row, whole, rows.columns);
+    text += mtgLines(row, whole, layout);
   out << text;
 }
 

@@ -1,0 +1,272 @@
+#include "core/mtg/mtg_text_edit.h"
+
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/mtg/mtg_lines.h"
+#include "core/mtg/mtg_parser.h"
+#include "core/mtg/mtg_rows.h"
+#include "core/mtg/mtg_sections.h"
+#include "core/mtg/mtg_values.h"
+#include "core/mtg/mtg_writer.h"
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+
+namespace espalier {
+namespace {
+
+constexpr const char* resultName = "the edited text";
+
+std::string_view valueAt(const std::vector<std::string>& values, std::size_t feature) {
+  return feature < values.size() ? std::string_view(values[feature]) : std::string_view();
+}
+
+/// The values of an edited vertex by the features of the file.
+class FeatureMatch {
+public:
+  FeatureMatch(const Mtg& file, const Mtg& edited) : features_(file.features) {
+    std::map<std::string_view, std::size_t> places;
+    for (std::size_t i = 0; i < edited.features.size(); ++i)
+      places.emplace(edited.features[i].name, i);
+    for (const MtgFeature& feature : file.features) {
+      const auto found = places.find(feature.name);
+      inEdited_.push_back(found == places.end() ? std::nullopt : std::optional(found->second));
+      if (found != places.end()) places.erase(found);
+    }
+    for (const auto& [name, place] : places)
+      added_.push_back(place);
+  }
+
+  /// Whether both say the same of a feature of the file.
+  [[nodiscard]] bool isSame(const std::vector<std::string>& file,
+                            const std::vector<std::string>& edited, std::size_t feature) const {
+    if (!inEdited_[feature]) return true; // the edited plant does not know of it
+    const std::string_view before = valueAt(file, feature);
+    const std::string_view after = valueAt(edited, *inEdited_[feature]);
+    if (before == after || (isMissingMtgValue(before) && isMissingMtgValue(after))) return true;
+    return isNumberFeature(features_[feature]) && numberIn(before) && numberIn(after) &&
+           *numberIn(before) == *numberIn(after);
+  }
+
+  /// Whether both say the same of all features, and nothing of others.
+  [[nodiscard]] bool isSame(const std::vector<std::string>& file,
+                            const std::vector<std::string>& edited) const {
+    for (std::size_t i = 0; i < inEdited_.size(); ++i)
+      if (!isSame(file, edited, i)) return false;
+    return std::ranges::all_of(
+        added_, [&](std::size_t place) { return isMissingMtgValue(valueAt(edited, place)); });
+  }
+
+  [[nodiscard]] std::string textOf(const std::vector<std::string>& edited,
+                                   std::size_t feature) const {
+    return mtgCellText(std::string(valueAt(edited, *inEdited_[feature])), features_[feature]);
+  }
+
+private:
+  const std::vector<MtgFeature>& features_;
+  std::vector<std::optional<std::size_t>> inEdited_; // by feature of the file
+  std::vector<std::size_t> added_;                   // features of the edited plant alone
+};
+
+bool isSamePlace(const MtgVertex& a, const MtgVertex& b) {
+  return a.symbol == b.symbol && a.index == b.index && a.scale == b.scale &&
+         a.complex == b.complex && a.parent == b.parent && (!a.parent || a.edge == b.edge) &&
+         a.alias == b.alias && a.later.size() == b.later.size();
+}
+
+bool isSamePlant(const Mtg& a, const Mtg& b) {
+  return std::ranges::equal(a.vertices, b.vertices, isSamePlace);
+}
+
+/// Whether both are the same plant, but for the spelling of values.
+bool isSame(const Mtg& file, const Mtg& edited) {
+  const FeatureMatch match(file, edited);
+  const auto isSameVertex = [&](const MtgVertex& a, const MtgVertex& b) {
+    return match.isSame(a.values, b.values) &&
+           std::ranges::equal(a.later, b.later,
+                              [&](const auto& x, const auto& y) { return match.isSame(x, y); });
+  };
+  return isSamePlant(file, edited) &&
+         std::ranges::equal(file.vertices, edited.vertices, isSameVertex);
+}
+
+const std::vector<std::string>& valuesOf(const Mtg& mtg, VertexId id, const MtgLine& line) {
+  const MtgVertex& vertex = mtg.vertices[indexOf(id)];
+  return line.date ? vertex.later[*line.date] : vertex.values;
+}
+
+struct Replacement {
+  std::size_t from = 0;
+  std::size_t to = 0;
+  std::string text;
+};
+
+/// What must change in a line so that `column` holds `value`.
+/// @param width  the columns that changes before gave the line at its end
+Replacement replacement(const MtgSource& source, const MtgLine& line, std::size_t column,
+                        const std::string& value, std::size_t& width) {
+  std::size_t start = line.start;
+  for (std::size_t i = 0; i < column; ++i) {
+    const std::size_t tab = source.text.find('\t', start);
+    if (tab >= line.end) {
+      const std::size_t present = std::max(width, i); // columns before this one, with added ones
+      width = column;
+      return {line.end, line.end, std::string(column - present, '\t') + value};
+    }
+    start = tab + 1;
+  }
+  const std::size_t end = std::min(source.text.find('\t', start), line.end);
+  const std::string_view field = trimmed(std::string_view(source.text).substr(start, end - start));
+  if (field.empty()) return {start, start, value + (start < end ? " " : "")};
+  const auto from = static_cast<std::size_t>(field.data() - source.text.data());
+  return {from, from + field.size(), value};
+}
+
+/// The text with other values in its cells; none if more than cells must change.
+std::optional<std::string> withOtherCells(const ParsedMtg& file, const Mtg& edited) {
+  if (!isSamePlant(file.mtg, edited)) return std::nullopt;
+  const FeatureMatch match(file.mtg, edited);
+  std::string text;
+  std::size_t copied = 0;
+  for (const MtgLine& line : file.lines) {
+    const auto& before = valuesOf(file.mtg, line.last, line);
+    const auto& after = valuesOf(edited, line.last, line);
+    std::size_t width = 0;
+    for (std::size_t column = 0; column < file.columns.features.size(); ++column) {
+      const auto feature = file.columns.features[column];
+      if (!feature || match.isSame(before, after, *feature)) continue;
+      const std::string value = match.textOf(after, *feature);
+      if (!survivesMtg(value)) return std::nullopt;
+      const Replacement change = replacement(file.source, line, column, value, width);
+      text.append(file.source.original, copied, change.from - copied);
+      text += change.text;
+      copied = change.to;
+    }
+  }
+  return text + file.source.original.substr(copied);
+}
+
+std::string lineEndOf(const std::string& text) {
+  const std::size_t end = text.find_first_of("\r\n");
+  if (end == std::string::npos || text[end] == '\n') return "\n";
+  return text.compare(end, 2, "\r\n") == 0 ? "\r\n" : "\r";
+}
+
+std::string withLineEnds(const std::string& text, const std::string& end) {
+  std::string result;
+  for (const char c : text)
+    if (c == '\n')
+      result += end;
+    else
+      result += c;
+  return result;
+}
+
+/// `mtg` with the features of the file first, in the order they have there.
+Mtg withFeaturesLike(const Mtg& file, Mtg mtg) {
+  const auto placeInFile = [&](const MtgFeature& feature) {
+    return std::ranges::find(file.features, feature.name, &MtgFeature::name) -
+           file.features.begin();
+  };
+  std::vector<std::pair<std::ptrdiff_t, std::size_t>> order;
+  for (std::size_t i = 0; i < mtg.features.size(); ++i)
+    order.emplace_back(placeInFile(mtg.features[i]), i);
+  std::ranges::sort(order);
+  const auto reorder = [&](std::vector<std::string>& values) {
+    std::vector<std::string> result(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i)
+      result[i] = valueAt(values, order[i].second);
+    values = std::move(result);
+  };
+  std::vector<MtgFeature> features;
+  for (const auto& each : order)
+    features.push_back(mtg.features[each.second]);
+  mtg.features = std::move(features);
+  for (MtgVertex& vertex : mtg.vertices) {
+    reorder(vertex.values);
+    for (auto& values : vertex.later)
+      reorder(values);
+  }
+  return mtg;
+}
+
+/// Whether the columns of the file can hold all rows and features; fills `layout` if so.
+bool hasRoom(const ParsedMtg& file, const Mtg& mtg, const MtgRows& rows, MtgLayout& layout) {
+  if (rows.columns > file.columns.firstFeature) return false;
+  layout.width = file.columns.features.size();
+  for (const MtgFeature& feature : mtg.features) {
+    const auto isIt = [&](const std::optional<std::size_t>& place) {
+      return place && file.mtg.features[*place].name == feature.name;
+    };
+    const auto found = std::ranges::find_if(file.columns.features, isIt);
+    if (found == file.columns.features.end()) return false;
+    layout.columns.push_back(static_cast<std::size_t>(found - file.columns.features.begin()));
+  }
+  return true;
+}
+
+/// The vertices anew below the sections of the file, which may not fit them.
+/// pre: mtg is as mtgAsWritten gives
+std::string belowSections(const ParsedMtg& file, const Mtg& mtg) {
+  const MtgRows rows = mtgRows(mtg);
+  const std::string& original = file.source.original;
+  MtgLayout layout;
+  std::string text = rows.isAmbiguous ? std::string(previousColumnMark) + '\n' : "";
+  std::string head = original.substr(0, file.start);
+  if (!hasRoom(file, mtg, rows, layout)) {
+    layout = {.width = rows.columns + mtg.features.size()};
+    head = original.substr(0, file.columnsStart) + "ENTITY-CODE" + std::string(rows.columns, '\t');
+    for (std::size_t i = 0; i < mtg.features.size(); ++i) {
+      layout.columns.push_back(rows.columns + i);
+      head += (i > 0 ? "\t" : "") + mtg.features[i].name;
+    }
+    head += lineEndOf(original);
+  }
+  std::string lines;
+  for (const MtgRow& row : rows.rows)
+    lines += mtgLines(row, mtg, layout);
+  return withLineEnds(text, lineEndOf(original)) + head + withLineEnds(lines, lineEndOf(original));
+}
+
+/// All anew but for what stands before CODE.
+std::string belowFirstComments(const ParsedMtg& file, const Mtg& mtg) {
+  const std::string& original = file.source.original;
+  const std::size_t first = file.source.text.find("CODE");
+  std::size_t start = original.find_last_of("\r\n", first);
+  start = start == std::string::npos || first == std::string::npos ? 0 : start + 1;
+  std::ostringstream out;
+  writeMtg(out, mtg);
+  return original.substr(0, start) + withLineEnds(out.str(), lineEndOf(original));
+}
+
+/// Whether `text` is read as `edited`.
+bool tellsOf(const std::string& text, const Mtg& edited, const MtgReadOptions& options) {
+  try {
+    return isSame(parseMtg(text, resultName, options).mtg, edited);
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+std::string encoded(std::string text, bool isLatin1) {
+  if (!isLatin1 || !fitsLatin1(text)) return text;
+  std::string bytes = toLatin1(text);
+  return mtgSource(bytes).original == text ? bytes : text; // by chance they may be UTF-8
+}
+
+} // namespace
+
+std::string mtgTextWith(const std::string& original, const Mtg& edited,
+                        const MtgReadOptions& options) {
+  const ParsedMtg file = parseMtg(original, "the file to save into", options);
+  const auto sameLines = withOtherCells(file, edited);
+  if (sameLines && tellsOf(*sameLines, edited, options))
+    return encoded(*sameLines, file.source.isLatin1);
+  const Mtg written = mtgAsWritten(withFeaturesLike(file.mtg, edited));
+  const std::string anew = belowFirstComments(file, written); // checks that it can be told
+  const std::string kept = belowSections(file, written);
+  return encoded(tellsOf(kept, written, options) ? kept : anew, file.source.isLatin1);
+}
+
+} // namespace espalier

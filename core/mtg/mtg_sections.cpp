@@ -31,7 +31,7 @@ std::vector<std::string_view> filledFields(std::string_view line) {
   std::string_view rest = fields.front();
   fields.clear();
   for (auto word = nextWord(rest); !word.empty(); word = nextWord(rest))
-    fields.push_back(word);
+    if (!trimmed(word).empty()) fields.push_back(trimmed(word)); // of blanks that part no words
   return fields;
 }
 

@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/mtg/mtg_lines.h"
+#include "core/mtg/mtg_parser.h"
 #include "core/mtg/mtg_rows.h"
 #include "core/mtg/mtg_sections.h"
 #include "core/mtg/mtg_values.h"
@@ -134,6 +135,17 @@ Mtg inOrderOf(const MtgRows& rows, const Mtg& mtg) {
   return result;
 }
 
+/// Some plants look like others in text: A12 may be of class A or of class A1. Better no file than
+/// one of another plant.
+void checkReadsBack(const std::string& text, const Mtg& expected) {
+  const ParsedMtg back = parseMtg(text, "the text to write");
+  const auto [read, meant] = std::ranges::mismatch(back.mtg.vertices, expected.vertices);
+  if (read == back.mtg.vertices.end() && meant == expected.vertices.end()) return;
+  throw Error("the vertex " + (meant == expected.vertices.end() ? "" : labelOf(*meant)) +
+              " would be read from MTG text as another: give its class a symbol that is not the "
+              "beginning of another one");
+}
+
 /// The nodes of a tree below `root`, what continues an axis after what branches off it.
 std::vector<NodeId> inOrderOfLines(const Skeleton& skeleton, NodeId root) {
   std::vector<NodeId> order;
@@ -202,6 +214,7 @@ void writeMtg(std::ostream& out, const Mtg& mtg) {
     layout.columns.push_back(rows.columns + i);
   for (const MtgRow& row : rows.rows)
     text += mtgLines(row, whole, layout);
+  checkReadsBack(text, inOrderOf(rows, whole));
   out << text;
 }
 

@@ -16,8 +16,8 @@ namespace espalier {
 /// PlantScan3D and MultiScaleTreeGraph.jl read the result, but for what `openAleaLimits` lists.
 /// Reading the text gives `mtgAsWritten(mtg)`; writing that again gives the same bytes.
 /// @throws Error if something cannot be told in MTG text: a value with a tab, a line end or a
-///         comment sign, a symbol whose class is not listed, a vertex as told at `mtgRows`. Nothing
-///         is written then
+///         comment sign, a symbol whose class is not listed, labels that look like others, a
+///         vertex as told at `mtgRows`. Nothing is written then: the text is read back before
 /// Time O(size of the text).
 void writeMtg(std::ostream& out, const Mtg& mtg);
 

@@ -124,6 +124,18 @@ TEST(WriteWholeMtg, RefusesWhatNoTextCanHold) {
   EXPECT_THAT(refusalOf(mtg), testing::HasSubstr("Q1 is of scale 1, but no class"));
 }
 
+TEST(WriteWholeMtg, RefusesLabelsThatLookLikeOthers) {
+  Mtg mtg{.classes = {{.symbol = "A", .scale = 1}, {.symbol = "A1", .scale = 2}}};
+  mtg.vertices.push_back({.symbol = "A", .index = 12});
+  EXPECT_THAT(refusalOf(mtg), testing::HasSubstr("A12 would be read from MTG text as another"));
+}
+
+// No plant, but a file may begin so while it is edited.
+TEST(WriteWholeMtg, RefusesAPlantWithoutVertices) {
+  EXPECT_THAT(refusalOf(Mtg{.classes = {{.symbol = "A", .scale = 1}}}),
+              testing::HasSubstr("no vertices"));
+}
+
 TEST(WriteWholeMtg, RefusesAParentInAnUnrelatedUnit) {
   Mtg mtg = readMtgRows("/P1/A1/E1\n/P2/A2/E2\n").value;
   mtg.vertices[5].parent = VertexId{2}; // E2 on E1, while A2 does not hang on A1

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <ranges>
 #include <utility>
 
 namespace espalier {
@@ -160,9 +159,9 @@ private:
 
   /// The first part must come before the other parts: another of them continues the column.
   static Child swapLast(const Child& last, std::vector<Child>& children) {
-    for (Child& child : std::views::reverse(children))
-      if (child.edge == '/') return std::exchange(child, last);
-    return last;
+    const auto other = std::find_if(children.rbegin(), children.rend(),
+                                    [](const Child& child) { return child.edge == '/'; });
+    return other == children.rend() ? last : std::exchange(*other, last);
   }
 
   const Mtg& mtg_;

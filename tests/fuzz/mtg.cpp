@@ -1,5 +1,5 @@
-// Fuzz target: whatever the bytes, reading an MTG gives a plant or an Error, and a plant that can be
-// written is read again as it was.
+// Fuzz target: whatever the bytes, reading an MTG gives a plant or an Error, and a plant that can
+// be written is read again as it was.
 #include "core/base/error.h"
 #include "core/mtg/mtg_reader.h"
 #include "core/mtg/mtg_writer.h"

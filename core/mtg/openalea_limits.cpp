@@ -56,6 +56,21 @@ void findInFeatures(const Mtg& mtg, std::vector<std::string>& found) {
   }
 }
 
+/// OpenAlea steps from scale to scale, and has a scene of its own.
+void findInScales(const Mtg& mtg, std::vector<std::string>& found) {
+  std::size_t skips = 0;
+  bool namesScene = false;
+  for (const MtgVertex& vertex : mtg.vertices) {
+    const int coarser = vertex.complex ? mtg.vertices[indexOf(*vertex.complex)].scale : 0;
+    if (vertex.scale > coarser + 1) ++skips;
+    if (vertex.scale == 0) namesScene = true;
+  }
+  if (skips > 0)
+    found.push_back(std::to_string(skips) +
+                    " vertices skip a scale: they are taken to be one scale finer than their unit");
+  if (namesScene) found.emplace_back("the scene is a vertex: nothing can be read");
+}
+
 void findInClasses(const Mtg& mtg, std::vector<std::string>& found) {
   for (const MtgClass& each : mtg.classes)
     if (each.symbol != "$" && !std::ranges::all_of(each.symbol, isLetter))
@@ -68,6 +83,7 @@ std::vector<std::string> openAleaLimits(const Mtg& mtg) {
   const Mtg written = mtgAsWritten(mtg);
   std::vector<std::string> found;
   findInClasses(written, found);
+  findInScales(written, found);
   findInFeatures(written, found);
   findInValues(written, found);
   if (mtgRows(written).isAmbiguous)

@@ -199,5 +199,13 @@ TEST(OpenAleaLimits, NamesTypesSymbolsAndValues) {
   EXPECT_THAT(openAleaLimits(mtg), testing::IsEmpty()) << "a date is safe";
 }
 
+TEST(OpenAleaLimits, NamesSkippedScalesAndTheScene) {
+  EXPECT_THAT(openAleaLimits(readMtgRows("/P1/E1\n").value),
+              testing::ElementsAre(testing::HasSubstr("1 vertices skip a scale")));
+  EXPECT_THAT(openAleaLimits(readMtgRows("/Scene0/P1/A1/E1\n").value),
+              testing::ElementsAre(testing::HasSubstr("the scene is a vertex")));
+  EXPECT_THAT(openAleaLimits(readMtgRows("/P1/A1/E1\n").value), testing::IsEmpty());
+}
+
 } // namespace
 } // namespace espalier

@@ -180,6 +180,7 @@ Mtg withFeaturesLike(const Mtg& file, Mtg mtg) {
     values = std::move(result);
   };
   std::vector<MtgFeature> features;
+  features.reserve(order.size());
   for (const auto& each : order)
     features.push_back(mtg.features[each.second]);
   mtg.features = std::move(features);

@@ -71,7 +71,7 @@ VertexId MtgTopology::lastOf(MtgPlace place) const {
   return *last;
 }
 
-void MtgTopology::name(std::string alias, VertexId vertex, MtgPlace place) {
+void MtgTopology::name(const std::string& alias, VertexId vertex, MtgPlace place) {
   if (!aliases_.insert_or_assign(alias, vertex).second)
     notes_.repaired(cell(place), "the alias " + inQuotes(alias) +
                                      " is given again: from here on it means this vertex");

@@ -55,7 +55,7 @@ public:
   [[nodiscard]] VertexId lastOf(MtgPlace place) const;
 
   /// Lets codes begin with "(alias)" for this vertex.
-  void name(std::string alias, VertexId vertex, MtgPlace place);
+  void name(const std::string& alias, VertexId vertex, MtgPlace place);
 
   /// Those of the first vertices of codes that programs hang differently: <X without ^ below
   /// others.

@@ -44,6 +44,7 @@ std::vector<std::string> corpusOf(const std::vector<std::filesystem::path>& plac
   }
   std::ranges::sort(files);
   std::vector<std::string> corpus;
+  corpus.reserve(files.size() + 1);
   for (const std::filesystem::path& file : files)
     corpus.push_back(bytesOf(file));
   return corpus;

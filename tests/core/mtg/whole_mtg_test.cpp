@@ -130,10 +130,10 @@ TEST(WriteWholeMtg, RefusesLabelsThatLookLikeOthers) {
   EXPECT_THAT(refusalOf(mtg), testing::HasSubstr("A12 would be read from MTG text as another"));
 }
 
-// No plant, but a file may begin so while it is edited.
-TEST(WriteWholeMtg, RefusesAPlantWithoutVertices) {
-  EXPECT_THAT(refusalOf(Mtg{.classes = {{.symbol = "A", .scale = 1}}}),
-              testing::HasSubstr("no vertices"));
+TEST(WriteWholeMtg, WritesTheSectionsOfAnEmptyPlant) {
+  const std::string text = written(Mtg{.classes = {{.symbol = "A", .scale = 1}}});
+  EXPECT_THAT(text, testing::HasSubstr("\nA\t1\tFREE\tFREE\tEXPLICIT\n"));
+  EXPECT_THAT(text, testing::EndsWith("MTG :\nENTITY-CODE\t\n"));
 }
 
 TEST(WriteWholeMtg, RefusesAParentInAnUnrelatedUnit) {

@@ -75,6 +75,11 @@ void Skeleton::setEdge(NodeId id, EdgeType edge) {
   link(id);
 }
 
+void Skeleton::setEntities(NodeId id, std::vector<Entity> entities) {
+  assert(contains(id));
+  nodes_[indexOf(id)]->entities = std::move(entities);
+}
+
 void Skeleton::reparent(NodeId id, NodeId parent, EdgeType edge) {
   assert(contains(id));
   if (!contains(parent)) throw Error(name(parent) + " does not exist: choose another parent");

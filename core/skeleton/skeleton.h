@@ -46,6 +46,7 @@ public:
   void setPosition(NodeId id, const Eigen::Vector3d& position); // pre: contains(id)
   void setRadius(NodeId id, double radius);                     // pre: contains(id), radius >= 0
   void setEdge(NodeId id, EdgeType edge);                       // pre: contains(id)
+  void setEntities(NodeId id, std::vector<Entity> entities);    // pre: contains(id)
 
   /// Hangs `id`, with all it carries, on `parent`.
   /// @throws Error if `parent` is `id` or a descendant of it

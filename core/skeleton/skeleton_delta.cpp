@@ -59,6 +59,7 @@ void SkeletonDelta::apply(Skeleton& skeleton) const {
     if (!change.after) continue;
     skeleton.setPosition(change.id, change.after->position);
     skeleton.setRadius(change.id, change.after->radius);
+    skeleton.setEntities(change.id, change.after->entities);
     if (change.after->parent)
       skeleton.reparent(change.id, *change.after->parent, change.after->edge);
     else
@@ -90,6 +91,11 @@ void SkeletonEditor::setRadius(NodeId id, double radius) {
 void SkeletonEditor::setEdge(NodeId id, EdgeType edge) {
   note(id);
   skeleton_.setEdge(id, edge);
+}
+
+void SkeletonEditor::setEntities(NodeId id, std::vector<Entity> entities) {
+  note(id);
+  skeleton_.setEntities(id, std::move(entities));
 }
 
 void SkeletonEditor::reparent(NodeId id, NodeId parent, EdgeType edge) {

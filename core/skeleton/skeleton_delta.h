@@ -50,6 +50,7 @@ public:
   void setPosition(NodeId id, const Eigen::Vector3d& position);
   void setRadius(NodeId id, double radius);
   void setEdge(NodeId id, EdgeType edge);
+  void setEntities(NodeId id, std::vector<Entity> entities);
   void reparent(NodeId id, NodeId parent, EdgeType edge);
   void makeRoot(NodeId id);
   void erase(NodeId id);

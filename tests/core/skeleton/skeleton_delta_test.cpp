@@ -14,7 +14,7 @@ void editAtRandom(SkeletonEditor& editor, Random& random) {
   const std::vector<NodeId> ids = editor.skeleton().ids();
   const NodeId id = ids[random.below(ids.size())];
   const NodeId other = ids[random.below(ids.size())];
-  switch (random.below(7)) {
+  switch (random.below(8)) {
   case 0:
     editor.setPosition(id, random.direction());
     break;
@@ -32,6 +32,10 @@ void editAtRandom(SkeletonEditor& editor, Random& random) {
     break;
   case 5:
     if (editor.skeleton().children(id).empty()) editor.erase(id);
+    break;
+  case 6:
+    editor.setEntities(id,
+                       {{.scale = 2, .symbol = "N", .index = static_cast<int>(random.below(5))}});
     break;
   default:
     if (!editor.skeleton().isAncestor(id, other)) editor.reparent(id, other, EdgeType::successor);

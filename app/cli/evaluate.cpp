@@ -42,20 +42,23 @@ void print(const Comparison& comparison) {
                 score.f());
 }
 
+Skeleton skeletonIn(const std::string& file) {
+  Imported<Structure> structure = readStructure(file);
+  printNotes(structure.notes);
+  return std::move(structure.value.skeleton);
+}
+
 void evaluate(const Flags& flags) {
   const Threads threads(flags.threads);
   requireOutput(flags.json, {flags.result, flags.reference});
   const TerminalProgress terminal;
-  const auto result = readStructure(flags.result);
-  const auto reference = readStructure(flags.reference);
-  printNotes(result.notes);
-  printNotes(reference.notes);
-  requireComparable(result.value, flags.result);
-  requireComparable(reference.value, flags.reference);
+  const Skeleton result = skeletonIn(flags.result);
+  const Skeleton reference = skeletonIn(flags.reference);
+  requireComparable(result, flags.result);
+  requireComparable(reference, flags.reference);
   ComparisonOptions options;
   options.registers = !flags.noRegister;
-  const Comparison comparison =
-      compare(result.value, reference.value, options, terminal.progress());
+  const Comparison comparison = compare(result, reference, options, terminal.progress());
   printNotes(comparison.warnings);
   print(comparison);
   if (flags.json.empty()) return;

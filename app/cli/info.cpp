@@ -79,7 +79,7 @@ Json infoOn(const std::string& file, const Format& format) {
   if (format.content == Content::structure) {
     const auto structure = readStructure(file);
     printNotes(structure.notes);
-    return statistics(structure.value);
+    return statistics(structure.value.skeleton);
   }
   const TerminalProgress terminal;
   const auto points = readPoints(file, terminal.progress());

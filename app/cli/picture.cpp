@@ -49,7 +49,7 @@ Scene sceneOf(const Flags& flags, const Progress& progress) {
       if (hasStructure) throw Error(file + ": a picture shows one structure; give one");
       const auto structure = readStructure(file);
       printNotes(structure.notes);
-      scene.setSkeleton(structure.value);
+      scene.setSkeleton(structure.value.skeleton);
       hasStructure = true;
     }
   }

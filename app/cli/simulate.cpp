@@ -40,7 +40,7 @@ void simulate(const Flags& flags) {
   } else {
     const auto structure = readStructure(flags.from);
     printNotes(structure.notes);
-    truth = about(flags.from, [&] { return preparedPlant(structure.value); });
+    truth = about(flags.from, [&] { return preparedPlant(structure.value.skeleton); });
   }
   ScannerOptions scanner = flags.scanner;
   if (flags.noise >= 0) scanner.rangeNoise = flags.noise;

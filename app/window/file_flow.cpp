@@ -142,9 +142,9 @@ void FileFlow::show(LoadedFiles loaded, bool isAnotherPlant) {
     document.setScan(std::move(loaded.scan), loaded.scanPath);
     parts_.recent.add(loaded.scanPath);
   }
-  if (loaded.skeleton) {
-    document.openSkeleton(std::move(*loaded.skeleton), loaded.skeletonPath);
-    parts_.recent.add(loaded.skeletonPath);
+  if (loaded.structure) {
+    document.openStructure(std::move(*loaded.structure), loaded.structurePath);
+    parts_.recent.add(loaded.structurePath);
     copied_.clear();
   }
   emit opened();

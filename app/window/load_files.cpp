@@ -36,12 +36,12 @@ LoadedFiles loadFiles(const QStringList& paths, const Progress& progress) {
       loaded.scanPath = paths[i];
       addNotes(loaded, points.notes);
     } else {
-      if (loaded.skeleton)
+      if (loaded.structure)
         throw twoOfAKind(
             paths[i], QT_TRANSLATE_NOOP("LoadFiles", "%1: a second skeleton: open one at a time"));
-      Imported<Skeleton> structure = readStructure(path);
-      loaded.skeleton = std::move(structure.value);
-      loaded.skeletonPath = paths[i];
+      Imported<Structure> structure = readStructure(path);
+      loaded.structure = std::move(structure.value);
+      loaded.structurePath = paths[i];
       addNotes(loaded, structure.notes);
     }
     part.update(1);

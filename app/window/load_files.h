@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/skeleton/skeleton.h"
+#include "core/mtg/structure.h"
 #include "ui/document/length_unit.h"
 #include "ui/document/scan.h"
 
@@ -18,8 +18,8 @@ namespace espalier {
 struct LoadedFiles {
   std::unique_ptr<const Scan> scan; // null: none
   QString scanPath;
-  std::optional<Skeleton> skeleton;
-  QString skeletonPath;
+  std::optional<Structure> structure;
+  QString structurePath;
   QStringList notes; // what their user should know of how they were read
 };
 

@@ -220,6 +220,14 @@ const Format& readableFormat(std::istream& in, const std::filesystem::path& path
   return format;
 }
 
+/// The bytes that a frame was read from, if the format is a text.
+std::string textOf(std::istream& in, const Format& format) {
+  if (format.recognizes != isMtg) return {};
+  in.clear();
+  in.seekg(0);
+  return readAll(in);
+}
+
 } // namespace
 
 std::span<const Format> formats() {
@@ -267,14 +275,19 @@ Imported<PointCloud> readPoints(const std::filesystem::path& path, const Progres
   return result;
 }
 
-Imported<Skeleton> readStructure(const std::filesystem::path& path) {
+Imported<Structure> readStructure(const std::filesystem::path& path) {
   std::ifstream in = openForReading(path);
   const Format& format = readableFormat(in, path, Content::structure);
-  if (format.readStructure) return format.readStructure(in, nameOf(path));
-  Imported<Mtg> mtg = format.readMtg(in, nameOf(path));
-  Imported<Skeleton> skeleton = skeletonOf(mtg.value, nameOf(path));
-  skeleton.notes.insert(skeleton.notes.begin(), mtg.notes.begin(), mtg.notes.end());
-  return skeleton;
+  const std::string name = nameOf(path);
+  if (format.readStructure) {
+    Imported<Skeleton> skeleton = format.readStructure(in, name);
+    return {{std::move(skeleton.value)}, std::move(skeleton.notes)};
+  }
+  Imported<Mtg> mtg = format.readMtg(in, name);
+  Imported<Skeleton> skeleton = skeletonOf(mtg.value, name);
+  mtg.notes.insert(mtg.notes.end(), skeleton.notes.begin(), skeleton.notes.end());
+  auto frame = std::make_shared<const MtgFrame>(MtgFrame{std::move(mtg.value), textOf(in, format)});
+  return {{std::move(skeleton.value), std::move(frame)}, std::move(mtg.notes)};
 }
 
 void writePoints(const std::filesystem::path& path, const PointCloud& cloud) {

@@ -3,8 +3,7 @@
 #include "core/base/imported.h"
 #include "core/base/progress.h"
 #include "core/cloud/point_cloud.h"
-#include "core/mtg/mtg.h"
-#include "core/skeleton/skeleton.h"
+#include "core/mtg/structure.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -78,9 +77,9 @@ struct Format {
 [[nodiscard]] Imported<PointCloud> readPoints(const std::filesystem::path& path,
                                               const Progress& progress = {});
 
-/// A skeleton of any structure format.
+/// A skeleton of any structure format, with the MTG that it is a view of if it came from one.
 /// @throws Error as readPoints; also if the file holds points
-[[nodiscard]] Imported<Skeleton> readStructure(const std::filesystem::path& path);
+[[nodiscard]] Imported<Structure> readStructure(const std::filesystem::path& path);
 
 /// Writes points in the format of the extension, in the order of the file they came from. The file
 /// is complete or as it was before.

@@ -29,7 +29,7 @@ TEST(DefaultReconstruction, OfThePineOfTheThesisAgreesWithTheExpert) {
   ESPALIER_SHARED_FILE(expert, "puu1/expert.mtg");
   const Skeleton result = reconstructed(scan);
   EXPECT_EQ(result.roots().size(), 1U);
-  const Comparison asItIs = compare(result, readStructure(expert).value,
+  const Comparison asItIs = compare(result, readStructure(expert).value.skeleton,
                                     {.registers = false, .tolerance = {.distances = {20}}}); // [mm]
   EXPECT_GE(asItIs.authors.geometric, 0.90);
   EXPECT_GE(asItIs.authors.structural, 0.70);

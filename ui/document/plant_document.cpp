@@ -51,7 +51,7 @@ PlantDocument::~PlantDocument() {
 
 void PlantDocument::edit(const QString& text, const std::function<void(SkeletonEditor&)>& change,
                          Gesture gesture) {
-  SkeletonEditor editor(skeleton_);
+  SkeletonEditor editor(structure_.skeleton);
   change(editor); // if it throws, the editor rolls back
   SkeletonDelta delta = editor.commit();
   if (delta.isEmpty()) return; // a click that moved nothing is no step
@@ -88,8 +88,12 @@ void PlantDocument::setUnit(LengthUnit unit) {
 }
 
 void PlantDocument::openSkeleton(Skeleton skeleton, const QString& path) {
+  openStructure({std::move(skeleton)}, path);
+}
+
+void PlantDocument::openStructure(Structure structure, const QString& path) {
   selection_.clear();
-  skeleton_ = std::move(skeleton);
+  structure_ = std::move(structure);
   filePath_ = path;
   undoStack_.clear();
   emit skeletonReplaced();
@@ -109,13 +113,13 @@ void PlantDocument::clear() {
 }
 
 void PlantDocument::apply(const SkeletonDelta& delta) {
-  delta.apply(skeleton_);
+  delta.apply(structure_.skeleton);
   announce(delta);
 }
 
 void PlantDocument::announce(const SkeletonDelta& delta) {
   emit skeletonEdited(delta);
-  selection_.keepThoseIn(skeleton_);
+  selection_.keepThoseIn(structure_.skeleton);
 }
 
 } // namespace espalier

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/skeleton/skeleton.h"
+#include "core/mtg/structure.h"
 #include "core/skeleton/skeleton_delta.h"
 #include "ui/document/gesture.h"
 #include "ui/document/length_unit.h"
@@ -32,12 +32,14 @@ public:
   [[nodiscard]] const std::shared_ptr<const Eigen::Matrix3Xf>& contracted() const {
     return contracted_; // null: none; 3 x N, as the positions of the scan
   }
-  [[nodiscard]] const Skeleton& skeleton() const { return skeleton_; }
+  [[nodiscard]] const Skeleton& skeleton() const { return structure_.skeleton; }
+  /// The skeleton, and the MTG that it was read from, into which edits go back.
+  [[nodiscard]] const Structure& structure() const { return structure_; }
   [[nodiscard]] Selection& selection() { return selection_; }
   [[nodiscard]] QUndoStack& undoStack() { return undoStack_; }
   [[nodiscard]] LengthUnit unit() const { return unit_; }
   [[nodiscard]] bool isModified() const { return !undoStack_.isClean(); }
-  [[nodiscard]] bool isEmpty() const { return !scan_ && skeleton_.isEmpty(); }
+  [[nodiscard]] bool isEmpty() const { return !scan_ && structure_.skeleton.isEmpty(); }
 
   /// Where the skeleton was read from or saved to; empty if neither.
   [[nodiscard]] const QString& filePath() const { return filePath_; }
@@ -55,8 +57,9 @@ public:
   void setContracted(std::shared_ptr<const Eigen::Matrix3Xf> positions);
   void setUnit(LengthUnit unit);
 
-  /// Shows another skeleton, read from `path`. It has no history yet.
-  void openSkeleton(Skeleton skeleton, const QString& path);
+  /// Shows another structure, read from `path`. It has no history yet.
+  void openStructure(Structure structure, const QString& path);
+  void openSkeleton(Skeleton skeleton, const QString& path); // the same without an MTG
   /// The skeleton as it is now stands in `path`.
   void markSaved(const QString& path);
   /// A new, empty document.
@@ -77,7 +80,7 @@ private:
 
   std::unique_ptr<const Scan> scan_;
   std::shared_ptr<const Eigen::Matrix3Xf> contracted_;
-  Skeleton skeleton_;
+  Structure structure_;
   Selection selection_;
   QUndoStack undoStack_;
   LengthUnit unit_ = LengthUnit::unknown;

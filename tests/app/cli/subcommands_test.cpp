@@ -31,7 +31,7 @@ json jsonIn(const fs::path& file) {
 }
 
 Eigen::Vector3d rootOf(const fs::path& structure) {
-  const Skeleton plant = readStructure(structure).value;
+  const Skeleton plant = readStructure(structure).value.skeleton;
   return plant[plant.roots().front()].position;
 }
 
@@ -58,7 +58,7 @@ TEST_F(Subcommands, ReconstructFindsOnePlantWithRadii) {
   EXPECT_THAT(
       run({"reconstruct", scan_, "-o", file("a.mtg"), "--json", file("a.json"), "--unit", "m"}),
       IsEmpty());
-  const Skeleton plant = readStructure(file("a.mtg")).value;
+  const Skeleton plant = readStructure(file("a.mtg")).value.skeleton;
   EXPECT_EQ(plant.roots().size(), 1U);
   EXPECT_THAT(check(plant), IsEmpty());
   for (const NodeId id : plant.ids())
@@ -88,7 +88,7 @@ TEST_F(Subcommands, ReconstructUsesWhatIsSet) {
 }
 
 TEST_F(Subcommands, ReconstructStartsAtTheRootThatIsGiven) {
-  const Skeleton truth = readStructure(truth_).value;
+  const Skeleton truth = readStructure(truth_).value.skeleton;
   Eigen::Vector3d top = Eigen::Vector3d::Zero();
   for (const NodeId id : truth.ids())
     if (truth[id].position.z() > top.z()) top = truth[id].position;
@@ -117,7 +117,7 @@ TEST_F(Subcommands, ContractPullsPointsTowardsTheAxes) {
   const PointCloud before = readPoints(scan_).value;
   const PointCloud after = readPoints(file("a.ply")).value;
   ASSERT_EQ(after.size(), before.size());
-  const Skeleton truth = readStructure(truth_).value;
+  const Skeleton truth = readStructure(truth_).value.skeleton;
   const auto meanDistance = [&](const PointCloud& cloud) {
     const std::vector<double> distances =
         meanPointDistances(truth, cloud.positions(), cloud.origin());
@@ -250,7 +250,7 @@ TEST_F(Subcommands, SimulateWritesAScanAndItsTruth) {
   EXPECT_EQ(outcome.status, 0);
   EXPECT_THAT(outcome.out, IsEmpty());
   const PointCloud cloud = readPoints(file("a.ply")).value;
-  const Skeleton truth = readStructure(file("a.mtg")).value;
+  const Skeleton truth = readStructure(file("a.mtg")).value.skeleton;
   EXPECT_NEAR(static_cast<double>(cloud.size()), 3000, 600);
   EXPECT_NEAR(cloud.bounds().max().z(), 300, 15);
   EXPECT_EQ(outcome.err, std::to_string(cloud.size()) + " points in " + file("a.ply") +

@@ -24,7 +24,7 @@ TEST(LoadFiles, TakesAScanAndASkeletonTogether) {
       {QString::fromStdString((folder / "plant.mtg").string()), writeScan(folder / "plant.xyz")});
   ASSERT_NE(loaded.scan, nullptr);
   EXPECT_EQ(loaded.scan->cloud()->size(), 20);
-  EXPECT_EQ(loaded.skeleton.value().size(), 5U);
+  EXPECT_EQ(loaded.structure.value().skeleton.size(), 5U);
   EXPECT_TRUE(loaded.scanPath.endsWith("plant.xyz"));
 }
 

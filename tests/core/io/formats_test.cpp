@@ -171,7 +171,7 @@ void expectSameInEachFormat(const Skeleton& plant) {
     const fs::path path = folder / ("oak." + std::string(format.extensions.front()));
     writeStructure(path, plant);
     EXPECT_EQ(formatOf(path).name, format.name);
-    const Skeleton back = test::withoutEntities(readStructure(path).value);
+    const Skeleton back = test::withoutEntities(readStructure(path).value.skeleton);
     EXPECT_TRUE(test::canonical(back) == expected) << path;
   }
   EXPECT_GE(formatsRead, 7);
@@ -183,7 +183,7 @@ TEST(WriteStructure, AndReadingGivesTheSamePlantInEachFormat) {
 
 TEST(WriteStructure, AndReadingGivesTheSamePineInEachFormat) {
   ESPALIER_SHARED_FILE(expert, "puu1/expert.mtg");
-  const Skeleton pine = readStructure(expert).value;
+  const Skeleton pine = readStructure(expert).value.skeleton;
   ASSERT_EQ(pine.size(), 3358U);
   expectSameInEachFormat(withAssembledAxes(pine));
 }
@@ -207,7 +207,7 @@ TEST(WriteStructure, LeavesTheOldFileIfThePlantCannotBeWritten) {
               return 0;
             }),
             "");
-  EXPECT_EQ(readStructure(path).value.size(), 3U);
+  EXPECT_EQ(readStructure(path).value.skeleton.size(), 3U);
 }
 
 TEST(FormatToWrite, NamesTheExtensionsThereAre) {

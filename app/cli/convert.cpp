@@ -61,7 +61,7 @@ void addConvert(CLI::App& app) {
   command->footer("Examples:\n"
                   "  espalier convert pine.las pine.ply\n"
                   "  espalier convert pine.mtg pine.swc\n"
-                  "  espalier convert pine.mtg pine.csv   internode lengths and angles");
+                  "  espalier convert pine.mtg pine.internodes.csv   internode lengths and angles");
 }
 
 } // namespace espalier

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "core/base/error.h"
 #include "core/io/scalar.h"
 
 #include <bit>
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace espalier {
 
@@ -23,9 +23,7 @@ public:
 
   /// @throws Error if so many bytes are not left
   std::string_view take(std::uint64_t size) {
-    if (size > left())
-      fail("ends within a value of " + std::to_string(size) +
-           " bytes: the file is cut short or damaged, copy or export it again");
+    if (size > left()) failOfEnd(size);
     const std::string_view taken = bytes_.substr(offset_, static_cast<std::size_t>(size));
     offset_ += static_cast<std::size_t>(size);
     return taken;
@@ -38,22 +36,15 @@ public:
 
   /// The bytes up to `end`, which is taken too.
   /// @throws Error if there is no such byte
-  std::string_view takeUntil(char end) {
-    const std::size_t at = bytes_.find(end, offset_);
-    if (at == std::string_view::npos)
-      fail("ends within a text: the file is cut short or damaged, copy or export it again");
-    const std::string_view taken = take(at - offset_);
-    ++offset_;
-    return taken;
-  }
+  std::string_view takeUntil(char end);
 
   /// @throws Error always: "oak.bgeom, byte 120: what"
-  [[noreturn]] void fail(const std::string& what) const { failAt(offset_, what); }
-  [[noreturn]] void failAt(std::size_t offset, const std::string& what) const {
-    throw Error(file_ + ", byte " + std::to_string(offset) + ": " + what);
-  }
+  [[noreturn]] void fail(std::string_view what) const { failAt(offset_, what); }
+  [[noreturn]] void failAt(std::size_t offset, std::string_view what) const;
 
 private:
+  [[noreturn]] void failOfEnd(std::uint64_t size) const;
+
   std::string_view bytes_;
   std::string file_;
   std::size_t offset_ = 0;

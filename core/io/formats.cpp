@@ -3,21 +3,8 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/io/atomic_file.h"
-#include "core/io/graphml.h"
-#include "core/io/internode_table.h"
-#include "core/io/las.h"
-#include "core/io/node_list.h"
-#include "core/io/opf.h"
-#include "core/io/pcd.h"
-#include "core/io/ply.h"
-#include "core/io/rsml.h"
-#include "core/io/skeleton_lines.h"
-#include "core/io/swc.h"
-#include "core/io/treefile.h"
-#include "core/io/xyz.h"
 #include "core/mtg/mtg_reader.h"
 #include "core/mtg/mtg_skeleton.h"
-#include "core/mtg/mtg_writer.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -28,135 +15,25 @@
 namespace espalier {
 namespace {
 
-bool isE57(std::string_view beginning) {
-  return beginning.starts_with("ASTM-E57");
-}
-
-std::vector<Format> makeFormats() {
-  std::vector<Format> table;
-  table.push_back({.name = "PLY",
-                   .description = "PLY points",
-                   .extensions = {"ply"},
-                   .recognizes = isPly,
-                   .readPoints = readPly,
-                   .writePoints = writePly});
-  table.push_back({.name = "XYZ",
-                   .description = "Points as text",
-                   .extensions = {"xyz", "asc", "txt", "csv", "pts"},
-                   .readPoints = readXyz,
-                   .writePoints = writeXyz});
-  table.push_back({.name = "LAZ",
-                   .description = "Compressed LAS points",
-                   .extensions = {"laz"},
-                   .recognizes = isLaz,
-                   .advice = "unpack it to LAS first, as by 'laszip -i a.laz -o a.las' or "
-                             "'pdal translate a.laz a.las'"});
-  table.push_back({.name = "LAS",
-                   .description = "LAS points",
-                   .extensions = {"las"},
-                   .recognizes = isLas,
-                   .readPoints = readLas});
-  table.push_back({.name = "PCD",
-                   .description = "PCD points",
-                   .extensions = {"pcd"},
-                   .recognizes = isPcd,
-                   .readPoints = readPcd});
-  table.push_back({.name = "E57",
-                   .description = "E57 scans",
-                   .extensions = {"e57"},
-                   .recognizes = isE57,
-                   .advice = "convert it to PLY first, as with CloudCompare"});
-  table.push_back({.name = "MTG",
-                   .description = "MTG structure",
-                   .extensions = {"mtg"},
-                   .content = Content::structure,
-                   .recognizes = isMtg,
-                   .readMtg = readMtg,
-                   .writeStructure = writeMtg,
-                   .carried = {.radii = true, .edgeTypes = true, .severalTrees = true}});
-  table.push_back({.name = "node list",
-                   .description = "Node list of PlantScan3D",
-                   .extensions = {"txt"},
-                   .content = Content::structure,
-                   .recognizes = isNodeList,
-                   .readStructure = readNodeList,
-                   .writeStructure = writeNodeList,
-                   .carried = {.radii = true, .edgeTypes = true, .severalTrees = true}});
-  table.push_back({.name = "SWC",
-                   .description = "SWC structure",
-                   .extensions = {"swc"},
-                   .content = Content::structure,
-                   .recognizes = isSwc,
-                   .readStructure = readSwc,
-                   .writeStructure = writeSwc,
-                   .carried = {.radii = true, .severalTrees = true}});
-  table.push_back({.name = "treefile",
-                   .description = "Treefile of RayCloudTools",
-                   .extensions = {"treefile", "txt"},
-                   .content = Content::structure,
-                   .recognizes = isTreefile,
-                   .readStructure = readTreefile,
-                   .writeStructure = writeTreefile,
-                   .carried = {.radii = true, .severalTrees = true}});
-  table.push_back({.name = "GraphML",
-                   .description = "GraphML structure",
-                   .extensions = {"graphml"},
-                   .content = Content::structure,
-                   .recognizes = isGraphml,
-                   .readStructure = readGraphml,
-                   .writeStructure = writeGraphml,
-                   .carried = {.radii = true, .edgeTypes = true, .severalTrees = true}});
-  table.push_back({.name = "OPF",
-                   .description = "OPF structure",
-                   .extensions = {"opf"},
-                   .content = Content::structure,
-                   .recognizes = isOpf,
-                   .readMtg = readOpf,
-                   .writeStructure = writeOpf,
-                   .carried = {.radii = true,
-                               .edgeTypes = true,
-                               .severalTrees = true,
-                               .entities = true,
-                               .features = true}});
-  table.push_back({.name = "RSML",
-                   .description = "RSML root systems",
-                   .extensions = {"rsml"},
-                   .content = Content::structure,
-                   .recognizes = isRsml,
-                   .readStructure = readRsml,
-                   .writeStructure = writeRsml,
-                   .carried = {.radii = true, .edgeTypes = true, .severalTrees = true}});
-  table.push_back({.name = "OBJ lines",
-                   .description = "Skeleton as OBJ lines",
-                   .extensions = {"obj"},
-                   .content = Content::structure,
-                   .writeStructure = writeObjLines,
-                   .carried = {.severalTrees = true},
-                   .advice = "open the structure that it was written from"});
-  table.push_back({.name = "PLY lines",
-                   .description = "Skeleton as PLY vertices and edges",
-                   .extensions = {"ply"},
-                   .content = Content::structure,
-                   .writeStructure = writePlyLines,
-                   .carried = {.radii = true, .edgeTypes = true, .severalTrees = true},
-                   .advice = "open the structure that it was written from"});
-  table.push_back({.name = "internodes",
-                   .description = "Node list with internode lengths and angles",
-                   .extensions = {"csv"},
-                   .content = Content::structure,
-                   .writeStructure = writeInternodeTable,
-                   .carried = {.radii = true, .edgeTypes = true, .severalTrees = true},
-                   .advice = "open the structure that it was written from"});
-  return table;
-}
-
 std::string nameOf(const std::filesystem::path& path) {
   return path.filename().string();
 }
 
-std::string extensionOf(const std::filesystem::path& path) {
-  const std::string extension = lowerCase(path.extension().string());
-  return extension.empty() ? extension : extension.substr(1);
+/// The format whose extension the name ends in, of those `wanted`; of "a.lines.obj" that of
+/// "lines.obj" rather than of "obj". Null: none.
+template <class Wanted>
+const Format* formatOfName(const std::filesystem::path& path, const Wanted& wanted) {
+  const std::string name = lowerCase(path.filename().string());
+  const Format* best = nullptr;
+  std::size_t longest = 0;
+  for (const Format& format : formats())
+    for (const std::string_view extension : format.extensions)
+      if (wanted(format) && extension.size() > longest &&
+          name.ends_with("." + std::string(extension))) {
+        best = &format;
+        longest = extension.size();
+      }
+  return best;
 }
 
 /// "PLY (.ply), XYZ (.xyz .asc .txt .csv .pts), ..." of the formats that are `wanted`.
@@ -198,9 +75,7 @@ const Format& formatOfContent(std::string_view beginning, const std::filesystem:
   if (trimmed(beginning).empty()) throw Error(nameOf(path) + ": is empty: copy or export it again");
   for (const Format& format : formats())
     if (format.recognizes != nullptr && format.recognizes(beginning)) return format;
-  const std::string extension = extensionOf(path);
-  for (const Format& format : formats())
-    if (std::ranges::count(format.extensions, extension) > 0) return format;
+  if (const Format* format = formatOfName(path, [](const Format&) { return true; })) return *format;
   throw Error(nameOf(path) + ": is of no known kind; can be read: " +
               listOf([](const Format& format) { return format.canRead(); }));
 }
@@ -230,11 +105,6 @@ std::string textOf(std::istream& in, const Format& format) {
 
 } // namespace
 
-std::span<const Format> formats() {
-  static const std::vector<Format> table = makeFormats();
-  return table;
-}
-
 const Format& formatOf(const std::filesystem::path& path) {
   std::ifstream in = openForReading(path);
   return formatOfContent(beginningOf(in, path), path);
@@ -244,14 +114,12 @@ const Format& formatToWrite(const std::filesystem::path& path, Content content) 
   const auto isWanted = [content](const Format& format) {
     return format.content == content && format.canWrite();
   };
-  const std::string extension = extensionOf(path);
+  if (const Format* format = formatOfName(path, isWanted)) return *format;
   std::error_code ignored;
   const auto status = std::filesystem::status(path, ignored);
-  const bool isAny = extension.empty() && (std::filesystem::is_character_file(status) ||
-                                           std::filesystem::is_fifo(status));
-  for (const Format& format : formats())
-    if (isWanted(format) && (isAny || std::ranges::count(format.extensions, extension) > 0))
-      return format;
+  const bool isAny = !path.has_extension() && (std::filesystem::is_character_file(status) ||
+                                               std::filesystem::is_fifo(status));
+  if (isAny) return *std::ranges::find_if(formats(), isWanted);
   throw Error(nameOf(path) + ": " + (content == Content::points ? "points" : "a structure") +
               " cannot be written with this extension; choose one of " + listOf(isWanted));
 }

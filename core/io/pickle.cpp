@@ -5,8 +5,8 @@
 #include "core/io/pickle_text.h"
 
 #include <limits>
+#include <map>
 #include <type_traits>
-#include <unordered_map>
 
 namespace espalier {
 namespace {
@@ -105,7 +105,7 @@ private:
   Pickle pickle_;
   std::vector<PickleId> stack_;
   std::vector<std::size_t> marks_; // heights of the stack
-  std::unordered_map<std::uint64_t, PickleId> memo_;
+  std::map<std::uint64_t, PickleId> memo_;
   std::size_t start_ = 0; // byte of the opcode
   std::uint8_t opcode_ = 0;
   bool isDone_ = false;

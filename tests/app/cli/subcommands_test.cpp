@@ -178,7 +178,7 @@ TEST_F(Subcommands, ConvertNotesWhatTheFormatDoesNotKeep) {
   EXPECT_EQ(notes("y.swc"),
             "espalier: note: SWC keeps no edge types: which child continues an axis "
             "is not written\n");
-  EXPECT_THAT(notes("y.obj"), HasSubstr("note: OBJ lines keeps no radii"));
+  EXPECT_THAT(notes("y.lines.obj"), HasSubstr("note: OBJ lines keeps no radii"));
 }
 
 TEST_F(Subcommands, InfoCountsNodesAndAxes) {

@@ -164,8 +164,8 @@ TEST_F(MainWindowTest, TellsWhatTheFormatOfAFileDoesNotKeep) {
 TEST_F(MainWindowTest, LeavesThePlantUnsavedInAFormatThatCannotBeOpened) {
   open({writeFork("fork.mtg")});
   edit();
-  answer(chooseFile(path("fork.obj")), [this] { action("save_as").trigger(); });
-  EXPECT_TRUE(QFile::exists(path("fork.obj")));
+  answer(chooseFile(path("fork.lines.obj")), [this] { action("save_as").trigger(); });
+  EXPECT_TRUE(QFile::exists(path("fork.lines.obj")));
   EXPECT_TRUE(document().isModified());
   EXPECT_EQ(document().filePath(), path("fork.mtg"));
 }

@@ -1,5 +1,7 @@
 #include "core/base/error.h"
 #include "core/base/random.h"
+#include "core/io/bgeom.h"
+#include "core/io/bmtg.h"
 #include "core/io/formats.h"
 #include "core/io/graphml.h"
 #include "core/io/las.h"
@@ -7,12 +9,18 @@
 #include "core/io/opf.h"
 #include "core/io/pcd.h"
 #include "core/io/ply.h"
+#include "core/io/qsm_mat.h"
+#include "core/io/qsm_table.h"
 #include "core/io/rsml.h"
 #include "core/io/swc.h"
 #include "core/io/treefile.h"
 #include "core/io/xyz.h"
 #include "core/mtg/mtg_reader.h"
 #include "core/mtg/mtg_skeleton.h"
+#include "tests/core/io/bgeom_writer.h"
+#include "tests/core/io/mat_writer.h"
+#include "tests/core/io/pickle_writer.h"
+#include "tests/core/io/qsm_samples.h"
 #include "tests/core/io/samples.h"
 
 #include <gtest/gtest.h>
@@ -127,7 +135,14 @@ INSTANTIATE_TEST_SUITE_P(
                [](std::istream& in) {
                  (void)skeletonOf(readOpf(in, "damaged").value, "damaged").value.ids();
                }},
-        Reader{"RSML", test::rsmlFile, readSkeleton<readRsml>}));
+        Reader{"RSML", test::rsmlFile, readSkeleton<readRsml>},
+        Reader{"BGEOM", test::bgeomFile, readCloud<readBgeom>},
+        Reader{"BMTG", test::bmtgFile,
+               [](std::istream& in) {
+                 (void)skeletonOf(readBmtg(in, "damaged").value, "damaged").value.ids();
+               }},
+        Reader{"QSM table", test::treeQsmTable, readSkeleton<readQsmTable>},
+        Reader{"QSM", test::qsmMatFile, readSkeleton<readQsmMat>}));
 
 } // namespace
 } // namespace espalier

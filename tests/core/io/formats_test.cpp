@@ -1,6 +1,10 @@
 #include "core/io/atomic_file.h"
 #include "core/io/formats.h"
 #include "core/skeleton/assemble_axes.h"
+#include "tests/core/io/bgeom_writer.h"
+#include "tests/core/io/mat_writer.h"
+#include "tests/core/io/pickle_writer.h"
+#include "tests/core/io/qsm_samples.h"
 #include "tests/core/io/samples.h"
 #include "tests/support/canonical.h"
 #include "tests/support/plants.h"
@@ -40,6 +44,10 @@ TEST(Formats, AreReadByContentWhateverTheExtension) {
       {"LAZ", test::lasFile({.formatBits = 0x80})},
       {"PCD", test::pcdFile(test::PcdKind::binary)},
       {"MTG", test::mtgFile()},
+      {"BGEOM", test::bgeomFile()},
+      {"BMTG", test::bmtgFile()},
+      {"QSM table", test::treeQsmTable()},
+      {"QSM", test::qsmMatFile()},
       {"node list", test::nodeListFile()},
       {"SWC", test::swcFile()},
       {"treefile", test::treefileFile()},
@@ -70,6 +78,7 @@ TEST(Formats, TellWhatCanBeReadInstead) {
   EXPECT_THAT(errorOfPoints(fileOf("oak.laz", test::lasFile({.formatBits = 0x80}))),
               HasSubstr("laszip"));
   EXPECT_THAT(errorOfPoints(fileOf("oak.laz", "anything")), HasSubstr("laszip"));
+  EXPECT_THAT(errorOfPoints(fileOf("oak.geom", "PointSet {}")), HasSubstr("as .bgeom"));
   EXPECT_THAT(errorOfPoints(fileOf("oak.e57", "ASTM-E57")), HasSubstr("CloudCompare"));
 }
 
@@ -213,6 +222,11 @@ TEST(WriteStructure, LeavesTheOldFileIfThePlantCannotBeWritten) {
 TEST(FormatToWrite, NamesTheExtensionsThereAre) {
   EXPECT_EQ(formatToWrite("a.txt", Content::points).name, "XYZ");
   EXPECT_EQ(formatToWrite("a.txt", Content::structure).name, "node list");
+  EXPECT_EQ(formatToWrite("a.csv", Content::points).name, "XYZ");
+  EXPECT_EQ(formatToWrite("a.csv", Content::structure).name, "QSM table");
+  EXPECT_EQ(formatToWrite("a.internodes.csv", Content::structure).name, "internodes");
+  EXPECT_EQ(formatToWrite("a.obj", Content::structure).name, "OBJ surface");
+  EXPECT_EQ(formatToWrite("a.LINES.obj", Content::structure).name, "OBJ lines");
   EXPECT_THAT(test::errorOf([] { return formatToWrite("oak.las", Content::structure).name; }),
               StartsWith("oak.las: a structure cannot be written with this extension; choose one "
                          "of MTG (.mtg), node list (.txt), SWC (.swc)"));

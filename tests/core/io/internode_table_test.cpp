@@ -59,7 +59,7 @@ TEST(InternodeTable, DefinesEachOfItsColumns) {
 }
 
 TEST(InternodeTable, IsWrittenAsCsv) {
-  EXPECT_EQ(formatToWrite("a.csv", Content::structure).name, "internodes");
+  EXPECT_EQ(formatToWrite("a.internodes.csv", Content::structure).name, "internodes");
   EXPECT_EQ(formatToWrite("a.csv", Content::points).name, "XYZ");
 }
 

@@ -49,9 +49,9 @@ TEST(WritePlyLines, CanBeReadAsPoints) {
 }
 
 TEST(FormatsOfLines, AreWrittenByTheirExtensions) {
-  EXPECT_EQ(formatToWrite("a.obj", Content::structure).name, "OBJ lines");
-  EXPECT_EQ(formatToWrite("a.ply", Content::structure).name, "PLY lines");
-  EXPECT_EQ(formatToWrite("a.ply", Content::points).name, "PLY");
+  EXPECT_EQ(formatToWrite("a.lines.obj", Content::structure).name, "OBJ lines");
+  EXPECT_EQ(formatToWrite("a.lines.ply", Content::structure).name, "PLY lines");
+  EXPECT_EQ(formatToWrite("a.lines.ply", Content::points).name, "PLY");
 }
 
 } // namespace

@@ -1,0 +1,199 @@
+#include "core/io/bgeom.h"
+#include "core/io/bmtg.h"
+#include "core/io/formats.h"
+#include "core/io/graphml.h"
+#include "core/io/internode_table.h"
+#include "core/io/las.h"
+#include "core/io/node_list.h"
+#include "core/io/opf.h"
+#include "core/io/pcd.h"
+#include "core/io/ply.h"
+#include "core/io/qsm_mat.h"
+#include "core/io/qsm_table.h"
+#include "core/io/rsml.h"
+#include "core/io/skeleton_lines.h"
+#include "core/io/surface_files.h"
+#include "core/io/swc.h"
+#include "core/io/treefile.h"
+#include "core/io/xyz.h"
+#include "core/mtg/mtg_reader.h"
+#include "core/mtg/mtg_writer.h"
+
+#include <vector>
+
+namespace espalier {
+namespace {
+
+bool isE57(std::string_view beginning) {
+  return beginning.starts_with("ASTM-E57");
+}
+
+std::vector<Format> makeFormats() {
+  std::vector<Format> table;
+  table.push_back({.name = "PLY",
+                   .description = "PLY points",
+                   .extensions = {"ply"},
+                   .recognizes = isPly,
+                   .readPoints = readPly,
+                   .writePoints = writePly});
+  table.push_back({.name = "XYZ",
+                   .description = "Points as text",
+                   .extensions = {"xyz", "asc", "txt", "csv", "pts"},
+                   .readPoints = readXyz,
+                   .writePoints = writeXyz});
+  table.push_back({.name = "LAZ",
+                   .description = "Compressed LAS points",
+                   .extensions = {"laz"},
+                   .recognizes = isLaz,
+                   .advice = "unpack it to LAS first, as by 'laszip -i a.laz -o a.las' or "
+                             "'pdal translate a.laz a.las'"});
+  table.push_back({.name = "LAS",
+                   .description = "LAS points",
+                   .extensions = {"las"},
+                   .recognizes = isLas,
+                   .readPoints = readLas});
+  table.push_back({.name = "PCD",
+                   .description = "PCD points",
+                   .extensions = {"pcd"},
+                   .recognizes = isPcd,
+                   .readPoints = readPcd});
+  table.push_back({.name = "BGEOM",
+                   .description = "Binary points of PlantScan3D",
+                   .extensions = {"bgeom"},
+                   .recognizes = isBgeom,
+                   .readPoints = readBgeom});
+  table.push_back({.name = "GEOM",
+                   .description = "Scenes of PlantGL as text",
+                   .extensions = {"geom"},
+                   .advice = "open it in PlantScan3D and save its points as .bgeom"});
+  table.push_back({.name = "E57",
+                   .description = "E57 scans",
+                   .extensions = {"e57"},
+                   .recognizes = isE57,
+                   .advice = "convert it to PLY first, as with CloudCompare"});
+  table.push_back({.name = "MTG",
+                   .description = "MTG structure",
+                   .extensions = {"mtg"},
+                   .content = Content::structure,
+                   .recognizes = isMtg,
+                   .readMtg = readMtg,
+                   .writeStructure = writeMtg,
+                   .carried = {.radii = true, .edgeTypes = true, .severalTrees = true}});
+  table.push_back({.name = "BMTG",
+                   .description = "Binary structure of PlantScan3D",
+                   .extensions = {"bmtg"},
+                   .content = Content::structure,
+                   .recognizes = isBmtg,
+                   .readMtg = readBmtg});
+  table.push_back({.name = "node list",
+                   .description = "Node list of PlantScan3D",
+                   .extensions = {"txt"},
+                   .content = Content::structure,
+                   .recognizes = isNodeList,
+                   .readStructure = readNodeList,
+                   .writeStructure = writeNodeList,
+                   .carried = {.radii = true, .edgeTypes = true, .severalTrees = true}});
+  table.push_back({.name = "SWC",
+                   .description = "SWC structure",
+                   .extensions = {"swc"},
+                   .content = Content::structure,
+                   .recognizes = isSwc,
+                   .readStructure = readSwc,
+                   .writeStructure = writeSwc,
+                   .carried = {.radii = true, .severalTrees = true}});
+  table.push_back({.name = "treefile",
+                   .description = "Treefile of RayCloudTools",
+                   .extensions = {"treefile", "txt"},
+                   .content = Content::structure,
+                   .recognizes = isTreefile,
+                   .readStructure = readTreefile,
+                   .writeStructure = writeTreefile,
+                   .carried = {.radii = true, .severalTrees = true}});
+  table.push_back({.name = "GraphML",
+                   .description = "GraphML structure",
+                   .extensions = {"graphml"},
+                   .content = Content::structure,
+                   .recognizes = isGraphml,
+                   .readStructure = readGraphml,
+                   .writeStructure = writeGraphml,
+                   .carried = {.radii = true, .edgeTypes = true, .severalTrees = true}});
+  table.push_back({.name = "OPF",
+                   .description = "OPF structure",
+                   .extensions = {"opf"},
+                   .content = Content::structure,
+                   .recognizes = isOpf,
+                   .readMtg = readOpf,
+                   .writeStructure = writeOpf,
+                   .carried = {.radii = true,
+                               .edgeTypes = true,
+                               .severalTrees = true,
+                               .entities = true,
+                               .features = true}});
+  table.push_back({.name = "RSML",
+                   .description = "RSML root systems",
+                   .extensions = {"rsml"},
+                   .content = Content::structure,
+                   .recognizes = isRsml,
+                   .readStructure = readRsml,
+                   .writeStructure = writeRsml,
+                   .carried = {.radii = true, .edgeTypes = true, .severalTrees = true}});
+  table.push_back({.name = "OBJ surface",
+                   .description = "Surface as OBJ triangles",
+                   .extensions = {"obj"},
+                   .content = Content::structure,
+                   .writeStructure = writeObjSurface,
+                   .carried = {.radii = true, .severalTrees = true},
+                   .advice = "open the structure that it was written from"});
+  table.push_back({.name = "PLY surface",
+                   .description = "Surface as PLY triangles",
+                   .extensions = {"ply"},
+                   .content = Content::structure,
+                   .writeStructure = writePlySurface,
+                   .carried = {.radii = true, .severalTrees = true},
+                   .advice = "open the structure that it was written from"});
+  table.push_back({.name = "OBJ lines",
+                   .description = "Skeleton as OBJ lines",
+                   .extensions = {"lines.obj"},
+                   .content = Content::structure,
+                   .writeStructure = writeObjLines,
+                   .carried = {.severalTrees = true},
+                   .advice = "open the structure that it was written from"});
+  table.push_back({.name = "PLY lines",
+                   .description = "Skeleton as PLY vertices and edges",
+                   .extensions = {"lines.ply"},
+                   .content = Content::structure,
+                   .writeStructure = writePlyLines,
+                   .carried = {.radii = true, .edgeTypes = true, .severalTrees = true},
+                   .advice = "open the structure that it was written from"});
+  table.push_back({.name = "internodes",
+                   .description = "Node list with internode lengths and angles",
+                   .extensions = {"internodes.csv"},
+                   .content = Content::structure,
+                   .writeStructure = writeInternodeTable,
+                   .carried = {.radii = true, .edgeTypes = true, .severalTrees = true},
+                   .advice = "open the structure that it was written from"});
+  table.push_back({.name = "QSM table",
+                   .description = "Cylinders in TreeQSM's columns",
+                   .extensions = {"csv", "txt"},
+                   .content = Content::structure,
+                   .recognizes = isQsmTable,
+                   .readStructure = readQsmTable,
+                   .writeStructure = writeQsmTable,
+                   .carried = {.radii = true, .edgeTypes = true, .severalTrees = true}});
+  table.push_back({.name = "QSM",
+                   .description = "Models of TreeQSM",
+                   .extensions = {"mat"},
+                   .content = Content::structure,
+                   .recognizes = isMat,
+                   .readStructure = readQsmMat});
+  return table;
+}
+
+} // namespace
+
+std::span<const Format> formats() {
+  static const std::vector<Format> table = makeFormats();
+  return table;
+}
+
+} // namespace espalier

@@ -2,8 +2,10 @@
 
 #include "core/base/error.h"
 
+#include <algorithm>
 #include <cassert>
 #include <string>
+#include <utility>
 
 namespace espalier {
 namespace {
@@ -24,6 +26,36 @@ void requireParent(const Skeleton& skeleton, NodeId id) {
   if (!skeleton[id].parent)
     throw Error("node " + std::to_string(indexOf(id)) +
                 " is a root and has no edge to a parent: choose a node above it");
+}
+
+/// Lets a coarser unit start at `id` too, unless one of its scale does.
+/// @param own  the entity of a node that it started at, whose class `id` gets if it has none
+/// @return whether it starts there now
+bool startUnit(SkeletonEditor& editor, NodeId id, const Entity& unit, const Entity& own) {
+  std::vector<Entity> entities = editor.skeleton()[id].entities;
+  if (entities.empty()) entities.push_back({.scale = own.scale, .symbol = own.symbol});
+  const auto at = std::ranges::lower_bound(entities, unit.scale, {}, &Entity::scale);
+  if (at != entities.end() && at->scale == unit.scale) return false;
+  entities.insert(at, unit);
+  editor.setEntities(id, std::move(entities));
+  return true;
+}
+
+/// Lets the coarser units of a removed node start at those of its children that were part of them,
+/// so that every node stays in its units. pre: the children hang where they will
+void passOnUnits(SkeletonEditor& editor, const std::vector<Entity>& entities,
+                 const std::vector<NodeId>& children) {
+  for (std::size_t i = 0; i + 1 < entities.size(); ++i) {
+    Entity unit = entities[i];
+    std::optional<NodeId> first; // that starts it
+    for (const NodeId child : children) {
+      if (first && editor.skeleton()[child].parent == first) continue; // part of it by that
+      if (!startUnit(editor, child, unit, entities.back())) continue;
+      if (!first) first = child;
+      unit.values.clear(); // its further parts carry its name alone
+      unit.later.clear();
+    }
+  }
 }
 
 void removeRoot(SkeletonEditor& editor, NodeId root) {
@@ -54,28 +86,35 @@ NodeId addChild(SkeletonEditor& editor, NodeId parent, const Eigen::Vector3d& po
 NodeId splitEdge(SkeletonEditor& editor, NodeId id, double fraction) {
   assert(fraction >= 0 && fraction <= 1);
   requireParent(editor.skeleton(), id);
-  const Node& below = editor.skeleton()[*editor.skeleton()[id].parent];
-  const Node& above = editor.skeleton()[id];
+  const Node below = editor.skeleton()[*editor.skeleton()[id].parent];
+  const Node above = editor.skeleton()[id];
   const NodeId between =
       editor.add({.position = below.position + fraction * (above.position - below.position),
                   .radius = below.radius + fraction * (above.radius - below.radius),
                   .parent = above.parent,
                   .edge = above.edge});
   editor.reparent(id, between, EdgeType::successor);
+  if (above.entities.size() < 2) return between; // no unit starts there
+  std::vector<Entity> units = above.entities;
+  const Entity own = std::exchange(
+      units.back(), {above.entities.back().scale, above.entities.back().symbol, std::nullopt});
+  editor.setEntities(between, std::move(units));
+  editor.setEntities(id, {own});
   return between;
 }
 
 void removeNode(SkeletonEditor& editor, NodeId id) {
   const Node node = editor.skeleton()[id];
+  const std::vector<NodeId> children = editor.skeleton().children(id); // successor first
   if (!node.parent) {
     removeRoot(editor, id);
   } else {
-    const std::vector<NodeId> children = editor.skeleton().children(id); // successor first
     for (std::size_t i = 0; i < children.size(); ++i) {
       const bool follows = i == 0 && isSuccessor(editor.skeleton(), children[i]);
       editor.reparent(children[i], *node.parent, follows ? node.edge : EdgeType::branching);
     }
   }
+  passOnUnits(editor, node.entities, children);
   editor.erase(id);
 }
 

@@ -8,15 +8,19 @@ namespace espalier {
 
 // Edits by hand, as PlantScan3D's users know them. Each leaves a valid forest with at most one
 // successor more per node than it found. pre, of all: each id given is contained.
+//
+// Nodes stay in the units of an MTG that they are part of, unless the edit is about that: a node
+// belongs to the units that start at it and else to those of its parent (Node::entities).
 
 void moveNode(SkeletonEditor& editor, NodeId id, const Eigen::Vector3d& position);
 
 /// Hangs a new node on `parent`, with the radius of `parent`. It continues the axis if `parent` has
-/// no successor, else it branches.
+/// no successor, else it branches. It joins the units of `parent`.
 NodeId addChild(SkeletonEditor& editor, NodeId parent, const Eigen::Vector3d& position);
 
 /// Puts a new node on the edge of `id` to its parent, `fraction` of the way from the parent, in
 /// [0, 1]. It takes over the type of the edge and `id` follows it; its radius is interpolated.
+/// Units that started at `id` start at it.
 /// @throws Error if `id` is a root
 NodeId splitEdge(SkeletonEditor& editor, NodeId id, double fraction);
 
@@ -25,13 +29,16 @@ NodeId splitEdge(SkeletonEditor& editor, NodeId id, double fraction);
 /// Its successor takes over its edge, so an axis stays one axis; its other children branch. When a
 /// root goes, its successor or only child becomes the root and carries the others; with several
 /// children and no successor each becomes a root: which one is the trunk is not for us to guess.
+/// Units that started at it start at those of its children that were part of them; a unit that has
+/// no other node goes with it.
 void removeNode(SkeletonEditor& editor, NodeId id);
 
 /// Removes a node with all it carries. Any depth.
 void removeSubtree(SkeletonEditor& editor, NodeId id);
 
 /// Hangs `id`, with all it carries, on `parent`: as its successor if it has none, else branching.
-/// Nothing changes if it hangs there already.
+/// Nothing changes if it hangs there already. Units that start at `id` go with it; for scales where
+/// none does, it and what it carries join those of `parent`.
 /// @throws Error if `parent` is `id` or a descendant of it
 void reparentNode(SkeletonEditor& editor, NodeId id, NodeId parent);
 

@@ -18,7 +18,9 @@ struct FeatureValue {
 ///
 /// The node that an entity of a coarser scale starts at carries it: every node belongs to those
 /// that start at it, and for the other scales to those its parent belongs to. So a new node joins
-/// the units it grows in, and marking a node begins a unit there.
+/// the units it grows in, and marking a node begins a unit there. A node that carries any entity
+/// carries its own as the last. A unit in several separate parts starts at each of them, with its
+/// values at the first.
 struct Entity {
   int scale = 1;                         // larger is finer; the node's own entity has the finest
   std::string symbol;                    // its class, as "U"

@@ -39,16 +39,10 @@ Skeleton canonical(const Skeleton& skeleton) {
   return result;
 }
 
-Skeleton withoutEntities(const Skeleton& skeleton) {
-  Skeleton result;
-  std::vector<NodeId> copies(skeleton.idEnd());
-  for (const NodeId id : skeleton.ids()) {
-    Node node = skeleton[id];
-    node.entities.clear();
-    if (node.parent) node.parent = copies[indexOf(*node.parent)];
-    copies[indexOf(id)] = result.add(node);
-  }
-  return result;
+Skeleton withoutEntities(Skeleton skeleton) {
+  for (const NodeId id : skeleton.ids())
+    skeleton.setEntities(id, {});
+  return skeleton;
 }
 
 } // namespace espalier::test

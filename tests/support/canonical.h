@@ -9,7 +9,7 @@ namespace espalier::test {
 /// or radius.)
 [[nodiscard]] Skeleton canonical(const Skeleton& skeleton);
 
-/// The same plant without what an MTG says of it.
-[[nodiscard]] Skeleton withoutEntities(const Skeleton& skeleton);
+/// The same nodes without what an MTG says of them.
+[[nodiscard]] Skeleton withoutEntities(Skeleton skeleton);
 
 } // namespace espalier::test

@@ -1,6 +1,7 @@
 #include "core/base/error.h"
 #include "core/mtg/mtg_skeleton.h"
 #include "tests/core/mtg/mtg_text.h"
+#include "tests/support/canonical.h"
 #include "tests/support/shared_data.h"
 
 #include <fstream>
@@ -27,9 +28,10 @@ double lengthOf(const Skeleton& skeleton) {
 }
 
 TEST(SkeletonOf, TakesTheFinestScaleThatHasPositions) {
-  const Skeleton plant = skeletonOfRows("/P1/A1\t\t\t9\t9\t9\n^/E1\t\t\t1\t2\t3\t0.5\n"
-                                        "\t+E2\t\t4\t5\t6\t\n^<E3\t\t\t7\t8\t9\tNA\n")
-                             .value;
+  const Skeleton plant =
+      test::withoutEntities(skeletonOfRows("/P1/A1\t\t\t9\t9\t9\n^/E1\t\t\t1\t2\t3\t0.5\n"
+                                           "\t+E2\t\t4\t5\t6\t\n^<E3\t\t\t7\t8\t9\tNA\n")
+                                .value);
   ASSERT_EQ(plant.size(), 3U);
   EXPECT_EQ(plant[NodeId{0}], (Node{.position = {1, 2, 3}, .radius = 0.5}));
   EXPECT_EQ(plant[NodeId{1}],
@@ -43,10 +45,20 @@ TEST(SkeletonOf, TakesACoarserScaleIfTheFinestHasNoPositions) {
   EXPECT_EQ(plant[NodeId{0}].position, Eigen::Vector3d(9, 9, 9));
 }
 
-// E2 bears E3 but has no position: E3 comes to hang on E1, as a branch, since E2 is one.
+// E2 stands between E1 and its successor E3.
+TEST(SkeletonOf, PutsVerticesWithoutPositionBetweenTheirNeighbors) {
+  const Imported<Skeleton> plant =
+      skeletonOfRows("/P1/A1/E1\t\t\t0\t0\t0\n\t+E2\n\t^<E3\t\t2\t2\t4\n");
+  ASSERT_EQ(plant.value.size(), 3U);
+  EXPECT_EQ(plant.value[NodeId{1}].position, Eigen::Vector3d(1, 1, 2));
+  EXPECT_THAT(plant.notes, testing::ElementsAre("plant.mtg: 1 vertices have no position and are "
+                                                "put evenly between their neighbors"));
+}
+
+// E2 bears E3 but has no position, nor a successor: E3 comes to hang on E1.
 TEST(SkeletonOf, PassesOverVerticesWithoutPosition) {
   const Imported<Skeleton> plant =
-      skeletonOfRows("/P1/A1/E1\t\t\t0\t0\t0\n\t+E2\t\t1\tnan\t1\n\t^<E3\t\t2\t2\t2\n");
+      skeletonOfRows("/P1/A1/E1\t\t\t0\t0\t0\n\t+E2\t\t1\tnan\t1\n\t^+E3\t\t2\t2\t2\n");
   ASSERT_EQ(plant.value.size(), 2U);
   EXPECT_EQ(plant.value[NodeId{1}].parent, NodeId{0});
   EXPECT_EQ(plant.value[NodeId{1}].edge, EdgeType::branching);
@@ -57,7 +69,7 @@ TEST(SkeletonOf, PassesOverVerticesWithoutPosition) {
 TEST(SkeletonOf, ReadsXyzAndHalvesTheDiameter) {
   Mtg mtg{.features = {{"X", "REAL"}, {"Y", "REAL"}, {"Z", "REAL"}, {"Diameter", "REAL"}}};
   mtg.vertices.push_back({.symbol = "N", .scale = 2, .values = {"1", "2", "3", "5"}});
-  EXPECT_EQ(skeletonOf(mtg, "plant.mtg").value[NodeId{0}],
+  EXPECT_EQ(test::withoutEntities(skeletonOf(mtg, "plant.mtg").value)[NodeId{0}],
             (Node{.position = {1, 2, 3}, .radius = 2.5}));
 }
 
@@ -71,6 +83,26 @@ TEST(SkeletonOf, RefusesAPlantWithoutPositions) {
   EXPECT_THROW((void)skeletonOfRows("/P1\n"), Error);
   EXPECT_THROW((void)skeletonOfRows("/P1\t\t\t1\t2\n"), Error);
   EXPECT_THROW((void)skeletonOfRows("/P1\t\t\t1\t2\tinf\n"), Error);
+}
+
+// A1 begins at E1, A2 at E3; XX is no value of a node, but one of a coarser vertex.
+TEST(SkeletonOf, TellsWhichUnitsBeginAtANode) {
+  const Skeleton plant = skeletonOfRows("/P1\n^/A1\t\t\t9\t9\t9\n^/E1\t\t\t1\t2\t3\t0.5\n"
+                                        "^<E2\t\t\t4\t5\t6\t\n\t+A2/E3\t\t7\t8\t9\n")
+                             .value;
+  ASSERT_EQ(plant.size(), 3U);
+  EXPECT_EQ(plant[NodeId{0}].entities,
+            (std::vector<Entity>{{.scale = 1, .symbol = "P", .index = 1},
+                                 {.scale = 2,
+                                  .symbol = "A",
+                                  .index = 1,
+                                  .values = {{"XX", "9"}, {"YY", "9"}, {"ZZ", "9"}}},
+                                 {.scale = 3, .symbol = "E", .index = 1}}));
+  EXPECT_EQ(plant[NodeId{1}].entities,
+            (std::vector<Entity>{{.scale = 3, .symbol = "E", .index = 2}}));
+  EXPECT_EQ(plant[NodeId{2}].entities,
+            (std::vector<Entity>{{.scale = 2, .symbol = "A", .index = 2},
+                                 {.scale = 3, .symbol = "E", .index = 3}}));
 }
 
 struct Reference {

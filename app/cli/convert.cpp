@@ -40,7 +40,7 @@ void convert(const Flags& flags) {
     const auto structure = readStructure(flags.input);
     printNotes(structure.notes);
     terminal.check();
-    writeStructureWithNotes(flags.output, structure.value.skeleton);
+    writeStructureWithNotes(flags.output, structure.value);
   }
 }
 

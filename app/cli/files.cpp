@@ -26,9 +26,9 @@ void requireOutput(const std::string& path, Content content,
   requireOutput(path, inputs);
 }
 
-void writeStructureWithNotes(const std::string& path, const Skeleton& skeleton) {
-  writeStructure(path, skeleton);
-  printNotes(droppedBy(formatToWrite(path, Content::structure), skeleton));
+void writeStructureWithNotes(const std::string& path, const Structure& structure) {
+  writeStructure(path, structure);
+  printNotes(droppedBy(formatToWrite(path, Content::structure), structure.skeleton));
 }
 
 } // namespace espalier

@@ -21,7 +21,7 @@ void requireOutput(const std::string& path, Content content,
 /// Writes a structure in the format of the extension; what that does not keep is noted on standard
 /// error.
 /// @throws Error why it cannot be written
-void writeStructureWithNotes(const std::string& path, const Skeleton& skeleton);
+void writeStructureWithNotes(const std::string& path, const Structure& structure);
 
 /// What `work` returns; an Error of it is said to be about `file`.
 template <class Work> auto about(const std::string& file, const Work& work) {

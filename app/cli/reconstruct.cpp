@@ -49,7 +49,7 @@ void run(const PipelineFlags& flags, const Task& task) {
   });
   terminal.check();
   if (task.content == Content::structure)
-    writeStructureWithNotes(flags.output, result.skeleton);
+    writeStructureWithNotes(flags.output, {.skeleton = result.skeleton});
   else
     writePoints(flags.output, *cloud, *result.contracted);
   writeStatistics(flags, *cloud, result, terminal);

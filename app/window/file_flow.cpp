@@ -159,7 +159,7 @@ void FileFlow::writeTo(const QString& path) {
     std::filesystem::copy_file(toPath(path), toPath(path + "~"),
                                std::filesystem::copy_options::overwrite_existing, ignored);
   }
-  writeStructure(toPath(path), parts_.document.skeleton());
+  writeStructure(toPath(path), parts_.document.structure());
   emit saved(path);
   noteDropped(path);
   if (!canBeSavedTo(path))

@@ -16,9 +16,17 @@ struct Contents {
   bool dates = false;
 };
 
-void add(const Entity& entity, Contents& contents) {
-  contents.entities = true;
-  contents.labels = contents.labels || entity.index || !entity.alias.empty();
+/// Whether an entity only says what a skeleton says without it: that there are plants of nodes, as
+/// PlantScan3D's MTGs do. `plain` is the class of the nodes.
+bool isPlain(const Entity& entity, const Node& node, const std::string& plain) {
+  const bool isOwn = &entity == &node.entities.back();
+  return isOwn ? entity.symbol == plain && !entity.index : !node.parent;
+}
+
+void add(const Entity& entity, bool isPlain, Contents& contents) {
+  contents.entities = contents.entities || !isPlain;
+  contents.labels =
+      contents.labels || (!isPlain && entity.index) || !entity.alias.empty();
   contents.features = contents.features || !entity.values.empty();
   contents.dates = contents.dates || !entity.later.empty();
 }
@@ -26,14 +34,16 @@ void add(const Entity& entity, Contents& contents) {
 Contents contentsOf(const Skeleton& skeleton) {
   Contents contents;
   std::size_t roots = 0;
+  std::string plain;
   for (const NodeId id : skeleton.ids()) {
     const Node& node = skeleton[id];
     if (node.radius > 0) contents.radii = true;
     if (!node.parent) ++roots;
     const bool branches = node.parent && node.edge == EdgeType::branching;
     if (branches || skeleton.children(id).size() > 1) contents.edgeTypes = true;
+    if (plain.empty() && !node.entities.empty()) plain = node.entities.back().symbol;
     for (const Entity& entity : node.entities)
-      add(entity, contents);
+      add(entity, isPlain(entity, node, plain), contents);
   }
   contents.severalTrees = roots > 1;
   return contents;

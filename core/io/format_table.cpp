@@ -78,7 +78,13 @@ std::vector<Format> makeFormats() {
                    .recognizes = isMtg,
                    .readMtg = readMtg,
                    .writeStructure = writeMtg,
-                   .carried = {.radii = true, .edgeTypes = true, .severalTrees = true}});
+                   .carried = {.radii = true,
+                               .edgeTypes = true,
+                               .severalTrees = true,
+                               .entities = true,
+                               .labels = true,
+                               .features = true,
+                               .dates = true}});
   table.push_back({.name = "BMTG",
                    .description = "Binary structure of PlantScan3D",
                    .extensions = {"bmtg"},

@@ -3,8 +3,11 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/io/atomic_file.h"
+#include "core/mtg/mtg_edits.h"
 #include "core/mtg/mtg_reader.h"
 #include "core/mtg/mtg_skeleton.h"
+#include "core/mtg/mtg_text_edit.h"
+#include "core/mtg/mtg_writer.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -171,6 +174,20 @@ void writePoints(const std::filesystem::path& path, const PointCloud& cloud,
 void writeStructure(const std::filesystem::path& path, const Skeleton& skeleton) {
   const Format& format = formatToWrite(path, Content::structure);
   writeAtomically(path, [&](std::ostream& out) { format.writeStructure(out, skeleton); });
+}
+
+void writeStructure(const std::filesystem::path& path, const Structure& structure) {
+  const Format& format = formatToWrite(path, Content::structure);
+  if (!structure.frame || structure.skeleton.isEmpty() || format.recognizes != isMtg)
+    return writeStructure(path, structure.skeleton);
+  const Mtg edited = withEdits(structure.frame->mtg, structure.skeleton);
+  const std::string& text = structure.frame->text;
+  writeAtomically(path, [&](std::ostream& out) {
+    if (text.empty())
+      writeMtg(out, edited);
+    else
+      out << mtgTextWith(text, edited);
+  });
 }
 
 } // namespace espalier

@@ -95,4 +95,8 @@ void writePoints(const std::filesystem::path& path, const PointCloud& cloud,
 /// @throws Error why it cannot be written
 void writeStructure(const std::filesystem::path& path, const Skeleton& skeleton);
 
+/// The same of a skeleton that came from an MTG: written as MTG, edits go back into it, and its
+/// text stays as it was where nothing was edited (see withEdits, mtgTextWith).
+void writeStructure(const std::filesystem::path& path, const Structure& structure);
+
 } // namespace espalier

@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/mtg/mtg_lines.h"
+#include "core/mtg/mtg_of_skeleton.h"
 #include "core/mtg/mtg_parser.h"
 #include "core/mtg/mtg_rows.h"
 #include "core/mtg/mtg_sections.h"
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <ostream>
 #include <set>
 
@@ -147,60 +147,6 @@ void checkReadsBack(const std::string& text, const Mtg& expected) {
               "beginning of another one");
 }
 
-/// The nodes of a tree below `root`, what continues an axis after what branches off it.
-std::vector<NodeId> inOrderOfLines(const Skeleton& skeleton, NodeId root) {
-  std::vector<NodeId> order;
-  std::vector<NodeId> stack = {root};
-  while (!stack.empty()) {
-    const NodeId id = stack.back();
-    stack.pop_back();
-    order.push_back(id);
-    const std::vector<NodeId>& children = skeleton.children(id);
-    const bool hasSuccessor =
-        !children.empty() && skeleton[children.front()].edge == EdgeType::successor;
-    if (hasSuccessor) stack.push_back(children.front());
-    for (std::size_t i = children.size(); i-- > (hasSuccessor ? 1 : 0);)
-      stack.push_back(children[i]);
-  }
-  return order;
-}
-
-MtgVertex vertexOf(const Node& node) {
-  MtgVertex vertex{.symbol = "N", .scale = 2, .edge = node.edge};
-  for (const double coordinate : node.position)
-    vertex.values.push_back(plainDecimal(coordinate));
-  if (node.radius > 0) vertex.values.push_back(plainDecimal(node.radius));
-  return vertex;
-}
-
-Mtg mtgOfPlants(const Skeleton& skeleton) {
-  Mtg mtg{.classes = {{.symbol = "$", .scale = 0, .definition = "IMPLICIT"},
-                      {.symbol = "P", .scale = 1},
-                      {.symbol = "N", .scale = 2}},
-          .rules = {{"N", "N", "<", "?"}, {"N", "N", "+", "?"}},
-          .features = {{"XX", "REAL"}, {"YY", "REAL"}, {"ZZ", "REAL"}, {"radius", "REAL"}}};
-  std::map<NodeId, VertexId> vertices;
-  int plants = 0;
-  for (const NodeId root : skeleton.roots()) {
-    const VertexId plant{static_cast<std::uint32_t>(mtg.vertices.size())};
-    mtg.vertices.push_back({.symbol = "P", .index = ++plants});
-    for (const NodeId id : inOrderOfLines(skeleton, root)) {
-      vertices[id] = VertexId{static_cast<std::uint32_t>(mtg.vertices.size())};
-      mtg.vertices.push_back(vertexOf(skeleton[id]));
-      mtg.vertices.back().complex = plant;
-      if (skeleton[id].parent) mtg.vertices.back().parent = vertices.at(*skeleton[id].parent);
-    }
-  }
-  return mtg;
-}
-
-void checkFinite(const Skeleton& skeleton) {
-  for (const NodeId id : skeleton.ids())
-    if (!skeleton[id].position.allFinite() || !std::isfinite(skeleton[id].radius))
-      throw Error("node " + std::to_string(indexOf(id)) +
-                  " has a position or radius that is not finite: correct it before saving");
-}
-
 } // namespace
 
 void writeMtg(std::ostream& out, const Mtg& mtg) {
@@ -225,8 +171,7 @@ Mtg mtgAsWritten(const Mtg& mtg) {
 }
 
 void writeMtg(std::ostream& out, const Skeleton& skeleton) {
-  checkFinite(skeleton);
-  writeMtg(out, mtgOfPlants(skeleton));
+  writeMtg(out, mtgOf(skeleton));
 }
 
 } // namespace espalier

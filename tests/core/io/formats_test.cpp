@@ -10,7 +10,9 @@
 #include "tests/support/plants.h"
 #include "tests/support/shared_data.h"
 
+#include <fstream>
 #include <gmock/gmock.h>
+#include <iterator>
 #include <limits>
 #include <unistd.h>
 
@@ -195,6 +197,26 @@ TEST(WriteStructure, AndReadingGivesTheSamePineInEachFormat) {
   const Skeleton pine = readStructure(expert).value.skeleton;
   ASSERT_EQ(pine.size(), 3358U);
   expectSameInEachFormat(withAssembledAxes(pine));
+}
+
+TEST(WriteStructure, ChangesTheMovedPositionInTheTextOfAnMtgAlone) {
+  const std::string head =
+      "CODE :\tFORM-A\n\nCLASSES :\nSYMBOL\tSCALE\tDECOMPOSITION\tINDEXATION\t"
+      "DEFINITION\n$\t0\tFREE\tFREE\tIMPLICIT\nP\t1\tFREE\tFREE\tEXPLICIT\n"
+      "E\t2\tFREE\tFREE\tEXPLICIT\n\nDESCRIPTION :\nLEFT\tRIGHT\tRELTYPE\tMAX"
+      "\n\nFEATURES :\nNAME\tTYPE\nXX\tREAL\nYY\tREAL\nZZ\tREAL\nstate\tALPHA\n"
+      "\nMTG :\nENTITY-CODE\t\tXX\tYY\tZZ\tstate\n";
+  const std::string text =
+      head + "/P1\t\t\t\t\told # by hand\n^/E1\t\t0.00\t0\t0\n^<E2\t\t0\t1.50\t0\tD\n";
+  const fs::path path = test::freshFolder() / "oak.mtg";
+  std::ofstream(path) << text;
+  Structure oak = readStructure(path).value;
+  oak.skeleton.setPosition(NodeId{1}, {0, 1.5, 0.25});
+  writeStructure(path, oak);
+  std::ifstream in(path);
+  const std::string saved((std::istreambuf_iterator<char>(in)), {});
+  EXPECT_EQ(saved, head + "/P1\t\t\t\t\told # by hand\n^/E1\t\t0.00\t0\t0\n"
+                          "^<E2\t\t0\t1.50\t0.25\tD\n");
 }
 
 TEST(WriteStructure, TellsThatTheDiskIsFull) {

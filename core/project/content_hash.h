@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string_view>
+
+namespace espalier {
+
+/// 64 bits that tell contents apart that differ by accident, not those made to deceive.
+/// Source: Y. Collet, "xxHash fast digest algorithm", specification 0.1.1 (XXH64, seed 0).
+[[nodiscard]] std::uint64_t contentHash(std::string_view bytes);
+
+/// The same of what a file holds: as fast as the disk.
+/// @throws Error if it cannot be read
+[[nodiscard]] std::uint64_t contentHashOfFile(const std::filesystem::path& path);
+
+} // namespace espalier

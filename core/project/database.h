@@ -1,0 +1,89 @@
+#pragma once
+
+#include "core/base/error.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+namespace espalier {
+
+/// How a file is opened. `frozen`: nobody writes to it meanwhile, and nothing is put beside it.
+enum class Opening : std::uint8_t { frozen, readOnly, readWrite, created };
+
+/// The file is no database, or bytes of it have changed.
+class DamagedFile : public Error {
+public:
+  using Error::Error;
+};
+
+/// One statement of SQL. Columns and parameters count from 0 and 1, as SQLite's do.
+class Statement {
+public:
+  /// @throws Error   what is wrong with the file, and what to try; so for all that follows
+  Statement(sqlite3* database, const std::string& file, std::string_view sql);
+
+  Statement& bind(int parameter, std::int64_t value);
+  Statement& bind(int parameter, double value);
+  Statement& bindText(int parameter, std::string_view text);   // copied
+  Statement& bindBytes(int parameter, std::string_view bytes); // must outlive the steps
+
+  /// Runs to the next row. False: there is none.
+  bool step();
+  void run() { // pre: it has no rows
+    while (step()) {
+    }
+  }
+
+  [[nodiscard]] std::int64_t integer(int column) const;
+  [[nodiscard]] double real(int column) const;
+  [[nodiscard]] std::string text(int column) const;
+  [[nodiscard]] std::string_view bytes(int column) const; // until the next step
+
+private:
+  void check(int code) const;
+
+  std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)> statement_;
+  std::string file_;
+};
+
+/// An SQLite file, open.
+class Database {
+public:
+  /// @throws Error why it cannot be opened
+  Database(const std::filesystem::path& path, Opening opening);
+  [[nodiscard]] static Database inMemory();
+
+  [[nodiscard]] Statement prepare(std::string_view sql) const;
+  void execute(std::string_view sql) const;                       // one statement
+  [[nodiscard]] std::int64_t integer(std::string_view sql) const; // 0 without a row
+
+private:
+  Database() = default;
+  void configure() const;
+
+  std::unique_ptr<sqlite3, int (*)(sqlite3*)> connection_{nullptr, nullptr};
+  std::string file_; // for messages
+};
+
+/// Changes that come all or not at all: taken back unless committed.
+class Transaction {
+public:
+  explicit Transaction(const Database& database);
+  ~Transaction();
+  Transaction(const Transaction&) = delete;
+  Transaction& operator=(const Transaction&) = delete;
+
+  void commit();
+
+private:
+  const Database& database_;
+  bool isOpen_ = true;
+};
+
+} // namespace espalier

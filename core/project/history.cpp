@@ -1,0 +1,110 @@
+#include "core/project/history.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <optional>
+#include <unordered_map>
+
+namespace espalier {
+namespace {
+
+using Change = SkeletonDelta::Change;
+using ChangesById = std::unordered_map<std::uint32_t, const Change*>;
+
+std::uint32_t number(NodeId id) {
+  return static_cast<std::uint32_t>(id);
+}
+
+bool isAsBefore(const Change& change, const Skeleton& skeleton) {
+  if (indexOf(change.id) >= mostIds) return false;
+  if (!change.before) return !skeleton.contains(change.id) && change.after.has_value();
+  return skeleton.contains(change.id) && skeleton[change.id] == *change.before;
+}
+
+/// Whether no node that stays hangs on a removed one.
+bool takesAllAbove(const Change& change, const Skeleton& skeleton, const ChangesById& changes) {
+  if (change.after) return true;
+  return std::ranges::all_of(skeleton.children(change.id),
+                             [&](NodeId child) { return changes.contains(number(child)); });
+}
+
+/// Whether the links after the delta lead to a root from every changed node.
+class Rootedness {
+public:
+  Rootedness(const Skeleton& skeleton, const ChangesById& changes)
+      : skeleton_(skeleton), changes_(changes) {}
+
+  bool holdsFor(NodeId from) {
+    std::vector<std::uint32_t> way;
+    std::optional<NodeId> at = from;
+    bool isRooted = true;
+    while (at) {
+      const auto [mark, isNew] = marks_.emplace(number(*at), false);
+      if (!isNew) {
+        isRooted = mark->second; // false: a cycle leads back to the way
+        break;
+      }
+      way.push_back(number(*at));
+      const Node* node = nodeAfter(*at);
+      if (node == nullptr) return false; // the parent is missing
+      at = node->parent;
+    }
+    for (const std::uint32_t id : way)
+      marks_[id] = isRooted;
+    return isRooted;
+  }
+
+private:
+  [[nodiscard]] const Node* nodeAfter(NodeId id) const {
+    if (const auto found = changes_.find(number(id)); found != changes_.end())
+      return found->second->after ? &*found->second->after : nullptr;
+    return skeleton_.contains(id) ? &skeleton_[id] : nullptr;
+  }
+
+  const Skeleton& skeleton_;
+  const ChangesById& changes_;
+  std::unordered_map<std::uint32_t, bool> marks_; // whether it is known to lead to a root
+};
+
+} // namespace
+
+bool fits(const SkeletonDelta& delta, const Skeleton& skeleton) {
+  ChangesById changes;
+  changes.reserve(delta.changes.size());
+  for (const Change& change : delta.changes) {
+    if (!isAsBefore(change, skeleton)) return false;
+    if (change.after && !(change.after->radius >= 0)) return false;
+    if (!changes.emplace(number(change.id), &change).second) return false;
+  }
+  Rootedness rooted(skeleton, changes);
+  return std::ranges::all_of(delta.changes, [&](const Change& change) {
+    return takesAllAbove(change, skeleton, changes) &&
+           (!change.after || rooted.holdsFor(change.id));
+  });
+}
+
+void growIds(Skeleton& skeleton, std::size_t end) {
+  assert(end <= mostIds);
+  while (skeleton.idEnd() < end)
+    skeleton.erase(skeleton.add({}));
+}
+
+bool tryToApply(const SkeletonDelta& delta, Skeleton& skeleton) {
+  if (!fits(delta, skeleton)) return false;
+  std::size_t end = 0;
+  for (const Change& change : delta.changes)
+    end = std::max(end, indexOf(change.id) + 1);
+  growIds(skeleton, end);
+  delta.apply(skeleton);
+  return true;
+}
+
+Skeleton beginningOf(const History& history) {
+  Skeleton skeleton = history.skeleton;
+  for (std::size_t i = history.position; i-- > 0;)
+    history.steps[i].delta.inverse().apply(skeleton);
+  return skeleton;
+}
+
+} // namespace espalier

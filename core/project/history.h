@@ -1,0 +1,50 @@
+#pragma once
+
+#include "core/skeleton/skeleton.h"
+#include "core/skeleton/skeleton_delta.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace espalier {
+
+/// An edit as the journal keeps it.
+struct HistoryStep {
+  std::string text;      // as the history shows it: "Move node 1842"
+  std::string author;    // may be empty
+  std::int64_t time = 0; // [ms] since 1970-01-01 UTC
+  SkeletonDelta delta;
+
+  bool operator==(const HistoryStep&) const = default;
+};
+
+/// A skeleton and the edits around it: those before `position` are done, the others undone.
+struct History {
+  Skeleton skeleton; // with the first `position` steps done
+  std::vector<HistoryStep> steps;
+  std::size_t position = 0; // <= steps.size()
+
+  bool operator==(const History&) const = default;
+};
+
+/// Whether `delta` can be applied: its nodes are in `skeleton` as they were before, and what comes
+/// out is a forest. Time O(changes + the paths from them to the root).
+[[nodiscard]] bool fits(const SkeletonDelta& delta, const Skeleton& skeleton);
+
+/// Ids that a file may name: a larger one would take the memory of all below it.
+inline constexpr std::size_t mostIds = std::size_t{1} << 25;
+
+/// Hands out ids until `end` of them are: what a journal adds has ids of its own.
+/// pre: end <= mostIds
+void growIds(Skeleton& skeleton, std::size_t end);
+
+/// Applies `delta` if it fits, and returns whether it did. Else nothing has changed.
+[[nodiscard]] bool tryToApply(const SkeletonDelta& delta, Skeleton& skeleton);
+
+/// The skeleton before the first step.
+/// pre: each step fits where it stands
+[[nodiscard]] Skeleton beginningOf(const History& history);
+
+} // namespace espalier

@@ -1,0 +1,237 @@
+#include "core/project/node_bytes.h"
+
+#include "core/project/content_hash.h"
+#include "core/project/history.h"
+
+#include <bit>
+#include <concepts>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace espalier {
+namespace {
+
+constexpr std::uint8_t version = 1;
+constexpr std::size_t hashSize = 8;
+
+enum NodeFlag : std::uint8_t { hasParent = 1, isBranching = 2, hasEntities = 4 };
+enum ChangeFlag : std::uint8_t { hasBefore = 1, hasAfter = 2 };
+
+/// What is not as it should be; caught where reading begins.
+struct Malformed {};
+
+class Writer {
+public:
+  Writer() { number(version); }
+
+  template <std::unsigned_integral Number> void number(Number value) {
+    for (std::size_t i = 0; i < sizeof(Number); ++i)
+      bytes_.push_back(static_cast<char>((std::uint64_t{value} >> (8 * i)) & 0xFF));
+  }
+  void size(std::size_t value) { number(static_cast<std::uint32_t>(value)); }
+  void real(double value) { number(std::bit_cast<std::uint64_t>(value)); }
+  void id(NodeId id) { number(static_cast<std::uint32_t>(id)); }
+  void text(const std::string& text) {
+    size(text.size());
+    bytes_ += text;
+  }
+  void values(const std::vector<FeatureValue>& values) {
+    size(values.size());
+    for (const FeatureValue& value : values) {
+      text(value.feature);
+      text(value.text);
+    }
+  }
+  void entity(const Entity& entity) {
+    number(static_cast<std::uint32_t>(entity.scale));
+    text(entity.symbol);
+    number(static_cast<std::uint8_t>(entity.index.has_value()));
+    if (entity.index) number(static_cast<std::uint32_t>(*entity.index));
+    text(entity.alias);
+    values(entity.values);
+    size(entity.later.size());
+    for (const std::vector<FeatureValue>& date : entity.later)
+      values(date);
+  }
+  void node(const Node& node) {
+    number(static_cast<std::uint8_t>((node.parent ? hasParent : 0) |
+                                     (node.edge == EdgeType::branching ? isBranching : 0) |
+                                     (node.entities.empty() ? 0 : hasEntities)));
+    for (int i = 0; i < 3; ++i)
+      real(node.position[i]);
+    real(node.radius);
+    if (node.parent) id(*node.parent);
+    if (node.entities.empty()) return;
+    size(node.entities.size());
+    for (const Entity& one : node.entities)
+      entity(one);
+  }
+
+  [[nodiscard]] std::string finished() {
+    number(contentHash(bytes_));
+    return std::move(bytes_);
+  }
+
+private:
+  std::string bytes_;
+};
+
+class Reader {
+public:
+  explicit Reader(std::string_view bytes) {
+    if (bytes.size() < 1 + hashSize) throw Malformed{};
+    rest_ = bytes.substr(bytes.size() - hashSize);
+    const auto hash = number<std::uint64_t>();
+    rest_ = bytes.substr(0, bytes.size() - hashSize);
+    if (hash != contentHash(rest_) || number<std::uint8_t>() != version) throw Malformed{};
+  }
+
+  template <std::unsigned_integral Number> Number number() {
+    if (rest_.size() < sizeof(Number)) throw Malformed{};
+    std::uint64_t value = 0;
+    for (std::size_t i = 0; i < sizeof(Number); ++i)
+      value |= std::uint64_t{static_cast<unsigned char>(rest_[i])} << (8 * i);
+    rest_.remove_prefix(sizeof(Number));
+    return static_cast<Number>(value);
+  }
+  /// A count of things that take at least `bytesEach`: a file cannot ask for more than it holds.
+  std::size_t count(std::size_t bytesEach) {
+    const std::size_t value = number<std::uint32_t>();
+    if (value > rest_.size() / bytesEach) throw Malformed{};
+    return value;
+  }
+  double real() { return std::bit_cast<double>(number<std::uint64_t>()); }
+  NodeId id() {
+    const auto value = number<std::uint32_t>();
+    if (value >= mostIds) throw Malformed{};
+    return NodeId{value};
+  }
+  int integer() { return std::bit_cast<std::int32_t>(number<std::uint32_t>()); }
+  std::string text() {
+    const std::size_t size = count(1);
+    std::string result(rest_.substr(0, size));
+    rest_.remove_prefix(size);
+    return result;
+  }
+  std::vector<FeatureValue> values() {
+    std::vector<FeatureValue> result;
+    for (std::size_t left = count(8); left > 0; --left) {
+      std::string feature = text();
+      result.push_back({std::move(feature), text()});
+    }
+    return result;
+  }
+  Entity entity() {
+    Entity result;
+    result.scale = integer();
+    result.symbol = text();
+    if (number<std::uint8_t>() != 0) result.index = integer();
+    result.alias = text();
+    result.values = values();
+    for (std::size_t left = count(4); left > 0; --left)
+      result.later.push_back(values());
+    return result;
+  }
+  Node node() {
+    Node result;
+    const auto flags = number<std::uint8_t>();
+    for (int i = 0; i < 3; ++i)
+      result.position[i] = real();
+    result.radius = real();
+    if ((flags & hasParent) != 0) result.parent = id();
+    if ((flags & isBranching) != 0) result.edge = EdgeType::branching;
+    if ((flags & hasEntities) != 0)
+      for (std::size_t left = count(21); left > 0; --left)
+        result.entities.push_back(entity());
+    return result;
+  }
+  void end() const {
+    if (!rest_.empty()) throw Malformed{};
+  }
+
+private:
+  std::string_view rest_; // not read yet
+};
+
+constexpr std::size_t leastNode = 33; // bytes: flags, position, radius
+
+Skeleton readSkeleton(Reader& reader) {
+  Skeleton skeleton;
+  const auto end = reader.number<std::uint32_t>();
+  if (end > mostIds) throw Malformed{};
+  const std::size_t count = reader.count(4 + leastNode);
+  growIds(skeleton, end);
+  for (std::size_t left = count; left > 0; --left) {
+    const NodeId id = reader.id();
+    const Node node = reader.node();
+    const bool isNew = indexOf(id) < end && !skeleton.contains(id);
+    if (!isNew || !(node.radius >= 0) || (node.parent && !skeleton.contains(*node.parent)))
+      throw Malformed{};
+    skeleton.restore(id, node);
+  }
+  reader.end();
+  return skeleton;
+}
+
+SkeletonDelta readDelta(Reader& reader) {
+  SkeletonDelta delta;
+  const std::size_t count = reader.count(5 + leastNode);
+  delta.changes.reserve(count);
+  for (std::size_t left = count; left > 0; --left) {
+    SkeletonDelta::Change change{reader.id(), std::nullopt, std::nullopt};
+    const auto flags = reader.number<std::uint8_t>();
+    if ((flags & hasBefore) != 0) change.before = reader.node();
+    if ((flags & hasAfter) != 0) change.after = reader.node();
+    delta.changes.push_back(std::move(change));
+  }
+  reader.end();
+  return delta;
+}
+
+} // namespace
+
+std::string bytesOf(const SkeletonDelta& delta) {
+  Writer writer;
+  writer.size(delta.changes.size());
+  for (const SkeletonDelta::Change& change : delta.changes) {
+    writer.id(change.id);
+    writer.number(
+        static_cast<std::uint8_t>((change.before ? hasBefore : 0) | (change.after ? hasAfter : 0)));
+    if (change.before) writer.node(*change.before);
+    if (change.after) writer.node(*change.after);
+  }
+  return writer.finished();
+}
+
+std::optional<SkeletonDelta> deltaFrom(std::string_view bytes) {
+  try {
+    Reader reader(bytes);
+    return readDelta(reader);
+  } catch (const Malformed&) {
+    return std::nullopt;
+  }
+}
+
+std::string bytesOf(const Skeleton& skeleton) {
+  Writer writer;
+  writer.size(skeleton.idEnd());
+  writer.size(skeleton.size());
+  for (const NodeId id : skeleton.ids()) { // parents first: a reader needs no second look
+    writer.id(id);
+    writer.node(skeleton[id]);
+  }
+  return writer.finished();
+}
+
+std::optional<Skeleton> skeletonFrom(std::string_view bytes) {
+  try {
+    Reader reader(bytes);
+    return readSkeleton(reader);
+  } catch (const Malformed&) {
+    return std::nullopt;
+  }
+}
+
+} // namespace espalier

@@ -1,0 +1,258 @@
+#include "core/project/project.h"
+
+#include "core/project/content_hash.h"
+#include "core/project/node_bytes.h"
+#include "core/project/project_schema.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
+#include <vector>
+
+namespace espalier {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t pieceSize = std::size_t{16} << 20; // SQLite keeps no blob over 1 GB
+
+/// A journal beside the file holds edits that are not in the file itself yet.
+bool hasWaitingEdits(const fs::path& path) {
+  std::error_code isMissing;
+  const auto size = fs::file_size(path.string() + "-wal", isMissing);
+  return !isMissing && size > 0;
+}
+
+Database openedIn(const fs::path& path, Access access) {
+  if (!fs::exists(path)) throw Error(path.string() + ": there is no such file: choose another");
+  if (access == Access::readWrite) return {path, Opening::readWrite};
+  const bool mayChange = ProjectLock::isHeld(path) || hasWaitingEdits(path);
+  return {path, mayChange ? Opening::readOnly : Opening::frozen};
+}
+
+fs::path whole(const fs::path& path) {
+  std::error_code failed;
+  const fs::path result = fs::weakly_canonical(path, failed);
+  return failed ? fs::absolute(path) : result;
+}
+
+/// A name beside `path` for what is not complete yet.
+fs::path unfinished(const fs::path& path) {
+  return path.string() + ".new-" + std::to_string(::getpid());
+}
+
+bool isTheScan(const fs::path& path, const ScanReference& scan) {
+  std::error_code failed;
+  if (!fs::is_regular_file(path, failed) || fs::file_size(path, failed) != scan.size) return false;
+  try {
+    return contentHashOfFile(path) == scan.hash;
+  } catch (const Error&) { // it may not be read
+    return false;
+  }
+}
+
+} // namespace
+
+ScanReference ScanReference::of(const fs::path& path, const Eigen::AlignedBox3d& bounds) {
+  const std::uint64_t hash = contentHashOfFile(path); // tells if it cannot be read
+  return {.path = whole(path), .size = fs::file_size(path), .hash = hash, .bounds = bounds};
+}
+
+Project::Project(fs::path path, Access access, std::unique_ptr<ProjectLock> lock)
+    : path_(std::move(path)), access_(access), lock_(std::move(lock)),
+      database_(openedIn(path_, access)) {
+  const int schema = checkedSchema(database_, path_.string());
+  struct stat status {};
+  if (::stat(path_.c_str(), &status) == 0) {
+    device_ = status.st_dev;
+    inode_ = status.st_ino;
+  }
+  if (access == Access::readOnly) return;
+  (void)database_.integer("PRAGMA journal_mode = WAL");
+  database_.execute(
+      "PRAGMA synchronous = FULL"); // an edit that was told as saved survives a power cut
+  if (schema < currentSchema()) upgradeSchema(database_);
+}
+
+Project Project::create(const fs::path& path, const History& history) {
+  auto lock = std::make_unique<ProjectLock>(path);
+  const fs::path target = whole(path);
+  const fs::path made = unfinished(target);
+  try {
+    fs::remove(made);
+    const Database database(made, Opening::created);
+    upgradeSchema(database);
+    Transaction transaction(database);
+    insertHistory(database, history);
+    transaction.commit();
+  } catch (...) {
+    std::error_code ignored;
+    fs::remove(made, ignored);
+    throw;
+  }
+  for (const char* of :
+       {"-wal", "-shm"}) // of a file that is replaced: not to be read into this one
+    fs::remove(target.string() + of);
+  std::error_code failed;
+  fs::rename(made, target, failed);
+  if (failed) {
+    fs::remove(made);
+    throw Error(path.string() + ": cannot be written: " + failed.message() + "; try another place");
+  }
+  return {target, Access::readWrite, std::move(lock)};
+}
+
+Project Project::open(const fs::path& path, Access access) {
+  std::unique_ptr<ProjectLock> lock;
+  if (access == Access::readWrite) {
+    if (!fs::exists(path)) throw Error(path.string() + ": there is no such file: choose another");
+    if (::access(path.c_str(), W_OK) != 0)
+      throw Error(path.string() + ": may only be read: open it to read only, or open a copy");
+    lock = std::make_unique<ProjectLock>(path);
+  }
+  return {whole(path), access, std::move(lock)};
+}
+
+void Project::reset(const Skeleton& skeleton) {
+  requireSameFile();
+  Transaction transaction(database_);
+  for (const char* table : {"snapshot", "journal", "position"})
+    database_.execute(std::string("DELETE FROM ") + table);
+  insertHistory(database_, {.skeleton = skeleton});
+  transaction.commit();
+}
+
+void Project::setDocument(std::string_view name, std::string_view text) {
+  requireSameFile();
+  if (text.empty())
+    database_.prepare("DELETE FROM document WHERE name = ?").bindText(1, name).run();
+  else
+    database_.prepare("INSERT OR REPLACE INTO document VALUES (?, ?)")
+        .bindText(1, name)
+        .bindText(2, text)
+        .run();
+}
+
+std::string Project::document(std::string_view name) const {
+  Statement row = database_.prepare("SELECT text FROM document WHERE name = ?");
+  row.bindText(1, name);
+  return row.step() ? row.text(0) : std::string();
+}
+
+void Project::setBytes(std::string_view name, std::string_view bytes) {
+  requireSameFile();
+  Transaction transaction(database_);
+  database_.prepare("DELETE FROM piece WHERE name = ?").bindText(1, name).run();
+  for (std::int64_t part = 0; !bytes.empty(); ++part) {
+    const std::string_view piece = bytes.substr(0, pieceSize);
+    database_.prepare("INSERT INTO piece VALUES (?, ?, ?, ?)")
+        .bindText(1, name)
+        .bind(2, part)
+        .bind(3, std::bit_cast<std::int64_t>(contentHash(piece)))
+        .bindBytes(4, piece)
+        .run();
+    bytes.remove_prefix(piece.size());
+  }
+  transaction.commit();
+}
+
+std::string Project::bytes(std::string_view name) const {
+  Statement rows =
+      database_.prepare("SELECT part, hash, bytes FROM piece WHERE name = ? ORDER BY part");
+  rows.bindText(1, name);
+  std::string result;
+  for (std::int64_t part = 0; rows.step(); ++part) {
+    const std::string_view piece = rows.bytes(2);
+    if (rows.integer(0) != part ||
+        std::bit_cast<std::uint64_t>(rows.integer(1)) != contentHash(piece))
+      throw DamagedFile(path_.string() + ": its \"" + std::string(name) +
+                        "\" are damaged: make them again");
+    result += piece;
+  }
+  return result;
+}
+
+void Project::setScan(const std::optional<ScanReference>& scan) {
+  requireSameFile();
+  Transaction transaction(database_);
+  database_.execute("DELETE FROM scan");
+  if (scan) {
+    Statement row = database_.prepare("INSERT INTO scan VALUES (0, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+    row.bindText(1, scan->path.string())
+        .bindText(2, scan->path.lexically_relative(path_.parent_path()).string())
+        .bind(3, std::bit_cast<std::int64_t>(scan->size))
+        .bind(4, std::bit_cast<std::int64_t>(scan->hash));
+    for (int i = 0; i < 3; ++i)
+      row.bind(5 + i, scan->bounds.min()[i]).bind(8 + i, scan->bounds.max()[i]);
+    row.run();
+  }
+  transaction.commit();
+}
+
+std::optional<ScanReference> Project::scan() const {
+  Statement row =
+      database_.prepare("SELECT absolute, size, hash, x0, y0, z0, x1, y1, z1 FROM scan");
+  if (!row.step()) return std::nullopt;
+  ScanReference scan{.path = row.text(0),
+                     .size = std::bit_cast<std::uint64_t>(row.integer(1)),
+                     .hash = std::bit_cast<std::uint64_t>(row.integer(2)),
+                     .bounds = {}};
+  for (int i = 0; i < 3; ++i) {
+    scan.bounds.min()[i] = row.real(3 + i);
+    scan.bounds.max()[i] = row.real(6 + i);
+  }
+  return scan;
+}
+
+std::optional<fs::path> Project::findScan() const {
+  const std::optional<ScanReference> reference = scan();
+  if (!reference) return std::nullopt;
+  const fs::path folder = path_.parent_path();
+  Statement row = database_.prepare("SELECT relative FROM scan");
+  const fs::path relative = row.step() ? row.text(0) : std::string();
+  std::vector<fs::path> places = {reference->path, folder / relative,
+                                  folder / reference->path.filename()};
+  std::error_code unreadable;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, unreadable))
+    places.push_back(entry.path());
+  const auto found = std::ranges::find_if(
+      places, [&](const fs::path& place) { return isTheScan(place, *reference); });
+  if (found == places.end()) return std::nullopt;
+  return found->lexically_normal();
+}
+
+void Project::copyRest(const Project& from) {
+  Statement texts = from.database_.prepare("SELECT name, text FROM document");
+  while (texts.step())
+    setDocument(texts.text(0), texts.text(1));
+  Statement names = from.database_.prepare("SELECT DISTINCT name FROM piece");
+  while (names.step())
+    setBytes(names.text(0), from.bytes(names.text(0)));
+  setScan(from.scan());
+}
+
+void Project::compact() {
+  requireSameFile();
+  database_.execute("VACUUM");
+  (void)database_.integer("PRAGMA wal_checkpoint(TRUNCATE)");
+}
+
+void Project::requireSameFile() const {
+  if (access_ == Access::readOnly)
+    throw Error(path_.string() + ": is open to read only: save it elsewhere to edit it");
+  struct stat status {};
+  if (::stat(path_.c_str(), &status) != 0)
+    throw Error(path_.string() + ": was removed while it was open: save it elsewhere");
+  if (status.st_ino != inode_ || status.st_dev != device_)
+    throw Error(path_.string() + ": was replaced by another program: save it elsewhere");
+  constexpr mode_t anyMayWrite = 0222;
+  if ((status.st_mode & anyMayWrite) == 0)
+    throw Error(path_.string() +
+                ": was made read-only while it was open: allow writing to it, or save elsewhere");
+}
+
+} // namespace espalier

@@ -1,0 +1,112 @@
+#pragma once
+
+#include "core/base/imported.h"
+#include "core/project/database.h"
+#include "core/project/history.h"
+#include "core/project/project_lock.h"
+
+#include <Eigen/Geometry>
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace espalier {
+
+enum class Access : std::uint8_t { readOnly, readWrite };
+
+/// Where a scan is, and how to tell that it is the same.
+struct ScanReference {
+  std::filesystem::path path; // absolute, when it was last found
+  std::uint64_t size = 0;     // bytes
+  std::uint64_t hash = 0;     // contentHash of the file
+  Eigen::AlignedBox3d bounds; // of its points [L], frame of the file
+
+  [[nodiscard]] static ScanReference of(const std::filesystem::path& path,
+                                        const Eigen::AlignedBox3d& bounds); // reads it all
+};
+
+/// A project file, "*.espalier": the plant at work, always saved.
+///
+/// An SQLite database in WAL mode. What record() and the setters wrote is on the disk when they
+/// return, and is there after a power cut; what was not finished has not begun. Only one Project
+/// at a time may write to a file. A write first checks that the file still has its name and may
+/// be written to: one that was removed or replaced meanwhile is an Error, not a silent loss.
+///
+/// Each call but the constructors may throw an Error that says which file, what is wrong and what
+/// to try; the file is then as it was before.
+class Project {
+public:
+  /// Makes a project of `history`, in place of any file of this name once it is complete.
+  /// @throws ProjectInUse if a window works on a project of this name
+  [[nodiscard]] static Project create(const std::filesystem::path& path, const History& history);
+
+  /// @throws ProjectInUse if `access` is to write and another window does
+  /// @throws DamagedFile  if it is no project or cannot be read at all
+  /// @throws Error        if it was written by a newer program, is missing, may not be written to
+  [[nodiscard]] static Project open(const std::filesystem::path& path, Access access);
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] Access access() const { return access_; }
+
+  /// The plant and its undo history. Of a damaged file, what can be read: the state nearest to the
+  /// last one that can be reached, the steps that lead from it without a gap, and a note. Do not
+  /// record() in a project that was read with a note: save it elsewhere.
+  /// Time O(all edits): every step is tried, so that each can be undone or redone later.
+  [[nodiscard]] Imported<History> history() const;
+
+  /// Changes the history: its first `kept` steps stay, `added` follow, `position` are done.
+  /// Time O(changes of `added`), one sync of the disk.
+  /// pre: kept <= steps so far, position <= kept + added.size(), each step fits where it stands
+  void record(std::size_t kept, std::span<const HistoryStep> added, std::size_t position);
+
+  /// Another skeleton without a history.
+  void reset(const Skeleton& skeleton);
+
+  /// Whether the journal since the last snapshot is longer than the plant.
+  [[nodiscard]] bool needsSnapshot() const;
+  /// Writes `skeleton`, which is the one at the position now, beside the journal: less to lose if
+  /// a step is damaged. For when nobody waits.
+  void takeSnapshot(const Skeleton& skeleton);
+
+  /// Texts by name: pipeline options, view, evaluation, frame of an MTG ... Empty removes it.
+  void setDocument(std::string_view name, std::string_view text);
+  [[nodiscard]] std::string document(std::string_view name) const; // empty: none
+
+  /// Bytes by name: contracted positions, states of points, an embedded scan ... Empty removes
+  /// them.
+  void setBytes(std::string_view name, std::string_view bytes);
+  /// @throws DamagedFile if they are not as they were written
+  [[nodiscard]] std::string bytes(std::string_view name) const; // empty: none
+
+  void setScan(const std::optional<ScanReference>& scan);
+  [[nodiscard]] std::optional<ScanReference> scan() const;
+
+  /// Where the scan is now: at its old place, as seen from the project, or in its folder under any
+  /// name; none if nowhere. A file counts if its size and hash do.
+  [[nodiscard]] std::optional<std::filesystem::path> findScan() const;
+
+  /// Takes over documents, bytes and the scan of another project.
+  void copyRest(const Project& from);
+
+  /// Gives back the room of what is no longer used. Takes a while.
+  void compact();
+
+private:
+  Project(std::filesystem::path path, Access access, std::unique_ptr<ProjectLock> lock);
+  void requireSameFile() const;
+  static void insertHistory(const Database& database, const History& history);
+
+  std::filesystem::path path_;
+  Access access_;
+  std::unique_ptr<ProjectLock> lock_; // null: read only; outlives the database
+  Database database_;
+  std::uint64_t device_ = 0; // of the file that is open
+  std::uint64_t inode_ = 0;
+};
+
+} // namespace espalier

@@ -1,0 +1,213 @@
+// The journal of a project: writing it, and reading it whatever has become of it.
+#include "core/project/node_bytes.h"
+#include "core/project/project.h"
+
+#include <algorithm>
+#include <cassert>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace espalier {
+namespace {
+
+void insertStep(const Database& database, std::size_t step, const HistoryStep& content) {
+  const std::string delta = bytesOf(content.delta);
+  database.prepare("INSERT INTO journal VALUES (?, ?, ?, ?, ?)")
+      .bind(1, static_cast<std::int64_t>(step))
+      .bind(2, content.time)
+      .bindText(3, content.author)
+      .bindText(4, content.text)
+      .bindBytes(5, delta)
+      .run();
+}
+
+void insertSnapshot(const Database& database, std::size_t step, const Skeleton& skeleton) {
+  const std::string nodes = bytesOf(skeleton);
+  database.prepare("INSERT OR REPLACE INTO snapshot VALUES (?, ?)")
+      .bind(1, static_cast<std::int64_t>(step))
+      .bindBytes(2, nodes)
+      .run();
+}
+
+void setPosition(const Database& database, std::size_t position) {
+  database.prepare("INSERT OR REPLACE INTO position VALUES (0, ?)")
+      .bind(1, static_cast<std::int64_t>(position))
+      .run();
+}
+
+constexpr std::int64_t mostSteps = std::int64_t{1} << 31;
+
+/// What of the journal can be read, by place. A damaged page hides what is behind it, so the other
+/// end is read too.
+struct Journal {
+  std::map<std::int64_t, HistoryStep> steps;
+  bool isDamaged = false;
+
+  explicit Journal(const Database& database) {
+    read(database, "ASC");
+    if (isDamaged) read(database, "DESC");
+  }
+
+  [[nodiscard]] std::int64_t end() const { return steps.empty() ? 0 : steps.rbegin()->first + 1; }
+
+private:
+  void read(const Database& database, const std::string& order) {
+    try {
+      Statement rows = database.prepare(
+          "SELECT step, time, author, text, delta FROM journal ORDER BY step " + order);
+      while (rows.step()) {
+        std::optional<SkeletonDelta> delta = deltaFrom(rows.bytes(4));
+        const std::int64_t step = rows.integer(0);
+        if (delta && step >= 0 && step < mostSteps)
+          steps.insert_or_assign(step, HistoryStep{.text = rows.text(3),
+                                                   .author = rows.text(2),
+                                                   .time = rows.integer(1),
+                                                   .delta = std::move(*delta)});
+        else
+          isDamaged = true;
+      }
+    } catch (const DamagedFile&) {
+      isDamaged = true;
+    }
+  }
+};
+
+std::vector<std::int64_t> snapshotSteps(const Database& database, bool& isDamaged) {
+  std::vector<std::int64_t> result;
+  try {
+    Statement rows = database.prepare("SELECT step FROM snapshot ORDER BY step");
+    while (rows.step())
+      if (rows.integer(0) >= 0 && rows.integer(0) <= mostSteps) result.push_back(rows.integer(0));
+  } catch (const DamagedFile&) {
+    isDamaged = true;
+  }
+  return result;
+}
+
+std::optional<Skeleton> snapshotAt(const Database& database, std::int64_t step) {
+  try {
+    Statement row = database.prepare("SELECT nodes FROM snapshot WHERE step = ?");
+    row.bind(1, step);
+    if (row.step()) return skeletonFrom(row.bytes(0));
+  } catch (const DamagedFile&) { // another snapshot may do
+  }
+  return std::nullopt;
+}
+
+std::optional<std::int64_t> storedPosition(const Database& database) {
+  try {
+    Statement row = database.prepare("SELECT step FROM position");
+    if (row.step() && row.integer(0) >= 0 && row.integer(0) <= mostSteps) return row.integer(0);
+  } catch (const DamagedFile&) { // the end of the journal is what was done most likely
+  }
+  return std::nullopt;
+}
+
+/// A place in the journal with its skeleton; moves while steps are there and fit.
+struct Place {
+  Skeleton skeleton;
+  std::int64_t at = 0;
+
+  void moveTowards(std::int64_t target, const Journal& journal) {
+    const bool isForward = at < target;
+    while (at != target) {
+      const auto step = journal.steps.find(isForward ? at : at - 1);
+      if (step == journal.steps.end()) return;
+      const SkeletonDelta& delta = step->second.delta;
+      if (!tryToApply(isForward ? delta : delta.inverse(), skeleton)) return;
+      at += isForward ? 1 : -1;
+    }
+  }
+};
+
+/// The place nearest to `target` that a snapshot leads to.
+std::optional<Place> nearestPlace(const Database& database, const Journal& journal,
+                                  std::vector<std::int64_t> snapshots, std::int64_t target) {
+  std::ranges::sort(snapshots, {}, [&](std::int64_t step) { return std::abs(step - target); });
+  std::optional<Place> best;
+  constexpr int mostTries = 4; // one does, unless the file is damaged
+  int tries = 0;
+  for (const std::int64_t step : snapshots) {
+    if (tries == mostTries || (best && best->at == target)) break;
+    std::optional<Skeleton> skeleton = snapshotAt(database, step);
+    if (!skeleton) continue;
+    ++tries;
+    Place place{std::move(*skeleton), step};
+    place.moveTowards(target, journal);
+    if (!best || std::abs(place.at - target) < std::abs(best->at - target)) best = std::move(place);
+  }
+  return best;
+}
+
+} // namespace
+
+Imported<History> Project::history() const {
+  Journal journal(database_);
+  const std::optional<std::int64_t> stored = storedPosition(database_);
+  const std::int64_t end = journal.end();
+  const std::int64_t position = std::min(stored.value_or(end), std::max(end, std::int64_t{0}));
+  const std::vector<std::int64_t> snapshots = snapshotSteps(database_, journal.isDamaged);
+  std::optional<Place> place = nearestPlace(database_, journal, snapshots, position);
+  if (!place)
+    throw DamagedFile(
+        path_.string() +
+        ": is damaged: nothing of its plant can be read; take a copy if you have one");
+  Place first = *place;
+  first.moveTowards(0, journal);
+  Place last = *place;
+  last.moveTowards(end, journal);
+
+  Imported<History> result;
+  result.value.position = static_cast<std::size_t>(place->at - first.at);
+  result.value.skeleton = std::move(place->skeleton);
+  for (std::int64_t step = first.at; step < last.at; ++step)
+    result.value.steps.push_back(std::move(journal.steps.at(step)));
+  for (const HistoryStep& step : result.value.steps) // what is redone needs its ids
+    for (const SkeletonDelta::Change& change : step.delta.changes)
+      growIds(result.value.skeleton, indexOf(change.id) + 1);
+  const bool isWhole = !journal.isDamaged && stored == place->at && first.at == 0 && last.at == end;
+  if (!isWhole)
+    result.notes.push_back(path_.string() + ": is damaged: the plant is as it was after " +
+                           std::to_string(place->at) + " of " +
+                           std::to_string(std::max(end, stored.value_or(0))) +
+                           " edits, which is all that can be read: save it elsewhere");
+  return result;
+}
+
+void Project::record(std::size_t kept, std::span<const HistoryStep> added, std::size_t position) {
+  assert(position <= kept + added.size());
+  requireSameFile();
+  const auto end = static_cast<std::int64_t>(kept);
+  Transaction transaction(database_);
+  database_.prepare("DELETE FROM journal WHERE step >= ?").bind(1, end).run();
+  database_.prepare("DELETE FROM snapshot WHERE step > ?").bind(1, end).run();
+  for (const HistoryStep& step : added)
+    insertStep(database_, kept++, step);
+  setPosition(database_, position);
+  transaction.commit();
+}
+
+void Project::insertHistory(const Database& database, const History& history) {
+  insertSnapshot(database, 0, beginningOf(history));
+  for (std::size_t i = 0; i < history.steps.size(); ++i)
+    insertStep(database, i, history.steps[i]);
+  if (history.position > 0) insertSnapshot(database, history.position, history.skeleton);
+  setPosition(database, history.position);
+}
+
+bool Project::needsSnapshot() const {
+  return database_.integer("SELECT coalesce(sum(length(delta)), 0) >"
+                           "  (SELECT length(nodes) FROM snapshot ORDER BY step DESC LIMIT 1) "
+                           "FROM journal WHERE step >= (SELECT max(step) FROM snapshot)") != 0;
+}
+
+void Project::takeSnapshot(const Skeleton& skeleton) {
+  requireSameFile();
+  Transaction transaction(database_);
+  const std::int64_t position = database_.integer("SELECT step FROM position");
+  insertSnapshot(database_, static_cast<std::size_t>(position), skeleton);
+  transaction.commit();
+}
+
+} // namespace espalier

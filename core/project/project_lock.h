@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/base/error.h"
+
+#include <filesystem>
+#include <string>
+
+namespace espalier {
+
+/// Another window or program works on the project. The message says which.
+class ProjectInUse : public Error {
+public:
+  using Error::Error;
+};
+
+/// The right to write to a project, held by one window of one program at a time.
+///
+/// A file beside the project, "name.espalier.lock", names the holder. The system frees the lock
+/// with the process, however that ends: a file that was left behind keeps nobody out.
+class ProjectLock {
+public:
+  /// @throws ProjectInUse by whom
+  /// @throws Error        why the folder cannot be written to
+  explicit ProjectLock(const std::filesystem::path& project);
+  ~ProjectLock();
+  ProjectLock(const ProjectLock&) = delete;
+  ProjectLock& operator=(const ProjectLock&) = delete;
+
+  [[nodiscard]] static bool isHeld(const std::filesystem::path& project); // by whomever
+
+private:
+  std::filesystem::path path_;
+  int descriptor_ = -1;
+};
+
+} // namespace espalier

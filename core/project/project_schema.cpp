@@ -1,0 +1,83 @@
+#include "core/project/project_schema.h"
+
+#include <array>
+#include <set>
+#include <tuple>
+#include <vector>
+
+namespace espalier {
+namespace {
+
+using Statements = std::vector<const char*>;
+
+/// What leads from each version to the next. Never change an entry that was released: add one.
+const std::vector<Statements>& upgrades() {
+  static const std::vector<Statements> all = {
+      {// 0 to 1
+       "CREATE TABLE snapshot (step INTEGER PRIMARY KEY, nodes BLOB NOT NULL)",
+       "CREATE TABLE journal (step INTEGER PRIMARY KEY, time INTEGER NOT NULL,"
+       " author TEXT NOT NULL, text TEXT NOT NULL, delta BLOB NOT NULL)",
+       "CREATE TABLE position (id INTEGER PRIMARY KEY, step INTEGER NOT NULL)",
+       "CREATE TABLE document (name TEXT PRIMARY KEY, text TEXT NOT NULL) WITHOUT ROWID",
+       "CREATE TABLE piece (name TEXT NOT NULL, part INTEGER NOT NULL, hash INTEGER NOT NULL,"
+       " bytes BLOB NOT NULL, PRIMARY KEY (name, part))",
+       "CREATE TABLE scan (id INTEGER PRIMARY KEY, absolute TEXT NOT NULL, relative TEXT NOT NULL,"
+       " size INTEGER NOT NULL, hash INTEGER NOT NULL, x0 REAL, y0 REAL, z0 REAL,"
+       " x1 REAL, y1 REAL, z1 REAL)"},
+  };
+  return all;
+}
+
+void upgrade(const Database& database, int from) {
+  Transaction transaction(database);
+  for (int version = from; version < currentSchema(); ++version)
+    for (const char* statement : upgrades()[static_cast<std::size_t>(version)])
+      database.execute(statement);
+  database.execute("PRAGMA application_id = " + std::to_string(applicationId));
+  database.execute("PRAGMA user_version = " + std::to_string(currentSchema()));
+  transaction.commit();
+}
+
+using Tables = std::set<std::tuple<std::string, std::string, std::string>>;
+
+Tables tablesOf(const Database& database) {
+  Tables tables;
+  Statement rows = database.prepare("SELECT type, name, coalesce(sql, '') FROM sqlite_schema");
+  while (rows.step())
+    tables.emplace(rows.text(0), rows.text(1), rows.text(2));
+  return tables;
+}
+
+Tables tablesOfVersion(int version) {
+  const Database database = Database::inMemory();
+  for (int i = 0; i < version; ++i)
+    for (const char* statement : upgrades()[static_cast<std::size_t>(i)])
+      database.execute(statement);
+  return tablesOf(database);
+}
+
+} // namespace
+
+int currentSchema() {
+  return static_cast<int>(upgrades().size());
+}
+
+void upgradeSchema(const Database& database) {
+  upgrade(database, static_cast<int>(database.integer("PRAGMA user_version")));
+}
+
+int checkedSchema(const Database& database, const std::string& file) {
+  if (database.integer("PRAGMA application_id") != applicationId)
+    throw DamagedFile(file + ": is no project of Espalier: choose another file");
+  const std::int64_t version = database.integer("PRAGMA user_version");
+  if (version > currentSchema())
+    throw Error(file + ": was written by a newer Espalier (schema " + std::to_string(version) +
+                ", this program knows " + std::to_string(currentSchema()) +
+                "): open it with that one");
+  // Tables are compared to the letter: a file that was made to deceive gets no view or trigger in.
+  if (version < 1 || tablesOf(database) != tablesOfVersion(static_cast<int>(version)))
+    throw DamagedFile(file + ": its tables are not those of a project: choose another file");
+  return static_cast<int>(version);
+}
+
+} // namespace espalier

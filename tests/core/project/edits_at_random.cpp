@@ -1,0 +1,83 @@
+#include "tests/core/project/edits_at_random.h"
+
+#include <string>
+
+namespace espalier::test {
+namespace {
+
+void editOnce(SkeletonEditor& editor, Random& random) {
+  const std::vector<NodeId> ids = editor.skeleton().ids();
+  if (ids.size() < 5) {
+    editor.add({.position = random.direction(), .radius = 0.1});
+    return;
+  }
+  const NodeId id = ids[random.below(ids.size())];
+  const NodeId other = ids[random.below(ids.size())];
+  switch (random.below(6)) {
+  case 0:
+    editor.setPosition(id, random.direction());
+    break;
+  case 1:
+    editor.setRadius(id, random.uniform());
+    break;
+  case 2: {
+    Node node{.position = random.direction(), .parent = id, .edge = EdgeType::branching};
+    node.entities.push_back({.scale = 3, .symbol = "U", .index = 7, .values = {{"Date", "1"}}});
+    editor.add(node);
+    break;
+  }
+  case 3:
+    editor.makeRoot(id);
+    break;
+  case 4:
+    if (editor.skeleton().children(id).empty()) editor.erase(id);
+    break;
+  default:
+    if (!editor.skeleton().isAncestor(id, other)) editor.reparent(id, other, EdgeType::successor);
+  }
+}
+
+} // namespace
+
+EditsAtRandom::Act EditsAtRandom::next() {
+  const std::size_t kind = random_.below(10);
+  if (kind < 2 && history_.position > 0) return undo();
+  if (kind < 4 && history_.position < history_.steps.size()) return redo();
+  return edit(kind == 4 && history_.position > 0);
+}
+
+EditsAtRandom::Act EditsAtRandom::undo() {
+  --history_.position;
+  history_.steps[history_.position].delta.inverse().apply(history_.skeleton);
+  return {.kept = history_.steps.size(), .added = {}, .position = history_.position};
+}
+
+EditsAtRandom::Act EditsAtRandom::redo() {
+  history_.steps[history_.position].delta.apply(history_.skeleton);
+  ++history_.position;
+  return {.kept = history_.steps.size(), .added = {}, .position = history_.position};
+}
+
+EditsAtRandom::Act EditsAtRandom::edit(bool isDrag) {
+  SkeletonEditor editor(history_.skeleton);
+  const std::size_t changes = 1 + random_.below(4);
+  for (std::size_t i = 0; i < changes; ++i)
+    editOnce(editor, random_);
+  HistoryStep step{.text = "Edit " + std::to_string(random_.below(1000)),
+                   .author = "Anna",
+                   .time = static_cast<std::int64_t>(random_.below(1'000'000)),
+                   .delta = editor.commit()};
+  history_.steps.resize(history_.position);
+  if (isDrag) {
+    step.delta = history_.steps.back().delta.then(step.delta);
+    history_.steps.pop_back();
+  }
+  const std::size_t kept = history_.steps.size();
+  history_.steps.push_back(std::move(step));
+  history_.position = history_.steps.size();
+  return {.kept = kept,
+          .added = std::span(history_.steps).subspan(kept),
+          .position = history_.position};
+}
+
+} // namespace espalier::test

@@ -1,0 +1,88 @@
+#include "core/project/history.h"
+#include "tests/support/plants.h"
+
+#include <gtest/gtest.h>
+
+namespace espalier {
+namespace {
+
+SkeletonDelta::Change changed(const Skeleton& plant, NodeId id, Node after) {
+  return {id, plant[id], std::move(after)};
+}
+
+TEST(Fits, HoldsForWhatAnEditorMade) {
+  Skeleton plant = test::fork(3);
+  const Skeleton before = plant;
+  SkeletonEditor editor(plant);
+  const NodeId added = editor.add({.parent = test::forkTop});
+  editor.reparent(NodeId{2}, added, EdgeType::branching);
+  const SkeletonDelta delta = editor.commit();
+  EXPECT_TRUE(fits(delta, before));
+  EXPECT_TRUE(fits(delta.inverse(), plant));
+}
+
+TEST(Fits, FailsIfANodeIsNotAsItWas) {
+  const Skeleton plant = test::stick(3);
+  SkeletonDelta delta;
+  delta.changes = {changed(plant, NodeId{1}, plant[NodeId{1}])};
+  delta.changes[0].before->radius = 7;
+  EXPECT_FALSE(fits(delta, plant));
+  delta.changes = {{NodeId{9}, plant[NodeId{1}], plant[NodeId{1}]}};
+  EXPECT_FALSE(fits(delta, plant)) << "it is not there at all";
+  delta.changes = {{NodeId{1}, std::nullopt, plant[NodeId{1}]}};
+  EXPECT_FALSE(fits(delta, plant)) << "it is there already";
+}
+
+TEST(Fits, FailsIfLinksWouldGoAround) {
+  const Skeleton plant = test::stick(3);
+  Node first = plant[NodeId{0}];
+  first.parent = NodeId{2};
+  SkeletonDelta delta;
+  delta.changes = {changed(plant, NodeId{0}, first)};
+  EXPECT_FALSE(fits(delta, plant));
+  Node own = plant[NodeId{2}];
+  own.parent = NodeId{2};
+  delta.changes = {changed(plant, NodeId{2}, own)};
+  EXPECT_FALSE(fits(delta, plant));
+}
+
+TEST(Fits, FailsIfANodeWouldLoseItsParent) {
+  const Skeleton plant = test::stick(3);
+  SkeletonDelta delta;
+  delta.changes = {{NodeId{1}, plant[NodeId{1}], std::nullopt}};
+  EXPECT_FALSE(fits(delta, plant)) << "node 2 hangs on it";
+  Node lost = plant[NodeId{2}];
+  lost.parent = NodeId{8};
+  delta.changes = {changed(plant, NodeId{2}, lost)};
+  EXPECT_FALSE(fits(delta, plant)) << "there is no node 8";
+}
+
+TEST(Fits, FailsIfANodeIsNamedTwiceOrTooFarOff) {
+  const Skeleton plant = test::stick(3);
+  SkeletonDelta delta;
+  delta.changes = {changed(plant, NodeId{2}, plant[NodeId{2}]),
+                   changed(plant, NodeId{2}, plant[NodeId{2}])};
+  EXPECT_FALSE(fits(delta, plant));
+  delta.changes = {{NodeId{0xFFFFFFFF}, std::nullopt, Node{}}};
+  EXPECT_FALSE(fits(delta, plant));
+}
+
+TEST(TryToApply, LeavesAPlantThatItDoesNotFit) {
+  Skeleton plant = test::stick(3);
+  SkeletonDelta delta;
+  delta.changes = {{NodeId{2}, plant[NodeId{2}], std::nullopt}, {NodeId{1}, std::nullopt, Node{}}};
+  EXPECT_FALSE(tryToApply(delta, plant));
+  EXPECT_EQ(plant, test::stick(3));
+}
+
+TEST(TryToApply, AddsNodesUnderIdsOfTheirOwn) {
+  Skeleton plant = test::stick(2);
+  SkeletonDelta delta;
+  delta.changes = {{NodeId{40}, std::nullopt, Node{.radius = 0.5, .parent = NodeId{1}}}};
+  ASSERT_TRUE(tryToApply(delta, plant));
+  EXPECT_EQ(plant.size(), 3U);
+  EXPECT_EQ(plant[NodeId{40}].radius, 0.5);
+}
+
+} // namespace
+} // namespace espalier

@@ -1,0 +1,291 @@
+#include "core/project/project.h"
+#include "core/project/project_schema.h"
+#include "tests/core/io/samples.h"
+#include "tests/core/project/edits_at_random.h"
+#include "tests/support/plants.h"
+#include "tests/support/shared_data.h"
+
+#include <csignal>
+#include <fstream>
+#include <gmock/gmock.h>
+#include <sys/resource.h>
+
+namespace espalier {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+History withEdits(int acts, std::uint64_t seed = 1) {
+  test::EditsAtRandom edits({.skeleton = test::randomPlant(30, seed)}, seed);
+  for (int i = 0; i < acts || edits.history().position == edits.history().steps.size(); ++i)
+    (void)edits.next(); // and on until some of it is undone
+  return edits.history();
+}
+
+History readBack(const fs::path& path) {
+  const Imported<History> read = Project::open(path, Access::readOnly).history();
+  EXPECT_THAT(read.notes, testing::IsEmpty());
+  return read.value;
+}
+
+void write(const fs::path& path, const std::string& text) {
+  std::ofstream(path, std::ios::binary) << text;
+}
+
+TEST(Project, KeepsAPlantAndItsHistory) {
+  const fs::path file = test::freshFolder() / "oak.espalier";
+  const History history = withEdits(60);
+  (void)Project::create(file, history);
+  EXPECT_EQ(readBack(file), history);
+}
+
+TEST(Project, KeepsEachActAsItHappens) {
+  const fs::path file = test::freshFolder() / "oak.espalier";
+  test::EditsAtRandom edits({.skeleton = test::randomPlant(30, 2)}, 2);
+  Project project = Project::create(file, edits.history());
+  for (int i = 0; i < 150; ++i) {
+    const auto act = edits.next();
+    project.record(act.kept, act.added, act.position);
+    ASSERT_EQ(readBack(file), edits.history()) << "after act " << i; // while it is open
+    if (project.needsSnapshot()) project.takeSnapshot(edits.history().skeleton);
+  }
+}
+
+TEST(Project, UndoneStepsComeBackByRedo) {
+  const fs::path file = test::freshFolder() / "oak.espalier";
+  const History history = withEdits(60);
+  (void)Project::create(file, history);
+  History read = readBack(file);
+  const Skeleton beginning = beginningOf(history);
+  for (std::size_t i = read.position; i < read.steps.size(); ++i)
+    read.steps[i].delta.apply(read.skeleton); // which needs ids that were handed out
+  for (std::size_t i = read.steps.size(); i-- > 0;)
+    ASSERT_TRUE(tryToApply(read.steps[i].delta.inverse(), read.skeleton));
+  EXPECT_EQ(read.skeleton, beginning);
+}
+
+TEST(Project, AsksForASnapshotWhenItsJournalIsLongerThanThePlant) {
+  const fs::path file = test::freshFolder() / "oak.espalier";
+  test::EditsAtRandom edits({.skeleton = test::stick(3)}, 2);
+  Project project = Project::create(file, edits.history());
+  EXPECT_FALSE(project.needsSnapshot());
+  while (!project.needsSnapshot()) {
+    const auto act = edits.next();
+    project.record(act.kept, act.added, act.position);
+  }
+  project.takeSnapshot(edits.history().skeleton);
+  EXPECT_FALSE(project.needsSnapshot());
+  EXPECT_EQ(readBack(file), edits.history());
+}
+
+TEST(Project, ForgetsItsHistoryWhenAnotherPlantComes) {
+  const fs::path file = test::freshFolder() / "oak.espalier";
+  Project project = Project::create(file, withEdits(20));
+  project.reset(test::fork(3));
+  EXPECT_EQ(readBack(file), History{.skeleton = test::fork(3)});
+}
+
+TEST(Project, KeepsDocumentsBytesAndTheirAbsence) {
+  const fs::path file = test::freshFolder() / "oak.espalier";
+  const std::string many(40'000'000, 'p'); // more than one piece
+  {
+    Project project = Project::create(file, {});
+    project.setDocument("view", R"({"zoom":2})");
+    project.setDocument("options", "old");
+    project.setDocument("options", "");
+    project.setBytes("contracted", many);
+    project.setBytes("states", "x");
+    project.setBytes("states", "");
+  }
+  const Project project = Project::open(file, Access::readOnly);
+  EXPECT_EQ(project.document("view"), R"({"zoom":2})");
+  EXPECT_EQ(project.document("options"), "");
+  EXPECT_TRUE(project.bytes("contracted") == many);
+  EXPECT_EQ(project.bytes("states"), "");
+}
+
+TEST(Project, FindsItsScanWhereverItWent) {
+  const fs::path folder = test::freshFolder();
+  const fs::path scan = folder / "scans" / "oak.xyz";
+  fs::create_directories(scan.parent_path());
+  write(scan, "0 0 0\n1 1 1\n");
+  Project project = Project::create(folder / "oak.espalier", {});
+  const Eigen::AlignedBox3d bounds(Eigen::Vector3d::Zero(), Eigen::Vector3d::Ones());
+  project.setScan(ScanReference::of(scan, bounds));
+  EXPECT_EQ(project.findScan(), fs::canonical(scan));
+  EXPECT_EQ(project.scan()->bounds.max(), bounds.max());
+
+  fs::rename(scan, folder / "renamed.xyz");
+  EXPECT_EQ(project.findScan(), fs::canonical(folder / "renamed.xyz")) << "beside the project";
+  write(scan, "0 0 0\n1 1 2\n");
+  EXPECT_EQ(project.findScan(), fs::canonical(folder / "renamed.xyz"))
+      << "another scan of that name";
+  fs::remove(folder / "renamed.xyz");
+  EXPECT_EQ(project.findScan(), std::nullopt);
+}
+
+TEST(Project, FindsItsScanAfterBothMoved) {
+  const fs::path folder = test::freshFolder();
+  fs::create_directories(folder / "old" / "scans");
+  write(folder / "old" / "scans" / "oak.xyz", "0 0 0\n1 1 1\n");
+  Project::create(folder / "old" / "oak.espalier", {})
+      .setScan(ScanReference::of(folder / "old" / "scans" / "oak.xyz", {}));
+  fs::rename(folder / "old", folder / "new");
+  EXPECT_EQ(Project::open(folder / "new" / "oak.espalier", Access::readOnly).findScan(),
+            fs::canonical(folder / "new" / "scans" / "oak.xyz"));
+}
+
+TEST(Project, TakesOverAllButTheHistoryOfAnother) {
+  const fs::path folder = test::freshFolder();
+  write(folder / "oak.xyz", "0 0 0\n");
+  Project from = Project::create(folder / "a.espalier", {});
+  from.setDocument("view", "v");
+  from.setBytes("contracted", "c");
+  from.setScan(ScanReference::of(folder / "oak.xyz", {}));
+  Project to = Project::create(folder / "b.espalier", {.skeleton = test::fork(2)});
+  to.copyRest(from);
+  EXPECT_EQ(to.document("view"), "v");
+  EXPECT_EQ(to.bytes("contracted"), "c");
+  EXPECT_EQ(to.findScan(), fs::canonical(folder / "oak.xyz"));
+  EXPECT_EQ(to.history().value.skeleton, test::fork(2));
+}
+
+TEST(Project, GetsSmallerWhenCompacted) {
+  const fs::path file = test::freshFolder() / "oak.espalier";
+  const History history = withEdits(30);
+  Project project = Project::create(file, history);
+  project.setBytes("contracted", std::string(4'000'000, 'x'));
+  project.setBytes("contracted", "");
+  project.compact();
+  EXPECT_LT(fs::file_size(file), 1'000'000U);
+  EXPECT_EQ(project.history().value, history);
+}
+
+TEST(Project, ReplacesAFileOfItsName) {
+  const fs::path file = test::freshFolder() / "oak.espalier";
+  (void)Project::create(file, withEdits(20));
+  (void)Project::create(file, {.skeleton = test::fork(2)});
+  EXPECT_EQ(readBack(file).skeleton, test::fork(2));
+  EXPECT_EQ(std::distance(fs::directory_iterator(file.parent_path()), fs::directory_iterator()), 1)
+      << "nothing is left beside it";
+}
+
+TEST(Project, IsMarkedAsOneForOtherPrograms) {
+  const fs::path file = test::freshFolder() / "oak.espalier";
+  (void)Project::create(file, {});
+  std::ifstream in(file, std::ios::binary);
+  std::string header(100, '\0');
+  in.read(header.data(), 100);
+  EXPECT_EQ(header.substr(0, 15), "SQLite format 3");
+  EXPECT_EQ(header.substr(68, 4), "Espl"); // application id, as file(1) reads it
+}
+
+TEST(Project, WrittenByANewerProgramIsRefusedAndLeftAlone) {
+  const fs::path file = test::freshFolder() / "oak.espalier";
+  (void)Project::create(file, {});
+  Database(file, Opening::readWrite).execute("PRAGMA user_version = 99");
+  const std::string error =
+      test::errorOf([&] { return Project::open(file, Access::readWrite).path(); });
+  EXPECT_THAT(error, HasSubstr("newer Espalier"));
+  EXPECT_EQ(Database(file, Opening::frozen).integer("PRAGMA user_version"), 99);
+}
+
+TEST(Project, OfReadOnlyAccessIsNotWritten) {
+  const fs::path file = test::freshFolder() / "oak.espalier";
+  (void)Project::create(file, withEdits(5));
+  Project project = Project::open(file, Access::readOnly);
+  EXPECT_THAT(test::errorOf([&] {
+                project.reset({});
+                return 0;
+              }),
+              HasSubstr("read only"));
+}
+
+TEST(Project, TellsThatItWasRemovedReplacedOrMadeReadOnly) {
+  const fs::path file = test::freshFolder() / "oak.espalier";
+  const History history = withEdits(5);
+  const auto messageAfter = [&](const auto& mishap) {
+    fs::remove(file);
+    Project project = Project::create(file, {});
+    mishap();
+    return test::errorOf([&] {
+      project.record(0, history.steps, history.position);
+      return 0;
+    });
+  };
+  EXPECT_THAT(messageAfter([&] { fs::remove(file); }), HasSubstr("was removed"));
+  EXPECT_THAT(messageAfter([&] {
+                fs::copy_file(file, file.string() + "2");
+                fs::rename(file.string() + "2", file);
+              }),
+              HasSubstr("was replaced"));
+  EXPECT_THAT(messageAfter([&] { fs::permissions(file, fs::perms::owner_read); }),
+              HasSubstr("read-only"));
+}
+
+/// While it lives, files of this process cannot grow beyond `bytes`: as on a full disk.
+class FullDisk {
+public:
+  explicit FullDisk(rlim_t bytes) : before_(std::signal(SIGXFSZ, SIG_IGN)) {
+    ::getrlimit(RLIMIT_FSIZE, &limit_);
+    const rlimit low{bytes, limit_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &low);
+  }
+  ~FullDisk() {
+    ::setrlimit(RLIMIT_FSIZE, &limit_);
+    std::signal(SIGXFSZ, before_);
+  }
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+
+private:
+  void (*before_)(int);
+  rlimit limit_{};
+};
+
+TEST(Project, SurvivesAFullDisk) {
+  const fs::path file = test::freshFolder() / "oak.espalier";
+  test::EditsAtRandom edits({.skeleton = test::randomPlant(30, 2)}, 2);
+  Project project = Project::create(file, edits.history());
+  History saved = edits.history();
+  std::string error;
+  {
+    const FullDisk full(400'000);
+    while (error.empty()) {
+      const auto act = edits.next();
+      error = test::errorOf([&] {
+        project.record(act.kept, act.added, act.position);
+        return 0;
+      });
+      if (error.empty()) saved = edits.history();
+    }
+    EXPECT_THAT(error, HasSubstr("save elsewhere"));
+    EXPECT_EQ(project.history().value, saved) << "as before the edit that found no room";
+  }
+  const History& now = edits.history(); // there is room again: what is missing is written
+  project.record(0, now.steps, now.position);
+  EXPECT_EQ(readBack(file), now);
+}
+
+TEST(Project, ThatCannotBeMadeLeavesNothingBehind) {
+  const fs::path folder = test::freshFolder();
+  const History history = {.skeleton = test::randomPlant(3000, 1)};
+  {
+    const FullDisk full(50'000);
+    EXPECT_THROW((void)Project::create(folder / "oak.espalier", history), Error);
+  }
+  EXPECT_TRUE(fs::is_empty(folder));
+  EXPECT_THROW((void)Project::create(folder / "none" / "oak.espalier", history), Error);
+}
+
+TEST(Project, ThatIsMissingIsAnError) {
+  EXPECT_THAT(
+      test::errorOf([] {
+        return Project::open(test::freshFolder() / "none.espalier", Access::readWrite).path();
+      }),
+      HasSubstr("there is no such file"));
+}
+
+} // namespace
+} // namespace espalier

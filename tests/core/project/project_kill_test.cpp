@@ -1,0 +1,103 @@
+// A program edits at random and is killed at random moments, over and over on one file. What it
+// had been told is saved must be there each time, with a valid history.
+#include "core/base/random.h"
+#include "core/project/project.h"
+#include "tests/core/project/edits_at_random.h"
+#include "tests/support/plants.h"
+#include "tests/support/shared_data.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace espalier {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The program: opens the project and edits until it is killed; a byte into `saved` for each act
+/// that is.
+[[noreturn]] void editUntilKilled(const fs::path& file, std::uint64_t seed, int saved) {
+  try {
+    Project project = Project::open(file, Access::readWrite);
+    test::EditsAtRandom edits(project.history().value, seed);
+    for (;;) {
+      const auto act = edits.next();
+      project.record(act.kept, act.added, act.position);
+      if (::write(saved, "s", 1) != 1) ::_exit(3);
+      if (project.needsSnapshot()) project.takeSnapshot(edits.history().skeleton);
+    }
+  } catch (const std::exception& error) {
+    (void)!::write(STDERR_FILENO, error.what(), std::string_view(error.what()).size());
+    ::_exit(4);
+  }
+}
+
+void spin(std::chrono::microseconds time) {
+  const auto end = std::chrono::steady_clock::now() + time;
+  while (std::chrono::steady_clock::now() < end)
+    continue;
+}
+
+/// Reads bytes of the pipe, at most `most`; fewer if it ends.
+int readBytes(int pipe, int most) {
+  int count = 0;
+  char byte = 0;
+  while (count < most && ::read(pipe, &byte, 1) == 1)
+    ++count;
+  return count;
+}
+
+/// Runs the program until it has saved `acts` and a moment longer.
+/// @return how many acts it was told are saved
+int runAndKill(const fs::path& file, std::uint64_t seed, int acts,
+               std::chrono::microseconds longer) {
+  int saved[2];
+  EXPECT_EQ(::pipe(saved), 0);
+  const pid_t child = ::fork();
+  if (child == 0) editUntilKilled(file, seed, saved[1]);
+  ::close(saved[1]);
+  int count = readBytes(saved[0], acts);
+  spin(longer);
+  ::kill(child, SIGKILL);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL) << "it ended by itself";
+  count += readBytes(saved[0], 1'000'000);
+  ::close(saved[0]);
+  return count;
+}
+
+TEST(KilledProgram, LosesNoEditThatItWasToldIsSaved) {
+  const fs::path file = test::freshFolder() / "oak.espalier";
+  Random random(20);
+  History truth{.skeleton = test::randomPlant(200, 1)};
+  (void)Project::create(file, truth);
+  int savedInAll = 0;
+  int keptUntold = 0;
+  for (std::uint64_t round = 0; round < 250; ++round) {
+    const int acts = static_cast<int>(random.below(8)); // 0: perhaps while it opens
+    const int saved = runAndKill(file, round, acts, std::chrono::microseconds(random.below(6000)));
+    savedInAll += saved;
+    test::EditsAtRandom edits(std::move(truth), round);
+    for (int i = 0; i < saved; ++i)
+      (void)edits.next();
+    const Imported<History> found = Project::open(file, Access::readWrite).history();
+    ASSERT_TRUE(found.notes.empty()) << found.notes[0];
+    if (found.value != edits.history()) { // one more was saved, and nobody told of it any more
+      (void)edits.next();
+      ++keptUntold;
+    }
+    ASSERT_EQ(found.value, edits.history()) << "round " << round << ", " << saved << " saved";
+    truth = found.value;
+  }
+  EXPECT_GT(savedInAll, 500);
+  RecordProperty("saved", savedInAll);
+  RecordProperty("kept_untold", keptUntold);
+}
+
+} // namespace
+} // namespace espalier

@@ -1,5 +1,6 @@
 #include "core/cloud/point_cloud.h"
 
+#include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/base/spatial_index.h"
 
@@ -86,6 +87,21 @@ PointCloud::PointCloud(RawPoints raw, const Progress& progress) {
     if (!intensities_.empty()) intensities_[i] = raw.intensities[from];
   }
   progress.update(1);
+}
+
+PointCloud::PointCloud(StoredPoints stored) {
+  const auto count = static_cast<std::size_t>(stored.positions.cols());
+  const auto isNoneOr = [&](std::size_t size) { return size == 0 || size == count; };
+  if (stored.fileOrder.size() != count || !isNoneOr(stored.colors.size()) ||
+      !isNoneOr(stored.intensities.size()))
+    throw Error("stored points are not complete: open the scan again");
+  if (!stored.positions.allFinite() || !isUsable(stored.origin))
+    throw Error("stored points are not all finite: open the scan again");
+  positions_ = std::move(stored.positions);
+  origin_ = stored.origin;
+  colors_ = std::move(stored.colors);
+  intensities_ = std::move(stored.intensities);
+  fileOrder_ = std::move(stored.fileOrder);
 }
 
 Eigen::AlignedBox3d PointCloud::bounds() const {

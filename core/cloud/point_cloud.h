@@ -20,6 +20,15 @@ struct RawPoints {
   std::vector<float> intensities;         // one per point, or none
 };
 
+/// What a PointCloud holds, as it was when it was stored.
+struct StoredPoints {
+  Eigen::Matrix3Xf positions;                       // 3 x N about `origin` [L]
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero(); // [L], frame of the file
+  std::vector<Color> colors;                        // N, or none
+  std::vector<float> intensities;                   // N, or none
+  std::vector<std::uint32_t> fileOrder;             // N
+};
+
 /// The samples of a laser scanner. Immutable once made; shared as shared_ptr<const PointCloud>.
 ///
 /// Invariants: all positions are finite; colors() and intensities() are empty or have one entry per
@@ -33,6 +42,10 @@ public:
   /// Points that are not finite, or have a larger coordinate, are left out: size() then is less
   /// than raw.positions.size(). Time O(N log N).
   explicit PointCloud(RawPoints raw, const Progress& progress = {});
+
+  /// The same cloud again, in the order that it had. Time O(N).
+  /// @throws Error if the parts are not of one size, or a position is not finite
+  explicit PointCloud(StoredPoints stored);
 
   [[nodiscard]] Eigen::Index size() const { return positions_.cols(); }
   [[nodiscard]] bool isEmpty() const { return size() == 0; }

@@ -1,5 +1,6 @@
 #include "ui/document/plant_document.h"
 
+#include <QDateTime>
 #include <QUndoCommand>
 
 #include <utility>
@@ -9,35 +10,43 @@ namespace espalier {
 /// The one kind of undo step.
 class PlantDocument::EditSkeleton final : public QUndoCommand {
 public:
-  /// pre: `delta` is applied already
-  EditSkeleton(PlantDocument& document, const QString& text, SkeletonDelta delta, Gesture gesture)
-      : QUndoCommand(text), document_(document), delta_(std::move(delta)), gesture_(gesture) {}
+  /// pre: the delta is applied already, or the document is restoring
+  EditSkeleton(PlantDocument& document, HistoryStep step, Gesture gesture)
+      : QUndoCommand(QString::fromStdString(step.text)), document_(document),
+        step_(std::move(step)), gesture_(gesture), revision_(++document.revisions_) {}
 
   [[nodiscard]] int id() const override { return gesture_.id(); }
+  [[nodiscard]] const HistoryStep& step() const { return step_; }
+  [[nodiscard]] std::uint64_t revision() const { return revision_; }
 
   void redo() override { // QUndoStack::push calls it once for the edit that was made already
-    if (isNew_)
-      document_.announce(delta_);
-    else
-      document_.apply(delta_);
+    if (!document_.isRestoring_) {
+      if (isNew_)
+        document_.announce(step_.delta);
+      else
+        document_.apply(step_.delta);
+    }
     isNew_ = false;
   }
 
   void undo() override {
-    document_.apply(delta_.inverse());
+    if (document_.isRestoring_) return;
+    document_.apply(step_.delta.inverse());
     if (document_.isCanceling_) setObsolete(true);
   }
 
   bool mergeWith(const QUndoCommand* next) override { // called for equal ids only
-    delta_ = delta_.then(static_cast<const EditSkeleton*>(next)->delta_);
-    setObsolete(delta_.isEmpty()); // dragged back to where it was
+    step_.delta = step_.delta.then(static_cast<const EditSkeleton*>(next)->step_.delta);
+    revision_ = ++document_.revisions_;
+    setObsolete(step_.delta.isEmpty()); // dragged back to where it was
     return true;
   }
 
 private:
   PlantDocument& document_;
-  SkeletonDelta delta_;
+  HistoryStep step_;
   Gesture gesture_;
+  std::uint64_t revision_;
   bool isNew_ = true;
 };
 
@@ -55,7 +64,11 @@ void PlantDocument::edit(const QString& text, const std::function<void(SkeletonE
   change(editor); // if it throws, the editor rolls back
   SkeletonDelta delta = editor.commit();
   if (delta.isEmpty()) return; // a click that moved nothing is no step
-  undoStack_.push(new EditSkeleton(*this, text, std::move(delta), gesture)); // the stack owns it
+  HistoryStep step{.text = text.toStdString(),
+                   .author = author_.toStdString(),
+                   .time = QDateTime::currentMSecsSinceEpoch(),
+                   .delta = std::move(delta)};
+  undoStack_.push(new EditSkeleton(*this, std::move(step), gesture)); // the stack owns it
 }
 
 void PlantDocument::cancel(Gesture gesture) {
@@ -100,6 +113,21 @@ void PlantDocument::openStructure(Structure structure, const QString& path) {
   emit titleChanged();
 }
 
+void PlantDocument::openHistory(Structure structure, std::vector<HistoryStep> steps,
+                                std::size_t position, const QString& path) {
+  openStructure(std::move(structure), path);
+  isRestoring_ = true;
+  for (HistoryStep& step : steps)
+    undoStack_.push(new EditSkeleton(*this, std::move(step), {}));
+  undoStack_.setIndex(static_cast<int>(position));
+  isRestoring_ = false;
+}
+
+void PlantDocument::setAlwaysSaved(bool isAlwaysSaved) {
+  isAlwaysSaved_ = isAlwaysSaved;
+  emit titleChanged();
+}
+
 void PlantDocument::markSaved(const QString& path) {
   filePath_ = path;
   undoStack_.setClean();
@@ -110,6 +138,26 @@ void PlantDocument::clear() {
   setScan(nullptr, {});
   openSkeleton({}, {});
   setUnit(LengthUnit::unknown);
+}
+
+History PlantDocument::history() const {
+  History history{.skeleton = skeleton()};
+  for (int i = 0; i < undoStack_.count(); ++i)
+    history.steps.push_back(step(i));
+  history.position = static_cast<std::size_t>(undoStack_.index());
+  return history;
+}
+
+const HistoryStep& PlantDocument::step(int index) const {
+  return command(index).step();
+}
+
+std::uint64_t PlantDocument::revision(int index) const {
+  return command(index).revision();
+}
+
+const PlantDocument::EditSkeleton& PlantDocument::command(int index) const {
+  return *static_cast<const EditSkeleton*>(undoStack_.command(index));
 }
 
 void PlantDocument::apply(const SkeletonDelta& delta) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/mtg/structure.h"
+#include "core/project/history.h"
 #include "core/skeleton/skeleton_delta.h"
 #include "ui/document/gesture.h"
 #include "ui/document/length_unit.h"
@@ -11,8 +12,10 @@
 #include <QString>
 #include <QUndoStack>
 
+#include <cstdint>
 #include <functional>
 #include <memory>
+#include <vector>
 
 namespace espalier {
 
@@ -38,7 +41,7 @@ public:
   [[nodiscard]] Selection& selection() { return selection_; }
   [[nodiscard]] QUndoStack& undoStack() { return undoStack_; }
   [[nodiscard]] LengthUnit unit() const { return unit_; }
-  [[nodiscard]] bool isModified() const { return !undoStack_.isClean(); }
+  [[nodiscard]] bool isModified() const { return !isAlwaysSaved_ && !undoStack_.isClean(); }
   [[nodiscard]] bool isEmpty() const { return !scan_ && structure_.skeleton.isEmpty(); }
 
   /// Where the skeleton was read from or saved to; empty if neither.
@@ -60,10 +63,23 @@ public:
   /// Shows another structure, read from `path`. It has no history yet.
   void openStructure(Structure structure, const QString& path);
   void openSkeleton(Skeleton skeleton, const QString& path); // the same without an MTG
+  /// The same with its history: `structure` has the first `position` steps done, the others can be
+  /// redone. pre: each step fits where it stands
+  void openHistory(Structure structure, std::vector<HistoryStep> steps, std::size_t position,
+                   const QString& path);
   /// The skeleton as it is now stands in `path`.
   void markSaved(const QString& path);
+  /// Whether each edit is saved as it happens, so that none is ever unsaved.
+  void setAlwaysSaved(bool isAlwaysSaved);
+  void setAuthor(const QString& author) { author_ = author; } // of the edits to come
   /// A new, empty document.
   void clear();
+
+  /// The steps of the undo stack, to be kept elsewhere.
+  [[nodiscard]] History history() const;
+  [[nodiscard]] const HistoryStep& step(int index) const; // pre: 0 <= index < undoStack().count()
+  /// Differs from all others, and once more when a drag goes on in the same step.
+  [[nodiscard]] std::uint64_t revision(int index) const;
 
 signals:
   void skeletonEdited(const espalier::SkeletonDelta& delta);
@@ -75,6 +91,7 @@ signals:
 
 private:
   class EditSkeleton;
+  [[nodiscard]] const EditSkeleton& command(int index) const;
   void apply(const SkeletonDelta& delta);
   void announce(const SkeletonDelta& delta);
 
@@ -86,7 +103,11 @@ private:
   LengthUnit unit_ = LengthUnit::unknown;
   QString filePath_;
   QString scanPath_;
+  QString author_;
+  std::uint64_t revisions_ = 0; // handed out
+  bool isAlwaysSaved_ = false;
   bool isCanceling_ = false; // the step undone now is to be forgotten
+  bool isRestoring_ = false; // steps of a file become commands: nothing is done to the skeleton
 };
 
 } // namespace espalier

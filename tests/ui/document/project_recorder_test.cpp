@@ -1,0 +1,125 @@
+#include "tests/support/plants.h"
+#include "tests/support/shared_data.h"
+#include "ui/document/plant_document.h"
+#include "ui/document/project_recorder.h"
+
+#include <gmock/gmock.h>
+
+namespace espalier {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+struct ProjectRecorderTest : testing::Test {
+  fs::path file = test::freshFolder() / "fork.espalier";
+  PlantDocument document;
+  ProjectRecorder recorder{document};
+  QStringList messages;
+
+  void SetUp() override {
+    QObject::connect(&recorder, &ProjectRecorder::failed, &document,
+                     [this](const QString& message) { messages.append(message); });
+    document.openSkeleton(test::fork(3), {});
+    document.setAuthor("Anna");
+    recorder.start(makeProject(document, file));
+  }
+  void setRadius(double radius, Gesture gesture = {}) {
+    document.edit(
+        "Radius", [=](SkeletonEditor& editor) { editor.setRadius(test::forkTop, radius); },
+        gesture);
+  }
+  [[nodiscard]] History onDisk() const {
+    return Project::open(file, Access::readOnly).history().value;
+  }
+};
+
+TEST_F(ProjectRecorderTest, WritesEveryEditUndoAndRedoAtOnce) {
+  setRadius(1);
+  EXPECT_EQ(onDisk(), document.history());
+  setRadius(2);
+  EXPECT_EQ(onDisk(), document.history());
+  document.undoStack().undo();
+  EXPECT_EQ(onDisk(), document.history());
+  EXPECT_EQ(onDisk().position, 1U);
+  document.undoStack().redo();
+  EXPECT_EQ(onDisk(), document.history());
+  document.undoStack().undo();
+  setRadius(3);
+  EXPECT_EQ(onDisk(), document.history());
+  EXPECT_EQ(onDisk().steps.size(), 2U) << "what was undone is dropped by the next edit";
+  EXPECT_EQ(onDisk().steps[0].author, "Anna");
+  EXPECT_GT(onDisk().steps[0].time, 1'700'000'000'000) << "milliseconds of this century";
+}
+
+TEST_F(ProjectRecorderTest, WritesADragAsOneStepOnceItRests) {
+  const Gesture drag = Gesture::begin();
+  for (int i = 1; i <= 20; ++i)
+    setRadius(i, drag);
+  EXPECT_EQ(onDisk().steps.size(), 1U) << "its beginning is safe at once";
+  recorder.flush();
+  EXPECT_EQ(onDisk(), document.history());
+  EXPECT_EQ(onDisk().skeleton[test::forkTop].radius, 20);
+}
+
+TEST_F(ProjectRecorderTest, ForgetsADragThatWasCanceled) {
+  const Gesture drag = Gesture::begin();
+  setRadius(4, drag);
+  setRadius(5, drag);
+  document.cancel(drag);
+  EXPECT_EQ(onDisk(), document.history());
+  EXPECT_THAT(onDisk().steps, IsEmpty());
+}
+
+TEST_F(ProjectRecorderTest, BringsTheHistoryBackIntoAnotherDocument) {
+  setRadius(1);
+  setRadius(2);
+  setRadius(3);
+  document.undoStack().undo();
+  const History saved = onDisk();
+  PlantDocument other;
+  other.openHistory({.skeleton = saved.skeleton}, saved.steps, saved.position, {});
+  EXPECT_EQ(other.history(), document.history());
+  EXPECT_EQ(other.undoStack().undoText(), "Radius");
+  other.undoStack().redo();
+  EXPECT_EQ(other.skeleton()[test::forkTop].radius, 3);
+  for (int i = 0; i < 3; ++i)
+    other.undoStack().undo();
+  EXPECT_EQ(other.skeleton(), test::fork(3));
+  EXPECT_FALSE(other.undoStack().canUndo());
+}
+
+TEST_F(ProjectRecorderTest, GoesOnInMemoryWhenTheFileIsGoneAndTellsItOnce) {
+  fs::remove(file);
+  setRadius(1);
+  setRadius(2);
+  EXPECT_TRUE(recorder.isBehind());
+  ASSERT_EQ(messages.size(), 1);
+  EXPECT_THAT(messages[0].toStdString(), HasSubstr("was removed"));
+  EXPECT_EQ(document.skeleton()[test::forkTop].radius, 2);
+  document.undoStack().undo();
+  EXPECT_EQ(document.skeleton()[test::forkTop].radius, 1);
+}
+
+TEST_F(ProjectRecorderTest, WritesAllThatIsMissingOnceItCanAgain) {
+  fs::permissions(file, fs::perms::owner_read);
+  setRadius(1);
+  setRadius(2);
+  EXPECT_TRUE(recorder.isBehind());
+  fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);
+  document.undoStack().undo();
+  EXPECT_FALSE(recorder.isBehind());
+  EXPECT_EQ(onDisk(), document.history());
+}
+
+TEST_F(ProjectRecorderTest, KeepsUnitAndContractedPoints) {
+  document.setUnit(LengthUnit::meter);
+  document.setContracted(std::make_shared<Eigen::Matrix3Xf>(Eigen::Matrix3Xf::Ones(3, 4)));
+  const std::unique_ptr<Project> project = recorder.stop();
+  EXPECT_EQ(project->document("unit"), "m");
+  EXPECT_EQ(project->bytes("contracted").size(), 3U * 4U * sizeof(float));
+}
+
+} // namespace
+} // namespace espalier

@@ -1,5 +1,6 @@
 #include "app/window/file_flow.h"
 
+#include "app/window/project_flow.h"
 #include "app/window/recent_files.h"
 #include "core/base/error.h"
 #include "core/io/dropped.h"
@@ -40,7 +41,9 @@ QString readableFilters() {
     all.append(patternsOf(format));
     filters.append(filterOf(format));
   }
-  filters.prepend(FileFlow::tr("Scans and skeletons (%1)").arg(all.join(' ')));
+  filters.prepend(FileFlow::tr("Projects (*.espalier)"));
+  all.append("*.espalier");
+  filters.prepend(FileFlow::tr("Projects, scans and skeletons (%1)").arg(all.join(' ')));
   filters.append(FileFlow::tr("All files (*)"));
   return filters.join(";;");
 }
@@ -62,7 +65,14 @@ bool canBeSavedTo(const QString& path) {
   }
 }
 
+bool isProjectName(const QString& path) {
+  return path.endsWith(".espalier", Qt::CaseInsensitive);
+}
+
 QString proposedPath(const PlantDocument& document, const QString& folder) {
+  const QFileInfo file(document.filePath());
+  if (isProjectName(document.filePath()))
+    return file.path() + "/" + file.completeBaseName() + ".mtg";
   if (!document.filePath().isEmpty()) return document.filePath();
   const QFileInfo scan(document.scanPath());
   if (scan.fileName().isEmpty()) return folder + "/plant.mtg";
@@ -84,6 +94,12 @@ void FileFlow::open(const QStringList& paths) {
   if (parts_.jobs.isRunning())
     throw Error(
         tr("%1 is still running: wait for it, or cancel it").arg(parts_.jobs.name()).toStdString());
+  for (const QString& path : paths) {
+    if (!isProjectName(path) && !isProject(toPath(path))) continue;
+    if (paths.size() > 1) throw Error(tr("%1: open a project alone").arg(path).toStdString());
+    if (mayDiscard()) parts_.projects.open(path);
+    return;
+  }
   bool hasScan = false;
   bool hasStructure = false;
   for (const QString& path : paths)
@@ -99,6 +115,7 @@ void FileFlow::open(const QStringList& paths) {
 }
 
 bool FileFlow::save() {
+  if (parts_.projects.isNamed()) return parts_.projects.confirmSaved();
   const QString path = parts_.document.filePath();
   if (!canBeSavedTo(path)) return saveAs();
   writeTo(path);
@@ -106,20 +123,34 @@ bool FileFlow::save() {
 }
 
 bool FileFlow::saveAs() {
+  const QString path = chooseTarget(tr("Save the skeleton"));
+  if (path.isEmpty()) return false;
+  writeTo(path);
+  return parts_.projects.isNamed() || !parts_.document.isModified();
+}
+
+void FileFlow::exportStructure() {
+  const QString path = chooseTarget(tr("Export the structure"));
+  if (path.isEmpty()) return;
+  writeStructure(toPath(path), parts_.document.structure());
+  emit saved(path);
+  noteDropped(path);
+}
+
+QString FileFlow::chooseTarget(const QString& title) {
   const QString folder = parts_.settings.value(folderKey).toString();
-  QFileDialog dialog(&parts_.window, tr("Save the skeleton"), {}, writableFilters());
+  QFileDialog dialog(&parts_.window, title, {}, writableFilters());
   dialog.setAcceptMode(QFileDialog::AcceptSave);
   dialog.setDefaultSuffix("mtg");
   const QFileInfo proposed(proposedPath(parts_.document, folder));
   dialog.setDirectory(proposed.absolutePath());
   dialog.selectFile(proposed.fileName());
-  if (dialog.exec() != QDialog::Accepted) return false;
-  writeTo(dialog.selectedFiles().front());
-  return !parts_.document.isModified();
+  return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().front() : QString();
 }
 
 bool FileFlow::mayDiscard() {
-  if (!parts_.document.isModified()) return true;
+  const bool isNamed = parts_.projects.isNamed();
+  if (parts_.projects.keepsWork() || (!isNamed && !parts_.document.isModified())) return true;
   QMessageBox box(QMessageBox::NoIcon, tr("Unsaved edits"),
                   tr("<b>Save the edits to this skeleton?</b>"), QMessageBox::NoButton,
                   &parts_.window);
@@ -130,16 +161,22 @@ bool FileFlow::mayDiscard() {
   box.setDefaultButton(save);
   box.setEscapeButton(keep);
   box.exec();
-  if (box.clickedButton() == save) return this->save();
+  if (box.clickedButton() == save)
+    return isNamed ? parts_.projects.saveAs() && parts_.projects.keepsWork() : this->save();
   return box.clickedButton() == discard;
 }
 
 void FileFlow::show(LoadedFiles loaded, bool isAnotherPlant) {
   PlantDocument& document = parts_.document;
-  if (isAnotherPlant) document.clear();
+  if (isAnotherPlant || loaded.structure) parts_.projects.leave();
+  if (isAnotherPlant) {
+    document.clear();
+    parts_.projects.setScanReference(std::nullopt);
+  }
   if (loaded.scan) {
     document.setUnit(likelyUnit(loaded.scan->cloud()->bounds().sizes().maxCoeff()));
     document.setScan(std::move(loaded.scan), loaded.scanPath);
+    parts_.projects.setScanReference(loaded.scanReference);
     parts_.recent.add(loaded.scanPath);
   }
   if (loaded.structure) {
@@ -165,7 +202,7 @@ void FileFlow::writeTo(const QString& path) {
   if (!canBeSavedTo(path))
     return; // lines or a table, as other programs want: the plant is not kept
   copied_ = path;
-  parts_.document.markSaved(path);
+  if (!parts_.projects.isNamed()) parts_.document.markSaved(path);
   parts_.recent.add(path);
 }
 

@@ -12,6 +12,7 @@ namespace espalier {
 
 class JobRunner;
 class PlantDocument;
+class ProjectFlow;
 class RecentFiles;
 
 /// Opening and saving: the dialogs, the jobs, and the question before unsaved work is lost.
@@ -23,6 +24,7 @@ public:
   struct Parts {
     PlantDocument& document;
     JobRunner& jobs;
+    ProjectFlow& projects;
     RecentFiles& recent;
     QSettings& settings;
     QWidget& window;
@@ -31,8 +33,8 @@ public:
 
   void chooseAndOpen();
 
-  /// A structure replaces the skeleton; a scan comes under a skeleton that has none, else it begins
-  /// another plant.
+  /// A project replaces all; a structure replaces the skeleton; a scan comes under a skeleton that
+  /// has none, else it begins another plant.
   /// @throws Error if a file cannot be read or a job is running; reading goes on as a job
   void open(const QStringList& paths);
 
@@ -41,6 +43,9 @@ public:
   /// @throws Error why it cannot be written
   bool save();
   bool saveAs();
+  /// Writes a copy of the skeleton: the document stays where it is.
+  /// @throws Error why it cannot be written
+  void exportStructure();
 
   /// Asks what to do with unsaved edits, if there are any. False: keep editing.
   /// @throws Error if they are to be saved and cannot be
@@ -53,6 +58,7 @@ signals:
 
 private:
   void show(LoadedFiles loaded, bool isAnotherPlant);
+  [[nodiscard]] QString chooseTarget(const QString& title);
   void writeTo(const QString& path);
   void noteDropped(const QString& path);
 

@@ -32,6 +32,7 @@ LoadedFiles loadFiles(const QStringList& paths, const Progress& progress) {
                          QT_TRANSLATE_NOOP("LoadFiles", "%1: a second scan: open one at a time"));
       Imported<PointCloud> points = readPoints(path, part.part(0, 0.9));
       part.update(0.9);
+      loaded.scanReference = ScanReference::of(path, points.value.bounds());
       loaded.scan = std::make_unique<const Scan>(std::move(points.value));
       loaded.scanPath = paths[i];
       addNotes(loaded, points.notes);

@@ -2,6 +2,7 @@
 
 #include "core/base/progress.h"
 #include "core/mtg/structure.h"
+#include "core/project/project.h"
 #include "ui/document/length_unit.h"
 #include "ui/document/scan.h"
 
@@ -18,6 +19,7 @@ namespace espalier {
 struct LoadedFiles {
   std::unique_ptr<const Scan> scan; // null: none
   QString scanPath;
+  std::optional<ScanReference> scanReference; // to find it again
   std::optional<Structure> structure;
   QString structurePath;
   QStringList notes; // what their user should know of how they were read

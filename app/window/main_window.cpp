@@ -4,6 +4,7 @@
 #include "app/window/editing.h"
 #include "app/window/file_flow.h"
 #include "app/window/icon.h"
+#include "app/window/project_flow.h"
 #include "app/window/recent_files.h"
 #include "app/window/reconstruct_flow.h"
 #include "app/window/view_options.h"
@@ -70,18 +71,23 @@ MainWindow::MainWindow(QSettings& settings, QWidget* parent)
   statusBar()->setSizeGripEnabled(false);
 
   sync_ = std::make_unique<ViewSync>(document_, *view_);
-  files_ =
-      std::make_unique<FileFlow>(FileFlow::Parts{document_, jobs_, *recent_, settings_, *this});
+  projects_ = std::make_unique<ProjectFlow>(
+      ProjectFlow::Parts{document_, jobs_, *recent_, settings_, *this});
+  files_ = std::make_unique<FileFlow>(
+      FileFlow::Parts{document_, jobs_, *projects_, *recent_, settings_, *this});
   reconstruct_ = std::make_unique<ReconstructFlow>(document_, jobs_, nullptr);
   addActions();
   fillMenus();
   fillToolBar();
   connectJobs();
+  connectFiles();
+  connectProjects();
   connectDocument();
   useTheme(themeNamed(settings_.value("theme").toString()));
   restoreGeometry(settings_.value("window/geometry").toByteArray());
   restoreState(settings_.value("window/state").toByteArray());
   refreshEmptiness();
+  projects_->offerSessions();
 }
 
 MainWindow::~MainWindow() {
@@ -105,6 +111,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     return;
   }
   jobs_.cancel();
+  projects_->leave();
   settings_.setValue("window/geometry", saveGeometry());
   settings_.setValue("window/state", saveState());
   event->accept();
@@ -189,20 +196,68 @@ void MainWindow::connectJobs() {
     pipeline_->showDone();
     banner_->showResult(message, tr("Undo"), [this] { editing_->undo(); });
   });
-  connect(files_.get(), &FileFlow::opened, this, [this] {
+}
+
+void MainWindow::connectFiles() {
+  const auto showPlant = [this] {
     banner_->hide();
     const auto* scan = document_.scan();
     options_->setAvailable(scan != nullptr && !scan->cloud()->intensities().empty(),
                            scan != nullptr && !scan->cloud()->colors().empty());
     refreshEmptiness();
     view_->frameAll();
-  });
+  };
+  connect(files_.get(), &FileFlow::opened, this, showPlant);
+  connect(projects_.get(), &ProjectFlow::opened, this, showPlant);
   connect(files_.get(), &FileFlow::noted, this,
           [this](const QString& message) { banner_->showResult(message); });
   connect(files_.get(), &FileFlow::saved, this, [this](const QString& path) {
     banner_->hide(); // of what kept it from being saved before
     status_->showNote(tr("Saved %1").arg(QFileInfo(path).fileName()));
   });
+}
+
+void MainWindow::connectProjects() {
+  connect(projects_.get(), &ProjectFlow::told, this, [this](const ProjectFlow::Notice& notice) {
+    MessageBanner::Actions actions;
+    for (const ProjectFlow::Notice::Action& action : notice.actions)
+      actions.push_back({action.text, [this, act = action.act] {
+                           actions_->guarded(
+                               [&] {
+                                 act();
+                                 return true;
+                               },
+                               Refusal::inBanner);
+                         }});
+    if (notice.isError)
+      banner_->showError(notice.text, actions);
+    else if (actions.empty())
+      banner_->showResult(notice.text);
+    else
+      banner_->showOffer(notice.text, actions);
+  });
+  connect(projects_.get(), &ProjectFlow::chosen, this,
+          [this](const QString& path) { open({path}); });
+  connect(projects_.get(), &ProjectFlow::sessionsChanged, this, [this] {
+    QStringList texts;
+    QStringList paths;
+    for (const Session& session : projects_->sessions().waiting()) {
+      texts.append(describe(session, QDateTime::currentDateTime()));
+      paths.append(session.path);
+    }
+    start_->setSessions(texts, paths);
+  });
+}
+
+void MainWindow::closePlant() {
+  if (jobs_.isRunning()) jobs_.cancel();
+  if (!files_->mayDiscard()) return;
+  projects_->leave();
+  document_.clear();
+  banner_->hide();
+  projects_->setScanReference(std::nullopt);
+  projects_->offerSessions();
+  refreshEmptiness();
 }
 
 void MainWindow::connectDocument() {
@@ -254,11 +309,12 @@ void MainWindow::refreshDocks() {
 }
 
 void MainWindow::refreshTitle() {
+  (*actions_)["compact_project"]->setEnabled(projects_->isNamed());
   const QString path = document_.filePath().isEmpty() ? document_.scanPath() : document_.filePath();
   setWindowFilePath(path);
   setWindowTitle(path.isEmpty() ? QStringLiteral("Espalier")
                                 : QFileInfo(path).fileName() + "[*] – Espalier");
-  setWindowModified(document_.isModified());
+  setWindowModified(!path.isEmpty() && document_.isModified());
 }
 
 void MainWindow::refreshCounts() {
@@ -283,6 +339,8 @@ void MainWindow::refreshEmptiness() {
   (*actions_)["reconstruct"]->setEnabled(canRun);
   (*actions_)["save_as"]->setEnabled(!document_.skeleton().isEmpty());
   (*actions_)["save"]->setEnabled(!document_.skeleton().isEmpty());
+  (*actions_)["export_structure"]->setEnabled(!document_.skeleton().isEmpty());
+  (*actions_)["save_project_as"]->setEnabled(!document_.isEmpty());
   refreshDocks();
   refreshTitle();
   refreshCounts();

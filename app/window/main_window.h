@@ -22,6 +22,7 @@ class InspectorPanel;
 class MessageBanner;
 class PipelinePanel;
 class PlantView;
+class ProjectFlow;
 class RecentFiles;
 class ReconstructFlow;
 class StartPage;
@@ -55,18 +56,22 @@ protected:
   bool eventFilter(QObject* watched, QEvent* event) override; // docks closed by their button
 
 private:
-  void addActions();      // main_window_actions.cpp
-  void addFileActions();  // likewise
-  void addEditActions();  // likewise
-  void addPanelActions(); // likewise
-  void addHelpActions();  // likewise
-  void addThemeActions(); // likewise
-  void fillMenus();       // menus.cpp
-  void fillViewMenu();    // likewise
-  void fillToolBar();     // likewise
+  void addActions();        // main_window_actions.cpp
+  void addFileActions();    // likewise
+  void addProjectActions(); // likewise
+  void addEditActions();    // likewise
+  void addPanelActions();   // likewise
+  void addHelpActions();    // likewise
+  void addThemeActions();   // likewise
+  void fillMenus();         // menus.cpp
+  void fillViewMenu();      // likewise
+  void fillToolBar();       // likewise
   void makeCenter();
   void makeDocks();
   void connectJobs();
+  void connectFiles();
+  void connectProjects();
+  void closePlant();
   void connectDocument();
   void tellStep(int index);
   void refreshDocks();
@@ -100,6 +105,7 @@ private:
   std::unique_ptr<ViewSync> sync_;
   std::unique_ptr<Editing> editing_;
   std::unique_ptr<ViewOptions> options_;
+  std::unique_ptr<ProjectFlow> projects_;
   std::unique_ptr<FileFlow> files_;
   std::unique_ptr<ReconstructFlow> reconstruct_;
 };

@@ -2,6 +2,7 @@
 #include "app/window/editing.h"
 #include "app/window/file_flow.h"
 #include "app/window/main_window.h"
+#include "app/window/project_flow.h"
 #include "app/window/view_options.h"
 #include "ui/dialogs/command_palette.h"
 #include "ui/dialogs/manual_window.h"
@@ -19,6 +20,7 @@ namespace espalier {
 
 void MainWindow::addActions() {
   addFileActions();
+  addProjectActions();
   addEditActions();
   editing_ = std::make_unique<Editing>(document_, *view_, *actions_, nullptr);
   options_ = std::make_unique<ViewOptions>(*view_, *actions_, settings_, nullptr);
@@ -51,18 +53,34 @@ void MainWindow::addFileActions() {
                  .text = tr("&Close Plant"),
                  .help = tr("Puts scan and skeleton away"),
                  .keys = QKeySequence(Qt::CTRL | Qt::Key_W)},
-                [this] {
-                  if (jobs_.isRunning()) jobs_.cancel();
-                  if (!files_->mayDiscard()) return;
-                  document_.clear();
-                  banner_->hide();
-                  refreshEmptiness();
-                });
+                [this] { closePlant(); });
   actions_->add({.id = "quit",
                  .text = tr("&Quit"),
                  .help = tr("Leaves the program"),
                  .keys = QKeySequence(Qt::CTRL | Qt::Key_Q)},
                 [this] { close(); });
+}
+
+void MainWindow::addProjectActions() {
+  actions_->add({.id = "new_plant",
+                 .text = tr("&New"),
+                 .help = tr("Puts this plant away and begins another"),
+                 .keys = QKeySequence::New},
+                [this] { closePlant(); });
+  actions_->add({.id = "save_project_as",
+                 .text = tr("Save &Project As…"),
+                 .help = tr("Keeps plant, scan and history in one file, which saves itself"),
+                 .keys = QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_S)},
+                [this] { projects_->saveAs(); });
+  actions_->add({.id = "compact_project",
+                 .text = tr("Compact Project"),
+                 .help = tr("Gives back the room that the project file no longer uses")},
+                [this] { projects_->compact(); });
+  actions_->add({.id = "export_structure",
+                 .text = tr("&Export Structure…"),
+                 .help = tr("Writes a copy of the skeleton, as MTG or another format"),
+                 .keys = QKeySequence(Qt::CTRL | Qt::Key_E)},
+                [this] { files_->exportStructure(); });
 }
 
 void MainWindow::addEditActions() {

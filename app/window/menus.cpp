@@ -55,7 +55,7 @@ QStringList toolIds() {
 
 void MainWindow::fillMenus() {
   QMenu* file = menuBar()->addMenu(tr("&File"));
-  add(*file, *actions_, {"open"});
+  add(*file, *actions_, {"new_plant", "open"});
   QMenu* recent = file->addMenu(tr("Open &Recent"));
   connect(recent, &QMenu::aboutToShow, recent, [this, recent] {
     recent->clear();
@@ -67,7 +67,9 @@ void MainWindow::fillMenus() {
       recent->addSeparator();
     recent->addAction(tr("Clear"), recent_.get(), &RecentFiles::clear);
   });
-  add(*file, *actions_, {"", "save", "save_as", "", "close_plant", "quit"});
+  add(*file, *actions_,
+      {"", "save", "save_as", "save_project_as", "", "export_structure", "compact_project", "",
+       "close_plant", "quit"});
 
   QMenu* edit = menuBar()->addMenu(tr("&Edit"));
   add(*edit, *actions_, {"undo", "redo", "", "select_all", "leave", ""});

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <fstream>
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
@@ -30,7 +31,7 @@ bool hasWaitingEdits(const fs::path& path) {
 Database openedIn(const fs::path& path, Access access) {
   if (!fs::exists(path)) throw Error(path.string() + ": there is no such file: choose another");
   if (access == Access::readWrite) return {path, Opening::readWrite};
-  const bool mayChange = ProjectLock::isHeld(path) || hasWaitingEdits(path);
+  const bool mayChange = ProjectLock::holder(path) || hasWaitingEdits(path);
   return {path, mayChange ? Opening::readOnly : Opening::frozen};
 }
 
@@ -60,6 +61,15 @@ bool isTheScan(const fs::path& path, const ScanReference& scan) {
 ScanReference ScanReference::of(const fs::path& path, const Eigen::AlignedBox3d& bounds) {
   const std::uint64_t hash = contentHashOfFile(path); // tells if it cannot be read
   return {.path = whole(path), .size = fs::file_size(path), .hash = hash, .bounds = bounds};
+}
+
+bool isProject(const fs::path& path) {
+  constexpr std::size_t idAt = 68;
+  std::array<char, idAt + 4> header{};
+  std::ifstream in(path, std::ios::binary);
+  in.read(header.data(), header.size());
+  const std::string_view bytes(header.data(), header.size());
+  return in && bytes.starts_with("SQLite format 3") && bytes.substr(idAt) == "Espl";
 }
 
 Project::Project(fs::path path, Access access, std::unique_ptr<ProjectLock> lock)

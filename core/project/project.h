@@ -30,6 +30,9 @@ struct ScanReference {
                                         const Eigen::AlignedBox3d& bounds); // reads it all
 };
 
+/// Whether a file begins as a project does, whatever its name.
+[[nodiscard]] bool isProject(const std::filesystem::path& path);
+
 /// A project file, "*.espalier": the plant at work, always saved.
 ///
 /// An SQLite database in WAL mode. What record() and the setters wrote is on the disk when they

@@ -77,12 +77,13 @@ ProjectLock::~ProjectLock() {
   ::close(descriptor_);
 }
 
-bool ProjectLock::isHeld(const fs::path& project) {
+std::optional<std::string> ProjectLock::holder(const fs::path& project) {
   const int descriptor = ::open(lockOf(project).c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) return false;
-  const bool isFree = ::flock(descriptor, LOCK_SH | LOCK_NB) == 0;
+  if (descriptor < 0) return std::nullopt;
+  std::optional<std::string> result;
+  if (::flock(descriptor, LOCK_SH | LOCK_NB) != 0) result = holderIn(descriptor);
   ::close(descriptor);
-  return !isFree;
+  return result;
 }
 
 } // namespace espalier

@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace espalier {
@@ -26,7 +27,8 @@ public:
   ProjectLock(const ProjectLock&) = delete;
   ProjectLock& operator=(const ProjectLock&) = delete;
 
-  [[nodiscard]] static bool isHeld(const std::filesystem::path& project); // by whomever
+  /// Who holds the lock of a project, as "process 12 on host"; none: nobody.
+  [[nodiscard]] static std::optional<std::string> holder(const std::filesystem::path& project);
 
 private:
   std::filesystem::path path_;

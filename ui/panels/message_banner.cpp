@@ -12,13 +12,16 @@
 namespace espalier {
 
 MessageBanner::MessageBanner(QWidget* parent)
-    : QFrame(parent), text_(new QLabel(this)), action_(new QPushButton(this)) {
+    : QFrame(parent),
+      text_(new QLabel(this)), buttons_{new QPushButton(this), new QPushButton(this)} {
   setObjectName("message_banner");
   text_->setTextFormat(Qt::PlainText);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* dismiss = new QPushButton(tr("Dismiss"), this);
   dismiss->setObjectName("dismiss");
-  for (QPushButton* button : {action_, dismiss}) {
+  buttons_[0]->setObjectName("banner_action");
+  buttons_[1]->setObjectName("banner_other_action");
+  for (QPushButton* button : {buttons_[0], buttons_[1], dismiss}) {
     button->setFlat(true);
     button->setCursor(Qt::PointingHandCursor);
   }
@@ -26,33 +29,36 @@ MessageBanner::MessageBanner(QWidget* parent)
   row->setContentsMargins(16, 4, 8, 4);
   row->setSpacing(8);
   row->addWidget(text_, 1);
-  row->addWidget(action_);
+  for (QPushButton* button : buttons_)
+    row->addWidget(button);
   row->addWidget(dismiss);
   leaves_.setSingleShot(true);
   leaves_.setInterval(10'000); // [ms], time to read it and to reach for Undo
   connect(&leaves_, &QTimer::timeout, this, &QWidget::hide);
   connect(dismiss, &QPushButton::clicked, this, &QWidget::hide);
-  connect(action_, &QPushButton::clicked, this, [this] {
-    hide();
-    if (act_) act_();
-  });
   parent->installEventFilter(this);
+  for (std::size_t i = 0; i < buttons_.size(); ++i)
+    connect(buttons_[i], &QPushButton::clicked, this, [this, i] {
+      hide();
+      const std::function<void()> act = actions_[i].act; // it may show the next message
+      if (act) act();
+    });
   hide();
 }
 
-void MessageBanner::showError(const QString& text) {
-  act_ = nullptr;
-  action_->hide();
-  showText("error", text);
+void MessageBanner::showError(const QString& text, const Actions& actions) {
+  showText("error", text, actions);
+  leaves_.stop();
+}
+
+void MessageBanner::showOffer(const QString& text, const Actions& actions) {
+  showText("result", text, actions);
   leaves_.stop();
 }
 
 void MessageBanner::showResult(const QString& text, const QString& action,
                                std::function<void()> act) {
-  act_ = std::move(act);
-  action_->setText(action);
-  action_->setVisible(!action.isEmpty());
-  showText("result", text);
+  showText("result", text, action.isEmpty() ? Actions() : Actions{{action, std::move(act)}});
   leaves_.start();
 }
 
@@ -64,7 +70,12 @@ bool MessageBanner::isError() const {
   return property("kind") == "error";
 }
 
-void MessageBanner::showText(const QString& kind, const QString& text) {
+void MessageBanner::showText(const QString& kind, const QString& text, const Actions& actions) {
+  actions_ = actions;
+  for (std::size_t i = 0; i < buttons_.size(); ++i) {
+    buttons_[i]->setVisible(i < actions_.size());
+    if (i < actions_.size()) buttons_[i]->setText(actions_[i].text);
+  }
   text_->setText(text);
   setProperty("kind", kind); // the style sheet colors by it
   style()->unpolish(this);

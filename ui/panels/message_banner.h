@@ -3,12 +3,20 @@
 #include <QFrame>
 #include <QTimer>
 
+#include <array>
 #include <functional>
+#include <vector>
 
 class QLabel;
 class QPushButton;
 
 namespace espalier {
+
+/// A button of a banner: its text and what it does.
+struct BannerAction {
+  QString text;
+  std::function<void()> act;
+};
 
 /// A line over the foot of its parent that tells what went wrong or what was done, until it is
 /// dismissed or the next one comes; what was done leaves by itself. Never in the way of work.
@@ -18,7 +26,10 @@ class MessageBanner : public QFrame {
 public:
   explicit MessageBanner(QWidget* parent); // in no layout of it
 
-  void showError(const QString& text);
+  using Actions = std::vector<BannerAction>; // at most two
+
+  void showError(const QString& text, const Actions& actions = {});
+  void showOffer(const QString& text, const Actions& actions); // stays until it is answered
   /// @param action text of a button for `act`, as "Undo"; none if empty
   void showResult(const QString& text, const QString& action = {}, std::function<void()> act = {});
 
@@ -27,13 +38,13 @@ public:
 
 private:
   bool eventFilter(QObject* watched, QEvent* event) override; // of the parent: it is resized
-  void showText(const QString& kind, const QString& text);
+  void showText(const QString& kind, const QString& text, const Actions& actions);
   void place(); // over the foot of the parent, within its width
 
   QLabel* text_;
-  QPushButton* action_;
+  std::array<QPushButton*, 2> buttons_;
   QTimer leaves_;
-  std::function<void()> act_;
+  Actions actions_;
 };
 
 } // namespace espalier

@@ -28,7 +28,8 @@ QString folderOf(const QString& path) {
 
 StartPage::StartPage(QWidget* parent)
     : QWidget(parent), icon_(new QLabel(this)), recent_(new QWidget(this)),
-      files_(new QVBoxLayout(recent_)) {
+      files_(new QVBoxLayout(recent_)), work_(new QWidget(this)),
+      sessions_(new QVBoxLayout(work_)) {
   setObjectName("start_page");
   setAttribute(Qt::WA_StyledBackground); // a plain widget paints no background of a style sheet
   icon_->setAlignment(Qt::AlignCenter);
@@ -36,8 +37,11 @@ StartPage::StartPage(QWidget* parent)
   open->setObjectName("open_button");
   open->setProperty("role", "primary");
   open->setCursor(Qt::PointingHandCursor);
-  files_->setContentsMargins(0, 0, 0, 0);
-  files_->setSpacing(0);
+  for (QVBoxLayout* list : {files_, sessions_}) {
+    list->setContentsMargins(0, 0, 0, 0);
+    list->setSpacing(0);
+  }
+  work_->hide();
   auto* column = new QVBoxLayout(this);
   column->setSpacing(8);
   column->addStretch(3);
@@ -50,6 +54,7 @@ StartPage::StartPage(QWidget* parent)
   column->addSpacing(12);
   column->addWidget(open, 0, Qt::AlignCenter);
   column->addSpacing(28);
+  column->addWidget(work_, 0, Qt::AlignCenter);
   column->addWidget(recent_, 0, Qt::AlignCenter);
   column->addStretch(4);
   connect(open, &QPushButton::clicked, this, &StartPage::openRequested);
@@ -60,23 +65,35 @@ void StartPage::setIcon(const QIcon& icon) {
 }
 
 void StartPage::setRecentFiles(const QStringList& paths) {
-  while (QLayoutItem* item = files_->takeAt(0)) {
+  constexpr qsizetype most = 6;
+  QStringList texts;
+  for (const QString& path : paths.mid(0, most))
+    texts.append(QStringLiteral("%1    %2").arg(QFileInfo(path).fileName(), folderOf(path)));
+  fill(*recent_, *files_, tr("Recent"), texts, paths);
+}
+
+void StartPage::setSessions(const QStringList& texts, const QStringList& paths) {
+  constexpr qsizetype most = 4;
+  fill(*work_, *sessions_, tr("Not saved yet"), texts.mid(0, most), paths);
+}
+
+void StartPage::fill(QWidget& box, QVBoxLayout& list, const QString& title,
+                     const QStringList& texts, const QStringList& paths) {
+  while (QLayoutItem* item = list.takeAt(0)) {
     delete item->widget();
     delete item;
   }
-  recent_->setVisible(!paths.isEmpty());
-  if (paths.isEmpty()) return;
-  files_->addWidget(makeLabel(tr("Recent"), "section", recent_));
-  constexpr qsizetype most = 6;
-  for (const QString& path : paths.mid(0, most)) {
-    auto* file = new QPushButton(
-        QStringLiteral("%1    %2").arg(QFileInfo(path).fileName(), folderOf(path)), recent_);
+  box.setVisible(!texts.isEmpty());
+  if (texts.isEmpty()) return;
+  list.addWidget(makeLabel(title, "section", &box));
+  for (qsizetype i = 0; i < texts.size(); ++i) {
+    auto* file = new QPushButton(texts[i], &box);
     file->setProperty("role", "link");
     file->setFlat(true);
     file->setCursor(Qt::PointingHandCursor);
-    file->setToolTip(QDir::toNativeSeparators(path));
-    files_->addWidget(file, 0, Qt::AlignCenter);
-    connect(file, &QPushButton::clicked, this, [this, path] { emit fileChosen(path); });
+    file->setToolTip(QDir::toNativeSeparators(paths[i]));
+    list.addWidget(file, 0, Qt::AlignCenter);
+    connect(file, &QPushButton::clicked, this, [this, path = paths[i]] { emit fileChosen(path); });
   }
 }
 

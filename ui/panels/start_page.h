@@ -17,15 +17,22 @@ public:
 
   void setIcon(const QIcon& icon);
   void setRecentFiles(const QStringList& paths);
+  /// Work to go on with, in words, and the files it is in.
+  void setSessions(const QStringList& texts, const QStringList& paths);
 
 signals:
   void openRequested();
   void fileChosen(const QString& path);
 
 private:
+  void fill(QWidget& box, QVBoxLayout& list, const QString& title, const QStringList& texts,
+            const QStringList& paths);
+
   QLabel* icon_;
   QWidget* recent_;
   QVBoxLayout* files_;
+  QWidget* work_;
+  QVBoxLayout* sessions_;
 };
 
 } // namespace espalier

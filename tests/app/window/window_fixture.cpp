@@ -41,6 +41,7 @@ void addCylinder(std::ostream& out, Random& random, const Eigen::Vector3d& from,
 WindowTest::WindowTest()
     : settings_(
           std::make_unique<QSettings>(folder_.filePath("settings.ini"), QSettings::IniFormat)) {
+  settings_->setValue("sessions_folder", path("sessions"));
   restart();
 }
 

@@ -22,7 +22,7 @@ TEST(ProjectLock, TellsASecondWindowWhoHoldsTheProject) {
   EXPECT_THAT(test::errorOf([&] { return Project::open(file, Access::readWrite).path(); }),
               HasSubstr("process " + std::to_string(::getpid()) + " on "));
   EXPECT_THROW((void)Project::create(file, {}), ProjectInUse) << "nor may it be replaced";
-  EXPECT_TRUE(ProjectLock::isHeld(file));
+  EXPECT_TRUE(ProjectLock::holder(file));
 }
 
 TEST(ProjectLock, LetsASecondWindowReadOnly) {
@@ -34,7 +34,7 @@ TEST(ProjectLock, LetsASecondWindowReadOnly) {
 TEST(ProjectLock, EndsWithItsProject) {
   const fs::path file = test::freshFolder() / "oak.espalier";
   { const Project first = Project::create(file, {}); }
-  EXPECT_FALSE(ProjectLock::isHeld(file));
+  EXPECT_FALSE(ProjectLock::holder(file));
   EXPECT_FALSE(fs::exists(file.string() + ".lock"));
   EXPECT_NO_THROW((void)Project::open(file, Access::readWrite));
 }

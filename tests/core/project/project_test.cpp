@@ -179,6 +179,10 @@ TEST(Project, IsMarkedAsOneForOtherPrograms) {
   in.read(header.data(), 100);
   EXPECT_EQ(header.substr(0, 15), "SQLite format 3");
   EXPECT_EQ(header.substr(68, 4), "Espl"); // application id, as file(1) reads it
+  EXPECT_TRUE(isProject(file));
+  write(file, "0 0 0\n");
+  EXPECT_FALSE(isProject(file));
+  EXPECT_FALSE(isProject(file.string() + ".none"));
 }
 
 TEST(Project, WrittenByANewerProgramIsRefusedAndLeftAlone) {

@@ -1,0 +1,67 @@
+#include "app/window/load_project.h"
+
+#include "app/window/load_files.h"
+#include "core/base/error.h"
+#include "core/io/formats.h"
+#include "core/mtg/mtg_reader.h"
+#include "core/project/content_hash.h"
+#include "core/project/point_bytes.h"
+
+#include <sstream>
+#include <utility>
+
+namespace espalier {
+namespace {
+
+std::shared_ptr<const MtgFrame> frameOf(const Project& project) {
+  std::string text = project.document("mtg");
+  if (text.empty()) return nullptr;
+  std::istringstream in(text);
+  Mtg mtg = readMtg(in, project.path().string()).value;
+  return std::make_shared<const MtgFrame>(MtgFrame{std::move(mtg), std::move(text)});
+}
+
+QString nameOf(const std::filesystem::path& path) {
+  return QString::fromStdString(path.string());
+}
+
+void addScan(LoadedProject& loaded, const Progress& progress) {
+  const std::optional<ScanReference> reference = loaded.project->scan();
+  if (!reference) return;
+  loaded.scanPath = nameOf(reference->path);
+  const auto found = loaded.project->findScan();
+  if (!found) return;
+  loaded.scan = std::make_unique<const Scan>(readPoints(*found, progress).value);
+  loaded.scanPath = nameOf(*found);
+  const std::string contracted = loaded.project->bytes("contracted");
+  if (contracted.empty()) return;
+  auto positions = std::make_shared<const Eigen::Matrix3Xf>(positionsFrom(contracted));
+  if (positions->cols() == loaded.scan->cloud()->size()) loaded.contracted = std::move(positions);
+}
+
+} // namespace
+
+LoadedProject loadProject(const QString& path, Access access, const Progress& progress) {
+  LoadedProject loaded;
+  loaded.project = std::make_unique<Project>(Project::open(toPath(path), access));
+  Imported<History> history = loaded.project->history();
+  loaded.isDamaged = !history.notes.empty();
+  for (const std::string& note : history.notes)
+    loaded.notes.append(QString::fromStdString(note));
+  loaded.history = std::move(history.value);
+  loaded.frame = frameOf(*loaded.project);
+  loaded.unit = unitOfSymbol(QString::fromStdString(loaded.project->document("unit")));
+  addScan(loaded, progress.part(0.1, 1));
+  return loaded;
+}
+
+std::unique_ptr<const Scan> loadScan(const QString& path, const ScanReference& reference,
+                                     const Progress& progress) {
+  if (contentHashOfFile(toPath(path)) != reference.hash)
+    throw Error(path.toStdString() + ": is not the scan of this project, which was " +
+                reference.path.filename().string() +
+                ": choose that, or open this one as a plant of its own");
+  return std::make_unique<const Scan>(readPoints(toPath(path), progress).value);
+}
+
+} // namespace espalier

@@ -1,0 +1,92 @@
+#include "app/window/sessions.h"
+
+#include "app/window/load_files.h"
+#include "core/base/error.h"
+#include "core/project/project.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFile>
+#include <QLocale>
+#include <QSettings>
+#include <QStandardPaths>
+
+#include <algorithm>
+#include <optional>
+
+namespace espalier {
+namespace {
+
+QString tr(const char* text, int count = -1) {
+  return QCoreApplication::translate("Sessions", text, nullptr, count);
+}
+
+std::optional<Session> sessionIn(const QString& path) {
+  try {
+    const Project project = Project::open(toPath(path), Access::readOnly);
+    const History history = project.history().value;
+    if (history.steps.empty()) return std::nullopt;
+    return Session{.path = path,
+                   .name = QString::fromStdString(project.document("name")),
+                   .edits = static_cast<int>(history.steps.size()),
+                   .last = QDateTime::fromMSecsSinceEpoch(history.steps.back().time)};
+  } catch (const Error&) { // no session, or none any more: a start must not fail on it
+    return std::nullopt;
+  }
+}
+
+QString dayOf(const QDateTime& time, const QDateTime& now) {
+  const qint64 days = time.date().daysTo(now.date());
+  if (days == 0) return tr("today");
+  if (days == 1) return tr("yesterday");
+  return QLocale().toString(time.date(), QLocale::ShortFormat);
+}
+
+} // namespace
+
+Sessions::Sessions(const QSettings& settings)
+    : folder_(settings
+                  .value("sessions_folder",
+                         QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) +
+                             "/sessions")
+                  .toString()) {}
+
+bool Sessions::contains(const QString& path) const {
+  return QFileInfo(path).absoluteDir() == QDir(folder_);
+}
+
+QString Sessions::newPath() const {
+  QDir().mkpath(folder_);
+  const QString time = QDateTime::currentDateTimeUtc().toString("yyyyMMdd-hhmmss");
+  QString path;
+  for (int i = 0; path.isEmpty() || QFile::exists(path); ++i)
+    path = QStringLiteral("%1/%2-%3-%4.espalier")
+               .arg(folder_, time)
+               .arg(QCoreApplication::applicationPid())
+               .arg(i);
+  return path;
+}
+
+QList<Session> Sessions::waiting() const {
+  QList<Session> sessions;
+  for (const QFileInfo& file : QDir(folder_).entryInfoList({"*.espalier"}, QDir::Files)) {
+    if (ProjectLock::holder(toPath(file.filePath()))) continue;
+    if (auto session = sessionIn(file.filePath())) sessions.append(*session);
+  }
+  std::ranges::sort(sessions, std::ranges::greater(), &Session::last);
+  return sessions;
+}
+
+void Sessions::remove(const QString& path) {
+  for (const char* ending : {"", "-wal", "-shm", ".lock"})
+    QFile::remove(path + ending);
+}
+
+QString describe(const Session& session, const QDateTime& now) {
+  const QString edits = session.edits == 1 ? tr("1 edit") : tr("%1 edits").arg(session.edits);
+  return QStringLiteral("%1, %2, %3 %4")
+      .arg(session.name, edits, dayOf(session.last, now),
+           QLocale().toString(session.last.time(), QLocale::ShortFormat));
+}
+
+} // namespace espalier

@@ -1,0 +1,280 @@
+#include "app/window/action_set.h"
+#include "app/window/load_files.h"
+#include "app/window/sessions.h"
+#include "core/project/project.h"
+#include "tests/app/window/window_fixture.h"
+#include "tests/support/plants.h"
+#include "ui/panels/message_banner.h"
+
+#include <QAction>
+#include <QDir>
+#include <QFile>
+#include <QPushButton>
+#include <QTest>
+
+#include <gmock/gmock.h>
+#include <memory>
+
+namespace espalier {
+namespace {
+
+using test::forkTop;
+
+struct ProjectWindowTest : test::WindowTest {
+  void setRadius(double radius) {
+    document().edit("Radius", [=](SkeletonEditor& editor) { editor.setRadius(forkTop, radius); });
+  }
+  QString saveProject(const QString& name) {
+    const QString file = path(name);
+    answer(chooseFile(file), [this] { action("save_project_as").trigger(); });
+    return file;
+  }
+  [[nodiscard]] static History onDisk(const QString& file) {
+    return Project::open(toPath(file), Access::readOnly).history().value;
+  }
+  [[nodiscard]] QStringList sessionFiles() const {
+    return QDir(path("sessions")).entryList({"*.espalier"}, QDir::Files);
+  }
+  [[nodiscard]] QString message() { return window().banner().text(); }
+};
+
+TEST_F(ProjectWindowTest, KeepsPlantScanAndHistoryInAProject) {
+  open({writeScan("plant.xyz"), writeFork("fork.mtg")});
+  setRadius(0.2);
+  setRadius(0.3);
+  const QString file = saveProject("plant.espalier");
+  EXPECT_FALSE(window().isWindowModified());
+  EXPECT_TRUE(window().windowTitle().startsWith("plant.espalier"));
+  setRadius(0.4);
+  document().undoStack().undo();
+  EXPECT_EQ(onDisk(file), document().history()) << "saved as it happens";
+  EXPECT_FALSE(window().isWindowModified());
+  const History before = document().history();
+  EXPECT_TRUE(window().close()) << "without a question";
+  restart();
+  open({file});
+  EXPECT_EQ(document().history(), before);
+  ASSERT_NE(document().scan(), nullptr);
+  EXPECT_EQ(document().unit(), LengthUnit::meter);
+  key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_EQ(document().skeleton()[forkTop].radius, 0.4) << "redo survives";
+}
+
+TEST_F(ProjectWindowTest, SaysThatEverythingIsSavedOnSave) {
+  open({writeFork("fork.mtg")});
+  saveProject("plant.espalier");
+  key(Qt::Key_S, Qt::ControlModifier);
+  EXPECT_EQ(message(), "Everything is saved");
+}
+
+TEST_F(ProjectWindowTest, FindsAProjectSavedByAKilledProgram) {
+  open({writeFork("fork.mtg")});
+  const QString file = saveProject("plant.espalier");
+  setRadius(0.7);
+  for (const char* ending : {"", "-wal"}) // as the disk is now, so it is after a kill
+    QFile::copy(file + ending, path("killed.espalier") + ending);
+  restart();
+  open({path("killed.espalier")});
+  EXPECT_EQ(document().skeleton()[forkTop].radius, 0.7);
+  EXPECT_TRUE(document().undoStack().canUndo());
+}
+
+TEST_F(ProjectWindowTest, KeepsWorkWithoutANameAndOffersItAtTheNextStart) {
+  open({writeScan("puu1.xyz")});
+  document().edit("Add", [](SkeletonEditor& editor) { editor.add({.radius = 0.5}); });
+  EXPECT_EQ(sessionFiles().size(), 1);
+  EXPECT_TRUE(window().close()) << "without a question";
+  restart();
+  EXPECT_TRUE(document().isEmpty());
+  EXPECT_TRUE(message().startsWith("Continue with puu1, 1 edit, today "))
+      << message().toStdString();
+  clickButton("banner_action");
+  waitForJob();
+  EXPECT_EQ(document().skeleton().size(), 1U);
+  EXPECT_NE(document().scan(), nullptr);
+  EXPECT_TRUE(document().undoStack().canUndo());
+}
+
+TEST_F(ProjectWindowTest, ForgetsASessionThatIsDiscarded) {
+  open({writeScan("puu1.xyz")});
+  document().edit("Add", [](SkeletonEditor& editor) { editor.add({}); });
+  window().close();
+  restart();
+  clickButton("banner_other_action");
+  EXPECT_TRUE(sessionFiles().isEmpty());
+  restart();
+  EXPECT_FALSE(window().banner().isVisible());
+}
+
+TEST_F(ProjectWindowTest, LeavesNoSessionBehindWhenAllIsSavedInAFile) {
+  open({writeFork("fork.mtg")});
+  setRadius(0.2);
+  EXPECT_EQ(sessionFiles().size(), 1) << "against a crash";
+  key(Qt::Key_S, Qt::ControlModifier);
+  EXPECT_TRUE(window().close());
+  EXPECT_TRUE(sessionFiles().isEmpty());
+}
+
+TEST_F(ProjectWindowTest, LeavesNoSessionBehindWhenEditsAreDiscarded) {
+  open({writeFork("fork.mtg")});
+  setRadius(0.2);
+  answer(press("Discard"), [this] { EXPECT_TRUE(window().close()); });
+  EXPECT_TRUE(sessionFiles().isEmpty());
+}
+
+TEST_F(ProjectWindowTest, TellsThatAnotherWindowHasTheProjectAndOpensACopy) {
+  open({writeFork("fork.mtg")});
+  const QString file = saveProject("plant.espalier");
+  QSettings settings(path("other.ini"), QSettings::IniFormat);
+  settings.setValue("sessions_folder", path("other_sessions"));
+  MainWindow second(settings);
+  second.open({file});
+  EXPECT_TRUE(second.banner().isError());
+  EXPECT_TRUE(second.banner().text().contains("open in another window"));
+  EXPECT_TRUE(second.document().isEmpty());
+  second.findChild<QPushButton*>("banner_action")->click();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !second.jobs().isRunning(); }, 60'000));
+  EXPECT_EQ(second.document().skeleton(), document().skeleton());
+  second.document().edit("Radius", [](SkeletonEditor& editor) { editor.setRadius(forkTop, 9); });
+  EXPECT_EQ(onDisk(file), document().history()) << "a copy does not touch it";
+}
+
+TEST_F(ProjectWindowTest, FindsAScanThatMovedWithTheProject) {
+  open({writeScan("plant.xyz"), writeFork("fork.mtg")});
+  saveProject("plant.espalier");
+  window().close();
+  QDir().mkpath(path("moved"));
+  QFile::rename(path("plant.xyz"), path("moved/plant.xyz"));
+  QFile::rename(path("plant.espalier"), path("moved/plant.espalier"));
+  restart();
+  open({path("moved/plant.espalier")});
+  EXPECT_NE(document().scan(), nullptr);
+  EXPECT_FALSE(window().banner().isVisible());
+}
+
+TEST_F(ProjectWindowTest, AsksForAScanThatIsGone) {
+  open({writeScan("plant.xyz"), writeFork("fork.mtg")});
+  saveProject("plant.espalier");
+  window().close();
+  QDir().mkpath(path("elsewhere"));
+  QFile::rename(path("plant.xyz"), path("elsewhere/plant.xyz"));
+  restart();
+  open({path("plant.espalier")});
+  EXPECT_EQ(document().scan(), nullptr);
+  EXPECT_EQ(document().skeleton().size(), 5U) << "the plant is there all the same";
+  EXPECT_TRUE(message().contains("plant.xyz is not where it was"));
+  answer(chooseFile(path("elsewhere/plant.xyz")), [this] { clickButton("banner_action"); });
+  waitForJob();
+  EXPECT_NE(document().scan(), nullptr);
+  EXPECT_EQ(document().skeleton().size(), 5U);
+}
+
+TEST_F(ProjectWindowTest, RefusesAnotherScanForTheOneThatIsGone) {
+  open({writeScan("plant.xyz"), writeFork("fork.mtg")});
+  saveProject("plant.espalier");
+  window().close();
+  QFile::remove(path("plant.xyz"));
+  QFile other(path("other.txt"));
+  ASSERT_TRUE(other.open(QIODevice::WriteOnly));
+  other.write("0 0 0\n1 1 1\n");
+  other.close();
+  restart();
+  open({path("plant.espalier")});
+  answer(chooseFile(path("other.txt")), [this] { clickButton("banner_action"); });
+  waitForJob();
+  EXPECT_TRUE(message().contains("is not the scan of this project"));
+  EXPECT_EQ(document().scan(), nullptr);
+}
+
+TEST_F(ProjectWindowTest, GoesOnWhenItsFileIsRemovedAndSavesElsewhere) {
+  open({writeFork("fork.mtg")});
+  const QString file = saveProject("plant.espalier");
+  QFile::remove(file);
+  setRadius(0.6);
+  EXPECT_TRUE(window().banner().isError());
+  EXPECT_TRUE(message().contains("was removed"));
+  EXPECT_EQ(document().skeleton()[forkTop].radius, 0.6) << "the edit stands";
+  answer(chooseFile(path("rescued.espalier")), [this] { clickButton("banner_action"); });
+  EXPECT_EQ(onDisk(path("rescued.espalier")), document().history());
+  setRadius(0.7);
+  EXPECT_EQ(onDisk(path("rescued.espalier")), document().history());
+}
+
+TEST_F(ProjectWindowTest, TakesItsOwnNameAgainWhenItsFileIsRemoved) {
+  open({writeFork("fork.mtg")});
+  const QString file = saveProject("plant.espalier");
+  QFile::remove(file);
+  setRadius(0.6);
+  saveProject("plant.espalier");
+  EXPECT_EQ(onDisk(file), document().history());
+}
+
+TEST_F(ProjectWindowTest, AsksOnClosingWhenAProjectCannotBeWritten) {
+  open({writeFork("fork.mtg")});
+  QFile::remove(saveProject("plant.espalier"));
+  setRadius(0.6);
+  answer(press("Keep editing"), [this] { EXPECT_FALSE(window().close()); });
+}
+
+TEST_F(ProjectWindowTest, SaysWhatItCouldReadOfADamagedProject) {
+  open({writeFork("fork.mtg")});
+  setRadius(0.2);
+  setRadius(0.3);
+  const QString file = saveProject("plant.espalier");
+  window().close();
+  {
+    const Database database(toPath(file), Opening::readWrite);
+    database.execute("DELETE FROM snapshot WHERE step > 0");
+    database.execute("UPDATE journal SET delta = x'00' WHERE step = 1");
+  }
+  restart();
+  open({file});
+  EXPECT_TRUE(window().banner().isError());
+  EXPECT_TRUE(message().contains("after 1 of 2 edits"));
+  EXPECT_EQ(document().skeleton()[forkTop].radius, 0.2);
+  EXPECT_FALSE(action("compact_project").isEnabled()) << "the file is left as it is";
+}
+
+TEST_F(ProjectWindowTest, CompactsAProject) {
+  open({writeFork("fork.mtg")});
+  EXPECT_FALSE(action("compact_project").isEnabled());
+  const QString file = saveProject("plant.espalier");
+  setRadius(0.6);
+  ASSERT_TRUE(action("compact_project").isEnabled());
+  action("compact_project").trigger();
+  EXPECT_TRUE(message().startsWith("plant.espalier is "));
+  EXPECT_EQ(onDisk(file), document().history());
+}
+
+TEST_F(ProjectWindowTest, ExportsACopyAndStaysInTheProject) {
+  open({writeFork("fork.mtg")});
+  saveProject("plant.espalier");
+  answer(chooseFile(path("copy.mtg")), [this] { key(Qt::Key_E, Qt::ControlModifier); });
+  EXPECT_TRUE(QFile::exists(path("copy.mtg")));
+  EXPECT_TRUE(document().filePath().endsWith("plant.espalier"));
+}
+
+TEST_F(ProjectWindowTest, LeavesTheProjectAsItIsWhenAnotherPlantIsOpened) {
+  open({writeFork("fork.mtg")});
+  setRadius(0.6);
+  const QString file = saveProject("plant.espalier");
+  const History before = document().history();
+  open({writeFork("other.mtg")});
+  setRadius(0.9);
+  EXPECT_EQ(onDisk(file), before);
+  EXPECT_TRUE(document().filePath().endsWith("other.mtg"));
+}
+
+TEST(Session, IsDescribedAsPeopleWould) {
+  const QDateTime now(QDate(2026, 11, 21), QTime(12, 0));
+  const QString time = QLocale().toString(QTime(17, 3), QLocale::ShortFormat);
+  Session session{
+      .name = "puu1", .edits = 14, .last = QDateTime(QDate(2026, 11, 20), QTime(17, 3))};
+  EXPECT_EQ(describe(session, now), "puu1, 14 edits, yesterday " + time);
+  session.edits = 1;
+  session.last = QDateTime(QDate(2026, 11, 21), QTime(17, 3));
+  EXPECT_EQ(describe(session, now), "puu1, 1 edit, today " + time);
+}
+
+} // namespace
+} // namespace espalier

@@ -83,7 +83,7 @@ void Skeleton::setEntities(NodeId id, std::vector<Entity> entities) {
 void Skeleton::reparent(NodeId id, NodeId parent, EdgeType edge) {
   assert(contains(id));
   if (!contains(parent)) throw Error(name(parent) + " does not exist: choose another parent");
-  if (isAncestor(id, parent))
+  if (id == parent || (!children(id).empty() && isAncestor(id, parent)))
     throw Error("cannot hang " + name(id) + " on " + name(parent) +
                 ", which it carries itself: choose a parent outside its branch");
   unlink(id);

@@ -6,6 +6,7 @@
 #include <array>
 #include <bit>
 #include <cstddef>
+#include <cstring>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -20,11 +21,11 @@ constexpr std::uint64_t prime4 = 0x85EBCA77C2B2AE63;
 constexpr std::uint64_t prime5 = 0x27D4EB2F165667C5;
 constexpr std::size_t stripe = 32; // bytes
 
-/// A little-endian number, whatever the machine.
+static_assert(std::endian::native == std::endian::little, "numbers are copied as they are");
+
 template <class Number> std::uint64_t numberAt(const char* bytes) {
-  std::uint64_t result = 0;
-  for (std::size_t i = 0; i < sizeof(Number); ++i)
-    result |= std::uint64_t{static_cast<unsigned char>(bytes[i])} << (8 * i);
+  Number result = 0;
+  std::memcpy(&result, bytes, sizeof(Number));
   return result;
 }
 

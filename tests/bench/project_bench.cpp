@@ -1,5 +1,6 @@
 // Times what the user of a project waits for: that an edit is saved, and that a project opens. The
 // file lies where TMPDIR says: the disk counts.
+#include "core/project/content_hash.h"
 #include "core/project/point_bytes.h"
 #include "core/project/project.h"
 #include "core/simulate/laser_scanner.h"
@@ -75,6 +76,31 @@ void openProject(benchmark::State& state) {
   }
 }
 
+/// One undone step that adds a plant of one axis, the deepest there is: opening tries it.
+void openDeepPlant(benchmark::State& state) {
+  const Folder folder;
+  const auto path = folder.path / "bench.espalier";
+  History history;
+  SkeletonEditor editor(history.skeleton);
+  std::optional<NodeId> last;
+  for (int i = 0; i < nodes; ++i)
+    last = editor.add({.position = Eigen::Vector3d(0, 0, i), .parent = last});
+  history.steps.push_back({.text = "Reconstruct", .delta = editor.commit()});
+  history.skeleton = {};
+  (void)Project::create(path, history);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(Project::open(path, Access::readWrite).history());
+}
+
+void hashContent(benchmark::State& state) {
+  const std::string bytes(std::size_t{64} << 20, 'x');
+  for (auto _ : state)
+    benchmark::DoNotOptimize(contentHash(bytes));
+  state.SetBytesProcessed(static_cast<std::int64_t>(state.iterations() * bytes.size()));
+}
+
+BENCHMARK(openDeepPlant)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(hashContent)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(saveAnEdit)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(openProject)
     ->Arg(0)

@@ -7,6 +7,7 @@
 #include "core/project/content_hash.h"
 #include "core/project/point_bytes.h"
 
+#include <functional>
 #include <sstream>
 #include <utility>
 
@@ -25,9 +26,19 @@ QString nameOf(const std::filesystem::path& path) {
   return QString::fromStdString(path.string());
 }
 
+/// What stands beside the plant must not keep it from being read: what fails is noted.
+void tryTo(LoadedProject& loaded, const std::function<void()>& act) {
+  try {
+    act();
+  } catch (const Error& error) {
+    loaded.notes.append(QString::fromUtf8(error.what()));
+  }
+}
+
 void addScan(LoadedProject& loaded, const Progress& progress) {
   const std::optional<ScanReference> reference = loaded.project->scan();
   if (!reference) return;
+  loaded.scanReference = reference;
   loaded.scanPath = nameOf(reference->path);
   const auto found = loaded.project->findScan();
   if (!found) return;
@@ -49,9 +60,12 @@ LoadedProject loadProject(const QString& path, Access access, const Progress& pr
   for (const std::string& note : history.notes)
     loaded.notes.append(QString::fromStdString(note));
   loaded.history = std::move(history.value);
-  loaded.frame = frameOf(*loaded.project);
-  loaded.unit = unitOfSymbol(QString::fromStdString(loaded.project->document("unit")));
-  addScan(loaded, progress.part(0.1, 1));
+  tryTo(loaded, [&] { loaded.frame = frameOf(*loaded.project); });
+  tryTo(loaded, [&] {
+    loaded.unit = unitOfSymbol(QString::fromStdString(loaded.project->document("unit")));
+    loaded.file = QString::fromStdString(loaded.project->document("file"));
+  });
+  tryTo(loaded, [&] { addScan(loaded, progress.part(0.1, 1)); });
   return loaded;
 }
 

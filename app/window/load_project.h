@@ -9,6 +9,7 @@
 #include <QStringList>
 
 #include <memory>
+#include <optional>
 
 namespace espalier {
 
@@ -20,7 +21,9 @@ struct LoadedProject {
   std::unique_ptr<const Scan> scan; // null: none, or not found
   QString scanPath;                 // where it is, or was
   std::shared_ptr<const Eigen::Matrix3Xf> contracted;
+  std::optional<ScanReference> scanReference;
   LengthUnit unit = LengthUnit::unknown;
+  QString file; // of a session: where its skeleton was read from or saved to
   bool isDamaged = false;
   QStringList notes; // what its user should know
 };

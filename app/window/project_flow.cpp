@@ -167,9 +167,7 @@ void ProjectFlow::show(LoadedProject loaded, Access access) {
   hasFailed_ = false;
   const bool isCopy = access == Access::readOnly || loaded.isDamaged;
   const bool isSession = sessions_.contains(pathOf(*loaded.project));
-  const QString file = QString::fromStdString(loaded.project->document("file"));
   const bool isScanMissing = loaded.scan == nullptr && !loaded.scanPath.isEmpty();
-  const std::optional<ScanReference> scan = loaded.project->scan();
   isLoading_ = true;
   document.clear();
   document.setUnit(loaded.unit);
@@ -177,9 +175,9 @@ void ProjectFlow::show(LoadedProject loaded, Access access) {
   if (loaded.contracted) document.setContracted(loaded.contracted);
   document.openHistory({std::move(loaded.history.skeleton), loaded.frame},
                        std::move(loaded.history.steps), loaded.history.position,
-                       isSession ? file : QString());
+                       isSession ? loaded.file : QString());
   isLoading_ = false;
-  scan_ = scan;
+  scan_ = loaded.scanReference;
   if (isCopy)
     startSession();
   else
@@ -190,7 +188,7 @@ void ProjectFlow::show(LoadedProject loaded, Access access) {
         {.text = tr("The scan %1 is not where it was").arg(QFileInfo(loaded.scanPath).fileName()),
          .isError = true,
          .actions = {{tr("Find Scan…"), [this] { askForScan(); }}}});
-  if (loaded.isDamaged) tellFailure(loaded.notes.join('\n'));
+  if (!loaded.notes.isEmpty()) tellFailure(loaded.notes.join('\n'));
 }
 
 void ProjectFlow::take(std::unique_ptr<Project> project) {

@@ -50,9 +50,13 @@ TEST_F(ProjectWindowTest, KeepsPlantScanAndHistoryInAProject) {
   EXPECT_EQ(onDisk(file), document().history()) << "saved as it happens";
   EXPECT_FALSE(window().isWindowModified());
   const History before = document().history();
+  ASSERT_NE(document().structure().frame, nullptr);
+  const std::string mtg = document().structure().frame->text;
   EXPECT_TRUE(window().close()) << "without a question";
   restart();
   open({file});
+  ASSERT_NE(document().structure().frame, nullptr);
+  EXPECT_EQ(document().structure().frame->text, mtg) << "what an MTG says is kept";
   EXPECT_EQ(document().history(), before);
   ASSERT_NE(document().scan(), nullptr);
   EXPECT_EQ(document().unit(), LengthUnit::meter);
@@ -233,6 +237,23 @@ TEST_F(ProjectWindowTest, SaysWhatItCouldReadOfADamagedProject) {
   EXPECT_TRUE(message().contains("after 1 of 2 edits"));
   EXPECT_EQ(document().skeleton()[forkTop].radius, 0.2);
   EXPECT_FALSE(action("compact_project").isEnabled()) << "the file is left as it is";
+}
+
+TEST_F(ProjectWindowTest, OpensAPlantWhateverIsDamagedBesideIt) {
+  open({writeScan("plant.xyz"), writeFork("fork.mtg")});
+  const QString file = saveProject("plant.espalier");
+  window().close();
+  {
+    Project project = Project::open(toPath(file), Access::readWrite);
+    project.setBytes("contracted", "no positions");
+    project.setDocument("mtg", "no MTG");
+  }
+  restart();
+  open({file});
+  EXPECT_EQ(document().skeleton().size(), 5U);
+  EXPECT_NE(document().scan(), nullptr);
+  EXPECT_EQ(document().contracted(), nullptr);
+  EXPECT_TRUE(window().banner().isError());
 }
 
 TEST_F(ProjectWindowTest, CompactsAProject) {

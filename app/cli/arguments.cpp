@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 namespace espalier {
 namespace {
@@ -26,7 +28,46 @@ CLI::Validator bounded(double least, double most, bool isWhole) {
   return {check, ""};
 }
 
+/// How many letters must be added, left out or changed to make one of the other (Levenshtein).
+std::size_t distance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i + 1);
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t changed = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({changed, row[j] + 1, diagonal + 1});
+    }
+  }
+  return row.back();
+}
+
+/// The long name of an option of `command` that is much like `name`; empty if none is.
+std::string optionLike(const std::string& name, const CLI::App& command) {
+  std::string best;
+  std::size_t least = 3; // letters that may differ, and one more
+  for (const CLI::Option* option : command.get_options())
+    for (const std::string& each : option->get_lnames())
+      if (const std::size_t far = distance(name, "--" + each); far < least) {
+        best = "--" + each;
+        least = far;
+      }
+  return best;
+}
+
 } // namespace
+
+std::string unknownOption(const CLI::App& command, const std::vector<std::string>& arguments) {
+  for (const std::string& argument : arguments) {
+    if (argument == "--") break; // what follows are files
+    const std::string name = argument.substr(0, argument.find('='));
+    if (!name.starts_with("--") || command.get_option_no_throw(name) != nullptr) continue;
+    const std::string like = optionLike(name, command);
+    return name + " is no option" + (like.empty() ? "" : ": did you mean " + like + "?");
+  }
+  return {};
+}
 
 CLI::Validator number(double least, double most) {
   return bounded(least, most, false);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/base/error.h"
+
 #include <CLI/CLI.hpp>
 
 #include <string>
@@ -7,6 +9,17 @@
 #include <vector>
 
 namespace espalier {
+
+/// The arguments name something that there is not: exit status 2.
+class WrongUsage : public Error {
+public:
+  using Error::Error;
+};
+
+/// What is wrong with an option that `command` does not have, as "--seet is no option: did you mean
+/// --set?"; empty if all are known.
+[[nodiscard]] std::string unknownOption(const CLI::App& command,
+                                        const std::vector<std::string>& arguments);
 
 /// Lets a value be a number from `least` to `most`, which may be infinite, and nothing else.
 [[nodiscard]] CLI::Validator number(double least, double most);

@@ -1,5 +1,6 @@
 #include "app/cli/command_line.h"
 
+#include "app/cli/arguments.h"
 #include "app/cli/commands.h"
 #include "app/cli/help.h"
 #include "core/base/progress.h"
@@ -15,6 +16,7 @@
 #include <new>
 #include <string>
 #include <system_error>
+#include <vector>
 
 namespace espalier {
 namespace {
@@ -55,16 +57,20 @@ bool isMistypedSubcommand(const std::string& argument) {
          !std::filesystem::exists(argument, isMissing);
 }
 
-/// What is wrong with the arguments, with the name of the subcommand that tells more.
-std::string usageMessage(const CLI::App& app, const CLI::ParseError& problem) {
+std::string helpHint(const CLI::App& app) {
   const auto chosen = app.get_subcommands();
   const std::string name = chosen.empty() ? "espalier" : "espalier " + chosen.front()->get_name();
+  return "; see \"" + name + " --help\"";
+}
+
+/// What is wrong with the arguments, with the name of the subcommand that tells more.
+std::string usageMessage(const CLI::App& app, const CLI::ParseError& problem) {
   std::string what = problem.what();
   if (dynamic_cast<const CLI::ExtrasError*>(&problem) != nullptr)
     what = what.substr(what.find(": ") + 2) + " is not expected here";
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&problem) != nullptr)
     what = what.substr(0, what.find(": ")) + " needs a value";
-  return what + "; see \"" + name + " --help\"";
+  return what + helpHint(app);
 }
 
 int fail(int status, const std::string& message) {
@@ -81,6 +87,8 @@ int run(CLI::App& app, int argc, char** argv) {
     return app.exit(help);
   } catch (const CLI::ParseError& problem) {
     return fail(wrongUsage, usageMessage(app, problem));
+  } catch (const WrongUsage& problem) {
+    return fail(wrongUsage, problem.what() + helpHint(app));
   } catch (const Cancelled&) {
     return fail(stopped, "stopped; nothing was written");
   } catch (const std::bad_alloc&) {
@@ -107,6 +115,12 @@ int runCommandLine(int argc, char** argv) {
   if (argc > 1 && !isSubcommand(app, argv[1]) && app.get_option_no_throw(argv[1]) == nullptr)
     return fail(wrongUsage,
                 inQuotes(argv[1]) + " is no file, subcommand or option; see \"espalier --help\"");
+  if (argc > 1 && isSubcommand(app, argv[1])) {
+    const std::string unknown = unknownOption(*app.get_subcommand(argv[1]),
+                                              std::vector<std::string>(argv + 2, argv + argc));
+    if (!unknown.empty())
+      return fail(wrongUsage, unknown + "; see \"espalier " + argv[1] + " --help\"");
+  }
   const int status = run(app, argc, argv);
   std::cout.flush();
   if (status == done && (!std::cout || std::fflush(stdout) != 0))

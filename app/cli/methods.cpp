@@ -1,5 +1,5 @@
+#include "app/cli/arguments.h"
 #include "app/cli/commands.h"
-#include "core/base/error.h"
 #include "core/pipeline/registry.h"
 
 #include <CLI/CLI.hpp>
@@ -83,8 +83,8 @@ void methods(const Flags& flags) {
     for (const Method& method : step.methods)
       isKnown = isKnown || isWanted(flags, step, method);
   if (!isKnown)
-    throw Error("there is no step or method \"" + flags.name +
-                R"(": "espalier methods" lists all there are)");
+    throw WrongUsage("there is no step or method \"" + flags.name +
+                     R"(": "espalier methods" lists all there are)");
   if (flags.isJson)
     printJson(flags);
   else

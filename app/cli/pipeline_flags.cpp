@@ -84,12 +84,16 @@ void PipelineFlags::addTo(CLI::App& command, const std::string& result) {
 PipelineOptions PipelineFlags::options(const std::string& stepOfMethod) const {
   PipelineOptions result;
   if (!preset.empty()) result = presetIn(preset);
-  if (!method.empty()) result.set(stepOfMethod + ".method=" + method);
-  for (const std::string& setting : settings)
-    result.set(setting);
-  if (root != "lowest") result.root = parsePlace(root, "--root");
+  try {
+    if (!method.empty()) result.set(stepOfMethod + ".method=" + method);
+    for (const std::string& setting : settings)
+      result.set(setting);
+    if (root != "lowest") result.root = parsePlace(root, "--root");
+    requireKnown(result);
+  } catch (const Error& problem) {
+    throw WrongUsage(problem.what());
+  }
   result.up = up;
-  requireKnown(result);
   return result;
 }
 

@@ -25,8 +25,7 @@ bool isPlain(const Entity& entity, const Node& node, const std::string& plain) {
 
 void add(const Entity& entity, bool isPlain, Contents& contents) {
   contents.entities = contents.entities || !isPlain;
-  contents.labels =
-      contents.labels || (!isPlain && entity.index) || !entity.alias.empty();
+  contents.labels = contents.labels || (!isPlain && entity.index) || !entity.alias.empty();
   contents.features = contents.features || !entity.values.empty();
   contents.dates = contents.dates || !entity.later.empty();
 }

@@ -25,8 +25,8 @@ void writeMtg(std::ostream& out, const Mtg& mtg);
 /// exponents, no empty values at the end.
 [[nodiscard]] Mtg mtgAsWritten(const Mtg& mtg);
 
-/// Writes mtgOf(skeleton), by default in PlantScan3D's way: a plant P of scale 1 per root, its nodes
-/// N of scale 2, features XX YY ZZ radius.
+/// Writes mtgOf(skeleton), by default in PlantScan3D's way: a plant P of scale 1 per root, its
+/// nodes N of scale 2, features XX YY ZZ radius.
 ///
 /// A branching node opens the next column, a successor continues its own ("^<N"); of two successors
 /// the second opens a column too. Deeper than 64 columns, which no plant is, a node with nothing

@@ -232,15 +232,17 @@ TEST_F(Subcommands, InfoCountsWhatOpenAleaCounts) {
     int successors = 0;
     int branchings = 0;
     fields >> name >> scales >> successors >> branchings;
+    // Where OpenAlea departs from the specification: see the tests of the reader.
+    if (name == "code_file.mtg" || name == "mtg_fig32.mtg") continue;
     const Outcome outcome = runProgram({"info", (counts.parent_path() / name).string(), "--json"});
-    if (outcome.status != 0) continue; // a grammar that is not read yet
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
     const json told = json::parse(outcome.out);
     EXPECT_EQ(told["vertices_per_scale"], json::parse('[' + scales + ']')) << name;
     EXPECT_EQ(told["successor_edges"], successors) << name;
     EXPECT_EQ(told["branching_edges"], branchings) << name;
     ++compared;
   }
-  EXPECT_GE(compared, 5);
+  EXPECT_EQ(compared, 13);
 }
 
 TEST_F(Subcommands, SimulateWritesAScanAndItsTruth) {

@@ -30,7 +30,7 @@ TEST(Usage, AMissingArgumentIsNamed) {
 TEST(Usage, AnArgumentTooManyIsNamed) {
   expectRefusal(runProgram({"info", "a.ply", "b.ply"}), 2,
                 {"b.ply is not expected here", "see \"espalier info --help\""});
-  expectRefusal(runProgram({"info", "a.ply", "--bogus"}), 2, {"--bogus is not expected here"});
+  expectRefusal(runProgram({"info", "a.ply", "--bogus"}), 2, {"--bogus is no option; see"});
 }
 
 TEST(Usage, ASubcommandOrOptionNobodyKnowsIsNamed) {
@@ -43,6 +43,15 @@ TEST(Usage, TheEditorNeedsADisplay) {
   const std::vector<std::string> parts = {"no display for the editor", "use a subcommand"};
   expectRefusal(runProgram({}), 1, parts);
   expectRefusal(runProgram({test::sample("young_tree.ply")}), 1, parts);
+}
+
+TEST(Usage, AMistypedOptionIsToldWithTheOneThatWasMeant) {
+  expectRefusal(runProgram({"reconstruct", "a.ply", "--ouptut", "a.mtg"}), 2,
+                {"--ouptut is no option: did you mean --output?", "espalier reconstruct --help"});
+  expectRefusal(runProgram({"reconstruct", "a.ply", "-o", "a.mtg", "--seet", "contract.radius=1"}),
+                2, {"--seet is no option: did you mean --set?"});
+  expectRefusal(runProgram({"reconstruct", "--thread=2", "a.ply", "-o", "a.mtg"}), 2,
+                {"--thread is no option: did you mean --threads?"});
 }
 
 TEST(Usage, ADisplayThatNobodyServesIsTold) {
@@ -79,7 +88,7 @@ TEST(Settings, ThatNameNothingAreRefusedBeforeTheScanIsRead) {
   const auto expect = [](const std::string& setting, const std::vector<std::string>& parts) {
     SCOPED_TRACE(setting);
     expectRefusal(runProgram({"reconstruct", "missing.ply", "-o", "missing.mtg", "--set", setting}),
-                  1, parts);
+                  2, parts);
   };
   expect("contract", {"\"contract\" sets nothing", "STEP.OPTION=VALUE"});
   expect("bend.radius=1", {"no step \"bend\"", "choose one of clean, contract"});
@@ -103,15 +112,15 @@ TEST(Settings, OutOfTheRangeOfTheScanAreRefusedWithIt) {
 }
 
 TEST(Settings, AMethodNobodyKnowsIsRefused) {
-  expectRefusal(runProgram({"contract", "missing.ply", "-o", "a.ply", "--method", "bend"}), 1,
+  expectRefusal(runProgram({"contract", "missing.ply", "-o", "a.ply", "--method", "bend"}), 2,
                 {"no method \"bend\" for step contract", "geodesic_centroid"});
-  expectRefusal(runProgram({"methods", "bend"}), 1, {"no step or method \"bend\"", "lists all"});
+  expectRefusal(runProgram({"methods", "bend"}), 2, {"no step or method \"bend\"", "lists all"});
 }
 
 TEST(Settings, ARootThatIsNoPlaceIsRefused) {
   for (const char* place : {"1,2", "1,2,3,4", "a,b,c", "1,2,nan", "highest"}) {
     SCOPED_TRACE(place);
-    expectRefusal(runProgram({"reconstruct", "missing.ply", "-o", "a.mtg", "--root", place}), 1,
+    expectRefusal(runProgram({"reconstruct", "missing.ply", "-o", "a.mtg", "--root", place}), 2,
                   {place, "write lowest, or three numbers as X,Y,Z"});
   }
 }

@@ -92,9 +92,13 @@ TEST(SkeletonGlyphs, AreMarkedWhileSelectedOrHovered) {
   EXPECT_TRUE(glyphs.hover(pick));
   EXPECT_FALSE(glyphs.hover(pick));
   EXPECT_EQ(glyphs.nodes()[1].mark, Mark::selected);
-  EXPECT_EQ(glyphs.nodes()[2].mark, Mark::hovered);
+  EXPECT_EQ(glyphs.nodes()[2].mark, Mark::both);
   glyphs.hover({});
   EXPECT_EQ(glyphs.nodes()[2].mark, Mark::selected);
+  pick.node = NodeId{3};
+  glyphs.hover(pick);
+  EXPECT_EQ(glyphs.nodes()[3].mark, Mark::hovered);
+  glyphs.hover({});
   glyphs.select({NodeId{3}});
   EXPECT_EQ(glyphs.nodes()[1].mark, Mark::none);
   EXPECT_EQ(glyphs.nodes()[3].mark, Mark::selected);

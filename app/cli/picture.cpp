@@ -36,6 +36,16 @@ struct Flags {
   std::string unit;
 };
 
+/// @throws Error if points cannot be colored by what they do not have
+void requireColor(const PointCloud& cloud, PointColor color) {
+  const bool lacks = (color == PointColor::intensity && cloud.intensities().empty()) ||
+                     (color == PointColor::rgb && cloud.colors().empty());
+  if (lacks)
+    throw WrongUsage("the points of the scan have no " +
+                     std::string(color == PointColor::rgb ? "colors" : "intensities") +
+                     ": choose another --color");
+}
+
 Scene sceneOf(const Flags& flags, const Progress& progress) {
   Scene scene;
   bool hasStructure = false;
@@ -57,6 +67,7 @@ Scene sceneOf(const Flags& flags, const Progress& progress) {
     return flags.layers.empty() ||
            std::find(flags.layers.begin(), flags.layers.end(), layer) != flags.layers.end();
   };
+  if (scene.cloud) requireColor(*scene.cloud, flags.color);
   scene.points.visible = isWanted("points");
   scene.skeletonVisible = isWanted("skeleton");
   scene.setPointColor(flags.color);
@@ -122,6 +133,7 @@ void addPicture(CLI::App& app) {
             {{"front", StandardView::front},
              {"back", StandardView::back},
              {"left", StandardView::left},
+             {"right", StandardView::right},
              {"side", StandardView::right},
              {"top", StandardView::top},
              {"bottom", StandardView::bottom},

@@ -1,6 +1,7 @@
 #include "core/pipeline/pipeline.h"
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 
 #include <charconv>
 #include <cmath>
@@ -102,7 +103,15 @@ struct Pipeline::Kept {
   PlantScale scale;
   std::vector<Result> results; // of the first steps
 
+  /// @throws Error if the root that is asked for lies farther off than the plant is large
   void start(const std::shared_ptr<const PointCloud>& newCloud, const PipelineOptions& options) {
+    if (options.root) {
+      const Eigen::AlignedBox3d box = newCloud->bounds();
+      const double away = box.exteriorDistance(*options.root);
+      if (away > box.diagonal().norm())
+        throw Error("the root lies " + plainDecimal(std::round(away)) +
+                    " away from the scan: give a place in its coordinates");
+    }
     if (cloud == newCloud && root == options.root && up == options.up) return;
     results.clear();
     if (cloud != newCloud || up != options.up)

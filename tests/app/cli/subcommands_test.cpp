@@ -319,6 +319,7 @@ TEST_F(Subcommands, PictureShowsTheLayersThatAreAsked) {
   EXPECT_NE(all, skeleton);
   EXPECT_EQ(picture("both.png", {"--layers", "points,skeleton"}), all);
   EXPECT_NE(picture("side.png", {"--view", "side"}), all);
+  EXPECT_EQ(picture("right.png", {"--view", "right"}), picture("side.png", {"--view", "side"}));
 }
 
 } // namespace

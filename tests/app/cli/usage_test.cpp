@@ -45,6 +45,12 @@ TEST(Usage, TheEditorNeedsADisplay) {
   expectRefusal(runProgram({test::sample("young_tree.ply")}), 1, parts);
 }
 
+TEST(Usage, PointsAreNotColoredByWhatTheyDoNotHave) {
+  expectRefusal(runProgram({"picture", test::sample("young_tree.ply"), "-o",
+                            (test::freshFolder() / "a.png").string(), "--color", "rgb"}),
+                2, {"have no colors", "choose another --color"});
+}
+
 TEST(Usage, AMistypedOptionIsToldWithTheOneThatWasMeant) {
   expectRefusal(runProgram({"reconstruct", "a.ply", "--ouptut", "a.mtg"}), 2,
                 {"--ouptut is no option: did you mean --output?", "espalier reconstruct --help"});

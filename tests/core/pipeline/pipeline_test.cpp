@@ -78,6 +78,12 @@ TEST(Pipeline, RunsUpToAStep) {
   EXPECT_EQ(result.steps.back().step, "contract");
 }
 
+TEST(Pipeline, RefusesARootFarFromTheScan) {
+  PipelineOptions options;
+  options.root = Eigen::Vector3d(1e9, 0, 0);
+  EXPECT_THROW((void)Pipeline().run(cloudOf(test::forkCloud()), options), Error);
+}
+
 TEST(Pipeline, StartsAtTheRootItIsGiven) {
   PipelineOptions options;
   options.root = Eigen::Vector3d(500 + 0.86, 600, 703.2);

@@ -141,7 +141,7 @@ TEST(ReadPickle, TakesAListThatHoldsItself) {
 TEST(ReadPickle, TakesDepthWithoutRecursion) {
   const std::size_t depth = 1'000'000;
   std::string bytes(depth, ']');
-  bytes += std::string(depth - 1, 'a') + ".";
+  bytes.append(depth - 1, 'a').append(1, '.');
   EXPECT_EQ(read(bytes).values.size(), depth);
   EXPECT_THAT(errorOf(std::string(depth, '(')), HasSubstr("cut short"));
 }

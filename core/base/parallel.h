@@ -6,10 +6,27 @@
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_sort.h>
 
+#include <algorithm>
 #include <atomic>
+#include <functional>
 
 namespace espalier {
+
+#ifdef __SANITIZE_THREAD__
+/// Runs work(begin, end) for pieces of [0, count) on threads of its own: ThreadSanitizer does not
+/// see into TBB, and would take the order that it keeps for none.
+void inPieces(Eigen::Index count, Eigen::Index grain,
+              const std::function<void(Eigen::Index, Eigen::Index)>& work);
+#else
+/// Runs work(begin, end) for pieces of [0, count) of about `grain` and more, on all threads.
+template <class Work> void inPieces(Eigen::Index count, Eigen::Index grain, const Work& work) {
+  using Range = oneapi::tbb::blocked_range<Eigen::Index>;
+  oneapi::tbb::parallel_for(Range(0, count, grain),
+                            [&](const Range& range) { work(range.begin(), range.end()); });
+}
+#endif
 
 /// Runs body(i) for each i in [0, count), on all threads.
 ///
@@ -19,24 +36,26 @@ namespace espalier {
 template <class Body>
 void parallelFor(Eigen::Index count, const Body& body, const Progress& progress = {},
                  Eigen::Index grain = 256) {
-  // TBB orders what is before, in and after its bodies; these two say so to ThreadSanitizer as
-  // well, which does not see into TBB. They order no body with another: it still finds races of
-  // bodies.
-  std::atomic<bool> hasBegun = false;
   std::atomic<Eigen::Index> done = 0;
-  hasBegun.store(true, std::memory_order_release);
-  using Range = oneapi::tbb::blocked_range<Eigen::Index>;
-  oneapi::tbb::parallel_for(Range(0, count, grain), [&](const Range& range) {
-    static_cast<void>(hasBegun.load(std::memory_order_acquire));
-    for (Eigen::Index i = range.begin(); i < range.end(); ++i) {
-      if ((i - range.begin()) % grain == 0) progress.check();
+  inPieces(count, grain, [&](Eigen::Index begin, Eigen::Index end) {
+    for (Eigen::Index i = begin; i < end; ++i) {
+      if ((i - begin) % grain == 0) progress.check();
       body(i);
     }
-    const auto size = static_cast<Eigen::Index>(range.size());
-    const Eigen::Index soFar = done.fetch_add(size, std::memory_order_release) + size;
+    const Eigen::Index soFar = done.fetch_add(end - begin) + end - begin;
     progress.update(static_cast<double>(soFar) / static_cast<double>(count));
   });
-  static_cast<void>(done.load(std::memory_order_acquire));
+}
+
+/// Sorts on all threads. pre: no two elements are equal by `less`, so that the order is the same
+/// for any number of threads
+template <class Iterator, class Less>
+void parallelSort(Iterator begin, Iterator end, const Less& less) {
+#ifdef __SANITIZE_THREAD__ // see inPieces
+  std::sort(begin, end, less);
+#else
+  oneapi::tbb::parallel_sort(begin, end, less);
+#endif
 }
 
 /// While it lives, loops run on at most `threads` threads.

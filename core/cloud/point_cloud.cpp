@@ -4,8 +4,6 @@
 #include "core/base/parallel.h"
 #include "core/base/spatial_index.h"
 
-#include <oneapi/tbb/parallel_sort.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -63,7 +61,7 @@ PointCloud::PointCloud(RawPoints raw, const Progress& progress) {
       },
       progress.part(0, 0.3), 4096);
   // Ties are broken by position, so that the order in the file does not decide.
-  oneapi::tbb::parallel_sort(places.begin(), places.end(), [&](const Place& a, const Place& b) {
+  parallelSort(places.begin(), places.end(), [&](const Place& a, const Place& b) {
     if (a.code != b.code) return a.code < b.code;
     const Eigen::Vector3d& p = raw.positions[a.index];
     const Eigen::Vector3d& q = raw.positions[b.index];

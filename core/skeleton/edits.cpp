@@ -76,6 +76,11 @@ void moveNode(SkeletonEditor& editor, NodeId id, const Eigen::Vector3d& position
   editor.setPosition(id, position);
 }
 
+void moveAll(SkeletonEditor& editor, const Eigen::Vector3d& shift) {
+  for (const NodeId id : editor.skeleton().ids())
+    editor.setPosition(id, editor.skeleton()[id].position + shift);
+}
+
 NodeId addChild(SkeletonEditor& editor, NodeId parent, const Eigen::Vector3d& position) {
   return editor.add({.position = position,
                      .radius = editor.skeleton()[parent].radius,

@@ -14,6 +14,9 @@ namespace espalier {
 
 void moveNode(SkeletonEditor& editor, NodeId id, const Eigen::Vector3d& position);
 
+/// Moves all nodes by `shift` [L].
+void moveAll(SkeletonEditor& editor, const Eigen::Vector3d& shift);
+
 /// Hangs a new node on `parent`, with the radius of `parent`. It continues the axis if `parent` has
 /// no successor, else it branches. It joins the units of `parent`.
 NodeId addChild(SkeletonEditor& editor, NodeId parent, const Eigen::Vector3d& position);

@@ -1,6 +1,5 @@
 #include "app/window/file_flow.h"
 
-#include "app/window/project_flow.h"
 #include "app/window/recent_files.h"
 #include "core/base/error.h"
 #include "core/io/dropped.h"
@@ -81,7 +80,9 @@ QString proposedPath(const PlantDocument& document, const QString& folder) {
 
 } // namespace
 
-FileFlow::FileFlow(const Parts& parts) : parts_(parts) {}
+FileFlow::FileFlow(const Parts& parts) : parts_(parts) {
+  parts_.projects.setGate([this](const std::function<void()>& show) { showUnlessKept(show); });
+}
 
 void FileFlow::chooseAndOpen() {
   const QStringList paths =
@@ -97,7 +98,7 @@ void FileFlow::open(const QStringList& paths) {
   for (const QString& path : paths) {
     if (!isProjectName(path) && !isProject(toPath(path))) continue;
     if (paths.size() > 1) throw Error(tr("%1: open a project alone").arg(path).toStdString());
-    if (mayDiscard()) parts_.projects.open(path);
+    parts_.projects.open(path);
     return;
   }
   bool hasScan = false;
@@ -105,13 +106,19 @@ void FileFlow::open(const QStringList& paths) {
   for (const QString& path : paths)
     (formatOf(toPath(path)).content == Content::points ? hasScan : hasStructure) = true;
   const bool isAnotherPlant = hasScan && parts_.document.scan() != nullptr;
-  if ((isAnotherPlant || hasStructure) && !mayDiscard()) return;
+  const bool replaces = isAnotherPlant || hasStructure;
   parts_.settings.setValue(folderKey, QFileInfo(paths.front()).absolutePath());
   const QString name = QFileInfo(paths.front()).fileName();
   parts_.jobs.start(
       tr("Reading %1").arg(name),
       [paths](const Progress& progress) { return loadFiles(paths, progress); },
-      [this, isAnotherPlant](LoadedFiles loaded) { show(std::move(loaded), isAnotherPlant); });
+      [this, isAnotherPlant, replaces](LoadedFiles loaded) {
+        if (!replaces) return show(std::move(loaded), isAnotherPlant);
+        const auto kept = std::make_shared<LoadedFiles>(std::move(loaded));
+        parts_.jobs.afterwards([this, isAnotherPlant, kept] {
+          showUnlessKept([&] { show(std::move(*kept), isAnotherPlant); });
+        });
+      });
 }
 
 bool FileFlow::save() {
@@ -164,6 +171,14 @@ bool FileFlow::mayDiscard() {
   if (box.clickedButton() == save)
     return isNamed ? parts_.projects.saveAs() && parts_.projects.keepsWork() : this->save();
   return box.clickedButton() == discard;
+}
+
+void FileFlow::showUnlessKept(const std::function<void()>& show) {
+  try {
+    if (mayDiscard()) show();
+  } catch (const Error& error) { // they were to be saved and could not be
+    emit told({.text = QString::fromUtf8(error.what()), .isError = true});
+  }
 }
 
 void FileFlow::show(LoadedFiles loaded, bool isAnotherPlant) {

@@ -1,9 +1,12 @@
 #pragma once
 
 #include "app/window/load_files.h"
+#include "app/window/project_flow.h"
 
 #include <QObject>
 #include <QStringList>
+
+#include <functional>
 
 class QSettings;
 class QWidget;
@@ -12,7 +15,6 @@ namespace espalier {
 
 class JobRunner;
 class PlantDocument;
-class ProjectFlow;
 class RecentFiles;
 
 /// Opening and saving: the dialogs, the jobs, and the question before unsaved work is lost.
@@ -34,8 +36,9 @@ public:
   void chooseAndOpen();
 
   /// A project replaces all; a structure replaces the skeleton; a scan comes under a skeleton that
-  /// has none, else it begins another plant.
-  /// @throws Error if a file cannot be read or a job is running; reading goes on as a job
+  /// has none, else it begins another plant. Reading goes on as a job; only once all is read is it
+  /// asked what to do with unsaved edits that it would replace.
+  /// @throws Error if a file cannot be read or a job is running
   void open(const QStringList& paths);
 
   /// Each returns whether the skeleton is saved now; the user may have left the dialog, or chosen a
@@ -55,8 +58,10 @@ signals:
   void opened();
   void noted(const QString& message); // of how a file was read, or what one written does not keep
   void saved(const QString& path);
+  void told(const espalier::ProjectFlow::Notice& notice);
 
 private:
+  void showUnlessKept(const std::function<void()>& show); // asks about unsaved edits first
   void show(LoadedFiles loaded, bool isAnotherPlant);
   [[nodiscard]] QString chooseTarget(const QString& title);
   void writeTo(const QString& path);

@@ -218,7 +218,7 @@ void MainWindow::connectFiles() {
 }
 
 void MainWindow::connectProjects() {
-  connect(projects_.get(), &ProjectFlow::told, this, [this](const ProjectFlow::Notice& notice) {
+  const auto tell = [this](const ProjectFlow::Notice& notice) {
     MessageBanner::Actions actions;
     for (const ProjectFlow::Notice::Action& action : notice.actions)
       actions.push_back({action.text, [this, act = action.act] {
@@ -235,7 +235,9 @@ void MainWindow::connectProjects() {
       banner_->showResult(notice.text);
     else
       banner_->showOffer(notice.text, actions);
-  });
+  };
+  connect(projects_.get(), &ProjectFlow::told, this, tell);
+  connect(files_.get(), &FileFlow::told, this, tell);
   connect(projects_.get(), &ProjectFlow::chosen, this,
           [this](const QString& path) { open({path}); });
   connect(projects_.get(), &ProjectFlow::sessionsChanged, this, [this] {

@@ -157,14 +157,16 @@ void ProjectFlow::load(const QString& path, Access access) {
   parts_.jobs.start(
       tr("Reading %1").arg(QFileInfo(path).fileName()),
       [path, access](const Progress& progress) { return loadProject(path, access, progress); },
-      [this, access](LoadedProject loaded) { show(std::move(loaded), access); });
+      [this, access](LoadedProject loaded) {
+        const auto kept = std::make_shared<LoadedProject>(std::move(loaded));
+        parts_.jobs.afterwards(
+            [this, access, kept] { gate_([&] { show(std::move(*kept), access); }); });
+      });
 }
 
 void ProjectFlow::show(LoadedProject loaded, Access access) {
   PlantDocument& document = parts_.document;
-  release(document.isModified()); // whatever was edited while this was read
-  document.setAlwaysSaved(false);
-  hasFailed_ = false;
+  leave();
   const bool isCopy = access == Access::readOnly || loaded.isDamaged;
   const bool isSession = sessions_.contains(pathOf(*loaded.project));
   const bool isScanMissing = loaded.scan == nullptr && !loaded.scanPath.isEmpty();

@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 class QSettings;
@@ -38,11 +39,17 @@ public:
   explicit ProjectFlow(const Parts& parts);
   ~ProjectFlow() override;
 
+  /// What every project that is to replace the document passes once it is read: the gate may ask,
+  /// and calls `show` or not.
+  using Gate = std::function<void(const std::function<void()>& show)>;
+  void setGate(Gate gate) { gate_ = std::move(gate); }
+
   [[nodiscard]] bool isNamed() const; // the document is in a project with a name
   /// Whether nothing is lost if the window closes now, without a question.
   [[nodiscard]] bool keepsWork();
 
-  /// As a job. One that another window works on is not opened; a copy is offered.
+  /// As a job, and through the gate. One that another window works on is not opened; a copy is
+  /// offered.
   void open(const QString& path);
   void openCopy(const QString& path); // without a name, so the file stays as it is
   /// Each returns whether the document is in a project with a name now.
@@ -92,6 +99,7 @@ private:
   Parts parts_;
   Sessions sessions_;
   ProjectRecorder recorder_;
+  Gate gate_ = [](const std::function<void()>& show) { show(); };
   std::optional<ScanReference> scan_;
   bool isLoading_ = false;
   bool hasFailed_ = false; // no session could be made: told once

@@ -1,5 +1,7 @@
 #include "ui/jobs/job_runner.h"
 
+#include <utility>
+
 namespace espalier {
 
 JobRunner::~JobRunner() {
@@ -13,7 +15,9 @@ void JobRunner::cancel() {
 
 void JobRunner::finish() {
   running_ = false;
+  const std::function<void()> afterwards = std::exchange(afterwards_, nullptr);
   emit finished();
+  if (afterwards && !isCanceled()) afterwards();
 }
 
 } // namespace espalier

@@ -7,6 +7,7 @@
 #include <QString>
 
 #include <exception>
+#include <functional>
 #include <memory>
 #include <string_view>
 #include <thread>
@@ -27,6 +28,10 @@ public:
   /// `done` must not throw; after cancel() returns it is not called. `finished` always comes last.
   /// `work` owns its inputs: nothing it reads may change. pre: !isRunning()
   template <class Work, class Done> void start(const QString& name, Work work, Done done);
+
+  /// Runs `act` once the job is over and `finished` has been told, unless it is canceled: there it
+  /// may ask, and start the next job. pre: called by `done`
+  void afterwards(std::function<void()> act) { afterwards_ = std::move(act); }
 
   [[nodiscard]] bool isRunning() const { return running_; }
   [[nodiscard]] bool isCanceled() const { return thread_.get_stop_token().stop_requested(); }
@@ -50,6 +55,7 @@ private:
 
   bool running_ = false;
   QString name_;
+  std::function<void()> afterwards_;
   std::jthread thread_;
 };
 

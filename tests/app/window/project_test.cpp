@@ -126,6 +126,21 @@ TEST_F(ProjectWindowTest, LeavesNoSessionBehindWhenEditsAreDiscarded) {
   EXPECT_TRUE(sessionFiles().isEmpty());
 }
 
+TEST_F(ProjectWindowTest, AsksBeforeAProjectReplacesUnsavedEdits) {
+  open({writeFork("fork.mtg")});
+  const QString file = saveProject("plant.espalier");
+  open({path("fork.mtg")}); // which leaves the project
+  setRadius(0.2);
+  const Skeleton edited = document().skeleton();
+  answer(press("Keep editing"), [&] { open({file}); });
+  EXPECT_EQ(document().skeleton(), edited);
+  EXPECT_EQ(sessionFiles().size(), 1) << "against a crash";
+  answer(press("Discard"), [&] { open({file}); });
+  EXPECT_EQ(document().skeleton()[forkTop].radius, 0.1);
+  EXPECT_TRUE(window().windowTitle().startsWith("plant.espalier"));
+  EXPECT_TRUE(sessionFiles().isEmpty()) << "what is discarded is not offered again";
+}
+
 TEST_F(ProjectWindowTest, TellsThatAnotherWindowHasTheProjectAndOpensACopy) {
   open({writeFork("fork.mtg")});
   const QString file = saveProject("plant.espalier");

@@ -144,6 +144,18 @@ void WindowTest::answer(const std::function<void(QDialog&)>& reply,
   if (window_->isVisible()) QApplication::setActiveWindow(window_.get()); // as above
 }
 
+void WindowTest::expectNoDialog(const std::function<void()>& act) {
+  QTimer timer;
+  QObject::connect(&timer, &QTimer::timeout, [] {
+    auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+    if (dialog == nullptr) return;
+    ADD_FAILURE() << dialog->windowTitle().toStdString();
+    dialog->reject();
+  });
+  timer.start(0);
+  act();
+}
+
 std::function<void(QDialog&)> WindowTest::press(const QString& text) {
   return [text](QDialog& dialog) {
     for (QPushButton* button : dialog.findChildren<QPushButton*>())

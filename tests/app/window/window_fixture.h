@@ -54,6 +54,8 @@ protected:
 
   /// Runs `act`, which opens a dialog, and answers it.
   void answer(const std::function<void(QDialog&)>& reply, const std::function<void()>& act);
+  /// Runs `act`, which opens no dialog; one that opens is closed.
+  void expectNoDialog(const std::function<void()>& act);
   /// A reply that presses the button of this text.
   [[nodiscard]] static std::function<void(QDialog&)> press(const QString& button);
   /// A reply to a file dialog.

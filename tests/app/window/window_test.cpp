@@ -135,6 +135,62 @@ TEST_F(MainWindowTest, ClosesWithoutAQuestionIfNothingIsLost) {
   EXPECT_TRUE(window().close());
 }
 
+TEST_F(MainWindowTest, AsksNothingBeforeAFileThatCannotBeRead) {
+  open({writeFork("fork.mtg")});
+  edit();
+  const Skeleton edited = document().skeleton();
+  for (const char* name : {"broken.mtg", "broken.espalier"}) {
+    QFile file(path(name));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("CODE :\tFORM-A\nno more\n");
+    file.close();
+    expectNoDialog([&] { open({path(name)}); });
+    EXPECT_TRUE(window().banner().isError());
+    EXPECT_TRUE(window().banner().text().contains(name));
+    EXPECT_EQ(document().skeleton(), edited);
+    EXPECT_TRUE(document().isModified());
+  }
+}
+
+TEST_F(MainWindowTest, AsksBeforeAnotherSkeletonReplacesUnsavedEdits) {
+  open({writeFork("fork.mtg")});
+  edit();
+  const Skeleton edited = document().skeleton();
+  writeFork("other.mtg");
+  answer(press("Keep editing"), [this] { open({path("other.mtg")}); });
+  EXPECT_EQ(document().skeleton(), edited);
+  EXPECT_EQ(document().filePath(), path("fork.mtg"));
+  EXPECT_TRUE(document().isModified());
+  answer(press("Discard"), [this] { open({path("other.mtg")}); });
+  EXPECT_EQ(document().filePath(), path("other.mtg"));
+  EXPECT_FALSE(document().isModified());
+}
+
+TEST_F(MainWindowTest, SavesUnsavedEditsBeforeAnotherSkeletonReplacesThem) {
+  open({writeFork("fork.mtg")});
+  edit();
+  const Eigen::Vector3d place = document().skeleton()[forkTop].position;
+  writeFork("other.mtg");
+  answer(press("Save"), [this] { open({path("other.mtg")}); });
+  EXPECT_EQ(document().filePath(), path("other.mtg"));
+  open({path("fork.mtg")});
+  nodeAt(place);
+}
+
+TEST_F(MainWindowTest, KeepsThePlantWhoseEditsCannotBeSavedForAnother) {
+  if (!QFile::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  open({writeFork("fork.mtg")});
+  const QString full = path("full.mtg");
+  ASSERT_TRUE(QFile::link("/dev/full", full));
+  document().markSaved(full); // as if it had been saved there
+  edit();
+  const Skeleton edited = document().skeleton();
+  answer(press("Save"), [this] { open({path("fork.mtg")}); });
+  EXPECT_TRUE(window().banner().isError());
+  EXPECT_EQ(document().skeleton(), edited);
+  EXPECT_TRUE(document().isModified());
+}
+
 TEST_F(MainWindowTest, KeepsACopyOfAFileOfOthersThatItOverwrites) {
   open({writeFork("fork.mtg")});
   QFile before(path("fork.mtg"));

@@ -40,6 +40,30 @@ struct JobRunnerTest : testing::Test {
   }
 };
 
+TEST_F(JobRunnerTest, DoesOnceItHasFinishedWhatItsResultAskedFor) {
+  runner.start(
+      "Read", [](const Progress&) { return 1; },
+      [&](int) {
+        runner.afterwards([&] {
+          EXPECT_FALSE(runner.isRunning());
+          told.emplace_back("afterwards");
+        });
+      });
+  waitFor(runner);
+  EXPECT_THAT(told, testing::ElementsAre("started", "finished", "afterwards"));
+}
+
+TEST_F(JobRunnerTest, DoesNothingAfterwardsIfItWasCanceledMeanwhile) {
+  runner.start(
+      "Read", [](const Progress&) { return 1; },
+      [&](int) {
+        runner.afterwards([&] { told.emplace_back("afterwards"); });
+        runner.cancel();
+      });
+  waitFor(runner);
+  EXPECT_THAT(told, testing::ElementsAre("started", "finished"));
+}
+
 TEST_F(JobRunnerTest, HandsTheResultToTheGuiThreadAndFinishesLast) {
   QThread* workedOn = nullptr;
   runner.start(

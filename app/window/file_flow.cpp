@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/io/dropped.h"
 #include "core/io/formats.h"
+#include "core/skeleton/edits.h"
 #include "ui/document/plant_document.h"
 #include "ui/jobs/job_runner.h"
 
@@ -92,9 +93,7 @@ void FileFlow::chooseAndOpen() {
 }
 
 void FileFlow::open(const QStringList& paths) {
-  if (parts_.jobs.isRunning())
-    throw Error(
-        tr("%1 is still running: wait for it, or cancel it").arg(parts_.jobs.name()).toStdString());
+  requireNoJob();
   for (const QString& path : paths) {
     if (!isProjectName(path) && !isProject(toPath(path))) continue;
     if (paths.size() > 1) throw Error(tr("%1: open a project alone").arg(path).toStdString());
@@ -109,16 +108,31 @@ void FileFlow::open(const QStringList& paths) {
   const bool replaces = isAnotherPlant || hasStructure;
   parts_.settings.setValue(folderKey, QFileInfo(paths.front()).absolutePath());
   const QString name = QFileInfo(paths.front()).fileName();
+  const auto* scan = parts_.document.scan();
+  const auto cloud = scan == nullptr || isAnotherPlant ? nullptr : scan->cloud();
+  const Skeleton skeleton = isAnotherPlant ? Skeleton() : parts_.document.skeleton();
   parts_.jobs.start(
       tr("Reading %1").arg(name),
-      [paths](const Progress& progress) { return loadFiles(paths, progress); },
-      [this, isAnotherPlant, replaces](LoadedFiles loaded) {
-        if (!replaces) return show(std::move(loaded), isAnotherPlant);
-        const auto kept = std::make_shared<LoadedFiles>(std::move(loaded));
+      [paths, cloud, skeleton](const Progress& progress) {
+        Read read{.files = loadFiles(paths, progress)};
+        const LoadedFiles& files = read.files;
+        if (const auto& points = files.scan ? files.scan->cloud() : cloud)
+          read.fit = fitOf(files.structure ? files.structure->skeleton : skeleton, *points);
+        return read;
+      },
+      [this, isAnotherPlant, replaces](Read read) {
+        if (!replaces) return show(std::move(read), isAnotherPlant);
+        const auto kept = std::make_shared<Read>(std::move(read));
         parts_.jobs.afterwards([this, isAnotherPlant, kept] {
           showUnlessKept([&] { show(std::move(*kept), isAnotherPlant); });
         });
       });
+}
+
+void FileFlow::requireNoJob() const {
+  if (parts_.jobs.isRunning())
+    throw Error(
+        tr("%1 is still running: wait for it, or cancel it").arg(parts_.jobs.name()).toStdString());
 }
 
 bool FileFlow::save() {
@@ -181,7 +195,8 @@ void FileFlow::showUnlessKept(const std::function<void()>& show) {
   }
 }
 
-void FileFlow::show(LoadedFiles loaded, bool isAnotherPlant) {
+void FileFlow::show(Read read, bool isAnotherPlant) {
+  LoadedFiles& loaded = read.files;
   PlantDocument& document = parts_.document;
   if (isAnotherPlant || loaded.structure) parts_.projects.leave();
   if (isAnotherPlant) {
@@ -200,7 +215,26 @@ void FileFlow::show(LoadedFiles loaded, bool isAnotherPlant) {
     copied_.clear();
   }
   emit opened();
-  if (!loaded.notes.isEmpty()) emit noted(loaded.notes.join('\n'));
+  tellFit(read.fit, std::move(loaded.notes));
+}
+
+void FileFlow::tellFit(const ScanFit& fit, QStringList notes) {
+  PlantDocument& document = parts_.document;
+  const QString file = QFileInfo(document.filePath()).fileName();
+  const QString structure = file.isEmpty() ? tr("the skeleton") : file;
+  if (fit.shift) {
+    notes.append(offerToMove(structure, *fit.shift, document.unit()));
+    const auto move = [this, shift = *fit.shift] {
+      requireNoJob();
+      parts_.document.edit(tr("Move structure onto the scan"),
+                           [&](SkeletonEditor& editor) { moveAll(editor, shift); });
+    };
+    emit told({.text = notes.join('\n'), .actions = {{tr("Move"), move}, {tr("Leave"), [] {}}}});
+    return;
+  }
+  if (fit.misfit)
+    notes.append(describe(*fit.misfit, structure, QFileInfo(document.scanPath()).fileName()));
+  if (!notes.isEmpty()) emit noted(notes.join('\n'));
 }
 
 void FileFlow::writeTo(const QString& path) {

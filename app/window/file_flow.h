@@ -2,6 +2,7 @@
 
 #include "app/window/load_files.h"
 #include "app/window/project_flow.h"
+#include "app/window/scan_fit.h"
 
 #include <QObject>
 #include <QStringList>
@@ -62,7 +63,14 @@ signals:
 
 private:
   void showUnlessKept(const std::function<void()>& show); // asks about unsaved edits first
-  void show(LoadedFiles loaded, bool isAnotherPlant);
+  /// Files as they were read, and how the structure then lies to the scan.
+  struct Read {
+    LoadedFiles files;
+    ScanFit fit;
+  };
+  void show(Read read, bool isAnotherPlant);
+  void requireNoJob() const;
+  void tellFit(const ScanFit& fit, QStringList notes);
   [[nodiscard]] QString chooseTarget(const QString& title);
   void writeTo(const QString& path);
   void noteDropped(const QString& path);

@@ -291,7 +291,7 @@ void MainWindow::connectDocument() {
 }
 
 void MainWindow::tellStep(int index) {
-  if (!banner_->isError()) banner_->hide(); // it told of the step before
+  if (banner_->leavesByItself()) banner_->hide(); // it told of the step before
   const QUndoStack& stack = document_.undoStack();
   const int before = std::exchange(step_, index);
   if (editing_->isBusy()) return; // a drag tells what it does itself

@@ -35,6 +35,7 @@ public:
 
   [[nodiscard]] QString text() const;
   [[nodiscard]] bool isError() const;
+  [[nodiscard]] bool leavesByItself() const { return leaves_.isActive(); }
 
 private:
   bool eventFilter(QObject* watched, QEvent* event) override; // of the parent: it is resized

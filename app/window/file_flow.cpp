@@ -69,6 +69,14 @@ bool isProjectName(const QString& path) {
   return path.endsWith(".espalier", Qt::CaseInsensitive);
 }
 
+/// Longest side of the box around all nodes [L].
+double extentOf(const Skeleton& skeleton) {
+  Eigen::AlignedBox3d box;
+  for (const NodeId id : skeleton.ids())
+    box.extend(skeleton[id].position);
+  return skeleton.isEmpty() ? 0 : box.sizes().maxCoeff();
+}
+
 QString proposedPath(const PlantDocument& document, const QString& folder) {
   const QFileInfo file(document.filePath());
   if (isProjectName(document.filePath()))
@@ -210,6 +218,8 @@ void FileFlow::show(Read read, bool isAnotherPlant) {
     parts_.recent.add(loaded.scanPath);
   }
   if (loaded.structure) {
+    if (document.scan() == nullptr)
+      document.setUnit(likelyUnit(extentOf(loaded.structure->skeleton)));
     document.openStructure(std::move(*loaded.structure), loaded.structurePath);
     parts_.recent.add(loaded.structurePath);
     copied_.clear();

@@ -1,4 +1,6 @@
 #include "app/window/action_set.h"
+#include "app/window/load_files.h"
+#include "core/io/formats.h"
 #include "tests/app/window/window_fixture.h"
 #include "tests/support/plants.h"
 #include "tests/support/shared_data.h"
@@ -57,7 +59,7 @@ TEST_F(MainWindowTest, ShowsThePanelsOnceThereIsAPlant) {
   EXPECT_TRUE(find<QDockWidget>("pipeline").isVisible());
   EXPECT_TRUE(find<QDockWidget>("inspector").isVisible());
   EXPECT_TRUE(action("save").isEnabled());
-  EXPECT_EQ(window().statusLine().counts(), "5 nodes");
+  EXPECT_EQ(window().statusLine().counts(), "5 nodes · m") << "as a plant of 2 m";
 }
 
 TEST_F(MainWindowTest, RemembersWhichPanelsWereClosed) {
@@ -452,6 +454,24 @@ TEST_F(MainWindowTest, TakesTheUnitThatIsChosen) {
   unit.setCurrentIndex(unit.findData("mm"));
   emit unit.activated(unit.currentIndex());
   EXPECT_TRUE(window().statusLine().counts().endsWith("mm"));
+}
+
+TEST_F(MainWindowTest, GuessesTheUnitOfAStructureWithoutAScan) {
+  writeStructure(toPath(path("tall.mtg")), test::stick(21, 150)); // 3000 high
+  writeStructure(toPath(path("dot.mtg")), test::stick(1));
+  open({path("tall.mtg")});
+  EXPECT_EQ(document().unit(), LengthUnit::millimeter);
+  open({writeFork("fork.mtg")});
+  EXPECT_EQ(document().unit(), LengthUnit::meter) << "it is another plant";
+  open({path("dot.mtg")});
+  EXPECT_EQ(document().unit(), LengthUnit::unknown);
+}
+
+TEST_F(MainWindowTest, TakesTheUnitOfTheScanForAStructureOverIt) {
+  open({writeScan("plant.xyz")});
+  writeStructure(toPath(path("tall.mtg")), test::stick(21, 150));
+  open({path("tall.mtg")});
+  EXPECT_EQ(document().unit(), LengthUnit::meter);
 }
 
 TEST_F(MainWindowTest, RunsACommandFoundInThePalette) {

@@ -21,6 +21,11 @@ SkeletonDelta edit(Skeleton& plant, const std::function<void(SkeletonEditor&)>& 
   return editor.commit();
 }
 
+Skeleton edited(Skeleton plant, const std::function<void(SkeletonEditor&)>& change) {
+  (void)edit(plant, change);
+  return plant;
+}
+
 std::size_t successors(const Skeleton& plant, NodeId id) {
   std::size_t count = 0;
   for (const NodeId child : plant.children(id))
@@ -145,6 +150,119 @@ TEST(ReparentNode, JoinsTwoTrees) {
   edit(plant, [](SkeletonEditor& editor) { reparentNode(editor, NodeId{2}, NodeId{1}); });
   EXPECT_THAT(plant.roots(), ElementsAre(NodeId{0}));
   EXPECT_EQ(plant[NodeId{2}].edge, EdgeType::successor);
+}
+
+// What an MTG says of the nodes: units of scale 2 start at nodes, which are of scale 3.
+
+Entity unitNamed(int index, const std::string& color = {}) {
+  Entity unit{.scale = 2, .symbol = "A", .index = index};
+  if (!color.empty()) unit.values = {{"Color", color}};
+  return unit;
+}
+
+Entity ownNamed(int index) {
+  return {.scale = 3, .symbol = "E", .index = index};
+}
+
+/// 0 < 1 < 2 in A1, which starts at 0; on 1 branches 3, where A2 starts; 3 < 4 and 3 + 5 in A2.
+Skeleton twoUnits() {
+  Skeleton plant;
+  const auto add = [&](std::optional<NodeId> parent, EdgeType edge) {
+    const int index = static_cast<int>(plant.size());
+    const NodeId id = plant.add({.position = {0, 0, 1.0 * index}, .parent = parent, .edge = edge});
+    plant.setEntities(id, {ownNamed(index)});
+    return id;
+  };
+  const NodeId root = add(std::nullopt, EdgeType::successor);
+  const NodeId fork = add(root, EdgeType::successor);
+  add(fork, EdgeType::successor);
+  const NodeId branch = add(fork, EdgeType::branching);
+  add(branch, EdgeType::successor);
+  add(branch, EdgeType::branching);
+  plant.setEntities(root, {unitNamed(1, "brown"), ownNamed(0)});
+  plant.setEntities(branch, {unitNamed(2, "green"), ownNamed(3)});
+  return plant;
+}
+
+TEST(Units, StartAtTheNodeThatSplitsTheEdgeTheyStartedAt) {
+  const Skeleton plant = twoUnits();
+  const Skeleton result =
+      edited(plant, [](SkeletonEditor& editor) { splitEdge(editor, NodeId{3}, 0.5); });
+  const Entity unnamed{.scale = 3, .symbol = "E"};
+  EXPECT_EQ(result[NodeId{6}].entities, (std::vector{unitNamed(2, "green"), unnamed}));
+  EXPECT_EQ(result[NodeId{3}].entities, std::vector{ownNamed(3)});
+}
+
+TEST(Units, AreJoinedByANodeThatSplitsAnEdgeWithinThem) {
+  const Skeleton plant = twoUnits();
+  const Skeleton result =
+      edited(plant, [](SkeletonEditor& editor) { splitEdge(editor, NodeId{2}, 0.5); });
+  EXPECT_TRUE(result[NodeId{6}].entities.empty());
+  EXPECT_EQ(result[NodeId{2}].entities, plant[NodeId{2}].entities);
+}
+
+TEST(Units, GoOnInEachPartThatARemovedNodeJoined) {
+  const Skeleton result =
+      edited(twoUnits(), [](SkeletonEditor& editor) { removeNode(editor, NodeId{3}); });
+  EXPECT_EQ(result[NodeId{4}].entities, (std::vector{unitNamed(2, "green"), ownNamed(4)}));
+  EXPECT_EQ(result[NodeId{5}].entities, (std::vector{unitNamed(2), ownNamed(5)}))
+      << "values are told once";
+  EXPECT_EQ(result[NodeId{2}].entities, twoUnits()[NodeId{2}].entities);
+}
+
+TEST(Units, GoOnAtAChildThatSaidNothingOfItself) {
+  Skeleton plant = twoUnits();
+  plant.setEntities(NodeId{4}, {});
+  const Skeleton result =
+      edited(plant, [](SkeletonEditor& editor) { removeNode(editor, NodeId{3}); });
+  const Entity unnamed{.scale = 3, .symbol = "E"};
+  EXPECT_EQ(result[NodeId{4}].entities, (std::vector{unitNamed(2, "green"), unnamed}));
+}
+
+TEST(Units, AreNotPassedOnToAChildThatStartsAnother) {
+  Skeleton plant = twoUnits();
+  plant.setEntities(NodeId{4}, {unitNamed(3), ownNamed(4)});
+  const Skeleton result =
+      edited(plant, [](SkeletonEditor& editor) { removeNode(editor, NodeId{3}); });
+  EXPECT_EQ(result[NodeId{4}].entities, plant[NodeId{4}].entities);
+  EXPECT_EQ(result[NodeId{5}].entities, (std::vector{unitNamed(2, "green"), ownNamed(5)}));
+}
+
+TEST(Units, GoOnAtTheNewRootWhichCarriesTheOthers) {
+  const Skeleton below =
+      edited(twoUnits(), [](SkeletonEditor& editor) { removeNode(editor, NodeId{0}); });
+  EXPECT_EQ(below[NodeId{1}].entities, (std::vector{unitNamed(1, "brown"), ownNamed(1)}));
+  const Skeleton next =
+      edited(below, [](SkeletonEditor& editor) { removeNode(editor, NodeId{1}); });
+  EXPECT_EQ(next[NodeId{2}].entities, (std::vector{unitNamed(1, "brown"), ownNamed(2)}));
+  EXPECT_EQ(next[NodeId{3}].entities, twoUnits()[NodeId{3}].entities) << "another unit";
+  EXPECT_EQ(next[NodeId{3}].parent, NodeId{2});
+}
+
+TEST(Units, GoWithTheirLastNode) {
+  const Skeleton result = edited(twoUnits(), [](SkeletonEditor& editor) {
+    for (const NodeId id : {NodeId{4}, NodeId{5}, NodeId{3}})
+      removeNode(editor, id);
+  });
+  for (const NodeId id : {NodeId{0}, NodeId{1}, NodeId{2}})
+    EXPECT_EQ(result[id].entities, twoUnits()[id].entities);
+}
+
+TEST(Units, StayAsTheyAreWhereASubtreeIsRemoved) {
+  const Skeleton result =
+      edited(twoUnits(), [](SkeletonEditor& editor) { removeSubtree(editor, NodeId{3}); });
+  ASSERT_EQ(result.size(), 3U);
+  for (const NodeId id : result.ids())
+    EXPECT_EQ(result[id].entities, twoUnits()[id].entities);
+}
+
+TEST(Units, GoWithTheNodeThatIsReparented) {
+  const Skeleton plant = twoUnits();
+  const Skeleton result =
+      edited(plant, [](SkeletonEditor& editor) { reparentNode(editor, NodeId{3}, NodeId{2}); });
+  ASSERT_EQ(result[NodeId{3}].parent, NodeId{2});
+  for (const NodeId id : plant.ids())
+    EXPECT_EQ(result[id].entities, plant[id].entities);
 }
 
 TEST(SetEdgeType, DemotesTheSiblingOfANewSuccessor) {

@@ -332,6 +332,7 @@ void Edit::numberNewVertices() {
 }
 
 void Edit::writeNodes() {
+  const std::set<NodeId> interpolated(view_.interpolated.begin(), view_.interpolated.end());
   for (const NodeId id : edited_.ids()) {
     const Node& node = edited_[id];
     const VertexId at = *nodes_[indexOf(id)];
@@ -344,7 +345,8 @@ void Edit::writeNodes() {
     if (!node.entities.empty() && node.entities.back() != was.entities.back() &&
         node.entities.back().scale == view_.scale)
       writeEntity(mtg_, at, node.entities.back(), geometricFeatures(mtg_, vertex(at)));
-    if (node.position != was.position) writePosition(mtg_, at, node.position);
+    if (node.position != was.position && !interpolated.contains(id)) // see writeInterpolated()
+      writePosition(mtg_, at, node.position);
     if (node.radius != was.radius) writeRadius(mtg_, at, node.radius);
   }
 }
@@ -353,7 +355,7 @@ void Edit::writeNodes() {
 /// @return whether there were such
 bool Edit::writeInterpolated(bool all) {
   const Mtg now = assembled();
-  const MtgView view = viewOf(now, "").value;
+  const MtgView view = hasPositions(now, "") ? viewOf(now, "").value : MtgView{};
   std::vector<std::optional<NodeId>> nodeAt(now.vertices.size());
   for (std::size_t i = 0; i < view.vertices.size(); ++i)
     nodeAt[indexOf(view.vertices[i])] = NodeId{static_cast<std::uint32_t>(i)};

@@ -193,6 +193,39 @@ TEST_F(MainWindowTest, KeepsThePlantWhoseEditsCannotBeSavedForAnother) {
   EXPECT_TRUE(document().isModified());
 }
 
+// Coarser scales with values of their own, a column that the editor does not know, odd numbers.
+TEST_F(MainWindowTest, ChangesInAFileOfOthersTheCoordinatesOfTheMovedNodeOnly) {
+  const QByteArray head = "CODE :\tFORM-A\n\nCLASSES :\n"
+                          "SYMBOL\tSCALE\tDECOMPOSITION\tINDEXATION\tDEFINITION\n"
+                          "$\t0\tFREE\tFREE\tIMPLICIT\nP\t1\tFREE\tFREE\tEXPLICIT\n"
+                          "A\t2\tFREE\tFREE\tEXPLICIT\nE\t3\tFREE\tFREE\tEXPLICIT\n\n"
+                          "DESCRIPTION :\nLEFT\tRIGHT\tRELTYPE\tMAX\nE\tE\t+\t?\n\n"
+                          "FEATURES :\nNAME\tTYPE\nXX\tREAL\nYY\tREAL\nZZ\tREAL\n"
+                          "Color\tALPHA\nMTG :\nENTITY-CODE\t\tXX\tYY\tZZ\tColor\n"
+                          "/P1\t\t\t\t\told\n^/A1\t\t\t\t\tbrown\n"
+                          "^/E1\t\t0\t0\t0.00\tred\n^<E2\t\t0\t0\t1.0\t\n";
+  const QByteArray tail = "\t+A2/E3\t1e0\t0\t2.50\tgreen\n";
+  QFile file(path("others.mtg"));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write(head + "^<E4\t\t0\t0\t2.0\tblue\n" + tail);
+  file.close();
+  open({path("others.mtg")});
+  ASSERT_EQ(document().skeleton().size(), 4U);
+  const NodeId moved = nodeAt({0, 0, 2});
+  const QPoint from = placeOf(moved);
+  drag(from, from + QPoint(40, 10));
+  ASSERT_GT((document().skeleton()[moved].position - Eigen::Vector3d(0, 0, 2)).norm(), 0.01);
+  key(Qt::Key_S, Qt::ControlModifier);
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  const QByteArray saved = file.readAll();
+  EXPECT_TRUE(saved.startsWith(head + "^<E4\t\t")) << saved.toStdString();
+  EXPECT_TRUE(saved.endsWith("\tblue\n" + tail)) << saved.toStdString();
+  const QList<QByteArray> row = saved.mid(head.size()).chopped(tail.size()).split('\t');
+  ASSERT_EQ(row.size(), 6);
+  EXPECT_EQ(Eigen::Vector3d(row[2].toDouble(), row[3].toDouble(), row[4].toDouble()),
+            document().skeleton()[moved].position);
+}
+
 TEST_F(MainWindowTest, KeepsACopyOfAFileOfOthersThatItOverwrites) {
   open({writeFork("fork.mtg")});
   QFile before(path("fork.mtg"));

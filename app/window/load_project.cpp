@@ -47,7 +47,16 @@ void addScan(LoadedProject& loaded, const Progress& progress) {
   const std::string contracted = loaded.project->bytes("contracted");
   if (contracted.empty()) return;
   auto positions = std::make_shared<const Eigen::Matrix3Xf>(positionsFrom(contracted));
-  if (positions->cols() == loaded.scan->cloud()->size()) loaded.contracted = std::move(positions);
+  if (positions->cols() != loaded.scan->cloud()->size()) return;
+  loaded.contracted = std::move(positions);
+  bool isNumber = false;
+  const auto step =
+      QString::fromStdString(loaded.project->document("contracted_step")).toULongLong(&isNumber);
+  if (!isNumber || loaded.isDamaged) return; // steps may be missing
+  if (step < loaded.history.position)
+    loaded.contractedStep = step;
+  else
+    loaded.contracted = nullptr; // the step was undone in the last moment
 }
 
 } // namespace

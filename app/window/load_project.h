@@ -21,6 +21,7 @@ struct LoadedProject {
   std::unique_ptr<const Scan> scan; // null: none, or not found
   QString scanPath;                 // where it is, or was
   std::shared_ptr<const Eigen::Matrix3Xf> contracted;
+  std::optional<std::size_t> contractedStep; // of the history: what the contracted points are from
   std::optional<ScanReference> scanReference;
   LengthUnit unit = LengthUnit::unknown;
   QString file; // of a session: where its skeleton was read from or saved to

@@ -177,7 +177,7 @@ void ProjectFlow::show(LoadedProject loaded, Access access) {
   if (loaded.contracted) document.setContracted(loaded.contracted);
   document.openHistory({std::move(loaded.history.skeleton), loaded.frame},
                        std::move(loaded.history.steps), loaded.history.position,
-                       isSession ? loaded.file : QString());
+                       isSession ? loaded.file : QString(), loaded.contractedStep);
   isLoading_ = false;
   scan_ = loaded.scanReference;
   if (isCopy)

@@ -1,7 +1,6 @@
 #include "app/window/reconstruct_flow.h"
 
 #include "core/base/error.h"
-#include "core/skeleton/edits.h"
 #include "ui/document/plant_document.h"
 #include "ui/jobs/job_runner.h"
 
@@ -35,9 +34,7 @@ void ReconstructFlow::start(const PipelineOptions& options) {
 }
 
 void ReconstructFlow::show(const Reconstruction& result, double seconds) {
-  document_.setContracted(result.contracted);
-  document_.edit(tr("Reconstruct"),
-                 [&](SkeletonEditor& editor) { replaceSkeleton(editor, result.skeleton); });
+  document_.reconstruct(tr("Reconstruct"), result.skeleton, result.contracted);
   emit done(
       tr("%1 nodes reconstructed in %2 s")
           .arg(formatCount(document_.skeleton().size()), QLocale().toString(seconds, 'f', 1)));

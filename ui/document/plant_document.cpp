@@ -1,5 +1,7 @@
 #include "ui/document/plant_document.h"
 
+#include "core/skeleton/edits.h"
+
 #include <QDateTime>
 #include <QUndoCommand>
 
@@ -11,16 +13,21 @@ namespace espalier {
 class PlantDocument::EditSkeleton final : public QUndoCommand {
 public:
   /// pre: the delta is applied already, or the document is restoring
-  EditSkeleton(PlantDocument& document, HistoryStep step, Gesture gesture)
+  EditSkeleton(PlantDocument& document, HistoryStep step, Gesture gesture,
+               std::optional<ContractedChange> contracted = std::nullopt)
       : QUndoCommand(QString::fromStdString(step.text)), document_(document),
-        step_(std::move(step)), gesture_(gesture), revision_(++document.revisions_) {}
+        step_(std::move(step)), gesture_(gesture), contracted_(std::move(contracted)),
+        revision_(++document.revisions_) {}
 
   [[nodiscard]] int id() const override { return gesture_.id(); }
   [[nodiscard]] const HistoryStep& step() const { return step_; }
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
 
+  [[nodiscard]] bool hasContracted() const { return contracted_.has_value(); }
+
   void redo() override { // QUndoStack::push calls it once for the edit that was made already
     if (!document_.isRestoring_) {
+      if (contracted_) document_.setContracted(contracted_->after);
       if (isNew_)
         document_.announce(step_.delta);
       else
@@ -31,6 +38,7 @@ public:
 
   void undo() override {
     if (document_.isRestoring_) return;
+    if (contracted_) document_.setContracted(contracted_->before);
     document_.apply(step_.delta.inverse());
     if (document_.isCanceling_) setObsolete(true);
   }
@@ -46,6 +54,7 @@ private:
   PlantDocument& document_;
   HistoryStep step_;
   Gesture gesture_;
+  std::optional<ContractedChange> contracted_;
   std::uint64_t revision_;
   bool isNew_ = true;
 };
@@ -64,11 +73,14 @@ void PlantDocument::edit(const QString& text, const std::function<void(SkeletonE
   change(editor); // if it throws, the editor rolls back
   SkeletonDelta delta = editor.commit();
   if (delta.isEmpty()) return; // a click that moved nothing is no step
-  HistoryStep step{.text = text.toStdString(),
-                   .author = author_.toStdString(),
-                   .time = QDateTime::currentMSecsSinceEpoch(),
-                   .delta = std::move(delta)};
-  undoStack_.push(new EditSkeleton(*this, std::move(step), gesture)); // the stack owns it
+  push(text, std::move(delta), gesture, std::nullopt);
+}
+
+void PlantDocument::reconstruct(const QString& text, const Skeleton& skeleton,
+                                std::shared_ptr<const Eigen::Matrix3Xf> contracted) {
+  SkeletonEditor editor(structure_.skeleton);
+  replaceSkeleton(editor, skeleton);
+  push(text, editor.commit(), {}, ContractedChange{contracted_, std::move(contracted)});
 }
 
 void PlantDocument::cancel(Gesture gesture) {
@@ -77,6 +89,12 @@ void PlantDocument::cancel(Gesture gesture) {
   isCanceling_ = true;
   undoStack_.undo();
   isCanceling_ = false;
+}
+
+std::optional<std::size_t> PlantDocument::contractedStep() const {
+  for (int i = undoStack_.index(); i-- > 0;)
+    if (command(i).hasContracted()) return static_cast<std::size_t>(i);
+  return std::nullopt;
 }
 
 void PlantDocument::setScan(std::unique_ptr<const Scan> scan, const QString& path) {
@@ -114,11 +132,15 @@ void PlantDocument::openStructure(Structure structure, const QString& path) {
 }
 
 void PlantDocument::openHistory(Structure structure, std::vector<HistoryStep> steps,
-                                std::size_t position, const QString& path) {
+                                std::size_t position, const QString& path,
+                                std::optional<std::size_t> contractedStep) {
   openStructure(std::move(structure), path);
   isRestoring_ = true;
-  for (HistoryStep& step : steps)
-    undoStack_.push(new EditSkeleton(*this, std::move(step), {}));
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    std::optional<ContractedChange> contracted;
+    if (i == contractedStep && i < position) contracted = {nullptr, contracted_};
+    undoStack_.push(new EditSkeleton(*this, std::move(steps[i]), {}, std::move(contracted)));
+  }
   undoStack_.setIndex(static_cast<int>(position));
   isRestoring_ = false;
 }
@@ -158,6 +180,16 @@ std::uint64_t PlantDocument::revision(int index) const {
 
 const PlantDocument::EditSkeleton& PlantDocument::command(int index) const {
   return *static_cast<const EditSkeleton*>(undoStack_.command(index));
+}
+
+void PlantDocument::push(const QString& text, SkeletonDelta delta, Gesture gesture,
+                         std::optional<ContractedChange> contracted) {
+  HistoryStep step{.text = text.toStdString(),
+                   .author = author_.toStdString(),
+                   .time = QDateTime::currentMSecsSinceEpoch(),
+                   .delta = std::move(delta)};
+  undoStack_.push( // which owns it
+      new EditSkeleton(*this, std::move(step), gesture, std::move(contracted)));
 }
 
 void PlantDocument::apply(const SkeletonDelta& delta) {

@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace espalier {
@@ -22,8 +23,8 @@ namespace espalier {
 /// One plant at work: its scan, its contracted points, its skeleton, and the history of its edits.
 ///
 /// All edits of the GUI pass through edit() and come back as one delta each: undo, redo and every
-/// view read that delta. The scan and the contracted points are shown, not edited: they have no
-/// history.
+/// view read that delta. The scan is shown, not edited. Contracted points belong to the step of the
+/// reconstruction they led to: undo brings back those before. Steps share them, none copies them.
 class PlantDocument : public QObject {
   Q_OBJECT
 
@@ -53,6 +54,13 @@ public:
   void edit(const QString& text, const std::function<void(SkeletonEditor&)>& change,
             Gesture gesture = {});
 
+  /// Replaces the skeleton and the contracted points it was made from, as one undo step.
+  void reconstruct(const QString& text, const Skeleton& skeleton,
+                   std::shared_ptr<const Eigen::Matrix3Xf> contracted);
+
+  /// The last step done that changed the contracted points; none if they are of no step.
+  [[nodiscard]] std::optional<std::size_t> contractedStep() const;
+
   /// Takes back what the gesture has edited so far, and forgets it.
   void cancel(Gesture gesture);
 
@@ -64,9 +72,10 @@ public:
   void openStructure(Structure structure, const QString& path);
   void openSkeleton(Skeleton skeleton, const QString& path); // the same without an MTG
   /// The same with its history: `structure` has the first `position` steps done, the others can be
-  /// redone. pre: each step fits where it stands
+  /// redone. The contracted points shown are from `contractedStep`, if any: undone, it shows none.
+  /// pre: each step fits where it stands
   void openHistory(Structure structure, std::vector<HistoryStep> steps, std::size_t position,
-                   const QString& path);
+                   const QString& path, std::optional<std::size_t> contractedStep = std::nullopt);
   /// The skeleton as it is now stands in `path`.
   void markSaved(const QString& path);
   /// Whether each edit is saved as it happens, so that none is ever unsaved.
@@ -91,7 +100,13 @@ signals:
 
 private:
   class EditSkeleton;
+  struct ContractedChange {
+    std::shared_ptr<const Eigen::Matrix3Xf> before;
+    std::shared_ptr<const Eigen::Matrix3Xf> after;
+  };
   [[nodiscard]] const EditSkeleton& command(int index) const;
+  void push(const QString& text, SkeletonDelta delta, Gesture gesture,
+            std::optional<ContractedChange> contracted);
   void apply(const SkeletonDelta& delta);
   void announce(const SkeletonDelta& delta);
 

@@ -5,16 +5,24 @@
 #include "ui/document/plant_document.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 namespace espalier {
 namespace {
 
+void writeContracted(Project& project, const PlantDocument& document) {
+  const auto step = document.contractedStep();
+  project.setDocument("contracted_step", step ? std::to_string(*step) : std::string());
+  project.setBytes("contracted",
+                   document.contracted() ? bytesOf(*document.contracted()) : std::string());
+}
+
 void writeRest(Project& project, const PlantDocument& document) {
   project.setDocument("unit", symbol(document.unit()).toStdString());
   const auto& frame = document.structure().frame;
   project.setDocument("mtg", frame ? frame->text : std::string());
-  if (document.contracted()) project.setBytes("contracted", bytesOf(*document.contracted()));
+  if (document.contracted()) writeContracted(project, document);
 }
 
 } // namespace
@@ -55,9 +63,7 @@ void ProjectRecorder::flush() {
   if (isBehind_) return;
   try { // as in save()
     project_->setDocument("unit", symbol(document_.unit()).toStdString());
-    if (std::exchange(hasNewContracted_, false))
-      project_->setBytes("contracted",
-                         document_.contracted() ? bytesOf(*document_.contracted()) : std::string());
+    if (std::exchange(hasNewContracted_, false)) writeContracted(*project_, document_);
     if (project_->needsSnapshot()) project_->takeSnapshot(document_.skeleton());
   } catch (const Error& error) {
     emit failed(QString::fromUtf8(error.what()));

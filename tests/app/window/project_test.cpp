@@ -271,6 +271,22 @@ TEST_F(ProjectWindowTest, OpensAPlantWhateverIsDamagedBesideIt) {
   EXPECT_TRUE(window().banner().isError());
 }
 
+TEST_F(ProjectWindowTest, ShowsNoContractedPointsOfAReconstructionThatIsUndone) {
+  open({writeScan("plant.xyz")});
+  key(Qt::Key_R, Qt::ControlModifier);
+  waitForJob();
+  ASSERT_NE(document().contracted(), nullptr);
+  const QString file = saveProject("plant.espalier");
+  restart();
+  open({file});
+  ASSERT_NE(document().contracted(), nullptr);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(document().skeleton().isEmpty());
+  EXPECT_EQ(document().contracted(), nullptr);
+  key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_NE(document().contracted(), nullptr);
+}
+
 TEST_F(ProjectWindowTest, CompactsAProject) {
   open({writeFork("fork.mtg")});
   EXPECT_FALSE(action("compact_project").isEnabled());

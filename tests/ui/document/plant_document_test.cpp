@@ -150,6 +150,31 @@ TEST_F(PlantDocumentTest, OpensAPlantWithoutHistory) {
   EXPECT_EQ(document.filePath(), "fork.mtg");
 }
 
+TEST_F(PlantDocumentTest, ShowsTheContractedPointsOfTheReconstructionThatIsDone) {
+  const auto first = std::make_shared<const Eigen::Matrix3Xf>(Eigen::Matrix3Xf::Zero(3, 2));
+  const auto second = std::make_shared<const Eigen::Matrix3Xf>(Eigen::Matrix3Xf::Ones(3, 2));
+  EXPECT_EQ(document.contractedStep(), std::nullopt);
+  document.reconstruct("Reconstruct", test::fork(2), first);
+  const Skeleton before = document.skeleton();
+  document.edit("Thicken", [&](SkeletonEditor& editor) {
+    editor.setRadius(editor.skeleton().roots().front(), 1);
+  });
+  document.reconstruct("Reconstruct", test::fork(4), second);
+  EXPECT_EQ(document.contracted(), second);
+  EXPECT_EQ(document.contractedStep(), document.undoStack().count() - 1U);
+  document.undoStack().undo();
+  EXPECT_EQ(document.contracted(), first) << "the same, not a copy";
+  document.undoStack().undo();
+  EXPECT_EQ(document.contracted(), first);
+  EXPECT_EQ(document.skeleton(), before);
+  document.undoStack().undo();
+  EXPECT_EQ(document.contracted(), nullptr);
+  EXPECT_EQ(document.contractedStep(), std::nullopt);
+  while (document.undoStack().canRedo())
+    document.undoStack().redo();
+  EXPECT_EQ(document.contracted(), second);
+}
+
 TEST_F(PlantDocumentTest, DropsContractedPointsWithTheirScan) {
   RawPoints raw;
   raw.positions = {{0, 0, 0}, {0, 0, 1}};

@@ -30,6 +30,11 @@ struct ProjectRecorderTest : testing::Test {
         "Radius", [=](SkeletonEditor& editor) { editor.setRadius(test::forkTop, radius); },
         gesture);
   }
+  void setRadiusOfRoot() {
+    document.edit("Radius", [](SkeletonEditor& editor) {
+      editor.setRadius(editor.skeleton().roots().front(), 7);
+    });
+  }
   [[nodiscard]] History onDisk() const {
     return Project::open(file, Access::readOnly).history().value;
   }
@@ -111,6 +116,42 @@ TEST_F(ProjectRecorderTest, WritesAllThatIsMissingOnceItCanAgain) {
   document.undoStack().undo();
   EXPECT_FALSE(recorder.isBehind());
   EXPECT_EQ(onDisk(), document.history());
+}
+
+TEST_F(ProjectRecorderTest, KeepsTheContractedPointsOfTheReconstructionThatIsDone) {
+  const auto points = [](int count) {
+    return std::make_shared<const Eigen::Matrix3Xf>(Eigen::Matrix3Xf::Ones(3, count));
+  };
+  const auto stored = [this] {
+    recorder.flush();
+    const Project project = Project::open(file, Access::readOnly);
+    return std::pair(project.bytes("contracted").size() / (3 * sizeof(float)),
+                     project.document("contracted_step"));
+  };
+  document.reconstruct("Reconstruct", test::fork(2), points(4));
+  EXPECT_EQ(stored(), std::pair(std::size_t{4}, std::string("0")));
+  setRadiusOfRoot();
+  document.reconstruct("Reconstruct", test::fork(4), points(5));
+  EXPECT_EQ(stored(), std::pair(std::size_t{5}, std::string("2")));
+  document.undoStack().undo();
+  EXPECT_EQ(stored(), std::pair(std::size_t{4}, std::string("0")));
+  document.undoStack().setIndex(0);
+  EXPECT_EQ(stored(), std::pair(std::size_t{0}, std::string()));
+}
+
+TEST_F(ProjectRecorderTest, ShowsNoContractedPointsBeforeTheStepThatAProjectHasThemFrom) {
+  document.reconstruct("Reconstruct", test::fork(2), nullptr);
+  const History saved = onDisk();
+  PlantDocument other;
+  const auto points = std::make_shared<const Eigen::Matrix3Xf>(Eigen::Matrix3Xf::Ones(3, 4));
+  other.setContracted(points);
+  other.openHistory({.skeleton = saved.skeleton}, saved.steps, saved.position, {}, 0);
+  EXPECT_EQ(other.contracted(), points);
+  EXPECT_EQ(other.contractedStep(), 0U);
+  other.undoStack().undo();
+  EXPECT_EQ(other.contracted(), nullptr);
+  other.undoStack().redo();
+  EXPECT_EQ(other.contracted(), points);
 }
 
 TEST_F(ProjectRecorderTest, KeepsUnitAndContractedPoints) {

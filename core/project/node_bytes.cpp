@@ -16,7 +16,7 @@ namespace {
 constexpr std::uint8_t version = 1;
 constexpr std::size_t hashSize = 8;
 
-enum NodeFlag : std::uint8_t { hasParent = 1, isBranching = 2, hasEntities = 4 };
+enum NodeFlag : std::uint8_t { hasParent = 1, isBranching = 2, hasEntities = 4, isMarked = 8 };
 enum ChangeFlag : std::uint8_t { hasBefore = 1, hasAfter = 2 };
 
 /// What is not as it should be; caught where reading begins.
@@ -56,9 +56,9 @@ public:
       values(date);
   }
   void node(const Node& node) {
-    number(static_cast<std::uint8_t>((node.parent ? hasParent : 0) |
-                                     (node.edge == EdgeType::branching ? isBranching : 0) |
-                                     (node.entities.empty() ? 0 : hasEntities)));
+    number(static_cast<std::uint8_t>(
+        (node.parent ? hasParent : 0) | (node.edge == EdgeType::branching ? isBranching : 0) |
+        (node.entities.empty() ? 0 : hasEntities) | (node.isMarked ? isMarked : 0)));
     for (int i = 0; i < 3; ++i)
       real(node.position[i]);
     real(node.radius);
@@ -140,6 +140,7 @@ public:
     for (int i = 0; i < 3; ++i)
       result.position[i] = real();
     result.radius = real();
+    result.isMarked = (flags & isMarked) != 0;
     if ((flags & hasParent) != 0) result.parent = id();
     if ((flags & isBranching) != 0) result.edge = EdgeType::branching;
     if ((flags & hasEntities) != 0)

@@ -13,7 +13,7 @@ namespace espalier {
 ///
 /// A version byte, the nodes, and the contentHash of both. Numbers are little-endian, doubles
 /// IEEE 754, so that files move between machines and nothing is rounded. A node is its flags
-/// (1 parent, 2 branching, 4 entities), position, radius, and what the flags announce.
+/// (1 parent, 2 branching, 4 entities, 8 marked), position, radius, and what the flags announce.
 /// Reading gives none for bytes that were cut, changed, or are of another version; memory stays
 /// within a small multiple of the bytes, but for the table by id (see mostIds).
 

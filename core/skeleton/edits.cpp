@@ -99,6 +99,10 @@ NodeId splitEdge(SkeletonEditor& editor, NodeId id, double fraction) {
                   .parent = above.parent,
                   .edge = above.edge});
   editor.reparent(id, between, EdgeType::successor);
+  if (above.isMarked) {
+    editor.setMarked(between, true);
+    editor.setMarked(id, false);
+  }
   if (above.entities.size() < 2) return between; // no unit starts there
   std::vector<Entity> units = above.entities;
   const Entity own = std::exchange(
@@ -120,6 +124,7 @@ void removeNode(SkeletonEditor& editor, NodeId id) {
     }
   }
   passOnUnits(editor, node.entities, children);
+  if (node.isMarked && !children.empty()) editor.setMarked(children.front(), true);
   editor.erase(id);
 }
 

@@ -23,7 +23,7 @@ NodeId addChild(SkeletonEditor& editor, NodeId parent, const Eigen::Vector3d& po
 
 /// Puts a new node on the edge of `id` to its parent, `fraction` of the way from the parent, in
 /// [0, 1]. It takes over the type of the edge and `id` follows it; its radius is interpolated.
-/// Units that started at `id` start at it.
+/// Units that started at `id` start at it; a mark moves to it.
 /// @throws Error if `id` is a root
 NodeId splitEdge(SkeletonEditor& editor, NodeId id, double fraction);
 
@@ -33,7 +33,7 @@ NodeId splitEdge(SkeletonEditor& editor, NodeId id, double fraction);
 /// root goes, its successor or only child becomes the root and carries the others; with several
 /// children and no successor each becomes a root: which one is the trunk is not for us to guess.
 /// Units that started at it start at those of its children that were part of them; a unit that has
-/// no other node goes with it.
+/// no other node goes with it. A mark goes on to the first of its children.
 void removeNode(SkeletonEditor& editor, NodeId id);
 
 /// Removes a node with all it carries. Any depth.

@@ -80,6 +80,11 @@ void Skeleton::setEntities(NodeId id, std::vector<Entity> entities) {
   nodes_[indexOf(id)]->entities = std::move(entities);
 }
 
+void Skeleton::setMarked(NodeId id, bool isMarked) {
+  assert(contains(id));
+  nodes_[indexOf(id)]->isMarked = isMarked;
+}
+
 void Skeleton::reparent(NodeId id, NodeId parent, EdgeType edge) {
   assert(contains(id));
   if (!contains(parent)) throw Error(name(parent) + " does not exist: choose another parent");

@@ -19,6 +19,7 @@ struct Node {
   std::optional<NodeId> parent;                       // none for a root
   EdgeType edge = EdgeType::successor;                // without meaning for a root
   std::vector<Entity> entities = {}; // of an MTG, that start here: coarsest first, its own last
+  bool isMarked = false; // by hand: a unit is to start here (core/mtg/unit_edits.h). Never exported
 
   bool operator==(const Node&) const = default;
 };
@@ -47,6 +48,7 @@ public:
   void setRadius(NodeId id, double radius);                     // pre: contains(id), radius >= 0
   void setEdge(NodeId id, EdgeType edge);                       // pre: contains(id)
   void setEntities(NodeId id, std::vector<Entity> entities);    // pre: contains(id)
+  void setMarked(NodeId id, bool isMarked);                     // pre: contains(id)
 
   /// Hangs `id`, with all it carries, on `parent`.
   /// @throws Error if `parent` is `id` or a descendant of it

@@ -60,6 +60,7 @@ void SkeletonDelta::apply(Skeleton& skeleton) const {
     skeleton.setPosition(change.id, change.after->position);
     skeleton.setRadius(change.id, change.after->radius);
     skeleton.setEntities(change.id, change.after->entities);
+    skeleton.setMarked(change.id, change.after->isMarked);
     if (change.after->parent)
       skeleton.reparent(change.id, *change.after->parent, change.after->edge);
     else
@@ -96,6 +97,11 @@ void SkeletonEditor::setEdge(NodeId id, EdgeType edge) {
 void SkeletonEditor::setEntities(NodeId id, std::vector<Entity> entities) {
   note(id);
   skeleton_.setEntities(id, std::move(entities));
+}
+
+void SkeletonEditor::setMarked(NodeId id, bool isMarked) {
+  note(id);
+  skeleton_.setMarked(id, isMarked);
 }
 
 void SkeletonEditor::reparent(NodeId id, NodeId parent, EdgeType edge) {

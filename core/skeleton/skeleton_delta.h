@@ -51,6 +51,7 @@ public:
   void setRadius(NodeId id, double radius);
   void setEdge(NodeId id, EdgeType edge);
   void setEntities(NodeId id, std::vector<Entity> entities);
+  void setMarked(NodeId id, bool isMarked);
   void reparent(NodeId id, NodeId parent, EdgeType edge);
   void makeRoot(NodeId id);
   void erase(NodeId id);

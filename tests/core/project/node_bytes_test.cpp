@@ -14,6 +14,7 @@ Skeleton plantWithEntities() {
   entity.values = {{"Length", "12.5"}, {"Note", std::string("a\0b", 3)}};
   entity.later = {{}, {{"Length", "13"}}};
   plant.add({.radius = 0.25, .parent = NodeId{3}, .entities = {entity, {.symbol = "I"}}});
+  plant.setMarked(NodeId{5}, true);
   plant.erase(plant.add({.parent = NodeId{4}})); // its id stays handed out
   return plant;
 }

@@ -1,6 +1,7 @@
 #include "core/mtg/mtg_edits.h"
 
 #include "core/base/error.h"
+#include "core/mtg/mtg_scale_shift.h"
 #include "core/mtg/mtg_unit_claims.h"
 #include "core/mtg/mtg_units.h"
 #include "core/mtg/mtg_vertex_values.h"
@@ -446,7 +447,11 @@ Mtg withEdits(const Mtg& base, const Skeleton& edited) {
 Mtg withEdits(const Mtg& base, const MtgView& view, const Skeleton& edited) {
   requireFinite(edited);
   if (view.skeleton == edited) return base;
-  return Edit(base, view, edited).result();
+  const ScaleShift shift(base, view.scale, edited);
+  if (shift.isNone()) return Edit(base, view, edited).result();
+  const Mtg shiftedBase = withScales(base, shift);
+  const MtgView shiftedView = withScales(view, shift);
+  return Edit(shiftedBase, shiftedView, edited).result();
 }
 
 } // namespace espalier

@@ -22,6 +22,7 @@ namespace espalier {
 /// - Complexes follow Node::entities; a unit keeps its vertex while its start, or a node that was
 ///   part of it and carries its entity on, stays. A root in no unit gets one of each class that the
 ///   first root of `base` is in. Parents and edges of units are those of the nodes they start at.
+/// - Where scales were added (commitMarks), all that is finer moves: its vertices and its classes.
 /// - A vertex without position stays without one where its place still follows from its neighbors.
 ///
 /// pre: ids of `edited` go on from those of skeletonOf(base), as edits leave them

@@ -110,6 +110,7 @@ void SkeletonGlyphs::shapeNode(const Skeleton& skeleton, NodeId id) {
   NodeGlyph& glyph = nodes_[indexOf(id)];
   if (!skeleton.contains(id)) glyph = {};
   glyph.shape = shapeOf(skeleton, id);
+  glyph.isUnitStart = skeleton.contains(id) && skeleton[id].isMarked;
   glyph.mark = skeleton.contains(id) ? markOf(indexOf(id)) : Mark::none;
   changedNodes_.add(indexOf(id));
 }

@@ -25,7 +25,8 @@ struct NodeGlyph {
   float radius = 0;                // [L]
   NodeShape shape = NodeShape::none;
   Mark mark = Mark::none;
-  std::array<std::uint8_t, 2> unused{};
+  bool isUnitStart = false; // marked as one by hand
+  std::uint8_t unused = 0;
 
   bool operator==(const NodeGlyph&) const = default;
 };

@@ -156,6 +156,7 @@ flat out float halfWidth;               // in device pixels
 flat out vec3 color;
 flat out vec3 rim;                      // color of its edge
 flat out int shape;
+flat out int isUnitStart;
 
 float halfWidthOf(int kind, int mark) {
   float width = kind == 2 ? 4.5 : kind == 4 ? 3.6 : kind == 3 ? 3.2 : 2.5;
@@ -169,8 +170,10 @@ void main() {
   gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
   shape = int(look.x + 0.5);
   int mark = int(look.y + 0.5);
+  isUnitStart = int(look.z + 0.5);
   if (shape == 0) return;
-  if (spheres == 0 && roominess < 0.5 && shape != 2 && mark == 0) return; // edges show enough
+  if (spheres == 0 && roominess < 0.5 && shape != 2 && mark == 0 && isUnitStart == 0)
+    return; // edges show enough
   place = (toView * vec4(center.xyz, 1.0)).xyz;
   float pixel = pixelSize * (perspective != 0 ? -place.z : 1.0);
   if (pixel <= 0.0) return; // behind the eye
@@ -179,8 +182,9 @@ void main() {
   color = mark == 2                ? hoveredColor
           : mark == 1 || mark == 3 ? selectedColor
                                    : faded(successorColor, place.z);
-  rim = mark == 3 ? hoveredColor : color;
+  rim = mark == 3 ? hoveredColor : isUnitStart == 1 ? branchingColor : color;
   halfWidth = spheres != 0 ? radius / pixel : halfWidthOf(shape, mark);
+  if (spheres == 0 && isUnitStart == 1) halfWidth = max(1.6 * halfWidth, 6.0 * pixelRatio);
   offset = corner * (halfWidth + 1.5 * pixelRatio);
   vec4 clip = toClip * vec4(place, 1.0);
   // Nodes before their edges, marked nodes before all others.
@@ -198,9 +202,11 @@ flat in float halfWidth;
 flat in vec3 color;
 flat in vec3 rim;
 flat in int shape;
+flat in int isUnitStart;
 out vec4 fragment;
 void main() {
-  float away = shape == 2 ? max(abs(offset.x), abs(offset.y)) : length(offset);
+  float away = isUnitStart == 1 ? abs(offset.x) + abs(offset.y) // a diamond
+               : shape == 2     ? max(abs(offset.x), abs(offset.y)) : length(offset);
   float beyond = away - halfWidth;
   float disc = clamp(0.5 - beyond, 0.0, 1.0);
   float outline = 0.85 * clamp(0.5 - (beyond - pixelRatio), 0.0, 1.0);

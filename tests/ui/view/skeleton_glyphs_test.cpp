@@ -21,7 +21,7 @@ SkeletonDelta editSomewhere(Skeleton& plant, Random& random) {
   const std::vector<NodeId> ids = plant.ids();
   const NodeId id = ids[random.below(ids.size())];
   const NodeId other = ids[random.below(ids.size())];
-  switch (random.below(6)) {
+  switch (random.below(7)) {
   case 0:
     editor.setPosition(id, random.direction());
     break;
@@ -35,6 +35,9 @@ SkeletonDelta editSomewhere(Skeleton& plant, Random& random) {
     editor.add({.position = random.direction(), .parent = id});
     break;
   case 4:
+    editor.setMarked(id, !plant[id].isMarked);
+    break;
+  case 5:
     if (!plant.isAncestor(id, other)) editor.reparent(id, other, EdgeType::successor);
     break;
   default:
@@ -54,6 +57,16 @@ TEST(SkeletonGlyphs, AreTheSameUpdatedAsRebuilt) {
     ASSERT_EQ(updated.nodes(), rebuilt.nodes()) << "after edit " << i;
     ASSERT_EQ(updated.edges(), rebuilt.edges()) << "after edit " << i;
   }
+}
+
+TEST(SkeletonGlyphs, TellTheNodesThatAreMarked) {
+  Skeleton plant = test::stick(3);
+  SkeletonGlyphs glyphs = glyphsOf(plant);
+  SkeletonEditor editor(plant);
+  editor.setMarked(NodeId{1}, true);
+  glyphs.update(plant, editor.commit());
+  EXPECT_FALSE(glyphs.nodes()[0].isUnitStart);
+  EXPECT_TRUE(glyphs.nodes()[1].isUnitStart);
 }
 
 TEST(SkeletonGlyphs, ChangeOnlyTheSlotsOfTheNodeAndItsChildren) {

@@ -6,6 +6,7 @@
 #include <QAbstractSpinBox>
 #include <QAction>
 #include <QApplication>
+#include <QLineEdit>
 #include <QWidget>
 
 #include <utility>
@@ -13,10 +14,12 @@
 namespace espalier {
 namespace {
 
-/// A number that is being typed counts, whether Enter was pressed or not.
+/// What is being typed counts, whether Enter was pressed or not.
 void takeWhatIsTyped() {
   if (auto* number = qobject_cast<QAbstractSpinBox*>(QApplication::focusWidget()))
     number->interpretText();
+  else if (auto* text = qobject_cast<QLineEdit*>(QApplication::focusWidget()))
+    emit text->editingFinished();
 }
 
 } // namespace
@@ -66,7 +69,7 @@ bool ActionSet::guarded(const std::function<bool()>& act, Refusal refusal, bool 
     return act();
   } catch (const Error& error) {
     QString reason = QString::fromUtf8(error.what());
-    if (refusal == Refusal::atPointer && !reason.isEmpty()) reason[0] = reason[0].toUpper();
+    if (refusal != Refusal::inBanner && !reason.isEmpty()) reason[0] = reason[0].toUpper();
     emit refused(reason, refusal);
     return otherwise;
   }

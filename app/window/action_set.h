@@ -13,8 +13,9 @@ class QWidget;
 
 namespace espalier {
 
-/// Where the reason is told if a command is refused: at the pointer for what one does there.
-enum class Refusal { inBanner, atPointer };
+/// Where the reason is told if a command is refused: at the pointer for what one does there, at the
+/// field for what one types.
+enum class Refusal { inBanner, atPointer, atField };
 
 /// A command of the window, as it is listed once for menu, toolbar, palette and shortcut sheet.
 struct Command {

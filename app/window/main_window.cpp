@@ -7,6 +7,7 @@
 #include "app/window/project_flow.h"
 #include "app/window/recent_files.h"
 #include "app/window/reconstruct_flow.h"
+#include "app/window/unit_flow.h"
 #include "app/window/view_options.h"
 #include "app/window/view_sync.h"
 #include "ui/panels/inspector_panel.h"
@@ -170,6 +171,7 @@ void MainWindow::makeDocks() {
 void MainWindow::connectJobs() {
   connect(&jobs_, &JobRunner::started, this, [this] {
     status_->showJob(jobs_.name());
+    units_->setEnabled(false);
     editing_->setEnabled(false); // what a job will replace is not to be edited meanwhile
     pipeline_->setRunnable(false);
     (*actions_)["reconstruct"]->setEnabled(false);
@@ -185,6 +187,7 @@ void MainWindow::connectJobs() {
   connect(&jobs_, &JobRunner::finished, this, [this] {
     status_->hideJob();
     editing_->setEnabled(true);
+    units_->setEnabled(true);
     if (jobs_.isCanceled()) {
       pipeline_->showIdle();
       status_->showNote(tr("Canceled: nothing has changed"));
@@ -271,6 +274,10 @@ void MainWindow::connectDocument() {
   connect(&document_, &PlantDocument::skeletonEdited, this, &MainWindow::refreshCounts);
   connect(&document_.undoStack(), &QUndoStack::indexChanged, this, &MainWindow::tellStep);
   connect(editing_.get(), &Editing::hintChanged, this, &MainWindow::refreshHint);
+  connect(units_.get(), &UnitFlow::marksChanged, this, [this] {
+    refreshCounts();
+    refreshHint();
+  });
   connect(editing_.get(), &Editing::contextMenuRequested, this, &MainWindow::showContextMenu);
   connect(actions_.get(), &ActionSet::refused, this, &MainWindow::showRefusal);
   connect(start_, &StartPage::openRequested, (*actions_)["open"], &QAction::trigger);
@@ -325,12 +332,15 @@ void MainWindow::refreshCounts() {
     parts.append(tr("%1 pts").arg(formatCount(std::size_t(document_.scan()->cloud()->size()))));
   if (!document_.skeleton().isEmpty())
     parts.append(tr("%1 nodes").arg(formatCount(document_.skeleton().size())));
+  if (units_->marks() > 0) parts.append(tr("%1 marked").arg(formatCount(units_->marks())));
   if (document_.unit() != LengthUnit::unknown) parts.append(symbol(document_.unit()));
   status_->setCounts(parts.join(QStringLiteral(" · ")));
 }
 
 void MainWindow::refreshHint() {
-  status_->setHint(document_.isEmpty() ? tr("Open a scan, or drop one here") : editing_->hint());
+  QString hint = document_.isEmpty() ? tr("Open a scan, or drop one here") : editing_->hint();
+  if (units_->marks() > 0) hint += tr("   U mark unit start");
+  status_->setHint(hint);
 }
 
 void MainWindow::refreshEmptiness() {
@@ -376,7 +386,11 @@ void MainWindow::showRefusal(const QString& reason, Refusal where) {
     return;
   }
   constexpr int reading = 6000; // ms
-  QToolTip::showText(QCursor::pos() + QPoint(8, 8), reason, view_, view_->rect(), reading);
+  QWidget* field = where == Refusal::atField ? units_->field() : nullptr;
+  if (field != nullptr)
+    QToolTip::showText(field->mapToGlobal(field->rect().bottomLeft()), reason, field, {}, reading);
+  else
+    QToolTip::showText(QCursor::pos() + QPoint(8, 8), reason, view_, view_->rect(), reading);
   status_->showNote(reason);
 }
 

@@ -27,6 +27,7 @@ class RecentFiles;
 class ReconstructFlow;
 class StartPage;
 class StatusLine;
+class UnitFlow;
 class ViewOptions;
 class ViewSync;
 
@@ -104,6 +105,7 @@ private:
   int step_ = 0; // of the undo stack, when it was told last
   std::unique_ptr<ViewSync> sync_;
   std::unique_ptr<Editing> editing_;
+  std::unique_ptr<UnitFlow> units_;
   std::unique_ptr<ViewOptions> options_;
   std::unique_ptr<ProjectFlow> projects_;
   std::unique_ptr<FileFlow> files_;

@@ -3,6 +3,7 @@
 #include "app/window/file_flow.h"
 #include "app/window/main_window.h"
 #include "app/window/project_flow.h"
+#include "app/window/unit_flow.h"
 #include "app/window/view_options.h"
 #include "ui/dialogs/command_palette.h"
 #include "ui/dialogs/manual_window.h"
@@ -23,6 +24,7 @@ void MainWindow::addActions() {
   addProjectActions();
   addEditActions();
   editing_ = std::make_unique<Editing>(document_, *view_, *actions_, nullptr);
+  units_ = std::make_unique<UnitFlow>(document_, *actions_, *inspector_, *this);
   options_ = std::make_unique<ViewOptions>(*view_, *actions_, settings_, nullptr);
   addPanelActions();
   addThemeActions();

@@ -79,8 +79,11 @@ void MainWindow::fillMenus() {
 
   QMenu* skeleton = menuBar()->addMenu(tr("&Skeleton"));
   add(*skeleton, *actions_, {"reconstruct", ""});
+  const QStringList ofUnits = {"mark_unit_start", "commit_marks", "clear_marks"};
   for (const NodeEdit& nodeEdit : nodeEdits())
-    add(*skeleton, *actions_, {nodeEdit.id});
+    if (!ofUnits.contains(nodeEdit.id)) add(*skeleton, *actions_, {nodeEdit.id});
+  skeleton->addSeparator();
+  add(*skeleton->addMenu(tr("&Units")), *actions_, ofUnits);
 
   QMenu* help = menuBar()->addMenu(tr("&Help"));
   add(*help, *actions_, {"manual", "shortcuts", "palette", "", "about"});

@@ -2,6 +2,7 @@
 
 #include "core/skeleton/axes.h"
 #include "ui/document/plant_document.h"
+#include "ui/panels/units_form.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -10,6 +11,7 @@
 #include <QLineEdit>
 #include <QLocale>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
@@ -43,7 +45,8 @@ InspectorPanel::InspectorPanel(PlantDocument& document, QWidget* parent)
       empty_(new QLabel(tr("Click a node to see it here.\nShift+click adds more."), this)),
       body_(new QWidget(this)), form_(new QFormLayout(body_)), order_(makeValue(body_)),
       edge_(new QComboBox(body_)), parent_(new QPushButton(body_)), children_(makeValue(body_)),
-      position_(makeValue(body_)), length_(makeValue(body_)), radius_(new QDoubleSpinBox(body_)) {
+      position_(makeValue(body_)), length_(makeValue(body_)), radius_(new QDoubleSpinBox(body_)),
+      units_(new UnitsForm(document)) {
   makeForm();
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(12, 12, 12, 12);
@@ -51,7 +54,14 @@ InspectorPanel::InspectorPanel(PlantDocument& document, QWidget* parent)
   column->addWidget(title_);
   column->addWidget(empty_);
   column->addWidget(body_);
-  column->addStretch(1);
+  auto* scroll = new QScrollArea(this); // units may have many features
+  scroll->setWidget(units_);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  column->addWidget(scroll, 1);
+  connect(units_, &UnitsForm::typed, this, &InspectorPanel::unitTyped);
+  connect(units_, &UnitsForm::leaveRequested, this, &InspectorPanel::leaveRequested);
   connect(edge_, &QComboBox::activated, this,
           [this] { emit edgeChosen(edge_->currentData().value<EdgeType>()); });
   connect(radius_, &QDoubleSpinBox::valueChanged, this, &InspectorPanel::radiusTyped);
@@ -115,8 +125,12 @@ void InspectorPanel::refresh() {
   body_->setVisible(hasNode);
   title_->setVisible(hasNode);
   empty_->setVisible(!hasNode);
+  const bool isOne = hasNode && selection.nodes().size() == 1;
+  if (isOne)
+    units_->show(selection.nodes().front());
+  else
+    units_->showNothing();
   if (!hasNode) return;
-  const bool isOne = selection.nodes().size() == 1;
   for (QWidget* widget : {static_cast<QWidget*>(edge_), static_cast<QWidget*>(order_),
                           static_cast<QWidget*>(parent_), static_cast<QWidget*>(children_),
                           static_cast<QWidget*>(length_), static_cast<QWidget*>(position_)}) {

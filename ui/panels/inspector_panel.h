@@ -1,9 +1,10 @@
 #pragma once
 
-#include "core/skeleton/skeleton.h"
+#include "core/skeleton/skeleton_delta.h"
 
 #include <QWidget>
 
+#include <functional>
 #include <optional>
 
 class QComboBox;
@@ -15,6 +16,7 @@ class QPushButton;
 namespace espalier {
 
 class PlantDocument;
+class UnitsForm;
 
 /// The properties of the chosen node, or how many are chosen. What can be typed is told as a
 /// signal: the window makes the edit.
@@ -29,6 +31,9 @@ signals:
   void radiusTyped(double radius); // [L], for all chosen nodes
   void edgeChosen(espalier::EdgeType type);
   void nodeChosen(espalier::NodeId id);
+  /// What an MTG says of the node or of its units; as in UnitsForm.
+  void unitTyped(const QString& name, const std::function<void(espalier::SkeletonEditor&)>& change,
+                 QWidget* field);
 
 private:
   void makeForm();
@@ -49,6 +54,7 @@ private:
   QLabel* position_;
   QLabel* length_;
   QDoubleSpinBox* radius_;
+  UnitsForm* units_;
 };
 
 } // namespace espalier

@@ -1,6 +1,7 @@
 #include "ui/tools/node_edits.h"
 
 #include "core/base/error.h"
+#include "core/mtg/unit_scales.h"
 #include "core/skeleton/edits.h"
 #include "core/skeleton/propose_child.h"
 
@@ -118,6 +119,14 @@ void stickBranch(PlantDocument& document, const NodeTarget& target) {
   editEach(document, target, tr("Stick the subtree of %1 to the points"), stickAll);
 }
 
+void markUnitStart(PlantDocument& document, const NodeTarget& target) {
+  const bool areMarked = std::ranges::all_of(
+      target.nodes, [&](NodeId id) { return document.skeleton()[id].isMarked; });
+  const QString text = areMarked ? tr("Take the mark off %1") : tr("Mark a unit start at %1");
+  document.edit(text.arg(nodeNames(target.nodes)),
+                [&](SkeletonEditor& editor) { toggleMarks(editor, target.nodes); });
+}
+
 } // namespace
 
 QString nodeName(NodeId id) {
@@ -163,6 +172,9 @@ std::vector<NodeEdit> nodeEdits() {
        scaleBy(QT_TRANSLATE_NOOP("NodeEdits", "Increase the radius of %1"), 1.05)},
       {"radius_down", tr("Decrease Radius"), tr("5 % less"), "", Qt::Key_Q,
        scaleBy(QT_TRANSLATE_NOOP("NodeEdits", "Decrease the radius of %1"), 0.95)},
+      {"mark_unit_start", tr("Mark Unit Start"),
+       tr("A unit of a coarser scale is to start here; once more takes the mark off"), "",
+       Qt::Key_U, markUnitStart},
       {"remove", tr("Remove Node"), tr("Its children hang on its parent"), "remove",
        QKeySequence(Qt::Key_Delete), remove},
       {"remove_subtree", tr("Remove Subtree"), tr("With all that the node carries"), "",

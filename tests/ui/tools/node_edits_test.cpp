@@ -53,6 +53,16 @@ TEST_F(NodeEditsTest, AddAChildAndChooseIt) {
   EXPECT_THAT(document.selection().nodes(), ElementsAre(NodeId{5}));
 }
 
+TEST_F(NodeEditsTest, MarkUnitStartsAndTakeTheMarksOffAgain) {
+  apply("mark_unit_start", {NodeId{2}, NodeId{3}});
+  EXPECT_TRUE(document.skeleton()[NodeId{2}].isMarked && document.skeleton()[NodeId{3}].isMarked);
+  apply("mark_unit_start", {NodeId{2}});
+  EXPECT_FALSE(document.skeleton()[NodeId{2}].isMarked);
+  EXPECT_EQ(document.undoStack().undoText(), "Take the mark off node 2");
+  document.undoStack().undo();
+  EXPECT_TRUE(document.skeleton()[NodeId{2}].isMarked);
+}
+
 TEST_F(NodeEditsTest, SplitTheEdgeInTheMiddleOrWhereThePointerIs) {
   apply("split_edge", {NodeId{2}});
   EXPECT_TRUE(document.skeleton()[NodeId{5}].position.isApprox(Eigen::Vector3d(0.5, 0, 1.5)));

@@ -1,0 +1,113 @@
+#include "core/mtg/mtg_reader.h"
+#include "tests/app/window/window_fixture.h"
+#include "ui/panels/status_line.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTest>
+
+#include <fstream>
+#include <map>
+
+namespace espalier {
+namespace {
+
+struct UnitsWindowTest : test::WindowTest {
+  NodeId nodeAt(const Eigen::Vector3d& place) {
+    for (const NodeId id : document().skeleton().ids())
+      if ((document().skeleton()[id].position - place).norm() < 1e-3) return id;
+    ADD_FAILURE() << "no node there";
+    return NodeId{0};
+  }
+  /// Presses Commit with this class.
+  static std::function<void(QDialog&)> commitAs(const QString& symbol) {
+    return [symbol](QDialog& dialog) {
+      dialog.findChild<QLineEdit*>("unit_class")->setText(symbol);
+      for (auto* button : dialog.findChildren<QPushButton*>())
+        if (button->text().remove('&') == "Commit") button->click();
+    };
+  }
+  [[nodiscard]] std::map<int, int> verticesPerScale(const QString& name) const {
+    std::ifstream in(path(name).toStdString());
+    std::map<int, int> counts;
+    for (const MtgVertex& vertex : readMtg(in, name.toStdString()).value.vertices)
+      ++counts[vertex.scale];
+    return counts;
+  }
+};
+
+TEST_F(UnitsWindowTest, MarksBecomeAScaleOfTheSavedFile) {
+  open({writeFork("fork.mtg")}); // five nodes: a root, its top, three shoots
+  EXPECT_FALSE(action("commit_marks").isEnabled());
+  hover(placeOf(nodeAt({1, 0, 2})));
+  key(Qt::Key_U);
+  EXPECT_TRUE(document().skeleton()[nodeAt({1, 0, 2})].isMarked);
+  EXPECT_TRUE(window().statusLine().counts().contains("1 marked"));
+  ASSERT_TRUE(action("commit_marks").isEnabled());
+  QString outcome;
+  answer(
+      [&](QDialog& dialog) {
+        outcome = dialog.findChild<QLabel*>("unit_outcome")->text();
+        commitAs("S")(dialog);
+      },
+      [this] { action("commit_marks").trigger(); });
+  EXPECT_TRUE(outcome.startsWith("Makes 2 units of scale 2 from 1 marks")) << outcome.toStdString();
+  EXPECT_EQ(document().undoStack().undoText(), "Commit the marks to S");
+  EXPECT_FALSE(action("commit_marks").isEnabled());
+  action("save").trigger();
+  EXPECT_EQ(verticesPerScale("fork.mtg"), (std::map<int, int>{{1, 1}, {2, 2}, {3, 5}}));
+  action("undo").trigger();
+  EXPECT_TRUE(action("commit_marks").isEnabled()) << "the marks are back";
+  action("save").trigger();
+  EXPECT_EQ(verticesPerScale("fork.mtg"), (std::map<int, int>{{1, 1}, {2, 5}}));
+}
+
+TEST_F(UnitsWindowTest, AClassThatIsTakenIsRefusedAndCanBeCorrected) {
+  open({writeFork("fork.mtg")});
+  document().selection().set({nodeAt({1, 0, 2})});
+  action("mark_unit_start").trigger();
+  const int steps = document().undoStack().count();
+  answer(
+      [&](QDialog& dialog) {
+        commitAs("N")(dialog);
+        EXPECT_TRUE(dialog.isVisible());
+        EXPECT_EQ(document().undoStack().count(), steps);
+        commitAs("S")(dialog);
+        EXPECT_FALSE(dialog.isVisible());
+      },
+      [this] { action("commit_marks").trigger(); });
+  EXPECT_EQ(document().undoStack().count(), steps + 1);
+}
+
+TEST_F(UnitsWindowTest, MarksAreClearedInOneStep) {
+  open({writeFork("fork.mtg")});
+  action("select_all").trigger();
+  action("mark_unit_start").trigger();
+  action("clear_marks").trigger();
+  EXPECT_EQ(document().undoStack().count(), 2);
+  EXPECT_FALSE(window().statusLine().counts().contains("marked"));
+}
+
+TEST_F(UnitsWindowTest, TheInspectorTakesAnIndexAndRefusesAWrongOne) {
+  open({writeFork("fork.mtg")});
+  document().selection().set({nodeAt({1, 0, 2})});
+  auto& index = find<QLineEdit>("index_2");
+  index.setFocus();
+  QTest::keyClicks(&index, "x");
+  QTest::keyClick(&index, Qt::Key_Return);
+  EXPECT_EQ(document().undoStack().count(), 0);
+  EXPECT_EQ(window().statusLine().shownText(),
+            "'x' is no index: type a whole number, such as 3, or nothing");
+  index.selectAll();
+  QTest::keyClicks(&index, "7");
+  QTest::keyClick(&index, Qt::Key_Return);
+  EXPECT_EQ(document().skeleton()[nodeAt({1, 0, 2})].entities.back().index, 7);
+  EXPECT_TRUE(view().hasFocus());
+}
+
+} // namespace
+} // namespace espalier

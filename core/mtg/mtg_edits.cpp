@@ -86,6 +86,9 @@ private:
   [[nodiscard]] MaybeVertex complexAfter(NodeId id, std::size_t scale) const;
   [[nodiscard]] bool isInSameUnits(NodeId now, NodeId then, std::size_t scale) const;
   [[nodiscard]] Entity ownEntity(NodeId id) const;
+  /// An edited entity, with all values of its vertex if it is a further part that carries its name
+  /// alone.
+  [[nodiscard]] Entity wholeOf(Entity entity, const Entity& then, VertexId id) const;
   [[nodiscard]] MaybeVertex keptAncestor(VertexId id) const;
   [[nodiscard]] bool staysWithoutComplex(const MtgVertex& vertex) const;
 
@@ -147,6 +150,22 @@ bool Edit::isInSameUnits(NodeId now, NodeId then, std::size_t scale) const {
   return true;
 }
 
+Entity Edit::wholeOf(Entity entity, const Entity& then, VertexId id) const {
+  if (then == entityOf(base_, id)) return entity;
+  const Entity whole = entityOf(mtg_, id);
+  std::vector<FeatureValue> values = whole.values;
+  for (const FeatureValue& typed : entity.values) {
+    const auto at = std::ranges::find(values, typed.feature, &FeatureValue::feature);
+    if (at == values.end())
+      values.push_back(typed);
+    else
+      *at = typed;
+  }
+  entity.values = std::move(values);
+  entity.later = whole.later;
+  return entity;
+}
+
 void Edit::claimUnits() {
   const std::vector<MaybeVertex> claims = unitClaims(base_, view_, before_, edited_, after_);
   for (std::size_t i = 0; i < claims.size(); ++i) {
@@ -162,7 +181,7 @@ void Edit::claimUnits() {
     const auto at = std::ranges::find(starts, *claims[i]);
     if (at == starts.end()) continue;
     const auto& then = view_.skeleton[unit.start].entities[std::size_t(at - starts.begin())];
-    if (entity != then) writeEntity(mtg_, *claims[i], entity, {});
+    if (entity != then) writeEntity(mtg_, *claims[i], wholeOf(entity, then, *claims[i]), {});
   }
 }
 

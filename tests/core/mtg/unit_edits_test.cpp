@@ -201,6 +201,31 @@ TEST(SetFeature, WritesTheTextOfOneValue) {
       Error);
 }
 
+// The unit A1 is E1 and E3, with E2 of A2 between them: E3 carries its name alone.
+TEST(SetIndex, OfAUnitInSeveralPartsKeepsItsValues) {
+  Case one;
+  one.base.vertices = {{.symbol = "P", .index = 1, .scale = 1},
+                       {.symbol = "A", .index = 1, .scale = 2, .values = {"9", "8"}},
+                       {.symbol = "A", .index = 2, .scale = 2, .parent = VertexId{1}}};
+  one.base.vertices[1].complex = one.base.vertices[2].complex = VertexId{0};
+  for (int i = 0; i < 3; ++i) {
+    MtgVertex node{
+        .symbol = "E", .index = i + 1, .scale = 3, .complex = VertexId{i == 1 ? 2U : 1U}};
+    if (i > 0) node.parent = VertexId{2U + static_cast<unsigned>(i)};
+    node.values = {"0", "0", std::to_string(i)};
+    one.base.vertices.push_back(node);
+  }
+  one.plant = skeletonOf(one.base, "plant.mtg").value;
+  Mtg expected = one.base;
+  expected.vertices[1].index = 5;
+  EXPECT_EQ(one.after([](SkeletonEditor& e) { setIndex(e, NodeId{2}, 2, "5"); }), expected);
+  expected.vertices[1].values[1] = "7";
+  EXPECT_EQ(one.after([&](SkeletonEditor& e) {
+    setFeature(e, NodeId{2}, 2, {"YY", "REAL"}, "7", &one.base);
+  }),
+            expected);
+}
+
 TEST(TypedFeatures, OfNodesAreWithoutPositionAndRadius) {
   Case one;
   one.base.features.push_back({"Length", "REAL"});

@@ -8,7 +8,6 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QSignalBlocker>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -118,59 +117,61 @@ void UnitsForm::build(const QList<Part>& parts) {
     for (const Row& row : part.rows)
       shape.append(row.id);
   }
-  if (shape != shape_ || body_ == nullptr) {
-    if (body_ != nullptr) {
-      for (QWidget* field : body_->findChildren<QWidget*>()) {
-        field->blockSignals(true); // hiding a field that has the focus ends its text
-        field->setObjectName({});
-      }
-      body_->hide();
-      body_->deleteLater(); // one of its fields may be telling of an edit
-    }
-    shape_ = shape;
-    body_ = new QWidget(this);
-    auto* form = new QFormLayout(body_);
-    form->setContentsMargins(0, 0, 0, 0);
-    form->setHorizontalSpacing(12);
-    form->setVerticalSpacing(8);
-    form->setRowWrapPolicy(QFormLayout::WrapLongRows); // a long name must not widen the panel
-    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-    for (const Part& part : parts_) {
-      auto* title = new QLabel(body_);
-      title->setObjectName("title_" + part.id);
-      title->setProperty("role", "section");
-      form->addRow(title);
-      for (const Row& row : part.rows)
-        addRow(row, *form);
-      if (!part.canBegin) continue;
-      auto* begins = new QCheckBox(tr("begins here"), body_);
-      begins->setObjectName("begins_" + part.id);
-      form->addRow(begins);
-      connect(begins, &QCheckBox::clicked, this, [this, begins] {
-        for (const Part& each : parts_)
-          if (begins->objectName() == "begins_" + each.id) {
-            const Part told = each; // telling it replaces the parts
-            emit typed(told.step, told.beginOrEnd, begins);
-            break;
-          }
-        for (const Part& each : parts_) // as it is, if that was refused
-          if (begins->objectName() == "begins_" + each.id) begins->setChecked(each.begins);
-      });
-    }
-    column_->addWidget(body_);
-  }
+  if (shape != shape_ || body_ == nullptr) makeFields();
+  shape_ = shape;
   for (const Part& part : parts_) {
     body_->findChild<QLabel*>("title_" + part.id)->setText(part.title);
     if (auto* begins = body_->findChild<QCheckBox*>("begins_" + part.id))
       begins->setChecked(part.begins);
     for (const Row& row : part.rows) {
       auto* field = body_->findChild<QLineEdit*>(row.id);
-      const QSignalBlocker quiet(field);
       field->setText(row.text);
       field->setCursorPosition(0);
       field->setProperty("refused", {});
     }
   }
+}
+
+void UnitsForm::makeFields() {
+  if (body_ != nullptr) {
+    for (QWidget* field : body_->findChildren<QWidget*>()) {
+      field->blockSignals(true); // hiding a field that has the focus ends its text
+      field->setObjectName({});
+    }
+    body_->hide();
+    body_->deleteLater(); // one of its fields may be telling of an edit
+  }
+  body_ = new QWidget(this);
+  auto* form = new QFormLayout(body_);
+  form->setContentsMargins(0, 0, 0, 0);
+  form->setHorizontalSpacing(12);
+  form->setVerticalSpacing(8);
+  form->setRowWrapPolicy(QFormLayout::WrapLongRows); // a long name must not widen the panel
+  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  for (const Part& part : parts_) {
+    auto* title = new QLabel(body_);
+    title->setObjectName("title_" + part.id);
+    title->setProperty("role", "section");
+    form->addRow(title);
+    for (const Row& row : part.rows)
+      addRow(row, *form);
+    if (!part.canBegin) continue;
+    auto* begins = new QCheckBox(tr("begins here"), body_);
+    begins->setObjectName("begins_" + part.id);
+    form->addRow(begins);
+    connect(begins, &QCheckBox::clicked, this, [this, begins] { beginOrEnd(*begins); });
+  }
+  column_->addWidget(body_);
+}
+
+void UnitsForm::beginOrEnd(QCheckBox& begins) {
+  const auto found = std::ranges::find_if(
+      parts_, [&](const Part& part) { return begins.objectName() == "begins_" + part.id; });
+  if (found == parts_.end()) return;
+  const Part told = *found; // telling it replaces the parts
+  const int shownBefore = shown_;
+  emit typed(told.step, told.beginOrEnd, &begins);
+  if (shown_ == shownBefore) begins.setChecked(told.begins); // it was refused
 }
 
 void UnitsForm::addRow(const Row& row, QFormLayout& to) {

@@ -9,6 +9,7 @@
 
 #include <functional>
 
+class QCheckBox;
 class QFormLayout;
 class QLabel;
 class QLineEdit;
@@ -57,6 +58,8 @@ private:
   [[nodiscard]] QList<Part> partsOf(NodeId id) const;
   [[nodiscard]] Part partOf(NodeId start, const Entity& entity, bool isNode) const;
   void build(const QList<Part>& parts);
+  void makeFields();
+  void beginOrEnd(QCheckBox& begins);
   void addRow(const Row& row, QFormLayout& to);
   bool take(QLineEdit& field);
 

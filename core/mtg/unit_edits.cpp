@@ -38,6 +38,10 @@ void changeEntity(SkeletonEditor& editor, NodeId id, int scale,
   editor.setEntities(id, std::move(entities));
 }
 
+bool hasValue(const Entity& entity, const std::string& feature) {
+  return std::ranges::find(entity.values, feature, &FeatureValue::feature) != entity.values.end();
+}
+
 std::size_t placeOf(const std::string& feature, const Mtg* base) {
   if (base == nullptr) return 0;
   return std::size_t(std::ranges::find(base->features, feature, &MtgFeature::name) -
@@ -119,7 +123,8 @@ std::vector<MtgFeature> typedFeatures(const Entity& entity, bool isNode, const M
     std::vector<std::size_t> without;
     for (const auto& feature : {geometry.position[0], geometry.position[1], geometry.position[2],
                                 geometry.radius, geometry.diameter})
-      if (feature && isNode) without.push_back(*feature);
+      if (feature && (isNode || !hasValue(entity, base->features[*feature].name)))
+        without.push_back(*feature);
     for (std::size_t i = 0; i < base->features.size(); ++i)
       if (!isAliasFeature(base->features[i]) && std::ranges::find(without, i) == without.end())
         result.push_back(base->features[i]);

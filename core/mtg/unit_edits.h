@@ -25,9 +25,9 @@ struct UnitPlace {
 /// What is said of the node itself. Time O(nodes).
 [[nodiscard]] Entity ownEntity(const Skeleton& skeleton, NodeId id);
 
-/// Features that can be typed for an entity of this scale: those of `base`, and ones that the
-/// entity has beside them, as text; without the name in the file, and for nodes without position
-/// and radius.
+/// Features that can be typed for an entity: those of `base`, and ones that the entity has beside
+/// them, as text; without the name in the file, and without position and radius: those of nodes
+/// have fields of their own, units have some only if a file says so.
 [[nodiscard]] std::vector<MtgFeature> typedFeatures(const Entity& entity, bool isNode,
                                                     const Mtg* base);
 

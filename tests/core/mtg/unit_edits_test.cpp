@@ -236,7 +236,10 @@ TEST(TypedFeatures, OfNodesAreWithoutPositionAndRadius) {
     return all;
   };
   EXPECT_EQ(names(true), "Length:REAL Note:ALPHA ");
-  EXPECT_TRUE(names(false).starts_with("XX:REAL YY:REAL ZZ:REAL ")) << names(false);
+  EXPECT_EQ(names(false), "Length:REAL Note:ALPHA ");
+  const std::vector<MtgFeature> ofUnit =
+      typedFeatures({.values = {{"YY", "1"}}}, false, &one.base); // as a file says
+  EXPECT_EQ(ofUnit, (std::vector<MtgFeature>{{"YY", "REAL"}, {"Length", "REAL"}}));
 }
 
 } // namespace

@@ -47,7 +47,7 @@ void simulate(const Flags& flags) {
   const auto scanned = [&] {
     return scan(truth, scanner, flags.seed, terminal.progress().part(0.3, 0.95, "Scan"));
   };
-  Scan result = flags.from.empty() ? scanned() : about(flags.from, scanned);
+  SimulatedScan result = flags.from.empty() ? scanned() : about(flags.from, scanned);
   const PointCloud cloud(std::move(result.points));
   terminal.check();
   writePoints(scanFile, cloud);

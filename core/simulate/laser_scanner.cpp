@@ -163,7 +163,7 @@ std::vector<Echo> echoesOf(const ScanScene& scene, const std::vector<ScanWindow>
 }
 
 /// Points on nothing, around the plant.
-void addStrays(Scan& scan, double share, Eigen::AlignedBox3d bounds, Random& random) {
+void addStrays(SimulatedScan& scan, double share, Eigen::AlignedBox3d bounds, Random& random) {
   const Vector3d margin = Vector3d::Constant(0.05 * bounds.sizes().maxCoeff());
   bounds = {bounds.min() - margin, bounds.max() + margin};
   const double hits = static_cast<double>(scan.points.positions.size());
@@ -179,15 +179,15 @@ void addStrays(Scan& scan, double share, Eigen::AlignedBox3d bounds, Random& ran
 
 } // namespace
 
-Scan scan(const Skeleton& plant, const ScannerOptions& options, std::uint64_t seed,
-          const Progress& progress) {
+SimulatedScan scan(const Skeleton& plant, const ScannerOptions& options, std::uint64_t seed,
+                   const Progress& progress) {
   check(options);
   const WoodIndex wood(woodOf(plant));
   if (wood.wood().empty()) throw Error("the plant has no edges: nothing to scan");
   const Eigen::AlignedBox3d bounds = wood.bounds();
   const double extent = bounds.sizes().maxCoeff();
   Random random(seed);
-  Scan result{.stations = stationsAround(bounds, extent, options, random)};
+  SimulatedScan result{.stations = stationsAround(bounds, extent, options, random)};
   const ScanScene scene{.wood = wood,
                         .options = options,
                         .clumps = clumpsIn(wood, extent, options, random),

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/simulate/scan.h"
+#include "core/simulate/simulated_scan.h"
 #include "core/skeleton/skeleton.h"
 
 #include <Eigen/Core>
@@ -47,7 +47,7 @@ struct ScannerOptions {
 /// @throws Cancelled if `progress` asks to stop
 /// Deterministic for any number of threads. Time O(B log N) for B beams and N nodes; a plant fills
 /// about a tenth of what is scanned, so that B is about ten times the number of points.
-[[nodiscard]] Scan scan(const Skeleton& plant, const ScannerOptions& options, std::uint64_t seed,
-                        const Progress& progress = {});
+[[nodiscard]] SimulatedScan scan(const Skeleton& plant, const ScannerOptions& options,
+                                 std::uint64_t seed, const Progress& progress = {});
 
 } // namespace espalier

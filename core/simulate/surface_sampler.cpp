@@ -61,8 +61,8 @@ void check(const SamplingOptions& options) {
 
 } // namespace
 
-Scan sampleSurface(const Skeleton& plant, const SamplingOptions& options, std::uint64_t seed,
-                   const Progress& progress) {
+SimulatedScan sampleSurface(const Skeleton& plant, const SamplingOptions& options,
+                            std::uint64_t seed, const Progress& progress) {
   check(options);
   const WoodIndex index(woodOf(plant));
   const std::vector<double> sums = areaSums(index.wood());
@@ -78,7 +78,7 @@ Scan sampleSurface(const Skeleton& plant, const SamplingOptions& options, std::u
     throw Error("sampling: so small a spacing gives over 10^9 points; try a larger one");
 
   Random random(seed);
-  Scan result;
+  SimulatedScan result;
   std::vector<Vector3d>& places = result.points.positions;
   for (double draw = 0; draw < draws && places.size() < wanted; ++draw) {
     const auto at = std::upper_bound(sums.begin(), sums.end(), random.uniform() * sums.back());

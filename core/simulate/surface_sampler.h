@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/simulate/scan.h"
+#include "core/simulate/simulated_scan.h"
 #include "core/skeleton/skeleton.h"
 
 #include <Eigen/Core>
@@ -24,7 +24,7 @@ struct SamplingOptions {
 /// @throws Error     if a node has no radius, an option is out of its range, or there is no surface
 /// @throws Cancelled if `progress` asks to stop
 /// Deterministic. Time O(P log N) for P points and N nodes.
-[[nodiscard]] Scan sampleSurface(const Skeleton& plant, const SamplingOptions& options,
-                                 std::uint64_t seed, const Progress& progress = {});
+[[nodiscard]] SimulatedScan sampleSurface(const Skeleton& plant, const SamplingOptions& options,
+                                          std::uint64_t seed, const Progress& progress = {});
 
 } // namespace espalier

@@ -9,7 +9,7 @@
 namespace espalier::test {
 namespace {
 
-SimulatedPlant withCloud(Skeleton truth, Scan scan) {
+SimulatedPlant withCloud(Skeleton truth, SimulatedScan scan) {
   PointCloud cloud(scan.points);
   return {std::move(truth), std::move(scan), std::move(cloud)};
 }
@@ -19,7 +19,7 @@ SimulatedPlant withCloud(Skeleton truth, Scan scan) {
 const SimulatedPlant& simulatedTree() {
   static const SimulatedPlant tree = [] {
     Skeleton truth = growPlant({.height = 4, .segments = 120}, 1);
-    Scan points = scan(truth, {.points = 20'000}, 1);
+    SimulatedScan points = scan(truth, {.points = 20'000}, 1);
     return withCloud(std::move(truth), std::move(points));
   }();
   return tree;
@@ -29,7 +29,7 @@ const SimulatedPlant& simulatedHerb() {
   static const SimulatedPlant herb = [] {
     Skeleton truth =
         growPlant({.architecture = Architecture::herb, .height = 300, .segments = 25}, 1);
-    Scan points = sampleSurface(truth, {.points = 4000}, 1);
+    SimulatedScan points = sampleSurface(truth, {.points = 4000}, 1);
     return withCloud(std::move(truth), std::move(points));
   }();
   return herb;

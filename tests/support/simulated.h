@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/cloud/point_cloud.h"
-#include "core/simulate/scan.h"
+#include "core/simulate/simulated_scan.h"
 #include "core/skeleton/skeleton.h"
 
 namespace espalier::test {
@@ -9,7 +9,7 @@ namespace espalier::test {
 /// A plant whose structure is known, and its scan.
 struct SimulatedPlant {
   Skeleton truth;
-  Scan scan;
+  SimulatedScan scan;
   PointCloud cloud; // of the scan; cloud.fileOrder() leads back to scan.nodes
 };
 

@@ -36,14 +36,14 @@ double offSurface(const WoodIndex& wood, const Vector3d& place) {
   return std::abs(wood.distance(place, std::numeric_limits<double>::infinity()));
 }
 
-Eigen::Index pointsOf(const Scan& scan, NodeId node) {
+Eigen::Index pointsOf(const SimulatedScan& scan, NodeId node) {
   return std::count(scan.nodes.begin(), scan.nodes.end(), std::optional(node));
 }
 
 TEST(LaserScanner, PutsPointsOnTheSurfaceIfItMakesNoErrors) {
   const Skeleton plant = smallTree();
   const WoodIndex wood(woodOf(plant));
-  const Scan result = scan(plant, ideal(3000), 1);
+  const SimulatedScan result = scan(plant, ideal(3000), 1);
   for (std::size_t i = 0; i < result.nodes.size(); ++i) {
     ASSERT_TRUE(result.nodes[i]);
     ASSERT_NEAR(offSurface(wood, result.points.positions[i]), 0, 1e-9);
@@ -52,7 +52,7 @@ TEST(LaserScanner, PutsPointsOnTheSurfaceIfItMakesNoErrors) {
 
 TEST(LaserScanner, KnowsWhichEdgeEachPointLiesOn) {
   const Skeleton plant = smallTree();
-  const Scan result = scan(plant, ideal(2000), 2);
+  const SimulatedScan result = scan(plant, ideal(2000), 2);
   const std::vector<WoodPiece> wood = woodOf(plant);
   for (std::size_t i = 0; i < result.nodes.size(); ++i) {
     const auto piece = std::find_if(wood.begin(), wood.end(), [&](const WoodPiece& candidate) {
@@ -73,7 +73,7 @@ TEST(LaserScanner, ScattersPointsAlongTheBeamByTheRangeNoise) {
   wall.setRadius(NodeId{0}, 40); // next to flat where it is met
   wall.setRadius(NodeId{1}, 40);
   options.at = {{41, 0, 0.5}};
-  const Scan result = scan(wall, options, 3);
+  const SimulatedScan result = scan(wall, options, 3);
   const WoodIndex wood(woodOf(wall));
   double sum = 0;
   double count = 0;
@@ -114,7 +114,7 @@ TEST(LaserScanner, SeesOneSideOnlyFromOneStation) {
   ScannerOptions options = ideal(3000);
   options.stations = 1;
   options.azimuth = 0;
-  const Scan result = scan(test::stick(4), options, 1);
+  const SimulatedScan result = scan(test::stick(4), options, 1);
   ASSERT_EQ(result.stations.size(), 1U);
   EXPECT_GT(result.stations[0].x(), 0);
   const auto behind = std::count_if(result.points.positions.begin(), result.points.positions.end(),
@@ -132,7 +132,7 @@ TEST(LaserScanner, ReturnsAboutAsManyPointsAsAskedFor) {
 
 TEST(LaserScanner, StandsWhereItIsAskedTo) {
   const Skeleton plant = test::stick(11);
-  const Scan result =
+  const SimulatedScan result =
       scan(plant, {.points = 200, .stations = 3, .distance = 2, .elevation = 0.5}, 1);
   ASSERT_EQ(result.stations.size(), 3U);
   const Eigen::AlignedBox3d bounds = WoodIndex(woodOf(plant)).bounds();
@@ -151,7 +151,7 @@ TEST(LaserScanner, HasMorePointsWhereItIsNear) {
   }
   ScannerOptions options = ideal(20000);
   options.at = {{6, 0.5, 0.25}};
-  const Scan result = scan(plant, options, 1);
+  const SimulatedScan result = scan(plant, options, 1);
   const double ratio = static_cast<double>(pointsOf(result, NodeId{3})) /
                        static_cast<double>(pointsOf(result, NodeId{1}));
   EXPECT_NEAR(ratio, 36.25 / 4.25, 0.8);
@@ -163,8 +163,8 @@ TEST(LaserScanner, IsTheSameForAnyNumberOfThreads) {
     const ThreadLimit limit(threads);
     return scan(plant, {.points = 3000, .stations = 2, .clumps = 3}, seed);
   };
-  const Scan one = scanned(1, 9);
-  const Scan two = scanned(2, 9);
+  const SimulatedScan one = scanned(1, 9);
+  const SimulatedScan two = scanned(2, 9);
   EXPECT_EQ(one.points.positions, two.points.positions);
   EXPECT_EQ(one.points.intensities, two.points.intensities);
   EXPECT_EQ(one.nodes, two.nodes);
@@ -178,8 +178,8 @@ TEST(LaserScanner, ScalesWithThePlant) {
     large.setPosition(id, 1024 * large[id].position);
     large.setRadius(id, 1024 * large[id].radius);
   }
-  const Scan a = scan(small, {.points = 3000}, 5);
-  const Scan b = scan(large, {.points = 3000}, 5);
+  const SimulatedScan a = scan(small, {.points = 3000}, 5);
+  const SimulatedScan b = scan(large, {.points = 3000}, 5);
   ASSERT_EQ(a.nodes, b.nodes);
   EXPECT_EQ(a.points.intensities, b.points.intensities);
   for (std::size_t i = 0; i < a.nodes.size(); ++i)
@@ -190,7 +190,7 @@ TEST(LaserScanner, AddsStrayPointsInTheShareAskedFor) {
   ScannerOptions options = ideal(5000);
   options.strayShare = 0.2;
   const Skeleton plant = smallTree();
-  const Scan result = scan(plant, options, 6);
+  const SimulatedScan result = scan(plant, options, 6);
   const auto strays = std::count(result.nodes.begin(), result.nodes.end(), std::nullopt);
   EXPECT_NEAR(static_cast<double>(strays) / static_cast<double>(result.nodes.size()), 0.2, 1e-3);
   EXPECT_NEAR(static_cast<double>(result.nodes.size()), 5000, 500);
@@ -201,7 +201,7 @@ TEST(LaserScanner, MixesTheRangesAtEdgesIfItsBeamIsWide) {
   const WoodIndex wood(woodOf(plant));
   ScannerOptions options = ideal(5000);
   options.beamWidth = 1;
-  const Scan result = scan(plant, options, 7);
+  const SimulatedScan result = scan(plant, options, 7);
   const auto off = std::count_if(result.points.positions.begin(), result.points.positions.end(),
                                  [&](const Vector3d& p) { return offSurface(wood, p) > 0.004; });
   EXPECT_GT(off, 20);
@@ -212,9 +212,9 @@ TEST(LaserScanner, PutsTheScanOfEachStationOutOfPlaceAsAWhole) {
   ScannerOptions options = ideal(1000);
   options.stations = 3;
   const Skeleton plant = smallTree();
-  const Scan exact = scan(plant, options, 8);
+  const SimulatedScan exact = scan(plant, options, 8);
   options.misalignment = 0.05;
-  const Scan shifted = scan(plant, options, 8);
+  const SimulatedScan shifted = scan(plant, options, 8);
   ASSERT_EQ(exact.nodes, shifted.nodes);
   std::vector<Vector3d> shifts;
   for (std::size_t i = 0; i < exact.nodes.size(); ++i) {
@@ -231,7 +231,7 @@ TEST(LaserScanner, LosesEchoesWhereBeamsGraze) {
   options.at = {{20, 0, 1}};
   const auto edgeShare = [&](double loss) {
     options.grazingLoss = loss;
-    const Scan result = scan(test::stick(4), options, 1);
+    const SimulatedScan result = scan(test::stick(4), options, 1);
     const auto edge = std::count_if(result.points.positions.begin(), result.points.positions.end(),
                                     [](const Vector3d& p) { return std::abs(p.y()) > 0.09; });
     return static_cast<double>(edge) / static_cast<double>(result.nodes.size());
@@ -245,7 +245,7 @@ TEST(LaserScanner, HasNoPointsWhereLeavesHidTheWood) {
   ScannerOptions options = ideal(8000);
   options.clumps = 1;
   options.clumpRadius = 0.1;
-  const Scan result = scan(plant, options, 2);
+  const SimulatedScan result = scan(plant, options, 2);
   std::vector<bool> seen(plant.idEnd());
   for (const auto& node : result.nodes)
     seen[indexOf(*node)] = true;

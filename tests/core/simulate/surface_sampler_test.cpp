@@ -19,7 +19,7 @@ using Eigen::Vector3d;
 TEST(SurfaceSampler, PutsEachPointOnTheEdgeItNames) {
   const Skeleton plant = growPlant({.segments = 60}, 3);
   const std::vector<WoodPiece> wood = woodOf(plant);
-  const Scan sample = sampleSurface(plant, {.points = 2000}, 1);
+  const SimulatedScan sample = sampleSurface(plant, {.points = 2000}, 1);
   ASSERT_EQ(sample.points.positions.size(), 2000U);
   ASSERT_EQ(sample.nodes.size(), 2000U);
   for (std::size_t i = 0; i < sample.nodes.size(); ++i) {
@@ -43,20 +43,21 @@ TEST(SurfaceSampler, IsEvenByArea) {
   Skeleton cone = test::stick(2, 4);
   cone.setRadius(NodeId{0}, 2);
   cone.setRadius(NodeId{1}, 1e-9);
-  const Scan sample = sampleSurface(cone, {.points = 20000}, 2);
+  const SimulatedScan sample = sampleSurface(cone, {.points = 20000}, 2);
   const auto upper = std::count_if(sample.points.positions.begin(), sample.points.positions.end(),
                                    [](const Vector3d& p) { return p.z() > 2; });
   EXPECT_NEAR(static_cast<double>(upper) / 20000, 0.25, 0.01);
 }
 
 TEST(SurfaceSampler, PutsAPointInEachSquareOfTheSpacing) {
-  const Scan sample = sampleSurface(test::stick(11), {.spacing = 0.02}, 3);
+  const SimulatedScan sample = sampleSurface(test::stick(11), {.spacing = 0.02}, 3);
   const double area = 2 * std::numbers::pi * 0.1 * 10; // the stick is 10 long and 0.1 thick
   EXPECT_NEAR(static_cast<double>(sample.nodes.size()), area / 4e-4, 100);
 }
 
 TEST(SurfaceSampler, ScattersPointsAcrossTheSurface) {
-  const Scan sample = sampleSurface(test::stick(2, 1000), {.points = 20000, .noise = 0.01}, 4);
+  const SimulatedScan sample =
+      sampleSurface(test::stick(2, 1000), {.points = 20000, .noise = 0.01}, 4);
   double sum = 0;
   for (const Vector3d& point : sample.points.positions)
     sum += std::pow(point.head<2>().norm() - 0.1, 2);

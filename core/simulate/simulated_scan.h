@@ -11,7 +11,7 @@
 namespace espalier {
 
 /// A simulated scan, and where each of its points is from.
-struct Scan {
+struct SimulatedScan {
   RawPoints points;                         // frame of the plant; intensities in [0, 1]
   std::vector<std::optional<NodeId>> nodes; // per point: whose edge it lies on; none: stray
   std::vector<Eigen::Vector3d> stations;    // [L], where the scanner stood; none if it did not

@@ -29,6 +29,7 @@ Editing::Editing(PlantDocument& document, PlantView& view, ActionSet& actions, Q
     refreshEnabled();
   });
   connect(&document_, &PlantDocument::skeletonReplaced, this, &Editing::refreshEnabled);
+  connect(&document_, &PlantDocument::readOnlyChanged, this, &Editing::refreshEnabled);
   connect(&document_.selection(), &Selection::changed, this, &Editing::hintChanged);
   refreshEnabled();
 }
@@ -93,6 +94,8 @@ void Editing::setEnabled(bool isEnabled) {
 }
 
 QString Editing::hint() const {
+  if (isEnabled_ && document_.isReadOnly())
+    return tr("Read-only   Drag: turn   Right drag: pan   Wheel: zoom");
   return isEnabled_ ? tool().hint() : tr("Drag: turn   Right drag: pan   Wheel: zoom");
 }
 
@@ -112,12 +115,16 @@ void Editing::useTool(const QString& id) {
 void Editing::undo() {
   if (tool().isBusy())
     tool().cancel();
-  else
+  else {
+    document_.requireEditable();
     document_.undoStack().undo();
+  }
 }
 
 void Editing::redo() {
-  if (!tool().isBusy()) document_.undoStack().redo();
+  if (tool().isBusy()) return;
+  document_.requireEditable();
+  document_.undoStack().redo();
 }
 
 void Editing::escape() {
@@ -147,8 +154,8 @@ void Editing::fillContextMenu(QMenu& menu) const {
 bool Editing::handle(const ToolInput& input) {
   under_ = input.pick;
   viewDirection_ = input.viewDirection;
-  if (input.phase == ToolInput::Phase::hover) view_.setHovered(isEnabled_ ? input.pick : Pick{});
-  if (!isEnabled_) return false;
+  if (input.phase == ToolInput::Phase::hover) view_.setHovered(canEdit() ? input.pick : Pick{});
+  if (!canEdit()) return false;
   if (isMenuClick(input)) {
     emit contextMenuRequested(view_.mapToGlobal(input.screen.toPoint()));
     return true;
@@ -166,11 +173,11 @@ bool Editing::isMenuClick(const ToolInput& input) {
 }
 
 void Editing::refreshEnabled() {
-  const bool canEdit = isEnabled_ && !document_.skeleton().isEmpty();
+  const bool hasNodes = !document_.skeleton().isEmpty();
   for (QAction* edit : edits_)
-    edit->setEnabled(canEdit);
+    edit->setEnabled(canEdit() && hasNodes);
   for (QAction* tool : toolGroup_->actions())
-    tool->setEnabled(isEnabled_);
+    tool->setEnabled(canEdit());
   emit hintChanged();
 }
 

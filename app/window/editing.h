@@ -54,6 +54,7 @@ private:
   bool handle(const ToolInput& input);
   [[nodiscard]] bool isMenuClick(const ToolInput& input);
   void refreshEnabled();
+  [[nodiscard]] bool canEdit() const { return isEnabled_ && !document_.isReadOnly(); }
   [[nodiscard]] NodeTarget target() const;
   [[nodiscard]] NodeTarget chosenTarget(); // which is selected then
   [[nodiscard]] std::optional<Eigen::Vector3d> placeUnder() const;

@@ -206,11 +206,10 @@ void FileFlow::showUnlessKept(const std::function<void()>& show) {
 void FileFlow::show(Read read, bool isAnotherPlant) {
   LoadedFiles& loaded = read.files;
   PlantDocument& document = parts_.document;
-  if (isAnotherPlant || loaded.structure) parts_.projects.leave();
-  if (isAnotherPlant) {
-    document.clear();
-    parts_.projects.setScanReference(std::nullopt);
-  }
+  if (isAnotherPlant)
+    parts_.projects.clear();
+  else if (loaded.structure)
+    parts_.projects.leave();
   if (loaded.scan) {
     document.setUnit(likelyUnit(loaded.scan->cloud()->bounds().sizes().maxCoeff()));
     document.setScan(std::move(loaded.scan), loaded.scanPath);
@@ -261,7 +260,7 @@ void FileFlow::writeTo(const QString& path) {
   if (!canBeSavedTo(path))
     return; // lines or a table, as other programs want: the plant is not kept
   copied_ = path;
-  if (!parts_.projects.isNamed()) parts_.document.markSaved(path);
+  if (!parts_.projects.isNamed() && !parts_.document.isReadOnly()) parts_.document.markSaved(path);
   parts_.recent.add(path);
 }
 

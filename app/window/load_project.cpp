@@ -35,15 +35,31 @@ void tryTo(LoadedProject& loaded, const std::function<void()>& act) {
   }
 }
 
+/// The scan that is in the project; null: none.
+std::unique_ptr<const Scan> keptScan(const Project& project, const Progress& progress) {
+  const std::string bytes = project.bytes("cloud");
+  if (bytes.empty()) return nullptr;
+  progress.update(0.3);
+  PointCloud cloud = cloudFrom(bytes);
+  if (cloud.isEmpty())
+    throw Error(project.path().string() + ": the scan in it has no points: keep it there again");
+  progress.update(0.5);
+  return std::make_unique<const Scan>(std::move(cloud));
+}
+
 void addScan(LoadedProject& loaded, const Progress& progress) {
   const std::optional<ScanReference> reference = loaded.project->scan();
   if (!reference) return;
   loaded.scanReference = reference;
   loaded.scanPath = nameOf(reference->path);
-  const auto found = loaded.project->findScan();
-  if (!found) return;
-  loaded.scan = std::make_unique<const Scan>(readPoints(*found, progress).value);
-  loaded.scanPath = nameOf(*found);
+  tryTo(loaded, [&] { loaded.scan = keptScan(*loaded.project, progress); });
+  loaded.isScanKept = loaded.scan != nullptr;
+  if (!loaded.isScanKept) {
+    const auto found = loaded.project->findScan();
+    if (!found) return;
+    loaded.scan = std::make_unique<const Scan>(readPoints(*found, progress).value);
+    loaded.scanPath = nameOf(*found);
+  }
   const std::string contracted = loaded.project->bytes("contracted");
   if (contracted.empty()) return;
   auto positions = std::make_shared<const Eigen::Matrix3Xf>(positionsFrom(contracted));

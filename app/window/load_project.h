@@ -20,6 +20,7 @@ struct LoadedProject {
   std::shared_ptr<const MtgFrame> frame;
   std::unique_ptr<const Scan> scan; // null: none, or not found
   QString scanPath;                 // where it is, or was
+  bool isScanKept = false;          // read from the project itself
   std::shared_ptr<const Eigen::Matrix3Xf> contracted;
   std::optional<std::size_t> contractedStep; // of the history: what the contracted points are from
   std::optional<ScanReference> scanReference;

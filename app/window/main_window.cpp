@@ -168,140 +168,20 @@ void MainWindow::makeDocks() {
       add("inspector", tr("Inspector"), inspector_, inspectorWidth, Qt::RightDockWidgetArea);
 }
 
-void MainWindow::connectJobs() {
-  connect(&jobs_, &JobRunner::started, this, [this] {
-    status_->showJob(jobs_.name());
-    units_->setEnabled(false);
-    editing_->setEnabled(false); // what a job will replace is not to be edited meanwhile
-    pipeline_->setRunnable(false);
-    (*actions_)["reconstruct"]->setEnabled(false);
-  });
-  connect(&jobs_, &JobRunner::progressed, this, [this](double fraction, const QString& stage) {
-    status_->showProgress(fraction, stage);
-    if (reconstruct_->isRunning()) pipeline_->showRunning(stage);
-  });
-  connect(&jobs_, &JobRunner::failed, this, [this](const QString& message) {
-    banner_->showError(message);
-    pipeline_->showIdle();
-  });
-  connect(&jobs_, &JobRunner::finished, this, [this] {
-    status_->hideJob();
-    editing_->setEnabled(true);
-    units_->setEnabled(true);
-    if (jobs_.isCanceled()) {
-      pipeline_->showIdle();
-      status_->showNote(tr("Canceled: nothing has changed"));
-    }
-    refreshEmptiness();
-  });
-  connect(status_, &StatusLine::cancelRequested, &jobs_, &JobRunner::cancel);
-  connect(reconstruct_.get(), &ReconstructFlow::done, this, [this](const QString& message) {
-    pipeline_->showDone();
-    banner_->showResult(message, tr("Undo"), [this] { editing_->undo(); });
-  });
-}
-
-void MainWindow::connectFiles() {
-  const auto showPlant = [this] {
-    banner_->hide();
-    const auto* scan = document_.scan();
-    options_->setAvailable(scan != nullptr && !scan->cloud()->intensities().empty(),
-                           scan != nullptr && !scan->cloud()->colors().empty());
-    refreshEmptiness();
-    view_->frameAll();
-  };
-  connect(files_.get(), &FileFlow::opened, this, showPlant);
-  connect(projects_.get(), &ProjectFlow::opened, this, showPlant);
-  connect(files_.get(), &FileFlow::noted, this,
-          [this](const QString& message) { banner_->showResult(message); });
-  connect(files_.get(), &FileFlow::saved, this, [this](const QString& path) {
-    banner_->hide(); // of what kept it from being saved before
-    status_->showNote(tr("Saved %1").arg(QFileInfo(path).fileName()));
-  });
-}
-
-void MainWindow::connectProjects() {
-  const auto tell = [this](const ProjectFlow::Notice& notice) {
-    MessageBanner::Actions actions;
-    for (const ProjectFlow::Notice::Action& action : notice.actions)
-      actions.push_back({action.text, [this, act = action.act] {
-                           actions_->guarded(
-                               [&] {
-                                 act();
-                                 return true;
-                               },
-                               Refusal::inBanner);
-                         }});
-    if (notice.isError)
-      banner_->showError(notice.text, actions);
-    else if (actions.empty())
-      banner_->showResult(notice.text);
-    else
-      banner_->showOffer(notice.text, actions);
-  };
-  connect(projects_.get(), &ProjectFlow::told, this, tell);
-  connect(files_.get(), &FileFlow::told, this, tell);
-  connect(projects_.get(), &ProjectFlow::chosen, this,
-          [this](const QString& path) { open({path}); });
-  connect(projects_.get(), &ProjectFlow::sessionsChanged, this, [this] {
-    QStringList texts;
-    QStringList paths;
-    for (const Session& session : projects_->sessions().waiting()) {
-      texts.append(describe(session, QDateTime::currentDateTime()));
-      paths.append(session.path);
-    }
-    start_->setSessions(texts, paths);
-  });
-}
-
 void MainWindow::closePlant() {
   if (jobs_.isRunning()) jobs_.cancel();
   if (!files_->mayDiscard()) return;
-  projects_->leave();
-  document_.clear();
+  projects_->clear();
   banner_->hide();
-  projects_->setScanReference(std::nullopt);
   projects_->offerSessions();
   refreshEmptiness();
-}
-
-void MainWindow::connectDocument() {
-  for (auto signal : {&PlantDocument::titleChanged, &PlantDocument::scanChanged})
-    connect(&document_, signal, this, &MainWindow::refreshTitle);
-  for (auto signal :
-       {&PlantDocument::scanChanged, &PlantDocument::skeletonReplaced, &PlantDocument::unitChanged})
-    connect(&document_, signal, this, &MainWindow::refreshCounts);
-  connect(&document_, &PlantDocument::skeletonEdited, this, &MainWindow::refreshCounts);
-  connect(&document_.undoStack(), &QUndoStack::indexChanged, this, &MainWindow::tellStep);
-  connect(editing_.get(), &Editing::hintChanged, this, &MainWindow::refreshHint);
-  connect(units_.get(), &UnitFlow::marksChanged, this, [this] {
-    refreshCounts();
-    refreshHint();
-  });
-  connect(editing_.get(), &Editing::contextMenuRequested, this, &MainWindow::showContextMenu);
-  connect(actions_.get(), &ActionSet::refused, this, &MainWindow::showRefusal);
-  connect(start_, &StartPage::openRequested, (*actions_)["open"], &QAction::trigger);
-  connect(start_, &StartPage::fileChosen, this, [this](const QString& path) { open({path}); });
-  connect(recent_.get(), &RecentFiles::changed, this,
-          [this] { start_->setRecentFiles(recent_->paths()); });
-  connect(pipeline_, &PipelinePanel::reconstructRequested, (*actions_)["reconstruct"],
-          &QAction::trigger);
-  connect(inspector_, &InspectorPanel::radiusTyped, this,
-          [this](double radius) { setRadius(document_, document_.selection().nodes(), radius); });
-  connect(inspector_, &InspectorPanel::leaveRequested, view_, qOverload<>(&QWidget::setFocus));
-  connect(inspector_, &InspectorPanel::edgeChosen, this, [this](EdgeType type) {
-    (*actions_)[type == EdgeType::successor ? "make_axial" : "make_branching"]->trigger();
-  });
-  connect(inspector_, &InspectorPanel::nodeChosen, this,
-          [this](NodeId id) { document_.selection().set({id}); });
-  start_->setRecentFiles(recent_->paths());
 }
 
 void MainWindow::tellStep(int index) {
   if (banner_->leavesByItself()) banner_->hide(); // it told of the step before
   const QUndoStack& stack = document_.undoStack();
   const int before = std::exchange(step_, index);
-  if (editing_->isBusy()) return; // a drag tells what it does itself
+  if (editing_->isBusy() || projects_->isLoading()) return; // a drag tells what it does itself
   if (index == before - 1 && index < stack.count())
     status_->showNote(tr("Undone: %1").arg(stack.text(index)));
   else if (index == before + 1)
@@ -319,10 +199,14 @@ void MainWindow::refreshDocks() {
 
 void MainWindow::refreshTitle() {
   (*actions_)["compact_project"]->setEnabled(projects_->isNamed());
+  (*actions_)["keep_scan"]->setEnabled(projects_->isNamed() && document_.scan() != nullptr);
+  (*actions_)["keep_scan"]->setChecked(projects_->isScanKept());
   const QString path = document_.filePath().isEmpty() ? document_.scanPath() : document_.filePath();
   setWindowFilePath(path);
   setWindowTitle(path.isEmpty() ? QStringLiteral("Espalier")
-                                : QFileInfo(path).fileName() + "[*] – Espalier");
+                                : QFileInfo(path).fileName() +
+                                      (document_.isReadOnly() ? tr(" (read-only)") : QString()) +
+                                      "[*] – Espalier");
   setWindowModified(!path.isEmpty() && document_.isModified());
 }
 

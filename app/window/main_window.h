@@ -67,13 +67,13 @@ private:
   void fillMenus();         // menus.cpp
   void fillViewMenu();      // likewise
   void fillToolBar();       // likewise
+  void connectJobs();       // main_window_connections.cpp
+  void connectFiles();      // likewise
+  void connectProjects();   // likewise
+  void connectDocument();   // likewise
   void makeCenter();
   void makeDocks();
-  void connectJobs();
-  void connectFiles();
-  void connectProjects();
   void closePlant();
-  void connectDocument();
   void tellStep(int index);
   void refreshDocks();
   void refreshTitle();

@@ -74,6 +74,14 @@ void MainWindow::addProjectActions() {
                  .help = tr("Keeps plant, scan and history in one file, which saves itself"),
                  .keys = QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_S)},
                 [this] { projects_->saveAs(); });
+  actions_->add({.id = "keep_scan",
+                 .text = tr("Keep the Scan in the Project"),
+                 .help = tr("Writes the scan into the project file, which then needs no other"),
+                 .isCheckable = true},
+                [this] {
+                  refreshTitle(); // it is checked once it is done
+                  projects_->keepScan(!projects_->isScanKept());
+                });
   actions_->add({.id = "compact_project",
                  .text = tr("Compact Project"),
                  .help = tr("Gives back the room that the project file no longer uses")},

@@ -68,8 +68,8 @@ void MainWindow::fillMenus() {
     recent->addAction(tr("Clear"), recent_.get(), &RecentFiles::clear);
   });
   add(*file, *actions_,
-      {"", "save", "save_as", "save_project_as", "", "export_structure", "compact_project", "",
-       "close_plant", "quit"});
+      {"", "save", "save_as", "save_project_as", "", "export_structure", "keep_scan",
+       "compact_project", "", "close_plant", "quit"});
 
   QMenu* edit = menuBar()->addMenu(tr("&Edit"));
   add(*edit, *actions_, {"undo", "redo", "", "select_all", "leave", ""});

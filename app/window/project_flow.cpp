@@ -34,10 +34,21 @@ ProjectFlow::ProjectFlow(const Parts& parts)
     : parts_(parts), sessions_(parts.settings), recorder_(parts.document) {
   parts_.document.setAuthor(
       parts_.settings.value("author", qEnvironmentVariable("USER")).toString());
+  connect(&parts_.jobs, &JobRunner::finished, this, &ProjectFlow::finishKeeping);
   connect(&recorder_, &ProjectRecorder::failed, this, &ProjectFlow::tellFailure);
+  connect(&recorder_, &ProjectRecorder::behindChanged, this, [this] {
+    if (isNamed())
+      parts_.document.setSaving(recorder_.isBehind() ? PlantDocument::Saving::failing
+                                                     : PlantDocument::Saving::asItHappens);
+  });
   connect(&parts_.document.undoStack(), &QUndoStack::indexChanged, this,
           &ProjectFlow::startSession);
   connect(&parts_.document, &PlantDocument::titleChanged, this, &ProjectFlow::noteFile);
+  for (auto signal : {&PlantDocument::scanChanged, &PlantDocument::skeletonReplaced})
+    connect(&parts_.document, signal, &prepare_, qOverload<>(&QTimer::start));
+  prepare_.setSingleShot(true);
+  prepare_.setInterval(500); // [ms], once the plant is on the screen
+  connect(&prepare_, &QTimer::timeout, this, &ProjectFlow::prepareSession);
 }
 
 ProjectFlow::~ProjectFlow() {
@@ -56,16 +67,23 @@ bool ProjectFlow::keepsWork() {
 }
 
 void ProjectFlow::open(const QString& path) {
+  const QFileInfo file(path);
   const auto holder = ProjectLock::holder(toPath(path));
-  if (!holder) return load(path, Access::readWrite);
-  emit told({.text = tr("%1 is open in another window (%2)")
-                         .arg(QFileInfo(path).fileName(), QString::fromStdString(*holder)),
+  if (!holder && (file.isWritable() || !file.exists())) return load(path, As::itself);
+  emit told({.text = holder ? tr("%1 is open in another window (%2)")
+                                  .arg(file.fileName(), QString::fromStdString(*holder))
+                            : tr("%1 may only be read").arg(file.fileName()),
              .isError = true,
-             .actions = {{tr("Open a Copy"), [this, path] { openCopy(path); }}}});
+             .actions = {{tr("Open a Copy"), [this, path] { openCopy(path); }},
+                         {tr("Open Read-Only"), [this, path] { openReadOnly(path); }}}});
 }
 
 void ProjectFlow::openCopy(const QString& path) {
-  load(path, Access::readOnly);
+  load(path, As::copy);
+}
+
+void ProjectFlow::openReadOnly(const QString& path) {
+  load(path, As::readOnly);
 }
 
 bool ProjectFlow::saveAs() {
@@ -92,8 +110,11 @@ void ProjectFlow::saveAs(const QString& path) {
     recorder_.stop(); // its file is gone or cannot be written: it is made anew
   std::unique_ptr<Project> project = makeProject(parts_.document, toPath(path));
   project->setScan(scan_);
+  release(false); // a session's work is in the named one from here on
   leave();
   take(std::move(project));
+  writeRest();
+  recorder_.flush();
   emit told({.text = tr("Saved %1: from now on, each edit is saved as it happens")
                          .arg(QFileInfo(path).fileName())});
 }
@@ -125,8 +146,23 @@ void ProjectFlow::compact() {
 
 void ProjectFlow::leave() {
   release(parts_.document.isModified() && keepsWork());
-  parts_.document.setAlwaysSaved(false);
+  parts_.document.setSaving(PlantDocument::Saving::byHand);
+  parts_.document.setReadOnly({});
   hasFailed_ = false;
+}
+
+void ProjectFlow::clear() {
+  leave();
+  isScanKept_ = false;
+  parts_.document.clear();
+  scan_.reset();
+  for (const Beside& beside : beside_)
+    beside.show({});
+}
+
+void ProjectFlow::keep(const Beside& beside) {
+  beside_.push_back(beside);
+  recorder_.keep(beside.name, beside.text);
 }
 
 void ProjectFlow::setScanReference(const std::optional<ScanReference>& scan) {
@@ -150,25 +186,31 @@ void ProjectFlow::offerSessions() {
                     }}}});
 }
 
-void ProjectFlow::load(const QString& path, Access access) {
+void ProjectFlow::requireIdle() const {
   if (parts_.jobs.isRunning())
     throw Error(
         tr("%1 is still running: wait for it, or cancel it").arg(parts_.jobs.name()).toStdString());
+}
+
+void ProjectFlow::load(const QString& path, As as) {
+  requireIdle();
   parts_.jobs.start(
       tr("Reading %1").arg(QFileInfo(path).fileName()),
-      [path, access](const Progress& progress) { return loadProject(path, access, progress); },
-      [this, access](LoadedProject loaded) {
+      [path, as](const Progress& progress) {
+        return loadProject(path, as == As::itself ? Access::readWrite : Access::readOnly, progress);
+      },
+      [this, as](LoadedProject loaded) {
         const auto kept = std::make_shared<LoadedProject>(std::move(loaded));
-        parts_.jobs.afterwards(
-            [this, access, kept] { gate_([&] { show(std::move(*kept), access); }); });
+        parts_.jobs.afterwards([this, as, kept] { gate_([&] { show(std::move(*kept), as); }); });
       });
 }
 
-void ProjectFlow::show(LoadedProject loaded, Access access) {
+void ProjectFlow::show(LoadedProject loaded, As as) {
   PlantDocument& document = parts_.document;
   leave();
-  const bool isCopy = access == Access::readOnly || loaded.isDamaged;
-  const bool isSession = sessions_.contains(pathOf(*loaded.project));
+  const bool isCopy = as == As::copy || loaded.isDamaged;
+  const QString path = pathOf(*loaded.project);
+  const bool isSession = sessions_.contains(path);
   const bool isScanMissing = loaded.scan == nullptr && !loaded.scanPath.isEmpty();
   isLoading_ = true;
   document.clear();
@@ -180,11 +222,18 @@ void ProjectFlow::show(LoadedProject loaded, Access access) {
                        isSession ? loaded.file : QString(), loaded.contractedStep);
   isLoading_ = false;
   scan_ = loaded.scanReference;
-  if (isCopy)
+  isScanKept_ = loaded.isScanKept;
+  emit opened();
+  showBeside(*loaded.project,
+             loaded.notes); // once the scan is there, which gives options their range
+  if (as == As::readOnly) {
+    document.markSaved(path);
+    document.setReadOnly(tr("%1 is open read-only: save it as another project to edit that")
+                             .arg(QFileInfo(path).fileName()));
+  } else if (isCopy)
     startSession();
   else
     take(std::move(loaded.project));
-  emit opened();
   if (isScanMissing)
     emit told(
         {.text = tr("The scan %1 is not where it was").arg(QFileInfo(loaded.scanPath).fileName()),
@@ -193,12 +242,23 @@ void ProjectFlow::show(LoadedProject loaded, Access access) {
   if (!loaded.notes.isEmpty()) tellFailure(loaded.notes.join('\n'));
 }
 
+void ProjectFlow::showBeside(const Project& project, QStringList& notes) {
+  for (const Beside& beside : beside_) {
+    try {
+      beside.show(project.document(beside.name));
+    } catch (const Error& error) {
+      notes.append(QString::fromUtf8(error.what()));
+      beside.show({});
+    }
+  }
+}
+
 void ProjectFlow::take(std::unique_ptr<Project> project) {
   recorder_.start(std::move(project));
   if (!isNamed()) return;
   const QString path = pathOf(*recorder_.project());
   parts_.document.markSaved(path);
-  parts_.document.setAlwaysSaved(true);
+  parts_.document.setSaving(PlantDocument::Saving::asItHappens);
   parts_.recent.add(path);
   parts_.settings.setValue(folderKey, QFileInfo(path).absolutePath());
 }
@@ -210,24 +270,39 @@ void ProjectFlow::release(bool isSessionKept) {
 }
 
 void ProjectFlow::startSession() {
-  if (isLoading_ || hasFailed_ || recorder_.project() != nullptr ||
+  if (isLoading_ || hasFailed_ || parts_.document.isReadOnly() || recorder_.project() != nullptr ||
       parts_.document.undoStack().count() == 0)
     return;
-  hasFailed_ = !guarded([this] {
-    auto project = makeProject(parts_.document, toPath(sessions_.newPath()));
-    project->setScan(scan_);
-    project->setDocument("name", nameOf(parts_.document).toStdString());
-    project->setDocument("file", parts_.document.filePath().toStdString());
-    recorder_.start(std::move(project));
-  });
+  hasFailed_ = !guarded([this] { makeSession(); });
+}
+
+void ProjectFlow::makeSession() {
+  auto project = makeProject(parts_.document, toPath(sessions_.newPath()));
+  project->setScan(scan_);
+  project->setDocument("name", nameOf(parts_.document).toStdString());
+  project->setDocument("file", parts_.document.filePath().toStdString());
+  recorder_.start(std::move(project));
+  writeRest();
+}
+
+void ProjectFlow::prepareSession() {
+  if (isLoading_ || hasFailed_ || recorder_.project() != nullptr || parts_.document.isEmpty() ||
+      parts_.document.isReadOnly() || parts_.document.undoStack().count() > 0)
+    return;
+  try {
+    makeSession();
+  } catch (const Error&) { // who only looks need not know; the first edit tells
+  }
 }
 
 void ProjectFlow::noteFile() {
   Project* project = recorder_.project();
   if (project == nullptr || isNamed() || recorder_.isBehind()) return;
   const std::string file = parts_.document.filePath().toStdString();
+  const std::string name = nameOf(parts_.document).toStdString();
   guarded([&] {
     if (project->document("file") != file) project->setDocument("file", file);
+    if (project->document("name") != name) project->setDocument("name", name);
   });
 }
 
@@ -240,23 +315,6 @@ bool ProjectFlow::guarded(const std::function<void()>& act) {
     tellFailure(QString::fromUtf8(error.what()));
     return false;
   }
-}
-
-void ProjectFlow::askForScan() {
-  const QString path =
-      QFileDialog::getOpenFileName(&parts_.window, tr("Find the scan of this project"),
-                                   parts_.settings.value(folderKey).toString());
-  if (path.isEmpty() || !scan_) return;
-  parts_.jobs.start(
-      tr("Reading %1").arg(QFileInfo(path).fileName()),
-      [path, scan = *scan_](const Progress& progress) { return loadScan(path, scan, progress); },
-      [this, path](std::unique_ptr<const Scan> scan) {
-        ScanReference found = *scan_;
-        found.path = toPath(QFileInfo(path).absoluteFilePath());
-        parts_.document.setScan(std::move(scan), path);
-        setScanReference(found);
-        emit opened();
-      });
 }
 
 void ProjectFlow::tellFailure(const QString& message) {

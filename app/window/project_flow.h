@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -22,8 +23,9 @@ class RecentFiles;
 
 /// Projects: opening and naming them, and the sessions that keep work which has no name yet.
 ///
-/// A document is in a project from its first edit on: in one with a name, or in a session. A
-/// session is removed once nothing in it is unsaved; else the next start offers it.
+/// A document is in a project from its first edit on: in one with a name, or in a session, which is
+/// made a moment after a plant is opened, so that no edit waits for it. A session is removed once
+/// nothing in it is unsaved; else the next start offers it.
 class ProjectFlow : public QObject {
   Q_OBJECT
 
@@ -45,13 +47,15 @@ public:
   void setGate(Gate gate) { gate_ = std::move(gate); }
 
   [[nodiscard]] bool isNamed() const; // the document is in a project with a name
+  [[nodiscard]] bool isLoading() const { return isLoading_; } // the document is being filled
   /// Whether nothing is lost if the window closes now, without a question.
   [[nodiscard]] bool keepsWork();
 
-  /// As a job, and through the gate. One that another window works on is not opened; a copy is
-  /// offered.
+  /// As a job, and through the gate. One that another window works on, or that may only be read, is
+  /// not opened; a copy, or to look at it without editing, is offered.
   void open(const QString& path);
-  void openCopy(const QString& path); // without a name, so the file stays as it is
+  void openCopy(const QString& path);     // without a name, so the file stays as it is
+  void openReadOnly(const QString& path); // every edit is refused, in words
   /// Each returns whether the document is in a project with a name now.
   /// @throws Error why it cannot be written
   bool saveAs();
@@ -60,8 +64,27 @@ public:
   bool confirmSaved();
   void compact();
 
+  /// What a project keeps beside the plant, as one text by name. `show` is told the text of a
+  /// project that is opened, and the empty one for a new plant; what it throws as an Error is told.
+  struct Beside {
+    std::string name;
+    std::function<std::string()> text;
+    std::function<void(const std::string&)> show;
+  };
+  void keep(const Beside& beside);
+  /// What is beside the plant may have changed.
+  void noteChange() { recorder_.noteChange(); }
+
+  /// Keeps the scan in the project itself, or no longer; as a job. It is not taken out of there
+  /// unless its file is found.
+  /// @throws Error if the document has no scan or no project with a name, or a job is running
+  void keepScan(bool isKept);
+  [[nodiscard]] bool isScanKept() const { return isScanKept_; }
+
   /// Lets go of the project: the document will hold another plant.
   void leave();
+  /// The same, and empties the document.
+  void clear();
   /// The scan of the document, for the project. None: it has none.
   void setScanReference(const std::optional<ScanReference>& scan);
 
@@ -80,27 +103,39 @@ public:
   };
 
 signals:
-  void opened();
+  void opened();    // where it is seen from is told by what is kept beside it
+  void scanFound(); // of the project that is open
   void told(const espalier::ProjectFlow::Notice& notice);
   void sessionsChanged();
   void chosen(const QString& path); // a session to go on with
 
 private:
-  void load(const QString& path, Access access);
-  void show(LoadedProject loaded, Access access);
+  enum class As : std::uint8_t { itself, copy, readOnly };
+  void load(const QString& path, As as);
+  void show(LoadedProject loaded, As as);
+  void showBeside(const Project& project, QStringList& notes);
+  void writeRest(); // of what a new project keeps
   void take(std::unique_ptr<Project> project);
   void release(bool isSessionKept);
   void startSession();
+  void makeSession(); // throws
+  void prepareSession();
   void noteFile();
   bool guarded(const std::function<void()>& act); // whether it went well
   void askForScan();
+  void requireIdle() const;
+  void finishKeeping();
   void tellFailure(const QString& message);
 
   Parts parts_;
   Sessions sessions_;
   ProjectRecorder recorder_;
   Gate gate_ = [](const std::function<void()>& show) { show(); };
+  std::vector<Beside> beside_;
+  QTimer prepare_;
   std::optional<ScanReference> scan_;
+  bool isScanKept_ = false; // in the project, or to be kept in the next one
+  bool isKeeping_ = false;  // a job writes it
   bool isLoading_ = false;
   bool hasFailed_ = false; // no session could be made: told once
 };

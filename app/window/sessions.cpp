@@ -21,11 +21,21 @@ QString tr(const char* text, int count = -1) {
   return QCoreApplication::translate("Sessions", text, nullptr, count);
 }
 
+/// A session that was made ready, and its window ended by force before an edit.
+void removeUnused(const QString& path) {
+  const ProjectLock lock(toPath(path)); // throws if a window has just taken it
+  Sessions::remove(path);
+}
+
 std::optional<Session> sessionIn(const QString& path) {
   try {
     const Project project = Project::open(toPath(path), Access::readOnly);
-    const History history = project.history().value;
-    if (history.steps.empty()) return std::nullopt;
+    const Imported<History> read = project.history();
+    const History& history = read.value;
+    if (history.steps.empty()) {
+      if (read.notes.empty()) removeUnused(path);
+      return std::nullopt;
+    }
     return Session{.path = path,
                    .name = QString::fromStdString(project.document("name")),
                    .edits = static_cast<int>(history.steps.size()),

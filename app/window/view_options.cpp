@@ -1,11 +1,14 @@
 #include "app/window/view_options.h"
 
 #include "app/window/action_set.h"
+#include "app/window/view_text.h"
 #include "ui/view/plant_view.h"
 
 #include <QAction>
 #include <QActionGroup>
 #include <QSettings>
+
+#include <utility>
 
 namespace espalier {
 
@@ -40,13 +43,63 @@ void ViewOptions::setAvailable(bool hasIntensity, bool hasColor) {
   if (chosen != nullptr && !chosen->isVisible()) actions_["color_height"]->trigger();
 }
 
+std::string ViewOptions::text() const {
+  ViewText shown{.camera = view_.camera()};
+  for (const QAction* layer : layers_)
+    shown.layers[layer->objectName()] = layer->isChecked();
+  for (const auto& [name, group] : {std::pair{"color", colors_}, std::pair{"point_size", sizes_}})
+    if (group->checkedAction() != nullptr)
+      shown.choices[name] = group->checkedAction()->objectName();
+  return textOf(shown);
+}
+
+void ViewOptions::show(const std::string& text) {
+  if (text.empty()) return showRemembered();
+  const ViewText shown = viewFrom(text);
+  isRemembering_ = false;
+  for (QAction* layer : layers_)
+    layer->setChecked(shown.layers.value(layer->objectName(), layer->isChecked()));
+  for (QAction* choice : colors_->actions() + sizes_->actions())
+    if (choice->isVisible() && shown.choices.values().contains(choice->objectName()))
+      choice->trigger();
+  for (QAction* projection : projections_->actions())
+    projection->setChecked((projection->objectName() == "parallel") ==
+                           (shown.camera.projection == Projection::parallel));
+  view_.setCamera(shown.camera);
+  isRemembering_ = true;
+}
+
+void ViewOptions::showRemembered() {
+  isRemembering_ = false;
+  for (QAction* layer : layers_)
+    layer->setChecked(
+        settings_.value("view/" + layer->objectName(), layer->objectName() != "true_radii")
+            .toBool());
+  const auto choose = [this](const QActionGroup& group, const QString& key,
+                             const QString& standard) {
+    const QString id = settings_.value(key, standard).toString();
+    for (QAction* choice : group.actions())
+      if (choice->objectName() == id && choice->isVisible()) choice->trigger();
+  };
+  choose(*colors_, "view/color", "color_height");
+  choose(*sizes_, "view/point_size", "point_size_2");
+  choose(*projections_, "view/projection", "perspective");
+  view_.frameAll();
+  isRemembering_ = true;
+}
+
+// What a project shows is that project's, and not how the next plant begins.
+void ViewOptions::remember(const QString& key, const QVariant& value) {
+  if (isRemembering_) settings_.setValue(key, value);
+}
+
 void ViewOptions::addLayers() {
   const auto add = [this](Layer layer, const Command& command) {
     const QString key = "view/" + command.id;
     QAction* action = actions_.add(command, {});
     connect(action, &QAction::toggled, this, [this, layer, key](bool isShown) {
       view_.setLayerVisible(layer, isShown);
-      settings_.setValue(key, isShown);
+      remember(key, isShown);
     });
     action->setChecked(true);
     action->setChecked(settings_.value(key, true).toBool());
@@ -75,7 +128,7 @@ void ViewOptions::addLayers() {
                                 {});
   connect(radii, &QAction::toggled, this, [this](bool isOn) {
     view_.setShowRadii(isOn);
-    settings_.setValue("view/true_radii", isOn);
+    remember("view/true_radii", isOn);
   });
   radii->setChecked(settings_.value("view/true_radii", false).toBool());
   layers_.append(radii);
@@ -85,7 +138,7 @@ QAction* ViewOptions::addChoice(QActionGroup* group, const Command& command, con
                                 const std::function<void()>& apply) {
   QAction* action = actions_.add(command, [this, apply, key, id = command.id] {
     apply();
-    settings_.setValue(key, id);
+    remember(key, id);
   });
   group->addAction(action);
   if (settings_.value(key) == command.id) action->trigger();

@@ -4,10 +4,12 @@
 #include <QObject>
 
 #include <functional>
+#include <string>
 
 class QAction;
 class QActionGroup;
 class QSettings;
+class QVariant;
 
 namespace espalier {
 
@@ -29,10 +31,18 @@ public:
   [[nodiscard]] QList<QAction*> projections() const;
   [[nodiscard]] QList<QAction*> standardViews() const { return standardViews_; }
 
+  /// What is shown and from where, as JSON, and back. An empty text: what the settings remember,
+  /// and all of the plant. Showing a text changes no setting.
+  /// @throws Error if it is no such text; nothing has changed then
+  [[nodiscard]] std::string text() const;
+  void show(const std::string& text);
+
   /// Offers only the colors that the points have.
   void setAvailable(bool hasIntensity, bool hasColor);
 
 private:
+  void showRemembered();
+  void remember(const QString& key, const QVariant& value);
   void addLayers();
   void addColors();
   void addSizes();
@@ -44,6 +54,7 @@ private:
   PlantView& view_;
   ActionSet& actions_;
   QSettings& settings_;
+  bool isRemembering_ = true;
   QActionGroup* colors_;
   QActionGroup* sizes_;
   QActionGroup* projections_;

@@ -5,6 +5,7 @@
 #include "core/io/atomic_file.h"
 #include "core/mtg/mtg_edits.h"
 #include "core/mtg/mtg_reader.h"
+#include "core/mtg/mtg_rows.h"
 #include "core/mtg/mtg_skeleton.h"
 #include "core/mtg/mtg_text_edit.h"
 #include "core/mtg/mtg_writer.h"
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <fstream>
+#include <sstream>
 #include <system_error>
 #include <utility>
 
@@ -106,6 +108,24 @@ std::string textOf(std::istream& in, const Format& format) {
   return readAll(in);
 }
 
+/// The frame of an MTG that came without a text: with one of its own, by which projects keep it and
+/// whose order of vertices it takes, so that ids are the same when that is read.
+MtgFrame frameOf(Imported<Mtg>& mtg, const std::string& file) {
+  constexpr std::size_t mostTabs = std::size_t{1} << 26; // a column for each branch off a branch
+  try {
+    const MtgRows rows = mtgRows(mtg.value);
+    if (rows.columns > mostTabs / std::max(rows.rows.size(), std::size_t{1}))
+      throw Error("its branches are nested too deeply");
+    std::ostringstream text;
+    writeMtg(text, mtg.value);
+    return {mtgAsWritten(mtg.value), std::move(text).str()};
+  } catch (const Error& error) {
+    mtg.notes.push_back(file + ": cannot be told as MTG text (" + error.what() +
+                        "): a project keeps its skeleton, without the rest of the MTG");
+    return {std::move(mtg.value), {}};
+  }
+}
+
 } // namespace
 
 const Format& formatOf(const std::filesystem::path& path) {
@@ -155,9 +175,11 @@ Imported<Structure> readStructure(const std::filesystem::path& path) {
     return {{std::move(skeleton.value)}, std::move(skeleton.notes)};
   }
   Imported<Mtg> mtg = format.readMtg(in, name);
-  Imported<Skeleton> skeleton = skeletonOf(mtg.value, name);
+  std::string text = textOf(in, format);
+  auto frame = std::make_shared<const MtgFrame>(
+      text.empty() ? frameOf(mtg, name) : MtgFrame{std::move(mtg.value), std::move(text)});
+  Imported<Skeleton> skeleton = skeletonOf(frame->mtg, name);
   mtg.notes.insert(mtg.notes.end(), skeleton.notes.begin(), skeleton.notes.end());
-  auto frame = std::make_shared<const MtgFrame>(MtgFrame{std::move(mtg.value), textOf(in, format)});
   return {{std::move(skeleton.value), std::move(frame)}, std::move(mtg.notes)};
 }
 

@@ -8,10 +8,11 @@
 
 namespace espalier {
 
-/// The MTG that a skeleton was read from, and its text, if it came as one.
+/// The MTG that a skeleton was read from, and its text.
 struct MtgFrame {
   Mtg mtg;
-  std::string text; // bytes of the file; empty: not from a text
+  std::string text; // bytes of the file, or as it is written if that was no text; reads as `mtg`;
+                    // empty: there is none that tells all of it
 };
 
 /// A skeleton with the MTG that it is a view of.

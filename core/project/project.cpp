@@ -46,6 +46,16 @@ fs::path unfinished(const fs::path& path) {
   return path.string() + ".new-" + std::to_string(::getpid());
 }
 
+void insertPiece(const Database& database, std::string_view name, std::int64_t part,
+                 std::string_view bytes) {
+  database.prepare("INSERT OR REPLACE INTO piece VALUES (?, ?, ?, ?)")
+      .bindText(1, name)
+      .bind(2, part)
+      .bind(3, std::bit_cast<std::int64_t>(contentHash(bytes)))
+      .bindBytes(4, bytes)
+      .run();
+}
+
 bool isTheScan(const fs::path& path, const ScanReference& scan) {
   std::error_code failed;
   if (!fs::is_regular_file(path, failed) || fs::file_size(path, failed) != scan.size) return false;
@@ -72,7 +82,7 @@ bool isProject(const fs::path& path) {
   return in && bytes.starts_with("SQLite format 3") && bytes.substr(idAt) == "Espl";
 }
 
-Project::Project(fs::path path, Access access, std::unique_ptr<ProjectLock> lock)
+Project::Project(fs::path path, Access access, std::shared_ptr<ProjectLock> lock)
     : path_(std::move(path)), access_(access), lock_(std::move(lock)),
       database_(openedIn(path_, access)) {
   const int schema = checkedSchema(database_, path_.string());
@@ -159,15 +169,21 @@ void Project::setBytes(std::string_view name, std::string_view bytes) {
   database_.prepare("DELETE FROM piece WHERE name = ?").bindText(1, name).run();
   for (std::int64_t part = 0; !bytes.empty(); ++part) {
     const std::string_view piece = bytes.substr(0, pieceSize);
-    database_.prepare("INSERT INTO piece VALUES (?, ?, ?, ?)")
-        .bindText(1, name)
-        .bind(2, part)
-        .bind(3, std::bit_cast<std::int64_t>(contentHash(piece)))
-        .bindBytes(4, piece)
-        .run();
+    insertPiece(database_, name, part, piece);
     bytes.remove_prefix(piece.size());
   }
   transaction.commit();
+}
+
+void Project::setPiece(std::string_view name, std::int64_t part, std::string_view bytes) {
+  requireSameFile();
+  insertPiece(database_, name, part, bytes);
+}
+
+bool Project::hasBytes(std::string_view name) const {
+  Statement row = database_.prepare("SELECT part FROM piece WHERE name = ? AND part = 0");
+  row.bindText(1, name);
+  return row.step();
 }
 
 std::string Project::bytes(std::string_view name) const {
@@ -176,6 +192,7 @@ std::string Project::bytes(std::string_view name) const {
   rows.bindText(1, name);
   std::string result;
   for (std::int64_t part = 0; rows.step(); ++part) {
+    if (part == 0 && rows.integer(0) > 0) return {}; // they were never complete
     const std::string_view piece = rows.bytes(2);
     if (rows.integer(0) != part ||
         std::bit_cast<std::uint64_t>(rows.integer(1)) != contentHash(piece))
@@ -233,6 +250,10 @@ std::optional<fs::path> Project::findScan() const {
       places, [&](const fs::path& place) { return isTheScan(place, *reference); });
   if (found == places.end()) return std::nullopt;
   return found->lexically_normal();
+}
+
+Project Project::another() const {
+  return {path_, access_, lock_};
 }
 
 void Project::copyRest(const Project& from) {

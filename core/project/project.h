@@ -85,6 +85,10 @@ public:
   void setBytes(std::string_view name, std::string_view bytes);
   /// @throws DamagedFile if they are not as they were written
   [[nodiscard]] std::string bytes(std::string_view name) const; // empty: none
+  [[nodiscard]] bool hasBytes(std::string_view name) const;
+  /// One piece of bytes, of any size: see PieceWriter. They are the pieces from 0 on in order, and
+  /// none while there is no piece 0.
+  void setPiece(std::string_view name, std::int64_t part, std::string_view bytes);
 
   void setScan(const std::optional<ScanReference>& scan);
   [[nodiscard]] std::optional<ScanReference> scan() const;
@@ -93,6 +97,10 @@ public:
   /// name; none if nowhere. A file counts if its size and hash do.
   [[nodiscard]] std::optional<std::filesystem::path> findScan() const;
 
+  /// The same file by a connection of its own, for one other thread: both may write, each call
+  /// waiting for those of the other. The right to write goes with the last of them.
+  [[nodiscard]] Project another() const;
+
   /// Takes over documents, bytes and the scan of another project.
   void copyRest(const Project& from);
 
@@ -100,13 +108,13 @@ public:
   void compact();
 
 private:
-  Project(std::filesystem::path path, Access access, std::unique_ptr<ProjectLock> lock);
+  Project(std::filesystem::path path, Access access, std::shared_ptr<ProjectLock> lock);
   void requireSameFile() const;
   static void insertHistory(const Database& database, const History& history);
 
   std::filesystem::path path_;
   Access access_;
-  std::unique_ptr<ProjectLock> lock_; // null: read only; outlives the database
+  std::shared_ptr<ProjectLock> lock_; // null: read only; outlives the database
   Database database_;
   std::uint64_t device_ = 0; // of the file that is open
   std::uint64_t inode_ = 0;

@@ -1,5 +1,6 @@
 #include "ui/document/plant_document.h"
 
+#include "core/base/error.h"
 #include "core/skeleton/edits.h"
 
 #include <QDateTime>
@@ -69,6 +70,7 @@ PlantDocument::~PlantDocument() {
 
 void PlantDocument::edit(const QString& text, const std::function<void(SkeletonEditor&)>& change,
                          Gesture gesture) {
+  requireEditable();
   SkeletonEditor editor(structure_.skeleton);
   change(editor); // if it throws, the editor rolls back
   SkeletonDelta delta = editor.commit();
@@ -145,8 +147,20 @@ void PlantDocument::openHistory(Structure structure, std::vector<HistoryStep> st
   isRestoring_ = false;
 }
 
-void PlantDocument::setAlwaysSaved(bool isAlwaysSaved) {
-  isAlwaysSaved_ = isAlwaysSaved;
+void PlantDocument::setReadOnly(const QString& why) {
+  if (why == readOnly_) return;
+  readOnly_ = why;
+  emit readOnlyChanged();
+  emit titleChanged();
+}
+
+void PlantDocument::requireEditable() const {
+  if (isReadOnly()) throw Error(readOnly_.toStdString());
+}
+
+void PlantDocument::setSaving(Saving saving) {
+  if (saving == saving_) return;
+  saving_ = saving;
   emit titleChanged();
 }
 

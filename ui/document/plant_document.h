@@ -42,7 +42,9 @@ public:
   [[nodiscard]] Selection& selection() { return selection_; }
   [[nodiscard]] QUndoStack& undoStack() { return undoStack_; }
   [[nodiscard]] LengthUnit unit() const { return unit_; }
-  [[nodiscard]] bool isModified() const { return !isAlwaysSaved_ && !undoStack_.isClean(); }
+  [[nodiscard]] bool isModified() const {
+    return saving_ == Saving::byHand ? !undoStack_.isClean() : saving_ == Saving::failing;
+  }
   [[nodiscard]] bool isEmpty() const { return !scan_ && structure_.skeleton.isEmpty(); }
 
   /// Where the skeleton was read from or saved to; empty if neither.
@@ -51,6 +53,7 @@ public:
 
   /// Edits the skeleton, as one undo step named `text`; edits of one gesture become one step. An
   /// edit that changes nothing is no step. If `change` throws, nothing has changed.
+  /// @throws Error as requireEditable()
   void edit(const QString& text, const std::function<void(SkeletonEditor&)>& change,
             Gesture gesture = {});
 
@@ -78,8 +81,15 @@ public:
                    const QString& path, std::optional<std::size_t> contractedStep = std::nullopt);
   /// The skeleton as it is now stands in `path`.
   void markSaved(const QString& path);
-  /// Whether each edit is saved as it happens, so that none is ever unsaved.
-  void setAlwaysSaved(bool isAlwaysSaved);
+  /// Why nothing may be edited, for people; empty: it may.
+  void setReadOnly(const QString& why);
+  [[nodiscard]] bool isReadOnly() const { return !readOnly_.isEmpty(); }
+  /// @throws Error why nothing may be edited
+  void requireEditable() const;
+
+  /// As it happens: no edit is ever unsaved. Failing: it should be so, but the last could not be.
+  enum class Saving : std::uint8_t { byHand, asItHappens, failing };
+  void setSaving(Saving saving);
   void setAuthor(const QString& author) { author_ = author; } // of the edits to come
   /// A new, empty document.
   void clear();
@@ -96,6 +106,7 @@ signals:
   void scanChanged();
   void contractedChanged();
   void unitChanged();
+  void readOnlyChanged();
   void titleChanged(); // file, scan or modified
 
 private:
@@ -119,8 +130,9 @@ private:
   QString filePath_;
   QString scanPath_;
   QString author_;
+  QString readOnly_;            // why
   std::uint64_t revisions_ = 0; // handed out
-  bool isAlwaysSaved_ = false;
+  Saving saving_ = Saving::byHand;
   bool isCanceling_ = false; // the step undone now is to be forgotten
   bool isRestoring_ = false; // steps of a file become commands: nothing is done to the skeleton
 };

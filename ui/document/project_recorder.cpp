@@ -9,23 +9,6 @@
 #include <utility>
 
 namespace espalier {
-namespace {
-
-void writeContracted(Project& project, const PlantDocument& document) {
-  const auto step = document.contractedStep();
-  project.setDocument("contracted_step", step ? std::to_string(*step) : std::string());
-  project.setBytes("contracted",
-                   document.contracted() ? bytesOf(*document.contracted()) : std::string());
-}
-
-void writeRest(Project& project, const PlantDocument& document) {
-  project.setDocument("unit", symbol(document.unit()).toStdString());
-  const auto& frame = document.structure().frame;
-  project.setDocument("mtg", frame ? frame->text : std::string());
-  if (document.contracted()) writeContracted(project, document);
-}
-
-} // namespace
 
 ProjectRecorder::ProjectRecorder(PlantDocument& document, QObject* parent)
     : QObject(parent), document_(document) {
@@ -34,12 +17,26 @@ ProjectRecorder::ProjectRecorder(PlantDocument& document, QObject* parent)
     hasNewContracted_ = project_ != nullptr;
     if (hasNewContracted_) pause_.start();
   });
-  connect(&document, &PlantDocument::unitChanged, this, [this] {
-    if (project_) pause_.start();
+  keep("unit", [&document] { return symbol(document.unit()).toStdString(); });
+  keep("contracted_step", [&document] {
+    const auto step = document.contractedStep();
+    return step ? std::to_string(*step) : std::string();
   });
+  connect(&document, &PlantDocument::unitChanged, this, &ProjectRecorder::noteChange);
   pause_.setSingleShot(true);
   pause_.setInterval(300); // [ms] without an edit: nobody notices a write now
   connect(&pause_, &QTimer::timeout, this, &ProjectRecorder::flush);
+  piece_.setSingleShot(true);
+  piece_.setInterval(30); // [ms], so that what the user does comes first
+  connect(&piece_, &QTimer::timeout, this, &ProjectRecorder::goOn);
+}
+
+void ProjectRecorder::keep(const std::string& name, std::function<std::string()> text) {
+  texts_[name] = std::move(text);
+}
+
+void ProjectRecorder::noteChange() {
+  if (project_) pause_.start();
 }
 
 void ProjectRecorder::start(std::unique_ptr<Project> project) {
@@ -48,10 +45,34 @@ void ProjectRecorder::start(std::unique_ptr<Project> project) {
   savedPosition_ = document_.undoStack().index();
   isBehind_ = false;
   hasNewContracted_ = false;
+  for (const auto& [name, textOf] : texts_) // what could not be read stays until it is changed
+    savedTexts_[name] = project_->document(name).empty() ? std::string() : textOf();
+}
+
+void ProjectRecorder::writeRest() {
+  hasNewContracted_ = document_.contracted() != nullptr;
+  pause_.start();
+}
+
+void ProjectRecorder::writeLater(const std::string& name, std::function<std::string()> bytes) {
+  std::erase_if(later_, [&](const Later& later) { return later.name == name; });
+  later_.push_back({name, std::move(bytes)});
+  piece_.start();
 }
 
 std::unique_ptr<Project> ProjectRecorder::stop() {
   if (project_) flush();
+  if (!isBehind_) {
+    try {
+      while (project_ && (writer_ || !later_.empty()))
+        writePiece();
+    } catch (const Error& error) {
+      emit failed(QString::fromUtf8(error.what()));
+    }
+  }
+  writer_.reset();
+  later_.clear();
+  piece_.stop();
   pause_.stop();
   isBehind_ = false;
   return std::move(project_);
@@ -62,8 +83,11 @@ void ProjectRecorder::flush() {
   save(revisionsNow());
   if (isBehind_) return;
   try { // as in save()
-    project_->setDocument("unit", symbol(document_.unit()).toStdString());
-    if (std::exchange(hasNewContracted_, false)) writeContracted(*project_, document_);
+    saveTexts();
+    if (std::exchange(hasNewContracted_, false))
+      writeLater("contracted", [points = document_.contracted()] {
+        return points ? bytesOf(*points) : std::string();
+      });
     if (project_->needsSnapshot()) project_->takeSnapshot(document_.skeleton());
   } catch (const Error& error) {
     emit failed(QString::fromUtf8(error.what()));
@@ -101,16 +125,53 @@ void ProjectRecorder::save(const std::vector<std::uint64_t>& revisions) {
     project_->record(kept, added, static_cast<std::size_t>(position));
     saved_ = revisions;
     savedPosition_ = position;
-    isBehind_ = false;
+    setBehind(false);
   } catch (const Error& error) {
-    if (!std::exchange(isBehind_, true)) emit failed(QString::fromUtf8(error.what()));
+    if (!isBehind_) emit failed(QString::fromUtf8(error.what()));
+    setBehind(true);
+  }
+}
+
+void ProjectRecorder::setBehind(bool isBehind) {
+  if (std::exchange(isBehind_, isBehind) != isBehind) emit behindChanged();
+}
+
+void ProjectRecorder::writePiece() {
+  if (!writer_) {
+    writer_.emplace(later_.front().name, later_.front().bytes());
+    later_.pop_front();
+    return;
+  }
+  if (!writer_->isDone()) writer_->writeNext(*project_);
+  if (writer_->isDone()) writer_.reset();
+}
+
+void ProjectRecorder::goOn() {
+  if (!project_ || (!writer_ && later_.empty())) return;
+  try {
+    if (!pause_.isActive() && !isBehind_) writePiece();
+    piece_.start();
+  } catch (const Error& error) { // told once: they can be made again
+    writer_.reset();
+    later_.clear();
+    emit failed(QString::fromUtf8(error.what()));
+  }
+}
+
+void ProjectRecorder::saveTexts() {
+  for (const auto& [name, textOf] : texts_) {
+    const std::string text = textOf();
+    if (text == savedTexts_[name]) continue;
+    project_->setDocument(name, text);
+    savedTexts_[name] = text;
   }
 }
 
 std::unique_ptr<Project> makeProject(const PlantDocument& document,
                                      const std::filesystem::path& path) {
   auto project = std::make_unique<Project>(Project::create(path, document.history()));
-  writeRest(*project, document);
+  const auto& frame = document.structure().frame;
+  if (frame) project->setDocument("mtg", frame->text);
   return project;
 }
 

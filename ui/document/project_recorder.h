@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/project/piece_writer.h"
 #include "core/project/project.h"
 
 #include <QObject>
@@ -7,7 +8,12 @@
 #include <QTimer>
 
 #include <cstdint>
+#include <deque>
+#include <functional>
+#include <map>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace espalier {
@@ -25,36 +31,61 @@ class ProjectRecorder : public QObject {
 public:
   explicit ProjectRecorder(PlantDocument& document, QObject* parent = nullptr);
 
-  /// Keeps `project` up to date from here on. pre: its history is that of the document now
+  /// A text that projects keep beside the plant, under this name; empty: nothing to keep. It is
+  /// asked for when there is a pause.
+  void keep(const std::string& name, std::function<std::string()> text);
+  /// A text may have changed.
+  void noteChange();
+
+  /// Keeps `project` up to date from here on. pre: its history and texts are those now
   void start(std::unique_ptr<Project> project);
+  /// Nothing but the history is in the project yet: the rest follows when there is a pause.
+  void writeRest();
+  /// Bytes that are written in pieces, whenever there is a pause.
+  void writeLater(const std::string& name, std::function<std::string()> bytes);
   /// Writes what waits, and lets go of the project.
   std::unique_ptr<Project> stop();
 
   [[nodiscard]] Project* project() const { return project_.get(); } // null: none
   [[nodiscard]] bool isBehind() const { return isBehind_; }         // the last try to write failed
 
-  /// Writes what waits: the end of a drag, contracted points, a snapshot.
+  /// Writes what waits: the end of a drag, texts, a snapshot. Contracted points, which are many,
+  /// follow in pieces.
   void flush();
 
 signals:
   void failed(const QString& message);
+  void behindChanged();
 
 private:
   void follow();
   [[nodiscard]] std::vector<std::uint64_t> revisionsNow() const;
+  void setBehind(bool isBehind);
   void save(const std::vector<std::uint64_t>& revisions);
+  void saveTexts();
+  void writePiece(); // throws
+  void goOn();
 
   PlantDocument& document_;
   std::unique_ptr<Project> project_;
   std::vector<std::uint64_t> saved_; // revisions of the steps in the project
   int savedPosition_ = 0;
+  std::map<std::string, std::function<std::string()>> texts_; // by name
+  std::map<std::string, std::string> savedTexts_;             // likewise: those in the project
   bool isBehind_ = false;
   bool hasNewContracted_ = false;
+  struct Later {
+    std::string name;
+    std::function<std::string()> bytes;
+  };
+  std::deque<Later> later_;
+  std::optional<PieceWriter> writer_; // of what is being written in pieces
   QTimer pause_;
+  QTimer piece_;
 };
 
-/// A project of the document as it is now, in place of any file of this name. What is no edit, as
-/// the reference to the scan, is for the caller to add.
+/// A project of the history and MTG of a document as it is now, in place of any file of this name.
+/// See ProjectRecorder::writeRest(); the reference to the scan is for the caller to add.
 /// @throws Error as Project::create
 [[nodiscard]] std::unique_ptr<Project> makeProject(const PlantDocument& document,
                                                    const std::filesystem::path& path);

@@ -26,6 +26,7 @@ PipelinePanel::PipelinePanel(PlantDocument& document, QWidget* parent)
     steps_.back()->setOpen(step.name == "contract");
     list->addWidget(steps_.back());
     connect(steps_.back(), &StepForm::changed, this, &PipelinePanel::showIdle);
+    connect(steps_.back(), &StepForm::changed, this, &PipelinePanel::changed);
   }
   list->addStretch(1);
   auto* scroll = new QScrollArea(this);
@@ -58,6 +59,12 @@ PipelineOptions PipelinePanel::options() const {
   return options;
 }
 
+void PipelinePanel::setOptions(const PipelineOptions& options) {
+  for (StepForm* step : steps_)
+    step->choose(options);
+  showIdle();
+}
+
 void PipelinePanel::showRunning(const QString& stage) {
   bool isBefore = true;
   for (StepForm* step : steps_) {
@@ -85,10 +92,10 @@ void PipelinePanel::setRunnable(bool isRunnable) {
 
 void PipelinePanel::refreshScale() {
   const Scan* scan = document_.scan();
-  const PlantScale scale = scan ? PlantScale{.spacing = scan->spacing(), .height = scan->height()}
-                                : PlantScale{.spacing = 1, .height = 100};
-  for (StepForm* step : steps_)
-    step->setScale(scale, symbol(document_.unit()));
+  if (scan != nullptr) // else nothing tells what the options of a plant may be
+    for (StepForm* step : steps_)
+      step->setScale({.spacing = scan->spacing(), .height = scan->height()},
+                     symbol(document_.unit()));
   setRunnable(scan != nullptr);
   showIdle();
 }

@@ -21,6 +21,8 @@ public:
   explicit PipelinePanel(PlantDocument& document, QWidget* parent = nullptr);
 
   [[nodiscard]] PipelineOptions options() const;
+  /// Shows these choices; all else follows the rules. What no step has is passed over.
+  void setOptions(const PipelineOptions& options);
   [[nodiscard]] const std::vector<StepForm*>& steps() const { return steps_; }
 
   /// Marks the step of this label as running, and those before it as done.
@@ -30,6 +32,7 @@ public:
   void setRunnable(bool isRunnable);
 
 signals:
+  void changed(); // an option, by hand
   void reconstructRequested();
 
 private:

@@ -5,9 +5,12 @@
 #include <QComboBox>
 #include <QGridLayout>
 #include <QLabel>
+#include <QSignalBlocker>
 #include <QStyle>
 #include <QToolButton>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace espalier {
 
@@ -76,6 +79,23 @@ void StepForm::addTo(PipelineOptions& options) const {
   for (std::size_t i = 0; i < fields_.size(); ++i)
     if (fields_[i]->chosen())
       options.settings[step_.name][method.options[i].name] = *fields_[i]->chosen();
+}
+
+void StepForm::choose(const PipelineOptions& options) {
+  const auto method = options.methods.find(step_.name);
+  const int index = method == options.methods.end()
+                        ? 0
+                        : method_->findData(QString::fromStdString(method->second));
+  method_->setCurrentIndex(std::max(index, 0));
+  showMethod();
+  const auto settings = options.settings.find(step_.name);
+  if (settings == options.settings.end()) return;
+  const QSignalBlocker quiet(this);
+  const auto& described = step_.methods[static_cast<std::size_t>(method_->currentIndex())].options;
+  for (std::size_t i = 0; i < fields_.size(); ++i)
+    if (const auto value = settings->second.find(described[i].name);
+        value != settings->second.end())
+      fields_[i]->choose(value->second);
 }
 
 void StepForm::showMethod() {

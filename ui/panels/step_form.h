@@ -32,6 +32,8 @@ public:
 
   /// Adds what the user has chosen here to `options`.
   void addTo(PipelineOptions& options) const;
+  /// Shows what `options` say of this step; the rest is as the rules say. Tells nobody.
+  void choose(const PipelineOptions& options);
 
 signals:
   void changed();

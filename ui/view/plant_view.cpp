@@ -219,6 +219,15 @@ void PlantView::setPivot(const Eigen::Vector3d& place) {
   parts_->moveTo(camera, isVisible());
 }
 
+const Camera& PlantView::camera() const {
+  return parts_->navigator.destination();
+}
+
+void PlantView::setCamera(const Camera& camera) {
+  parts_->navigator.set(camera);
+  parts_->wasFramed = true;
+}
+
 bool PlantView::isStill() const {
   return parts_->complete && !parts_->moving && !parts_->navigator.isFlying();
 }

@@ -56,6 +56,8 @@ public:
   void frame(const Eigen::AlignedBox3d& box); // [L], frame of the file
   void look(StandardView view);
   void setPivot(const Eigen::Vector3d& place); // [L], what the camera turns around
+  [[nodiscard]] const Camera& camera() const;  // where it is, or will be once it has arrived
+  void setCamera(const Camera& camera);        // at once
 
   /// Is the view at rest: nothing moves, and all points are drawn? (Never, before it is shown.)
   [[nodiscard]] bool isStill() const;

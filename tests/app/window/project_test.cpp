@@ -1,13 +1,18 @@
 #include "app/window/action_set.h"
 #include "app/window/load_files.h"
 #include "app/window/sessions.h"
+#include "app/window/view_text.h"
+#include "core/base/error.h"
 #include "core/project/project.h"
 #include "tests/app/window/window_fixture.h"
 #include "tests/support/plants.h"
 #include "ui/panels/message_banner.h"
+#include "ui/panels/pipeline_panel.h"
 
 #include <QAction>
+#include <QComboBox>
 #include <QDir>
+#include <QDoubleSpinBox>
 #include <QFile>
 #include <QPushButton>
 #include <QTest>
@@ -34,6 +39,9 @@ struct ProjectWindowTest : test::WindowTest {
   }
   [[nodiscard]] QStringList sessionFiles() const {
     return QDir(path("sessions")).entryList({"*.espalier"}, QDir::Files);
+  }
+  [[nodiscard]] PipelineOptions options() {
+    return window().findChild<PipelinePanel*>()->options();
   }
   [[nodiscard]] QString message() { return window().banner().text(); }
 };
@@ -99,6 +107,28 @@ TEST_F(ProjectWindowTest, KeepsWorkWithoutANameAndOffersItAtTheNextStart) {
   EXPECT_TRUE(document().undoStack().canUndo());
 }
 
+TEST_F(ProjectWindowTest, HasASessionReadyBeforeTheFirstEdit) {
+  open({writeScan("puu1.xyz")});
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !sessionFiles().isEmpty(); }, 60'000));
+  const QString file = path("sessions/" + sessionFiles().front());
+  document().edit("Add", [](SkeletonEditor& editor) { editor.add({.radius = 0.5}); });
+  EXPECT_EQ(sessionFiles().size(), 1);
+  EXPECT_EQ(onDisk(file), document().history());
+}
+
+TEST_F(ProjectWindowTest, LeavesNoSessionBehindOfAPlantThatWasOnlyLookedAt) {
+  open({writeScan("puu1.xyz")});
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !sessionFiles().isEmpty(); }, 60'000));
+  const QString file = path("sessions/" + sessionFiles().front());
+  QFile::copy(file, path("killed.espalier"));
+  window().close();
+  EXPECT_TRUE(sessionFiles().isEmpty());
+  QFile::copy(path("killed.espalier"), file); // as if the window had been killed
+  restart();
+  EXPECT_TRUE(sessionFiles().isEmpty());
+  EXPECT_FALSE(window().banner().isVisible());
+}
+
 TEST_F(ProjectWindowTest, ForgetsASessionThatIsDiscarded) {
   open({writeScan("puu1.xyz")});
   document().edit("Add", [](SkeletonEditor& editor) { editor.add({}); });
@@ -156,6 +186,30 @@ TEST_F(ProjectWindowTest, TellsThatAnotherWindowHasTheProjectAndOpensACopy) {
   EXPECT_EQ(second.document().skeleton(), document().skeleton());
   second.document().edit("Radius", [](SkeletonEditor& editor) { editor.setRadius(forkTop, 9); });
   EXPECT_EQ(onDisk(file), document().history()) << "a copy does not touch it";
+}
+
+TEST_F(ProjectWindowTest, OpensAProjectOfAnotherWindowReadOnly) {
+  open({writeFork("fork.mtg")});
+  const QString file = saveProject("plant.espalier");
+  setRadius(0.4);
+  QSettings settings(path("other.ini"), QSettings::IniFormat);
+  settings.setValue("sessions_folder", path("other_sessions"));
+  MainWindow second(settings);
+  second.open({file});
+  second.findChild<QPushButton*>("banner_other_action")->click();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !second.jobs().isRunning(); }, 60'000));
+  EXPECT_EQ(second.document().skeleton(), document().skeleton());
+  EXPECT_TRUE(second.windowTitle().startsWith("plant.espalier (read-only)"));
+  EXPECT_THROW(second.document().edit("Radius",
+                                      [](SkeletonEditor& editor) { editor.setRadius(forkTop, 9); }),
+               Error);
+  second.actionSet()["undo"]->trigger();
+  EXPECT_TRUE(second.banner().text().contains("is open read-only: save it as another project"));
+  EXPECT_EQ(second.document().skeleton(), document().skeleton());
+  EXPECT_FALSE(second.actionSet()["remove"]->isEnabled());
+  setRadius(0.5);
+  EXPECT_EQ(onDisk(file), document().history()) << "the other window works on";
+  EXPECT_TRUE(second.close()) << "without a question";
 }
 
 TEST_F(ProjectWindowTest, FindsAScanThatMovedWithTheProject) {
@@ -228,6 +282,20 @@ TEST_F(ProjectWindowTest, TakesItsOwnNameAgainWhenItsFileIsRemoved) {
   EXPECT_EQ(onDisk(file), document().history());
 }
 
+TEST_F(ProjectWindowTest, MarksTheTitleWhileAProjectCannotBeWritten) {
+  open({writeFork("fork.mtg")});
+  const QString file = saveProject("plant.espalier");
+  QFile::rename(file, file + ".away");
+  setRadius(0.6);
+  EXPECT_TRUE(window().isWindowModified());
+  document().undoStack().undo();
+  EXPECT_TRUE(window().isWindowModified()) << "the file may hold another state";
+  QFile::rename(file + ".away", file);
+  document().undoStack().redo();
+  EXPECT_FALSE(window().isWindowModified());
+  EXPECT_EQ(onDisk(file), document().history());
+}
+
 TEST_F(ProjectWindowTest, AsksOnClosingWhenAProjectCannotBeWritten) {
   open({writeFork("fork.mtg")});
   QFile::remove(saveProject("plant.espalier"));
@@ -285,6 +353,200 @@ TEST_F(ProjectWindowTest, ShowsNoContractedPointsOfAReconstructionThatIsUndone) 
   EXPECT_EQ(document().contracted(), nullptr);
   key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
   EXPECT_NE(document().contracted(), nullptr);
+}
+
+TEST_F(ProjectWindowTest, OffersNoSessionOfWorkThatGotAName) {
+  open({writeScan("plant.xyz")});
+  key(Qt::Key_R, Qt::ControlModifier);
+  waitForJob();
+  ASSERT_EQ(sessionFiles().size(), 1);
+  (void)saveProject("plant.espalier");
+  EXPECT_TRUE(sessionFiles().isEmpty());
+}
+
+TEST_F(ProjectWindowTest, KeepsTheOptionsOfThePipeline) {
+  open({writeScan("plant.xyz"), writeFork("fork.mtg")});
+  const QString file = saveProject("plant.espalier");
+  auto& radius = *find<QWidget>("step_contract").findChild<QDoubleSpinBox*>("radius");
+  radius.setValue(1.5 * radius.value());
+  auto& method = *find<QWidget>("step_clean").findChild<QComboBox*>();
+  method.setCurrentIndex(1);
+  emit method.activated(1);
+  const PipelineOptions chosen = options();
+  EXPECT_EQ(chosen.methods.size(), 1U);
+  EXPECT_EQ(chosen.settings.at("contract").size(), 1U);
+  window().close();
+  restart();
+  EXPECT_EQ(options(), PipelineOptions()) << "each plant begins with the rules";
+  open({file});
+  EXPECT_EQ(options(), chosen);
+  EXPECT_EQ(find<QWidget>("step_contract").findChild<QDoubleSpinBox*>("radius")->value(),
+            chosen.settings.at("contract").at("radius"))
+      << "the form shows it";
+  open({writeScan("other.xyz")});
+  EXPECT_EQ(options(), PipelineOptions()) << "another plant";
+}
+
+TEST_F(ProjectWindowTest, KeepsOptionsWhileTheScanIsMissing) {
+  open({writeScan("plant.xyz"), writeFork("fork.mtg")});
+  const QString file = saveProject("plant.espalier");
+  auto& radius = *find<QWidget>("step_contract").findChild<QDoubleSpinBox*>("radius");
+  radius.setValue(1.5 * radius.value());
+  const PipelineOptions chosen = options();
+  window().close();
+  QFile::rename(path("plant.xyz"), path("hidden"));
+  ASSERT_TRUE(QFile::resize(path("hidden"), 10));
+  restart();
+  open({file});
+  document().setUnit(LengthUnit::millimeter);
+  EXPECT_EQ(options(), chosen) << "not pressed into the range of no plant";
+}
+
+TEST_F(ProjectWindowTest, OpensAPlantWhoseOptionsAreOfAnotherProgram) {
+  open({writeScan("plant.xyz"), writeFork("fork.mtg")});
+  const QString file = saveProject("plant.espalier");
+  window().close();
+  Project::open(toPath(file), Access::readWrite)
+      .setDocument("pipeline", R"({"contract": {"magic": 1}})");
+  restart();
+  open({file});
+  EXPECT_EQ(document().skeleton().size(), 5U);
+  EXPECT_TRUE(window().banner().isError());
+  EXPECT_EQ(options(), PipelineOptions());
+  setRadius(0.4);
+  window().close();
+  EXPECT_TRUE(Project::open(toPath(file), Access::readOnly).document("pipeline").find("magic") !=
+              std::string::npos)
+      << "for that program";
+}
+
+TEST_F(ProjectWindowTest, KeepsTheViewAndOpensItWithoutAJump) {
+  open({writeScan("plant.xyz"), writeFork("fork.mtg")});
+  const QString file = saveProject("plant.espalier");
+  action("view_top").trigger();
+  action("parallel").trigger();
+  action("layer_points").setChecked(false);
+  action("point_size_4").trigger();
+  action("color_uniform").trigger();
+  waitForView();
+  view().setPivot({0.2, 0.1, 0.5});
+  waitForView();
+  const Camera camera = view().camera();
+  window().close();
+  restart();
+  action("layer_points").setChecked(true);
+  action("perspective").trigger();
+  action("point_size_1").trigger();
+  action("color_height").trigger();
+  window().open({file});
+  waitForJob();
+  EXPECT_EQ(view().camera(), camera);
+  waitForView();
+  EXPECT_EQ(view().camera(), camera);
+  EXPECT_FALSE(action("layer_points").isChecked());
+  EXPECT_TRUE(action("parallel").isChecked());
+  EXPECT_TRUE(action("point_size_4").isChecked());
+  EXPECT_TRUE(action("color_uniform").isChecked());
+  open({writeScan("other.xyz")});
+  EXPECT_TRUE(action("layer_points").isChecked()) << "another plant is shown as plants were";
+  EXPECT_TRUE(action("point_size_1").isChecked());
+  EXPECT_EQ(view().camera().projection, Projection::perspective);
+}
+
+TEST_F(ProjectWindowTest, ShowsAllOfAPlantWhoseViewCannotBeRead) {
+  open({writeScan("plant.xyz"), writeFork("fork.mtg")});
+  const Camera whole = view().camera();
+  const QString file = saveProject("plant.espalier");
+  window().close();
+  Project::open(toPath(file), Access::readWrite)
+      .setDocument("view", R"({"camera": {"focus": [0, 0, 1e999], "distance": -1}})");
+  restart();
+  open({file});
+  EXPECT_TRUE(window().banner().isError());
+  EXPECT_NEAR(view().camera().distance, whole.distance, 1e-9);
+}
+
+TEST(ViewText, BringsAViewBack) {
+  const ViewText view{.camera = {.focus = {1.0 / 3, 648'250.001, -2},
+                                 .pivot = {0, 1, 2},
+                                 .distance = 0.1,
+                                 .yaw = -0.3,
+                                 .pitch = 1.2,
+                                 .projection = Projection::parallel},
+                      .layers = {{"layer_points", false}},
+                      .choices = {{"color", "color_rgb"}, {"point_size", "point_size_3"}}};
+  const ViewText back = viewFrom(textOf(view));
+  EXPECT_EQ(back.camera, view.camera) << "to the last bit";
+  EXPECT_EQ(back.layers, view.layers);
+  EXPECT_EQ(back.choices, view.choices);
+}
+
+TEST(ViewText, RefusesACameraThatCannotBe) {
+  for (const char* camera :
+       {"", R"("distance": 0)", R"("distance": "far")", R"("focus": [1, 2])", R"("pitch": 2)"}) {
+    std::string text = textOf({.camera = {.distance = 2}});
+    if (*camera == 0)
+      text = "{}";
+    else // of two equal names the last counts
+      text.insert(text.find('}'), std::string(",") + camera);
+    EXPECT_THROW((void)viewFrom(text), Error) << text;
+  }
+}
+
+TEST_F(ProjectWindowTest, KeepsTheScanInTheProject) {
+  open({writeScan("plant.xyz"), writeFork("fork.mtg")});
+  EXPECT_FALSE(action("keep_scan").isEnabled()) << "there is no project yet";
+  const QString file = saveProject("plant.espalier");
+  const Eigen::Matrix3Xf points = document().scan()->cloud()->positions();
+  action("keep_scan").trigger();
+  EXPECT_FALSE(action("keep_scan").isChecked()) << "not before it is there";
+  waitForJob();
+  EXPECT_TRUE(action("keep_scan").isChecked());
+  EXPECT_EQ(message(), "plant.espalier holds the scan now");
+  window().close();
+  QFile::remove(path("plant.xyz"));
+  restart();
+  open({file});
+  ASSERT_NE(document().scan(), nullptr);
+  EXPECT_EQ(document().scan()->cloud()->positions(), points);
+  EXPECT_FALSE(window().banner().isError());
+  EXPECT_TRUE(action("keep_scan").isChecked());
+  action("keep_scan").trigger();
+  waitForJob();
+  EXPECT_TRUE(message().contains("only copy")) << message().toStdString();
+  EXPECT_TRUE(action("keep_scan").isChecked());
+}
+
+TEST_F(ProjectWindowTest, TakesTheScanOutOfTheProjectWhileItsFileIsThere) {
+  open({writeScan("plant.xyz"), writeFork("fork.mtg")});
+  const QString file = saveProject("plant.espalier");
+  action("keep_scan").trigger();
+  waitForJob();
+  action("keep_scan").trigger();
+  waitForJob();
+  EXPECT_FALSE(action("keep_scan").isChecked());
+  window().close();
+  EXPECT_FALSE(Project::open(toPath(file), Access::readOnly).hasBytes("cloud"));
+}
+
+TEST_F(ProjectWindowTest, LeavesTheProjectAsItWasWhenKeepingTheScanIsCanceled) {
+  open({writeScan("plant.xyz"), writeFork("fork.mtg")});
+  const QString file = saveProject("plant.espalier");
+  action("keep_scan").trigger();
+  window().jobs().cancel();
+  waitForJob();
+  EXPECT_FALSE(action("keep_scan").isChecked());
+  EXPECT_FALSE(Project::open(toPath(file), Access::readOnly).hasBytes("cloud"));
+}
+
+TEST_F(ProjectWindowTest, KeepsTheScanInAProjectSavedUnderAnotherName) {
+  open({writeScan("plant.xyz"), writeFork("fork.mtg")});
+  saveProject("plant.espalier");
+  action("keep_scan").trigger();
+  waitForJob();
+  const QString other = saveProject("other.espalier");
+  window().close();
+  EXPECT_TRUE(Project::open(toPath(other), Access::readOnly).hasBytes("cloud"));
 }
 
 TEST_F(ProjectWindowTest, CompactsAProject) {

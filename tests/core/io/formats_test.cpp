@@ -1,5 +1,7 @@
 #include "core/io/atomic_file.h"
 #include "core/io/formats.h"
+#include "core/mtg/mtg_reader.h"
+#include "core/mtg/mtg_skeleton.h"
 #include "core/skeleton/assemble_axes.h"
 #include "tests/core/io/bgeom_writer.h"
 #include "tests/core/io/mat_writer.h"
@@ -14,6 +16,7 @@
 #include <gmock/gmock.h>
 #include <iterator>
 #include <limits>
+#include <sstream>
 #include <unistd.h>
 
 namespace espalier {
@@ -254,6 +257,26 @@ TEST(FormatToWrite, NamesTheExtensionsThereAre) {
                          "of MTG (.mtg), node list (.txt), SWC (.swc)"));
   EXPECT_THAT(test::errorOf([] { return formatToWrite("oak.las", Content::points).name; }),
               HasSubstr("PLY (.ply), XYZ ("));
+}
+
+// The branch comes before the successor: lines of MTG text have them the other way round.
+TEST(ReadStructure, GivesAnMtgThatCameWithoutATextOneThatKeepsItsIds) {
+  const std::filesystem::path file = test::freshFolder() / "plant.opf";
+  Skeleton plant;
+  const NodeId foot = plant.add({});
+  const NodeId branch =
+      plant.add({.position = {1, 0, 1}, .parent = foot, .edge = EdgeType::branching});
+  plant.add({.position = {2, 0, 1}, .parent = branch});
+  plant.add({.position = {0, 0, 1}, .parent = foot});
+  plant.add({.position = {3, 0, 1}, .parent = branch, .edge = EdgeType::branching});
+  writeStructure(file, plant);
+  const Structure opened = readStructure(file).value;
+  ASSERT_NE(opened.frame, nullptr);
+  std::istringstream text(opened.frame->text);
+  const Mtg again = readMtg(text, "again").value;
+  EXPECT_EQ(again, opened.frame->mtg);
+  EXPECT_EQ(skeletonOf(again, "again").value, opened.skeleton) << "ids are the same";
+  EXPECT_EQ(opened.skeleton.size(), plant.size());
 }
 
 } // namespace

@@ -1,3 +1,4 @@
+#include "core/project/piece_writer.h"
 #include "core/project/project.h"
 #include "core/project/project_schema.h"
 #include "tests/core/io/samples.h"
@@ -8,7 +9,9 @@
 #include <csignal>
 #include <fstream>
 #include <gmock/gmock.h>
+#include <stop_token>
 #include <sys/resource.h>
+#include <thread>
 
 namespace espalier {
 namespace {
@@ -103,6 +106,56 @@ TEST(Project, KeepsDocumentsBytesAndTheirAbsence) {
   EXPECT_EQ(project.document("options"), "");
   EXPECT_TRUE(project.bytes("contracted") == many);
   EXPECT_EQ(project.bytes("states"), "");
+}
+
+TEST(Project, HasBytesOnceTheirLastPieceIsWritten) {
+  const fs::path file = test::freshFolder() / "oak.espalier";
+  Project project = Project::create(file, {});
+  project.setBytes("cloud", "an old one, which is longer");
+  PieceWriter writer("cloud", "abcdefgh", 3);
+  EXPECT_EQ(writer.fraction(), 0);
+  writer.writeNext(project);
+  writer.writeNext(project);
+  EXPECT_EQ(project.bytes("cloud"), "");
+  EXPECT_FALSE(project.hasBytes("cloud"));
+  EXPECT_FALSE(writer.isDone());
+  writer.writeNext(project);
+  EXPECT_TRUE(writer.isDone());
+  EXPECT_EQ(writer.fraction(), 1);
+  EXPECT_EQ(project.bytes("cloud"), "abcdefgh");
+  EXPECT_TRUE(project.hasBytes("cloud"));
+  PieceWriter none("cloud", "");
+  none.writeNext(project);
+  EXPECT_TRUE(none.isDone());
+  EXPECT_FALSE(project.hasBytes("cloud"));
+}
+
+TEST(Project, HasNoBytesOfAWriteThatWasCanceled) {
+  Project project = Project::create(test::freshFolder() / "oak.espalier", {});
+  std::stop_source stop;
+  const Progress progress(stop.get_token(), [&](double fraction, std::string_view) {
+    if (fraction >= 0.5) stop.request_stop();
+  });
+  const std::string many(4 * PieceWriter::standardSize, 'p');
+  EXPECT_THROW(writeBytes(project, "cloud", many, progress), Cancelled);
+  EXPECT_FALSE(project.hasBytes("cloud"));
+  writeBytes(project, "cloud", many, {});
+  EXPECT_TRUE(project.bytes("cloud") == many);
+}
+
+TEST(Project, IsWrittenFromTwoThreadsWithoutLosingAnything) {
+  const fs::path file = test::freshFolder() / "oak.espalier";
+  {
+    Project project = Project::create(file, {});
+    Project worker = project.another();
+    std::jthread thread([&] { writeBytes(worker, "cloud", std::string(8 << 20, 'p'), {}); });
+    for (int i = 0; i < 50; ++i)
+      project.setDocument("count", std::to_string(i));
+  }
+  EXPECT_FALSE(ProjectLock::holder(file));
+  const Project project = Project::open(file, Access::readOnly);
+  EXPECT_EQ(project.bytes("cloud").size(), std::size_t{8} << 20);
+  EXPECT_EQ(project.document("count"), "49");
 }
 
 TEST(Project, FindsItsScanWhereverItWent) {

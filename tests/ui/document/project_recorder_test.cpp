@@ -123,10 +123,11 @@ TEST_F(ProjectRecorderTest, KeepsTheContractedPointsOfTheReconstructionThatIsDon
     return std::make_shared<const Eigen::Matrix3Xf>(Eigen::Matrix3Xf::Ones(3, count));
   };
   const auto stored = [this] {
-    recorder.flush();
-    const Project project = Project::open(file, Access::readOnly);
-    return std::pair(project.bytes("contracted").size() / (3 * sizeof(float)),
-                     project.document("contracted_step"));
+    std::unique_ptr<Project> project = recorder.stop(); // once all is written
+    const std::pair result(project->bytes("contracted").size() / (3 * sizeof(float)),
+                           project->document("contracted_step"));
+    recorder.start(std::move(project));
+    return result;
   };
   document.reconstruct("Reconstruct", test::fork(2), points(4));
   EXPECT_EQ(stored(), std::pair(std::size_t{4}, std::string("0")));

@@ -1,0 +1,179 @@
+#include "app/window/action_set.h"
+#include "app/window/editing.h"
+#include "app/window/file_flow.h"
+#include "app/window/main_window.h"
+#include "app/window/project_flow.h"
+#include "app/window/recent_files.h"
+#include "app/window/reconstruct_flow.h"
+#include "app/window/unit_flow.h"
+#include "app/window/view_options.h"
+#include "core/pipeline/preset.h"
+#include "ui/panels/inspector_panel.h"
+#include "ui/panels/message_banner.h"
+#include "ui/panels/pipeline_panel.h"
+#include "ui/panels/start_page.h"
+#include "ui/panels/status_line.h"
+#include "ui/view/plant_view.h"
+
+#include <QAction>
+#include <QFileInfo>
+
+#include <sstream>
+
+namespace espalier {
+namespace {
+
+/// As a preset; empty: all is as the rules say.
+std::string textOf(const PipelineOptions& options) {
+  std::ostringstream text;
+  if (options != PipelineOptions()) writePreset(text, options);
+  return text.str();
+}
+
+PipelineOptions optionsFrom(const std::string& text) {
+  if (text.empty()) return {};
+  std::istringstream in(text);
+  PipelineOptions options = readPreset(in);
+  requireKnown(options);
+  return options;
+}
+
+} // namespace
+
+void MainWindow::connectJobs() {
+  connect(&jobs_, &JobRunner::started, this, [this] {
+    status_->showJob(jobs_.name());
+    units_->setEnabled(false);
+    editing_->setEnabled(false); // what a job will replace is not to be edited meanwhile
+    pipeline_->setRunnable(false);
+    (*actions_)["reconstruct"]->setEnabled(false);
+  });
+  connect(&jobs_, &JobRunner::progressed, this, [this](double fraction, const QString& stage) {
+    status_->showProgress(fraction, stage);
+    if (reconstruct_->isRunning()) pipeline_->showRunning(stage);
+  });
+  connect(&jobs_, &JobRunner::failed, this, [this](const QString& message) {
+    banner_->showError(message);
+    pipeline_->showIdle();
+  });
+  connect(&jobs_, &JobRunner::finished, this, [this] {
+    status_->hideJob();
+    editing_->setEnabled(true);
+    units_->setEnabled(true);
+    if (jobs_.isCanceled()) {
+      pipeline_->showIdle();
+      status_->showNote(tr("Canceled: nothing has changed"));
+    }
+    refreshEmptiness();
+  });
+  connect(status_, &StatusLine::cancelRequested, &jobs_, &JobRunner::cancel);
+  connect(reconstruct_.get(), &ReconstructFlow::done, this, [this](const QString& message) {
+    pipeline_->showDone();
+    banner_->showResult(message, tr("Undo"), [this] { editing_->undo(); });
+  });
+}
+
+void MainWindow::connectFiles() {
+  const auto showPlant = [this] {
+    banner_->hide();
+    const auto* scan = document_.scan();
+    options_->setAvailable(scan != nullptr && !scan->cloud()->intensities().empty(),
+                           scan != nullptr && !scan->cloud()->colors().empty());
+    refreshEmptiness();
+  };
+  connect(projects_.get(), &ProjectFlow::opened, this, showPlant);
+  connect(files_.get(), &FileFlow::opened, this, showPlant);
+  connect(files_.get(), &FileFlow::opened, view_, &PlantView::frameAll); // after it has its size
+  connect(projects_.get(), &ProjectFlow::scanFound, this, [this, showPlant] {
+    showPlant();
+    if (document_.skeleton().isEmpty()) view_->frameAll(); // there was nothing to look at
+  });
+  connect(files_.get(), &FileFlow::noted, this,
+          [this](const QString& message) { banner_->showResult(message); });
+  connect(files_.get(), &FileFlow::saved, this, [this](const QString& path) {
+    banner_->hide(); // of what kept it from being saved before
+    status_->showNote(tr("Saved %1").arg(QFileInfo(path).fileName()));
+  });
+}
+
+void MainWindow::connectProjects() {
+  const auto tell = [this](const ProjectFlow::Notice& notice) {
+    MessageBanner::Actions actions;
+    for (const ProjectFlow::Notice::Action& action : notice.actions)
+      actions.push_back({action.text, [this, act = action.act] {
+                           actions_->guarded(
+                               [&] {
+                                 act();
+                                 return true;
+                               },
+                               Refusal::inBanner);
+                         }});
+    if (notice.isError)
+      banner_->showError(notice.text, actions);
+    else if (actions.empty())
+      banner_->showResult(notice.text);
+    else
+      banner_->showOffer(notice.text, actions);
+  };
+  connect(projects_.get(), &ProjectFlow::told, this, tell);
+  connect(files_.get(), &FileFlow::told, this, tell);
+  projects_->keep(
+      {.name = "pipeline",
+       .text = [this] { return textOf(pipeline_->options()); },
+       .show = [this](const std::string& text) { pipeline_->setOptions(optionsFrom(text)); }});
+  projects_->keep({.name = "view",
+                   .text = [this] { return options_->text(); },
+                   .show = [this](const std::string& text) { options_->show(text); }});
+  connect(pipeline_, &PipelinePanel::changed, projects_.get(), &ProjectFlow::noteChange);
+  connect(projects_.get(), &ProjectFlow::chosen, this,
+          [this](const QString& path) { open({path}); });
+  connect(projects_.get(), &ProjectFlow::sessionsChanged, this, [this] {
+    QStringList texts;
+    QStringList paths;
+    for (const Session& session : projects_->sessions().waiting()) {
+      texts.append(describe(session, QDateTime::currentDateTime()));
+      paths.append(session.path);
+    }
+    start_->setSessions(texts, paths);
+  });
+}
+
+void MainWindow::connectDocument() {
+  for (auto signal : {&PlantDocument::titleChanged, &PlantDocument::scanChanged})
+    connect(&document_, signal, this, &MainWindow::refreshTitle);
+  for (auto signal :
+       {&PlantDocument::scanChanged, &PlantDocument::skeletonReplaced, &PlantDocument::unitChanged})
+    connect(&document_, signal, this, &MainWindow::refreshCounts);
+  connect(&document_, &PlantDocument::skeletonEdited, this, &MainWindow::refreshCounts);
+  connect(&document_.undoStack(), &QUndoStack::indexChanged, this, &MainWindow::tellStep);
+  connect(editing_.get(), &Editing::hintChanged, this, &MainWindow::refreshHint);
+  connect(units_.get(), &UnitFlow::marksChanged, this, [this] {
+    refreshCounts();
+    refreshHint();
+  });
+  connect(editing_.get(), &Editing::contextMenuRequested, this, &MainWindow::showContextMenu);
+  connect(actions_.get(), &ActionSet::refused, this, &MainWindow::showRefusal);
+  connect(start_, &StartPage::openRequested, (*actions_)["open"], &QAction::trigger);
+  connect(start_, &StartPage::fileChosen, this, [this](const QString& path) { open({path}); });
+  connect(recent_.get(), &RecentFiles::changed, this,
+          [this] { start_->setRecentFiles(recent_->paths()); });
+  connect(pipeline_, &PipelinePanel::reconstructRequested, (*actions_)["reconstruct"],
+          &QAction::trigger);
+  connect(inspector_, &InspectorPanel::radiusTyped, this, [this](double radius) {
+    actions_->guarded(
+        [&] {
+          setRadius(document_, document_.selection().nodes(), radius);
+          return true;
+        },
+        Refusal::inBanner);
+  });
+  connect(inspector_, &InspectorPanel::leaveRequested, view_, qOverload<>(&QWidget::setFocus));
+  connect(inspector_, &InspectorPanel::edgeChosen, this, [this](EdgeType type) {
+    (*actions_)[type == EdgeType::successor ? "make_axial" : "make_branching"]->trigger();
+  });
+  connect(inspector_, &InspectorPanel::nodeChosen, this,
+          [this](NodeId id) { document_.selection().set({id}); });
+  start_->setRecentFiles(recent_->paths());
+}
+
+} // namespace espalier

@@ -1,6 +1,7 @@
 #include "app/cli/statistics.h"
 
 #include "core/skeleton/axes.h"
+#include "core/skeleton/bounds.h"
 #include "core/skeleton/checks.h"
 
 #include <nlohmann/json.hpp>
@@ -50,13 +51,11 @@ Json statistics(const Skeleton& skeleton) {
   std::size_t successors = 0;
   std::size_t branchings = 0;
   double largestRadius = 0;
-  Eigen::AlignedBox3d bounds;
   for (const NodeId id : skeleton.ids()) {
     const Node& node = skeleton[id];
     if (skeleton.children(id).empty()) ++tips;
     if (node.parent) ++(node.edge == EdgeType::successor ? successors : branchings);
     largestRadius = std::max(largestRadius, node.radius);
-    bounds.extend(node.position);
   }
   const std::vector<int> order = orders(skeleton);
   std::vector<std::size_t> axesPerOrder;
@@ -80,7 +79,7 @@ Json statistics(const Skeleton& skeleton) {
           {"length", total},
           {"axes_per_order", axesPerOrder},
           {"largest_radius", largestRadius},
-          {"bounds", skeleton.isEmpty() ? Json(nullptr) : toJson(bounds)},
+          {"bounds", skeleton.isEmpty() ? Json(nullptr) : toJson(bounds(skeleton))},
           {"findings", std::move(findings)}};
 }
 

@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/io/dropped.h"
 #include "core/io/formats.h"
+#include "core/skeleton/bounds.h"
 #include "core/skeleton/edits.h"
 #include "ui/document/plant_document.h"
 #include "ui/jobs/job_runner.h"
@@ -71,10 +72,7 @@ bool isProjectName(const QString& path) {
 
 /// Longest side of the box around all nodes [L].
 double extentOf(const Skeleton& skeleton) {
-  Eigen::AlignedBox3d box;
-  for (const NodeId id : skeleton.ids())
-    box.extend(skeleton[id].position);
-  return skeleton.isEmpty() ? 0 : box.sizes().maxCoeff();
+  return skeleton.isEmpty() ? 0 : bounds(skeleton).sizes().maxCoeff();
 }
 
 QString proposedPath(const PlantDocument& document, const QString& folder) {

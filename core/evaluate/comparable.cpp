@@ -32,13 +32,6 @@ void requireComparable(const Skeleton& skeleton, std::string_view role) {
                        "another structure");
 }
 
-Eigen::AlignedBox3d bounds(const Skeleton& skeleton) {
-  Eigen::AlignedBox3d box;
-  for (const NodeId id : skeleton.ids())
-    box.extend(skeleton[id].position);
-  return box;
-}
-
 double totalLength(const Skeleton& skeleton) {
   double sum = 0;
   for (const double length : edgeLengths(skeleton))

@@ -2,8 +2,6 @@
 
 #include "core/skeleton/skeleton.h"
 
-#include <Eigen/Geometry>
-
 #include <string_view>
 
 namespace espalier {
@@ -14,8 +12,7 @@ namespace espalier {
 /// @throws Error that names what is missing, and the node where there is one
 void requireComparable(const Skeleton& skeleton, std::string_view role);
 
-[[nodiscard]] Eigen::AlignedBox3d bounds(const Skeleton& skeleton); // of all nodes [L]
-[[nodiscard]] double totalLength(const Skeleton& skeleton);         // of all edges [L]
+[[nodiscard]] double totalLength(const Skeleton& skeleton); // of all edges [L]
 
 /// Median length of the edges that have one [L]; 0 if none has.
 [[nodiscard]] double medianEdgeLength(const Skeleton& skeleton);

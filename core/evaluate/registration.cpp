@@ -6,6 +6,7 @@
 #include "core/evaluate/even_samples.h"
 #include "core/evaluate/segments.h"
 #include "core/evaluate/shift_votes.h"
+#include "core/skeleton/bounds.h"
 
 #include <Eigen/Cholesky>
 

@@ -3,8 +3,7 @@
 #include "core/evaluate/comparable.h"
 #include "core/evaluate/segments.h"
 #include "core/skeleton/axes.h"
-
-#include <Eigen/Geometry>
+#include "core/skeleton/bounds.h"
 
 namespace espalier {
 namespace {

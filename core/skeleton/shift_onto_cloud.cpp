@@ -1,6 +1,7 @@
 #include "core/skeleton/shift_onto_cloud.h"
 
 #include "core/base/spatial_index.h"
+#include "core/skeleton/bounds.h"
 
 #include <Eigen/Geometry>
 
@@ -82,9 +83,7 @@ std::optional<Misfit> misfitOf(const Skeleton& skeleton, const PointCloud& cloud
   if (skeleton.isEmpty() || cloud.isEmpty()) return std::nullopt;
   constexpr double small = 1.0 / 50;
   constexpr double large = 3;
-  Eigen::AlignedBox3d box;
-  for (const NodeId id : skeleton.ids())
-    box.extend(skeleton[id].position);
+  const Eigen::AlignedBox3d box = bounds(skeleton);
   const double extent = cloud.bounds().sizes().norm();
   if (!(extent > 0)) return std::nullopt;
   const double size = box.sizes().norm() / extent;

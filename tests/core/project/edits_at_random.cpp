@@ -1,44 +1,10 @@
 #include "tests/core/project/edits_at_random.h"
 
+#include "tests/support/random_edits.h"
+
 #include <string>
 
 namespace espalier::test {
-namespace {
-
-void editOnce(SkeletonEditor& editor, Random& random) {
-  const std::vector<NodeId> ids = editor.skeleton().ids();
-  if (ids.size() < 5) {
-    editor.add({.position = random.direction(), .radius = 0.1});
-    return;
-  }
-  const NodeId id = ids[random.below(ids.size())];
-  const NodeId other = ids[random.below(ids.size())];
-  switch (random.below(6)) {
-  case 0:
-    editor.setPosition(id, random.direction());
-    break;
-  case 1:
-    editor.setRadius(id, random.uniform());
-    break;
-  case 2: {
-    Node node{.position = random.direction(), .parent = id, .edge = EdgeType::branching};
-    node.entities.push_back({.scale = 3, .symbol = "U", .index = 7, .values = {{"Date", "1"}}});
-    editor.add(node);
-    break;
-  }
-  case 3:
-    editor.makeRoot(id);
-    break;
-  case 4:
-    if (editor.skeleton().children(id).empty()) editor.erase(id);
-    break;
-  default:
-    if (!editor.skeleton().isAncestor(id, other)) editor.reparent(id, other, EdgeType::successor);
-  }
-}
-
-} // namespace
-
 EditsAtRandom::Act EditsAtRandom::next() {
   const std::size_t kind = random_.below(10);
   if (kind < 2 && history_.position > 0) return undo();
@@ -62,7 +28,7 @@ EditsAtRandom::Act EditsAtRandom::edit(bool isDrag) {
   SkeletonEditor editor(history_.skeleton);
   const std::size_t changes = 1 + random_.below(4);
   for (std::size_t i = 0; i < changes; ++i)
-    editOnce(editor, random_);
+    editAtRandom(editor, random_);
   HistoryStep step{.text = "Edit " + std::to_string(random_.below(1000)),
                    .author = "Anna",
                    .time = static_cast<std::int64_t>(random_.below(1'000'000)),

@@ -1,6 +1,6 @@
-#include "core/base/random.h"
 #include "core/skeleton/skeleton_delta.h"
 #include "tests/support/plants.h"
+#include "tests/support/random_edits.h"
 
 #include <gtest/gtest.h>
 
@@ -9,38 +9,7 @@
 namespace espalier {
 namespace {
 
-/// Some change of any kind that an editor can make.
-void editAtRandom(SkeletonEditor& editor, Random& random) {
-  const std::vector<NodeId> ids = editor.skeleton().ids();
-  const NodeId id = ids[random.below(ids.size())];
-  const NodeId other = ids[random.below(ids.size())];
-  switch (random.below(8)) {
-  case 0:
-    editor.setPosition(id, random.direction());
-    break;
-  case 1:
-    editor.setRadius(id, random.uniform());
-    break;
-  case 2:
-    editor.setEdge(id, EdgeType::branching);
-    break;
-  case 3:
-    editor.add({.position = random.direction(), .parent = id});
-    break;
-  case 4:
-    editor.makeRoot(id);
-    break;
-  case 5:
-    if (editor.skeleton().children(id).empty()) editor.erase(id);
-    break;
-  case 6:
-    editor.setEntities(id,
-                       {{.scale = 2, .symbol = "N", .index = static_cast<int>(random.below(5))}});
-    break;
-  default:
-    if (!editor.skeleton().isAncestor(id, other)) editor.reparent(id, other, EdgeType::successor);
-  }
-}
+using test::editAtRandom;
 
 TEST(SkeletonDelta, AndItsInverseAreExactForAnyEdit) {
   Random random(1);

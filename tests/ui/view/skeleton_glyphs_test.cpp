@@ -1,5 +1,5 @@
-#include "core/base/random.h"
 #include "tests/support/plants.h"
+#include "tests/support/random_edits.h"
 #include "ui/view/skeleton_glyphs.h"
 
 #include <gtest/gtest.h>
@@ -18,31 +18,7 @@ SkeletonGlyphs glyphsOf(const Skeleton& plant) {
 /// One arbitrary edit.
 SkeletonDelta editSomewhere(Skeleton& plant, Random& random) {
   SkeletonEditor editor(plant);
-  const std::vector<NodeId> ids = plant.ids();
-  const NodeId id = ids[random.below(ids.size())];
-  const NodeId other = ids[random.below(ids.size())];
-  switch (random.below(7)) {
-  case 0:
-    editor.setPosition(id, random.direction());
-    break;
-  case 1:
-    editor.setRadius(id, random.uniform());
-    break;
-  case 2:
-    editor.setEdge(id, EdgeType::branching);
-    break;
-  case 3:
-    editor.add({.position = random.direction(), .parent = id});
-    break;
-  case 4:
-    editor.setMarked(id, !plant[id].isMarked);
-    break;
-  case 5:
-    if (!plant.isAncestor(id, other)) editor.reparent(id, other, EdgeType::successor);
-    break;
-  default:
-    if (plant.children(id).empty() && plant.size() > 1) editor.erase(id);
-  }
+  test::editAtRandom(editor, random);
   return editor.commit();
 }
 

@@ -56,6 +56,19 @@ void WindowTest::restart() {
   QApplication::setActiveWindow(window_.get()); // a server without window manager activates none
 }
 
+void WindowTest::edit() {
+  document().edit("Move", [](SkeletonEditor& editor) {
+    editor.setPosition(forkTop, {0.5, 0.5, 0.5});
+  });
+}
+
+NodeId WindowTest::nodeAt(const Eigen::Vector3d& place) {
+  for (const NodeId id : document().skeleton().ids())
+    if ((document().skeleton()[id].position - place).norm() < 1e-3) return id;
+  ADD_FAILURE() << "no node there";
+  return NodeId{0};
+}
+
 QString WindowTest::writeScan(const QString& name) const {
   const QString file = path(name);
   std::ofstream out(file.toStdString());

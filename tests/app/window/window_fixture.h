@@ -32,6 +32,9 @@ protected:
   [[nodiscard]] MainWindow& window() { return *window_; }
   [[nodiscard]] PlantDocument& document() { return window_->document(); }
   [[nodiscard]] PlantView& view() { return window_->view(); }
+  void edit(); // of forkTop, named "Move"
+  /// The node that stands at this place, whatever its id in the file.
+  NodeId nodeAt(const Eigen::Vector3d& place);
   [[nodiscard]] QAction& action(const QString& id);
   template <class Widget> Widget& find(const QString& name) {
     auto* widget = window_->findChild<Widget*>(name);

@@ -2,7 +2,8 @@
 add_library(espalier_warnings INTERFACE)
 add_library(espalier::warnings ALIAS espalier_warnings)
 # Without -Wmaybe-uninitialized: GCC 12 takes the empty part of a std::optional for a mistake when it
-# optimizes or instruments much (GCC bug 80635).
+# optimizes or instruments much (GCC bug 80635). Clang does not know that name.
 target_compile_options(espalier_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Wold-style-cast
-  -Woverloaded-virtual -Wunused -Wno-sign-conversion -Wno-maybe-uninitialized -Wno-missing-field-initializers -Werror)
+  -Woverloaded-virtual -Wunused -Wno-sign-conversion -Wno-missing-field-initializers -Werror
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)

@@ -40,8 +40,9 @@ Skeleton skeletonOfRows(const std::vector<NodeRow>& rows, const Where& where) {
   for (std::size_t next = 0; next < order.size(); ++next) {
     std::vector<std::size_t>& below = children[order[next]];
     // So none is put in before others that are there already: that takes long where many are.
-    std::ranges::stable_partition(
-        below, [&](std::size_t i) { return rows[i].node.edge == EdgeType::successor; });
+    // (Not std::ranges::stable_partition: Clang 14 cannot compile that of GCC 12's library.)
+    std::stable_partition(below.begin(), below.end(),
+                          [&](std::size_t i) { return rows[i].node.edge == EdgeType::successor; });
     for (const std::size_t child : below) {
       Node node = rows[child].node;
       node.parent = ids[order[next]];

@@ -15,9 +15,10 @@
 
 namespace espalier {
 
-Editing::Editing(PlantDocument& document, PlantView& view, ActionSet& actions, QObject* parent)
+Editing::Editing(PlantDocument& document, PlantView& view, ActionSet& actions, QObject* parent,
+                 std::vector<ToolEntry> entries)
     : QObject(parent), document_(document), view_(view), actions_(actions),
-      toolGroup_(new QActionGroup(this)) {
+      entries_(std::move(entries)), toolGroup_(new QActionGroup(this)) {
   addTools();
   addNodeEdits();
   addNavigation();
@@ -40,8 +41,18 @@ Editing::~Editing() {
 
 void Editing::addTools() {
   actions_.beginSection(tr("Tools"));
-  for (const ToolEntry& entry : tools()) {
-    std::unique_ptr<Tool> tool = entry.create(document_);
+  accept_ = actions_.add({.id = "accept",
+                          .text = tr("Accept"),
+                          .help = tr("Makes what the preview shows"),
+                          .keys = Qt::Key_Return,
+                          .refusal = Refusal::atPointer},
+                         [this] { accept(); });
+  accept_->setShortcuts({Qt::Key_Return, Qt::Key_Enter});
+  // Off without a preview: Enter then belongs to the field that is typed in.
+  connect(this, &Editing::hintChanged, accept_,
+          [this] { accept_->setEnabled(canEdit() && tool().hasPreview()); });
+  for (const ToolEntry& entry : entries_) {
+    std::unique_ptr<Tool> tool = entry.create(document_, view_);
     connect(tool.get(), &Tool::hintChanged, this, &Editing::hintChanged);
     connect(tool.get(), &Tool::finished, this, [this] { useTool(toolBefore_); });
     tools_.emplace(entry.id, std::move(tool));
@@ -54,7 +65,7 @@ void Editing::addTools() {
                                    [this, id = entry.id] { useTool(id); });
     toolGroup_->addAction(action);
   }
-  useTool(tools().front().id);
+  useTool(entries_.front().id);
 }
 
 void Editing::addNodeEdits() {
@@ -88,7 +99,7 @@ void Editing::addNavigation() {
 }
 
 void Editing::setEnabled(bool isEnabled) {
-  if (!isEnabled && tool().isBusy()) tool().cancel();
+  if (!isEnabled && isPending()) tool().cancel();
   isEnabled_ = isEnabled;
   refreshEnabled();
 }
@@ -103,7 +114,8 @@ void Editing::useTool(const QString& id) {
   if (!tool_.isEmpty() && id != tool_) {
     if (tool_ != "reparent") toolBefore_ = tool_; // one does not come back to a tool that ends
     const QString left = std::exchange(tool_, id);
-    if (tools_.at(left)->isBusy()) tools_.at(left)->cancel();
+    Tool& before = *tools_.at(left);
+    if (before.isBusy() || before.hasPreview()) before.cancel();
   }
   tool_ = id;
   if (toolBefore_.isEmpty()) toolBefore_ = id;
@@ -112,8 +124,15 @@ void Editing::useTool(const QString& id) {
   emit hintChanged();
 }
 
+void Editing::accept() {
+  if (!tool().hasPreview()) return;
+  document_.requireEditable();
+  tool().accept();
+  emit hintChanged();
+}
+
 void Editing::undo() {
-  if (tool().isBusy())
+  if (isPending())
     tool().cancel();
   else {
     document_.requireEditable();
@@ -122,16 +141,17 @@ void Editing::undo() {
 }
 
 void Editing::redo() {
-  if (tool().isBusy()) return;
+  if (isPending()) return;
   document_.requireEditable();
   document_.undoStack().redo();
 }
 
 void Editing::escape() {
-  if (tool().isBusy())
+  if (isPending()) {
     tool().cancel();
-  else if (tool_ != tools().front().id)
-    useTool(tools().front().id);
+    emit hintChanged();
+  } else if (tool_ != entries_.front().id)
+    useTool(entries_.front().id);
   else
     document_.selection().clear();
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/tools/node_edits.h"
+#include "ui/tools/registry.h"
 #include "ui/tools/tool.h"
 
 #include <QList>
@@ -24,7 +25,9 @@ class Editing : public QObject {
   Q_OBJECT
 
 public:
-  Editing(PlantDocument& document, PlantView& view, ActionSet& actions, QObject* parent);
+  /// @param entries the tools; the first is the default
+  Editing(PlantDocument& document, PlantView& view, ActionSet& actions, QObject* parent,
+          std::vector<ToolEntry> entries = tools());
   ~Editing() override;
 
   /// While off, the mouse only moves the camera, and no key edits.
@@ -37,9 +40,11 @@ public:
   [[nodiscard]] QString currentTool() const { return tool_; } // its id
   void useTool(const QString& id);
 
-  void undo(); // in mid-gesture: leaves the gesture
+  void accept(); // what the preview shows, if there is one
+  void undo();   // in mid-gesture: leaves the gesture
   void redo();
-  void escape(); // leaves the gesture, else the tool, else the selection
+  void
+  escape(); // leaves the gesture or drops the preview, else leaves the tool, else the selection
 
   void fillContextMenu(QMenu& menu) const;
 
@@ -54,6 +59,8 @@ private:
   bool handle(const ToolInput& input);
   [[nodiscard]] bool isMenuClick(const ToolInput& input);
   void refreshEnabled();
+  /// Is there something that Escape gives up?
+  [[nodiscard]] bool isPending() const { return tool().isBusy() || tool().hasPreview(); }
   [[nodiscard]] bool canEdit() const { return isEnabled_ && !document_.isReadOnly(); }
   [[nodiscard]] NodeTarget target() const;
   [[nodiscard]] NodeTarget chosenTarget(); // which is selected then
@@ -63,11 +70,13 @@ private:
   PlantDocument& document_;
   PlantView& view_;
   ActionSet& actions_;
+  std::vector<ToolEntry> entries_;
   std::map<QString, std::unique_ptr<Tool>> tools_; // by id
   QString tool_;
   QString toolBefore_;
   QActionGroup* toolGroup_;
-  QList<QAction*> edits_; // off while there is no skeleton
+  QAction* accept_ = nullptr; // off while there is no preview
+  QList<QAction*> edits_;     // off while there is no skeleton
   bool isEnabled_ = true;
   Pick under_;
   std::optional<QPointF> menuPress_; // where the right button went down, until it is a drag

@@ -72,7 +72,7 @@ void MainWindow::fillMenus() {
        "compact_project", "", "close_plant", "quit"});
 
   QMenu* edit = menuBar()->addMenu(tr("&Edit"));
-  add(*edit, *actions_, {"undo", "redo", "", "select_all", "leave", ""});
+  add(*edit, *actions_, {"undo", "redo", "", "select_all", "accept", "leave", ""});
   add(*edit, *actions_, toolIds());
 
   fillViewMenu();

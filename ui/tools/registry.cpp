@@ -14,8 +14,8 @@ QString tr(const char* text) {
   return QCoreApplication::translate("Tools", text);
 }
 
-template <class T> std::unique_ptr<Tool> make(PlantDocument& document) {
-  return std::make_unique<T>(document);
+template <class T> std::unique_ptr<Tool> make(PlantDocument& document, Canvas& canvas) {
+  return std::make_unique<T>(document, canvas);
 }
 
 } // namespace

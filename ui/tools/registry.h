@@ -18,7 +18,7 @@ struct ToolEntry {
   QString help; // what it is for, one line
   QString icon; // name in resources/icons
   QKeySequence shortcut;
-  std::function<std::unique_ptr<Tool>(PlantDocument&)> create;
+  std::function<std::unique_ptr<Tool>(PlantDocument&, Canvas&)> create;
 };
 
 /// All tools; the first is the default.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/document/canvas.h"
 #include "ui/document/plant_document.h"
 #include "ui/document/tool_input.h"
 
@@ -18,8 +19,9 @@ class Tool : public QObject {
   Q_OBJECT
 
 public:
-  explicit Tool(PlantDocument& document, QObject* parent = nullptr)
-      : QObject(parent), document_(document) {}
+  /// Both must outlive it.
+  explicit Tool(PlantDocument& document, Canvas& canvas, QObject* parent = nullptr)
+      : QObject(parent), document_(document), canvas_(canvas) {}
 
   /// Returns true for what it took: a taken press keeps the camera still until the release.
   /// @throws Error if the act is refused; the document is as it was before the act
@@ -31,7 +33,14 @@ public:
   /// True in mid-gesture: then undo, Escape and other tools mean cancel().
   [[nodiscard]] virtual bool isBusy() const { return false; }
 
-  /// Leaves the gesture with nothing changed.
+  /// Does it show what it would make, and wait for a yes? Its hint says "Enter accepts, Esc drops".
+  [[nodiscard]] virtual bool hasPreview() const { return false; }
+
+  /// Makes what the preview shows, as one edit. Called while there is a preview only.
+  /// @throws Error if that is refused; the preview stays
+  virtual void accept() {}
+
+  /// Leaves the gesture with nothing changed, and drops the preview.
   virtual void cancel() {}
 
   /// What the tool works on until its next use, for one that is started from a node.
@@ -43,12 +52,14 @@ signals:
 
 protected:
   [[nodiscard]] PlantDocument& document() const { return document_; }
+  [[nodiscard]] Canvas& canvas() const { return canvas_; }
   [[nodiscard]] const Pick& under() const { return under_; }
 
 private:
   virtual bool act(const ToolInput& input) = 0;
 
   PlantDocument& document_;
+  Canvas& canvas_;
   Pick under_;
 };
 

@@ -1,5 +1,7 @@
 #include "ui/view/overlay.h"
 
+#include "ui/view/overlay_of_tools.h"
+#include "ui/view/overlay_text.h"
 #include "ui/view/palette.h"
 
 #include <QCoreApplication>
@@ -14,10 +16,6 @@ namespace espalier {
 namespace {
 
 constexpr double margin = 16; // [logical pixels], as all below
-
-QColor toQt(const Color& color, int alpha = 255) {
-  return {color[0], color[1], color[2], alpha};
-}
 
 QString translated(const char* text) {
   return QCoreApplication::translate("espalier::Overlay", text);
@@ -38,23 +36,6 @@ QString number(double value, double step) {
 
 QString withUnit(const QString& text, const QString& unit) {
   return unit.isEmpty() ? text : text + QChar::Nbsp + unit;
-}
-
-/// Text with a rim of the background, readable on points.
-void drawText(QPainter& painter, const QRectF& box, int alignment, const QString& text,
-              const Palette& colors) {
-  painter.setPen(toQt(colors.backgroundBottom, 170));
-  for (const QPointF& shift : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
-    painter.drawText(box.translated(shift), alignment, text);
-  painter.setPen(toQt(colors.text));
-  painter.drawText(box, alignment, text);
-}
-
-/// A veil under what is to be read over the plant.
-void paintVeil(QPainter& painter, const QRectF& box, const Color& background) {
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(toQt(background, 190));
-  painter.drawRoundedRect(box, 6, 6);
 }
 
 void paintColorBar(QPainter& painter, const Scene& scene, const QString& unit, const QSizeF& size) {
@@ -162,6 +143,8 @@ double roundLength(double length) {
 void Overlay::paint(QPainter& painter, const Scene& scene, const Camera& camera,
                     const QSizeF& size) const {
   painter.setRenderHint(QPainter::Antialiasing);
+  paintPreview(painter, preview, ScreenMap(camera, {size.width(), size.height()}), scene.dark);
+  paintBand(painter, band, scene.dark);
   if (scene.bounds().isEmpty()) return;
   paintColorBar(painter, scene, unit, size);
   paintScaleBar(painter, scene, camera, unit, size);

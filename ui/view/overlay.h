@@ -1,18 +1,23 @@
 #pragma once
 
+#include "ui/document/canvas.h"
 #include "ui/view/camera.h"
 #include "ui/view/scene.h"
 
 #include <QPainter>
+#include <QPolygonF>
 #include <QSizeF>
 #include <QString>
 
 namespace espalier {
 
-/// What is written over the plant: color bar, scale bar, axes, and the pivot while turning.
+/// What is drawn over the plant: color bar, scale bar, axes, the pivot while turning, and what
+/// tools show of what they do.
 struct Overlay {
   QString unit; // of lengths; empty: not known
   bool pivotShown = false;
+  QPolygonF band;  // as Canvas::showBand
+  Preview preview; // as Canvas::showPreview
 
   /// @param size of the view in logical pixels
   void paint(QPainter& painter, const Scene& scene, const Camera& camera, const QSizeF& size) const;

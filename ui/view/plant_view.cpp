@@ -1,5 +1,6 @@
 #include "ui/view/plant_view.h"
 
+#include "ui/view/area.h"
 #include "ui/view/detail_budget.h"
 #include "ui/view/navigator.h"
 #include "ui/view/overlay_widget.h"
@@ -246,9 +247,29 @@ std::optional<QPointF> PlantView::project(const Eigen::Vector3d& place) const {
   return QPointF(found->pixel.x(), found->pixel.y());
 }
 
+std::vector<NodeId> PlantView::nodesInside(const QPolygonF& area, Depth depth) const {
+  return espalier::nodesInside(parts_->scene, parts_->pointer.screen(), area, depth);
+}
+
+std::vector<Eigen::Index> PlantView::pointsInside(const QPolygonF& area, Depth depth) const {
+  return espalier::pointsInside(parts_->scene, parts_->pointer.screen(), area, depth);
+}
+
+void PlantView::showBand(const QPolygonF& band) {
+  if (band == parts_->overlay.band) return;
+  parts_->overlay.band = band;
+  parts_->overlayWidget->update();
+}
+
+void PlantView::showPreview(const Preview& preview) {
+  if (preview == parts_->overlay.preview) return;
+  parts_->overlay.preview = preview;
+  parts_->overlayWidget->update();
+}
+
 QImage PlantView::picture(const QSize& size) {
-  Overlay overlay = parts_->overlay;
-  overlay.pivotShown = false;
+  Overlay overlay;
+  overlay.unit = parts_->overlay.unit;
   return espalier::picture(parts_->scene, parts_->navigator.destination(), overlay, size);
 }
 

@@ -3,6 +3,7 @@
 #include "core/cloud/point_cloud.h"
 #include "core/skeleton/skeleton.h"
 #include "core/skeleton/skeleton_delta.h"
+#include "ui/document/canvas.h"
 #include "ui/document/tool_input.h"
 #include "ui/view/camera.h"
 #include "ui/view/point_colors.h"
@@ -28,7 +29,7 @@ enum class Layer { points, contracted, skeleton };
 ///
 /// Moves of the camera that are asked for by function take 200 ms while the view is seen, and are
 /// at their end at once while it is not.
-class PlantView : public QWidget {
+class PlantView : public QWidget, public Canvas {
   Q_OBJECT
 
 public:
@@ -72,10 +73,14 @@ public:
 
   /// What is within reach of the pointer at `position`, in logical pixels.
   [[nodiscard]] Pick pick(const QPointF& position) const;
-  /// Where a place of the plant is drawn, in logical pixels; none if behind the eye.
-  [[nodiscard]] std::optional<QPointF> project(const Eigen::Vector3d& place) const;
+  [[nodiscard]] std::vector<NodeId> nodesInside(const QPolygonF& area, Depth depth) const override;
+  [[nodiscard]] std::vector<Eigen::Index> pointsInside(const QPolygonF& area,
+                                                       Depth depth) const override;
+  [[nodiscard]] std::optional<QPointF> project(const Eigen::Vector3d& place) const override;
+  void showBand(const QPolygonF& band) override;
+  void showPreview(const Preview& preview) override;
 
-  /// The view as it would be drawn at `size`, all points, no pointer.
+  /// The view as it would be drawn at `size`, all points, no pointer, no band and no preview.
   [[nodiscard]] QImage picture(const QSize& size);
 
 protected:

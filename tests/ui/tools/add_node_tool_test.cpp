@@ -1,6 +1,7 @@
 #include "core/base/error.h"
 #include "tests/support/plants.h"
 #include "tests/ui/tools/mouse.h"
+#include "tests/ui/tools/quiet_canvas.h"
 #include "ui/tools/add_node_tool.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +17,8 @@ using test::onPoint;
 
 struct AddNodeToolTest : testing::Test {
   PlantDocument document;
-  AddNodeTool tool{document};
+  test::QuietCanvas canvas;
+  AddNodeTool tool{document, canvas};
   test::Mouse mouse{tool};
 
   void SetUp() override { document.openSkeleton(test::stick(3), "stick.mtg"); }

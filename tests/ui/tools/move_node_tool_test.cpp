@@ -1,5 +1,6 @@
 #include "tests/support/plants.h"
 #include "tests/ui/tools/mouse.h"
+#include "tests/ui/tools/quiet_canvas.h"
 #include "ui/tools/move_node_tool.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +17,8 @@ using testing::ElementsAre;
 
 struct MoveNodeToolTest : testing::Test {
   PlantDocument document;
-  MoveNodeTool tool{document};
+  test::QuietCanvas canvas;
+  MoveNodeTool tool{document, canvas};
   test::Mouse mouse{tool};
 
   void SetUp() override { document.openSkeleton(test::fork(3), "fork.mtg"); }

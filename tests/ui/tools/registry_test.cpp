@@ -1,5 +1,6 @@
 #include "tests/support/plants.h"
 #include "tests/ui/tools/mouse.h"
+#include "tests/ui/tools/quiet_canvas.h"
 #include "ui/tools/node_edits.h"
 #include "ui/tools/registry.h"
 
@@ -13,17 +14,19 @@ namespace {
 
 TEST(ToolRegistry, GivesEveryToolANameAnIconAndAHint) {
   PlantDocument document;
+  test::QuietCanvas canvas;
   for (const ToolEntry& entry : tools()) {
     EXPECT_FALSE(entry.text.isEmpty() || entry.help.isEmpty() || entry.icon.isEmpty());
-    EXPECT_FALSE(entry.create(document)->hint().isEmpty()) << entry.id.toStdString();
+    EXPECT_FALSE(entry.create(document, canvas)->hint().isEmpty()) << entry.id.toStdString();
   }
 }
 
 TEST(ToolRegistry, HasAToolThatLeavesTheMouseToTheCamera) {
   PlantDocument document;
+  test::QuietCanvas canvas;
   document.openSkeleton(test::fork(3), "fork.mtg");
   for (const ToolEntry& entry : tools()) {
-    const std::unique_ptr<Tool> tool = entry.create(document);
+    const std::unique_ptr<Tool> tool = entry.create(document, canvas);
     const bool takes = test::Mouse(*tool).press(test::onNode(NodeId{2}), {1, 2});
     EXPECT_EQ(takes, entry.id != "navigate") << entry.id.toStdString();
   }

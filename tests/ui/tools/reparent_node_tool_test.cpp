@@ -1,6 +1,7 @@
 #include "core/base/error.h"
 #include "tests/support/plants.h"
 #include "tests/ui/tools/mouse.h"
+#include "tests/ui/tools/quiet_canvas.h"
 #include "ui/tools/reparent_node_tool.h"
 
 #include <QSignalSpy>
@@ -15,7 +16,8 @@ using test::onNode;
 
 struct ReparentNodeToolTest : testing::Test {
   PlantDocument document;
-  ReparentNodeTool tool{document};
+  test::QuietCanvas canvas;
+  ReparentNodeTool tool{document, canvas};
   test::Mouse mouse{tool};
 
   void SetUp() override { document.openSkeleton(test::fork(3), "fork.mtg"); }

@@ -1,0 +1,130 @@
+#include "tests/support/plants.h"
+#include "tests/ui/view/pictures.h"
+#include "ui/view/palette.h"
+#include "ui/view/plant_view.h"
+
+#include <QTest>
+#include <gtest/gtest.h>
+
+#include <gmock/gmock.h>
+#include <vector>
+
+namespace espalier {
+namespace {
+
+/// A view of a stick of five nodes along z, seen from the front.
+class CanvasTest : public testing::Test {
+protected:
+  CanvasTest() : plant_(test::stick(5)) {
+    view_.resize(400, 300);
+    view_.setDark(false);
+    view_.setSkeleton(plant_);
+    view_.frameAll();
+    view_.show();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view_.isStill(); }));
+  }
+
+  [[nodiscard]] QPointF pixelOf(NodeId id) const {
+    return view_.project(plant_[id].position).value();
+  }
+  /// A box about the nodes, 12 pixels wider than they.
+  [[nodiscard]] QPolygonF around(NodeId first, NodeId last) const {
+    const QRectF box = QRectF(pixelOf(first), pixelOf(last)).normalized();
+    return {box.adjusted(-12, -12, 12, 12)};
+  }
+  [[nodiscard]] QImage seen() { return view_.grab().toImage(); }
+
+  Skeleton plant_;
+  PlantView view_;
+};
+
+const Color accent = palette(false).contracted;
+
+TEST_F(CanvasTest, FindsTheNodesInABox) {
+  EXPECT_THAT(view_.nodesInside(around(NodeId{1}, NodeId{3}), Depth::through),
+              testing::ElementsAre(NodeId{1}, NodeId{2}, NodeId{3}));
+  EXPECT_THAT(view_.nodesInside({QRectF(0, 0, 40, 300)}, Depth::through), testing::IsEmpty());
+  EXPECT_THAT(view_.nodesInside({}, Depth::through), testing::IsEmpty());
+}
+
+// An L about node 1 and beside node 3, whose box has node 3 in it.
+TEST_F(CanvasTest, FindsTheNodesInALassoNotInItsBox) {
+  const QPointF low = pixelOf(NodeId{1});
+  const QPointF high = pixelOf(NodeId{3});
+  const QPolygonF lasso({low + QPointF(-60, 10), low + QPointF(20, 10), low + QPointF(20, -10),
+                         low + QPointF(-30, -10), high + QPointF(-30, -10),
+                         high + QPointF(-60, -10)});
+  EXPECT_THAT(view_.nodesInside(lasso, Depth::through), testing::ElementsAre(NodeId{1}));
+}
+
+TEST_F(CanvasTest, TakesAllThatACrossingLassoWindsAround) {
+  const QPointF at = pixelOf(NodeId{2});
+  const QRectF outer(at - QPointF(30, 12), at + QPointF(30, 12));
+  const QRectF inner = outer.adjusted(4, 4, -4, -4);
+  QPolygonF twice(outer);
+  twice += QPolygonF(inner);
+  EXPECT_THAT(view_.nodesInside(twice, Depth::through), testing::ElementsAre(NodeId{2}));
+}
+
+TEST_F(CanvasTest, FindsNoNodesWhileTheSkeletonIsHidden) {
+  view_.setLayerVisible(Layer::skeleton, false);
+  EXPECT_THAT(view_.nodesInside(around(NodeId{0}, NodeId{4}), Depth::through), testing::IsEmpty());
+}
+
+TEST_F(CanvasTest, FindsTheColumnsOfThePointsInABox) {
+  const auto cloud = test::cloudOf({{0, 0, 1}, {0, 0, 3}, {0, 0.3, 1}, {1, 0, 1}});
+  view_.setCloud(cloud);
+  std::vector<Eigen::Index> expected; // the cloud has an order of its own
+  for (Eigen::Index i = 0; i < cloud->size(); ++i)
+    if (cloud->position(i).x() < 0.5 && cloud->position(i).z() < 2) expected.push_back(i);
+  ASSERT_EQ(expected.size(), 2U);
+  EXPECT_EQ(view_.pointsInside(around(NodeId{1}, NodeId{1}), Depth::through), expected);
+  view_.setLayerVisible(Layer::points, false);
+  EXPECT_THAT(view_.pointsInside(around(NodeId{1}, NodeId{1}), Depth::through), testing::IsEmpty());
+}
+
+TEST_F(CanvasTest, DrawsABandAsOutlineAndFaintFill) {
+  const QImage before = seen();
+  view_.showBand({QRectF(20, 20, 60, 60)});
+  const QImage during = seen();
+  EXPECT_GT(test::countPixels(during, QPointF(20, 50), 2, accent), 3);
+  EXPECT_NE(during.pixel(50, 50), before.pixel(50, 50));
+  EXPECT_EQ(test::countPixels(during, QPointF(50, 50), 8, accent), 0);
+  view_.showBand({});
+  EXPECT_EQ(test::countDifferences(before, seen()), 0);
+}
+
+TEST_F(CanvasTest, DrawsAnOpenBandAsALine) {
+  const QImage before = seen();
+  view_.showBand(QPolygonF({QPointF(20, 20), QPointF(80, 20), QPointF(80, 80)}));
+  const QImage during = seen();
+  EXPECT_GT(test::countPixels(during, QPointF(50, 20), 2, accent), 3);
+  EXPECT_EQ(during.pixel(70, 40), before.pixel(70, 40));
+}
+
+TEST_F(CanvasTest, DrawsAPreviewOverThePlantWithItsLabel) {
+  const QImage before = seen();
+  Preview preview{
+      .lines = {{{-1, 0, 2}, {-1, 0, 3}}}, .nodes = {{-1, 0, 2}, {-1, 5, 3}}, .label = {}};
+  view_.showPreview(preview);
+  const QImage plain = seen();
+  const QPointF node = view_.project({-1, 0, 2}).value();
+  const QPointF line = view_.project({-1, 0, 2.5}).value();
+  EXPECT_GT(test::countPixels(plain, node, 4, accent), 10);
+  EXPECT_GT(test::countPixels(plain, line, 2, accent, 90), 5);
+  preview.label = "Trace of 3 nodes";
+  view_.showPreview(preview);
+  EXPECT_GT(test::countDifferences(plain, seen()), 50);
+  view_.showPreview({});
+  EXPECT_EQ(test::countDifferences(before, seen()), 0);
+}
+
+TEST_F(CanvasTest, LeavesBandAndPreviewOutOfAPicture) {
+  const QImage before = view_.picture({200, 150});
+  view_.showBand({QRectF(20, 20, 60, 60)});
+  view_.showPreview({.lines = {{{-1, 0, 2}, {-1, 0, 3}}}, .nodes = {}, .label = {}});
+  EXPECT_EQ(test::countDifferences(before, view_.picture({200, 150})), 0);
+}
+
+} // namespace
+} // namespace espalier

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "ui/document/canvas.h"
+#include "ui/view/camera.h"
+#include "ui/view/scene.h"
+
+#include <QPolygonF>
+
+#include <vector>
+
+namespace espalier {
+
+/// As Canvas::nodesInside and Canvas::pointsInside, in a scene seen on a screen.
+[[nodiscard]] std::vector<NodeId> nodesInside(const Scene& scene, const ScreenMap& screen,
+                                              const QPolygonF& area, Depth depth);
+[[nodiscard]] std::vector<Eigen::Index> pointsInside(const Scene& scene, const ScreenMap& screen,
+                                                     const QPolygonF& area, Depth depth);
+
+} // namespace espalier

@@ -1,0 +1,79 @@
+#include "ui/view/overlay_of_tools.h"
+
+#include "ui/view/overlay_text.h"
+
+#include <QFontMetricsF>
+#include <QPainterPath>
+
+#include <algorithm>
+
+namespace espalier {
+namespace {
+
+std::optional<QPointF> pixelOf(const ScreenMap& screen, const Eigen::Vector3d& place) {
+  const auto found = screen.project(place);
+  if (!found) return std::nullopt;
+  return QPointF(found->pixel.x(), found->pixel.y());
+}
+
+/// All lines as one path: where they cross, they are no darker.
+QPainterPath pathOf(const Preview& preview, const ScreenMap& screen) {
+  QPainterPath path;
+  for (const std::vector<Eigen::Vector3d>& line : preview.lines) {
+    std::optional<QPointF> last;
+    for (const Eigen::Vector3d& place : line) {
+      const std::optional<QPointF> at = pixelOf(screen, place);
+      if (at && last)
+        path.lineTo(*at);
+      else if (at)
+        path.moveTo(*at);
+      last = at;
+    }
+  }
+  return path;
+}
+
+void paintLabel(QPainter& painter, const QPointF& at, const QString& label, const Palette& colors) {
+  const QFontMetricsF font(painter.font(), painter.device());
+  const QSizeF size(font.horizontalAdvance(label) + 12, font.height() + 6);
+  QRectF box(at + QPointF(10, -size.height() / 2), size);
+  const QRectF shown = QRectF(painter.window()).adjusted(4, 4, -4, -4);
+  if (box.right() > shown.right()) box.moveRight(at.x() - 10);
+  box.moveTop(std::clamp(box.top(), shown.top(), std::max(shown.top(), shown.bottom() - 24)));
+  paintVeil(painter, box, colors.backgroundTop);
+  drawText(painter, box, Qt::AlignCenter, label, colors);
+}
+
+} // namespace
+
+void paintBand(QPainter& painter, const QPolygonF& band, bool dark) {
+  if (band.size() < 2) return;
+  const Color accent = palette(dark).contracted;
+  painter.setPen(QPen(toQt(accent), 1, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.setBrush(band.isClosed() ? QBrush(toQt(accent, 30)) : QBrush(Qt::NoBrush));
+  if (band.isClosed()) {
+    painter.drawPolygon(band.translated(0.5, 0.5), Qt::WindingFill); // on pixels, not between them
+  } else {
+    painter.setPen(QPen(toQt(accent), 2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.drawPolyline(band);
+  }
+}
+
+void paintPreview(QPainter& painter, const Preview& preview, const ScreenMap& screen, bool dark) {
+  if (preview.isEmpty()) return;
+  const Palette colors = palette(dark);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(toQt(colors.contracted, 170), 4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.drawPath(pathOf(preview, screen));
+  painter.setPen(QPen(toQt(colors.outline, 200), 1));
+  painter.setBrush(toQt(colors.contracted, 210));
+  for (const Eigen::Vector3d& node : preview.nodes)
+    if (const auto at = pixelOf(screen, node)) painter.drawEllipse(*at, 4, 4);
+  if (preview.label.isEmpty()) return;
+  const bool hasLine = !preview.lines.empty() && !preview.lines.back().empty();
+  if (!hasLine && preview.nodes.empty()) return;
+  const auto end = pixelOf(screen, hasLine ? preview.lines.back().back() : preview.nodes.back());
+  if (end) paintLabel(painter, *end, preview.label, colors);
+}
+
+} // namespace espalier

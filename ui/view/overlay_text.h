@@ -1,0 +1,23 @@
+#pragma once
+
+#include "ui/view/palette.h"
+
+#include <QColor>
+#include <QPainter>
+#include <QRectF>
+#include <QString>
+
+namespace espalier {
+
+[[nodiscard]] inline QColor toQt(const Color& color, int alpha = 255) {
+  return {color[0], color[1], color[2], alpha};
+}
+
+/// Text with a rim of the background, readable on points.
+void drawText(QPainter& painter, const QRectF& box, int alignment, const QString& text,
+              const Palette& colors);
+
+/// A veil under what is to be read over the plant.
+void paintVeil(QPainter& painter, const QRectF& box, const Color& background);
+
+} // namespace espalier

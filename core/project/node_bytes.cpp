@@ -13,10 +13,16 @@
 namespace espalier {
 namespace {
 
-constexpr std::uint8_t version = 1;
+constexpr std::uint8_t version = 2; // 1 had no reviews, and is else the same
 constexpr std::size_t hashSize = 8;
 
-enum NodeFlag : std::uint8_t { hasParent = 1, isBranching = 2, hasEntities = 4, isMarked = 8 };
+enum NodeFlag : std::uint8_t {
+  hasParent = 1,
+  isBranching = 2,
+  hasEntities = 4,
+  isMarked = 8,
+  hasReview = 16
+};
 enum ChangeFlag : std::uint8_t { hasBefore = 1, hasAfter = 2 };
 
 /// What is not as it should be; caught where reading begins.
@@ -58,15 +64,19 @@ public:
   void node(const Node& node) {
     number(static_cast<std::uint8_t>(
         (node.parent ? hasParent : 0) | (node.edge == EdgeType::branching ? isBranching : 0) |
-        (node.entities.empty() ? 0 : hasEntities) | (node.isMarked ? isMarked : 0)));
+        (node.entities.empty() ? 0 : hasEntities) | (node.isMarked ? isMarked : 0) |
+        (node.review == ReviewMark() ? 0 : hasReview)));
     for (int i = 0; i < 3; ++i)
       real(node.position[i]);
     real(node.radius);
     if (node.parent) id(*node.parent);
-    if (node.entities.empty()) return;
-    size(node.entities.size());
+    if (!node.entities.empty()) size(node.entities.size());
     for (const Entity& one : node.entities)
       entity(one);
+    if (node.review == ReviewMark()) return;
+    number(static_cast<std::uint8_t>(node.review.state));
+    text(node.review.comment);
+    text(node.review.reviewer);
   }
 
   [[nodiscard]] std::string finished() {
@@ -85,7 +95,9 @@ public:
     rest_ = bytes.substr(bytes.size() - hashSize);
     const auto hash = number<std::uint64_t>();
     rest_ = bytes.substr(0, bytes.size() - hashSize);
-    if (hash != contentHash(rest_) || number<std::uint8_t>() != version) throw Malformed{};
+    if (hash != contentHash(rest_)) throw Malformed{};
+    const auto written = number<std::uint8_t>();
+    if (written < 1 || written > version) throw Malformed{};
   }
 
   template <std::unsigned_integral Number> Number number() {
@@ -146,6 +158,16 @@ public:
     if ((flags & hasEntities) != 0)
       for (std::size_t left = count(21); left > 0; --left)
         result.entities.push_back(entity());
+    if ((flags & hasReview) != 0) result.review = review();
+    return result;
+  }
+  ReviewMark review() {
+    ReviewMark result;
+    const auto state = number<std::uint8_t>();
+    if (state > static_cast<std::uint8_t>(ReviewState::reviewed)) throw Malformed{};
+    result.state = static_cast<ReviewState>(state);
+    result.comment = text();
+    result.reviewer = text();
     return result;
   }
   void end() const {

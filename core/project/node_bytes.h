@@ -13,8 +13,9 @@ namespace espalier {
 ///
 /// A version byte, the nodes, and the contentHash of both. Numbers are little-endian, doubles
 /// IEEE 754, so that files move between machines and nothing is rounded. A node is its flags
-/// (1 parent, 2 branching, 4 entities, 8 marked), position, radius, and what the flags announce.
-/// Reading gives none for bytes that were cut, changed, or are of another version; memory stays
+/// (1 parent, 2 branching, 4 entities, 8 marked, 16 review), position, radius, and what the flags
+/// announce. Version 1, without reviews, is read too.
+/// Reading gives none for bytes that were cut, changed, or are of a later version; memory stays
 /// within a small multiple of the bytes, but for the table by id (see mostIds).
 
 [[nodiscard]] std::string bytesOf(const SkeletonDelta& delta);

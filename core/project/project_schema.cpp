@@ -24,6 +24,7 @@ const std::vector<Statements>& upgrades() {
        "CREATE TABLE scan (id INTEGER PRIMARY KEY, absolute TEXT NOT NULL, relative TEXT NOT NULL,"
        " size INTEGER NOT NULL, hash INTEGER NOT NULL, x0 REAL, y0 REAL, z0 REAL,"
        " x1 REAL, y1 REAL, z1 REAL)"},
+      {}, // 1 to 2: nodes may carry review marks (node_bytes.h); the tables are the same
   };
   return all;
 }

@@ -85,6 +85,11 @@ void Skeleton::setMarked(NodeId id, bool isMarked) {
   nodes_[indexOf(id)]->isMarked = isMarked;
 }
 
+void Skeleton::setReview(NodeId id, ReviewMark review) {
+  assert(contains(id));
+  nodes_[indexOf(id)]->review = std::move(review);
+}
+
 void Skeleton::reparent(NodeId id, NodeId parent, EdgeType edge) {
   assert(contains(id));
   if (!contains(parent)) throw Error(name(parent) + " does not exist: choose another parent");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/skeleton/entity.h"
+#include "core/skeleton/review_mark.h"
 
 #include <Eigen/Core>
 
@@ -20,6 +21,7 @@ struct Node {
   EdgeType edge = EdgeType::successor;                // without meaning for a root
   std::vector<Entity> entities = {}; // of an MTG, that start here: coarsest first, its own last
   bool isMarked = false; // by hand: a unit is to start here (core/mtg/unit_edits.h). Never exported
+  ReviewMark review = {};
 
   bool operator==(const Node&) const = default;
 };
@@ -49,6 +51,7 @@ public:
   void setEdge(NodeId id, EdgeType edge);                       // pre: contains(id)
   void setEntities(NodeId id, std::vector<Entity> entities);    // pre: contains(id)
   void setMarked(NodeId id, bool isMarked);                     // pre: contains(id)
+  void setReview(NodeId id, ReviewMark review);                 // pre: contains(id)
 
   /// Hangs `id`, with all it carries, on `parent`.
   /// @throws Error if `parent` is `id` or a descendant of it

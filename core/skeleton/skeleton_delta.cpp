@@ -12,6 +12,11 @@ std::optional<Node> lookUp(const Skeleton& skeleton, NodeId id) {
   return skeleton[id];
 }
 
+/// Whether an edit left a node, and its edge to the parent, as they were when they were looked at.
+bool looksAlike(const Node& a, const Node& b) {
+  return a.position == b.position && a.parent == b.parent && (!a.parent || a.edge == b.edge);
+}
+
 } // namespace
 
 SkeletonDelta SkeletonDelta::inverse() const {
@@ -61,6 +66,7 @@ void SkeletonDelta::apply(Skeleton& skeleton) const {
     skeleton.setRadius(change.id, change.after->radius);
     skeleton.setEntities(change.id, change.after->entities);
     skeleton.setMarked(change.id, change.after->isMarked);
+    skeleton.setReview(change.id, change.after->review);
     if (change.after->parent)
       skeleton.reparent(change.id, *change.after->parent, change.after->edge);
     else
@@ -74,6 +80,7 @@ SkeletonEditor::~SkeletonEditor() {
 
 NodeId SkeletonEditor::add(const Node& node) {
   const NodeId id = skeleton_.add(node);
+  skeleton_.setReview(id, {}); // of a copy, too
   ids_.insert(static_cast<std::uint32_t>(id));
   noted_.push_back({id, std::nullopt, std::nullopt});
   return id;
@@ -104,6 +111,11 @@ void SkeletonEditor::setMarked(NodeId id, bool isMarked) {
   skeleton_.setMarked(id, isMarked);
 }
 
+void SkeletonEditor::setReview(NodeId id, ReviewMark review) {
+  note(id);
+  skeleton_.setReview(id, std::move(review));
+}
+
 void SkeletonEditor::reparent(NodeId id, NodeId parent, EdgeType edge) {
   note(id);
   skeleton_.reparent(id, parent, edge);
@@ -120,6 +132,7 @@ void SkeletonEditor::erase(NodeId id) {
 }
 
 SkeletonDelta SkeletonEditor::commit() {
+  takeBackReviews();
   SkeletonDelta delta = changesSoFar();
   noted_.clear();
   ids_.clear();
@@ -129,6 +142,17 @@ SkeletonDelta SkeletonEditor::commit() {
 void SkeletonEditor::note(NodeId id) {
   if (!ids_.insert(static_cast<std::uint32_t>(id)).second) return;
   noted_.push_back({id, skeleton_[id], std::nullopt});
+}
+
+void SkeletonEditor::takeBackReviews() {
+  for (const SkeletonDelta::Change& change : noted_) {
+    if (!change.before || !skeleton_.contains(change.id)) continue;
+    const Node& after = skeleton_[change.id];
+    const bool isStale = after.review == change.before->review &&
+                         after.review.state == ReviewState::reviewed &&
+                         !looksAlike(after, *change.before);
+    if (isStale) skeleton_.setReview(change.id, {.comment = after.review.comment});
+  }
 }
 
 SkeletonDelta SkeletonEditor::changesSoFar() const {

@@ -36,6 +36,10 @@ struct SkeletonDelta {
 /// Edits a skeleton and notes each node before its first change.
 ///
 /// Unless committed, destruction takes the whole edit back: an edit that throws leaves no trace.
+///
+/// A node that is moved, hangs elsewhere, or has another type of edge is no longer as it was
+/// reviewed: unless the same edit changes its mark, it is to do again, as every new node is; its
+/// comment stays. Radii are fitted late and for the whole plant: they leave marks as they are.
 class SkeletonEditor {
 public:
   explicit SkeletonEditor(Skeleton& skeleton) : skeleton_(skeleton) {}
@@ -52,6 +56,7 @@ public:
   void setEdge(NodeId id, EdgeType edge);
   void setEntities(NodeId id, std::vector<Entity> entities);
   void setMarked(NodeId id, bool isMarked);
+  void setReview(NodeId id, ReviewMark review);
   void reparent(NodeId id, NodeId parent, EdgeType edge);
   void makeRoot(NodeId id);
   void erase(NodeId id);
@@ -61,6 +66,7 @@ public:
 
 private:
   void note(NodeId id);
+  void takeBackReviews();
   [[nodiscard]] SkeletonDelta changesSoFar() const;
 
   Skeleton& skeleton_;

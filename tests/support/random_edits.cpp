@@ -10,7 +10,7 @@ void editAtRandom(SkeletonEditor& editor, Random& random) {
   }
   const NodeId id = ids[random.below(ids.size())];
   const NodeId other = ids[random.below(ids.size())];
-  switch (random.below(9)) {
+  switch (random.below(10)) {
   case 0:
     editor.setPosition(id, random.direction());
     break;
@@ -37,6 +37,9 @@ void editAtRandom(SkeletonEditor& editor, Random& random) {
     break;
   case 7:
     editor.setMarked(id, !editor.skeleton()[id].isMarked);
+    break;
+  case 8:
+    editor.setReview(id, {static_cast<ReviewState>(random.below(3)), "seen", "Anna"});
     break;
   default:
     if (!editor.skeleton().isAncestor(id, other)) editor.reparent(id, other, EdgeType::successor);

@@ -15,6 +15,8 @@ Skeleton plantWithEntities() {
   entity.later = {{}, {{"Length", "13"}}};
   plant.add({.radius = 0.25, .parent = NodeId{3}, .entities = {entity, {.symbol = "I"}}});
   plant.setMarked(NodeId{5}, true);
+  plant.setReview(NodeId{6}, {ReviewState::doubtful, "crosses its neighbor?", "Anna"});
+  plant.setReview(NodeId{40}, {ReviewState::reviewed, {}, "Émile"});
   plant.erase(plant.add({.parent = NodeId{4}})); // its id stays handed out
   return plant;
 }

@@ -1,0 +1,128 @@
+#include "core/skeleton/review_walk.h"
+#include "tests/support/plants.h"
+
+#include <algorithm>
+#include <gmock/gmock.h>
+
+namespace espalier {
+namespace {
+
+using testing::ElementsAre;
+
+/// A trunk 0-1-2-3 along z, on 1 the branch 4-5, on 4 the twig 6, on 2 the branch 7.
+Skeleton smallTree() {
+  Skeleton plant = test::stick(4);
+  const auto add = [&](double x, double z, unsigned parent, EdgeType edge) {
+    plant.add({.position = {x, 0, z}, .parent = NodeId{parent}, .edge = edge});
+  };
+  add(1, 1, 1, EdgeType::branching);
+  add(2, 1, 4, EdgeType::successor);
+  add(1, 2, 4, EdgeType::branching);
+  add(1, 3, 2, EdgeType::branching);
+  return plant;
+}
+
+std::vector<std::vector<unsigned>> numbers(const std::vector<Stretch>& stretches) {
+  std::vector<std::vector<unsigned>> result;
+  for (const Stretch& stretch : stretches) {
+    result.emplace_back();
+    for (const NodeId id : stretch)
+      result.back().push_back(static_cast<unsigned>(id));
+  }
+  return result;
+}
+
+void review(Skeleton& plant, const Stretch& stretch) {
+  for (const NodeId id : stretch)
+    plant.setReview(id, {.state = ReviewState::reviewed});
+}
+
+TEST(ReviewWalk, GoesUpTheTrunkAndThenBranchByBranchWithItsTwigs) {
+  EXPECT_THAT(
+      numbers(axesInWalkOrder(smallTree())),
+      ElementsAre(ElementsAre(0, 1, 2, 3), ElementsAre(4, 5), ElementsAre(6), ElementsAre(7)));
+}
+
+TEST(ReviewWalk, StretchesEndAtBranchings) {
+  EXPECT_THAT(numbers(stretches(smallTree(), 100)),
+              ElementsAre(ElementsAre(0, 1), ElementsAre(2), ElementsAre(3), ElementsAre(4),
+                          ElementsAre(5), ElementsAre(6), ElementsAre(7)));
+}
+
+TEST(ReviewWalk, StretchesAreNoLongerThanAsked) {
+  const Skeleton plant = test::stick(8); // seven edges of 1
+  EXPECT_THAT(numbers(stretches(plant, 3)),
+              ElementsAre(ElementsAre(0, 1, 2, 3), ElementsAre(4, 5, 6), ElementsAre(7)));
+  EXPECT_EQ(stretches(plant, 0.5).size(), 8U) << "each edge is longer than that";
+  EXPECT_DOUBLE_EQ(longestStretch(plant), 0.7);
+}
+
+TEST(ReviewWalk, LeavesOutNoNodeOfAnyPlant) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const Skeleton plant = test::randomPlant(200, seed);
+    std::vector<NodeId> walked;
+    for (const Stretch& stretch : stretches(plant, 5))
+      walked.insert(walked.end(), stretch.begin(), stretch.end());
+    std::vector<NodeId> all = plant.ids();
+    std::ranges::sort(walked);
+    std::ranges::sort(all);
+    ASSERT_EQ(walked, all) << "seed " << seed;
+  }
+}
+
+TEST(ReviewWalk, GoesOnAndBackAndBeginsAnewAtTheEnd) {
+  const Skeleton plant = smallTree();
+  const auto parts = stretches(plant, 100);
+  EXPECT_EQ(walk(plant, parts, std::nullopt, WalkTo::anyStretch), 0U);
+  EXPECT_EQ(walk(plant, parts, 0, WalkTo::anyStretch), 1U);
+  EXPECT_EQ(walk(plant, parts, 6, WalkTo::anyStretch), 0U);
+  EXPECT_EQ(walk(plant, parts, 0, WalkTo::anyStretch, WalkWay::backward), 6U);
+  EXPECT_EQ(walk(plant, parts, std::nullopt, WalkTo::anyStretch, WalkWay::backward), 6U);
+  EXPECT_EQ(stretchOf(parts, NodeId{5}), 4U);
+  EXPECT_EQ(stretchOf(parts, NodeId{99}), std::nullopt);
+}
+
+TEST(ReviewWalk, FindsWhatIsNotReviewed) {
+  Skeleton plant = smallTree();
+  const auto parts = stretches(plant, 100);
+  for (const std::size_t done : {0, 1, 3, 4, 5})
+    review(plant, parts[done]);
+  plant.setReview(NodeId{3}, {.state = ReviewState::doubtful});
+  EXPECT_EQ(walk(plant, parts, 0, WalkTo::notReviewed), 2U) << "a doubtful one is not reviewed";
+  EXPECT_EQ(walk(plant, parts, 2, WalkTo::notReviewed), 6U);
+  EXPECT_EQ(walk(plant, parts, 6, WalkTo::notReviewed), 2U);
+  review(plant, parts[2]);
+  EXPECT_EQ(walk(plant, parts, 6, WalkTo::notReviewed), 6U) << "there is only the one it is at";
+  review(plant, parts[6]);
+  EXPECT_EQ(walk(plant, parts, 6, WalkTo::notReviewed), std::nullopt);
+}
+
+TEST(ReviewWalk, FindsOpenEndsAndBranchings) {
+  Skeleton plant = smallTree();
+  const auto parts = stretches(plant, 100);
+  const auto endsAt = [&](std::optional<std::size_t> from, WalkTo to) {
+    return static_cast<unsigned>(parts[*walk(plant, parts, from, to)].back());
+  };
+  EXPECT_EQ(endsAt(std::nullopt, WalkTo::openEnd), 3U);
+  EXPECT_EQ(endsAt(2, WalkTo::openEnd), 5U);
+  EXPECT_EQ(endsAt(6, WalkTo::openEnd), 3U);
+  EXPECT_EQ(endsAt(std::nullopt, WalkTo::branching), 1U);
+  EXPECT_EQ(endsAt(0, WalkTo::branching), 2U);
+  EXPECT_EQ(endsAt(1, WalkTo::branching), 4U);
+  review(plant, parts[2]);
+  EXPECT_EQ(endsAt(std::nullopt, WalkTo::openEnd), 5U) << "the tip of the trunk is known";
+  for (const Stretch& part : parts)
+    review(plant, part);
+  EXPECT_EQ(walk(plant, parts, 0, WalkTo::openEnd), std::nullopt);
+  EXPECT_EQ(walk(plant, parts, 0, WalkTo::branching), std::nullopt);
+}
+
+TEST(ReviewWalk, OfNothingGoesNowhere) {
+  const Skeleton nothing;
+  EXPECT_TRUE(stretches(nothing, 1).empty());
+  EXPECT_EQ(longestStretch(nothing), 0);
+  EXPECT_EQ(walk(nothing, {}, std::nullopt, WalkTo::anyStretch), std::nullopt);
+}
+
+} // namespace
+} // namespace espalier

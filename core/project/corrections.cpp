@@ -1,0 +1,61 @@
+#include "core/project/corrections.h"
+
+#include <algorithm>
+
+namespace espalier {
+namespace {
+
+std::size_t countAdded(const SkeletonDelta& delta) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      delta.changes, [](const SkeletonDelta::Change& change) { return !change.before; }));
+}
+
+std::size_t countRemoved(const SkeletonDelta& delta) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      delta.changes, [](const SkeletonDelta::Change& change) { return !change.after; }));
+}
+
+/// The place behind the last step that left no earlier node; 0: none did.
+std::size_t firstCorrection(std::span<const HistoryStep> done, std::size_t size) {
+  for (std::size_t i = done.size(); i-- > 0;) {
+    const std::size_t added = countAdded(done[i].delta);
+    if (added == size && added > 0) return i + 1;
+    size = size + countRemoved(done[i].delta) - added;
+  }
+  return 0;
+}
+
+void count(const SkeletonDelta::Change& change, Corrections& to) {
+  if (!change.before || !change.after) {
+    ++(change.before ? to.removed : to.added);
+    return;
+  }
+  const Node& before = *change.before;
+  const Node& after = *change.after;
+  if (before.position != after.position) ++to.moved;
+  if (before.radius != after.radius) ++to.radii;
+  if (before.parent != after.parent)
+    ++to.reparented;
+  else if (after.parent && before.edge != after.edge)
+    ++to.retyped;
+}
+
+} // namespace
+
+HandWork handWork(std::span<const HistoryStep> done, const Skeleton& skeleton) {
+  const std::size_t first = firstCorrection(done, skeleton.size());
+  HandWork work;
+  Corrections& sum = work.corrections;
+  for (std::size_t i = first; i < done.size(); ++i) {
+    const Corrections before = sum;
+    for (const SkeletonDelta::Change& change : done[i].delta.changes)
+      count(change, sum);
+    if (sum != before) ++sum.edits;
+    if (i == 0) continue;
+    const std::int64_t gap = done[i].time - done[i - 1].time;
+    if (gap > 0 && gap <= longestPause) work.time += gap;
+  }
+  return work;
+}
+
+} // namespace espalier

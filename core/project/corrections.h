@@ -1,0 +1,41 @@
+#pragma once
+
+#include "core/project/history.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace espalier {
+
+/// What was corrected by hand: nodes by what became of them, once per edit that did it. A node
+/// that is moved and hung elsewhere by one edit counts as both.
+struct Corrections {
+  std::size_t edits = 0; // that corrected anything: those of marks and features do not
+  std::size_t added = 0;
+  std::size_t removed = 0;
+  std::size_t moved = 0;
+  std::size_t reparented = 0; // hung elsewhere, or made a root
+  std::size_t retyped = 0;    // `<` to `+` or back, on the same parent
+  std::size_t radii = 0;      // set
+
+  bool operator==(const Corrections&) const = default;
+};
+
+/// What the edits of a plant amount to.
+struct HandWork {
+  Corrections corrections;
+  std::int64_t time = 0; // [ms] at work: the sum of the times from each step to the next
+
+  bool operator==(const HandWork&) const = default;
+};
+
+/// A longer pause is none of work, and counts as nothing [ms].
+inline constexpr std::int64_t longestPause = std::int64_t{5} * 60 * 1000;
+
+/// The work by hand that led to the present skeleton: the steps that are done, from the last one on
+/// that made the whole plant anew (a reconstruction), which itself is no correction. A clock that
+/// was set back between two steps adds nothing. O(all changes).
+[[nodiscard]] HandWork handWork(std::span<const HistoryStep> done, const Skeleton& skeleton);
+
+} // namespace espalier

@@ -1,0 +1,193 @@
+#include "core/base/error.h"
+#include "core/project/seal.h"
+#include "core/project/structure_hash.h"
+#include "core/skeleton/edits.h"
+#include "tests/core/io/samples.h"
+#include "tests/core/project/edits_at_random.h"
+#include "tests/support/plants.h"
+
+#include <gmock/gmock.h>
+
+namespace espalier {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr std::int64_t minute = 60'000; // [ms]
+
+/// A history that is made edit by edit, at times that are told.
+struct Work {
+  History history = {.skeleton = test::fork(3)};
+
+  void step(std::int64_t time, const std::function<void(SkeletonEditor&)>& change) {
+    SkeletonEditor editor(history.skeleton);
+    change(editor);
+    history.steps.push_back({"Edit", "Anna", time, editor.commit()});
+    ++history.position;
+  }
+  void reviewAll(std::int64_t time) {
+    step(time, [](SkeletonEditor& editor) {
+      for (const NodeId id : editor.skeleton().ids())
+        editor.setReview(id, {.state = ReviewState::reviewed, .reviewer = "Anna"});
+    });
+  }
+  [[nodiscard]] HandWork done() const { return handWork(history.steps, history.skeleton); }
+};
+
+TEST(Corrections, AreCountedByKind) {
+  Work work;
+  work.step(0, [](SkeletonEditor& editor) { addChild(editor, NodeId{2}, {2, 0, 3}); });
+  work.step(0, [](SkeletonEditor& editor) { moveNode(editor, NodeId{3}, {9, 9, 9}); });
+  work.step(0, [](SkeletonEditor& editor) { reparentNode(editor, NodeId{4}, NodeId{0}); });
+  work.step(0, [](SkeletonEditor& editor) { setEdgeType(editor, NodeId{3}, EdgeType::successor); });
+  work.step(0, [](SkeletonEditor& editor) { editor.setRadius(NodeId{0}, 0.5); });
+  work.step(0, [](SkeletonEditor& editor) { removeNode(editor, NodeId{5}); });
+  work.step(0, [](SkeletonEditor& editor) { editor.setMarked(NodeId{0}, true); });
+  work.reviewAll(0);
+  const Corrections expected = {.edits = 6,
+                                .added = 1,
+                                .removed = 1,
+                                .moved = 1,
+                                .reparented = 1,
+                                .retyped = 2, // the successor before branches now
+                                .radii = 1};
+  EXPECT_EQ(work.done().corrections, expected);
+}
+
+TEST(Corrections, BeginAfterTheLastReconstruction) {
+  Work work;
+  work.step(0, [](SkeletonEditor& editor) { moveNode(editor, NodeId{3}, {9, 9, 9}); });
+  work.step(minute, [](SkeletonEditor& editor) { replaceSkeleton(editor, test::stick(9)); });
+  EXPECT_EQ(work.done(), HandWork());
+  const NodeId top = work.history.skeleton.ids().back();
+  work.step(3 * minute, [&](SkeletonEditor& editor) { removeNode(editor, top); });
+  EXPECT_EQ(work.done().corrections, (Corrections{.edits = 1, .removed = 1}));
+  EXPECT_EQ(work.done().time, 2 * minute) << "one looks at what was made before the first edit";
+}
+
+TEST(HandWork, LeavesOutLongPausesAndAClockThatWasSetBack) {
+  Work work;
+  double height = 1;
+  const auto moveAt = [&](std::int64_t time) {
+    work.step(time, [&](SkeletonEditor& editor) { moveNode(editor, NodeId{3}, {0, 0, ++height}); });
+  };
+  moveAt(0);
+  moveAt(2 * minute);
+  moveAt(2 * minute + longestPause); // just counts
+  moveAt(100 * minute);              // after lunch
+  moveAt(101 * minute);
+  moveAt(50 * minute);
+  moveAt(51 * minute);
+  EXPECT_EQ(work.done().time, (2 + 5 + 1 + 1) * minute);
+  EXPECT_EQ(handWork({}, Skeleton()), HandWork());
+}
+
+TEST(Seal, TellsWhoWhenAndWhatWasDone) {
+  Work work;
+  work.step(10 * minute, [](SkeletonEditor& editor) { moveNode(editor, NodeId{2}, {1, 0, 2.5}); });
+  work.reviewAll(12 * minute);
+  const Seal seal = signedBy("Anna", 13 * minute, work.history);
+  EXPECT_EQ(seal.author, "Anna");
+  EXPECT_EQ(seal.time, 13 * minute);
+  EXPECT_EQ(seal.work.time, 2 * minute);
+  EXPECT_EQ(seal.work.corrections.moved, 1U);
+  EXPECT_EQ(seal.nodes, 5U);
+  EXPECT_DOUBLE_EQ(seal.length, 1 + std::sqrt(1 + 1.5 * 1.5) + 2 * std::sqrt(2.0));
+  EXPECT_EQ(seal.hash, StructureHash(work.history.skeleton).value());
+}
+
+TEST(Seal, LeavesOutWhatWasUndone) {
+  Work work;
+  work.reviewAll(0);
+  const Seal before = signedBy("Anna", 0, work.history);
+  work.step(minute, [](SkeletonEditor& editor) { moveNode(editor, NodeId{2}, {1, 0, 2.5}); });
+  work.history.steps.back().delta.inverse().apply(work.history.skeleton);
+  --work.history.position;
+  EXPECT_EQ(signedBy("Anna", 0, work.history), before);
+}
+
+TEST(Seal, IsRefusedUnlessAllIsReviewedAndANameIsGiven) {
+  const auto refusal = [](const std::string& author, const History& history) {
+    return test::errorOf([&] { return signedBy(author, 0, history); });
+  };
+  Work work;
+  EXPECT_THAT(refusal("Anna", work.history), HasSubstr("5 of 5 nodes are not reviewed"));
+  work.reviewAll(0);
+  EXPECT_THAT(refusal(" ", work.history), HasSubstr("type who signs"));
+  work.step(0, [](SkeletonEditor& editor) { moveNode(editor, NodeId{2}, {9, 9, 9}); });
+  EXPECT_THAT(refusal("Anna", work.history), HasSubstr("1 of 5 nodes"));
+  EXPECT_THAT(refusal("Anna", {}), HasSubstr("no skeleton"));
+}
+
+TEST(Seal, ReadsBackFromItsText) {
+  const Seal seal{.author = "Zoë \"Z\" O'Hara",
+                  .time = 1'763'733'909'123,
+                  .work = {{.edits = 1,
+                            .added = 2,
+                            .removed = 3,
+                            .moved = 4,
+                            .reparented = 5,
+                            .retyped = 6,
+                            .radii = 7},
+                           987'654},
+                  .nodes = 1204,
+                  .length = 12.3456789,
+                  .hash = 0x00fedcba98765432};
+  EXPECT_EQ(sealFrom(textOf(seal)), seal);
+  EXPECT_THAT(textOf(seal), HasSubstr("\"2025-11-21T14:05:09Z\""));
+}
+
+TEST(Seal, OfAnyOtherTextIsAnError) {
+  const std::string text = textOf({.author = "Anna"});
+  for (std::size_t size = 0; size + 2 < text.size(); ++size)
+    EXPECT_THROW((void)sealFrom(text.substr(0, size)), Error) << size;
+  EXPECT_THROW((void)sealFrom("[]"), Error);
+  EXPECT_THROW((void)sealFrom(R"({"format": "espalier seal 1", "signed_by": 3})"), Error);
+  std::string badHash = text;
+  badHash.replace(badHash.find("0000000000000000"), 16, "000000000000000g");
+  EXPECT_THROW((void)sealFrom(badHash), Error);
+}
+
+TEST(StructureHash, FollowsEveryEditUndoAndRedo) {
+  test::EditsAtRandom edits({.skeleton = test::randomPlant(30, 4)}, 4);
+  for (int act = 0; act < 300; ++act) {
+    StructureHash hash(edits.history().skeleton);
+    const std::size_t position = edits.history().position;
+    const auto next = edits.next();
+    const bool isUndo = next.added.empty() && next.position < position;
+    const bool isRedo = next.added.empty() && next.position > position;
+    if (isUndo) hash.apply(edits.history().steps[next.position].delta.inverse());
+    if (isRedo) hash.apply(edits.history().steps[position].delta);
+    if (isUndo || isRedo) {
+      EXPECT_EQ(hash.value(), StructureHash(edits.history().skeleton).value());
+    }
+  }
+}
+
+TEST(StructureHash, DiffersByWhateverIsSigned) {
+  const Skeleton plant = test::fork(3);
+  const auto hashAfter = [&](const std::function<void(Skeleton&)>& change) {
+    Skeleton changed = plant;
+    change(changed);
+    return StructureHash(changed).value();
+  };
+  const std::uint64_t hash = StructureHash(plant).value();
+  EXPECT_EQ(hashAfter([](Skeleton&) {}), hash);
+  EXPECT_NE(hashAfter([](Skeleton& s) { s.setPosition(NodeId{3}, {0, 0, 2}); }), hash);
+  EXPECT_NE(hashAfter([](Skeleton& s) { s.setRadius(NodeId{3}, 0.2); }), hash);
+  EXPECT_NE(hashAfter([](Skeleton& s) { s.setEdge(NodeId{3}, EdgeType::successor); }), hash);
+  EXPECT_NE(hashAfter([](Skeleton& s) { s.reparent(NodeId{3}, NodeId{0}, EdgeType::branching); }),
+            hash);
+  EXPECT_NE(hashAfter([](Skeleton& s) { s.erase(NodeId{3}); }), hash);
+  EXPECT_NE(hashAfter([](Skeleton& s) { s.add({.parent = NodeId{3}}); }), hash);
+  EXPECT_NE(hashAfter([](Skeleton& s) { s.setEntities(NodeId{3}, {{.symbol = "U"}}); }), hash);
+  EXPECT_NE(hashAfter([](Skeleton& s) {
+              s.setReview(NodeId{3}, {ReviewState::doubtful, {}, {}});
+            }),
+            hash);
+  EXPECT_EQ(hashAfter([](Skeleton& s) { s.setReview(NodeId{3}, {.comment = "a remark"}); }), hash);
+  EXPECT_EQ(hashAfter([](Skeleton& s) { s.setMarked(NodeId{3}, true); }), hash);
+}
+
+} // namespace
+} // namespace espalier

@@ -9,13 +9,6 @@ int step(const Node& node) {
   return node.parent && node.edge == EdgeType::branching ? 1 : 0;
 }
 
-/// The node that continues the axis of `id`, if any.
-std::optional<NodeId> next(const Skeleton& skeleton, NodeId id) {
-  const std::vector<NodeId>& children = skeleton.children(id); // successors first
-  if (children.empty() || skeleton[children[0]].edge != EdgeType::successor) return std::nullopt;
-  return children[0];
-}
-
 } // namespace
 
 std::vector<int> orders(const Skeleton& skeleton) {
@@ -38,13 +31,27 @@ std::vector<Axis> axes(const Skeleton& skeleton) {
   std::vector<Axis> result;
   for (const NodeId id : skeleton.ids()) {
     const std::optional<NodeId> parent = skeleton[id].parent;
-    if (parent && next(skeleton, *parent) == id) continue;
-    Axis axis;
-    for (std::optional<NodeId> at = id; at; at = next(skeleton, *at))
-      axis.push_back(*at);
-    result.push_back(std::move(axis));
+    if (parent && nextOnAxis(skeleton, *parent) == id) continue;
+    result.push_back(axisThrough(skeleton, id));
   }
   return result;
+}
+
+std::optional<NodeId> nextOnAxis(const Skeleton& skeleton, NodeId id) {
+  const std::vector<NodeId>& children = skeleton.children(id); // successors first
+  if (children.empty() || skeleton[children[0]].edge != EdgeType::successor) return std::nullopt;
+  return children[0];
+}
+
+Axis axisThrough(const Skeleton& skeleton, NodeId id) {
+  NodeId first = id;
+  for (std::optional<NodeId> below = skeleton[id].parent;
+       below && nextOnAxis(skeleton, *below) == first; below = skeleton[first].parent)
+    first = *below;
+  Axis axis;
+  for (std::optional<NodeId> at = first; at; at = nextOnAxis(skeleton, *at))
+    axis.push_back(*at);
+  return axis;
 }
 
 double length(const Skeleton& skeleton, const Axis& axis) {

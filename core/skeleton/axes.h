@@ -2,6 +2,7 @@
 
 #include "core/skeleton/skeleton.h"
 
+#include <optional>
 #include <vector>
 
 namespace espalier {
@@ -18,6 +19,12 @@ using Axis = std::vector<NodeId>;
 /// The axes of a skeleton; each comes after the one it hangs on. Where a node has several
 /// successors, the one with the lowest id continues the axis and the others begin their own. O(N).
 [[nodiscard]] std::vector<Axis> axes(const Skeleton& skeleton);
+
+/// The node that continues the axis of `id`, if any. pre: contains(id)
+[[nodiscard]] std::optional<NodeId> nextOnAxis(const Skeleton& skeleton, NodeId id);
+
+/// The axis that a node is part of. pre: contains(id). Time O(length of the axis).
+[[nodiscard]] Axis axisThrough(const Skeleton& skeleton, NodeId id);
 
 /// Length of an axis along its nodes [L], with the edge to the node it hangs on.
 [[nodiscard]] double length(const Skeleton& skeleton, const Axis& axis);

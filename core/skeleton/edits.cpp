@@ -1,6 +1,7 @@
 #include "core/skeleton/edits.h"
 
 #include "core/base/error.h"
+#include "core/skeleton/keep_units.h"
 
 #include <algorithm>
 #include <cassert>
@@ -14,48 +15,10 @@ bool isSuccessor(const Skeleton& skeleton, NodeId id) {
   return skeleton[id].edge == EdgeType::successor;
 }
 
-/// The type of edge that a further child of `parent` gets; `except` does not count as a child.
-EdgeType edgeOfNewChild(const Skeleton& skeleton, NodeId parent,
-                        std::optional<NodeId> except = std::nullopt) {
-  for (const NodeId child : skeleton.children(parent))
-    if (child != except && isSuccessor(skeleton, child)) return EdgeType::branching;
-  return EdgeType::successor;
-}
-
 void requireParent(const Skeleton& skeleton, NodeId id) {
   if (!skeleton[id].parent)
     throw Error("node " + std::to_string(indexOf(id)) +
                 " is a root and has no edge to a parent: choose a node above it");
-}
-
-/// Lets a coarser unit start at `id` too, unless one of its scale does.
-/// @param own  the entity of a node that it started at, whose class `id` gets if it has none
-/// @return whether it starts there now
-bool startUnit(SkeletonEditor& editor, NodeId id, const Entity& unit, const Entity& own) {
-  std::vector<Entity> entities = editor.skeleton()[id].entities;
-  if (entities.empty()) entities.push_back({.scale = own.scale, .symbol = own.symbol});
-  const auto at = std::ranges::lower_bound(entities, unit.scale, {}, &Entity::scale);
-  if (at != entities.end() && at->scale == unit.scale) return false;
-  entities.insert(at, unit);
-  editor.setEntities(id, std::move(entities));
-  return true;
-}
-
-/// Lets the coarser units of a removed node start at those of its children that were part of them,
-/// so that every node stays in its units. pre: the children hang where they will
-void passOnUnits(SkeletonEditor& editor, const std::vector<Entity>& entities,
-                 const std::vector<NodeId>& children) {
-  for (std::size_t i = 0; i + 1 < entities.size(); ++i) {
-    Entity unit = entities[i];
-    std::optional<NodeId> first; // that starts it
-    for (const NodeId child : children) {
-      if (first && editor.skeleton()[child].parent == first) continue; // part of it by that
-      if (!startUnit(editor, child, unit, entities.back())) continue;
-      if (!first) first = child;
-      unit.values.clear(); // its further parts carry its name alone
-      unit.later.clear();
-    }
-  }
 }
 
 void removeRoot(SkeletonEditor& editor, NodeId root) {
@@ -71,6 +34,12 @@ void removeRoot(SkeletonEditor& editor, NodeId root) {
 }
 
 } // namespace
+
+EdgeType edgeOfNewChild(const Skeleton& skeleton, NodeId parent, std::optional<NodeId> except) {
+  for (const NodeId child : skeleton.children(parent))
+    if (child != except && isSuccessor(skeleton, child)) return EdgeType::branching;
+  return EdgeType::successor;
+}
 
 void moveNode(SkeletonEditor& editor, NodeId id, const Eigen::Vector3d& position) {
   editor.setPosition(id, position);

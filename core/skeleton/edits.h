@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include <optional>
+
 namespace espalier {
 
 // Edits by hand, as PlantScan3D's users know them. Each leaves a valid forest with at most one
@@ -11,6 +13,11 @@ namespace espalier {
 //
 // Nodes stay in the units of an MTG that they are part of, unless the edit is about that: a node
 // belongs to the units that start at it and else to those of its parent (Node::entities).
+
+/// The type of edge that a further child of `parent` gets: a successor if it has none yet; `except`
+/// does not count as a child.
+[[nodiscard]] EdgeType edgeOfNewChild(const Skeleton& skeleton, NodeId parent,
+                                      std::optional<NodeId> except = std::nullopt);
 
 void moveNode(SkeletonEditor& editor, NodeId id, const Eigen::Vector3d& position);
 

@@ -1,0 +1,155 @@
+#include "core/skeleton/tree_edits.h"
+
+#include "core/base/error.h"
+#include "core/skeleton/edits.h"
+#include "core/skeleton/keep_units.h"
+#include "core/skeleton/select.h"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+namespace espalier {
+namespace {
+
+std::string name(NodeId id) {
+  return "node " + std::to_string(indexOf(id));
+}
+
+NodeId rootOf(const Skeleton& skeleton, NodeId id) {
+  return upstream(skeleton, {id}).back();
+}
+
+/// The type of the edge by which a node of a path hangs on the one above it, once it is reversed.
+EdgeType reversedEdge(const Skeleton& skeleton, EdgeType before, NodeId newParent) {
+  if (edgeOfNewChild(skeleton, newParent) == EdgeType::branching) return EdgeType::branching;
+  return skeleton.children(newParent).empty() ? EdgeType::successor : before;
+}
+
+/// The nodes of a choice whose parents are not of it, those with a successor edge first, then by
+/// id.
+std::vector<NodeId> tops(const Skeleton& skeleton, const std::vector<NodeId>& nodes,
+                         const std::vector<bool>& isChosen) {
+  std::vector<NodeId> result;
+  for (const NodeId id : nodes) {
+    const std::optional<NodeId>& parent = skeleton[id].parent;
+    if (!parent || !isChosen[indexOf(*parent)]) result.push_back(id);
+  }
+  std::ranges::sort(result, {}, [&](NodeId id) {
+    return std::pair(skeleton[id].edge != EdgeType::successor, indexOf(id));
+  });
+  return result;
+}
+
+void requireNeighbors(const Skeleton& skeleton, const std::vector<NodeId>& tops) {
+  for (const NodeId id : tops) {
+    const std::optional<NodeId>& parent = skeleton[id].parent;
+    const bool isAlone = tops.size() == 1;
+    if (!isAlone && (!parent || parent != skeleton[tops.front()].parent))
+      throw Error(name(tops.front()) + " and " + name(id) +
+                  " do not hang together: choose nodes linked by edges, or children of one node");
+  }
+}
+
+} // namespace
+
+void swapSuccessor(SkeletonEditor& editor, NodeId id) {
+  std::vector<NodeId> children = editor.skeleton().children(id);
+  if (children.size() < 2)
+    throw Error(name(id) + " does not branch: choose a node with two children or more");
+  const bool hasSuccessor = editor.skeleton()[children.front()].edge == EdgeType::successor;
+  const NodeId before = children.front();
+  std::ranges::sort(children, {}, indexOf);
+  auto next = children.begin();
+  if (hasSuccessor) next = std::ranges::find(children, before) + 1;
+  setEdgeType(editor, next == children.end() ? children.front() : *next, EdgeType::successor);
+}
+
+void cutOff(SkeletonEditor& editor, NodeId id) {
+  if (!editor.skeleton()[id].parent)
+    throw Error(name(id) + " is a root already: choose a node above it");
+  hangInItsUnits(editor, id, std::nullopt);
+}
+
+void joinTree(SkeletonEditor& editor, NodeId id, NodeId onto) {
+  const Skeleton& skeleton = editor.skeleton();
+  if (rootOf(skeleton, id) == rootOf(skeleton, onto))
+    throw Error(name(id) + " and " + name(onto) +
+                " belong to one tree: reparent one to the other instead");
+  reroot(editor, id);
+  editor.reparent(id, onto, edgeOfNewChild(skeleton, onto));
+  joinUnitParts(editor, id);
+}
+
+NodeId nearestInOtherTree(const Skeleton& skeleton, NodeId id) {
+  const std::vector<NodeId> others = inverted(skeleton, treesOf(skeleton, {id}));
+  if (others.empty())
+    throw Error("the plant is one tree: there is nothing to join " + name(id) + " to");
+  NodeId nearest = others.front();
+  double least = std::numeric_limits<double>::infinity();
+  for (const NodeId other : others) {
+    const double distance = (skeleton[other].position - skeleton[id].position).squaredNorm();
+    if (distance < least) {
+      least = distance;
+      nearest = other;
+    }
+  }
+  return nearest;
+}
+
+void reroot(SkeletonEditor& editor, NodeId id) {
+  const NodeId root = rootOf(editor.skeleton(), id);
+  if (root != id) reversePath(editor, root, id);
+}
+
+void reversePath(SkeletonEditor& editor, NodeId top, NodeId bottom) {
+  const Skeleton& skeleton = editor.skeleton();
+  if (top == bottom || !skeleton.isAncestor(top, bottom))
+    throw Error(name(top) + " does not carry " + name(bottom) +
+                ": choose the two ends of a path that leads upward");
+  const std::vector<NodeId> path = pathBetween(skeleton, top, bottom);
+  const Node first = skeleton[top];
+  reverseUnits(editor, path);
+  std::vector<EdgeType> edges; // to the node before, of all but the first
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    edges.push_back(skeleton[path[i]].edge);
+    editor.makeRoot(path[i]); // all in pieces first: no order of hanging them can make a cycle
+  }
+  if (first.parent) editor.makeRoot(top);
+  for (std::size_t i = 0; i + 1 < path.size(); ++i)
+    editor.reparent(path[i], path[i + 1], reversedEdge(skeleton, edges[i], path[i + 1]));
+  if (first.parent) editor.reparent(bottom, *first.parent, first.edge);
+}
+
+NodeId mergeNodes(SkeletonEditor& editor, const std::vector<NodeId>& nodes) {
+  const Skeleton& skeleton = editor.skeleton();
+  std::vector<bool> isChosen(skeleton.idEnd(), false);
+  for (const NodeId id : nodes)
+    isChosen[indexOf(id)] = true;
+  if (std::ranges::count(isChosen, true) < 2)
+    throw Error("there is one node only: choose two or more to merge");
+  const std::vector<NodeId> highest = tops(skeleton, nodes, isChosen);
+  requireNeighbors(skeleton, highest);
+
+  std::vector<NodeId> all; // each once, parents before their children
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double radii = 0;
+  int known = 0;
+  for (const NodeId id : downstream(skeleton, highest)) {
+    if (!isChosen[indexOf(id)]) continue;
+    all.push_back(id);
+    sum += skeleton[id].position;
+    radii += skeleton[id].radius;
+    if (skeleton[id].radius > 0) ++known;
+  }
+  const NodeId kept = highest.front();
+  for (const NodeId id : highest)
+    if (id != kept) hangInItsUnits(editor, id, kept, edgeOfNewChild(skeleton, kept));
+  for (const NodeId id : all)
+    if (id != kept) removeNode(editor, id);
+  editor.setPosition(kept, sum / static_cast<double>(all.size()));
+  if (known > 0) editor.setRadius(kept, radii / known);
+  return kept;
+}
+
+} // namespace espalier

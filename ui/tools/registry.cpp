@@ -27,8 +27,8 @@ std::vector<ToolEntry> tools() {
       {"add", tr("Add Nodes"),
        tr("Pull children out of nodes, insert on edges, click along points"), "add", Qt::Key_D,
        make<AddNodeTool>},
-      {"reparent", tr("Reparent"), tr("Hang a branch on another node"), "reparent", Qt::Key_P,
-       make<ReparentNodeTool>},
+      {"reparent", tr("Reparent"), tr("Drag a branch onto another node or edge"), "reparent",
+       Qt::Key_P, make<ReparentNodeTool>},
       {"navigate", tr("Navigate"), tr("The mouse only moves the camera"), "navigate", Qt::Key_V,
        make<NavigateTool>},
   };

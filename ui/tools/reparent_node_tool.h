@@ -2,10 +2,15 @@
 
 #include "ui/tools/tool.h"
 
+#include <optional>
+
 namespace espalier {
 
-/// Hangs nodes, with all they carry, on the node clicked: started from nodes by a key, or with a
-/// first click that chooses the node. It ends when that is done; a refusal lets one try again.
+/// Hangs nodes, with all they carry, elsewhere: a node is dragged onto its new parent, or clicked
+/// and then its parent. A place on an edge is a parent too: it gets a node of its own.
+///
+/// Started from nodes by a key it ends when that is done; chosen as a tool it goes on with the next
+/// node. A refusal lets one try again.
 class ReparentNodeTool : public Tool {
   Q_OBJECT
 
@@ -19,9 +24,18 @@ public:
 
 private:
   bool act(const ToolInput& input) override;
-  void hangOn(NodeId parent);
+  bool press(const ToolInput& input);
+  bool release(const ToolInput& input);
+  void take(const std::vector<NodeId>& nodes);
+  void hangOn(const Pick& target);
+  [[nodiscard]] bool isMoving(const Pick& pick) const;
+  void preview(const ToolInput& input);
+  void end();
 
   std::vector<NodeId> moving_;
+  bool endsWhenDone_ = false;
+  std::optional<QPointF> pressed_; // where, while the button is down on a node to be moved
+  bool isDragging_ = false;
 };
 
 } // namespace espalier

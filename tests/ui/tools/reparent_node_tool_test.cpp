@@ -71,6 +71,66 @@ TEST_F(ReparentNodeToolTest, EndsWithNothingChangedOnEscape) {
   EXPECT_EQ(document.skeleton(), test::fork(3));
 }
 
+TEST_F(ReparentNodeToolTest, HangsANodeOnTheOneItIsDraggedOnto) {
+  EXPECT_TRUE(mouse.press(onNode(NodeId{3}), {0, 2}));
+  EXPECT_TRUE(mouse.drag({0.5, 2}));
+  EXPECT_EQ(document.skeleton(), test::fork(3)) << "changed before it was dropped";
+  mouse.drag({1, 2}, onNode(NodeId{4}));
+  const Skeleton& plant = document.skeleton();
+  ASSERT_EQ(canvas.preview.lines.size(), 1U);
+  EXPECT_EQ(canvas.preview.lines[0].front(), plant[NodeId{4}].position);
+  EXPECT_TRUE(mouse.release(onNode(NodeId{4})));
+  EXPECT_TRUE(canvas.preview.isEmpty());
+  EXPECT_EQ(document.skeleton()[NodeId{3}].parent, NodeId{4});
+  EXPECT_FALSE(tool.isBusy());
+  document.undoStack().undo();
+  EXPECT_EQ(document.skeleton(), test::fork(3));
+}
+
+TEST_F(ReparentNodeToolTest, StaysForTheNextBranchUnlessAKeyStartedIt) {
+  const QSignalSpy finished(&tool, &Tool::finished);
+  mouse.press(onNode(NodeId{3}), {0, 2});
+  mouse.drag({1, 2}, onNode(NodeId{4}));
+  mouse.release(onNode(NodeId{4}));
+  EXPECT_EQ(finished.size(), 0);
+}
+
+TEST_F(ReparentNodeToolTest, PutsBackABranchDroppedOnNothing) {
+  mouse.press(onNode(NodeId{3}), {0, 2});
+  mouse.drag({5, 5});
+  mouse.release();
+  EXPECT_FALSE(tool.isBusy());
+  EXPECT_EQ(document.skeleton(), test::fork(3));
+  EXPECT_EQ(document.undoStack().count(), 0);
+}
+
+TEST_F(ReparentNodeToolTest, PutsBackOnEscapeInMidDrag) {
+  mouse.press(onNode(NodeId{3}), {0, 2});
+  mouse.drag({1, 2}, onNode(NodeId{4}));
+  mouse.escape();
+  mouse.release(onNode(NodeId{4}));
+  EXPECT_EQ(document.skeleton(), test::fork(3));
+}
+
+TEST_F(ReparentNodeToolTest, GivesTheEdgeItIsHungOnANode) {
+  tool.startWith({NodeId{3}});
+  const Pick half = test::onEdge(document.skeleton(), NodeId{4}, 0.5);
+  const Eigen::Vector3d place = half.edge->position;
+  mouse.click(half, {0, 2});
+  const Skeleton& plant = document.skeleton();
+  ASSERT_EQ(plant.size(), test::fork(3).size() + 1);
+  const NodeId parent = *plant[NodeId{3}].parent;
+  EXPECT_TRUE(plant[parent].position.isApprox(place));
+  EXPECT_EQ(plant[NodeId{4}].parent, parent);
+  EXPECT_EQ(document.undoStack().count(), 1) << "one step for both";
+}
+
+TEST_F(ReparentNodeToolTest, RefusesAnEdgeThatTheBranchCarries) {
+  tool.startWith({test::forkTop});
+  EXPECT_THROW(mouse.press(test::onEdge(document.skeleton(), NodeId{3}, 0.5), {0, 2}), Error);
+  EXPECT_EQ(document.skeleton(), test::fork(3));
+}
+
 TEST_F(ReparentNodeToolTest, ForgetsANodeThatIsGone) {
   tool.startWith({NodeId{3}});
   document.edit("Remove", [](SkeletonEditor& editor) { editor.erase(NodeId{3}); });

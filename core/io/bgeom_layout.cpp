@@ -13,7 +13,6 @@ constexpr int firstMeshVersion = 15; // meshes lay otherwise before
 
 constexpr auto layouts = std::to_array<BgeomLayout>(
     {{"AsymmetricHull", 2, "0:r 1:r 2:r 3:r 4:r 5:r 6:r 7:r 8:v 9:v a:r b:r c:b d:b"},
-     {"AxisRotated", 1, "0:v 1:r o"},
      {"BezierCurve", 1, "0:u 1:b W"},
      {"BezierCurve2D", 1, "0:u 1:b V"},
      {"BezierPatch", 1, "0:u 1:u 2:b M"},
@@ -22,7 +21,6 @@ constexpr auto layouts = std::to_array<BgeomLayout>(
      {"Cylinder", 1, "0:r 1:r 2:b 3:b"},
      {"Disc", 1, "0:r 1:b"},
      {"ElevationGrid", 1, "0:r 1:r 2:b m"},
-     {"EulerRotated", 1, "0:r 1:r 2:r o"},
      {"ExtrudedHull", 1, "0:b o o"},
      {"Extrusion", 1, "0:b 1:b 2:D 3:R 4:R 5:v@22 o o"},
      {"FaceSet", 2, meshOfAny},
@@ -33,7 +31,6 @@ constexpr auto layouts = std::to_array<BgeomLayout>(
      {"NurbsCurve", 1, "0:u 1:R 2:u 3:b W"},
      {"NurbsCurve2D", 1, "0:u 1:R 2:u 3:b V"},
      {"NurbsPatch", 1, "0:u 1:u 2:R 3:R 4:u 5:u 6:b M"},
-     {"Oriented", 1, "0:v 1:v o"},
      {"Paraboloid", 1, "0:r 1:r 2:r 3:b 4:b 5:b@16"},
      {"PointSet2D", 0, "D b@21"},
      {"Polyline", 0, "V C@17 b@21"},

@@ -4,17 +4,15 @@
 #include "core/io/bgeom_layout.h"
 #include "core/io/byte_reader.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
+#include <optional>
 
 namespace espalier {
 namespace {
 
 constexpr int newestVersion = 25; // 2.5
-constexpr int deepest = 64;       // objects in one another
 constexpr std::string_view magic = "!bGEOM";
 constexpr Color white = {255, 255, 255};
 
@@ -23,7 +21,7 @@ public:
   SceneReader(std::string_view bytes, const std::string& file, const Progress& progress)
       : in_(bytes, file), size_(bytes.size()), progress_(progress) {}
 
-  BgeomScene read() {
+  PointScene read() {
     readHeader();
     readTypes();
     (void)in_.value<std::uint32_t>(); // objects in the scene: all that follow are read
@@ -38,17 +36,18 @@ private:
   std::uint32_t readObject(int depth);
   std::uint32_t readShape(int depth);
   std::uint32_t readReference();
-  BgeomObject readPoints();
-  BgeomObject readPlaced(bool isScale, int depth);
-  BgeomObject readGroup(int depth);
-  BgeomObject skip(const std::string& type, int depth);
-  void skipField(char type, BgeomObject& object, int depth);
+  SceneObject readPoints();
+  SceneObject readPlaced(bool isScale, int depth);
+  SceneObject readTurned(const std::string& type, int depth);
+  SceneObject readGroup(int depth);
+  SceneObject skip(const std::string& type, int depth);
+  void skipField(char type, SceneObject& object, int depth);
   void skipArray(std::uint64_t size) { (void)in_.take(in_.value<std::uint32_t>() * size); }
-  std::uint32_t add(BgeomObject object);
-  void addPart(BgeomObject& object, int depth) { object.parts.push_back(readObject(depth + 1)); }
+  void addPart(SceneObject& object, int depth) { object.parts.push_back(readObject(depth + 1)); }
 
   [[noreturn]] void failOfDepth() const {
-    in_.fail("objects are nested deeper than " + std::to_string(deepest) + ": the file is damaged");
+    in_.fail("objects are nested deeper than " + std::to_string(PointScene::deepest) +
+             ": the file is damaged");
   }
   double real() { return isDouble_ ? in_.value<double>() : in_.value<float>(); }
   [[nodiscard]] std::uint64_t realSize() const { return isDouble_ ? 8 : 4; }
@@ -63,7 +62,7 @@ private:
   ByteReader in_;
   std::size_t size_;
   const Progress& progress_;
-  BgeomScene scene_;
+  PointScene scene_;
   std::array<std::string, 256> types_;            // by code
   std::map<std::uint32_t, std::uint32_t> shared_; // objects by ident
   int version_ = 0;                               // 2.3 as 23
@@ -108,21 +107,8 @@ void SceneReader::readTypes() {
   if (in_.take(1) != "!") in_.fail("expected the scene behind !: the file is damaged");
 }
 
-std::uint32_t SceneReader::add(BgeomObject object) {
-  object.total = object.pointCount;
-  for (const std::uint32_t part : object.parts) {
-    const std::uint64_t more = scene_.objects[part].total;
-    object.height = std::max(object.height, scene_.objects[part].height + 1);
-    constexpr auto most = std::numeric_limits<std::uint64_t>::max();
-    object.total = more > most - object.total ? most : object.total + more;
-  }
-  if (object.height > deepest) failOfDepth(); // through references, that is
-  scene_.objects.push_back(std::move(object));
-  return static_cast<std::uint32_t>(scene_.objects.size() - 1);
-}
-
 std::uint32_t SceneReader::readObject(int depth) {
-  if (depth > deepest) failOfDepth();
+  if (depth > PointScene::deepest) failOfDepth();
   if (scene_.objects.size() % 1024 == 0)
     progress_.update(static_cast<double>(in_.offset()) / static_cast<double>(size_));
   const std::size_t start = in_.offset();
@@ -133,16 +119,19 @@ std::uint32_t SceneReader::readObject(int depth) {
   const std::string name = text();
   const bool hasIdent = version_ >= 20 || !name.empty();
   const std::uint32_t ident = hasIdent ? in_.value<std::uint32_t>() : 0;
-  BgeomObject object;
+  SceneObject object;
   if (type == "PointSet")
     object = readPoints();
   else if (type == "Translated" || type == "Scaled")
     object = readPlaced(type == "Scaled", depth);
+  else if (type == "AxisRotated" || type == "EulerRotated" || type == "Oriented")
+    object = readTurned(type, depth);
   else if (type == "Group")
     object = readGroup(depth);
   else
     object = skip(type, depth);
-  const std::uint32_t place = add(std::move(object));
+  const std::uint32_t place = scene_.add(std::move(object));
+  if (scene_.objects[place].height > PointScene::deepest) failOfDepth(); // by references, that is
   if (ident != 0) shared_[ident] = place;
   return place;
 }
@@ -165,8 +154,8 @@ std::uint32_t SceneReader::readReference() {
   return found->second;
 }
 
-BgeomObject SceneReader::readPoints() {
-  BgeomObject object;
+SceneObject SceneReader::readPoints() {
+  SceneObject object;
   object.firstPoint = scene_.points.positions.size();
   object.pointCount = in_.value<std::uint32_t>();
   const std::string_view bytes = in_.take(object.pointCount * 3 * realSize());
@@ -194,15 +183,45 @@ BgeomObject SceneReader::readPoints() {
   return object;
 }
 
-BgeomObject SceneReader::readPlaced(bool isScale, int depth) {
-  BgeomObject object;
-  (isScale ? object.scale : object.offset) = vector();
+SceneObject SceneReader::readPlaced(bool isScale, int depth) {
+  SceneObject object;
+  if (isScale)
+    object.linear = vector().asDiagonal();
+  else
+    object.offset = vector();
   addPart(object, depth);
   return object;
 }
 
-BgeomObject SceneReader::readGroup(int depth) {
-  BgeomObject object;
+SceneObject SceneReader::readTurned(const std::string& type, int depth) {
+  const auto mask = in_.value<std::uint8_t>(); // a set bit: the default, and absent
+  const auto vectorOr = [&](int bit, const Eigen::Vector3d& usual) {
+    return (mask >> bit & 1) != 0 ? usual : vector();
+  };
+  const auto angle = [&](int bit) { return (mask >> bit & 1) != 0 ? 0.0 : real(); };
+  std::optional<Eigen::Matrix3d> turn;
+  if (type == "AxisRotated") {
+    const Eigen::Vector3d axis = vectorOr(0, Eigen::Vector3d::UnitZ());
+    turn = turnedAbout(axis, angle(1));
+  } else if (type == "EulerRotated") {
+    const double azimuth = angle(0);
+    const double elevation = angle(1);
+    turn = turnedByEuler(azimuth, elevation, angle(2));
+  } else {
+    const Eigen::Vector3d primary = vectorOr(0, Eigen::Vector3d::UnitX());
+    turn = turnedTo(primary, vectorOr(1, Eigen::Vector3d::UnitY()));
+  }
+  SceneObject object;
+  addPart(object, depth);
+  if (turn)
+    object.linear = *turn;
+  else
+    scene_.leaveOutParts(object, size_);
+  return object;
+}
+
+SceneObject SceneReader::readGroup(int depth) {
+  SceneObject object;
   const bool hasSkeleton = (in_.value<std::uint8_t>() & 1) == 0; // a set bit: the default, none
   if (hasSkeleton) (void)readObject(depth + 1);
   for (auto left = in_.value<std::uint32_t>(); left > 0; --left)
@@ -211,7 +230,7 @@ BgeomObject SceneReader::readGroup(int depth) {
 }
 
 /// Passes over an object that is no point set. Its parts are read, but lead to no points.
-BgeomObject SceneReader::skip(const std::string& type, int depth) {
+SceneObject SceneReader::skip(const std::string& type, int depth) {
   const auto layout = bgeomLayoutOf(type, version_);
   if (!layout)
     in_.fail("has an object " + inQuotes(type) + " whose size is not known in version " +
@@ -221,7 +240,7 @@ BgeomObject SceneReader::skip(const std::string& type, int depth) {
   unsigned mask = 0;
   if (layout->maskBytes == 1) mask = in_.value<std::uint8_t>();
   if (layout->maskBytes == 2) mask = in_.value<std::uint16_t>();
-  BgeomObject object;
+  SceneObject object;
   std::string_view rest = layout->fields;
   while (!rest.empty()) {
     std::string_view field = nextWord(rest);
@@ -234,13 +253,11 @@ BgeomObject SceneReader::skip(const std::string& type, int depth) {
     if (isLater && version_ < 10 * (field[2] - '0') + (field[3] - '0')) continue;
     skipField(field[0], object, depth);
   }
-  for (const std::uint32_t part : object.parts)
-    scene_.turned += std::min(scene_.objects[part].total, std::uint64_t{size_});
-  object.parts.clear();
+  scene_.leaveOutParts(object, size_);
   return object;
 }
 
-void SceneReader::skipField(char type, BgeomObject& object, int depth) {
+void SceneReader::skipField(char type, SceneObject& object, int depth) {
   const auto rows = [&] { return std::uint64_t{in_.value<std::uint32_t>()}; };
   switch (type) {
   case 'b':
@@ -296,7 +313,7 @@ void SceneReader::skipField(char type, BgeomObject& object, int depth) {
 
 } // namespace
 
-BgeomScene bgeomSceneIn(std::string_view bytes, const std::string& file, const Progress& progress) {
+PointScene bgeomSceneIn(std::string_view bytes, const std::string& file, const Progress& progress) {
   return SceneReader(bytes, file, progress).read();
 }
 

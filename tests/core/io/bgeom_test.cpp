@@ -4,7 +4,9 @@
 #include "tests/core/io/samples.h"
 #include "tests/support/shared_data.h"
 
+#include <cmath>
 #include <gmock/gmock.h>
+#include <numbers>
 #include <sstream>
 
 namespace espalier {
@@ -99,15 +101,56 @@ TEST(ReadBgeom, PassesOverMeshesAndMaterialsOfAnyKind) {
   EXPECT_THAT(points.notes, ElementsAre(HasSubstr("passed over: TriangleSet")));
 }
 
-TEST(ReadBgeom, LeavesOutPointsThatTheSceneTurns) {
+constexpr double quarter = std::numbers::pi / 2;
+
+/// Where an object of this type, with the bytes of its fields, puts (1, 2, 3).
+Eigen::Vector3d turned(char type, const std::string& fields) {
   const BgeomWriter out;
-  const std::string turned =
-      out.begin(BgeomWriter::axisRotated) + "\x01" + out.reals({0.5}) + out.points({1, 2, 3});
+  const std::string object = out.begin(type) + fields + out.points({1, 2, 3});
+  const Points points = read(out.file(out.shapeOf(object))).value.positions;
+  return points.size() == 1 ? points[0] : Eigen::Vector3d::Constant(NAN);
+}
+
+// Bits of the first byte tell which fields are left at their defaults: about z, by nothing.
+TEST(ReadBgeom, TurnsPointsAboutAnAxis) {
+  const BgeomWriter out;
+  const auto about = [&](const std::string& fields) {
+    return turned(BgeomWriter::axisRotated, fields);
+  };
+  EXPECT_TRUE(about("\x01" + out.reals({quarter})).isApprox(Eigen::Vector3d(-2, 1, 3)));
+  EXPECT_TRUE(about(std::string(1, '\0') + out.reals({5, 0, 0, quarter}))
+                  .isApprox(Eigen::Vector3d(1, -3, 2)));
+  EXPECT_EQ(about("\x03"), Eigen::Vector3d(1, 2, 3));
+}
+
+// By the roll about x, (1, 2, 3) comes to (1, -3, 2), then by the azimuth about z to (3, 1, 2).
+TEST(ReadBgeom, TurnsPointsByRollThenElevationThenAzimuth) {
+  const BgeomWriter out;
+  const auto by = [&](const std::string& fields) {
+    return turned(BgeomWriter::eulerRotated, fields);
+  };
+  EXPECT_TRUE(by("\x02" + out.reals({quarter, quarter})).isApprox(Eigen::Vector3d(3, 1, 2)));
+  EXPECT_TRUE(by("\x05" + out.reals({quarter})).isApprox(Eigen::Vector3d(3, 2, -1)));
+}
+
+TEST(ReadBgeom, TurnsPointsToDirections) {
+  const BgeomWriter out;
+  const auto to = [&](const std::string& fields) { return turned(BgeomWriter::oriented, fields); };
+  EXPECT_TRUE(
+      to(std::string(1, '\0') + out.reals({0, 1, 0, 0, 0, 1})).isApprox(Eigen::Vector3d(3, 1, 2)));
+  EXPECT_TRUE(to("\x01" + out.reals({0, 0, 2})).isApprox(Eigen::Vector3d(1, -3, 2)));
+}
+
+TEST(ReadBgeom, LeavesOutPointsThatTheSceneBendsOrTurnsInNoClearWay) {
+  const BgeomWriter out;
+  const std::string bent = out.begin(BgeomWriter::tapered) + "\x03" + out.points({1, 2, 3});
+  const std::string unclear = out.begin(BgeomWriter::oriented) + std::string(1, '\0') +
+                              out.reals({1, 1, 0, 0, 1, 0}) + out.points({1, 2, 3});
   const Imported<RawPoints> points =
-      read(out.file(out.shapeOf(turned) + out.shapeOf(out.points({4, 5, 6}))));
+      read(out.file(out.shapeOf(bent) + out.shapeOf(unclear) + out.shapeOf(out.points({4, 5, 6}))));
   EXPECT_EQ(points.value.positions, (Points{{4, 5, 6}}));
-  EXPECT_THAT(points.notes, ElementsAre(HasSubstr("passed over: AxisRotated"),
-                                        HasSubstr("1 points in objects that the scene turns")));
+  EXPECT_THAT(points.notes, ElementsAre(HasSubstr("passed over: Tapered"),
+                                        HasSubstr("2 points in objects that the scene bends")));
 }
 
 TEST(ReadBgeom, RefusesWhatItCannotRead) {

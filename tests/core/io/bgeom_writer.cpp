@@ -67,6 +67,9 @@ std::string BgeomWriter::file(const std::string& objects) const {
                                                            {sphere, "Sphere"},
                                                            {triangleSet, "TriangleSet"},
                                                            {axisRotated, "AxisRotated"},
+                                                           {eulerRotated, "EulerRotated"},
+                                                           {oriented, "Oriented"},
+                                                           {tapered, "Tapered"},
                                                            {teapot, "Teapot"}};
   bytes += uint32Bytes(static_cast<std::uint32_t>(types.size()));
   for (const auto& [code, name] : types) {

@@ -24,6 +24,9 @@ struct BgeomWriter {
   static constexpr char sphere = 41;
   static constexpr char triangleSet = 42;
   static constexpr char axisRotated = 43;
+  static constexpr char eulerRotated = 45;
+  static constexpr char oriented = 46;
+  static constexpr char tapered = 47;
   static constexpr char teapot = 44; // which PlantGL does not have
 
   [[nodiscard]] std::string reals(const std::vector<double>& values) const;

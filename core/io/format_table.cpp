@@ -1,6 +1,7 @@
 #include "core/io/bgeom.h"
 #include "core/io/bmtg.h"
 #include "core/io/formats.h"
+#include "core/io/geom.h"
 #include "core/io/graphml.h"
 #include "core/io/internode_table.h"
 #include "core/io/las.h"
@@ -63,9 +64,9 @@ std::vector<Format> makeFormats() {
                    .recognizes = isBgeom,
                    .readPoints = readBgeom});
   table.push_back({.name = "GEOM",
-                   .description = "Scenes of PlantGL as text",
+                   .description = "Text points of PlantGL",
                    .extensions = {"geom"},
-                   .advice = "open it in PlantScan3D and save its points as .bgeom"});
+                   .readPoints = readGeom});
   table.push_back({.name = "E57",
                    .description = "E57 scans",
                    .extensions = {"e57"},

@@ -3,6 +3,7 @@
 #include "core/io/bgeom.h"
 #include "core/io/bmtg.h"
 #include "core/io/formats.h"
+#include "core/io/geom.h"
 #include "core/io/graphml.h"
 #include "core/io/las.h"
 #include "core/io/node_list.h"
@@ -137,6 +138,7 @@ INSTANTIATE_TEST_SUITE_P(
                }},
         Reader{"RSML", test::rsmlFile, readSkeleton<readRsml>},
         Reader{"BGEOM", test::bgeomFile, readCloud<readBgeom>},
+        Reader{"GEOM", test::geomFile, readCloud<readGeom>},
         Reader{"BMTG", test::bmtgFile,
                [](std::istream& in) {
                  (void)skeletonOf(readBmtg(in, "damaged").value, "damaged").value.ids();

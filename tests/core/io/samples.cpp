@@ -183,6 +183,40 @@ std::string xyzFile() {
          "# a remark\n7 8 9 1.5 70 80 90\n";
 }
 
+std::string geomFile() {
+  return R"(# -Geom File-
+(# of a test,
+   on two lines #)
+
+PointSet cloud {
+    PointList [
+        <1,2,3>,
+        <4,5,6>
+    ]
+    ColorList [ <10,20,30,0>, <40,50,60,0> ]
+    Width 2
+}
+
+Material bark { # as wood
+    Ambient <81,64,43>
+    Diffuse 2.65432
+}
+
+Shape leaf {
+    Id 7
+    Geometry Translated { Translation <10,0,0> Geometry cloud }
+    Appearance bark
+}
+
+Shape {
+    Geometry Group {
+        GeometryList [ cloud, Sphere { Radius 0.5 } ]
+    }
+    Appearance Material { Ambient Red }
+}
+)";
+}
+
 std::string mtgFile() {
   return structureFile(writeMtg);
 }

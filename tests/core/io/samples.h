@@ -52,6 +52,9 @@ enum class PcdKind : std::uint8_t { ascii, binary, compressed };
 /// A text of points with intensity and color, named in a first line.
 [[nodiscard]] std::string xyzFile();
 
+/// The scene of bgeomFile() as text.
+[[nodiscard]] std::string geomFile();
+
 /// A structure of two plants with branches, in each format.
 [[nodiscard]] std::string mtgFile();
 [[nodiscard]] std::string nodeListFile();

@@ -1,0 +1,17 @@
+// Fuzz target: whatever the bytes, reading a .geom gives points or an Error.
+#include "core/io/geom.h"
+
+#include "core/base/error.h"
+
+#include <cstdint>
+#include <sstream>
+#include <string>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  std::istringstream in(std::string(reinterpret_cast<const char*>(data), size));
+  try {
+    (void)espalier::readGeom(in, "fuzz.geom");
+  } catch (const espalier::Error&) { // what a broken file deserves
+  }
+  return 0;
+}

@@ -1,0 +1,62 @@
+// The table of formats in the manual says what the program reads and writes.
+#include "core/io/formats.h"
+#include "tests/support/shared_data.h"
+
+#include <fstream>
+#include <gmock/gmock.h>
+#include <iterator>
+#include <sstream>
+
+namespace espalier {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+
+std::string manual() {
+  std::ifstream in(test::sourceFolder() / "resources/manual/manual.md");
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// Of each row with extensions: "| .ply | yes | no |".
+std::vector<std::string> rowsIn(const std::string& text) {
+  std::vector<std::string> rows;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream cells(line);
+    std::string cell;
+    std::vector<std::string> row;
+    while (std::getline(cells, cell, '|'))
+      row.push_back(cell);
+    if (row.size() > 4 && row[2].starts_with(" ."))
+      rows.push_back("|" + row[2] + "|" + row[3] + "|" + row[4] + "|");
+  }
+  return rows;
+}
+
+TEST(Manual, HasARowForEachFormat) {
+  const std::vector<std::string> rows = rowsIn(manual());
+  std::size_t formatsInUse = 0;
+  for (const Format& format : formats()) {
+    if (!format.canRead() && !format.canWrite()) continue;
+    ++formatsInUse;
+    std::string row = "| ";
+    for (const std::string_view extension : format.extensions)
+      row += "." + std::string(extension) + " ";
+    row += std::string("| ") + (format.canRead() ? "yes" : "no") + " | ";
+    EXPECT_THAT(rows, Contains(row + (format.canWrite() ? "yes" : "no") + " |")) << format.name;
+  }
+  EXPECT_EQ(rows.size(), formatsInUse);
+}
+
+TEST(Manual, AdvisesAsTheProgramDoes) {
+  for (const Format& format : formats()) {
+    if (format.name != "LAZ") continue;
+    EXPECT_THAT(std::string(format.advice), HasSubstr("'laszip -i a.laz -o a.las'"));
+    EXPECT_THAT(std::string(format.advice), HasSubstr("'pdal translate a.laz a.las'"));
+  }
+  EXPECT_THAT(manual(), HasSubstr("`laszip -i a.laz -o a.las` or `pdal translate a.laz a.las`"));
+}
+
+} // namespace
+} // namespace espalier

@@ -20,6 +20,7 @@ Editing::Editing(PlantDocument& document, PlantView& view, ActionSet& actions, Q
     : QObject(parent), document_(document), view_(view), actions_(actions),
       entries_(std::move(entries)), toolGroup_(new QActionGroup(this)) {
   addTools();
+  addChoosing();
   addNodeEdits();
   addNavigation();
   view_.setInputHandler([this](const ToolInput& input) {
@@ -78,6 +79,18 @@ void Editing::addNodeEdits() {
                                 .keys = edit.shortcut,
                                 .refusal = Refusal::atPointer},
                                [this, apply = edit.apply] { apply(document_, chosenTarget()); }));
+}
+
+void Editing::addChoosing() {
+  actions_.beginSection(tr("Select"));
+  actions_.add({.id = "select_through",
+                .text = tr("Select &Through"),
+                .help = tr("Clicks, boxes and lassos also take what is hidden behind wood"),
+                .isCheckable = true},
+               [this] {
+                 const bool isThrough = actions_["select_through"]->isChecked();
+                 view_.setDepth(isThrough ? Depth::through : Depth::front);
+               });
 }
 
 void Editing::addNavigation() {

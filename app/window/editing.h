@@ -56,6 +56,7 @@ private:
   void addTools();
   void addNodeEdits();
   void addNavigation();
+  void addChoosing();
   bool handle(const ToolInput& input);
   [[nodiscard]] bool isMenuClick(const ToolInput& input);
   void refreshEnabled();

@@ -72,8 +72,11 @@ void MainWindow::fillMenus() {
        "compact_project", "", "close_plant", "quit"});
 
   QMenu* edit = menuBar()->addMenu(tr("&Edit"));
-  add(*edit, *actions_, {"undo", "redo", "", "select_all", "accept", "leave", ""});
+  add(*edit, *actions_, {"undo", "redo", "", "accept", "leave", ""});
   add(*edit, *actions_, toolIds());
+
+  QMenu* select = menuBar()->addMenu(tr("Se&lect"));
+  add(*select, *actions_, {"select_all", "", "select_through"});
 
   fillViewMenu();
 

@@ -1,23 +1,17 @@
 #pragma once
 
 #include "core/skeleton/skeleton.h"
+#include "ui/document/depth.h"
 
 #include <Eigen/Core>
 #include <QPointF>
 #include <QPolygonF>
 #include <QString>
 
-#include <cstdint>
 #include <optional>
 #include <vector>
 
 namespace espalier {
-
-/// What of the plant an area of the screen takes.
-enum class Depth : std::uint8_t {
-  front,  // what is seen: nothing that is hidden behind wood
-  through // all, however deep
-};
 
 /// What an edit would make, shown before it is made. Places in the frame of the file [L].
 struct Preview {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/skeleton/skeleton.h"
+#include "ui/document/depth.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -35,7 +36,8 @@ struct ToolInput {
   Pick pick;                                                // while dragging: what is there now
   Qt::MouseButton button = Qt::NoButton;                    // the one that started the gesture
   Qt::KeyboardModifiers modifiers = Qt::NoModifier;
-  QPointF screen; // logical pixels from the top left of the view
+  Depth depth = Depth::front; // what an area drawn now takes
+  QPointF screen;             // logical pixels from the top left of the view
 };
 
 } // namespace espalier

@@ -4,9 +4,15 @@
 #include "ui/tools/node_edits.h"
 #include "ui/tools/screen_plane.h"
 
+#include <algorithm>
+#include <iterator>
+#include <unordered_set>
+#include <utility>
+
 namespace espalier {
 
 QString MoveNodeTool::hint() const {
+  if (area_.isActive()) return areaHint();
   if (drag_ && drag_->isCanceled) return tr("Put back. Release the button");
   if (drag_ && drag_->hasMoved) return tr("Release: leave it here   Esc: put it back");
   if (under().node && document().selection().contains(*under().node))
@@ -23,10 +29,17 @@ QString MoveNodeTool::hint() const {
   if (under().edge)
     return tr("Click: select %1   E: split the edge here   Drag: turn   Right drag: pan")
         .arg(nodeName(under().edge->child));
-  return tr("Drag: turn   Right drag: pan   Wheel: zoom   Click a node: select it");
+  return tr("Drag: turn   Right drag: pan   Wheel: zoom   Click a node: select it   "
+            "Shift+drag: box   Alt+drag: lasso");
+}
+
+QString MoveNodeTool::areaHint() const {
+  if (area_.isCanceled()) return tr("Nothing selected. Release the button");
+  return tr("Release: select the nodes inside, with Shift in addition   Esc: leave it");
 }
 
 void MoveNodeTool::cancel() {
+  area_.cancel();
   if (!drag_) return;
   document().cancel(drag_->gesture);
   drag_->isCanceled = true;
@@ -37,11 +50,19 @@ bool MoveNodeTool::act(const ToolInput& input) {
   case ToolInput::Phase::press:
     return press(input);
   case ToolInput::Phase::drag:
+    if (area_.isActive()) {
+      area_.drag(input);
+      return true;
+    }
     if (camera_ && isDragged(*camera_, input.screen)) camera_.reset();
     if (!drag_) return false;
     drag(input);
     return true;
   case ToolInput::Phase::release: {
+    if (area_.isActive()) {
+      endArea(input);
+      return true;
+    }
     const bool wasMine = drag_.has_value();
     drag_.reset();
     if (!wasMine) click(input);
@@ -56,19 +77,21 @@ bool MoveNodeTool::act(const ToolInput& input) {
 bool MoveNodeTool::press(const ToolInput& input) {
   drag_.reset();
   camera_.reset();
+  if (const auto shape = AreaGesture::shapeOf(input)) {
+    area_.begin(*shape, input);
+    pressedOn_ = input.pick;
+    return true;
+  }
   if (input.button != Qt::LeftButton || input.modifiers.testFlag(Qt::ControlModifier)) return false;
   if (!input.pick.node) {
     camera_ = input.screen;
     return false;
   }
   const NodeId node = *input.pick.node;
-  if (input.modifiers.testFlag(Qt::ShiftModifier))
-    document().selection().toggle(node);
-  else if (!document().selection().contains(node))
-    document().selection().set({node});
+  if (!document().selection().contains(node)) document().selection().set({node});
   const auto plane = screenPlane(document().skeleton()[node].position, input);
   const std::optional<Eigen::Vector3d> grip = meet(plane, input);
-  if (!grip || !document().selection().contains(node)) return true; // nothing to drag
+  if (!grip) return true; // nothing to drag
   drag_ = Drag{.node = node,
                .start = {},
                .plane = plane,
@@ -98,11 +121,33 @@ void MoveNodeTool::drag(const ToolInput& input) {
 
 void MoveNodeTool::click(const ToolInput& input) {
   if (!camera_ || isDragged(*camera_, input.screen)) return;
+  choose(input.pick, false);
+}
+
+void MoveNodeTool::endArea(const ToolInput& input) {
   const bool adds = input.modifiers.testFlag(Qt::ShiftModifier);
-  if (input.pick.edge && adds)
-    document().selection().toggle(input.pick.edge->child);
-  else if (input.pick.edge)
-    document().selection().set({input.pick.edge->child});
+  const bool isClick = !area_.hasMoved() && !area_.isCanceled();
+  const std::optional<QPolygonF> area = area_.end();
+  if (isClick) choose(pressedOn_, adds);
+  if (!area) return;
+  std::vector<NodeId> inside = canvas().nodesInside(*area, input.depth);
+  if (adds) {
+    std::vector<NodeId> chosen = document().selection().nodes();
+    const std::unordered_set<NodeId> before(chosen.begin(), chosen.end());
+    std::ranges::copy_if(inside, std::back_inserter(chosen),
+                         [&](NodeId id) { return !before.contains(id); });
+    inside = std::move(chosen);
+  }
+  document().selection().set(std::move(inside));
+}
+
+void MoveNodeTool::choose(const Pick& pick, bool adds) {
+  std::optional<NodeId> node = pick.node;
+  if (!node && pick.edge) node = pick.edge->child;
+  if (node && adds)
+    document().selection().toggle(*node);
+  else if (node)
+    document().selection().set({*node});
   else if (!adds)
     document().selection().clear();
 }

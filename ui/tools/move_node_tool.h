@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/tools/area_gesture.h"
 #include "ui/tools/tool.h"
 
 #include <optional>
@@ -7,18 +8,21 @@
 
 namespace espalier {
 
-/// Chooses nodes with clicks, and drags them in the plane of the screen. The default tool.
+/// Chooses nodes with clicks, boxes and lassos, and drags them in the plane of the screen. The
+/// default tool.
 ///
 /// A drag of a chosen node moves all that are chosen. A click on an edge chooses the node it leads
-/// to; a click on nothing chooses none; a drag on nothing is left to the camera.
+/// to; a click on nothing chooses none; a drag on nothing is left to the camera. A drag with Shift
+/// draws a box, with Alt a lasso; Shift still held at its end adds to what is chosen.
 class MoveNodeTool : public Tool {
   Q_OBJECT
 
 public:
-  using Tool::Tool;
+  MoveNodeTool(PlantDocument& document, Canvas& canvas, QObject* parent = nullptr)
+      : Tool(document, canvas, parent), area_(canvas) {}
 
   [[nodiscard]] QString hint() const override;
-  [[nodiscard]] bool isBusy() const override { return drag_.has_value(); }
+  [[nodiscard]] bool isBusy() const override { return drag_ || area_.isActive(); }
   void cancel() override;
 
 private:
@@ -37,8 +41,13 @@ private:
   bool press(const ToolInput& input);
   void drag(const ToolInput& input);
   void click(const ToolInput& input);
+  void endArea(const ToolInput& input);
+  void choose(const Pick& pick, bool adds);
+  [[nodiscard]] QString areaHint() const;
 
   std::optional<Drag> drag_;
+  AreaGesture area_;
+  Pick pressedOn_;                // where the area began
   std::optional<QPointF> camera_; // where the camera's gesture was pressed, until it moved
 };
 

@@ -1,67 +1,90 @@
 #include "ui/view/area.h"
 
+#include "ui/view/screen_part.h"
+#include "ui/view/visibility.h"
+
 #include <QImage>
 #include <QPainter>
+
+#include <optional>
 
 namespace espalier {
 namespace {
 
 /// An area as a picture of its pixels: whether a point is in it takes no longer the more corners
-/// it has. To a pixel.
+/// it has. Exact to a pixel.
 class AreaMask {
 public:
-  explicit AreaMask(const QPolygonF& area, const QRect& within)
-      : box_(area.boundingRect().toAlignedRect().adjusted(-1, -1, 1, 1) & within) {
-    if (box_.isEmpty()) return;
-    image_ = QImage(box_.size(), QImage::Format_Grayscale8);
+  AreaMask(const QPolygonF& area, const QRectF& part)
+      : image_(QSize(1 + int(part.width()), 1 + int(part.height())), QImage::Format_Grayscale8) {
     image_.fill(0);
     QPainter painter(&image_);
-    painter.translate(-box_.topLeft());
+    painter.translate(-part.topLeft());
     painter.setPen(Qt::NoPen);
     painter.setBrush(Qt::white);
     painter.drawPolygon(area, Qt::WindingFill);
   }
 
-  [[nodiscard]] bool contains(const Eigen::Vector2d& pixel) const {
-    const double x = pixel.x() - box_.left();
-    const double y = pixel.y() - box_.top();
-    if (!(x >= 0 && y >= 0 && x < image_.width() && y < image_.height())) return false;
+  /// @param pixel from the corner of the part
+  [[nodiscard]] bool contains(const Eigen::Vector2f& pixel) const {
+    const float x = pixel.x();
+    const float y = pixel.y();
+    if (!(x >= 0 && y >= 0 && x < float(image_.width()) && y < float(image_.height())))
+      return false;
     return image_.constScanLine(static_cast<int>(y))[static_cast<int>(x)] != 0;
   }
 
 private:
-  QRect box_;
   QImage image_;
 };
+
+QRectF screenOf(const ScreenMap& screen) {
+  return {0, 0, screen.size().x(), screen.size().y()};
+}
 
 } // namespace
 
 std::vector<NodeId> nodesInside(const Scene& scene, const ScreenMap& screen, const QPolygonF& area,
-                                Depth /*depth*/) {
+                                Depth depth) {
   std::vector<NodeId> found;
-  if (!scene.skeletonVisible) return found;
-  const QRectF box = area.boundingRect();
+  if (!scene.skeletonVisible || area.isEmpty()) return found;
+  const QRectF box = area.boundingRect() & screenOf(screen);
+  std::optional<Visibility> visibility; // made once there is something to ask about
   for (std::size_t slot = 0; slot < scene.skeleton.nodes().size(); ++slot) {
     if (scene.skeleton.nodes()[slot].shape == NodeShape::none) continue;
     const auto at = screen.project(scene.skeleton.position(slot));
     if (!at) continue;
     const QPointF pixel(at->pixel.x(), at->pixel.y());
-    if (box.contains(pixel) && area.containsPoint(pixel, Qt::WindingFill))
-      found.push_back(NodeId{static_cast<std::uint32_t>(slot)});
+    if (!box.contains(pixel) || !area.containsPoint(pixel, Qt::WindingFill)) continue;
+    if (depth == Depth::front && !visibility) visibility.emplace(scene, screen, box);
+    if (visibility && visibility->hidesNode(slot, *at)) continue;
+    found.push_back(NodeId{static_cast<std::uint32_t>(slot)});
   }
   return found;
 }
 
 std::vector<Eigen::Index> pointsInside(const Scene& scene, const ScreenMap& screen,
-                                       const QPolygonF& area, Depth /*depth*/) {
+                                       const QPolygonF& area, Depth depth) {
   std::vector<Eigen::Index> found;
-  if (!scene.points.visible || scene.points.size() == 0) return found;
-  const AreaMask mask(area, QRect(QPoint(0, 0), QSize(16384, 16384)));
-  const Eigen::Vector3d origin = scene.origin();
-  for (Eigen::Index i = 0; i < scene.points.size(); ++i) {
-    const auto at = screen.project(scene.points.positions->col(i).cast<double>() + origin);
-    if (at && mask.contains(at->pixel)) found.push_back(i);
-  }
+  if (!scene.points.visible || area.isEmpty()) return found;
+  const ScreenPart part(screen, scene.origin(), area.boundingRect());
+  if (part.box().isEmpty()) return found;
+  const AreaMask mask(area, part.box());
+  std::optional<Visibility> visibility;
+  if (depth == Depth::front) visibility.emplace(scene, screen, part.box());
+  const Eigen::Vector2f corner(static_cast<float>(part.box().left()),
+                               static_cast<float>(part.box().top()));
+  scene.points.boxes.forEachRun(
+      [&](const Eigen::AlignedBox3f& box) { return part.mayMeet(box, 0); },
+      [&](Eigen::Index begin, Eigen::Index end) {
+        for (Eigen::Index i = begin; i < end; ++i) {
+          const ScreenPart::Place at = part.place(scene.points.positions->col(i));
+          if (!part.isBeforeEye(at) || !mask.contains(at.pixel)) continue;
+          const Eigen::Vector2d pixel = (at.pixel + corner).cast<double>();
+          if (visibility && visibility->hidesPoint({pixel, at.depth})) continue;
+          found.push_back(i);
+        }
+      });
   return found;
 }
 

@@ -189,6 +189,15 @@ std::optional<ScreenMap::Place> ScreenMap::project(const Eigen::Vector3d& place)
   return Place{middle_ + shift / pixelSize(depth), depth};
 }
 
+Eigen::Matrix<double, 3, 4> ScreenMap::toScreen(const Eigen::Vector3d& origin) const {
+  Eigen::Matrix<double, 3, 4> matrix;
+  matrix.row(0).head<3>() = right_ / scale_;
+  matrix.row(1).head<3>() = -up_ / scale_;
+  matrix.row(2).head<3>() = forward_;
+  matrix.col(3) = matrix.leftCols<3>() * (origin - eye_);
+  return matrix;
+}
+
 Eigen::ParametrizedLine<double, 3> ScreenMap::ray(const Eigen::Vector2d& pixel) const {
   const Eigen::Vector2d shift = (pixel - middle_) * scale_;
   const Eigen::Vector3d aside = shift.x() * right_ - shift.y() * up_;

@@ -80,7 +80,12 @@ public:
   /// Width of a pixel at a depth [L].
   [[nodiscard]] double pixelSize(double depth) const;
   [[nodiscard]] const Eigen::Vector3d& forward() const { return forward_; }
+  [[nodiscard]] const Eigen::Vector3d& eye() const { return eye_; }
   [[nodiscard]] bool isPerspective() const { return perspective_; }
+  [[nodiscard]] Eigen::Vector2d size() const { return 2 * middle_; } // [logical pixels]
+  /// Of a place less `origin`: its depth [L] in the last row, and in the others its pixel from the
+  /// middle of the screen, in perspective times its depth.
+  [[nodiscard]] Eigen::Matrix<double, 3, 4> toScreen(const Eigen::Vector3d& origin) const;
   /// The place at `depth` behind a pixel.
   [[nodiscard]] Eigen::Vector3d place(const Eigen::Vector2d& pixel, double depth) const;
 

@@ -237,6 +237,11 @@ void PlantView::setInputHandler(InputHandler handler) {
   parts_->pointer.setHandler(std::move(handler));
 }
 
+void PlantView::setDepth(Depth depth) {
+  parts_->pointer.setDepth(depth);
+  hoverAgain();
+}
+
 Pick PlantView::pick(const QPointF& position) const {
   return parts_->pointer.pick(position);
 }

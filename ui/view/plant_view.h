@@ -25,7 +25,7 @@ enum class Layer { points, contracted, skeleton };
 ///
 /// Mirrors what it is given and owns no plant data; it never edits. The mouse goes first to the
 /// input handler; what that does not take turns (left), pans (right) and zooms (middle, wheel) the
-/// camera, and a double click sets the pivot. With Ctrl all goes to the camera.
+/// camera, and a double click sets the pivot. With Ctrl alone all goes to the camera.
 ///
 /// Moves of the camera that are asked for by function take 200 ms while the view is seen, and are
 /// at their end at once while it is not.
@@ -66,10 +66,12 @@ public:
   /// Returns true for what it took: a taken press keeps the camera still until the release or a
   /// cancel (Escape, or the keyboard goes elsewhere). It is told the drags and the release of
   /// gestures it did not take as well, while they move the camera, since one that has not moved is
-  /// a click; but nothing with Ctrl. Such drags, and the hover that is told when the pointer leaves
-  /// the view, have an empty pick.
+  /// a click; but nothing with Ctrl alone. Such drags, and the hover that is told when the pointer
+  /// leaves the view, have an empty pick.
   using InputHandler = std::function<bool(const ToolInput&)>;
   void setInputHandler(InputHandler handler);
+  /// Whether the pointer, and areas drawn with it, take what is hidden behind wood. At first: no.
+  void setDepth(Depth depth);
 
   /// What is within reach of the pointer at `position`, in logical pixels.
   [[nodiscard]] Pick pick(const QPointF& position) const;

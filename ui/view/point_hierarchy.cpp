@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
 namespace espalier {
 namespace {
-
-constexpr Eigen::Index leafSize = 32;
 
 /// A point a little deeper but nearer to the axis is meant rather than one at the rim of the cone.
 constexpr float axisPreference = 4;
@@ -49,11 +48,12 @@ void pickInRun(const Eigen::Matrix3Xf& points, Eigen::Index begin, Eigen::Index 
 
 PointHierarchy::PointHierarchy(const Eigen::Matrix3Xf& points) {
   if (points.cols() == 0) return;
-  const auto runs = static_cast<std::uint64_t>((points.cols() + leafSize - 1) / leafSize);
+  points_ = points.cols();
+  const auto runs = static_cast<std::uint64_t>((points.cols() + runLength - 1) / runLength);
   leaves_ = static_cast<Eigen::Index>(std::bit_ceil(runs));
   boxes_.resize(static_cast<std::size_t>(2 * leaves_ - 1));
   for (Eigen::Index i = 0; i < points.cols(); ++i)
-    boxes_[static_cast<std::size_t>(leaves_ - 1 + i / leafSize)].extend(points.col(i));
+    boxes_[static_cast<std::size_t>(leaves_ - 1 + i / runLength)].extend(points.col(i));
   for (Eigen::Index box = leaves_ - 2; box >= 0; --box) {
     const auto left = static_cast<std::size_t>(2 * box + 1);
     boxes_[static_cast<std::size_t>(box)] = boxes_[left].merged(boxes_[left + 1]);
@@ -62,6 +62,36 @@ PointHierarchy::PointHierarchy(const Eigen::Matrix3Xf& points) {
 
 Eigen::AlignedBox3f PointHierarchy::bounds() const {
   return boxes_.empty() ? Eigen::AlignedBox3f() : boxes_.front();
+}
+
+float PointHierarchy::distance(const Eigen::Matrix3Xf& points, const Eigen::Vector3f& place,
+                               float beyond) const {
+  const float least = beyond < 0 ? -1 : beyond * beyond;
+  float best = std::numeric_limits<float>::infinity(); // squared
+  std::vector<Eigen::Index> open;
+  if (!boxes_.empty()) open.push_back(0);
+  const auto to = [&](Eigen::Index box) {
+    const Eigen::AlignedBox3f& bounds = boxes_[static_cast<std::size_t>(box)];
+    return bounds.isEmpty() ? std::numeric_limits<float>::infinity()
+                            : bounds.squaredExteriorDistance(place);
+  };
+  while (!open.empty()) {
+    const Eigen::Index box = open.back();
+    open.pop_back();
+    if (!(to(box) < best)) continue;
+    if (box >= leaves_ - 1) {
+      const Eigen::Index begin = (box - (leaves_ - 1)) * runLength;
+      for (Eigen::Index i = begin; i < std::min(begin + runLength, points_); ++i) {
+        const float squared = (points.col(i) - place).squaredNorm();
+        if (squared > least && squared < best) best = squared;
+      }
+      continue;
+    }
+    const bool leftFirst = to(2 * box + 1) <= to(2 * box + 2); // the last pushed is looked at first
+    open.push_back(leftFirst ? 2 * box + 2 : 2 * box + 1);
+    open.push_back(leftFirst ? 2 * box + 1 : 2 * box + 2);
+  }
+  return std::sqrt(best);
 }
 
 std::optional<Eigen::Index> PointHierarchy::pick(const Eigen::Matrix3Xf& points,
@@ -74,8 +104,8 @@ std::optional<Eigen::Index> PointHierarchy::pick(const Eigen::Matrix3Xf& points,
     open.pop_back();
     if (leastCost(boxes_[static_cast<std::size_t>(box)], cone) >= best.cost) continue;
     if (box >= leaves_ - 1) {
-      const Eigen::Index begin = (box - (leaves_ - 1)) * leafSize;
-      pickInRun(points, begin, std::min(begin + leafSize, points.cols()), cone, best);
+      const Eigen::Index begin = (box - (leaves_ - 1)) * runLength;
+      pickInRun(points, begin, std::min(begin + runLength, points.cols()), cone, best);
       continue;
     }
     const Eigen::Index left = 2 * box + 1;

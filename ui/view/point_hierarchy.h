@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -31,9 +32,36 @@ public:
                                                  const ViewCone& cone) const;
   [[nodiscard]] Eigen::AlignedBox3f bounds() const;
 
+  /// Distance from a place to the nearest point farther away than `beyond` [L]; infinite without.
+  /// pre: `points` are those it was made of
+  [[nodiscard]] float distance(const Eigen::Matrix3Xf& points, const Eigen::Vector3f& place,
+                               float beyond = -1) const;
+
+  /// Calls act(begin, end) for each run of columns whose box `mayMeet` something. In order.
+  template <class MayMeet, class Act> void forEachRun(MayMeet mayMeet, Act act) const {
+    std::vector<Eigen::Index> open;
+    if (!boxes_.empty()) open.push_back(0);
+    while (!open.empty()) {
+      const Eigen::Index box = open.back();
+      open.pop_back();
+      const Eigen::AlignedBox3f& bounds = boxes_[static_cast<std::size_t>(box)];
+      if (bounds.isEmpty() || !mayMeet(bounds)) continue;
+      if (box >= leaves_ - 1) {
+        const Eigen::Index begin = (box - (leaves_ - 1)) * runLength;
+        act(begin, std::min(begin + runLength, points_));
+      } else {
+        open.push_back(2 * box + 2);
+        open.push_back(2 * box + 1);
+      }
+    }
+  }
+
 private:
+  static constexpr Eigen::Index runLength = 32;
+
   std::vector<Eigen::AlignedBox3f> boxes_; // a complete binary tree in level order, root first
   Eigen::Index leaves_ = 0;                // a power of two
+  Eigen::Index points_ = 0;
 };
 
 } // namespace espalier

@@ -1,6 +1,7 @@
 #include "ui/view/pointer_input.h"
 
 #include "ui/view/skeleton_picker.h"
+#include "ui/view/visibility.h"
 
 #include <QLineF>
 
@@ -24,6 +25,12 @@ Navigator::Gesture gestureOf(Qt::MouseButton button) {
   default:
     return Navigator::Gesture::none;
   }
+}
+
+/// Ctrl is, but with Shift or Alt it draws areas that take all, however deep.
+bool isForCamera(Qt::KeyboardModifiers modifiers) {
+  return modifiers.testFlag(Qt::ControlModifier) && !modifiers.testFlag(Qt::ShiftModifier) &&
+         !modifiers.testFlag(Qt::AltModifier);
 }
 
 double extentOf(const Scene& scene) {
@@ -75,7 +82,13 @@ Pick PointerInput::pick(const QPointF& position) const {
   const Eigen::Vector2d pixel(position.x(), position.y());
   const ScreenMap map = screen();
   Pick pick;
-  if (scene_.skeletonVisible) pick = pickSkeleton(scene_.skeleton, map, pixel, skeletonReach);
+  if (scene_.skeletonVisible && depth_ == Depth::through) {
+    pick = pickSkeleton(scene_.skeleton, map, pixel, skeletonReach);
+  } else if (scene_.skeletonVisible) {
+    const QPointF reach(skeletonReach, skeletonReach);
+    const Visibility visibility(scene_, map, QRectF(position - reach, position + reach));
+    pick = pickSkeleton(scene_.skeleton, map, pixel, skeletonReach, &visibility);
+  }
   pick.point = pointUnder(scene_.points, scene_.origin(), map, pixel);
   if (!pick.point) pick.point = pointUnder(scene_.contracted, scene_.origin(), map, pixel);
   return pick;
@@ -90,6 +103,7 @@ ToolInput PointerInput::input(ToolInput::Phase phase, const Pointer& pointer,
           .pick = pick,
           .button = pointer.button,
           .modifiers = pointer.modifiers,
+          .depth = pointer.modifiers.testFlag(Qt::ControlModifier) ? Depth::through : depth_,
           .screen = pointer.position};
 }
 
@@ -108,7 +122,7 @@ void PointerInput::press(const QMouseEvent& event) {
   button_ = event.button();
   pressed_ = last_ = position;
   dragged_ = false;
-  cameraOnly_ = event.modifiers().testFlag(Qt::ControlModifier);
+  cameraOnly_ = isForCamera(event.modifiers());
   const Pick under = pick(position);
   taken_ =
       !cameraOnly_ && tell(ToolInput::Phase::press, {position, button_, event.modifiers()}, under);
@@ -140,7 +154,7 @@ void PointerInput::release(const QMouseEvent& event) {
 std::optional<Eigen::Vector3d> PointerInput::doubleClick(const QMouseEvent& event) {
   const Pick under = pick(event.position());
   const Pointer pointer{event.position(), event.button(), event.modifiers()};
-  const bool cameraOnly = event.modifiers().testFlag(Qt::ControlModifier);
+  const bool cameraOnly = isForCamera(event.modifiers());
   if (!cameraOnly && tell(ToolInput::Phase::doubleClick, pointer, under)) return std::nullopt;
   if (event.button() != Qt::LeftButton) return std::nullopt;
   return placeOf(under, scene_.skeleton);

@@ -19,6 +19,8 @@ public:
 
   /// Both must outlive it.
   PointerInput(const Scene& scene, Navigator& navigator) : scene_(scene), navigator_(navigator) {}
+  /// Are nodes and edges picked, and taken by areas, that are hidden behind wood?
+  void setDepth(Depth depth) { depth_ = depth; }
   void setHandler(Handler handler) { handler_ = std::move(handler); }
 
   void setSize(const QSizeF& size); // [logical pixels]
@@ -52,6 +54,7 @@ private:
   const Scene& scene_;
   Navigator& navigator_;
   Handler handler_;
+  Depth depth_ = Depth::front;
   QSizeF size_{1, 1};
   Qt::MouseButton button_ = Qt::NoButton; // which started the gesture that goes on
   bool taken_ = false;                    // by the handler

@@ -1,10 +1,31 @@
 #include "ui/view/scene.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace espalier {
+
+namespace {
+
+double spacingOf(const Eigen::Matrix3Xf& points, const PointHierarchy& boxes) {
+  constexpr Eigen::Index sample = 300;
+  std::vector<float> distances;
+  for (Eigen::Index i = 0; i < points.cols(); i += 1 + points.cols() / sample) {
+    const float distance = boxes.distance(points, points.col(i), 0);
+    if (std::isfinite(distance)) distances.push_back(distance);
+  }
+  if (distances.empty()) return 0;
+  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), middle, distances.end());
+  return *middle;
+}
+
+} // namespace
 
 void PointLayer::set(std::shared_ptr<const Eigen::Matrix3Xf> replacement) {
   positions = std::move(replacement);
   boxes = positions ? PointHierarchy(*positions) : PointHierarchy();
+  spacing = positions ? spacingOf(*positions, boxes) : 0;
   ++revision;
 }
 

@@ -18,6 +18,7 @@ namespace espalier {
 struct PointLayer {
   std::shared_ptr<const Eigen::Matrix3Xf> positions; // about the origin of the scene; null: none
   PointHierarchy boxes;
+  double spacing = 0; // median distance of a point to the nearest at another place [L]
   bool visible = true;
   std::uint64_t revision = 0;
 

@@ -1,5 +1,7 @@
 #include "ui/view/skeleton_picker.h"
 
+#include "ui/view/visibility.h"
+
 #include <algorithm>
 #include <limits>
 #include <vector>
@@ -18,6 +20,7 @@ struct Nearest {
   double distance = std::numeric_limits<double>::infinity(); // [pixels]
   double depth = 0;
   double fraction = 0; // edges only
+  double onScreen = 0; // likewise: the same as it is drawn
 
   void offer(const Nearest& other) {
     const bool nearer = other.distance < distance - tie;
@@ -27,12 +30,14 @@ struct Nearest {
 };
 
 Nearest nearestNode(const SkeletonGlyphs& glyphs, const Places& places,
-                    const Eigen::Vector2d& pixel, double reach) {
+                    const Eigen::Vector2d& pixel, double reach, const Visibility* visibility) {
   Nearest best;
   for (std::size_t slot = 0; slot < places.size(); ++slot) {
     if (glyphs.nodes()[slot].shape == NodeShape::none || !places[slot]) continue;
     const double distance = (places[slot]->pixel - pixel).norm();
-    if (distance <= reach) best.offer({slot, distance, places[slot]->depth});
+    if (distance > reach) continue;
+    if (visibility != nullptr && visibility->hidesNode(slot, *places[slot])) continue;
+    best.offer({slot, distance, places[slot]->depth});
   }
   return best;
 }
@@ -61,13 +66,13 @@ std::optional<Nearest> edgeUnder(std::size_t slot, const EdgeEnds& ends,
   const double childWeight = perspective ? onScreen / ends.child.depth : onScreen;
   const double fraction = childWeight / (parentWeight + childWeight);
   const double depth = ends.parent.depth + fraction * (ends.child.depth - ends.parent.depth);
-  return Nearest{slot, distance, depth, fraction};
+  return Nearest{slot, distance, depth, fraction, onScreen};
 }
 
 } // namespace
 
 Pick pickSkeleton(const SkeletonGlyphs& glyphs, const ScreenMap& map, const Eigen::Vector2d& pixel,
-                  double reach) {
+                  double reach, const Visibility* visibility) {
   const std::size_t count = glyphs.nodes().size();
   Places places(count);
   for (std::size_t slot = 0; slot < count; ++slot)
@@ -75,7 +80,7 @@ Pick pickSkeleton(const SkeletonGlyphs& glyphs, const ScreenMap& map, const Eige
       places[slot] = map.project(glyphs.position(slot));
 
   Pick pick;
-  const Nearest node = nearestNode(glyphs, places, pixel, reach);
+  const Nearest node = nearestNode(glyphs, places, pixel, reach, visibility);
   if (node.slot != SIZE_MAX) {
     pick.node = NodeId{static_cast<std::uint32_t>(node.slot)};
     return pick;
@@ -88,7 +93,12 @@ Pick pickSkeleton(const SkeletonGlyphs& glyphs, const ScreenMap& map, const Eige
         map.project(glyphs.origin() + Eigen::Vector3f(edge.parent.data()).cast<double>());
     if (!parent) continue;
     const auto found = edgeUnder(slot, {*parent, *places[slot]}, pixel, map.isPerspective(), reach);
-    if (found) best.offer(*found);
+    if (!found) continue;
+    const Eigen::Vector2d foot =
+        parent->pixel + found->onScreen * (places[slot]->pixel - parent->pixel);
+    const ScreenMap::Place at{foot, found->depth};
+    if (visibility != nullptr && visibility->hidesEdge(edge, found->fraction, at)) continue;
+    best.offer(*found);
   }
   if (best.slot == SIZE_MAX) return pick;
   const EdgeGlyph& edge = glyphs.edges()[best.slot];

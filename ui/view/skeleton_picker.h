@@ -6,11 +6,15 @@
 
 namespace espalier {
 
+class Visibility;
+
 /// The node or edge drawn within `reach` logical pixels of a pixel; a node wins over edges. Of
-/// those about equally near, the one nearer to the eye. Leaves Pick::point empty.
+/// those about equally near, the one nearer to the eye. What `visibility` hides is not picked.
+/// Leaves Pick::point empty.
 ///
 /// Projects every glyph: O(nodes), some 10 ns each.
 [[nodiscard]] Pick pickSkeleton(const SkeletonGlyphs& glyphs, const ScreenMap& map,
-                                const Eigen::Vector2d& pixel, double reach);
+                                const Eigen::Vector2d& pixel, double reach,
+                                const Visibility* visibility = nullptr);
 
 } // namespace espalier

@@ -18,6 +18,7 @@ public:
   bool hover(const Pick& pick, const Eigen::Vector2d& at);
   bool drag(const Eigen::Vector2d& at, const Pick& pick = {});
   bool release(const Pick& pick = {});
+  void hold(Qt::KeyboardModifiers modifiers) { modifiers_ = modifiers; } // from now on
   bool escape();
   bool click(const Pick& pick, const Eigen::Vector2d& at,
              Qt::KeyboardModifiers modifiers = Qt::NoModifier);

@@ -126,5 +126,30 @@ TEST_F(CanvasTest, LeavesBandAndPreviewOutOfAPicture) {
   EXPECT_EQ(test::countDifferences(before, view_.picture({200, 150})), 0);
 }
 
+// A block of points before the plant.
+TEST_F(CanvasTest, PicksThroughWoodOnlyWhenAsked) {
+  view_.setCloud(test::block({0, -1, 2}));
+  EXPECT_FALSE(view_.pick(pixelOf(NodeId{2})).node);
+  EXPECT_EQ(view_.pick(pixelOf(NodeId{4})).node, NodeId{4});
+  const QPointF onEdge = view_.project({0, 0, 2.2}).value();
+  EXPECT_FALSE(view_.pick(onEdge).edge);
+  view_.setDepth(Depth::through);
+  EXPECT_EQ(view_.pick(pixelOf(NodeId{2})).node, NodeId{2});
+}
+
+TEST_F(CanvasTest, TellsToolsWhatAnAreaTakes) {
+  std::vector<Depth> told;
+  view_.setInputHandler([&](const ToolInput& input) {
+    if (input.phase == ToolInput::Phase::press) told.push_back(input.depth);
+    return true;
+  });
+  QTest::mouseClick(&view_, Qt::LeftButton, Qt::ShiftModifier, {50, 50});
+  QTest::mouseClick(&view_, Qt::LeftButton, Qt::ShiftModifier | Qt::ControlModifier, {50, 50});
+  QTest::mouseClick(&view_, Qt::LeftButton, Qt::ControlModifier, {50, 50}); // the camera's
+  view_.setDepth(Depth::through);
+  QTest::mouseClick(&view_, Qt::LeftButton, Qt::NoModifier, {50, 50});
+  EXPECT_THAT(told, testing::ElementsAre(Depth::front, Depth::through, Depth::through));
+}
+
 } // namespace
 } // namespace espalier

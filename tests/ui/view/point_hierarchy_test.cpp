@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 namespace espalier {
@@ -75,6 +76,40 @@ TEST(PointHierarchy, EnclosesAllPoints) {
   const Eigen::AlignedBox3f box = PointHierarchy(cloud.positions()).bounds();
   EXPECT_TRUE(box.min().isApprox(cloud.positions().rowwise().minCoeff()));
   EXPECT_TRUE(box.max().isApprox(cloud.positions().rowwise().maxCoeff()));
+}
+
+TEST(PointHierarchy, TellsTheDistanceToTheNearestPoint) {
+  const PointCloud cloud = blob(3000);
+  const PointHierarchy boxes(cloud.positions());
+  Random random(5);
+  for (int i = 0; i < 50; ++i) {
+    const Eigen::Vector3f place =
+        Eigen::Vector3d(random.normal(), random.normal(), 2).cast<float>();
+    const float nearest = (cloud.positions().colwise() - place).colwise().norm().minCoeff();
+    EXPECT_FLOAT_EQ(boxes.distance(cloud.positions(), place), nearest);
+  }
+  EXPECT_EQ(boxes.distance(cloud.positions(), cloud.positions().col(7)), 0);
+  EXPECT_GT(boxes.distance(cloud.positions(), cloud.positions().col(7), 0), 0);
+  EXPECT_TRUE(std::isinf(PointHierarchy().distance({}, {0, 0, 0})));
+}
+
+TEST(PointHierarchy, VisitsEachRunThatMayMeetInOrder) {
+  const PointCloud cloud = blob(1000);
+  const PointHierarchy boxes(cloud.positions());
+  Eigen::Index next = 0;
+  boxes.forEachRun([](const Eigen::AlignedBox3f&) { return true; },
+                   [&](Eigen::Index begin, Eigen::Index end) {
+                     EXPECT_EQ(begin, next);
+                     next = end;
+                   });
+  EXPECT_EQ(next, cloud.size());
+  Eigen::Index above = 0; // points that are, all visited
+  boxes.forEachRun([](const Eigen::AlignedBox3f& box) { return box.max().z() > 1; },
+                   [&](Eigen::Index begin, Eigen::Index end) {
+                     for (Eigen::Index i = begin; i < end; ++i)
+                       above += cloud.positions()(2, i) > 1 ? 1 : 0;
+                   });
+  EXPECT_EQ(above, (cloud.positions().row(2).array() > 1).count());
 }
 
 } // namespace

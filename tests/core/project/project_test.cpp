@@ -55,6 +55,13 @@ TEST(Project, KeepsEachActAsItHappens) {
   }
 }
 
+TEST(Project, ReplaysALongHistoryOfAllEdits) {
+  const fs::path file = test::freshFolder() / "oak.espalier";
+  const History history = withEdits(10'000);
+  (void)Project::create(file, history);
+  EXPECT_EQ(readBack(file), history);
+}
+
 TEST(Project, UndoneStepsComeBackByRedo) {
   const fs::path file = test::freshFolder() / "oak.espalier";
   const History history = withEdits(60);

@@ -1,5 +1,4 @@
 #include "core/base/error.h"
-#include "core/base/random.h"
 #include "core/skeleton/edits.h"
 #include "tests/support/plants.h"
 
@@ -24,13 +23,6 @@ SkeletonDelta edit(Skeleton& plant, const std::function<void(SkeletonEditor&)>& 
 Skeleton edited(Skeleton plant, const std::function<void(SkeletonEditor&)>& change) {
   (void)edit(plant, change);
   return plant;
-}
-
-std::size_t successors(const Skeleton& plant, NodeId id) {
-  std::size_t count = 0;
-  for (const NodeId child : plant.children(id))
-    if (plant[child].edge == EdgeType::successor) ++count;
-  return count;
 }
 
 TEST(AddChild, ContinuesAnApexAndBranchesElsewhere) {
@@ -305,69 +297,6 @@ TEST(ReplaceSkeleton, IsTakenBackAsOneEdit) {
   EXPECT_FALSE(plant.contains(NodeId{0})) << "ids are never handed out twice";
   delta.inverse().apply(plant);
   EXPECT_EQ(plant, before);
-}
-
-/// Some edit by hand. Refusals are part of it.
-void editAtRandom(SkeletonEditor& editor, Random& random) {
-  const std::vector<NodeId> ids = editor.skeleton().ids();
-  const NodeId id = ids[random.below(ids.size())];
-  const NodeId other = ids[random.below(ids.size())];
-  const bool isRoot = !editor.skeleton()[id].parent;
-  switch (random.below(9)) {
-  case 0:
-    moveNode(editor, id, random.direction());
-    break;
-  case 1:
-    if (!isRoot) splitEdge(editor, id, random.uniform());
-    break;
-  case 2:
-    removeNode(editor, id);
-    break;
-  case 3:
-    if (editor.skeleton().children(id).size() < 2) removeSubtree(editor, id);
-    break;
-  case 4:
-    if (!editor.skeleton().isAncestor(id, other)) reparentNode(editor, id, other);
-    break;
-  case 5:
-    if (!isRoot) setEdgeType(editor, id, EdgeType::successor);
-    break;
-  case 6:
-    if (!isRoot) setEdgeType(editor, id, EdgeType::branching);
-    break;
-  default:
-    addChild(editor, id, random.direction());
-  }
-}
-
-void expectTidy(const Skeleton& plant, const std::string& when) {
-  ASSERT_EQ(plant.ids().size(), plant.size()) << "a cycle or a lost node " << when;
-  for (const NodeId id : plant.ids())
-    ASSERT_LE(successors(plant, id), 1U) << when;
-}
-
-TEST(Edits, KeepAForestWithOneSuccessorAndAreTakenBackExactly) {
-  Random random(7);
-  Skeleton plant = test::fork(4);
-  Skeleton start = plant;
-  std::vector<SkeletonDelta> history;
-  for (int step = 0; step < 10'000; ++step) {
-    const Skeleton before = plant;
-    history.push_back(edit(plant, [&](SkeletonEditor& editor) { editAtRandom(editor, random); }));
-    expectTidy(plant, "at step " + std::to_string(step));
-    if (plant.isEmpty() || history.size() == 500) {
-      const Skeleton end = plant;
-      for (auto at = history.rbegin(); at != history.rend(); ++at)
-        at->inverse().apply(plant);
-      ASSERT_EQ(plant, start) << "undone from step " << step;
-      for (const SkeletonDelta& delta : history)
-        delta.apply(plant);
-      ASSERT_EQ(plant, end) << "redone to step " << step;
-      history.clear();
-      if (plant.isEmpty()) plant = test::fork(4);
-      start = plant;
-    }
-  }
 }
 
 } // namespace

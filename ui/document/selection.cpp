@@ -6,7 +6,7 @@
 namespace espalier {
 
 bool Selection::contains(NodeId id) const {
-  return std::ranges::find(nodes_, id) != nodes_.end();
+  return indexOf(id) < isChosen_.size() && isChosen_[indexOf(id)];
 }
 
 std::optional<NodeId> Selection::current() const {
@@ -15,18 +15,41 @@ std::optional<NodeId> Selection::current() const {
 }
 
 void Selection::set(std::vector<NodeId> nodes) {
+  note(nodes_, false);
+  std::erase_if(nodes, [this](NodeId id) {
+    const bool isThere = contains(id);
+    note({&id, 1}, true);
+    return isThere;
+  });
   if (nodes == nodes_) return;
   nodes_ = std::move(nodes);
   emit changed();
 }
 
 void Selection::toggle(NodeId id) {
-  if (std::erase(nodes_, id) == 0) nodes_.push_back(id);
+  const bool wasChosen = contains(id);
+  if (wasChosen)
+    std::erase(nodes_, id);
+  else
+    nodes_.push_back(id);
+  note({&id, 1}, !wasChosen);
   emit changed();
 }
 
 void Selection::keepThoseIn(const Skeleton& skeleton) {
-  if (std::erase_if(nodes_, [&](NodeId id) { return !skeleton.contains(id); }) > 0) emit changed();
+  const auto isGone = [&](NodeId id) {
+    if (skeleton.contains(id)) return false;
+    note({&id, 1}, false);
+    return true;
+  };
+  if (std::erase_if(nodes_, isGone) > 0) emit changed();
+}
+
+void Selection::note(std::span<const NodeId> nodes, bool areChosen) {
+  for (const NodeId id : nodes) {
+    if (indexOf(id) >= isChosen_.size()) isChosen_.resize(indexOf(id) + 1, false);
+    isChosen_[indexOf(id)] = areChosen;
+  }
 }
 
 } // namespace espalier

@@ -5,11 +5,13 @@
 #include <QObject>
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace espalier {
 
-/// The chosen nodes of a document, in the order they were chosen.
+/// The chosen nodes of a document, each once, in the order they were chosen. Telling whether a node
+/// is one of them takes constant time, changing them time linear in their number.
 class Selection : public QObject {
   Q_OBJECT
 
@@ -33,7 +35,10 @@ signals:
   void changed();
 
 private:
+  void note(std::span<const NodeId> nodes, bool areChosen);
+
   std::vector<NodeId> nodes_;
+  std::vector<bool> isChosen_; // by id, as far as any was chosen
 };
 
 } // namespace espalier

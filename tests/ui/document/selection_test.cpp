@@ -32,6 +32,20 @@ TEST(Selection, TellsOnlyOfChanges) {
   EXPECT_EQ(changes.size(), 1);
 }
 
+TEST(Selection, HasEachNodeOnceAndKnowsWhichOnes) {
+  Selection selection;
+  selection.set({NodeId{4}, NodeId{9}, NodeId{4}});
+  EXPECT_THAT(selection.nodes(), ElementsAre(NodeId{4}, NodeId{9}));
+  selection.toggle(NodeId{2});
+  selection.toggle(NodeId{9});
+  selection.keepThoseIn(test::stick(3));
+  EXPECT_THAT(selection.nodes(), ElementsAre(NodeId{2}));
+  for (const int id : {0, 2, 4, 9, 1000})
+    EXPECT_EQ(selection.contains(NodeId{static_cast<std::uint32_t>(id)}), id == 2) << id;
+  selection.set({NodeId{1}});
+  EXPECT_FALSE(selection.contains(NodeId{2}));
+}
+
 TEST(Selection, DropsNodesThatAreGone) {
   Selection selection;
   selection.set({NodeId{1}, NodeId{7}});

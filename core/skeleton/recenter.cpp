@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -116,6 +117,25 @@ Skeleton recentered(const Skeleton& skeleton, const Eigen::Matrix3Xf& points,
     result = smoothed(result, options.smoothing);
   }
   return result;
+}
+
+std::optional<Eigen::Vector3d> sectionCenter(const Skeleton& skeleton, NodeId id,
+                                             const std::vector<Eigen::Vector3d>& near,
+                                             const RecenterOptions& options) {
+  const std::optional<Eigen::Vector3d> axis = axisAt(skeleton, id);
+  if (!axis) return std::nullopt;
+  const Eigen::Vector3d& place = skeleton[id].position;
+  const auto half = [&](std::optional<NodeId> neighbor) {
+    return neighbor ? std::abs((skeleton[*neighbor].position - place).dot(*axis)) / 2 : 0.0;
+  };
+  const double before = half(skeleton[id].parent);
+  const double behind = half(successorOf(skeleton, id));
+  std::vector<Eigen::Vector3d> slab;
+  for (const Eigen::Vector3d& point : near) {
+    const double along = (point - place).dot(*axis);
+    if (along >= -before && along <= behind) slab.push_back(point);
+  }
+  return middle(place, *axis, slab, options);
 }
 
 } // namespace espalier

@@ -5,6 +5,9 @@
 
 #include <Eigen/Core>
 
+#include <optional>
+#include <vector>
+
 namespace espalier {
 
 struct RecenterOptions {
@@ -29,5 +32,12 @@ struct RecenterOptions {
                                   const Eigen::Vector3d& origin,
                                   const RecenterOptions& options = {},
                                   const Progress& progress = {});
+
+/// The middle of the wood around one node, from points near it [L]: the center of a circle fitted
+/// to those at the halves of its edges along its axis; none if they do not cover enough of a
+/// circle. pre: contains(id)
+[[nodiscard]] std::optional<Eigen::Vector3d> sectionCenter(const Skeleton& skeleton, NodeId id,
+                                                           const std::vector<Eigen::Vector3d>& near,
+                                                           const RecenterOptions& options = {});
 
 } // namespace espalier

@@ -26,4 +26,12 @@ Eigen::Vector3d Scan::onPoints(const Eigen::Vector3d& place, double reach) const
   return (snapped - place).norm() <= reach ? snapped : place;
 }
 
+std::vector<Eigen::Vector3d> Scan::near(const Eigen::Vector3d& place, double radius) const {
+  const Eigen::Vector3f local = (place - cloud_->origin()).cast<float>();
+  std::vector<Eigen::Vector3d> result;
+  for (const Neighbor& neighbor : index_.within(local, static_cast<float>(radius)))
+    result.push_back(cloud_->position(neighbor.index));
+  return result;
+}
+
 } // namespace espalier

@@ -4,6 +4,7 @@
 #include "core/cloud/point_cloud.h"
 
 #include <memory>
+#include <vector>
 
 namespace espalier {
 
@@ -22,6 +23,10 @@ public:
 
   /// The same, or `place` itself if that would move it farther than `reach` [L].
   [[nodiscard]] Eigen::Vector3d onPoints(const Eigen::Vector3d& place, double reach) const;
+
+  /// The points within `radius` [L] of `place` [L].
+  [[nodiscard]] std::vector<Eigen::Vector3d> near(const Eigen::Vector3d& place,
+                                                  double radius) const;
 
 private:
   std::shared_ptr<const PointCloud> cloud_;

@@ -4,6 +4,8 @@
 #include "core/mtg/unit_scales.h"
 #include "core/skeleton/edits.h"
 #include "core/skeleton/propose_child.h"
+#include "core/skeleton/recenter.h"
+#include "ui/tools/structure_edits.h"
 
 #include <QCoreApplication>
 
@@ -18,15 +20,6 @@ QString tr(const char* text, int n = -1) {
 
 bool isContained(PlantDocument& document, NodeId id) {
   return document.skeleton().contains(id);
-}
-
-/// Applies `change` to each node as one undo step, and skips those that an earlier one removed.
-void editEach(PlantDocument& document, const NodeTarget& target, const QString& text,
-              const std::function<void(SkeletonEditor&, NodeId)>& change) {
-  document.edit(text.arg(nodeNames(target.nodes)), [&](SkeletonEditor& editor) {
-    for (const NodeId id : target.nodes)
-      if (editor.skeleton().contains(id)) change(editor, id);
-  });
 }
 
 /// What a lone root grows by, and how far a new child looks for points.
@@ -82,14 +75,17 @@ void makeBranching(PlantDocument& document, const NodeTarget& target) {
            [](SkeletonEditor& editor, NodeId id) { setEdgeType(editor, id, EdgeType::branching); });
 }
 
+void requireRadius(const Skeleton& skeleton, NodeId id) {
+  if (skeleton[id].radius == 0)
+    throw Error(
+        tr("%1 has no radius yet: type one in the inspector").arg(nodeName(id)).toStdString());
+}
+
 void scaleRadius(PlantDocument& document, const NodeTarget& target, const QString& text,
                  double factor) {
   editEach(document, target, text, [factor](SkeletonEditor& editor, NodeId id) {
-    const double radius = editor.skeleton()[id].radius;
-    if (radius == 0)
-      throw Error(
-          tr("%1 has no radius yet: type one in the inspector").arg(nodeName(id)).toStdString());
-    editor.setRadius(id, factor * radius);
+    requireRadius(editor.skeleton(), id);
+    editor.setRadius(id, factor * editor.skeleton()[id].radius);
   });
 }
 
@@ -119,12 +115,47 @@ void stickBranch(PlantDocument& document, const NodeTarget& target) {
   editEach(document, target, tr("Stick the subtree of %1 to the points"), stickAll);
 }
 
+/// How far from a node the points of its section may lie [L].
+double sectionReach(const PlantDocument& document, NodeId id) {
+  return std::max(2 * document.skeleton()[id].radius, 8 * document.scan()->spacing());
+}
+
+void center(PlantDocument& document, const NodeTarget& target) {
+  requireScan(document);
+  bool isFound = false;
+  const Skeleton before = document.skeleton(); // sections lie across it as it is
+  editEach(document, target, tr("Center %1"), [&](SkeletonEditor& editor, NodeId id) {
+    const auto near = document.scan()->near(before[id].position, sectionReach(document, id));
+    const auto place = sectionCenter(before, id, near);
+    if (!place) return;
+    isFound = true;
+    moveNode(editor, id, *place);
+  });
+  if (!isFound)
+    throw Error(tr("the points around %1 show no circle: move it by hand")
+                    .arg(nodeNames(target.nodes))
+                    .toStdString());
+}
+
 void markUnitStart(PlantDocument& document, const NodeTarget& target) {
   const bool areMarked = std::ranges::all_of(
       target.nodes, [&](NodeId id) { return document.skeleton()[id].isMarked; });
   const QString text = areMarked ? tr("Take the mark off %1") : tr("Mark a unit start at %1");
   document.edit(text.arg(nodeNames(target.nodes)),
                 [&](SkeletonEditor& editor) { toggleMarks(editor, target.nodes); });
+}
+
+/// Those that end the menu.
+std::vector<NodeEdit> lastEdits() {
+  return {
+      {"mark_unit_start", tr("Mark Unit Start"),
+       tr("A unit of a coarser scale is to start here; once more takes the mark off"), "",
+       Qt::Key_U, markUnitStart},
+      {"remove", tr("Remove Node"), tr("Its children hang on its parent"), "remove",
+       QKeySequence(Qt::Key_Delete), remove},
+      {"remove_subtree", tr("Remove Subtree"), tr("With all that the node carries"), "",
+       QKeySequence(Qt::SHIFT | Qt::Key_Delete), removeBranch},
+  };
 }
 
 } // namespace
@@ -135,6 +166,14 @@ QString nodeName(NodeId id) {
 
 QString nodeNames(const std::vector<NodeId>& ids) {
   return ids.size() == 1 ? nodeName(ids.front()) : tr("%n nodes", static_cast<int>(ids.size()));
+}
+
+void editEach(PlantDocument& document, const NodeTarget& target, const QString& text,
+              const std::function<void(SkeletonEditor&, NodeId)>& change) {
+  document.edit(text.arg(nodeNames(target.nodes)), [&](SkeletonEditor& editor) {
+    for (const NodeId id : target.nodes)
+      if (editor.skeleton().contains(id)) change(editor, id);
+  });
 }
 
 NodeTarget targetOf(PlantDocument& document, const Pick& under,
@@ -154,9 +193,16 @@ std::vector<NodeEdit> nodeEdits() {
       scaleRadius(document, target, tr(text), factor);
     };
   };
-  return {
+  std::vector<NodeEdit> edits = {
       {"new_child", tr("New Child"), tr("Adds a child, on the points ahead"), "add", Qt::Key_N,
        newChild},
+      {.id = "extend_again",
+       .text = tr("Extend Again"),
+       .help = tr("One more child of the node that was added last, or is selected"),
+       .icon = "",
+       .shortcut = Qt::Key_Space,
+       .apply = newChild,
+       .isOfSelected = true},
       {"split_edge", tr("Split Edge"),
        tr("Puts a node on the edge: where the pointer is, or in the middle"), "split", Qt::Key_E,
        split},
@@ -168,18 +214,28 @@ std::vector<NodeEdit> nodeEdits() {
        "stick", Qt::Key_T, stick},
       {"stick_subtree", tr("Stick Subtree to Points"), tr("The same for all that the node carries"),
        "", Qt::Key_G, stickBranch},
+      {"center", tr("Move to Section Center"),
+       tr("Moves the node to the middle of the circle of points around it"), "",
+       QKeySequence(Qt::SHIFT | Qt::Key_T), center},
       {"radius_up", tr("Increase Radius"), tr("5 % more"), "", Qt::Key_A,
        scaleBy(QT_TRANSLATE_NOOP("NodeEdits", "Increase the radius of %1"), 1.05)},
       {"radius_down", tr("Decrease Radius"), tr("5 % less"), "", Qt::Key_Q,
        scaleBy(QT_TRANSLATE_NOOP("NodeEdits", "Decrease the radius of %1"), 0.95)},
-      {"mark_unit_start", tr("Mark Unit Start"),
-       tr("A unit of a coarser scale is to start here; once more takes the mark off"), "",
-       Qt::Key_U, markUnitStart},
-      {"remove", tr("Remove Node"), tr("Its children hang on its parent"), "remove",
-       QKeySequence(Qt::Key_Delete), remove},
-      {"remove_subtree", tr("Remove Subtree"), tr("With all that the node carries"), "",
-       QKeySequence(Qt::SHIFT | Qt::Key_Delete), removeBranch},
   };
+  for (const std::vector<NodeEdit>& others : {treeEdits(), pathEdits(), lastEdits()})
+    edits.insert(edits.end(), others.begin(), others.end());
+  return edits;
+}
+
+void scaleRadii(PlantDocument& document, const std::vector<NodeId>& nodes, double factor,
+                Gesture gesture) {
+  const auto scale = [&](SkeletonEditor& editor) {
+    for (const NodeId id : nodes) {
+      requireRadius(editor.skeleton(), id);
+      editor.setRadius(id, factor * editor.skeleton()[id].radius);
+    }
+  };
+  document.edit(tr("Change the radius of %1").arg(nodeNames(nodes)), scale, gesture);
 }
 
 void setRadius(PlantDocument& document, const std::vector<NodeId>& nodes, double radius) {

@@ -36,10 +36,22 @@ struct NodeEdit {
   /// Makes the edit, as one undo step.
   /// @throws Error if it is refused
   std::function<void(PlantDocument&, const NodeTarget&)> apply;
+  QString menu = {};         // it stands in a menu of this name within the menu
+  bool isOfSelected = false; // wherever the pointer is
 };
 
-/// All of them, in the order of the menu; the keys are PlantScan3D's.
+/// All of them, in the order of the menu; the keys are PlantScan3D's where it has them.
 [[nodiscard]] std::vector<NodeEdit> nodeEdits();
+
+/// Applies `change` to each node as one undo step named `text` (%1: the nodes), and skips those
+/// that an earlier one removed.
+void editEach(PlantDocument& document, const NodeTarget& target, const QString& text,
+              const std::function<void(SkeletonEditor&, NodeId)>& change);
+
+/// Multiplies the radii of nodes; calls of one gesture become one undo step.
+/// @throws Error if a node has no radius yet
+void scaleRadii(PlantDocument& document, const std::vector<NodeId>& nodes, double factor,
+                Gesture gesture);
 
 /// Sets the radius of nodes by hand. pre: radius >= 0 [L]
 void setRadius(PlantDocument& document, const std::vector<NodeId>& nodes, double radius);

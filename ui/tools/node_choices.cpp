@@ -1,0 +1,116 @@
+#include "ui/tools/node_choices.h"
+
+#include "core/base/error.h"
+#include "core/skeleton/duplicates.h"
+#include "core/skeleton/select.h"
+
+#include <QCoreApplication>
+
+namespace espalier {
+namespace {
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("NodeChoices", text);
+}
+
+using Nodes = std::vector<NodeId>;
+
+Nodes path(const Skeleton& skeleton, const Nodes& nodes) {
+  if (nodes.size() < 2)
+    throw Error(tr("a path has two ends: select a first and a last node").toStdString());
+  return pathBetween(skeleton, nodes.front(), nodes.back());
+}
+
+Nodes similar(const Skeleton& skeleton, const Nodes& nodes) {
+  constexpr double share = 0.2;
+  return ofSimilarRadius(skeleton, nodes, share);
+}
+
+Nodes required(Nodes found, const QString& none) {
+  if (found.empty()) throw Error(none.toStdString());
+  return found;
+}
+
+Nodes twins(const Skeleton& skeleton, const Nodes& /*nodes*/) {
+  return required(duplicatedNodes(skeleton, duplicateTolerance(skeleton)),
+                  tr("no two nodes lie together: there is nothing to select"));
+}
+
+Nodes twinBranches(const Skeleton& skeleton, const Nodes& /*nodes*/) {
+  return required(duplicatedBranches(skeleton, 2 * duplicateTolerance(skeleton)),
+                  tr("no branch runs along another one: there is nothing to select"));
+}
+
+} // namespace
+
+std::vector<NodeChoice> nodeChoices() {
+  return {
+      {"select_downstream",
+       tr("Select &Downstream"),
+       tr("The node and all that it carries"),
+       {Qt::Key_1},
+       downstream},
+      {"select_to_root",
+       tr("Select to &Root"),
+       tr("The node and all that carries it"),
+       {Qt::Key_2},
+       upstream},
+      {"select_axis",
+       tr("Select A&xis"),
+       tr("The whole axis of the node"),
+       {Qt::Key_3},
+       axesThrough},
+      {"select_order",
+       tr("Select &Order"),
+       tr("All nodes of the same order"),
+       {Qt::Key_4},
+       ofSameOrder},
+      {"select_tree",
+       tr("Select &Tree"),
+       tr("All that is connected with the node"),
+       {Qt::Key_5},
+       treesOf},
+      {"invert_selection",
+       tr("&Invert Selection"),
+       tr("All other nodes"),
+       {Qt::Key_6},
+       inverted,
+       false},
+      {},
+      {"select_path",
+       tr("Select &Path Between"),
+       tr("All nodes from the first to the last one selected"),
+       {},
+       path},
+      {"select_similar",
+       tr("Select &Similar Radius"),
+       tr("All nodes whose radius is within 20 %"),
+       {},
+       similar},
+      {"grow_selection",
+       tr("&Grow Selection"),
+       tr("Adds the nodes that are linked to it"),
+       {Qt::Key_Plus, Qt::Key_Equal},
+       grown},
+      {"shrink_selection",
+       tr("Shri&nk Selection"),
+       tr("Leaves out its nodes at the border"),
+       {Qt::Key_Minus},
+       shrunk},
+      {},
+      {"select_duplicates",
+       tr("Select Duplicated Nodes"),
+       tr("Nodes nearer to each other than a quarter of an edge"),
+       {},
+       twins,
+       false},
+      {"select_duplicated_branches",
+       tr("Select Duplicated Branches"),
+       tr("Branches that run along another one"),
+       {},
+       twinBranches,
+       false},
+  };
+}
+
+} // namespace espalier

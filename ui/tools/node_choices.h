@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/skeleton/skeleton.h"
+
+#include <QKeySequence>
+#include <QString>
+
+#include <functional>
+#include <vector>
+
+namespace espalier {
+
+/// A way to choose nodes by how the plant is built, which a key or a menu takes at once.
+struct NodeChoice {
+  QString id;   // never translated: settings and tests know it by this
+  QString text; // in menus
+  QString help; // one line
+  QList<QKeySequence> shortcuts;
+  /// The nodes to be selected, given those that the key is meant for.
+  /// @throws Error if it cannot choose any
+  std::function<std::vector<NodeId>(const Skeleton&, const std::vector<NodeId>&)> choose;
+  bool needsNodes = true; // to begin with; else it goes by those selected, if any
+};
+
+/// All of them, in the order of the menu; an entry without id is a separator.
+[[nodiscard]] std::vector<NodeChoice> nodeChoices();
+
+} // namespace espalier

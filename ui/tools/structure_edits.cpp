@@ -1,0 +1,183 @@
+#include "ui/tools/structure_edits.h"
+
+#include "core/base/error.h"
+#include "core/skeleton/path_edits.h"
+#include "core/skeleton/select.h"
+#include "core/skeleton/tree_edits.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace espalier {
+namespace {
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("StructureEdits", text);
+}
+
+void swapContinuation(PlantDocument& document, const NodeTarget& target) {
+  editEach(document, target, tr("Swap the continuation of %1"), swapSuccessor);
+}
+
+void cut(PlantDocument& document, const NodeTarget& target) {
+  if (target.edge) {
+    const NodeId above = target.edge->child;
+    document.edit(tr("Cut off %1").arg(nodeName(above)),
+                  [&](SkeletonEditor& editor) { cutOff(editor, above); });
+    document.selection().set({above});
+  } else {
+    editEach(document, target, tr("Cut off %1"), cutOff);
+  }
+}
+
+/// Joins the trees of all to the last one chosen; that of a single one to the nearest other tree.
+void join(PlantDocument& document, const NodeTarget& target) {
+  const Skeleton& skeleton = document.skeleton();
+  std::vector<NodeId> joining = target.nodes;
+  const NodeId onto =
+      joining.size() == 1 ? nearestInOtherTree(skeleton, joining.front()) : joining.back();
+  if (joining.size() > 1) joining.pop_back();
+  const auto rootOf = [](const Skeleton& plant, NodeId id) { return upstream(plant, {id}).back(); };
+  const auto change = [&](SkeletonEditor& editor) {
+    bool isOneJoined = false;
+    for (const NodeId id : joining) {
+      const bool hangsThere = rootOf(editor.skeleton(), id) == rootOf(editor.skeleton(), onto);
+      if (hangsThere && isOneJoined) continue; // it came with another one
+      joinTree(editor, id, onto);
+      isOneJoined = true;
+    }
+  };
+  document.edit(tr("Join %1 to %2").arg(nodeNames(joining), nodeName(onto)), change);
+}
+
+void makeRoot(PlantDocument& document, const NodeTarget& target) {
+  const Skeleton& skeleton = document.skeleton();
+  if (std::ranges::all_of(target.nodes, [&](NodeId id) { return !skeleton[id].parent; }))
+    throw Error(tr("%1 is the root already").arg(nodeNames(target.nodes)).toStdString());
+  editEach(document, target, tr("Make %1 the root"), reroot);
+}
+
+void merge(PlantDocument& document, const NodeTarget& target) {
+  NodeId kept{};
+  document.edit(tr("Merge %1").arg(nodeNames(target.nodes)),
+                [&](SkeletonEditor& editor) { kept = mergeNodes(editor, target.nodes); });
+  document.selection().set({kept});
+}
+
+void turnAround(PlantDocument& document, const NodeTarget& target) {
+  const Skeleton& skeleton = document.skeleton();
+  const std::vector<NodeId> path = pathOf(skeleton, target.nodes);
+  if (path.size() < 2)
+    throw Error(tr("%1 is alone on its axis: select the two ends of a path")
+                    .arg(nodeName(path.front()))
+                    .toStdString());
+  const bool isUpward = skeleton.isAncestor(path.front(), path.back());
+  document.edit(tr("Turn around the path of %1").arg(nodeNames(target.nodes)),
+                [&](SkeletonEditor& editor) {
+                  reversePath(editor, isUpward ? path.front() : path.back(),
+                              isUpward ? path.back() : path.front());
+                });
+}
+
+/// An edit of the path that is meant, with `text` for its name.
+auto onPath(const char* text, void (*change)(SkeletonEditor&, const std::vector<NodeId>&)) {
+  return [text, change](PlantDocument& document, const NodeTarget& target) {
+    const std::vector<NodeId> path = pathOf(document.skeleton(), target.nodes);
+    document.edit(tr(text).arg(nodeNames(target.nodes)),
+                  [&](SkeletonEditor& editor) { change(editor, path); });
+  };
+}
+
+void smoothOut(PlantDocument& document, const NodeTarget& target) {
+  const double width = meanEdgeLength(document.skeleton());
+  if (width == 0) throw Error(tr("the plant has no edge to smooth along").toStdString());
+  document.edit(tr("Smooth %1").arg(nodeNames(target.nodes)),
+                [&](SkeletonEditor& editor) { smooth(editor, target.nodes, width); });
+}
+
+auto resampleBy(double factor) {
+  return [factor](PlantDocument& document, const NodeTarget& target) {
+    const double spacing = pathSpacing(document.skeleton(), target.nodes);
+    if (spacing == 0) throw Error(tr("there is no edge between the ends").toStdString());
+    resamplePath(document, target.nodes, factor * spacing);
+  };
+}
+
+std::vector<NodeId> meantToResample(const Skeleton& skeleton, const std::vector<NodeId>& chosen) {
+  return chosen.size() > 2 ? chosen : pathOf(skeleton, chosen);
+}
+
+} // namespace
+
+std::vector<NodeEdit> treeEdits() {
+  const QString menu = tr("&Tree");
+  return {
+      {"cut_off", tr("Cut Off"), tr("What the node carries becomes a tree of its own"), "cut",
+       Qt::Key_X, cut, menu},
+      {"join", tr("Join"),
+       tr("Hangs the tree of the node on the nearest other one, or on the last node selected"),
+       "join", Qt::Key_J, join, menu},
+      {"swap_continuation", tr("Swap Continuation"),
+       tr("Another child continues the axis of the node"), "", Qt::Key_W, swapContinuation, menu},
+      {"merge", tr("Merge Nodes"), tr("Makes one node of several neighbors"), "", QKeySequence(),
+       merge, menu},
+      {"make_root", tr("Make Root"), tr("The tree grows from this node"), "", QKeySequence(),
+       makeRoot, menu},
+  };
+}
+
+std::vector<NodeEdit> pathEdits() {
+  const QString menu = pathMenu();
+  return {
+      {"turn_around", tr("Turn Around"), tr("The path hangs by its other end"), "", QKeySequence(),
+       turnAround, menu},
+      {"straighten", tr("Straighten"), tr("Puts the nodes between the ends on a straight line"), "",
+       QKeySequence(),
+       onPath(QT_TRANSLATE_NOOP("StructureEdits", "Straighten the path of %1"), straighten), menu},
+      {"smooth", tr("Smooth"), tr("Moves the selected nodes to the mean of their neighbors"), "",
+       QKeySequence(), smoothOut, menu},
+      {"interpolate_radii", tr("Interpolate Radii"),
+       tr("Radii between the ends follow from those of the ends"), "", QKeySequence(),
+       onPath(QT_TRANSLATE_NOOP("StructureEdits", "Interpolate the radii of the path of %1"),
+              interpolateRadii),
+       menu},
+      {"thin_out", tr("Thin Out"), tr("Removes nodes between the ends; what hangs on what stays"),
+       "", QKeySequence(),
+       onPath(QT_TRANSLATE_NOOP("StructureEdits", "Thin out the path of %1"), thinOut), menu},
+      {"space_evenly", tr("Space Evenly"), tr("Moves the nodes to equal distances"), "",
+       QKeySequence(), resampleBy(1), menu},
+      {"more_nodes", tr("More Nodes"), tr("Twice as many nodes, evenly spaced"), "", QKeySequence(),
+       resampleBy(0.5), menu},
+      {"fewer_nodes", tr("Fewer Nodes"), tr("Half as many nodes, evenly spaced"), "",
+       QKeySequence(), resampleBy(2), menu},
+  };
+}
+
+QString pathMenu() {
+  return tr("&Path");
+}
+
+void resamplePath(PlantDocument& document, const std::vector<NodeId>& chosen, double step) {
+  const std::vector<NodeId> nodes = meantToResample(document.skeleton(), chosen);
+  document.edit(tr("Space the path of %1").arg(nodeNames(chosen)),
+                [&](SkeletonEditor& editor) { resample(editor, nodes, step); });
+}
+
+double pathSpacing(const Skeleton& skeleton, const std::vector<NodeId>& chosen) {
+  const std::vector<NodeId> nodes = meantToResample(skeleton, chosen);
+  std::vector<bool> isMeant(skeleton.idEnd(), false);
+  for (const NodeId id : nodes)
+    isMeant[indexOf(id)] = true;
+  double sum = 0;
+  int count = 0;
+  for (const NodeId id : nodes) {
+    const std::optional<NodeId>& parent = skeleton[id].parent;
+    if (!parent || !isMeant[indexOf(*parent)]) continue;
+    sum += (skeleton[id].position - skeleton[*parent].position).norm();
+    ++count;
+  }
+  return count > 0 ? sum / count : 0;
+}
+
+} // namespace espalier

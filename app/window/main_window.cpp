@@ -7,6 +7,8 @@
 #include "app/window/project_flow.h"
 #include "app/window/recent_files.h"
 #include "app/window/reconstruct_flow.h"
+#include "app/window/review_flow.h"
+#include "app/window/seal_flow.h"
 #include "app/window/unit_flow.h"
 #include "app/window/view_options.h"
 #include "app/window/view_sync.h"
@@ -84,6 +86,7 @@ MainWindow::MainWindow(QSettings& settings, QWidget* parent)
   connectFiles();
   connectProjects();
   connectDocument();
+  connectReview();
   useTheme(themeNamed(settings_.value("theme").toString()));
   restoreGeometry(settings_.value("window/geometry").toByteArray());
   restoreState(settings_.value("window/state").toByteArray());
@@ -193,6 +196,7 @@ void MainWindow::refreshDocks() {
   const bool hasPlant = center_->currentWidget() == view_; // panels that do not apply are absent
   pipelineDock_->setVisible(hasPlant && (*actions_)["show_pipeline"]->isChecked());
   inspectorDock_->setVisible(hasPlant && (*actions_)["show_inspector"]->isChecked());
+  review_->setPlantShown(hasPlant);
   if (hasPlant && !settings_.contains("window/state")) // nobody has set the widths yet
     resizeDocks({pipelineDock_, inspectorDock_}, {pipelineWidth, inspectorWidth}, Qt::Horizontal);
 }
@@ -261,6 +265,7 @@ void MainWindow::resetLayout() {
   addDockWidget(Qt::LeftDockWidgetArea, pipelineDock_);
   addDockWidget(Qt::RightDockWidgetArea, inspectorDock_);
   resizeDocks({pipelineDock_, inspectorDock_}, {pipelineWidth, inspectorWidth}, Qt::Horizontal);
+  review_->resetLayout();
   refreshDocks();
 }
 

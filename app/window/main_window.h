@@ -25,6 +25,8 @@ class PlantView;
 class ProjectFlow;
 class RecentFiles;
 class ReconstructFlow;
+class ReviewFlow;
+class SealFlow;
 class StartPage;
 class StatusLine;
 class UnitFlow;
@@ -71,6 +73,7 @@ private:
   void connectFiles();      // likewise
   void connectProjects();   // likewise
   void connectDocument();   // likewise
+  void connectReview();     // likewise
   void makeCenter();
   void makeDocks();
   void closePlant();
@@ -106,6 +109,8 @@ private:
   std::unique_ptr<ViewSync> sync_;
   std::unique_ptr<Editing> editing_;
   std::unique_ptr<UnitFlow> units_;
+  std::unique_ptr<SealFlow> seals_;
+  std::unique_ptr<ReviewFlow> review_;
   std::unique_ptr<ViewOptions> options_;
   std::unique_ptr<ProjectFlow> projects_;
   std::unique_ptr<FileFlow> files_;

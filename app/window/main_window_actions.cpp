@@ -3,6 +3,8 @@
 #include "app/window/file_flow.h"
 #include "app/window/main_window.h"
 #include "app/window/project_flow.h"
+#include "app/window/review_flow.h"
+#include "app/window/seal_flow.h"
 #include "app/window/unit_flow.h"
 #include "app/window/view_options.h"
 #include "ui/dialogs/command_palette.h"
@@ -26,6 +28,11 @@ void MainWindow::addActions() {
   editing_ = std::make_unique<Editing>(document_, *view_, *actions_, nullptr);
   units_ = std::make_unique<UnitFlow>(document_, *actions_, *inspector_, *this);
   options_ = std::make_unique<ViewOptions>(*view_, *actions_, settings_, nullptr);
+  seals_ = std::make_unique<SealFlow>(
+      SealFlow::Parts{document_, *actions_, *projects_, *banner_, *this});
+  review_ = std::make_unique<ReviewFlow>(
+      ReviewFlow::Parts{document_, *view_, *actions_, settings_, *this},
+      (*actions_)["sign_structure"]);
   addPanelActions();
   addThemeActions();
   addHelpActions();

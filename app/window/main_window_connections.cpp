@@ -5,12 +5,15 @@
 #include "app/window/project_flow.h"
 #include "app/window/recent_files.h"
 #include "app/window/reconstruct_flow.h"
+#include "app/window/review_flow.h"
+#include "app/window/seal_flow.h"
 #include "app/window/unit_flow.h"
 #include "app/window/view_options.h"
 #include "core/pipeline/preset.h"
 #include "ui/panels/inspector_panel.h"
 #include "ui/panels/message_banner.h"
 #include "ui/panels/pipeline_panel.h"
+#include "ui/panels/review_panel.h"
 #include "ui/panels/start_page.h"
 #include "ui/panels/status_line.h"
 #include "ui/view/plant_view.h"
@@ -44,6 +47,8 @@ void MainWindow::connectJobs() {
   connect(&jobs_, &JobRunner::started, this, [this] {
     status_->showJob(jobs_.name());
     units_->setEnabled(false);
+    seals_->setEnabled(false);
+    review_->setEnabled(false);
     editing_->setEnabled(false); // what a job will replace is not to be edited meanwhile
     pipeline_->setRunnable(false);
     (*actions_)["reconstruct"]->setEnabled(false);
@@ -60,6 +65,8 @@ void MainWindow::connectJobs() {
     status_->hideJob();
     editing_->setEnabled(true);
     units_->setEnabled(true);
+    seals_->setEnabled(true);
+    review_->setEnabled(true);
     if (jobs_.isCanceled()) {
       pipeline_->showIdle();
       status_->showNote(tr("Canceled: nothing has changed"));
@@ -174,6 +181,16 @@ void MainWindow::connectDocument() {
   connect(inspector_, &InspectorPanel::nodeChosen, this,
           [this](NodeId id) { document_.selection().set({id}); });
   start_->setRecentFiles(recent_->paths());
+}
+
+void MainWindow::connectReview() {
+  const auto showSeal = [this] { review_->panel().showSeal(seals_->text()); };
+  seals_->setSigner(review_->reviewer());
+  connect(seals_.get(), &SealFlow::changed, this, showSeal);
+  connect(seals_.get(), &SealFlow::signerChanged, review_.get(), &ReviewFlow::setReviewer);
+  connect(review_.get(), &ReviewFlow::reviewerChanged, seals_.get(), &SealFlow::setSigner);
+  connect(review_.get(), &ReviewFlow::noted, status_, &StatusLine::showNote);
+  showSeal();
 }
 
 } // namespace espalier

@@ -2,6 +2,7 @@
 #include "app/window/icon.h"
 #include "app/window/main_window.h"
 #include "app/window/recent_files.h"
+#include "app/window/review_flow.h"
 #include "app/window/view_options.h"
 #include "ui/tools/node_edits.h"
 #include "ui/tools/registry.h"
@@ -88,6 +89,8 @@ void MainWindow::fillMenus() {
   skeleton->addSeparator();
   add(*skeleton->addMenu(tr("&Units")), *actions_, ofUnits);
 
+  review_->fillMenu(*menuBar()->addMenu(tr("&Review")));
+
   QMenu* help = menuBar()->addMenu(tr("&Help"));
   add(*help, *actions_, {"manual", "shortcuts", "palette", "", "about"});
 }
@@ -103,7 +106,7 @@ void MainWindow::fillViewMenu() {
   view->addMenu(tr("Look From"))->addActions(options_->standardViews());
   add(*view, *actions_, {"frame_all", "frame", "pivot", ""});
   add(*view->addMenu(tr("Panels")), *actions_,
-      {"show_pipeline", "show_inspector", "", "reset_layout"});
+      {"show_pipeline", "show_inspector", "show_review", "", "reset_layout"});
   add(*view->addMenu(tr("Theme")), *actions_, {"theme_system", "theme_light", "theme_dark"});
 }
 

@@ -39,7 +39,7 @@ void addStretches(const Skeleton& skeleton, const Axis& axis, double longest,
     const Node& node = skeleton[id];
     const double edge =
         node.parent ? (node.position - skeleton[*node.parent].position).norm() : 0.0;
-    if (length + edge > longest) end();
+    if (length > 0 && length + edge > longest) end();
     stretch.push_back(id);
     length += edge;
     if (skeleton.children(id).size() > 1) end();

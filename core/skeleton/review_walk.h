@@ -19,7 +19,7 @@ using Stretch = std::vector<NodeId>; // not empty
 
 /// The stretches of all axes in that order: each node is in one. A stretch ends at a node with
 /// several children, at an apex, and before it gets longer than `longest`. O(N).
-/// @param longest  along the axis [L]; an edge that is longer is a stretch of its own
+/// @param longest  along the axis [L]; only an edge that alone is longer makes a longer stretch
 [[nodiscard]] std::vector<Stretch> stretches(const Skeleton& skeleton, double longest);
 
 /// What fits a screen together with its surroundings: a tenth of the diagonal of the plant [L].

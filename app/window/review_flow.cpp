@@ -1,0 +1,304 @@
+#include "app/window/review_flow.h"
+
+#include "app/window/action_set.h"
+#include "core/base/error.h"
+#include "ui/document/plant_document.h"
+#include "ui/panels/review_panel.h"
+#include "ui/tools/node_edits.h"
+#include "ui/view/plant_view.h"
+
+#include <QAbstractSpinBox>
+#include <QAction>
+#include <QApplication>
+#include <QDockWidget>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QMainWindow>
+#include <QMenu>
+#include <QSettings>
+
+#include <algorithm>
+
+namespace espalier {
+namespace {
+
+bool takesEnter(QWidget* widget) {
+  return qobject_cast<QLineEdit*>(widget) != nullptr ||
+         qobject_cast<QAbstractSpinBox*>(widget) != nullptr;
+}
+
+bool isEnter(const QEvent& event) {
+  if (event.type() != QEvent::ShortcutOverride) return false;
+  const int key = static_cast<const QKeyEvent&>(event).key();
+  return key == Qt::Key_Return || key == Qt::Key_Enter;
+}
+
+} // namespace
+
+ReviewFlow::ReviewFlow(const Parts& parts, QAction* sign)
+    : parts_(parts),
+      reviewer_(parts.settings.value("author", qEnvironmentVariable("USER")).toString()) {
+  parts_.actions.beginSection(tr("Review"));
+  addWalkActions();
+  addMarkActions();
+  makePanel(sign);
+  connectParts();
+  refreshEnabled();
+  showPlace();
+}
+
+void ReviewFlow::setEnabled(bool isEnabled) {
+  isEnabled_ = isEnabled;
+  refreshEnabled();
+}
+
+void ReviewFlow::setPlantShown(bool isShown) {
+  isPlantShown_ = isShown;
+  refreshDock();
+}
+
+void ReviewFlow::resetLayout() {
+  dock_->setFloating(false);
+  placeDock();
+  parts_.actions["show_review"]->setChecked(false);
+}
+
+void ReviewFlow::fillMenu(QMenu& menu) const {
+  menu.addActions(walks_);
+  menu.addSeparator();
+  menu.addActions(marks_);
+  menu.addSeparator();
+  for (const char* id : {"sign_structure", "export_seal"})
+    menu.addAction(parts_.actions[id]);
+  menu.addSeparator();
+  menu.addAction(parts_.actions["show_review"]);
+}
+
+void ReviewFlow::setReviewer(const QString& name) {
+  panel_->setReviewer(name);
+  if (name == reviewer_) return;
+  reviewer_ = name;
+  parts_.settings.setValue("author", name);
+  parts_.document.setAuthor(name);
+  emit reviewerChanged(name);
+}
+
+void ReviewFlow::addWalkActions() {
+  const auto add = [this](const char* id, const QString& text, const QString& help,
+                          const QKeySequence& keys, WalkTo to, WalkWay way = WalkWay::forward) {
+    walks_.append(parts_.actions.add({.id = id, .text = text, .help = help, .keys = keys},
+                                     [this, to, way] { step(to, way); }));
+  };
+  add("next_stretch", tr("Next Stretch"),
+      tr("Walks on: along the trunk, then branch by branch with its twigs"), Qt::Key_Period,
+      WalkTo::anyStretch);
+  add("previous_stretch", tr("Previous Stretch"), tr("Walks back"), Qt::Key_Comma,
+      WalkTo::anyStretch, WalkWay::backward);
+  add("next_not_reviewed", tr("Next Not Reviewed"), tr("Walks on to what is to do or doubtful"),
+      QKeySequence(Qt::CTRL | Qt::Key_Period), WalkTo::notReviewed);
+  add("next_open_end", tr("Next Open End"), tr("Walks on to an apex that is not reviewed"),
+      Qt::Key_O, WalkTo::openEnd);
+  add("next_branching", tr("Next Branching"), tr("Walks on to a branching that is not reviewed"),
+      Qt::Key_B, WalkTo::branching);
+}
+
+void ReviewFlow::addMarkActions() {
+  const auto add = [this](const char* id, const QString& text, const QString& help,
+                          const QKeySequence& keys, const std::function<void()>& act) {
+    marks_.append(parts_.actions.add({.id = id, .text = text, .help = help, .keys = keys}, act));
+  };
+  add("mark_reviewed", tr("Mark Reviewed and Go On"),
+      tr("What is selected is right; shows the next stretch that is not reviewed"), Qt::Key_Return,
+      [this] {
+        mark(ReviewState::reviewed);
+        step(WalkTo::notReviewed);
+      });
+  marks_.back()->setShortcuts({Qt::Key_Return, Qt::Key_Enter});
+  add("mark_doubtful", tr("Mark Doubtful"), tr("What is selected needs another look"),
+      QKeySequence(Qt::SHIFT | Qt::Key_Return), [this] { mark(ReviewState::doubtful); });
+  add("mark_to_do", tr("Mark To Do"), tr("What is selected is to be reviewed again"),
+      Qt::Key_Backspace, [this] { mark(ReviewState::toDo); });
+  add("comment", tr("Comment"), tr("A remark on what is selected"), Qt::Key_K, [this] {
+    requireChosen();
+    parts_.actions["show_review"]->setChecked(true);
+    panel_->focusComment();
+  });
+}
+
+void ReviewFlow::makePanel(QAction* sign) {
+  const auto at = [this](const char* id) { return parts_.actions[id]; };
+  panel_ = new ReviewPanel(parts_.document, {.previous = at("previous_stretch"),
+                                             .next = at("next_stretch"),
+                                             .openEnd = at("next_open_end"),
+                                             .branching = at("next_branching"),
+                                             .reviewed = at("mark_reviewed"),
+                                             .doubtful = at("mark_doubtful"),
+                                             .toDo = at("mark_to_do"),
+                                             .sign = sign});
+  panel_->setReviewer(reviewer_);
+  dock_ = new QDockWidget(tr("Review"), &parts_.window);
+  dock_->setObjectName("review");
+  dock_->setWidget(panel_);
+  dock_->installEventFilter(this);
+  placeDock();
+  QAction* show = parts_.actions.add({.id = "show_review",
+                                      .text = tr("Review Panel"),
+                                      .help = tr("Shows or hides this panel"),
+                                      .keys = Qt::Key_F9,
+                                      .isCheckable = true},
+                                     {});
+  show->setChecked(parts_.settings.value("panels/show_review", false).toBool());
+  connect(show, &QAction::toggled, this, [this](bool isShown) {
+    parts_.settings.setValue("panels/show_review", isShown);
+    refreshDock();
+  });
+}
+
+void ReviewFlow::connectParts() {
+  PlantDocument& document = parts_.document;
+  for (auto signal : {&PlantDocument::skeletonReplaced, &PlantDocument::readOnlyChanged})
+    connect(&document, signal, this, &ReviewFlow::refreshEnabled);
+  connect(&document, &PlantDocument::skeletonEdited, this, &ReviewFlow::refreshEnabled);
+  connect(&document, &PlantDocument::skeletonReplaced, this, [this] { at_.clear(); });
+  connect(&document.selection(), &Selection::changed, this, &ReviewFlow::showPlace);
+  connect(panel_, &ReviewPanel::reviewerTyped, this, &ReviewFlow::setReviewer);
+  connect(panel_, &ReviewPanel::commentTyped, this, [this](const QString& text) {
+    const auto act = [&] {
+      comment(text);
+      return true;
+    };
+    parts_.actions.guarded(act, Refusal::inBanner);
+  });
+  connect(panel_, &ReviewPanel::leaveRequested, &parts_.view, qOverload<>(&QWidget::setFocus));
+  connect(panel_, &ReviewPanel::axisChosen, this, [this](const Axis& axis) {
+    at_.clear();
+    parts_.document.selection().set(axis);
+    frame(axis);
+  });
+  // Enter in a field takes what is typed there, and marks nothing.
+  connect(qApp, &QApplication::focusChanged, this, [this](QWidget* before, QWidget* now) {
+    if (before != nullptr && before != dock_) before->removeEventFilter(this);
+    if (now != nullptr && takesEnter(now)) now->installEventFilter(this);
+  });
+}
+
+bool ReviewFlow::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == dock_) {
+    if (event->type() == QEvent::Close) parts_.actions["show_review"]->setChecked(false);
+  } else if (isEnter(*event)) {
+    event->accept();
+    return true;
+  }
+  return QObject::eventFilter(watched, event);
+}
+
+void ReviewFlow::step(WalkTo to, WalkWay way) {
+  parts_.actions["show_review"]->setChecked(true);
+  const Skeleton& skeleton = parts_.document.skeleton();
+  const std::vector<Stretch> all = stretches(skeleton, longestStretch(skeleton));
+  const std::vector<NodeId>& chosen = parts_.document.selection().nodes();
+  const auto left = std::ranges::find_if(at_, [&](NodeId id) { return skeleton.contains(id); });
+  std::optional<std::size_t> from;
+  if (!chosen.empty())
+    from = stretchOf(all, chosen.back());
+  else if (left != at_.end())
+    from = stretchOf(all, *left);
+  const bool isElsewhere = !chosen.empty() && chosen != at_; // one has clicked: begin there
+  const std::optional<std::size_t> next =
+      isElsewhere && from && to == WalkTo::anyStretch ? from : walk(skeleton, all, from, to, way);
+  if (next)
+    goTo(all, *next);
+  else if (to == WalkTo::notReviewed)
+    emit noted(tr("All is reviewed: the structure can be signed"));
+  else if (to == WalkTo::openEnd)
+    emit noted(tr("Every end is reviewed"));
+  else if (to == WalkTo::branching)
+    emit noted(tr("Every branching is reviewed"));
+}
+
+void ReviewFlow::goTo(const std::vector<Stretch>& all, std::size_t index) {
+  at_ = all[index];
+  placeText_ = tr("Stretch %1 of %2").arg(formatCount(index + 1), formatCount(all.size()));
+  parts_.document.selection().set(at_);
+  showPlace(); // the same nodes may be another stretch of more
+  frame(at_);
+}
+
+/// Shows nodes with some of what is around them.
+void ReviewFlow::frame(const std::vector<NodeId>& nodes) {
+  const Skeleton& skeleton = parts_.document.skeleton();
+  Eigen::AlignedBox3d box;
+  for (const NodeId id : nodes) {
+    box.extend(skeleton[id].position);
+    if (skeleton[id].parent) box.extend(skeleton[*skeleton[id].parent].position);
+  }
+  const double margin = std::max(0.3 * box.diagonal().norm(), 0.2 * longestStretch(skeleton));
+  box.min().array() -= margin;
+  box.max().array() += margin;
+  parts_.view.frame(box);
+}
+
+void ReviewFlow::mark(ReviewState state) {
+  requireChosen();
+  const std::vector<NodeId> nodes = parts_.document.selection().nodes();
+  const QString text = state == ReviewState::reviewed   ? tr("Mark %1 reviewed")
+                       : state == ReviewState::doubtful ? tr("Mark %1 doubtful")
+                                                        : tr("Mark %1 to do");
+  parts_.document.edit(text.arg(nodeNames(nodes)), [&](SkeletonEditor& editor) {
+    for (const NodeId id : nodes) {
+      ReviewMark mark = editor.skeleton()[id].review;
+      if (mark.state == state) continue; // whoever looked first stays named
+      mark.state = state;
+      mark.reviewer = state == ReviewState::toDo ? std::string() : reviewer_.toStdString();
+      editor.setReview(id, std::move(mark));
+    }
+  });
+}
+
+void ReviewFlow::comment(const QString& text) {
+  const std::vector<NodeId> nodes = parts_.document.selection().nodes();
+  parts_.document.edit(tr("Comment on %1").arg(nodeNames(nodes)), [&](SkeletonEditor& editor) {
+    for (const NodeId id : nodes) {
+      ReviewMark mark = editor.skeleton()[id].review;
+      mark.comment = text.trimmed().toStdString();
+      editor.setReview(id, std::move(mark));
+    }
+  });
+}
+
+void ReviewFlow::requireChosen() const {
+  if (parts_.document.selection().isEmpty())
+    throw Error(
+        tr("nothing is selected to mark: walk to a stretch, or select nodes").toStdString());
+}
+
+void ReviewFlow::showPlace() {
+  const std::vector<NodeId>& nodes = parts_.document.selection().nodes();
+  QString text = nodes.empty() ? tr("Press . to walk") : nodeNames(nodes);
+  if (!nodes.empty()) text[0] = text[0].toUpper();
+  panel_->showPlace(!nodes.empty() && nodes == at_ ? placeText_ : text);
+}
+
+void ReviewFlow::refreshEnabled() {
+  const bool hasNodes = !parts_.document.skeleton().isEmpty();
+  for (QAction* walk : walks_)
+    walk->setEnabled(isEnabled_ && hasNodes);
+  for (QAction* mark : marks_)
+    mark->setEnabled(isEnabled_ && hasNodes && !parts_.document.isReadOnly());
+}
+
+/// In front of the inspector: the list of axes needs the height.
+void ReviewFlow::placeDock() {
+  parts_.window.addDockWidget(Qt::RightDockWidgetArea, dock_);
+  if (auto* inspector = parts_.window.findChild<QDockWidget*>("inspector"))
+    parts_.window.tabifyDockWidget(inspector, dock_);
+}
+
+void ReviewFlow::refreshDock() {
+  const bool isShown = isPlantShown_ && parts_.actions["show_review"]->isChecked();
+  const bool isNew = isShown && dock_->isHidden();
+  dock_->setVisible(isShown);
+  if (isNew) dock_->raise();
+}
+
+} // namespace espalier

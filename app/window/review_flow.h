@@ -1,0 +1,84 @@
+#pragma once
+
+#include "core/skeleton/review_walk.h"
+
+#include <QList>
+#include <QObject>
+#include <QString>
+
+class QAction;
+class QDockWidget;
+class QMainWindow;
+class QMenu;
+class QSettings;
+
+namespace espalier {
+
+class ActionSet;
+class PlantDocument;
+class PlantView;
+class ReviewPanel;
+
+/// The review: the walk along the plant, the marks on what is selected, and the panel for both.
+///
+/// The stretch one is at is what is selected; so it can be changed by any selection before it is
+/// marked.
+class ReviewFlow : public QObject {
+  Q_OBJECT
+
+public:
+  /// What it works with; all must outlive it.
+  struct Parts {
+    PlantDocument& document;
+    PlantView& view;
+    ActionSet& actions;
+    QSettings& settings;
+    QMainWindow& window;
+  };
+  /// @param sign  the action that the panel offers at its foot
+  ReviewFlow(const Parts& parts, QAction* sign);
+
+  void setEnabled(bool isEnabled); // off while a job runs that replaces the skeleton
+  void setPlantShown(bool isShown);
+  void resetLayout();
+  void fillMenu(QMenu& menu) const;
+
+  [[nodiscard]] ReviewPanel& panel() { return *panel_; }
+  [[nodiscard]] const QString& reviewer() const { return reviewer_; }
+  void setReviewer(const QString& name);
+
+signals:
+  void noted(const QString& message); // why the walk goes nowhere
+  void reviewerChanged(const QString& name);
+
+private:
+  void addWalkActions();
+  void addMarkActions();
+  void makePanel(QAction* sign);
+  void connectParts();
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+  void step(WalkTo to, WalkWay way = WalkWay::forward);
+  void goTo(const std::vector<Stretch>& all, std::size_t index);
+  void frame(const std::vector<NodeId>& nodes);
+  void mark(ReviewState state);
+  void comment(const QString& text);
+  void requireChosen() const;
+  void showPlace();
+  void refreshEnabled();
+  void placeDock();
+  void refreshDock();
+
+  Parts parts_;
+  ReviewPanel* panel_ = nullptr;
+  QDockWidget* dock_ = nullptr;
+  QList<QAction*> walks_;
+  QList<QAction*> marks_;
+  QString reviewer_;
+  Stretch at_;        // where one is; may hold nodes that are gone
+  QString placeText_; // of at_
+  bool isEnabled_ = true;
+  bool isPlantShown_ = false;
+};
+
+} // namespace espalier

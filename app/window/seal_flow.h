@@ -1,0 +1,65 @@
+#pragma once
+
+#include "core/project/seal.h"
+#include "core/project/structure_hash.h"
+
+#include <QObject>
+#include <QString>
+
+#include <optional>
+
+class QMainWindow;
+
+namespace espalier {
+
+class ActionSet;
+class MessageBanner;
+class PlantDocument;
+class ProjectFlow;
+
+/// The seal of a structure: signing it, keeping it in the project, and telling when it breaks.
+///
+/// Whether it holds is a matter of the structure alone: undo back to what was signed mends it.
+class SealFlow : public QObject {
+  Q_OBJECT
+
+public:
+  /// What it works with; all must outlive it.
+  struct Parts {
+    PlantDocument& document;
+    ActionSet& actions;
+    ProjectFlow& projects;
+    MessageBanner& banner;
+    QMainWindow& window;
+  };
+  explicit SealFlow(const Parts& parts);
+
+  void setEnabled(bool isEnabled); // off while a job runs that replaces the skeleton
+  void setSigner(const QString& name) { signer_ = name; }
+  [[nodiscard]] bool isSigned() const { return seal_.has_value(); }
+  [[nodiscard]] bool isIntact() const { return seal_ && hash_->value() == seal_->hash; }
+  [[nodiscard]] QString text() const; // what the panel tells of it
+
+signals:
+  void changed();                          // text() has
+  void signerChanged(const QString& name); // typed where it was signed
+
+private:
+  void sign();
+  void exportSeal();
+  void set(std::optional<Seal> seal);
+  void follow(const SkeletonDelta& delta);
+  void tellBroken();
+  void undoToSeal();
+  void refresh();
+
+  Parts parts_;
+  QString signer_;
+  std::optional<Seal> seal_;
+  std::optional<StructureHash> hash_; // of the skeleton now, once there is a seal
+  int intactStep_ = 0;                // of the undo stack, when it held last
+  QString told_;                      // in the banner, that it broke
+  bool isEnabled_ = true;
+};
+
+} // namespace espalier

@@ -1,0 +1,190 @@
+#include "tests/app/window/window_fixture.h"
+#include "tests/support/plants.h"
+#include "ui/panels/review_panel.h"
+#include "ui/panels/status_line.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QTableView>
+#include <QTest>
+#include <QToolButton>
+
+namespace espalier {
+namespace {
+
+/// The fork, whose stretches are the trunk (root and top) and each of the three shoots.
+struct ReviewWindowTest : test::WindowTest {
+  void openFork() { open({writeFork("fork.mtg")}); }
+
+  NodeId shoot() { return nodeAt({1, 0, 2}); }
+  const ReviewMark& markOf(NodeId id) { return document().skeleton()[id].review; }
+  std::vector<NodeId> chosen() { return document().selection().nodes(); }
+  QString label(const QString& name) { return find<QLabel>(name).text(); }
+  [[nodiscard]] bool waitForLabel(const QString& name, const QString& text) {
+    return QTest::qWaitFor([&] { return label(name) == text; });
+  }
+};
+
+TEST_F(ReviewWindowTest, TheWalkGoesFromStretchToStretchAndShowsEach) {
+  openFork();
+  EXPECT_FALSE(find<QDockWidget>("review").isVisible());
+  key(Qt::Key_Period);
+  EXPECT_TRUE(find<QDockWidget>("review").isVisible());
+  EXPECT_EQ(chosen(), (std::vector{nodeAt({0, 0, 0}), nodeAt({0, 0, 1})}));
+  EXPECT_EQ(label("review_place"), "Stretch 1 of 4");
+  key(Qt::Key_Period);
+  EXPECT_EQ(chosen(), std::vector{shoot()}) << "the trunk goes on to its tip first";
+  waitForView();
+  for (const Eigen::Vector3d& place : {Eigen::Vector3d(1, 0, 2), Eigen::Vector3d(0, 0, 1)}) {
+    const auto shown = view().project(place);
+    ASSERT_TRUE(shown);
+    EXPECT_TRUE(view().rect().contains(shown->toPoint()));
+  }
+  key(Qt::Key_Comma);
+  EXPECT_EQ(label("review_place"), "Stretch 1 of 4");
+  key(Qt::Key_Comma);
+  EXPECT_EQ(label("review_place"), "Stretch 4 of 4") << "back from the first is the last";
+  EXPECT_EQ(document().undoStack().count(), 0) << "to look is no edit";
+}
+
+TEST_F(ReviewWindowTest, TheWalkBeginsWhereOneHasClicked) {
+  openFork();
+  click(placeOf(shoot()));
+  key(Qt::Key_Period);
+  EXPECT_EQ(label("review_place"), "Stretch 2 of 4");
+  key(Qt::Key_Period);
+  EXPECT_EQ(label("review_place"), "Stretch 3 of 4");
+}
+
+TEST_F(ReviewWindowTest, EnterMarksAStretchAndGoesOnUntilAllIsReviewed) {
+  openFork();
+  key(Qt::Key_Period);
+  for (int stretch = 0; stretch < 4; ++stretch)
+    key(Qt::Key_Return);
+  for (const NodeId id : document().skeleton().ids())
+    EXPECT_EQ(markOf(id).state, ReviewState::reviewed);
+  EXPECT_EQ(document().undoStack().count(), 4);
+  EXPECT_EQ(document().undoStack().text(0), "Mark 2 nodes reviewed");
+  EXPECT_TRUE(waitForLabel("review_share", "100.0 % reviewed"));
+  EXPECT_EQ(label("review_length_0"), formatLength(0, LengthUnit::meter));
+  EXPECT_EQ(label("review_length_2"), formatLength(1 + 3 * std::sqrt(2.0), LengthUnit::meter, 3));
+  EXPECT_EQ(window().statusLine().shownText(), "All is reviewed: the structure can be signed");
+  key(Qt::Key_O);
+  EXPECT_EQ(window().statusLine().shownText(), "Every end is reviewed");
+  key(Qt::Key_B);
+  EXPECT_EQ(window().statusLine().shownText(), "Every branching is reviewed");
+  for (int step = 0; step < 4; ++step)
+    key(Qt::Key_Z, Qt::ControlModifier);
+  for (const NodeId id : document().skeleton().ids())
+    EXPECT_EQ(markOf(id), ReviewMark());
+}
+
+TEST_F(ReviewWindowTest, KeysLeadToOpenEndsAndBranchings) {
+  openFork();
+  key(Qt::Key_O);
+  EXPECT_EQ(chosen().back(), shoot());
+  key(Qt::Key_O);
+  EXPECT_TRUE(document().skeleton().children(chosen().back()).empty());
+  EXPECT_NE(chosen().back(), shoot());
+  key(Qt::Key_B);
+  EXPECT_EQ(chosen().back(), nodeAt({0, 0, 1}));
+}
+
+TEST_F(ReviewWindowTest, DoubtIsMarkedCommentedAndTakenBackByKeys) {
+  openFork();
+  auto& reviewer = find<QLineEdit>("reviewer");
+  click(placeOf(shoot()));
+  key(Qt::Key_Return, Qt::ShiftModifier);
+  EXPECT_EQ(markOf(shoot()).state, ReviewState::doubtful);
+  EXPECT_EQ(markOf(shoot()).reviewer, reviewer.text().toStdString());
+  key(Qt::Key_K);
+  auto& comment = find<QLineEdit>("review_comment");
+  ASSERT_TRUE(comment.hasFocus());
+  QTest::keyClicks(&comment, "crosses b, or not.");
+  QTest::keyClick(&comment, Qt::Key_Return);
+  EXPECT_EQ(markOf(shoot()).comment, "crosses b, or not.");
+  EXPECT_EQ(markOf(shoot()).state, ReviewState::doubtful) << "Enter took the comment, no more";
+  EXPECT_TRUE(view().hasFocus());
+  EXPECT_EQ(document().undoStack().undoText(),
+            "Comment on " + QString("node %1").arg(indexOf(shoot())));
+  key(Qt::Key_Backspace);
+  EXPECT_EQ(markOf(shoot()).state, ReviewState::toDo);
+  EXPECT_EQ(markOf(shoot()).reviewer, "");
+  EXPECT_EQ(markOf(shoot()).comment, "crosses b, or not.");
+  EXPECT_EQ(document().undoStack().count(), 3);
+}
+
+TEST_F(ReviewWindowTest, EnterInANumberFieldMarksNothing) {
+  openFork();
+  click(placeOf(shoot()));
+  auto& radius = find<QDoubleSpinBox>("node_radius");
+  radius.setFocus();
+  radius.selectAll();
+  QTest::keyClicks(&radius, "0.25");
+  QTest::keyClick(&radius, Qt::Key_Return);
+  EXPECT_DOUBLE_EQ(document().skeleton()[shoot()].radius, 0.25);
+  EXPECT_EQ(markOf(shoot()).state, ReviewState::toDo);
+}
+
+TEST_F(ReviewWindowTest, AReviewedNodeThatIsDraggedIsToDoAgainUntilUndo) {
+  openFork();
+  click(placeOf(shoot()));
+  key(Qt::Key_Return);
+  ASSERT_EQ(markOf(shoot()).state, ReviewState::reviewed);
+  const NodeId id = shoot();
+  view().frameAll();
+  waitForView();
+  const QPoint place = placeOf(id);
+  drag(place, place + QPoint(30, 20));
+  EXPECT_EQ(markOf(id).state, ReviewState::toDo);
+  EXPECT_EQ(document().undoStack().count(), 2) << "the move and its mark are one step";
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(markOf(id).state, ReviewState::reviewed);
+}
+
+TEST_F(ReviewWindowTest, AMarkOnNothingIsRefusedInWords) {
+  openFork();
+  key(Qt::Key_Return);
+  EXPECT_EQ(document().undoStack().count(), 0);
+  EXPECT_TRUE(find<QWidget>("message_banner").isVisible());
+}
+
+TEST_F(ReviewWindowTest, ThePanelListsAxesAndItsButtonsDoAsTheKeys) {
+  openFork();
+  key(Qt::Key_F9);
+  auto& axes = find<QTableView>("review_axes");
+  ASSERT_EQ(axes.model()->rowCount(), 3);
+  const QModelIndex second = axes.model()->index(1, 0);
+  QTest::mouseClick(axes.viewport(), Qt::LeftButton, {}, axes.visualRect(second).center());
+  ASSERT_EQ(chosen().size(), 1U);
+  const NodeId id = chosen().front();
+  EXPECT_NE(id, shoot()) << "the first shoot is of the trunk's own axis";
+  for (auto* button : window().findChildren<QToolButton*>())
+    if (button->text() == "Reviewed, Go On") QTest::mouseClick(button, Qt::LeftButton);
+  EXPECT_EQ(markOf(id).state, ReviewState::reviewed);
+  const auto stateText = [&] { return axes.model()->index(1, 2).data().toString(); };
+  EXPECT_TRUE(QTest::qWaitFor([&] { return stateText() == "✓"; }));
+  EXPECT_EQ(axes.model()->index(0, 2).data().toString(), "0 %");
+}
+
+TEST_F(ReviewWindowTest, TheReviewersNameIsRememberedAndSignsTheSteps) {
+  openFork();
+  key(Qt::Key_F9);
+  auto& reviewer = find<QLineEdit>("reviewer");
+  reviewer.setFocus();
+  reviewer.selectAll();
+  QTest::keyClicks(&reviewer, "Anna");
+  QTest::keyClick(&reviewer, Qt::Key_Return);
+  key(Qt::Key_Period);
+  key(Qt::Key_Return);
+  EXPECT_EQ(document().step(0).author, "Anna");
+  EXPECT_EQ(markOf(nodeAt({0, 0, 0})).reviewer, "Anna");
+  restart();
+  EXPECT_EQ(find<QLineEdit>("reviewer").text(), "Anna");
+}
+
+} // namespace
+} // namespace espalier

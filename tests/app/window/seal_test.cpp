@@ -1,0 +1,162 @@
+#include "core/project/seal.h"
+#include "tests/app/window/project_fixture.h"
+
+#include <QFile>
+#include <QLabel>
+#include <QLineEdit>
+#include <QTest>
+
+namespace espalier {
+namespace {
+
+struct SealWindowTest : test::ProjectWindowTest {
+  void openAndReview() {
+    open({writeFork("fork.mtg")});
+    key(Qt::Key_Period);
+    for (int stretch = 0; stretch < 4; ++stretch)
+      key(Qt::Key_Return);
+    view().frameAll();
+    waitForView();
+  }
+  void sign() {
+    answer(
+        [](QDialog& dialog) {
+          auto* signer = dialog.findChild<QLineEdit*>("signer");
+          signer->selectAll();
+          QTest::keyClicks(signer, "Anna");
+          press("Sign")(dialog);
+        },
+        [this] { action("sign_structure").trigger(); });
+  }
+  void dragTheShoot() {
+    const QPoint place = placeOf(nodeAt({1, 0, 2}));
+    drag(place, place + QPoint(30, 20));
+  }
+  QString seal() { return find<QLabel>("seal").text(); }
+  [[nodiscard]] bool isIntact() { return seal().startsWith("✓ Signed by Anna on "); }
+  [[nodiscard]] bool isBroken() { return seal().startsWith("✗ Seal broken"); }
+};
+
+TEST_F(SealWindowTest, IsRefusedUntilAllIsReviewed) {
+  open({writeFork("fork.mtg")});
+  key(Qt::Key_Period);
+  key(Qt::Key_Return);
+  expectNoDialog([this] { action("sign_structure").trigger(); });
+  EXPECT_EQ(message(), "3 of 5 nodes are not reviewed: walk there and review them first");
+  EXPECT_EQ(seal(), "No seal: fork.mtg cannot carry one, a project can.");
+}
+
+TEST_F(SealWindowTest, BreaksByAnEditOnceAndIsMendedByUndo) {
+  openAndReview();
+  saveProject("fork.espalier");
+  sign();
+  ASSERT_TRUE(isIntact()) << seal().toStdString();
+  dragTheShoot();
+  EXPECT_TRUE(isBroken());
+  EXPECT_TRUE(message().startsWith("This breaks the seal of Anna on "));
+  ASSERT_TRUE(window().banner().isVisible());
+  clickButton("dismiss");
+  document().selection().set({nodeAt({0, 0, 1})});
+  key(Qt::Key_A); // a thicker trunk
+  EXPECT_FALSE(window().banner().isVisible()) << "it is told once";
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(isBroken());
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(isIntact());
+}
+
+TEST_F(SealWindowTest, IsMendedByTheBannerHoweverMuchWasEdited) {
+  openAndReview();
+  saveProject("fork.espalier");
+  sign();
+  const int steps = document().undoStack().index();
+  dragTheShoot();
+  document().selection().set({nodeAt({0, 0, 1})});
+  key(Qt::Key_A);
+  EXPECT_EQ(document().undoStack().index(), steps + 2);
+  clickButton("banner_action");
+  EXPECT_TRUE(isIntact());
+  EXPECT_EQ(document().undoStack().index(), steps);
+  EXPECT_TRUE(document().undoStack().canRedo());
+}
+
+TEST_F(SealWindowTest, TheBannerLeavesWhenTheSealHoldsAgain) {
+  openAndReview();
+  saveProject("fork.espalier");
+  sign();
+  dragTheShoot();
+  ASSERT_TRUE(window().banner().isVisible());
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_FALSE(window().banner().isVisible());
+}
+
+TEST_F(SealWindowTest, IsKeptInTheProject) {
+  openAndReview();
+  const QString file = saveProject("fork.espalier");
+  sign();
+  const QString before = seal();
+  restart();
+  open({file});
+  EXPECT_EQ(seal(), before);
+  document().selection().set({nodeAt({0, 0, 1})});
+  key(Qt::Key_A);
+  restart();
+  open({file});
+  EXPECT_TRUE(isBroken());
+  EXPECT_FALSE(window().banner().isVisible()) << "it broke in another session";
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(seal(), before);
+  action("new_plant").trigger();
+  EXPECT_FALSE(isIntact());
+}
+
+TEST_F(SealWindowTest, TellsWhoWhenAndWhatWasCorrected) {
+  open({writeFork("fork.mtg")});
+  dragTheShoot();
+  key(Qt::Key_Period);
+  for (int stretch = 0; stretch < 4; ++stretch)
+    key(Qt::Key_Return);
+  QString asked;
+  answer(
+      [&](QDialog& dialog) {
+        for (auto* label : dialog.findChildren<QLabel*>())
+          asked += label->text() + "\n";
+        dialog.reject();
+      },
+      [this] { action("sign_structure").trigger(); });
+  EXPECT_TRUE(asked.contains("5 nodes"));
+  EXPECT_TRUE(asked.contains("1 edit; nodes: 1 moved"));
+  EXPECT_FALSE(isIntact()) << "it was not signed";
+  sign();
+  EXPECT_TRUE(seal().contains("Corrections: 1 edit; nodes: 1 moved"));
+  EXPECT_EQ(find<QLineEdit>("reviewer").text(), "Anna") << "who signs is the reviewer";
+  EXPECT_TRUE(message().contains("Only a project keeps the seal"));
+}
+
+TEST_F(SealWindowTest, IsExportedAsAFileBesideTheStructure) {
+  openAndReview();
+  EXPECT_FALSE(action("export_seal").isEnabled());
+  sign();
+  const QString file = path("fork.seal.json");
+  answer(chooseFile(file), [this] { action("export_seal").trigger(); });
+  QFile written(file);
+  ASSERT_TRUE(written.open(QIODevice::ReadOnly));
+  const Seal exported = sealFrom(written.readAll().toStdString());
+  EXPECT_EQ(exported.author, "Anna");
+  EXPECT_EQ(exported.nodes, 5U);
+  dragTheShoot();
+  EXPECT_FALSE(action("export_seal").isEnabled()) << "a broken seal says nothing";
+}
+
+TEST_F(SealWindowTest, ThatCannotBeReadIsToldAndLeftAlone) {
+  openAndReview();
+  const QString file = saveProject("fork.espalier");
+  action("close_plant").trigger();
+  Project::open(toPath(file), Access::readWrite).setDocument("seal", "{nonsense");
+  open({file});
+  EXPECT_EQ(message(), "the seal of this structure cannot be read: sign it again");
+  EXPECT_EQ(seal(), "Not signed yet.");
+}
+
+} // namespace
+} // namespace espalier

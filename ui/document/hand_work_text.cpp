@@ -1,0 +1,41 @@
+#include "ui/document/hand_work_text.h"
+
+#include "ui/document/length_unit.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+namespace espalier {
+namespace {
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("HandWork", text);
+}
+
+} // namespace
+
+QString formatWorkTime(std::int64_t milliseconds) {
+  const std::int64_t minutes = milliseconds / 60'000;
+  if (minutes < 1) return tr("under a minute");
+  if (minutes < 60) return tr("%1 min").arg(minutes);
+  return tr("%1 h %2 min").arg(minutes / 60).arg(minutes % 60);
+}
+
+QString describe(const Corrections& corrections) {
+  if (corrections.edits == 0) return tr("none");
+  QStringList kinds;
+  const auto add = [&](std::size_t count, const QString& text) {
+    if (count > 0) kinds.append(text.arg(formatCount(count)));
+  };
+  add(corrections.added, tr("%1 added"));
+  add(corrections.removed, tr("%1 removed"));
+  add(corrections.moved, tr("%1 moved"));
+  add(corrections.reparented, tr("%1 reparented"));
+  add(corrections.retyped, tr("%1 with another edge type"));
+  add(corrections.radii, tr("%1 with another radius"));
+  const QString edits =
+      corrections.edits == 1 ? tr("1 edit") : tr("%1 edits").arg(formatCount(corrections.edits));
+  return tr("%1; nodes: %2").arg(edits, kinds.join(", "));
+}
+
+} // namespace espalier

@@ -1,0 +1,99 @@
+#include "ui/panels/axis_review_model.h"
+
+#include "core/skeleton/review_walk.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace espalier {
+namespace {
+
+enum Column { nameColumn, lengthColumn, stateColumn, columns };
+
+/// A tick for all; never 100 % before that.
+QString stateText(const ReviewCoverage& seen) {
+  if (seen.isComplete()) return QStringLiteral("✓");
+  const int percent =
+      std::min(99, static_cast<int>(std::floor(100 * seen.share(ReviewState::reviewed))));
+  return QStringLiteral("%1%2 %")
+      .arg(seen.state() == ReviewState::doubtful ? "? " : "")
+      .arg(percent);
+}
+
+QString stateName(ReviewState state) {
+  switch (state) {
+  case ReviewState::reviewed:
+    return AxisReviewModel::tr("reviewed");
+  case ReviewState::doubtful:
+    return AxisReviewModel::tr("doubtful");
+  case ReviewState::toDo:
+    break;
+  }
+  return AxisReviewModel::tr("to do");
+}
+
+} // namespace
+
+void AxisReviewModel::show(const Skeleton& skeleton, LengthUnit unit) {
+  std::vector<Row> rows;
+  const std::vector<int> orderOf = orders(skeleton);
+  for (Axis& axis : axesInWalkOrder(skeleton)) {
+    Row row{.order = orderOf[indexOf(axis.front())], .seen = coverage(skeleton, axis)};
+    row.axis = std::move(axis);
+    rows.push_back(std::move(row));
+  }
+  unit_ = unit;
+  if (rows.size() == rows_.size()) { // where one is in the list stays
+    rows_ = std::move(rows);
+    if (!rows_.empty()) emit dataChanged(index(0, 0), index(rowCount() - 1, columns - 1));
+    return;
+  }
+  beginResetModel();
+  rows_ = std::move(rows);
+  endResetModel();
+}
+
+int AxisReviewModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(rows_.size());
+}
+
+int AxisReviewModel::columnCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : columns;
+}
+
+QVariant AxisReviewModel::data(const QModelIndex& index, int role) const {
+  const Row& row = rows_[std::size_t(index.row())];
+  if (role == Qt::ToolTipRole)
+    return tr("Axis %1 of order %2, from node %3: %4")
+        .arg(index.row() + 1)
+        .arg(row.order)
+        .arg(indexOf(row.axis.front()))
+        .arg(stateName(row.seen.state()));
+  if (role == Qt::TextAlignmentRole && index.column() != nameColumn)
+    return QVariant(Qt::AlignRight | Qt::AlignVCenter);
+  if (role != Qt::DisplayRole) return {};
+  switch (index.column()) {
+  case nameColumn:
+    return QString(2 * std::min(row.order, 4), ' ') + QString::number(index.row() + 1);
+  case lengthColumn:
+    return formatLength(row.seen.totalLength(), unit_, 3);
+  default:
+    return stateText(row.seen);
+  }
+}
+
+QVariant AxisReviewModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (role == Qt::TextAlignmentRole)
+    return QVariant((section == nameColumn ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+  if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
+  switch (section) {
+  case nameColumn:
+    return tr("Axis");
+  case lengthColumn:
+    return tr("Length");
+  default:
+    return tr("Done");
+  }
+}
+
+} // namespace espalier

@@ -1,0 +1,61 @@
+#include "ui/panels/coverage_bar.h"
+
+#include <QPainter>
+#include <QPainterPath>
+#include <QPixmap>
+
+namespace espalier {
+
+CoverageBar::CoverageBar(QWidget* parent) : QWidget(parent) {
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  setAccessibleName(tr("Review coverage"));
+}
+
+void CoverageBar::setCoverage(const ReviewCoverage& coverage) {
+  coverage_ = coverage;
+  const auto percent = [&](ReviewState state) { return qRound(100 * coverage.share(state)); };
+  setAccessibleDescription(tr("%1 % reviewed, %2 % doubtful")
+                               .arg(percent(ReviewState::reviewed))
+                               .arg(percent(ReviewState::doubtful)));
+  update();
+}
+
+QPixmap CoverageBar::sample(ReviewState state) const {
+  constexpr int side = 10;
+  QPixmap pixmap(QSize(side, side) * devicePixelRatioF());
+  pixmap.setDevicePixelRatio(devicePixelRatioF());
+  pixmap.fill(Qt::transparent);
+  QPainter painter(&pixmap);
+  fill(painter, QRectF(0, 0, side, side), state);
+  return pixmap;
+}
+
+void CoverageBar::paintEvent(QPaintEvent* event) {
+  Q_UNUSED(event)
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  QPainterPath outline;
+  outline.addRoundedRect(rect(), 3, 3);
+  painter.setClipPath(outline);
+  fill(painter, rect(), ReviewState::toDo);
+  double from = 0;
+  for (const ReviewState state : {ReviewState::reviewed, ReviewState::doubtful}) {
+    const double width = coverage_.share(state) * this->width();
+    fill(painter, QRectF(from, 0, width, height()), state);
+    from += width;
+  }
+}
+
+void CoverageBar::fill(QPainter& painter, const QRectF& part, ReviewState state) const {
+  const bool isDark = palette().color(QPalette::Window).lightness() < 128;
+  if (state == ReviewState::toDo) { // what is missing is empty
+    painter.fillRect(part, palette().color(QPalette::Mid));
+  } else if (state == ReviewState::reviewed) { // Okabe and Ito's blues and orange
+    painter.fillRect(part, isDark ? QColor(0x56, 0xb4, 0xe9) : QColor(0x00, 0x72, 0xb2));
+  } else {
+    painter.fillRect(part, QColor(0xe6, 0x9f, 0x00));
+    painter.fillRect(part, QBrush(QColor(0x60, 0x40, 0x00), Qt::BDiagPattern));
+  }
+}
+
+} // namespace espalier

@@ -1,0 +1,257 @@
+#include "ui/panels/review_panel.h"
+
+#include "ui/document/plant_document.h"
+#include "ui/panels/axis_review_model.h"
+#include "ui/panels/coverage_bar.h"
+
+#include <QAction>
+#include <QGridLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QTableView>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <utility>
+
+namespace espalier {
+namespace {
+
+constexpr std::array shownStates = {ReviewState::reviewed, ReviewState::doubtful,
+                                    ReviewState::toDo};
+
+QString nameOf(ReviewState state) {
+  switch (state) {
+  case ReviewState::reviewed:
+    return ReviewPanel::tr("Reviewed");
+  case ReviewState::doubtful:
+    return ReviewPanel::tr("Doubtful");
+  case ReviewState::toDo:
+    break;
+  }
+  return ReviewPanel::tr("To do");
+}
+
+QToolButton* makeButton(QAction* action, const QString& text) {
+  auto* button = new QToolButton;
+  button->setDefaultAction(action);
+  button->setProperty("role", "panel");
+  button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  button->setText(text); // shorter than that of the menu
+  // Whenever the action changes, it writes its text on the button again.
+  QObject::connect(action, &QAction::changed, button, [button, text] { button->setText(text); });
+  button->setAccessibleName(action->property("name").toString());
+  button->setMinimumWidth(40);
+  button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // must not widen the panel
+  return button;
+}
+
+QGridLayout* makeGrid(QVBoxLayout& column) {
+  auto* grid = new QGridLayout;
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setSpacing(4);
+  column.addLayout(grid);
+  return grid;
+}
+
+} // namespace
+
+ReviewPanel::ReviewPanel(PlantDocument& document, const Actions& actions, QWidget* parent)
+    : QScrollArea(parent), document_(document), model_(new AxisReviewModel(this)),
+      bar_(new CoverageBar), share_(new QLabel), place_(new QLabel), state_(new QLabel),
+      comment_(new QLineEdit), axes_(new QTableView), reviewer_(new QLineEdit), seal_(new QLabel) {
+  setObjectName("review_panel");
+  setFrameShape(QFrame::NoFrame);
+  setWidgetResizable(true);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* page = new QWidget;
+  page->setObjectName("review_page");
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(12, 12, 12, 12);
+  column->setSpacing(8);
+  addCoverage(*column);
+  addChosen(*column, actions);
+  addAxes(*column);
+  addSeal(*column, actions);
+  setWidget(page);
+
+  timer_.setSingleShot(true);
+  timer_.setInterval(50); // [ms]
+  connect(&timer_, &QTimer::timeout, this, &ReviewPanel::refresh);
+  connect(&document_, &PlantDocument::skeletonEdited, this, &ReviewPanel::later);
+  connect(&document_, &PlantDocument::skeletonReplaced, this, &ReviewPanel::later);
+  connect(&document_, &PlantDocument::unitChanged, this, &ReviewPanel::later);
+  connect(&document_.selection(), &Selection::changed, this, &ReviewPanel::refreshChosen);
+  connect(&document_, &PlantDocument::skeletonEdited, this, &ReviewPanel::refreshChosen);
+  refreshChosen();
+}
+
+void ReviewPanel::showPlace(const QString& text) {
+  place_->setText(text);
+}
+
+void ReviewPanel::showSeal(const QString& text) {
+  seal_->setText(text);
+}
+
+void ReviewPanel::setReviewer(const QString& name) {
+  reviewer_->setText(name);
+}
+
+void ReviewPanel::focusComment() {
+  comment_->setFocus(Qt::ShortcutFocusReason);
+  comment_->selectAll();
+}
+
+void ReviewPanel::showEvent(QShowEvent* event) {
+  QScrollArea::showEvent(event);
+  refresh(); // nothing was computed while nobody looked
+}
+
+void ReviewPanel::addCoverage(QVBoxLayout& column) {
+  share_->setObjectName("review_share");
+  share_->setProperty("role", "title");
+  column.addWidget(share_);
+  column.addWidget(bar_);
+  QGridLayout* grid = makeGrid(column);
+  grid->setColumnStretch(2, 1);
+  for (const ReviewState state : shownStates) {
+    const auto at = static_cast<std::size_t>(state);
+    samples_[at] = new QLabel;
+    lengths_[at] = new QLabel;
+    lengths_[at]->setObjectName(QStringLiteral("review_length_%1").arg(at));
+    lengths_[at]->setAlignment(Qt::AlignRight);
+    const int row = grid->rowCount();
+    grid->addWidget(samples_[at], row, 0);
+    grid->addWidget(new QLabel(nameOf(state)), row, 1);
+    grid->addWidget(lengths_[at], row, 2);
+  }
+}
+
+void ReviewPanel::addChosen(QVBoxLayout& column, const Actions& actions) {
+  place_->setObjectName("review_place");
+  place_->setProperty("role", "title");
+  state_->setObjectName("review_state");
+  state_->setProperty("role", "quiet");
+  for (QLabel* label : {place_, state_}) { // must not widen the panel
+    label->setMinimumWidth(72);
+    label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    column.addWidget(label);
+  }
+  QGridLayout* grid = makeGrid(column);
+  grid->addWidget(makeButton(actions.previous, tr("◂ Previous")), 0, 0);
+  grid->addWidget(makeButton(actions.next, tr("Next ▸")), 0, 1);
+  grid->addWidget(makeButton(actions.openEnd, tr("Open End")), 1, 0);
+  grid->addWidget(makeButton(actions.branching, tr("Branching")), 1, 1);
+  column.addWidget(makeButton(actions.reviewed, tr("Reviewed, Go On")));
+  grid = makeGrid(column);
+  grid->addWidget(makeButton(actions.doubtful, tr("Doubtful")), 0, 0);
+  grid->addWidget(makeButton(actions.toDo, tr("To Do")), 0, 1);
+  comment_->setObjectName("review_comment");
+  comment_->setPlaceholderText(tr("Comment"));
+  comment_->setToolTip(tr("A remark on the selected nodes (K)"));
+  comment_->setMinimumWidth(72);
+  column.addWidget(comment_);
+  connect(comment_, &QLineEdit::editingFinished, this, [this] {
+    if (comment_->isModified()) emit commentTyped(comment_->text());
+  });
+  connect(comment_, &QLineEdit::returnPressed, this, &ReviewPanel::leaveRequested);
+}
+
+void ReviewPanel::addAxes(QVBoxLayout& column) {
+  axes_->setObjectName("review_axes");
+  axes_->setModel(model_);
+  axes_->setAccessibleName(tr("Axes"));
+  axes_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  axes_->setSelectionMode(QAbstractItemView::SingleSelection);
+  axes_->setShowGrid(false);
+  axes_->setMinimumHeight(96);
+  axes_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  axes_->verticalHeader()->hide();
+  axes_->verticalHeader()->setDefaultSectionSize(22);
+  axes_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored); // takes what is left
+  axes_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Fixed);
+  axes_->horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
+  axes_->horizontalHeader()->setSectionResizeMode(2, QHeaderView::Fixed);
+  axes_->horizontalHeader()->resizeSection(0, 38);
+  axes_->horizontalHeader()->resizeSection(2, 48);
+  axes_->horizontalHeader()->setHighlightSections(false);
+  column.addWidget(axes_, 1);
+  const auto choose = [this](const QModelIndex& index) {
+    if (index.isValid() && !timer_.isActive()) emit axisChosen(model_->axis(index.row()));
+  };
+  connect(axes_, &QTableView::clicked, this, choose);
+  connect(axes_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+          [this, choose](const QModelIndex& index) {
+            if (axes_->hasFocus() && !QGuiApplication::mouseButtons()) choose(index); // by the keys
+          });
+}
+
+void ReviewPanel::addSeal(QVBoxLayout& column, const Actions& actions) {
+  auto* title = new QLabel(tr("Reviewer"));
+  title->setProperty("role", "section");
+  reviewer_->setObjectName("reviewer");
+  reviewer_->setPlaceholderText(tr("Your name"));
+  reviewer_->setToolTip(tr("Kept with what you review and sign"));
+  reviewer_->setMinimumWidth(72);
+  seal_->setObjectName("seal");
+  seal_->setWordWrap(true);
+  seal_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  column.addWidget(title);
+  column.addWidget(reviewer_);
+  column.addWidget(seal_);
+  column.addWidget(makeButton(actions.sign, tr("Sign Structure…")));
+  connect(reviewer_, &QLineEdit::editingFinished, this,
+          [this] { emit reviewerTyped(reviewer_->text().trimmed()); });
+  connect(reviewer_, &QLineEdit::returnPressed, this, &ReviewPanel::leaveRequested);
+}
+
+void ReviewPanel::later() {
+  if (isVisible()) timer_.start();
+}
+
+void ReviewPanel::refresh() {
+  timer_.stop();
+  const ReviewCoverage seen = coverage(document_.skeleton());
+  bar_->setCoverage(seen);
+  for (const ReviewState state : shownStates) {
+    const auto at = static_cast<std::size_t>(state);
+    samples_[at]->setPixmap(bar_->sample(state));
+    lengths_[at]->setText(formatLength(seen.length[at], document_.unit(), 3));
+    lengths_[at]->setToolTip(tr("%1 nodes").arg(formatCount(seen.nodes[at])));
+  }
+  const double percent = 100 * seen.share(ReviewState::reviewed);
+  share_->setText(
+      tr("%1 % reviewed").arg(seen.isComplete() ? 100.0 : std::min(percent, 99.9), 0, 'f', 1));
+  model_->show(document_.skeleton(), document_.unit());
+}
+
+void ReviewPanel::refreshChosen() {
+  std::vector<NodeId> nodes = document_.selection().nodes();
+  const Skeleton& skeleton = document_.skeleton();
+  std::erase_if(nodes, [&](NodeId id) { return !skeleton.contains(id); }); // they leave it next
+  comment_->setEnabled(!nodes.empty());
+  state_->setVisible(!nodes.empty());
+  comment_->setText({});
+  comment_->setPlaceholderText(tr("Comment"));
+  if (nodes.empty()) return;
+  const ReviewMark& first = skeleton[nodes.front()].review;
+  const auto all = [&](auto member) {
+    return std::ranges::all_of(
+        nodes, [&](NodeId id) { return skeleton[id].review.*member == first.*member; });
+  };
+  QString state = nameOf(coverage(skeleton, nodes).state());
+  if (!all(&ReviewMark::state)) state += tr(", in part");
+  if (all(&ReviewMark::reviewer) && !first.reviewer.empty())
+    state += QStringLiteral(" · ") + QString::fromStdString(first.reviewer);
+  state_->setText(state);
+  if (all(&ReviewMark::comment)) {
+    comment_->setText(QString::fromStdString(first.comment));
+    comment_->setCursorPosition(0); // a long one shows its beginning
+  } else
+    comment_->setPlaceholderText(tr("Several comments"));
+}
+
+} // namespace espalier

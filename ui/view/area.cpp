@@ -49,9 +49,12 @@ std::vector<NodeId> nodesInside(const Scene& scene, const ScreenMap& screen, con
   std::vector<NodeId> found;
   if (!scene.skeletonVisible || area.isEmpty()) return found;
   const QRectF box = area.boundingRect() & screenOf(screen);
+  const ClipVolume clip = scene.clipVolume(screen.camera());
   std::optional<Visibility> visibility; // made once there is something to ask about
   for (std::size_t slot = 0; slot < scene.skeleton.nodes().size(); ++slot) {
-    if (scene.skeleton.nodes()[slot].shape == NodeShape::none) continue;
+    const NodeGlyph& node = scene.skeleton.nodes()[slot];
+    if (node.shape == NodeShape::none || !clip.contains(Eigen::Vector3f(node.position.data())))
+      continue;
     const auto at = screen.project(scene.skeleton.position(slot));
     if (!at) continue;
     const QPointF pixel(at->pixel.x(), at->pixel.y());
@@ -69,6 +72,7 @@ std::vector<Eigen::Index> pointsInside(const Scene& scene, const ScreenMap& scre
   if (!scene.points.visible || area.isEmpty()) return found;
   const ScreenPart part(screen, scene.origin(), area.boundingRect());
   if (part.box().isEmpty()) return found;
+  const ClipVolume clip = scene.clipVolume(screen.camera());
   const AreaMask mask(area, part.box());
   std::optional<Visibility> visibility;
   if (depth == Depth::front) visibility.emplace(scene, screen, part.box());
@@ -80,6 +84,7 @@ std::vector<Eigen::Index> pointsInside(const Scene& scene, const ScreenMap& scre
         for (Eigen::Index i = begin; i < end; ++i) {
           const ScreenPart::Place at = part.place(scene.points.positions->col(i));
           if (!part.isBeforeEye(at) || !mask.contains(at.pixel)) continue;
+          if (!scene.isPointShown(i) || !clip.contains(scene.points.positions->col(i))) continue;
           const Eigen::Vector2d pixel = (at.pixel + corner).cast<double>();
           if (visibility && visibility->hidesPoint({pixel, at.depth})) continue;
           found.push_back(i);

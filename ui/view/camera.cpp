@@ -171,8 +171,8 @@ Camera between(const Camera& from, const Camera& to, double part) {
 }
 
 ScreenMap::ScreenMap(const Camera& camera, const Eigen::Vector2d& size)
-    : eye_(camera.eye()), right_(camera.right()), up_(camera.up()), forward_(camera.forward()),
-      middle_(size / 2), scale_(camera.halfHeight() / (size.y() / 2)),
+    : camera_(camera), eye_(camera.eye()), right_(camera.right()), up_(camera.up()),
+      forward_(camera.forward()), middle_(size / 2), scale_(camera.halfHeight() / (size.y() / 2)),
       perspective_(camera.projection == Projection::perspective) {
   if (perspective_) scale_ /= camera.distance;
 }

@@ -80,6 +80,7 @@ public:
   /// Width of a pixel at a depth [L].
   [[nodiscard]] double pixelSize(double depth) const;
   [[nodiscard]] const Eigen::Vector3d& forward() const { return forward_; }
+  [[nodiscard]] const Camera& camera() const { return camera_; }
   [[nodiscard]] const Eigen::Vector3d& eye() const { return eye_; }
   [[nodiscard]] bool isPerspective() const { return perspective_; }
   [[nodiscard]] Eigen::Vector2d size() const { return 2 * middle_; } // [logical pixels]
@@ -90,6 +91,7 @@ public:
   [[nodiscard]] Eigen::Vector3d place(const Eigen::Vector2d& pixel, double depth) const;
 
 private:
+  Camera camera_;
   Eigen::Vector3d eye_, right_, up_, forward_;
   Eigen::Vector2d middle_;
   double scale_; // [L] a pixel, at depth 1 in perspective

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ui/view/clip.h"
+
 #include <Eigen/Core>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkShaderProgram.h>
@@ -18,6 +20,8 @@ struct DrawSettings {
   float pixelRatio;       // device pixels a logical pixel
   bool perspective;
   float pixelSize; // width of a device pixel [L]; in perspective at depth 1
+  ClipVolume clip; // what is drawn
+  float depthFade; // how far the back of the plant steps back, in [0, 1]
 };
 
 /// Memory of the graphics card. The context it was made in must be current at each call and

@@ -1,16 +1,16 @@
 #include "ui/view/overlay.h"
 
+#include "ui/view/legend.h"
 #include "ui/view/overlay_of_tools.h"
 #include "ui/view/overlay_text.h"
 #include "ui/view/palette.h"
 
 #include <QCoreApplication>
-#include <QLinearGradient>
-#include <QLocale>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace espalier {
 namespace {
@@ -21,51 +21,25 @@ QString translated(const char* text) {
   return QCoreApplication::translate("espalier::Overlay", text);
 }
 
-/// A number with as many digits as a step between such numbers calls for.
-QString number(double value, double step) {
-  const int digits = std::clamp(static_cast<int>(-std::floor(std::log10(step) + 1e-9)), 0, 9);
-  QLocale locale = QLocale::c();
-  locale.setNumberOptions(QLocale::OmitGroupSeparator);
-  QString text = locale.toString(value, 'f', digits);
-  // Thin spaces between thousands, as everywhere in the window.
-  const qsizetype end = text.contains('.') ? text.indexOf('.') : text.size();
-  for (qsizetype i = end - 3; i > (text.startsWith('-') ? 1 : 0); i -= 3)
-    text.insert(i, QChar(0x202f));
-  return text;
-}
-
 QString withUnit(const QString& text, const QString& unit) {
   return unit.isEmpty() ? text : text + QChar::Nbsp + unit;
 }
 
-void paintColorBar(QPainter& painter, const Scene& scene, const QString& unit, const QSizeF& size) {
-  if (!scene.colorScale || !scene.points.visible) return;
-  const Palette colors = palette(scene.dark);
-  const ColorScale& scale = *scene.colorScale;
-  const bool isHeight = scale.quantity == ColorScale::Quantity::height;
-  const double height = std::min(180.0, 0.4 * size.height());
-  const QRectF bar(size.width() - margin - 10, margin + 24, 10, height);
-  paintVeil(painter, QRectF(bar.left() - 86, margin - 8, 86 + 10 + 8, height + 44),
-            colors.backgroundTop);
-  QLinearGradient gradient(bar.bottomLeft(), bar.topLeft());
-  for (int i = 0; i <= 16; ++i)
-    gradient.setColorAt(i / 16.0, toQt(viridis(i / 16.0, scene.dark)));
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(gradient);
-  painter.drawRoundedRect(bar, 3, 3);
-  const QString name = isHeight ? translated("Height z") : translated("Intensity");
-  const QString title =
-      isHeight && !unit.isEmpty() ? name + QStringLiteral(" [%1]").arg(unit) : name;
-  const QRectF head(size.width() - margin - 160, margin - 4, 160, 20);
-  drawText(painter, head, Qt::AlignRight | Qt::AlignVCenter, title, colors);
-  const double step = roundLength((scale.to - scale.from) / 3);
-  for (double value = std::ceil(scale.from / step) * step; value <= scale.to; value += step) {
-    const double y = bar.bottom() - height * (value - scale.from) / (scale.to - scale.from);
-    painter.setPen(toQt(colors.text));
-    painter.drawLine(QPointF(bar.left() - 4, y), QPointF(bar.left() - 1, y));
-    drawText(painter, QRectF(bar.left() - 108, y - 10, 100, 20), Qt::AlignRight | Qt::AlignVCenter,
-             number(value, step), colors);
+/// What the colors that are drawn stand for.
+std::vector<Legend> legendsOf(const Scene& scene, const QString& unit) {
+  std::vector<Legend> legends;
+  if (scene.pointValues && scene.points.visible) {
+    legends.push_back(scene.pointValues->legend);
+  } else if (scene.colorScale && scene.points.visible) {
+    const bool isHeight = scene.colorScale->quantity == ColorScale::Quantity::height;
+    legends.push_back({.title = isHeight ? translated("Height z") : translated("Intensity"),
+                       .unit = isHeight ? unit : QString(),
+                       .from = scene.colorScale->from,
+                       .to = scene.colorScale->to,
+                       .categories = {}});
   }
+  if (scene.skeletonVisible && scene.skeleton.legend()) legends.push_back(*scene.skeleton.legend());
+  return legends;
 }
 
 void paintScaleBar(QPainter& painter, const Scene& scene, const Camera& camera, const QString& unit,
@@ -82,8 +56,8 @@ void paintScaleBar(QPainter& painter, const Scene& scene, const Camera& camera, 
   for (const QPointF& end : {left, right})
     painter.drawLine(end + QPointF(0, -4), end);
   const QRectF box(left.x(), left.y() - 24, std::max(right.x() - left.x(), 80.0), 18);
-  drawText(painter, box, Qt::AlignLeft | Qt::AlignVCenter, withUnit(number(length, length), unit),
-           colors);
+  drawText(painter, box, Qt::AlignLeft | Qt::AlignVCenter,
+           withUnit(scaleNumber(length, length), unit), colors);
 }
 
 void paintAxes(QPainter& painter, const Camera& camera, const QSizeF& size) {
@@ -134,19 +108,13 @@ void paintPivot(QPainter& painter, const Scene& scene, const Camera& camera, con
 
 } // namespace
 
-double roundLength(double length) {
-  const double power = std::pow(10, std::floor(std::log10(length) + 1e-9));
-  const double rest = length / power * (1 + 1e-9);
-  return (rest >= 5 ? 5 : rest >= 2 ? 2 : 1) * power;
-}
-
 void Overlay::paint(QPainter& painter, const Scene& scene, const Camera& camera,
                     const QSizeF& size) const {
   painter.setRenderHint(QPainter::Antialiasing);
   paintPreview(painter, preview, ScreenMap(camera, {size.width(), size.height()}), scene.dark);
   paintBand(painter, band, scene.dark);
   if (scene.bounds().isEmpty()) return;
-  paintColorBar(painter, scene, unit, size);
+  paintLegends(painter, legendsOf(scene, unit), size, scene.dark);
   paintScaleBar(painter, scene, camera, unit, size);
   paintAxes(painter, camera, size);
   if (pivotShown) paintPivot(painter, scene, camera, size);

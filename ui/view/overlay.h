@@ -23,7 +23,4 @@ struct Overlay {
   void paint(QPainter& painter, const Scene& scene, const Camera& camera, const QSizeF& size) const;
 };
 
-/// The largest of 1, 2 or 5 times a power of ten that is not above `length`; pre: length > 0
-[[nodiscard]] double roundLength(double length);
-
 } // namespace espalier

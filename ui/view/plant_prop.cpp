@@ -27,7 +27,9 @@ DrawSettings PlantProp::settings(vtkViewport* viewport) const {
           .size = Eigen::Vector2d(width, height).cast<float>(),
           .pixelRatio = static_cast<float>(frame_.pixelRatio),
           .perspective = perspective,
-          .pixelSize = static_cast<float>(perspective ? pixelSize / camera.distance : pixelSize)};
+          .pixelSize = static_cast<float>(perspective ? pixelSize / camera.distance : pixelSize),
+          .clip = scene_->clipVolume(camera),
+          .depthFade = static_cast<float>(scene_->depthFade)};
 }
 
 int PlantProp::RenderOpaqueGeometry(vtkViewport* viewport) {

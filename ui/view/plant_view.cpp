@@ -153,6 +153,57 @@ void PlantView::hoverAgain() {
   parts_->pointer.hoverAgain();
 }
 
+void PlantView::setHiddenNodes(const std::vector<NodeId>& nodes) {
+  parts_->scene.skeleton.setHidden(nodes);
+  parts_->redrawSkeleton();
+}
+
+void PlantView::setNodeColors(std::optional<NodeColors> colors) {
+  parts_->scene.skeleton.setColors(std::move(colors), parts_->scene.dark);
+  parts_->redraw();
+}
+
+void PlantView::setFaded(const std::optional<std::vector<NodeId>>& allBut) {
+  parts_->scene.skeleton.setFaded(allBut);
+  parts_->redrawSkeleton();
+}
+
+void PlantView::setPointStates(std::shared_ptr<const std::vector<PointState>> states) {
+  Q_ASSERT(!states || std::ssize(*states) == parts_->scene.points.size());
+  parts_->scene.setPointStates(std::move(states));
+  parts_->redraw();
+}
+
+void PlantView::setPointValues(std::optional<PointValues> values) {
+  Q_ASSERT(!values || std::ssize(*values->values) == parts_->scene.points.size());
+  parts_->scene.setPointValues(std::move(values));
+  parts_->redraw();
+}
+
+void PlantView::setClip(const Clip& clip) {
+  if (clip == parts_->scene.clip) return;
+  parts_->scene.clip = clip;
+  parts_->redraw();
+  hoverAgain();
+}
+
+const Clip& PlantView::clip() const {
+  return parts_->scene.clip;
+}
+
+void PlantView::setDepthFade(double strength) {
+  parts_->scene.depthFade = std::clamp(strength, 0.0, 1.0);
+  parts_->redraw();
+}
+
+double PlantView::depthFade() const {
+  return parts_->scene.depthFade;
+}
+
+Eigen::AlignedBox3d PlantView::bounds() const {
+  return parts_->scene.bounds();
+}
+
 void PlantView::setLayerVisible(Layer layer, bool visible) {
   switch (layer) {
   case Layer::points:
@@ -226,6 +277,11 @@ const Camera& PlantView::camera() const {
 
 void PlantView::setCamera(const Camera& camera) {
   parts_->navigator.set(camera);
+  parts_->wasFramed = true;
+}
+
+void PlantView::flyTo(const Camera& camera) {
+  parts_->moveTo(camera, isVisible());
   parts_->wasFramed = true;
 }
 

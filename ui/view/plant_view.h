@@ -6,7 +6,10 @@
 #include "ui/document/canvas.h"
 #include "ui/document/tool_input.h"
 #include "ui/view/camera.h"
+#include "ui/view/clip.h"
+#include "ui/view/node_look.h"
 #include "ui/view/point_colors.h"
+#include "ui/view/point_look.h"
 
 #include <QImage>
 #include <QString>
@@ -45,6 +48,23 @@ public:
   void setHovered(const Pick& pick);
   void hoverAgain(); // tells the handler what lies under the resting pointer now
 
+  /// How nodes look, each with the edge to its parent, until setSkeleton(): as SkeletonGlyphs.
+  void setHiddenNodes(const std::vector<NodeId>& nodes); // nor picked, nor in an area
+  void setNodeColors(std::optional<NodeColors> colors);  // none: by the type of the edge
+  void setFaded(const std::optional<std::vector<NodeId>>& allBut);
+
+  /// How the points of the cloud look, until setCloud(). O(points).
+  /// pre: one per point of the cloud; null or none: as usual
+  void setPointStates(std::shared_ptr<const std::vector<PointState>> states);
+  void setPointValues(std::optional<PointValues> values); // in place of the point color
+
+  /// Shows, picks and finds in areas only what is in the clip. At first: all.
+  void setClip(const Clip& clip);
+  [[nodiscard]] const Clip& clip() const;
+  void setDepthFade(double strength); // [0, 1]: how far the back of the plant steps back
+  [[nodiscard]] double depthFade() const;
+  [[nodiscard]] Eigen::AlignedBox3d bounds() const; // of all there is [L]; empty: nothing
+
   void setLayerVisible(Layer layer, bool visible);
   void setPointColor(PointColor color);
   void setPointSize(int pixels);     // 1 to 10
@@ -59,6 +79,7 @@ public:
   void setPivot(const Eigen::Vector3d& place); // [L], what the camera turns around
   [[nodiscard]] const Camera& camera() const;  // where it is, or will be once it has arrived
   void setCamera(const Camera& camera);        // at once
+  void flyTo(const Camera& camera);            // as look()
 
   /// Is the view at rest: nothing moves, and all points are drawn? (Never, before it is shown.)
   [[nodiscard]] bool isStill() const;

@@ -33,14 +33,14 @@ float leastCost(const Eigen::AlignedBox3f& box, const ViewCone& cone) {
 }
 
 void pickInRun(const Eigen::Matrix3Xf& points, Eigen::Index begin, Eigen::Index end,
-               const ViewCone& cone, Hit& best) {
+               const ViewCone& cone, const std::function<bool(Eigen::Index)>& accepts, Hit& best) {
   for (Eigen::Index i = begin; i < end; ++i) {
     const Eigen::Vector3f offset = points.col(i) - cone.apex;
     const float depth = offset.dot(cone.direction);
     const float aside = (offset - depth * cone.direction).norm();
     if (depth <= 0 || aside > radiusAt(cone, depth)) continue;
     const float cost = depth + axisPreference * aside;
-    if (cost < best.cost) best = {i, cost};
+    if (cost < best.cost && (!accepts || accepts(i))) best = {i, cost};
   }
 }
 
@@ -94,8 +94,9 @@ float PointHierarchy::distance(const Eigen::Matrix3Xf& points, const Eigen::Vect
   return std::sqrt(best);
 }
 
-std::optional<Eigen::Index> PointHierarchy::pick(const Eigen::Matrix3Xf& points,
-                                                 const ViewCone& cone) const {
+std::optional<Eigen::Index>
+PointHierarchy::pick(const Eigen::Matrix3Xf& points, const ViewCone& cone,
+                     const std::function<bool(Eigen::Index)>& accepts) const {
   Hit best;
   std::vector<Eigen::Index> open;
   if (!boxes_.empty()) open.push_back(0);
@@ -105,7 +106,7 @@ std::optional<Eigen::Index> PointHierarchy::pick(const Eigen::Matrix3Xf& points,
     if (leastCost(boxes_[static_cast<std::size_t>(box)], cone) >= best.cost) continue;
     if (box >= leaves_ - 1) {
       const Eigen::Index begin = (box - (leaves_ - 1)) * runLength;
-      pickInRun(points, begin, std::min(begin + runLength, points.cols()), cone, best);
+      pickInRun(points, begin, std::min(begin + runLength, points.cols()), cone, accepts, best);
       continue;
     }
     const Eigen::Index left = 2 * box + 1;

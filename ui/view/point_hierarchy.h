@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -26,10 +27,12 @@ public:
   PointHierarchy() = default;
   explicit PointHierarchy(const Eigen::Matrix3Xf& points); // 3 x N
 
-  /// The point of the cone that the pointer means: near the eye and near the axis.
+  /// The point of the cone that the pointer means: near the eye and near the axis, of those that
+  /// `accepts`, which is asked about few.
   /// pre: `points` are those it was made of
-  [[nodiscard]] std::optional<Eigen::Index> pick(const Eigen::Matrix3Xf& points,
-                                                 const ViewCone& cone) const;
+  [[nodiscard]] std::optional<Eigen::Index>
+  pick(const Eigen::Matrix3Xf& points, const ViewCone& cone,
+       const std::function<bool(Eigen::Index)>& accepts = {}) const;
   [[nodiscard]] Eigen::AlignedBox3f bounds() const;
 
   /// Distance from a place to the nearest point farther away than `beyond` [L]; infinite without.

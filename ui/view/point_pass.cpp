@@ -1,5 +1,6 @@
 #include "ui/view/point_pass.h"
 
+#include "ui/view/clip_shader.h"
 #include "ui/view/palette.h"
 
 #include <vtkOpenGLState.h>
@@ -11,14 +12,21 @@
 namespace espalier {
 namespace {
 
-constexpr const char* vertexShader = R"(#version 330 core
+constexpr const char* vertexShader = "#version 330 core\n" ESPALIER_CLIP R"(
 layout(location = 0) in vec3 position;
-layout(location = 1) in vec3 color;
+layout(location = 1) in vec4 color; // alpha 0: hidden
 uniform mat4 toClip;
+uniform vec4 toDepth;
+uniform vec2 depths;          // of the plant, nearest and farthest
+uniform float depthFade;
+uniform vec3 backgroundColor;
 flat out vec3 pointColor;
 void main() {
-  gl_Position = toClip * vec4(position, 1.0);
-  pointColor = color;
+  float depth = dot(toDepth, vec4(position, 1.0));
+  gl_Position = color.a < 0.5 || isClipped(position, depth) ? vec4(2.0, 2.0, 2.0, 1.0)
+                                                            : toClip * vec4(position, 1.0);
+  float part = clamp((depth - depths.x) / (depths.y - depths.x), 0.0, 1.0);
+  pointColor = mix(color.rgb, backgroundColor, 0.92 * depthFade * part);
 })";
 
 constexpr const char* squareShader = R"(#version 330 core
@@ -65,14 +73,22 @@ void uploadPositions(GlBuffer& buffer, const Eigen::Matrix3Xf& positions) {
   buffer.upload(places.data(), places.size() * sizeof(Place));
 }
 
-void uploadColors(GlBuffer& buffer, const std::vector<Color>& colors) {
-  using Padded = std::array<std::uint8_t, 4>; // aligned to four bytes, which graphics cards want
-  const auto padded =
-      inDrawingOrder<Padded>(static_cast<Eigen::Index>(colors.size()), [&](Eigen::Index i) {
-        const Color& color = colors[static_cast<std::size_t>(i)];
-        return Padded{color[0], color[1], color[2], 255};
-      });
-  buffer.upload(padded.data(), padded.size() * sizeof(Padded));
+void uploadLooks(GlBuffer& buffer, const std::vector<std::array<std::uint8_t, 4>>& looks) {
+  using Look = std::array<std::uint8_t, 4>;
+  const auto sorted =
+      inDrawingOrder<Look>(static_cast<Eigen::Index>(looks.size()),
+                           [&](Eigen::Index i) { return looks[static_cast<std::size_t>(i)]; });
+  buffer.upload(sorted.data(), sorted.size() * sizeof(Look));
+}
+
+/// Nearest and farthest depth of a scene [L].
+Eigen::Vector2f depthsOf(const Scene& scene, const Eigen::Vector4f& toDepth) {
+  const Eigen::AlignedBox3d bounds = scene.bounds();
+  const Eigen::Vector3f middle = (bounds.center() - scene.origin()).cast<float>();
+  const Eigen::Vector3f half = (bounds.sizes() / 2).cast<float>();
+  const float depth = toDepth.dot(middle.homogeneous());
+  const float reach = std::max(toDepth.head<3>().cwiseAbs().dot(half), 1e-30F);
+  return {depth - reach, depth + reach};
 }
 
 /// Points are as many pixels larger as fewer of them are drawn: the plant keeps its body.
@@ -86,10 +102,8 @@ float sizeFor(const Scene& scene, const DrawSettings& settings, double part) {
 void PointPass::upload() {
   if (cloud_.revision != scene_.points.revision && scene_.points.positions)
     uploadPositions(cloud_.positions, *scene_.points.positions);
-  if (cloud_.colorRevision != scene_.colorRevision && scene_.cloud) {
-    const Color& plain = palette(scene_.dark).point;
-    uploadColors(cloud_.colors, pointColors(*scene_.cloud, scene_.pointColor, scene_.dark, plain));
-  }
+  if (cloud_.colorRevision != scene_.colorRevision && scene_.cloud)
+    uploadLooks(cloud_.colors, pointLooks(scene_));
   if (contracted_.revision != scene_.contracted.revision && scene_.contracted.positions)
     uploadPositions(contracted_.positions, *scene_.contracted.positions);
   cloud_.revision = scene_.points.revision;
@@ -102,7 +116,9 @@ PointPass::Key PointPass::keyOf(const DrawSettings& settings, float pointSize) c
           settings.size,
           pointSize,
           {scene_.points.revision, scene_.colorRevision, scene_.contracted.revision,
-           scene_.points.visible ? 1U : 0U, scene_.contracted.visible ? 1U : 0U}};
+           scene_.points.visible ? 1U : 0U, scene_.contracted.visible ? 1U : 0U},
+          settings.clip,
+          settings.depthFade};
 }
 
 PointPass::Result PointPass::draw(const DrawSettings& settings, Eigen::Index atMost, bool moving) {
@@ -156,6 +172,16 @@ void PointPass::drawLayer(const DrawSettings& settings, const PointLayer& points
       readyProgram(*settings.window, vertexShader, isRound ? roundShader : squareShader);
   const Eigen::Matrix4f matrix = settings.toClip * settings.toView;
   program.SetUniformMatrix4x4("toClip", const_cast<float*>(matrix.data()));
+  setClip(program, settings.clip);
+  const Eigen::Vector4f toDepth = -settings.toView.row(2).transpose();
+  program.SetUniform4f("toDepth", toDepth.data());
+  const Eigen::Vector2f depths = depthsOf(scene_, toDepth);
+  program.SetUniform2f("depths", depths.data());
+  program.SetUniformf("depthFade", settings.depthFade);
+  const Color& background = palette(scene_.dark).backgroundBottom;
+  const Eigen::Vector3f faded =
+      Eigen::Vector3f(background[0], background[1], background[2]) / 255.0F;
+  program.SetUniform3f("backgroundColor", faded.data());
 
   if (vertexArray_ == 0) glGenVertexArrays(1, &vertexArray_);
   glBindVertexArray(vertexArray_);
@@ -165,7 +191,7 @@ void PointPass::drawLayer(const DrawSettings& settings, const PointLayer& points
   if (layer.colors.size() > 0) {
     layer.colors.bind();
     glEnableVertexAttribArray(1);
-    glVertexAttribPointer(1, 3, GL_UNSIGNED_BYTE, GL_TRUE, 4, nullptr);
+    glVertexAttribPointer(1, 4, GL_UNSIGNED_BYTE, GL_TRUE, 4, nullptr);
   } else {
     const Color& color = palette(scene_.dark).contracted;
     glDisableVertexAttribArray(1);

@@ -42,6 +42,8 @@ private:
     Eigen::Vector2f size;
     float pointSize;
     std::array<std::uint64_t, 5> states;
+    ClipVolume clip;
+    float depthFade;
     bool operator==(const Key&) const = default;
   };
 

@@ -41,7 +41,8 @@ double extentOf(const Scene& scene) {
 
 /// The scan point under a pixel, in the frame of the file.
 std::optional<Eigen::Vector3d> pointUnder(const PointLayer& layer, const Eigen::Vector3d& origin,
-                                          const ScreenMap& map, const Eigen::Vector2d& pixel) {
+                                          const ScreenMap& map, const Eigen::Vector2d& pixel,
+                                          const std::function<bool(Eigen::Index)>& isShown) {
   if (!layer.visible || layer.size() == 0) return std::nullopt;
   const auto ray = map.ray(pixel);
   const double slope = pointReach * (map.pixelSize(2) - map.pixelSize(1)); // 0 if parallel
@@ -55,7 +56,7 @@ std::optional<Eigen::Vector3d> pointUnder(const PointLayer& layer, const Eigen::
   const Eigen::Vector3d apex = ray.pointAt(-back) - origin;
   const ViewCone cone{apex.cast<float>(), ray.direction().cast<float>(), static_cast<float>(radius),
                       static_cast<float>(slope)};
-  const auto found = layer.boxes.pick(*layer.positions, cone);
+  const auto found = layer.boxes.pick(*layer.positions, cone, isShown);
   if (!found) return std::nullopt;
   return layer.positions->col(*found).cast<double>() + origin;
 }
@@ -81,16 +82,22 @@ ScreenMap PointerInput::screen() const {
 Pick PointerInput::pick(const QPointF& position) const {
   const Eigen::Vector2d pixel(position.x(), position.y());
   const ScreenMap map = screen();
+  const ClipVolume clip = scene_.clipVolume(map.camera());
   Pick pick;
   if (scene_.skeletonVisible && depth_ == Depth::through) {
-    pick = pickSkeleton(scene_.skeleton, map, pixel, skeletonReach);
+    pick = pickSkeleton(scene_.skeleton, map, pixel, skeletonReach, nullptr, clip);
   } else if (scene_.skeletonVisible) {
     const QPointF reach(skeletonReach, skeletonReach);
     const Visibility visibility(scene_, map, QRectF(position - reach, position + reach));
-    pick = pickSkeleton(scene_.skeleton, map, pixel, skeletonReach, &visibility);
+    pick = pickSkeleton(scene_.skeleton, map, pixel, skeletonReach, &visibility, clip);
   }
-  pick.point = pointUnder(scene_.points, scene_.origin(), map, pixel);
-  if (!pick.point) pick.point = pointUnder(scene_.contracted, scene_.origin(), map, pixel);
+  pick.point = pointUnder(scene_.points, scene_.origin(), map, pixel, [&](Eigen::Index i) {
+    return scene_.isPointShown(i) && clip.contains(scene_.points.positions->col(i));
+  });
+  if (!pick.point)
+    pick.point = pointUnder(scene_.contracted, scene_.origin(), map, pixel, [&](Eigen::Index i) {
+      return clip.contains(scene_.contracted.positions->col(i));
+    });
   return pick;
 }
 

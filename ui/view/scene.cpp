@@ -31,6 +31,8 @@ void PointLayer::set(std::shared_ptr<const Eigen::Matrix3Xf> replacement) {
 
 void Scene::setCloud(std::shared_ptr<const PointCloud> replacement) {
   cloud = std::move(replacement);
+  pointStates.reset(); // they were those of other points
+  pointValues.reset();
   // Shares the ownership of the cloud: its positions are not copied.
   points.set(cloud ? std::shared_ptr<const Eigen::Matrix3Xf>(cloud, &cloud->positions()) : nullptr);
   setPointColor(pointColor);
@@ -50,9 +52,24 @@ void Scene::setPointColor(PointColor color) {
   ++colorRevision;
 }
 
+void Scene::setPointStates(std::shared_ptr<const std::vector<PointState>> states) {
+  pointStates = std::move(states);
+  ++colorRevision;
+}
+
+void Scene::setPointValues(std::optional<PointValues> values) {
+  pointValues = std::move(values);
+  ++colorRevision;
+}
+
 void Scene::setDark(bool isDark) {
   dark = isDark;
+  skeleton.setDark(isDark);
   ++colorRevision;
+}
+
+ClipVolume Scene::clipVolume(const Camera& camera) const {
+  return {clip, bounds(), origin(), camera};
 }
 
 Eigen::Vector3d Scene::origin() const {

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "core/cloud/point_cloud.h"
+#include "ui/view/clip.h"
 #include "ui/view/point_colors.h"
 #include "ui/view/point_hierarchy.h"
+#include "ui/view/point_look.h"
 #include "ui/view/skeleton_glyphs.h"
 
 #include <Eigen/Core>
@@ -35,16 +37,30 @@ struct Scene {
   bool skeletonVisible = true;
 
   PointColor pointColor = PointColor::height;
-  std::optional<ColorScale> colorScale; // of `cloud` by `pointColor`
-  std::uint64_t colorRevision = 0;      // grows when points are to be colored anew
-  int pointSize = 2;                    // [logical pixels]
+  std::optional<ColorScale> colorScale;   // of `cloud` by `pointColor`
+  std::optional<PointValues> pointValues; // color `cloud` in place of `pointColor`
+  std::shared_ptr<const std::vector<PointState>> pointStates; // of `cloud`; null: all normal
+  std::uint64_t colorRevision = 0; // grows when points are to be colored anew
+  int pointSize = 2;               // [logical pixels]
   bool showRadii = false;
   bool dark = false;
+  Clip clip;
+  double depthFade = 0; // how far the back of the plant steps back, in [0, 1]
 
   void setCloud(std::shared_ptr<const PointCloud> replacement);
   void setSkeleton(const Skeleton& replacement);
   void setPointColor(PointColor color);
+  void setPointStates(std::shared_ptr<const std::vector<PointState>> states);
+  void setPointValues(std::optional<PointValues> values);
   void setDark(bool isDark);
+
+  /// Is a point of the cloud drawn, as long as its layer is?
+  [[nodiscard]] bool isPointShown(Eigen::Index point) const {
+    return !pointStates || (*pointStates)[static_cast<std::size_t>(point)] != PointState::hidden;
+  }
+
+  /// What is shown from a camera.
+  [[nodiscard]] ClipVolume clipVolume(const Camera& camera) const;
 
   /// What float coordinates are counted from [L]: the cloud's origin, else the skeleton's.
   [[nodiscard]] Eigen::Vector3d origin() const;

@@ -1,6 +1,7 @@
 #include "ui/view/skeleton_glyphs.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace espalier {
 namespace {
@@ -31,6 +32,16 @@ double medianLength(const std::vector<EdgeGlyph>& edges) {
   return *middle;
 }
 
+/// Which slots are those of these nodes.
+std::vector<bool> flagsOf(const std::vector<NodeId>& nodes) {
+  std::vector<bool> flags;
+  for (const NodeId id : nodes) {
+    if (indexOf(id) >= flags.size()) flags.resize(indexOf(id) + 1);
+    flags[indexOf(id)] = true;
+  }
+  return flags;
+}
+
 } // namespace
 
 void SlotRange::add(std::size_t slot) {
@@ -43,6 +54,11 @@ void SkeletonGlyphs::rebuild(const Skeleton& skeleton, const Eigen::Vector3d& or
   bounds_.setEmpty();
   nodes_.assign(skeleton.idEnd(), {});
   edges_.assign(skeleton.idEnd(), {});
+  slots_.assign(skeleton.idEnd(), {});
+  hidden_.clear();
+  vivid_.reset();
+  colors_.reset();
+  colorMap_.reset();
   selected_.assign(skeleton.idEnd(), false);
   for (const NodeId id : std::exchange(selection_, {})) {
     if (!skeleton.contains(id)) continue;
@@ -61,8 +77,14 @@ void SkeletonGlyphs::rebuild(const Skeleton& skeleton, const Eigen::Vector3d& or
 void SkeletonGlyphs::update(const Skeleton& skeleton, const SkeletonDelta& delta) {
   nodes_.resize(skeleton.idEnd());
   edges_.resize(skeleton.idEnd());
+  slots_.resize(skeleton.idEnd());
   selected_.resize(skeleton.idEnd());
   for (const SkeletonDelta::Change& change : delta.changes) {
+    if (vivid_ && !change.before && change.after) {
+      vivid_->resize(std::max(vivid_->size(), nodes_.size()));
+      const auto& parent = change.after->parent;
+      if (!parent || !isFadedSlot(indexOf(*parent))) (*vivid_)[indexOf(change.id)] = true;
+    }
     if (skeleton.contains(change.id)) place(skeleton, change.id);
     shapeNode(skeleton, change.id);
     // Whether a parent is an apex or branches depends on the edge that came or went.
@@ -109,15 +131,16 @@ void SkeletonGlyphs::place(const Skeleton& skeleton, NodeId id) {
 void SkeletonGlyphs::shapeNode(const Skeleton& skeleton, NodeId id) {
   NodeGlyph& glyph = nodes_[indexOf(id)];
   if (!skeleton.contains(id)) glyph = {};
-  glyph.shape = shapeOf(skeleton, id);
+  slots_[indexOf(id)].node = shapeOf(skeleton, id);
   glyph.isUnitStart = skeleton.contains(id) && skeleton[id].isMarked;
   glyph.mark = skeleton.contains(id) ? markOf(indexOf(id)) : Mark::none;
-  changedNodes_.add(indexOf(id));
+  dressNode(indexOf(id));
 }
 
 void SkeletonGlyphs::drawEdge(const Skeleton& skeleton, NodeId id) {
   EdgeGlyph& edge = edges_[indexOf(id)];
   edge = {};
+  slots_[indexOf(id)].edge = EdgeShape::none;
   changedEdges_.add(indexOf(id));
   if (!skeleton.contains(id) || !skeleton[id].parent) return;
   const NodeGlyph& child = nodes_[indexOf(id)];
@@ -128,8 +151,74 @@ void SkeletonGlyphs::drawEdge(const Skeleton& skeleton, NodeId id) {
   edge.parentRadius = leaves ? child.radius : parent.radius;
   edge.child = child.position;
   edge.childRadius = child.radius;
-  edge.shape = shapeOf(skeleton[id].edge);
   edge.mark = hoveredEdge_ == id ? Mark::hovered : Mark::none;
+  slots_[indexOf(id)].edge = shapeOf(skeleton[id].edge);
+  slots_[indexOf(id)].parent = indexOf(*skeleton[id].parent);
+  dressEdge(indexOf(id));
+}
+
+void SkeletonGlyphs::dressNode(std::size_t slot) {
+  NodeGlyph& node = nodes_[slot];
+  node.shape = isHiddenSlot(slot) ? NodeShape::none : slots_[slot].node;
+  node.isFaded = isFadedSlot(slot);
+  node.color = colorOf(slot);
+  changedNodes_.add(slot);
+}
+
+void SkeletonGlyphs::dressEdge(std::size_t slot) {
+  EdgeGlyph& edge = edges_[slot];
+  const bool isHidden = isHiddenSlot(slot) || isHiddenSlot(slots_[slot].parent);
+  edge.shape = isHidden ? EdgeShape::none : slots_[slot].edge;
+  edge.isFaded = isFadedSlot(slot);
+  edge.color = colorOf(slot);
+  changedEdges_.add(slot);
+}
+
+void SkeletonGlyphs::dressAll() {
+  for (std::size_t slot = 0; slot < slots_.size(); ++slot) {
+    dressNode(slot);
+    dressEdge(slot);
+  }
+}
+
+bool SkeletonGlyphs::isHiddenSlot(std::size_t slot) const {
+  return slot < hidden_.size() && hidden_[slot];
+}
+
+bool SkeletonGlyphs::isFadedSlot(std::size_t slot) const {
+  return vivid_ && !(slot < vivid_->size() && (*vivid_)[slot]);
+}
+
+std::array<std::uint8_t, 4> SkeletonGlyphs::colorOf(std::size_t slot) const {
+  if (!colors_ || slot >= colors_->values.size() || std::isnan(colors_->values[slot])) return {};
+  const Color color = (*colorMap_)(colors_->values[slot]);
+  return {color[0], color[1], color[2], 255};
+}
+
+bool SkeletonGlyphs::isHidden(NodeId id) const {
+  return isHiddenSlot(indexOf(id));
+}
+
+void SkeletonGlyphs::setHidden(const std::vector<NodeId>& nodes) {
+  hidden_ = flagsOf(nodes);
+  dressAll();
+}
+
+void SkeletonGlyphs::setFaded(const std::optional<std::vector<NodeId>>& allBut) {
+  vivid_.reset();
+  if (allBut) vivid_ = flagsOf(*allBut);
+  dressAll();
+}
+
+void SkeletonGlyphs::setColors(std::optional<NodeColors> colors, bool dark) {
+  colors_ = std::move(colors);
+  setDark(dark);
+}
+
+void SkeletonGlyphs::setDark(bool dark) {
+  colorMap_.reset();
+  if (colors_) colorMap_.emplace(colors_->legend, dark);
+  dressAll();
 }
 
 Mark SkeletonGlyphs::markOf(std::size_t slot) const {
@@ -139,7 +228,7 @@ Mark SkeletonGlyphs::markOf(std::size_t slot) const {
 }
 
 void SkeletonGlyphs::mark(std::size_t slot, Mark mark) {
-  if (slot >= nodes_.size() || nodes_[slot].shape == NodeShape::none) return;
+  if (slot >= nodes_.size() || slots_[slot].node == NodeShape::none) return;
   nodes_[slot].mark = mark;
   changedNodes_.add(slot);
 }

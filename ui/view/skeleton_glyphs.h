@@ -3,6 +3,7 @@
 #include "core/skeleton/skeleton.h"
 #include "core/skeleton/skeleton_delta.h"
 #include "ui/document/tool_input.h"
+#include "ui/view/node_look.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -26,7 +27,8 @@ struct NodeGlyph {
   NodeShape shape = NodeShape::none;
   Mark mark = Mark::none;
   bool isUnitStart = false; // marked as one by hand
-  std::uint8_t unused = 0;
+  bool isFaded = false;
+  std::array<std::uint8_t, 4> color{}; // its own, if the last is not 0
 
   bool operator==(const NodeGlyph&) const = default;
 };
@@ -39,7 +41,9 @@ struct EdgeGlyph {
   float childRadius = 0;
   EdgeShape shape = EdgeShape::none;
   Mark mark = Mark::none;
-  std::array<std::uint8_t, 2> unused{};
+  bool isFaded = false;
+  std::uint8_t unused = 0;
+  std::array<std::uint8_t, 4> color{}; // as that of a node
 
   bool operator==(const EdgeGlyph&) const = default;
 };
@@ -57,12 +61,23 @@ struct SlotRange {
 /// touches the slots of its nodes and of their children only.
 class SkeletonGlyphs {
 public:
-  void rebuild(const Skeleton& skeleton, const Eigen::Vector3d& origin); // keeps the marks
+  /// Keeps the marks, but not what is hidden, faded or colored: ids may mean other nodes now.
+  void rebuild(const Skeleton& skeleton, const Eigen::Vector3d& origin);
   void update(const Skeleton& skeleton, const SkeletonDelta& delta);
   /// Draws about another origin, without the skeleton at hand; keeps 7 digits of the nodes' shift.
   void moveOrigin(const Eigen::Vector3d& origin);
   void select(const std::vector<NodeId>& nodes); // ids that are gone are ignored
   bool hover(const Pick& pick);                  // returns whether that changed anything
+
+  // How nodes look, each with the edge to its parent. O(nodes); edits keep it, at the cost of
+  // their size. Ids that are not there yet count once they are.
+  void setHidden(const std::vector<NodeId>& nodes); // not drawn; nor is an edge at one
+  [[nodiscard]] bool isHidden(NodeId id) const;
+  /// Fades all but some nodes; none: fades nothing. A child added to one of them is one of them.
+  void setFaded(const std::optional<std::vector<NodeId>>& allBut);
+  void setColors(std::optional<NodeColors> colors, bool dark);
+  void setDark(bool dark); // colors follow
+  [[nodiscard]] const Legend* legend() const { return colors_ ? &colors_->legend : nullptr; }
 
   [[nodiscard]] const std::vector<NodeGlyph>& nodes() const { return nodes_; }
   [[nodiscard]] const std::vector<EdgeGlyph>& edges() const { return edges_; }
@@ -81,12 +96,29 @@ private:
   void place(const Skeleton& skeleton, NodeId id);     // its position and radius
   void shapeNode(const Skeleton& skeleton, NodeId id); // its shape
   void drawEdge(const Skeleton& skeleton, NodeId id);  // the edge to its parent
+  void dressNode(std::size_t slot); // shape and color, by what it is and how it is to look
+  void dressEdge(std::size_t slot);
+  void dressAll();
+  [[nodiscard]] bool isHiddenSlot(std::size_t slot) const;
+  [[nodiscard]] bool isFadedSlot(std::size_t slot) const;
+  [[nodiscard]] std::array<std::uint8_t, 4> colorOf(std::size_t slot) const;
   void mark(std::size_t slot, Mark mark);
   [[nodiscard]] Mark markOf(std::size_t slot) const;
 
   std::vector<NodeGlyph> nodes_;
   std::vector<EdgeGlyph> edges_;
-  std::vector<bool> selected_; // by slot
+  /// What is drawn in a slot unless it is hidden.
+  struct Slot {
+    NodeShape node = NodeShape::none;
+    EdgeShape edge = EdgeShape::none;
+    std::size_t parent = 0; // of the edge
+  };
+  std::vector<Slot> slots_;
+  std::vector<bool> hidden_;               // by slot; may end before the last
+  std::optional<std::vector<bool>> vivid_; // likewise: not faded; none: nothing is faded
+  std::optional<NodeColors> colors_;
+  std::optional<LegendColors> colorMap_; // of colors_
+  std::vector<bool> selected_;           // by slot
   std::vector<NodeId> selection_;
   std::optional<NodeId> hoveredNode_;
   std::optional<NodeId> hoveredEdge_; // by its child

@@ -1,5 +1,6 @@
 #include "ui/view/skeleton_pass.h"
 
+#include "ui/view/clip_shader.h"
 #include "ui/view/palette.h"
 #include "ui/view/skeleton_shaders.h"
 
@@ -12,7 +13,7 @@
 namespace espalier {
 namespace {
 
-static_assert(sizeof(NodeGlyph) == 20 && sizeof(EdgeGlyph) == 36, "the shaders read them");
+static_assert(sizeof(NodeGlyph) == 24 && sizeof(EdgeGlyph) == 40, "the shaders read them");
 
 void addAttribute(GLuint index, GLint count, GLenum type, std::size_t stride, std::size_t offset) {
   glEnableVertexAttribArray(index);
@@ -75,7 +76,12 @@ void SkeletonPass::draw(const DrawSettings& settings) {
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE,
                                 GL_ONE_MINUS_SRC_ALPHA);
+  constexpr GLenum clipSides = 8;
+  for (GLenum side = 0; side < clipSides && !settings.clip.isAll(); ++side)
+    glEnable(GL_CLIP_DISTANCE0 + side); // of edges only: nodes are drawn or not
   drawEdges(settings);
+  for (GLenum side = 0; side < clipSides; ++side)
+    glDisable(GL_CLIP_DISTANCE0 + side);
   if (scene_.showRadii) drawNodes(settings, true);
   drawNodes(settings, false);
   glBindVertexArray(0);
@@ -105,6 +111,8 @@ void SkeletonPass::setCommon(vtkShaderProgram& program, const DrawSettings& sett
   const Eigen::Vector2f depths = depthsOf(scene_.skeleton, settings, scene_.origin());
   program.SetUniform2f("depths", depths.data());
   program.SetUniformf("roominess", roominess(settings));
+  program.SetUniformf("depthFade", settings.depthFade);
+  setClip(program, settings.clip);
 }
 
 void SkeletonPass::drawEdges(const DrawSettings& settings) {
@@ -120,6 +128,7 @@ void SkeletonPass::drawEdges(const DrawSettings& settings) {
   addAttribute(0, 4, GL_FLOAT, stride, offsetof(EdgeGlyph, parent));
   addAttribute(1, 4, GL_FLOAT, stride, offsetof(EdgeGlyph, child));
   addAttribute(2, 4, GL_UNSIGNED_BYTE, stride, offsetof(EdgeGlyph, shape));
+  addAttribute(3, 4, GL_UNSIGNED_BYTE, stride, offsetof(EdgeGlyph, color));
   drawQuads(scene_.skeleton.edges().size());
 }
 
@@ -136,6 +145,7 @@ void SkeletonPass::drawNodes(const DrawSettings& settings, bool spheres) {
   const std::size_t stride = sizeof(NodeGlyph);
   addAttribute(0, 4, GL_FLOAT, stride, offsetof(NodeGlyph, position));
   addAttribute(1, 4, GL_UNSIGNED_BYTE, stride, offsetof(NodeGlyph, shape));
+  addAttribute(2, 4, GL_UNSIGNED_BYTE, stride, offsetof(NodeGlyph, color));
   drawQuads(scene_.skeleton.nodes().size());
 }
 

@@ -3,6 +3,7 @@
 #include "ui/view/visibility.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -30,12 +31,13 @@ struct Nearest {
 };
 
 Nearest nearestNode(const SkeletonGlyphs& glyphs, const Places& places,
-                    const Eigen::Vector2d& pixel, double reach, const Visibility* visibility) {
+                    const Eigen::Vector2d& pixel, double reach,
+                    const std::function<bool(std::size_t)>& isShown, const Visibility* visibility) {
   Nearest best;
   for (std::size_t slot = 0; slot < places.size(); ++slot) {
     if (glyphs.nodes()[slot].shape == NodeShape::none || !places[slot]) continue;
     const double distance = (places[slot]->pixel - pixel).norm();
-    if (distance > reach) continue;
+    if (distance > reach || !isShown(slot)) continue;
     if (visibility != nullptr && visibility->hidesNode(slot, *places[slot])) continue;
     best.offer({slot, distance, places[slot]->depth});
   }
@@ -72,15 +74,18 @@ std::optional<Nearest> edgeUnder(std::size_t slot, const EdgeEnds& ends,
 } // namespace
 
 Pick pickSkeleton(const SkeletonGlyphs& glyphs, const ScreenMap& map, const Eigen::Vector2d& pixel,
-                  double reach, const Visibility* visibility) {
+                  double reach, const Visibility* visibility, const ClipVolume& clip) {
   const std::size_t count = glyphs.nodes().size();
   Places places(count);
   for (std::size_t slot = 0; slot < count; ++slot)
     if (glyphs.nodes()[slot].shape != NodeShape::none)
       places[slot] = map.project(glyphs.position(slot));
+  const auto isShown = [&](std::size_t slot) {
+    return clip.contains(Eigen::Vector3f(glyphs.nodes()[slot].position.data()));
+  };
 
   Pick pick;
-  const Nearest node = nearestNode(glyphs, places, pixel, reach, visibility);
+  const Nearest node = nearestNode(glyphs, places, pixel, reach, isShown, visibility);
   if (node.slot != SIZE_MAX) {
     pick.node = NodeId{static_cast<std::uint32_t>(node.slot)};
     return pick;
@@ -94,6 +99,10 @@ Pick pickSkeleton(const SkeletonGlyphs& glyphs, const ScreenMap& map, const Eige
     if (!parent) continue;
     const auto found = edgeUnder(slot, {*parent, *places[slot]}, pixel, map.isPerspective(), reach);
     if (!found) continue;
+    const Eigen::Vector3f parentPlace(edge.parent.data());
+    const Eigen::Vector3f childPlace(edge.child.data());
+    const auto part = static_cast<float>(found->fraction);
+    if (!clip.contains(parentPlace + part * (childPlace - parentPlace))) continue;
     const Eigen::Vector2d foot =
         parent->pixel + found->onScreen * (places[slot]->pixel - parent->pixel);
     const ScreenMap::Place at{foot, found->depth};

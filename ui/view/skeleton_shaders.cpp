@@ -1,5 +1,7 @@
 #include "ui/view/skeleton_shaders.h"
 
+#include "ui/view/clip_shader.h"
+
 namespace espalier::shaders {
 
 /// What the shaders of edges and nodes share.
@@ -16,17 +18,38 @@ namespace espalier::shaders {
   "uniform vec3 selectedColor;\n"                                                                  \
   "uniform vec3 hoveredColor;\n"                                                                   \
   "uniform vec3 backgroundColor;\n"                                                                \
+  "uniform float depthFade;\n"                                                                     \
   "uniform vec2 depths;\n"     /* nearest and farthest of the skeleton [L] */                      \
   "uniform float roominess;\n" /* 0: nodes crowd on the screen; 1: there is room for them */       \
   "vec3 faded(vec3 color, float z) {\n" /* the far side steps back */                              \
   "  float part = clamp((-z - depths.x) / (depths.y - depths.x), 0.0, 1.0);\n"                     \
-  "  return mix(color, backgroundColor, 0.5 * part * part);\n"                                     \
+  "  return mix(color, backgroundColor, mix(0.5 * part * part, 0.92 * part, depthFade));\n"        \
+  "}\n"                                                                                            \
+  "vec3 dressed(vec3 usual, vec4 own, float isFaded, float z) {\n"                                 \
+  "  vec3 color = faded(own.a > 0.5 ? own.rgb / 255.0 : usual, z);\n"                              \
+  "  return isFaded > 0.5 ? mix(color, backgroundColor, 0.82) : color;\n"                          \
   "}\n"
 
-const char* const lineVertex = ESPALIER_GLYPH_HEAD R"(
+/// An edge is cut where it leaves the clip, by the distance of each end to its sides.
+#define ESPALIER_EDGE_CLIP                                                                         \
+  "out float gl_ClipDistance[8];\n"                                                                \
+  "void clipAt(vec3 place, float depth) {\n"                                                       \
+  "  if (clipped == 0) return;\n"                                                                  \
+  "  vec3 low = place - clipLow;\n"                                                                \
+  "  vec3 high = clipHigh - place;\n"                                                              \
+  "  for (int i = 0; i < 3; ++i) {\n"                                                              \
+  "    gl_ClipDistance[i] = low[i];\n"                                                             \
+  "    gl_ClipDistance[3 + i] = high[i];\n"                                                        \
+  "  }\n"                                                                                          \
+  "  gl_ClipDistance[6] = depth - clipDepths.x;\n"                                                 \
+  "  gl_ClipDistance[7] = clipDepths.y - depth;\n"                                                 \
+  "}\n"
+
+const char* const lineVertex = ESPALIER_GLYPH_HEAD ESPALIER_CLIP ESPALIER_EDGE_CLIP R"(
 layout(location = 0) in vec4 parent;
 layout(location = 1) in vec4 child;
-layout(location = 2) in vec4 look;      // shape, mark
+layout(location = 2) in vec4 look;      // shape, mark, whether faded
+layout(location = 3) in vec4 own;       // color, if its alpha is not 0
 noperspective out float across;         // from the axis, in device pixels
 noperspective out float along;          // from the parent, in device pixels
 flat out float total;                   // length on the screen, in device pixels
@@ -62,10 +85,15 @@ void main() {
   across = side * reach;
   along = atChild ? total : 0.0;
   color = hovered ? hoveredColor
-                  : faded(look.x > 1.5 ? branchingColor : successorColor, 0.5 * (a.z + b.z));
+                  : dressed(look.x > 1.5 ? branchingColor : successorColor, own, look.z,
+                            0.5 * (a.z + b.z));
   isDashed = look.x > 1.5 && total > 24.0 * pixelRatio ? 1.0 : 0.0;
   vec4 clip = atChild ? clipB : clipA;
   vec2 screen = (atChild ? screenB : screenA) + vec2(-direction.y, direction.x) * across;
+  // A part before the eye was cut off both: the place is found again from what is left.
+  vec4 kept = atChild ? before(b, a) : before(a, b);
+  float part = distance(a, b) > 0.0 ? distance(a.xyz, kept.xyz) / distance(a.xyz, b.xyz) : 0.0;
+  clipAt(mix(parent.xyz, child.xyz, part), -kept.z);
   gl_Position = vec4(screen / halfScreen * clip.w, clip.z, clip.w);
 })";
 
@@ -92,10 +120,11 @@ void main() {
   fragment = vec4(mix(outlineColor, color, line), alpha);
 })";
 
-const char* const tubeVertex = ESPALIER_GLYPH_HEAD R"(
+const char* const tubeVertex = ESPALIER_GLYPH_HEAD ESPALIER_CLIP ESPALIER_EDGE_CLIP R"(
 layout(location = 0) in vec4 parent;
 layout(location = 1) in vec4 child;
 layout(location = 2) in vec4 look;
+layout(location = 3) in vec4 own;
 out vec3 place;                         // view coordinates, on the axis plane
 out float radius;
 noperspective out float across;         // -1 to 1
@@ -122,7 +151,9 @@ void main() {
   radius = max(atChild ? child.w : parent.w, pixelRatio * pixel);
   across = (gl_VertexID & 1) == 0 ? -1.0 : 1.0;
   color = look.y > 1.5 ? hoveredColor
-                       : faded(look.x > 1.5 ? branchingColor : successorColor, 0.5 * (a.z + b.z));
+                       : dressed(look.x > 1.5 ? branchingColor : successorColor, own, look.z,
+                            0.5 * (a.z + b.z));
+  clipAt(atChild ? child.xyz : parent.xyz, -place.z);
   gl_Position = toClip * vec4(place + sideways / size * across * radius, 1.0);
 })";
 
@@ -144,9 +175,10 @@ void main() {
   fragment = vec4(color * (0.4 + 0.6 * facing * tilt), 1.0);
 })";
 
-const char* const nodeVertex = ESPALIER_GLYPH_HEAD R"(
+const char* const nodeVertex = ESPALIER_GLYPH_HEAD ESPALIER_CLIP R"(
 layout(location = 0) in vec4 center;    // and radius
-layout(location = 1) in vec4 look;      // shape, mark
+layout(location = 1) in vec4 look;      // shape, mark, unit start, whether faded
+layout(location = 2) in vec4 own;       // color, if its alpha is not 0
 uniform int spheres;
 uniform float pushed;                   // discs toward the eye, in radii of the node
 out vec3 place;
@@ -175,13 +207,14 @@ void main() {
   if (spheres == 0 && roominess < 0.5 && shape != 2 && mark == 0 && isUnitStart == 0)
     return; // edges show enough
   place = (toView * vec4(center.xyz, 1.0)).xyz;
+  if (isClipped(center.xyz, -place.z)) return;
   float pixel = pixelSize * (perspective != 0 ? -place.z : 1.0);
   if (pixel <= 0.0) return; // behind the eye
   vec2 corner = vec2((gl_VertexID & 1) == 0 ? -1.0 : 1.0, (gl_VertexID & 2) == 0 ? -1.0 : 1.0);
   radius = max(center.w, pixelRatio * pixel);
   color = mark == 2                ? hoveredColor
           : mark == 1 || mark == 3 ? selectedColor
-                                   : faded(successorColor, place.z);
+                                   : dressed(successorColor, own, look.w, place.z);
   rim = mark == 3 ? hoveredColor : isUnitStart == 1 ? branchingColor : color;
   halfWidth = spheres != 0 ? radius / pixel : halfWidthOf(shape, mark);
   if (spheres == 0 && isUnitStart == 1) halfWidth = max(1.6 * halfWidth, 6.0 * pixelRatio);
@@ -236,6 +269,7 @@ void main() {
   fragment = vec4(fill * (0.4 + 0.6 * facing), 1.0);
 })";
 
+#undef ESPALIER_EDGE_CLIP
 #undef ESPALIER_GLYPH_HEAD
 
 } // namespace espalier::shaders

@@ -43,6 +43,7 @@ private:
   const Scene& scene_;
   const ScreenMap& screen_;
   ScreenPart part_;
+  ClipVolume clip_;
   int columns_ = 0;
   int rows_ = 0;
   std::vector<float> depths_; // the least in each cell

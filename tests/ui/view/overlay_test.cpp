@@ -1,4 +1,4 @@
-#include "ui/view/overlay.h"
+#include "ui/view/legend.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,222 @@
+#include "tests/support/plants.h"
+#include "tests/ui/view/pictures.h"
+#include "ui/view/palette.h"
+#include "ui/view/plant_view.h"
+
+#include <QTest>
+#include <gtest/gtest.h>
+
+#include <gmock/gmock.h>
+#include <limits>
+#include <vector>
+
+namespace espalier {
+namespace {
+
+constexpr float none = std::numeric_limits<float>::quiet_NaN();
+
+/// A view of a stick of five nodes along z, seen from the front on a light background.
+class LooksTest : public testing::Test {
+protected:
+  LooksTest() : plant_(test::stick(5)) {
+    view_.resize(400, 300);
+    view_.setDark(false);
+    view_.setSkeleton(plant_);
+    view_.frameAll();
+    view_.show();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view_.isStill(); }));
+  }
+
+  [[nodiscard]] QPointF pixelOf(const Eigen::Vector3d& place) const {
+    return view_.project(place).value();
+  }
+  [[nodiscard]] QPointF pixelOf(NodeId id) const { return pixelOf(plant_[id].position); }
+  [[nodiscard]] int count(NodeId id, const Color& color) {
+    return test::countPixels(view_.picture(view_.size()), pixelOf(id), 4, color, 24);
+  }
+  [[nodiscard]] int count(const Eigen::Vector3d& place, const Color& color) {
+    return test::countPixels(view_.picture(view_.size()), pixelOf(place), 4, color, 24);
+  }
+  [[nodiscard]] std::vector<NodeId> allInside() const {
+    return view_.nodesInside(QPolygonF(QRectF(0, 0, 400, 300)), Depth::through);
+  }
+
+  Skeleton plant_;
+  PlantView view_;
+};
+
+const Color black = palette(false).successor;
+constexpr Color red{200, 30, 30};
+constexpr Color blue{30, 30, 200};
+
+/// Node i of category values[i].
+NodeColors colors(std::vector<float> values) {
+  return {std::move(values),
+          {.title = "Order", .unit = {}, .categories = {{"first", red}, {"second", blue}}}};
+}
+
+TEST_F(LooksTest, DrawsAndPicksNoHiddenNodeNorItsEdges) {
+  view_.setHiddenNodes({NodeId{2}});
+  EXPECT_EQ(count(NodeId{2}, black), 0);
+  EXPECT_EQ(count({0, 0, 1.5}, black), 0) << "the edge to its parent";
+  EXPECT_EQ(count({0, 0, 2.5}, black), 0) << "the edge to its child";
+  EXPECT_GT(count({0, 0, 0.5}, black), 0);
+  EXPECT_FALSE(view_.pick(pixelOf(NodeId{2})).node);
+  EXPECT_FALSE(view_.pick(pixelOf({0, 0, 1.5})).edge);
+  EXPECT_THAT(allInside(), testing::ElementsAre(NodeId{0}, NodeId{1}, NodeId{3}, NodeId{4}));
+  view_.setHiddenNodes({});
+  EXPECT_EQ(allInside().size(), 5U);
+  EXPECT_GT(count({0, 0, 1.5}, black), 0);
+}
+
+TEST_F(LooksTest, KeepsANodeHiddenWhileItIsEdited) {
+  view_.setHiddenNodes({NodeId{2}});
+  SkeletonEditor editor(plant_);
+  editor.setPosition(NodeId{2}, {0.5, 0, 2});
+  editor.setPosition(NodeId{3}, {0.5, 0, 3});
+  const SkeletonDelta delta = editor.commit();
+  view_.updateSkeleton(plant_, delta);
+  EXPECT_FALSE(view_.pick(pixelOf(NodeId{2})).node);
+  EXPECT_EQ(view_.pick(pixelOf(NodeId{3})).node, NodeId{3});
+  EXPECT_EQ(count({0.5, 0, 2.5}, black), 0) << "its edges";
+}
+
+TEST_F(LooksTest, ShowsAnotherSkeletonWhole) {
+  view_.setHiddenNodes({NodeId{2}});
+  view_.setFaded(std::vector<NodeId>{});
+  view_.setNodeColors(colors({0, 0, 0, 0, 0}));
+  const QImage fresh = [&] {
+    PlantView other;
+    other.resize(400, 300);
+    other.setDark(false);
+    other.setSkeleton(plant_);
+    other.setCamera(view_.camera());
+    return other.picture({400, 300});
+  }();
+  view_.setSkeleton(plant_);
+  EXPECT_EQ(test::countDifferences(view_.picture({400, 300}), fresh), 0);
+}
+
+TEST_F(LooksTest, ColorsNodesAndEdgesByCategory) {
+  view_.setNodeColors(colors({none, 0, 1, 1}));
+  EXPECT_GT(count({0, 0, 0.5}, red), 0) << "the edge to node 1";
+  EXPECT_GT(count({0, 0, 1.5}, blue), 0);
+  EXPECT_GT(count({0, 0, 3.5}, black), 0) << "node 4 has no value";
+  view_.setNodeColors(std::nullopt);
+  EXPECT_EQ(count({0, 0, 0.5}, red), 0);
+}
+
+TEST_F(LooksTest, ColorsNodesByAScaleAndCutsWhatIsBeyond) {
+  view_.setNodeColors(NodeColors{{0, -5, 99, 2, 2},
+                                 {.title = "Error",
+                                  .unit = "mm",
+                                  .map = ColorMap::diverging,
+                                  .from = -2,
+                                  .to = 2,
+                                  .categories = {}}});
+  EXPECT_GT(count({0, 0, 0.5}, colorOf(ColorMap::diverging, 0, false)), 0);
+  EXPECT_GT(count({0, 0, 1.5}, colorOf(ColorMap::diverging, 1, false)), 0);
+}
+
+TEST_F(LooksTest, KeepsSelectionAmberOverColors) {
+  view_.setNodeColors(colors({0, 0, 0, 0, 0}));
+  view_.setSelection({NodeId{2}});
+  EXPECT_GT(count(NodeId{2}, palette(false).selected), 3);
+}
+
+TEST_F(LooksTest, ShowsALegendWhileNodesAreColored) {
+  const QImage before = view_.picture({400, 300});
+  view_.setNodeColors(colors({none, none, none, none, none}));
+  const QImage during = view_.picture({400, 300});
+  const QRect corner(300, 0, 100, 90);
+  EXPECT_GT(test::countPixels(during.copy(corner), red, 10), 50);
+  EXPECT_GT(test::countPixels(during.copy(corner), blue, 10), 50);
+  EXPECT_EQ(test::countPixels(before.copy(corner), red, 10), 0);
+}
+
+TEST_F(LooksTest, FadesAllButSome) {
+  view_.setFaded(std::vector<NodeId>{NodeId{1}});
+  EXPECT_GT(count({0, 0, 0.5}, black), 0);
+  EXPECT_EQ(count({0, 0, 2.5}, black), 0);
+  EXPECT_EQ(view_.pick(pixelOf(NodeId{3})).node, NodeId{3}) << "it can still be picked";
+  view_.setFaded(std::nullopt);
+  EXPECT_GT(count({0, 0, 2.5}, black), 0);
+}
+
+TEST_F(LooksTest, FadesNoChildAddedToWhatIsNotFaded) {
+  view_.setFaded(std::vector<NodeId>{NodeId{4}});
+  SkeletonEditor editor(plant_);
+  editor.add({.position = {1, 0, 4}, .radius = 0.1, .parent = NodeId{4}});
+  editor.add({.position = {1, 0, 0}, .radius = 0.1, .parent = NodeId{0}});
+  const SkeletonDelta delta = editor.commit();
+  view_.updateSkeleton(plant_, delta);
+  EXPECT_GT(count({0.5, 0, 4}, black), 0);
+  EXPECT_EQ(count({0.5, 0, 0}, black), 0);
+}
+
+/// Two points beside the stick: their columns, the left one first.
+class PointLooksTest : public LooksTest {
+protected:
+  PointLooksTest() {
+    cloud_ = test::cloudOf({left_, right_});
+    view_.setCloud(cloud_);
+    view_.setPointColor(PointColor::uniform);
+    view_.setPointSize(6);
+    leftColumn_ = cloud_->position(0).x() < 0 ? 0 : 1;
+  }
+  [[nodiscard]] std::shared_ptr<const std::vector<PointState>> leftIs(PointState state) const {
+    std::vector<PointState> states(2, PointState::normal);
+    states[leftColumn_] = state;
+    return std::make_shared<const std::vector<PointState>>(std::move(states));
+  }
+
+  const Eigen::Vector3d left_{-1, 0, 2};
+  const Eigen::Vector3d right_{1, 0, 2};
+  std::shared_ptr<const PointCloud> cloud_;
+  std::size_t leftColumn_ = 0;
+};
+
+const Color plain = palette(false).point;
+
+TEST_F(PointLooksTest, DrawsAndPicksNoHiddenPoint) {
+  ASSERT_GT(count(left_, plain), 5);
+  view_.setPointStates(leftIs(PointState::hidden));
+  EXPECT_EQ(count(left_, plain), 0);
+  EXPECT_GT(count(right_, plain), 5);
+  EXPECT_FALSE(view_.pick(pixelOf(left_)).point);
+  EXPECT_TRUE(view_.pick(pixelOf(right_)).point);
+  EXPECT_THAT(view_.pointsInside(QPolygonF(QRectF(0, 0, 400, 300)), Depth::through),
+              testing::ElementsAre(Eigen::Index(1 - leftColumn_)));
+  view_.setPointStates(nullptr);
+  EXPECT_GT(count(left_, plain), 5);
+}
+
+TEST_F(PointLooksTest, DrawsSelectedPointsAmberAndDimOnesPale) {
+  view_.setPointStates(leftIs(PointState::selected));
+  EXPECT_GT(count(left_, palette(false).selected), 5);
+  view_.setPointStates(leftIs(PointState::dim));
+  EXPECT_EQ(count(left_, plain), 0);
+  EXPECT_GT(count(right_, plain), 5);
+  EXPECT_TRUE(view_.pick(pixelOf(left_)).point) << "it is there";
+}
+
+TEST_F(PointLooksTest, ColorsPointsByValues) {
+  std::vector<float> values(2, none);
+  values[leftColumn_] = 10;
+  view_.setPointValues(PointValues{
+      std::make_shared<const std::vector<float>>(values),
+      {.title = "Distance", .unit = "mm", .map = ColorMap::cividis, .to = 10, .categories = {}}});
+  EXPECT_GT(count(left_, colorOf(ColorMap::cividis, 1, false)), 5);
+  EXPECT_GT(count(right_, plain), 5) << "it has no value";
+  view_.setPointValues(std::nullopt);
+  EXPECT_GT(count(left_, plain), 5);
+}
+
+TEST_F(PointLooksTest, ForgetsLooksWithTheCloud) {
+  view_.setPointStates(leftIs(PointState::hidden));
+  view_.setCloud(test::cloudOf({left_, right_, {0, 0, 5}})); // states would not fit
+  EXPECT_GT(count(left_, plain), 5);
+}
+
+} // namespace
+} // namespace espalier

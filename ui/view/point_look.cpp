@@ -1,0 +1,49 @@
+#include "ui/view/point_look.h"
+
+#include "ui/view/palette.h"
+#include "ui/view/scene.h"
+
+#include <cmath>
+
+namespace espalier {
+namespace {
+
+constexpr double dimness = 0.72; // toward the background
+
+Color mixed(const Color& color, const Color& with, double part) {
+  Color result{};
+  for (std::size_t c = 0; c < result.size(); ++c)
+    result[c] = static_cast<std::uint8_t>(std::lround((1 - part) * color[c] + part * with[c]));
+  return result;
+}
+
+std::vector<Color> colorsOf(const Scene& scene) {
+  const Color& plain = palette(scene.dark).point;
+  if (!scene.pointValues) return pointColors(*scene.cloud, scene.pointColor, scene.dark, plain);
+  std::vector<Color> colors(static_cast<std::size_t>(scene.cloud->size()), plain);
+  const LegendColors map(scene.pointValues->legend, scene.dark);
+  const std::vector<float>& values = *scene.pointValues->values;
+  for (std::size_t i = 0; i < colors.size(); ++i)
+    if (!std::isnan(values[i])) colors[i] = map(values[i]);
+  return colors;
+}
+
+} // namespace
+
+std::vector<std::array<std::uint8_t, 4>> pointLooks(const Scene& scene) {
+  const std::vector<Color> colors = colorsOf(scene);
+  const Palette fixed = palette(scene.dark);
+  std::vector<std::array<std::uint8_t, 4>> looks;
+  looks.reserve(colors.size());
+  for (std::size_t i = 0; i < colors.size(); ++i) {
+    const PointState state = scene.pointStates ? (*scene.pointStates)[i] : PointState::normal;
+    Color color = colors[i];
+    if (state == PointState::dim) color = mixed(color, fixed.backgroundBottom, dimness);
+    if (state == PointState::selected) color = fixed.selected;
+    const std::uint8_t shown = state == PointState::hidden ? 0 : 255;
+    looks.push_back({color[0], color[1], color[2], shown});
+  }
+  return looks;
+}
+
+} // namespace espalier

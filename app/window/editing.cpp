@@ -1,8 +1,12 @@
 #include "app/window/editing.h"
 
 #include "app/window/action_set.h"
+#include "app/window/node_menus.h"
+#include "app/window/radius_wheel.h"
+#include "app/window/resample_flow.h"
 #include "app/window/view_sync.h"
 #include "core/base/error.h"
+#include "ui/tools/node_choices.h"
 #include "ui/tools/registry.h"
 #include "ui/tools/screen_plane.h"
 #include "ui/view/plant_view.h"
@@ -20,7 +24,8 @@ Editing::Editing(PlantDocument& document, PlantView& view, ActionSet& actions, Q
     : QObject(parent), document_(document), view_(view), actions_(actions),
       entries_(std::move(entries)), toolGroup_(new QActionGroup(this)) {
   addTools();
-  addChoosing();
+  addNodeChoices();
+  addDepth();
   addNodeEdits();
   addNavigation();
   view_.setInputHandler([this](const ToolInput& input) {
@@ -78,10 +83,40 @@ void Editing::addNodeEdits() {
                                 .icon = edit.icon,
                                 .keys = edit.shortcut,
                                 .refusal = Refusal::atPointer},
-                               [this, apply = edit.apply] { apply(document_, chosenTarget()); }));
+                               [this, edit] { edit.apply(document_, chosenTarget(edit)); }));
+  new ResampleFlow(
+      document_, actions_, [this] { return chosenTarget().nodes; }, this);
+  edits_.append(actions_["resample"]);
+  // A button that has the keyboard keeps the space bar.
+  actions_["extend_again"]->setShortcutContext(Qt::WidgetShortcut);
+  view_.addAction(actions_["extend_again"]);
+  const auto nodes = [this] {
+    return canEdit() && !tool().isBusy() ? target().nodes : std::vector<NodeId>();
+  };
+  view_.installEventFilter(new RadiusWheel(document_, actions_, nodes, this));
 }
 
-void Editing::addChoosing() {
+void Editing::addNodeChoices() {
+  actions_.beginSection(tr("Select"));
+  for (const NodeChoice& choice : nodeChoices()) {
+    if (choice.id.isEmpty()) continue; // a separator
+    const auto choose = [this, choice] {
+      const std::vector<NodeId> nodes =
+          choice.needsNodes ? chosenTarget().nodes : document_.selection().nodes();
+      document_.selection().set(choice.choose(document_.skeleton(), nodes));
+    };
+    QAction* action = actions_.add({.id = choice.id,
+                                    .text = choice.text,
+                                    .help = choice.help,
+                                    .keys = choice.shortcuts.value(0),
+                                    .refusal = Refusal::atPointer},
+                                   choose);
+    action->setShortcuts(choice.shortcuts);
+    edits_.append(action);
+  }
+}
+
+void Editing::addDepth() {
   actions_.beginSection(tr("Select"));
   actions_.add({.id = "select_through",
                 .text = tr("Select &Through"),
@@ -175,7 +210,7 @@ void Editing::fillContextMenu(QMenu& menu) const {
     QString title = nodeNames(meant.nodes);
     title[0] = title[0].toUpper();
     menu.addSection(title);
-    menu.addActions(edits_);
+    fillNodeEdits(menu, actions_);
     menu.insertAction(actions_["stick"], actions_["tool_reparent"]);
     menu.insertSeparator(actions_["remove"]);
     menu.addSeparator();
@@ -222,6 +257,15 @@ NodeTarget Editing::chosenTarget() {
   // not fall on nodes that were selected somewhere else.
   if (!meant.nodes.empty()) document_.selection().set(meant.nodes);
   return meant;
+}
+
+NodeTarget Editing::chosenTarget(const NodeEdit& edit) {
+  if (!edit.isOfSelected) return chosenTarget();
+  const NodeTarget selected{.nodes = document_.selection().nodes(),
+                            .viewDirection = viewDirection_};
+  if (selected.nodes.empty())
+    throw Error(tr("select the node to go on from, or add a child with N").toStdString());
+  return selected;
 }
 
 NodeTarget Editing::target() const {

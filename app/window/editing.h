@@ -55,8 +55,9 @@ signals:
 private:
   void addTools();
   void addNodeEdits();
+  void addNodeChoices();
   void addNavigation();
-  void addChoosing();
+  void addDepth();
   bool handle(const ToolInput& input);
   [[nodiscard]] bool isMenuClick(const ToolInput& input);
   void refreshEnabled();
@@ -65,6 +66,7 @@ private:
   [[nodiscard]] bool canEdit() const { return isEnabled_ && !document_.isReadOnly(); }
   [[nodiscard]] NodeTarget target() const;
   [[nodiscard]] NodeTarget chosenTarget(); // which is selected then
+  [[nodiscard]] NodeTarget chosenTarget(const NodeEdit& edit);
   [[nodiscard]] std::optional<Eigen::Vector3d> placeUnder() const;
   [[nodiscard]] Tool& tool() const { return *tools_.at(tool_); }
 
@@ -77,7 +79,7 @@ private:
   QString toolBefore_;
   QActionGroup* toolGroup_;
   QAction* accept_ = nullptr; // off while there is no preview
-  QList<QAction*> edits_;     // off while there is no skeleton
+  QList<QAction*> edits_;     // and choices of nodes: off while there is no skeleton
   bool isEnabled_ = true;
   Pick under_;
   std::optional<QPointF> menuPress_; // where the right button went down, until it is a drag

@@ -1,10 +1,10 @@
 #include "app/window/action_set.h"
 #include "app/window/icon.h"
 #include "app/window/main_window.h"
+#include "app/window/node_menus.h"
 #include "app/window/recent_files.h"
 #include "app/window/review_flow.h"
 #include "app/window/view_options.h"
-#include "ui/tools/node_edits.h"
 #include "ui/tools/registry.h"
 
 #include <QDir>
@@ -77,15 +77,15 @@ void MainWindow::fillMenus() {
   add(*edit, *actions_, toolIds());
 
   QMenu* select = menuBar()->addMenu(tr("Se&lect"));
-  add(*select, *actions_, {"select_all", "", "select_through"});
+  add(*select, *actions_, {"select_all", "select_through", ""});
+  fillNodeChoices(*select, *actions_);
 
   fillViewMenu();
 
   QMenu* skeleton = menuBar()->addMenu(tr("&Skeleton"));
   add(*skeleton, *actions_, {"reconstruct", ""});
   const QStringList ofUnits = {"mark_unit_start", "commit_marks", "clear_marks"};
-  for (const NodeEdit& nodeEdit : nodeEdits())
-    if (!ofUnits.contains(nodeEdit.id)) add(*skeleton, *actions_, {nodeEdit.id});
+  fillNodeEdits(*skeleton, *actions_, ofUnits);
   skeleton->addSeparator();
   add(*skeleton->addMenu(tr("&Units")), *actions_, ofUnits);
 

@@ -189,11 +189,15 @@ void ViewOptions::addProjections() {
 
 void ViewOptions::addStandardViews() {
   const auto add = [this](StandardView view, const QString& id, const QString& text, Qt::Key key) {
-    standardViews_.append(actions_.add(
-        {.id = id, .text = text, .help = tr("Looks from there"), .keys = QKeySequence(key)},
-        [this, view] { view_.look(view); }));
+    QAction* action = actions_.add({.id = id,
+                                    .text = text,
+                                    .help = tr("Looks from there"),
+                                    .keys = QKeySequence(Qt::KeypadModifier | key)},
+                                   [this, view] { view_.look(view); });
+    action->setShortcuts({action->shortcut(), QKeySequence(Qt::ALT | key)}); // without a keypad
+    standardViews_.append(action);
   };
-  // As the number block lies, as in CloudCompare.
+  // As the number block lies, as in CloudCompare. The digits in the top row select.
   add(StandardView::front, "view_front", tr("Front"), Qt::Key_5);
   add(StandardView::back, "view_back", tr("Back"), Qt::Key_0);
   add(StandardView::left, "view_left", tr("Left"), Qt::Key_4);

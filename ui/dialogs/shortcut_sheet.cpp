@@ -26,6 +26,7 @@ Section mouseSection() {
            {tr("Right drag"), tr("Pan")},
            {tr("Middle drag, wheel"), tr("Zoom")},
            {tr("Ctrl+drag"), tr("Turn, over nodes too")},
+           {tr("Ctrl+wheel"), tr("Radius of the selected nodes")},
            {tr("Click"), tr("Select a node")},
            {tr("Shift+click"), tr("Add or remove a node")},
            {tr("Drag a node"), tr("Move it")},

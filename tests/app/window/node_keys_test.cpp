@@ -1,0 +1,137 @@
+// What keys, menus and the wheel do to nodes, in the real window.
+#include "tests/app/window/window_fixture.h"
+#include "tests/support/plants.h"
+
+#include <QAction>
+#include <QInputDialog>
+#include <QMenu>
+#include <QMenuBar>
+#include <QTest>
+#include <QWheelEvent>
+
+namespace espalier {
+namespace {
+
+using test::forkTop;
+
+struct NodeKeysTest : test::WindowTest {
+  void SetUp() override { open({writeFork("fork.mtg")}); }
+
+  std::size_t selected() { return document().selection().nodes().size(); }
+  void wheel(int notches) {
+    const QPointF place = view().rect().center();
+    QWheelEvent event(place, view().mapToGlobal(place), {}, QPoint(0, 120 * notches), Qt::NoButton,
+                      Qt::ControlModifier, Qt::NoScrollPhase, false);
+    QApplication::sendEvent(&view(), &event);
+  }
+};
+
+TEST_F(NodeKeysTest, DigitsSelectFromTheNodeUnderThePointer) {
+  hover(placeOf(nodeAt({0, 0, 1})));
+  key(Qt::Key_1);
+  EXPECT_EQ(selected(), 4U) << "the top and its three shoots";
+  hover({5, 5});
+  key(Qt::Key_6);
+  EXPECT_EQ(selected(), 1U);
+  key(Qt::Key_Plus);
+  EXPECT_EQ(selected(), 2U);
+  key(Qt::Key_Minus);
+  EXPECT_EQ(selected(), 1U);
+  EXPECT_EQ(document().undoStack().count(), 0) << "nothing was edited";
+}
+
+TEST_F(NodeKeysTest, DigitsOfTheKeypadTurnTheView) {
+  const auto before = view().camera();
+  key(Qt::Key_8, Qt::KeypadModifier);
+  waitForView();
+  EXPECT_FALSE(view().camera().forward().isApprox(before.forward()));
+  EXPECT_GT(std::abs(view().camera().forward().z()), 0.99) << "from the top";
+  hover(placeOf(nodeAt({1, 0, 2})));
+  key(Qt::Key_5, Qt::KeypadModifier);
+  EXPECT_EQ(selected(), 0U);
+}
+
+TEST_F(NodeKeysTest, CutAndJoinBringTheBranchBack) {
+  const Skeleton start = document().skeleton();
+  const NodeId apex = nodeAt({1, 0, 2});
+  hover(placeOf(apex));
+  key(Qt::Key_X);
+  EXPECT_EQ(document().skeleton().roots().size(), 2U);
+  key(Qt::Key_J);
+  EXPECT_EQ(document().skeleton().roots().size(), 1U);
+  EXPECT_EQ(document().skeleton()[apex].parent, start[apex].parent);
+}
+
+TEST_F(NodeKeysTest, SpaceGoesOnFromTheNewChildWhereverThePointerIs) {
+  hover(placeOf(nodeAt({1, 0, 2})));
+  key(Qt::Key_N);
+  const NodeId first = document().selection().current().value();
+  view().setFocus();
+  QTest::keyClick(&view(), Qt::Key_Space);
+  const NodeId second = document().selection().current().value();
+  EXPECT_EQ(document().skeleton()[second].parent, first);
+  EXPECT_EQ(document().skeleton().size(), 7U);
+}
+
+TEST_F(NodeKeysTest, CtrlWheelThickensTheSelectedNodesAsOneStep) {
+  document().selection().set({forkTop, NodeId{3}});
+  hover({5, 5});
+  wheel(1);
+  wheel(1);
+  EXPECT_NEAR(document().skeleton()[forkTop].radius, 0.1 * 1.05 * 1.05, 1e-6);
+  EXPECT_NEAR(document().skeleton()[NodeId{3}].radius, 0.1 * 1.05 * 1.05, 1e-6);
+  EXPECT_EQ(document().undoStack().count(), 1);
+  document().selection().set({forkTop});
+  wheel(-1);
+  EXPECT_EQ(document().undoStack().count(), 2) << "of other nodes";
+  key(Qt::Key_Z, Qt::ControlModifier);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_NEAR(document().skeleton()[forkTop].radius, 0.1, 1e-6);
+}
+
+TEST_F(NodeKeysTest, CtrlWheelZoomsWhereNoNodeIsMeant) {
+  const auto before = view().camera();
+  hover({5, 5});
+  wheel(2);
+  EXPECT_EQ(document().undoStack().count(), 0);
+  EXPECT_FALSE(view().camera() == before);
+}
+
+TEST_F(NodeKeysTest, ResampleAsksForALength) {
+  document().selection().set({nodeAt({0, 0, 0}), nodeAt({0, 0, 1})});
+  answer(
+      [](QDialog& dialog) {
+        auto& input = dynamic_cast<QInputDialog&>(dialog);
+        EXPECT_NEAR(input.doubleValue(), 1, 1e-3) << "as it is";
+        input.setDoubleValue(0.25);
+        input.accept();
+      },
+      [this] { action("resample").trigger(); });
+  EXPECT_EQ(document().skeleton().size(), 8U);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(document().skeleton().size(), 5U);
+}
+
+TEST_F(NodeKeysTest, MenusHoldAllEditsOfNodes) {
+  QStringList menus;
+  for (const QAction* menu : window().menuBar()->actions())
+    menus.append(menu->text().remove('&'));
+  EXPECT_TRUE(menus.contains("Select"));
+  for (const char* id : {"cut_off", "turn_around", "resample", "select_axis", "merge"}) {
+    int places = 0;
+    for (const QObject* owner : action(id).associatedObjects())
+      if (qobject_cast<const QMenu*>(owner) != nullptr) ++places;
+    EXPECT_GE(places, 1) << id;
+  }
+}
+
+TEST_F(NodeKeysTest, ARefusedEditSaysWhyAndChangesNothing) {
+  const Skeleton start = document().skeleton();
+  hover(placeOf(nodeAt({0, 0, 0})));
+  key(Qt::Key_X);
+  EXPECT_EQ(document().skeleton(), start);
+  EXPECT_EQ(document().undoStack().count(), 0);
+}
+
+} // namespace
+} // namespace espalier

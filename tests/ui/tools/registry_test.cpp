@@ -1,6 +1,7 @@
 #include "tests/support/plants.h"
 #include "tests/ui/tools/mouse.h"
 #include "tests/ui/tools/quiet_canvas.h"
+#include "ui/tools/node_choices.h"
 #include "ui/tools/node_edits.h"
 #include "ui/tools/registry.h"
 
@@ -36,8 +37,13 @@ TEST(ToolRegistry, UsesNoKeyTwice) {
   std::set<QString> keys;
   for (const ToolEntry& entry : tools())
     EXPECT_TRUE(keys.insert(entry.shortcut.toString()).second) << entry.id.toStdString();
-  for (const NodeEdit& edit : nodeEdits())
+  for (const NodeEdit& edit : nodeEdits()) {
+    if (edit.shortcut.isEmpty()) continue;
     EXPECT_TRUE(keys.insert(edit.shortcut.toString()).second) << edit.id.toStdString();
+  }
+  for (const NodeChoice& choice : nodeChoices())
+    for (const QKeySequence& shortcut : choice.shortcuts)
+      EXPECT_TRUE(keys.insert(shortcut.toString()).second) << choice.id.toStdString();
 }
 
 } // namespace

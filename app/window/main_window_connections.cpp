@@ -190,6 +190,8 @@ void MainWindow::connectReview() {
   connect(seals_.get(), &SealFlow::signerChanged, review_.get(), &ReviewFlow::setReviewer);
   connect(review_.get(), &ReviewFlow::reviewerChanged, seals_.get(), &SealFlow::setSigner);
   connect(review_.get(), &ReviewFlow::noted, status_, &StatusLine::showNote);
+  connect(editing_.get(), &Editing::hintChanged, this,
+          [this] { review_->setInGesture(editing_->isBusy()); });
   showSeal();
 }
 

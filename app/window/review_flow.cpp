@@ -52,6 +52,12 @@ void ReviewFlow::setEnabled(bool isEnabled) {
   refreshEnabled();
 }
 
+void ReviewFlow::setInGesture(bool isInGesture) {
+  if (isInGesture == isInGesture_) return;
+  isInGesture_ = isInGesture;
+  refreshEnabled();
+}
+
 void ReviewFlow::setPlantShown(bool isShown) {
   isPlantShown_ = isShown;
   refreshDock();
@@ -284,7 +290,7 @@ void ReviewFlow::refreshEnabled() {
   for (QAction* walk : walks_)
     walk->setEnabled(isEnabled_ && hasNodes);
   for (QAction* mark : marks_)
-    mark->setEnabled(isEnabled_ && hasNodes && !parts_.document.isReadOnly());
+    mark->setEnabled(isEnabled_ && !isInGesture_ && hasNodes && !parts_.document.isReadOnly());
 }
 
 /// In front of the inspector: the list of axes needs the height.

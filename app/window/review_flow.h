@@ -38,7 +38,8 @@ public:
   /// @param sign  the action that the panel offers at its foot
   ReviewFlow(const Parts& parts, QAction* sign);
 
-  void setEnabled(bool isEnabled); // off while a job runs that replaces the skeleton
+  void setEnabled(bool isEnabled);     // off while a job runs that replaces the skeleton
+  void setInGesture(bool isInGesture); // of a tool: Enter is its own then, and nothing is marked
   void setPlantShown(bool isShown);
   void resetLayout();
   void fillMenu(QMenu& menu) const;
@@ -78,6 +79,7 @@ private:
   Stretch at_;        // where one is; may hold nodes that are gone
   QString placeText_; // of at_
   bool isEnabled_ = true;
+  bool isInGesture_ = false;
   bool isPlantShown_ = false;
 };
 

@@ -94,6 +94,7 @@ void ReviewPanel::showPlace(const QString& text) {
 
 void ReviewPanel::showSeal(const QString& text) {
   seal_->setText(text);
+  fitSeal();
 }
 
 void ReviewPanel::setReviewer(const QString& name) {
@@ -108,6 +109,18 @@ void ReviewPanel::focusComment() {
 void ReviewPanel::showEvent(QShowEvent* event) {
   QScrollArea::showEvent(event);
   refresh(); // nothing was computed while nobody looked
+}
+
+void ReviewPanel::resizeEvent(QResizeEvent* event) {
+  QScrollArea::resizeEvent(event);
+  fitSeal();
+}
+
+/// A page in a scroll area does not ask how high wrapped text gets, and would cut it.
+void ReviewPanel::fitSeal() {
+  const QMargins margins = widget()->layout()->contentsMargins();
+  const int width = viewport()->width() - margins.left() - margins.right();
+  seal_->setMinimumHeight(seal_->heightForWidth(width));
 }
 
 void ReviewPanel::addCoverage(QVBoxLayout& column) {
@@ -226,6 +239,7 @@ void ReviewPanel::refresh() {
   share_->setText(
       tr("%1 % reviewed").arg(seen.isComplete() ? 100.0 : std::min(percent, 99.9), 0, 'f', 1));
   model_->show(document_.skeleton(), document_.unit());
+  fitSeal();
 }
 
 void ReviewPanel::refreshChosen() {

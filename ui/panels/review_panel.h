@@ -52,12 +52,14 @@ signals:
 
 protected:
   void showEvent(QShowEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
 private:
   void addCoverage(QVBoxLayout& column);
   void addChosen(QVBoxLayout& column, const Actions& actions);
   void addAxes(QVBoxLayout& column);
   void addSeal(QVBoxLayout& column, const Actions& actions);
+  void fitSeal();
   void later(); // many edits, as of a drag, are shown at once
   void refresh();
   void refreshChosen();

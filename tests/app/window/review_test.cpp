@@ -129,6 +129,17 @@ TEST_F(ReviewWindowTest, EnterInANumberFieldMarksNothing) {
   EXPECT_EQ(markOf(shoot()).state, ReviewState::toDo);
 }
 
+TEST_F(ReviewWindowTest, EnterInMidGestureMarksNothing) {
+  openFork();
+  click(placeOf(shoot()));
+  key(Qt::Key_P); // and now the new parent would be clicked
+  key(Qt::Key_Return);
+  EXPECT_EQ(markOf(shoot()).state, ReviewState::toDo);
+  key(Qt::Key_Escape);
+  key(Qt::Key_Return);
+  EXPECT_EQ(markOf(shoot()).state, ReviewState::reviewed);
+}
+
 TEST_F(ReviewWindowTest, AReviewedNodeThatIsDraggedIsToDoAgainUntilUndo) {
   openFork();
   click(placeOf(shoot()));

@@ -120,7 +120,9 @@ void ReviewPanel::resizeEvent(QResizeEvent* event) {
 void ReviewPanel::fitSeal() {
   const QMargins margins = widget()->layout()->contentsMargins();
   const int width = viewport()->width() - margins.left() - margins.right();
-  seal_->setMinimumHeight(seal_->heightForWidth(width));
+  const QRect room(0, 0, width, QWIDGETSIZE_MAX);
+  seal_->setMinimumHeight(
+      seal_->fontMetrics().boundingRect(room, Qt::TextWordWrap, seal_->text()).height());
 }
 
 void ReviewPanel::addCoverage(QVBoxLayout& column) {
@@ -145,7 +147,6 @@ void ReviewPanel::addCoverage(QVBoxLayout& column) {
 
 void ReviewPanel::addChosen(QVBoxLayout& column, const Actions& actions) {
   place_->setObjectName("review_place");
-  place_->setProperty("role", "title");
   state_->setObjectName("review_state");
   state_->setProperty("role", "quiet");
   for (QLabel* label : {place_, state_}) { // must not widen the panel

@@ -1,6 +1,8 @@
 #include "core/mtg/mtg_edits.h"
 
 #include "core/base/error.h"
+#include "core/mtg/mtg_root_units.h"
+#include "core/mtg/mtg_rules.h"
 #include "core/mtg/mtg_scale_shift.h"
 #include "core/mtg/mtg_unit_claims.h"
 #include "core/mtg/mtg_units.h"
@@ -25,25 +27,6 @@ void requireFinite(const Skeleton& skeleton) {
                   " has a position or radius that is not finite: correct it before saving");
 }
 
-/// The edited skeleton, where roots are in a unit of each class that the first root of the view is
-/// in.
-Skeleton withRootUnits(const MtgView& view, const Skeleton& edited) {
-  Skeleton result = edited;
-  if (view.skeleton.isEmpty()) return result;
-  const std::vector<Entity>& wanted = view.skeleton[view.skeleton.roots().front()].entities;
-  for (const NodeId root : edited.roots()) {
-    std::vector<Entity> entities = edited[root].entities;
-    if (entities.empty()) entities.push_back({.scale = view.scale, .symbol = wanted.back().symbol});
-    for (const Entity& each : wanted) {
-      const auto at = std::ranges::lower_bound(entities, each.scale, {}, &Entity::scale);
-      if (at == entities.end() || at->scale != each.scale)
-        entities.insert(at, {.scale = each.scale, .symbol = each.symbol});
-    }
-    if (entities != edited[root].entities) result.setEntities(root, std::move(entities));
-  }
-  return result;
-}
-
 std::vector<int> scalesOf(const MtgView& view, const Skeleton& edited) {
   std::vector<int> scales = unitScales(view.skeleton, view.scale);
   const std::vector<int> more = unitScales(edited, view.scale);
@@ -59,7 +42,7 @@ using MaybeVertex = std::optional<VertexId>;
 class Edit {
 public:
   Edit(const Mtg& base, const MtgView& view, const Skeleton& edited)
-      : base_(base), view_(view), edited_(withRootUnits(view, edited)),
+      : base_(base), view_(view), roots_(withRootUnits(view, edited)), edited_(roots_.skeleton),
         scales_(scalesOf(view, edited_)), before_(view.skeleton, scales_, view.scale),
         after_(edited_, scales_, view.scale), mtg_(base) {
     claimUnits();
@@ -108,7 +91,8 @@ private:
 
   const Mtg& base_;
   const MtgView& view_;
-  Skeleton edited_;
+  RootUnits roots_;
+  const Skeleton& edited_;
   std::vector<int> scales_; // of units
   UnitTable before_;
   UnitTable after_;
@@ -117,6 +101,7 @@ private:
   std::vector<MaybeVertex> nodes_;                   // by node id
   std::vector<std::optional<NodeId>> nodeBefore_;    // by vertex of the base
   std::vector<char> gone_;                           // by vertex of the base
+  std::set<VertexId> toNumber_;                      // new ones, of a class that has indices
   std::vector<std::optional<std::uint32_t>> newIds_; // by vertex, once assembled
 };
 
@@ -173,6 +158,7 @@ void Edit::claimUnits() {
     const Entity& entity = edited_[unit.start].entities[unit.entity];
     if (!claims[i]) {
       units_.push_back(addVertex(entity));
+      if (roots_.toNumber.contains({unit.start, entity.scale})) toNumber_.insert(units_.back());
       continue;
     }
     units_.push_back(*claims[i]);
@@ -345,7 +331,9 @@ void Edit::numberNewVertices() {
   }
   for (std::size_t i = base_.vertices.size(); i < mtg_.vertices.size(); ++i) {
     MtgVertex& each = mtg_.vertices[i];
-    if (each.index || !indexed.contains(each.symbol)) continue;
+    const bool isNumbered = indexed.contains(each.symbol) ||
+                            toNumber_.contains(VertexId{static_cast<std::uint32_t>(i)});
+    if (each.index || !isNumbered) continue;
     int& most = highest[{each.complex, each.symbol}];
     if (most < std::numeric_limits<int>::max()) each.index = ++most;
   }
@@ -454,7 +442,7 @@ Mtg Edit::assembled() {
 Mtg Edit::result() {
   if (!view_.interpolated.empty() && !edited_.isEmpty() && writeInterpolated(false))
     (void)writeInterpolated(true);
-  return assembled();
+  return withRulesOfNewClasses(base_, assembled());
 }
 
 } // namespace

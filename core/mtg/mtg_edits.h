@@ -20,8 +20,9 @@ namespace espalier {
 /// - A new node is of the class that it carries, else of its parent's, right after its parent; it
 ///   gets the next free index among the parts of its complex if its class has indices here.
 /// - Complexes follow Node::entities; a unit keeps its vertex while its start, or a node that was
-///   part of it and carries its entity on, stays. A root in no unit gets one of each class that the
-///   first root of `base` is in. Parents and edges of units are those of the nodes they start at.
+///   part of it and carries its entity on, stays. A root lacks no unit (withRootUnits). Parents and
+///   edges of units are those of the nodes they start at.
+/// - A class that `base` lacks is declared, and gets its rules if there are any.
 /// - Where scales were added (commitMarks), all that is finer moves: its vertices and its classes.
 /// - A vertex without position stays without one where its place still follows from its neighbors.
 ///

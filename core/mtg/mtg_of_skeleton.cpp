@@ -47,9 +47,11 @@ Mtg frameOf(const Skeleton& skeleton) {
   for (const auto& [scale, classes] : symbols)
     for (const std::string& symbol : classes)
       mtg.classes.push_back({.symbol = symbol, .scale = scale});
-  for (const std::string& symbol : symbols.rbegin()->second)
-    for (const char* edge : {"<", "+"})
-      mtg.rules.push_back({symbol, symbol, edge, "?"});
+  if (symbols.size() > 1) symbols.erase(symbols.begin()); // plants are not linked
+  for (const auto& [scale, classes] : symbols)
+    for (const std::string& symbol : classes)
+      for (const char* edge : {"<", "+"})
+        mtg.rules.push_back({symbol, symbol, edge, "?"});
   for (const char* feature : {"XX", "YY", "ZZ", "radius"})
     mtg.features.push_back({feature, "REAL"});
   return mtg;

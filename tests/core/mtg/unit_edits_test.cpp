@@ -137,6 +137,8 @@ TEST(SetClass, WritesTheNewClassOfOneVertex) {
   Mtg expected = one.base;
   expected.vertices[1].symbol = "Branch";
   expected.classes.push_back({.symbol = "Branch", .scale = 2});
+  for (const char* edge : {"<", "+"}) // the file has rules, so the new class has its own
+    expected.rules.push_back({"Branch", "Branch", edge, "?"});
   EXPECT_EQ(one.after([&](SkeletonEditor& e) { setClass(e, NodeId{0}, 2, "Branch", &one.base); }),
             expected);
   EXPECT_EQ(one.after([&](SkeletonEditor& e) { setClass(e, NodeId{0}, 2, "A", &one.base); }),

@@ -147,7 +147,10 @@ TEST(CommitMarks, MakesAScaleBetweenPlantAndNodesThatIsReadAgain) {
                                                 {"1 1.50", "P1 S3"},
                                                 {"2 2.00", "P1 S3"}}));
   EXPECT_EQ(back.features, base.features);
-  EXPECT_EQ(back.rules, base.rules);
+  std::vector<MtgRule> rules = base.rules;
+  for (const char* edge : {"<", "+"})
+    rules.push_back({"S", "S", edge, "?"});
+  EXPECT_EQ(back.rules, rules);
   ASSERT_EQ(back.classes.size(), 4U);
   EXPECT_EQ(back.classes[2].scale, 3); // N
   EXPECT_EQ(back.classes[3].symbol, "S");

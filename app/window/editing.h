@@ -34,6 +34,8 @@ public:
   void setEnabled(bool isEnabled);
 
   [[nodiscard]] bool isBusy() const { return tool().isBusy(); } // in mid-gesture
+  /// In mid-gesture, or with a preview that waits for a yes: Enter and Escape belong to the tool.
+  [[nodiscard]] bool isPending() const { return tool().isBusy() || tool().hasPreview(); }
 
   /// What the mouse will do now.
   [[nodiscard]] QString hint() const;
@@ -62,7 +64,6 @@ private:
   [[nodiscard]] bool isMenuClick(const ToolInput& input);
   void refreshEnabled();
   /// Is there something that Escape gives up?
-  [[nodiscard]] bool isPending() const { return tool().isBusy() || tool().hasPreview(); }
   [[nodiscard]] bool canEdit() const { return isEnabled_ && !document_.isReadOnly(); }
   [[nodiscard]] NodeTarget target() const;
   [[nodiscard]] NodeTarget chosenTarget(); // which is selected then

@@ -191,7 +191,7 @@ void MainWindow::connectReview() {
   connect(review_.get(), &ReviewFlow::reviewerChanged, seals_.get(), &SealFlow::setSigner);
   connect(review_.get(), &ReviewFlow::noted, status_, &StatusLine::showNote);
   connect(editing_.get(), &Editing::hintChanged, this,
-          [this] { review_->setInGesture(editing_->isBusy()); });
+          [this] { review_->setInGesture(editing_->isPending()); });
   showSeal();
 }
 

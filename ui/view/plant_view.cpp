@@ -1,18 +1,12 @@
 #include "ui/view/plant_view.h"
 
 #include "ui/view/area.h"
-#include "ui/view/detail_budget.h"
-#include "ui/view/navigator.h"
-#include "ui/view/overlay_widget.h"
 #include "ui/view/picture.h"
-#include "ui/view/pointer_input.h"
-#include "ui/view/scene.h"
-#include "ui/view/view_surface.h"
+#include "ui/view/plant_view_parts.h"
 
 #include <QApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
-#include <QTimer>
 
 #include <algorithm>
 
@@ -24,55 +18,6 @@ constexpr double restingFrame = 60; // [ms] a step of completing a still picture
 constexpr int restAfter = 120;      // [ms] after the last move
 
 } // namespace
-
-struct PlantView::Parts {
-  explicit Parts(PlantView& view)
-      : pointer(scene, navigator), surface(makeSurface(scene, client(), &view)),
-        overlayWidget(
-            new OverlayWidget([this](QPainter& painter) { paintOverlay(painter); }, &view)) {}
-
-  SurfaceClient client();
-  void paintOverlay(QPainter& painter);
-  void redrawSkeleton() {
-    complete = false;
-    surface->update();
-  }
-  void redraw() {
-    redrawSkeleton();
-    overlayWidget->update();
-  }
-  void moved() {
-    moving = true;
-    rest.start();
-    redraw();
-  }
-  void moveTo(const Camera& camera, bool seen) {
-    if (seen && wasFramed)
-      navigator.flyTo(camera);
-    else
-      navigator.set(camera);
-  }
-
-  /// @param what a box, or places
-  template <class What> void frame(const What& what, const PlantView& view) {
-    Camera camera = navigator.destination();
-    camera.frame(what, view.width() / std::max(1.0, double(view.height())));
-    moveTo(camera, view.isVisible());
-    wasFramed = true;
-  }
-
-  Scene scene;
-  Navigator navigator;
-  PointerInput pointer;
-  Overlay overlay;
-  DetailBudget budget;
-  QTimer rest; // runs while the camera moves
-  bool moving = false;
-  bool complete = false;
-  bool wasFramed = false;
-  QWidget* surface; // owned by the view; goes before what it draws, see ~PlantView
-  QWidget* overlayWidget;
-};
 
 SurfaceClient PlantView::Parts::client() {
   return {.nextFrame =
@@ -151,103 +96,6 @@ void PlantView::setHovered(const Pick& pick) {
 
 void PlantView::hoverAgain() {
   parts_->pointer.hoverAgain();
-}
-
-void PlantView::setHiddenNodes(const std::vector<NodeId>& nodes) {
-  parts_->scene.skeleton.setHidden(nodes);
-  parts_->redrawSkeleton();
-}
-
-void PlantView::setNodeColors(std::optional<NodeColors> colors) {
-  parts_->scene.skeleton.setColors(std::move(colors), parts_->scene.dark);
-  parts_->redraw();
-}
-
-void PlantView::setFaded(const std::optional<std::vector<NodeId>>& allBut) {
-  parts_->scene.skeleton.setFaded(allBut);
-  parts_->redrawSkeleton();
-}
-
-void PlantView::setPointStates(std::shared_ptr<const std::vector<PointState>> states) {
-  Q_ASSERT(!states || std::ssize(*states) == parts_->scene.points.size());
-  parts_->scene.setPointStates(std::move(states));
-  parts_->redraw();
-}
-
-void PlantView::setPointValues(std::optional<PointValues> values) {
-  Q_ASSERT(!values || std::ssize(*values->values) == parts_->scene.points.size());
-  parts_->scene.setPointValues(std::move(values));
-  parts_->redraw();
-}
-
-void PlantView::setClip(const Clip& clip) {
-  if (clip == parts_->scene.clip) return;
-  parts_->scene.clip = clip;
-  parts_->redraw();
-  hoverAgain();
-}
-
-const Clip& PlantView::clip() const {
-  return parts_->scene.clip;
-}
-
-void PlantView::setDepthFade(double strength) {
-  parts_->scene.depthFade = std::clamp(strength, 0.0, 1.0);
-  parts_->redraw();
-}
-
-double PlantView::depthFade() const {
-  return parts_->scene.depthFade;
-}
-
-Eigen::AlignedBox3d PlantView::bounds() const {
-  return parts_->scene.bounds();
-}
-
-void PlantView::setLayerVisible(Layer layer, bool visible) {
-  switch (layer) {
-  case Layer::points:
-    parts_->scene.points.visible = visible;
-    break;
-  case Layer::contracted:
-    parts_->scene.contracted.visible = visible;
-    break;
-  case Layer::skeleton:
-    parts_->scene.skeletonVisible = visible;
-    break;
-  }
-  parts_->redraw();
-}
-
-void PlantView::setPointColor(PointColor color) {
-  parts_->scene.setPointColor(color);
-  parts_->redraw();
-}
-
-void PlantView::setPointSize(int pixels) {
-  parts_->scene.pointSize = std::clamp(pixels, 1, 10);
-  parts_->redraw();
-}
-
-void PlantView::setShowRadii(bool trueRadii) {
-  parts_->scene.showRadii = trueRadii;
-  parts_->redraw();
-}
-
-void PlantView::setProjection(Projection projection) {
-  Camera camera = parts_->navigator.destination();
-  camera.projection = projection;
-  parts_->navigator.set(camera);
-}
-
-void PlantView::setDark(bool dark) {
-  parts_->scene.setDark(dark);
-  parts_->redraw();
-}
-
-void PlantView::setLengthUnit(const QString& unit) {
-  parts_->overlay.unit = unit;
-  parts_->redraw();
 }
 
 void PlantView::frameAll() {

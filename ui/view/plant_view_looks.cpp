@@ -1,0 +1,105 @@
+#include "ui/view/plant_view_parts.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace espalier {
+
+void PlantView::setHiddenNodes(const std::vector<NodeId>& nodes) {
+  parts_->scene.skeleton.setHidden(nodes);
+  parts_->redrawSkeleton();
+}
+
+void PlantView::setNodeColors(std::optional<NodeColors> colors) {
+  parts_->scene.skeleton.setColors(std::move(colors), parts_->scene.dark);
+  parts_->redraw();
+}
+
+void PlantView::setFaded(const std::optional<std::vector<NodeId>>& allBut) {
+  parts_->scene.skeleton.setFaded(allBut);
+  parts_->redrawSkeleton();
+}
+
+void PlantView::setPointStates(std::shared_ptr<const std::vector<PointState>> states) {
+  Q_ASSERT(!states || std::ssize(*states) == parts_->scene.points.size());
+  parts_->scene.setPointStates(std::move(states));
+  parts_->redraw();
+}
+
+void PlantView::setPointValues(std::optional<PointValues> values) {
+  Q_ASSERT(!values || std::ssize(*values->values) == parts_->scene.points.size());
+  parts_->scene.setPointValues(std::move(values));
+  parts_->redraw();
+}
+
+void PlantView::setClip(const Clip& clip) {
+  if (clip == parts_->scene.clip) return;
+  parts_->scene.clip = clip;
+  parts_->redraw();
+  hoverAgain();
+}
+
+const Clip& PlantView::clip() const {
+  return parts_->scene.clip;
+}
+
+void PlantView::setDepthFade(double strength) {
+  parts_->scene.depthFade = std::clamp(strength, 0.0, 1.0);
+  parts_->redraw();
+}
+
+double PlantView::depthFade() const {
+  return parts_->scene.depthFade;
+}
+
+Eigen::AlignedBox3d PlantView::bounds() const {
+  return parts_->scene.bounds();
+}
+
+void PlantView::setLayerVisible(Layer layer, bool visible) {
+  switch (layer) {
+  case Layer::points:
+    parts_->scene.points.visible = visible;
+    break;
+  case Layer::contracted:
+    parts_->scene.contracted.visible = visible;
+    break;
+  case Layer::skeleton:
+    parts_->scene.skeletonVisible = visible;
+    break;
+  }
+  parts_->redraw();
+}
+
+void PlantView::setPointColor(PointColor color) {
+  parts_->scene.setPointColor(color);
+  parts_->redraw();
+}
+
+void PlantView::setPointSize(int pixels) {
+  parts_->scene.pointSize = std::clamp(pixels, 1, 10);
+  parts_->redraw();
+}
+
+void PlantView::setShowRadii(bool trueRadii) {
+  parts_->scene.showRadii = trueRadii;
+  parts_->redraw();
+}
+
+void PlantView::setProjection(Projection projection) {
+  Camera camera = parts_->navigator.destination();
+  camera.projection = projection;
+  parts_->navigator.set(camera);
+}
+
+void PlantView::setDark(bool dark) {
+  parts_->scene.setDark(dark);
+  parts_->redraw();
+}
+
+void PlantView::setLengthUnit(const QString& unit) {
+  parts_->overlay.unit = unit;
+  parts_->redraw();
+}
+
+} // namespace espalier

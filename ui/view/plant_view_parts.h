@@ -1,0 +1,67 @@
+#pragma once
+
+#include "ui/view/detail_budget.h"
+#include "ui/view/navigator.h"
+#include "ui/view/overlay_widget.h"
+#include "ui/view/plant_view.h"
+#include "ui/view/pointer_input.h"
+#include "ui/view/scene.h"
+#include "ui/view/view_surface.h"
+
+#include <QTimer>
+
+#include <algorithm>
+
+namespace espalier {
+
+/// What a view is made of; for its own sources.
+struct PlantView::Parts {
+  explicit Parts(PlantView& view)
+      : pointer(scene, navigator), surface(makeSurface(scene, client(), &view)),
+        overlayWidget(
+            new OverlayWidget([this](QPainter& painter) { paintOverlay(painter); }, &view)) {}
+
+  SurfaceClient client();
+  void paintOverlay(QPainter& painter);
+  void redrawSkeleton() {
+    complete = false;
+    surface->update();
+  }
+  void redraw() {
+    redrawSkeleton();
+    overlayWidget->update();
+  }
+  void moved() {
+    moving = true;
+    rest.start();
+    redraw();
+  }
+  void moveTo(const Camera& camera, bool seen) {
+    if (seen && wasFramed)
+      navigator.flyTo(camera);
+    else
+      navigator.set(camera);
+  }
+
+  /// @param what a box, or places
+  template <class What> void frame(const What& what, const PlantView& view) {
+    Camera camera = navigator.destination();
+    camera.frame(what, view.width() / std::max(1.0, double(view.height())));
+    moveTo(camera, view.isVisible());
+    wasFramed = true;
+  }
+
+  Scene scene;
+  Navigator navigator;
+  PointerInput pointer;
+  Overlay overlay;
+  DetailBudget budget;
+  QTimer rest; // runs while the camera moves
+  bool moving = false;
+  bool complete = false;
+  bool wasFramed = false;
+  QWidget* surface; // owned by the view; goes before what it draws, see ~PlantView
+  QWidget* overlayWidget;
+};
+
+} // namespace espalier

@@ -219,6 +219,13 @@ void Editing::fillContextMenu(QMenu& menu) const {
   menu.addAction(actions_["frame"]);
 }
 
+std::optional<NodeId> Editing::nodeUnder() const {
+  std::optional<NodeId> node = under_.node;
+  if (!node && under_.edge) node = under_.edge->child;
+  if (node && !document_.skeleton().contains(*node)) return std::nullopt; // removed since
+  return node;
+}
+
 bool Editing::handle(const ToolInput& input) {
   under_ = input.pick;
   viewDirection_ = input.viewDirection;

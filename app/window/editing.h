@@ -49,6 +49,8 @@ public:
   escape(); // leaves the gesture or drops the preview, else leaves the tool, else the selection
 
   void fillContextMenu(QMenu& menu) const;
+  /// The node under the pointer, or the one that the edge there leads to.
+  [[nodiscard]] std::optional<NodeId> nodeUnder() const;
 
 signals:
   void hintChanged();

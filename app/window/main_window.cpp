@@ -8,7 +8,9 @@
 #include "app/window/recent_files.h"
 #include "app/window/reconstruct_flow.h"
 #include "app/window/review_flow.h"
+#include "app/window/saved_views.h"
 #include "app/window/seal_flow.h"
+#include "app/window/shown_flow.h"
 #include "app/window/unit_flow.h"
 #include "app/window/view_options.h"
 #include "app/window/view_sync.h"
@@ -197,6 +199,7 @@ void MainWindow::refreshDocks() {
   pipelineDock_->setVisible(hasPlant && (*actions_)["show_pipeline"]->isChecked());
   inspectorDock_->setVisible(hasPlant && (*actions_)["show_inspector"]->isChecked());
   review_->setPlantShown(hasPlant);
+  shown_->setAvailable(hasPlant);
   if (hasPlant && !settings_.contains("window/state")) // nobody has set the widths yet
     resizeDocks({pipelineDock_, inspectorDock_}, {pipelineWidth, inspectorWidth}, Qt::Horizontal);
 }
@@ -221,6 +224,8 @@ void MainWindow::refreshCounts() {
   if (!document_.skeleton().isEmpty())
     parts.append(tr("%1 nodes").arg(formatCount(document_.skeleton().size())));
   if (units_->marks() > 0) parts.append(tr("%1 marked").arg(formatCount(units_->marks())));
+  if (const std::size_t hidden = shown_->hidden().size(); hidden > 0)
+    parts.append(tr("%1 hidden").arg(formatCount(hidden)));
   if (document_.unit() != LengthUnit::unknown) parts.append(symbol(document_.unit()));
   status_->setCounts(parts.join(QStringLiteral(" · ")));
 }
@@ -286,6 +291,7 @@ void MainWindow::showRefusal(const QString& reason, Refusal where) {
 void MainWindow::showContextMenu(const QPoint& globalPosition) {
   QMenu menu(this);
   editing_->fillContextMenu(menu);
+  shown_->fillContextMenu(menu);
   menu.exec(globalPosition);
 }
 

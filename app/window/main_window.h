@@ -27,6 +27,8 @@ class RecentFiles;
 class ReconstructFlow;
 class ReviewFlow;
 class SealFlow;
+class SavedViews;
+class ShownFlow;
 class StartPage;
 class StatusLine;
 class UnitFlow;
@@ -111,7 +113,9 @@ private:
   std::unique_ptr<UnitFlow> units_;
   std::unique_ptr<SealFlow> seals_;
   std::unique_ptr<ReviewFlow> review_;
+  std::unique_ptr<ShownFlow> shown_;
   std::unique_ptr<ViewOptions> options_;
+  std::unique_ptr<SavedViews> savedViews_;
   std::unique_ptr<ProjectFlow> projects_;
   std::unique_ptr<FileFlow> files_;
   std::unique_ptr<ReconstructFlow> reconstruct_;

@@ -4,7 +4,9 @@
 #include "app/window/main_window.h"
 #include "app/window/project_flow.h"
 #include "app/window/review_flow.h"
+#include "app/window/saved_views.h"
 #include "app/window/seal_flow.h"
+#include "app/window/shown_flow.h"
 #include "app/window/unit_flow.h"
 #include "app/window/view_options.h"
 #include "ui/dialogs/command_palette.h"
@@ -33,6 +35,10 @@ void MainWindow::addActions() {
   review_ = std::make_unique<ReviewFlow>(
       ReviewFlow::Parts{document_, *view_, *actions_, settings_, *this},
       (*actions_)["sign_structure"]);
+  shown_ =
+      std::make_unique<ShownFlow>(ShownFlow::Parts{document_, *view_, *actions_, *editing_, *this});
+  savedViews_ =
+      std::make_unique<SavedViews>(SavedViews::Parts{*view_, *options_, *shown_, *actions_, *this});
   addPanelActions();
   addThemeActions();
   addHelpActions();
@@ -130,9 +136,9 @@ void MainWindow::addEditActions() {
   });
   actions_->add({.id = "select_all",
                  .text = tr("Select &All"),
-                 .help = tr("Selects all nodes"),
+                 .help = tr("Selects all nodes but the hidden ones"),
                  .keys = QKeySequence::SelectAll},
-                [this] { document_.selection().set(document_.skeleton().ids()); });
+                [this] { document_.selection().set(shown_->shownNodes()); });
   actions_->add({.id = "leave",
                  .text = tr("Leave"),
                  .help = tr("Leaves the gesture, the tool, or the selection"),

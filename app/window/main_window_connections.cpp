@@ -6,7 +6,9 @@
 #include "app/window/recent_files.h"
 #include "app/window/reconstruct_flow.h"
 #include "app/window/review_flow.h"
+#include "app/window/saved_views.h"
 #include "app/window/seal_flow.h"
+#include "app/window/shown_flow.h"
 #include "app/window/unit_flow.h"
 #include "app/window/view_options.h"
 #include "core/pipeline/preset.h"
@@ -158,6 +160,8 @@ void MainWindow::connectDocument() {
     refreshCounts();
     refreshHint();
   });
+  connect(savedViews_.get(), &SavedViews::changed, projects_.get(), &ProjectFlow::noteChange);
+  connect(shown_.get(), &ShownFlow::changed, this, &MainWindow::refreshCounts);
   connect(editing_.get(), &Editing::contextMenuRequested, this, &MainWindow::showContextMenu);
   connect(actions_.get(), &ActionSet::refused, this, &MainWindow::showRefusal);
   connect(start_, &StartPage::openRequested, (*actions_)["open"], &QAction::trigger);

@@ -4,6 +4,7 @@
 #include "app/window/node_menus.h"
 #include "app/window/recent_files.h"
 #include "app/window/review_flow.h"
+#include "app/window/saved_views.h"
 #include "app/window/view_options.h"
 #include "ui/tools/registry.h"
 
@@ -91,7 +92,7 @@ void MainWindow::fillMenus() {
 
   review_->fillMenu(*menuBar()->addMenu(tr("&Review")));
 
-  QMenu* help = menuBar()->addMenu(tr("&Help"));
+  QMenu* help = menuBar()->addMenu(tr("Help")); // Alt+H is a key of the plant
   add(*help, *actions_, {"manual", "shortcuts", "palette", "", "about"});
 }
 
@@ -105,6 +106,10 @@ void MainWindow::fillViewMenu() {
   view->addMenu(tr("Projection"))->addActions(options_->projections());
   view->addMenu(tr("Look From"))->addActions(options_->standardViews());
   add(*view, *actions_, {"frame_all", "frame", "pivot", ""});
+  QMenu* saved = view->addMenu(tr("Saved Views"));
+  saved->setObjectName("saved_views");
+  connect(saved, &QMenu::aboutToShow, saved, [this, saved] { savedViews_->fill(*saved); });
+  add(*view, *actions_, {"hide", "isolate", "clipping", "show_all", ""});
   add(*view->addMenu(tr("Panels")), *actions_,
       {"show_pipeline", "show_inspector", "show_review", "", "reset_layout"});
   add(*view->addMenu(tr("Theme")), *actions_, {"theme_system", "theme_light", "theme_dark"});

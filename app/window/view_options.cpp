@@ -1,7 +1,6 @@
 #include "app/window/view_options.h"
 
 #include "app/window/action_set.h"
-#include "app/window/view_text.h"
 #include "ui/view/plant_view.h"
 
 #include <QAction>
@@ -44,7 +43,7 @@ void ViewOptions::setAvailable(bool hasIntensity, bool hasColor) {
 }
 
 std::string ViewOptions::text() const {
-  ViewText shown{.camera = view_.camera()};
+  ViewText shown{.camera = view_.camera(), .layers = {}, .choices = {}, .saved = saved_};
   for (const QAction* layer : layers_)
     shown.layers[layer->objectName()] = layer->isChecked();
   for (const auto& [name, group] : {std::pair{"color", colors_}, std::pair{"point_size", sizes_}})
@@ -57,6 +56,7 @@ void ViewOptions::show(const std::string& text) {
   if (text.empty()) return showRemembered();
   const ViewText shown = viewFrom(text);
   isRemembering_ = false;
+  saved_ = shown.saved;
   for (QAction* layer : layers_)
     layer->setChecked(shown.layers.value(layer->objectName(), layer->isChecked()));
   for (QAction* choice : colors_->actions() + sizes_->actions())
@@ -70,6 +70,7 @@ void ViewOptions::show(const std::string& text) {
 }
 
 void ViewOptions::showRemembered() {
+  saved_.clear();
   isRemembering_ = false;
   for (QAction* layer : layers_)
     layer->setChecked(

@@ -1,10 +1,14 @@
 #pragma once
 
+#include "app/window/view_text.h"
+
 #include <QList>
 #include <QObject>
 
 #include <functional>
 #include <string>
+#include <utility>
+#include <vector>
 
 class QAction;
 class QActionGroup;
@@ -37,6 +41,10 @@ public:
   [[nodiscard]] std::string text() const;
   void show(const std::string& text);
 
+  /// Kept in the text.
+  [[nodiscard]] const std::vector<SavedView>& savedViews() const { return saved_; }
+  void setSavedViews(std::vector<SavedView> views) { saved_ = std::move(views); }
+
   /// Offers only the colors that the points have.
   void setAvailable(bool hasIntensity, bool hasColor);
 
@@ -55,6 +63,7 @@ private:
   ActionSet& actions_;
   QSettings& settings_;
   bool isRemembering_ = true;
+  std::vector<SavedView> saved_;
   QActionGroup* colors_;
   QActionGroup* sizes_;
   QActionGroup* projections_;

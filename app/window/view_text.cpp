@@ -8,6 +8,7 @@
 #include <QJsonObject>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace espalier {
@@ -47,22 +48,65 @@ Camera cameraIn(const QJsonObject& json) {
   return camera;
 }
 
+QJsonObject jsonOf(const Camera& camera) {
+  return {{"focus", jsonOf(camera.focus)},
+          {"pivot", jsonOf(camera.pivot)},
+          {"distance", camera.distance},
+          {"yaw", camera.yaw},
+          {"pitch", camera.pitch},
+          {"projection", camera.projection == Projection::parallel ? "parallel" : "perspective"}};
+}
+
+QJsonObject jsonOf(const SavedView& view) {
+  QJsonArray hidden;
+  for (const NodeId id : view.hidden)
+    hidden.append(qint64(indexOf(id)));
+  QJsonObject json{{"name", view.name},
+                   {"camera", jsonOf(view.camera)},
+                   {"depth_fade", view.depthFade},
+                   {"hidden", hidden}};
+  if (view.clip.slab) json["slab"] = QJsonArray{view.clip.slab->nearest, view.clip.slab->farthest};
+  if (view.clip.box)
+    json["box"] = QJsonArray{jsonOf(view.clip.box->min()), jsonOf(view.clip.box->max())};
+  return json;
+}
+
+Clip clipIn(const QJsonObject& json) {
+  Clip clip;
+  if (const QJsonArray slab = json["slab"].toArray(); !slab.isEmpty()) {
+    clip.slab = Clip::Slab{numberIn(slab[0]), numberIn(slab[1])};
+    if (clip.slab->farthest < clip.slab->nearest) refuse();
+  }
+  if (const QJsonArray box = json["box"].toArray(); !box.isEmpty())
+    clip.box = Eigen::AlignedBox3d(placeIn(box[0]), placeIn(box[1]));
+  return clip;
+}
+
+SavedView savedIn(const QJsonObject& json) {
+  SavedView view{.name = json["name"].toString(),
+                 .camera = cameraIn(json["camera"].toObject()),
+                 .clip = clipIn(json),
+                 .depthFade = json["depth_fade"].toDouble(0),
+                 .hidden = {}};
+  for (const QJsonValue& value : json["hidden"].toArray()) {
+    const double id = numberIn(value);
+    if (id < 0 || id > std::numeric_limits<std::uint32_t>::max()) refuse();
+    view.hidden.push_back(NodeId{static_cast<std::uint32_t>(id)});
+  }
+  return view;
+}
+
 } // namespace
 
 std::string textOf(const ViewText& view) {
-  const Camera& camera = view.camera;
   QJsonObject layers;
   for (const auto& [id, isShown] : view.layers.asKeyValueRange())
     layers[id] = isShown;
-  QJsonObject json{{"camera", QJsonObject{{"focus", jsonOf(camera.focus)},
-                                          {"pivot", jsonOf(camera.pivot)},
-                                          {"distance", camera.distance},
-                                          {"yaw", camera.yaw},
-                                          {"pitch", camera.pitch},
-                                          {"projection", camera.projection == Projection::parallel
-                                                             ? "parallel"
-                                                             : "perspective"}}},
-                   {"layers", layers}};
+  QJsonArray saved;
+  for (const SavedView& one : view.saved)
+    saved.append(jsonOf(one));
+  QJsonObject json{{"camera", jsonOf(view.camera)}, {"layers", layers}};
+  if (!saved.isEmpty()) json["saved"] = saved;
   for (const auto& [name, id] : view.choices.asKeyValueRange())
     json[name] = id;
   return QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString();
@@ -70,12 +114,15 @@ std::string textOf(const ViewText& view) {
 
 ViewText viewFrom(const std::string& text) {
   const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(text)).object();
-  ViewText view{.camera = cameraIn(json["camera"].toObject())};
+  ViewText view{
+      .camera = cameraIn(json["camera"].toObject()), .layers = {}, .choices = {}, .saved = {}};
   const QJsonObject layers = json["layers"].toObject();
   for (const QString& id : layers.keys())
     view.layers[id] = layers[id].toBool(true);
   for (const QString name : {"color", "point_size"})
     view.choices[name] = json[name].toString();
+  for (const QJsonValue& one : json["saved"].toArray())
+    view.saved.push_back(savedIn(one.toObject()));
   return view;
 }
 

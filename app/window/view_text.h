@@ -1,22 +1,37 @@
 #pragma once
 
+#include "core/skeleton/skeleton.h"
 #include "ui/view/camera.h"
+#include "ui/view/clip.h"
 
 #include <QMap>
 #include <QString>
 
 #include <string>
+#include <vector>
 
 namespace espalier {
+
+/// A view to come back to.
+struct SavedView {
+  QString name;
+  Camera camera;
+  Clip clip;
+  double depthFade = 0;
+  std::vector<NodeId> hidden;
+  bool operator==(const SavedView&) const = default;
+};
 
 /// How a plant is looked at, as a project keeps it.
 struct ViewText {
   Camera camera;
   QMap<QString, bool> layers;     // by the id of its action: whether it is shown
   QMap<QString, QString> choices; // "color" and "point_size": the id of the action chosen
+  std::vector<SavedView> saved;
 };
 
-/// As JSON: {"camera": {"focus": [x, y, z], ...}, "layers": {"points": true, ...}, ...}.
+/// As JSON: {"camera": {"focus": [x, y, z], ...}, "layers": {"points": true, ...}, ...,
+/// "saved": [{"name": "...", "camera": {...}, "slab": [0, 1], "box": [...], "hidden": [12]}]}.
 [[nodiscard]] std::string textOf(const ViewText& view);
 
 /// @throws Error if it is none, or its camera cannot be: every number must be finite, the distance

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "core/skeleton/skeleton.h"
+
+#include <QObject>
+
+#include <vector>
+
+class QDockWidget;
+class QMainWindow;
+class QMenu;
+
+namespace espalier {
+
+class ActionSet;
+class ClipPanel;
+class Editing;
+class PlantDocument;
+class PlantView;
+
+/// What of the plant is shown: hides and isolates nodes, and clips the view. All of it is undone by
+/// one command; none of it edits the plant.
+class ShownFlow : public QObject {
+  Q_OBJECT
+
+public:
+  /// All must outlive it.
+  struct Parts {
+    PlantDocument& document;
+    PlantView& view;
+    ActionSet& actions;
+    Editing& editing;
+    QMainWindow& window; // gets the panel
+  };
+  explicit ShownFlow(const Parts& parts);
+
+  [[nodiscard]] const std::vector<NodeId>& hidden() const { return hidden_; }
+  [[nodiscard]] std::vector<NodeId> shownNodes() const; // those that are not hidden
+  void setHidden(const std::vector<NodeId>& nodes);     // ids that are gone are left out
+  void showAll();
+  void setAvailable(bool hasPlant); // without one, the panel is absent
+  void refreshPanel();              // after the clip of the view was changed elsewhere
+
+  void fillContextMenu(QMenu& menu) const;
+
+signals:
+  void changed(); // what is hidden or clipped
+
+private:
+  void addActions();
+  void makePanel();
+  void hide();
+  void isolate();
+  /// The chosen nodes, else the axis of the node under the pointer.
+  /// @throws Error if there is neither
+  [[nodiscard]] std::vector<NodeId> meant() const;
+  void clipAsPanelSays();
+  void refreshEnabled();
+
+  PlantDocument& document_;
+  PlantView& view_;
+  ActionSet& actions_;
+  Editing& editing_;
+  QMainWindow& window_;
+  QDockWidget* dock_ = nullptr; // of the window
+  ClipPanel* panel_ = nullptr;
+  std::vector<NodeId> hidden_;
+};
+
+} // namespace espalier

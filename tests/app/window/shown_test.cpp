@@ -1,0 +1,152 @@
+#include "tests/app/window/window_fixture.h"
+#include "tests/support/plants.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QDialog>
+#include <QInputDialog>
+#include <QMenu>
+#include <QPushButton>
+#include <QSlider>
+#include <QTest>
+
+#include <gmock/gmock.h>
+
+namespace espalier {
+namespace {
+
+/// What of the plant is shown, in the real window: test::fork(3), a trunk with three shoots, of
+/// which the first continues the trunk.
+class ShownTest : public test::WindowTest {
+protected:
+  ShownTest() {
+    open({writeFork("fork.mtg")});
+    root_ = nodeAt({0, 0, 0});
+    top_ = nodeAt({0, 0, 1});
+    for (const NodeId id : document().skeleton().children(top_))
+      (document().skeleton()[id].edge == EdgeType::successor ? continuing_ : branch_) = id;
+  }
+  [[nodiscard]] std::vector<NodeId> seen() {
+    const QPolygonF all{QRectF(view().rect())};
+    return view().nodesInside(all, Depth::through);
+  }
+  [[nodiscard]] QMenu& savedViews() {
+    auto& menu = find<QMenu>("saved_views");
+    emit menu.aboutToShow();
+    return menu;
+  }
+  void saveView(const QString& name) {
+    answer(
+        [&](QDialog& dialog) {
+          static_cast<QInputDialog&>(dialog).setTextValue(name);
+          dialog.accept();
+        },
+        [&] { action("save_view").trigger(); });
+  }
+
+  NodeId root_{};
+  NodeId top_{};
+  NodeId continuing_{}; // the shoot that continues the trunk
+  NodeId branch_{};     // one that does not
+};
+
+TEST_F(ShownTest, HidesTheSelectedNodesAndUnselectsThem) {
+  document().selection().set({branch_});
+  key(Qt::Key_H);
+  EXPECT_THAT(seen(), testing::Not(testing::Contains(branch_)));
+  EXPECT_EQ(seen().size(), document().skeleton().size() - 1);
+  EXPECT_TRUE(document().selection().isEmpty());
+  EXPECT_EQ(document().undoStack().count(), 0) << "nothing was edited";
+  action("select_all").trigger();
+  EXPECT_FALSE(document().selection().contains(branch_));
+  key(Qt::Key_H, Qt::AltModifier);
+  EXPECT_EQ(seen().size(), document().skeleton().size());
+  EXPECT_FALSE(action("show_all").isEnabled());
+}
+
+TEST_F(ShownTest, HidesTheAxisUnderThePointer) {
+  hover(placeOf(root_));
+  key(Qt::Key_H);
+  EXPECT_THAT(seen(), testing::Not(testing::Contains(root_)));
+  EXPECT_THAT(seen(), testing::Not(testing::Contains(top_)));
+  EXPECT_THAT(seen(), testing::Not(testing::Contains(continuing_)));
+  EXPECT_THAT(seen(), testing::Contains(branch_));
+}
+
+TEST_F(ShownTest, IsolatesTheSelectedNodes) {
+  document().selection().set({top_, branch_});
+  key(Qt::Key_H, Qt::ShiftModifier);
+  EXPECT_THAT(seen(), testing::UnorderedElementsAre(top_, branch_));
+  EXPECT_EQ(document().selection().nodes().size(), 2U) << "they stay selected";
+}
+
+TEST_F(ShownTest, RefusesToHideNothing) {
+  hover({3, 3});
+  key(Qt::Key_H);
+  EXPECT_EQ(seen().size(), document().skeleton().size());
+}
+
+TEST_F(ShownTest, ClipsWithThePanelAndShowsAllAgain) {
+  action("clipping").trigger();
+  auto& slab = find<QCheckBox>("clip_slab_on");
+  EXPECT_TRUE(slab.isVisible());
+  slab.click();
+  find<QSlider>("clip_nearest").setValue(100);
+  ASSERT_TRUE(view().clip().slab);
+  EXPECT_DOUBLE_EQ(view().clip().slab->nearest, 0.5);
+  EXPECT_DOUBLE_EQ(view().clip().slab->farthest, 1);
+  clickButton("clip_show_all");
+  EXPECT_TRUE(view().clip().isAll());
+  EXPECT_FALSE(slab.isChecked());
+  EXPECT_EQ(find<QSlider>("clip_nearest").value(), 0);
+}
+
+TEST_F(ShownTest, BeginsABoxAboutThePlant) {
+  action("clipping").trigger();
+  find<QCheckBox>("clip_box_on").click();
+  ASSERT_TRUE(view().clip().box);
+  EXPECT_EQ(seen().size(), document().skeleton().size()) << "nothing is cut yet";
+}
+
+TEST_F(ShownTest, KeepsTheSlabThickerThanNothing) {
+  action("clipping").trigger();
+  find<QCheckBox>("clip_slab_on").click();
+  find<QSlider>("clip_farthest").setValue(0);
+  ASSERT_TRUE(view().clip().slab);
+  EXPECT_LT(view().clip().slab->nearest, view().clip().slab->farthest);
+}
+
+TEST_F(ShownTest, ComesBackToASavedView) {
+  document().selection().set({branch_});
+  key(Qt::Key_H);
+  key(Qt::Key_8); // from above
+  waitForView();
+  view().setClip({.slab = Clip::Slab{0, 0.9}, .box = {}});
+  const Camera camera = view().camera();
+  saveView("Crown");
+  action("show_all").trigger();
+  key(Qt::Key_5);
+  waitForView();
+  for (QAction* entry : savedViews().actions())
+    if (entry->text() == "Crown") entry->trigger();
+  waitForView();
+  EXPECT_NEAR(view().camera().pitch, camera.pitch, 1e-12);
+  EXPECT_EQ(view().clip().slab, (Clip::Slab{0, 0.9}));
+  EXPECT_THAT(seen(), testing::Not(testing::Contains(branch_)));
+}
+
+TEST_F(ShownTest, ProposesANameAndRemovesAView) {
+  answer([](QDialog& dialog) { dialog.accept(); }, [&] { action("save_view").trigger(); });
+  const auto names = [&] {
+    QStringList texts;
+    for (const QAction* entry : savedViews().actions())
+      texts.append(entry->text());
+    return texts;
+  };
+  EXPECT_TRUE(names().contains("View 1"));
+  savedViews().findChildren<QMenu*>().last()->actions().first()->trigger(); // Remove > View 1
+  EXPECT_FALSE(names().contains("View 1"));
+}
+
+} // namespace
+} // namespace espalier

@@ -1,8 +1,8 @@
 #include "core/evaluate/authors_comparison.h"
 
+#include "core/base/box_tree.h"
 #include "core/base/parallel.h"
 #include "core/evaluate/assignment.h"
-#include "core/evaluate/box_tree.h"
 #include "core/evaluate/comparable.h"
 
 #include <algorithm>

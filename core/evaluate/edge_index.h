@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/evaluate/box_tree.h"
+#include "core/base/box_tree.h"
 #include "core/skeleton/skeleton.h"
 
 #include <Eigen/Core>

@@ -1,4 +1,4 @@
-#include "core/evaluate/box_tree.h"
+#include "core/base/box_tree.h"
 #include "core/evaluate/edge_index.h"
 #include "tests/core/evaluate/evaluate_plants.h"
 #include "tests/support/plants.h"

@@ -1,4 +1,4 @@
-#include "core/evaluate/box_tree.h"
+#include "core/base/box_tree.h"
 
 #include <algorithm>
 #include <numeric>

@@ -1,33 +1,22 @@
 #pragma once
 
+#include "core/skeleton/check_options.h"
+#include "core/skeleton/finding.h"
 #include "core/skeleton/skeleton.h"
 
-#include <cstdint>
-#include <string>
 #include <vector>
 
 namespace espalier {
 
-/// What is worth a second look in a skeleton.
-struct Finding {
-  enum class Kind : std::uint8_t {
-    twoSuccessors,    // more than one child continues the axis of the node
-    noLength,         // the edge to the parent has no length
-    radiusAboveParent // thicker than what the node hangs on
-  };
-  Kind kind;
-  NodeId node;
-
-  bool operator==(const Finding&) const = default;
-};
-
-/// All findings, parents before their children. Nothing is changed. Time O(n).
-[[nodiscard]] std::vector<Finding> check(const Skeleton& skeleton);
-
-/// "node 12 has 2 successors: an axis continues once"
-[[nodiscard]] std::string describe(const Finding& finding, const Skeleton& skeleton);
-
-/// "two_successors", "no_length", "radius_above_parent"
-[[nodiscard]] std::string nameOf(Finding::Kind kind);
+/// All findings that need no scan, in the order of Finding::Kind, and of one kind parents before
+/// their children. Nothing is changed.
+///
+/// A turn is told between two successor edges only: the first edge of a branch leads from the
+/// middle of its bearer to its own beginning, and may go anywhere. Of the places where two axes
+/// touch, the one where they are deepest in each other is told (core/skeleton/crossings.h).
+/// @param spacing between points of the scan [L]; 0: there is none, or it is not known
+/// Time O(n log n) unless much wood is in one place.
+[[nodiscard]] std::vector<Finding> check(const Skeleton& skeleton, double spacing = 0,
+                                         const CheckOptions& options = {});
 
 } // namespace espalier

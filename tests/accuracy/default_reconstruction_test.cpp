@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace espalier {
 namespace {
 
@@ -36,11 +38,16 @@ TEST(DefaultReconstruction, OfThePineOfTheThesisAgreesWithTheExpert) {
   EXPECT_GE(fWithin(20, asItIs), 0.85);
 }
 
+/// Slips of a method; where wood turns or touches is the plant's, and worth a look only.
+bool isSlip(const Finding& finding) {
+  return finding.kind != Finding::Kind::sharpTurn && finding.kind != Finding::Kind::crossing;
+}
+
 /// One connected plant without slips, the same on one thread as on all.
 void expectSoundPlant(const std::filesystem::path& scan) {
   const Skeleton onAll = reconstructed(scan);
   EXPECT_EQ(onAll.roots().size(), 1U);
-  EXPECT_TRUE(check(onAll).empty());
+  EXPECT_TRUE(std::ranges::none_of(check(onAll), isSlip));
   const ThreadLimit limit(1);
   EXPECT_EQ(reconstructed(scan), onAll);
 }

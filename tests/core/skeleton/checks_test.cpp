@@ -1,9 +1,12 @@
 #include "core/skeleton/checks.h"
 #include "tests/support/plants.h"
+#include "tests/support/simulated.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <gmock/gmock.h>
+#include <numbers>
 
 namespace espalier {
 namespace {
@@ -12,29 +15,194 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using Kind = Finding::Kind;
 
+/// A finding of `kind` at `node`, whatever else it tells.
+MATCHER_P2(IsAt, kind, node, "") {
+  return arg.kind == kind && arg.node == node;
+}
+
+std::vector<Finding> ofKind(Kind kind, const Skeleton& skeleton, double spacing = 0,
+                            const CheckOptions& options = {}) {
+  std::vector<Finding> findings = check(skeleton, spacing, options);
+  std::erase_if(findings, [&](const Finding& finding) { return finding.kind != kind; });
+  return findings;
+}
+
 TEST(Check, FindsNothingInASoundPlant) {
   EXPECT_THAT(check(test::fork(3)), IsEmpty());
   EXPECT_THAT(check({}), IsEmpty());
+  EXPECT_THAT(check(test::stick(1)), IsEmpty());
+}
+
+TEST(Check, FindsNothingInSimulatedPlants) {
+  for (const test::SimulatedPlant* plant : {&test::simulatedTree(), &test::simulatedHerb()})
+    EXPECT_THAT(check(plant->truth, pointSpacing(plant->cloud.positions())), IsEmpty());
 }
 
 TEST(Check, FindsASecondSuccessor) {
   Skeleton plant = test::fork(3);
   plant.setEdge(NodeId{4}, EdgeType::successor);
-  EXPECT_THAT(check(plant), ElementsAre(Finding{Kind::twoSuccessors, test::forkTop}));
-  EXPECT_EQ(describe(check(plant).front(), plant),
-            "node 1 has 2 successors: an axis continues once");
+  const std::vector<Finding> found = check(plant);
+  ASSERT_THAT(found, ElementsAre(IsAt(Kind::twoSuccessors, test::forkTop)));
+  EXPECT_THAT(found[0].others, ElementsAre(NodeId{2}, NodeId{4}));
+  EXPECT_EQ(describe(found[0], plant), "node 1 has 2 successors: an axis continues once");
 }
 
 TEST(Check, FindsEdgesWithoutLength) {
   Skeleton plant = test::stick(3);
   plant.setPosition(NodeId{2}, plant[NodeId{1}].position);
-  EXPECT_THAT(check(plant), ElementsAre(Finding{Kind::noLength, NodeId{2}}));
+  EXPECT_THAT(check(plant), ElementsAre(IsAt(Kind::noLength, NodeId{2})));
 }
 
 TEST(Check, FindsWoodThickerThanWhatCarriesIt) {
   Skeleton plant = test::stick(3);
   plant.setRadius(NodeId{2}, 0.2);
-  EXPECT_THAT(check(plant), ElementsAre(Finding{Kind::radiusAboveParent, NodeId{2}}));
+  const std::vector<Finding> found = check(plant);
+  ASSERT_THAT(found, ElementsAre(IsAt(Kind::radiusAboveParent, NodeId{2})));
+  const auto length = [](double value) { return std::to_string(std::lround(value * 10)) + " dm"; };
+  EXPECT_EQ(describe(found[0], plant, length),
+            "node 2 is thicker than its parent: radius 2 dm on 1 dm");
+}
+
+TEST(Check, FindsPiecesBesideTheLargest) {
+  Skeleton plant = test::stick(2);
+  const NodeId root = plant.add({.position = {9, 0, 0}, .radius = 0.1});
+  NodeId top = root;
+  for (int i = 1; i < 5; ++i)
+    top = plant.add({.position = {9, 0, 1.0 * i}, .radius = 0.1, .parent = top});
+  const std::vector<Finding> found = check(plant);
+  ASSERT_THAT(found, ElementsAre(IsAt(Kind::separatePiece, NodeId{0})));
+  EXPECT_EQ(describe(found[0], plant), "node 0 is the root of a separate piece of 2 nodes");
+}
+
+TEST(Check, FindsTheSecondOfTwoEdgesInOnePlace) {
+  Skeleton plant = test::fork(2);
+  const Eigen::Vector3d beside(0.05, 0, 0); // of an edge of length 1.4
+  plant.add({.position = plant[NodeId{2}].position + beside,
+             .radius = 0.1,
+             .parent = test::forkTop,
+             .edge = EdgeType::branching});
+  const std::vector<Finding> found = ofKind(Kind::duplicatedEdge, plant);
+  ASSERT_THAT(found, ElementsAre(IsAt(Kind::duplicatedEdge, NodeId{4})));
+  EXPECT_THAT(found[0].others, ElementsAre(NodeId{2}));
+  EXPECT_THAT(ofKind(Kind::duplicatedEdge, plant, 0, {.duplicateShare = 0.01}), IsEmpty());
+}
+
+// From straight up it turns by the angle given.
+Skeleton bent(double angle) {
+  Skeleton plant = test::stick(3);
+  plant.add(
+      {.position = {std::sin(angle), 0, 2 + std::cos(angle)}, .radius = 0.1, .parent = NodeId{2}});
+  return plant;
+}
+
+TEST(Check, FindsTurnsAboveTheAngle) {
+  constexpr double degree = std::numbers::pi / 180;
+  const std::vector<Finding> found = check(bent(120 * degree));
+  ASSERT_THAT(found, ElementsAre(IsAt(Kind::sharpTurn, NodeId{2})));
+  EXPECT_NEAR(found[0].amount, 120 * degree, 1e-9);
+  EXPECT_EQ(describe(found[0], bent(120 * degree)), "the axis turns by 120° at node 2");
+  EXPECT_THAT(check(bent(80 * degree)), IsEmpty());
+  EXPECT_THAT(check(bent(80 * degree), 0, {.sharpTurn = 70 * degree}),
+              ElementsAre(IsAt(Kind::sharpTurn, NodeId{2})));
+}
+
+TEST(Check, TakesNoBranchForATurn) {
+  Skeleton plant = bent(2.5);
+  plant.setEdge(NodeId{3}, EdgeType::branching);
+  EXPECT_THAT(check(plant), IsEmpty());
+}
+
+/// A trunk 8 high, of radius 0.1, with two branches of radius 0.1, at 2 and 6; the upper one comes
+/// down and passes the lower one, which is straight along x, at x = 3 at a distance of `gap`.
+Skeleton passing(double gap) {
+  Skeleton plant = test::stick(9);
+  const NodeId lower = plant.add(
+      {.position = {1, 0, 2}, .radius = 0.1, .parent = NodeId{2}, .edge = EdgeType::branching});
+  plant.add({.position = {5, 0, 2}, .radius = 0.1, .parent = lower});
+  const NodeId upper = plant.add(
+      {.position = {3, gap, 6}, .radius = 0.1, .parent = NodeId{6}, .edge = EdgeType::branching});
+  plant.add({.position = {3, gap, 0}, .radius = 0.1, .parent = upper, .edge = EdgeType::branching});
+  return plant;
+}
+
+TEST(Check, FindsBranchesThatTouch) {
+  const std::vector<Finding> found = check(passing(0.15)); // radii are 0.1
+  ASSERT_THAT(found, ElementsAre(IsAt(Kind::crossing, NodeId{12})));
+  EXPECT_THAT(found[0].others, ElementsAre(NodeId{10}));
+  EXPECT_NEAR(found[0].amount, 0.15, 1e-12);
+  EXPECT_THAT(check(passing(0.25)), IsEmpty());
+}
+
+TEST(Check, FindsBranchesNearerThanASpacingHoweverThin) {
+  Skeleton plant = passing(0.25);
+  for (const NodeId id : plant.ids())
+    plant.setRadius(id, 0);
+  EXPECT_THAT(check(plant, 0.3), ElementsAre(IsAt(Kind::crossing, NodeId{12})));
+  EXPECT_THAT(check(plant, 0.2), IsEmpty());
+}
+
+TEST(Check, TellsTwoAxesThatTouchInManyPlacesOnce) {
+  Skeleton plant = test::stick(9);
+  NodeId last = plant.add(
+      {.position = {3, 0, 0}, .radius = 0.1, .parent = NodeId{0}, .edge = EdgeType::branching});
+  for (int i = 3; i < 9; ++i) // comes back to the trunk, and follows it
+    last = plant.add({.position = {0.05, 0, i + 0.5}, .radius = 0.1, .parent = last});
+  EXPECT_EQ(ofKind(Kind::crossing, plant).size(), 1);
+}
+
+TEST(Check, FindsTreesThatTouch) {
+  Skeleton plant = test::stick(4);
+  const NodeId root = plant.add({.position = {-1, 0, 1.5}, .radius = 0.05});
+  plant.add({.position = {1, 0, 1.5}, .radius = 0.05, .parent = root});
+  const std::vector<Finding> found = ofKind(Kind::crossing, plant);
+  ASSERT_EQ(found.size(), 1);
+  EXPECT_THAT(nodesOf(found[0]), testing::UnorderedElementsAre(NodeId{2}, NodeId{5}));
+}
+
+TEST(Check, FindsTheSameInAPlantThatIsMovedTurnedAndScaled) {
+  const Skeleton plant = passing(0.15);
+  Skeleton other = plant;
+  const Eigen::AngleAxisd turn(1, Eigen::Vector3d(1, 2, 3).normalized());
+  for (const NodeId id : plant.ids()) {
+    other.setPosition(id, 1000 * (turn * plant[id].position) + Eigen::Vector3d(5e5, 0, 7));
+    other.setRadius(id, 1000 * plant[id].radius);
+  }
+  EXPECT_THAT(check(other), ElementsAre(IsAt(Kind::crossing, NodeId{12})));
+}
+
+TEST(Finding, IsTheSameToAPersonAfterAnEdit) {
+  const Finding turn{.kind = Kind::sharpTurn, .node = NodeId{3}, .amount = 2};
+  Finding later = turn;
+  later.amount = 2.5;
+  EXPECT_TRUE(isSame(turn, later));
+  later.node = NodeId{4};
+  EXPECT_FALSE(isSame(turn, later));
+  later = turn;
+  later.kind = Kind::noLength;
+  EXPECT_FALSE(isSame(turn, later));
+  const Finding crossing{.kind = Kind::crossing, .node = NodeId{3}, .others = {NodeId{9}}};
+  const Finding swapped{.kind = Kind::crossing, .node = NodeId{9}, .others = {NodeId{3}}};
+  EXPECT_TRUE(isSame(crossing, swapped));
+}
+
+TEST(Finding, OfPointsIsTheSameWhileThePlacesOverlap) {
+  Finding cluster{.kind = Kind::unexplainedPoints, .node = NodeId{3}, .place = {1, 0, 0}};
+  cluster.reach = 0.5;
+  Finding other = cluster;
+  other.node = NodeId{7}; // another edge came nearer
+  other.place = {1.3, 0, 0};
+  EXPECT_TRUE(isSame(cluster, other));
+  other.place = {2, 0, 0};
+  EXPECT_FALSE(isSame(cluster, other));
+}
+
+TEST(Finding, HasANameForEachKind) {
+  std::vector<std::string> names;
+  for (int kind = 0; kind < findingKinds; ++kind)
+    names.push_back(nameOf(static_cast<Kind>(kind)));
+  EXPECT_THAT(names, ElementsAre("separate_piece", "two_successors", "no_length", "duplicated_edge",
+                                 "sharp_turn", "crossing", "radius_above_parent",
+                                 "edges_without_points", "unexplained_points"));
 }
 
 } // namespace

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/base/spatial_index.h"
+#include "core/skeleton/check_options.h"
+#include "core/skeleton/finding.h"
+#include "core/skeleton/point_distances.h"
+
+#include <vector>
+
+namespace espalier {
+
+// What a scan says of a skeleton. Distances are to the surface of the wood (PointDistances), and in
+// spacings between the points of the scan. A skeleton without nodes has no findings.
+
+/// Clusters of points that are far from all wood: what the skeleton lacks. The largest first.
+/// @param spacing between neighboring points [L]
+/// @throws Cancelled if `progress` asks to stop
+/// Deterministic. Time O(N log N) for N points that are far.
+[[nodiscard]] std::vector<Finding> unexplainedClusters(const PointDistances& distances,
+                                                       double spacing, const CheckOptions& options,
+                                                       const Progress& progress = {});
+
+/// Edges that no point is near to along more than half of them: what the skeleton has too much, or
+/// nobody saw. Those that hang on each other are one finding, at the lowest of them.
+/// @param index   of the positions of `cloud`
+/// @param spacing between neighboring points [L]
+/// @throws Cancelled if `progress` asks to stop
+/// Uses all threads, deterministic. Time O(length / spacing log N).
+[[nodiscard]] std::vector<Finding>
+edgesWithoutPoints(const Skeleton& skeleton, const PointCloud& cloud, const SpatialIndex& index,
+                   double spacing, const CheckOptions& options, const Progress& progress = {});
+
+} // namespace espalier

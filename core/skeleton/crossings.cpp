@@ -1,0 +1,143 @@
+#include "core/skeleton/crossings.h"
+
+#include "core/base/box_tree.h"
+#include "core/skeleton/axes.h"
+#include "core/skeleton/wood_tube.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace espalier {
+namespace {
+
+/// Ways along a plant: how far its nodes are from their roots.
+class Ways {
+public:
+  Ways(const Skeleton& skeleton, const std::vector<NodeId>& ids)
+      : skeleton_(skeleton), levels_(skeleton.idEnd()), lengths_(skeleton.idEnd()) {
+    for (const NodeId id : ids)
+      if (const auto parent = skeleton[id].parent) {
+        levels_[indexOf(id)] = levels_[indexOf(*parent)] + 1;
+        lengths_[indexOf(id)] = lengths_[indexOf(*parent)] + edge(id);
+      }
+  }
+
+  /// Between two places, each a share of the way up to a node [L]; infinite between two trees.
+  [[nodiscard]] double between(NodeId a, double shareA, NodeId b, double shareB) const {
+    const double toA = lengths_[indexOf(a)] - (1 - shareA) * edge(a);
+    const double toB = lengths_[indexOf(b)] - (1 - shareB) * edge(b);
+    const auto joint = commonAncestor(a, b);
+    if (!joint) return std::numeric_limits<double>::infinity();
+    // Where the one node carries the other, its own place on the edge below is the lower end.
+    const double lowest = std::min({lengths_[indexOf(*joint)], toA, toB});
+    return toA + toB - 2 * lowest;
+  }
+
+private:
+  [[nodiscard]] double edge(NodeId id) const {
+    const auto parent = skeleton_[id].parent;
+    return parent ? (skeleton_[id].position - skeleton_[*parent].position).norm() : 0;
+  }
+
+  [[nodiscard]] std::optional<NodeId> commonAncestor(NodeId a, NodeId b) const {
+    while (a != b) {
+      NodeId& higher = levels_[indexOf(a)] >= levels_[indexOf(b)] ? a : b;
+      if (!skeleton_[higher].parent) return std::nullopt;
+      higher = *skeleton_[higher].parent;
+    }
+    return a;
+  }
+
+  const Skeleton& skeleton_;
+  std::vector<int> levels_;     // by id
+  std::vector<double> lengths_; // by id
+};
+
+/// The number of the axis of each node, by id.
+std::vector<std::uint32_t> axisNumbers(const Skeleton& skeleton) {
+  std::vector<std::uint32_t> numbers(skeleton.idEnd());
+  std::uint32_t number = 0;
+  for (const Axis& axis : axes(skeleton)) {
+    for (const NodeId id : axis)
+      numbers[indexOf(id)] = number;
+    ++number;
+  }
+  return numbers;
+}
+
+struct Edge {
+  NodeId node;
+  WoodTube tube;
+};
+
+std::vector<Edge> edgesOf(const Skeleton& skeleton, const std::vector<NodeId>& ids) {
+  std::vector<Edge> edges;
+  for (const NodeId id : ids)
+    if (const auto tube = tubeOf(skeleton, id)) edges.push_back({id, *tube});
+  return edges;
+}
+
+Eigen::AlignedBox3d boxOf(const Edge& edge) {
+  const Eigen::AlignedBox3d box = edge.tube.centerBox();
+  const Eigen::Vector3d wood = Eigen::Vector3d::Constant(edge.tube.widest());
+  return {box.min() - wood, box.max() + wood};
+}
+
+bool areNeighbors(const Skeleton& skeleton, NodeId a, NodeId b) {
+  const auto underA = skeleton[a].parent;
+  const auto underB = skeleton[b].parent;
+  return underA == b || underB == a || (underA && underA == underB);
+}
+
+} // namespace
+
+std::vector<Finding> crossings(const Skeleton& skeleton, double spacing,
+                               const CheckOptions& options) {
+  const std::vector<NodeId> ids = skeleton.ids();
+  const std::vector<Edge> edges = edgesOf(skeleton, ids);
+  const std::vector<std::uint32_t> axis = axisNumbers(skeleton);
+  const Ways ways(skeleton, ids);
+  std::vector<Eigen::AlignedBox3d> boxes;
+  for (const Edge& edge : edges)
+    boxes.push_back(boxOf(edge));
+  const BoxTree tree(boxes);
+
+  struct Touch {
+    double gap = std::numeric_limits<double>::infinity(); // between the surfaces [L]
+    std::size_t edge = 0;                                 // the later one
+    Finding finding{.kind = Finding::Kind::crossing, .node = {}};
+  };
+  std::map<std::pair<std::uint32_t, std::uint32_t>, Touch> touches; // by pair of axes
+  const double thin = options.touch * spacing;
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    tree.within(boxes[i], thin, [&](std::size_t k) {
+      const NodeId a = edges[i].node;
+      const NodeId b = edges[k].node;
+      if (k >= i || axis[indexOf(a)] == axis[indexOf(b)] || areNeighbors(skeleton, a, b)) return;
+      const NearestOfTubes near = nearestOf(edges[i].tube, edges[k].tube);
+      const double wood = radiusAt(edges[i].tube, near.a) + radiusAt(edges[k].tube, near.b);
+      const double touching = std::max(wood, thin);
+      if (near.distance > touching) return;
+      if (ways.between(a, near.a, b, near.b) <= options.detour * touching) return;
+      Touch& touch = touches[std::minmax(axis[indexOf(a)], axis[indexOf(b)])];
+      const double gap = near.distance - wood;
+      if (gap > touch.gap || (gap == touch.gap && i > touch.edge)) return;
+      touch.gap = gap;
+      touch.edge = i;
+      touch.finding.node = a;
+      touch.finding.others = {b};
+      touch.finding.amount = near.distance;
+    });
+  std::vector<const Touch*> inOrder;
+  for (const auto& [pair, touch] : touches)
+    inOrder.push_back(&touch);
+  std::ranges::stable_sort(inOrder, {}, &Touch::edge);
+  std::vector<Finding> findings;
+  for (const Touch* touch : inOrder)
+    findings.push_back(touch->finding);
+  return findings;
+}
+
+} // namespace espalier

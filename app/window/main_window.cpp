@@ -3,6 +3,7 @@
 #include "app/window/action_set.h"
 #include "app/window/editing.h"
 #include "app/window/file_flow.h"
+#include "app/window/findings_flow.h"
 #include "app/window/icon.h"
 #include "app/window/project_flow.h"
 #include "app/window/recent_files.h"
@@ -89,6 +90,7 @@ MainWindow::MainWindow(QSettings& settings, QWidget* parent)
   connectProjects();
   connectDocument();
   connectReview();
+  connectFindings();
   useTheme(themeNamed(settings_.value("theme").toString()));
   restoreGeometry(settings_.value("window/geometry").toByteArray());
   restoreState(settings_.value("window/state").toByteArray());
@@ -200,6 +202,7 @@ void MainWindow::refreshDocks() {
   inspectorDock_->setVisible(hasPlant && (*actions_)["show_inspector"]->isChecked());
   review_->setPlantShown(hasPlant);
   shown_->setAvailable(hasPlant);
+  findings_->setPlantShown(hasPlant);
   if (hasPlant && !settings_.contains("window/state")) // nobody has set the widths yet
     resizeDocks({pipelineDock_, inspectorDock_}, {pipelineWidth, inspectorWidth}, Qt::Horizontal);
 }
@@ -271,6 +274,7 @@ void MainWindow::resetLayout() {
   addDockWidget(Qt::RightDockWidgetArea, inspectorDock_);
   resizeDocks({pipelineDock_, inspectorDock_}, {pipelineWidth, inspectorWidth}, Qt::Horizontal);
   review_->resetLayout();
+  findings_->resetLayout();
   refreshDocks();
 }
 

@@ -18,6 +18,7 @@ enum class Refusal;
 class ActionSet;
 class Editing;
 class FileFlow;
+class FindingsFlow;
 class InspectorPanel;
 class MessageBanner;
 class PipelinePanel;
@@ -26,6 +27,7 @@ class ProjectFlow;
 class RecentFiles;
 class ReconstructFlow;
 class ReviewFlow;
+class ScanDistances;
 class SealFlow;
 class SavedViews;
 class ShownFlow;
@@ -76,6 +78,7 @@ private:
   void connectProjects();   // likewise
   void connectDocument();   // likewise
   void connectReview();     // likewise
+  void connectFindings();   // likewise
   void makeCenter();
   void makeDocks();
   void closePlant();
@@ -114,6 +117,8 @@ private:
   std::unique_ptr<SealFlow> seals_;
   std::unique_ptr<ReviewFlow> review_;
   std::unique_ptr<ShownFlow> shown_;
+  std::unique_ptr<ScanDistances> distances_;
+  std::unique_ptr<FindingsFlow> findings_;
   std::unique_ptr<ViewOptions> options_;
   std::unique_ptr<SavedViews> savedViews_;
   std::unique_ptr<ProjectFlow> projects_;

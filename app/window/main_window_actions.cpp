@@ -1,6 +1,7 @@
 #include "app/window/action_set.h"
 #include "app/window/editing.h"
 #include "app/window/file_flow.h"
+#include "app/window/findings_flow.h"
 #include "app/window/main_window.h"
 #include "app/window/project_flow.h"
 #include "app/window/review_flow.h"
@@ -39,6 +40,9 @@ void MainWindow::addActions() {
       std::make_unique<ShownFlow>(ShownFlow::Parts{document_, *view_, *actions_, *editing_, *this});
   savedViews_ =
       std::make_unique<SavedViews>(SavedViews::Parts{*view_, *options_, *shown_, *actions_, *this});
+  distances_ = std::make_unique<ScanDistances>(document_);
+  findings_ = std::make_unique<FindingsFlow>(
+      FindingsFlow::Parts{document_, *view_, *actions_, *distances_, settings_, *this});
   addPanelActions();
   addThemeActions();
   addHelpActions();

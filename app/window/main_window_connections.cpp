@@ -1,6 +1,7 @@
 #include "app/window/action_set.h"
 #include "app/window/editing.h"
 #include "app/window/file_flow.h"
+#include "app/window/findings_flow.h"
 #include "app/window/main_window.h"
 #include "app/window/project_flow.h"
 #include "app/window/recent_files.h"
@@ -197,6 +198,15 @@ void MainWindow::connectReview() {
   connect(editing_.get(), &Editing::hintChanged, this,
           [this] { review_->setInGesture(editing_->isPending()); });
   showSeal();
+}
+
+void MainWindow::connectFindings() {
+  projects_->keep({.name = "ignored_findings",
+                   .text = [this] { return findings_->text(); },
+                   .show = [this](const std::string& text) { findings_->show(text); }});
+  connect(findings_.get(), &FindingsFlow::ignoredChanged, projects_.get(),
+          &ProjectFlow::noteChange);
+  connect(findings_.get(), &FindingsFlow::noted, status_, &StatusLine::showNote);
 }
 
 } // namespace espalier

@@ -1,4 +1,5 @@
 #include "app/window/action_set.h"
+#include "app/window/findings_flow.h"
 #include "app/window/icon.h"
 #include "app/window/main_window.h"
 #include "app/window/node_menus.h"
@@ -78,7 +79,7 @@ void MainWindow::fillMenus() {
   add(*edit, *actions_, toolIds());
 
   QMenu* select = menuBar()->addMenu(tr("Se&lect"));
-  add(*select, *actions_, {"select_all", "select_through", ""});
+  add(*select, *actions_, {"select_all", "select_findings", "select_through", ""});
   fillNodeChoices(*select, *actions_);
 
   fillViewMenu();
@@ -90,7 +91,10 @@ void MainWindow::fillMenus() {
   skeleton->addSeparator();
   add(*skeleton->addMenu(tr("&Units")), *actions_, ofUnits);
 
-  review_->fillMenu(*menuBar()->addMenu(tr("&Review")));
+  QMenu* review = menuBar()->addMenu(tr("&Review"));
+  review_->fillMenu(*review);
+  review->addSeparator();
+  findings_->fillMenu(*review);
 
   QMenu* help = menuBar()->addMenu(tr("Help")); // Alt+H is a key of the plant
   add(*help, *actions_, {"manual", "shortcuts", "palette", "", "about"});
@@ -111,7 +115,7 @@ void MainWindow::fillViewMenu() {
   connect(saved, &QMenu::aboutToShow, saved, [this, saved] { savedViews_->fill(*saved); });
   add(*view, *actions_, {"hide", "isolate", "clipping", "show_all", ""});
   add(*view->addMenu(tr("Panels")), *actions_,
-      {"show_pipeline", "show_inspector", "show_review", "", "reset_layout"});
+      {"show_pipeline", "show_inspector", "show_review", "show_findings", "", "reset_layout"});
   add(*view->addMenu(tr("Theme")), *actions_, {"theme_system", "theme_light", "theme_dark"});
 }
 

@@ -1,0 +1,298 @@
+#include "app/window/findings_flow.h"
+
+#include "app/window/action_set.h"
+#include "app/window/findings_text.h"
+#include "core/skeleton/checks.h"
+#include "core/skeleton/checks_of_scan.h"
+#include "core/skeleton/path_edits.h"
+#include "ui/document/plant_document.h"
+#include "ui/panels/findings_panel.h"
+#include "ui/view/plant_view.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QEvent>
+#include <QMainWindow>
+#include <QMenu>
+#include <QSettings>
+
+#include <algorithm>
+#include <utility>
+
+namespace espalier {
+namespace {
+
+bool hasNodes(const Skeleton& skeleton, const Finding& finding) {
+  return std::ranges::all_of(nodesOf(finding), [&](NodeId id) { return skeleton.contains(id); });
+}
+
+} // namespace
+
+FindingsFlow::FindingsFlow(const Parts& parts) : parts_(parts) {
+  addActions();
+  makePanel();
+  connectParts();
+  showAction();
+}
+
+void FindingsFlow::setPlantShown(bool isShown) {
+  isPlantShown_ = isShown;
+  refreshDock();
+}
+
+void FindingsFlow::resetLayout() {
+  dock_->setFloating(false);
+  placeDock();
+  parts_.actions["show_findings"]->setChecked(false);
+}
+
+void FindingsFlow::fillMenu(QMenu& menu) const {
+  for (const char* id : {"next_finding", "previous_finding", "ignore_finding"})
+    menu.addAction(parts_.actions[id]);
+}
+
+bool FindingsFlow::isUpToDate() const {
+  return !timer_.isActive() && !job_.isRunning() && !parts_.distances.isMeasuring();
+}
+
+std::string FindingsFlow::text() const {
+  return textOf(ignored_);
+}
+
+void FindingsFlow::show(const std::string& text) {
+  ignored_.clear();
+  list();
+  ignored_ = findingsFrom(text);
+  list();
+}
+
+void FindingsFlow::addActions() {
+  parts_.actions.beginSection(tr("Findings"));
+  const auto add = [this](const char* id, const QString& text, const QString& help,
+                          const QKeySequence& keys, const std::function<void()>& act) {
+    return parts_.actions.add({.id = id, .text = text, .help = help, .keys = keys}, act);
+  };
+  add("next_finding", tr("Next Finding"), tr("Goes on to what the checks found next"), Qt::Key_F4,
+      [this] { step(1); });
+  add("previous_finding", tr("Previous Finding"), tr("Goes back to what the checks found before"),
+      QKeySequence(Qt::SHIFT | Qt::Key_F4), [this] { step(-1); });
+  add("ignore_finding", tr("Ignore Finding"),
+      tr("Leaves the finding out of the list, or shows it again"),
+      QKeySequence(Qt::CTRL | Qt::Key_F4), [this] { toggleIgnored(); });
+  add("select_findings", tr("All Findings"), tr("Selects the nodes of all findings of the checks"),
+      {}, [this] { selectAll(); });
+  QAction* show = parts_.actions.add({.id = "show_findings",
+                                      .text = tr("Findings Panel"),
+                                      .help = tr("Shows or hides what the checks found"),
+                                      .keys = Qt::Key_F8,
+                                      .isCheckable = true},
+                                     {});
+  show->setChecked(parts_.settings.value("panels/show_findings", false).toBool());
+  connect(show, &QAction::toggled, this, [this](bool isShown) {
+    parts_.settings.setValue("panels/show_findings", isShown);
+    refreshDock();
+  });
+}
+
+void FindingsFlow::makePanel() {
+  const auto at = [this](const char* id) { return parts_.actions[id]; };
+  panel_ = new FindingsPanel(parts_.document, {.previous = at("previous_finding"),
+                                               .next = at("next_finding"),
+                                               .ignore = at("ignore_finding")});
+  dock_ = new QDockWidget(tr("Findings"), &parts_.window);
+  dock_->setObjectName("findings");
+  dock_->setWidget(panel_);
+  dock_->installEventFilter(this);
+  placeDock();
+}
+
+void FindingsFlow::connectParts() {
+  PlantDocument& document = parts_.document;
+  timer_.setSingleShot(true);
+  timer_.setInterval(50); // [ms]: a drag is checked when it rests
+  connect(&timer_, &QTimer::timeout, this, &FindingsFlow::refresh);
+  connect(&document, &PlantDocument::skeletonEdited, this, [this] {
+    list(); // none may be of a node that is gone
+    later();
+  });
+  connect(&document, &PlantDocument::skeletonReplaced, this, [this] {
+    ofSkeleton_.clear();
+    ofScan_.clear();
+    list();
+    later();
+  });
+  connect(&document, &PlantDocument::scanChanged, this, [this] {
+    indexed_.reset();
+    ofScan_.clear();
+    list();
+    later();
+  });
+  connect(&document, &PlantDocument::unitChanged, this, &FindingsFlow::list);
+  connect(&parts_.distances, &ScanDistances::changed, this, &FindingsFlow::later);
+  connect(&job_, &JobRunner::finished, this, [this] {
+    if (std::exchange(isJobOutdated_, false)) refreshAgainstScan();
+  });
+  connect(&job_, &JobRunner::failed, this, &FindingsFlow::noted);
+  connect(panel_, &FindingsPanel::chosen, this, &FindingsFlow::goTo);
+  connect(panel_, &FindingsPanel::currentChanged, this, &FindingsFlow::showAction);
+}
+
+bool FindingsFlow::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == dock_ && event->type() == QEvent::Close)
+    parts_.actions["show_findings"]->setChecked(false);
+  return QObject::eventFilter(watched, event);
+}
+
+void FindingsFlow::later() {
+  if (!dock_->isHidden()) timer_.start();
+}
+
+void FindingsFlow::refresh() {
+  timer_.stop();
+  const Scan* scan = parts_.document.scan();
+  ofSkeleton_ = check(parts_.document.skeleton(), scan != nullptr ? scan->spacing() : 0);
+  list();
+  refreshAgainstScan();
+}
+
+void FindingsFlow::refreshAgainstScan() {
+  const std::shared_ptr<const PointDistances> distances = parts_.distances.now();
+  panel_->setChecking(distances != nullptr || parts_.distances.isMeasuring());
+  if (!distances) return; // tells when they are ready
+  if (job_.isRunning()) {
+    isJobOutdated_ = true;
+    job_.cancel();
+    return;
+  }
+  job_.start(
+      tr("Check against the scan"),
+      [distances, indexed = indexed_, skeleton = parts_.document.skeleton(),
+       spacing = parts_.document.scan()->spacing()](const Progress& progress) mutable {
+        const std::shared_ptr<const PointCloud>& cloud = distances->cloud();
+        if (!indexed)
+          indexed =
+              std::make_shared<const Indexed>(Indexed{cloud, SpatialIndex(cloud->positions())});
+        std::vector<Finding> found =
+            edgesWithoutPoints(skeleton, *cloud, indexed->index, spacing, {}, progress);
+        std::ranges::move(unexplainedClusters(*distances, spacing, {}, progress),
+                          std::back_inserter(found));
+        return std::pair(std::move(found), std::move(indexed));
+      },
+      [this](std::pair<std::vector<Finding>, std::shared_ptr<const Indexed>> result) {
+        if (parts_.document.scan() == nullptr ||
+            parts_.document.scan()->cloud() != result.second->cloud)
+          return; // another scan has come
+        ofScan_ = std::move(result.first);
+        indexed_ = std::move(result.second);
+        panel_->setChecking(false);
+        list();
+      });
+}
+
+void FindingsFlow::list() {
+  findings_.clear();
+  shownIgnored_.clear();
+  for (const std::vector<Finding>* found : {&ofSkeleton_, &ofScan_})
+    for (const Finding& finding : *found)
+      if (hasNodes(parts_.document.skeleton(), finding))
+        (isIgnored(finding) ? shownIgnored_ : findings_).push_back(finding);
+  panel_->show(findings_, shownIgnored_);
+}
+
+bool FindingsFlow::isIgnored(const Finding& finding) const {
+  return std::ranges::any_of(ignored_,
+                             [&](const Finding& other) { return isSame(other, finding); });
+}
+
+void FindingsFlow::step(int by) {
+  parts_.actions["show_findings"]->setChecked(true);
+  if (timer_.isActive()) refresh();
+  if (findings_.empty()) {
+    if (parts_.document.skeleton().isEmpty())
+      emit noted(tr("There is no skeleton to check yet"));
+    else
+      emit noted(isUpToDate() ? tr("Nothing to look at: all checks pass")
+                              : tr("Checking against the scan…"));
+    return;
+  }
+  const std::optional<Finding> current = panel_->current();
+  const auto at = std::ranges::find_if(
+      findings_, [&](const Finding& finding) { return current && isSame(finding, *current); });
+  const auto count = static_cast<std::ptrdiff_t>(findings_.size());
+  std::ptrdiff_t next = by > 0 ? 0 : count - 1;
+  if (at != findings_.end()) next = (at - findings_.begin() + by + count) % count;
+  const Finding finding = findings_[static_cast<std::size_t>(next)];
+  panel_->setCurrent(finding);
+  goTo(finding);
+}
+
+/// Selects what takes part, and shows it with some of what is around it.
+void FindingsFlow::goTo(const Finding& finding) {
+  const Skeleton& skeleton = parts_.document.skeleton();
+  if (!hasNodes(skeleton, finding)) return;
+  parts_.document.selection().set(nodesOf(finding));
+  Eigen::AlignedBox3d box = boundsOf(finding, skeleton);
+  const double margin = std::max(box.diagonal().norm(), 2 * meanEdgeLength(skeleton));
+  box.min().array() -= margin;
+  box.max().array() += margin;
+  parts_.view.frame(box);
+}
+
+void FindingsFlow::toggleIgnored() {
+  const std::optional<Finding> current = panel_->current();
+  if (!current) {
+    emit noted(tr("Choose a finding to ignore it"));
+    return;
+  }
+  const auto isOf = [&](const Finding& other) { return isSame(other, *current); };
+  if (isIgnored(*current)) {
+    std::erase_if(ignored_, isOf);
+    list();
+    panel_->setCurrent(*current);
+  } else {
+    const auto at = std::ranges::find_if(findings_, isOf) - findings_.begin();
+    ignored_.push_back(*current);
+    list();
+    if (!findings_.empty()) // the one that takes its place
+      panel_->setCurrent(findings_[std::min(static_cast<std::size_t>(at), findings_.size() - 1)]);
+  }
+  emit ignoredChanged();
+}
+
+/// The command says what it will do.
+void FindingsFlow::showAction() {
+  const std::optional<Finding> current = panel_->current();
+  QAction* action = parts_.actions["ignore_finding"];
+  action->setText(current && isIgnored(*current) ? tr("Show Finding Again") : tr("Ignore Finding"));
+  action->setEnabled(current.has_value());
+}
+
+void FindingsFlow::selectAll() {
+  parts_.actions["show_findings"]->setChecked(true);
+  if (timer_.isActive()) refresh();
+  std::vector<NodeId> nodes;
+  for (const Finding& finding : findings_)
+    std::ranges::copy(nodesOf(finding), std::back_inserter(nodes));
+  std::ranges::sort(nodes);
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  parts_.document.selection().set(std::move(nodes));
+  if (findings_.empty()) emit noted(tr("Nothing to look at: all checks pass"));
+}
+
+void FindingsFlow::placeDock() {
+  parts_.window.addDockWidget(Qt::RightDockWidgetArea, dock_);
+  if (auto* inspector = parts_.window.findChild<QDockWidget*>("inspector"))
+    parts_.window.tabifyDockWidget(inspector, dock_);
+}
+
+void FindingsFlow::refreshDock() {
+  const bool isShown = isPlantShown_ && parts_.actions["show_findings"]->isChecked();
+  const bool isNew = isShown && dock_->isHidden();
+  dock_->setVisible(isShown);
+  parts_.distances.setWanted(ScanDistances::Use::findings, isShown);
+  if (!isNew) return;
+  dock_->raise();
+  refresh(); // nothing was checked while nobody looked
+}
+
+} // namespace espalier

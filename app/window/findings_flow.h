@@ -1,0 +1,102 @@
+#pragma once
+
+#include "app/window/scan_distances.h"
+#include "core/base/spatial_index.h"
+#include "core/skeleton/finding.h"
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+class QDockWidget;
+class QMainWindow;
+class QMenu;
+class QSettings;
+
+namespace espalier {
+
+class ActionSet;
+class FindingsPanel;
+class PlantDocument;
+class PlantView;
+
+/// The checks of the plant: their findings in a panel, the way to each, and those that are ignored.
+///
+/// The skeleton is checked a moment after an edit, and the scan against it as a job, which a later
+/// edit replaces. Nothing is checked while nobody looks.
+class FindingsFlow : public QObject {
+  Q_OBJECT
+
+public:
+  /// What it works with; all must outlive it.
+  struct Parts {
+    PlantDocument& document;
+    PlantView& view;
+    ActionSet& actions;
+    ScanDistances& distances;
+    QSettings& settings;
+    QMainWindow& window;
+  };
+  explicit FindingsFlow(const Parts& parts);
+
+  void setPlantShown(bool isShown);
+  void resetLayout();
+  void fillMenu(QMenu& menu) const; // with what one does about findings
+
+  /// Those that are not ignored, as they were last found.
+  [[nodiscard]] const std::vector<Finding>& findings() const { return findings_; }
+  [[nodiscard]] const std::vector<Finding>& ignored() const { return shownIgnored_; }
+  [[nodiscard]] bool isUpToDate() const; // nothing waits, and no job is running
+
+  /// What is ignored, as JSON, and back. Empty: nothing.
+  /// @throws Error if it is no such text; nothing is ignored then
+  [[nodiscard]] std::string text() const;
+  void show(const std::string& text);
+
+signals:
+  void noted(const QString& message);
+  void ignoredChanged();
+
+private:
+  void addActions();
+  void makePanel();
+  void connectParts();
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+  void later();
+  void refresh(); // checks the skeleton
+  void refreshAgainstScan();
+  void list(); // what was found last, without what is gone
+  [[nodiscard]] bool isIgnored(const Finding& finding) const;
+  void step(int by);
+  void goTo(const Finding& finding);
+  void toggleIgnored();
+  void showAction();
+  void selectAll();
+  void placeDock();
+  void refreshDock();
+
+  Parts parts_;
+  FindingsPanel* panel_ = nullptr;
+  QDockWidget* dock_ = nullptr;
+  QTimer timer_;
+  JobRunner job_; // the checks against the scan
+  bool isJobOutdated_ = false;
+  struct Indexed { // what finds the points of a scan; the index refers to the cloud
+    std::shared_ptr<const PointCloud> cloud;
+    SpatialIndex index;
+  };
+  std::shared_ptr<const Indexed> indexed_;
+  std::vector<Finding> ofSkeleton_;
+  std::vector<Finding> ofScan_;
+  std::vector<Finding> findings_;
+  std::vector<Finding> shownIgnored_; // that are still found
+  std::vector<Finding> ignored_;      // all that one has ignored
+  bool isPlantShown_ = false;
+};
+
+} // namespace espalier

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "core/skeleton/point_distances.h"
+#include "ui/jobs/job_runner.h"
+
+#include <QObject>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <set>
+
+namespace espalier {
+
+class PlantDocument;
+
+/// How far the points of the scan are from the skeleton of a document, as both are now.
+///
+/// Nothing is measured while nobody wants it. A plant is measured as a job of its own, which blocks
+/// nothing; an edit, unless it changes much of the plant, is taken in at once.
+class ScanDistances : public QObject {
+  Q_OBJECT
+
+public:
+  explicit ScanDistances(PlantDocument& document, QObject* parent = nullptr);
+
+  enum class Use : std::uint8_t { findings, explained, nodeColors, pointColors };
+  void setWanted(Use use, bool isWanted);
+
+  /// Null: there is no scan or no skeleton, nobody wants them, or they are not ready.
+  [[nodiscard]] std::shared_ptr<const PointDistances> now() const { return distances_; }
+  [[nodiscard]] bool isMeasuring() const { return job_.isRunning(); }
+
+signals:
+  void changed();
+
+private:
+  void take(const SkeletonDelta& delta);
+  void measureAnew();
+  void start();
+
+  PlantDocument& document_;
+  std::set<Use> uses_;
+  std::shared_ptr<PointDistances> distances_;
+  std::optional<SkeletonDelta> since_; // edits since the job began; none: it has to begin again
+  JobRunner job_;
+};
+
+} // namespace espalier

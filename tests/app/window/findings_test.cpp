@@ -1,0 +1,205 @@
+#include "tests/app/window/project_fixture.h"
+#include "ui/panels/status_line.h"
+
+#include <QDockWidget>
+#include <QLabel>
+#include <QTest>
+#include <QTreeWidget>
+#include <QUndoStack>
+
+namespace espalier {
+namespace {
+
+/// The fork, into which mistakes are put.
+struct FindingsWindowTest : test::ProjectWindowTest {
+  void openFork() { open({writeFork("fork.mtg")}); }
+  void openForkAndScan() { open({writeScan("plant.xyz"), writeFork("fork.mtg")}); }
+
+  NodeId shoot(int number) {
+    const double angle = 2 * M_PI * number / 3;
+    return nodeAt({std::cos(angle), std::sin(angle), 2});
+  }
+  void setRadiusOf(NodeId id, double radius) {
+    document().edit("Radius", [=](SkeletonEditor& editor) { editor.setRadius(id, radius); });
+  }
+
+  QTreeWidget& list() { return find<QTreeWidget>("findings_list"); }
+  QString title() { return find<QLabel>("findings_title").text(); }
+  [[nodiscard]] bool waitForTitle(const QString& text) {
+    return QTest::qWaitFor([&] { return title() == text; });
+  }
+  /// The number that is written beside a group; empty without such a group.
+  QString countOf(const QString& group) {
+    for (int i = 0; i < list().topLevelItemCount(); ++i)
+      if (list().topLevelItem(i)->text(0) == group) return list().topLevelItem(i)->text(1);
+    return {};
+  }
+  std::vector<NodeId> chosen() { return document().selection().nodes(); }
+  bool isSeen(const Eigen::Vector3d& place) {
+    const auto shown = view().project(place);
+    return shown && view().rect().contains(shown->toPoint());
+  }
+};
+
+constexpr auto allIsWell = "Nothing to look at: all checks pass";
+
+TEST_F(FindingsWindowTest, ThePanelSaysThatAllIsWell) {
+  openFork();
+  EXPECT_FALSE(find<QDockWidget>("findings").isVisible());
+  key(Qt::Key_F8);
+  EXPECT_TRUE(find<QDockWidget>("findings").isVisible());
+  EXPECT_EQ(title(), allIsWell);
+  EXPECT_EQ(find<QLabel>("findings_note").text(), "Open a scan to check against it");
+  EXPECT_FALSE(list().isVisible());
+  key(Qt::Key_F8);
+  EXPECT_FALSE(find<QDockWidget>("findings").isVisible());
+}
+
+TEST_F(FindingsWindowTest, FollowsEditsAndUndo) {
+  openFork();
+  key(Qt::Key_F8);
+  setRadiusOf(shoot(0), 0.2);
+  EXPECT_TRUE(waitForTitle("1 finding"));
+  EXPECT_EQ(countOf("Thicker than the parent"), "1");
+  setRadiusOf(shoot(1), 0.3);
+  EXPECT_TRUE(waitForTitle("2 findings"));
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(waitForTitle("1 finding"));
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(waitForTitle(allIsWell));
+}
+
+TEST_F(FindingsWindowTest, KeysGoFromFindingToFindingAndFlyThere) {
+  openFork();
+  setRadiusOf(shoot(0), 0.2);
+  setRadiusOf(shoot(1), 0.2);
+  key(Qt::Key_F4);
+  EXPECT_TRUE(find<QDockWidget>("findings").isVisible()) << "shows what it goes through";
+  const std::vector<NodeId> first = chosen();
+  ASSERT_EQ(first.size(), 1U);
+  waitForView();
+  EXPECT_TRUE(isSeen(document().skeleton()[first[0]].position));
+  key(Qt::Key_F4);
+  const std::vector<NodeId> second = chosen();
+  EXPECT_NE(first, second);
+  key(Qt::Key_F4);
+  EXPECT_EQ(chosen(), first) << "after the last comes the first";
+  key(Qt::Key_F4, Qt::ShiftModifier);
+  EXPECT_EQ(chosen(), second);
+  EXPECT_EQ(document().undoStack().count(), 2) << "to look is no edit";
+}
+
+TEST_F(FindingsWindowTest, AClickInTheListSelectsAndFliesThere) {
+  openFork();
+  setRadiusOf(shoot(2), 0.2);
+  key(Qt::Key_F8);
+  ASSERT_TRUE(waitForTitle("1 finding"));
+  const QTreeWidgetItem* item = list().topLevelItem(0)->child(0);
+  EXPECT_TRUE(item->text(0).contains("radius 0.200")) << item->text(0).toStdString();
+  EXPECT_TRUE(item->toolTip(0).contains("is thicker than its parent"));
+  QTest::mouseClick(list().viewport(), Qt::LeftButton, {}, list().visualItemRect(item).center());
+  EXPECT_EQ(chosen(), std::vector{shoot(2)});
+  waitForView();
+  EXPECT_TRUE(isSeen(document().skeleton()[shoot(2)].position));
+}
+
+TEST_F(FindingsWindowTest, EnterInTheListGoesThereAndMarksNothing) {
+  openFork();
+  setRadiusOf(shoot(0), 0.2);
+  setRadiusOf(shoot(1), 0.2);
+  key(Qt::Key_F4);
+  const std::vector<NodeId> first = chosen();
+  list().setFocus();
+  QTest::keyClick(&list(), Qt::Key_Down);
+  EXPECT_EQ(chosen(), first) << "to walk in the list moves no camera";
+  QTest::keyClick(&list(), Qt::Key_Return);
+  EXPECT_NE(chosen(), first);
+  EXPECT_EQ(document().undoStack().count(), 2);
+}
+
+TEST_F(FindingsWindowTest, IgnoredOnesLeaveTheListAndComeBackOnRequest) {
+  openFork();
+  setRadiusOf(shoot(0), 0.2);
+  key(Qt::Key_F4);
+  key(Qt::Key_F4, Qt::ControlModifier);
+  EXPECT_EQ(title(), allIsWell);
+  EXPECT_EQ(countOf("Ignored"), "1");
+  setRadiusOf(shoot(0), 0.3); // still thicker: still ignored
+  EXPECT_TRUE(QTest::qWaitFor([&] { return countOf("Ignored") == "1"; }));
+  QTreeWidgetItem* group = list().topLevelItem(0);
+  group->setExpanded(true);
+  QTest::mouseClick(list().viewport(), Qt::LeftButton, {},
+                    list().visualItemRect(group->child(0)).center());
+  EXPECT_EQ(action("ignore_finding").text(), "Show Finding Again");
+  key(Qt::Key_F4, Qt::ControlModifier);
+  EXPECT_EQ(title(), "1 finding");
+  EXPECT_EQ(countOf("Ignored"), "");
+}
+
+TEST_F(FindingsWindowTest, AProjectRemembersWhatIsIgnored) {
+  openFork();
+  setRadiusOf(shoot(0), 0.2);
+  const QString file = saveProject("plant.espalier");
+  key(Qt::Key_F4);
+  key(Qt::Key_F4, Qt::ControlModifier);
+  window().close();
+  restart();
+  open({file});
+  EXPECT_TRUE(QTest::qWaitFor([&] { return countOf("Ignored") == "1"; }));
+  EXPECT_EQ(title(), allIsWell);
+  open({writeFork("other.mtg")});
+  setRadiusOf(shoot(0), 0.2);
+  EXPECT_TRUE(waitForTitle("1 finding")) << "another plant";
+}
+
+TEST_F(FindingsWindowTest, AFindingOfANodeThatIsRemovedGoesWithIt) {
+  openFork();
+  setRadiusOf(shoot(0), 0.2);
+  key(Qt::Key_F4);
+  const NodeId id = shoot(0);
+  document().edit("Remove", [=](SkeletonEditor& editor) { editor.erase(id); });
+  EXPECT_EQ(title(), allIsWell) << "at once";
+  key(Qt::Key_F4);
+  EXPECT_EQ(window().statusLine().shownText(), allIsWell);
+}
+
+TEST_F(FindingsWindowTest, SelectsTheNodesOfAllFindings) {
+  openFork();
+  setRadiusOf(shoot(0), 0.2);
+  setRadiusOf(shoot(2), 0.2);
+  action("select_findings").trigger();
+  EXPECT_EQ(chosen().size(), 2U);
+  EXPECT_TRUE(document().selection().contains(shoot(0)));
+  EXPECT_TRUE(document().selection().contains(shoot(2)));
+}
+
+// The twigs of the scan are elsewhere than the shoots of the fork.
+TEST_F(FindingsWindowTest, ChecksAgainstTheScanAsAJobOfItsOwn) {
+  openForkAndScan();
+  key(Qt::Key_F8);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !countOf("Unexplained points").isEmpty(); }));
+  EXPECT_FALSE(countOf("Edges without points").isEmpty());
+  EXPECT_FALSE(find<QLabel>("findings_note").isVisible());
+  const QString before = title();
+  document().edit("Cut", [&](SkeletonEditor& editor) {
+    for (int i = 0; i < 3; ++i)
+      editor.erase(shoot(i));
+  });
+  EXPECT_TRUE(QTest::qWaitFor([&] { return countOf("Edges without points").isEmpty(); }));
+  EXPECT_NE(title(), before);
+}
+
+TEST_F(FindingsWindowTest, FollowsManyEditsInARowToTheLast) {
+  openForkAndScan();
+  key(Qt::Key_F8);
+  for (int i = 0; i < 40; ++i) {
+    setRadiusOf(shoot(0), i % 2 == 0 ? 0.2 : 0.1);
+    QTest::qWait(i % 7); // within the pause, and into the job
+  }
+  setRadiusOf(shoot(1), 0.2);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return countOf("Thicker than the parent") == "1"; }));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !countOf("Unexplained points").isEmpty(); }));
+}
+
+} // namespace
+} // namespace espalier

@@ -1,0 +1,258 @@
+#include "ui/panels/findings_panel.h"
+
+#include "ui/document/plant_document.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QSet>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include <cmath>
+#include <numbers>
+
+namespace espalier {
+namespace {
+
+using Kind = Finding::Kind;
+
+constexpr int numberRole = Qt::UserRole; // of a finding; none for a group
+constexpr int groupRole = Qt::UserRole + 1;
+constexpr int ignoredGroup = findingKinds;
+
+QToolButton* makeButton(QAction* action, const QString& text) {
+  auto* button = new QToolButton;
+  button->setDefaultAction(action);
+  button->setProperty("role", "panel");
+  button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  button->setMinimumWidth(40);
+  button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // must not widen the panel
+  if (text.isEmpty()) return button;
+  button->setText(text); // shorter than that of the menu
+  // Whenever the action changes, it writes its text on the button again.
+  QObject::connect(action, &QAction::changed, button, [button, text] { button->setText(text); });
+  button->setAccessibleName(action->text());
+  return button;
+}
+
+QLabel* makeLabel(const char* name, const char* role) {
+  auto* label = new QLabel;
+  label->setObjectName(name);
+  label->setProperty("role", role);
+  label->setWordWrap(true);
+  label->setMinimumWidth(72);
+  return label;
+}
+
+} // namespace
+
+QString titleOf(Kind kind) {
+  switch (kind) {
+  case Kind::separatePiece:
+    return FindingsPanel::tr("Separate pieces");
+  case Kind::twoSuccessors:
+    return FindingsPanel::tr("Two successors");
+  case Kind::noLength:
+    return FindingsPanel::tr("Edges without length");
+  case Kind::duplicatedEdge:
+    return FindingsPanel::tr("Duplicated edges");
+  case Kind::sharpTurn:
+    return FindingsPanel::tr("Sharp turns");
+  case Kind::crossing:
+    return FindingsPanel::tr("Touching branches");
+  case Kind::radiusAboveParent:
+    return FindingsPanel::tr("Thicker than the parent");
+  case Kind::edgesWithoutPoints:
+    return FindingsPanel::tr("Edges without points");
+  case Kind::unexplainedPoints:
+    return FindingsPanel::tr("Unexplained points");
+  }
+  return {};
+}
+
+FindingsPanel::FindingsPanel(const PlantDocument& document, const Actions& actions, QWidget* parent)
+    : QWidget(parent), document_(document), title_(makeLabel("findings_title", "title")),
+      note_(makeLabel("findings_note", "quiet")), list_(new QTreeWidget) {
+  setObjectName("findings_panel");
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(12, 12, 12, 12);
+  column->setSpacing(8);
+  column->addWidget(title_);
+  column->addWidget(note_);
+  list_->setObjectName("findings_list");
+  list_->setAccessibleName(tr("Findings"));
+  list_->setColumnCount(2);
+  list_->setHeaderHidden(true);
+  list_->setRootIsDecorated(true);
+  list_->setIndentation(16);
+  list_->setUniformRowHeights(true);
+  list_->setMinimumWidth(72);
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  list_->header()->setStretchLastSection(false);
+  list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+  list_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+  list_->installEventFilter(this);
+  column->addWidget(list_, 1);
+  auto* walk = new QHBoxLayout;
+  walk->setSpacing(4);
+  walk->addWidget(makeButton(actions.previous, tr("◂ Previous")));
+  walk->addWidget(makeButton(actions.next, tr("Next ▸")));
+  column->addLayout(walk);
+  column->addWidget(makeButton(actions.ignore, {}));
+  connect(list_, &QTreeWidget::itemClicked, this,
+          [this](const QTreeWidgetItem* item) { tellChosen(item); });
+  connect(list_, &QTreeWidget::currentItemChanged, this, &FindingsPanel::currentChanged);
+  show({}, {});
+  setChecking(false);
+}
+
+void FindingsPanel::show(const std::vector<Finding>& findings,
+                         const std::vector<Finding>& ignored) {
+  const std::optional<Finding> before = current();
+  QSet<int> folded; // groups that one has closed, or of the ignored, has not opened
+  for (int i = 0; i < list_->topLevelItemCount(); ++i)
+    if (!list_->topLevelItem(i)->isExpanded())
+      folded.insert(list_->topLevelItem(i)->data(0, groupRole).toInt());
+  if (listed_.empty() || !list_->topLevelItemCount()) folded.insert(ignoredGroup);
+  {
+    const QSignalBlocker blocker(list_);
+    list_->clear();
+    listed_.clear();
+    for (int kind = 0; kind < findingKinds; ++kind) {
+      std::vector<Finding> group;
+      for (const Finding& finding : findings)
+        if (finding.kind == static_cast<Kind>(kind)) group.push_back(finding);
+      addGroup(titleOf(static_cast<Kind>(kind)), group, !folded.contains(kind), false);
+    }
+    addGroup(tr("Ignored"), ignored, !folded.contains(ignoredGroup), true);
+    restoreCurrent(before);
+  }
+  count_ = findings.size();
+  refreshTitle();
+  list_->setVisible(!listed_.empty());
+  emit currentChanged();
+}
+
+void FindingsPanel::setChecking(bool isChecking) {
+  isChecking_ = isChecking;
+  refreshTitle();
+  note_->setText(isChecking                    ? tr("Checking against the scan…")
+                 : document_.scan() == nullptr ? tr("Open a scan to check against it")
+                                               : QString());
+  note_->setVisible(!note_->text().isEmpty());
+}
+
+void FindingsPanel::setCurrent(const Finding& finding) {
+  restoreCurrent(finding);
+}
+
+std::optional<Finding> FindingsPanel::current() const {
+  const QTreeWidgetItem* item = list_->currentItem();
+  if (item == nullptr || !item->data(0, numberRole).isValid()) return std::nullopt;
+  return listed_[item->data(0, numberRole).toULongLong()];
+}
+
+/// Enter in the list goes to the finding; elsewhere it marks what is selected as reviewed.
+bool FindingsPanel::eventFilter(QObject* watched, QEvent* event) {
+  const bool isOverride = event->type() == QEvent::ShortcutOverride;
+  if (isOverride || event->type() == QEvent::KeyPress) {
+    const int key = static_cast<const QKeyEvent*>(event)->key();
+    if (key == Qt::Key_Return || key == Qt::Key_Enter) {
+      if (isOverride)
+        event->accept();
+      else
+        tellChosen(list_->currentItem());
+      return true;
+    }
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+void FindingsPanel::addGroup(const QString& title, const std::vector<Finding>& findings,
+                             bool isOpen, bool isIgnored) {
+  if (findings.empty()) return;
+  auto* group = new QTreeWidgetItem(list_, {title, formatCount(findings.size())});
+  group->setData(0, groupRole, isIgnored ? ignoredGroup : static_cast<int>(findings.front().kind));
+  group->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
+  QFont strong = group->font(0);
+  strong.setWeight(QFont::DemiBold);
+  group->setFont(0, strong);
+  for (const Finding& finding : findings) {
+    auto* item = new QTreeWidgetItem(group, {textOf(finding)});
+    item->setFirstColumnSpanned(true);
+    const auto length = [this](double value) {
+      return formatLength(value, document_.unit(), 3).toStdString();
+    };
+    QString whole = QString::fromStdString(describe(finding, document_.skeleton(), length));
+    whole[0] = whole[0].toUpper();
+    item->setToolTip(0, whole);
+    item->setData(0, numberRole, static_cast<qulonglong>(listed_.size()));
+    item->setData(0, Qt::AccessibleDescriptionRole, whole);
+    listed_.push_back(finding);
+  }
+  group->setExpanded(isOpen);
+}
+
+void FindingsPanel::refreshTitle() {
+  if (document_.skeleton().isEmpty())
+    title_->setText(tr("There is no skeleton to check yet"));
+  else if (count_ > 0)
+    title_->setText(count_ == 1 ? tr("1 finding") : tr("%1 findings").arg(formatCount(count_)));
+  else
+    title_->setText(isChecking_ ? tr("Nothing to look at so far")
+                                : tr("Nothing to look at: all checks pass"));
+}
+
+void FindingsPanel::restoreCurrent(const std::optional<Finding>& finding) {
+  if (!finding) return;
+  for (int i = 0; i < list_->topLevelItemCount(); ++i)
+    for (int k = 0; k < list_->topLevelItem(i)->childCount(); ++k) {
+      QTreeWidgetItem* item = list_->topLevelItem(i)->child(k);
+      if (!isSame(listed_[item->data(0, numberRole).toULongLong()], *finding)) continue;
+      list_->setCurrentItem(item);
+      if (item->parent()->isExpanded()) list_->scrollToItem(item);
+      return;
+    }
+}
+
+void FindingsPanel::tellChosen(const QTreeWidgetItem* item) {
+  if (item == nullptr || !item->data(0, numberRole).isValid()) return;
+  const Finding finding = listed_[item->data(0, numberRole).toULongLong()];
+  emit chosen(finding);
+}
+
+/// Short: the kind is written over it, and the whole sentence is its tool tip.
+QString FindingsPanel::textOf(const Finding& finding) const {
+  const auto length = [this](double value) { return formatLength(value, document_.unit(), 3); };
+  const QString node = tr("node %1").arg(indexOf(finding.node));
+  const qulonglong other = finding.others.empty() ? 0 : indexOf(finding.others.front());
+  const qlonglong count = std::llround(finding.amount);
+  switch (finding.kind) {
+  case Kind::separatePiece:
+    return count == 1 ? tr("%1 · alone").arg(node) : tr("%1 · %2 nodes").arg(node).arg(count);
+  case Kind::twoSuccessors:
+    return tr("%1 · %2").arg(node).arg(count);
+  case Kind::noLength:
+    return node;
+  case Kind::duplicatedEdge:
+    return tr("%1 on %2").arg(node).arg(other);
+  case Kind::sharpTurn:
+    return tr("%1 · %2°").arg(node).arg(std::lround(finding.amount * 180 / std::numbers::pi));
+  case Kind::crossing:
+    return tr("%1 and %2 · %3").arg(node).arg(other).arg(length(finding.amount));
+  case Kind::radiusAboveParent:
+    return tr("%1 · radius %2").arg(node, length(finding.amount));
+  case Kind::edgesWithoutPoints:
+    return tr("%1 · %2").arg(node, length(finding.amount));
+  case Kind::unexplainedPoints:
+    return tr("%1 points · %2").arg(formatCount(static_cast<std::size_t>(count)), node);
+  }
+  return {};
+}
+
+} // namespace espalier

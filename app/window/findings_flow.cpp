@@ -130,7 +130,7 @@ void FindingsFlow::connectParts() {
   connect(&document, &PlantDocument::unitChanged, this, &FindingsFlow::list);
   connect(&parts_.distances, &ScanDistances::changed, this, &FindingsFlow::later);
   connect(&job_, &JobRunner::finished, this, [this] {
-    if (std::exchange(isJobOutdated_, false)) refreshAgainstScan();
+    if (std::exchange(isJobOutdated_, false)) startJob();
   });
   connect(&job_, &JobRunner::failed, this, &FindingsFlow::noted);
   connect(panel_, &FindingsPanel::chosen, this, &FindingsFlow::goTo);
@@ -149,44 +149,60 @@ void FindingsFlow::later() {
 
 void FindingsFlow::refresh() {
   timer_.stop();
-  const Scan* scan = parts_.document.scan();
-  ofSkeleton_ = check(parts_.document.skeleton(), scan != nullptr ? scan->spacing() : 0);
-  list();
-  refreshAgainstScan();
+  constexpr std::size_t most = 4000; // nodes that are checked in a few ms
+  const Skeleton& skeleton = parts_.document.skeleton();
+  isCheckedAtOnce_ = skeleton.size() <= most;
+  if (isCheckedAtOnce_) {
+    ofSkeleton_ = check(skeleton, spacing());
+    list();
+  }
+  startJob();
 }
 
-void FindingsFlow::refreshAgainstScan() {
+/// What takes longer: large skeletons, and the scan.
+void FindingsFlow::startJob() {
   const std::shared_ptr<const PointDistances> distances = parts_.distances.now();
-  panel_->setChecking(distances != nullptr || parts_.distances.isMeasuring());
-  if (!distances) return; // tells when they are ready
+  panel_->setChecking(distances != nullptr || parts_.distances.isMeasuring() || !isCheckedAtOnce_);
+  if (!distances && isCheckedAtOnce_) return; // the distances tell when they are ready
   if (job_.isRunning()) {
     isJobOutdated_ = true;
     job_.cancel();
     return;
   }
   job_.start(
-      tr("Check against the scan"),
-      [distances, indexed = indexed_, skeleton = parts_.document.skeleton(),
-       spacing = parts_.document.scan()->spacing()](const Progress& progress) mutable {
+      tr("Check the plant"),
+      [distances, indexed = indexed_, isCheckedAtOnce = isCheckedAtOnce_, spacing = spacing(),
+       skeleton = parts_.document.skeleton()](const Progress& progress) {
+        Found found{.indexed = indexed};
+        if (!isCheckedAtOnce) found.ofSkeleton = check(skeleton, spacing);
+        if (!distances) return found;
         const std::shared_ptr<const PointCloud>& cloud = distances->cloud();
-        if (!indexed)
-          indexed =
+        if (!found.indexed)
+          found.indexed =
               std::make_shared<const Indexed>(Indexed{cloud, SpatialIndex(cloud->positions())});
-        std::vector<Finding> found =
-            edgesWithoutPoints(skeleton, *cloud, indexed->index, spacing, {}, progress);
+        found.ofScan =
+            edgesWithoutPoints(skeleton, *cloud, found.indexed->index, spacing, {}, progress);
         std::ranges::move(unexplainedClusters(*distances, spacing, {}, progress),
-                          std::back_inserter(found));
-        return std::pair(std::move(found), std::move(indexed));
+                          std::back_inserter(found.ofScan));
+        return found;
       },
-      [this](std::pair<std::vector<Finding>, std::shared_ptr<const Indexed>> result) {
-        if (parts_.document.scan() == nullptr ||
-            parts_.document.scan()->cloud() != result.second->cloud)
-          return; // another scan has come
-        ofScan_ = std::move(result.first);
-        indexed_ = std::move(result.second);
-        panel_->setChecking(false);
-        list();
-      });
+      [this](Found found) { take(std::move(found)); });
+}
+
+void FindingsFlow::take(Found found) {
+  if (found.ofSkeleton) ofSkeleton_ = std::move(*found.ofSkeleton);
+  const Scan* scan = parts_.document.scan();
+  if (scan != nullptr && found.indexed && scan->cloud() == found.indexed->cloud) {
+    ofScan_ = std::move(found.ofScan); // else another scan has come
+    indexed_ = std::move(found.indexed);
+  }
+  panel_->setChecking(parts_.distances.isMeasuring());
+  list();
+}
+
+double FindingsFlow::spacing() const {
+  const Scan* scan = parts_.document.scan();
+  return scan != nullptr ? scan->spacing() : 0;
 }
 
 void FindingsFlow::list() {

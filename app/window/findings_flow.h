@@ -9,6 +9,7 @@
 #include <QTimer>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,8 +27,8 @@ class PlantView;
 
 /// The checks of the plant: their findings in a panel, the way to each, and those that are ignored.
 ///
-/// The skeleton is checked a moment after an edit, and the scan against it as a job, which a later
-/// edit replaces. Nothing is checked while nobody looks.
+/// The skeleton is checked a moment after an edit, a large one and the scan against it as a job,
+/// which a later edit replaces. Nothing is checked while nobody looks.
 class FindingsFlow : public QObject {
   Q_OBJECT
 
@@ -62,15 +63,26 @@ signals:
   void ignoredChanged();
 
 private:
+  struct Indexed { // what finds the points of a scan; the index refers to the cloud
+    std::shared_ptr<const PointCloud> cloud;
+    SpatialIndex index;
+  };
+  struct Found {                                         // by a job
+    std::optional<std::vector<Finding>> ofSkeleton = {}; // none: it is checked at once
+    std::vector<Finding> ofScan = {};
+    std::shared_ptr<const Indexed> indexed; // null: there is no scan
+  };
   void addActions();
   void makePanel();
   void connectParts();
   bool eventFilter(QObject* watched, QEvent* event) override;
 
   void later();
-  void refresh(); // checks the skeleton
-  void refreshAgainstScan();
-  void list(); // what was found last, without what is gone
+  void refresh();
+  void startJob();
+  void take(Found found);
+  [[nodiscard]] double spacing() const; // between points [L]; 0: there is no scan
+  void list();                          // what was found last, without what is gone
   [[nodiscard]] bool isIgnored(const Finding& finding) const;
   void step(int by);
   void goTo(const Finding& finding);
@@ -84,12 +96,9 @@ private:
   FindingsPanel* panel_ = nullptr;
   QDockWidget* dock_ = nullptr;
   QTimer timer_;
-  JobRunner job_; // the checks against the scan
+  JobRunner job_;
   bool isJobOutdated_ = false;
-  struct Indexed { // what finds the points of a scan; the index refers to the cloud
-    std::shared_ptr<const PointCloud> cloud;
-    SpatialIndex index;
-  };
+  bool isCheckedAtOnce_ = true;
   std::shared_ptr<const Indexed> indexed_;
   std::vector<Finding> ofSkeleton_;
   std::vector<Finding> ofScan_;

@@ -2,6 +2,7 @@
 
 #include "app/window/action_set.h"
 #include "app/window/editing.h"
+#include "app/window/explained_flow.h"
 #include "app/window/file_flow.h"
 #include "app/window/findings_flow.h"
 #include "app/window/icon.h"
@@ -13,6 +14,7 @@
 #include "app/window/seal_flow.h"
 #include "app/window/shown_flow.h"
 #include "app/window/unit_flow.h"
+#include "app/window/value_colors.h"
 #include "app/window/view_options.h"
 #include "app/window/view_sync.h"
 #include "ui/panels/inspector_panel.h"
@@ -203,6 +205,7 @@ void MainWindow::refreshDocks() {
   review_->setPlantShown(hasPlant);
   shown_->setAvailable(hasPlant);
   findings_->setPlantShown(hasPlant);
+  explained_->setPlantShown(hasPlant);
   if (hasPlant && !settings_.contains("window/state")) // nobody has set the widths yet
     resizeDocks({pipelineDock_, inspectorDock_}, {pipelineWidth, inspectorWidth}, Qt::Horizontal);
 }

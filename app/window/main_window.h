@@ -17,6 +17,7 @@ namespace espalier {
 enum class Refusal;
 class ActionSet;
 class Editing;
+class ExplainedFlow;
 class FileFlow;
 class FindingsFlow;
 class InspectorPanel;
@@ -34,6 +35,7 @@ class ShownFlow;
 class StartPage;
 class StatusLine;
 class UnitFlow;
+class ValueColors;
 class ViewOptions;
 class ViewSync;
 
@@ -119,8 +121,10 @@ private:
   std::unique_ptr<ShownFlow> shown_;
   std::unique_ptr<ScanDistances> distances_;
   std::unique_ptr<FindingsFlow> findings_;
+  std::unique_ptr<ExplainedFlow> explained_;
   std::unique_ptr<ViewOptions> options_;
   std::unique_ptr<SavedViews> savedViews_;
+  std::unique_ptr<ValueColors> valueColors_;
   std::unique_ptr<ProjectFlow> projects_;
   std::unique_ptr<FileFlow> files_;
   std::unique_ptr<ReconstructFlow> reconstruct_;

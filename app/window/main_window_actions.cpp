@@ -1,5 +1,6 @@
 #include "app/window/action_set.h"
 #include "app/window/editing.h"
+#include "app/window/explained_flow.h"
 #include "app/window/file_flow.h"
 #include "app/window/findings_flow.h"
 #include "app/window/main_window.h"
@@ -9,6 +10,7 @@
 #include "app/window/seal_flow.h"
 #include "app/window/shown_flow.h"
 #include "app/window/unit_flow.h"
+#include "app/window/value_colors.h"
 #include "app/window/view_options.h"
 #include "ui/dialogs/command_palette.h"
 #include "ui/dialogs/manual_window.h"
@@ -43,6 +45,10 @@ void MainWindow::addActions() {
   distances_ = std::make_unique<ScanDistances>(document_);
   findings_ = std::make_unique<FindingsFlow>(
       FindingsFlow::Parts{document_, *view_, *actions_, *distances_, settings_, *this});
+  explained_ = std::make_unique<ExplainedFlow>(
+      ExplainedFlow::Parts{document_, *view_, *actions_, *distances_, settings_, *this});
+  valueColors_ = std::make_unique<ValueColors>(
+      ValueColors::Parts{document_, *view_, *actions_, *options_, *distances_});
   addPanelActions();
   addThemeActions();
   addHelpActions();

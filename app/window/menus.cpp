@@ -106,6 +106,8 @@ void MainWindow::fillViewMenu() {
   view->addActions(options_->layers());
   view->addSeparator();
   view->addMenu(tr("Color Points By"))->addActions(options_->colors());
+  view->addMenu(tr("Color Nodes By"))->addActions(options_->nodeColors());
+  view->addAction((*actions_)["hide_explained"]);
   view->addMenu(tr("Point Size"))->addActions(options_->sizes());
   view->addMenu(tr("Projection"))->addActions(options_->projections());
   view->addMenu(tr("Look From"))->addActions(options_->standardViews());
@@ -134,6 +136,7 @@ void MainWindow::fillToolBar() {
   auto* colors = new QMenu(bar);
   colors->addActions(options_->colors());
   colors->addSeparator();
+  colors->addMenu(tr("Color Nodes By"))->addActions(options_->nodeColors());
   colors->addMenu(tr("Point Size"))->addActions(options_->sizes());
   bar->addWidget(makeMenuButton(tr("Color By"), "color", colors));
   add(*bar, *actions_, {"frame_all"});

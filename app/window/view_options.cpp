@@ -13,11 +13,12 @@ namespace espalier {
 
 ViewOptions::ViewOptions(PlantView& view, ActionSet& actions, QSettings& settings, QObject* parent)
     : QObject(parent), view_(view), actions_(actions), settings_(settings),
-      colors_(new QActionGroup(this)), sizes_(new QActionGroup(this)),
-      projections_(new QActionGroup(this)) {
+      colors_(new QActionGroup(this)), nodeColors_(new QActionGroup(this)),
+      sizes_(new QActionGroup(this)), projections_(new QActionGroup(this)) {
   actions_.beginSection(tr("View"));
   addLayers();
   addColors();
+  addNodeColors();
   addSizes();
   addProjections();
   addStandardViews();
@@ -25,6 +26,10 @@ ViewOptions::ViewOptions(PlantView& view, ActionSet& actions, QSettings& setting
 
 QList<QAction*> ViewOptions::colors() const {
   return colors_->actions();
+}
+
+QList<QAction*> ViewOptions::nodeColors() const {
+  return nodeColors_->actions();
 }
 
 QList<QAction*> ViewOptions::sizes() const {
@@ -46,7 +51,9 @@ std::string ViewOptions::text() const {
   ViewText shown{.camera = view_.camera(), .layers = {}, .choices = {}, .saved = saved_};
   for (const QAction* layer : layers_)
     shown.layers[layer->objectName()] = layer->isChecked();
-  for (const auto& [name, group] : {std::pair{"color", colors_}, std::pair{"point_size", sizes_}})
+  for (const auto& [name, group] :
+       {std::pair{"color", colors_}, std::pair{"node_color", nodeColors_},
+        std::pair{"point_size", sizes_}})
     if (group->checkedAction() != nullptr)
       shown.choices[name] = group->checkedAction()->objectName();
   return textOf(shown);
@@ -59,7 +66,7 @@ void ViewOptions::show(const std::string& text) {
   saved_ = shown.saved;
   for (QAction* layer : layers_)
     layer->setChecked(shown.layers.value(layer->objectName(), layer->isChecked()));
-  for (QAction* choice : colors_->actions() + sizes_->actions())
+  for (QAction* choice : colors_->actions() + nodeColors_->actions() + sizes_->actions())
     if (choice->isVisible() && shown.choices.values().contains(choice->objectName()))
       choice->trigger();
   for (QAction* projection : projections_->actions())
@@ -83,6 +90,7 @@ void ViewOptions::showRemembered() {
       if (choice->objectName() == id && choice->isVisible()) choice->trigger();
   };
   choose(*colors_, "view/color", "color_height");
+  choose(*nodeColors_, "view/node_color", "node_color_none");
   choose(*sizes_, "view/point_size", "point_size_2");
   choose(*projections_, "view/projection", "perspective");
   view_.frameAll();
@@ -158,7 +166,31 @@ void ViewOptions::addColors() {
       tr("Colors points by the strength of the echo"));
   add(PointColor::rgb, "color_rgb", tr("Own Color"), tr("Colors points as the scanner saw them"));
   add(PointColor::uniform, "color_uniform", tr("One Color"), tr("Draws all points alike"));
+  addChoice(colors_,
+            {.id = "color_distance",
+             .text = tr("Distance to Skeleton"),
+             .help = tr("Colors points by how far they are from the surface of the wood"),
+             .isCheckable = true},
+            key, [] {}); // ValueColors follows it
   if (colors_->checkedAction() == nullptr) actions_["color_height"]->trigger();
+}
+
+void ViewOptions::addNodeColors() {
+  const auto add = [this](const QString& id, const QString& text, const QString& help) {
+    addChoice(nodeColors_, {.id = id, .text = text, .help = help, .isCheckable = true},
+              QStringLiteral("view/node_color"), [] {});
+  };
+  add("node_color_none", tr("Type of Edge"), tr("Draws nodes and edges as usual"));
+  add("node_color_distance", tr("Distance to Points"),
+      tr("Colors nodes by how far their points are from the surface of the wood"));
+  add("node_color_order", tr("Order"), tr("Colors nodes by the branchings below them"));
+  add("node_color_radius", tr("Radius"), tr("Colors nodes by their radius"));
+  add("node_color_radius_to_parent", tr("Radius against Parent's"),
+      tr("Colors nodes by their radius as a share of their parent's"));
+  add("node_color_confidence", tr("Confidence"),
+      tr("Colors nodes by how much of their surface has points"));
+  add("node_color_review", tr("Review State"), tr("Colors nodes by what the review says"));
+  if (nodeColors_->checkedAction() == nullptr) actions_["node_color_none"]->trigger();
 }
 
 void ViewOptions::addSizes() {

@@ -31,6 +31,7 @@ public:
 
   [[nodiscard]] QList<QAction*> layers() const { return layers_; }
   [[nodiscard]] QList<QAction*> colors() const;
+  [[nodiscard]] QList<QAction*> nodeColors() const; // what they do: ValueColors
   [[nodiscard]] QList<QAction*> sizes() const;
   [[nodiscard]] QList<QAction*> projections() const;
   [[nodiscard]] QList<QAction*> standardViews() const { return standardViews_; }
@@ -53,6 +54,7 @@ private:
   void remember(const QString& key, const QVariant& value);
   void addLayers();
   void addColors();
+  void addNodeColors();
   void addSizes();
   void addProjections();
   void addStandardViews();
@@ -65,6 +67,7 @@ private:
   bool isRemembering_ = true;
   std::vector<SavedView> saved_;
   QActionGroup* colors_;
+  QActionGroup* nodeColors_;
   QActionGroup* sizes_;
   QActionGroup* projections_;
   QList<QAction*> layers_;

@@ -119,7 +119,7 @@ ViewText viewFrom(const std::string& text) {
   const QJsonObject layers = json["layers"].toObject();
   for (const QString& id : layers.keys())
     view.layers[id] = layers[id].toBool(true);
-  for (const QString name : {"color", "point_size"})
+  for (const QString name : {"color", "node_color", "point_size"})
     view.choices[name] = json[name].toString();
   for (const QJsonValue& one : json["saved"].toArray())
     view.saved.push_back(savedIn(one.toObject()));

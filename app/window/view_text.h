@@ -26,7 +26,7 @@ struct SavedView {
 struct ViewText {
   Camera camera;
   QMap<QString, bool> layers;     // by the id of its action: whether it is shown
-  QMap<QString, QString> choices; // "color" and "point_size": the id of the action chosen
+  QMap<QString, QString> choices; // "color", "node_color", "point_size": the id of the action
   std::vector<SavedView> saved;
 };
 

@@ -80,7 +80,7 @@ FindingsPanel::FindingsPanel(const PlantDocument& document, const Actions& actio
       note_(makeLabel("findings_note", "quiet")), list_(new QTreeWidget) {
   setObjectName("findings_panel");
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(12, 12, 12, 12);
+  column->setContentsMargins(8, 12, 8, 12);
   column->setSpacing(8);
   column->addWidget(title_);
   column->addWidget(note_);
@@ -89,7 +89,7 @@ FindingsPanel::FindingsPanel(const PlantDocument& document, const Actions& actio
   list_->setColumnCount(2);
   list_->setHeaderHidden(true);
   list_->setRootIsDecorated(true);
-  list_->setIndentation(16);
+  list_->setIndentation(12);
   list_->setUniformRowHeights(true);
   list_->setMinimumWidth(72);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -179,9 +179,7 @@ void FindingsPanel::addGroup(const QString& title, const std::vector<Finding>& f
   auto* group = new QTreeWidgetItem(list_, {title, formatCount(findings.size())});
   group->setData(0, groupRole, isIgnored ? ignoredGroup : static_cast<int>(findings.front().kind));
   group->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
-  QFont strong = group->font(0);
-  strong.setWeight(QFont::DemiBold);
-  group->setFont(0, strong);
+  group->setToolTip(0, title);
   for (const Finding& finding : findings) {
     auto* item = new QTreeWidgetItem(group, {textOf(finding)});
     item->setFirstColumnSpanned(true);
@@ -244,13 +242,13 @@ QString FindingsPanel::textOf(const Finding& finding) const {
   case Kind::sharpTurn:
     return tr("%1 · %2°").arg(node).arg(std::lround(finding.amount * 180 / std::numbers::pi));
   case Kind::crossing:
-    return tr("%1 and %2 · %3").arg(node).arg(other).arg(length(finding.amount));
+    return tr("%1 and %2").arg(node).arg(other);
   case Kind::radiusAboveParent:
     return tr("%1 · radius %2").arg(node, length(finding.amount));
   case Kind::edgesWithoutPoints:
     return tr("%1 · %2").arg(node, length(finding.amount));
   case Kind::unexplainedPoints:
-    return tr("%1 points · %2").arg(formatCount(static_cast<std::size_t>(count)), node);
+    return tr("%1 points").arg(formatCount(static_cast<std::size_t>(count)));
   }
   return {};
 }

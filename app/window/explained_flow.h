@@ -1,0 +1,50 @@
+#pragma once
+
+#include "app/window/scan_distances.h"
+
+#include <QObject>
+#include <QTimer>
+
+class QMainWindow;
+class QSettings;
+
+namespace espalier {
+
+class ActionSet;
+class ExplainedBar;
+class PlantDocument;
+class PlantView;
+
+/// Dims or hides the points that the skeleton explains, so that what is missing stands out. Follows
+/// every edit.
+class ExplainedFlow : public QObject {
+  Q_OBJECT
+
+public:
+  /// What it works with; all must outlive it.
+  struct Parts {
+    PlantDocument& document;
+    PlantView& view;
+    ActionSet& actions;
+    ScanDistances& distances;
+    QSettings& settings;
+    QMainWindow& window; // its central layout gets the bar
+  };
+  explicit ExplainedFlow(const Parts& parts);
+
+  void setPlantShown(bool isShown);
+
+private:
+  void makeBar();
+  void turn(bool isOn);
+  void takeScan();
+  void showStates();
+
+  Parts parts_;
+  ExplainedBar* bar_ = nullptr;
+  QTimer timer_;
+  bool isPlantShown_ = false;
+  bool hasStates_ = false; // the view shows them
+};
+
+} // namespace espalier

@@ -1,0 +1,155 @@
+#include "app/window/value_colors.h"
+
+#include "app/window/action_set.h"
+#include "app/window/view_options.h"
+#include "core/skeleton/node_values.h"
+#include "ui/document/plant_document.h"
+#include "ui/view/plant_view.h"
+
+#include <QAction>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace espalier {
+namespace {
+
+constexpr float none = std::numeric_limits<float>::quiet_NaN(); // drawn as usual
+
+const std::map<QString, NodeValue>& valuesById() {
+  static const std::map<QString, NodeValue> values = {
+      {"node_color_distance", NodeValue::distance},
+      {"node_color_order", NodeValue::order},
+      {"node_color_radius", NodeValue::radius},
+      {"node_color_radius_to_parent", NodeValue::radiusToParent},
+      {"node_color_confidence", NodeValue::confidence},
+  };
+  return values;
+}
+
+/// The value below which all but two in a hundred are; few stray ones do not take up the scale.
+template <class Number> double nearlyLargest(std::vector<Number> numbers) {
+  if (numbers.empty()) return 1;
+  const auto at = numbers.begin() + static_cast<std::ptrdiff_t>(0.98 * double(numbers.size() - 1));
+  std::nth_element(numbers.begin(), at, numbers.end());
+  return *at > 0 ? double(*at) : 1;
+}
+
+Legend reviewLegend() {
+  return {.title = ValueColors::tr("Review"),
+          .unit = {},
+          .categories = {{ValueColors::tr("To do"), {0x99, 0x99, 0x99}},
+                         {ValueColors::tr("Doubtful"), {0xe6, 0x9f, 0x00}},
+                         {ValueColors::tr("Reviewed"), {0x00, 0x72, 0xb2}}}};
+}
+
+NodeColors reviewColors(const Skeleton& skeleton) {
+  NodeColors colors{.values = std::vector<float>(skeleton.idEnd(), none), .legend = reviewLegend()};
+  for (const NodeId id : skeleton.ids())
+    colors.values[indexOf(id)] = static_cast<float>(skeleton[id].review.state);
+  return colors;
+}
+
+} // namespace
+
+ValueColors::ValueColors(const Parts& parts) : parts_(parts) {
+  timer_.setSingleShot(true);
+  timer_.setInterval(15); // [ms]: a drag of many edits is shown at once
+  connect(&timer_, &QTimer::timeout, this, &ValueColors::show);
+  for (const QAction* action : parts_.options.nodeColors())
+    connect(action, &QAction::toggled, this, &ValueColors::choose);
+  connect(parts_.actions["color_distance"], &QAction::toggled, this, &ValueColors::choose);
+  connect(&parts_.distances, &ScanDistances::changed, &timer_, qOverload<>(&QTimer::start));
+  PlantDocument& document = parts_.document;
+  connect(&document, &PlantDocument::skeletonEdited, &timer_, qOverload<>(&QTimer::start));
+  for (auto signal :
+       {&PlantDocument::skeletonReplaced, &PlantDocument::scanChanged, &PlantDocument::unitChanged})
+    connect(&document, signal, &timer_, qOverload<>(&QTimer::start)); // the view forgets colors
+  choose();
+}
+
+void ValueColors::choose() {
+  nodeColor_.clear();
+  for (const QAction* action : parts_.options.nodeColors())
+    if (action->isChecked()) nodeColor_ = action->objectName();
+  isByDistance_ = parts_.actions["color_distance"]->isChecked();
+  parts_.distances.setWanted(ScanDistances::Use::nodeColors,
+                             nodeColor_ == "node_color_distance" ||
+                                 nodeColor_ == "node_color_confidence");
+  parts_.distances.setWanted(ScanDistances::Use::pointColors, isByDistance_);
+  show();
+}
+
+void ValueColors::show() {
+  timer_.stop();
+  colorNodes();
+  colorPoints();
+}
+
+void ValueColors::colorNodes() {
+  const Skeleton& skeleton = parts_.document.skeleton();
+  if (nodeColor_ == "node_color_review") return parts_.view.setNodeColors(reviewColors(skeleton));
+  const auto value = valuesById().find(nodeColor_);
+  if (value == valuesById().end() || skeleton.isEmpty())
+    return parts_.view.setNodeColors(std::nullopt);
+  const Scan* scan = parts_.document.scan();
+  const auto values = nodeValues(skeleton, value->second, parts_.distances.now().get(),
+                                 scan != nullptr ? scan->spacing() : 0);
+  if (std::ranges::none_of(values, [](const auto& each) { return each.has_value(); }))
+    return parts_.view.setNodeColors(std::nullopt);
+  NodeColors colors{.values = {}, .legend = legendOf(nodeColor_, values)};
+  const double unit = value->second == NodeValue::confidence ? 100 : 1; // percent
+  for (const std::optional<double>& each : values)
+    colors.values.push_back(each ? static_cast<float>(unit * *each) : none);
+  parts_.view.setNodeColors(std::move(colors));
+}
+
+/// Blue inside the wood, neutral on its surface, and vermillion where wood is missing.
+void ValueColors::colorPoints() {
+  const std::shared_ptr<const PointDistances> distances = parts_.distances.now();
+  if (!isByDistance_ || !distances) {
+    if (std::exchange(hasPointValues_, false)) parts_.view.setPointValues(std::nullopt);
+    return;
+  }
+  std::vector<float> sizes = distances->toSurface();
+  for (float& size : sizes)
+    size = std::abs(size);
+  const double most = nearlyLargest(std::move(sizes));
+  parts_.view.setPointValues(
+      PointValues{.values = std::make_shared<const std::vector<float>>(distances->toSurface()),
+                  .legend = {.title = tr("To the surface"),
+                             .unit = symbol(parts_.document.unit()),
+                             .map = ColorMap::diverging,
+                             .from = -most,
+                             .to = most,
+                             .categories = {}}});
+  hasPointValues_ = true;
+}
+
+Legend ValueColors::legendOf(const QString& id,
+                             const std::vector<std::optional<double>>& values) const {
+  std::vector<double> known;
+  for (const std::optional<double>& value : values)
+    if (value) known.push_back(*value);
+  const QString unit = symbol(parts_.document.unit());
+  if (id == "node_color_order")
+    return {.title = tr("Order"),
+            .unit = {},
+            .to = std::max(1.0, *std::ranges::max_element(known)),
+            .categories = {}};
+  if (id == "node_color_radius_to_parent")
+    return {.title = tr("Radius / parent's"),
+            .unit = {},
+            .map = ColorMap::diverging,
+            .from = 0,
+            .to = 2, // thicker than the parent: beyond the neutral middle
+            .categories = {}};
+  if (id == "node_color_confidence")
+    return {.title = tr("Scanned"), .unit = "%", .to = 100, .categories = {}};
+  const QString title = id == "node_color_radius" ? tr("Radius") : tr("To its points");
+  return {.title = title, .unit = unit, .to = nearlyLargest(std::move(known)), .categories = {}};
+}
+
+} // namespace espalier

@@ -1,0 +1,111 @@
+#include "tests/app/window/window_fixture.h"
+#include "ui/panels/explained_bar.h"
+#include "ui/panels/option_slider.h"
+
+#include <QAction>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QTest>
+#include <QToolButton>
+#include <QUndoStack>
+
+namespace espalier {
+namespace {
+
+/// What is shown of distances and other values.
+struct ValuesWindowTest : test::WindowTest {
+  void openForkAndScan() { open({writeScan("plant.xyz"), writeFork("fork.mtg")}); }
+  QString left() { return find<QLabel>("explained_left").text(); }
+  [[nodiscard]] bool waitForLeft(const QString& part) {
+    return QTest::qWaitFor([&] { return left().contains(part); });
+  }
+  [[nodiscard]] QImage picture() { return view().picture({300, 300}); }
+};
+
+TEST_F(ValuesWindowTest, TheSliderLeavesWhatTheSkeletonDoesNotExplain) {
+  openForkAndScan();
+  const QImage all = picture();
+  EXPECT_FALSE(find<ExplainedBar>("explained_bar").isVisible());
+  key(Qt::Key_5, Qt::ControlModifier);
+  EXPECT_TRUE(find<ExplainedBar>("explained_bar").isVisible());
+  ASSERT_TRUE(waitForLeft("left"));
+  const QImage dimmed = picture();
+  EXPECT_NE(dimmed, all);
+  find<QToolButton>("explained_hide").click();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return picture() != dimmed; }));
+  auto& slider = find<OptionSlider>("explained_slider");
+  slider.setFocus();
+  QTest::keyClick(&slider, Qt::Key_End);
+  EXPECT_EQ(find<QDoubleSpinBox>("explained_number").value(),
+            find<ExplainedBar>("explained_bar").distance());
+  const QString atEnd = left();
+  find<QDoubleSpinBox>("explained_number").setValue(100); // beyond all of the plant
+  EXPECT_TRUE(waitForLeft("0 left, 0.0 %"));
+  clickButton("explained_close");
+  EXPECT_FALSE(find<ExplainedBar>("explained_bar").isVisible());
+  EXPECT_FALSE(action("hide_explained").isChecked());
+  EXPECT_EQ(picture(), all);
+}
+
+TEST_F(ValuesWindowTest, TheSliderFollowsEdits) {
+  openForkAndScan();
+  action("hide_explained").setChecked(true);
+  ASSERT_TRUE(waitForLeft("left"));
+  const QString before = left();
+  document().edit("Move", [&](SkeletonEditor& editor) {
+    editor.setPosition(nodeAt({1, 0, 2}), {0.8, 0, 1.6}); // onto a branch of the scan
+  });
+  EXPECT_TRUE(QTest::qWaitFor([&] { return left() != before; }));
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return left() == before; }));
+}
+
+TEST_F(ValuesWindowTest, WithoutASkeletonNothingIsExplained) {
+  open({writeScan("plant.xyz")});
+  const QImage all = picture();
+  action("hide_explained").setChecked(true);
+  EXPECT_EQ(left(), "no skeleton");
+  EXPECT_EQ(picture(), all);
+}
+
+TEST_F(ValuesWindowTest, ColorsNodesByEachValue) {
+  openForkAndScan();
+  document().edit("Radius", [&](SkeletonEditor& editor) {
+    editor.setRadius(nodeAt({1, 0, 2}), 0.05);
+    editor.setReview(nodeAt({0, 0, 1}), {ReviewState::reviewed, "", "Anna"});
+  });
+  const QImage usual = picture();
+  for (const char* id :
+       {"order", "radius", "radius_to_parent", "review", "distance", "confidence"}) {
+    action(QStringLiteral("node_color_%1").arg(id)).trigger();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return picture() != usual; })) << id;
+    action("node_color_none").trigger();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return picture() == usual; })) << id;
+  }
+}
+
+TEST_F(ValuesWindowTest, ColorsPointsByTheirDistanceUntilAnotherColorIsChosen) {
+  openForkAndScan();
+  const QImage byHeight = picture();
+  action("color_distance").trigger();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return picture() != byHeight; }));
+  action("color_height").trigger();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return picture() == byHeight; }));
+}
+
+TEST_F(ValuesWindowTest, ColorsAreRemembered) {
+  openForkAndScan();
+  action("node_color_order").trigger();
+  action("color_distance").trigger();
+  restart();
+  EXPECT_TRUE(action("node_color_order").isChecked());
+  EXPECT_TRUE(action("color_distance").isChecked());
+  openForkAndScan();
+  const QImage shown = picture();
+  action("node_color_none").trigger();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return picture() != shown; }));
+}
+
+} // namespace
+} // namespace espalier

@@ -108,9 +108,11 @@ void joinUnitParts(SkeletonEditor& editor, NodeId id) {
     ofParent.push_back(start.unit);
   const Entity own = entities.back();
   entities.pop_back();
-  std::erase_if(entities, [&](const Entity& part) {
+  const auto isPart = [&](const Entity& part) {
     return std::ranges::any_of(ofParent, [&](const Entity& unit) { return isPartOf(part, unit); });
-  });
+  };
+  // Within a coarser unit of its own, a finer one of the same name is another.
+  entities.erase(entities.begin(), std::ranges::find_if_not(entities, isPart));
   entities.push_back(own);
   if (entities != editor.skeleton()[id].entities) editor.setEntities(id, std::move(entities));
 }

@@ -120,7 +120,7 @@ ViewText viewFrom(const std::string& text) {
   for (const QString& id : layers.keys())
     view.layers[id] = layers[id].toBool(true);
   for (const QString name : {"color", "node_color", "point_size"})
-    view.choices[name] = json[name].toString();
+    if (json.contains(name)) view.choices[name] = json[name].toString();
   for (const QJsonValue& one : json["saved"].toArray())
     view.saved.push_back(savedIn(one.toObject()));
   return view;

@@ -1,0 +1,250 @@
+#include "core/reconstruct/trace.h"
+
+#include "core/contract/geodesic_centroid.h"
+#include "core/graph/components.h"
+#include "core/graph/find_root.h"
+#include "core/reconstruct/centered_line.h"
+
+#include <queue>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <unordered_set>
+#include <utility>
+
+namespace espalier {
+namespace {
+
+constexpr float infinite = std::numeric_limits<float>::infinity();
+constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+constexpr int neighbors = 12; // as the default reconstruction links them
+
+struct Reached {
+  float cost;
+  std::uint32_t point;
+  [[nodiscard]] bool operator>(const Reached& other) const {
+    return cost != other.cost ? cost > other.cost : point > other.point;
+  }
+};
+using Queue = std::priority_queue<Reached, std::vector<Reached>, std::greater<>>;
+
+std::shared_ptr<const Eigen::Matrix3Xf> contract(const PointCloud& cloud, double spacing,
+                                                 const Progress& progress) {
+  if (spacing == 0) return std::make_shared<const Eigen::Matrix3Xf>(cloud.positions());
+  constexpr double radius = 7.5; // in point spacings, as the default reconstruction contracts
+  return std::make_shared<const Eigen::Matrix3Xf>(contractedToGeodesicCentroids(
+      cloud.positions(), {.neighbors = 7, .radius = radius * spacing}, progress));
+}
+
+/// Is a fifth of the way, and more than one place of it, away from all of the others?
+bool isOtherWay(const Trace& trace, const std::vector<Trace>& others, double apart) {
+  std::size_t away = 0;
+  for (const Eigen::Vector3d& place : trace.places)
+    if (std::ranges::all_of(others, [&](const Trace& other) {
+          return distanceToLine(place, other.places) > apart;
+        }))
+      ++away;
+  return away > 1 && 5 * away >= trace.places.size();
+}
+
+} // namespace
+
+/// Points from the start to the end.
+struct TraceGraph::Way {
+  std::vector<std::uint32_t> points;
+};
+
+double Trace::length() const {
+  return lengthOfLine(places);
+}
+
+TraceGraph::TraceGraph(std::shared_ptr<const PointCloud> cloud,
+                       std::shared_ptr<const Eigen::Matrix3Xf> contracted, const Progress& progress)
+    : cloud_(std::move(cloud)), contracted_(std::move(contracted)),
+      spacing_(pointSpacing(cloud_->positions())),
+      graph_(joined(NeighborhoodGraph(cloud_->positions(), neighbors, progress.part(0, 0.3)),
+                    cloud_->positions(), std::numeric_limits<float>::max(),
+                    progress.part(0.3, 0.4))) {
+  assert(!cloud_->isEmpty());
+  if (!contracted_) contracted_ = contract(*cloud_, spacing_, progress.part(0.4, 1));
+  assert(contracted_->cols() == cloud_->size());
+  progress.update(1);
+}
+
+std::vector<Trace> TraceGraph::between(const TraceEnd& from, const TraceEnd& to,
+                                       const TraceOptions& options,
+                                       const Progress& progress) const {
+  assert(options.step > 0);
+  const std::uint32_t first = pointAt(from);
+  const std::uint32_t last = pointAt(to);
+  const auto reach = static_cast<float>(std::max(3 * options.step, 8 * spacing_));
+  std::vector<bool> isExpensive(static_cast<std::size_t>(cloud_->size()), false);
+  std::vector<Trace> traces;
+  for (int tried = 0; tried <= options.alternatives; ++tried) {
+    const Way way = wayBetween(first, last, isExpensive, progress);
+    Trace trace = traceOf(way.points, from, to, options.step);
+    const bool isFirst = traces.empty();
+    if (!isFirst && trace.length() > 3 * traces.front().length()) break;
+    if (isFirst || isOtherWay(trace, traces, std::max(options.step, 4 * spacing_)))
+      traces.push_back(std::move(trace));
+    for (const std::uint32_t point : woodAlong(way.points, reach / 2))
+      isExpensive[point] = true;
+  }
+  return traces;
+}
+
+Trace TraceGraph::through(const std::vector<Eigen::Vector3d>& places, bool startIsFixed,
+                          const TraceOptions& options, const Progress& progress) const {
+  assert(places.size() > 1 && options.step > 0);
+  std::vector<std::uint32_t> points;
+  for (const Eigen::Vector3d& place : spacedEvenly(places, options.step / 2)) {
+    progress.check();
+    points.push_back(static_cast<std::uint32_t>(nearestPoint(cloud_->positions(), local(place))));
+  }
+  return traceOf(points, {places.front(), startIsFixed}, {places.back(), false}, options.step);
+}
+
+Eigen::Vector3f TraceGraph::local(const Eigen::Vector3d& place) const {
+  return (place - cloud_->origin()).cast<float>();
+}
+
+std::uint32_t TraceGraph::pointAt(const TraceEnd& end) const {
+  // A node lies inside the wood, where points contract to; a picked place lies on the bark.
+  const Eigen::Matrix3Xf& points = end.isFixed ? *contracted_ : cloud_->positions();
+  return static_cast<std::uint32_t>(nearestPoint(points, local(end.place)));
+}
+
+TraceGraph::Way TraceGraph::wayBetween(std::uint32_t from, std::uint32_t to,
+                                       const std::vector<bool>& isExpensive,
+                                       const Progress& progress) const {
+  constexpr float widestLink = 4; // in spacings: one of this length costs twice its length
+  constexpr float bark = 0.1F;    // share of the way over the bark that counts
+  constexpr float expense = 6;
+  const Eigen::Matrix3Xf& places = *contracted_;
+  const auto spacing = static_cast<float>(spacing_ > 0 ? spacing_ : 1);
+  const auto count = static_cast<std::size_t>(cloud_->size());
+  std::vector<float> costs(count, infinite);
+  std::vector<std::uint32_t> before(count, none);
+  const auto costOf = [&](std::uint32_t point, const NeighborhoodGraph::Link& link) {
+    const float leap = link.length / (widestLink * spacing);
+    const float cost =
+        ((places.col(point) - places.col(link.to)).norm() + bark * link.length) * (1 + leap * leap);
+    return isExpensive[point] && isExpensive[link.to] ? expense * cost : cost;
+  };
+  // No way is shorter than the straight one: the search goes towards the end (A*).
+  const auto left = [&](std::uint32_t point) {
+    return (places.col(point) - places.col(to)).norm();
+  };
+  Queue queue;
+  costs[from] = 0;
+  queue.push({left(from), from});
+  std::vector<bool> isSettled(count, false);
+  for (std::size_t settled = 0; !queue.empty() && !isSettled[to];) {
+    const std::uint32_t point = queue.top().point;
+    queue.pop();
+    if (isSettled[point]) continue;
+    isSettled[point] = true;
+    if (++settled % 8192 == 0) progress.check();
+    for (const NeighborhoodGraph::Link& link : graph_.links(point)) {
+      const float cost = costs[point] + costOf(point, link);
+      if (cost >= costs[link.to] || isSettled[link.to]) continue;
+      costs[link.to] = cost;
+      before[link.to] = point;
+      queue.push({cost + left(link.to), link.to});
+    }
+  }
+  Way way;
+  for (std::uint32_t point = to; point != none; point = before[point])
+    way.points.push_back(point);
+  std::ranges::reverse(way.points);
+  return way;
+}
+
+std::vector<std::uint32_t> TraceGraph::woodAlong(const std::vector<std::uint32_t>& points,
+                                                 float reach) const {
+  std::vector<float> distances(static_cast<std::size_t>(graph_.size()), infinite);
+  std::vector<std::uint32_t> wood;
+  Queue queue;
+  for (const std::uint32_t point : points) {
+    distances[point] = 0;
+    queue.push({0, point});
+  }
+  std::vector<bool> isSettled(distances.size(), false);
+  while (!queue.empty()) {
+    const Reached near = queue.top();
+    queue.pop();
+    if (isSettled[near.point]) continue;
+    isSettled[near.point] = true;
+    wood.push_back(near.point);
+    for (const NeighborhoodGraph::Link& link : graph_.links(near.point)) {
+      const float distance = near.cost + link.length;
+      if (distance > reach || distance >= distances[link.to]) continue;
+      distances[link.to] = distance;
+      queue.push({distance, link.to});
+    }
+  }
+  std::ranges::sort(wood); // the order of the points, not that of the search
+  return wood;
+}
+
+std::vector<Eigen::Vector3d> TraceGraph::slabAround(std::uint32_t seed,
+                                                    const Eigen::Vector3d& place,
+                                                    const Eigen::Vector3d& axis,
+                                                    double step) const {
+  constexpr float widestLink = 4; // in spacings: what hangs by more is other wood
+  const double widest = std::max(3 * step, 8 * spacing_); // off the place
+  std::vector<std::uint32_t> met = {seed};
+  std::unordered_set<std::uint32_t> isMet = {seed};
+  std::vector<Eigen::Vector3d> slab;
+  for (std::size_t next = 0; next < met.size(); ++next) {
+    const Eigen::Vector3d point = cloud_->position(met[next]);
+    slab.push_back(point);
+    for (const NeighborhoodGraph::Link& link : graph_.links(met[next])) {
+      if (link.length > widestLink * static_cast<float>(spacing_)) continue;
+      const Eigen::Vector3d off = cloud_->position(link.to) - place;
+      if (std::abs(off.dot(axis)) > step / 2 || off.norm() > widest) continue;
+      if (isMet.insert(link.to).second) met.push_back(link.to);
+    }
+  }
+  return slab;
+}
+
+Trace TraceGraph::traceOf(const std::vector<std::uint32_t>& points, const TraceEnd& from,
+                          const TraceEnd& to, double step) const {
+  std::vector<Eigen::Vector3d> line;
+  for (const std::uint32_t point : points)
+    line.emplace_back(contracted_->col(point).cast<double>() + cloud_->origin());
+  const auto seedAt = [&, contracted = line](const Eigen::Vector3d& place) {
+    std::size_t nearest = 0;
+    for (std::size_t i = 1; i < contracted.size(); ++i)
+      if ((contracted[i] - place).squaredNorm() < (contracted[nearest] - place).squaredNorm())
+        nearest = i;
+    return points[nearest];
+  };
+  if (line.size() == 1) line.push_back(line.front());
+  if (from.isFixed) line.front() = from.place;
+  if (to.isFixed) line.back() = to.place;
+  constexpr int smoothings =
+      8; // of places a quarter of a step apart: no zigzag from point to point
+  line = spacedEvenly(smoothedLine(spacedEvenly(line, step / 4), 0.5, smoothings), step);
+  std::vector<double> radii(line.size(), 0);
+  for (int round = 0; round < 2; ++round) { // the second cuts across the better axis
+    const std::vector<Eigen::Vector3d> before = line;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      const auto axis = directionAt(before, i);
+      if (!axis) continue;
+      const auto section =
+          sectionAt(before[i], *axis, slabAround(seedAt(before[i]), before[i], *axis, step));
+      if (!section) continue;
+      radii[i] = section->radius;
+      const bool isFixed = (i == 0 && from.isFixed) || (i + 1 == line.size() && to.isFixed);
+      if (!isFixed) line[i] = section->middle;
+    }
+    line = smoothedLine(line, 0.2, 1);
+  }
+  return {line, radii};
+}
+
+} // namespace espalier

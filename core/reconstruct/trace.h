@@ -1,0 +1,91 @@
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/cloud/point_cloud.h"
+#include "core/graph/neighborhood_graph.h"
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <vector>
+
+namespace espalier {
+
+/// An end of a trace.
+struct TraceEnd {
+  Eigen::Vector3d place; // [L], frame of the file
+  bool isFixed = false;  // the trace ends exactly there; else in the middle of the wood there
+};
+
+/// A way along the wood, with an entry per node to be made.
+struct Trace {
+  std::vector<Eigen::Vector3d> places; // from end to end [L], frame of the file; two or more
+  std::vector<double> radii;           // of the wood at each place [L]; 0 where it is not known
+
+  [[nodiscard]] double length() const; // along the places [L]
+};
+
+struct TraceOptions {
+  double step = 0;      // [L] between places, > 0; they are spaced evenly, as near to it as may be
+  int alternatives = 2; // how many other ways are looked for, >= 0
+};
+
+/// What all traces through one scan share: made once, then asked again and again, by any threads.
+///
+/// The points are linked to their nearest neighbors, and parts that fall apart by shortest bridges.
+/// A way from point to point costs the distance between the places that the two contract to, so it
+/// is the length of the axis that counts and not how the way winds over the bark; a leap over a gap
+/// costs more the wider it is.
+class TraceGraph {
+public:
+  /// @param cloud       not empty
+  /// @param contracted  by point, about the origin of the cloud [L]; null: they are contracted here
+  /// @throws Cancelled if `progress` asks to stop
+  /// Deterministic. Time O(N k log N), and with no contracted points that of contracting.
+  explicit TraceGraph(std::shared_ptr<const PointCloud> cloud,
+                      std::shared_ptr<const Eigen::Matrix3Xf> contracted = nullptr,
+                      const Progress& progress = {});
+
+  [[nodiscard]] const std::shared_ptr<const PointCloud>& cloud() const { return cloud_; }
+  [[nodiscard]] double spacing() const { return spacing_; } // between neighboring points [L]
+
+  /// The shortest way from one place to another, then ways that clearly differ from it, best first.
+  ///
+  /// Other ways are found by making the wood of those before expensive; one that runs along them
+  /// for most of its length, or is thrice as long as the first, is no other way.
+  /// @return at least one
+  /// @throws Cancelled if `progress` asks to stop
+  /// Deterministic. Time O(m log m) for m points nearer than the end (A*), per way.
+  [[nodiscard]] std::vector<Trace> between(const TraceEnd& from, const TraceEnd& to,
+                                           const TraceOptions& options,
+                                           const Progress& progress = {}) const;
+
+  /// A way through given places, as by a hand that drew along the points: its ends are as told, all
+  /// places between move to the middle of the wood.
+  /// @param places two or more, in order [L]
+  [[nodiscard]] Trace through(const std::vector<Eigen::Vector3d>& places, bool startIsFixed,
+                              const TraceOptions& options, const Progress& progress = {}) const;
+
+private:
+  struct Way;
+  [[nodiscard]] Eigen::Vector3f local(const Eigen::Vector3d& place) const;
+  [[nodiscard]] std::uint32_t pointAt(const TraceEnd& end) const;
+  [[nodiscard]] Way wayBetween(std::uint32_t from, std::uint32_t to,
+                               const std::vector<bool>& isExpensive,
+                               const Progress& progress) const;
+  [[nodiscard]] std::vector<std::uint32_t> woodAlong(const std::vector<std::uint32_t>& points,
+                                                     float reach) const;
+  [[nodiscard]] std::vector<Eigen::Vector3d> slabAround(std::uint32_t seed,
+                                                        const Eigen::Vector3d& place,
+                                                        const Eigen::Vector3d& axis,
+                                                        double step) const;
+  [[nodiscard]] Trace traceOf(const std::vector<std::uint32_t>& points, const TraceEnd& from,
+                              const TraceEnd& to, double step) const;
+
+  std::shared_ptr<const PointCloud> cloud_;
+  std::shared_ptr<const Eigen::Matrix3Xf> contracted_;
+  double spacing_;
+  NeighborhoodGraph graph_;
+};
+
+} // namespace espalier

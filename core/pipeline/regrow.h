@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/pipeline/pipeline.h"
+
+#include <memory>
+
+namespace espalier {
+
+struct RegrowOptions {
+  PipelineOptions pipeline; // methods and settings; its root is not used
+  double tolerance = 0;     // [L] a point farther than this from the tube of every edge is not
+                            // explained; 0 = 3 point spacings
+  double widestGap = 0;     // [L] points farther off are another part; 0 = 8 point spacings
+};
+
+/// What a node carries, reconstructed again from the points that the rest of the plant leaves.
+///
+/// These are the points nearest to an edge of what it carries now, and those that no edge explains,
+/// as far as they hang together with the points at the node. All steps of the pipeline run on them,
+/// with the settings that its rules give for the whole scan, so that what grows looks like the
+/// rest. No new node is thicker than `node`, if that has a radius.
+///
+/// @param skeleton with radii, in the frame of the file; contains `node`
+/// @return one tree: its root stands for `node`, at its place; the others are new
+///         (core/skeleton/branch_edits.h puts them into the skeleton)
+/// @throws Error     if no such points are near the node, or the pipeline fails
+/// @throws Cancelled if `progress` asks to stop
+/// Deterministic. Time O(N log n), and that of the pipeline for the points found.
+[[nodiscard]] Skeleton regrown(const Skeleton& skeleton, NodeId node,
+                               const std::shared_ptr<const PointCloud>& cloud,
+                               const RegrowOptions& options = {}, const Progress& progress = {});
+
+} // namespace espalier

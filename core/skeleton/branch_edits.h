@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/skeleton/skeleton_delta.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <vector>
+
+namespace espalier {
+
+// Edits by hand of whole branches. Each leaves a valid forest with at most one successor more per
+// node than it found, and is refused before it changes anything. pre, of all: each id given is
+// contained.
+
+/// Hangs a chain of new nodes on `parent`, or makes a tree of its own of it.
+///
+/// It continues the axis of `parent` if that has no successor, else it branches. No new node is
+/// thicker than `parent`, if that has a radius; one without radius has that of the one before.
+/// @param places [L], one per new node, in order; not empty
+/// @param radii  [L], as many, >= 0
+/// @return the last new node
+NodeId addBranch(SkeletonEditor& editor, std::optional<NodeId> parent,
+                 const std::vector<Eigen::Vector3d>& places, const std::vector<double>& radii);
+
+/// Removes all that `id` carries, and hangs there what the root of `part` carries: that root stands
+/// for `id`, which stays as it is. Edges keep their types.
+/// pre: `part` has one root
+void replaceCarried(SkeletonEditor& editor, NodeId id, const Skeleton& part);
+
+/// Lets two branches that cross exchange what lies beyond the crossing: `a`, with all it carries,
+/// hangs where `b` did and `b` where `a` did, by the same types of edges. Units that start at one
+/// go with it; for scales where none does, it joins those of its new parent.
+/// @throws Error if one is a root, both hang on one node, or one carries the other
+void exchangeArms(SkeletonEditor& editor, NodeId a, NodeId b);
+
+} // namespace espalier

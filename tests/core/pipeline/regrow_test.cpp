@@ -1,0 +1,147 @@
+#include "core/base/error.h"
+#include "core/evaluate/tolerance_curve.h"
+#include "core/pipeline/regrow.h"
+#include "core/skeleton/branch_edits.h"
+#include "core/skeleton/edits.h"
+#include "core/skeleton/select.h"
+#include "tests/support/clouds.h"
+#include "tests/support/simulated.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace espalier {
+namespace {
+
+/// What `node` carries, as a plant of its own.
+Skeleton carriedBy(const Skeleton& skeleton, NodeId node) {
+  Skeleton part;
+  std::vector<NodeId> copies(skeleton.idEnd());
+  for (const NodeId id : downstream(skeleton, {node})) {
+    Node copy = skeleton[id];
+    copy.parent = id == node ? std::nullopt : std::optional(copies[indexOf(*copy.parent)]);
+    copies[indexOf(id)] = part.add(copy);
+  }
+  return part;
+}
+
+Skeleton without(Skeleton skeleton, NodeId child) {
+  SkeletonEditor editor(skeleton);
+  removeSubtree(editor, child);
+  (void)editor.commit();
+  return skeleton;
+}
+
+/// The branching node of the trunk, not the lowest, whose side branch carries most.
+NodeId foot(const Skeleton& skeleton) {
+  NodeId best = skeleton.roots().front();
+  std::size_t most = 0;
+  for (const NodeId id : skeleton.ids())
+    if (skeleton[id].parent && skeleton[id].edge == EdgeType::branching) {
+      const std::size_t count = downstream(skeleton, {id}).size();
+      if (count > most) {
+        most = count;
+        best = id;
+      }
+    }
+  return best;
+}
+
+double lengthShareFound(const Skeleton& result, const Skeleton& truth, double distance) {
+  return toleranceCurve(result, truth, {.distances = {distance}}).scores.front().f();
+}
+
+// The lowest node of a side branch keeps its place; all that it carries is taken away.
+TEST(Regrow, BringsBackASubtreeAsWellAsAWholeReconstructionDoes) {
+  const test::SimulatedPlant& tree = test::simulatedTree();
+  const auto cloud = std::make_shared<const PointCloud>(tree.cloud);
+  const NodeId branch = foot(tree.truth);
+  const Skeleton lost = carriedBy(tree.truth, branch);
+  Skeleton pruned = tree.truth;
+  for (const NodeId child : tree.truth.children(branch))
+    pruned = without(std::move(pruned), child);
+
+  const Skeleton whole = Pipeline().run(cloud).skeleton;
+  const double distance = 3 * pointSpacing(cloud->positions());
+  const double reached = lengthShareFound(whole, tree.truth, distance);
+  const Skeleton grown = regrown(pruned, branch, cloud);
+  EXPECT_GT(grown.size(), 5U);
+  EXPECT_GT(lengthShareFound(grown, lost, distance), reached - 0.1);
+  EXPECT_EQ(grown[grown.roots().front()].position, tree.truth[branch].position);
+}
+
+TEST(Regrow, ReplacesASubtreeByTheSameAsIfItWereGone) {
+  const test::SimulatedPlant& tree = test::simulatedTree();
+  const auto cloud = std::make_shared<const PointCloud>(tree.cloud);
+  const NodeId branch = foot(tree.truth);
+  const Skeleton lost = carriedBy(tree.truth, branch);
+  const Skeleton grown = regrown(tree.truth, branch, cloud);
+  const double distance = 3 * pointSpacing(cloud->positions());
+  EXPECT_GT(lengthShareFound(grown, lost, distance), 0.6);
+}
+
+TEST(Regrow, LeavesTheRestToTheBit) {
+  const test::SimulatedPlant& tree = test::simulatedTree();
+  const NodeId branch = foot(tree.truth);
+  const Skeleton grown =
+      regrown(tree.truth, branch, std::make_shared<const PointCloud>(tree.cloud));
+  Skeleton after = tree.truth;
+  SkeletonEditor editor(after);
+  replaceCarried(editor, branch, grown);
+  (void)editor.commit();
+  std::vector<bool> isCarried(tree.truth.idEnd(), false);
+  for (const NodeId id : downstream(tree.truth, {branch}))
+    isCarried[indexOf(id)] = true;
+  for (const NodeId id : tree.truth.ids())
+    if (!isCarried[indexOf(id)] || id == branch) {
+      ASSERT_TRUE(after.contains(id));
+      EXPECT_EQ(after[id], tree.truth[id]);
+    }
+}
+
+TEST(Regrow, GrowsNothingThickerThanItsNode) {
+  const test::SimulatedPlant& tree = test::simulatedTree();
+  const NodeId branch = foot(tree.truth);
+  const Skeleton grown =
+      regrown(tree.truth, branch, std::make_shared<const PointCloud>(tree.cloud));
+  for (const NodeId id : grown.ids())
+    EXPECT_LE(grown[id].radius, tree.truth[branch].radius);
+}
+
+std::shared_ptr<const PointCloud> forkCloud() {
+  RawPoints raw;
+  const Eigen::Matrix3Xf points = test::forkCloud();
+  for (Eigen::Index i = 0; i < points.cols(); ++i)
+    raw.positions.emplace_back(points.col(i).cast<double>());
+  return std::make_shared<const PointCloud>(std::move(raw));
+}
+
+TEST(Regrow, FindsBothArmsAboveATrunk) {
+  Skeleton trunk;
+  const NodeId root = trunk.add({.position = {0, 0, 0}, .radius = 0.04});
+  const NodeId top = trunk.add({.position = {0, 0, 1.9}, .radius = 0.04, .parent = root});
+  const Skeleton grown = regrown(trunk, top, forkCloud());
+  EXPECT_LT(test::farthestFromFork(grown), 0.08);
+  const auto isTip = [&](NodeId id) { return grown.children(id).empty(); };
+  const std::vector<NodeId> ids = grown.ids();
+  EXPECT_EQ(std::ranges::count_if(ids, isTip), 2);
+}
+
+TEST(Regrow, IsRefusedWhereThePlantExplainsAllPoints) {
+  const Skeleton plant = Pipeline().run(forkCloud()).skeleton;
+  const std::vector<NodeId> ids = plant.ids();
+  const NodeId tip =
+      *std::ranges::find_if(ids, [&](NodeId id) { return plant.children(id).empty(); });
+  EXPECT_THROW((void)regrown(plant, tip, forkCloud(), {.tolerance = 0.1}), Error);
+}
+
+TEST(Regrow, StopsWhenAsked) {
+  const Skeleton plant = Pipeline().run(forkCloud()).skeleton;
+  EXPECT_TRUE(test::stopsWhenAsked([&](const Progress& progress) {
+    (void)regrown(plant, plant.roots().front(), forkCloud(), {}, progress);
+  }));
+}
+
+} // namespace
+} // namespace espalier

@@ -160,7 +160,8 @@ QString Editing::hint() const {
 
 void Editing::useTool(const QString& id) {
   if (!tool_.isEmpty() && id != tool_) {
-    if (tool_ != "reparent") toolBefore_ = tool_; // one does not come back to a tool that ends
+    const bool ends = tool_ == "reparent" || tool_ == "regrow";
+    if (!ends) toolBefore_ = tool_; // one does not come back to a tool that ends
     const QString left = std::exchange(tool_, id);
     Tool& before = *tools_.at(left);
     if (before.isBusy() || before.hasPreview()) before.cancel();

@@ -41,6 +41,7 @@ public:
   [[nodiscard]] QString hint() const;
   [[nodiscard]] QString currentTool() const { return tool_; } // its id
   void useTool(const QString& id);
+  [[nodiscard]] Tool& toolNamed(const QString& id) const { return *tools_.at(id); }
 
   void accept(); // what the preview shows, if there is one
   void undo();   // in mid-gesture: leaves the gesture

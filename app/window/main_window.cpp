@@ -13,6 +13,7 @@
 #include "app/window/saved_views.h"
 #include "app/window/seal_flow.h"
 #include "app/window/shown_flow.h"
+#include "app/window/trace_flow.h"
 #include "app/window/unit_flow.h"
 #include "app/window/value_colors.h"
 #include "app/window/view_options.h"

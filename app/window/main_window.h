@@ -34,6 +34,7 @@ class SavedViews;
 class ShownFlow;
 class StartPage;
 class StatusLine;
+class TraceFlow;
 class UnitFlow;
 class ValueColors;
 class ViewOptions;
@@ -115,6 +116,7 @@ private:
   int step_ = 0; // of the undo stack, when it was told last
   std::unique_ptr<ViewSync> sync_;
   std::unique_ptr<Editing> editing_;
+  std::unique_ptr<TraceFlow> traces_;
   std::unique_ptr<UnitFlow> units_;
   std::unique_ptr<SealFlow> seals_;
   std::unique_ptr<ReviewFlow> review_;

@@ -9,6 +9,7 @@
 #include "app/window/saved_views.h"
 #include "app/window/seal_flow.h"
 #include "app/window/shown_flow.h"
+#include "app/window/trace_flow.h"
 #include "app/window/unit_flow.h"
 #include "app/window/value_colors.h"
 #include "app/window/view_options.h"
@@ -16,6 +17,7 @@
 #include "ui/dialogs/manual_window.h"
 #include "ui/dialogs/shortcut_sheet.h"
 #include "ui/panels/message_banner.h"
+#include "ui/panels/pipeline_panel.h"
 #include "ui/view/plant_view.h"
 
 #include <QAction>
@@ -31,6 +33,10 @@ void MainWindow::addActions() {
   addProjectActions();
   addEditActions();
   editing_ = std::make_unique<Editing>(document_, *view_, *actions_, nullptr);
+  traces_ = std::make_unique<TraceFlow>(TraceFlow::Parts{
+      document_, *view_, *actions_, *editing_, jobs_, [this] { return pipeline_->options(); }});
+  connect(traces_.get(), &TraceFlow::failed, this,
+          [this](const QString& message) { banner_->showError(message); });
   units_ = std::make_unique<UnitFlow>(document_, *actions_, *inspector_, *this);
   options_ = std::make_unique<ViewOptions>(*view_, *actions_, settings_, nullptr);
   seals_ = std::make_unique<SealFlow>(

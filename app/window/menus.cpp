@@ -75,7 +75,7 @@ void MainWindow::fillMenus() {
        "compact_project", "", "close_plant", "quit"});
 
   QMenu* edit = menuBar()->addMenu(tr("&Edit"));
-  add(*edit, *actions_, {"undo", "redo", "", "accept", "leave", ""});
+  add(*edit, *actions_, {"undo", "redo", "", "accept", "next_way", "leave", ""});
   add(*edit, *actions_, toolIds());
 
   QMenu* select = menuBar()->addMenu(tr("Se&lect"));

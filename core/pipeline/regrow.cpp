@@ -144,7 +144,11 @@ Skeleton regrown(const Skeleton& skeleton, NodeId node,
   PipelineOptions fixed = fixedOptions(options.pipeline, whole, part);
   fixed.root = skeleton[node].position;
   const Reconstruction result = Pipeline().run(own, fixed, progress.part(0.5, 1));
-  return hungOn(skeleton[node], result.skeleton, meanEdgeLength(result.skeleton));
+  Skeleton grown = hungOn(skeleton[node], result.skeleton, meanEdgeLength(result.skeleton));
+  if (grown.size() < 2)
+    throw Error("nothing grows from " + name(node) +
+                ": choose another node, or prune less in the pipeline");
+  return grown;
 }
 
 } // namespace espalier

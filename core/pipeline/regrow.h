@@ -23,7 +23,8 @@ struct RegrowOptions {
 /// @param skeleton with radii, in the frame of the file; contains `node`
 /// @return one tree: its root stands for `node`, at its place; the others are new
 ///         (core/skeleton/branch_edits.h puts them into the skeleton)
-/// @throws Error     if no such points are near the node, or the pipeline fails
+/// @throws Error     if no such points are near the node, nothing grows from them, or the pipeline
+///                   fails
 /// @throws Cancelled if `progress` asks to stop
 /// Deterministic. Time O(N log n), and that of the pipeline for the points found.
 [[nodiscard]] Skeleton regrown(const Skeleton& skeleton, NodeId node,

@@ -34,4 +34,13 @@ std::vector<Eigen::Vector3d> Scan::near(const Eigen::Vector3d& place, double rad
   return result;
 }
 
+std::optional<Eigen::Vector3d> Scan::along(const Eigen::Vector3d& place,
+                                           const Eigen::Vector3d& direction,
+                                           const ExtendOptions& options) const {
+  const auto local =
+      extendAlong(index_, cloud_->positions(), place - cloud_->origin(), direction, options);
+  if (!local) return std::nullopt;
+  return *local + cloud_->origin();
+}
+
 } // namespace espalier

@@ -2,6 +2,7 @@
 
 #include "core/base/spatial_index.h"
 #include "core/cloud/point_cloud.h"
+#include "core/skeleton/extend_along.h"
 
 #include <memory>
 #include <vector>
@@ -27,6 +28,11 @@ public:
   /// The points within `radius` [L] of `place` [L].
   [[nodiscard]] std::vector<Eigen::Vector3d> near(const Eigen::Vector3d& place,
                                                   double radius) const;
+
+  /// Where a branch leads from a place, along the points (core/skeleton/extend_along.h).
+  [[nodiscard]] std::optional<Eigen::Vector3d> along(const Eigen::Vector3d& place,
+                                                     const Eigen::Vector3d& direction,
+                                                     const ExtendOptions& options) const;
 
 private:
   std::shared_ptr<const PointCloud> cloud_;

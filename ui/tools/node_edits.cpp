@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/mtg/unit_scales.h"
 #include "core/skeleton/edits.h"
+#include "core/skeleton/path_edits.h"
 #include "core/skeleton/propose_child.h"
 #include "core/skeleton/recenter.h"
 #include "ui/tools/structure_edits.h"
@@ -29,15 +30,29 @@ double reach(const PlantDocument& document) {
   return size > 0 ? size / 50 : 1;
 }
 
+/// One edge farther along the points, from the end of an axis; none where there are none.
+std::optional<Eigen::Vector3d> alongThePoints(const PlantDocument& document,
+                                              const Skeleton& skeleton, NodeId id) {
+  const Node& node = skeleton[id];
+  if (!document.scan() || !node.parent || !skeleton.children(id).empty()) return std::nullopt;
+  const Eigen::Vector3d direction = node.position - skeleton[*node.parent].position;
+  if (direction.isZero(0)) return std::nullopt;
+  const double wood = std::max(1.5 * node.radius, 3 * document.scan()->spacing());
+  return document.scan()->along(node.position, direction,
+                                {.step = meanEdgeLength(skeleton), .reach = wood});
+}
+
 void newChild(PlantDocument& document, const NodeTarget& target) {
   const Snap snap = [&](const Eigen::Vector3d& place) {
     return document.scan() ? document.scan()->onPoints(place, reach(document)) : place;
   };
   std::vector<NodeId> added;
   editEach(document, target, tr("New child of %1"), [&](SkeletonEditor& editor, NodeId id) {
-    const Eigen::Vector3d place =
-        proposeChild(editor.skeleton(), id, target.viewDirection, reach(document), snap);
-    added.push_back(addChild(editor, id, place));
+    const auto ahead = alongThePoints(document, editor.skeleton(), id);
+    added.push_back(addChild(
+        editor, id,
+        ahead ? *ahead
+              : proposeChild(editor.skeleton(), id, target.viewDirection, reach(document), snap)));
   });
   document.selection().set(added);
 }

@@ -3,7 +3,10 @@
 #include "ui/tools/add_node_tool.h"
 #include "ui/tools/move_node_tool.h"
 #include "ui/tools/navigate_tool.h"
+#include "ui/tools/regrow_tool.h"
 #include "ui/tools/reparent_node_tool.h"
+#include "ui/tools/stroke_tool.h"
+#include "ui/tools/trace_tool.h"
 
 #include <QCoreApplication>
 
@@ -29,6 +32,13 @@ std::vector<ToolEntry> tools() {
        make<AddNodeTool>},
       {"reparent", tr("Reparent"), tr("Drag a branch onto another node or edge"), "reparent",
        Qt::Key_P, make<ReparentNodeTool>},
+      {"trace", tr("Trace"), tr("Click a start and an end: the branch is found along the points"),
+       "trace", Qt::Key_L, make<TraceTool>},
+      {"stroke", tr("Stroke"),
+       tr("Draw across edges to cut, along points to branch, around a crossing to exchange arms"),
+       "stroke", Qt::Key_Y, make<StrokeTool>},
+      {"regrow", tr("Regrow"), tr("What a node carries is reconstructed again from the points"),
+       "regrow", QKeySequence(Qt::SHIFT | Qt::Key_N), make<RegrowTool>},
       {"navigate", tr("Navigate"), tr("The mouse only moves the camera"), "navigate", Qt::Key_V,
        make<NavigateTool>},
   };

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <gmock/gmock.h>
 
 namespace espalier {
@@ -54,6 +55,19 @@ TEST_F(NodeEditsTest, AddAChildAndChooseIt) {
   EXPECT_EQ(document.skeleton()[NodeId{5}].parent, NodeId{2});
   EXPECT_TRUE(document.skeleton()[NodeId{5}].position.isApprox(Eigen::Vector3d(2, 0, 3)));
   EXPECT_THAT(document.selection().nodes(), ElementsAre(NodeId{5}));
+}
+
+// Node 2 of the fork stands at (1, 0, 2) and came from (0, 0, 1); the points lead straight up.
+TEST_F(NodeEditsTest, LetANewChildTurnWithThePoints) {
+  RawPoints raw;
+  for (int i = 0; i < 400; ++i)
+    raw.positions.emplace_back(1 + 0.05 * std::cos(i), 0.05 * std::sin(i), 2 + 0.01 * i);
+  document.setScan(std::make_unique<Scan>(PointCloud(raw)), "scan.ply");
+  apply("new_child", {NodeId{2}});
+  const Eigen::Vector3d child = document.skeleton()[NodeId{5}].position;
+  EXPECT_LT((child - Eigen::Vector3d(1, 0, child.z())).norm(), 0.2);
+  EXPECT_GT(child.z(), 2.9) << "one edge farther, and no more";
+  EXPECT_LT(child.z(), 3.4);
 }
 
 TEST_F(NodeEditsTest, MarkUnitStartsAndTakeTheMarksOffAgain) {

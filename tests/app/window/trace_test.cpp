@@ -1,0 +1,178 @@
+// Trace, Stroke and Regrow by mouse and keys in the real window.
+#include "app/window/editing.h"
+#include "app/window/load_files.h"
+#include "core/io/formats.h"
+#include "tests/app/window/window_fixture.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QMouseEvent>
+#include <QTest>
+
+#include <algorithm>
+
+namespace espalier {
+namespace {
+
+constexpr int patience = 60'000; // ms; a deadline for what would else hang
+
+/// Over the scan of a trunk of 2 m with three branches, of which the skeleton has none but the
+/// trunk, with a node each 0.25 m.
+class TraceWindowTest : public test::WindowTest {
+protected:
+  TraceWindowTest() {
+    Skeleton trunk;
+    std::optional<NodeId> last;
+    for (int i = 0; i <= 8; ++i)
+      last = trunk.add({.position = {0, 0, 0.25 * i}, .radius = 0.05, .parent = last});
+    writeStructure(toPath(path("trunk.mtg")), trunk);
+    open({writeScan("scan.xyz"), path("trunk.mtg")});
+    before_ = document().skeleton();
+    action("view_front").trigger();
+    waitForView();
+  }
+
+  /// Where a place of the plant is seen.
+  QPoint at(const Eigen::Vector3d& place) { return view().project(place)->toPoint(); }
+  QPoint atNode(double height) { return at({0, 0, height}); }
+  bool waitForPreview() {
+    return QTest::qWaitFor([this] { return action("accept").isEnabled(); }, patience);
+  }
+  void stroke(const std::vector<QPoint>& places) {
+    hover(places.front());
+    QTest::mousePress(&view(), Qt::LeftButton, Qt::NoModifier, places.front());
+    for (std::size_t i = 1; i < places.size(); ++i)
+      for (int step = 1; step <= 8; ++step)
+        moveTo(places[i - 1] + (places[i] - places[i - 1]) * step / 8);
+  }
+  void release(const QPoint& place) {
+    QTest::mouseRelease(&view(), Qt::LeftButton, Qt::NoModifier, place);
+  }
+  void expectUndone() {
+    action("undo").trigger();
+    EXPECT_EQ(document().skeleton(), before_);
+    EXPECT_FALSE(document().undoStack().canUndo());
+  }
+
+  Skeleton before_;
+
+private:
+  void moveTo(const QPoint& place) {
+    QMouseEvent move(QEvent::MouseMove, QPointF(place), QPointF(view().mapToGlobal(place)),
+                     Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&view(), &move);
+  }
+};
+
+/// How far the farthest of the new nodes is from the branch that leads along +x.
+double farthestOff(const Skeleton& skeleton, const Skeleton& before) {
+  const Eigen::Vector3d foot(0, 0, 1);
+  const Eigen::Vector3d along = Eigen::Vector3d(0.8, 0, 0.6).normalized();
+  double farthest = 0;
+  for (const NodeId id : skeleton.ids()) {
+    if (before.contains(id)) continue;
+    const Eigen::Vector3d off = skeleton[id].position - foot;
+    farthest = std::max(farthest, (off - off.dot(along) * along).norm());
+  }
+  return farthest;
+}
+
+TEST_F(TraceWindowTest, TracesABranchBetweenTwoClicks) {
+  key(Qt::Key_L);
+  click(atNode(1));
+  const QPoint tip = at({0.76, 0, 1.57});
+  hover(at({0.4, 0, 1.3}));
+  ASSERT_TRUE(waitForPreview());
+  EXPECT_EQ(document().skeleton(), before_) << "changed before it was accepted";
+  click(tip);
+  ASSERT_TRUE(waitForPreview());
+  key(Qt::Key_Return);
+  const Skeleton& plant = document().skeleton();
+  ASSERT_GT(plant.size(), before_.size());
+  EXPECT_EQ(plant.roots().size(), 1U);
+  EXPECT_LT(farthestOff(plant, before_), 0.05);
+  expectUndone();
+}
+
+TEST_F(TraceWindowTest, DropsATraceOnEscape) {
+  key(Qt::Key_L);
+  click(atNode(1));
+  hover(at({0.4, 0, 1.3}));
+  ASSERT_TRUE(waitForPreview());
+  key(Qt::Key_Escape);
+  EXPECT_FALSE(action("accept").isEnabled());
+  EXPECT_EQ(document().skeleton(), before_);
+  EXPECT_FALSE(document().undoStack().canUndo());
+}
+
+TEST_F(TraceWindowTest, CutsWithAStroke) {
+  key(Qt::Key_Y);
+  const QPoint from = at({-0.3, 0, 0.62});
+  const QPoint to = at({0.3, 0, 0.62});
+  stroke({from, to});
+  EXPECT_EQ(document().skeleton(), before_);
+  release(to);
+  EXPECT_EQ(document().skeleton().roots().size(), 2U);
+  expectUndone();
+}
+
+TEST_F(TraceWindowTest, LeavesAStrokeOnEscape) {
+  key(Qt::Key_Y);
+  const QPoint to = at({0.3, 0, 0.62});
+  stroke({at({-0.3, 0, 0.62}), to});
+  key(Qt::Key_Escape);
+  release(to);
+  EXPECT_EQ(document().skeleton(), before_);
+  EXPECT_FALSE(document().undoStack().canUndo());
+}
+
+TEST_F(TraceWindowTest, DrawsABranchAlongThePoints) {
+  key(Qt::Key_Y);
+  const QPoint tip = at({0.76, 0, 1.57});
+  stroke({atNode(1), at({0.4, 0, 1.3}), tip});
+  release(tip);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return document().skeleton() != before_; }, patience));
+  EXPECT_EQ(document().skeleton().roots().size(), 1U);
+  EXPECT_LT(farthestOff(document().skeleton(), before_), 0.05);
+  expectUndone();
+}
+
+TEST_F(TraceWindowTest, RegrowsWhatANodeCarries) {
+  hover(atNode(0.75));
+  key(Qt::Key_N, Qt::ShiftModifier);
+  waitForJob();
+  ASSERT_TRUE(waitForPreview());
+  EXPECT_EQ(document().skeleton(), before_) << "changed before it was accepted";
+  key(Qt::Key_Return);
+  const Skeleton& plant = document().skeleton();
+  const auto ids = plant.ids();
+  EXPECT_GE(std::ranges::count_if(ids, [&](NodeId id) { return plant.children(id).empty(); }), 4)
+      << "the trunk and its three branches";
+  for (const NodeId id : before_.ids())
+    if (before_[id].position.z() < 0.8) {
+      EXPECT_EQ(plant[id], before_[id]);
+    }
+  expectUndone();
+}
+
+TEST_F(TraceWindowTest, DropsWhatGrewOnEscape) {
+  hover(atNode(0.75));
+  key(Qt::Key_N, Qt::ShiftModifier);
+  waitForJob();
+  ASSERT_TRUE(waitForPreview());
+  key(Qt::Key_Escape);
+  EXPECT_FALSE(action("accept").isEnabled());
+  EXPECT_EQ(document().skeleton(), before_);
+}
+
+TEST_F(TraceWindowTest, OffersTabOnlyWhereThereIsAnotherWay) {
+  EXPECT_FALSE(action("next_way").isEnabled());
+  key(Qt::Key_L);
+  click(atNode(1));
+  hover(at({0.4, 0, 1.3}));
+  ASSERT_TRUE(waitForPreview());
+  EXPECT_FALSE(action("next_way").isEnabled()) << "one way is shown while the pointer moves";
+}
+
+} // namespace
+} // namespace espalier

@@ -1,0 +1,65 @@
+#include "core/base/error.h"
+#include "tests/support/plants.h"
+#include "tests/ui/tools/mouse.h"
+#include "tests/ui/tools/quiet_canvas.h"
+#include "ui/tools/regrow_tool.h"
+
+#include <QSignalSpy>
+#include <gtest/gtest.h>
+
+#include <gmock/gmock.h>
+
+namespace espalier {
+namespace {
+
+struct RegrowToolTest : testing::Test {
+  PlantDocument document;
+  test::QuietCanvas canvas;
+  RegrowTool tool{document, canvas};
+  test::Mouse mouse{tool};
+  std::vector<NodeId> wanted;
+  Skeleton before;
+
+  void SetUp() override {
+    document.openSkeleton(test::fork(3), "fork.mtg");
+    before = document.skeleton();
+    QObject::connect(&tool, &RegrowTool::wanted, &document,
+                     [this](NodeId node) { wanted.push_back(node); });
+  }
+};
+
+TEST_F(RegrowToolTest, WantsTheNodeThatIsClicked) {
+  mouse.click(test::onNode(test::forkTop), {0, 1});
+  EXPECT_THAT(wanted, testing::ElementsAre(test::forkTop));
+}
+
+TEST_F(RegrowToolTest, ReplacesWhatTheNodeCarriesOnceAccepted) {
+  const QSignalSpy finished(&tool, &Tool::finished);
+  tool.show(test::forkTop, test::stick(3));
+  EXPECT_EQ(canvas.preview.lines.size(), 2U);
+  EXPECT_EQ(document.skeleton(), before);
+  ASSERT_TRUE(tool.hasPreview());
+  tool.accept();
+  EXPECT_EQ(document.skeleton().size(), 4U); // root, top, two new ones
+  EXPECT_EQ(document.skeleton()[test::forkTop], before[test::forkTop]);
+  EXPECT_TRUE(canvas.preview.isEmpty());
+  EXPECT_EQ(finished.size(), 1);
+  document.undoStack().undo();
+  EXPECT_EQ(document.skeleton(), before);
+}
+
+TEST_F(RegrowToolTest, DropsWhatGrewOnEscape) {
+  tool.show(test::forkTop, test::stick(3));
+  mouse.escape();
+  EXPECT_FALSE(tool.hasPreview());
+  EXPECT_TRUE(canvas.preview.isEmpty());
+  EXPECT_EQ(document.skeleton(), before);
+}
+
+TEST_F(RegrowToolTest, RefusesSeveralNodes) {
+  EXPECT_THROW(tool.startWith({NodeId{2}, NodeId{3}}), Error);
+  EXPECT_TRUE(wanted.empty());
+}
+
+} // namespace
+} // namespace espalier

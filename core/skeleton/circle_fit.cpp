@@ -67,16 +67,22 @@ std::optional<FittedCircle> fitCircle(const std::vector<Eigen::Vector2d>& points
   if (determinant == 0) return std::nullopt;
   const Eigen::Vector2d offset =
       Eigen::Vector2d(xz * (yy - root) - yz * xy, yz * (xx - root) - xz * xy) / (2 * determinant);
-  FittedCircle circle{.center = mean + offset,
-                      .radius = std::sqrt(offset.squaredNorm() + size),
-                      .error = 0,
-                      .coverage = 0};
-  if (!circle.center.allFinite() || !std::isfinite(circle.radius)) return std::nullopt;
+  const Eigen::Vector2d center = mean + offset;
+  const double radius = std::sqrt(offset.squaredNorm() + size);
+  if (!center.allFinite() || !std::isfinite(radius)) return std::nullopt;
+  return judgedCircle(center, radius, points);
+}
+
+FittedCircle judgedCircle(const Eigen::Vector2d& center, double radius,
+                          const std::vector<Eigen::Vector2d>& points) {
+  const auto n = static_cast<double>(points.size());
+  double squares = 0;
   for (const Eigen::Vector2d& point : points)
-    circle.error += std::pow((point - circle.center).norm() - circle.radius, 2) / n;
-  circle.error = std::sqrt(circle.error);
-  circle.coverage = coverageAround(circle.center, points);
-  return circle;
+    squares += std::pow((point - center).norm() - radius, 2) / n;
+  return {.center = center,
+          .radius = radius,
+          .error = std::sqrt(squares),
+          .coverage = coverageAround(center, points)};
 }
 
 } // namespace espalier

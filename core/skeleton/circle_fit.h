@@ -20,4 +20,8 @@ struct FittedCircle {
 /// linear regression", 2010.
 [[nodiscard]] std::optional<FittedCircle> fitCircle(const std::vector<Eigen::Vector2d>& points);
 
+/// A circle that is given, and how well `points` lie on it. pre: there are points
+[[nodiscard]] FittedCircle judgedCircle(const Eigen::Vector2d& center, double radius,
+                                        const std::vector<Eigen::Vector2d>& points);
+
 } // namespace espalier

@@ -7,6 +7,7 @@
 #include "app/window/findings_flow.h"
 #include "app/window/icon.h"
 #include "app/window/project_flow.h"
+#include "app/window/radius_flow.h"
 #include "app/window/recent_files.h"
 #include "app/window/reconstruct_flow.h"
 #include "app/window/review_flow.h"
@@ -239,6 +240,7 @@ void MainWindow::refreshCounts() {
 
 void MainWindow::refreshHint() {
   QString hint = document_.isEmpty() ? tr("Open a scan, or drop one here") : editing_->hint();
+  if (const QString radius = radius_->hint(); !radius.isEmpty()) hint = radius;
   if (units_->marks() > 0) hint += tr("   U mark unit start");
   status_->setHint(hint);
 }

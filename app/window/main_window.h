@@ -25,6 +25,7 @@ class MessageBanner;
 class PipelinePanel;
 class PlantView;
 class ProjectFlow;
+class RadiusFlow;
 class RecentFiles;
 class ReconstructFlow;
 class ReviewFlow;
@@ -118,6 +119,7 @@ private:
   std::unique_ptr<Editing> editing_;
   std::unique_ptr<TraceFlow> traces_;
   std::unique_ptr<UnitFlow> units_;
+  std::unique_ptr<RadiusFlow> radius_;
   std::unique_ptr<SealFlow> seals_;
   std::unique_ptr<ReviewFlow> review_;
   std::unique_ptr<ShownFlow> shown_;

@@ -5,6 +5,7 @@
 #include "app/window/findings_flow.h"
 #include "app/window/main_window.h"
 #include "app/window/project_flow.h"
+#include "app/window/radius_flow.h"
 #include "app/window/review_flow.h"
 #include "app/window/saved_views.h"
 #include "app/window/seal_flow.h"
@@ -16,6 +17,7 @@
 #include "ui/dialogs/command_palette.h"
 #include "ui/dialogs/manual_window.h"
 #include "ui/dialogs/shortcut_sheet.h"
+#include "ui/panels/inspector_panel.h"
 #include "ui/panels/message_banner.h"
 #include "ui/panels/pipeline_panel.h"
 #include "ui/view/plant_view.h"
@@ -38,6 +40,8 @@ void MainWindow::addActions() {
   connect(traces_.get(), &TraceFlow::failed, this,
           [this](const QString& message) { banner_->showError(message); });
   units_ = std::make_unique<UnitFlow>(document_, *actions_, *inspector_, *this);
+  radius_ = std::make_unique<RadiusFlow>(
+      RadiusFlow::Parts{document_, jobs_, *actions_, *view_, inspector_->crossSection()});
   options_ = std::make_unique<ViewOptions>(*view_, *actions_, settings_, nullptr);
   seals_ = std::make_unique<SealFlow>(
       SealFlow::Parts{document_, *actions_, *projects_, *banner_, *this});

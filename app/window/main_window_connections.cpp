@@ -4,6 +4,7 @@
 #include "app/window/findings_flow.h"
 #include "app/window/main_window.h"
 #include "app/window/project_flow.h"
+#include "app/window/radius_flow.h"
 #include "app/window/recent_files.h"
 #include "app/window/reconstruct_flow.h"
 #include "app/window/review_flow.h"
@@ -50,6 +51,7 @@ void MainWindow::connectJobs() {
   connect(&jobs_, &JobRunner::started, this, [this] {
     status_->showJob(jobs_.name());
     units_->setEnabled(false);
+    radius_->setEnabled(false);
     seals_->setEnabled(false);
     review_->setEnabled(false);
     editing_->setEnabled(false); // what a job will replace is not to be edited meanwhile
@@ -68,6 +70,7 @@ void MainWindow::connectJobs() {
     status_->hideJob();
     editing_->setEnabled(true);
     units_->setEnabled(true);
+    radius_->setEnabled(true);
     seals_->setEnabled(true);
     review_->setEnabled(true);
     if (jobs_.isCanceled()) {
@@ -157,6 +160,11 @@ void MainWindow::connectDocument() {
   connect(&document_, &PlantDocument::skeletonEdited, this, &MainWindow::refreshCounts);
   connect(&document_.undoStack(), &QUndoStack::indexChanged, this, &MainWindow::tellStep);
   connect(editing_.get(), &Editing::hintChanged, this, &MainWindow::refreshHint);
+  connect(radius_.get(), &RadiusFlow::hintChanged, this, &MainWindow::refreshHint);
+  connect(radius_.get(), &RadiusFlow::noted, status_, &StatusLine::showNote);
+  connect(radius_.get(), &RadiusFlow::done, this, [this](const QString& message) {
+    banner_->showResult(message, tr("Undo"), [this] { editing_->undo(); });
+  });
   connect(units_.get(), &UnitFlow::marksChanged, this, [this] {
     refreshCounts();
     refreshHint();

@@ -3,6 +3,7 @@
 #include "app/window/icon.h"
 #include "app/window/main_window.h"
 #include "app/window/node_menus.h"
+#include "app/window/radius_flow.h"
 #include "app/window/recent_files.h"
 #include "app/window/review_flow.h"
 #include "app/window/saved_views.h"
@@ -90,6 +91,8 @@ void MainWindow::fillMenus() {
   fillNodeEdits(*skeleton, *actions_, ofUnits);
   skeleton->addSeparator();
   add(*skeleton->addMenu(tr("&Units")), *actions_, ofUnits);
+
+  add(*menuBar()->addMenu(tr("R&adius")), *actions_, RadiusFlow::menu());
 
   QMenu* review = menuBar()->addMenu(tr("&Review"));
   review_->fillMenu(*review);

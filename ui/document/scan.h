@@ -16,7 +16,8 @@ public:
   explicit Scan(PointCloud cloud);
 
   [[nodiscard]] const std::shared_ptr<const PointCloud>& cloud() const { return cloud_; }
-  [[nodiscard]] double height() const { return height_; }   // extent along z [L]
+  [[nodiscard]] const SpatialIndex& index() const { return index_; } // of the positions of cloud()
+  [[nodiscard]] double height() const { return height_; }            // extent along z [L]
   [[nodiscard]] double spacing() const { return spacing_; } // between neighboring points [L]
 
   /// Centroid of the 5 points nearest to `place` [L]: one point alone is noise of the scanner.

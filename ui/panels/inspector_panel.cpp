@@ -2,6 +2,7 @@
 
 #include "core/skeleton/axes.h"
 #include "ui/document/plant_document.h"
+#include "ui/panels/cross_section_panel.h"
 #include "ui/panels/units_form.h"
 
 #include <QComboBox>
@@ -46,7 +47,7 @@ InspectorPanel::InspectorPanel(PlantDocument& document, QWidget* parent)
       body_(new QWidget(this)), form_(new QFormLayout(body_)), order_(makeValue(body_)),
       edge_(new QComboBox(body_)), parent_(new QPushButton(body_)), children_(makeValue(body_)),
       position_(makeValue(body_)), length_(makeValue(body_)), radius_(new QDoubleSpinBox(body_)),
-      units_(new UnitsForm(document)) {
+      section_(new CrossSectionPanel(document, this)), units_(new UnitsForm(document)) {
   makeForm();
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(12, 12, 12, 12);
@@ -54,6 +55,7 @@ InspectorPanel::InspectorPanel(PlantDocument& document, QWidget* parent)
   column->addWidget(title_);
   column->addWidget(empty_);
   column->addWidget(body_);
+  column->addWidget(section_);
   auto* scroll = new QScrollArea(this); // units may have many features
   scroll->setWidget(units_);
   scroll->setWidgetResizable(true);

@@ -15,6 +15,7 @@ class QPushButton;
 
 namespace espalier {
 
+class CrossSectionPanel;
 class PlantDocument;
 class UnitsForm;
 
@@ -25,6 +26,8 @@ class InspectorPanel : public QWidget {
 
 public:
   explicit InspectorPanel(PlantDocument& document, QWidget* parent = nullptr);
+
+  [[nodiscard]] CrossSectionPanel& crossSection() const { return *section_; }
 
 signals:
   void leaveRequested();           // the number is complete: the keys are the plant's again
@@ -54,6 +57,7 @@ private:
   QLabel* position_;
   QLabel* length_;
   QDoubleSpinBox* radius_;
+  CrossSectionPanel* section_;
   UnitsForm* units_;
 };
 

@@ -1,8 +1,12 @@
 #include "app/window/unit_flow.h"
 
 #include "app/window/action_set.h"
+#include "core/mtg/feature_edits.h"
+#include "core/mtg/unit_edits.h"
+#include "ui/dialogs/add_value_dialog.h"
 #include "ui/dialogs/commit_marks_dialog.h"
 #include "ui/panels/inspector_panel.h"
+#include "ui/panels/unit_rows.h"
 
 #include <QAction>
 
@@ -21,6 +25,8 @@ UnitFlow::UnitFlow(PlantDocument& document, ActionSet& actions, InspectorPanel& 
                 .help = tr("Takes all marks of unit starts off")},
                [this] { clear(); });
   connect(&inspector, &InspectorPanel::unitTyped, this, &UnitFlow::edit);
+  connect(&inspector, &InspectorPanel::featureRequested, this, &UnitFlow::addFeature);
+  connect(&inspector, &InspectorPanel::dateRequested, this, &UnitFlow::addDate);
   connect(&document_, &PlantDocument::skeletonEdited, this, &UnitFlow::count);
   connect(&document_, &PlantDocument::skeletonReplaced, this,
           [this] { setMarks(markedNodes(document_.skeleton()).size()); });
@@ -47,6 +53,39 @@ void UnitFlow::commit() {
 
 void UnitFlow::clear() {
   document_.edit(tr("Clear the marks"), [](SkeletonEditor& editor) { clearMarks(editor); });
+}
+
+void UnitFlow::addFeature(const UnitPart& part) {
+  AddValueDialog dialog(tr("Add a Feature to %1").arg(part.name), {}, &window_);
+  connect(&dialog, &AddValueDialog::addRequested, this, [&](const TypedFeature& typed) {
+    const Mtg* base = baseOf(document_);
+    const QString feature = QString::fromStdString(typed.feature.name).trimmed();
+    const auto change = [&](SkeletonEditor& editor) {
+      requireNewFeature(editor.skeleton(), typed.feature.name, base);
+      field_ = dialog.valueField(); // the name is as it should be
+      espalier::addFeature(editor, part.start, part.scale, typed, base);
+    };
+    if (edit(tr("Add the feature %1 to %2").arg(feature, part.name), change, dialog.nameField()))
+      dialog.accept();
+  });
+  dialog.exec();
+}
+
+void UnitFlow::addDate(const UnitPart& part) {
+  const Mtg* base = baseOf(document_);
+  const Skeleton& skeleton = document_.skeleton();
+  const Entity entity = entityAt(skeleton, part.start, part.scale);
+  const std::size_t date = entity.later.size();
+  AddValueDialog dialog(tr("Add a Date to %1").arg(part.name),
+                        typedFeaturesLater(entity, date, base, addedFeatures(skeleton, base)),
+                        &window_);
+  connect(&dialog, &AddValueDialog::addRequested, this, [&](const TypedFeature& typed) {
+    const auto change = [&](SkeletonEditor& editor) {
+      setFeature(editor, part.start, part.scale, {typed.feature, typed.text, date}, base);
+    };
+    if (edit(tr("Add a date to %1").arg(part.name), change, dialog.valueField())) dialog.accept();
+  });
+  dialog.exec();
 }
 
 bool UnitFlow::edit(const QString& name, const std::function<void(SkeletonEditor&)>& change,

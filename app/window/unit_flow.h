@@ -12,6 +12,7 @@ namespace espalier {
 class ActionSet;
 class CommitMarksDialog;
 class InspectorPanel;
+struct UnitPart;
 
 /// Scales by hand: the commands on marks, and what is typed about units in the inspector.
 class UnitFlow : public QObject {
@@ -31,6 +32,8 @@ signals:
 private:
   void commit();
   void clear();
+  void addFeature(const UnitPart& part);
+  void addDate(const UnitPart& part);
   bool edit(const QString& name, const std::function<void(SkeletonEditor&)>& change,
             QWidget* field);
   void count(const SkeletonDelta& delta);

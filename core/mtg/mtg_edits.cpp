@@ -147,7 +147,7 @@ Entity Edit::wholeOf(Entity entity, const Entity& then, VertexId id) const {
       *at = typed;
   }
   entity.values = std::move(values);
-  entity.later = whole.later;
+  entity.later.insert(entity.later.begin(), whole.later.begin(), whole.later.end());
   return entity;
 }
 

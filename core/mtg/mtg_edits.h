@@ -22,7 +22,7 @@ namespace espalier {
 /// - Complexes follow Node::entities; a unit keeps its vertex while its start, or a node that was
 ///   part of it and carries its entity on, stays. A root lacks no unit (withRootUnits). Parents and
 ///   edges of units are those of the nodes they start at.
-/// - A class that `base` lacks is declared, and gets its rules if there are any.
+/// - A class or a feature that `base` lacks is declared; a class gets its rules if there are any.
 /// - Where scales were added (commitMarks), all that is finer moves: its vertices and its classes.
 /// - A vertex without position stays without one where its place still follows from its neighbors.
 ///

@@ -250,6 +250,13 @@ bool tellsOf(const std::string& text, const Mtg& edited, const MtgReadOptions& o
   }
 }
 
+/// Whether the file has all these features: readers take a column without one for text at best.
+bool hasFeatures(const Mtg& file, const Mtg& mtg) {
+  return std::ranges::all_of(mtg.features, [&](const MtgFeature& feature) {
+    return std::ranges::find(file.features, feature.name, &MtgFeature::name) != file.features.end();
+  });
+}
+
 std::string encoded(std::string text, bool isLatin1) {
   if (!isLatin1 || !fitsLatin1(text)) return text;
   std::string bytes = toLatin1(text);
@@ -266,7 +273,7 @@ std::string mtgTextWith(const std::string& original, const Mtg& edited,
     return encoded(*sameLines, file.source.isLatin1);
   const Mtg written = mtgAsWritten(withFeaturesLike(file.mtg, edited));
   const std::string anew = belowFirstComments(file, written); // checks that it can be told
-  const std::string kept = belowSections(file, written);
+  const std::string kept = hasFeatures(file.mtg, written) ? belowSections(file, written) : anew;
   return encoded(tellsOf(kept, written, options) ? kept : anew, file.source.isLatin1);
 }
 

@@ -27,7 +27,8 @@ void setValue(std::vector<std::string>& values, std::size_t feature, const std::
 void setValues(Mtg& mtg, std::vector<std::string>& values,
                const std::vector<FeatureValue>& wanted) {
   for (const FeatureValue& value : wanted)
-    setValue(values, featureNamed(mtg, value.feature, "ALPHA"), value.text);
+    setValue(values, featureNamed(mtg, value.feature, value.type.empty() ? "ALPHA" : value.type),
+             value.text);
 }
 
 } // namespace

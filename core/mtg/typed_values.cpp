@@ -92,6 +92,52 @@ std::string typedValue(const MtgFeature& feature, const std::string& text) {
   return value;
 }
 
+std::span<const std::string_view> featureTypes() {
+  static constexpr auto types =
+      std::to_array<std::string_view>({"REAL", "INT", "ALPHA", "STRING", "DD/MM/YY", "DD/MM/YYYY",
+                                       "DD/MM", "MM/YY", "DD/MM-TIME", "DD/MM/YY-TIME"});
+  return types;
+}
+
+std::string exampleOf(std::string_view featureType) {
+  if (featureType == "REAL") return "12.5";
+  if (featureType == "INT") return "12";
+  const auto form = std::ranges::find(dateForms, featureType, &DateForm::type);
+  return form == dateForms.end() ? "oak" : form->example;
+}
+
+std::string typedFeatureName(const std::string& text) {
+  std::string name(trimmed(text));
+  constexpr std::size_t longest = 64;
+  const auto isPart = [](char c) { return isLetter(c) || isDigit(c) || c == '_'; };
+  if (name.empty() || name.size() > longest || !isLetter(name.front()) ||
+      !std::ranges::all_of(name, isPart))
+    throw Error(inQuotes(name) + " is no name of a feature: type letters, digits and _, such as "
+                                 "Length or leaf_area");
+  std::string small = name;
+  std::ranges::transform(small, small.begin(),
+                         [](char c) { return c >= 'A' && c <= 'Z' ? char(c + ('a' - 'A')) : c; });
+  constexpr auto taken = std::to_array<std::string_view>(
+      {"x", "y", "z", "xx", "yy", "zz", "radius", "diameter", "alias"});
+  if (std::ranges::find(taken, small) != taken.end())
+    throw Error(name + " stands for the position, radius or alias, which have fields of their own: "
+                       "choose another name");
+  return name;
+}
+
+std::string typedAlias(const std::string& text) {
+  std::string alias(trimmed(text));
+  const auto isPart = [](char c) {
+    return isLetter(c) || isDigit(c) || static_cast<unsigned char>(c) >= 0x80; // of UTF-8
+  };
+  const bool isWord = alias.empty() || isPart(alias.front());
+  if (!isWord || !std::ranges::all_of(
+                     alias, [&](char c) { return isPart(c) || c == '_' || c == '-' || c == '.'; }))
+    throw Error(inQuotes(alias) +
+                " is no alias: type letters, digits, and _ - . between them, or nothing");
+  return alias;
+}
+
 std::string typedSymbol(const std::string& text) {
   std::string symbol(trimmed(text));
   constexpr std::size_t longest = 32;

@@ -2,18 +2,16 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
-#include "core/mtg/mtg_geometry.h"
+#include "core/mtg/entity_edits.h"
 #include "core/mtg/mtg_scale_shift.h"
 #include "core/mtg/mtg_skeleton.h"
 #include "core/mtg/mtg_units.h"
-#include "core/mtg/mtg_values.h"
 #include "core/mtg/typed_values.h"
 #include "core/mtg/unit_scales.h"
 #include "core/mtg/unit_starts.h"
 
 #include <algorithm>
 #include <charconv>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <set>
@@ -23,29 +21,6 @@ namespace {
 
 std::string nameOf(const Entity& entity) {
   return entity.symbol + (entity.index ? std::to_string(*entity.index) : "");
-}
-
-/// Changes the entity of a scale at a node, which gets its own if it carries none.
-void changeEntity(SkeletonEditor& editor, NodeId id, int scale,
-                  const std::function<void(Entity&)>& change) {
-  std::vector<Entity> entities = editor.skeleton()[id].entities;
-  if (entities.empty()) entities.push_back(ownEntity(editor.skeleton(), id));
-  const auto at = std::ranges::find(entities, scale, &Entity::scale);
-  if (at == entities.end())
-    throw Error("nothing of scale " + std::to_string(scale) + " begins at node " +
-                std::to_string(indexOf(id)) + ": choose the node it begins at");
-  change(*at);
-  editor.setEntities(id, std::move(entities));
-}
-
-bool hasValue(const Entity& entity, const std::string& feature) {
-  return std::ranges::find(entity.values, feature, &FeatureValue::feature) != entity.values.end();
-}
-
-std::size_t placeOf(const std::string& feature, const Mtg* base) {
-  if (base == nullptr) return 0;
-  return std::size_t(std::ranges::find(base->features, feature, &MtgFeature::name) -
-                     base->features.begin());
 }
 
 /// The scale of a class, none if it is new here.
@@ -116,23 +91,10 @@ Entity ownEntity(const Skeleton& skeleton, NodeId id) {
   return entities.empty() ? ownEntities(skeleton)[indexOf(id)] : entities.back();
 }
 
-std::vector<MtgFeature> typedFeatures(const Entity& entity, bool isNode, const Mtg* base) {
-  std::vector<MtgFeature> result;
-  if (base != nullptr) {
-    const MtgGeometry geometry(*base);
-    std::vector<std::size_t> without;
-    for (const auto& feature : {geometry.position[0], geometry.position[1], geometry.position[2],
-                                geometry.radius, geometry.diameter})
-      if (feature && (isNode || !hasValue(entity, base->features[*feature].name)))
-        without.push_back(*feature);
-    for (std::size_t i = 0; i < base->features.size(); ++i)
-      if (!isAliasFeature(base->features[i]) && std::ranges::find(without, i) == without.end())
-        result.push_back(base->features[i]);
-  }
-  for (const FeatureValue& value : entity.values)
-    if (placeOf(value.feature, base) == (base != nullptr ? base->features.size() : 0))
-      result.push_back({value.feature, "ALPHA"});
-  return result;
+Entity entityAt(const Skeleton& skeleton, NodeId id, int scale) {
+  const std::vector<Entity>& entities = skeleton[id].entities;
+  const auto at = std::ranges::find(entities, scale, &Entity::scale);
+  return at == entities.end() ? ownEntity(skeleton, id) : *at;
 }
 
 void beginUnit(SkeletonEditor& editor, NodeId id, int scale) {
@@ -183,19 +145,19 @@ void setIndex(SkeletonEditor& editor, NodeId id, int scale, const std::string& i
   changeEntity(editor, id, scale, [&](Entity& entity) { entity.index = typed; });
 }
 
-void setFeature(SkeletonEditor& editor, NodeId id, int scale, const MtgFeature& feature,
-                const std::string& text, const Mtg* base) {
-  const std::string value = typedValue(feature, text);
-  changeEntity(editor, id, scale, [&](Entity& entity) {
-    std::erase_if(entity.values,
-                  [&](const FeatureValue& each) { return each.feature == feature.name; });
-    if (value.empty()) return;
-    const std::size_t place = placeOf(feature.name, base); // values stand in the order of features
-    const auto after = std::ranges::find_if(entity.values, [&](const FeatureValue& each) {
-      return placeOf(each.feature, base) > place;
-    });
-    entity.values.insert(after, {feature.name, value});
-  });
+void setAlias(SkeletonEditor& editor, NodeId id, int scale, const std::string& alias) {
+  const std::string typed = typedAlias(alias);
+  const Entity own = entityAt(editor.skeleton(), id, scale);
+  const auto isSameUnit = [&](const Entity& each) { // which carries its name at each of its parts
+    return each.scale == own.scale && each.symbol == own.symbol && each.index == own.index &&
+           each.alias == own.alias;
+  };
+  for (const NodeId node : editor.skeleton().ids())
+    for (const Entity& each : editor.skeleton()[node].entities)
+      if (!typed.empty() && each.alias == typed && !isSameUnit(each))
+        throw Error(inQuotes(typed) + " is the alias of " + nameOf(each) + " at node " +
+                    std::to_string(indexOf(node)) + " already: choose another one");
+  changeEntity(editor, id, scale, [&](Entity& entity) { entity.alias = typed; });
 }
 
 } // namespace espalier

@@ -10,7 +10,7 @@ namespace espalier {
 
 // Edits of what an MTG says of nodes and of the units that start at them. Each takes what was
 // typed, and is refused by an Error of one sentence. `base` is the MTG that the skeleton is a view
-// of, none for one that was made here; it tells the types of features. pre, of all: nodes are
+// of, none for one that was made here. pre, of all: nodes are
 // contained, and some node of the skeleton carries entities.
 
 /// Where what is said of a unit stands: in the entities of the node it starts at.
@@ -25,11 +25,9 @@ struct UnitPlace {
 /// What is said of the node itself. Time O(nodes).
 [[nodiscard]] Entity ownEntity(const Skeleton& skeleton, NodeId id);
 
-/// Features that can be typed for an entity: those of `base`, and ones that the entity has beside
-/// them, as text; without the name in the file, and without position and radius: those of nodes
-/// have fields of their own, units have some only if a file says so.
-[[nodiscard]] std::vector<MtgFeature> typedFeatures(const Entity& entity, bool isNode,
-                                                    const Mtg* base);
+/// What is said of the unit of a scale that begins at a node; of the node itself if none does.
+/// Time O(nodes).
+[[nodiscard]] Entity entityAt(const Skeleton& skeleton, NodeId id, int scale);
 
 /// Lets another unit of a scale begin at a node: of the class of the one that goes on there, with
 /// the next free index of this class within the coarser unit if that one has an index. Units of
@@ -51,9 +49,8 @@ void setClass(SkeletonEditor& editor, NodeId id, int scale, const std::string& s
 /// @throws Error if it is none
 void setIndex(SkeletonEditor& editor, NodeId id, int scale, const std::string& index);
 
-/// Changes the value of a feature; empty takes it away.
-/// @throws Error if it is not of the type of the feature (typedValue)
-void setFeature(SkeletonEditor& editor, NodeId id, int scale, const MtgFeature& feature,
-                const std::string& text, const Mtg* base);
+/// Changes its name in the file; empty for none.
+/// @throws Error if it is no alias (typedAlias), or another entity of the skeleton has it
+void setAlias(SkeletonEditor& editor, NodeId id, int scale, const std::string& alias);
 
 } // namespace espalier

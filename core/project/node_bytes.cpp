@@ -3,6 +3,7 @@
 #include "core/project/content_hash.h"
 #include "core/project/history.h"
 
+#include <algorithm>
 #include <bit>
 #include <concepts>
 #include <cstdint>
@@ -25,6 +26,16 @@ enum NodeFlag : std::uint8_t {
 };
 enum ChangeFlag : std::uint8_t { hasBefore = 1, hasAfter = 2 };
 
+/// Of an entity; whether values of it are followed by the types of their features.
+enum EntityFlag : std::uint8_t { hasIndex = 1, hasTypes = 2 };
+
+bool isTyped(const Entity& entity) {
+  const auto has = [](const std::vector<FeatureValue>& values) {
+    return std::ranges::any_of(values, [](const FeatureValue& each) { return !each.type.empty(); });
+  };
+  return has(entity.values) || std::ranges::any_of(entity.later, has);
+}
+
 /// What is not as it should be; caught where reading begins.
 struct Malformed {};
 
@@ -43,23 +54,25 @@ public:
     size(text.size());
     bytes_ += text;
   }
-  void values(const std::vector<FeatureValue>& values) {
+  void values(const std::vector<FeatureValue>& values, bool withTypes) {
     size(values.size());
     for (const FeatureValue& value : values) {
       text(value.feature);
       text(value.text);
+      if (withTypes) text(value.type);
     }
   }
   void entity(const Entity& entity) {
     number(static_cast<std::uint32_t>(entity.scale));
     text(entity.symbol);
-    number(static_cast<std::uint8_t>(entity.index.has_value()));
+    const bool withTypes = isTyped(entity);
+    number(static_cast<std::uint8_t>((entity.index ? hasIndex : 0) | (withTypes ? hasTypes : 0)));
     if (entity.index) number(static_cast<std::uint32_t>(*entity.index));
     text(entity.alias);
-    values(entity.values);
+    values(entity.values, withTypes);
     size(entity.later.size());
     for (const std::vector<FeatureValue>& date : entity.later)
-      values(date);
+      values(date, withTypes);
   }
   void node(const Node& node) {
     number(static_cast<std::uint8_t>(
@@ -127,11 +140,14 @@ public:
     rest_.remove_prefix(size);
     return result;
   }
-  std::vector<FeatureValue> values() {
+  std::vector<FeatureValue> values(bool withTypes) {
     std::vector<FeatureValue> result;
     for (std::size_t left = count(8); left > 0; --left) {
-      std::string feature = text();
-      result.push_back({std::move(feature), text()});
+      FeatureValue value;
+      value.feature = text();
+      value.text = text();
+      if (withTypes) value.type = text();
+      result.push_back(std::move(value));
     }
     return result;
   }
@@ -139,11 +155,13 @@ public:
     Entity result;
     result.scale = integer();
     result.symbol = text();
-    if (number<std::uint8_t>() != 0) result.index = integer();
+    const auto flags = number<std::uint8_t>();
+    if ((flags & hasIndex) != 0) result.index = integer();
     result.alias = text();
-    result.values = values();
+    const bool withTypes = (flags & hasTypes) != 0;
+    result.values = values(withTypes);
     for (std::size_t left = count(4); left > 0; --left)
-      result.later.push_back(values());
+      result.later.push_back(values(withTypes));
     return result;
   }
   Node node() {

@@ -9,7 +9,8 @@ namespace espalier {
 /// A value of a feature of an MTG, as it is written. Never evaluated.
 struct FeatureValue {
   std::string feature;
-  std::string text; // not empty
+  std::string text;      // not empty
+  std::string type = {}; // of a feature added by hand, as "REAL"; empty: the file declares it
 
   bool operator==(const FeatureValue&) const = default;
 };

@@ -63,6 +63,8 @@ InspectorPanel::InspectorPanel(PlantDocument& document, QWidget* parent)
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   column->addWidget(scroll, 1);
   connect(units_, &UnitsForm::typed, this, &InspectorPanel::unitTyped);
+  connect(units_, &UnitsForm::featureRequested, this, &InspectorPanel::featureRequested);
+  connect(units_, &UnitsForm::dateRequested, this, &InspectorPanel::dateRequested);
   connect(units_, &UnitsForm::leaveRequested, this, &InspectorPanel::leaveRequested);
   connect(edge_, &QComboBox::activated, this,
           [this] { emit edgeChosen(edge_->currentData().value<EdgeType>()); });

@@ -18,6 +18,7 @@ namespace espalier {
 class CrossSectionPanel;
 class PlantDocument;
 class UnitsForm;
+struct UnitPart;
 
 /// The properties of the chosen node, or how many are chosen. What can be typed is told as a
 /// signal: the window makes the edit.
@@ -37,6 +38,8 @@ signals:
   /// What an MTG says of the node or of its units; as in UnitsForm.
   void unitTyped(const QString& name, const std::function<void(espalier::SkeletonEditor&)>& change,
                  QWidget* field);
+  void featureRequested(const espalier::UnitPart& part);
+  void dateRequested(const espalier::UnitPart& part);
 
 private:
   void makeForm();

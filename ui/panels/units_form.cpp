@@ -1,13 +1,12 @@
 #include "ui/panels/units_form.h"
 
-#include "core/mtg/unit_edits.h"
-#include "core/mtg/unit_scales.h"
 #include "ui/document/plant_document.h"
 
 #include <QCheckBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -15,23 +14,9 @@
 namespace espalier {
 namespace {
 
-QString nameOf(const Entity& entity) {
-  return QString::fromStdString(entity.symbol) +
-         (entity.index ? QString::number(*entity.index) : QString());
-}
-
-QString valueOf(const Entity& entity, const std::string& feature) {
-  const auto found = std::ranges::find(entity.values, feature, &FeatureValue::feature);
-  return found == entity.values.end() ? QString() : QString::fromStdString(found->text);
-}
-
 bool carriesAnything(const Skeleton& skeleton) {
   const std::vector<NodeId> ids = skeleton.ids(); // roots, which begin units, come first
   return std::ranges::any_of(ids, [&](NodeId id) { return !skeleton[id].entities.empty(); });
-}
-
-const Mtg* baseOf(const PlantDocument& document) {
-  return document.structure().frame ? &document.structure().frame->mtg : nullptr;
 }
 
 } // namespace
@@ -46,7 +31,7 @@ void UnitsForm::show(NodeId id) {
     showNothing();
     return;
   }
-  build(partsOf(id));
+  build(unitParts(document_, id));
   setVisible(true);
 }
 
@@ -55,75 +40,25 @@ void UnitsForm::showNothing() {
   parts_.clear();
 }
 
-QList<UnitsForm::Part> UnitsForm::partsOf(NodeId id) const {
-  const Skeleton& skeleton = document_.skeleton();
-  QList<Part> parts = {partOf(id, ownEntity(skeleton, id), true)};
-  std::vector<UnitPlace> units = unitsOf(skeleton, id);
-  std::ranges::reverse(units);
-  for (const UnitPlace& unit : units) {
-    const Entity& entity = skeleton[unit.start].entities[unit.entity];
-    Part part = partOf(unit.start, entity, false);
-    part.canBegin = skeleton[id].parent.has_value();
-    part.begins = unit.start == id;
-    part.step = (part.begins ? tr("End %1 at node %2") : tr("Begin a unit like %1 at node %2"))
-                    .arg(nameOf(entity))
-                    .arg(indexOf(id));
-    part.beginOrEnd = [id, scale = entity.scale, ends = part.begins](SkeletonEditor& editor) {
-      (ends ? endUnit : beginUnit)(editor, id, scale);
-    };
-    parts.append(part);
-  }
-  return parts;
-}
-
-UnitsForm::Part UnitsForm::partOf(NodeId start, const Entity& entity, bool isNode) const {
-  const Mtg* base = baseOf(document_);
-  const int scale = entity.scale;
-  const QString name = isNode ? tr("node %1").arg(indexOf(start)) : nameOf(entity);
-  const QString end = QStringLiteral("_%1").arg(scale);
-  Part part{.id = "unit" + end};
-  part.title = isNode ? tr("As %1, scale %2").arg(nameOf(entity)).arg(scale)
-                      : tr("In %1, scale %2").arg(nameOf(entity)).arg(scale);
-  part.rows.append({"class" + end, tr("Class"), QString::fromStdString(entity.symbol),
-                    tr("Letters alone"), tr("Set the class of %1").arg(name),
-                    [=](SkeletonEditor& editor, const std::string& text) {
-                      setClass(editor, start, scale, text, base);
-                    }});
-  part.rows.append({"index" + end, tr("Index"),
-                    entity.index ? QString::number(*entity.index) : QString(),
-                    tr("A whole number, or nothing"), tr("Set the index of %1").arg(name),
-                    [=](SkeletonEditor& editor, const std::string& text) {
-                      setIndex(editor, start, scale, text);
-                    }});
-  for (const MtgFeature& feature : typedFeatures(entity, isNode, base)) {
-    const QString label = QString::fromStdString(feature.name);
-    part.rows.append({"feature_" + label + end, label, valueOf(entity, feature.name),
-                      tr("Of type %1").arg(QString::fromStdString(feature.type)),
-                      tr("Set %1 of %2").arg(label, name),
-                      [=](SkeletonEditor& editor, const std::string& text) {
-                        setFeature(editor, start, scale, feature, text, base);
-                      }});
-  }
-  return part;
-}
-
 /// Keeps the fields where the same ones are shown, so that Tab leads from one to the next.
-void UnitsForm::build(const QList<Part>& parts) {
+void UnitsForm::build(const QList<UnitPart>& parts) {
   ++shown_;
   parts_ = parts;
   QStringList shape;
-  for (const Part& part : parts_) {
-    shape.append(part.id + (part.canBegin ? "b" : ""));
-    for (const Row& row : part.rows)
-      shape.append(row.id);
+  for (const UnitPart& part : parts_) {
+    shape.append(part.id + (part.canBegin ? "b" : "") + (part.canDate ? "d" : ""));
+    for (const UnitRow& row : part.rows)
+      shape.append(row.id + (row.heading.isEmpty() ? "" : "h"));
   }
   if (shape != shape_ || body_ == nullptr) makeFields();
   shape_ = shape;
-  for (const Part& part : parts_) {
+  for (const UnitPart& part : parts_) {
     body_->findChild<QLabel*>("title_" + part.id)->setText(part.title);
     if (auto* begins = body_->findChild<QCheckBox*>("begins_" + part.id))
       begins->setChecked(part.begins);
-    for (const Row& row : part.rows) {
+    for (const UnitRow& row : part.rows) {
+      if (auto* heading = body_->findChild<QLabel*>("heading_" + row.id))
+        heading->setText(row.heading);
       auto* field = body_->findChild<QLineEdit*>(row.id);
       field->setText(row.text);
       field->setCursorPosition(0);
@@ -148,13 +83,14 @@ void UnitsForm::makeFields() {
   form->setVerticalSpacing(8);
   form->setRowWrapPolicy(QFormLayout::WrapLongRows); // a long name must not widen the panel
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-  for (const Part& part : parts_) {
+  for (const UnitPart& part : parts_) {
     auto* title = new QLabel(body_);
     title->setObjectName("title_" + part.id);
     title->setProperty("role", "section");
     form->addRow(title);
-    for (const Row& row : part.rows)
+    for (const UnitRow& row : part.rows)
       addRow(row, *form);
+    addButtons(part, *form);
     if (!part.canBegin) continue;
     auto* begins = new QCheckBox(tr("begins here"), body_);
     begins->setObjectName("begins_" + part.id);
@@ -164,17 +100,54 @@ void UnitsForm::makeFields() {
   column_->addWidget(body_);
 }
 
+/// What is added to a node or unit; on Enter and click alone, so that Tab passes by.
+void UnitsForm::addButtons(const UnitPart& part, QFormLayout& to) {
+  auto* column = new QVBoxLayout; // side by side they would widen the panel
+  column->setSpacing(4);
+  const auto add = [&](const QString& name, const QString& text, const QString& help, bool isDate) {
+    auto* button = new QPushButton(text, body_);
+    button->setObjectName(name + "_" + part.id);
+    button->setToolTip(help);
+    button->setFlat(true);
+    button->setProperty("role", "link");
+    button->setCursor(Qt::PointingHandCursor);
+    column->addWidget(button, 0, Qt::AlignLeft);
+    connect(button, &QPushButton::clicked, this,
+            [this, id = part.id, isDate] { requestValue(id, isDate); });
+  };
+  add("add_feature", tr("Add feature…"), tr("Declares a feature that the file does not have yet"),
+      false);
+  if (part.canDate) add("add_date", tr("Add date…"), tr("Adds values of a later date"), true);
+  to.addRow(column);
+}
+
+void UnitsForm::requestValue(const QString& partId, bool isDate) {
+  const auto found = std::ranges::find(parts_, partId, &UnitPart::id);
+  if (found == parts_.end()) return;
+  const UnitPart part = *found; // an answer replaces the parts
+  if (isDate)
+    emit dateRequested(part);
+  else
+    emit featureRequested(part);
+}
+
 void UnitsForm::beginOrEnd(QCheckBox& begins) {
   const auto found = std::ranges::find_if(
-      parts_, [&](const Part& part) { return begins.objectName() == "begins_" + part.id; });
+      parts_, [&](const UnitPart& part) { return begins.objectName() == "begins_" + part.id; });
   if (found == parts_.end()) return;
-  const Part told = *found; // telling it replaces the parts
+  const UnitPart told = *found; // telling it replaces the parts
   const int shownBefore = shown_;
   emit typed(told.step, told.beginOrEnd, &begins);
   if (shown_ == shownBefore) begins.setChecked(told.begins); // it was refused
 }
 
-void UnitsForm::addRow(const Row& row, QFormLayout& to) {
+void UnitsForm::addRow(const UnitRow& row, QFormLayout& to) {
+  if (!row.heading.isEmpty()) {
+    auto* heading = new QLabel(body_);
+    heading->setObjectName("heading_" + row.id);
+    heading->setProperty("role", "quiet");
+    to.addRow(heading);
+  }
   auto* field = new QLineEdit(body_);
   field->setObjectName(row.id);
   field->setToolTip(row.help);
@@ -192,10 +165,10 @@ void UnitsForm::addRow(const Row& row, QFormLayout& to) {
 bool UnitsForm::take(QLineEdit& field) {
   const QString text = field.text();
   if (field.property("refused") == text) return false; // told already
-  for (const Part& part : parts_)
-    for (const Row& row : part.rows) {
+  for (const UnitPart& part : parts_)
+    for (const UnitRow& row : part.rows) {
       if (row.id != field.objectName() || row.text == text) continue;
-      const Row told = row; // telling it replaces the rows
+      const UnitRow told = row; // telling it replaces the rows
       field.setProperty("refused", text);
       const int shownBefore = shown_;
       emit typed(

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/mtg/mtg.h"
 #include "core/skeleton/skeleton_delta.h"
+#include "ui/panels/unit_rows.h"
 
 #include <QList>
 #include <QStringList>
@@ -35,32 +35,18 @@ signals:
   /// @param field  where it was typed
   void typed(const QString& name, const std::function<void(espalier::SkeletonEditor&)>& change,
              QWidget* field);
+  /// A feature that the plant does not have yet is to be typed for it, or values of a later date.
+  void featureRequested(const espalier::UnitPart& part);
+  void dateRequested(const espalier::UnitPart& part);
   void leaveRequested(); // what was typed is taken: the keys are the plant's again
 
 private:
-  struct Row {  // a line of the form
-    QString id; // of its field: "class_2"
-    QString label;
-    QString text;
-    QString help;
-    QString step;                                                    // name of the undo step
-    std::function<void(SkeletonEditor&, const std::string&)> change; // to what is typed
-  };
-  struct Part { // an entity
-    QString id;
-    QString title;
-    QList<Row> rows;
-    bool canBegin = false; // a unit that begins here or before
-    bool begins = false;
-    QString step;
-    std::function<void(SkeletonEditor&)> beginOrEnd;
-  };
-  [[nodiscard]] QList<Part> partsOf(NodeId id) const;
-  [[nodiscard]] Part partOf(NodeId start, const Entity& entity, bool isNode) const;
-  void build(const QList<Part>& parts);
+  void build(const QList<UnitPart>& parts);
   void makeFields();
+  void addButtons(const UnitPart& part, QFormLayout& to);
+  void requestValue(const QString& partId, bool isDate);
   void beginOrEnd(QCheckBox& begins);
-  void addRow(const Row& row, QFormLayout& to);
+  void addRow(const UnitRow& row, QFormLayout& to);
   bool take(QLineEdit& field);
 
   PlantDocument& document_;
@@ -68,7 +54,7 @@ private:
   QWidget* body_ = nullptr;
   int shown_ = 0;     // how often
   QStringList shape_; // the ids of what is shown
-  QList<Part> parts_;
+  QList<UnitPart> parts_;
 };
 
 } // namespace espalier

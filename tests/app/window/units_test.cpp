@@ -109,5 +109,63 @@ TEST_F(UnitsWindowTest, TheInspectorTakesAnIndexAndRefusesAWrongOne) {
   EXPECT_TRUE(view().hasFocus());
 }
 
+/// Types into the fields of the dialog and presses Add.
+void addValue(QDialog& dialog, const QString& name, const QString& type, const QString& value) {
+  if (!name.isEmpty()) {
+    auto* field = dialog.findChild<QLineEdit*>("feature_name");
+    field->selectAll();
+    QTest::keyClicks(field, name);
+  }
+  auto* types = dialog.findChild<QComboBox*>("feature_type");
+  if (!type.isEmpty()) types->setCurrentIndex(types->findData(type));
+  auto* field = dialog.findChild<QLineEdit*>("feature_value");
+  field->selectAll();
+  QTest::keyClicks(field, value);
+  QTest::keyClick(field, Qt::Key_Return);
+}
+
+TEST_F(UnitsWindowTest, AFeatureIsAddedInTheInspectorAndDeclaredInTheSavedFile) {
+  open({writeFork("fork.mtg")});
+  document().selection().set({nodeAt({1, 0, 2})});
+  answer(
+      [&](QDialog& dialog) {
+        addValue(dialog, "leaf area", "REAL", "2.5");
+        EXPECT_TRUE(window().statusLine().shownText().contains("no name of a feature"));
+        addValue(dialog, "Leaf_area", "REAL", "big");
+        EXPECT_EQ(window().statusLine().shownText(),
+                  "Leaf_area is of type REAL: 'big' is not a number, such as 12.5");
+        EXPECT_TRUE(dialog.isVisible());
+        EXPECT_EQ(document().undoStack().count(), 0);
+        addValue(dialog, "", "", "2.5");
+        EXPECT_FALSE(dialog.isVisible());
+      },
+      [this] { clickButton("add_feature_unit_2"); });
+  EXPECT_TRUE(document().undoStack().undoText().startsWith("Add the feature Leaf_area to node"));
+  EXPECT_EQ(find<QLineEdit>("feature_Leaf_area_2").text(), "2.5");
+  action("save").trigger();
+  std::ifstream in(path("fork.mtg").toStdString());
+  EXPECT_EQ(readMtg(in, "fork.mtg").value.features.back(), (MtgFeature{"Leaf_area", "REAL"}));
+  action("undo").trigger();
+  EXPECT_EQ(window().findChild<QLineEdit*>("feature_Leaf_area_2"), nullptr);
+}
+
+TEST_F(UnitsWindowTest, ALaterDateIsAddedInTheInspector) {
+  open({writeFork("fork.mtg")});
+  const NodeId id = nodeAt({1, 0, 2});
+  document().selection().set({id});
+  answer([](QDialog& dialog) { addValue(dialog, "Day", "DD/MM/YY", "01/05/98"); },
+         [this] { clickButton("add_feature_unit_2"); });
+  answer(
+      [&](QDialog& dialog) {
+        addValue(dialog, "", "", "31/04/98");
+        EXPECT_TRUE(dialog.isVisible()) << "April has 30 days";
+        addValue(dialog, "", "", "30/04/99");
+      },
+      [this] { clickButton("add_date_unit_2"); });
+  EXPECT_EQ(document().skeleton()[id].entities.back().later,
+            (std::vector<std::vector<FeatureValue>>{{{"Day", "30/04/99", "DD/MM/YY"}}}));
+  EXPECT_EQ(find<QLineEdit>("feature_Day_2_later0").text(), "30/04/99");
+}
+
 } // namespace
 } // namespace espalier

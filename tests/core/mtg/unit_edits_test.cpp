@@ -1,4 +1,5 @@
 #include "core/base/error.h"
+#include "core/mtg/feature_edits.h"
 #include "core/mtg/mtg_edits.h"
 #include "core/mtg/typed_values.h"
 #include "core/mtg/unit_edits.h"
@@ -190,17 +191,23 @@ TEST(SetFeature, WritesTheTextOfOneValue) {
   Mtg expected = one.base;
   expected.vertices[1].values[1] = "8.50"; // YY of A1
   const MtgFeature yy{"YY", "REAL"};
-  EXPECT_EQ(
-      one.after([&](SkeletonEditor& e) { setFeature(e, NodeId{0}, 2, yy, "8.50", &one.base); }),
-      expected);
-  expected.vertices[1].values[1].clear();
-  EXPECT_EQ(one.after([&](SkeletonEditor& e) { setFeature(e, NodeId{0}, 2, yy, "", &one.base); }),
+  EXPECT_EQ(one.after([&](SkeletonEditor& e) {
+    setFeature(e, NodeId{0}, 2, {yy, "8.50"}, &one.base);
+  }),
             expected);
-  EXPECT_EQ(one.after([&](SkeletonEditor& e) { setFeature(e, NodeId{0}, 2, yy, "9", &one.base); }),
+  expected.vertices[1].values[1].clear();
+  EXPECT_EQ(one.after([&](SkeletonEditor& e) {
+    setFeature(e, NodeId{0}, 2, {yy, ""}, &one.base);
+  }),
+            expected);
+  EXPECT_EQ(one.after([&](SkeletonEditor& e) {
+    setFeature(e, NodeId{0}, 2, {yy, "9"}, &one.base);
+  }),
             one.base);
-  EXPECT_THROW(
-      one.after([&](SkeletonEditor& e) { setFeature(e, NodeId{0}, 2, yy, "x", &one.base); }),
-      Error);
+  EXPECT_THROW(one.after([&](SkeletonEditor& e) {
+    setFeature(e, NodeId{0}, 2, {yy, "x"}, &one.base);
+  }),
+               Error);
 }
 
 // The unit A1 is E1 and E3, with E2 of A2 between them: E3 carries its name alone.
@@ -223,7 +230,7 @@ TEST(SetIndex, OfAUnitInSeveralPartsKeepsItsValues) {
   EXPECT_EQ(one.after([](SkeletonEditor& e) { setIndex(e, NodeId{2}, 2, "5"); }), expected);
   expected.vertices[1].values[1] = "7";
   EXPECT_EQ(one.after([&](SkeletonEditor& e) {
-    setFeature(e, NodeId{2}, 2, {"YY", "REAL"}, "7", &one.base);
+    setFeature(e, NodeId{2}, 2, {{"YY", "REAL"}, "7"}, &one.base);
   }),
             expected);
 }

@@ -1,4 +1,5 @@
 #include "core/base/error.h"
+#include "core/mtg/feature_edits.h"
 #include "core/mtg/mtg_skeleton.h"
 #include "core/mtg/unit_scales.h"
 #include "tests/core/mtg/mtg_text.h"
@@ -7,7 +8,9 @@
 #include "ui/panels/units_form.h"
 
 #include <QCheckBox>
+#include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
 #include <gtest/gtest.h>
@@ -100,6 +103,52 @@ TEST_F(UnitsFormTest, BeginsAndEndsUnitsAtTheNode) {
   begins->click();
   EXPECT_EQ(document.undoStack().undoText(), "End A2 at node 2");
   EXPECT_EQ(field("index_2").text(), "1");
+}
+
+TEST_F(UnitsFormTest, ShowsAndTakesAnAlias) {
+  EXPECT_EQ(field("alias_2").text(), "");
+  type("alias_2", "Trunk");
+  EXPECT_EQ(document.skeleton()[NodeId{0}].entities[1].alias, "Trunk");
+  EXPECT_EQ(document.undoStack().undoText(), "Set the alias of A1");
+  type("alias_3", "Trunk");
+  EXPECT_EQ(refusal, "'Trunk' is the alias of A1 at node 0 already: choose another one");
+  EXPECT_EQ(refusedAt, &field("alias_3"));
+}
+
+TEST_F(UnitsFormTest, ShowsAndTakesValuesAtLaterDates) {
+  document.edit("Add a date", [](SkeletonEditor& editor) {
+    std::vector<Entity> entities = editor.skeleton()[NodeId{0}].entities;
+    entities[1].later = {{{"Date", "01/05/98", "DD/MM/YY"}, {"XX", "5"}}};
+    editor.setEntities(NodeId{0}, entities);
+  });
+  EXPECT_EQ(form.findChild<QLabel*>("heading_feature_XX_2_later0")->text(), "At 01/05/98");
+  EXPECT_EQ(field("feature_XX_2_later0").text(), "5");
+  EXPECT_EQ(field("feature_XX_2").text(), "9") << "the first date stays beside it";
+  type("feature_XX_2_later0", "long");
+  EXPECT_EQ(refusedAt, &field("feature_XX_2_later0"));
+  type("feature_XX_2_later0", "6");
+  EXPECT_EQ(document.skeleton()[NodeId{0}].entities[1].later[0][1].text, "6");
+  EXPECT_EQ(document.undoStack().undoText(), "Set XX of A1");
+}
+
+TEST_F(UnitsFormTest, OffersAFeatureAddedByHandToAllNodesAndUnits) {
+  document.edit("Add", [](SkeletonEditor& editor) {
+    addFeature(editor, NodeId{0}, 3, {{"Leaves", "INT"}, "3"}, nullptr);
+  });
+  EXPECT_EQ(field("feature_Leaves_1").text(), "");
+  type("feature_Leaves_3", "two");
+  EXPECT_EQ(refusal, "Leaves is of type INT: 'two' is not a whole number, such as 12");
+  type("feature_Leaves_3", "2");
+  EXPECT_EQ(document.skeleton()[NodeId{2}].entities.back().values.back(),
+            (FeatureValue{"Leaves", "2", "INT"}));
+}
+
+TEST_F(UnitsFormTest, AsksForWhatIsAdded) {
+  QSignalSpy feature(&form, &UnitsForm::featureRequested);
+  form.findChild<QPushButton*>("add_feature_unit_2")->click();
+  EXPECT_EQ(feature.count(), 1);
+  EXPECT_EQ(form.findChild<QPushButton*>("add_date_unit_2"), nullptr)
+      << "no feature can be typed at a later date: positions are the node's";
 }
 
 TEST_F(UnitsFormTest, IsAbsentWhereNothingIsCarried) {

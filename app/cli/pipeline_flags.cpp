@@ -22,11 +22,7 @@ PipelineOptions presetIn(const std::string& path) {
     throw Error(path + ": is a folder, choose a file in it");
   std::ifstream in(path);
   if (!in) throw Error(path + ": cannot be read: check its name and your rights to it");
-  return about(path, [&] {
-    PipelineOptions options = readPreset(in);
-    requireKnown(options);
-    return options;
-  });
+  return readPreset(in, path);
 }
 
 } // namespace

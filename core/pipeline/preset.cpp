@@ -4,35 +4,126 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <functional>
 #include <istream>
+#include <iterator>
 #include <ostream>
+#include <string_view>
 
 namespace espalier {
+namespace {
 
-PipelineOptions readPreset(std::istream& in) {
-  const auto json = nlohmann::json::parse(in, nullptr, false);
-  if (!json.is_object())
-    throw Error("a preset is a JSON object of steps, such as {\"contract\": {\"radius\": 12.5}}");
+using Json = nlohmann::ordered_json;
+
+void readStep(const std::string& step, const Json& choices, PipelineOptions& options) {
+  (void)stepNamed(step);
+  if (!choices.is_object()) throw Error("\"" + step + "\" must hold an object of options");
+  if (const auto method = choices.find("method"); method != choices.end() && method->is_string()) {
+    (void)methodNamed(stepNamed(step), method->get<std::string>());
+    options.methods[step] = method->get<std::string>();
+  }
+}
+
+void readOption(const std::string& step, const std::string& name, const Json& value,
+                PipelineOptions& options) {
+  if (name == "method" && value.is_string()) return;
+  if (!value.is_number()) throw Error("\"" + step + "." + name + "\" must be a number");
+  options.settings[step][name] = value.get<double>();
+}
+
+std::size_t lineAt(std::string_view text, std::size_t at) {
+  return 1 + static_cast<std::size_t>(std::count(
+                 text.begin(),
+                 text.begin() + static_cast<std::ptrdiff_t>(std::min(at, text.size())), '\n'));
+}
+
+/// Where the key `step`, or `name` in its object, stands in the text of a JSON object; its end if
+/// it is written in another way, as with \u.
+std::size_t placeOf(std::string_view text, const std::string& step, const std::string& name) {
+  int depth = 0;
+  std::string outer; // the last key at depth 1
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (text[at] == '{' || text[at] == '[') ++depth;
+    if (text[at] == '}' || text[at] == ']') --depth;
+    if (text[at] != '"') continue;
+    const std::size_t start = at + 1;
+    for (++at; at < text.size() && text[at] != '"'; ++at)
+      if (text[at] == '\\') ++at;
+    const std::size_t next = text.find_first_not_of(" \t\r\n", std::min(at + 1, text.size()));
+    if (next == std::string_view::npos || text[next] != ':') continue; // a value
+    const std::string key(text.substr(start, at - start));
+    if (depth == 1) outer = key;
+    const bool isIt =
+        name.empty() ? depth == 1 && key == step : depth == 2 && outer == step && key == name;
+    if (isIt) return start;
+  }
+  return text.size();
+}
+
+/// How a message begins that is about this place: "pine.json, line 3: ".
+using Where = std::function<std::string(const std::string& step, const std::string& name)>;
+
+template <class Work>
+void located(const Where& where, const std::string& step, const std::string& name,
+             const Work& work) {
+  try {
+    work();
+  } catch (const Error& error) {
+    throw Error(where(step, name) + error.what());
+  }
+}
+
+PipelineOptions optionsIn(const Json& json, const Where& where, bool mustExist) {
   PipelineOptions options;
   for (const auto& [step, choices] : json.items()) {
-    (void)stepNamed(step);
-    if (!choices.is_object()) throw Error("\"" + step + "\" must hold an object of options");
-    for (const auto& [name, value] : choices.items()) {
-      if (name == "method" && value.is_string()) {
-        (void)methodNamed(stepNamed(step), value.get<std::string>());
-        options.methods[step] = value.get<std::string>();
-      } else if (value.is_number()) {
-        options.settings[step][name] = value.get<double>();
-      } else {
-        throw Error("\"" + step + "." + name + "\" must be a number");
-      }
-    }
+    located(where, step, choices.is_object() && choices.contains("method") ? "method" : "",
+            [&] { readStep(step, choices, options); });
+    for (const auto& [name, value] : choices.items())
+      located(where, step, name, [&] {
+        readOption(step, name, value, options);
+        if (!mustExist || name == "method") return;
+        PipelineOptions alone{.methods = options.methods};
+        alone.settings[step][name] = value.get<double>();
+        requireKnown(alone);
+      });
   }
   return options;
 }
 
+constexpr const char* notAPreset =
+    "a preset is a JSON object of steps, such as {\"contract\": {\"radius\": 12.5}}";
+
+} // namespace
+
+PipelineOptions readPreset(std::istream& in) {
+  const auto json = Json::parse(in, nullptr, false);
+  if (!json.is_object()) throw Error(notAPreset);
+  const auto nowhere = [](const std::string&, const std::string&) { return std::string(); };
+  return optionsIn(json, nowhere, false);
+}
+
+PipelineOptions readPreset(std::istream& in, const std::string& file) {
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  const auto at = [&](std::size_t place) {
+    return file + ", line " + std::to_string(lineAt(text, place)) + ": ";
+  };
+  Json json;
+  try {
+    json = Json::parse(text);
+  } catch (const Json::parse_error& error) {
+    throw Error(at(error.byte > 0 ? error.byte - 1 : 0) + notAPreset +
+                "; the JSON breaks off here");
+  }
+  if (!json.is_object()) throw Error(at(0) + notAPreset);
+  const auto where = [&](const std::string& step, const std::string& name) {
+    return at(placeOf(text, step, name));
+  };
+  return optionsIn(json, where, true);
+}
+
 void writePreset(std::ostream& out, const PipelineOptions& options) {
-  auto json = nlohmann::ordered_json::object();
+  auto json = Json::object();
   for (const Step& step : pipelineSteps()) {
     if (const auto method = options.methods.find(step.name); method != options.methods.end())
       json[step.name]["method"] = method->second;

@@ -13,6 +13,10 @@ namespace espalier {
 /// @throws Error if it is no such object, or names a step or method that does not exist
 [[nodiscard]] PipelineOptions readPreset(std::istream& in);
 
+/// The same of a file that a user wrote: options must exist, too, and messages name file and line.
+/// @param file  name for messages
+[[nodiscard]] PipelineOptions readPreset(std::istream& in, const std::string& file);
+
 /// Writes what readPreset reads.
 void writePreset(std::ostream& out, const PipelineOptions& options);
 

@@ -139,7 +139,7 @@ TEST(Settings, ABadPresetIsNamed) {
     test::writeBytes(preset, text);
     expectRefusal(runProgram({"reconstruct", "missing.ply", "-o", (folder / "a.mtg").string(),
                               "--preset", preset}),
-                  1, {"preset.json: ", advice});
+                  1, {"preset.json, line ", advice});
     EXPECT_THAT(namesIn(folder), ElementsAre("preset.json"));
   };
   expect("", "a preset is a JSON object of steps, such as");
@@ -148,6 +148,8 @@ TEST(Settings, ABadPresetIsNamed) {
   expect(R"({"contract": 1})", R"("contract" must hold an object of options)");
   expect(R"({"contract": {"radius": "wide"}})", R"("contract.radius" must be a number)");
   expect(R"({"contract": {"bend": 1}})", R"(no option "bend": choose one of)");
+  expect("{\n\"prune\": {\"length\": 70},\n\"contract\": {\n\"radius\": \"wide\"}}",
+         R"(line 4: "contract.radius" must be)");
   expect(R"({"bend": {}})", R"(no step "bend": choose one of)");
   expect(R"({"contract": {"method": "bend"}})", R"(no method "bend" for step contract: choose)");
 }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <gmock/gmock.h>
 #include <sstream>
 
 namespace espalier {
@@ -30,6 +31,35 @@ TEST(Preset, RefusesWhatItDoesNotKnow) {
   EXPECT_THROW(read("{\"flower\": {}}"), Error);
   EXPECT_THROW(read("{\"contract\": {\"method\": \"magic\"}}"), Error);
   EXPECT_THROW(read("{\"contract\": {\"radius\": \"wide\"}}"), Error);
+}
+
+/// Why a file is refused.
+std::string refusal(const std::string& text) {
+  try {
+    std::istringstream in(text);
+    (void)readPreset(in, "pine.json");
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Preset, OfAFileIsRefusedWithTheLine) {
+  using testing::StartsWith;
+  EXPECT_THAT(refusal(""), StartsWith("pine.json, line 1: a preset is a JSON object"));
+  EXPECT_THAT(refusal("{\n\"contract\": {\n\"radius\": 1,,\n}}"),
+              StartsWith("pine.json, line 3: "));
+  EXPECT_THAT(refusal("{\n\n\"flower\": {}\n}"),
+              StartsWith("pine.json, line 3: there is no step \"flower\""));
+  EXPECT_THAT(refusal("{\"contract\":\n5}"),
+              StartsWith("pine.json, line 1: \"contract\" must hold"));
+  EXPECT_THAT(
+      refusal(
+          "{\"clean\": {\"method\": \"none\"},\n \"contract\": {\n  \"method\":\n  \"magic\"}}"),
+      StartsWith("pine.json, line 3: there is no method \"magic\""));
+  EXPECT_THAT(refusal("{\"prune\": {\"length\": 1},\n\"contract\": {\n\"length\": 1}}"),
+              StartsWith("pine.json, line 3: ")); // pruning has that option, contraction has not
+  EXPECT_EQ(refusal("{\"contract\": {\n\"radius\": 12.5}}"), "");
 }
 
 } // namespace

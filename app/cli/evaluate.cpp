@@ -21,11 +21,12 @@ struct Flags {
   std::string result;
   std::string reference;
   bool noRegister = false;
+  std::string unit;
   std::string json;
   int threads = 0;
 };
 
-void print(const Comparison& comparison) {
+void print(const Comparison& comparison, const std::string& unit) {
   const AuthorsComparison& authors = comparison.authors;
   std::printf("%zu of %zu segments matched with %zu of the reference\n", authors.matches.size(),
               authors.resultSegments.size(), authors.referenceSegments.size());
@@ -33,10 +34,12 @@ void print(const Comparison& comparison) {
               authors.geometric, authors.structural);
   if (comparison.registration) {
     const Eigen::Vector3d& shift = comparison.registration->shift;
-    std::printf("moved by %.4g, %.4g, %.4g to lie on the reference\n", shift.x(), shift.y(),
-                shift.z());
+    std::printf("moved by %.4g, %.4g, %.4g %s, %.4g in all, to lie on the reference\n", shift.x(),
+                shift.y(), shift.z(),
+                unit.empty() ? "(in the unit of the structures)" : unit.c_str(), shift.norm());
   }
-  std::printf("%12s %10s %10s %10s\n", "distance", "precision", "recall", "F");
+  std::printf("%12s %10s %10s %10s\n", (unit.empty() ? "distance" : "distance/" + unit).c_str(),
+              "precision", "recall", "F");
   for (const ToleranceScore& score : comparison.tolerance.scores)
     std::printf("%12.4g %10.3f %10.3f %10.3f\n", score.distance, score.precision, score.recall,
                 score.f());
@@ -59,8 +62,10 @@ void evaluate(const Flags& flags) {
   ComparisonOptions options;
   options.registers = !flags.noRegister;
   const Comparison comparison = compare(result, reference, options, terminal.progress());
-  printNotes(comparison.warnings);
-  print(comparison);
+  std::vector<std::string> notes = comparison.warnings;
+  std::erase(notes, comparison.shiftWarning); // what is printed tells of the shift
+  printNotes(notes);
+  print(comparison, flags.unit);
   if (flags.json.empty()) return;
   auto json = toJson(comparison);
   json["result"] = flags.result;
@@ -79,6 +84,7 @@ void addEvaluate(CLI::App& app) {
   command->add_flag("--no-register", flags->noRegister,
                     "Compare the two where they lie; without it the result is first laid on the "
                     "reference");
+  addUnit(*command, flags->unit, "Unit of the structures, to be named with the numbers");
   command->add_option("--json", flags->json, "File to write all numbers to")->type_name("FILE");
   addThreads(*command, flags->threads);
   command->callback([flags] { evaluate(*flags); });

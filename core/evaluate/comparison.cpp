@@ -26,7 +26,8 @@ void warnOfShift(Comparison& comparison, double unit) {
   text.precision(4);
   text << "the result lay " << shift.norm() << " off the reference: it was shifted by ("
        << shift.x() << ", " << shift.y() << ", " << shift.z() << ") before it was measured";
-  comparison.warnings.push_back(text.str());
+  comparison.shiftWarning = text.str();
+  comparison.warnings.push_back(comparison.shiftWarning);
 }
 
 } // namespace

@@ -32,6 +32,7 @@ struct Comparison {
   Traits resultTraits;
   Traits referenceTraits;
   std::vector<std::string> warnings; // a line each: what makes the numbers doubtful
+  std::string shiftWarning; // the one of them that tells of the shift; empty if there is none
 };
 
 /// Compares a result with its reference: registration, then the authors' indices, tolerance curve,

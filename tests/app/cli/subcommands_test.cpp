@@ -183,6 +183,29 @@ TEST_F(Subcommands, ConvertNotesWhatTheFormatDoesNotKeep) {
   EXPECT_THAT(notes("y.lines.obj"), HasSubstr("note: OBJ lines keeps no radii"));
 }
 
+TEST_F(Subcommands, EvaluateTellsAShiftOnceAndNamesTheUnit) {
+  std::string moved;
+  for (int i = 0; i < 11; ++i) // a stick of 10 m, and the same 0.5 m beside it
+    moved += std::to_string(i + 1) + '\t' + (i == 0 ? "" : std::to_string(i)) + "\t<\tAT\t0\t" +
+             std::to_string(i) + "\t0.1\n";
+  const auto stickAt = [&](const std::string& x) {
+    std::string rows = moved;
+    for (std::size_t at = rows.find("AT"); at != std::string::npos; at = rows.find("AT"))
+      rows.replace(at, 2, x);
+    return "# vid\tparentid\tedgetype\tXX\tYY\tZZ\tRadius\n11\n" + rows;
+  };
+  test::writeBytes(file("a.txt"), stickAt("0.5"));
+  test::writeBytes(file("b.txt"), stickAt("0"));
+  const Outcome named = runProgram({"evaluate", file("a.txt"), file("b.txt"), "--unit", "m"});
+  EXPECT_EQ(named.status, 0);
+  EXPECT_THAT(named.err, IsEmpty());
+  EXPECT_THAT(named.out, HasSubstr(" m, 0.5 in all, to lie on the reference\n"));
+  EXPECT_THAT(named.out, HasSubstr("distance/m"));
+  const Outcome plain = runProgram({"evaluate", file("a.txt"), file("b.txt")});
+  EXPECT_THAT(plain.err, IsEmpty());
+  EXPECT_THAT(plain.out, HasSubstr(" (in the unit of the structures), 0.5 in all"));
+}
+
 TEST_F(Subcommands, InfoCountsNodesAndAxes) {
   test::writeBytes(file("y.txt"), "# vid\tparentid\tedgetype\tXX\tYY\tZZ\tRadius\n4\n"
                                   "1\t\t<\t0\t0\t0\t0.2\n2\t1\t<\t0\t0\t1\t0.1\n"

@@ -35,12 +35,14 @@ void convert(const Flags& flags) {
     const auto points = readPoints(flags.input, terminal.progress());
     printNotes(points.notes);
     terminal.check();
-    writePoints(flags.output, points.value);
+    terminal.clear();
+    writeAndTell(flags.output, points.value, points.value.positions());
   } else {
     const auto structure = readStructure(flags.input);
     printNotes(structure.notes);
     terminal.check();
-    writeStructureWithNotes(flags.output, structure.value);
+    terminal.clear();
+    writeAndTell(flags.output, structure.value);
   }
 }
 

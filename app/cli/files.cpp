@@ -3,8 +3,10 @@
 #include "app/cli/terminal.h"
 #include "core/io/atomic_file.h"
 #include "core/io/dropped.h"
+#include "core/skeleton/axes.h"
 
 #include <filesystem>
+#include <sstream>
 #include <system_error>
 
 namespace espalier {
@@ -26,9 +28,23 @@ void requireOutput(const std::string& path, Content content,
   requireOutput(path, inputs);
 }
 
-void writeStructureWithNotes(const std::string& path, const Structure& structure) {
+void writeAndTell(const std::string& path, const Structure& structure, const std::string& unit) {
   writeStructure(path, structure);
+  double total = 0;
+  for (const Axis& axis : axes(structure.skeleton))
+    total += length(structure.skeleton, axis);
+  std::ostringstream text;
+  text.precision(6);
+  text << path << ": " << structure.skeleton.size() << " nodes, length " << total
+       << (unit.empty() ? "" : " ") << unit;
+  printWritten(text.str());
   printNotes(droppedBy(formatToWrite(path, Content::structure), structure.skeleton));
+}
+
+void writeAndTell(const std::string& path, const PointCloud& cloud,
+                  const Eigen::Matrix3Xf& positions) {
+  writePoints(path, cloud, positions);
+  printWritten(path + ": " + std::to_string(cloud.size()) + " points");
 }
 
 } // namespace espalier

@@ -18,10 +18,16 @@ void requireOutput(const std::string& path, const std::vector<std::string>& inpu
 void requireOutput(const std::string& path, Content content,
                    const std::vector<std::string>& inputs);
 
-/// Writes a structure in the format of the extension; what that does not keep is noted on standard
-/// error.
+/// Writes a structure in the format of the extension. Tells on standard error what was written, and
+/// what the format does not keep.
+/// @param unit   of its length, to be named; may be empty
 /// @throws Error why it cannot be written
-void writeStructureWithNotes(const std::string& path, const Structure& structure);
+void writeAndTell(const std::string& path, const Structure& structure,
+                  const std::string& unit = {});
+
+/// The same of points.
+void writeAndTell(const std::string& path, const PointCloud& cloud,
+                  const Eigen::Matrix3Xf& positions);
 
 /// What `work` returns; an Error of it is said to be about `file`.
 template <class Work> auto about(const std::string& file, const Work& work) {

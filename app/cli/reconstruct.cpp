@@ -48,10 +48,11 @@ void run(const PipelineFlags& flags, const Task& task) {
     return Pipeline().run(cloud, options, terminal.progress().part(0.2, 1), task.lastStep);
   });
   terminal.check();
+  terminal.clear();
   if (task.content == Content::structure)
-    writeStructureWithNotes(flags.output, {.skeleton = result.skeleton});
+    writeAndTell(flags.output, {.skeleton = result.skeleton}, flags.unit);
   else
-    writePoints(flags.output, *cloud, *result.contracted);
+    writeAndTell(flags.output, *cloud, *result.contracted);
   writeStatistics(flags, *cloud, result, terminal);
 }
 

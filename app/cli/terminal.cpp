@@ -13,6 +13,10 @@ TerminalProgress::TerminalProgress()
                 [this](double fraction, std::string_view stage) { report(fraction, stage); }) {}
 
 TerminalProgress::~TerminalProgress() {
+  clear();
+}
+
+void TerminalProgress::clear() const {
   if (isTerminal_) std::fputs("\r\033[K", stderr);
 }
 
@@ -37,6 +41,10 @@ std::vector<std::pair<std::string, double>> TerminalProgress::stageSeconds() con
                         std::chrono::duration<double>(end - stages_[i].second).count());
   }
   return result;
+}
+
+void printWritten(const std::string& what) {
+  std::cerr << "espalier: wrote " << what << '\n';
 }
 
 void printNotes(const std::vector<std::string>& notes) {

@@ -26,6 +26,9 @@ public:
   /// @throws Cancelled
   void check() const { progress_.check(); }
 
+  /// Takes the bar away: for just before something else is told. Later progress shows it again.
+  void clear() const;
+
   /// Seconds spent in each stage so far, in their order; nameless stages count to the one before.
   [[nodiscard]] std::vector<std::pair<std::string, double>> stageSeconds() const;
 
@@ -38,6 +41,9 @@ private:
   Interrupt interrupt_;
   Progress progress_;
 };
+
+/// Tells on standard error what was written: "wrote pine.mtg: 1204 nodes".
+void printWritten(const std::string& what);
 
 /// Prints the notes a reader or writer had, each on its line of standard error.
 void printNotes(const std::vector<std::string>& notes);

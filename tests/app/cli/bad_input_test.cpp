@@ -134,7 +134,8 @@ TEST(BadInput, PointsThatAreNotFiniteAreLeftOutWithANote) {
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.err,
             "espalier: note: some.xyz: 2 of 6 points are not finite, or beyond any plant, and are "
-            "left out\n");
+            "left out\nespalier: wrote " +
+                (folder / "all.xyz").string() + ": 4 points\n");
   EXPECT_THAT(test::bytesOf(folder / "all.xyz"), testing::Not(HasSubstr("n")));
 }
 

@@ -41,11 +41,15 @@ protected:
     return (folder_ / name).string();
   }
 
-  /// Runs what must succeed without a word on standard error.
+  /// Runs what must succeed without a word on standard error but what was written.
   static std::string run(const test::Arguments& arguments) {
     const Outcome outcome = runProgram(arguments);
     EXPECT_EQ(outcome.status, 0);
-    EXPECT_THAT(outcome.err, IsEmpty());
+    if (outcome.err.starts_with("espalier: wrote ")) {
+      EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << outcome.err;
+    } else {
+      EXPECT_THAT(outcome.err, IsEmpty());
+    }
     return outcome.out;
   }
 
@@ -173,7 +177,9 @@ TEST_F(Subcommands, ConvertNotesWhatTheFormatDoesNotKeep) {
     const test::Outcome outcome = test::runProgram({"convert", file("y.txt"), file(output)});
     EXPECT_EQ(outcome.status, 0);
     EXPECT_TRUE(std::filesystem::exists(file(output)));
-    return outcome.err;
+    const std::string wrote = "espalier: wrote " + file(output) + ": 3 nodes, length 2.41421\n";
+    EXPECT_THAT(outcome.err, testing::StartsWith(wrote));
+    return outcome.err.substr(std::min(wrote.size(), outcome.err.size()));
   };
   EXPECT_EQ(notes("y.mtg"), "");
   EXPECT_EQ(notes("y.graphml"), "");
@@ -181,6 +187,14 @@ TEST_F(Subcommands, ConvertNotesWhatTheFormatDoesNotKeep) {
             "espalier: note: SWC keeps no edge types: which child continues an axis "
             "is not written\n");
   EXPECT_THAT(notes("y.lines.obj"), HasSubstr("note: OBJ lines keeps no radii"));
+}
+
+TEST_F(Subcommands, ConvertAndContractTellHowManyPointsWereWritten) {
+  const std::string wrote = ": " + std::to_string(readPoints(scan_).value.size()) + " points\n";
+  EXPECT_EQ(runProgram({"convert", scan_, file("a.xyz")}).err,
+            "espalier: wrote " + file("a.xyz") + wrote);
+  EXPECT_EQ(runProgram({"contract", scan_, "-o", file("a.ply")}).err,
+            "espalier: wrote " + file("a.ply") + wrote);
 }
 
 TEST_F(Subcommands, EvaluateTellsAShiftOnceAndNamesTheUnit) {

@@ -96,6 +96,12 @@ void addThreads(CLI::App& command, int& threads) {
       ->check(wholeNumber(1, 1024));
 }
 
+void addMtgStyle(CLI::App& command, MtgStyle& style) {
+  addChoice(command, "--mtg-scales", style,
+            "Scales of an MTG that is written of a structure without its own",
+            {{"plant-node", MtgStyle::plantNode}, {"plant-axis-node", MtgStyle::plantAxisNode}});
+}
+
 void addUnit(CLI::App& command, std::string& unit, const std::string& help) {
   addChoice(command, "--unit", unit, help, {{"mm", "mm"}, {"cm", "cm"}, {"m", "m"}});
 }

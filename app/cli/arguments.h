@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/mtg/mtg_of_skeleton.h"
 
 #include <CLI/CLI.hpp>
 
@@ -56,6 +57,9 @@ CLI::Option* addOutput(CLI::App& command, std::string& output, const std::string
 
 /// Adds --threads; 0 = all there are.
 void addThreads(CLI::App& command, int& threads);
+
+/// Adds --mtg-scales: how an MTG is written of a structure without scales of its own.
+void addMtgStyle(CLI::App& command, MtgStyle& style);
 
 /// Adds --unit, for those who read the numbers; empty = not known.
 void addUnit(CLI::App& command, std::string& unit, const std::string& help);

@@ -12,6 +12,7 @@ namespace {
 struct Flags {
   std::string input;
   std::string output;
+  MtgStyle mtgStyle = MtgStyle::plantNode;
 };
 
 /// ".ply, .xyz, ...": those that formats of this content are written by.
@@ -42,7 +43,7 @@ void convert(const Flags& flags) {
     printNotes(structure.notes);
     terminal.check();
     terminal.clear();
-    writeAndTell(flags.output, structure.value);
+    writeAndTell(flags.output, structure.value, flags.mtgStyle);
   }
 }
 
@@ -59,10 +60,12 @@ void addConvert(CLI::App& app) {
                        extensionsToWrite(Content::points) + ", a structure as " +
                        extensionsToWrite(Content::structure))
       ->required();
+  addMtgStyle(*command, flags->mtgStyle);
   command->callback([flags] { convert(*flags); });
   command->footer("Examples:\n"
                   "  espalier convert pine.las pine.ply\n"
                   "  espalier convert pine.mtg pine.swc\n"
+                  "  espalier convert pine.swc pine.mtg --mtg-scales plant-axis-node\n"
                   "  espalier convert pine.mtg pine.internodes.csv   internode lengths and angles");
 }
 

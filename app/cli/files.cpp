@@ -28,8 +28,9 @@ void requireOutput(const std::string& path, Content content,
   requireOutput(path, inputs);
 }
 
-void writeAndTell(const std::string& path, const Structure& structure, const std::string& unit) {
-  writeStructure(path, structure);
+void writeAndTell(const std::string& path, const Structure& structure, MtgStyle style,
+                  const std::string& unit) {
+  writeStructure(path, structure, style);
   double total = 0;
   for (const Axis& axis : axes(structure.skeleton))
     total += length(structure.skeleton, axis);

@@ -20,9 +20,10 @@ void requireOutput(const std::string& path, Content content,
 
 /// Writes a structure in the format of the extension. Tells on standard error what was written, and
 /// what the format does not keep.
+/// @param style  of an MTG of a structure without scales of its own
 /// @param unit   of its length, to be named; may be empty
 /// @throws Error why it cannot be written
-void writeAndTell(const std::string& path, const Structure& structure,
+void writeAndTell(const std::string& path, const Structure& structure, MtgStyle style,
                   const std::string& unit = {});
 
 /// The same of points.

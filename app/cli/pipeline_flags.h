@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/mtg/mtg_of_skeleton.h"
 #include "core/pipeline/pipeline.h"
 
 #include <memory>
@@ -22,6 +23,7 @@ struct PipelineFlags {
   std::string root = "lowest";
   UpAxis up = UpAxis::z;
   std::string unit;
+  MtgStyle mtgStyle = MtgStyle::plantNode;
   std::string json;
   int threads = 0;
 

@@ -50,7 +50,7 @@ void run(const PipelineFlags& flags, const Task& task) {
   terminal.check();
   terminal.clear();
   if (task.content == Content::structure)
-    writeAndTell(flags.output, {.skeleton = result.skeleton}, flags.unit);
+    writeAndTell(flags.output, {.skeleton = result.skeleton}, flags.mtgStyle, flags.unit);
   else
     writeAndTell(flags.output, *cloud, *result.contracted);
   writeStatistics(flags, *cloud, result, terminal);
@@ -60,6 +60,7 @@ CLI::App* add(CLI::App& app, const std::string& name, const std::string& help, c
   CLI::App* command = app.add_subcommand(name, help);
   const auto flags = std::make_shared<PipelineFlags>();
   flags->addTo(*command, task.outputHelp);
+  if (task.content == Content::structure) addMtgStyle(*command, flags->mtgStyle);
   command->callback([flags, task] { run(*flags, task); });
   return command;
 }
@@ -74,7 +75,8 @@ void addReconstruct(CLI::App& app) {
        .outputHelp = "Structure to write: an MTG (.mtg) or a node list (.txt)"})
       ->footer("Examples:\n"
                "  espalier reconstruct pine.las -o pine.mtg\n"
-               "  espalier reconstruct pine.las -o pine.mtg --set contract.radius=0.05");
+               "  espalier reconstruct pine.las -o pine.mtg --set contract.radius=0.05\n"
+               "  espalier reconstruct pine.las -o pine.mtg --mtg-scales plant-axis-node");
 }
 
 void addContract(CLI::App& app) {

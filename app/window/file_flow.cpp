@@ -1,5 +1,6 @@
 #include "app/window/file_flow.h"
 
+#include "app/window/file_filters.h"
 #include "app/window/recent_files.h"
 #include "core/base/error.h"
 #include "core/io/dropped.h"
@@ -21,40 +22,7 @@ namespace espalier {
 namespace {
 
 const QString folderKey = QStringLiteral("last_folder");
-
-QString patternsOf(const Format& format) {
-  QStringList patterns;
-  for (const std::string_view extension : format.extensions)
-    patterns.append("*." + QString::fromUtf8(extension.data(), qsizetype(extension.size())));
-  return patterns.join(' ');
-}
-
-QString filterOf(const Format& format) {
-  return QString::fromUtf8(format.description.data(), qsizetype(format.description.size())) + " (" +
-         patternsOf(format) + ")";
-}
-
-QString readableFilters() {
-  QStringList filters;
-  QStringList all;
-  for (const Format& format : formats()) {
-    if (!format.canRead() && format.canWrite()) continue; // made for other programs
-    all.append(patternsOf(format));
-    filters.append(filterOf(format));
-  }
-  filters.prepend(FileFlow::tr("Projects (*.espalier)"));
-  all.append("*.espalier");
-  filters.prepend(FileFlow::tr("Projects, scans and skeletons (%1)").arg(all.join(' ')));
-  filters.append(FileFlow::tr("All files (*)"));
-  return filters.join(";;");
-}
-
-QString writableFilters() {
-  QStringList filters;
-  for (const Format& format : formats())
-    if (format.writeStructure != nullptr) filters.append(filterOf(format));
-  return filters.join(";;");
-}
+const QString axesKey = QStringLiteral("save_mtg_with_axes");
 
 /// Whether a skeleton saved there can be opened again.
 bool canBeSavedTo(const QString& path) {
@@ -145,34 +113,54 @@ bool FileFlow::save() {
   if (parts_.projects.isNamed()) return parts_.projects.confirmSaved();
   const QString path = parts_.document.filePath();
   if (!canBeSavedTo(path)) return saveAs();
-  writeTo(path);
+  writeTo({path, path == saved_.path ? saved_.style : preferredStyle()});
   return true;
 }
 
 bool FileFlow::saveAs() {
-  const QString path = chooseTarget(tr("Save the skeleton"));
-  if (path.isEmpty()) return false;
-  writeTo(path);
+  const Target target = chooseTarget(tr("Save the skeleton"));
+  if (target.path.isEmpty()) return false;
+  writeTo(target);
   return parts_.projects.isNamed() || !parts_.document.isModified();
 }
 
 void FileFlow::exportStructure() {
-  const QString path = chooseTarget(tr("Export the structure"));
-  if (path.isEmpty()) return;
-  writeStructure(toPath(path), parts_.document.structure());
-  emit saved(path);
-  noteDropped(path);
+  const Target target = chooseTarget(tr("Export the structure"));
+  if (target.path.isEmpty()) return;
+  writeStructure(toPath(target.path), parts_.document.structure(), target.style);
+  emit saved(target.path);
+  noteDropped(target.path);
 }
 
-QString FileFlow::chooseTarget(const QString& title) {
+MtgStyle FileFlow::preferredStyle() const {
+  return parts_.settings.value(axesKey).toBool() ? MtgStyle::plantAxisNode : MtgStyle::plantNode;
+}
+
+FileFlow::Target FileFlow::chooseTarget(const QString& title) {
   const QString folder = parts_.settings.value(folderKey).toString();
-  QFileDialog dialog(&parts_.window, title, {}, writableFilters());
+  const bool hasOwnScales = hasScales(parts_.document.structure());
+  QFileDialog dialog(&parts_.window, title);
   dialog.setAcceptMode(QFileDialog::AcceptSave);
+  const QStringList filters = writableFilters(hasOwnScales);
+  dialog.setNameFilters(filters);
   dialog.setDefaultSuffix("mtg");
   const QFileInfo proposed(proposedPath(parts_.document, folder));
   dialog.setDirectory(proposed.absolutePath());
   dialog.selectFile(proposed.fileName());
-  return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().front() : QString();
+  QString filter = filterFor(proposed.fileName(), filters);
+  if (filter == filterOf(MtgStyle::plantNode)) filter = filterOf(preferredStyle());
+  dialog.selectNameFilter(filter);
+  connect(&dialog, &QFileDialog::filterSelected, &dialog,
+          [&dialog, before = filter](const QString& chosen) mutable {
+            const QString name = dialog.selectedFiles().value(0);
+            dialog.selectFile(withExtensionOf(chosen, name, std::exchange(before, chosen)));
+          });
+  if (dialog.exec() != QDialog::Accepted) return {};
+  Target target{dialog.selectedFiles().front(), preferredStyle()};
+  for (const MtgStyle style : {MtgStyle::plantNode, MtgStyle::plantAxisNode})
+    if (dialog.selectedNameFilter() == filterOf(style)) target.style = style;
+  parts_.settings.setValue(axesKey, target.style == MtgStyle::plantAxisNode);
+  return target;
 }
 
 bool FileFlow::mayDiscard() {
@@ -244,7 +232,8 @@ void FileFlow::tellFit(const ScanFit& fit, QStringList notes) {
   if (!notes.isEmpty()) emit noted(notes.join('\n'));
 }
 
-void FileFlow::writeTo(const QString& path) {
+void FileFlow::writeTo(const Target& target) {
+  const QString& path = target.path;
   // A file of others may hold more than a skeleton: what it held before is kept once, beside it.
   const bool isOfOthers = path == parts_.document.filePath() && path != copied_;
   if (isOfOthers && QFileInfo(path).isFile()) {
@@ -252,7 +241,8 @@ void FileFlow::writeTo(const QString& path) {
     std::filesystem::copy_file(toPath(path), toPath(path + "~"),
                                std::filesystem::copy_options::overwrite_existing, ignored);
   }
-  writeStructure(toPath(path), parts_.document.structure());
+  writeStructure(toPath(path), parts_.document.structure(), target.style);
+  saved_ = target;
   emit saved(path);
   noteDropped(path);
   if (!canBeSavedTo(path))

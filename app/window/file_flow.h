@@ -3,6 +3,7 @@
 #include "app/window/load_files.h"
 #include "app/window/project_flow.h"
 #include "app/window/scan_fit.h"
+#include "core/mtg/mtg_of_skeleton.h"
 
 #include <QObject>
 #include <QStringList>
@@ -71,11 +72,17 @@ private:
   void show(Read read, bool isAnotherPlant);
   void requireNoJob() const;
   void tellFit(const ScanFit& fit, QStringList notes);
-  [[nodiscard]] QString chooseTarget(const QString& title);
-  void writeTo(const QString& path);
+  struct Target {
+    QString path; // empty: none was chosen
+    MtgStyle style = MtgStyle::plantNode;
+  };
+  [[nodiscard]] MtgStyle preferredStyle() const; // as chosen last
+  [[nodiscard]] Target chooseTarget(const QString& title);
+  void writeTo(const Target& target);
   void noteDropped(const QString& path);
 
   Parts parts_;
+  Target saved_;   // where and how the skeleton was written last
   QString copied_; // the file of others that a copy was kept of
 };
 

@@ -198,10 +198,14 @@ void writeStructure(const std::filesystem::path& path, const Skeleton& skeleton)
   writeAtomically(path, [&](std::ostream& out) { format.writeStructure(out, skeleton); });
 }
 
-void writeStructure(const std::filesystem::path& path, const Structure& structure) {
+void writeStructure(const std::filesystem::path& path, const Structure& structure, MtgStyle style) {
   const Format& format = formatToWrite(path, Content::structure);
-  if (!structure.frame || structure.skeleton.isEmpty() || format.recognizes != isMtg)
-    return writeStructure(path, structure.skeleton);
+  if (format.recognizes != isMtg) return writeStructure(path, structure.skeleton);
+  if (!structure.frame || structure.skeleton.isEmpty()) {
+    const Mtg mtg = mtgOf(structure.skeleton, style);
+    writeAtomically(path, [&](std::ostream& out) { writeMtg(out, mtg); });
+    return;
+  }
   const Mtg edited = withEdits(structure.frame->mtg, structure.skeleton);
   const std::string& text = structure.frame->text;
   writeAtomically(path, [&](std::ostream& out) {

@@ -3,6 +3,7 @@
 #include "core/base/imported.h"
 #include "core/base/progress.h"
 #include "core/cloud/point_cloud.h"
+#include "core/mtg/mtg_of_skeleton.h"
 #include "core/mtg/structure.h"
 
 #include <cstdint>
@@ -97,6 +98,8 @@ void writeStructure(const std::filesystem::path& path, const Skeleton& skeleton)
 
 /// The same of a skeleton that came from an MTG: written as MTG, edits go back into it, and its
 /// text stays as it was where nothing was edited (see withEdits, mtgTextWith).
-void writeStructure(const std::filesystem::path& path, const Structure& structure);
+/// @param style  of an MTG of a structure without scales of its own (hasScales)
+void writeStructure(const std::filesystem::path& path, const Structure& structure,
+                    MtgStyle style = MtgStyle::plantNode);
 
 } // namespace espalier

@@ -59,6 +59,10 @@ Mtg frameOf(const Skeleton& skeleton) {
 
 } // namespace
 
+bool hasScales(const Structure& structure) {
+  return (structure.frame && !structure.skeleton.isEmpty()) || hasEntities(structure.skeleton);
+}
+
 Mtg mtgOf(const Skeleton& skeleton, MtgStyle style) {
   const Skeleton plant = hasEntities(skeleton) ? skeleton : withUnits(skeleton, style);
   const Mtg frame = frameOf(plant);

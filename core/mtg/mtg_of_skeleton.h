@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/mtg/mtg.h"
+#include "core/mtg/structure.h"
 #include "core/skeleton/skeleton.h"
 
 #include <cstdint>
@@ -12,6 +13,9 @@ enum class MtgStyle : std::uint8_t {
   plantNode,    // P of scale 1, N of scale 2, as PlantScan3D writes
   plantAxisNode // P, A and N: an axis for each root and each branching node
 };
+
+/// Whether a structure has scales of its own, which an MTG of it keeps: no style applies then.
+[[nodiscard]] bool hasScales(const Structure& structure);
 
 /// An MTG of a skeleton alone, with features XX YY ZZ radius.
 ///

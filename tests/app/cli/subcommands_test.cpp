@@ -197,6 +197,39 @@ TEST_F(Subcommands, ConvertAndContractTellHowManyPointsWereWritten) {
             "espalier: wrote " + file("a.ply") + wrote);
 }
 
+// A root with a successor, a branch and a lone second root: two plants, three axes.
+TEST_F(Subcommands, ConvertWritesThePlantsAxesAndNodesThatAreAsked) {
+  test::writeBytes(file("y.txt"), "# vid\tparentid\tedgetype\tXX\tYY\tZZ\tRadius\n4\n"
+                                  "1\t\t<\t0\t0\t0\t0.2\n2\t1\t<\t0\t0\t1\t0.1\n"
+                                  "3\t1\t+\t0\t1\t1\t0.1\n4\t\t<\t5\t0\t0\t0.1\n");
+  const auto scales = [&](const std::string& input, const test::Arguments& more) {
+    test::Arguments arguments = {"convert", file(input), file("a.mtg")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    run(arguments);
+    return json::parse(run({"info", file("a.mtg"), "--json"}))["vertices_per_scale"];
+  };
+  EXPECT_EQ(scales("y.txt", {}), json({1, 2, 4})) << "as PlantScan3D writes";
+  EXPECT_EQ(scales("y.txt", {"--mtg-scales", "plant-node"}), json({1, 2, 4}));
+  EXPECT_EQ(scales("y.txt", {"--mtg-scales", "plant-axis-node"}), json({1, 2, 3, 4}));
+  fs::copy_file(file("a.mtg"), file("axes.mtg"));
+  EXPECT_EQ(scales("axes.mtg", {"--mtg-scales", "plant-node"}), json({1, 2, 3, 4}))
+      << "a file keeps scales of its own";
+}
+
+TEST_F(Subcommands, ReconstructWritesAxesIfAskedAndTellsTheLengthInItsUnit) {
+  const Outcome outcome = runProgram({"reconstruct", scan_, "-o", file("a.mtg"), "--unit", "m",
+                                      "--mtg-scales", "plant-axis-node"});
+  const json told = json::parse(run({"info", file("a.mtg"), "--json"}));
+  ASSERT_EQ(told["vertices_per_scale"].size(), 4U);
+  EXPECT_EQ(told["vertices_per_scale"][2], told["branching_edges"].get<int>() / 2 + 1)
+      << "an axis for the root and each branching node; its edges are told at both scales";
+  std::ostringstream wrote;
+  wrote.precision(6);
+  wrote << "espalier: wrote " << file("a.mtg") << ": " << told["nodes"] << " nodes, length "
+        << told["length"].get<double>() << " m\n";
+  EXPECT_EQ(outcome.err, wrote.str());
+}
+
 TEST_F(Subcommands, EvaluateTellsAShiftOnceAndNamesTheUnit) {
   std::string moved;
   for (int i = 0; i < 11; ++i) // a stick of 10 m, and the same 0.5 m beside it

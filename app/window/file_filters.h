@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/mtg/mtg_of_skeleton.h"
+
+#include <QString>
+#include <QStringList>
+
+namespace espalier {
+
+// The kinds of files that dialogs list, as "MTG structure (*.mtg)".
+
+/// All that can be opened, in one text.
+[[nodiscard]] QString readableFilters();
+
+/// All that a skeleton can be written as. An MTG of one without scales of its own can be of either
+/// style, each a kind of its own.
+[[nodiscard]] QStringList writableFilters(bool hasScales);
+
+/// That of an MTG of a structure without scales of its own.
+[[nodiscard]] QString filterOf(MtgStyle style);
+
+/// The first of the kinds that a file of this name can be of; the first of all if none fits.
+[[nodiscard]] QString filterFor(const QString& path, const QStringList& filters);
+
+/// A file name with an extension of this kind of file: its own if it has one.
+/// @param before  the kind it was of, whose extension goes as a whole: ".lines.obj"
+[[nodiscard]] QString withExtensionOf(const QString& filter, const QString& path,
+                                      const QString& before);
+
+} // namespace espalier

@@ -118,6 +118,7 @@ void FindingsFlow::connectParts() {
   connect(&document, &PlantDocument::skeletonReplaced, this, [this] {
     ofSkeleton_.clear();
     ofScan_.clear();
+    ignored_.clear(); // a project shows its own once its skeleton is there
     list();
     later();
   });

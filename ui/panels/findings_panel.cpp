@@ -58,7 +58,7 @@ QString titleOf(Kind kind) {
   case Kind::twoSuccessors:
     return FindingsPanel::tr("Two successors");
   case Kind::noLength:
-    return FindingsPanel::tr("Edges without length");
+    return FindingsPanel::tr("Zero-length edges");
   case Kind::duplicatedEdge:
     return FindingsPanel::tr("Duplicated edges");
   case Kind::sharpTurn:
@@ -66,9 +66,9 @@ QString titleOf(Kind kind) {
   case Kind::crossing:
     return FindingsPanel::tr("Touching branches");
   case Kind::radiusAboveParent:
-    return FindingsPanel::tr("Thicker than the parent");
+    return FindingsPanel::tr("Thick on thin");
   case Kind::edgesWithoutPoints:
-    return FindingsPanel::tr("Edges without points");
+    return FindingsPanel::tr("Edges off the scan");
   case Kind::unexplainedPoints:
     return FindingsPanel::tr("Unexplained points");
   }

@@ -60,7 +60,7 @@ TEST_F(FindingsWindowTest, FollowsEditsAndUndo) {
   key(Qt::Key_F8);
   setRadiusOf(shoot(0), 0.2);
   EXPECT_TRUE(waitForTitle("1 finding"));
-  EXPECT_EQ(countOf("Thicker than the parent"), "1");
+  EXPECT_EQ(countOf("Thick on thin"), "1");
   setRadiusOf(shoot(1), 0.3);
   EXPECT_TRUE(waitForTitle("2 findings"));
   key(Qt::Key_Z, Qt::ControlModifier);
@@ -178,14 +178,14 @@ TEST_F(FindingsWindowTest, ChecksAgainstTheScanAsAJobOfItsOwn) {
   openForkAndScan();
   key(Qt::Key_F8);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !countOf("Unexplained points").isEmpty(); }));
-  EXPECT_FALSE(countOf("Edges without points").isEmpty());
+  EXPECT_FALSE(countOf("Edges off the scan").isEmpty());
   EXPECT_FALSE(find<QLabel>("findings_note").isVisible());
   const QString before = title();
   document().edit("Cut", [&](SkeletonEditor& editor) {
     for (int i = 0; i < 3; ++i)
       editor.erase(shoot(i));
   });
-  EXPECT_TRUE(QTest::qWaitFor([&] { return countOf("Edges without points").isEmpty(); }));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return countOf("Edges off the scan").isEmpty(); }));
   EXPECT_NE(title(), before);
 }
 
@@ -197,7 +197,7 @@ TEST_F(FindingsWindowTest, FollowsManyEditsInARowToTheLast) {
     QTest::qWait(i % 7); // within the pause, and into the job
   }
   setRadiusOf(shoot(1), 0.2);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return countOf("Thicker than the parent") == "1"; }));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return countOf("Thick on thin") == "1"; }));
   EXPECT_TRUE(QTest::qWaitFor([&] { return !countOf("Unexplained points").isEmpty(); }));
 }
 

@@ -37,9 +37,8 @@ TEST_F(ValuesWindowTest, TheSliderLeavesWhatTheSkeletonDoesNotExplain) {
   auto& slider = find<OptionSlider>("explained_slider");
   slider.setFocus();
   QTest::keyClick(&slider, Qt::Key_End);
-  EXPECT_EQ(find<QDoubleSpinBox>("explained_number").value(),
-            find<ExplainedBar>("explained_bar").distance());
-  const QString atEnd = left();
+  EXPECT_NEAR(find<QDoubleSpinBox>("explained_number").value(), // as far as it is written
+              find<ExplainedBar>("explained_bar").distance(), 1e-4);
   find<QDoubleSpinBox>("explained_number").setValue(100); // beyond all of the plant
   EXPECT_TRUE(waitForLeft("0 left, 0.0 %"));
   clickButton("explained_close");

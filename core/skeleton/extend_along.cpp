@@ -42,10 +42,11 @@ std::optional<Vector3d> extendAlong(const SpatialIndex& index, const Eigen::Matr
   Vector3d place = from;
   Vector3d ahead = direction.normalized();
   const double stretch = options.step / stretches;
+  const double reach = std::max(options.reach, stretch); // else a bend is lost at once
   double gone = 0;
   for (int i = 0; i < stretches; ++i) {
     const Vector3d next = place + stretch * ahead;
-    const auto middle = middleAhead(index, points, place, ahead, next, options.reach);
+    const auto middle = middleAhead(index, points, place, ahead, next, reach);
     if (!middle) break;
     const Vector3d off = *middle - next;
     const Vector3d aside = pull * (off - off.dot(ahead) * ahead);

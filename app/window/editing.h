@@ -66,7 +66,6 @@ private:
   bool handle(const ToolInput& input);
   [[nodiscard]] bool isMenuClick(const ToolInput& input);
   void refreshEnabled();
-  /// Is there something that Escape gives up?
   [[nodiscard]] bool canEdit() const { return isEnabled_ && !document_.isReadOnly(); }
   [[nodiscard]] NodeTarget target() const;
   [[nodiscard]] NodeTarget chosenTarget(); // which is selected then

@@ -88,7 +88,7 @@ void MainWindow::fillMenus() {
   QMenu* skeleton = menuBar()->addMenu(tr("&Skeleton"));
   add(*skeleton, *actions_, {"reconstruct", ""});
   const QStringList ofUnits = {"mark_unit_start", "commit_marks", "clear_marks"};
-  fillNodeEdits(*skeleton, *actions_, ofUnits);
+  fillNodeEdits(*skeleton, *actions_, ofUnits + QStringList{"radius_up", "radius_down"});
   skeleton->addSeparator();
   add(*skeleton->addMenu(tr("&Units")), *actions_, ofUnits);
 

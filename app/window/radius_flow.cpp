@@ -60,8 +60,20 @@ RadiusFlow::RadiusFlow(const Parts& parts) : parts_(parts) {
 }
 
 QStringList RadiusFlow::menu() {
-  return ofScan() + QStringList{"", "radius_up", "radius_down", "interpolate_radii", ""} +
-         ofNodes();
+  return {"radius_circle",
+          "radius_mean",
+          "radius_maximum",
+          "radius_hull",
+          "",
+          "radius_up",
+          "radius_down",
+          "",
+          "interpolate_radii",
+          "smooth_radius",
+          "limit_radius",
+          "",
+          "pipe_model",
+          "pipe_measured"};
 }
 
 void RadiusFlow::addMeasures() {

@@ -282,7 +282,13 @@ void ReviewFlow::showPlace() {
   const std::vector<NodeId>& nodes = parts_.document.selection().nodes();
   QString text = nodes.empty() ? tr("Press . to walk") : nodeNames(nodes);
   if (!nodes.empty()) text[0] = text[0].toUpper();
-  panel_->showPlace(!nodes.empty() && nodes == at_ ? placeText_ : text);
+  const bool isOnWalk = !nodes.empty() && nodes == at_;
+  panel_->showPlace(isOnWalk ? placeText_ : text);
+  if (isOnWalk)
+    parts_.view.setFaded(nodes);
+  else if (isFading_)
+    parts_.view.setFaded(std::nullopt);
+  isFading_ = isOnWalk;
 }
 
 void ReviewFlow::refreshEnabled() {

@@ -76,8 +76,9 @@ private:
   QList<QAction*> walks_;
   QList<QAction*> marks_;
   QString reviewer_;
-  Stretch at_;        // where one is; may hold nodes that are gone
-  QString placeText_; // of at_
+  Stretch at_;            // where one is; may hold nodes that are gone
+  QString placeText_;     // of at_
+  bool isFading_ = false; // all but at_, while it is what is selected
   bool isEnabled_ = true;
   bool isInGesture_ = false;
   bool isPlantShown_ = false;

@@ -12,6 +12,8 @@
 #include <QTest>
 #include <QToolButton>
 
+#include <algorithm>
+
 namespace espalier {
 namespace {
 
@@ -48,6 +50,28 @@ TEST_F(ReviewWindowTest, TheWalkGoesFromStretchToStretchAndShowsEach) {
   key(Qt::Key_Comma);
   EXPECT_EQ(label("review_place"), "Stretch 4 of 4") << "back from the first is the last";
   EXPECT_EQ(document().undoStack().count(), 0) << "to look is no edit";
+}
+
+TEST_F(ReviewWindowTest, TheWalkFadesTheRestUntilSomethingElseIsSelected) {
+  openFork();
+  action("theme_light").trigger();
+  key(Qt::Key_Period);
+  waitForView();
+  // On an edge that the walk has not come to, how far the darkest pixel is from white.
+  const QPoint place = view().project({0.25, 0, 1.25})->toPoint();
+  const auto strength = [&] {
+    const QImage seen = view().picture(view().size());
+    int darkest = 255;
+    for (int x = -3; x <= 3; ++x)
+      for (int y = -3; y <= 3; ++y)
+        darkest = std::min(darkest, qGray(seen.pixel(place + QPoint(x, y))));
+    return 255 - darkest;
+  };
+  const int onTheWalk = strength();
+  document().selection().clear();
+  const int afterwards = strength();
+  EXPECT_GT(afterwards, 40) << "no edge there";
+  EXPECT_LT(onTheWalk, afterwards / 2);
 }
 
 TEST_F(ReviewWindowTest, TheWalkBeginsWhereOneHasClicked) {

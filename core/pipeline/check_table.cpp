@@ -1,5 +1,7 @@
 #include "core/pipeline/check_table.h"
 
+#include <numbers>
+
 namespace espalier {
 namespace {
 

@@ -1,7 +1,7 @@
-#include "core/base/error.h"
 #include "core/base/random.h"
 #include "core/skeleton/path_edits.h"
 #include "core/skeleton/select.h"
+#include "tests/core/skeleton/edited.h"
 #include "tests/support/plants.h"
 
 #include <gtest/gtest.h>
@@ -13,22 +13,9 @@ namespace espalier {
 namespace {
 
 using Eigen::Vector3d;
+using test::edited;
+using test::expectRefused;
 using testing::ElementsAre;
-
-using Change = std::function<void(SkeletonEditor&)>;
-
-Skeleton edited(Skeleton plant, const Change& change) {
-  SkeletonEditor editor(plant);
-  change(editor);
-  (void)editor.commit();
-  return plant;
-}
-
-void expectRefused(Skeleton plant, const std::string& part, const Change& change) {
-  SkeletonEditor editor(plant);
-  EXPECT_THAT([&] { change(editor); }, testing::ThrowsMessage<Error>(testing::HasSubstr(part)));
-  EXPECT_TRUE(editor.commit().isEmpty());
-}
 
 /// Nodes at the given heights, each on the one before.
 Skeleton stickThrough(const std::vector<Vector3d>& places) {

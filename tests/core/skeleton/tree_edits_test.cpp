@@ -1,7 +1,7 @@
-#include "core/base/error.h"
 #include "core/skeleton/edits.h"
 #include "core/skeleton/select.h"
 #include "core/skeleton/tree_edits.h"
+#include "tests/core/skeleton/edited.h"
 #include "tests/support/plants.h"
 
 #include <gtest/gtest.h>
@@ -12,25 +12,11 @@
 namespace espalier {
 namespace {
 
+using test::edited;
+using test::expectRefused;
 using test::forkRoot;
 using test::forkTop;
 using testing::ElementsAre;
-
-using Change = std::function<void(SkeletonEditor&)>;
-
-Skeleton edited(Skeleton plant, const Change& change) {
-  SkeletonEditor editor(plant);
-  change(editor);
-  (void)editor.commit();
-  return plant;
-}
-
-/// Refused with a sentence that has `part`, before anything changed.
-void expectRefused(Skeleton plant, const std::string& part, const Change& change) {
-  SkeletonEditor editor(plant);
-  EXPECT_THAT([&] { change(editor); }, testing::ThrowsMessage<Error>(testing::HasSubstr(part)));
-  EXPECT_TRUE(editor.commit().isEmpty());
-}
 
 EdgeType edge(const Skeleton& plant, int id) {
   return plant[NodeId{static_cast<std::uint32_t>(id)}].edge;

@@ -1,5 +1,6 @@
 #include "core/base/error.h"
 #include "tests/support/plants.h"
+#include "tests/ui/tools/line_scan.h"
 #include "tests/ui/tools/mouse.h"
 #include "tests/ui/tools/quiet_canvas.h"
 #include "ui/tools/stroke_tool.h"
@@ -11,13 +12,6 @@ namespace {
 
 using test::onNode;
 using test::onPoint;
-
-std::unique_ptr<const Scan> someScan() {
-  RawPoints raw;
-  for (int i = 0; i < 10; ++i)
-    raw.positions.emplace_back(0.1 * i, 0, 3);
-  return std::make_unique<const Scan>(PointCloud(std::move(raw)));
-}
 
 /// Two stems that cross at (0.5, 0, 1): nodes 0 1 from the left foot, 2 3 from the right.
 Skeleton crossedStems() {
@@ -40,7 +34,7 @@ struct StrokeToolTest : testing::Test {
 
   void open(const Skeleton& plant) {
     document.openSkeleton(plant, "plant.mtg");
-    document.setScan(someScan(), "scan.ply");
+    document.setScan(test::lineScan(), "scan.ply");
     before = plant;
     canvas.nodes = plant.ids(); // all are seen
     QObject::connect(&tool, &StrokeTool::asked, &document,

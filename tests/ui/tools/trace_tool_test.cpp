@@ -1,6 +1,7 @@
 #include "core/base/error.h"
 #include "core/skeleton/edits.h"
 #include "tests/support/plants.h"
+#include "tests/ui/tools/line_scan.h"
 #include "tests/ui/tools/mouse.h"
 #include "tests/ui/tools/quiet_canvas.h"
 #include "ui/tools/trace_tool.h"
@@ -14,13 +15,6 @@ using test::onEdge;
 using test::onNode;
 using test::onPoint;
 
-std::unique_ptr<const Scan> someScan() {
-  RawPoints raw;
-  for (int i = 0; i < 10; ++i)
-    raw.positions.emplace_back(0.1 * i, 0, 3);
-  return std::make_unique<const Scan>(PointCloud(std::move(raw)));
-}
-
 /// Over the fork; who answers is told what it asks, and answers with straight ways.
 struct TraceToolTest : testing::Test {
   PlantDocument document;
@@ -33,7 +27,7 @@ struct TraceToolTest : testing::Test {
 
   void SetUp() override {
     document.openSkeleton(test::fork(3), "fork.mtg");
-    document.setScan(someScan(), "scan.ply");
+    document.setScan(test::lineScan(), "scan.ply");
     QObject::connect(&tool, &TraceTool::asked, &document,
                      [this](const TraceQuestion& question, const TraceAnswer& told) {
                        questions.push_back(question);

@@ -1,5 +1,6 @@
 #include "tests/support/plants.h"
 #include "tests/ui/view/pictures.h"
+#include "tests/ui/view/stick_view.h"
 #include "ui/view/palette.h"
 #include "ui/view/plant_view.h"
 
@@ -12,30 +13,14 @@
 namespace espalier {
 namespace {
 
-/// A view of a stick of five nodes along z, seen from the front.
-class CanvasTest : public testing::Test {
+class CanvasTest : public test::StickView {
 protected:
-  CanvasTest() : plant_(test::stick(5)) {
-    view_.resize(400, 300);
-    view_.setDark(false);
-    view_.setSkeleton(plant_);
-    view_.frameAll();
-    view_.show();
-    EXPECT_TRUE(QTest::qWaitFor([&] { return view_.isStill(); }));
-  }
-
-  [[nodiscard]] QPointF pixelOf(NodeId id) const {
-    return view_.project(plant_[id].position).value();
-  }
   /// A box about the nodes, 12 pixels wider than they.
   [[nodiscard]] QPolygonF around(NodeId first, NodeId last) const {
     const QRectF box = QRectF(pixelOf(first), pixelOf(last)).normalized();
     return {box.adjusted(-12, -12, 12, 12)};
   }
   [[nodiscard]] QImage seen() { return view_.grab().toImage(); }
-
-  Skeleton plant_;
-  PlantView view_;
 };
 
 const Color accent = palette(false).contracted;

@@ -1,5 +1,6 @@
 #include "tests/support/plants.h"
 #include "tests/ui/view/pictures.h"
+#include "tests/ui/view/stick_view.h"
 #include "ui/view/palette.h"
 #include "ui/view/plant_view.h"
 
@@ -15,22 +16,8 @@ namespace {
 
 constexpr float none = std::numeric_limits<float>::quiet_NaN();
 
-/// A view of a stick of five nodes along z, seen from the front on a light background.
-class LooksTest : public testing::Test {
+class LooksTest : public test::StickView {
 protected:
-  LooksTest() : plant_(test::stick(5)) {
-    view_.resize(400, 300);
-    view_.setDark(false);
-    view_.setSkeleton(plant_);
-    view_.frameAll();
-    view_.show();
-    EXPECT_TRUE(QTest::qWaitFor([&] { return view_.isStill(); }));
-  }
-
-  [[nodiscard]] QPointF pixelOf(const Eigen::Vector3d& place) const {
-    return view_.project(place).value();
-  }
-  [[nodiscard]] QPointF pixelOf(NodeId id) const { return pixelOf(plant_[id].position); }
   [[nodiscard]] int count(NodeId id, const Color& color) {
     return test::countPixels(view_.picture(view_.size()), pixelOf(id), 4, color, 24);
   }
@@ -40,9 +27,6 @@ protected:
   [[nodiscard]] std::vector<NodeId> allInside() const {
     return view_.nodesInside(QPolygonF(QRectF(0, 0, 400, 300)), Depth::through);
   }
-
-  Skeleton plant_;
-  PlantView view_;
 };
 
 const Color black = palette(false).successor;

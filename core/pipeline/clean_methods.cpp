@@ -1,0 +1,46 @@
+#include "core/pipeline/clean_methods.h"
+
+#include "core/cloud/isolated_points.h"
+#include "core/pipeline/method_parts.h"
+
+namespace espalier {
+namespace {
+
+Method isolatedPointsMethod() {
+  using Options = IsolatedPointOptions;
+  OptionTable<Options> table;
+  table.add({.name = "neighbors",
+             .label = "Neighbors",
+             .kind = OptionKind::count,
+             .rule = fixedAt(8),
+             .minimum = 1,
+             .maximum = 64,
+             .help = "How many of the nearest points are looked at."},
+            &Options::neighbors);
+  table.add(
+      {.name = "distance",
+       .label = "Distance",
+       .kind = OptionKind::length,
+       .rule = spacings(8),
+       .minimum = 0.5,
+       .maximum = 100,
+       .help = "A point is left out if its neighbors are farther away than this in the mean."},
+      &Options::distance);
+  return {.name = "isolated_points",
+          .label = "Leave out isolated points",
+          .help = "Leaves out points that stand alone, as dust and split laser beams do.",
+          .source = "as in statistical outlier removal, with a distance in point spacings",
+          .options = table.descriptions(),
+          .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
+            state.isLeftOut =
+                isolatedPoints(state.cloud->positions(), table.with(values), progress);
+          }};
+}
+
+} // namespace
+
+std::vector<Method> cleanMethods() {
+  return {isolatedPointsMethod(), noMethod("Keeps all points.")};
+}
+
+} // namespace espalier

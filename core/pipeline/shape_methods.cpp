@@ -1,0 +1,143 @@
+#include "core/pipeline/shape_methods.h"
+
+#include "core/pipeline/method_parts.h"
+#include "core/skeleton/assemble_axes.h"
+#include "core/skeleton/extend_ends.h"
+#include "core/skeleton/prune.h"
+#include "core/skeleton/recenter.h"
+
+namespace espalier {
+namespace {
+
+Method spurMethod() {
+  using Options = SpurOptions;
+  OptionTable<Options> table;
+  table.add({.name = "length",
+             .label = "Length",
+             .kind = OptionKind::length,
+             .rule = spacings(14),
+             .minimum = 0,
+             .maximum = 200,
+             .help = "Unbranched ends shorter than this are removed."},
+            &Options::length);
+  table.add({.name = "radius_share",
+             .label = "Radius share",
+             .kind = OptionKind::ratio,
+             .rule = fixedAt(0),
+             .minimum = 0,
+             .maximum = 10,
+             .help = "This many radii of the wood they stand on are added to that length."},
+            &Options::radiusShare);
+  return {.name = "spurs",
+          .label = "Remove spurs",
+          .help = "Removes short unbranched ends, shortest first.",
+          .source = {},
+          .options = table.descriptions(),
+          .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
+            state.skeleton = withoutSpurs(state.skeleton, table.with(values), progress);
+          }};
+}
+
+Method axesMethod() {
+  using Options = AxisOptions;
+  OptionTable<Options> table;
+  table.add({.name = "sharpest_turn",
+             .label = "Sharpest turn",
+             .kind = OptionKind::angle,
+             .rule = fixedAt(60),
+             .minimum = 1,
+             .maximum = 180,
+             .help = "An axis never turns more than this at a node."},
+            &Options::sharpestTurn);
+  table.add({.name = "reach",
+             .label = "Reach",
+             .kind = OptionKind::count,
+             .rule = fixedAt(4),
+             .minimum = 1,
+             .maximum = 50,
+             .help = "Edges before and behind a node over which its turn is measured."},
+            &Options::reach);
+  return {.name = "heaviest_child",
+          .label = "Heaviest child",
+          .help =
+              "The child that carries most continues the axis, unless it turns off too sharply.",
+          .source = "PlantScan3D's rule, by length instead of node count",
+          .options = table.descriptions(),
+          .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
+            progress.check();
+            state.skeleton = withAssembledAxes(state.skeleton, table.with(values));
+          }};
+}
+
+Method recenterMethod() {
+  using Options = RecenterOptions;
+  OptionTable<Options> table;
+  table.add({.name = "rounds",
+             .label = "Rounds",
+             .kind = OptionKind::count,
+             .rule = fixedAt(1),
+             .minimum = 0,
+             .maximum = 20,
+             .help = "How often nodes are moved and smoothed."},
+            &Options::rounds);
+  table.add({.name = "smoothing",
+             .label = "Smoothing",
+             .kind = OptionKind::ratio,
+             .rule = fixedAt(0.2),
+             .minimum = 0,
+             .maximum = 1,
+             .help = "Share of the way each node moves to the mean of its neighbors on the axis."},
+            &Options::smoothing);
+  table.add({.name = "least_coverage",
+             .label = "Least coverage",
+             .kind = OptionKind::ratio,
+             .rule = fixedAt(0.6),
+             .minimum = 0.1,
+             .maximum = 1,
+             .help = "Share of a circle that points must cover before a fitted circle is trusted."},
+            &Options::leastCoverage);
+  return {
+      .name = "sections",
+      .label = "Recenter on sections",
+      .help =
+          "Moves nodes to the centers of circles fitted to the wood around them and smooths the "
+          "axes.",
+      .source = "circle: G. Taubin, IEEE PAMI 13, 1991",
+      .options = table.descriptions(),
+      .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
+        state.skeleton = recentered(state.skeleton, keptPositions(state), state.cloud->origin(),
+                                    table.with(values), progress);
+      }};
+}
+
+Method endsMethod() {
+  return {.name = "to_points",
+          .label = "Extend to the points",
+          .help = "Lengthens tips and roots to the points that contraction pulled inwards.",
+          .source = {},
+          .options = {},
+          .run = [](PipelineState& state, const Values&, const Progress& progress) {
+            state.skeleton = withExtendedEnds(state.skeleton, keptPositions(state),
+                                              state.cloud->origin(), progress);
+          }};
+}
+
+} // namespace
+
+std::vector<Method> pruneMethods() {
+  return {spurMethod(), noMethod("Keeps all branches.")};
+}
+
+std::vector<Method> axesMethods() {
+  return {axesMethod()};
+}
+
+std::vector<Method> recenterMethods() {
+  return {recenterMethod(), noMethod("Leaves the nodes where they are.")};
+}
+
+std::vector<Method> endsMethods() {
+  return {endsMethod(), noMethod("Leaves the ends where they are.")};
+}
+
+} // namespace espalier

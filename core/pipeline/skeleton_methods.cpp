@@ -1,0 +1,63 @@
+#include "core/pipeline/skeleton_methods.h"
+
+#include "core/pipeline/method_parts.h"
+#include "core/reconstruct/geodesic_bins.h"
+
+#include <algorithm>
+
+namespace espalier {
+namespace {
+
+Method geodesicBinsMethod() {
+  using Options = GeodesicBinOptions;
+  OptionTable<Options> table;
+  table.add({.name = "neighbors",
+             .label = "Neighbors",
+             .kind = OptionKind::count,
+             .rule = fixedAt(12),
+             .minimum = 3,
+             .maximum = 64,
+             .help = "Links per point along which distances are measured; more bridge wider gaps."},
+            &Options::neighbors);
+  table.add(
+      {.name = "bin_width",
+       .label = "Bin width",
+       .kind = OptionKind::length,
+       .rule = spacings(6),
+       .minimum = 1,
+       .maximum = 100,
+       .help = "Distance between nodes along the plant. Less finds more twigs, and more spurs."},
+      &Options::binWidth);
+  table.add({.name = "widest_gap",
+             .label = "Widest gap",
+             .kind = OptionKind::length,
+             .rule = fixedAt(0),
+             .minimum = 0,
+             .maximum = 10000,
+             .help = "Parts of the plant farther apart than this are not joined; 0 joins all."},
+            &Options::widestGap);
+  return {.name = "geodesic_bins",
+          .label = "Geodesic bins",
+          .help = "One node per connected part of each bin of the distance to the root.",
+          .source = "H. Xu, N. Gossett, B. Chen, ACM Trans. Graph. 26(4), 2007",
+          .options = table.descriptions(),
+          .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
+            const std::vector<Eigen::Index> kept = keptPoints(state);
+            requirePlant(kept);
+            const auto place = std::lower_bound(kept.begin(), kept.end(), state.root);
+            const Eigen::Matrix3Xf points = (*state.contracted)(Eigen::all, kept);
+            Skeleton local =
+                skeletonByGeodesicBins(points, place - kept.begin(), table.with(values), progress);
+            for (const NodeId id : local.ids())
+              local.setPosition(id, local[id].position + state.cloud->origin());
+            state.skeleton = std::move(local);
+          }};
+}
+
+} // namespace
+
+std::vector<Method> skeletonMethods() {
+  return {geodesicBinsMethod()};
+}
+
+} // namespace espalier

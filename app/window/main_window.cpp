@@ -5,6 +5,7 @@
 #include "app/window/explained_flow.h"
 #include "app/window/file_flow.h"
 #include "app/window/findings_flow.h"
+#include "app/window/history_flow.h"
 #include "app/window/icon.h"
 #include "app/window/project_flow.h"
 #include "app/window/radius_flow.h"
@@ -95,6 +96,7 @@ MainWindow::MainWindow(QSettings& settings, QWidget* parent)
   connectDocument();
   connectReview();
   connectFindings();
+  connectAtHand();
   useTheme(themeNamed(settings_.value("theme").toString()));
   restoreGeometry(settings_.value("window/geometry").toByteArray());
   restoreState(settings_.value("window/state").toByteArray());
@@ -208,6 +210,7 @@ void MainWindow::refreshDocks() {
   shown_->setAvailable(hasPlant);
   findings_->setPlantShown(hasPlant);
   explained_->setPlantShown(hasPlant);
+  history_->dock().setPlantShown(hasPlant);
   if (hasPlant && !settings_.contains("window/state")) // nobody has set the widths yet
     resizeDocks({pipelineDock_, inspectorDock_}, {pipelineWidth, inspectorWidth}, Qt::Horizontal);
 }
@@ -281,6 +284,7 @@ void MainWindow::resetLayout() {
   resizeDocks({pipelineDock_, inspectorDock_}, {pipelineWidth, inspectorWidth}, Qt::Horizontal);
   review_->resetLayout();
   findings_->resetLayout();
+  history_->dock().resetLayout();
   refreshDocks();
 }
 

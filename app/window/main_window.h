@@ -20,6 +20,7 @@ class Editing;
 class ExplainedFlow;
 class FileFlow;
 class FindingsFlow;
+class HistoryFlow;
 class InspectorPanel;
 class MessageBanner;
 class PipelinePanel;
@@ -83,6 +84,7 @@ private:
   void connectDocument();   // likewise
   void connectReview();     // likewise
   void connectFindings();   // likewise
+  void connectAtHand();     // likewise
   void makeCenter();
   void makeDocks();
   void closePlant();
@@ -126,6 +128,7 @@ private:
   std::unique_ptr<ScanDistances> distances_;
   std::unique_ptr<FindingsFlow> findings_;
   std::unique_ptr<ExplainedFlow> explained_;
+  std::unique_ptr<HistoryFlow> history_;
   std::unique_ptr<ViewOptions> options_;
   std::unique_ptr<SavedViews> savedViews_;
   std::unique_ptr<ValueColors> valueColors_;

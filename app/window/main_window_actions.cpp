@@ -3,6 +3,7 @@
 #include "app/window/explained_flow.h"
 #include "app/window/file_flow.h"
 #include "app/window/findings_flow.h"
+#include "app/window/history_flow.h"
 #include "app/window/main_window.h"
 #include "app/window/project_flow.h"
 #include "app/window/radius_flow.h"
@@ -59,6 +60,8 @@ void MainWindow::addActions() {
       ExplainedFlow::Parts{document_, *view_, *actions_, *distances_, settings_, *this});
   valueColors_ = std::make_unique<ValueColors>(
       ValueColors::Parts{document_, *view_, *actions_, *options_, *distances_});
+  const PanelDock::Parts panels{*actions_, settings_, *this};
+  history_ = std::make_unique<HistoryFlow>(HistoryFlow::Parts{document_, *editing_, panels});
   addPanelActions();
   addThemeActions();
   addHelpActions();

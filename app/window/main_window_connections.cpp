@@ -2,6 +2,7 @@
 #include "app/window/editing.h"
 #include "app/window/file_flow.h"
 #include "app/window/findings_flow.h"
+#include "app/window/history_flow.h"
 #include "app/window/main_window.h"
 #include "app/window/project_flow.h"
 #include "app/window/radius_flow.h"
@@ -215,6 +216,10 @@ void MainWindow::connectFindings() {
   connect(findings_.get(), &FindingsFlow::ignoredChanged, projects_.get(),
           &ProjectFlow::noteChange);
   connect(findings_.get(), &FindingsFlow::noted, status_, &StatusLine::showNote);
+}
+
+void MainWindow::connectAtHand() {
+  connect(history_.get(), &HistoryFlow::noted, status_, &StatusLine::showNote);
 }
 
 } // namespace espalier

@@ -120,7 +120,8 @@ void MainWindow::fillViewMenu() {
   connect(saved, &QMenu::aboutToShow, saved, [this, saved] { savedViews_->fill(*saved); });
   add(*view, *actions_, {"hide", "isolate", "clipping", "show_all", ""});
   add(*view->addMenu(tr("Panels")), *actions_,
-      {"show_pipeline", "show_inspector", "show_review", "show_findings", "", "reset_layout"});
+      {"show_pipeline", "show_inspector", "show_review", "show_findings", "show_history",
+       "", "reset_layout"});
   add(*view->addMenu(tr("Theme")), *actions_, {"theme_system", "theme_light", "theme_dark"});
 }
 

@@ -6,9 +6,30 @@
 #include <QDateTime>
 #include <QUndoCommand>
 
+#include <algorithm>
+#include <cstdlib>
+#include <iterator>
+#include <unordered_set>
 #include <utility>
 
 namespace espalier {
+namespace {
+
+/// The changes of several steps, one after the other, as one: from the first state of each node to
+/// the one it has now.
+SkeletonDelta joined(const SkeletonDelta& steps, const Skeleton& now) {
+  SkeletonDelta result;
+  std::unordered_set<std::uint32_t> seen;
+  for (const SkeletonDelta::Change& change : steps.changes) {
+    if (!seen.insert(static_cast<std::uint32_t>(change.id)).second) continue;
+    std::optional<Node> after;
+    if (now.contains(change.id)) after = now[change.id];
+    if (change.before != after) result.changes.push_back({change.id, change.before, after});
+  }
+  return result;
+}
+
+} // namespace
 
 /// The one kind of undo step.
 class PlantDocument::EditSkeleton final : public QUndoCommand {
@@ -28,7 +49,7 @@ public:
 
   void redo() override { // QUndoStack::push calls it once for the edit that was made already
     if (!document_.isRestoring_) {
-      if (contracted_) document_.setContracted(contracted_->after);
+      if (contracted_) document_.applyContracted(contracted_->after);
       if (isNew_)
         document_.announce(step_.delta);
       else
@@ -39,7 +60,7 @@ public:
 
   void undo() override {
     if (document_.isRestoring_) return;
-    if (contracted_) document_.setContracted(contracted_->before);
+    if (contracted_) document_.applyContracted(contracted_->before);
     document_.apply(step_.delta.inverse());
     if (document_.isCanceling_) setObsolete(true);
   }
@@ -93,6 +114,14 @@ void PlantDocument::cancel(Gesture gesture) {
   isCanceling_ = false;
 }
 
+void PlantDocument::goTo(int index) {
+  if (index == undoStack_.index()) return;
+  requireEditable();
+  way_ = Way{std::abs(index - undoStack_.index()), {}, contracted_};
+  undoStack_.setIndex(index);
+  way_.reset();
+}
+
 std::optional<std::size_t> PlantDocument::contractedStep() const {
   for (int i = undoStack_.index(); i-- > 0;)
     if (command(i).hasContracted()) return static_cast<std::size_t>(i);
@@ -138,6 +167,7 @@ void PlantDocument::openHistory(Structure structure, std::vector<HistoryStep> st
                                 std::optional<std::size_t> contractedStep) {
   openStructure(std::move(structure), path);
   isRestoring_ = true;
+  lastOpened_ = revisions_ + steps.size();
   for (std::size_t i = 0; i < steps.size(); ++i) {
     std::optional<ContractedChange> contracted;
     if (i == contractedStep && i < position) contracted = {nullptr, contracted_};
@@ -184,6 +214,13 @@ History PlantDocument::history() const {
   return history;
 }
 
+int PlantDocument::openedSteps() const {
+  int steps = 0;
+  while (steps < undoStack_.count() && revision(steps) <= lastOpened_)
+    ++steps;
+  return steps;
+}
+
 const HistoryStep& PlantDocument::step(int index) const {
   return command(index).step();
 }
@@ -208,7 +245,19 @@ void PlantDocument::push(const QString& text, SkeletonDelta delta, Gesture gestu
 
 void PlantDocument::apply(const SkeletonDelta& delta) {
   delta.apply(structure_.skeleton);
-  announce(delta);
+  if (!way_) return announce(delta);
+  std::ranges::copy(delta.changes, std::back_inserter(way_->changes.changes));
+  if (--way_->left > 0) return;
+  if (contracted_ != way_->contractedBefore) emit contractedChanged();
+  const SkeletonDelta all = joined(way_->changes, structure_.skeleton);
+  if (!all.isEmpty()) announce(all);
+}
+
+void PlantDocument::applyContracted(const std::shared_ptr<const Eigen::Matrix3Xf>& positions) {
+  if (way_)
+    contracted_ = positions; // told at the end of the way
+  else
+    setContracted(positions);
 }
 
 void PlantDocument::announce(const SkeletonDelta& delta) {

@@ -67,6 +67,11 @@ public:
   /// Takes back what the gesture has edited so far, and forgets it.
   void cancel(Gesture gesture);
 
+  /// Undoes or redoes until the first `index` steps are done. Views are told of it as one change,
+  /// however many steps that are. Time O(changes of these steps). pre: 0 <= index <= steps
+  /// @throws Error as requireEditable()
+  void goTo(int index);
+
   void setScan(std::unique_ptr<const Scan> scan, const QString& path); // drops contracted points
   void setContracted(std::shared_ptr<const Eigen::Matrix3Xf> positions);
   void setUnit(LengthUnit unit);
@@ -97,6 +102,8 @@ public:
   /// The steps of the undo stack, to be kept elsewhere.
   [[nodiscard]] History history() const;
   [[nodiscard]] const HistoryStep& step(int index) const; // pre: 0 <= index < undoStack().count()
+  /// How many steps from the first on came with the file, and are still there.
+  [[nodiscard]] int openedSteps() const;
   /// Differs from all others, and once more when a drag goes on in the same step.
   [[nodiscard]] std::uint64_t revision(int index) const;
 
@@ -115,11 +122,17 @@ private:
     std::shared_ptr<const Eigen::Matrix3Xf> before;
     std::shared_ptr<const Eigen::Matrix3Xf> after;
   };
+  struct Way {             // of goTo()
+    int left = 0;          // steps to go
+    SkeletonDelta changes; // of those behind, one after the other
+    std::shared_ptr<const Eigen::Matrix3Xf> contractedBefore;
+  };
   [[nodiscard]] const EditSkeleton& command(int index) const;
   void push(const QString& text, SkeletonDelta delta, Gesture gesture,
             std::optional<ContractedChange> contracted);
   void apply(const SkeletonDelta& delta);
   void announce(const SkeletonDelta& delta);
+  void applyContracted(const std::shared_ptr<const Eigen::Matrix3Xf>& positions);
 
   std::unique_ptr<const Scan> scan_;
   std::shared_ptr<const Eigen::Matrix3Xf> contracted_;
@@ -130,8 +143,10 @@ private:
   QString filePath_;
   QString scanPath_;
   QString author_;
-  QString readOnly_;            // why
-  std::uint64_t revisions_ = 0; // handed out
+  QString readOnly_;             // why
+  std::uint64_t revisions_ = 0;  // handed out
+  std::optional<Way> way_;       // none: not in goTo()
+  std::uint64_t lastOpened_ = 0; // the last revision that came with the file
   Saving saving_ = Saving::byHand;
   bool isCanceling_ = false; // the step undone now is to be forgotten
   bool isRestoring_ = false; // steps of a file become commands: nothing is done to the skeleton

@@ -1,0 +1,76 @@
+#include "app/window/panel_dock.h"
+
+#include "app/window/action_set.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QEvent>
+#include <QMainWindow>
+#include <QSettings>
+
+namespace espalier {
+namespace {
+
+constexpr int height = 220; // of a window of 800: the plant keeps most of it
+constexpr auto placeName = "bottom_panel";
+
+} // namespace
+
+PanelDock::PanelDock(const Parts& parts, const Name& name, QWidget* panel, QObject* parent)
+    : QObject(parent), parts_(parts), action_("show_" + name.id),
+      dock_(new QDockWidget(name.title, &parts.window)) {
+  QAction* show = parts_.actions.add(
+      {.id = action_, .text = name.text, .help = name.help, .keys = name.keys, .isCheckable = true},
+      {});
+  show->setChecked(parts_.settings.value("panels/" + action_, false).toBool());
+  connect(show, &QAction::toggled, this, [this](bool isShown) {
+    parts_.settings.setValue("panels/" + action_, isShown);
+    refresh();
+  });
+  dock_->setObjectName(name.id);
+  dock_->setProperty(placeName, true);
+  dock_->setWidget(panel);
+  dock_->installEventFilter(this);
+  place();
+  dock_->hide();
+}
+
+void PanelDock::setPlantShown(bool isShown) {
+  isPlantShown_ = isShown;
+  refresh();
+}
+
+void PanelDock::resetLayout() {
+  dock_->setFloating(false);
+  place();
+  parts_.actions[action_]->setChecked(false);
+}
+
+bool PanelDock::isShown() const {
+  return !dock_->isHidden();
+}
+
+bool PanelDock::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == dock_ && event->type() == QEvent::Close)
+    parts_.actions[action_]->setChecked(false);
+  return QObject::eventFilter(watched, event);
+}
+
+void PanelDock::place() {
+  parts_.window.addDockWidget(Qt::BottomDockWidgetArea, dock_);
+  for (auto* other : parts_.window.findChildren<QDockWidget*>())
+    if (other != dock_ && other->property(placeName).toBool() && !other->isFloating())
+      return parts_.window.tabifyDockWidget(other, dock_);
+}
+
+void PanelDock::refresh() {
+  const bool isShown = isPlantShown_ && parts_.actions[action_]->isChecked();
+  const bool isNew = isShown && dock_->isHidden();
+  dock_->setVisible(isShown);
+  if (!isNew) return;
+  if (!parts_.settings.contains("window/state")) // nobody has set the height yet
+    parts_.window.resizeDocks({dock_}, {height}, Qt::Vertical);
+  dock_->raise();
+}
+
+} // namespace espalier

@@ -7,6 +7,7 @@
 #include "app/window/findings_flow.h"
 #include "app/window/history_flow.h"
 #include "app/window/icon.h"
+#include "app/window/node_table_flow.h"
 #include "app/window/project_flow.h"
 #include "app/window/radius_flow.h"
 #include "app/window/recent_files.h"
@@ -211,6 +212,7 @@ void MainWindow::refreshDocks() {
   findings_->setPlantShown(hasPlant);
   explained_->setPlantShown(hasPlant);
   history_->dock().setPlantShown(hasPlant);
+  nodeTable_->dock().setPlantShown(hasPlant);
   if (hasPlant && !settings_.contains("window/state")) // nobody has set the widths yet
     resizeDocks({pipelineDock_, inspectorDock_}, {pipelineWidth, inspectorWidth}, Qt::Horizontal);
 }
@@ -285,6 +287,7 @@ void MainWindow::resetLayout() {
   review_->resetLayout();
   findings_->resetLayout();
   history_->dock().resetLayout();
+  nodeTable_->dock().resetLayout();
   refreshDocks();
 }
 

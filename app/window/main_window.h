@@ -23,6 +23,7 @@ class FindingsFlow;
 class HistoryFlow;
 class InspectorPanel;
 class MessageBanner;
+class NodeTableFlow;
 class PipelinePanel;
 class PlantView;
 class ProjectFlow;
@@ -129,6 +130,7 @@ private:
   std::unique_ptr<FindingsFlow> findings_;
   std::unique_ptr<ExplainedFlow> explained_;
   std::unique_ptr<HistoryFlow> history_;
+  std::unique_ptr<NodeTableFlow> nodeTable_;
   std::unique_ptr<ViewOptions> options_;
   std::unique_ptr<SavedViews> savedViews_;
   std::unique_ptr<ValueColors> valueColors_;

@@ -5,6 +5,7 @@
 #include "app/window/findings_flow.h"
 #include "app/window/history_flow.h"
 #include "app/window/main_window.h"
+#include "app/window/node_table_flow.h"
 #include "app/window/project_flow.h"
 #include "app/window/radius_flow.h"
 #include "app/window/review_flow.h"
@@ -62,6 +63,7 @@ void MainWindow::addActions() {
       ValueColors::Parts{document_, *view_, *actions_, *options_, *distances_});
   const PanelDock::Parts panels{*actions_, settings_, *this};
   history_ = std::make_unique<HistoryFlow>(HistoryFlow::Parts{document_, *editing_, panels});
+  nodeTable_ = std::make_unique<NodeTableFlow>(NodeTableFlow::Parts{document_, *editing_, panels});
   addPanelActions();
   addThemeActions();
   addHelpActions();

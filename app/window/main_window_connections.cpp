@@ -4,6 +4,7 @@
 #include "app/window/findings_flow.h"
 #include "app/window/history_flow.h"
 #include "app/window/main_window.h"
+#include "app/window/node_table_flow.h"
 #include "app/window/project_flow.h"
 #include "app/window/radius_flow.h"
 #include "app/window/recent_files.h"
@@ -220,6 +221,7 @@ void MainWindow::connectFindings() {
 
 void MainWindow::connectAtHand() {
   connect(history_.get(), &HistoryFlow::noted, status_, &StatusLine::showNote);
+  connect(nodeTable_.get(), &NodeTableFlow::noted, status_, &StatusLine::showNote);
 }
 
 } // namespace espalier

@@ -76,7 +76,7 @@ void MainWindow::fillMenus() {
        "compact_project", "", "close_plant", "quit"});
 
   QMenu* edit = menuBar()->addMenu(tr("&Edit"));
-  add(*edit, *actions_, {"undo", "redo", "", "accept", "next_way", "leave", ""});
+  add(*edit, *actions_, {"undo", "redo", "", "copy", "", "accept", "next_way", "leave", ""});
   add(*edit, *actions_, toolIds());
 
   QMenu* select = menuBar()->addMenu(tr("Se&lect"));
@@ -121,7 +121,7 @@ void MainWindow::fillViewMenu() {
   add(*view, *actions_, {"hide", "isolate", "clipping", "show_all", ""});
   add(*view->addMenu(tr("Panels")), *actions_,
       {"show_pipeline", "show_inspector", "show_review", "show_findings", "show_history",
-       "", "reset_layout"});
+       "show_node_table", "", "reset_layout"});
   add(*view->addMenu(tr("Theme")), *actions_, {"theme_system", "theme_light", "theme_dark"});
 }
 

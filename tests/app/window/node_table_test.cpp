@@ -1,0 +1,221 @@
+#include "tests/app/window/window_fixture.h"
+#include "tests/support/plants.h"
+#include "ui/panels/message_banner.h"
+#include "ui/panels/node_facts.h"
+#include "ui/panels/status_line.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QCheckBox>
+#include <QClipboard>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTableView>
+#include <QTest>
+
+#include <gmock/gmock.h>
+
+namespace espalier {
+namespace {
+
+using test::forkRoot;
+using test::forkTop;
+using testing::ElementsAre;
+
+struct NodeTableWindowTest : test::WindowTest {
+  void openTable() {
+    open({writeFork("fork.mtg")});
+    key(Qt::Key_F11);
+    QCoreApplication::processEvents(); // the dock takes its place
+  }
+  QTableView& table() { return find<QTableView>("node_table"); }
+  QModelIndex cell(NodeId id, NodeColumn column) {
+    for (int row = 0; row < table().model()->rowCount(); ++row)
+      if (table().model()->index(row, 0).data().toULongLong() == indexOf(id))
+        return table().model()->index(row, static_cast<int>(column));
+    ADD_FAILURE() << "no row of node " << indexOf(id);
+    return {};
+  }
+  QPoint placeOfCell(NodeId id, NodeColumn column) {
+    table().scrollTo(cell(id, column));
+    return table().visualRect(cell(id, column)).center();
+  }
+  void clickRow(NodeId id, Qt::KeyboardModifiers modifiers = {}) {
+    QTest::mouseClick(table().viewport(), Qt::LeftButton, modifiers,
+                      placeOfCell(id, NodeColumn::parent));
+  }
+  template <class Editor> Editor* edit(NodeId id, NodeColumn column) {
+    const QPoint place = placeOfCell(id, column);
+    QTest::mouseClick(table().viewport(), Qt::LeftButton, {}, place);
+    QTest::mouseDClick(table().viewport(), Qt::LeftButton, {}, place);
+    return table().viewport()->findChild<Editor*>();
+  }
+  void typeFilter(const QString& text) {
+    auto& field = find<QLineEdit>("node_filter");
+    field.setFocus();
+    field.clear();
+    QTest::keyClicks(&field, text);
+  }
+  QString count() { return find<QLabel>("node_count").text(); }
+  std::vector<NodeId> chosen() { return document().selection().nodes(); }
+};
+
+TEST_F(NodeTableWindowTest, ListsAllNodes) {
+  openTable();
+  EXPECT_TRUE(find<QDockWidget>("node_table").isVisible());
+  EXPECT_EQ(table().model()->rowCount(), 5);
+  EXPECT_EQ(count(), "5 of 5 nodes, 0 selected");
+}
+
+TEST_F(NodeTableWindowTest, RowsSelectNodes) {
+  openTable();
+  clickRow(forkTop);
+  EXPECT_THAT(chosen(), ElementsAre(forkTop));
+  clickRow(forkRoot, Qt::ControlModifier);
+  EXPECT_THAT(chosen(), ElementsAre(forkTop, forkRoot)) << "the one clicked last is last";
+  EXPECT_EQ(count(), "5 of 5 nodes, 2 selected");
+}
+
+TEST_F(NodeTableWindowTest, NodesSelectRows) {
+  openTable();
+  click(placeOf(forkTop));
+  ASSERT_THAT(chosen(), ElementsAre(forkTop));
+  EXPECT_TRUE(table().selectionModel()->isRowSelected(cell(forkTop, NodeColumn::node).row()));
+  EXPECT_EQ(table().selectionModel()->selectedRows().size(), 1);
+  EXPECT_EQ(table().currentIndex().row(), cell(forkTop, NodeColumn::node).row());
+  action("select_all").trigger();
+  EXPECT_EQ(table().selectionModel()->selectedRows().size(), 5);
+  document().selection().clear();
+  EXPECT_FALSE(table().selectionModel()->hasSelection());
+}
+
+TEST_F(NodeTableWindowTest, ShowsOnlyTheSelectedNodesOnRequest) {
+  openTable();
+  document().selection().set({forkRoot, forkTop});
+  find<QCheckBox>("only_selected").click();
+  EXPECT_EQ(table().model()->rowCount(), 2);
+  clickRow(forkRoot);
+  EXPECT_EQ(table().model()->rowCount(), 2) << "a click in the list does not shorten it";
+  EXPECT_THAT(chosen(), ElementsAre(forkRoot));
+  document().selection().set({forkTop});
+  EXPECT_EQ(table().model()->rowCount(), 1);
+  find<QCheckBox>("only_selected").click();
+  EXPECT_EQ(table().model()->rowCount(), 5);
+}
+
+TEST_F(NodeTableWindowTest, FiltersAsOneTypes) {
+  openTable();
+  typeFilter("edge = +");
+  EXPECT_EQ(table().model()->rowCount(), 2);
+  EXPECT_EQ(count(), "2 of 5 nodes, 0 selected");
+  typeFilter("girth > 2");
+  EXPECT_TRUE(count().startsWith("There is no column “girth”")) << count().toStdString();
+  typeFilter("");
+  EXPECT_EQ(table().model()->rowCount(), 5);
+  EXPECT_TRUE(chosen().empty()) << "to filter selects nothing";
+}
+
+TEST_F(NodeTableWindowTest, SortsByAClickOnTheHeader) {
+  openTable();
+  QHeaderView* header = table().horizontalHeader();
+  const int section = static_cast<int>(NodeColumn::z);
+  const QPoint place(header->sectionViewportPosition(section) + 10, header->height() / 2);
+  QTest::mouseClick(header->viewport(), Qt::LeftButton, {}, place);
+  QTest::mouseClick(header->viewport(), Qt::LeftButton, {}, place);
+  const auto first = table().model()->index(0, section).data().toDouble();
+  const auto last = table().model()->index(4, section).data().toDouble();
+  EXPECT_EQ(std::abs(first - last), 2);
+}
+
+TEST_F(NodeTableWindowTest, ARadiusIsTypedInPlaceAsOneStep) {
+  openTable();
+  auto* field = edit<QLineEdit>(forkTop, NodeColumn::radius);
+  ASSERT_NE(field, nullptr);
+  field->selectAll();
+  QTest::keyClicks(field, "0.25");
+  QTest::keyClick(field, Qt::Key_Return);
+  QCoreApplication::processEvents(); // the table takes what was typed once the key is done
+  EXPECT_EQ(document().skeleton()[forkTop].radius, 0.25);
+  EXPECT_EQ(document().undoStack().count(), 1) << "and nothing is marked as reviewed";
+  EXPECT_EQ(cell(forkTop, NodeColumn::radius).data(), "0.25000");
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_NEAR(document().skeleton()[forkTop].radius, 0.1, 1e-9);
+}
+
+TEST_F(NodeTableWindowTest, WhatIsNoRadiusIsToldAndChangesNothing) {
+  openTable();
+  auto* field = edit<QLineEdit>(forkTop, NodeColumn::radius);
+  ASSERT_NE(field, nullptr);
+  field->selectAll();
+  QTest::keyClicks(field, "thick");
+  QTest::keyClick(field, Qt::Key_Return);
+  QCoreApplication::processEvents(); // the table takes what was typed once the key is done
+  EXPECT_EQ(document().undoStack().count(), 0);
+  EXPECT_TRUE(window().banner().text().contains("“thick” is no radius"));
+}
+
+TEST_F(NodeTableWindowTest, AnEdgeIsChosenInPlace) {
+  openTable();
+  const NodeId shoot = document().skeleton().children(forkTop).front(); // the successor
+  auto* types = edit<QComboBox>(shoot, NodeColumn::edge);
+  ASSERT_NE(types, nullptr);
+  QTest::keyClick(types, Qt::Key_Down);
+  table().setFocus(); // leaves the cell
+  EXPECT_EQ(document().skeleton()[shoot].edge, EdgeType::branching);
+  EXPECT_EQ(document().undoStack().count(), 1);
+}
+
+TEST_F(NodeTableWindowTest, FollowsEdits) {
+  openTable();
+  document().edit("Add", [](SkeletonEditor& editor) {
+    editor.add({.position = {0, 0, 3}, .parent = forkTop});
+  });
+  EXPECT_TRUE(QTest::qWaitFor([this] { return table().model()->rowCount() == 6; }));
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(QTest::qWaitFor([this] { return table().model()->rowCount() == 5; }));
+  open({writeFork("other.mtg")});
+  EXPECT_EQ(table().model()->rowCount(), 5);
+}
+
+TEST_F(NodeTableWindowTest, CopiesTheSelectedRowsOrAll) {
+  openTable();
+  clickRow(forkTop);
+  key(Qt::Key_C, Qt::ControlModifier);
+  QStringList lines = QApplication::clipboard()->text().split('\n', Qt::SkipEmptyParts);
+  ASSERT_EQ(lines.size(), 2);
+  EXPECT_TRUE(lines[0].startsWith("node\tparent\t")) << lines[0].toStdString();
+  EXPECT_TRUE(lines[0].contains("radius [m]"));
+  EXPECT_TRUE(lines[1].startsWith(QString::number(indexOf(forkTop)) + "\t"));
+  EXPECT_EQ(window().statusLine().shownText(), "Copied 1 row");
+  document().selection().clear();
+  clickButton("copy_table");
+  lines = QApplication::clipboard()->text().split('\n', Qt::SkipEmptyParts);
+  EXPECT_EQ(lines.size(), 6);
+}
+
+TEST_F(NodeTableWindowTest, CopyTakesTheSelectedNodesWithoutATable) {
+  open({writeFork("fork.mtg")});
+  QApplication::clipboard()->setText("as before");
+  action("copy").trigger();
+  EXPECT_EQ(QApplication::clipboard()->text(), "as before");
+  EXPECT_TRUE(window().statusLine().shownText().startsWith("Select the nodes to copy"));
+  document().selection().set({forkTop, forkRoot});
+  action("copy").trigger();
+  EXPECT_EQ(QApplication::clipboard()->text().count('\n'), 3);
+}
+
+TEST_F(NodeTableWindowTest, CtrlCInTheFilterCopiesItsText) {
+  openTable();
+  typeFilter("order = 1");
+  auto& field = find<QLineEdit>("node_filter");
+  field.selectAll();
+  QTest::keyClick(&field, Qt::Key_C, Qt::ControlModifier);
+  EXPECT_EQ(QApplication::clipboard()->text(), "order = 1");
+}
+
+} // namespace
+} // namespace espalier

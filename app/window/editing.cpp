@@ -1,6 +1,7 @@
 #include "app/window/editing.h"
 
 #include "app/window/action_set.h"
+#include "app/window/key_hints.h"
 #include "app/window/node_menus.h"
 #include "app/window/radius_wheel.h"
 #include "app/window/resample_flow.h"
@@ -155,7 +156,8 @@ void Editing::setEnabled(bool isEnabled) {
 QString Editing::hint() const {
   if (isEnabled_ && document_.isReadOnly())
     return tr("Read-only   Drag: turn   Right drag: pan   Wheel: zoom");
-  return isEnabled_ ? tool().hint() : tr("Drag: turn   Right drag: pan   Wheel: zoom");
+  return isEnabled_ ? withKeys(tool().hint(), actions_)
+                    : tr("Drag: turn   Right drag: pan   Wheel: zoom");
 }
 
 void Editing::useTool(const QString& id) {
@@ -272,7 +274,7 @@ NodeTarget Editing::chosenTarget(const NodeEdit& edit) {
   const NodeTarget selected{.nodes = document_.selection().nodes(),
                             .viewDirection = viewDirection_};
   if (selected.nodes.empty())
-    throw Error(tr("select the node to go on from, or add a child with N").toStdString());
+    throw Error(tr("select the node to go on from, or add a child first").toStdString());
   return selected;
 }
 

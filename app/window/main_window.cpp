@@ -7,6 +7,7 @@
 #include "app/window/findings_flow.h"
 #include "app/window/history_flow.h"
 #include "app/window/icon.h"
+#include "app/window/key_hints.h"
 #include "app/window/node_table_flow.h"
 #include "app/window/project_flow.h"
 #include "app/window/radius_flow.h"
@@ -246,7 +247,8 @@ void MainWindow::refreshCounts() {
 void MainWindow::refreshHint() {
   QString hint = document_.isEmpty() ? tr("Open a scan, or drop one here") : editing_->hint();
   if (const QString radius = radius_->hint(); !radius.isEmpty()) hint = radius;
-  if (units_->marks() > 0) hint += tr("   U mark unit start");
+  if (units_->marks() > 0)
+    hint += "   " + withKeys(tr("{mark_unit_start} mark unit start"), *actions_);
   status_->setHint(hint);
 }
 

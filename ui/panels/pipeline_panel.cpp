@@ -14,7 +14,7 @@ PipelinePanel::PipelinePanel(PlantDocument& document, QWidget* parent)
     : QWidget(parent), document_(document), run_(new QPushButton(tr("Reconstruct"), this)) {
   run_->setProperty("role", "primary");
   run_->setObjectName("reconstruct_button");
-  run_->setToolTip(tr("Makes the skeleton from the scan (Ctrl+R)"));
+  run_->setToolTip(tr("Makes the skeleton from the scan"));
   auto* page = new QWidget;
   page->setObjectName("pipeline_page");
   auto* list = new QVBoxLayout(page);

@@ -17,17 +17,19 @@ QString MoveNodeTool::hint() const {
   if (drag_ && drag_->hasMoved) return tr("Release: leave it here   Esc: put it back");
   if (under().node && document().selection().contains(*under().node))
     return document().selection().nodes().size() > 1
-               ? tr("Drag: move the %n nodes   Shift+click: leave this one out   N new child   "
-                    "P reparent   Del remove",
+               ? tr("Drag: move the %n nodes   Shift+click: leave this one out   "
+                    "{new_child} new child   {tool_reparent} reparent   {remove} remove",
                     nullptr, static_cast<int>(document().selection().nodes().size()))
-               : tr("Drag: move %1   N new child   E split edge   P reparent   Del remove")
+               : tr("Drag: move %1   {new_child} new child   {split_edge} split edge   "
+                    "{tool_reparent} reparent   {remove} remove")
                      .arg(nodeName(*under().node));
   if (under().node)
-    return tr("Click: select %1   Drag: move it   N new child   E split edge   P reparent   "
-              "Del remove")
+    return tr("Click: select %1   Drag: move it   {new_child} new child   {split_edge} split edge  "
+              " "
+              "{tool_reparent} reparent   {remove} remove")
         .arg(nodeName(*under().node));
   if (under().edge)
-    return tr("Click: select %1   E: split the edge here   Drag: turn   Right drag: pan")
+    return tr("Click: select %1   {split_edge}: split the edge here   Drag: turn   Right drag: pan")
         .arg(nodeName(under().edge->child));
   return tr("Drag: turn   Right drag: pan   Wheel: zoom   Click a node: select it   "
             "Shift+drag: box   Alt+drag: lasso");

@@ -27,7 +27,8 @@ public:
   /// @throws Error if the act is refused; the document is as it was before the act
   bool handle(const ToolInput& input);
 
-  /// What the mouse will do now, given what is under it.
+  /// What the mouse will do now, given what is under it, in parts with three spaces between them.
+  /// A key is written as the id of its action in braces: "{new_child} new child".
   [[nodiscard]] virtual QString hint() const = 0;
 
   /// True in mid-gesture: then undo, Escape and other tools mean cancel().

@@ -166,7 +166,7 @@ void Editing::useTool(const QString& id) {
     if (!ends) toolBefore_ = tool_; // one does not come back to a tool that ends
     const QString left = std::exchange(tool_, id);
     Tool& before = *tools_.at(left);
-    if (before.isBusy() || before.hasPreview()) before.cancel();
+    if (before.isBusy() || before.hasPreview() || !before.result().isEmpty()) before.cancel();
   }
   tool_ = id;
   if (toolBefore_.isEmpty()) toolBefore_ = id;
@@ -198,7 +198,7 @@ void Editing::redo() {
 }
 
 void Editing::escape() {
-  if (isPending()) {
+  if (isPending() || !result().isEmpty()) {
     tool().cancel();
     emit hintChanged();
   } else if (tool_ != entries_.front().id)

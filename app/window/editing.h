@@ -43,6 +43,9 @@ public:
   void useTool(const QString& id);
   [[nodiscard]] Tool& toolNamed(const QString& id) const { return *tools_.at(id); }
 
+  /// What the tool has found, as a length; empty: nothing.
+  [[nodiscard]] QString result() const { return tool().result(); }
+
   void accept(); // what the preview shows, if there is one
   void undo();   // in mid-gesture: leaves the gesture
   void redo();

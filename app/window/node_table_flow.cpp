@@ -20,7 +20,7 @@ NodeTableFlow::NodeTableFlow(const Parts& parts)
   parts_.window.actions.add(
       {.id = "copy",
        .text = tr("&Copy"),
-       .help = tr("Copies the selected nodes as a table"),
+       .help = tr("Copies the selected nodes as a table, or what was measured"),
        .keys = QKeySequence::Copy,
        .refusal = Refusal::atPointer},
       [this] { copy(); });
@@ -66,6 +66,10 @@ void NodeTableFlow::guarded(const std::function<void()>& act) {
 /// What one sees as chosen: rows where the table has the keyboard, else the nodes in the view.
 void NodeTableFlow::copy() {
   if (panel_->isAncestorOf(QApplication::focusWidget())) return copyTable();
+  if (const QString measured = parts_.editing.result(); !measured.isEmpty()) {
+    QApplication::clipboard()->setText(measured);
+    return emit noted(tr("Copied: %1").arg(measured));
+  }
   const std::vector<NodeId>& nodes = parts_.document.selection().nodes();
   if (nodes.empty()) throw Error(tr("select the nodes to copy first").toStdString());
   panel_->model().update();

@@ -1,6 +1,7 @@
 #include "ui/tools/registry.h"
 
 #include "ui/tools/add_node_tool.h"
+#include "ui/tools/measure_tool.h"
 #include "ui/tools/move_node_tool.h"
 #include "ui/tools/navigate_tool.h"
 #include "ui/tools/regrow_tool.h"
@@ -41,6 +42,8 @@ std::vector<ToolEntry> tools() {
        "regrow", QKeySequence(Qt::SHIFT | Qt::Key_N), make<RegrowTool>},
       {"navigate", tr("Navigate"), tr("The mouse only moves the camera"), "navigate", Qt::Key_V,
        make<NavigateTool>},
+      {"measure", tr("Measure"), tr("Click two things for their distance, three for an angle"),
+       "measure", Qt::Key_I, make<MeasureTool>},
   };
 }
 

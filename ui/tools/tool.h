@@ -41,6 +41,9 @@ public:
   /// @throws Error if that is refused; the preview stays
   virtual void accept() {}
 
+  /// What it has found, to be read and copied; Escape takes it away. Empty: nothing.
+  [[nodiscard]] virtual QString result() const { return {}; }
+
   /// Leaves the gesture with nothing changed, and drops the preview.
   virtual void cancel() {}
 

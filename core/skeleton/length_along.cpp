@@ -1,0 +1,56 @@
+#include "core/skeleton/length_along.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace espalier {
+namespace {
+
+/// From the root to the node.
+std::vector<NodeId> wayTo(const Skeleton& skeleton, NodeId id) {
+  std::vector<NodeId> way;
+  for (std::optional<NodeId> at = id; at; at = skeleton[*at].parent)
+    way.push_back(*at);
+  std::ranges::reverse(way);
+  return way;
+}
+
+double edgeLength(const Skeleton& skeleton, NodeId id) {
+  const Node& node = skeleton[id];
+  return node.parent ? (node.position - skeleton[*node.parent].position).norm() : 0;
+}
+
+/// From the foot of the edge of `way[first]` to a place on the last edge of the way.
+double lengthOf(const Skeleton& skeleton, const std::vector<NodeId>& way, std::size_t first,
+                const SkeletonPlace& place) {
+  double length = 0;
+  for (std::size_t i = first; i + 1 < way.size(); ++i)
+    length += edgeLength(skeleton, way[i]);
+  return length + place.fraction * edgeLength(skeleton, way.back());
+}
+
+} // namespace
+
+Eigen::Vector3d positionOf(const Skeleton& skeleton, const SkeletonPlace& place) {
+  const Node& node = skeleton[place.node];
+  if (!node.parent) return node.position;
+  const Eigen::Vector3d& foot = skeleton[*node.parent].position;
+  return foot + place.fraction * (node.position - foot);
+}
+
+std::optional<double> lengthAlong(const Skeleton& skeleton, const SkeletonPlace& from,
+                                  const SkeletonPlace& to) {
+  const std::vector<NodeId> a = wayTo(skeleton, from.node);
+  const std::vector<NodeId> b = wayTo(skeleton, to.node);
+  if (a.front() != b.front()) return std::nullopt;
+  const auto shared = static_cast<std::size_t>(std::ranges::mismatch(a, b).in1 - a.begin()); // >= 1
+  // One on the way to the other: both are measured from the foot of the last edge they share.
+  const bool isOnTheWay = shared == a.size() || shared == b.size();
+  const std::size_t first = isOnTheWay ? shared - 1 : shared;
+  const double lengthA = lengthOf(skeleton, a, first, from);
+  const double lengthB = lengthOf(skeleton, b, first, to);
+  return isOnTheWay ? std::abs(lengthA - lengthB) : lengthA + lengthB;
+}
+
+} // namespace espalier

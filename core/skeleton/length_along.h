@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/skeleton/skeleton.h"
+
+#include <optional>
+
+namespace espalier {
+
+/// A place on the edge from a node to its parent, or a node itself.
+struct SkeletonPlace {
+  NodeId node;
+  double fraction = 1; // 0 at the parent, 1 at the node; of a root it has no meaning
+};
+
+/// Where a place is [L]. pre: the skeleton has its node
+[[nodiscard]] Eigen::Vector3d positionOf(const Skeleton& skeleton, const SkeletonPlace& place);
+
+/// The length of the way along edges from one place to another [L]; none if they are in different
+/// trees. Time O(depth). pre: the skeleton has both nodes
+[[nodiscard]] std::optional<double> lengthAlong(const Skeleton& skeleton, const SkeletonPlace& from,
+                                                const SkeletonPlace& to);
+
+} // namespace espalier

@@ -1,0 +1,62 @@
+#include "tests/app/window/window_fixture.h"
+#include "tests/support/plants.h"
+#include "ui/panels/status_line.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QTest>
+
+namespace espalier {
+namespace {
+
+using test::forkRoot;
+using test::forkTop;
+
+struct MeasureWindowTest : test::WindowTest {
+  void measureTrunk() {
+    open({writeFork("fork.mtg")});
+    key(Qt::Key_I);
+    click(placeOf(forkRoot));
+    click(placeOf(forkTop));
+  }
+  QString told() { return window().statusLine().shownText(); }
+};
+
+TEST_F(MeasureWindowTest, TwoClicksTellTheLengthInTheStatusLine) {
+  measureTrunk();
+  EXPECT_TRUE(told().startsWith("straight 1.000\u202fm   along the plant 1.000\u202fm"))
+      << told().toStdString();
+  EXPECT_TRUE(document().selection().isEmpty()) << "to measure selects nothing";
+}
+
+TEST_F(MeasureWindowTest, CtrlCCopiesIt) {
+  measureTrunk();
+  document().selection().set({forkTop});
+  key(Qt::Key_C, Qt::ControlModifier);
+  EXPECT_EQ(QApplication::clipboard()->text(),
+            "straight 1.000\u202fm   along the plant 1.000\u202fm");
+}
+
+TEST_F(MeasureWindowTest, EscapeClearsItAndThenLeavesTheTool) {
+  measureTrunk();
+  key(Qt::Key_Escape);
+  EXPECT_TRUE(told().startsWith("Click two nodes")) << told().toStdString();
+  EXPECT_TRUE(action("tool_measure").isChecked());
+  key(Qt::Key_Escape);
+  EXPECT_TRUE(action("tool_move").isChecked());
+}
+
+TEST_F(MeasureWindowTest, AnotherToolClearsItAndUndoStillUndoes) {
+  measureTrunk();
+  edit();
+  EXPECT_TRUE(told().contains("straight") || told() == "Move") << told().toStdString();
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(document().undoStack().index(), 0);
+  key(Qt::Key_S);
+  key(Qt::Key_I);
+  EXPECT_FALSE(told().contains("straight")) << told().toStdString();
+}
+
+} // namespace
+} // namespace espalier

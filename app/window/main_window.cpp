@@ -17,6 +17,7 @@
 #include "app/window/saved_views.h"
 #include "app/window/seal_flow.h"
 #include "app/window/shown_flow.h"
+#include "app/window/theme_flow.h"
 #include "app/window/trace_flow.h"
 #include "app/window/unit_flow.h"
 #include "app/window/value_colors.h"
@@ -99,7 +100,7 @@ MainWindow::MainWindow(QSettings& settings, QWidget* parent)
   connectReview();
   connectFindings();
   connectAtHand();
-  useTheme(themeNamed(settings_.value("theme").toString()));
+  theme_->start();
   restoreGeometry(settings_.value("window/geometry").toByteArray());
   restoreState(settings_.value("window/state").toByteArray());
   refreshEmptiness();
@@ -270,12 +271,6 @@ void MainWindow::refreshEmptiness() {
 
 void MainWindow::reconstruct() {
   reconstruct_->start(pipeline_->options());
-}
-
-void MainWindow::useTheme(Theme theme) {
-  settings_.setValue("theme", nameOf(theme));
-  view_->setDark(applyTheme(theme));
-  (*actions_)["theme_" + nameOf(theme)]->setChecked(true);
 }
 
 void MainWindow::resetLayout() {

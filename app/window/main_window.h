@@ -1,6 +1,5 @@
 #pragma once
 
-#include "app/window/theme.h"
 #include "ui/document/plant_document.h"
 #include "ui/jobs/job_runner.h"
 
@@ -38,6 +37,7 @@ class ShownFlow;
 class StartPage;
 class StatusLine;
 class TraceFlow;
+class ThemeFlow;
 class UnitFlow;
 class ValueColors;
 class ViewOptions;
@@ -75,7 +75,6 @@ private:
   void addEditActions();    // likewise
   void addPanelActions();   // likewise
   void addHelpActions();    // likewise
-  void addThemeActions();   // likewise
   void fillMenus();         // menus.cpp
   void fillViewMenu();      // likewise
   void fillToolBar();       // likewise
@@ -96,7 +95,6 @@ private:
   void refreshHint();
   void refreshEmptiness();
   void reconstruct();
-  void useTheme(Theme theme);
   void resetLayout();
   void showRefusal(const QString& reason, Refusal where);
   void showContextMenu(const QPoint& globalPosition);
@@ -131,6 +129,7 @@ private:
   std::unique_ptr<ExplainedFlow> explained_;
   std::unique_ptr<HistoryFlow> history_;
   std::unique_ptr<NodeTableFlow> nodeTable_;
+  ThemeFlow* theme_;
   std::unique_ptr<ViewOptions> options_;
   std::unique_ptr<SavedViews> savedViews_;
   std::unique_ptr<ValueColors> valueColors_;

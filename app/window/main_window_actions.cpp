@@ -12,6 +12,7 @@
 #include "app/window/saved_views.h"
 #include "app/window/seal_flow.h"
 #include "app/window/shown_flow.h"
+#include "app/window/theme_flow.h"
 #include "app/window/trace_flow.h"
 #include "app/window/unit_flow.h"
 #include "app/window/value_colors.h"
@@ -25,7 +26,6 @@
 #include "ui/view/plant_view.h"
 
 #include <QAction>
-#include <QActionGroup>
 #include <QCoreApplication>
 #include <QMessageBox>
 #include <QSettings>
@@ -65,7 +65,7 @@ void MainWindow::addActions() {
   history_ = std::make_unique<HistoryFlow>(HistoryFlow::Parts{document_, *editing_, panels});
   nodeTable_ = std::make_unique<NodeTableFlow>(NodeTableFlow::Parts{document_, *editing_, panels});
   addPanelActions();
-  addThemeActions();
+  theme_ = new ThemeFlow({*actions_, settings_, *this});
   addHelpActions();
 }
 
@@ -197,22 +197,6 @@ void MainWindow::addPanelActions() {
                  .text = tr("Reset Layout"),
                  .help = tr("Puts all panels back in their places")},
                 [this] { resetLayout(); });
-}
-
-void MainWindow::addThemeActions() {
-  actions_->beginSection(tr("Theme"));
-  auto* group = new QActionGroup(this);
-  const auto add = [&](Theme theme, const QString& text, const QString& icon) {
-    group->addAction(actions_->add({.id = "theme_" + nameOf(theme),
-                                    .text = text,
-                                    .help = tr("Changes the colors of the window"),
-                                    .icon = icon,
-                                    .isCheckable = true},
-                                   [this, theme] { useTheme(theme); }));
-  };
-  add(Theme::system, tr("As the System"), {});
-  add(Theme::light, tr("Light"), "light");
-  add(Theme::dark, tr("Dark"), "dark");
 }
 
 void MainWindow::addHelpActions() {

@@ -13,6 +13,7 @@
 #include "app/window/saved_views.h"
 #include "app/window/seal_flow.h"
 #include "app/window/shown_flow.h"
+#include "app/window/theme_flow.h"
 #include "app/window/unit_flow.h"
 #include "app/window/view_options.h"
 #include "core/pipeline/preset.h"
@@ -220,6 +221,7 @@ void MainWindow::connectFindings() {
 }
 
 void MainWindow::connectAtHand() {
+  connect(theme_, &ThemeFlow::changed, view_, &PlantView::setDark);
   connect(history_.get(), &HistoryFlow::noted, status_, &StatusLine::showNote);
   connect(nodeTable_.get(), &NodeTableFlow::noted, status_, &StatusLine::showNote);
 }

@@ -53,12 +53,6 @@ QString styleSheetOf(const ThemeColors& colors, bool dark) {
   return sheet;
 }
 
-/// Is the system dark? Asked once, before the palette is ours.
-bool isSystemDark() {
-  static const bool dark = QApplication::palette().color(QPalette::Window).lightness() < 128;
-  return dark;
-}
-
 } // namespace
 
 QString nameOf(Theme theme) {
@@ -106,14 +100,21 @@ ThemeColors themeColors(bool dark) {
           .onError = "#6d2408"};
 }
 
-bool applyTheme(Theme theme) {
-  const bool dark = theme == Theme::dark || (theme == Theme::system && isSystemDark());
-  const ThemeColors colors = themeColors(dark);
+bool isSystemDark() {
+  const QPalette ours = QApplication::palette();
+  const bool isOurs = ours.resolveMask() != 0;
+  if (isOurs) QApplication::setPalette(QPalette()); // nothing set: that of the system shows
+  const bool isDark = QApplication::palette().color(QPalette::Window).lightness() < 128;
+  if (isOurs) QApplication::setPalette(ours);
+  return isDark;
+}
+
+void applyTheme(bool isDark) {
+  const ThemeColors colors = themeColors(isDark);
   QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
   QApplication::setPalette(paletteOf(colors));
   static_cast<QApplication*>(QCoreApplication::instance())
-      ->setStyleSheet(styleSheetOf(colors, dark));
-  return dark;
+      ->setStyleSheet(styleSheetOf(colors, isDark));
 }
 
 } // namespace espalier

@@ -30,7 +30,10 @@ struct ThemeColors {
 
 [[nodiscard]] ThemeColors themeColors(bool dark);
 
-/// Gives the whole program the look of the theme. Returns whether that is dark.
-bool applyTheme(Theme theme);
+/// Is the system dark now? Takes the palette of the program away for as long as it asks.
+[[nodiscard]] bool isSystemDark();
+
+/// Gives the whole program a dark or a light look.
+void applyTheme(bool isDark);
 
 } // namespace espalier

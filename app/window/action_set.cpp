@@ -22,6 +22,15 @@ void takeWhatIsTyped() {
     emit text->editingFinished();
 }
 
+/// Its text, its keys and what it does, as they are now.
+void refreshToolTip(QAction& action) {
+  const QString text = action.text().remove('&').remove(QChar(0x2026)).toHtmlEscaped();
+  const QString keys = action.shortcut().toString(QKeySequence::NativeText).toHtmlEscaped();
+  action.setToolTip(QStringLiteral("<b>%1</b>%2<br>%3")
+                        .arg(text, keys.isEmpty() ? "" : "&nbsp;&nbsp; " + keys,
+                             action.statusTip().toHtmlEscaped()));
+}
+
 } // namespace
 
 ActionSet::ActionSet(QWidget& window) : QObject(&window), window_(window) {}
@@ -31,11 +40,10 @@ QAction* ActionSet::add(const Command& command, std::function<void()> act) {
   action->setShortcut(command.keys);
   action->setCheckable(command.isCheckable);
   action->setStatusTip(command.help);
-  const QString keys = command.keys.toString(QKeySequence::NativeText);
   const QString name = QString(command.text).remove('&').remove(QChar(0x2026));
   action->setProperty("name", name); // for lists: its text may tell of what it acts on now
-  action->setToolTip(QStringLiteral("<b>%1</b>%2<br>%3")
-                         .arg(name, keys.isEmpty() ? "" : "&nbsp;&nbsp; " + keys, command.help));
+  refreshToolTip(*action);
+  connect(action, &QAction::changed, action, [action] { refreshToolTip(*action); });
   if (act)
     connect(action, &QAction::triggered, this,
             [this, refusal = command.refusal, act = std::move(act)] {

@@ -21,6 +21,7 @@ class FileFlow;
 class FindingsFlow;
 class HistoryFlow;
 class InspectorPanel;
+class KeyBindings;
 class MessageBanner;
 class NodeTableFlow;
 class PipelinePanel;
@@ -130,6 +131,7 @@ private:
   std::unique_ptr<HistoryFlow> history_;
   std::unique_ptr<NodeTableFlow> nodeTable_;
   ThemeFlow* theme_;
+  KeyBindings* keys_ = nullptr;
   std::unique_ptr<ViewOptions> options_;
   std::unique_ptr<SavedViews> savedViews_;
   std::unique_ptr<ValueColors> valueColors_;

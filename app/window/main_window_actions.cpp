@@ -18,6 +18,7 @@
 #include "app/window/value_colors.h"
 #include "app/window/view_options.h"
 #include "ui/dialogs/command_palette.h"
+#include "ui/dialogs/key_bindings.h"
 #include "ui/dialogs/manual_window.h"
 #include "ui/dialogs/shortcut_sheet.h"
 #include "ui/panels/inspector_panel.h"
@@ -67,6 +68,7 @@ void MainWindow::addActions() {
   addPanelActions();
   theme_ = new ThemeFlow({*actions_, settings_, *this});
   addHelpActions();
+  keys_ = new KeyBindings(actions_->all(), {"leave", "accept"}, settings_, this);
 }
 
 void MainWindow::addFileActions() {
@@ -153,11 +155,9 @@ void MainWindow::addEditActions() {
   connect(&stack, &QUndoStack::canRedoChanged, redo, &QAction::setEnabled);
   connect(&stack, &QUndoStack::undoTextChanged, undo, [undo](const QString& step) {
     undo->setText(step.isEmpty() ? tr("&Undo") : tr("&Undo: %1").arg(step));
-    undo->setToolTip(undo->text().remove('&') + " (Ctrl+Z)");
   });
   connect(&stack, &QUndoStack::redoTextChanged, redo, [redo](const QString& step) {
     redo->setText(step.isEmpty() ? tr("&Redo") : tr("&Redo: %1").arg(step));
-    redo->setToolTip(redo->text().remove('&') + " (Ctrl+Shift+Z)");
   });
   actions_->add({.id = "select_all",
                  .text = tr("Select &All"),
@@ -222,7 +222,7 @@ void MainWindow::addHelpActions() {
                  .help = tr("Shows all keys on one sheet"),
                  .icon = "keyboard",
                  .keys = QKeySequence(Qt::Key_Question)},
-                [this] { (new ShortcutSheet(actions_->all(), this))->show(); });
+                [this] { (new ShortcutSheet(*keys_, this))->show(); });
   actions_->add({.id = "about", .text = tr("About Espalier"), .help = tr("What this is")}, [this] {
     QMessageBox::about(this, tr("About Espalier"),
                        tr("<b>Espalier %1</b><br>From a laser scan of a plant to a skeleton an "

@@ -17,6 +17,7 @@
 #include "app/window/unit_flow.h"
 #include "app/window/view_options.h"
 #include "core/pipeline/preset.h"
+#include "ui/dialogs/key_bindings.h"
 #include "ui/panels/inspector_panel.h"
 #include "ui/panels/message_banner.h"
 #include "ui/panels/pipeline_panel.h"
@@ -221,6 +222,7 @@ void MainWindow::connectFindings() {
 }
 
 void MainWindow::connectAtHand() {
+  connect(keys_, &KeyBindings::changed, this, &MainWindow::refreshHint);
   connect(theme_, &ThemeFlow::changed, view_, &PlantView::setDark);
   connect(history_.get(), &HistoryFlow::noted, status_, &StatusLine::showNote);
   connect(nodeTable_.get(), &NodeTableFlow::noted, status_, &StatusLine::showNote);

@@ -1,21 +1,31 @@
 #include "ui/dialogs/shortcut_sheet.h"
 
+#include "ui/dialogs/key_bindings.h"
+#include "ui/dialogs/keys_dialog.h"
+
 #include <QAction>
 #include <QDialogButtonBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QVBoxLayout>
 
+#include <functional>
 #include <utility>
 #include <vector>
 
 namespace espalier {
 namespace {
 
+struct Row {
+  QString keys;
+  QString does;
+  const QAction* action = nullptr; // null: what the mouse does
+};
 struct Section {
   QString name;
-  std::vector<std::pair<QString, QString>> rows; // keys, what they do
+  std::vector<Row> rows;
   [[nodiscard]] std::size_t height() const { return rows.size() + 2; }
 };
 
@@ -41,13 +51,32 @@ std::vector<Section> sectionsOf(const QList<QAction*>& actions) {
     if (action->shortcut().isEmpty()) continue;
     const QString name = action->property("section").toString();
     if (sections.back().name != name) sections.push_back({name, {}});
-    sections.back().rows.emplace_back(action->shortcut().toString(QKeySequence::NativeText),
-                                      action->property("name").toString());
+    sections.back().rows.push_back({action->shortcut().toString(QKeySequence::NativeText),
+                                    action->property("name").toString(), action});
   }
   return sections;
 }
 
-QWidget* makeSection(const Section& section, QWidget* parent) {
+using Change = std::function<void(const QAction*)>;
+
+QWidget* makeKeys(const Row& row, const Change& change) {
+  if (row.action == nullptr) {
+    auto* label = new QLabel(row.keys);
+    label->setProperty("role", "key");
+    return label;
+  }
+  auto* button = new QPushButton(row.keys);
+  button->setObjectName("keys_of_" + row.action->objectName());
+  button->setProperty("role", "key");
+  button->setAutoDefault(false);
+  button->setToolTip(ShortcutSheet::tr("Change…"));
+  button->setAccessibleName(ShortcutSheet::tr("%1: %2. Change").arg(row.does, row.keys));
+  QObject::connect(button, &QPushButton::clicked, button,
+                   [change, action = row.action] { change(action); });
+  return button;
+}
+
+QWidget* makeSection(const Section& section, const Change& change, QWidget* parent) {
   auto* widget = new QWidget(parent);
   auto* grid = new QGridLayout(widget);
   grid->setContentsMargins(0, 0, 0, 0);
@@ -57,18 +86,17 @@ QWidget* makeSection(const Section& section, QWidget* parent) {
   auto* title = new QLabel(section.name, widget);
   title->setProperty("role", "section");
   grid->addWidget(title, 0, 0, 1, 2);
-  int row = 0;
-  for (const auto& [keys, act] : section.rows) {
-    auto* keyLabel = new QLabel(keys, widget);
-    keyLabel->setProperty("role", "key");
-    grid->addWidget(keyLabel, ++row, 0, Qt::AlignLeft);
-    grid->addWidget(new QLabel(act, widget), row, 1);
+  int line = 0;
+  for (const Row& row : section.rows) {
+    grid->addWidget(makeKeys(row, change), ++line, 0, Qt::AlignLeft);
+    grid->addWidget(new QLabel(row.does, widget), line, 1);
   }
   return widget;
 }
 
 /// The sections one below the other, in `count` columns of about the same height.
-QHBoxLayout* makeColumns(const std::vector<Section>& sections, std::size_t count, QWidget* parent) {
+QHBoxLayout* makeColumns(const std::vector<Section>& sections, std::size_t count,
+                         const Change& change, QWidget* parent) {
   std::size_t total = 0;
   for (const Section& section : sections)
     total += section.height();
@@ -84,7 +112,7 @@ QHBoxLayout* makeColumns(const std::vector<Section>& sections, std::size_t count
       column->setSpacing(16);
       columns->addLayout(column);
     }
-    column->addWidget(makeSection(section, parent));
+    column->addWidget(makeSection(section, change, parent));
     used += section.height();
   }
   column->addStretch(1);
@@ -93,17 +121,40 @@ QHBoxLayout* makeColumns(const std::vector<Section>& sections, std::size_t count
 
 } // namespace
 
-ShortcutSheet::ShortcutSheet(const QList<QAction*>& actions, QWidget* parent) : QDialog(parent) {
+ShortcutSheet::ShortcutSheet(KeyBindings& bindings, QWidget* parent)
+    : QDialog(parent), bindings_(bindings), rows_(new QWidget) {
   setObjectName("shortcut_sheet");
   setWindowTitle(tr("Shortcuts"));
   setAttribute(Qt::WA_DeleteOnClose);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+  QPushButton* change = buttons->addButton(tr("Change Keys…"), QDialogButtonBox::ActionRole);
+  connect(change, &QPushButton::clicked, this, [this] { this->change(nullptr); });
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* page = new QVBoxLayout(this);
   page->setContentsMargins(24, 20, 24, 16);
   page->setSpacing(16);
-  page->addLayout(makeColumns(sectionsOf(actions), 3, this));
+  page->addWidget(rows_);
   page->addWidget(buttons);
+  connect(&bindings_, &KeyBindings::changed, this, &ShortcutSheet::fill);
+  fill();
+}
+
+void ShortcutSheet::fill() {
+  auto* rows = new QWidget;
+  const Change change = [this](const QAction* action) { this->change(action); };
+  QHBoxLayout* columns = makeColumns(sectionsOf(bindings_.actions()), 3, change, rows);
+  columns->setContentsMargins(0, 0, 0, 0);
+  rows->setLayout(columns);
+  delete layout()->replaceWidget(rows_, rows);
+  rows_->setParent(nullptr);
+  rows_->deleteLater(); // a button of it may have been clicked
+  rows_ = rows;
+}
+
+void ShortcutSheet::change(const QAction* action) {
+  auto* dialog = new KeysDialog(bindings_, action, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->open();
 }
 
 } // namespace espalier

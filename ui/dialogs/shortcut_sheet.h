@@ -1,18 +1,28 @@
 #pragma once
 
 #include <QDialog>
-#include <QList>
 
 class QAction;
 
 namespace espalier {
 
-/// All commands that have keys, and what the mouse does, on one sheet.
+class KeyBindings;
+
+/// All commands that have keys, and what the mouse does, on one sheet. A click on keys changes
+/// them.
 class ShortcutSheet : public QDialog {
   Q_OBJECT
 
 public:
-  explicit ShortcutSheet(const QList<QAction*>& actions, QWidget* parent = nullptr);
+  /// @param bindings must outlive it
+  explicit ShortcutSheet(KeyBindings& bindings, QWidget* parent = nullptr);
+
+private:
+  void fill();
+  void change(const QAction* action); // null: none chosen yet
+
+  KeyBindings& bindings_;
+  QWidget* rows_;
 };
 
 } // namespace espalier

@@ -1,0 +1,173 @@
+#include "app/window/action_set.h"
+#include "app/window/key_hints.h"
+#include "tests/app/window/window_fixture.h"
+#include "tests/support/plants.h"
+#include "ui/dialogs/key_edit.h"
+#include "ui/panels/status_line.h"
+
+#include <QAction>
+#include <QDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTest>
+#include <QTreeWidget>
+
+namespace espalier {
+namespace {
+
+struct KeysWindowTest : test::WindowTest {
+  QDialog& sheet() { return find<QDialog>("shortcut_sheet"); }
+  /// Opens the dialog for a command by a click on its keys in the sheet.
+  void change(const QString& id) {
+    action("shortcuts").trigger();
+    clickButton("keys_of_" + id);
+  }
+  void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
+    QTest::keyClick(&find<KeyEdit>("new_keys"), key, modifiers);
+  }
+  void close() {
+    find<QDialog>("keys_dialog").reject();
+    sheet().reject();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  }
+  QString note() { return find<QLabel>("keys_note").text(); }
+  QString keysOf(const QString& id) { return action(id).shortcut().toString(); }
+};
+
+TEST_F(KeysWindowTest, TheSheetChangesTheKeysOfACommand) {
+  change("new_child");
+  press(Qt::Key_C);
+  EXPECT_EQ(note(), "");
+  clickButton("set_keys");
+  EXPECT_EQ(keysOf("new_child"), "C");
+  EXPECT_EQ(sheet().findChild<QPushButton*>("keys_of_new_child")->text(), "C");
+  EXPECT_TRUE(action("new_child").toolTip().contains("&nbsp; C<"))
+      << action("new_child").toolTip().toStdString();
+}
+
+TEST_F(KeysWindowTest, TheNewKeyWorksAndTheOldOneNoMore) {
+  open({writeFork("fork.mtg")});
+  change("new_child");
+  press(Qt::Key_C);
+  clickButton("set_keys");
+  close();
+  document().selection().set({test::forkTop});
+  key(Qt::Key_N);
+  EXPECT_EQ(document().skeleton().size(), 5U);
+  key(Qt::Key_C);
+  EXPECT_EQ(document().skeleton().size(), 6U);
+}
+
+TEST_F(KeysWindowTest, HintsNameTheNewKey) {
+  open({writeFork("fork.mtg")});
+  hover(placeOf(test::forkTop));
+  EXPECT_TRUE(window().statusLine().shownText().contains("N new child"));
+  change("new_child");
+  press(Qt::Key_C);
+  clickButton("set_keys");
+  EXPECT_TRUE(window().statusLine().shownText().contains("C new child"))
+      << window().statusLine().shownText().toStdString();
+}
+
+TEST_F(KeysWindowTest, KeysOfAnotherCommandAreToldAndMoved) {
+  change("new_child");
+  press(Qt::Key_T);
+  EXPECT_EQ(note(), "T is used for “Stick to Points”, which would lose it");
+  EXPECT_EQ(keysOf("stick"), "T") << "until one says so";
+  EXPECT_EQ(find<QPushButton>("set_keys").text(), "Move Here");
+  clickButton("set_keys");
+  EXPECT_EQ(keysOf("new_child"), "T");
+  EXPECT_EQ(keysOf("stick"), "");
+}
+
+TEST_F(KeysWindowTest, EscapeStaysWithItsCommand) {
+  change("new_child");
+  press(Qt::Key_Escape);
+  EXPECT_EQ(note(), "Esc stays with “Leave”: press others");
+  EXPECT_FALSE(find<QPushButton>("set_keys").isEnabled());
+  auto* list = &find<QTreeWidget>("keys_list");
+  list->setCurrentItem(list->findItems("Leave", Qt::MatchExactly | Qt::MatchRecursive).value(0));
+  EXPECT_FALSE(find<QPushButton>("clear_keys").isEnabled());
+}
+
+TEST_F(KeysWindowTest, ShiftAloneIsNoKeyAndASignIsToldAsItself) {
+  change("new_child");
+  press(Qt::Key_Shift, Qt::ShiftModifier);
+  EXPECT_FALSE(find<QPushButton>("set_keys").isEnabled());
+  press(Qt::Key_Exclam, Qt::ShiftModifier);
+  clickButton("set_keys");
+  EXPECT_EQ(keysOf("new_child"), "!");
+}
+
+TEST_F(KeysWindowTest, KeysAreKept) {
+  change("undo");
+  press(Qt::Key_U, Qt::ControlModifier);
+  clickButton("set_keys");
+  close();
+  change("stick");
+  clickButton("clear_keys");
+  restart();
+  EXPECT_EQ(keysOf("undo"), "Ctrl+U");
+  EXPECT_EQ(keysOf("stick"), "");
+  EXPECT_EQ(keysOf("redo"), "Ctrl+Shift+Z");
+}
+
+TEST_F(KeysWindowTest, OneIsResetAndTakesItsKeyBack) {
+  change("new_child");
+  press(Qt::Key_T);
+  clickButton("set_keys");
+  auto* list = &find<QTreeWidget>("keys_list");
+  list->setCurrentItem(
+      list->findItems("Stick to Points", Qt::MatchExactly | Qt::MatchRecursive).value(0));
+  clickButton("reset_keys");
+  EXPECT_EQ(keysOf("stick"), "T");
+  EXPECT_EQ(keysOf("new_child"), "");
+  EXPECT_FALSE(find<QPushButton>("reset_keys").isEnabled());
+}
+
+TEST_F(KeysWindowTest, AllAreReset) {
+  const QList<QKeySequence> redo = action("redo").shortcuts();
+  change("redo");
+  press(Qt::Key_T);
+  clickButton("set_keys");
+  EXPECT_EQ(action("redo").shortcuts().size(), 1);
+  clickButton("reset_all_keys");
+  EXPECT_EQ(keysOf("stick"), "T");
+  EXPECT_EQ(action("redo").shortcuts(), redo) << "the second key as well";
+  EXPECT_FALSE(find<QPushButton>("reset_all_keys").isEnabled());
+  restart();
+  EXPECT_EQ(action("redo").shortcuts(), redo);
+}
+
+TEST_F(KeysWindowTest, TheListIsFilteredByNameAndByKey) {
+  action("shortcuts").trigger();
+  clickButton("keys_of_new_child");
+  auto& list = find<QTreeWidget>("keys_list");
+  const auto shown = [&] {
+    QStringList names;
+    for (QTreeWidgetItemIterator at(&list, QTreeWidgetItemIterator::NotHidden |
+                                               QTreeWidgetItemIterator::NoChildren);
+         *at != nullptr; ++at)
+      names.append((*at)->text(0));
+    return names;
+  };
+  QTest::keyClicks(&find<QLineEdit>("keys_filter"), "stick to");
+  EXPECT_EQ(shown(), QStringList{"Stick to Points"});
+  find<QLineEdit>("keys_filter").clear();
+  QTest::keyClicks(&find<QLineEdit>("keys_filter"), "ctrl+z");
+  EXPECT_EQ(shown(), QStringList{"Undo"});
+}
+
+TEST_F(KeysWindowTest, AHintWithoutAKeyIsLeftOut) {
+  const ActionSet& actions = window().actionSet();
+  EXPECT_EQ(withKeys("Drag: turn   {new_child} new child   Esc: leave", actions),
+            "Drag: turn   N new child   Esc: leave");
+  action("new_child").setShortcut({});
+  EXPECT_EQ(withKeys("Drag: turn   {new_child} new child   Esc: leave", actions),
+            "Drag: turn   Esc: leave");
+  EXPECT_EQ(withKeys("as it is", actions), "as it is");
+}
+
+} // namespace
+} // namespace espalier

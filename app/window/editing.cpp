@@ -208,18 +208,42 @@ void Editing::escape() {
 }
 
 void Editing::fillContextMenu(QMenu& menu) const {
-  const NodeTarget meant = target();
-  if (!meant.nodes.empty()) {
-    QString title = nodeNames(meant.nodes);
-    title[0] = title[0].toUpper();
-    menu.addSection(title);
-    fillNodeEdits(menu, actions_);
-    menu.insertAction(actions_["stick"], actions_["tool_reparent"]);
-    menu.insertSeparator(actions_["remove"]);
-    menu.addSeparator();
+  const std::vector<NodeId> nodes = target().nodes;
+  const auto begun = [](QString text) {
+    text[0] = text[0].toUpper();
+    return text;
+  };
+  const auto fill = [this](QMenu& to) {
+    fillNodeEdits(to, actions_);
+    to.insertAction(actions_["stick"], actions_["tool_reparent"]);
+    to.insertSeparator(actions_["remove"]);
+  };
+  if (nodeUnder() && !nodes.empty()) {
+    menu.addSection(begun(nodeNames(nodes)));
+    fill(menu);
+  } else {
+    menu.addSection(titleUnder());
+    if (under_.edge) menu.addAction(actions_["split_edge"]);
+    if (!nodes.empty()) fill(*menu.addMenu(begun(nodeNames(nodes))));
   }
+  menu.addSeparator();
   if (placeUnder()) menu.addAction(actions_["pivot"]);
-  menu.addAction(actions_["frame"]);
+  for (const char* id : {"frame", "frame_all"})
+    menu.addAction(actions_[id]);
+  if (!under_.node && !under_.edge)
+    for (const char* id : {"hide_explained", "select_all"})
+      menu.addAction(actions_[id]);
+}
+
+/// The name of what is under the pointer, other than a node.
+QString Editing::titleUnder() const {
+  if (under_.edge) return tr("Edge of %1").arg(nodeName(under_.edge->child));
+  if (!under_.point) return tr("Empty space");
+  QStringList at;
+  for (const double coordinate : *under_.point)
+    at.append(formatLength(coordinate, LengthUnit::unknown));
+  const QString unit = symbol(document_.unit());
+  return tr("Point at %1").arg(at.join(QStringLiteral(", "))) + (unit.isEmpty() ? "" : " " + unit);
 }
 
 std::optional<NodeId> Editing::nodeUnder() const {

@@ -74,6 +74,7 @@ private:
   [[nodiscard]] NodeTarget chosenTarget(); // which is selected then
   [[nodiscard]] NodeTarget chosenTarget(const NodeEdit& edit);
   [[nodiscard]] std::optional<Eigen::Vector3d> placeUnder() const;
+  [[nodiscard]] QString titleUnder() const;
   [[nodiscard]] Tool& tool() const { return *tools_.at(tool_); }
 
   PlantDocument& document_;

@@ -1,0 +1,117 @@
+// Whether all of the window can be reached by the keyboard, is told to a screen reader, and has a
+// menu of its own.
+#include "tests/app/window/window_fixture.h"
+#include "tests/support/plants.h"
+
+#include <QAccessible>
+#include <QAction>
+#include <QApplication>
+#include <QMenu>
+#include <QTest>
+#include <QTimer>
+
+#include <gmock/gmock.h>
+#include <set>
+
+namespace espalier {
+namespace {
+
+using testing::Contains;
+using testing::Not;
+
+struct ReachTest : test::WindowTest {
+  void openWithAllPanels() {
+    open({writeScan("scan.xyz"), writeFork("fork.mtg")});
+    for (const char* id : {"show_pipeline", "show_inspector", "show_review", "show_findings",
+                           "show_history", "show_node_table", "clipping", "hide_explained"})
+      if (!action(id).isChecked()) action(id).trigger();
+    document().selection().set({test::forkTop});
+    QCoreApplication::processEvents();
+  }
+  /// What Tab stops at, wherever it is: also in tabs that lie behind others.
+  QList<QWidget*> stops() {
+    QList<QWidget*> found;
+    for (auto* widget : window().findChildren<QWidget*>())
+      if ((widget->focusPolicy() & Qt::TabFocus) && widget->isEnabled() && !widget->isHidden() &&
+          widget->focusProxy() == nullptr && !widget->isWindow())
+        found.append(widget);
+    return found;
+  }
+  static std::string nameOf(const QWidget* widget) {
+    std::string name = widget->metaObject()->className();
+    for (const QWidget* each = widget; each != nullptr; each = each->parentWidget())
+      if (!each->objectName().isEmpty()) return name + " in " + each->objectName().toStdString();
+    return name;
+  }
+  /// The texts of the menu that a right click opens.
+  QStringList menuAt(const QPoint& place) {
+    QStringList texts;
+    QTimer timer;
+    QObject::connect(&timer, &QTimer::timeout, [&] {
+      auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+      if (menu == nullptr) return;
+      for (const QAction* entry : menu->actions())
+        texts.append(entry->text());
+      menu->close();
+    });
+    timer.start(0);
+    click(place, Qt::NoModifier, Qt::RightButton);
+    return texts;
+  }
+};
+
+TEST_F(ReachTest, EverythingWithTheKeyboardHasAName) {
+  openWithAllPanels();
+  const QList<QWidget*> all = stops();
+  EXPECT_GT(all.size(), 30);
+  for (QWidget* widget : all) {
+    const QAccessibleInterface* told = QAccessible::queryAccessibleInterface(widget);
+    ASSERT_NE(told, nullptr) << nameOf(widget);
+    EXPECT_FALSE(told->text(QAccessible::Name).isEmpty()) << nameOf(widget);
+  }
+}
+
+TEST_F(ReachTest, TabGoesThroughAllThatIsSeen) {
+  openWithAllPanels();
+  std::set<const QWidget*> left;
+  for (const QWidget* widget : stops())
+    if (widget->isVisible() && !widget->visibleRegion().isEmpty()) left.insert(widget);
+  const std::size_t count = left.size();
+  EXPECT_GT(count, 10U);
+  view().setFocus();
+  for (std::size_t i = 0; i < 4 * count && !left.empty(); ++i) {
+    left.erase(QApplication::focusWidget());
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+  }
+  for (const QWidget* widget : left)
+    ADD_FAILURE() << nameOf(widget) << " is not reached";
+}
+
+TEST_F(ReachTest, TheMenuOfAPointHasItsPlaceOnTop) {
+  open({writeScan("scan.xyz")});
+  const Eigen::Vector3d point = document().scan()->onPoints({0.05, 0, 0.5});
+  const QPoint place = view().project(point).value().toPoint();
+  ASSERT_TRUE(view().pick(place).point);
+  const QStringList texts = menuAt(place);
+  EXPECT_TRUE(texts.value(0).startsWith("Point at ")) << texts.value(0).toStdString();
+  EXPECT_TRUE(texts.value(0).endsWith(" m"));
+  EXPECT_THAT(texts, Contains(QString("Turn Around This")));
+  EXPECT_THAT(texts, Contains(action("hide_explained").text()));
+}
+
+TEST_F(ReachTest, TheMenuOfEmptySpaceSaysSo) {
+  open({writeFork("fork.mtg")});
+  const QPoint corner(5, view().height() / 2);
+  QStringList texts = menuAt(corner);
+  EXPECT_EQ(texts.value(0), "Empty space");
+  EXPECT_THAT(texts, Contains(action("frame_all").text()));
+  EXPECT_THAT(texts, Not(Contains(QString("Turn Around This")))) << "there is nothing there";
+  EXPECT_THAT(texts, Not(Contains(QString("Remove Node"))));
+  document().selection().set({test::forkTop});
+  texts = menuAt(corner);
+  EXPECT_EQ(texts.value(0), "Empty space");
+  EXPECT_THAT(texts, Contains(QString("Node %1").arg(indexOf(test::forkTop)))) << "a menu within";
+}
+
+} // namespace
+} // namespace espalier

@@ -55,11 +55,11 @@ TEST_F(GoToTest, BringsRemovedNodesBackAndForgetsAddedOnes) {
   document.goTo(0);
   EXPECT_EQ(document.skeleton(), start);
   EXPECT_TRUE(document.selection().isEmpty());
+  Skeleton mirrored = document.skeleton(); // as a view that is told of what follows
   document.goTo(2);
   EXPECT_EQ(document.skeleton(), end);
   ASSERT_EQ(told.size(), 2U);
   EXPECT_EQ(told[0].inverse().changes.size(), told[1].changes.size());
-  Skeleton mirrored = start; // as a view that is told of it
   told[1].apply(mirrored);
   EXPECT_EQ(mirrored, end);
 }

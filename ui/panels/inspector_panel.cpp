@@ -58,6 +58,7 @@ InspectorPanel::InspectorPanel(PlantDocument& document, QWidget* parent)
   column->addWidget(section_);
   auto* scroll = new QScrollArea(this); // units may have many features
   scroll->setWidget(units_);
+  scroll->setAccessibleName(tr("Units"));
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

@@ -31,6 +31,7 @@ PipelinePanel::PipelinePanel(PlantDocument& document, QWidget* parent)
   list->addStretch(1);
   auto* scroll = new QScrollArea(this);
   scroll->setWidget(page);
+  scroll->setAccessibleName(tr("Steps"));
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

@@ -63,6 +63,7 @@ ReviewPanel::ReviewPanel(PlantDocument& document, const Actions& actions, QWidge
       bar_(new CoverageBar), share_(new QLabel), place_(new QLabel), state_(new QLabel),
       comment_(new QLineEdit), axes_(new QTableView), reviewer_(new QLineEdit), seal_(new QLabel) {
   setObjectName("review_panel");
+  setAccessibleName(tr("Review"));
   setFrameShape(QFrame::NoFrame);
   setWidgetResizable(true);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -164,6 +165,7 @@ void ReviewPanel::addChosen(QVBoxLayout& column, const Actions& actions) {
   grid->addWidget(makeButton(actions.doubtful, tr("Doubtful")), 0, 0);
   grid->addWidget(makeButton(actions.toDo, tr("To Do")), 0, 1);
   comment_->setObjectName("review_comment");
+  comment_->setAccessibleName(tr("Comment"));
   comment_->setPlaceholderText(tr("Comment"));
   comment_->setToolTip(tr("A remark on the selected nodes (K)"));
   comment_->setMinimumWidth(72);
@@ -176,6 +178,7 @@ void ReviewPanel::addChosen(QVBoxLayout& column, const Actions& actions) {
 
 void ReviewPanel::addAxes(QVBoxLayout& column) {
   axes_->setObjectName("review_axes");
+  axes_->setTabKeyNavigation(false); // Tab leaves it
   axes_->setModel(model_);
   axes_->setAccessibleName(tr("Axes"));
   axes_->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -207,6 +210,7 @@ void ReviewPanel::addSeal(QVBoxLayout& column, const Actions& actions) {
   auto* title = new QLabel(tr("Reviewer"));
   title->setProperty("role", "section");
   reviewer_->setObjectName("reviewer");
+  reviewer_->setAccessibleName(tr("Reviewer"));
   reviewer_->setPlaceholderText(tr("Your name"));
   reviewer_->setToolTip(tr("Kept with what you review and sign"));
   reviewer_->setMinimumWidth(72);

@@ -47,6 +47,7 @@ void PlantView::Parts::paintOverlay(QPainter& painter) {
 PlantView::PlantView(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts>(*this)) {
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
+  setAccessibleName(tr("Plant in 3D"));
   setMinimumSize(160, 120);
   parts_->surface->setAttribute(Qt::WA_TransparentForMouseEvents);
   parts_->rest.setSingleShot(true);

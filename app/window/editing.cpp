@@ -2,6 +2,7 @@
 
 #include "app/window/action_set.h"
 #include "app/window/key_hints.h"
+#include "app/window/menu_title.h"
 #include "app/window/node_menus.h"
 #include "app/window/radius_wheel.h"
 #include "app/window/resample_flow.h"
@@ -219,10 +220,10 @@ void Editing::fillContextMenu(QMenu& menu) const {
     to.insertSeparator(actions_["remove"]);
   };
   if (nodeUnder() && !nodes.empty()) {
-    menu.addSection(begun(nodeNames(nodes)));
+    addTitle(menu, begun(nodeNames(nodes)));
     fill(menu);
   } else {
-    menu.addSection(titleUnder());
+    addTitle(menu, titleUnder());
     if (under_.edge) menu.addAction(actions_["split_edge"]);
     if (!nodes.empty()) fill(*menu.addMenu(begun(nodeNames(nodes))));
   }

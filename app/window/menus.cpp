@@ -2,6 +2,7 @@
 #include "app/window/findings_flow.h"
 #include "app/window/icon.h"
 #include "app/window/main_window.h"
+#include "app/window/menu_title.h"
 #include "app/window/node_menus.h"
 #include "app/window/radius_flow.h"
 #include "app/window/recent_files.h"
@@ -105,7 +106,7 @@ void MainWindow::fillMenus() {
 
 void MainWindow::fillViewMenu() {
   QMenu* view = menuBar()->addMenu(tr("&View"));
-  view->addSection(tr("Layers"));
+  addTitle(*view, tr("Layers"));
   view->addActions(options_->layers());
   view->addSeparator();
   view->addMenu(tr("Color Points By"))->addActions(options_->colors());

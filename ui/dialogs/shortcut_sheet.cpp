@@ -9,9 +9,13 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QScreen>
+#include <QScrollArea>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <functional>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -42,7 +46,7 @@ Section mouseSection() {
            {tr("Drag a node"), tr("Move it")},
            {tr("Double click"), tr("Turn around this place")},
            {tr("Right click"), tr("Menu of the node")},
-           {tr("Esc"), tr("Leave a gesture, nothing changed")}}};
+           {tr("Esc"), tr("Leave a gesture")}}};
 }
 
 std::vector<Section> sectionsOf(const QList<QAction*>& actions) {
@@ -50,9 +54,10 @@ std::vector<Section> sectionsOf(const QList<QAction*>& actions) {
   for (const QAction* action : actions) {
     if (action->shortcut().isEmpty()) continue;
     const QString name = action->property("section").toString();
-    if (sections.back().name != name) sections.push_back({name, {}});
-    sections.back().rows.push_back({action->shortcut().toString(QKeySequence::NativeText),
-                                    action->property("name").toString(), action});
+    auto section = std::ranges::find(sections, name, &Section::name);
+    if (section == sections.end()) section = sections.insert(section, {name, {}});
+    section->rows.push_back({action->shortcut().toString(QKeySequence::NativeText),
+                             action->property("name").toString(), action});
   }
   return sections;
 }
@@ -81,7 +86,7 @@ QWidget* makeSection(const Section& section, const Change& change, QWidget* pare
   auto* grid = new QGridLayout(widget);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setHorizontalSpacing(12);
-  grid->setVerticalSpacing(4);
+  grid->setVerticalSpacing(2);
   grid->setColumnStretch(1, 1);
   auto* title = new QLabel(section.name, widget);
   title->setProperty("role", "section");
@@ -94,35 +99,45 @@ QWidget* makeSection(const Section& section, const Change& change, QWidget* pare
   return widget;
 }
 
-/// The sections one below the other, in `count` columns of about the same height.
+/// The sections in columns of about the same height; each keeps their order.
+std::vector<std::vector<std::size_t>> columnsOf(const std::vector<Section>& sections,
+                                                std::size_t count) {
+  std::vector<std::size_t> tallestFirst(sections.size());
+  std::iota(tallestFirst.begin(), tallestFirst.end(), 0);
+  std::ranges::stable_sort(tallestFirst, std::greater(),
+                           [&](std::size_t i) { return sections[i].height(); });
+  std::vector<std::vector<std::size_t>> columns(count);
+  std::vector<std::size_t> heights(count, 0);
+  for (const std::size_t i : tallestFirst) {
+    const auto lowest = std::ranges::min_element(heights) - heights.begin();
+    columns[lowest].push_back(i);
+    heights[lowest] += sections[i].height();
+  }
+  for (std::vector<std::size_t>& column : columns)
+    std::ranges::sort(column);
+  std::ranges::sort(columns);
+  return columns;
+}
+
 QHBoxLayout* makeColumns(const std::vector<Section>& sections, std::size_t count,
                          const Change& change, QWidget* parent) {
-  std::size_t total = 0;
-  for (const Section& section : sections)
-    total += section.height();
   auto* columns = new QHBoxLayout;
-  columns->setSpacing(32);
-  QVBoxLayout* column = nullptr;
-  std::size_t used = 0;
-  for (const Section& section : sections) {
-    const auto begun = static_cast<std::size_t>(columns->count());
-    if (used * count >= begun * total) {
-      if (column != nullptr) column->addStretch(1);
-      column = new QVBoxLayout;
-      column->setSpacing(16);
-      columns->addLayout(column);
-    }
-    column->addWidget(makeSection(section, change, parent));
-    used += section.height();
+  columns->setSpacing(24);
+  for (const std::vector<std::size_t>& indices : columnsOf(sections, count)) {
+    auto* column = new QVBoxLayout;
+    column->setSpacing(12);
+    for (const std::size_t i : indices)
+      column->addWidget(makeSection(sections[i], change, parent));
+    column->addStretch(1);
+    columns->addLayout(column);
   }
-  column->addStretch(1);
   return columns;
 }
 
 } // namespace
 
 ShortcutSheet::ShortcutSheet(KeyBindings& bindings, QWidget* parent)
-    : QDialog(parent), bindings_(bindings), rows_(new QWidget) {
+    : QDialog(parent), bindings_(bindings), scroll_(new QScrollArea) {
   setObjectName("shortcut_sheet");
   setWindowTitle(tr("Shortcuts"));
   setAttribute(Qt::WA_DeleteOnClose);
@@ -133,7 +148,10 @@ ShortcutSheet::ShortcutSheet(KeyBindings& bindings, QWidget* parent)
   auto* page = new QVBoxLayout(this);
   page->setContentsMargins(24, 20, 24, 16);
   page->setSpacing(16);
-  page->addWidget(rows_);
+  scroll_->setWidgetResizable(true);
+  scroll_->setFrameShape(QFrame::NoFrame);
+  scroll_->setAccessibleName(tr("Shortcuts"));
+  page->addWidget(scroll_);
   page->addWidget(buttons);
   connect(&bindings_, &KeyBindings::changed, this, &ShortcutSheet::fill);
   fill();
@@ -141,14 +159,15 @@ ShortcutSheet::ShortcutSheet(KeyBindings& bindings, QWidget* parent)
 
 void ShortcutSheet::fill() {
   auto* rows = new QWidget;
+  rows->setObjectName("shortcut_rows");
   const Change change = [this](const QAction* action) { this->change(action); };
-  QHBoxLayout* columns = makeColumns(sectionsOf(bindings_.actions()), 3, change, rows);
+  QHBoxLayout* columns = makeColumns(sectionsOf(bindings_.actions()), 4, change, rows);
   columns->setContentsMargins(0, 0, 0, 0);
   rows->setLayout(columns);
-  delete layout()->replaceWidget(rows_, rows);
-  rows_->setParent(nullptr);
-  rows_->deleteLater(); // a button of it may have been clicked
-  rows_ = rows;
+  if (QWidget* last = scroll_->takeWidget()) last->deleteLater(); // a button of it may be clicked
+  scroll_->setWidget(rows);
+  const QSize room = screen()->availableSize() - QSize(40, 140);
+  scroll_->setMinimumSize((rows->sizeHint() + QSize(16, 0)).boundedTo(room));
 }
 
 void ShortcutSheet::change(const QAction* action) {

@@ -3,6 +3,7 @@
 #include <QDialog>
 
 class QAction;
+class QScrollArea;
 
 namespace espalier {
 
@@ -22,7 +23,7 @@ private:
   void change(const QAction* action); // null: none chosen yet
 
   KeyBindings& bindings_;
-  QWidget* rows_;
+  QScrollArea* scroll_; // around the rows
 };
 
 } // namespace espalier

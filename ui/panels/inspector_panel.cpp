@@ -49,20 +49,26 @@ InspectorPanel::InspectorPanel(PlantDocument& document, QWidget* parent)
       position_(makeValue(body_)), length_(makeValue(body_)), radius_(new QDoubleSpinBox(body_)),
       section_(new CrossSectionPanel(document, this)), units_(new UnitsForm(document)) {
   makeForm();
-  auto* column = new QVBoxLayout(this);
+  auto* page = new QWidget;
+  page->setObjectName("inspector_page");
+  auto* column = new QVBoxLayout(page);
   column->setContentsMargins(12, 12, 12, 12);
   column->setSpacing(12);
   column->addWidget(title_);
   column->addWidget(empty_);
   column->addWidget(body_);
   column->addWidget(section_);
-  auto* scroll = new QScrollArea(this); // units may have many features
-  scroll->setWidget(units_);
-  scroll->setAccessibleName(tr("Units"));
+  column->addWidget(units_);
+  column->addStretch(1);
+  auto* scroll = new QScrollArea; // units may have many features, and windows be low
+  scroll->setWidget(page);
+  scroll->setAccessibleName(tr("Inspector"));
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  column->addWidget(scroll, 1);
+  auto* whole = new QVBoxLayout(this);
+  whole->setContentsMargins(0, 0, 0, 0);
+  whole->addWidget(scroll);
   connect(units_, &UnitsForm::typed, this, &InspectorPanel::unitTyped);
   connect(units_, &UnitsForm::featureRequested, this, &InspectorPanel::featureRequested);
   connect(units_, &UnitsForm::dateRequested, this, &InspectorPanel::dateRequested);

@@ -76,15 +76,17 @@ void located(const Where& where, const std::string& step, const std::string& nam
 
 PipelineOptions optionsIn(const Json& json, const Where& where, bool mustExist) {
   PipelineOptions options;
-  for (const auto& [step, choices] : json.items()) {
+  for (const auto& [name, content] : json.items()) {
+    const std::string& step = name; // Clang 14 captures no structured bindings
+    const Json& choices = content;
     located(where, step, choices.is_object() && choices.contains("method") ? "method" : "",
             [&] { readStep(step, choices, options); });
-    for (const auto& [name, value] : choices.items())
-      located(where, step, name, [&] {
-        readOption(step, name, value, options);
-        if (!mustExist || name == "method") return;
+    for (const auto& choice : choices.items())
+      located(where, step, choice.key(), [&] {
+        readOption(step, choice.key(), choice.value(), options);
+        if (!mustExist || choice.key() == "method") return;
         PipelineOptions alone{.methods = options.methods};
-        alone.settings[step][name] = value.get<double>();
+        alone.settings[step][choice.key()] = choice.value().get<double>();
         requireKnown(alone);
       });
   }

@@ -17,6 +17,11 @@ public:
   using Error::Error;
 };
 
+/// Ctrl+C was pressed when some results had been written: exit status 130, as for Cancelled.
+struct StoppedBetween {
+  std::string told; // what there is, and how to go on
+};
+
 /// What is wrong with an option that `command` does not have, as "--seet is no option: did you mean
 /// --set?"; empty if all are known.
 [[nodiscard]] std::string unknownOption(const CLI::App& command,

@@ -31,6 +31,7 @@ void addAll(CLI::App& app) {
   app.set_help_flag("-h,--help", "Print this help");
   app.require_subcommand(1);
   addReconstruct(app);
+  addBatch(app);
   addContract(app);
   addEvaluate(app);
   addConvert(app);
@@ -89,6 +90,8 @@ int run(CLI::App& app, int argc, char** argv) {
     return fail(wrongUsage, usageMessage(app, problem));
   } catch (const WrongUsage& problem) {
     return fail(wrongUsage, problem.what() + helpHint(app));
+  } catch (const StoppedBetween& stop) {
+    return fail(stopped, stop.told);
   } catch (const Cancelled&) {
     return fail(stopped, "stopped; nothing was written");
   } catch (const std::bad_alloc&) {

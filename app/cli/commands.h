@@ -10,6 +10,7 @@ namespace espalier {
 
 // Each adds its subcommand, to be run when the arguments name it.
 void addReconstruct(CLI::App& app);
+void addBatch(CLI::App& app);
 void addContract(CLI::App& app);
 void addEvaluate(CLI::App& app);
 void addConvert(CLI::App& app);

@@ -54,6 +54,18 @@ Eigen::Vector3d parsePlace(const std::string& text, const std::string& flag) {
 void PipelineFlags::addTo(CLI::App& command, const std::string& result) {
   command.add_option("SCAN", scan, "Points of one plant: PLY, XYZ, LAS or PCD")->required();
   addOutput(command, output, result);
+  addOptionsTo(command);
+  command
+      .add_option("--root", root,
+                  "Foot of the plant: lowest, or X,Y,Z for the point of the scan nearest to there")
+      ->type_name("PLACE")
+      ->capture_default_str();
+  addUnit(command, unit, "Unit of the scan, to be named in the statistics");
+  command.add_option("--json", json, "File to write statistics and the options used to")
+      ->type_name("FILE");
+}
+
+void PipelineFlags::addOptionsTo(CLI::App& command) {
   command.add_option("--method", method, "Method of the main step (see: espalier methods)")
       ->type_name("NAME");
   command
@@ -64,16 +76,8 @@ void PipelineFlags::addTo(CLI::App& command, const std::string& result) {
       ->allow_extra_args(false);
   command.add_option("--preset", preset, "JSON file of steps and options; --set goes before it")
       ->type_name("FILE");
-  command
-      .add_option("--root", root,
-                  "Foot of the plant: lowest, or X,Y,Z for the point of the scan nearest to there")
-      ->type_name("PLACE")
-      ->capture_default_str();
   addChoice(command, "--up", up, "Axis that points up",
             {{"x", UpAxis::x}, {"y", UpAxis::y}, {"z", UpAxis::z}});
-  addUnit(command, unit, "Unit of the scan, to be named in the statistics");
-  command.add_option("--json", json, "File to write statistics and the options used to")
-      ->type_name("FILE");
   addThreads(command, threads);
 }
 

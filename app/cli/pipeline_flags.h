@@ -13,7 +13,7 @@ class App;
 
 namespace espalier {
 
-/// The flags that reconstruct and contract share.
+/// The flags that reconstruct, contract and batch share.
 struct PipelineFlags {
   std::string scan;
   std::string output;
@@ -29,6 +29,9 @@ struct PipelineFlags {
 
   /// @param result what the output file holds, for the help
   void addTo(CLI::App& command, const std::string& result);
+
+  /// Adds those that tell how a plant is reconstructed, whichever it is.
+  void addOptionsTo(CLI::App& command);
 
   /// @throws Error naming the flag, what it holds and what it may hold
   [[nodiscard]] PipelineOptions options(const std::string& stepOfMethod) const;
@@ -47,7 +50,7 @@ private:
   std::unique_ptr<Limit> limit_;
 };
 
-/// "X,Y,Z" as numbers. @throws Error if it is not three numbers
+/// "X,Y,Z" as numbers. @throws Error naming `flag` if it is not three numbers
 [[nodiscard]] Eigen::Vector3d parsePlace(const std::string& text, const std::string& flag);
 
 } // namespace espalier

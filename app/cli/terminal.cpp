@@ -28,7 +28,7 @@ void TerminalProgress::report(double fraction, std::string_view stage) {
   const int full = static_cast<int>(fraction * width);
   std::string bar(static_cast<std::size_t>(full), '#');
   bar.resize(width, '.');
-  std::fprintf(stderr, "\r\033[K[%s] %3.0f %%  %s", bar.c_str(), 100 * fraction,
+  std::fprintf(stderr, "\r\033[K[%s] %3.0f %%  %s%s", bar.c_str(), 100 * fraction, subject_.c_str(),
                stages_.empty() ? "" : stages_.back().first.c_str());
   std::fflush(stderr);
 }

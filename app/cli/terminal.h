@@ -26,6 +26,9 @@ public:
   /// @throws Cancelled
   void check() const { progress_.check(); }
 
+  /// What is told before the stage: of many plants, which one. pre: no work is under way
+  void setSubject(std::string subject) { subject_ = std::move(subject); }
+
   /// Takes the bar away: for just before something else is told. Later progress shows it again.
   void clear() const;
 
@@ -37,6 +40,7 @@ private:
   void report(double fraction, std::string_view stage);
 
   std::vector<std::pair<std::string, Clock::time_point>> stages_; // when each began
+  std::string subject_;
   bool isTerminal_;
   Interrupt interrupt_;
   Progress progress_;

@@ -1,0 +1,79 @@
+#include "app/cli/batch_manifest.h"
+
+#include "app/cli/pipeline_flags.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/io/csv.h"
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+#include <system_error>
+
+namespace espalier {
+namespace {
+
+std::string textOf(const std::filesystem::path& file) {
+  std::error_code isMissing;
+  if (std::filesystem::is_directory(file, isMissing))
+    throw Error(file.string() + ": is a folder, choose a file in it");
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw Error(file.string() + ": cannot be read: check its name and your rights to it");
+  return readAll(in);
+}
+
+/// @throws Error if no file can have this name
+void requireName(const std::string& name) {
+  const bool isPlain = std::ranges::none_of(
+      name, [](char c) { return c == '/' || c == '\\' || static_cast<unsigned char>(c) < ' '; });
+  if (!isPlain || name == "." || name == "..")
+    throw Error("the name " + inQuotes(name) + " is none for a file: leave out slashes");
+}
+
+std::optional<Eigen::Vector3d> rootOf(std::string text) {
+  if (text.empty() || text == "lowest") return std::nullopt;
+  std::ranges::replace(text, ';', ',');
+  std::ranges::replace(text, ' ', ',');
+  return parsePlace(text, "root");
+}
+
+} // namespace
+
+std::vector<BatchPlant> readManifest(const std::filesystem::path& file) {
+  const CsvTable table = readCsv(textOf(file), file.string());
+  if (!table.column("scan"))
+    throw Error(place(file.string(), 1) +
+                "there is no column scan: name the columns in the first line, as "
+                "scan,name,reference");
+  std::set<std::string> names;
+  std::vector<BatchPlant> plants;
+  for (const CsvTable::Row& row : table.rows) {
+    const auto field = [&](std::string_view name) {
+      const std::optional<std::size_t> column = table.column(name);
+      return column ? row.fields[*column] : std::string();
+    };
+    const auto path = [&](const std::string& name) {
+      return name.empty() ? std::filesystem::path() : file.parent_path() / name;
+    };
+    try {
+      BatchPlant plant{.name = field("name"),
+                       .scan = path(field("scan")),
+                       .reference = path(field("reference")),
+                       .root = rootOf(field("root"))};
+      if (plant.scan.empty()) throw Error("no scan is named: write its file");
+      if (plant.name.empty()) plant.name = plant.scan.stem().string();
+      requireName(plant.name);
+      if (!names.insert(plant.name).second)
+        throw Error("the name " + inQuotes(plant.name) +
+                    " comes twice: give each plant another in a column name");
+      plants.push_back(std::move(plant));
+    } catch (const Error& problem) {
+      throw Error(place(file.string(), row.line) + problem.what());
+    }
+  }
+  if (plants.empty())
+    throw Error(file.string() + ": no plant is listed: write a line for each below the first");
+  return plants;
+}
+
+} // namespace espalier

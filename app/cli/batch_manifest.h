@@ -1,0 +1,30 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace espalier {
+
+/// A plant of a batch: one line of its manifest.
+struct BatchPlant {
+  std::string name; // of its result, without folder and extension
+  std::filesystem::path scan;
+  std::filesystem::path reference;     // empty: the result is not judged
+  std::optional<Eigen::Vector3d> root; // [L], frame of the scan; none: the lowest point
+};
+
+/// Reads which plants to reconstruct: a CSV table with a column `scan`, and those of `name`,
+/// `reference` and `root` that are needed. Other columns are passed over.
+///
+/// A plant without a name is named as its scan. Files are sought from the folder of the manifest.
+/// A root is "X,Y,Z" in quotes, "X;Y;Z" or "X Y Z", or lowest.
+///
+/// @throws Error with the line: no column or no file of a scan is named, a name comes twice or is
+///         none for a file, or a root is no place. Whether the files exist is not looked at.
+[[nodiscard]] std::vector<BatchPlant> readManifest(const std::filesystem::path& file);
+
+} // namespace espalier

@@ -1,0 +1,65 @@
+#include "core/io/csv.h"
+#include "tests/core/io/samples.h"
+
+#include <gmock/gmock.h>
+
+namespace espalier {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+CsvTable read(const std::string& text) {
+  return readCsv(text, "plants.csv");
+}
+
+std::string errorOf(const std::string& text) {
+  return test::errorOf([&] { return read(text); });
+}
+
+TEST(Csv, ReadsNamesAndRowsWithTheirLines) {
+  const CsvTable table = read("name, scan\noak,oak.ply\r\n\n , \nelm, elm.ply ");
+  EXPECT_THAT(table.names, ElementsAre("name", "scan"));
+  ASSERT_EQ(table.rows.size(), 2U) << "lines of blanks do not count";
+  EXPECT_THAT(table.rows[0].fields, ElementsAre("oak", "oak.ply"));
+  EXPECT_THAT(table.rows[1].fields, ElementsAre("elm", "elm.ply"));
+  EXPECT_EQ(table.rows[1].line, 5U);
+}
+
+TEST(Csv, TakesSemicolonsAndTabsThatTheFirstLineHas) {
+  EXPECT_THAT(read("a;b\n1,5;2\n").rows.at(0).fields, ElementsAre("1,5", "2"));
+  EXPECT_THAT(read("\xEF\xBB\xBF"
+                   "a\tb\n1;5\t2\n")
+                  .rows.at(0)
+                  .fields,
+              ElementsAre("1;5", "2"));
+}
+
+TEST(Csv, FindsAColumnWhateverTheCaseOfItsLetters) {
+  const CsvTable table = read("Name,SCAN\n");
+  EXPECT_EQ(table.column("scan"), 1U);
+  EXPECT_FALSE(table.column("root"));
+}
+
+TEST(Csv, FillsUpARowThatIsTooShort) {
+  EXPECT_THAT(read("a,b,c\n1\n").rows.at(0).fields, ElementsAre("1", "", ""));
+}
+
+TEST(Csv, ReadsBackWhatItWrites) {
+  const std::vector<std::string> fields = {"oak",  "two, three", "said \"no\"", " blanks ",
+                                           "a\nb", "",           "a;b"};
+  const CsvTable table = read(csvLine({"a", "b", "c", "d", "e", "f", "g"}) + csvLine(fields));
+  ASSERT_EQ(table.rows.size(), 1U);
+  EXPECT_EQ(table.rows[0].fields, fields);
+}
+
+TEST(Csv, RefusesBrokenTablesWithTheLine) {
+  EXPECT_THAT(errorOf(""), HasSubstr("plants.csv, line 1: there are no names"));
+  EXPECT_THAT(errorOf("a,b,A\n"), HasSubstr("line 1: two columns are named 'A'"));
+  EXPECT_THAT(errorOf("a,b\n1,2\n1,2,3\n"), HasSubstr("line 3: expected 2 fields, found 3"));
+  EXPECT_THAT(errorOf("a\n\"1\n2\n"), HasSubstr("line 2: a quote is not closed"));
+  EXPECT_THAT(errorOf("a,b\n\"1\"2,3\n"), HasSubstr("line 2: there is text behind"));
+}
+
+} // namespace
+} // namespace espalier

@@ -1,0 +1,79 @@
+// Times what one sees while a node is dragged, in a plant of 20 000 nodes over a scan of 1 M
+// points, and weighs a thousand steps of undo. It needs OpenGL, with EGL no display.
+#include "core/simulate/laser_scanner.h"
+#include "core/simulate/plant_grower.h"
+#include "core/skeleton/edits.h"
+#include "ui/document/plant_document.h"
+#include "ui/view/offscreen_renderer.h"
+#include "ui/view/picture.h"
+
+#include <QGuiApplication>
+#include <benchmark/benchmark.h>
+
+#include <malloc.h>
+
+namespace espalier {
+namespace {
+
+const Skeleton& plant() {
+  static const Skeleton skeleton = growPlant({.segments = 3'000}, 1); // about 20 000 nodes
+  return skeleton;
+}
+
+/// An edit and the frame that shows it, as each move of the mouse asks for.
+void dragFrame(benchmark::State& state) {
+  static int none = 0;
+  static const QGuiApplication application(none, nullptr); // which OpenGL asks for
+  PlantDocument document;
+  document.openSkeleton(plant(), "plant.mtg");
+  Scene scene;
+  scene.setCloud(
+      std::make_shared<const PointCloud>(scan(plant(), {.points = 1'000'000}, 1).points));
+  scene.setSkeleton(document.skeleton());
+  QObject::connect(&document, &PlantDocument::skeletonEdited, [&](const SkeletonDelta& delta) {
+    scene.skeleton.update(document.skeleton(), delta);
+  });
+  OffscreenRenderer renderer(scene);
+  const PlantRenderer::Frame frame{.camera = cameraOf(scene, StandardView::front, 1280.0 / 740),
+                                   .size = {1280, 740},
+                                   .points = 1'000'000};
+  while (!renderer.draw(frame).complete) {
+  }
+  const NodeId node = document.skeleton().ids()[document.skeleton().size() / 2];
+  const Eigen::Vector3d start = document.skeleton()[node].position;
+  const Gesture gesture = Gesture::begin();
+  double way = 0;
+  for (auto round : state) {
+    way += 0.001;
+    document.edit(
+        "Move", [&](SkeletonEditor& editor) { moveNode(editor, node, start.array() + way); },
+        gesture);
+    renderer.draw(frame);
+    benchmark::DoNotOptimize(renderer.image()); // waits for what was drawn
+  }
+  state.counters["nodes"] = static_cast<double>(document.skeleton().size());
+  state.counters["points"] = static_cast<double>(scene.points.size());
+}
+BENCHMARK(dragFrame)->Unit(benchmark::kMillisecond);
+
+/// Bytes that 1000 steps of undo hold, each a move of `range` nodes.
+void undoMemory(benchmark::State& state) {
+  for (auto round : state) {
+    PlantDocument document;
+    document.openSkeleton(plant(), "plant.mtg");
+    const std::vector<NodeId> ids = document.skeleton().ids();
+    const std::size_t before = mallinfo2().uordblks;
+    for (std::size_t step = 0; step < 1000; ++step)
+      document.edit("Move", [&](SkeletonEditor& editor) {
+        for (std::size_t i = 0; i < static_cast<std::size_t>(state.range(0)); ++i) {
+          const NodeId id = ids[(step * 17 + i) % ids.size()];
+          moveNode(editor, id, editor.skeleton()[id].position + Eigen::Vector3d::Constant(0.001));
+        }
+      });
+    state.counters["MB"] = static_cast<double>(mallinfo2().uordblks - before) / 1e6;
+  }
+}
+BENCHMARK(undoMemory)->Arg(1)->Arg(10)->Arg(100)->Iterations(1)->Unit(benchmark::kMillisecond);
+
+} // namespace
+} // namespace espalier

@@ -10,6 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <ostream>
@@ -22,6 +23,9 @@ struct Flags {
   std::string reference;
   bool noRegister = false;
   std::string unit;
+  std::string editUnit = "segment";
+  std::string editCost = "topology";
+  bool merges = false;
   std::string json;
   int threads = 0;
 };
@@ -32,6 +36,10 @@ void print(const Comparison& comparison, const std::string& unit) {
               authors.resultSegments.size(), authors.referenceSegments.size());
   std::printf("mapping %.3f  geometric index %.3f  structural index %.3f\n", authors.mapping,
               authors.geometric, authors.structural);
+  if (comparison.edit)
+    std::printf("edit distance %.6g, similarity %.3f: %zu removed, %zu inserted\n",
+                comparison.edit->distance.distance, comparison.edit->distance.similarity(),
+                comparison.edit->removed, comparison.edit->inserted);
   if (comparison.registration) {
     const Eigen::Vector3d& shift = comparison.registration->shift;
     std::printf("moved by %.4g, %.4g, %.4g %s, %.4g in all, to lie on the reference\n", shift.x(),
@@ -51,6 +59,17 @@ Skeleton skeletonIn(const std::string& file) {
   return std::move(structure.value.skeleton);
 }
 
+/// Where a name that the parser has checked stands in its list.
+template <class Enum> Enum named(const std::vector<std::string>& names, const std::string& name) {
+  return static_cast<Enum>(std::ranges::find(names, name) - names.begin());
+}
+
+EditOptions editOptions(const Flags& flags) {
+  return {.unit = named<EditUnit>(editUnitNames(), flags.editUnit),
+          .cost = named<EditCost>(editCostNames(), flags.editCost),
+          .mergesPaths = flags.merges};
+}
+
 void evaluate(const Flags& flags) {
   const Threads threads(flags.threads);
   requireOutput(flags.json, {flags.result, flags.reference});
@@ -61,6 +80,7 @@ void evaluate(const Flags& flags) {
   requireComparable(reference, flags.reference);
   ComparisonOptions options;
   options.registers = !flags.noRegister;
+  options.edit = editOptions(flags);
   const Comparison comparison = compare(result, reference, options, terminal.progress());
   std::vector<std::string> notes = comparison.warnings;
   std::erase(notes, comparison.shiftWarning); // what is printed tells of the shift
@@ -70,6 +90,11 @@ void evaluate(const Flags& flags) {
   auto json = toJson(comparison);
   json["result"] = flags.result;
   json["reference"] = flags.reference;
+  if (comparison.edit) {
+    json["edit_distance"]["unit"] = flags.editUnit;
+    json["edit_distance"]["cost"] = flags.editCost;
+    json["edit_distance"]["merge_paths"] = flags.merges;
+  }
   writeAtomically(flags.json, [&](std::ostream& out) { out << json.dump(2) << '\n'; });
 }
 
@@ -85,6 +110,18 @@ void addEvaluate(CLI::App& app) {
                     "Compare the two where they lie; without it the result is first laid on the "
                     "reference");
   addUnit(*command, flags->unit, "Unit of the structures, to be named with the numbers");
+  command
+      ->add_option("--edit-unit", flags->editUnit,
+                   "What the edit distance edits: node, segment or axis")
+      ->check(CLI::IsMember(editUnitNames()).description(""))
+      ->type_name("UNIT");
+  command
+      ->add_option("--edit-cost", flags->editCost,
+                   "What an edit costs: topology, attributes, length, place or shape")
+      ->check(CLI::IsMember(editCostNames()).description(""))
+      ->type_name("COST");
+  command->add_flag("--merge-paths", flags->merges,
+                    "Let one segment stand for up to three that follow each other");
   command->add_option("--json", flags->json, "File to write all numbers to")->type_name("FILE");
   addThreads(*command, flags->threads);
   command->callback([flags] { evaluate(*flags); });

@@ -30,6 +30,30 @@ void warnOfShift(Comparison& comparison, double unit) {
   comparison.warnings.push_back(comparison.shiftWarning);
 }
 
+/// Parts of a plant that an edit distance would compare.
+std::size_t parts(const Traits& traits, EditUnit unit) {
+  if (unit == EditUnit::node) return traits.nodes;
+  if (unit == EditUnit::segment) return traits.segments;
+  std::size_t axes = 0;
+  for (const std::size_t ofOrder : traits.axesByOrder)
+    axes += ofOrder;
+  return axes;
+}
+
+void compareEdits(Comparison& comparison, const Skeleton& laid, const Skeleton& reference,
+                  const EditOptions& options, const Progress& progress) {
+  const std::size_t ofResult = parts(comparison.resultTraits, options.unit);
+  const std::size_t ofReference = parts(comparison.referenceTraits, options.unit);
+  if (ofResult * ofReference <= mostEditedPairs) {
+    comparison.edit = editComparison(laid, reference, options, progress);
+    return;
+  }
+  std::ostringstream text;
+  text << "the edit distance of " << ofResult << " and " << ofReference
+       << " parts would take too long and is left out: compare segments or axes";
+  comparison.warnings.push_back(text.str());
+}
+
 } // namespace
 
 Comparison compare(const Skeleton& result, const Skeleton& reference,
@@ -48,7 +72,10 @@ Comparison compare(const Skeleton& result, const Skeleton& reference,
     laid = moved(result, comparison.registration->motion);
     warnOfShift(comparison, defaultTolerances(reference).front());
   }
-  comparison.authors = authorsComparison(laid, reference, options.authors, progress.part(0.6, 0.7));
+  comparison.authors =
+      authorsComparison(laid, reference, options.authors, progress.part(0.6, 0.65));
+  compareEdits(comparison, laid, reference, options.edit,
+               progress.part(0.65, 0.7, "Counting edits"));
   comparison.tolerance = toleranceCurve(laid, reference, options.tolerance,
                                         progress.part(0.7, 0.95, "Measuring distances"));
 

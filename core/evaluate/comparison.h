@@ -2,6 +2,7 @@
 
 #include "core/base/progress.h"
 #include "core/evaluate/authors_comparison.h"
+#include "core/evaluate/edit_comparison.h"
 #include "core/evaluate/landmark_agreement.h"
 #include "core/evaluate/registration.h"
 #include "core/evaluate/tolerance_curve.h"
@@ -18,6 +19,7 @@ struct ComparisonOptions {
   bool registers = true; // lays the result on the reference before anything is measured
   RegistrationOptions registration;
   AuthorsOptions authors;
+  EditOptions edit;
   ToleranceOptions tolerance;
   double landmarkDistance = 0; // [L], for tips and branchings; 0 = the reference's median edge
 };
@@ -26,6 +28,7 @@ struct ComparisonOptions {
 struct Comparison {
   std::optional<Registration> registration; // none if it was not asked for
   AuthorsComparison authors;
+  std::optional<EditComparison> edit; // none between plants of over `mostEditedPairs`
   ToleranceCurve tolerance;
   LandmarkAgreement tips;
   LandmarkAgreement branchings;
@@ -35,8 +38,11 @@ struct Comparison {
   std::string shiftWarning; // the one of them that tells of the shift; empty if there is none
 };
 
-/// Compares a result with its reference: registration, then the authors' indices, tolerance curve,
-/// tips and branchings on the registered result, and the traits of both.
+/// Pairs of parts of both plants up to which compare() tells the edit distance: a few seconds.
+inline constexpr std::size_t mostEditedPairs = 25'000'000;
+
+/// Compares a result with its reference: registration, then the authors' indices, edit distance,
+/// tolerance curve, tips and branchings on the registered result, and the traits of both.
 ///
 /// Warns if the two lie apart by more than the finest default tolerance, and if one is over 20
 /// times as large as the other, which most often is a unit.

@@ -63,6 +63,16 @@ Json toJson(const Traits& traits) {
           {"length_by_order", traits.lengthByOrder}};
 }
 
+Json toJson(const EditComparison& edit) {
+  return {{"distance", edit.distance.distance},
+          {"removing_all", edit.distance.removingAll},
+          {"inserting_all", edit.distance.insertingAll},
+          {"similarity", edit.distance.similarity()},
+          {"matched", edit.matched},
+          {"removed", edit.removed},
+          {"inserted", edit.inserted}};
+}
+
 Json toJson(const LandmarkAgreement& agreement) {
   return {{"distance", agreement.distance},
           {"matched", agreement.matched},
@@ -77,6 +87,7 @@ nlohmann::ordered_json toJson(const Comparison& comparison) {
   const auto& registration = comparison.registration;
   Json json;
   json["authors"] = toJson(comparison.authors);
+  json["edit_distance"] = comparison.edit ? toJson(*comparison.edit) : Json();
   json["tolerance"] = toJson(comparison.tolerance.scores);
   json["distances"] = {{"step", comparison.tolerance.step},
                        {"to_reference", toJson(comparison.tolerance.toReference)},

@@ -147,6 +147,21 @@ TEST_F(Subcommands, EvaluateMeasuresAgainstTheTruth) {
   EXPECT_TRUE(numbers["registration"].is_object());
 }
 
+TEST_F(Subcommands, EvaluateCountsEditsAsAsked) {
+  const std::string told = run({"evaluate", truth_, truth_, "--edit-unit", "axis", "--edit-cost",
+                                "shape", "--merge-paths", "--json", file("a.json")});
+  EXPECT_THAT(told, HasSubstr("\nedit distance 0, similarity 1.000: 0 removed, 0 inserted\n"));
+  const json edit = jsonIn(file("a.json"))["edit_distance"];
+  EXPECT_EQ(edit["unit"], "axis");
+  EXPECT_EQ(edit["cost"], "shape");
+  EXPECT_EQ(edit["merge_paths"], true);
+  EXPECT_EQ(edit["distance"], 0);
+  EXPECT_GT(edit["removing_all"], 0);
+  const Outcome wrong = runProgram({"evaluate", truth_, truth_, "--edit-cost", "shap"});
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("{topology,attributes,length,place,shape}"));
+}
+
 TEST_F(Subcommands, EvaluateFindsAStructureEqualToItself) {
   run({"evaluate", truth_, truth_, "--no-register", "--json", file("a.json")});
   const json numbers = jsonIn(file("a.json"));

@@ -90,7 +90,26 @@ TEST(Comparison, OfAPlantWithItselfIsPerfect) {
   EXPECT_EQ(comparison.tolerance.scores[0].f(), 1);
   EXPECT_EQ(comparison.tips.f(), 1);
   EXPECT_EQ(comparison.branchings.f(), 1);
+  ASSERT_TRUE(comparison.edit);
+  EXPECT_EQ(comparison.edit->distance.distance, 0);
   EXPECT_THAT(comparison.warnings, IsEmpty());
+}
+
+TEST(Comparison, CountsEditsAfterRegistration) {
+  const Skeleton bush = test::bush();
+  const Skeleton result = test::shifted(bush, {0.5, 0.5, 0.5});
+  const Comparison registered = compare(result, bush, {.edit = {.cost = EditCost::place}});
+  EXPECT_NEAR(registered.edit->distance.distance, 0, 1e-2);
+  const Comparison asIs =
+      compare(result, bush, {.registers = false, .edit = {.cost = EditCost::place}});
+  EXPECT_GT(asIs.edit->distance.distance, 0.5);
+}
+
+TEST(Comparison, LeavesEditsOutThatWouldTakeTooLong) {
+  const Comparison comparison = compare(test::stick(5001), test::stick(5001),
+                                        {.registers = false, .edit = {.unit = EditUnit::node}});
+  EXPECT_FALSE(comparison.edit);
+  EXPECT_THAT(comparison.warnings, ElementsAre(HasSubstr("5001 and 5001 parts")));
 }
 
 TEST(Comparison, MeasuresAfterRegistrationUnlessAskedNotTo) {

@@ -21,7 +21,7 @@ struct GeodesicCentroidOptions {
 /// @param points 3 x N, finite [L]
 /// @return 3 x N, the new place of each point [L]
 /// @throws Cancelled if `progress` asks to stop
-/// Deterministic. Time O(N m log m) for m points within the radius, memory O(N k).
+/// Deterministic. Time O(N k m / 16) for m points within the radius, memory O(N k).
 /// Source: C. Preuksakarn, "Reconstructing plant architecture from 3D laser scanner data",
 /// Montpellier 2, 2012, section 4.6.
 [[nodiscard]] Eigen::Matrix3Xf contractedToGeodesicCentroids(const Eigen::Matrix3Xf& points,

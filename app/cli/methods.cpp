@@ -27,6 +27,7 @@ std::string number(double value) {
 }
 
 std::string rangeText(const Option& option) {
+  if (option.takesWords()) return option.words();
   const std::string text = number(option.minimum) + " to " + number(option.maximum);
   if (option.kind == OptionKind::length) return text + " point spacings";
   return option.kind == OptionKind::angle ? text + " degrees" : text;
@@ -46,16 +47,21 @@ void printText(const Flags& flags) {
       if (!method.source.empty()) std::cout << "  Source: " << method.source << '\n';
       for (const Option& option : method.options)
         std::cout << "    " << step.name << '.' << option.name << "  " << nameOf(option.kind)
-                  << ", default " << option.rule.text() << ", range " << rangeText(option)
+                  << ", default " << option.ruleText()
+                  << (option.takesWords() ? ", one of " : ", range ") << rangeText(option)
                   << "\n        " << option.help << '\n';
       std::cout << '\n';
     }
 }
 
 Json toJson(const Option& option) {
-  return {{"name", option.name},        {"label", option.label},     {"kind", nameOf(option.kind)},
-          {"rule", option.rule.text()}, {"minimum", option.minimum}, {"maximum", option.maximum},
-          {"range", rangeText(option)}, {"help", option.help}};
+  Json json = {{"name", option.name},         {"label", option.label},
+               {"kind", nameOf(option.kind)}, {"rule", option.ruleText()},
+               {"minimum", option.minimum},   {"maximum", option.maximum},
+               {"range", rangeText(option)},  {"help", option.help}};
+  for (const Choice& choice : option.choices)
+    json["choices"].push_back({{"name", choice.name}, {"label", choice.label}});
+  return json;
 }
 
 void printJson(const Flags& flags) {

@@ -1,5 +1,6 @@
 #include "app/cli/statistics.h"
 
+#include "core/pipeline/registry.h"
 #include "core/skeleton/axes.h"
 #include "core/skeleton/bounds.h"
 #include "core/skeleton/checks.h"
@@ -88,8 +89,14 @@ Json statistics(const Reconstruction& reconstruction,
   auto steps = Json::array();
   for (const StepRecord& record : reconstruction.steps) {
     Json step = {{"step", record.step}, {"method", record.method}, {"options", Json::object()}};
-    for (const auto& [name, value] : record.values)
-      step["options"][name] = value;
+    const Method& method = methodNamed(stepNamed(record.step), record.method);
+    for (std::size_t i = 0; i < record.values.size(); ++i) {
+      const auto& [name, value] = record.values[i];
+      if (method.options[i].takesWords())
+        step["options"][name] = method.options[i].wordFor(value);
+      else
+        step["options"][name] = value;
+    }
     steps.push_back(std::move(step));
   }
   auto seconds = Json::object();

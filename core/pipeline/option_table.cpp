@@ -1,8 +1,16 @@
 #include "core/pipeline/option_table.h"
 
+#include <algorithm>
+#include <array>
+#include <cassert>
 #include <sstream>
 
 namespace espalier {
+namespace {
+
+const std::array<std::string, 2> flagWords = {"no", "yes"};
+
+} // namespace
 
 std::string Rule::text() const {
   std::ostringstream text;
@@ -22,6 +30,35 @@ std::pair<double, double> Option::range(const PlantScale& scale) const {
   return {minimum * unit, maximum * unit};
 }
 
+std::string Option::ruleText() const {
+  return takesWords() ? wordFor(rule.fixed) : rule.text();
+}
+
+const std::string& Option::wordFor(double value) const {
+  assert(takesWords() && value >= 0 && value <= maximum);
+  const auto place = static_cast<std::size_t>(value);
+  return kind == OptionKind::flag ? flagWords[place] : choices[place].name;
+}
+
+std::optional<double> Option::valueOf(std::string_view word) const {
+  if (kind == OptionKind::flag) {
+    if (word == "yes" || word == "true" || word == "on") return 1;
+    if (word == "no" || word == "false" || word == "off") return 0;
+    return std::nullopt;
+  }
+  const auto found = std::ranges::find(choices, word, &Choice::name);
+  if (found == choices.end()) return std::nullopt;
+  return static_cast<double>(found - choices.begin());
+}
+
+std::string Option::words() const {
+  if (kind == OptionKind::flag) return flagWords[1] + ", " + flagWords[0];
+  std::string all;
+  for (const Choice& choice : choices)
+    all += (all.empty() ? "" : ", ") + choice.name;
+  return all;
+}
+
 std::string nameOf(OptionKind kind) {
   switch (kind) {
   case OptionKind::length:
@@ -32,6 +69,10 @@ std::string nameOf(OptionKind kind) {
     return "count";
   case OptionKind::angle:
     return "angle";
+  case OptionKind::choice:
+    return "choice";
+  case OptionKind::flag:
+    return "flag";
   }
   return {};
 }

@@ -31,14 +31,32 @@ void requireOption(const Step& step, const Method& method, const std::string& na
 
 double checkedValue(const Step& step, const Option& option, double value, const PlantScale& scale) {
   const auto [least, most] = option.range(scale);
-  const bool isWhole = option.kind != OptionKind::count || value == std::round(value);
+  const bool isCounted = option.kind == OptionKind::count || option.takesWords();
+  const bool isWhole = !isCounted || value == std::round(value);
   if (value >= least && value <= most && isWhole) return value;
   std::ostringstream text;
+  if (option.takesWords()) {
+    text << step.name << '.' << option.name << " takes no " << value << ": choose one of "
+         << option.words();
+    throw Error(text.str());
+  }
   text << step.name << '.' << option.name << " is " << value << ": choose "
        << (option.kind == OptionKind::count ? "a whole number " : "a value ") << "from " << least
        << " to " << most;
   if (option.kind == OptionKind::length) text << " (the points are " << scale.spacing << " apart)";
   throw Error(text.str());
+}
+
+/// The option of that name of the method that is chosen, or else of another of the step. (Those of
+/// one name take the same words: the method may be chosen later.)
+const Option* optionNamed(const Step& step, const PipelineOptions& options,
+                          const std::string& name) {
+  const Option* found = nullptr;
+  for (const Method& method : step.methods)
+    for (const Option& option : method.options)
+      if (option.name == name && (!found || &method == &chosenMethod(step, options)))
+        found = &option;
+  return found;
 }
 
 } // namespace
@@ -58,11 +76,23 @@ void PipelineOptions::set(const std::string& assignment) {
     methods[step] = text;
     return;
   }
+  setText(stepNamed(step), option, text);
+}
+
+void PipelineOptions::setText(const Step& in, const std::string& option, const std::string& text) {
+  const std::string& step = in.name;
+  if (const Option* known = optionNamed(in, *this, option); known && known->takesWords()) {
+    const std::optional<double> word = known->valueOf(text);
+    if (!word)
+      throw Error(step + "." + option + " takes no \"" + text + "\": choose one of " +
+                  known->words());
+    settings[step][option] = *word;
+    return;
+  }
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
     throw Error("\"" + text + "\" is no number: write " + step + "." + option + "=VALUE");
-  (void)stepNamed(step);
   settings[step][option] = value;
 }
 

@@ -18,8 +18,11 @@ struct PipelineOptions {
   UpAxis up = UpAxis::z;
 
   /// Sets one option by its full name, "step.option".
-  /// @throws Error naming what there is, if the step or option is unknown or the value is no number
+  /// @throws Error naming what there is, if the step is unknown or the value is no number, or none
+  /// of the words that the option takes
   void set(const std::string& assignment); // "contract.radius=12.5"
+  /// The same, in parts; `text` is a number, or a word.
+  void setText(const Step& step, const std::string& option, const std::string& text);
 
   bool operator==(const PipelineOptions&) const = default;
 };

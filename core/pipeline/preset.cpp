@@ -25,9 +25,36 @@ void readStep(const std::string& step, const Json& choices, PipelineOptions& opt
   }
 }
 
+bool takesWords(const Step& step, const std::string& name) {
+  return std::ranges::any_of(step.methods, [&](const Method& method) {
+    return std::ranges::any_of(method.options, [&](const Option& option) {
+      return option.name == name && option.takesWords();
+    });
+  });
+}
+
+/// A value as a preset has it: a number, a word, or true or false.
+Json toJson(const PipelineOptions& options, const Step& step, const std::string& name,
+            double value) {
+  const auto chosen = options.methods.find(step.name);
+  const Method& method =
+      chosen == options.methods.end() ? step.methods.front() : methodNamed(step, chosen->second);
+  for (const Option& option : method.options) {
+    if (option.name != name) continue;
+    if (option.kind == OptionKind::flag) return value != 0;
+    if (option.kind == OptionKind::choice) return option.wordFor(value);
+  }
+  return value;
+}
+
 void readOption(const std::string& step, const std::string& name, const Json& value,
                 PipelineOptions& options) {
   if (name == "method" && value.is_string()) return;
+  if (takesWords(stepNamed(step), name)) {
+    options.setText(stepNamed(step), name,
+                    value.is_string() ? value.get<std::string>() : value.dump());
+    return;
+  }
   if (!value.is_number()) throw Error("\"" + step + "." + name + "\" must be a number");
   options.settings[step][name] = value.get<double>();
 }
@@ -86,7 +113,7 @@ PipelineOptions optionsIn(const Json& json, const Where& where, bool mustExist) 
         readOption(step, choice.key(), choice.value(), options);
         if (!mustExist || choice.key() == "method") return;
         PipelineOptions alone{.methods = options.methods};
-        alone.settings[step][choice.key()] = choice.value().get<double>();
+        readOption(step, choice.key(), choice.value(), alone);
         requireKnown(alone);
       });
   }
@@ -131,7 +158,7 @@ void writePreset(std::ostream& out, const PipelineOptions& options) {
       json[step.name]["method"] = method->second;
     if (const auto settings = options.settings.find(step.name); settings != options.settings.end())
       for (const auto& [name, value] : settings->second)
-        json[step.name][name] = value;
+        json[step.name][name] = toJson(options, step, name, value);
   }
   out << json.dump(2) << '\n';
 }

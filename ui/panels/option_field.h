@@ -7,23 +7,21 @@
 
 #include <optional>
 
-class QDoubleSpinBox;
 class QGridLayout;
 class QLabel;
 class QToolButton;
 
 namespace espalier {
 
-class OptionSlider;
-
-/// One option of a method in a form: name, slider, number with unit, and the way back to the
+/// One option of a method in a form: its name, what it is set with, and the way back to the
 /// default. All of it is made from the option table.
 class OptionField : public QObject {
   Q_OBJECT
 
 public:
-  /// Adds its widgets to the next rows of `grid`, which has two columns.
-  OptionField(const Option& option, QGridLayout& grid, QWidget& parent);
+  /// The field for the kind of `option`: its widgets are added to the next rows of `grid`, which
+  /// has two columns. Owned by `parent`.
+  [[nodiscard]] static OptionField* make(const Option& option, QGridLayout& grid, QWidget& parent);
 
   /// What the default and the range are, for this plant.
   void setScale(const PlantScale& scale, const QString& unit);
@@ -35,18 +33,26 @@ public:
 signals:
   void changed();
 
+protected:
+  OptionField(const Option& option, QWidget& parent);
+
+  [[nodiscard]] const Option& option() const { return option_; }
+  [[nodiscard]] const PlantScale& scale() const { return scale_; }
+  [[nodiscard]] double value() const { return chosen_.value_or(option_.rule.value(scale_)); }
+  [[nodiscard]] QLabel& label() const { return *label_; }
+  [[nodiscard]] QToolButton& reset() const { return *reset_; }
+  [[nodiscard]] QString help() const; // for tips
+
+  virtual void showScale(const QString& unit) = 0; // range and tips
+  virtual void showValue() = 0;
+
 private:
-  [[nodiscard]] double value() const;
-  [[nodiscard]] double placeOf(double value) const; // on the slider, in [0, 1]
-  [[nodiscard]] double valueAt(double place) const;
-  void showValue();
+  void show();
 
   Option option_;
   PlantScale scale_{.spacing = 1, .height = 100};
   std::optional<double> chosen_;
   QLabel* label_;
-  OptionSlider* slider_;
-  QDoubleSpinBox* number_;
   QToolButton* reset_;
 };
 

@@ -114,7 +114,7 @@ void StepForm::showMethod() {
   if (!method.source.empty()) help->setToolTip(tr("Source: %1").arg(method.source.c_str()));
   grid->addWidget(help, 0, 0, 1, 2);
   for (const Option& option : method.options) {
-    fields_.push_back(new OptionField(option, *grid, *options_));
+    fields_.push_back(OptionField::make(option, *grid, *options_));
     fields_.back()->setScale(scale_, unit_);
     connect(fields_.back(), &OptionField::changed, this, &StepForm::changed);
   }

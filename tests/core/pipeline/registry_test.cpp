@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 
 namespace espalier {
@@ -50,6 +51,19 @@ TEST(Registry, GivesLengthsByRulesOfThePlantNeverInAbsoluteUnits) {
         if (option.kind == OptionKind::length) {
           EXPECT_EQ(option.rule.fixed, 0) << option.name;
         }
+}
+
+// So that a word can be read before the method is chosen.
+TEST(Registry, GivesOptionsOfOneNameInOneStepTheSameWords) {
+  for (const Step& step : pipelineSteps()) {
+    std::map<std::string, std::string> words;
+    for (const Method& method : step.methods)
+      for (const Option& option : method.options) {
+        const std::string own = option.takesWords() ? option.words() : "numbers";
+        EXPECT_EQ(words.try_emplace(option.name, own).first->second, own)
+            << step.name << '.' << option.name;
+      }
+  }
 }
 
 TEST(Registry, ListsWhatThereIsWhenANameIsUnknown) {

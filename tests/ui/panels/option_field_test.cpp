@@ -1,0 +1,86 @@
+#include "ui/panels/option_field.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QSignalSpy>
+#include <QTest>
+#include <QToolButton>
+#include <gtest/gtest.h>
+
+namespace espalier {
+namespace {
+
+/// A form of one option.
+struct Form {
+  explicit Form(const Option& option) : field(OptionField::make(option, grid, widget)) {}
+
+  QWidget widget;
+  QGridLayout& grid = *new QGridLayout(&widget);
+  OptionField* field;
+};
+
+Option flow() {
+  return {.name = "flow",
+          .label = "Flow",
+          .kind = OptionKind::choice,
+          .rule = fixedAt(1),
+          .maximum = 1,
+          .help = "How it flows.",
+          .choices = {{"slow", "Slowly"}, {"fast", "Fast"}}};
+}
+
+Option dry() {
+  return {.name = "dry",
+          .label = "Dry",
+          .kind = OptionKind::flag,
+          .rule = fixedAt(1),
+          .maximum = 1,
+          .help = "Whether it is dry."};
+}
+
+TEST(OptionField, OfAChoiceIsAListOfItsWords) {
+  Form form(flow());
+  auto& words = *form.widget.findChild<QComboBox*>("flow");
+  ASSERT_EQ(words.count(), 2);
+  EXPECT_EQ(words.currentText(), "Fast"); // the default
+  EXPECT_TRUE(words.toolTip().contains("Default: fast"));
+  const QSignalSpy changed(form.field, &OptionField::changed);
+  QTest::keyClick(&words, Qt::Key_Up);
+  EXPECT_EQ(changed.count(), 1);
+  EXPECT_EQ(form.field->chosen(), 0.0);
+  form.widget.findChild<QToolButton*>()->click(); // back
+  EXPECT_FALSE(form.field->chosen());
+  EXPECT_EQ(words.currentText(), "Fast");
+}
+
+TEST(OptionField, OfAFlagIsABoxToCheck) {
+  Form form(dry());
+  auto& box = *form.widget.findChild<QCheckBox*>("dry");
+  EXPECT_TRUE(box.isChecked());
+  EXPECT_EQ(box.text(), "Dry");
+  box.click();
+  EXPECT_EQ(form.field->chosen(), 0.0);
+  form.field->choose(std::nullopt);
+  EXPECT_TRUE(box.isChecked());
+}
+
+TEST(OptionField, OfANumberFollowsTheScaleOfThePlant) {
+  Form form({.name = "reach",
+             .label = "Reach",
+             .kind = OptionKind::length,
+             .rule = spacings(4),
+             .minimum = 1,
+             .maximum = 10,
+             .help = "How far."});
+  form.field->setScale({.spacing = 2, .height = 100}, "mm");
+  auto& number = *form.widget.findChild<QDoubleSpinBox*>("reach");
+  EXPECT_EQ(number.value(), 8);
+  EXPECT_EQ(number.maximum(), 20);
+  number.setValue(12);
+  EXPECT_EQ(form.field->chosen(), 12.0);
+}
+
+} // namespace
+} // namespace espalier

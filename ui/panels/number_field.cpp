@@ -1,0 +1,91 @@
+#include "ui/panels/number_field.h"
+
+#include "ui/panels/option_slider.h"
+
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QToolButton>
+
+#include <algorithm>
+#include <cmath>
+
+namespace espalier {
+namespace {
+
+/// Digits after the point that tell values of this size apart.
+int decimalsFor(const Option& option, double size) {
+  if (option.kind == OptionKind::count) return 0;
+  if (option.kind == OptionKind::angle) return 1;
+  if (option.kind == OptionKind::ratio || size <= 0) return 2;
+  return std::clamp(2 - static_cast<int>(std::floor(std::log10(size))), 0, 6);
+}
+
+} // namespace
+
+NumberField::NumberField(const Option& option, QGridLayout& grid, QWidget& parent)
+    : OptionField(option, parent), slider_(new OptionSlider(&parent)),
+      number_(new QDoubleSpinBox(&parent)) {
+  number_->setObjectName(QString::fromStdString(option.name));
+  number_->setKeyboardTracking(false);
+  number_->setAlignment(Qt::AlignRight);
+  number_->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  number_->setFixedWidth(84);
+  number_->setAccessibleName(label().text());
+  slider_->setAccessibleName(label().text());
+  slider_->setMinimumWidth(48);
+  label().setBuddy(number_);
+  const int row = grid.rowCount();
+  grid.addWidget(&label(), row, 0);
+  grid.addWidget(&reset(), row, 1, Qt::AlignRight);
+  grid.addWidget(slider_, row + 1, 0);
+  grid.addWidget(number_, row + 1, 1);
+  connect(slider_, &QSlider::valueChanged, this, [this] { choose(valueAt(slider_->place())); });
+  connect(slider_, &OptionSlider::defaultRequested, this, [this] { choose(std::nullopt); });
+  connect(number_, &QDoubleSpinBox::valueChanged, this, [this](double typed) { choose(typed); });
+}
+
+void NumberField::showScale(const QString& unit) {
+  const auto [minimum, maximum] = option().range(scale());
+  const double standard = option().rule.value(scale());
+  const QString suffix = option().kind == OptionKind::angle    ? QStringLiteral("°")
+                         : option().kind == OptionKind::length ? unit
+                                                               : QString();
+  const QSignalBlocker quiet(number_);
+  number_->setDecimals(decimalsFor(option(), standard > 0 ? standard : maximum / 100));
+  number_->setRange(minimum, maximum);
+  number_->setSuffix(suffix.isEmpty() || suffix == "°" ? suffix : QChar(0x202f) + suffix);
+  number_->setSingleStep(option().kind == OptionKind::count ? 1 : std::max(standard, minimum) / 10);
+  slider_->setDefaultPlace(placeOf(standard));
+  slider_->setToolTip(help());
+  number_->setToolTip(help());
+}
+
+// Lengths matter by their ratio, so the slider is logarithmic; where 0 is allowed it is cubic.
+double NumberField::placeOf(double value) const {
+  const auto [minimum, maximum] = option().range(scale());
+  if (maximum <= minimum) return 0;
+  if (option().kind != OptionKind::length) return (value - minimum) / (maximum - minimum);
+  if (minimum > 0) return std::log(value / minimum) / std::log(maximum / minimum);
+  return std::cbrt(value / maximum);
+}
+
+double NumberField::valueAt(double place) const {
+  const auto [minimum, maximum] = option().range(scale());
+  double value = minimum + place * (maximum - minimum);
+  if (option().kind == OptionKind::length)
+    value = minimum > 0 ? minimum * std::pow(maximum / minimum, place)
+                        : maximum * place * place * place;
+  const double unit = std::pow(10, -number_->decimals());
+  return std::clamp(std::round(value / unit) * unit, minimum, maximum);
+}
+
+void NumberField::showValue() {
+  const QSignalBlocker quietSlider(slider_);
+  const QSignalBlocker quietNumber(number_);
+  slider_->setPlace(std::clamp(placeOf(value()), 0.0, 1.0));
+  number_->setValue(value());
+}
+
+} // namespace espalier

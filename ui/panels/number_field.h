@@ -1,0 +1,28 @@
+#pragma once
+
+#include "ui/panels/option_field.h"
+
+class QDoubleSpinBox;
+
+namespace espalier {
+
+class OptionSlider;
+
+/// An option that is a number: a slider, and the number with its unit.
+class NumberField : public OptionField {
+  Q_OBJECT
+
+public:
+  NumberField(const Option& option, QGridLayout& grid, QWidget& parent);
+
+private:
+  void showScale(const QString& unit) override;
+  void showValue() override;
+  [[nodiscard]] double placeOf(double value) const; // on the slider, in [0, 1]
+  [[nodiscard]] double valueAt(double place) const;
+
+  OptionSlider* slider_;
+  QDoubleSpinBox* number_;
+};
+
+} // namespace espalier

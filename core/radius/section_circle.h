@@ -1,8 +1,8 @@
 #pragma once
 
+#include "core/base/circle_fit.h"
 #include "core/base/progress.h"
 #include "core/radius/cross_section.h"
-#include "core/skeleton/circle_fit.h"
 
 #include <array>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "core/reconstruct/centered_line.h"
 
-#include "core/skeleton/circle_fit.h"
+#include "core/base/circle_fit.h"
 
 #include <Eigen/Geometry>
 

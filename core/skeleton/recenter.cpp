@@ -1,8 +1,8 @@
 #include "core/skeleton/recenter.h"
 
+#include "core/base/circle_fit.h"
 #include "core/base/parallel.h"
 #include "core/skeleton/assign_points.h"
-#include "core/skeleton/circle_fit.h"
 
 #include <Eigen/Geometry>
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/base/circle_fit.h"
 #include "core/radius/cross_section.h"
-#include "core/skeleton/circle_fit.h"
 #include "ui/document/gesture.h"
 #include "ui/document/length_unit.h"
 

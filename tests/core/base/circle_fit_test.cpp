@@ -1,5 +1,5 @@
 #include "core/base/random.h"
-#include "core/skeleton/circle_fit.h"
+#include "core/base/circle_fit.h"
 
 #include <gtest/gtest.h>
 

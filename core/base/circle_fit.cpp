@@ -1,4 +1,4 @@
-#include "core/skeleton/circle_fit.h"
+#include "core/base/circle_fit.h"
 
 #include <algorithm>
 #include <array>

@@ -56,7 +56,8 @@ Geodesics geodesics(const NeighborhoodGraph& graph, const std::vector<Eigen::Ind
 GeodesicBall::GeodesicBall(const NeighborhoodGraph& graph)
     : graph_(graph), distance_(static_cast<std::size_t>(graph.size()), infinite) {}
 
-const std::vector<GeodesicBall::Member>& GeodesicBall::around(Eigen::Index center, float radius) {
+const std::vector<GeodesicBall::Member>& GeodesicBall::around(Eigen::Index center, float radius,
+                                                              std::size_t most) {
   members_.clear();
   met_.clear();
   heap_.clear();
@@ -64,7 +65,7 @@ const std::vector<GeodesicBall::Member>& GeodesicBall::around(Eigen::Index cente
   distance_[first] = 0;
   met_.push_back(first);
   heap_.push_back({first, 0});
-  while (!heap_.empty()) {
+  while (!heap_.empty() && members_.size() < most) {
     const Member near = heap_.front();
     std::pop_heap(heap_.begin(), heap_.end(), isFarther);
     heap_.pop_back();

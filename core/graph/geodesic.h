@@ -38,8 +38,9 @@ public:
   explicit GeodesicBall(const NeighborhoodGraph& graph);
 
   /// The points within `radius` [L] of `center` along the graph, itself first, nearest first.
-  /// Valid until the next call. Time O(m log m) for m links met.
-  const std::vector<Member>& around(Eigen::Index center, float radius);
+  /// No more than the `most` nearest. Valid until the next call. Time O(m log m) for m links met.
+  const std::vector<Member>& around(Eigen::Index center, float radius,
+                                    std::size_t most = std::numeric_limits<std::size_t>::max());
 
 private:
   const NeighborhoodGraph& graph_;

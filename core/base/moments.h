@@ -1,0 +1,40 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
+
+namespace espalier {
+
+/// Count, mean and spread of points, collected one by one about a place near them.
+class Moments {
+public:
+  explicit Moments(const Eigen::Vector3d& about = Eigen::Vector3d::Zero()) : about_(about) {}
+
+  void add(const Eigen::Vector3d& point) {
+    const Eigen::Vector3d d = point - about_;
+    ++count_;
+    sum_ += d;
+    squares_.noalias() += d * d.transpose();
+  }
+  void add(const Eigen::Vector3f& point) { add(Eigen::Vector3d(point.cast<double>())); }
+
+  [[nodiscard]] int count() const { return count_; }
+  [[nodiscard]] Eigen::Vector3d mean() const { return about_ + sum_ / count_; } // pre: count() > 0
+  [[nodiscard]] Eigen::Matrix3d covariance() const {                            // pre: count() > 0
+    const Eigen::Vector3d shift = sum_ / count_;
+    return squares_ / count_ - shift * shift.transpose();
+  }
+
+  /// Variances and directions of the principal components, the least first. pre: count() > 0
+  [[nodiscard]] Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> components() const {
+    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance());
+  }
+
+private:
+  Eigen::Vector3d about_;
+  int count_ = 0;
+  Eigen::Vector3d sum_ = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d squares_ = Eigen::Matrix3d::Zero();
+};
+
+} // namespace espalier

@@ -1,0 +1,59 @@
+#include "core/graph/densities.h"
+
+#include "core/base/spatial_index.h"
+#include "core/graph/geodesic_balls.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+
+namespace espalier {
+
+std::vector<float> radiusDensities(const NeighborhoodGraph& graph, float radius,
+                                   const Progress& progress) {
+  assert(radius > 0);
+  std::vector<float> densities(static_cast<std::size_t>(graph.size()));
+  const auto visit = [&](const GeodesicBalls& balls) {
+    std::array<int, GeodesicBalls::most> counts{};
+    balls.forEachMember(
+        [&](std::size_t center, std::uint32_t /*point*/, float /*distance*/) { ++counts[center]; });
+    for (std::size_t i = 0; i < balls.centers().size(); ++i)
+      densities[balls.centers()[i]] = static_cast<float>(counts[i]) / (radius * radius);
+  };
+  forEachGeodesicBalls(
+      graph, [&](std::uint32_t /*center*/) { return radius; }, visit, progress);
+  return densities;
+}
+
+std::vector<float> nearestDensities(const Eigen::Matrix3Xf& points, int count,
+                                    const Progress& progress) {
+  const NearestOthers others = SpatialIndex(points).nearestOthers(count, progress);
+  std::vector<float> densities(static_cast<std::size_t>(points.cols()), 0);
+  if (others.perPoint == 0) return densities;
+  const auto perPoint = static_cast<std::size_t>(others.perPoint);
+  float greatest = 0;
+  for (std::size_t i = 0; i < densities.size(); ++i) {
+    const float farthest = others.squaredDistances[(i + 1) * perPoint - 1];
+    if (farthest > 0) densities[i] = static_cast<float>(perPoint) / farthest;
+    greatest = std::max(greatest, densities[i]);
+  }
+  for (std::size_t i = 0; i < densities.size(); ++i)
+    if (others.squaredDistances[(i + 1) * perPoint - 1] == 0) densities[i] = greatest;
+  return densities;
+}
+
+std::vector<float> normalizedDensities(const std::vector<float>& densities) {
+  if (densities.empty()) return {};
+  std::vector<float> sorted = densities;
+  std::ranges::sort(sorted);
+  const std::size_t last = sorted.size() - 1;
+  const float least = sorted[last / 100];
+  const float most = sorted[last - last / 100];
+  std::vector<float> result(densities.size(), 0.5F);
+  if (!(most > least)) return result;
+  for (std::size_t i = 0; i < result.size(); ++i)
+    result[i] = std::clamp((densities[i] - least) / (most - least), 0.0F, 1.0F);
+  return result;
+}
+
+} // namespace espalier

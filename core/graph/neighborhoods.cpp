@@ -1,0 +1,103 @@
+#include "core/graph/neighborhoods.h"
+
+#include "core/base/parallel.h"
+#include "core/base/spatial_index.h"
+#include "core/graph/geodesic.h"
+#include "core/graph/geodesic_balls.h"
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+namespace espalier {
+namespace {
+
+using Lists = std::vector<std::vector<std::uint32_t>>;
+
+struct Found {
+  float distance;
+  std::uint32_t point;
+};
+
+/// The points but `own`, nearest first; of equally near ones that of the lower number.
+std::vector<std::uint32_t> sorted(std::vector<Found>& found, std::uint32_t own) {
+  std::ranges::sort(found, {},
+                    [](const Found& each) { return std::tuple(each.distance, each.point); });
+  std::vector<std::uint32_t> points;
+  points.reserve(found.size());
+  for (const Found& each : found)
+    if (each.point != own) points.push_back(each.point);
+  return points;
+}
+
+} // namespace
+
+Neighborhoods joinedLists(const Lists& lists) {
+  Neighborhoods result;
+  result.begin.assign(1, 0);
+  result.begin.reserve(lists.size() + 1);
+  for (const auto& list : lists)
+    result.begin.push_back(result.begin.back() + list.size());
+  result.members.reserve(result.begin.back());
+  for (const auto& list : lists)
+    result.members.insert(result.members.end(), list.begin(), list.end());
+  return result;
+}
+
+Neighborhoods nearestNeighborhoods(const Eigen::Matrix3Xf& points, int count,
+                                   const Progress& progress) {
+  NearestOthers others = SpatialIndex(points).nearestOthers(count, progress);
+  Neighborhoods result;
+  const auto perPoint = static_cast<std::size_t>(others.perPoint);
+  for (std::size_t i = 0; i <= static_cast<std::size_t>(points.cols()); ++i)
+    result.begin.push_back(i * perPoint);
+  result.members = std::move(others.indices);
+  return result;
+}
+
+Neighborhoods neighborhoodsWithin(const Eigen::Matrix3Xf& points, float radius,
+                                  const Progress& progress) {
+  const SpatialIndex index(points);
+  Lists lists(static_cast<std::size_t>(points.cols()));
+  const auto search = [&](Eigen::Index point) {
+    std::vector<Found> found;
+    for (const Neighbor& neighbor : index.within(points.col(point), radius))
+      found.push_back({neighbor.squaredDistance, static_cast<std::uint32_t>(neighbor.index)});
+    lists[static_cast<std::size_t>(point)] = sorted(found, static_cast<std::uint32_t>(point));
+  };
+  parallelFor(points.cols(), search, progress, 32);
+  return joinedLists(lists);
+}
+
+Neighborhoods geodesicNearest(const NeighborhoodGraph& graph, int count, const Progress& progress) {
+  oneapi::tbb::enumerable_thread_specific<GeodesicBall> balls([&] { return GeodesicBall(graph); });
+  Lists lists(static_cast<std::size_t>(graph.size()));
+  const auto most = static_cast<std::size_t>(std::max(count, 0)) + 1;
+  const auto search = [&](Eigen::Index point) {
+    const auto& members = balls.local().around(point, std::numeric_limits<float>::max(), most);
+    auto& list = lists[static_cast<std::size_t>(point)];
+    for (const GeodesicBall::Member& member : members)
+      if (member.point != static_cast<std::uint32_t>(point)) list.push_back(member.point);
+    if (list.size() == most) list.pop_back(); // at the same place, and settled before the center
+  };
+  parallelFor(graph.size(), search, progress, 32);
+  return joinedLists(lists);
+}
+
+Neighborhoods geodesicWithin(const NeighborhoodGraph& graph, float radius,
+                             const Progress& progress) {
+  Lists lists(static_cast<std::size_t>(graph.size()));
+  const auto visit = [&](const GeodesicBalls& balls) {
+    std::array<std::vector<Found>, GeodesicBalls::most> found;
+    balls.forEachMember([&](std::size_t center, std::uint32_t point, float distance) {
+      found[center].push_back({distance, point});
+    });
+    for (std::size_t i = 0; i < balls.centers().size(); ++i)
+      lists[balls.centers()[i]] = sorted(found[i], balls.centers()[i]);
+  };
+  forEachGeodesicBalls(
+      graph, [&](std::uint32_t /*center*/) { return radius; }, visit, progress);
+  return joinedLists(lists);
+}
+
+} // namespace espalier

@@ -1,0 +1,74 @@
+#include "core/graph/densities.h"
+#include "tests/support/clouds.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <numeric>
+
+namespace espalier {
+namespace {
+
+/// A square lattice of 41 x 41 points, `spacing` apart.
+Eigen::Matrix3Xf sheet(float spacing) {
+  Eigen::Matrix3Xf points(3, 41 * 41);
+  for (int i = 0; i < 41; ++i)
+    for (int j = 0; j < 41; ++j)
+      points.col(41 * i + j) =
+          spacing * Eigen::Vector3f(static_cast<float>(i), static_cast<float>(j), 0);
+  return points;
+}
+
+constexpr std::size_t middle = 41 * 20 + 20;
+
+TEST(Densities, CountPointsPerArea) {
+  // Of a lattice 0.1 apart, the 4 nearest lie 0.1 away, the 8 nearest up to 0.1 sqrt(2).
+  EXPECT_NEAR(nearestDensities(sheet(0.1F), 4)[middle], 400, 0.01);
+  EXPECT_NEAR(nearestDensities(sheet(0.1F), 8)[middle], 400, 0.01);
+  // Links lead to the 4 nearest: 13 points lie within 2 steps along them.
+  const NeighborhoodGraph graph(sheet(0.1F), 4);
+  EXPECT_NEAR(radiusDensities(graph, 0.25F)[middle], 13 / 0.0625, 0.01);
+}
+
+TEST(Densities, FallByTheSquareOfTheUnit) {
+  const NeighborhoodGraph meters(sheet(0.125F), 8);
+  const NeighborhoodGraph halves(sheet(0.25F), 8);
+  EXPECT_FLOAT_EQ(radiusDensities(meters, 0.5F)[middle], 4 * radiusDensities(halves, 1)[middle]);
+  EXPECT_FLOAT_EQ(nearestDensities(sheet(0.125F), 8)[middle],
+                  4 * nearestDensities(sheet(0.25F), 8)[middle]);
+}
+
+TEST(Densities, OfCoincidentPointsAreTheGreatestElsewhere) {
+  Eigen::Matrix3Xf points(3, 5); // three at one place, two more
+  points << 0, 0, 0, 1, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0;
+  const std::vector<float> densities = nearestDensities(points, 2);
+  EXPECT_FLOAT_EQ(densities[3], 2); // both are 1 away
+  EXPECT_FLOAT_EQ(densities[0], 2);
+  EXPECT_EQ(nearestDensities(Eigen::Matrix3Xf::Ones(3, 4), 2), std::vector<float>(4, 0));
+}
+
+TEST(NormalizedDensities, RunFromZeroToOneWhateverTheExtremesAre) {
+  std::vector<float> densities(1000);
+  std::iota(densities.begin(), densities.end(), 0.0F);
+  densities.back() = 1e9F; // one outlier
+  const std::vector<float> normalized = normalizedDensities(densities);
+  EXPECT_EQ(normalized.front(), 0);
+  EXPECT_EQ(normalized.back(), 1);
+  EXPECT_NEAR(normalized[500], 0.5, 0.01);
+}
+
+TEST(NormalizedDensities, AreAHalfWhereAllAreTheSame) {
+  EXPECT_EQ(normalizedDensities({3, 3, 3}), (std::vector<float>{0.5F, 0.5F, 0.5F}));
+  EXPECT_TRUE(normalizedDensities({}).empty());
+}
+
+TEST(Densities, StopWhenAsked) {
+  const Eigen::Matrix3Xf points = test::forkCloud();
+  const NeighborhoodGraph graph(points, 7);
+  using test::stopsWhenAsked;
+  EXPECT_TRUE(stopsWhenAsked([&](const Progress& p) { (void)radiusDensities(graph, 1, p); }));
+  EXPECT_TRUE(stopsWhenAsked([&](const Progress& p) { (void)nearestDensities(points, 9, p); }));
+}
+
+} // namespace
+} // namespace espalier

@@ -1,6 +1,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/pipeline/pipeline.h"
+#include "tests/core/pipeline/cloud_of.h"
 #include "tests/support/clouds.h"
 
 #include <gtest/gtest.h>
@@ -11,13 +12,7 @@
 namespace espalier {
 namespace {
 
-std::shared_ptr<const PointCloud> cloudOf(const Eigen::Matrix3Xf& points,
-                                          const Eigen::Vector3d& place = {500, 600, 700}) {
-  RawPoints raw;
-  for (Eigen::Index i = 0; i < points.cols(); ++i)
-    raw.positions.emplace_back(points.col(i).cast<double>() + place);
-  return std::make_shared<const PointCloud>(std::move(raw));
-}
+using test::cloudOf;
 
 std::vector<std::string> newSteps(const Reconstruction& reconstruction) {
   std::vector<std::string> names;

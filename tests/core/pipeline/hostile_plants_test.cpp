@@ -1,0 +1,212 @@
+// Scans that are no plant, or hardly one, go through every method of every step, each with the
+// defaults of the others: a sensible forest comes out, or a clear error.
+#include "core/base/error.h"
+#include "core/base/random.h"
+#include "core/evaluate/comparable.h"
+#include "core/pipeline/pipeline.h"
+#include "tests/core/pipeline/cloud_of.h"
+#include "tests/support/clouds.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <gmock/gmock.h>
+#include <map>
+#include <numbers>
+
+namespace espalier {
+namespace {
+
+using test::cloudOf;
+using Points = Eigen::Matrix3Xf;
+
+constexpr double spacing = 0.02; // [L], of all but the smallest scans
+
+Points stick() {
+  return test::cylinder({0, 0, 0}, {0, 0, 1}, 0.03, spacing);
+}
+
+/// A tube bent to a circle of radius 0.3 that stands on its rim.
+Points ring() {
+  Points points = test::cylinder({0, 0, 0}, {0, 0, 2 * std::numbers::pi * 0.3}, 0.03, spacing);
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    const float angle = points(2, i) / 0.3F;
+    const float reach = 0.3F + points(0, i);
+    points.col(i) =
+        Eigen::Vector3f(reach * std::sin(angle), points(1, i), -reach * std::cos(angle));
+  }
+  return points;
+}
+
+Points twoPlants() {
+  Points other = test::forkCloud(2);
+  other.row(1).array() += 5;
+  return test::both(test::forkCloud(), other);
+}
+
+/// One point in fifty lies anywhere in and around the plant.
+Points withStrays() {
+  const Points plant = test::forkCloud();
+  Random random(3);
+  Points strays(3, plant.cols() / 50);
+  for (Eigen::Index i = 0; i < strays.cols(); ++i)
+    strays.col(i) =
+        Eigen::Vector3d(random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-1, 4))
+            .cast<float>();
+  return test::both(plant, strays);
+}
+
+/// Seen from one side only: the trunk of a fork has half its bark.
+Points halfScanned() {
+  const Points all = test::forkCloud();
+  Points seen(3, all.cols());
+  Eigen::Index count = 0;
+  for (Eigen::Index i = 0; i < all.cols(); ++i)
+    if (all(1, i) > 0 || all(2, i) > 2) seen.col(count++) = all.col(i);
+  return seen.leftCols(count);
+}
+
+Points withGap() {
+  return test::both(test::cylinder({0, 0, 0}, {0, 0, 1}, 0.03, spacing, 1),
+                    test::cylinder({0, 0, 1 + 5 * spacing}, {0, 0, 2}, 0.03, spacing, 2));
+}
+
+Points flatSheet() {
+  Points points(3, 900);
+  for (Eigen::Index i = 0; i < points.cols(); ++i)
+    points.col(i) = Eigen::Vector3f(static_cast<float>(i % 30), 0, static_cast<float>(i / 30)) *
+                    static_cast<float>(spacing);
+  return points;
+}
+
+Points threePoints() {
+  Points points(3, 3);
+  points << 0, 0, 0.1F, 0, 0, 0, 0, 1, 2;
+  return points;
+}
+
+const std::map<std::string, Points>& hostilePlants() {
+  static const std::map<std::string, Points> plants = {
+      {"stick", stick()},
+      {"ring", ring()},
+      {"two plants", twoPlants()},
+      {"strays", withStrays()},
+      {"half scanned", halfScanned()},
+      {"gap", withGap()},
+      {"every point twice", test::both(test::forkCloud(), test::forkCloud())},
+      {"flat sheet", flatSheet()},
+      {"three points", threePoints()},
+      {"fewer points than neighbors", test::forkCloud().leftCols(5)},
+  };
+  return plants;
+}
+
+/// All is finite, and lies where the scan is.
+void expectSensible(const Skeleton& skeleton, const PointCloud& cloud) {
+  EXPECT_FALSE(skeleton.isEmpty());
+  Eigen::AlignedBox3d box = cloud.bounds();
+  const double margin = 0.25 * box.diagonal().norm();
+  box.min().array() -= margin;
+  box.max().array() += margin;
+  for (const NodeId id : skeleton.ids()) {
+    EXPECT_TRUE(box.contains(skeleton[id].position)) << indexOf(id);
+    EXPECT_TRUE(std::isfinite(skeleton[id].radius) && skeleton[id].radius >= 0) << indexOf(id);
+  }
+}
+
+struct EveryMethod : testing::TestWithParam<std::pair<std::string, std::string>> {};
+
+TEST_P(EveryMethod, MakesAForestOfAnyScanOrSaysWhyNot) {
+  const auto& [step, method] = GetParam();
+  PipelineOptions options;
+  options.methods[step] = method;
+  for (const auto& [name, points] : hostilePlants()) {
+    SCOPED_TRACE(name);
+    const auto cloud = cloudOf(points);
+    try {
+      expectSensible(Pipeline().run(cloud, options).skeleton, *cloud);
+    } catch (const Error& error) {
+      EXPECT_GT(std::string(error.what()).size(), 20U) << error.what();
+      EXPECT_LT(points.cols(), 10) << "a scan of this size has something to find: " << error.what();
+    }
+  }
+}
+
+std::vector<std::pair<std::string, std::string>> everyMethod() {
+  std::vector<std::pair<std::string, std::string>> all;
+  for (const Step& step : pipelineSteps())
+    for (const Method& method : step.methods)
+      all.emplace_back(step.name, method.name);
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(HostilePlants, EveryMethod, testing::ValuesIn(everyMethod()),
+                         [](const auto& each) {
+                           return each.param.first + "_" + each.param.second;
+                         });
+
+Skeleton reconstructed(const Points& points) {
+  return Pipeline().run(cloudOf(points, {0, 0, 0})).skeleton;
+}
+
+std::size_t countTips(const Skeleton& skeleton) {
+  std::size_t count = 0;
+  for (const NodeId id : skeleton.ids())
+    count += skeleton.children(id).empty() ? 1 : 0;
+  return count;
+}
+
+TEST(HostilePlants, AStickIsOneAxisOfItsLength) {
+  const Skeleton skeleton = reconstructed(stick());
+  EXPECT_EQ(countTips(skeleton), 1U);
+  EXPECT_NEAR(totalLength(skeleton), 1, 3 * spacing);
+  for (const NodeId id : skeleton.ids())
+    EXPECT_LT(skeleton[id].position.head<2>().norm(), spacing) << indexOf(id);
+}
+
+// No tree goes round: the two arms from the foot meet on top without being joined there.
+TEST(HostilePlants, ARingIsCutIntoTwoArms) {
+  const Skeleton skeleton = reconstructed(ring());
+  EXPECT_EQ(skeleton.roots().size(), 1U);
+  EXPECT_EQ(countTips(skeleton), 2U);
+  EXPECT_NEAR(totalLength(skeleton), 2 * std::numbers::pi * 0.3, 0.3);
+}
+
+TEST(HostilePlants, TwoPlantsAreOneTreeUnlessTheGapIsTooWide) {
+  const Skeleton joined = reconstructed(twoPlants());
+  EXPECT_EQ(joined.roots().size(), 1U);
+  EXPECT_EQ(countTips(joined), 4U);
+  PipelineOptions options;
+  options.set("skeleton.widest_gap=1");
+  const Skeleton alone = Pipeline().run(cloudOf(twoPlants(), {0, 0, 0}), options).skeleton;
+  EXPECT_EQ(alone.roots().size(), 1U);
+  EXPECT_EQ(countTips(alone), 2U) << "what cannot be reached from the root is left out";
+}
+
+TEST(HostilePlants, StraysMakeNoTwigs) {
+  const Skeleton skeleton = reconstructed(withStrays());
+  EXPECT_EQ(countTips(skeleton), 2U);
+  EXPECT_LT(test::farthestFromFork(skeleton), 3 * spacing);
+}
+
+TEST(HostilePlants, AHalfScannedTrunkStaysWithinItsWood) {
+  const Skeleton skeleton = reconstructed(halfScanned());
+  EXPECT_EQ(countTips(skeleton), 2U);
+  EXPECT_LT(test::farthestFromFork(skeleton), 0.04) << "the radius of the wood";
+}
+
+TEST(HostilePlants, AGapOfFiveSpacingsIsBridged) {
+  const Skeleton skeleton = reconstructed(withGap());
+  EXPECT_EQ(skeleton.roots().size(), 1U);
+  EXPECT_EQ(countTips(skeleton), 1U);
+  EXPECT_NEAR(totalLength(skeleton), 2, 4 * spacing);
+}
+
+TEST(HostilePlants, EveryPointTwiceIsThePlantOnce) {
+  const Skeleton skeleton = reconstructed(test::both(test::forkCloud(), test::forkCloud()));
+  EXPECT_EQ(countTips(skeleton), 2U);
+  EXPECT_LT(test::farthestFromFork(skeleton), 3 * spacing);
+}
+
+} // namespace
+} // namespace espalier

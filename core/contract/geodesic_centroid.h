@@ -8,8 +8,9 @@
 namespace espalier {
 
 struct GeodesicCentroidOptions {
-  int neighbors = 7; // links per point, >= 1
-  double radius = 0; // [L] along the plant, > 0
+  int neighbors = 7;        // links per point, >= 1
+  double radius = 0;        // [L] along the plant, > 0
+  bool fitsCircles = false; // for wood seen from one side
 };
 
 /// Contracts a cloud towards the axes of the plant: each point moves to the mean of the points that
@@ -17,6 +18,8 @@ struct GeodesicCentroidOptions {
 ///
 /// The distance is measured along links between near points, so a neighboring twig does not pull.
 /// Tips shrink by about half the radius; the mean of a half cylinder lies 0.64 radii off its axis.
+/// Where circles are fitted, the center of one takes the place of the mean if the points run along
+/// a line and cover an arc of it (core/contract/circle_center.h).
 ///
 /// @param points 3 x N, finite [L]
 /// @return 3 x N, the new place of each point [L]

@@ -1,5 +1,5 @@
-#include "core/base/random.h"
 #include "core/base/circle_fit.h"
+#include "core/base/random.h"
 
 #include <gtest/gtest.h>
 

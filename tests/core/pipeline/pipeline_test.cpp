@@ -125,6 +125,7 @@ TEST(Pipeline, RefusesOptionsItDoesNotKnowAndValuesOutOfRange) {
   EXPECT_THROW(runWith("contract.neighbors=3.5"), Error);
   EXPECT_THROW(runWith("contract.radius"), Error);
   EXPECT_THROW(runWith("contract.radius=wide"), Error);
+  EXPECT_THROW(runWith("contract.circles=1"), Error); // a word is meant
   EXPECT_THROW(runWith("flower.radius=1"), Error);
   EXPECT_THROW(runWith("skeleton.method=magic"), Error);
 }

@@ -24,6 +24,19 @@ TEST(Preset, IsReadAsItWasWritten) {
   EXPECT_EQ(read(out.str()), options);
 }
 
+TEST(Preset, HasFlagsAsTrueAndFalse) {
+  PipelineOptions options;
+  options.set("contract.circles=yes");
+  EXPECT_EQ(options.settings["contract"]["circles"], 1);
+  std::ostringstream out;
+  writePreset(out, options);
+  EXPECT_THAT(out.str(), testing::HasSubstr("\"circles\": true"));
+  EXPECT_EQ(read(out.str()), options);
+  EXPECT_EQ(read("{\"contract\": {\"circles\": \"no\"}}").settings["contract"]["circles"], 0);
+  EXPECT_THROW(read("{\"contract\": {\"circles\": 1}}"), Error);
+  EXPECT_THROW(read("{\"contract\": {\"radius\": true}}"), Error);
+}
+
 TEST(Preset, RefusesWhatItDoesNotKnow) {
   EXPECT_THROW(read(""), Error);
   EXPECT_THROW(read("[1, 2]"), Error);

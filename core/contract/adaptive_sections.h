@@ -1,0 +1,38 @@
+#pragma once
+
+#include "core/base/progress.h"
+
+#include <Eigen/Core>
+
+namespace espalier {
+
+struct AdaptiveSectionOptions {
+  int neighbors = 7;        // links per point, >= 1
+  double densityRadius = 0; // [L] along the plant, > 0: where points are counted
+  double leastRadius = 0;   // [L], > 0: where they lie thinnest
+  double mostRadius = 0;    // [L], >= leastRadius: where they lie densest
+  double curve = 1; // exponent of the density between the two (core/contract/density_radii.h)
+  double width = 0; // [L], > 0: half of the thickness of a section
+  double orientationRadius = 0; // [L] along the plant: where its direction is measured
+  bool fitsCircles = true;      // for wood seen from one side
+};
+
+/// Contracts a cloud towards the axes of the plant: each point moves to the middle of the
+/// cross-section of the wood that it is on.
+///
+/// The section grows from the point along links between near points, as long as they stay within
+/// `width` of it along the wood and within its radius, which grows with the density, across. Where
+/// circles are fitted, the center of one takes the place of the mean if the points cover an arc
+/// of it (core/contract/circle_center.h).
+///
+/// @param points 3 x N, finite [L]
+/// @return 3 x N, the new place of each point [L]
+/// @throws Cancelled if `progress` asks to stop
+/// Deterministic; on all threads. Time O(N k m) for m points in a section, and that of the
+/// orientations. Source: PlantScan3D's adaptive section contraction, after C. Preuksakarn, PhD
+/// thesis, Montpellier 2, 2012, section 4.6.
+[[nodiscard]] Eigen::Matrix3Xf contractedToSections(const Eigen::Matrix3Xf& points,
+                                                    const AdaptiveSectionOptions& options,
+                                                    const Progress& progress = {});
+
+} // namespace espalier

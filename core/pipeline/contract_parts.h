@@ -1,0 +1,34 @@
+#pragma once
+
+#include "core/pipeline/method_parts.h"
+
+#include <utility>
+
+namespace espalier {
+
+/// The method `described`, with the options of `table`, whose work is `contract(points, options,
+/// state, progress)`: the new places of the points that cleaning kept; the others stay.
+template <class Options, class Contract>
+[[nodiscard]] Method contractMethod(Method described, const OptionTable<Options>& table,
+                                    const Contract& contract) {
+  described.options = table.descriptions();
+  described.run = [table, contract](PipelineState& state, const Values& values,
+                                    const Progress& progress) {
+    const std::vector<Eigen::Index> kept = keptPoints(state);
+    requirePlant(kept);
+    Eigen::Matrix3Xf positions = state.cloud->positions();
+    const Eigen::Matrix3Xf points = positions(Eigen::all, kept);
+    positions(Eigen::all, kept) = contract(points, table.with(values), state, progress);
+    state.contracted = std::make_shared<const Eigen::Matrix3Xf>(std::move(positions));
+  };
+  return described;
+}
+
+// Options that several contractions have.
+[[nodiscard]] Option linksOption();
+[[nodiscard]] Option circlesOption(bool isOn);
+
+/// Those after the geodesic ones: by equations, along paths, and by sampling.
+[[nodiscard]] std::vector<Method> surfaceContractMethods();
+
+} // namespace espalier

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <memory>
 #include <ostream>
@@ -26,6 +27,7 @@ struct Flags {
   std::string editUnit = "segment";
   std::string editCost = "topology";
   bool merges = false;
+  bool where = false;
   std::string json;
   int threads = 0;
 };
@@ -51,6 +53,47 @@ void print(const Comparison& comparison, const std::string& unit) {
   for (const ToleranceScore& score : comparison.tolerance.scores)
     std::printf("%12.4g %10.3f %10.3f %10.3f\n", score.distance, score.precision, score.recall,
                 score.f());
+}
+
+double percent(double share) {
+  return 100 * share;
+}
+
+/// How the wood of a result compares with that of the reference: 0 where there should be none.
+double excess(double result, double reference) {
+  return reference > 0 ? percent(result / reference - 1) : 0;
+}
+
+void printWhere(const Comparison& comparison) {
+  const AgreementByPlace& agreed = comparison.byPlace;
+  const char* row = "%18s %10.3f %10.3f %12.6g %12.6g\n";
+  const auto head = [](const char* what) {
+    std::printf("\n%18s %10s %10s %12s %12s\n", what, "precision", "recall", "result", "reference");
+  };
+  std::printf("\nwithin %.4g, with the lengths there are:", agreed.distance);
+  head("order");
+  for (const PartAgreement& part : agreed.byOrder)
+    std::printf(row, std::to_string(static_cast<int>(part.from)).c_str(), part.precision,
+                part.recall, part.resultLength, part.referenceLength);
+  head("height");
+  for (const PartAgreement& part : agreed.byHeight) {
+    std::array<char, 40> range{};
+    std::snprintf(range.data(), range.size(), "%.4g to %.4g", part.from, part.to);
+    std::printf(row, range.data(), part.precision, part.recall, part.resultLength,
+                part.referenceLength);
+  }
+  std::printf("\n%18s %12s %12s %12s\n", "radius up to", "length +%", "area +%", "volume +%");
+  const std::vector<WoodAmount>& result = comparison.resultWood.byRadius;
+  const std::vector<WoodAmount>& reference = comparison.referenceWood.byRadius;
+  for (std::size_t k = 0; k < reference.size(); ++k) {
+    std::array<char, 40> limit{};
+    if (k < comparison.radiusLimits.size())
+      std::snprintf(limit.data(), limit.size(), "%.4g", comparison.radiusLimits[k]);
+    std::printf("%18s %12.1f %12.1f %12.1f\n", limit[0] == 0 ? "more" : limit.data(),
+                excess(result[k].length, reference[k].length),
+                excess(result[k].area, reference[k].area),
+                excess(result[k].volume, reference[k].volume));
+  }
 }
 
 Skeleton skeletonIn(const std::string& file) {
@@ -86,6 +129,7 @@ void evaluate(const Flags& flags) {
   std::erase(notes, comparison.shiftWarning); // what is printed tells of the shift
   printNotes(notes);
   print(comparison, flags.unit);
+  if (flags.where) printWhere(comparison);
   if (flags.json.empty()) return;
   auto json = toJson(comparison);
   json["result"] = flags.result;
@@ -122,6 +166,8 @@ void addEvaluate(CLI::App& app) {
       ->type_name("COST");
   command->add_flag("--merge-paths", flags->merges,
                     "Let one segment stand for up to three that follow each other");
+  command->add_flag("--where", flags->where,
+                    "Tell by order, height and radius where the two agree");
   command->add_option("--json", flags->json, "File to write all numbers to")->type_name("FILE");
   addThreads(*command, flags->threads);
   command->callback([flags] { evaluate(*flags); });

@@ -63,6 +63,9 @@ Comparison compare(const Skeleton& result, const Skeleton& reference,
   Comparison comparison;
   comparison.resultTraits = traits(result);
   comparison.referenceTraits = traits(reference);
+  comparison.radiusLimits = radiusLimits(reference);
+  comparison.resultWood = woodAmounts(result, comparison.radiusLimits);
+  comparison.referenceWood = woodAmounts(reference, comparison.radiusLimits);
   warnOfSize(comparison);
 
   Skeleton laid = result;
@@ -77,12 +80,14 @@ Comparison compare(const Skeleton& result, const Skeleton& reference,
   compareEdits(comparison, laid, reference, options.edit,
                progress.part(0.65, 0.7, "Counting edits"));
   comparison.tolerance = toleranceCurve(laid, reference, options.tolerance,
-                                        progress.part(0.7, 0.95, "Measuring distances"));
+                                        progress.part(0.7, 0.85, "Measuring distances"));
 
   const double distance = options.landmarkDistance > 0 ? options.landmarkDistance
                                                        : comparison.referenceTraits.medianEdge;
   comparison.tips = landmarkAgreement(tips(laid), tips(reference), distance);
   comparison.branchings = landmarkAgreement(branchings(laid), branchings(reference), distance);
+  comparison.byPlace = agreementByPlace(laid, reference, defaultTolerances(reference)[1],
+                                        comparison.tolerance.step, progress.part(0.85, 1));
   progress.update(1);
   return comparison;
 }

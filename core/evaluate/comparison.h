@@ -1,12 +1,14 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/evaluate/agreement_by_place.h"
 #include "core/evaluate/authors_comparison.h"
 #include "core/evaluate/edit_comparison.h"
 #include "core/evaluate/landmark_agreement.h"
 #include "core/evaluate/registration.h"
 #include "core/evaluate/tolerance_curve.h"
 #include "core/evaluate/traits.h"
+#include "core/evaluate/wood_amounts.h"
 #include "core/skeleton/skeleton.h"
 
 #include <optional>
@@ -32,8 +34,12 @@ struct Comparison {
   ToleranceCurve tolerance;
   LandmarkAgreement tips;
   LandmarkAgreement branchings;
+  AgreementByPlace byPlace; // within the second tolerance of defaultTolerances()
   Traits resultTraits;
   Traits referenceTraits;
+  WoodAmounts resultWood;
+  WoodAmounts referenceWood;
+  std::vector<double> radiusLimits;  // of the classes of both [L]: those of the reference
   std::vector<std::string> warnings; // a line each: what makes the numbers doubtful
   std::string shiftWarning; // the one of them that tells of the shift; empty if there is none
 };
@@ -42,7 +48,8 @@ struct Comparison {
 inline constexpr std::size_t mostEditedPairs = 25'000'000;
 
 /// Compares a result with its reference: registration, then the authors' indices, edit distance,
-/// tolerance curve, tips and branchings on the registered result, and the traits of both.
+/// tolerance curve, tips, branchings and agreement by place on the registered result, and the
+/// traits and the wood of both.
 ///
 /// Warns if the two lie apart by more than the finest default tolerance, and if one is over 20
 /// times as large as the other, which most often is a unit.

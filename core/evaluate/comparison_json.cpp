@@ -81,6 +81,39 @@ Json toJson(const LandmarkAgreement& agreement) {
           {"f", agreement.f()}};
 }
 
+Json toJson(const WoodAmount& wood) {
+  return {
+      {"edges", wood.edges}, {"length", wood.length}, {"area", wood.area}, {"volume", wood.volume}};
+}
+
+Json toJson(const PartAgreement& part) {
+  return {{"from", part.from},
+          {"to", part.to},
+          {"result_length", part.resultLength},
+          {"reference_length", part.referenceLength},
+          {"precision", part.precision},
+          {"recall", part.recall}};
+}
+
+template <class Part> Json listOf(const std::vector<Part>& parts) {
+  Json list = Json::array();
+  for (const Part& part : parts)
+    list.push_back(toJson(part));
+  return list;
+}
+
+Json toJson(const WoodAmounts& wood) {
+  return {{"whole", toJson(wood.whole)},
+          {"by_order", listOf(wood.byOrder)},
+          {"by_radius", listOf(wood.byRadius)}};
+}
+
+Json toJson(const AgreementByPlace& agreed) {
+  return {{"distance", agreed.distance},
+          {"by_order", listOf(agreed.byOrder)},
+          {"by_height", listOf(agreed.byHeight)}};
+}
+
 } // namespace
 
 nlohmann::ordered_json toJson(const Comparison& comparison) {
@@ -98,6 +131,10 @@ nlohmann::ordered_json toJson(const Comparison& comparison) {
                     {"reference", toJson(comparison.referenceTraits)},
                     {"matched_tips", toJson(comparison.tips)},
                     {"matched_branchings", toJson(comparison.branchings)}};
+  json["by_place"] = toJson(comparison.byPlace);
+  json["wood"] = {{"radius_limits", comparison.radiusLimits},
+                  {"result", toJson(comparison.resultWood)},
+                  {"reference", toJson(comparison.referenceWood)}};
   json["warnings"] = comparison.warnings;
   return json;
 }

@@ -162,6 +162,18 @@ TEST_F(Subcommands, EvaluateCountsEditsAsAsked) {
   EXPECT_THAT(wrong.err, HasSubstr("{topology,attributes,length,place,shape}"));
 }
 
+TEST_F(Subcommands, EvaluateTellsWhereTheTwoAgree) {
+  const std::string told = run({"evaluate", truth_, truth_, "--where", "--json", file("a.json")});
+  EXPECT_THAT(told, HasSubstr("             order  precision     recall"));
+  EXPECT_THAT(told, HasSubstr("            height  precision     recall"));
+  EXPECT_THAT(told, HasSubstr("              more          0.0          0.0          0.0\n"));
+  const json numbers = jsonIn(file("a.json"));
+  EXPECT_EQ(numbers["by_place"]["by_height"].size(), 10U);
+  EXPECT_EQ(numbers["by_place"]["by_order"][0]["recall"], 1);
+  EXPECT_EQ(numbers["wood"]["result"], numbers["wood"]["reference"]);
+  EXPECT_GT(numbers["wood"]["result"]["whole"]["volume"], 0);
+}
+
 TEST_F(Subcommands, EvaluateFindsAStructureEqualToItself) {
   run({"evaluate", truth_, truth_, "--no-register", "--json", file("a.json")});
   const json numbers = jsonIn(file("a.json"));

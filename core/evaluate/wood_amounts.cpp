@@ -1,0 +1,63 @@
+#include "core/evaluate/wood_amounts.h"
+
+#include "core/skeleton/axes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace espalier {
+namespace {
+
+/// The cone of one edge.
+WoodAmount cone(double length, double below, double above) {
+  const double slant = std::hypot(length, below - above);
+  return {.edges = 1,
+          .length = length,
+          .area = std::numbers::pi * (below + above) * slant,
+          .volume =
+              std::numbers::pi / 3 * length * (below * below + below * above + above * above)};
+}
+
+void add(WoodAmount& to, const WoodAmount& more) {
+  to.edges += more.edges;
+  to.length += more.length;
+  to.area += more.area;
+  to.volume += more.volume;
+}
+
+} // namespace
+
+std::vector<double> radiusLimits(const Skeleton& skeleton) {
+  double most = 0;
+  for (const NodeId id : skeleton.ids())
+    most = std::max(most, skeleton[id].radius);
+  if (most == 0) return {};
+  std::vector<double> limits;
+  for (const double share : {32.0, 16.0, 8.0, 4.0, 2.0})
+    limits.push_back(most / share);
+  return limits;
+}
+
+WoodAmounts woodAmounts(const Skeleton& skeleton, const std::vector<double>& radiusLimits) {
+  WoodAmounts amounts;
+  amounts.byRadius.resize(radiusLimits.size() + 1);
+  const std::vector<int> orderOf = orders(skeleton);
+  for (const NodeId id : skeleton.ids()) {
+    const Node& node = skeleton[id];
+    if (!node.parent) continue;
+    const Node& parent = skeleton[*node.parent];
+    const bool isCone = node.edge == EdgeType::successor && parent.radius > 0;
+    const double below = isCone ? parent.radius : node.radius;
+    const WoodAmount edge = cone((node.position - parent.position).norm(), below, node.radius);
+    const auto order = static_cast<std::size_t>(orderOf[indexOf(id)]);
+    if (order >= amounts.byOrder.size()) amounts.byOrder.resize(order + 1);
+    const auto limit = std::ranges::lower_bound(radiusLimits, (below + node.radius) / 2);
+    add(amounts.whole, edge);
+    add(amounts.byOrder[order], edge);
+    add(amounts.byRadius[static_cast<std::size_t>(limit - radiusLimits.begin())], edge);
+  }
+  return amounts;
+}
+
+} // namespace espalier

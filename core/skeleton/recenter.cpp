@@ -3,6 +3,7 @@
 #include "core/base/circle_fit.h"
 #include "core/base/parallel.h"
 #include "core/skeleton/assign_points.h"
+#include "core/skeleton/smooth_axes.h"
 
 #include <Eigen/Geometry>
 
@@ -18,12 +19,6 @@ std::optional<NodeId> successorOf(const Skeleton& skeleton, NodeId id) {
   if (children.empty() || skeleton[children.front()].edge != EdgeType::successor)
     return std::nullopt;
   return children.front();
-}
-
-/// The node before this one on its axis.
-std::optional<NodeId> predecessorOf(const Skeleton& skeleton, NodeId id) {
-  const Node& node = skeleton[id];
-  return node.edge == EdgeType::successor ? node.parent : std::nullopt;
 }
 
 /// Direction of the axis at a node; none for a node alone.
@@ -72,18 +67,6 @@ std::optional<Eigen::Vector3d> middle(const Eigen::Vector3d& position, const Eig
   return position + circle->center.x() * right + circle->center.y() * up;
 }
 
-Skeleton smoothed(const Skeleton& skeleton, double share) {
-  Skeleton result = skeleton;
-  for (const NodeId id : skeleton.ids()) {
-    const auto before = predecessorOf(skeleton, id);
-    const auto after = successorOf(skeleton, id);
-    if (!before || !after) continue;
-    const Eigen::Vector3d mean = (skeleton[*before].position + skeleton[*after].position) / 2;
-    result.setPosition(id, (1 - share) * skeleton[id].position + share * mean);
-  }
-  return result;
-}
-
 } // namespace
 
 Skeleton recentered(const Skeleton& skeleton, const Eigen::Matrix3Xf& points,
@@ -114,7 +97,7 @@ Skeleton recentered(const Skeleton& skeleton, const Eigen::Matrix3Xf& points,
     parallelFor(static_cast<Eigen::Index>(ids.size()), place, part.part(0.7, 1), 64);
     for (const NodeId id : ids)
       result.setPosition(id, positions[indexOf(id)]);
-    result = smoothed(result, options.smoothing);
+    result = withSmoothAxes(result, options.smoothing);
   }
   return result;
 }

@@ -1,0 +1,72 @@
+#include "core/skeleton/axes.h"
+#include "core/skeleton/slide_insertions.h"
+#include "tests/support/plants.h"
+
+#include <gtest/gtest.h>
+
+namespace espalier {
+namespace {
+
+/// An upright stick of 10 nodes 1 apart, and a branch of 4 nodes at 45 degrees that leaves it at
+/// `height` and begins 1 to the side; it hangs on node `parent`.
+Skeleton withBranch(double height, std::uint32_t parent) {
+  Skeleton plant = test::stick(10);
+  NodeId below{parent};
+  for (int i = 1; i <= 4; ++i)
+    below = plant.add({.position = {static_cast<double>(i), 0, height + i},
+                       .radius = 0.02,
+                       .parent = below,
+                       .edge = i == 1 ? EdgeType::branching : EdgeType::successor});
+  return plant;
+}
+
+constexpr NodeId branch{10};
+
+TEST(WithSlidInsertions, HangsABranchOnTheNodeItComesFrom) {
+  const Skeleton plant = withSlidInsertions(withBranch(4, 5));
+  EXPECT_EQ(plant[branch].parent, NodeId{4});
+  EXPECT_EQ(plant[branch].edge, EdgeType::branching);
+  EXPECT_EQ(plant.size(), 14U);
+  EXPECT_EQ(withSlidInsertions(withBranch(4, 3))[branch].parent, NodeId{4}) << "from below, too";
+}
+
+TEST(WithSlidInsertions, MakesANodeBetweenTwoForIt) {
+  const Skeleton plant = withSlidInsertions(withBranch(4.5, 5));
+  ASSERT_EQ(plant.size(), 15U);
+  const Node& added = plant[*plant[branch].parent];
+  EXPECT_LT((added.position - Eigen::Vector3d(0, 0, 4.5)).norm(), 1e-9);
+  EXPECT_NEAR(added.radius, 0.1, 1e-12);
+  EXPECT_EQ(added.parent, NodeId{4});
+  EXPECT_EQ(plant[NodeId{5}].parent, *plant[branch].parent);
+  EXPECT_EQ(axes(plant).size(), 2U);
+}
+
+TEST(WithSlidInsertions, DoesNotMoveANode) {
+  const Skeleton before = withBranch(4.5, 5);
+  const Skeleton after = withSlidInsertions(before);
+  for (const NodeId id : before.ids())
+    EXPECT_EQ(after[id].position, before[id].position);
+}
+
+TEST(WithSlidInsertions, LeavesABranchWhoseLineLeadsPastTheAxis) {
+  Skeleton plant = withBranch(4, 5);
+  for (const NodeId id : plant.ids()) // the branch runs beside the stick, not from it
+    if (indexOf(id) >= 10) plant.setPosition(id, {1, static_cast<double>(indexOf(id)) - 5, 5});
+  EXPECT_EQ(withSlidInsertions(plant), plant);
+}
+
+TEST(WithSlidInsertions, LooksNoFartherThanItIsTold) {
+  const Skeleton plant = withSlidInsertions(withBranch(4, 8), {.reach = 2});
+  EXPECT_NE(plant[branch].parent, NodeId{4});
+}
+
+TEST(WithSlidInsertions, CopesWithPlantsWithoutAxes) {
+  EXPECT_TRUE(withSlidInsertions({}).isEmpty());
+  EXPECT_EQ(withSlidInsertions(test::stick(1)), test::stick(1));
+  EXPECT_EQ(withSlidInsertions(test::stick(3, 0)), test::stick(3, 0));
+  const Skeleton fork = test::fork(3);
+  EXPECT_EQ(withSlidInsertions(fork).size(), fork.size());
+}
+
+} // namespace
+} // namespace espalier

@@ -36,6 +36,16 @@ Method geodesicBinsMethod() {
              .maximum = 10000,
              .help = "Parts of the plant farther apart than this are not joined; 0 joins all."},
             &Options::widestGap);
+  table.add({.name = "turn_cost",
+             .label = "Cost of turns",
+             .kind = OptionKind::ratio,
+             .rule = fixedAt(0),
+             .minimum = 0,
+             .maximum = 100,
+             .help =
+                 "How much more a link costs across the wood than along it, when twigs touch; 0 "
+                 "takes the shortest way."},
+            &Options::turnCost);
   return {.name = "geodesic_bins",
           .label = "Geodesic bins",
           .help = "One node per connected part of each bin of the distance to the root.",

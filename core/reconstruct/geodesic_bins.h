@@ -11,6 +11,7 @@ struct GeodesicBinOptions {
   int neighbors = 12;   // links per point, >= 1; more of them bridge wider gaps
   double binWidth = 0;  // [L] along the plant, > 0
   double widestGap = 0; // [L] parts of the plant farther apart are not joined; 0 = join all
+  double turnCost = 0;  // >= 0; 0: parents follow the shortest ways, else see below
 };
 
 /// Skeleton of a plant by binning the geodesic distance of its points to the root.
@@ -18,7 +19,10 @@ struct GeodesicBinOptions {
 /// Links each point to its nearest neighbors, joins what falls apart by the shortest bridges,
 /// measures along these links how far each point is from `root`, and makes one node per connected
 /// part of each bin, at the centroid of its points. Parents follow the shortest ways over the
-/// nodes.
+/// nodes, or, with a cost of turns, are chosen for all nodes at once: of all trees over neighboring
+/// parts that with the least sum of link length * (1 + turnCost * linearity * sin^2 of the angle
+/// between the link and the points of the upper part). So a twig that touches another is not taken
+/// over by it: the link across costs more than that along, however short the way over it is.
 ///
 /// @param points   3 x N, a column per point [L], finite
 /// @param root     column of a point at the foot of the trunk, in [0, N)
@@ -28,7 +32,8 @@ struct GeodesicBinOptions {
 /// @throws Cancelled if `progress` asks to stop
 /// Deterministic. Time O(N k log N), memory O(N k) for k neighbors.
 /// Source: H. Xu, N. Gossett, B. Chen, "Knowledge and heuristic-based modeling of laser-scanned
-/// trees", ACM Trans. Graph. 26(4), 2007. Differs: twigs missed by the scanner are not invented.
+/// trees", ACM Trans. Graph. 26(4), 2007. Differs: twigs missed by the scanner are not invented;
+/// the choice of parents by the least sum of costs.
 [[nodiscard]] Skeleton skeletonByGeodesicBins(const Eigen::Matrix3Xf& points, Eigen::Index root,
                                               const GeodesicBinOptions& options,
                                               const Progress& progress = {});

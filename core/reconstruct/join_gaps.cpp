@@ -1,0 +1,190 @@
+#include "core/reconstruct/join_gaps.h"
+
+#include "core/base/spatial_index.h"
+#include "core/graph/arborescence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace espalier {
+namespace {
+
+using Eigen::Vector3d;
+
+/// The pieces of a skeleton between its long edges.
+struct Fragments {
+  std::vector<std::uint32_t> ofNode; // by id
+  std::vector<NodeId> entries;       // where each is entered now: its lowest node
+};
+
+Fragments fragmentsOf(const Skeleton& skeleton, double widest) {
+  Fragments fragments;
+  fragments.ofNode.resize(skeleton.idEnd());
+  for (const NodeId id : skeleton.ids()) {
+    const auto parent = skeleton[id].parent;
+    const bool isEntry =
+        !parent || (skeleton[id].position - skeleton[*parent].position).norm() > widest;
+    fragments.ofNode[indexOf(id)] = isEntry ? static_cast<std::uint32_t>(fragments.entries.size())
+                                            : fragments.ofNode[indexOf(*parent)];
+    if (isEntry) fragments.entries.push_back(id);
+  }
+  return fragments;
+}
+
+/// A link from a node of one fragment to one of another.
+struct Bridge {
+  NodeId from;
+  NodeId to;
+};
+
+/// Finds what may bridge the gaps, and what it costs.
+class BridgeFinder {
+public:
+  BridgeFinder(const Skeleton& skeleton, const Fragments& fragments, const GapOptions& options)
+      : skeleton_(skeleton), fragments_(fragments), options_(options), ids_(skeleton.ids()) {}
+
+  /// The nodes of the same fragment that an edge joins to one.
+  [[nodiscard]] std::vector<NodeId> neighbors(NodeId id) const {
+    std::vector<NodeId> result;
+    const auto note = [&](NodeId other) {
+      if (fragments_.ofNode[indexOf(other)] == fragments_.ofNode[indexOf(id)])
+        result.push_back(other);
+    };
+    if (const auto parent = skeleton_[id].parent) note(*parent);
+    for (const NodeId child : skeleton_.children(id))
+      note(child);
+    return result;
+  }
+
+  [[nodiscard]] bool isEnd(NodeId id) const { return neighbors(id).size() <= 1; }
+
+  /// The way on from an end of a fragment; 0 where that is a single node.
+  [[nodiscard]] Vector3d outwards(NodeId end) const {
+    constexpr int edges = 4; // single ones stray
+    NodeId before = end;
+    NodeId at = end;
+    for (int i = 0; i < edges; ++i) {
+      const std::vector<NodeId> next = neighbors(at);
+      const auto on = std::ranges::find_if(next, [&](NodeId id) { return id != before; });
+      if (next.size() > 2 || on == next.end()) break;
+      before = at;
+      at = *on;
+    }
+    const Vector3d way = skeleton_[end].position - skeleton_[at].position;
+    const double length = way.norm();
+    return length > 0 ? Vector3d(way / length) : Vector3d::Zero();
+  }
+
+  /// What a link costs [L]; never under its length.
+  [[nodiscard]] double cost(const Bridge& bridge) const {
+    const Vector3d link = skeleton_[bridge.to].position - skeleton_[bridge.from].position;
+    const double length = link.norm();
+    if (length == 0) return 0;
+    const Vector3d direction = link / length;
+    double factor = turned(isEnd(bridge.to) ? outwards(bridge.to) : Vector3d::Zero(), -direction);
+    if (!isEnd(bridge.to)) factor += options_.sideCost;
+    if (!isEnd(bridge.from)) return length * (factor + options_.sideCost);
+    factor += turned(outwards(bridge.from), direction) - 1;
+    const double lower = skeleton_[bridge.from].radius;
+    const double upper = skeleton_[bridge.to].radius;
+    if (lower > 0 && upper > 0) factor *= 1 + std::abs(std::log(upper / lower)) / 2;
+    return length * factor;
+  }
+
+private:
+  /// 1 for straight on, more the more it turns; between the two where there is no direction.
+  [[nodiscard]] double turned(const Vector3d& way, const Vector3d& direction) const {
+    return 1 + options_.turnCost * (1 - way.dot(direction)) / 2;
+  }
+
+  const Skeleton& skeleton_;
+  const Fragments& fragments_;
+  GapOptions options_;
+  std::vector<NodeId> ids_;
+};
+
+/// The cheapest link between each two fragments that are in reach.
+std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<double, Bridge>>
+bridgesOf(const Skeleton& skeleton, const Fragments& fragments, const GapOptions& options,
+          const Progress& progress) {
+  const BridgeFinder finder(skeleton, fragments, options);
+  const std::vector<NodeId> ids = skeleton.ids();
+  const Vector3d origin = skeleton[ids.front()].position;
+  Eigen::Matrix3Xf places(3, static_cast<Eigen::Index>(ids.size()));
+  for (std::size_t i = 0; i < ids.size(); ++i)
+    places.col(static_cast<Eigen::Index>(i)) = (skeleton[ids[i]].position - origin).cast<float>();
+  const SpatialIndex index(places);
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<double, Bridge>> bridges;
+  const auto note = [&](const Bridge& bridge) {
+    const std::uint32_t from = fragments.ofNode[indexOf(bridge.from)];
+    const std::uint32_t to = fragments.ofNode[indexOf(bridge.to)];
+    if (from == to) return;
+    const double cost = finder.cost(bridge);
+    const auto [place, isNew] = bridges.try_emplace({from, to}, cost, bridge);
+    if (!isNew && cost < place->second.first) place->second = {cost, bridge};
+  };
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    if (i % 64 == 0) progress.update(static_cast<double>(i) / static_cast<double>(ids.size()));
+    const NodeId to = ids[i];
+    const std::uint32_t fragment = fragments.ofNode[indexOf(to)];
+    const NodeId entry = fragments.entries[fragment];
+    if (!skeleton[entry].parent) continue; // that of a root stays as it is
+    if (to != entry && !finder.isEnd(to)) continue;
+    if (to == entry) note({*skeleton[to].parent, to});
+    for (const Neighbor& near :
+         index.within(places.col(static_cast<Eigen::Index>(i)), static_cast<float>(options.reach)))
+      note({ids[static_cast<std::size_t>(near.index)], to});
+  }
+  return bridges;
+}
+
+/// Hangs a fragment, turned around where need be, on a node of another.
+void hang(Skeleton& skeleton, const Bridge& bridge, NodeId entry) {
+  std::vector<NodeId> way = {bridge.to}; // down to where it was entered
+  while (way.back() != entry)
+    way.push_back(*skeleton[way.back()].parent);
+  for (const NodeId id : way)
+    skeleton.makeRoot(id);
+  for (std::size_t i = 1; i < way.size(); ++i)
+    skeleton.reparent(way[i], way[i - 1], EdgeType::successor);
+  skeleton.reparent(bridge.to, bridge.from, EdgeType::successor);
+}
+
+} // namespace
+
+Skeleton withJoinedGaps(const Skeleton& skeleton, const GapOptions& options,
+                        const Progress& progress) {
+  progress.check();
+  Skeleton result = skeleton;
+  if (skeleton.isEmpty()) return result;
+  const Fragments fragments = fragmentsOf(skeleton, options.widest);
+  const auto count = static_cast<std::uint32_t>(fragments.entries.size());
+  std::vector<DirectedLink> links;
+  std::vector<Bridge> bridges;
+  for (const auto& [pair, best] : bridgesOf(skeleton, fragments, options, progress)) {
+    links.push_back({pair.first, pair.second, best.first});
+    bridges.push_back(best.second);
+  }
+  const std::vector<int> chosen = minimumArborescence(count, 0, links);
+  for (std::uint32_t fragment = 0; fragment < count; ++fragment)
+    if (chosen[fragment] >= 0) result.makeRoot(fragments.entries[fragment]);
+  // From the root's fragment up, so that nothing is hung on what it carries.
+  std::vector<std::vector<std::uint32_t>> carried(count);
+  for (std::uint32_t fragment = 0; fragment < count; ++fragment)
+    if (chosen[fragment] >= 0)
+      carried[links[static_cast<std::size_t>(chosen[fragment])].from].push_back(fragment);
+  std::vector<std::uint32_t> open = {0};
+  for (std::size_t i = 0; i < open.size(); ++i)
+    for (const std::uint32_t fragment : carried[open[i]]) {
+      hang(result, bridges[static_cast<std::size_t>(chosen[fragment])],
+           fragments.entries[fragment]);
+      open.push_back(fragment);
+    }
+  progress.update(1);
+  return result;
+}
+
+} // namespace espalier

@@ -156,7 +156,8 @@ struct Pipeline::Kept {
             .isLeftOut = std::vector<bool>(static_cast<std::size_t>(cloud->size()), false),
             .contracted = std::make_shared<const Eigen::Matrix3Xf>(cloud->positions()),
             .root = 0,
-            .skeleton = {}};
+            .skeleton = {},
+            .radiusSources = {}};
   }
 
   /// The foot of the plant among the points that cleaning kept.
@@ -216,6 +217,7 @@ Reconstruction Pipeline::run(const std::shared_ptr<const PointCloud>& cloud,
   const PipelineState& end = kept_->results[result.steps.size() - 1].state;
   result.contracted = end.contracted;
   result.skeleton = end.skeleton;
+  result.radiusSources = end.radiusSources;
   progress.update(1);
   return result;
 }

@@ -42,6 +42,7 @@ struct StepRecord {
 struct Reconstruction {
   std::shared_ptr<const Eigen::Matrix3Xf> contracted; // by point, about the origin of the cloud
   Skeleton skeleton;                                  // frame of the file
+  std::vector<RadiusSource> radiusSources;            // by id; empty without the last step
   PlantScale scale;
   std::vector<StepRecord> steps;
 };

@@ -1,31 +1,282 @@
 #include "core/pipeline/radius_methods.h"
 
 #include "core/pipeline/method_parts.h"
+#include "core/radius/assigned_radii.h"
+#include "core/radius/length_pipe_model.h"
 #include "core/radius/measured_radii.h"
+#include "core/radius/measured_radius.h"
 #include "core/radius/node_count_pipe_model.h"
+
+#include <algorithm>
+#include <utility>
 
 namespace espalier {
 namespace {
+
+constexpr auto thesis = "law of the structures published with the thesis of C. Preuksakarn, 2012";
+
+/// What the methods of this step have in common.
+struct CommonOptions {
+  double branchShare = 1;
+};
+
+template <class Options> void addBranchShare(OptionTable<Options>& table, double Options::*member) {
+  table.add({.name = "branch_limit",
+             .label = "Branch limit",
+             .kind = OptionKind::ratio,
+             .rule = fixedAt(1),
+             .minimum = 0.1,
+             .maximum = 1,
+             .help = "A branch is at most this share as thick as the wood that bears it."},
+            member);
+}
+
+/// Gives the nodes these radii [L], by id, none thicker than its parent.
+void setRadii(PipelineState& state, std::vector<double> radii, std::vector<RadiusSource> sources,
+              double branchShare = 1) {
+  radii = limitedRadii(state.skeleton, std::move(radii), branchShare);
+  for (const NodeId id : state.skeleton.ids())
+    state.skeleton.setRadius(id, radii[indexOf(id)]);
+  state.radiusSources = std::move(sources);
+}
+
+std::vector<RadiusSource> allModeled(const PipelineState& state) {
+  return std::vector<RadiusSource>(state.skeleton.idEnd(), RadiusSource::modeled);
+}
+
+/// Radii of nodes that are measured; the others follow from those next to them.
+void setMeasured(PipelineState& state, const std::vector<double>& radii, double branchShare) {
+  std::vector<RadiusSource> sources = allModeled(state);
+  for (std::size_t i = 0; i < radii.size(); ++i)
+    if (radii[i] > 0) sources[i] = RadiusSource::measured;
+  setRadii(state, interpolatedRadii(state.skeleton, radii), std::move(sources), branchShare);
+}
+
+std::vector<double> meanDistances(const PipelineState& state, const Progress& progress) {
+  return meanPointDistances(state.skeleton, keptPositions(state), state.cloud->origin(), progress);
+}
+
+Method assignedMethod(std::string name, std::string label, std::string help,
+                      AssignedMeasure measure) {
+  OptionTable<CommonOptions> table;
+  addBranchShare(table, &CommonOptions::branchShare);
+  return {.name = std::move(name),
+          .label = std::move(label),
+          .help = std::move(help),
+          .source = "PlantScan3D's measures of assigned points",
+          .options = table.descriptions(),
+          .run = [table, measure](PipelineState& state, const Values& values,
+                                  const Progress& progress) {
+            const Eigen::Matrix3Xf kept = keptPositions(state);
+            const AssignedPoints points(state.skeleton, kept, state.cloud->origin(), progress);
+            setMeasured(state, assignedRadii(state.skeleton, points, measure),
+                        table.with(values).branchShare);
+          }};
+}
+
+/// The options of a cylinder fit, and what is done with the radii.
+struct CylinderMethodOptions {
+  double leastCoverage = 0;
+  double length = 0;
+  double branchShare = 1;
+  double axisStep = 0;
+  double branchStep = 0;
+
+  [[nodiscard]] CylinderOptions cylinders(const PipelineState& state) const {
+    return {.leastCoverage = leastCoverage,
+            .length = length,
+            .spacing = pointSpacing(keptPositions(state))};
+  }
+};
+
+OptionTable<CylinderMethodOptions> cylinderTable() {
+  using Options = CylinderMethodOptions;
+  OptionTable<Options> table;
+  table.add({.name = "least_coverage",
+             .label = "Least coverage",
+             .kind = OptionKind::ratio,
+             .rule = fixedAt(0.3),
+             .minimum = 0.1,
+             .maximum = 1,
+             .help = "Share of the way around that points must cover before a fit is trusted."},
+            &Options::leastCoverage);
+  table.add({.name = "length",
+             .label = "Length",
+             .kind = OptionKind::ratio,
+             .rule = fixedAt(4),
+             .minimum = 1,
+             .maximum = 30,
+             .help = "How much of the wood a cylinder is fitted to, in radii."},
+            &Options::length);
+  addBranchShare(table, &Options::branchShare);
+  return table;
+}
+
+Method cylinderMethod() {
+  const OptionTable<CylinderMethodOptions> table = cylinderTable();
+  return {.name = "cylinders",
+          .label = "Cylinder fits",
+          .help = "Radii of cylinders fitted to the wood about each node, which stray points do "
+                  "not pull.",
+          .source = "G. Lukacs, R. Martin, D. Marshall, ECCV 1998; coverage after P. Raumonen et "
+                    "al., Remote Sens. 5, 2013",
+          .options = table.descriptions(),
+          .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
+            const CylinderMethodOptions options = table.with(values);
+            const Eigen::Matrix3Xf kept = keptPositions(state);
+            const AssignedPoints points(state.skeleton, kept, state.cloud->origin(),
+                                        progress.part(0, 0.5));
+            std::vector<double> radii;
+            for (const MeasuredRadius& each : cylinderRadii(
+                     state.skeleton, points, options.cylinders(state), progress.part(0.5, 1)))
+              radii.push_back(each.radius);
+            setMeasured(state, radii, options.branchShare);
+          }};
+}
+
+/// The model that measurements are fused with: fitted to them, or, where they are too few, the mean
+/// distances of the points.
+std::vector<double> modelOf(const Skeleton& skeleton, const AssignedPoints& points,
+                            const std::vector<MeasuredRadius>& measured, double spacing,
+                            double& spread) {
+  constexpr double least = 0.08;
+  constexpr double most = 0.5;
+  if (const auto model = fittedLengthPipe(skeleton, measured)) {
+    spread = std::clamp(model->spread, least, most);
+    return radiiOf(skeleton, *model);
+  }
+  spread = most;
+  std::vector<double> radii =
+      interpolatedRadii(skeleton, assignedRadii(skeleton, points, AssignedMeasure::mean));
+  for (double& radius : radii)
+    if (!(radius > 0)) radius = spacing / 2; // no node has points
+  return radii;
+}
+
+Method fusedMethod() {
+  using Options = CylinderMethodOptions;
+  OptionTable<Options> table = cylinderTable();
+  table.add({.name = "axis_step",
+             .label = "Step along an axis",
+             .kind = OptionKind::ratio,
+             .rule = fixedAt(0.05),
+             .minimum = 0.001,
+             .maximum = 10,
+             .help = "How much the radius may stray from the model from node to node: more follows "
+                     "each measurement."},
+            &Options::axisStep);
+  table.add({.name = "branch_step",
+             .label = "Step to a branch",
+             .kind = OptionKind::ratio,
+             .rule = fixedAt(0.3),
+             .minimum = 0.001,
+             .maximum = 10,
+             .help = "The same from an axis to a branch."},
+            &Options::branchStep);
+  return {
+      .name = "fused",
+      .label = "Cylinders and pipe model",
+      .help = "Radii of fitted cylinders where points tell, of a pipe model fitted to them "
+              "elsewhere, each as far as it can be trusted.",
+      .source = "pipe model: K. Shinozaki et al., Jpn. J. Ecol. 14, 1964; fusion: least squares "
+                "of logarithms by their deviations",
+      .options = table.descriptions(),
+      .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
+        const Options options = table.with(values);
+        const CylinderOptions cylinders = options.cylinders(state);
+        const Eigen::Matrix3Xf kept = keptPositions(state);
+        const AssignedPoints points(state.skeleton, kept, state.cloud->origin(),
+                                    progress.part(0, 0.5));
+        const std::vector<MeasuredRadius> measured =
+            withThinRadii(state.skeleton, points,
+                          cylinderRadii(state.skeleton, points, cylinders, progress.part(0.5, 1)));
+        FusionOptions fusion{.axisStep = options.axisStep, .branchStep = options.branchStep};
+        const std::vector<double> model =
+            modelOf(state.skeleton, points, measured, cylinders.spacing, fusion.modelSpread);
+        SourcedRadii result = fusedRadii(state.skeleton, measured, model, fusion);
+        setRadii(state, std::move(result.radii), std::move(result.sources), options.branchShare);
+      }};
+}
 
 Method nodeCountPipeMethod() {
   return {.name = "node_count_pipe",
           .label = "Node-count pipe model",
           .help = "Radii grow with the number of nodes carried, between those measured at the foot "
                   "and at the tips.",
-          .source = "law of the structures published with the thesis of C. Preuksakarn, 2012",
+          .source = thesis,
           .options = {},
           .run = [](PipelineState& state, const Values&, const Progress& progress) {
-            const std::vector<double> measured = meanPointDistances(
-                state.skeleton, keptPositions(state), state.cloud->origin(), progress);
-            state.skeleton =
-                withNodeCountPipeRadii(state.skeleton, pipeEndRadii(state.skeleton, measured));
+            state.skeleton = withNodeCountPipeRadii(
+                state.skeleton, pipeEndRadii(state.skeleton, meanDistances(state, progress)));
+            state.radiusSources = allModeled(state);
+          }};
+}
+
+Method lengthPipeMethod() {
+  return {.name = "length_pipe",
+          .label = "Length pipe model",
+          .help = "Radii grow with the length of the wood carried, between those measured at the "
+                  "foot and at the tips; node spacing does not matter.",
+          .source = thesis,
+          .options = {},
+          .run = [](PipelineState& state, const Values&, const Progress& progress) {
+            const NodeCountPipeOptions ends =
+                pipeEndRadii(state.skeleton, meanDistances(state, progress));
+            const LengthPipeModel model =
+                lengthPipeThrough(state.skeleton, ends.rootRadius, ends.apexRadius);
+            setRadii(state, radiiOf(state.skeleton, model), allModeled(state));
+          }};
+}
+
+struct AveragePipeOptions {
+  double exponent = 0;
+};
+
+Method averagePipeMethod() {
+  OptionTable<AveragePipeOptions> table;
+  table.add({.name = "exponent",
+             .label = "Exponent",
+             .kind = OptionKind::ratio,
+             .rule = fixedAt(2),
+             .minimum = 0.1,
+             .maximum = 5,
+             .help = "How fast radii grow with the logarithm of the length carried."},
+            &AveragePipeOptions::exponent);
+  return {.name = "average_pipe",
+          .label = "Average-constrained pipe model",
+          .help = "Radii grow with the length of the wood carried; their mean is the mean distance "
+                  "of the points to the skeleton.",
+          .source = "PlantScan3D; Y. Livny et al., ACM Trans. Graph. 29(6), 2010, has exponent 2.5",
+          .options = table.descriptions(),
+          .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
+            const Eigen::Matrix3Xf kept = keptPositions(state);
+            const AssignedPoints points(state.skeleton, kept, state.cloud->origin(), progress);
+            double sum = 0;
+            for (Eigen::Index i = 0; i < kept.cols(); ++i)
+              sum += points.distance(static_cast<std::uint32_t>(i));
+            const double mean = sum / static_cast<double>(kept.cols());
+            setRadii(state, averagePipeRadii(state.skeleton, mean, table.with(values).exponent),
+                     allModeled(state));
           }};
 }
 
 } // namespace
 
 std::vector<Method> radiusMethods() {
-  return {nodeCountPipeMethod()};
+  return {fusedMethod(),
+          nodeCountPipeMethod(),
+          lengthPipeMethod(),
+          averagePipeMethod(),
+          cylinderMethod(),
+          assignedMethod("mean_distance", "Mean distance",
+                         "Mean distance of the points of each node to the skeleton.",
+                         AssignedMeasure::mean),
+          assignedMethod("maximum_distance", "Maximum distance",
+                         "Distance that 95 % of the points of each node are nearer than.",
+                         AssignedMeasure::maximum),
+          assignedMethod("hull", "Hull",
+                         "Length around the convex hull of the points of each node.",
+                         AssignedMeasure::hull)};
 }
 
 } // namespace espalier

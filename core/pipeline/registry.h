@@ -4,6 +4,7 @@
 #include "core/cloud/point_cloud.h"
 #include "core/graph/find_root.h"
 #include "core/pipeline/option_table.h"
+#include "core/radius/fused_radii.h"
 #include "core/skeleton/skeleton.h"
 
 #include <functional>
@@ -22,6 +23,7 @@ struct PipelineState {
   std::shared_ptr<const Eigen::Matrix3Xf> contracted; // by point, about the origin of the cloud
   Eigen::Index root = 0;                              // a point
   Skeleton skeleton;                                  // frame of the file
+  std::vector<RadiusSource> radiusSources;            // by id, once there are radii
 };
 
 /// One way to do a step.

@@ -54,23 +54,6 @@ Points hullOf(Points points) {
   return hull;
 }
 
-std::optional<FittedCircle> hullCircle(const Points& points) {
-  const Points hull = hullOf(points);
-  if (hull.size() < 3) return std::nullopt;
-  double perimeter = 0;
-  double area = 0; // twice
-  Eigen::Vector2d moment = Eigen::Vector2d::Zero();
-  for (std::size_t i = 0; i < hull.size(); ++i) {
-    const Eigen::Vector2d a = hull[i] - hull[0]; // near the hull: less is lost to rounding
-    const Eigen::Vector2d b = hull[(i + 1) % hull.size()] - hull[0];
-    perimeter += (b - a).norm();
-    area += cross(a, b);
-    moment += cross(a, b) * (a + b) / 3;
-  }
-  if (!(area > 1e-12 * perimeter * perimeter)) return std::nullopt;
-  return judgedCircle(hull[0] + moment / area, perimeter / (2 * std::numbers::pi), points);
-}
-
 /// The circle through three points, if they are not on a line.
 std::optional<std::pair<Eigen::Vector2d, double>>
 circleThrough(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
@@ -189,6 +172,23 @@ MeasuredCircle measuredCircle(const CrossSection& section, RadiusMeasure measure
   if (!circle || !(circle->radius > 0)) return NoRadius::noCircle;
   if (circle->coverage < leastCoverage(measure)) return NoRadius::oneSided;
   return *circle;
+}
+
+std::optional<FittedCircle> hullCircle(const Points& points) {
+  const Points hull = hullOf(points);
+  if (hull.size() < 3) return std::nullopt;
+  double perimeter = 0;
+  double area = 0; // twice
+  Eigen::Vector2d moment = Eigen::Vector2d::Zero();
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    const Eigen::Vector2d a = hull[i] - hull[0]; // near the hull: less is lost to rounding
+    const Eigen::Vector2d b = hull[(i + 1) % hull.size()] - hull[0];
+    perimeter += (b - a).norm();
+    area += cross(a, b);
+    moment += cross(a, b) * (a + b) / 3;
+  }
+  if (!(area > 1e-12 * perimeter * perimeter)) return std::nullopt;
+  return judgedCircle(hull[0] + moment / area, perimeter / (2 * std::numbers::pi), points);
 }
 
 SectionRadii sectionRadii(const CrossSections& sections, const std::vector<NodeId>& nodes,

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -48,6 +49,10 @@ using MeasuredCircle = std::variant<FittedCircle, NoRadius>;
 /// Source: P. J. Rousseeuw, "Least median of squares regression", JASA 79, 1984; the hull as in
 /// PlantScan3D, but about its centroid, not the middle of its box.
 [[nodiscard]] MeasuredCircle measuredCircle(const CrossSection& section, RadiusMeasure measure);
+
+/// A circle as long around as the convex hull of the points, about its centroid; none for points on
+/// a line. Time O(m log m).
+[[nodiscard]] std::optional<FittedCircle> hullCircle(const std::vector<Eigen::Vector2d>& points);
 
 /// The radii of many nodes.
 struct SectionRadii {

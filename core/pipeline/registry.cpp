@@ -4,6 +4,7 @@
 #include "core/pipeline/clean_methods.h"
 #include "core/pipeline/contract_methods.h"
 #include "core/pipeline/radius_methods.h"
+#include "core/pipeline/repair_methods.h"
 #include "core/pipeline/shape_methods.h"
 #include "core/pipeline/skeleton_methods.h"
 
@@ -26,6 +27,11 @@ const std::vector<Step>& pipelineSteps() {
        .help = "Finds nodes and what hangs on what.",
        .share = 0.2,
        .methods = skeletonMethods()},
+      {.name = "join",
+       .label = "Join",
+       .help = "Chooses across gaps what hangs on what.",
+       .share = 0.02,
+       .methods = joinMethods()},
       {.name = "prune",
        .label = "Prune",
        .help = "Removes what is no branch.",
@@ -41,11 +47,21 @@ const std::vector<Step>& pipelineSteps() {
        .help = "Moves nodes into the middle of the wood.",
        .share = 0.15,
        .methods = recenterMethods()},
+      {.name = "insertions",
+       .label = "Insertions",
+       .help = "Hangs branches where they leave the wood that bears them.",
+       .share = 0.01,
+       .methods = insertionMethods()},
       {.name = "ends",
        .label = "Ends",
        .help = "Gives tips and roots their full length.",
        .share = 0.08,
        .methods = endsMethods()},
+      {.name = "nodes",
+       .label = "Nodes",
+       .help = "Spaces the nodes.",
+       .share = 0.01,
+       .methods = nodeMethods()},
       {.name = "radius",
        .label = "Radius",
        .help = "Gives each node its radius.",

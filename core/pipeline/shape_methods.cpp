@@ -1,6 +1,7 @@
 #include "core/pipeline/shape_methods.h"
 
 #include "core/pipeline/method_parts.h"
+#include "core/radius/recenter_on_cylinders.h"
 #include "core/skeleton/assemble_axes.h"
 #include "core/skeleton/extend_ends.h"
 #include "core/skeleton/prune.h"
@@ -110,6 +111,69 @@ Method recenterMethod() {
       }};
 }
 
+/// The options of recentering on cylinders; what the tables tie is not nested.
+struct CylinderRecenterOptions {
+  int rounds = 1;
+  double smoothing = 0;
+  double leastCoverage = 0;
+  double length = 0;
+};
+
+Method cylinderRecenterMethod() {
+  using Options = CylinderRecenterOptions;
+  OptionTable<Options> table;
+  table.add({.name = "rounds",
+             .label = "Rounds",
+             .kind = OptionKind::count,
+             .rule = fixedAt(1),
+             .minimum = 0,
+             .maximum = 20,
+             .help = "How often nodes are moved and smoothed."},
+            &Options::rounds);
+  table.add({.name = "smoothing",
+             .label = "Smoothing",
+             .kind = OptionKind::ratio,
+             .rule = fixedAt(0.2),
+             .minimum = 0,
+             .maximum = 1,
+             .help = "Share of the way each node moves to the mean of its neighbors on the axis."},
+            &Options::smoothing);
+  table.add({.name = "least_coverage",
+             .label = "Least coverage",
+             .kind = OptionKind::ratio,
+             .rule = fixedAt(0.4),
+             .minimum = 0.1,
+             .maximum = 1,
+             .help = "Share of the way around that points must cover before a fit is trusted."},
+            &Options::leastCoverage);
+  table.add({.name = "length",
+             .label = "Length",
+             .kind = OptionKind::ratio,
+             .rule = fixedAt(4),
+             .minimum = 1,
+             .maximum = 30,
+             .help = "How much of the wood a cylinder is fitted to, in radii."},
+            &Options::length);
+  return {.name = "cylinders",
+          .label = "Recenter on cylinders",
+          .help = "Moves nodes onto the axes of cylinders fitted to the wood around them, which "
+                  "finds the middle of wood scanned from one side, and smooths the axes.",
+          .source = "cylinder: G. Lukacs, R. Martin, D. Marshall, ECCV 1998",
+          .options = table.descriptions(),
+          .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
+            const Options chosen = table.with(values);
+            const Eigen::Matrix3Xf kept = keptPositions(state);
+            state.skeleton =
+                recenteredOnCylinders(state.skeleton, kept, state.cloud->origin(),
+                                      {.rounds = chosen.rounds,
+                                       .smoothing = chosen.smoothing,
+                                       .cylinders = {.leastCoverage = chosen.leastCoverage,
+                                                     .length = chosen.length,
+                                                     .spacing = pointSpacing(kept)}},
+                                      progress);
+          }};
+}
+
 Method endsMethod() {
   return {.name = "to_points",
           .label = "Extend to the points",
@@ -133,7 +197,7 @@ std::vector<Method> axesMethods() {
 }
 
 std::vector<Method> recenterMethods() {
-  return {recenterMethod(), noMethod("Leaves the nodes where they are.")};
+  return {recenterMethod(), cylinderRecenterMethod(), noMethod("Leaves the nodes where they are.")};
 }
 
 std::vector<Method> endsMethods() {

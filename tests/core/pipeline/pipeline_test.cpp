@@ -51,8 +51,9 @@ TEST(Pipeline, RecomputesOnlyWhatLiesBehindAChange) {
   EXPECT_EQ(newSteps(pipeline.run(cloud, options)).size(), pipelineSteps().size());
   EXPECT_THAT(newSteps(pipeline.run(cloud, options)), testing::IsEmpty());
   options.set("prune.length=0.1");
-  EXPECT_THAT(newSteps(pipeline.run(cloud, options)),
-              testing::ElementsAre("prune", "axes", "recenter", "ends", "radius"));
+  EXPECT_THAT(
+      newSteps(pipeline.run(cloud, options)),
+      testing::ElementsAre("prune", "axes", "recenter", "insertions", "ends", "nodes", "radius"));
   options.root = Eigen::Vector3d(500, 600, 702);
   EXPECT_EQ(newSteps(pipeline.run(cloud, options)).size(), pipelineSteps().size());
 }

@@ -1,0 +1,261 @@
+// What each method reaches on simulated scans, a row each: the default first, then every other
+// method with all else as it is by default.
+//
+//   espalier_accuracy [--plants grown|structures|all] [--seeds N] [--worst] [ROW ...]
+//
+// A ROW is NAME:STEP.OPTION=VALUE,...; a value that ends in s is in point spacings. With rows, only
+// they are printed. --worst prints each plant instead of their means.
+//
+// Columns: the authors' indices G and T; precision, recall and F within 4 spacings; median error of
+// the radius, of wood over 2 spacings thick and of all, and its median with the sign; seconds a
+// plant.
+#include "core/base/error.h"
+#include "core/evaluate/comparison.h"
+#include "core/evaluate/edge_index.h"
+#include "core/io/formats.h"
+#include "core/pipeline/pipeline.h"
+#include "core/simulate/laser_scanner.h"
+#include "core/simulate/plant_grower.h"
+#include "core/simulate/prepared_plant.h"
+#include "tests/support/shared_data.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <numeric>
+#include <string>
+#include <vector>
+
+namespace espalier {
+namespace {
+
+struct Plant {
+  std::string name;
+  Skeleton truth;
+  std::shared_ptr<const PointCloud> cloud;
+};
+
+struct Row {
+  std::string name;
+  std::vector<std::string> settings;
+};
+
+struct Score {
+  double geometric = 0;
+  double structural = 0;
+  double precision = 0;
+  double recall = 0;
+  double f = 0;
+  double thickError = 0; // median, of wood over 2 spacings thick
+  double radiusError = 0;
+  double radiusBias = 0;
+  double seconds = 0;
+};
+
+Plant scanned(std::string name, Skeleton truth, const ScannerOptions& scanner, std::uint64_t seed) {
+  SimulatedScan result = scan(truth, scanner, seed);
+  return {std::move(name), std::move(truth),
+          std::make_shared<const PointCloud>(std::move(result.points))};
+}
+
+/// Points per segment, noise in extents and leaves that hid wood, in turn.
+ScannerOptions scannerOf(std::uint64_t seed, std::size_t segments) {
+  constexpr int perSegment[] = {60, 130, 260};
+  constexpr double noise[] = {0, 1.0 / 2500, 1.0 / 1000};
+  ScannerOptions options;
+  options.points = perSegment[seed % 3] * static_cast<Eigen::Index>(segments);
+  options.rangeNoise = 4 * noise[(seed / 3 + seed) % 3];
+  options.clumps = seed % 2 == 0 ? 10 : 0;
+  return options;
+}
+
+std::vector<Plant> grownPlants(int seeds) {
+  std::vector<Plant> plants;
+  const std::pair<const char*, Architecture> kinds[] = {{"broadleaf", Architecture::broadleaf},
+                                                        {"conifer", Architecture::conifer},
+                                                        {"shrub", Architecture::shrub},
+                                                        {"herb", Architecture::herb}};
+  for (const auto& [name, kind] : kinds)
+    for (int seed = 1; seed <= seeds; ++seed) {
+      const int segments = kind == Architecture::herb ? 25 : 150;
+      const auto number = static_cast<std::uint64_t>(seed);
+      plants.push_back(
+          scanned(name + std::string(" ") + std::to_string(seed),
+                  growPlant({.architecture = kind, .height = 4, .segments = segments}, number),
+                  scannerOf(number, static_cast<std::size_t>(segments)), number));
+    }
+  return plants;
+}
+
+std::vector<Plant> structurePlants(int seeds) {
+  std::vector<Plant> plants;
+  for (const char* name : {"puu3", "cherry", "arabidopsis"}) {
+    const auto file = test::sharedFile("structures/" + std::string(name) + "_reference.mtg");
+    if (!file) continue;
+    const Skeleton truth = preparedPlant(readStructure(*file).value.skeleton);
+    for (int seed = 1; seed <= seeds; ++seed) {
+      ScannerOptions scanner;
+      scanner.points = std::strcmp(name, "arabidopsis") == 0 ? 6'000 : 120'000;
+      if (seed % 2 == 0) scanner.clumps = 10;
+      plants.push_back(scanned(name + std::string(" ") + std::to_string(seed), truth, scanner,
+                               static_cast<std::uint64_t>(seed)));
+    }
+  }
+  return plants;
+}
+
+double medianOf(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Relative errors of radii at the nodes of the result that lie within the true wood or near it.
+void judgeRadii(const Skeleton& result, const Skeleton& truth, double spacing, Score& score) {
+  const EdgeIndex index(truth);
+  std::vector<double> all;
+  std::vector<double> thick;
+  std::vector<double> biases;
+  for (const NodeId id : result.ids()) {
+    const auto place = index.nearest(result[id].position);
+    if (!place) continue;
+    const Node& upper = truth[place->node];
+    double radius = upper.radius;
+    if (upper.parent && upper.edge == EdgeType::successor) {
+      const Node& lower = truth[*upper.parent];
+      const double length = (upper.position - lower.position).norm();
+      const double share = length > 0 ? (upper.position - place->position).norm() / length : 0;
+      radius = (1 - share) * upper.radius + share * lower.radius;
+    }
+    if (place->distance > radius + spacing) continue;
+    const double error = std::abs(result[id].radius / radius - 1);
+    all.push_back(error);
+    biases.push_back(result[id].radius / radius - 1);
+    if (radius > 2 * spacing) thick.push_back(error);
+  }
+  score.radiusError = medianOf(all);
+  score.radiusBias = medianOf(biases);
+  score.thickError = medianOf(thick);
+}
+
+PipelineOptions optionsOf(const Row& row, double spacing) {
+  PipelineOptions options;
+  for (std::string setting : row.settings) {
+    if (setting.ends_with('s') && setting.find("method") == std::string::npos) {
+      const std::size_t equals = setting.find('=');
+      const double value = spacing * std::stod(setting.substr(equals + 1));
+      setting = setting.substr(0, equals + 1) + std::to_string(value);
+    }
+    options.set(setting);
+  }
+  return options;
+}
+
+Score scoreOf(const Row& row, const Plant& plant) {
+  using Clock = std::chrono::steady_clock;
+  const double spacing = pointSpacing(plant.cloud->positions());
+  const auto start = Clock::now();
+  const Reconstruction result = Pipeline().run(plant.cloud, optionsOf(row, spacing));
+  Score score;
+  score.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  const Comparison comparison =
+      compare(result.skeleton, plant.truth,
+              {.registers = false, .tolerance = {.distances = {4 * spacing}}});
+  score.geometric = comparison.authors.geometric;
+  score.structural = comparison.authors.structural;
+  score.precision = comparison.tolerance.scores.front().precision;
+  score.recall = comparison.tolerance.scores.front().recall;
+  score.f = comparison.tolerance.scores.front().f();
+  judgeRadii(result.skeleton, plant.truth, spacing, score);
+  return score;
+}
+
+void print(const std::string& name, const Score& score) {
+  std::printf("%-34s %.3f %.3f  %.3f %.3f %.3f  %5.3f %5.3f %6.3f  %6.2f\n", name.c_str(),
+              score.geometric, score.structural, score.precision, score.recall, score.f,
+              score.thickError, score.radiusError, score.radiusBias, score.seconds);
+  std::fflush(stdout);
+}
+
+Score meanOf(const std::vector<Score>& scores) {
+  Score mean;
+  for (double Score::*member :
+       {&Score::geometric, &Score::structural, &Score::precision, &Score::recall, &Score::f,
+        &Score::thickError, &Score::radiusError, &Score::radiusBias, &Score::seconds})
+    for (const Score& score : scores)
+      mean.*member += score.*member / static_cast<double>(scores.size());
+  return mean;
+}
+
+std::vector<Row> allMethods() {
+  std::vector<Row> rows = {{"default", {}}};
+  for (const Step& step : pipelineSteps())
+    for (const Method& method : step.methods)
+      if (&method != &step.methods.front())
+        rows.push_back({step.name + "." + method.name, {step.name + ".method=" + method.name}});
+  return rows;
+}
+
+Row rowOf(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  Row row{text.substr(0, colon), {}};
+  std::string rest = colon == std::string::npos ? "" : text.substr(colon + 1);
+  while (!rest.empty()) {
+    const std::size_t comma = rest.find(',');
+    row.settings.push_back(rest.substr(0, comma));
+    rest = comma == std::string::npos ? "" : rest.substr(comma + 1);
+  }
+  return row;
+}
+
+void run(const std::vector<std::string>& arguments) {
+  std::string which = "grown";
+  int seeds = 3;
+  bool printsEach = false;
+  std::vector<Row> rows;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    if (arguments[i] == "--plants")
+      which = arguments.at(++i);
+    else if (arguments[i] == "--seeds")
+      seeds = std::stoi(arguments.at(++i));
+    else if (arguments[i] == "--worst")
+      printsEach = true;
+    else
+      rows.push_back(rowOf(arguments[i]));
+  }
+  if (rows.empty()) rows = allMethods();
+  std::vector<Plant> plants;
+  if (which != "structures") plants = grownPlants(seeds);
+  if (which != "grown") std::ranges::move(structurePlants(seeds), std::back_inserter(plants));
+  std::printf("%-34s %-5s %-5s  %-5s %-5s %-5s  %-5s %-5s %-6s  %6s\n", "", "G", "T", "P", "R",
+              "F4", "thick", "radii", "bias", "s");
+  for (const Row& row : rows) {
+    std::vector<Score> scores;
+    for (const Plant& plant : plants) {
+      try {
+        scores.push_back(scoreOf(row, plant));
+        if (printsEach) print(row.name + ", " + plant.name, scores.back());
+      } catch (const Error& problem) {
+        std::printf("%s, %s: %s\n", row.name.c_str(), plant.name.c_str(), problem.what());
+      }
+    }
+    if (!scores.empty()) print(row.name, meanOf(scores));
+  }
+}
+
+} // namespace
+} // namespace espalier
+
+int main(int argc, char** argv) {
+  try {
+    espalier::run(std::vector<std::string>(argv + 1, argv + argc));
+    return 0;
+  } catch (const std::exception& problem) {
+    std::fprintf(stderr, "%s\n", problem.what());
+    return 1;
+  }
+}

@@ -99,12 +99,22 @@ Json statistics(const Reconstruction& reconstruction,
     }
     steps.push_back(std::move(step));
   }
+  Json sources = {{"measured", 0}, {"fused", 0}, {"modeled", 0}};
+  for (const NodeId id : reconstruction.skeleton.ids()) {
+    if (indexOf(id) >= reconstruction.radiusSources.size()) break;
+    const RadiusSource source = reconstruction.radiusSources[indexOf(id)];
+    const char* name = source == RadiusSource::measured ? "measured"
+                       : source == RadiusSource::fused  ? "fused"
+                                                        : "modeled";
+    sources[name] = sources[name].get<int>() + 1;
+  }
   auto seconds = Json::object();
   for (const auto& [stage, spent] : stageSeconds)
     seconds[stage] = spent;
   return {{"scale",
            {{"spacing", reconstruction.scale.spacing}, {"height", reconstruction.scale.height}}},
           {"steps", std::move(steps)},
+          {"radius_sources", std::move(sources)},
           {"seconds", std::move(seconds)}};
 }
 

@@ -74,7 +74,11 @@ TEST_F(Subcommands, ReconstructFindsOnePlantWithRadii) {
   EXPECT_EQ(statistics["unit"], "m");
   EXPECT_EQ(statistics["cloud"]["points"], readPoints(scan_).value.size());
   EXPECT_EQ(statistics["skeleton"]["nodes"], plant.size());
-  EXPECT_EQ(statistics["steps"].size(), 8U);
+  EXPECT_EQ(statistics["steps"].size(), 11U);
+  const json sources = statistics["radius_sources"];
+  EXPECT_EQ(sources["measured"].get<std::size_t>() + sources["fused"].get<std::size_t>() +
+                sources["modeled"].get<std::size_t>(),
+            statistics["skeleton"]["nodes"].get<std::size_t>());
   EXPECT_EQ(statistics["steps"][1]["method"], "geodesic_centroid");
   EXPECT_TRUE(statistics["seconds"].contains("Contract"));
   EXPECT_THAT(namesIn(folder_), ElementsAre("a.json", "a.mtg"));

@@ -179,7 +179,8 @@ std::vector<Method> joinMethods() {
 }
 
 std::vector<Method> insertionMethods() {
-  return {insertionMethod(), noMethod("Leaves branches on the nodes they were found at.")};
+  // Sliding gains 0.004 of G and F on simulated scans, but loses 0.012 of T: more short segments.
+  return {noMethod("Leaves branches on the nodes they were found at."), insertionMethod()};
 }
 
 std::vector<Method> nodeMethods() {

@@ -93,8 +93,11 @@ TEST_F(Subcommands, ReconstructUsesWhatIsSet) {
   const json steps = jsonIn(file("a.json"))["steps"];
   EXPECT_EQ(steps[1]["options"]["radius"], 0.05) << "what is set goes before the preset";
   EXPECT_EQ(steps[1]["options"]["neighbors"], 9);
-  EXPECT_EQ(steps[3]["method"], "none");
-  EXPECT_EQ(steps[4]["options"]["sharpest_turn"], 45);
+  const auto named = [&](const std::string& name) {
+    return *std::ranges::find_if(steps, [&](const json& step) { return step["step"] == name; });
+  };
+  EXPECT_EQ(named("prune")["method"], "none");
+  EXPECT_EQ(named("axes")["options"]["sharpest_turn"], 45);
 }
 
 TEST_F(Subcommands, ReconstructStartsAtTheRootThatIsGiven) {

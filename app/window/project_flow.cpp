@@ -219,7 +219,8 @@ void ProjectFlow::show(LoadedProject loaded, As as) {
   if (loaded.contracted) document.setContracted(loaded.contracted);
   document.openHistory({std::move(loaded.history.skeleton), loaded.frame},
                        std::move(loaded.history.steps), loaded.history.position,
-                       isSession ? loaded.file : QString(), loaded.contractedStep);
+                       isSession ? loaded.file : QString(), loaded.contractedStep,
+                       loaded.history.leftOut);
   isLoading_ = false;
   scan_ = loaded.scanReference;
   isScanKept_ = loaded.isScanKept;

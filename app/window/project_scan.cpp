@@ -85,7 +85,7 @@ void ProjectFlow::askForScan() {
       [this, path](std::unique_ptr<const Scan> scan) {
         ScanReference found = *scan_;
         found.path = toPath(QFileInfo(path).absoluteFilePath());
-        parts_.document.setScan(std::move(scan), path);
+        parts_.document.setFoundScan(std::move(scan), path);
         setScanReference(found);
         emit scanFound();
       });

@@ -181,11 +181,11 @@ void RadiusFlow::measure(const std::vector<NodeId>& nodes, RadiusMeasure measure
   }
   parts_.jobs.start(
       tr("Measuring radii"),
-      [cloud = scan.cloud(), spacing = scan.spacing(), skeleton = document.skeleton(), nodes,
-       measure](const Progress& progress) {
-        const SpatialIndex index(cloud->positions());
-        const CrossSections sections(skeleton,
-                                     {cloud->positions(), cloud->origin(), index, spacing});
+      [cloud = scan.cloud(), leftOut = scan.leftOut(), spacing = scan.spacing(),
+       skeleton = document.skeleton(), nodes, measure](const Progress& progress) {
+        const PointCloud kept = without(*cloud, leftOut);
+        const SpatialIndex index(kept.positions());
+        const CrossSections sections(skeleton, {kept.positions(), kept.origin(), index, spacing});
         return sectionRadii(sections, nodes, measure, progress);
       },
       [this, act](const SectionRadii& radii) {

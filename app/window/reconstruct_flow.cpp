@@ -21,14 +21,15 @@ void ReconstructFlow::start(const PipelineOptions& options) {
   if (jobs_.isRunning())
     throw Error(
         tr("%1 is still running: wait for it, or cancel it").arg(jobs_.name()).toStdString());
+  PipelineOptions ofKept = options;
+  ofKept.leftOut = document_.leftOut();
   isRunning_ = true;
   QElapsedTimer elapsed;
   elapsed.start();
   jobs_.start(
       tr("Reconstructing"),
-      [pipeline = pipeline_, cloud = document_.scan()->cloud(), options](const Progress& progress) {
-        return pipeline->run(cloud, options, progress);
-      },
+      [pipeline = pipeline_, cloud = document_.scan()->cloud(), options = ofKept](
+          const Progress& progress) { return pipeline->run(cloud, options, progress); },
       [this, elapsed](const Reconstruction& result) {
         show(result, static_cast<double>(elapsed.elapsed()) / 1000);
       });

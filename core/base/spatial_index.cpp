@@ -6,6 +6,8 @@
 #include <oneapi/tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
+#include <cassert>
+#include <limits>
 #include <utility>
 
 namespace espalier {
@@ -54,13 +56,43 @@ private:
   std::optional<Neighbor> found_;
 };
 
-/// Keeps every point of a search within a radius.
-class Within {
+/// Keeps the nearest points of a search that are not passed over.
+class NearestOfOthers {
 public:
-  explicit Within(float squaredRadius) : squaredRadius_(squaredRadius) {}
+  NearestOfOthers(std::size_t count, const std::vector<bool>& isPassed)
+      : count_(count), isPassed_(isPassed) {}
 
   bool addPoint(float squaredDistance, std::uint32_t index) {
-    if (squaredDistance <= squaredRadius_) found_.push_back({index, squaredDistance});
+    if (isPassed_[index] || squaredDistance >= worstDist()) return true;
+    if (full()) found_.pop_back();
+    const auto behind =
+        std::ranges::upper_bound(found_, squaredDistance, {}, &Neighbor::squaredDistance);
+    found_.insert(behind, {index, squaredDistance});
+    return true;
+  }
+  [[nodiscard]] float worstDist() const {
+    return full() ? found_.back().squaredDistance : std::numeric_limits<float>::max();
+  }
+  [[nodiscard]] bool full() const { return found_.size() == count_; }
+  [[nodiscard]] std::size_t size() const { return found_.size(); }
+  void sort() const {}
+  [[nodiscard]] std::vector<Neighbor> take() { return std::move(found_); }
+
+private:
+  std::size_t count_;
+  const std::vector<bool>& isPassed_;
+  std::vector<Neighbor> found_; // nearest first
+};
+
+/// Keeps every point of a search within a radius, unless it is passed over.
+class Within {
+public:
+  Within(float squaredRadius, const std::vector<bool>& isPassed)
+      : squaredRadius_(squaredRadius), isPassed_(isPassed) {}
+
+  bool addPoint(float squaredDistance, std::uint32_t index) {
+    const bool isPassed = !isPassed_.empty() && isPassed_[index];
+    if (squaredDistance <= squaredRadius_ && !isPassed) found_.push_back({index, squaredDistance});
     return true;
   }
   [[nodiscard]] float worstDist() const { return squaredRadius_; }
@@ -71,6 +103,7 @@ public:
 
 private:
   float squaredRadius_;
+  const std::vector<bool>& isPassed_;
   std::vector<Neighbor> found_;
 };
 
@@ -85,15 +118,28 @@ struct SpatialIndex::Tree {
 };
 
 SpatialIndex::SpatialIndex(const Eigen::Matrix3Xf& points)
-    : tree_(std::make_unique<Tree>(points)) {}
+    : tree_(std::make_shared<const Tree>(points)) {}
+SpatialIndex::SpatialIndex(std::shared_ptr<const Tree> tree) : tree_(std::move(tree)) {}
 SpatialIndex::~SpatialIndex() = default;
 SpatialIndex::SpatialIndex(SpatialIndex&&) noexcept = default;
 SpatialIndex& SpatialIndex::operator=(SpatialIndex&&) noexcept = default;
+
+SpatialIndex SpatialIndex::passingOver(std::vector<bool> points) const {
+  assert(points.size() == tree_->columns.kdtree_get_point_count());
+  SpatialIndex index(tree_);
+  index.isPassed_ = std::move(points);
+  return index;
+}
 
 std::vector<Neighbor> SpatialIndex::nearest(const Eigen::Vector3f& place, int count) const {
   const auto total = tree_->columns.kdtree_get_point_count();
   const auto wanted = std::min(static_cast<std::size_t>(std::max(count, 0)), total);
   if (wanted == 0) return {};
+  if (!isPassed_.empty()) {
+    NearestOfOthers others(wanted, isPassed_);
+    tree_->index.findNeighbors(others, place.data(), {});
+    return others.take();
+  }
   std::vector<std::uint32_t> indices(wanted);
   std::vector<float> distances(wanted);
   const std::size_t found =
@@ -106,7 +152,7 @@ std::vector<Neighbor> SpatialIndex::nearest(const Eigen::Vector3f& place, int co
 
 std::vector<Neighbor> SpatialIndex::within(const Eigen::Vector3f& place, float radius) const {
   if (tree_->columns.kdtree_get_point_count() == 0) return {};
-  Within result(radius * radius);
+  Within result(radius * radius, isPassed_);
   tree_->index.findNeighbors(result, place.data(), {});
   return result.take();
 }
@@ -115,12 +161,16 @@ std::optional<Neighbor>
 SpatialIndex::nearestIf(const Eigen::Vector3f& place, float radius,
                         const std::function<bool(Eigen::Index)>& accepts) const {
   if (tree_->columns.kdtree_get_point_count() == 0) return std::nullopt;
-  NearestAccepted result(radius * radius, accepts);
+  const std::function<bool(Eigen::Index)> acceptsOther = [&](Eigen::Index point) {
+    return !isPassed_[static_cast<std::size_t>(point)] && accepts(point);
+  };
+  NearestAccepted result(radius * radius, isPassed_.empty() ? accepts : acceptsOther);
   tree_->index.findNeighbors(result, place.data(), {});
   return result.found();
 }
 
 NearestOthers SpatialIndex::nearestOthers(int count, const Progress& progress) const {
+  assert(isPassed_.empty());
   const auto total = static_cast<Eigen::Index>(tree_->columns.kdtree_get_point_count());
   const auto perPoint =
       std::min<Eigen::Index>(std::max(count, 0), std::max<Eigen::Index>(total - 1, 0));

@@ -37,6 +37,10 @@ public:
   SpatialIndex(SpatialIndex&&) noexcept;
   SpatialIndex& operator=(SpatialIndex&&) noexcept;
 
+  /// The same index, which passes over exactly the points told: one entry per point, true for those
+  /// that are not to be found. Time and memory O(N) bits: the tree is shared.
+  [[nodiscard]] SpatialIndex passingOver(std::vector<bool> points) const;
+
   /// The `count` points nearest to `place`, nearest first; all of them if there are fewer.
   [[nodiscard]] std::vector<Neighbor> nearest(const Eigen::Vector3f& place, int count) const;
 
@@ -49,12 +53,16 @@ public:
             const std::function<bool(Eigen::Index)>& accepts) const;
 
   /// For each indexed point its `count` nearest others; all others if there are fewer.
-  /// Uses all threads. Time O(N count log N). @throws Cancelled if `progress` asks to stop
+  /// pre: it passes over none. Uses all threads. Time O(N count log N). @throws Cancelled if
+  /// `progress` asks to stop
   [[nodiscard]] NearestOthers nearestOthers(int count, const Progress& progress = {}) const;
 
 private:
   struct Tree;
-  std::unique_ptr<Tree> tree_;
+  explicit SpatialIndex(std::shared_ptr<const Tree> tree);
+
+  std::shared_ptr<const Tree> tree_;
+  std::vector<bool> isPassed_; // by point; empty: none is
 };
 
 } // namespace espalier

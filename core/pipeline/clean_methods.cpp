@@ -32,8 +32,11 @@ Method isolatedPointsMethod() {
           .source = "as in statistical outlier removal, with a distance in point spacings",
           .options = table.descriptions(),
           .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
-            state.isLeftOut =
-                isolatedPoints(state.cloud->positions(), table.with(values), progress);
+            const std::vector<Eigen::Index> kept = keptPoints(state);
+            const std::vector<bool> isIsolated =
+                isolatedPoints(keptPositions(state), table.with(values), progress);
+            for (std::size_t i = 0; i < kept.size(); ++i)
+              if (isIsolated[i]) state.isLeftOut[static_cast<std::size_t>(kept[i])] = true;
           }};
 }
 

@@ -28,7 +28,8 @@ Eigen::Matrix3Xf keptPositions(const PipelineState& state) {
 
 void requirePlant(const std::vector<Eigen::Index>& kept) {
   if (kept.size() < 2)
-    throw Error("fewer than 2 points are left after cleaning: clean less, or choose method none");
+    throw Error("fewer than 2 points are left after cleaning: clean less, choose method none, or "
+                "bring points back");
 }
 
 } // namespace espalier

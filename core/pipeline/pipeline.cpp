@@ -130,6 +130,7 @@ struct Pipeline::Kept {
   std::shared_ptr<const PointCloud> cloud;
   std::optional<Eigen::Vector3d> root;
   UpAxis up = UpAxis::z;
+  PointSet leftOut;
   PlantScale scale;
   std::vector<Result> results; // of the first steps
 
@@ -142,18 +143,23 @@ struct Pipeline::Kept {
         throw Error("the root lies " + plainDecimal(std::round(away)) +
                     " away from the scan: give a place in its coordinates");
     }
-    if (cloud == newCloud && root == options.root && up == options.up) return;
+    if (cloud == newCloud && root == options.root && up == options.up && leftOut == options.leftOut)
+      return;
     results.clear();
     if (cloud != newCloud || up != options.up)
       scale = {pointSpacing(newCloud->positions()), plantHeight(newCloud->positions(), options.up)};
     cloud = newCloud;
     root = options.root;
     up = options.up;
+    leftOut = options.leftOut;
   }
 
   [[nodiscard]] PipelineState firstState() const {
+    std::vector<bool> isLeftOut(static_cast<std::size_t>(cloud->size()), true);
+    for (const Eigen::Index kept : others(leftOut, cloud->size()))
+      isLeftOut[static_cast<std::size_t>(kept)] = false;
     return {.cloud = cloud,
-            .isLeftOut = std::vector<bool>(static_cast<std::size_t>(cloud->size()), false),
+            .isLeftOut = std::move(isLeftOut),
             .contracted = std::make_shared<const Eigen::Matrix3Xf>(cloud->positions()),
             .root = 0,
             .skeleton = {},

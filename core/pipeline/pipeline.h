@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/cloud/point_set.h"
 #include "core/pipeline/registry.h"
 
 #include <map>
@@ -16,6 +17,9 @@ struct PipelineOptions {
   std::map<std::string, std::map<std::string, double>> settings; // step -> option -> value
   std::optional<Eigen::Vector3d> root;                           // [L], frame of the file
   UpAxis up = UpAxis::z;
+  /// Points that were set aside: no step sees them, but rules follow from the whole scan. Of one
+  /// scan, so no preset has them.
+  PointSet leftOut = {};
 
   /// Sets one option by its full name, "step.option".
   /// @throws Error naming what there is, if the step is unknown or the value is no number, or none

@@ -19,7 +19,7 @@ namespace espalier {
 /// What the steps of the pipeline hand on to each other.
 struct PipelineState {
   std::shared_ptr<const PointCloud> cloud;
-  std::vector<bool> isLeftOut;                        // by point, once cleaned
+  std::vector<bool> isLeftOut;                        // by point: set aside, then cleaned
   std::shared_ptr<const Eigen::Matrix3Xf> contracted; // by point, about the origin of the cloud
   Eigen::Index root = 0;                              // a point
   Skeleton skeleton;                                  // frame of the file

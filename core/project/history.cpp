@@ -100,11 +100,13 @@ bool tryToApply(const SkeletonDelta& delta, Skeleton& skeleton) {
   return true;
 }
 
-Skeleton beginningOf(const History& history) {
-  Skeleton skeleton = history.skeleton;
-  for (std::size_t i = history.position; i-- > 0;)
-    history.steps[i].delta.inverse().apply(skeleton);
-  return skeleton;
+History beginningOf(const History& history) {
+  History beginning{.skeleton = history.skeleton, .leftOut = history.leftOut};
+  for (std::size_t i = history.position; i-- > 0;) {
+    history.steps[i].delta.inverse().apply(beginning.skeleton);
+    beginning.leftOut = beginning.leftOut ^ history.steps[i].points;
+  }
+  return beginning;
 }
 
 } // namespace espalier

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/cloud/point_set.h"
 #include "core/skeleton/skeleton.h"
 #include "core/skeleton/skeleton_delta.h"
 
@@ -16,13 +17,17 @@ struct HistoryStep {
   std::string author;    // may be empty
   std::int64_t time = 0; // [ms] since 1970-01-01 UTC
   SkeletonDelta delta;
+  /// The points of the scan that it sets aside or brings back. As there are no other states, these
+  /// points are their own inverse, and those of two steps are what one of them alone has.
+  PointSet points = {};
 
   bool operator==(const HistoryStep&) const = default;
 };
 
-/// A skeleton and the edits around it: those before `position` are done, the others undone.
+/// A plant and the edits around it: those before `position` are done, the others undone.
 struct History {
-  Skeleton skeleton; // with the first `position` steps done
+  Skeleton skeleton;     // with the first `position` steps done
+  PointSet leftOut = {}; // likewise: the points that are set aside
   std::vector<HistoryStep> steps;
   std::size_t position = 0; // <= steps.size()
 
@@ -43,8 +48,8 @@ void growIds(Skeleton& skeleton, std::size_t end);
 /// Applies `delta` if it fits, and returns whether it did. Else nothing has changed.
 [[nodiscard]] bool tryToApply(const SkeletonDelta& delta, Skeleton& skeleton);
 
-/// The skeleton before the first step.
+/// The plant before the first step, and no steps.
 /// pre: each step fits where it stands
-[[nodiscard]] Skeleton beginningOf(const History& history);
+[[nodiscard]] History beginningOf(const History& history);
 
 } // namespace espalier

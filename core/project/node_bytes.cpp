@@ -14,7 +14,7 @@
 namespace espalier {
 namespace {
 
-constexpr std::uint8_t version = 2; // 1 had no reviews, and is else the same
+constexpr std::uint8_t version = 3; // 2 had no points, 1 no reviews either; else the same
 constexpr std::size_t hashSize = 8;
 
 enum NodeFlag : std::uint8_t {
@@ -92,6 +92,14 @@ public:
     text(node.review.reviewer);
   }
 
+  void points(const PointSet& points) {
+    size(points.runs().size());
+    for (const PointSet::Run& run : points.runs()) {
+      number(run.begin);
+      number(run.end);
+    }
+  }
+
   [[nodiscard]] std::string finished() {
     number(contentHash(bytes_));
     return std::move(bytes_);
@@ -109,8 +117,8 @@ public:
     const auto hash = number<std::uint64_t>();
     rest_ = bytes.substr(0, bytes.size() - hashSize);
     if (hash != contentHash(rest_)) throw Malformed{};
-    const auto written = number<std::uint8_t>();
-    if (written < 1 || written > version) throw Malformed{};
+    written_ = number<std::uint8_t>();
+    if (written_ < 1 || written_ > version) throw Malformed{};
   }
 
   template <std::unsigned_integral Number> Number number() {
@@ -188,12 +196,24 @@ public:
     result.reviewer = text();
     return result;
   }
+  PointSet points() {
+    if (written_ < 3) return {};
+    std::vector<PointSet::Run> runs;
+    for (std::size_t left = count(8); left > 0; --left) {
+      const auto begin = number<std::uint32_t>();
+      runs.push_back({begin, number<std::uint32_t>()});
+    }
+    std::optional<PointSet> set = PointSet::ofRuns(std::move(runs));
+    if (!set) throw Malformed{};
+    return *std::move(set);
+  }
   void end() const {
     if (!rest_.empty()) throw Malformed{};
   }
 
 private:
   std::string_view rest_; // not read yet
+  std::uint8_t written_;  // version
 };
 
 constexpr std::size_t leastNode = 33; // bytes: flags, position, radius
@@ -212,7 +232,6 @@ Skeleton readSkeleton(Reader& reader) {
       throw Malformed{};
     skeleton.restore(id, node);
   }
-  reader.end();
   return skeleton;
 }
 
@@ -227,13 +246,12 @@ SkeletonDelta readDelta(Reader& reader) {
     if ((flags & hasAfter) != 0) change.after = reader.node();
     delta.changes.push_back(std::move(change));
   }
-  reader.end();
   return delta;
 }
 
 } // namespace
 
-std::string bytesOf(const SkeletonDelta& delta) {
+std::string bytesOf(const SkeletonDelta& delta, const PointSet& points) {
   Writer writer;
   writer.size(delta.changes.size());
   for (const SkeletonDelta::Change& change : delta.changes) {
@@ -243,19 +261,23 @@ std::string bytesOf(const SkeletonDelta& delta) {
     if (change.before) writer.node(*change.before);
     if (change.after) writer.node(*change.after);
   }
+  writer.points(points);
   return writer.finished();
 }
 
-std::optional<SkeletonDelta> deltaFrom(std::string_view bytes) {
+std::optional<StoredDelta> deltaFrom(std::string_view bytes) {
   try {
     Reader reader(bytes);
-    return readDelta(reader);
+    StoredDelta stored{.delta = readDelta(reader)};
+    stored.points = reader.points();
+    reader.end();
+    return stored;
   } catch (const Malformed&) {
     return std::nullopt;
   }
 }
 
-std::string bytesOf(const Skeleton& skeleton) {
+std::string bytesOf(const Skeleton& skeleton, const PointSet& leftOut) {
   Writer writer;
   writer.size(skeleton.idEnd());
   writer.size(skeleton.size());
@@ -263,13 +285,17 @@ std::string bytesOf(const Skeleton& skeleton) {
     writer.id(id);
     writer.node(skeleton[id]);
   }
+  writer.points(leftOut);
   return writer.finished();
 }
 
-std::optional<Skeleton> skeletonFrom(std::string_view bytes) {
+std::optional<StoredPlant> plantFrom(std::string_view bytes) {
   try {
     Reader reader(bytes);
-    return readSkeleton(reader);
+    StoredPlant stored{.skeleton = readSkeleton(reader)};
+    stored.leftOut = reader.points();
+    reader.end();
+    return stored;
   } catch (const Malformed&) {
     return std::nullopt;
   }

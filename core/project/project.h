@@ -72,9 +72,9 @@ public:
 
   /// Whether the journal since the last snapshot is longer than the plant.
   [[nodiscard]] bool needsSnapshot() const;
-  /// Writes `skeleton`, which is the one at the position now, beside the journal: less to lose if
-  /// a step is damaged. For when nobody waits.
-  void takeSnapshot(const Skeleton& skeleton);
+  /// Writes the plant at the position now beside the journal: less to lose if a step is damaged.
+  /// For when nobody waits.
+  void takeSnapshot(const Skeleton& skeleton, const PointSet& leftOut);
 
   /// Texts by name: pipeline options, view, evaluation, frame of an MTG ... Empty removes it.
   void setDocument(std::string_view name, std::string_view text);

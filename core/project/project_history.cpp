@@ -12,7 +12,7 @@ namespace espalier {
 namespace {
 
 void insertStep(const Database& database, std::size_t step, const HistoryStep& content) {
-  const std::string delta = bytesOf(content.delta);
+  const std::string delta = bytesOf(content.delta, content.points);
   database.prepare("INSERT INTO journal VALUES (?, ?, ?, ?, ?)")
       .bind(1, static_cast<std::int64_t>(step))
       .bind(2, content.time)
@@ -22,8 +22,9 @@ void insertStep(const Database& database, std::size_t step, const HistoryStep& c
       .run();
 }
 
-void insertSnapshot(const Database& database, std::size_t step, const Skeleton& skeleton) {
-  const std::string nodes = bytesOf(skeleton);
+void insertSnapshot(const Database& database, std::size_t step, const Skeleton& skeleton,
+                    const PointSet& leftOut) {
+  const std::string nodes = bytesOf(skeleton, leftOut);
   database.prepare("INSERT OR REPLACE INTO snapshot VALUES (?, ?)")
       .bind(1, static_cast<std::int64_t>(step))
       .bindBytes(2, nodes)
@@ -57,13 +58,14 @@ private:
       Statement rows = database.prepare(
           "SELECT step, time, author, text, delta FROM journal ORDER BY step " + order);
       while (rows.step()) {
-        std::optional<SkeletonDelta> delta = deltaFrom(rows.bytes(4));
+        std::optional<StoredDelta> stored = deltaFrom(rows.bytes(4));
         const std::int64_t step = rows.integer(0);
-        if (delta && step >= 0 && step < mostSteps)
+        if (stored && step >= 0 && step < mostSteps)
           steps.insert_or_assign(step, HistoryStep{.text = rows.text(3),
                                                    .author = rows.text(2),
                                                    .time = rows.integer(1),
-                                                   .delta = std::move(*delta)});
+                                                   .delta = std::move(stored->delta),
+                                                   .points = std::move(stored->points)});
         else
           isDamaged = true;
       }
@@ -85,11 +87,11 @@ std::vector<std::int64_t> snapshotSteps(const Database& database, bool& isDamage
   return result;
 }
 
-std::optional<Skeleton> snapshotAt(const Database& database, std::int64_t step) {
+std::optional<StoredPlant> snapshotAt(const Database& database, std::int64_t step) {
   try {
     Statement row = database.prepare("SELECT nodes FROM snapshot WHERE step = ?");
     row.bind(1, step);
-    if (row.step()) return skeletonFrom(row.bytes(0));
+    if (row.step()) return plantFrom(row.bytes(0));
   } catch (const DamagedFile&) { // another snapshot may do
   }
   return std::nullopt;
@@ -104,9 +106,10 @@ std::optional<std::int64_t> storedPosition(const Database& database) {
   return std::nullopt;
 }
 
-/// A place in the journal with its skeleton; moves while steps are there and fit.
+/// A place in the journal with its plant; moves while steps are there and fit.
 struct Place {
   Skeleton skeleton;
+  PointSet leftOut;
   std::int64_t at = 0;
 
   void moveTowards(std::int64_t target, const Journal& journal) {
@@ -116,6 +119,7 @@ struct Place {
       if (step == journal.steps.end()) return;
       const SkeletonDelta& delta = step->second.delta;
       if (!tryToApply(isForward ? delta : delta.inverse(), skeleton)) return;
+      leftOut = leftOut ^ step->second.points;
       at += isForward ? 1 : -1;
     }
   }
@@ -130,10 +134,10 @@ std::optional<Place> nearestPlace(const Database& database, const Journal& journ
   int tries = 0;
   for (const std::int64_t step : snapshots) {
     if (tries == mostTries || (best && best->at == target)) break;
-    std::optional<Skeleton> skeleton = snapshotAt(database, step);
-    if (!skeleton) continue;
+    std::optional<StoredPlant> plant = snapshotAt(database, step);
+    if (!plant) continue;
     ++tries;
-    Place place{std::move(*skeleton), step};
+    Place place{std::move(plant->skeleton), std::move(plant->leftOut), step};
     place.moveTowards(target, journal);
     if (!best || std::abs(place.at - target) < std::abs(best->at - target)) best = std::move(place);
   }
@@ -161,6 +165,7 @@ Imported<History> Project::history() const {
   Imported<History> result;
   result.value.position = static_cast<std::size_t>(place->at - first.at);
   result.value.skeleton = std::move(place->skeleton);
+  result.value.leftOut = std::move(place->leftOut);
   for (std::int64_t step = first.at; step < last.at; ++step)
     result.value.steps.push_back(std::move(journal.steps.at(step)));
   for (const HistoryStep& step : result.value.steps) // what is redone needs its ids
@@ -189,10 +194,12 @@ void Project::record(std::size_t kept, std::span<const HistoryStep> added, std::
 }
 
 void Project::insertHistory(const Database& database, const History& history) {
-  insertSnapshot(database, 0, beginningOf(history));
+  const History beginning = beginningOf(history);
+  insertSnapshot(database, 0, beginning.skeleton, beginning.leftOut);
   for (std::size_t i = 0; i < history.steps.size(); ++i)
     insertStep(database, i, history.steps[i]);
-  if (history.position > 0) insertSnapshot(database, history.position, history.skeleton);
+  if (history.position > 0)
+    insertSnapshot(database, history.position, history.skeleton, history.leftOut);
   setPosition(database, history.position);
 }
 
@@ -202,11 +209,11 @@ bool Project::needsSnapshot() const {
                            "FROM journal WHERE step >= (SELECT max(step) FROM snapshot)") != 0;
 }
 
-void Project::takeSnapshot(const Skeleton& skeleton) {
+void Project::takeSnapshot(const Skeleton& skeleton, const PointSet& leftOut) {
   requireSameFile();
   Transaction transaction(database_);
   const std::int64_t position = database_.integer("SELECT step FROM position");
-  insertSnapshot(database_, static_cast<std::size_t>(position), skeleton);
+  insertSnapshot(database_, static_cast<std::size_t>(position), skeleton, leftOut);
   transaction.commit();
 }
 

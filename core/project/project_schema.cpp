@@ -25,6 +25,7 @@ const std::vector<Statements>& upgrades() {
        " size INTEGER NOT NULL, hash INTEGER NOT NULL, x0 REAL, y0 REAL, z0 REAL,"
        " x1 REAL, y1 REAL, z1 REAL)"},
       {}, // 1 to 2: nodes may carry review marks (node_bytes.h); the tables are the same
+      {}, // 2 to 3: steps and snapshots may carry points that are set aside; likewise
   };
   return all;
 }

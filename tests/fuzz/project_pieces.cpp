@@ -45,16 +45,20 @@ std::size_t idEndIn(const std::string& bytes) {
 
 void readSkeleton(const std::string& bytes) {
   if (idEndIn(bytes) > largestId) return;
-  const std::optional<Skeleton> skeleton = skeletonFrom(bytes);
-  if (!skeleton) return;
-  for (const NodeId id : skeleton->ids())
-    require((*skeleton)[id].radius >= 0, "a skeleton with a bad radius");
-  require(skeletonFrom(bytesOf(*skeleton)).has_value(), "a skeleton that is not read again");
+  const std::optional<StoredPlant> plant = plantFrom(bytes);
+  if (!plant) return;
+  for (const NodeId id : plant->skeleton.ids())
+    require(plant->skeleton[id].radius >= 0, "a skeleton with a bad radius");
+  const auto again = plantFrom(bytesOf(plant->skeleton, plant->leftOut));
+  require(again && again->leftOut == plant->leftOut, "a plant that is not read again");
 }
 
 void readDelta(const std::string& bytes) {
-  const std::optional<SkeletonDelta> delta = deltaFrom(bytes);
-  if (!delta) return;
+  const std::optional<StoredDelta> stored = deltaFrom(bytes);
+  if (!stored) return;
+  const auto again = deltaFrom(bytesOf(stored->delta, stored->points));
+  require(again && again->points == stored->points, "a delta that is not read again");
+  const SkeletonDelta* const delta = &stored->delta;
   for (const SkeletonDelta::Change& change : delta->changes)
     if (indexOf(change.id) > largestId) return;
   Skeleton skeleton;

@@ -54,6 +54,7 @@ public:
         document_.announce(step_.delta);
       else
         document_.apply(step_.delta);
+      document_.setLeftOut(document_.leftOut_ ^ step_.points);
     }
     isNew_ = false;
   }
@@ -62,14 +63,25 @@ public:
     if (document_.isRestoring_) return;
     if (contracted_) document_.applyContracted(contracted_->before);
     document_.apply(step_.delta.inverse());
+    document_.setLeftOut(document_.leftOut_ ^ step_.points);
     if (document_.isCanceling_) setObsolete(true);
   }
 
   bool mergeWith(const QUndoCommand* next) override { // called for equal ids only
-    step_.delta = step_.delta.then(static_cast<const EditSkeleton*>(next)->step_.delta);
+    const HistoryStep& added = static_cast<const EditSkeleton*>(next)->step_;
+    step_.delta = step_.delta.then(added.delta);
+    step_.points = step_.points ^ added.points;
     revision_ = ++document_.revisions_;
-    setObsolete(step_.delta.isEmpty()); // dragged back to where it was
+    setObsolete(step_.delta.isEmpty() && step_.points.isEmpty()); // dragged back to where it was
     return true;
+  }
+
+  /// Another scan has come: this step has none of its points any more.
+  void forgetPoints() {
+    if (step_.points.isEmpty()) return;
+    step_.points = {};
+    revision_ = ++document_.revisions_;
+    setObsolete(step_.delta.isEmpty());
   }
 
 private:
@@ -96,14 +108,19 @@ void PlantDocument::edit(const QString& text, const std::function<void(SkeletonE
   change(editor); // if it throws, the editor rolls back
   SkeletonDelta delta = editor.commit();
   if (delta.isEmpty()) return; // a click that moved nothing is no step
-  push(text, std::move(delta), gesture, std::nullopt);
+  push(text, std::move(delta), {}, gesture, std::nullopt);
+}
+
+void PlantDocument::leaveOut(const QString& text, const PointSet& points) {
+  requireEditable();
+  if (points != leftOut_) push(text, {}, points ^ leftOut_, {}, std::nullopt);
 }
 
 void PlantDocument::reconstruct(const QString& text, const Skeleton& skeleton,
                                 std::shared_ptr<const Eigen::Matrix3Xf> contracted) {
   SkeletonEditor editor(structure_.skeleton);
   replaceSkeleton(editor, skeleton);
-  push(text, editor.commit(), {}, ContractedChange{contracted_, std::move(contracted)});
+  push(text, editor.commit(), {}, {}, ContractedChange{contracted_, std::move(contracted)});
 }
 
 void PlantDocument::cancel(Gesture gesture) {
@@ -129,13 +146,40 @@ std::optional<std::size_t> PlantDocument::contractedStep() const {
 }
 
 void PlantDocument::setScan(std::unique_ptr<const Scan> scan, const QString& path) {
+  pointSelection_.clear();
+  forgetPoints();
+  replaceScan(std::move(scan), path);
+}
+
+void PlantDocument::setFoundScan(std::unique_ptr<const Scan> scan, const QString& path) {
+  replaceScan(std::move(scan), path);
+}
+
+void PlantDocument::replaceScan(std::unique_ptr<const Scan> scan, const QString& path) {
   const bool hadContracted = contracted_ != nullptr;
   scan_ = std::move(scan);
+  if (scan_ && !leftOut_.isEmpty())
+    scan_ = std::make_unique<const Scan>(scan_->leavingOut(leftOut_));
   scanPath_ = path;
   contracted_.reset();
   if (hadContracted) emit contractedChanged();
   emit scanChanged();
   emit titleChanged();
+}
+
+void PlantDocument::forgetPoints() {
+  for (int i = 0; i < undoStack_.count(); ++i)
+    // The stack hands its commands out to look at; they are this document's own.
+    const_cast<EditSkeleton&>(command(i)).forgetPoints(); // NOLINT
+  setLeftOut({});
+}
+
+void PlantDocument::setLeftOut(const PointSet& points) {
+  if (points == leftOut_) return;
+  leftOut_ = points;
+  if (scan_) scan_ = std::make_unique<const Scan>(scan_->leavingOut(leftOut_));
+  pointSelection_.set(pointSelection_.points() - leftOut_);
+  emit leftOutChanged();
 }
 
 void PlantDocument::setContracted(std::shared_ptr<const Eigen::Matrix3Xf> positions) {
@@ -164,8 +208,10 @@ void PlantDocument::openStructure(Structure structure, const QString& path) {
 
 void PlantDocument::openHistory(Structure structure, std::vector<HistoryStep> steps,
                                 std::size_t position, const QString& path,
-                                std::optional<std::size_t> contractedStep) {
+                                std::optional<std::size_t> contractedStep,
+                                const PointSet& leftOut) {
   openStructure(std::move(structure), path);
+  setLeftOut(leftOut);
   isRestoring_ = true;
   lastOpened_ = revisions_ + steps.size();
   for (std::size_t i = 0; i < steps.size(); ++i) {
@@ -207,7 +253,7 @@ void PlantDocument::clear() {
 }
 
 History PlantDocument::history() const {
-  History history{.skeleton = skeleton()};
+  History history{.skeleton = skeleton(), .leftOut = leftOut_};
   for (int i = 0; i < undoStack_.count(); ++i)
     history.steps.push_back(step(i));
   history.position = static_cast<std::size_t>(undoStack_.index());
@@ -233,12 +279,13 @@ const PlantDocument::EditSkeleton& PlantDocument::command(int index) const {
   return *static_cast<const EditSkeleton*>(undoStack_.command(index));
 }
 
-void PlantDocument::push(const QString& text, SkeletonDelta delta, Gesture gesture,
+void PlantDocument::push(const QString& text, SkeletonDelta delta, PointSet points, Gesture gesture,
                          std::optional<ContractedChange> contracted) {
   HistoryStep step{.text = text.toStdString(),
                    .author = author_.toStdString(),
                    .time = QDateTime::currentMSecsSinceEpoch(),
-                   .delta = std::move(delta)};
+                   .delta = std::move(delta),
+                   .points = std::move(points)};
   undoStack_.push( // which owns it
       new EditSkeleton(*this, std::move(step), gesture, std::move(contracted)));
 }
@@ -261,6 +308,7 @@ void PlantDocument::applyContracted(const std::shared_ptr<const Eigen::Matrix3Xf
 }
 
 void PlantDocument::announce(const SkeletonDelta& delta) {
+  if (delta.isEmpty()) return; // a step of points
   emit skeletonEdited(delta);
   selection_.keepThoseIn(structure_.skeleton);
 }

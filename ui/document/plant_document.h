@@ -5,6 +5,7 @@
 #include "core/skeleton/skeleton_delta.h"
 #include "ui/document/gesture.h"
 #include "ui/document/length_unit.h"
+#include "ui/document/point_selection.h"
 #include "ui/document/scan.h"
 #include "ui/document/selection.h"
 
@@ -23,7 +24,8 @@ namespace espalier {
 /// One plant at work: its scan, its contracted points, its skeleton, and the history of its edits.
 ///
 /// All edits of the GUI pass through edit() and come back as one delta each: undo, redo and every
-/// view read that delta. The scan is shown, not edited. Contracted points belong to the step of the
+/// view read that delta. The scan never changes; a step may set points of it aside, which then take
+/// part in nothing until they are brought back. Contracted points belong to the step of the
 /// reconstruction they led to: undo brings back those before. Steps share them, none copies them.
 class PlantDocument : public QObject {
   Q_OBJECT
@@ -39,7 +41,10 @@ public:
   [[nodiscard]] const Skeleton& skeleton() const { return structure_.skeleton; }
   /// The skeleton, and the MTG that it was read from, into which edits go back.
   [[nodiscard]] const Structure& structure() const { return structure_; }
+  /// The points that are set aside; kept also while the scan itself is not found.
+  [[nodiscard]] const PointSet& leftOut() const { return leftOut_; }
   [[nodiscard]] Selection& selection() { return selection_; }
+  [[nodiscard]] PointSelection& pointSelection() { return pointSelection_; }
   [[nodiscard]] QUndoStack& undoStack() { return undoStack_; }
   [[nodiscard]] LengthUnit unit() const { return unit_; }
   [[nodiscard]] bool isModified() const {
@@ -57,6 +62,10 @@ public:
   void edit(const QString& text, const std::function<void(SkeletonEditor&)>& change,
             Gesture gesture = {});
 
+  /// Sets exactly these points aside, as one undo step named `text`; no step if they are already.
+  /// @throws Error as requireEditable()
+  void leaveOut(const QString& text, const PointSet& points);
+
   /// Replaces the skeleton and the contracted points it was made from, as one undo step.
   void reconstruct(const QString& text, const Skeleton& skeleton,
                    std::shared_ptr<const Eigen::Matrix3Xf> contracted);
@@ -72,7 +81,10 @@ public:
   /// @throws Error as requireEditable()
   void goTo(int index);
 
-  void setScan(std::unique_ptr<const Scan> scan, const QString& path); // drops contracted points
+  /// Another scan: drops contracted points, and what was set aside of the one before.
+  void setScan(std::unique_ptr<const Scan> scan, const QString& path);
+  /// The scan that the steps are of, which was not at hand: what was set aside stays so.
+  void setFoundScan(std::unique_ptr<const Scan> scan, const QString& path);
   void setContracted(std::shared_ptr<const Eigen::Matrix3Xf> positions);
   void setUnit(LengthUnit unit);
 
@@ -80,10 +92,11 @@ public:
   void openStructure(Structure structure, const QString& path);
   void openSkeleton(Skeleton skeleton, const QString& path); // the same without an MTG
   /// The same with its history: `structure` has the first `position` steps done, the others can be
-  /// redone. The contracted points shown are from `contractedStep`, if any: undone, it shows none.
-  /// pre: each step fits where it stands
+  /// redone, and `leftOut` is set aside. The contracted points shown are from `contractedStep`, if
+  /// any: undone, it shows none. pre: each step fits where it stands
   void openHistory(Structure structure, std::vector<HistoryStep> steps, std::size_t position,
-                   const QString& path, std::optional<std::size_t> contractedStep = std::nullopt);
+                   const QString& path, std::optional<std::size_t> contractedStep = std::nullopt,
+                   const PointSet& leftOut = {});
   /// The skeleton as it is now stands in `path`.
   void markSaved(const QString& path);
   /// Why nothing may be edited, for people; empty: it may.
@@ -111,6 +124,7 @@ signals:
   void skeletonEdited(const espalier::SkeletonDelta& delta);
   void skeletonReplaced(); // by that of a file: not an edit
   void scanChanged();
+  void leftOutChanged(); // which points are set aside
   void contractedChanged();
   void unitChanged();
   void readOnlyChanged();
@@ -128,16 +142,21 @@ private:
     std::shared_ptr<const Eigen::Matrix3Xf> contractedBefore;
   };
   [[nodiscard]] const EditSkeleton& command(int index) const;
-  void push(const QString& text, SkeletonDelta delta, Gesture gesture,
+  void push(const QString& text, SkeletonDelta delta, PointSet points, Gesture gesture,
             std::optional<ContractedChange> contracted);
   void apply(const SkeletonDelta& delta);
+  void replaceScan(std::unique_ptr<const Scan> scan, const QString& path);
+  void forgetPoints();
+  void setLeftOut(const PointSet& points);
   void announce(const SkeletonDelta& delta);
   void applyContracted(const std::shared_ptr<const Eigen::Matrix3Xf>& positions);
 
   std::unique_ptr<const Scan> scan_;
   std::shared_ptr<const Eigen::Matrix3Xf> contracted_;
   Structure structure_;
+  PointSet leftOut_;
   Selection selection_;
+  PointSelection pointSelection_;
   QUndoStack undoStack_;
   LengthUnit unit_ = LengthUnit::unknown;
   QString filePath_;

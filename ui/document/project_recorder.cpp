@@ -88,7 +88,8 @@ void ProjectRecorder::flush() {
       writeLater("contracted", [points = document_.contracted()] {
         return points ? bytesOf(*points) : std::string();
       });
-    if (project_->needsSnapshot()) project_->takeSnapshot(document_.skeleton());
+    if (project_->needsSnapshot())
+      project_->takeSnapshot(document_.skeleton(), document_.leftOut());
   } catch (const Error& error) {
     emit failed(QString::fromUtf8(error.what()));
   }

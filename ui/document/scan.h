@@ -2,6 +2,7 @@
 
 #include "core/base/spatial_index.h"
 #include "core/cloud/point_cloud.h"
+#include "core/cloud/point_set.h"
 #include "core/skeleton/extend_along.h"
 
 #include <memory>
@@ -10,17 +11,25 @@
 namespace espalier {
 
 /// The points of a document and what finds them. Never changes.
+///
+/// The points set aside are in its cloud, but nothing finds them.
 class Scan {
 public:
   /// Time O(N log N): made by the job that reads the file. pre: not empty
   explicit Scan(PointCloud cloud);
 
+  /// The same scan with exactly these points set aside. O(N): the cloud is shared.
+  [[nodiscard]] Scan leavingOut(const PointSet& points) const;
+
   [[nodiscard]] const std::shared_ptr<const PointCloud>& cloud() const { return cloud_; }
-  [[nodiscard]] const SpatialIndex& index() const { return index_; } // of the positions of cloud()
-  [[nodiscard]] double height() const { return height_; }            // extent along z [L]
+  [[nodiscard]] const PointSet& leftOut() const { return leftOut_; }
+  /// Of the positions of cloud(); passes over the points set aside.
+  [[nodiscard]] const SpatialIndex& index() const { return index_; }
+  [[nodiscard]] double height() const { return height_; }   // extent along z [L]
   [[nodiscard]] double spacing() const { return spacing_; } // between neighboring points [L]
 
   /// Centroid of the 5 points nearest to `place` [L]: one point alone is noise of the scanner.
+  /// `place` itself if all points are set aside.
   [[nodiscard]] Eigen::Vector3d onPoints(const Eigen::Vector3d& place) const;
 
   /// The same, or `place` itself if that would move it farther than `reach` [L].
@@ -36,7 +45,10 @@ public:
                                                      const ExtendOptions& options) const;
 
 private:
+  Scan(const Scan& whole, const PointSet& leftOut);
+
   std::shared_ptr<const PointCloud> cloud_;
+  PointSet leftOut_;
   SpatialIndex index_;
   double height_;
   double spacing_;

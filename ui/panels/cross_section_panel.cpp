@@ -69,7 +69,8 @@ CrossSectionPanel::CrossSectionPanel(PlantDocument& document, QWidget* parent)
   connect(apply_, &QPushButton::clicked, this, &CrossSectionPanel::apply);
   connect(&document_.selection(), &Selection::changed, this, &CrossSectionPanel::refresh);
   for (auto signal : {&PlantDocument::skeletonReplaced, &PlantDocument::scanChanged,
-                      &PlantDocument::unitChanged, &PlantDocument::readOnlyChanged})
+                      &PlantDocument::leftOutChanged, &PlantDocument::unitChanged,
+                      &PlantDocument::readOnlyChanged})
     connect(&document_, signal, this, &CrossSectionPanel::refresh);
   connect(&document_, &PlantDocument::skeletonEdited, this, &CrossSectionPanel::refresh);
   refresh();

@@ -49,6 +49,36 @@ TEST(SpatialIndex, FindsAllPointsWithinARadius) {
   }
 }
 
+TEST(SpatialIndex, PassesOverPoints) {
+  const Eigen::Matrix3Xf points = randomPoints(500, 5);
+  const SpatialIndex whole(points);
+  std::vector<bool> isOdd(500, false);
+  std::vector<Eigen::Index> even;
+  for (Eigen::Index i = 0; i < 500; ++i) {
+    isOdd[static_cast<std::size_t>(i)] = i % 2 == 1;
+    if (i % 2 == 0) even.push_back(i);
+  }
+  const SpatialIndex index = whole.passingOver(isOdd);
+  const Eigen::Matrix3Xf kept = points(Eigen::all, even);
+  const SpatialIndex expected(kept);
+  const auto accepts = [](Eigen::Index i) { return i % 3 == 0; };
+  for (int i = 0; i < 50; ++i) {
+    const Eigen::Vector3f place = 0.9F * points.col(i);
+    const auto found = index.nearest(place, 7);
+    const auto nearest = expected.nearest(place, 7);
+    ASSERT_EQ(found.size(), nearest.size());
+    for (std::size_t j = 0; j < found.size(); ++j)
+      EXPECT_EQ(found[j].index, 2 * nearest[j].index);
+    EXPECT_EQ(index.within(place, 0.4F).size(), expected.within(place, 0.4F).size());
+    const auto accepted = index.nearestIf(place, 3, accepts);
+    ASSERT_TRUE(accepted);
+    EXPECT_EQ(accepted->index % 6, 0);
+  }
+  EXPECT_EQ(index.nearest(points.col(1), 1000).size(), 250U) << "all there are";
+  EXPECT_EQ(whole.nearest(points.col(1), 1)[0].index, 1) << "the whole index finds all";
+  EXPECT_TRUE(whole.passingOver(std::vector<bool>(500, true)).nearest(points.col(1), 3).empty());
+}
+
 TEST(SpatialIndex, FindsTheNearestPointOfThoseAccepted) {
   const Eigen::Matrix3Xf points = randomPoints(500, 3);
   const SpatialIndex index(points);

@@ -92,10 +92,10 @@ TEST_F(FeatureEdits, GoesWithItsLastValue) {
 
 TEST_F(FeatureEdits, ATypeSurvivesAProject) {
   add("Leaves", "INT", "3");
-  const auto back = skeletonFrom(bytesOf(plant));
+  const auto back = plantFrom(bytesOf(plant));
   ASSERT_TRUE(back.has_value());
-  EXPECT_EQ(*back, plant);
-  EXPECT_EQ(addedFeatures(*back, &base), (std::vector<MtgFeature>{{"Leaves", "INT"}}));
+  EXPECT_EQ(back->skeleton, plant);
+  EXPECT_EQ(addedFeatures(back->skeleton, &base), (std::vector<MtgFeature>{{"Leaves", "INT"}}));
 }
 
 TEST_F(FeatureEdits, AreRefusedWithoutANameATypeOrAValueOfIt) {

@@ -44,6 +44,33 @@ TEST(Pipeline, DoesNotFollowStrayPoints) {
   EXPECT_EQ(countTips(result.skeleton), 2);
 }
 
+// Two parallel trunks stand beside each other; one of them is set aside.
+TEST(Pipeline, SeesNothingOfPointsThatAreSetAside) {
+  Eigen::Matrix3Xf other = test::forkCloud(2);
+  other.row(0).array() += 0.3F;
+  const auto cloud = cloudOf(test::both(test::forkCloud(), other), {0, 0, 0});
+  std::vector<Eigen::Index> ofOther;
+  for (Eigen::Index i = 0; i < cloud->size(); ++i)
+    if (cloud->fileOrder()[static_cast<std::size_t>(i)] >= test::forkCloud().cols())
+      ofOther.push_back(i);
+  PipelineOptions options;
+  options.leftOut = PointSet::of(ofOther);
+  Pipeline pipeline;
+  const Reconstruction alone = pipeline.run(cloud, options);
+  EXPECT_EQ(countTips(alone.skeleton), 2);
+  EXPECT_LT(test::farthestFromFork(alone.skeleton), 0.08);
+  EXPECT_EQ(alone.contracted->cols(), cloud->size()) << "one for each point, as always";
+  EXPECT_GT(test::farthestFromFork(pipeline.run(cloud, {}).skeleton), 0.2)
+      << "brought back, they are seen again";
+}
+
+TEST(Pipeline, IsRefusedIfAllPointsAreSetAside) {
+  const auto cloud = cloudOf(test::forkCloud());
+  PipelineOptions options;
+  options.leftOut = PointSet::firstOf(cloud->size());
+  EXPECT_THROW((void)Pipeline().run(cloud, options), Error);
+}
+
 TEST(Pipeline, RecomputesOnlyWhatLiesBehindAChange) {
   Pipeline pipeline;
   const auto cloud = cloudOf(test::forkCloud());

@@ -15,27 +15,42 @@ EditsAtRandom::Act EditsAtRandom::next() {
 EditsAtRandom::Act EditsAtRandom::undo() {
   --history_.position;
   history_.steps[history_.position].delta.inverse().apply(history_.skeleton);
+  history_.leftOut = history_.leftOut ^ history_.steps[history_.position].points;
   return {.kept = history_.steps.size(), .added = {}, .position = history_.position};
 }
 
 EditsAtRandom::Act EditsAtRandom::redo() {
   history_.steps[history_.position].delta.apply(history_.skeleton);
+  history_.leftOut = history_.leftOut ^ history_.steps[history_.position].points;
   ++history_.position;
   return {.kept = history_.steps.size(), .added = {}, .position = history_.position};
 }
 
+/// Seldom any, of a scan of 1000 points.
+PointSet EditsAtRandom::pointsAtRandom() {
+  if (random_.below(8) > 0) return {};
+  std::vector<Eigen::Index> points;
+  for (Eigen::Index i = 0; i < 1000; ++i)
+    if (random_.below(4) == 0) points.push_back(i);
+  return PointSet::of(points);
+}
+
 EditsAtRandom::Act EditsAtRandom::edit(bool isDrag) {
   SkeletonEditor editor(history_.skeleton);
-  const std::size_t changes = 1 + random_.below(4);
+  const PointSet points = pointsAtRandom();
+  history_.leftOut = history_.leftOut ^ points;
+  const std::size_t changes = points.isEmpty() ? 1 + random_.below(4) : 0;
   for (std::size_t i = 0; i < changes; ++i)
     editAtRandom(editor, random_);
   HistoryStep step{.text = "Edit " + std::to_string(random_.below(1000)),
                    .author = "Anna",
                    .time = static_cast<std::int64_t>(random_.below(1'000'000)),
-                   .delta = editor.commit()};
+                   .delta = editor.commit(),
+                   .points = points};
   history_.steps.resize(history_.position);
   if (isDrag) {
     step.delta = history_.steps.back().delta.then(step.delta);
+    step.points = history_.steps.back().points ^ step.points;
     history_.steps.pop_back();
   }
   const std::size_t kept = history_.steps.size();

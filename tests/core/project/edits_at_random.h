@@ -8,8 +8,9 @@
 
 namespace espalier::test {
 
-/// What a person might do to a plant, drawn at random: edits, drags, undo, redo, edits that drop
-/// what was undone. The same seed and the same beginning give the same acts.
+/// What a person might do to a plant, drawn at random: edits, points set aside and brought back,
+/// drags, undo, redo, edits that drop what was undone. The same seed and the same beginning give
+/// the same acts.
 class EditsAtRandom {
 public:
   EditsAtRandom(History beginning, std::uint64_t seed)
@@ -29,6 +30,7 @@ private:
   [[nodiscard]] Act undo();
   [[nodiscard]] Act redo();
   [[nodiscard]] Act edit(bool isDrag);
+  [[nodiscard]] PointSet pointsAtRandom();
 
   History history_;
   Random random_;

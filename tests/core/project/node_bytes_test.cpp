@@ -1,3 +1,4 @@
+#include "core/project/content_hash.h"
 #include "core/project/history.h"
 #include "core/project/node_bytes.h"
 #include "tests/core/project/edits_at_random.h"
@@ -23,37 +24,60 @@ Skeleton plantWithEntities() {
 
 TEST(NodeBytes, OfASkeletonReadBackToTheSame) {
   const Skeleton plant = plantWithEntities();
-  const auto read = skeletonFrom(bytesOf(plant));
+  const PointSet leftOut = PointSet::of({0, 7, 8, 4'000'000'000});
+  const auto read = plantFrom(bytesOf(plant, leftOut));
   ASSERT_TRUE(read);
-  EXPECT_EQ(*read, plant);
-  EXPECT_EQ(read->idEnd(), plant.idEnd());
-  EXPECT_EQ(skeletonFrom(bytesOf(Skeleton())), Skeleton());
+  EXPECT_EQ(read->skeleton, plant);
+  EXPECT_EQ(read->skeleton.idEnd(), plant.idEnd());
+  EXPECT_EQ(read->leftOut, leftOut);
+  EXPECT_EQ(plantFrom(bytesOf(Skeleton())), StoredPlant());
 }
 
 TEST(NodeBytes, OfADeltaReadBackToTheSame) {
   test::EditsAtRandom edits({.skeleton = plantWithEntities()}, 3);
   for (int i = 0; i < 200; ++i)
     for (const HistoryStep& step : edits.next().added)
-      ASSERT_EQ(deltaFrom(bytesOf(step.delta)), step.delta);
+      ASSERT_EQ(deltaFrom(bytesOf(step.delta, step.points)),
+                (StoredDelta{step.delta, step.points}));
 }
 
 TEST(NodeBytes, ThatWereCutAreNone) {
-  const std::string bytes = bytesOf(plantWithEntities());
+  const std::string bytes = bytesOf(plantWithEntities(), PointSet::of({3, 4, 9}));
   for (std::size_t size = 0; size < bytes.size(); ++size)
-    ASSERT_FALSE(skeletonFrom(bytes.substr(0, size))) << size;
+    ASSERT_FALSE(plantFrom(bytes.substr(0, size))) << size;
 }
 
 TEST(NodeBytes, ThatWereChangedAreNone) {
-  const std::string bytes = bytesOf(plantWithEntities());
+  const std::string bytes = bytesOf(plantWithEntities(), PointSet::of({3, 4, 9}));
   for (std::size_t i = 0; i < bytes.size(); ++i) {
     std::string changed = bytes;
     changed[i] = static_cast<char>(changed[i] ^ 0x10);
-    ASSERT_FALSE(skeletonFrom(changed)) << "byte " << i;
+    ASSERT_FALSE(plantFrom(changed)) << "byte " << i;
   }
 }
 
+// A delta that is empty but for points ends with them: their count, one run, and the hash.
+TEST(NodeBytes, WithRunsThatAreNoneAreNone) {
+  const auto withRun = [](std::uint32_t begin, std::uint32_t end) {
+    std::string bytes = bytesOf(SkeletonDelta(), PointSet::of({5}));
+    const std::size_t run = bytes.size() - 8 - 8;
+    for (std::size_t i = 0; i < 4; ++i) {
+      bytes[run + i] = static_cast<char>((begin >> (8 * i)) & 0xFF);
+      bytes[run + 4 + i] = static_cast<char>((end >> (8 * i)) & 0xFF);
+    }
+    bytes.resize(bytes.size() - 8);
+    const std::uint64_t hash = contentHash(bytes);
+    for (std::size_t i = 0; i < 8; ++i)
+      bytes.push_back(static_cast<char>((hash >> (8 * i)) & 0xFF));
+    return bytes;
+  };
+  ASSERT_TRUE(deltaFrom(withRun(5, 6)));
+  EXPECT_FALSE(deltaFrom(withRun(6, 6)));
+  EXPECT_FALSE(deltaFrom(withRun(6, 5)));
+}
+
 TEST(NodeBytes, OfAnotherKindAreNone) {
-  EXPECT_FALSE(skeletonFrom("PK\3\4 something else altogether"));
+  EXPECT_FALSE(plantFrom("PK\3\4 something else altogether"));
   EXPECT_FALSE(deltaFrom(bytesOf(test::stick(2))));
 }
 

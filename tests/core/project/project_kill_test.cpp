@@ -28,7 +28,8 @@ namespace fs = std::filesystem;
       const auto act = edits.next();
       project.record(act.kept, act.added, act.position);
       if (::write(saved, "s", 1) != 1) ::_exit(3);
-      if (project.needsSnapshot()) project.takeSnapshot(edits.history().skeleton);
+      if (project.needsSnapshot())
+        project.takeSnapshot(edits.history().skeleton, edits.history().leftOut);
     }
   } catch (const std::exception& error) {
     (void)!::write(STDERR_FILENO, error.what(), std::string_view(error.what()).size());

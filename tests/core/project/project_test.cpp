@@ -51,7 +51,8 @@ TEST(Project, KeepsEachActAsItHappens) {
     const auto act = edits.next();
     project.record(act.kept, act.added, act.position);
     ASSERT_EQ(readBack(file), edits.history()) << "after act " << i; // while it is open
-    if (project.needsSnapshot()) project.takeSnapshot(edits.history().skeleton);
+    if (project.needsSnapshot())
+      project.takeSnapshot(edits.history().skeleton, edits.history().leftOut);
   }
 }
 
@@ -67,12 +68,29 @@ TEST(Project, UndoneStepsComeBackByRedo) {
   const History history = withEdits(60);
   (void)Project::create(file, history);
   History read = readBack(file);
-  const Skeleton beginning = beginningOf(history);
-  for (std::size_t i = read.position; i < read.steps.size(); ++i)
+  const History beginning = beginningOf(history);
+  for (std::size_t i = read.position; i < read.steps.size(); ++i) {
     read.steps[i].delta.apply(read.skeleton); // which needs ids that were handed out
-  for (std::size_t i = read.steps.size(); i-- > 0;)
+    read.leftOut = read.leftOut ^ read.steps[i].points;
+  }
+  for (std::size_t i = read.steps.size(); i-- > 0;) {
     ASSERT_TRUE(tryToApply(read.steps[i].delta.inverse(), read.skeleton));
-  EXPECT_EQ(read.skeleton, beginning);
+    read.leftOut = read.leftOut ^ read.steps[i].points;
+  }
+  EXPECT_EQ(read.skeleton, beginning.skeleton);
+  EXPECT_EQ(read.leftOut, beginning.leftOut);
+}
+
+TEST(Project, KeepsWhatWasSetAsideBeforeItsFirstStep) {
+  const fs::path file = test::freshFolder() / "oak.espalier";
+  History history{.skeleton = test::fork(3), .leftOut = PointSet::of({1, 2, 5})};
+  history.steps = {{.text = "Set points aside", .delta = {}, .points = PointSet::of({2, 7})}};
+  (void)Project::create(file, history); // the step is undone
+  EXPECT_EQ(readBack(file), history);
+  history.position = 1;
+  history.leftOut = PointSet::of({1, 5, 7});
+  Project::open(file, Access::readWrite).record(1, {}, 1);
+  EXPECT_EQ(readBack(file), history);
 }
 
 TEST(Project, AsksForASnapshotWhenItsJournalIsLongerThanThePlant) {
@@ -84,7 +102,7 @@ TEST(Project, AsksForASnapshotWhenItsJournalIsLongerThanThePlant) {
     const auto act = edits.next();
     project.record(act.kept, act.added, act.position);
   }
-  project.takeSnapshot(edits.history().skeleton);
+  project.takeSnapshot(edits.history().skeleton, edits.history().leftOut);
   EXPECT_FALSE(project.needsSnapshot());
   EXPECT_EQ(readBack(file), edits.history());
 }

@@ -200,5 +200,70 @@ TEST(PlantDocument, IsDestroyedWithHistory) {
   moveTo(document, 5);
 }
 
+/// Ten points in a row.
+std::unique_ptr<const Scan> rowOfPoints() {
+  RawPoints raw;
+  for (int i = 0; i < 10; ++i)
+    raw.positions.emplace_back(i, 0, 0);
+  return std::make_unique<const Scan>(PointCloud(std::move(raw)));
+}
+
+TEST_F(PlantDocumentTest, SetsPointsAsideAsAStep) {
+  document.setScan(rowOfPoints(), "row.xyz");
+  const QSignalSpy changed(&document, &PlantDocument::leftOutChanged);
+  const PointSet some = PointSet::of({1, 2, 7});
+  document.pointSelection().set(PointSet::of({2, 3}));
+  document.leaveOut("Set 3 points aside", some);
+  EXPECT_EQ(document.leftOut(), some);
+  EXPECT_EQ(document.scan()->leftOut(), some);
+  EXPECT_EQ(document.pointSelection().points(), PointSet::of({3})) << "what takes part";
+  EXPECT_EQ(document.history().leftOut, some);
+  EXPECT_EQ(document.skeleton(), test::stick(3));
+  document.undoStack().undo();
+  EXPECT_TRUE(document.leftOut().isEmpty());
+  EXPECT_TRUE(document.scan()->leftOut().isEmpty());
+  document.undoStack().redo();
+  EXPECT_EQ(document.scan()->leftOut(), some);
+  EXPECT_EQ(changed.size(), 3);
+  document.leaveOut("Again", some);
+  EXPECT_EQ(document.undoStack().count(), 1) << "nothing changed: no step";
+}
+
+TEST_F(PlantDocumentTest, MixesStepsOfPointsAndOfNodes) {
+  document.setScan(rowOfPoints(), "row.xyz");
+  document.leaveOut("One", PointSet::of({1}));
+  moveTo(document, 5);
+  document.leaveOut("Two", PointSet::of({2}));
+  document.undoStack().setIndex(2);
+  EXPECT_EQ(document.leftOut(), PointSet::of({1}));
+  EXPECT_EQ(height(document), 5);
+  document.undoStack().setIndex(0);
+  EXPECT_TRUE(document.leftOut().isEmpty());
+  EXPECT_EQ(document.skeleton(), test::stick(3));
+  document.undoStack().setIndex(3);
+  EXPECT_EQ(document.leftOut(), PointSet::of({2}));
+}
+
+TEST_F(PlantDocumentTest, KeepsWhatWasSetAsideUntilAnotherScanComes) {
+  document.setScan(rowOfPoints(), "row.xyz");
+  document.leaveOut("One", PointSet::of({1}));
+  moveTo(document, 5);
+  document.setFoundScan(rowOfPoints(), "elsewhere/row.xyz");
+  EXPECT_EQ(document.scan()->leftOut(), PointSet::of({1}));
+  document.setScan(rowOfPoints(), "other.xyz");
+  EXPECT_TRUE(document.leftOut().isEmpty());
+  for (int index : {0, 2})
+    document.undoStack().setIndex(index);
+  EXPECT_TRUE(document.leftOut().isEmpty()) << "no step sets points of another scan aside";
+  EXPECT_EQ(height(document), 5);
+}
+
+TEST_F(PlantDocumentTest, SetsNothingAsideInAReadOnlyPlant) {
+  document.setScan(rowOfPoints(), "row.xyz");
+  document.setReadOnly("it is signed");
+  EXPECT_THROW(document.leaveOut("One", PointSet::of({1})), Error);
+  EXPECT_TRUE(document.leftOut().isEmpty());
+}
+
 } // namespace
 } // namespace espalier

@@ -163,5 +163,24 @@ TEST_F(ProjectRecorderTest, KeepsUnitAndContractedPoints) {
   EXPECT_EQ(project->bytes("contracted").size(), 3U * 4U * sizeof(float));
 }
 
+TEST_F(ProjectRecorderTest, WritesWhatIsSetAsideAtOnceAndBringsItBack) {
+  document.leaveOut("Set aside", PointSet::of({3, 4, 9}));
+  EXPECT_EQ(onDisk(), document.history());
+  setRadius(2);
+  document.leaveOut("Bring back", PointSet::of({3}));
+  document.undoStack().undo();
+  EXPECT_EQ(onDisk(), document.history());
+  EXPECT_EQ(onDisk().leftOut, PointSet::of({3, 4, 9}));
+  const History saved = onDisk();
+  PlantDocument other;
+  other.openHistory({.skeleton = saved.skeleton}, saved.steps, saved.position, {}, std::nullopt,
+                    saved.leftOut);
+  EXPECT_EQ(other.leftOut(), PointSet::of({3, 4, 9}));
+  other.undoStack().redo();
+  EXPECT_EQ(other.leftOut(), PointSet::of({3}));
+  other.undoStack().setIndex(0);
+  EXPECT_TRUE(other.leftOut().isEmpty());
+}
+
 } // namespace
 } // namespace espalier

@@ -31,5 +31,21 @@ TEST(Scan, KnowsItsHeightAndSpacing) {
   EXPECT_NEAR(twoClumps().spacing(), 0.1, 1e-5);
 }
 
+TEST(Scan, FindsNothingOfThePointsSetAside) {
+  const Scan whole = twoClumps(); // sorted along z: the lower five come first
+  const Scan upper = whole.leavingOut(PointSet::firstOf(5));
+  EXPECT_EQ(upper.cloud(), whole.cloud()) << "shared, and whole";
+  EXPECT_TRUE(upper.onPoints({1000, 0, 2}).isApprox(Eigen::Vector3d(1000, 0, 8), 1e-7));
+  EXPECT_TRUE(upper.near({1000, 0, 2}, 1).empty());
+  EXPECT_EQ(upper.near({1000, 0, 8}, 1).size(), 5U);
+  EXPECT_EQ(upper.leavingOut({}).near({1000, 0, 2}, 1).size(), 5U) << "brought back";
+  const Eigen::Vector3d place(1, 2, 3);
+  EXPECT_EQ(whole.leavingOut(PointSet::firstOf(10)).onPoints(place), place);
+}
+
+TEST(Scan, KnowsNoPointBehindItsLast) {
+  EXPECT_EQ(twoClumps().leavingOut(PointSet::of({9, 10, 500})).leftOut(), PointSet::of({9}));
+}
+
 } // namespace
 } // namespace espalier

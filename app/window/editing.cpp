@@ -17,6 +17,7 @@
 #include <QActionGroup>
 #include <QMenu>
 
+#include <algorithm>
 #include <utility>
 
 namespace espalier {
@@ -114,7 +115,7 @@ void Editing::addNodeChoices() {
                                     .refusal = Refusal::atPointer},
                                    choose);
     action->setShortcuts(choice.shortcuts);
-    edits_.append(action);
+    choices_.append(action);
   }
 }
 
@@ -155,10 +156,9 @@ void Editing::setEnabled(bool isEnabled) {
 }
 
 QString Editing::hint() const {
-  if (isEnabled_ && document_.isReadOnly())
-    return tr("Read-only   Drag: turn   Right drag: pan   Wheel: zoom");
-  return isEnabled_ ? withKeys(tool().hint(), actions_)
-                    : tr("Drag: turn   Right drag: pan   Wheel: zoom");
+  if (!isEnabled_) return tr("Drag: turn   Right drag: pan   Wheel: zoom");
+  const QString hint = withKeys(tool().hint(), actions_);
+  return document_.isReadOnly() ? tr("Read-only   %1").arg(hint) : hint;
 }
 
 void Editing::useTool(const QString& id) {
@@ -257,13 +257,17 @@ std::optional<NodeId> Editing::nodeUnder() const {
 bool Editing::handle(const ToolInput& input) {
   under_ = input.pick;
   viewDirection_ = input.viewDirection;
-  if (input.phase == ToolInput::Phase::hover) view_.setHovered(canEdit() ? input.pick : Pick{});
-  if (!canEdit()) return false;
+  if (input.phase == ToolInput::Phase::hover) view_.setHovered(isEnabled_ ? input.pick : Pick{});
+  if (!isEnabled_) return false;
   if (isMenuClick(input)) {
     emit contextMenuRequested(view_.mapToGlobal(input.screen.toPoint()));
     return true;
   }
-  return tool().handle(input);
+  return canUse(currentEntry()) && tool().handle(input);
+}
+
+const ToolEntry& Editing::currentEntry() const {
+  return *std::ranges::find(entries_, tool_, &ToolEntry::id);
 }
 
 bool Editing::isMenuClick(const ToolInput& input) {
@@ -279,8 +283,13 @@ void Editing::refreshEnabled() {
   const bool hasNodes = !document_.skeleton().isEmpty();
   for (QAction* edit : edits_)
     edit->setEnabled(canEdit() && hasNodes);
-  for (QAction* tool : toolGroup_->actions())
-    tool->setEnabled(canEdit());
+  for (QAction* choice : choices_)
+    choice->setEnabled(isEnabled_ && hasNodes);
+  for (const ToolEntry& entry : entries_) {
+    actions_["tool_" + entry.id]->setEnabled(canUse(entry));
+    const bool isLeft = entry.id == tool_ && entry.id != entries_.front().id;
+    if (isLeft && isEnabled_ && !canUse(entry)) useTool(entries_.front().id);
+  }
   emit hintChanged();
 }
 

@@ -70,6 +70,10 @@ private:
   [[nodiscard]] bool isMenuClick(const ToolInput& input);
   void refreshEnabled();
   [[nodiscard]] bool canEdit() const { return isEnabled_ && !document_.isReadOnly(); }
+  [[nodiscard]] bool canUse(const ToolEntry& entry) const {
+    return isEnabled_ && (entry.isForLooking || !document_.isReadOnly());
+  }
+  [[nodiscard]] const ToolEntry& currentEntry() const;
   [[nodiscard]] NodeTarget target() const;
   [[nodiscard]] NodeTarget chosenTarget(); // which is selected then
   [[nodiscard]] NodeTarget chosenTarget(const NodeEdit& edit);
@@ -86,7 +90,8 @@ private:
   QString toolBefore_;
   QActionGroup* toolGroup_;
   QAction* accept_ = nullptr; // off while there is no preview
-  QList<QAction*> edits_;     // and choices of nodes: off while there is no skeleton
+  QList<QAction*> edits_;     // off while there is no skeleton, or it may not be edited
+  QList<QAction*> choices_;   // of nodes: off while there is no skeleton
   bool isEnabled_ = true;
   Pick under_;
   std::optional<QPointF> menuPress_; // where the right button went down, until it is a drag

@@ -132,6 +132,11 @@ std::vector<NodeId> inverted(const Skeleton& skeleton, const std::vector<NodeId>
   return allThat(skeleton, [&](NodeId id) { return !before.has(id); });
 }
 
+std::vector<NodeId> notReviewed(const Skeleton& skeleton) {
+  return allThat(skeleton,
+                 [&](NodeId id) { return skeleton[id].review.state != ReviewState::reviewed; });
+}
+
 std::vector<NodeId> pathBetween(const Skeleton& skeleton, NodeId from, NodeId to) {
   std::vector<NodeId> up = upstream(skeleton, {from});
   std::vector<NodeId> down = upstream(skeleton, {to});

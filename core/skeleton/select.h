@@ -46,6 +46,9 @@ namespace espalier {
 [[nodiscard]] std::vector<NodeId> inverted(const Skeleton& skeleton,
                                            const std::vector<NodeId>& nodes);
 
+/// All nodes that are to do or doubtful.
+[[nodiscard]] std::vector<NodeId> notReviewed(const Skeleton& skeleton);
+
 /// The way along edges from one node to another, both included. Time O(depth).
 /// @throws Error if they belong to different trees
 [[nodiscard]] std::vector<NodeId> pathBetween(const Skeleton& skeleton, NodeId from, NodeId to);

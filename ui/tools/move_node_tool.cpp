@@ -15,6 +15,9 @@ QString MoveNodeTool::hint() const {
   if (area_.isActive()) return areaHint();
   if (drag_ && drag_->isCanceled) return tr("Put back. Release the button");
   if (drag_ && drag_->hasMoved) return tr("Release: leave it here   Esc: put it back");
+  if (document().isReadOnly() && (under().node || under().edge))
+    return tr("Click: select %1   Drag: turn   Right drag: pan")
+        .arg(nodeName(under().node ? *under().node : under().edge->child));
   if (under().node && document().selection().contains(*under().node))
     return document().selection().nodes().size() > 1
                ? tr("Drag: move the %n nodes   Shift+click: leave this one out   "
@@ -85,7 +88,7 @@ bool MoveNodeTool::press(const ToolInput& input) {
     return true;
   }
   if (input.button != Qt::LeftButton || input.modifiers.testFlag(Qt::ControlModifier)) return false;
-  if (!input.pick.node) {
+  if (!input.pick.node || document().isReadOnly()) {
     camera_ = input.screen;
     return false;
   }

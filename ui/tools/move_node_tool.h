@@ -13,7 +13,8 @@ namespace espalier {
 ///
 /// A drag of a chosen node moves all that are chosen. A click on an edge chooses the node it leads
 /// to; a click on nothing chooses none; a drag on nothing is left to the camera. A drag with Shift
-/// draws a box, with Alt a lasso; Shift still held at its end adds to what is chosen.
+/// draws a box, with Alt a lasso; Shift still held at its end adds to what is chosen. In a plant
+/// that may not be edited it only chooses.
 class MoveNodeTool : public Tool {
   Q_OBJECT
 

@@ -31,6 +31,10 @@ Nodes required(Nodes found, const QString& none) {
   return found;
 }
 
+Nodes unreviewed(const Skeleton& skeleton, const Nodes& /*nodes*/) {
+  return required(notReviewed(skeleton), tr("all nodes are reviewed: there is nothing to select"));
+}
+
 Nodes twins(const Skeleton& skeleton, const Nodes& /*nodes*/) {
   return required(duplicatedNodes(skeleton, duplicateTolerance(skeleton)),
                   tr("no two nodes lie together: there is nothing to select"));
@@ -75,6 +79,12 @@ std::vector<NodeChoice> nodeChoices() {
        tr("All other nodes"),
        {Qt::Key_6},
        inverted,
+       false},
+      {"select_unreviewed",
+       tr("Select &Unreviewed"),
+       tr("All nodes that are to do or doubtful"),
+       {Qt::Key_7},
+       unreviewed,
        false},
       {},
       {"select_path",

@@ -27,7 +27,7 @@ template <class T> std::unique_ptr<Tool> make(PlantDocument& document, Canvas& c
 std::vector<ToolEntry> tools() {
   return {
       {"move", tr("Select and Move"), tr("Click to select, drag to move"), "select", Qt::Key_S,
-       make<MoveNodeTool>},
+       make<MoveNodeTool>, true},
       {"add", tr("Add Nodes"),
        tr("Pull children out of nodes, insert on edges, click along points"), "add", Qt::Key_D,
        make<AddNodeTool>},
@@ -41,9 +41,9 @@ std::vector<ToolEntry> tools() {
       {"regrow", tr("Regrow"), tr("What a node carries is reconstructed again from the points"),
        "regrow", QKeySequence(Qt::SHIFT | Qt::Key_N), make<RegrowTool>},
       {"navigate", tr("Navigate"), tr("The mouse only moves the camera"), "navigate", Qt::Key_V,
-       make<NavigateTool>},
+       make<NavigateTool>, true},
       {"measure", tr("Measure"), tr("Click two things for their distance, three for an angle"),
-       "measure", Qt::Key_I, make<MeasureTool>},
+       "measure", Qt::Key_I, make<MeasureTool>, true},
   };
 }
 

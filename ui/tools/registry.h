@@ -19,6 +19,7 @@ struct ToolEntry {
   QString icon; // name in resources/icons
   QKeySequence shortcut;
   std::function<std::unique_ptr<Tool>(PlantDocument&, Canvas&)> create;
+  bool isForLooking = false; // is of use also in a plant that may not be edited
 };
 
 /// All tools; the first is the default.

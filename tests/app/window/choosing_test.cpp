@@ -1,5 +1,6 @@
 #include "tests/app/window/window_fixture.h"
 #include "tests/support/plants.h"
+#include "ui/panels/status_line.h"
 
 #include <QAction>
 #include <QMouseEvent>
@@ -62,6 +63,44 @@ TEST_F(ChoosingTest, TakesWhatIsBehindWoodOnlyWhenAsked) {
   action("select_through").trigger();
   click(at);
   EXPECT_TRUE(document().selection().isEmpty());
+}
+
+TEST_F(ChoosingTest, SevenChoosesWhatIsNotReviewed) {
+  open({writeFork("fork.mtg")});
+  const NodeId root = nodeAt({0, 0, 0});
+  document().edit("Mark", [&](SkeletonEditor& editor) {
+    for (const NodeId id : editor.skeleton().ids())
+      editor.setReview(id, {id == root ? ReviewState::doubtful : ReviewState::reviewed});
+  });
+  key(Qt::Key_7);
+  EXPECT_THAT(document().selection().nodes(), testing::ElementsAre(root));
+}
+
+// Choosing is no edit: clicks, boxes and keys work, and nothing else does.
+TEST_F(ChoosingTest, ChoosesInAPlantThatMayNotBeEdited) {
+  open({writeFork("fork.mtg")});
+  key(Qt::Key_L); // a tool that edits is left
+  document().setReadOnly("it is signed");
+  EXPECT_TRUE(action("tool_move").isChecked());
+  EXPECT_FALSE(action("tool_trace").isEnabled());
+  const Skeleton before = document().skeleton();
+  const NodeId root = nodeAt({0, 0, 0});
+  const NodeId top = nodeAt({0, 0, 1});
+  click(placeOf(top));
+  EXPECT_THAT(document().selection().nodes(), testing::ElementsAre(top));
+  EXPECT_TRUE(window().statusLine().shownText().startsWith("Read-only"));
+  key(Qt::Key_2);
+  EXPECT_THAT(document().selection().nodes(), testing::ElementsAre(top, root));
+  const QRect box = QRect(pixel(root), pixel(top)).normalized().adjusted(-20, -5, 20, 20);
+  document().selection().clear();
+  dragWith(Qt::ShiftModifier, box.topLeft(), box.bottomRight());
+  EXPECT_THAT(document().selection().nodes(), testing::UnorderedElementsAre(root, top));
+  const Camera camera = view().camera();
+  drag(placeOf(top), placeOf(top) + QPoint(60, 0)); // turns
+  EXPECT_NE(view().camera(), camera);
+  key(Qt::Key_Delete);
+  EXPECT_EQ(document().skeleton(), before);
+  EXPECT_EQ(document().undoStack().count(), 0);
 }
 
 } // namespace

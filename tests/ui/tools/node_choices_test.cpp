@@ -22,11 +22,11 @@ std::vector<NodeId> choose(const QString& id, const Skeleton& plant,
 
 TEST(NodeChoices, HaveTheDigitsInTheOrderOfTheSheet) {
   QStringList ids;
-  for (int digit = 1; digit <= 6; ++digit)
+  for (int digit = 1; digit <= 7; ++digit)
     for (const NodeChoice& choice : nodeChoices())
       if (choice.shortcuts.contains(QKeySequence(Qt::Key_0 + digit))) ids.append(choice.id);
   EXPECT_EQ(ids, QStringList({"select_downstream", "select_to_root", "select_axis", "select_order",
-                              "select_tree", "invert_selection"}));
+                              "select_tree", "invert_selection", "select_unreviewed"}));
 }
 
 TEST(NodeChoices, ChooseWhatTheirNamesSay) {
@@ -49,6 +49,16 @@ TEST(NodeChoices, SayWhatIsMissing) {
   EXPECT_THROW((void)choose("select_path", test::fork(3), {NodeId{2}}), Error);
   EXPECT_THROW((void)choose("select_duplicates", test::fork(3), {}), Error);
   EXPECT_THROW((void)choose("select_duplicated_branches", test::fork(3), {}), Error);
+}
+
+TEST(NodeChoices, FindWhatIsToDoOrDoubtful) {
+  Skeleton plant = test::stick(4);
+  plant.setReview(NodeId{0}, {ReviewState::reviewed});
+  plant.setReview(NodeId{2}, {ReviewState::doubtful});
+  EXPECT_THAT(choose("select_unreviewed", plant, {}), ElementsAre(NodeId{1}, NodeId{2}, NodeId{3}));
+  for (const NodeId id : plant.ids())
+    plant.setReview(id, {ReviewState::reviewed});
+  EXPECT_THROW((void)choose("select_unreviewed", plant, {}), Error);
 }
 
 TEST(NodeChoices, FindNodesThatLieTogether) {

@@ -17,6 +17,7 @@
 #include "app/window/saved_views.h"
 #include "app/window/seal_flow.h"
 #include "app/window/shown_flow.h"
+#include "app/window/snap_flow.h"
 #include "app/window/theme_flow.h"
 #include "app/window/trace_flow.h"
 #include "app/window/unit_flow.h"

@@ -35,6 +35,7 @@ class ScanDistances;
 class SealFlow;
 class SavedViews;
 class ShownFlow;
+class SnapFlow;
 class StartPage;
 class StatusLine;
 class TraceFlow;
@@ -120,6 +121,7 @@ private:
   std::unique_ptr<ViewSync> sync_;
   std::unique_ptr<Editing> editing_;
   std::unique_ptr<TraceFlow> traces_;
+  std::unique_ptr<SnapFlow> snaps_;
   std::unique_ptr<UnitFlow> units_;
   std::unique_ptr<RadiusFlow> radius_;
   std::unique_ptr<SealFlow> seals_;

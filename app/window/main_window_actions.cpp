@@ -13,6 +13,7 @@
 #include "app/window/seal_flow.h"
 #include "app/window/shown_flow.h"
 #include "app/window/theme_flow.h"
+#include "app/window/snap_flow.h"
 #include "app/window/trace_flow.h"
 #include "app/window/unit_flow.h"
 #include "app/window/value_colors.h"
@@ -42,6 +43,7 @@ void MainWindow::addActions() {
       document_, *view_, *actions_, *editing_, jobs_, [this] { return pipeline_->options(); }});
   connect(traces_.get(), &TraceFlow::failed, this,
           [this](const QString& message) { banner_->showError(message); });
+  snaps_ = std::make_unique<SnapFlow>(document_, *actions_, *editing_);
   units_ = std::make_unique<UnitFlow>(document_, *actions_, *inspector_, *this);
   radius_ = std::make_unique<RadiusFlow>(
       RadiusFlow::Parts{document_, jobs_, *actions_, *view_, inspector_->crossSection()});

@@ -8,6 +8,7 @@
 #include "app/window/recent_files.h"
 #include "app/window/review_flow.h"
 #include "app/window/saved_views.h"
+#include "app/window/snap_flow.h"
 #include "app/window/view_options.h"
 #include "ui/tools/registry.h"
 
@@ -79,6 +80,8 @@ void MainWindow::fillMenus() {
   QMenu* edit = menuBar()->addMenu(tr("&Edit"));
   add(*edit, *actions_, {"undo", "redo", "", "copy", "", "accept", "next_way", "leave", ""});
   add(*edit, *actions_, toolIds());
+  edit->addSeparator();
+  snaps_->fillMenu(*edit->addMenu(tr("S&nap")));
 
   QMenu* select = menuBar()->addMenu(tr("Se&lect"));
   add(*select, *actions_, {"select_all", "select_findings", "select_through", ""});

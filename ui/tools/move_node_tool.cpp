@@ -1,6 +1,9 @@
 #include "ui/tools/move_node_tool.h"
 
+#include "core/cloud/middle_of_nearest.h"
 #include "core/skeleton/edits.h"
+#include "core/skeleton/recenter.h"
+#include "core/skeleton/slide.h"
 #include "ui/tools/node_edits.h"
 #include "ui/tools/screen_plane.h"
 
@@ -14,7 +17,7 @@ namespace espalier {
 QString MoveNodeTool::hint() const {
   if (area_.isActive()) return areaHint();
   if (drag_ && drag_->isCanceled) return tr("Put back. Release the button");
-  if (drag_ && drag_->hasMoved) return tr("Release: leave it here   Esc: put it back");
+  if (drag_ && drag_->hasMoved) return dragHint();
   if (document().isReadOnly() && (under().node || under().edge))
     return tr("Click: select %1   Drag: turn   Right drag: pan")
         .arg(nodeName(under().node ? *under().node : under().edge->child));
@@ -36,6 +39,30 @@ QString MoveNodeTool::hint() const {
         .arg(nodeName(under().edge->child));
   return tr("Drag: turn   Right drag: pan   Wheel: zoom   Click a node: select it   "
             "Shift+drag: box   Alt+drag: lasso");
+}
+
+QString MoveNodeTool::dragHint() const {
+  const QString end = tr("Release: leave it here   Esc: put it back");
+  if (drag_->start.size() > 1) return end;
+  QStringList parts;
+  if (drag_->slides) parts.append(tr("Along its axis"));
+  if (drag_->snap == Snap::contracted)
+    parts.append(document().contracted() ? tr("On the contracted points")
+                                         : tr("No contracted points: reconstruct first"));
+  if (drag_->snap == Snap::section) parts.append(tr("In the middle of its section"));
+  parts.append(end);
+  if (!drag_->slides) parts.append(tr("Shift: along its axis"));
+  if (drag_->snap == Snap::nothing)
+    parts.append(snap_ == Snap::nothing ? tr("Ctrl: to the section center") : QString());
+  else if (snap_ != Snap::nothing)
+    parts.append(tr("Ctrl: freely"));
+  parts.removeAll(QString());
+  return parts.join(QStringLiteral("   "));
+}
+
+void MoveNodeTool::setSnap(Snap snap) {
+  snap_ = snap;
+  emit hintChanged();
 }
 
 QString MoveNodeTool::areaHint() const {
@@ -115,6 +142,8 @@ void MoveNodeTool::drag(const ToolInput& input) {
   if (!drag_->hasMoved || !at) return;
   const Eigen::Vector3d way = *at - drag_->grip;
   const auto move = [&](SkeletonEditor& editor) {
+    if (drag_->start.size() == 1)
+      return moveAlone(editor, drag_->start.front().second + way, input);
     for (const auto& [id, start] : drag_->start)
       moveNode(editor, id, start + way);
   };
@@ -122,6 +151,32 @@ void MoveNodeTool::drag(const ToolInput& input) {
                            ? tr("Move %1").arg(nodeName(drag_->node))
                            : tr("Move %n nodes", nullptr, static_cast<int>(drag_->start.size()));
   document().edit(text, move, drag_->gesture);
+}
+
+void MoveNodeTool::moveAlone(SkeletonEditor& editor, const Eigen::Vector3d& place,
+                             const ToolInput& input) {
+  const auto& [id, start] = drag_->start.front();
+  drag_->slides = input.modifiers.testFlag(Qt::ShiftModifier);
+  drag_->snap = snap_;
+  if (input.modifiers.testFlag(Qt::ControlModifier))
+    drag_->snap = snap_ == Snap::nothing ? Snap::section : Snap::nothing;
+  std::optional<Eigen::Vector3d> slid;
+  if (drag_->slides) // looked for where the pointer holds it, not where the pointer is
+    slid = slidAlongAxis(editor.skeleton(), id, start,
+                         {input.ray.origin() + start - drag_->grip, input.ray.direction()});
+  moveNode(editor, id, slid.value_or(place));
+  if (const auto on = snapped(editor.skeleton(), id)) moveNode(editor, id, *on);
+}
+
+std::optional<Eigen::Vector3d> MoveNodeTool::snapped(const Skeleton& skeleton, NodeId id) const {
+  const Scan* scan = document().scan();
+  if (scan == nullptr || drag_->snap == Snap::nothing) return std::nullopt;
+  const Eigen::Vector3d& place = skeleton[id].position;
+  const double reach = sectionReach(document(), id);
+  if (drag_->snap == Snap::section) return sectionCenter(skeleton, id, scan->near(place, reach));
+  if (!document().contracted()) return std::nullopt;
+  return middleOfNearest(*document().contracted(), scan->cloud()->origin(), scan->leftOut(), place,
+                         reach);
 }
 
 void MoveNodeTool::click(const ToolInput& input) {

@@ -3,10 +3,18 @@
 #include "ui/tools/area_gesture.h"
 #include "ui/tools/tool.h"
 
+#include <cstdint>
 #include <optional>
 #include <utility>
 
 namespace espalier {
+
+/// What a node that is dragged is drawn to.
+enum class Snap : std::uint8_t {
+  nothing,
+  contracted, // the middle of the nearest contracted points
+  section     // the middle of the circle of points around it
+};
 
 /// Chooses nodes with clicks, boxes and lassos, and drags them in the plane of the screen. The
 /// default tool.
@@ -15,6 +23,9 @@ namespace espalier {
 /// to; a click on nothing chooses none; a drag on nothing is left to the camera. A drag with Shift
 /// draws a box, with Alt a lasso; Shift still held at its end adds to what is chosen. In a plant
 /// that may not be edited it only chooses.
+///
+/// A node that is dragged alone snaps to what snap() says, where that is near. With Shift it slides
+/// along its axis; with Ctrl it does not snap, or if nothing is to be snapped to, to its section.
 class MoveNodeTool : public Tool {
   Q_OBJECT
 
@@ -26,6 +37,9 @@ public:
   [[nodiscard]] bool isBusy() const override { return drag_ || area_.isActive(); }
   void cancel() override;
 
+  [[nodiscard]] Snap snap() const { return snap_; }
+  void setSnap(Snap snap);
+
 private:
   struct Drag {
     NodeId node; // the one pressed on
@@ -36,16 +50,22 @@ private:
     QPointF screen;
     bool hasMoved = false;
     bool isCanceled = false; // the button is still down
+    bool slides = false;     // now
+    Snap snap = Snap::nothing;
   };
 
   bool act(const ToolInput& input) override;
   bool press(const ToolInput& input);
   void drag(const ToolInput& input);
+  void moveAlone(SkeletonEditor& editor, const Eigen::Vector3d& place, const ToolInput& input);
+  [[nodiscard]] std::optional<Eigen::Vector3d> snapped(const Skeleton& skeleton, NodeId id) const;
   void click(const ToolInput& input);
   void endArea(const ToolInput& input);
   void choose(const Pick& pick, bool adds);
   [[nodiscard]] QString areaHint() const;
+  [[nodiscard]] QString dragHint() const;
 
+  Snap snap_ = Snap::nothing;
   std::optional<Drag> drag_;
   AreaGesture area_;
   Pick pressedOn_;                // where the area began

@@ -130,11 +130,6 @@ void stickBranch(PlantDocument& document, const NodeTarget& target) {
   editEach(document, target, tr("Stick the subtree of %1 to the points"), stickAll);
 }
 
-/// How far from a node the points of its section may lie [L].
-double sectionReach(const PlantDocument& document, NodeId id) {
-  return std::max(2 * document.skeleton()[id].radius, 8 * document.scan()->spacing());
-}
-
 void center(PlantDocument& document, const NodeTarget& target) {
   requireScan(document);
   bool isFound = false;
@@ -181,6 +176,10 @@ QString nodeName(NodeId id) {
 
 QString nodeNames(const std::vector<NodeId>& ids) {
   return ids.size() == 1 ? nodeName(ids.front()) : tr("%n nodes", static_cast<int>(ids.size()));
+}
+
+double sectionReach(const PlantDocument& document, NodeId id) {
+  return std::max(2 * document.skeleton()[id].radius, 8 * document.scan()->spacing());
 }
 
 void editEach(PlantDocument& document, const NodeTarget& target, const QString& text,

@@ -43,6 +43,9 @@ struct NodeEdit {
 /// All of them, in the order of the menu; the keys are PlantScan3D's where it has them.
 [[nodiscard]] std::vector<NodeEdit> nodeEdits();
 
+/// How far from a node the points of its section may lie [L]. pre: there is a scan
+[[nodiscard]] double sectionReach(const PlantDocument& document, NodeId id);
+
 /// Applies `change` to each node as one undo step named `text` (%1: the nodes), and skips those
 /// that an earlier one removed.
 void editEach(PlantDocument& document, const NodeTarget& target, const QString& text,

@@ -1,3 +1,4 @@
+#include "tests/support/clouds.h"
 #include "tests/support/plants.h"
 #include "tests/ui/tools/mouse.h"
 #include "tests/ui/tools/quiet_canvas.h"
@@ -131,6 +132,133 @@ TEST_F(MoveNodeToolTest, SaysWhatTheMouseWillDo) {
   mouse.press(onNode(forkTop), {0, 1});
   mouse.drag({1, 1});
   EXPECT_TRUE(tool.hint().contains("Esc: put it back"));
+}
+
+// Node 1 of the stick stands at z = 1, between 0 and 2.
+struct SlideAndSnapTest : testing::Test {
+  PlantDocument document;
+  test::QuietCanvas canvas;
+  MoveNodeTool tool{document, canvas};
+  test::Mouse mouse{tool};
+  const NodeId middle{1};
+
+  void SetUp() override { document.openSkeleton(test::stick(3), "stick.mtg"); }
+  /// A scan of wood of radius 0.1 about the line x = 0.05, and contracted points on that line.
+  void openScan() {
+    RawPoints raw;
+    const Eigen::Matrix3Xf points = test::cylinder({0.05, 0, -0.1}, {0.05, 0, 2.1}, 0.1, 0.02);
+    for (Eigen::Index i = 0; i < points.cols(); ++i)
+      raw.positions.emplace_back(points.col(i).cast<double>());
+    document.setScan(std::make_unique<const Scan>(PointCloud(std::move(raw))), "scan.xyz");
+    const PointCloud& cloud = *document.scan()->cloud();
+    Eigen::Matrix3Xf contracted = cloud.positions();
+    contracted.row(0).setConstant(static_cast<float>(0.05 - cloud.origin().x()));
+    contracted.row(1).setConstant(static_cast<float>(-cloud.origin().y()));
+    document.setContracted(std::make_shared<const Eigen::Matrix3Xf>(std::move(contracted)));
+  }
+  [[nodiscard]] Eigen::Vector3d place() { return document.skeleton()[middle].position; }
+  void expectOneStep() {
+    EXPECT_EQ(document.undoStack().count(), 1);
+    document.undoStack().undo();
+    EXPECT_EQ(document.skeleton(), test::stick(3));
+  }
+};
+
+TEST_F(SlideAndSnapTest, ShiftSlidesTheNodeAlongItsAxis) {
+  mouse.press(onNode(middle), {0.02, 1}); // beside its middle
+  mouse.drag({0.5, 1.2});
+  EXPECT_TRUE(place().isApprox(Eigen::Vector3d(0.48, 0, 1.2)));
+  mouse.hold(Qt::ShiftModifier);
+  mouse.drag({0.5, 1.4});
+  EXPECT_TRUE(place().isApprox(Eigen::Vector3d(0, 0, 1.4)));
+  EXPECT_TRUE(tool.hint().contains("Along its axis"));
+  mouse.drag({-0.7, 0.75});
+  EXPECT_TRUE(place().isApprox(Eigen::Vector3d(0, 0, 0.75)));
+  mouse.hold(Qt::NoModifier);
+  mouse.drag({-0.7, 0.75});
+  EXPECT_TRUE(place().isApprox(Eigen::Vector3d(-0.72, 0, 0.75))) << "free again";
+  mouse.hold(Qt::ShiftModifier);
+  mouse.drag({-0.7, 0.75});
+  mouse.release();
+  EXPECT_TRUE(place().isApprox(Eigen::Vector3d(0, 0, 0.75)));
+  expectOneStep();
+}
+
+TEST_F(SlideAndSnapTest, PutsASlidNodeBackOnEscape) {
+  mouse.press(onNode(middle), {0, 1});
+  mouse.hold(Qt::ShiftModifier);
+  mouse.drag({0.3, 1.5});
+  mouse.escape();
+  mouse.release();
+  EXPECT_EQ(document.skeleton(), test::stick(3));
+  EXPECT_EQ(document.undoStack().count(), 0);
+}
+
+TEST_F(SlideAndSnapTest, CtrlPutsTheNodeInTheMiddleOfItsSection) {
+  openScan();
+  mouse.press(onNode(middle), {0, 1});
+  mouse.hold(Qt::ControlModifier);
+  mouse.drag({0.12, 1.3});
+  EXPECT_NEAR(place().x(), 0.05, 0.01);
+  EXPECT_NEAR(place().y(), 0, 0.01);
+  EXPECT_NEAR(place().z(), 1.3, 0.03) << "it moves across its axis only";
+  EXPECT_TRUE(tool.hint().contains("In the middle of its section"));
+  mouse.release();
+  expectOneStep();
+}
+
+TEST_F(SlideAndSnapTest, SnapsToContractedPointsUnlessCtrlIsHeld) {
+  openScan();
+  tool.setSnap(Snap::contracted);
+  mouse.press(onNode(middle), {0, 1});
+  mouse.drag({0.12, 1.3});
+  EXPECT_NEAR(place().x(), 0.05, 1e-5);
+  EXPECT_NEAR(place().y(), 0, 1e-5);
+  EXPECT_NEAR(place().z(), 1.3, 0.02);
+  EXPECT_TRUE(tool.hint().contains("On the contracted points"));
+  EXPECT_TRUE(tool.hint().contains("Ctrl: freely"));
+  mouse.hold(Qt::ControlModifier);
+  mouse.drag({0.12, 1.3});
+  EXPECT_TRUE(place().isApprox(Eigen::Vector3d(0.12, 0, 1.3)));
+  mouse.hold(Qt::NoModifier);
+  mouse.drag({3, 1.3});
+  EXPECT_TRUE(place().isApprox(Eigen::Vector3d(3, 0, 1.3))) << "nothing is near";
+  mouse.release();
+  expectOneStep();
+}
+
+TEST_F(SlideAndSnapTest, SnapsToNothingThatIsSetAside) {
+  openScan();
+  document.leaveOut("All", PointSet::firstOf(document.scan()->cloud()->size()));
+  for (const Snap snap : {Snap::contracted, Snap::section}) {
+    tool.setSnap(snap);
+    mouse.press(onNode(middle), {place().x(), place().z()});
+    mouse.drag({0.12, 1.3});
+    EXPECT_NEAR(place().x(), 0.12, 1e-9);
+    mouse.escape();
+    mouse.release();
+  }
+}
+
+TEST_F(SlideAndSnapTest, MovesSeveralNodesFreely) {
+  openScan();
+  tool.setSnap(Snap::contracted);
+  document.selection().set({middle, NodeId{2}});
+  mouse.press(onNode(middle), {0, 1});
+  mouse.hold(Qt::ShiftModifier);
+  mouse.drag({0.12, 1.1});
+  mouse.release();
+  EXPECT_TRUE(place().isApprox(Eigen::Vector3d(0.12, 0, 1.1)));
+}
+
+TEST_F(SlideAndSnapTest, SaysThatThereAreNoContractedPoints) {
+  openScan();
+  document.setContracted(nullptr);
+  tool.setSnap(Snap::contracted);
+  mouse.press(onNode(middle), {0, 1});
+  mouse.drag({0.12, 1.3});
+  EXPECT_TRUE(place().isApprox(Eigen::Vector3d(0.12, 0, 1.3)));
+  EXPECT_TRUE(tool.hint().contains("No contracted points"));
 }
 
 } // namespace

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QObject>
+
+#include <cstdint>
+
+class QMenu;
+
+namespace espalier {
+
+class ActionSet;
+class Editing;
+class MoveNodeTool;
+class PlantDocument;
+enum class Snap : std::uint8_t;
+
+/// What nodes that are dragged snap to: a choice in a menu.
+class SnapFlow : public QObject {
+  Q_OBJECT
+
+public:
+  /// All must outlive it.
+  SnapFlow(PlantDocument& document, ActionSet& actions, const Editing& editing);
+
+  void fillMenu(QMenu& menu) const;
+
+private:
+  void choose(Snap snap);
+  void showChoice();
+
+  PlantDocument& document_;
+  ActionSet& actions_;
+  MoveNodeTool* tool_;
+};
+
+} // namespace espalier

@@ -161,7 +161,7 @@ QString Editing::hint() const {
   return document_.isReadOnly() ? tr("Read-only   %1").arg(hint) : hint;
 }
 
-void Editing::useTool(const QString& id) {
+void Editing::useTool(const QString& id, bool startsWithNodes) {
   if (!tool_.isEmpty() && id != tool_) {
     const bool ends = tool_ == "reparent" || tool_ == "regrow";
     if (!ends) toolBefore_ = tool_; // one does not come back to a tool that ends
@@ -171,7 +171,8 @@ void Editing::useTool(const QString& id) {
   }
   tool_ = id;
   if (toolBefore_.isEmpty()) toolBefore_ = id;
-  if (const std::vector<NodeId> nodes = target().nodes; !nodes.empty()) tool().startWith(nodes);
+  const std::vector<NodeId> nodes = target().nodes;
+  if (startsWithNodes && !nodes.empty()) tool().startWith(nodes);
   actions_["tool_" + tool_]->setChecked(true);
   emit hintChanged();
 }

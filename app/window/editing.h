@@ -40,7 +40,8 @@ public:
   /// What the mouse will do now.
   [[nodiscard]] QString hint() const;
   [[nodiscard]] QString currentTool() const { return tool_; } // its id
-  void useTool(const QString& id);
+  /// @param startsWithNodes  it begins with the node under the pointer, or those selected
+  void useTool(const QString& id, bool startsWithNodes = true);
   [[nodiscard]] Tool& toolNamed(const QString& id) const { return *tools_.at(id); }
 
   /// What the tool has found, as a length; empty: nothing.

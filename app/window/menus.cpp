@@ -90,7 +90,7 @@ void MainWindow::fillMenus() {
   fillViewMenu();
 
   QMenu* skeleton = menuBar()->addMenu(tr("&Skeleton"));
-  add(*skeleton, *actions_, {"reconstruct", ""});
+  add(*skeleton, *actions_, {"reconstruct", "regrow_missing", ""});
   const QStringList ofUnits = {"mark_unit_start", "commit_marks", "clear_marks"};
   fillNodeEdits(*skeleton, *actions_, ofUnits + QStringList{"radius_up", "radius_down"});
   skeleton->addSeparator();

@@ -23,6 +23,21 @@ template <class T> T* toolOf(const Editing& editing, const QString& id) {
   return tool;
 }
 
+/// Of the points that are not set aside.
+std::shared_ptr<const TraceGraph> graphOf(std::shared_ptr<const PointCloud> cloud,
+                                          std::shared_ptr<const Eigen::Matrix3Xf> contracted,
+                                          const PointSet& leftOut, const Progress& progress) {
+  if (leftOut.isEmpty())
+    return std::make_shared<const TraceGraph>(std::move(cloud), std::move(contracted), progress);
+  const std::vector<Eigen::Index> kept = others(leftOut, cloud->size());
+  if (kept.empty())
+    throw Error(TraceFlow::tr("all points are set aside: bring some back").toStdString());
+  if (contracted)
+    contracted = std::make_shared<const Eigen::Matrix3Xf>((*contracted)(Eigen::all, kept));
+  return std::make_shared<const TraceGraph>(
+      std::make_shared<const PointCloud>(without(*cloud, leftOut)), contracted, progress);
+}
+
 } // namespace
 
 TraceFlow::TraceFlow(const Parts& parts)
@@ -39,7 +54,8 @@ TraceFlow::TraceFlow(const Parts& parts)
   connect(&traces_, &JobRunner::progressed, this, [this](double fraction) {
     if (!graph_) tool_->showReadiness(fraction);
   });
-  connect(&parts_.document, &PlantDocument::scanChanged, this, &TraceFlow::forget);
+  for (auto signal : {&PlantDocument::scanChanged, &PlantDocument::leftOutChanged})
+    connect(&parts_.document, signal, this, &TraceFlow::forget);
   connect(&parts_.document, &PlantDocument::skeletonReplaced, tool_, &TraceTool::cancel);
 
   parts_.actions.beginSection(tr("Tools"));
@@ -53,6 +69,33 @@ TraceFlow::TraceFlow(const Parts& parts)
     next->setEnabled(parts_.editing.currentTool() == "trace" && tool_->hasPreview() &&
                      tool_->hasOtherWays());
   });
+  addGrowing();
+}
+
+void TraceFlow::addGrowing() {
+  QAction* missing = parts_.actions.add(
+      {.id = "regrow_missing",
+       .text = tr("Regrow What Is Missing"),
+       .help = tr("Grows branches from all points that the skeleton does not explain"),
+       .icon = "regrow",
+       .keys = QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N)},
+      [this] { regrowMissing(); });
+  QAction* chosen = parts_.actions.add(
+      {.id = "branch_from_points",
+       .text = tr("New Branch from Points"),
+       .help = tr("Grows a branch from the selected points, on the nearest node")},
+      [this] { growFromPoints(); });
+  const auto refresh = [this, missing, chosen] {
+    const PlantDocument& document = parts_.document;
+    const bool mayGrow = document.scan() != nullptr && !document.skeleton().isEmpty() &&
+                         !document.isReadOnly() && !parts_.jobs.isRunning();
+    missing->setEnabled(mayGrow);
+    chosen->setEnabled(mayGrow && !parts_.document.pointSelection().isEmpty());
+  };
+  connect(&parts_.document.pointSelection(), &PointSelection::changed, this, refresh);
+  connect(&parts_.document, &PlantDocument::scanChanged, this, refresh);
+  connect(&parts_.editing, &Editing::hintChanged, this, refresh);
+  refresh();
 }
 
 void TraceFlow::ask(const TraceQuestion& question, const TraceAnswer& answer) {
@@ -91,8 +134,9 @@ void TraceFlow::makeGraph() {
   }
   tool_->showReadiness(0);
   const auto make = [cloud = parts_.document.scan()->cloud(),
-                     contracted = parts_.document.contracted()](const Progress& progress) {
-    return std::make_shared<const TraceGraph>(cloud, contracted, progress);
+                     contracted = parts_.document.contracted(),
+                     leftOut = parts_.document.leftOut()](const Progress& progress) {
+    return graphOf(cloud, contracted, leftOut, progress);
   };
   traces_.start(tr("Reading the points"), make, [this](std::shared_ptr<const TraceGraph> graph) {
     graph_ = std::move(graph); // the question that waits for it is answered once this is finished
@@ -106,20 +150,62 @@ void TraceFlow::forget() {
   traces_.cancel();
 }
 
-void TraceFlow::regrow(NodeId node) {
+void TraceFlow::requireWork() const {
   if (!parts_.document.scan())
     throw Error(tr("there are no points to regrow from: open the scan first").toStdString());
   parts_.document.requireEditable();
   if (parts_.jobs.isRunning())
     throw Error(
         tr("%1 is still running: wait for it, or cancel it").arg(parts_.jobs.name()).toStdString());
+}
+
+PipelineOptions TraceFlow::options() const {
+  PipelineOptions options = parts_.options();
+  options.leftOut = parts_.document.leftOut();
+  return options;
+}
+
+void TraceFlow::regrow(NodeId node) {
+  requireWork();
   const auto grow = [skeleton = parts_.document.skeleton(), node,
                      cloud = parts_.document.scan()->cloud(),
-                     options = parts_.options()](const Progress& progress) {
+                     options = options()](const Progress& progress) {
     return regrown(skeleton, node, cloud, {.pipeline = options}, progress);
   };
   parts_.jobs.start(tr("Regrowing"), grow, [this, node](const Skeleton& part) {
     parts_.jobs.afterwards([this, node, part] { regrow_->show(node, part); });
+  });
+}
+
+void TraceFlow::regrowMissing() {
+  requireWork();
+  const auto grow = [skeleton = parts_.document.skeleton(), cloud = parts_.document.scan()->cloud(),
+                     options = options()](const Progress& progress) {
+    return grownFromUnexplained(skeleton, cloud, {.pipeline = options}, progress);
+  };
+  parts_.jobs.start(tr("Growing what is missing"), grow, [this](std::vector<GrownBranch> grown) {
+    show(std::move(grown), tr("Regrow what is missing"));
+  });
+}
+
+void TraceFlow::growFromPoints() {
+  requireWork();
+  const PointSet points = parts_.document.pointSelection().points() - parts_.document.leftOut();
+  if (points.isEmpty())
+    throw Error(tr("no point is selected: choose Select Points (C), and paint some").toStdString());
+  const auto grow = [skeleton = parts_.document.skeleton(), cloud = parts_.document.scan()->cloud(),
+                     points, options = options()](const Progress& progress) {
+    return grownBranches(skeleton, cloud, points.points(), {.pipeline = options}, progress);
+  };
+  parts_.jobs.start(tr("Growing a branch"), grow, [this](std::vector<GrownBranch> grown) {
+    show(std::move(grown), tr("New branch from points"));
+  });
+}
+
+void TraceFlow::show(std::vector<GrownBranch> branches, const QString& text) {
+  parts_.jobs.afterwards([this, branches = std::move(branches), text] {
+    parts_.editing.useTool("regrow", false);
+    regrow_->show(branches, text);
   });
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/pipeline/grow_branches.h"
 #include "core/pipeline/pipeline.h"
 #include "ui/jobs/job_runner.h"
 #include "ui/tools/trace_question.h"
@@ -53,7 +54,13 @@ private:
   void work();
   void makeGraph();
   void forget();
+  void addGrowing();
+  [[nodiscard]] PipelineOptions options() const;
+  void requireWork() const; // that the points and the plant may be worked on
   void regrow(NodeId node);
+  void regrowMissing();
+  void growFromPoints();
+  void show(std::vector<GrownBranch> branches, const QString& text);
 
   Parts parts_;
   TraceTool* tool_;

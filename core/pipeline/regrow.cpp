@@ -2,8 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/graph/components.h"
-#include "core/skeleton/assign_points.h"
-#include "core/skeleton/edits.h"
+#include "core/pipeline/grow_part.h"
 #include "core/skeleton/path_edits.h"
 #include "core/skeleton/select.h"
 
@@ -16,33 +15,17 @@ namespace espalier {
 namespace {
 
 constexpr int neighbors = 12;
-constexpr std::size_t fewestPoints = 20; // that tell a branch from dust
 
 std::string name(NodeId id) {
   return "node " + std::to_string(indexOf(id));
 }
 
-double tubeRadius(const Skeleton& skeleton, const PointOnSkeleton& place) {
-  const Node& child = skeleton[place.child];
-  if (!child.parent) return child.radius;
-  const double below = skeleton[*child.parent].radius;
-  return below + place.fraction * (child.radius - below);
-}
-
-/// The points that edges of the rest of the plant do not explain.
-std::vector<Eigen::Index> freePoints(const Skeleton& skeleton, NodeId node, const PointCloud& cloud,
-                                     double tolerance, const Progress& progress) {
+/// By id: what `node` carries.
+std::vector<bool> carriedBy(const Skeleton& skeleton, NodeId node) {
   std::vector<bool> isCarried(skeleton.idEnd(), false);
   for (const NodeId id : downstream(skeleton, {node}))
     isCarried[indexOf(id)] = id != node;
-  const std::vector<PointOnSkeleton> places =
-      assignPoints(cloud.positions(), cloud.origin(), skeleton, 8, progress);
-  std::vector<Eigen::Index> points;
-  for (std::size_t i = 0; i < places.size(); ++i)
-    if (isCarried[indexOf(places[i].child)] ||
-        places[i].distance > tubeRadius(skeleton, places[i]) + tolerance)
-      points.push_back(static_cast<Eigen::Index>(i));
-  return points;
+  return isCarried;
 }
 
 /// The points that links of at most `longest` lead to, in order. (The nearest neighbors of points
@@ -85,66 +68,22 @@ std::vector<Eigen::Index> pointsAt(const Skeleton& skeleton, NodeId node, const 
   return together;
 }
 
-/// The options with each setting that a rule derives for a plant of scale `whole`, as far as it is
-/// in range for one of scale `part`.
-PipelineOptions fixedOptions(const PipelineOptions& options, const PlantScale& whole,
-                             const PlantScale& part) {
-  PipelineOptions result = options;
-  for (const Step& step : pipelineSteps()) {
-    const auto choice = options.methods.find(step.name);
-    const Method& method =
-        choice == options.methods.end() ? step.methods.front() : methodNamed(step, choice->second);
-    const std::vector<double> values = resolvedValues(step, method, options, whole);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const auto [least, most] = method.options[i].range(part);
-      result.settings[step.name][method.options[i].name] = std::clamp(values[i], least, most);
-    }
-  }
-  return result;
-}
-
-/// The grown skeleton, hung on a root that stands for the node.
-Skeleton hungOn(const Node& node, const Skeleton& grown, double edge) {
-  Skeleton part;
-  const NodeId root = part.add({.position = node.position, .radius = node.radius});
-  const NodeId foot = grown.roots().front();
-  const bool isSame = (grown[foot].position - node.position).norm() < edge / 2;
-  std::vector<NodeId> copies(grown.idEnd(), root);
-  for (const NodeId id : grown.ids()) {
-    if (id == foot && isSame) continue;
-    Node copy = grown[id];
-    if (node.radius > 0) copy.radius = std::min(copy.radius, node.radius);
-    if (copy.parent)
-      copy.parent = copies[indexOf(*copy.parent)];
-    else
-      copy.parent = root;
-    copies[indexOf(id)] = part.add(copy);
-  }
-  return part;
-}
-
 } // namespace
 
 Skeleton regrown(const Skeleton& skeleton, NodeId node,
                  const std::shared_ptr<const PointCloud>& cloud, const RegrowOptions& options,
                  const Progress& progress) {
   assert(skeleton.contains(node));
-  const UpAxis up = options.pipeline.up;
-  const PlantScale whole = {pointSpacing(cloud->positions()), plantHeight(cloud->positions(), up)};
+  const PlantScale whole = scaleOf(*cloud, options.pipeline.up);
   const double tolerance = options.tolerance > 0 ? options.tolerance : 3 * whole.spacing;
   const double widestGap = options.widestGap > 0 ? options.widestGap : 8 * whole.spacing;
   const std::vector<Eigen::Index> left =
-      freePoints(skeleton, node, *cloud, tolerance, progress.part(0, 0.3));
-  RawPoints raw;
-  for (const Eigen::Index point :
-       pointsAt(skeleton, node, *cloud, left, widestGap, progress.part(0.3, 0.5)))
-    raw.positions.push_back(cloud->position(point));
-  const auto own = std::make_shared<const PointCloud>(std::move(raw));
-  const PlantScale part = {pointSpacing(own->positions()), plantHeight(own->positions(), up)};
-  PipelineOptions fixed = fixedOptions(options.pipeline, whole, part);
-  fixed.root = skeleton[node].position;
-  const Reconstruction result = Pipeline().run(own, fixed, progress.part(0.5, 1));
-  Skeleton grown = hungOn(skeleton[node], result.skeleton, meanEdgeLength(result.skeleton));
+      freePoints(skeleton, *cloud, options.pipeline.leftOut, tolerance, carriedBy(skeleton, node),
+                 progress.part(0, 0.3));
+  const std::vector<Eigen::Index> points =
+      pointsAt(skeleton, node, *cloud, left, widestGap, progress.part(0.3, 0.5));
+  Skeleton grown = hungOn(skeleton[node], grownPart(*cloud, points, skeleton[node].position, whole,
+                                                    options.pipeline, progress.part(0.5, 1)));
   if (grown.size() < 2)
     throw Error("nothing grows from " + name(node) +
                 ": choose another node, or prune less in the pipeline");

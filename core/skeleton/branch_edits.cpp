@@ -56,6 +56,23 @@ void replaceCarried(SkeletonEditor& editor, NodeId id, const Skeleton& part) {
   }
 }
 
+std::vector<NodeId> addCarried(SkeletonEditor& editor, NodeId id, const Skeleton& part) {
+  assert(part.roots().size() == 1);
+  const NodeId root = part.roots().front();
+  std::vector<NodeId> copies(part.idEnd(), id);
+  std::vector<NodeId> first;
+  for (const NodeId from : part.ids()) { // parents before their children
+    Node copy = part[from];
+    if (from == root) continue;
+    const bool isFirst = *copy.parent == root;
+    if (isFirst) copy.edge = edgeOfNewChild(editor.skeleton(), id);
+    copy.parent = copies[indexOf(*copy.parent)];
+    copies[indexOf(from)] = editor.add(copy);
+    if (isFirst) first.push_back(copies[indexOf(from)]);
+  }
+  return first;
+}
+
 void exchangeArms(SkeletonEditor& editor, NodeId a, NodeId b) {
   requireArms(editor.skeleton(), a, b);
   const Node first = editor.skeleton()[a];

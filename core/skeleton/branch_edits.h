@@ -28,6 +28,12 @@ NodeId addBranch(SkeletonEditor& editor, std::optional<NodeId> parent,
 /// pre: `part` has one root
 void replaceCarried(SkeletonEditor& editor, NodeId id, const Skeleton& part);
 
+/// Hangs on `id` what the root of `part` carries: that root stands for `id`, which stays as it is.
+/// The first goes on with the axis of `id` if nothing does, the others branch; edges above keep
+/// their types. pre: `part` has one root
+/// @return the first new nodes
+std::vector<NodeId> addCarried(SkeletonEditor& editor, NodeId id, const Skeleton& part);
+
 /// Lets two branches that cross exchange what lies beyond the crossing: `a`, with all it carries,
 /// hangs where `b` did and `b` where `a` did, by the same types of edges. Units that start at one
 /// go with it; for scales where none does, it joins those of its new parent.

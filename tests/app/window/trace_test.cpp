@@ -155,6 +155,37 @@ TEST_F(TraceWindowTest, RegrowsWhatANodeCarries) {
   expectUndone();
 }
 
+TEST_F(TraceWindowTest, RegrowsAllBranchesThatAreMissing) {
+  key(Qt::Key_N, Qt::ControlModifier | Qt::ShiftModifier);
+  waitForJob();
+  ASSERT_TRUE(waitForPreview());
+  EXPECT_EQ(document().skeleton(), before_) << "changed before it was accepted";
+  key(Qt::Key_Return);
+  const Skeleton& plant = document().skeleton();
+  EXPECT_EQ(plant.roots().size(), 1U);
+  for (const Eigen::Vector3d& tip :
+       {Eigen::Vector3d(0.8, 0, 1.6), {-0.7, 0.1, 1.9}, {0.1, 0.7, 1.3}}) {
+    double nearest = 1;
+    for (const NodeId id : plant.ids())
+      nearest = std::min(nearest, (plant[id].position - tip).norm());
+    EXPECT_LT(nearest, 0.1) << tip.transpose();
+  }
+  for (const NodeId id : before_.ids())
+    EXPECT_EQ(plant[id], before_[id]) << "what was there stays";
+  EXPECT_TRUE(action("tool_move").isChecked()) << "back to the tool before";
+  expectUndone();
+}
+
+TEST_F(TraceWindowTest, DropsTheMissingBranchesOnEscape) {
+  action("regrow_missing").trigger();
+  waitForJob();
+  ASSERT_TRUE(waitForPreview());
+  key(Qt::Key_Escape);
+  EXPECT_FALSE(action("accept").isEnabled());
+  EXPECT_EQ(document().skeleton(), before_);
+  EXPECT_FALSE(document().undoStack().canUndo());
+}
+
 TEST_F(TraceWindowTest, DropsWhatGrewOnEscape) {
   hover(atNode(0.75));
   key(Qt::Key_N, Qt::ShiftModifier);

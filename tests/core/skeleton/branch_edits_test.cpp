@@ -71,6 +71,31 @@ Skeleton twoStems() {
   return plant;
 }
 
+TEST(AddCarried, HangsAllOfAPartBesideWhatIsThere) {
+  Skeleton plant = test::fork(2); // its top carries a successor and a branch
+  const Skeleton before = plant;
+  SkeletonEditor editor(plant);
+  const std::vector<NodeId> first = addCarried(editor, test::forkTop, test::stick(3));
+  (void)editor.commit();
+  ASSERT_EQ(first.size(), 1U);
+  EXPECT_EQ(plant.size(), before.size() + 2);
+  EXPECT_EQ(plant[first[0]].parent, test::forkTop);
+  EXPECT_EQ(plant[first[0]].edge, EdgeType::branching) << "another one goes on with the axis";
+  EXPECT_EQ(plant[first[0]].position, Eigen::Vector3d(0, 0, 1));
+  ASSERT_EQ(plant.children(first[0]).size(), 1U);
+  EXPECT_EQ(plant[plant.children(first[0])[0]].edge, EdgeType::successor);
+  for (const NodeId id : before.ids())
+    EXPECT_EQ(plant[id], before[id]);
+}
+
+TEST(AddCarried, GoesOnWithAnAxisThatEnds) {
+  Skeleton plant = test::stick(2);
+  SkeletonEditor editor(plant);
+  const std::vector<NodeId> first = addCarried(editor, NodeId{1}, test::fork(1));
+  (void)editor.commit();
+  EXPECT_EQ(plant[first[0]].edge, EdgeType::successor);
+}
+
 TEST(ExchangeArms, SwapsParentsAndEdges) {
   const Skeleton plant = edited(
       twoStems(), [](SkeletonEditor& editor) { exchangeArms(editor, NodeId{2}, NodeId{5}); });

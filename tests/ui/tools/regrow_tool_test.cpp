@@ -61,5 +61,40 @@ TEST_F(RegrowToolTest, RefusesSeveralNodes) {
   EXPECT_TRUE(wanted.empty());
 }
 
+TEST_F(RegrowToolTest, AddsTheBranchesThatAreMissingOnceAccepted) {
+  const QSignalSpy finished(&tool, &Tool::finished);
+  tool.show({{test::forkTop, test::stick(3)}, {NodeId{2}, test::stick(2)}}, "Regrow");
+  EXPECT_EQ(canvas.preview.lines.size(), 3U);
+  EXPECT_TRUE(tool.hint().contains("3 new nodes"));
+  EXPECT_EQ(document.skeleton(), before);
+  tool.accept();
+  EXPECT_EQ(document.skeleton().size(), before.size() + 3);
+  for (const NodeId id : before.ids())
+    EXPECT_EQ(document.skeleton()[id], before[id]) << "nothing else changes";
+  EXPECT_EQ(document.selection().nodes().size(), 3U);
+  EXPECT_TRUE(canvas.preview.isEmpty());
+  EXPECT_EQ(finished.size(), 1);
+  EXPECT_EQ(document.undoStack().undoText(), "Regrow");
+  document.undoStack().undo();
+  EXPECT_EQ(document.skeleton(), before);
+}
+
+TEST_F(RegrowToolTest, DropsMissingBranchesOnEscape) {
+  tool.show({{test::forkTop, test::stick(3)}}, "Regrow");
+  mouse.escape();
+  EXPECT_FALSE(tool.hasPreview());
+  EXPECT_TRUE(canvas.preview.isEmpty());
+  EXPECT_EQ(document.skeleton(), before);
+}
+
+TEST_F(RegrowToolTest, AddsNothingIfANodeIsGoneMeanwhile) {
+  tool.show({{test::forkRoot, test::stick(2)}, {NodeId{2}, test::stick(3)}}, "Regrow");
+  document.edit("Remove", [](SkeletonEditor& editor) { editor.erase(NodeId{2}); });
+  const Skeleton pruned = document.skeleton();
+  EXPECT_THROW(tool.accept(), Error);
+  EXPECT_EQ(document.skeleton(), pruned);
+  EXPECT_TRUE(tool.hasPreview());
+}
+
 } // namespace
 } // namespace espalier

@@ -4,7 +4,9 @@
 #include "core/contract/adaptive_sections.h"
 #include "core/contract/euclidean_ball.h"
 #include "core/contract/geodesic_centroid.h"
+#include "core/contract/implicit_laplacian.h"
 #include "core/contract/one_step_laplacian.h"
+#include "core/contract/path_based.h"
 #include "tests/core/contract/known_plants.h"
 #include "tests/support/clouds.h"
 
@@ -37,6 +39,14 @@ struct Contraction {
 
 void PrintTo(const Contraction& contraction, std::ostream* out) {
   *out << contraction.name;
+}
+
+/// The point farthest from the mean: the same one, however the plant is turned and sorted.
+Eigen::Index outermost(const Eigen::Matrix3Xf& points) {
+  Eigen::Index farthest = 0;
+  if (points.cols() > 0)
+    (points.colwise() - points.rowwise().mean().eval()).colwise().norm().maxCoeff(&farthest);
+  return farthest;
 }
 
 std::vector<Contraction> contractions() {
@@ -131,6 +141,23 @@ std::vector<Contraction> contractions() {
              return contractedByOneLaplacianStep(points, 7, progress);
            },
        .turned = 0.02},
+      {.name = "ImplicitLaplacian",
+       .contract =
+           [](const auto& points, double /*s*/, const Progress& progress) {
+             return contractedByImplicitLaplacian(
+                 points, {.neighbors = 16, .contraction = 0.2, .growth = 2, .rounds = 2}, progress);
+           },
+       .bent = 0.95,
+       .fork = 0.9,
+       .cone = 0.5,
+       .half = 0,
+       .turned = 0.1},
+      {.name = "PathBased",
+       .contract =
+           [](const auto& points, double /*s*/, const Progress& progress) {
+             return contractedAlongPaths(points, outermost(points), {}, progress);
+           },
+       .turned = 0.1},
   };
 }
 

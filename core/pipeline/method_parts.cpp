@@ -1,7 +1,9 @@
 #include "core/pipeline/method_parts.h"
 
 #include "core/base/error.h"
+#include "core/graph/densities.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace espalier {
@@ -30,6 +32,24 @@ void requirePlant(const std::vector<Eigen::Index>& kept) {
   if (kept.size() < 2)
     throw Error("fewer than 2 points are left after cleaning: clean less, choose method none, or "
                 "bring points back");
+}
+
+void reconstructKept(
+    PipelineState& state,
+    const std::function<Skeleton(const Eigen::Matrix3Xf& points, Eigen::Index root)>& reconstruct) {
+  const std::vector<Eigen::Index> kept = keptPoints(state);
+  requirePlant(kept);
+  const auto place = std::lower_bound(kept.begin(), kept.end(), state.root);
+  const Eigen::Matrix3Xf points = (*state.contracted)(Eigen::all, kept);
+  Skeleton local = reconstruct(points, place - kept.begin());
+  for (const NodeId id : local.ids())
+    local.setPosition(id, local[id].position + state.cloud->origin());
+  state.skeleton = std::move(local);
+}
+
+std::vector<float> scannedDensities(const PipelineState& state, const Progress& progress) {
+  constexpr int nearest = 16; // as PlantScan3D has it
+  return normalizedDensities(nearestDensities(keptPositions(state), nearest, progress));
 }
 
 } // namespace espalier

@@ -2,6 +2,10 @@
 
 #include "core/pipeline/registry.h"
 
+#include <functional>
+#include <string>
+#include <vector>
+
 namespace espalier {
 
 /// One value per option of a method, in order.
@@ -18,5 +22,17 @@ using Values = std::vector<double>;
 
 /// @throws Error if they are too few for a plant
 void requirePlant(const std::vector<Eigen::Index>& kept);
+
+/// Makes the skeleton of the kept points as they were contracted, with the root among them.
+/// `reconstruct` gives it in their frame; it ends up in that of the file.
+/// @throws Error if the points are too few; whatever `reconstruct` throws
+void reconstructKept(
+    PipelineState& state,
+    const std::function<Skeleton(const Eigen::Matrix3Xf& points, Eigen::Index root)>& reconstruct);
+
+/// Normalized densities of the kept points as they were scanned, in [0, 1]: contraction, which
+/// heaps points up, does not count.
+[[nodiscard]] std::vector<float> scannedDensities(const PipelineState& state,
+                                                  const Progress& progress);
 
 } // namespace espalier

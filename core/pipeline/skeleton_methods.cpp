@@ -1,9 +1,8 @@
 #include "core/pipeline/skeleton_methods.h"
 
+#include "core/pipeline/colonization_methods.h"
 #include "core/pipeline/method_parts.h"
 #include "core/reconstruct/geodesic_bins.h"
-
-#include <algorithm>
 
 namespace espalier {
 namespace {
@@ -52,22 +51,16 @@ Method geodesicBinsMethod() {
           .source = "H. Xu, N. Gossett, B. Chen, ACM Trans. Graph. 26(4), 2007",
           .options = table.descriptions(),
           .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
-            const std::vector<Eigen::Index> kept = keptPoints(state);
-            requirePlant(kept);
-            const auto place = std::lower_bound(kept.begin(), kept.end(), state.root);
-            const Eigen::Matrix3Xf points = (*state.contracted)(Eigen::all, kept);
-            Skeleton local =
-                skeletonByGeodesicBins(points, place - kept.begin(), table.with(values), progress);
-            for (const NodeId id : local.ids())
-              local.setPosition(id, local[id].position + state.cloud->origin());
-            state.skeleton = std::move(local);
+            reconstructKept(state, [&](const Eigen::Matrix3Xf& points, Eigen::Index root) {
+              return skeletonByGeodesicBins(points, root, table.with(values), progress);
+            });
           }};
 }
 
 } // namespace
 
 std::vector<Method> skeletonMethods() {
-  return {geodesicBinsMethod()};
+  return {geodesicBinsMethod(), graphColonizationMethod()};
 }
 
 } // namespace espalier

@@ -1,17 +1,16 @@
 #include "core/reconstruct/geodesic_bins.h"
 
-#include "core/base/error.h"
 #include "core/graph/arborescence.h"
 #include "core/graph/components.h"
 #include "core/graph/geodesic.h"
 #include "core/graph/neighborhood_graph.h"
+#include "core/reconstruct/reached_points.h"
 
 #include <Eigen/Eigenvalues>
 #include <queue>
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <utility>
 
 namespace espalier {
@@ -99,10 +98,7 @@ Groups groupPoints(const NeighborhoodGraph& graph, const Eigen::Matrix3Xf& point
   const Geodesics ways = geodesics(graph, {root}, 1, progress);
   const auto reached = std::count_if(ways.distance.begin(), ways.distance.end(),
                                      [](float d) { return std::isfinite(d); });
-  if (2 * reached < points.cols())
-    throw Error("only " + std::to_string(100 * reached / points.cols()) +
-                " % of the points hang together with the root: choose another root, or allow wider "
-                "gaps");
+  requireHalf(reached, points.cols());
   Groups groups;
   groups.ofPoint = groupsOf(graph, levelsOf(ways, binWidth));
   std::uint32_t count = 0;

@@ -1,0 +1,75 @@
+#include "core/pipeline/colonization_methods.h"
+
+#include "core/pipeline/method_parts.h"
+#include "core/reconstruct/graph_colonization.h"
+
+namespace espalier {
+namespace {
+
+Option leastStep(double count) {
+  return {.name = "least_step",
+          .label = "Least step",
+          .kind = OptionKind::length,
+          .rule = spacings(count),
+          .minimum = 1,
+          .maximum = 100,
+          .help = "Distance between nodes where points are sparsest, as in twigs."};
+}
+
+Option greatestStep(double count) {
+  return {.name = "greatest_step",
+          .label = "Greatest step",
+          .kind = OptionKind::length,
+          .rule = spacings(count),
+          .minimum = 1,
+          .maximum = 200,
+          .help = "Distance between nodes where points are densest, as in thick wood."};
+}
+
+} // namespace
+
+Method graphColonizationMethod() {
+  using Options = GraphColonizationOptions;
+  OptionTable<Options> table;
+  table.add({.name = "neighbors",
+             .label = "Neighbors",
+             .kind = OptionKind::count,
+             .rule = fixedAt(12),
+             .minimum = 3,
+             .maximum = 64,
+             .help = "Links per point along which distances are measured; more bridge wider gaps."},
+            &Options::neighbors);
+  table.add(leastStep(5), &Options::leastStep);
+  table.add(greatestStep(8), &Options::greatestStep);
+  table.add({.name = "junction_share",
+             .label = "Junction share",
+             .kind = OptionKind::ratio,
+             .rule = fixedAt(0),
+             .minimum = 0,
+             .maximum = 1,
+             .help = "0 puts nodes in the middle of their points, 1 where these meet those of the "
+                     "node before."},
+            &Options::junctionShare);
+  table.add({.name = "widest_gap",
+             .label = "Widest gap",
+             .kind = OptionKind::length,
+             .rule = fixedAt(0),
+             .minimum = 0,
+             .maximum = 10000,
+             .help = "Parts of the plant farther apart than this are not joined; 0 joins all."},
+            &Options::widestGap);
+  return {.name = "graph_colonization",
+          .label = "Graph colonization",
+          .help = "Groups of points take the points behind them, in steps that follow the density.",
+          .source = "PlantScan3D, after C. Preuksakarn, PhD thesis, Montpellier 2, 2012",
+          .options = table.descriptions(),
+          .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
+            const std::vector<float> densities = scannedDensities(state, progress.part(0, 0.2));
+            reconstructKept(state, [&](const Eigen::Matrix3Xf& points, Eigen::Index root) {
+              return skeletonByGraphColonization(points, densities, root, table.with(values),
+                                                 progress.part(0.2, 1));
+            });
+          }};
+}
+
+} // namespace espalier

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "core/pipeline/registry.h"
+
+namespace espalier {
+
+// Methods of the step "skeleton" that grow a plant into the points, from the root.
+
+[[nodiscard]] Method graphColonizationMethod();
+
+} // namespace espalier

@@ -168,13 +168,14 @@ void Editing::useTool(const QString& id, bool startsWithNodes) {
     const QString left = std::exchange(tool_, id);
     Tool& before = *tools_.at(left);
     if (before.isBusy() || before.hasPreview() || !before.result().isEmpty()) before.cancel();
+    view_.showBand({}); // of the tool before
   }
   tool_ = id;
   if (toolBefore_.isEmpty()) toolBefore_ = id;
   const std::vector<NodeId> nodes = target().nodes;
   if (startsWithNodes && !nodes.empty()) tool().startWith(nodes);
   actions_["tool_" + tool_]->setChecked(true);
-  emit hintChanged();
+  refreshEnabled();
 }
 
 void Editing::accept() {
@@ -205,8 +206,10 @@ void Editing::escape() {
     emit hintChanged();
   } else if (tool_ != entries_.front().id)
     useTool(entries_.front().id);
-  else
+  else {
     document_.selection().clear();
+    document_.pointSelection().clear();
+  }
 }
 
 void Editing::fillContextMenu(QMenu& menu) const {
@@ -284,6 +287,9 @@ void Editing::refreshEnabled() {
   const bool hasNodes = !document_.skeleton().isEmpty();
   for (QAction* edit : edits_)
     edit->setEnabled(canEdit() && hasNodes);
+  if (tool_ == "points") // whose points have these keys
+    for (const char* id : {"remove", "remove_subtree"})
+      actions_[id]->setEnabled(false);
   for (QAction* choice : choices_)
     choice->setEnabled(isEnabled_ && hasNodes);
   for (const ToolEntry& entry : entries_) {

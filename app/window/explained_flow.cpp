@@ -1,9 +1,9 @@
 #include "app/window/explained_flow.h"
 
 #include "app/window/action_set.h"
+#include "app/window/point_states.h"
 #include "ui/document/plant_document.h"
 #include "ui/panels/explained_bar.h"
-#include "ui/view/plant_view.h"
 
 #include <QAction>
 #include <QGridLayout>
@@ -27,7 +27,6 @@ ExplainedFlow::ExplainedFlow(const Parts& parts) : parts_(parts) {
   connect(&timer_, &QTimer::timeout, this, &ExplainedFlow::showStates);
   connect(&parts_.distances, &ScanDistances::changed, &timer_, qOverload<>(&QTimer::start));
   connect(&parts_.document, &PlantDocument::scanChanged, this, [this] {
-    hasStates_ = false; // the view forgets them
     bar_->forgetDistance();
     takeScan();
     timer_.start();
@@ -71,7 +70,7 @@ void ExplainedFlow::showStates() {
   timer_.stop();
   const std::shared_ptr<const PointDistances> distances = parts_.distances.now();
   if (!distances || !parts_.actions["hide_explained"]->isChecked()) {
-    if (std::exchange(hasStates_, false)) parts_.view.setPointStates(nullptr);
+    parts_.states.setExplained(nullptr);
     bar_->showLeft(parts_.document.scan() == nullptr      ? tr("no scan")
                    : parts_.document.skeleton().isEmpty() ? tr("no skeleton")
                                                           : tr("measuring…"));
@@ -80,15 +79,15 @@ void ExplainedFlow::showStates() {
   const PointState explained = bar_->isHiding() ? PointState::hidden : PointState::dim;
   const auto reach = static_cast<float>(bar_->distance());
   auto states = std::make_shared<std::vector<PointState>>();
-  states->reserve(distances->toSurface().size());
+  const std::vector<float> toSurface = parts_.distances.toSurface();
+  states->reserve(toSurface.size());
   std::size_t left = 0;
-  for (const float distance : distances->toSurface()) {
-    const bool isExplained = distance <= reach;
-    states->push_back(isExplained ? explained : PointState::normal);
-    if (!isExplained) ++left;
+  for (const float distance : toSurface) {
+    const bool isLeft = distance > reach; // not what is set aside
+    states->push_back(isLeft ? PointState::normal : explained);
+    if (isLeft) ++left;
   }
-  parts_.view.setPointStates(std::move(states));
-  hasStates_ = true;
+  parts_.states.setExplained(std::move(states));
   const auto all = static_cast<double>(distances->toSurface().size());
   bar_->showLeft(tr("%1 left, %2 %")
                      .arg(formatCount(left))

@@ -13,7 +13,7 @@ namespace espalier {
 class ActionSet;
 class ExplainedBar;
 class PlantDocument;
-class PlantView;
+class PointStates;
 
 /// Dims or hides the points that the skeleton explains, so that what is missing stands out. Follows
 /// every edit.
@@ -24,7 +24,7 @@ public:
   /// What it works with; all must outlive it.
   struct Parts {
     PlantDocument& document;
-    PlantView& view;
+    PointStates& states;
     ActionSet& actions;
     ScanDistances& distances;
     QSettings& settings;
@@ -44,7 +44,6 @@ private:
   ExplainedBar* bar_ = nullptr;
   QTimer timer_;
   bool isPlantShown_ = false;
-  bool hasStates_ = false; // the view shows them
 };
 
 } // namespace espalier

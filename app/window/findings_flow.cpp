@@ -178,7 +178,7 @@ void FindingsFlow::startJob() {
         if (!isCheckedAtOnce) found.ofSkeleton = check(skeleton, spacing);
         if (!distances) return found;
         const std::shared_ptr<const PointCloud>& cloud = distances->cloud();
-        if (!found.indexed)
+        if (!found.indexed || found.indexed->cloud != cloud)
           found.indexed =
               std::make_shared<const Indexed>(Indexed{cloud, SpatialIndex(cloud->positions())});
         found.ofScan =
@@ -192,9 +192,9 @@ void FindingsFlow::startJob() {
 
 void FindingsFlow::take(Found found) {
   if (found.ofSkeleton) ofSkeleton_ = std::move(*found.ofSkeleton);
-  const Scan* scan = parts_.document.scan();
-  if (scan != nullptr && found.indexed && scan->cloud() == found.indexed->cloud) {
-    ofScan_ = std::move(found.ofScan); // else another scan has come
+  const std::shared_ptr<const PointDistances> now = parts_.distances.now();
+  if (now && found.indexed && now->cloud() == found.indexed->cloud) {
+    ofScan_ = std::move(found.ofScan); // else the points are others, or are measured again
     indexed_ = std::move(found.indexed);
   }
   panel_->setChecking(parts_.distances.isMeasuring());

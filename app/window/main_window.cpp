@@ -9,6 +9,8 @@
 #include "app/window/icon.h"
 #include "app/window/key_hints.h"
 #include "app/window/node_table_flow.h"
+#include "app/window/point_states.h"
+#include "app/window/points_flow.h"
 #include "app/window/project_flow.h"
 #include "app/window/radius_flow.h"
 #include "app/window/recent_files.h"
@@ -242,6 +244,8 @@ void MainWindow::refreshCounts() {
   if (units_->marks() > 0) parts.append(tr("%1 marked").arg(formatCount(units_->marks())));
   if (const std::size_t hidden = shown_->hidden().size(); hidden > 0)
     parts.append(tr("%1 hidden").arg(formatCount(hidden)));
+  if (!document_.leftOut().isEmpty())
+    parts.append(tr("%1 set aside").arg(formatCount(document_.leftOut().size())));
   if (document_.unit() != LengthUnit::unknown) parts.append(symbol(document_.unit()));
   status_->setCounts(parts.join(QStringLiteral(" · ")));
 }
@@ -305,6 +309,7 @@ void MainWindow::showRefusal(const QString& reason, Refusal where) {
 
 void MainWindow::showContextMenu(const QPoint& globalPosition) {
   QMenu menu(this);
+  points_->fillContextMenu(menu);
   editing_->fillContextMenu(menu);
   shown_->fillContextMenu(menu);
   menu.exec(globalPosition);

@@ -26,6 +26,8 @@ class MessageBanner;
 class NodeTableFlow;
 class PipelinePanel;
 class PlantView;
+class PointStates;
+class PointsFlow;
 class ProjectFlow;
 class RadiusFlow;
 class RecentFiles;
@@ -122,6 +124,8 @@ private:
   std::unique_ptr<Editing> editing_;
   std::unique_ptr<TraceFlow> traces_;
   std::unique_ptr<SnapFlow> snaps_;
+  std::unique_ptr<PointStates> pointStates_;
+  std::unique_ptr<PointsFlow> points_;
   std::unique_ptr<UnitFlow> units_;
   std::unique_ptr<RadiusFlow> radius_;
   std::unique_ptr<SealFlow> seals_;

@@ -6,6 +6,8 @@
 #include "app/window/history_flow.h"
 #include "app/window/main_window.h"
 #include "app/window/node_table_flow.h"
+#include "app/window/point_states.h"
+#include "app/window/points_flow.h"
 #include "app/window/project_flow.h"
 #include "app/window/radius_flow.h"
 #include "app/window/review_flow.h"
@@ -55,13 +57,16 @@ void MainWindow::addActions() {
       (*actions_)["sign_structure"]);
   shown_ =
       std::make_unique<ShownFlow>(ShownFlow::Parts{document_, *view_, *actions_, *editing_, *this});
+  pointStates_ = std::make_unique<PointStates>(document_, *view_);
+  points_ = std::make_unique<PointsFlow>(
+      PointsFlow::Parts{document_, *actions_, *editing_, *pointStates_});
   savedViews_ =
       std::make_unique<SavedViews>(SavedViews::Parts{*view_, *options_, *shown_, *actions_, *this});
   distances_ = std::make_unique<ScanDistances>(document_);
   findings_ = std::make_unique<FindingsFlow>(
       FindingsFlow::Parts{document_, *view_, *actions_, *distances_, settings_, *this});
   explained_ = std::make_unique<ExplainedFlow>(
-      ExplainedFlow::Parts{document_, *view_, *actions_, *distances_, settings_, *this});
+      ExplainedFlow::Parts{document_, *pointStates_, *actions_, *distances_, settings_, *this});
   valueColors_ = std::make_unique<ValueColors>(
       ValueColors::Parts{document_, *view_, *actions_, *options_, *distances_});
   const PanelDock::Parts panels{*actions_, settings_, *this};

@@ -5,6 +5,8 @@
 #include "app/window/history_flow.h"
 #include "app/window/main_window.h"
 #include "app/window/node_table_flow.h"
+#include "app/window/point_states.h"
+#include "app/window/points_flow.h"
 #include "app/window/project_flow.h"
 #include "app/window/radius_flow.h"
 #include "app/window/recent_files.h"
@@ -162,6 +164,9 @@ void MainWindow::connectDocument() {
        {&PlantDocument::scanChanged, &PlantDocument::skeletonReplaced, &PlantDocument::unitChanged})
     connect(&document_, signal, this, &MainWindow::refreshCounts);
   connect(&document_, &PlantDocument::skeletonEdited, this, &MainWindow::refreshCounts);
+  connect(&document_, &PlantDocument::leftOutChanged, this, &MainWindow::refreshCounts);
+  connect(points_.get(), &PointsFlow::changed, this,
+          [this] { shown_->setPointsIsolated(pointStates_->isIsolated()); });
   connect(&document_.undoStack(), &QUndoStack::indexChanged, this, &MainWindow::tellStep);
   connect(editing_.get(), &Editing::hintChanged, this, &MainWindow::refreshHint);
   connect(radius_.get(), &RadiusFlow::hintChanged, this, &MainWindow::refreshHint);

@@ -4,6 +4,7 @@
 #include "app/window/main_window.h"
 #include "app/window/menu_title.h"
 #include "app/window/node_menus.h"
+#include "app/window/points_flow.h"
 #include "app/window/radius_flow.h"
 #include "app/window/recent_files.h"
 #include "app/window/review_flow.h"
@@ -88,6 +89,8 @@ void MainWindow::fillMenus() {
   fillNodeChoices(*select, *actions_);
 
   fillViewMenu();
+
+  points_->fillMenu(*menuBar()->addMenu(tr("&Points")));
 
   QMenu* skeleton = menuBar()->addMenu(tr("&Skeleton"));
   add(*skeleton, *actions_, {"reconstruct", "regrow_missing", ""});

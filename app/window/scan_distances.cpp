@@ -2,6 +2,7 @@
 
 #include "ui/document/plant_document.h"
 
+#include <limits>
 #include <utility>
 
 namespace espalier {
@@ -11,6 +12,7 @@ ScanDistances::ScanDistances(PlantDocument& document, QObject* parent)
   connect(&document, &PlantDocument::skeletonEdited, this, &ScanDistances::take);
   connect(&document, &PlantDocument::skeletonReplaced, this, &ScanDistances::measureAnew);
   connect(&document, &PlantDocument::scanChanged, this, &ScanDistances::measureAnew);
+  connect(&document, &PlantDocument::leftOutChanged, this, &ScanDistances::measureAnew);
   connect(&job_, &JobRunner::finished, this, [this] {
     if (!since_) start();
   });
@@ -22,6 +24,17 @@ void ScanDistances::setWanted(Use use, bool isWanted) {
   else
     uses_.erase(use);
   if (uses_.empty() || (!distances_ && !job_.isRunning())) measureAnew();
+}
+
+std::vector<float> ScanDistances::toSurface() const {
+  const std::vector<float>& kept = distances_->toSurface();
+  if (leftOut_.isEmpty()) return kept;
+  const Eigen::Index count = document_.scan()->cloud()->size();
+  std::vector<float> all(static_cast<std::size_t>(count), std::numeric_limits<float>::quiet_NaN());
+  std::size_t next = 0;
+  for (const Eigen::Index point : others(leftOut_, count))
+    all[static_cast<std::size_t>(point)] = kept[next++];
+  return all;
 }
 
 void ScanDistances::take(const SkeletonDelta& delta) {
@@ -53,11 +66,15 @@ void ScanDistances::start() {
   const Scan* scan = document_.scan();
   since_ = SkeletonDelta();
   if (uses_.empty() || scan == nullptr || document_.skeleton().isEmpty()) return;
+  leftOut_ = scan->leftOut();
   job_.start(
       tr("Distances to the scan"),
-      [cloud = scan->cloud(), spacing = scan->spacing(),
+      [cloud = scan->cloud(), leftOut = leftOut_, spacing = scan->spacing(),
        skeleton = document_.skeleton()](const Progress& progress) {
-        return std::make_shared<PointDistances>(cloud, spacing, skeleton, progress);
+        const auto kept = leftOut.isEmpty()
+                              ? cloud
+                              : std::make_shared<const PointCloud>(without(*cloud, leftOut));
+        return std::make_shared<PointDistances>(kept, spacing, skeleton, progress);
       },
       [this](std::shared_ptr<PointDistances> measured) {
         if (!since_) return;

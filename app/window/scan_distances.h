@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/cloud/point_set.h"
 #include "core/skeleton/point_distances.h"
 #include "ui/jobs/job_runner.h"
 
@@ -9,12 +10,14 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <vector>
 
 namespace espalier {
 
 class PlantDocument;
 
-/// How far the points of the scan are from the skeleton of a document, as both are now.
+/// How far the points of the scan are from the skeleton of a document, as both are now. Points that
+/// are set aside are not measured.
 ///
 /// Nothing is measured while nobody wants it. A plant is measured as a job of its own, which blocks
 /// nothing; an edit, unless it changes much of the plant, is taken in at once.
@@ -29,6 +32,9 @@ public:
 
   /// Null: there is no scan or no skeleton, nobody wants them, or they are not ready.
   [[nodiscard]] std::shared_ptr<const PointDistances> now() const { return distances_; }
+  /// The distances to the surface [L], one per point of the scan; not a number: set aside.
+  /// pre: now() is not null. O(points)
+  [[nodiscard]] std::vector<float> toSurface() const;
   [[nodiscard]] bool isMeasuring() const { return job_.isRunning(); }
 
 signals:
@@ -42,6 +48,7 @@ private:
   PlantDocument& document_;
   std::set<Use> uses_;
   std::shared_ptr<PointDistances> distances_;
+  PointSet leftOut_;                   // when they were measured
   std::optional<SkeletonDelta> since_; // edits since the job began; none: it has to begin again
   JobRunner job_;
 };

@@ -157,8 +157,14 @@ void ShownFlow::setAvailable(bool hasPlant) {
     actions_[id]->setEnabled(hasPlant);
 }
 
+void ShownFlow::setPointsIsolated(bool areIsolated) {
+  arePointsIsolated_ = areIsolated;
+  refreshEnabled();
+}
+
 void ShownFlow::refreshEnabled() {
-  const bool isPart = !hidden_.empty() || !view_.clip().isAll() || view_.depthFade() > 0;
+  const bool isPart =
+      !hidden_.empty() || arePointsIsolated_ || !view_.clip().isAll() || view_.depthFade() > 0;
   actions_["show_all"]->setEnabled(isPart);
   emit changed();
 }

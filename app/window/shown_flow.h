@@ -38,8 +38,9 @@ public:
   [[nodiscard]] std::vector<NodeId> shownNodes() const; // those that are not hidden
   void setHidden(const std::vector<NodeId>& nodes);     // ids that are gone are left out
   void showAll();
-  void setAvailable(bool hasPlant); // without one, the panel is absent
-  void refreshPanel();              // after the clip of the view was changed elsewhere
+  void setAvailable(bool hasPlant);         // without one, the panel is absent
+  void setPointsIsolated(bool areIsolated); // points are hidden elsewhere
+  void refreshPanel();                      // after the clip of the view was changed elsewhere
 
   void fillContextMenu(QMenu& menu) const;
 
@@ -65,6 +66,7 @@ private:
   QDockWidget* dock_ = nullptr; // of the window
   ClipPanel* panel_ = nullptr;
   std::vector<NodeId> hidden_;
+  bool arePointsIsolated_ = false;
 };
 
 } // namespace espalier

@@ -117,14 +117,14 @@ void ValueColors::colorPoints() {
   for (float& size : sizes)
     size = std::abs(size);
   const double most = nearlyLargest(std::move(sizes));
-  parts_.view.setPointValues(
-      PointValues{.values = std::make_shared<const std::vector<float>>(distances->toSurface()),
-                  .legend = {.title = tr("To the surface"),
-                             .unit = symbol(parts_.document.unit()),
-                             .map = ColorMap::diverging,
-                             .from = -most,
-                             .to = most,
-                             .categories = {}}});
+  parts_.view.setPointValues(PointValues{
+      .values = std::make_shared<const std::vector<float>>(parts_.distances.toSurface()),
+      .legend = {.title = tr("To the surface"),
+                 .unit = symbol(parts_.document.unit()),
+                 .map = ColorMap::diverging,
+                 .from = -most,
+                 .to = most,
+                 .categories = {}}});
   hasPointValues_ = true;
 }
 

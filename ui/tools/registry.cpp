@@ -6,6 +6,7 @@
 #include "ui/tools/navigate_tool.h"
 #include "ui/tools/regrow_tool.h"
 #include "ui/tools/reparent_node_tool.h"
+#include "ui/tools/select_points_tool.h"
 #include "ui/tools/stroke_tool.h"
 #include "ui/tools/trace_tool.h"
 
@@ -40,6 +41,9 @@ std::vector<ToolEntry> tools() {
        "stroke", Qt::Key_Y, make<StrokeTool>},
       {"regrow", tr("Regrow"), tr("What a node carries is reconstructed again from the points"),
        "regrow", QKeySequence(Qt::SHIFT | Qt::Key_N), make<RegrowTool>},
+      {"points", tr("Select Points"),
+       tr("A brush, boxes and lassos select points of the scan, to set them aside"), "points",
+       Qt::Key_C, make<SelectPointsTool>, true},
       {"navigate", tr("Navigate"), tr("The mouse only moves the camera"), "navigate", Qt::Key_V,
        make<NavigateTool>, true},
       {"measure", tr("Measure"), tr("Click two things for their distance, three for an angle"),

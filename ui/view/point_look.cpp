@@ -9,6 +9,7 @@ namespace espalier {
 namespace {
 
 constexpr double dimness = 0.72; // toward the background
+constexpr double half = 0.5;     // likewise
 
 Color mixed(const Color& color, const Color& with, double part) {
   Color result{};
@@ -39,6 +40,7 @@ std::vector<std::array<std::uint8_t, 4>> pointLooks(const Scene& scene) {
     const PointState state = scene.pointStates ? (*scene.pointStates)[i] : PointState::normal;
     Color color = colors[i];
     if (state == PointState::dim) color = mixed(color, fixed.backgroundBottom, dimness);
+    if (state == PointState::aside) color = mixed(fixed.branching, fixed.backgroundBottom, half);
     if (state == PointState::selected) color = fixed.selected;
     const std::uint8_t shown = state == PointState::hidden ? 0 : 255;
     looks.push_back({color[0], color[1], color[2], shown});

@@ -13,7 +13,7 @@ namespace espalier {
 struct Scene;
 
 /// How a point is drawn. A hidden one is not picked and in no area.
-enum class PointState : std::uint8_t { normal, dim, hidden, selected };
+enum class PointState : std::uint8_t { normal, dim, hidden, selected, aside };
 
 /// What points are colored by, in place of what the cloud has: distances, densities, ...
 struct PointValues {

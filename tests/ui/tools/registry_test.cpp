@@ -1,4 +1,5 @@
 #include "tests/support/plants.h"
+#include "tests/ui/tools/line_scan.h"
 #include "tests/ui/tools/mouse.h"
 #include "tests/ui/tools/quiet_canvas.h"
 #include "ui/tools/node_choices.h"
@@ -25,6 +26,7 @@ TEST(ToolRegistry, GivesEveryToolANameAnIconAndAHint) {
 TEST(ToolRegistry, LeavesTheMouseToTheCameraInToolsThatEditNothing) {
   PlantDocument document;
   test::QuietCanvas canvas;
+  document.setScan(test::lineScan(), "line.xyz");
   document.openSkeleton(test::fork(3), "fork.mtg");
   for (const ToolEntry& entry : tools()) {
     const std::unique_ptr<Tool> tool = entry.create(document, canvas);

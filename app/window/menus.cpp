@@ -51,6 +51,12 @@ QToolButton* makeMenuButton(const QString& text, const QString& icon, QMenu* men
   return button;
 }
 
+void fillColorScales(QMenu& menu, const ActionSet& actions, const ViewOptions& options) {
+  menu.addMenu(MainWindow::tr("Colors of Points"))->addActions(options.pointMaps());
+  menu.addMenu(MainWindow::tr("Colors of Nodes"))->addActions(options.nodeMaps());
+  add(menu, actions, {"", "color_range", "usual_color_ranges"});
+}
+
 QStringList toolIds() {
   QStringList ids;
   for (const ToolEntry& tool : tools())
@@ -117,6 +123,7 @@ void MainWindow::fillViewMenu() {
   view->addSeparator();
   view->addMenu(tr("Color Points By"))->addActions(options_->colors());
   view->addMenu(tr("Color Nodes By"))->addActions(options_->nodeColors());
+  fillColorScales(*view->addMenu(tr("Color Scales")), *actions_, *options_);
   view->addAction((*actions_)["hide_explained"]);
   view->addMenu(tr("Point Size"))->addActions(options_->sizes());
   view->addMenu(tr("Projection"))->addActions(options_->projections());
@@ -148,6 +155,7 @@ void MainWindow::fillToolBar() {
   colors->addActions(options_->colors());
   colors->addSeparator();
   colors->addMenu(tr("Color Nodes By"))->addActions(options_->nodeColors());
+  fillColorScales(*colors->addMenu(tr("Color Scales")), *actions_, *options_);
   colors->addMenu(tr("Point Size"))->addActions(options_->sizes());
   bar->addWidget(makeMenuButton(tr("Color By"), "color", colors));
   add(*bar, *actions_, {"frame_all"});

@@ -38,7 +38,8 @@ template <class Number> double nearlyLargest(std::vector<Number> numbers) {
 }
 
 Legend reviewLegend() {
-  return {.title = ValueColors::tr("Review"),
+  return {.id = "node_color_review",
+          .title = ValueColors::tr("Review"),
           .unit = {},
           .categories = {{ValueColors::tr("To do"), {0x99, 0x99, 0x99}},
                          {ValueColors::tr("Doubtful"), {0xe6, 0x9f, 0x00}},
@@ -99,10 +100,16 @@ void ValueColors::colorNodes() {
                                  scan != nullptr ? scan->spacing() : 0);
   if (std::ranges::none_of(values, [](const auto& each) { return each.has_value(); }))
     return parts_.view.setNodeColors(std::nullopt);
-  NodeColors colors{.values = {}, .legend = legendOf(nodeColor_, values)};
   const double unit = value->second == NodeValue::confidence ? 100 : 1; // percent
-  for (const std::optional<double>& each : values)
+  NodeColors colors;
+  std::vector<double> known;
+  for (const std::optional<double>& each : values) {
     colors.values.push_back(each ? static_cast<float>(unit * *each) : none);
+    if (each) known.push_back(unit * *each);
+  }
+  colors.legend = legendOf(nodeColor_, known);
+  colors.legend.id = nodeColor_;
+  colors.legend.histogram = histogramOf(known, {colors.legend.from, colors.legend.to});
   parts_.view.setNodeColors(std::move(colors));
 }
 
@@ -117,22 +124,20 @@ void ValueColors::colorPoints() {
   for (float& size : sizes)
     size = std::abs(size);
   const double most = nearlyLargest(std::move(sizes));
-  parts_.view.setPointValues(PointValues{
-      .values = std::make_shared<const std::vector<float>>(parts_.distances.toSurface()),
-      .legend = {.title = tr("To the surface"),
-                 .unit = symbol(parts_.document.unit()),
-                 .map = ColorMap::diverging,
-                 .from = -most,
-                 .to = most,
-                 .categories = {}}});
+  auto values = std::make_shared<const std::vector<float>>(parts_.distances.toSurface());
+  Legend legend{.id = "color_distance",
+                .title = tr("To the surface"),
+                .unit = symbol(parts_.document.unit()),
+                .map = ColorMap::diverging,
+                .from = -most,
+                .to = most,
+                .histogram = histogramOf({values->begin(), values->end()}, {-most, most}),
+                .categories = {}};
+  parts_.view.setPointValues(PointValues{.values = values, .legend = std::move(legend)});
   hasPointValues_ = true;
 }
 
-Legend ValueColors::legendOf(const QString& id,
-                             const std::vector<std::optional<double>>& values) const {
-  std::vector<double> known;
-  for (const std::optional<double>& value : values)
-    if (value) known.push_back(*value);
+Legend ValueColors::legendOf(const QString& id, std::vector<double> known) const {
   const QString unit = symbol(parts_.document.unit());
   if (id == "node_color_order")
     return {.title = tr("Order"),
@@ -144,7 +149,8 @@ Legend ValueColors::legendOf(const QString& id,
             .unit = {},
             .map = ColorMap::diverging,
             .from = 0,
-            .to = 2, // thicker than the parent: beyond the neutral middle
+            .to = 2,
+            .middle = 1, // thicker than the parent: beyond it
             .categories = {}};
   if (id == "node_color_confidence")
     return {.title = tr("Scanned"), .unit = "%", .to = 100, .categories = {}};

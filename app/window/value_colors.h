@@ -6,7 +6,6 @@
 #include <QObject>
 #include <QTimer>
 
-#include <optional>
 #include <vector>
 
 namespace espalier {
@@ -37,8 +36,8 @@ private:
   void show();
   void colorNodes();
   void colorPoints();
-  [[nodiscard]] Legend legendOf(const QString& id,
-                                const std::vector<std::optional<double>>& values) const;
+  /// @param known values of the nodes, not empty
+  [[nodiscard]] Legend legendOf(const QString& id, std::vector<double> known) const;
 
   Parts parts_;
   QString nodeColor_; // the id of the action chosen

@@ -1,6 +1,7 @@
 #include "app/window/view_options.h"
 
 #include "app/window/action_set.h"
+#include "core/base/error.h"
 #include "ui/view/plant_view.h"
 
 #include <QAction>
@@ -14,11 +15,14 @@ namespace espalier {
 ViewOptions::ViewOptions(PlantView& view, ActionSet& actions, QSettings& settings, QObject* parent)
     : QObject(parent), view_(view), actions_(actions), settings_(settings),
       colors_(new QActionGroup(this)), nodeColors_(new QActionGroup(this)),
+      pointMaps_(new QActionGroup(this)), nodeMaps_(new QActionGroup(this)),
       sizes_(new QActionGroup(this)), projections_(new QActionGroup(this)) {
   actions_.beginSection(tr("View"));
   addLayers();
   addColors();
   addNodeColors();
+  addColorMaps();
+  addColorRanges();
   addSizes();
   addProjections();
   addStandardViews();
@@ -30,6 +34,14 @@ QList<QAction*> ViewOptions::colors() const {
 
 QList<QAction*> ViewOptions::nodeColors() const {
   return nodeColors_->actions();
+}
+
+QList<QAction*> ViewOptions::pointMaps() const {
+  return pointMaps_->actions();
+}
+
+QList<QAction*> ViewOptions::nodeMaps() const {
+  return nodeMaps_->actions();
 }
 
 QList<QAction*> ViewOptions::sizes() const {
@@ -47,13 +59,29 @@ void ViewOptions::setAvailable(bool hasIntensity, bool hasColor) {
   if (chosen != nullptr && !chosen->isVisible()) actions_["color_height"]->trigger();
 }
 
+QList<std::pair<QString, QActionGroup*>> ViewOptions::choices() const {
+  return {{"color", colors_},
+          {"node_color", nodeColors_},
+          {"point_map", pointMaps_},
+          {"node_map", nodeMaps_},
+          {"point_size", sizes_}};
+}
+
+void ViewOptions::setRanges(const std::map<QString, ValueRange>& ranges) {
+  ColorScales scales = view_.colorScales();
+  scales.ranges = ranges;
+  view_.setColorScales(scales);
+}
+
 std::string ViewOptions::text() const {
-  ViewText shown{.camera = view_.camera(), .layers = {}, .choices = {}, .saved = saved_};
+  ViewText shown{.camera = view_.camera(),
+                 .layers = {},
+                 .choices = {},
+                 .ranges = view_.colorScales().ranges,
+                 .saved = saved_};
   for (const QAction* layer : layers_)
     shown.layers[layer->objectName()] = layer->isChecked();
-  for (const auto& [name, group] :
-       {std::pair{"color", colors_}, std::pair{"node_color", nodeColors_},
-        std::pair{"point_size", sizes_}})
+  for (const auto& [name, group] : choices())
     if (group->checkedAction() != nullptr)
       shown.choices[name] = group->checkedAction()->objectName();
   return textOf(shown);
@@ -66,9 +94,11 @@ void ViewOptions::show(const std::string& text) {
   saved_ = shown.saved;
   for (QAction* layer : layers_)
     layer->setChecked(shown.layers.value(layer->objectName(), layer->isChecked()));
-  for (QAction* choice : colors_->actions() + nodeColors_->actions() + sizes_->actions())
-    if (choice->isVisible() && shown.choices.values().contains(choice->objectName()))
-      choice->trigger();
+  setRanges(shown.ranges);
+  for (const auto& [name, group] : choices())
+    for (QAction* choice : group->actions())
+      if (choice->isVisible() && shown.choices.value(name) == choice->objectName())
+        choice->trigger();
   for (QAction* projection : projections_->actions())
     projection->setChecked((projection->objectName() == "parallel") ==
                            (shown.camera.projection == Projection::parallel));
@@ -78,6 +108,7 @@ void ViewOptions::show(const std::string& text) {
 
 void ViewOptions::showRemembered() {
   saved_.clear();
+  setRanges({});
   isRemembering_ = false;
   for (QAction* layer : layers_)
     layer->setChecked(
@@ -91,6 +122,8 @@ void ViewOptions::showRemembered() {
   };
   choose(*colors_, "view/color", "color_height");
   choose(*nodeColors_, "view/node_color", "node_color_none");
+  choose(*pointMaps_, "view/point_map", "point_map_viridis");
+  choose(*nodeMaps_, "view/node_map", "node_map_viridis");
   choose(*sizes_, "view/point_size", "point_size_2");
   choose(*projections_, "view/projection", "perspective");
   view_.frameAll();
@@ -191,6 +224,45 @@ void ViewOptions::addNodeColors() {
       tr("Colors nodes by how much of their surface has points"));
   add("node_color_review", tr("Review State"), tr("Colors nodes by what the review says"));
   if (nodeColors_->checkedAction() == nullptr) actions_["node_color_none"]->trigger();
+}
+
+void ViewOptions::addColorMaps() {
+  const auto addTo = [this](QActionGroup* group, const QString& name, ColorMap ColorScales::*which,
+                            const QString& what) {
+    const auto add = [&](ColorMap map, const QString& id, const QString& text) {
+      addChoice(group, {.id = name + "_" + id, .text = text, .help = what, .isCheckable = true},
+                "view/" + name, [this, map, which] {
+                  ColorScales scales = view_.colorScales();
+                  scales.*which = map;
+                  view_.setColorScales(scales);
+                });
+    };
+    add(ColorMap::viridis, "viridis", tr("Viridis"));
+    add(ColorMap::cividis, "cividis", tr("Cividis"));
+    add(ColorMap::gray, "gray", tr("Gray"));
+    if (group->checkedAction() == nullptr) actions_[name + "_viridis"]->trigger();
+  };
+  addTo(pointMaps_, "point_map", &ColorScales::points, tr("Colors of the values of points"));
+  addTo(nodeMaps_, "node_map", &ColorScales::nodes, tr("Colors of the values of nodes"));
+}
+
+void ViewOptions::addColorRanges() {
+  actions_.add({.id = "color_range",
+                .text = tr("Type Color Range…"),
+                .help = tr("Types the values at the ends of the color bar"),
+                .refusal = Refusal::atPointer},
+               [this] {
+                 if (!view_.typeColorRange())
+                   throw Error(tr("color points or nodes by a value first").toStdString());
+               });
+  actions_.add({.id = "usual_color_ranges",
+                .text = tr("Usual Color Ranges"),
+                .help = tr("Gives all color bars the range that follows from the values")},
+               [this] {
+                 setRanges({});
+                 emit rangesChanged();
+               });
+  connect(&view_, &PlantView::colorScalesChanged, this, &ViewOptions::rangesChanged);
 }
 
 void ViewOptions::addSizes() {

@@ -32,6 +32,8 @@ public:
   [[nodiscard]] QList<QAction*> layers() const { return layers_; }
   [[nodiscard]] QList<QAction*> colors() const;
   [[nodiscard]] QList<QAction*> nodeColors() const; // what they do: ValueColors
+  [[nodiscard]] QList<QAction*> pointMaps() const;
+  [[nodiscard]] QList<QAction*> nodeMaps() const;
   [[nodiscard]] QList<QAction*> sizes() const;
   [[nodiscard]] QList<QAction*> projections() const;
   [[nodiscard]] QList<QAction*> standardViews() const { return standardViews_; }
@@ -49,15 +51,22 @@ public:
   /// Offers only the colors that the points have.
   void setAvailable(bool hasIntensity, bool hasColor);
 
+signals:
+  void rangesChanged(); // of color bars
+
 private:
   void showRemembered();
+  void setRanges(const std::map<QString, ValueRange>& ranges);
   void remember(const QString& key, const QVariant& value);
   void addLayers();
   void addColors();
   void addNodeColors();
+  void addColorMaps();
+  void addColorRanges();
   void addSizes();
   void addProjections();
   void addStandardViews();
+  [[nodiscard]] QList<std::pair<QString, QActionGroup*>> choices() const; // by choiceNames()
   QAction* addChoice(QActionGroup* group, const Command& command, const QString& key,
                      const std::function<void()>& apply);
 
@@ -68,6 +77,8 @@ private:
   std::vector<SavedView> saved_;
   QActionGroup* colors_;
   QActionGroup* nodeColors_;
+  QActionGroup* pointMaps_;
+  QActionGroup* nodeMaps_;
   QActionGroup* sizes_;
   QActionGroup* projections_;
   QList<QAction*> layers_;

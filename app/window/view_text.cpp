@@ -96,7 +96,24 @@ SavedView savedIn(const QJsonObject& json) {
   return view;
 }
 
+std::map<QString, ValueRange> rangesIn(const QJsonObject& json) {
+  std::map<QString, ValueRange> ranges;
+  for (const QString& id : json.keys()) {
+    const QJsonArray ends = json[id].toArray();
+    if (ends.size() != 2) refuse();
+    const ValueRange range{numberIn(ends[0]), numberIn(ends[1])};
+    if (!(range.from < range.to)) refuse();
+    ranges.emplace(id, range);
+  }
+  return ranges;
+}
+
 } // namespace
+
+const QStringList& choiceNames() {
+  static const QStringList names = {"color", "node_color", "point_size", "point_map", "node_map"};
+  return names;
+}
 
 std::string textOf(const ViewText& view) {
   QJsonObject layers;
@@ -107,6 +124,10 @@ std::string textOf(const ViewText& view) {
     saved.append(jsonOf(one));
   QJsonObject json{{"camera", jsonOf(view.camera)}, {"layers", layers}};
   if (!saved.isEmpty()) json["saved"] = saved;
+  QJsonObject ranges;
+  for (const auto& [id, range] : view.ranges)
+    ranges[id] = QJsonArray{range.from, range.to};
+  if (!ranges.isEmpty()) json["ranges"] = ranges;
   for (const auto& [name, id] : view.choices.asKeyValueRange())
     json[name] = id;
   return QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString();
@@ -114,12 +135,14 @@ std::string textOf(const ViewText& view) {
 
 ViewText viewFrom(const std::string& text) {
   const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(text)).object();
-  ViewText view{
-      .camera = cameraIn(json["camera"].toObject()), .layers = {}, .choices = {}, .saved = {}};
+  ViewText view{.camera = cameraIn(json["camera"].toObject()),
+                .layers = {},
+                .choices = {},
+                .ranges = rangesIn(json["ranges"].toObject())};
   const QJsonObject layers = json["layers"].toObject();
   for (const QString& id : layers.keys())
     view.layers[id] = layers[id].toBool(true);
-  for (const QString name : {"color", "node_color", "point_size"})
+  for (const QString& name : choiceNames())
     if (json.contains(name)) view.choices[name] = json[name].toString();
   for (const QJsonValue& one : json["saved"].toArray())
     view.saved.push_back(savedIn(one.toObject()));

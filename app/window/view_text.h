@@ -3,10 +3,13 @@
 #include "core/skeleton/skeleton.h"
 #include "ui/view/camera.h"
 #include "ui/view/clip.h"
+#include "ui/view/color_map.h"
 
 #include <QMap>
 #include <QString>
+#include <QStringList>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -25,12 +28,17 @@ struct SavedView {
 /// How a plant is looked at, as a project keeps it.
 struct ViewText {
   Camera camera;
-  QMap<QString, bool> layers;     // by the id of its action: whether it is shown
-  QMap<QString, QString> choices; // "color", "node_color", "point_size": the id of the action
-  std::vector<SavedView> saved;
+  QMap<QString, bool> layers;                // by the id of its action: whether it is shown
+  QMap<QString, QString> choices;            // by choiceNames(): the id of the action
+  std::map<QString, ValueRange> ranges = {}; // of color bars, by the id of the legend
+  std::vector<SavedView> saved = {};
 };
 
+/// "color", "node_color", "point_size", ...: what of a view is one of several actions.
+[[nodiscard]] const QStringList& choiceNames();
+
 /// As JSON: {"camera": {"focus": [x, y, z], ...}, "layers": {"points": true, ...}, ...,
+/// "ranges": {"color_height": [0, 2.5]},
 /// "saved": [{"name": "...", "camera": {...}, "slab": [0, 1], "box": [...], "hidden": [12]}]}.
 [[nodiscard]] std::string textOf(const ViewText& view);
 

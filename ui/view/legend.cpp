@@ -2,7 +2,6 @@
 
 #include "ui/view/overlay_text.h"
 
-#include <QFontMetricsF>
 #include <QLinearGradient>
 #include <QLocale>
 
@@ -16,6 +15,8 @@ namespace {
 constexpr double margin = 16;
 constexpr double titleHeight = 24;
 constexpr double barWidth = 10;
+constexpr double scaleWidth = 46; // the bar and the histogram
+constexpr double numberWidth = 64;
 constexpr double rowHeight = 20;
 
 QString titleOf(const Legend& legend) {
@@ -23,22 +24,81 @@ QString titleOf(const Legend& legend) {
                                : legend.title + QStringLiteral(" [%1]").arg(legend.unit);
 }
 
-void paintBar(QPainter& painter, const Legend& legend, const QRectF& bar, const Palette& colors,
-              bool dark) {
-  QLinearGradient gradient(bar.bottomLeft(), bar.topLeft());
-  for (int i = 0; i <= 16; ++i)
-    gradient.setColorAt(i / 16.0, toQt(colorOf(legend.map, i / 16.0, dark)));
+/// Height of what is under the title.
+double bodyHeight(const Legend& legend, const QSizeF& size) {
+  if (!legend.categories.empty()) return rowHeight * static_cast<double>(legend.categories.size());
+  return std::min(180.0, 0.4 * size.height());
+}
+
+double widthOf(const Legend& legend, const QFontMetricsF& font) {
+  double width = std::max(numberWidth + scaleWidth, font.horizontalAdvance(titleOf(legend)) + 4);
+  for (const Legend::Category& category : legend.categories)
+    width = std::max(width, font.horizontalAdvance(category.name) + barWidth + 12);
+  return width;
+}
+
+void paintColors(QPainter& painter, const Legend& legend, const LegendBox& box, bool dark) {
+  const LegendColors colors(legend, dark);
+  const QRectF strip(box.scale.right() - barWidth, box.scale.top(), barWidth, box.scale.height());
+  QLinearGradient gradient(strip.bottomLeft(), strip.topLeft());
+  const ValueRange axis = legend.axis();
+  constexpr int steps = 128;
+  for (int i = 0; i <= steps; ++i)
+    gradient.setColorAt(double(i) / steps,
+                        toQt(colors(axis.from + (axis.to - axis.from) * i / steps)));
   painter.setPen(Qt::NoPen);
   painter.setBrush(gradient);
-  painter.drawRoundedRect(bar, 3, 3);
-  const double range = legend.to - legend.from;
-  const double step = roundLength(range / 3);
-  for (double value = std::ceil(legend.from / step) * step; value <= legend.to; value += step) {
-    const double y = bar.bottom() - bar.height() * (value - legend.from) / range;
+  painter.drawRoundedRect(strip, 3, 3);
+}
+
+/// To the left of the colors; what lies beyond the range is fainter.
+void paintHistogram(QPainter& painter, const Legend& legend, const LegendBox& box,
+                    const Palette& colors) {
+  const std::vector<int>& counts = legend.histogram.counts;
+  const int most = counts.empty() ? 0 : *std::max_element(counts.begin(), counts.end());
+  if (most == 0) return;
+  const ValueRange& range = legend.histogram.range;
+  const double step = (range.to - range.from) / static_cast<double>(counts.size());
+  const double right = box.scale.right() - barWidth - 2;
+  painter.setPen(Qt::NoPen);
+  painter.setRenderHint(QPainter::Antialiasing, false); // bins join without seams
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    if (counts[i] == 0) continue;
+    const double from = range.from + step * static_cast<double>(i);
+    const double top = box.placeOf(legend, from + step);
+    const double length = std::max(1.0, (scaleWidth - barWidth - 2) * counts[i] / most);
+    const bool isBeyond = from + step / 2 < legend.from || from + step / 2 > legend.to;
+    painter.setBrush(toQt(colors.text, isBeyond ? 60 : 140));
+    painter.drawRect(QRectF(right - length, top, length, box.placeOf(legend, from) - top));
+  }
+  painter.setRenderHint(QPainter::Antialiasing);
+}
+
+/// The ends of the range, and round numbers where there is room between them.
+void paintNumbers(QPainter& painter, const Legend& legend, const LegendBox& box,
+                  const Palette& colors) {
+  const double left = box.scale.left();
+  const auto write = [&](double place, const QString& text) {
+    drawText(painter, QRectF(left - 108, place - 10, 102, 20), Qt::AlignRight | Qt::AlignVCenter,
+             text, colors);
+  };
+  const ValueRange range{legend.from, legend.to};
+  const double bottom = box.placeOf(legend, range.from);
+  const double top = box.placeOf(legend, range.to);
+  const double apart = std::max(0.0, (rowHeight - 4 - (bottom - top)) / 2);
+  write(bottom + apart, rangeNumber(range.from, range));
+  write(top - apart, rangeNumber(range.to, range));
+  for (const double place : {bottom, top}) {
+    painter.setPen(QPen(toQt(colors.text), 1));
+    painter.drawLine(QPointF(left - 2, place), QPointF(box.scale.right(), place));
+  }
+  const double step = roundLength((range.to - range.from) / 3);
+  for (double value = std::ceil(range.from / step) * step; value <= range.to; value += step) {
+    const double place = box.placeOf(legend, value);
+    if (std::min(bottom - place, place - top) < rowHeight) continue;
     painter.setPen(toQt(colors.text));
-    painter.drawLine(QPointF(bar.left() - 4, y), QPointF(bar.left() - 1, y));
-    drawText(painter, QRectF(bar.left() - 108, y - 10, 100, 20), Qt::AlignRight | Qt::AlignVCenter,
-             scaleNumber(value, step), colors);
+    painter.drawLine(QPointF(left - 2, place), QPointF(left + 2, place));
+    write(place, scaleNumber(value, step));
   }
 }
 
@@ -55,37 +115,60 @@ void paintCategories(QPainter& painter, const Legend& legend, const QRectF& box,
   }
 }
 
-/// Returns its width.
-double paintLegend(QPainter& painter, const Legend& legend, double right, double height,
-                   bool dark) {
+void paintLegend(QPainter& painter, const Legend& legend, const LegendBox& box, bool dark) {
   const Palette colors = palette(dark);
-  const QFontMetricsF font(painter.font(), painter.device());
-  double width = std::max(86 + barWidth, font.horizontalAdvance(titleOf(legend)) + 4);
-  for (const Legend::Category& category : legend.categories)
-    width = std::max(width, font.horizontalAdvance(category.name) + barWidth + 12);
-  const double rows = rowHeight * static_cast<double>(legend.categories.size());
-  const double body = legend.categories.empty() ? height : rows;
-  const double left = right - width;
-  paintVeil(painter, QRectF(left - 8, margin - 8, width + 16, body + titleHeight + 20),
-            colors.backgroundTop);
-  drawText(painter, QRectF(left, margin - 4, width, 20), Qt::AlignRight | Qt::AlignVCenter,
-           titleOf(legend), colors);
-  if (legend.categories.empty())
-    paintBar(painter, legend, QRectF(right - barWidth, margin + titleHeight, barWidth, height),
-             colors, dark);
-  else
-    paintCategories(painter, legend, QRectF(left, margin + titleHeight, width, rows), colors);
-  return width;
+  paintVeil(painter, box.veil, colors.backgroundTop);
+  const QRectF inner = box.veil.adjusted(8, 4, -8, -8);
+  drawText(painter, QRectF(inner.left(), inner.top(), inner.width(), 20),
+           Qt::AlignRight | Qt::AlignVCenter, titleOf(legend), colors);
+  if (!legend.categories.empty()) {
+    paintCategories(painter, legend, inner.adjusted(0, titleHeight + 4, 0, 0), colors);
+    return;
+  }
+  paintHistogram(painter, legend, box, colors);
+  paintColors(painter, legend, box, dark);
+  paintNumbers(painter, legend, box, colors);
 }
 
 } // namespace
 
+double LegendBox::placeOf(const Legend& legend, double value) const {
+  const ValueRange axis = legend.axis();
+  return scale.bottom() - scale.height() * (value - axis.from) / (axis.to - axis.from);
+}
+
+double LegendBox::valueAt(const Legend& legend, double place) const {
+  const ValueRange axis = legend.axis();
+  return axis.from + (axis.to - axis.from) * (scale.bottom() - place) / scale.height();
+}
+
+std::vector<LegendBox> legendBoxes(const std::vector<Legend>& legends, const QSizeF& size,
+                                   const QFontMetricsF& font) {
+  std::vector<LegendBox> boxes;
+  double right = size.width() - margin;
+  for (const Legend& legend : legends) {
+    const double width = widthOf(legend, font);
+    const double height = bodyHeight(legend, size);
+    LegendBox box{.veil = {right - width - 8, margin - 8, width + 16, height + titleHeight + 20},
+                  .scale = {}};
+    if (legend.categories.empty())
+      box.scale = {right - scaleWidth, margin + titleHeight, scaleWidth, height};
+    boxes.push_back(box);
+    right -= width + 24;
+  }
+  return boxes;
+}
+
 void paintLegends(QPainter& painter, const std::vector<Legend>& legends, const QSizeF& size,
                   bool dark) {
-  const double height = std::min(180.0, 0.4 * size.height());
-  double right = size.width() - margin;
-  for (const Legend& legend : legends)
-    right -= paintLegend(painter, legend, right, height, dark) + 24;
+  const QFontMetricsF font(painter.font(), painter.device());
+  const std::vector<LegendBox> boxes = legendBoxes(legends, size, font);
+  for (std::size_t i = 0; i < legends.size(); ++i)
+    paintLegend(painter, legends[i], boxes[i], dark);
+}
+
+QString rangeNumber(double value, const ValueRange& range) {
+  return scaleNumber(value, roundLength((range.to - range.from) / 100));
 }
 
 QString scaleNumber(double value, double step) {

@@ -5,8 +5,6 @@
 #include "ui/view/overlay_text.h"
 #include "ui/view/palette.h"
 
-#include <QCoreApplication>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,29 +15,8 @@ namespace {
 
 constexpr double margin = 16; // [logical pixels], as all below
 
-QString translated(const char* text) {
-  return QCoreApplication::translate("espalier::Overlay", text);
-}
-
 QString withUnit(const QString& text, const QString& unit) {
   return unit.isEmpty() ? text : text + QChar::Nbsp + unit;
-}
-
-/// What the colors that are drawn stand for.
-std::vector<Legend> legendsOf(const Scene& scene, const QString& unit) {
-  std::vector<Legend> legends;
-  if (scene.pointValues && scene.points.visible) {
-    legends.push_back(scene.pointValues->legend);
-  } else if (scene.colorScale && scene.points.visible) {
-    const bool isHeight = scene.colorScale->quantity == ColorScale::Quantity::height;
-    legends.push_back({.title = isHeight ? translated("Height z") : translated("Intensity"),
-                       .unit = isHeight ? unit : QString(),
-                       .from = scene.colorScale->from,
-                       .to = scene.colorScale->to,
-                       .categories = {}});
-  }
-  if (scene.skeletonVisible && scene.skeleton.legend()) legends.push_back(*scene.skeleton.legend());
-  return legends;
 }
 
 void paintScaleBar(QPainter& painter, const Scene& scene, const Camera& camera, const QString& unit,
@@ -107,6 +84,18 @@ void paintPivot(QPainter& painter, const Scene& scene, const Camera& camera, con
 }
 
 } // namespace
+
+std::vector<Legend> legendsOf(const Scene& scene, const QString& unit) {
+  std::vector<Legend> legends;
+  if (const auto legend = scene.pointLegend(); legend && scene.points.visible) {
+    legends.push_back(*legend);
+    const bool isHeight = !scene.pointValues && scene.pointColor == PointColor::height;
+    if (isHeight) legends.back().unit = unit;
+  }
+  if (const auto legend = scene.nodeLegend(); legend && scene.skeletonVisible)
+    legends.push_back(*legend);
+  return legends;
+}
 
 void Overlay::paint(QPainter& painter, const Scene& scene, const Camera& camera,
                     const QSizeF& size) const {

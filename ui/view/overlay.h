@@ -9,7 +9,12 @@
 #include <QSizeF>
 #include <QString>
 
+#include <vector>
+
 namespace espalier {
+
+/// What the colors that are drawn stand for.
+[[nodiscard]] std::vector<Legend> legendsOf(const Scene& scene, const QString& unit);
 
 /// What is drawn over the plant: color bar, scale bar, axes, the pivot while turning, and what
 /// tools show of what they do.

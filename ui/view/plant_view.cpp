@@ -185,7 +185,8 @@ QImage PlantView::picture(const QSize& size) {
 
 bool PlantView::event(QEvent* event) {
   // Escape ends a gesture before any shortcut of the window hears of it.
-  if (event->type() == QEvent::ShortcutOverride && parts_->pointer.isBusy() &&
+  if (event->type() == QEvent::ShortcutOverride &&
+      (parts_->pointer.isBusy() || parts_->draggedColorBar() != nullptr) &&
       static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
     event->accept();
     return true;
@@ -222,7 +223,10 @@ void PlantView::wheelEvent(QWheelEvent* event) {
 }
 
 void PlantView::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Escape && parts_->pointer.isBusy())
+  ColorBar* bar = parts_->draggedColorBar();
+  if (event->key() == Qt::Key_Escape && bar != nullptr)
+    bar->cancel();
+  else if (event->key() == Qt::Key_Escape && parts_->pointer.isBusy())
     parts_->pointer.cancel();
   else
     QWidget::keyPressEvent(event);

@@ -58,6 +58,11 @@ public:
   void setPointStates(std::shared_ptr<const std::vector<PointState>> states);
   void setPointValues(std::optional<PointValues> values); // in place of the point color
 
+  /// On which scales values are colored. The handles of a color bar choose its range, too.
+  void setColorScales(const ColorScales& scales);
+  [[nodiscard]] const ColorScales& colorScales() const;
+  bool typeColorRange(); // in a field at the first color bar; false if none is shown
+
   /// Shows, picks and finds in areas only what is in the clip. At first: all.
   void setClip(const Clip& clip);
   [[nodiscard]] const Clip& clip() const;
@@ -105,6 +110,9 @@ public:
 
   /// The view as it would be drawn at `size`, all points, no pointer, no band and no preview.
   [[nodiscard]] QImage picture(const QSize& size);
+
+signals:
+  void colorScalesChanged(); // by hand
 
 protected:
   bool event(QEvent* event) override;

@@ -11,8 +11,62 @@ void PlantView::setHiddenNodes(const std::vector<NodeId>& nodes) {
 }
 
 void PlantView::setNodeColors(std::optional<NodeColors> colors) {
-  parts_->scene.skeleton.setColors(std::move(colors), parts_->scene.dark);
+  parts_->scene.setNodeColors(std::move(colors));
   parts_->redraw();
+}
+
+void PlantView::Parts::refreshColorBars() {
+  const std::vector<Legend> legends = legendsOf(scene, overlay.unit);
+  const std::vector<LegendBox> boxes =
+      legendBoxes(legends, owner.size(), QFontMetricsF(owner.font(), overlayWidget));
+  std::size_t shown = 0;
+  for (std::size_t i = 0; i < legends.size() && !scene.bounds().isEmpty(); ++i) {
+    if (!legends[i].categories.empty()) continue;
+    if (shown == colorBars.size()) colorBars.push_back(makeColorBar());
+    const auto chosen = scene.colorScales.ranges.find(legends[i].id);
+    const bool isChosen = chosen != scene.colorScales.ranges.end();
+    colorBars[shown++]->showLegend(
+        legends[i], boxes[i], isChosen ? std::optional(chosen->second) : std::nullopt, scene.dark);
+  }
+  for (; shown < colorBars.size(); ++shown)
+    colorBars[shown]->hide();
+}
+
+ColorBar* PlantView::Parts::makeColorBar() {
+  auto* bar = new ColorBar(&owner);
+  connect(bar, &ColorBar::entered, &owner, [this] { pointer.leave(); });
+  connect(bar, &ColorBar::rangeChosen, &owner,
+          [this](const QString& id, std::optional<ValueRange> range, bool isFinal) {
+            ColorScales scales = scene.colorScales;
+            scales.ranges.erase(id);
+            if (range) scales.ranges.emplace(id, *range);
+            scene.setColorScales(scales);
+            redraw();
+            if (isFinal) emit owner.colorScalesChanged();
+          });
+  return bar;
+}
+
+ColorBar* PlantView::Parts::draggedColorBar() const {
+  const auto dragged = std::ranges::find_if(colorBars, &ColorBar::isDragging);
+  return dragged != colorBars.end() ? *dragged : nullptr;
+}
+
+void PlantView::setColorScales(const ColorScales& scales) {
+  if (scales == parts_->scene.colorScales) return;
+  parts_->scene.setColorScales(scales);
+  parts_->redraw();
+}
+
+const ColorScales& PlantView::colorScales() const {
+  return parts_->scene.colorScales;
+}
+
+bool PlantView::typeColorRange() {
+  const auto shown = std::ranges::find_if(parts_->colorBars, &QWidget::isVisible);
+  if (shown == parts_->colorBars.end()) return false;
+  (*shown)->type(ColorBar::End::to);
+  return true;
 }
 
 void PlantView::setFaded(const std::optional<std::vector<NodeId>>& allBut) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/view/color_bar.h"
 #include "ui/view/detail_budget.h"
 #include "ui/view/navigator.h"
 #include "ui/view/overlay_widget.h"
@@ -11,15 +12,16 @@
 #include <QTimer>
 
 #include <algorithm>
+#include <vector>
 
 namespace espalier {
 
 /// What a view is made of; for its own sources.
 struct PlantView::Parts {
-  explicit Parts(PlantView& view)
-      : pointer(scene, navigator), surface(makeSurface(scene, client(), &view)),
+  explicit Parts(PlantView& widget)
+      : owner(widget), pointer(scene, navigator), surface(makeSurface(scene, client(), &widget)),
         overlayWidget(
-            new OverlayWidget([this](QPainter& painter) { paintOverlay(painter); }, &view)) {}
+            new OverlayWidget([this](QPainter& painter) { paintOverlay(painter); }, &widget)) {}
 
   SurfaceClient client();
   void paintOverlay(QPainter& painter);
@@ -30,7 +32,11 @@ struct PlantView::Parts {
   void redraw() {
     redrawSkeleton();
     overlayWidget->update();
+    refreshColorBars();
   }
+  void refreshColorBars(); // plant_view_looks.cpp
+  ColorBar* makeColorBar();
+  [[nodiscard]] ColorBar* draggedColorBar() const;
   void moved() {
     moving = true;
     rest.start();
@@ -51,6 +57,7 @@ struct PlantView::Parts {
     wasFramed = true;
   }
 
+  PlantView& owner;
   Scene scene;
   Navigator navigator;
   PointerInput pointer;
@@ -62,6 +69,7 @@ struct PlantView::Parts {
   bool wasFramed = false;
   QWidget* surface; // owned by the view; goes before what it draws, see ~PlantView
   QWidget* overlayWidget;
+  std::vector<ColorBar*> colorBars; // owned by the view; those beyond the legends are hidden
 };
 
 } // namespace espalier

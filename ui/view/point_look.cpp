@@ -20,9 +20,11 @@ Color mixed(const Color& color, const Color& with, double part) {
 
 std::vector<Color> colorsOf(const Scene& scene) {
   const Color& plain = palette(scene.dark).point;
-  if (!scene.pointValues) return pointColors(*scene.cloud, scene.pointColor, scene.dark, plain);
+  const std::optional<Legend> legend = scene.pointLegend();
+  if (!scene.pointValues)
+    return pointColors(*scene.cloud, scene.pointColor, legend, scene.dark, plain);
   std::vector<Color> colors(static_cast<std::size_t>(scene.cloud->size()), plain);
-  const LegendColors map(scene.pointValues->legend, scene.dark);
+  const LegendColors map(*legend, scene.dark);
   const std::vector<float>& values = *scene.pointValues->values;
   for (std::size_t i = 0; i < colors.size(); ++i)
     if (!std::isnan(values[i])) colors[i] = map(values[i]);

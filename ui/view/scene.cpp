@@ -48,7 +48,7 @@ void Scene::setSkeleton(const Skeleton& replacement) {
 
 void Scene::setPointColor(PointColor color) {
   pointColor = color;
-  colorScale = cloud ? espalier::colorScale(*cloud, color) : std::nullopt;
+  colorLegend = cloud ? espalier::pointLegend(*cloud, color) : std::nullopt;
   ++colorRevision;
 }
 
@@ -62,10 +62,36 @@ void Scene::setPointValues(std::optional<PointValues> values) {
   ++colorRevision;
 }
 
+void Scene::setNodeColors(std::optional<NodeColors> colors) {
+  skeleton.setColors(std::move(colors));
+  recolorNodes();
+}
+
+void Scene::setColorScales(const ColorScales& scales) {
+  colorScales = scales;
+  ++colorRevision;
+  recolorNodes();
+}
+
 void Scene::setDark(bool isDark) {
   dark = isDark;
-  skeleton.setDark(isDark);
   ++colorRevision;
+  recolorNodes();
+}
+
+void Scene::recolorNodes() {
+  const std::optional<Legend> legend = nodeLegend();
+  skeleton.setColorMap(legend ? std::optional(LegendColors(*legend, dark)) : std::nullopt);
+}
+
+std::optional<Legend> Scene::pointLegend() const {
+  if (pointValues) return colorScales.ofPoints(pointValues->legend);
+  return colorLegend ? std::optional(colorScales.ofPoints(*colorLegend)) : std::nullopt;
+}
+
+std::optional<Legend> Scene::nodeLegend() const {
+  const Legend* given = skeleton.legend();
+  return given != nullptr ? std::optional(colorScales.ofNodes(*given)) : std::nullopt;
 }
 
 ClipVolume Scene::clipVolume(const Camera& camera) const {

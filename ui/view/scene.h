@@ -37,9 +37,10 @@ struct Scene {
   bool skeletonVisible = true;
 
   PointColor pointColor = PointColor::height;
-  std::optional<ColorScale> colorScale;   // of `cloud` by `pointColor`
+  std::optional<Legend> colorLegend;      // of `cloud` by `pointColor`, as given
   std::optional<PointValues> pointValues; // color `cloud` in place of `pointColor`
   std::shared_ptr<const std::vector<PointState>> pointStates; // of `cloud`; null: all normal
+  ColorScales colorScales;
   std::uint64_t colorRevision = 0; // grows when points are to be colored anew
   int pointSize = 2;               // [logical pixels]
   bool showRadii = false;
@@ -52,7 +53,13 @@ struct Scene {
   void setPointColor(PointColor color);
   void setPointStates(std::shared_ptr<const std::vector<PointState>> states);
   void setPointValues(std::optional<PointValues> values);
+  void setNodeColors(std::optional<NodeColors> colors);
+  void setColorScales(const ColorScales& scales);
   void setDark(bool isDark);
+
+  /// What points and nodes are colored by, on the scale that is chosen; none: not by value.
+  [[nodiscard]] std::optional<Legend> pointLegend() const;
+  [[nodiscard]] std::optional<Legend> nodeLegend() const;
 
   /// Is a point of the cloud drawn, as long as its layer is?
   [[nodiscard]] bool isPointShown(Eigen::Index point) const {
@@ -69,6 +76,9 @@ struct Scene {
   /// All nodes and an even sample of the points [L], frame of the file: what a camera has to frame
   /// to show the whole, tighter than the bounds.
   [[nodiscard]] std::vector<Eigen::Vector3d> outline() const;
+
+private:
+  void recolorNodes();
 };
 
 } // namespace espalier

@@ -190,7 +190,8 @@ bool SkeletonGlyphs::isFadedSlot(std::size_t slot) const {
 }
 
 std::array<std::uint8_t, 4> SkeletonGlyphs::colorOf(std::size_t slot) const {
-  if (!colors_ || slot >= colors_->values.size() || std::isnan(colors_->values[slot])) return {};
+  if (!colors_ || !colorMap_) return {};
+  if (slot >= colors_->values.size() || std::isnan(colors_->values[slot])) return {};
   const Color color = (*colorMap_)(colors_->values[slot]);
   return {color[0], color[1], color[2], 255};
 }
@@ -210,14 +211,8 @@ void SkeletonGlyphs::setFaded(const std::optional<std::vector<NodeId>>& allBut) 
   dressAll();
 }
 
-void SkeletonGlyphs::setColors(std::optional<NodeColors> colors, bool dark) {
-  colors_ = std::move(colors);
-  setDark(dark);
-}
-
-void SkeletonGlyphs::setDark(bool dark) {
-  colorMap_.reset();
-  if (colors_) colorMap_.emplace(colors_->legend, dark);
+void SkeletonGlyphs::setColorMap(std::optional<LegendColors> map) {
+  colorMap_ = std::move(map);
   dressAll();
 }
 

@@ -75,8 +75,9 @@ public:
   [[nodiscard]] bool isHidden(NodeId id) const;
   /// Fades all but some nodes; none: fades nothing. A child added to one of them is one of them.
   void setFaded(const std::optional<std::vector<NodeId>>& allBut);
-  void setColors(std::optional<NodeColors> colors, bool dark);
-  void setDark(bool dark); // colors follow
+  /// What is given is drawn once setColorMap() has said in which colors.
+  void setColors(std::optional<NodeColors> colors) { colors_ = std::move(colors); }
+  void setColorMap(std::optional<LegendColors> map);
   [[nodiscard]] const Legend* legend() const { return colors_ ? &colors_->legend : nullptr; }
 
   [[nodiscard]] const std::vector<NodeGlyph>& nodes() const { return nodes_; }
@@ -117,7 +118,7 @@ private:
   std::vector<bool> hidden_;               // by slot; may end before the last
   std::optional<std::vector<bool>> vivid_; // likewise: not faded; none: nothing is faded
   std::optional<NodeColors> colors_;
-  std::optional<LegendColors> colorMap_; // of colors_
+  std::optional<LegendColors> colorMap_; // of what colors_ stand for
   std::vector<bool> selected_;           // by slot
   std::vector<NodeId> selection_;
   std::optional<NodeId> hoveredNode_;

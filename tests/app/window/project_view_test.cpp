@@ -1,3 +1,4 @@
+#include "app/window/action_set.h"
 #include "app/window/view_text.h"
 #include "core/base/error.h"
 #include "tests/app/window/project_fixture.h"
@@ -100,6 +101,37 @@ TEST_F(ProjectWindowTest, KeepsTheViewAndOpensItWithoutAJump) {
   EXPECT_EQ(view().camera().projection, Projection::perspective);
 }
 
+TEST_F(ProjectWindowTest, KeepsTheScalesOfColors) {
+  open({writeScan("plant.xyz"), writeFork("fork.mtg")});
+  const QString file = saveProject("plant.espalier");
+  ColorScales chosen = view().colorScales();
+  chosen.ranges["color_height"] = {0.25, 1.5};
+  view().setColorScales(chosen);
+  action("node_map_cividis").trigger();
+  chosen.nodes = ColorMap::cividis;
+  window().close();
+  restart();
+  action("node_map_gray").trigger();
+  open({file});
+  EXPECT_EQ(view().colorScales(), chosen);
+  EXPECT_TRUE(action("node_map_cividis").isChecked());
+  action("usual_color_ranges").trigger();
+  EXPECT_TRUE(view().colorScales().ranges.empty());
+  open({writeScan("other.xyz")});
+  EXPECT_TRUE(view().colorScales().ranges.empty()) << "another plant";
+  EXPECT_TRUE(action("node_map_gray").isChecked()) << "as it was chosen for all plants";
+}
+
+TEST_F(ProjectWindowTest, AsksForColorsBeforeTheirRangeIsTyped) {
+  open({writeScan("plant.xyz")});
+  action("color_uniform").trigger();
+  QString told;
+  QObject::connect(&window().actionSet(), &ActionSet::refused, &window(),
+                   [&](const QString& reason) { told = reason; });
+  action("color_range").trigger();
+  EXPECT_TRUE(told.contains("color points", Qt::CaseInsensitive)) << told.toStdString();
+}
+
 TEST_F(ProjectWindowTest, ShowsAllOfAPlantWhoseViewCannotBeRead) {
   open({writeScan("plant.xyz"), writeFork("fork.mtg")});
   const Camera whole = view().camera();
@@ -121,11 +153,21 @@ TEST(ViewText, BringsAViewBack) {
                                  .pitch = 1.2,
                                  .projection = Projection::parallel},
                       .layers = {{"layer_points", false}},
-                      .choices = {{"color", "color_rgb"}, {"point_size", "point_size_3"}}};
+                      .choices = {{"color", "color_rgb"}, {"point_size", "point_size_3"}},
+                      .ranges = {{"color_height", {-1.0 / 3, 1e9}}}};
   const ViewText back = viewFrom(textOf(view));
   EXPECT_EQ(back.camera, view.camera) << "to the last bit";
   EXPECT_EQ(back.layers, view.layers);
   EXPECT_EQ(back.choices, view.choices);
+  EXPECT_EQ(back.ranges, view.ranges);
+}
+
+TEST(ViewText, RefusesARangeThatIsNone) {
+  for (const char* range : {"[1, 1]", "[2, 1]", "[1]", "[\"a\", 2]"}) {
+    std::string text = textOf({.camera = {.distance = 2}});
+    text.insert(1, R"("ranges": {"color_height": )" + std::string(range) + "},");
+    EXPECT_THROW((void)viewFrom(text), Error) << text;
+  }
 }
 
 TEST(ViewText, RefusesACameraThatCannotBe) {

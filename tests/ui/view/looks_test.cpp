@@ -185,6 +185,7 @@ TEST_F(PointLooksTest, DrawsSelectedPointsAmberAndDimOnesPale) {
 }
 
 TEST_F(PointLooksTest, ColorsPointsByValues) {
+  view_.resize(600, 300); // the color bar lies beside the points
   std::vector<float> values(2, none);
   values[leftColumn_] = 10;
   view_.setPointValues(PointValues{

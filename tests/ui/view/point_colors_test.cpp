@@ -22,21 +22,21 @@ PointCloud column() {
 
 TEST(PointColors, RunThroughTheMapWithHeight) {
   const PointCloud cloud = column();
-  const auto scale = colorScale(cloud, PointColor::height);
+  const auto scale = pointLegend(cloud, PointColor::height);
   ASSERT_TRUE(scale);
   EXPECT_DOUBLE_EQ(scale->from, 500'000);
   EXPECT_DOUBLE_EQ(scale->to, 500'100);
-  const auto colors = pointColors(cloud, PointColor::height, true, plain);
+  const auto colors = pointColors(cloud, PointColor::height, scale, true, plain);
   for (std::size_t i = 0; i < colors.size(); ++i) {
     const double height = cloud.position(static_cast<Eigen::Index>(i)).z() - 500'000;
-    const Color expected = viridis(height / 100, true);
+    const Color expected = colorOf(ColorMap::viridis, height / 100, true);
     for (std::size_t c = 0; c < 3; ++c)
       EXPECT_NEAR(colors[i][c], expected[c], 3) << height;
   }
 }
 
 TEST(PointColors, AreNotSpoiledByOneBrightPoint) {
-  const auto scale = colorScale(column(), PointColor::intensity);
+  const auto scale = pointLegend(column(), PointColor::intensity);
   ASSERT_TRUE(scale);
   EXPECT_NEAR(scale->from, 2, 1);
   EXPECT_NEAR(scale->to, 98, 2);
@@ -44,7 +44,7 @@ TEST(PointColors, AreNotSpoiledByOneBrightPoint) {
 
 TEST(PointColors, AreThoseOfTheScannerOnRequest) {
   const PointCloud cloud = column();
-  EXPECT_EQ(pointColors(cloud, PointColor::rgb, true, plain), cloud.colors());
+  EXPECT_EQ(pointColors(cloud, PointColor::rgb, std::nullopt, true, plain), cloud.colors());
 }
 
 TEST(PointColors, ArePlainForWantOfWhatTheyStandFor) {
@@ -53,23 +53,10 @@ TEST(PointColors, ArePlainForWantOfWhatTheyStandFor) {
   const PointCloud cloud(std::move(raw));
   for (const PointColor by :
        {PointColor::uniform, PointColor::height, PointColor::intensity, PointColor::rgb}) {
-    EXPECT_FALSE(colorScale(cloud, by)); // all as high as each other
-    EXPECT_THAT(pointColors(cloud, by, false, plain), testing::Each(plain));
+    EXPECT_FALSE(pointLegend(cloud, by)); // all as high as each other
+    EXPECT_THAT(pointColors(cloud, by, std::nullopt, false, plain), testing::Each(plain));
   }
-  EXPECT_TRUE(pointColors(PointCloud(), PointColor::height, false, plain).empty());
-}
-
-// Relative luminance by the weights of sRGB: viridis is read by the order of its lightness.
-TEST(PointColors, GrowLighterAlongTheMap) {
-  for (const bool dark : {false, true}) {
-    double last = -1;
-    for (int i = 0; i <= 20; ++i) {
-      const Color color = viridis(i / 20.0, dark);
-      const double light = 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2];
-      EXPECT_GT(light, last);
-      last = light;
-    }
-  }
+  EXPECT_TRUE(pointColors(PointCloud(), PointColor::height, std::nullopt, false, plain).empty());
 }
 
 } // namespace

@@ -179,6 +179,7 @@ void MainWindow::connectDocument() {
     refreshHint();
   });
   connect(savedViews_.get(), &SavedViews::changed, projects_.get(), &ProjectFlow::noteChange);
+  connect(view_, &PlantView::clipChanged, projects_.get(), &ProjectFlow::noteChange);
   connect(options_.get(), &ViewOptions::rangesChanged, projects_.get(), &ProjectFlow::noteChange);
   connect(shown_.get(), &ShownFlow::changed, this, &MainWindow::refreshCounts);
   connect(editing_.get(), &Editing::contextMenuRequested, this, &MainWindow::showContextMenu);

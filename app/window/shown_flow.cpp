@@ -30,6 +30,10 @@ ShownFlow::ShownFlow(const Parts& parts)
   for (auto signal :
        {&PlantDocument::skeletonReplaced, &PlantDocument::scanChanged, &PlantDocument::unitChanged})
     connect(&document_, signal, this, &ShownFlow::refreshPanel);
+  connect(&view_, &PlantView::clipChanged, this, [this] {
+    refreshPanel();
+    refreshEnabled();
+  });
   refreshEnabled();
 }
 
@@ -67,6 +71,7 @@ void ShownFlow::makePanel() {
   action->setProperty("name", tr("Clipping"));
   actions_.adopt("clipping", action);
   connect(action, &QAction::triggered, this, &ShownFlow::refreshPanel);
+  connect(dock_, &QDockWidget::visibilityChanged, &view_, &PlantView::setClipHandlesShown);
   connect(panel_, &ClipPanel::changed, this, &ShownFlow::clipAsPanelSays);
   connect(panel_, &ClipPanel::showAllRequested, actions_["show_all"], &QAction::trigger);
 }

@@ -78,6 +78,8 @@ std::string ViewOptions::text() const {
                  .layers = {},
                  .choices = {},
                  .ranges = view_.colorScales().ranges,
+                 .clip = view_.clip(),
+                 .depthFade = view_.depthFade(),
                  .saved = saved_};
   for (const QAction* layer : layers_)
     shown.layers[layer->objectName()] = layer->isChecked();
@@ -95,6 +97,8 @@ void ViewOptions::show(const std::string& text) {
   for (QAction* layer : layers_)
     layer->setChecked(shown.layers.value(layer->objectName(), layer->isChecked()));
   setRanges(shown.ranges);
+  view_.setDepthFade(shown.depthFade);
+  view_.setClip(shown.clip);
   for (const auto& [name, group] : choices())
     for (QAction* choice : group->actions())
       if (choice->isVisible() && shown.choices.value(name) == choice->objectName())
@@ -109,6 +113,8 @@ void ViewOptions::show(const std::string& text) {
 void ViewOptions::showRemembered() {
   saved_.clear();
   setRanges({});
+  view_.setDepthFade(0);
+  view_.setClip({});
   isRemembering_ = false;
   for (QAction* layer : layers_)
     layer->setChecked(

@@ -57,6 +57,11 @@ QJsonObject jsonOf(const Camera& camera) {
           {"projection", camera.projection == Projection::parallel ? "parallel" : "perspective"}};
 }
 
+void addClip(QJsonObject& json, const Clip& clip) {
+  if (clip.slab) json["slab"] = QJsonArray{clip.slab->nearest, clip.slab->farthest};
+  if (clip.box) json["box"] = QJsonArray{jsonOf(clip.box->min()), jsonOf(clip.box->max())};
+}
+
 QJsonObject jsonOf(const SavedView& view) {
   QJsonArray hidden;
   for (const NodeId id : view.hidden)
@@ -65,9 +70,7 @@ QJsonObject jsonOf(const SavedView& view) {
                    {"camera", jsonOf(view.camera)},
                    {"depth_fade", view.depthFade},
                    {"hidden", hidden}};
-  if (view.clip.slab) json["slab"] = QJsonArray{view.clip.slab->nearest, view.clip.slab->farthest};
-  if (view.clip.box)
-    json["box"] = QJsonArray{jsonOf(view.clip.box->min()), jsonOf(view.clip.box->max())};
+  addClip(json, view.clip);
   return json;
 }
 
@@ -128,6 +131,8 @@ std::string textOf(const ViewText& view) {
   for (const auto& [id, range] : view.ranges)
     ranges[id] = QJsonArray{range.from, range.to};
   if (!ranges.isEmpty()) json["ranges"] = ranges;
+  addClip(json, view.clip);
+  if (view.depthFade > 0) json["depth_fade"] = view.depthFade;
   for (const auto& [name, id] : view.choices.asKeyValueRange())
     json[name] = id;
   return QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString();
@@ -138,7 +143,9 @@ ViewText viewFrom(const std::string& text) {
   ViewText view{.camera = cameraIn(json["camera"].toObject()),
                 .layers = {},
                 .choices = {},
-                .ranges = rangesIn(json["ranges"].toObject())};
+                .ranges = rangesIn(json["ranges"].toObject()),
+                .clip = clipIn(json),
+                .depthFade = json["depth_fade"].toDouble(0)};
   const QJsonObject layers = json["layers"].toObject();
   for (const QString& id : layers.keys())
     view.layers[id] = layers[id].toBool(true);

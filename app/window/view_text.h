@@ -31,6 +31,8 @@ struct ViewText {
   QMap<QString, bool> layers;                // by the id of its action: whether it is shown
   QMap<QString, QString> choices;            // by choiceNames(): the id of the action
   std::map<QString, ValueRange> ranges = {}; // of color bars, by the id of the legend
+  Clip clip = {};
+  double depthFade = 0;
   std::vector<SavedView> saved = {};
 };
 
@@ -38,9 +40,11 @@ struct ViewText {
 [[nodiscard]] const QStringList& choiceNames();
 
 /// As JSON: {"camera": {"focus": [x, y, z], ...}, "layers": {"points": true, ...}, ...,
-/// "ranges": {"color_height": [0, 2.5]},
-/// "saved": [{"name": "...", "camera": {...}, "slab": [0, 1], "box": [...], "hidden": [12]}]}.
-[[nodiscard]] std::string textOf(const ViewText& view);
+"ranges" : {"color_height" : [ 0, 2.5 ]},
+           "saved"
+    : [ {"name" : "...", "camera" : {...}, "slab" : [ 0, 1 ], "box" : [...], "hidden" : [12]} ]
+}
+.[[nodiscard]] std::string textOf(const ViewText& view);
 
 /// @throws Error if it is none, or its camera cannot be: every number must be finite, the distance
 ///         positive, the pitch between straight down and straight up

@@ -41,6 +41,8 @@ SurfaceClient PlantView::Parts::client() {
 
 void PlantView::Parts::paintOverlay(QPainter& painter) {
   overlay.pivotShown = navigator.gesture() == Navigator::Gesture::turn;
+  painter.setRenderHint(QPainter::Antialiasing);
+  clipHandles.paint(painter, sight(), scene.dark); // under the legends
   overlay.paint(painter, scene, navigator.camera(), overlayWidget->size());
 }
 
@@ -183,10 +185,14 @@ QImage PlantView::picture(const QSize& size) {
   return espalier::picture(parts_->scene, parts_->navigator.destination(), overlay, size);
 }
 
+bool PlantView::isInGesture() const {
+  return parts_->pointer.isBusy() || parts_->clipHandles.isDragging() ||
+         parts_->draggedColorBar() != nullptr;
+}
+
 bool PlantView::event(QEvent* event) {
   // Escape ends a gesture before any shortcut of the window hears of it.
-  if (event->type() == QEvent::ShortcutOverride &&
-      (parts_->pointer.isBusy() || parts_->draggedColorBar() != nullptr) &&
+  if (event->type() == QEvent::ShortcutOverride && isInGesture() &&
       static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
     event->accept();
     return true;
@@ -202,14 +208,17 @@ void PlantView::resizeEvent(QResizeEvent* /*event*/) {
 }
 
 void PlantView::mousePressEvent(QMouseEvent* event) {
+  if (parts_->clipHandles.isDragging() || pressClip(*event)) return;
   parts_->pointer.press(*event);
 }
 
 void PlantView::mouseMoveEvent(QMouseEvent* event) {
+  if (moveClip(*event)) return;
   parts_->pointer.move(*event);
 }
 
 void PlantView::mouseReleaseEvent(QMouseEvent* event) {
+  if (releaseClip(*event)) return;
   parts_->pointer.release(*event);
   parts_->redraw(); // the pivot is no longer shown
 }
@@ -226,6 +235,8 @@ void PlantView::keyPressEvent(QKeyEvent* event) {
   ColorBar* bar = parts_->draggedColorBar();
   if (event->key() == Qt::Key_Escape && bar != nullptr)
     bar->cancel();
+  else if (event->key() == Qt::Key_Escape && parts_->clipHandles.isDragging())
+    setClip(parts_->clipHandles.cancel());
   else if (event->key() == Qt::Key_Escape && parts_->pointer.isBusy())
     parts_->pointer.cancel();
   else
@@ -233,6 +244,7 @@ void PlantView::keyPressEvent(QKeyEvent* event) {
 }
 
 void PlantView::focusOutEvent(QFocusEvent* event) {
+  if (parts_->clipHandles.isDragging()) setClip(parts_->clipHandles.cancel());
   parts_->pointer.cancel();
   QWidget::focusOutEvent(event);
 }
@@ -245,6 +257,7 @@ void PlantView::enterEvent(QEnterEvent* event) {
 }
 
 void PlantView::leaveEvent(QEvent* event) {
+  if (!parts_->clipHandles.isDragging()) parts_->hoverClip(std::nullopt);
   parts_->pointer.leave();
   QWidget::leaveEvent(event);
 }

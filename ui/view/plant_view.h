@@ -66,6 +66,8 @@ public:
   /// Shows, picks and finds in areas only what is in the clip. At first: all.
   void setClip(const Clip& clip);
   [[nodiscard]] const Clip& clip() const;
+  /// Handles with which the mouse drags the faces of the clip's box and the planes of its slab.
+  void setClipHandlesShown(bool areShown); // at first: not
   void setDepthFade(double strength); // [0, 1]: how far the back of the plant steps back
   [[nodiscard]] double depthFade() const;
   [[nodiscard]] Eigen::AlignedBox3d bounds() const; // of all there is [L]; empty: nothing
@@ -112,6 +114,7 @@ public:
   [[nodiscard]] QImage picture(const QSize& size);
 
 signals:
+  void clipChanged(); // or how far the back steps back
   void colorScalesChanged(); // by hand
 
 protected:
@@ -128,6 +131,12 @@ protected:
   void leaveEvent(QEvent* event) override;
 
 private:
+  [[nodiscard]] bool isInGesture() const; // which Escape ends
+  // Whether the handles of the clip took the event; plant_view_clip.cpp
+  bool pressClip(const QMouseEvent& event);
+  bool moveClip(const QMouseEvent& event);
+  bool releaseClip(const QMouseEvent& event);
+
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };

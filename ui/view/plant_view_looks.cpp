@@ -86,26 +86,6 @@ void PlantView::setPointValues(std::optional<PointValues> values) {
   parts_->redraw();
 }
 
-void PlantView::setClip(const Clip& clip) {
-  if (clip == parts_->scene.clip) return;
-  parts_->scene.clip = clip;
-  parts_->redraw();
-  hoverAgain();
-}
-
-const Clip& PlantView::clip() const {
-  return parts_->scene.clip;
-}
-
-void PlantView::setDepthFade(double strength) {
-  parts_->scene.depthFade = std::clamp(strength, 0.0, 1.0);
-  parts_->redraw();
-}
-
-double PlantView::depthFade() const {
-  return parts_->scene.depthFade;
-}
-
 Eigen::AlignedBox3d PlantView::bounds() const {
   return parts_->scene.bounds();
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/view/clip_handles.h"
 #include "ui/view/color_bar.h"
 #include "ui/view/detail_budget.h"
 #include "ui/view/navigator.h"
@@ -37,6 +38,10 @@ struct PlantView::Parts {
   void refreshColorBars(); // plant_view_looks.cpp
   ColorBar* makeColorBar();
   [[nodiscard]] ColorBar* draggedColorBar() const;
+  [[nodiscard]] ClipHandles::Sight sight() const {
+    return {scene.clip, scene.bounds(), pointer.screen()};
+  }
+  void hoverClip(std::optional<ClipHandles::Handle> handle); // plant_view_clip.cpp
   void moved() {
     moving = true;
     rest.start();
@@ -62,6 +67,7 @@ struct PlantView::Parts {
   Navigator navigator;
   PointerInput pointer;
   Overlay overlay;
+  ClipHandles clipHandles;
   DetailBudget budget;
   QTimer rest; // runs while the camera moves
   bool moving = false;

@@ -122,6 +122,24 @@ TEST_F(ProjectWindowTest, KeepsTheScalesOfColors) {
   EXPECT_TRUE(action("node_map_gray").isChecked()) << "as it was chosen for all plants";
 }
 
+TEST_F(ProjectWindowTest, KeepsWhatIsClipped) {
+  open({writeScan("plant.xyz"), writeFork("fork.mtg")});
+  const QString file = saveProject("plant.espalier");
+  const Clip clip{.slab = Clip::Slab{0.25, 0.5},
+                  .box = Eigen::AlignedBox3d(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 1, 1))};
+  view().setClip(clip);
+  view().setDepthFade(0.5);
+  window().close();
+  restart();
+  open({file});
+  EXPECT_EQ(view().clip(), clip);
+  EXPECT_EQ(view().depthFade(), 0.5);
+  EXPECT_TRUE(action("show_all").isEnabled());
+  open({writeScan("other.xyz")});
+  EXPECT_TRUE(view().clip().isAll()) << "another plant";
+  EXPECT_EQ(view().depthFade(), 0);
+}
+
 TEST_F(ProjectWindowTest, AsksForColorsBeforeTheirRangeIsTyped) {
   open({writeScan("plant.xyz")});
   action("color_uniform").trigger();
@@ -154,12 +172,16 @@ TEST(ViewText, BringsAViewBack) {
                                  .projection = Projection::parallel},
                       .layers = {{"layer_points", false}},
                       .choices = {{"color", "color_rgb"}, {"point_size", "point_size_3"}},
-                      .ranges = {{"color_height", {-1.0 / 3, 1e9}}}};
+                      .ranges = {{"color_height", {-1.0 / 3, 1e9}}},
+                      .clip = {.slab = Clip::Slab{0.1, 0.9}, .box = {}},
+                      .depthFade = 0.25};
   const ViewText back = viewFrom(textOf(view));
   EXPECT_EQ(back.camera, view.camera) << "to the last bit";
   EXPECT_EQ(back.layers, view.layers);
   EXPECT_EQ(back.choices, view.choices);
   EXPECT_EQ(back.ranges, view.ranges);
+  EXPECT_EQ(back.clip, view.clip);
+  EXPECT_EQ(back.depthFade, view.depthFade);
 }
 
 TEST(ViewText, RefusesARangeThatIsNone) {

@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QSlider>
 #include <QTest>
+#include <QUndoStack>
 
 #include <gmock/gmock.h>
 
@@ -146,6 +147,20 @@ TEST_F(ShownTest, ProposesANameAndRemovesAView) {
   EXPECT_TRUE(names().contains("View 1"));
   savedViews().findChildren<QMenu*>().last()->actions().first()->trigger(); // Remove > View 1
   EXPECT_FALSE(names().contains("View 1"));
+}
+
+TEST_F(ShownTest, ThePanelFollowsWhatIsDraggedInTheView) {
+  action("clipping").trigger();
+  find<QCheckBox>("clip_slab_on").click();
+  const QPoint back(30, view().height() / 2 - 100); // on the gauge, which is 200 high
+  drag(back, back + QPoint(0, 100));
+  ASSERT_TRUE(view().clip().slab);
+  EXPECT_NEAR(view().clip().slab->farthest, 0.5, 0.01);
+  EXPECT_NEAR(find<QSlider>("clip_farthest").value(), 100, 2);
+  EXPECT_EQ(document().undoStack().count(), 0) << "it is looking, not editing";
+  action("clipping").trigger();
+  drag(back + QPoint(0, 100), back);
+  EXPECT_NEAR(view().clip().slab->farthest, 0.5, 0.01) << "without the panel there is no handle";
 }
 
 } // namespace

@@ -24,18 +24,16 @@ namespace espalier {
 
 Editing::Editing(PlantDocument& document, PlantView& view, ActionSet& actions, QObject* parent,
                  std::vector<ToolEntry> entries)
-    : QObject(parent), document_(document), view_(view), actions_(actions),
+    : QObject(parent), document_(document), canvas_(view), actions_(actions),
       entries_(std::move(entries)), toolGroup_(new QActionGroup(this)) {
   addTools();
   addNodeChoices();
   addDepth();
   addNodeEdits();
   addNavigation();
-  view_.setInputHandler([this](const ToolInput& input) {
-    return actions_.guarded([&] { return handle(input); }, Refusal::atPointer, true);
-  });
+  listenTo(view);
   connect(&document_, &PlantDocument::skeletonEdited, this, [this] {
-    if (!tool().isBusy()) view_.hoverAgain(); // another node may lie under the pointer now
+    if (!tool().isBusy()) canvas_.view().hoverAgain(); // another node may lie under the pointer now
     refreshEnabled();
   });
   connect(&document_, &PlantDocument::skeletonReplaced, this, &Editing::refreshEnabled);
@@ -45,7 +43,27 @@ Editing::Editing(PlantDocument& document, PlantView& view, ActionSet& actions, Q
 }
 
 Editing::~Editing() {
-  view_.setInputHandler({});
+  for (PlantView* view : canvas_.views())
+    view->setInputHandler({});
+}
+
+void Editing::listenTo(PlantView& view) {
+  view.setInputHandler([this, &view](const ToolInput& input) {
+    return actions_.guarded([&] { return handle(view, input); }, Refusal::atPointer, true);
+  });
+  view.addAction(actions_["extend_again"]);
+  view.installEventFilter(wheel_);
+}
+
+void Editing::addView(PlantView& view) {
+  canvas_.add(view);
+  listenTo(view);
+}
+
+void Editing::removeView(PlantView& view) {
+  if (&canvas_.view() == &view && isPending()) tool().cancel();
+  view.setInputHandler({});
+  canvas_.remove(view);
 }
 
 void Editing::addTools() {
@@ -61,7 +79,7 @@ void Editing::addTools() {
   connect(this, &Editing::hintChanged, accept_,
           [this] { accept_->setEnabled(canEdit() && tool().hasPreview()); });
   for (const ToolEntry& entry : entries_) {
-    std::unique_ptr<Tool> tool = entry.create(document_, view_);
+    std::unique_ptr<Tool> tool = entry.create(document_, canvas_);
     connect(tool.get(), &Tool::hintChanged, this, &Editing::hintChanged);
     connect(tool.get(), &Tool::finished, this, [this] { useTool(toolBefore_); });
     tools_.emplace(entry.id, std::move(tool));
@@ -92,11 +110,10 @@ void Editing::addNodeEdits() {
   edits_.append(actions_["resample"]);
   // A button that has the keyboard keeps the space bar.
   actions_["extend_again"]->setShortcutContext(Qt::WidgetShortcut);
-  view_.addAction(actions_["extend_again"]);
   const auto nodes = [this] {
     return canEdit() && !tool().isBusy() ? target().nodes : std::vector<NodeId>();
   };
-  view_.installEventFilter(new RadiusWheel(document_, actions_, nodes, this));
+  wheel_ = new RadiusWheel(document_, actions_, nodes, this);
 }
 
 void Editing::addNodeChoices() {
@@ -127,7 +144,7 @@ void Editing::addDepth() {
                 .isCheckable = true},
                [this] {
                  const bool isThrough = actions_["select_through"]->isChecked();
-                 view_.setDepth(isThrough ? Depth::through : Depth::front);
+                 canvas_.view().setDepth(isThrough ? Depth::through : Depth::front);
                });
 }
 
@@ -139,14 +156,14 @@ void Editing::addNavigation() {
                 .icon = "pivot",
                 .keys = Qt::Key_R},
                [this] {
-                 if (const auto place = placeUnder()) view_.setPivot(*place);
+                 if (const auto place = placeUnder()) canvas_.view().setPivot(*place);
                });
   actions_.add({.id = "frame",
                 .text = tr("Frame Selection"),
                 .help = tr("The chosen nodes fill the view"),
                 .icon = "frame",
                 .keys = Qt::Key_F},
-               [this] { frameSelection(document_, view_); });
+               [this] { frameSelection(document_, canvas_.view()); });
 }
 
 void Editing::setEnabled(bool isEnabled) {
@@ -258,13 +275,16 @@ std::optional<NodeId> Editing::nodeUnder() const {
   return node;
 }
 
-bool Editing::handle(const ToolInput& input) {
+bool Editing::handle(PlantView& view, const ToolInput& input) {
+  // One view keeps the gesture it began; what comes from the others meanwhile is not for a tool.
+  if (&canvas_.view() != &view && tool().isBusy()) return true;
+  canvas_.activate(view);
   under_ = input.pick;
   viewDirection_ = input.viewDirection;
-  if (input.phase == ToolInput::Phase::hover) view_.setHovered(isEnabled_ ? input.pick : Pick{});
+  if (input.phase == ToolInput::Phase::hover) view.setHovered(isEnabled_ ? input.pick : Pick{});
   if (!isEnabled_) return false;
   if (isMenuClick(input)) {
-    emit contextMenuRequested(view_.mapToGlobal(input.screen.toPoint()));
+    emit contextMenuRequested(view.mapToGlobal(input.screen.toPoint()));
     return true;
   }
   return canUse(currentEntry()) && tool().handle(input);

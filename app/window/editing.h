@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/window/active_canvas.h"
 #include "ui/tools/node_edits.h"
 #include "ui/tools/registry.h"
 #include "ui/tools/tool.h"
@@ -29,6 +30,10 @@ public:
   Editing(PlantDocument& document, PlantView& view, ActionSet& actions, QObject* parent,
           std::vector<ToolEntry> entries = tools());
   ~Editing() override;
+
+  /// Another view of the plant, in which tools and keys work as in the first.
+  void addView(PlantView& view);
+  void removeView(PlantView& view);
 
   /// While off, the mouse only moves the camera, and no key edits.
   void setEnabled(bool isEnabled);
@@ -67,7 +72,8 @@ private:
   void addNodeChoices();
   void addNavigation();
   void addDepth();
-  bool handle(const ToolInput& input);
+  void listenTo(PlantView& view);
+  bool handle(PlantView& view, const ToolInput& input);
   [[nodiscard]] bool isMenuClick(const ToolInput& input);
   void refreshEnabled();
   [[nodiscard]] bool canEdit() const { return isEnabled_ && !document_.isReadOnly(); }
@@ -83,7 +89,7 @@ private:
   [[nodiscard]] Tool& tool() const { return *tools_.at(tool_); }
 
   PlantDocument& document_;
-  PlantView& view_;
+  ActiveCanvas canvas_;
   ActionSet& actions_;
   std::vector<ToolEntry> entries_;
   std::map<QString, std::unique_ptr<Tool>> tools_; // by id
@@ -93,6 +99,7 @@ private:
   QAction* accept_ = nullptr; // off while there is no preview
   QList<QAction*> edits_;     // off while there is no skeleton, or it may not be edited
   QList<QAction*> choices_;   // of nodes: off while there is no skeleton
+  QObject* wheel_ = nullptr;  // filters the events of each view
   bool isEnabled_ = true;
   Pick under_;
   std::optional<QPointF> menuPress_; // where the right button went down, until it is a drag

@@ -22,6 +22,7 @@
 #include "app/window/snap_flow.h"
 #include "app/window/theme_flow.h"
 #include "app/window/trace_flow.h"
+#include "app/window/two_views_flow.h"
 #include "app/window/unit_flow.h"
 #include "app/window/value_colors.h"
 #include "app/window/view_options.h"
@@ -42,6 +43,7 @@
 #include <QMimeData>
 #include <QScreen>
 #include <QSettings>
+#include <QSplitter>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QToolTip>
@@ -160,10 +162,13 @@ void MainWindow::makeCenter() {
   layers->setContentsMargins(0, 0, 0, 0);
   center_ = new QStackedWidget(page);
   start_ = new StartPage(center_);
-  view_ = new PlantView(center_);
+  views_ = new QSplitter(center_);
+  views_->setChildrenCollapsible(false);
+  views_->setHandleWidth(3);
+  view_ = new PlantView(views_);
   start_->setIcon(programIcon());
   center_->addWidget(start_);
-  center_->addWidget(view_);
+  center_->addWidget(views_);
   banner_ = new MessageBanner(page);
   layers->addWidget(center_, 0, 0);
   setCentralWidget(page);
@@ -209,7 +214,7 @@ void MainWindow::tellStep(int index) {
 }
 
 void MainWindow::refreshDocks() {
-  const bool hasPlant = center_->currentWidget() == view_; // panels that do not apply are absent
+  const bool hasPlant = center_->currentWidget() == views_; // panels that do not apply are absent
   pipelineDock_->setVisible(hasPlant && (*actions_)["show_pipeline"]->isChecked());
   inspectorDock_->setVisible(hasPlant && (*actions_)["show_inspector"]->isChecked());
   review_->setPlantShown(hasPlant);
@@ -260,7 +265,7 @@ void MainWindow::refreshHint() {
 
 void MainWindow::refreshEmptiness() {
   const bool isEmpty = document_.isEmpty() && !document_.undoStack().canUndo();
-  center_->setCurrentWidget(isEmpty ? static_cast<QWidget*>(start_) : view_);
+  center_->setCurrentWidget(isEmpty ? static_cast<QWidget*>(start_) : views_);
   const bool canRun = document_.scan() != nullptr && !jobs_.isRunning();
   pipeline_->setRunnable(canRun);
   (*actions_)["reconstruct"]->setEnabled(canRun);
@@ -303,7 +308,7 @@ void MainWindow::showRefusal(const QString& reason, Refusal where) {
   if (field != nullptr)
     QToolTip::showText(field->mapToGlobal(field->rect().bottomLeft()), reason, field, {}, reading);
   else
-    QToolTip::showText(QCursor::pos() + QPoint(8, 8), reason, view_, view_->rect(), reading);
+    QToolTip::showText(QCursor::pos() + QPoint(8, 8), reason, views_, views_->rect(), reading);
   status_->showNote(reason);
 }
 

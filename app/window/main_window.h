@@ -9,6 +9,7 @@
 
 class QDockWidget;
 class QSettings;
+class QSplitter;
 class QStackedWidget;
 
 namespace espalier {
@@ -42,6 +43,7 @@ class StartPage;
 class StatusLine;
 class TraceFlow;
 class ThemeFlow;
+class TwoViewsFlow;
 class UnitFlow;
 class ValueColors;
 class ViewOptions;
@@ -110,6 +112,7 @@ private:
   std::unique_ptr<ActionSet> actions_;
 
   PlantView* view_;
+  QSplitter* views_; // beside it there may be a second
   StartPage* start_;
   QStackedWidget* center_;
   MessageBanner* banner_;
@@ -122,6 +125,7 @@ private:
   int step_ = 0; // of the undo stack, when it was told last
   std::unique_ptr<ViewSync> sync_;
   std::unique_ptr<Editing> editing_;
+  std::unique_ptr<TwoViewsFlow> twoViews_;
   std::unique_ptr<TraceFlow> traces_;
   std::unique_ptr<SnapFlow> snaps_;
   std::unique_ptr<PointStates> pointStates_;

@@ -17,6 +17,7 @@
 #include "app/window/theme_flow.h"
 #include "app/window/snap_flow.h"
 #include "app/window/trace_flow.h"
+#include "app/window/two_views_flow.h"
 #include "app/window/unit_flow.h"
 #include "app/window/value_colors.h"
 #include "app/window/view_options.h"
@@ -67,6 +68,9 @@ void MainWindow::addActions() {
       FindingsFlow::Parts{document_, *view_, *actions_, *distances_, settings_, *this});
   explained_ = std::make_unique<ExplainedFlow>(
       ExplainedFlow::Parts{document_, *pointStates_, *actions_, *distances_, settings_, *this});
+      ExplainedFlow::Parts{document_, *view_, *actions_, *distances_, settings_, *this});
+  twoViews_ = std::make_unique<TwoViewsFlow>(
+      TwoViewsFlow::Parts{*view_, *views_, *actions_, *editing_, settings_});
   valueColors_ = std::make_unique<ValueColors>(
       ValueColors::Parts{document_, *view_, *actions_, *options_, *distances_});
   const PanelDock::Parts panels{*actions_, settings_, *this};

@@ -10,6 +10,7 @@
 #include "app/window/review_flow.h"
 #include "app/window/saved_views.h"
 #include "app/window/snap_flow.h"
+#include "app/window/two_views_flow.h"
 #include "app/window/view_options.h"
 #include "ui/tools/registry.h"
 
@@ -129,6 +130,8 @@ void MainWindow::fillViewMenu() {
   view->addMenu(tr("Projection"))->addActions(options_->projections());
   view->addMenu(tr("Look From"))->addActions(options_->standardViews());
   add(*view, *actions_, {"frame_all", "frame", "pivot", ""});
+  add(*view, *actions_, {"two_views"});
+  view->addMenu(tr("Second View"))->addActions(twoViews_->links());
   QMenu* saved = view->addMenu(tr("Saved Views"));
   saved->setObjectName("saved_views");
   connect(saved, &QMenu::aboutToShow, saved, [this, saved] { savedViews_->fill(*saved); });

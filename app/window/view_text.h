@@ -40,11 +40,9 @@ struct ViewText {
 [[nodiscard]] const QStringList& choiceNames();
 
 /// As JSON: {"camera": {"focus": [x, y, z], ...}, "layers": {"points": true, ...}, ...,
-"ranges" : {"color_height" : [ 0, 2.5 ]},
-           "saved"
-    : [ {"name" : "...", "camera" : {...}, "slab" : [ 0, 1 ], "box" : [...], "hidden" : [12]} ]
-}
-.[[nodiscard]] std::string textOf(const ViewText& view);
+/// "ranges": {"color_height": [0, 2.5]}, "slab": [0, 1], "box": [[...], [...]],
+/// "saved": [{"name": "...", "camera": {...}, "slab": [0, 1], "box": [...], "hidden": [12]}]}.
+[[nodiscard]] std::string textOf(const ViewText& view);
 
 /// @throws Error if it is none, or its camera cannot be: every number must be finite, the distance
 ///         positive, the pitch between straight down and straight up

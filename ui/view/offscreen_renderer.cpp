@@ -8,6 +8,7 @@
 #include <QOpenGLContext>
 
 #include <array>
+#include <utility>
 
 namespace espalier {
 namespace {
@@ -91,6 +92,14 @@ public:
                       : eglGetCurrentContext() == context_;
   }
 
+  /// That of the other renderers, if there are any.
+  static std::shared_ptr<Context> shared() {
+    static std::weak_ptr<Context> living;
+    std::shared_ptr<Context> context = living.lock();
+    if (!context) living = context = std::make_shared<Context>();
+    return context;
+  }
+
 private:
   EGLDisplay display_;
   EGLContext context_;
@@ -98,11 +107,12 @@ private:
   QOffscreenSurface qtSurface_;
 };
 
-OffscreenRenderer::OffscreenRenderer(Scene& scene)
-    : context_(std::make_unique<Context>()),
+OffscreenRenderer::OffscreenRenderer(Scene& scene, std::shared_ptr<SceneBuffers> buffers)
+    : context_(Context::shared()),
       renderer_(std::make_unique<PlantRenderer>(
-          scene, PlantRenderer::Context{[this] { context_->makeCurrent(); },
-                                        [this] { return context_->isCurrent(); }})) {}
+          scene, std::move(buffers),
+          PlantRenderer::Context{[this] { context_->makeCurrent(); },
+                                 [this] { return context_->isCurrent(); }})) {}
 
 OffscreenRenderer::~OffscreenRenderer() {
   renderer_.reset();

@@ -6,12 +6,14 @@
 
 namespace espalier {
 
-/// Draws a scene where there is no window, and with EGL not even a display.
+/// Draws a scene where there is no window, and with EGL not even a display. All of them draw in one
+/// context, which lives as long as any.
 class OffscreenRenderer {
 public:
-  /// @param scene must outlive the renderer
+  /// @param scene   must outlive the renderer
+  /// @param buffers of this scene, of no other
   /// @throws Error if there is no OpenGL
-  explicit OffscreenRenderer(Scene& scene);
+  OffscreenRenderer(Scene& scene, std::shared_ptr<SceneBuffers> buffers);
   ~OffscreenRenderer();
 
   PlantRenderer::Result draw(const PlantRenderer::Frame& frame); // as there
@@ -20,7 +22,7 @@ public:
 private:
   class Context;
 
-  std::unique_ptr<Context> context_; // outlives what is drawn in it
+  std::shared_ptr<Context> context_; // outlives what is drawn in it
   std::unique_ptr<PlantRenderer> renderer_;
 };
 

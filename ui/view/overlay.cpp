@@ -103,7 +103,7 @@ void Overlay::paint(QPainter& painter, const Scene& scene, const Camera& camera,
   paintPreview(painter, preview, ScreenMap(camera, {size.width(), size.height()}), scene.dark);
   paintBand(painter, band, scene.dark);
   if (scene.bounds().isEmpty()) return;
-  paintLegends(painter, legendsOf(scene, unit), size, scene.dark);
+  if (hasLegends) paintLegends(painter, legendsOf(scene, unit), size, scene.dark);
   paintScaleBar(painter, scene, camera, unit, size);
   paintAxes(painter, camera, size);
   if (pivotShown) paintPivot(painter, scene, camera, size);

@@ -20,6 +20,7 @@ namespace espalier {
 /// tools show of what they do.
 struct Overlay {
   QString unit; // of lengths; empty: not known
+  bool hasLegends = true;
   bool pivotShown = false;
   QPolygonF band;  // as Canvas::showBand
   Preview preview; // as Canvas::showPreview

@@ -9,7 +9,7 @@ namespace espalier {
 QImage picture(const Scene& scene, const Camera& camera, const Overlay& overlay,
                const QSize& size) {
   Scene copy = scene; // drawing takes from a scene what changed in it
-  OffscreenRenderer renderer(copy);
+  OffscreenRenderer renderer(copy, makeSceneBuffers());
   PlantRenderer::Frame frame{.camera = camera, .size = size};
   frame.points = std::numeric_limits<Eigen::Index>::max();
   renderer.draw(frame);

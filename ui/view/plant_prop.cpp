@@ -4,14 +4,25 @@
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkViewport.h>
 
+#include <utility>
+
 namespace espalier {
 
 vtkStandardNewMacro(PlantProp);
 
-void PlantProp::show(Scene& scene) {
+PlantProp::~PlantProp() {
+  leaveBuffers(false);
+}
+
+void PlantProp::show(Scene& scene, std::shared_ptr<SceneBuffers> buffers) {
   scene_ = &scene;
-  points_ = std::make_unique<PointPass>(scene);
-  skeleton_ = std::make_unique<SkeletonPass>(scene);
+  buffers_ = std::move(buffers);
+  points_ = std::make_unique<PointPass>(scene, *buffers_);
+  skeleton_ = std::make_unique<SkeletonPass>(scene, *buffers_);
+}
+
+void PlantProp::leaveBuffers(bool isCurrent) {
+  if (std::exchange(hasJoined_, false)) buffers_->leave(isCurrent);
 }
 
 DrawSettings PlantProp::settings(vtkViewport* viewport) const {
@@ -33,6 +44,7 @@ DrawSettings PlantProp::settings(vtkViewport* viewport) const {
 }
 
 int PlantProp::RenderOpaqueGeometry(vtkViewport* viewport) {
+  if (!std::exchange(hasJoined_, true)) buffers_->join();
   const DrawSettings drawn = settings(viewport);
   const PointPass::Result points = points_->draw(drawn, frame_.points, frame_.moving);
   // Relief is worth its time for a picture that stays; it stays while the skeleton is edited.
@@ -50,6 +62,7 @@ void PlantProp::ReleaseGraphicsResources(vtkWindow* window) {
   points_->release();
   shade_.release();
   skeleton_->release();
+  leaveBuffers(true);
   vtkProp::ReleaseGraphicsResources(window);
 }
 

@@ -19,7 +19,8 @@ public:
   PlantProp(const PlantProp&) = delete;
   PlantProp& operator=(const PlantProp&) = delete;
 
-  void show(Scene& scene); // to be called once; `scene` must outlive the prop
+  /// To be called once; `scene` must outlive the prop.
+  void show(Scene& scene, std::shared_ptr<SceneBuffers> buffers);
   void setFrame(const PlantRenderer::Frame& frame) { frame_ = frame; }
   [[nodiscard]] PlantRenderer::Result result() const { return result_; }
 
@@ -28,11 +29,15 @@ public:
 
 private:
   PlantProp() = default;
-  ~PlantProp() override = default;
+  ~PlantProp() override;
 
   [[nodiscard]] DrawSettings settings(vtkViewport* viewport) const;
 
+  void leaveBuffers(bool isCurrent);
+
   Scene* scene_ = nullptr;
+  std::shared_ptr<SceneBuffers> buffers_;
+  bool hasJoined_ = false; // the buffers
   std::unique_ptr<PointPass> points_;
   ShadePass shade_;
   std::unique_ptr<SkeletonPass> skeleton_;

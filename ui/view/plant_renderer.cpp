@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "ui/view/plant_prop.h"
+#include "ui/view/scene_buffers.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
@@ -13,6 +14,8 @@
 #include <vtkOpenGLShaderCache.h>
 #include <vtkOpenGLState.h>
 #include <vtkRenderer.h>
+
+#include <utility>
 
 namespace espalier {
 namespace {
@@ -54,7 +57,16 @@ struct PlantRenderer::Parts {
   vtkNew<vtkCallbackCommand> onIsCurrent;
 };
 
-PlantRenderer::PlantRenderer(Scene& scene, Context context) : parts_(std::make_unique<Parts>()) {
+std::shared_ptr<SceneBuffers> makeSceneBuffers() {
+  return std::make_shared<SceneBuffers>();
+}
+
+std::size_t bytesIn(const SceneBuffers& buffers) {
+  return buffers.bytes();
+}
+
+PlantRenderer::PlantRenderer(Scene& scene, std::shared_ptr<SceneBuffers> buffers, Context context)
+    : parts_(std::make_unique<Parts>()) {
   Parts& p = *parts_;
   p.context = std::move(context);
   p.onMakeCurrent->SetClientData(&p);
@@ -73,7 +85,7 @@ PlantRenderer::PlantRenderer(Scene& scene, Context context) : parts_(std::make_u
   p.window->AddRenderer(p.renderer);
   p.renderer->GetCullers()->RemoveAllItems();
   p.renderer->SetActiveCamera(vtkNew<vtkCamera>()); // not used: else VTK makes and aims one
-  p.plant->show(scene);
+  p.plant->show(scene, std::move(buffers));
   p.renderer->AddViewProp(p.plant);
 }
 

@@ -11,6 +11,13 @@
 
 namespace espalier {
 
+class SceneBuffers; // scene_buffers.h, which names OpenGL
+
+/// For renderers of one scene, whose contexts share what they hold.
+[[nodiscard]] std::shared_ptr<SceneBuffers> makeSceneBuffers();
+/// What a scene takes in the memory of the graphics card [bytes].
+[[nodiscard]] std::size_t bytesIn(const SceneBuffers& buffers);
+
 /// Draws a scene with VTK, in an OpenGL context that someone else owns.
 class PlantRenderer {
 public:
@@ -20,8 +27,9 @@ public:
     std::function<bool()> isCurrent;
   };
 
-  /// @param scene must outlive the renderer
-  PlantRenderer(Scene& scene, Context context);
+  /// @param scene   must outlive the renderer
+  /// @param buffers of this scene, of no other
+  PlantRenderer(Scene& scene, std::shared_ptr<SceneBuffers> buffers, Context context);
   /// The context is made current, if it still can be, to free what is held in it.
   ~PlantRenderer();
 

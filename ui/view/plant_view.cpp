@@ -22,12 +22,12 @@ constexpr int restAfter = 120;      // [ms] after the last move
 SurfaceClient PlantView::Parts::client() {
   return {.nextFrame =
               [this](QSize size, double pixelRatio) {
-                return PlantRenderer::Frame{.camera = navigator.camera(),
-                                            .size = size,
-                                            .pixelRatio = pixelRatio,
-                                            .points =
-                                                budget.points(moving ? movingFrame : restingFrame),
-                                            .moving = moving};
+                return PlantRenderer::Frame{
+                    .camera = navigator.camera(),
+                    .size = size,
+                    .pixelRatio = pixelRatio,
+                    .points = budget.points((moving ? movingFrame : restingFrame) / seenViews()),
+                    .moving = moving};
               },
           .drawn =
               [this](const PlantRenderer::Result& result, double milliseconds) {
@@ -39,14 +39,31 @@ SurfaceClient PlantView::Parts::client() {
               }};
 }
 
+double PlantView::Parts::seenViews() const {
+  const auto isSeen = [](const Parts* each) { return each->owner.isVisible(); };
+  return std::max(1.0, double(std::ranges::count_if(shared->views, isSeen)));
+}
+
 void PlantView::Parts::paintOverlay(QPainter& painter) {
+  overlay.unit = shared->unit;
+  overlay.hasLegends = isFirst();
   overlay.pivotShown = navigator.gesture() == Navigator::Gesture::turn;
   painter.setRenderHint(QPainter::Antialiasing);
   clipHandles.paint(painter, sight(), scene.dark); // under the legends
   overlay.paint(painter, scene, navigator.camera(), overlayWidget->size());
 }
 
-PlantView::PlantView(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts>(*this)) {
+PlantView::PlantView(QWidget* parent) : PlantView(std::make_shared<Shared>(), parent) {}
+
+PlantView::PlantView(const PlantView& first, QWidget* parent)
+    : PlantView(first.parts_->shared, parent) {
+  parts_->pointer.setDepth(first.parts_->pointer.depth());
+  parts_->clipHandles.setShown(first.parts_->clipHandles.isShown());
+  setCamera(first.camera());
+}
+
+PlantView::PlantView(std::shared_ptr<Shared> shared, QWidget* parent)
+    : QWidget(parent), parts_(std::make_unique<Parts>(*this, std::move(shared))) {
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(tr("Plant in 3D"));
@@ -56,7 +73,7 @@ PlantView::PlantView(QWidget* parent) : QWidget(parent), parts_(std::make_unique
   parts_->rest.setInterval(restAfter);
   connect(&parts_->rest, &QTimer::timeout, this, [this] {
     parts_->moving = false;
-    parts_->redraw();
+    parts_->redrawThis();
   });
   connect(&parts_->navigator, &Navigator::moved, this, [this] { parts_->moved(); });
 }
@@ -85,7 +102,7 @@ void PlantView::updateSkeleton(const Skeleton& skeleton, const SkeletonDelta& de
   const bool isFirst = parts_->scene.bounds().isEmpty();
   parts_->scene.skeleton.update(skeleton, delta);
   parts_->redrawSkeleton();
-  if (isFirst) parts_->overlayWidget->update(); // there is something to measure now
+  if (isFirst) parts_->redraw(); // there is something to measure now
 }
 
 void PlantView::setSelection(const std::vector<NodeId>& nodes) {
@@ -98,7 +115,8 @@ void PlantView::setHovered(const Pick& pick) {
 }
 
 void PlantView::hoverAgain() {
-  parts_->pointer.hoverAgain();
+  for (Parts* view : parts_->shared->views)
+    view->pointer.hoverAgain();
 }
 
 void PlantView::frameAll() {
@@ -126,6 +144,10 @@ const Camera& PlantView::camera() const {
   return parts_->navigator.destination();
 }
 
+const Camera& PlantView::currentCamera() const {
+  return parts_->navigator.camera();
+}
+
 void PlantView::setCamera(const Camera& camera) {
   parts_->navigator.set(camera);
   parts_->wasFramed = true;
@@ -145,7 +167,8 @@ void PlantView::setInputHandler(InputHandler handler) {
 }
 
 void PlantView::setDepth(Depth depth) {
-  parts_->pointer.setDepth(depth);
+  for (Parts* view : parts_->shared->views)
+    view->pointer.setDepth(depth);
   hoverAgain();
 }
 
@@ -181,8 +204,12 @@ void PlantView::showPreview(const Preview& preview) {
 
 QImage PlantView::picture(const QSize& size) {
   Overlay overlay;
-  overlay.unit = parts_->overlay.unit;
+  overlay.unit = parts_->shared->unit;
   return espalier::picture(parts_->scene, parts_->navigator.destination(), overlay, size);
+}
+
+std::size_t PlantView::graphicsBytes() const {
+  return bytesIn(*parts_->shared->buffers);
 }
 
 bool PlantView::isInGesture() const {
@@ -204,7 +231,7 @@ void PlantView::resizeEvent(QResizeEvent* /*event*/) {
   parts_->surface->setGeometry(rect());
   parts_->overlayWidget->setGeometry(rect());
   parts_->pointer.setSize(size());
-  parts_->redraw();
+  parts_->redrawThis();
 }
 
 void PlantView::mousePressEvent(QMouseEvent* event) {
@@ -220,7 +247,7 @@ void PlantView::mouseMoveEvent(QMouseEvent* event) {
 void PlantView::mouseReleaseEvent(QMouseEvent* event) {
   if (releaseClip(*event)) return;
   parts_->pointer.release(*event);
-  parts_->redraw(); // the pivot is no longer shown
+  parts_->redrawThis(); // the pivot is no longer shown
 }
 
 void PlantView::mouseDoubleClickEvent(QMouseEvent* event) {

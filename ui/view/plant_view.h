@@ -37,6 +37,9 @@ class PlantView : public QWidget, public Canvas {
 
 public:
   explicit PlantView(QWidget* parent = nullptr);
+  /// Another view of what `first` shows, now and later, from a camera of its own. What is set of
+  /// the plant in one is set in all; color bars are in the first. Both must be in one window.
+  PlantView(const PlantView& first, QWidget* parent);
   ~PlantView() override;
 
   void setCloud(std::shared_ptr<const PointCloud> cloud); // null: none; does not move the camera
@@ -68,7 +71,7 @@ public:
   [[nodiscard]] const Clip& clip() const;
   /// Handles with which the mouse drags the faces of the clip's box and the planes of its slab.
   void setClipHandlesShown(bool areShown); // at first: not
-  void setDepthFade(double strength); // [0, 1]: how far the back of the plant steps back
+  void setDepthFade(double strength);      // [0, 1]: how far the back of the plant steps back
   [[nodiscard]] double depthFade() const;
   [[nodiscard]] Eigen::AlignedBox3d bounds() const; // of all there is [L]; empty: nothing
 
@@ -83,10 +86,11 @@ public:
   void frameAll();
   void frame(const Eigen::AlignedBox3d& box); // [L], frame of the file
   void look(StandardView view);
-  void setPivot(const Eigen::Vector3d& place); // [L], what the camera turns around
-  [[nodiscard]] const Camera& camera() const;  // where it is, or will be once it has arrived
-  void setCamera(const Camera& camera);        // at once
-  void flyTo(const Camera& camera);            // as look()
+  void setPivot(const Eigen::Vector3d& place);       // [L], what the camera turns around
+  [[nodiscard]] const Camera& camera() const;        // where it is, or will be once it has arrived
+  [[nodiscard]] const Camera& currentCamera() const; // where it is
+  void setCamera(const Camera& camera);              // at once
+  void flyTo(const Camera& camera);                  // as look()
 
   /// Is the view at rest: nothing moves, and all points are drawn? (Never, before it is shown.)
   [[nodiscard]] bool isStill() const;
@@ -112,9 +116,12 @@ public:
 
   /// The view as it would be drawn at `size`, all points, no pointer, no band and no preview.
   [[nodiscard]] QImage picture(const QSize& size);
+  [[nodiscard]] std::size_t graphicsBytes() const; // that all views of the plant hold together
 
 signals:
-  void clipChanged(); // or how far the back steps back
+  void cameraMoved(const espalier::Camera& camera); // to where it is now
+  // Told by the first view of a plant:
+  void clipChanged();        // or how far the back steps back
   void colorScalesChanged(); // by hand
 
 protected:
@@ -137,7 +144,9 @@ private:
   bool moveClip(const QMouseEvent& event);
   bool releaseClip(const QMouseEvent& event);
 
+  struct Shared;
   struct Parts;
+  PlantView(std::shared_ptr<Shared> shared, QWidget* parent);
   std::unique_ptr<Parts> parts_;
 };
 

@@ -11,7 +11,7 @@ void PlantView::setClip(const Clip& clip) {
   parts_->scene.clip = clip;
   parts_->redraw();
   if (!parts_->clipHandles.isDragging()) hoverAgain();
-  emit clipChanged();
+  emit parts_->shared->views.front()->owner.clipChanged();
 }
 
 const Clip& PlantView::clip() const {
@@ -23,7 +23,7 @@ void PlantView::setDepthFade(double strength) {
   if (fade == parts_->scene.depthFade) return;
   parts_->scene.depthFade = fade;
   parts_->redraw();
-  emit clipChanged();
+  emit parts_->shared->views.front()->owner.clipChanged();
 }
 
 double PlantView::depthFade() const {
@@ -31,9 +31,11 @@ double PlantView::depthFade() const {
 }
 
 void PlantView::setClipHandlesShown(bool areShown) {
-  if (parts_->clipHandles.isDragging() && !areShown) setClip(parts_->clipHandles.cancel());
-  parts_->clipHandles.setShown(areShown);
-  parts_->hoverClip(std::nullopt);
+  for (Parts* view : parts_->shared->views) {
+    if (view->clipHandles.isDragging() && !areShown) setClip(view->clipHandles.cancel());
+    view->clipHandles.setShown(areShown);
+    view->hoverClip(std::nullopt);
+  }
   parts_->redraw();
 }
 

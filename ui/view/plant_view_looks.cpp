@@ -16,7 +16,8 @@ void PlantView::setNodeColors(std::optional<NodeColors> colors) {
 }
 
 void PlantView::Parts::refreshColorBars() {
-  const std::vector<Legend> legends = legendsOf(scene, overlay.unit);
+  const std::vector<Legend> legends =
+      isFirst() ? legendsOf(scene, shared->unit) : std::vector<Legend>();
   const std::vector<LegendBox> boxes =
       legendBoxes(legends, owner.size(), QFontMetricsF(owner.font(), overlayWidget));
   std::size_t shown = 0;
@@ -121,9 +122,11 @@ void PlantView::setShowRadii(bool trueRadii) {
 }
 
 void PlantView::setProjection(Projection projection) {
-  Camera camera = parts_->navigator.destination();
-  camera.projection = projection;
-  parts_->navigator.set(camera);
+  for (Parts* view : parts_->shared->views) {
+    Camera camera = view->navigator.destination();
+    camera.projection = projection;
+    view->navigator.set(camera);
+  }
 }
 
 void PlantView::setDark(bool dark) {
@@ -132,7 +135,7 @@ void PlantView::setDark(bool dark) {
 }
 
 void PlantView::setLengthUnit(const QString& unit) {
-  parts_->overlay.unit = unit;
+  parts_->shared->unit = unit;
   parts_->redraw();
 }
 

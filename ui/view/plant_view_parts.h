@@ -13,28 +13,56 @@
 #include <QTimer>
 
 #include <algorithm>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace espalier {
 
+/// What views of one plant have together: what they show, on the graphics card once.
+struct PlantView::Shared {
+  Scene scene;
+  std::shared_ptr<SceneBuffers> buffers = makeSceneBuffers();
+  QString unit; // of lengths; empty: not known
+  std::vector<Parts*> views;
+};
+
 /// What a view is made of; for its own sources.
 struct PlantView::Parts {
-  explicit Parts(PlantView& widget)
-      : owner(widget), pointer(scene, navigator), surface(makeSurface(scene, client(), &widget)),
+  Parts(PlantView& widget, std::shared_ptr<Shared> with)
+      : owner(widget), shared(std::move(with)), scene(shared->scene), pointer(scene, navigator),
+        surface(makeSurface(scene, shared->buffers, client(), &widget)),
         overlayWidget(
-            new OverlayWidget([this](QPainter& painter) { paintOverlay(painter); }, &widget)) {}
+            new OverlayWidget([this](QPainter& painter) { paintOverlay(painter); }, &widget)) {
+    shared->views.push_back(this);
+  }
+  ~Parts() { std::erase(shared->views, this); }
+  Parts(const Parts&) = delete;
+  Parts& operator=(const Parts&) = delete;
 
   SurfaceClient client();
   void paintOverlay(QPainter& painter);
+  // In all views of the plant; where one moves its camera, that view alone.
   void redrawSkeleton() {
+    for (Parts* each : shared->views)
+      each->redrawSurface();
+  }
+  void redraw() {
+    for (Parts* each : shared->views)
+      each->redrawThis();
+  }
+  void redrawSurface() {
     complete = false;
     surface->update();
   }
-  void redraw() {
-    redrawSkeleton();
+  void redrawThis() {
+    redrawSurface();
     overlayWidget->update();
     refreshColorBars();
   }
+  [[nodiscard]] bool isFirst() const { return shared->views.front() == this; }
+  /// How many share the time there is to draw.
+  [[nodiscard]] double seenViews() const;
   void refreshColorBars(); // plant_view_looks.cpp
   ColorBar* makeColorBar();
   [[nodiscard]] ColorBar* draggedColorBar() const;
@@ -45,7 +73,8 @@ struct PlantView::Parts {
   void moved() {
     moving = true;
     rest.start();
-    redraw();
+    redrawThis();
+    emit owner.cameraMoved(navigator.camera());
   }
   void moveTo(const Camera& camera, bool seen) {
     if (seen && wasFramed)
@@ -63,7 +92,8 @@ struct PlantView::Parts {
   }
 
   PlantView& owner;
-  Scene scene;
+  std::shared_ptr<Shared> shared;
+  Scene& scene; // of `shared`
   Navigator navigator;
   PointerInput pointer;
   Overlay overlay;

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace espalier {
 namespace {
@@ -44,43 +43,6 @@ void main() {
   fragment = vec4(pointColor, 1.0);
 })";
 
-/// A number near `count` over the golden ratio that shares no factor with it.
-Eigen::Index goldenStep(Eigen::Index count) {
-  auto step = static_cast<Eigen::Index>(std::llround(0.6180339887498949 * double(count)));
-  while (step > 1 && std::gcd(step, count) != 1)
-    --step;
-  return std::max<Eigen::Index>(step, 1);
-}
-
-/// The columns or entries of `count` things in the order in which they are drawn.
-template <class Value, class At> std::vector<Value> inDrawingOrder(Eigen::Index count, At at) {
-  std::vector<Value> values(static_cast<std::size_t>(count));
-  const Eigen::Index step = goldenStep(count);
-  Eigen::Index next = 0;
-  for (Value& value : values) {
-    value = at(next);
-    next += step;
-    if (next >= count) next -= count;
-  }
-  return values;
-}
-
-void uploadPositions(GlBuffer& buffer, const Eigen::Matrix3Xf& positions) {
-  using Place = std::array<float, 3>;
-  const auto places = inDrawingOrder<Place>(positions.cols(), [&](Eigen::Index i) {
-    return Place{positions(0, i), positions(1, i), positions(2, i)};
-  });
-  buffer.upload(places.data(), places.size() * sizeof(Place));
-}
-
-void uploadLooks(GlBuffer& buffer, const std::vector<std::array<std::uint8_t, 4>>& looks) {
-  using Look = std::array<std::uint8_t, 4>;
-  const auto sorted =
-      inDrawingOrder<Look>(static_cast<Eigen::Index>(looks.size()),
-                           [&](Eigen::Index i) { return looks[static_cast<std::size_t>(i)]; });
-  buffer.upload(sorted.data(), sorted.size() * sizeof(Look));
-}
-
 /// Nearest and farthest depth of a scene [L].
 Eigen::Vector2f depthsOf(const Scene& scene, const Eigen::Vector4f& toDepth) {
   const Eigen::AlignedBox3d bounds = scene.bounds();
@@ -99,18 +61,6 @@ float sizeFor(const Scene& scene, const DrawSettings& settings, double part) {
 
 } // namespace
 
-void PointPass::upload() {
-  if (cloud_.revision != scene_.points.revision && scene_.points.positions)
-    uploadPositions(cloud_.positions, *scene_.points.positions);
-  if (cloud_.colorRevision != scene_.colorRevision && scene_.cloud)
-    uploadLooks(cloud_.colors, pointLooks(scene_));
-  if (contracted_.revision != scene_.contracted.revision && scene_.contracted.positions)
-    uploadPositions(contracted_.positions, *scene_.contracted.positions);
-  cloud_.revision = scene_.points.revision;
-  cloud_.colorRevision = scene_.colorRevision;
-  contracted_.revision = scene_.contracted.revision;
-}
-
 PointPass::Key PointPass::keyOf(const DrawSettings& settings, float pointSize) const {
   return {settings.toClip * settings.toView,
           settings.size,
@@ -122,7 +72,7 @@ PointPass::Key PointPass::keyOf(const DrawSettings& settings, float pointSize) c
 }
 
 PointPass::Result PointPass::draw(const DrawSettings& settings, Eigen::Index atMost, bool moving) {
-  upload();
+  buffers_.uploadPoints(scene_);
   Eigen::Index total = 0;
   for (const PointLayer* layer : {&scene_.points, &scene_.contracted})
     if (layer->visible) total += layer->size();
@@ -155,14 +105,16 @@ void PointPass::drawLayers(const DrawSettings& settings, float pointSize, double
     state->vtkglClearColor(0, 0, 0, 0);
     state->vtkglClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   }
-  if (scene_.points.visible) drawLayer(settings, scene_.points, cloud_, pointSize, drawn_, until);
+  if (scene_.points.visible)
+    drawLayer(settings, scene_.points, buffers_.cloud(), pointSize, drawn_, until);
   if (scene_.contracted.visible)
-    drawLayer(settings, scene_.contracted, contracted_, pointSize, drawn_, until);
+    drawLayer(settings, scene_.contracted, buffers_.contracted(), pointSize, drawn_, until);
   state->PopFramebufferBindings();
 }
 
 void PointPass::drawLayer(const DrawSettings& settings, const PointLayer& points,
-                          const Layer& layer, float pointSize, double from, double to) {
+                          const SceneBuffers::Points& layer, float pointSize, double from,
+                          double to) {
   const auto count = static_cast<double>(points.size());
   const auto first = static_cast<GLint>(std::llround(from * count));
   const auto last = static_cast<GLint>(std::llround(to * count));
@@ -203,10 +155,6 @@ void PointPass::drawLayer(const DrawSettings& settings, const PointLayer& points
 }
 
 void PointPass::release() {
-  cloud_.positions.release();
-  cloud_.colors.release();
-  contracted_.positions.release();
-  cloud_ = contracted_ = {};
   if (vertexArray_ != 0) glDeleteVertexArrays(1, &vertexArray_);
   vertexArray_ = 0;
   picture_.release();

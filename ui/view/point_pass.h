@@ -2,6 +2,7 @@
 
 #include "ui/view/gl_objects.h"
 #include "ui/view/scene.h"
+#include "ui/view/scene_buffers.h"
 
 #include <array>
 #include <optional>
@@ -15,7 +16,7 @@ namespace espalier {
 /// memory, every prefix of that order is an even sample of the plant.
 class PointPass {
 public:
-  explicit PointPass(const Scene& scene) : scene_(scene) {}
+  PointPass(const Scene& scene, SceneBuffers& buffers) : scene_(scene), buffers_(buffers) {}
 
   struct Result {
     bool changed;       // the picture is another than before
@@ -30,12 +31,6 @@ public:
   void release();
 
 private:
-  struct Layer {
-    GlBuffer positions;
-    GlBuffer colors; // empty: all of one color
-    std::uint64_t revision = 0;
-    std::uint64_t colorRevision = 0;
-  };
   /// All that the picture depends on, but for how much of it is done.
   struct Key {
     Eigen::Matrix4f matrix;
@@ -47,16 +42,14 @@ private:
     bool operator==(const Key&) const = default;
   };
 
-  void upload();
   [[nodiscard]] Key keyOf(const DrawSettings& settings, float pointSize) const;
   /// Draws what is missing up to a part of each layer.
   void drawLayers(const DrawSettings& settings, float pointSize, double until);
-  void drawLayer(const DrawSettings& settings, const PointLayer& points, const Layer& layer,
-                 float pointSize, double from, double to);
+  void drawLayer(const DrawSettings& settings, const PointLayer& points,
+                 const SceneBuffers::Points& layer, float pointSize, double from, double to);
 
   const Scene& scene_;
-  Layer cloud_;
-  Layer contracted_;
+  SceneBuffers& buffers_;
   GLuint vertexArray_ = 0;
   GlPicture picture_;
   std::optional<Key> key_;

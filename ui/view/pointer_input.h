@@ -21,6 +21,7 @@ public:
   PointerInput(const Scene& scene, Navigator& navigator) : scene_(scene), navigator_(navigator) {}
   /// Are nodes and edges picked, and taken by areas, that are hidden behind wood?
   void setDepth(Depth depth) { depth_ = depth; }
+  [[nodiscard]] Depth depth() const { return depth_; }
   void setHandler(Handler handler) { handler_ = std::move(handler); }
 
   void setSize(const QSizeF& size); // [logical pixels]

@@ -22,33 +22,6 @@ void addAttribute(GLuint index, GLint count, GLenum type, std::size_t stride, st
   glVertexAttribPointer(index, count, type, GL_FALSE, static_cast<GLsizei>(stride), place);
 }
 
-/// Each glyph once for each of its corners. (Instances would need no copies, but software OpenGL
-/// handles them one by one, which takes five times as long.)
-template <class Glyph>
-std::vector<Glyph> corners(const std::vector<Glyph>& glyphs, std::size_t begin, std::size_t end,
-                           std::size_t spare = 0) {
-  std::vector<Glyph> copies;
-  copies.reserve(4 * (end - begin + spare));
-  for (std::size_t i = begin; i < end; ++i)
-    copies.insert(copies.end(), 4, glyphs[i]);
-  copies.resize(4 * (end - begin + spare));
-  return copies;
-}
-
-template <class Glyph>
-void uploadChanges(GlBuffer& buffer, const std::vector<Glyph>& glyphs, const SlotRange& changed) {
-  const std::size_t slot = 4 * sizeof(Glyph); // [bytes]
-  const std::size_t needed = glyphs.size() * slot;
-  if (buffer.size() < needed || buffer.size() > 2 * needed + 1024 * slot) {
-    // Room for nodes to come: adding one does not move all others.
-    const auto all = corners(glyphs, 0, glyphs.size(), glyphs.size() / 4 + 64);
-    buffer.upload(all.data(), all.size() * sizeof(Glyph));
-  } else if (!changed.isEmpty()) {
-    const auto some = corners(glyphs, changed.begin, changed.end);
-    buffer.write(some.data(), changed.begin * slot, some.size() * sizeof(Glyph));
-  }
-}
-
 void setColor(vtkShaderProgram& program, const char* name, const Color& color) {
   const float values[3] = {color[0] / 255.0F, color[1] / 255.0F, color[2] / 255.0F};
   program.SetUniform3f(name, values);
@@ -68,7 +41,7 @@ Eigen::Vector2f depthsOf(const SkeletonGlyphs& skeleton, const DrawSettings& set
 
 void SkeletonPass::draw(const DrawSettings& settings) {
   if (!scene_.skeletonVisible || scene_.skeleton.nodes().empty()) return;
-  upload();
+  buffers_.uploadSkeleton(scene_);
   vtkOpenGLState* state = settings.window->GetState();
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthMask(GL_TRUE);
@@ -85,11 +58,6 @@ void SkeletonPass::draw(const DrawSettings& settings) {
   if (scene_.showRadii) drawNodes(settings, true);
   drawNodes(settings, false);
   glBindVertexArray(0);
-}
-
-void SkeletonPass::upload() {
-  uploadChanges(nodes_, scene_.skeleton.nodes(), scene_.skeleton.takeChangedNodes());
-  uploadChanges(edges_, scene_.skeleton.edges(), scene_.skeleton.takeChangedEdges());
 }
 
 void SkeletonPass::setCommon(vtkShaderProgram& program, const DrawSettings& settings,
@@ -123,7 +91,7 @@ void SkeletonPass::drawEdges(const DrawSettings& settings) {
   setCommon(program, settings, tubes);
   if (edgeArray_ == 0) glGenVertexArrays(1, &edgeArray_);
   glBindVertexArray(edgeArray_);
-  edges_.bind();
+  buffers_.edges().bind();
   const std::size_t stride = sizeof(EdgeGlyph);
   addAttribute(0, 4, GL_FLOAT, stride, offsetof(EdgeGlyph, parent));
   addAttribute(1, 4, GL_FLOAT, stride, offsetof(EdgeGlyph, child));
@@ -141,7 +109,7 @@ void SkeletonPass::drawNodes(const DrawSettings& settings, bool spheres) {
   program.SetUniformf("pushed", scene_.showRadii ? 1.1F : 0.0F);
   if (nodeArray_ == 0) glGenVertexArrays(1, &nodeArray_);
   glBindVertexArray(nodeArray_);
-  nodes_.bind();
+  buffers_.nodes().bind();
   const std::size_t stride = sizeof(NodeGlyph);
   addAttribute(0, 4, GL_FLOAT, stride, offsetof(NodeGlyph, position));
   addAttribute(1, 4, GL_UNSIGNED_BYTE, stride, offsetof(NodeGlyph, shape));
@@ -150,16 +118,7 @@ void SkeletonPass::drawNodes(const DrawSettings& settings, bool spheres) {
 }
 
 void SkeletonPass::drawQuads(std::size_t count) {
-  if (quads_.size() < count * 6 * sizeof(std::uint32_t)) {
-    std::vector<std::uint32_t> indices;
-    const auto quads = static_cast<std::uint32_t>(count + count / 4 + 64);
-    indices.reserve(6 * std::size_t{quads});
-    for (std::uint32_t first = 0; first < 4 * quads; first += 4)
-      for (const std::uint32_t corner : {0, 1, 2, 2, 1, 3})
-        indices.push_back(first + corner);
-    quads_.upload(indices.data(), indices.size() * sizeof(std::uint32_t));
-  }
-  quads_.bindAsIndices();
+  buffers_.quads(count).bindAsIndices();
   glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(6 * count), GL_UNSIGNED_INT, nullptr);
 }
 
@@ -174,9 +133,6 @@ float SkeletonPass::roominess(const DrawSettings& settings) const {
 }
 
 void SkeletonPass::release() {
-  nodes_.release();
-  edges_.release();
-  quads_.release();
   for (GLuint* array : {&nodeArray_, &edgeArray_}) {
     if (*array != 0) glDeleteVertexArrays(1, array);
     *array = 0;

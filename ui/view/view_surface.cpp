@@ -40,8 +40,9 @@ void paintError(QPainter& painter, const QWidget& widget, const Error& error) {
 
 class ImageSurface : public QWidget {
 public:
-  ImageSurface(Scene& scene, SurfaceClient client, QWidget* parent)
-      : QWidget(parent), scene_(scene), client_(std::move(client)) {
+  ImageSurface(Scene& scene, std::shared_ptr<SceneBuffers> buffers, SurfaceClient client,
+               QWidget* parent)
+      : QWidget(parent), scene_(scene), buffers_(std::move(buffers)), client_(std::move(client)) {
     setAttribute(Qt::WA_OpaquePaintEvent);
   }
 
@@ -49,7 +50,7 @@ protected:
   void paintEvent(QPaintEvent* /*event*/) override {
     QPainter painter(this);
     try {
-      if (!renderer_) renderer_ = std::make_unique<OffscreenRenderer>(scene_);
+      if (!renderer_) renderer_ = std::make_unique<OffscreenRenderer>(scene_, buffers_);
       drawFrame(*renderer_, client_, *this);
       QImage image = renderer_->image();
       image.setDevicePixelRatio(devicePixelRatioF());
@@ -61,14 +62,17 @@ protected:
 
 private:
   Scene& scene_;
+  std::shared_ptr<SceneBuffers> buffers_;
   SurfaceClient client_;
   std::unique_ptr<OffscreenRenderer> renderer_;
 };
 
 class OpenGlSurface : public QOpenGLWidget {
 public:
-  OpenGlSurface(Scene& scene, SurfaceClient client, QWidget* parent)
-      : QOpenGLWidget(parent), scene_(scene), client_(std::move(client)) {
+  OpenGlSurface(Scene& scene, std::shared_ptr<SceneBuffers> buffers, SurfaceClient client,
+                QWidget* parent)
+      : QOpenGLWidget(parent), scene_(scene), buffers_(std::move(buffers)),
+        client_(std::move(client)) {
     QSurfaceFormat format;
     format.setVersion(3, 3);
     format.setProfile(QSurfaceFormat::CoreProfile);
@@ -88,12 +92,13 @@ protected:
     surface_ = context()->surface();
     lost_ = connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] { release(); });
     renderer_ = std::make_unique<PlantRenderer>(
-        scene_, PlantRenderer::Context{
-                    [this] {
-                      if (context() && QOpenGLContext::currentContext() != context())
-                        context()->makeCurrent(surface_);
-                    },
-                    [this] { return context() && QOpenGLContext::currentContext() == context(); }});
+        scene_, buffers_,
+        PlantRenderer::Context{
+            [this] {
+              if (context() && QOpenGLContext::currentContext() != context())
+                context()->makeCurrent(surface_);
+            },
+            [this] { return context() && QOpenGLContext::currentContext() == context(); }});
   }
 
   void paintGL() override {
@@ -116,6 +121,7 @@ private:
   }
 
   Scene& scene_;
+  std::shared_ptr<SceneBuffers> buffers_;
   SurfaceClient client_;
   QSurface* surface_ = nullptr;
   QMetaObject::Connection lost_;
@@ -124,13 +130,14 @@ private:
 
 } // namespace
 
-QWidget* makeSurface(Scene& scene, SurfaceClient client, QWidget* parent) {
+QWidget* makeSurface(Scene& scene, std::shared_ptr<SceneBuffers> buffers, SurfaceClient client,
+                     QWidget* parent) {
   const QString platform = QGuiApplication::platformName();
   // On these Qt crashes when a QOpenGLWidget is shown.
   for (const char* without : {"offscreen", "minimal", "vnc"})
     if (platform == QLatin1String(without))
-      return new ImageSurface(scene, std::move(client), parent);
-  return new OpenGlSurface(scene, std::move(client), parent);
+      return new ImageSurface(scene, std::move(buffers), std::move(client), parent);
+  return new OpenGlSurface(scene, std::move(buffers), std::move(client), parent);
 }
 
 } // namespace espalier

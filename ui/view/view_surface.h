@@ -5,6 +5,7 @@
 #include <QWidget>
 
 #include <functional>
+#include <memory>
 
 namespace espalier {
 
@@ -18,7 +19,9 @@ struct SurfaceClient {
 ///
 /// With OpenGL where the platform of Qt has it; else drawn off screen and painted as an image: on
 /// the platforms without windows, which tests and servers use.
-/// @param scene must outlive the widget, which `parent` owns
-[[nodiscard]] QWidget* makeSurface(Scene& scene, SurfaceClient client, QWidget* parent);
+/// @param scene   must outlive the widget, which `parent` owns
+/// @param buffers of this scene; surfaces in one window may have the same
+[[nodiscard]] QWidget* makeSurface(Scene& scene, std::shared_ptr<SceneBuffers> buffers,
+                                   SurfaceClient client, QWidget* parent);
 
 } // namespace espalier

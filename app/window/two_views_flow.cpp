@@ -1,0 +1,101 @@
+#include "app/window/two_views_flow.h"
+
+#include "app/window/action_set.h"
+#include "app/window/editing.h"
+#include "ui/view/plant_view.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QScopedValueRollback>
+#include <QSettings>
+#include <QSplitter>
+
+#include <numbers>
+#include <utility>
+
+namespace espalier {
+namespace {
+
+constexpr double quarterTurn = std::numbers::pi / 2;
+
+} // namespace
+
+TwoViewsFlow::TwoViewsFlow(const Parts& parts) : parts_(parts), links_(new QActionGroup(this)) {
+  addActions();
+  connect(&parts_.view, &PlantView::cameraMoved, this, &TwoViewsFlow::linkFirst);
+}
+
+TwoViewsFlow::~TwoViewsFlow() {
+  setTwo(false);
+}
+
+QList<QAction*> TwoViewsFlow::links() const {
+  return links_->actions();
+}
+
+void TwoViewsFlow::addActions() {
+  ActionSet& actions = parts_.actions;
+  actions.beginSection(tr("View"));
+  QAction* two = actions.add({.id = "two_views",
+                              .text = tr("Two Views"),
+                              .help = tr("Shows the plant from another side as well"),
+                              .keys = Qt::Key_F12,
+                              .isCheckable = true},
+                             {});
+  connect(two, &QAction::toggled, this, &TwoViewsFlow::setTwo);
+  const auto add = [&](Link link, const QString& id, const QString& text, const QString& help) {
+    QAction* action =
+        actions.add({.id = id, .text = text, .help = help, .isCheckable = true}, [this, link, id] {
+          setLink(link);
+          parts_.settings.setValue("view/link", id);
+        });
+    links_->addAction(action);
+    if (parts_.settings.value("view/link", "link_side") == id) action->trigger();
+  };
+  add(Link::side, "link_side", tr("From the Side"),
+      tr("The second view looks at a right angle to the first, and moves with it"));
+  add(Link::same, "link_same", tr("Same Direction"),
+      tr("The second view looks as the first, and moves with it"));
+  add(Link::free, "link_free", tr("Not Linked"), tr("Each view is moved by itself"));
+}
+
+void TwoViewsFlow::setTwo(bool areTwo) {
+  if (areTwo == (second_ != nullptr)) return;
+  if (!areTwo) {
+    parts_.editing.removeView(*second_);
+    delete std::exchange(second_, nullptr);
+    return;
+  }
+  second_ = new PlantView(parts_.view, &parts_.place);
+  second_->setObjectName("second_view");
+  second_->setAccessibleName(tr("Second view of the plant"));
+  connect(second_, &PlantView::cameraMoved, this, [this](const Camera& camera) {
+    if (link_ != Link::free) follow(parts_.view, camera, link_ == Link::side ? -quarterTurn : 0);
+  });
+  parts_.place.addWidget(second_);
+  const int half = parts_.place.width() / 2;
+  parts_.place.setSizes({half, half});
+  parts_.editing.addView(*second_);
+  linkFirst();
+  if (link_ == Link::free) second_->look(StandardView::right);
+}
+
+void TwoViewsFlow::setLink(Link link) {
+  link_ = link;
+  linkFirst();
+}
+
+void TwoViewsFlow::linkFirst() {
+  if (second_ == nullptr || link_ == Link::free) return;
+  follow(*second_, parts_.view.currentCamera(), link_ == Link::side ? quarterTurn : 0);
+}
+
+void TwoViewsFlow::follow(PlantView& follower, const Camera& camera, double turn) {
+  if (isFollowing_) return;
+  const QScopedValueRollback guard(isFollowing_, true);
+  Camera turned = camera;
+  if (turn != 0) turned.turn(turn, 0);
+  follower.setCamera(turned);
+}
+
+} // namespace espalier

@@ -1,0 +1,126 @@
+#include "ui/view/scene_buffers.h"
+
+#include "ui/view/point_look.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+namespace espalier {
+namespace {
+
+/// A number near `count` over the golden ratio that shares no factor with it.
+Eigen::Index goldenStep(Eigen::Index count) {
+  auto step = static_cast<Eigen::Index>(std::llround(0.6180339887498949 * double(count)));
+  while (step > 1 && std::gcd(step, count) != 1)
+    --step;
+  return std::max<Eigen::Index>(step, 1);
+}
+
+/// The columns or entries of `count` things in the order in which they are drawn.
+template <class Value, class At> std::vector<Value> inDrawingOrder(Eigen::Index count, At at) {
+  std::vector<Value> values(static_cast<std::size_t>(count));
+  const Eigen::Index step = goldenStep(count);
+  Eigen::Index next = 0;
+  for (Value& value : values) {
+    value = at(next);
+    next += step;
+    if (next >= count) next -= count;
+  }
+  return values;
+}
+
+void uploadPositions(GlBuffer& buffer, const Eigen::Matrix3Xf& positions) {
+  using Place = std::array<float, 3>;
+  const auto places = inDrawingOrder<Place>(positions.cols(), [&](Eigen::Index i) {
+    return Place{positions(0, i), positions(1, i), positions(2, i)};
+  });
+  buffer.upload(places.data(), places.size() * sizeof(Place));
+}
+
+void uploadLooks(GlBuffer& buffer, const std::vector<std::array<std::uint8_t, 4>>& looks) {
+  using Look = std::array<std::uint8_t, 4>;
+  const auto sorted =
+      inDrawingOrder<Look>(static_cast<Eigen::Index>(looks.size()),
+                           [&](Eigen::Index i) { return looks[static_cast<std::size_t>(i)]; });
+  buffer.upload(sorted.data(), sorted.size() * sizeof(Look));
+}
+
+/// Each glyph once for each of its corners. (Instances would need no copies, but software OpenGL
+/// handles them one by one, which takes five times as long.)
+template <class Glyph>
+std::vector<Glyph> corners(const std::vector<Glyph>& glyphs, std::size_t begin, std::size_t end,
+                           std::size_t spare = 0) {
+  std::vector<Glyph> copies;
+  copies.reserve(4 * (end - begin + spare));
+  for (std::size_t i = begin; i < end; ++i)
+    copies.insert(copies.end(), 4, glyphs[i]);
+  copies.resize(4 * (end - begin + spare));
+  return copies;
+}
+
+template <class Glyph>
+void uploadChanges(GlBuffer& buffer, const std::vector<Glyph>& glyphs, const SlotRange& changed) {
+  const std::size_t slot = 4 * sizeof(Glyph); // [bytes]
+  const std::size_t needed = glyphs.size() * slot;
+  if (buffer.size() < needed || buffer.size() > 2 * needed + 1024 * slot) {
+    // Room for nodes to come: adding one does not move all others.
+    const auto all = corners(glyphs, 0, glyphs.size(), glyphs.size() / 4 + 64);
+    buffer.upload(all.data(), all.size() * sizeof(Glyph));
+  } else if (!changed.isEmpty()) {
+    const auto some = corners(glyphs, changed.begin, changed.end);
+    buffer.write(some.data(), changed.begin * slot, some.size() * sizeof(Glyph));
+  }
+}
+
+} // namespace
+
+void SceneBuffers::uploadPoints(const Scene& scene) {
+  if (cloud_.revision != scene.points.revision && scene.points.positions)
+    uploadPositions(cloud_.positions, *scene.points.positions);
+  if (cloud_.colorRevision != scene.colorRevision && scene.cloud)
+    uploadLooks(cloud_.colors, pointLooks(scene));
+  if (contracted_.revision != scene.contracted.revision && scene.contracted.positions)
+    uploadPositions(contracted_.positions, *scene.contracted.positions);
+  cloud_.revision = scene.points.revision;
+  cloud_.colorRevision = scene.colorRevision;
+  contracted_.revision = scene.contracted.revision;
+}
+
+void SceneBuffers::uploadSkeleton(Scene& scene) {
+  uploadChanges(nodes_, scene.skeleton.nodes(), scene.skeleton.takeChangedNodes());
+  uploadChanges(edges_, scene.skeleton.edges(), scene.skeleton.takeChangedEdges());
+}
+
+const GlBuffer& SceneBuffers::quads(std::size_t count) {
+  if (quads_.size() < count * 6 * sizeof(std::uint32_t)) {
+    std::vector<std::uint32_t> indices;
+    const auto all = static_cast<std::uint32_t>(count + count / 4 + 64);
+    indices.reserve(6 * std::size_t{all});
+    for (std::uint32_t first = 0; first < 4 * all; first += 4)
+      for (const std::uint32_t corner : {0, 1, 2, 2, 1, 3})
+        indices.push_back(first + corner);
+    quads_.upload(indices.data(), indices.size() * sizeof(std::uint32_t));
+  }
+  return quads_;
+}
+
+std::size_t SceneBuffers::bytes() const {
+  std::size_t bytes = 0;
+  for (const GlBuffer* buffer :
+       {&cloud_.positions, &cloud_.colors, &contracted_.positions, &nodes_, &edges_, &quads_})
+    bytes += buffer->size();
+  return bytes;
+}
+
+void SceneBuffers::leave(bool isCurrent) {
+  if (--users_ > 0) return;
+  for (GlBuffer* buffer :
+       {&cloud_.positions, &cloud_.colors, &contracted_.positions, &nodes_, &edges_, &quads_})
+    if (isCurrent) buffer->release();
+  *this = {};
+}
+
+} // namespace espalier

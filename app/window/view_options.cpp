@@ -26,6 +26,7 @@ ViewOptions::ViewOptions(PlantView& view, ActionSet& actions, QSettings& setting
   addSizes();
   addProjections();
   addStandardViews();
+  addMinimap();
 }
 
 QList<QAction*> ViewOptions::colors() const {
@@ -296,6 +297,21 @@ void ViewOptions::addProjections() {
                              .help = tr("Equal lengths look equal"),
                              .isCheckable = true});
   if (projections_->checkedAction() == nullptr) actions_["perspective"]->trigger();
+}
+
+void ViewOptions::addMinimap() {
+  QAction* map =
+      actions_.add({.id = "minimap",
+                    .text = tr("Minimap"),
+                    .help = tr("Shows all of the plant in a corner, to move about in it"),
+                    .keys = QKeySequence(Qt::CTRL | Qt::Key_M),
+                    .isCheckable = true},
+                   {});
+  connect(map, &QAction::toggled, this, [this](bool isShown) {
+    view_.setMinimapShown(isShown);
+    settings_.setValue("view/minimap", isShown);
+  });
+  map->setChecked(settings_.value("view/minimap", true).toBool());
 }
 
 void ViewOptions::addStandardViews() {

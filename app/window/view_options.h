@@ -66,6 +66,7 @@ private:
   void addSizes();
   void addProjections();
   void addStandardViews();
+  void addMinimap();
   [[nodiscard]] QList<std::pair<QString, QActionGroup*>> choices() const; // by choiceNames()
   QAction* addChoice(QActionGroup* group, const Command& command, const QString& key,
                      const std::function<void()>& apply);

@@ -59,6 +59,7 @@ PlantView::PlantView(const PlantView& first, QWidget* parent)
     : PlantView(first.parts_->shared, parent) {
   parts_->pointer.setDepth(first.parts_->pointer.depth());
   parts_->clipHandles.setShown(first.parts_->clipHandles.isShown());
+  if (first.parts_->minimap != nullptr) setMinimapShown(true);
   setCamera(first.camera());
 }
 
@@ -231,6 +232,7 @@ void PlantView::resizeEvent(QResizeEvent* /*event*/) {
   parts_->surface->setGeometry(rect());
   parts_->overlayWidget->setGeometry(rect());
   parts_->pointer.setSize(size());
+  if (parts_->minimap != nullptr) parts_->minimap->place(size());
   parts_->redrawThis();
 }
 

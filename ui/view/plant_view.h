@@ -81,6 +81,7 @@ public:
   void setShowRadii(bool trueRadii); // edges as tubes of their radius instead of lines
   void setProjection(Projection projection);
   void setDark(bool dark);
+  void setMinimapShown(bool isShown);      // in views that are large enough; at first: not
   void setLengthUnit(const QString& unit); // written at scales; empty: not known
 
   void frameAll();

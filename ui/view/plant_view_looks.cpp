@@ -53,6 +53,33 @@ ColorBar* PlantView::Parts::draggedColorBar() const {
   return dragged != colorBars.end() ? *dragged : nullptr;
 }
 
+void PlantView::Parts::refreshMinimap() {
+  if (minimap == nullptr) return;
+  minimap->setVisible(Minimap::fits(owner.size()) && !scene.bounds().isEmpty());
+  minimap->showCamera(navigator.camera());
+}
+
+void PlantView::setMinimapShown(bool isShown) {
+  for (Parts* view : parts_->shared->views) {
+    if (isShown == (view->minimap != nullptr)) continue;
+    delete std::exchange(view->minimap, isShown ? view->makeMinimap() : nullptr);
+    view->refreshMinimap();
+  }
+}
+
+Minimap* PlantView::Parts::makeMinimap() {
+  auto* map = new Minimap(scene, &owner);
+  map->place(owner.size());
+  map->noteChange();
+  connect(map, &Minimap::entered, &owner, [this] { pointer.leave(); });
+  connect(map, &Minimap::moveAsked, &owner, [this](const Eigen::Vector3d& focus) {
+    Camera camera = navigator.camera();
+    camera.focus = focus;
+    navigator.set(camera);
+  });
+  return map;
+}
+
 void PlantView::setColorScales(const ColorScales& scales) {
   if (scales == parts_->scene.colorScales) return;
   parts_->scene.setColorScales(scales);

@@ -3,6 +3,7 @@
 #include "ui/view/clip_handles.h"
 #include "ui/view/color_bar.h"
 #include "ui/view/detail_budget.h"
+#include "ui/view/minimap.h"
 #include "ui/view/navigator.h"
 #include "ui/view/overlay_widget.h"
 #include "ui/view/plant_view.h"
@@ -46,10 +47,13 @@ struct PlantView::Parts {
   void redrawSkeleton() {
     for (Parts* each : shared->views)
       each->redrawSurface();
+    for (Parts* each : shared->views)
+      if (each->minimap != nullptr) each->minimap->noteChange();
   }
   void redraw() {
     for (Parts* each : shared->views)
       each->redrawThis();
+    redrawSkeleton();
   }
   void redrawSurface() {
     complete = false;
@@ -59,12 +63,15 @@ struct PlantView::Parts {
     redrawSurface();
     overlayWidget->update();
     refreshColorBars();
+    refreshMinimap();
   }
   [[nodiscard]] bool isFirst() const { return shared->views.front() == this; }
   /// How many share the time there is to draw.
   [[nodiscard]] double seenViews() const;
   void refreshColorBars(); // plant_view_looks.cpp
+  void refreshMinimap();   // likewise
   ColorBar* makeColorBar();
+  Minimap* makeMinimap();
   [[nodiscard]] ColorBar* draggedColorBar() const;
   [[nodiscard]] ClipHandles::Sight sight() const {
     return {scene.clip, scene.bounds(), pointer.screen()};
@@ -105,6 +112,7 @@ struct PlantView::Parts {
   bool wasFramed = false;
   QWidget* surface; // owned by the view; goes before what it draws, see ~PlantView
   QWidget* overlayWidget;
+  Minimap* minimap = nullptr;       // owned by the view; null: switched off
   std::vector<ColorBar*> colorBars; // owned by the view; those beyond the legends are hidden
 };
 

@@ -37,9 +37,11 @@ void paintScaleBar(QPainter& painter, const Scene& scene, const Camera& camera, 
            withUnit(scaleNumber(length, length), unit), colors);
 }
 
-void paintAxes(QPainter& painter, const Camera& camera, const QSizeF& size) {
+void paintAxes(QPainter& painter, const Camera& camera, const QSizeF& size, bool dark) {
   constexpr double reach = 26;
   const QPointF middle(size.width() - margin - reach - 10, size.height() - margin - reach - 10);
+  const QPointF corner(reach + 16, reach + 16);
+  paintVeil(painter, QRectF(middle - corner, middle + corner), palette(dark).backgroundBottom);
   struct Axis {
     Eigen::Vector3d direction;
     QString name;
@@ -105,7 +107,7 @@ void Overlay::paint(QPainter& painter, const Scene& scene, const Camera& camera,
   if (scene.bounds().isEmpty()) return;
   if (hasLegends) paintLegends(painter, legendsOf(scene, unit), size, scene.dark);
   paintScaleBar(painter, scene, camera, unit, size);
-  paintAxes(painter, camera, size);
+  paintAxes(painter, camera, size, scene.dark);
   if (pivotShown) paintPivot(painter, scene, camera, size);
 }
 

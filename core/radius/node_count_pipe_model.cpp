@@ -58,8 +58,16 @@ NodeCountPipeOptions pipeEndRadii(const Skeleton& skeleton, const std::vector<do
     if (skeleton.children(id).empty()) tips.push_back(radius);
   }
   const double middle = median(all, 1);
-  const double root = median(foot, middle);
-  return {.rootRadius = root, .apexRadius = std::min(root, median(tips, middle))};
+  const double apex = std::min(median(foot, middle), median(tips, middle));
+  // What was measured about the foot is of nodes that carry less than the root: the law leads on.
+  std::vector<double> exponents;
+  for (const NodeId id : ids)
+    if (measured[indexOf(id)] > 0 && carried[indexOf(id)] >= std::max(2.0, heaviest / 2))
+      exponents.push_back(std::log(measured[indexOf(id)] / apex) / std::log(carried[indexOf(id)]));
+  const double exponent = std::max(0.0, median(exponents, 0));
+  return {.rootRadius = exponents.empty() ? std::max(apex, median(foot, middle))
+                                          : apex * std::pow(heaviest, exponent),
+          .apexRadius = apex};
 }
 
 } // namespace espalier

@@ -20,8 +20,9 @@ struct NodeCountPipeOptions {
 [[nodiscard]] Skeleton withNodeCountPipeRadii(const Skeleton& skeleton,
                                               const NodeCountPipeOptions& options);
 
-/// The ends of the pipe model from what was measured: the median over the nodes that carry at least
-/// half of the heaviest tree, and the median over the tips.
+/// The ends of the pipe model from what was measured: the median over the tips, and, for the root,
+/// what the median of the exponents leads to that go through the tips and through each of the nodes
+/// that carry at least half of the heaviest tree.
 ///
 /// @param measured [L] by id, 0 where nothing was measured
 /// @return the apex radius is at most the root radius; both are the mean measured radius, or 1,

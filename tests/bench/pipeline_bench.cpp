@@ -8,13 +8,19 @@
 #include "core/graph/geodesic.h"
 #include "core/graph/neighborhood_graph.h"
 #include "core/pipeline/pipeline.h"
+#include "core/radius/fused_radii.h"
+#include "core/radius/length_pipe_model.h"
 #include "core/radius/measured_radii.h"
+#include "core/radius/recenter_on_cylinders.h"
 #include "core/reconstruct/geodesic_bins.h"
+#include "core/reconstruct/join_gaps.h"
 #include "core/simulate/laser_scanner.h"
 #include "core/simulate/plant_grower.h"
 #include "core/skeleton/assemble_axes.h"
 #include "core/skeleton/prune.h"
 #include "core/skeleton/recenter.h"
+#include "core/skeleton/simplify_axes.h"
+#include "core/skeleton/slide_insertions.h"
 
 #include <benchmark/benchmark.h>
 
@@ -115,6 +121,40 @@ void radii(benchmark::State& state) {
     return meanPointDistances(piece.skeleton, piece.positions(), piece.cloud->origin());
   });
 }
+void cylinders(benchmark::State& state) {
+  time(state, [](const Workpiece& piece) {
+    const AssignedPoints points(piece.skeleton, piece.positions(), piece.cloud->origin());
+    return cylinderRadii(piece.skeleton, points, {.spacing = piece.spacing});
+  });
+}
+void fuseRadii(benchmark::State& state) {
+  const Workpiece& piece = workpiece(state);
+  const AssignedPoints points(piece.skeleton, piece.positions(), piece.cloud->origin());
+  const auto measured = cylinderRadii(piece.skeleton, points, {.spacing = piece.spacing});
+  time(state, [&](const Workpiece& same) {
+    const auto model = fittedLengthPipe(same.skeleton, measured);
+    return fusedRadii(same.skeleton, measured, radiiOf(same.skeleton, model.value()));
+  });
+}
+void recenterOnCylinders(benchmark::State& state) {
+  time(state, [](const Workpiece& piece) {
+    return recenteredOnCylinders(piece.skeleton, piece.positions(), piece.cloud->origin(),
+                                 {.cylinders = {.spacing = piece.spacing}});
+  });
+}
+void joinGaps(benchmark::State& state) {
+  time(state, [](const Workpiece& piece) {
+    return withJoinedGaps(piece.skeleton,
+                          {.widest = 14 * piece.spacing, .reach = 40 * piece.spacing});
+  });
+}
+void slideInsertions(benchmark::State& state) {
+  time(state, [](const Workpiece& piece) { return withSlidInsertions(piece.skeleton); });
+}
+void simplifyAxes(benchmark::State& state) {
+  time(state,
+       [](const Workpiece& piece) { return withSimpleAxes(piece.skeleton, piece.spacing / 2); });
+}
 void wholePipeline(benchmark::State& state) {
   time(state, [](const Workpiece& piece) { return Pipeline().run(piece.cloud); });
 }
@@ -135,6 +175,12 @@ BENCHMARK(prune)->Apply(sizes);
 BENCHMARK(assembleAxes)->Apply(sizes);
 BENCHMARK(recenter)->Apply(sizes);
 BENCHMARK(radii)->Apply(sizes);
+BENCHMARK(cylinders)->Apply(sizes);
+BENCHMARK(fuseRadii)->Apply(sizes);
+BENCHMARK(recenterOnCylinders)->Apply(sizes);
+BENCHMARK(joinGaps)->Apply(sizes);
+BENCHMARK(slideInsertions)->Apply(sizes);
+BENCHMARK(simplifyAxes)->Apply(sizes);
 BENCHMARK(wholePipeline)->Apply(sizes);
 
 } // namespace

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace espalier {
 namespace {
@@ -39,6 +40,54 @@ TEST(GeodesicBins, JoinWhatAGapParts) {
   const Skeleton skeleton = skeletonOf(points);
   EXPECT_EQ(skeleton.roots().size(), 1U);
   EXPECT_EQ(countTips(skeleton), 1);
+}
+
+/// A trunk, a branch that winds out to (0.9, 0, 0.5) and back to (0.5, 0, 1), from where it rises,
+/// and a twig of the trunk that touches it there.
+Eigen::Matrix3Xf touchingWood() {
+  const auto wood = [](const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+    return test::cylinder(from, to, 0.03, 0.02);
+  };
+  Eigen::Matrix3Xf points = wood({0, 0, 0}, {0, 0, 2});
+  points = test::both(points, wood({0, 0, 0.3}, {0.9, 0, 0.5}));
+  points = test::both(points, wood({0.9, 0, 0.5}, {0.5, 0, 1}));
+  points = test::both(points, wood({0.5, 0, 1}, {0.5, 0, 2}));
+  return test::both(points, wood({0, 0, 1}, {0.5, 0, 1}));
+}
+
+/// How near the way from the node nearest to `from` down to the root comes to `place`.
+double nearestOnWay(const Skeleton& skeleton, const Eigen::Vector3d& from,
+                    const Eigen::Vector3d& place) {
+  const std::vector<NodeId> ids = skeleton.ids();
+  const auto distance = [&](NodeId id, const Eigen::Vector3d& to) {
+    return (skeleton[id].position - to).norm();
+  };
+  std::optional<NodeId> at =
+      *std::ranges::min_element(ids, {}, [&](NodeId id) { return distance(id, from); });
+  double nearest = distance(*at, place);
+  for (; at; at = skeleton[*at].parent)
+    nearest = std::min(nearest, distance(*at, place));
+  return nearest;
+}
+
+TEST(GeodesicBins, HangTouchingWoodOnTheWoodItRunsAlongIfTurnsCost) {
+  const Eigen::Matrix3Xf points = touchingWood();
+  const Eigen::Vector3d tip(0.5, 0, 2);
+  const Eigen::Vector3d bend(0.9, 0, 0.5); // the branch; by the twig the way is shorter
+  EXPECT_GT(nearestOnWay(skeletonOf(points), tip, bend), 0.5);
+  GeodesicBinOptions turning = options;
+  turning.turnCost = 5;
+  const Skeleton skeleton = skeletonByGeodesicBins(points, findRoot(points), turning);
+  EXPECT_LT(nearestOnWay(skeleton, tip, bend), 0.15);
+  EXPECT_EQ(skeleton.roots().size(), 1U);
+  EXPECT_EQ(skeleton.size(), skeletonOf(points).size()) << "the same nodes, hung otherwise";
+}
+
+TEST(GeodesicBins, FindTheForkOfAForkIfTurnsCost) {
+  GeodesicBinOptions turning = options;
+  turning.turnCost = 5;
+  const Eigen::Matrix3Xf points = test::forkCloud();
+  EXPECT_EQ(countTips(skeletonByGeodesicBins(points, findRoot(points), turning)), 2);
 }
 
 TEST(GeodesicBins, KeepOutWhatIsFartherThanTheWidestGap) {

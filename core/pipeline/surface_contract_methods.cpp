@@ -1,4 +1,5 @@
 #include "core/contract/implicit_laplacian.h"
+#include "core/contract/l1_medial.h"
 #include "core/contract/one_step_laplacian.h"
 #include "core/contract/path_based.h"
 #include "core/pipeline/contract_parts.h"
@@ -72,6 +73,54 @@ Method implicitLaplacianMethod() {
       });
 }
 
+Option reachOption(const char* name, const char* label, double count, const char* help) {
+  return {.name = name,
+          .label = label,
+          .kind = OptionKind::length,
+          .rule = spacings(count),
+          .minimum = 0.5,
+          .maximum = 200,
+          .help = help};
+}
+
+Method l1MedialMethod() {
+  using Options = L1MedialOptions;
+  const Options defaults;
+  OptionTable<Options> table;
+  table.add(ratioOption("sample_share", "Samples", 0.2, 0.001, 1,
+                        "Share of the points that become samples; the others move with these."),
+            &Options::sampleShare);
+  table.add(reachOption("first_radius", "First radius", 4,
+                        "Neighborhoods of the first stage; each stage adds half of it."),
+            &Options::firstRadius);
+  table.add(reachOption("last_radius", "Last radius", 12,
+                        "No stage looks farther than this. More reaches the middle of thicker wood "
+                        "and merges more twigs."),
+            &Options::lastRadius);
+  table.add(countOption("stage_rounds", "Rounds per stage", defaults.roundsPerStage, 1, 200,
+                        "How often samples move in a stage, if they do not rest before."),
+            &Options::roundsPerStage);
+  table.add(ratioOption("repulsion", "Repulsion", defaults.repulsion, 0, 0.5,
+                        "How strongly samples push each other apart along the lines they form."),
+            &Options::repulsion);
+  table.add(ratioOption("least_direction", "Least direction", defaults.leastDirection, 0.5, 1,
+                        "Share of their spread that must lie along a line before samples become a "
+                        "branch and rest."),
+            &Options::leastDirection);
+  return contractMethod<Options>(
+      {.name = "l1_medial",
+       .label = "L1 medial",
+       .help = "Moves samples to medians of the points about them, while they push each other "
+               "apart; bears holes, is slow.",
+       .source = "H. Huang et al., L1-medial skeleton of point cloud, ACM Trans. Graph. 32(4), "
+                 "2013"},
+      table, [](const auto& points, const Options& options, const auto&, const Progress& progress) {
+        Options inOrder = options;
+        inOrder.lastRadius = std::max(inOrder.firstRadius, inOrder.lastRadius);
+        return contractedToL1Medial(points, inOrder, progress);
+      });
+}
+
 /// The root of the plant among the points that were kept.
 Eigen::Index keptRoot(const PipelineState& state) {
   const std::vector<Eigen::Index> kept = keptPoints(state);
@@ -102,7 +151,7 @@ Method pathBasedMethod() {
 } // namespace
 
 std::vector<Method> surfaceContractMethods() {
-  return {oneStepLaplacianMethod(), implicitLaplacianMethod(), pathBasedMethod()};
+  return {oneStepLaplacianMethod(), implicitLaplacianMethod(), pathBasedMethod(), l1MedialMethod()};
 }
 
 } // namespace espalier

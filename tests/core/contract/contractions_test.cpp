@@ -5,6 +5,7 @@
 #include "core/contract/euclidean_ball.h"
 #include "core/contract/geodesic_centroid.h"
 #include "core/contract/implicit_laplacian.h"
+#include "core/contract/l1_medial.h"
 #include "core/contract/one_step_laplacian.h"
 #include "core/contract/path_based.h"
 #include "tests/core/contract/known_plants.h"
@@ -158,6 +159,18 @@ std::vector<Contraction> contractions() {
              return contractedAlongPaths(points, outermost(points), {}, progress);
            },
        .turned = 0.1},
+      {.name = "L1Medial", // draws other samples from points in another order
+       .contract =
+           [](const auto& points, double s, const Progress& progress) {
+             return contractedToL1Medial(
+                 points, {.sampleShare = 0.2, .firstRadius = 4 * s, .lastRadius = 12 * s},
+                 progress);
+           },
+       .bent = 0.9,
+       .fork = 0.9,
+       .cone = 0.3,
+       .half = 0,
+       .turned = 1},
   };
 }
 

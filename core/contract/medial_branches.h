@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/base/progress.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace espalier {
+
+/// The line that the samples about one form.
+struct SampleLine {
+  Eigen::Vector3d direction = Eigen::Vector3d::Zero(); // unit, of either sign
+  double share = 0;                                    // of their spread that lies along it, [0, 1]
+};
+
+/// Marks the samples that follow each other in rows as done.
+///
+/// From the most directed sample that is free, rows go on to both sides to the nearest free or done
+/// sample within `radius` that is directed, too, and turns by less than 25 degrees; five samples
+/// and more are a branch. @param isDone by sample, added to
+void markBranches(const Eigen::Matrix3Xf& places, const std::vector<SampleLine>& lines,
+                  double radius, double leastShare, std::vector<bool>& isDone);
+
+/// Where points get that move with the three samples nearest to each of them at the start, the
+/// nearer the more. @param start @param end of the samples, 3 x S, S > 0
+[[nodiscard]] Eigen::Matrix3Xf carriedAlong(const Eigen::Matrix3Xf& points,
+                                            const Eigen::Matrix3Xf& start,
+                                            const Eigen::Matrix3Xf& end,
+                                            const Progress& progress = {});
+
+} // namespace espalier

@@ -185,7 +185,7 @@ void Editing::useTool(const QString& id, bool startsWithNodes) {
     const QString left = std::exchange(tool_, id);
     Tool& before = *tools_.at(left);
     if (before.isBusy() || before.hasPreview() || !before.result().isEmpty()) before.cancel();
-    view_.showBand({}); // of the tool before
+    canvas_.showBand({}); // of the tool before
   }
   tool_ = id;
   if (toolBefore_.isEmpty()) toolBefore_ = id;

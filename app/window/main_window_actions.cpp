@@ -68,7 +68,6 @@ void MainWindow::addActions() {
       FindingsFlow::Parts{document_, *view_, *actions_, *distances_, settings_, *this});
   explained_ = std::make_unique<ExplainedFlow>(
       ExplainedFlow::Parts{document_, *pointStates_, *actions_, *distances_, settings_, *this});
-      ExplainedFlow::Parts{document_, *view_, *actions_, *distances_, settings_, *this});
   twoViews_ = std::make_unique<TwoViewsFlow>(
       TwoViewsFlow::Parts{*view_, *views_, *actions_, *editing_, settings_});
   valueColors_ = std::make_unique<ValueColors>(

@@ -33,7 +33,7 @@ void dragFrame(benchmark::State& state) {
   QObject::connect(&document, &PlantDocument::skeletonEdited, [&](const SkeletonDelta& delta) {
     scene.skeleton.update(document.skeleton(), delta);
   });
-  OffscreenRenderer renderer(scene);
+  OffscreenRenderer renderer(scene, makeSceneBuffers());
   const PlantRenderer::Frame frame{.camera = cameraOf(scene, StandardView::front, 1280.0 / 740),
                                    .size = {1280, 740},
                                    .points = 1'000'000};

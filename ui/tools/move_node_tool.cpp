@@ -165,7 +165,9 @@ void MoveNodeTool::moveAlone(SkeletonEditor& editor, const Eigen::Vector3d& plac
     slid = slidAlongAxis(editor.skeleton(), id, start,
                          {input.ray.origin() + start - drag_->grip, input.ray.direction()});
   moveNode(editor, id, slid.value_or(place));
-  if (const auto on = snapped(editor.skeleton(), id)) moveNode(editor, id, *on);
+  const int rounds = drag_->snap == Snap::section ? 2 : 1; // from nearer, all of it is in reach
+  for (int round = 0; round < rounds; ++round)
+    if (const auto on = snapped(editor.skeleton(), id)) moveNode(editor, id, *on);
 }
 
 std::optional<Eigen::Vector3d> MoveNodeTool::snapped(const Skeleton& skeleton, NodeId id) const {

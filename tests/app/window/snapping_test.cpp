@@ -1,4 +1,6 @@
 // A node is slid along its axis, and snapped, by mouse and keys in the real window.
+#include "app/window/load_files.h"
+#include "core/io/formats.h"
 #include "tests/app/window/window_fixture.h"
 
 #include <QAction>
@@ -8,28 +10,28 @@
 namespace espalier {
 namespace {
 
-/// Over the reconstruction of a trunk of radius 0.05 about the z axis, seen from the front.
+/// Over the scan of a trunk of radius 0.05 about the z axis, with a node each 0.25 m of it and
+/// contracted points on the axis, seen from the front.
 class SnappingTest : public test::WindowTest {
 protected:
   void SetUp() override {
-    open({writeScan("scan.xyz")});
-    action("reconstruct").trigger();
-    waitForJob();
+    Skeleton trunk;
+    std::optional<NodeId> last;
+    for (int i = 0; i <= 8; ++i)
+      last = trunk.add({.position = {0, 0, 0.25 * i}, .radius = 0.05, .parent = last});
+    writeStructure(toPath(path("trunk.mtg")), trunk);
+    open({writeScan("scan.xyz"), path("trunk.mtg")});
+    const PointCloud& cloud = *document().scan()->cloud();
+    Eigen::Matrix3Xf contracted = cloud.positions();
+    for (int axis : {0, 1})
+      contracted.row(axis).setConstant(static_cast<float>(-cloud.origin()[axis]));
+    document().setContracted(std::make_shared<const Eigen::Matrix3Xf>(std::move(contracted)));
     action("view_front").trigger();
     waitForView();
-    node_ = lowNode();
+    node_ = nodeAt({0, 0, 0.5}); // below all branches
     start_ = document().skeleton()[node_].position;
   }
 
-  /// A node of the trunk, below all branches, that is no root.
-  NodeId lowNode() {
-    for (const NodeId id : document().skeleton().ids()) {
-      const Node& node = document().skeleton()[id];
-      if (node.parent && node.position.z() > 0.3 && node.position.z() < 0.6) return id;
-    }
-    ADD_FAILURE() << "no node there";
-    return document().skeleton().roots().front();
-  }
   [[nodiscard]] Eigen::Vector3d place() { return document().skeleton()[node_].position; }
   /// From the node by this way in the plane of the screen [L].
   void dragBy(const Eigen::Vector3d& way, Qt::KeyboardModifiers modifiers) {
@@ -60,7 +62,7 @@ private:
 
 TEST_F(SnappingTest, ShiftSlidesANodeAlongItsAxis) {
   dragBy({0.3, 0, 0.02}, Qt::ShiftModifier);
-  EXPECT_LT((place() - start_).head<2>().norm(), 0.02) << "the trunk is upright";
+  EXPECT_LT((place() - start_).head<2>().norm(), 1e-6) << "the trunk is upright";
   EXPECT_GT(place().z(), start_.z());
   expectUndone();
   dragBy({0.3, 0, 0.02}, Qt::NoModifier);
@@ -87,7 +89,7 @@ TEST_F(SnappingTest, AMenuChoosesWhatNodesSnapTo) {
   EXPECT_TRUE(action("snap_contracted").isChecked());
   EXPECT_FALSE(action("snap_section").isChecked());
   dragBy({0.04, 0, 0}, Qt::NoModifier);
-  EXPECT_LT(place().head<2>().norm(), 0.02) << "they are in the middle of the wood";
+  EXPECT_LT(place().head<2>().norm(), 1e-5) << "they are on the axis";
   expectUndone();
   dragBy({0.04, 0, 0}, Qt::ControlModifier);
   EXPECT_GT(place().x() - start_.x(), 0.03) << "Ctrl lets it go";

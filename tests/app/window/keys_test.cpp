@@ -37,25 +37,25 @@ struct KeysWindowTest : test::WindowTest {
 
 TEST_F(KeysWindowTest, TheSheetChangesTheKeysOfACommand) {
   change("new_child");
-  press(Qt::Key_C);
+  press(Qt::Key_Z);
   EXPECT_EQ(note(), "");
   clickButton("set_keys");
-  EXPECT_EQ(keysOf("new_child"), "C");
-  EXPECT_EQ(sheet().findChild<QPushButton*>("keys_of_new_child")->text(), "C");
-  EXPECT_TRUE(action("new_child").toolTip().contains("&nbsp; C<"))
+  EXPECT_EQ(keysOf("new_child"), "Z");
+  EXPECT_EQ(sheet().findChild<QPushButton*>("keys_of_new_child")->text(), "Z");
+  EXPECT_TRUE(action("new_child").toolTip().contains("&nbsp; Z<"))
       << action("new_child").toolTip().toStdString();
 }
 
 TEST_F(KeysWindowTest, TheNewKeyWorksAndTheOldOneNoMore) {
   open({writeFork("fork.mtg")});
   change("new_child");
-  press(Qt::Key_C);
+  press(Qt::Key_Z);
   clickButton("set_keys");
   close();
   document().selection().set({test::forkTop});
   key(Qt::Key_N);
   EXPECT_EQ(document().skeleton().size(), 5U);
-  key(Qt::Key_C);
+  key(Qt::Key_Z);
   EXPECT_EQ(document().skeleton().size(), 6U);
 }
 
@@ -64,9 +64,9 @@ TEST_F(KeysWindowTest, HintsNameTheNewKey) {
   hover(placeOf(test::forkTop));
   EXPECT_TRUE(window().statusLine().shownText().contains("N new child"));
   change("new_child");
-  press(Qt::Key_C);
+  press(Qt::Key_Z);
   clickButton("set_keys");
-  EXPECT_TRUE(window().statusLine().shownText().contains("C new child"))
+  EXPECT_TRUE(window().statusLine().shownText().contains("Z new child"))
       << window().statusLine().shownText().toStdString();
 }
 

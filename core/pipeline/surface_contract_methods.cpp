@@ -2,6 +2,7 @@
 #include "core/contract/l1_medial.h"
 #include "core/contract/one_step_laplacian.h"
 #include "core/contract/path_based.h"
+#include "core/contract/rotational_symmetry.h"
 #include "core/pipeline/contract_parts.h"
 
 #include <algorithm>
@@ -121,6 +122,36 @@ Method l1MedialMethod() {
       });
 }
 
+Method rotationalSymmetryMethod() {
+  using Options = RotationalSymmetryOptions;
+  const Options defaults;
+  OptionTable<Options> table;
+  table.add(linksOption(), &Options::neighbors);
+  table.add(countOption("normal_neighbors", "Points of normals", defaults.normalNeighbors, 3, 64,
+                        "How many of the nearest points the normal of each one is found from."),
+            &Options::normalNeighbors);
+  table.add(reachOption("width", "Width", 2, "Half of the thickness of a section, along the wood."),
+            &Options::width);
+  table.add(reachOption("reach", "Reach", 8,
+                        "How far a section goes across the wood; it need not reach around it."),
+            &Options::reach);
+  table.add(countOption("axis_rounds", "Rounds", defaults.rounds, 1, 20,
+                        "How often sections and axes are found in turn."),
+            &Options::rounds);
+  table.add(countOption("smoothing", "Smoothing", defaults.smoothing, 0, 50,
+                        "How often places that normals do not tell follow their neighbors."),
+            &Options::smoothing);
+  return contractMethod<Options>(
+      {.name = "rotational_symmetry",
+       .label = "Rotational symmetry axes",
+       .help = "Moves each point to where the normals of its section meet: the middle of round "
+               "wood, of which only a part is seen.",
+       .source = "A. Tagliasacchi, H. Zhang, D. Cohen-Or, ACM Trans. Graph. 28(3), 2009 (ROSA)"},
+      table, [](const auto& points, const Options& options, const auto&, const Progress& progress) {
+        return contractedToSymmetryAxes(points, options, progress);
+      });
+}
+
 /// The root of the plant among the points that were kept.
 Eigen::Index keptRoot(const PipelineState& state) {
   const std::vector<Eigen::Index> kept = keptPoints(state);
@@ -151,7 +182,8 @@ Method pathBasedMethod() {
 } // namespace
 
 std::vector<Method> surfaceContractMethods() {
-  return {oneStepLaplacianMethod(), implicitLaplacianMethod(), pathBasedMethod(), l1MedialMethod()};
+  return {oneStepLaplacianMethod(), implicitLaplacianMethod(), pathBasedMethod(),
+          rotationalSymmetryMethod(), l1MedialMethod()};
 }
 
 } // namespace espalier

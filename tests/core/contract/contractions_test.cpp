@@ -8,6 +8,7 @@
 #include "core/contract/l1_medial.h"
 #include "core/contract/one_step_laplacian.h"
 #include "core/contract/path_based.h"
+#include "core/contract/rotational_symmetry.h"
 #include "tests/core/contract/known_plants.h"
 #include "tests/support/clouds.h"
 
@@ -171,6 +172,16 @@ std::vector<Contraction> contractions() {
        .cone = 0.3,
        .half = 0,
        .turned = 1},
+      {.name = "RotationalSymmetry", // thin wood has hardly normals, and none at its rims
+       .contract =
+           [](const auto& points, double s, const Progress& progress) {
+             return contractedToSymmetryAxes(points, {.width = 2 * s, .reach = 8 * s}, progress);
+           },
+       .bent = 0.95,
+       .fork = 0.9,
+       .cone = 0.9,
+       .half = 0,
+       .turned = 0.1},
   };
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/pipeline/method_parts.h"
 #include "core/reconstruct/graph_colonization.h"
+#include "core/reconstruct/space_colonization.h"
 
 namespace espalier {
 namespace {
@@ -24,6 +25,38 @@ Option greatestStep(double count) {
           .minimum = 1,
           .maximum = 200,
           .help = "Distance between nodes where points are densest, as in thick wood."};
+}
+
+Option reach(double steps) {
+  return {.name = "reach",
+          .label = "Reach",
+          .kind = OptionKind::ratio,
+          .rule = fixedAt(steps),
+          .minimum = 1,
+          .maximum = 10,
+          .help = "How far from a node points pull at it, in steps; more bridges wider gaps."};
+}
+
+Option kill(double steps) {
+  return {.name = "kill",
+          .label = "Kill distance",
+          .kind = OptionKind::ratio,
+          .rule = fixedAt(steps),
+          .minimum = 0.1,
+          .maximum = 5,
+          .help =
+              "Points nearer to a node are done with, in steps; less finds more twigs, and more "
+              "spurs."};
+}
+
+Option widestGap() {
+  return {.name = "widest_gap",
+          .label = "Widest gap",
+          .kind = OptionKind::length,
+          .rule = fixedAt(0),
+          .minimum = 0,
+          .maximum = 10000,
+          .help = "Parts of the plant farther apart than this are not joined; 0 joins all."};
 }
 
 } // namespace
@@ -50,14 +83,7 @@ Method graphColonizationMethod() {
              .help = "0 puts nodes in the middle of their points, 1 where these meet those of the "
                      "node before."},
             &Options::junctionShare);
-  table.add({.name = "widest_gap",
-             .label = "Widest gap",
-             .kind = OptionKind::length,
-             .rule = fixedAt(0),
-             .minimum = 0,
-             .maximum = 10000,
-             .help = "Parts of the plant farther apart than this are not joined; 0 joins all."},
-            &Options::widestGap);
+  table.add(widestGap(), &Options::widestGap);
   return {.name = "graph_colonization",
           .label = "Graph colonization",
           .help = "Groups of points take the points behind them, in steps that follow the density.",
@@ -67,6 +93,29 @@ Method graphColonizationMethod() {
             const std::vector<float> densities = scannedDensities(state, progress.part(0, 0.2));
             reconstructKept(state, [&](const Eigen::Matrix3Xf& points, Eigen::Index root) {
               return skeletonByGraphColonization(points, densities, root, table.with(values),
+                                                 progress.part(0.2, 1));
+            });
+          }};
+}
+
+Method spaceColonizationMethod() {
+  using Options = SpaceColonizationOptions;
+  OptionTable<Options> table;
+  table.add(leastStep(2), &Options::leastStep);
+  table.add(greatestStep(3), &Options::greatestStep);
+  table.add(reach(4), &Options::reach);
+  table.add(kill(1.2), &Options::kill);
+  table.add(widestGap(), &Options::widestGap);
+  return {.name = "space_colonization",
+          .label = "Space colonization",
+          .help = "Points pull the nodes nearest to them; steps follow the density.",
+          .source = "A. Runions, B. Lane, P. Prusinkiewicz, Eurographics Workshop on Natural "
+                    "Phenomena, 2007",
+          .options = table.descriptions(),
+          .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
+            const std::vector<float> densities = scannedDensities(state, progress.part(0, 0.2));
+            reconstructKept(state, [&](const Eigen::Matrix3Xf& points, Eigen::Index root) {
+              return skeletonBySpaceColonization(points, densities, root, table.with(values),
                                                  progress.part(0.2, 1));
             });
           }};

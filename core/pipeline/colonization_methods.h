@@ -7,5 +7,6 @@ namespace espalier {
 // Methods of the step "skeleton" that grow a plant into the points, from the root.
 
 [[nodiscard]] Method graphColonizationMethod();
+[[nodiscard]] Method spaceColonizationMethod();
 
 } // namespace espalier

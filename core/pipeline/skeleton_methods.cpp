@@ -1,7 +1,6 @@
-#include "core/pipeline/skeleton_methods.h"
-
 #include "core/pipeline/colonization_methods.h"
 #include "core/pipeline/method_parts.h"
+#include "core/pipeline/skeleton_methods.h"
 #include "core/reconstruct/geodesic_bins.h"
 
 namespace espalier {
@@ -60,7 +59,7 @@ Method geodesicBinsMethod() {
 } // namespace
 
 std::vector<Method> skeletonMethods() {
-  return {geodesicBinsMethod(), graphColonizationMethod()};
+  return {geodesicBinsMethod(), graphColonizationMethod(), spaceColonizationMethod()};
 }
 
 } // namespace espalier

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "core/base/spatial_index.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace espalier {
+
+/// The points that a growing skeleton has not come to yet. Each belongs to the node nearest to it
+/// of those that it is in reach of; points near a node die.
+class Attractors {
+public:
+  /// @param points    3 x N, finite [L]; must outlive this
+  /// @param densities N, in [0, 1]; must outlive this
+  Attractors(const Eigen::Matrix3Xf& points, const std::vector<float>& densities);
+
+  /// Density of the point nearest to `place`. pre: N > 0
+  [[nodiscard]] double densityAt(const Eigen::Vector3d& place) const;
+
+  /// Takes a new node: what is within `kill` [L] of it dies; what else is within `reach` [L], and
+  /// nearer to it than to the nodes before it, is its own from now on.
+  /// pre: nodes come in the order 0, 1, 2, ...
+  void meet(std::uint32_t node, const Eigen::Vector3d& place, double kill, double reach);
+
+  /// The living points within `reach` [L], by their number.
+  [[nodiscard]] std::vector<std::uint32_t> around(const Eigen::Vector3d& place, double reach) const;
+
+  /// The living points of a node, by their number. Valid until the next call of meet().
+  [[nodiscard]] const std::vector<std::uint32_t>& of(std::uint32_t node);
+
+  /// The points that no node has been in reach of.
+  [[nodiscard]] std::vector<std::uint32_t> unreached() const;
+
+  [[nodiscard]] bool isOf(std::uint32_t node, std::uint32_t point) const {
+    return owner_[point] == node;
+  }
+  [[nodiscard]] Eigen::Vector3d position(std::uint32_t point) const {
+    return points_.col(point).cast<double>();
+  }
+  [[nodiscard]] Eigen::Index dead() const { return dead_; }
+  [[nodiscard]] Eigen::Index reached() const { return reached_; } // dead or with a node
+
+private:
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+  const Eigen::Matrix3Xf& points_;
+  const std::vector<float>& densities_;
+  SpatialIndex index_;
+  std::vector<char> isAlive_;                     // by point
+  std::vector<std::uint32_t> owner_;              // by point
+  std::vector<float> squaredDistance_;            // to it [L^2]
+  std::vector<std::vector<std::uint32_t>> owned_; // by node; some are another's since, or dead
+  Eigen::Index dead_ = 0;
+  Eigen::Index reached_ = 0;
+};
+
+} // namespace espalier

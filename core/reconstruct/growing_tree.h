@@ -1,0 +1,67 @@
+#pragma once
+
+#include "core/reconstruct/attractors.h"
+#include "core/skeleton/skeleton.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace espalier {
+
+/// A length that follows the density of the points: `least` at density 0, `greatest` at 1 [L].
+struct AdaptiveLength {
+  double least = 0;
+  double greatest = 0;
+
+  [[nodiscard]] double at(double density) const { return least + density * (greatest - least); }
+};
+
+/// A skeleton that grows step by step towards attractors.
+class GrowingTree {
+public:
+  struct Shoot {
+    std::uint32_t parent;
+    Eigen::Vector3d place; // [L]
+  };
+
+  /// @param kill, reach in steps: see Attractors::meet
+  GrowingTree(Attractors& attractors, const AdaptiveLength& step, double kill, double reach)
+      : attractors_(attractors), step_(step), kill_(kill), reach_(reach) {}
+
+  /// Adds a node, which the attractors meet. @return its number: 0, 1, 2, ...
+  std::uint32_t add(const Eigen::Vector3d& place, std::optional<std::uint32_t> parent);
+
+  /// Where a child of `node` would stand that is one step off in the mean direction of `pulling`;
+  /// none if they pull nowhere, or it would not come nearer to one of them by a tenth of a step:
+  /// without this rule a node between its points would grow for ever.
+  [[nodiscard]] std::optional<Shoot> shootTowards(std::uint32_t node,
+                                                  const std::vector<std::uint32_t>& pulling) const;
+
+  /// Where growth goes on when it has ended: at points that no node is in reach of, hung on the
+  /// nodes nearest to them. Nearest first; of points in reach of each other one, and none of points
+  /// that stand alone.
+  /// @param widestGap [L] wider ones are not bridged; 0 = all are
+  [[nodiscard]] std::vector<Shoot> shootsAcrossGaps(double widestGap) const;
+
+  [[nodiscard]] const Eigen::Vector3d& place(std::uint32_t node) const { return places_[node]; }
+  [[nodiscard]] double step(std::uint32_t node) const { return steps_[node]; } // [L]
+  [[nodiscard]] double density(std::uint32_t node) const { return densities_[node]; }
+  [[nodiscard]] double reach(std::uint32_t node) const { return reach_ * steps_[node]; } // [L]
+  [[nodiscard]] const Skeleton& skeleton() const { return skeleton_; }
+
+private:
+  Attractors& attractors_;
+  AdaptiveLength step_;
+  double kill_;
+  double reach_;
+  std::vector<Eigen::Vector3d> places_;
+  std::vector<double> steps_;
+  std::vector<double> densities_; // of the nearest point
+  std::vector<NodeId> ids_;
+  Skeleton skeleton_;
+};
+
+} // namespace espalier

@@ -2,6 +2,7 @@
 
 #include "core/pipeline/method_parts.h"
 #include "core/reconstruct/graph_colonization.h"
+#include "core/reconstruct/point_tracking.h"
 #include "core/reconstruct/space_colonization.h"
 
 namespace espalier {
@@ -94,6 +95,54 @@ Method graphColonizationMethod() {
             reconstructKept(state, [&](const Eigen::Matrix3Xf& points, Eigen::Index root) {
               return skeletonByGraphColonization(points, densities, root, table.with(values),
                                                  progress.part(0.2, 1));
+            });
+          }};
+}
+
+Method pointTrackingMethod() {
+  using Options = PointTrackingOptions;
+  OptionTable<Options> table;
+  table.add(leastStep(5), &Options::leastStep);
+  table.add(greatestStep(6), &Options::greatestStep);
+  table.add(reach(3), &Options::reach);
+  table.add(kill(1), &Options::kill);
+  table.add({.name = "cone_angle",
+             .label = "Cone angle",
+             .kind = OptionKind::angle,
+             .rule = fixedAt(45),
+             .minimum = 10,
+             .maximum = 80,
+             .help = "Opening of the cones in which a node looks for children; less tells narrower "
+                     "forks apart."},
+            &Options::coneAngle);
+  table.add({.name = "fewest_points",
+             .label = "Fewest points",
+             .kind = OptionKind::count,
+             .rule = fixedAt(3),
+             .minimum = 1,
+             .maximum = 100,
+             .help = "Cones with fewer points bear no child."},
+            &Options::fewestPoints);
+  table.add({.name = "cluster_density",
+             .label = "Cluster density",
+             .kind = OptionKind::ratio,
+             .rule = fixedAt(0.5),
+             .minimum = 0,
+             .maximum = 1,
+             .help = "Where points are denser than this share of the densest, directions are "
+                     "clustered instead of sorted by cones; 1 is nowhere."},
+            &Options::clusterDensity);
+  table.add(widestGap(), &Options::widestGap);
+  return {.name = "point_tracking",
+          .label = "Point tracking",
+          .help = "Follows the points from node to node, through cones, as the thesis does.",
+          .source = "C. Preuksakarn, PhD thesis, Montpellier 2, 2012, section 4.7",
+          .options = table.descriptions(),
+          .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
+            const std::vector<float> densities = scannedDensities(state, progress.part(0, 0.2));
+            reconstructKept(state, [&](const Eigen::Matrix3Xf& points, Eigen::Index root) {
+              return skeletonByPointTracking(points, densities, root, table.with(values),
+                                             progress.part(0.2, 1));
             });
           }};
 }

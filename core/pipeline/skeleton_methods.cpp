@@ -59,7 +59,8 @@ Method geodesicBinsMethod() {
 } // namespace
 
 std::vector<Method> skeletonMethods() {
-  return {geodesicBinsMethod(), graphColonizationMethod(), spaceColonizationMethod()};
+  return {geodesicBinsMethod(), graphColonizationMethod(), pointTrackingMethod(),
+          spaceColonizationMethod()};
 }
 
 } // namespace espalier

@@ -1,0 +1,121 @@
+#include "core/reconstruct/point_tracking.h"
+
+#include "core/reconstruct/attractors.h"
+#include "core/reconstruct/direction_clusters.h"
+#include "core/reconstruct/direction_cones.h"
+#include "core/reconstruct/growing_tree.h"
+#include "core/reconstruct/reached_points.h"
+
+#include <Eigen/Geometry>
+
+namespace espalier {
+namespace {
+
+constexpr std::size_t fewestForClusters = 30; // points, for an honest number of clusters
+
+/// The points that a node sees.
+struct View {
+  std::vector<std::uint32_t> points;
+  std::vector<Eigen::Vector3d> directions; // unit
+};
+
+class Tracker {
+public:
+  Tracker(Attractors& attractors, const PointTrackingOptions& options)
+      : attractors_(attractors), options_(options), cones_(options.coneAngle),
+        tree_(attractors, {options.leastStep, options.greatestStep}, options.kill, options.reach) {}
+
+  Skeleton grow(const Eigen::Vector3d& root, Eigen::Index points, const Progress& progress) {
+    std::vector<std::uint32_t> growing = {tree_.add(root, std::nullopt)};
+    headings_.push_back(firstHeading());
+    while (!growing.empty()) {
+      progress.update(static_cast<double>(attractors_.dead()) / static_cast<double>(points));
+      std::vector<GrowingTree::Shoot> shoots;
+      for (const std::uint32_t node : growing) {
+        progress.check();
+        growFrom(node, shoots);
+      }
+      if (shoots.empty()) shoots = tree_.shootsAcrossGaps(options_.widestGap);
+      growing.clear();
+      for (const GrowingTree::Shoot& shoot : shoots) {
+        const Eigen::Vector3d direction = (shoot.place - tree_.place(shoot.parent)).normalized();
+        headings_.push_back(headings_[shoot.parent].turnedTo(direction));
+        growing.push_back(tree_.add(shoot.place, shoot.parent));
+      }
+    }
+    return tree_.skeleton();
+  }
+
+private:
+  [[nodiscard]] View viewOf(std::uint32_t node) const {
+    View view;
+    view.points = attractors_.around(tree_.place(node), tree_.reach(node));
+    for (const std::uint32_t point : view.points)
+      view.directions.push_back((attractors_.position(point) - tree_.place(node)).normalized());
+    return view;
+  }
+
+  /// Towards the points around the root; its side to the one farthest off that way, so that it
+  /// turns with the plant.
+  [[nodiscard]] Heading firstHeading() const {
+    const View view = viewOf(0);
+    Eigen::Vector3d along = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector3d& direction : view.directions)
+      along += direction;
+    along = along.norm() > 0 ? Eigen::Vector3d(along.normalized()) : Eigen::Vector3d::UnitZ();
+    Eigen::Vector3d side = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector3d& direction : view.directions) {
+      const Eigen::Vector3d across = direction - direction.dot(along) * along;
+      if (across.squaredNorm() > side.squaredNorm()) side = across;
+    }
+    return {along, side.norm() > 1e-9 ? Eigen::Vector3d(side.normalized())
+                                      : Eigen::Vector3d(along.unitOrthogonal())};
+  }
+
+  /// By clusters where points are dense enough to tell them, by cones elsewhere.
+  [[nodiscard]] std::vector<std::vector<std::size_t>> groupsOf(std::uint32_t node,
+                                                               const View& view) const {
+    const bool areEnough = view.points.size() >= fewestForClusters;
+    if (areEnough && tree_.density(node) > options_.clusterDensity) {
+      std::vector<Eigen::Vector3d> ahead = view.directions; // as the cones look ahead only
+      for (Eigen::Vector3d& direction : ahead)
+        if (direction.dot(headings_[node].along) <= 0) direction.setZero();
+      return directionClusters(ahead);
+    }
+    return cones_.groups(headings_[node], view.directions);
+  }
+
+  void growFrom(std::uint32_t node, std::vector<GrowingTree::Shoot>& shoots) const {
+    const View view = viewOf(node);
+    for (const std::vector<std::size_t>& group : groupsOf(node, view)) {
+      if (group.size() < static_cast<std::size_t>(options_.fewestPoints)) continue;
+      std::vector<std::uint32_t> own;
+      for (const std::size_t i : group)
+        if (attractors_.isOf(node, view.points[i])) own.push_back(view.points[i]);
+      if (own.empty()) continue;
+      if (const auto shoot = tree_.shootTowards(node, own)) shoots.push_back(*shoot);
+    }
+  }
+
+  Attractors& attractors_;
+  const PointTrackingOptions& options_;
+  DirectionCones cones_;
+  GrowingTree tree_;
+  std::vector<Heading> headings_; // by node
+};
+
+} // namespace
+
+Skeleton skeletonByPointTracking(const Eigen::Matrix3Xf& points,
+                                 const std::vector<float>& densities, Eigen::Index root,
+                                 const PointTrackingOptions& options, const Progress& progress) {
+  progress.check();
+  Attractors attractors(points, densities);
+  Tracker tracker(attractors, options);
+  Skeleton skeleton =
+      tracker.grow(points.col(root).cast<double>(), points.cols(), progress.part(0, 0.9));
+  requireHalf(attractors.reached(), points.cols());
+  return withMeanDistances(std::move(skeleton), points, progress.part(0.9, 1));
+}
+
+} // namespace espalier

@@ -1,5 +1,6 @@
 #include "core/pipeline/colonization_methods.h"
 #include "core/pipeline/method_parts.h"
+#include "core/pipeline/path_methods.h"
 #include "core/pipeline/skeleton_methods.h"
 #include "core/reconstruct/geodesic_bins.h"
 
@@ -60,7 +61,7 @@ Method geodesicBinsMethod() {
 
 std::vector<Method> skeletonMethods() {
   return {geodesicBinsMethod(), graphColonizationMethod(), pointTrackingMethod(),
-          spaceColonizationMethod()};
+          spaceColonizationMethod(), shortestPathMethod()};
 }
 
 } // namespace espalier

@@ -1,0 +1,91 @@
+#include "core/pipeline/path_methods.h"
+
+#include "core/pipeline/method_parts.h"
+#include "core/reconstruct/shortest_path_skeleton.h"
+
+namespace espalier {
+namespace {
+
+Option neighbors(double count) {
+  return {.name = "neighbors",
+          .label = "Neighbors",
+          .kind = OptionKind::count,
+          .rule = fixedAt(count),
+          .minimum = 3,
+          .maximum = 64,
+          .help = "Links per point along which distances are measured; more bridge wider gaps."};
+}
+
+Option spacing() {
+  return {.name = "spacing",
+          .label = "Spacing",
+          .kind = OptionKind::length,
+          .rule = spacings(6),
+          .minimum = 1,
+          .maximum = 100,
+          .help = "Greatest distance between nodes."};
+}
+
+Option widestGap() {
+  return {.name = "widest_gap",
+          .label = "Widest gap",
+          .kind = OptionKind::length,
+          .rule = fixedAt(0),
+          .minimum = 0,
+          .maximum = 10000,
+          .help = "Parts of the plant farther apart than this are not joined; 0 joins all."};
+}
+
+} // namespace
+
+Method shortestPathMethod() {
+  using Options = ShortestPathOptions;
+  OptionTable<Options> table;
+  table.add(neighbors(16), &Options::neighbors);
+  table.add({.name = "power",
+             .label = "Power",
+             .kind = OptionKind::ratio,
+             .rule = fixedAt(2),
+             .minimum = 1,
+             .maximum = 4,
+             .help = "A link costs its length to this power; more avoids leaps over gaps."},
+            &Options::power);
+  table.add({.name = "least_share",
+             .label = "Least share",
+             .kind = OptionKind::ratio,
+             .rule = fixedAt(0.019),
+             .minimum = 0,
+             .maximum = 1,
+             .help = "Branches go whose longest way is a smaller share of that of their wood."},
+            &Options::leastShare);
+  table.add(spacing(), &Options::spacing);
+  table.add({.name = "merge_angle",
+             .label = "Merge angle",
+             .kind = OptionKind::angle,
+             .rule = fixedAt(25),
+             .minimum = 0,
+             .maximum = 90,
+             .help = "Branches side by side at less than this may be one."},
+            &Options::mergeAngle);
+  table.add({.name = "least_radius",
+             .label = "Least radius",
+             .kind = OptionKind::length,
+             .rule = spacings(2),
+             .minimum = 0.1,
+             .maximum = 50,
+             .help = "How far points lie off the axis even of a twig; more merges more."},
+            &Options::leastRadius);
+  table.add(widestGap(), &Options::widestGap);
+  return {.name = "shortest_paths",
+          .label = "Shortest paths",
+          .help = "Simplifies the tree of shortest ways, by squared length, over all points.",
+          .source = "S. Du et al. (AdTree), Remote Sensing 11(18), 2019",
+          .options = table.descriptions(),
+          .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
+            reconstructKept(state, [&](const Eigen::Matrix3Xf& points, Eigen::Index root) {
+              return skeletonByShortestPaths(points, root, table.with(values), progress);
+            });
+          }};
+}
+
+} // namespace espalier

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "core/pipeline/registry.h"
+
+namespace espalier {
+
+// Methods of the step "skeleton" that simplify a tree of shortest ways over the points.
+
+[[nodiscard]] Method shortestPathMethod();
+
+} // namespace espalier

@@ -1,6 +1,7 @@
 #include "core/pipeline/path_methods.h"
 
 #include "core/pipeline/method_parts.h"
+#include "core/reconstruct/branch_structure_graph.h"
 #include "core/reconstruct/shortest_path_skeleton.h"
 
 namespace espalier {
@@ -84,6 +85,59 @@ Method shortestPathMethod() {
           .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
             reconstructKept(state, [&](const Eigen::Matrix3Xf& points, Eigen::Index root) {
               return skeletonByShortestPaths(points, root, table.with(values), progress);
+            });
+          }};
+}
+
+Method branchStructureMethod() {
+  using Options = BranchStructureOptions;
+  OptionTable<Options> table;
+  table.add(neighbors(7), &Options::neighbors);
+  table.add({.name = "rounds",
+             .label = "Rounds",
+             .kind = OptionKind::count,
+             .rule = fixedAt(3),
+             .minimum = 0,
+             .maximum = 50,
+             .help = "How often branches are made straighter."},
+            &Options::rounds);
+  table.add({.name = "radius_share",
+             .label = "Radius share",
+             .kind = OptionKind::ratio,
+             .rule = fixedAt(1),
+             .minimum = 0.001,
+             .maximum = 100,
+             .help =
+                 "Mean radius of the wood, in mean distances of the points from it; more merges "
+                 "more."},
+            &Options::radiusShare);
+  table.add({.name = "least_edge",
+             .label = "Least edge",
+             .kind = OptionKind::ratio,
+             .rule = fixedAt(0.15),
+             .minimum = 0,
+             .maximum = 1,
+             .help = "Shorter edges go; 0 is the shortest, 1 the longest of all."},
+            &Options::leastEdge);
+  table.add({.name = "overlap",
+             .label = "Overlap",
+             .kind = OptionKind::ratio,
+             .rule = fixedAt(0.5),
+             .minimum = 0.01,
+             .maximum = 1,
+             .help = "Branches whose wood overlaps by more than this share become one."},
+            &Options::overlap);
+  table.add(spacing(), &Options::spacing);
+  table.add(widestGap(), &Options::widestGap);
+  return {.name = "branch_structure",
+          .label = "Branch structure graph",
+          .help =
+              "Straightens the tree of shortest ways over all points, and merges what overlaps.",
+          .source = "Y. Livny et al., ACM Trans. Graph. 29(6), 2010",
+          .options = table.descriptions(),
+          .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
+            reconstructKept(state, [&](const Eigen::Matrix3Xf& points, Eigen::Index root) {
+              return skeletonByBranchStructure(points, root, table.with(values), progress);
             });
           }};
 }

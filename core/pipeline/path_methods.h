@@ -7,5 +7,6 @@ namespace espalier {
 // Methods of the step "skeleton" that simplify a tree of shortest ways over the points.
 
 [[nodiscard]] Method shortestPathMethod();
+[[nodiscard]] Method branchStructureMethod();
 
 } // namespace espalier

@@ -60,8 +60,8 @@ Method geodesicBinsMethod() {
 } // namespace
 
 std::vector<Method> skeletonMethods() {
-  return {geodesicBinsMethod(), graphColonizationMethod(), pointTrackingMethod(),
-          spaceColonizationMethod(), shortestPathMethod()};
+  return {geodesicBinsMethod(),      graphColonizationMethod(), pointTrackingMethod(),
+          spaceColonizationMethod(), shortestPathMethod(),      branchStructureMethod()};
 }
 
 } // namespace espalier

@@ -11,12 +11,25 @@
 #include <QSplitter>
 
 #include <numbers>
+#include <optional>
 #include <utility>
 
 namespace espalier {
 namespace {
 
 constexpr double quarterTurn = std::numbers::pi / 2;
+
+/// Does a view show all of the plant, or nearly so: the middle of each side of its box?
+bool showsAll(const PlantView& view) {
+  const Eigen::AlignedBox3d bounds = view.bounds();
+  for (int side = 0; side < 6 && !bounds.isEmpty(); ++side) {
+    Eigen::Vector3d middle = bounds.center();
+    middle[side / 2] = (side % 2 == 0 ? bounds.min() : bounds.max())[side / 2];
+    const std::optional<QPointF> at = view.project(middle);
+    if (!at || !QRectF(view.rect()).contains(*at)) return false;
+  }
+  return true;
+}
 
 } // namespace
 
@@ -66,6 +79,7 @@ void TwoViewsFlow::setTwo(bool areTwo) {
     delete std::exchange(second_, nullptr);
     return;
   }
+  const bool hasShownAll = showsAll(parts_.view);
   second_ = new PlantView(parts_.view, &parts_.place);
   second_->setObjectName("second_view");
   second_->setAccessibleName(tr("Second view of the plant"));
@@ -75,6 +89,8 @@ void TwoViewsFlow::setTwo(bool areTwo) {
   parts_.place.addWidget(second_);
   const int half = parts_.place.width() / 2;
   parts_.place.setSizes({half, half});
+  parts_.place.refresh();
+  if (hasShownAll && !showsAll(parts_.view)) parts_.view.frameAll(); // it has half of its width
   parts_.editing.addView(*second_);
   linkFirst();
   if (link_ == Link::free) second_->look(StandardView::right);

@@ -51,6 +51,19 @@ TEST_F(TwoViewsTest, TheSecondLooksFromTheSideAndMovesWithTheFirst) {
   EXPECT_NEAR(second().camera().pitch, quarterTurn, 1e-9);
 }
 
+TEST_F(TwoViewsTest, WhatFilledOneViewIsSeenInHalfOfIt) {
+  key(Qt::Key_F12);
+  document().edit("Wide", [&](SkeletonEditor& editor) {
+    editor.setPosition(nodeAt({1, 0, 2}), {6, 0, 1});
+  });
+  action("frame_all").trigger();
+  waitForView();
+  key(Qt::Key_F12);
+  waitForBoth();
+  const QPointF at = view().project({6, 0, 1}).value();
+  EXPECT_TRUE(view().rect().contains(at.toPoint())) << at.x() << " of " << view().width();
+}
+
 TEST_F(TwoViewsTest, TheFirstMovesWithTheSecond) {
   const double yaw = view().camera().yaw;
   turnByHand(second());

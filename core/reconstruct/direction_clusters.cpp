@@ -21,11 +21,15 @@ struct Cluster {
   double concentration = 10;
   double weight = 1;
 
-  [[nodiscard]] double logDensity(const Eigen::Vector3d& direction) const {
-    const double k = concentration; // log(k / (4 pi sinh k)), which does not overflow
-    const double logScale =
-        std::log(k) - std::log(2 * std::numbers::pi) - std::log1p(-std::exp(-2 * k));
-    return std::log(weight) + logScale + k * (mean.dot(direction) - 1);
+  /// Of the density at the mean, weighted: log(w k / (4 pi sinh k)) + k, which does not overflow.
+  [[nodiscard]] double logPeak() const {
+    const double k = concentration;
+    return std::log(weight) + std::log(k) - std::log(2 * std::numbers::pi) -
+           std::log1p(-std::exp(-2 * k));
+  }
+  /// The logarithm of the density falls from its peak by this.
+  [[nodiscard]] double fall(const Eigen::Vector3d& direction) const {
+    return concentration * (1 - mean.dot(direction));
   }
 };
 
@@ -62,10 +66,15 @@ Eigen::ArrayXXd expected(Mixture& mixture, const Directions& directions) {
   Eigen::ArrayXXd shares(count, static_cast<Eigen::Index>(mixture.clusters.size()));
   mixture.logLikelihood = 0;
   mixture.entropy = 0;
+  std::vector<double> peaks; // logarithms are slow
+  for (const Cluster& cluster : mixture.clusters)
+    peaks.push_back(cluster.logPeak());
   for (Eigen::Index i = 0; i < count; ++i) {
-    for (Eigen::Index k = 0; k < shares.cols(); ++k)
-      shares(i, k) = mixture.clusters[static_cast<std::size_t>(k)].logDensity(
-          directions[static_cast<std::size_t>(i)]);
+    for (Eigen::Index k = 0; k < shares.cols(); ++k) {
+      const auto cluster = static_cast<std::size_t>(k);
+      shares(i, k) =
+          peaks[cluster] - mixture.clusters[cluster].fall(directions[static_cast<std::size_t>(i)]);
+    }
     const double greatest = shares.row(i).maxCoeff();
     shares.row(i) = (shares.row(i) - greatest).exp();
     const double sum = shares.row(i).sum();
@@ -157,7 +166,7 @@ std::vector<std::vector<std::size_t>> directionClusters(const Directions& direct
   for (std::size_t i = 0; i < directions.size(); ++i) {
     if (directions[i].squaredNorm() <= 0.5) continue;
     const auto better = [&](const Cluster& a, const Cluster& b) {
-      return a.logDensity(directions[i]) < b.logDensity(directions[i]);
+      return a.logPeak() - a.fall(directions[i]) < b.logPeak() - b.fall(directions[i]);
     };
     const auto place = std::ranges::max_element(clusters, better) - clusters.begin();
     groups[groupOf[static_cast<std::size_t>(place)]].push_back(i);

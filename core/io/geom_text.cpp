@@ -42,7 +42,7 @@ GeomText::GeomText(std::string_view text, std::string file) : text_(text), file_
 
 GeomToken GeomText::take() {
   const GeomToken taken = ahead_.front();
-  std::ranges::rotate(ahead_, ahead_.begin() + 1);
+  std::rotate(ahead_.begin(), ahead_.begin() + 1, ahead_.end());
   ahead_.back() = scan();
   return taken;
 }

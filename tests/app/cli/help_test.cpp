@@ -13,7 +13,7 @@ using test::runProgram;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-const test::Arguments subcommands = {"reconstruct", "batch", "contract", "evaluate", "convert",
+const test::Arguments subcommands = {"reconstruct", "batch",    "contract", "evaluate", "convert",
                                      "info",        "simulate", "methods",  "picture"};
 
 void expectPage(const Outcome& help) {

@@ -4,11 +4,32 @@
 #include "ui/panels/scan_form.h"
 #include "ui/panels/step_form.h"
 
+#include <QEvent>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
 
 namespace espalier {
+namespace {
+
+/// Keeps a scroll area as wide as what is in it needs: nothing is cut off at its right.
+class WideEnough : public QObject {
+public:
+  explicit WideEnough(QScrollArea& area) : QObject(&area), area_(area) {}
+
+  bool eventFilter(QObject* page, QEvent* event) override {
+    if (event->type() == QEvent::LayoutRequest)
+      area_.setMinimumWidth(area_.widget()->minimumSizeHint().width() +
+                            area_.verticalScrollBar()->sizeHint().width());
+    return QObject::eventFilter(page, event);
+  }
+
+private:
+  QScrollArea& area_;
+};
+
+} // namespace
 
 PipelinePanel::PipelinePanel(PlantDocument& document, QWidget* parent)
     : QWidget(parent), document_(document), run_(new QPushButton(tr("Reconstruct"), this)) {
@@ -35,6 +56,7 @@ PipelinePanel::PipelinePanel(PlantDocument& document, QWidget* parent)
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  page->installEventFilter(new WideEnough(*scroll));
   auto* scan = new ScanForm(document, this);
   scan->setContentsMargins(12, 12, 12, 12);
   auto* foot = new QVBoxLayout;

@@ -31,6 +31,8 @@ StepForm::StepForm(const Step& step, int number, QWidget* parent)
     method_->setItemData(method_->count() - 1, QString::fromStdString(method.help),
                          Qt::ToolTipRole);
   }
+  method_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  method_->setMinimumContentsLength(8); // long names are cut off rather than widen the form
   method_->setVisible(step.methods.size() > 1);
   method_->setAccessibleName(tr("Method of %1").arg(QString::fromStdString(step.label)));
   column_->setContentsMargins(28, 4, 12, 12);

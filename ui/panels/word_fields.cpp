@@ -11,6 +11,8 @@ namespace espalier {
 
 ChoiceField::ChoiceField(const Option& option, QGridLayout& grid, QWidget& parent)
     : OptionField(option, parent), words_(new QComboBox(&parent)) {
+  words_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  words_->setMinimumContentsLength(8);
   words_->setObjectName(QString::fromStdString(option.name));
   words_->setAccessibleName(label().text());
   for (const Choice& choice : option.choices)

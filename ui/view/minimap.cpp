@@ -17,6 +17,7 @@ constexpr QSize mapSize(168, 126);
 constexpr QSize leastView(560, 420);
 constexpr int besideAxes = 92;
 constexpr int margin = 12;
+constexpr double slack = 2; // that a plant may reach beyond what the view shows of it
 
 constexpr std::size_t mostEdges = 5000; // more are not told apart, and take their time
 
@@ -34,6 +35,7 @@ Minimap::Minimap(const Scene& scene, QWidget* view) : QWidget(view), scene_(scen
     places_ = scene_.outline();
     frameAll();
     update();
+    emit drawnAnew();
   });
 }
 
@@ -58,6 +60,14 @@ void Minimap::showCamera(const Camera& camera) {
   camera_ = camera;
   if (isTurned) frameAll();
   update();
+}
+
+bool Minimap::showsMore() const {
+  const QRectF seen = frame().adjusted(-slack, -slack, slack, slack);
+  return std::ranges::any_of(places_, [&](const Eigen::Vector3d& place) {
+    const std::optional<QPointF> pixel = pixelOf(place);
+    return pixel && !seen.contains(*pixel);
+  });
 }
 
 void Minimap::frameAll() {

@@ -26,8 +26,10 @@ public:
 
   void noteChange(); // of the plant or its colors: drawn anew a moment later
   void showCamera(const Camera& camera);
+  [[nodiscard]] bool showsMore() const; // of the plant than the view does
 
 signals:
+  void drawnAnew();                             // after noteChange()
   void moveAsked(const Eigen::Vector3d& focus); // [L]
   void entered();                               // the pointer is no longer over the plant
 

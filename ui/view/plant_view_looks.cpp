@@ -55,8 +55,8 @@ ColorBar* PlantView::Parts::draggedColorBar() const {
 
 void PlantView::Parts::refreshMinimap() {
   if (minimap == nullptr) return;
-  minimap->setVisible(Minimap::fits(owner.size()) && !scene.bounds().isEmpty());
   minimap->showCamera(navigator.camera());
+  minimap->setVisible(Minimap::fits(owner.size()) && minimap->showsMore());
 }
 
 void PlantView::setMinimapShown(bool isShown) {
@@ -70,6 +70,7 @@ void PlantView::setMinimapShown(bool isShown) {
 Minimap* PlantView::Parts::makeMinimap() {
   auto* map = new Minimap(scene, &owner);
   map->place(owner.size());
+  connect(map, &Minimap::drawnAnew, &owner, [this] { refreshMinimap(); });
   map->noteChange();
   connect(map, &Minimap::entered, &owner, [this] { pointer.leave(); });
   connect(map, &Minimap::moveAsked, &owner, [this](const Eigen::Vector3d& focus) {

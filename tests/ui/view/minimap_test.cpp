@@ -76,12 +76,15 @@ TEST_F(MinimapTest, FollowsEditsOfThePlant) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return !isDrawn(); }));
 }
 
-TEST_F(MinimapTest, IsAbsentInASmallView) {
+TEST_F(MinimapTest, IsAbsentInASmallViewAndWhereAllIsSeen) {
   EXPECT_TRUE(map_->isVisible());
   view_.resize(400, 600);
   EXPECT_FALSE(map_->isVisible());
   view_.resize(800, 600);
   EXPECT_TRUE(map_->isVisible());
+  view_.frameAll();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return view_.isStill(); }));
+  EXPECT_FALSE(map_->isVisible()) << "all is seen anyway";
   view_.setMinimapShown(false);
   EXPECT_EQ(view_.findChild<Minimap*>(), nullptr);
 }

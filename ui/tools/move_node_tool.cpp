@@ -101,6 +101,9 @@ bool MoveNodeTool::act(const ToolInput& input) {
     camera_.reset();
     return wasMine;
   }
+  case ToolInput::Phase::hover: // a release elsewhere is not told, as after a change of windows
+    if (drag_ && drag_->isCanceled) drag_.reset();
+    return false;
   default:
     return false;
   }

@@ -110,6 +110,14 @@ TEST_F(AddNodeToolTest, TakesThePullBackOnEscape) {
   EXPECT_EQ(document.undoStack().count(), 0);
 }
 
+TEST_F(AddNodeToolTest, IsFreeAfterAPullWhoseReleaseIsNotTold) {
+  mouse.press(onNode(NodeId{1}), {0, 1});
+  mouse.drag({0.5, 1});
+  mouse.escape();
+  mouse.hover({}, {5, 5});
+  EXPECT_FALSE(tool.isBusy());
+}
+
 TEST_F(AddNodeToolTest, TakesTheInsertionBackOnEscape) {
   mouse.press(onEdge(document.skeleton(), NodeId{2}, 0.25), {0, 1.25});
   EXPECT_TRUE(mouse.escape());

@@ -124,6 +124,16 @@ TEST_F(MoveNodeToolTest, PutsTheNodeBackOnEscape) {
   EXPECT_EQ(document.undoStack().count(), 0);
 }
 
+TEST_F(MoveNodeToolTest, IsFreeAfterADragWhoseReleaseIsNotTold) {
+  mouse.press(onNode(NodeId{2}), {1, 2});
+  mouse.drag({2, 2});
+  mouse.escape();
+  EXPECT_TRUE(tool.isBusy());
+  mouse.hover({}, {5, 5});
+  EXPECT_FALSE(tool.isBusy());
+  EXPECT_EQ(document.skeleton(), test::fork(3));
+}
+
 TEST_F(MoveNodeToolTest, SaysWhatTheMouseWillDo) {
   mouse.hover({}, {5, 5});
   EXPECT_TRUE(tool.hint().contains("Drag: turn"));

@@ -50,29 +50,12 @@ Option kill(double steps) {
               "spurs."};
 }
 
-Option widestGap() {
-  return {.name = "widest_gap",
-          .label = "Widest gap",
-          .kind = OptionKind::length,
-          .rule = fixedAt(0),
-          .minimum = 0,
-          .maximum = 10000,
-          .help = "Parts of the plant farther apart than this are not joined; 0 joins all."};
-}
-
 } // namespace
 
 Method graphColonizationMethod() {
   using Options = GraphColonizationOptions;
   OptionTable<Options> table;
-  table.add({.name = "neighbors",
-             .label = "Neighbors",
-             .kind = OptionKind::count,
-             .rule = fixedAt(12),
-             .minimum = 3,
-             .maximum = 64,
-             .help = "Links per point along which distances are measured; more bridge wider gaps."},
-            &Options::neighbors);
+  table.add(linksPerPoint(12), &Options::neighbors);
   table.add(leastStep(5), &Options::leastStep);
   table.add(greatestStep(8), &Options::greatestStep);
   table.add({.name = "junction_share",

@@ -17,6 +17,26 @@ Method noMethod(std::string help) {
           .run = [](PipelineState&, const Values&, const Progress&) {}};
 }
 
+Option linksPerPoint(int count) {
+  return {.name = "neighbors",
+          .label = "Neighbors",
+          .kind = OptionKind::count,
+          .rule = fixedAt(count),
+          .minimum = 3,
+          .maximum = 64,
+          .help = "Links per point along which distances are measured; more bridge wider gaps."};
+}
+
+Option widestGap() {
+  return {.name = "widest_gap",
+          .label = "Widest gap",
+          .kind = OptionKind::length,
+          .rule = fixedAt(0),
+          .minimum = 0,
+          .maximum = 10000,
+          .help = "Parts of the plant farther apart than this are not joined; 0 joins all."};
+}
+
 std::vector<Eigen::Index> keptPoints(const PipelineState& state) {
   std::vector<Eigen::Index> kept;
   for (Eigen::Index i = 0; i < state.cloud->size(); ++i)

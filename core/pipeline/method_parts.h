@@ -14,6 +14,10 @@ using Values = std::vector<double>;
 /// The method "none" of a step that may be left out.
 [[nodiscard]] Method noMethod(std::string help);
 
+/// Options that several methods of the skeleton have.
+[[nodiscard]] Option linksPerPoint(int count);
+[[nodiscard]] Option widestGap();
+
 /// The points that cleaning kept, ascending.
 [[nodiscard]] std::vector<Eigen::Index> keptPoints(const PipelineState& state);
 

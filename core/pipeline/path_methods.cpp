@@ -7,16 +7,6 @@
 namespace espalier {
 namespace {
 
-Option neighbors(double count) {
-  return {.name = "neighbors",
-          .label = "Neighbors",
-          .kind = OptionKind::count,
-          .rule = fixedAt(count),
-          .minimum = 3,
-          .maximum = 64,
-          .help = "Links per point along which distances are measured; more bridge wider gaps."};
-}
-
 Option spacing() {
   return {.name = "spacing",
           .label = "Spacing",
@@ -27,22 +17,12 @@ Option spacing() {
           .help = "Greatest distance between nodes."};
 }
 
-Option widestGap() {
-  return {.name = "widest_gap",
-          .label = "Widest gap",
-          .kind = OptionKind::length,
-          .rule = fixedAt(0),
-          .minimum = 0,
-          .maximum = 10000,
-          .help = "Parts of the plant farther apart than this are not joined; 0 joins all."};
-}
-
 } // namespace
 
 Method shortestPathMethod() {
   using Options = ShortestPathOptions;
   OptionTable<Options> table;
-  table.add(neighbors(16), &Options::neighbors);
+  table.add(linksPerPoint(16), &Options::neighbors);
   table.add({.name = "power",
              .label = "Power",
              .kind = OptionKind::ratio,
@@ -92,7 +72,7 @@ Method shortestPathMethod() {
 Method branchStructureMethod() {
   using Options = BranchStructureOptions;
   OptionTable<Options> table;
-  table.add(neighbors(7), &Options::neighbors);
+  table.add(linksPerPoint(7), &Options::neighbors);
   table.add({.name = "rounds",
              .label = "Rounds",
              .kind = OptionKind::count,

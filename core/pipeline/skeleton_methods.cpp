@@ -11,14 +11,7 @@ namespace {
 Method geodesicBinsMethod() {
   using Options = GeodesicBinOptions;
   OptionTable<Options> table;
-  table.add({.name = "neighbors",
-             .label = "Neighbors",
-             .kind = OptionKind::count,
-             .rule = fixedAt(12),
-             .minimum = 3,
-             .maximum = 64,
-             .help = "Links per point along which distances are measured; more bridge wider gaps."},
-            &Options::neighbors);
+  table.add(linksPerPoint(12), &Options::neighbors);
   table.add(
       {.name = "bin_width",
        .label = "Bin width",
@@ -28,14 +21,7 @@ Method geodesicBinsMethod() {
        .maximum = 100,
        .help = "Distance between nodes along the plant. Less finds more twigs, and more spurs."},
       &Options::binWidth);
-  table.add({.name = "widest_gap",
-             .label = "Widest gap",
-             .kind = OptionKind::length,
-             .rule = fixedAt(0),
-             .minimum = 0,
-             .maximum = 10000,
-             .help = "Parts of the plant farther apart than this are not joined; 0 joins all."},
-            &Options::widestGap);
+  table.add(widestGap(), &Options::widestGap);
   table.add({.name = "turn_cost",
              .label = "Cost of turns",
              .kind = OptionKind::ratio,

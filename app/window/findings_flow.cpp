@@ -248,6 +248,10 @@ void FindingsFlow::goTo(const Finding& finding) {
   const Skeleton& skeleton = parts_.document.skeleton();
   if (!hasNodes(skeleton, finding)) return;
   parts_.document.selection().set(nodesOf(finding));
+  const std::shared_ptr<const PointDistances> now = parts_.distances.now();
+  const bool isOfNow = now && indexed_ && now->cloud() == indexed_->cloud;
+  parts_.document.pointSelection().set(isOfNow ? parts_.distances.inScan(finding.points)
+                                               : PointSet());
   Eigen::AlignedBox3d box = boundsOf(finding, skeleton);
   const double margin = std::max(box.diagonal().norm(), 2 * meanEdgeLength(skeleton));
   box.min().array() -= margin;

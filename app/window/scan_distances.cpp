@@ -37,6 +37,15 @@ std::vector<float> ScanDistances::toSurface() const {
   return all;
 }
 
+PointSet ScanDistances::inScan(const std::vector<Eigen::Index>& points) const {
+  if (leftOut_.isEmpty()) return PointSet::of(points);
+  const std::vector<Eigen::Index> all = others(leftOut_, document_.scan()->cloud()->size());
+  std::vector<Eigen::Index> result;
+  for (const Eigen::Index point : points)
+    result.push_back(all[static_cast<std::size_t>(point)]);
+  return PointSet::of(result);
+}
+
 void ScanDistances::take(const SkeletonDelta& delta) {
   if (uses_.empty()) return;
   if (job_.isRunning()) {

@@ -42,7 +42,8 @@ Finding clusterFinding(const std::vector<Eigen::Index>& points, const PointDista
   Finding finding{.kind = Kind::unexplainedPoints,
                   .node = {},
                   .others = {},
-                  .amount = static_cast<double>(points.size())};
+                  .amount = static_cast<double>(points.size()),
+                  .points = points};
   float nearest = std::numeric_limits<float>::infinity();
   for (const Eigen::Index point : points) {
     const auto k = static_cast<std::size_t>(point);

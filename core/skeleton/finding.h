@@ -31,6 +31,7 @@ struct Finding {
   double amount = 0;               // see describe: a count, an angle [rad], or a length [L]
   Eigen::Vector3d place = Eigen::Vector3d::Zero(); // of points: their centroid [L]
   double reach = 0;                                // of points: how far they go from there [L]
+  std::vector<Eigen::Index> points = {};           // that are meant, of the cloud; ascending
 
   bool operator==(const Finding&) const = default;
 };

@@ -1,3 +1,5 @@
+#include "app/window/load_files.h"
+#include "core/io/formats.h"
 #include "tests/app/window/project_fixture.h"
 #include "ui/panels/status_line.h"
 
@@ -187,6 +189,31 @@ TEST_F(FindingsWindowTest, ChecksAgainstTheScanAsAJobOfItsOwn) {
   });
   EXPECT_TRUE(QTest::qWaitFor([&] { return countOf("Edges off the scan").isEmpty(); }));
   EXPECT_NE(title(), before);
+}
+
+TEST_F(FindingsWindowTest, PointsWithoutABranchAreSelectedAndCanGrowOne) {
+  Skeleton trunk; // without the three branches of the scan
+  const NodeId foot = trunk.add({.position = {0, 0, 0}, .radius = 0.05});
+  trunk.add({.position = {0, 0, 2}, .radius = 0.05, .parent = foot});
+  writeStructure(toPath(path("trunk.mtg")), trunk);
+  open({writeScan("plant.xyz"), path("trunk.mtg")});
+  key(Qt::Key_F8);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return countOf("Unexplained points") == "3"; }));
+  key(Qt::Key_F4);
+  const PointSet& points = document().pointSelection().points();
+  EXPECT_GT(points.size(), 1000U) << "1900 of 2000 stand clear of the trunk";
+  const PointCloud& cloud = *document().scan()->cloud();
+  for (const Eigen::Index point : points.points())
+    EXPECT_GT(cloud.position(point).head<2>().norm(), 0.05) << "none of the trunk";
+  EXPECT_EQ(chosen().size(), 1U) << "the node they come nearest to";
+
+  document().leaveOut("Set aside", points); // what is left is counted otherwise from here on
+  ASSERT_TRUE(QTest::qWaitFor([&] { return countOf("Unexplained points") == "2"; }));
+  key(Qt::Key_F4);
+  EXPECT_FALSE(points.isEmpty());
+  EXPECT_TRUE((points & document().leftOut()).isEmpty());
+  for (const Eigen::Index point : points.points())
+    EXPECT_GT(cloud.position(point).head<2>().norm(), 0.05) << "none of the trunk";
 }
 
 TEST_F(FindingsWindowTest, FollowsManyEditsInARowToTheLast) {

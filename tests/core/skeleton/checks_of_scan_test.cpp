@@ -104,6 +104,10 @@ TEST(UnexplainedClusters, TellTheirSizeAndPlace) {
   const std::vector<Finding> found = clustersIn(cloud, trunk);
   ASSERT_THAT(found, SizeIs(1));
   EXPECT_EQ(found[0].amount, 50);
+  EXPECT_THAT(found[0].points, SizeIs(50));
+  EXPECT_TRUE(std::ranges::is_sorted(found[0].points));
+  for (const Eigen::Index point : found[0].points)
+    EXPECT_NEAR(cloud->position(point).x(), 1.1, 1e-4);
   EXPECT_LT((found[0].place - Eigen::Vector3d(1.1, 0, 1)).norm(), 1e-4);
   EXPECT_NEAR(found[0].reach, 0.245, 1e-4);
   EXPECT_EQ(describe(found[0], trunk), "50 points near node " +

@@ -39,13 +39,13 @@ QString SelectPointsTool::hint() const {
   const QString verb = shape_ == Shape::brush ? tr("Drag: paint points")
                        : shape_ == Shape::box ? tr("Drag: box about points")
                                               : tr("Drag: lasso about points");
-  QString hint = tr("%1   Shift: add   Alt: take away   Ctrl: only turn view   Shift+C: %2")
+  QString hint = tr("%1   Shift: add   Alt: take away   Ctrl: only turn view   {points_shape} %2")
                      .arg(verb, shape_ == Shape::brush ? tr("box")
                                 : shape_ == Shape::box ? tr("lasso")
                                                        : tr("brush"));
-  if (shape_ == Shape::brush) hint += tr("   [ ]: size");
+  if (shape_ == Shape::brush) hint += tr("   {brush_larger} larger   {brush_smaller} smaller");
   if (!document().pointSelection().isEmpty())
-    hint += tr("   Del: set aside   Shift+Del: keep only");
+    hint += tr("   {remove} set aside   {remove_subtree} keep only");
   return hint;
 }
 

@@ -72,6 +72,20 @@ TEST_F(KeysWindowTest, HintsNameTheNewKey) {
       << window().statusLine().shownText().toStdString();
 }
 
+// What was measured stays told, wherever the pointer is: the hint itself follows the keys.
+TEST_F(KeysWindowTest, AHintThatIsShownFollowsTheKeys) {
+  open({writeFork("fork.mtg")});
+  key(Qt::Key_I);
+  click(placeOf(nodeAt({0, 0, 0})));
+  click(placeOf(test::forkTop));
+  EXPECT_TRUE(window().statusLine().shownText().contains("Ctrl+C copy"));
+  change("copy");
+  press(Qt::Key_Z);
+  clickButton("set_keys");
+  EXPECT_TRUE(window().statusLine().shownText().contains("Z copy"))
+      << window().statusLine().shownText().toStdString();
+}
+
 TEST_F(KeysWindowTest, KeysOfAnotherCommandAreToldAndMoved) {
   change("new_child");
   press(Qt::Key_T);

@@ -138,7 +138,7 @@ TEST_F(SelectPointsToolTest, SaysWhatTheMouseAndKeysDo) {
   EXPECT_TRUE(tool.hint().contains("Drag: paint points   Shift: add   Alt: take away"));
   EXPECT_FALSE(tool.hint().contains("Del"));
   stroke({1});
-  EXPECT_TRUE(tool.hint().contains("Del: set aside"));
+  EXPECT_TRUE(tool.hint().contains("{remove} set aside"));
 }
 
 } // namespace

@@ -12,9 +12,8 @@ using Run = PointSet::Run;
 /// Walks along the borders of two sets, and keeps where `isKept` says so.
 template <class IsKept>
 std::vector<Run> combined(const std::vector<Run>& a, const std::vector<Run>& b, IsKept isKept) {
-  constexpr std::uint32_t never = std::numeric_limits<std::uint32_t>::max();
   const auto borderOf = [](const std::vector<Run>& runs, std::size_t i) {
-    if (i / 2 == runs.size()) return never;
+    if (i / 2 == runs.size()) return std::numeric_limits<std::uint32_t>::max(); // never
     return i % 2 == 0 ? runs[i / 2].begin : runs[i / 2].end;
   };
   std::vector<Run> result;

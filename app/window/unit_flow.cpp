@@ -3,6 +3,7 @@
 #include "app/window/action_set.h"
 #include "core/mtg/feature_edits.h"
 #include "core/mtg/unit_edits.h"
+#include "core/mtg/unit_scales.h"
 #include "ui/dialogs/add_value_dialog.h"
 #include "ui/dialogs/commit_marks_dialog.h"
 #include "ui/panels/inspector_panel.h"
@@ -63,7 +64,10 @@ void UnitFlow::addFeature(const UnitPart& part) {
     const auto change = [&](SkeletonEditor& editor) {
       requireNewFeature(editor.skeleton(), typed.feature.name, base);
       field_ = dialog.valueField(); // the name is as it should be
-      espalier::addFeature(editor, part.start, part.scale, typed, base);
+      if (hasEntities(editor.skeleton()))
+        espalier::addFeature(editor, part.start, part.scale, typed, base);
+      else
+        setNodeFeature(editor, part.start, typed, base);
     };
     if (edit(tr("Add the feature %1 to %2").arg(feature, part.name), change, dialog.nameField()))
       dialog.accept();

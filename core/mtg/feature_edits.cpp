@@ -6,6 +6,7 @@
 #include "core/mtg/mtg_geometry.h"
 #include "core/mtg/mtg_values.h"
 #include "core/mtg/typed_values.h"
+#include "core/mtg/unit_scales.h"
 
 #include <algorithm>
 #include <cassert>
@@ -129,6 +130,27 @@ void addFeature(SkeletonEditor& editor, NodeId id, int scale, const TypedFeature
   if (trimmed(added.text).empty())
     throw Error("the feature " + added.feature.name + " has no value yet: type one");
   setFeature(editor, id, scale, added, base);
+}
+
+void setNodeFeature(SkeletonEditor& editor, NodeId id, const TypedFeature& typed, const Mtg* base) {
+  ensureEntities(editor, base);
+  const int scale = nodeScale(editor.skeleton());
+  const std::string& name = typed.feature.name;
+  if (isDeclared(name, base) || isNamed(addedFeatures(editor.skeleton(), base), name))
+    setFeature(editor, id, scale, typed, base);
+  else if (!typed.text.empty())
+    addFeature(editor, id, scale, typed, base);
+}
+
+std::vector<NodeId> nodesWithFeature(const Skeleton& skeleton, const std::string& feature) {
+  const int scale = nodeScale(skeleton);
+  std::vector<NodeId> nodes = skeleton.ids();
+  std::erase_if(nodes, [&](NodeId id) {
+    const std::vector<Entity>& entities = skeleton[id].entities;
+    return entities.empty() || entities.back().scale != scale ||
+           !hasValue(entities.back(), feature);
+  });
+  return nodes;
 }
 
 } // namespace espalier

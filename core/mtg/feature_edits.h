@@ -55,4 +55,13 @@ void requireNewFeature(const Skeleton& skeleton, const std::string& name, const 
 void addFeature(SkeletonEditor& editor, NodeId id, int scale, const TypedFeature& typed,
                 const Mtg* base);
 
+/// Gives a node itself a value of a feature, known to the plant or not; an empty text takes it
+/// away. A skeleton without entities gets them first (ensureEntities).
+/// @throws Error as addFeature, or as setFeature
+void setNodeFeature(SkeletonEditor& editor, NodeId id, const TypedFeature& typed, const Mtg* base);
+
+/// The nodes that have a value of a feature themselves, in order of their ids. Time O(nodes).
+[[nodiscard]] std::vector<NodeId> nodesWithFeature(const Skeleton& skeleton,
+                                                   const std::string& feature);
+
 } // namespace espalier

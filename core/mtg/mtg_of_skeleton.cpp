@@ -1,17 +1,13 @@
 #include "core/mtg/mtg_of_skeleton.h"
 
 #include "core/mtg/mtg_edits.h"
+#include "core/mtg/unit_scales.h"
 
 #include <algorithm>
 #include <map>
 
 namespace espalier {
 namespace {
-
-bool hasEntities(const Skeleton& skeleton) {
-  const std::vector<NodeId> ids = skeleton.ids();
-  return std::ranges::any_of(ids, [&](NodeId id) { return !skeleton[id].entities.empty(); });
-}
 
 Skeleton withUnits(const Skeleton& skeleton, MtgStyle style) {
   Skeleton result = skeleton;

@@ -42,28 +42,6 @@ std::vector<NodeId> alongAxes(const Skeleton& skeleton) {
   return order;
 }
 
-bool isPlain(const Skeleton& skeleton) {
-  const std::vector<NodeId> ids = skeleton.ids();
-  return std::ranges::all_of(ids, [&](NodeId id) { return skeleton[id].entities.empty(); });
-}
-
-/// Lets roots start the units that the first root of the MTG starts, or plants.
-void giveUnits(SkeletonEditor& editor, const Mtg* base) {
-  std::vector<Entity> units = {{.scale = 1, .symbol = "P"}, {.scale = 2, .symbol = "N"}};
-  if (base != nullptr) {
-    const Skeleton view = viewOf(*base, "the MTG that was opened").value.skeleton;
-    units.clear();
-    for (const Entity& entity : view[view.roots().front()].entities)
-      units.push_back({.scale = entity.scale, .symbol = entity.symbol});
-  }
-  int plants = 0;
-  for (const NodeId root : editor.skeleton().roots()) {
-    ++plants;
-    if (units.size() > 1) units.front().index = plants;
-    editor.setEntities(root, units);
-  }
-}
-
 void requireFree(const std::string& symbol, const Skeleton& skeleton, const Mtg* base) {
   bool isTaken = base != nullptr &&
                  std::ranges::find(base->classes, symbol, &MtgClass::symbol) != base->classes.end();
@@ -100,6 +78,28 @@ numbered(const Skeleton& skeleton, const std::vector<NodeId>& starts, const Enti
 
 } // namespace
 
+bool hasEntities(const Skeleton& skeleton) {
+  const std::vector<NodeId> ids = skeleton.ids(); // roots, which begin units, come first
+  return std::ranges::any_of(ids, [&](NodeId id) { return !skeleton[id].entities.empty(); });
+}
+
+void ensureEntities(SkeletonEditor& editor, const Mtg* base) {
+  if (hasEntities(editor.skeleton())) return;
+  std::vector<Entity> units = {{.scale = 1, .symbol = "P"}, {.scale = 2, .symbol = "N"}};
+  if (base != nullptr) {
+    const Skeleton view = viewOf(*base, "the MTG that was opened").value.skeleton;
+    units.clear();
+    for (const Entity& entity : view[view.roots().front()].entities)
+      units.push_back({.scale = entity.scale, .symbol = entity.symbol});
+  }
+  int plants = 0;
+  for (const NodeId root : editor.skeleton().roots()) {
+    ++plants;
+    if (units.size() > 1) units.front().index = plants;
+    editor.setEntities(root, units);
+  }
+}
+
 void toggleMarks(SkeletonEditor& editor, const std::vector<NodeId>& nodes) {
   const bool areMarked =
       std::ranges::all_of(nodes, [&](NodeId id) { return editor.skeleton()[id].isMarked; });
@@ -126,7 +126,7 @@ int nodeScale(const Skeleton& skeleton) {
 }
 
 std::vector<int> scalesOf(const Skeleton& skeleton) {
-  if (isPlain(skeleton)) return {1, 2};
+  if (!hasEntities(skeleton)) return {1, 2};
   const int own = nodeScale(skeleton);
   std::vector<int> scales = unitScales(skeleton, own);
   scales.push_back(own);
@@ -147,7 +147,7 @@ std::size_t commitMarks(SkeletonEditor& editor, const NewScale& scale, const Mtg
   const std::string symbol = typedSymbol(scale.symbol);
   if (markedNodes(editor.skeleton()).empty())
     throw Error("no node is marked: mark first where units begin");
-  if (isPlain(editor.skeleton())) giveUnits(editor, base);
+  ensureEntities(editor, base);
   requireFree(symbol, editor.skeleton(), base);
   const std::vector<int> scales = scalesOf(editor.skeleton());
   if (scales.size() >= mostScales)

@@ -13,6 +13,14 @@ namespace espalier {
 // become a scale. A mark is Node::isMarked: it is undone and kept in projects as all of a node is,
 // and no export knows of it.
 
+/// Whether any node carries entities: what an MTG says of it, and of units that start there.
+[[nodiscard]] bool hasEntities(const Skeleton& skeleton);
+
+/// Lets the roots of a skeleton that carries no entities start the units that the first root of
+/// `base`, the MTG that it is a view of, starts; without one, plants of nodes as in the MTG that is
+/// written of it. One that carries some is left as it is.
+void ensureEntities(SkeletonEditor& editor, const Mtg* base = nullptr);
+
 /// Marks nodes; if all of them are marked already, takes their marks off.
 void toggleMarks(SkeletonEditor& editor, const std::vector<NodeId>& nodes);
 void clearMarks(SkeletonEditor& editor);

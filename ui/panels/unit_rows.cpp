@@ -2,6 +2,7 @@
 
 #include "core/mtg/feature_edits.h"
 #include "core/mtg/unit_edits.h"
+#include "core/mtg/unit_scales.h"
 #include "ui/document/plant_document.h"
 #include "ui/panels/units_form.h"
 
@@ -118,6 +119,12 @@ const Mtg* baseOf(const PlantDocument& document) {
 
 QList<UnitPart> unitParts(const PlantDocument& document, NodeId id) {
   const Skeleton& skeleton = document.skeleton();
+  if (!hasEntities(skeleton))
+    return {{.id = "unit_2",
+             .title = UnitsForm::tr("No features yet"),
+             .start = id,
+             .scale = 2,
+             .name = UnitsForm::tr("node %1").arg(indexOf(id))}};
   const Mtg* base = baseOf(document);
   const std::vector<MtgFeature> added = addedFeatures(skeleton, base);
   const auto endOf = [](const Entity& entity) { return QStringLiteral("_%1").arg(entity.scale); };

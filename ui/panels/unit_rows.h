@@ -38,8 +38,8 @@ struct UnitPart {
   std::function<void(SkeletonEditor&)> beginOrEnd = {};
 };
 
-/// What an MTG says of a node and of the units it belongs to, finest first.
-/// pre: some node carries entities
+/// What an MTG says of a node and of the units it belongs to, finest first. Of a plant
+/// without any, the node alone, to which features can be added.
 [[nodiscard]] QList<UnitPart> unitParts(const PlantDocument& document, NodeId id);
 
 /// The MTG that the skeleton is a view of; null if it was made here.

@@ -12,25 +12,12 @@
 #include <algorithm>
 
 namespace espalier {
-namespace {
-
-bool carriesAnything(const Skeleton& skeleton) {
-  const std::vector<NodeId> ids = skeleton.ids(); // roots, which begin units, come first
-  return std::ranges::any_of(ids, [&](NodeId id) { return !skeleton[id].entities.empty(); });
-}
-
-} // namespace
-
 UnitsForm::UnitsForm(PlantDocument& document, QWidget* parent)
     : QWidget(parent), document_(document), column_(new QVBoxLayout(this)) {
   column_->setContentsMargins(0, 0, 0, 0);
 }
 
 void UnitsForm::show(NodeId id) {
-  if (!carriesAnything(document_.skeleton())) {
-    showNothing();
-    return;
-  }
   build(unitParts(document_, id));
   setVisible(true);
 }

@@ -149,6 +149,21 @@ TEST_F(UnitsWindowTest, AFeatureIsAddedInTheInspectorAndDeclaredInTheSavedFile) 
   EXPECT_EQ(window().findChild<QLineEdit*>("feature_Leaf_area_2"), nullptr);
 }
 
+TEST_F(UnitsWindowTest, APlantWithoutUnitsTakesAFeature) {
+  open({writeScan("plant.xyz")});
+  action("reconstruct").trigger();
+  waitForJob();
+  const NodeId root = document().skeleton().roots().front();
+  document().selection().set({root});
+  EXPECT_EQ(find<QLabel>("title_unit_2").text(), "No features yet");
+  answer([](QDialog& dialog) { addValue(dialog, "Species", "ALPHA", "cherry"); },
+         [this] { clickButton("add_feature_unit_2"); });
+  EXPECT_EQ(find<QLineEdit>("feature_Species_2").text(), "cherry");
+  EXPECT_EQ(document().skeleton()[root].entities.back().symbol, "N");
+  action("undo").trigger();
+  EXPECT_EQ(find<QLabel>("title_unit_2").text(), "No features yet");
+}
+
 TEST_F(UnitsWindowTest, ALaterDateIsAddedInTheInspector) {
   open({writeFork("fork.mtg")});
   const NodeId id = nodeAt({1, 0, 2});

@@ -190,5 +190,23 @@ TEST_F(FeatureEdits, AnAliasIsRefusedIfItIsTakenOrCannotBeginACode) {
   EXPECT_TRUE(delta.isEmpty());
 }
 
+TEST(NodeFeatures, MakeUnitsOfAPlantThatHasNone) {
+  Skeleton plant;
+  const NodeId root = plant.add({.position = {0, 0, 0}});
+  const NodeId tip = plant.add({.position = {0, 0, 1}, .parent = root});
+  SkeletonEditor editor(plant);
+  setNodeFeature(editor, tip, {{"Volume", "REAL"}, "2.5"}, nullptr);
+  setNodeFeature(editor, root, {{"Volume", "REAL"}, "7"}, nullptr);
+  setNodeFeature(editor, root, {{"Volume", "REAL"}, "8"}, nullptr);
+  (void)editor.commit();
+  EXPECT_EQ(nodesWithFeature(plant, "Volume"), (std::vector{root, tip}));
+  EXPECT_EQ(nodesWithFeature(plant, "Weight"), std::vector<NodeId>());
+  EXPECT_EQ(plant[root].entities.back().values,
+            (std::vector<FeatureValue>{{"Volume", "8", "REAL"}}));
+  setNodeFeature(editor, tip, {{"Volume", "REAL"}, ""}, nullptr);
+  (void)editor.commit();
+  EXPECT_EQ(nodesWithFeature(plant, "Volume"), std::vector{root});
+}
+
 } // namespace
 } // namespace espalier

@@ -151,10 +151,14 @@ TEST_F(UnitsFormTest, AsksForWhatIsAdded) {
       << "no feature can be typed at a later date: positions are the node's";
 }
 
-TEST_F(UnitsFormTest, IsAbsentWhereNothingIsCarried) {
+TEST_F(UnitsFormTest, OffersAFeatureWhereNothingIsCarriedYet) {
   document.openSkeleton(test::stick(2), "stick.swc");
   form.show(NodeId{0});
-  EXPECT_TRUE(form.isHidden());
+  EXPECT_EQ(form.findChild<QLabel*>("title_unit_2")->text(), "No features yet");
+  EXPECT_EQ(form.findChild<QLineEdit*>("class_2"), nullptr);
+  QSignalSpy asked(&form, &UnitsForm::featureRequested);
+  form.findChild<QPushButton*>("add_feature_unit_2")->click();
+  EXPECT_EQ(asked.count(), 1);
 }
 
 } // namespace

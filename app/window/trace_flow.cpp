@@ -83,7 +83,8 @@ void TraceFlow::addGrowing() {
   QAction* chosen = parts_.actions.add(
       {.id = "branch_from_points",
        .text = tr("New Branch from Points"),
-       .help = tr("Grows a branch from the selected points, on the nearest node")},
+       .help = tr("Grows a branch from the selected points, on the nearest node"),
+       .keys = QKeySequence(Qt::CTRL | Qt::Key_B)},
       [this] { growFromPoints(); });
   const auto refresh = [this, missing, chosen] {
     const PlantDocument& document = parts_.document;

@@ -6,6 +6,7 @@
 #include "app/window/file_flow.h"
 #include "app/window/findings_flow.h"
 #include "app/window/history_flow.h"
+#include "app/window/hull_flow.h"
 #include "app/window/icon.h"
 #include "app/window/key_hints.h"
 #include "app/window/node_table_flow.h"
@@ -316,6 +317,10 @@ void MainWindow::showContextMenu(const QPoint& globalPosition) {
   QMenu menu(this);
   points_->fillContextMenu(menu);
   editing_->fillContextMenu(menu);
+  if (editing_->nodeUnder()) {
+    menu.addSeparator();
+    hulls_->fillMenu(menu);
+  }
   shown_->fillContextMenu(menu);
   menu.exec(globalPosition);
 }

@@ -21,6 +21,7 @@ class ExplainedFlow;
 class FileFlow;
 class FindingsFlow;
 class HistoryFlow;
+class HullFlow;
 class InspectorPanel;
 class KeyBindings;
 class MessageBanner;
@@ -138,6 +139,7 @@ private:
   std::unique_ptr<ScanDistances> distances_;
   std::unique_ptr<FindingsFlow> findings_;
   std::unique_ptr<ExplainedFlow> explained_;
+  std::unique_ptr<HullFlow> hulls_;
   std::unique_ptr<HistoryFlow> history_;
   std::unique_ptr<NodeTableFlow> nodeTable_;
   ThemeFlow* theme_;

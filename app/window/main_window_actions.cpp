@@ -4,6 +4,7 @@
 #include "app/window/file_flow.h"
 #include "app/window/findings_flow.h"
 #include "app/window/history_flow.h"
+#include "app/window/hull_flow.h"
 #include "app/window/main_window.h"
 #include "app/window/node_table_flow.h"
 #include "app/window/point_states.h"
@@ -68,6 +69,8 @@ void MainWindow::addActions() {
       FindingsFlow::Parts{document_, *view_, *actions_, *distances_, settings_, *this});
   explained_ = std::make_unique<ExplainedFlow>(
       ExplainedFlow::Parts{document_, *pointStates_, *actions_, *distances_, settings_, *this});
+  hulls_ = std::make_unique<HullFlow>(
+      HullFlow::Parts{document_, *view_, *actions_, *editing_, *distances_});
   twoViews_ = std::make_unique<TwoViewsFlow>(
       TwoViewsFlow::Parts{*view_, *views_, *actions_, *editing_, settings_});
   valueColors_ = std::make_unique<ValueColors>(

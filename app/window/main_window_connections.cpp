@@ -3,6 +3,7 @@
 #include "app/window/file_flow.h"
 #include "app/window/findings_flow.h"
 #include "app/window/history_flow.h"
+#include "app/window/hull_flow.h"
 #include "app/window/main_window.h"
 #include "app/window/node_table_flow.h"
 #include "app/window/point_states.h"
@@ -226,6 +227,7 @@ void MainWindow::connectFindings() {
   connect(findings_.get(), &FindingsFlow::ignoredChanged, projects_.get(),
           &ProjectFlow::noteChange);
   connect(findings_.get(), &FindingsFlow::noted, status_, &StatusLine::showNote);
+  connect(hulls_.get(), &HullFlow::noted, status_, &StatusLine::showNote);
 }
 
 void MainWindow::connectAtHand() {

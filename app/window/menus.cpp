@@ -1,5 +1,6 @@
 #include "app/window/action_set.h"
 #include "app/window/findings_flow.h"
+#include "app/window/hull_flow.h"
 #include "app/window/icon.h"
 #include "app/window/main_window.h"
 #include "app/window/menu_title.h"
@@ -105,6 +106,7 @@ void MainWindow::fillMenus() {
   fillNodeEdits(*skeleton, *actions_, ofUnits + QStringList{"radius_up", "radius_down"});
   skeleton->addSeparator();
   add(*skeleton->addMenu(tr("&Units")), *actions_, ofUnits);
+  hulls_->fillMenu(*skeleton);
 
   add(*menuBar()->addMenu(tr("R&adius")), *actions_, RadiusFlow::menu());
 

@@ -27,7 +27,7 @@ class ScanDistances : public QObject {
 public:
   explicit ScanDistances(PlantDocument& document, QObject* parent = nullptr);
 
-  enum class Use : std::uint8_t { findings, explained, nodeColors, pointColors };
+  enum class Use : std::uint8_t { findings, explained, nodeColors, pointColors, hulls };
   void setWanted(Use use, bool isWanted);
 
   /// Null: there is no scan or no skeleton, nobody wants them, or they are not ready.

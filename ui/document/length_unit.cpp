@@ -42,6 +42,21 @@ QString formatLength(double length, LengthUnit unit, int digits) {
   return unit == LengthUnit::unknown ? number : number + QChar(0x202f) + symbol(unit);
 }
 
+QString formatVolume(double volume, LengthUnit unit) {
+  constexpr int digits = 3;
+  if (unit == LengthUnit::unknown) return formatLength(volume, unit, digits);
+  double liters = 1e3 * volume; // of m³
+  if (unit == LengthUnit::millimeter) liters = 1e-6 * volume;
+  if (unit == LengthUnit::centimeter) liters = 1e-3 * volume;
+  const auto written = [](double value, const char* name) {
+    return formatLength(value, LengthUnit::unknown, digits) + QChar(0x202f) +
+           QString::fromUtf8(name);
+  };
+  if (liters >= 1000) return written(liters / 1000, "m³");
+  if (liters >= 1) return written(liters, "dm³");
+  return written(1000 * liters, "cm³");
+}
+
 QString formatCount(std::size_t count) {
   QString digits = QString::number(count);
   for (qsizetype at = digits.size() - 3; at > 0; at -= 3)

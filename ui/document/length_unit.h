@@ -18,6 +18,10 @@ enum class LengthUnit { unknown, millimeter, centimeter, meter };
 /// A length as people read it, to `digits` significant digits and no exponent: "12.4 mm".
 [[nodiscard]] QString formatLength(double length, LengthUnit unit, int digits = 4);
 
+/// A volume [L^3] as people read it, to three digits: in cm³, dm³ or m³, or without a unit if that
+/// is not known.
+[[nodiscard]] QString formatVolume(double volume, LengthUnit unit);
+
 /// A count with its digits in threes: "147 989".
 [[nodiscard]] QString formatCount(std::size_t count);
 

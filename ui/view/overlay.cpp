@@ -102,7 +102,10 @@ std::vector<Legend> legendsOf(const Scene& scene, const QString& unit) {
 void Overlay::paint(QPainter& painter, const Scene& scene, const Camera& camera,
                     const QSizeF& size) const {
   painter.setRenderHint(QPainter::Antialiasing);
-  paintPreview(painter, preview, ScreenMap(camera, {size.width(), size.height()}), scene.dark);
+  const ScreenMap screen(camera, {size.width(), size.height()});
+  for (const ShownHull& hull : hulls)
+    paintHull(painter, hull, screen, scene.dark);
+  paintPreview(painter, preview, screen, scene.dark);
   paintBand(painter, band, scene.dark);
   if (scene.bounds().isEmpty()) return;
   if (hasLegends) paintLegends(painter, legendsOf(scene, unit), size, scene.dark);

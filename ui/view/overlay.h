@@ -2,6 +2,7 @@
 
 #include "ui/document/canvas.h"
 #include "ui/view/camera.h"
+#include "ui/view/hull_overlay.h"
 #include "ui/view/scene.h"
 
 #include <QPainter>
@@ -22,8 +23,9 @@ struct Overlay {
   QString unit; // of lengths; empty: not known
   bool hasLegends = true;
   bool pivotShown = false;
-  QPolygonF band;  // as Canvas::showBand
-  Preview preview; // as Canvas::showPreview
+  std::vector<ShownHull> hulls; // as PlantView::setHulls
+  QPolygonF band;               // as Canvas::showBand
+  Preview preview;              // as Canvas::showPreview
 
   /// @param size of the view in logical pixels
   void paint(QPainter& painter, const Scene& scene, const Camera& camera, const QSizeF& size) const;

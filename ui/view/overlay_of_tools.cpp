@@ -2,10 +2,7 @@
 
 #include "ui/view/overlay_text.h"
 
-#include <QFontMetricsF>
 #include <QPainterPath>
-
-#include <algorithm>
 
 namespace espalier {
 namespace {
@@ -31,17 +28,6 @@ QPainterPath pathOf(const Preview& preview, const ScreenMap& screen) {
     }
   }
   return path;
-}
-
-void paintLabel(QPainter& painter, const QPointF& at, const QString& label, const Palette& colors) {
-  const QFontMetricsF font(painter.font(), painter.device());
-  const QSizeF size(font.horizontalAdvance(label) + 12, font.height() + 6);
-  QRectF box(at + QPointF(10, -size.height() / 2), size);
-  const QRectF shown = QRectF(painter.window()).adjusted(4, 4, -4, -4);
-  if (box.right() > shown.right()) box.moveRight(at.x() - 10);
-  box.moveTop(std::clamp(box.top(), shown.top(), std::max(shown.top(), shown.bottom() - 24)));
-  paintVeil(painter, box, colors.backgroundTop);
-  drawText(painter, box, Qt::AlignCenter, label, colors);
 }
 
 } // namespace

@@ -17,6 +17,9 @@ namespace espalier {
 void drawText(QPainter& painter, const QRectF& box, int alignment, const QString& text,
               const Palette& colors);
 
+/// Text on a veil beside a place, kept in what is painted on.
+void paintLabel(QPainter& painter, const QPointF& at, const QString& label, const Palette& colors);
+
 /// A veil under what is to be read over the plant.
 void paintVeil(QPainter& painter, const QRectF& box, const Color& background);
 

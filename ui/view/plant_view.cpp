@@ -46,6 +46,7 @@ double PlantView::Parts::seenViews() const {
 
 void PlantView::Parts::paintOverlay(QPainter& painter) {
   overlay.unit = shared->unit;
+  overlay.hulls = shared->hulls;
   overlay.hasLegends = isFirst();
   overlay.pivotShown = navigator.gesture() == Navigator::Gesture::turn;
   painter.setRenderHint(QPainter::Antialiasing);
@@ -206,6 +207,7 @@ void PlantView::showPreview(const Preview& preview) {
 QImage PlantView::picture(const QSize& size) {
   Overlay overlay;
   overlay.unit = parts_->shared->unit;
+  overlay.hulls = parts_->shared->hulls;
   return espalier::picture(parts_->scene, parts_->navigator.destination(), overlay, size);
 }
 

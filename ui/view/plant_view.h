@@ -7,6 +7,7 @@
 #include "ui/document/tool_input.h"
 #include "ui/view/camera.h"
 #include "ui/view/clip.h"
+#include "ui/view/hull_overlay.h"
 #include "ui/view/node_look.h"
 #include "ui/view/point_colors.h"
 #include "ui/view/point_look.h"
@@ -77,8 +78,9 @@ public:
 
   void setLayerVisible(Layer layer, bool visible);
   void setPointColor(PointColor color);
-  void setPointSize(int pixels);     // 1 to 10
-  void setShowRadii(bool trueRadii); // edges as tubes of their radius instead of lines
+  void setPointSize(int pixels);               // 1 to 10
+  void setShowRadii(bool trueRadii);           // edges as tubes of their radius instead of lines
+  void setHulls(std::vector<ShownHull> hulls); // painted over the plant
   void setProjection(Projection projection);
   void setDark(bool dark);
   void setMinimapShown(bool isShown);      // in views that are large enough; at first: not

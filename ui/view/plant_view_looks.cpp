@@ -144,6 +144,12 @@ void PlantView::setPointSize(int pixels) {
   parts_->redraw();
 }
 
+void PlantView::setHulls(std::vector<ShownHull> hulls) {
+  parts_->shared->hulls = std::move(hulls);
+  for (Parts* each : parts_->shared->views)
+    each->overlayWidget->update();
+}
+
 void PlantView::setShowRadii(bool trueRadii) {
   parts_->scene.showRadii = trueRadii;
   parts_->redraw();

@@ -25,6 +25,7 @@ struct PlantView::Shared {
   Scene scene;
   std::shared_ptr<SceneBuffers> buffers = makeSceneBuffers();
   QString unit; // of lengths; empty: not known
+  std::vector<ShownHull> hulls;
   std::vector<Parts*> views;
 };
 

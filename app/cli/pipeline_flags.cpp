@@ -5,6 +5,7 @@
 #include "core/base/parallel.h"
 #include "core/base/text.h"
 #include "core/pipeline/preset.h"
+#include "core/pipeline/presets.h"
 
 #include <charconv>
 #include <cmath>
@@ -16,12 +17,16 @@
 namespace espalier {
 namespace {
 
+/// A preset by its name, or else a file.
 PipelineOptions presetIn(const std::string& path) {
+  if (const NamedPreset* known = presetNamed(path)) return known->options;
   std::error_code isMissing;
   if (std::filesystem::is_directory(path, isMissing))
     throw Error(path + ": is a folder, choose a file in it");
   std::ifstream in(path);
-  if (!in) throw Error(path + ": cannot be read: check its name and your rights to it");
+  if (!in)
+    throw Error(path + ": cannot be read: check its name and your rights to it; or name default or "
+                       "thesis");
   return readPreset(in, path);
 }
 
@@ -70,12 +75,14 @@ void PipelineFlags::addOptionsTo(CLI::App& command) {
       ->type_name("NAME");
   command
       .add_option("--set", settings,
-                  "STEP.OPTION=VALUE, as often as needed; lengths in the unit of the scan, angles "
-                  "in degrees (see: espalier methods)")
+                  "STEP.OPTION=VALUE, as often as needed; lengths in the unit of the scan or as "
+                  "'6 spacings' of its points, angles in degrees (see: espalier methods)")
       ->type_name("SETTING")
       ->allow_extra_args(false);
-  command.add_option("--preset", preset, "JSON file of steps and options; --set goes before it")
-      ->type_name("FILE");
+  command
+      .add_option("--preset", preset,
+                  "default, thesis, or a JSON file of steps and options; --set goes before it")
+      ->type_name("PRESET");
   addChoice(command, "--up", up, "Axis that points up",
             {{"x", UpAxis::x}, {"y", UpAxis::y}, {"z", UpAxis::z}});
   addThreads(command, threads);

@@ -12,6 +12,7 @@
 #include "app/window/node_table_flow.h"
 #include "app/window/point_states.h"
 #include "app/window/points_flow.h"
+#include "app/window/preset_flow.h"
 #include "app/window/project_flow.h"
 #include "app/window/radius_flow.h"
 #include "app/window/recent_files.h"

@@ -30,6 +30,7 @@ class PipelinePanel;
 class PlantView;
 class PointStates;
 class PointsFlow;
+class PresetFlow;
 class ProjectFlow;
 class RadiusFlow;
 class RecentFiles;
@@ -140,6 +141,7 @@ private:
   std::unique_ptr<FindingsFlow> findings_;
   std::unique_ptr<ExplainedFlow> explained_;
   std::unique_ptr<HullFlow> hulls_;
+  std::unique_ptr<PresetFlow> presets_;
   std::unique_ptr<HistoryFlow> history_;
   std::unique_ptr<NodeTableFlow> nodeTable_;
   ThemeFlow* theme_;

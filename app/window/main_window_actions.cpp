@@ -9,6 +9,7 @@
 #include "app/window/node_table_flow.h"
 #include "app/window/point_states.h"
 #include "app/window/points_flow.h"
+#include "app/window/preset_flow.h"
 #include "app/window/project_flow.h"
 #include "app/window/radius_flow.h"
 #include "app/window/review_flow.h"
@@ -69,6 +70,8 @@ void MainWindow::addActions() {
       FindingsFlow::Parts{document_, *view_, *actions_, *distances_, settings_, *this});
   explained_ = std::make_unique<ExplainedFlow>(
       ExplainedFlow::Parts{document_, *pointStates_, *actions_, *distances_, settings_, *this});
+  presets_ = std::make_unique<PresetFlow>(
+      PresetFlow::Parts{*pipeline_, *actions_, *banner_, settings_, *this});
   hulls_ = std::make_unique<HullFlow>(
       HullFlow::Parts{document_, *view_, *actions_, *editing_, *distances_});
   twoViews_ = std::make_unique<TwoViewsFlow>(

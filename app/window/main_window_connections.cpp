@@ -8,6 +8,7 @@
 #include "app/window/node_table_flow.h"
 #include "app/window/point_states.h"
 #include "app/window/points_flow.h"
+#include "app/window/preset_flow.h"
 #include "app/window/project_flow.h"
 #include "app/window/radius_flow.h"
 #include "app/window/recent_files.h"
@@ -145,6 +146,7 @@ void MainWindow::connectProjects() {
                    .text = [this] { return options_->text(); },
                    .show = [this](const std::string& text) { options_->show(text); }});
   connect(pipeline_, &PipelinePanel::changed, projects_.get(), &ProjectFlow::noteChange);
+  connect(presets_.get(), &PresetFlow::chosen, projects_.get(), &ProjectFlow::noteChange);
   connect(projects_.get(), &ProjectFlow::chosen, this,
           [this](const QString& path) { open({path}); });
   connect(projects_.get(), &ProjectFlow::sessionsChanged, this, [this] {

@@ -6,6 +6,7 @@
 #include "app/window/menu_title.h"
 #include "app/window/node_menus.h"
 #include "app/window/points_flow.h"
+#include "app/window/preset_flow.h"
 #include "app/window/radius_flow.h"
 #include "app/window/recent_files.h"
 #include "app/window/review_flow.h"
@@ -101,7 +102,9 @@ void MainWindow::fillMenus() {
   points_->fillMenu(*menuBar()->addMenu(tr("&Points")));
 
   QMenu* skeleton = menuBar()->addMenu(tr("&Skeleton"));
-  add(*skeleton, *actions_, {"reconstruct", "regrow_missing", ""});
+  add(*skeleton, *actions_, {"reconstruct", "regrow_missing"});
+  presets_->fillMenu(*skeleton->addMenu(tr("Se&ttings of the Steps")));
+  skeleton->addSeparator();
   const QStringList ofUnits = {"mark_unit_start", "commit_marks", "clear_marks"};
   fillNodeEdits(*skeleton, *actions_, ofUnits + QStringList{"radius_up", "radius_down"});
   skeleton->addSeparator();

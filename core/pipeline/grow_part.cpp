@@ -30,7 +30,8 @@ PipelineOptions fixedOptions(const PipelineOptions& options, const PlantScale& w
     const std::vector<double> values = resolvedValues(step, method, options, whole);
     for (std::size_t i = 0; i < values.size(); ++i) {
       const auto [least, most] = method.options[i].range(part);
-      result.settings[step.name][method.options[i].name] = std::clamp(values[i], least, most);
+      result.settings[step.name][method.options[i].name] =
+          fixedAt(std::clamp(values[i], least, most));
     }
   }
   return result;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <charconv>
+#include <cmath>
 #include <sstream>
 
 namespace espalier {
@@ -23,6 +25,19 @@ std::string Rule::text() const {
   append(heights, heights == 1 ? " plant height" : " plant heights");
   append(fixed, "");
   return text.tellp() > 0 ? text.str() : "0";
+}
+
+std::optional<Rule> Rule::parse(std::string_view text) {
+  double amount = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), amount);
+  if (error != std::errc() || !std::isfinite(amount)) return std::nullopt;
+  const std::string_view unit = text.substr(static_cast<std::size_t>(end - text.data()));
+  if (unit.empty()) return fixedAt(amount);
+  for (const char* known : {" spacing", " spacings", " point spacing", " point spacings"})
+    if (unit == known) return espalier::spacings(amount);
+  for (const char* known : {" height", " heights", " plant height", " plant heights"})
+    if (unit == known) return Rule{.heights = amount};
+  return std::nullopt;
 }
 
 std::pair<double, double> Option::range(const PlantScale& scale) const {

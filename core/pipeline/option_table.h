@@ -16,7 +16,7 @@ struct PlantScale {
   double height = 0;  // extent along the up axis [L]
 };
 
-/// How a default follows from the plant: the sum of its parts.
+/// How a value follows from the plant: the sum of its parts.
 struct Rule {
   double fixed = 0;    // for counts and ratios
   double spacings = 0; // in point spacings
@@ -25,7 +25,11 @@ struct Rule {
   [[nodiscard]] double value(const PlantScale& scale) const {
     return fixed + spacings * scale.spacing + heights * scale.height;
   }
+  [[nodiscard]] bool isFixed() const { return spacings == 0 && heights == 0; }
   [[nodiscard]] std::string text() const; // "7.5 point spacings"
+  /// What text() writes of one part, or people: "12.5", "7.5 spacings", "0.01 plant heights".
+  [[nodiscard]] static std::optional<Rule> parse(std::string_view text);
+  bool operator==(const Rule&) const = default;
 };
 
 [[nodiscard]] constexpr Rule fixedAt(double value) {

@@ -3,7 +3,6 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 
-#include <charconv>
 #include <cmath>
 #include <sstream>
 
@@ -86,14 +85,17 @@ void PipelineOptions::setText(const Step& in, const std::string& option, const s
     if (!word)
       throw Error(step + "." + option + " takes no \"" + text + "\": choose one of " +
                   known->words());
-    settings[step][option] = *word;
+    settings[step][option] = fixedAt(*word);
     return;
   }
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-    throw Error("\"" + text + "\" is no number: write " + step + "." + option + "=VALUE");
-  settings[step][option] = value;
+  const Option* known = optionNamed(in, *this, option);
+  const bool isLength = known == nullptr || known->kind == OptionKind::length;
+  const std::optional<Rule> value = Rule::parse(text);
+  if (!value || !(isLength || value->isFixed()))
+    throw Error(step + "." + option + " must be a number" +
+                (isLength ? ", or a length as '6 spacings' or '0.01 heights'" : "") + ", not " +
+                inQuotes(text));
+  settings[step][option] = *value;
 }
 
 void requireKnown(const PipelineOptions& options) {
@@ -114,7 +116,7 @@ std::vector<double> resolvedValues(const Step& step, const Method& method,
     double value = option.rule.value(scale);
     if (settings != options.settings.end())
       if (const auto set = settings->second.find(option.name); set != settings->second.end())
-        value = checkedValue(step, option, set->second, scale);
+        value = checkedValue(step, option, set->second.value(scale), scale);
     values.push_back(value);
   }
   return values;

@@ -33,9 +33,11 @@ bool takesWords(const Step& step, const std::string& name) {
   });
 }
 
-/// A value as a preset has it: a number, a word, or true or false.
+/// A value as a preset has it: a number, a rule, a word, or true or false.
 Json toJson(const PipelineOptions& options, const Step& step, const std::string& name,
-            double value) {
+            const Rule& rule) {
+  if (!rule.isFixed()) return rule.text();
+  const double value = rule.fixed;
   const auto chosen = options.methods.find(step.name);
   const Method& method =
       chosen == options.methods.end() ? step.methods.front() : methodNamed(step, chosen->second);
@@ -55,8 +57,12 @@ void readOption(const std::string& step, const std::string& name, const Json& va
                     value.is_string() ? value.get<std::string>() : value.dump());
     return;
   }
+  if (value.is_string()) {
+    options.setText(stepNamed(step), name, value.get<std::string>());
+    return;
+  }
   if (!value.is_number()) throw Error("\"" + step + "." + name + "\" must be a number");
-  options.settings[step][name] = value.get<double>();
+  options.settings[step][name] = fixedAt(value.get<double>());
 }
 
 std::size_t lineAt(std::string_view text, std::size_t at) {

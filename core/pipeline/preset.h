@@ -8,8 +8,9 @@
 namespace espalier {
 
 /// Reads the methods and options of a preset, a JSON object of steps:
-/// {"contract": {"method": "geodesic_centroid", "radius": 12.5}, ...}. Lengths are in [L]; choices
-/// are words, flags true or false.
+/// {"contract": {"method": "geodesic_centroid", "radius": 12.5}, ...}. Lengths are in [L], or
+/// follow from the scan, as "7.5 spacings" and "0.01 heights"; choices are words, flags true or
+/// false.
 ///
 /// @throws Error if it is no such object, or names a step or method that does not exist
 [[nodiscard]] PipelineOptions readPreset(std::istream& in);

@@ -1,10 +1,10 @@
-// What each method reaches on simulated scans, a row each: the default first, then every other
+// What each method reaches on simulated scans, a row each: the presets first, then every other
 // method with all else as it is by default.
 //
 //   espalier_accuracy [--plants grown|structures|all] [--seeds N] [--worst] [ROW ...]
 //
-// A ROW is NAME:STEP.OPTION=VALUE,...; a value that ends in s is in point spacings. With rows, only
-// they are printed. --worst prints each plant instead of their means.
+// A ROW is NAME:STEP.OPTION=VALUE,...; "6 spacings" is a length in point spacings. With rows,
+// only they are printed. --worst prints each plant instead of their means.
 //
 // Columns: the authors' indices G and T; precision, recall and F within 4 spacings; median error of
 // the radius, of wood over 2 spacings thick and of all, and its median with the sign; seconds a
@@ -13,7 +13,7 @@
 #include "core/evaluate/comparison.h"
 #include "core/evaluate/edge_index.h"
 #include "core/io/formats.h"
-#include "core/pipeline/pipeline.h"
+#include "core/pipeline/presets.h"
 #include "core/simulate/laser_scanner.h"
 #include "core/simulate/plant_grower.h"
 #include "core/simulate/prepared_plant.h"
@@ -41,6 +41,7 @@ struct Plant {
 struct Row {
   std::string name;
   std::vector<std::string> settings;
+  PipelineOptions options; // that these change
 };
 
 struct Score {
@@ -142,16 +143,10 @@ void judgeRadii(const Skeleton& result, const Skeleton& truth, double spacing, S
   score.thickError = medianOf(thick);
 }
 
-PipelineOptions optionsOf(const Row& row, double spacing) {
-  PipelineOptions options;
-  for (std::string setting : row.settings) {
-    if (setting.ends_with('s') && setting.find("method") == std::string::npos) {
-      const std::size_t equals = setting.find('=');
-      const double value = spacing * std::stod(setting.substr(equals + 1));
-      setting = setting.substr(0, equals + 1) + std::to_string(value);
-    }
+PipelineOptions optionsOf(const Row& row) {
+  PipelineOptions options = row.options;
+  for (const std::string& setting : row.settings)
     options.set(setting);
-  }
   return options;
 }
 
@@ -159,7 +154,7 @@ Score scoreOf(const Row& row, const Plant& plant) {
   using Clock = std::chrono::steady_clock;
   const double spacing = pointSpacing(plant.cloud->positions());
   const auto start = Clock::now();
-  const Reconstruction result = Pipeline().run(plant.cloud, optionsOf(row, spacing));
+  const Reconstruction result = Pipeline().run(plant.cloud, optionsOf(row));
   Score score;
   score.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   const Comparison comparison =
@@ -192,17 +187,19 @@ Score meanOf(const std::vector<Score>& scores) {
 }
 
 std::vector<Row> allMethods() {
-  std::vector<Row> rows = {{"default", {}}};
+  std::vector<Row> rows;
+  for (const NamedPreset& preset : presets())
+    rows.push_back({preset.name, {}, preset.options});
   for (const Step& step : pipelineSteps())
     for (const Method& method : step.methods)
       if (&method != &step.methods.front())
-        rows.push_back({step.name + "." + method.name, {step.name + ".method=" + method.name}});
+        rows.push_back({step.name + "." + method.name, {step.name + ".method=" + method.name}, {}});
   return rows;
 }
 
 Row rowOf(const std::string& text) {
   const std::size_t colon = text.find(':');
-  Row row{text.substr(0, colon), {}};
+  Row row{text.substr(0, colon), {}, {}};
   std::string rest = colon == std::string::npos ? "" : text.substr(colon + 1);
   while (!rest.empty()) {
     const std::size_t comma = rest.find(',');

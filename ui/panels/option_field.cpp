@@ -40,13 +40,14 @@ OptionField::OptionField(const Option& option, QWidget& parent)
 void OptionField::setScale(const PlantScale& scale, const QString& unit) {
   scale_ = scale;
   const auto [minimum, maximum] = option_.range(scale_);
-  if (chosen_) chosen_ = std::clamp(*chosen_, minimum, maximum);
+  if (chosen_ && (value() < minimum || value() > maximum))
+    chosen_ = fixedAt(std::clamp(value(), minimum, maximum));
   label_->setToolTip(help());
   showScale(unit);
   show();
 }
 
-void OptionField::choose(std::optional<double> value) {
+void OptionField::choose(const std::optional<Rule>& value) {
   chosen_ = value;
   show();
   emit changed();

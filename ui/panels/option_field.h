@@ -27,8 +27,9 @@ public:
   void setScale(const PlantScale& scale, const QString& unit);
 
   /// What the user chose; none while it is the default.
-  [[nodiscard]] std::optional<double> chosen() const { return chosen_; }
-  void choose(std::optional<double> value);
+  [[nodiscard]] const std::optional<Rule>& chosen() const { return chosen_; }
+  void choose(const std::optional<Rule>& value);
+  void choose(double value) { choose(fixedAt(value)); }
 
 signals:
   void changed();
@@ -38,7 +39,7 @@ protected:
 
   [[nodiscard]] const Option& option() const { return option_; }
   [[nodiscard]] const PlantScale& scale() const { return scale_; }
-  [[nodiscard]] double value() const { return chosen_.value_or(option_.rule.value(scale_)); }
+  [[nodiscard]] double value() const { return chosen_.value_or(option_.rule).value(scale_); }
   [[nodiscard]] QLabel& label() const { return *label_; }
   [[nodiscard]] QToolButton& reset() const { return *reset_; }
   [[nodiscard]] QString help() const; // for tips
@@ -51,7 +52,7 @@ private:
 
   Option option_;
   PlantScale scale_{.spacing = 1, .height = 100};
-  std::optional<double> chosen_;
+  std::optional<Rule> chosen_;
   QLabel* label_;
   QToolButton* reset_;
 };

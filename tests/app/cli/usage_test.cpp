@@ -99,7 +99,7 @@ TEST(Settings, ThatNameNothingAreRefusedBeforeTheScanIsRead) {
   expect("contract", {"\"contract\" sets nothing", "STEP.OPTION=VALUE"});
   expect("bend.radius=1", {"no step \"bend\"", "choose one of clean, contract"});
   expect("contract.bend=1", {"no option \"bend\"", "choose one of neighbors, radius"});
-  expect("contract.radius=wide", {"\"wide\" is no number", "contract.radius=VALUE"});
+  expect("contract.radius=wide", {"contract.radius must be a number", "not 'wide'"});
   expect("contract.method=bend", {"no method \"bend\" for step contract", "geodesic_centroid"});
 }
 
@@ -146,10 +146,11 @@ TEST(Settings, ABadPresetIsNamed) {
   expect(R"({"contract": {"radius": 1)", "a preset is a JSON object of steps, such as");
   expect("[1, 2]", "a preset is a JSON object of steps, such as");
   expect(R"({"contract": 1})", R"("contract" must hold an object of options)");
-  expect(R"({"contract": {"radius": "wide"}})", R"("contract.radius" must be a number)");
+  expect(R"({"contract": {"radius": "wide"}})",
+         "contract.radius must be a number, or a length as '6 spacings'");
   expect(R"({"contract": {"bend": 1}})", R"(no option "bend": choose one of)");
   expect("{\n\"prune\": {\"length\": 70},\n\"contract\": {\n\"radius\": \"wide\"}}",
-         R"(line 4: "contract.radius" must be)");
+         "line 4: contract.radius must be");
   expect(R"({"bend": {}})", R"(no step "bend": choose one of)");
   expect(R"({"contract": {"method": "bend"}})", R"(no method "bend" for step contract: choose)");
 }

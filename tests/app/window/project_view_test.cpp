@@ -29,7 +29,7 @@ TEST_F(ProjectWindowTest, KeepsTheOptionsOfThePipeline) {
   open({file});
   EXPECT_EQ(options(), chosen);
   EXPECT_EQ(find<QWidget>("step_contract").findChild<QDoubleSpinBox*>("radius")->value(),
-            chosen.settings.at("contract").at("radius"))
+            chosen.settings.at("contract").at("radius").fixed)
       << "the form shows it";
   open({writeScan("other.xyz")});
   EXPECT_EQ(options(), PipelineOptions()) << "another plant";

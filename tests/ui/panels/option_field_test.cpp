@@ -49,7 +49,7 @@ TEST(OptionField, OfAChoiceIsAListOfItsWords) {
   const QSignalSpy changed(form.field, &OptionField::changed);
   QTest::keyClick(&words, Qt::Key_Up);
   EXPECT_EQ(changed.count(), 1);
-  EXPECT_EQ(form.field->chosen(), 0.0);
+  EXPECT_EQ(form.field->chosen(), fixedAt(0));
   form.widget.findChild<QToolButton*>()->click(); // back
   EXPECT_FALSE(form.field->chosen());
   EXPECT_EQ(words.currentText(), "Fast");
@@ -61,7 +61,7 @@ TEST(OptionField, OfAFlagIsABoxToCheck) {
   EXPECT_TRUE(box.isChecked());
   EXPECT_EQ(box.text(), "Dry");
   box.click();
-  EXPECT_EQ(form.field->chosen(), 0.0);
+  EXPECT_EQ(form.field->chosen(), fixedAt(0));
   form.field->choose(std::nullopt);
   EXPECT_TRUE(box.isChecked());
 }
@@ -79,7 +79,15 @@ TEST(OptionField, OfANumberFollowsTheScaleOfThePlant) {
   EXPECT_EQ(number.value(), 8);
   EXPECT_EQ(number.maximum(), 20);
   number.setValue(12);
-  EXPECT_EQ(form.field->chosen(), 12.0);
+  EXPECT_EQ(form.field->chosen(), fixedAt(12));
+  form.field->choose(spacings(3));
+  EXPECT_EQ(number.value(), 6);
+  form.field->setScale({.spacing = 0.5, .height = 100}, "m");
+  EXPECT_EQ(number.value(), 1.5) << "another plant, the same rule";
+  EXPECT_EQ(form.field->chosen(), spacings(3));
+  form.field->choose(fixedAt(100));
+  form.field->setScale({.spacing = 2, .height = 100}, "mm");
+  EXPECT_EQ(form.field->chosen(), fixedAt(20)) << "no farther than the range of this plant";
 }
 
 } // namespace

@@ -1,0 +1,45 @@
+#include "core/pipeline/presets.h"
+
+#include <algorithm>
+
+namespace espalier {
+namespace {
+
+/// The steps of the thesis with the defaults of its program. That had lengths in mm on scans with
+/// points 5 mm apart; here they are in spacings. Its cones of 90 degrees left only one, straight
+/// ahead, so they are of 80. It had no step that prunes, joins, recenters or extends.
+PipelineOptions thesis() {
+  PipelineOptions options;
+  for (const char* setting :
+       {"contract.method=adaptive_geodesic", "contract.neighbors=7",
+        "contract.density_radius=2 spacings", "contract.least_radius=2 spacings",
+        "contract.most_radius=5 spacings", "contract.curve=1", "contract.circles=no",
+        "skeleton.method=point_tracking", "skeleton.least_step=8 spacings",
+        "skeleton.greatest_step=10 spacings", "skeleton.reach=2", "skeleton.kill=1.2",
+        "skeleton.cone_angle=80", "prune.method=none", "recenter.method=none", "ends.method=none",
+        "radius.method=node_count_pipe"})
+    options.set(setting);
+  return options;
+}
+
+} // namespace
+
+const std::vector<NamedPreset>& presets() {
+  static const std::vector<NamedPreset> all = {
+      {"default",
+       "Default",
+       "The best of all methods; every option follows from the scan.",
+       "",
+       {}},
+      {"thesis", "As in the Thesis",
+       "Adaptive contraction, point tracking and pipe model, with the settings of the thesis.",
+       "C. Preuksakarn, PhD thesis, Montpellier 2, 2012, sections 4.5 to 4.8", thesis()}};
+  return all;
+}
+
+const NamedPreset* presetNamed(std::string_view name) {
+  const auto found = std::ranges::find(presets(), name, &NamedPreset::name);
+  return found == presets().end() ? nullptr : &*found;
+}
+
+} // namespace espalier

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/pipeline/pipeline.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace espalier {
+
+/// A way from scan to skeleton as a whole, for any plant: its lengths are rules.
+struct NamedPreset {
+  std::string name;  // on the command line
+  std::string label; // in menus
+  std::string help;  // one line
+  std::string source;
+  PipelineOptions options;
+};
+
+/// The first is the default, in which nothing is chosen.
+[[nodiscard]] const std::vector<NamedPreset>& presets();
+
+/// Null if there is none of this name.
+[[nodiscard]] const NamedPreset* presetNamed(std::string_view name);
+
+} // namespace espalier

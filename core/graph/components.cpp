@@ -1,13 +1,9 @@
 #include "core/graph/components.h"
 
-#include "core/base/parallel.h"
-#include "core/base/spatial_index.h"
+#include "core/graph/bridge_search.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
-#include <optional>
-#include <tuple>
 
 namespace espalier {
 namespace {
@@ -34,50 +30,6 @@ public:
 private:
   std::vector<std::uint32_t> parent_;
 };
-
-/// A shortest link out of a component.
-struct Bridge {
-  float squaredLength = std::numeric_limits<float>::max();
-  std::uint32_t from = 0;
-  std::uint32_t to = 0;
-
-  [[nodiscard]] bool operator<(const Bridge& other) const { // the same choice at both ends
-    return std::tuple(squaredLength, std::min(from, to), std::max(from, to)) <
-           std::tuple(other.squaredLength, std::min(other.from, other.to),
-                      std::max(other.from, other.to));
-  }
-};
-
-/// For each component but the largest its shortest bridge to any other, if one is short enough.
-/// Not searching from the largest saves nearly all of the work and loses nothing: each of the
-/// others still finds an edge of the minimum spanning tree.
-std::vector<Bridge> shortestBridges(const Components& components, const Eigen::Matrix3Xf& points,
-                                    const SpatialIndex& index, float widestGap,
-                                    const Progress& progress) {
-  std::vector<Eigen::Index> searched;
-  for (Eigen::Index i = 0; i < points.cols(); ++i)
-    if (components.ofPoint[static_cast<std::size_t>(i)] != 0) searched.push_back(i);
-  std::vector<std::optional<Neighbor>> nearest(searched.size());
-  const auto search = [&](Eigen::Index i) {
-    const Eigen::Index point = searched[static_cast<std::size_t>(i)];
-    const std::uint32_t own = components.ofPoint[static_cast<std::size_t>(point)];
-    nearest[static_cast<std::size_t>(i)] =
-        index.nearestIf(points.col(point), widestGap, [&](Eigen::Index other) {
-          return components.ofPoint[static_cast<std::size_t>(other)] != own;
-        });
-  };
-  parallelFor(static_cast<Eigen::Index>(searched.size()), search, progress, 16);
-
-  std::vector<Bridge> best(components.count());
-  for (std::size_t i = 0; i < searched.size(); ++i) {
-    if (!nearest[i]) continue;
-    const Bridge bridge{nearest[i]->squaredDistance, static_cast<std::uint32_t>(searched[i]),
-                        static_cast<std::uint32_t>(nearest[i]->index)};
-    Bridge& shortest = best[components.ofPoint[bridge.from]];
-    shortest = std::min(shortest, bridge);
-  }
-  return best;
-}
 
 } // namespace
 
@@ -121,15 +73,17 @@ NeighborhoodGraph joined(const NeighborhoodGraph& graph, const Eigen::Matrix3Xf&
   Components components = connectedComponents(graph);
   std::vector<NeighborhoodGraph::Edge> bridges;
   if (components.count() < 2) return graph;
-  const SpatialIndex index(points);
+  BridgeSearch search(points);
   const auto startCount = static_cast<double>(components.count());
   while (components.count() > 1) {
     const double done = 1 - static_cast<double>(components.count()) / startCount;
     DisjointSets sets(components.count());
     bool anyJoined = false;
-    for (const Bridge& bridge : shortestBridges(components, points, index, widestGap,
-                                                progress.part(done, done + (1 - done) / 2))) {
-      if (bridge.squaredLength == std::numeric_limits<float>::max()) continue;
+    const std::vector<Bridge> shortest =
+        search.shortest(components.ofPoint, components.count(), widestGap,
+                        progress.part(done, done + (1 - done) / 2));
+    for (const Bridge& bridge : shortest) {
+      if (!bridge.exists()) continue;
       if (!sets.join(components.ofPoint[bridge.from], components.ofPoint[bridge.to])) continue;
       bridges.emplace_back(bridge.from, bridge.to);
       anyJoined = true;

@@ -1,6 +1,7 @@
 #include "core/graph/orientations.h"
 
 #include "core/base/moments.h"
+#include "core/base/parallel.h"
 #include "core/graph/geodesic_balls.h"
 
 #include <algorithm>
@@ -18,12 +19,29 @@ Orientation orientationOf(const Moments& moments) {
               std::clamp((variances[2] - variances[1]) / variances[2], 0.0, 1.0))};
 }
 
+/// Of a point and those linked to it.
+Moments linkedTo(const Eigen::Matrix3Xf& points, const NeighborhoodGraph& graph,
+                 Eigen::Index point) {
+  Moments moments(points.col(point).cast<double>());
+  moments.add(Eigen::Vector3f(points.col(point)));
+  for (const NeighborhoodGraph::Link& link : graph.links(point))
+    moments.add(Eigen::Vector3f(points.col(link.to)));
+  return moments;
+}
+
 } // namespace
 
 std::vector<Orientation> orientations(const Eigen::Matrix3Xf& points,
                                       const NeighborhoodGraph& graph, float radius,
                                       const Progress& progress) {
   std::vector<Orientation> result(static_cast<std::size_t>(points.cols()));
+  if (radius <= 0) {
+    const auto orient = [&](Eigen::Index i) {
+      result[static_cast<std::size_t>(i)] = orientationOf(linkedTo(points, graph, i));
+    };
+    parallelFor(points.cols(), orient, progress);
+    return result;
+  }
   const auto visit = [&](const GeodesicBalls& balls) {
     std::array<Moments, GeodesicBalls::most> moments;
     for (std::size_t i = 0; i < balls.centers().size(); ++i)
@@ -33,12 +51,7 @@ std::vector<Orientation> orientations(const Eigen::Matrix3Xf& points,
     });
     for (std::size_t i = 0; i < balls.centers().size(); ++i) {
       const std::uint32_t center = balls.centers()[i];
-      if (moments[i].count() < 3) {
-        moments[i] = Moments(points.col(center).cast<double>());
-        moments[i].add(Eigen::Vector3f(points.col(center)));
-        for (const NeighborhoodGraph::Link& link : graph.links(center))
-          moments[i].add(Eigen::Vector3f(points.col(link.to)));
-      }
+      if (moments[i].count() < 3) moments[i] = linkedTo(points, graph, center);
       result[center] = orientationOf(moments[i]);
     }
   };

@@ -41,6 +41,7 @@ public:
   [[nodiscard]] Eigen::Vector3d position(std::uint32_t point) const {
     return points_.col(point).cast<double>();
   }
+  [[nodiscard]] std::size_t size() const { return owner_.size(); }
   [[nodiscard]] Eigen::Index dead() const { return dead_; }
   [[nodiscard]] Eigen::Index reached() const { return reached_; } // dead or with a node
 

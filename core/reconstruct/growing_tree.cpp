@@ -59,12 +59,15 @@ std::vector<GrowingTree::Shoot> GrowingTree::shootsAcrossGaps(double widestGap) 
                     [](const Gap& gap) { return std::tuple(gap.squaredWidth, gap.point); });
   const double apart = reach_ * step_.greatest;
   std::vector<Shoot> shoots;
+  std::vector<bool> isNear(attractors_.size(), false); // to a shoot, by point
   for (const Gap& gap : gaps) {
+    if (isNear[gap.point]) continue;
     const Eigen::Vector3d place = attractors_.position(gap.point);
-    const bool isNear = std::ranges::any_of(
-        shoots, [&](const Shoot& shoot) { return (shoot.place - place).norm() < apart; });
-    if (!isNear && attractors_.around(place, apart).size() >= fewest)
-      shoots.push_back({gap.node, place});
+    const std::vector<std::uint32_t> around = attractors_.around(place, apart);
+    if (around.size() < fewest) continue;
+    shoots.push_back({gap.node, place});
+    for (const std::uint32_t point : around)
+      isNear[point] = true;
   }
   return shoots;
 }

@@ -16,11 +16,17 @@ namespace {
 /// What nanoflann asks of a set of points.
 struct Columns {
   const Eigen::Matrix3Xf* points;
+  const Progress* building = nullptr; // while the tree is built: asked now and then
+  mutable int untilAsked = 0;
 
   [[nodiscard]] std::size_t kdtree_get_point_count() const {
     return static_cast<std::size_t>(points->cols());
   }
   [[nodiscard]] float kdtree_get_pt(std::size_t column, std::size_t row) const {
+    if (building != nullptr && --untilAsked <= 0) {
+      building->check();
+      untilAsked = 1 << 18; // reads: a few ms
+    }
     return points->data()[3 * column + row];
   }
   template <class Box> bool kdtree_get_bbox(Box& /*unused*/) const { return false; }
@@ -113,12 +119,15 @@ struct SpatialIndex::Tree {
   Columns columns;
   Index index;
 
-  explicit Tree(const Eigen::Matrix3Xf& points)
-      : columns{&points}, index(3, columns, nanoflann::KDTreeSingleIndexAdaptorParams(12)) {}
+  Tree(const Eigen::Matrix3Xf& points, const Progress& progress)
+      : columns{&points, &progress},
+        index(3, columns, nanoflann::KDTreeSingleIndexAdaptorParams(12)) { // builds the tree
+    columns.building = nullptr;
+  }
 };
 
-SpatialIndex::SpatialIndex(const Eigen::Matrix3Xf& points)
-    : tree_(std::make_shared<const Tree>(points)) {}
+SpatialIndex::SpatialIndex(const Eigen::Matrix3Xf& points, const Progress& progress)
+    : tree_(std::make_shared<const Tree>(points, progress)) {}
 SpatialIndex::SpatialIndex(std::shared_ptr<const Tree> tree) : tree_(std::move(tree)) {}
 SpatialIndex::~SpatialIndex() = default;
 SpatialIndex::SpatialIndex(SpatialIndex&&) noexcept = default;

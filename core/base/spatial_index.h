@@ -31,8 +31,9 @@ struct NearestOthers {
 class SpatialIndex {
 public:
   /// @param points 3 x N, finite; must outlive the index
-  explicit SpatialIndex(const Eigen::Matrix3Xf& points);
-  explicit SpatialIndex(Eigen::Matrix3Xf&& points) = delete;
+  /// @throws Cancelled if `progress` asks to stop; it is told of no progress
+  explicit SpatialIndex(const Eigen::Matrix3Xf& points, const Progress& progress = {});
+  explicit SpatialIndex(Eigen::Matrix3Xf&& points, const Progress& progress = {}) = delete;
   ~SpatialIndex();
   SpatialIndex(SpatialIndex&&) noexcept;
   SpatialIndex& operator=(SpatialIndex&&) noexcept;

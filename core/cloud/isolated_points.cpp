@@ -11,7 +11,7 @@ std::vector<bool> isolatedPoints(const Eigen::Matrix3Xf& points,
   std::vector<bool> result(static_cast<std::size_t>(points.cols()), false);
   if (points.cols() <= options.neighbors) return result;
   const NearestOthers others =
-      SpatialIndex(points).nearestOthers(options.neighbors, progress.part(0, 0.9));
+      SpatialIndex(points, progress).nearestOthers(options.neighbors, progress.part(0, 0.9));
   const auto perPoint = static_cast<std::size_t>(others.perPoint);
   for (std::size_t i = 0; i < result.size(); ++i) {
     double sum = 0;

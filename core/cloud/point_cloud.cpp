@@ -108,10 +108,10 @@ Eigen::AlignedBox3d PointCloud::bounds() const {
           positions_.rowwise().maxCoeff().cast<double>() + origin_};
 }
 
-double pointSpacing(const Eigen::Matrix3Xf& points) {
+double pointSpacing(const Eigen::Matrix3Xf& points, const Progress& progress) {
   constexpr Eigen::Index samples = 20000;
   const Eigen::Index count = std::min(points.cols(), samples);
-  const SpatialIndex index(points);
+  const SpatialIndex index(points, progress);
   std::vector<double> distances(static_cast<std::size_t>(count));
   parallelFor(count, [&](Eigen::Index i) {
     const Eigen::Index point = i * points.cols() / count;

@@ -75,6 +75,6 @@ private:
 
 /// Mean distance from a point to its nearest neighbor at another place [L]: the unit of the default
 /// rules. Taken over at most 20 000 points spread evenly through the cloud. 0 if all coincide.
-[[nodiscard]] double pointSpacing(const Eigen::Matrix3Xf& points);
+[[nodiscard]] double pointSpacing(const Eigen::Matrix3Xf& points, const Progress& progress = {});
 
 } // namespace espalier

@@ -38,8 +38,9 @@ std::vector<Eigen::Index> drawn(Eigen::Index count, const L1MedialOptions& optio
 /// The samples on their way.
 class MedialFlow {
 public:
-  MedialFlow(const Eigen::Matrix3Xf& points, const L1MedialOptions& options)
-      : points_(points), options_(options), index_(points),
+  MedialFlow(const Eigen::Matrix3Xf& points, const L1MedialOptions& options,
+             const Progress& progress)
+      : points_(points), options_(options), index_(points, progress),
         places_(points(Eigen::all, drawn(points.cols(), options))),
         isDone_(static_cast<std::size_t>(places_.cols()), false) {}
 
@@ -161,7 +162,7 @@ private:
 Eigen::Matrix3Xf contractedToL1Medial(const Eigen::Matrix3Xf& points,
                                       const L1MedialOptions& options, const Progress& progress) {
   if (points.cols() < 2) return points;
-  MedialFlow flow(points, options);
+  MedialFlow flow(points, options, progress);
   const Eigen::Matrix3Xf start = flow.places();
   const double step = options.firstRadius / 2;
   const int stages = 1 + static_cast<int>((options.lastRadius - options.firstRadius) / step + 1e-6);

@@ -7,7 +7,8 @@ namespace espalier {
 
 Eigen::Matrix3Xf contractedByOneLaplacianStep(const Eigen::Matrix3Xf& points, int neighbors,
                                               const Progress& progress) {
-  const NearestOthers others = SpatialIndex(points).nearestOthers(neighbors, progress.part(0, 0.8));
+  const NearestOthers others =
+      SpatialIndex(points, progress).nearestOthers(neighbors, progress.part(0, 0.8));
   if (others.perPoint == 0) return points;
   Eigen::Matrix3Xf result(3, points.cols());
   const auto contract = [&](Eigen::Index point) {

@@ -33,13 +33,16 @@ float BridgeSearch::Part::squaredDistance(const Eigen::Vector3f& place) const {
   return (place - place.cwiseMax(low).cwiseMin(high)).squaredNorm();
 }
 
-BridgeSearch::BridgeSearch(const Eigen::Matrix3Xf& points) : points_(points) {
+BridgeSearch::BridgeSearch(const Eigen::Matrix3Xf& points, const Progress& progress)
+    : points_(points) {
   order_.resize(static_cast<std::size_t>(points.cols()));
   std::iota(order_.begin(), order_.end(), 0U);
   parts_.push_back(
       {.low = {}, .high = {}, .begin = 0, .end = static_cast<std::uint32_t>(order_.size())});
-  for (std::size_t part = 0; part < parts_.size(); ++part)
+  for (std::size_t part = 0; part < parts_.size(); ++part) {
+    if (part % 1024 == 0 || parts_[part].end - parts_[part].begin > 10'000) progress.check();
     split(part); // adds to parts_
+  }
 }
 
 void BridgeSearch::split(std::size_t at) {

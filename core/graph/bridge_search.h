@@ -27,7 +27,8 @@ struct Bridge {
 class BridgeSearch {
 public:
   /// @param points 3 x N, finite [L]; must outlive the search. Time O(N log N)
-  explicit BridgeSearch(const Eigen::Matrix3Xf& points);
+  /// @throws Cancelled if `progress` asks to stop
+  explicit BridgeSearch(const Eigen::Matrix3Xf& points, const Progress& progress = {});
 
   /// For each component but number 0 its shortest bridge to any other of at most `widest` [L].
   /// Not searching from the largest saves nearly all of the work and loses nothing: each of the

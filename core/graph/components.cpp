@@ -73,7 +73,7 @@ NeighborhoodGraph joined(const NeighborhoodGraph& graph, const Eigen::Matrix3Xf&
   Components components = connectedComponents(graph);
   std::vector<NeighborhoodGraph::Edge> bridges;
   if (components.count() < 2) return graph;
-  BridgeSearch search(points);
+  BridgeSearch search(points, progress);
   const auto startCount = static_cast<double>(components.count());
   while (components.count() > 1) {
     const double done = 1 - static_cast<double>(components.count()) / startCount;

@@ -27,7 +27,7 @@ std::vector<float> radiusDensities(const NeighborhoodGraph& graph, float radius,
 
 std::vector<float> nearestDensities(const Eigen::Matrix3Xf& points, int count,
                                     const Progress& progress) {
-  const NearestOthers others = SpatialIndex(points).nearestOthers(count, progress);
+  const NearestOthers others = SpatialIndex(points, progress).nearestOthers(count, progress);
   std::vector<float> densities(static_cast<std::size_t>(points.cols()), 0);
   if (others.perPoint == 0) return densities;
   const auto perPoint = static_cast<std::size_t>(others.perPoint);

@@ -15,13 +15,16 @@ std::span<const std::uint32_t> chosenBy(const NearestOthers& table, std::size_t 
 
 /// Calls visit(from, place in the table) for each choice that the other end did not make as well.
 template <class Visit>
-void forEachOneSidedChoice(const NearestOthers& table, std::size_t count, const Visit& visit) {
+void forEachOneSidedChoice(const NearestOthers& table, std::size_t count, const Progress& progress,
+                           const Visit& visit) {
   const auto perPoint = static_cast<std::size_t>(table.perPoint);
-  for (std::size_t from = 0; from < count; ++from)
+  for (std::size_t from = 0; from < count; ++from) {
+    if (from % (1 << 16) == 0) progress.check();
     for (std::size_t place = from * perPoint; place < (from + 1) * perPoint; ++place) {
       const auto back = chosenBy(table, table.indices[place]);
       if (std::find(back.begin(), back.end(), from) == back.end()) visit(from, place);
     }
+  }
 }
 
 } // namespace
@@ -30,13 +33,13 @@ NeighborhoodGraph::NeighborhoodGraph(const Eigen::Matrix3Xf& points, int neighbo
                                      const Progress& progress) {
   const auto count = static_cast<std::size_t>(points.cols());
   const NearestOthers table =
-      SpatialIndex(points).nearestOthers(std::max(neighbors, 1), progress.part(0, 0.8));
+      SpatialIndex(points, progress).nearestOthers(std::max(neighbors, 1), progress.part(0, 0.8));
   const auto perPoint = static_cast<std::size_t>(table.perPoint);
 
   begin_.assign(count + 1, 0);
   for (std::size_t i = 0; i < count; ++i)
     begin_[i + 1] = perPoint;
-  forEachOneSidedChoice(table, count, [&](std::size_t /*from*/, std::size_t place) {
+  forEachOneSidedChoice(table, count, progress, [&](std::size_t /*from*/, std::size_t place) {
     ++begin_[table.indices[place] + 1];
   });
   progress.update(0.9);
@@ -49,7 +52,7 @@ NeighborhoodGraph::NeighborhoodGraph(const Eigen::Matrix3Xf& points, int neighbo
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t place = i * perPoint; place < (i + 1) * perPoint; ++place)
       links_[next[i]++] = {table.indices[place], lengthAt(place)};
-  forEachOneSidedChoice(table, count, [&](std::size_t from, std::size_t place) {
+  forEachOneSidedChoice(table, count, progress, [&](std::size_t from, std::size_t place) {
     const std::uint32_t to = table.indices[place];
     links_[next[to]++] = {static_cast<std::uint32_t>(from), lengthAt(place)};
   });

@@ -46,7 +46,7 @@ Neighborhoods joinedLists(const Lists& lists) {
 
 Neighborhoods nearestNeighborhoods(const Eigen::Matrix3Xf& points, int count,
                                    const Progress& progress) {
-  NearestOthers others = SpatialIndex(points).nearestOthers(count, progress);
+  NearestOthers others = SpatialIndex(points, progress).nearestOthers(count, progress);
   Neighborhoods result;
   const auto perPoint = static_cast<std::size_t>(others.perPoint);
   for (std::size_t i = 0; i <= static_cast<std::size_t>(points.cols()); ++i)
@@ -57,7 +57,7 @@ Neighborhoods nearestNeighborhoods(const Eigen::Matrix3Xf& points, int count,
 
 Neighborhoods neighborhoodsWithin(const Eigen::Matrix3Xf& points, float radius,
                                   const Progress& progress) {
-  const SpatialIndex index(points);
+  const SpatialIndex index(points, progress);
   Lists lists(static_cast<std::size_t>(points.cols()));
   const auto search = [&](Eigen::Index point) {
     std::vector<Found> found;

@@ -137,7 +137,8 @@ struct Pipeline::Kept {
   std::vector<Result> results; // of the first steps
 
   /// @throws Error if the root that is asked for lies farther off than the plant is large
-  void start(const std::shared_ptr<const PointCloud>& newCloud, const PipelineOptions& options) {
+  void start(const std::shared_ptr<const PointCloud>& newCloud, const PipelineOptions& options,
+             const Progress& progress) {
     if (options.root) {
       const Eigen::AlignedBox3d box = newCloud->bounds();
       const double away = box.exteriorDistance(*options.root);
@@ -147,9 +148,10 @@ struct Pipeline::Kept {
     }
     if (cloud == newCloud && root == options.root && up == options.up && leftOut == options.leftOut)
       return;
-    results.clear();
     if (cloud != newCloud || up != options.up)
-      scale = {pointSpacing(newCloud->positions()), plantHeight(newCloud->positions(), options.up)};
+      scale = {pointSpacing(newCloud->positions(), progress),
+               plantHeight(newCloud->positions(), options.up)};
+    results.clear();
     cloud = newCloud;
     root = options.root;
     up = options.up;
@@ -191,7 +193,7 @@ Reconstruction Pipeline::run(const std::shared_ptr<const PointCloud>& cloud,
                              const std::string& last) {
   requireKnown(options);
   if (cloud->size() < 2) throw Error("a plant needs at least 2 points: check the scan");
-  kept_->start(cloud, options);
+  kept_->start(cloud, options, progress);
   if (kept_->scale.spacing == 0)
     throw Error("all points of the scan are at the same place: check the scan");
 

@@ -82,10 +82,11 @@ struct CylinderMethodOptions {
   double axisStep = 0;
   double branchStep = 0;
 
-  [[nodiscard]] CylinderOptions cylinders(const PipelineState& state) const {
+  [[nodiscard]] CylinderOptions cylinders(const PipelineState& state,
+                                          const Progress& progress) const {
     return {.leastCoverage = leastCoverage,
             .length = length,
-            .spacing = pointSpacing(keptPositions(state))};
+            .spacing = pointSpacing(keptPositions(state), progress)};
   }
 };
 
@@ -127,8 +128,9 @@ Method cylinderMethod() {
             const AssignedPoints points(state.skeleton, kept, state.cloud->origin(),
                                         progress.part(0, 0.5));
             std::vector<double> radii;
-            for (const MeasuredRadius& each : cylinderRadii(
-                     state.skeleton, points, options.cylinders(state), progress.part(0.5, 1)))
+            for (const MeasuredRadius& each :
+                 cylinderRadii(state.skeleton, points, options.cylinders(state, progress),
+                               progress.part(0.5, 1)))
               radii.push_back(each.radius);
             setMeasured(state, radii, options.branchShare);
           }};
@@ -183,7 +185,7 @@ Method fusedMethod() {
       .options = table.descriptions(),
       .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
         const Options options = table.with(values);
-        const CylinderOptions cylinders = options.cylinders(state);
+        const CylinderOptions cylinders = options.cylinders(state, progress);
         const Eigen::Matrix3Xf kept = keptPositions(state);
         const AssignedPoints points(state.skeleton, kept, state.cloud->origin(),
                                     progress.part(0, 0.5));

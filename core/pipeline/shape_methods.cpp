@@ -169,7 +169,7 @@ Method cylinderRecenterMethod() {
                                        .smoothing = chosen.smoothing,
                                        .cylinders = {.leastCoverage = chosen.leastCoverage,
                                                      .length = chosen.length,
-                                                     .spacing = pointSpacing(kept)}},
+                                                     .spacing = pointSpacing(kept, progress)}},
                                       progress);
           }};
 }

@@ -5,9 +5,10 @@
 
 namespace espalier {
 
-Attractors::Attractors(const Eigen::Matrix3Xf& points, const std::vector<float>& densities)
-    : points_(points), densities_(densities), index_(points), isAlive_(densities.size(), 1),
-      owner_(densities.size(), none),
+Attractors::Attractors(const Eigen::Matrix3Xf& points, const std::vector<float>& densities,
+                       const Progress& progress)
+    : points_(points), densities_(densities), index_(points, progress),
+      isAlive_(densities.size(), 1), owner_(densities.size(), none),
       squaredDistance_(densities.size(), std::numeric_limits<float>::infinity()) {
   assert(static_cast<Eigen::Index>(densities.size()) == points.cols());
 }

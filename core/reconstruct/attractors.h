@@ -16,7 +16,9 @@ class Attractors {
 public:
   /// @param points    3 x N, finite [L]; must outlive this
   /// @param densities N, in [0, 1]; must outlive this
-  Attractors(const Eigen::Matrix3Xf& points, const std::vector<float>& densities);
+  /// @throws Cancelled if `progress` asks to stop
+  Attractors(const Eigen::Matrix3Xf& points, const std::vector<float>& densities,
+             const Progress& progress = {});
 
   /// Density of the point nearest to `place`. pre: N > 0
   [[nodiscard]] double densityAt(const Eigen::Vector3d& place) const;

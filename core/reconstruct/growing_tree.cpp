@@ -37,7 +37,8 @@ GrowingTree::shootTowards(std::uint32_t node, const std::vector<std::uint32_t>& 
   return Shoot{node, place};
 }
 
-std::vector<GrowingTree::Shoot> GrowingTree::shootsAcrossGaps(double widestGap) const {
+std::vector<GrowingTree::Shoot> GrowingTree::shootsAcrossGaps(double widestGap,
+                                                              const Progress& progress) const {
   constexpr std::size_t fewest = 3; // points that tell a twig from dust
   struct Gap {
     float squaredWidth;
@@ -51,6 +52,7 @@ std::vector<GrowingTree::Shoot> GrowingTree::shootsAcrossGaps(double widestGap) 
   const double widest = widestGap > 0 ? widestGap : std::numeric_limits<double>::infinity();
   std::vector<Gap> gaps;
   for (const std::uint32_t point : attractors_.unreached()) {
+    progress.check();
     const Neighbor nearest = index.nearest(attractors_.position(point).cast<float>(), 1).front();
     if (std::sqrt(static_cast<double>(nearest.squaredDistance)) <= widest)
       gaps.push_back({nearest.squaredDistance, point, static_cast<std::uint32_t>(nearest.index)});
@@ -61,6 +63,7 @@ std::vector<GrowingTree::Shoot> GrowingTree::shootsAcrossGaps(double widestGap) 
   std::vector<Shoot> shoots;
   std::vector<bool> isNear(attractors_.size(), false); // to a shoot, by point
   for (const Gap& gap : gaps) {
+    progress.check();
     if (isNear[gap.point]) continue;
     const Eigen::Vector3d place = attractors_.position(gap.point);
     const std::vector<std::uint32_t> around = attractors_.around(place, apart);

@@ -44,7 +44,9 @@ public:
   /// nodes nearest to them. Nearest first; of points in reach of each other one, and none of points
   /// that stand alone.
   /// @param widestGap [L] wider ones are not bridged; 0 = all are
-  [[nodiscard]] std::vector<Shoot> shootsAcrossGaps(double widestGap) const;
+  /// @throws Cancelled if `progress` asks to stop
+  [[nodiscard]] std::vector<Shoot> shootsAcrossGaps(double widestGap,
+                                                    const Progress& progress = {}) const;
 
   [[nodiscard]] const Eigen::Vector3d& place(std::uint32_t node) const { return places_[node]; }
   [[nodiscard]] double step(std::uint32_t node) const { return steps_[node]; } // [L]

@@ -35,7 +35,7 @@ public:
         progress.check();
         growFrom(node, shoots);
       }
-      if (shoots.empty()) shoots = tree_.shootsAcrossGaps(options_.widestGap);
+      if (shoots.empty()) shoots = tree_.shootsAcrossGaps(options_.widestGap, progress);
       growing.clear();
       for (const GrowingTree::Shoot& shoot : shoots) {
         const Eigen::Vector3d direction = (shoot.place - tree_.place(shoot.parent)).normalized();
@@ -110,7 +110,7 @@ Skeleton skeletonByPointTracking(const Eigen::Matrix3Xf& points,
                                  const std::vector<float>& densities, Eigen::Index root,
                                  const PointTrackingOptions& options, const Progress& progress) {
   progress.check();
-  Attractors attractors(points, densities);
+  Attractors attractors(points, densities, progress);
   Tracker tracker(attractors, options);
   Skeleton skeleton =
       tracker.grow(points.col(root).cast<double>(), points.cols(), progress.part(0, 0.9));

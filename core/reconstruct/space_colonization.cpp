@@ -27,7 +27,7 @@ Skeleton skeletonBySpaceColonization(const Eigen::Matrix3Xf& points,
                                      const SpaceColonizationOptions& options,
                                      const Progress& progress) {
   progress.check();
-  Attractors attractors(points, densities);
+  Attractors attractors(points, densities, progress);
   GrowingTree tree(attractors, {options.leastStep, options.greatestStep}, options.kill,
                    options.reach);
   std::vector<std::uint32_t> growing = {tree.add(points.col(root).cast<double>(), std::nullopt)};
@@ -43,7 +43,7 @@ Skeleton skeletonBySpaceColonization(const Eigen::Matrix3Xf& points,
         next.push_back(node); // what is left of its points may pull it elsewhere
       }
     }
-    if (shoots.empty()) shoots = tree.shootsAcrossGaps(options.widestGap);
+    if (shoots.empty()) shoots = tree.shootsAcrossGaps(options.widestGap, progress);
     for (const GrowingTree::Shoot& shoot : shoots)
       next.push_back(tree.add(shoot.place, shoot.parent));
     growing = std::move(next);

@@ -1,7 +1,7 @@
 // How long every method of every step still runs after it was asked to stop: the longest wait of
 // some tries, each asked at another moment. 0.1 s is what a person takes for at once.
 //
-//   espalier_cancel SCAN
+//   espalier_cancel SCAN [STEP.METHOD ...]
 #include "core/io/formats.h"
 #include "core/pipeline/pipeline.h"
 
@@ -15,6 +15,7 @@
 #include <stop_token>
 #include <string>
 #include <thread>
+#include <vector>
 
 namespace espalier {
 namespace {
@@ -53,23 +54,25 @@ std::optional<double> waitOf(Pipeline& pipeline, const std::shared_ptr<const Poi
   return std::chrono::duration<double>(ended - asked).count();
 }
 
-void measure(const std::shared_ptr<const PointCloud>& cloud) {
+void measure(const std::shared_ptr<const PointCloud>& cloud, const std::vector<std::string>& only) {
   std::string before; // the step before
   for (const Step& step : pipelineSteps()) {
     for (const Method& method : step.methods) {
+      const std::string name = step.name + "." + method.name;
+      if (!only.empty() && std::ranges::find(only, name) == only.end()) continue;
       PipelineOptions options;
       options.set(step.name + ".method=" + method.name);
       Pipeline pipeline;
       if (!before.empty()) (void)pipeline.run(cloud, options, {}, before);
       std::optional<double> longest;
       int tries = 0;
-      for (const double after : {0.0, 0.02, 0.05, 0.1, 0.2, 0.35, 0.5, 0.8, 1.3, 2.1, 3.4, 5.5}) {
+      for (const double after :
+           {0.0, 0.02, 0.05, 0.1, 0.2, 0.35, 0.5, 0.8, 1.3, 2.1, 3.4, 5.5, 8.9, 14.4, 23.3}) {
         const auto wait = waitOf(pipeline, cloud, options, step.name, after);
         if (!wait) break; // done by then
         longest = std::max(longest.value_or(0), *wait);
         ++tries;
       }
-      const std::string name = step.name + "." + method.name;
       if (longest)
         std::printf("%-34s %7.3f s  %2d tries%s\n", name.c_str(), *longest, tries,
                     *longest > 0.1 ? "  too long" : "");
@@ -86,12 +89,13 @@ void measure(const std::shared_ptr<const PointCloud>& cloud) {
 
 int main(int argc, char** argv) {
   using namespace espalier;
-  if (argc != 2) {
-    std::fprintf(stderr, "usage: espalier_cancel SCAN\n");
+  if (argc < 2) {
+    std::fprintf(stderr, "usage: espalier_cancel SCAN [STEP.METHOD ...]\n");
     return 2;
   }
   try {
-    measure(std::make_shared<const PointCloud>(readPoints(argv[1]).value));
+    measure(std::make_shared<const PointCloud>(readPoints(argv[1]).value),
+            std::vector<std::string>(argv + 2, argv + argc));
     return 0;
   } catch (const std::exception& problem) {
     std::fprintf(stderr, "%s\n", problem.what());

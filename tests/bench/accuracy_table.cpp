@@ -1,10 +1,11 @@
 // What each method reaches on simulated scans, a row each: the presets first, then every other
 // method with all else as it is by default.
 //
-//   espalier_accuracy [--plants grown|structures|all] [--seeds N] [--worst] [ROW ...]
+//   espalier_accuracy [--plants grown|structures|all|grid] [--seeds N] [--worst] [ROW ...]
 //
 // A ROW is NAME:STEP.OPTION=VALUE,...; "6 spacings" is a length in point spacings. With rows,
-// only they are printed. --worst prints each plant instead of their means.
+// only they are printed. --worst prints each plant, too. A grid
+// is of grown plants: each at three densities (points a segment), with three noises (in extents).
 //
 // Columns: the authors' indices G and T; precision, recall and F within 4 spacings; median error of
 // the radius, of wood over 2 spacings thick and of all, and its median with the sign; seconds a
@@ -26,6 +27,7 @@
 #include <cstring>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -62,18 +64,22 @@ Plant scanned(std::string name, Skeleton truth, const ScannerOptions& scanner, s
           std::make_shared<const PointCloud>(std::move(result.points))};
 }
 
-/// Points per segment, noise in extents and leaves that hid wood, in turn.
-ScannerOptions scannerOf(std::uint64_t seed, std::size_t segments) {
-  constexpr int perSegment[] = {60, 130, 260};
-  constexpr double noise[] = {0, 1.0 / 2500, 1.0 / 1000};
-  ScannerOptions options;
-  options.points = perSegment[seed % 3] * static_cast<Eigen::Index>(segments);
-  options.rangeNoise = 4 * noise[(seed / 3 + seed) % 3];
-  options.clumps = seed % 2 == 0 ? 10 : 0;
-  return options;
+constexpr int pointsPerSegment[] = {60, 130, 260};
+constexpr double noises[] = {0, 1.0 / 2500, 1.0 / 1000}; // in extents
+
+/// How densely and with how much noise a plant is scanned: places in the lists above.
+struct Quality {
+  std::size_t density;
+  std::size_t noise;
+};
+
+/// Another for each seed.
+Quality qualityOf(std::uint64_t seed) {
+  return {seed % 3, (seed / 3 + seed) % 3};
 }
 
-std::vector<Plant> grownPlants(int seeds) {
+/// @param quality none: another for each seed
+std::vector<Plant> grownPlants(int seeds, std::optional<Quality> quality = {}) {
   std::vector<Plant> plants;
   const std::pair<const char*, Architecture> kinds[] = {{"broadleaf", Architecture::broadleaf},
                                                         {"conifer", Architecture::conifer},
@@ -83,10 +89,15 @@ std::vector<Plant> grownPlants(int seeds) {
     for (int seed = 1; seed <= seeds; ++seed) {
       const int segments = kind == Architecture::herb ? 25 : 150;
       const auto number = static_cast<std::uint64_t>(seed);
+      const Quality used = quality.value_or(qualityOf(number));
+      ScannerOptions scanner;
+      scanner.points = pointsPerSegment[used.density] * segments;
+      scanner.rangeNoise = 4 * noises[used.noise];
+      scanner.clumps = seed % 2 == 0 ? 10 : 0; // of leaves that hid wood
       plants.push_back(
           scanned(name + std::string(" ") + std::to_string(seed),
                   growPlant({.architecture = kind, .height = 4, .segments = segments}, number),
-                  scannerOf(number, static_cast<std::size_t>(segments)), number));
+                  scanner, number));
     }
   return plants;
 }
@@ -209,6 +220,32 @@ Row rowOf(const std::string& text) {
   return row;
 }
 
+void printRow(const Row& row, const std::vector<Plant>& plants, bool printsEach) {
+  std::vector<Score> scores;
+  for (const Plant& plant : plants) {
+    try {
+      scores.push_back(scoreOf(row, plant));
+      if (printsEach) print(row.name + ", " + plant.name, scores.back());
+    } catch (const Error& problem) {
+      std::printf("%s, %s: %s\n", row.name.c_str(), plant.name.c_str(), problem.what());
+    }
+  }
+  if (!scores.empty()) print(row.name, meanOf(scores));
+}
+
+/// Each row at each density with each noise.
+void printGrid(const std::vector<Row>& rows, int seeds, bool printsEach) {
+  for (std::size_t density = 0; density < std::size(pointsPerSegment); ++density)
+    for (std::size_t noise = 0; noise < std::size(noises); ++noise) {
+      const std::vector<Plant> plants = grownPlants(seeds, Quality{density, noise});
+      for (Row row : rows) {
+        row.name += ", " + std::to_string(pointsPerSegment[density]) + " pts, noise ";
+        row.name += noises[noise] > 0 ? "1/" + std::to_string(std::lround(1 / noises[noise])) : "0";
+        printRow(row, plants, printsEach);
+      }
+    }
+}
+
 void run(const std::vector<std::string>& arguments) {
   std::string which = "grown";
   int seeds = 3;
@@ -225,23 +262,17 @@ void run(const std::vector<std::string>& arguments) {
       rows.push_back(rowOf(arguments[i]));
   }
   if (rows.empty()) rows = allMethods();
+  std::printf("%-34s %-5s %-5s  %-5s %-5s %-5s  %-5s %-5s %-6s  %6s\n", "", "G", "T", "P", "R",
+              "F4", "thick", "radii", "bias", "s");
+  if (which == "grid") {
+    printGrid(rows, seeds, printsEach);
+    return;
+  }
   std::vector<Plant> plants;
   if (which != "structures") plants = grownPlants(seeds);
   if (which != "grown") std::ranges::move(structurePlants(seeds), std::back_inserter(plants));
-  std::printf("%-34s %-5s %-5s  %-5s %-5s %-5s  %-5s %-5s %-6s  %6s\n", "", "G", "T", "P", "R",
-              "F4", "thick", "radii", "bias", "s");
-  for (const Row& row : rows) {
-    std::vector<Score> scores;
-    for (const Plant& plant : plants) {
-      try {
-        scores.push_back(scoreOf(row, plant));
-        if (printsEach) print(row.name + ", " + plant.name, scores.back());
-      } catch (const Error& problem) {
-        std::printf("%s, %s: %s\n", row.name.c_str(), plant.name.c_str(), problem.what());
-      }
-    }
-    if (!scores.empty()) print(row.name, meanOf(scores));
-  }
+  for (const Row& row : rows)
+    printRow(row, plants, printsEach);
 }
 
 } // namespace

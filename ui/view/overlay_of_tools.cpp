@@ -4,6 +4,8 @@
 
 #include <QPainterPath>
 
+#include <algorithm>
+
 namespace espalier {
 namespace {
 
@@ -50,11 +52,20 @@ void paintPreview(QPainter& painter, const Preview& preview, const ScreenMap& sc
   const Palette colors = palette(dark);
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(toQt(colors.contracted, 170), 4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  painter.drawPath(pathOf(preview, screen));
+  const QPainterPath lines = pathOf(preview, screen);
+  // Seen from afar, the nodes would hide the lines, and the plant.
+  const double apart =
+      lines.length() / static_cast<double>(std::max<std::size_t>(preview.nodes.size(), 1));
+  const bool isFar = preview.nodes.size() > 50 && apart < 16;
+  if (isFar)
+    painter.setPen(
+        QPen(toQt(colors.contracted, 220), 2.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.drawPath(lines);
   painter.setPen(QPen(toQt(colors.outline, 200), 1));
   painter.setBrush(toQt(colors.contracted, 210));
-  for (const Eigen::Vector3d& node : preview.nodes)
-    if (const auto at = pixelOf(screen, node)) painter.drawEllipse(*at, 4, 4);
+  if (!isFar)
+    for (const Eigen::Vector3d& node : preview.nodes)
+      if (const auto at = pixelOf(screen, node)) painter.drawEllipse(*at, 4, 4);
   if (preview.label.isEmpty()) return;
   const bool hasLine = !preview.lines.empty() && !preview.lines.back().empty();
   if (!hasLine && preview.nodes.empty()) return;

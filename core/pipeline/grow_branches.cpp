@@ -31,6 +31,7 @@ struct Link {
 struct Part {
   std::vector<Eigen::Index> points; // among those asked for, ascending
   Link toPlant;
+  double farthest = 0; // of its points from the wood of the plant [L]
 };
 
 /// Where a part has been hung, and what grew there.
@@ -42,13 +43,14 @@ struct Hung {
 /// What grows: parts, one after another.
 class Growth {
 public:
+  /// @param leastReach  [L] parts that nowhere lie farther off the plant are its bark, not branches
   Growth(const Skeleton& skeleton, const PointCloud& cloud, std::vector<Eigen::Index> points,
-         const GrowOptions& options)
+         const GrowOptions& options, double leastReach)
       : skeleton_(skeleton), cloud_(cloud), points_(std::move(points)), options_(options.pipeline),
         whole_(scaleOf(cloud, options.pipeline.up)),
         gap_(options.widestGap > 0 ? options.widestGap : 8 * whole_.spacing),
         join_(options.widestJoin > 0 ? options.widestJoin : whole_.height / 10),
-        positions_(cloud.positions()(Eigen::all, points_)) {}
+        leastReach_(leastReach), positions_(cloud.positions()(Eigen::all, points_)) {}
 
   std::vector<GrownBranch> grow(const Progress& progress) {
     findParts(progress.part(0, 0.3));
@@ -89,19 +91,22 @@ private:
         }
       if (met.size() < fewestPoints) continue;
       std::ranges::sort(met);
-      parts_.push_back({std::move(met), {}});
+      parts_.push_back({std::move(met)});
     }
   }
 
   void measure(const Progress& progress) {
     const std::vector<PointByTube> places =
         pointsByTube(positions_, cloud_.origin(), skeleton_, progress);
-    for (std::size_t k = 0; k < parts_.size(); ++k)
-      for (const Eigen::Index point : parts_[k].points) {
+    for (Part& part : parts_)
+      for (const Eigen::Index point : part.points) {
         const double distance = std::max(places[static_cast<std::size_t>(point)].distance, 0.0);
-        Link& link = parts_[k].toPlant;
-        if (distance < link.length) link = {distance, k, std::nullopt, point};
+        part.farthest = std::max(part.farthest, distance);
+        if (distance < part.toPlant.length) part.toPlant = {distance, 0, std::nullopt, point};
       }
+    std::erase_if(parts_, [&](const Part& part) { return part.farthest < leastReach_; });
+    for (std::size_t k = 0; k < parts_.size(); ++k)
+      parts_[k].toPlant.from = k;
   }
 
   /// The shortest link from each part to a point of another one that is nearer than the plant.
@@ -238,6 +243,7 @@ private:
   PlantScale whole_;
   double gap_;
   double join_;
+  double leastReach_;
   Eigen::Matrix3Xf positions_; // of points_
   std::vector<Part> parts_;
   std::vector<std::optional<Hung>> hung_;   // by part; none: not yet, or nothing grew
@@ -246,18 +252,29 @@ private:
 
 } // namespace
 
+namespace {
+
+std::vector<GrownBranch> grown(const Skeleton& skeleton, const PointCloud& cloud,
+                               const std::vector<Eigen::Index>& points, const GrowOptions& options,
+                               double leastReach, const Progress& progress) {
+  const Error nothing("nothing grows from these points: they are too few, or too far from the "
+                      "plant; choose others, or trace the branch");
+  if (points.size() < fewestPoints) throw nothing;
+  std::vector<GrownBranch> branches =
+      Growth(skeleton, cloud, points, options, leastReach).grow(progress);
+  std::erase_if(branches, [](const GrownBranch& branch) { return branch.part.size() < 2; });
+  if (branches.empty()) throw nothing;
+  return branches;
+}
+
+} // namespace
+
 std::vector<GrownBranch> grownBranches(const Skeleton& skeleton,
                                        const std::shared_ptr<const PointCloud>& cloud,
                                        const std::vector<Eigen::Index>& points,
                                        const GrowOptions& options, const Progress& progress) {
   assert(!skeleton.isEmpty());
-  const Error nothing("nothing grows from these points: they are too few, or too far from the "
-                      "plant; choose others, or trace the branch");
-  if (points.size() < fewestPoints) throw nothing;
-  std::vector<GrownBranch> branches = Growth(skeleton, *cloud, points, options).grow(progress);
-  std::erase_if(branches, [](const GrownBranch& branch) { return branch.part.size() < 2; });
-  if (branches.empty()) throw nothing;
-  return branches;
+  return grown(skeleton, *cloud, points, options, 0, progress);
 }
 
 std::vector<GrownBranch> grownFromUnexplained(const Skeleton& skeleton,
@@ -270,7 +287,7 @@ std::vector<GrownBranch> grownFromUnexplained(const Skeleton& skeleton,
       freePoints(skeleton, *cloud, options.pipeline.leftOut, tolerance, {}, progress.part(0, 0.2));
   if (points.size() < fewestPoints)
     throw Error("the skeleton explains all points: there is nothing to grow");
-  return grownBranches(skeleton, cloud, points, options, progress.part(0.2, 1));
+  return grown(skeleton, *cloud, points, options, 2 * tolerance, progress.part(0.2, 1));
 }
 
 } // namespace espalier

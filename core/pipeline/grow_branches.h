@@ -41,7 +41,8 @@ struct GrownBranch {
                                                      const GrowOptions& options = {},
                                                      const Progress& progress = {});
 
-/// The same for all points that no edge explains, but for those set aside.
+/// The same for all points that no edge explains, but for those set aside. Parts that lie nowhere
+/// farther than twice the tolerance from the wood are rough bark, and grow nothing.
 /// @throws Error also if the plant explains them all
 [[nodiscard]] std::vector<GrownBranch>
 grownFromUnexplained(const Skeleton& skeleton, const std::shared_ptr<const PointCloud>& cloud,

@@ -56,6 +56,20 @@ double farthestTip(const Skeleton& plant, const Eigen::Vector3d& place) {
   return nearest;
 }
 
+// The bark stands off the trunk in places, farther than what an edge explains, but not twice as
+// far.
+TEST(GrownFromUnexplained, GrowsNothingOfRoughBark) {
+  const Eigen::Matrix3Xf branch = test::cylinder({0.04, 0, 0.8}, {0.8, 0, 1.2}, 0.02, 0.01);
+  const Eigen::Matrix3Xf bark = test::cylinder({-0.12, 0, 1.2}, {-0.12, 0, 1.5}, 0.005, 0.005);
+  const auto cloud = cloudOf(test::both(trunkPoints(), test::both(branch, bark)));
+  const std::vector<GrownBranch> branches =
+      grownFromUnexplained(trunk(), cloud, {.tolerance = 0.05});
+  ASSERT_EQ(branches.size(), 1U);
+  EXPECT_NEAR(trunk()[branches[0].on].position.z(), 0.8, 0.25);
+  const auto barkAlone = cloudOf(test::both(trunkPoints(), bark));
+  EXPECT_THROW((void)grownFromUnexplained(trunk(), barkAlone, {.tolerance = 0.05}), Error);
+}
+
 // Two branches leave the trunk, at z = 0.8 to the right and at z = 1.2 to the left.
 TEST(GrownFromUnexplained, HangsEachMissingBranchOnTheNodeItLeaves) {
   const Eigen::Matrix3Xf right = test::cylinder({0.04, 0, 0.8}, {0.8, 0, 1.2}, 0.02, 0.01);

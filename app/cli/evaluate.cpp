@@ -48,11 +48,15 @@ void print(const Comparison& comparison, const std::string& unit) {
                 shift.y(), shift.z(),
                 unit.empty() ? "(in the unit of the structures)" : unit.c_str(), shift.norm());
   }
-  std::printf("%12s %10s %10s %10s\n", (unit.empty() ? "distance" : "distance/" + unit).c_str(),
-              "precision", "recall", "F");
-  for (const ToleranceScore& score : comparison.tolerance.scores)
-    std::printf("%12.4g %10.3f %10.3f %10.3f\n", score.distance, score.precision, score.recall,
-                score.f());
+  std::printf("%12s %10s %10s %10s %10s %10s\n",
+              (unit.empty() ? "distance" : "distance/" + unit).c_str(), "precision", "recall", "F",
+              "capped G", "capped T");
+  for (std::size_t k = 0; k < comparison.tolerance.scores.size(); ++k) {
+    const ToleranceScore& score = comparison.tolerance.scores[k];
+    std::printf("%12.4g %10.3f %10.3f %10.3f %10.3f %10.3f\n", score.distance, score.precision,
+                score.recall, score.f(), comparison.capped[k].geometric,
+                comparison.capped[k].structuralOfAll);
+  }
 }
 
 double percent(double share) {

@@ -1,9 +1,9 @@
 #include "core/evaluate/authors_comparison.h"
 
-#include "core/base/box_tree.h"
 #include "core/base/parallel.h"
 #include "core/evaluate/assignment.h"
 #include "core/evaluate/comparable.h"
+#include "core/evaluate/segment_matches.h"
 
 #include <algorithm>
 #include <numeric>
@@ -50,14 +50,6 @@ std::vector<AssignmentProblem::Candidate> candidatesOf(const Segment& row,
   std::sort(result.begin(), result.end(),
             [](const auto& a, const auto& b) { return a.column < b.column; });
   return result;
-}
-
-BoxTree boxTree(const std::vector<Segment>& segments) {
-  std::vector<Eigen::AlignedBox3d> boxes;
-  boxes.reserve(segments.size());
-  for (const Segment& segment : segments)
-    boxes.push_back(segment.box);
-  return BoxTree(std::move(boxes));
 }
 
 Candidates allCandidates(AuthorsComparison& comparison, const Progress& progress) {
@@ -112,59 +104,40 @@ std::vector<double> lengths(const std::vector<Segment>& segments) {
   return result;
 }
 
-using Partner = std::vector<std::optional<std::size_t>>; // by segment
-
-/// By segment: the nearest matched segment that it stands on, directly or not.
-Partner matchedBelow(const std::vector<Segment>& segments, const Partner& partner) {
-  Partner below(segments.size());
-  for (std::size_t i = 0; i < segments.size(); ++i) // parents come first
-    if (const auto parent = segments[i].parent)
-      below[i] = partner[*parent] ? parent : below[*parent];
-  return below;
-}
-
 void noteMatches(AuthorsComparison& comparison, const Candidates& candidates,
-                 const Partner& partner) {
-  Partner inverse(comparison.referenceSegments.size());
-  for (std::size_t i = 0; i < partner.size(); ++i)
-    if (partner[i]) inverse[*partner[i]] = i;
-  const Partner resultBelow = matchedBelow(comparison.resultSegments, partner);
-  const Partner referenceBelow = matchedBelow(comparison.referenceSegments, inverse);
-  for (std::size_t i = 0; i < partner.size(); ++i) {
-    if (!partner[i]) continue;
+                 const Partners& partners) {
+  const std::vector<bool> isConserved =
+      conserved(comparison.resultSegments, comparison.referenceSegments, partners);
+  for (std::size_t i = 0; i < partners.size(); ++i) {
+    if (!partners[i]) continue;
     const auto found =
         std::find_if(candidates[i].begin(), candidates[i].end(),
-                     [&](const auto& candidate) { return candidate.column == *partner[i]; });
-    const auto below = resultBelow[i];
-    const bool isConserved =
-        (below ? partner[*below] : std::nullopt) == referenceBelow[*partner[i]];
-    comparison.matches.push_back({i, *partner[i], found->cost, isConserved});
+                     [&](const auto& candidate) { return candidate.column == *partners[i]; });
+    comparison.matches.push_back({i, *partners[i], found->cost, isConserved[i]});
   }
 }
 
 void noteIndices(AuthorsComparison& comparison) {
   double matchedResult = 0;
   double matchedReference = 0;
-  std::size_t conserved = 0;
+  std::size_t conservedMatches = 0;
   for (const AuthorsComparison::Match& match : comparison.matches) {
     matchedResult += comparison.resultSegments[match.result].length;
     matchedReference += comparison.referenceSegments[match.reference].length;
-    if (match.isConserved) ++conserved;
+    if (match.isConserved) ++conservedMatches;
   }
-  const auto total = [](const std::vector<Segment>& segments) {
-    const std::vector<double> all = lengths(segments);
-    return std::accumulate(all.begin(), all.end(), 0.0);
-  };
-  const double resultLength = total(comparison.resultSegments);
-  const double referenceLength = total(comparison.referenceSegments);
+  const double resultLength = totalLength(comparison.resultSegments);
+  const double referenceLength = totalLength(comparison.referenceSegments);
   const auto matches = static_cast<double>(comparison.matches.size());
+  const auto references = static_cast<double>(comparison.referenceSegments.size());
   comparison.mapping =
-      2 * matches /
-      static_cast<double>(comparison.resultSegments.size() + comparison.referenceSegments.size());
+      2 * matches / (static_cast<double>(comparison.resultSegments.size()) + references);
   comparison.geometric = (matchedResult + matchedReference) / (resultLength + referenceLength);
   comparison.lengthPrecision = matchedResult / resultLength;
   comparison.lengthRecall = matchedReference / referenceLength;
-  comparison.structural = matches > 0 ? static_cast<double>(conserved) / matches : 0;
+  const auto kept = static_cast<double>(conservedMatches);
+  comparison.structural = matches > 0 ? kept / matches : 0;
+  comparison.structuralOfAll = kept / references;
 }
 
 } // namespace

@@ -34,6 +34,7 @@ struct AuthorsComparison {
   double mapping = 0;         // in [0, 1]: share of the segments of both that are matched
   double geometric = 0;       // G, in [0, 1]: share of the length of both that is matched
   double structural = 0;      // T, in [0, 1]: share of the matches that are conserved
+  double structuralOfAll = 0; // in [0, 1]: conserved matches per segment of the reference
   double lengthPrecision = 0; // in [0, 1]: share of the result's length that is matched
   double lengthRecall = 0;    // in [0, 1]: share of the reference's length that is matched
 };
@@ -43,7 +44,8 @@ struct AuthorsComparison {
 ///
 /// Nothing is registered or resampled first: shifted frames and other node spacings count.
 /// Radii and edge types are not used. Weaknesses: G hardly falls with position noise, because
-/// noise also lengthens what it costs to leave a segment alone; T is over matches only.
+/// noise also lengthens what it costs to leave a segment alone, for which see cappedScores(); T is
+/// over matches only, so `structuralOfAll` is not the authors'.
 /// Differs from the authors where segments have no length: pairs at no distance stay candidates,
 /// and a rule that gives no distance falls back on twice the median edge of the reference.
 ///

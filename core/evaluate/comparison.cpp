@@ -40,6 +40,14 @@ std::size_t parts(const Traits& traits, EditUnit unit) {
   return axes;
 }
 
+/// No pair is capped at no distance, but a tolerance may be zero.
+std::vector<double> cappedDistances(const ToleranceCurve& curve) {
+  std::vector<double> distances;
+  for (const ToleranceScore& score : curve.scores)
+    if (score.distance > 0) distances.push_back(score.distance);
+  return distances;
+}
+
 void compareEdits(Comparison& comparison, const Skeleton& laid, const Skeleton& reference,
                   const EditOptions& options, const Progress& progress) {
   const std::size_t ofResult = parts(comparison.resultTraits, options.unit);
@@ -76,18 +84,23 @@ Comparison compare(const Skeleton& result, const Skeleton& reference,
     warnOfShift(comparison, defaultTolerances(reference).front());
   }
   comparison.authors =
-      authorsComparison(laid, reference, options.authors, progress.part(0.6, 0.65));
+      authorsComparison(laid, reference, options.authors, progress.part(0.6, 0.63));
+  comparison.paths = pathMatches(comparison.authors);
   compareEdits(comparison, laid, reference, options.edit,
-               progress.part(0.65, 0.7, "Counting edits"));
+               progress.part(0.63, 0.68, "Counting edits"));
   comparison.tolerance = toleranceCurve(laid, reference, options.tolerance,
-                                        progress.part(0.7, 0.85, "Measuring distances"));
+                                        progress.part(0.68, 0.8, "Measuring distances"));
+  comparison.capped = cappedScores(
+      laid, reference,
+      {.distances = cappedDistances(comparison.tolerance), .step = comparison.tolerance.step},
+      progress.part(0.8, 0.9));
 
   const double distance = options.landmarkDistance > 0 ? options.landmarkDistance
                                                        : comparison.referenceTraits.medianEdge;
   comparison.tips = landmarkAgreement(tips(laid), tips(reference), distance);
   comparison.branchings = landmarkAgreement(branchings(laid), branchings(reference), distance);
   comparison.byPlace = agreementByPlace(laid, reference, defaultTolerances(reference)[1],
-                                        comparison.tolerance.step, progress.part(0.85, 1));
+                                        comparison.tolerance.step, progress.part(0.9, 1));
   progress.update(1);
   return comparison;
 }

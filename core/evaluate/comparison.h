@@ -3,8 +3,10 @@
 #include "core/base/progress.h"
 #include "core/evaluate/agreement_by_place.h"
 #include "core/evaluate/authors_comparison.h"
+#include "core/evaluate/capped_scores.h"
 #include "core/evaluate/edit_comparison.h"
 #include "core/evaluate/landmark_agreement.h"
+#include "core/evaluate/path_matches.h"
 #include "core/evaluate/registration.h"
 #include "core/evaluate/tolerance_curve.h"
 #include "core/evaluate/traits.h"
@@ -30,6 +32,8 @@ struct ComparisonOptions {
 struct Comparison {
   std::optional<Registration> registration; // none if it was not asked for
   AuthorsComparison authors;
+  PathMatches paths;                  // of `authors`, one to many
+  std::vector<CappedScore> capped;    // by the distances of `tolerance`
   std::optional<EditComparison> edit; // none between plants of over `mostEditedPairs`
   ToleranceCurve tolerance;
   LandmarkAgreement tips;
@@ -47,9 +51,9 @@ struct Comparison {
 /// Pairs of parts of both plants up to which compare() tells the edit distance: a few seconds.
 inline constexpr std::size_t mostEditedPairs = 25'000'000;
 
-/// Compares a result with its reference: registration, then the authors' indices, edit distance,
-/// tolerance curve, tips, branchings and agreement by place on the registered result, and the
-/// traits and the wood of both.
+/// Compares a result with its reference: registration, then the authors' indices, as they are, one
+/// to many, and capped, edit distance, tolerance curve, tips, branchings and agreement by place on
+/// the registered result, and the traits and the wood of both.
 ///
 /// Warns if the two lie apart by more than the finest default tolerance, and if one is over 20
 /// times as large as the other, which most often is a unit.

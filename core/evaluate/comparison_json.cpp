@@ -24,8 +24,23 @@ Json toJson(const AuthorsComparison& authors) {
           {"mapping", authors.mapping},
           {"geometric", authors.geometric},
           {"structural", authors.structural},
+          {"structural_of_all", authors.structuralOfAll},
           {"length_precision", authors.lengthPrecision},
           {"length_recall", authors.lengthRecall}};
+}
+
+Json toJson(const PathMatches& paths) {
+  return {{"extended", paths.extended},
+          {"cost", paths.cost},
+          {"geometric", paths.geometric},
+          {"length_precision", paths.lengthPrecision},
+          {"length_recall", paths.lengthRecall}};
+}
+
+Json toJson(const CappedScore& score) {
+  return {{"distance", score.distance},     {"matched", score.matched},
+          {"mapping", score.mapping},       {"geometric", score.geometric},
+          {"structural", score.structural}, {"structural_of_all", score.structuralOfAll}};
 }
 
 Json toJson(const std::vector<ToleranceScore>& scores) {
@@ -120,6 +135,8 @@ nlohmann::ordered_json toJson(const Comparison& comparison) {
   const auto& registration = comparison.registration;
   Json json;
   json["authors"] = toJson(comparison.authors);
+  json["authors"]["one_to_many"] = toJson(comparison.paths);
+  json["capped"] = listOf(comparison.capped);
   json["edit_distance"] = comparison.edit ? toJson(*comparison.edit) : Json();
   json["tolerance"] = toJson(comparison.tolerance.scores);
   json["distances"] = {{"step", comparison.tolerance.step},

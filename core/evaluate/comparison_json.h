@@ -10,7 +10,11 @@ namespace espalier {
 /// reference, angles in degrees, all else counts and shares in [0, 1]:
 ///
 ///   authors      segments.{result,reference}, candidates, box_distance, cost, matched, mapping,
-///                geometric, structural, length_precision, length_recall
+///                geometric, structural, structural_of_all, length_precision, length_recall,
+///                one_to_many.{extended,cost,geometric,length_precision,length_recall}
+///   capped[]     distance, matched, mapping, geometric, structural, structural_of_all
+///   edit_distance distance, removing_all, inserting_all, similarity, matched, removed, inserted;
+///                null if it would take too long
 ///   tolerance[]  distance, precision, recall, f
 ///   distances    step, {to_reference,to_result}.{mean,percentile_95}
 ///   shift        [x, y, z] by which the result was moved; zeros if it was not registered
@@ -18,6 +22,10 @@ namespace espalier {
 ///   traits       {result,reference}.{nodes,roots,tips,branchings,segments,length,median_edge,
 ///                extent,axes_by_order,length_by_order},
 ///                {matched_tips,matched_branchings}.{distance,matched,precision,recall,f}
+///   by_place     distance, {by_order,by_height}[].{from,to,result_length,reference_length,
+///                precision,recall}
+///   wood         radius_limits, {result,reference}.{whole,by_order[],by_radius[]}.{edges,length,
+///                area,volume}
 ///   warnings[]   a line each
 [[nodiscard]] nlohmann::ordered_json toJson(const Comparison& comparison);
 

@@ -32,12 +32,33 @@ struct Flags {
   int threads = 0;
 };
 
+double percent(double share) {
+  return 100 * share;
+}
+
+/// What hangs on what, within the distance of the landmarks.
+void printConnections(const Comparison& comparison) {
+  const PathLengthAgreement& ways = comparison.pathLengths;
+  const ArchitectureAgreement& architecture = comparison.architecture;
+  std::printf("within %.4g of each other: DIADEM-like score %.3f\n", comparison.diadem.distance,
+              comparison.diadem.score);
+  std::printf("  %5.1f%% of ways along the plant are as long, up to a tenth\n",
+              percent(ways.withinTenth));
+  std::printf("  %5.1f%% of the length is of the same order, %.1f%% on the same axis\n",
+              percent(architecture.sameOrder), percent(architecture.sameAxis));
+  std::printf("  %5.1f%% of matched segments begin with the same type of edge\n",
+              percent(architecture.sameEdge));
+}
+
 void print(const Comparison& comparison, const std::string& unit) {
   const AuthorsComparison& authors = comparison.authors;
   std::printf("%zu of %zu segments matched with %zu of the reference\n", authors.matches.size(),
               authors.resultSegments.size(), authors.referenceSegments.size());
   std::printf("mapping %.3f  geometric index %.3f  structural index %.3f\n", authors.mapping,
               authors.geometric, authors.structural);
+  std::printf("over all segments of the reference, structural index %.3f; one to many, geometric "
+              "index %.3f\n",
+              authors.structuralOfAll, comparison.paths.geometric);
   if (comparison.edit)
     std::printf("edit distance %.6g, similarity %.3f: %zu removed, %zu inserted\n",
                 comparison.edit->distance.distance, comparison.edit->distance.similarity(),
@@ -48,6 +69,7 @@ void print(const Comparison& comparison, const std::string& unit) {
                 shift.y(), shift.z(),
                 unit.empty() ? "(in the unit of the structures)" : unit.c_str(), shift.norm());
   }
+  printConnections(comparison);
   std::printf("%12s %10s %10s %10s %10s %10s\n",
               (unit.empty() ? "distance" : "distance/" + unit).c_str(), "precision", "recall", "F",
               "capped G", "capped T");
@@ -57,10 +79,6 @@ void print(const Comparison& comparison, const std::string& unit) {
                 score.recall, score.f(), comparison.capped[k].geometric,
                 comparison.capped[k].structuralOfAll);
   }
-}
-
-double percent(double share) {
-  return 100 * share;
 }
 
 /// How the wood of a result compares with that of the reference: 0 where there should be none.

@@ -99,8 +99,14 @@ Comparison compare(const Skeleton& result, const Skeleton& reference,
                                                        : comparison.referenceTraits.medianEdge;
   comparison.tips = landmarkAgreement(tips(laid), tips(reference), distance);
   comparison.branchings = landmarkAgreement(branchings(laid), branchings(reference), distance);
-  comparison.byPlace = agreementByPlace(laid, reference, defaultTolerances(reference)[1],
-                                        comparison.tolerance.step, progress.part(0.9, 1));
+  comparison.diadem = diademScore(laid, reference, {.distance = distance});
+  const double step = comparison.tolerance.step;
+  comparison.pathLengths =
+      pathLengthAgreement(laid, reference, {.distance = distance, .step = step});
+  comparison.architecture = architectureAgreement(laid, reference, comparison.authors, distance,
+                                                  step, progress.part(0.9, 0.95));
+  comparison.byPlace = agreementByPlace(laid, reference, defaultTolerances(reference)[1], step,
+                                        progress.part(0.95, 1));
   progress.update(1);
   return comparison;
 }

@@ -2,10 +2,13 @@
 
 #include "core/base/progress.h"
 #include "core/evaluate/agreement_by_place.h"
+#include "core/evaluate/architecture_agreement.h"
 #include "core/evaluate/authors_comparison.h"
 #include "core/evaluate/capped_scores.h"
+#include "core/evaluate/diadem_score.h"
 #include "core/evaluate/edit_comparison.h"
 #include "core/evaluate/landmark_agreement.h"
+#include "core/evaluate/path_length_agreement.h"
 #include "core/evaluate/path_matches.h"
 #include "core/evaluate/registration.h"
 #include "core/evaluate/tolerance_curve.h"
@@ -38,6 +41,9 @@ struct Comparison {
   ToleranceCurve tolerance;
   LandmarkAgreement tips;
   LandmarkAgreement branchings;
+  DiademScore diadem; // these three within the distance of the landmarks
+  PathLengthAgreement pathLengths;
+  ArchitectureAgreement architecture;
   AgreementByPlace byPlace; // within the second tolerance of defaultTolerances()
   Traits resultTraits;
   Traits referenceTraits;

@@ -96,6 +96,37 @@ Json toJson(const LandmarkAgreement& agreement) {
           {"f", agreement.f()}};
 }
 
+Json toJson(const DiademScore& diadem) {
+  return {{"distance", diadem.distance},
+          {"landmarks", diadem.landmarks},
+          {"matched", diadem.matched},
+          {"connected", diadem.connected},
+          {"score", diadem.score}};
+}
+
+Json toJson(const PathLengthAgreement& paths) {
+  return {{"distance", paths.distance},
+          {"pairs", paths.pairs},
+          {"found", paths.found},
+          {"connected", paths.connected},
+          {"mean_error", paths.meanError},
+          {"median_error", paths.medianError},
+          {"within_tenth", paths.withinTenth}};
+}
+
+Json toJson(const ArchitectureAgreement& agreed) {
+  Json byOrder = Json::array();
+  for (const OrderAgreement& order : agreed.byOrder)
+    byOrder.push_back({{"length", order.length}, {"same", order.same}});
+  return {{"distance", agreed.distance},
+          {"compared", agreed.compared},
+          {"same_order", agreed.sameOrder},
+          {"same_axis", agreed.sameAxis},
+          {"by_order", byOrder},
+          {"edges", agreed.edges},
+          {"same_edge", agreed.sameEdge}};
+}
+
 Json toJson(const WoodAmount& wood) {
   return {
       {"edges", wood.edges}, {"length", wood.length}, {"area", wood.area}, {"volume", wood.volume}};
@@ -148,6 +179,9 @@ nlohmann::ordered_json toJson(const Comparison& comparison) {
                     {"reference", toJson(comparison.referenceTraits)},
                     {"matched_tips", toJson(comparison.tips)},
                     {"matched_branchings", toJson(comparison.branchings)}};
+  json["diadem"] = toJson(comparison.diadem);
+  json["path_lengths"] = toJson(comparison.pathLengths);
+  json["architecture"] = toJson(comparison.architecture);
   json["by_place"] = toJson(comparison.byPlace);
   json["wood"] = {{"radius_limits", comparison.radiusLimits},
                   {"result", toJson(comparison.resultWood)},

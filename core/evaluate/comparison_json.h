@@ -22,6 +22,10 @@ namespace espalier {
 ///   traits       {result,reference}.{nodes,roots,tips,branchings,segments,length,median_edge,
 ///                extent,axes_by_order,length_by_order},
 ///                {matched_tips,matched_branchings}.{distance,matched,precision,recall,f}
+///   diadem       distance, landmarks, matched, connected, score
+///   path_lengths distance, pairs, found, connected, mean_error, median_error, within_tenth
+///   architecture distance, compared, same_order, same_axis, by_order[].{length,same}, edges,
+///                same_edge
 ///   by_place     distance, {by_order,by_height}[].{from,to,result_length,reference_length,
 ///                precision,recall}
 ///   wood         radius_limits, {result,reference}.{whole,by_order[],by_radius[]}.{edges,length,

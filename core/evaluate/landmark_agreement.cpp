@@ -52,22 +52,29 @@ double LandmarkAgreement::f() const {
   return harmonicMean(precision(), recall());
 }
 
+std::vector<std::optional<std::size_t>> landmarkPairs(const std::vector<Eigen::Vector3d>& result,
+                                                      const std::vector<Eigen::Vector3d>& reference,
+                                                      double distance) {
+  if (result.empty() || reference.empty())
+    return std::vector<std::optional<std::size_t>>(result.size());
+  // A pair at the very distance must still be worth it: hence the hair more than half.
+  const double alone = 0.5 * distance * (1 + 1e-9) + 1e-300;
+  return leastCostAssignment({.candidates = candidatesWithin(result, reference, distance),
+                              .rowAlone = std::vector<double>(result.size(), alone),
+                              .columnAlone = std::vector<double>(reference.size(), alone)})
+      .columnOfRow;
+}
+
 LandmarkAgreement landmarkAgreement(const std::vector<Eigen::Vector3d>& result,
                                     const std::vector<Eigen::Vector3d>& reference,
                                     double distance) {
-  LandmarkAgreement agreement{
-      .distance = distance, .result = result.size(), .reference = reference.size()};
-  if (result.empty() || reference.empty()) return agreement;
-  // A pair at the very distance must still be worth it: hence the hair more than half.
-  const double alone = 0.5 * distance * (1 + 1e-9) + 1e-300;
-  const Assignment assignment =
-      leastCostAssignment({.candidates = candidatesWithin(result, reference, distance),
-                           .rowAlone = std::vector<double>(result.size(), alone),
-                           .columnAlone = std::vector<double>(reference.size(), alone)});
-  agreement.matched = static_cast<std::size_t>(
-      std::count_if(assignment.columnOfRow.begin(), assignment.columnOfRow.end(),
-                    [](const auto& column) { return column.has_value(); }));
-  return agreement;
+  const auto pairs = landmarkPairs(result, reference, distance);
+  const auto matched =
+      std::ranges::count_if(pairs, [](const auto& column) { return column.has_value(); });
+  return {.distance = distance,
+          .matched = static_cast<std::size_t>(matched),
+          .result = result.size(),
+          .reference = reference.size()};
 }
 
 } // namespace espalier

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace espalier {
@@ -19,12 +20,18 @@ struct LandmarkAgreement {
   [[nodiscard]] double f() const;
 };
 
-/// Pairs tips with tips, or branchings with branchings, one to one and at most `distance` apart.
+/// Pairs places one to one and at most `distance` apart.
 ///
 /// The sum of distances in pairs, plus half of `distance` per place left alone, is least: two
 /// places within `distance` never both stay alone.
 /// @param distance [L], >= 0
+/// @return by place of the result: its partner among those of the reference; none if left alone
 /// Deterministic. Time and memory grow with the pairs within `distance`.
+[[nodiscard]] std::vector<std::optional<std::size_t>>
+landmarkPairs(const std::vector<Eigen::Vector3d>& result,
+              const std::vector<Eigen::Vector3d>& reference, double distance);
+
+/// How many tips, or branchings, landmarkPairs() pairs.
 [[nodiscard]] LandmarkAgreement landmarkAgreement(const std::vector<Eigen::Vector3d>& result,
                                                   const std::vector<Eigen::Vector3d>& reference,
                                                   double distance);

@@ -170,6 +170,19 @@ TEST_F(Subcommands, EvaluateTellsWhatTheAuthorsIndicesHide) {
   }
 }
 
+TEST_F(Subcommands, EvaluateTellsWhatHangsOnWhat) {
+  const std::string told = run({"evaluate", truth_, truth_, "--json", file("a.json")});
+  EXPECT_THAT(told, HasSubstr("DIADEM-like score 1.000\n  100.0% of ways along the plant"));
+  EXPECT_THAT(told,
+              HasSubstr("100.0% of the length is of the same order, 100.0% on the same axis"));
+  const json numbers = jsonIn(file("a.json"));
+  EXPECT_EQ(numbers["diadem"]["score"], 1);
+  EXPECT_EQ(numbers["diadem"]["connected"], numbers["diadem"]["landmarks"]);
+  EXPECT_EQ(numbers["path_lengths"]["within_tenth"], 1);
+  EXPECT_EQ(numbers["architecture"]["same_axis"], 1);
+  EXPECT_EQ(numbers["architecture"]["same_edge"], 1);
+}
+
 TEST_F(Subcommands, EvaluateCountsEditsAsAsked) {
   const std::string told = run({"evaluate", truth_, truth_, "--edit-unit", "axis", "--edit-cost",
                                 "shape", "--merge-paths", "--json", file("a.json")});

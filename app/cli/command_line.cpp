@@ -34,6 +34,7 @@ void addAll(CLI::App& app) {
   addBatch(app);
   addContract(app);
   addEvaluate(app);
+  addNoise(app);
   addConvert(app);
   addInfo(app);
   addSimulate(app);

@@ -13,6 +13,7 @@ void addReconstruct(CLI::App& app);
 void addBatch(CLI::App& app);
 void addContract(CLI::App& app);
 void addEvaluate(CLI::App& app);
+void addNoise(CLI::App& app);
 void addConvert(CLI::App& app);
 void addInfo(CLI::App& app);
 void addSimulate(CLI::App& app);

@@ -13,8 +13,8 @@ using test::runProgram;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-const test::Arguments subcommands = {"reconstruct", "batch",    "contract", "evaluate", "convert",
-                                     "info",        "simulate", "methods",  "picture"};
+const test::Arguments subcommands = {"reconstruct", "batch", "contract", "evaluate", "noise",
+                                     "convert",     "info",  "simulate", "methods",  "picture"};
 
 void expectPage(const Outcome& help) {
   EXPECT_EQ(help.status, 0);

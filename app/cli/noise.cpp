@@ -1,0 +1,162 @@
+#include "app/cli/arguments.h"
+#include "app/cli/commands.h"
+#include "app/cli/files.h"
+#include "app/cli/pipeline_flags.h"
+#include "app/cli/terminal.h"
+#include "core/base/text.h"
+#include "core/evaluate/comparable.h"
+#include "core/evaluate/noise_study.h"
+#include "core/io/atomic_file.h"
+#include "core/io/csv.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <memory>
+#include <ostream>
+
+namespace espalier {
+namespace {
+
+struct Flags {
+  std::string reference;
+  std::vector<std::string> kinds;
+  std::uint64_t seed = 1;
+  std::size_t repeats = 5;
+  bool registers = false;
+  double distance = 0; // [L]; 0 = the rule
+  std::string csv;
+  std::string json;
+  int threads = 0;
+};
+
+std::vector<std::string> kindNames() {
+  std::vector<std::string> names;
+  for (const PerturbationEntry& entry : perturbations())
+    names.push_back(entry.name);
+  return names;
+}
+
+/// The series that "prune=0.1,0.5" or "prune" stands for.
+NoiseSeries seriesOf(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  const std::string name = text.substr(0, equals);
+  const std::vector<std::string> names = kindNames();
+  const auto found = std::ranges::find(names, name);
+  if (found == names.end())
+    throw WrongUsage(inQuotes(name) + " is no kind of noise: choose one of " +
+                     CLI::detail::join(names, ", "));
+  NoiseSeries series{static_cast<Perturbation>(found - names.begin()), {}};
+  if (equals == std::string::npos) return series;
+  for (const std::string& level : CLI::detail::split(text.substr(equals + 1), ',')) {
+    const auto value = numberIn(level);
+    if (!value)
+      throw WrongUsage("level " + inQuotes(level) + " of " + name + ": expected numbers, as " +
+                       name + "=0.1,0.5");
+    series.levels.push_back(*value);
+  }
+  return series;
+}
+
+void print(const NoiseStudy& study) {
+  // What a reader compares first; all scores are in the files.
+  constexpr std::array columns = {
+      Score::geometric, Score::structural, Score::structuralOfAll, Score::cappedGeometric, Score::f,
+      Score::diadem,    Score::ways};
+  constexpr std::array titles = {"G", "T", "T of all", "capped G", "F", "DIADEM", "ways"};
+  std::printf("means of %zu plants; capped G and F within %.4g, DIADEM-like score and ways within "
+              "%.4g\n",
+              study.repeats, study.scores.distance, study.scores.landmarkDistance);
+  for (const NoiseCurve& curve : study.curves) {
+    const PerturbationEntry& entry = perturbations()[static_cast<std::size_t>(curve.kind)];
+    std::printf("\n%22s", (entry.name + ", " + entry.unit).c_str());
+    for (const char* title : titles)
+      std::printf(" %9s", title);
+    std::printf("\n");
+    for (const NoisePoint& point : curve.points) {
+      std::printf("%22.4g", point.level);
+      for (const Score score : columns)
+        std::printf(" %9.3f", point.mean[static_cast<std::size_t>(score)]);
+      std::printf("\n");
+    }
+  }
+}
+
+void writeFiles(const Flags& flags, const NoiseStudy& study) {
+  if (!flags.csv.empty())
+    writeAtomically(flags.csv, [&](std::ostream& out) {
+      for (const std::vector<std::string>& row : toTable(study))
+        out << csvLine(row);
+    });
+  if (!flags.json.empty()) {
+    auto json = toJson(study);
+    json["reference"] = flags.reference;
+    writeAtomically(flags.json, [&](std::ostream& out) { out << json.dump(2) << '\n'; });
+  }
+}
+
+void noise(const Flags& flags) {
+  const Threads threads(flags.threads);
+  requireOutput(flags.csv, {flags.reference});
+  requireOutput(flags.json, {flags.reference});
+  NoiseOptions options{.series = {},
+                       .repeats = flags.repeats,
+                       .seed = flags.seed,
+                       .registers = flags.registers,
+                       .scores = {.distance = flags.distance}};
+  for (const std::string& kind : flags.kinds)
+    options.series.push_back(seriesOf(kind));
+  const TerminalProgress terminal;
+  const Imported<Structure> structure = readStructure(flags.reference);
+  printNotes(structure.notes);
+  requireComparable(structure.value.skeleton, flags.reference);
+  const NoiseStudy study = about(flags.reference, [&] {
+    return noiseStudy(structure.value.skeleton, options, terminal.progress());
+  });
+  terminal.clear();
+  print(study);
+  writeFiles(flags, study);
+}
+
+} // namespace
+
+void addNoise(CLI::App& app) {
+  CLI::App* command = app.add_subcommand(
+      "noise", "Make a reference worse step by step, and see how the scores of evaluate fall");
+  const auto flags = std::make_shared<Flags>();
+  command->add_option("REFERENCE", flags->reference, "Structure that is made worse")->required();
+  command
+      ->add_option("--kind", flags->kinds,
+                   "What to do to it, and how much: " + CLI::detail::join(kindNames(), ", ") +
+                       ", with levels as in prune=0.1,0.5; without it all, each by its own levels")
+      ->type_name("KIND[=LEVEL,...]")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command->add_option("--repeats", flags->repeats, "Plants that are made for each level, 1 to 1000")
+      ->type_name("N")
+      ->check(wholeNumber(1, 1000))
+      ->capture_default_str();
+  command->add_option("--seed", flags->seed, "The same seed gives the same plants")
+      ->type_name("N")
+      ->check(wholeNumber(0, 1e15))
+      ->capture_default_str();
+  command->add_flag("--register", flags->registers, "Lay each plant on the reference first");
+  command
+      ->add_option("--distance", flags->distance,
+                   "How far apart counts as near for capped indices, precision, recall and F")
+      ->type_name("LENGTH")
+      ->check(number(1e-12, 1e12))
+      ->default_str("4/9 of the median edge");
+  command->add_option("--csv", flags->csv, "File to write the table of all scores to")
+      ->type_name("FILE");
+  command->add_option("--json", flags->json, "File to write all numbers to")->type_name("FILE");
+  addThreads(*command, flags->threads);
+  command->callback([flags] { noise(*flags); });
+  command->footer("Examples:\n"
+                  "  espalier noise expert.mtg --csv noise.csv\n"
+                  "  espalier noise expert.mtg --kind position=0.5,1,2 --kind prune --repeats 20");
+}
+
+} // namespace espalier

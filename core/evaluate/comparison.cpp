@@ -1,22 +1,15 @@
 #include "core/evaluate/comparison.h"
 
 #include "core/evaluate/comparable.h"
+#include "core/evaluate/comparison_warnings.h"
 
 #include <sstream>
 
 namespace espalier {
 namespace {
 
-void warnOfSize(Comparison& comparison) {
-  const double ratio =
-      comparison.resultTraits.extent.norm() / comparison.referenceTraits.extent.norm();
-  if (ratio <= 20 && ratio >= 1.0 / 20) return;
-  std::ostringstream text;
-  text.precision(3);
-  text << "the result is " << (ratio > 1 ? ratio : 1 / ratio) << " times as "
-       << (ratio > 1 ? "large" : "small")
-       << " as the reference: check that both are in the same unit and of the same plant";
-  comparison.warnings.push_back(text.str());
+void warn(Comparison& comparison, const std::string& warning) {
+  if (!warning.empty()) comparison.warnings.push_back(warning);
 }
 
 void warnOfShift(Comparison& comparison, double unit) {
@@ -74,7 +67,10 @@ Comparison compare(const Skeleton& result, const Skeleton& reference,
   comparison.radiusLimits = radiusLimits(reference);
   comparison.resultWood = woodAmounts(result, comparison.radiusLimits);
   comparison.referenceWood = woodAmounts(reference, comparison.radiusLimits);
-  warnOfSize(comparison);
+  warn(comparison, warningOfTrees(comparison.resultTraits, "the result"));
+  warn(comparison, warningOfTrees(comparison.referenceTraits, "the reference"));
+  const std::string ofSize = warningOfSize(comparison.resultTraits, comparison.referenceTraits);
+  warn(comparison, ofSize);
 
   Skeleton laid = result;
   if (options.registers) {
@@ -90,6 +86,7 @@ Comparison compare(const Skeleton& result, const Skeleton& reference,
                progress.part(0.63, 0.68, "Counting edits"));
   comparison.tolerance = toleranceCurve(laid, reference, options.tolerance,
                                         progress.part(0.68, 0.8, "Measuring distances"));
+  if (ofSize.empty()) warn(comparison, warningOfDistance(comparison.tolerance, options.registers));
   comparison.capped = cappedScores(
       laid, reference,
       {.distances = cappedDistances(comparison.tolerance), .step = comparison.tolerance.step},

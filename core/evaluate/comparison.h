@@ -61,8 +61,9 @@ inline constexpr std::size_t mostEditedPairs = 25'000'000;
 /// to many, and capped, edit distance, tolerance curve, tips, branchings and agreement by place on
 /// the registered result, and the traits and the wood of both.
 ///
-/// Warns if the two lie apart by more than the finest default tolerance, and if one is over 20
-/// times as large as the other, which most often is a unit.
+/// Warns if the two lie apart by more than the finest default tolerance, if one is of several
+/// trees, if one is as much larger as a unit is than another, or over 20 times, and if hardly
+/// anything of the two lies near.
 ///
 /// @throws Error     if one of the two has no nodes, no length, or a position that is no number
 /// @throws Cancelled if `progress` asks to stop

@@ -126,10 +126,27 @@ TEST(Comparison, MeasuresAfterRegistrationUnlessAskedNotTo) {
 
 TEST(Comparison, SaysSoWhereUnitsSeemToDiffer) {
   const Comparison larger = compare(test::scaled(test::bush(), 1000), test::bush());
-  EXPECT_THAT(larger.warnings,
-              testing::Contains(HasSubstr("1e+03 times as large as the reference")));
+  EXPECT_THAT(larger.warnings, testing::Contains(HasSubstr(
+                                   "1000 times as large as the reference: it seems to be in mm, "
+                                   "the reference in m; scale the result by 0.001")));
   const Comparison smaller = compare(test::bush(), test::scaled(test::bush(), 100));
   EXPECT_THAT(smaller.warnings, testing::Contains(HasSubstr("100 times as small")));
+  const Comparison other = compare(test::scaled(test::bush(), 30), test::bush());
+  EXPECT_THAT(other.warnings, testing::Contains(HasSubstr("check that both are in the same unit")));
+  const Comparison near = compare(test::scaled(test::bush(), 4), test::bush());
+  for (const std::string& warning : near.warnings)
+    EXPECT_THAT(warning, testing::Not(HasSubstr("times as")));
+}
+
+TEST(Comparison, SaysSoWhereTheTwoDoNotMeetOrAreSeveral) {
+  const Skeleton far = test::shifted(test::fork(3), {500, 0, 0});
+  EXPECT_THAT(compare(far, test::fork(3), {.registers = false}).warnings,
+              ElementsAre(HasSubstr("hardly anything of the two lies within")));
+  Skeleton two = test::fork(3);
+  const NodeId second = two.add({.position = {5, 0, 0}});
+  two.add({.position = {5, 0, 1}, .parent = second});
+  EXPECT_THAT(compare(test::fork(3), two, {.registers = false}).warnings,
+              ElementsAre(HasSubstr("the reference is of 2 separate trees")));
 }
 
 TEST(Comparison, OfDisjointPlantsFindsNothing) {

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/evaluate/tolerance_curve.h"
+#include "core/evaluate/traits.h"
+
+#include <string>
+#include <string_view>
+
+namespace espalier {
+
+// Each tells in a line what makes the numbers of a comparison doubtful; empty if nothing does.
+
+/// Several trees in one structure. `role` is what the user calls it: "the result".
+[[nodiscard]] std::string warningOfTrees(const Traits& traits, std::string_view role);
+
+/// Structures of very different size: the units, where the ratio is that of two of mm, cm and m.
+[[nodiscard]] std::string warningOfSize(const Traits& result, const Traits& reference);
+
+/// Structures of which hardly anything lies near the other at the widest tolerance.
+[[nodiscard]] std::string warningOfDistance(const ToleranceCurve& curve, bool isRegistered);
+
+} // namespace espalier

@@ -58,15 +58,15 @@ Candidates candidatesWithin(const Side& result, const Side& reference, double fa
 
 CappedScore scoreOf(const Side& result, const Side& reference, const Partners& partners,
                     double distance) {
-  const std::vector<bool> isConserved = conserved(result.segments, reference.segments, partners);
-  CappedScore score{.distance = distance};
+  CappedScore score{.distance = distance, .partners = partners, .isConserved = {}};
+  score.isConserved = conserved(result.segments, reference.segments, partners);
   double length = 0;
   for (std::size_t i = 0; i < partners.size(); ++i) {
     if (!partners[i]) continue;
     ++score.matched;
     length += result.segments[i].length + reference.segments[*partners[i]].length;
   }
-  const auto kept = static_cast<double>(std::ranges::count(isConserved, true));
+  const auto kept = static_cast<double>(std::ranges::count(score.isConserved, true));
   const auto matched = static_cast<double>(score.matched);
   const auto references = static_cast<double>(reference.segments.size());
   score.mapping = 2 * matched / (static_cast<double>(result.segments.size()) + references);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/evaluate/segment_matches.h"
 #include "core/skeleton/skeleton.h"
 
 #include <cstddef>
@@ -15,12 +16,14 @@ struct CappedOptions {
 
 /// The authors' indices where no pair may lie further apart than some distance.
 struct CappedScore {
-  double distance = 0;        // [L], the farthest
-  std::size_t matched = 0;    // pairs of segments
-  double mapping = 0;         // in [0, 1]: share of the segments of both that are matched
-  double geometric = 0;       // in [0, 1]: share of the length of both that is matched
-  double structural = 0;      // in [0, 1]: share of the matches that are conserved
-  double structuralOfAll = 0; // in [0, 1]: conserved matches per segment of the reference
+  double distance = 0;           // [L], the farthest
+  std::size_t matched = 0;       // pairs of segments
+  double mapping = 0;            // in [0, 1]: share of the segments of both that are matched
+  double geometric = 0;          // in [0, 1]: share of the length of both that is matched
+  double structural = 0;         // in [0, 1]: share of the matches that are conserved
+  double structuralOfAll = 0;    // in [0, 1]: conserved matches per segment of the reference
+  Partners partners;             // by segment of the result, as of unbranchedSegments()
+  std::vector<bool> isConserved; // likewise
 };
 
 /// The indices of authorsComparison() with what they hide taken away.

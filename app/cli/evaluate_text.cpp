@@ -1,0 +1,128 @@
+#include "app/cli/evaluate_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+namespace espalier {
+namespace {
+
+double percent(double share) {
+  return 100 * share;
+}
+
+/// What hangs on what, within the distance of the landmarks.
+void printConnections(const Comparison& comparison) {
+  const PathLengthAgreement& ways = comparison.pathLengths;
+  const ArchitectureAgreement& architecture = comparison.architecture;
+  std::printf("within %.4g of each other: DIADEM-like score %.3f\n", comparison.diadem.distance,
+              comparison.diadem.score);
+  std::printf("  %5.1f%% of ways along the plant are as long, up to a tenth\n",
+              percent(ways.withinTenth));
+  std::printf("  %5.1f%% of the length is of the same order, %.1f%% on the same axis\n",
+              percent(architecture.sameOrder), percent(architecture.sameAxis));
+  std::printf("  %5.1f%% of matched segments begin with the same type of edge\n",
+              percent(architecture.sameEdge));
+}
+
+/// How the wood of a result compares with that of the reference: 0 where there should be none.
+double excess(double result, double reference) {
+  return reference > 0 ? percent(result / reference - 1) : 0;
+}
+
+} // namespace
+
+void print(const Comparison& comparison, const std::string& unit) {
+  const AuthorsComparison& authors = comparison.authors;
+  std::printf("%zu of %zu segments matched with %zu of the reference\n", authors.matches.size(),
+              authors.resultSegments.size(), authors.referenceSegments.size());
+  std::printf("mapping %.3f  geometric index %.3f  structural index %.3f\n", authors.mapping,
+              authors.geometric, authors.structural);
+  std::printf("over all segments of the reference, structural index %.3f; one to many, geometric "
+              "index %.3f\n",
+              authors.structuralOfAll, comparison.paths.geometric);
+  if (comparison.edit)
+    std::printf("edit distance %.6g, similarity %.3f: %zu removed, %zu inserted\n",
+                comparison.edit->distance.distance, comparison.edit->distance.similarity(),
+                comparison.edit->removed, comparison.edit->inserted);
+  if (comparison.registration) {
+    const Eigen::Vector3d& shift = comparison.registration->shift;
+    std::printf("moved by %.4g, %.4g, %.4g %s, %.4g in all, to lie on the reference\n", shift.x(),
+                shift.y(), shift.z(),
+                unit.empty() ? "(in the unit of the structures)" : unit.c_str(), shift.norm());
+  }
+  printConnections(comparison);
+  std::printf("%12s %10s %10s %10s %10s %10s\n",
+              (unit.empty() ? "distance" : "distance/" + unit).c_str(), "precision", "recall", "F",
+              "capped G", "capped T");
+  for (std::size_t k = 0; k < comparison.tolerance.scores.size(); ++k) {
+    const ToleranceScore& score = comparison.tolerance.scores[k];
+    std::printf("%12.4g %10.3f %10.3f %10.3f %10.3f %10.3f\n", score.distance, score.precision,
+                score.recall, score.f(), comparison.capped[k].geometric,
+                comparison.capped[k].structuralOfAll);
+  }
+}
+
+void printWhere(const Comparison& comparison) {
+  const AgreementByPlace& agreed = comparison.byPlace;
+  const char* row = "%18s %10.3f %10.3f %12.6g %12.6g\n";
+  const auto head = [](const char* what) {
+    std::printf("\n%18s %10s %10s %12s %12s\n", what, "precision", "recall", "result", "reference");
+  };
+  std::printf("\nwithin %.4g, with the lengths there are:", agreed.distance);
+  head("order");
+  for (const PartAgreement& part : agreed.byOrder)
+    std::printf(row, std::to_string(static_cast<int>(part.from)).c_str(), part.precision,
+                part.recall, part.resultLength, part.referenceLength);
+  head("height");
+  for (const PartAgreement& part : agreed.byHeight) {
+    std::array<char, 40> range{};
+    std::snprintf(range.data(), range.size(), "%.4g to %.4g", part.from, part.to);
+    std::printf(row, range.data(), part.precision, part.recall, part.resultLength,
+                part.referenceLength);
+  }
+  std::printf("\n%18s %12s %12s %12s\n", "radius up to", "length +%", "area +%", "volume +%");
+  const std::vector<WoodAmount>& result = comparison.resultWood.byRadius;
+  const std::vector<WoodAmount>& reference = comparison.referenceWood.byRadius;
+  for (std::size_t k = 0; k < reference.size(); ++k) {
+    std::array<char, 40> limit{};
+    if (k < comparison.radiusLimits.size())
+      std::snprintf(limit.data(), limit.size(), "%.4g", comparison.radiusLimits[k]);
+    std::printf("%18s %12.1f %12.1f %12.1f\n", limit[0] == 0 ? "more" : limit.data(),
+                excess(result[k].length, reference[k].length),
+                excess(result[k].area, reference[k].area),
+                excess(result[k].volume, reference[k].volume));
+  }
+}
+
+void print(const Ranking& ranking, const std::vector<std::string>& names) {
+  const auto title = [](Score score) { return scoreNames()[static_cast<std::size_t>(score)]; };
+  std::printf("ranked by %s within %.4g; %.0f%% intervals of %zu draws of the segments\n",
+              title(ranking.by).c_str(), ranking.distance, percent(ranking.confidence),
+              ranking.draws);
+  std::size_t width = 6;
+  for (const std::string& name : names)
+    width = std::max(width, name.size());
+  constexpr std::array shown = {Score::f, Score::geometric, Score::structuralOfAll,
+                                Score::cappedGeometric};
+  constexpr std::array titles = {"F", "G", "T of all", "capped G"};
+  const auto column = static_cast<int>(width);
+  std::printf("\n%4s  %-*s", "rank", column, "result");
+  for (const char* each : titles)
+    std::printf("  %-19s", each);
+  std::printf("  beats the next\n");
+  std::size_t rank = 0;
+  for (const RankedResult& result : ranking.results) {
+    std::printf("%4zu  %-*s", ++rank, column, names.at(result.result).c_str());
+    for (const Score score : shown)
+      for (std::size_t k = 0; k < rankingScores().size(); ++k) {
+        if (rankingScores()[k] != score) continue;
+        const ScoreInterval& found = result.scores[k];
+        std::printf("  %.3f (%.3f-%.3f)", found.value, found.low, found.high);
+      }
+    if (result.aboveNext) std::printf("  in %.1f%% of draws", percent(*result.aboveNext));
+    std::printf("\n");
+  }
+}
+
+} // namespace espalier

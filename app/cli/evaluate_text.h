@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/evaluate/comparison.h"
+#include "core/evaluate/ranking.h"
+
+#include <string>
+#include <vector>
+
+namespace espalier {
+
+// What `evaluate` prints on standard output. `unit` names the lengths; empty: it is not known.
+
+void print(const Comparison& comparison, const std::string& unit);
+
+/// By order, height and radius.
+void printWhere(const Comparison& comparison);
+
+/// The best first; `names` are what the results are called.
+void print(const Ranking& ranking, const std::vector<std::string>& names);
+
+} // namespace espalier

@@ -1,0 +1,201 @@
+#include "core/evaluate/ranking.h"
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/base/random.h"
+#include "core/base/text.h"
+#include "core/evaluate/comparable.h"
+#include "core/evaluate/registration.h"
+#include "core/evaluate/segment_shares.h"
+#include "core/evaluate/tolerance_curve.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numeric>
+
+namespace espalier {
+namespace {
+
+double ratio(double part, double whole) {
+  return whole > 0 ? std::min(1.0, part / whole) : 0; // the sums round differently
+}
+
+/// The scores that sums of shares give, by rankingScores().
+std::vector<double> scoresOf(const ShareSums& sums) {
+  const auto of = [&](Share share) { return sums(static_cast<Eigen::Index>(share)); };
+  const double length = of(Share::resultLength) + of(Share::referenceLength);
+  const double precision = ratio(of(Share::nearResult), of(Share::allResult));
+  const double recall = ratio(of(Share::nearReference), of(Share::allReference));
+  return {ratio(of(Share::matchedResult) + of(Share::matchedReference), length),
+          ratio(of(Share::conserved), of(Share::matches)),
+          ratio(of(Share::conserved), of(Share::segments)),
+          ratio(of(Share::cappedResult) + of(Share::cappedReference), length),
+          ratio(of(Share::cappedConserved), of(Share::segments)),
+          precision,
+          recall,
+          harmonicMean(precision, recall)};
+}
+
+std::size_t placeOf(Score score) {
+  const auto& all = rankingScores();
+  return static_cast<std::size_t>(std::ranges::find(all, score) - all.begin());
+}
+
+/// The middle share of the values.
+ScoreInterval intervalOf(double value, std::vector<double> values, double confidence) {
+  std::ranges::sort(values);
+  const auto last = static_cast<double>(values.size() - 1);
+  const auto at = [&](double share) {
+    return values[static_cast<std::size_t>(std::lround(share * last))];
+  };
+  return {value, at((1 - confidence) / 2), at((1 + confidence) / 2)};
+}
+
+struct Candidate {
+  RankedResult ranked;
+  SegmentShares shares;
+  std::vector<std::vector<double>> drawn; // by rankingScores(), in each draw
+};
+
+/// Draws the segments again and again, the same for all candidates.
+void drawAll(std::vector<Candidate>& candidates, const RankingOptions& options,
+             const Progress& progress) {
+  for (Candidate& candidate : candidates)
+    candidate.drawn.resize(rankingScores().size());
+  Random random(options.seed);
+  const auto segments = static_cast<std::size_t>(candidates.front().shares.cols());
+  for (std::size_t draw = 0; draw < options.draws; ++draw) {
+    if (draw % 16 == 0)
+      progress.update(static_cast<double>(draw) / static_cast<double>(options.draws));
+    Eigen::VectorXd often = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(segments));
+    for (std::size_t i = 0; i < segments; ++i)
+      often(static_cast<Eigen::Index>(random.below(segments))) += 1;
+    for (Candidate& candidate : candidates) {
+      const std::vector<double> scores = scoresOf(candidate.shares * often);
+      for (std::size_t k = 0; k < scores.size(); ++k)
+        candidate.drawn[k].push_back(scores[k]);
+    }
+  }
+  for (Candidate& candidate : candidates) {
+    const std::vector<double> plain = scoresOf(candidate.shares.rowwise().sum());
+    for (std::size_t k = 0; k < plain.size(); ++k)
+      candidate.ranked.scores.push_back(
+          intervalOf(plain[k], candidate.drawn[k], options.confidence));
+  }
+}
+
+/// The shares of a result where it lies, or once it is laid on the reference.
+Candidate candidateOf(const Skeleton& result, const Skeleton& reference,
+                      const RankingOptions& options, double distance, const Progress& progress) {
+  const double step = defaultTolerances(reference).front();
+  Candidate candidate;
+  if (!options.registers) {
+    candidate.shares = segmentShares(result, reference, distance, step, progress);
+    return candidate;
+  }
+  const Registration lay = registration(result, reference, {}, progress.part(0, 0.6));
+  candidate.ranked.shift = lay.shift;
+  candidate.shares =
+      segmentShares(moved(result, lay.motion), reference, distance, step, progress.part(0.6, 1));
+  return candidate;
+}
+
+/// In how many of the draws the first is above the second; a tie counts half.
+double shareAbove(const std::vector<double>& first, const std::vector<double>& second) {
+  double above = 0;
+  for (std::size_t k = 0; k < first.size(); ++k)
+    above += first[k] > second[k] ? 1 : first[k] == second[k] ? 0.5 : 0;
+  return above / static_cast<double>(first.size());
+}
+
+} // namespace
+
+const std::vector<Score>& rankingScores() {
+  static const std::vector<Score> scores = {
+      Score::geometric,        Score::structural, Score::structuralOfAll, Score::cappedGeometric,
+      Score::cappedStructural, Score::precision,  Score::recall,          Score::f};
+  return scores;
+}
+
+Ranking ranking(const std::vector<Skeleton>& results, const Skeleton& reference,
+                const RankingOptions& options, const Progress& progress) {
+  assert(options.draws >= 1 && placeOf(options.by) < rankingScores().size());
+  requireComparable(reference, "the reference");
+  for (std::size_t i = 0; i < results.size(); ++i)
+    requireComparable(results[i], "result " + std::to_string(i + 1));
+  Ranking found{.by = options.by,
+                .distance = resolved({.distance = options.distance}, reference).distance,
+                .draws = options.draws,
+                .confidence = options.confidence,
+                .seed = options.seed,
+                .results = {}};
+  if (results.empty()) return found;
+  const auto all = static_cast<double>(results.size());
+  std::vector<Candidate> candidates;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const auto part = static_cast<double>(i);
+    const Progress mine =
+        progress.part(0.9 * part / all, 0.9 * (part + 1) / all, "Result " + std::to_string(i + 1));
+    candidates.push_back(candidateOf(results[i], reference, options, found.distance, mine));
+    candidates.back().ranked.result = i;
+  }
+  drawAll(candidates, options, progress.part(0.9, 1, "Drawing"));
+  const std::size_t by = placeOf(options.by);
+  std::ranges::stable_sort(candidates, [&](const Candidate& a, const Candidate& b) {
+    return a.ranked.scores[by].value > b.ranked.scores[by].value;
+  });
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if (i + 1 < candidates.size())
+      candidates[i].ranked.aboveNext =
+          shareAbove(candidates[i].drawn[by], candidates[i + 1].drawn[by]);
+    found.results.push_back(candidates[i].ranked);
+  }
+  return found;
+}
+
+nlohmann::ordered_json toJson(const Ranking& ranking, const std::vector<std::string>& names) {
+  using Json = nlohmann::ordered_json;
+  Json results = Json::array();
+  for (const RankedResult& result : ranking.results) {
+    Json scores = Json::object();
+    for (std::size_t k = 0; k < result.scores.size(); ++k)
+      scores[scoreNames()[static_cast<std::size_t>(rankingScores()[k])]] = {
+          {"value", result.scores[k].value},
+          {"low", result.scores[k].low},
+          {"high", result.scores[k].high}};
+    results.push_back(
+        {{"rank", results.size() + 1},
+         {"result", names.at(result.result)},
+         {"shift", Json::array({result.shift.x(), result.shift.y(), result.shift.z()})},
+         {"scores", scores},
+         {"above_next", result.aboveNext ? Json(*result.aboveNext) : Json()}});
+  }
+  return {{"by", scoreNames()[static_cast<std::size_t>(ranking.by)]},
+          {"distance", ranking.distance},
+          {"draws", ranking.draws},
+          {"confidence", ranking.confidence},
+          {"seed", ranking.seed},
+          {"results", results}};
+}
+
+std::vector<std::vector<std::string>> toTable(const Ranking& ranking,
+                                              const std::vector<std::string>& names) {
+  std::vector<std::vector<std::string>> rows = {{"rank", "result"}};
+  for (const Score score : rankingScores())
+    for (const char* ending : {"", "_low", "_high"})
+      rows.front().push_back(scoreNames()[static_cast<std::size_t>(score)] + ending);
+  rows.front().emplace_back("above_next");
+  for (const RankedResult& result : ranking.results) {
+    rows.push_back({std::to_string(rows.size()), names.at(result.result)});
+    for (const ScoreInterval& score : result.scores)
+      for (const double value : {score.value, score.low, score.high})
+        rows.back().push_back(plainDecimal(value));
+    rows.back().push_back(result.aboveNext ? plainDecimal(*result.aboveNext) : "");
+  }
+  return rows;
+}
+
+} // namespace espalier

@@ -1,0 +1,167 @@
+#include "core/io/csv.h"
+#include "tests/app/cli/program.h"
+#include "tests/support/shared_data.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <gmock/gmock.h>
+
+namespace espalier {
+namespace {
+
+using nlohmann::json;
+using test::expectRefusal;
+using test::Outcome;
+using test::runProgram;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+class Evaluate : public testing::Test {
+protected:
+  [[nodiscard]] std::string file(const std::string& name) const {
+    return (folder_ / name).string();
+  }
+
+  /// A node list of these lines: vid, parent, edge, x, y, z, radius.
+  [[nodiscard]] std::string plant(const std::string& name,
+                                  const std::vector<std::string>& nodes) const {
+    std::string text =
+        "# vid\tparentid\tedgetype\tXX\tYY\tZZ\tRadius\n" + std::to_string(nodes.size()) + "\n";
+    for (const std::string& node : nodes)
+      text += node + "\n";
+    test::writeBytes(file(name), text);
+    return file(name);
+  }
+
+  /// A trunk of two edges and a branch, all lengths times `scale`.
+  [[nodiscard]] std::string fork(const std::string& name, double scale = 1, double x = 0) const {
+    const auto at = [&](double dx, double z) {
+      return std::to_string(x + scale * dx) + "\t0\t" + std::to_string(scale * z) + "\t" +
+             std::to_string(scale * 0.1);
+    };
+    return plant(name, {"1\t\t<\t" + at(0, 0), "2\t1\t<\t" + at(0, 1), "3\t2\t<\t" + at(0, 2),
+                        "4\t2\t+\t" + at(1, 2)});
+  }
+
+  std::filesystem::path folder_ = test::freshFolder();
+  std::string truth_ = test::sample("young_tree.mtg");
+};
+
+TEST_F(Evaluate, RanksSeveralResultsTheBestFirst) {
+  ASSERT_EQ(runProgram({"reconstruct", test::sample("young_tree.ply"), "-o", file("a.mtg")}).status,
+            0);
+  const Outcome told = runProgram({"evaluate", file("a.mtg"), truth_, truth_, "--draws", "200",
+                                   "--csv", file("r.csv"), "--json", file("r.json")});
+  ASSERT_EQ(told.status, 0) << told.err;
+  EXPECT_THAT(told.out, HasSubstr("ranked by f within "));
+  EXPECT_THAT(told.out, HasSubstr("\n   1  " + truth_));
+  EXPECT_THAT(told.out, HasSubstr("  1.000 (1.000-1.000)"));
+  EXPECT_THAT(told.out, HasSubstr("\n   2  " + file("a.mtg")));
+  const json numbers = json::parse(test::bytesOf(file("r.json")));
+  EXPECT_EQ(numbers["reference"], truth_);
+  EXPECT_EQ(numbers["results"][0]["result"], truth_);
+  EXPECT_EQ(numbers["results"][1]["rank"], 2);
+  const json& f = numbers["results"][1]["scores"]["f"];
+  EXPECT_LT(f["low"], f["value"]);
+  EXPECT_GT(f["high"], f["value"]);
+  const CsvTable table = readCsv(test::bytesOf(file("r.csv")), "r.csv");
+  ASSERT_EQ(table.rows.size(), 2U);
+  EXPECT_EQ(table.rows[1].fields[*table.column("f")], f["value"].dump());
+}
+
+TEST_F(Evaluate, RanksOneResultIfAsked) {
+  const Outcome told = runProgram({"evaluate", truth_, truth_, "--ranking", "--rank-by",
+                                   "geometric", "--draws", "20", "--no-register"});
+  EXPECT_EQ(told.status, 0);
+  EXPECT_THAT(told.out, HasSubstr("ranked by geometric within "));
+}
+
+TEST_F(Evaluate, RanksTheSameOnAnyNumberOfThreads) {
+  for (const char* threads : {"1", "2"})
+    ASSERT_EQ(runProgram({"evaluate", truth_, fork("f.txt"), truth_, "--draws", "50", "--seed", "4",
+                          "--threads", threads, "--csv", file(std::string(threads) + ".csv")})
+                  .status,
+              0);
+  EXPECT_EQ(test::bytesOf(file("1.csv")), test::bytesOf(file("2.csv")));
+}
+
+TEST_F(Evaluate, WritesTheNumbersOfAPairAsATable) {
+  ASSERT_EQ(runProgram({"evaluate", truth_, truth_, "--csv", file("a.csv")}).status, 0);
+  EXPECT_THAT(test::bytesOf(file("a.csv")), HasSubstr("\nauthors.geometric,1.0\n"));
+  EXPECT_THAT(test::bytesOf(file("a.csv")), HasSubstr("\ntolerance.0.f,1.0\n"));
+}
+
+TEST_F(Evaluate, RefusesWhatARankingDoesNotTell) {
+  expectRefusal(runProgram({"evaluate", truth_, truth_, truth_, "--where"}), 2,
+                {"--where and --merge-paths tell of one result"});
+  expectRefusal(runProgram({"evaluate", truth_, truth_, "--rank-by", "beauty"}), 2,
+                {"choose one of geometric, structural"});
+  expectRefusal(runProgram({"evaluate", truth_}), 2, {"REFERENCE is required"});
+  expectRefusal(runProgram({"evaluate", truth_, truth_, "--csv", truth_}), 1,
+                {"would be replaced"});
+}
+
+TEST_F(Evaluate, SaysThatAFileHoldsTwoPlants) {
+  const std::string two = plant("two.txt", {"1\t\t<\t0\t0\t0\t0.1", "2\t1\t<\t0\t0\t2\t0.1",
+                                            "3\t\t<\t9\t0\t0\t0.1", "4\t3\t<\t9\t0\t2\t0.1"});
+  const Outcome result = runProgram({"evaluate", two, fork("f.txt"), "--no-register"});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_THAT(result.err, HasSubstr("the result is of 2 separate trees, compared as one plant: "
+                                    "keep one of them if they are not\n"));
+  const Outcome reference = runProgram({"evaluate", fork("f.txt"), two, "--no-register"});
+  EXPECT_THAT(reference.err, HasSubstr("the reference is of 2 separate trees"));
+  const Outcome itself = runProgram({"evaluate", two, two});
+  EXPECT_THAT(itself.out, HasSubstr("mapping 1.000  geometric index 1.000"));
+}
+
+TEST_F(Evaluate, RefusesAnEmptyReferenceByName) {
+  const std::string empty = plant("empty.txt", {});
+  const Outcome outcome = runProgram({"evaluate", fork("f.txt"), empty});
+  expectRefusal(outcome, 1, {"empty.txt"});
+  const Outcome many = runProgram({"evaluate", fork("f.txt"), fork("g.txt"), empty});
+  expectRefusal(many, 1, {"empty.txt"});
+}
+
+TEST_F(Evaluate, RecognizesUnitsThatDiffer) {
+  const Outcome larger =
+      runProgram({"evaluate", fork("mm.txt", 1000), fork("m.txt"), "--json", file("a.json")});
+  EXPECT_EQ(larger.status, 0);
+  EXPECT_THAT(larger.err, HasSubstr("the result is 1000 times as large as the reference: it seems "
+                                    "to be in mm, the reference in m; scale the result by 0.001"));
+  const json numbers = json::parse(test::bytesOf(file("a.json")));
+  EXPECT_LT(numbers["tolerance"][0]["precision"], 0.01) << "as they are, hardly anything fits";
+  const Outcome smaller = runProgram({"evaluate", fork("m.txt"), fork("cm.txt", 100)});
+  EXPECT_THAT(smaller.err, HasSubstr("100 times as small as the reference: it seems to be in m, "
+                                     "the reference in cm; scale the result by 100\n"));
+  const Outcome scaled =
+      runProgram({"evaluate", fork("mm.txt", 1000), fork("m.txt"), "--scale", "0.001"});
+  EXPECT_THAT(scaled.err, IsEmpty());
+  EXPECT_THAT(scaled.out, HasSubstr("mapping 1.000  geometric index 1.000"));
+  const Outcome many =
+      runProgram({"evaluate", fork("mm.txt", 1000), fork("m.txt"), fork("m.txt"), "--draws", "10"});
+  EXPECT_THAT(many.err, HasSubstr("mm.txt: the result is 1000 times as large"));
+}
+
+TEST_F(Evaluate, SaysThatPlantsDoNotMeet) {
+  const Outcome apart =
+      runProgram({"evaluate", fork("far.txt", 1, 500), fork("f.txt"), "--no-register"});
+  EXPECT_EQ(apart.status, 0);
+  EXPECT_THAT(apart.err, HasSubstr("hardly anything of the two lies within "));
+  EXPECT_THAT(apart.err, HasSubstr("and in the same frame, or let the result be registered"));
+  EXPECT_THAT(apart.out, HasSubstr("mapping 0.000  geometric index 0.000  structural index 0.000"));
+  const Outcome together = runProgram({"evaluate", fork("far.txt", 1, 500), fork("f.txt")});
+  EXPECT_THAT(together.out, HasSubstr("mapping 1.000  geometric index 1.000"));
+  EXPECT_THAT(together.out, HasSubstr("moved by -500, "));
+}
+
+TEST_F(Evaluate, RefusesAReferenceWithACycle) {
+  const std::string cycle = plant(
+      "cycle.txt", {"1\t3\t<\t0\t0\t0\t0.1", "2\t1\t<\t0\t0\t1\t0.1", "3\t2\t<\t0\t0\t2\t0.1"});
+  expectRefusal(runProgram({"evaluate", fork("f.txt"), cycle}), 1, {"cycle.txt"});
+}
+
+} // namespace
+} // namespace espalier

@@ -31,6 +31,9 @@ struct Flags {
   std::string editCost = "topology";
   bool merges = false;
   bool where = false;
+  bool traits = false;
+  bool light = false;
+  int pixels = LightOptions().pixels;
   bool ranks = false;
   std::string rankBy = "f";
   std::size_t draws = 2000;
@@ -94,12 +97,15 @@ void evaluateOne(const Flags& flags, const TerminalProgress& terminal) {
   ComparisonOptions options;
   options.registers = !flags.noRegister;
   options.edit = editOptions(flags);
+  if (flags.light) options.light = LightOptions{.pixels = flags.pixels};
   const Comparison comparison = compare(result, reference, options, terminal.progress());
   std::vector<std::string> notes = comparison.warnings;
   std::erase(notes, comparison.shiftWarning); // what is printed tells of the shift
   printNotes(notes);
   print(comparison, flags.unit);
   if (flags.where) printWhere(comparison);
+  if (flags.traits) printTraits(comparison);
+  if (flags.light) printLight(comparison);
   auto json = toJson(comparison);
   json["result"] = flags.files.front();
   json["reference"] = flags.files.back();
@@ -113,8 +119,9 @@ void evaluateOne(const Flags& flags, const TerminalProgress& terminal) {
 }
 
 void evaluateMany(const Flags& flags, const TerminalProgress& terminal) {
-  if (flags.where || flags.merges)
-    throw WrongUsage("--where and --merge-paths tell of one result: leave them out, or give one");
+  if (flags.where || flags.merges || flags.traits || flags.light)
+    throw WrongUsage("--where, --traits, --light and --merge-paths tell of one result: leave them "
+                     "out, or give one");
   const std::vector<std::string> names(flags.files.begin(), flags.files.end() - 1);
   const Skeleton reference = skeletonIn(flags.files.back());
   const Traits expected = traits(reference);
@@ -218,6 +225,16 @@ void addEvaluate(CLI::App& app) {
   addEdits(*command, *flags);
   command->add_flag("--where", flags->where,
                     "Tell by order, height and radius where the two agree");
+  command->add_flag("--traits", flags->traits,
+                    "Tell sizes, Strahler numbers, branching angles and crown of both");
+  command->add_flag("--light", flags->light,
+                    "Measure how much of its surface each shows to an overcast sky (STAR)");
+  command
+      ->add_option("--pixels", flags->pixels,
+                   "Pixels along the longer side of each picture for --light, 8 to 16384")
+      ->type_name("N")
+      ->check(wholeNumber(8, 16384))
+      ->capture_default_str();
   addRanking(*command, *flags);
   command->add_option("--csv", flags->csv, "File to write all numbers to, as a table")
       ->type_name("FILE");

@@ -3,12 +3,18 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <numbers>
+#include <optional>
 
 namespace espalier {
 namespace {
 
 double percent(double share) {
   return 100 * share;
+}
+
+double degrees(double radians) {
+  return radians * 180 / std::numbers::pi;
 }
 
 /// What hangs on what, within the distance of the landmarks.
@@ -93,6 +99,51 @@ void printWhere(const Comparison& comparison) {
                 excess(result[k].area, reference[k].area),
                 excess(result[k].volume, reference[k].volume));
   }
+}
+
+void printTraits(const Comparison& comparison) {
+  const Traits& result = comparison.resultTraits;
+  const Traits& reference = comparison.referenceTraits;
+  std::printf("\n%21s %12s %12s %12s\n", "traits", "result", "reference", "difference");
+  const auto row = [](const std::string& name, double found, double expected) {
+    std::printf("%21s %12.7g %12.7g %11.1f%%\n", name.c_str(), found, expected,
+                excess(found, expected));
+  };
+  const auto count = [](std::size_t number) { return static_cast<double>(number); };
+  row("segments", count(result.segments), count(reference.segments));
+  row("tips", count(result.tips), count(reference.tips));
+  row("length", result.length, reference.length);
+  row("orders", count(result.axesByOrder.size()), count(reference.axesByOrder.size()));
+  row("Strahler number", count(result.strahler.size()), count(reference.strahler.size()));
+  row("height", result.crown.height, reference.crown.height);
+  row("crown base", result.crown.baseHeight, reference.crown.baseHeight);
+  row("crown depth", result.crown.depth, reference.crown.depth);
+  row("crown area", result.crown.area, reference.crown.area);
+  row("crown diameter", result.crown.diameter, reference.crown.diameter);
+  const auto& found = result.angles.byOrder;
+  const auto& expected = reference.angles.byOrder;
+  for (std::size_t order = 0; order < std::min(found.size(), expected.size()); ++order)
+    row("angle/deg, order " + std::to_string(order + 1), degrees(found[order].mean),
+        degrees(expected[order].mean));
+  row("divergence/deg", degrees(result.angles.divergence.mean),
+      degrees(reference.angles.divergence.mean));
+}
+
+void printLight(const Comparison& comparison) {
+  std::printf("\nsilhouette to total area (STAR), overcast sky\n%21s %12s %12s\n", "pixels",
+              "result", "reference");
+  const auto& result = comparison.resultLight;
+  const auto& reference = comparison.referenceLight;
+  const auto& pixels = result ? result->convergence
+                              : (reference ? reference->convergence : std::vector<StarAtPixels>());
+  const auto star = [](const std::optional<LightInterception>& light, std::size_t k) {
+    std::array<char, 32> text{"none"};
+    if (light) std::snprintf(text.data(), text.size(), "%.5f", light->convergence[k].star);
+    return std::string(text.data());
+  };
+  for (std::size_t k = 0; k < pixels.size(); ++k)
+    std::printf("%21d %12s %12s\n", pixels[k].pixels, star(result, k).c_str(),
+                star(reference, k).c_str());
 }
 
 void print(const Ranking& ranking, const std::vector<std::string>& names) {

@@ -15,6 +15,12 @@ void print(const Comparison& comparison, const std::string& unit);
 /// By order, height and radius.
 void printWhere(const Comparison& comparison);
 
+/// Sizes, Strahler numbers, angles and crown of both, and by how much the result differs.
+void printTraits(const Comparison& comparison);
+
+/// STAR of both, at rising numbers of pixels; of what has any.
+void printLight(const Comparison& comparison);
+
 /// The best first; `names` are what the results are called.
 void print(const Ranking& ranking, const std::vector<std::string>& names);
 

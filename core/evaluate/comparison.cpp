@@ -2,7 +2,9 @@
 
 #include "core/evaluate/comparable.h"
 #include "core/evaluate/comparison_warnings.h"
+#include "core/surface/generalized_cylinders.h"
 
+#include <algorithm>
 #include <sstream>
 
 namespace espalier {
@@ -21,6 +23,19 @@ void warnOfShift(Comparison& comparison, double unit) {
        << shift.x() << ", " << shift.y() << ", " << shift.z() << ") before it was measured";
   comparison.shiftWarning = text.str();
   comparison.warnings.push_back(comparison.shiftWarning);
+}
+
+/// Light on the surface of a plant; none, with a warning, of one without radii.
+std::optional<LightInterception> lightOf(Comparison& comparison, const Skeleton& skeleton,
+                                         const std::string& role, const LightOptions& options,
+                                         const Progress& progress) {
+  const std::vector<NodeId> ids = skeleton.ids();
+  if (std::ranges::none_of(ids, [&](NodeId id) { return skeleton[id].radius > 0; })) {
+    warn(comparison, role + " has no radii: its light is left out; estimate radii first");
+    return std::nullopt;
+  }
+  return lightInterception(surfaceByGeneralizedCylinders(skeleton, {}, progress.part(0, 0.2)),
+                           options, progress.part(0.2, 1));
 }
 
 /// Parts of a plant that an edit distance would compare.
@@ -55,6 +70,27 @@ void compareEdits(Comparison& comparison, const Skeleton& laid, const Skeleton& 
   comparison.warnings.push_back(text.str());
 }
 
+void measureEach(Comparison& comparison, const Skeleton& result, const Skeleton& reference) {
+  comparison.resultTraits = traits(result);
+  comparison.referenceTraits = traits(reference);
+  comparison.radiusLimits = radiusLimits(reference);
+  comparison.resultWood = woodAmounts(result, comparison.radiusLimits);
+  comparison.referenceWood = woodAmounts(reference, comparison.radiusLimits);
+}
+
+/// Tips and branchings, and what hangs on what, within `distance`.
+void compareLandmarks(Comparison& comparison, const Skeleton& laid, const Skeleton& reference,
+                      double distance, const Progress& progress) {
+  const double step = comparison.tolerance.step;
+  comparison.tips = landmarkAgreement(tips(laid), tips(reference), distance);
+  comparison.branchings = landmarkAgreement(branchings(laid), branchings(reference), distance);
+  comparison.diadem = diademScore(laid, reference, {.distance = distance});
+  comparison.pathLengths = pathLengthAgreement(
+      laid, reference, {.distance = distance, .step = step}, progress.part(0, 0.3));
+  comparison.architecture = architectureAgreement(laid, reference, comparison.authors, distance,
+                                                  step, progress.part(0.3, 1));
+}
+
 } // namespace
 
 Comparison compare(const Skeleton& result, const Skeleton& reference,
@@ -62,11 +98,7 @@ Comparison compare(const Skeleton& result, const Skeleton& reference,
   requireComparable(result, "the result");
   requireComparable(reference, "the reference");
   Comparison comparison;
-  comparison.resultTraits = traits(result);
-  comparison.referenceTraits = traits(reference);
-  comparison.radiusLimits = radiusLimits(reference);
-  comparison.resultWood = woodAmounts(result, comparison.radiusLimits);
-  comparison.referenceWood = woodAmounts(reference, comparison.radiusLimits);
+  measureEach(comparison, result, reference);
   warn(comparison, warningOfTrees(comparison.resultTraits, "the result"));
   warn(comparison, warningOfTrees(comparison.referenceTraits, "the reference"));
   const std::string ofSize = warningOfSize(comparison.resultTraits, comparison.referenceTraits);
@@ -92,18 +124,19 @@ Comparison compare(const Skeleton& result, const Skeleton& reference,
       {.distances = cappedDistances(comparison.tolerance), .step = comparison.tolerance.step},
       progress.part(0.8, 0.9));
 
-  const double distance = options.landmarkDistance > 0 ? options.landmarkDistance
-                                                       : comparison.referenceTraits.medianEdge;
-  comparison.tips = landmarkAgreement(tips(laid), tips(reference), distance);
-  comparison.branchings = landmarkAgreement(branchings(laid), branchings(reference), distance);
-  comparison.diadem = diademScore(laid, reference, {.distance = distance});
   const double step = comparison.tolerance.step;
-  comparison.pathLengths =
-      pathLengthAgreement(laid, reference, {.distance = distance, .step = step});
-  comparison.architecture = architectureAgreement(laid, reference, comparison.authors, distance,
-                                                  step, progress.part(0.9, 0.95));
+  compareLandmarks(comparison, laid, reference,
+                   options.landmarkDistance > 0 ? options.landmarkDistance
+                                                : comparison.referenceTraits.medianEdge,
+                   progress.part(0.9, 0.95));
   comparison.byPlace = agreementByPlace(laid, reference, defaultTolerances(reference)[1], step,
-                                        progress.part(0.95, 1));
+                                        progress.part(0.95, options.light ? 0.96 : 1));
+  if (options.light) {
+    comparison.resultLight = lightOf(comparison, laid, "the result", *options.light,
+                                     progress.part(0.96, 0.98, "Measuring light"));
+    comparison.referenceLight =
+        lightOf(comparison, reference, "the reference", *options.light, progress.part(0.98, 1));
+  }
   progress.update(1);
   return comparison;
 }

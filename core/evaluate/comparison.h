@@ -8,6 +8,7 @@
 #include "core/evaluate/diadem_score.h"
 #include "core/evaluate/edit_comparison.h"
 #include "core/evaluate/landmark_agreement.h"
+#include "core/evaluate/light_interception.h"
 #include "core/evaluate/path_length_agreement.h"
 #include "core/evaluate/path_matches.h"
 #include "core/evaluate/registration.h"
@@ -29,6 +30,7 @@ struct ComparisonOptions {
   EditOptions edit;
   ToleranceOptions tolerance;
   double landmarkDistance = 0; // [L], for tips and branchings; 0 = the reference's median edge
+  std::optional<LightOptions> light; // none: it is not measured
 };
 
 /// All that tells how a result agrees with its reference.
@@ -49,6 +51,8 @@ struct Comparison {
   Traits referenceTraits;
   WoodAmounts resultWood;
   WoodAmounts referenceWood;
+  std::optional<LightInterception> resultLight; // of generalized cylinders; none if not asked for,
+  std::optional<LightInterception> referenceLight; // or if no node has a radius
   std::vector<double> radiusLimits;  // of the classes of both [L]: those of the reference
   std::vector<std::string> warnings; // a line each: what makes the numbers doubtful
   std::string shiftWarning; // the one of them that tells of the shift; empty if there is none

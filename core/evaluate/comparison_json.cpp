@@ -1,5 +1,7 @@
 #include "core/evaluate/comparison_json.h"
 
+#include "core/evaluate/traits_json.h"
+
 #include <nlohmann/json.hpp>
 
 #include <numbers>
@@ -63,19 +65,6 @@ Json toJson(const Registration& registration) {
           {"reach", registration.reach},
           {"residual_before", registration.residualBefore},
           {"residual_after", registration.residualAfter}};
-}
-
-Json toJson(const Traits& traits) {
-  return {{"nodes", traits.nodes},
-          {"roots", traits.roots},
-          {"tips", traits.tips},
-          {"branchings", traits.branchings},
-          {"segments", traits.segments},
-          {"length", traits.length},
-          {"median_edge", traits.medianEdge},
-          {"extent", toJson(traits.extent)},
-          {"axes_by_order", traits.axesByOrder},
-          {"length_by_order", traits.lengthByOrder}};
 }
 
 Json toJson(const EditComparison& edit) {
@@ -186,6 +175,9 @@ nlohmann::ordered_json toJson(const Comparison& comparison) {
   json["wood"] = {{"radius_limits", comparison.radiusLimits},
                   {"result", toJson(comparison.resultWood)},
                   {"reference", toJson(comparison.referenceWood)}};
+  json["light"] = {
+      {"result", comparison.resultLight ? toJson(*comparison.resultLight) : Json()},
+      {"reference", comparison.referenceLight ? toJson(*comparison.referenceLight) : Json()}};
   json["warnings"] = comparison.warnings;
   return json;
 }

@@ -20,7 +20,9 @@ namespace espalier {
 ///   shift        [x, y, z] by which the result was moved; zeros if it was not registered
 ///   registration rotation, reach, residual_before, residual_after; null if not registered
 ///   traits       {result,reference}.{nodes,roots,tips,branchings,segments,length,median_edge,
-///                extent,axes_by_order,length_by_order},
+///                extent,axes_by_order,length_by_order,strahler[].{streams,length},
+///                branching_angles[].{count,mean,deviation}, divergence likewise, divergences,
+///                crown.{height,base_height,depth,area,diameter,spread}},
 ///                {matched_tips,matched_branchings}.{distance,matched,precision,recall,f}
 ///   diadem       distance, landmarks, matched, connected, score
 ///   path_lengths distance, pairs, found, connected, mean_error, median_error, within_tenth
@@ -30,6 +32,8 @@ namespace espalier {
 ///                precision,recall}
 ///   wood         radius_limits, {result,reference}.{whole,by_order[],by_radius[]}.{edges,length,
 ///                area,volume}
+///   light        {result,reference}.{area,star,directions[].{elevation,azimuth,weight,silhouette,
+///                star},convergence[].{pixels,star}}; null unless asked for
 ///   warnings[]   a line each
 [[nodiscard]] nlohmann::ordered_json toJson(const Comparison& comparison);
 

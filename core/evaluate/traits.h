@@ -1,5 +1,8 @@
 #pragma once
 
+#include "core/evaluate/branch_angles.h"
+#include "core/evaluate/crown.h"
+#include "core/evaluate/strahler.h"
 #include "core/skeleton/skeleton.h"
 
 #include <Eigen/Core>
@@ -21,6 +24,10 @@ struct Traits {
   Eigen::Vector3d extent = Eigen::Vector3d::Zero(); // sides of the bounding box [L]
   std::vector<std::size_t> axesByOrder;             // order 0 first
   std::vector<double> lengthByOrder; // of these axes, with the edges they hang on [L]
+  std::vector<StrahlerOrder>
+      strahler; // number 1 first: as many as the Strahler number of the plant
+  BranchAngles angles;
+  CrownDimensions crown;
 };
 
 /// Zero and empty for an empty skeleton. Time and memory O(N log N).

@@ -17,7 +17,6 @@ using test::Outcome;
 using test::runProgram;
 using testing::HasSubstr;
 using testing::IsEmpty;
-using testing::Not;
 
 class Evaluate : public testing::Test {
 protected:
@@ -49,6 +48,35 @@ protected:
   std::filesystem::path folder_ = test::freshFolder();
   std::string truth_ = test::sample("young_tree.mtg");
 };
+
+TEST_F(Evaluate, TellsWhatTheAuthorsIndicesHide) {
+  const std::string told = runProgram({"evaluate", truth_, truth_, "--json", file("a.json")}).out;
+  EXPECT_THAT(told, HasSubstr("over all segments of the reference, structural index 1.000; "
+                              "one to many, geometric index 1.000\n"));
+  EXPECT_THAT(told, HasSubstr(" precision     recall          F   capped G   capped T\n"));
+  const json numbers = json::parse(test::bytesOf(file("a.json")));
+  EXPECT_EQ(numbers["authors"]["structural_of_all"], 1);
+  EXPECT_EQ(numbers["authors"]["one_to_many"]["geometric"], 1);
+  ASSERT_EQ(numbers["capped"].size(), numbers["tolerance"].size());
+  for (std::size_t k = 0; k < numbers["capped"].size(); ++k) {
+    EXPECT_EQ(numbers["capped"][k]["distance"], numbers["tolerance"][k]["distance"]);
+    for (const char* key : {"mapping", "geometric", "structural", "structural_of_all"})
+      EXPECT_EQ(numbers["capped"][k][key], 1) << key;
+  }
+}
+
+TEST_F(Evaluate, TellsWhatHangsOnWhat) {
+  const std::string told = runProgram({"evaluate", truth_, truth_, "--json", file("a.json")}).out;
+  EXPECT_THAT(told, HasSubstr("DIADEM-like score 1.000\n  100.0% of ways along the plant"));
+  EXPECT_THAT(told,
+              HasSubstr("100.0% of the length is of the same order, 100.0% on the same axis"));
+  const json numbers = json::parse(test::bytesOf(file("a.json")));
+  EXPECT_EQ(numbers["diadem"]["score"], 1);
+  EXPECT_EQ(numbers["diadem"]["connected"], numbers["diadem"]["landmarks"]);
+  EXPECT_EQ(numbers["path_lengths"]["within_tenth"], 1);
+  EXPECT_EQ(numbers["architecture"]["same_axis"], 1);
+  EXPECT_EQ(numbers["architecture"]["same_edge"], 1);
+}
 
 TEST_F(Evaluate, RanksSeveralResultsTheBestFirst) {
   ASSERT_EQ(runProgram({"reconstruct", test::sample("young_tree.ply"), "-o", file("a.mtg")}).status,
@@ -96,12 +124,43 @@ TEST_F(Evaluate, WritesTheNumbersOfAPairAsATable) {
 
 TEST_F(Evaluate, RefusesWhatARankingDoesNotTell) {
   expectRefusal(runProgram({"evaluate", truth_, truth_, truth_, "--where"}), 2,
-                {"--where and --merge-paths tell of one result"});
+                {"--where, --traits, --light and --merge-paths tell of one result"});
   expectRefusal(runProgram({"evaluate", truth_, truth_, "--rank-by", "beauty"}), 2,
                 {"choose one of geometric, structural"});
   expectRefusal(runProgram({"evaluate", truth_}), 2, {"REFERENCE is required"});
   expectRefusal(runProgram({"evaluate", truth_, truth_, "--csv", truth_}), 1,
                 {"would be replaced"});
+}
+
+TEST_F(Evaluate, TellsTheTraitsOfBoth) {
+  const std::string told = runProgram({"evaluate", fork("a.txt"), fork("b.txt", 2), "--no-register",
+                                       "--traits", "--json", file("a.json")})
+                               .out;
+  EXPECT_THAT(told, HasSubstr("               traits       result    reference   difference\n"));
+  EXPECT_THAT(told, HasSubstr("               height            2            4       -50.0%\n"));
+  EXPECT_THAT(told, HasSubstr("      Strahler number            2            2         0.0%\n"));
+  const json traits = json::parse(test::bytesOf(file("a.json")))["traits"]["result"];
+  EXPECT_EQ(traits["crown"]["height"], 2);
+  EXPECT_EQ(traits["crown"]["base_height"], 1);
+  EXPECT_EQ(traits["strahler"].size(), 2U);
+  EXPECT_NEAR(traits["branching_angles"][0]["mean"].get<double>(), 45, 1e-9);
+}
+
+TEST_F(Evaluate, TellsTheLightOfBoth) {
+  const Outcome told = runProgram({"evaluate", truth_, fork("f.txt"), "--no-register", "--light",
+                                   "--pixels", "256", "--json", file("a.json")});
+  ASSERT_EQ(told.status, 0) << told.err;
+  EXPECT_THAT(told.out, HasSubstr("silhouette to total area (STAR), overcast sky"));
+  const json light = json::parse(test::bytesOf(file("a.json")))["light"];
+  EXPECT_EQ(light["result"]["directions"].size(), 46U);
+  EXPECT_EQ(light["reference"]["convergence"][3]["pixels"], 256);
+  const double star = light["reference"]["star"];
+  EXPECT_GT(star, 0.15); // of three rods that hardly hide each other: about a quarter
+  EXPECT_LT(star, 0.3);
+  const std::string bare = plant("bare.txt", {"1\t\t<\t0\t0\t0\t0", "2\t1\t<\t0\t0\t1\t0"});
+  const Outcome without = runProgram({"evaluate", bare, fork("f.txt"), "--light"});
+  EXPECT_EQ(without.status, 0);
+  EXPECT_THAT(without.err, HasSubstr("the result has no radii: its light is left out"));
 }
 
 TEST_F(Evaluate, SaysThatAFileHoldsTwoPlants) {

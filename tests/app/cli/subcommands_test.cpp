@@ -154,35 +154,6 @@ TEST_F(Subcommands, EvaluateMeasuresAgainstTheTruth) {
   EXPECT_TRUE(numbers["registration"].is_object());
 }
 
-TEST_F(Subcommands, EvaluateTellsWhatTheAuthorsIndicesHide) {
-  const std::string told = run({"evaluate", truth_, truth_, "--json", file("a.json")});
-  EXPECT_THAT(told, HasSubstr("over all segments of the reference, structural index 1.000; "
-                              "one to many, geometric index 1.000\n"));
-  EXPECT_THAT(told, HasSubstr(" precision     recall          F   capped G   capped T\n"));
-  const json numbers = jsonIn(file("a.json"));
-  EXPECT_EQ(numbers["authors"]["structural_of_all"], 1);
-  EXPECT_EQ(numbers["authors"]["one_to_many"]["geometric"], 1);
-  ASSERT_EQ(numbers["capped"].size(), numbers["tolerance"].size());
-  for (std::size_t k = 0; k < numbers["capped"].size(); ++k) {
-    EXPECT_EQ(numbers["capped"][k]["distance"], numbers["tolerance"][k]["distance"]);
-    for (const char* key : {"mapping", "geometric", "structural", "structural_of_all"})
-      EXPECT_EQ(numbers["capped"][k][key], 1) << key;
-  }
-}
-
-TEST_F(Subcommands, EvaluateTellsWhatHangsOnWhat) {
-  const std::string told = run({"evaluate", truth_, truth_, "--json", file("a.json")});
-  EXPECT_THAT(told, HasSubstr("DIADEM-like score 1.000\n  100.0% of ways along the plant"));
-  EXPECT_THAT(told,
-              HasSubstr("100.0% of the length is of the same order, 100.0% on the same axis"));
-  const json numbers = jsonIn(file("a.json"));
-  EXPECT_EQ(numbers["diadem"]["score"], 1);
-  EXPECT_EQ(numbers["diadem"]["connected"], numbers["diadem"]["landmarks"]);
-  EXPECT_EQ(numbers["path_lengths"]["within_tenth"], 1);
-  EXPECT_EQ(numbers["architecture"]["same_axis"], 1);
-  EXPECT_EQ(numbers["architecture"]["same_edge"], 1);
-}
-
 TEST_F(Subcommands, EvaluateCountsEditsAsAsked) {
   const std::string told = run({"evaluate", truth_, truth_, "--edit-unit", "axis", "--edit-cost",
                                 "shape", "--merge-paths", "--json", file("a.json")});

@@ -1,0 +1,77 @@
+#include "core/evaluate/traits_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include <numbers>
+
+namespace espalier {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double degrees(double radians) {
+  return radians * 180 / std::numbers::pi;
+}
+
+Json toJson(const AngleSummary& summary) {
+  return {{"count", summary.count},
+          {"mean", degrees(summary.mean)},
+          {"deviation", degrees(summary.deviation)}};
+}
+
+Json toJson(const StrahlerOrder& order) {
+  return {{"streams", order.streams}, {"length", order.length}};
+}
+
+Json toJson(const CrownDimensions& crown) {
+  return {{"height", crown.height}, {"base_height", crown.baseHeight}, {"depth", crown.depth},
+          {"area", crown.area},     {"diameter", crown.diameter},      {"spread", crown.spread}};
+}
+
+Json toJson(const DirectionalStar& each) {
+  return {{"elevation", degrees(each.elevation)},
+          {"azimuth", degrees(each.azimuth)},
+          {"weight", each.weight},
+          {"silhouette", each.silhouette},
+          {"star", each.star}};
+}
+
+Json toJson(const StarAtPixels& each) {
+  return {{"pixels", each.pixels}, {"star", each.star}};
+}
+
+template <class Part> Json listOf(const std::vector<Part>& parts) {
+  Json list = Json::array();
+  for (const Part& part : parts)
+    list.push_back(toJson(part));
+  return list;
+}
+
+} // namespace
+
+nlohmann::ordered_json toJson(const Traits& traits) {
+  return {{"nodes", traits.nodes},
+          {"roots", traits.roots},
+          {"tips", traits.tips},
+          {"branchings", traits.branchings},
+          {"segments", traits.segments},
+          {"length", traits.length},
+          {"median_edge", traits.medianEdge},
+          {"extent", Json::array({traits.extent.x(), traits.extent.y(), traits.extent.z()})},
+          {"axes_by_order", traits.axesByOrder},
+          {"length_by_order", traits.lengthByOrder},
+          {"strahler", listOf(traits.strahler)},
+          {"branching_angles", listOf(traits.angles.byOrder)},
+          {"divergence", toJson(traits.angles.divergence)},
+          {"divergences", traits.angles.divergences},
+          {"crown", toJson(traits.crown)}};
+}
+
+nlohmann::ordered_json toJson(const LightInterception& light) {
+  return {{"area", light.area},
+          {"star", light.star},
+          {"directions", listOf(light.directions)},
+          {"convergence", listOf(light.convergence)}};
+}
+
+} // namespace espalier

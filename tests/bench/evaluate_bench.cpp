@@ -1,8 +1,13 @@
 // Times how a skeleton is measured against another: grown plants, one with each twentieth node
 // gone.
 #include "core/evaluate/authors_comparison.h"
+#include "core/evaluate/comparison.h"
 #include "core/evaluate/edit_comparison.h"
+#include "core/evaluate/light_interception.h"
+#include "core/io/formats.h"
 #include "core/simulate/plant_grower.h"
+#include "core/surface/generalized_cylinders.h"
+#include "tests/support/shared_data.h"
 
 #include <benchmark/benchmark.h>
 
@@ -49,6 +54,41 @@ void authorsIndices(benchmark::State& state) {
     benchmark::DoNotOptimize(authorsComparison(pair.result, pair.reference));
 }
 BENCHMARK(authorsIndices)->Arg(1000)->Arg(4000)->Unit(benchmark::kMillisecond);
+
+/// All that `evaluate` tells: to be under 15 s and 2 GB for 20 000 segments a side.
+void wholeComparisons(benchmark::State& state) {
+  const Pair pair = pairOf(static_cast<int>(state.range(0)));
+  std::size_t segments = 0;
+  for (auto round : state) {
+    const Comparison comparison = compare(pair.result, pair.reference);
+    segments = comparison.authors.referenceSegments.size();
+    benchmark::DoNotOptimize(comparison);
+  }
+  state.counters["segments"] = static_cast<double>(segments);
+}
+BENCHMARK(wholeComparisons)->Arg(1000)->Arg(20000)->Unit(benchmark::kMillisecond);
+
+/// The pine of the thesis against the expert's: to be under a second.
+void pineComparisons(benchmark::State& state) {
+  const auto automatic = test::sharedFile("puu1/thesis_automatic.mtg");
+  const auto expert = test::sharedFile("puu1/expert.mtg");
+  if (!automatic || !expert) return state.SkipWithError("shared data not found");
+  const Skeleton result = readStructure(*automatic).value.skeleton;
+  const Skeleton reference = readStructure(*expert).value.skeleton;
+  for (auto round : state)
+    benchmark::DoNotOptimize(compare(result, reference));
+}
+BENCHMARK(pineComparisons)->Unit(benchmark::kMillisecond);
+
+/// Light over 46 directions at four resolutions: to be under 3 s for 500 000 triangles.
+void light(benchmark::State& state) {
+  const Skeleton plant = growPlant({.segments = static_cast<int>(state.range(0))}, 1);
+  const SurfaceMesh mesh = surfaceByGeneralizedCylinders(plant);
+  for (auto round : state)
+    benchmark::DoNotOptimize(lightInterception(mesh));
+  state.counters["triangles"] = static_cast<double>(mesh.n_faces());
+}
+BENCHMARK(light)->Arg(1000)->Arg(4000)->Unit(benchmark::kMillisecond);
 
 } // namespace
 } // namespace espalier

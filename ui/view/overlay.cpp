@@ -96,6 +96,12 @@ std::vector<Legend> legendsOf(const Scene& scene, const QString& unit) {
   }
   if (const auto legend = scene.nodeLegend(); legend && scene.skeletonVisible)
     legends.push_back(*legend);
+  const auto isListed = [&](const Legend& legend) {
+    return std::ranges::any_of(legends, [&](const Legend& each) { return each == legend; });
+  };
+  if (const auto legend = scene.referenceLegend();
+      legend && scene.referenceVisible && !isListed(*legend)) // both may share one
+    legends.push_back(*legend);
   return legends;
 }
 

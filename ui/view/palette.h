@@ -13,6 +13,7 @@ struct Palette {
   Color point;      // where points have no color of their own
   Color contracted; // the accent
   Color successor;
+  Color reference; // the structure that the skeleton is compared with
   Color branching{0xd5, 0x5e, 0x00};
   Color selected{0xe6, 0x9f, 0x00};
   Color hovered{0x56, 0xb4, 0xe9};
@@ -29,6 +30,7 @@ struct Palette {
             .point = {0x8d, 0x98, 0x94},
             .contracted = {0x5c, 0xc4, 0x8d},
             .successor = {0xf4, 0xf4, 0xf0},
+            .reference = {0x3d, 0x9d, 0xdc},
             .outline = {0x10, 0x12, 0x14},
             .relief = 1.4F,
             .solid = {0xc9, 0xbe, 0xae}};
@@ -38,6 +40,7 @@ struct Palette {
           .point = {0x86, 0x90, 0x8b},
           .contracted = {0x2f, 0x8f, 0x5b},
           .successor = {0x16, 0x18, 0x1a},
+          .reference = {0x00, 0x72, 0xb2},
           .outline = {0xff, 0xff, 0xff},
           .relief = 0.8F, // dark points would swallow the dark skeleton
           .solid = {0xa8, 0x9c, 0x8a}};

@@ -18,7 +18,8 @@ void PlantProp::show(Scene& scene, std::shared_ptr<SceneBuffers> buffers) {
   scene_ = &scene;
   buffers_ = std::move(buffers);
   points_ = std::make_unique<PointPass>(scene, *buffers_);
-  skeleton_ = std::make_unique<SkeletonPass>(scene, *buffers_);
+  reference_ = std::make_unique<SkeletonPass>(scene, *buffers_, SkeletonPass::What::reference);
+  skeleton_ = std::make_unique<SkeletonPass>(scene, *buffers_, SkeletonPass::What::skeleton);
 }
 
 void PlantProp::leaveBuffers(bool isCurrent) {
@@ -53,6 +54,7 @@ int PlantProp::RenderOpaqueGeometry(vtkViewport* viewport) {
     shade_.shade(drawn, points_->picture(), palette(scene_->dark), relief);
   wasRelief_ = relief;
   shade_.copy(drawn, points_->picture(), scene_->showRadii);
+  reference_->draw(drawn);
   skeleton_->draw(drawn);
   result_ = {points.complete, points.drawn};
   return 1;
@@ -61,6 +63,7 @@ int PlantProp::RenderOpaqueGeometry(vtkViewport* viewport) {
 void PlantProp::ReleaseGraphicsResources(vtkWindow* window) {
   points_->release();
   shade_.release();
+  reference_->release();
   skeleton_->release();
   leaveBuffers(true);
   vtkProp::ReleaseGraphicsResources(window);

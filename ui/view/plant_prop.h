@@ -11,7 +11,8 @@
 
 namespace espalier {
 
-/// The scene as one thing that VTK draws: points, then the relief, then the skeleton.
+/// The scene as one thing that VTK draws: points, then the relief, then the
+/// reference and the skeleton.
 // VTK counts references. NOLINTNEXTLINE(cppcoreguidelines-virtual-class-destructor)
 class PlantProp final : public vtkProp {
 public:
@@ -40,6 +41,7 @@ private:
   bool hasJoined_ = false; // the buffers
   std::unique_ptr<PointPass> points_;
   ShadePass shade_;
+  std::unique_ptr<SkeletonPass> reference_;
   std::unique_ptr<SkeletonPass> skeleton_;
   PlantRenderer::Frame frame_;
   PlantRenderer::Result result_{};

@@ -23,9 +23,10 @@
 
 namespace espalier {
 
-enum class Layer { points, contracted, skeleton };
+enum class Layer { points, contracted, skeleton, reference };
 
-/// The 3D view of a plant: its points, its contracted points, and its skeleton.
+/// The 3D view of a plant: its points, its contracted points, its skeleton, and the reference that
+/// this is compared with.
 ///
 /// Mirrors what it is given and owns no plant data; it never edits. The mouse goes first to the
 /// input handler; what that does not take turns (left), pans (right) and zooms (middle, wheel) the
@@ -49,6 +50,10 @@ public:
   /// Redraws what an edit changed. Cost follows the size of the edit.
   void updateSkeleton(const Skeleton& skeleton, const SkeletonDelta& delta);
   void setSelection(const std::vector<NodeId>& nodes);
+  /// Drawn dotted behind the skeleton, and never picked. Forgets its colors and marks.
+  void setReference(const Skeleton& reference);              // empty: none
+  void setReferenceColors(std::optional<NodeColors> colors); // none: all alike
+  void setReferenceSelection(const std::vector<NodeId>& nodes);
   void setHovered(const Pick& pick);
   void hoverAgain(); // tells the handler what lies under the resting pointer now
 

@@ -15,6 +15,22 @@ void PlantView::setNodeColors(std::optional<NodeColors> colors) {
   parts_->redraw();
 }
 
+void PlantView::setReference(const Skeleton& reference) {
+  parts_->scene.reference.select({});
+  parts_->scene.setReference(reference);
+  parts_->redraw();
+}
+
+void PlantView::setReferenceColors(std::optional<NodeColors> colors) {
+  parts_->scene.setReferenceColors(std::move(colors));
+  parts_->redraw();
+}
+
+void PlantView::setReferenceSelection(const std::vector<NodeId>& nodes) {
+  parts_->scene.reference.select(nodes);
+  parts_->redrawSkeleton();
+}
+
 void PlantView::Parts::refreshColorBars() {
   const std::vector<Legend> legends =
       isFirst() ? legendsOf(scene, shared->unit) : std::vector<Legend>();
@@ -129,6 +145,9 @@ void PlantView::setLayerVisible(Layer layer, bool visible) {
     break;
   case Layer::skeleton:
     parts_->scene.skeletonVisible = visible;
+    break;
+  case Layer::reference:
+    parts_->scene.referenceVisible = visible;
     break;
   }
   parts_->redraw();

@@ -37,6 +37,7 @@ void Scene::setCloud(std::shared_ptr<const PointCloud> replacement) {
   points.set(cloud ? std::shared_ptr<const Eigen::Matrix3Xf>(cloud, &cloud->positions()) : nullptr);
   setPointColor(pointColor);
   skeleton.moveOrigin(origin());
+  reference.moveOrigin(origin());
 }
 
 void Scene::setSkeleton(const Skeleton& replacement) {
@@ -44,6 +45,13 @@ void Scene::setSkeleton(const Skeleton& replacement) {
   if (points.size() == 0 && !replacement.isEmpty())
     about = replacement[replacement.ids().front()].position;
   skeleton.rebuild(replacement, about);
+  reference.moveOrigin(about);
+}
+
+void Scene::setReference(const Skeleton& replacement) {
+  if (points.size() == 0 && skeleton.bounds().isEmpty() && !replacement.isEmpty())
+    skeleton.moveOrigin(replacement[replacement.ids().front()].position);
+  reference.rebuild(replacement, origin());
 }
 
 void Scene::setPointColor(PointColor color) {
@@ -67,6 +75,11 @@ void Scene::setNodeColors(std::optional<NodeColors> colors) {
   recolorNodes();
 }
 
+void Scene::setReferenceColors(std::optional<NodeColors> colors) {
+  reference.setColors(std::move(colors));
+  recolorNodes();
+}
+
 void Scene::setColorScales(const ColorScales& scales) {
   colorScales = scales;
   ++colorRevision;
@@ -82,6 +95,8 @@ void Scene::setDark(bool isDark) {
 void Scene::recolorNodes() {
   const std::optional<Legend> legend = nodeLegend();
   skeleton.setColorMap(legend ? std::optional(LegendColors(*legend, dark)) : std::nullopt);
+  const std::optional<Legend> other = referenceLegend();
+  reference.setColorMap(other ? std::optional(LegendColors(*other, dark)) : std::nullopt);
 }
 
 std::optional<Legend> Scene::pointLegend() const {
@@ -94,6 +109,11 @@ std::optional<Legend> Scene::nodeLegend() const {
   return given != nullptr ? std::optional(colorScales.ofNodes(*given)) : std::nullopt;
 }
 
+std::optional<Legend> Scene::referenceLegend() const {
+  const Legend* given = reference.legend();
+  return given != nullptr ? std::optional(colorScales.ofNodes(*given)) : std::nullopt;
+}
+
 ClipVolume Scene::clipVolume(const Camera& camera) const {
   return {clip, bounds(), origin(), camera};
 }
@@ -103,7 +123,7 @@ Eigen::Vector3d Scene::origin() const {
 }
 
 Eigen::AlignedBox3d Scene::bounds() const {
-  Eigen::AlignedBox3d box = skeleton.bounds();
+  Eigen::AlignedBox3d box = skeleton.bounds().merged(reference.bounds());
   for (const PointLayer* layer : {&points, &contracted}) {
     const Eigen::AlignedBox3f local = layer->boxes.bounds();
     if (local.isEmpty()) continue;
@@ -116,8 +136,9 @@ Eigen::AlignedBox3d Scene::bounds() const {
 std::vector<Eigen::Vector3d> Scene::outline() const {
   constexpr Eigen::Index sample = 5000; // points of a layer
   std::vector<Eigen::Vector3d> places;
-  for (std::size_t slot = 0; slot < skeleton.nodes().size(); ++slot)
-    if (skeleton.nodes()[slot].shape != NodeShape::none) places.push_back(skeleton.position(slot));
+  for (const SkeletonGlyphs* glyphs : {&skeleton, &reference})
+    for (std::size_t slot = 0; slot < glyphs->nodes().size(); ++slot)
+      if (glyphs->nodes()[slot].shape != NodeShape::none) places.push_back(glyphs->position(slot));
   for (const PointLayer* layer : {&points, &contracted})
     for (Eigen::Index i = 0; i < layer->size(); i += 1 + layer->size() / sample)
       places.emplace_back(layer->positions->col(i).cast<double>() + origin());

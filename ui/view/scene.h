@@ -34,7 +34,9 @@ struct Scene {
   PointLayer points;
   PointLayer contracted;
   SkeletonGlyphs skeleton;
+  SkeletonGlyphs reference; // what it is compared with; drawn, never picked
   bool skeletonVisible = true;
+  bool referenceVisible = true;
 
   PointColor pointColor = PointColor::height;
   std::optional<Legend> colorLegend;      // of `cloud` by `pointColor`, as given
@@ -50,16 +52,19 @@ struct Scene {
 
   void setCloud(std::shared_ptr<const PointCloud> replacement);
   void setSkeleton(const Skeleton& replacement);
+  void setReference(const Skeleton& replacement); // empty: none
   void setPointColor(PointColor color);
   void setPointStates(std::shared_ptr<const std::vector<PointState>> states);
   void setPointValues(std::optional<PointValues> values);
   void setNodeColors(std::optional<NodeColors> colors);
+  void setReferenceColors(std::optional<NodeColors> colors);
   void setColorScales(const ColorScales& scales);
   void setDark(bool isDark);
 
   /// What points and nodes are colored by, on the scale that is chosen; none: not by value.
   [[nodiscard]] std::optional<Legend> pointLegend() const;
   [[nodiscard]] std::optional<Legend> nodeLegend() const;
+  [[nodiscard]] std::optional<Legend> referenceLegend() const;
 
   /// Is a point of the cloud drawn, as long as its layer is?
   [[nodiscard]] bool isPointShown(Eigen::Index point) const {
@@ -69,7 +74,7 @@ struct Scene {
   /// What is shown from a camera.
   [[nodiscard]] ClipVolume clipVolume(const Camera& camera) const;
 
-  /// What float coordinates are counted from [L]: the cloud's origin, else the skeleton's.
+  /// What float coordinates are counted from [L]: the cloud's origin, else that of the glyphs.
   [[nodiscard]] Eigen::Vector3d origin() const;
   /// Encloses all there is, shown or not [L], frame of the file; empty if there is nothing.
   [[nodiscard]] Eigen::AlignedBox3d bounds() const;

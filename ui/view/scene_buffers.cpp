@@ -75,6 +75,11 @@ void uploadChanges(GlBuffer& buffer, const std::vector<Glyph>& glyphs, const Slo
   }
 }
 
+void upload(SceneBuffers::Glyphs& buffers, SkeletonGlyphs& glyphs) {
+  uploadChanges(buffers.nodes, glyphs.nodes(), glyphs.takeChangedNodes());
+  uploadChanges(buffers.edges, glyphs.edges(), glyphs.takeChangedEdges());
+}
+
 } // namespace
 
 void SceneBuffers::uploadPoints(const Scene& scene) {
@@ -90,8 +95,11 @@ void SceneBuffers::uploadPoints(const Scene& scene) {
 }
 
 void SceneBuffers::uploadSkeleton(Scene& scene) {
-  uploadChanges(nodes_, scene.skeleton.nodes(), scene.skeleton.takeChangedNodes());
-  uploadChanges(edges_, scene.skeleton.edges(), scene.skeleton.takeChangedEdges());
+  upload(skeleton_, scene.skeleton);
+}
+
+void SceneBuffers::uploadReference(Scene& scene) {
+  upload(reference_, scene.reference);
 }
 
 const GlBuffer& SceneBuffers::quads(std::size_t count) {
@@ -110,7 +118,8 @@ const GlBuffer& SceneBuffers::quads(std::size_t count) {
 std::size_t SceneBuffers::bytes() const {
   std::size_t bytes = 0;
   for (const GlBuffer* buffer :
-       {&cloud_.positions, &cloud_.colors, &contracted_.positions, &nodes_, &edges_, &quads_})
+       {&cloud_.positions, &cloud_.colors, &contracted_.positions, &skeleton_.nodes,
+        &skeleton_.edges, &reference_.nodes, &reference_.edges, &quads_})
     bytes += buffer->size();
   return bytes;
 }
@@ -118,7 +127,8 @@ std::size_t SceneBuffers::bytes() const {
 void SceneBuffers::leave(bool isCurrent) {
   if (--users_ > 0) return;
   for (GlBuffer* buffer :
-       {&cloud_.positions, &cloud_.colors, &contracted_.positions, &nodes_, &edges_, &quads_})
+       {&cloud_.positions, &cloud_.colors, &contracted_.positions, &skeleton_.nodes,
+        &skeleton_.edges, &reference_.nodes, &reference_.edges, &quads_})
     if (isCurrent) buffer->release();
   *this = {};
 }

@@ -18,14 +18,20 @@ public:
     std::uint64_t colorRevision = 0;
   };
 
+  struct Glyphs {
+    GlBuffer nodes;
+    GlBuffer edges;
+  };
+
   // What changed since the last upload, no more; a context must be current.
   void uploadPoints(const Scene& scene);
-  void uploadSkeleton(Scene& scene); // takes from the scene what changed
+  void uploadSkeleton(Scene& scene);  // takes from the scene what changed
+  void uploadReference(Scene& scene); // likewise
 
   [[nodiscard]] const Points& cloud() const { return cloud_; }
   [[nodiscard]] const Points& contracted() const { return contracted_; }
-  [[nodiscard]] const GlBuffer& nodes() const { return nodes_; }
-  [[nodiscard]] const GlBuffer& edges() const { return edges_; }
+  [[nodiscard]] const Glyphs& skeleton() const { return skeleton_; }
+  [[nodiscard]] const Glyphs& reference() const { return reference_; }
   /// Which corners make the triangles of glyphs: of `count` at least.
   [[nodiscard]] const GlBuffer& quads(std::size_t count);
   [[nodiscard]] std::size_t bytes() const; // in all
@@ -38,8 +44,8 @@ public:
 private:
   Points cloud_;
   Points contracted_;
-  GlBuffer nodes_;
-  GlBuffer edges_;
+  Glyphs skeleton_;
+  Glyphs reference_;
   GlBuffer quads_;
   int users_ = 0;
 };

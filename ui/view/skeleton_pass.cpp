@@ -40,8 +40,12 @@ Eigen::Vector2f depthsOf(const SkeletonGlyphs& skeleton, const DrawSettings& set
 } // namespace
 
 void SkeletonPass::draw(const DrawSettings& settings) {
-  if (!scene_.skeletonVisible || scene_.skeleton.nodes().empty()) return;
-  buffers_.uploadSkeleton(scene_);
+  const bool isVisible = isReference_ ? scene_.referenceVisible : scene_.skeletonVisible;
+  if (!isVisible || glyphs().nodes().empty()) return;
+  if (isReference_)
+    buffers_.uploadReference(scene_);
+  else
+    buffers_.uploadSkeleton(scene_);
   vtkOpenGLState* state = settings.window->GetState();
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthMask(GL_TRUE);
@@ -55,7 +59,7 @@ void SkeletonPass::draw(const DrawSettings& settings) {
   drawEdges(settings);
   for (GLenum side = 0; side < clipSides; ++side)
     glDisable(GL_CLIP_DISTANCE0 + side);
-  if (scene_.showRadii) drawNodes(settings, true);
+  if (scene_.showRadii && !isReference_) drawNodes(settings, true);
   drawNodes(settings, false);
   glBindVertexArray(0);
 }
@@ -70,13 +74,16 @@ void SkeletonPass::setCommon(vtkShaderProgram& program, const DrawSettings& sett
   program.SetUniformf("pixelSize", settings.pixelSize);
   program.SetUniformi("perspective", settings.perspective ? 1 : 0);
   const Palette colors = palette(scene_.dark);
-  setColor(program, "successorColor", isSolid ? colors.solid : colors.successor);
-  setColor(program, "branchingColor", isSolid ? colors.solid : colors.branching);
+  const Color& successor = isReference_ ? colors.reference : colors.successor;
+  const Color& branching = isReference_ ? colors.reference : colors.branching;
+  setColor(program, "successorColor", isSolid ? colors.solid : successor);
+  setColor(program, "branchingColor", isSolid ? colors.solid : branching);
+  program.SetUniformi("isReference", isReference_ ? 1 : 0);
   setColor(program, "selectedColor", colors.selected);
   setColor(program, "hoveredColor", colors.hovered);
   setColor(program, "outlineColor", colors.outline);
   setColor(program, "backgroundColor", colors.backgroundBottom);
-  const Eigen::Vector2f depths = depthsOf(scene_.skeleton, settings, scene_.origin());
+  const Eigen::Vector2f depths = depthsOf(glyphs(), settings, scene_.origin());
   program.SetUniform2f("depths", depths.data());
   program.SetUniformf("roominess", roominess(settings));
   program.SetUniformf("depthFade", settings.depthFade);
@@ -85,19 +92,19 @@ void SkeletonPass::setCommon(vtkShaderProgram& program, const DrawSettings& sett
 
 void SkeletonPass::drawEdges(const DrawSettings& settings) {
   using namespace shaders;
-  const bool tubes = scene_.showRadii;
+  const bool tubes = scene_.showRadii && !isReference_; // dots would not be seen on them
   vtkShaderProgram& program = readyProgram(*settings.window, tubes ? tubeVertex : lineVertex,
                                            tubes ? tubeFragment : lineFragment);
   setCommon(program, settings, tubes);
   if (edgeArray_ == 0) glGenVertexArrays(1, &edgeArray_);
   glBindVertexArray(edgeArray_);
-  buffers_.edges().bind();
+  buffers().edges.bind();
   const std::size_t stride = sizeof(EdgeGlyph);
   addAttribute(0, 4, GL_FLOAT, stride, offsetof(EdgeGlyph, parent));
   addAttribute(1, 4, GL_FLOAT, stride, offsetof(EdgeGlyph, child));
   addAttribute(2, 4, GL_UNSIGNED_BYTE, stride, offsetof(EdgeGlyph, shape));
   addAttribute(3, 4, GL_UNSIGNED_BYTE, stride, offsetof(EdgeGlyph, color));
-  drawQuads(scene_.skeleton.edges().size());
+  drawQuads(glyphs().edges().size());
 }
 
 void SkeletonPass::drawNodes(const DrawSettings& settings, bool spheres) {
@@ -109,12 +116,12 @@ void SkeletonPass::drawNodes(const DrawSettings& settings, bool spheres) {
   program.SetUniformf("pushed", scene_.showRadii ? 1.1F : 0.0F);
   if (nodeArray_ == 0) glGenVertexArrays(1, &nodeArray_);
   glBindVertexArray(nodeArray_);
-  buffers_.nodes().bind();
+  buffers().nodes.bind();
   const std::size_t stride = sizeof(NodeGlyph);
   addAttribute(0, 4, GL_FLOAT, stride, offsetof(NodeGlyph, position));
   addAttribute(1, 4, GL_UNSIGNED_BYTE, stride, offsetof(NodeGlyph, shape));
   addAttribute(2, 4, GL_UNSIGNED_BYTE, stride, offsetof(NodeGlyph, color));
-  drawQuads(scene_.skeleton.nodes().size());
+  drawQuads(glyphs().nodes().size());
 }
 
 void SkeletonPass::drawQuads(std::size_t count) {
@@ -124,10 +131,10 @@ void SkeletonPass::drawQuads(std::size_t count) {
 
 float SkeletonPass::roominess(const DrawSettings& settings) const {
   constexpr float roomy = 16; // [logical pixels] between nodes
-  const Eigen::Vector3d middle = scene_.skeleton.bounds().center() - scene_.origin();
+  const Eigen::Vector3d middle = glyphs().bounds().center() - scene_.origin();
   const float depth = -(settings.toView * middle.cast<float>().homogeneous()).z();
   const float pixel = settings.pixelSize * (settings.perspective ? std::max(depth, 0.0F) : 1.0F);
-  const auto length = static_cast<float>(scene_.skeleton.typicalLength());
+  const auto length = static_cast<float>(glyphs().typicalLength());
   const float spacing = length / std::max(pixel * settings.pixelRatio, 1e-30F);
   return length > 0 ? std::min(spacing / roomy, 1.0F) : 1;
 }

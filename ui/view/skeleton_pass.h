@@ -4,12 +4,17 @@
 #include "ui/view/scene.h"
 #include "ui/view/scene_buffers.h"
 
+#include <cstdint>
+
 namespace espalier {
 
-/// Draws the skeleton over what is there: as lines and discs of constant size, or with its radii.
+/// Draws a skeleton over what is there: as lines and discs of constant size, or with its radii. The
+/// reference is dotted, and only those of its nodes that are marked are drawn.
 class SkeletonPass {
 public:
-  SkeletonPass(Scene& scene, SceneBuffers& buffers) : scene_(scene), buffers_(buffers) {}
+  enum class What : std::uint8_t { skeleton, reference };
+  SkeletonPass(Scene& scene, SceneBuffers& buffers, What what)
+      : scene_(scene), buffers_(buffers), isReference_(what == What::reference) {}
 
   void draw(const DrawSettings& settings);
   void release();
@@ -21,10 +26,17 @@ private:
   void setCommon(vtkShaderProgram& program, const DrawSettings& settings, bool isSolid) const;
   /// How much room nodes have on the screen, in [0, 1]: from far, discs of full size would hide
   /// the edges between them.
+  [[nodiscard]] const SkeletonGlyphs& glyphs() const {
+    return isReference_ ? scene_.reference : scene_.skeleton;
+  }
+  [[nodiscard]] const SceneBuffers::Glyphs& buffers() const {
+    return isReference_ ? buffers_.reference() : buffers_.skeleton();
+  }
   [[nodiscard]] float roominess(const DrawSettings& settings) const;
 
   Scene& scene_; // written only to take what changed
   SceneBuffers& buffers_;
+  bool isReference_;
   GLuint nodeArray_ = 0;
   GLuint edgeArray_ = 0;
 };

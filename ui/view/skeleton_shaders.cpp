@@ -18,6 +18,7 @@ namespace espalier::shaders {
   "uniform vec3 selectedColor;\n"                                                                  \
   "uniform vec3 hoveredColor;\n"                                                                   \
   "uniform vec3 backgroundColor;\n"                                                                \
+  "uniform int isReference;\n" /* that the skeleton is compared with */                            \
   "uniform float depthFade;\n"                                                                     \
   "uniform vec2 depths;\n"     /* nearest and farthest of the skeleton [L] */                      \
   "uniform float roominess;\n" /* 0: nodes crowd on the screen; 1: there is room for them */       \
@@ -87,7 +88,8 @@ void main() {
   color = hovered ? hoveredColor
                   : dressed(look.x > 1.5 ? branchingColor : successorColor, own, look.z,
                             0.5 * (a.z + b.z));
-  isDashed = look.x > 1.5 && total > 24.0 * pixelRatio ? 1.0 : 0.0;
+  bool isLong = total > (isReference == 1 ? 6.0 : 24.0) * pixelRatio;
+  isDashed = (isReference == 1 || look.x > 1.5) && isLong ? 1.0 : 0.0;
   vec4 clip = atChild ? clipB : clipA;
   vec2 screen = (atChild ? screenB : screenA) + vec2(-direction.y, direction.x) * across;
   // A part before the eye was cut off both: the place is found again from what is left.
@@ -100,6 +102,7 @@ void main() {
 const char* const lineFragment = R"(#version 330 core
 uniform vec3 outlineColor;
 uniform float pixelRatio;
+uniform int isReference;
 noperspective in float across;
 noperspective in float along;
 flat in float total;
@@ -112,7 +115,7 @@ void main() {
   float beyond = abs(across) - width; // outside the line, in pixels
   float line = clamp(0.5 - beyond, 0.0, 1.0);
   // Whole dashes only, so that both ends of the edge are drawn.
-  float period = total / (floor(total / (9.0 * pixelRatio)) + 0.6);
+  float period = total / (floor(total / ((isReference == 1 ? 5.0 : 9.0) * pixelRatio)) + 0.6);
   if (isDashed > 0.5 && fract(along / period) > 0.6) line = 0.0;
   float outline = 0.6 * clamp(0.5 - (beyond - pixelRatio), 0.0, 1.0);
   float alpha = max(line, outline);
@@ -204,6 +207,7 @@ void main() {
   int mark = int(look.y + 0.5);
   isUnitStart = int(look.z + 0.5);
   if (shape == 0) return;
+  if (isReference == 1 && mark == 0) return;
   if (spheres == 0 && roominess < 0.5 && shape != 2 && mark == 0 && isUnitStart == 0)
     return; // edges show enough
   place = (toView * vec4(center.xyz, 1.0)).xyz;

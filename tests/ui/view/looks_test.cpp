@@ -203,5 +203,61 @@ TEST_F(PointLooksTest, ForgetsLooksWithTheCloud) {
   EXPECT_GT(count(left_, plain), 5);
 }
 
+/// A stick beside that of the view.
+Skeleton besideIt() {
+  Skeleton reference = test::stick(3);
+  for (const NodeId id : reference.ids())
+    reference.setPosition(id, reference[id].position + Eigen::Vector3d(1, 0, 0));
+  return reference;
+}
+
+TEST_F(LooksTest, DrawsTheReferenceDottedWithoutNodesAndPicksNothingOfIt) {
+  const Color reference = palette(false).reference;
+  view_.setReference(besideIt());
+  int dots = 0; // changes between line and gap on the way up an edge
+  bool wasLine = false;
+  const QImage picture = view_.picture(view_.size());
+  for (double z = 0.1; z < 0.9; z += 0.01) {
+    const bool isLine = test::countPixels(picture, pixelOf({1, 0, z}), 0, reference, 60) > 0;
+    if (isLine != wasLine) ++dots;
+    wasLine = isLine;
+  }
+  EXPECT_GT(dots, 4);
+  EXPECT_FALSE(view_.pick(pixelOf({1, 0, 1})).node);
+  EXPECT_FALSE(view_.pick(pixelOf({1, 0, 0.5})).edge);
+  EXPECT_EQ(count({1, 0, 1}, palette(false).selected), 0);
+  view_.setReferenceSelection({NodeId{1}});
+  EXPECT_GT(count({1, 0, 1}, palette(false).selected), 3);
+  view_.setLayerVisible(Layer::reference, false);
+  EXPECT_EQ(test::countPixels(view_.picture(view_.size()), reference), 0);
+  view_.setLayerVisible(Layer::reference, true);
+  view_.setReference({});
+  EXPECT_EQ(test::countPixels(view_.picture(view_.size()), reference), 0);
+}
+
+TEST_F(LooksTest, ColorsTheReferenceWithTheSkeletonByOneLegend) {
+  view_.setReference(besideIt());
+  view_.setNodeColors(colors({0, 0, 0, 0, 0}));
+  const QRect corner(200, 0, 200, 90);
+  const int once = test::countPixels(view_.picture({400, 300}).copy(corner), red, 10);
+  view_.setReferenceColors(colors({1, 1, 1}));
+  EXPECT_GT(count({1, 0, 0.5}, blue), 0);
+  EXPECT_GT(count({0, 0, 0.5}, red), 0);
+  EXPECT_EQ(test::countPixels(view_.picture({400, 300}).copy(corner), red, 10), once)
+      << "the legend is not told twice";
+  view_.setReferenceColors(std::nullopt);
+  EXPECT_EQ(count({1, 0, 0.5}, blue), 0);
+}
+
+TEST_F(LooksTest, FramesTheReferenceToo) {
+  Skeleton far = test::stick(2);
+  far.setPosition(NodeId{1}, {30, 0, 0});
+  view_.setReference(far);
+  EXPECT_TRUE(view_.bounds().contains(Eigen::Vector3d(30, 0, 0)));
+  view_.frameAll();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return view_.isStill(); }));
+  EXPECT_TRUE(QRectF(view_.rect()).contains(pixelOf({30, 0, 0})));
+}
+
 } // namespace
 } // namespace espalier

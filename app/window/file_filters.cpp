@@ -58,6 +58,15 @@ QString readableFilters() {
   return filters.join(";;");
 }
 
+QString structureFilters() {
+  QStringList all;
+  for (const Format& format : formats())
+    if (format.content == Content::structure && format.canRead()) all.append(patternsOf(format));
+  all.append("*.espalier");
+  return FileFlow::tr("Skeletons and projects (%1)").arg(all.join(' ')) + ";;" +
+         FileFlow::tr("All files (*)");
+}
+
 QStringList writableFilters(bool hasScales) {
   QStringList filters;
   for (const Format& format : formats()) {

@@ -12,6 +12,9 @@ namespace espalier {
 /// All that can be opened, in one text.
 [[nodiscard]] QString readableFilters();
 
+/// All that has a skeleton, projects too, in one text.
+[[nodiscard]] QString structureFilters();
+
 /// All that a skeleton can be written as. An MTG of one without scales of its own can be of either
 /// style, each a kind of its own.
 [[nodiscard]] QStringList writableFilters(bool hasScales);

@@ -17,6 +17,7 @@
 #include "app/window/radius_flow.h"
 #include "app/window/recent_files.h"
 #include "app/window/reconstruct_flow.h"
+#include "app/window/reference_flow.h"
 #include "app/window/review_flow.h"
 #include "app/window/saved_views.h"
 #include "app/window/seal_flow.h"
@@ -107,6 +108,7 @@ MainWindow::MainWindow(QSettings& settings, QWidget* parent)
   connectReview();
   connectFindings();
   connectAtHand();
+  connectEvaluation();
   theme_->start();
   restoreGeometry(settings_.value("window/geometry").toByteArray());
   restoreState(settings_.value("window/state").toByteArray());
@@ -147,7 +149,8 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 
 void MainWindow::dropEvent(QDropEvent* event) {
   event->acceptProposedAction();
-  open(localFiles(*event->mimeData()));
+  const QStringList paths = localFiles(*event->mimeData());
+  if (!reference_->takesDropped(paths)) open(paths);
 }
 
 bool MainWindow::eventFilter(QObject* watched, QEvent* event) {

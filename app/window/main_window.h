@@ -35,6 +35,7 @@ class ProjectFlow;
 class RadiusFlow;
 class RecentFiles;
 class ReconstructFlow;
+class ReferenceFlow;
 class ReviewFlow;
 class ScanDistances;
 class SealFlow;
@@ -93,6 +94,7 @@ private:
   void connectReview();     // likewise
   void connectFindings();   // likewise
   void connectAtHand();     // likewise
+  void connectEvaluation(); // likewise
   void makeCenter();
   void makeDocks();
   void closePlant();
@@ -152,6 +154,7 @@ private:
   std::unique_ptr<ProjectFlow> projects_;
   std::unique_ptr<FileFlow> files_;
   std::unique_ptr<ReconstructFlow> reconstruct_;
+  std::unique_ptr<ReferenceFlow> reference_;
 };
 
 } // namespace espalier

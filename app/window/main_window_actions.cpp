@@ -12,6 +12,7 @@
 #include "app/window/preset_flow.h"
 #include "app/window/project_flow.h"
 #include "app/window/radius_flow.h"
+#include "app/window/reference_flow.h"
 #include "app/window/review_flow.h"
 #include "app/window/saved_views.h"
 #include "app/window/seal_flow.h"
@@ -81,6 +82,8 @@ void MainWindow::addActions() {
   const PanelDock::Parts panels{*actions_, settings_, *this};
   history_ = std::make_unique<HistoryFlow>(HistoryFlow::Parts{document_, *editing_, panels});
   nodeTable_ = std::make_unique<NodeTableFlow>(NodeTableFlow::Parts{document_, *editing_, panels});
+  reference_ = std::make_unique<ReferenceFlow>(
+      ReferenceFlow::Parts{document_, *view_, jobs_, *actions_, settings_, *this});
   addPanelActions();
   theme_ = new ThemeFlow({*actions_, settings_, *this});
   addHelpActions();

@@ -13,6 +13,7 @@
 #include "app/window/radius_flow.h"
 #include "app/window/recent_files.h"
 #include "app/window/reconstruct_flow.h"
+#include "app/window/reference_flow.h"
 #include "app/window/review_flow.h"
 #include "app/window/saved_views.h"
 #include "app/window/seal_flow.h"
@@ -237,6 +238,15 @@ void MainWindow::connectAtHand() {
   connect(theme_, &ThemeFlow::changed, view_, &PlantView::setDark);
   connect(history_.get(), &HistoryFlow::noted, status_, &StatusLine::showNote);
   connect(nodeTable_.get(), &NodeTableFlow::noted, status_, &StatusLine::showNote);
+}
+
+void MainWindow::connectEvaluation() {
+  projects_->keep({.name = "reference",
+                   .text = [this] { return reference_->text(); },
+                   .show = [this](const std::string& text) { reference_->show(text); }});
+  connect(reference_.get(), &ReferenceFlow::changed, projects_.get(), &ProjectFlow::noteChange);
+  connect(reference_.get(), &ReferenceFlow::noted, status_, &StatusLine::showNote);
+  connect(reference_.get(), &ReferenceFlow::openRequested, this, &MainWindow::open);
 }
 
 } // namespace espalier

@@ -84,8 +84,8 @@ void MainWindow::fillMenus() {
     recent->addAction(tr("Clear"), recent_.get(), &RecentFiles::clear);
   });
   add(*file, *actions_,
-      {"", "save", "save_as", "save_project_as", "", "export_structure", "keep_scan",
-       "compact_project", "", "close_plant", "quit"});
+      {"", "load_reference", "remove_reference", "", "save", "save_as", "save_project_as", "",
+       "export_structure", "keep_scan", "compact_project", "", "close_plant", "quit"});
 
   QMenu* edit = menuBar()->addMenu(tr("&Edit"));
   add(*edit, *actions_, {"undo", "redo", "", "copy", "", "accept", "next_way", "leave", ""});

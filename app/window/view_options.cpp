@@ -162,6 +162,11 @@ void ViewOptions::addLayers() {
                         .help = tr("Shows nodes and edges"),
                         .keys = QKeySequence(Qt::CTRL | Qt::Key_3),
                         .isCheckable = true});
+  add(Layer::reference, {.id = "layer_reference",
+                         .text = tr("Reference"),
+                         .help = tr("Shows the structure that the skeleton is compared with"),
+                         .keys = QKeySequence(Qt::CTRL | Qt::Key_6),
+                         .isCheckable = true});
   QAction* radii = actions_.add({.id = "true_radii",
                                  .text = tr("True Radii"),
                                  .help = tr("Draws edges as thick as the wood"),

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/skeleton/skeleton.h"
+
+#include <QString>
+
+#include <string>
+
+namespace espalier {
+
+/// The structure that the plant is compared with.
+struct Reference {
+  Skeleton skeleton;
+  QString path; // of the file it was read from
+  bool operator==(const Reference&) const = default;
+};
+
+/// As a project keeps it, exactly: {"path": "...", "nodes": [[parent, "<", x, y, z, radius], ...]},
+/// where a parent is the number of a node before, -1 for a root. Ids are not kept, nor what an MTG
+/// says of nodes. Empty without nodes.
+[[nodiscard]] std::string textOf(const Reference& reference);
+
+/// @throws Error if it is no such text
+[[nodiscard]] Reference referenceFrom(const std::string& text);
+
+} // namespace espalier

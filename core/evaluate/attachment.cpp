@@ -1,0 +1,195 @@
+#include "core/evaluate/attachment.h"
+
+#include "core/base/box_tree.h"
+#include "core/evaluate/near_edges.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace espalier {
+namespace {
+
+Eigen::Vector3d startOf(const Skeleton& skeleton, NodeId id) {
+  const Node& node = skeleton[id];
+  return node.parent ? skeleton[*node.parent].position : node.position;
+}
+
+BoxTree boxesOf(const Skeleton& skeleton, const std::vector<NodeId>& ids) {
+  std::vector<Eigen::AlignedBox3d> boxes;
+  for (const NodeId id : ids) {
+    Eigen::AlignedBox3d box(skeleton[id].position);
+    box.extend(startOf(skeleton, id));
+    boxes.push_back(box);
+  }
+  return BoxTree(std::move(boxes));
+}
+
+/// The place of an edge nearest to another, as a share of the way up.
+double nearestShare(const Eigen::Vector3d& start, const Eigen::Vector3d& end,
+                    const Eigen::Vector3d& place) {
+  const Eigen::Vector3d way = end - start;
+  const double squared = way.squaredNorm();
+  return squared > 0 ? std::clamp(way.dot(place - start) / squared, 0.0, 1.0) : 1;
+}
+
+} // namespace
+
+Attachments::Attachments(const Skeleton& result, const Skeleton& reference,
+                         const std::vector<Difference>& kinds, double tolerance)
+    : result_(result), reference_(reference), tolerance_(tolerance), slack_(4 * tolerance),
+      height_(reference.idEnd(), 0), first_(reference.idEnd(), 0), last_(reference.idEnd(), 0),
+      places_(result.idEnd()), standing_(reference.idEnd()) {
+  measureReference();
+  placeNodes(kinds);
+}
+
+void Attachments::measureReference() {
+  for (const NodeId id : reference_.ids())
+    if (const auto parent = reference_[id].parent)
+      height_[indexOf(id)] = height_[indexOf(*parent)] + edgeLength(reference_, id);
+  std::size_t number = 0; // depth first, so that what a node carries is one range
+  struct Visit {
+    NodeId id;
+    bool isLeft;
+  };
+  std::vector<Visit> open;
+  for (const NodeId root : reference_.roots())
+    open.push_back({root, false});
+  while (!open.empty()) {
+    const Visit visit = open.back();
+    open.pop_back();
+    if (visit.isLeft) {
+      last_[indexOf(visit.id)] = number;
+      continue;
+    }
+    first_[indexOf(visit.id)] = number++;
+    open.push_back({visit.id, true});
+    for (const NodeId child : reference_.children(visit.id))
+      open.push_back({child, false});
+  }
+}
+
+bool Attachments::isAncestor(NodeId ancestor, NodeId of) const {
+  return first_[indexOf(ancestor)] <= first_[indexOf(of)] &&
+         first_[indexOf(of)] < last_[indexOf(ancestor)];
+}
+
+bool Attachments::leadsTo(const Place& above, const Place& below) const {
+  NodeId edge = below.edge;
+  double down = 0;
+  while (!isAncestor(edge, above.edge)) {
+    const auto parent = reference_[edge].parent;
+    if (!parent) return false; // of another tree
+    down = below.height - height_[indexOf(*parent)];
+    if (down > slack_) return false;
+    edge = *parent;
+  }
+  return true;
+}
+
+void Attachments::placeNodes(const std::vector<Difference>& kinds) {
+  const std::vector<NodeId> edges = reference_.ids();
+  const BoxTree boxes = boxesOf(reference_, edges);
+  std::vector<Places> carried(result_.idEnd()); // of the node, or of the next below that stands
+  std::vector<NodeId> suspects;
+  const auto isAtMatch = [&](NodeId id) {
+    const auto isMatch = [&](NodeId edge) { return kinds[indexOf(edge)] == Difference::matched; };
+    return isMatch(id) || std::ranges::any_of(result_.children(id), isMatch);
+  };
+  for (const NodeId id : result_.ids()) {
+    const Node& node = result_[id];
+    const Places* below = node.parent ? &carried[indexOf(*node.parent)] : nullptr;
+    Places near;
+    if (isAtMatch(id))
+      boxes.within(Eigen::AlignedBox3d(node.position), tolerance_, [&](std::size_t i) {
+        const Eigen::Vector3d start = startOf(reference_, edges[i]);
+        const Eigen::Vector3d end = reference_[edges[i]].position;
+        const double share = nearestShare(start, end, node.position);
+        const Eigen::Vector3d place = start + share * (end - start);
+        if ((place - node.position).norm() > tolerance_) return;
+        near.push_back(
+            {edges[i], place, height_[indexOf(edges[i])] - (1 - share) * (end - start).norm()});
+      });
+    std::ranges::sort(near, {}, [&](const Place& place) {
+      return std::pair((place.position - node.position).norm(), place.edge);
+    });
+    if (near.empty()) {
+      if (below != nullptr) carried[indexOf(id)] = *below;
+      continue;
+    }
+    Places kept;
+    if (below != nullptr && !below->empty())
+      std::ranges::copy_if(near, std::back_inserter(kept), [&](const Place& place) {
+        return std::ranges::any_of(*below, [&](const Place& from) { return leadsTo(place, from); });
+      });
+    if (kept.empty()) {
+      suspects.push_back(id);
+      kept = near;
+    }
+    places_[indexOf(id)] = carried[indexOf(id)] = kept;
+    for (const Place& place : kept)
+      standing_[indexOf(place.edge)].push_back({id, place.height, place.position});
+  }
+  findWrong(suspects);
+}
+
+/// Of those that keep no place of what is below them, these hang wrong: those for which there is
+/// something else to hang on.
+void Attachments::findWrong(const std::vector<NodeId>& suspects) {
+  for (const NodeId id : suspects) {
+    const Attachment right = below(places_[indexOf(id)].front(), id);
+    if (right.host && right.host != result_[id].parent) wrong_.push_back({id, right});
+  }
+}
+
+/// What of the result stands next below a place of the reference, other than what `hanging`
+/// carries.
+Attachment Attachments::below(const Place& place, NodeId hanging) const {
+  Attachment found{
+      .host = std::nullopt, .place = place.position, .edge = reference_[place.edge].edge};
+  for (std::optional<NodeId> edge = place.edge; edge; edge = reference_[*edge].parent) {
+    const Standing* highest = nullptr;
+    for (const Standing& standing : standing_[indexOf(*edge)])
+      if (standing.height <= place.height &&
+          (highest == nullptr || standing.height > highest->height) &&
+          !result_.isAncestor(hanging, standing.node))
+        highest = &standing;
+    const auto parent = reference_[*edge].parent;
+    if (highest != nullptr) {
+      found.host = highest->node;
+      if (*edge != place.edge) return found; // it leaves that edge at its upper end
+      found.place = highest->position;
+      if (parent && highest->height > height_[indexOf(*parent)] + tolerance_)
+        found.edge = EdgeType::successor; // amid the edge that goes on
+      return found;
+    }
+    found.edge = reference_[*edge].edge;
+    if (parent) found.place = reference_[*parent].position;
+  }
+  return found;
+}
+
+Attachment Attachments::on(NodeId edge) const {
+  const Eigen::Vector3d& place = reference_[edge].position;
+  Attachment found{.host = std::nullopt, .place = place, .edge = EdgeType::branching};
+  for (std::optional<NodeId> next = edge; next && !found.host; next = reference_[*next].parent) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Standing& standing : standing_[indexOf(*next)]) {
+      const double distance = (result_[standing.node].position - place).norm();
+      if (distance >= least) continue;
+      least = distance;
+      found.host = standing.node;
+    }
+  }
+  return found;
+}
+
+std::vector<std::vector<NodeId>> Attachments::standsOn() const {
+  std::vector<std::vector<NodeId>> edges(places_.size());
+  for (std::size_t i = 0; i < places_.size(); ++i)
+    for (const Place& place : places_[i])
+      edges[i].push_back(place.edge);
+  return edges;
+}
+
+} // namespace espalier

@@ -1,0 +1,60 @@
+#include "core/evaluate/evaluation.h"
+
+#include "core/evaluate/comparable.h"
+#include "core/evaluate/safer_indices.h"
+#include "core/skeleton/bounds.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace espalier {
+namespace {
+
+constexpr int curveSteps = 40;
+
+Eigen::Isometry3d motionOf(const Skeleton& result, const Skeleton& reference,
+                           const EvaluationOptions& options, const Progress& progress) {
+  if (!options.registers) return Eigen::Isometry3d::Identity();
+  if (options.motion) return *options.motion;
+  return registration(result, reference, {}, progress).motion.inverse();
+}
+
+/// From 0 to twice the tolerance at least, and to the coarsest default.
+std::vector<double> curveDistances(double tolerance, double coarsest) {
+  const double most = std::max(coarsest, 2 * tolerance);
+  std::vector<double> distances;
+  for (int i = 0; i <= curveSteps; ++i)
+    distances.push_back(most * i / curveSteps);
+  return distances;
+}
+
+} // namespace
+
+Evaluation evaluate(const Skeleton& result, const Skeleton& reference,
+                    const EvaluationOptions& options, const Progress& progress) {
+  requireComparable(result, "the plant");
+  requireComparable(reference, "the reference");
+  const std::vector<double> usual = defaultTolerances(reference);
+  Evaluation made;
+  made.motion = motionOf(result, reference, options, progress.part(0, 0.5, "Registering"));
+  made.reference = moved(reference, made.motion);
+  const Eigen::Vector3d middle = bounds(reference).center();
+  made.shift = made.motion * middle - middle;
+  made.isShiftLarge = made.shift.norm() > usual.front();
+  made.tolerance = options.tolerance > 0 ? options.tolerance : usual[1];
+  made.differences = differences(result, made.reference, made.tolerance,
+                                 progress.part(0.5, 0.65, "Finding differences"));
+  ComparisonOptions compared;
+  compared.registers = false;
+  compared.tolerance.distances = curveDistances(made.tolerance, usual.back());
+  compared.tolerance.distances.push_back(made.tolerance);
+  made.comparison = compare(result, made.reference, compared, progress.part(0.65, 1, "Comparing"));
+  made.curve = made.comparison.tolerance.scores;
+  made.score = made.curve.back();
+  made.curve.pop_back();
+  made.geometricWithin = geometricIndexWithin(made.comparison.authors, made.tolerance);
+  made.structuralOfAll = structuralIndexOfAll(made.comparison.authors);
+  return made;
+}
+
+} // namespace espalier

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/evaluate/comparison.h"
+#include "core/evaluate/differences.h"
+#include "core/evaluate/registration.h"
+#include "core/skeleton/skeleton.h"
+
+#include <optional>
+#include <vector>
+
+namespace espalier {
+
+struct EvaluationOptions {
+  bool registers = true; // lays the reference on the result before anything is measured
+  std::optional<Eigen::Isometry3d> motion; // of the reference, found before; none: it is found
+  double tolerance = 0; // [L], what is called near; 0 = the second of defaultTolerances()
+};
+
+/// What an editor shows of a comparison. All places are in the frame of the result: it is the
+/// reference that is laid on it, since the result lies on its scan.
+struct Evaluation {
+  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity(); // of the reference
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero(); // of the middle of the reference under it [L]
+  bool isShiftLarge = false;                       // it is more than the finest default tolerance
+  Skeleton reference;                              // moved, under its own ids
+  double tolerance = 0;                            // [L], as used
+  ToleranceScore score{};                          // at the tolerance
+  std::vector<ToleranceScore> curve;               // at even distances from 0 on
+  Comparison comparison;                           // not registered: both lie as they are compared
+  double geometricWithin = 0;                      // geometricIndexWithin() the tolerance
+  double structuralOfAll = 0;                      // structuralIndexOfAll()
+  Differences differences;
+};
+
+/// Lays a reference on a result, and compares both in every way that an editor shows.
+/// @throws Error     if one of the two has no nodes, no length, or a position that is no number
+/// @throws Cancelled if `progress` asks to stop
+/// Deterministic. Cost: see compare() and differences().
+[[nodiscard]] Evaluation evaluate(const Skeleton& result, const Skeleton& reference,
+                                  const EvaluationOptions& options = {},
+                                  const Progress& progress = {});
+
+} // namespace espalier

@@ -1,0 +1,161 @@
+#include "core/base/error.h"
+#include "core/base/random.h"
+#include "core/evaluate/accept_reference.h"
+#include "core/skeleton/branch_edits.h"
+#include "core/skeleton/checks.h"
+#include "core/skeleton/tree_edits.h"
+#include "tests/core/evaluate/differing_plants.h"
+#include "tests/core/evaluate/evaluate_plants.h"
+#include "tests/support/canonical.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <gmock/gmock.h>
+
+namespace espalier {
+namespace {
+
+constexpr double tolerance = 0.1;
+
+/// The result once its first part is as in the reference.
+Skeleton accepted(const Skeleton& result, const Skeleton& reference) {
+  const Differences found = differences(result, reference, tolerance);
+  EXPECT_FALSE(found.parts.empty());
+  return test::edited(result, [&](SkeletonEditor& editor) {
+    acceptReference(editor, found, reference, found.parts.front());
+  });
+}
+
+TEST(AcceptReference, CopiesAMissedBranchOntoItsNode) {
+  const auto [plant, trunk, branch] = test::trunkAndBranch();
+  const Skeleton result = test::edited(
+      plant, [&, first = branch[0]](SkeletonEditor& editor) { removeSubtree(editor, first); });
+  EXPECT_EQ(test::canonical(accepted(result, plant)), test::canonical(plant));
+}
+
+TEST(AcceptReference, PutsANodeWhereABranchLeavesAnEdge) {
+  const auto [plant, trunk, branch] = test::trunkAndBranch();
+  Skeleton result;
+  const NodeId root = result.add({.radius = 0.3});
+  result.add({.position = {0, 0, 10}, .radius = 0.3, .parent = root});
+  const Skeleton made = accepted(result, plant);
+  EXPECT_EQ(made.size(), 7U) << "root, top, a node between them, and the branch";
+  EXPECT_TRUE(differences(made, plant, tolerance).parts.empty());
+  EXPECT_TRUE(check(made).empty());
+}
+
+TEST(AcceptReference, HangsWhatGoesOnAboveAGapOnTheCopy) {
+  const auto [plant, trunk, branch] = test::trunkAndBranch();
+  // From 2 to 4 high nothing; what is above is a tree of its own.
+  Skeleton result = plant;
+  result.makeRoot(trunk[5]);
+  result.erase(trunk[4]);
+  result.erase(trunk[3]);
+  const Differences found = differences(result, plant, tolerance);
+  const auto gap = std::ranges::find(found.parts, Difference::missed, &DifferingPart::kind);
+  ASSERT_NE(gap, found.parts.end());
+  const Skeleton made = test::edited(
+      result, [&, gap](SkeletonEditor& editor) { acceptReference(editor, found, plant, *gap); });
+  EXPECT_EQ(test::canonical(made), test::canonical(plant));
+}
+
+TEST(AcceptReference, TakesTheWayOfTheReferenceInsteadOfAnother) {
+  const auto [plant, trunk, branch] = test::trunkAndBranch();
+  Skeleton result = plant;
+  result.setPosition(trunk[2], {1, 0, 2});
+  result.setPosition(trunk[3], {1, 0, 3});
+  const Differences found = differences(result, plant, tolerance);
+  const auto gap = std::ranges::find(found.parts, Difference::missed, &DifferingPart::kind);
+  ASSERT_NE(gap, found.parts.end());
+  const Skeleton made = test::edited(
+      result, [&, gap](SkeletonEditor& editor) { acceptReference(editor, found, plant, *gap); });
+  EXPECT_EQ(test::canonical(made), test::canonical(plant)) << "the detour is gone";
+}
+
+TEST(AcceptReference, RemovesWhatIsInvented) {
+  const auto [plant, trunk, branch] = test::trunkAndBranch();
+  const Skeleton reference = test::edited(
+      plant, [&, first = branch[0]](SkeletonEditor& editor) { removeSubtree(editor, first); });
+  EXPECT_EQ(test::canonical(accepted(plant, reference)), test::canonical(reference));
+}
+
+TEST(AcceptReference, HangsABranchWhereTheReferenceDoes) {
+  const auto [plant, trunk, branch] = test::trunkAndBranch();
+  Skeleton result = plant;
+  const NodeId between =
+      result.add({.position = {2, 2, 7}, .parent = trunk[8], .edge = EdgeType::branching});
+  result.reparent(branch[0], between, EdgeType::successor);
+  EXPECT_EQ(test::canonical(accepted(result, plant)), test::canonical(plant))
+      << "what led there is gone";
+}
+
+TEST(AcceptReference, ExchangesArmsBackOneByOne) {
+  const auto [plant, x, y] = test::crossingArms();
+  const Skeleton result = test::edited(
+      plant, [&, a = x[3], b = y[3]](SkeletonEditor& editor) { exchangeArms(editor, a, b); });
+  const Skeleton once = accepted(result, plant);
+  EXPECT_NE(test::canonical(once), test::canonical(plant));
+  EXPECT_EQ(test::canonical(accepted(once, plant)), test::canonical(plant));
+}
+
+TEST(AcceptReference, IsTakenBackExactlyAndRefusedOnceThePartIsGone) {
+  const auto [plant, trunk, branch] = test::trunkAndBranch();
+  Skeleton result = test::edited(plant, [&, first = branch[0], top = trunk[8]](SkeletonEditor& e) {
+    reparentNode(e, first, top);
+  });
+  const Differences found = differences(result, plant, tolerance);
+  const Skeleton before = result;
+  SkeletonEditor editor(result);
+  const auto chosen = acceptReference(editor, found, plant, found.parts[0]);
+  EXPECT_THAT(chosen, testing::ElementsAre(branch[0]));
+  const SkeletonDelta delta = editor.commit();
+  delta.inverse().apply(result);
+  EXPECT_EQ(result, before);
+
+  SkeletonEditor other(result);
+  removeSubtree(other, branch[0]);
+  const Skeleton removed = result;
+  EXPECT_THROW(acceptReference(other, found, plant, found.parts[0]), Error);
+  EXPECT_EQ(result, removed);
+}
+
+/// A bush with twigs removed, hung elsewhere, and shoots that are not there.
+Skeleton damaged(const Skeleton& bush, std::uint64_t seed) {
+  Random random(seed);
+  return test::edited(bush, [&](SkeletonEditor& editor) {
+    for (int i = 0; i < 12; ++i) {
+      const std::vector<NodeId> ids = editor.skeleton().ids();
+      const NodeId id = ids[1 + random.below(ids.size() - 1)];
+      const NodeId other = ids[random.below(ids.size())];
+      const bool isLoop = editor.skeleton().isAncestor(id, other);
+      if (i % 3 == 0 && editor.skeleton().children(id).size() < 2)
+        removeSubtree(editor, id);
+      else if (i % 3 == 1 && !isLoop && id != other)
+        reparentNode(editor, id, other);
+      else
+        addChild(editor, id, editor.skeleton()[id].position + Eigen::Vector3d(0.7, 0.6, 0.5));
+    }
+  });
+}
+
+TEST(AcceptReference, MakesAnyDamagedPlantTheReferenceStepByStep) {
+  const Skeleton bush = test::bush();
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    Skeleton plant = damaged(bush, seed);
+    int steps = 0;
+    for (; steps < 60; ++steps) {
+      const Differences found = differences(plant, bush, tolerance);
+      if (found.parts.empty()) break;
+      SkeletonEditor editor(plant);
+      acceptReference(editor, found, bush, found.parts.front());
+      const SkeletonDelta delta = editor.commit();
+      ASSERT_FALSE(delta.isEmpty()) << "an accepted part changes something, seed " << seed;
+    }
+    EXPECT_LT(steps, 60) << "seed " << seed;
+    EXPECT_EQ(plant.roots().size(), 1U) << "seed " << seed;
+  }
+}
+
+} // namespace
+} // namespace espalier

@@ -158,11 +158,20 @@ std::vector<NodeId> copyMissed(SkeletonEditor& editor, const Differences& found,
   return copier.added();
 }
 
-std::vector<NodeId> removeInvented(SkeletonEditor& editor, const DifferingPart& part) {
+/// What of it ends on the reference stays: only the way there is invented.
+std::vector<NodeId> removeInvented(SkeletonEditor& editor, const Differences& found,
+                                   const DifferingPart& part) {
   requireThere(editor.skeleton(), part.nodes);
   const std::optional<NodeId> below = editor.skeleton()[part.nodes.front()].parent;
-  for (auto at = part.nodes.rbegin(); at != part.nodes.rend(); ++at)
+  bool isRemoved = false;
+  for (auto at = part.nodes.rbegin(); at != part.nodes.rend(); ++at) {
+    if (!found.standsOn[indexOf(*at)].empty()) continue;
     removeNode(editor, *at);
+    isRemoved = true;
+  }
+  if (!isRemoved)
+    throw Error("what hangs here is of the reference: accept what was missed beside it, or attach "
+                "it elsewhere");
   return below ? std::vector{*below} : std::vector<NodeId>();
 }
 
@@ -185,7 +194,7 @@ std::vector<NodeId> acceptReference(SkeletonEditor& editor, const Differences& f
   case Difference::missed:
     return copyMissed(editor, found, reference, part);
   case Difference::invented:
-    return removeInvented(editor, part);
+    return removeInvented(editor, found, part);
   case Difference::wronglyAttached:
     return hangRight(editor, found, part);
   case Difference::matched:

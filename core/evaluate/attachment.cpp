@@ -4,6 +4,7 @@
 #include "core/evaluate/near_edges.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace espalier {
@@ -81,7 +82,8 @@ bool Attachments::leadsTo(const Place& above, const Place& below) const {
     const auto parent = reference_[edge].parent;
     if (!parent) return false; // of another tree
     down = below.height - height_[indexOf(*parent)];
-    if (down > slack_) return false;
+    // Where on thick wood a branch sits is not known better than the wood is thick.
+    if (down > slack_ + 2 * reference_[below.edge].radius) return false;
     edge = *parent;
   }
   return true;
@@ -126,11 +128,27 @@ void Attachments::placeNodes(const std::vector<Difference>& kinds) {
       suspects.push_back(id);
       kept = near;
     }
+    if (node.parent && kinds[indexOf(id)] != Difference::matched) leaps_.push_back(id);
     places_[indexOf(id)] = carried[indexOf(id)] = kept;
     for (const Place& place : kept)
       standing_[indexOf(place.edge)].push_back({id, place.height, place.position});
   }
   findWrong(suspects);
+}
+
+/// Does the result have what is next below a node in the reference, which hangs far lower instead?
+bool Attachments::leapsOver(NodeId id, const Attachment& right) const {
+  std::optional<NodeId> below = result_[id].parent;
+  while (below && places_[indexOf(*below)].empty())
+    below = result_[*below].parent;
+  if (!below || !right.host || *right.host == *below) return false;
+  const Place& place = places_[indexOf(id)].front();
+  double height = -std::numeric_limits<double>::infinity();
+  for (const Place& each : places_[indexOf(*below)])
+    if (each.height <= place.height && isAncestor(each.edge, place.edge))
+      height = std::max(height, each.height);
+  if (std::isinf(height)) return false; // it stands beside the way down, as near as is allowed
+  return right.height - height > slack_ + 2 * reference_[place.edge].radius;
 }
 
 /// Of those that keep no place of what is below them, these hang wrong: those for which there is
@@ -139,6 +157,11 @@ void Attachments::findWrong(const std::vector<NodeId>& suspects) {
   for (const NodeId id : suspects) {
     const Attachment right = below(places_[indexOf(id)].front(), id);
     if (right.host && right.host != result_[id].parent) wrong_.push_back({id, right});
+  }
+  for (const NodeId id : leaps_) {
+    const auto isOf = [&](const WrongAttachment& each) { return each.node == id; };
+    const Attachment right = below(places_[indexOf(id)].front(), id);
+    if (std::ranges::none_of(wrong_, isOf) && leapsOver(id, right)) wrong_.push_back({id, right});
   }
 }
 
@@ -157,6 +180,7 @@ Attachment Attachments::below(const Place& place, NodeId hanging) const {
     const auto parent = reference_[*edge].parent;
     if (highest != nullptr) {
       found.host = highest->node;
+      found.height = highest->height;
       if (*edge != place.edge) return found; // it leaves that edge at its upper end
       found.place = highest->position;
       if (parent && highest->height > height_[indexOf(*parent)] + tolerance_)

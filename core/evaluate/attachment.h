@@ -15,6 +15,7 @@ struct Attachment {
   std::optional<NodeId> host;                      // of the result; none: it has nothing there
   Eigen::Vector3d place = Eigen::Vector3d::Zero(); // on the reference [L]
   EdgeType edge = EdgeType::branching;
+  double height = 0; // of what the host stands on, along the reference [L]
 };
 
 struct WrongAttachment {
@@ -45,6 +46,7 @@ private:
   void measureReference();
   void placeNodes(const std::vector<Difference>& kinds);
   void findWrong(const std::vector<NodeId>& suspects);
+  [[nodiscard]] bool leapsOver(NodeId id, const Attachment& right) const;
   [[nodiscard]] bool isAncestor(NodeId ancestor, NodeId of) const; // in the reference
   /// Does the way down from `above` in the reference meet `below`, or what is about it?
   [[nodiscard]] bool leadsTo(const Place& above, const Place& below) const;
@@ -63,6 +65,7 @@ private:
     Eigen::Vector3d position; // on the edge [L]
   };
   std::vector<std::vector<Standing>> standing_; // by edge of the reference
+  std::vector<NodeId> leaps_; // of the result: what leads there is not of the reference
   std::vector<WrongAttachment> wrong_;
 };
 

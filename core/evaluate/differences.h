@@ -64,8 +64,9 @@ struct Differences {
 /// From the root up, each node of the result keeps those places of the reference within the
 /// tolerance that lie on the way up from the places of its parent. A node that keeps none although
 /// some are near is wrongly attached: its own place and that of its parent belong to branches that
-/// meet more than four tolerances below the parent. So is a tree on its own where the reference
-/// goes on down along something that the result has.
+/// meet more than four tolerances, and what the wood there is thick, below the parent. So is a tree
+/// on its own where the reference goes on down along something that the result has, and what hangs
+/// by an edge that is not near that much farther down than on what the reference has it.
 ///
 /// @param result    laid on the reference before, or the other way round: nothing is registered
 /// @param tolerance [L], > 0

@@ -52,8 +52,10 @@ Evaluation evaluate(const Skeleton& result, const Skeleton& reference,
   made.curve = made.comparison.tolerance.scores;
   made.score = made.curve.back();
   made.curve.pop_back();
-  made.geometricWithin = geometricIndexWithin(made.comparison.authors, made.tolerance);
-  made.structuralOfAll = structuralIndexOfAll(made.comparison.authors);
+  const AuthorsComparison& authors = made.comparison.authors;
+  made.geometricNear = geometricIndexWithin(authors, authors.boxDistance);
+  made.structuralOfAll = structuralIndexOfAll(authors);
+  made.types = typeAgreement(authors, result, made.reference);
   return made;
 }
 

@@ -4,6 +4,7 @@
 #include "core/evaluate/comparison.h"
 #include "core/evaluate/differences.h"
 #include "core/evaluate/registration.h"
+#include "core/evaluate/type_agreement.h"
 #include "core/skeleton/skeleton.h"
 
 #include <optional>
@@ -28,8 +29,9 @@ struct Evaluation {
   ToleranceScore score{};                          // at the tolerance
   std::vector<ToleranceScore> curve;               // at even distances from 0 on
   Comparison comparison;                           // not registered: both lie as they are compared
-  double geometricWithin = 0;                      // geometricIndexWithin() the tolerance
-  double structuralOfAll = 0;                      // structuralIndexOfAll()
+  double geometricNear = 0;   // geometricIndexWithin() the distance of candidates
+  double structuralOfAll = 0; // structuralIndexOfAll()
+  TypeAgreement types;
   Differences differences;
 };
 

@@ -1,0 +1,58 @@
+#include "core/base/error.h"
+#include "core/evaluate/evaluation.h"
+#include "tests/core/evaluate/evaluate_plants.h"
+#include "tests/support/clouds.h"
+
+#include <gtest/gtest.h>
+
+namespace espalier {
+namespace {
+
+TEST(Evaluation, LaysTheReferenceOnTheResultAndLeavesThatInPlace) {
+  const Skeleton bush = test::bush();
+  const Eigen::Vector3d shift(0.3, -0.2, 0.1);
+  const Evaluation made = evaluate(bush, test::shifted(bush, shift));
+  EXPECT_TRUE(made.shift.isApprox(-shift, 1e-6));
+  EXPECT_TRUE(made.isShiftLarge);
+  EXPECT_NEAR(made.score.f(), 1, 1e-9);
+  EXPECT_TRUE(made.differences.parts.empty());
+  for (const NodeId id : bush.ids())
+    EXPECT_LT((made.reference[id].position - bush[id].position).norm(), 1e-6);
+}
+
+TEST(Evaluation, TakesAMotionThatWasFoundBeforeOrNone) {
+  const Skeleton bush = test::bush();
+  const Skeleton off = test::shifted(bush, {0, 0, 5});
+  Eigen::Isometry3d back = Eigen::Isometry3d::Identity();
+  back.translation() = Eigen::Vector3d(0, 0, -5);
+  EXPECT_NEAR(evaluate(bush, off, {.motion = back}).score.f(), 1, 1e-9);
+  const Evaluation where = evaluate(bush, off, {.registers = false, .motion = back});
+  EXPECT_LT(where.score.f(), 0.6);
+  EXPECT_EQ(where.shift, Eigen::Vector3d::Zero());
+  EXPECT_FALSE(where.isShiftLarge);
+}
+
+TEST(Evaluation, ScoresAtTheToleranceAndOverACurveThatRises) {
+  const Skeleton bush = test::bush();
+  const Evaluation usual = evaluate(test::jittered(bush, 0.1), bush);
+  EXPECT_DOUBLE_EQ(usual.tolerance, defaultTolerances(bush)[1]);
+  const Evaluation wide = evaluate(test::jittered(bush, 0.1), bush, {.tolerance = 1});
+  EXPECT_DOUBLE_EQ(wide.tolerance, 1);
+  EXPECT_DOUBLE_EQ(wide.differences.tolerance, 1);
+  EXPECT_GT(wide.score.f(), usual.score.f());
+  EXPECT_EQ(wide.curve.front().distance, 0);
+  EXPECT_GE(wide.curve.back().distance, 2);
+  for (std::size_t i = 1; i < wide.curve.size(); ++i)
+    EXPECT_GE(wide.curve[i].f(), wide.curve[i - 1].f());
+}
+
+TEST(Evaluation, RefusesWhatCannotBeComparedAndStops) {
+  const Skeleton bush = test::bush();
+  EXPECT_THROW(static_cast<void>(evaluate({}, bush)), Error);
+  EXPECT_THROW(static_cast<void>(evaluate(bush, {})), Error);
+  EXPECT_TRUE(test::stopsWhenAsked(
+      [&](const Progress& progress) { static_cast<void>(evaluate(bush, bush, {}, progress)); }));
+}
+
+} // namespace
+} // namespace espalier

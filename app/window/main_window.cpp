@@ -2,6 +2,7 @@
 
 #include "app/window/action_set.h"
 #include "app/window/editing.h"
+#include "app/window/evaluation_flow.h"
 #include "app/window/explained_flow.h"
 #include "app/window/file_flow.h"
 #include "app/window/findings_flow.h"
@@ -228,6 +229,7 @@ void MainWindow::refreshDocks() {
   explained_->setPlantShown(hasPlant);
   history_->dock().setPlantShown(hasPlant);
   nodeTable_->dock().setPlantShown(hasPlant);
+  evaluation_->setPlantShown(hasPlant);
   if (hasPlant && !settings_.contains("window/state")) // nobody has set the widths yet
     resizeDocks({pipelineDock_, inspectorDock_}, {pipelineWidth, inspectorWidth}, Qt::Horizontal);
 }
@@ -300,6 +302,7 @@ void MainWindow::resetLayout() {
   findings_->resetLayout();
   history_->dock().resetLayout();
   nodeTable_->dock().resetLayout();
+  evaluation_->resetLayout();
   refreshDocks();
 }
 

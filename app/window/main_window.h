@@ -17,6 +17,7 @@ namespace espalier {
 enum class Refusal;
 class ActionSet;
 class Editing;
+class EvaluationFlow;
 class ExplainedFlow;
 class FileFlow;
 class FindingsFlow;
@@ -155,6 +156,7 @@ private:
   std::unique_ptr<FileFlow> files_;
   std::unique_ptr<ReconstructFlow> reconstruct_;
   std::unique_ptr<ReferenceFlow> reference_;
+  std::unique_ptr<EvaluationFlow> evaluation_;
 };
 
 } // namespace espalier

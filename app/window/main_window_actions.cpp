@@ -1,5 +1,6 @@
 #include "app/window/action_set.h"
 #include "app/window/editing.h"
+#include "app/window/evaluation_flow.h"
 #include "app/window/explained_flow.h"
 #include "app/window/file_flow.h"
 #include "app/window/findings_flow.h"
@@ -84,6 +85,8 @@ void MainWindow::addActions() {
   nodeTable_ = std::make_unique<NodeTableFlow>(NodeTableFlow::Parts{document_, *editing_, panels});
   reference_ = std::make_unique<ReferenceFlow>(
       ReferenceFlow::Parts{document_, *view_, jobs_, *actions_, settings_, *this});
+  evaluation_ = std::make_unique<EvaluationFlow>(
+      EvaluationFlow::Parts{document_, *view_, jobs_, *editing_, *reference_, panels});
   addPanelActions();
   theme_ = new ThemeFlow({*actions_, settings_, *this});
   addHelpActions();

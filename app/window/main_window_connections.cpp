@@ -1,5 +1,6 @@
 #include "app/window/action_set.h"
 #include "app/window/editing.h"
+#include "app/window/evaluation_flow.h"
 #include "app/window/file_flow.h"
 #include "app/window/findings_flow.h"
 #include "app/window/history_flow.h"
@@ -247,6 +248,12 @@ void MainWindow::connectEvaluation() {
   connect(reference_.get(), &ReferenceFlow::changed, projects_.get(), &ProjectFlow::noteChange);
   connect(reference_.get(), &ReferenceFlow::noted, status_, &StatusLine::showNote);
   connect(reference_.get(), &ReferenceFlow::openRequested, this, &MainWindow::open);
+  projects_->keep({.name = "evaluation",
+                   .text = [this] { return evaluation_->text(); },
+                   .show = [this](const std::string& text) { evaluation_->show(text); }});
+  connect(evaluation_.get(), &EvaluationFlow::changed, projects_.get(), &ProjectFlow::noteChange);
+  connect(evaluation_.get(), &EvaluationFlow::noted, status_, &StatusLine::showNote);
+  connect(theme_, &ThemeFlow::changed, evaluation_.get(), &EvaluationFlow::setDark);
 }
 
 } // namespace espalier

@@ -1,4 +1,5 @@
 #include "app/window/action_set.h"
+#include "app/window/evaluation_flow.h"
 #include "app/window/findings_flow.h"
 #include "app/window/hull_flow.h"
 #include "app/window/icon.h"
@@ -113,6 +114,8 @@ void MainWindow::fillMenus() {
 
   add(*menuBar()->addMenu(tr("R&adius")), *actions_, RadiusFlow::menu());
 
+  evaluation_->fillMenu(*menuBar()->addMenu(tr("Eval&uate")));
+
   QMenu* review = menuBar()->addMenu(tr("&Review"));
   review_->fillMenu(*review);
   review->addSeparator();
@@ -143,7 +146,7 @@ void MainWindow::fillViewMenu() {
   add(*view, *actions_, {"hide", "isolate", "clipping", "show_all", ""});
   add(*view->addMenu(tr("Panels")), *actions_,
       {"show_pipeline", "show_inspector", "show_review", "show_findings", "show_history",
-       "show_node_table", "", "reset_layout"});
+       "show_node_table", "show_evaluation", "show_methods", "", "reset_layout"});
   add(*view->addMenu(tr("Theme")), *actions_, {"theme_system", "theme_light", "theme_dark"});
 }
 

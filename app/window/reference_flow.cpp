@@ -3,6 +3,7 @@
 #include "app/window/action_set.h"
 #include "app/window/file_filters.h"
 #include "app/window/load_files.h"
+#include "app/window/load_reference.h"
 #include "core/base/error.h"
 #include "core/evaluate/comparable.h"
 #include "core/evaluate/registration.h"
@@ -34,21 +35,6 @@ bool isStructure(const QString& path) {
   } catch (const Error&) { // who opens it is told why it cannot be read
     return false;
   }
-}
-
-/// The plant of a project counts as a structure: that of another expert, most often.
-Imported<Skeleton> readReference(const QString& path) {
-  const std::filesystem::path file = toPath(path);
-  if (isProject(file)) {
-    Imported<History> history = Project::open(file, Access::readOnly).history();
-    return {std::move(history.value.skeleton), std::move(history.notes)};
-  }
-  if (formatOf(file).content == Content::points)
-    throw Error(ReferenceFlow::tr("%1 is a scan: a reference is a structure, as an MTG")
-                    .arg(QFileInfo(path).fileName())
-                    .toStdString());
-  Imported<Structure> structure = readStructure(file);
-  return {std::move(structure.value.skeleton), std::move(structure.notes)};
 }
 
 } // namespace
@@ -106,6 +92,7 @@ void ReferenceFlow::load(const QString& path) {
         for (const std::string& note : read.notes)
           notes.append(QString::fromStdString(note));
         emit noted(notes.join(QStringLiteral("; ")));
+        emit loaded();
       });
 }
 

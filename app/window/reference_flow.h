@@ -56,6 +56,7 @@ public:
 
 signals:
   void changed(); // another, or none
+  void loaded();  // by hand
   void noted(const QString& message);
   void openRequested(const QStringList& paths); // what was dropped
 

@@ -90,6 +90,7 @@ void ValueColors::show() {
 }
 
 void ValueColors::colorNodes() {
+  if (nodeColor_ == "node_color_comparison") return; // EvaluationFlow colors them
   const Skeleton& skeleton = parts_.document.skeleton();
   if (nodeColor_ == "node_color_review") return parts_.view.setNodeColors(reviewColors(skeleton));
   const auto value = valuesById().find(nodeColor_);

@@ -50,6 +50,8 @@ void ViewOptions::addNodeColors() {
   add("node_color_confidence", tr("Confidence"),
       tr("Colors nodes by how much of their surface has points"));
   add("node_color_review", tr("Review State"), tr("Colors nodes by what the review says"));
+  add("node_color_comparison", tr("Comparison with Reference"),
+      tr("Colors skeleton and reference by what is matched, missed, invented or wrongly attached"));
   if (nodeColors_->checkedAction() == nullptr) actions_["node_color_none"]->trigger();
 }
 

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "core/evaluate/evaluation.h"
+
+#include <QObject>
+#include <QString>
+
+#include <memory>
+#include <vector>
+
+class QWidget;
+
+namespace espalier {
+
+class ActionSet;
+class DifferencesPanel;
+class Editing;
+class JobRunner;
+class PlantDocument;
+class PlantView;
+
+/// The way from error to error of a comparison: flies to each, ignores it, or makes the plant there
+/// what the reference is.
+class ErrorWalk : public QObject {
+  Q_OBJECT
+
+public:
+  /// What it works with; all must outlive it.
+  struct Parts {
+    PlantDocument& document;
+    PlantView& view;
+    JobRunner& jobs;
+    ActionSet& actions;
+    Editing& editing;
+  };
+  explicit ErrorWalk(const Parts& parts);
+
+  [[nodiscard]] DifferencesPanel* panel() const { return panel_; }
+  void show(std::shared_ptr<const Evaluation> evaluation); // null: there is none
+  [[nodiscard]] const std::vector<DifferingPart>& ignored() const { return ignored_; }
+  void setIgnored(std::vector<DifferingPart> ignored);
+  [[nodiscard]] static QStringList menu(); // ids of its actions
+
+signals:
+  void noted(const QString& message);
+  void ignoredChanged();
+  void shownAsked(); // the panel is to be seen
+
+private:
+  void addActions();
+  void list();
+  [[nodiscard]] bool isIgnored(const DifferingPart& part) const;
+  void step(int by);
+  void goTo(const DifferingPart& part);
+  void accept();
+  void toggleIgnored();
+  void showActions();
+
+  Parts parts_;
+  DifferencesPanel* panel_;
+  std::shared_ptr<const Evaluation> evaluation_;
+  std::vector<DifferingPart> done_; // accepted since it was compared
+  std::vector<DifferingPart> ignored_;
+};
+
+} // namespace espalier

@@ -1,0 +1,289 @@
+#include "app/window/evaluation_flow.h"
+
+#include "app/window/action_set.h"
+#include "app/window/evaluation_text.h"
+#include "app/window/reference_flow.h"
+#include "core/project/corrections.h"
+#include "ui/document/difference_look.h"
+#include "ui/document/plant_document.h"
+#include "ui/panels/differences_panel.h"
+#include "ui/panels/evaluation_panel.h"
+#include "ui/plots/plot_view.h"
+#include "ui/view/plant_view.h"
+
+#include <QAction>
+#include <QMenu>
+
+#include <limits>
+#include <utility>
+
+namespace espalier {
+namespace {
+
+constexpr auto colorId = "node_color_comparison";
+
+/// One for both skeletons.
+Legend legend() {
+  Legend made{.id = colorId, .title = EvaluationFlow::tr("Comparison"), .unit = {}};
+  for (const Difference kind :
+       {Difference::matched, Difference::missed, Difference::invented, Difference::wronglyAttached})
+    made.categories.push_back({titleOf(kind), colorOf(kind)});
+  return made;
+}
+
+NodeColors colorsOf(const std::vector<Difference>& kinds) {
+  NodeColors colors{.values = {}, .legend = legend()};
+  for (const Difference kind : kinds)
+    colors.values.push_back(static_cast<float>(kind));
+  return colors;
+}
+
+/// The steps that are done.
+HandWork workOf(const PlantDocument& document) {
+  const History history = document.history();
+  return handWork(std::span(history.steps).first(history.position), history.skeleton);
+}
+
+} // namespace
+
+EvaluationFlow::EvaluationFlow(const Parts& parts) : parts_(parts) {
+  parts_.window.actions.beginSection(tr("Evaluate"));
+  errors_ = std::make_unique<ErrorWalk>(ErrorWalk::Parts{parts_.document, parts_.view, parts_.jobs,
+                                                         parts_.window.actions, parts_.editing});
+  makePanel();
+  methods_ = std::make_unique<MethodsFlow>(
+      MethodsFlow::Parts{parts_.document, parts_.reference, parts_.window});
+  connectDocument();
+  connectPanel();
+  takeReference();
+}
+
+void EvaluationFlow::makePanel() {
+  const auto at = [this](const char* id) { return parts_.window.actions[id]; };
+  plot_ = new PlotView;
+  panel_ = new EvaluationPanel(parts_.document, {.plot = plot_,
+                                                 .errors = errors_->panel(),
+                                                 .load = at("load_reference"),
+                                                 .color = at(colorId)});
+  panel_->setLaid(isLaid_);
+  dock_ = new PanelDock(parts_.window,
+                        {.id = "evaluation",
+                         .title = tr("Evaluation"),
+                         .text = tr("Evaluation"),
+                         .help = tr("Shows or hides how the plant agrees with its reference"),
+                         .keys = Qt::Key_F5},
+                        panel_, this);
+}
+
+void EvaluationFlow::fillMenu(QMenu& menu) const {
+  const auto add = [&](const QString& id) { menu.addAction(parts_.window.actions[id]); };
+  for (const char* id : {"load_reference", "remove_reference"})
+    add(id);
+  menu.addSeparator();
+  add("show_evaluation");
+  add("show_methods");
+  add(colorId);
+  menu.addSeparator();
+  for (const QString& id : ErrorWalk::menu())
+    add(id);
+}
+
+void EvaluationFlow::setPlantShown(bool isShown) {
+  dock_->setPlantShown(isShown);
+  methods_->dock().setPlantShown(isShown);
+  later();
+}
+
+void EvaluationFlow::resetLayout() {
+  dock_->resetLayout();
+  methods_->dock().resetLayout();
+}
+
+void EvaluationFlow::setDark(bool isDark) {
+  plot_->setDark(isDark);
+}
+
+std::string EvaluationFlow::text() const {
+  return textOf(EvaluationText{tolerance_, isLaid_, errors_->ignored()});
+}
+
+void EvaluationFlow::show(const std::string& text) {
+  tolerance_ = 0;
+  isLaid_ = true;
+  errors_->setIgnored({});
+  const EvaluationText read = evaluationFrom(text);
+  tolerance_ = read.tolerance;
+  isLaid_ = read.isLaid;
+  panel_->setLaid(isLaid_);
+  errors_->setIgnored(read.ignored);
+  methods_->setOptions(isLaid_, tolerance_);
+  motion_.reset();
+  later();
+}
+
+void EvaluationFlow::connectDocument() {
+  timer_.setSingleShot(true);
+  timer_.setInterval(250); // [ms]: a drag is compared when it rests
+  connect(&timer_, &QTimer::timeout, this, &EvaluationFlow::start);
+  PlantDocument& document = parts_.document;
+  for (const char* id : {"show_evaluation", "show_methods"})
+    connect(parts_.window.actions[id], &QAction::toggled, this, &EvaluationFlow::later);
+  connect(&document, &PlantDocument::skeletonEdited, this, &EvaluationFlow::take);
+  connect(&document, &PlantDocument::skeletonReplaced, this, [this] {
+    motion_.reset();
+    forget();
+    later();
+  });
+  connect(&document, &PlantDocument::unitChanged, this, [this] {
+    if (evaluation_) show(Evaluation(*evaluation_));
+  });
+  connect(&parts_.reference, &ReferenceFlow::changed, this, &EvaluationFlow::takeReference);
+  connect(&parts_.reference, &ReferenceFlow::loaded, this, [this] {
+    parts_.window.actions["show_evaluation"]->setChecked(true);
+    parts_.window.actions[colorId]->trigger();
+  });
+  connect(parts_.window.actions[colorId], &QAction::toggled, this, [this] {
+    showColors();
+    later();
+  });
+  connect(&job_, &JobRunner::progressed, panel_,
+          [this](double fraction) { panel_->showProgress(fraction); });
+  connect(&job_, &JobRunner::failed, panel_, &EvaluationPanel::showRest);
+  connect(&job_, &JobRunner::finished, this, [this] {
+    if (std::exchange(isOutdated_, false)) start();
+  });
+}
+
+void EvaluationFlow::connectPanel() {
+  connect(panel_, &EvaluationPanel::toleranceChosen, this, &EvaluationFlow::chooseTolerance);
+  connect(plot_, &PlotView::toleranceChosen, this, [this](double tolerance) {
+    panel_->setTolerance(tolerance);
+    chooseTolerance(tolerance);
+  });
+  connect(panel_, &EvaluationPanel::laidChosen, this, &EvaluationFlow::chooseLaid);
+  connect(panel_, &EvaluationPanel::cancelRequested, this, [this] {
+    isOutdated_ = false;
+    job_.cancel();
+    panel_->showRest(tr("Canceled"));
+  });
+  connect(panel_, &EvaluationPanel::compareRequested, this, &EvaluationFlow::start);
+  connect(methods_.get(), &MethodsFlow::noted, this, &EvaluationFlow::noted);
+  connect(errors_.get(), &ErrorWalk::noted, this, &EvaluationFlow::noted);
+  connect(errors_.get(), &ErrorWalk::ignoredChanged, this, &EvaluationFlow::changed);
+  connect(errors_.get(), &ErrorWalk::shownAsked, this,
+          [this] { parts_.window.actions["show_evaluation"]->setChecked(true); });
+}
+
+void EvaluationFlow::takeReference() {
+  const bool hasOne = parts_.reference.skeleton() != nullptr;
+  motion_.reset();
+  forget();
+  panel_->setReference(hasOne ? parts_.reference.name() : QString());
+  if (hasOne)
+    panel_->setTolerance(tolerance_ > 0 ? tolerance_
+                                        : defaultTolerances(*parts_.reference.skeleton())[1]);
+  QAction* color = parts_.window.actions[colorId];
+  if (!hasOne && color->isChecked()) parts_.window.actions["node_color_none"]->trigger();
+  color->setVisible(hasOne);
+  later();
+}
+
+void EvaluationFlow::take(const SkeletonDelta& delta) {
+  // What moves most of the plant, as onto its scan, moves it against the reference.
+  if (2 * delta.changes.size() > parts_.document.skeleton().size()) motion_.reset();
+  setFresh(false);
+  later();
+}
+
+bool EvaluationFlow::isWanted() const {
+  return parts_.reference.skeleton() != nullptr && !parts_.document.skeleton().isEmpty() &&
+         (dock_->isShown() || methods_->dock().isShown() ||
+          parts_.window.actions[colorId]->isChecked());
+}
+
+void EvaluationFlow::later() {
+  if (isWanted() && !isFresh_) timer_.start();
+}
+
+void EvaluationFlow::start() {
+  timer_.stop();
+  if (!isWanted()) return;
+  if (job_.isRunning()) {
+    isOutdated_ = true;
+    job_.cancel();
+    return;
+  }
+  panel_->showProgress(0);
+  job_.start(
+      tr("Compare"),
+      [skeleton = parts_.document.skeleton(), reference = parts_.reference.skeleton(),
+       options =
+           EvaluationOptions{.registers = isLaid_, .motion = motion_, .tolerance = tolerance_}](
+          const Progress& progress) { return evaluate(skeleton, *reference, options, progress); },
+      [this](Evaluation evaluation) {
+        if (isOutdated_ || timer_.isActive()) return; // the plant, or what is asked, is another now
+        panel_->showRest({});
+        panel_->showHandWork(workOf(parts_.document));
+        motion_ = evaluation.motion;
+        parts_.reference.lay(evaluation.motion);
+        show(std::move(evaluation));
+        setFresh(true);
+      });
+}
+
+void EvaluationFlow::show(Evaluation evaluation) {
+  evaluation_ = std::make_shared<const Evaluation>(std::move(evaluation));
+  panel_->showScores(*evaluation_);
+  plot_->show({.curve = evaluation_->curve,
+               .chosen = evaluation_->score,
+               .unit = symbol(parts_.document.unit())});
+  errors_->show(evaluation_);
+  methods_->setPlant(evaluation_);
+  showColors();
+}
+
+void EvaluationFlow::forget() {
+  evaluation_.reset();
+  setFresh(false);
+  panel_->forgetScores();
+  plot_->show({});
+  errors_->show(nullptr);
+  methods_->setPlant(nullptr);
+  showColors();
+}
+
+void EvaluationFlow::setFresh(bool isFresh) {
+  if (isFresh_ == isFresh) return;
+  isFresh_ = isFresh;
+  panel_->setStale(!isFresh);
+  plot_->setStale(!isFresh);
+}
+
+void EvaluationFlow::showColors() {
+  const bool isOn = parts_.window.actions[colorId]->isChecked();
+  const bool hasColors = isOn && evaluation_ != nullptr;
+  parts_.view.setReferenceColors(
+      hasColors ? std::optional(colorsOf(evaluation_->differences.ofReference)) : std::nullopt);
+  if (isOn) // else they are those of another value
+    parts_.view.setNodeColors(hasColors ? std::optional(colorsOf(evaluation_->differences.ofResult))
+                                        : std::nullopt);
+}
+
+void EvaluationFlow::chooseTolerance(double tolerance) {
+  tolerance_ = tolerance;
+  methods_->setOptions(isLaid_, tolerance_);
+  setFresh(false);
+  later();
+  emit changed();
+}
+
+void EvaluationFlow::chooseLaid(bool isLaid) {
+  isLaid_ = isLaid;
+  methods_->setOptions(isLaid_, tolerance_);
+  motion_.reset();
+  setFresh(false);
+  later();
+  emit changed();
+}
+
+} // namespace espalier

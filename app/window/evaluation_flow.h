@@ -1,0 +1,94 @@
+#pragma once
+
+#include "app/window/error_walk.h"
+#include "app/window/methods_flow.h"
+#include "app/window/panel_dock.h"
+#include "core/evaluate/evaluation.h"
+#include "core/skeleton/skeleton_delta.h"
+#include "ui/jobs/job_runner.h"
+
+#include <QObject>
+#include <QTimer>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+class QMenu;
+
+namespace espalier {
+
+class EvaluationPanel;
+class PlotView;
+class ReferenceFlow;
+
+/// The evaluation dock: compares the plant with its reference, as a job a moment after each edit,
+/// and shows scores, curve and errors, and both skeletons in the colors of what differs.
+///
+/// Nothing is compared while nobody looks. What is shown after an edit is pale until it is fresh.
+class EvaluationFlow : public QObject {
+  Q_OBJECT
+
+public:
+  /// What it works with; all must outlive it.
+  struct Parts {
+    PlantDocument& document;
+    PlantView& view;
+    JobRunner& jobs;
+    Editing& editing;
+    ReferenceFlow& reference;
+    PanelDock::Parts window;
+  };
+  explicit EvaluationFlow(const Parts& parts);
+
+  void setPlantShown(bool isShown); // without a plant the panels are absent
+  void resetLayout();
+  void fillMenu(QMenu& menu) const;
+  void setDark(bool isDark);
+
+  /// Null: nothing has been compared. Of the plant as it is, if isUpToDate().
+  [[nodiscard]] const std::shared_ptr<const Evaluation>& evaluation() const { return evaluation_; }
+  [[nodiscard]] bool isUpToDate() const { return isFresh_; }
+
+  /// How it is compared, as a project keeps it, and back.
+  /// @throws Error if it is no such text; all is as at first then
+  [[nodiscard]] std::string text() const;
+  void show(const std::string& text);
+
+signals:
+  void noted(const QString& message);
+  void changed(); // what a project keeps of it
+
+private:
+  void makePanel();
+  void connectDocument();
+  void connectPanel();
+  void takeReference();
+  void take(const SkeletonDelta& delta);
+  void later();
+  void start();
+  void show(Evaluation evaluation);
+  void forget();
+  void setFresh(bool isFresh);
+  void showColors();
+  void chooseTolerance(double tolerance);
+  void chooseLaid(bool isLaid);
+  [[nodiscard]] bool isWanted() const;
+
+  Parts parts_;
+  std::unique_ptr<ErrorWalk> errors_;
+  std::unique_ptr<MethodsFlow> methods_;
+  EvaluationPanel* panel_ = nullptr;
+  PlotView* plot_ = nullptr;
+  PanelDock* dock_ = nullptr;
+  QTimer timer_;
+  JobRunner job_;
+  bool isOutdated_ = false; // while the job runs: it has to begin again
+  bool isFresh_ = false;
+  std::shared_ptr<const Evaluation> evaluation_;
+  std::optional<Eigen::Isometry3d> motion_; // of the reference; none: to be found
+  double tolerance_ = 0;                    // [L], as chosen; 0: by the rule
+  bool isLaid_ = true;
+};
+
+} // namespace espalier

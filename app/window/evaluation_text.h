@@ -1,0 +1,25 @@
+#pragma once
+
+#include "core/evaluate/differences.h"
+
+#include <string>
+#include <vector>
+
+namespace espalier {
+
+/// How a plant is compared with its reference, as a project keeps it.
+struct EvaluationText {
+  double tolerance = 0;                    // [L]; 0: as the reference suggests
+  bool isLaid = true;                      // the reference on the plant
+  std::vector<DifferingPart> ignored = {}; // kind and `at` alone
+  bool operator==(const EvaluationText&) const = default;
+};
+
+/// As JSON: {"tolerance": 10, "laid": false, "ignored": [{"kind": "missed", "at": [x, y, z]}]};
+/// empty if all is as at first.
+[[nodiscard]] std::string textOf(const EvaluationText& evaluation);
+
+/// @throws Error if it is no such text
+[[nodiscard]] EvaluationText evaluationFrom(const std::string& text);
+
+} // namespace espalier

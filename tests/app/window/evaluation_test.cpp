@@ -1,0 +1,311 @@
+#include "app/window/evaluation_text.h"
+#include "app/window/load_files.h"
+#include "core/base/error.h"
+#include "core/io/formats.h"
+#include "core/skeleton/edits.h"
+#include "tests/app/window/project_fixture.h"
+#include "tests/support/canonical.h"
+#include "tests/ui/view/pictures.h"
+#include "ui/document/difference_look.h"
+#include "ui/panels/status_line.h"
+#include "ui/plots/plot_view.h"
+
+#include <QCheckBox>
+#include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QTest>
+#include <QToolButton>
+#include <QTreeWidget>
+#include <QUndoStack>
+
+namespace espalier {
+namespace {
+
+/// A fork of three shoots as reference, and plants that differ from it.
+struct EvaluationWindowTest : test::ProjectWindowTest {
+  /// A fork whose edges have nodes every tenth, so that a tolerance of some hundredths fits.
+  static Skeleton plant() {
+    Skeleton made = test::stick(11, 0.1);
+    for (int shoot = 0; shoot < 3; ++shoot) {
+      NodeId last{10};
+      const double angle = 2 * M_PI * shoot / 3;
+      for (int i = 1; i <= 10; ++i)
+        last = made.add(
+            {.position = {0.1 * i * std::cos(angle), 0.1 * i * std::sin(angle), 1 + 0.1 * i},
+             .radius = 0.01,
+             .parent = last,
+             .edge = i == 1 && shoot > 0 ? EdgeType::branching : EdgeType::successor});
+    }
+    for (const NodeId id : made.ids())
+      made.setRadius(id, 0.01);
+    return made;
+  }
+  static NodeId shoot(int number) { return NodeId{static_cast<std::uint32_t>(11 + 10 * number)}; }
+  QString write(const QString& name, const Skeleton& skeleton) {
+    writeStructure(toPath(path(name)), skeleton);
+    return path(name);
+  }
+  /// Opens a plant, made of the reference by an edit, and loads that reference.
+  template <class Edit> void compare(const Edit& edit) {
+    Skeleton result = plant();
+    SkeletonEditor editor(result);
+    edit(editor);
+    static_cast<void>(editor.commit());
+    const QString file = write("plant.mtg", result);
+    open({file});
+    load(write("expert.mtg", plant()));
+  }
+  void load(const QString& file) {
+    answer(chooseFile(file), [this] { action("load_reference").trigger(); });
+    waitForJob();
+    EXPECT_TRUE(waitForScores());
+  }
+  [[nodiscard]] QString score(const QString& name) { return find<QLabel>("score_" + name).text(); }
+  [[nodiscard]] bool waitForScores() {
+    return QTest::qWaitFor(
+        [&] {
+          return score("f") != QStringLiteral("–") &&
+                 find<QLabel>("score_f").property("role") == "value";
+        },
+        60'000);
+  }
+  [[nodiscard]] bool waitForErrors(int count) {
+    const QString title = count == 1 ? "1 error" : QStringLiteral("%1 errors").arg(count);
+    return QTest::qWaitFor([&] { return errors() == title; }, 60'000);
+  }
+  [[nodiscard]] QString errors() { return find<QLabel>("differences_title").text(); }
+  QTreeWidget& list() { return find<QTreeWidget>("differences_list"); }
+  [[nodiscard]] QString kind(int row) { return list().topLevelItem(row)->text(0); }
+  [[nodiscard]] bool isPlantTheReference() {
+    return test::canonical(test::withoutEntities(document().skeleton())) ==
+           test::canonical(plant());
+  }
+};
+
+const auto nothing = [](SkeletonEditor&) {};
+
+TEST_F(EvaluationWindowTest, SaysWhatToDoWithoutAReference) {
+  open({write("plant.mtg", plant())});
+  EXPECT_FALSE(find<QDockWidget>("evaluation").isVisible());
+  key(Qt::Key_F5);
+  EXPECT_TRUE(find<QDockWidget>("evaluation").isVisible());
+  EXPECT_TRUE(find<QLabel>("evaluation_hint").isVisible());
+  answer(chooseFile(write("expert.mtg", plant())), [this] { clickButton("evaluation_load"); });
+  waitForJob();
+  EXPECT_TRUE(waitForScores());
+  EXPECT_FALSE(find<QLabel>("evaluation_hint").isVisible());
+  EXPECT_EQ(find<QLabel>("evaluation_title").text(), "Compared with expert.mtg");
+}
+
+TEST_F(EvaluationWindowTest, GivesThePlantItselfAllThatCanBeReached) {
+  compare(nothing);
+  EXPECT_TRUE(find<QDockWidget>("evaluation").isVisible()) << "what was loaded is shown";
+  for (const char* name : {"f", "precision", "recall", "tips", "branchings", "mapping", "geometric",
+                           "geometric_near", "structural", "structural_all", "types"})
+    EXPECT_EQ(score(name), "1.000") << name;
+  EXPECT_EQ(score("edits"), "0");
+  EXPECT_EQ(score("work"), "none");
+  EXPECT_EQ(errors(), "0 errors");
+  key(Qt::Key_F3);
+  EXPECT_TRUE(window().statusLine().shownText().startsWith("Nothing differs"));
+}
+
+TEST_F(EvaluationWindowTest, MeasuresByTheToleranceThatIsChosen) {
+  // One shoot, of four parts of equal length but for its steepness, lies 0.2 to the side.
+  compare([](SkeletonEditor& editor) { removeSubtree(editor, shoot(2)); });
+  auto& tolerance = find<QDoubleSpinBox>("evaluation_tolerance");
+  const double usual = tolerance.value();
+  EXPECT_GT(usual, 0);
+  const double length = 1 + 3 * std::sqrt(2.0); // of the reference
+  EXPECT_NEAR(score("recall").toDouble(), 1 - (std::sqrt(2.0) - usual) / length, 0.03);
+  EXPECT_EQ(score("precision"), "1.000");
+  tolerance.setValue(3);
+  EXPECT_EQ(find<QLabel>("score_f").property("role"), "quiet") << "until it is compared";
+  ASSERT_TRUE(waitForScores());
+  EXPECT_EQ(score("recall"), "1.000");
+  auto& plot = find<PlotView>("tolerance_plot");
+  QTest::mouseClick(&plot, Qt::LeftButton, {}, plot.rect().center());
+  EXPECT_LT(tolerance.value(), 6);
+  EXPECT_NE(tolerance.value(), 3);
+}
+
+TEST_F(EvaluationWindowTest, ColorsBothSkeletonsByWhatDiffers) {
+  compare([](SkeletonEditor& editor) {
+    removeSubtree(editor, shoot(2));
+    addChild(editor, NodeId{5}, {0, -1, 0.5});
+  });
+  EXPECT_TRUE(action("node_color_comparison").isChecked());
+  view().frameAll();
+  waitForView();
+  const auto count = [&](Difference difference) {
+    return test::countPixels(view().picture({600, 450}), colorOf(difference), 24);
+  };
+  const int missed = count(Difference::missed);
+  const int invented = count(Difference::invented);
+  EXPECT_GT(missed, 100) << "legend and line";
+  EXPECT_GT(invented, 100);
+  key(Qt::Key_6, Qt::ControlModifier);
+  EXPECT_LT(count(Difference::missed), missed) << "the layer of the reference";
+  EXPECT_EQ(count(Difference::invented), invented);
+  key(Qt::Key_6, Qt::ControlModifier);
+  action("remove_reference").trigger();
+  EXPECT_TRUE(action("node_color_none").isChecked());
+  EXPECT_FALSE(action("node_color_comparison").isVisible());
+  EXPECT_EQ(count(Difference::missed), 0);
+}
+
+TEST_F(EvaluationWindowTest, FollowsEditsAndUndo) {
+  compare(nothing);
+  document().edit("Remove", [](SkeletonEditor& editor) { removeSubtree(editor, shoot(1)); });
+  EXPECT_EQ(find<QLabel>("score_f").property("role"), "quiet") << "stale until it is fresh";
+  EXPECT_TRUE(waitForErrors(1));
+  ASSERT_TRUE(waitForScores());
+  EXPECT_LT(score("recall").toDouble(), 0.8);
+  EXPECT_TRUE(score("work").startsWith("1 edit, "));
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(waitForErrors(0));
+  ASSERT_TRUE(waitForScores());
+  EXPECT_EQ(score("recall"), "1.000");
+}
+
+TEST_F(EvaluationWindowTest, LaysTheReferenceOnThePlantUnlessItIsToLieWhereItLay) {
+  Skeleton off = plant();
+  for (const NodeId id : off.ids())
+    off.setPosition(id, off[id].position + Eigen::Vector3d(0, 0.05, 0.1));
+  open({write("plant.mtg", plant())});
+  load(write("expert.mtg", off));
+  EXPECT_EQ(score("f"), "1.000");
+  EXPECT_TRUE(find<QLabel>("evaluation_shift").text().contains("it lay 0.112"))
+      << find<QLabel>("evaluation_shift").text().toStdString();
+  QTest::mouseClick(&find<QCheckBox>("evaluation_laid"), Qt::LeftButton, {}, QPoint(8, 8));
+  ASSERT_TRUE(waitForScores());
+  EXPECT_LT(score("f").toDouble(), 0.9);
+  EXPECT_EQ(find<QLabel>("evaluation_shift").text(), "");
+}
+
+TEST_F(EvaluationWindowTest, KeysGoFromErrorToErrorTheLongestFirst) {
+  compare([](SkeletonEditor& editor) {
+    removeSubtree(editor, shoot(2));
+    addChild(editor, NodeId{5}, {0, -0.5, 0.5});
+  });
+  ASSERT_TRUE(waitForErrors(2));
+  EXPECT_EQ(kind(0), "Missed");
+  EXPECT_EQ(kind(1), "Invented");
+  key(Qt::Key_F3);
+  EXPECT_EQ(list().currentItem(), list().topLevelItem(0));
+  EXPECT_TRUE(document().selection().isEmpty()) << "it is of the reference";
+  EXPECT_EQ(action("accept_reference").text(), "Add to Plant");
+  waitForView();
+  const auto end = view().project({std::cos(4 * M_PI / 3), std::sin(4 * M_PI / 3), 2});
+  ASSERT_TRUE(end);
+  EXPECT_TRUE(view().rect().contains(end->toPoint()));
+  key(Qt::Key_F3);
+  EXPECT_EQ(list().currentItem(), list().topLevelItem(1));
+  EXPECT_EQ(document().selection().nodes().size(), 1U);
+  EXPECT_EQ(action("accept_reference").text(), "Remove from Plant");
+  key(Qt::Key_F3);
+  EXPECT_EQ(list().currentItem(), list().topLevelItem(0)) << "after the last comes the first";
+  key(Qt::Key_F3, Qt::ShiftModifier);
+  EXPECT_EQ(list().currentItem(), list().topLevelItem(1));
+  EXPECT_EQ(document().undoStack().count(), 0) << "to look is no edit";
+  QTest::mouseClick(list().viewport(), Qt::LeftButton, {},
+                    list().visualItemRect(list().topLevelItem(0)).center());
+  EXPECT_TRUE(document().selection().isEmpty());
+}
+
+TEST_F(EvaluationWindowTest, AcceptsErrorByErrorEachAsOneStep) {
+  compare([](SkeletonEditor& editor) {
+    removeSubtree(editor, shoot(2));
+    addChild(editor, NodeId{5}, {0, -0.5, 0.5});
+    reparentNode(editor, shoot(1), NodeId{3});
+  });
+  ASSERT_TRUE(waitForErrors(3));
+  const Skeleton before = document().skeleton();
+  for (int steps = 1; steps <= 3; ++steps) {
+    key(Qt::Key_F3);
+    key(Qt::Key_Return, Qt::ControlModifier);
+    EXPECT_EQ(document().undoStack().count(), steps);
+    EXPECT_TRUE(waitForErrors(3 - steps));
+    ASSERT_TRUE(waitForScores());
+  }
+  EXPECT_TRUE(isPlantTheReference());
+  EXPECT_EQ(score("f"), "1.000");
+  const QString name = document().undoStack().text(0);
+  EXPECT_TRUE(name.contains("reference")) << name.toStdString();
+  for (int i = 0; i < 3; ++i)
+    key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(document().skeleton(), before);
+}
+
+TEST_F(EvaluationWindowTest, GoesOnBehindWhatWasAccepted) {
+  compare([](SkeletonEditor& editor) {
+    removeSubtree(editor, shoot(2));
+    addChild(editor, NodeId{5}, {0, -0.5, 0.5});
+    addChild(editor, NodeId{7}, {0, -0.4, 0.7});
+  });
+  ASSERT_TRUE(waitForErrors(3));
+  const QString second = list().topLevelItem(1)->text(1);
+  key(Qt::Key_F3);
+  key(Qt::Key_Return, Qt::ControlModifier);
+  EXPECT_EQ(errors(), "2 errors") << "at once";
+  key(Qt::Key_F3);
+  EXPECT_EQ(list().currentItem()->text(1), second) << "none is passed over";
+}
+
+TEST_F(EvaluationWindowTest, RefusesAPartThatHasBeenEditedSince) {
+  compare([](SkeletonEditor& editor) { addChild(editor, NodeId{5}, {0, -0.5, 0.5}); });
+  ASSERT_TRUE(waitForErrors(1));
+  key(Qt::Key_F3);
+  const NodeId spur = document().selection().nodes().front();
+  document().edit("Remove", [=](SkeletonEditor& editor) { removeNode(editor, spur); });
+  key(Qt::Key_Return, Qt::ControlModifier);
+  EXPECT_EQ(document().undoStack().count(), 1);
+  EXPECT_TRUE(message().contains("has been edited since it was compared"));
+}
+
+TEST_F(EvaluationWindowTest, IgnoredErrorsLeaveTheListAndAreKeptInTheProject) {
+  compare([](SkeletonEditor& editor) {
+    removeSubtree(editor, shoot(2));
+    addChild(editor, NodeId{5}, {0, -0.5, 0.5});
+  });
+  ASSERT_TRUE(waitForErrors(2));
+  key(Qt::Key_F3);
+  key(Qt::Key_F3, Qt::ControlModifier);
+  EXPECT_EQ(errors(), "1 error");
+  EXPECT_EQ(find<QToolButton>("differences_ignored").text(), "1 ignored");
+  const QString file = saveProject("plant.espalier");
+  window().close();
+  restart();
+  open({file});
+  ASSERT_TRUE(waitForScores());
+  EXPECT_EQ(errors(), "1 error");
+  auto& shown = find<QToolButton>("differences_ignored");
+  QTest::mouseClick(&shown, Qt::LeftButton);
+  const QTreeWidgetItem* item = list().topLevelItem(1);
+  EXPECT_FALSE(item->isHidden());
+  QTest::mouseClick(list().viewport(), Qt::LeftButton, {}, list().visualItemRect(item).center());
+  EXPECT_EQ(action("ignore_error").text(), "Show Error Again");
+  key(Qt::Key_F3, Qt::ControlModifier);
+  EXPECT_EQ(errors(), "2 errors");
+}
+
+TEST(EvaluationText, ComesBackAsItWas) {
+  const EvaluationText text{
+      0.25, false, {{.kind = Difference::invented, .nodes = {}, .at = {1, 2.5, -3}}}};
+  EXPECT_EQ(evaluationFrom(textOf(text)), text);
+  EXPECT_EQ(textOf(EvaluationText()), "");
+  EXPECT_EQ(evaluationFrom(""), EvaluationText());
+}
+
+TEST(EvaluationText, IsRefusedIfItIsNone) {
+  for (const char* text :
+       {"nonsense", "{}", R"({"tolerance": "a", "laid": true})",
+        R"({"tolerance": -1, "laid": true})",
+        R"({"tolerance": 1, "laid": true, "ignored": [{"kind": "matched", "at": [0, 0, 0]}]})",
+        R"({"tolerance": 1, "laid": true, "ignored": [{"kind": "missed", "at": [0, 0]}]})"})
+    EXPECT_THROW(static_cast<void>(evaluationFrom(text)), Error) << text;
+}
+
+} // namespace
+} // namespace espalier

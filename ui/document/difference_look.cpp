@@ -1,0 +1,42 @@
+#include "ui/document/difference_look.h"
+
+#include <QCoreApplication>
+
+namespace espalier {
+namespace {
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("Differences", text);
+}
+
+} // namespace
+
+QString titleOf(Difference difference) {
+  switch (difference) {
+  case Difference::matched:
+    return tr("Matched");
+  case Difference::missed:
+    return tr("Missed");
+  case Difference::invented:
+    return tr("Invented");
+  case Difference::wronglyAttached:
+    return tr("Wrongly attached");
+  }
+  return {};
+}
+
+Color colorOf(Difference difference) {
+  switch (difference) {
+  case Difference::missed:
+    return {0x1b, 0x87, 0xd0};
+  case Difference::invented:
+    return {0xd5, 0x5e, 0x00};
+  case Difference::wronglyAttached:
+    return {0xcc, 0x79, 0xa7};
+  case Difference::matched:
+    break;
+  }
+  return {0x8c, 0x91, 0x8f};
+}
+
+} // namespace espalier

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/cloud/point_cloud.h"
+#include "core/evaluate/differences.h"
+
+#include <QString>
+
+namespace espalier {
+
+/// "Matched", "Missed", "Invented", "Wrongly attached"
+[[nodiscard]] QString titleOf(Difference difference);
+
+/// Grey, blue, vermillion and purple: told apart by the color-blind, on dark and on light.
+[[nodiscard]] Color colorOf(Difference difference);
+
+} // namespace espalier

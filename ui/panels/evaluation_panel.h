@@ -1,0 +1,97 @@
+#pragma once
+
+#include "core/evaluate/evaluation.h"
+#include "core/project/corrections.h"
+
+#include <QString>
+#include <QStringList>
+#include <QWidget>
+
+#include <optional>
+
+class QAction;
+class QCheckBox;
+class QDoubleSpinBox;
+class QGridLayout;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QScrollArea;
+
+namespace espalier {
+
+class PlantDocument;
+
+/// How well the plant agrees with its reference: what is compared, at which tolerance, the scores,
+/// and beside them the curve and the list of errors, which are widgets of their own.
+class EvaluationPanel : public QWidget {
+  Q_OBJECT
+
+public:
+  /// What stands in it, and what its buttons do; it owns the widgets.
+  struct Parts {
+    QWidget* plot;
+    QWidget* errors;
+    QAction* load;  // a reference
+    QAction* color; // colors both skeletons by what differs
+  };
+  EvaluationPanel(const PlantDocument& document, const Parts& parts, QWidget* parent = nullptr);
+
+  /// Empty: there is none, and what to do is said instead of scores.
+  void setReference(const QString& name);
+  void showScores(const Evaluation& evaluation);
+  void forgetScores();
+  void setStale(bool isStale); // the plant has changed since
+  void showHandWork(const HandWork& work);
+  void showProgress(double fraction); // of comparing; in [0, 1]
+  /// Comparing has ended; if `text` is not empty it did not go well, or was stopped.
+  void showRest(const QString& text);
+
+  void setTolerance(double tolerance); // [L]
+  void setLaid(bool isLaid);
+
+signals:
+  void toleranceChosen(double tolerance);
+  void laidChosen(bool isLaid); // whether the reference is laid on the plant
+  void cancelRequested();
+  void compareRequested();
+
+private:
+  QWidget* makeHead(const Parts& parts);
+  QWidget* makeScores();
+  QLabel* addScore(QGridLayout& grid, int row, int column, const QString& text, const QString& help,
+                   const char* name);
+  void refreshShift(const Evaluation& evaluation);
+  void fitScores(); // none is cut off
+  [[nodiscard]] QString length(double value) const;
+
+  const PlantDocument& document_;
+  QWidget* content_;
+  QWidget* empty_;
+  QLabel* title_;
+  QLabel* shift_;
+  QLabel* state_;
+  QProgressBar* progress_;
+  QPushButton* cancel_;
+  QPushButton* compare_;
+  QCheckBox* laid_;
+  QDoubleSpinBox* tolerance_;
+  QWidget* scores_;
+  QScrollArea* scoresArea_;
+  QLabel* precision_;
+  QLabel* recall_;
+  QLabel* f_;
+  QLabel* mapping_;
+  QLabel* geometric_;
+  QLabel* geometricNear_;
+  QLabel* structural_;
+  QLabel* structuralOfAll_;
+  QLabel* tips_;
+  QLabel* branchings_;
+  QLabel* distances_;
+  QLabel* edits_;
+  QLabel* types_;
+  QLabel* work_;
+};
+
+} // namespace espalier

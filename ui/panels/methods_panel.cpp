@@ -1,0 +1,243 @@
+#include "ui/panels/methods_panel.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace espalier {
+namespace {
+
+constexpr int valueRole = Qt::UserRole;   // the number itself
+constexpr int rowRole = Qt::UserRole + 1; // as it was given
+
+enum class Kind { share, length, count };
+
+struct Column {
+  QString title;
+  QString help;
+  Kind kind;
+  std::function<std::optional<double>(const MethodScores&)> value;
+};
+
+const std::vector<Column>& scoreColumns() {
+  const auto tr = [](const char* text) { return MethodsPanel::tr(text); };
+  static const std::vector<Column> columns = {
+      {tr("F"), tr("Of precision and recall within the tolerance"), Kind::share, &MethodScores::f},
+      {tr("Precision"), tr("Share of its length near the reference"), Kind::share,
+       &MethodScores::precision},
+      {tr("Recall"), tr("Share of the reference's length near it"), Kind::share,
+       &MethodScores::recall},
+      {tr("Tips"), tr("F of the ends within a median edge"), Kind::share, &MethodScores::tips},
+      {tr("Branchings"), tr("F of the branchings within a median edge"), Kind::share,
+       &MethodScores::branchings},
+      {tr("To ref."), tr("Mean distance from it to the reference"), Kind::length,
+       &MethodScores::toReference},
+      {tr("From ref."), tr("Mean distance from the reference to it"), Kind::length,
+       &MethodScores::toResult},
+      {tr("Mapping"), tr("Share of the segments of both that are matched (authors)"), Kind::share,
+       &MethodScores::mapping},
+      {tr("G"), tr("Share of the length of both that is matched (authors)"), Kind::share,
+       &MethodScores::geometric},
+      {tr("G, near"), tr("Without matches of segments farther apart than candidates may be"),
+       Kind::share, &MethodScores::geometricNear},
+      {tr("T"), tr("Share of the matches whose bearers are matched, too (authors)"), Kind::share,
+       &MethodScores::structural},
+      {tr("T, all"), tr("The same as a share of all segments of the reference"), Kind::share,
+       &MethodScores::structuralOfAll},
+      {tr("Types, κ"), tr("Agreement on what continues and what branches, beyond chance"),
+       Kind::share, &MethodScores::types},
+      {tr("Wrong"), tr("Wrong attachments"), Kind::count, &MethodScores::wrong},
+      {tr("Edits"), tr("Segments to remove or insert to make one of the other"), Kind::count,
+       &MethodScores::edits},
+      {tr("Shift"), tr("How far off the reference it lay"), Kind::length, &MethodScores::shift},
+      {tr("Nodes"), tr("Nodes it has"), Kind::count, &MethodScores::nodes}};
+  return columns;
+}
+
+/// Sorts by number; what has none comes after all others, whichever way.
+class Cell : public QTableWidgetItem {
+public:
+  using QTableWidgetItem::QTableWidgetItem;
+  bool operator<(const QTableWidgetItem& other) const override {
+    const QVariant value = data(valueRole);
+    const QVariant otherValue = other.data(valueRole);
+    const bool isUp = tableWidget()->horizontalHeader()->sortIndicatorOrder() == Qt::AscendingOrder;
+    if (value.isValid() != otherValue.isValid()) return value.isValid() == isUp;
+    return value.toDouble() < otherValue.toDouble();
+  }
+};
+
+QString textOf(double value, Kind kind, LengthUnit unit) {
+  if (kind == Kind::share) return QString::number(value, 'f', 3);
+  if (kind == Kind::length) return formatLength(value, unit, 3);
+  return QString::number(value, 'g', 6);
+}
+
+} // namespace
+
+MethodScores MethodScores::of(const Evaluation& evaluation) {
+  const Comparison& comparison = evaluation.comparison;
+  MethodScores scores{.nodes = static_cast<double>(comparison.resultTraits.nodes),
+                      .f = evaluation.score.f(),
+                      .precision = evaluation.score.precision,
+                      .recall = evaluation.score.recall,
+                      .tips = comparison.tips.f(),
+                      .branchings = comparison.branchings.f(),
+                      .toReference = comparison.tolerance.toReference.mean,
+                      .toResult = comparison.tolerance.toResult.mean,
+                      .mapping = comparison.authors.mapping,
+                      .geometric = comparison.authors.geometric,
+                      .geometricNear = evaluation.geometricNear,
+                      .structural = comparison.authors.structural,
+                      .structuralOfAll = evaluation.structuralOfAll,
+                      .types = evaluation.types.kappa(),
+                      .edits = std::nullopt,
+                      .shift = evaluation.shift.norm()};
+  if (comparison.edit) scores.edits = comparison.edit->distance.distance;
+  scores.wrong = static_cast<double>(std::ranges::count(
+      evaluation.differences.parts, Difference::wronglyAttached, &DifferingPart::kind));
+  return scores;
+}
+
+MethodsPanel::MethodsPanel(QWidget* parent)
+    : QWidget(parent), note_(new QLabel), add_(new QPushButton(tr("Add Structures…"))),
+      remove_(new QPushButton(tr("Remove"))), copy_(new QPushButton(tr("Copy Table"))),
+      table_(new QTableWidget) {
+  setObjectName("methods_panel");
+  auto* page = new QVBoxLayout(this);
+  page->setContentsMargins(12, 8, 12, 8);
+  page->setSpacing(8);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(8);
+  note_->setObjectName("methods_note");
+  note_->setProperty("role", "quiet");
+  note_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // must not widen the panel
+  row->addWidget(note_, 1);
+  add_->setObjectName("methods_add");
+  remove_->setObjectName("methods_remove");
+  remove_->setToolTip(tr("Takes the selected structures out of the table"));
+  copy_->setObjectName("methods_copy");
+  copy_->setToolTip(tr("Copies the table for a spreadsheet"));
+  for (QPushButton* button : {add_, remove_, copy_})
+    row->addWidget(button);
+  page->addLayout(row);
+  table_->setObjectName("methods_table");
+  table_->setAccessibleName(tr("Structures compared with the reference"));
+  table_->setShowGrid(false);
+  table_->setSelectionBehavior(QTableView::SelectRows);
+  table_->setEditTriggers(QTableView::NoEditTriggers);
+  table_->setTabKeyNavigation(false);
+  table_->setWordWrap(false);
+  table_->verticalHeader()->hide();
+  table_->verticalHeader()->setDefaultSectionSize(24);
+  table_->setColumnCount(1 + static_cast<int>(scoreColumns().size()));
+  QStringList titles = {tr("Structure")};
+  for (const Column& column : scoreColumns())
+    titles.append(column.title);
+  table_->setHorizontalHeaderLabels(titles);
+  for (int i = 0; i < static_cast<int>(scoreColumns().size()); ++i)
+    table_->horizontalHeaderItem(i + 1)->setToolTip(
+        scoreColumns()[static_cast<std::size_t>(i)].help);
+  table_->horizontalHeader()->setHighlightSections(false);
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setSortIndicator(1, Qt::DescendingOrder);
+  table_->setSortingEnabled(true);
+  table_->installEventFilter(this);
+  page->addWidget(table_, 1);
+  connect(add_, &QPushButton::clicked, this, &MethodsPanel::addRequested);
+  connect(copy_, &QPushButton::clicked, this, &MethodsPanel::copyRequested);
+  connect(remove_, &QPushButton::clicked, this, [this] { emit removeRequested(chosenRows()); });
+  connect(table_, &QTableWidget::itemSelectionChanged, this,
+          [this] { remove_->setEnabled(!chosenRows().empty()); });
+  show({}, {}, LengthUnit::unknown);
+}
+
+void MethodsPanel::show(const std::vector<MethodRow>& rows, const QString& reference,
+                        LengthUnit unit) {
+  table_->setSortingEnabled(false); // rows would move while they are filled
+  table_->clearSelection();
+  table_->setRowCount(static_cast<int>(rows.size()));
+  for (int i = 0; i < static_cast<int>(rows.size()); ++i) {
+    const MethodRow& row = rows[static_cast<std::size_t>(i)];
+    auto* name = new QTableWidgetItem(row.error.isEmpty() ? row.name : "⚠ " + row.name);
+    name->setToolTip(row.error);
+    name->setData(rowRole, i);
+    table_->setItem(i, 0, name);
+    for (int k = 0; k < static_cast<int>(scoreColumns().size()); ++k) {
+      const Column& column = scoreColumns()[static_cast<std::size_t>(k)];
+      const std::optional<double> value =
+          row.scores ? column.value(*row.scores) : std::optional<double>();
+      auto* cell = new Cell(value                                ? textOf(*value, column.kind, unit)
+                            : row.error.isEmpty() && !row.scores ? QStringLiteral("…")
+                                                                 : QStringLiteral("–"));
+      if (value) cell->setData(valueRole, *value);
+      cell->setToolTip(row.error);
+      cell->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+      table_->setItem(i, k + 1, cell);
+    }
+  }
+  table_->setSortingEnabled(true);
+  noteText_ = reference.isEmpty() ? tr("Load a reference first: each structure is compared with it")
+              : rows.size() < 2
+                  ? tr("Add structures of other methods or experts to compare them with %1, too")
+                        .arg(reference)
+                  : tr("Compared with %1").arg(reference);
+  note_->setText(noteText_);
+  add_->setEnabled(!reference.isEmpty());
+  remove_->setEnabled(false);
+  copy_->setEnabled(!rows.empty());
+}
+
+void MethodsPanel::setBusy(bool isBusy) {
+  note_->setText(isBusy ? tr("Comparing…") : noteText_);
+}
+
+QString MethodsPanel::table() const {
+  QStringList lines;
+  QStringList cells;
+  for (int column = 0; column < table_->columnCount(); ++column)
+    cells.append(table_->horizontalHeaderItem(column)->text());
+  lines.append(cells.join('\t'));
+  for (int row = 0; row < table_->rowCount(); ++row) {
+    cells = {table_->item(row, 0)->text()};
+    for (int column = 1; column < table_->columnCount(); ++column) {
+      const QVariant value = table_->item(row, column)->data(valueRole);
+      cells.append(value.isValid() ? QString::number(value.toDouble(), 'g', 10) : QString());
+    }
+    lines.append(cells.join('\t'));
+  }
+  return lines.join('\n') + '\n';
+}
+
+/// Copying in the table copies the table; elsewhere, nodes.
+bool MethodsPanel::eventFilter(QObject* watched, QEvent* event) {
+  const bool isOverride = event->type() == QEvent::ShortcutOverride;
+  if (isOverride || event->type() == QEvent::KeyPress) {
+    if (static_cast<QKeyEvent*>(event)->matches(QKeySequence::Copy)) {
+      if (isOverride)
+        event->accept();
+      else
+        emit copyRequested();
+      return true;
+    }
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+std::vector<int> MethodsPanel::chosenRows() const {
+  std::vector<int> rows;
+  for (int row = 0; row < table_->rowCount(); ++row)
+    if (table_->item(row, 0) != nullptr && table_->item(row, 0)->isSelected())
+      rows.push_back(table_->item(row, 0)->data(rowRole).toInt());
+  return rows;
+}
+
+} // namespace espalier

@@ -135,7 +135,6 @@ QLabel* EvaluationPanel::addScore(QGridLayout& grid, int row, int column, const 
   auto* value = makeLabel(name, "value");
   value->setToolTip(help);
   value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  value->setMinimumWidth(44);
   value->setTextInteractionFlags(Qt::TextSelectableByMouse);
   value->setAccessibleName(text);
   grid.addWidget(value, row, 2 * column + 1);
@@ -228,7 +227,7 @@ void EvaluationPanel::showScores(const Evaluation& evaluation) {
 void EvaluationPanel::fitScores() {
   constexpr int scrollBar = 14;
   scores_->layout()->activate();
-  scoresArea_->setFixedWidth(std::max(452, scores_->minimumSizeHint().width() + scrollBar));
+  scoresArea_->setFixedWidth(std::max(396, scores_->minimumSizeHint().width() + scrollBar));
 }
 
 void EvaluationPanel::refreshShift(const Evaluation& evaluation) {

@@ -54,7 +54,10 @@ void PlotView::keyPressEvent(QKeyEvent* event) {
   if (way == 0 || plot_.curve.size() < 2 || !plot_.chosen) return QWidget::keyPressEvent(event);
   const double step = plot_.curve[1].distance - plot_.curve[0].distance;
   const double chosen = plot_.chosen->distance + way * step;
-  if (chosen > 0 && chosen <= plot_.curve.back().distance) emit toleranceChosen(chosen);
+  if (chosen <= 0 || chosen > plot_.curve.back().distance) return;
+  plot_.chosen = plot_.scoreAt(chosen); // until it is measured
+  update();
+  emit toleranceChosen(chosen);
 }
 
 void PlotView::choose(const QPointF& place) {

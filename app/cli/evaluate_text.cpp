@@ -28,7 +28,7 @@ void printConnections(const Comparison& comparison) {
   std::printf("  %5.1f%% of the length is of the same order, %.1f%% on the same axis\n",
               percent(architecture.sameOrder), percent(architecture.sameAxis));
   std::printf("  %5.1f%% of matched segments begin with the same type of edge\n",
-              percent(architecture.sameEdge));
+              percent(architecture.types.observed()));
 }
 
 /// How the wood of a result compares with that of the reference: 0 where there should be none.

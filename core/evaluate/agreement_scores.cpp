@@ -74,7 +74,7 @@ std::vector<double> agreementScores(const Skeleton& result, const Skeleton& refe
           ways.withinTenth,
           architecture.sameOrder,
           architecture.sameAxis,
-          architecture.sameEdge};
+          architecture.types.observed()};
 }
 
 } // namespace espalier

@@ -102,20 +102,6 @@ void compareOrders(ArchitectureAgreement& agreed, const std::vector<Found>& foun
     agreed.sameOrder = static_cast<double>(sameOfAll) / static_cast<double>(found.size());
 }
 
-void compareEdges(ArchitectureAgreement& agreed, const Skeleton& result, const Skeleton& reference,
-                  const AuthorsComparison& matches) {
-  std::size_t same = 0;
-  for (const AuthorsComparison::Match& match : matches.matches) {
-    const Node& here = result[matches.resultSegments[match.result].nodes.front()];
-    const Node& there = reference[matches.referenceSegments[match.reference].nodes.front()];
-    if (!here.parent || !there.parent) continue;
-    ++agreed.edges;
-    if (here.edge == there.edge) ++same;
-  }
-  if (agreed.edges > 0)
-    agreed.sameEdge = static_cast<double>(same) / static_cast<double>(agreed.edges);
-}
-
 } // namespace
 
 ArchitectureAgreement architectureAgreement(const Skeleton& result, const Skeleton& reference,
@@ -134,7 +120,7 @@ ArchitectureAgreement architectureAgreement(const Skeleton& result, const Skelet
     agreed.sameAxis =
         static_cast<double>(onSameAxis(found, axisOfEach(result), axisOfEach(reference))) /
         static_cast<double>(found.size());
-  compareEdges(agreed, result, reference, matches);
+  agreed.types = typeAgreement(matches, result, reference);
   return agreed;
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/base/progress.h"
 #include "core/evaluate/authors_comparison.h"
+#include "core/evaluate/type_agreement.h"
 #include "core/skeleton/skeleton.h"
 
 #include <cstddef>
@@ -22,8 +23,7 @@ struct ArchitectureAgreement {
   double sameOrder = 1;                // in [0, 1]: share of that; 1 if nothing is near
   double sameAxis = 1;                 // likewise
   std::vector<OrderAgreement> byOrder; // of the reference, order 0 first
-  std::size_t edges = 0;               // matched segments that hang on something in both
-  double sameEdge = 1;                 // in [0, 1]: share whose first edges are of one type; or 1
+  TypeAgreement types;                 // of the edges that matched segments hang by
 };
 
 /// Compares orders and axes at even samples of the reference with those of the nearest place of the

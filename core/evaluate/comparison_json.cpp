@@ -112,8 +112,9 @@ Json toJson(const ArchitectureAgreement& agreed) {
           {"same_order", agreed.sameOrder},
           {"same_axis", agreed.sameAxis},
           {"by_order", byOrder},
-          {"edges", agreed.edges},
-          {"same_edge", agreed.sameEdge}};
+          {"edges", agreed.types.count()},
+          {"same_edge", agreed.types.observed()},
+          {"edge_kappa", agreed.types.kappa()}};
 }
 
 Json toJson(const WoodAmount& wood) {

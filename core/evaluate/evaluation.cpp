@@ -1,7 +1,6 @@
 #include "core/evaluate/evaluation.h"
 
 #include "core/evaluate/comparable.h"
-#include "core/evaluate/safer_indices.h"
 #include "core/skeleton/bounds.h"
 
 #include <algorithm>
@@ -46,16 +45,14 @@ Evaluation evaluate(const Skeleton& result, const Skeleton& reference,
                                  progress.part(0.5, 0.65, "Finding differences"));
   ComparisonOptions compared;
   compared.registers = false;
-  compared.tolerance.distances = curveDistances(made.tolerance, usual.back());
-  compared.tolerance.distances.push_back(made.tolerance);
-  made.comparison = compare(result, made.reference, compared, progress.part(0.65, 1, "Comparing"));
-  made.curve = made.comparison.tolerance.scores;
-  made.score = made.curve.back();
-  made.curve.pop_back();
-  const AuthorsComparison& authors = made.comparison.authors;
-  made.geometricNear = geometricIndexWithin(authors, authors.boxDistance);
-  made.structuralOfAll = structuralIndexOfAll(authors);
-  made.types = typeAgreement(authors, result, made.reference);
+  compared.tolerance.distances = {made.tolerance};
+  made.comparison =
+      compare(result, made.reference, compared, progress.part(0.65, 0.95, "Comparing"));
+  made.score = made.comparison.tolerance.scores.front();
+  made.curve = toleranceCurve(result, made.reference,
+                              {.distances = curveDistances(made.tolerance, usual.back())},
+                              progress.part(0.95, 1))
+                   .scores;
   return made;
 }
 

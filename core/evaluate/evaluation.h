@@ -4,7 +4,6 @@
 #include "core/evaluate/comparison.h"
 #include "core/evaluate/differences.h"
 #include "core/evaluate/registration.h"
-#include "core/evaluate/type_agreement.h"
 #include "core/skeleton/skeleton.h"
 
 #include <optional>
@@ -28,10 +27,7 @@ struct Evaluation {
   double tolerance = 0;                            // [L], as used
   ToleranceScore score{};                          // at the tolerance
   std::vector<ToleranceScore> curve;               // at even distances from 0 on
-  Comparison comparison;                           // not registered: both lie as they are compared
-  double geometricNear = 0;   // geometricIndexWithin() the distance of candidates
-  double structuralOfAll = 0; // structuralIndexOfAll()
-  TypeAgreement types;
+  Comparison comparison; // not registered: both lie as they are compared; capped at the tolerance
   Differences differences;
 };
 

@@ -168,9 +168,9 @@ QWidget* EvaluationPanel::makeScores() {
                  tr("Share of the segments of both that are matched (authors)"), "score_mapping");
   geometric_ = add(1, 1, tr("Geometric G"),
                    tr("Share of the length of both that is matched (authors)"), "score_geometric");
-  geometricNear_ = add(2, 1, tr("G, near matches"),
-                       tr("Without matches of segments farther apart than candidates may be"),
-                       "score_geometric_near");
+  cappedGeometric_ =
+      add(2, 1, tr("Capped G"), tr("The same, matched only where they lie within the tolerance"),
+          "score_capped_geometric");
   structural_ =
       add(3, 1, tr("Structural T"),
           tr("Share of the matches whose bearers are matched, too (authors)"), "score_structural");
@@ -210,15 +210,15 @@ void EvaluationPanel::showScores(const Evaluation& evaluation) {
   share(branchings_, comparison.branchings.f());
   share(mapping_, comparison.authors.mapping);
   share(geometric_, comparison.authors.geometric);
-  share(geometricNear_, evaluation.geometricNear);
+  share(cappedGeometric_, evaluation.comparison.capped.front().geometric);
   share(structural_, comparison.authors.structural);
-  share(structuralOfAll_, evaluation.structuralOfAll);
+  share(structuralOfAll_, evaluation.comparison.authors.structuralOfAll);
   distances_->setText(
       tr("%1, %2").arg(formatLength(comparison.tolerance.toReference.mean, LengthUnit::unknown, 3),
                        length(comparison.tolerance.toResult.mean)));
   edits_->setText(comparison.edit ? QString::number(comparison.edit->distance.distance, 'g', 6)
                                   : QStringLiteral("–"));
-  share(types_, evaluation.types.kappa());
+  share(types_, evaluation.comparison.architecture.types.kappa());
   setTolerance(evaluation.tolerance);
   refreshShift(evaluation);
   fitScores();
@@ -255,8 +255,9 @@ void EvaluationPanel::refreshShift(const Evaluation& evaluation) {
 }
 
 void EvaluationPanel::forgetScores() {
-  for (QLabel* label : {f_, precision_, recall_, tips_, branchings_, mapping_, geometric_,
-                        geometricNear_, structural_, structuralOfAll_, distances_, edits_, types_})
+  for (QLabel* label :
+       {f_, precision_, recall_, tips_, branchings_, mapping_, geometric_, cappedGeometric_,
+        structural_, structuralOfAll_, distances_, edits_, types_})
     label->setText(QStringLiteral("–"));
   shift_->clear();
 }

@@ -83,7 +83,7 @@ private:
   QLabel* f_;
   QLabel* mapping_;
   QLabel* geometric_;
-  QLabel* geometricNear_;
+  QLabel* cappedGeometric_;
   QLabel* structural_;
   QLabel* structuralOfAll_;
   QLabel* tips_;

@@ -21,7 +21,7 @@ struct MethodScores {
   double f = 0, precision = 0, recall = 0; // within the tolerance
   double tips = 0, branchings = 0;         // F
   double toReference = 0, toResult = 0;    // [L], mean distances
-  double mapping = 0, geometric = 0, geometricNear = 0, structural = 0, structuralOfAll = 0;
+  double mapping = 0, geometric = 0, cappedGeometric = 0, structural = 0, structuralOfAll = 0;
   double types = 0;            // kappa
   std::optional<double> edits; // none: too many parts
   double wrong = 0;            // attachments

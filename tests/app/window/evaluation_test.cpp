@@ -102,7 +102,7 @@ TEST_F(EvaluationWindowTest, GivesThePlantItselfAllThatCanBeReached) {
   compare(nothing);
   EXPECT_TRUE(find<QDockWidget>("evaluation").isVisible()) << "what was loaded is shown";
   for (const char* name : {"f", "precision", "recall", "tips", "branchings", "mapping", "geometric",
-                           "geometric_near", "structural", "structural_all", "types"})
+                           "capped_geometric", "structural", "structural_all", "types"})
     EXPECT_EQ(score(name), "1.000") << name;
   EXPECT_EQ(score("edits"), "0");
   EXPECT_EQ(score("work"), "none");

@@ -60,7 +60,10 @@ public:
 
 private:
   void free() {
-    qh_freeqhull(&qh_, qh_ALL); // all that it has
+    qh_freeqhull(&qh_, !qh_ALL); // large blocks, then the small ones
+    int blocks = 0;
+    int bytes = 0;
+    qh_memfreeshort(&qh_, &blocks, &bytes);
   }
 
   Eigen::Matrix3Xd points_;

@@ -39,6 +39,13 @@ std::vector<std::string> kindNames() {
   return names;
 }
 
+/// @throws WrongUsage if it is no number
+double levelIn(const std::string& level, const std::string& name) {
+  if (const auto value = numberIn(level)) return *value;
+  throw WrongUsage("level " + inQuotes(level) + " of " + name + ": expected numbers, as " + name +
+                   "=0.1,0.5");
+}
+
 /// The series that "prune=0.1,0.5" or "prune" stands for.
 NoiseSeries seriesOf(const std::string& text) {
   const std::size_t equals = text.find('=');
@@ -50,13 +57,8 @@ NoiseSeries seriesOf(const std::string& text) {
                      CLI::detail::join(names, ", "));
   NoiseSeries series{static_cast<Perturbation>(found - names.begin()), {}};
   if (equals == std::string::npos) return series;
-  for (const std::string& level : CLI::detail::split(text.substr(equals + 1), ',')) {
-    const auto value = numberIn(level);
-    if (!value)
-      throw WrongUsage("level " + inQuotes(level) + " of " + name + ": expected numbers, as " +
-                       name + "=0.1,0.5");
-    series.levels.push_back(*value);
-  }
+  for (const std::string& level : CLI::detail::split(text.substr(equals + 1), ','))
+    series.levels.push_back(levelIn(level, name));
   return series;
 }
 

@@ -60,7 +60,7 @@ EvaluationText evaluationFrom(const std::string& text) {
   EvaluationText evaluation{.tolerance = numberIn(document["tolerance"]),
                             .isLaid = document["laid"].toBool()};
   if (evaluation.tolerance < 0) refuse();
-  for (const QJsonValue& each : document["ignored"].toArray())
+  for (const auto& each : document["ignored"].toArray())
     evaluation.ignored.push_back(partIn(each.toObject()));
   return evaluation;
 }

@@ -66,7 +66,7 @@ Reference referenceFrom(const std::string& text) {
   if (nodes.isEmpty()) refuse();
   Reference reference{.skeleton = {}, .path = document["path"].toString()};
   std::vector<NodeId> ids;
-  for (const QJsonValue& each : nodes)
+  for (const auto& each : nodes)
     ids.push_back(reference.skeleton.add(nodeIn(each.toArray(), ids)));
   return reference;
 }

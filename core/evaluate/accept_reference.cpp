@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <ranges>
 #include <unordered_map>
 
 namespace espalier {
@@ -164,9 +165,9 @@ std::vector<NodeId> removeInvented(SkeletonEditor& editor, const Differences& fo
   requireThere(editor.skeleton(), part.nodes);
   const std::optional<NodeId> below = editor.skeleton()[part.nodes.front()].parent;
   bool isRemoved = false;
-  for (auto at = part.nodes.rbegin(); at != part.nodes.rend(); ++at) {
-    if (!found.standsOn[indexOf(*at)].empty()) continue;
-    removeNode(editor, *at);
+  for (const NodeId id : part.nodes | std::views::reverse) {
+    if (!found.standsOn[indexOf(id)].empty()) continue;
+    removeNode(editor, id);
     isRemoved = true;
   }
   if (!isRemoved)

@@ -12,6 +12,7 @@ namespace {
 
 std::vector<Difference> kindsOf(const std::vector<bool>& near, Difference otherwise) {
   std::vector<Difference> kinds;
+  kinds.reserve(near.size());
   for (const bool isNear : near)
     kinds.push_back(isNear ? Difference::matched : otherwise);
   return kinds;
@@ -77,6 +78,7 @@ void addWronglyAttached(Differences& found, const Skeleton& result,
 void addStretches(Differences& found, const Skeleton& skeleton,
                   const std::vector<Difference>& kinds, Difference kind) {
   std::vector<bool> isOfKind;
+  isOfKind.reserve(kinds.size());
   for (const Difference each : kinds)
     isOfKind.push_back(each == kind);
   for (std::vector<NodeId>& nodes : stretches(skeleton, isOfKind, true)) {

@@ -26,8 +26,7 @@ struct NodeCountPipeOptions {
 ///
 /// @param measured [L] by id, 0 where nothing was measured
 /// @return the apex radius is at most the root radius; both are the mean measured radius, or 1,
-/// where
-///         there is nothing to take a median of
+///         where there is nothing to take a median of
 [[nodiscard]] NodeCountPipeOptions pipeEndRadii(const Skeleton& skeleton,
                                                 const std::vector<double>& measured);
 

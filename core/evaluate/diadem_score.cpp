@@ -64,6 +64,7 @@ void pairKind(const std::vector<Landmark>& result, const std::vector<Landmark>& 
   };
   const auto places = [](const std::vector<Landmark>& from, const std::vector<std::size_t>& kind) {
     std::vector<Eigen::Vector3d> positions;
+    positions.reserve(kind.size());
     for (const std::size_t i : kind)
       positions.push_back(from[i].position);
     return positions;

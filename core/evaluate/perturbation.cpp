@@ -14,6 +14,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <ranges>
 #include <utility>
 
 namespace espalier {
@@ -27,11 +28,13 @@ std::vector<Element> drawn(std::vector<Element> from, double share, Random& rand
   const auto wanted =
       static_cast<std::size_t>(std::llround(share * static_cast<double>(from.size())));
   std::vector<std::pair<double, Element>> lots;
+  lots.reserve(from.size());
   for (const Element& element : from)
     lots.emplace_back(random.uniform(), element);
   std::ranges::sort(lots);
   lots.resize(wanted);
   std::vector<Element> result;
+  result.reserve(wanted);
   for (const auto& [lot, element] : lots)
     result.push_back(element);
   return result;
@@ -84,8 +87,8 @@ Skeleton pruned(Skeleton plant, double share, Random& random) {
   for (std::size_t i = 0; i < all.size(); ++i)
     all[i] = i;
   for (const std::size_t chosen : drawn(all, share, random))
-    for (auto id = terminal[chosen].nodes.rbegin(); id != terminal[chosen].nodes.rend(); ++id)
-      plant.erase(*id);
+    for (const NodeId id : terminal[chosen].nodes | std::views::reverse)
+      plant.erase(id);
   return plant;
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <concepts>
 #include <cstdint>
 #include <string>
@@ -178,6 +179,9 @@ public:
     for (int i = 0; i < 3; ++i)
       result.position[i] = real();
     result.radius = real();
+    // A place that is no number is not equal to itself: an edit of it could not be undone.
+    if (!result.position.allFinite() || !std::isfinite(result.radius) || result.radius < 0)
+      throw Malformed{};
     result.isMarked = (flags & isMarked) != 0;
     if ((flags & hasParent) != 0) result.parent = id();
     if ((flags & isBranching) != 0) result.edge = EdgeType::branching;
@@ -228,8 +232,7 @@ Skeleton readSkeleton(Reader& reader) {
     const NodeId id = reader.id();
     const Node node = reader.node();
     const bool isNew = indexOf(id) < end && !skeleton.contains(id);
-    if (!isNew || !(node.radius >= 0) || (node.parent && !skeleton.contains(*node.parent)))
-      throw Malformed{};
+    if (!isNew || (node.parent && !skeleton.contains(*node.parent))) throw Malformed{};
     skeleton.restore(id, node);
   }
   return skeleton;

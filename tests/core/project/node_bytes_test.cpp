@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace espalier {
 namespace {
 
@@ -53,6 +55,23 @@ TEST(NodeBytes, ThatWereChangedAreNone) {
     std::string changed = bytes;
     changed[i] = static_cast<char>(changed[i] ^ 0x10);
     ASSERT_FALSE(plantFrom(changed)) << "byte " << i;
+  }
+}
+
+// An edit of what is no number could not be undone: nothing is equal to that.
+TEST(NodeBytes, OfPlacesAndRadiiThatAreNoNumbersAreNone) {
+  const double infinite = std::numeric_limits<double>::infinity();
+  for (const double wrong : {std::numeric_limits<double>::quiet_NaN(), infinite, -infinite}) {
+    Skeleton plant;
+    SkeletonEditor editor(plant);
+    (void)editor.add({.position = {0, wrong, 0}});
+    EXPECT_FALSE(deltaFrom(bytesOf(editor.commit(), {})));
+    EXPECT_FALSE(plantFrom(bytesOf(plant, {})));
+    Skeleton thick;
+    SkeletonEditor other(thick);
+    (void)other.add({.radius = wrong});
+    EXPECT_FALSE(deltaFrom(bytesOf(other.commit(), {})));
+    EXPECT_FALSE(plantFrom(bytesOf(thick, {})));
   }
 }
 

@@ -15,6 +15,7 @@
 #include <QSettings>
 
 #include <algorithm>
+#include <ranges>
 #include <utility>
 
 namespace espalier {
@@ -35,8 +36,8 @@ MethodsFlow::MethodsFlow(const Parts& parts) : parts_(parts), panel_(new Methods
   connect(panel_, &MethodsPanel::addRequested, this, &MethodsFlow::choose);
   connect(panel_, &MethodsPanel::copyRequested, this, &MethodsFlow::copy);
   connect(panel_, &MethodsPanel::removeRequested, this, [this](const std::vector<int>& rows) {
-    for (auto row = rows.rbegin(); row != rows.rend(); ++row)
-      if (*row > 0) methods_.erase(methods_.begin() + *row - 1); // the first is the plant
+    for (const int row : rows | std::views::reverse)
+      if (row > 0) methods_.erase(methods_.begin() + row - 1); // the first is the plant
     list();
   });
   connect(&parts_.reference, &ReferenceFlow::changed, this, &MethodsFlow::compareAll);

@@ -2,22 +2,23 @@
 
 #include <algorithm>
 #include <optional>
+#include <ranges>
 
 namespace espalier {
 
 std::vector<int> strahlerNumbers(const Skeleton& skeleton) {
   std::vector<int> numbers(skeleton.idEnd(), 0);
   const std::vector<NodeId> ids = skeleton.ids();
-  for (auto id = ids.rbegin(); id != ids.rend(); ++id) { // children first
+  for (const NodeId id : ids | std::views::reverse) { // children first
     int most = 1;
     int several = 0;
-    for (const NodeId child : skeleton.children(*id)) {
+    for (const NodeId child : skeleton.children(id)) {
       const int number = numbers[indexOf(child)];
       if (number > most) several = 0;
       most = std::max(most, number);
       if (number == most) ++several;
     }
-    numbers[indexOf(*id)] = several > 1 ? most + 1 : most;
+    numbers[indexOf(id)] = several > 1 ? most + 1 : most;
   }
   return numbers;
 }

@@ -89,6 +89,7 @@ void paintNames(QPainter& painter, const Frame& frame, const std::array<Line, 3>
     const Line* line;
   };
   std::vector<Name> names;
+  names.reserve(lines.size());
   for (const Line& line : lines)
     names.push_back({frame.at(frame.to, line.share(last)).y(), &line});
   std::ranges::sort(names, {}, &Name::y);

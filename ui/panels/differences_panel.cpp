@@ -2,11 +2,11 @@
 
 #include "ui/document/difference_look.h"
 #include "ui/document/plant_document.h"
+#include "ui/panels/enter_key.h"
 
 #include <QAction>
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QPainter>
 #include <QSignalBlocker>
@@ -133,7 +133,7 @@ DifferencesPanel::DifferencesPanel(const PlantDocument& document, const Actions&
   list_->header()->setSectionResizeMode(kindColumn, QHeaderView::Stretch);
   list_->header()->setSectionResizeMode(lengthColumn, QHeaderView::ResizeToContents);
   list_->header()->setSectionResizeMode(placeColumn, QHeaderView::ResizeToContents);
-  list_->installEventFilter(this);
+  onEnter(*list_, [this] { tellChosen(list_->currentItem()); });
   column->addWidget(list_, 1);
   connect(list_, &QTreeWidget::itemClicked, this,
           [this](const QTreeWidgetItem* item) { tellChosen(item); });
@@ -189,23 +189,6 @@ std::optional<DifferingPart> DifferencesPanel::step(int by) {
   list_->setCurrentItem(item);
   list_->scrollToItem(item);
   return current();
-}
-
-/// Enter in the list goes to the part; elsewhere it marks what is selected as reviewed.
-bool DifferencesPanel::eventFilter(QObject* watched, QEvent* event) {
-  const bool isOverride = event->type() == QEvent::ShortcutOverride;
-  if (isOverride || event->type() == QEvent::KeyPress) {
-    const auto* press = static_cast<const QKeyEvent*>(event);
-    const bool isEnter = press->key() == Qt::Key_Return || press->key() == Qt::Key_Enter;
-    if (isEnter && press->modifiers() == Qt::NoModifier) {
-      if (isOverride)
-        event->accept();
-      else
-        tellChosen(list_->currentItem());
-      return true;
-    }
-  }
-  return QWidget::eventFilter(watched, event);
 }
 
 void DifferencesPanel::addItem(const DifferingPart& part, bool isIgnored) {

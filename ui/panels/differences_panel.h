@@ -46,9 +46,6 @@ signals:
   void chosen(const espalier::DifferingPart& part); // by a click or Enter
   void currentChanged();
 
-protected:
-  bool eventFilter(QObject* watched, QEvent* event) override;
-
 private:
   void addItem(const DifferingPart& part, bool isIgnored);
   void restoreCurrent(const std::optional<DifferingPart>& part, double tolerance);

@@ -1,11 +1,11 @@
 #include "ui/panels/findings_panel.h"
 
 #include "ui/document/plant_document.h"
+#include "ui/panels/enter_key.h"
 
 #include <QAction>
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QSet>
 #include <QSignalBlocker>
@@ -96,7 +96,7 @@ FindingsPanel::FindingsPanel(const PlantDocument& document, const Actions& actio
   list_->header()->setStretchLastSection(false);
   list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
   list_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
-  list_->installEventFilter(this);
+  onEnter(*list_, [this] { tellChosen(list_->currentItem()); });
   column->addWidget(list_, 1);
   auto* walk = new QHBoxLayout;
   walk->setSpacing(4);
@@ -155,22 +155,6 @@ std::optional<Finding> FindingsPanel::current() const {
   const QTreeWidgetItem* item = list_->currentItem();
   if (item == nullptr || !item->data(0, numberRole).isValid()) return std::nullopt;
   return listed_[item->data(0, numberRole).toULongLong()];
-}
-
-/// Enter in the list goes to the finding; elsewhere it marks what is selected as reviewed.
-bool FindingsPanel::eventFilter(QObject* watched, QEvent* event) {
-  const bool isOverride = event->type() == QEvent::ShortcutOverride;
-  if (isOverride || event->type() == QEvent::KeyPress) {
-    const int key = static_cast<const QKeyEvent*>(event)->key();
-    if (key == Qt::Key_Return || key == Qt::Key_Enter) {
-      if (isOverride)
-        event->accept();
-      else
-        tellChosen(list_->currentItem());
-      return true;
-    }
-  }
-  return QWidget::eventFilter(watched, event);
 }
 
 void FindingsPanel::addGroup(const QString& title, const std::vector<Finding>& findings,

@@ -40,9 +40,6 @@ signals:
   void chosen(const espalier::Finding& finding); // by a click or Enter
   void currentChanged();
 
-protected:
-  bool eventFilter(QObject* watched, QEvent* event) override;
-
 private:
   void addGroup(const QString& title, const std::vector<Finding>& findings, bool isOpen,
                 bool isIgnored);

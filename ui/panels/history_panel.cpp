@@ -1,9 +1,9 @@
 #include "ui/panels/history_panel.h"
 
+#include "ui/panels/enter_key.h"
 #include "ui/panels/history_model.h"
 
 #include <QHeaderView>
-#include <QKeyEvent>
 #include <QTableView>
 #include <QVBoxLayout>
 
@@ -33,27 +33,13 @@ HistoryPanel::HistoryPanel(PlantDocument& document, QWidget* parent)
   header->setSectionResizeMode(HistoryModel::textColumn, QHeaderView::Stretch);
   header->resizeSection(HistoryModel::timeColumn, 140);
   header->resizeSection(HistoryModel::authorColumn, 140);
-  list_->installEventFilter(this);
+  onEnter(*list_, [this] {
+    if (list_->currentIndex().isValid()) choose(list_->currentIndex().row());
+  });
   connect(list_, &QTableView::clicked, this,
           [this](const QModelIndex& index) { choose(index.row()); });
   connect(model_, &HistoryModel::dataChanged, this, &HistoryPanel::showPresent);
   showPresent();
-}
-
-/// Enter in the list goes to the step; elsewhere it marks what is selected as reviewed.
-bool HistoryPanel::eventFilter(QObject* watched, QEvent* event) {
-  const bool isOverride = event->type() == QEvent::ShortcutOverride;
-  if (isOverride || event->type() == QEvent::KeyPress) {
-    const int key = static_cast<const QKeyEvent*>(event)->key();
-    if (key == Qt::Key_Return || key == Qt::Key_Enter) {
-      if (isOverride)
-        event->accept();
-      else if (list_->currentIndex().isValid())
-        choose(list_->currentIndex().row());
-      return true;
-    }
-  }
-  return QWidget::eventFilter(watched, event);
 }
 
 void HistoryPanel::showPresent() {

@@ -20,9 +20,6 @@ public:
 signals:
   void chosen(int position); // by a click or Enter: how many steps are to be done
 
-protected:
-  bool eventFilter(QObject* watched, QEvent* event) override;
-
 private:
   void showPresent();
   void choose(int row);

@@ -152,11 +152,11 @@ private:
   std::unique_ptr<ViewOptions> options_;
   std::unique_ptr<SavedViews> savedViews_;
   std::unique_ptr<ValueColors> valueColors_;
-  std::unique_ptr<ProjectFlow> projects_;
-  std::unique_ptr<FileFlow> files_;
-  std::unique_ptr<ReconstructFlow> reconstruct_;
   std::unique_ptr<ReferenceFlow> reference_;
   std::unique_ptr<EvaluationFlow> evaluation_;
+  std::unique_ptr<ProjectFlow> projects_; // behind all that it keeps: writes that as it goes
+  std::unique_ptr<FileFlow> files_;
+  std::unique_ptr<ReconstructFlow> reconstruct_;
 };
 
 } // namespace espalier

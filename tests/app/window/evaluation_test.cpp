@@ -291,6 +291,18 @@ TEST_F(EvaluationWindowTest, IgnoredErrorsLeaveTheListAndAreKeptInTheProject) {
   EXPECT_EQ(errors(), "2 errors");
 }
 
+TEST_F(EvaluationWindowTest, IsWrittenByAWindowThatGoesAtOnce) {
+  compare([](SkeletonEditor& editor) { removeSubtree(editor, shoot(2)); });
+  ASSERT_TRUE(waitForErrors(1));
+  const QString file = saveProject("plant.espalier");
+  key(Qt::Key_F3);
+  key(Qt::Key_F3, Qt::ControlModifier);
+  restart(); // within the pause before what is new is written
+  open({file});
+  ASSERT_TRUE(waitForScores());
+  EXPECT_EQ(errors(), "0 errors");
+}
+
 TEST(EvaluationText, ComesBackAsItWas) {
   const EvaluationText text{
       0.25, false, {{.kind = Difference::invented, .nodes = {}, .at = {1, 2.5, -3}}}};

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <ranges>
 #include <unordered_map>
 
 namespace espalier {
@@ -165,7 +164,8 @@ std::vector<NodeId> removeInvented(SkeletonEditor& editor, const Differences& fo
   requireThere(editor.skeleton(), part.nodes);
   const std::optional<NodeId> below = editor.skeleton()[part.nodes.front()].parent;
   bool isRemoved = false;
-  for (const NodeId id : part.nodes | std::views::reverse) {
+  for (std::size_t i = part.nodes.size(); i-- > 0;) { // children first
+    const NodeId id = part.nodes[i];
     if (!found.standsOn[indexOf(id)].empty()) continue;
     removeNode(editor, id);
     isRemoved = true;

@@ -86,9 +86,11 @@ Skeleton pruned(Skeleton plant, double share, Random& random) {
   std::vector<std::size_t> all(terminal.size());
   for (std::size_t i = 0; i < all.size(); ++i)
     all[i] = i;
-  for (const std::size_t chosen : drawn(all, share, random))
-    for (const NodeId id : terminal[chosen].nodes | std::views::reverse)
-      plant.erase(id);
+  for (const std::size_t chosen : drawn(all, share, random)) {
+    const std::vector<NodeId>& nodes = terminal[chosen].nodes;
+    for (std::size_t i = nodes.size(); i-- > 0;) // children first
+      plant.erase(nodes[i]);
+  }
   return plant;
 }
 

@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <optional>
-#include <ranges>
 
 namespace espalier {
 
 std::vector<int> strahlerNumbers(const Skeleton& skeleton) {
   std::vector<int> numbers(skeleton.idEnd(), 0);
   const std::vector<NodeId> ids = skeleton.ids();
-  for (const NodeId id : ids | std::views::reverse) { // children first
+  for (std::size_t i = ids.size(); i-- > 0;) { // children first
+    const NodeId id = ids[i];
     int most = 1;
     int several = 0;
     for (const NodeId child : skeleton.children(id)) {

@@ -7,9 +7,9 @@
 // only they are printed. --worst prints each plant, too. A grid
 // is of grown plants: each at three densities (points a segment), with three noises (in extents).
 //
-// Columns: the authors' indices G and T; precision, recall and F within 4 spacings; median error of
-// the radius, of wood over 2 spacings thick and of all, and its median with the sign; seconds a
-// plant.
+// Columns: the authors' indices G and T; precision, recall and F within 4 spacings; the
+// share of the length on the same axis; median error of the radius, of wood over 2 spacings thick
+// and of all, and its median with the sign; seconds a plant.
 #include "core/base/error.h"
 #include "core/evaluate/comparison.h"
 #include "core/evaluate/edge_index.h"
@@ -52,6 +52,7 @@ struct Score {
   double precision = 0;
   double recall = 0;
   double f = 0;
+  double axis = 0;
   double thickError = 0; // median, of wood over 2 spacings thick
   double radiusError = 0;
   double radiusBias = 0;
@@ -176,13 +177,14 @@ Score scoreOf(const Row& row, const Plant& plant) {
   score.precision = comparison.tolerance.scores.front().precision;
   score.recall = comparison.tolerance.scores.front().recall;
   score.f = comparison.tolerance.scores.front().f();
+  score.axis = comparison.architecture.sameAxis;
   judgeRadii(result.skeleton, plant.truth, spacing, score);
   return score;
 }
 
 void print(const std::string& name, const Score& score) {
-  std::printf("%-34s %.3f %.3f  %.3f %.3f %.3f  %5.3f %5.3f %6.3f  %6.2f\n", name.c_str(),
-              score.geometric, score.structural, score.precision, score.recall, score.f,
+  std::printf("%-34s %.3f %.3f  %.3f %.3f %.3f  %.3f  %5.3f %5.3f %6.3f  %6.2f\n", name.c_str(),
+              score.geometric, score.structural, score.precision, score.recall, score.f, score.axis,
               score.thickError, score.radiusError, score.radiusBias, score.seconds);
   std::fflush(stdout);
 }
@@ -191,7 +193,7 @@ Score meanOf(const std::vector<Score>& scores) {
   Score mean;
   for (double Score::*member :
        {&Score::geometric, &Score::structural, &Score::precision, &Score::recall, &Score::f,
-        &Score::thickError, &Score::radiusError, &Score::radiusBias, &Score::seconds})
+        &Score::axis, &Score::thickError, &Score::radiusError, &Score::radiusBias, &Score::seconds})
     for (const Score& score : scores)
       mean.*member += score.*member / static_cast<double>(scores.size());
   return mean;
@@ -262,8 +264,8 @@ void run(const std::vector<std::string>& arguments) {
       rows.push_back(rowOf(arguments[i]));
   }
   if (rows.empty()) rows = allMethods();
-  std::printf("%-34s %-5s %-5s  %-5s %-5s %-5s  %-5s %-5s %-6s  %6s\n", "", "G", "T", "P", "R",
-              "F4", "thick", "radii", "bias", "s");
+  std::printf("%-34s %-5s %-5s  %-5s %-5s %-5s  %-5s  %-5s %-5s %-6s  %6s\n", "", "G", "T", "P",
+              "R", "F4", "axis", "thick", "radii", "bias", "s");
   if (which == "grid") {
     printGrid(rows, seeds, printsEach);
     return;

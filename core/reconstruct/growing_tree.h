@@ -41,8 +41,9 @@ public:
                                                   const std::vector<std::uint32_t>& pulling) const;
 
   /// Where growth goes on when it has ended: at points that no node is in reach of, hung on the
-  /// nodes nearest to them. Nearest first; of points in reach of each other one, and none of points
-  /// that stand alone.
+  /// nodes nearest to them. Nearest first; once for all points that lie together, each in reach of
+  /// another, and not for those that stand alone. What lies much farther off than the nearest waits
+  /// until that has grown.
   /// @param widestGap [L] wider ones are not bridged; 0 = all are
   /// @throws Cancelled if `progress` asks to stop
   [[nodiscard]] std::vector<Shoot> shootsAcrossGaps(double widestGap,
@@ -55,6 +56,10 @@ public:
   [[nodiscard]] const Skeleton& skeleton() const { return skeleton_; }
 
 private:
+  /// Clears the marks of all points that lie together with `first`. @return how many
+  std::size_t takeTogether(std::uint32_t first, std::vector<bool>& isLeft,
+                           const Progress& progress) const;
+
   Attractors& attractors_;
   AdaptiveLength step_;
   double kill_;

@@ -115,6 +115,7 @@ Method pointTrackingMethod() {
              .help = "Where points are denser than this share of the densest, directions are "
                      "clustered instead of sorted by cones; 1 is nowhere."},
             &Options::clusterDensity);
+  table.add(thickWood(1), &Options::thickWood);
   table.add(widestGap(), &Options::widestGap);
   return {.name = "point_tracking",
           .label = "Point tracking",
@@ -137,6 +138,7 @@ Method spaceColonizationMethod() {
   table.add(greatestStep(3), &Options::greatestStep);
   table.add(reach(4), &Options::reach);
   table.add(kill(1.2), &Options::kill);
+  table.add(thickWood(1), &Options::thickWood);
   table.add(widestGap(), &Options::widestGap);
   return {.name = "space_colonization",
           .label = "Space colonization",

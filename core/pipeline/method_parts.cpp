@@ -37,6 +37,18 @@ Option widestGap() {
           .help = "Parts of the plant farther apart than this are not joined; 0 joins all."};
 }
 
+Option thickWood(double radius) {
+  return {.name = "thick_wood",
+          .label = "Thick wood",
+          .kind = OptionKind::length,
+          .rule = spacings(radius),
+          .minimum = 0,
+          .maximum = 10000,
+          .help =
+              "Points of wood thicker than this are drawn to its axis first, or they would leave "
+              "strands on it; 0 draws none."};
+}
+
 std::vector<Eigen::Index> keptPoints(const PipelineState& state) {
   std::vector<Eigen::Index> kept;
   for (Eigen::Index i = 0; i < state.cloud->size(); ++i)

@@ -17,6 +17,7 @@ using Values = std::vector<double>;
 /// Options that several methods of the skeleton have.
 [[nodiscard]] Option linksPerPoint(int count);
 [[nodiscard]] Option widestGap();
+[[nodiscard]] Option thickWood(double radius);
 
 /// The points that cleaning kept, ascending.
 [[nodiscard]] std::vector<Eigen::Index> keptPoints(const PipelineState& state);

@@ -56,6 +56,7 @@ Method shortestPathMethod() {
              .maximum = 50,
              .help = "How far points lie off the axis even of a twig; more merges more."},
             &Options::leastRadius);
+  table.add(thickWood(1), &Options::thickWood);
   table.add(widestGap(), &Options::widestGap);
   return {.name = "shortest_paths",
           .label = "Shortest paths",
@@ -108,6 +109,7 @@ Method branchStructureMethod() {
              .help = "Branches whose wood overlaps by more than this share become one."},
             &Options::overlap);
   table.add(spacing(), &Options::spacing);
+  table.add(thickWood(1), &Options::thickWood);
   table.add(widestGap(), &Options::widestGap);
   return {.name = "branch_structure",
           .label = "Branch structure graph",

@@ -15,6 +15,7 @@ struct BranchStructureOptions {
   double overlap = 0.5;    // in (0, 1]: share of the wood of an edge inside another that makes
                            // them one
   double spacing = 0;      // [L] between nodes at most, > 0
+  double thickWood = 0;    // [L] thicker wood is drawn to its axis first; 0 = none
   double widestGap = 0;    // [L] parts of the plant farther apart are not joined; 0 = join all
 };
 

@@ -5,6 +5,7 @@
 #include "core/reconstruct/direction_cones.h"
 #include "core/reconstruct/growing_tree.h"
 #include "core/reconstruct/reached_points.h"
+#include "core/reconstruct/thick_wood.h"
 
 #include <Eigen/Geometry>
 
@@ -106,16 +107,18 @@ private:
 
 } // namespace
 
-Skeleton skeletonByPointTracking(const Eigen::Matrix3Xf& points,
+Skeleton skeletonByPointTracking(const Eigen::Matrix3Xf& scanned,
                                  const std::vector<float>& densities, Eigen::Index root,
                                  const PointTrackingOptions& options, const Progress& progress) {
-  progress.check();
+  const Eigen::Matrix3Xf points = withThickWoodAsLines(
+      scanned, root, {.radius = options.thickWood, .widestGap = options.widestGap},
+      progress.part(0, 0.2));
   Attractors attractors(points, densities, progress);
   Tracker tracker(attractors, options);
   Skeleton skeleton =
-      tracker.grow(points.col(root).cast<double>(), points.cols(), progress.part(0, 0.9));
+      tracker.grow(points.col(root).cast<double>(), points.cols(), progress.part(0.2, 0.9));
   requireHalf(attractors.reached(), points.cols());
-  return withMeanDistances(std::move(skeleton), points, progress.part(0.9, 1));
+  return withMeanDistances(std::move(skeleton), scanned, progress.part(0.9, 1));
 }
 
 } // namespace espalier

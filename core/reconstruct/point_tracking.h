@@ -17,6 +17,7 @@ struct PointTrackingOptions {
   double kill = 1.2;                       // in steps: points nearer to a node are done with, > 0
   double coneAngle = std::numbers::pi / 4; // full opening [rad], in (0, pi / 2)
   int fewestPoints = 3;                    // in a cone that a child grows into, >= 1
+  double thickWood = 0;                    // [L] thicker wood is drawn to its axis first; 0 = none
   double widestGap = 0;      // [L] parts of the plant farther apart are not joined; 0 = join all
   double clusterDensity = 1; // in [0, 1]: where points are denser, directions are clustered; 1 =
                              // nowhere

@@ -16,6 +16,7 @@ struct ShortestPathOptions {
   double spacing = 0;        // [L] between nodes, > 0
   double mergeAngle = 25 * std::numbers::pi / 180; // [rad] siblings closer than this may be one
   double leastRadius = 0; // [L] > 0: how far points lie off the axis even of a twig
+  double thickWood = 0;   // [L] thicker wood is drawn to its axis first; 0 = none
   double widestGap = 0;   // [L] parts of the plant farther apart are not joined; 0 = join all
 };
 

@@ -3,6 +3,7 @@
 #include "core/reconstruct/attractors.h"
 #include "core/reconstruct/growing_tree.h"
 #include "core/reconstruct/reached_points.h"
+#include "core/reconstruct/thick_wood.h"
 
 namespace espalier {
 namespace {
@@ -22,16 +23,18 @@ std::optional<GrowingTree::Shoot> shootOf(std::uint32_t node, Attractors& attrac
 
 } // namespace
 
-Skeleton skeletonBySpaceColonization(const Eigen::Matrix3Xf& points,
+Skeleton skeletonBySpaceColonization(const Eigen::Matrix3Xf& scanned,
                                      const std::vector<float>& densities, Eigen::Index root,
                                      const SpaceColonizationOptions& options,
                                      const Progress& progress) {
-  progress.check();
+  const Eigen::Matrix3Xf points = withThickWoodAsLines(
+      scanned, root, {.radius = options.thickWood, .widestGap = options.widestGap},
+      progress.part(0, 0.2));
   Attractors attractors(points, densities, progress);
   GrowingTree tree(attractors, {options.leastStep, options.greatestStep}, options.kill,
                    options.reach);
   std::vector<std::uint32_t> growing = {tree.add(points.col(root).cast<double>(), std::nullopt)};
-  const Progress growth = progress.part(0, 0.9);
+  const Progress growth = progress.part(0.2, 0.9);
   while (!growing.empty()) {
     growth.update(static_cast<double>(attractors.dead()) / static_cast<double>(points.cols()));
     std::vector<GrowingTree::Shoot> shoots;
@@ -49,7 +52,7 @@ Skeleton skeletonBySpaceColonization(const Eigen::Matrix3Xf& points,
     growing = std::move(next);
   }
   requireHalf(attractors.reached(), points.cols());
-  return withMeanDistances(tree.skeleton(), points, progress.part(0.9, 1));
+  return withMeanDistances(tree.skeleton(), scanned, progress.part(0.9, 1));
 }
 
 } // namespace espalier

@@ -14,6 +14,7 @@ struct SpaceColonizationOptions {
   double greatestStep = 0; // [L] where they are densest, >= leastStep; equal: as Runions has it
   double reach = 2.5;      // in steps: how far from a node points pull at it, > kill
   double kill = 1.2;       // in steps: how near to a node they have done so, > 0
+  double thickWood = 0;    // [L] thicker wood is drawn to its axis first; 0 = none
   double widestGap = 0;    // [L] parts of the plant farther apart are not joined; 0 = join all
 };
 

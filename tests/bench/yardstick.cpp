@@ -149,8 +149,12 @@ void measure(const PointCloud& scan, Eigen::Index count, const PlantGl& known) {
     sections.set(setting);
   run("adaptive section circles", sections, "contract", known.sections);
   run("Xu, whole", bare("geodesic_bins"), "skeleton", known.bins);
-  run("space colonization", bare("space_colonization"), "skeleton", known.colonization);
-  run("Livny, whole", bare("branch_structure"), "skeleton", known.livny);
+  PipelineOptions colonization = bare("space_colonization");
+  colonization.set("skeleton.thick_wood=0"); // PlantGL takes the points as they lie
+  run("space colonization", colonization, "skeleton", known.colonization);
+  PipelineOptions livny = bare("branch_structure");
+  livny.set("skeleton.thick_wood=0");
+  run("Livny, whole", livny, "skeleton", known.livny);
   run(
       "implicit Laplacian",
       [] {

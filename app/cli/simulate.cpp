@@ -92,6 +92,12 @@ void addScanner(CLI::App& command, ScannerOptions& scanner) {
       ->type_name("SHARE")
       ->check(number(0, 0.5))
       ->capture_default_str();
+  command
+      .add_option("--clumps", scanner.clumps,
+                  "Clumps of leaves, 0 to 1000, that hid wood and are not in the scan")
+      ->type_name("N")
+      ->check(wholeNumber(0, 1000))
+      ->capture_default_str();
 }
 
 } // namespace

@@ -1,4 +1,5 @@
 // Each subcommand does its task on the bundled sample, whose truth is known.
+#include "core/base/spatial_index.h"
 #include "core/io/formats.h"
 #include "core/radius/measured_radii.h"
 #include "core/skeleton/checks.h"
@@ -364,6 +365,24 @@ TEST_F(Subcommands, SimulateWritesAScanAndItsTruth) {
   EXPECT_EQ(outcome.err, std::to_string(cloud.size()) + " points in " + file("a.ply") +
                              ", the truth of " + std::to_string(truth.size()) + " nodes in " +
                              file("a.mtg") + "\n");
+}
+
+TEST_F(Subcommands, SimulateHidesWoodInClumpsOfLeaves) {
+  const auto unseen = [&](const char* clumps) { // nodes of the truth without points nearby
+    EXPECT_EQ(runProgram({"simulate", "-o", file("a"), "--points", "5000", "--segments", "40",
+                          "--clumps", clumps})
+                  .status,
+              0);
+    const PointCloud cloud = readPoints(file("a.ply")).value;
+    const SpatialIndex index(cloud.positions());
+    const Skeleton truth = readStructure(file("a.mtg")).value.skeleton;
+    const std::vector<NodeId> ids = truth.ids();
+    return std::ranges::count_if(ids, [&](NodeId id) {
+      const Eigen::Vector3d place = truth[id].position - cloud.origin();
+      return index.within(place.cast<float>(), 0.1F).empty();
+    });
+  };
+  EXPECT_GT(unseen("30"), unseen("0") + 20);
 }
 
 TEST_F(Subcommands, SimulateScansAnyStructure) {

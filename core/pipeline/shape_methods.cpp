@@ -140,6 +140,16 @@ Method recenterMethod() {
              .maximum = 1,
              .help = "Share of a circle that points must cover before a fitted circle is trusted."},
             &Options::leastCoverage);
+  table.add({.name = "straight_reach",
+             .label = "Straight reach",
+             .kind = OptionKind::ratio,
+             .rule = fixedAt(6),
+             .minimum = 0,
+             .maximum = 100,
+             .help =
+                 "Between two trusted circles so near, in radii, wood is taken as straight: there "
+                 "branches pull nodes aside."},
+            &Options::straightReach);
   return {
       .name = "sections",
       .label = "Recenter on sections",

@@ -47,10 +47,16 @@ std::vector<std::vector<Eigen::Index>> pointsAround(const Skeleton& skeleton,
   return result;
 }
 
+/// The middle of the wood around a node.
+struct Middle {
+  Eigen::Vector3d place = Eigen::Vector3d::Zero(); // [L]
+  double radius = 0;                               // [L]
+};
+
 /// Where the axis of the wood around a node is, across `axis`; none if that cannot be trusted.
-std::optional<Eigen::Vector3d> middle(const Eigen::Vector3d& position, const Eigen::Vector3d& axis,
-                                      const std::vector<Eigen::Vector3d>& points,
-                                      const RecenterOptions& options) {
+std::optional<Middle> middle(const Eigen::Vector3d& position, const Eigen::Vector3d& axis,
+                             const std::vector<Eigen::Vector3d>& points,
+                             const RecenterOptions& options) {
   constexpr std::size_t fewest = 8; // for a circle to mean something
   if (points.size() < fewest) return std::nullopt;
   const Eigen::Vector3d right = axis.unitOrthogonal();
@@ -64,7 +70,35 @@ std::optional<Eigen::Vector3d> middle(const Eigen::Vector3d& position, const Eig
   if (!circle || circle->coverage < options.leastCoverage ||
       circle->error > mostError * circle->radius)
     return std::nullopt;
-  return position + circle->center.x() * right + circle->center.y() * up;
+  return Middle{position + circle->center.x() * right + circle->center.y() * up, circle->radius};
+}
+
+/// Moves nodes without a middle of their own between two that have one onto the line between these,
+/// if they are near enough on the axis: branches that stand off there have pulled them aside.
+void straighten(Skeleton& skeleton, const std::vector<NodeId>& ids,
+                const std::vector<std::optional<Middle>>& middles, double reach) {
+  std::vector<NodeId> between;
+  for (const NodeId first : ids) {
+    if (!middles[indexOf(first)]) continue;
+    between.clear();
+    double length = 0;
+    NodeId at = first;
+    while (const std::optional<NodeId> next = successorOf(skeleton, at)) {
+      length += (skeleton[*next].position - skeleton[at].position).norm();
+      at = *next;
+      if (middles[indexOf(at)]) break;
+      between.push_back(at);
+    }
+    if (between.empty() || !middles[indexOf(at)]) continue;
+    const Middle& below = *middles[indexOf(first)];
+    const Middle& above = *middles[indexOf(at)];
+    if (length > reach * std::min(below.radius, above.radius)) continue;
+    const Eigen::Vector3d line = (above.place - below.place).normalized();
+    for (const NodeId id : between) {
+      const Eigen::Vector3d from = skeleton[id].position - below.place;
+      skeleton.setPosition(id, below.place + from.dot(line) * line);
+    }
+  }
 }
 
 } // namespace
@@ -80,10 +114,9 @@ Skeleton recentered(const Skeleton& skeleton, const Eigen::Matrix3Xf& points,
                                         static_cast<double>(round + 1) / options.rounds);
     const auto around =
         pointsAround(result, assignPoints(points, origin, result, 8, part.part(0, 0.7)));
-    std::vector<Eigen::Vector3d> positions(skeleton.idEnd());
+    std::vector<std::optional<Middle>> middles(skeleton.idEnd());
     const auto place = [&](Eigen::Index i) {
       const NodeId id = ids[static_cast<std::size_t>(i)];
-      positions[indexOf(id)] = result[id].position;
       const auto axis = axisAt(result, id);
       const std::vector<Eigen::Index>& own = around[indexOf(id)];
       if (!axis || own.empty()) return;
@@ -91,12 +124,12 @@ Skeleton recentered(const Skeleton& skeleton, const Eigen::Matrix3Xf& points,
       near.reserve(own.size());
       for (const Eigen::Index point : own)
         near.emplace_back(points.col(point).cast<double>() + origin);
-      positions[indexOf(id)] =
-          middle(result[id].position, *axis, near, options).value_or(result[id].position);
+      middles[indexOf(id)] = middle(result[id].position, *axis, near, options);
     };
     parallelFor(static_cast<Eigen::Index>(ids.size()), place, part.part(0.7, 1), 64);
     for (const NodeId id : ids)
-      result.setPosition(id, positions[indexOf(id)]);
+      if (middles[indexOf(id)]) result.setPosition(id, middles[indexOf(id)]->place);
+    straighten(result, ids, middles, options.straightReach);
     result = withSmoothAxes(result, options.smoothing);
   }
   return result;
@@ -118,7 +151,8 @@ std::optional<Eigen::Vector3d> sectionCenter(const Skeleton& skeleton, NodeId id
     const double along = (point - place).dot(*axis);
     if (along >= -before && along <= behind) slab.push_back(point);
   }
-  return middle(place, *axis, slab, options);
+  const std::optional<Middle> found = middle(place, *axis, slab, options);
+  return found ? std::optional(found->place) : std::nullopt;
 }
 
 } // namespace espalier

@@ -15,14 +15,17 @@ struct RecenterOptions {
   double smoothing =
       0.2; // share of each move towards the mean of the neighbors on the axis, [0, 1]
   double leastCoverage = 0.6; // share of a circle that points must cover to trust it, (0, 1]
+  double straightReach = 6; // in radii: between two trusted circles so near wood is straight, >= 0
 };
 
 /// `skeleton` with its nodes moved to the middle of the wood around them.
 ///
 /// Each node looks at the points nearest to its edges, across the axis. Where they cover enough of
 /// a circle, it moves to the center of the fitted circle, which a scan denser on one side does not
-/// pull; elsewhere, as on twigs thinner than the points are apart, it stays. Then positions are
-/// smoothed along each axis. Nodes slide across their axis only, so nothing gets shorter.
+/// pull. Between two such nodes of an axis others move onto the line between them, as where
+/// branches stand off; elsewhere, as on twigs thinner than the points are apart, they stay. Then
+/// positions are smoothed along each axis. Nodes slide across their axis only, so nothing gets
+/// shorter.
 ///
 /// @param points 3 x N [L], in the frame of the skeleton after adding `origin`
 /// @throws Cancelled if `progress` asks to stop

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace espalier {
@@ -48,6 +49,24 @@ TEST(Recentered, IsNotPulledOutByAScanFromOneSide) {
   EXPECT_LT(farthestOffAxis(
                 recentered(crookedStick(0.01), half, origin, {.rounds = 4, .leastCoverage = 0.4})),
             0.008);
+}
+
+// About node 4 only a sixth of the wood is seen, which is no circle.
+TEST(Recentered, PutsANodeWithoutACircleBetweenItsNeighbors) {
+  const Eigen::Matrix3Xf whole = test::cylinder({0, 0, -0.1}, {0, 0, 2.1}, 0.15, 0.02);
+  std::vector<Eigen::Index> seen;
+  for (Eigen::Index i = 0; i < whole.cols(); ++i)
+    if (std::abs(whole(2, i) - 1) > 0.14F || whole(0, i) > 0.13F) seen.push_back(i);
+  const Eigen::Matrix3Xf points = whole(Eigen::all, seen);
+  Skeleton plant = crookedStick(0);
+  plant.setPosition(NodeId{4}, plant[NodeId{4}].position + Eigen::Vector3d(0.09, 0, 0));
+  const auto offAxis = [&](double straightReach) {
+    const Skeleton moved =
+        recentered(plant, points, origin, {.smoothing = 0, .straightReach = straightReach});
+    return (moved[NodeId{4}].position - origin).head<2>().norm();
+  };
+  EXPECT_LT(offAxis(6), 0.01);
+  EXPECT_GT(offAxis(2), 0.08) << "its neighbors are 3.3 radii apart";
 }
 
 TEST(Recentered, KeepsLengthAndTopology) {

@@ -185,21 +185,21 @@ private:
 
 } // namespace
 
-Skeleton skeletonByBranchStructure(const Eigen::Matrix3Xf& scanned, Eigen::Index root,
+Skeleton skeletonByBranchStructure(const Eigen::Matrix3Xf& points, Eigen::Index root,
                                    const BranchStructureOptions& options,
                                    const Progress& progress) {
-  const Eigen::Matrix3Xf points = withThickWoodAsLines(
-      scanned, root,
+  const Eigen::Matrix3Xf drawn = withThickWoodAsLines(
+      points, root,
       {.neighbors = options.neighbors, .radius = options.thickWood, .widestGap = options.widestGap},
       progress.part(0, 0.2));
   PointTree tree = shortestPathTree(
-      points, root, {.neighbors = options.neighbors, .power = 1, .widestGap = options.widestGap},
+      drawn, root, {.neighbors = options.neighbors, .power = 1, .widestGap = options.widestGap},
       progress.part(0.2, 0.6));
   for (int round = 0; round < options.rounds; ++round) {
     progress.check();
     straighten(tree);
   }
-  const double radius = options.radiusShare * meanDistance(tree, scanned, progress.part(0.6, 0.75));
+  const double radius = options.radiusShare * meanDistance(tree, points, progress.part(0.6, 0.75));
   removeShortEdges(tree, options.leastEdge);
   for (int round = 0; round < mostMerges; ++round) {
     progress.update(0.75 + 0.015 * round);
@@ -207,7 +207,7 @@ Skeleton skeletonByBranchStructure(const Eigen::Matrix3Xf& scanned, Eigen::Index
     tree = Merger(tree, radius, options.overlap).merged();
     if (tree.size() == before) break;
   }
-  return withMeanDistances(skeletonOf(tree, options.spacing), scanned, progress.part(0.9, 1));
+  return withMeanDistances(skeletonOf(tree, options.spacing), points, progress.part(0.9, 1));
 }
 
 } // namespace espalier

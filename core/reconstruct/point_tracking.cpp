@@ -107,18 +107,18 @@ private:
 
 } // namespace
 
-Skeleton skeletonByPointTracking(const Eigen::Matrix3Xf& scanned,
+Skeleton skeletonByPointTracking(const Eigen::Matrix3Xf& points,
                                  const std::vector<float>& densities, Eigen::Index root,
                                  const PointTrackingOptions& options, const Progress& progress) {
-  const Eigen::Matrix3Xf points = withThickWoodAsLines(
-      scanned, root, {.radius = options.thickWood, .widestGap = options.widestGap},
+  const Eigen::Matrix3Xf drawn = withThickWoodAsLines(
+      points, root, {.radius = options.thickWood, .widestGap = options.widestGap},
       progress.part(0, 0.2));
-  Attractors attractors(points, densities, progress);
+  Attractors attractors(drawn, densities, progress);
   Tracker tracker(attractors, options);
   Skeleton skeleton =
-      tracker.grow(points.col(root).cast<double>(), points.cols(), progress.part(0.2, 0.9));
-  requireHalf(attractors.reached(), points.cols());
-  return withMeanDistances(std::move(skeleton), scanned, progress.part(0.9, 1));
+      tracker.grow(drawn.col(root).cast<double>(), drawn.cols(), progress.part(0.2, 0.9));
+  requireHalf(attractors.reached(), drawn.cols());
+  return withMeanDistances(std::move(skeleton), points, progress.part(0.9, 1));
 }
 
 } // namespace espalier

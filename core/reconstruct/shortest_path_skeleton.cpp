@@ -208,20 +208,19 @@ private:
 
 } // namespace
 
-Skeleton skeletonByShortestPaths(const Eigen::Matrix3Xf& scanned, Eigen::Index root,
+Skeleton skeletonByShortestPaths(const Eigen::Matrix3Xf& points, Eigen::Index root,
                                  const ShortestPathOptions& options, const Progress& progress) {
-  const Eigen::Matrix3Xf points = withThickWoodAsLines(
-      scanned, root,
+  const Eigen::Matrix3Xf drawn = withThickWoodAsLines(
+      points, root,
       {.neighbors = options.neighbors, .radius = options.thickWood, .widestGap = options.widestGap},
       progress.part(0, 0.2));
   PointTree tree = shortestPathTree(
-      points, root,
+      drawn, root,
       {.neighbors = options.neighbors, .power = options.power, .widestGap = options.widestGap},
       progress.part(0.2, 0.7));
   Simplifier simplifier(std::move(tree), options);
   const PointTree simplified = simplifier.simplified(progress.part(0.7, 0.95));
-  return withMeanDistances(skeletonOf(simplified, options.spacing), scanned,
-                           progress.part(0.95, 1));
+  return withMeanDistances(skeletonOf(simplified, options.spacing), points, progress.part(0.95, 1));
 }
 
 } // namespace espalier

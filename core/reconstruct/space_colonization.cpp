@@ -23,20 +23,20 @@ std::optional<GrowingTree::Shoot> shootOf(std::uint32_t node, Attractors& attrac
 
 } // namespace
 
-Skeleton skeletonBySpaceColonization(const Eigen::Matrix3Xf& scanned,
+Skeleton skeletonBySpaceColonization(const Eigen::Matrix3Xf& points,
                                      const std::vector<float>& densities, Eigen::Index root,
                                      const SpaceColonizationOptions& options,
                                      const Progress& progress) {
-  const Eigen::Matrix3Xf points = withThickWoodAsLines(
-      scanned, root, {.radius = options.thickWood, .widestGap = options.widestGap},
+  const Eigen::Matrix3Xf drawn = withThickWoodAsLines(
+      points, root, {.radius = options.thickWood, .widestGap = options.widestGap},
       progress.part(0, 0.2));
-  Attractors attractors(points, densities, progress);
+  Attractors attractors(drawn, densities, progress);
   GrowingTree tree(attractors, {options.leastStep, options.greatestStep}, options.kill,
                    options.reach);
-  std::vector<std::uint32_t> growing = {tree.add(points.col(root).cast<double>(), std::nullopt)};
+  std::vector<std::uint32_t> growing = {tree.add(drawn.col(root).cast<double>(), std::nullopt)};
   const Progress growth = progress.part(0.2, 0.9);
   while (!growing.empty()) {
-    growth.update(static_cast<double>(attractors.dead()) / static_cast<double>(points.cols()));
+    growth.update(static_cast<double>(attractors.dead()) / static_cast<double>(drawn.cols()));
     std::vector<GrowingTree::Shoot> shoots;
     std::vector<std::uint32_t> next;
     for (const std::uint32_t node : growing) {
@@ -51,8 +51,8 @@ Skeleton skeletonBySpaceColonization(const Eigen::Matrix3Xf& scanned,
       next.push_back(tree.add(shoot.place, shoot.parent));
     growing = std::move(next);
   }
-  requireHalf(attractors.reached(), points.cols());
-  return withMeanDistances(tree.skeleton(), scanned, progress.part(0.9, 1));
+  requireHalf(attractors.reached(), drawn.cols());
+  return withMeanDistances(tree.skeleton(), points, progress.part(0.9, 1));
 }
 
 } // namespace espalier

@@ -1,5 +1,6 @@
 #include "app/cli/arguments.h"
 #include "app/cli/commands.h"
+#include "app/cli/evaluate_report.h"
 #include "app/cli/evaluate_text.h"
 #include "app/cli/files.h"
 #include "app/cli/pipeline_flags.h"
@@ -40,6 +41,7 @@ struct Flags {
   std::uint64_t seed = 1;
   std::string csv;
   std::string json;
+  ReportFlags report;
   int threads = 0;
 };
 
@@ -98,7 +100,10 @@ void evaluateOne(const Flags& flags, const TerminalProgress& terminal) {
   options.registers = !flags.noRegister;
   options.edit = editOptions(flags);
   if (flags.light) options.light = LightOptions{.pixels = flags.pixels};
-  const Comparison comparison = compare(result, reference, options, terminal.progress());
+  const Progress& whole = terminal.progress();
+  const bool hasReport = !flags.report.file.empty();
+  const Comparison comparison =
+      compare(result, reference, options, hasReport ? whole.part(0, 0.4) : whole);
   std::vector<std::string> notes = comparison.warnings;
   std::erase(notes, comparison.shiftWarning); // what is printed tells of the shift
   printNotes(notes);
@@ -116,12 +121,25 @@ void evaluateOne(const Flags& flags, const TerminalProgress& terminal) {
   }
   if (!flags.csv.empty()) writeTable(flags.csv, tableOf(json));
   writeJson(flags.json, json);
+  if (hasReport)
+    writeReport(flags.report,
+                {.comparison = comparison,
+                 .result = result,
+                 .reference = reference,
+                 .resultFile = flags.files.front(),
+                 .referenceFile = flags.files.back(),
+                 .unit = flags.unit,
+                 .scale = flags.scale,
+                 .edit = options.edit},
+                whole.part(0.4, 1));
 }
 
 void evaluateMany(const Flags& flags, const TerminalProgress& terminal) {
   if (flags.where || flags.merges || flags.traits || flags.light)
     throw WrongUsage("--where, --traits, --light and --merge-paths tell of one result: leave them "
                      "out, or give one");
+  if (!flags.report.file.empty())
+    throw WrongUsage("--report tells of one result: give one, or write the ranking with --csv");
   const std::vector<std::string> names(flags.files.begin(), flags.files.end() - 1);
   const Skeleton reference = skeletonIn(flags.files.back());
   const Traits expected = traits(reference);
@@ -152,6 +170,7 @@ void evaluate(const Flags& flags) {
   const Threads threads(flags.threads);
   requireOutput(flags.csv, flags.files);
   requireOutput(flags.json, flags.files);
+  requireReport(flags.report, flags.files);
   const TerminalProgress terminal;
   if (flags.ranks || flags.files.size() > 2)
     evaluateMany(flags, terminal);
@@ -239,11 +258,13 @@ void addEvaluate(CLI::App& app) {
   command->add_option("--csv", flags->csv, "File to write all numbers to, as a table")
       ->type_name("FILE");
   command->add_option("--json", flags->json, "File to write all numbers to")->type_name("FILE");
+  addReport(*command, flags->report);
   addThreads(*command, flags->threads);
   command->callback([flags] { evaluate(*flags); });
   command->footer("Lengths are in the unit of the structures.\n\n"
                   "Examples:\n"
                   "  espalier evaluate pine.mtg expert.mtg --json numbers.json\n"
+                  "  espalier evaluate pine.mtg expert.mtg --scan pine.ply --report pine.html\n"
                   "  espalier evaluate a.mtg b.mtg c.mtg expert.mtg --csv ranking.csv");
 }
 

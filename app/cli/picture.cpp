@@ -3,13 +3,12 @@
 #include "app/cli/arguments.h"
 #include "app/cli/commands.h"
 #include "app/cli/files.h"
+#include "app/cli/headless.h"
 #include "app/cli/terminal.h"
 #include "core/base/text.h"
 #include "core/io/atomic_file.h"
 
 #include <QBuffer>
-#include <QGuiApplication>
-#include <QTemporaryDir>
 
 #include <algorithm>
 #include <filesystem>
@@ -98,16 +97,7 @@ QByteArray pngOf(const QImage& image) {
 void drawPicture(const Flags& flags) {
   requirePng(flags.output);
   requireOutput(flags.output, flags.files);
-  // Drawing needs no display, but Qt an application, and that a folder of its own.
-  qputenv("QT_QPA_PLATFORM", "offscreen");
-  const QTemporaryDir folder;
-  if (qEnvironmentVariableIsEmpty("XDG_RUNTIME_DIR"))
-    qputenv("XDG_RUNTIME_DIR", folder.path().toLocal8Bit());
-  int argc = 1;
-  std::string name = "espalier";
-  char* argv[] = {name.data(), nullptr};
-  const QGuiApplication application(argc, argv);
-
+  const Headless headless;
   const TerminalProgress terminal;
   const Scene scene = sceneOf(flags, terminal.progress());
   const QSize size(flags.width, flags.height);

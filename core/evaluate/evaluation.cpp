@@ -18,7 +18,8 @@ Eigen::Isometry3d motionOf(const Skeleton& result, const Skeleton& reference,
   return registration(result, reference, {}, progress).motion.inverse();
 }
 
-/// From 0 to twice the tolerance at least, and to the coarsest default.
+} // namespace
+
 std::vector<double> curveDistances(double tolerance, double coarsest) {
   const double most = std::max(coarsest, 2 * tolerance);
   std::vector<double> distances;
@@ -26,8 +27,6 @@ std::vector<double> curveDistances(double tolerance, double coarsest) {
     distances.push_back(most * i / curveSteps);
   return distances;
 }
-
-} // namespace
 
 Evaluation evaluate(const Skeleton& result, const Skeleton& reference,
                     const EvaluationOptions& options, const Progress& progress) {

@@ -31,6 +31,9 @@ struct Evaluation {
   Differences differences;
 };
 
+/// Even distances for a smooth curve: from 0 to twice the tolerance at least, and to `coarsest`.
+[[nodiscard]] std::vector<double> curveDistances(double tolerance, double coarsest); // [L]
+
 /// Lays a reference on a result, and compares both in every way that an editor shows.
 /// @throws Error     if one of the two has no nodes, no length, or a position that is no number
 /// @throws Cancelled if `progress` asks to stop

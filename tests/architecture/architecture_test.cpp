@@ -110,6 +110,17 @@ TEST(Architecture, RoomsOfUiMeetOnlyInTheWindow) {
   }
 }
 
+// report <- {cli, window}, which know nothing of each other.
+TEST(Architecture, RoomsOfAppShareTheReportAlone) {
+  for (const Include& include : allIncludes()) {
+    if (!include.file.starts_with("app/") || !include.target.starts_with("app/")) continue;
+    const std::string from = room(include.file, 2);
+    const std::string to = room(include.target, 2);
+    EXPECT_TRUE(from == to || to == "app/report" || include.file == "app/main.cpp")
+        << include.file << " includes " << include.target;
+  }
+}
+
 TEST(Architecture, LibrariesAreNamedInTheirRoomsOnly) {
   // How an include begins -> how the paths of files that may have it begin.
   const std::vector<std::pair<std::string, std::vector<std::string>>> rules = {

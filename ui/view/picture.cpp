@@ -6,16 +6,17 @@
 
 namespace espalier {
 
-QImage picture(const Scene& scene, const Camera& camera, const Overlay& overlay,
-               const QSize& size) {
+QImage picture(const Scene& scene, const Camera& camera, const Overlay& overlay, const QSize& size,
+               double pixelRatio) {
   Scene copy = scene; // drawing takes from a scene what changed in it
   OffscreenRenderer renderer(copy, makeSceneBuffers());
-  PlantRenderer::Frame frame{.camera = camera, .size = size};
+  PlantRenderer::Frame frame{.camera = camera, .size = size, .pixelRatio = pixelRatio};
   frame.points = std::numeric_limits<Eigen::Index>::max();
   renderer.draw(frame);
   QImage image = renderer.image();
   QPainter painter(&image);
-  overlay.paint(painter, scene, camera, size);
+  painter.scale(pixelRatio, pixelRatio);
+  overlay.paint(painter, scene, camera, QSizeF(size) / pixelRatio);
   return image;
 }
 

@@ -28,6 +28,7 @@ std::vector<test::Arguments> commandsWriting(const std::string& stem) {
           {"reconstruct", "missing.ply", "-o", "result.mtg", "--json", stem + ".json"},
           {"contract", "missing.ply", "-o", stem + ".ply"},
           {"evaluate", "missing.mtg", "missing.mtg", "--json", stem + ".json"},
+          {"evaluate", "missing.mtg", "missing.mtg", "--report", stem + ".html"},
           {"simulate", "--from", "missing.mtg", "-o", stem},
           {"picture", "missing.ply", "-o", stem + ".png"}};
 }
@@ -46,7 +47,7 @@ TEST(BadOutput, AMissingFolderIsToldBeforeTheWork) {
 
 TEST(BadOutput, AFolderOfThatNameIsToldBeforeTheWork) {
   const fs::path folder = test::freshFolder();
-  for (const char* extension : {".mtg", ".json", ".ply", ".png"})
+  for (const char* extension : {".mtg", ".json", ".html", ".ply", ".png"})
     fs::create_directory(folder / ("taken" + std::string(extension)));
   for (const auto& command : commandsWriting((folder / "taken").string())) {
     SCOPED_TRACE(command.front());

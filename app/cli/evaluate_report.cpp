@@ -1,0 +1,78 @@
+#include "app/cli/evaluate_report.h"
+
+#include "app/cli/arguments.h"
+#include "app/cli/files.h"
+#include "app/cli/headless.h"
+#include "app/cli/terminal.h"
+#include "app/report/comparison_report.h"
+#include "app/report/write_report.h"
+#include "core/io/formats.h"
+
+#include <QDate>
+
+#include <memory>
+
+namespace espalier {
+namespace {
+
+std::shared_ptr<const PointCloud> scanIn(const std::string& file, const Progress& progress) {
+  if (file.empty()) return nullptr;
+  Imported<PointCloud> points = readPoints(file, progress);
+  printNotes(points.notes);
+  return std::make_shared<const PointCloud>(std::move(points.value));
+}
+
+ReportAbout aboutOf(const ReportFlags& flags, const ReportSubject& subject) {
+  ReportAbout about;
+  about.result = reportedFile(subject.resultFile);
+  about.reference = reportedFile(subject.referenceFile);
+  if (!flags.scan.empty()) about.scan = reportedFile(flags.scan);
+  about.date = QDate::currentDate().toString(Qt::ISODate);
+  about.version = QStringLiteral(ESPALIER_VERSION);
+  about.unit = QString::fromStdString(subject.unit);
+  about.scale = subject.scale;
+  about.edit = subject.edit;
+  return about;
+}
+
+} // namespace
+
+void addReport(CLI::App& command, ReportFlags& flags) {
+  command
+      .add_option("--report", flags.file,
+                  "Report to write, HTML or PDF, with pictures, curves and all tables")
+      ->type_name("FILE");
+  command.add_option("--scan", flags.scan, "Points of the plant, to be shown in the report")
+      ->type_name("FILE");
+}
+
+void requireReport(const ReportFlags& flags, const std::vector<std::string>& inputs) {
+  if (flags.file.empty()) {
+    if (!flags.scan.empty())
+      throw WrongUsage("--scan shows the points in a report: give --report, too");
+    return;
+  }
+  requireReportName(flags.file);
+  std::vector<std::string> read = inputs;
+  if (!flags.scan.empty()) read.push_back(flags.scan);
+  requireOutput(flags.file, read);
+}
+
+void writeReport(const ReportFlags& flags, const ReportSubject& subject, const Progress& progress) {
+  std::shared_ptr<const PointCloud> scan = scanIn(flags.scan, progress.part(0, 0.3, "Reading"));
+  const ReportData data = reportData(subject.comparison, subject.result, subject.reference,
+                                     std::move(scan), 0, progress.part(0.3, 0.6, "Measuring"));
+  const ReportAbout about = aboutOf(flags, subject);
+  const Headless headless;
+  const Progress drawing = progress.part(0.6, 0.95, "Drawing");
+  PictureSession session(data, about.unit);
+  do
+    drawing.update(session.done());
+  while (session.drawNext());
+  const Report report = comparisonReport(data, session.pictures(), about);
+  progress.update(0.95);
+  writeReport(flags.file, report);
+  printWritten(flags.file);
+}
+
+} // namespace espalier

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/evaluate/differences.h"
+#include "ui/view/node_look.h"
+
+#include <vector>
+
+namespace espalier {
+
+/// The id of the legend of comparisonColors(), and of the action of the window that shows them.
+inline constexpr auto comparisonColorId = "node_color_comparison";
+
+/// Colors a skeleton by what differs; one legend for both skeletons of a comparison.
+/// @param kinds by node id
+[[nodiscard]] NodeColors comparisonColors(const std::vector<Difference>& kinds);
+
+} // namespace espalier

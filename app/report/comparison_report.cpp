@@ -1,0 +1,38 @@
+#include "app/report/comparison_report.h"
+
+#include "app/report/report_sections.h"
+#include "core/base/error.h"
+
+#include <QCryptographicHash>
+#include <QFile>
+#include <QFileInfo>
+
+namespace espalier {
+
+ReportedFile reportedFile(const std::filesystem::path& path) {
+  const QString name = QString::fromStdString(path.string());
+  QFile file(name);
+  QCryptographicHash hash(QCryptographicHash::Sha256);
+  if (!file.open(QIODevice::ReadOnly) || !hash.addData(&file))
+    throw Error(path.string() + ": " + file.errorString().toStdString());
+  return {QFileInfo(name).fileName(), QString::fromLatin1(hash.result().toHex())};
+}
+
+Report comparisonReport(const ReportData& data, const ReportPictures& pictures,
+                        const ReportAbout& about) {
+  const ReportParts parts{data, pictures, about, ReportNumbers(about.unit)};
+  Report report;
+  report.title = reportText("%1 compared with %2").arg(about.result.name, about.reference.name);
+  report.facts = {about.date, reportText("Espalier %1").arg(about.version)};
+  report.facts.append(about.unit.isEmpty() ? reportText("lengths in the unit of the files")
+                                           : reportText("lengths in %1").arg(about.unit));
+  for (const auto& section : {summarySection, plantsSection, errorsSection, toleranceSection,
+                              indicesSection, placesSection, woodSection, traitsSection})
+    report.sections.push_back(section(parts));
+  if (about.handWork) report.sections.push_back(handWorkSection(parts));
+  report.sections.push_back(settingsSection(parts));
+  report.sections.push_back(methodsSection(parts));
+  return report;
+}
+
+} // namespace espalier

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "app/report/report.h"
+#include "app/report/report_data.h"
+#include "app/report/report_pictures.h"
+#include "core/project/corrections.h"
+
+#include <QString>
+
+#include <filesystem>
+#include <optional>
+
+namespace espalier {
+
+/// What was compared, as a reader of the report can tell it from anything else.
+struct ReportedFile {
+  QString name;        // for people
+  QString fingerprint; // SHA-256 of its bytes; empty: it is no file as it lies
+  QString note = {};   // what was done to it since
+};
+
+/// The file as it lies on the disk.
+/// @throws Error if it cannot be read
+[[nodiscard]] ReportedFile reportedFile(const std::filesystem::path& path);
+
+/// What a report tells beside its numbers.
+struct ReportAbout {
+  ReportedFile result;
+  ReportedFile reference;
+  std::optional<ReportedFile> scan;
+  QString date;     // as it is to be written
+  QString version;  // of the program
+  QString unit;     // of lengths: "mm"; empty: not known
+  double scale = 1; // that the result was multiplied by
+  EditOptions edit;
+  std::optional<HandWork> handWork; // none: the result has no history
+};
+
+/// The report of a comparison. Deterministic: it reads no clock.
+[[nodiscard]] Report comparisonReport(const ReportData& data, const ReportPictures& pictures,
+                                      const ReportAbout& about);
+
+} // namespace espalier

@@ -1,0 +1,190 @@
+#include "app/report/report_sections.h"
+
+#include <QtGlobal>
+
+namespace espalier {
+namespace {
+
+QString tr(const char* text) {
+  return reportText(text);
+}
+
+class SettingsTable {
+public:
+  SettingsTable() { table_.columns = {{tr("setting"), false}, {tr("value"), false}}; }
+  void add(const QString& name, const QString& value) { table_.rows.push_back({{name}, {value}}); }
+  [[nodiscard]] ReportTable table(const QString& caption) const {
+    ReportTable made = table_;
+    made.caption = caption;
+    return made;
+  }
+
+private:
+  ReportTable table_;
+};
+
+QString joined(const ReportNumbers& numbers, const std::vector<double>& lengths) {
+  QStringList texts;
+  for (const double length : lengths)
+    texts.append(numbers.given(length));
+  const QString all = texts.join(QStringLiteral(", "));
+  return numbers.unit().isEmpty() ? all : all + QChar(0x202f) + numbers.unit();
+}
+
+void addRegistration(SettingsTable& table, const ReportParts& parts) {
+  const auto& registration = parts.data.comparison.registration;
+  const ReportNumbers& numbers = parts.numbers;
+  if (!registration) {
+    table.add(tr("registration"), tr("none: compared where they lie"));
+    return;
+  }
+  const Eigen::Vector3d& shift = registration->shift;
+  table.add(tr("registration"), tr("the result was shifted onto the reference"));
+  table.add(tr("shift x, y, z"), joined(numbers, {shift.x(), shift.y(), shift.z()}));
+  table.add(tr("shift in all"), numbers.length(shift.norm()));
+  table.add(tr("mean distance before, after"),
+            joined(numbers, {registration->residualBefore, registration->residualAfter}));
+  table.add(tr("counted up to"), numbers.length(registration->reach));
+}
+
+ReportTable settings(const ReportParts& parts) {
+  const Comparison& comparison = parts.data.comparison;
+  const ReportNumbers& numbers = parts.numbers;
+  SettingsTable table;
+  table.add(tr("unit of lengths"),
+            parts.about.unit.isEmpty() ? tr("that of the files") : parts.about.unit);
+  table.add(tr("scale of the result"), numbers.given(parts.about.scale));
+  addRegistration(table, parts);
+  table.add(tr("tolerance"), numbers.givenLength(parts.data.tolerance));
+  std::vector<double> distances;
+  for (const ToleranceScore& score : comparison.tolerance.scores)
+    distances.push_back(score.distance);
+  table.add(tr("distances of the table"), joined(numbers, distances));
+  table.add(tr("step between samples"), numbers.givenLength(comparison.tolerance.step));
+  table.add(tr("segments are candidates up to"),
+            numbers.givenLength(comparison.authors.boxDistance));
+  table.add(tr("tips and branchings pair up to"), numbers.givenLength(comparison.tips.distance));
+  table.add(tr("by height and order within"), numbers.givenLength(comparison.byPlace.distance));
+  table.add(tr("ways along the plant"),
+            tr("%1 pairs").arg(numbers.count(comparison.pathLengths.pairs)));
+  table.add(tr("draws for the intervals"), tr("%1, seed %2")
+                                               .arg(numbers.count(parts.data.intervals.draws))
+                                               .arg(parts.data.intervals.seed));
+  const EditOptions& edit = parts.about.edit;
+  table.add(tr("edit distance of"),
+            tr("%1, cost %2%3")
+                .arg(QString::fromStdString(editUnitNames()[static_cast<std::size_t>(edit.unit)]),
+                     QString::fromStdString(editCostNames()[static_cast<std::size_t>(edit.cost)]),
+                     edit.mergesPaths ? tr(", paths merged") : QString()));
+  table.add(tr("up"), QStringLiteral("z"));
+  table.add(tr("version"), tr("Espalier %1, Qt %2").arg(parts.about.version, qVersion()));
+  return table.table(tr("Settings"));
+}
+
+ReportTable inputs(const ReportParts& parts) {
+  ReportTable table;
+  table.caption = tr("Inputs");
+  table.columns = {{tr("role"), false}, {tr("file"), false}, {tr("SHA-256"), false}};
+  const auto add = [&](const QString& role, const ReportedFile& file) {
+    const QString name =
+        file.note.isEmpty() ? file.name : QStringLiteral("%1 (%2)").arg(file.name, file.note);
+    table.rows.push_back(
+        {{role}, {name}, {file.fingerprint.isEmpty() ? tr("none") : file.fingerprint}});
+  };
+  add(tr("result"), parts.about.result);
+  add(tr("reference"), parts.about.reference);
+  if (parts.about.scan) add(tr("scan"), *parts.about.scan);
+  return table;
+}
+
+std::vector<ReportTerms::Term> nearnessTerms() {
+  return {
+      {tr("Registration"),
+       tr("The result is shifted to where it fits the reference best, from several starts, before "
+          "anything is measured: two files of one plant are often not in the same frame."),
+       QStringLiteral("P. Besl, N. McKay, A method for registration of 3-D shapes, PAMI 14(2), "
+                      "1992.")},
+      {tr("Precision, recall, F"),
+       tr("Shares of the length of the result near the reference, and of the reference near the "
+          "result, and their harmonic mean; places are sampled at even steps, distances taken to "
+          "edges."),
+       QStringLiteral("A. Knapitsch et al., Tanks and Temples, ACM Transactions on Graphics 36(4), "
+                      "2017.")},
+      {tr("Missed, invented, wrongly attached"),
+       tr("Stretches without anything of the other within the tolerance; and what lies right but "
+          "hangs on wood that meets its own more than four tolerances farther down."),
+       tr("This program.")},
+      {tr("Intervals"),
+       tr("The segments of the reference are drawn again with replacement; the middle 95 % of the "
+          "scores. They tell how much hangs on which segments this one plant has."),
+       QStringLiteral("B. Efron, Bootstrap methods, Annals of Statistics 7, 1979.")}};
+}
+
+std::vector<ReportTerms::Term> matchingTerms() {
+  return {
+      {tr("G, T and mapping"),
+       tr("Unbranched segments are matched one to one at the least sum of Hausdorff distances; G "
+          "is "
+          "the share of length matched, T that of matches which hang on matches. Both hardly fall "
+          "with noise."),
+       QStringLiteral("F. Boudon et al., Annals of Botany 114, 2014; C. Preuksakarn, thesis, "
+                      "Montpellier, 2012.")},
+      {tr("Capped, over all, one to many"),
+       tr("The same with nothing hidden: matches lie within the distance as curves, T counts all "
+          "segments of the reference, and a branch may match the pieces that spurs cut it into."),
+       tr("This program, after the same.")},
+      {tr("DIADEM-like score"),
+       tr("Share of tips and branchings that are found and reached along a way as long, from the "
+          "next one below that is found; invented ones count against it."),
+       QStringLiteral("T. Gillette, K. Brown, G. Ascoli, Neuroinformatics 9, 2011.")},
+      {tr("Kappa"),
+       tr("Agreement on what continues an axis and what branches, at the feet of matched segments, "
+          "beyond what chance would do."),
+       QStringLiteral("J. Cohen, Educational and Psychological Measurement 20, 1960.")},
+      {tr("Edit distance"),
+       tr("The least that has to be removed and inserted to make one tree of the other, where what "
+          "hangs on what must stay; similarity 1 where nothing is to be done."),
+       QStringLiteral("K. Zhang, Algorithmica 15, 1996; P. Ferraro, C. Godin, Annals of Forest "
+                      "Science 57, 2000.")}};
+}
+
+std::vector<ReportTerms::Term> plantTerms(bool hasLight) {
+  std::vector<ReportTerms::Term> terms = {
+      {tr("Strahler number"),
+       tr("An apex has 1; a node has the greatest number above it, and one more where several have "
+          "that."),
+       QStringLiteral("A. Strahler, GSA Bulletin 63, 1952.")},
+      {tr("Crown and angles"),
+       tr("The crown is all that branches from the trunk, its area that of its convex hull seen "
+          "from above. Divergence is the angle around the axis from one branch to the next."),
+       tr("Quantities as in PlantScan3D.")}};
+  if (hasLight)
+    terms.push_back(
+        {tr("STAR"),
+         tr("Silhouette to total area of the surface from 46 directions, weighted by the standard "
+            "overcast sky."),
+         QStringLiteral("H. Sinoquet et al., New Phytologist 175, 2007.")});
+  return terms;
+}
+
+} // namespace
+
+ReportSection settingsSection(const ReportParts& parts) {
+  ReportSection section{tr("How it was measured"), {inputs(parts), settings(parts)}};
+  section.blocks.emplace_back(ReportParagraph{tr(
+      "All numbers as JSON and CSV: espalier evaluate RESULT REFERENCE --json numbers.json --csv "
+      "numbers.csv, with the same settings. They are the values that this report rounds.")});
+  return section;
+}
+
+ReportSection methodsSection(const ReportParts& parts) {
+  const Comparison& comparison = parts.data.comparison;
+  ReportTerms terms;
+  for (const auto& some :
+       {nearnessTerms(), matchingTerms(),
+        plantTerms(comparison.resultLight.has_value() || comparison.referenceLight.has_value())})
+    terms.terms.insert(terms.terms.end(), some.begin(), some.end());
+  return {tr("Methods"), {std::move(terms)}};
+}
+
+} // namespace espalier

@@ -1,0 +1,219 @@
+#include "app/report/report_sections.h"
+#include "ui/document/hand_work_text.h"
+
+#include <algorithm>
+
+namespace espalier {
+namespace {
+
+QString tr(const char* text) {
+  return reportText(text);
+}
+
+/// Rows of a value of the result, one of the reference, and how much the first is above.
+class BesideTable {
+public:
+  BesideTable(const ReportNumbers& numbers, const QString& what) : numbers_(numbers) {
+    table_.columns = {{what, false}, {tr("result")}, {tr("reference")}, {tr("difference")}};
+  }
+  void add(const QString& name, double found, double expected) {
+    table_.rows.push_back({{name},
+                           {numbers_.number(found)},
+                           {numbers_.number(expected)},
+                           {numbers_.difference(found, expected)}});
+  }
+  void add(const QString& name, std::size_t found, std::size_t expected) {
+    table_.rows.push_back(
+        {{name},
+         {numbers_.count(found)},
+         {numbers_.count(expected)},
+         {numbers_.difference(static_cast<double>(found), static_cast<double>(expected))}});
+  }
+  /// Of angles, which have no zero to be a share of.
+  void addAngle(const QString& name, double found, double expected) {
+    const double more = found - expected;
+    table_.rows.push_back(
+        {{name},
+         {numbers_.degrees(found)},
+         {numbers_.degrees(expected)},
+         {(more < 0 ? QChar(0x2212) : QChar('+')) + numbers_.degrees(std::abs(more))}});
+  }
+  [[nodiscard]] ReportTable table(const QString& caption) && {
+    table_.caption = caption;
+    return std::move(table_);
+  }
+
+private:
+  const ReportNumbers& numbers_;
+  ReportTable table_;
+};
+
+ReportTable woodTable(const ReportParts& parts, const QString& caption, const QString& what,
+                      const std::vector<WoodAmount>& result,
+                      const std::vector<WoodAmount>& reference, const QStringList& names) {
+  const ReportNumbers& numbers = parts.numbers;
+  ReportTable table;
+  table.caption = caption;
+  table.columns = {{what, false}, {numbers.inUnit(tr("length"))},
+                   {tr("more")},  {numbers.inUnit(tr("area"), 2)},
+                   {tr("more")},  {numbers.inUnit(tr("volume"), 3)},
+                   {tr("more")}};
+  const std::size_t count = std::max(result.size(), reference.size());
+  for (std::size_t k = 0; k < count; ++k) {
+    const WoodAmount found = k < result.size() ? result[k] : WoodAmount();
+    const WoodAmount expected = k < reference.size() ? reference[k] : WoodAmount();
+    table.rows.push_back({{names[static_cast<qsizetype>(k)]},
+                          {numbers.number(found.length)},
+                          {numbers.difference(found.length, expected.length)},
+                          {numbers.number(found.area)},
+                          {numbers.difference(found.area, expected.area)},
+                          {numbers.number(found.volume)},
+                          {numbers.difference(found.volume, expected.volume)}});
+  }
+  return table;
+}
+
+void addSizes(BesideTable& table, const ReportParts& parts) {
+  const Traits& found = parts.data.comparison.resultTraits;
+  const Traits& expected = parts.data.comparison.referenceTraits;
+  const ReportNumbers& numbers = parts.numbers;
+  table.add(tr("nodes"), found.nodes, expected.nodes);
+  table.add(tr("trees"), found.roots, expected.roots);
+  table.add(tr("segments"), found.segments, expected.segments);
+  table.add(tr("tips"), found.tips, expected.tips);
+  table.add(tr("branchings"), found.branchings, expected.branchings);
+  table.add(tr("orders"), found.axesByOrder.size(), expected.axesByOrder.size());
+  table.add(tr("Strahler number"), found.strahler.size(), expected.strahler.size());
+  table.add(numbers.inUnit(tr("length")), found.length, expected.length);
+  table.add(numbers.inUnit(tr("median edge")), found.medianEdge, expected.medianEdge);
+}
+
+void addCrown(BesideTable& table, const ReportParts& parts) {
+  const CrownDimensions& found = parts.data.comparison.resultTraits.crown;
+  const CrownDimensions& expected = parts.data.comparison.referenceTraits.crown;
+  const ReportNumbers& numbers = parts.numbers;
+  table.add(numbers.inUnit(tr("height")), found.height, expected.height);
+  table.add(numbers.inUnit(tr("crown base")), found.baseHeight, expected.baseHeight);
+  table.add(numbers.inUnit(tr("crown depth")), found.depth, expected.depth);
+  table.add(numbers.inUnit(tr("crown area"), 2), found.area, expected.area);
+  table.add(numbers.inUnit(tr("crown diameter")), found.diameter, expected.diameter);
+  table.add(numbers.inUnit(tr("crown spread")), found.spread, expected.spread);
+}
+
+void addAngles(BesideTable& table, const ReportParts& parts) {
+  const BranchAngles& found = parts.data.comparison.resultTraits.angles;
+  const BranchAngles& expected = parts.data.comparison.referenceTraits.angles;
+  const std::size_t orders = std::min(found.byOrder.size(), expected.byOrder.size());
+  for (std::size_t k = 0; k < orders; ++k)
+    table.addAngle(tr("branching angle, order %1").arg(k + 1), found.byOrder[k].mean,
+                   expected.byOrder[k].mean);
+  if (found.divergence.count > 0 && expected.divergence.count > 0)
+    table.addAngle(tr("divergence"), found.divergence.mean, expected.divergence.mean);
+}
+
+ReportTable axesTable(const ReportParts& parts) {
+  const Traits& found = parts.data.comparison.resultTraits;
+  const Traits& expected = parts.data.comparison.referenceTraits;
+  BesideTable table(parts.numbers, tr("order"));
+  const std::size_t orders = std::max(found.axesByOrder.size(), expected.axesByOrder.size());
+  const auto at = [](const std::vector<std::size_t>& counts, std::size_t k) {
+    return k < counts.size() ? counts[k] : 0;
+  };
+  for (std::size_t k = 0; k < orders; ++k)
+    table.add(QString::number(k), at(found.axesByOrder, k), at(expected.axesByOrder, k));
+  return std::move(table).table(tr("Axes by order"));
+}
+
+/// STAR of those that have radii; empty if light was not asked for.
+ReportTable lightTable(const ReportParts& parts) {
+  const auto& result = parts.data.comparison.resultLight;
+  const auto& reference = parts.data.comparison.referenceLight;
+  ReportTable table;
+  if (!result && !reference) return table;
+  table.caption = tr("Silhouette to total area (STAR) under an overcast sky");
+  table.columns = {{tr("pixels")}, {tr("result")}, {tr("reference")}};
+  const auto star = [&](const std::optional<LightInterception>& light, std::size_t k) {
+    return light ? parts.numbers.share(light->convergence[k].star, 5) : tr("none");
+  };
+  const auto& steps = result ? result->convergence : reference->convergence;
+  for (std::size_t k = 0; k < steps.size(); ++k)
+    table.rows.push_back({{parts.numbers.count(static_cast<std::size_t>(steps[k].pixels))},
+                          {star(result, k)},
+                          {star(reference, k)}});
+  return table;
+}
+
+} // namespace
+
+ReportSection woodSection(const ReportParts& parts) {
+  const Comparison& comparison = parts.data.comparison;
+  ReportSection section{tr("Wood"), {}};
+  section.blocks.emplace_back(ReportParagraph{
+      tr("Of the result, and by how much it has more than the reference. Edges count as truncated "
+         "cones; those without a radius have a length alone.")});
+  const std::size_t orders =
+      std::max(comparison.resultWood.byOrder.size(), comparison.referenceWood.byOrder.size());
+  QStringList names;
+  for (std::size_t k = 0; k < orders; ++k)
+    names.append(QString::number(k));
+  const auto whole = [&](std::vector<WoodAmount> rows, const WoodAmount& sum) {
+    rows.resize(orders);
+    rows.push_back(sum);
+    return rows;
+  };
+  names.append(tr("all"));
+  section.blocks.emplace_back(
+      woodTable(parts, tr("By order"), tr("order"),
+                whole(comparison.resultWood.byOrder, comparison.resultWood.whole),
+                whole(comparison.referenceWood.byOrder, comparison.referenceWood.whole), names));
+  if (comparison.radiusLimits.empty()) return section;
+  names.clear();
+  for (const double limit : comparison.radiusLimits)
+    names.append(parts.numbers.given(limit));
+  names.append(tr("more"));
+  section.blocks.emplace_back(woodTable(parts, tr("By radius"), parts.numbers.inUnit(tr("up to")),
+                                        comparison.resultWood.byRadius,
+                                        comparison.referenceWood.byRadius, names));
+  return section;
+}
+
+ReportSection traitsSection(const ReportParts& parts) {
+  BesideTable table(parts.numbers, tr("trait"));
+  addSizes(table, parts);
+  addCrown(table, parts);
+  addAngles(table, parts);
+  ReportSection section{tr("Architecture"), {}};
+  section.blocks.emplace_back(std::move(table).table(tr("Each plant by itself")));
+  section.blocks.emplace_back(axesTable(parts));
+  ReportTable light = lightTable(parts);
+  if (!light.rows.empty()) section.blocks.emplace_back(std::move(light));
+  return section;
+}
+
+ReportSection handWorkSection(const ReportParts& parts) {
+  const HandWork& work = *parts.about.handWork;
+  const Corrections& done = work.corrections;
+  ReportTable table;
+  table.columns = {{tr("correction"), false}, {tr("nodes")}};
+  const auto add = [&](const QString& name, std::size_t count) {
+    table.rows.push_back({{name}, {parts.numbers.count(count)}});
+  };
+  add(tr("added"), done.added);
+  add(tr("removed"), done.removed);
+  add(tr("moved"), done.moved);
+  add(tr("hung elsewhere"), done.reparented);
+  add(tr("another type of edge"), done.retyped);
+  add(tr("another radius"), done.radii);
+  const QString edits =
+      done.edits == 1 ? tr("1 edit") : tr("%1 edits").arg(parts.numbers.count(done.edits));
+  const QString text = done.edits == 0
+                           ? tr("Nothing was corrected by hand since the last reconstruction.")
+                           : tr("Since the last reconstruction: %1, %2 of work. Pauses of over 5 "
+                                "minutes do not count.")
+                                 .arg(edits, formatWorkTime(work.time));
+  ReportSection section{tr("Work by hand"), {ReportParagraph{text}}};
+  if (done.edits > 0) section.blocks.emplace_back(std::move(table));
+  return section;
+}
+
+} // namespace espalier

@@ -1,0 +1,103 @@
+#include "app/report/report_data.h"
+
+#include "core/base/error.h"
+#include "core/evaluate/edge_index.h"
+#include "core/evaluate/evaluation.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace espalier {
+namespace {
+
+double orDefault(double tolerance, const Skeleton& reference) {
+  return tolerance > 0 ? tolerance : defaultTolerances(reference)[1];
+}
+
+ToleranceScore scoreAt(const ToleranceCurve& curve, double tolerance) {
+  const auto found = std::ranges::find(curve.scores, tolerance, &ToleranceScore::distance);
+  if (found == curve.scores.end())
+    throw Error("a report needs the scores at its own tolerance: compare again with it");
+  return *found;
+}
+
+/// Mean distance of about a thousand points, evenly chosen, from a skeleton [L].
+double distanceOf(const PointCloud& scan, const Skeleton& skeleton, const Progress& progress) {
+  const EdgeIndex index(skeleton);
+  const Eigen::Index step = std::max<Eigen::Index>(1, scan.size() / 1000);
+  double sum = 0;
+  Eigen::Index count = 0;
+  for (Eigen::Index point = 0; point < scan.size(); point += step, ++count) {
+    progress.check();
+    const auto nearest = index.nearest(scan.position(point));
+    sum += (nearest->position - scan.position(point)).norm();
+  }
+  return sum / static_cast<double>(std::max<Eigen::Index>(1, count));
+}
+
+/// A result lies on the scan that it was made of, unless it was moved and the reference was not.
+Eigen::Isometry3d toScan(const ReportData& data, const Skeleton& result, const Progress& progress) {
+  const auto& registration = data.comparison.registration;
+  if (!data.scan || data.scan->isEmpty() || !registration) return Eigen::Isometry3d::Identity();
+  const bool isOnResult =
+      distanceOf(*data.scan, result, progress) < distanceOf(*data.scan, data.reference, progress);
+  return isOnResult ? registration->motion.inverse() : Eigen::Isometry3d::Identity();
+}
+
+} // namespace
+
+std::vector<std::size_t> shownErrors(const Differences& differences) {
+  constexpr std::size_t most = 6;
+  constexpr std::size_t mostOfKind = 2;
+  std::array<std::size_t, 4> ofKind{};
+  std::vector<std::size_t> shown;
+  std::vector<std::size_t> others;
+  for (std::size_t i = 0; i < differences.parts.size(); ++i) {
+    std::size_t& count = ofKind[static_cast<std::size_t>(differences.parts[i].kind)];
+    (++count <= mostOfKind ? shown : others).push_back(i);
+  }
+  for (std::size_t i = 0; i < others.size() && shown.size() < most; ++i)
+    shown.push_back(others[i]);
+  std::ranges::sort(shown); // the parts are by length
+  return shown;
+}
+
+ComparisonOptions withTolerance(ComparisonOptions options, const Skeleton& reference,
+                                double tolerance) {
+  std::vector<double>& distances = options.tolerance.distances;
+  if (distances.empty()) distances = defaultTolerances(reference);
+  const double wanted = orDefault(tolerance, reference);
+  const auto place = std::ranges::lower_bound(distances, wanted);
+  if (place == distances.end() || *place != wanted) distances.insert(place, wanted);
+  return options;
+}
+
+ReportData reportData(Comparison comparison, const Skeleton& result, const Skeleton& reference,
+                      std::shared_ptr<const PointCloud> scan, double tolerance,
+                      const Progress& progress) {
+  ReportData data;
+  data.comparison = std::move(comparison);
+  const auto& registration = data.comparison.registration;
+  data.result = registration ? moved(result, registration->motion) : result;
+  data.reference = reference;
+  data.scan = std::move(scan);
+  data.tolerance = orDefault(tolerance, reference);
+  data.score = scoreAt(data.comparison.tolerance, data.tolerance);
+  data.differences = differences(data.result, reference, data.tolerance,
+                                 progress.part(0, 0.3, "Finding differences"));
+  data.curve = toleranceCurve(data.result, reference,
+                              {.distances = curveDistances(data.tolerance,
+                                                           defaultTolerances(reference).back()),
+                               .step = data.comparison.tolerance.step},
+                              progress.part(0.3, 0.5, "Measuring distances"))
+                   .scores;
+  data.intervals =
+      ranking({data.result}, reference, {.registers = false, .distance = data.tolerance},
+              progress.part(0.5, 0.95, "Drawing segments"));
+  data.toScan = toScan(data, result, progress.part(0.95, 1));
+  progress.update(1);
+  return data;
+}
+
+} // namespace espalier

@@ -1,0 +1,200 @@
+#include "app/report/report_sections.h"
+#include "ui/document/difference_look.h"
+
+#include <algorithm>
+
+namespace espalier {
+namespace {
+
+QString tr(const char* text) {
+  return reportText(text);
+}
+
+struct Counts {
+  std::size_t missed = 0;
+  std::size_t invented = 0;
+  std::size_t wronglyAttached = 0;
+};
+
+Counts countsOf(const Differences& differences) {
+  Counts counts;
+  for (const DifferingPart& part : differences.parts)
+    ++(part.kind == Difference::missed     ? counts.missed
+       : part.kind == Difference::invented ? counts.invented
+                                           : counts.wronglyAttached);
+  return counts;
+}
+
+QString places(const ReportNumbers& numbers, std::size_t count) {
+  return count == 1 ? tr("1 place") : tr("%1 places").arg(numbers.count(count));
+}
+
+QString whatIsNear(const ReportParts& parts) {
+  const ReportNumbers& numbers = parts.numbers;
+  const ToleranceScore& score = parts.data.score;
+  return tr("The reconstruction finds %1 of the length of the reference within %2, and %3 of its "
+            "own "
+            "length lies that near to the reference: F is %4.")
+      .arg(numbers.percent(score.recall), numbers.givenLength(score.distance),
+           numbers.percent(score.precision), numbers.share(score.f()));
+}
+
+QString whatDiffers(const ReportParts& parts) {
+  const Differences& found = parts.data.differences;
+  const ReportNumbers& numbers = parts.numbers;
+  if (found.parts.empty()) return tr("No part of either is missed, invented or wrongly attached.");
+  const Counts counts = countsOf(found);
+  const QString attached =
+      counts.wronglyAttached == 0 ? tr("nothing hangs on the wrong wood")
+      : counts.wronglyAttached == 1
+          ? tr("1 part hangs on the wrong wood")
+          : tr("%1 parts hang on the wrong wood").arg(numbers.count(counts.wronglyAttached));
+  return tr("%1 are missed in %2 and %3 invented in %4; %5.")
+      .arg(numbers.length(found.missed), places(numbers, counts.missed),
+           numbers.length(found.invented), places(numbers, counts.invented), attached);
+}
+
+double f(const PartAgreement& part) {
+  return harmonicMean(part.precision, part.recall);
+}
+
+/// Where it is best and where worst; empty where that would tell nothing.
+QString whereItDiffers(const ReportParts& parts) {
+  const AgreementByPlace& byPlace = parts.data.comparison.byPlace;
+  double whole = 0;
+  for (const PartAgreement& part : byPlace.byOrder)
+    whole += part.referenceLength;
+  std::vector<PartAgreement> large; // a single twig tells nothing of its order
+  for (const PartAgreement& part : byPlace.byOrder)
+    if (part.referenceLength >= 0.03 * whole) large.push_back(part);
+  if (large.size() < 2) return {};
+  const auto [worst, best] = std::ranges::minmax_element(large, {}, f);
+  if (f(*best) - f(*worst) < 0.01) return {};
+  return tr("Within %1 it agrees best in order %2 (F %3) and least in order %4 (F %5).")
+      .arg(parts.numbers.givenLength(byPlace.distance), QString::number(best->from),
+           parts.numbers.share(f(*best)), QString::number(worst->from),
+           parts.numbers.share(f(*worst)));
+}
+
+ReportKeyNumbers keyNumbers(const ReportParts& parts) {
+  const Comparison& comparison = parts.data.comparison;
+  const ReportNumbers& numbers = parts.numbers;
+  const RankedResult& intervals = parts.data.intervals.results.front();
+  const auto within = [&](Score score) {
+    const auto place = std::ranges::find(rankingScores(), score) - rankingScores().begin();
+    return numbers.range(intervals.scores[static_cast<std::size_t>(place)]);
+  };
+  const QString near = numbers.givenLength(parts.data.tolerance);
+  return {{{numbers.share(parts.data.score.f()), tr("F within %1").arg(near), within(Score::f)},
+           {numbers.share(parts.data.score.precision), tr("precision"), within(Score::precision)},
+           {numbers.share(parts.data.score.recall), tr("recall"), within(Score::recall)},
+           {numbers.share(comparison.authors.geometric), tr("geometric index G"),
+            within(Score::geometric)},
+           {numbers.share(comparison.authors.structural), tr("structural index T"),
+            within(Score::structural)},
+           {numbers.share(comparison.tips.f()), tr("tips, F"),
+            tr("within %1").arg(numbers.givenLength(comparison.tips.distance))}}};
+}
+
+} // namespace
+
+ReportSection summarySection(const ReportParts& parts) {
+  QStringList sentences = {whatIsNear(parts), whatDiffers(parts), whereItDiffers(parts)};
+  sentences.removeAll(QString());
+  ReportSection section{tr("Summary"), {ReportParagraph{sentences.join(' ')}}};
+  section.blocks.emplace_back(keyNumbers(parts));
+  section.blocks.emplace_back(ReportParagraph{
+      tr("From – to: where the middle 95 % lie when the segments of the reference are drawn again, "
+         "%1 times.")
+          .arg(parts.numbers.count(parts.data.intervals.draws)),
+      true});
+  ReportWarnings warnings;
+  for (const std::string& warning : parts.data.comparison.warnings)
+    warnings.lines.append(QString::fromStdString(warning));
+  if (parts.about.scale != 1)
+    warnings.lines.append(
+        tr("the result was multiplied by %1 first").arg(parts.numbers.given(parts.about.scale)));
+  if (!parts.pictures.problem.isEmpty())
+    warnings.lines.append(tr("there are no pictures: %1").arg(parts.pictures.problem));
+  if (!warnings.lines.isEmpty()) section.blocks.emplace_back(std::move(warnings));
+  return section;
+}
+
+ReportSection plantsSection(const ReportParts& parts) {
+  const Differences& found = parts.data.differences;
+  const ReportNumbers& numbers = parts.numbers;
+  const Counts counts = countsOf(found);
+  const auto entry = [&](Difference kind, const QString& text) {
+    const Color color = colorOf(kind);
+    return ReportLegend::Entry{titleOf(kind), QColor(color[0], color[1], color[2]), text};
+  };
+  ReportSection section{tr("Both plants"), {}};
+  section.blocks.emplace_back(
+      ReportLegend{{entry(Difference::matched,
+                          tr("%1 of the result").arg(numbers.length(found.matchedInResult))),
+                    entry(Difference::missed,
+                          tr("%1 of the reference, dotted; %2")
+                              .arg(numbers.length(found.missed), places(numbers, counts.missed))),
+                    entry(Difference::invented, tr("%1 of the result; %2")
+                                                    .arg(numbers.length(found.invented),
+                                                         places(numbers, counts.invented))),
+                    entry(Difference::wronglyAttached, places(numbers, counts.wronglyAttached))}});
+  const auto add = [&](int across, const std::vector<ReportFigures::Figure>& figures) {
+    ReportFigures shown{.across = across, .figures = {}};
+    for (const auto& figure : figures)
+      if (!figure.image.isNull()) shown.figures.push_back(figure);
+    if (!shown.figures.empty()) section.blocks.emplace_back(std::move(shown));
+  };
+  const ReportPictures& pictures = parts.pictures;
+  add(2, {{pictures.front, tr("What differs, from the front"),
+           tr("The result, and what it misses of the reference")},
+          {pictures.side, tr("What differs, from the right"), tr("The same from the side")}});
+  add(parts.data.scan ? 3 : 2,
+      {{pictures.result, tr("The result"), parts.about.result.name},
+       {pictures.reference, tr("The reference"), parts.about.reference.name},
+       {pictures.scan, tr("The scan"),
+        parts.about.scan ? tr("%1, %2 points, by height")
+                               .arg(parts.about.scan->name, numbers.count(static_cast<std::size_t>(
+                                                                parts.data.scan->size())))
+                         : QString()}});
+  return section;
+}
+
+ReportSection errorsSection(const ReportParts& parts) {
+  const auto& all = parts.data.differences.parts;
+  const ReportNumbers& numbers = parts.numbers;
+  const std::vector<std::size_t> shown = shownErrors(parts.data.differences);
+  ReportSection section{tr("Largest errors"), {}};
+  if (shown.empty()) {
+    section.blocks.emplace_back(ReportParagraph{tr("There are none at this tolerance.")});
+    return section;
+  }
+  section.blocks.emplace_back(ReportParagraph{
+      tr("%1 of %2: the longest of each kind. Of what is wrongly attached, all that hangs there "
+         "counts. Rings: where it begins; dashed, where the reference hangs it.")
+          .arg(numbers.count(shown.size()), numbers.count(all.size()))});
+  ReportFigures figures{.across = 3, .figures = {}};
+  ReportTable table;
+  table.caption = tr("Where they begin, in the frame of the reference");
+  table.columns = {
+      {tr("no."), false},        {tr("kind"), false},       {numbers.inUnit(tr("length"))},
+      {numbers.inUnit(tr("x"))}, {numbers.inUnit(tr("y"))}, {numbers.inUnit(tr("z"))}};
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    const DifferingPart& part = all[shown[i]];
+    const QString title = tr("%1. %2").arg(numbers.count(i + 1), titleOf(part.kind));
+    if (i < parts.pictures.errors.size())
+      figures.figures.push_back(
+          {parts.pictures.errors[i], title, tr("%1 long").arg(numbers.length(part.length))});
+    table.rows.push_back({{numbers.count(i + 1)},
+                          {titleOf(part.kind)},
+                          {numbers.number(part.length)},
+                          {numbers.number(part.at.x())},
+                          {numbers.number(part.at.y())},
+                          {numbers.number(part.at.z())}});
+  }
+  if (!figures.figures.empty()) section.blocks.emplace_back(std::move(figures));
+  section.blocks.emplace_back(std::move(table));
+  return section;
+}
+
+} // namespace espalier

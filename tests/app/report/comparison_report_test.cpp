@@ -1,0 +1,170 @@
+#include "core/base/error.h"
+#include "core/evaluate/comparison_json.h"
+#include "tests/app/report/reported_plants.h"
+#include "tests/support/shared_data.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+
+namespace espalier {
+namespace {
+
+using test::aboutPlants;
+using test::branched;
+using test::cellOf;
+using test::reported;
+using test::sectionOf;
+using test::textOf;
+
+constexpr double near = 0.02; // [L]
+
+/// Of the trunk alone with the whole plant: a third of the length is missed.
+Report reportOfTrunk(const ReportAbout& about = aboutPlants(),
+                     const ReportPictures& pictures = {}) {
+  return comparisonReport(reported(test::stick(21, 0.1), branched(), near), pictures, about);
+}
+
+QString thin(QString text) {
+  return text.replace('_', QChar(0x202f));
+}
+
+TEST(ComparisonReport, SaysInWordsWhatIsFoundAndWhatIsMissed) {
+  const QString text = textOf(sectionOf(reportOfTrunk(), "Summary"));
+  EXPECT_TRUE(text.contains(thin("within 0.02_m"))) << qPrintable(text);
+  EXPECT_TRUE(text.contains(thin("100.0_% of its own length lies that near"))) << qPrintable(text);
+  EXPECT_TRUE(text.contains(thin("0_m invented in 0 places"))) << qPrintable(text);
+  EXPECT_TRUE(text.contains(" are missed in 1 place ")) << qPrintable(text);
+  EXPECT_TRUE(text.contains("nothing hangs on the wrong wood")) << qPrintable(text);
+}
+
+TEST(ComparisonReport, HoldsTheNumbersOfTheJson) {
+  const ReportData data = reported(test::stick(21, 0.1), branched(), near);
+  const Report report = comparisonReport(data, {}, aboutPlants());
+  const auto json = toJson(data.comparison);
+  const auto five = [](const nlohmann::ordered_json& value) {
+    return QString::number(value.get<double>(), 'f', 5);
+  };
+  const ReportSection& indices = sectionOf(report, "Indices");
+  EXPECT_EQ(cellOf(indices, "mapping", 1), five(json["authors"]["mapping"]));
+  EXPECT_EQ(cellOf(indices, "geometric index G", 1), five(json["authors"]["geometric"]));
+  EXPECT_EQ(cellOf(indices, "structural index T", 1), five(json["authors"]["structural"]));
+  EXPECT_EQ(cellOf(indices, "tips, F", 1), five(json["traits"]["matched_tips"]["f"]));
+  EXPECT_EQ(cellOf(indices, "edit similarity", 1), five(json["edit_distance"]["similarity"]));
+  // Two thirds of the length are found, but for what lies about the foot of the branch.
+  const QString recall = cellOf(sectionOf(report, "Agreement over the tolerance"), "0.02", 2);
+  EXPECT_NEAR(recall.toDouble(), 2.0 / 3 + near / 3, 0.005);
+  EXPECT_EQ(cellOf(sectionOf(report, "Agreement over the tolerance"), "0.02", 1), "1.000");
+}
+
+TEST(ComparisonReport, TellsWhereTheLengthIsByHeightAndByOrder) {
+  const ReportSection section = sectionOf(reportOfTrunk(), "Where they agree");
+  EXPECT_EQ(cellOf(section, "0", 4), "2.000"); // of the reference in order 0
+  EXPECT_EQ(cellOf(section, "0", 2), "1.000");
+  EXPECT_EQ(cellOf(section, "1", 3), "0");
+  EXPECT_NEAR(cellOf(section, "1", 4).toDouble(), 1, 0.02);
+}
+
+TEST(ComparisonReport, PutsTheTraitsOfBothBesideEachOther) {
+  const ReportSection section = sectionOf(reportOfTrunk(), "Architecture");
+  EXPECT_EQ(cellOf(section, "tips", 1), "1");
+  EXPECT_EQ(cellOf(section, "tips", 2), "2");
+  EXPECT_EQ(cellOf(section, "tips", 3), QChar(0x2212) + thin("50.0_%"));
+  EXPECT_EQ(cellOf(section, "length [m]", 1), "2.000");
+  EXPECT_EQ(cellOf(section, "length [m]", 2), "3.000");
+  EXPECT_EQ(cellOf(section, "Strahler number", 2), "2");
+}
+
+TEST(ComparisonReport, ListsTheErrorsWithKindLengthAndPlace) {
+  const ReportSection section = sectionOf(reportOfTrunk(), "Largest errors");
+  EXPECT_EQ(cellOf(section, "1", 1), "Missed");
+  EXPECT_NEAR(cellOf(section, "1", 2).toDouble(), 1, 0.11); // an edge half near counts as near
+  EXPECT_EQ(cellOf(section, "1", 5), "1.000") << "the height at which it leaves";
+  const Report same = comparisonReport(reported(branched(), branched(), near), {}, aboutPlants());
+  EXPECT_EQ(textOf(sectionOf(same, "Largest errors")),
+            "Largest errors\nThere are none at this tolerance.");
+}
+
+TEST(ComparisonReport, ShowsErrorsOfEachKindBeforeMoreOfOne) {
+  Differences differences;
+  for (int i = 0; i < 8; ++i)
+    differences.parts.push_back({.kind = Difference::wronglyAttached, .length = 100.0 - i});
+  differences.parts.push_back({.kind = Difference::missed, .length = 10});
+  differences.parts.push_back({.kind = Difference::invented, .length = 5});
+  EXPECT_EQ(shownErrors(differences), (std::vector<std::size_t>{0, 1, 2, 3, 8, 9}));
+  EXPECT_TRUE(shownErrors({}).empty());
+}
+
+TEST(ComparisonReport, TellsTheSettingsAndTheFilesByTheirHashes) {
+  const ReportSection section = sectionOf(reportOfTrunk(), "How it was measured");
+  EXPECT_EQ(cellOf(section, "result", 1), "oak.mtg");
+  EXPECT_EQ(cellOf(section, "result", 2), QString(64, 'a'));
+  EXPECT_EQ(cellOf(section, "reference", 2), QString(64, 'b'));
+  EXPECT_EQ(cellOf(section, "tolerance", 1), thin("0.02_m"));
+  EXPECT_EQ(cellOf(section, "registration", 1), "none: compared where they lie");
+  EXPECT_TRUE(cellOf(section, "version", 1).startsWith("Espalier 9.8.7, Qt "));
+}
+
+TEST(ComparisonReport, SaysWhatMakesTheNumbersDoubtful) {
+  Skeleton moved = branched();
+  for (const NodeId id : moved.ids())
+    moved.setPosition(id, moved[id].position + Eigen::Vector3d(0, 0.5, 0));
+  const Comparison comparison = compare(moved, branched());
+  ReportAbout about = aboutPlants();
+  about.scale = 0.001;
+  ReportPictures pictures;
+  pictures.problem = "OpenGL: no context to draw in";
+  const Report report =
+      comparisonReport(reportData(comparison, moved, branched()), pictures, about);
+  const QString text = textOf(sectionOf(report, "Summary"));
+  EXPECT_TRUE(text.contains("the result lay 0.5 off the reference")) << qPrintable(text);
+  EXPECT_TRUE(text.contains("the result was multiplied by 0.001 first")) << qPrintable(text);
+  EXPECT_TRUE(text.contains("there are no pictures: OpenGL: no context")) << qPrintable(text);
+}
+
+TEST(ComparisonReport, TellsTheWorkByHandOfWhatHasAHistory) {
+  ReportAbout about = aboutPlants();
+  about.handWork = HandWork{.corrections = {.edits = 3, .added = 2, .moved = 7},
+                            .time = std::int64_t{12} * 60'000};
+  const ReportSection section = sectionOf(reportOfTrunk(about), "Work by hand");
+  EXPECT_TRUE(textOf(section).contains("3 edits, 12 min of work"));
+  EXPECT_EQ(cellOf(section, "added", 1), "2");
+  EXPECT_EQ(cellOf(section, "moved", 1), "7");
+  EXPECT_THROW(static_cast<void>(sectionOf(reportOfTrunk(), "Work by hand")), std::out_of_range);
+}
+
+TEST(ComparisonReport, RefusesAComparisonAtOtherDistances) {
+  ComparisonOptions options;
+  options.registers = false;
+  const Comparison comparison = compare(branched(), branched(), options);
+  EXPECT_THROW(static_cast<void>(reportData(comparison, branched(), branched(), nullptr, 0.123)),
+               Error);
+  const auto distances = withTolerance(options, branched(), 0.123).tolerance.distances;
+  EXPECT_EQ(distances.size(), defaultTolerances(branched()).size() + 1);
+  EXPECT_TRUE(std::ranges::is_sorted(distances));
+}
+
+TEST(ComparisonReport, StopsWhenAsked) {
+  std::stop_source stop;
+  stop.request_stop();
+  ComparisonOptions options;
+  options.registers = false;
+  const Comparison comparison = compare(branched(), branched(), options);
+  EXPECT_THROW(static_cast<void>(reportData(comparison, branched(), branched(), nullptr, 0,
+                                            Progress(stop.get_token(), {}))),
+               Cancelled);
+}
+
+TEST(ReportedFile, IsKnownByTheHashOfItsBytes) {
+  const auto file = test::freshFolder() / "abc.txt";
+  std::ofstream(file) << "abc"; // the example of FIPS 180-2
+  const ReportedFile reportedAs = reportedFile(file);
+  EXPECT_EQ(reportedAs.name, "abc.txt");
+  EXPECT_EQ(reportedAs.fingerprint,
+            "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  EXPECT_THROW(static_cast<void>(reportedFile(file.parent_path() / "missing.txt")), Error);
+}
+
+} // namespace
+} // namespace espalier

@@ -136,7 +136,7 @@ ReportTable structureTable(const ReportParts& parts) {
 ReportSection toleranceSection(const ReportParts& parts) {
   ReportSection section{tr("Agreement over the tolerance"), {}};
   ReportPlot plot;
-  plot.size = {460, 250};
+  plot.size = {380, 230};
   plot.text = tr("Precision, recall and F over the tolerance; marked at %1")
                   .arg(parts.numbers.givenLength(parts.data.tolerance));
   plot.paint = [curve = TolerancePlot{.curve = parts.data.curve,

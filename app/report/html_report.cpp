@@ -36,9 +36,10 @@ private:
 };
 
 void HtmlWriter::operator()(const ReportParagraph& paragraph) {
-  add(QStringLiteral("<p%1>%2</p>\n")
-          .arg(paragraph.isNote ? QStringLiteral(" class=\"note\"") : QString(),
-               escaped(paragraph.text)));
+  const QString look = paragraph.look == ReportParagraph::Look::note   ? " class=\"note\""
+                       : paragraph.look == ReportParagraph::Look::code ? " class=\"code\""
+                                                                       : "";
+  add(QStringLiteral("<p%1>%2</p>\n").arg(look, escaped(paragraph.text)));
 }
 
 void HtmlWriter::operator()(const ReportWarnings& warnings) {
@@ -98,10 +99,8 @@ void HtmlWriter::operator()(const ReportTable& table) {
 }
 
 void HtmlWriter::operator()(const ReportFigures& figures) {
-  const int least = figures.across > 2 ? 17 : 22; // [rem]
-  add(QStringLiteral("<div class=\"figures\" style=\"grid-template-columns:repeat(auto-fit,"
-                     "minmax(min(100%,%1rem),1fr))\">\n")
-          .arg(least));
+  add(QStringLiteral("<div class=\"figures%1\">\n")
+          .arg(figures.across > 2 ? QStringLiteral(" three") : QString()));
   for (const auto& figure : figures.figures) {
     QByteArray png;
     QBuffer buffer(&png);

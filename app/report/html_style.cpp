@@ -37,7 +37,9 @@ padding:.6rem .9rem;margin:1rem 0}
 .legend i{display:inline-block;width:1.5rem;height:.35rem;border-radius:2px;margin-right:.5rem;
 vertical-align:middle}
 .legend span{color:var(--quiet)}
-.figures{display:grid;gap:1rem;margin:1rem 0}
+.figures{display:grid;gap:1rem;margin:1rem 0;
+grid-template-columns:repeat(auto-fit,minmax(min(100%,22rem),1fr))}
+.three{grid-template-columns:repeat(auto-fit,minmax(min(100%,17rem),1fr))}
 figure{margin:0;break-inside:avoid}
 .figures img{display:block;width:100%;height:auto;border:1px solid var(--line);border-radius:6px;
 background:#fff}
@@ -53,12 +55,13 @@ border-bottom:2px solid var(--line)}
 th,td{padding:.28rem 1.6rem .28rem 0}
 td{border-bottom:1px solid var(--line);vertical-align:top}
 th:last-child,td:last-child{padding-right:.1rem}
+th{white-space:nowrap}
 .number{text-align:right;white-space:nowrap}
-.word{min-width:5rem}
 .code{min-width:17rem;font-family:ui-monospace,"DejaVu Sans Mono",monospace;font-size:.8rem;
 overflow-wrap:anywhere}
 .bar{display:block;min-width:4rem;height:4px;margin-top:2px;border-radius:2px;background:var(--bar)}
 .bar i{display:block;height:4px;border-radius:2px;background:var(--accent)}
+p.code{max-width:none}
 dl{margin:.6rem 0;max-width:46rem}
 dt{font-weight:600;margin-top:.7rem}
 dd{margin:0}
@@ -67,13 +70,16 @@ dd cite{display:block;color:var(--quiet);font-size:.875rem;font-style:normal}
 @page{size:A4;margin:16mm 15mm}
 @media print{:root{color-scheme:light;--ground:#fff;--panel:#f3f4f2;--text:#000;--quiet:#444;
 --line:#bbb;--accent:#2f8f5b;--bar:#dfe9e3;--warn:#fff;--warnline:#888}
-body{font-size:10.5pt;-webkit-print-color-adjust:exact;print-color-adjust:exact}
+body{font-size:9.5pt;-webkit-print-color-adjust:exact;print-color-adjust:exact}
 main{max-width:none;padding:0}
+.numbers{grid-template-columns:repeat(3,1fr)}
+.figures{grid-template-columns:repeat(2,1fr)}.three{grid-template-columns:repeat(3,1fr)}
+section>p,.legend{break-after:avoid}
 h2{break-after:avoid;margin-top:1.4rem}
-table,figure,.numbers,.warnings,dt+dd{break-inside:avoid}
+p,table,figure,.legend,.numbers,.warnings,dt+dd{break-inside:avoid}
 dt{break-after:avoid}caption{break-after:avoid}
 .wide{overflow:visible}
-th,td{padding-right:.5rem}}
+th,td{padding:.15rem 1rem .15rem 0}}
 )css";
 
 /// Plots are painted once, in the colors of paper; on a dark screen these are replaced.

@@ -97,6 +97,26 @@ ReportTable inputs(const ReportParts& parts) {
   return table;
 }
 
+/// What to type for the same numbers.
+QString commandOf(const ReportParts& parts) {
+  const ReportAbout& about = parts.about;
+  QStringList words = {QStringLiteral("espalier evaluate"), about.result.name,
+                       about.reference.name};
+  if (!parts.data.comparison.registration) words.append(QStringLiteral("--no-register"));
+  if (about.scale != 1) words.append(QStringLiteral("--scale %1").arg(about.scale));
+  if (!about.unit.isEmpty()) words.append(QStringLiteral("--unit %1").arg(about.unit));
+  const EditOptions usual;
+  if (about.edit.unit != usual.unit)
+    words.append("--edit-unit " + QString::fromStdString(
+                                      editUnitNames()[static_cast<std::size_t>(about.edit.unit)]));
+  if (about.edit.cost != usual.cost)
+    words.append("--edit-cost " + QString::fromStdString(
+                                      editCostNames()[static_cast<std::size_t>(about.edit.cost)]));
+  if (about.edit.mergesPaths) words.append(QStringLiteral("--merge-paths"));
+  words.append(QStringLiteral("--json numbers.json --csv numbers.csv"));
+  return words.join(' ');
+}
+
 std::vector<ReportTerms::Term> nearnessTerms() {
   return {
       {tr("Registration"),
@@ -171,9 +191,9 @@ std::vector<ReportTerms::Term> plantTerms(bool hasLight) {
 
 ReportSection settingsSection(const ReportParts& parts) {
   ReportSection section{tr("How it was measured"), {inputs(parts), settings(parts)}};
-  section.blocks.emplace_back(ReportParagraph{tr(
-      "All numbers as JSON and CSV: espalier evaluate RESULT REFERENCE --json numbers.json --csv "
-      "numbers.csv, with the same settings. They are the values that this report rounds.")});
+  section.blocks.emplace_back(ReportParagraph{
+      tr("All numbers as JSON and CSV; they are the values that this report rounds:")});
+  section.blocks.emplace_back(ReportParagraph{commandOf(parts), ReportParagraph::Look::code});
   return section;
 }
 

@@ -103,7 +103,14 @@ void PdfReport::addText(const QString& text, const PdfText& look, double indent)
 }
 
 void PdfReport::operator()(const ReportParagraph& paragraph) {
-  addText(paragraph.text, paragraph.isNote ? noteLook() : PdfText{.size = 11.5});
+  switch (paragraph.look) {
+  case ReportParagraph::Look::plain:
+    return addText(paragraph.text, {.size = 11.5});
+  case ReportParagraph::Look::note:
+    return addText(paragraph.text, noteLook());
+  case ReportParagraph::Look::code:
+    return addText(paragraph.text, {.size = 9.5, .isCode = true});
+  }
 }
 
 void PdfReport::operator()(const ReportWarnings& warnings) {

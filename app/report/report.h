@@ -20,8 +20,13 @@ namespace espalier {
 // add nothing: so both tell the same.
 
 struct ReportParagraph {
+  enum class Look {
+    plain,
+    note, // how to read what stands above
+    code  // to be typed
+  };
   QString text;
-  bool isNote = false; // smaller: how to read what stands above
+  Look look = Look::plain;
 };
 
 /// What the reader has to know before trusting the numbers, a line each.

@@ -107,7 +107,7 @@ ReportSection summarySection(const ReportParts& parts) {
       tr("From – to: where the middle 95 % lie when the segments of the reference are drawn again, "
          "%1 times.")
           .arg(parts.numbers.count(parts.data.intervals.draws)),
-      true});
+      ReportParagraph::Look::note});
   ReportWarnings warnings;
   for (const std::string& warning : parts.data.comparison.warnings)
     warnings.lines.append(QString::fromStdString(warning));

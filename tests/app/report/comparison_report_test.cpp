@@ -106,6 +106,15 @@ TEST(ComparisonReport, TellsTheSettingsAndTheFilesByTheirHashes) {
   EXPECT_TRUE(cellOf(section, "version", 1).startsWith("Espalier 9.8.7, Qt "));
 }
 
+TEST(ComparisonReport, TellsWhatToTypeForTheSameNumbers) {
+  ReportAbout about = aboutPlants();
+  about.scale = 0.001;
+  about.edit.unit = EditUnit::axis;
+  EXPECT_TRUE(textOf(sectionOf(reportOfTrunk(about), "How it was measured"))
+                  .endsWith("espalier evaluate oak.mtg expert.mtg --no-register --scale 0.001 "
+                            "--unit m --edit-unit axis --json numbers.json --csv numbers.csv"));
+}
+
 TEST(ComparisonReport, SaysWhatMakesTheNumbersDoubtful) {
   Skeleton moved = branched();
   for (const NodeId id : moved.ids())

@@ -1,10 +1,10 @@
 #include "app/window/evaluation_flow.h"
 
+#include "app/report/comparison_colors.h"
 #include "app/window/action_set.h"
 #include "app/window/evaluation_text.h"
 #include "app/window/reference_flow.h"
 #include "core/project/corrections.h"
-#include "ui/document/difference_look.h"
 #include "ui/document/plant_document.h"
 #include "ui/panels/differences_panel.h"
 #include "ui/panels/evaluation_panel.h"
@@ -20,23 +20,7 @@
 namespace espalier {
 namespace {
 
-constexpr auto colorId = "node_color_comparison";
-
-/// One for both skeletons.
-Legend legend() {
-  Legend made{.id = colorId, .title = EvaluationFlow::tr("Comparison"), .unit = {}};
-  for (const Difference kind :
-       {Difference::matched, Difference::missed, Difference::invented, Difference::wronglyAttached})
-    made.categories.push_back({titleOf(kind), colorOf(kind)});
-  return made;
-}
-
-NodeColors colorsOf(const std::vector<Difference>& kinds) {
-  NodeColors colors{.values = {}, .legend = legend()};
-  for (const Difference kind : kinds)
-    colors.values.push_back(static_cast<float>(kind));
-  return colors;
-}
+constexpr auto colorId = comparisonColorId;
 
 /// The steps that are done.
 HandWork workOf(const PlantDocument& document) {
@@ -50,6 +34,8 @@ EvaluationFlow::EvaluationFlow(const Parts& parts) : parts_(parts) {
   parts_.window.actions.beginSection(tr("Evaluate"));
   errors_ = std::make_unique<ErrorWalk>(ErrorWalk::Parts{parts_.document, parts_.view, parts_.jobs,
                                                          parts_.window.actions, parts_.editing});
+  report_ = std::make_unique<ReportFlow>(
+      ReportFlow::Parts{parts_.document, parts_.jobs, parts_.reference, parts_.window});
   makePanel();
   methods_ = std::make_unique<MethodsFlow>(
       MethodsFlow::Parts{parts_.document, parts_.reference, parts_.window});
@@ -64,7 +50,8 @@ void EvaluationFlow::makePanel() {
   panel_ = new EvaluationPanel(parts_.document, {.plot = plot_,
                                                  .errors = errors_->panel(),
                                                  .load = at("load_reference"),
-                                                 .color = at(colorId)});
+                                                 .color = at(colorId),
+                                                 .report = at("export_report")});
   panel_->setLaid(isLaid_);
   dock_ = new PanelDock(parts_.window,
                         {.id = "evaluation",
@@ -83,6 +70,7 @@ void EvaluationFlow::fillMenu(QMenu& menu) const {
   add("show_evaluation");
   add("show_methods");
   add(colorId);
+  add("export_report");
   menu.addSeparator();
   for (const QString& id : ErrorWalk::menu())
     add(id);
@@ -91,6 +79,7 @@ void EvaluationFlow::fillMenu(QMenu& menu) const {
 void EvaluationFlow::setPlantShown(bool isShown) {
   dock_->setPlantShown(isShown);
   methods_->dock().setPlantShown(isShown);
+  report_->refresh();
   later();
 }
 
@@ -116,9 +105,14 @@ void EvaluationFlow::show(const std::string& text) {
   isLaid_ = read.isLaid;
   panel_->setLaid(isLaid_);
   errors_->setIgnored(read.ignored);
-  methods_->setOptions(isLaid_, tolerance_);
+  setOptions();
   motion_.reset();
   later();
+}
+
+void EvaluationFlow::setOptions() {
+  methods_->setOptions(isLaid_, tolerance_);
+  report_->setOptions(isLaid_, tolerance_);
 }
 
 void EvaluationFlow::connectDocument() {
@@ -130,6 +124,7 @@ void EvaluationFlow::connectDocument() {
     connect(parts_.window.actions[id], &QAction::toggled, this, &EvaluationFlow::later);
   connect(&document, &PlantDocument::skeletonEdited, this, &EvaluationFlow::take);
   connect(&document, &PlantDocument::skeletonReplaced, this, [this] {
+    report_->refresh();
     motion_.reset();
     forget();
     later();
@@ -168,6 +163,7 @@ void EvaluationFlow::connectPanel() {
   });
   connect(panel_, &EvaluationPanel::compareRequested, this, &EvaluationFlow::start);
   connect(methods_.get(), &MethodsFlow::noted, this, &EvaluationFlow::noted);
+  connect(report_.get(), &ReportFlow::noted, this, &EvaluationFlow::noted);
   connect(errors_.get(), &ErrorWalk::noted, this, &EvaluationFlow::noted);
   connect(errors_.get(), &ErrorWalk::ignoredChanged, this, &EvaluationFlow::changed);
   connect(errors_.get(), &ErrorWalk::shownAsked, this,
@@ -185,6 +181,7 @@ void EvaluationFlow::takeReference() {
   QAction* color = parts_.window.actions[colorId];
   if (!hasOne && color->isChecked()) parts_.window.actions["node_color_none"]->trigger();
   color->setVisible(hasOne);
+  report_->refresh();
   later();
 }
 
@@ -263,15 +260,17 @@ void EvaluationFlow::showColors() {
   const bool isOn = parts_.window.actions[colorId]->isChecked();
   const bool hasColors = isOn && evaluation_ != nullptr;
   parts_.view.setReferenceColors(
-      hasColors ? std::optional(colorsOf(evaluation_->differences.ofReference)) : std::nullopt);
+      hasColors ? std::optional(comparisonColors(evaluation_->differences.ofReference))
+                : std::nullopt);
   if (isOn) // else they are those of another value
-    parts_.view.setNodeColors(hasColors ? std::optional(colorsOf(evaluation_->differences.ofResult))
-                                        : std::nullopt);
+    parts_.view.setNodeColors(
+        hasColors ? std::optional(comparisonColors(evaluation_->differences.ofResult))
+                  : std::nullopt);
 }
 
 void EvaluationFlow::chooseTolerance(double tolerance) {
   tolerance_ = tolerance;
-  methods_->setOptions(isLaid_, tolerance_);
+  setOptions();
   setFresh(false);
   later();
   emit changed();
@@ -279,7 +278,7 @@ void EvaluationFlow::chooseTolerance(double tolerance) {
 
 void EvaluationFlow::chooseLaid(bool isLaid) {
   isLaid_ = isLaid;
-  methods_->setOptions(isLaid_, tolerance_);
+  setOptions();
   motion_.reset();
   setFresh(false);
   later();

@@ -3,6 +3,7 @@
 #include "app/window/error_walk.h"
 #include "app/window/methods_flow.h"
 #include "app/window/panel_dock.h"
+#include "app/window/report_flow.h"
 #include "core/evaluate/evaluation.h"
 #include "core/skeleton/skeleton_delta.h"
 #include "ui/jobs/job_runner.h"
@@ -71,6 +72,7 @@ private:
   void forget();
   void setFresh(bool isFresh);
   void showColors();
+  void setOptions(); // of all that compares
   void chooseTolerance(double tolerance);
   void chooseLaid(bool isLaid);
   [[nodiscard]] bool isWanted() const;
@@ -78,6 +80,7 @@ private:
   Parts parts_;
   std::unique_ptr<ErrorWalk> errors_;
   std::unique_ptr<MethodsFlow> methods_;
+  std::unique_ptr<ReportFlow> report_;
   EvaluationPanel* panel_ = nullptr;
   PlotView* plot_ = nullptr;
   PanelDock* dock_ = nullptr;

@@ -114,6 +114,13 @@ QWidget* EvaluationPanel::makeHead(const Parts& parts) {
   color->setText(tr("Color")); // shorter than that of the menu
   connect(parts.color, &QAction::changed, color, [color] { color->setText(tr("Color")); });
   row->addWidget(color);
+  auto* report = new QToolButton;
+  report->setDefaultAction(parts.report);
+  report->setProperty("role", "panel");
+  report->setObjectName("evaluation_report");
+  report->setText(tr("Report…"));
+  connect(parts.report, &QAction::changed, report, [report] { report->setText(tr("Report…")); });
+  row->addWidget(report);
   row->addWidget(new QLabel(tr("Tolerance")));
   tolerance_ = new QDoubleSpinBox;
   tolerance_->setObjectName("evaluation_tolerance");

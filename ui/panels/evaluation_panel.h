@@ -32,8 +32,9 @@ public:
   struct Parts {
     QWidget* plot;
     QWidget* errors;
-    QAction* load;  // a reference
-    QAction* color; // colors both skeletons by what differs
+    QAction* load;   // a reference
+    QAction* color;  // colors both skeletons by what differs
+    QAction* report; // writes all of it to a file
   };
   EvaluationPanel(const PlantDocument& document, const Parts& parts, QWidget* parent = nullptr);
 

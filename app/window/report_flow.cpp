@@ -1,0 +1,157 @@
+#include "app/window/report_flow.h"
+
+#include "app/report/write_report.h"
+#include "app/window/action_set.h"
+#include "app/window/load_files.h"
+#include "app/window/reference_flow.h"
+#include "core/base/error.h"
+#include "core/io/atomic_file.h"
+#include "core/io/node_list.h"
+#include "ui/document/plant_document.h"
+#include "ui/jobs/job_runner.h"
+
+#include <QAction>
+#include <QCoreApplication>
+#include <QCryptographicHash>
+#include <QDate>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMainWindow>
+#include <QTimer>
+
+#include <sstream>
+#include <utility>
+
+namespace espalier {
+namespace {
+
+/// SHA-256 of a structure as it is now, which need not be that of any file.
+QString fingerprintOf(const Skeleton& skeleton) {
+  std::ostringstream text;
+  writeNodeList(text, skeleton);
+  const std::string bytes = text.str();
+  return QString::fromLatin1(
+      QCryptographicHash::hash(QByteArrayView(bytes.data(), static_cast<qsizetype>(bytes.size())),
+                               QCryptographicHash::Sha256)
+          .toHex());
+}
+
+} // namespace
+
+struct ReportFlow::Making {
+  QString path;
+  ReportAbout about;
+  ReportData data;
+  std::unique_ptr<PictureSession> pictures;
+};
+
+ReportFlow::ReportFlow(const Parts& parts) : parts_(parts) {
+  parts_.window.actions.add(
+      {.id = "export_report",
+       .text = tr("Export Report…"),
+       .help = tr("Writes how the plant agrees with its reference, with pictures, as HTML or PDF")},
+      [this] { choose(); });
+  refresh();
+}
+
+ReportFlow::~ReportFlow() = default;
+
+void ReportFlow::setOptions(bool isLaid, double tolerance) {
+  isLaid_ = isLaid;
+  tolerance_ = tolerance;
+}
+
+void ReportFlow::refresh() {
+  parts_.window.actions["export_report"]->setEnabled(
+      !making_ && parts_.reference.skeleton() != nullptr && !parts_.document.skeleton().isEmpty());
+}
+
+void ReportFlow::choose() {
+  QFileDialog dialog(&parts_.window.window, tr("Export the report"), {},
+                     tr("Web pages (*.html);;PDF (*.pdf)"));
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setDefaultSuffix("html");
+  connect(&dialog, &QFileDialog::filterSelected, &dialog, [&dialog](const QString& filter) {
+    dialog.setDefaultSuffix(filter.contains(QLatin1String("pdf")) ? "pdf" : "html");
+  });
+  const QFileInfo file(parts_.document.filePath());
+  if (!parts_.document.filePath().isEmpty()) dialog.setDirectory(file.absolutePath());
+  dialog.selectFile((file.fileName().isEmpty() ? tr("plant") : file.completeBaseName()) +
+                    ".report.html");
+  if (dialog.exec() == QDialog::Accepted) write(dialog.selectedFiles().front());
+}
+
+ReportAbout ReportFlow::about() const {
+  const PlantDocument& document = parts_.document;
+  const QString note = tr("hashed as a node list");
+  const QString name = QFileInfo(document.filePath()).fileName();
+  ReportAbout about;
+  about.result = {name.isEmpty() ? tr("plant") : name, fingerprintOf(document.skeleton()), note};
+  about.reference = {parts_.reference.name(), fingerprintOf(*parts_.reference.skeleton()), note};
+  if (document.scan() != nullptr) about.scan = ReportedFile{tr("points of the plant"), {}};
+  about.date = QDate::currentDate().toString(Qt::ISODate);
+  about.version = QCoreApplication::applicationVersion();
+  about.unit = symbol(document.unit());
+  const History history = document.history();
+  about.handWork = handWork(std::span(history.steps).first(history.position), history.skeleton);
+  return about;
+}
+
+void ReportFlow::write(const QString& path) {
+  if (parts_.jobs.isRunning() || making_)
+    throw Error(tr("%1 is still running: wait for it, or cancel it")
+                    .arg(making_ ? tr("The report") : parts_.jobs.name())
+                    .toStdString());
+  requireReportName(toPath(path));
+  requireWritable(toPath(path));
+  const Scan* scan = parts_.document.scan();
+  parts_.jobs.start(
+      tr("Measuring for the report"),
+      [result = parts_.document.skeleton(), reference = parts_.reference.skeleton(),
+       cloud = scan != nullptr ? scan->cloud() : nullptr, isLaid = isLaid_,
+       tolerance = tolerance_](const Progress& progress) {
+        ComparisonOptions options;
+        options.registers = isLaid;
+        Comparison comparison =
+            compare(result, *reference, withTolerance(options, *reference, tolerance),
+                    progress.part(0, 0.6));
+        return reportData(std::move(comparison), result, *reference, cloud, tolerance,
+                          progress.part(0.6, 1));
+      },
+      [this, path, told = about()](ReportData data) {
+        making_ = std::make_unique<Making>(Making{path, told, std::move(data), nullptr});
+        refresh();
+        parts_.jobs.afterwards([this] {
+          making_->pictures = std::make_unique<PictureSession>(making_->data, making_->about.unit);
+          QTimer::singleShot(0, this, &ReportFlow::drawNext);
+        });
+      });
+}
+
+void ReportFlow::drawNext() {
+  if (making_->pictures->drawNext())
+    QTimer::singleShot(0, this, &ReportFlow::drawNext);
+  else
+    save();
+}
+
+void ReportFlow::save() {
+  const std::shared_ptr<const Making> made(std::move(making_));
+  refresh();
+  const QString file = QFileInfo(made->path).fileName();
+  if (parts_.jobs.isRunning()) {
+    emit noted(tr("%1 was not written: another job began; export it again").arg(file));
+    return;
+  }
+  parts_.jobs.start(
+      tr("Writing %1").arg(file),
+      [made](const Progress& progress) {
+        const Report report = comparisonReport(made->data, made->pictures->pictures(), made->about);
+        progress.update(0.2);
+        writeReport(toPath(made->path), report);
+        return true;
+      },
+      [this, file](bool /*isWritten*/) { emit noted(tr("Wrote %1").arg(file)); });
+}
+
+} // namespace espalier

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "app/report/comparison_report.h"
+#include "app/window/panel_dock.h"
+
+#include <QObject>
+#include <QString>
+
+#include <memory>
+
+namespace espalier {
+
+class JobRunner;
+class PlantDocument;
+class ReferenceFlow;
+
+/// The command that writes a report of the comparison: measuring is a job, the pictures are drawn
+/// one by one between what else the window does, and writing is a job again.
+class ReportFlow : public QObject {
+  Q_OBJECT
+
+public:
+  /// What it works with; all must outlive it.
+  struct Parts {
+    PlantDocument& document;
+    JobRunner& jobs;
+    ReferenceFlow& reference;
+    PanelDock::Parts window;
+  };
+  explicit ReportFlow(const Parts& parts);
+  ~ReportFlow() override;
+
+  /// How the plant is compared: the report tells of the same.
+  void setOptions(bool isLaid, double tolerance);
+  void refresh(); // whether there is anything to report
+
+  /// Measures, draws and writes to a file whose name tells how.
+  /// @throws Error if that cannot be, or a job is running
+  void write(const QString& path);
+
+signals:
+  void noted(const QString& message);
+
+private:
+  /// A report on its way.
+  struct Making;
+  void choose();
+  [[nodiscard]] ReportAbout about() const;
+  void drawNext();
+  void save();
+
+  Parts parts_;
+  std::unique_ptr<Making> making_; // null: none
+  bool isLaid_ = true;
+  double tolerance_ = 0; // [L]; 0: by the rule
+};
+
+} // namespace espalier

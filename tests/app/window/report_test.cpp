@@ -1,0 +1,92 @@
+#include "app/window/load_files.h"
+#include "core/io/formats.h"
+#include "core/skeleton/edits.h"
+#include "tests/app/window/project_fixture.h"
+#include "tests/support/plants.h"
+#include "ui/panels/status_line.h"
+
+#include <QFile>
+#include <QTest>
+#include <QToolButton>
+
+namespace espalier {
+namespace {
+
+struct ReportWindowTest : test::ProjectWindowTest {
+  QString write(const QString& name, const Skeleton& skeleton) {
+    writeStructure(toPath(path(name)), skeleton);
+    return path(name);
+  }
+  /// A stick of one edge less than its reference.
+  void compare() {
+    open({write("plant.mtg", test::stick(20, 0.1))});
+    answer(chooseFile(write("expert.mtg", test::stick(21, 0.1))),
+           [this] { action("load_reference").trigger(); });
+    waitForJob();
+  }
+  [[nodiscard]] bool waitForNote(const QString& note) {
+    return QTest::qWaitFor([&] { return window().statusLine().shownText().startsWith(note); },
+                           60'000);
+  }
+  [[nodiscard]] QByteArray bytesOf(const QString& file) {
+    QFile in(file);
+    EXPECT_TRUE(in.open(QIODevice::ReadOnly)) << qPrintable(file);
+    return in.readAll();
+  }
+};
+
+TEST_F(ReportWindowTest, IsThereOnceThereIsAReference) {
+  EXPECT_FALSE(action("export_report").isEnabled());
+  open({write("plant.mtg", test::stick(20, 0.1))});
+  EXPECT_FALSE(action("export_report").isEnabled());
+  answer(chooseFile(write("expert.mtg", test::stick(21, 0.1))),
+         [this] { action("load_reference").trigger(); });
+  waitForJob();
+  EXPECT_TRUE(action("export_report").isEnabled());
+  EXPECT_FALSE(action("export_report").statusTip().isEmpty());
+  EXPECT_TRUE(find<QToolButton>("evaluation_report").isVisible());
+  action("remove_reference").trigger();
+  EXPECT_FALSE(action("export_report").isEnabled());
+}
+
+TEST_F(ReportWindowTest, IsWrittenByTheButtonOfTheDock) {
+  compare();
+  document().edit("Move node", [](SkeletonEditor& editor) {
+    editor.setPosition(NodeId{19}, {0, 0, 1.95});
+  });
+  const QString file = path("plant.report.html");
+  answer(chooseFile(file), [this] { find<QToolButton>("evaluation_report").click(); });
+  ASSERT_TRUE(waitForNote("Wrote plant.report.html"))
+      << qPrintable(window().statusLine().shownText());
+  const QString html = QString::fromUtf8(bytesOf(file));
+  EXPECT_TRUE(html.contains("<h1>plant.mtg compared with expert.mtg</h1>"));
+  EXPECT_TRUE(html.contains("Work by hand"));
+  EXPECT_TRUE(html.contains("1 edit, under a minute of work"));
+  EXPECT_TRUE(action("export_report").isEnabled()) << "again";
+}
+
+TEST_F(ReportWindowTest, IsAPdfIfItsNameSaysSo) {
+  compare();
+  answer(chooseFile(path("plant.pdf")), [this] { action("export_report").trigger(); });
+  ASSERT_TRUE(waitForNote("Wrote plant.pdf"));
+  EXPECT_TRUE(bytesOf(path("plant.pdf")).startsWith("%PDF-"));
+}
+
+TEST_F(ReportWindowTest, IsRefusedWhereItCannotBeWritten) {
+  compare();
+  answer(chooseFile(path("plant.docx")), [this] { action("export_report").trigger(); });
+  EXPECT_TRUE(message().contains("a report is written as HTML or PDF")) << qPrintable(message());
+  EXPECT_FALSE(QFile::exists(path("plant.docx")));
+}
+
+TEST_F(ReportWindowTest, LeavesNothingWhereItIsCanceled) {
+  compare();
+  answer(chooseFile(path("plant.html")), [this] { action("export_report").trigger(); });
+  clickButton("cancel_job");
+  EXPECT_TRUE(QTest::qWaitFor([this] { return action("export_report").isEnabled(); }, 60'000));
+  QTest::qWait(0);
+  EXPECT_FALSE(QFile::exists(path("plant.html")));
+}
+
+} // namespace
+} // namespace espalier

@@ -74,7 +74,7 @@ body{font-size:9.5pt;-webkit-print-color-adjust:exact;print-color-adjust:exact}
 main{max-width:none;padding:0}
 .numbers{grid-template-columns:repeat(3,1fr)}
 .figures{grid-template-columns:repeat(2,1fr)}.three{grid-template-columns:repeat(3,1fr)}
-section>p,.legend{break-after:avoid}
+section>p:not(.note),.legend{break-after:avoid}
 h2{break-after:avoid;margin-top:1.4rem}
 p,table,figure,.legend,.numbers,.warnings,dt+dd{break-inside:avoid}
 dt{break-after:avoid}caption{break-after:avoid}

@@ -4,6 +4,7 @@
 #include "app/window/findings_text.h"
 #include "core/skeleton/checks.h"
 #include "core/skeleton/checks_of_scan.h"
+#include "core/skeleton/own_points.h"
 #include "core/skeleton/path_edits.h"
 #include "ui/document/plant_document.h"
 #include "ui/panels/findings_panel.h"
@@ -17,6 +18,8 @@
 #include <QSettings>
 
 #include <algorithm>
+#include <iterator>
+#include <set>
 #include <utility>
 
 namespace espalier {
@@ -160,6 +163,22 @@ void FindingsFlow::refresh() {
   startJob();
 }
 
+/// Branches without points of their own, but for those of which it is told already that no points
+/// are near at all.
+std::vector<Finding> FindingsFlow::ownFindings(const Skeleton& skeleton,
+                                               const PointDistances& distances, const Found& found,
+                                               double spacing, const Progress& progress) {
+  std::vector<Finding> own =
+      branchesWithoutOwnPoints(skeleton, distances, found.indexed->index, spacing, {}, progress);
+  std::set<NodeId> told;
+  for (const Finding& finding : found.ofScan)
+    std::ranges::copy(nodesOf(finding), std::inserter(told, told.end()));
+  std::erase_if(own, [&](const Finding& finding) {
+    return std::ranges::any_of(nodesOf(finding), [&](NodeId id) { return told.contains(id); });
+  });
+  return own;
+}
+
 /// What takes longer: large skeletons, and the scan.
 void FindingsFlow::startJob() {
   const std::shared_ptr<const PointDistances> distances = parts_.distances.now();
@@ -183,6 +202,8 @@ void FindingsFlow::startJob() {
               std::make_shared<const Indexed>(Indexed{cloud, SpatialIndex(cloud->positions())});
         found.ofScan =
             edgesWithoutPoints(skeleton, *cloud, found.indexed->index, spacing, {}, progress);
+        std::ranges::move(ownFindings(skeleton, *distances, found, spacing, progress),
+                          std::back_inserter(found.ofScan));
         std::ranges::move(unexplainedClusters(*distances, spacing, {}, progress),
                           std::back_inserter(found.ofScan));
         return found;

@@ -45,6 +45,16 @@ OptionTable<CheckOptions> makeTable() {
   add("empty_reach", "Reach of points", OptionKind::ratio, defaults.emptyReach, 0, 1000,
       "Edges with no points within so many point spacings, along over a half, are told.",
       &CheckOptions::emptyReach);
+  add("own_beside", "Reach of other wood", OptionKind::ratio, defaults.ownBeside, 0, 1000,
+      "Points within so many point spacings of other wood are not a branch's own.",
+      &CheckOptions::ownBeside);
+  add("own_reach", "Reach of own points", OptionKind::ratio, defaults.ownReach, 0, 1000,
+      "Own points of a branch lie within so many point spacings of it.", &CheckOptions::ownReach);
+  add("own_count", "Own points", OptionKind::count, defaults.ownCount, 1, 1e6,
+      "Fewer own points at a place of a branch are strays.", &CheckOptions::ownCount);
+  add("own_length", "Length without own points", OptionKind::ratio, defaults.ownLength, 0, 1000,
+      "Branches that begin with more point spacings without own points are told.",
+      &CheckOptions::ownLength);
   return table;
 }
 

@@ -17,6 +17,10 @@ struct CheckOptions {
   double clusterGap = 3;       // spacings between points of one cluster
   int clusterSize = 30;        // points: smaller clusters are strays
   double emptyReach = 6;       // spacings from the surface: edges with no points there are empty
+  double ownBeside = 2;        // spacings from other wood: what is nearer to it is of that wood
+  double ownReach = 4;         // spacings from the surface: where a branch has its own points
+  int ownCount = 3;            // points there: fewer are strays
+  double ownLength = 3; // spacings that a branch may begin with and have no points of its own
 };
 
 } // namespace espalier

@@ -85,6 +85,9 @@ std::string describe(const Finding& finding, const Skeleton& skeleton,
     return node + " is thicker than its parent";
   case Kind::edgesWithoutPoints:
     return length(finding.amount) + " from " + node + " on are far from any point";
+  case Kind::noOwnPoints:
+    return "the branch at " + node + " has no points of its own along its first " +
+           length(finding.amount);
   case Kind::unexplainedPoints:
     return counted(finding.amount, "point", "points") + " near " + node + " are far from any edge";
   }
@@ -113,6 +116,8 @@ std::string nameOf(Kind kind) {
     return "radius_above_parent";
   case Kind::edgesWithoutPoints:
     return "edges_without_points";
+  case Kind::noOwnPoints:
+    return "no_own_points";
   case Kind::unexplainedPoints:
     return "unexplained_points";
   }

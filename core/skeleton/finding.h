@@ -23,6 +23,7 @@ struct Finding {
     crossing,           // touches a branch that it does not hang on
     radiusAboveParent,  // thicker than what the node hangs on
     edgesWithoutPoints, // nothing of the scan is near
+    noOwnPoints,        // a branch begins where all points are of other wood
     unexplainedPoints   // points of the scan that no edge is near
   };
   Kind kind;
@@ -36,7 +37,7 @@ struct Finding {
   bool operator==(const Finding&) const = default;
 };
 
-inline constexpr int findingKinds = 9;
+inline constexpr int findingKinds = 10;
 
 /// The nodes to look at: the one it is at first.
 [[nodiscard]] std::vector<NodeId> nodesOf(const Finding& finding);

@@ -5,6 +5,7 @@
 #include "core/skeleton/checks.h"
 #include "core/skeleton/checks_of_scan.h"
 #include "core/skeleton/node_values.h"
+#include "core/skeleton/own_points.h"
 #include "core/skeleton/point_distances.h"
 
 #include <benchmark/benchmark.h>
@@ -71,6 +72,7 @@ void checkAgainstTheScan(benchmark::State& state) {
   for (auto _ : state) {
     benchmark::DoNotOptimize(unexplainedClusters(distances, scan.spacing, {}));
     benchmark::DoNotOptimize(edgesWithoutPoints(plant(), *scan.cloud, index, scan.spacing, {}));
+    benchmark::DoNotOptimize(branchesWithoutOwnPoints(plant(), distances, index, scan.spacing, {}));
   }
 }
 

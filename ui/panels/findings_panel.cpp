@@ -69,6 +69,8 @@ QString titleOf(Kind kind) {
     return FindingsPanel::tr("Thick on thin");
   case Kind::edgesWithoutPoints:
     return FindingsPanel::tr("Edges off the scan");
+  case Kind::noOwnPoints:
+    return FindingsPanel::tr("No points of their own");
   case Kind::unexplainedPoints:
     return FindingsPanel::tr("Unexplained points");
   }
@@ -230,6 +232,7 @@ QString FindingsPanel::textOf(const Finding& finding) const {
   case Kind::radiusAboveParent:
     return tr("%1 · radius %2").arg(node, length(finding.amount));
   case Kind::edgesWithoutPoints:
+  case Kind::noOwnPoints:
     return tr("%1 · %2").arg(node, length(finding.amount));
   case Kind::unexplainedPoints:
     return tr("%1 points").arg(formatCount(static_cast<std::size_t>(count)));

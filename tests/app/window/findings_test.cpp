@@ -228,5 +228,24 @@ TEST_F(FindingsWindowTest, FollowsManyEditsInARowToTheLast) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return !countOf("Unexplained points").isEmpty(); }));
 }
 
+// A spur that ends within the 6 spacings in which an edge without points is looked for.
+TEST_F(FindingsWindowTest, ASpurBesideATrunkHasNoPointsOfItsOwn) {
+  open({writeScan("plant.xyz")});
+  const double spacing = document().scan()->spacing();
+  Skeleton plant;
+  const NodeId foot = plant.add({.position = {0, 0, 0}, .radius = 0.05});
+  const NodeId low = plant.add({.position = {0, 0, 0.4}, .radius = 0.05, .parent = foot});
+  plant.add({.position = {0, 0, 2}, .radius = 0.05, .parent = low});
+  plant.add({.position = {0, -0.05 - 5.8 * spacing, 0.4},
+             .radius = 1e-3,
+             .parent = low,
+             .edge = EdgeType::branching});
+  writeStructure(toPath(path("trunk.mtg")), plant);
+  open({path("trunk.mtg")});
+  key(Qt::Key_F8);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return countOf("No points of their own") == "1"; }));
+  EXPECT_EQ(countOf("Edges off the scan"), "");
+}
+
 } // namespace
 } // namespace espalier

@@ -27,6 +27,10 @@ TEST(CheckTable, HasTheDefaultsOfTheChecks) {
   EXPECT_EQ(made.clusterGap, defaults.clusterGap);
   EXPECT_EQ(made.clusterSize, defaults.clusterSize);
   EXPECT_EQ(made.emptyReach, defaults.emptyReach);
+  EXPECT_EQ(made.ownBeside, defaults.ownBeside);
+  EXPECT_EQ(made.ownReach, defaults.ownReach);
+  EXPECT_EQ(made.ownCount, defaults.ownCount);
+  EXPECT_EQ(made.ownLength, defaults.ownLength);
 }
 
 } // namespace

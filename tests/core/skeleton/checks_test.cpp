@@ -202,7 +202,7 @@ TEST(Finding, HasANameForEachKind) {
     names.push_back(nameOf(static_cast<Kind>(kind)));
   EXPECT_THAT(names, ElementsAre("separate_piece", "two_successors", "no_length", "duplicated_edge",
                                  "sharp_turn", "crossing", "radius_above_parent",
-                                 "edges_without_points", "unexplained_points"));
+                                 "edges_without_points", "no_own_points", "unexplained_points"));
 }
 
 } // namespace

@@ -13,6 +13,11 @@
 #include <utility>
 
 namespace espalier {
+namespace {
+
+constexpr std::size_t mostSnapping = 50; // nodes that snap while the pointer moves
+
+} // namespace
 
 QString MoveNodeTool::hint() const {
   if (area_.isActive()) return areaHint();
@@ -42,16 +47,19 @@ QString MoveNodeTool::hint() const {
 }
 
 QString MoveNodeTool::dragHint() const {
-  const QString end = tr("Release: leave it here   Esc: put it back");
-  if (drag_->start.size() > 1) return end;
+  const bool isAlone = drag_->start.size() == 1;
+  const QString end = isAlone ? tr("Release: leave it here   Esc: put it back")
+                              : tr("Release: leave them here   Esc: put them back");
   QStringList parts;
   if (drag_->slides) parts.append(tr("Along its axis"));
   if (drag_->snap == Snap::contracted)
     parts.append(document().contracted() ? tr("On the contracted points")
                                          : tr("No contracted points: reconstruct first"));
-  if (drag_->snap == Snap::section) parts.append(tr("In the middle of its section"));
+  if (drag_->snap == Snap::section)
+    parts.append(isAlone ? tr("In the middle of its section")
+                         : tr("Each in the middle of its section"));
   parts.append(end);
-  if (!drag_->slides) parts.append(tr("Shift: along its axis"));
+  if (isAlone && !drag_->slides) parts.append(tr("Shift: along its axis"));
   if (drag_->snap == Snap::nothing)
     parts.append(snap_ == Snap::nothing ? tr("Ctrl: to the section center") : QString());
   else if (snap_ != Snap::nothing)
@@ -96,6 +104,7 @@ bool MoveNodeTool::act(const ToolInput& input) {
       return true;
     }
     const bool wasMine = drag_.has_value();
+    if (wasMine) snapMany();
     drag_.reset();
     if (!wasMine) click(input);
     camera_.reset();
@@ -143,34 +152,46 @@ void MoveNodeTool::drag(const ToolInput& input) {
   drag_->hasMoved = drag_->hasMoved || isDragged(drag_->screen, input.screen);
   const std::optional<Eigen::Vector3d> at = meet(drag_->plane, input);
   if (!drag_->hasMoved || !at) return;
-  const Eigen::Vector3d way = *at - drag_->grip;
-  const auto move = [&](SkeletonEditor& editor) {
-    if (drag_->start.size() == 1)
-      return moveAlone(editor, drag_->start.front().second + way, input);
-    for (const auto& [id, start] : drag_->start)
-      moveNode(editor, id, start + way);
+  const auto change = [&](SkeletonEditor& editor) {
+    move(editor, *at - drag_->grip, input);
+    if (drag_->start.size() <= mostSnapping) snap(editor);
   };
-  const QString text = drag_->start.size() == 1
-                           ? tr("Move %1").arg(nodeName(drag_->node))
-                           : tr("Move %n nodes", nullptr, static_cast<int>(drag_->start.size()));
-  document().edit(text, move, drag_->gesture);
+  document().edit(editText(), change, drag_->gesture);
 }
 
-void MoveNodeTool::moveAlone(SkeletonEditor& editor, const Eigen::Vector3d& place,
-                             const ToolInput& input) {
-  const auto& [id, start] = drag_->start.front();
-  drag_->slides = input.modifiers.testFlag(Qt::ShiftModifier);
+void MoveNodeTool::snapMany() {
+  if (!drag_->hasMoved || drag_->isCanceled || drag_->start.size() <= mostSnapping) return;
+  document().edit(
+      editText(), [&](SkeletonEditor& editor) { snap(editor); }, drag_->gesture);
+}
+
+QString MoveNodeTool::editText() const {
+  return drag_->start.size() == 1
+             ? tr("Move %1").arg(nodeName(drag_->node))
+             : tr("Move %n nodes", nullptr, static_cast<int>(drag_->start.size()));
+}
+
+void MoveNodeTool::move(SkeletonEditor& editor, const Eigen::Vector3d& way,
+                        const ToolInput& input) {
+  const auto& [first, start] = drag_->start.front();
+  const bool isAlone = drag_->start.size() == 1;
+  drag_->slides = isAlone && input.modifiers.testFlag(Qt::ShiftModifier);
   drag_->snap = snap_;
   if (input.modifiers.testFlag(Qt::ControlModifier))
     drag_->snap = snap_ == Snap::nothing ? Snap::section : Snap::nothing;
   std::optional<Eigen::Vector3d> slid;
   if (drag_->slides) // looked for where the pointer holds it, not where the pointer is
-    slid = slidAlongAxis(editor.skeleton(), id, start,
+    slid = slidAlongAxis(editor.skeleton(), first, start,
                          {input.ray.origin() + start - drag_->grip, input.ray.direction()});
-  moveNode(editor, id, slid.value_or(place));
+  for (const auto& [id, from] : drag_->start)
+    moveNode(editor, id, slid.value_or(from + way));
+}
+
+void MoveNodeTool::snap(SkeletonEditor& editor) const {
   const int rounds = drag_->snap == Snap::section ? 2 : 1; // from nearer, all of it is in reach
   for (int round = 0; round < rounds; ++round)
-    if (const auto on = snapped(editor.skeleton(), id)) moveNode(editor, id, *on);
+    for (const auto& [id, start] : drag_->start)
+      if (const auto on = snapped(editor.skeleton(), id)) moveNode(editor, id, *on);
 }
 
 std::optional<Eigen::Vector3d> MoveNodeTool::snapped(const Skeleton& skeleton, NodeId id) const {

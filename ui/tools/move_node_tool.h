@@ -24,8 +24,9 @@ enum class Snap : std::uint8_t {
 /// draws a box, with Alt a lasso; Shift still held at its end adds to what is chosen. In a plant
 /// that may not be edited it only chooses.
 ///
-/// A node that is dragged alone snaps to what snap() says, where that is near. With Shift it slides
-/// along its axis; with Ctrl it does not snap, or if nothing is to be snapped to, to its section.
+/// Nodes that are dragged snap, each by itself, to what snap() says, where that is near; many do so
+/// once they are let go. With Ctrl they do not snap, or if nothing is to be snapped to, to their
+/// sections. With Shift a node that is dragged alone slides along its axis.
 class MoveNodeTool : public Tool {
   Q_OBJECT
 
@@ -57,7 +58,10 @@ private:
   bool act(const ToolInput& input) override;
   bool press(const ToolInput& input);
   void drag(const ToolInput& input);
-  void moveAlone(SkeletonEditor& editor, const Eigen::Vector3d& place, const ToolInput& input);
+  void move(SkeletonEditor& editor, const Eigen::Vector3d& way, const ToolInput& input);
+  void snap(SkeletonEditor& editor) const; // what was moved
+  void snapMany();                         // that are let go
+  [[nodiscard]] QString editText() const;
   [[nodiscard]] std::optional<Eigen::Vector3d> snapped(const Skeleton& skeleton, NodeId id) const;
   void click(const ToolInput& input);
   void endArea(const ToolInput& input);

@@ -250,15 +250,58 @@ TEST_F(SlideAndSnapTest, SnapsToNothingThatIsSetAside) {
   }
 }
 
-TEST_F(SlideAndSnapTest, MovesSeveralNodesFreely) {
+TEST_F(SlideAndSnapTest, SlidesNoneOfSeveralNodes) {
   openScan();
-  tool.setSnap(Snap::contracted);
   document.selection().set({middle, NodeId{2}});
   mouse.press(onNode(middle), {0, 1});
   mouse.hold(Qt::ShiftModifier);
   mouse.drag({0.12, 1.1});
   mouse.release();
   EXPECT_TRUE(place().isApprox(Eigen::Vector3d(0.12, 0, 1.1)));
+  EXPECT_TRUE(document.skeleton()[NodeId{2}].position.isApprox(Eigen::Vector3d(0.12, 0, 2.1)));
+}
+
+TEST_F(SlideAndSnapTest, SnapsEachOfSeveralNodes) {
+  openScan();
+  for (const Snap snap : {Snap::contracted, Snap::section}) {
+    tool.setSnap(snap);
+    document.selection().set({middle, NodeId{2}});
+    mouse.press(onNode(middle), {0, 1});
+    mouse.drag({0.1, 0.8});
+    for (const auto& [id, height] : {std::pair(middle, 0.8), std::pair(NodeId{2}, 1.8)}) {
+      const Eigen::Vector3d& at = document.skeleton()[id].position;
+      EXPECT_NEAR(at.x(), 0.05, 0.015) << indexOf(id);
+      EXPECT_NEAR(at.y(), 0, 0.015) << indexOf(id);
+      EXPECT_NEAR(at.z(), height, 0.04) << indexOf(id);
+    }
+    mouse.hold(Qt::ControlModifier);
+    mouse.drag({0.1, 0.8});
+    EXPECT_TRUE(place().isApprox(Eigen::Vector3d(0.1, 0, 0.8))) << "Ctrl lets them go";
+    mouse.hold(Qt::NoModifier);
+    mouse.drag({0.1, 0.8});
+    mouse.escape();
+    mouse.release();
+    EXPECT_EQ(document.skeleton(), test::stick(3));
+    EXPECT_EQ(document.undoStack().count(), 0);
+  }
+}
+
+TEST_F(SlideAndSnapTest, SnapsManyNodesOnceTheyAreLetGo) {
+  const Skeleton many = test::stick(101, 0.02);
+  document.openSkeleton(many, "stick.mtg");
+  openScan();
+  tool.setSnap(Snap::contracted);
+  document.selection().set(many.ids());
+  const NodeId held{50};
+  mouse.press(onNode(held), {0, 1});
+  mouse.drag({0.1, 1});
+  EXPECT_NEAR(document.skeleton()[held].position.x(), 0.1, 1e-9) << "they follow the pointer";
+  mouse.release();
+  for (const NodeId id : many.ids())
+    EXPECT_NEAR(document.skeleton()[id].position.x(), 0.05, 1e-5) << indexOf(id);
+  EXPECT_EQ(document.undoStack().count(), 1);
+  document.undoStack().undo();
+  EXPECT_EQ(document.skeleton(), many);
 }
 
 TEST_F(SlideAndSnapTest, SaysThatThereAreNoContractedPoints) {

@@ -50,7 +50,7 @@ void MainWindow::addActions() {
       document_, *view_, *actions_, *editing_, jobs_, [this] { return pipeline_->options(); }});
   connect(traces_.get(), &TraceFlow::failed, this,
           [this](const QString& message) { banner_->showError(message); });
-  snaps_ = std::make_unique<SnapFlow>(document_, *actions_, *editing_);
+  snaps_ = std::make_unique<SnapFlow>(document_, *actions_, *editing_, settings_);
   units_ = std::make_unique<UnitFlow>(document_, *actions_, *inspector_, *this);
   radius_ = std::make_unique<RadiusFlow>(
       RadiusFlow::Parts{document_, jobs_, *actions_, *view_, inspector_->crossSection()});

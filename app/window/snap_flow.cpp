@@ -8,6 +8,7 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QMenu>
+#include <QSettings>
 
 #include <array>
 
@@ -26,12 +27,14 @@ QString idOf(Snap snap) {
   return {};
 }
 
+constexpr auto setting = "tools/snap";
 constexpr std::array all = {Snap::nothing, Snap::contracted, Snap::section};
 
 } // namespace
 
-SnapFlow::SnapFlow(PlantDocument& document, ActionSet& actions, const Editing& editing)
-    : document_(document), actions_(actions),
+SnapFlow::SnapFlow(PlantDocument& document, ActionSet& actions, const Editing& editing,
+                   QSettings& settings)
+    : document_(document), actions_(actions), settings_(settings),
       tool_(qobject_cast<MoveNodeTool*>(&editing.toolNamed("move"))) {
   Q_ASSERT(tool_ != nullptr);
   actions_.beginSection(tr("Tools"));
@@ -50,6 +53,8 @@ SnapFlow::SnapFlow(PlantDocument& document, ActionSet& actions, const Editing& e
       tr("A node that is dragged lies on the contracted points, unless Ctrl is held"));
   add(Snap::section, tr("Snap to Section Center"),
       tr("A node that is dragged lies in the middle of the wood around it, unless Ctrl is held"));
+  for (const Snap snap : all) // without a scan yet it moves nodes freely
+    if (settings_.value(setting) == idOf(snap)) tool_->setSnap(snap);
   showChoice();
 }
 
@@ -61,7 +66,10 @@ void SnapFlow::fillMenu(QMenu& menu) const {
 void SnapFlow::choose(Snap snap) {
   const bool isMissing = (snap == Snap::contracted && !document_.contracted()) ||
                          (snap == Snap::section && document_.scan() == nullptr);
-  if (!isMissing) tool_->setSnap(snap);
+  if (!isMissing) {
+    tool_->setSnap(snap);
+    settings_.setValue(setting, idOf(snap));
+  }
   showChoice();
   if (isMissing)
     throw Error((snap == Snap::section

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 class QMenu;
+class QSettings;
 
 namespace espalier {
 
@@ -14,13 +15,14 @@ class MoveNodeTool;
 class PlantDocument;
 enum class Snap : std::uint8_t;
 
-/// What nodes that are dragged snap to: a choice in a menu.
+/// What nodes that are dragged snap to: a choice in a menu, remembered in the settings.
 class SnapFlow : public QObject {
   Q_OBJECT
 
 public:
   /// All must outlive it.
-  SnapFlow(PlantDocument& document, ActionSet& actions, const Editing& editing);
+  SnapFlow(PlantDocument& document, ActionSet& actions, const Editing& editing,
+           QSettings& settings);
 
   void fillMenu(QMenu& menu) const;
 
@@ -30,6 +32,7 @@ private:
 
   PlantDocument& document_;
   ActionSet& actions_;
+  QSettings& settings_;
   MoveNodeTool* tool_;
 };
 

@@ -55,7 +55,10 @@ void TwoViewsFlow::addActions() {
                               .keys = Qt::Key_F12,
                               .isCheckable = true},
                              {});
-  connect(two, &QAction::toggled, this, &TwoViewsFlow::setTwo);
+  connect(two, &QAction::toggled, this, [this](bool areTwo) {
+    setTwo(areTwo);
+    parts_.settings.setValue("view/two_views", areTwo);
+  });
   const auto add = [&](Link link, const QString& id, const QString& text, const QString& help) {
     QAction* action =
         actions.add({.id = id, .text = text, .help = help, .isCheckable = true}, [this, link, id] {
@@ -70,6 +73,7 @@ void TwoViewsFlow::addActions() {
   add(Link::same, "link_same", tr("Same Direction"),
       tr("The second view looks as the first, and moves with it"));
   add(Link::free, "link_free", tr("Not Linked"), tr("Each view is moved by itself"));
+  two->setChecked(parts_.settings.value("view/two_views", false).toBool());
 }
 
 void TwoViewsFlow::setTwo(bool areTwo) {

@@ -96,6 +96,18 @@ TEST_F(SnappingTest, AMenuChoosesWhatNodesSnapTo) {
   expectUndone();
 }
 
+TEST_F(SnappingTest, WhatNodesSnapToIsRemembered) {
+  action("snap_section").trigger();
+  restart();
+  EXPECT_TRUE(action("snap_section").isChecked()) << "before there is a scan, too";
+  SetUp();
+  dragBy({0.04, 0, 0}, Qt::NoModifier);
+  EXPECT_LT(place().head<2>().norm(), 0.01);
+  action("snap_off").trigger();
+  restart();
+  EXPECT_TRUE(action("snap_off").isChecked());
+}
+
 TEST_F(SnappingTest, NothingSnapsToWhatIsNotThere) {
   document().setContracted(nullptr);
   action("snap_contracted").trigger();

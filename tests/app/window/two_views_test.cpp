@@ -84,6 +84,18 @@ TEST_F(TwoViewsTest, TheyLookAsTheyAreLinked) {
   EXPECT_TRUE(action("link_free").isChecked()) << "it is remembered";
 }
 
+TEST_F(TwoViewsTest, TheSecondIsRememberedUntilItIsSwitchedOff) {
+  restart();
+  EXPECT_TRUE(action("two_views").isChecked());
+  ASSERT_NE(maybeSecond(), nullptr);
+  open({writeFork("fork.mtg")});
+  EXPECT_TRUE(second().isVisible());
+  EXPECT_NEAR(second().width(), view().width(), 2);
+  key(Qt::Key_F12);
+  restart();
+  EXPECT_EQ(maybeSecond(), nullptr);
+}
+
 TEST_F(TwoViewsTest, AToolWorksInTheSecondToo) {
   const NodeId apex = nodeAt({1, 0, 2});
   action("link_free").trigger();

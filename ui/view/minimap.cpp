@@ -151,12 +151,18 @@ void Minimap::mousePressEvent(QMouseEvent* event) {
   const bool isOnFrame = (frame() & QRectF(rect())).contains(event->position());
   // All of the plant in the frame: there is nothing to hold on to but the place itself.
   const bool isHeld = isOnFrame && frame().width() < width();
+  before_ = camera_;
   held_ = isHeld ? event->position() - middle : QPointF();
   if (!isHeld) moveTo(event->position());
 }
 
 void Minimap::mouseMoveEvent(QMouseEvent* event) {
   if (held_) moveTo(event->position() - *held_);
+}
+
+void Minimap::cancel() {
+  held_.reset();
+  emit canceled(before_);
 }
 
 void Minimap::mouseReleaseEvent(QMouseEvent* event) {

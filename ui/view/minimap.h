@@ -28,10 +28,14 @@ public:
   void showCamera(const Camera& camera);
   [[nodiscard]] bool showsMore() const; // of the plant than the view does
 
+  [[nodiscard]] bool isDragging() const { return held_.has_value(); }
+  void cancel(); // asks for the camera to be put back; pre: isDragging()
+
 signals:
   void drawnAnew();                             // after noteChange()
   void moveAsked(const Eigen::Vector3d& focus); // [L]
-  void entered();                               // the pointer is no longer over the plant
+  void canceled(const espalier::Camera& before);
+  void entered(); // the pointer is no longer over the plant
 
 protected:
   void paintEvent(QPaintEvent* event) override;
@@ -57,6 +61,7 @@ private:
   QImage plant_;                        // null: to be drawn anew
   QTimer later_;
   std::optional<QPointF> held_; // in a drag: from the middle of the frame to the pointer
+  Camera before_;               // the drag, of the view
 };
 
 } // namespace espalier

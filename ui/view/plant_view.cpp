@@ -217,7 +217,8 @@ std::size_t PlantView::graphicsBytes() const {
 
 bool PlantView::isInGesture() const {
   return parts_->pointer.isBusy() || parts_->clipHandles.isDragging() ||
-         parts_->draggedColorBar() != nullptr;
+         parts_->draggedColorBar() != nullptr ||
+         (parts_->minimap != nullptr && parts_->minimap->isDragging());
 }
 
 bool PlantView::event(QEvent* event) {
@@ -280,6 +281,9 @@ void PlantView::focusOutEvent(QFocusEvent* event) {
   QWidget::focusOutEvent(event);
 }
 
+  else if (event->key() == Qt::Key_Escape && parts_->minimap != nullptr &&
+           parts_->minimap->isDragging())
+    parts_->minimap->cancel();
 void PlantView::enterEvent(QEnterEvent* event) {
   // The keys are those of the plant where the pointer is; what was being typed elsewhere is taken.
   if (isActiveWindow() && QApplication::activePopupWidget() == nullptr)

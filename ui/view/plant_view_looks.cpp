@@ -94,6 +94,7 @@ Minimap* PlantView::Parts::makeMinimap() {
     camera.focus = focus;
     navigator.set(camera);
   });
+  connect(map, &Minimap::canceled, &owner, [this](const Camera& before) { navigator.set(before); });
   return map;
 }
 

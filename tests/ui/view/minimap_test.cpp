@@ -54,6 +54,18 @@ TEST_F(MinimapTest, TheFrameIsDraggedByWhereItIsHeld) {
   EXPECT_NEAR(view_.camera().focus.z(), 3, 2 * pixel_);
 }
 
+TEST_F(MinimapTest, EscapeInADragPutsTheCameraBack) {
+  const Camera before = view_.camera();
+  QTest::mousePress(map_, Qt::LeftButton, {}, onMap(2.2).toPoint());
+  QTest::mouseMove(map_, onMap(3.2).toPoint());
+  EXPECT_NE(view_.camera(), before);
+  QTest::keyClick(&view_, Qt::Key_Escape);
+  EXPECT_EQ(view_.camera(), before);
+  QTest::mouseMove(map_, onMap(1).toPoint());
+  QTest::mouseRelease(map_, Qt::LeftButton, {}, onMap(1).toPoint());
+  EXPECT_EQ(view_.camera(), before) << "the drag is over";
+}
+
 TEST_F(MinimapTest, FramesWhatTheViewShows) {
   const Color accent = palette(false).contracted;
   const double top = view_.camera().halfHeight();

@@ -18,6 +18,7 @@ constexpr double barWidth = 10;
 constexpr double scaleWidth = 46; // the bar and the histogram
 constexpr double numberWidth = 64;
 constexpr double rowHeight = 20;
+constexpr double leastVeiled = 560; // views that are narrower have no room beside the plant
 
 QString titleOf(const Legend& legend) {
   return legend.unit.isEmpty() ? legend.title
@@ -117,7 +118,6 @@ void paintCategories(QPainter& painter, const Legend& legend, const QRectF& box,
 
 void paintLegend(QPainter& painter, const Legend& legend, const LegendBox& box, bool dark) {
   const Palette colors = palette(dark);
-  paintVeil(painter, box.veil, colors.backgroundTop);
   const QRectF inner = box.veil.adjusted(8, 4, -8, -8);
   drawText(painter, QRectF(inner.left(), inner.top(), inner.width(), 20),
            Qt::AlignRight | Qt::AlignVCenter, titleOf(legend), colors);
@@ -163,8 +163,10 @@ void paintLegends(QPainter& painter, const std::vector<Legend>& legends, const Q
                   bool dark) {
   const QFontMetricsF font(painter.font(), painter.device());
   const std::vector<LegendBox> boxes = legendBoxes(legends, size, font);
-  for (std::size_t i = 0; i < legends.size(); ++i)
+  for (std::size_t i = 0; i < legends.size(); ++i) {
+    if (size.width() >= leastVeiled) paintVeil(painter, boxes[i].veil, palette(dark).backgroundTop);
     paintLegend(painter, legends[i], boxes[i], dark);
+  }
 }
 
 QString rangeNumber(double value, const ValueRange& range) {

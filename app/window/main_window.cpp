@@ -177,6 +177,10 @@ void MainWindow::makeCenter() {
   center_->addWidget(views_);
   banner_ = new MessageBanner(page);
   layers->addWidget(center_, 0, 0);
+  banner_->setCover([this, page](const QRect& part) {
+    const QPoint corner = view_->mapTo(page, QPoint());
+    return view_->isVisible() ? view_->coveredBy(part.translated(-corner)) : 0;
+  });
   setCentralWidget(page);
 }
 

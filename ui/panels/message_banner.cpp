@@ -86,24 +86,44 @@ void MessageBanner::showText(const QString& kind, const QString& text, const Act
 }
 
 bool MessageBanner::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::Resize) place();
+  if (event->type() == QEvent::Resize && !isHidden()) place();
   return QFrame::eventFilter(watched, event);
+}
+
+QSize MessageBanner::sizeWithin(int width) {
+  text_->setWordWrap(false);
+  layout()->activate();
+  const QSize size = sizeHint();
+  if (size.width() <= width) return size;
+  text_->setWordWrap(true);
+  layout()->activate();
+  return {width, heightForWidth(width)};
 }
 
 void MessageBanner::place() {
   constexpr int margin = 12;
   constexpr int widest = 880;
-  const int most = std::min(widest, parentWidget()->width() - 2 * margin);
-  text_->setWordWrap(false);
-  layout()->activate();
-  QSize size = sizeHint();
-  if (size.width() > most) {
-    text_->setWordWrap(true);
-    layout()->activate();
-    size = {most, heightForWidth(most)};
+  constexpr int narrow = 360; // of one that lies in a corner
+  const QRect within = parentWidget()->rect().adjusted(margin, margin, -margin, -margin);
+  const QSize wide = sizeWithin(std::min(widest, within.width()));
+  const QSize small = sizeWithin(std::min(narrow, within.width()));
+  const auto at = [&](const QSize& size, double across, int top) {
+    return QRect(within.left() + int(across * (within.width() - size.width())), top, size.width(),
+                 size.height());
+  };
+  const auto foot = [&](const QSize& size) { return within.bottom() + 1 - size.height(); };
+  const std::array places = {at(wide, 0.5, foot(wide)), at(small, 0, foot(small)),
+                             at(small, 0, within.top()), at(wide, 0.5, within.top())};
+  QRect best = places.front();
+  int least = covered_ ? covered_(best) : 0;
+  for (const QRect& place : places) {
+    if (least == 0) break;
+    const int covered = covered_(place);
+    if (covered < least) best = place;
+    least = std::min(least, covered);
   }
-  setGeometry((parentWidget()->width() - size.width()) / 2,
-              parentWidget()->height() - size.height() - margin, size.width(), size.height());
+  static_cast<void>(sizeWithin(best.width())); // its text is as wide as that
+  setGeometry(best);
 }
 
 } // namespace espalier

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <functional>
+#include <utility>
 #include <vector>
 
 class QLabel;
@@ -18,13 +19,17 @@ struct BannerAction {
   std::function<void()> act;
 };
 
-/// A line over the foot of its parent that tells what went wrong or what was done, until it is
-/// dismissed or the next one comes; what was done leaves by itself. Never in the way of work.
+/// A line over its parent that tells what went wrong or what was done, until it is dismissed or the
+/// next one comes; what was done leaves by itself. Never in the way of work: it lies over the foot
+/// of the parent, or where it covers less.
 class MessageBanner : public QFrame {
   Q_OBJECT
 
 public:
   explicit MessageBanner(QWidget* parent); // in no layout of it
+
+  /// @param covered how much of what one looks at lies in a part of the parent
+  void setCover(std::function<int(const QRect&)> covered) { covered_ = std::move(covered); }
 
   using Actions = std::vector<BannerAction>; // at most two
 
@@ -40,12 +45,14 @@ public:
 private:
   bool eventFilter(QObject* watched, QEvent* event) override; // of the parent: it is resized
   void showText(const QString& kind, const QString& text, const Actions& actions);
-  void place(); // over the foot of the parent, within its width
+  void place();
+  [[nodiscard]] QSize sizeWithin(int width); // its text in one line, if there is room for it
 
   QLabel* text_;
   std::array<QPushButton*, 2> buttons_;
   QTimer leaves_;
   Actions actions_;
+  std::function<int(const QRect&)> covered_;
 };
 
 } // namespace espalier

@@ -189,6 +189,15 @@ std::vector<NodeId> PlantView::nodesInside(const QPolygonF& area, Depth depth) c
 }
 
 std::vector<Eigen::Index> PlantView::pointsInside(const QPolygonF& area, Depth depth) const {
+int PlantView::coveredBy(const QRect& part) const {
+  const ScreenMap screen = parts_->pointer.screen();
+  const auto isIn = [&](const Eigen::Vector3d& place) {
+    const auto at = screen.project(place);
+    return at && QRectF(part).contains(at->pixel.x(), at->pixel.y());
+  };
+  return static_cast<int>(std::ranges::count_if(parts_->scene.outline(), isIn));
+}
+
   return espalier::pointsInside(parts_->scene, parts_->pointer.screen(), area, depth);
 }
 

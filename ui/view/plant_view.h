@@ -121,6 +121,8 @@ public:
   [[nodiscard]] std::optional<QPointF> project(const Eigen::Vector3d& place) const override;
   void showBand(const QPolygonF& band) override;
   void showPreview(const Preview& preview) override;
+  /// How many of some thousand places all over the plant are drawn in a part of the view.
+  [[nodiscard]] int coveredBy(const QRect& part) const;
 
   /// The view as it would be drawn at `size`, all points, no pointer, no band and no preview.
   [[nodiscard]] QImage picture(const QSize& size);

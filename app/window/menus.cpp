@@ -89,7 +89,9 @@ void MainWindow::fillMenus() {
        "export_structure", "keep_scan", "compact_project", "", "close_plant", "quit"});
 
   QMenu* edit = menuBar()->addMenu(tr("&Edit"));
-  add(*edit, *actions_, {"undo", "redo", "", "copy", "", "accept", "next_way", "leave", ""});
+  add(*edit, *actions_,
+      {"undo", "redo", "", "copy", "", "accept", "next_way", "fewer_branches", "more_branches",
+       "leave", ""});
   add(*edit, *actions_, toolIds());
   edit->addSeparator();
   snaps_->fillMenu(*edit->addMenu(tr("S&nap")));

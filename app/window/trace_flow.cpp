@@ -86,6 +86,25 @@ void TraceFlow::addGrowing() {
        .help = tr("Grows a branch from the selected points, on the nearest node"),
        .keys = QKeySequence(Qt::CTRL | Qt::Key_B)},
       [this] { growFromPoints(); });
+  QAction* fewer = parts_.actions.add(
+      {.id = "fewer_branches",
+       .text = tr("Only Longer Branches"),
+       .help = tr("Leaves the shortest fifth out of the branches that are shown to be added"),
+       .keys = Qt::Key_PageUp},
+      [this] { regrow_->showFewer(); });
+  QAction* more = parts_.actions.add(
+      {.id = "more_branches",
+       .text = tr("Shorter Branches Too"),
+       .help = tr("Shows a fifth more branches to be added, the longest of the others"),
+       .keys = Qt::Key_PageDown},
+      [this] { regrow_->showMore(); });
+  connect(&parts_.editing, &Editing::hintChanged, this, [this, fewer, more] {
+    const bool isShown = parts_.editing.currentTool() == "regrow";
+    fewer->setEnabled(isShown && regrow_->canShowFewer());
+    more->setEnabled(isShown && regrow_->canShowMore());
+  });
+  for (QAction* action : {fewer, more})
+    action->setEnabled(false);
   const auto refresh = [this, missing, chosen] {
     const PlantDocument& document = parts_.document;
     const bool mayGrow = document.scan() != nullptr && !document.skeleton().isEmpty() &&
@@ -185,7 +204,10 @@ void TraceFlow::regrowMissing() {
     return grownFromUnexplained(skeleton, cloud, {.pipeline = options}, progress);
   };
   parts_.jobs.start(tr("Growing what is missing"), grow, [this](std::vector<GrownBranch> grown) {
-    show(std::move(grown), tr("Regrow what is missing"));
+    constexpr double least = 20; // point spacings: what is shorter is noise more often than not
+    const Scan* scan = parts_.document.scan();
+    show(std::move(grown), tr("Regrow what is missing"),
+         scan != nullptr ? least * scan->spacing() : 0);
   });
 }
 
@@ -199,14 +221,14 @@ void TraceFlow::growFromPoints() {
     return grownBranches(skeleton, cloud, points.points(), {.pipeline = options}, progress);
   };
   parts_.jobs.start(tr("Growing a branch"), grow, [this](std::vector<GrownBranch> grown) {
-    show(std::move(grown), tr("New branch from points"));
+    show(std::move(grown), tr("New branch from points"), 0);
   });
 }
 
-void TraceFlow::show(std::vector<GrownBranch> branches, const QString& text) {
-  parts_.jobs.afterwards([this, branches = std::move(branches), text] {
+void TraceFlow::show(std::vector<GrownBranch> branches, const QString& text, double least) {
+  parts_.jobs.afterwards([this, branches = std::move(branches), text, least] {
     parts_.editing.useTool("regrow", false);
-    regrow_->show(branches, text);
+    regrow_->show(branches, text, least);
   });
 }
 

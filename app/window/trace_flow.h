@@ -60,7 +60,8 @@ private:
   void regrow(NodeId node);
   void regrowMissing();
   void growFromPoints();
-  void show(std::vector<GrownBranch> branches, const QString& text);
+  /// @param least length of the shortest branch that is shown at first [L]
+  void show(std::vector<GrownBranch> branches, const QString& text, double least);
 
   Parts parts_;
   TraceTool* tool_;

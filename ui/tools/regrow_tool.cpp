@@ -6,6 +6,8 @@
 #include "ui/document/length_unit.h"
 #include "ui/tools/node_edits.h"
 
+#include <algorithm>
+#include <functional>
 #include <utility>
 
 namespace espalier {
@@ -20,18 +22,43 @@ void addTo(Preview& preview, const Skeleton& part) {
   }
 }
 
+/// The longest way along the edges from the root to a tip [L].
+double lengthOf(const Skeleton& part) {
+  std::vector<double> along(part.idEnd(), 0);
+  double longest = 0;
+  for (const NodeId id : part.ids()) {
+    const Node& node = part[id];
+    if (!node.parent) continue;
+    along[indexOf(id)] =
+        along[indexOf(*node.parent)] + (node.position - part[*node.parent].position).norm();
+    longest = std::max(longest, along[indexOf(id)]);
+  }
+  return longest;
+}
+
+/// By how many more or fewer are shown at once.
+std::size_t fifthOf(std::size_t shown) {
+  return std::max<std::size_t>(1, shown / 5);
+}
+
 } // namespace
 
+QString RegrowTool::branchesHint() const {
+  std::size_t nodes = 0;
+  for (std::size_t i = 0; i < shown_; ++i)
+    nodes += branches_[i].part.size() - 1;
+  const QString added = tr("%1 new nodes").arg(formatCount(nodes));
+  const QString end = tr("Enter accepts, Esc drops");
+  if (branches_.size() == 1)
+    return tr("%1 on %2   %3").arg(added, nodeName(branches_.front().on), end);
+  const QString length = formatLength(lengths_[shown_ - 1], document().unit(), 3);
+  return tr("%1 of %2 branches, from %3 on: %4   %5   {fewer_branches} fewer   "
+            "{more_branches} more")
+      .arg(formatCount(shown_), formatCount(branches_.size()), length, added, end);
+}
+
 QString RegrowTool::hint() const {
-  if (!branches_.empty()) {
-    std::size_t nodes = 0;
-    for (const GrownBranch& branch : branches_)
-      nodes += branch.part.size() - 1;
-    return tr("%1 new nodes on %2   Enter accepts, Esc drops")
-        .arg(formatCount(nodes), branches_.size() == 1
-                                     ? nodeName(branches_.front().on)
-                                     : tr("%1 nodes").arg(formatCount(branches_.size())));
-  }
+  if (!branches_.empty()) return branchesHint();
   if (!node_) return tr("Click a node: what it carries is reconstructed again");
   const std::size_t carried = downstream(document().skeleton(), {*node_}).size() - 1;
   return tr("%1 new nodes for the %2 that %3 carries   Enter accepts, Esc drops")
@@ -52,15 +79,15 @@ void RegrowTool::accept() {
 }
 
 void RegrowTool::acceptBranches() {
-  for (const GrownBranch& branch : branches_)
-    if (!document().skeleton().contains(branch.on))
+  for (std::size_t i = 0; i < shown_; ++i)
+    if (const GrownBranch& branch = branches_[i]; !document().skeleton().contains(branch.on))
       throw Error(tr("%1 is gone, which was to carry a branch: drop this, and grow it again")
                       .arg(nodeName(branch.on))
                       .toStdString());
   std::vector<NodeId> added;
   document().edit(text_, [&](SkeletonEditor& editor) {
-    for (const GrownBranch& branch : branches_)
-      for (const NodeId first : addCarried(editor, branch.on, branch.part))
+    for (std::size_t i = 0; i < shown_; ++i)
+      for (const NodeId first : addCarried(editor, branches_[i].on, branches_[i].part))
         added.push_back(first);
   });
   document().selection().set(downstream(document().skeleton(), added));
@@ -72,6 +99,7 @@ void RegrowTool::cancel() {
   node_.reset();
   part_ = {};
   branches_.clear();
+  shown_ = 0;
   canvas().showPreview({});
   emit finished();
 }
@@ -85,19 +113,47 @@ void RegrowTool::show(NodeId node, const Skeleton& part) {
   node_ = node;
   part_ = part;
   branches_.clear();
+  shown_ = 0;
   Preview preview;
   addTo(preview, part);
   canvas().showPreview(preview);
   emit hintChanged();
 }
 
-void RegrowTool::show(std::vector<GrownBranch> branches, const QString& text) {
+void RegrowTool::show(std::vector<GrownBranch> branches, const QString& text, double least) {
   node_.reset();
-  branches_ = std::move(branches);
+  branches_.clear();
+  lengths_.clear();
   text_ = text;
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t i = 0; i < branches.size(); ++i)
+    order.emplace_back(lengthOf(branches[i].part), i);
+  std::ranges::stable_sort(order, std::greater<>(), &std::pair<double, std::size_t>::first);
+  for (const auto& [length, i] : order) {
+    branches_.push_back(std::move(branches[i]));
+    lengths_.push_back(length);
+  }
+  const auto isLong = [least](double length) { return length >= least; };
+  shown_ = std::max<std::size_t>(1, std::size_t(std::ranges::count_if(lengths_, isLong)));
+  preview();
+}
+
+void RegrowTool::showFewer() {
+  if (!canShowFewer()) return;
+  shown_ -= fifthOf(shown_);
+  preview();
+}
+
+void RegrowTool::showMore() {
+  if (!canShowMore()) return;
+  shown_ = std::min(branches_.size(), shown_ + fifthOf(shown_));
+  preview();
+}
+
+void RegrowTool::preview() {
   Preview preview;
-  for (const GrownBranch& branch : branches_)
-    addTo(preview, branch.part);
+  for (std::size_t i = 0; i < shown_; ++i)
+    addTo(preview, branches_[i].part);
   canvas().showPreview(preview);
   emit hintChanged();
 }

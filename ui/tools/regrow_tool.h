@@ -14,6 +14,9 @@ namespace espalier {
 /// A click on a node, or being started from one, wants it regrown: who listens to wanted() does it,
 /// and shows what grew. Missing branches are wanted elsewhere, and shown only. It ends when that is
 /// accepted or dropped.
+///
+/// Of missing branches the short ones are not shown at first, nor added: most are twigs of noise,
+/// each of which would have to be looked at. How long one must be is raised and lowered meanwhile.
 class RegrowTool : public Tool {
   Q_OBJECT
 
@@ -29,7 +32,14 @@ public:
   /// @param part  a tree; its root stands for `node`
   void show(NodeId node, const Skeleton& part);
   /// @param text  of the step that adds them
-  void show(std::vector<GrownBranch> branches, const QString& text);
+  /// @param least length of the shortest branch to begin with [L], measured to its farthest tip
+  void show(std::vector<GrownBranch> branches, const QString& text, double least = 0);
+
+  /// Are there branches that are shown, or are not, which could be left out, or shown, as well?
+  [[nodiscard]] bool canShowFewer() const { return shown_ > 1; }
+  [[nodiscard]] bool canShowMore() const { return shown_ < branches_.size(); }
+  void showFewer(); // by a fifth: the longest
+  void showMore();
 
 signals:
   void wanted(espalier::NodeId node);
@@ -37,10 +47,14 @@ signals:
 private:
   bool act(const ToolInput& input) override;
   void acceptBranches();
+  void preview(); // of the branches that are shown
+  [[nodiscard]] QString branchesHint() const;
 
   std::optional<NodeId> node_; // to carry the part, while that is shown
   Skeleton part_;
-  std::vector<GrownBranch> branches_; // while they are shown
+  std::vector<GrownBranch> branches_; // to choose from, the longest first
+  std::vector<double> lengths_;       // of these [L]
+  std::size_t shown_ = 0;             // the first of these; what is accepted
   QString text_;
 };
 

@@ -3,6 +3,7 @@
 #include "app/window/load_files.h"
 #include "core/io/formats.h"
 #include "tests/app/window/window_fixture.h"
+#include "ui/panels/status_line.h"
 
 #include <QAction>
 #include <QApplication>
@@ -174,6 +175,24 @@ TEST_F(TraceWindowTest, RegrowsAllBranchesThatAreMissing) {
     EXPECT_EQ(plant[id], before_[id]) << "what was there stays";
   EXPECT_TRUE(action("tool_move").isChecked()) << "back to the tool before";
   expectUndone();
+}
+
+TEST_F(TraceWindowTest, PagesThroughTheMissingBranchesByTheirLength) {
+  EXPECT_FALSE(action("fewer_branches").isEnabled());
+  key(Qt::Key_N, Qt::ControlModifier | Qt::ShiftModifier);
+  waitForJob();
+  ASSERT_TRUE(waitForPreview());
+  const auto shown = [&] { return window().statusLine().shownText().section(' ', 0, 0).toInt(); };
+  const int all = shown();
+  ASSERT_GT(all, 1) << window().statusLine().shownText().toStdString();
+  key(Qt::Key_PageUp);
+  EXPECT_EQ(shown(), all - 1);
+  EXPECT_TRUE(action("more_branches").isEnabled());
+  key(Qt::Key_PageDown);
+  EXPECT_EQ(shown(), all);
+  key(Qt::Key_Escape);
+  EXPECT_FALSE(action("fewer_branches").isEnabled());
+  EXPECT_EQ(document().skeleton(), before_);
 }
 
 TEST_F(TraceWindowTest, DropsTheMissingBranchesOnEscape) {

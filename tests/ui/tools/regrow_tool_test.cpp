@@ -87,6 +87,42 @@ TEST_F(RegrowToolTest, DropsMissingBranchesOnEscape) {
   EXPECT_EQ(document.skeleton(), before);
 }
 
+// Sticks of 1, 2, ... 10 on the nodes of a stick, the shortest first.
+TEST_F(RegrowToolTest, ShowsTheLongestBranchesFirst) {
+  document.openSkeleton(test::stick(11), "stick.mtg");
+  std::vector<GrownBranch> branches;
+  for (int length = 1; length <= 10; ++length)
+    branches.push_back({NodeId{static_cast<std::uint32_t>(length)}, test::stick(length + 1)});
+  tool.show(branches, "Regrow", 5.5);
+  EXPECT_EQ(canvas.preview.lines.size(), 6U + 7 + 8 + 9 + 10) << "an edge for each unit";
+  EXPECT_TRUE(tool.hint().contains("5 of 10 branches")) << tool.hint().toStdString();
+  EXPECT_TRUE(tool.hint().contains("from 6"));
+  EXPECT_TRUE(tool.hint().contains("40 new nodes"));
+  tool.showMore(); // a fifth of five
+  EXPECT_EQ(canvas.preview.lines.size(), 45U);
+  tool.showFewer();
+  tool.showFewer();
+  EXPECT_EQ(canvas.preview.lines.size(), 7U + 8 + 9 + 10);
+  tool.accept();
+  EXPECT_EQ(document.skeleton().size(), 11U + 34) << "what is not shown is not added";
+}
+
+TEST_F(RegrowToolTest, ShowsAllBranchesAtMostAndOneAtLeast) {
+  tool.show({{test::forkTop, test::stick(3)}, {NodeId{2}, test::stick(2)}}, "Regrow", 100);
+  EXPECT_EQ(canvas.preview.lines.size(), 2U) << "the longest, though it is short";
+  EXPECT_FALSE(tool.canShowFewer());
+  tool.showFewer();
+  EXPECT_EQ(canvas.preview.lines.size(), 2U);
+  tool.showMore();
+  EXPECT_EQ(canvas.preview.lines.size(), 3U);
+  EXPECT_FALSE(tool.canShowMore());
+  tool.showMore();
+  EXPECT_EQ(canvas.preview.lines.size(), 3U);
+  tool.cancel();
+  EXPECT_FALSE(tool.canShowFewer());
+  EXPECT_FALSE(tool.canShowMore());
+}
+
 TEST_F(RegrowToolTest, AddsNothingIfANodeIsGoneMeanwhile) {
   tool.show({{test::forkRoot, test::stick(2)}, {NodeId{2}, test::stick(3)}}, "Regrow");
   document.edit("Remove", [](SkeletonEditor& editor) { editor.erase(NodeId{2}); });

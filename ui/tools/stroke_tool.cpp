@@ -127,10 +127,23 @@ void StrokeTool::drag(const ToolInput& input) {
   if (QLineF(stroke_.back(), input.screen).length() < 2) return;
   findCrossed({stroke_.back(), input.screen});
   stroke_.append(input.screen);
-  if (input.pick.point) places_.push_back(*input.pick.point);
+  if (input.pick.point && goesOn(*input.pick.point, input)) places_.push_back(*input.pick.point);
   QPolygonF band = stroke_;
   if (kind() == Kind::exchange && isLoop()) band.append(stroke_.front()); // shown as an area
   canvas().showBand(band);
+}
+
+/// Through a gap between points one sees others far behind: wood goes not that steeply into depth.
+bool StrokeTool::goesOn(const Eigen::Vector3d& point, const ToolInput& input) const {
+  if (places_.empty()) return true;
+  constexpr double steepest = 4; // in depth, of the way across the screen
+  const double spacing = document().scan() != nullptr ? document().scan()->spacing() : 0;
+  double slack = 4 * spacing;
+  if (places_.size() == 1 && startNode_ && document().skeleton().contains(*startNode_))
+    slack += 2 * document().skeleton()[*startNode_].radius; // its points are before it
+  if (places_.size() == 1 && startEdge_ && document().skeleton().contains(startEdge_->child))
+    slack += 2 * document().skeleton()[startEdge_->child].radius;
+  return (point - places_.back()).norm() <= steepest * input.ray.distance(places_.back()) + slack;
 }
 
 void StrokeTool::findCrossed(const QLineF& stretch) {

@@ -42,6 +42,7 @@ private:
   void drag(const ToolInput& input);
   void release();
   void reset();
+  [[nodiscard]] bool goesOn(const Eigen::Vector3d& point, const ToolInput& input) const;
   void findCrossed(const QLineF& stretch);
   [[nodiscard]] bool isHidden(const SeenEdge& edge) const;
   [[nodiscard]] Kind kind() const;

@@ -49,6 +49,13 @@ struct StrokeToolTest : testing::Test {
     for (const Eigen::Vector2d& place : places)
       mouse.drag(place);
   }
+  void drawBranch(const std::vector<Eigen::Vector3d>& points) { // of forkTop
+    const Eigen::Vector3d& top = document.skeleton()[test::forkTop].position;
+    mouse.press(onNode(test::forkTop), {top.x(), top.z()});
+    for (const Eigen::Vector3d& point : points)
+      mouse.drag({point.x(), point.z()}, onPoint(point));
+    mouse.release();
+  }
   void expectUndone() {
     document.undoStack().undo();
     EXPECT_EQ(document.skeleton(), before);
@@ -171,6 +178,24 @@ TEST_F(StrokeToolTest, LeavesCtrlToTheCamera) {
   open(crossedStems());
   EXPECT_FALSE(mouse.press({}, {0, 0.4}, Qt::ControlModifier));
   EXPECT_FALSE(tool.isBusy());
+}
+
+TEST_F(StrokeToolTest, LeavesPointsOutThatAreFarBehindTheOthers) {
+  open(test::fork(3));
+  const Eigen::Vector3d first(0.3, -0.05, 1);
+  const Eigen::Vector3d far(0.45, 5, 1); // through a gap
+  const Eigen::Vector3d second(0.6, -0.05, 1);
+  drawBranch({first, far, second});
+  ASSERT_EQ(questions.size(), 1U);
+  EXPECT_EQ(questions.back().places, (std::vector{before[test::forkTop].position, first, second}));
+}
+
+TEST_F(StrokeToolTest, FollowsABranchThatLeadsAwayFromTheEye) {
+  open(test::fork(3));
+  const std::vector<Eigen::Vector3d> way = {{0.1, 0.3, 1}, {0.2, 0.6, 1}, {0.3, 0.9, 1}};
+  drawBranch(way);
+  ASSERT_EQ(questions.size(), 1U);
+  EXPECT_EQ(questions.back().places.size(), 4U);
 }
 
 } // namespace

@@ -59,6 +59,8 @@ public:
   escape(); // leaves the gesture or drops the preview, else leaves the tool, else the selection
 
   void fillContextMenu(QMenu& menu) const;
+  [[nodiscard]] const Pick& under() const { return under_; } // the pointer, as it was told last
+  [[nodiscard]] PlantView& activeView() const { return canvas_.view(); } // the pointer was in last
   /// The node under the pointer, or the one that the edge there leads to.
   [[nodiscard]] std::optional<NodeId> nodeUnder() const;
 

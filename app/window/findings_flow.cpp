@@ -264,7 +264,7 @@ void FindingsFlow::step(int by) {
   goTo(finding);
 }
 
-/// Selects what takes part, and shows it with some of what is around it.
+/// Selects what takes part, and shows it, with some of what is around it, from its best side.
 void FindingsFlow::goTo(const Finding& finding) {
   const Skeleton& skeleton = parts_.document.skeleton();
   if (!hasNodes(skeleton, finding)) return;
@@ -273,11 +273,15 @@ void FindingsFlow::goTo(const Finding& finding) {
   const bool isOfNow = now && indexed_ && now->cloud() == indexed_->cloud;
   parts_.document.pointSelection().set(isOfNow ? parts_.distances.inScan(finding.points)
                                                : PointSet());
-  Eigen::AlignedBox3d box = boundsOf(finding, skeleton);
-  const double margin = std::max(box.diagonal().norm(), 2 * meanEdgeLength(skeleton));
-  box.min().array() -= margin;
-  box.max().array() += margin;
-  parts_.view.frame(box);
+  Sight sight{.nodes = nodesOf(finding)};
+  for (const NodeId id : nodesOf(finding))
+    if (const auto parent = skeleton[id].parent) sight.nodes.push_back(*parent);
+  if (isOfNow)
+    for (const Eigen::Index point : finding.points)
+      sight.places.push_back(now->cloud()->position(point));
+  sight.margin =
+      std::max(boundsOf(finding, skeleton).diagonal().norm() / 2, 2 * meanEdgeLength(skeleton));
+  parts_.view.flyTo(parts_.view.cameraToSee(sight));
 }
 
 void FindingsFlow::toggleIgnored() {

@@ -1,6 +1,7 @@
 #include "app/window/main_window.h"
 
 #include "app/window/action_set.h"
+#include "app/window/close_look_flow.h"
 #include "app/window/editing.h"
 #include "app/window/evaluation_flow.h"
 #include "app/window/explained_flow.h"
@@ -176,11 +177,11 @@ void MainWindow::makeCenter() {
   center_->addWidget(start_);
   center_->addWidget(views_);
   banner_ = new MessageBanner(page);
-  layers->addWidget(center_, 0, 0);
   banner_->setCover([this, page](const QRect& part) {
     const QPoint corner = view_->mapTo(page, QPoint());
     return view_->isVisible() ? view_->coveredBy(part.translated(-corner)) : 0;
   });
+  layers->addWidget(center_, 0, 0);
   setCentralWidget(page);
 }
 

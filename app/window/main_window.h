@@ -16,6 +16,7 @@ namespace espalier {
 
 enum class Refusal;
 class ActionSet;
+class CloseLookFlow;
 class Editing;
 class EvaluationFlow;
 class ExplainedFlow;
@@ -131,6 +132,7 @@ private:
   std::unique_ptr<ViewSync> sync_;
   std::unique_ptr<Editing> editing_;
   std::unique_ptr<TwoViewsFlow> twoViews_;
+  std::unique_ptr<CloseLookFlow> closeLook_;
   std::unique_ptr<TraceFlow> traces_;
   std::unique_ptr<SnapFlow> snaps_;
   std::unique_ptr<PointStates> pointStates_;

@@ -1,4 +1,5 @@
 #include "app/window/action_set.h"
+#include "app/window/close_look_flow.h"
 #include "app/window/editing.h"
 #include "app/window/evaluation_flow.h"
 #include "app/window/explained_flow.h"
@@ -78,6 +79,8 @@ void MainWindow::addActions() {
       HullFlow::Parts{document_, *view_, *actions_, *editing_, *distances_});
   twoViews_ = std::make_unique<TwoViewsFlow>(
       TwoViewsFlow::Parts{*view_, *views_, *actions_, *editing_, settings_});
+  closeLook_ = std::make_unique<CloseLookFlow>(
+      CloseLookFlow::Parts{document_, *view_, *actions_, *editing_, *twoViews_});
   valueColors_ = std::make_unique<ValueColors>(
       ValueColors::Parts{document_, *view_, *actions_, *options_, *distances_});
   const PanelDock::Parts panels{*actions_, settings_, *this};

@@ -139,7 +139,7 @@ void MainWindow::fillViewMenu() {
   view->addMenu(tr("Point Size"))->addActions(options_->sizes());
   view->addMenu(tr("Projection"))->addActions(options_->projections());
   view->addMenu(tr("Look From"))->addActions(options_->standardViews());
-  add(*view, *actions_, {"frame_all", "frame", "pivot", ""});
+  add(*view, *actions_, {"frame_all", "frame", "look_closely", "look_back", "pivot", ""});
   add(*view, *actions_, {"minimap", "two_views"});
   view->addMenu(tr("Second View"))->addActions(twoViews_->links());
   QMenu* saved = view->addMenu(tr("Saved Views"));

@@ -73,6 +73,9 @@ void TwoViewsFlow::addActions() {
   add(Link::same, "link_same", tr("Same Direction"),
       tr("The second view looks as the first, and moves with it"));
   add(Link::free, "link_free", tr("Not Linked"), tr("Each view is moved by itself"));
+  add(Link::whole, "link_whole", tr("All of the Plant"),
+      tr("The second view keeps all of the plant in sight; Look Closely in it shows a part of it "
+         "in the first"));
   two->setChecked(parts_.settings.value("view/two_views", false).toBool());
 }
 
@@ -85,28 +88,43 @@ void TwoViewsFlow::setTwo(bool areTwo) {
   }
   const bool hasShownAll = showsAll(parts_.view);
   second_ = new PlantView(parts_.view, &parts_.place);
+  framed_.setEmpty();
   second_->setObjectName("second_view");
   second_->setAccessibleName(tr("Second view of the plant"));
   connect(second_, &PlantView::cameraMoved, this, [this](const Camera& camera) {
-    if (link_ != Link::free) follow(parts_.view, camera, link_ == Link::side ? -quarterTurn : 0);
+    if (isLinked()) follow(parts_.view, camera, link_ == Link::side ? -quarterTurn : 0);
   });
   parts_.place.addWidget(second_);
-  const int half = parts_.place.width() / 2;
-  parts_.place.setSizes({half, half});
-  parts_.place.refresh();
+  shareWidth();
   if (hasShownAll && !showsAll(parts_.view)) parts_.view.frameAll(); // it has half of its width
   parts_.editing.addView(*second_);
   linkFirst();
   if (link_ == Link::free) second_->look(StandardView::right);
 }
 
+/// What shows all of the plant needs less.
+void TwoViewsFlow::shareWidth() {
+  const int parts = link_ == Link::whole ? 3 : 2;
+  const int second = parts_.place.width() / parts;
+  parts_.place.setSizes({parts_.place.width() - second, second});
+  parts_.place.refresh();
+}
+
 void TwoViewsFlow::setLink(Link link) {
-  link_ = link;
+  const bool hadWhole = std::exchange(link_, link) == Link::whole;
+  if (second_ == nullptr) return;
+  if (hadWhole != (link == Link::whole)) shareWidth();
+  framed_.setEmpty();
   linkFirst();
 }
 
 void TwoViewsFlow::linkFirst() {
   if (second_ == nullptr || link_ == Link::free) return;
+  if (link_ == Link::whole) {
+    if (parts_.view.bounds().isApprox(framed_)) return; // where one has turned it to
+    framed_ = parts_.view.bounds();
+    return second_->frameAll();
+  }
   follow(*second_, parts_.view.currentCamera(), link_ == Link::side ? quarterTurn : 0);
 }
 

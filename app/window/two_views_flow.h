@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <QList>
 #include <QObject>
 
@@ -34,13 +35,19 @@ public:
 
   [[nodiscard]] PlantView* second() const { return second_; } // null: there is one view
   [[nodiscard]] QList<QAction*> links() const;                // of which one is chosen
+  /// Does a view show all of the plant, while the other one looks closely?
+  [[nodiscard]] bool showsWhole(const PlantView& view) const {
+    return link_ == Link::whole && &view == second_;
+  }
 
 private:
   /// Where the second view looks from.
-  enum class Link { side, same, free };
+  enum class Link { side, same, free, whole };
   void addActions();
   void setTwo(bool areTwo);
   void setLink(Link link);
+  [[nodiscard]] bool isLinked() const { return link_ == Link::side || link_ == Link::same; }
+  void shareWidth();
   /// Moves `follower` to where a view is that looks from `camera`, turned about the up axis.
   void follow(PlantView& follower, const Camera& camera, double turn);
   void linkFirst(); // the second follows the first
@@ -50,6 +57,7 @@ private:
   Link link_ = Link::side;
   PlantView* second_ = nullptr; // owned by the place
   bool isFollowing_ = false;
+  Eigen::AlignedBox3d framed_; // the plant, as the second view showed all of it [L]
 };
 
 } // namespace espalier

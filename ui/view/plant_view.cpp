@@ -76,6 +76,7 @@ PlantView::PlantView(std::shared_ptr<Shared> shared, QWidget* parent)
   connect(&parts_->rest, &QTimer::timeout, this, [this] {
     parts_->moving = false;
     parts_->redrawThis();
+    parts_->pointer.hoverAgain(); // something else has come under it
   });
   connect(&parts_->navigator, &Navigator::moved, this, [this] { parts_->moved(); });
 }
@@ -160,6 +161,10 @@ void PlantView::flyTo(const Camera& camera) {
   parts_->wasFramed = true;
 }
 
+Camera PlantView::cameraToSee(const Sight& sight) const {
+  return espalier::cameraToSee(parts_->scene, camera(), sight, size());
+}
+
 bool PlantView::isStill() const {
   return parts_->complete && !parts_->moving && !parts_->navigator.isFlying();
 }
@@ -184,11 +189,6 @@ std::optional<QPointF> PlantView::project(const Eigen::Vector3d& place) const {
   return QPointF(found->pixel.x(), found->pixel.y());
 }
 
-std::vector<NodeId> PlantView::nodesInside(const QPolygonF& area, Depth depth) const {
-  return espalier::nodesInside(parts_->scene, parts_->pointer.screen(), area, depth);
-}
-
-std::vector<Eigen::Index> PlantView::pointsInside(const QPolygonF& area, Depth depth) const {
 int PlantView::coveredBy(const QRect& part) const {
   const ScreenMap screen = parts_->pointer.screen();
   const auto isIn = [&](const Eigen::Vector3d& place) {
@@ -198,6 +198,11 @@ int PlantView::coveredBy(const QRect& part) const {
   return static_cast<int>(std::ranges::count_if(parts_->scene.outline(), isIn));
 }
 
+std::vector<NodeId> PlantView::nodesInside(const QPolygonF& area, Depth depth) const {
+  return espalier::nodesInside(parts_->scene, parts_->pointer.screen(), area, depth);
+}
+
+std::vector<Eigen::Index> PlantView::pointsInside(const QPolygonF& area, Depth depth) const {
   return espalier::pointsInside(parts_->scene, parts_->pointer.screen(), area, depth);
 }
 
@@ -276,6 +281,9 @@ void PlantView::keyPressEvent(QKeyEvent* event) {
   ColorBar* bar = parts_->draggedColorBar();
   if (event->key() == Qt::Key_Escape && bar != nullptr)
     bar->cancel();
+  else if (event->key() == Qt::Key_Escape && parts_->minimap != nullptr &&
+           parts_->minimap->isDragging())
+    parts_->minimap->cancel();
   else if (event->key() == Qt::Key_Escape && parts_->clipHandles.isDragging())
     setClip(parts_->clipHandles.cancel());
   else if (event->key() == Qt::Key_Escape && parts_->pointer.isBusy())
@@ -290,9 +298,6 @@ void PlantView::focusOutEvent(QFocusEvent* event) {
   QWidget::focusOutEvent(event);
 }
 
-  else if (event->key() == Qt::Key_Escape && parts_->minimap != nullptr &&
-           parts_->minimap->isDragging())
-    parts_->minimap->cancel();
 void PlantView::enterEvent(QEnterEvent* event) {
   // The keys are those of the plant where the pointer is; what was being typed elsewhere is taken.
   if (isActiveWindow() && QApplication::activePopupWidget() == nullptr)

@@ -7,6 +7,7 @@
 #include "ui/document/tool_input.h"
 #include "ui/view/camera.h"
 #include "ui/view/clip.h"
+#include "ui/view/close_look.h"
 #include "ui/view/hull_overlay.h"
 #include "ui/view/node_look.h"
 #include "ui/view/point_colors.h"
@@ -99,6 +100,8 @@ public:
   [[nodiscard]] const Camera& currentCamera() const; // where it is
   void setCamera(const Camera& camera);              // at once
   void flyTo(const Camera& camera);                  // as look()
+  /// From where a part of the plant is seen best. pre: the sight is not empty
+  [[nodiscard]] Camera cameraToSee(const Sight& sight) const;
 
   /// Is the view at rest: nothing moves, and all points are drawn? (Never, before it is shown.)
   [[nodiscard]] bool isStill() const;
@@ -118,11 +121,11 @@ public:
   [[nodiscard]] std::vector<NodeId> nodesInside(const QPolygonF& area, Depth depth) const override;
   [[nodiscard]] std::vector<Eigen::Index> pointsInside(const QPolygonF& area,
                                                        Depth depth) const override;
+  /// How many of some thousand places all over the plant are drawn in a part of the view.
+  [[nodiscard]] int coveredBy(const QRect& part) const;
   [[nodiscard]] std::optional<QPointF> project(const Eigen::Vector3d& place) const override;
   void showBand(const QPolygonF& band) override;
   void showPreview(const Preview& preview) override;
-  /// How many of some thousand places all over the plant are drawn in a part of the view.
-  [[nodiscard]] int coveredBy(const QRect& part) const;
 
   /// The view as it would be drawn at `size`, all points, no pointer, no band and no preview.
   [[nodiscard]] QImage picture(const QSize& size);

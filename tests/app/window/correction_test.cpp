@@ -1,6 +1,8 @@
 // Twenty mistakes are put into an expert's structure and mended over the scan, all by mouse and key
-// events in the real window. What the hand did is counted by kind. Mistakes lie where they are seen
-// after a turn of the plant and a zoom: none is behind wood from all sides.
+// events in the real window. All that the hand did is counted by kind: each key, click, drag and
+// run of the wheel, whether it edits or looks. Mistakes lie where they are seen after a turn of the
+// plant and a zoom: none is behind wood from all sides. Where they lie is known; to find them is
+// the work of the findings list and the review.
 #include "app/window/action_set.h"
 #include "core/base/random.h"
 #include "core/skeleton/edits.h"
@@ -10,6 +12,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QMouseEvent>
 #include <QTest>
 #include <QWheelEvent>
 
@@ -24,6 +27,16 @@ namespace {
 
 constexpr int patience = 60'000; // ms; a deadline for what would else hang
 
+double distanceTo(const std::vector<Eigen::Vector3d>& line, const Eigen::Vector3d& place) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const Eigen::Vector3d way = line[i] - line[i - 1];
+    const double along = std::clamp((place - line[i - 1]).dot(way) / way.squaredNorm(), 0.0, 1.0);
+    nearest = std::min(nearest, (line[i - 1] + along * way - place).norm());
+  }
+  return nearest;
+}
+
 class CorrectionTest : public test::WindowTest {
 protected:
   /// A branch that hangs, or hung, on `parent`.
@@ -35,10 +48,10 @@ protected:
   };
 
   void did(const std::string& gesture) { ++gestures_[gesture]; }
-  int gestures(bool isEdit) const {
+  [[nodiscard]] int gestures() const {
     int sum = 0;
     for (const auto& [name, count] : gestures_)
-      if (name.starts_with("look: ") != isEdit) sum += count;
+      sum += count;
     return sum;
   }
 
@@ -55,19 +68,16 @@ protected:
     return isThere ? std::optional(at->toPoint()) : std::nullopt;
   }
 
-  /// Brings a part of the plant near as a hand does, until `isSeen`: shows all, turns, zooms there.
-  bool lookAt(const Eigen::Vector3d& place, double size, const std::function<bool()>& isSeen) {
+  /// Is a part of the plant seen from any side? Shows all, turns, and zooms there.
+  bool isSeenFromSomewhere(const Eigen::Vector3d& place, double size,
+                           const std::function<bool()>& isSeen) {
     for (int turns = 0; turns < 6; ++turns) {
       key(Qt::Key_Home);
       waitForView();
       for (int i = 0; i < turns; ++i)
-        turn(160);
+        turn(view(), 160);
       zoomTo(place, size);
-      if (!isSeen()) continue; // one who sees the plant turns it at once to where it shows
-      did("look: show all (Home)");
-      if (turns > 0) did("look: turn (drag)");
-      did("look: zoom (wheel)");
-      return true;
+      if (isSeen()) return true;
     }
     return false;
   }
@@ -78,18 +88,115 @@ protected:
       const auto at = view().project(place);
       const auto beside = view().project(place + size * view().camera().up());
       if (!at || !beside || std::abs(beside->y() - at->y()) > view().height() / 5.0) return;
-      QWheelEvent wheel(*at, view().mapToGlobal(*at), {}, {0, 120}, Qt::NoButton, Qt::NoModifier,
-                        Qt::NoScrollPhase, false);
-      QApplication::sendEvent(&view(), &wheel);
+      wheel(view(), *at, 120);
     }
   }
 
-  void turn(int pixels) {
-    const QPoint from(view().width() / 2, view().height() / 2);
-    QTest::mousePress(&view(), Qt::LeftButton, Qt::ControlModifier, from);
-    QTest::mouseMove(&view(), from + QPoint(pixels / 2, 0));
-    QTest::mouseMove(&view(), from + QPoint(pixels, 0));
-    QTest::mouseRelease(&view(), Qt::LeftButton, Qt::ControlModifier, from + QPoint(pixels, 0));
+  static void turn(PlantView& in, int pixels) {
+    turnUntil(in, pixels, [] { return false; });
+  }
+  /// Turns by as many pixels in one drag, or less if it is `done`.
+  static bool turnUntil(PlantView& in, int pixels, const std::function<bool()>& done) {
+    QPoint at(in.width() / 2, in.height() / 2);
+    QTest::mousePress(&in, Qt::LeftButton, Qt::ControlModifier, at);
+    bool isDone = false;
+    for (const int end = at.x() + pixels; at.x() < end && !isDone;) {
+      at.rx() += std::min(40, end - at.x());
+      QMouseEvent move(QEvent::MouseMove, QPointF(at), QPointF(in.mapToGlobal(at)), Qt::NoButton,
+                       Qt::LeftButton, Qt::ControlModifier);
+      QApplication::sendEvent(&in, &move);
+      isDone = done();
+    }
+    QTest::mouseRelease(&in, Qt::LeftButton, Qt::ControlModifier, at);
+    return isDone;
+  }
+
+  [[nodiscard]] PlantView& whole() { return find<PlantView>("second_view"); }
+  void showWhole() {
+    key(Qt::Key_F12);
+    did("look: two views (F12)");
+    action("link_whole").trigger();
+    for (const char* menu : {"View", "Second View", "All of the Plant"})
+      did(std::string("look: menu, ") + menu + " (click)");
+    waitForViews();
+  }
+  void waitForViews() {
+    waitForView();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return whole().isStill(); }, patience));
+  }
+
+  /// What one means to point at: places along it, and whether a pick is it.
+  struct Aim {
+    std::vector<Eigen::Vector3d> places;
+    std::function<bool(const Pick&)> isIt;
+  };
+
+  /// Points in the view of all of the plant at what is meant, or at what is near it, and looks
+  /// closely; turns that view first if it is hidden there.
+  bool lookClosely(const Aim& meant, const std::function<bool()>& isSeen) {
+    constexpr int round = 900; // pixels that turn a view once around and more
+    if (!pointAt(meant)) {
+      did("look: turn all of the plant (drag)");
+      if (!turnUntil(whole(), round, [&] { return pointAt(meant).has_value(); })) return false;
+      waitForViews();
+    }
+    const std::optional<QPoint> at = pointAt(meant);
+    if (!at) return false;
+    QMouseEvent move(QEvent::MouseMove, QPointF(*at), QPointF(whole().mapToGlobal(*at)),
+                     Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+    QApplication::sendEvent(&whole(), &move);
+    key(Qt::Key_Z);
+    did("look: closely (Z)");
+    waitForViews();
+    if (isSeen()) return true;
+    did("look: zoom out (wheel)");
+    for (int ticks = 0; ticks < 8; ++ticks) {
+      wheel(view(), view().rect().center(), -120);
+      if (isSeen()) return true;
+    }
+    did("look: turn (drag)");
+    return turnUntil(view(), round, isSeen);
+  }
+
+  [[nodiscard]] std::optional<QPoint> pointAt(const Aim& meant) {
+    constexpr double near = 150; // [mm], of what Look Closely shows around
+    std::optional<QPoint> beside;
+    for (const Eigen::Vector3d& place : meant.places) {
+      const auto at = whole().project(place);
+      if (!at) continue;
+      const Pick pick = whole().pick(at->toPoint());
+      if (meant.isIt(pick)) return at->toPoint();
+      std::optional<Eigen::Vector3d> on = pick.point;
+      if (pick.edge) on = pick.edge->position;
+      if (pick.node) on = this->place(*pick.node);
+      if (on && !beside && (*on - place).norm() < near) beside = at->toPoint();
+    }
+    return beside;
+  }
+
+  static void wheel(PlantView& in, const QPointF& at, int angle) {
+    QWheelEvent event(at, in.mapToGlobal(at), {}, {0, angle}, Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(&in, &event);
+  }
+
+  /// Draws along these places with Shift and Alt.
+  void stroke(const std::vector<Eigen::Vector3d>& places) {
+    const auto send = [&](QEvent::Type type, const QPoint& at, Qt::MouseButtons buttons) {
+      QMouseEvent event(type, QPointF(at), QPointF(view().mapToGlobal(at)),
+                        type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton, buttons,
+                        Qt::ShiftModifier | Qt::AltModifier);
+      QApplication::sendEvent(&view(), &event);
+    };
+    std::vector<QPoint> way;
+    for (const Eigen::Vector3d& at : places)
+      way.push_back(view().project(at)->toPoint());
+    hover(way.front());
+    send(QEvent::MouseButtonPress, way.front(), Qt::LeftButton);
+    for (std::size_t i = 1; i < way.size(); ++i)
+      for (int step = 1; step <= 6; ++step)
+        send(QEvent::MouseMove, way[i - 1] + (way[i] - way[i - 1]) * step / 6, Qt::LeftButton);
+    send(QEvent::MouseButtonRelease, way.back(), Qt::NoButton);
   }
 
   [[nodiscard]] Eigen::Vector3d place(NodeId id) { return document().skeleton()[id].position; }
@@ -147,27 +254,66 @@ protected:
   }
 
   void mendParent(const Mistake& mistake) {
-    const Eigen::Vector3d middle = (place(mistake.branch) + place(mistake.parent)) / 2;
-    const double size = (place(mistake.branch) - place(mistake.parent)).norm();
-    ASSERT_TRUE(lookAt(middle, size, [&] { return seen(mistake.branch) && seen(mistake.parent); }));
+    const Eigen::Vector3d from = place(*document().skeleton()[mistake.branch].parent);
+    const Eigen::Vector3d to = place(mistake.branch);
+    const auto isSeen = [&] { return seen(mistake.branch) && seen(mistake.parent); };
+    Aim edge{.places = {}, .isIt = [&](const Pick& pick) {
+               return pick.node == mistake.branch ||
+                      (pick.edge && pick.edge->child == mistake.branch);
+             }};
+    for (const double share : {0.5, 0.75, 0.25, 0.9, 0.1})
+      edge.places.emplace_back(from + share * (to - from));
+    ASSERT_TRUE(lookClosely(edge, isSeen));
     drag(*seen(mistake.branch), *seen(mistake.parent));
     did("reparent (drag)");
   }
 
   void mendSpur(NodeId spur) {
-    ASSERT_TRUE(lookAt(place(spur), 60, [&] { return seen(spur).has_value(); }));
+    const Eigen::Vector3d at = place(spur);
+    const NodeId tip = document().skeleton().children(spur).front();
+    const Aim meant{
+        .places = {at, (at + place(tip)) / 2, place(tip)}, .isIt = [&](const Pick& pick) {
+          const NodeId under = pick.edge ? pick.edge->child : pick.node.value_or(NodeId{0});
+          return under == spur || under == tip;
+        }};
+    ASSERT_TRUE(lookClosely(meant, [&] { return seen(spur).has_value(); }));
     hover(*seen(spur));
     key(Qt::Key_Delete, Qt::ShiftModifier);
     did("remove subtree (Shift+Del)");
   }
 
   void mendMissing(const Mistake& mistake) {
-    const Eigen::Vector3d tip = mistake.places.back();
-    const double size = (tip - place(mistake.parent)).norm();
-    const Eigen::Vector3d middle = (tip + place(mistake.parent)) / 2;
-    ASSERT_TRUE(lookAt(middle, size, [&] { return seen(mistake.parent) && seen(tip, 25); }));
-    const QPoint from = *seen(mistake.parent);
-    const QPoint to = *seen(tip, 25);
+    const std::vector<Eigen::Vector3d>& places = mistake.places;
+    const Aim points{.places = places, .isIt = [&](const Pick& pick) {
+                       return !pick.node && !pick.edge && pick.point &&
+                              distanceTo(places, *pick.point) < 25;
+                     }};
+    const auto isSeen = [&] { return seen(mistake.parent) && seen(places.back(), 25); };
+    ASSERT_TRUE(lookClosely(points, isSeen));
+    std::vector<Eigen::Vector3d> way = {place(mistake.parent)};
+    way.insert(way.end(), places.begin(), places.end());
+    const std::size_t before = document().skeleton().size();
+    stroke(way);
+    did("stroke a branch (Shift+Alt+drag)");
+    const auto isThere = [&] { return document().skeleton().size() > before; };
+    ASSERT_TRUE(QTest::qWaitFor(isThere, patience));
+    if (isRight(mistake)) return;
+    key(Qt::Key_Z, Qt::ControlModifier);
+    did("undo (Ctrl+Z)");
+    trace(*seen(mistake.parent), *seen(places.back(), 25));
+  }
+
+  /// Is it seen that the branch leads from its parent to its tip?
+  [[nodiscard]] bool isRight(const Mistake& mistake) {
+    const std::vector<NodeId> carried = downstream(document().skeleton(), {mistake.parent});
+    return std::ranges::any_of(carried, [&](NodeId id) {
+      return id != mistake.parent && (place(id) - mistake.places.back()).norm() < 30;
+    });
+  }
+
+  void trace(const QPoint& from, const QPoint& to) {
+    key(Qt::Key_L);
+    did("choose a tool (L)");
     click(from);
     did("trace: start (click)");
     click(to);
@@ -176,20 +322,12 @@ protected:
     ASSERT_TRUE(QTest::qWaitFor([&] { return accept.isEnabled(); }, patience));
     key(Qt::Key_Return);
     did("trace: accept (Enter)");
+    key(Qt::Key_Y);
+    did("choose a tool (Y)");
   }
 
   std::map<std::string, int> gestures_;
 };
-
-double distanceTo(const std::vector<Eigen::Vector3d>& line, const Eigen::Vector3d& place) {
-  double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 1; i < line.size(); ++i) {
-    const Eigen::Vector3d way = line[i] - line[i - 1];
-    const double along = std::clamp((place - line[i - 1]).dot(way) / way.squaredNorm(), 0.0, 1.0);
-    nearest = std::min(nearest, (line[i - 1] + along * way - place).norm());
-  }
-  return nearest;
-}
 
 TEST_F(CorrectionTest, MendsTwentyMistakesInAnExpertsStructure) {
   ESPALIER_SHARED_FILE(scan, "puu1/scan.ply");
@@ -217,7 +355,8 @@ TEST_F(CorrectionTest, MendsTwentyMistakesInAnExpertsStructure) {
       if (const auto mistake = hangWrong(id)) {
         const Eigen::Vector3d middle = (place(id) + place(mistake->parent)) / 2;
         const double size = (place(id) - place(mistake->parent)).norm();
-        isSeen = lookAt(middle, size, [&] { return seen(id) && seen(mistake->parent); });
+        isSeen =
+            isSeenFromSomewhere(middle, size, [&] { return seen(id) && seen(mistake->parent); });
         if (isSeen) wrong.push_back(*mistake);
         touched.insert(mistake->parent);
       }
@@ -225,14 +364,14 @@ TEST_F(CorrectionTest, MendsTwentyMistakesInAnExpertsStructure) {
       if (const auto mistake = takeAway(id)) {
         const Eigen::Vector3d tip = mistake->places.back();
         const double size = (tip - place(mistake->parent)).norm();
-        isSeen = lookAt((tip + place(mistake->parent)) / 2, size,
-                        [&] { return seen(mistake->parent) && seen(tip, 25); });
+        isSeen = isSeenFromSomewhere((tip + place(mistake->parent)) / 2, size,
+                                     [&] { return seen(mistake->parent) && seen(tip, 25); });
         if (isSeen) missing.push_back(*mistake);
         touched.insert(mistake->parent);
       }
     } else {
       const NodeId spur = addSpur(id, random.direction());
-      isSeen = lookAt(place(spur), 60, [&] { return seen(spur).has_value(); });
+      isSeen = isSeenFromSomewhere(place(spur), 60, [&] { return seen(spur).has_value(); });
       if (isSeen) spurs.push_back(spur);
       touched.insert(id);
     }
@@ -240,18 +379,17 @@ TEST_F(CorrectionTest, MendsTwentyMistakesInAnExpertsStructure) {
     if (!isSeen && document().undoStack().count() > steps) document().undoStack().undo();
   }
   ASSERT_EQ(wrong.size() + missing.size() + spurs.size(), 20U);
-  gestures_.clear();
-
+  showWhole();
   key(Qt::Key_P);
   did("choose a tool (P)");
   for (const Mistake& mistake : wrong)
     mendParent(mistake);
   key(Qt::Key_Escape);
+  did("leave the tool (Esc)");
   for (const NodeId spur : spurs)
     mendSpur(spur);
-  key(Qt::Key_Escape);
-  key(Qt::Key_L);
-  did("choose a tool (L)");
+  key(Qt::Key_Y);
+  did("choose a tool (Y)");
   for (const Mistake& mistake : missing)
     mendMissing(mistake);
 
@@ -283,11 +421,11 @@ TEST_F(CorrectionTest, MendsTwentyMistakesInAnExpertsStructure) {
     EXPECT_TRUE(truth.contains(id) || isMissing) << "left over: " << indexOf(id);
   }
 
+  std::cout << gestures() << " gestures\n";
   for (const auto& [name, count] : gestures_)
     std::cout << "  " << count << "  " << name << '\n';
-  EXPECT_LT(gestures(true), 3 * 20) << "edits by hand";
-  RecordProperty("edits_by_hand", gestures(true));
-  RecordProperty("looks", gestures(false));
+  EXPECT_LT(gestures(), 3 * 20) << "all that the hand did";
+  RecordProperty("gestures", gestures());
 }
 
 } // namespace

@@ -1,6 +1,8 @@
 #include "tests/app/window/window_fixture.h"
 
 #include <QAction>
+#include <QApplication>
+#include <QMouseEvent>
 #include <QTest>
 #include <QUndoStack>
 
@@ -94,6 +96,27 @@ TEST_F(TwoViewsTest, TheSecondIsRememberedUntilItIsSwitchedOff) {
   key(Qt::Key_F12);
   restart();
   EXPECT_EQ(maybeSecond(), nullptr);
+}
+
+TEST_F(TwoViewsTest, TheSecondShowsAllOfThePlantWhileTheFirstLooksClosely) {
+  action("link_whole").trigger();
+  waitForBoth();
+  EXPECT_LT(second().width(), view().width());
+  const Camera whole = second().camera();
+  const NodeId apex = nodeAt({1, 0, 2});
+  const QPoint at = inSecond(apex);
+  QMouseEvent move(QEvent::MouseMove, QPointF(at), QPointF(second().mapToGlobal(at)), Qt::NoButton,
+                   Qt::NoButton, Qt::NoModifier);
+  QApplication::sendEvent(&second(), &move);
+  const Camera before = view().camera();
+  key(Qt::Key_Z);
+  waitForBoth();
+  EXPECT_EQ(second().camera(), whole);
+  EXPECT_NE(view().camera(), before);
+  EXPECT_TRUE(view().pick(*view().project({1, 0, 2})).node == apex);
+  key(Qt::Key_Z, Qt::ShiftModifier);
+  waitForBoth();
+  EXPECT_EQ(view().camera(), before);
 }
 
 TEST_F(TwoViewsTest, AToolWorksInTheSecondToo) {

@@ -16,13 +16,6 @@ constexpr auto sectionNames =
 constexpr int finestScale = 100;           // no plant has more than ten
 constexpr std::size_t longestSymbol = 100; // bounds the search for the symbol in a label
 
-/// The section that a line opens, if it does: "FEATURES :", or its name alone.
-std::string_view sectionOf(std::string_view line) {
-  const std::string_view name = trimmed(line.substr(0, line.find(':')));
-  const auto* found = std::ranges::find(sectionNames, name);
-  return found == sectionNames.end() ? std::string_view() : *found;
-}
-
 /// Fields without empty ones; of a line without tabs, its words.
 std::vector<std::string_view> filledFields(std::string_view line) {
   std::vector<std::string_view> fields = mtgFields(line);
@@ -120,6 +113,18 @@ private:
 
 } // namespace
 
+std::string_view mtgSectionOf(std::string_view line) {
+  const std::string_view name = trimmed(line.substr(0, line.find(':')));
+  const auto* found = std::ranges::find(sectionNames, name);
+  return found == sectionNames.end() ? std::string_view() : *found;
+}
+
+std::string lineEndOf(const std::string& text) {
+  const std::size_t end = text.find_first_of("\r\n");
+  if (end == std::string::npos || text[end] == '\n') return "\n";
+  return text.compare(end, 2, "\r\n") == 0 ? "\r\n" : "\r";
+}
+
 std::vector<std::string_view> mtgFields(std::string_view line) {
   std::vector<std::string_view> fields;
   for (std::size_t start = 0; start <= line.size();) {
@@ -137,7 +142,7 @@ Mtg readMtgSections(LineReader& lines, MtgNotes& notes) {
   std::string_view section;
   while (const auto line = lines.next()) {
     const std::string where = place(notes.file(), lines.number());
-    const std::string_view opened = sectionOf(*line);
+    const std::string_view opened = mtgSectionOf(*line);
     if (section.empty() && opened.empty() && !trimmed(*line).empty())
       throw Error(where + "expected 'CODE: FORM-A', found " + inQuotes(trimmed(*line)) +
                   ": is this an MTG file?");

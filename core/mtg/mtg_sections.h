@@ -18,6 +18,12 @@ inline constexpr std::string_view previousColumnMark = "# dialect: previous colu
 /// pre: comments are taken out of it
 [[nodiscard]] std::vector<std::string_view> mtgFields(std::string_view line);
 
+/// The section that a line opens, if it does: "FEATURES :", or its name alone; else empty.
+[[nodiscard]] std::string_view mtgSectionOf(std::string_view line);
+
+/// The line end of a text: that of its first line.
+[[nodiscard]] std::string lineEndOf(const std::string& text);
+
 /// Reads the sections before the vertices: CODE, CLASSES, DESCRIPTION, FEATURES. `lines` then stand
 /// behind the line "MTG:". A feature without a type becomes ALPHA, one listed twice is taken once.
 /// @throws Error naming the line that is wrong

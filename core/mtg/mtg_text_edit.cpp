@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/mtg/mtg_lines.h"
+#include "core/mtg/mtg_new_features.h"
 #include "core/mtg/mtg_parser.h"
 #include "core/mtg/mtg_rows.h"
 #include "core/mtg/mtg_sections.h"
@@ -112,7 +113,10 @@ Replacement replacement(const MtgSource& source, const MtgLine& line, std::size_
     if (tab >= line.end) {
       const std::size_t present = std::max(width, i); // columns before this one, with added ones
       width = column;
-      return {line.end, line.end, std::string(column - present, '\t') + value};
+      std::size_t at = line.end; // before a comment, which is blank in the text
+      while (at > line.start && source.text[at - 1] == ' ')
+        --at;
+      return {at, at, std::string(column - present, '\t') + value};
     }
     start = tab + 1;
   }
@@ -145,12 +149,6 @@ std::optional<std::string> withOtherCells(const ParsedMtg& file, const Mtg& edit
     }
   }
   return text + file.source.original.substr(copied);
-}
-
-std::string lineEndOf(const std::string& text) {
-  const std::size_t end = text.find_first_of("\r\n");
-  if (end == std::string::npos || text[end] == '\n') return "\n";
-  return text.compare(end, 2, "\r\n") == 0 ? "\r\n" : "\r";
 }
 
 std::string withLineEnds(const std::string& text, const std::string& end) {
@@ -250,11 +248,13 @@ bool tellsOf(const std::string& text, const Mtg& edited, const MtgReadOptions& o
   }
 }
 
-/// Whether the file has all these features: readers take a column without one for text at best.
-bool hasFeatures(const Mtg& file, const Mtg& mtg) {
-  return std::ranges::all_of(mtg.features, [&](const MtgFeature& feature) {
-    return std::ranges::find(file.features, feature.name, &MtgFeature::name) != file.features.end();
-  });
+/// The features that the file does not have: readers take a column without one for text at best.
+std::vector<MtgFeature> missingFeatures(const Mtg& file, const Mtg& mtg) {
+  std::vector<MtgFeature> missing;
+  for (const MtgFeature& feature : mtg.features)
+    if (std::ranges::find(file.features, feature.name, &MtgFeature::name) == file.features.end())
+      missing.push_back(feature);
+  return missing;
 }
 
 std::string encoded(std::string text, bool isLatin1) {
@@ -267,14 +267,23 @@ std::string encoded(std::string text, bool isLatin1) {
 
 std::string mtgTextWith(const std::string& original, const Mtg& edited,
                         const MtgReadOptions& options) {
-  const ParsedMtg file = parseMtg(original, "the file to save into", options);
-  const auto sameLines = withOtherCells(file, edited);
-  if (sameLines && tellsOf(*sameLines, edited, options))
-    return encoded(*sameLines, file.source.isLatin1);
+  ParsedMtg file = parseMtg(original, "the file to save into", options);
+  const bool isLatin1 = file.source.isLatin1;
+  const auto sameLines = [&]() -> std::optional<std::string> {
+    const auto text = withOtherCells(file, edited);
+    return text && tellsOf(*text, edited, options) ? text : std::nullopt;
+  };
+  if (const auto text = sameLines()) return encoded(*text, isLatin1);
+  if (const auto missing = missingFeatures(file.mtg, edited); !missing.empty())
+    if (const auto more = withMoreFeatures(file, missing)) {
+      file = parseMtg(*more, resultName, options);
+      if (const auto text = sameLines()) return encoded(*text, isLatin1);
+    }
   const Mtg written = mtgAsWritten(withFeaturesLike(file.mtg, edited));
   const std::string anew = belowFirstComments(file, written); // checks that it can be told
-  const std::string kept = hasFeatures(file.mtg, written) ? belowSections(file, written) : anew;
-  return encoded(tellsOf(kept, written, options) ? kept : anew, file.source.isLatin1);
+  const bool hasAll = missingFeatures(file.mtg, written).empty();
+  const std::string kept = hasAll ? belowSections(file, written) : anew;
+  return encoded(tellsOf(kept, written, options) ? kept : anew, isLatin1);
 }
 
 } // namespace espalier

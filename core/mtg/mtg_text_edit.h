@@ -17,9 +17,10 @@ namespace espalier {
 /// kept; a value of a range with << goes to its last vertex.
 ///
 /// Features that `edited` does not have at all keep their cells.
+/// Those that the file does not have get a line at the end of its section FEATURES and a column
+/// behind the others, if it has both.
 ///
-/// Otherwise (other vertices, a new value within a range, a feature without a column, a value that
-/// would be read as a comment) the vertices are written anew, laid out as by `writeMtg`. All before
+/// Otherwise (other vertices, a new value within a range, a value that would be read as a comment) the vertices are written anew, laid out as by `writeMtg`. All before
 /// them stays, but for the line of columns where it has too few of them; if the sections cannot
 /// tell of the plant any more, or lack a feature, they are written anew too, and only what stands
 /// before CODE stays. Line ends and the order of features stay; comments between vertices are lost.

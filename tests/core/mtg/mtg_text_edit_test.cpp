@@ -79,7 +79,7 @@ TEST(MtgTextWith, ShortLinesGetTheTabsTheyNeed) {
   Mtg mtg = read(text);
   mtg.vertices[1].values = {"1", "", "3"};
   EXPECT_EQ(mtgTextWith(text, mtg), replaced(text, "/A1\n", "/A1\t\t\t1\t\t3\n"));
-  EXPECT_EQ(textWithValue(text, 2, 2, "3"), replaced(text, "# one\n", "# one\t\t3\n"));
+  EXPECT_EQ(textWithValue(text, 2, 2, "3"), replaced(text, "1 # one\n", "1\t\t3 # one\n"));
 }
 
 TEST(MtgTextWith, NumbersKeepTheirSpellingIfTheyAreTheSame) {
@@ -163,6 +163,41 @@ TEST(MtgTextWith, NewClassesAndFeaturesGetTheirSections) {
   const std::string result = mtgTextWith(text, mtg);
   EXPECT_THAT(result, testing::StartsWith("# mine\nCODE"));
   EXPECT_EQ(read(result), mtg);
+}
+
+constexpr const char* commented = "# mine\nCODE: FORM-A\n# kinds\nCLASSES:\nA\t1\nFEATURES: # few\n"
+                                  "NAME\tTYPE\nx\tINT # one\n\n# all\nMTG:\nTOPO\t\tx # last\n"
+                                  "# base\n/A1\t\t2 # two\n# upper\n^<A2\n";
+
+TEST(MtgTextWith, ANewFeatureGetsALineAndAColumnAndLeavesAllElse) {
+  Mtg mtg = read(commented);
+  mtg.features.push_back({"age", "REAL"});
+  mtg.vertices[0].values = {"2", "5.5"};
+  mtg.vertices[1].values = {"", "3"};
+  std::string expected = replaced(commented, "x\tINT # one\n", "x\tINT # one\nage\tREAL\n");
+  expected = replaced(expected, "TOPO\t\tx # last", "TOPO\t\tx\tage # last");
+  expected = replaced(expected, "/A1\t\t2 # two", "/A1\t\t2\t5.5 # two");
+  expected = replaced(expected, "^<A2\n", "^<A2\t\t\t3\n");
+  EXPECT_EQ(mtgTextWith(commented, mtg), expected);
+}
+
+TEST(MtgTextWith, ANewFeatureWithNewVerticesLeavesTheSections) {
+  Mtg mtg = read(commented);
+  mtg.features.push_back({"age", "REAL"});
+  mtg.vertices.push_back({.symbol = "A", .parent = VertexId{1}, .values = {"", "7"}});
+  const std::string result = mtgTextWith(commented, mtg);
+  EXPECT_THAT(result, testing::StartsWith("# mine\nCODE: FORM-A\n# kinds\nCLASSES:\nA\t1\n"
+                                          "FEATURES: # few\nNAME\tTYPE\nx\tINT # one\n"
+                                          "age\tREAL\n\n# all\nMTG:\nTOPO\t\tx\tage # last\n"));
+  EXPECT_EQ(read(result), mtg);
+}
+
+TEST(MtgTextWith, AFirstFeatureMakesTheSectionsAnew) {
+  const std::string text = "CODE: FORM-A\nCLASSES:\nA\t1\nMTG:\nTOPO\n/A1\n";
+  Mtg mtg = read(text);
+  mtg.features.push_back({"age", "INT"});
+  mtg.vertices[0].values = {"4"};
+  EXPECT_EQ(read(mtgTextWith(text, mtg)), mtg);
 }
 
 TEST(MtgTextWith, AChangedVertexOfARangeIsWrittenOut) {

@@ -104,6 +104,7 @@ void MessageBanner::place() {
   constexpr int margin = 12;
   constexpr int widest = 880;
   constexpr int narrow = 360; // of one that lies in a corner
+  constexpr int scaleBar = 40;
   const QRect within = parentWidget()->rect().adjusted(margin, margin, -margin, -margin);
   const QSize wide = sizeWithin(std::min(widest, within.width()));
   const QSize small = sizeWithin(std::min(narrow, within.width()));
@@ -112,7 +113,7 @@ void MessageBanner::place() {
                  size.height());
   };
   const auto foot = [&](const QSize& size) { return within.bottom() + 1 - size.height(); };
-  const std::array places = {at(wide, 0.5, foot(wide)), at(small, 0, foot(small)),
+  const std::array places = {at(wide, 0.5, foot(wide)), at(small, 0, foot(small) - scaleBar),
                              at(small, 0, within.top()), at(wide, 0.5, within.top())};
   QRect best = places.front();
   int least = covered_ ? covered_(best) : 0;

@@ -102,8 +102,9 @@ void evaluateOne(const Flags& flags, const TerminalProgress& terminal) {
   if (flags.light) options.light = LightOptions{.pixels = flags.pixels};
   const Progress& whole = terminal.progress();
   const bool hasReport = !flags.report.file.empty();
+  const auto scan = scanFor(flags.report, whole.part(0, 0.1, "Reading"));
   const Comparison comparison =
-      compare(result, reference, options, hasReport ? whole.part(0, 0.4) : whole);
+      compare(result, reference, options, hasReport ? whole.part(0.1, 0.4) : whole);
   std::vector<std::string> notes = comparison.warnings;
   std::erase(notes, comparison.shiftWarning); // what is printed tells of the shift
   printNotes(notes);
@@ -126,6 +127,7 @@ void evaluateOne(const Flags& flags, const TerminalProgress& terminal) {
                 {.comparison = comparison,
                  .result = result,
                  .reference = reference,
+                 .scan = scan,
                  .resultFile = flags.files.front(),
                  .referenceFile = flags.files.back(),
                  .unit = flags.unit,

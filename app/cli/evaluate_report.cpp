@@ -15,13 +15,6 @@
 namespace espalier {
 namespace {
 
-std::shared_ptr<const PointCloud> scanIn(const std::string& file, const Progress& progress) {
-  if (file.empty()) return nullptr;
-  Imported<PointCloud> points = readPoints(file, progress);
-  printNotes(points.notes);
-  return std::make_shared<const PointCloud>(std::move(points.value));
-}
-
 ReportAbout aboutOf(const ReportFlags& flags, const ReportSubject& subject) {
   ReportAbout about;
   about.result = reportedFile(subject.resultFile);
@@ -58,10 +51,16 @@ void requireReport(const ReportFlags& flags, const std::vector<std::string>& inp
   requireOutput(flags.file, read);
 }
 
+std::shared_ptr<const PointCloud> scanFor(const ReportFlags& flags, const Progress& progress) {
+  if (flags.scan.empty()) return nullptr;
+  Imported<PointCloud> points = readPoints(flags.scan, progress);
+  printNotes(points.notes);
+  return std::make_shared<const PointCloud>(std::move(points.value));
+}
+
 void writeReport(const ReportFlags& flags, const ReportSubject& subject, const Progress& progress) {
-  std::shared_ptr<const PointCloud> scan = scanIn(flags.scan, progress.part(0, 0.3, "Reading"));
   const ReportData data = reportData(subject.comparison, subject.result, subject.reference,
-                                     std::move(scan), 0, progress.part(0.3, 0.6, "Measuring"));
+                                     subject.scan, 0, progress.part(0, 0.6, "Measuring"));
   const ReportAbout about = aboutOf(flags, subject);
   const Headless headless;
   const Progress drawing = progress.part(0.6, 0.95, "Drawing");

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/cloud/point_cloud.h"
 #include "core/evaluate/comparison.h"
 #include "core/skeleton/skeleton.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -26,11 +28,16 @@ void addReport(CLI::App& command, ReportFlags& flags);
 /// @throws Error, WrongUsage
 void requireReport(const ReportFlags& flags, const std::vector<std::string>& inputs);
 
+/// The points that the report is to show; none if none are.
+[[nodiscard]] std::shared_ptr<const PointCloud> scanFor(const ReportFlags& flags,
+                                                        const Progress& progress);
+
 /// What a report is of; all must outlive the call.
 struct ReportSubject {
   const Comparison& comparison;
   const Skeleton& result; // where it lay, but scaled
   const Skeleton& reference;
+  std::shared_ptr<const PointCloud> scan; // may be none
   std::string resultFile;
   std::string referenceFile;
   std::string unit;

@@ -25,10 +25,14 @@ void printConnections(const Comparison& comparison) {
               comparison.diadem.score);
   std::printf("  %5.1f%% of ways along the plant are as long, up to a tenth\n",
               percent(ways.withinTenth));
-  std::printf("  %5.1f%% of the length is of the same order, %.1f%% on the same axis\n",
-              percent(architecture.sameOrder), percent(architecture.sameAxis));
-  std::printf("  %5.1f%% of matched segments begin with the same type of edge\n",
-              percent(architecture.types.observed()));
+  if (architecture.compared > 0)
+    std::printf("  %5.1f%% of the length is of the same order, %.1f%% on the same axis\n",
+                percent(architecture.sameOrder), percent(architecture.sameAxis));
+  else
+    std::printf("  nothing lies near the reference: orders and axes cannot be compared\n");
+  if (architecture.types.count() > 0)
+    std::printf("  %5.1f%% of matched segments begin with the same type of edge\n",
+                percent(architecture.types.observed()));
 }
 
 /// How the wood of a result compares with that of the reference: 0 where there should be none.
@@ -71,21 +75,28 @@ void print(const Comparison& comparison, const std::string& unit) {
 
 void printWhere(const Comparison& comparison) {
   const AgreementByPlace& agreed = comparison.byPlace;
-  const char* row = "%18s %10.3f %10.3f %12.6g %12.6g\n";
+  const auto tell = [](const char* name, const PartAgreement& part) {
+    const auto share = [](double value, double length) { // none of no length
+      std::array<char, 16> text{'-'};
+      if (length > 0) std::snprintf(text.data(), text.size(), "%.3f", value);
+      return text;
+    };
+    std::printf(
+        "%18s %10s %10s %12.6g %12.6g\n", name, share(part.precision, part.resultLength).data(),
+        share(part.recall, part.referenceLength).data(), part.resultLength, part.referenceLength);
+  };
   const auto head = [](const char* what) {
     std::printf("\n%18s %10s %10s %12s %12s\n", what, "precision", "recall", "result", "reference");
   };
   std::printf("\nwithin %.4g, with the lengths there are:", agreed.distance);
   head("order");
   for (const PartAgreement& part : agreed.byOrder)
-    std::printf(row, std::to_string(static_cast<int>(part.from)).c_str(), part.precision,
-                part.recall, part.resultLength, part.referenceLength);
+    tell(std::to_string(static_cast<int>(part.from)).c_str(), part);
   head("height");
   for (const PartAgreement& part : agreed.byHeight) {
     std::array<char, 40> range{};
     std::snprintf(range.data(), range.size(), "%.4g to %.4g", part.from, part.to);
-    std::printf(row, range.data(), part.precision, part.recall, part.resultLength,
-                part.referenceLength);
+    tell(range.data(), part);
   }
   std::printf("\n%18s %12s %12s %12s\n", "radius up to", "length +%", "area +%", "volume +%");
   const std::vector<WoodAmount>& result = comparison.resultWood.byRadius;

@@ -115,10 +115,16 @@ ReportTable structureTable(const ReportParts& parts) {
   table.add(tr("branchings, F"), comparison.branchings.f());
   table.add(tr("DIADEM-like score"), comparison.diadem.score);
   table.add(tr("ways along the plant as long, up to a tenth"), comparison.pathLengths.withinTenth);
-  table.add(tr("length of the same order"), comparison.architecture.sameOrder);
-  table.add(tr("length on the same axis"), comparison.architecture.sameAxis);
-  table.add(tr("edge types, share that agrees"), comparison.architecture.types.observed());
-  table.add(tr("edge types, kappa"), comparison.architecture.types.kappa());
+  const ArchitectureAgreement& architecture = comparison.architecture;
+  const auto of = [&](bool isCompared, double value) {
+    return isCompared ? numbers.share(value, 5) : QStringLiteral("–");
+  };
+  const bool isNear = architecture.compared > 0;
+  table.add(tr("length of the same order"), of(isNear, architecture.sameOrder));
+  table.add(tr("length on the same axis"), of(isNear, architecture.sameAxis));
+  const bool hasEdges = architecture.types.count() > 0;
+  table.add(tr("edge types, share that agrees"), of(hasEdges, architecture.types.observed()));
+  table.add(tr("edge types, kappa"), of(hasEdges, architecture.types.kappa()));
   if (comparison.edit) {
     const EditComparison& edit = *comparison.edit;
     table.add(tr("edit distance"), numbers.given(edit.distance.distance));

@@ -64,9 +64,9 @@ QString whereItDiffers(const ReportParts& parts) {
   double whole = 0;
   for (const PartAgreement& part : byPlace.byOrder)
     whole += part.referenceLength;
-  std::vector<PartAgreement> large; // a single twig tells nothing of its order
+  std::vector<PartAgreement> large; // the trunk, and no order of single twigs
   for (const PartAgreement& part : byPlace.byOrder)
-    if (part.referenceLength >= 0.03 * whole) large.push_back(part);
+    if (part.from == 0 || part.referenceLength >= 0.03 * whole) large.push_back(part);
   if (large.size() < 2) return {};
   const auto [worst, best] = std::ranges::minmax_element(large, {}, f);
   if (f(*best) - f(*worst) < 0.01) return {};

@@ -107,14 +107,17 @@ Json toJson(const ArchitectureAgreement& agreed) {
   Json byOrder = Json::array();
   for (const OrderAgreement& order : agreed.byOrder)
     byOrder.push_back({{"length", order.length}, {"same", order.same}});
+  const auto of = [](bool isCompared, double value) { return isCompared ? Json(value) : Json(); };
+  const bool isNear = agreed.compared > 0;
+  const bool hasEdges = agreed.types.count() > 0;
   return {{"distance", agreed.distance},
           {"compared", agreed.compared},
-          {"same_order", agreed.sameOrder},
-          {"same_axis", agreed.sameAxis},
+          {"same_order", of(isNear, agreed.sameOrder)},
+          {"same_axis", of(isNear, agreed.sameAxis)},
           {"by_order", byOrder},
           {"edges", agreed.types.count()},
-          {"same_edge", agreed.types.observed()},
-          {"edge_kappa", agreed.types.kappa()}};
+          {"same_edge", of(hasEdges, agreed.types.observed())},
+          {"edge_kappa", of(hasEdges, agreed.types.kappa())}};
 }
 
 Json toJson(const WoodAmount& wood) {

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <fstream>
 #include <gmock/gmock.h>
 
 namespace espalier {
@@ -63,6 +64,28 @@ TEST_F(Evaluate, TellsWhatTheAuthorsIndicesHide) {
     for (const char* key : {"mapping", "geometric", "structural", "structural_of_all"})
       EXPECT_EQ(numbers["capped"][k][key], 1) << key;
   }
+}
+
+TEST_F(Evaluate, TellsNoAgreementOfPlantsThatAreNowhereNear) {
+  std::ofstream(file("far.swc")) << "1 0 1e4 0 0 1 -1\n2 0 1e4 0 1 1 1\n3 0 1e4 0 2 1 2\n";
+  const std::string told = runProgram({"evaluate", file("far.swc"), truth_, "--no-register",
+                                       "--where", "--json", file("a.json")})
+                               .out;
+  EXPECT_THAT(told, HasSubstr("nothing lies near the reference"));
+  EXPECT_THAT(told, testing::Not(HasSubstr("100.0%")));
+  EXPECT_THAT(told, HasSubstr("\n                 1          -      0.000            0"))
+      << "of the result there is no order 1";
+  const json numbers = json::parse(test::bytesOf(file("a.json")));
+  EXPECT_TRUE(numbers["architecture"]["same_axis"].is_null());
+  EXPECT_TRUE(numbers["architecture"]["edge_kappa"].is_null());
+}
+
+TEST_F(Evaluate, WritesNothingIfTheScanOfTheReportIsMissing) {
+  const Outcome outcome = runProgram({"evaluate", truth_, truth_, "--json", file("a.json"),
+                                      "--report", file("a.html"), "--scan", file("none.ply")});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.out, testing::IsEmpty());
+  EXPECT_FALSE(std::filesystem::exists(file("a.json")));
 }
 
 TEST_F(Evaluate, TellsWhatHangsOnWhat) {

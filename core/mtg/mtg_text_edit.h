@@ -20,10 +20,11 @@ namespace espalier {
 /// Those that the file does not have get a line at the end of its section FEATURES and a column
 /// behind the others, if it has both.
 ///
-/// Otherwise (other vertices, a new value within a range, a value that would be read as a comment) the vertices are written anew, laid out as by `writeMtg`. All before
-/// them stays, but for the line of columns where it has too few of them; if the sections cannot
-/// tell of the plant any more, or lack a feature, they are written anew too, and only what stands
-/// before CODE stays. Line ends and the order of features stay; comments between vertices are lost.
+/// Otherwise (other vertices, a new value within a range, a value that would be read as a comment)
+/// the vertices are written anew, laid out as by `writeMtg`. All before them stays, but for the
+/// line of columns where it has too few of them; if the sections cannot tell of the plant any more,
+/// or lack a feature, they are written anew too, and only what stands before CODE stays. Line ends
+/// and the order of features stay; comments between vertices are lost.
 ///
 /// The encoding is that of the file: Latin-1 unless a new value has a character beyond it, then
 /// UTF-8.

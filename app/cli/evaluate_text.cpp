@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 namespace espalier {
 namespace {
@@ -165,18 +166,21 @@ void print(const Ranking& ranking, const std::vector<std::string>& names) {
   std::size_t width = 6;
   for (const std::string& name : names)
     width = std::max(width, name.size());
-  constexpr std::array shown = {Score::f, Score::geometric, Score::structuralOfAll,
-                                Score::cappedGeometric};
-  constexpr std::array titles = {"F", "G", "T of all", "capped G"};
+  std::vector<std::pair<Score, std::string>> shown = {{Score::f, "F"},
+                                                      {Score::geometric, "G"},
+                                                      {Score::structuralOfAll, "T of all"},
+                                                      {Score::cappedGeometric, "capped G"}};
+  if (std::ranges::find(shown, ranking.by, &std::pair<Score, std::string>::first) == shown.end())
+    shown.insert(shown.begin(), {ranking.by, title(ranking.by)});
   const auto column = static_cast<int>(width);
   std::printf("\n%4s  %-*s", "rank", column, "result");
-  for (const char* each : titles)
-    std::printf("  %-19s", each);
+  for (const auto& [score, name] : shown)
+    std::printf("  %-19s", name.c_str());
   std::printf("  beats the next\n");
   std::size_t rank = 0;
   for (const RankedResult& result : ranking.results) {
     std::printf("%4zu  %-*s", ++rank, column, names.at(result.result).c_str());
-    for (const Score score : shown)
+    for (const auto& [score, name] : shown)
       for (std::size_t k = 0; k < rankingScores().size(); ++k) {
         if (rankingScores()[k] != score) continue;
         const ScoreInterval& found = result.scores[k];

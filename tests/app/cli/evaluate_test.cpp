@@ -130,6 +130,18 @@ TEST_F(Evaluate, RanksOneResultIfAsked) {
   EXPECT_THAT(told.out, HasSubstr("ranked by geometric within "));
 }
 
+TEST_F(Evaluate, ShowsTheScoreThatItRanksBy) {
+  const auto headOf = [&](const char* score) {
+    const std::string out = runProgram({"evaluate", truth_, truth_, "--ranking", "--rank-by", score,
+                                        "--draws", "20", "--no-register"})
+                                .out;
+    const std::string head = out.substr(out.find("rank "));
+    return head.substr(0, head.find('\n'));
+  };
+  EXPECT_THAT(headOf("structural"), HasSubstr("  structural           F "));
+  EXPECT_THAT(headOf("f"), testing::Not(HasSubstr("structural")));
+}
+
 TEST_F(Evaluate, RanksTheSameOnAnyNumberOfThreads) {
   for (const char* threads : {"1", "2"})
     ASSERT_EQ(runProgram({"evaluate", truth_, fork("f.txt"), truth_, "--draws", "50", "--seed", "4",

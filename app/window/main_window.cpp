@@ -178,8 +178,11 @@ void MainWindow::makeCenter() {
   center_->addWidget(views_);
   banner_ = new MessageBanner(page);
   banner_->setCover([this, page](const QRect& part) {
-    const QPoint corner = view_->mapTo(page, QPoint());
-    return view_->isVisible() ? view_->coveredBy(part.translated(-corner)) : 0;
+    int covered = 0;
+    for (const PlantView* view : {view_, twoViews_ ? twoViews_->second() : nullptr})
+      if (view != nullptr && view->isVisible())
+        covered += view->coveredBy(part.translated(-view->mapTo(page, QPoint())));
+    return covered;
   });
   layers->addWidget(center_, 0, 0);
   setCentralWidget(page);

@@ -195,7 +195,12 @@ int PlantView::coveredBy(const QRect& part) const {
     const auto at = screen.project(place);
     return at && QRectF(part).contains(at->pixel.x(), at->pixel.y());
   };
-  return static_cast<int>(std::ranges::count_if(parts_->scene.outline(), isIn));
+  const auto isBarIn = [&](const ColorBar* bar) {
+    return bar->isVisible() && bar->geometry().intersects(part);
+  };
+  constexpr int asMuch = 1000; // places: what a color bar counts for
+  return static_cast<int>(std::ranges::count_if(parts_->scene.outline(), isIn) +
+                          asMuch * std::ranges::count_if(parts_->colorBars, isBarIn));
 }
 
 std::vector<NodeId> PlantView::nodesInside(const QPolygonF& area, Depth depth) const {

@@ -51,36 +51,38 @@ std::vector<GrowingTree::Shoot> GrowingTree::shootsAcrossGaps(double widestGap,
   const SpatialIndex index(nodes);
   const double widest = widestGap > 0 ? widestGap : std::numeric_limits<double>::infinity();
   std::vector<Gap> gaps;
-  std::vector<bool> isLeft(attractors_.size(), false); // by point: nothing has reached it
   for (const std::uint32_t point : attractors_.unreached()) {
     progress.check();
-    isLeft[point] = true;
     const Neighbor nearest = index.nearest(attractors_.position(point).cast<float>(), 1).front();
     if (std::sqrt(static_cast<double>(nearest.squaredDistance)) <= widest)
       gaps.push_back({nearest.squaredDistance, point, static_cast<std::uint32_t>(nearest.index)});
   }
   std::ranges::sort(gaps, {},
                     [](const Gap& gap) { return std::tuple(gap.squaredWidth, gap.point); });
-  // What lies farther off may be nearer to what grows next.
-  const double farthest =
-      gaps.empty() ? 0 : step_.greatest + 1.25 * std::sqrt(gaps.front().squaredWidth);
+  std::vector<bool> isLeft(attractors_.size(), false); // by point: beside a gap, and not met yet
   std::vector<Shoot> shoots;
-  for (const Gap& gap : gaps) {
-    progress.check();
-    if (!shoots.empty() && std::sqrt(gap.squaredWidth) > farthest) break;
-    if (!isLeft[gap.point]) continue;
-    if (takeTogether(gap.point, isLeft, progress) >= fewest)
-      shoots.push_back({gap.node, attractors_.position(gap.point)});
+  for (std::size_t next = 0; next < gaps.size() && shoots.empty();) {
+    // What lies farther off may be nearer to what grows next.
+    const double farthest = step_.greatest + 1.25 * std::sqrt(gaps[next].squaredWidth);
+    const std::size_t first = next;
+    for (; next < gaps.size() && std::sqrt(gaps[next].squaredWidth) <= farthest; ++next)
+      isLeft[gaps[next].point] = true;
+    for (std::size_t i = first; i < next; ++i) {
+      if (!isLeft[gaps[i].point]) continue;
+      const Eigen::Vector3d place = attractors_.position(gaps[i].point);
+      takeTogether(gaps[i].point, isLeft, progress);
+      if (attractors_.around(place, reach_ * step_.greatest).size() >= fewest)
+        shoots.push_back({gaps[i].node, place});
+    }
   }
   return shoots;
 }
 
-std::size_t GrowingTree::takeTogether(std::uint32_t first, std::vector<bool>& isLeft,
-                                      const Progress& progress) const {
+void GrowingTree::takeTogether(std::uint32_t first, std::vector<bool>& isLeft,
+                               const Progress& progress) const {
   const double apart = reach_ * step_.greatest;
   std::vector<std::uint32_t> stack = {first};
   isLeft[first] = false;
-  std::size_t count = 1;
   while (!stack.empty()) {
     progress.check();
     const Eigen::Vector3d place = attractors_.position(stack.back());
@@ -88,12 +90,10 @@ std::size_t GrowingTree::takeTogether(std::uint32_t first, std::vector<bool>& is
     for (const std::uint32_t point : attractors_.around(place, apart)) {
       if (!isLeft[point]) continue;
       isLeft[point] = false;
-      ++count;
       // Those next to it would find little that is new.
       if ((attractors_.position(point) - place).norm() > apart / 2) stack.push_back(point);
     }
   }
-  return count;
 }
 
 } // namespace espalier

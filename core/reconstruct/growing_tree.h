@@ -56,9 +56,8 @@ public:
   [[nodiscard]] const Skeleton& skeleton() const { return skeleton_; }
 
 private:
-  /// Clears the marks of all points that lie together with `first`. @return how many
-  std::size_t takeTogether(std::uint32_t first, std::vector<bool>& isLeft,
-                           const Progress& progress) const;
+  /// Clears the marks of all points that lie together with `first`.
+  void takeTogether(std::uint32_t first, std::vector<bool>& isLeft, const Progress& progress) const;
 
   Attractors& attractors_;
   AdaptiveLength step_;

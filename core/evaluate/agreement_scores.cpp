@@ -36,7 +36,7 @@ const std::vector<std::string>& scoreNames() {
 
 ScoreOptions resolved(const ScoreOptions& options, const Skeleton& reference) {
   ScoreOptions result = options;
-  if (result.distance <= 0) result.distance = defaultTolerances(reference)[2];
+  if (result.distance <= 0) result.distance = usualTolerance(reference);
   if (result.landmarkDistance <= 0) result.landmarkDistance = medianEdgeLength(reference);
   return result;
 }

@@ -34,7 +34,7 @@ enum class Score {
 [[nodiscard]] const std::vector<std::string>& scoreNames();
 
 struct ScoreOptions {
-  double distance = 0;         // [L]; 0 = the third of defaultTolerances(): 4/9 of the median edge
+  double distance = 0;         // [L]; 0 = usualTolerance()
   double landmarkDistance = 0; // [L]; 0 = the reference's median edge
 };
 

@@ -129,8 +129,9 @@ Comparison compare(const Skeleton& result, const Skeleton& reference,
                    options.landmarkDistance > 0 ? options.landmarkDistance
                                                 : comparison.referenceTraits.medianEdge,
                    progress.part(0.9, 0.95));
-  comparison.byPlace = agreementByPlace(laid, reference, defaultTolerances(reference)[1], step,
-                                        progress.part(0.95, options.light ? 0.96 : 1));
+  const double near = options.placeDistance > 0 ? options.placeDistance : usualTolerance(reference);
+  comparison.byPlace =
+      agreementByPlace(laid, reference, near, step, progress.part(0.95, options.light ? 0.96 : 1));
   if (options.light) {
     comparison.resultLight = lightOf(comparison, laid, "the result", *options.light,
                                      progress.part(0.96, 0.98, "Measuring light"));

@@ -29,6 +29,7 @@ struct ComparisonOptions {
   AuthorsOptions authors;
   EditOptions edit;
   ToleranceOptions tolerance;
+  double placeDistance = 0;    // [L], for the agreement by place; 0 = usualTolerance()
   double landmarkDistance = 0; // [L], for tips and branchings; 0 = the reference's median edge
   std::optional<LightOptions> light; // none: it is not measured
 };
@@ -46,7 +47,7 @@ struct Comparison {
   DiademScore diadem; // these three within the distance of the landmarks
   PathLengthAgreement pathLengths;
   ArchitectureAgreement architecture;
-  AgreementByPlace byPlace; // within the second tolerance of defaultTolerances()
+  AgreementByPlace byPlace;
   Traits resultTraits;
   Traits referenceTraits;
   WoodAmounts resultWood;

@@ -35,6 +35,8 @@ namespace espalier {
 ///   light        {result,reference}.{area,star,directions[].{elevation,azimuth,weight,silhouette,
 ///                star},convergence[].{pixels,star}}; null unless asked for
 ///   warnings[]   a line each
+///
+/// The command line adds result, reference, and what app/cli/evaluate_numbers.h tells.
 [[nodiscard]] nlohmann::ordered_json toJson(const Comparison& comparison);
 
 } // namespace espalier

@@ -39,12 +39,13 @@ Evaluation evaluate(const Skeleton& result, const Skeleton& reference,
   const Eigen::Vector3d middle = bounds(reference).center();
   made.shift = made.motion * middle - middle;
   made.isShiftLarge = made.shift.norm() > usual.front();
-  made.tolerance = options.tolerance > 0 ? options.tolerance : usual[1];
+  made.tolerance = options.tolerance > 0 ? options.tolerance : usualTolerance(reference);
   made.differences = differences(result, made.reference, made.tolerance,
                                  progress.part(0.5, 0.65, "Finding differences"));
   ComparisonOptions compared;
   compared.registers = false;
   compared.tolerance.distances = {made.tolerance};
+  compared.placeDistance = made.tolerance;
   made.comparison =
       compare(result, made.reference, compared, progress.part(0.65, 0.95, "Comparing"));
   made.score = made.comparison.tolerance.scores.front();

@@ -58,6 +58,10 @@ std::vector<double> defaultTolerances(const Skeleton& reference) {
   return {unit, 2 * unit, 4 * unit, 10 * unit};
 }
 
+double usualTolerance(const Skeleton& reference) {
+  return defaultTolerances(reference)[1];
+}
+
 std::vector<double> distancesTo(const EdgeIndex& index, const std::vector<EvenSample>& samples,
                                 const Progress& progress) {
   std::vector<double> distances(samples.size());

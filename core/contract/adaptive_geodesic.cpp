@@ -3,9 +3,11 @@
 #include "core/base/error.h"
 #include "core/contract/ball_centers.h"
 #include "core/contract/density_radii.h"
+#include "core/contract/stretched_length.h"
 #include "core/graph/geodesic_balls.h"
 #include "core/graph/orientations.h"
 
+#include <array>
 #include <vector>
 
 namespace espalier {
@@ -13,41 +15,6 @@ namespace {
 
 using Lanes = GeodesicBalls::Lanes;
 using Centers = std::span<const std::uint32_t>;
-
-/// The length of links as each of several centers sees it, by its own direction.
-class StretchedLength {
-public:
-  StretchedLength(const Eigen::Matrix3Xf& points, const std::vector<Orientation>& orientations,
-                  Centers centers, const AdaptiveGeodesicOptions& options)
-      : points_(points), x_(Lanes::Zero()), y_(Lanes::Zero()), z_(Lanes::Zero()),
-        along_(Lanes::Ones()), across_(Lanes::Ones()) {
-    for (std::size_t i = 0; i < centers.size(); ++i) {
-      const auto lane = static_cast<Eigen::Index>(i);
-      const Eigen::Vector3f& direction = orientations[centers[i]].direction;
-      if (direction.isZero()) continue; // it knows no along
-      x_[lane] = direction.x();
-      y_[lane] = direction.y();
-      z_[lane] = direction.z();
-      along_[lane] = static_cast<float>(options.along);
-      across_[lane] = static_cast<float>(options.across);
-    }
-  }
-
-  Lanes operator()(std::uint32_t from, const NeighborhoodGraph::Link& link) const {
-    const Eigen::Vector3f d = points_.col(link.to) - points_.col(from);
-    const Lanes along = (x_ * d.x() + y_ * d.y() + z_ * d.z()).square();
-    const Lanes across = (link.length * link.length - along).max(0.0F);
-    return (along_ * along + across_ * across).sqrt();
-  }
-
-private:
-  const Eigen::Matrix3Xf& points_;
-  Lanes x_;
-  Lanes y_;
-  Lanes z_;
-  Lanes along_;
-  Lanes across_;
-};
 
 } // namespace
 
@@ -62,7 +29,8 @@ Eigen::Matrix3Xf contractedAdaptively(const Eigen::Matrix3Xf& points,
                                                 {.densityRadius = options.densityRadius,
                                                  .least = options.leastRadius,
                                                  .most = options.mostRadius,
-                                                 .curve = options.curve},
+                                                 .curve = options.curve,
+                                                 .range = options.densityRange},
                                                 progress.part(0.2, 0.3));
   const bool isStretched = options.along != 1 || options.across != 1;
   std::vector<Orientation> directions;
@@ -73,10 +41,15 @@ Eigen::Matrix3Xf contractedAdaptively(const Eigen::Matrix3Xf& points,
   Eigen::Matrix3Xf result(3, points.cols());
   const auto radiusOf = [&](std::uint32_t center) { return radii[center]; };
   const auto find = [&](GeodesicBalls& balls, Centers centers, const Lanes& reach) {
-    if (isStretched)
-      balls.find(centers, reach, StretchedLength(points, directions, centers, options));
-    else
+    if (!isStretched) {
       balls.find(centers, reach);
+      return;
+    }
+    std::array<Eigen::Vector3f, GeodesicBalls::most> own;
+    for (std::size_t i = 0; i < centers.size(); ++i)
+      own[i] = directions[centers[i]].direction;
+    const std::span<const Eigen::Vector3f> ofCenters(own.data(), centers.size());
+    balls.find(centers, reach, StretchedLength(points, ofCenters, options.along, options.across));
   };
   const auto contract = [&](const GeodesicBalls& balls) {
     Lanes reach = Lanes::Zero();

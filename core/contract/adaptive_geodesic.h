@@ -1,8 +1,11 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/graph/densities.h"
 
 #include <Eigen/Core>
+
+#include <optional>
 
 namespace espalier {
 
@@ -16,6 +19,7 @@ struct AdaptiveGeodesicOptions {
   double across = 1; // and across it, >= 0; not both 0
   double orientationRadius = 0; // [L] along the plant: where its direction is measured
   bool fitsCircles = true;      // for wood seen from one side
+  std::optional<DensityRange> densityRange = {}; // of the scan that the points are a part of
 };
 
 /// Contracts a cloud towards the axes of the plant: each point moves to the mean of the points near

@@ -1,8 +1,11 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/graph/densities.h"
 
 #include <Eigen/Core>
+
+#include <optional>
 
 namespace espalier {
 
@@ -15,6 +18,7 @@ struct AdaptiveSectionOptions {
   double width = 0; // [L], > 0: half of the thickness of a section
   double orientationRadius = 0; // [L] along the plant: where its direction is measured
   bool fitsCircles = true;      // for wood seen from one side
+  std::optional<DensityRange> densityRange = {}; // of the scan that the points are a part of
 };
 
 /// Contracts a cloud towards the axes of the plant: each point moves to the middle of the

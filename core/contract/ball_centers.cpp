@@ -1,7 +1,6 @@
 #include "core/contract/ball_centers.h"
 
 #include "core/base/moments.h"
-#include "core/contract/circle_center.h"
 
 #include <array>
 #include <vector>
@@ -9,18 +8,33 @@
 namespace espalier {
 namespace {
 
-Eigen::Vector3d center(const std::vector<Eigen::Vector3f>& members, double radius) {
-  constexpr double leastLinearity = 0.4;
+Moments momentsOf(const std::vector<Eigen::Vector3f>& members) {
   Moments moments(members.front().cast<double>());
   for (const Eigen::Vector3f& point : members)
     moments.add(point);
+  return moments;
+}
+
+std::optional<WoodCircle> circleOf(const std::vector<Eigen::Vector3f>& members,
+                                   const Moments& moments, double radius) {
+  constexpr double leastLinearity = 0.4;
   const auto components = moments.components();
   const Eigen::Vector3d variances = components.eigenvalues();
-  if (variances[2] - variances[1] < leastLinearity * variances[2]) return moments.mean();
-  return circleCenter(members, components.eigenvectors().col(2), radius).value_or(moments.mean());
+  if (variances[2] - variances[1] < leastLinearity * variances[2]) return std::nullopt;
+  return circleAround(members, components.eigenvectors().col(2), radius);
+}
+
+Eigen::Vector3d center(const std::vector<Eigen::Vector3f>& members, double radius) {
+  const Moments moments = momentsOf(members);
+  const std::optional<WoodCircle> circle = circleOf(members, moments, radius);
+  return circle ? circle->center : moments.mean();
 }
 
 } // namespace
+
+std::optional<WoodCircle> circleOfBall(const std::vector<Eigen::Vector3f>& members, double radius) {
+  return circleOf(members, momentsOf(members), radius);
+}
 
 void putCenters(const GeodesicBalls& balls, const Eigen::Matrix3Xf& points,
                 const GeodesicBalls::Lanes& radii, bool fitsCircles, Eigen::Matrix3Xf& centers) {

@@ -1,10 +1,19 @@
 #pragma once
 
+#include "core/contract/circle_center.h"
 #include "core/graph/geodesic_balls.h"
 
 #include <Eigen/Core>
 
+#include <optional>
+#include <vector>
+
 namespace espalier {
+
+/// The circle whose center stands for a ball, if the arc of its points allows: see putCenters.
+/// @param members of the ball, at least one
+[[nodiscard]] std::optional<WoodCircle> circleOfBall(const std::vector<Eigen::Vector3f>& members,
+                                                     double radius);
 
 /// Puts the mean of each ball, or the center of a circle where `fitsCircles` and the arc of its
 /// points allows, into the column of its center.

@@ -6,9 +6,8 @@
 
 namespace espalier {
 
-std::optional<Eigen::Vector3d> circleCenter(const std::vector<Eigen::Vector3f>& points,
-                                            const Eigen::Vector3d& direction,
-                                            double largestRadius) {
+std::optional<WoodCircle> circleAround(const std::vector<Eigen::Vector3f>& points,
+                                       const Eigen::Vector3d& direction, double largestRadius) {
   constexpr std::size_t fewest = 6;
   constexpr double leastCoverage = 5.0 / 16;
   constexpr double fullCoverage = 13.0 / 16;
@@ -29,7 +28,17 @@ std::optional<Eigen::Vector3d> circleCenter(const std::vector<Eigen::Vector3f>& 
   if (!circle || circle->radius > largestRadius) return std::nullopt;
   if (circle->coverage < leastCoverage || circle->coverage > fullCoverage) return std::nullopt;
   if (circle->error > largestError * circle->radius) return std::nullopt;
-  return mean + circle->center.x() * right + circle->center.y() * up;
+  return WoodCircle{.center = mean + circle->center.x() * right + circle->center.y() * up,
+                    .normal = direction,
+                    .radius = circle->radius};
+}
+
+std::optional<Eigen::Vector3d> circleCenter(const std::vector<Eigen::Vector3f>& points,
+                                            const Eigen::Vector3d& direction,
+                                            double largestRadius) {
+  const std::optional<WoodCircle> circle = circleAround(points, direction, largestRadius);
+  if (!circle) return std::nullopt;
+  return circle->center;
 }
 
 } // namespace espalier

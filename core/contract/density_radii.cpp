@@ -1,19 +1,22 @@
 #include "core/contract/density_radii.h"
 
-#include "core/graph/densities.h"
-
 #include <cmath>
 
 namespace espalier {
 
+double radiusOfDensity(float density, const DensityRadiusOptions& options) {
+  return options.least +
+         (options.most - options.least) * std::pow(static_cast<double>(density), options.curve);
+}
+
 std::vector<float> densityRadii(const NeighborhoodGraph& graph, const DensityRadiusOptions& options,
                                 const Progress& progress) {
-  std::vector<float> radii = normalizedDensities(
-      radiusDensities(graph, static_cast<float>(options.densityRadius), progress));
+  const std::vector<float> densities =
+      radiusDensities(graph, static_cast<float>(options.densityRadius), progress);
+  std::vector<float> radii = options.range ? normalizedDensities(densities, *options.range)
+                                           : normalizedDensities(densities);
   for (float& value : radii)
-    value =
-        static_cast<float>(options.least + (options.most - options.least) *
-                                               std::pow(static_cast<double>(value), options.curve));
+    value = static_cast<float>(radiusOfDensity(value, options));
   return radii;
 }
 

@@ -42,18 +42,26 @@ std::vector<float> nearestDensities(const Eigen::Matrix3Xf& points, int count,
   return densities;
 }
 
-std::vector<float> normalizedDensities(const std::vector<float>& densities) {
-  if (densities.empty()) return {};
+DensityRange rangeOf(const std::vector<float>& densities) {
+  assert(!densities.empty());
   std::vector<float> sorted = densities;
   std::ranges::sort(sorted);
   const std::size_t last = sorted.size() - 1;
-  const float least = sorted[last / 100];
-  const float most = sorted[last - last / 100];
+  return {.least = sorted[last / 100], .most = sorted[last - last / 100]};
+}
+
+std::vector<float> normalizedDensities(const std::vector<float>& densities,
+                                       const DensityRange& range) {
   std::vector<float> result(densities.size(), 0.5F);
-  if (!(most > least)) return result;
+  if (!(range.most > range.least)) return result;
   for (std::size_t i = 0; i < result.size(); ++i)
-    result[i] = std::clamp((densities[i] - least) / (most - least), 0.0F, 1.0F);
+    result[i] = std::clamp((densities[i] - range.least) / (range.most - range.least), 0.0F, 1.0F);
   return result;
+}
+
+std::vector<float> normalizedDensities(const std::vector<float>& densities) {
+  if (densities.empty()) return {};
+  return normalizedDensities(densities, rangeOf(densities));
 }
 
 } // namespace espalier

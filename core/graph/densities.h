@@ -22,8 +22,20 @@ namespace espalier {
 [[nodiscard]] std::vector<float> nearestDensities(const Eigen::Matrix3Xf& points, int count,
                                                   const Progress& progress = {});
 
-/// Densities from 0, at the first percentile and below, to 1, at the last and above: single dense
-/// spots squeeze nobody. 0.5 everywhere if these are the same.
+/// What counts as thin and as dense.
+struct DensityRange {
+  float least = 0;
+  float most = 0;
+};
+
+/// From the first percentile to the last: single dense spots squeeze nobody. pre: not empty
+[[nodiscard]] DensityRange rangeOf(const std::vector<float>& densities);
+
+/// Densities from 0, at the start of the range and below, to 1, at its end and above. 0.5
+/// everywhere if these are the same.
+[[nodiscard]] std::vector<float> normalizedDensities(const std::vector<float>& densities,
+                                                     const DensityRange& range);
+/// The same in their own range.
 [[nodiscard]] std::vector<float> normalizedDensities(const std::vector<float>& densities);
 
 } // namespace espalier

@@ -10,15 +10,6 @@
 namespace espalier {
 namespace {
 
-Orientation orientationOf(const Moments& moments) {
-  const auto components = moments.components();
-  const Eigen::Vector3d variances = components.eigenvalues();
-  if (!(variances[2] > 0)) return {};
-  return {.direction = components.eigenvectors().col(2).cast<float>(),
-          .linearity = static_cast<float>(
-              std::clamp((variances[2] - variances[1]) / variances[2], 0.0, 1.0))};
-}
-
 /// Of a point and those linked to it.
 Moments linkedTo(const Eigen::Matrix3Xf& points, const NeighborhoodGraph& graph,
                  Eigen::Index point) {
@@ -30,6 +21,15 @@ Moments linkedTo(const Eigen::Matrix3Xf& points, const NeighborhoodGraph& graph,
 }
 
 } // namespace
+
+Orientation orientationOf(const Moments& moments) {
+  const auto components = moments.components();
+  const Eigen::Vector3d variances = components.eigenvalues();
+  if (!(variances[2] > 0)) return {};
+  return {.direction = components.eigenvectors().col(2).cast<float>(),
+          .linearity = static_cast<float>(
+              std::clamp((variances[2] - variances[1]) / variances[2], 0.0, 1.0))};
+}
 
 std::vector<Orientation> orientations(const Eigen::Matrix3Xf& points,
                                       const NeighborhoodGraph& graph, float radius,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/moments.h"
 #include "core/base/progress.h"
 #include "core/graph/neighborhood_graph.h"
 
@@ -14,6 +15,9 @@ struct Orientation {
   Eigen::Vector3f direction = Eigen::Vector3f::Zero(); // unit, of either sign; zero if unknown
   float linearity = 0; // [0, 1]: 0 where the points spread as far across as along, 1 on a line
 };
+
+/// That of the points collected; pre: there are some.
+[[nodiscard]] Orientation orientationOf(const Moments& moments);
 
 /// The direction in which the points within `radius` of each one along the graph spread most, by
 /// principal components: (l1 - l2) / l1 of the greatest two variances is its linearity.

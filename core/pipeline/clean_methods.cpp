@@ -31,6 +31,7 @@ Method isolatedPointsMethod() {
           .help = "Leaves out points that stand alone, as dust and split laser beams do.",
           .source = "as in statistical outlier removal, with a distance in point spacings",
           .options = table.descriptions(),
+          .seesRoot = false,
           .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
             const std::vector<Eigen::Index> kept = keptPoints(state);
             const std::vector<bool> isIsolated =

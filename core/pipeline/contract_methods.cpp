@@ -126,7 +126,10 @@ Method adaptiveGeodesicMethod() {
        .label = "Adaptive geodesic centroids",
        .help = "As geodesic centroids, with a radius that grows with the density of the points.",
        .source = thesis},
-      table, [](const auto& points, const Options& options, const auto&, const Progress& progress) {
+      table,
+      [](const auto& points, Options options, const PipelineState& state,
+         const Progress& progress) {
+        options.densityRange = state.densityRange;
         return contractedAdaptively(points, options, progress);
       });
 }
@@ -146,7 +149,10 @@ Method adaptiveSectionsMethod() {
        .label = "Adaptive sections",
        .help = "Moves each point to the middle of the cross-section of the wood that it is on.",
        .source = "section contraction of PlantScan3D, after the thesis of C. Preuksakarn, 2012"},
-      table, [](const auto& points, const Options& options, const auto&, const Progress& progress) {
+      table,
+      [](const auto& points, Options options, const PipelineState& state,
+         const Progress& progress) {
+        options.densityRange = state.densityRange;
         return contractedToSections(points, options, progress);
       });
 }

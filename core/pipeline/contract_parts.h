@@ -7,11 +7,13 @@
 namespace espalier {
 
 /// The method `described`, with the options of `table`, whose work is `contract(points, options,
-/// state, progress)`: the new places of the points that cleaning kept; the others stay.
+/// state, progress)`: the new places of the points that cleaning kept; the others stay. It is taken
+/// to see no root.
 template <class Options, class Contract>
 [[nodiscard]] Method contractMethod(Method described, const OptionTable<Options>& table,
                                     const Contract& contract) {
   described.options = table.descriptions();
+  described.seesRoot = false;
   described.run = [table, contract](PipelineState& state, const Values& values,
                                     const Progress& progress) {
     const std::vector<Eigen::Index> kept = keptPoints(state);

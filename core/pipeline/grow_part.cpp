@@ -24,9 +24,7 @@ PipelineOptions fixedOptions(const PipelineOptions& options, const PlantScale& w
   PipelineOptions result = options;
   result.leftOut = {}; // columns of another cloud
   for (const Step& step : pipelineSteps()) {
-    const auto choice = options.methods.find(step.name);
-    const Method& method =
-        choice == options.methods.end() ? step.methods.front() : methodNamed(step, choice->second);
+    const Method& method = chosenMethod(step, options);
     const std::vector<double> values = resolvedValues(step, method, options, whole);
     for (std::size_t i = 0; i < values.size(); ++i) {
       const auto [least, most] = method.options[i].range(part);

@@ -14,6 +14,7 @@ Method noMethod(std::string help) {
           .help = std::move(help),
           .source = {},
           .options = {},
+          .seesRoot = false,
           .run = [](PipelineState&, const Values&, const Progress&) {}};
 }
 

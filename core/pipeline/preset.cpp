@@ -38,10 +38,7 @@ Json toJson(const PipelineOptions& options, const Step& step, const std::string&
             const Rule& rule) {
   if (!rule.isFixed()) return rule.text();
   const double value = rule.fixed;
-  const auto chosen = options.methods.find(step.name);
-  const Method& method =
-      chosen == options.methods.end() ? step.methods.front() : methodNamed(step, chosen->second);
-  for (const Option& option : method.options) {
+  for (const Option& option : chosenMethod(step, options).options) {
     if (option.name != name) continue;
     if (option.kind == OptionKind::flag) return value != 0;
     if (option.kind == OptionKind::choice) return option.wordFor(value);

@@ -2,6 +2,7 @@
 
 #include "core/base/progress.h"
 #include "core/cloud/point_cloud.h"
+#include "core/graph/densities.h"
 #include "core/graph/find_root.h"
 #include "core/pipeline/option_table.h"
 #include "core/radius/fused_radii.h"
@@ -24,6 +25,8 @@ struct PipelineState {
   Eigen::Index root = 0;                              // a point
   Skeleton skeleton;                                  // frame of the file
   std::vector<RadiusSource> radiusSources;            // by id, once there are radii
+  /// Of the whole scan, if this is a part of one: for contractions that follow densities.
+  std::optional<DensityRange> densityRange = {};
 };
 
 /// One way to do a step.
@@ -33,6 +36,7 @@ struct Method {
   std::string help;  // one line
   std::string source;
   std::vector<Option> options;
+  bool seesRoot = true; // false: its result is the same wherever the plant has its root
   /// `values`: one per option, in order.
   std::function<void(PipelineState&, const std::vector<double>& values, const Progress&)> run;
 };

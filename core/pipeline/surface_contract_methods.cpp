@@ -166,7 +166,7 @@ Method pathBasedMethod() {
   table.add(
       countOption("rounds", "Rounds", defaults.rounds, 0, 20, "How often paths are smoothed."),
       &Options::rounds);
-  return contractMethod<Options>(
+  Method method = contractMethod<Options>(
       {.name = "path_based",
        .label = "Along paths",
        .help = "Straightens the paths from all points to the root, twigs after the wood that "
@@ -177,6 +177,8 @@ Method pathBasedMethod() {
          const Progress& progress) {
         return contractedAlongPaths(points, keptRoot(state), options, progress);
       });
+  method.seesRoot = true;
+  return method;
 }
 
 } // namespace

@@ -27,6 +27,15 @@ DirectionCones::DirectionCones(double angle)
     }
 }
 
+std::vector<Eigen::Vector3d> DirectionCones::axes(const Heading& heading) const {
+  const Eigen::Vector3d third = heading.along.cross(heading.side);
+  std::vector<Eigen::Vector3d> result;
+  result.reserve(axes_.size());
+  for (const Eigen::Vector3d& axis : axes_)
+    result.emplace_back(axis.x() * heading.side + axis.y() * third + axis.z() * heading.along);
+  return result;
+}
+
 std::vector<std::vector<std::size_t>>
 DirectionCones::groups(const Heading& heading,
                        const std::vector<Eigen::Vector3d>& directions) const {

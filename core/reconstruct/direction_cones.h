@@ -24,6 +24,9 @@ public:
 
   [[nodiscard]] std::size_t count() const { return axes_.size(); }
 
+  /// Their axes as they stand to a heading, unit; the one ahead first.
+  [[nodiscard]] std::vector<Eigen::Vector3d> axes(const Heading& heading) const;
+
   /// Groups directions by the cone they are in, or by that whose axis is nearest if they are in
   /// several; those that are in none are left out.
   ///

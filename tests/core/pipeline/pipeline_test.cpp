@@ -7,19 +7,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <gmock/gmock.h>
 
 namespace espalier {
 namespace {
 
 using test::cloudOf;
-
-std::vector<std::string> newSteps(const Reconstruction& reconstruction) {
-  std::vector<std::string> names;
-  for (const StepRecord& step : reconstruction.steps)
-    if (step.isNew) names.push_back(step.step);
-  return names;
-}
 
 std::ptrdiff_t countTips(const Skeleton& skeleton) {
   const std::vector<NodeId> ids = skeleton.ids();
@@ -69,20 +61,6 @@ TEST(Pipeline, IsRefusedIfAllPointsAreSetAside) {
   PipelineOptions options;
   options.leftOut = PointSet::firstOf(cloud->size());
   EXPECT_THROW((void)Pipeline().run(cloud, options), Error);
-}
-
-TEST(Pipeline, RecomputesOnlyWhatLiesBehindAChange) {
-  Pipeline pipeline;
-  const auto cloud = cloudOf(test::forkCloud());
-  PipelineOptions options;
-  EXPECT_EQ(newSteps(pipeline.run(cloud, options)).size(), pipelineSteps().size());
-  EXPECT_THAT(newSteps(pipeline.run(cloud, options)), testing::IsEmpty());
-  options.set("prune.length=0.1");
-  EXPECT_THAT(
-      newSteps(pipeline.run(cloud, options)),
-      testing::ElementsAre("prune", "axes", "recenter", "insertions", "ends", "nodes", "radius"));
-  options.root = Eigen::Vector3d(500, 600, 702);
-  EXPECT_EQ(newSteps(pipeline.run(cloud, options)).size(), pipelineSteps().size());
 }
 
 TEST(Pipeline, GivesTheSameAnewAsFromWhatIsAtHand) {

@@ -1,0 +1,125 @@
+#include "core/pipeline/pipeline_options.h"
+
+#include "core/base/error.h"
+#include "core/base/text.h"
+
+#include <cmath>
+#include <sstream>
+
+namespace espalier {
+namespace {
+
+std::string optionNames(const Method& method) {
+  std::string names;
+  for (const Option& option : method.options)
+    names += (names.empty() ? "" : ", ") + option.name;
+  return names.empty() ? "it has none" : "choose one of " + names;
+}
+
+void requireOption(const Step& step, const Method& method, const std::string& name) {
+  for (const Option& option : method.options)
+    if (option.name == name) return;
+  throw Error("method " + method.name + " of step " + step.name + " has no option \"" + name +
+              "\": " + optionNames(method));
+}
+
+double checkedValue(const Step& step, const Option& option, double value, const PlantScale& scale) {
+  const auto [least, most] = option.range(scale);
+  const bool isCounted = option.kind == OptionKind::count || option.takesWords();
+  const bool isWhole = !isCounted || value == std::round(value);
+  if (value >= least && value <= most && isWhole) return value;
+  std::ostringstream text;
+  if (option.takesWords()) {
+    text << step.name << '.' << option.name << " takes no " << value << ": choose one of "
+         << option.words();
+    throw Error(text.str());
+  }
+  text << step.name << '.' << option.name << " is " << value << ": choose "
+       << (option.kind == OptionKind::count ? "a whole number " : "a value ") << "from " << least
+       << " to " << most;
+  if (option.kind == OptionKind::length) text << " (the points are " << scale.spacing << " apart)";
+  throw Error(text.str());
+}
+
+/// The option of that name of the method that is chosen, or else of another of the step. (Those of
+/// one name take the same words: the method may be chosen later.)
+const Option* optionNamed(const Step& step, const PipelineOptions& options,
+                          const std::string& name) {
+  const Option* found = nullptr;
+  for (const Method& method : step.methods)
+    for (const Option& option : method.options)
+      if (option.name == name && (!found || &method == &chosenMethod(step, options)))
+        found = &option;
+  return found;
+}
+
+} // namespace
+
+void PipelineOptions::set(const std::string& assignment) {
+  const std::size_t equals = assignment.find('=');
+  const std::size_t dot = assignment.find('.');
+  if (equals == std::string::npos || dot == std::string::npos || dot > equals)
+    throw Error("\"" + assignment +
+                "\" sets nothing: write STEP.OPTION=VALUE, such as "
+                "contract.radius=12.5");
+  const std::string step = assignment.substr(0, dot);
+  const std::string option = assignment.substr(dot + 1, equals - dot - 1);
+  const std::string text = assignment.substr(equals + 1);
+  if (option == "method") {
+    (void)methodNamed(stepNamed(step), text);
+    methods[step] = text;
+    return;
+  }
+  setText(stepNamed(step), option, text);
+}
+
+void PipelineOptions::setText(const Step& in, const std::string& option, const std::string& text) {
+  const std::string& step = in.name;
+  if (const Option* known = optionNamed(in, *this, option); known && known->takesWords()) {
+    const std::optional<double> word = known->valueOf(text);
+    if (!word)
+      throw Error(step + "." + option + " takes no \"" + text + "\": choose one of " +
+                  known->words());
+    settings[step][option] = fixedAt(*word);
+    return;
+  }
+  const Option* known = optionNamed(in, *this, option);
+  const bool isLength = known == nullptr || known->kind == OptionKind::length;
+  const std::optional<Rule> value = Rule::parse(text);
+  if (!value || !(isLength || value->isFixed()))
+    throw Error(step + "." + option + " must be a number" +
+                (isLength ? ", or a length as '6 spacings' or '0.01 heights'" : "") + ", not " +
+                inQuotes(text));
+  settings[step][option] = *value;
+}
+
+void requireKnown(const PipelineOptions& options) {
+  for (const auto& [name, method] : options.methods)
+    (void)methodNamed(stepNamed(name), method);
+  for (const auto& [name, values] : options.settings) {
+    const Step& step = stepNamed(name);
+    for (const auto& [option, value] : values)
+      requireOption(step, chosenMethod(step, options), option);
+  }
+}
+
+const Method& chosenMethod(const Step& step, const PipelineOptions& options) {
+  const auto choice = options.methods.find(step.name);
+  return choice == options.methods.end() ? step.methods.front() : methodNamed(step, choice->second);
+}
+
+std::vector<double> resolvedValues(const Step& step, const Method& method,
+                                   const PipelineOptions& options, const PlantScale& scale) {
+  const auto settings = options.settings.find(step.name);
+  std::vector<double> values;
+  for (const Option& option : method.options) {
+    double value = option.rule.value(scale);
+    if (settings != options.settings.end())
+      if (const auto set = settings->second.find(option.name); set != settings->second.end())
+        value = checkedValue(step, option, set->second.value(scale), scale);
+    values.push_back(value);
+  }
+  return values;
+}
+
+} // namespace espalier

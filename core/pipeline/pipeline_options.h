@@ -1,0 +1,48 @@
+#pragma once
+
+#include "core/cloud/point_set.h"
+#include "core/pipeline/registry.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace espalier {
+
+/// What the user decided; all else follows the rules of the option tables.
+struct PipelineOptions {
+  std::map<std::string, std::string> methods;                  // step -> method
+  std::map<std::string, std::map<std::string, Rule>> settings; // step -> option -> value
+  std::optional<Eigen::Vector3d> root;                         // [L], frame of the file
+  UpAxis up = UpAxis::z;
+  /// Points that were set aside: no step sees them, but rules follow from the whole scan. Of one
+  /// scan, so no preset has them.
+  PointSet leftOut = {};
+
+  /// Sets one option by its full name, "step.option".
+  /// Lengths are in [L], or follow from the scan: "7.5 spacings", "0.01 heights".
+  /// @throws Error naming what there is, if the step is unknown or the value is no number, or none
+  /// of the words that the option takes
+  void set(const std::string& assignment); // "contract.radius=12.5"
+  /// The same, in parts; `text` is a number, a length by a rule, or a word.
+  void setText(const Step& step, const std::string& option, const std::string& text);
+
+  bool operator==(const PipelineOptions&) const = default;
+};
+
+/// Checks the names of all steps, methods and options, before any scan is there.
+/// @throws Error naming what there is
+void requireKnown(const PipelineOptions& options);
+
+/// The method of a step that was chosen, or else its first.
+/// @throws Error naming what there is
+[[nodiscard]] const Method& chosenMethod(const Step& step, const PipelineOptions& options);
+
+/// The values a step would use for a plant of this scale, one per option of its method, in order.
+/// @throws Error if a setting is out of range
+[[nodiscard]] std::vector<double> resolvedValues(const Step& step, const Method& method,
+                                                 const PipelineOptions& options,
+                                                 const PlantScale& scale);
+
+} // namespace espalier

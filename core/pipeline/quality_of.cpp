@@ -1,0 +1,31 @@
+#include "core/pipeline/quality_of.h"
+
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace espalier {
+
+ContractionQuality qualityOf(const PointCloud& cloud, const Reconstruction& result,
+                             const PipelineOptions& options, const Progress& progress) {
+  const std::vector<Eigen::Index> kept = others(options.leftOut, cloud.size());
+  if (kept.empty()) return {};
+  const Eigen::Matrix3Xf points = cloud.positions()(Eigen::all, kept);
+  const Eigen::Matrix3Xf contracted = (*result.contracted)(Eigen::all, kept);
+  const Eigen::Vector3f root = options.root
+                                   ? Eigen::Vector3f((*options.root - cloud.origin()).cast<float>())
+                                   : Eigen::Vector3f(points.col(findRoot(points, options.up)));
+  const ContractionQualityOptions how{.spacing = result.scale.spacing, .root = root};
+  ContractionQuality quality =
+      result.skeleton.isEmpty()
+          ? contractionQuality(points, contracted, how, progress)
+          : contractionQuality(points, contracted, result.skeleton, cloud.origin(), how, progress);
+  std::vector<float> byPoint(static_cast<std::size_t>(cloud.size()),
+                             std::numeric_limits<float>::quiet_NaN());
+  for (std::size_t i = 0; i < kept.size(); ++i)
+    byPoint[static_cast<std::size_t>(kept[i])] = quality.residuals[i];
+  quality.residuals = std::move(byPoint);
+  return quality;
+}
+
+} // namespace espalier

@@ -1,0 +1,265 @@
+#include "core/pipeline/region_preview.h"
+
+#include "core/base/spatial_index.h"
+#include "core/cloud/point_cloud.h"
+#include "core/graph/components.h"
+#include "core/graph/geodesic.h"
+#include "core/pipeline/pipeline_start.h"
+#include "core/pipeline/recent.h"
+#include "core/pipeline/region_skeleton.h"
+#include "core/pipeline/used_densities.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <utility>
+
+namespace espalier {
+namespace {
+
+/// A method with its values.
+struct Chosen {
+  const Method* method = nullptr;
+  std::vector<double> values;
+  bool operator==(const Chosen&) const = default;
+};
+
+Chosen chosenFor(const std::string& step, const PipelineOptions& options, const PlantScale& scale) {
+  const Method& method = chosenMethod(stepNamed(step), options);
+  return {&method, resolvedValues(stepNamed(step), method, options, scale)};
+}
+
+/// The greatest length among the values.
+double greatestLength(const Chosen& chosen) {
+  double greatest = 0;
+  for (std::size_t i = 0; i < chosen.values.size(); ++i)
+    if (chosen.method->options[i].kind == OptionKind::length)
+      greatest = std::max(greatest, chosen.values[i]);
+  return greatest;
+}
+
+/// How far around the ball points are looked at [L].
+double marginOf(const Chosen& contraction, const Ball& ball, double spacing) {
+  constexpr double least = 8; // in point spacings: for those that look at nearest points
+  constexpr double alwaysAllowed = 20;
+  const double most = std::max(ball.radius / 2, alwaysAllowed * spacing);
+  return std::clamp(2 * greatestLength(contraction), least * spacing, most);
+}
+
+} // namespace
+
+/// What is computed once, of the whole scan.
+struct RegionPreviewer::Whole {
+  using IsLeftOut = std::shared_ptr<const std::vector<bool>>; // by point: set aside, or cleaned
+  struct DensityKey {
+    Chosen clean;
+    DensityValues values;
+    bool operator==(const DensityKey&) const = default;
+  };
+
+  std::shared_ptr<const PointCloud> cloud;
+  PointSet leftOut;
+  PlantScale scale;
+  PipelineOptions start; // its root and way up
+  std::mutex mutex;      // of all below
+  std::unique_ptr<const SpatialIndex> index;
+  Recent<Chosen, IsLeftOut> cleaned;
+  Recent<DensityKey, DensityRange> ranges;
+  std::shared_ptr<const std::vector<float>> distanceToRoot; // by point; infinite if set aside
+
+  const SpatialIndex& indexed(const Progress& progress) {
+    const std::scoped_lock lock(mutex);
+    if (!index) index = std::make_unique<const SpatialIndex>(cloud->positions(), progress);
+    return *index;
+  }
+
+  IsLeftOut leftOutBy(const Chosen& clean, const Progress& progress) {
+    const std::scoped_lock lock(mutex);
+    if (const IsLeftOut* known = cleaned.find(clean)) return *known;
+    PipelineState state = firstState(cloud, leftOut);
+    clean.method->run(state, clean.values, progress);
+    return cleaned.keep(clean,
+                        std::make_shared<const std::vector<bool>>(std::move(state.isLeftOut)));
+  }
+
+  /// None for methods that do not follow densities.
+  std::optional<DensityRange> densityRange(const Chosen& clean, const IsLeftOut& isLeftOut,
+                                           const Chosen& contraction, const Progress& progress) {
+    const std::optional<DensityValues> used =
+        densityValues(*contraction.method, contraction.values);
+    if (!used) return std::nullopt;
+    const DensityKey key{clean, *used};
+    const std::scoped_lock lock(mutex);
+    if (const DensityRange* known = ranges.find(key)) return *known;
+    PipelineState state = firstState(cloud, leftOut);
+    state.isLeftOut = *isLeftOut;
+    return ranges.keep(key, rangeOf(countedDensities(state, *used, progress)));
+  }
+
+  /// Along links between the points that were not set aside, over the shortest of the gaps.
+  std::shared_ptr<const std::vector<float>> distances(const Progress& progress) {
+    constexpr int linksPerPoint = 7;
+    const std::scoped_lock lock(mutex);
+    if (distanceToRoot) return distanceToRoot;
+    const std::vector<Eigen::Index> kept = others(leftOut, cloud->size());
+    const Eigen::Matrix3Xf points = cloud->positions()(Eigen::all, kept);
+    std::vector<float> result(static_cast<std::size_t>(cloud->size()),
+                              std::numeric_limits<float>::infinity());
+    if (!kept.empty()) {
+      const NeighborhoodGraph parts(points, linksPerPoint, progress);
+      const Eigen::Index root = rootPoint(firstState(cloud, leftOut), start);
+      const auto place = std::ranges::lower_bound(kept, root) - kept.begin();
+      const Geodesics ways = geodesics(
+          joined(parts, points, std::numeric_limits<float>::max(), progress), {place}, 1, progress);
+      for (std::size_t i = 0; i < kept.size(); ++i)
+        result[static_cast<std::size_t>(kept[i])] = ways.distance[i];
+    }
+    return distanceToRoot = std::make_shared<const std::vector<float>>(std::move(result));
+  }
+};
+
+namespace {
+
+/// A part of the scan on its way through the steps.
+struct Region {
+  std::vector<Eigen::Index> columns; // of its cloud in that of the whole: those that are kept
+  PipelineState state;
+  RegionPreview preview;
+};
+
+/// Some columns of a cloud as a cloud.
+std::shared_ptr<const PointCloud> someOf(const PointCloud& cloud,
+                                         const std::vector<Eigen::Index>& points) {
+  return std::make_shared<const PointCloud>(
+      StoredPoints{.positions = cloud.positions()(Eigen::all, points),
+                   .origin = cloud.origin(),
+                   .colors = {},
+                   .intensities = {},
+                   .fileOrder = std::vector<std::uint32_t>(points.size())});
+}
+
+std::vector<float> atColumns(const std::vector<float>& values,
+                             const std::vector<Eigen::Index>& columns) {
+  std::vector<float> result;
+  result.reserve(columns.size());
+  for (const Eigen::Index column : columns)
+    result.push_back(values[static_cast<std::size_t>(column)]);
+  return result;
+}
+
+/// The places of the points in the ball: those that cleaning leaves out stay.
+Eigen::Matrix3Xf placesOf(const Region& region, const PointCloud& cloud) {
+  Eigen::Matrix3Xf places = cloud.positions()(Eigen::all, region.preview.points);
+  auto column = region.columns.begin();
+  for (std::size_t i = 0; i < region.preview.points.size(); ++i) {
+    const Eigen::Index point = region.preview.points[i];
+    column = std::lower_bound(column, region.columns.end(), point);
+    if (column == region.columns.end() || *column != point) continue;
+    places.col(static_cast<Eigen::Index>(i)) =
+        region.state.contracted->col(column - region.columns.begin());
+  }
+  return places;
+}
+
+} // namespace
+
+struct RegionPreviewer::Regions {
+  /// The points of the ball and its margin, contracted.
+  static Region contracted(Whole& whole, const Ball& ball, const PipelineOptions& options,
+                           const Progress& progress) {
+    requireKnown(options);
+    const Chosen clean = chosenFor("clean", options, whole.scale);
+    const Chosen contraction = chosenFor("contract", options, whole.scale);
+    const Whole::IsLeftOut isLeftOut = whole.leftOutBy(clean, progress.part(0, 0.2));
+    Region region =
+        around(whole, ball, marginOf(contraction, ball, whole.scale.spacing), *isLeftOut, progress);
+    region.state.densityRange =
+        whole.densityRange(clean, isLeftOut, contraction, progress.part(0.2, 0.3));
+    if (region.columns.size() >= 2) {
+      if (contraction.method->seesRoot) region.state.root = nearestToRoot(whole, region, progress);
+      contraction.method->run(region.state, contraction.values, progress.part(0.3, 1));
+    }
+    region.preview.contracted = placesOf(region, *whole.cloud);
+    return region;
+  }
+
+private:
+  static Region around(Whole& whole, const Ball& ball, double margin,
+                       const std::vector<bool>& isLeftOut, const Progress& progress) {
+    Region region;
+    const Eigen::Vector3f center = (ball.center - whole.cloud->origin()).cast<float>();
+    for (const Neighbor& found :
+         whole.indexed(progress).within(center, static_cast<float>(ball.radius + margin))) {
+      if (!isLeftOut[static_cast<std::size_t>(found.index)]) region.columns.push_back(found.index);
+      if (ball.contains(whole.cloud->position(found.index)) && !whole.leftOut.contains(found.index))
+        region.preview.points.push_back(found.index);
+    }
+    std::ranges::sort(region.columns);
+    std::ranges::sort(region.preview.points);
+    region.state = firstState(someOf(*whole.cloud, region.columns), {});
+    return region;
+  }
+
+  static Eigen::Index nearestToRoot(Whole& whole, const Region& region, const Progress& progress) {
+    const std::vector<float> distances = atColumns(*whole.distances(progress), region.columns);
+    return std::ranges::min_element(distances) - distances.begin();
+  }
+};
+
+RegionPreviewer::RegionPreviewer(std::shared_ptr<const PointCloud> cloud, const PointSet& leftOut,
+                                 const PlantScale& scale, UpAxis up,
+                                 const std::optional<Eigen::Vector3d>& root)
+    : whole_(std::make_unique<Whole>()) {
+  whole_->cloud = std::move(cloud);
+  whole_->leftOut = leftOut;
+  whole_->scale = scale;
+  whole_->start.up = up;
+  whole_->start.root = root;
+}
+
+RegionPreviewer::~RegionPreviewer() = default;
+RegionPreviewer::RegionPreviewer(RegionPreviewer&&) noexcept = default;
+RegionPreviewer& RegionPreviewer::operator=(RegionPreviewer&&) noexcept = default;
+
+RegionPreview RegionPreviewer::contracted(const Ball& ball, const PipelineOptions& options,
+                                          const Progress& progress) const {
+  return Regions::contracted(*whole_, ball, options, progress).preview;
+}
+
+RegionPreview RegionPreviewer::reconstructed(const Ball& ball, const PipelineOptions& options,
+                                             const Progress& progress) const {
+  Region region = Regions::contracted(*whole_, ball, options, progress.part(0, 0.5));
+  if (region.columns.size() >= 2)
+    region.preview.skeleton =
+        skeletonOfRegion(region.state, atColumns(*whole_->distances(progress), region.columns),
+                         ball, options, whole_->scale, progress.part(0.5, 1));
+  return std::move(region.preview);
+}
+
+Ball RegionPreviewer::ballWith(const Eigen::Vector3d& center, Eigen::Index count) const {
+  const SpatialIndex& index = whole_->indexed({});
+  const auto wanted = static_cast<std::size_t>(std::max<Eigen::Index>(count, 1));
+  const auto total = static_cast<std::size_t>(whole_->cloud->size());
+  const Eigen::Vector3f place = (center - whole_->cloud->origin()).cast<float>();
+  const double all =
+      whole_->cloud->bounds().exteriorDistance(center) + whole_->cloud->bounds().diagonal().norm();
+  double reach = whole_->scale.spacing * std::sqrt(static_cast<double>(wanted));
+  std::vector<Neighbor> found;
+  do {
+    reach *= 1.5;
+    found = index.within(place, static_cast<float>(reach));
+  } while (found.size() <= std::min(wanted, total - 1) && reach <= all);
+  if (found.size() <= wanted) return {center, all};
+  std::vector<double> distances;
+  distances.reserve(found.size());
+  for (const Neighbor& one : found)
+    distances.push_back((whole_->cloud->position(one.index) - center).norm());
+  const auto next = distances.begin() + static_cast<std::ptrdiff_t>(wanted);
+  std::ranges::nth_element(distances, next);
+  const double within = *std::max_element(distances.begin(), next);
+  // Between the last that is in and the first that is not; below both if they are as far off.
+  return {center, within < *next ? (within + *next) / 2 : within * (1 - 1e-9)};
+}
+
+} // namespace espalier

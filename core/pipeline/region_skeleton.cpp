@@ -1,0 +1,126 @@
+#include "core/pipeline/region_skeleton.h"
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/graph/neighborhood_graph.h"
+#include "core/pipeline/grow_part.h"
+
+#include <algorithm>
+#include <exception>
+#include <memory>
+#include <utility>
+
+namespace espalier {
+namespace {
+
+constexpr double longestLink = 8; // in point spacings
+constexpr int linksPerPoint = 6;
+
+/// The points that links of at most `longest` lead to from `first`, ascending; they are marked.
+std::vector<Eigen::Index> partFrom(Eigen::Index first, const NeighborhoodGraph& graph,
+                                   float longest, std::vector<bool>& isMet) {
+  std::vector<Eigen::Index> part = {first};
+  isMet[static_cast<std::size_t>(first)] = true;
+  for (std::size_t next = 0; next < part.size(); ++next)
+    for (const NeighborhoodGraph::Link& link : graph.links(part[next])) {
+      if (link.length > longest || isMet[link.to]) continue;
+      isMet[link.to] = true;
+      part.push_back(link.to);
+    }
+  std::ranges::sort(part);
+  return part;
+}
+
+/// The points of each part that hangs together and is no crumb.
+std::vector<std::vector<Eigen::Index>> partsOf(const PipelineState& region, double spacing,
+                                               const Progress& progress) {
+  const NeighborhoodGraph graph(region.cloud->positions(), linksPerPoint, progress);
+  std::vector<bool> isMet(static_cast<std::size_t>(graph.size()), false);
+  std::vector<std::vector<Eigen::Index>> parts;
+  for (Eigen::Index i = 0; i < graph.size(); ++i) {
+    if (isMet[static_cast<std::size_t>(i)]) continue;
+    parts.push_back(partFrom(i, graph, static_cast<float>(longestLink * spacing), isMet));
+    if (parts.back().size() < fewestPoints) parts.pop_back();
+  }
+  return parts;
+}
+
+/// Some of the points of a region, as contracted there, with the nearest to the root as root.
+PipelineState stateOf(const std::vector<Eigen::Index>& points, const PipelineState& region,
+                      const std::vector<float>& distanceToRoot) {
+  StoredPoints stored{.positions = region.cloud->positions()(Eigen::all, points),
+                      .origin = region.cloud->origin(),
+                      .colors = {},
+                      .intensities = {},
+                      .fileOrder = std::vector<std::uint32_t>(points.size())};
+  const auto nearest = std::ranges::min_element(points, {}, [&](Eigen::Index point) {
+    return distanceToRoot[static_cast<std::size_t>(point)];
+  });
+  return {.cloud = std::make_shared<const PointCloud>(std::move(stored)),
+          .isLeftOut = std::vector<bool>(points.size(), false),
+          .contracted =
+              std::make_shared<const Eigen::Matrix3Xf>((*region.contracted)(Eigen::all, points)),
+          .root = nearest - points.begin(),
+          .skeleton = {},
+          .radiusSources = {}};
+}
+
+/// A step between the contraction and the radii, with what was chosen for it.
+struct PartStep {
+  const Method* method;
+  std::vector<double> values;
+};
+
+std::vector<PartStep> partSteps(const PipelineOptions& options, const PlantScale& scale) {
+  std::vector<PartStep> steps;
+  for (const Step& step : pipelineSteps()) {
+    if (step.name == "clean" || step.name == "contract" || step.name == "radius") continue;
+    const Method& method = chosenMethod(step, options);
+    steps.push_back({&method, resolvedValues(step, method, options, scale)});
+  }
+  return steps;
+}
+
+/// Adds what of `part` lies in the ball. Nodes whose parent does not are roots.
+void addInside(const Skeleton& part, const Ball& ball, Skeleton& result) {
+  std::vector<std::optional<NodeId>> copies(part.idEnd());
+  for (const NodeId id : part.ids()) {
+    if (!ball.contains(part[id].position)) continue;
+    Node copy = part[id];
+    if (copy.parent) copy.parent = copies[indexOf(*copy.parent)];
+    copies[indexOf(id)] = result.add(copy);
+  }
+}
+
+} // namespace
+
+Skeleton skeletonOfRegion(const PipelineState& region, const std::vector<float>& distanceToRoot,
+                          const Ball& ball, const PipelineOptions& options, const PlantScale& scale,
+                          const Progress& progress) {
+  const std::vector<PartStep> steps = partSteps(options, scale);
+  const std::vector<std::vector<Eigen::Index>> parts =
+      partsOf(region, scale.spacing, progress.part(0, 0.1));
+  std::vector<Skeleton> skeletons(parts.size());
+  std::vector<std::exception_ptr> failures(parts.size());
+  const Progress stop = progress.part(0.1, 0.1); // the steps of parts tell when to stop alone
+  const auto reconstruct = [&](Eigen::Index i) {
+    const auto part = static_cast<std::size_t>(i);
+    PipelineState state = stateOf(parts[part], region, distanceToRoot);
+    try {
+      for (const PartStep& step : steps)
+        step.method->run(state, step.values, stop);
+      skeletons[part] = std::move(state.skeleton);
+    } catch (const Error&) { // others may have a skeleton
+      failures[part] = std::current_exception();
+    }
+  };
+  parallelFor(static_cast<Eigen::Index>(parts.size()), reconstruct, progress.part(0.1, 1), 1);
+  Skeleton result;
+  for (const Skeleton& skeleton : skeletons)
+    addInside(skeleton, ball, result);
+  const auto failure = std::ranges::find_if(failures, [](const auto& one) { return !!one; });
+  if (result.isEmpty() && failure != failures.end()) std::rethrow_exception(*failure);
+  return result;
+}
+
+} // namespace espalier

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "core/pipeline/pipeline.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace espalier {
+
+// One option over several values, to see which is best.
+
+/// `count` values to try of an option, ascending, in the units it is set in ([L], degrees, or
+/// none).
+///
+/// Around its default, from a quarter of it to 4 times it, by equal ratios; over its range, evenly,
+/// if the default is 0 or the option is an angle, where lengths end at 40 point spacings and ratios
+/// at 4. Within the range of the option; whole numbers for counts, of which there may be fewer. All
+/// words of an option that takes words. pre: count >= 1
+[[nodiscard]] std::vector<double> sweepValues(const Option& option, const PlantScale& scale,
+                                              int count);
+
+/// What one value gave.
+struct SweepResult {
+  double value = 0;
+  Reconstruction reconstruction; // empty if it failed
+  std::string failure;           // why; empty if it did not
+};
+
+/// Runs the steps up to `last` (empty: all) for each value of an option of the method that is
+/// chosen for `step`, and tells each result as it comes. A value that the steps fail with is told,
+/// too.
+///
+/// What lies before the step is computed once; a Pipeline that has run before has it at hand.
+/// @throws Error     if the step or option is unknown, or a value out of range, before any run
+/// @throws Cancelled if `progress` asks to stop
+void runSweep(Pipeline& pipeline, const std::shared_ptr<const PointCloud>& cloud,
+              const PipelineOptions& options, const std::string& step, const std::string& option,
+              const std::vector<double>& values, const std::string& last, const Progress& progress,
+              const std::function<void(const SweepResult&)>& each);
+
+/// The option of the method that is chosen for a step.
+/// @throws Error that lists those it has
+[[nodiscard]] const Option& optionOfChosen(const PipelineOptions& options, const std::string& step,
+                                           const std::string& option);
+
+} // namespace espalier

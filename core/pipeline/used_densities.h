@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/pipeline/pipeline_options.h"
+
+#include <optional>
+#include <vector>
+
+namespace espalier {
+
+// The densities that an adaptive contraction follows: those that its curve turns into radii.
+
+/// What they follow from.
+struct DensityValues {
+  int neighbors = 0; // links per point
+  double radius = 0; // [L]
+  bool operator==(const DensityValues&) const = default;
+};
+
+/// None if the method follows no density. `values`: one per option of it
+[[nodiscard]] std::optional<DensityValues> densityValues(const Method& method,
+                                                         const std::vector<double>& values);
+
+/// Of the points that cleaning kept, in their order, as counted: core/graph/densities.h.
+/// @throws Cancelled if `progress` asks to stop
+[[nodiscard]] std::vector<float> countedDensities(const PipelineState& cleaned,
+                                                  const DensityValues& values,
+                                                  const Progress& progress = {});
+
+/// The normalized densities of all points of a scan for the contraction that is chosen, by point;
+/// not a number for points that are left out. None if it follows no density.
+/// @throws Error     if an option is unknown or out of range
+/// @throws Cancelled if `progress` asks to stop
+[[nodiscard]] std::optional<std::vector<float>>
+densitiesUsed(const std::shared_ptr<const PointCloud>& cloud, const PipelineOptions& options,
+              const PlantScale& scale, const Progress& progress = {});
+
+} // namespace espalier

@@ -33,6 +33,7 @@ void addAll(CLI::App& app) {
   addReconstruct(app);
   addBatch(app);
   addContract(app);
+  addSweep(app);
   addEvaluate(app);
   addNoise(app);
   addConvert(app);

@@ -12,6 +12,7 @@ namespace espalier {
 void addReconstruct(CLI::App& app);
 void addBatch(CLI::App& app);
 void addContract(CLI::App& app);
+void addSweep(CLI::App& app);
 void addEvaluate(CLI::App& app);
 void addNoise(CLI::App& app);
 void addConvert(CLI::App& app);

@@ -1,24 +1,29 @@
 #include "app/cli/arguments.h"
 #include "app/cli/commands.h"
+#include "app/cli/evaluate_numbers.h"
 #include "app/cli/evaluate_report.h"
 #include "app/cli/evaluate_text.h"
 #include "app/cli/files.h"
 #include "app/cli/pipeline_flags.h"
 #include "app/cli/terminal.h"
+#include "core/base/text.h"
 #include "core/evaluate/comparable.h"
 #include "core/evaluate/comparison.h"
 #include "core/evaluate/comparison_json.h"
 #include "core/evaluate/comparison_warnings.h"
 #include "core/evaluate/ranking.h"
+#include "core/evaluate/registration.h"
 #include "core/io/atomic_file.h"
 #include "core/io/csv.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <ostream>
+#include <set>
 
 namespace espalier {
 namespace {
@@ -28,6 +33,7 @@ struct Flags {
   bool noRegister = false;
   double scale = 1; // of the results
   std::string unit;
+  double distance = 0; // [L]; 0 = the rule
   std::string editUnit = "segment";
   std::string editCost = "topology";
   bool merges = false;
@@ -36,7 +42,7 @@ struct Flags {
   bool light = false;
   int pixels = LightOptions().pixels;
   bool ranks = false;
-  std::string rankBy = "f";
+  std::string rankBy; // empty: f
   std::size_t draws = 2000;
   std::uint64_t seed = 1;
   std::string csv;
@@ -93,6 +99,18 @@ std::vector<std::vector<std::string>> tableOf(const nlohmann::ordered_json& json
   return rows;
 }
 
+/// Where the two are compared as they lie: how far off the result is, if that decides the scores.
+void warnOfShift(Comparison& comparison, const Skeleton& result, const Skeleton& reference,
+                 const std::string& unit, const Progress& progress) {
+  const double shift = registration(result, reference, {}, progress).shift.norm();
+  if (shift <= defaultTolerances(reference).front()) return;
+  comparison.warnings.push_back(
+      "the result lies about " + plainDecimal(std::round(10 * shift) / 10) +
+      (unit.empty() ? "" : " " + unit) +
+      " off the reference, which lowers the scores: without --no-register "
+      "it is laid on it first");
+}
+
 void evaluateOne(const Flags& flags, const TerminalProgress& terminal) {
   const Skeleton result = skeletonIn(flags.files.front(), flags.scale);
   const Skeleton reference = skeletonIn(flags.files.back());
@@ -100,17 +118,19 @@ void evaluateOne(const Flags& flags, const TerminalProgress& terminal) {
   options.registers = !flags.noRegister;
   options.edit = editOptions(flags);
   if (flags.light) options.light = LightOptions{.pixels = flags.pixels};
+  options = withTolerance(options, reference, flags.distance);
   const Progress& whole = terminal.progress();
   const bool hasReport = !flags.report.file.empty();
   const auto scan = scanFor(flags.report, whole.part(0, 0.1, "Reading"));
-  const Comparison comparison =
-      compare(result, reference, options, hasReport ? whole.part(0.1, 0.4) : whole);
+  Comparison comparison = compare(result, reference, options, whole.part(0.1, 0.4));
+  if (flags.noRegister)
+    warnOfShift(comparison, result, reference, flags.unit, whole.part(0.4, 0.45));
   std::vector<std::string> notes = comparison.warnings;
   std::erase(notes, comparison.shiftWarning); // what is printed tells of the shift
   printNotes(notes);
-  print(comparison, flags.unit);
-  if (flags.where) printWhere(comparison);
-  if (flags.traits) printTraits(comparison);
+  print(comparison, options.edit, flags.unit);
+  if (flags.where) printWhere(comparison, flags.unit);
+  if (flags.traits) printTraits(comparison, flags.unit);
   if (flags.light) printLight(comparison);
   auto json = toJson(comparison);
   json["result"] = flags.files.front();
@@ -120,55 +140,82 @@ void evaluateOne(const Flags& flags, const TerminalProgress& terminal) {
     json["edit_distance"]["cost"] = flags.editCost;
     json["edit_distance"]["merge_paths"] = flags.merges;
   }
+  if (!hasReport && flags.csv.empty() && flags.json.empty()) return;
+  const ReportData data = reportData(comparison, result, reference, scan, flags.distance,
+                                     whole.part(0.45, 0.7, "Measuring"));
+  addMeasured(json, data);
+  addOrigin(json,
+            {{flags.files.front()}, flags.files.back(), flags.report.scan, flags.unit, false});
   if (!flags.csv.empty()) writeTable(flags.csv, tableOf(json));
   writeJson(flags.json, json);
   if (hasReport)
-    writeReport(flags.report,
-                {.comparison = comparison,
-                 .result = result,
-                 .reference = reference,
-                 .scan = scan,
-                 .resultFile = flags.files.front(),
+    writeReport(flags.report, data,
+                {.resultFile = flags.files.front(),
                  .referenceFile = flags.files.back(),
                  .unit = flags.unit,
                  .scale = flags.scale,
+                 .distance = flags.distance,
                  .edit = options.edit},
-                whole.part(0.4, 1));
+                whole.part(0.7, 1));
 }
 
 void evaluateMany(const Flags& flags, const TerminalProgress& terminal) {
   if (flags.where || flags.merges || flags.traits || flags.light)
     throw WrongUsage("--where, --traits, --light and --merge-paths tell of one result: leave them "
                      "out, or give one");
-  if (!flags.report.file.empty())
-    throw WrongUsage("--report tells of one result: give one, or write the ranking with --csv");
+  if (!flags.report.scan.empty())
+    throw WrongUsage("--scan shows the points of one result: leave it out, or give one");
   const std::vector<std::string> names(flags.files.begin(), flags.files.end() - 1);
   const Skeleton reference = skeletonIn(flags.files.back());
   const Traits expected = traits(reference);
   std::vector<Skeleton> results;
+  std::vector<std::string> notes;
   for (const std::string& name : names) {
     results.push_back(skeletonIn(name, flags.scale));
     const Traits found = traits(results.back());
     for (const std::string& warning :
          {warningOfTrees(found, "the result"), warningOfSize(found, expected)})
-      if (!warning.empty()) printNotes({name + ": " + warning});
+      if (!warning.empty()) notes.push_back(name + ": " + warning);
   }
-  const Ranking found = ranking(results, reference,
-                                {.registers = !flags.noRegister,
-                                 .by = named<Score>(scoreNames(), flags.rankBy),
-                                 .draws = flags.draws,
-                                 .seed = flags.seed},
-                                terminal.progress());
+  printNotes(notes);
+  const Ranking found =
+      ranking(results, reference,
+              {.registers = !flags.noRegister,
+               .by = named<Score>(scoreNames(), flags.rankBy.empty() ? "f" : flags.rankBy),
+               .distance = flags.distance,
+               .draws = flags.draws,
+               .seed = flags.seed},
+              terminal.progress());
   terminal.clear();
-  print(found, names);
+  print(found, names, flags.unit);
   if (!flags.csv.empty()) writeTable(flags.csv, toTable(found, names));
   auto json = toJson(found, names);
   json["reference"] = flags.files.back();
+  if (!flags.json.empty()) addOrigin(json, {names, flags.files.back(), {}, flags.unit, true});
   writeJson(flags.json, json);
+  if (flags.report.file.empty()) return;
+  writeReport(flags.report, rankingReportData(found, results, reference, !flags.noRegister),
+              {names, flags.files.back(), flags.unit, flags.scale, notes});
+}
+
+void requireSense(const Flags& flags) {
+  if (flags.files.size() < 2) throw CLI::RequiredError("REFERENCE");
+  const bool isRanking = flags.ranks || flags.files.size() > 2;
+  if (!isRanking && !flags.rankBy.empty())
+    throw WrongUsage("--rank-by tells how several results are ranked: give more of them, or "
+                     "--ranking");
+  std::set<std::string> outputs;
+  for (const std::string& file : {flags.csv, flags.json, flags.report.file})
+    if (!file.empty() && !outputs.insert(file).second)
+      throw WrongUsage("two results would be written to " + file + ": give each a file of its own");
 }
 
 void evaluate(const Flags& flags) {
-  if (flags.files.size() < 2) throw CLI::RequiredError("REFERENCE");
+  requireSense(flags);
+  if (flags.merges && flags.editCost == "topology" && flags.files.size() == 2)
+    printNotes(
+        {"--merge-paths changes nothing with --edit-cost topology, where each joint costs as "
+         "much as the part it saves: choose attributes, length, place or shape"});
   const Threads threads(flags.threads);
   requireOutput(flags.csv, flags.files);
   requireOutput(flags.json, flags.files);
@@ -210,7 +257,7 @@ void addRanking(CLI::App& command, Flags& flags) {
                   "Score to rank by: " + CLI::detail::join(rankingNames(), ", "))
       ->type_name("NAME")
       ->check(oneOf(rankingNames()))
-      ->capture_default_str();
+      ->default_str("f");
   command
       .add_option("--draws", flags.draws,
                   "How often segments are drawn for the intervals of a ranking, 1 to 1000000")
@@ -243,6 +290,12 @@ void addEvaluate(CLI::App& app) {
       ->type_name("FACTOR")
       ->check(number(1e-12, 1e12));
   addUnit(*command, flags->unit, "Unit of the structures, to be named with the numbers");
+  command
+      ->add_option("--distance", flags->distance,
+                   "How far apart counts as near, for the report, the ranking and --where")
+      ->type_name("LENGTH")
+      ->check(number(1e-12, 1e12))
+      ->default_str("2/9 of the median edge");
   addEdits(*command, *flags);
   command->add_flag("--where", flags->where,
                     "Tell by order, height and radius where the two agree");
@@ -261,6 +314,13 @@ void addEvaluate(CLI::App& app) {
       ->type_name("FILE");
   command->add_option("--json", flags->json, "File to write all numbers to")->type_name("FILE");
   addReport(*command, flags->report);
+  const CLI::Validator isNamed(
+      [](const std::string& name) {
+        return name.empty() ? std::string("expected the name of a file") : std::string();
+      },
+      "");
+  for (const char* option : {"--csv", "--json", "--report"})
+    command->get_option(option)->check(isNamed);
   addThreads(*command, flags->threads);
   command->callback([flags] { evaluate(*flags); });
   command->footer("Lengths are in the unit of the structures.\n\n"

@@ -24,6 +24,7 @@ ReportAbout aboutOf(const ReportFlags& flags, const ReportSubject& subject) {
   about.version = QStringLiteral(ESPALIER_VERSION);
   about.unit = QString::fromStdString(subject.unit);
   about.scale = subject.scale;
+  about.distance = subject.distance;
   about.edit = subject.edit;
   return about;
 }
@@ -58,12 +59,11 @@ std::shared_ptr<const PointCloud> scanFor(const ReportFlags& flags, const Progre
   return std::make_shared<const PointCloud>(std::move(points.value));
 }
 
-void writeReport(const ReportFlags& flags, const ReportSubject& subject, const Progress& progress) {
-  const ReportData data = reportData(subject.comparison, subject.result, subject.reference,
-                                     subject.scan, 0, progress.part(0, 0.6, "Measuring"));
+void writeReport(const ReportFlags& flags, const ReportData& data, const ReportSubject& subject,
+                 const Progress& progress) {
   const ReportAbout about = aboutOf(flags, subject);
   const Headless headless;
-  const Progress drawing = progress.part(0.6, 0.95, "Drawing");
+  const Progress drawing = progress.part(0, 0.95, "Drawing");
   PictureSession session(data, about.unit);
   do
     drawing.update(session.done());
@@ -71,6 +71,23 @@ void writeReport(const ReportFlags& flags, const ReportSubject& subject, const P
   const Report report = comparisonReport(data, session.pictures(), about);
   progress.update(0.95);
   writeReport(flags.file, report);
+  printWritten(flags.file);
+}
+
+void writeReport(const ReportFlags& flags, const RankingReportData& data,
+                 const RankingSubject& subject) {
+  RankingReportAbout about;
+  for (const std::string& file : subject.resultFiles)
+    about.results.push_back(reportedFile(file));
+  about.reference = reportedFile(subject.referenceFile);
+  about.date = QDate::currentDate().toString(Qt::ISODate);
+  about.version = QStringLiteral(ESPALIER_VERSION);
+  about.unit = QString::fromStdString(subject.unit);
+  about.scale = subject.scale;
+  for (const std::string& note : subject.notes)
+    about.notes.append(QString::fromStdString(note));
+  const Headless headless;
+  writeReport(flags.file, rankingReport(data, about));
   printWritten(flags.file);
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "app/report/ranking_report.h"
+#include "app/report/report_data.h"
 #include "core/base/progress.h"
 #include "core/cloud/point_cloud.h"
-#include "core/evaluate/comparison.h"
-#include "core/skeleton/skeleton.h"
 
 #include <memory>
 #include <string>
@@ -32,21 +32,31 @@ void requireReport(const ReportFlags& flags, const std::vector<std::string>& inp
 [[nodiscard]] std::shared_ptr<const PointCloud> scanFor(const ReportFlags& flags,
                                                         const Progress& progress);
 
-/// What a report is of; all must outlive the call.
+/// What a report is of, beside its numbers.
 struct ReportSubject {
-  const Comparison& comparison;
-  const Skeleton& result; // where it lay, but scaled
-  const Skeleton& reference;
-  std::shared_ptr<const PointCloud> scan; // may be none
   std::string resultFile;
   std::string referenceFile;
   std::string unit;
   double scale = 1;
+  double distance = 0; // [L], that was asked for; 0 = usualTolerance()
   EditOptions edit;
 };
 
-/// Measures what else it takes, draws, and writes the report. Tells on standard error what was
-/// written.
-void writeReport(const ReportFlags& flags, const ReportSubject& subject, const Progress& progress);
+/// Draws and writes the report. Tells on standard error what was written.
+void writeReport(const ReportFlags& flags, const ReportData& data, const ReportSubject& subject,
+                 const Progress& progress);
+
+/// What a report of a ranking is of, beside its numbers.
+struct RankingSubject {
+  std::vector<std::string> resultFiles; // as they were given
+  std::string referenceFile;
+  std::string unit;
+  double scale = 1;
+  std::vector<std::string> notes; // what was said before the numbers
+};
+
+/// The same of several results.
+void writeReport(const ReportFlags& flags, const RankingReportData& data,
+                 const RankingSubject& subject);
 
 } // namespace espalier

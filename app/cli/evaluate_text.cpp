@@ -18,12 +18,33 @@ double degrees(double radians) {
   return radians * 180 / std::numbers::pi;
 }
 
-/// What hangs on what, within the distance of the landmarks.
-void printConnections(const Comparison& comparison) {
+/// "10 mm", or the number alone.
+std::string withUnit(double length, const std::string& unit) {
+  std::array<char, 40> text{};
+  std::snprintf(text.data(), text.size(), "%.4g", length);
+  return unit.empty() ? text.data() : std::string(text.data()) + " " + unit;
+}
+
+/// "height/mm"
+std::string inUnit(const std::string& name, const std::string& unit,
+                   const std::string& power = {}) {
+  return unit.empty() ? name : name + "/" + unit + power;
+}
+
+/// How far each is from the other, and what hangs on what within the distance of the landmarks.
+void printConnections(const Comparison& comparison, const std::string& unit) {
+  const DistanceSummary& there = comparison.tolerance.toReference;
+  const DistanceSummary& back = comparison.tolerance.toResult;
+  std::printf("mean (Chamfer) distance to the reference %s, from it %s; 95%% (Hausdorff) within %s "
+              "and %s\n",
+              withUnit(there.mean, unit).c_str(), withUnit(back.mean, unit).c_str(),
+              withUnit(there.percentile95, unit).c_str(),
+              withUnit(back.percentile95, unit).c_str());
   const PathLengthAgreement& ways = comparison.pathLengths;
   const ArchitectureAgreement& architecture = comparison.architecture;
-  std::printf("within %.4g of each other: DIADEM-like score %.3f\n", comparison.diadem.distance,
-              comparison.diadem.score);
+  std::printf("within %s of each other: tips F %.3f, branchings F %.3f, DIADEM-like score %.3f\n",
+              withUnit(comparison.diadem.distance, unit).c_str(), comparison.tips.f(),
+              comparison.branchings.f(), comparison.diadem.score);
   std::printf("  %5.1f%% of ways along the plant are as long, up to a tenth\n",
               percent(ways.withinTenth));
   if (architecture.compared > 0)
@@ -36,14 +57,17 @@ void printConnections(const Comparison& comparison) {
                 percent(architecture.types.observed()));
 }
 
-/// How the wood of a result compares with that of the reference: 0 where there should be none.
-double excess(double result, double reference) {
-  return reference > 0 ? percent(result / reference - 1) : 0;
+/// By how many percent the result is above the reference; a dash where there should be none.
+std::string excess(double result, double reference) {
+  if (reference <= 0) return "-";
+  std::array<char, 40> text{};
+  std::snprintf(text.data(), text.size(), "%.1f", percent(result / reference - 1));
+  return text.data();
 }
 
 } // namespace
 
-void print(const Comparison& comparison, const std::string& unit) {
+void print(const Comparison& comparison, const EditOptions& edit, const std::string& unit) {
   const AuthorsComparison& authors = comparison.authors;
   std::printf("%zu of %zu segments matched with %zu of the reference\n", authors.matches.size(),
               authors.resultSegments.size(), authors.referenceSegments.size());
@@ -52,20 +76,23 @@ void print(const Comparison& comparison, const std::string& unit) {
   std::printf("over all segments of the reference, structural index %.3f; one to many, geometric "
               "index %.3f\n",
               authors.structuralOfAll, comparison.paths.geometric);
+  const bool isLength = edit.cost != EditCost::topology && edit.cost != EditCost::attributes;
   if (comparison.edit)
-    std::printf("edit distance %.6g, similarity %.3f: %zu removed, %zu inserted\n",
-                comparison.edit->distance.distance, comparison.edit->distance.similarity(),
-                comparison.edit->removed, comparison.edit->inserted);
+    std::printf("edit distance %.6g%s, similarity %.3f: %zu removed, %zu inserted\n",
+                comparison.edit->distance.distance,
+                isLength && !unit.empty() ? (" " + unit).c_str() : "",
+                comparison.edit->distance.similarity(), comparison.edit->removed,
+                comparison.edit->inserted);
   if (comparison.registration) {
     const Eigen::Vector3d& shift = comparison.registration->shift;
-    std::printf("moved by %.4g, %.4g, %.4g %s, %.4g in all, to lie on the reference\n", shift.x(),
+    std::printf("moved by %.4g, %.4g, %.4g %s, %s in all, to lie on the reference\n", shift.x(),
                 shift.y(), shift.z(),
-                unit.empty() ? "(in the unit of the structures)" : unit.c_str(), shift.norm());
+                unit.empty() ? "(in the unit of the structures)" : unit.c_str(),
+                withUnit(shift.norm(), unit).c_str());
   }
-  printConnections(comparison);
-  std::printf("%12s %10s %10s %10s %10s %10s\n",
-              (unit.empty() ? "distance" : "distance/" + unit).c_str(), "precision", "recall", "F",
-              "capped G", "capped T");
+  printConnections(comparison, unit);
+  std::printf("%12s %10s %10s %10s %10s %10s\n", inUnit("distance", unit).c_str(), "precision",
+              "recall", "F", "capped G", "capped T");
   for (std::size_t k = 0; k < comparison.tolerance.scores.size(); ++k) {
     const ToleranceScore& score = comparison.tolerance.scores[k];
     std::printf("%12.4g %10.3f %10.3f %10.3f %10.3f %10.3f\n", score.distance, score.precision,
@@ -74,7 +101,7 @@ void print(const Comparison& comparison, const std::string& unit) {
   }
 }
 
-void printWhere(const Comparison& comparison) {
+void printWhere(const Comparison& comparison, const std::string& unit) {
   const AgreementByPlace& agreed = comparison.byPlace;
   const auto tell = [](const char* name, const PartAgreement& part) {
     const auto share = [](double value, double length) { // none of no length
@@ -86,52 +113,55 @@ void printWhere(const Comparison& comparison) {
         "%18s %10s %10s %12.6g %12.6g\n", name, share(part.precision, part.resultLength).data(),
         share(part.recall, part.referenceLength).data(), part.resultLength, part.referenceLength);
   };
-  const auto head = [](const char* what) {
-    std::printf("\n%18s %10s %10s %12s %12s\n", what, "precision", "recall", "result", "reference");
+  const auto head = [&](const std::string& what) {
+    std::printf("\n%18s %10s %10s %12s %12s\n", what.c_str(), "precision", "recall",
+                inUnit("result", unit).c_str(), inUnit("reference", unit).c_str());
   };
-  std::printf("\nwithin %.4g, with the lengths there are:", agreed.distance);
+  std::printf("\nwithin %s, with the lengths there are:", withUnit(agreed.distance, unit).c_str());
   head("order");
   for (const PartAgreement& part : agreed.byOrder)
     tell(std::to_string(static_cast<int>(part.from)).c_str(), part);
-  head("height");
+  head(inUnit("height", unit));
   for (const PartAgreement& part : agreed.byHeight) {
     std::array<char, 40> range{};
     std::snprintf(range.data(), range.size(), "%.4g to %.4g", part.from, part.to);
     tell(range.data(), part);
   }
-  std::printf("\n%18s %12s %12s %12s\n", "radius up to", "length +%", "area +%", "volume +%");
+  std::printf("\n%18s %12s %12s %12s\n", inUnit("radius up to", unit).c_str(), "length +%",
+              "area +%", "volume +%");
   const std::vector<WoodAmount>& result = comparison.resultWood.byRadius;
   const std::vector<WoodAmount>& reference = comparison.referenceWood.byRadius;
   for (std::size_t k = 0; k < reference.size(); ++k) {
     std::array<char, 40> limit{};
     if (k < comparison.radiusLimits.size())
       std::snprintf(limit.data(), limit.size(), "%.4g", comparison.radiusLimits[k]);
-    std::printf("%18s %12.1f %12.1f %12.1f\n", limit[0] == 0 ? "more" : limit.data(),
-                excess(result[k].length, reference[k].length),
-                excess(result[k].area, reference[k].area),
-                excess(result[k].volume, reference[k].volume));
+    std::printf("%18s %12s %12s %12s\n", limit[0] == 0 ? "more" : limit.data(),
+                excess(result[k].length, reference[k].length).c_str(),
+                excess(result[k].area, reference[k].area).c_str(),
+                excess(result[k].volume, reference[k].volume).c_str());
   }
 }
 
-void printTraits(const Comparison& comparison) {
+void printTraits(const Comparison& comparison, const std::string& unit) {
   const Traits& result = comparison.resultTraits;
   const Traits& reference = comparison.referenceTraits;
   std::printf("\n%21s %12s %12s %12s\n", "traits", "result", "reference", "difference");
   const auto row = [](const std::string& name, double found, double expected) {
-    std::printf("%21s %12.7g %12.7g %11.1f%%\n", name.c_str(), found, expected,
-                excess(found, expected));
+    const std::string above = excess(found, expected);
+    std::printf("%21s %12.7g %12.7g %12s\n", name.c_str(), found, expected,
+                (above == "-" ? above : above + "%").c_str());
   };
   const auto count = [](std::size_t number) { return static_cast<double>(number); };
   row("segments", count(result.segments), count(reference.segments));
   row("tips", count(result.tips), count(reference.tips));
-  row("length", result.length, reference.length);
+  row(inUnit("length", unit), result.length, reference.length);
   row("orders", count(result.axesByOrder.size()), count(reference.axesByOrder.size()));
   row("Strahler number", count(result.strahler.size()), count(reference.strahler.size()));
-  row("height", result.crown.height, reference.crown.height);
-  row("crown base", result.crown.baseHeight, reference.crown.baseHeight);
-  row("crown depth", result.crown.depth, reference.crown.depth);
-  row("crown area", result.crown.area, reference.crown.area);
-  row("crown diameter", result.crown.diameter, reference.crown.diameter);
+  row(inUnit("height", unit), result.crown.height, reference.crown.height);
+  row(inUnit("crown base", unit), result.crown.baseHeight, reference.crown.baseHeight);
+  row(inUnit("crown depth", unit), result.crown.depth, reference.crown.depth);
+  row(inUnit("crown area", unit, "^2"), result.crown.area, reference.crown.area);
+  row(inUnit("crown diameter", unit), result.crown.diameter, reference.crown.diameter);
   const auto& found = result.angles.byOrder;
   const auto& expected = reference.angles.byOrder;
   for (std::size_t order = 0; order < std::min(found.size(), expected.size()); ++order)
@@ -158,11 +188,11 @@ void printLight(const Comparison& comparison) {
                 star(reference, k).c_str());
 }
 
-void print(const Ranking& ranking, const std::vector<std::string>& names) {
+void print(const Ranking& ranking, const std::vector<std::string>& names, const std::string& unit) {
   const auto title = [](Score score) { return scoreNames()[static_cast<std::size_t>(score)]; };
-  std::printf("ranked by %s within %.4g; %.0f%% intervals of %zu draws of the segments\n",
-              title(ranking.by).c_str(), ranking.distance, percent(ranking.confidence),
-              ranking.draws);
+  std::printf("ranked by %s within %s; %.0f%% intervals of %zu draws of the segments\n",
+              title(ranking.by).c_str(), withUnit(ranking.distance, unit).c_str(),
+              percent(ranking.confidence), ranking.draws);
   std::size_t width = 6;
   for (const std::string& name : names)
     width = std::max(width, name.size());

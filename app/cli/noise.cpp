@@ -5,6 +5,7 @@
 #include "app/cli/terminal.h"
 #include "core/base/text.h"
 #include "core/evaluate/comparable.h"
+#include "core/evaluate/comparison_warnings.h"
 #include "core/evaluate/noise_study.h"
 #include "core/io/atomic_file.h"
 #include "core/io/csv.h"
@@ -27,6 +28,7 @@ struct Flags {
   std::size_t repeats = 5;
   bool registers = false;
   double distance = 0; // [L]; 0 = the rule
+  std::string unit;
   std::string csv;
   std::string json;
   int threads = 0;
@@ -62,15 +64,18 @@ NoiseSeries seriesOf(const std::string& text) {
   return series;
 }
 
-void print(const NoiseStudy& study) {
+void print(const NoiseStudy& study, const std::string& unit) {
   // What a reader compares first; all scores are in the files.
   constexpr std::array columns = {
       Score::geometric, Score::structural, Score::structuralOfAll, Score::cappedGeometric, Score::f,
       Score::diadem,    Score::ways};
   constexpr std::array titles = {"G", "T", "T of all", "capped G", "F", "DIADEM", "ways"};
-  std::printf("means of %zu plants; capped G and F within %.4g, DIADEM-like score and ways within "
-              "%.4g\n",
-              study.repeats, study.scores.distance, study.scores.landmarkDistance);
+  const std::string named = unit.empty() ? unit : " " + unit;
+  std::printf(
+      "means of %zu plants; capped G and F within %.4g%s, DIADEM-like score and ways within "
+      "%.4g%s\n",
+      study.repeats, study.scores.distance, named.c_str(), study.scores.landmarkDistance,
+      named.c_str());
   for (const NoiseCurve& curve : study.curves) {
     const PerturbationEntry& entry = perturbations()[static_cast<std::size_t>(curve.kind)];
     std::printf("\n%22s", (entry.name + ", " + entry.unit).c_str());
@@ -114,11 +119,13 @@ void noise(const Flags& flags) {
   const Imported<Structure> structure = readStructure(flags.reference);
   printNotes(structure.notes);
   requireComparable(structure.value.skeleton, flags.reference);
+  const std::string ofTrees = warningOfTrees(traits(structure.value.skeleton), "the reference");
+  if (!ofTrees.empty()) printNotes({ofTrees});
   const NoiseStudy study = about(flags.reference, [&] {
     return noiseStudy(structure.value.skeleton, options, terminal.progress());
   });
   terminal.clear();
-  print(study);
+  print(study, flags.unit);
   writeFiles(flags, study);
 }
 
@@ -150,7 +157,8 @@ void addNoise(CLI::App& app) {
                    "How far apart counts as near for capped indices, precision, recall and F")
       ->type_name("LENGTH")
       ->check(number(1e-12, 1e12))
-      ->default_str("4/9 of the median edge");
+      ->default_str("2/9 of the median edge");
+  addUnit(*command, flags->unit, "Unit of the structure, to be named with the numbers");
   command->add_option("--csv", flags->csv, "File to write the table of all scores to")
       ->type_name("FILE");
   command->add_option("--json", flags->json, "File to write all numbers to")->type_name("FILE");

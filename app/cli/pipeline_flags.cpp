@@ -60,14 +60,18 @@ void PipelineFlags::addTo(CLI::App& command, const std::string& result) {
   command.add_option("SCAN", scan, "Points of one plant: PLY, XYZ, LAS or PCD")->required();
   addOutput(command, output, result);
   addOptionsTo(command);
+  addRootTo(command);
+  addUnit(command, unit, "Unit of the scan, to be named in the statistics");
+  command.add_option("--json", json, "File to write statistics and the options used to")
+      ->type_name("FILE");
+}
+
+void PipelineFlags::addRootTo(CLI::App& command) {
   command
       .add_option("--root", root,
                   "Foot of the plant: lowest, or X,Y,Z for the point of the scan nearest to there")
       ->type_name("PLACE")
       ->capture_default_str();
-  addUnit(command, unit, "Unit of the scan, to be named in the statistics");
-  command.add_option("--json", json, "File to write statistics and the options used to")
-      ->type_name("FILE");
 }
 
 void PipelineFlags::addOptionsTo(CLI::App& command) {

@@ -30,6 +30,9 @@ struct PipelineFlags {
   /// @param result what the output file holds, for the help
   void addTo(CLI::App& command, const std::string& result);
 
+  /// Adds --root.
+  void addRootTo(CLI::App& command);
+
   /// Adds those that tell how a plant is reconstructed, whichever it is.
   void addOptionsTo(CLI::App& command);
 

@@ -5,6 +5,7 @@
 #include "app/cli/statistics.h"
 #include "app/cli/terminal.h"
 #include "core/io/atomic_file.h"
+#include "core/pipeline/quality_of.h"
 
 #include <nlohmann/json.hpp>
 
@@ -24,13 +25,15 @@ struct Task {
 };
 
 void writeStatistics(const PipelineFlags& flags, const PointCloud& cloud,
-                     const Reconstruction& result, const TerminalProgress& terminal) {
+                     const PipelineOptions& options, const Reconstruction& result,
+                     const TerminalProgress& terminal) {
   if (flags.json.empty()) return;
   nlohmann::ordered_json json = {
       {"scan", flags.scan},
       {"unit", flags.unit.empty() ? nlohmann::json(nullptr) : nlohmann::json(flags.unit)},
       {"cloud", statistics(cloud)}};
   if (!result.skeleton.isEmpty()) json["skeleton"] = statistics(result.skeleton);
+  json["quality"] = statistics(qualityOf(cloud, result, options), !result.skeleton.isEmpty());
   json.update(statistics(result, terminal.stageSeconds()));
   writeAtomically(flags.json, [&](std::ostream& out) { out << json.dump(2) << '\n'; });
 }
@@ -53,7 +56,7 @@ void run(const PipelineFlags& flags, const Task& task) {
     writeAndTell(flags.output, {.skeleton = result.skeleton}, flags.mtgStyle, flags.unit);
   else
     writeAndTell(flags.output, *cloud, *result.contracted);
-  writeStatistics(flags, *cloud, result, terminal);
+  writeStatistics(flags, *cloud, options, result, terminal);
 }
 
 CLI::App* add(CLI::App& app, const std::string& name, const std::string& help, const Task& task) {

@@ -118,4 +118,17 @@ Json statistics(const Reconstruction& reconstruction,
           {"seconds", std::move(seconds)}};
 }
 
+Json statistics(const ContractionQuality& quality, bool hasSkeleton) {
+  Json json = {{"residual_thickness", quality.residualThickness},
+               {"share_on_line", quality.shareOnLine},
+               {"tips", quality.tips},
+               {"lost_tips", quality.lostTips},
+               {"webbed_junctions", quality.webbedJunctions}};
+  if (!hasSkeleton) return json;
+  json["skeleton_length"] = quality.skeletonLength;
+  json["unexplained_points"] = quality.unexplainedPoints;
+  json["nodes"] = quality.nodes;
+  return json;
+}
+
 } // namespace espalier

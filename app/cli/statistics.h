@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/cloud/point_cloud.h"
+#include "core/evaluate/contraction_quality.h"
 #include "core/mtg/mtg.h"
 #include "core/pipeline/pipeline.h"
 #include "core/skeleton/skeleton.h"
@@ -28,5 +29,10 @@ namespace espalier {
 [[nodiscard]] nlohmann::ordered_json
 statistics(const Reconstruction& reconstruction,
            const std::vector<std::pair<std::string, double>>& stageSeconds);
+
+/// Keys: residual_thickness, share_on_line, tips, lost_tips, webbed_junctions; of a run to the
+/// skeleton and beyond also skeleton_length, unexplained_points, nodes.
+[[nodiscard]] nlohmann::ordered_json statistics(const ContractionQuality& quality,
+                                                bool hasSkeleton);
 
 } // namespace espalier

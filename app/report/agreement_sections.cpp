@@ -57,7 +57,7 @@ ReportTable howFar(const ReportParts& parts) {
 class IndexTable {
 public:
   explicit IndexTable(const ReportParts& parts) : parts_(parts) {
-    table_.columns = {{tr("index"), false}, {tr("value")}, {tr("95 % of draws"), false}};
+    table_.columns = {{tr("index"), false}, {tr("value")}, {tr("95 % interval"), false}};
   }
   void add(const QString& name, double value, std::optional<Score> score = {}) {
     add(name, parts_.numbers.share(value, 5), score);
@@ -164,6 +164,9 @@ ReportSection indicesSection(const ReportParts& parts) {
 ReportSection placesSection(const ReportParts& parts) {
   const AgreementByPlace& agreed = parts.data.comparison.byPlace;
   const ReportNumbers& numbers = parts.numbers;
+  const auto shareOf = [&](double share, double length) { // none of no length
+    return length > 0 ? ReportCell{numbers.share(share), share} : ReportCell{QStringLiteral("–")};
+  };
   const auto table = [&](const QString& caption, const QString& what,
                          const std::vector<PartAgreement>& rows, const auto& name) {
     ReportTable made;
@@ -175,17 +178,17 @@ ReportSection placesSection(const ReportParts& parts) {
                     {numbers.inUnit(tr("reference"))}};
     for (const PartAgreement& part : rows)
       made.rows.push_back({{name(part)},
-                           {numbers.share(part.precision), part.precision},
-                           {numbers.share(part.recall), part.recall},
+                           shareOf(part.precision, part.resultLength),
+                           shareOf(part.recall, part.referenceLength),
                            {numbers.number(part.resultLength)},
                            {numbers.number(part.referenceLength)}});
     return made;
   };
   ReportSection section{tr("Where they agree"), {}};
-  section.blocks.emplace_back(ReportParagraph{tr("Within %1, with the lengths that there are. "
-                                                 "Where one has nothing, nothing is invented or "
-                                                 "missed: 1.")
-                                                  .arg(numbers.givenLength(agreed.distance))});
+  section.blocks.emplace_back(ReportParagraph{
+      tr("Precision and recall within %1, and the length that each plant has there. "
+         "A dash: it has none.")
+          .arg(numbers.givenLength(agreed.distance))});
   std::vector<PartAgreement> downward(agreed.byHeight.rbegin(), agreed.byHeight.rend());
   section.blocks.emplace_back(
       table(tr("By height, the top first"), numbers.inUnit(tr("z")), downward,

@@ -15,7 +15,7 @@ ReportedFile reportedFile(const std::filesystem::path& path) {
   QCryptographicHash hash(QCryptographicHash::Sha256);
   if (!file.open(QIODevice::ReadOnly) || !hash.addData(&file))
     throw Error(path.string() + ": " + file.errorString().toStdString());
-  return {QFileInfo(name).fileName(), QString::fromLatin1(hash.result().toHex())};
+  return {QFileInfo(name).fileName(), QString::fromLatin1(hash.result().toHex()), {}, name};
 }
 
 Report comparisonReport(const ReportData& data, const ReportPictures& pictures,
@@ -29,6 +29,7 @@ Report comparisonReport(const ReportData& data, const ReportPictures& pictures,
   for (const auto& section : {summarySection, plantsSection, errorsSection, toleranceSection,
                               indicesSection, placesSection, woodSection, traitsSection})
     report.sections.push_back(section(parts));
+  if (!about.choices.empty()) report.sections.push_back(choicesSection(about.choices));
   if (about.handWork) report.sections.push_back(handWorkSection(parts));
   report.sections.push_back(settingsSection(parts));
   report.sections.push_back(methodsSection(parts));

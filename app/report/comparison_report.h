@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/report/choice_record.h"
 #include "app/report/report.h"
 #include "app/report/report_data.h"
 #include "app/report/report_pictures.h"
@@ -17,6 +18,7 @@ struct ReportedFile {
   QString name;        // for people
   QString fingerprint; // SHA-256 of its bytes; empty: it is no file as it lies
   QString note = {};   // what was done to it since
+  QString path = {};   // as it was given; empty: it is no file as it lies
 };
 
 /// The file as it lies on the disk.
@@ -28,12 +30,14 @@ struct ReportAbout {
   ReportedFile result;
   ReportedFile reference;
   std::optional<ReportedFile> scan;
-  QString date;     // as it is to be written
-  QString version;  // of the program
-  QString unit;     // of lengths: "mm"; empty: not known
-  double scale = 1; // that the result was multiplied by
+  QString date;        // as it is to be written
+  QString version;     // of the program
+  QString unit;        // of lengths: "mm"; empty: not known
+  double scale = 1;    // that the result was multiplied by
+  double distance = 0; // [L], the tolerance that was asked for; 0: by the rule
   EditOptions edit;
-  std::optional<HandWork> handWork; // none: the result has no history
+  std::vector<ChoiceRecord> choices = {}; // of options
+  std::optional<HandWork> handWork;       // none: the result has no history
 };
 
 /// The report of a comparison. Deterministic: it reads no clock.

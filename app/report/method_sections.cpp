@@ -1,5 +1,6 @@
 #include "app/report/report_sections.h"
 
+#include <QRegularExpression>
 #include <QtGlobal>
 
 namespace espalier {
@@ -97,14 +98,30 @@ ReportTable inputs(const ReportParts& parts) {
   return table;
 }
 
+/// A file as it is typed.
+QString typed(const ReportedFile& file) {
+  QString path = file.path.isEmpty() ? file.name : file.path;
+  static const QRegularExpression plain(QStringLiteral("^[\\w./+:=@%,-]+$"));
+  if (plain.match(path).hasMatch()) return path;
+  return '\'' + path.replace('\'', QStringLiteral("'\\''")) + '\'';
+}
+
 /// What to type for the same numbers.
 QString commandOf(const ReportParts& parts) {
   const ReportAbout& about = parts.about;
-  QStringList words = {QStringLiteral("espalier evaluate"), about.result.name,
-                       about.reference.name};
+  QStringList words = {QStringLiteral("espalier evaluate"), typed(about.result),
+                       typed(about.reference)};
   if (!parts.data.comparison.registration) words.append(QStringLiteral("--no-register"));
   if (about.scale != 1) words.append(QStringLiteral("--scale %1").arg(about.scale));
   if (!about.unit.isEmpty()) words.append(QStringLiteral("--unit %1").arg(about.unit));
+  if (about.distance > 0)
+    words.append(QStringLiteral("--distance %1").arg(about.distance, 0, 'g', 12));
+  const Comparison& comparison = parts.data.comparison;
+  for (const auto& light : {comparison.resultLight, comparison.referenceLight}) {
+    if (!light) continue;
+    words.append(QStringLiteral("--light --pixels %1").arg(light->convergence.back().pixels));
+    break;
+  }
   const EditOptions usual;
   if (about.edit.unit != usual.unit)
     words.append("--edit-unit " + QString::fromStdString(
@@ -195,6 +212,13 @@ ReportSection settingsSection(const ReportParts& parts) {
       tr("All numbers as JSON and CSV; they are the values that this report rounds:")});
   section.blocks.emplace_back(ReportParagraph{commandOf(parts), ReportParagraph::Look::code});
   return section;
+}
+
+ReportTerms scoreTerms() {
+  ReportTerms terms{nearnessTerms()};
+  for (const ReportTerms::Term& term : matchingTerms())
+    terms.terms.push_back(term);
+  return terms;
 }
 
 ReportSection methodsSection(const ReportParts& parts) {

@@ -12,7 +12,7 @@ namespace espalier {
 namespace {
 
 double orDefault(double tolerance, const Skeleton& reference) {
-  return tolerance > 0 ? tolerance : defaultTolerances(reference)[1];
+  return tolerance > 0 ? tolerance : usualTolerance(reference);
 }
 
 ToleranceScore scoreAt(const ToleranceCurve& curve, double tolerance) {
@@ -70,6 +70,7 @@ ComparisonOptions withTolerance(ComparisonOptions options, const Skeleton& refer
   const double wanted = orDefault(tolerance, reference);
   const auto place = std::ranges::lower_bound(distances, wanted);
   if (place == distances.end() || *place != wanted) distances.insert(place, wanted);
+  options.placeDistance = wanted;
   return options;
 }
 

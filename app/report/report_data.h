@@ -33,8 +33,8 @@ struct ReportData {
 /// @return where they stand in differences.parts
 [[nodiscard]] std::vector<std::size_t> shownErrors(const Differences& differences);
 
-/// The options of a comparison for a report at some tolerance: the usual distances, and this one.
-/// @param tolerance [L]; 0 = the second of defaultTolerances()
+/// The options of a comparison at some tolerance: the usual distances, and this one.
+/// @param tolerance [L]; 0 = usualTolerance()
 [[nodiscard]] ComparisonOptions withTolerance(ComparisonOptions options, const Skeleton& reference,
                                               double tolerance);
 
@@ -43,7 +43,7 @@ struct ReportData {
 /// @param comparison of these two; its distances hold `tolerance`
 /// @param result     where it lay before it was registered
 /// @param scan       may be null
-/// @param tolerance  [L]; 0 = the second of defaultTolerances()
+/// @param tolerance  [L]; 0 = usualTolerance()
 /// @throws Error     if `comparison` was not measured at the tolerance
 /// @throws Cancelled if `progress` asks to stop
 /// Deterministic. Cost: see differences(), toleranceCurve() and ranking().

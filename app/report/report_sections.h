@@ -27,6 +27,9 @@ struct ReportParts {
 [[nodiscard]] ReportSection settingsSection(const ReportParts& parts);
 [[nodiscard]] ReportSection methodsSection(const ReportParts& parts);
 
+/// What the scores of a ranking mean.
+[[nodiscard]] ReportTerms scoreTerms();
+
 /// The text in the language of the reader.
 [[nodiscard]] inline QString reportText(const char* text) {
   return QCoreApplication::translate("Report", text);

@@ -103,11 +103,12 @@ ReportSection summarySection(const ReportParts& parts) {
   sentences.removeAll(QString());
   ReportSection section{tr("Summary"), {ReportParagraph{sentences.join(' ')}}};
   section.blocks.emplace_back(keyNumbers(parts));
-  section.blocks.emplace_back(ReportParagraph{
-      tr("From – to: where the middle 95 % lie when the segments of the reference are drawn again, "
-         "%1 times.")
-          .arg(parts.numbers.count(parts.data.intervals.draws)),
-      ReportParagraph::Look::note});
+  section.blocks.emplace_back(
+      ReportParagraph{tr("Under each score, its 95 % interval: the segments of the reference were "
+                         "drawn again %1 times, "
+                         "and the middle 95 % of the scores so found lie there.")
+                          .arg(parts.numbers.count(parts.data.intervals.draws)),
+                      ReportParagraph::Look::note});
   ReportWarnings warnings;
   for (const std::string& warning : parts.data.comparison.warnings)
     warnings.lines.append(QString::fromStdString(warning));

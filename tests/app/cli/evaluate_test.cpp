@@ -123,6 +123,30 @@ TEST_F(Evaluate, RanksSeveralResultsTheBestFirst) {
   EXPECT_EQ(table.rows[1].fields[*table.column("f")], f["value"].dump());
 }
 
+TEST_F(Evaluate, TakesOneDistanceForAllThatIsNear) {
+  const std::vector<std::string> at = {"--distance", "0.0625", "--no-register"};
+  const auto run = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), at.begin(), at.end());
+    const Outcome told = runProgram(arguments);
+    EXPECT_EQ(told.status, 0) << told.err;
+    return told.out;
+  };
+  EXPECT_THAT(run({"evaluate", truth_, truth_, "--where", "--json", file("d.json")}),
+              HasSubstr("\nwithin 0.0625"));
+  const json numbers = json::parse(test::bytesOf(file("d.json")));
+  EXPECT_EQ(numbers["by_place"]["distance"], 0.0625);
+  EXPECT_THAT(run({"evaluate", truth_, truth_, truth_, "--draws", "20"}),
+              HasSubstr("ranked by f within 0.0625"));
+  // The same rule without it, in a ranking as of a pair.
+  ASSERT_EQ(runProgram({"evaluate", truth_, truth_, "--json", file("p.json")}).status, 0);
+  ASSERT_EQ(runProgram({"evaluate", truth_, truth_, "--ranking", "--draws", "20", "--json",
+                        file("q.json")})
+                .status,
+            0);
+  EXPECT_EQ(json::parse(test::bytesOf(file("p.json")))["by_place"]["distance"],
+            json::parse(test::bytesOf(file("q.json")))["distance"]);
+}
+
 TEST_F(Evaluate, RanksOneResultIfAsked) {
   const Outcome told = runProgram({"evaluate", truth_, truth_, "--ranking", "--rank-by",
                                    "geometric", "--draws", "20", "--no-register"});
@@ -157,11 +181,77 @@ TEST_F(Evaluate, WritesTheNumbersOfAPairAsATable) {
   EXPECT_THAT(test::bytesOf(file("a.csv")), HasSubstr("\ntolerance.0.f,1.0\n"));
 }
 
+TEST_F(Evaluate, WritesAllThatAReportTells) {
+  const std::string pair = fork("a.txt");
+  ASSERT_EQ(runProgram({"evaluate", pair, fork("b.txt", 1.2), "--no-register", "--unit", "cm",
+                        "--distance", "0.05", "--json", file("a.json"), "--csv", file("a.csv")})
+                .status,
+            0);
+  const json numbers = json::parse(test::bytesOf(file("a.json")));
+  EXPECT_EQ(numbers["unit"], "cm");
+  EXPECT_FALSE(numbers["version"].get<std::string>().empty());
+  EXPECT_EQ(numbers["inputs"]["result"]["file"], pair);
+  EXPECT_EQ(numbers["inputs"]["reference"]["sha256"].get<std::string>().size(), 64U);
+  EXPECT_NE(numbers["inputs"]["reference"]["sha256"], numbers["inputs"]["result"]["sha256"]);
+  EXPECT_EQ(numbers["curve"].size(), 41U);
+  EXPECT_EQ(numbers["curve"][0]["distance"], 0);
+  EXPECT_EQ(numbers["errors"]["distance"], 0.05);
+  double missed = 0;
+  for (const json& part : numbers["errors"]["parts"])
+    if (part["kind"] == "missed") missed += part["length"].get<double>();
+  EXPECT_GT(missed, 0);
+  EXPECT_NEAR(missed, numbers["errors"]["missed"].get<double>(), 1e-9);
+  for (const json& part : numbers["errors"]["parts"]) {
+    EXPECT_EQ(part["place"].size(), 3U);
+    EXPECT_EQ(part["order"], part["place"][0] == 0.0 ? 0 : 1) << "the branch leaves the trunk";
+  }
+  const json& f = numbers["intervals"]["scores"]["f"];
+  EXPECT_LE(f["low"], f["value"]);
+  EXPECT_GE(f["high"], f["value"]);
+  EXPECT_THAT(test::bytesOf(file("a.csv")), HasSubstr("\nintervals.scores.f.low,"));
+  ASSERT_EQ(
+      runProgram({"evaluate", pair, pair, "--ranking", "--draws", "20", "--json", file("r.json")})
+          .status,
+      0);
+  const json ranked = json::parse(test::bytesOf(file("r.json")));
+  EXPECT_EQ(ranked["inputs"]["results"][0]["sha256"], numbers["inputs"]["result"]["sha256"]);
+  EXPECT_TRUE(ranked["unit"].is_null());
+}
+
+TEST_F(Evaluate, WritesAReportOfARanking) {
+  const std::string worse = fork("worse.txt", 1.5);
+  const Outcome told =
+      runProgram({"evaluate", worse, fork("same.txt"), fork("true.txt"), "--no-register", "--draws",
+                  "50", "--unit", "m", "--distance", "0.1", "--report", file("r.html")});
+  ASSERT_EQ(told.status, 0) << told.err;
+  const std::string page = test::bytesOf(file("r.html"));
+  EXPECT_THAT(page, HasSubstr("2 results compared with true.txt"));
+  EXPECT_LT(page.find("same.txt"), page.find("worse.txt")) << "the best first";
+  EXPECT_THAT(page, HasSubstr("1.000 to 1.000")) << "the interval of what is the same";
+  EXPECT_THAT(page, HasSubstr("1. same.txt: precision, recall and F"));
+  EXPECT_THAT(page, HasSubstr("2. worse.txt: precision, recall and F"));
+  EXPECT_THAT(page, HasSubstr("<svg"));
+  ASSERT_EQ(
+      runProgram({"evaluate", worse, worse, worse, "--draws", "20", "--report", file("r.pdf")})
+          .status,
+      0);
+  EXPECT_EQ(test::bytesOf(file("r.pdf")).substr(0, 5), "%PDF-");
+  expectRefusal(runProgram({"evaluate", worse, worse, worse, "--report", file("s.html"), "--scan",
+                            test::sample("young_tree.ply")}),
+                2, {"--scan shows the points of one result"});
+}
+
 TEST_F(Evaluate, RefusesWhatARankingDoesNotTell) {
   expectRefusal(runProgram({"evaluate", truth_, truth_, truth_, "--where"}), 2,
                 {"--where, --traits, --light and --merge-paths tell of one result"});
   expectRefusal(runProgram({"evaluate", truth_, truth_, "--rank-by", "beauty"}), 2,
                 {"choose one of geometric, structural"});
+  expectRefusal(runProgram({"evaluate", truth_, truth_, "--rank-by", "f"}), 2, {"--ranking"});
+  expectRefusal(runProgram({"evaluate", truth_, truth_, "--report", ""}), 2,
+                {"--report", "expected the name of a file"});
+  expectRefusal(runProgram({"evaluate", truth_, truth_, "--json", file("x"), "--csv", file("x")}),
+                2, {"two results would be written to"});
+  EXPECT_FALSE(std::filesystem::exists(file("x")));
   expectRefusal(runProgram({"evaluate", truth_}), 2, {"REFERENCE is required"});
   expectRefusal(runProgram({"evaluate", truth_, truth_, "--csv", truth_}), 1,
                 {"would be replaced"});
@@ -179,6 +269,36 @@ TEST_F(Evaluate, TellsTheTraitsOfBoth) {
   EXPECT_EQ(traits["crown"]["base_height"], 1);
   EXPECT_EQ(traits["strahler"].size(), 2U);
   EXPECT_NEAR(traits["branching_angles"][0]["mean"].get<double>(), 45, 1e-9);
+}
+
+TEST_F(Evaluate, NamesTheUnitOfEveryLength) {
+  const std::string told =
+      runProgram({"evaluate", fork("a.txt"), fork("b.txt", 2), "--no-register", "--unit", "cm",
+                  "--where", "--traits", "--edit-cost", "length"})
+          .out;
+  for (const char* part : {"mean (Chamfer) distance to the reference ", " cm, from it ",
+                           " cm of each other: tips F ", ", branchings F ", "distance/cm",
+                           "height/cm", "radius up to/cm", "reference/cm", "crown area/cm^2"})
+    EXPECT_THAT(told, HasSubstr(part));
+  EXPECT_THAT(told, testing::ContainsRegex("edit distance [0-9.]+ cm, similarity"));
+  EXPECT_THAT(told, testing::ContainsRegex("divergence/deg +0 +0 +-\n")) << "of one branch";
+}
+
+TEST_F(Evaluate, SaysWhenAShiftThatIsLeftDecides) {
+  const Outcome apart = runProgram(
+      {"evaluate", fork("a.txt", 1, 0.5), fork("b.txt"), "--no-register", "--unit", "m"});
+  EXPECT_EQ(apart.status, 0);
+  EXPECT_THAT(apart.err, HasSubstr("the result lies about 0.5 m off the reference"));
+  const Outcome same = runProgram({"evaluate", truth_, truth_, "--no-register"});
+  EXPECT_THAT(same.err, IsEmpty());
+}
+
+TEST_F(Evaluate, SaysWhereMergedPathsChangeNothing) {
+  EXPECT_THAT(runProgram({"evaluate", truth_, truth_, "--merge-paths"}).err,
+              HasSubstr("--merge-paths changes nothing with --edit-cost topology"));
+  EXPECT_THAT(
+      runProgram({"evaluate", truth_, truth_, "--merge-paths", "--edit-cost", "length"}).err,
+      IsEmpty());
 }
 
 TEST_F(Evaluate, TellsTheLightOfBoth) {

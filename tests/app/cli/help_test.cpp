@@ -13,8 +13,9 @@ using test::runProgram;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-const test::Arguments subcommands = {"reconstruct", "batch", "contract", "evaluate", "noise",
-                                     "convert",     "info",  "simulate", "methods",  "picture"};
+const test::Arguments subcommands = {"reconstruct", "batch",   "contract", "evaluate",
+                                     "noise",       "convert", "info",     "simulate",
+                                     "methods",     "picture", "sweep"};
 
 void expectPage(const Outcome& help) {
   EXPECT_EQ(help.status, 0);

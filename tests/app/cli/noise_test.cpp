@@ -28,6 +28,16 @@ protected:
   std::string truth_ = test::sample("young_tree.mtg");
 };
 
+TEST_F(Noise, SaysThatAReferenceIsOfTwoTreesAndNamesTheUnit) {
+  test::writeBytes(file("two.swc"),
+                   "1 0 0 0 0 1 -1\n2 0 0 0 2 1 1\n3 0 9 0 0 1 -1\n4 0 9 0 2 1 3\n");
+  const auto outcome = runProgram(
+      {"noise", file("two.swc"), "--kind", "shift=0.1", "--repeats", "1", "--unit", "cm"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("the reference is of 2 separate trees"));
+  EXPECT_THAT(outcome.out, testing::ContainsRegex("F within [0-9.]+ cm, DIADEM"));
+}
+
 TEST_F(Noise, WritesTheCurvesAsTextCsvAndJson) {
   const auto outcome =
       runProgram({"noise", truth_, "--kind", "prune=0.2,0.6", "--kind", "resample=2", "--repeats",

@@ -140,6 +140,44 @@ TEST_F(Subcommands, ContractPullsPointsTowardsTheAxes) {
   EXPECT_LT(meanDistance(after), 0.8 * meanDistance(before));
 }
 
+TEST_F(Subcommands, ContractTellsHowGoodItIs) {
+  run({"contract", scan_, "-o", file("a.ply"), "--json", file("a.json")});
+  run({"contract", scan_, "-o", file("b.ply"), "--json", file("b.json"), "--method", "none"});
+  const json contracted = jsonIn(file("a.json"))["quality"];
+  const json asScanned = jsonIn(file("b.json"))["quality"];
+  EXPECT_LT(contracted["residual_thickness"], asScanned["residual_thickness"]);
+  EXPECT_GT(contracted["share_on_line"], asScanned["share_on_line"]);
+  EXPECT_EQ(contracted["tips"], asScanned["tips"]) << "of the scan";
+  EXPECT_FALSE(contracted.contains("nodes")) << "there is no skeleton";
+}
+
+TEST_F(Subcommands, SweepTriesEachValue) {
+  const std::string out =
+      run({"sweep", scan_, "contract.radius", "--values", "0.03,8 spacings", "--reference", truth_,
+           "--csv", file("a.csv"), "--json", file("a.json")});
+  EXPECT_EQ(std::ranges::count(out, '\n'), 3) << "a head and two rows";
+  const json results = jsonIn(file("a.json"))["results"];
+  ASSERT_EQ(results.size(), 2U);
+  EXPECT_EQ(results[0]["value"], 0.03);
+  for (const json& result : results) {
+    EXPECT_GT(result["quality"]["nodes"], 10);
+    EXPECT_GT(result["scores"]["geometric"], 0.2);
+  }
+  std::istringstream table(test::bytesOf(file("a.csv")));
+  std::string head;
+  std::getline(table, head);
+  EXPECT_THAT(head, testing::StartsWith("value,quality.residual_thickness,"));
+  EXPECT_THAT(head, HasSubstr(",scores.structural,"));
+}
+
+TEST_F(Subcommands, SweepRefusesWhatItCannotTry) {
+  test::expectRefusal(runProgram({"sweep", scan_, "radius"}), 2, {"STEP.OPTION"});
+  test::expectRefusal(runProgram({"sweep", scan_, "contract.strength"}), 2,
+                      {"no option", "radius"});
+  test::expectRefusal(runProgram({"sweep", scan_, "contract.radius", "--values", "wide"}), 2,
+                      {"contract.radius", "wide"});
+}
+
 TEST_F(Subcommands, EvaluateMeasuresAgainstTheTruth) {
   run({"reconstruct", scan_, "-o", file("a.mtg")});
   EXPECT_THAT(run({"evaluate", file("a.mtg"), truth_, "--json", file("a.json")}),
@@ -281,7 +319,7 @@ TEST_F(Subcommands, EvaluateTellsAShiftOnceAndNamesTheUnit) {
   const Outcome named = runProgram({"evaluate", file("a.txt"), file("b.txt"), "--unit", "m"});
   EXPECT_EQ(named.status, 0);
   EXPECT_THAT(named.err, IsEmpty());
-  EXPECT_THAT(named.out, HasSubstr(" m, 0.5 in all, to lie on the reference\n"));
+  EXPECT_THAT(named.out, HasSubstr(" m, 0.5 m in all, to lie on the reference\n"));
   EXPECT_THAT(named.out, HasSubstr("distance/m"));
   const Outcome plain = runProgram({"evaluate", file("a.txt"), file("b.txt")});
   EXPECT_THAT(plain.err, IsEmpty());

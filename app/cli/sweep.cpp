@@ -1,0 +1,256 @@
+#include "core/pipeline/sweep.h"
+
+#include "app/cli/arguments.h"
+#include "app/cli/commands.h"
+#include "app/cli/files.h"
+#include "app/cli/pipeline_flags.h"
+#include "app/cli/statistics.h"
+#include "app/cli/terminal.h"
+#include "core/evaluate/agreement_scores.h"
+#include "core/evaluate/comparable.h"
+#include "core/evaluate/registration.h"
+#include "core/io/atomic_file.h"
+#include "core/io/csv.h"
+#include "core/pipeline/quality_of.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <ostream>
+
+namespace espalier {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Flags {
+  PipelineFlags pipeline;
+  std::string name; // STEP.OPTION
+  std::vector<std::string> values;
+  int count = 7;
+  std::string reference;
+  std::string csv;
+};
+
+/// "contract.radius" in its parts.
+struct Swept {
+  std::string step;
+  std::string option;
+};
+
+Swept parsed(const std::string& name) {
+  const std::size_t dot = name.find('.');
+  if (dot == std::string::npos)
+    throw WrongUsage(name + " names no option: write STEP.OPTION, such as contract.radius");
+  return {name.substr(0, dot), name.substr(dot + 1)};
+}
+
+/// The values that were listed, as numbers in the units the option is set in.
+std::vector<double> listedValues(const Flags& flags, const Swept& swept,
+                                 const PipelineOptions& options, const PlantScale& scale) {
+  const Step& step = stepNamed(swept.step);
+  const Method& method = chosenMethod(step, options);
+  std::vector<double> values;
+  for (const std::string& text : flags.values) {
+    PipelineOptions with = options;
+    try {
+      with.setText(step, swept.option, text);
+    } catch (const Error& problem) {
+      throw WrongUsage(problem.what());
+    }
+    const std::vector<double> all = resolvedValues(step, method, with, scale);
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (method.options[i].name == swept.option) values.push_back(all[i]);
+  }
+  return values;
+}
+
+/// The scores of a result that is laid on the reference first, by their names.
+Json scoresOf(const Skeleton& result, const Skeleton& reference) {
+  const Skeleton laid = moved(result, registration(result, reference).motion);
+  const std::vector<double> scores = agreementScores(laid, reference);
+  Json json = Json::object();
+  for (std::size_t i = 0; i < scores.size(); ++i)
+    json[scoreNames()[i]] = scores[i];
+  return json;
+}
+
+/// What one value gave.
+Json rowOf(const SweepResult& result, const Option& option, const PointCloud& cloud,
+           const PipelineOptions& options, const std::optional<Skeleton>& reference) {
+  Json row = {
+      {"value", option.takesWords() ? Json(option.wordFor(result.value)) : Json(result.value)}};
+  if (!result.failure.empty()) {
+    row["failure"] = result.failure;
+    return row;
+  }
+  row["quality"] = statistics(qualityOf(cloud, result.reconstruction, options), true);
+  if (reference) row["scores"] = scoresOf(result.reconstruction.skeleton, *reference);
+  return row;
+}
+
+/// What there is of a row, under the names of its columns.
+std::vector<std::pair<std::string, Json>> fieldsOf(const Json& row) {
+  std::vector<std::pair<std::string, Json>> fields = {{"value", row["value"]}};
+  for (const std::string part : {"quality", "scores"})
+    if (row.contains(part))
+      for (const auto& [name, value] : row[part].items())
+        fields.emplace_back(part + "." + name, value);
+  if (row.contains("failure")) fields.emplace_back("failure", row["failure"]);
+  return fields;
+}
+
+std::string plain(const Json& value) {
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+void writeTable(const std::string& file, const std::vector<Json>& rows) {
+  std::vector<std::string> names;
+  for (const Json& row : rows)
+    for (const auto& [name, value] : fieldsOf(row))
+      if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  writeAtomically(file, [&](std::ostream& out) {
+    out << csvLine(names);
+    for (const Json& row : rows) {
+      std::vector<std::string> line(names.size());
+      for (const auto& [name, value] : fieldsOf(row))
+        line[static_cast<std::size_t>(std::ranges::find(names, name) - names.begin())] =
+            plain(value);
+      out << csvLine(line);
+    }
+  });
+}
+
+void printHead(const std::string& name, bool hasReference) {
+  std::printf("%20s %9s %7s %9s %5s %10s %11s %6s", name.c_str(), "thickness", "on line",
+              "lost tips", "webs", "length", "unexplained", "nodes");
+  if (hasReference) std::printf(" %9s %10s %5s", "geometric", "structural", "F");
+  std::printf("\n");
+}
+
+void printRow(const Json& row) {
+  if (row["value"].is_string())
+    std::printf("%20s", row["value"].get<std::string>().c_str());
+  else
+    std::printf("%20.5g", row["value"].get<double>());
+  if (row.contains("failure")) {
+    std::printf(" failed: %s\n", row["failure"].get<std::string>().c_str());
+    return;
+  }
+  const Json& quality = row["quality"];
+  const std::string tips = quality["lost_tips"].dump() + "/" + quality["tips"].dump();
+  std::printf(" %9.2f %6.0f%% %9s %5s %10.5g %11s %6s", quality["residual_thickness"].get<double>(),
+              100 * quality["share_on_line"].get<double>(), tips.c_str(),
+              quality["webbed_junctions"].dump().c_str(), quality["skeleton_length"].get<double>(),
+              quality["unexplained_points"].dump().c_str(), quality["nodes"].dump().c_str());
+  if (row.contains("scores"))
+    std::printf(" %9.3f %10.3f %5.3f", row["scores"]["geometric"].get<double>(),
+                row["scores"]["structural"].get<double>(), row["scores"]["f"].get<double>());
+  std::printf("\n");
+}
+
+void writeResults(const Flags& flags, const std::vector<Json>& rows) {
+  if (!flags.csv.empty()) writeTable(flags.csv, rows);
+  if (!flags.pipeline.json.empty())
+    writeAtomically(flags.pipeline.json, [&](std::ostream& out) {
+      const Json json = {
+          {"scan", flags.pipeline.scan},
+          {"option", flags.name},
+          {"reference", flags.reference.empty() ? Json(nullptr) : Json(flags.reference)},
+          {"results", rows}};
+      out << json.dump(2) << '\n';
+    });
+}
+
+std::optional<Skeleton> referenceIn(const std::string& file) {
+  if (file.empty()) return std::nullopt;
+  Imported<Structure> structure = readStructure(file);
+  printNotes(structure.notes);
+  requireComparable(structure.value.skeleton, file);
+  return std::move(structure.value.skeleton);
+}
+
+void run(const Flags& flags) {
+  const Threads threads(flags.pipeline.threads);
+  const Swept swept = parsed(flags.name);
+  const PipelineOptions options = flags.pipeline.options(swept.step);
+  const Option* option = nullptr;
+  try {
+    option = &optionOfChosen(options, swept.step, swept.option);
+  } catch (const Error& problem) {
+    throw WrongUsage(problem.what());
+  }
+  const std::vector<std::string> inputs = {flags.pipeline.scan, flags.pipeline.preset,
+                                           flags.reference};
+  requireOutput(flags.csv, inputs);
+  requireOutput(flags.pipeline.json, inputs);
+  const TerminalProgress terminal;
+  const std::optional<Skeleton> reference = referenceIn(flags.reference);
+  auto scan = readPoints(flags.pipeline.scan, terminal.progress().part(0, 0.1, "Read"));
+  printNotes(scan.notes);
+  const auto cloud = std::make_shared<const PointCloud>(std::move(scan.value));
+  std::vector<Json> rows;
+  Pipeline pipeline;
+  const PlantScale scale = about(flags.pipeline.scan, [&] {
+    return pipeline.run(cloud, options, terminal.progress().part(0.1, 0.1), "clean").scale;
+  });
+  const std::vector<double> values = flags.values.empty()
+                                         ? sweepValues(*option, scale, flags.count)
+                                         : listedValues(flags, swept, options, scale);
+  about(flags.pipeline.scan, [&] {
+    const auto each = [&](const SweepResult& result) {
+      rows.push_back(rowOf(result, *option, *cloud, options, reference));
+      terminal.clear();
+      if (rows.size() == 1) printHead(flags.name, reference.has_value());
+      printRow(rows.back());
+      std::fflush(stdout);
+    };
+    runSweep(pipeline, cloud, options, swept.step, swept.option, values, {},
+             terminal.progress().part(0.1, 1), each);
+  });
+  terminal.check();
+  terminal.clear();
+  writeResults(flags, rows);
+}
+
+} // namespace
+
+void addSweep(CLI::App& app) {
+  CLI::App* command =
+      app.add_subcommand("sweep", "Try one option over several values, and judge each");
+  const auto flags = std::make_shared<Flags>();
+  command->add_option("SCAN", flags->pipeline.scan, "Points of one plant: PLY, XYZ, LAS or PCD")
+      ->required();
+  command
+      ->add_option("OPTION", flags->name,
+                   "STEP.OPTION to vary, such as contract.radius (see: espalier methods)")
+      ->required();
+  command
+      ->add_option("--values", flags->values,
+                   "Values to try, with commas between; as for --set. Without it, some around the "
+                   "default")
+      ->delimiter(',')
+      ->type_name("LIST");
+  command->add_option("--count", flags->count, "How many to try without --values")
+      ->check(wholeNumber(1, 1000))
+      ->type_name("N")
+      ->capture_default_str();
+  command
+      ->add_option("--reference", flags->reference,
+                   "Structure to score the results against: an MTG or a node list")
+      ->type_name("FILE");
+  flags->pipeline.addOptionsTo(*command);
+  flags->pipeline.addRootTo(*command);
+  command->add_option("--csv", flags->csv, "File to write a table to, a row per value")
+      ->type_name("FILE");
+  command->add_option("--json", flags->pipeline.json, "File to write all numbers to")
+      ->type_name("FILE");
+  command->callback([flags] { run(*flags); });
+  command->footer("Example:\n"
+                  "  espalier sweep pine.las contract.radius --count 5 --csv radius.csv");
+}
+
+} // namespace espalier

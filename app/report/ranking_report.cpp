@@ -1,0 +1,210 @@
+#include "app/report/ranking_report.h"
+
+#include "app/report/report_sections.h"
+#include "core/evaluate/evaluation.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace espalier {
+namespace {
+
+QString tr(const char* text) {
+  return reportText(text);
+}
+
+struct Parts {
+  const RankingReportData& data;
+  const RankingReportAbout& about;
+  ReportNumbers numbers;
+};
+
+QString nameOf(const Parts& parts, const RankedResult& result) {
+  return parts.about.results.at(result.result).name;
+}
+
+const ScoreInterval& intervalOf(const RankedResult& result, Score score) {
+  const auto place = std::ranges::find(rankingScores(), score) - rankingScores().begin();
+  return result.scores.at(static_cast<std::size_t>(place));
+}
+
+QString titleOf(Score score) {
+  switch (score) {
+  case Score::f:
+    return tr("F");
+  case Score::precision:
+    return tr("precision");
+  case Score::recall:
+    return tr("recall");
+  case Score::geometric:
+    return tr("G");
+  case Score::structural:
+    return tr("T");
+  case Score::structuralOfAll:
+    return tr("T of all");
+  case Score::cappedGeometric:
+    return tr("capped G");
+  case Score::cappedStructural:
+    return tr("capped T");
+  default:
+    return QString::fromStdString(scoreNames()[static_cast<std::size_t>(score)]);
+  }
+}
+
+ReportTable scoreTable(const Parts& parts, const QString& caption,
+                       const std::vector<Score>& scores) {
+  ReportTable table;
+  table.caption = caption;
+  table.columns = {{tr("rank")}, {tr("result"), false}};
+  for (const Score score : scores) {
+    table.columns.push_back({titleOf(score)});
+    table.columns.push_back({tr("interval"), false});
+  }
+  for (const RankedResult& result : parts.data.ranking.results) {
+    table.rows.push_back({{parts.numbers.count(table.rows.size() + 1)}, {nameOf(parts, result)}});
+    for (const Score score : scores) {
+      const ScoreInterval& interval = intervalOf(result, score);
+      table.rows.back().push_back({parts.numbers.share(interval.value), interval.value});
+      table.rows.back().push_back({parts.numbers.range(interval)});
+    }
+  }
+  return table;
+}
+
+ReportSection ranks(const Parts& parts) {
+  const Ranking& ranking = parts.data.ranking;
+  ReportTable table;
+  table.columns = {{tr("rank")},
+                   {tr("result"), false},
+                   {titleOf(ranking.by)},
+                   {tr("interval"), false},
+                   {tr("beats the next")}};
+  for (const RankedResult& result : ranking.results) {
+    const ScoreInterval& interval = intervalOf(result, ranking.by);
+    table.rows.push_back(
+        {{parts.numbers.count(table.rows.size() + 1)},
+         {nameOf(parts, result)},
+         {parts.numbers.share(interval.value), interval.value},
+         {parts.numbers.range(interval)},
+         {result.aboveNext ? parts.numbers.percent(*result.aboveNext) : QStringLiteral("–")}});
+  }
+  ReportSection section{tr("Ranking"), {}};
+  section.blocks.emplace_back(
+      ReportParagraph{tr("By %1, within %2.")
+                          .arg(titleOf(ranking.by), parts.numbers.givenLength(ranking.distance))});
+  section.blocks.emplace_back(std::move(table));
+  section.blocks.emplace_back(ReportParagraph{
+      tr("The segments of the reference were drawn again %1 times, all results from the same "
+         "draws. "
+         "An interval holds the middle %2 of the scores. \"Beats the next\" is the share of draws "
+         "in "
+         "which a result is above the one after it: near 50 %, the two cannot be told apart.")
+          .arg(parts.numbers.count(ranking.draws), parts.numbers.percent(ranking.confidence)),
+      ReportParagraph::Look::note});
+  if (!parts.about.notes.isEmpty()) section.blocks.emplace_back(ReportWarnings{parts.about.notes});
+  return section;
+}
+
+ReportSection scores(const Parts& parts) {
+  return {tr("Scores"),
+          {scoreTable(parts, tr("What lies near"), {Score::f, Score::precision, Score::recall}),
+           scoreTable(parts, tr("As the authors of the method measure"),
+                      {Score::geometric, Score::structural, Score::structuralOfAll}),
+           scoreTable(parts, tr("Matched within the distance only"),
+                      {Score::cappedGeometric, Score::cappedStructural})}};
+}
+
+ReportSection curves(const Parts& parts) {
+  ReportSection section{tr("Agreement over the tolerance"), {}};
+  for (std::size_t i = 0; i < parts.data.curves.size(); ++i) {
+    const RankedResult& result = parts.data.ranking.results[i];
+    ReportPlot plot;
+    plot.size = {380, 230};
+    plot.text = tr("%1. %2: precision, recall and F")
+                    .arg(parts.numbers.count(i + 1), nameOf(parts, result));
+    plot.paint =
+        [curve = TolerancePlot{.curve = parts.data.curves[i],
+                               .chosen = ToleranceScore{parts.data.ranking.distance,
+                                                        intervalOf(result, Score::precision).value,
+                                                        intervalOf(result, Score::recall).value},
+                               .unit = parts.about.unit}](QPainter& painter, const QRectF& box,
+                                                          const PlotColors& colors) {
+          curve.paint(painter, box, colors);
+        };
+    section.blocks.emplace_back(std::move(plot));
+  }
+  return section;
+}
+
+ReportSection origin(const Parts& parts) {
+  ReportTable inputs;
+  inputs.caption = tr("Inputs");
+  inputs.columns = {{tr("role"), false},
+                    {tr("file"), false},
+                    {parts.numbers.inUnit(tr("shifted by"))},
+                    {tr("SHA-256"), false}};
+  for (const RankedResult& result : parts.data.ranking.results) {
+    const ReportedFile& file = parts.about.results.at(result.result);
+    inputs.rows.push_back({{tr("result")},
+                           {file.name},
+                           {parts.numbers.number(result.shift.norm())},
+                           {file.fingerprint}});
+  }
+  inputs.rows.push_back({{tr("reference")},
+                         {parts.about.reference.name},
+                         {QStringLiteral("–")},
+                         {parts.about.reference.fingerprint}});
+  ReportTable settings;
+  settings.caption = tr("Settings");
+  settings.columns = {{tr("setting"), false}, {tr("value"), false}};
+  const Ranking& ranking = parts.data.ranking;
+  settings.rows = {
+      {{tr("registration")},
+       {parts.data.isRegistered ? tr("each result was shifted onto the reference")
+                                : tr("none: compared where they lie")}},
+      {{tr("scale of the results")}, {parts.numbers.given(parts.about.scale)}},
+      {{tr("tolerance")}, {parts.numbers.givenLength(ranking.distance)}},
+      {{tr("draws for the intervals")},
+       {tr("%1, seed %2").arg(parts.numbers.count(ranking.draws)).arg(ranking.seed)}},
+      {{tr("version")}, {tr("Espalier %1, Qt %2").arg(parts.about.version, qVersion())}}};
+  return {tr("How it was measured"), {std::move(inputs), std::move(settings)}};
+}
+
+} // namespace
+
+RankingReportData rankingReportData(Ranking ranking, const std::vector<Skeleton>& results,
+                                    const Skeleton& reference, bool isRegistered,
+                                    const Progress& progress) {
+  RankingReportData data{std::move(ranking), {}, isRegistered};
+  const std::vector<double> distances =
+      curveDistances(data.ranking.distance, defaultTolerances(reference).back());
+  const auto all = static_cast<double>(data.ranking.results.size());
+  for (const RankedResult& result : data.ranking.results) {
+    const auto done = static_cast<double>(data.curves.size());
+    Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
+    motion.translation() = result.shift; // a ranking turns nothing
+    data.curves.push_back(toleranceCurve(moved(results.at(result.result), motion), reference,
+                                         {.distances = distances},
+                                         progress.part(done / all, (done + 1) / all))
+                              .scores);
+  }
+  return data;
+}
+
+Report rankingReport(const RankingReportData& data, const RankingReportAbout& about) {
+  const Parts parts{data, about, ReportNumbers(about.unit)};
+  Report report;
+  report.title = reportText("%1 results compared with %2")
+                     .arg(parts.numbers.count(about.results.size()), about.reference.name);
+  report.facts = {about.date, reportText("Espalier %1").arg(about.version),
+                  about.unit.isEmpty() ? reportText("lengths in the unit of the files")
+                                       : reportText("lengths in %1").arg(about.unit)};
+  report.sections = {ranks(parts),
+                     scores(parts),
+                     curves(parts),
+                     origin(parts),
+                     {reportText("Methods"), {scoreTerms()}}};
+  return report;
+}
+
+} // namespace espalier

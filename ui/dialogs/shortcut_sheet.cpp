@@ -43,6 +43,8 @@ Section mouseSection() {
            {tr("Ctrl+wheel"), tr("Radius of the selected nodes")},
            {tr("Click"), tr("Select a node")},
            {tr("Shift+click"), tr("Add or remove a node")},
+           {tr("Shift+drag"), tr("Select in a box")},
+           {tr("Alt+drag"), tr("Select in a lasso")},
            {tr("Drag a node"), tr("Move it")},
            {tr("Double click"), tr("Turn around this place")},
            {tr("Right click"), tr("Menu of the node")},

@@ -123,6 +123,12 @@ void PlantDocument::reconstruct(const QString& text, const Skeleton& skeleton,
   push(text, editor.commit(), {}, {}, ContractedChange{contracted_, std::move(contracted)});
 }
 
+void PlantDocument::contract(const QString& text,
+                             std::shared_ptr<const Eigen::Matrix3Xf> contracted) {
+  requireEditable();
+  push(text, {}, {}, {}, ContractedChange{contracted_, std::move(contracted)});
+}
+
 void PlantDocument::cancel(Gesture gesture) {
   const int last = undoStack_.index() - 1;
   if (gesture.isNone() || last < 0 || undoStack_.command(last)->id() != gesture.id()) return;

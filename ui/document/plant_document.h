@@ -70,6 +70,9 @@ public:
   void reconstruct(const QString& text, const Skeleton& skeleton,
                    std::shared_ptr<const Eigen::Matrix3Xf> contracted);
 
+  /// Replaces the contracted points alone, as one undo step.
+  void contract(const QString& text, std::shared_ptr<const Eigen::Matrix3Xf> contracted);
+
   /// The last step done that changed the contracted points; none if they are of no step.
   [[nodiscard]] std::optional<std::size_t> contractedStep() const;
 

@@ -1,5 +1,7 @@
 #include "ui/panels/cross_section_view.h"
 
+#include "ui/document/number_scale.h"
+
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -14,14 +16,6 @@ namespace {
 constexpr double grip = 9;                    // how near the pointer takes a handle [px]
 constexpr QColor nodeColor(0xe6, 0x9f, 0x00); // of what is selected, in the plant too
 constexpr double leastRadius = 1;             // that a drag of the rim leaves [px]
-
-/// The greatest of 1, 2, 5 times a power of ten up to `most`.
-double roundLength(double most) {
-  const double power = std::pow(10, std::floor(std::log10(most)));
-  for (const double digit : {5.0, 2.0})
-    if (digit * power <= most) return digit * power;
-  return power;
-}
 
 } // namespace
 
@@ -310,7 +304,7 @@ void CrossSectionView::paintCircles(QPainter& painter) const {
 
 /// A bar of a round length, at most a third of the width.
 void CrossSectionView::paintScale(QPainter& painter) const {
-  const double length = roundLength(width() / 3.0 / scale_);
+  const double length = roundStep(width() / 3.0 / scale_);
   const QPointF start(8, height() - 8.5);
   const QPointF end = start + QPointF(length * scale_, 0);
   const QString text = formatLength(length, unit_, 1);

@@ -1,8 +1,9 @@
 #include "ui/panels/methods_panel.h"
 
+#include "ui/panels/copy_key.h"
+
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QTableWidget>
@@ -150,7 +151,7 @@ MethodsPanel::MethodsPanel(QWidget* parent)
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setSortIndicator(1, Qt::DescendingOrder);
   table_->setSortingEnabled(true);
-  table_->installEventFilter(this);
+  onCopy(*table_, [this] { emit copyRequested(); });
   page->addWidget(table_, 1);
   connect(add_, &QPushButton::clicked, this, &MethodsPanel::addRequested);
   connect(copy_, &QPushButton::clicked, this, &MethodsPanel::copyRequested);
@@ -161,7 +162,7 @@ MethodsPanel::MethodsPanel(QWidget* parent)
 }
 
 void MethodsPanel::show(const std::vector<MethodRow>& rows, const QString& reference,
-                        LengthUnit unit) {
+                        LengthUnit unit, double tolerance) {
   table_->setSortingEnabled(false); // rows would move while they are filled
   table_->clearSelection();
   table_->setRowCount(static_cast<int>(rows.size()));
@@ -185,11 +186,14 @@ void MethodsPanel::show(const std::vector<MethodRow>& rows, const QString& refer
     }
   }
   table_->setSortingEnabled(true);
-  noteText_ = reference.isEmpty() ? tr("Load a reference first: each structure is compared with it")
-              : rows.size() < 2
-                  ? tr("Add structures of other methods or experts to compare them with %1, too")
-                        .arg(reference)
-                  : tr("Compared with %1").arg(reference);
+  noteText_ =
+      reference.isEmpty() ? tr("Load a reference first: each structure is compared with it")
+      : rows.size() < 2
+          ? tr("Add structures of other methods or experts to compare them with %1, too")
+                .arg(reference)
+      : tolerance > 0
+          ? tr("Compared with %1 within %2").arg(reference, formatLength(tolerance, unit, 3))
+          : tr("Compared with %1").arg(reference);
   note_->setText(noteText_);
   add_->setEnabled(!reference.isEmpty());
   remove_->setEnabled(false);
@@ -215,21 +219,6 @@ QString MethodsPanel::table() const {
     lines.append(cells.join('\t'));
   }
   return lines.join('\n') + '\n';
-}
-
-/// Copying in the table copies the table; elsewhere, nodes.
-bool MethodsPanel::eventFilter(QObject* watched, QEvent* event) {
-  const bool isOverride = event->type() == QEvent::ShortcutOverride;
-  if (isOverride || event->type() == QEvent::KeyPress) {
-    if (static_cast<QKeyEvent*>(event)->matches(QKeySequence::Copy)) {
-      if (isOverride)
-        event->accept();
-      else
-        emit copyRequested();
-      return true;
-    }
-  }
-  return QWidget::eventFilter(watched, event);
 }
 
 std::vector<int> MethodsPanel::chosenRows() const {

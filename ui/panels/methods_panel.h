@@ -45,7 +45,9 @@ public:
   explicit MethodsPanel(QWidget* parent = nullptr);
 
   /// @param reference its name; empty: there is none
-  void show(const std::vector<MethodRow>& rows, const QString& reference, LengthUnit unit);
+  /// @param tolerance [L], what is called near; 0: not known yet
+  void show(const std::vector<MethodRow>& rows, const QString& reference, LengthUnit unit,
+            double tolerance = 0);
   void setBusy(bool isBusy);
   /// The table as it is sorted, for a spreadsheet: columns divided by tabs, numbers in full.
   [[nodiscard]] QString table() const;
@@ -54,9 +56,6 @@ signals:
   void addRequested();
   void removeRequested(const std::vector<int>& rows); // as they were shown
   void copyRequested();
-
-protected:
-  bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
   [[nodiscard]] std::vector<int> chosenRows() const;

@@ -31,15 +31,17 @@ public:
   void choose(const std::optional<Rule>& value);
   void choose(double value) { choose(fixedAt(value)); }
 
+  [[nodiscard]] const Option& option() const { return option_; }
+  /// What it stands at for this plant, chosen or by default.
+  [[nodiscard]] double value() const { return chosen_.value_or(option_.rule).value(scale_); }
+
 signals:
   void changed();
 
 protected:
   OptionField(const Option& option, QWidget& parent);
 
-  [[nodiscard]] const Option& option() const { return option_; }
   [[nodiscard]] const PlantScale& scale() const { return scale_; }
-  [[nodiscard]] double value() const { return chosen_.value_or(option_.rule).value(scale_); }
   [[nodiscard]] QLabel& label() const { return *label_; }
   [[nodiscard]] QToolButton& reset() const { return *reset_; }
   [[nodiscard]] QString help() const; // for tips

@@ -4,11 +4,14 @@
 #include "ui/panels/scan_form.h"
 #include "ui/panels/step_form.h"
 
+#include <QCheckBox>
 #include <QEvent>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace espalier {
 namespace {
@@ -32,7 +35,8 @@ private:
 } // namespace
 
 PipelinePanel::PipelinePanel(PlantDocument& document, QWidget* parent)
-    : QWidget(parent), document_(document), run_(new QPushButton(tr("Reconstruct"), this)) {
+    : QWidget(parent), document_(document), live_(new QCheckBox(tr("Live preview"), this)),
+      run_(new QPushButton(tr("Reconstruct"), this)) {
   run_->setProperty("role", "primary");
   run_->setObjectName("reconstruct_button");
   run_->setToolTip(tr("Makes the skeleton from the scan"));
@@ -46,8 +50,12 @@ PipelinePanel::PipelinePanel(PlantDocument& document, QWidget* parent)
     steps_.push_back(new StepForm(step, ++number, page));
     steps_.back()->setOpen(step.name == "contract");
     list->addWidget(steps_.back());
-    connect(steps_.back(), &StepForm::changed, this, &PipelinePanel::showIdle);
-    connect(steps_.back(), &StepForm::changed, this, &PipelinePanel::changed);
+    connect(steps_.back(), &StepForm::changed, this, [this, form = steps_.back()] {
+      markStale(form);
+      emit changed(form->step());
+    });
+    connect(steps_.back(), &StepForm::runRequested, this,
+            [this, form = steps_.back()] { emit runRequested(form->step()); });
   }
   list->addStretch(1);
   auto* scroll = new QScrollArea(this);
@@ -61,6 +69,8 @@ PipelinePanel::PipelinePanel(PlantDocument& document, QWidget* parent)
   scan->setContentsMargins(12, 12, 12, 12);
   auto* foot = new QVBoxLayout;
   foot->setContentsMargins(12, 8, 12, 12);
+  foot->setSpacing(8);
+  foot->addWidget(live_);
   foot->addWidget(run_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
@@ -69,6 +79,9 @@ PipelinePanel::PipelinePanel(PlantDocument& document, QWidget* parent)
   column->addWidget(scroll, 1);
   column->addLayout(foot);
   connect(run_, &QPushButton::clicked, this, &PipelinePanel::reconstructRequested);
+  live_->setObjectName("live_preview");
+  live_->setToolTip(tr("Shows what each change of a step would make, at once"));
+  connect(live_, &QCheckBox::toggled, this, &PipelinePanel::liveToggled);
   connect(&document_, &PlantDocument::scanChanged, this, &PipelinePanel::refreshScale);
   connect(&document_, &PlantDocument::unitChanged, this, &PipelinePanel::refreshScale);
   connect(&document_, &PlantDocument::skeletonReplaced, this, &PipelinePanel::showIdle);
@@ -85,13 +98,17 @@ PipelineOptions PipelinePanel::options() const {
 void PipelinePanel::setOptions(const PipelineOptions& options) {
   for (StepForm* step : steps_)
     step->choose(options);
-  showIdle();
+  markStale(steps_.front());
 }
 
 void PipelinePanel::showRunning(const QString& stage) {
+  const auto isStage = [&](const StepForm* step) {
+    return QString::fromStdString(step->step().label) == stage;
+  };
+  if (std::ranges::none_of(steps_, isStage)) return; // of no step: all is done, or nothing yet
   bool isBefore = true;
   for (StepForm* step : steps_) {
-    const bool isNow = QString::fromStdString(step->step().label) == stage;
+    const bool isNow = isStage(step);
     if (isNow) isBefore = false;
     step->setState(isNow      ? StepForm::State::running
                    : isBefore ? StepForm::State::done
@@ -99,9 +116,49 @@ void PipelinePanel::showRunning(const QString& stage) {
   }
 }
 
-void PipelinePanel::showDone() {
-  for (StepForm* step : steps_)
-    step->setState(StepForm::State::done);
+void PipelinePanel::showDone(const Telling& tell, const std::string& last) {
+  bool isBehind = false;
+  for (StepForm* form : steps_) {
+    const Told told = tell && !isBehind ? tell(form->step()) : Told();
+    if (!isBehind)
+      form->setState(StepForm::State::done, told.note, told.details);
+    else if (form->state() != StepForm::State::idle)
+      form->setState(StepForm::State::stale);
+    isBehind = isBehind || form->step().name == last;
+  }
+}
+
+void PipelinePanel::showFailed(const QString& why) {
+  bool isBehind = false;
+  for (StepForm* form : steps_) {
+    if (form->state() == StepForm::State::running) {
+      form->setState(StepForm::State::failed, {}, why);
+      isBehind = true;
+    } else if (isBehind) {
+      form->setState(StepForm::State::idle);
+    }
+  }
+}
+
+void PipelinePanel::showStopped() {
+  for (StepForm* form : steps_)
+    if (form->state() == StepForm::State::running) return markStale(form);
+}
+
+void PipelinePanel::markStale(const StepForm* from) {
+  bool isBehind = false;
+  for (StepForm* form : steps_) {
+    isBehind = isBehind || form == from;
+    if (isBehind && form->state() != StepForm::State::idle) form->setState(StepForm::State::stale);
+  }
+}
+
+bool PipelinePanel::isLive() const {
+  return live_->isChecked();
+}
+
+void PipelinePanel::setLive(bool isLive) {
+  live_->setChecked(isLive);
 }
 
 void PipelinePanel::showIdle() {
@@ -111,6 +168,13 @@ void PipelinePanel::showIdle() {
 
 void PipelinePanel::setRunnable(bool isRunnable) {
   run_->setEnabled(isRunnable);
+  for (StepForm* step : steps_)
+    step->setRunnable(isRunnable);
+}
+
+void PipelinePanel::setDensities(const std::string& step, const std::vector<float>& densities) {
+  for (StepForm* form : steps_)
+    if (form->step().name == step) form->setDensities(densities);
 }
 
 void PipelinePanel::refreshScale() {

@@ -4,8 +4,11 @@
 
 #include <QWidget>
 
+#include <functional>
+#include <string>
 #include <vector>
 
+class QCheckBox;
 class QPushButton;
 
 namespace espalier {
@@ -25,21 +28,43 @@ public:
   void setOptions(const PipelineOptions& options);
   [[nodiscard]] const std::vector<StepForm*>& steps() const { return steps_; }
 
+  /// What is to be told of a step that is up to date.
+  struct Told {
+    QString note;    // short: the time that it took
+    QString details; // a sentence
+  };
+  using Telling = std::function<Told(const Step&)>;
+
   /// Marks the step of this label as running, and those before it as done.
   void showRunning(const QString& stage);
-  void showDone();
+  /// Marks all steps up to the one of this name (empty: all) as up to date.
+  void showDone(const Telling& tell = {}, const std::string& last = {});
+  /// Marks the step that is running as failed, and those behind it as not run.
+  void showFailed(const QString& why);
+  /// Forgets how steps went.
   void showIdle();
+  /// A stopped run: the step that was running, and those behind it, are to be run again.
+  void showStopped();
   void setRunnable(bool isRunnable);
+  /// How dense the points lie, normalized to [0, 1]: shown where radii of this step follow it.
+  void setDensities(const std::string& step, const std::vector<float>& densities);
+  /// Whether each change is to be shown at once.
+  [[nodiscard]] bool isLive() const;
+  void setLive(bool isLive);
 
 signals:
-  void changed(); // an option, by hand
+  void changed(const espalier::Step& step); // an option of it, by hand
   void reconstructRequested();
+  void runRequested(const espalier::Step& last); // up to this one
+  void liveToggled(bool isLive);
 
 private:
   void refreshScale();
+  void markStale(const StepForm* from);
 
   PlantDocument& document_;
   std::vector<StepForm*> steps_;
+  QCheckBox* live_;
   QPushButton* run_;
 };
 

@@ -1,5 +1,7 @@
 #include "ui/panels/step_form.h"
 
+#include "ui/panels/density_curve.h"
+#include "ui/panels/density_fields.h"
 #include "ui/panels/option_field.h"
 
 #include <QComboBox>
@@ -11,12 +13,15 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace espalier {
 
 StepForm::StepForm(const Step& step, int number, QWidget* parent)
-    : QWidget(parent), step_(step), header_(new QToolButton(this)), state_(new QLabel(this)),
-      body_(new QWidget(this)), column_(new QVBoxLayout(body_)), method_(new QComboBox(body_)) {
+    : QWidget(parent), step_(step), header_(new QToolButton(this)), note_(new QLabel(this)),
+      state_(new QLabel(this)), run_(new QToolButton(this)), body_(new QWidget(this)),
+      column_(new QVBoxLayout(body_)), method_(new QComboBox(body_)) {
   setObjectName("step_" + QString::fromStdString(step.name));
   header_->setText(QStringLiteral("%1  %2").arg(number).arg(QString::fromStdString(step.label)));
   header_->setToolTip(QString::fromStdString(step.help));
@@ -24,8 +29,17 @@ StepForm::StepForm(const Step& step, int number, QWidget* parent)
   header_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   header_->setCheckable(true);
   header_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  note_->setProperty("role", "quiet");
+  note_->setAttribute(Qt::WA_TransparentForMouseEvents);
   state_->setProperty("role", "state");
   state_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  run_->setObjectName("run_to_" + QString::fromStdString(step.name));
+  run_->setText(QStringLiteral("▸"));
+  run_->setProperty("role", "quiet");
+  run_->setAutoRaise(true);
+  run_->setToolTip(tr("Runs the steps up to this one, those that are not up to date"));
+  run_->setAccessibleName(tr("Run up to %1").arg(QString::fromStdString(step.label)));
+  connect(run_, &QToolButton::clicked, this, &StepForm::runRequested);
   for (const Method& method : step.methods) {
     method_->addItem(QString::fromStdString(method.label), QString::fromStdString(method.name));
     method_->setItemData(method_->count() - 1, QString::fromStdString(method.help),
@@ -41,9 +55,12 @@ StepForm::StepForm(const Step& step, int number, QWidget* parent)
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setSpacing(0);
-  grid->addWidget(header_, 0, 0, 1, 2);
-  grid->addWidget(state_, 0, 1, Qt::AlignRight | Qt::AlignVCenter);
-  grid->addWidget(body_, 1, 0, 1, 2);
+  grid->addWidget(header_, 0, 0, 1, 3);
+  grid->addWidget(note_, 0, 1, Qt::AlignRight | Qt::AlignVCenter);
+  grid->addWidget(state_, 0, 2, Qt::AlignRight | Qt::AlignVCenter);
+  grid->addWidget(run_, 0, 3);
+  grid->setColumnStretch(0, 1);
+  grid->addWidget(body_, 1, 0, 1, 4);
   connect(header_, &QToolButton::toggled, this, &StepForm::setOpen);
   connect(method_, &QComboBox::activated, this, [this] {
     showMethod();
@@ -58,14 +75,46 @@ void StepForm::setScale(const PlantScale& scale, const QString& unit) {
   unit_ = unit;
   for (OptionField* field : fields_)
     field->setScale(scale, unit);
+  if (curveFields_ != nullptr) curveFields_->setScale(scale, unit);
 }
 
-void StepForm::setState(State state) {
-  state_->setText(state == State::done ? QStringLiteral("✓")
-                                       : (state == State::running ? QStringLiteral("●") : ""));
-  state_->setAccessibleName(state == State::done      ? tr("done")
-                            : state == State::running ? tr("running")
-                                                      : QString());
+void StepForm::setDensities(std::vector<float> densities) {
+  densities_ = std::move(densities);
+  if (curve_ != nullptr) curve_->setDensities(densities_);
+}
+
+void StepForm::setState(State state, const QString& note, const QString& details) {
+  struct Shown {
+    QString sign;
+    QString name;
+  };
+  const Shown shown = [&]() -> Shown {
+    switch (state) {
+    case State::stale:
+      return {QStringLiteral("○"), tr("to be run again")};
+    case State::running:
+      return {QStringLiteral("●"), tr("running")};
+    case State::done:
+      return {QStringLiteral("✓"), tr("up to date")};
+    case State::failed:
+      return {QStringLiteral("✕"), tr("failed")};
+    case State::idle:
+      break;
+    }
+    return {};
+  }();
+  current_ = state;
+  note_->setText(note);
+  state_->setText(shown.sign);
+  state_->setAccessibleName(shown.name);
+  header_->setAccessibleDescription(shown.name);
+  const QString help = QString::fromStdString(step_.help);
+  const QString told = details.isEmpty() ? shown.name : details;
+  header_->setToolTip(told.isEmpty() ? help : help + QStringLiteral("\n") + told);
+}
+
+void StepForm::setRunnable(bool isRunnable) {
+  run_->setEnabled(isRunnable);
 }
 
 void StepForm::setOpen(bool isOpen) {
@@ -103,6 +152,8 @@ void StepForm::choose(const PipelineOptions& options) {
 void StepForm::showMethod() {
   delete options_;
   fields_.clear();
+  curve_ = nullptr;
+  curveFields_ = nullptr;
   options_ = new QWidget(body_);
   auto* grid = new QGridLayout(options_);
   grid->setContentsMargins(0, 0, 0, 0);
@@ -116,11 +167,33 @@ void StepForm::showMethod() {
   if (!method.source.empty()) help->setToolTip(tr("Source: %1").arg(method.source.c_str()));
   grid->addWidget(help, 0, 0, 1, 2);
   for (const Option& option : method.options) {
-    fields_.push_back(OptionField::make(option, *grid, *options_));
-    fields_.back()->setScale(scale_, unit_);
-    connect(fields_.back(), &OptionField::changed, this, &StepForm::changed);
+    if (option.name == DensityFields::names.front() && DensityFields::areIn(method.options))
+      addCurve(*grid);
+    addField(option, *grid);
   }
+  if (curve_ != nullptr) tieCurve(method.options);
   column_->addWidget(options_);
+}
+
+void StepForm::addField(const Option& option, QGridLayout& grid) {
+  fields_.push_back(OptionField::make(option, grid, *options_));
+  fields_.back()->setScale(scale_, unit_);
+  connect(fields_.back(), &OptionField::changed, this, &StepForm::changed);
+}
+
+void StepForm::addCurve(QGridLayout& grid) {
+  curve_ = new DensityCurve(options_);
+  curve_->setDensities(densities_);
+  grid.addWidget(curve_, grid.rowCount(), 0, 1, 2);
+}
+
+void StepForm::tieCurve(const std::vector<Option>& options) {
+  std::array<OptionField*, DensityFields::names.size()> tied{};
+  for (std::size_t i = 0; i < tied.size(); ++i)
+    tied[i] = fields_[static_cast<std::size_t>(
+        std::ranges::find(options, DensityFields::names[i], &Option::name) - options.begin())];
+  curveFields_ = new DensityFields(*curve_, *tied[0], *tied[1], *tied[2]);
+  curveFields_->setScale(scale_, unit_);
 }
 
 } // namespace espalier

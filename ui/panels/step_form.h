@@ -7,12 +7,15 @@
 #include <vector>
 
 class QComboBox;
+class QGridLayout;
 class QLabel;
 class QToolButton;
 class QVBoxLayout;
 
 namespace espalier {
 
+class DensityCurve;
+class DensityFields;
 class OptionField;
 
 /// One step of the pipeline: its name, how it went, its method and that method's options. Made from
@@ -21,12 +24,18 @@ class StepForm : public QWidget {
   Q_OBJECT
 
 public:
-  enum class State { idle, running, done };
+  /// Stale: there is a result, but of other choices.
+  enum class State { idle, stale, running, done, failed };
 
   StepForm(const Step& step, int number, QWidget* parent = nullptr);
 
   void setScale(const PlantScale& scale, const QString& unit);
-  void setState(State state);
+  /// Shown behind the curve of a method whose radius follows the density: normalized to [0, 1].
+  void setDensities(std::vector<float> densities);
+  /// @param details what there is to say of it, as the time that it took; shown as a tip
+  void setState(State state, const QString& note = {}, const QString& details = {});
+  [[nodiscard]] State state() const { return current_; }
+  void setRunnable(bool isRunnable);
   void setOpen(bool isOpen);
   [[nodiscard]] const Step& step() const { return step_; }
 
@@ -37,20 +46,30 @@ public:
 
 signals:
   void changed();
+  void runRequested(); // up to here
 
 private:
   void showMethod();
+  void addField(const Option& option, QGridLayout& grid);
+  void addCurve(QGridLayout& grid);
+  void tieCurve(const std::vector<Option>& options);
 
   const Step& step_;
   PlantScale scale_{.spacing = 1, .height = 100};
   QString unit_;
   QToolButton* header_;
+  QLabel* note_;
   QLabel* state_;
+  State current_ = State::idle;
+  QToolButton* run_;
   QWidget* body_;
   QVBoxLayout* column_;
   QComboBox* method_;
   QWidget* options_ = nullptr; // of the method chosen
   std::vector<OptionField*> fields_;
+  DensityCurve* curve_ = nullptr; // of the method chosen, if it has one
+  DensityFields* curveFields_ = nullptr;
+  std::vector<float> densities_;
 };
 
 } // namespace espalier

@@ -1,25 +1,16 @@
 #include "ui/plots/tolerance_plot.h"
 
 #include <QCoreApplication>
-#include <QFontMetricsF>
 #include <QPainterPath>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace espalier {
 namespace {
 
 QString tr(const char* text) {
   return QCoreApplication::translate("TolerancePlot", text);
-}
-
-/// The largest of 1, 2 or 5 times a power of ten that is at most `length`.
-double roundStep(double length) {
-  const double power = std::pow(10, std::floor(std::log10(length) + 1e-9));
-  const double rest = length / power * (1 + 1e-9);
-  return (rest >= 5 ? 5 : rest >= 2 ? 2 : 1) * power;
 }
 
 /// What is painted where.
@@ -66,17 +57,7 @@ void paintAxes(QPainter& painter, const Frame& frame, const QString& unit,
     painter.drawText(QRectF(inner.left() - 36, y - 8, 30, 16), Qt::AlignRight | Qt::AlignVCenter,
                      QString::number(share, 'f', 1));
   }
-  const double step = roundStep((frame.to - frame.from) / 3);
-  const int decimals = std::clamp(static_cast<int>(-std::floor(std::log10(step) + 1e-9)), 0, 9);
-  for (double tolerance = std::ceil(frame.from / step) * step; tolerance <= frame.to * (1 + 1e-9);
-       tolerance += step) {
-    const double x = frame.at(tolerance, 0).x();
-    painter.setPen(QPen(colors.grid, 1));
-    painter.drawLine(QPointF(x, inner.bottom()), QPointF(x, inner.bottom() + 4));
-    painter.setPen(colors.text);
-    painter.drawText(QRectF(x - 40, inner.bottom() + 4, 80, 16), Qt::AlignCenter,
-                     QString::number(tolerance, 'f', decimals));
-  }
+  paintNumbersBelow(painter, inner, frame.from, frame.to, colors);
   painter.drawText(QRectF(inner.left(), inner.bottom() + 19, inner.width(), 16), Qt::AlignCenter,
                    unit.isEmpty() ? tr("tolerance") : tr("tolerance [%1]").arg(unit));
 }
@@ -119,27 +100,9 @@ void paintChosen(QPainter& painter, const Frame& frame, const std::array<Line, 3
 
 } // namespace
 
-PlotColors plotColors(bool isDark) {
-  if (isDark)
-    return {.text = {0xc8, 0xce, 0xcb},
-            .grid = {0x4a, 0x50, 0x55},
-            .first = {0xf4, 0xf4, 0xf0},
-            .second = {0xe6, 0x9f, 0x00},
-            .third = {0x56, 0xb4, 0xe9}};
-  return {.text = {0x3a, 0x40, 0x3d},
-          .grid = {0xc8, 0xce, 0xcb},
-          .first = {0x16, 0x18, 0x1a},
-          .second = {0xd5, 0x5e, 0x00},
-          .third = {0x00, 0x72, 0xb2}};
-}
-
 void TolerancePlot::paint(QPainter& painter, const QRectF& box, const PlotColors& colors) const {
   if (curve.size() < 2 || curve.back().distance <= curve.front().distance) return;
-  painter.save();
-  painter.setRenderHint(QPainter::Antialiasing);
-  QFont font = painter.font();
-  font.setPixelSize(11);
-  painter.setFont(font);
+  const PlotPainting painting(painter);
   const Frame frame = frameOf(*this, box);
   const std::array<Line, 3> lines = linesOf(colors);
   paintAxes(painter, frame, unit, colors);
@@ -152,7 +115,6 @@ void TolerancePlot::paint(QPainter& painter, const QRectF& box, const PlotColors
   }
   paintNames(painter, frame, lines, curve.back());
   if (chosen) paintChosen(painter, frame, lines, *chosen, colors);
-  painter.restore();
 }
 
 ToleranceScore TolerancePlot::scoreAt(double tolerance) const {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/evaluate/tolerance_curve.h"
+#include "ui/plots/plot_axes.h"
 
-#include <QColor>
 #include <QPainter>
 #include <QRectF>
 #include <QString>
@@ -11,17 +11,6 @@
 #include <vector>
 
 namespace espalier {
-
-/// What plots are painted with.
-struct PlotColors {
-  QColor text;  // of numbers and names
-  QColor grid;  // of axes and lines behind
-  QColor first; // of lines, told apart by the color-blind, and by their dashes
-  QColor second;
-  QColor third;
-};
-/// For a screen of either theme, and for paper: as light.
-[[nodiscard]] PlotColors plotColors(bool isDark);
 
 /// Precision, recall and F over the tolerance. Painted the same on a screen, in SVG and in PDF.
 struct TolerancePlot {

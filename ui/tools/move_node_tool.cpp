@@ -19,6 +19,12 @@ constexpr std::size_t mostSnapping = 50; // nodes that snap while the pointer mo
 
 } // namespace
 
+MoveNodeTool::MoveNodeTool(PlantDocument& document, Canvas& canvas, QObject* parent)
+    : Tool(document, canvas, parent), area_(canvas) {
+  rest_.setSingleShot(true);
+  connect(&rest_, &QTimer::timeout, this, &MoveNodeTool::snapResting);
+}
+
 QString MoveNodeTool::hint() const {
   if (area_.isActive()) return areaHint();
   if (drag_ && drag_->isCanceled) return tr("Put back. Release the button");
@@ -80,6 +86,7 @@ QString MoveNodeTool::areaHint() const {
 
 void MoveNodeTool::cancel() {
   area_.cancel();
+  rest_.stop();
   if (!drag_) return;
   document().cancel(drag_->gesture);
   drag_->isCanceled = true;
@@ -104,7 +111,7 @@ bool MoveNodeTool::act(const ToolInput& input) {
       return true;
     }
     const bool wasMine = drag_.has_value();
-    if (wasMine) snapMany();
+    if (wasMine) snapAll();
     drag_.reset();
     if (!wasMine) click(input);
     camera_.reset();
@@ -119,6 +126,7 @@ bool MoveNodeTool::act(const ToolInput& input) {
 }
 
 bool MoveNodeTool::press(const ToolInput& input) {
+  rest_.stop();
   drag_.reset();
   camera_.reset();
   if (const auto shape = AreaGesture::shapeOf(input)) {
@@ -144,6 +152,12 @@ bool MoveNodeTool::press(const ToolInput& input) {
                .screen = input.screen};
   for (const NodeId id : document().selection().nodes())
     drag_->start.emplace_back(id, document().skeleton()[id].position);
+  if (drag_->start.size() > mostSnapping) {
+    const Eigen::Vector3d held = document().skeleton()[node].position;
+    std::ranges::nth_element(
+        drag_->start, drag_->start.begin() + mostSnapping, {},
+        [&](const auto& moved) { return (moved.second - held).squaredNorm(); });
+  }
   return true;
 }
 
@@ -154,15 +168,30 @@ void MoveNodeTool::drag(const ToolInput& input) {
   if (!drag_->hasMoved || !at) return;
   const auto change = [&](SkeletonEditor& editor) {
     move(editor, *at - drag_->grip, input);
-    if (drag_->start.size() <= mostSnapping) snap(editor);
+    drag_->snapped = 0;
+    snapMore(editor);
   };
   document().edit(editText(), change, drag_->gesture);
+  constexpr int pause = 60; // [ms]
+  if (drag_->snapped < drag_->start.size()) rest_.start(pause);
 }
 
-void MoveNodeTool::snapMany() {
-  if (!drag_->hasMoved || drag_->isCanceled || drag_->start.size() <= mostSnapping) return;
+/// In parts, so that the pointer is followed again at once when it moves on.
+void MoveNodeTool::snapResting() {
+  if (!drag_ || drag_->isCanceled || drag_->snapped >= drag_->start.size()) return;
   document().edit(
-      editText(), [&](SkeletonEditor& editor) { snap(editor); }, drag_->gesture);
+      editText(), [&](SkeletonEditor& editor) { snapMore(editor); }, drag_->gesture);
+  rest_.start(0);
+}
+
+void MoveNodeTool::snapAll() {
+  rest_.stop();
+  if (!drag_->hasMoved || drag_->isCanceled || drag_->snapped >= drag_->start.size()) return;
+  const auto change = [&](SkeletonEditor& editor) {
+    while (drag_->snapped < drag_->start.size())
+      snapMore(editor);
+  };
+  document().edit(editText(), change, drag_->gesture);
 }
 
 QString MoveNodeTool::editText() const {
@@ -187,11 +216,15 @@ void MoveNodeTool::move(SkeletonEditor& editor, const Eigen::Vector3d& way,
     moveNode(editor, id, slid.value_or(from + way));
 }
 
-void MoveNodeTool::snap(SkeletonEditor& editor) const {
+void MoveNodeTool::snapMore(SkeletonEditor& editor) {
+  const std::size_t first = drag_->snapped;
+  drag_->snapped = std::min(first + mostSnapping, drag_->start.size());
   const int rounds = drag_->snap == Snap::section ? 2 : 1; // from nearer, all of it is in reach
   for (int round = 0; round < rounds; ++round)
-    for (const auto& [id, start] : drag_->start)
+    for (std::size_t i = first; i < drag_->snapped; ++i) {
+      const NodeId id = drag_->start[i].first;
       if (const auto on = snapped(editor.skeleton(), id)) moveNode(editor, id, *on);
+    }
 }
 
 std::optional<Eigen::Vector3d> MoveNodeTool::snapped(const Skeleton& skeleton, NodeId id) const {

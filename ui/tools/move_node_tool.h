@@ -3,6 +3,8 @@
 #include "ui/tools/area_gesture.h"
 #include "ui/tools/tool.h"
 
+#include <QTimer>
+
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -24,15 +26,15 @@ enum class Snap : std::uint8_t {
 /// draws a box, with Alt a lasso; Shift still held at its end adds to what is chosen. In a plant
 /// that may not be edited it only chooses.
 ///
-/// Nodes that are dragged snap, each by itself, to what snap() says, where that is near; many do so
-/// once they are let go. With Ctrl they do not snap, or if nothing is to be snapped to, to their
-/// sections. With Shift a node that is dragged alone slides along its axis.
+/// Nodes that are dragged snap, each by itself, to what snap() says, where that is near; of many,
+/// those nearest to the pointer at once, the others as soon as it rests. With Ctrl they do not
+/// snap, or if nothing is to be snapped to, to their sections. With Shift a node that is dragged
+/// alone slides along its axis.
 class MoveNodeTool : public Tool {
   Q_OBJECT
 
 public:
-  MoveNodeTool(PlantDocument& document, Canvas& canvas, QObject* parent = nullptr)
-      : Tool(document, canvas, parent), area_(canvas) {}
+  MoveNodeTool(PlantDocument& document, Canvas& canvas, QObject* parent = nullptr);
 
   [[nodiscard]] QString hint() const override;
   [[nodiscard]] bool isBusy() const override { return drag_ || area_.isActive(); }
@@ -43,8 +45,9 @@ public:
 
 private:
   struct Drag {
-    NodeId node; // the one pressed on
-    std::vector<std::pair<NodeId, Eigen::Vector3d>> start;
+    NodeId node;                                           // the one pressed on
+    std::vector<std::pair<NodeId, Eigen::Vector3d>> start; // those near to `node` first
+    std::size_t snapped = 0;                               // of these, since the last drag
     Eigen::Hyperplane<double, 3> plane;
     Eigen::Vector3d grip; // where the pointer met the plane
     Gesture gesture;
@@ -59,8 +62,9 @@ private:
   bool press(const ToolInput& input);
   void drag(const ToolInput& input);
   void move(SkeletonEditor& editor, const Eigen::Vector3d& way, const ToolInput& input);
-  void snap(SkeletonEditor& editor) const; // what was moved
-  void snapMany();                         // that are let go
+  void snapMore(SkeletonEditor& editor); // of what was moved
+  void snapResting();                    // the same, while the pointer rests
+  void snapAll();                        // what is let go
   [[nodiscard]] QString editText() const;
   [[nodiscard]] std::optional<Eigen::Vector3d> snapped(const Skeleton& skeleton, NodeId id) const;
   void click(const ToolInput& input);
@@ -71,6 +75,7 @@ private:
 
   Snap snap_ = Snap::nothing;
   std::optional<Drag> drag_;
+  QTimer rest_; // until the pointer rests
   AreaGesture area_;
   Pick pressedOn_;                // where the area began
   std::optional<QPointF> camera_; // where the camera's gesture was pressed, until it moved

@@ -22,6 +22,7 @@ struct DrawSettings {
   float pixelSize; // width of a device pixel [L]; in perspective at depth 1
   ClipVolume clip; // what is drawn
   float depthFade; // how far the back of the plant steps back, in [0, 1]
+  double divider;  // of the view, as PlantView::setDivider
 };
 
 /// Memory of the graphics card. The context it was made in must be current at each call and

@@ -85,6 +85,43 @@ void paintPivot(QPainter& painter, const Scene& scene, const Camera& camera, con
   }
 }
 
+/// Where another state of the plant is shown only in a ball: its outline.
+void paintBalls(QPainter& painter, const Scene& scene, double divider, const ScreenMap& screen) {
+  for (const Side side : {Side::left, Side::right}) {
+    const OtherState& other = scene.other(side);
+    const bool isSeen = side == Side::left ? divider > 0 : divider < 1;
+    if (!other.isShown || !other.within || !isSeen) continue;
+    const auto middle = screen.project(other.within->center);
+    if (!middle) continue;
+    const double radius = other.within->radius / screen.pixelSize(middle->depth);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(toQt(palette(scene.dark).contracted, 160), 1.5, Qt::DashLine));
+    painter.drawEllipse(QPointF(middle->pixel.x(), middle->pixel.y()), radius, radius);
+  }
+}
+
+/// What is seen on each side of the divider, at its top.
+void paintStateNames(QPainter& painter, const Scene& scene, double divider, const QSizeF& size) {
+  const Palette colors = palette(scene.dark);
+  const double x = divider * size.width();
+  const QFontMetricsF metrics(painter.font());
+  for (const Side side : {Side::left, Side::right}) {
+    const QString& name = scene.other(side).name;
+    const bool isLeft = side == Side::left;
+    const double room = isLeft ? x : size.width() - x;
+    if (!scene.other(side).isShown || name.isEmpty() || room < 4 * margin) continue;
+    const bool isAlone = room >= size.width();
+    const QString text = metrics.elidedText(name, Qt::ElideRight, room - 2 * margin);
+    const double width = metrics.horizontalAdvance(text);
+    const double left = isAlone  ? (size.width() - width) / 2
+                        : isLeft ? x - margin - width
+                                 : x + margin;
+    const QRectF box(left, margin, width, metrics.height());
+    paintVeil(painter, box.adjusted(-8, -4, 8, 4), colors.backgroundBottom);
+    drawText(painter, box, Qt::AlignCenter, text, colors);
+  }
+}
+
 } // namespace
 
 std::vector<Legend> legendsOf(const Scene& scene, const QString& unit) {
@@ -107,10 +144,13 @@ std::vector<Legend> legendsOf(const Scene& scene, const QString& unit) {
 
 void Overlay::paint(QPainter& painter, const Scene& scene, const Camera& camera,
                     const QSizeF& size) const {
+  if (isBare) return;
   painter.setRenderHint(QPainter::Antialiasing);
   const ScreenMap screen(camera, {size.width(), size.height()});
   for (const ShownHull& hull : hulls)
     paintHull(painter, hull, screen, scene.dark);
+  if (sight) paintSight(painter, *sight, screen, scene.dark);
+  paintBalls(painter, scene, divider, screen);
   paintPreview(painter, preview, screen, scene.dark);
   paintBand(painter, band, scene.dark);
   if (scene.bounds().isEmpty()) return;
@@ -118,6 +158,7 @@ void Overlay::paint(QPainter& painter, const Scene& scene, const Camera& camera,
   paintScaleBar(painter, scene, camera, unit, size);
   paintAxes(painter, camera, size, scene.dark);
   if (pivotShown) paintPivot(painter, scene, camera, size);
+  paintStateNames(painter, scene, divider, size);
 }
 
 } // namespace espalier

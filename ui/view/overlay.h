@@ -4,12 +4,14 @@
 #include "ui/view/camera.h"
 #include "ui/view/hull_overlay.h"
 #include "ui/view/scene.h"
+#include "ui/view/sight_overlay.h"
 
 #include <QPainter>
 #include <QPolygonF>
 #include <QSizeF>
 #include <QString>
 
+#include <optional>
 #include <vector>
 
 namespace espalier {
@@ -22,10 +24,13 @@ namespace espalier {
 struct Overlay {
   QString unit; // of lengths; empty: not known
   bool hasLegends = true;
+  bool isBare = false; // nothing is painted
   bool pivotShown = false;
-  std::vector<ShownHull> hulls; // as PlantView::setHulls
-  QPolygonF band;               // as Canvas::showBand
-  Preview preview;              // as Canvas::showPreview
+  double divider = 1;              // of the view, as PlantView::setDivider
+  std::vector<ShownHull> hulls;    // as PlantView::setHulls
+  std::optional<ShownSight> sight; // as PlantView::showSight
+  QPolygonF band;                  // as Canvas::showBand
+  Preview preview;                 // as Canvas::showPreview
 
   /// @param size of the view in logical pixels
   void paint(QPainter& painter, const Scene& scene, const Camera& camera, const QSizeF& size) const;

@@ -15,6 +15,11 @@ std::optional<QPointF> pixelOf(const ScreenMap& screen, const Eigen::Vector3d& p
   return QPointF(found->pixel.x(), found->pixel.y());
 }
 
+/// Beside a line in the accent, so that it stands out from points of its color.
+QPen haloOf(double width, const Color& outline) {
+  return {toQt(outline, 150), width + 4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin};
+}
+
 /// All lines as one path: where they cross, they are no darker.
 QPainterPath pathOf(const Preview& preview, const ScreenMap& screen) {
   QPainterPath path;
@@ -42,6 +47,8 @@ void paintBand(QPainter& painter, const QPolygonF& band, bool dark) {
   if (band.isClosed()) {
     painter.drawPolygon(band.translated(0.5, 0.5), Qt::WindingFill); // on pixels, not between them
   } else {
+    painter.setPen(haloOf(2, palette(dark).outline));
+    painter.drawPolyline(band);
     painter.setPen(QPen(toQt(accent), 2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.drawPolyline(band);
   }
@@ -51,15 +58,16 @@ void paintPreview(QPainter& painter, const Preview& preview, const ScreenMap& sc
   if (preview.isEmpty()) return;
   const Palette colors = palette(dark);
   painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(toQt(colors.contracted, 170), 4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   const QPainterPath lines = pathOf(preview, screen);
   // Seen from afar, the nodes would hide the lines, and the plant.
   const double apart =
       lines.length() / static_cast<double>(std::max<std::size_t>(preview.nodes.size(), 1));
   const bool isFar = preview.nodes.size() > 50 && apart < 16;
-  if (isFar)
-    painter.setPen(
-        QPen(toQt(colors.contracted, 220), 2.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  const double width = isFar ? 2.5 : 4;
+  painter.setPen(haloOf(width, colors.outline));
+  painter.drawPath(lines);
+  painter.setPen(QPen(toQt(colors.contracted, isFar ? 220 : 170), width, Qt::SolidLine,
+                      Qt::RoundCap, Qt::RoundJoin));
   painter.drawPath(lines);
   painter.setPen(QPen(toQt(colors.outline, 200), 1));
   painter.setBrush(toQt(colors.contracted, 210));

@@ -12,6 +12,7 @@ QImage picture(const Scene& scene, const Camera& camera, const Overlay& overlay,
   OffscreenRenderer renderer(copy, makeSceneBuffers());
   PlantRenderer::Frame frame{.camera = camera, .size = size, .pixelRatio = pixelRatio};
   frame.points = std::numeric_limits<Eigen::Index>::max();
+  frame.divider = overlay.divider;
   renderer.draw(frame);
   QImage image = renderer.image();
   QPainter painter(&image);

@@ -20,6 +20,9 @@ void PlantProp::show(Scene& scene, std::shared_ptr<SceneBuffers> buffers) {
   points_ = std::make_unique<PointPass>(scene, *buffers_);
   reference_ = std::make_unique<SkeletonPass>(scene, *buffers_, SkeletonPass::What::reference);
   skeleton_ = std::make_unique<SkeletonPass>(scene, *buffers_, SkeletonPass::What::skeleton);
+  for (const Side side : {Side::left, Side::right})
+    others_[static_cast<std::size_t>(side)] =
+        std::make_unique<SkeletonPass>(scene, *buffers_, side);
 }
 
 void PlantProp::leaveBuffers(bool isCurrent) {
@@ -41,7 +44,8 @@ DrawSettings PlantProp::settings(vtkViewport* viewport) const {
           .perspective = perspective,
           .pixelSize = static_cast<float>(perspective ? pixelSize / camera.distance : pixelSize),
           .clip = scene_->clipVolume(camera),
-          .depthFade = static_cast<float>(scene_->depthFade)};
+          .depthFade = static_cast<float>(scene_->depthFade),
+          .divider = frame_.divider};
 }
 
 int PlantProp::RenderOpaqueGeometry(vtkViewport* viewport) {
@@ -56,6 +60,8 @@ int PlantProp::RenderOpaqueGeometry(vtkViewport* viewport) {
   shade_.copy(drawn, points_->picture(), scene_->showRadii);
   reference_->draw(drawn);
   skeleton_->draw(drawn);
+  for (const auto& other : others_)
+    other->draw(drawn);
   result_ = {points.complete, points.drawn};
   return 1;
 }
@@ -65,6 +71,8 @@ void PlantProp::ReleaseGraphicsResources(vtkWindow* window) {
   shade_.release();
   reference_->release();
   skeleton_->release();
+  for (const auto& other : others_)
+    other->release();
   leaveBuffers(true);
   vtkProp::ReleaseGraphicsResources(window);
 }

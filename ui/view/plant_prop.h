@@ -7,6 +7,7 @@
 
 #include <vtkProp.h>
 
+#include <array>
 #include <memory>
 
 namespace espalier {
@@ -43,6 +44,7 @@ private:
   ShadePass shade_;
   std::unique_ptr<SkeletonPass> reference_;
   std::unique_ptr<SkeletonPass> skeleton_;
+  std::array<std::unique_ptr<SkeletonPass>, 2> others_;
   PlantRenderer::Frame frame_;
   PlantRenderer::Result result_{};
   bool wasRelief_ = false;

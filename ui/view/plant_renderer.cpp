@@ -61,7 +61,7 @@ std::shared_ptr<SceneBuffers> makeSceneBuffers() {
   return std::make_shared<SceneBuffers>();
 }
 
-std::size_t bytesIn(const SceneBuffers& buffers) {
+std::size_t bytesIn(SceneBuffers& buffers) {
   return buffers.bytes();
 }
 

@@ -16,7 +16,7 @@ class SceneBuffers; // scene_buffers.h, which names OpenGL
 /// For renderers of one scene, whose contexts share what they hold.
 [[nodiscard]] std::shared_ptr<SceneBuffers> makeSceneBuffers();
 /// What a scene takes in the memory of the graphics card [bytes].
-[[nodiscard]] std::size_t bytesIn(const SceneBuffers& buffers);
+[[nodiscard]] std::size_t bytesIn(SceneBuffers& buffers);
 
 /// Draws a scene with VTK, in an OpenGL context that someone else owns.
 class PlantRenderer {
@@ -39,6 +39,7 @@ public:
     double pixelRatio = 1; // device pixels a logical pixel
     Eigen::Index points;   // to draw in this frame, at most
     bool moving = false;   // the next frame will show something else
+    double divider = 1;    // as PlantView::setDivider
   };
   struct Result {
     bool complete;            // all points are drawn

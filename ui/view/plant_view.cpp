@@ -27,7 +27,8 @@ SurfaceClient PlantView::Parts::client() {
                     .size = size,
                     .pixelRatio = pixelRatio,
                     .points = budget.points((moving ? movingFrame : restingFrame) / seenViews()),
-                    .moving = moving};
+                    .moving = moving,
+                    .divider = divider};
               },
           .drawn =
               [this](const PlantRenderer::Result& result, double milliseconds) {
@@ -48,6 +49,7 @@ void PlantView::Parts::paintOverlay(QPainter& painter) {
   overlay.unit = shared->unit;
   overlay.hulls = shared->hulls;
   overlay.hasLegends = isFirst();
+  overlay.divider = divider;
   overlay.pivotShown = navigator.gesture() == Navigator::Gesture::turn;
   painter.setRenderHint(QPainter::Antialiasing);
   clipHandles.paint(painter, sight(), scene.dark); // under the legends
@@ -204,7 +206,14 @@ int PlantView::coveredBy(const QRect& part) const {
 }
 
 std::vector<NodeId> PlantView::nodesInside(const QPolygonF& area, Depth depth) const {
-  return espalier::nodesInside(parts_->scene, parts_->pointer.screen(), area, depth);
+  const ScreenMap screen = parts_->pointer.screen();
+  auto found = espalier::nodesInside(parts_->scene, screen, area, depth);
+  std::erase_if(found, [&](NodeId id) {
+    const Eigen::Vector3d place = parts_->scene.skeleton.position(indexOf(id));
+    return !parts_->scene.showsPlant(place, screen.project(place)->pixel.x() / width(),
+                                     parts_->divider);
+  });
+  return found;
 }
 
 std::vector<Eigen::Index> PlantView::pointsInside(const QPolygonF& area, Depth depth) const {
@@ -227,6 +236,7 @@ QImage PlantView::picture(const QSize& size) {
   Overlay overlay;
   overlay.unit = parts_->shared->unit;
   overlay.hulls = parts_->shared->hulls;
+  overlay.divider = parts_->divider;
   return espalier::picture(parts_->scene, parts_->navigator.destination(), overlay, size);
 }
 

@@ -10,8 +10,10 @@
 #include "ui/view/close_look.h"
 #include "ui/view/hull_overlay.h"
 #include "ui/view/node_look.h"
+#include "ui/view/plant_state.h"
 #include "ui/view/point_colors.h"
 #include "ui/view/point_look.h"
+#include "ui/view/sight_overlay.h"
 
 #include <QImage>
 #include <QString>
@@ -55,6 +57,18 @@ public:
   void setReference(const Skeleton& reference);              // empty: none
   void setReferenceColors(std::optional<NodeColors> colors); // none: all alike
   void setReferenceSelection(const std::vector<NodeId>& nodes);
+  /// Shows another state of the plant on a side of the divider, where nothing of the plant itself
+  /// is picked then; none: the plant itself. Until setCloud().
+  void setState(Side side, const std::optional<PlantState>& state);
+  /// Where this view is divided, as part of its width. 1, as at first: all of it is the left side.
+  void setDivider(double across);
+  [[nodiscard]] double divider() const;
+  /// Draws contracted points on their way from where they were scanned, 0, to where they are, 1,
+  /// in place of the points; none: both layers where they are.
+  void setBlend(std::optional<double> blend);
+  void setDisplacementsShown(bool areShown); // a line for each way, of some 30 000 at most
+  void showSight(const std::optional<ShownSight>& sight); // over the plant; none: nothing
+  [[nodiscard]] const std::optional<ShownSight>& sightShown() const;
   void setHovered(const Pick& pick);
   void hoverAgain(); // tells the handler what lies under the resting pointer now
 
@@ -129,10 +143,13 @@ public:
 
   /// The view as it would be drawn at `size`, all points, no pointer, no band and no preview.
   [[nodiscard]] QImage picture(const QSize& size);
+  /// Another state of the plant as this view would draw it, without legends and names.
+  [[nodiscard]] QImage pictureOf(const PlantState& state, const QSize& size) const;
   [[nodiscard]] std::size_t graphicsBytes() const; // that all views of the plant hold together
 
 signals:
   void cameraMoved(const espalier::Camera& camera); // to where it is now
+  void dividerMoved(double across);                 // by hand
   // Told by the first view of a plant:
   void clipChanged();        // or how far the back steps back
   void colorScalesChanged(); // by hand

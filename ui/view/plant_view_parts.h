@@ -3,6 +3,7 @@
 #include "ui/view/clip_handles.h"
 #include "ui/view/color_bar.h"
 #include "ui/view/detail_budget.h"
+#include "ui/view/divider.h"
 #include "ui/view/minimap.h"
 #include "ui/view/navigator.h"
 #include "ui/view/overlay_widget.h"
@@ -32,7 +33,8 @@ struct PlantView::Shared {
 /// What a view is made of; for its own sources.
 struct PlantView::Parts {
   Parts(PlantView& widget, std::shared_ptr<Shared> with)
-      : owner(widget), shared(std::move(with)), scene(shared->scene), pointer(scene, navigator),
+      : owner(widget), shared(std::move(with)), scene(shared->scene),
+        pointer(scene, navigator, divider),
         surface(makeSurface(scene, shared->buffers, client(), &widget)),
         overlayWidget(
             new OverlayWidget([this](QPainter& painter) { paintOverlay(painter); }, &widget)) {
@@ -65,12 +67,14 @@ struct PlantView::Parts {
     overlayWidget->update();
     refreshColorBars();
     refreshMinimap();
+    refreshDivider();
   }
   [[nodiscard]] bool isFirst() const { return shared->views.front() == this; }
   /// How many share the time there is to draw.
   [[nodiscard]] double seenViews() const;
   void refreshColorBars(); // plant_view_looks.cpp
   void refreshMinimap();   // likewise
+  void refreshDivider();   // plant_view_states.cpp
   ColorBar* makeColorBar();
   Minimap* makeMinimap();
   [[nodiscard]] ColorBar* draggedColorBar() const;
@@ -113,6 +117,8 @@ struct PlantView::Parts {
   bool wasFramed = false;
   QWidget* surface; // owned by the view; goes before what it draws, see ~PlantView
   QWidget* overlayWidget;
+  double divider = 1;               // as PlantView::setDivider
+  Divider* dividerHandle = nullptr; // owned by the view; null: not shown yet
   Minimap* minimap = nullptr;       // owned by the view; null: switched off
   std::vector<ColorBar*> colorBars; // owned by the view; those beyond the legends are hidden
 };

@@ -14,6 +14,8 @@ namespace {
 constexpr const char* vertexShader = "#version 330 core\n" ESPALIER_CLIP R"(
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec4 color; // alpha 0: hidden
+layout(location = 2) in vec3 scanned;
+uniform float blend;          // how far from there to the position
 uniform mat4 toClip;
 uniform vec4 toDepth;
 uniform vec2 depths;          // of the plant, nearest and farthest
@@ -21,9 +23,10 @@ uniform float depthFade;
 uniform vec3 backgroundColor;
 flat out vec3 pointColor;
 void main() {
-  float depth = dot(toDepth, vec4(position, 1.0));
-  gl_Position = color.a < 0.5 || isClipped(position, depth) ? vec4(2.0, 2.0, 2.0, 1.0)
-                                                            : toClip * vec4(position, 1.0);
+  vec3 place = mix(scanned, position, blend);
+  float depth = dot(toDepth, vec4(place, 1.0));
+  gl_Position = color.a < 0.5 || isClipped(place, depth) ? vec4(2.0, 2.0, 2.0, 1.0)
+                                                         : toClip * vec4(place, 1.0);
   float part = clamp((depth - depths.x) / (depths.y - depths.x), 0.0, 1.0);
   pointColor = mix(color.rgb, backgroundColor, 0.92 * depthFade * part);
 })";
@@ -53,6 +56,18 @@ Eigen::Vector2f depthsOf(const Scene& scene, const Eigen::Vector4f& toDepth) {
   return {depth - reach, depth + reach};
 }
 
+/// Has an attribute read places from a buffer.
+void readPlaces(GLuint attribute, const GlBuffer& buffer) {
+  buffer.bind();
+  glEnableVertexAttribArray(attribute);
+  glVertexAttribPointer(attribute, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
+}
+
+void setColor(const Color& color) {
+  glDisableVertexAttribArray(1);
+  glVertexAttrib4Nub(1, color[0], color[1], color[2], 255);
+}
+
 /// Points are as many pixels larger as fewer of them are drawn: the plant keeps its body.
 float sizeFor(const Scene& scene, const DrawSettings& settings, double part) {
   const auto size = static_cast<float>(scene.pointSize) * settings.pixelRatio;
@@ -62,20 +77,32 @@ float sizeFor(const Scene& scene, const DrawSettings& settings, double part) {
 } // namespace
 
 PointPass::Key PointPass::keyOf(const DrawSettings& settings, float pointSize) const {
+  const auto shown = [](const OtherState& other) {
+    return (other.isShown ? 1U : 0U) + (other.replacesPoints ? 2U : 0U);
+  };
   return {settings.toClip * settings.toView,
           settings.size,
           pointSize,
           {scene_.points.revision, scene_.colorRevision, scene_.contracted.revision,
-           scene_.points.visible ? 1U : 0U, scene_.contracted.visible ? 1U : 0U},
+           scene_.points.visible ? 1U : 0U, scene_.contracted.visible ? 1U : 0U,
+           scene_.other(Side::left).contracted.revision, shown(scene_.other(Side::left)),
+           scene_.other(Side::right).contracted.revision, shown(scene_.other(Side::right)),
+           scene_.displacementsShown ? 1U : 0U},
           settings.clip,
-          settings.depthFade};
+          settings.depthFade,
+          settings.divider,
+          scene_.blend.value_or(-1)};
 }
 
 PointPass::Result PointPass::draw(const DrawSettings& settings, Eigen::Index atMost, bool moving) {
   buffers_.uploadPoints(scene_);
-  Eigen::Index total = 0;
-  for (const PointLayer* layer : {&scene_.points, &scene_.contracted})
-    if (layer->visible) total += layer->size();
+  Eigen::Index total = scene_.points.visible ? scene_.points.size() : 0;
+  const bool areContracted = scene_.contracted.visible || scene_.blend;
+  for (const StatePart& part : stateParts(scene_, settings.divider)) {
+    const OtherState* other = part.other ? &scene_.other(*part.other) : nullptr;
+    if (areContracted || (other != nullptr && other->replacesPoints))
+      total += other != nullptr ? other->contracted.size() : scene_.contracted.size();
+  }
   const double step = total > atMost ? static_cast<double>(atMost) / static_cast<double>(total) : 1;
   const float pointSize = sizeFor(scene_, settings, moving ? step : 1);
   const bool isNew = picture_.resize(static_cast<int>(settings.size.x()),
@@ -105,52 +132,97 @@ void PointPass::drawLayers(const DrawSettings& settings, float pointSize, double
     state->vtkglClearColor(0, 0, 0, 0);
     state->vtkglClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   }
-  if (scene_.points.visible)
-    drawLayer(settings, scene_.points, buffers_.cloud(), pointSize, drawn_, until);
-  if (scene_.contracted.visible)
-    drawLayer(settings, scene_.contracted, buffers_.contracted(), pointSize, drawn_, until);
+  if (scene_.points.visible && !scene_.blend) {
+    for (const StatePart& part : pointParts(scene_, settings.divider)) {
+      const OnlyIn only(part, settings);
+      drawLayer(settings, pointsOf(part.hole), pointSize, until);
+    }
+  }
+  for (const StatePart& part : stateParts(scene_, settings.divider))
+    drawPart(settings, part, pointSize, until);
   state->PopFramebufferBindings();
 }
 
-void PointPass::drawLayer(const DrawSettings& settings, const PointLayer& points,
-                          const SceneBuffers::Points& layer, float pointSize, double from,
-                          double to) {
-  const auto count = static_cast<double>(points.size());
-  const auto first = static_cast<GLint>(std::llround(from * count));
-  const auto last = static_cast<GLint>(std::llround(to * count));
-  if (first == last) return;
+PointPass::Drawn PointPass::pointsOf(const std::optional<Ball>& hole) const {
+  const SceneBuffers::Points& cloud = buffers_.cloud();
+  return {.points = scene_.points, .buffers = cloud, .colors = &cloud.colors, .hole = hole};
+}
+
+void PointPass::drawPart(const DrawSettings& settings, const StatePart& part, float pointSize,
+                         double until) {
+  const PointLayer& points = part.other ? scene_.other(*part.other).contracted : scene_.contracted;
+  const OnlyIn only(part, settings);
+  if (points.size() == 0) { // nothing has been contracted: what travels is still where it was
+    if (scene_.blend && scene_.points.visible)
+      drawLayer(settings, pointsOf(part.hole), pointSize, until);
+    return;
+  }
+  const SceneBuffers::Points& buffers = buffers_.contracted(part.other);
+  const bool isWhole = points.size() == scene_.points.size();
+  const GlBuffer* own = buffers.scanned.size() > 0 ? &buffers.scanned : nullptr;
+  const Drawn drawn{.points = points,
+                    .buffers = buffers,
+                    .scanned = own == nullptr && isWhole ? &buffers_.cloud().positions : own,
+                    .colors = scene_.blend && isWhole ? &buffers_.cloud().colors : nullptr,
+                    .hole = part.hole};
+  const bool isShown = scene_.contracted.visible || scene_.blend ||
+                       (part.other && scene_.other(*part.other).replacesPoints);
+  if (isShown) drawLayer(settings, drawn, pointSize, until);
+  if (scene_.displacementsShown && drawn_ == 0) drawDisplacements(settings, drawn);
+}
+
+void PointPass::prepare(const DrawSettings& settings, const Drawn& layer, float pointSize) {
   const bool isRound = pointSize >= 4;
   vtkShaderProgram& program =
       readyProgram(*settings.window, vertexShader, isRound ? roundShader : squareShader);
   const Eigen::Matrix4f matrix = settings.toClip * settings.toView;
   program.SetUniformMatrix4x4("toClip", const_cast<float*>(matrix.data()));
   setClip(program, settings.clip);
+  setHole(program, layer.hole, scene_.origin());
   const Eigen::Vector4f toDepth = -settings.toView.row(2).transpose();
   program.SetUniform4f("toDepth", toDepth.data());
   const Eigen::Vector2f depths = depthsOf(scene_, toDepth);
   program.SetUniform2f("depths", depths.data());
   program.SetUniformf("depthFade", settings.depthFade);
+  const bool travels = scene_.blend && layer.scanned != nullptr;
+  program.SetUniformf("blend", travels ? static_cast<float>(*scene_.blend) : 1);
   const Color& background = palette(scene_.dark).backgroundBottom;
   const Eigen::Vector3f faded =
       Eigen::Vector3f(background[0], background[1], background[2]) / 255.0F;
   program.SetUniform3f("backgroundColor", faded.data());
-
   if (vertexArray_ == 0) glGenVertexArrays(1, &vertexArray_);
   glBindVertexArray(vertexArray_);
-  layer.positions.bind();
-  glEnableVertexAttribArray(0);
-  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
-  if (layer.colors.size() > 0) {
-    layer.colors.bind();
+}
+
+void PointPass::drawLayer(const DrawSettings& settings, const Drawn& layer, float pointSize,
+                          double until) {
+  const auto count = static_cast<double>(layer.points.size());
+  const auto first = static_cast<GLint>(std::llround(drawn_ * count));
+  const auto last = static_cast<GLint>(std::llround(until * count));
+  if (first == last) return;
+  prepare(settings, layer, pointSize);
+  readPlaces(0, layer.buffers.positions);
+  readPlaces(2, layer.scanned != nullptr ? *layer.scanned : layer.buffers.positions);
+  if (layer.colors != nullptr) {
+    layer.colors->bind();
     glEnableVertexAttribArray(1);
     glVertexAttribPointer(1, 4, GL_UNSIGNED_BYTE, GL_TRUE, 4, nullptr);
   } else {
-    const Color& color = palette(scene_.dark).contracted;
-    glDisableVertexAttribArray(1);
-    glVertexAttrib4Nub(1, color[0], color[1], color[2], 255);
+    setColor(palette(scene_.dark).contracted);
   }
   glPointSize(pointSize);
   glDrawArrays(GL_POINTS, first, last - first);
+  glBindVertexArray(0);
+}
+
+void PointPass::drawDisplacements(const DrawSettings& settings, const Drawn& layer) {
+  const GlBuffer& lines = layer.buffers.displacements;
+  if (lines.size() == 0) return;
+  prepare(settings, {.points = layer.points, .buffers = layer.buffers, .hole = layer.hole}, 1);
+  readPlaces(0, lines);
+  readPlaces(2, lines);
+  setColor(palette(scene_.dark).reference);
+  glDrawArrays(GL_LINES, 0, static_cast<GLsizei>(lines.size() / (3 * sizeof(float))));
   glBindVertexArray(0);
 }
 

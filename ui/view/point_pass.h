@@ -3,6 +3,7 @@
 #include "ui/view/gl_objects.h"
 #include "ui/view/scene.h"
 #include "ui/view/scene_buffers.h"
+#include "ui/view/state_parts.h"
 
 #include <array>
 #include <optional>
@@ -36,17 +37,32 @@ private:
     Eigen::Matrix4f matrix;
     Eigen::Vector2f size;
     float pointSize;
-    std::array<std::uint64_t, 5> states;
+    std::array<std::uint64_t, 10> states;
     ClipVolume clip;
     float depthFade;
+    double divider;
+    double blend;
     bool operator==(const Key&) const = default;
   };
 
   [[nodiscard]] Key keyOf(const DrawSettings& settings, float pointSize) const;
   /// Draws what is missing up to a part of each layer.
   void drawLayers(const DrawSettings& settings, float pointSize, double until);
-  void drawLayer(const DrawSettings& settings, const PointLayer& points,
-                 const SceneBuffers::Points& layer, float pointSize, double from, double to);
+  /// A layer as it is drawn by one call.
+  struct Drawn {
+    const PointLayer& points;
+    const SceneBuffers::Points& buffers;
+    const GlBuffer* scanned = nullptr; // where the points come from; null: nothing moves
+    const GlBuffer* colors = nullptr;  // null: the accent
+    std::optional<Ball> hole;
+  };
+  [[nodiscard]] Drawn pointsOf(const std::optional<Ball>& hole) const; // of the cloud
+  void drawLayer(const DrawSettings& settings, const Drawn& layer, float pointSize, double until);
+  /// What contracted points show in a part of the screen.
+  void drawPart(const DrawSettings& settings, const StatePart& part, float pointSize, double until);
+  void drawDisplacements(const DrawSettings& settings, const Drawn& layer);
+  /// Makes the program ready, but for what its vertices are.
+  void prepare(const DrawSettings& settings, const Drawn& layer, float pointSize);
 
   const Scene& scene_;
   SceneBuffers& buffers_;

@@ -91,6 +91,7 @@ Pick PointerInput::pick(const QPointF& position) const {
     const Visibility visibility(scene_, map, QRectF(position - reach, position + reach));
     pick = pickSkeleton(scene_.skeleton, map, pixel, skeletonReach, &visibility, clip);
   }
+  pick = ofPlant(pick, position);
   pick.point = pointUnder(scene_.points, scene_.origin(), map, pixel, [&](Eigen::Index i) {
     return scene_.isPointShown(i) && clip.contains(scene_.points.positions->col(i));
   });
@@ -99,6 +100,12 @@ Pick PointerInput::pick(const QPointF& position) const {
       return clip.contains(scene_.contracted.positions->col(i));
     });
   return pick;
+}
+
+Pick PointerInput::ofPlant(const Pick& pick, const QPointF& position) const {
+  const std::optional<Eigen::Vector3d> place = placeOf(pick, scene_.skeleton);
+  const bool isShown = place && scene_.showsPlant(*place, position.x() / size_.width(), divider_);
+  return isShown ? pick : Pick{};
 }
 
 ToolInput PointerInput::input(ToolInput::Phase phase, const Pointer& pointer,

@@ -17,8 +17,10 @@ class PointerInput {
 public:
   using Handler = std::function<bool(const ToolInput&)>;
 
-  /// Both must outlive it.
-  PointerInput(const Scene& scene, Navigator& navigator) : scene_(scene), navigator_(navigator) {}
+  /// All must outlive it.
+  /// @param divider of the view, as PlantView::setDivider
+  PointerInput(const Scene& scene, Navigator& navigator, const double& divider)
+      : scene_(scene), navigator_(navigator), divider_(divider) {}
   /// Are nodes and edges picked, and taken by areas, that are hidden behind wood?
   void setDepth(Depth depth) { depth_ = depth; }
   [[nodiscard]] Depth depth() const { return depth_; }
@@ -47,6 +49,8 @@ private:
     Qt::MouseButton button;
     Qt::KeyboardModifiers modifiers;
   };
+  /// Drops what is not drawn there, since another state of the plant is.
+  [[nodiscard]] Pick ofPlant(const Pick& pick, const QPointF& position) const;
   [[nodiscard]] ToolInput input(ToolInput::Phase phase, const Pointer& pointer,
                                 const Pick& pick) const;
   bool tell(ToolInput::Phase phase, const Pointer& pointer, const Pick& pick);
@@ -54,6 +58,7 @@ private:
 
   const Scene& scene_;
   Navigator& navigator_;
+  const double& divider_;
   Handler handler_;
   Depth depth_ = Depth::front;
   QSizeF size_{1, 1};

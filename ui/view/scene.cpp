@@ -38,6 +38,8 @@ void Scene::setCloud(std::shared_ptr<const PointCloud> replacement) {
   setPointColor(pointColor);
   skeleton.moveOrigin(origin());
   reference.moveOrigin(origin());
+  for (const Side side : {Side::left, Side::right})
+    setOther(side, std::nullopt); // it was of other points
 }
 
 void Scene::setSkeleton(const Skeleton& replacement) {
@@ -52,6 +54,24 @@ void Scene::setReference(const Skeleton& replacement) {
   if (points.size() == 0 && skeleton.bounds().isEmpty() && !replacement.isEmpty())
     skeleton.moveOrigin(replacement[replacement.ids().front()].position);
   reference.rebuild(replacement, origin());
+}
+
+void Scene::setOther(Side side, const std::optional<PlantState>& state) {
+  OtherState& shown = other(side);
+  shown.isShown = state.has_value();
+  shown.name = state ? state->name : QString();
+  shown.replacesPoints = state && state->replacesPoints;
+  shown.within = state ? state->within : std::nullopt;
+  shown.scanned = state ? state->scanned : nullptr;
+  shown.contracted.set(state ? state->contracted : nullptr);
+  shown.skeleton.rebuild(state ? state->skeleton : Skeleton(), origin());
+  if (state) shown.skeleton.setColors(state->colors);
+  recolorNodes();
+}
+
+bool Scene::showsPlant(const Eigen::Vector3d& place, double across, double divider) const {
+  const OtherState& shown = other(across < divider ? Side::left : Side::right);
+  return !shown.isShown || (shown.within && !shown.within->contains(place));
 }
 
 void Scene::setPointColor(PointColor color) {
@@ -97,6 +117,12 @@ void Scene::recolorNodes() {
   skeleton.setColorMap(legend ? std::optional(LegendColors(*legend, dark)) : std::nullopt);
   const std::optional<Legend> other = referenceLegend();
   reference.setColorMap(other ? std::optional(LegendColors(*other, dark)) : std::nullopt);
+  for (OtherState& shown : others) {
+    const Legend* given = shown.skeleton.legend();
+    shown.skeleton.setColorMap(given != nullptr
+                                   ? std::optional(LegendColors(colorScales.ofNodes(*given), dark))
+                                   : std::nullopt);
+  }
 }
 
 std::optional<Legend> Scene::pointLegend() const {

@@ -2,6 +2,7 @@
 
 #include "core/cloud/point_cloud.h"
 #include "ui/view/clip.h"
+#include "ui/view/plant_state.h"
 #include "ui/view/point_colors.h"
 #include "ui/view/point_hierarchy.h"
 #include "ui/view/point_look.h"
@@ -10,8 +11,10 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace espalier {
@@ -28,6 +31,17 @@ struct PointLayer {
   [[nodiscard]] Eigen::Index size() const { return positions ? positions->cols() : 0; }
 };
 
+/// A PlantState as it is drawn on its side of the divider.
+struct OtherState {
+  bool isShown = false;
+  QString name;
+  PointLayer contracted;
+  std::shared_ptr<const Eigen::Matrix3Xf> scanned; // where these points come from; may be null
+  SkeletonGlyphs skeleton;
+  bool replacesPoints = false;
+  std::optional<Ball> within;
+};
+
 /// What the view shows. Read by the renderer, the overlay and the picker; knows none of them.
 struct Scene {
   std::shared_ptr<const PointCloud> cloud; // null: none
@@ -37,6 +51,12 @@ struct Scene {
   SkeletonGlyphs reference; // what it is compared with; drawn, never picked
   bool skeletonVisible = true;
   bool referenceVisible = true;
+  std::array<OtherState, 2> others; // in place of the plant, by the side of the divider
+
+  /// How far contracted points have gone from where they were scanned, in [0, 1]; they are then
+  /// drawn in place of the points. None: each layer is where it is.
+  std::optional<double> blend;
+  bool displacementsShown = false; // a line from where a point was scanned to where it is now
 
   PointColor pointColor = PointColor::height;
   std::optional<Legend> colorLegend;      // of `cloud` by `pointColor`, as given
@@ -52,7 +72,8 @@ struct Scene {
 
   void setCloud(std::shared_ptr<const PointCloud> replacement);
   void setSkeleton(const Skeleton& replacement);
-  void setReference(const Skeleton& replacement); // empty: none
+  void setReference(const Skeleton& replacement);                   // empty: none
+  void setOther(Side side, const std::optional<PlantState>& state); // none: the plant itself
   void setPointColor(PointColor color);
   void setPointStates(std::shared_ptr<const std::vector<PointState>> states);
   void setPointValues(std::optional<PointValues> values);
@@ -65,6 +86,15 @@ struct Scene {
   [[nodiscard]] std::optional<Legend> pointLegend() const;
   [[nodiscard]] std::optional<Legend> nodeLegend() const;
   [[nodiscard]] std::optional<Legend> referenceLegend() const;
+
+  [[nodiscard]] const OtherState& other(Side side) const {
+    return others[static_cast<std::size_t>(side)];
+  }
+  [[nodiscard]] OtherState& other(Side side) { return others[static_cast<std::size_t>(side)]; }
+  /// Is the plant itself, not another state of it, drawn here?
+  /// @param divider of the view, as PlantView::setDivider
+  /// @param across  from its left, in [0, 1]
+  [[nodiscard]] bool showsPlant(const Eigen::Vector3d& place, double across, double divider) const;
 
   /// Is a point of the cloud drawn, as long as its layer is?
   [[nodiscard]] bool isPointShown(Eigen::Index point) const {

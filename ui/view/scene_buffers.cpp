@@ -32,6 +32,25 @@ template <class Value, class At> std::vector<Value> inDrawingOrder(Eigen::Index 
   return values;
 }
 
+/// Lines from where points were scanned to where they are now: of an even part of them, if they are
+/// many.
+void uploadDisplacements(GlBuffer& buffer, const Eigen::Matrix3Xf& scanned,
+                         const Eigen::Matrix3Xf& positions) {
+  constexpr std::size_t atMost = 30000;
+  struct Line {
+    std::array<float, 3> from;
+    std::array<float, 3> to;
+  };
+  const auto placeIn = [](const Eigen::Matrix3Xf& places, Eigen::Index i) {
+    return std::array<float, 3>{places(0, i), places(1, i), places(2, i)};
+  };
+  auto lines = inDrawingOrder<Line>(positions.cols(), [&](Eigen::Index i) {
+    return Line{placeIn(scanned, i), placeIn(positions, i)};
+  });
+  lines.resize(std::min(lines.size(), atMost));
+  buffer.upload(lines.data(), lines.size() * sizeof(Line));
+}
+
 void uploadPositions(GlBuffer& buffer, const Eigen::Matrix3Xf& positions) {
   using Place = std::array<float, 3>;
   const auto places = inDrawingOrder<Place>(positions.cols(), [&](Eigen::Index i) {
@@ -80,6 +99,21 @@ void upload(SceneBuffers::Glyphs& buffers, SkeletonGlyphs& glyphs) {
   uploadChanges(buffers.edges, glyphs.edges(), glyphs.takeChangedEdges());
 }
 
+void uploadContracted(SceneBuffers::Points& buffers, const PointLayer& layer,
+                      const Eigen::Matrix3Xf* scanned, const Scene& scene) {
+  if (buffers.revision != layer.revision && layer.positions)
+    uploadPositions(buffers.positions, *layer.positions);
+  buffers.revision = layer.revision;
+  const bool hasBoth = layer.positions && scanned && scanned->cols() == layer.size();
+  if (!scene.displacementsShown || !hasBoth) {
+    buffers.displacements.release();
+    buffers.displacedRevision = 0;
+  } else if (buffers.displacedRevision != layer.revision) {
+    uploadDisplacements(buffers.displacements, *scanned, *layer.positions);
+    buffers.displacedRevision = layer.revision;
+  }
+}
+
 } // namespace
 
 void SceneBuffers::uploadPoints(const Scene& scene) {
@@ -87,15 +121,26 @@ void SceneBuffers::uploadPoints(const Scene& scene) {
     uploadPositions(cloud_.positions, *scene.points.positions);
   if (cloud_.colorRevision != scene.colorRevision && scene.cloud)
     uploadLooks(cloud_.colors, pointLooks(scene));
-  if (contracted_.revision != scene.contracted.revision && scene.contracted.positions)
-    uploadPositions(contracted_.positions, *scene.contracted.positions);
   cloud_.revision = scene.points.revision;
   cloud_.colorRevision = scene.colorRevision;
-  contracted_.revision = scene.contracted.revision;
+  uploadContracted(contracted_, scene.contracted, scene.points.positions.get(), scene);
+  for (const Side side : {Side::left, Side::right}) {
+    const OtherState& other = scene.other(side);
+    Points& buffers = others_[static_cast<std::size_t>(side)].contracted;
+    if (other.scanned && buffers.revision != other.contracted.revision)
+      uploadPositions(buffers.scanned, *other.scanned);
+    if (!other.scanned) buffers.scanned.release();
+    uploadContracted(buffers, other.contracted,
+                     other.scanned ? other.scanned.get() : scene.points.positions.get(), scene);
+  }
 }
 
 void SceneBuffers::uploadSkeleton(Scene& scene) {
   upload(skeleton_, scene.skeleton);
+}
+
+void SceneBuffers::uploadOther(Scene& scene, Side side) {
+  upload(others_[static_cast<std::size_t>(side)].skeleton, scene.other(side).skeleton);
 }
 
 void SceneBuffers::uploadReference(Scene& scene) {
@@ -115,20 +160,26 @@ const GlBuffer& SceneBuffers::quads(std::size_t count) {
   return quads_;
 }
 
-std::size_t SceneBuffers::bytes() const {
+std::vector<GlBuffer*> SceneBuffers::all() {
+  std::vector<GlBuffer*> buffers{&quads_};
+  for (Points* points : {&cloud_, &contracted_, &others_[0].contracted, &others_[1].contracted})
+    buffers.insert(buffers.end(),
+                   {&points->positions, &points->scanned, &points->colors, &points->displacements});
+  for (Glyphs* glyphs : {&skeleton_, &reference_, &others_[0].skeleton, &others_[1].skeleton})
+    buffers.insert(buffers.end(), {&glyphs->nodes, &glyphs->edges});
+  return buffers;
+}
+
+std::size_t SceneBuffers::bytes() {
   std::size_t bytes = 0;
-  for (const GlBuffer* buffer :
-       {&cloud_.positions, &cloud_.colors, &contracted_.positions, &skeleton_.nodes,
-        &skeleton_.edges, &reference_.nodes, &reference_.edges, &quads_})
+  for (const GlBuffer* buffer : all())
     bytes += buffer->size();
   return bytes;
 }
 
 void SceneBuffers::leave(bool isCurrent) {
   if (--users_ > 0) return;
-  for (GlBuffer* buffer :
-       {&cloud_.positions, &cloud_.colors, &contracted_.positions, &skeleton_.nodes,
-        &skeleton_.edges, &reference_.nodes, &reference_.edges, &quads_})
+  for (GlBuffer* buffer : all())
     if (isCurrent) buffer->release();
   *this = {};
 }

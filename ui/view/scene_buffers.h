@@ -3,7 +3,10 @@
 #include "ui/view/gl_objects.h"
 #include "ui/view/scene.h"
 
+#include <array>
 #include <cstdint>
+#include <optional>
+#include <vector>
 
 namespace espalier {
 
@@ -13,9 +16,12 @@ class SceneBuffers {
 public:
   struct Points {
     GlBuffer positions;
-    GlBuffer colors; // empty: all of one color
+    GlBuffer scanned;       // where they come from; empty: as the points of the cloud
+    GlBuffer colors;        // empty: all of one color
+    GlBuffer displacements; // pairs of places, if these are shown
     std::uint64_t revision = 0;
     std::uint64_t colorRevision = 0;
+    std::uint64_t displacedRevision = 0; // 0: not uploaded
   };
 
   struct Glyphs {
@@ -27,14 +33,21 @@ public:
   void uploadPoints(const Scene& scene);
   void uploadSkeleton(Scene& scene);  // takes from the scene what changed
   void uploadReference(Scene& scene); // likewise
+  void uploadOther(Scene& scene, Side side);
 
   [[nodiscard]] const Points& cloud() const { return cloud_; }
-  [[nodiscard]] const Points& contracted() const { return contracted_; }
+  /// @param other a state on a side of the divider; none: of the plant itself
+  [[nodiscard]] const Points& contracted(std::optional<Side> other = {}) const {
+    return other ? others_[static_cast<std::size_t>(*other)].contracted : contracted_;
+  }
   [[nodiscard]] const Glyphs& skeleton() const { return skeleton_; }
   [[nodiscard]] const Glyphs& reference() const { return reference_; }
+  [[nodiscard]] const Glyphs& skeleton(Side side) const {
+    return others_[static_cast<std::size_t>(side)].skeleton;
+  }
   /// Which corners make the triangles of glyphs: of `count` at least.
   [[nodiscard]] const GlBuffer& quads(std::size_t count);
-  [[nodiscard]] std::size_t bytes() const; // in all
+  [[nodiscard]] std::size_t bytes(); // in all
 
   /// Counts who draws from them. The last to leave frees them, if its context still is current;
   /// what another draws later is uploaded anew.
@@ -42,10 +55,17 @@ public:
   void leave(bool isCurrent);
 
 private:
+  struct Other {
+    Points contracted;
+    Glyphs skeleton;
+  };
+  [[nodiscard]] std::vector<GlBuffer*> all();
+
   Points cloud_;
   Points contracted_;
   Glyphs skeleton_;
   Glyphs reference_;
+  std::array<Other, 2> others_;
   GlBuffer quads_;
   int users_ = 0;
 };

@@ -3,6 +3,7 @@
 #include "ui/view/clip_shader.h"
 #include "ui/view/palette.h"
 #include "ui/view/skeleton_shaders.h"
+#include "ui/view/state_parts.h"
 
 #include <vtkOpenGLState.h>
 
@@ -42,10 +43,16 @@ Eigen::Vector2f depthsOf(const SkeletonGlyphs& skeleton, const DrawSettings& set
 void SkeletonPass::draw(const DrawSettings& settings) {
   const bool isVisible = isReference_ ? scene_.referenceVisible : scene_.skeletonVisible;
   if (!isVisible || glyphs().nodes().empty()) return;
-  if (isReference_)
-    buffers_.uploadReference(scene_);
-  else
-    buffers_.uploadSkeleton(scene_);
+  upload();
+  if (isReference_) return drawAll(settings, std::nullopt);
+  for (const StatePart& part : stateParts(scene_, settings.divider)) {
+    if (part.other != other_) continue;
+    const OnlyIn only(part, settings);
+    drawAll(settings, part.hole);
+  }
+}
+
+void SkeletonPass::drawAll(const DrawSettings& settings, const std::optional<Ball>& hole) {
   vtkOpenGLState* state = settings.window->GetState();
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthMask(GL_TRUE);
@@ -56,16 +63,25 @@ void SkeletonPass::draw(const DrawSettings& settings) {
   constexpr GLenum clipSides = 8;
   for (GLenum side = 0; side < clipSides && !settings.clip.isAll(); ++side)
     glEnable(GL_CLIP_DISTANCE0 + side); // of edges only: nodes are drawn or not
-  drawEdges(settings);
+  drawEdges(settings, hole);
   for (GLenum side = 0; side < clipSides; ++side)
     glDisable(GL_CLIP_DISTANCE0 + side);
-  if (scene_.showRadii && !isReference_) drawNodes(settings, true);
-  drawNodes(settings, false);
+  if (scene_.showRadii && !isReference_) drawNodes(settings, hole, true);
+  drawNodes(settings, hole, false);
   glBindVertexArray(0);
 }
 
+void SkeletonPass::upload() {
+  if (other_)
+    buffers_.uploadOther(scene_, *other_);
+  else if (isReference_)
+    buffers_.uploadReference(scene_);
+  else
+    buffers_.uploadSkeleton(scene_);
+}
+
 void SkeletonPass::setCommon(vtkShaderProgram& program, const DrawSettings& settings,
-                             bool isSolid) const {
+                             const std::optional<Ball>& hole, bool isSolid) const {
   program.SetUniformMatrix4x4("toView", const_cast<float*>(settings.toView.data()));
   program.SetUniformMatrix4x4("toClip", const_cast<float*>(settings.toClip.data()));
   const float half[2] = {settings.size.x() / 2, settings.size.y() / 2};
@@ -74,7 +90,8 @@ void SkeletonPass::setCommon(vtkShaderProgram& program, const DrawSettings& sett
   program.SetUniformf("pixelSize", settings.pixelSize);
   program.SetUniformi("perspective", settings.perspective ? 1 : 0);
   const Palette colors = palette(scene_.dark);
-  const Color& successor = isReference_ ? colors.reference : colors.successor;
+  const Color& usual = other_ ? colors.contracted : colors.successor;
+  const Color& successor = isReference_ ? colors.reference : usual;
   const Color& branching = isReference_ ? colors.reference : colors.branching;
   setColor(program, "successorColor", isSolid ? colors.solid : successor);
   setColor(program, "branchingColor", isSolid ? colors.solid : branching);
@@ -88,14 +105,15 @@ void SkeletonPass::setCommon(vtkShaderProgram& program, const DrawSettings& sett
   program.SetUniformf("roominess", roominess(settings));
   program.SetUniformf("depthFade", settings.depthFade);
   setClip(program, settings.clip);
+  setHole(program, hole, scene_.origin());
 }
 
-void SkeletonPass::drawEdges(const DrawSettings& settings) {
+void SkeletonPass::drawEdges(const DrawSettings& settings, const std::optional<Ball>& hole) {
   using namespace shaders;
   const bool tubes = scene_.showRadii && !isReference_; // dots would not be seen on them
   vtkShaderProgram& program = readyProgram(*settings.window, tubes ? tubeVertex : lineVertex,
                                            tubes ? tubeFragment : lineFragment);
-  setCommon(program, settings, tubes);
+  setCommon(program, settings, hole, tubes);
   if (edgeArray_ == 0) glGenVertexArrays(1, &edgeArray_);
   glBindVertexArray(edgeArray_);
   buffers().edges.bind();
@@ -107,11 +125,12 @@ void SkeletonPass::drawEdges(const DrawSettings& settings) {
   drawQuads(glyphs().edges().size());
 }
 
-void SkeletonPass::drawNodes(const DrawSettings& settings, bool spheres) {
+void SkeletonPass::drawNodes(const DrawSettings& settings, const std::optional<Ball>& hole,
+                             bool spheres) {
   using namespace shaders;
   vtkShaderProgram& program =
       readyProgram(*settings.window, nodeVertex, spheres ? sphereFragment : discFragment);
-  setCommon(program, settings, spheres);
+  setCommon(program, settings, hole, spheres);
   program.SetUniformi("spheres", spheres ? 1 : 0);
   program.SetUniformf("pushed", scene_.showRadii ? 1.1F : 0.0F);
   if (nodeArray_ == 0) glGenVertexArrays(1, &nodeArray_);

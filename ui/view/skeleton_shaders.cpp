@@ -66,7 +66,7 @@ vec4 before(vec4 a, vec4 b) { // the part of a in front of the eye
 
 void main() {
   gl_Position = vec4(2.0, 2.0, 2.0, 1.0); // outside: not drawn
-  if (look.x < 0.5) return;
+  if (look.x < 0.5 || isInHole(child.xyz)) return;
   vec4 a = toView * vec4(parent.xyz, 1.0);
   vec4 b = toView * vec4(child.xyz, 1.0);
   float nearest = toClip[3][2] / (1.0 - toClip[2][2]);
@@ -137,7 +137,7 @@ flat out vec3 color;
 
 void main() {
   gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
-  if (look.x < 0.5) return;
+  if (look.x < 0.5 || isInHole(child.xyz)) return;
   vec3 a = (toView * vec4(parent.xyz, 1.0)).xyz;
   vec3 b = (toView * vec4(child.xyz, 1.0)).xyz;
   bool atChild = (gl_VertexID & 2) != 0;

@@ -150,6 +150,22 @@ TEST_F(PlantDocumentTest, OpensAPlantWithoutHistory) {
   EXPECT_EQ(document.filePath(), "fork.mtg");
 }
 
+TEST_F(PlantDocumentTest, ContractsThePointsAndKeepsTheSkeleton) {
+  const auto contracted = std::make_shared<const Eigen::Matrix3Xf>(Eigen::Matrix3Xf::Ones(3, 2));
+  document.openSkeleton(test::fork(2), {});
+  document.contract("Contract", contracted);
+  EXPECT_EQ(document.contracted(), contracted);
+  EXPECT_EQ(document.skeleton(), test::fork(2));
+  EXPECT_EQ(document.undoStack().text(0), "Contract");
+  document.undoStack().undo();
+  EXPECT_EQ(document.contracted(), nullptr);
+  document.undoStack().redo();
+  EXPECT_EQ(document.contracted(), contracted);
+  EXPECT_EQ(document.skeleton(), test::fork(2));
+  document.setReadOnly("a copy");
+  EXPECT_THROW(document.contract("Contract", nullptr), Error);
+}
+
 TEST_F(PlantDocumentTest, ShowsTheContractedPointsOfTheReconstructionThatIsDone) {
   const auto first = std::make_shared<const Eigen::Matrix3Xf>(Eigen::Matrix3Xf::Zero(3, 2));
   const auto second = std::make_shared<const Eigen::Matrix3Xf>(Eigen::Matrix3Xf::Ones(3, 2));

@@ -4,8 +4,11 @@
 #include "tests/ui/tools/quiet_canvas.h"
 #include "ui/tools/move_node_tool.h"
 
+#include <QTest>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <gmock/gmock.h>
 
 namespace espalier {
@@ -286,19 +289,44 @@ TEST_F(SlideAndSnapTest, SnapsEachOfSeveralNodes) {
   }
 }
 
-TEST_F(SlideAndSnapTest, SnapsManyNodesOnceTheyAreLetGo) {
+// A stick of 101 nodes, all selected, that is held in the middle.
+struct SnapManyTest : SlideAndSnapTest {
   const Skeleton many = test::stick(101, 0.02);
-  document.openSkeleton(many, "stick.mtg");
-  openScan();
-  tool.setSnap(Snap::contracted);
-  document.selection().set(many.ids());
   const NodeId held{50};
-  mouse.press(onNode(held), {0, 1});
+
+  void SetUp() override {
+    SlideAndSnapTest::SetUp();
+    document.openSkeleton(many, "stick.mtg");
+    openScan();
+    tool.setSnap(Snap::contracted);
+    document.selection().set(many.ids());
+    mouse.press(onNode(held), {0, 1});
+  }
+  double across(NodeId id) { return document.skeleton()[id].position.x(); }
+  bool areAllSnapped() {
+    return std::ranges::all_of(many.ids(),
+                               [&](NodeId id) { return std::abs(across(id) - 0.05) < 1e-5; });
+  }
+};
+
+TEST_F(SnapManyTest, ThoseNearThePointerSnapAtOnceAndTheOthersWhenItRests) {
   mouse.drag({0.1, 1});
-  EXPECT_NEAR(document.skeleton()[held].position.x(), 0.1, 1e-9) << "they follow the pointer";
+  EXPECT_NEAR(across(held), 0.05, 1e-5);
+  EXPECT_NEAR(across(NodeId{0}), 0.1, 1e-9) << "far from the pointer: it follows it so far";
+  EXPECT_TRUE(QTest::qWaitFor([&] { return areAllSnapped(); }));
+  mouse.drag({0.11, 1});
+  EXPECT_NEAR(across(NodeId{0}), 0.11, 1e-9);
+  mouse.escape();
+  QTest::qWait(100); // longer than the pause
+  EXPECT_EQ(document.skeleton(), many);
   mouse.release();
-  for (const NodeId id : many.ids())
-    EXPECT_NEAR(document.skeleton()[id].position.x(), 0.05, 1e-5) << indexOf(id);
+  EXPECT_EQ(document.undoStack().count(), 0);
+}
+
+TEST_F(SnapManyTest, AllSnapWhenTheyAreLetGo) {
+  mouse.drag({0.1, 1});
+  mouse.release();
+  EXPECT_TRUE(areAllSnapped());
   EXPECT_EQ(document.undoStack().count(), 1);
   document.undoStack().undo();
   EXPECT_EQ(document.skeleton(), many);

@@ -1,8 +1,12 @@
 #include "ui/view/legend.h"
+#include "ui/view/overlay_of_tools.h"
+#include "ui/view/palette.h"
 
 #include <QImage>
 #include <QPainter>
 #include <gtest/gtest.h>
+
+#include <cstdlib>
 
 namespace espalier {
 namespace {
@@ -35,6 +39,32 @@ QColor groundUnderBar(const QSize& size) {
 TEST(Legends, VeilThePlantOnlyWhereThereIsRoomBesideIt) {
   EXPECT_NE(groundUnderBar({800, 600}), QColor(Qt::red));
   EXPECT_EQ(groundUnderBar({400, 600}), QColor(Qt::red));
+}
+
+/// How far a color on a ground of points in the accent stands out from it, in [0, 3 * 255].
+int contrastWith(const Color& accent, const QColor& color) {
+  return std::abs(color.red() - accent[0]) + std::abs(color.green() - accent[1]) +
+         std::abs(color.blue() - accent[2]);
+}
+
+TEST(PaintedByTools, StandsOutFromPointsOfItsColor) {
+  for (const bool isDark : {false, true}) {
+    const Color accent = palette(isDark).contracted;
+    QImage image(200, 100, QImage::Format_RGB32);
+    image.fill(qRgb(accent[0], accent[1], accent[2]));
+    QPainter painter(&image);
+    paintBand(painter, QPolygonF({{10, 20}, {190, 20}}), isDark);
+    Camera camera;
+    camera.frame(Eigen::AlignedBox3d(Eigen::Vector3d(-1, 0, -1), Eigen::Vector3d(1, 0, 1)), 2);
+    const ScreenMap screen(camera, {200, 100});
+    const Preview preview{.lines = {{{-0.5, 0, 0}, {0.5, 0, 0}}}, .nodes = {}, .label = {}};
+    paintPreview(painter, preview, screen, isDark);
+    EXPECT_GT(contrastWith(accent, image.pixelColor(100, 18)), 100) << "beside the stroke";
+    const auto middle = screen.project({0, 0, 0});
+    ASSERT_TRUE(middle);
+    const QPoint beside(int(middle->pixel.x()), int(middle->pixel.y()) - 3);
+    EXPECT_GT(contrastWith(accent, image.pixelColor(beside)), 100) << "beside the preview";
+  }
 }
 
 } // namespace

@@ -1,0 +1,62 @@
+#include "ui/panels/blend_bar.h"
+
+#include "ui/panels/option_slider.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QToolButton>
+
+namespace espalier {
+
+BlendBar::BlendBar(QWidget* parent)
+    : QFrame(parent), slider_(new OptionSlider), ways_(new QToolButton) {
+  setObjectName("blend_bar");
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(12, 4, 4, 4);
+  row->setSpacing(8);
+  row->addWidget(new QLabel(tr("Scanned")));
+  slider_->setObjectName("blend_slider");
+  slider_->setAccessibleName(tr("How far points have gone to where they are contracted"));
+  slider_->setToolTip(tr("Moves the points between where they were scanned and where contraction "
+                         "puts them"));
+  slider_->setFixedWidth(200);
+  slider_->setDefaultPlace(1);
+  slider_->setPlace(1);
+  row->addWidget(slider_);
+  row->addWidget(new QLabel(tr("Contracted")));
+  ways_->setObjectName("blend_ways");
+  ways_->setProperty("role", "panel");
+  ways_->setText(tr("Ways"));
+  ways_->setToolTip(tr("Shows a line from where a point was scanned to where it is now"));
+  ways_->setCheckable(true);
+  row->addWidget(ways_);
+  auto* close = new QPushButton(QStringLiteral("✕"));
+  close->setObjectName("blend_close");
+  close->setAccessibleName(tr("Close"));
+  close->setToolTip(tr("Shows points and contracted points as usual"));
+  close->setFlat(true);
+  row->addWidget(close);
+  connect(slider_, &QSlider::valueChanged, this, &BlendBar::changed);
+  connect(slider_, &OptionSlider::defaultRequested, this, [this] { slider_->setPlace(1); });
+  connect(ways_, &QToolButton::toggled, this, &BlendBar::changed);
+  connect(close, &QPushButton::clicked, this, &BlendBar::closeRequested);
+}
+
+double BlendBar::blend() const {
+  return slider_->place();
+}
+
+void BlendBar::setBlend(double blend) {
+  slider_->setPlace(blend);
+}
+
+bool BlendBar::showsWays() const {
+  return ways_->isChecked();
+}
+
+void BlendBar::setShowsWays(bool areShown) {
+  ways_->setChecked(areShown);
+}
+
+} // namespace espalier

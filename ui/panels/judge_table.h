@@ -1,0 +1,43 @@
+#pragma once
+
+#include <QString>
+#include <QTableWidget>
+
+#include <optional>
+#include <vector>
+
+namespace espalier {
+
+/// A number that states are judged by.
+struct JudgeRow {
+  enum class Better { less, more, neither };
+
+  QString name;
+  QString unit;    // empty: none
+  QString meaning; // how it is defined, for its tip
+  Better better = Better::neither;
+  int decimals = 2;
+  std::vector<std::optional<double>> values; // one per state; none: not known
+};
+
+/// Numbers of a few states of a plant side by side, each with its difference to the first state:
+/// small and quiet, with a mark where it is better. Copying takes the table, for a spreadsheet.
+class JudgeTable : public QTableWidget {
+  Q_OBJECT
+
+public:
+  explicit JudgeTable(QWidget* parent = nullptr);
+
+  /// @param states their names: "Plant", "A", "Preview"
+  void show(const QStringList& states, const std::vector<JudgeRow>& rows);
+  /// The table for a spreadsheet: columns divided by tabs, numbers in full.
+  [[nodiscard]] QString table() const;
+
+private:
+  void fillRow(int place, const JudgeRow& row);
+
+  QStringList states_;
+  std::vector<JudgeRow> rows_;
+};
+
+} // namespace espalier

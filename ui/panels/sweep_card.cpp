@@ -1,0 +1,157 @@
+#include "ui/panels/sweep_card.h"
+
+#include <QKeyEvent>
+#include <QPainter>
+#include <QPainterPath>
+
+#include <algorithm>
+
+namespace espalier {
+namespace {
+
+constexpr int side = 160; // of the picture [px]
+constexpr int margin = 8;
+constexpr int rowHeight = 16;
+constexpr int headHeight = 20;
+
+/// For those who do not see it: the value, and what came of it.
+QString spoken(const SweepItem& item) {
+  QStringList parts = {item.label};
+  if (item.isCurrent) parts.append(SweepCard::tr("in use"));
+  if (item.isPending) parts.append(SweepCard::tr("is computed"));
+  if (!item.failure.isEmpty()) parts.append(item.failure);
+  for (const SweepScore& score : item.scores)
+    parts.append(score.isBest ? SweepCard::tr("%1 %2, best").arg(score.name, score.text)
+                              : QStringLiteral("%1 %2").arg(score.name, score.text));
+  return parts.join(QStringLiteral("; "));
+}
+
+} // namespace
+
+SweepCard::SweepCard(QWidget* parent) : QAbstractButton(parent) {
+  setFocusPolicy(Qt::StrongFocus);
+  setCursor(Qt::PointingHandCursor);
+  setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+  setAttribute(Qt::WA_Hover); // is painted anew when the pointer comes
+}
+
+void SweepCard::setItem(const SweepItem& item) {
+  item_ = item;
+  setAccessibleName(spoken(item));
+  setToolTip(!item.failure.isEmpty() ? item.failure
+             : item.isPending        ? QString()
+             : item.isCurrent        ? tr("%1 is in use").arg(item.label)
+                                     : tr("Click to use %1").arg(item.label));
+  update();
+}
+
+void SweepCard::setRows(std::size_t rows) {
+  rows_ = rows;
+  updateGeometry();
+}
+
+QSize SweepCard::sizeHint() const {
+  return {side + 2 * margin,
+          margin + side + headHeight + rowHeight * static_cast<int>(rows_) + margin};
+}
+
+void SweepCard::paintEvent(QPaintEvent* /*event*/) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setRenderHint(QPainter::SmoothPixmapTransform);
+  const double line = item_.isCurrent ? 2 : 1;
+  QPainterPath frame;
+  frame.addRoundedRect(QRectF(rect()).adjusted(line / 2, line / 2, -line / 2, -line / 2), 4, 4);
+  painter.fillPath(frame, palette().color(QPalette::Base));
+  painter.setPen(QPen(
+      palette().color(item_.isCurrent || underMouse() ? QPalette::Link : QPalette::Mid), line));
+  painter.drawPath(frame);
+  if (hasFocus()) {
+    painter.setPen(QPen(palette().color(QPalette::Text), 1, Qt::DotLine));
+    painter.drawRoundedRect(QRectF(rect()).adjusted(3.5, 3.5, -3.5, -3.5), 3, 3);
+  }
+  paintPicture(painter, {margin, margin, side, side});
+  const QRect head(margin, margin + side, side, headHeight);
+  QFont bold = font();
+  bold.setBold(true);
+  painter.setFont(bold);
+  painter.setPen(palette().color(QPalette::Text));
+  painter.drawText(head, Qt::AlignLeft | Qt::AlignVCenter, item_.label);
+  if (item_.isCurrent) painter.drawText(head, Qt::AlignRight | Qt::AlignVCenter, tr("in use"));
+  paintScores(painter, {margin, head.bottom() + 1, side, rowHeight * static_cast<int>(rows_)});
+}
+
+/// A failure says why in place of the picture; what is to come stays quiet.
+void SweepCard::paintPicture(QPainter& painter, const QRect& box) const {
+  painter.fillRect(box, palette().color(QPalette::Window));
+  if (item_.failure.isEmpty() && !item_.isPending && !item_.picture.isNull()) {
+    QSizeF size = item_.picture.size();
+    size.scale(box.size(), Qt::KeepAspectRatio);
+    QRectF place(QPointF(), size);
+    place.moveCenter(QRectF(box).center());
+    painter.drawImage(place, item_.picture);
+    return;
+  }
+  painter.setPen(
+      palette().color(item_.failure.isEmpty() ? QPalette::PlaceholderText : QPalette::Text));
+  painter.drawText(box.adjusted(margin, margin, -margin, -margin),
+                   Qt::AlignCenter | Qt::TextWordWrap,
+                   !item_.failure.isEmpty() ? QStringLiteral("⚠ ") + item_.failure
+                   : item_.isPending        ? QStringLiteral("…")
+                                            : QString());
+}
+
+/// Names on the left, numbers aligned on the right, the best of the strip bold and marked.
+void SweepCard::paintScores(QPainter& painter, const QRect& box) const {
+  QFont small = font();
+  small.setPixelSize(11);
+  QRect row(box.left(), box.top(), box.width(), rowHeight);
+  for (const SweepScore& score : item_.scores) {
+    small.setBold(score.isBest);
+    painter.setFont(small);
+    const QFontMetrics metrics(small);
+    const int mark = metrics.horizontalAdvance(QStringLiteral("★")) + 2;
+    const int number = metrics.horizontalAdvance(score.text);
+    const QRect name = row.adjusted(0, 0, -number - mark - 6, 0);
+    painter.setPen(palette().color(score.isBest ? QPalette::Text : QPalette::PlaceholderText));
+    painter.drawText(name, Qt::AlignLeft | Qt::AlignVCenter,
+                     metrics.elidedText(score.name, Qt::ElideRight, name.width()));
+    painter.setPen(palette().color(QPalette::Text));
+    painter.drawText(row.adjusted(0, 0, -mark, 0), Qt::AlignRight | Qt::AlignVCenter, score.text);
+    if (score.isBest) {
+      painter.setPen(palette().color(QPalette::Link));
+      painter.drawText(row, Qt::AlignRight | Qt::AlignVCenter, QStringLiteral("★"));
+    }
+    row.translate(0, rowHeight);
+  }
+}
+
+/// Buttons are pressed with Space; here Enter chooses as well.
+void SweepCard::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)
+    click();
+  else
+    QAbstractButton::keyPressEvent(event);
+}
+
+void SweepCard::enterEvent(QEnterEvent* event) {
+  QAbstractButton::enterEvent(event);
+  emit hovered(true);
+}
+
+void SweepCard::leaveEvent(QEvent* event) {
+  QAbstractButton::leaveEvent(event);
+  emit hovered(false);
+}
+
+void SweepCard::focusInEvent(QFocusEvent* event) {
+  QAbstractButton::focusInEvent(event);
+  if (event->reason() != Qt::MouseFocusReason) emit hovered(true);
+}
+
+void SweepCard::focusOutEvent(QFocusEvent* event) {
+  QAbstractButton::focusOutEvent(event);
+  if (!underMouse()) emit hovered(false);
+}
+
+} // namespace espalier

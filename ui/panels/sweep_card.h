@@ -1,0 +1,62 @@
+#pragma once
+
+#include <QAbstractButton>
+#include <QImage>
+#include <QString>
+
+#include <vector>
+
+namespace espalier {
+
+/// One of the numbers a state is judged by.
+struct SweepScore {
+  QString name;
+  QString text;
+  bool isBest = false; // of all in the strip
+};
+
+/// What came of one value of a parameter.
+struct SweepItem {
+  double value = 0;
+  QString label; // the value as people read it: "12.5 mm"
+  QImage picture;
+  std::vector<SweepScore> scores;
+  QString failure;        // why there is no picture; empty: there is one, or it is to come
+  bool isPending = false; // it is to come
+  bool isCurrent = false; // the value in use
+};
+
+/// A picture of one value of a parameter, with its scores.
+class SweepCard : public QAbstractButton {
+  Q_OBJECT
+
+public:
+  explicit SweepCard(QWidget* parent = nullptr);
+
+  void setItem(const SweepItem& item);
+  [[nodiscard]] const SweepItem& item() const { return item_; }
+  /// Room for so many scores: the cards of a strip are alike.
+  void setRows(std::size_t rows);
+
+  [[nodiscard]] QSize sizeHint() const override;
+
+signals:
+  void hovered(bool isInside); // by the pointer, or reached by a key
+
+protected:
+  void paintEvent(QPaintEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void enterEvent(QEnterEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+
+private:
+  void paintPicture(QPainter& painter, const QRect& box) const;
+  void paintScores(QPainter& painter, const QRect& box) const;
+
+  SweepItem item_;
+  std::size_t rows_ = 0;
+};
+
+} // namespace espalier

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <QColor>
+#include <QPainter>
+#include <QRectF>
+
+namespace espalier {
+
+/// What plots are painted with.
+struct PlotColors {
+  QColor text;  // of numbers and names
+  QColor grid;  // of axes and lines behind
+  QColor first; // of lines, told apart by the color-blind, and by their dashes
+  QColor second;
+  QColor third;
+  QColor chosen; // what the user has marked
+};
+/// For a screen of either theme, and for paper: as light.
+[[nodiscard]] PlotColors plotColors(bool isDark);
+
+/// A painter's font and smoothness as plots have it, until the end of the scope.
+class PlotPainting {
+public:
+  explicit PlotPainting(QPainter& painter);
+  PlotPainting(const PlotPainting&) = delete;
+  PlotPainting& operator=(const PlotPainting&) = delete;
+  ~PlotPainting() { painter_.restore(); }
+
+private:
+  QPainter& painter_;
+};
+
+/// Round numbers with their ticks below a plot whose left edge is `from`; pre: to > from
+void paintNumbersBelow(QPainter& painter, const QRectF& inner, double from, double to,
+                       const PlotColors& colors);
+
+} // namespace espalier

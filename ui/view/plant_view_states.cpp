@@ -1,0 +1,71 @@
+#include "ui/view/picture.h"
+#include "ui/view/plant_view_parts.h"
+
+#include <algorithm>
+
+namespace espalier {
+
+void PlantView::setState(Side side, const std::optional<PlantState>& state) {
+  parts_->scene.setOther(side, state);
+  parts_->redraw();
+}
+
+void PlantView::setDivider(double across) {
+  parts_->divider = std::clamp(across, 0.0, 1.0);
+  parts_->redrawThis();
+}
+
+double PlantView::divider() const {
+  return parts_->divider;
+}
+
+void PlantView::setBlend(std::optional<double> blend) {
+  parts_->scene.blend = blend;
+  parts_->redraw();
+}
+
+void PlantView::setDisplacementsShown(bool areShown) {
+  parts_->scene.displacementsShown = areShown;
+  parts_->redraw();
+}
+
+void PlantView::showSight(const std::optional<ShownSight>& sight) {
+  if (!sight && !parts_->overlay.sight) return;
+  parts_->overlay.sight = sight;
+  parts_->overlayWidget->update();
+}
+
+const std::optional<ShownSight>& PlantView::sightShown() const {
+  return parts_->overlay.sight;
+}
+
+QImage PlantView::pictureOf(const PlantState& state, const QSize& size) const {
+  Scene scene = parts_->scene;
+  scene.setOther(Side::left, state);
+  Camera camera = parts_->navigator.destination();
+  camera.frame(scene.outline(), size.width() / double(size.height()));
+  Overlay bare;
+  bare.isBare = true;
+  return espalier::picture(scene, camera, bare, size);
+}
+
+void PlantView::Parts::refreshDivider() {
+  const bool isDivided =
+      divider > 0 && divider < 1 && std::ranges::any_of(scene.others, &OtherState::isShown);
+  if (!isDivided) {
+    if (dividerHandle != nullptr) dividerHandle->hide();
+    return;
+  }
+  if (dividerHandle == nullptr) {
+    dividerHandle = new Divider(&owner);
+    connect(dividerHandle, &Divider::entered, &owner, [this] { pointer.leave(); });
+    connect(dividerHandle, &Divider::moveAsked, &owner, [this](double across) {
+      owner.setDivider(across);
+      emit owner.dividerMoved(across);
+    });
+  }
+  dividerHandle->place(divider, scene.dark);
+  dividerHandle->show();
+}
+
+} // namespace espalier

@@ -13,7 +13,9 @@
 #include <QAction>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
 #include <set>
 
 namespace espalier {
@@ -80,6 +82,23 @@ void addMissing(Sight& sight, const Skeleton& skeleton, const Scan& scan) {
   if (const auto parent = skeleton[foot.node].parent) sight.nodes.push_back(*parent);
 }
 
+/// What is nearest around the pointer: one who points beside a twig means it, and not what is
+/// selected elsewhere.
+Pick besidePointer(const PlantView& view, const QPointF& pointer) {
+  constexpr int directions = 12;
+  for (const double away : {12.0, 24.0, 36.0}) { // [logical pixels]; nearer ones are picked
+    Pick point;
+    for (int turn = 0; turn < directions; ++turn) {
+      const double angle = 2 * std::numbers::pi * turn / directions;
+      const Pick pick = view.pick(pointer + away * QPointF(std::cos(angle), std::sin(angle)));
+      if (pick.node || pick.edge) return pick;
+      if (pick.point) point = pick;
+    }
+    if (point.point) return point;
+  }
+  return {};
+}
+
 } // namespace
 
 Sight sightOf(const Skeleton& skeleton, const Pick& pick, const Scan* scan) {
@@ -127,6 +146,8 @@ void CloseLookFlow::look() {
   const Skeleton& skeleton = parts_.document.skeleton();
   PlantView& from = parts_.editing.activeView();
   Sight sight = sightOf(skeleton, parts_.editing.under(), parts_.document.scan());
+  if (const auto pointer = parts_.editing.pointer(); pointer && sight.isEmpty())
+    sight = sightOf(skeleton, besidePointer(from, *pointer), parts_.document.scan());
   if (sight.isEmpty()) sight = sightOf(skeleton, parts_.document.selection().nodes());
   if (sight.isEmpty())
     throw Error(tr("put the pointer on the plant, or select nodes to look at").toStdString());

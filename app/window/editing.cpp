@@ -268,6 +268,10 @@ QString Editing::titleUnder() const {
   return tr("Point at %1").arg(at.join(QStringLiteral(", "))) + (unit.isEmpty() ? "" : " " + unit);
 }
 
+std::optional<QPointF> Editing::pointer() const {
+  return canvas_.view().underMouse() ? std::optional(pointer_) : std::nullopt;
+}
+
 std::optional<NodeId> Editing::nodeUnder() const {
   std::optional<NodeId> node = under_.node;
   if (!node && under_.edge) node = under_.edge->child;
@@ -280,6 +284,7 @@ bool Editing::handle(PlantView& view, const ToolInput& input) {
   if (&canvas_.view() != &view && tool().isBusy()) return true;
   canvas_.activate(view);
   under_ = input.pick;
+  pointer_ = input.screen;
   viewDirection_ = input.viewDirection;
   if (input.phase == ToolInput::Phase::hover) view.setHovered(isEnabled_ ? input.pick : Pick{});
   if (!isEnabled_) return false;

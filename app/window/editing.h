@@ -60,6 +60,7 @@ public:
 
   void fillContextMenu(QMenu& menu) const;
   [[nodiscard]] const Pick& under() const { return under_; } // the pointer, as it was told last
+  [[nodiscard]] std::optional<QPointF> pointer() const; // in the active view; none once it left
   [[nodiscard]] PlantView& activeView() const { return canvas_.view(); } // the pointer was in last
   /// The node under the pointer, or the one that the edge there leads to.
   [[nodiscard]] std::optional<NodeId> nodeUnder() const;
@@ -104,6 +105,7 @@ private:
   QObject* wheel_ = nullptr;  // filters the events of each view
   bool isEnabled_ = true;
   Pick under_;
+  QPointF pointer_;                  // in the active view, as it was told last
   std::optional<QPointF> menuPress_; // where the right button went down, until it is a drag
   Eigen::Vector3d viewDirection_ = Eigen::Vector3d::UnitY();
 };

@@ -88,6 +88,10 @@ void EvaluationFlow::resetLayout() {
   methods_->dock().resetLayout();
 }
 
+void EvaluationFlow::setChoices(std::vector<ChoiceRecord> records) {
+  report_->setChoices(std::move(records));
+}
+
 void EvaluationFlow::setDark(bool isDark) {
   plot_->setDark(isDark);
 }
@@ -177,7 +181,7 @@ void EvaluationFlow::takeReference() {
   panel_->setReference(hasOne ? parts_.reference.name() : QString());
   if (hasOne)
     panel_->setTolerance(tolerance_ > 0 ? tolerance_
-                                        : defaultTolerances(*parts_.reference.skeleton())[1]);
+                                        : usualTolerance(*parts_.reference.skeleton()));
   QAction* color = parts_.window.actions[colorId];
   if (!hasOne && color->isChecked()) parts_.window.actions["node_color_none"]->trigger();
   color->setVisible(hasOne);

@@ -45,6 +45,7 @@ public:
   void setPlantShown(bool isShown); // without a plant the panels are absent
   void resetLayout();
   void fillMenu(QMenu& menu) const;
+  void setChoices(std::vector<ChoiceRecord> records); // for the report
   void setDark(bool isDark);
 
   /// Null: nothing has been compared. Of the plant as it is, if isUpToDate().

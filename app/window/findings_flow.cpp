@@ -115,12 +115,14 @@ void FindingsFlow::connectParts() {
   timer_.setInterval(50); // [ms]: a drag is checked when it rests
   connect(&timer_, &QTimer::timeout, this, &FindingsFlow::refresh);
   connect(&document, &PlantDocument::skeletonEdited, this, [this] {
+    isScanChecked_ = false;
     list(); // none may be of a node that is gone
     later();
   });
   connect(&document, &PlantDocument::skeletonReplaced, this, [this] {
     ofSkeleton_.clear();
     ofScan_.clear();
+    isScanChecked_ = false;
     ignored_.clear(); // a project shows its own once its skeleton is there
     list();
     later();
@@ -128,13 +130,18 @@ void FindingsFlow::connectParts() {
   connect(&document, &PlantDocument::scanChanged, this, [this] {
     indexed_.reset();
     ofScan_.clear();
+    isScanChecked_ = false;
     list();
     later();
   });
   connect(&document, &PlantDocument::unitChanged, this, &FindingsFlow::list);
-  connect(&parts_.distances, &ScanDistances::changed, this, &FindingsFlow::later);
+  connect(&parts_.distances, &ScanDistances::changed, this, [this] {
+    isScanChecked_ = false;
+    later();
+  });
   connect(&job_, &JobRunner::finished, this, [this] {
     if (std::exchange(isJobOutdated_, false)) startJob();
+    panel_->setChecking(!isAllChecked());
   });
   connect(&job_, &JobRunner::failed, this, &FindingsFlow::noted);
   connect(panel_, &FindingsPanel::chosen, this, &FindingsFlow::goTo);
@@ -182,7 +189,6 @@ std::vector<Finding> FindingsFlow::ownFindings(const Skeleton& skeleton,
 /// What takes longer: large skeletons, and the scan.
 void FindingsFlow::startJob() {
   const std::shared_ptr<const PointDistances> distances = parts_.distances.now();
-  panel_->setChecking(distances != nullptr || parts_.distances.isMeasuring() || !isCheckedAtOnce_);
   if (!distances && isCheckedAtOnce_) return; // the distances tell when they are ready
   if (job_.isRunning()) {
     isJobOutdated_ = true;
@@ -209,6 +215,7 @@ void FindingsFlow::startJob() {
         return found;
       },
       [this](Found found) { take(std::move(found)); });
+  panel_->setChecking(!isAllChecked());
 }
 
 void FindingsFlow::take(Found found) {
@@ -217,9 +224,14 @@ void FindingsFlow::take(Found found) {
   if (now && found.indexed && now->cloud() == found.indexed->cloud) {
     ofScan_ = std::move(found.ofScan); // else the points are others, or are measured again
     indexed_ = std::move(found.indexed);
+    isScanChecked_ = !timer_.isActive(); // else it was edited meanwhile
   }
-  panel_->setChecking(parts_.distances.isMeasuring());
   list();
+}
+
+bool FindingsFlow::isAllChecked() const {
+  if (parts_.document.scan() != nullptr) return isScanChecked_;
+  return isCheckedAtOnce_ || isUpToDate();
 }
 
 double FindingsFlow::spacing() const {
@@ -235,6 +247,7 @@ void FindingsFlow::list() {
       if (hasNodes(parts_.document.skeleton(), finding))
         (isIgnored(finding) ? shownIgnored_ : findings_).push_back(finding);
   panel_->show(findings_, shownIgnored_);
+  panel_->setChecking(!isAllChecked());
 }
 
 bool FindingsFlow::isIgnored(const Finding& finding) const {
@@ -246,11 +259,7 @@ void FindingsFlow::step(int by) {
   parts_.actions["show_findings"]->setChecked(true);
   if (timer_.isActive()) refresh();
   if (findings_.empty()) {
-    if (parts_.document.skeleton().isEmpty())
-      emit noted(tr("There is no skeleton to check yet"));
-    else
-      emit noted(isUpToDate() ? tr("Nothing to look at: all checks pass")
-                              : tr("Checking against the scan…"));
+    noteNothing();
     return;
   }
   const std::optional<Finding> current = panel_->current();
@@ -262,6 +271,14 @@ void FindingsFlow::step(int by) {
   const Finding finding = findings_[static_cast<std::size_t>(next)];
   panel_->setCurrent(finding);
   goTo(finding);
+}
+
+void FindingsFlow::noteNothing() {
+  if (parts_.document.skeleton().isEmpty())
+    emit noted(tr("There is no skeleton to check yet"));
+  else
+    emit noted(isAllChecked() ? tr("Nothing to look at: all checks pass")
+                              : tr("Checking against the scan…"));
 }
 
 /// Selects what takes part, and shows it, with some of what is around it, from its best side.
@@ -322,7 +339,7 @@ void FindingsFlow::selectAll() {
   std::ranges::sort(nodes);
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   parts_.document.selection().set(std::move(nodes));
-  if (findings_.empty()) emit noted(tr("Nothing to look at: all checks pass"));
+  if (findings_.empty()) noteNothing();
 }
 
 void FindingsFlow::placeDock() {

@@ -86,9 +86,11 @@ private:
                                                         const Progress& progress);
   void take(Found found);
   [[nodiscard]] double spacing() const; // between points [L]; 0: there is no scan
-  void list();                          // what was found last, without what is gone
+  [[nodiscard]] bool isAllChecked() const;
+  void list(); // what was found last, without what is gone
   [[nodiscard]] bool isIgnored(const Finding& finding) const;
   void step(int by);
+  void noteNothing();
   void goTo(const Finding& finding);
   void toggleIgnored();
   void showAction();
@@ -103,6 +105,7 @@ private:
   JobRunner job_;
   bool isJobOutdated_ = false;
   bool isCheckedAtOnce_ = true;
+  bool isScanChecked_ = false; // against the skeleton of now
   std::shared_ptr<const Indexed> indexed_;
   std::vector<Finding> ofSkeleton_;
   std::vector<Finding> ofScan_;

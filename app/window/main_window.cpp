@@ -1,7 +1,9 @@
 #include "app/window/main_window.h"
 
 #include "app/window/action_set.h"
+#include "app/window/choices_flow.h"
 #include "app/window/close_look_flow.h"
+#include "app/window/density_flow.h"
 #include "app/window/editing.h"
 #include "app/window/evaluation_flow.h"
 #include "app/window/explained_flow.h"
@@ -10,11 +12,13 @@
 #include "app/window/history_flow.h"
 #include "app/window/hull_flow.h"
 #include "app/window/icon.h"
+#include "app/window/judge_flow.h"
 #include "app/window/key_hints.h"
 #include "app/window/node_table_flow.h"
 #include "app/window/point_states.h"
 #include "app/window/points_flow.h"
 #include "app/window/preset_flow.h"
+#include "app/window/preview_flow.h"
 #include "app/window/project_flow.h"
 #include "app/window/radius_flow.h"
 #include "app/window/recent_files.h"
@@ -24,7 +28,10 @@
 #include "app/window/saved_views.h"
 #include "app/window/seal_flow.h"
 #include "app/window/shown_flow.h"
+#include "app/window/sight_flow.h"
 #include "app/window/snap_flow.h"
+#include "app/window/states_flow.h"
+#include "app/window/sweep_flow.h"
 #include "app/window/theme_flow.h"
 #include "app/window/trace_flow.h"
 #include "app/window/two_views_flow.h"
@@ -111,6 +118,7 @@ MainWindow::MainWindow(QSettings& settings, QWidget* parent)
   connectFindings();
   connectAtHand();
   connectEvaluation();
+  connectPreview();
   theme_->start();
   restoreGeometry(settings_.value("window/geometry").toByteArray());
   restoreState(settings_.value("window/state").toByteArray());
@@ -235,9 +243,12 @@ void MainWindow::refreshDocks() {
   shown_->setAvailable(hasPlant);
   findings_->setPlantShown(hasPlant);
   explained_->setPlantShown(hasPlant);
+  states_->setPlantShown(hasPlant);
   history_->dock().setPlantShown(hasPlant);
   nodeTable_->dock().setPlantShown(hasPlant);
   evaluation_->setPlantShown(hasPlant);
+  judge_->dock().setPlantShown(hasPlant);
+  sweep_->dock().setPlantShown(hasPlant);
   if (hasPlant && !settings_.contains("window/state")) // nobody has set the widths yet
     resizeDocks({pipelineDock_, inspectorDock_}, {pipelineWidth, inspectorWidth}, Qt::Horizontal);
 }
@@ -271,8 +282,14 @@ void MainWindow::refreshCounts() {
 }
 
 void MainWindow::refreshHint() {
-  QString hint = document_.isEmpty() ? tr("Open a scan, or drop one here") : editing_->hint();
+  QString hint = editing_->hint();
+  if (document_.isEmpty()) // while a file is read, that is all there is to say
+    hint = jobs_.isRunning() ? QString() : tr("Open a scan, or drop one here");
   if (const QString radius = radius_->hint(); !radius.isEmpty()) hint = radius;
+  if (preview_ && preview_->shown() && !editing_->isPending())
+    hint = withKeys(tr("Preview   {reconstruct} make it the skeleton   {leave} drop it   "
+                       "{keep_as_a} keep as A"),
+                    *actions_);
   if (units_->marks() > 0)
     hint += "   " + withKeys(tr("{mark_unit_start} mark unit start"), *actions_);
   status_->setHint(hint);
@@ -294,8 +311,14 @@ void MainWindow::refreshEmptiness() {
   refreshHint();
 }
 
-void MainWindow::reconstruct() {
-  reconstruct_->start(pipeline_->options());
+void MainWindow::reconstruct(const Step* last) {
+  sweep_->stop();
+  preview_->stop(); // what it has computed is at hand
+  reconstruct_->start(pipeline_->options(), last);
+}
+
+void MainWindow::leave() {
+  if (editing_->isPending() || !preview_->drop()) editing_->escape();
 }
 
 void MainWindow::resetLayout() {
@@ -311,6 +334,8 @@ void MainWindow::resetLayout() {
   history_->dock().resetLayout();
   nodeTable_->dock().resetLayout();
   evaluation_->resetLayout();
+  judge_->dock().resetLayout();
+  sweep_->dock().resetLayout();
   refreshDocks();
 }
 

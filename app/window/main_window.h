@@ -16,7 +16,9 @@ namespace espalier {
 
 enum class Refusal;
 class ActionSet;
+class ChoicesFlow;
 class CloseLookFlow;
+class DensityFlow;
 class Editing;
 class EvaluationFlow;
 class ExplainedFlow;
@@ -24,6 +26,7 @@ class FileFlow;
 class FindingsFlow;
 class HistoryFlow;
 class HullFlow;
+class JudgeFlow;
 class InspectorPanel;
 class KeyBindings;
 class MessageBanner;
@@ -33,6 +36,7 @@ class PlantView;
 class PointStates;
 class PointsFlow;
 class PresetFlow;
+class PreviewFlow;
 class ProjectFlow;
 class RadiusFlow;
 class RecentFiles;
@@ -43,8 +47,12 @@ class ScanDistances;
 class SealFlow;
 class SavedViews;
 class ShownFlow;
+class SightFlow;
+struct Step;
 class SnapFlow;
+class SweepFlow;
 class StartPage;
+class StatesFlow;
 class StatusLine;
 class TraceFlow;
 class ThemeFlow;
@@ -70,6 +78,7 @@ public:
   [[nodiscard]] JobRunner& jobs() { return jobs_; }
   [[nodiscard]] PlantView& view() { return *view_; }
   [[nodiscard]] const ActionSet& actionSet() const { return *actions_; }
+  [[nodiscard]] const PreviewFlow& preview() const { return *preview_; }
   [[nodiscard]] const MessageBanner& banner() const { return *banner_; }
   [[nodiscard]] const StatusLine& statusLine() const { return *status_; }
 
@@ -97,6 +106,7 @@ private:
   void connectFindings();   // likewise
   void connectAtHand();     // likewise
   void connectEvaluation(); // likewise
+  void connectPreview();    // likewise
   void makeCenter();
   void makeDocks();
   void closePlant();
@@ -106,7 +116,8 @@ private:
   void refreshCounts();
   void refreshHint();
   void refreshEmptiness();
-  void reconstruct();
+  void reconstruct(const Step* last = nullptr); // up to a step
+  void leave();
   void resetLayout();
   void showRefusal(const QString& reason, Refusal where);
   void showContextMenu(const QPoint& globalPosition);
@@ -156,9 +167,16 @@ private:
   std::unique_ptr<ValueColors> valueColors_;
   std::unique_ptr<ReferenceFlow> reference_;
   std::unique_ptr<EvaluationFlow> evaluation_;
+  std::unique_ptr<ChoicesFlow> choices_;
   std::unique_ptr<ProjectFlow> projects_; // behind all that it keeps: writes that as it goes
   std::unique_ptr<FileFlow> files_;
   std::unique_ptr<ReconstructFlow> reconstruct_;
+  std::unique_ptr<PreviewFlow> preview_;
+  std::unique_ptr<StatesFlow> states_;
+  std::unique_ptr<DensityFlow> densities_;
+  std::unique_ptr<JudgeFlow> judge_;
+  std::unique_ptr<SweepFlow> sweep_;
+  std::unique_ptr<SightFlow> sight_;
 };
 
 } // namespace espalier

@@ -1,5 +1,7 @@
 #include "app/window/action_set.h"
+#include "app/window/choices_flow.h"
 #include "app/window/close_look_flow.h"
+#include "app/window/density_flow.h"
 #include "app/window/editing.h"
 #include "app/window/evaluation_flow.h"
 #include "app/window/explained_flow.h"
@@ -7,11 +9,13 @@
 #include "app/window/findings_flow.h"
 #include "app/window/history_flow.h"
 #include "app/window/hull_flow.h"
+#include "app/window/judge_flow.h"
 #include "app/window/main_window.h"
 #include "app/window/node_table_flow.h"
 #include "app/window/point_states.h"
 #include "app/window/points_flow.h"
 #include "app/window/preset_flow.h"
+#include "app/window/preview_flow.h"
 #include "app/window/project_flow.h"
 #include "app/window/radius_flow.h"
 #include "app/window/reference_flow.h"
@@ -19,7 +23,10 @@
 #include "app/window/saved_views.h"
 #include "app/window/seal_flow.h"
 #include "app/window/shown_flow.h"
+#include "app/window/sight_flow.h"
 #include "app/window/snap_flow.h"
+#include "app/window/states_flow.h"
+#include "app/window/sweep_flow.h"
 #include "app/window/theme_flow.h"
 #include "app/window/trace_flow.h"
 #include "app/window/two_views_flow.h"
@@ -90,6 +97,18 @@ void MainWindow::addActions() {
       ReferenceFlow::Parts{document_, *view_, jobs_, *actions_, settings_, *this});
   evaluation_ = std::make_unique<EvaluationFlow>(
       EvaluationFlow::Parts{document_, *view_, jobs_, *editing_, *reference_, panels});
+  preview_ = std::make_unique<PreviewFlow>(
+      PreviewFlow::Parts{document_, *view_, *pipeline_, *actions_, *editing_, *reconstruct_});
+  states_ = std::make_unique<StatesFlow>(StatesFlow::Parts{
+      document_, *view_, *actions_, *reconstruct_, *preview_, *twoViews_, *centralWidget()});
+  densities_ = std::make_unique<DensityFlow>(document_, *pipeline_);
+  judge_ = std::make_unique<JudgeFlow>(
+      JudgeFlow::Parts{document_, *view_, *reconstruct_, *preview_, *states_, *reference_, panels});
+  sweep_ = std::make_unique<SweepFlow>(
+      SweepFlow::Parts{document_, *view_, *pipeline_, *reconstruct_, *reference_, panels});
+  choices_ = std::make_unique<ChoicesFlow>(ChoicesFlow::Parts{*actions_, *judge_, *sweep_});
+  sight_ = std::make_unique<SightFlow>(
+      SightFlow::Parts{document_, *view_, *pipeline_, *actions_, *editing_, *preview_});
   addPanelActions();
   theme_ = new ThemeFlow({*actions_, settings_, *this});
   addHelpActions();
@@ -193,7 +212,7 @@ void MainWindow::addEditActions() {
                  .text = tr("Leave"),
                  .help = tr("Leaves the gesture, the tool, or the selection"),
                  .keys = Qt::Key_Escape},
-                [this] { editing_->escape(); });
+                [this] { leave(); });
   actions_->add({.id = "reconstruct",
                  .text = tr("Re&construct"),
                  .help = tr("Makes the skeleton from the scan"),

@@ -1,15 +1,19 @@
 #include "app/window/action_set.h"
+#include "app/window/choices_flow.h"
+#include "app/window/density_flow.h"
 #include "app/window/editing.h"
 #include "app/window/evaluation_flow.h"
 #include "app/window/file_flow.h"
 #include "app/window/findings_flow.h"
 #include "app/window/history_flow.h"
 #include "app/window/hull_flow.h"
+#include "app/window/judge_flow.h"
 #include "app/window/main_window.h"
 #include "app/window/node_table_flow.h"
 #include "app/window/point_states.h"
 #include "app/window/points_flow.h"
 #include "app/window/preset_flow.h"
+#include "app/window/preview_flow.h"
 #include "app/window/project_flow.h"
 #include "app/window/radius_flow.h"
 #include "app/window/recent_files.h"
@@ -19,6 +23,9 @@
 #include "app/window/saved_views.h"
 #include "app/window/seal_flow.h"
 #include "app/window/shown_flow.h"
+#include "app/window/sight_flow.h"
+#include "app/window/states_flow.h"
+#include "app/window/sweep_flow.h"
 #include "app/window/theme_flow.h"
 #include "app/window/unit_flow.h"
 #include "app/window/view_options.h"
@@ -59,6 +66,7 @@ PipelineOptions optionsFrom(const std::string& text) {
 
 void MainWindow::connectJobs() {
   connect(&jobs_, &JobRunner::started, this, [this] {
+    preview_->stop();
     status_->showJob(jobs_.name());
     units_->setEnabled(false);
     radius_->setEnabled(false);
@@ -74,26 +82,28 @@ void MainWindow::connectJobs() {
   });
   connect(&jobs_, &JobRunner::failed, this, [this](const QString& message) {
     banner_->showError(message);
-    pipeline_->showIdle();
+    if (reconstruct_->isRunning()) pipeline_->showFailed(message);
   });
   connect(&jobs_, &JobRunner::finished, this, [this] {
     status_->hideJob();
+    preview_->goOn();
     editing_->setEnabled(true);
     units_->setEnabled(true);
     radius_->setEnabled(true);
     seals_->setEnabled(true);
     review_->setEnabled(true);
     if (jobs_.isCanceled()) {
-      pipeline_->showIdle();
+      pipeline_->showStopped();
       status_->showNote(tr("Canceled: nothing has changed"));
     }
     refreshEmptiness();
   });
   connect(status_, &StatusLine::cancelRequested, &jobs_, &JobRunner::cancel);
-  connect(reconstruct_.get(), &ReconstructFlow::done, this, [this](const QString& message) {
-    pipeline_->showDone();
-    banner_->showResult(message, tr("Undo"), [this] { editing_->undo(); });
-  });
+  connect(reconstruct_.get(), &ReconstructFlow::done, this,
+          [this](const QString& message, const std::string& last) {
+            pipeline_->showDone(reconstruct_->telling(), last);
+            banner_->showResult(message, tr("Undo"), [this] { editing_->undo(); });
+          });
 }
 
 void MainWindow::connectFiles() {
@@ -254,6 +264,38 @@ void MainWindow::connectEvaluation() {
   connect(evaluation_.get(), &EvaluationFlow::changed, projects_.get(), &ProjectFlow::noteChange);
   connect(evaluation_.get(), &EvaluationFlow::noted, status_, &StatusLine::showNote);
   connect(theme_, &ThemeFlow::changed, evaluation_.get(), &EvaluationFlow::setDark);
+}
+
+void MainWindow::connectPreview() {
+  connect(pipeline_, &PipelinePanel::runRequested, this, [this](const Step& last) {
+    actions_->guarded(
+        [&] {
+          reconstruct(&last);
+          return true;
+        },
+        Refusal::inBanner);
+  });
+  connect(preview_.get(), &PreviewFlow::failed, banner_,
+          [this](const QString& message) { banner_->showError(message); });
+  connect(preview_.get(), &PreviewFlow::changed, this, &MainWindow::refreshHint);
+  connect(theme_, &ThemeFlow::changed, judge_.get(), &JudgeFlow::setDark);
+  projects_->keep({.name = "choices",
+                   .text = [this] { return choices_->text(); },
+                   .show = [this](const std::string& text) { choices_->show(text); }});
+  connect(choices_.get(), &ChoicesFlow::changed, this, [this] {
+    evaluation_->setChoices(choices_->records());
+    projects_->noteChange();
+  });
+  connect(choices_.get(), &ChoicesFlow::noted, status_, &StatusLine::showNote);
+  connect(sight_.get(), &SightFlow::noted, status_, &StatusLine::showNote);
+  connect(sight_.get(), &SightFlow::failed, banner_,
+          [this](const QString& message) { banner_->showError(message); });
+  connect(sweep_.get(), &SweepFlow::taken, densities_.get(), &DensityFlow::refresh);
+  connect(presets_.get(), &PresetFlow::chosen, densities_.get(), &DensityFlow::refresh);
+  connect(sweep_.get(), &SweepFlow::taken, preview_.get(), &PreviewFlow::askAgain);
+  connect(sweep_.get(), &SweepFlow::taken, projects_.get(), &ProjectFlow::noteChange);
+  connect(presets_.get(), &PresetFlow::chosen, preview_.get(), &PreviewFlow::askAgain);
+  connect(states_.get(), &StatesFlow::noted, status_, &StatusLine::showNote);
 }
 
 } // namespace espalier

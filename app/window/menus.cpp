@@ -13,6 +13,7 @@
 #include "app/window/review_flow.h"
 #include "app/window/saved_views.h"
 #include "app/window/snap_flow.h"
+#include "app/window/states_flow.h"
 #include "app/window/two_views_flow.h"
 #include "app/window/view_options.h"
 #include "ui/tools/registry.h"
@@ -107,6 +108,7 @@ void MainWindow::fillMenus() {
   QMenu* skeleton = menuBar()->addMenu(tr("&Skeleton"));
   add(*skeleton, *actions_, {"reconstruct", "regrow_missing"});
   presets_->fillMenu(*skeleton->addMenu(tr("Se&ttings of the Steps")));
+  states_->fillMenu(*skeleton->addMenu(tr("Pre&view")));
   skeleton->addSeparator();
   const QStringList ofUnits = {"mark_unit_start", "commit_marks", "clear_marks"};
   fillNodeEdits(*skeleton, *actions_, ofUnits + QStringList{"radius_up", "radius_down"});
@@ -135,7 +137,7 @@ void MainWindow::fillViewMenu() {
   view->addMenu(tr("Color Points By"))->addActions(options_->colors());
   view->addMenu(tr("Color Nodes By"))->addActions(options_->nodeColors());
   fillColorScales(*view->addMenu(tr("Color Scales")), *actions_, *options_);
-  view->addAction((*actions_)["hide_explained"]);
+  add(*view, *actions_, {"hide_explained", "blend_points"});
   view->addMenu(tr("Point Size"))->addActions(options_->sizes());
   view->addMenu(tr("Projection"))->addActions(options_->projections());
   view->addMenu(tr("Look From"))->addActions(options_->standardViews());
@@ -148,7 +150,8 @@ void MainWindow::fillViewMenu() {
   add(*view, *actions_, {"hide", "isolate", "clipping", "show_all", ""});
   add(*view->addMenu(tr("Panels")), *actions_,
       {"show_pipeline", "show_inspector", "show_review", "show_findings", "show_history",
-       "show_node_table", "show_evaluation", "show_methods", "", "reset_layout"});
+       "show_node_table", "show_judge", "show_sweep", "show_evaluation", "show_methods", "",
+       "reset_layout"});
   add(*view->addMenu(tr("Theme")), *actions_, {"theme_system", "theme_light", "theme_dark"});
 }
 

@@ -132,7 +132,8 @@ void MethodsFlow::list() {
     for (const Method& method : methods_)
       rows.push_back(method.row);
   }
-  panel_->show(rows, parts_.reference.name(), parts_.document.unit());
+  panel_->show(rows, parts_.reference.name(), parts_.document.unit(),
+               plant_ ? plant_->tolerance : tolerance_);
   panel_->setBusy(job_.isRunning());
 }
 

@@ -50,6 +50,10 @@ bool PanelDock::isShown() const {
   return !dock_->isHidden();
 }
 
+bool PanelDock::isInFront() const {
+  return isShown() && !dock_->visibleRegion().isEmpty();
+}
+
 bool PanelDock::eventFilter(QObject* watched, QEvent* event) {
   if (watched == dock_ && event->type() == QEvent::Close)
     parts_.actions[action_]->setChecked(false);

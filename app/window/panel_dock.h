@@ -37,6 +37,7 @@ public:
   void setPlantShown(bool isShown); // without a plant the panel is absent
   void resetLayout();
   [[nodiscard]] bool isShown() const;
+  [[nodiscard]] bool isInFront() const; // shown, and not behind another tab
 
 protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

@@ -92,7 +92,9 @@ ReportAbout ReportFlow::about() const {
   about.date = QDate::currentDate().toString(Qt::ISODate);
   about.version = QCoreApplication::applicationVersion();
   about.unit = symbol(document.unit());
+  about.distance = tolerance_;
   const History history = document.history();
+  about.choices = choices_;
   about.handWork = handWork(std::span(history.steps).first(history.position), history.skeleton);
   return about;
 }

@@ -32,6 +32,7 @@ public:
 
   /// How the plant is compared: the report tells of the same.
   void setOptions(bool isLaid, double tolerance);
+  void setChoices(std::vector<ChoiceRecord> records) { choices_ = std::move(records); }
   void refresh(); // whether there is anything to report
 
   /// Measures, draws and writes to a file whose name tells how.
@@ -52,6 +53,7 @@ private:
   Parts parts_;
   std::unique_ptr<Making> making_; // null: none
   bool isLaid_ = true;
+  std::vector<ChoiceRecord> choices_;
   double tolerance_ = 0; // [L]; 0: by the rule
 };
 

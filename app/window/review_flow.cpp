@@ -114,8 +114,12 @@ void ReviewFlow::addMarkActions() {
     marks_.append(parts_.actions.add({.id = id, .text = text, .help = help, .keys = keys}, act));
   };
   add("mark_reviewed", tr("Mark Reviewed and Go On"),
-      tr("What is selected is right; shows the next stretch that is not reviewed"), Qt::Key_Return,
-      [this] {
+      tr("What is selected is right; shows the next stretch that is not reviewed. Without the "
+         "panel "
+         "it only begins the review"),
+      Qt::Key_Return, [this] {
+        // Enter also accepts previews: one Enter too many must not review what nobody looks at.
+        if (!parts_.actions["show_review"]->isChecked()) return step(WalkTo::notReviewed);
         mark(ReviewState::reviewed);
         step(WalkTo::notReviewed);
       });

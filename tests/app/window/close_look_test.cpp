@@ -4,6 +4,8 @@
 #include "ui/panels/status_line.h"
 
 #include <QAction>
+#include <QApplication>
+#include <QEnterEvent>
 #include <QTest>
 
 #include <algorithm>
@@ -19,6 +21,14 @@ protected:
     waitForView();
   }
   [[nodiscard]] QPoint corner() const { return {4, 4}; }
+  void enter() {
+    QEnterEvent event({1, 1}, {1, 1}, {1, 1});
+    QApplication::sendEvent(&view(), &event);
+  }
+  void leave() {
+    QEvent event(QEvent::Leave);
+    QApplication::sendEvent(&view(), &event);
+  }
 };
 
 TEST_F(CloseLookTest, ShowsTheNodeUnderThePointerAndItsNeighbors) {
@@ -42,6 +52,25 @@ TEST_F(CloseLookTest, ShowsWhatIsSelectedWhereThePointerIsOnNothing) {
   key(Qt::Key_Z);
   waitForView();
   EXPECT_LT((view().camera().focus - Eigen::Vector3d(0, 0, 0.5)).norm(), 1e-6);
+}
+
+TEST_F(CloseLookTest, ShowsWhatThePointerIsBesideRatherThanWhatIsSelectedElsewhere) {
+  const NodeId root = nodeAt({0, 0, 0});
+  const QPoint place = placeOf(root);
+  document().selection().set({nodeAt({1, 0, 2})});
+  const QPoint beside = place + QPoint(0, 25); // below the foot, where nothing is
+  ASSERT_FALSE(view().pick(beside).node || view().pick(beside).edge || view().pick(beside).point);
+  enter();
+  hover(beside);
+  key(Qt::Key_Z);
+  waitForView();
+  EXPECT_LT((view().camera().focus - Eigen::Vector3d(0, 0, 0.5)).norm(), 1e-6);
+  key(Qt::Key_Z, Qt::ShiftModifier);
+  waitForView();
+  leave(); // to a panel: the selection is meant
+  key(Qt::Key_Z);
+  waitForView();
+  EXPECT_GT((view().camera().focus - Eigen::Vector3d(0, 0, 0.5)).norm(), 0.5);
 }
 
 TEST_F(CloseLookTest, GoesBackStepByStep) {

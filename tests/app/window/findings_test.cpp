@@ -191,6 +191,17 @@ TEST_F(FindingsWindowTest, ChecksAgainstTheScanAsAJobOfItsOwn) {
   EXPECT_NE(title(), before);
 }
 
+TEST_F(FindingsWindowTest, NothingIsSaidToBeWellBeforeTheScanWasChecked) {
+  openFork();
+  key(Qt::Key_F8);
+  ASSERT_EQ(title(), allIsWell);
+  open({writeScan("plant.xyz")});
+  EXPECT_NE(title(), allIsWell);
+  action("select_findings").trigger();
+  EXPECT_NE(window().statusLine().shownText(), allIsWell);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !countOf("Unexplained points").isEmpty(); }));
+}
+
 TEST_F(FindingsWindowTest, PointsWithoutABranchAreSelectedAndCanGrowOne) {
   Skeleton trunk; // without the three branches of the scan
   const NodeId foot = trunk.add({.position = {0, 0, 0}, .radius = 0.05});

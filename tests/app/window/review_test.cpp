@@ -153,8 +153,22 @@ TEST_F(ReviewWindowTest, EnterInANumberFieldMarksNothing) {
   EXPECT_EQ(markOf(shoot()).state, ReviewState::toDo);
 }
 
+TEST_F(ReviewWindowTest, EnterWithoutThePanelOnlyBeginsTheReview) {
+  openFork();
+  click(placeOf(shoot()));
+  key(Qt::Key_Return); // as one too many after a preview was accepted
+  EXPECT_EQ(document().undoStack().count(), 0);
+  EXPECT_TRUE(action("show_review").isChecked());
+  const std::vector<NodeId> stretch = chosen();
+  ASSERT_FALSE(stretch.empty());
+  EXPECT_EQ(markOf(stretch.front()).state, ReviewState::toDo);
+  key(Qt::Key_Return);
+  EXPECT_EQ(markOf(stretch.front()).state, ReviewState::reviewed);
+}
+
 TEST_F(ReviewWindowTest, EnterInMidGestureMarksNothing) {
   openFork();
+  key(Qt::Key_F9);
   click(placeOf(shoot()));
   key(Qt::Key_P); // and now the new parent would be clicked
   key(Qt::Key_Return);
@@ -166,6 +180,7 @@ TEST_F(ReviewWindowTest, EnterInMidGestureMarksNothing) {
 
 TEST_F(ReviewWindowTest, AReviewedNodeThatIsDraggedIsToDoAgainUntilUndo) {
   openFork();
+  key(Qt::Key_F9);
   click(placeOf(shoot()));
   key(Qt::Key_Return);
   ASSERT_EQ(markOf(shoot()).state, ReviewState::reviewed);
@@ -182,6 +197,7 @@ TEST_F(ReviewWindowTest, AReviewedNodeThatIsDraggedIsToDoAgainUntilUndo) {
 
 TEST_F(ReviewWindowTest, AMarkOnNothingIsRefusedInWords) {
   openFork();
+  key(Qt::Key_F9);
   key(Qt::Key_Return);
   EXPECT_EQ(document().undoStack().count(), 0);
   EXPECT_TRUE(find<QWidget>("message_banner").isVisible());

@@ -34,6 +34,25 @@ TEST_F(MainWindowTest, StartsWithWhatToDoAndNoPanels) {
   EXPECT_EQ(window().windowTitle(), "Espalier");
 }
 
+TEST_F(MainWindowTest, AsksForNoScanWhileOneIsRead) {
+  window().open({writeScan("plant.xyz")});
+  ASSERT_TRUE(window().jobs().isRunning());
+  EXPECT_FALSE(window().statusLine().shownText().contains("Open a scan"));
+  waitForJob();
+  EXPECT_TRUE(window().statusLine().shownText().contains("Drag: turn"));
+}
+
+TEST_F(MainWindowTest, TheSheetOfShortcutsTellsOfBoxesAndLassos) {
+  action("shortcuts").trigger();
+  auto& sheet = find<QDialog>("shortcut_sheet");
+  QStringList texts;
+  for (const QLabel* label : sheet.findChildren<QLabel*>())
+    texts.append(label->text());
+  EXPECT_TRUE(texts.contains("Shift+drag"));
+  EXPECT_TRUE(texts.contains("Alt+drag"));
+  sheet.reject();
+}
+
 TEST_F(MainWindowTest, ShowsThePanelsOnceThereIsAPlant) {
   open({writeFork("fork.mtg")});
   EXPECT_TRUE(find<QDockWidget>("pipeline").isVisible());

@@ -1,0 +1,323 @@
+#include "app/window/judge_flow.h"
+
+#include "app/window/action_set.h"
+#include "app/window/options_text.h"
+#include "app/window/reconstruct_flow.h"
+#include "app/window/reference_flow.h"
+#include "app/window/states_flow.h"
+#include "ui/document/plant_document.h"
+#include "ui/plots/histogram_view.h"
+#include "ui/view/plant_view.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QVBoxLayout>
+
+#include <utility>
+
+namespace espalier {
+namespace {
+
+using Better = JudgeRow::Better;
+
+constexpr QSize recordedPicture(480, 480);
+
+/// A number of a state, and how it is told.
+struct Number {
+  QString name;
+  QString unit;
+  QString meaning;
+  Better better;
+  int decimals;
+  std::function<std::optional<double>(const Judgment&)> of;
+};
+
+template <class Value> auto ofQuality(Value ContractionQuality::*value, double factor = 1) {
+  return [value, factor](const Judgment& judgment) -> std::optional<double> {
+    if (!judgment.quality) return std::nullopt;
+    return factor * static_cast<double>((*judgment.quality).*value);
+  };
+}
+
+template <class Value> auto ofSkeleton(Value ContractionQuality::*value) {
+  return [value](const Judgment& judgment) -> std::optional<double> {
+    if (!judgment.quality || judgment.quality->nodes == 0) return std::nullopt;
+    return static_cast<double>((*judgment.quality).*value);
+  };
+}
+
+auto ofScores(double MethodScores::*value) {
+  return [value](const Judgment& judgment) -> std::optional<double> {
+    if (!judgment.scores) return std::nullopt;
+    return (*judgment.scores).*value;
+  };
+}
+
+std::vector<Number> numbersOfQuality(const QString& unit) {
+  const auto tr = [](const char* text) { return JudgeFlow::tr(text); };
+  using Q = ContractionQuality;
+  return {
+      {tr("Residual thickness"), tr("spacings"),
+       tr("Median distance of contracted points from the axis through those about them"),
+       Better::less, 2, ofQuality(&Q::residualThickness)},
+      {tr("On a line"), tr("%"),
+       tr("Share of the points about which the contracted ones lie on a "
+          "line"),
+       Better::more, 1, ofQuality(&Q::shareOnLine, 100)},
+      {tr("Ends of the scan"),
+       {},
+       tr("Ends of branches, as the points tell"),
+       Better::neither,
+       0,
+       ofQuality(&Q::tips)},
+      {tr("Lost ends"),
+       {},
+       tr("Ends of branches that nothing is near to any more"),
+       Better::less,
+       0,
+       ofQuality(&Q::lostTips)},
+      {tr("Webbed places"),
+       {},
+       tr("Places where contracted points lie together that are far apart along the plant"),
+       Better::less,
+       0,
+       ofQuality(&Q::webbedJunctions)},
+      {tr("Unexplained points"),
+       {},
+       tr("Points that lie off all edges of the skeleton"),
+       Better::less,
+       0,
+       ofSkeleton(&Q::unexplainedPoints)},
+      {tr("Length of the skeleton"), unit, tr("Of all its edges"), Better::neither, 0,
+       ofSkeleton(&Q::skeletonLength)},
+      {tr("Nodes"), {}, tr("Nodes of the skeleton"), Better::neither, 0, ofSkeleton(&Q::nodes)},
+  };
+}
+
+std::vector<Number> numbersOfReference() {
+  const auto tr = [](const char* text) { return JudgeFlow::tr(text); };
+  using S = MethodScores;
+  return {{tr("F of length"),
+           {},
+           tr("Agreement of length with the reference, within the usual tolerance"),
+           Better::more,
+           3,
+           ofScores(&S::f)},
+          {tr("Geometric index"),
+           {},
+           tr("Of the authors' comparison with the reference"),
+           Better::more,
+           3,
+           ofScores(&S::geometric)},
+          {tr("Structural index"),
+           {},
+           tr("Of the authors' comparison with the reference"),
+           Better::more,
+           3,
+           ofScores(&S::structural)}};
+}
+
+} // namespace
+
+JudgeFlow::JudgeFlow(const Parts& parts) : parts_(parts) {
+  dock_ = new PanelDock(parts_.window,
+                        {.id = "judge",
+                         .title = tr("Preview in Numbers"),
+                         .text = tr("Preview in Numbers"),
+                         .help = tr("Shows or hides the numbers by which a preview is judged"),
+                         .keys = QKeySequence(Qt::SHIFT | Qt::Key_F6)},
+                        makePanel(), this);
+  timer_.setSingleShot(true);
+  timer_.setInterval(300); // [ms]: edits in a row are judged once
+  connect(&timer_, &QTimer::timeout, this, &JudgeFlow::judge);
+  const auto later = [this] { timer_.start(); };
+  connect(&parts_.preview, &PreviewFlow::changed, this, later);
+  connect(&parts_.states, &StatesFlow::changed, this, later);
+  connect(&parts_.reference, &ReferenceFlow::changed, this, later);
+  PlantDocument& document = parts_.document;
+  connect(&document, &PlantDocument::skeletonEdited, this, later);
+  for (auto signal : {&PlantDocument::skeletonReplaced, &PlantDocument::scanChanged,
+                      &PlantDocument::contractedChanged, &PlantDocument::unitChanged})
+    connect(&document, signal, this, later);
+  connect(parts_.window.actions["show_judge"], &QAction::toggled, this, later);
+}
+
+JudgeFlow::~JudgeFlow() = default;
+
+QWidget* JudgeFlow::makePanel() {
+  auto* panel = new QWidget;
+  panel->setObjectName("judge_panel");
+  auto* row = new QHBoxLayout(panel);
+  row->setContentsMargins(12, 8, 12, 8);
+  row->setSpacing(16);
+  table_ = new JudgeTable;
+  table_->setObjectName("judge_table");
+  row->addWidget(table_, 3);
+  auto* column = new QVBoxLayout;
+  column->setSpacing(4);
+  kind_ = new QComboBox;
+  kind_->setObjectName("judge_kind");
+  kind_->setAccessibleName(tr("What the histogram shows"));
+  kind_->addItems({tr("Residual thickness"), tr("Displacement"), tr("Density"),
+                   tr("Quality of directions"), tr("Radius of nodes")});
+  histogram_ = new HistogramView;
+  histogram_->setObjectName("judge_histogram");
+  note_ = new QLabel;
+  note_->setProperty("role", "quiet");
+  note_->setWordWrap(true);
+  column->addWidget(kind_);
+  column->addWidget(histogram_, 1);
+  column->addWidget(note_);
+  row->addLayout(column, 2);
+  connect(kind_, &QComboBox::currentIndexChanged, this, &JudgeFlow::judge);
+  connect(histogram_, &HistogramView::brushed, this,
+          [this](double from, double to) { brush(from, to); });
+  connect(histogram_, &HistogramView::brushCleared, this, [this] {
+    parts_.document.pointSelection().clear();
+    if (kind() == Distributed::radii) parts_.document.selection().set({});
+  });
+  return panel;
+}
+
+void JudgeFlow::setDark(bool isDark) {
+  histogram_->setDark(isDark);
+}
+
+Distributed JudgeFlow::kind() const {
+  return static_cast<Distributed>(kind_->currentIndex());
+}
+
+std::vector<JudgeFlow::State> JudgeFlow::states() const {
+  std::vector<State> states;
+  if (parts_.document.contracted() != nullptr || !parts_.document.skeleton().isEmpty())
+    states.push_back({.name = tr("Plant"), .outcome = parts_.states.plant()});
+  if (parts_.states.kept()) states.push_back({.name = tr("A"), .outcome = *parts_.states.kept()});
+  if (parts_.preview.shown())
+    states.push_back(
+        {.name = parts_.preview.shown()->within ? tr("Preview, in the ball") : tr("Preview"),
+         .outcome = *parts_.preview.shown()});
+  return states;
+}
+
+void JudgeFlow::judge() {
+  timer_.stop();
+  const Scan* scan = parts_.document.scan();
+  if (scan == nullptr || !parts_.window.actions["show_judge"]->isChecked()) {
+    job_.cancel();
+    shown_.clear();
+    return show();
+  }
+  job_.start(
+      [states = states(), cloud = scan->cloud(), spacing = scan->spacing(),
+       reference = parts_.reference.skeleton(), kind = kind()](const Progress& progress) mutable {
+        for (State& state : states) {
+          state.judgment = judged(state.outcome, *cloud, spacing, reference.get(), progress);
+          state.outcome.quality = state.judgment.quality;
+          state.values = distribution(kind, state.outcome, *cloud, spacing, progress);
+        }
+        return states;
+      },
+      [this](std::vector<State> judged) {
+        shown_ = std::move(judged);
+        show();
+      });
+}
+
+std::vector<JudgeRow> JudgeFlow::rows() const {
+  std::vector<Number> numbers = numbersOfQuality(symbol(parts_.document.unit()));
+  if (parts_.reference.skeleton() != nullptr)
+    for (Number& number : numbersOfReference())
+      numbers.push_back(std::move(number));
+  std::vector<JudgeRow> rows;
+  for (const Number& number : numbers) {
+    JudgeRow row{.name = number.name,
+                 .unit = number.unit,
+                 .meaning = number.meaning,
+                 .better = number.better,
+                 .decimals = number.decimals,
+                 .values = {}};
+    for (const State& state : shown_)
+      row.values.push_back(number.of(state.judgment));
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+void JudgeFlow::show() {
+  QStringList names;
+  for (const State& state : shown_)
+    names.append(state.name);
+  table_->show(names, shown_.empty() ? std::vector<JudgeRow>() : rows());
+  showHistogram();
+}
+
+ChoiceRecord JudgeFlow::record() const {
+  ChoiceRecord record;
+  if (shown_.empty() || parts_.document.scan() == nullptr) return record;
+  const Scan& scan = *parts_.document.scan();
+  const PlantScale scale{.spacing = scan.spacing(), .height = scan.height()};
+  const std::vector<JudgeRow> numbers = rows();
+  QStringList names;
+  for (std::size_t i = 0; i < shown_.size(); ++i) {
+    const State& state = shown_[i];
+    names.append(state.name);
+    ChoiceState chosen{
+        .name = state.name,
+        .options = changeText({}, state.outcome.options, scale, symbol(parts_.document.unit())),
+        .picture = parts_.view.pictureOf(state.outcome.shownAs({}), recordedPicture),
+        .numbers = {},
+        .isTaken = i + 1 == shown_.size()};
+    for (const JudgeRow& row : numbers)
+      if (row.values[i])
+        chosen.numbers.emplace_back(row.unit.isEmpty() ? row.name
+                                                       : tr("%1 [%2]").arg(row.name, row.unit),
+                                    QLocale().toString(*row.values[i], 'f', row.decimals));
+    record.states.push_back(std::move(chosen));
+  }
+  record.title = names.join(tr(" and "));
+  return record;
+}
+
+void JudgeFlow::showHistogram() {
+  const QString unit = symbol(parts_.document.unit());
+  const QString units[] = {tr("spacings"), unit, {}, {}, unit};
+  PlottedValues plotted{.values = {},
+                        .title = kind_->currentText(),
+                        .unit = units[kind_->currentIndex()],
+                        .range = std::nullopt};
+  if (!shown_.empty()) plotted.values = shown_.back().values;
+  histogram_->show(plotted);
+  const bool hasTwo = shown_.size() > 1;
+  histogram_->addSecond(hasTwo ? shown_.front().values : std::vector<float>(),
+                        hasTwo ? shown_.front().name : QString());
+  note_->setText(shown_.empty()
+                     ? tr("Turn on Live Preview, or reconstruct, to judge what comes of it")
+                 : hasTwo ? tr("Bars: %1. Outline: %2. Drag to select those points.")
+                                .arg(shown_.back().name, shown_.front().name)
+                          : tr("Drag to select those points"));
+}
+
+void JudgeFlow::brush(double from, double to) {
+  if (shown_.empty()) return;
+  const State& state = shown_.back();
+  const auto isIn = [&](float value) { return value >= from && value <= to; };
+  if (kind() == Distributed::radii) {
+    if (state.outcome.skeleton == nullptr || parts_.preview.shown()) return; // of another skeleton
+    std::vector<NodeId> nodes;
+    for (const NodeId id : parts_.document.skeleton().ids())
+      if (isIn(static_cast<float>(parts_.document.skeleton()[id].radius))) nodes.push_back(id);
+    return parts_.document.selection().set(nodes);
+  }
+  const std::vector<Eigen::Index>& columns = state.outcome.points;
+  std::vector<Eigen::Index> points;
+  for (std::size_t i = 0; i < state.values.size(); ++i)
+    if (isIn(state.values[i]))
+      points.push_back(columns.empty() ? static_cast<Eigen::Index>(i) : columns[i]);
+  parts_.preview.showScanned(); // where a selection is seen
+  parts_.document.pointSelection().set(PointSet::of(points));
+}
+
+} // namespace espalier

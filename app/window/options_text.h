@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/pipeline/pipeline.h"
+
+#include <QString>
+
+namespace espalier {
+
+/// What was chosen otherwise, as people say it: "Contract: radius 12.5 mm". Empty: nothing.
+/// @param unit of lengths; empty: not known
+[[nodiscard]] QString changeText(const PipelineOptions& before, const PipelineOptions& after,
+                                 const PlantScale& scale, const QString& unit);
+
+/// A value with its unit, as the form of its step shows it: "12.5 mm", "7", "yes".
+[[nodiscard]] QString valueText(const Option& option, double value, const QString& unit);
+
+} // namespace espalier

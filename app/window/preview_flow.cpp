@@ -1,0 +1,275 @@
+#include "app/window/preview_flow.h"
+
+#include "app/window/action_set.h"
+#include "app/window/editing.h"
+#include "app/window/judged_state.h"
+#include "app/window/options_text.h"
+#include "app/window/reconstruct_flow.h"
+#include "core/pipeline/region_preview.h"
+#include "ui/document/plant_document.h"
+#include "ui/panels/pipeline_panel.h"
+#include "ui/view/plant_view.h"
+
+#include <QAction>
+
+#include <utility>
+
+namespace espalier {
+namespace {
+
+constexpr Eigen::Index ballPoints = 20000; // what is shown at once
+constexpr int resting = 250;               // [ms] without a change: the hand rests
+
+Outcome outcomeOf(RegionPreview region, const Ball& ball, const PipelineOptions& options,
+                  const PointCloud& cloud) {
+  return {.options = options,
+          .contracted = std::make_shared<const Eigen::Matrix3Xf>(std::move(region.contracted)),
+          .scanned = std::make_shared<const Eigen::Matrix3Xf>(
+              cloud.positions()(Eigen::all, region.points)),
+          .points = region.points,
+          .skeleton = std::make_shared<const Skeleton>(std::move(region.skeleton)),
+          .within = ball,
+          .quality = nullptr};
+}
+
+} // namespace
+
+PlantState Outcome::shownAs(const QString& name) const {
+  return {.name = name,
+          .contracted = contracted,
+          .scanned = scanned,
+          .skeleton = *skeleton,
+          .colors = std::nullopt,
+          .within = within};
+}
+
+PreviewFlow::PreviewFlow(const Parts& parts) : parts_(parts) {
+  addActions();
+  rest_.setSingleShot(true);
+  rest_.setInterval(resting);
+  connect(&rest_, &QTimer::timeout, this, [this] {
+    if (!job_.isBusy()) askAll(); // else once it is done
+  });
+  connect(&job_, &LatestJob::failed, this, [this](const QString& message) {
+    rest_.stop();
+    isAll_ = false;
+    parts_.pipeline.showFailed(message);
+    emit failed(message);
+    emit changed();
+  });
+  connect(&job_, &LatestJob::progressed, this, [this](double, const QString& stage) {
+    if (isAll_) parts_.pipeline.showRunning(stage);
+  });
+  connect(&parts_.pipeline, &PipelinePanel::changed, this, [this](const Step& step) {
+    if (!isLive()) return askAgain();
+    ask(step.name == "clean" || step.name == "contract");
+  });
+  connect(&parts_.reconstruct, &ReconstructFlow::done, this, [this] {
+    clear();
+    before_ = parts_.pipeline.options();
+  });
+  connect(&parts_.document, &PlantDocument::scanChanged, this, &PreviewFlow::forgetScan);
+  connect(&parts_.document, &PlantDocument::leftOutChanged, this, &PreviewFlow::forgetScan);
+  before_ = parts_.pipeline.options();
+}
+
+PreviewFlow::~PreviewFlow() = default;
+
+void PreviewFlow::addActions() {
+  parts_.actions.beginSection(tr("Preview"));
+  QAction* live = parts_.actions.add({.id = "live_preview",
+                                      .text = tr("Live Preview"),
+                                      .help = tr("Shows what each change of a step would make"),
+                                      .keys = QKeySequence(Qt::CTRL | Qt::Key_L),
+                                      .isCheckable = true},
+                                     {});
+  connect(live, &QAction::toggled, &parts_.pipeline, &PipelinePanel::setLive);
+  connect(&parts_.pipeline, &PipelinePanel::liveToggled, live, &QAction::setChecked);
+  connect(live, &QAction::toggled, this, &PreviewFlow::turn);
+  parts_.actions.add({.id = "preview_here",
+                      .text = tr("Preview Here"),
+                      .help = tr("Shows changes at once in the points under the pointer; on empty "
+                                 "ground: where one looks, as usual"),
+                      .keys = QKeySequence(Qt::SHIFT | Qt::Key_L)},
+                     [this] { placeBall(); });
+}
+
+bool PreviewFlow::isLive() const {
+  return parts_.actions["live_preview"]->isChecked();
+}
+
+void PreviewFlow::turn(bool isOn) {
+  if (isOn && parts_.document.scan() != nullptr) return ask(true);
+  clear();
+  before_ = parts_.pipeline.options();
+}
+
+PipelineOptions PreviewFlow::options() const {
+  PipelineOptions options = parts_.pipeline.options();
+  options.leftOut = parts_.document.leftOut();
+  return options;
+}
+
+Eigen::Vector3d PreviewFlow::center() const {
+  if (placed_) return *placed_;
+  const PlantView& view = parts_.editing.activeView();
+  const Pick seen = view.pick(view.rect().center());
+  return seen.point ? *seen.point : parts_.document.scan()->onPoints(view.camera().focus);
+}
+
+void PreviewFlow::placeBall() {
+  placed_ = parts_.editing.under().point;
+  if (!isLive())
+    parts_.actions["live_preview"]->setChecked(true); // asks
+  else
+    ask(true);
+}
+
+void PreviewFlow::ask(bool movesPoints) {
+  const Scan* scan = parts_.document.scan();
+  if (scan == nullptr) return;
+  if (isAll_) parts_.pipeline.showStopped();
+  isAll_ = false;
+  movesPoints_ = movesPoints;
+  rest_.start();
+  if (scan->cloud()->size() <= ballPoints) return askAll();
+  if (!previewer_)
+    previewer_ = std::make_shared<const RegionPreviewer>(
+        scan->cloud(), parts_.document.leftOut(),
+        PlantScale{.spacing = scan->spacing(), .height = scan->height()}, options().up);
+  if (movesPoints)
+    askContracted();
+  else
+    askReconstructed();
+}
+
+void PreviewFlow::askAgain() {
+  if (isLive())
+    ask(true);
+  else
+    before_ = parts_.pipeline.options();
+}
+
+void PreviewFlow::askContracted() {
+  begin(
+      Kind::contracted,
+      [previewer = previewer_, cloud = parts_.document.scan()->cloud(), options = options(),
+       center = center()](const Progress& progress) {
+        const Ball ball = previewer->ballWith(center, ballPoints);
+        return outcomeOf(previewer->contracted(ball, options, progress), ball, options, *cloud);
+      },
+      [this](Outcome outcome) {
+        if (shown_ && shown_->within == outcome.within) // until there is a new one
+          outcome.skeleton = shown_->skeleton;
+        show(outcome);
+        if (!job_.isWaiting()) askReconstructed();
+      });
+}
+
+void PreviewFlow::askReconstructed() {
+  const Scan& scan = *parts_.document.scan();
+  begin(
+      Kind::reconstructed,
+      [previewer = previewer_, cloud = scan.cloud(), spacing = scan.spacing(), options = options(),
+       center = center()](const Progress& progress) {
+        const Ball ball = previewer->ballWith(center, ballPoints);
+        Outcome outcome =
+            outcomeOf(previewer->reconstructed(ball, options, progress), ball, options, *cloud);
+        outcome.quality = judged(outcome, *cloud, spacing, nullptr, progress).quality;
+        return outcome;
+      },
+      [this](const Outcome& outcome) {
+        show(outcome);
+        if (!rest_.isActive() && !job_.isWaiting()) askAll();
+      });
+}
+
+void PreviewFlow::askAll() {
+  rest_.stop();
+  isAll_ = true;
+  const Scan& scan = *parts_.document.scan();
+  running_ = Kind::whole;
+  job_.start(
+      [pipeline = parts_.reconstruct.pipeline(), cloud = scan.cloud(), spacing = scan.spacing(),
+       options = options()](const Progress& progress) {
+        const Reconstruction made = pipeline->run(cloud, options, progress.part(0, 0.9));
+        Outcome outcome{.options = options,
+                        .contracted = made.contracted,
+                        .scanned = nullptr,
+                        .skeleton = std::make_shared<const Skeleton>(made.skeleton),
+                        .within = std::nullopt,
+                        .quality = nullptr};
+        outcome.quality = judged(outcome, *cloud, spacing, nullptr, progress.part(0.9, 1)).quality;
+        return outcome;
+      },
+      [this](const Outcome& outcome) {
+        isAll_ = false;
+        parts_.pipeline.showDone(parts_.reconstruct.telling());
+        show(outcome);
+      });
+}
+
+void PreviewFlow::show(const Outcome& outcome) {
+  shown_ = outcome;
+  colors_.reset();
+  draw();
+  emit changed();
+}
+
+void PreviewFlow::showScanned() {
+  if (!shown_ || !std::exchange(movesPoints_, false)) return;
+  draw();
+  emit changed();
+}
+
+void PreviewFlow::setColors(std::optional<NodeColors> colors) {
+  if (!shown_ || (!colors && !colors_)) return;
+  colors_ = std::move(colors);
+  draw();
+}
+
+void PreviewFlow::draw() {
+  const Outcome& outcome = *shown_;
+  const Scan& scan = *parts_.document.scan();
+  const QString change =
+      changeText(before_, outcome.options, {.spacing = scan.spacing(), .height = scan.height()},
+                 symbol(parts_.document.unit()));
+  PlantState state = outcome.shownAs(change.isEmpty() ? tr("Preview") : change);
+  state.colors = colors_;
+  state.replacesPoints = movesPoints_;
+  parts_.view.setState(Side::right, state);
+}
+
+bool PreviewFlow::drop() {
+  if (!shown_) return false;
+  parts_.pipeline.setOptions(before_);
+  clear();
+  return true;
+}
+
+void PreviewFlow::goOn() {
+  if (isLive() && shown_ && shown_->within && !isBusy()) askAll();
+}
+
+void PreviewFlow::stop() {
+  job_.cancel();
+  rest_.stop();
+  if (isAll_) parts_.pipeline.showStopped();
+  isAll_ = false;
+}
+
+void PreviewFlow::clear() {
+  stop();
+  if (!shown_) return;
+  shown_.reset();
+  parts_.view.setState(Side::right, std::nullopt);
+  emit changed();
+}
+
+void PreviewFlow::forgetScan() {
+  clear();
+  previewer_.reset();
+  placed_.reset();
+}
+
+} // namespace espalier

@@ -1,0 +1,141 @@
+#include "app/window/sight_flow.h"
+
+#include "app/window/action_set.h"
+#include "app/window/editing.h"
+#include "app/window/preview_flow.h"
+#include "ui/document/plant_document.h"
+#include "ui/panels/pipeline_panel.h"
+#include "ui/view/plant_view.h"
+
+#include <QAction>
+#include <QEvent>
+#include <QLocale>
+#include <QMouseEvent>
+
+#include <utility>
+
+namespace espalier {
+namespace {
+
+std::vector<Eigen::Vector3d> placesOf(const std::vector<Eigen::Index>& points,
+                                      const PointCloud& cloud) {
+  std::vector<Eigen::Vector3d> places;
+  for (const Eigen::Index point : points)
+    places.push_back(cloud.positions().col(point).cast<double>() + cloud.origin());
+  return places;
+}
+
+QString labelOf(const MethodSight& sight, LengthUnit unit) {
+  QStringList parts;
+  if (sight.radius > 0)
+    parts.append(SightFlow::tr("within %1").arg(formatLength(sight.radius, unit, 3)));
+  parts.append(SightFlow::tr("%1 points").arg(sight.ball.size()));
+  parts.append(SightFlow::tr("linearity %1").arg(QLocale().toString(sight.linearity, 'f', 2)));
+  parts.append(SightFlow::tr("density %1").arg(QLocale().toString(sight.density, 'f', 2)));
+  return parts.join(QStringLiteral(" · "));
+}
+
+ShownSight shownOf(const MethodSight& sight, const PointCloud& cloud, const Scan& scan,
+                   LengthUnit unit) {
+  ShownSight shown{.point = placesOf({sight.point}, cloud).front(),
+                   .moved = sight.moved,
+                   .neighbors = placesOf(sight.neighbors, cloud),
+                   .ball = placesOf(sight.ball, cloud),
+                   .direction = sight.direction,
+                   .normal = sight.normal,
+                   .reach = sight.radius > 0 ? sight.radius : 6 * scan.spacing(),
+                   .circle = std::nullopt,
+                   .cones = {},
+                   .label = labelOf(sight, unit)};
+  if (sight.circle)
+    shown.circle = {sight.circle->center, sight.circle->normal, sight.circle->radius};
+  for (const SightCone& cone : sight.cones)
+    shown.cones.push_back({cone.apex, cone.direction, cone.angle, cone.length});
+  return shown;
+}
+
+} // namespace
+
+SightFlow::SightFlow(const Parts& parts) : parts_(parts) {
+  parts_.actions.beginSection(tr("Preview"));
+  show_ = parts_.actions.add({.id = "method_sight",
+                              .text = tr("What the Method Sees"),
+                              .help = tr("Draws, at the point under the mouse, its neighbors, what "
+                                         "its new place is from, directions and circles"),
+                              .keys = QKeySequence(Qt::CTRL | Qt::Key_0),
+                              .isCheckable = true},
+                             {});
+  connect(show_, &QAction::toggled, this, &SightFlow::turn);
+  timer_.setSingleShot(true);
+  timer_.setInterval(15); // [ms]
+  connect(&timer_, &QTimer::timeout, this, &SightFlow::look);
+  connect(&job_, &LatestJob::failed, this, &SightFlow::failed);
+  connect(&parts_.preview, &PreviewFlow::changed, this, &SightFlow::prepare);
+  connect(&parts_.pipeline, &PipelinePanel::changed, this, &SightFlow::prepare);
+  connect(&parts_.document, &PlantDocument::contractedChanged, this, &SightFlow::prepare);
+  connect(&parts_.document, &PlantDocument::scanChanged, this, [this] {
+    sights_.reset();
+    prepare();
+  });
+  parts_.view.installEventFilter(this);
+}
+
+void SightFlow::turn(bool isOn) {
+  if (isOn) return prepare();
+  job_.cancel();
+  sights_.reset();
+  shown_.reset();
+  parts_.view.showSight(std::nullopt);
+}
+
+void SightFlow::prepare() {
+  const Scan* scan = parts_.document.scan();
+  if (!show_->isChecked() || scan == nullptr) return parts_.view.showSight(std::nullopt);
+  const std::optional<Outcome>& preview = parts_.preview.shown();
+  if (parts_.preview.isLive() && (!preview || preview->within)) return; // of all of it soon
+  PipelineOptions options = preview ? preview->options : parts_.pipeline.options();
+  options.leftOut = parts_.document.leftOut();
+  const auto contracted = preview ? preview->contracted : parts_.document.contracted();
+  if (!contracted) {
+    show_->setChecked(false);
+    emit noted(tr("Nothing is contracted yet: turn on Live Preview, or reconstruct"));
+    return;
+  }
+  job_.start(
+      [cloud = scan->cloud(), contracted, options,
+       scale = PlantScale{.spacing = scan->spacing(), .height = scan->height()}](
+          const Progress& progress) {
+        return std::make_shared<const MethodSights>(cloud, contracted, options, scale, progress);
+      },
+      [this](const std::shared_ptr<const MethodSights>& sights) {
+        sights_ = sights;
+        shown_.reset();
+        look();
+      });
+}
+
+bool SightFlow::eventFilter(QObject* view, QEvent* event) {
+  if (event->type() == QEvent::MouseMove) pointer_ = static_cast<QMouseEvent*>(event)->position();
+  if (event->type() == QEvent::Leave) pointer_.reset();
+  if (sights_ && (event->type() == QEvent::MouseMove || event->type() == QEvent::Leave))
+    timer_.start();
+  return QObject::eventFilter(view, event);
+}
+
+void SightFlow::look() {
+  if (!sights_ || !show_->isChecked()) return;
+  const Pick under = pointer_ ? parts_.view.pick(*pointer_) : Pick();
+  if (!under.point) {
+    shown_.reset();
+    return parts_.view.showSight(std::nullopt);
+  }
+  const Scan& scan = *parts_.document.scan();
+  const Eigen::Vector3f place = (*under.point - scan.cloud()->origin()).cast<float>();
+  const Eigen::Index point = scan.index().nearest(place, 1).front().index;
+  if (shown_ == point) return;
+  shown_ = point;
+  parts_.view.showSight(shownOf(sights_->at(point, parts_.document.skeleton()), *scan.cloud(), scan,
+                                parts_.document.unit()));
+}
+
+} // namespace espalier

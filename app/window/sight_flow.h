@@ -1,0 +1,60 @@
+#pragma once
+
+#include "core/pipeline/method_sight.h"
+#include "ui/jobs/latest_job.h"
+
+#include <QObject>
+#include <QPointF>
+#include <QTimer>
+
+#include <memory>
+#include <optional>
+
+namespace espalier {
+
+class ActionSet;
+class Editing;
+class PipelinePanel;
+class PlantDocument;
+class PlantView;
+class PreviewFlow;
+
+/// Draws what the chosen methods see at the point under the mouse: its neighbors, the points its
+/// new place is from, directions, circles, and the cones of point tracking.
+class SightFlow : public QObject {
+  Q_OBJECT
+
+public:
+  /// What it works with; all must outlive it.
+  struct Parts {
+    PlantDocument& document;
+    PlantView& view;
+    PipelinePanel& pipeline;
+    ActionSet& actions;
+    Editing& editing;
+    PreviewFlow& preview;
+  };
+  explicit SightFlow(const Parts& parts);
+
+signals:
+  void noted(const QString& message);
+  void failed(const QString& message);
+
+protected:
+  bool eventFilter(QObject* view, QEvent* event) override;
+
+private:
+  void turn(bool isOn);
+  void prepare();
+  void look();
+
+  Parts parts_;
+  QAction* show_;
+  std::shared_ptr<const MethodSights> sights_; // null: not ready
+  QTimer timer_;                               // many moves of the mouse are one
+  std::optional<QPointF> pointer_;             // in the view; none: it is elsewhere
+  std::optional<Eigen::Index> shown_;
+  LatestJob job_;
+};
+
+} // namespace espalier

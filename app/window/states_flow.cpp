@@ -1,0 +1,228 @@
+#include "app/window/states_flow.h"
+
+#include "app/report/comparison_colors.h"
+#include "app/window/action_set.h"
+#include "app/window/options_text.h"
+#include "app/window/reconstruct_flow.h"
+#include "app/window/two_views_flow.h"
+#include "core/base/error.h"
+#include "core/evaluate/differences.h"
+#include "ui/document/plant_document.h"
+#include "ui/panels/blend_bar.h"
+#include "ui/view/plant_view.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QGridLayout>
+#include <QMenu>
+
+#include <utility>
+
+namespace espalier {
+namespace {
+
+constexpr double differing = 3; // point spacings: what is farther apart differs
+
+} // namespace
+
+StatesFlow::StatesFlow(const Parts& parts) : parts_(parts), arrangements_(new QActionGroup(this)) {
+  addActions();
+  makeBar();
+  connect(&parts_.preview, &PreviewFlow::changed, this, [this] {
+    if (kept_ && areReplaced_ != replacesPoints()) showA();
+    arrange();
+    colorDifferences();
+  });
+  connect(parts_.actions["two_views"], &QAction::toggled, this, [this](bool areTwo) {
+    if (!areTwo && arrangement_ == Arrangement::twoViews)
+      parts_.actions["compare_alone"]->trigger();
+    arrange();
+  });
+  connect(&parts_.view, &PlantView::dividerMoved, this, [this](double at) { divider_ = at; });
+  connect(&parts_.document, &PlantDocument::scanChanged, this, &StatesFlow::forgetA);
+}
+
+void StatesFlow::addActions() {
+  ActionSet& actions = parts_.actions;
+  actions.beginSection(tr("Preview"));
+  actions.add({.id = "keep_as_a",
+               .text = tr("Keep as A"),
+               .help = tr("Keeps what is shown, to compare it with what comes next"),
+               .keys = QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_A)},
+              [this] { keepAsA(); });
+  actions.add({.id = "forget_a",
+               .text = tr("Forget A"),
+               .help = tr("Compares with the plant as it is again")},
+              [this] { forgetA(); });
+  const auto add = [&](Arrangement arrangement, const Command& command) {
+    QAction* action = actions.add(command, [this, arrangement] {
+      arrangement_ = arrangement;
+      if (arrangement == Arrangement::twoViews) {
+        parts_.actions["two_views"]->setChecked(true);
+        parts_.actions["link_same"]->trigger();
+      }
+      arrange();
+    });
+    arrangements_->addAction(action);
+  };
+  add(Arrangement::preview, {.id = "compare_alone",
+                             .text = tr("Preview Alone"),
+                             .help = tr("Shows the preview in place of the plant"),
+                             .isCheckable = true});
+  add(Arrangement::divided, {.id = "compare_divided",
+                             .text = tr("Divided View"),
+                             .help = tr("Shows A, or the plant, left of a divider and the preview "
+                                        "right of it"),
+                             .keys = QKeySequence(Qt::CTRL | Qt::Key_9),
+                             .isCheckable = true});
+  add(Arrangement::twoViews, {.id = "compare_two_views",
+                              .text = tr("Side by Side"),
+                              .help = tr("Shows A, or the plant, in one view and the preview in "
+                                         "another that moves with it"),
+                              .isCheckable = true});
+  actions["compare_alone"]->setChecked(true);
+  QAction* color = actions.add({.id = "color_state_differences",
+                                .text = tr("Color What Differs"),
+                                .help = tr("Colors the skeletons of A and the preview by where "
+                                           "they differ"),
+                                .isCheckable = true},
+                               {});
+  connect(color, &QAction::toggled, this, &StatesFlow::colorDifferences);
+  QAction* blend = actions.add({.id = "blend_points",
+                                .text = tr("Blend Points"),
+                                .help = tr("Moves points between where they were scanned and where "
+                                           "contraction puts them"),
+                                .keys = QKeySequence(Qt::CTRL | Qt::Key_7),
+                                .isCheckable = true},
+                               {});
+  connect(blend, &QAction::toggled, this, &StatesFlow::blend);
+}
+
+void StatesFlow::fillMenu(QMenu& menu) const {
+  for (const char* id :
+       {"live_preview", "preview_here", "", "keep_as_a", "forget_a", "", "record_choice",
+        "forget_choice", "", "compare_alone", "compare_divided", "compare_two_views",
+        "color_state_differences", "", "blend_points", "method_sight"}) {
+    if (*id == '\0')
+      menu.addSeparator();
+    else
+      menu.addAction(parts_.actions[id]);
+  }
+}
+
+void StatesFlow::makeBar() {
+  auto* layers = static_cast<QGridLayout*>(parts_.center.layout());
+  bar_ = new BlendBar(&parts_.center);
+  bar_->hide();
+  layers->addWidget(bar_, 0, 0, Qt::AlignHCenter | Qt::AlignBottom);
+  connect(bar_, &BlendBar::changed, this, &StatesFlow::blend);
+  connect(bar_, &BlendBar::closeRequested, this,
+          [this] { parts_.actions["blend_points"]->setChecked(false); });
+}
+
+void StatesFlow::setPlantShown(bool isShown) {
+  isPlantShown_ = isShown;
+  blend();
+}
+
+void StatesFlow::blend() {
+  const bool isOn = parts_.actions["blend_points"]->isChecked();
+  bar_->setVisible(isOn && isPlantShown_);
+  bar_->raise();
+  parts_.view.setBlend(isOn ? std::optional(bar_->blend()) : std::nullopt);
+  parts_.view.setDisplacementsShown(isOn && bar_->showsWays());
+}
+
+Outcome StatesFlow::plant() const {
+  PipelineOptions options = parts_.reconstruct.used().value_or(PipelineOptions());
+  options.leftOut = parts_.document.leftOut();
+  return {.options = options,
+          .contracted = parts_.document.contracted(),
+          .scanned = nullptr,
+          .skeleton = std::make_shared<const Skeleton>(parts_.document.skeleton()),
+          .within = std::nullopt,
+          .quality = nullptr};
+}
+
+void StatesFlow::keepAsA() {
+  if (parts_.document.scan() == nullptr)
+    throw Error(tr("there is no scan: open one first").toStdString());
+  const std::optional<Outcome>& shown = parts_.preview.shown();
+  if (shown && (shown->within || parts_.preview.isBusy()))
+    throw Error(tr("the preview is not of the whole scan yet: wait a moment").toStdString());
+  keep(shown ? *shown : plant());
+  emit noted(tr("Kept as A: change a step, and compare in the divided view"));
+}
+
+void StatesFlow::keep(const Outcome& outcome) {
+  kept_ = outcome;
+  showA();
+  arrange();
+  colorDifferences();
+  emit changed();
+}
+
+void StatesFlow::forgetA() {
+  if (!kept_) return;
+  kept_.reset();
+  parts_.view.setState(Side::left, std::nullopt);
+  arrange();
+  colorDifferences();
+  emit changed();
+}
+
+bool StatesFlow::replacesPoints() const {
+  return parts_.preview.shown() && parts_.preview.movesPoints();
+}
+
+void StatesFlow::showA() {
+  areReplaced_ = replacesPoints();
+  const Scan& scan = *parts_.document.scan();
+  const QString change =
+      changeText({}, kept_->options, {.spacing = scan.spacing(), .height = scan.height()},
+                 symbol(parts_.document.unit()));
+  PlantState state = kept_->shownAs(change.isEmpty() ? tr("A") : tr("A · %1").arg(change));
+  state.replacesPoints = areReplaced_;
+  parts_.view.setState(Side::left, state);
+}
+
+void StatesFlow::arrange() {
+  const bool isCompared = parts_.preview.shown() || kept_;
+  const double alone = parts_.preview.shown() || !kept_ ? 0 : 1;
+  PlantView* second = parts_.twoViews.second();
+  switch (isCompared ? arrangement_ : Arrangement::preview) {
+  case Arrangement::preview:
+    parts_.view.setDivider(isCompared ? alone : 1);
+    break;
+  case Arrangement::divided:
+    parts_.view.setDivider(divider_);
+    break;
+  case Arrangement::twoViews:
+    parts_.view.setDivider(1);
+    if (second != nullptr) second->setDivider(0);
+    return;
+  }
+  if (second != nullptr) second->setDivider(parts_.view.divider());
+}
+
+void StatesFlow::colorDifferences() {
+  const std::optional<Outcome>& shown = parts_.preview.shown();
+  const bool areWanted = parts_.actions["color_state_differences"]->isChecked() && shown &&
+                         !shown->within && !shown->skeleton->isEmpty();
+  const std::shared_ptr<const Skeleton> before = !areWanted ? nullptr
+                                                 : kept_    ? kept_->skeleton
+                                                            : plant().skeleton;
+  if (before == nullptr || before->isEmpty()) {
+    differences_.cancel();
+    parts_.preview.setColors(std::nullopt);
+    return;
+  }
+  differences_.start(
+      [now = shown->skeleton, before, tolerance = differing * parts_.document.scan()->spacing()](
+          const Progress& progress) { return differences(*now, *before, tolerance, progress); },
+      [this](const Differences& found) {
+        parts_.preview.setColors(comparisonColors(found.ofResult));
+      });
+}
+
+} // namespace espalier

@@ -1,0 +1,263 @@
+#include "app/window/sweep_flow.h"
+
+#include "app/window/action_set.h"
+#include "app/window/options_text.h"
+#include "app/window/reconstruct_flow.h"
+#include "app/window/reference_flow.h"
+#include "core/pipeline/sweep.h"
+#include "ui/document/plant_document.h"
+#include "ui/panels/pipeline_panel.h"
+#include "ui/panels/step_form.h"
+#include "ui/panels/sweep_strip.h"
+#include "ui/view/plant_view.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <utility>
+
+namespace espalier {
+namespace {
+
+constexpr QSize pictureSize(160, 160);
+
+PlantScale scaleOf(const Scan& scan) {
+  return {.spacing = scan.spacing(), .height = scan.height()};
+}
+
+bool isSwept(const Option& option) {
+  return !option.takesWords();
+}
+
+} // namespace
+
+SweepFlow::SweepFlow(const Parts& parts) : parts_(parts) {
+  dock_ = new PanelDock(parts_.window,
+                        {.id = "sweep",
+                         .title = tr("Sweep"),
+                         .text = tr("Sweep of a Parameter"),
+                         .help = tr("Shows or hides what comes of several values of one option"),
+                         .keys = QKeySequence(Qt::SHIFT | Qt::Key_F7)},
+                        makePanel(), this);
+  connect(&job_, &LatestJob::failed, this, [this](const QString& message) {
+    if (next_ >= trials_.size()) return;
+    trials_[next_].item.failure = message;
+    trials_[next_].item.isPending = false;
+    ++next_;
+    showCards();
+    runNext();
+  });
+  connect(&parts_.document, &PlantDocument::scanChanged, this, [this] {
+    stop();
+    trials_.clear();
+    showCards();
+    listOptions();
+  });
+  connect(&parts_.pipeline, &PipelinePanel::changed, this, &SweepFlow::listOptions);
+  listOptions();
+}
+
+SweepFlow::~SweepFlow() = default;
+
+QWidget* SweepFlow::makePanel() {
+  auto* panel = new QWidget;
+  panel->setObjectName("sweep_panel");
+  auto* column = new QVBoxLayout(panel);
+  column->setContentsMargins(12, 8, 12, 8);
+  column->setSpacing(8);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(8);
+  option_ = new QComboBox;
+  option_->setObjectName("sweep_option");
+  option_->setAccessibleName(tr("Option that is swept"));
+  row->addWidget(option_);
+  count_ = new QSpinBox;
+  count_->setObjectName("sweep_count");
+  count_->setAccessibleName(tr("How many values"));
+  count_->setRange(2, 12);
+  count_->setValue(5);
+  count_->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  count_->setSuffix(tr(" values"));
+  row->addWidget(count_);
+  run_ = new QPushButton(tr("Run"));
+  run_->setObjectName("sweep_run");
+  run_->setToolTip(tr("Reconstructs the plant with each value; nothing of it changes"));
+  row->addWidget(run_);
+  note_ = new QLabel;
+  note_->setProperty("role", "quiet");
+  row->addWidget(note_, 1);
+  column->addLayout(row);
+  strip_ = new SweepStrip;
+  strip_->setObjectName("sweep_strip");
+  column->addWidget(strip_, 1);
+  connect(run_, &QPushButton::clicked, this, [this] {
+    if (job_.isBusy())
+      stop();
+    else
+      start();
+  });
+  connect(&job_, &LatestJob::idled, this, [this] { run_->setText(tr("Run")); });
+  connect(strip_, &SweepStrip::chosen, this, &SweepFlow::take);
+  return panel;
+}
+
+void SweepFlow::listOptions() {
+  const QVariant before = option_->currentData();
+  const QSignalBlocker quiet(option_);
+  option_->clear();
+  const PipelineOptions options = parts_.pipeline.options();
+  for (const Step& step : pipelineSteps())
+    for (const Option& option : chosenMethod(step, options).options)
+      if (isSwept(option))
+        option_->addItem(QString::fromStdString(step.label + ": " + option.label),
+                         QString::fromStdString(step.name + "." + option.name));
+  const int usual = option_->findData("contract.radius");
+  const int same = option_->findData(before);
+  option_->setCurrentIndex(std::max(before.isValid() ? same : usual, 0));
+  run_->setEnabled(parts_.document.scan() != nullptr);
+}
+
+void SweepFlow::start() {
+  const Scan* scan = parts_.document.scan();
+  const QStringList names = option_->currentData().toString().split('.');
+  if (scan == nullptr || names.size() != 2) return;
+  const std::string step = names[0].toStdString();
+  const Option& option = optionOfChosen(parts_.pipeline.options(), step, names[1].toStdString());
+  trials_.clear();
+  for (const double value : sweepValues(option, scaleOf(*scan), count_->value())) {
+    PipelineOptions options = parts_.pipeline.options();
+    options.settings[step][option.name] = fixedAt(value);
+    trials_.push_back({.value = value, .options = std::move(options)});
+    trials_.back().item = {.value = value,
+                           .label = valueText(option, value, symbol(parts_.document.unit())),
+                           .isPending = true};
+  }
+  next_ = 0;
+  swept_ = option_->currentText();
+  run_->setText(tr("Stop"));
+  showCards();
+  runNext();
+}
+
+void SweepFlow::stop() {
+  job_.cancel();
+  std::erase_if(trials_, [](const Trial& trial) { return trial.item.isPending; });
+  showCards();
+}
+
+void SweepFlow::runNext() {
+  if (next_ >= trials_.size()) return;
+  const Scan& scan = *parts_.document.scan();
+  PipelineOptions options = trials_[next_].options;
+  options.leftOut = parts_.document.leftOut();
+  job_.start(
+      [pipeline = parts_.reconstruct.pipeline(), cloud = scan.cloud(), spacing = scan.spacing(),
+       reference = parts_.reference.skeleton(), options](const Progress& progress) {
+        const Reconstruction made = pipeline->run(cloud, options, progress.part(0, 0.8));
+        const Outcome outcome{.options = options,
+                              .contracted = made.contracted,
+                              .scanned = nullptr,
+                              .skeleton = std::make_shared<const Skeleton>(made.skeleton),
+                              .within = std::nullopt,
+                              .quality = nullptr};
+        return std::pair(outcome,
+                         judged(outcome, *cloud, spacing, reference.get(), progress.part(0.8, 1)));
+      },
+      [this](const std::pair<Outcome, Judgment>& result) { finish(result.first, result.second); });
+}
+
+void SweepFlow::finish(const Outcome& outcome, const Judgment& judgment) {
+  Trial& trial = trials_[next_];
+  trial.judgment = judgment;
+  trial.item.picture = parts_.view.pictureOf(outcome.shownAs({}), 2 * pictureSize);
+  trial.item.picture.setDevicePixelRatio(2);
+  trial.item.isPending = false;
+  ++next_;
+  showCards();
+  runNext();
+}
+
+void SweepFlow::showCards() {
+  struct Column {
+    QString name;
+    bool isLessBetter;
+    int decimals;
+    std::function<std::optional<double>(const Judgment&)> of;
+  };
+  const auto quality = [](auto member) {
+    return [member](const Judgment& judgment) -> std::optional<double> {
+      if (!judgment.quality) return std::nullopt;
+      return static_cast<double>((*judgment.quality).*member);
+    };
+  };
+  const auto score = [](double MethodScores::*member) {
+    return [member](const Judgment& judgment) -> std::optional<double> {
+      if (!judgment.scores) return std::nullopt;
+      return (*judgment.scores).*member;
+    };
+  };
+  const std::vector<Column> columns = {
+      {tr("Residual"), true, 2, quality(&ContractionQuality::residualThickness)},
+      {tr("Lost ends"), true, 0, quality(&ContractionQuality::lostTips)},
+      {tr("Webbed"), true, 0, quality(&ContractionQuality::webbedJunctions)},
+      {tr("Unexplained"), true, 0, quality(&ContractionQuality::unexplainedPoints)},
+      {tr("F"), false, 3, score(&MethodScores::f)},
+      {tr("Structural"), false, 3, score(&MethodScores::structural)}};
+  const PipelineOptions now = parts_.pipeline.options();
+  for (Trial& trial : trials_) {
+    trial.item.scores.clear();
+    trial.item.isCurrent = trial.options.settings == now.settings;
+  }
+  for (const Column& column : columns) {
+    std::vector<double> values;
+    for (const Trial& trial : trials_)
+      if (const auto value = column.of(trial.judgment)) values.push_back(*value);
+    if (values.empty()) continue;
+    const auto [least, most] = std::ranges::minmax(values);
+    const double best = column.isLessBetter ? least : most;
+    for (Trial& trial : trials_)
+      if (const auto value = column.of(trial.judgment))
+        trial.item.scores.push_back({.name = column.name,
+                                     .text = QLocale().toString(*value, 'f', column.decimals),
+                                     .isBest = *value == best && least < most});
+  }
+  std::vector<SweepItem> items;
+  for (const Trial& trial : trials_)
+    items.push_back(trial.item);
+  strip_->setItems(items);
+  note_->setText(
+      trials_.empty()
+          ? tr("Tries values of one option; a click takes one")
+          : tr("%1 of %2 done").arg(std::min(next_, trials_.size())).arg(trials_.size()));
+}
+
+ChoiceRecord SweepFlow::record() const {
+  ChoiceRecord record{.title = tr("Sweep of %1").arg(swept_), .time = {}, .states = {}};
+  for (const Trial& trial : trials_) {
+    if (trial.item.isPending || trial.item.picture.isNull()) continue;
+    ChoiceState state{.name = trial.item.label,
+                      .options = swept_ + ' ' + trial.item.label,
+                      .picture = trial.item.picture,
+                      .numbers = {},
+                      .isTaken = trial.item.isCurrent};
+    for (const SweepScore& score : trial.item.scores)
+      state.numbers.emplace_back(score.name, score.text);
+    record.states.push_back(std::move(state));
+  }
+  return record;
+}
+
+void SweepFlow::take(std::size_t index) {
+  parts_.pipeline.setOptions(trials_[index].options);
+  showCards();
+  emit taken();
+}
+
+} // namespace espalier

@@ -1,0 +1,82 @@
+#pragma once
+
+#include "app/report/choice_record.h"
+#include "app/window/judged_state.h"
+#include "app/window/panel_dock.h"
+#include "ui/jobs/latest_job.h"
+#include "ui/panels/sweep_card.h"
+
+#include <QObject>
+
+#include <vector>
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QSpinBox;
+
+namespace espalier {
+
+class PipelinePanel;
+class PlantDocument;
+class PlantView;
+class ReconstructFlow;
+class ReferenceFlow;
+class SweepStrip;
+
+/// Runs the pipeline with a few values of one option, one after the other, and lays what came of
+/// them side by side, each with its picture and its numbers. A click takes a value.
+class SweepFlow : public QObject {
+  Q_OBJECT
+
+public:
+  /// What it works with; all must outlive it.
+  struct Parts {
+    PlantDocument& document;
+    PlantView& view;
+    PipelinePanel& pipeline;
+    ReconstructFlow& reconstruct;
+    ReferenceFlow& reference;
+    PanelDock::Parts window;
+  };
+  explicit SweepFlow(const Parts& parts);
+  ~SweepFlow() override;
+
+  [[nodiscard]] PanelDock& dock() { return *dock_; }
+  [[nodiscard]] bool isBusy() const { return job_.isBusy(); }
+  void stop();
+  /// What came of each value; no states: nothing was swept.
+  [[nodiscard]] ChoiceRecord record() const;
+
+signals:
+  void taken(); // a value: the panel of the pipeline shows it
+
+private:
+  struct Trial {
+    double value = 0;
+    PipelineOptions options;
+    SweepItem item = {};
+    Judgment judgment = {};
+  };
+  QWidget* makePanel();
+  void listOptions();
+  void start();
+  void runNext();
+  void finish(const Outcome& outcome, const Judgment& judgment);
+  void showCards();
+  void take(std::size_t index);
+
+  Parts parts_;
+  PanelDock* dock_;
+  QComboBox* option_;
+  QSpinBox* count_;
+  QPushButton* run_;
+  QLabel* note_;
+  SweepStrip* strip_;
+  std::vector<Trial> trials_;
+  QString swept_; // the option that these are of, as people read it
+  std::size_t next_ = 0;
+  LatestJob job_;
+};
+
+} // namespace espalier

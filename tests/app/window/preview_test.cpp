@@ -1,0 +1,389 @@
+// Previews, comparisons of states and sweeps by mouse and keys in the real window.
+#include "app/window/preview_flow.h"
+#include "core/base/random.h"
+#include "tests/app/window/window_fixture.h"
+#include "tests/support/shared_data.h"
+#include "ui/panels/judge_table.h"
+#include "ui/panels/message_banner.h"
+#include "ui/panels/pipeline_panel.h"
+#include "ui/panels/step_form.h"
+#include "ui/panels/sweep_strip.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QElapsedTimer>
+#include <QPushButton>
+#include <QSlider>
+#include <QSpinBox>
+#include <QTest>
+#include <QTimer>
+#include <QToolButton>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iostream>
+#include <numbers>
+
+namespace espalier {
+namespace {
+
+constexpr int patience = 60'000; // ms; a deadline for what would else hang
+
+/// Over the scan of a trunk of 2 m with three branches.
+class PreviewTest : public test::WindowTest {
+protected:
+  PreviewTest() {
+    open({writeScan("scan.xyz")});
+    action("view_front").trigger();
+    waitForView();
+  }
+
+  [[nodiscard]] PipelinePanel& panel() { return *window().findChild<PipelinePanel*>(); }
+  [[nodiscard]] StepForm& step(const std::string& name) {
+    const auto& steps = panel().steps();
+    return **std::ranges::find_if(steps, [&](StepForm* form) { return form->step().name == name; });
+  }
+  [[nodiscard]] QDoubleSpinBox& number(const std::string& stepName, const QString& option) {
+    return *step(stepName).findChild<QDoubleSpinBox*>(option);
+  }
+  void type(const std::string& stepName, const QString& option, double value) {
+    QDoubleSpinBox& box = number(stepName, option);
+    box.setFocus(); // else digits are keys of the plant
+    box.selectAll();
+    QTest::keyClicks(&box, QLocale().toString(value, 'g', 6).remove(QLocale().groupSeparator()));
+    QTest::keyClick(&box, Qt::Key_Return);
+  }
+  [[nodiscard]] const std::optional<Outcome>& shown() { return window().preview().shown(); }
+  /// Until the preview is of the whole scan, and nothing runs.
+  void waitForPreview() {
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return shown() && !shown()->within && !window().preview().isBusy(); }, patience));
+  }
+  void turnOn() {
+    key(Qt::Key_L, Qt::ControlModifier);
+    waitForPreview();
+  }
+  void press(const QString& name) {
+    auto& button = find<QToolButton>(name);
+    QTest::mouseClick(&button, Qt::LeftButton);
+  }
+  [[nodiscard]] double radiusOf(const Outcome& outcome) {
+    return outcome.options.settings.at("contract").at("radius").value({});
+  }
+};
+
+TEST_F(PreviewTest, ShowsWhatTheStepsWouldMakeAndChangesNothing) {
+  turnOn();
+  EXPECT_TRUE(panel().isLive());
+  EXPECT_FALSE(shown()->skeleton->isEmpty());
+  EXPECT_TRUE(document().skeleton().isEmpty());
+  EXPECT_FALSE(document().undoStack().canUndo());
+  EXPECT_EQ(view().divider(), 0) << "it fills the view";
+  key(Qt::Key_L, Qt::ControlModifier);
+  EXPECT_FALSE(shown());
+  EXPECT_EQ(view().divider(), 1);
+}
+
+TEST_F(PreviewTest, FollowsAKnobAndIsTheRealRunBitForBit) {
+  turnOn();
+  const Skeleton before = *shown()->skeleton;
+  type("contract", "radius", 0.12);
+  waitForPreview();
+  EXPECT_EQ(radiusOf(*shown()), 0.12);
+  EXPECT_NE(*shown()->skeleton, before);
+  const Outcome preview = *shown();
+  Pipeline pipeline;
+  const Reconstruction real = pipeline.run(document().scan()->cloud(), panel().options());
+  EXPECT_EQ(*preview.contracted, *real.contracted);
+  EXPECT_EQ(*preview.skeleton, real.skeleton);
+  key(Qt::Key_R, Qt::ControlModifier);
+  waitForJob();
+  EXPECT_FALSE(shown()) << "it is the plant now";
+  EXPECT_EQ(document().contracted(), preview.contracted) << "what the preview computed was at hand";
+  EXPECT_EQ(document().skeleton().size(), preview.skeleton->size());
+  EXPECT_EQ(view().divider(), 1);
+}
+
+TEST_F(PreviewTest, EscapeDropsItAndTheChoicesThatLedToIt) {
+  const PipelineOptions before = panel().options();
+  turnOn();
+  type("contract", "radius", 0.12);
+  waitForPreview();
+  view().setFocus();
+  key(Qt::Key_Escape);
+  EXPECT_FALSE(shown());
+  EXPECT_EQ(panel().options(), before);
+  EXPECT_FALSE(document().undoStack().canUndo());
+}
+
+TEST_F(PreviewTest, ShowsOnlyTheLastOfManyTurnsOfAKnob) {
+  turnOn();
+  std::vector<double> seen;
+  QObject::connect(&window().preview(), &PreviewFlow::changed, &window(), [&] {
+    if (shown() && shown()->options.settings.contains("contract"))
+      seen.push_back(radiusOf(*shown()));
+  });
+  auto* slider = step("contract").findChildren<QSlider*>().back(); // of the radius
+  for (int i = 0; i < 30; ++i)
+    QTest::keyClick(slider, Qt::Key_Right);
+  waitForPreview();
+  EXPECT_EQ(shown()->options, panel().options());
+  EXPECT_LE(seen.size(), 8U) << "what is out of date is dropped, never queued";
+}
+
+TEST_F(PreviewTest, TellsWhyAStepFails) {
+  auto* method = step("contract").findChild<QComboBox*>();
+  method->setCurrentIndex(method->findData("adaptive_geodesic"));
+  emit method->activated(method->currentIndex());
+  turnOn();
+  type("contract", "along", 0);
+  type("contract", "across", 0);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window().banner().isVisible(); }, patience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !window().preview().isBusy(); }, patience));
+  EXPECT_TRUE(window().banner().text().contains("raise one of them"))
+      << window().banner().text().toStdString();
+  EXPECT_TRUE(document().skeleton().isEmpty());
+}
+
+TEST_F(PreviewTest, StepsTellHowTheyStand) {
+  using State = StepForm::State;
+  EXPECT_EQ(step("prune").state(), State::idle);
+  key(Qt::Key_R, Qt::ControlModifier);
+  waitForJob();
+  for (const StepForm* form : panel().steps())
+    EXPECT_EQ(form->state(), State::done) << form->step().name;
+  type("contract", "radius", 0.2);
+  EXPECT_EQ(step("clean").state(), State::done);
+  for (const char* name : {"contract", "skeleton", "prune", "radius"})
+    EXPECT_EQ(step(name).state(), State::stale) << name << ": of another choice";
+  key(Qt::Key_R, Qt::ControlModifier);
+  waitForJob();
+  EXPECT_EQ(step("radius").state(), State::done);
+}
+
+TEST_F(PreviewTest, RunsUpToOneStep) {
+  press("run_to_contract");
+  waitForJob();
+  EXPECT_TRUE(document().skeleton().isEmpty());
+  ASSERT_NE(document().contracted(), nullptr);
+  EXPECT_EQ(step("contract").state(), StepForm::State::done);
+  EXPECT_EQ(step("skeleton").state(), StepForm::State::idle);
+  press("run_to_skeleton");
+  waitForJob();
+  EXPECT_FALSE(document().skeleton().isEmpty());
+  const Skeleton raw = document().skeleton();
+  press("run_to_contract");
+  waitForJob();
+  EXPECT_EQ(document().skeleton(), raw) << "the contracted points alone are new";
+  key(Qt::Key_Z, Qt::ControlModifier);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(document().skeleton().isEmpty());
+}
+
+TEST_F(PreviewTest, ComparesWithWhatWasKeptAsA) {
+  turnOn();
+  key(Qt::Key_A, Qt::ControlModifier | Qt::ShiftModifier);
+  type("contract", "radius", 0.12);
+  waitForPreview();
+  key(Qt::Key_9, Qt::ControlModifier);
+  EXPECT_EQ(view().divider(), 0.5);
+  auto& divider = find<QWidget>("divider");
+  EXPECT_TRUE(divider.isVisible());
+  const QPoint grip = divider.rect().center();
+  QTest::mousePress(&divider, Qt::LeftButton, {}, grip);
+  QMouseEvent move(QEvent::MouseMove, grip + QPoint(80, 0),
+                   divider.mapToGlobal(grip + QPoint(80, 0)), Qt::NoButton, Qt::LeftButton, {});
+  QApplication::sendEvent(&divider, &move);
+  QTest::mouseRelease(&divider, Qt::LeftButton, {}, grip);
+  EXPECT_NEAR(view().divider(), 0.5 + 80.0 / view().width(), 0.01);
+  action("compare_two_views").trigger();
+  EXPECT_EQ(view().divider(), 1) << "A in the first view, the preview in the second";
+  EXPECT_EQ(find<PlantView>("second_view").divider(), 0);
+  action("forget_a").trigger();
+  action("compare_alone").trigger();
+  EXPECT_EQ(view().divider(), 0);
+}
+
+TEST_F(PreviewTest, BlendsScannedAndContractedPoints) {
+  key(Qt::Key_R, Qt::ControlModifier);
+  waitForJob();
+  key(Qt::Key_7, Qt::ControlModifier);
+  auto& slider = find<QSlider>("blend_slider");
+  EXPECT_TRUE(slider.isVisible());
+  const QImage contracted = view().picture({300, 200});
+  QTest::keyClick(&slider, Qt::Key_Home);
+  EXPECT_NE(view().picture({300, 200}), contracted);
+  press("blend_ways");
+  clickButton("blend_close");
+  EXPECT_FALSE(slider.isVisible());
+  EXPECT_FALSE(action("blend_points").isChecked());
+}
+
+TEST_F(PreviewTest, JudgesByNumbersAndSelectsWhatIsMarked) {
+  key(Qt::Key_F6, Qt::ShiftModifier);
+  turnOn();
+  auto& table = find<JudgeTable>("judge_table");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return table.rowCount() > 0; }, patience));
+  EXPECT_TRUE(table.table().contains("Residual thickness")) << table.table().toStdString();
+  EXPECT_TRUE(document().pointSelection().isEmpty());
+  auto& histogram = find<QWidget>("judge_histogram");
+  const QPoint from(histogram.width() / 2, histogram.height() / 2);
+  const QPoint to(histogram.width() - 12, histogram.height() / 2);
+  QTest::mousePress(&histogram, Qt::LeftButton, {}, from);
+  QMouseEvent move(QEvent::MouseMove, to, histogram.mapToGlobal(to), Qt::NoButton, Qt::LeftButton,
+                   {});
+  QApplication::sendEvent(&histogram, &move);
+  QTest::mouseRelease(&histogram, Qt::LeftButton, {}, to);
+  EXPECT_FALSE(document().pointSelection().isEmpty());
+  EXPECT_LT(document().pointSelection().points().size(),
+            std::size_t(document().scan()->cloud()->size()));
+  QTest::keyClick(&histogram, Qt::Key_Escape);
+  EXPECT_TRUE(document().pointSelection().isEmpty());
+  for (int kind = 1; kind < find<QComboBox>("judge_kind").count(); ++kind)
+    find<QComboBox>("judge_kind").setCurrentIndex(kind);
+}
+
+TEST_F(PreviewTest, SweepsAnOptionAndTakesAValue) {
+  key(Qt::Key_F7, Qt::ShiftModifier);
+  find<QSpinBox>("sweep_count").setValue(3);
+  EXPECT_EQ(find<QComboBox>("sweep_option").currentText(), "Contract: Radius");
+  clickButton("sweep_run");
+  auto& strip = find<SweepStrip>("sweep_strip");
+  ASSERT_EQ(strip.cards().size(), 3U);
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] {
+        return std::ranges::none_of(strip.cards(),
+                                    [](const SweepCard* card) { return card->item().isPending; });
+      },
+      patience));
+  for (const SweepCard* card : strip.cards()) {
+    EXPECT_FALSE(card->item().picture.isNull());
+    EXPECT_GE(card->item().scores.size(), 4U);
+  }
+  EXPECT_TRUE(document().skeleton().isEmpty()) << "nothing of the plant has changed";
+  const double value = strip.cards()[2]->item().value;
+  QTest::keyClick(strip.cards()[2], Qt::Key_Return);
+  EXPECT_EQ(panel().options().settings.at("contract").at("radius"), fixedAt(value));
+  EXPECT_TRUE(strip.cards()[2]->item().isCurrent);
+}
+
+TEST_F(PreviewTest, RecordsAChoiceInTheProjectAndTakesItBack) {
+  EXPECT_FALSE(action("forget_choice").isEnabled());
+  key(Qt::Key_K, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_TRUE(window().banner().isVisible()) << "nothing is compared yet";
+  key(Qt::Key_F6, Qt::ShiftModifier);
+  turnOn();
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return find<JudgeTable>("judge_table").rowCount() > 0; }, patience));
+  key(Qt::Key_K, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_TRUE(action("forget_choice").isEnabled());
+  answer(chooseFile(path("plant.espalier")), [&] { action("save_project_as").trigger(); });
+  waitForJob();
+  restart();
+  EXPECT_FALSE(action("forget_choice").isEnabled());
+  open({path("plant.espalier")});
+  EXPECT_TRUE(action("forget_choice").isEnabled()) << "the project has kept it";
+  action("forget_choice").trigger();
+  EXPECT_FALSE(action("forget_choice").isEnabled());
+}
+
+TEST_F(PreviewTest, DrawsWhatTheMethodSeesUnderTheMouse) {
+  key(Qt::Key_R, Qt::ControlModifier);
+  waitForJob();
+  action("layer_skeleton").setChecked(false);
+  key(Qt::Key_0, Qt::ControlModifier);
+  const QPoint trunk = view().project({0, 0, 1.5})->toPoint();
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] {
+        hover(trunk);
+        return view().sightShown().has_value();
+      },
+      patience));
+  const ShownSight& sight = *view().sightShown();
+  EXPECT_FALSE(sight.neighbors.empty());
+  EXPECT_GT(sight.ball.size(), sight.neighbors.size());
+  EXPECT_GT(std::abs(sight.direction.z()), 0.9) << "along the trunk";
+  EXPECT_LT((sight.moved - sight.point).norm(), 0.1);
+  key(Qt::Key_0, Qt::ControlModifier);
+  EXPECT_FALSE(view().sightShown());
+}
+
+/// Over a scan that is too large to be previewed at once.
+class RegionPreviewTest : public PreviewTest {
+protected:
+  RegionPreviewTest() {
+    std::ofstream out(path("large.xyz").toStdString());
+    Random random(3);
+    for (int i = 0; i < 30000; ++i) {
+      const double angle = 2 * std::numbers::pi * random.uniform();
+      out << 0.05 * std::cos(angle) << ' ' << 0.05 * std::sin(angle) << ' ' << 4 * random.uniform()
+          << '\n';
+    }
+    out.close();
+    open({path("large.xyz")});
+    action("view_front").trigger();
+    waitForView();
+  }
+};
+
+TEST_F(RegionPreviewTest, ShowsABallAtOnceAndThenTheWhole) {
+  std::vector<bool> areParts;
+  QObject::connect(&window().preview(), &PreviewFlow::changed, &window(), [&] {
+    if (shown()) areParts.push_back(shown()->within.has_value());
+  });
+  turnOn();
+  ASSERT_GE(areParts.size(), 2U);
+  EXPECT_TRUE(areParts.front());
+  EXPECT_FALSE(areParts.back());
+}
+
+TEST_F(RegionPreviewTest, ShowsTheBallWhereThePointerPutIt) {
+  const Eigen::Vector3d place(0, -0.05, 3.5);
+  hover(view().project(place)->toPoint());
+  std::optional<Ball> ball;
+  QObject::connect(&window().preview(), &PreviewFlow::changed, &window(), [&] {
+    if (shown() && shown()->within) ball = shown()->within;
+  });
+  key(Qt::Key_L, Qt::ShiftModifier);
+  waitForPreview();
+  ASSERT_TRUE(ball);
+  EXPECT_LT((ball->center - place).norm(), 0.1);
+}
+
+/// How long the window does not answer while knobs are turned; told, not judged: machines differ.
+TEST_F(PreviewTest, AnswersWhileKnobsAreTurned) {
+  ESPALIER_SHARED_FILE(scan, "puu1/scan.ply");
+  open({QString::fromStdString(scan.string())});
+  key(Qt::Key_L, Qt::ControlModifier);
+  qint64 longest = 0;
+  int beats = 0;
+  QElapsedTimer sinceBeat;
+  sinceBeat.start();
+  QTimer heart;
+  QObject::connect(&heart, &QTimer::timeout, &window(), [&] {
+    longest = std::max(longest, sinceBeat.restart());
+    ++beats;
+  });
+  heart.start(5);
+  auto* slider = step("contract").findChildren<QSlider*>().back(); // of the radius
+  const int turns = qEnvironmentVariableIntValue("ESPALIER_TURNS") + 20;
+  int shownParts = 0;
+  QObject::connect(&window().preview(), &PreviewFlow::changed, &window(), [&] {
+    if (shown() && shown()->within) ++shownParts;
+  });
+  for (int i = 0; i < turns; ++i) {
+    QTest::keyClick(slider, i % 20 < 10 ? Qt::Key_Right : Qt::Key_Left);
+    QTest::qWait(i % 10 == 9 ? 400 : 60);
+  }
+  heart.stop();
+  RecordProperty("longest_block_ms", static_cast<int>(longest));
+  std::cout << "longest block " << longest << " ms, " << beats << " beats, " << shownParts
+            << " parts shown in " << turns << " turns\n";
+  EXPECT_GT(beats, turns) << "the window went on while previews were computed";
+  EXPECT_GT(shownParts, 0);
+}
+
+} // namespace
+} // namespace espalier

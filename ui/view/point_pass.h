@@ -50,7 +50,7 @@ private:
   void drawLayers(const DrawSettings& settings, float pointSize, double until);
   /// A layer as it is drawn by one call.
   struct Drawn {
-    const PointLayer& points;
+    const DrawnPoints& points;
     const SceneBuffers::Points& buffers;
     const GlBuffer* scanned = nullptr; // where the points come from; null: nothing moves
     const GlBuffer* colors = nullptr;  // null: the accent

@@ -22,11 +22,16 @@ double spacingOf(const Eigen::Matrix3Xf& points, const PointHierarchy& boxes) {
 
 } // namespace
 
-void PointLayer::set(std::shared_ptr<const Eigen::Matrix3Xf> replacement) {
+void DrawnPoints::set(std::shared_ptr<const Eigen::Matrix3Xf> replacement) {
+  if (replacement == positions) return;
   positions = std::move(replacement);
+  ++revision;
+}
+
+void PointLayer::set(std::shared_ptr<const Eigen::Matrix3Xf> replacement) {
+  DrawnPoints::set(std::move(replacement));
   boxes = positions ? PointHierarchy(*positions) : PointHierarchy();
   spacing = positions ? spacingOf(*positions, boxes) : 0;
-  ++revision;
 }
 
 void Scene::setCloud(std::shared_ptr<const PointCloud> replacement) {
@@ -66,7 +71,7 @@ void Scene::setOther(Side side, const std::optional<PlantState>& state) {
   shown.contracted.set(state ? state->contracted : nullptr);
   shown.skeleton.rebuild(state ? state->skeleton : Skeleton(), origin());
   if (state) shown.skeleton.setColors(state->colors);
-  recolorNodes();
+  recolorNodes(shown); // no others: this is on the way from a knob to the eye
 }
 
 bool Scene::showsPlant(const Eigen::Vector3d& place, double across, double divider) const {
@@ -117,12 +122,15 @@ void Scene::recolorNodes() {
   skeleton.setColorMap(legend ? std::optional(LegendColors(*legend, dark)) : std::nullopt);
   const std::optional<Legend> other = referenceLegend();
   reference.setColorMap(other ? std::optional(LegendColors(*other, dark)) : std::nullopt);
-  for (OtherState& shown : others) {
-    const Legend* given = shown.skeleton.legend();
-    shown.skeleton.setColorMap(given != nullptr
-                                   ? std::optional(LegendColors(colorScales.ofNodes(*given), dark))
-                                   : std::nullopt);
-  }
+  for (OtherState& shown : others)
+    recolorNodes(shown);
+}
+
+void Scene::recolorNodes(OtherState& shown) const {
+  const Legend* given = shown.skeleton.legend();
+  shown.skeleton.setColorMap(given != nullptr
+                                 ? std::optional(LegendColors(colorScales.ofNodes(*given), dark))
+                                 : std::nullopt);
 }
 
 std::optional<Legend> Scene::pointLegend() const {

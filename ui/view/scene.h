@@ -19,23 +19,29 @@
 
 namespace espalier {
 
-/// Points of one layer. `revision` grows when they are replaced: the renderer then uploads anew.
-struct PointLayer {
+/// Points that are drawn. `revision` grows when they are replaced: the renderer then uploads anew.
+struct DrawnPoints {
   std::shared_ptr<const Eigen::Matrix3Xf> positions; // about the origin of the scene; null: none
-  PointHierarchy boxes;
-  double spacing = 0; // median distance of a point to the nearest at another place [L]
-  bool visible = true;
   std::uint64_t revision = 0;
 
   void set(std::shared_ptr<const Eigen::Matrix3Xf> replacement);
   [[nodiscard]] Eigen::Index size() const { return positions ? positions->cols() : 0; }
 };
 
+/// Points of one layer, which can be picked as well.
+struct PointLayer : DrawnPoints {
+  PointHierarchy boxes;
+  double spacing = 0; // median distance of a point to the nearest at another place [L]
+  bool visible = true;
+
+  void set(std::shared_ptr<const Eigen::Matrix3Xf> replacement);
+};
+
 /// A PlantState as it is drawn on its side of the divider.
 struct OtherState {
   bool isShown = false;
   QString name;
-  PointLayer contracted;
+  DrawnPoints contracted;
   std::shared_ptr<const Eigen::Matrix3Xf> scanned; // where these points come from; may be null
   SkeletonGlyphs skeleton;
   bool replacesPoints = false;
@@ -114,6 +120,7 @@ struct Scene {
 
 private:
   void recolorNodes();
+  void recolorNodes(OtherState& shown) const;
 };
 
 } // namespace espalier

@@ -99,7 +99,7 @@ void upload(SceneBuffers::Glyphs& buffers, SkeletonGlyphs& glyphs) {
   uploadChanges(buffers.edges, glyphs.edges(), glyphs.takeChangedEdges());
 }
 
-void uploadContracted(SceneBuffers::Points& buffers, const PointLayer& layer,
+void uploadContracted(SceneBuffers::Points& buffers, const DrawnPoints& layer,
                       const Eigen::Matrix3Xf* scanned, const Scene& scene) {
   if (buffers.revision != layer.revision && layer.positions)
     uploadPositions(buffers.positions, *layer.positions);

@@ -44,7 +44,7 @@ void ExplainedFlow::makeBar() {
   bar_ = new ExplainedBar(parts_.window.centralWidget());
   bar_->setHiding(parts_.settings.value("view/explained_hidden", false).toBool());
   bar_->hide();
-  layers->addWidget(bar_, 0, 0, Qt::AlignHCenter | Qt::AlignBottom);
+  layers->addWidget(bar_, 1, 0);
   connect(bar_, &ExplainedBar::changed, this, [this] {
     parts_.settings.setValue("view/explained_hidden", bar_->isHiding());
     timer_.start();

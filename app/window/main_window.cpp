@@ -175,6 +175,7 @@ void MainWindow::makeCenter() {
   auto* page = new QWidget(this);
   auto* layers = new QGridLayout(page); // the banner lies over the view, which keeps its size
   layers->setContentsMargins(0, 0, 0, 0);
+  layers->setSpacing(0);
   center_ = new QStackedWidget(page);
   start_ = new StartPage(center_);
   views_ = new QSplitter(center_);
@@ -192,7 +193,7 @@ void MainWindow::makeCenter() {
         covered += view->coveredBy(part.translated(-view->mapTo(page, QPoint())));
     return covered;
   });
-  layers->addWidget(center_, 0, 0);
+  layers->addWidget(center_, 0, 0); // bars lie below
   setCentralWidget(page);
 }
 

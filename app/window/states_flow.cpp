@@ -114,7 +114,7 @@ void StatesFlow::makeBar() {
   auto* layers = static_cast<QGridLayout*>(parts_.center.layout());
   bar_ = new BlendBar(&parts_.center);
   bar_->hide();
-  layers->addWidget(bar_, 0, 0, Qt::AlignHCenter | Qt::AlignBottom);
+  layers->addWidget(bar_, 2, 0);
   connect(bar_, &BlendBar::changed, this, &StatesFlow::blend);
   connect(bar_, &BlendBar::closeRequested, this,
           [this] { parts_.actions["blend_points"]->setChecked(false); });

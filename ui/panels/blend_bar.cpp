@@ -15,6 +15,7 @@ BlendBar::BlendBar(QWidget* parent)
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(12, 4, 4, 4);
   row->setSpacing(8);
+  row->addStretch();
   row->addWidget(new QLabel(tr("Scanned")));
   slider_->setObjectName("blend_slider");
   slider_->setAccessibleName(tr("How far points have gone to where they are contracted"));
@@ -36,6 +37,7 @@ BlendBar::BlendBar(QWidget* parent)
   close->setAccessibleName(tr("Close"));
   close->setToolTip(tr("Shows points and contracted points as usual"));
   close->setFlat(true);
+  row->addStretch();
   row->addWidget(close);
   connect(slider_, &QSlider::valueChanged, this, &BlendBar::changed);
   connect(slider_, &OptionSlider::defaultRequested, this, [this] { slider_->setPlace(1); });

@@ -32,6 +32,7 @@ ExplainedBar::ExplainedBar(QWidget* parent)
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(12, 4, 4, 4);
   row->setSpacing(8);
+  row->addStretch();
   auto* title = new QLabel(tr("Explained within"));
   title->setToolTip(tr("Points this near to the surface of the wood are explained by it"));
   row->addWidget(title);
@@ -60,6 +61,7 @@ ExplainedBar::ExplainedBar(QWidget* parent)
   close->setAccessibleName(tr("Close"));
   close->setToolTip(tr("Shows all points as usual"));
   close->setFlat(true);
+  row->addStretch();
   row->addWidget(close);
   connect(slider_, &QSlider::valueChanged, this, [this] {
     const double place = slider_->place();

@@ -103,7 +103,7 @@ QSize MessageBanner::sizeWithin(int width) {
 void MessageBanner::place() {
   constexpr int margin = 12;
   constexpr int widest = 880;
-  constexpr int narrow = 360; // of one that lies in a corner
+  constexpr int narrow = 400; // of one that lies in a corner
   constexpr int scaleBar = 40;
   const QRect within = parentWidget()->rect().adjusted(margin, margin, -margin, -margin);
   const QSize wide = sizeWithin(std::min(widest, within.width()));

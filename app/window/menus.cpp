@@ -107,7 +107,11 @@ void MainWindow::fillMenus() {
 
   QMenu* skeleton = menuBar()->addMenu(tr("&Skeleton"));
   add(*skeleton, *actions_, {"reconstruct", "regrow_missing"});
-  presets_->fillMenu(*skeleton->addMenu(tr("Se&ttings of the Steps")));
+  QMenu* settings = skeleton->addMenu(tr("Se&ttings of the Steps"));
+  settings->setObjectName("presets");
+  presets_->fill(*settings); // for who looks through the menus
+  connect(settings, &QMenu::aboutToShow, presets_.get(),
+          [this, settings] { presets_->fill(*settings); });
   states_->fillMenu(*skeleton->addMenu(tr("Pre&view")));
   skeleton->addSeparator();
   const QStringList ofUnits = {"mark_unit_start", "commit_marks", "clear_marks"};

@@ -11,15 +11,19 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QInputDialog>
 #include <QMenu>
 #include <QSettings>
 
+#include <algorithm>
 #include <fstream>
+#include <sstream>
 
 namespace espalier {
 namespace {
 
 const QString folderKey = QStringLiteral("preset_folder");
+const QString ownKey = QStringLiteral("own_presets");
 
 QString idOf(const NamedPreset& preset) {
   return "preset_" + QString::fromStdString(preset.name);
@@ -33,10 +37,12 @@ PresetFlow::PresetFlow(const Parts& parts) : parts_(parts) {
     parts_.actions.add({.id = idOf(preset),
                         .text = tr("Settings: %1").arg(QString::fromStdString(preset.label)),
                         .help = QString::fromStdString(preset.help)},
-                       [this, &preset] {
-                         parts_.pipeline.setOptions(preset.options);
-                         emit chosen();
-                       });
+                       [this, &preset] { show(preset.options); });
+  parts_.actions.add({.id = "keep_preset",
+                      .text = tr("Keep Settings As…"),
+                      .help = tr("Keeps methods and options of all steps under a name in this "
+                                 "menu")},
+                     [this] { keep(); });
   parts_.actions.add({.id = "open_preset",
                       .text = tr("Open Settings…"),
                       .help = tr("Takes methods and options of all steps from a file")},
@@ -48,12 +54,80 @@ PresetFlow::PresetFlow(const Parts& parts) : parts_(parts) {
                      [this] { save(); });
 }
 
-void PresetFlow::fillMenu(QMenu& menu) const {
+void PresetFlow::fill(QMenu& menu) {
+  menu.clear();
   for (const NamedPreset& preset : presets())
     menu.addAction(parts_.actions[idOf(preset)]);
+  const std::vector<Own> kept = own();
+  for (const Own& each : kept)
+    menu.addAction(tr("Settings: %1").arg(QString(each.name).replace('&', "&&")), this,
+                   [this, each] {
+                     std::istringstream in(each.text);
+                     show(readPreset(in, each.name.toStdString()));
+                   });
   menu.addSeparator();
-  for (const char* id : {"open_preset", "save_preset"})
+  for (const char* id : {"keep_preset", "open_preset", "save_preset"})
     menu.addAction(parts_.actions[id]);
+  if (kept.empty()) return;
+  menu.addSeparator();
+  QMenu* removal = menu.addMenu(tr("Forget"));
+  for (const Own& each : kept)
+    removal->addAction(QString(each.name).replace('&', "&&"), this,
+                       [this, name = each.name] { forget(name); });
+}
+
+std::vector<PresetFlow::Own> PresetFlow::own() const {
+  std::vector<Own> all;
+  const int count = parts_.settings.beginReadArray(ownKey);
+  for (int i = 0; i < count; ++i) {
+    parts_.settings.setArrayIndex(i);
+    all.push_back({.name = parts_.settings.value("name").toString(),
+                   .text = parts_.settings.value("settings").toString().toStdString()});
+  }
+  parts_.settings.endArray();
+  return all;
+}
+
+void PresetFlow::setOwn(const std::vector<Own>& all) {
+  parts_.settings.remove(ownKey);
+  parts_.settings.beginWriteArray(ownKey, static_cast<int>(all.size()));
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    parts_.settings.setArrayIndex(static_cast<int>(i));
+    parts_.settings.setValue("name", all[i].name);
+    parts_.settings.setValue("settings", QString::fromStdString(all[i].text));
+  }
+  parts_.settings.endArray();
+}
+
+void PresetFlow::keep() {
+  QInputDialog dialog(&parts_.window);
+  dialog.setWindowTitle(tr("Keep Settings"));
+  dialog.setLabelText(tr("Name, in the menu Settings of the Steps:"));
+  dialog.setOkButtonText(tr("Keep"));
+  if (dialog.exec() != QDialog::Accepted) return;
+  const QString name = dialog.textValue().simplified();
+  if (name.isEmpty()) return;
+  std::ostringstream text;
+  writePreset(text, parts_.pipeline.options());
+  std::vector<Own> all = own();
+  const auto before = std::ranges::find(all, name, &Own::name);
+  if (before != all.end())
+    before->text = text.str();
+  else
+    all.push_back({.name = name, .text = text.str()});
+  setOwn(all);
+  parts_.banner.showResult(tr("Kept these settings as %1").arg(name));
+}
+
+void PresetFlow::forget(const QString& name) {
+  std::vector<Own> all = own();
+  std::erase_if(all, [&](const Own& each) { return each.name == name; });
+  setOwn(all);
+}
+
+void PresetFlow::show(const PipelineOptions& options) {
+  parts_.pipeline.setOptions(options);
+  emit chosen();
 }
 
 void PresetFlow::open() {
@@ -68,8 +142,7 @@ void PresetFlow::open() {
                     .toStdString());
   const PipelineOptions options = readPreset(in, QFileInfo(path).fileName().toStdString());
   parts_.settings.setValue(folderKey, QFileInfo(path).absolutePath());
-  parts_.pipeline.setOptions(options);
-  emit chosen();
+  show(options);
 }
 
 void PresetFlow::save() {

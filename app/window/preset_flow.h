@@ -1,6 +1,11 @@
 #pragma once
 
+#include "core/pipeline/pipeline.h"
+
 #include <QObject>
+#include <QString>
+
+#include <vector>
 
 class QMenu;
 class QSettings;
@@ -12,7 +17,8 @@ class ActionSet;
 class MessageBanner;
 class PipelinePanel;
 
-/// The settings of all steps as a whole: those that come with the program, and files of them.
+/// The settings of all steps as a whole: those that come with the program, those that the user
+/// keeps under a name, and files of them.
 class PresetFlow : public QObject {
   Q_OBJECT
 
@@ -27,12 +33,21 @@ public:
   };
   explicit PresetFlow(const Parts& parts);
 
-  void fillMenu(QMenu& menu) const;
+  void fill(QMenu& menu); // anew: what is kept may have changed
 
 signals:
   void chosen(); // other settings are shown
 
 private:
+  struct Own {
+    QString name;
+    std::string text; // as a file of settings
+  };
+  [[nodiscard]] std::vector<Own> own() const;
+  void setOwn(const std::vector<Own>& all);
+  void keep();
+  void forget(const QString& name);
+  void show(const PipelineOptions& options);
   void open();
   void save();
 

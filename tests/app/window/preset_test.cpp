@@ -5,7 +5,10 @@
 #include "ui/panels/pipeline_panel.h"
 
 #include <QAction>
+#include <QInputDialog>
+#include <QMenu>
 
+#include <algorithm>
 #include <fstream>
 
 namespace espalier {
@@ -38,6 +41,34 @@ TEST_F(PresetTest, IsSavedAndOpenedAgain) {
   action("preset_default").trigger();
   choose("open_preset", path("mine.json"));
   EXPECT_EQ(shown(), presetNamed("thesis")->options);
+}
+
+TEST_F(PresetTest, IsKeptUnderANameUntilItIsForgotten) {
+  action("preset_thesis").trigger();
+  answer(
+      [](QDialog& dialog) {
+        dynamic_cast<QInputDialog&>(dialog).setTextValue("Apple & pear");
+        dialog.accept();
+      },
+      [&] { action("keep_preset").trigger(); });
+  action("preset_default").trigger();
+  restart();
+  open({path("plant.xyz")});
+  const auto chosen = [&](const QString& text) {
+    auto& menu = find<QMenu>("presets");
+    emit menu.aboutToShow();
+    QList<QAction*> all = menu.actions();
+    for (const QMenu* part : menu.findChildren<QMenu*>())
+      all.append(part->actions());
+    const auto found = std::ranges::find(all, text, &QAction::text);
+    if (found == all.end()) return false;
+    (*found)->trigger();
+    return true;
+  };
+  EXPECT_TRUE(chosen("Settings: Apple && pear"));
+  EXPECT_EQ(shown(), presetNamed("thesis")->options);
+  EXPECT_TRUE(chosen("Apple && pear")) << "in the menu Forget";
+  EXPECT_FALSE(chosen("Settings: Apple && pear"));
 }
 
 TEST_F(PresetTest, AFileThatIsNoneChangesNothing) {

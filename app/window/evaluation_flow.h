@@ -51,6 +51,10 @@ public:
   /// Null: nothing has been compared. Of the plant as it is, if isUpToDate().
   [[nodiscard]] const std::shared_ptr<const Evaluation>& evaluation() const { return evaluation_; }
   [[nodiscard]] bool isUpToDate() const { return isFresh_; }
+  /// How a result is compared with the reference, as chosen.
+  [[nodiscard]] EvaluationOptions options() const {
+    return {.registers = isLaid_, .motion = std::nullopt, .tolerance = tolerance_};
+  }
 
   /// How it is compared, as a project keeps it, and back.
   /// @throws Error if it is no such text; all is as at first then

@@ -1,6 +1,7 @@
 #include "app/window/judge_flow.h"
 
 #include "app/window/action_set.h"
+#include "app/window/evaluation_flow.h"
 #include "app/window/options_text.h"
 #include "app/window/reconstruct_flow.h"
 #include "app/window/reference_flow.h"
@@ -102,7 +103,7 @@ std::vector<Number> numbersOfReference() {
   using S = MethodScores;
   return {{tr("F of length"),
            {},
-           tr("Agreement of length with the reference, within the usual tolerance"),
+           tr("Agreement of length with the reference, within the tolerance of the evaluation"),
            Better::more,
            3,
            ofScores(&S::f)},
@@ -137,6 +138,7 @@ JudgeFlow::JudgeFlow(const Parts& parts) : parts_(parts) {
   connect(&parts_.preview, &PreviewFlow::changed, this, later);
   connect(&parts_.states, &StatesFlow::changed, this, later);
   connect(&parts_.reference, &ReferenceFlow::changed, this, later);
+  connect(&parts_.evaluation, &EvaluationFlow::changed, this, later);
   PlantDocument& document = parts_.document;
   connect(&document, &PlantDocument::skeletonEdited, this, later);
   for (auto signal : {&PlantDocument::skeletonReplaced, &PlantDocument::scanChanged,
@@ -212,9 +214,11 @@ void JudgeFlow::judge() {
   }
   job_.start(
       [states = states(), cloud = scan->cloud(), spacing = scan->spacing(),
-       reference = parts_.reference.skeleton(), kind = kind()](const Progress& progress) mutable {
+       reference = parts_.reference.skeleton(), comparing = parts_.evaluation.options(),
+       kind = kind()](const Progress& progress) mutable {
         for (State& state : states) {
-          state.judgment = judged(state.outcome, *cloud, spacing, reference.get(), progress);
+          state.judgment =
+              judged(state.outcome, *cloud, spacing, reference.get(), comparing, progress);
           state.outcome.quality = state.judgment.quality;
           state.values = distribution(kind, state.outcome, *cloud, spacing, progress);
         }

@@ -18,6 +18,7 @@ class QLabel;
 
 namespace espalier {
 
+class EvaluationFlow;
 class HistogramView;
 class PlantDocument;
 class PlantView;
@@ -41,6 +42,7 @@ public:
     PreviewFlow& preview;
     StatesFlow& states;
     ReferenceFlow& reference;
+    EvaluationFlow& evaluation;
     PanelDock::Parts window;
   };
   explicit JudgeFlow(const Parts& parts);

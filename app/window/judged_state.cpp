@@ -1,5 +1,6 @@
 #include "app/window/judged_state.h"
 
+#include "core/cloud/displacements.h"
 #include "core/graph/densities.h"
 #include "core/graph/neighborhood_graph.h"
 #include "core/graph/orientations.h"
@@ -47,14 +48,15 @@ ContractionQuality qualityIn(const Outcome& outcome, const PointCloud& cloud, do
 } // namespace
 
 Judgment judged(const Outcome& outcome, const PointCloud& cloud, double spacing,
-                const Skeleton* reference, const Progress& progress) {
+                const Skeleton* reference, const EvaluationOptions& comparing,
+                const Progress& progress) {
   Judgment judgment{.quality = outcome.quality, .scores = std::nullopt};
   if (!judgment.quality && outcome.contracted)
     judgment.quality = std::make_shared<const ContractionQuality>(
         qualityIn(outcome, cloud, spacing, progress.part(0, 0.3)));
   if (reference != nullptr && !outcome.skeleton->isEmpty() && !outcome.within)
     judgment.scores =
-        MethodScores::of(evaluate(*outcome.skeleton, *reference, {}, progress.part(0.3, 1)));
+        MethodScores::of(evaluate(*outcome.skeleton, *reference, comparing, progress.part(0.3, 1)));
   return judgment;
 }
 
@@ -66,11 +68,8 @@ std::vector<float> distribution(Distributed kind, const Outcome& outcome, const 
     return outcome.quality ? outcome.quality->residuals : std::vector<float>();
   case Distributed::radii:
     return radiiOf(*outcome.skeleton);
-  case Distributed::displacements: {
-    if (!outcome.contracted) return {};
-    const Eigen::RowVectorXf lengths = (*outcome.contracted - points).colwise().norm();
-    return {lengths.begin(), lengths.end()};
-  }
+  case Distributed::displacements:
+    return outcome.contracted ? displacements(points, *outcome.contracted) : std::vector<float>();
   case Distributed::densities: {
     const NeighborhoodGraph graph(points, links, progress);
     return normalizedDensities(

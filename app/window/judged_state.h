@@ -21,9 +21,11 @@ enum class Distributed : std::uint8_t { residuals, displacements, densities, dir
 
 /// Judges a state of a scan.
 /// @param reference null: none
+/// @param comparing with the reference
 /// @throws Cancelled if `progress` asks to stop
 [[nodiscard]] Judgment judged(const Outcome& outcome, const PointCloud& cloud, double spacing,
-                              const Skeleton* reference, const Progress& progress);
+                              const Skeleton* reference, const EvaluationOptions& comparing,
+                              const Progress& progress);
 
 /// One number per point of a state, or, of radii, per node by its id; not a number where there is
 /// none. Empty if the state has none of the kind.

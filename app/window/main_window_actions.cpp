@@ -102,10 +102,10 @@ void MainWindow::addActions() {
   states_ = std::make_unique<StatesFlow>(StatesFlow::Parts{
       document_, *view_, *actions_, *reconstruct_, *preview_, *twoViews_, *centralWidget()});
   densities_ = std::make_unique<DensityFlow>(document_, *pipeline_);
-  judge_ = std::make_unique<JudgeFlow>(
-      JudgeFlow::Parts{document_, *view_, *reconstruct_, *preview_, *states_, *reference_, panels});
-  sweep_ = std::make_unique<SweepFlow>(
-      SweepFlow::Parts{document_, *view_, *pipeline_, *reconstruct_, *reference_, panels});
+  judge_ = std::make_unique<JudgeFlow>(JudgeFlow::Parts{
+      document_, *view_, *reconstruct_, *preview_, *states_, *reference_, *evaluation_, panels});
+  sweep_ = std::make_unique<SweepFlow>(SweepFlow::Parts{
+      document_, *view_, *pipeline_, *reconstruct_, *reference_, *evaluation_, panels});
   choices_ = std::make_unique<ChoicesFlow>(ChoicesFlow::Parts{*actions_, *judge_, *sweep_});
   sight_ = std::make_unique<SightFlow>(
       SightFlow::Parts{document_, *view_, *pipeline_, *actions_, *editing_, *preview_});

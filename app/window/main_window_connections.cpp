@@ -28,6 +28,7 @@
 #include "app/window/sweep_flow.h"
 #include "app/window/theme_flow.h"
 #include "app/window/unit_flow.h"
+#include "app/window/value_colors.h"
 #include "app/window/view_options.h"
 #include "core/pipeline/preset.h"
 #include "ui/dialogs/key_bindings.h"
@@ -278,6 +279,10 @@ void MainWindow::connectPreview() {
   connect(preview_.get(), &PreviewFlow::failed, banner_,
           [this](const QString& message) { banner_->showError(message); });
   connect(preview_.get(), &PreviewFlow::changed, this, &MainWindow::refreshHint);
+  connect(preview_.get(), &PreviewFlow::changed, this, [this] {
+    const std::optional<Outcome>& shown = preview_->shown();
+    valueColors_->setPreviewed(shown && !shown->within ? shown->contracted : nullptr);
+  });
   connect(theme_, &ThemeFlow::changed, judge_.get(), &JudgeFlow::setDark);
   projects_->keep({.name = "choices",
                    .text = [this] { return choices_->text(); },

@@ -175,7 +175,7 @@ void PreviewFlow::askReconstructed() {
         const Ball ball = previewer->ballWith(center, ballPoints);
         Outcome outcome =
             outcomeOf(previewer->reconstructed(ball, options, progress), ball, options, *cloud);
-        outcome.quality = judged(outcome, *cloud, spacing, nullptr, progress).quality;
+        outcome.quality = judged(outcome, *cloud, spacing, nullptr, {}, progress).quality;
         return outcome;
       },
       [this](const Outcome& outcome) {
@@ -199,7 +199,8 @@ void PreviewFlow::askAll() {
                         .skeleton = std::make_shared<const Skeleton>(made.skeleton),
                         .within = std::nullopt,
                         .quality = nullptr};
-        outcome.quality = judged(outcome, *cloud, spacing, nullptr, progress.part(0.9, 1)).quality;
+        outcome.quality =
+            judged(outcome, *cloud, spacing, nullptr, {}, progress.part(0.9, 1)).quality;
         return outcome;
       },
       [this](const Outcome& outcome) {

@@ -1,6 +1,7 @@
 #include "app/window/sweep_flow.h"
 
 #include "app/window/action_set.h"
+#include "app/window/evaluation_flow.h"
 #include "app/window/options_text.h"
 #include "app/window/reconstruct_flow.h"
 #include "app/window/reference_flow.h"
@@ -159,7 +160,8 @@ void SweepFlow::runNext() {
   options.leftOut = parts_.document.leftOut();
   job_.start(
       [pipeline = parts_.reconstruct.pipeline(), cloud = scan.cloud(), spacing = scan.spacing(),
-       reference = parts_.reference.skeleton(), options](const Progress& progress) {
+       reference = parts_.reference.skeleton(), comparing = parts_.evaluation.options(),
+       options](const Progress& progress) {
         const Reconstruction made = pipeline->run(cloud, options, progress.part(0, 0.8));
         const Outcome outcome{.options = options,
                               .contracted = made.contracted,
@@ -167,8 +169,8 @@ void SweepFlow::runNext() {
                               .skeleton = std::make_shared<const Skeleton>(made.skeleton),
                               .within = std::nullopt,
                               .quality = nullptr};
-        return std::pair(outcome,
-                         judged(outcome, *cloud, spacing, reference.get(), progress.part(0.8, 1)));
+        return std::pair(outcome, judged(outcome, *cloud, spacing, reference.get(), comparing,
+                                         progress.part(0.8, 1)));
       },
       [this](const std::pair<Outcome, Judgment>& result) { finish(result.first, result.second); });
 }

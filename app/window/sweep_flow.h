@@ -17,6 +17,7 @@ class QSpinBox;
 
 namespace espalier {
 
+class EvaluationFlow;
 class PipelinePanel;
 class PlantDocument;
 class PlantView;
@@ -37,6 +38,7 @@ public:
     PipelinePanel& pipeline;
     ReconstructFlow& reconstruct;
     ReferenceFlow& reference;
+    EvaluationFlow& evaluation;
     PanelDock::Parts window;
   };
   explicit SweepFlow(const Parts& parts);

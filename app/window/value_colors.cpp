@@ -2,6 +2,7 @@
 
 #include "app/window/action_set.h"
 #include "app/window/view_options.h"
+#include "core/cloud/displacements.h"
 #include "core/skeleton/node_values.h"
 #include "ui/document/plant_document.h"
 #include "ui/view/plant_view.h"
@@ -16,6 +17,8 @@
 namespace espalier {
 namespace {
 
+const QString byDistance = QStringLiteral("color_distance"); // ids of actions
+const QString byDisplacement = QStringLiteral("color_displacement");
 constexpr float none = std::numeric_limits<float>::quiet_NaN(); // drawn as usual
 
 const std::map<QString, NodeValue>& valuesById() {
@@ -61,12 +64,13 @@ ValueColors::ValueColors(const Parts& parts) : parts_(parts) {
   connect(&timer_, &QTimer::timeout, this, &ValueColors::show);
   for (const QAction* action : parts_.options.nodeColors())
     connect(action, &QAction::toggled, this, &ValueColors::choose);
-  connect(parts_.actions["color_distance"], &QAction::toggled, this, &ValueColors::choose);
+  for (const QString& id : {byDistance, byDisplacement})
+    connect(parts_.actions[id], &QAction::toggled, this, &ValueColors::choose);
   connect(&parts_.distances, &ScanDistances::changed, &timer_, qOverload<>(&QTimer::start));
   PlantDocument& document = parts_.document;
   connect(&document, &PlantDocument::skeletonEdited, &timer_, qOverload<>(&QTimer::start));
-  for (auto signal :
-       {&PlantDocument::skeletonReplaced, &PlantDocument::scanChanged, &PlantDocument::unitChanged})
+  for (auto signal : {&PlantDocument::skeletonReplaced, &PlantDocument::scanChanged,
+                      &PlantDocument::contractedChanged, &PlantDocument::unitChanged})
     connect(&document, signal, &timer_, qOverload<>(&QTimer::start)); // the view forgets colors
   choose();
 }
@@ -75,11 +79,13 @@ void ValueColors::choose() {
   nodeColor_.clear();
   for (const QAction* action : parts_.options.nodeColors())
     if (action->isChecked()) nodeColor_ = action->objectName();
-  isByDistance_ = parts_.actions["color_distance"]->isChecked();
+  pointColor_.clear();
+  for (const QString& id : {byDistance, byDisplacement})
+    if (parts_.actions[id]->isChecked()) pointColor_ = id;
   parts_.distances.setWanted(ScanDistances::Use::nodeColors,
                              nodeColor_ == "node_color_distance" ||
                                  nodeColor_ == "node_color_confidence");
-  parts_.distances.setWanted(ScanDistances::Use::pointColors, isByDistance_);
+  parts_.distances.setWanted(ScanDistances::Use::pointColors, pointColor_ == byDistance);
   show();
 }
 
@@ -114,19 +120,36 @@ void ValueColors::colorNodes() {
   parts_.view.setNodeColors(std::move(colors));
 }
 
-/// Blue inside the wood, neutral on its surface, and vermillion where wood is missing.
+void ValueColors::setPreviewed(std::shared_ptr<const Eigen::Matrix3Xf> contracted) {
+  if (contracted == previewed_) return;
+  previewed_ = std::move(contracted);
+  if (pointColor_ == byDisplacement) timer_.start();
+}
+
 void ValueColors::colorPoints() {
-  const std::shared_ptr<const PointDistances> distances = parts_.distances.now();
-  if (!isByDistance_ || !distances) {
-    if (std::exchange(hasPointValues_, false)) parts_.view.setPointValues(std::nullopt);
-    return;
-  }
-  std::vector<float> sizes = distances->toSurface();
+  std::optional<PointValues> values = pointValues();
+  if (!values && !std::exchange(hasPointValues_, false)) return;
+  hasPointValues_ = values.has_value();
+  parts_.view.setPointValues(std::move(values));
+}
+
+std::optional<PointValues> ValueColors::pointValues() const {
+  if (pointColor_ == byDistance && parts_.distances.now()) return distances();
+  const Scan* scan = parts_.document.scan();
+  if (pointColor_ != byDisplacement || scan == nullptr) return std::nullopt;
+  const auto& contracted = previewed_ ? previewed_ : parts_.document.contracted();
+  if (!contracted || contracted->cols() != scan->cloud()->size()) return std::nullopt;
+  return displacements(*contracted);
+}
+
+/// Blue inside the wood, neutral on its surface, and vermillion where wood is missing.
+PointValues ValueColors::distances() const {
+  std::vector<float> sizes = parts_.distances.now()->toSurface();
   for (float& size : sizes)
     size = std::abs(size);
   const double most = nearlyLargest(std::move(sizes));
   auto values = std::make_shared<const std::vector<float>>(parts_.distances.toSurface());
-  Legend legend{.id = "color_distance",
+  Legend legend{.id = byDistance,
                 .title = tr("To the surface"),
                 .unit = symbol(parts_.document.unit()),
                 .map = ColorMap::diverging,
@@ -134,8 +157,20 @@ void ValueColors::colorPoints() {
                 .to = most,
                 .histogram = histogramOf({values->begin(), values->end()}, {-most, most}),
                 .categories = {}};
-  parts_.view.setPointValues(PointValues{.values = values, .legend = std::move(legend)});
-  hasPointValues_ = true;
+  return {.values = values, .legend = std::move(legend)};
+}
+
+PointValues ValueColors::displacements(const Eigen::Matrix3Xf& contracted) const {
+  auto values = std::make_shared<const std::vector<float>>(
+      espalier::displacements(parts_.document.scan()->cloud()->positions(), contracted));
+  const double most = nearlyLargest(*values);
+  Legend legend{.id = byDisplacement,
+                .title = tr("Displacement"),
+                .unit = symbol(parts_.document.unit()),
+                .to = most,
+                .histogram = histogramOf({values->begin(), values->end()}, {0, most}),
+                .categories = {}};
+  return {.values = values, .legend = std::move(legend)};
 }
 
 Legend ValueColors::legendOf(const QString& id, std::vector<double> known) const {

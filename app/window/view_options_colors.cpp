@@ -26,12 +26,13 @@ void ViewOptions::addColors() {
       tr("Colors points by the strength of the echo"));
   add(PointColor::rgb, "color_rgb", tr("Own Color"), tr("Colors points as the scanner saw them"));
   add(PointColor::uniform, "color_uniform", tr("One Color"), tr("Draws all points alike"));
-  addChoice(colors_,
-            {.id = "color_distance",
-             .text = tr("Distance to Skeleton"),
-             .help = tr("Colors points by how far they are from the surface of the wood"),
-             .isCheckable = true},
-            key, [] {}); // ValueColors follows it
+  const auto addValue = [&](const QString& id, const QString& text, const QString& help) {
+    addChoice(colors_, {.id = id, .text = text, .help = help, .isCheckable = true}, key, [] {});
+  }; // ValueColors follows them
+  addValue("color_distance", tr("Distance to Skeleton"),
+           tr("Colors points by how far they are from the surface of the wood"));
+  addValue("color_displacement", tr("Displacement"),
+           tr("Colors points by how far contraction moves them"));
   if (colors_->checkedAction() == nullptr) actions_["color_height"]->trigger();
 }
 

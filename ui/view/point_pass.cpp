@@ -150,7 +150,7 @@ PointPass::Drawn PointPass::pointsOf(const std::optional<Ball>& hole) const {
 
 void PointPass::drawPart(const DrawSettings& settings, const StatePart& part, float pointSize,
                          double until) {
-  const PointLayer& points = part.other ? scene_.other(*part.other).contracted : scene_.contracted;
+  const DrawnPoints& points = part.other ? scene_.other(*part.other).contracted : scene_.contracted;
   const OnlyIn only(part, settings);
   if (points.size() == 0) { // nothing has been contracted: what travels is still where it was
     if (scene_.blend && scene_.points.visible)
@@ -160,13 +160,15 @@ void PointPass::drawPart(const DrawSettings& settings, const StatePart& part, fl
   const SceneBuffers::Points& buffers = buffers_.contracted(part.other);
   const bool isWhole = points.size() == scene_.points.size();
   const GlBuffer* own = buffers.scanned.size() > 0 ? &buffers.scanned : nullptr;
+  const bool replacesPoints =
+      scene_.blend || (part.other && scene_.other(*part.other).replacesPoints);
+  const bool takesColors = isWhole && (scene_.blend || (replacesPoints && scene_.pointValues));
   const Drawn drawn{.points = points,
                     .buffers = buffers,
                     .scanned = own == nullptr && isWhole ? &buffers_.cloud().positions : own,
-                    .colors = scene_.blend && isWhole ? &buffers_.cloud().colors : nullptr,
+                    .colors = takesColors ? &buffers_.cloud().colors : nullptr,
                     .hole = part.hole};
-  const bool isShown = scene_.contracted.visible || scene_.blend ||
-                       (part.other && scene_.other(*part.other).replacesPoints);
+  const bool isShown = scene_.contracted.visible || replacesPoints;
   if (isShown) drawLayer(settings, drawn, pointSize, until);
   if (scene_.displacementsShown && drawn_ == 0) drawDisplacements(settings, drawn);
 }

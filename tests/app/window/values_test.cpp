@@ -68,6 +68,20 @@ TEST_F(ValuesWindowTest, WithoutASkeletonNothingIsExplained) {
   EXPECT_EQ(picture(), all);
 }
 
+TEST_F(ValuesWindowTest, ColorsPointsByTheirDisplacement) {
+  open({writeScan("plant.xyz")});
+  const QImage byHeight = picture();
+  action("color_displacement").trigger();
+  EXPECT_EQ(picture(), byHeight) << "nothing is contracted yet";
+  key(Qt::Key_R, Qt::ControlModifier);
+  waitForJob();
+  action("layer_skeleton").setChecked(false);
+  action("layer_contracted").setChecked(false);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return picture() != byHeight; }));
+  action("color_height").trigger();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return picture() == byHeight; }));
+}
+
 TEST_F(ValuesWindowTest, ColorsNodesByEachValue) {
   openForkAndScan();
   document().edit("Radius", [&](SkeletonEditor& editor) {

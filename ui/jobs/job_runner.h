@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "ui/jobs/yield_to_window.h"
 
 #include <QMetaObject>
 #include <QObject>
@@ -65,6 +66,7 @@ template <class Work, class Done> void JobRunner::start(const QString& name, Wor
   name_ = name;
   thread_ = std::jthread([this, work = std::move(work),
                           done = std::move(done)](const std::stop_token& stop) mutable {
+    yieldToWindow();
     const Progress progress(stop, [this, stop](double fraction, std::string_view stage) {
       const QString text = QString::fromUtf8(stage.data(), static_cast<qsizetype>(stage.size()));
       post([this, stop, fraction, text] {

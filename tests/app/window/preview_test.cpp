@@ -378,6 +378,7 @@ TEST_F(PreviewTest, AnswersWhileKnobsAreTurned) {
     QTest::qWait(i % 10 == 9 ? 400 : 60);
   }
   heart.stop();
+  waitForPreview();
   RecordProperty("longest_block_ms", static_cast<int>(longest));
   std::cout << "longest block " << longest << " ms, " << beats << " beats, " << shownParts
             << " parts shown in " << turns << " turns\n";

@@ -6,6 +6,7 @@
 #include "app/window/reconstruct_flow.h"
 #include "app/window/reference_flow.h"
 #include "app/window/states_flow.h"
+#include "ui/document/binned_values.h"
 #include "ui/document/plant_document.h"
 #include "ui/plots/histogram_view.h"
 #include "ui/view/plant_view.h"
@@ -17,6 +18,7 @@
 #include <QLocale>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <utility>
 
 namespace espalier {
@@ -96,6 +98,15 @@ std::vector<Number> numbersOfQuality(const QString& unit) {
        ofSkeleton(&Q::skeletonLength)},
       {tr("Nodes"), {}, tr("Nodes of the skeleton"), Better::neither, 0, ofSkeleton(&Q::nodes)},
   };
+}
+
+/// Where both can be seen; none: where the first can.
+std::optional<std::pair<double, double>> rangeOfBoth(const std::vector<float>& first,
+                                                     const std::vector<float>& second) {
+  const BinnedValues one = binned(first);
+  const BinnedValues other = binned(second);
+  if (one.isEmpty() || other.isEmpty()) return std::nullopt;
+  return std::pair(std::min(one.from, other.from), std::max(one.to, other.to));
 }
 
 std::vector<Number> numbersOfReference() {
@@ -271,7 +282,8 @@ ChoiceRecord JudgeFlow::record() const {
     ChoiceState chosen{
         .name = state.name,
         .options = changeText({}, state.outcome.options, scale, symbol(parts_.document.unit())),
-        .picture = parts_.view.pictureOf(state.outcome.shownAs({}), recordedPicture),
+        .picture = parts_.view.pictureOf(state.outcome.shownAs({}), recordedPicture,
+                                         PlantView::Framing::whole),
         .numbers = {},
         .isTaken = i + 1 == shown_.size()};
     for (const JudgeRow& row : numbers)
@@ -292,9 +304,10 @@ void JudgeFlow::showHistogram() {
                         .title = kind_->currentText(),
                         .unit = units[kind_->currentIndex()],
                         .range = std::nullopt};
-  if (!shown_.empty()) plotted.values = shown_.back().values;
-  histogram_->show(plotted);
   const bool hasTwo = shown_.size() > 1;
+  if (!shown_.empty()) plotted.values = shown_.back().values;
+  if (hasTwo) plotted.range = rangeOfBoth(shown_.back().values, shown_.front().values);
+  histogram_->show(plotted);
   histogram_->addSecond(hasTwo ? shown_.front().values : std::vector<float>(),
                         hasTwo ? shown_.front().name : QString());
   note_->setText(shown_.empty()

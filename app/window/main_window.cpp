@@ -200,6 +200,8 @@ void MainWindow::makeCenter() {
 void MainWindow::makeDocks() {
   pipeline_ = new PipelinePanel(document_);
   inspector_ = new InspectorPanel(document_);
+  // Knobs stay in reach while what they do is judged below the view.
+  setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   const auto add = [this](const QString& name, const QString& title, QWidget* panel, int width,
                           Qt::DockWidgetArea area) {
     auto* dock = new QDockWidget(title, this);

@@ -7,6 +7,7 @@
 #include "app/window/reference_flow.h"
 #include "core/pipeline/sweep.h"
 #include "ui/document/plant_document.h"
+#include "ui/panels/number_field.h"
 #include "ui/panels/pipeline_panel.h"
 #include "ui/panels/step_form.h"
 #include "ui/panels/sweep_strip.h"
@@ -14,6 +15,7 @@
 
 #include <QAction>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -27,7 +29,7 @@
 namespace espalier {
 namespace {
 
-constexpr QSize pictureSize(160, 160);
+constexpr QSize pictureSize(SweepCard::side, SweepCard::side);
 
 PlantScale scaleOf(const Scan& scan) {
   return {.spacing = scan.spacing(), .height = scan.height()};
@@ -60,8 +62,16 @@ SweepFlow::SweepFlow(const Parts& parts) : parts_(parts) {
     trials_.clear();
     showCards();
     listOptions();
+    proposeRange();
   });
   connect(&parts_.pipeline, &PipelinePanel::changed, this, &SweepFlow::listOptions);
+  connect(&parts_.document, &PlantDocument::unitChanged, this, &SweepFlow::proposeRange);
+  seen_.setSingleShot(true);
+  connect(&seen_, &QTimer::timeout, this, &SweepFlow::pictureNext);
+  connect(&parts_.view, &PlantView::cameraMoved, this, [this] {
+    pictured_ = 0;
+    if (parts_.window.actions["show_sweep"]->isChecked()) seen_.start(300);
+  });
   listOptions();
 }
 
@@ -87,6 +97,19 @@ QWidget* SweepFlow::makePanel() {
   count_->setButtonSymbols(QAbstractSpinBox::NoButtons);
   count_->setSuffix(tr(" values"));
   row->addWidget(count_);
+  const auto addEnd = [&](const QString& name, const QString& label, const QString& help) {
+    auto* number = new QDoubleSpinBox;
+    number->setObjectName(name);
+    number->setAccessibleName(help);
+    number->setToolTip(help);
+    number->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    number->setFixedWidth(88);
+    row->addWidget(new QLabel(label));
+    row->addWidget(number);
+    return number;
+  };
+  from_ = addEnd("sweep_from", tr("from"), tr("The least value"));
+  to_ = addEnd("sweep_to", tr("to"), tr("The greatest value"));
   run_ = new QPushButton(tr("Run"));
   run_->setObjectName("sweep_run");
   run_->setToolTip(tr("Reconstructs the plant with each value; nothing of it changes"));
@@ -104,6 +127,7 @@ QWidget* SweepFlow::makePanel() {
     else
       start();
   });
+  connect(option_, &QComboBox::currentIndexChanged, this, &SweepFlow::proposeRange);
   connect(&job_, &LatestJob::idled, this, [this] { run_->setText(tr("Run")); });
   connect(strip_, &SweepStrip::chosen, this, &SweepFlow::take);
   return panel;
@@ -123,6 +147,20 @@ void SweepFlow::listOptions() {
   const int same = option_->findData(before);
   option_->setCurrentIndex(std::max(before.isValid() ? same : usual, 0));
   run_->setEnabled(parts_.document.scan() != nullptr);
+  if (!before.isValid() || option_->currentData() != before) proposeRange();
+}
+
+void SweepFlow::proposeRange() {
+  const Scan* scan = parts_.document.scan();
+  const QStringList names = option_->currentData().toString().split('.');
+  if (scan == nullptr || names.size() != 2) return;
+  const Option& option =
+      optionOfChosen(parts_.pipeline.options(), names[0].toStdString(), names[1].toStdString());
+  const std::vector<double> ends = sweepValues(option, scaleOf(*scan), 2);
+  for (QDoubleSpinBox* number : {from_, to_})
+    dress(*number, option, scaleOf(*scan), symbol(parts_.document.unit()));
+  from_->setValue(ends.front());
+  to_->setValue(ends.back());
 }
 
 void SweepFlow::start() {
@@ -132,7 +170,8 @@ void SweepFlow::start() {
   const std::string step = names[0].toStdString();
   const Option& option = optionOfChosen(parts_.pipeline.options(), step, names[1].toStdString());
   trials_.clear();
-  for (const double value : sweepValues(option, scaleOf(*scan), count_->value())) {
+  const std::pair<double, double> range = std::minmax(from_->value(), to_->value());
+  for (const double value : sweepValues(option, scaleOf(*scan), count_->value(), range)) {
     PipelineOptions options = parts_.pipeline.options();
     options.settings[step][option.name] = fixedAt(value);
     trials_.push_back({.value = value, .options = std::move(options)});
@@ -178,12 +217,30 @@ void SweepFlow::runNext() {
 void SweepFlow::finish(const Outcome& outcome, const Judgment& judgment) {
   Trial& trial = trials_[next_];
   trial.judgment = judgment;
-  trial.item.picture = parts_.view.pictureOf(outcome.shownAs({}), 2 * pictureSize);
-  trial.item.picture.setDevicePixelRatio(2);
+  trial.outcome = outcome;
+  picture(trial);
   trial.item.isPending = false;
   ++next_;
   showCards();
   runNext();
+}
+
+/// Of what is in the middle of the view: where one looks, values differ most.
+void SweepFlow::picture(Trial& trial) const {
+  PlantState state = trial.outcome->shownAs({});
+  state.replacesPoints = true;
+  trial.item.picture = parts_.view.pictureOf(state, 2 * pictureSize, PlantView::Framing::asSeen);
+  trial.item.picture.setDevicePixelRatio(2);
+}
+
+void SweepFlow::pictureNext() {
+  while (pictured_ < trials_.size() && !trials_[pictured_].outcome)
+    ++pictured_;
+  if (pictured_ >= trials_.size()) return;
+  picture(trials_[pictured_]);
+  strip_->setItem(pictured_, trials_[pictured_].item);
+  ++pictured_;
+  seen_.start(0);
 }
 
 void SweepFlow::showCards() {

@@ -11,6 +11,7 @@
 #include <vector>
 
 class QComboBox;
+class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
 class QSpinBox;
@@ -59,25 +60,33 @@ private:
     PipelineOptions options;
     SweepItem item = {};
     Judgment judgment = {};
+    std::optional<Outcome> outcome = {};
   };
   QWidget* makePanel();
   void listOptions();
+  void proposeRange();
   void start();
   void runNext();
   void finish(const Outcome& outcome, const Judgment& judgment);
   void showCards();
+  void picture(Trial& trial) const;
+  void pictureNext();
   void take(std::size_t index);
 
   Parts parts_;
   PanelDock* dock_;
   QComboBox* option_;
   QSpinBox* count_;
+  QDoubleSpinBox* from_;
+  QDoubleSpinBox* to_;
   QPushButton* run_;
   QLabel* note_;
   SweepStrip* strip_;
   std::vector<Trial> trials_;
   QString swept_; // the option that these are of, as people read it
   std::size_t next_ = 0;
+  QTimer seen_; // until the view rests: then the pictures follow it, one at a time
+  std::size_t pictured_ = 0;
   LatestJob job_;
 };
 

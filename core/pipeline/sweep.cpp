@@ -20,10 +20,16 @@ struct Span {
   }
 };
 
-Span spanOf(const Option& option, const PlantScale& scale) {
+Span spanOf(const Option& option, const PlantScale& scale,
+            const std::optional<std::pair<double, double>>& between) {
   constexpr double around = 4;
   constexpr double longest = 40; // in point spacings
   const auto [least, most] = option.range(scale);
+  if (between) {
+    const double from = std::clamp(between->first, least, most);
+    const double to = std::clamp(between->second, from, most);
+    return {from, to, from > 0 && option.kind != OptionKind::angle};
+  }
   const double usual = option.rule.value(scale);
   if (option.kind == OptionKind::angle) return {least, most, false};
   if (usual > 0) {
@@ -36,17 +42,19 @@ Span spanOf(const Option& option, const PlantScale& scale) {
 
 } // namespace
 
-std::vector<double> sweepValues(const Option& option, const PlantScale& scale, int count) {
+std::vector<double> sweepValues(const Option& option, const PlantScale& scale, int count,
+                                const std::optional<std::pair<double, double>>& between) {
   std::vector<double> values;
   if (option.takesWords()) {
     for (double value = option.minimum; value <= option.maximum; ++value)
       values.push_back(value);
     return values;
   }
-  const Span span = spanOf(option, scale);
+  const Span span = spanOf(option, scale, between);
   for (int i = 0; i < count; ++i) {
-    const double value =
-        count == 1 ? option.rule.value(scale) : span.at(static_cast<double>(i) / (count - 1));
+    const double value = count == 1 && !between
+                             ? option.rule.value(scale)
+                             : span.at(static_cast<double>(i) / std::max(count - 1, 1));
     values.push_back(
         option.kind == OptionKind::count
             ? std::clamp(std::round(value), std::ceil(span.least), std::floor(span.most))

@@ -3,7 +3,9 @@
 #include "core/pipeline/pipeline.h"
 
 #include <functional>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace espalier {
@@ -17,8 +19,10 @@ namespace espalier {
 /// if the default is 0 or the option is an angle, where lengths end at 40 point spacings and ratios
 /// at 4. Within the range of the option; whole numbers for counts, of which there may be fewer. All
 /// words of an option that takes words. pre: count >= 1
-[[nodiscard]] std::vector<double> sweepValues(const Option& option, const PlantScale& scale,
-                                              int count);
+/// @param between the least and the greatest value, in place of those that follow from the default
+[[nodiscard]] std::vector<double>
+sweepValues(const Option& option, const PlantScale& scale, int count,
+            const std::optional<std::pair<double, double>>& between = {});
 
 /// What one value gave.
 struct SweepResult {

@@ -42,8 +42,8 @@ public:
     painter->setFont(whole.font);
     painter->setPen(whole.palette.color(QPalette::Text));
     const QRect cell = whole.rect.adjusted(margin, 0, -margin, 0);
-    painter->drawText(cell.adjusted(0, 0, -beside, 0), Qt::AlignRight | Qt::AlignVCenter,
-                      whole.text);
+    const auto side = index.column() == 0 ? Qt::AlignLeft : Qt::AlignRight;
+    painter->drawText(cell.adjusted(0, 0, -beside, 0), side | Qt::AlignVCenter, whole.text);
     painter->setFont(smaller(whole.font));
     painter->setPen(whole.palette.color(QPalette::PlaceholderText));
     painter->drawText(cell, Qt::AlignRight | Qt::AlignVCenter, difference);

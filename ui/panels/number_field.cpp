@@ -24,6 +24,19 @@ int decimalsFor(const Option& option, double size) {
 
 } // namespace
 
+void dress(QDoubleSpinBox& number, const Option& option, const PlantScale& scale,
+           const QString& unit) {
+  const auto [minimum, maximum] = option.range(scale);
+  const double standard = option.rule.value(scale);
+  const QString suffix = option.kind == OptionKind::angle    ? QStringLiteral("°")
+                         : option.kind == OptionKind::length ? unit
+                                                             : QString();
+  number.setDecimals(decimalsFor(option, standard > 0 ? standard : maximum / 100));
+  number.setRange(minimum, maximum);
+  number.setSuffix(suffix.isEmpty() || suffix == "°" ? suffix : QChar(0x202f) + suffix);
+  number.setSingleStep(option.kind == OptionKind::count ? 1 : std::max(standard, minimum) / 10);
+}
+
 NumberField::NumberField(const Option& option, QGridLayout& grid, QWidget& parent)
     : OptionField(option, parent), slider_(new OptionSlider(&parent)),
       number_(new QDoubleSpinBox(&parent)) {
@@ -47,17 +60,9 @@ NumberField::NumberField(const Option& option, QGridLayout& grid, QWidget& paren
 }
 
 void NumberField::showScale(const QString& unit) {
-  const auto [minimum, maximum] = option().range(scale());
-  const double standard = option().rule.value(scale());
-  const QString suffix = option().kind == OptionKind::angle    ? QStringLiteral("°")
-                         : option().kind == OptionKind::length ? unit
-                                                               : QString();
   const QSignalBlocker quiet(number_);
-  number_->setDecimals(decimalsFor(option(), standard > 0 ? standard : maximum / 100));
-  number_->setRange(minimum, maximum);
-  number_->setSuffix(suffix.isEmpty() || suffix == "°" ? suffix : QChar(0x202f) + suffix);
-  number_->setSingleStep(option().kind == OptionKind::count ? 1 : std::max(standard, minimum) / 10);
-  slider_->setDefaultPlace(placeOf(standard));
+  dress(*number_, option(), scale(), unit);
+  slider_->setDefaultPlace(placeOf(option().rule.value(scale())));
   slider_->setToolTip(help());
   number_->setToolTip(help());
 }

@@ -8,6 +8,10 @@ namespace espalier {
 
 class OptionSlider;
 
+/// Gives a field the range, the digits and the unit of an option.
+void dress(QDoubleSpinBox& number, const Option& option, const PlantScale& scale,
+           const QString& unit);
+
 /// An option that is a number: a slider, and the number with its unit.
 class NumberField : public OptionField {
   Q_OBJECT

@@ -9,7 +9,6 @@
 namespace espalier {
 namespace {
 
-constexpr int side = 160; // of the picture [px]
 constexpr int margin = 8;
 constexpr int rowHeight = 16;
 constexpr int headHeight = 20;

@@ -31,6 +31,8 @@ class SweepCard : public QAbstractButton {
   Q_OBJECT
 
 public:
+  static constexpr int side = 144; // of the picture [px]
+
   explicit SweepCard(QWidget* parent = nullptr);
 
   void setItem(const SweepItem& item);

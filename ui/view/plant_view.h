@@ -143,8 +143,12 @@ public:
 
   /// The view as it would be drawn at `size`, all points, no pointer, no band and no preview.
   [[nodiscard]] QImage picture(const QSize& size);
+  enum class Framing : std::uint8_t {
+    whole,
+    asSeen
+  }; // all of the plant, or the middle of the view
   /// Another state of the plant as this view would draw it, without legends and names.
-  [[nodiscard]] QImage pictureOf(const PlantState& state, const QSize& size) const;
+  [[nodiscard]] QImage pictureOf(const PlantState& state, const QSize& size, Framing framing) const;
   [[nodiscard]] std::size_t graphicsBytes() const; // that all views of the plant hold together
 
 signals:

@@ -39,11 +39,12 @@ const std::optional<ShownSight>& PlantView::sightShown() const {
   return parts_->overlay.sight;
 }
 
-QImage PlantView::pictureOf(const PlantState& state, const QSize& size) const {
+QImage PlantView::pictureOf(const PlantState& state, const QSize& size, Framing framing) const {
   Scene scene = parts_->scene;
   scene.setOther(Side::left, state);
   Camera camera = parts_->navigator.destination();
-  camera.frame(scene.outline(), size.width() / double(size.height()));
+  if (framing == Framing::whole)
+    camera.frame(scene.outline(), size.width() / double(size.height()));
   Overlay bare;
   bare.isBare = true;
   return espalier::picture(scene, camera, bare, size);

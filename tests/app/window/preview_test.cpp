@@ -249,6 +249,11 @@ TEST_F(PreviewTest, SweepsAnOptionAndTakesAValue) {
   key(Qt::Key_F7, Qt::ShiftModifier);
   find<QSpinBox>("sweep_count").setValue(3);
   EXPECT_EQ(find<QComboBox>("sweep_option").currentText(), "Contract: Radius");
+  auto& from = find<QDoubleSpinBox>("sweep_from");
+  auto& to = find<QDoubleSpinBox>("sweep_to");
+  EXPECT_NEAR(to.value() / from.value(), 16, 0.5) << "from a quarter of the default to 4 times it";
+  from.setValue(0.05);
+  to.setValue(0.2);
   clickButton("sweep_run");
   auto& strip = find<SweepStrip>("sweep_strip");
   ASSERT_EQ(strip.cards().size(), 3U);
@@ -263,6 +268,11 @@ TEST_F(PreviewTest, SweepsAnOptionAndTakesAValue) {
     EXPECT_GE(card->item().scores.size(), 4U);
   }
   EXPECT_TRUE(document().skeleton().isEmpty()) << "nothing of the plant has changed";
+  EXPECT_NEAR(strip.cards()[1]->item().value, 0.1, 1e-9);
+  const QImage before = strip.cards()[1]->item().picture;
+  action("view_left").trigger();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return strip.cards()[1]->item().picture != before; }, patience))
+      << "pictures follow the view";
   const double value = strip.cards()[2]->item().value;
   QTest::keyClick(strip.cards()[2], Qt::Key_Return);
   EXPECT_EQ(panel().options().settings.at("contract").at("radius"), fixedAt(value));

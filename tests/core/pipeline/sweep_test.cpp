@@ -30,6 +30,18 @@ TEST(SweepValues, StandAroundTheDefaultByEqualRatios) {
   EXPECT_THAT(sweepValues(radius, scale, 1), ElementsAre(DoubleNear(15, 1e-9)));
 }
 
+TEST(SweepValues, StandBetweenTheEndsOneChooses) {
+  const Option& radius = optionNamed("contract", "geodesic_centroid", "radius");
+  EXPECT_THAT(sweepValues(radius, scale, 3, std::pair(10.0, 40.0)),
+              ElementsAre(DoubleNear(10, 1e-9), DoubleNear(20, 1e-9), DoubleNear(40, 1e-9)));
+  EXPECT_THAT(sweepValues(radius, scale, 1, std::pair(10.0, 40.0)),
+              ElementsAre(DoubleNear(10, 1e-9)));
+  const Option& neighbors = optionNamed("contract", "geodesic_centroid", "neighbors"); // from 3
+  EXPECT_THAT(sweepValues(neighbors, scale, 4, std::pair(1.0, 4.0)), ElementsAre(3, 4));
+  const Option& turn = optionNamed("axes", "weighed", "sharpest_turn");
+  EXPECT_THAT(sweepValues(turn, scale, 3, std::pair(10.0, 30.0)), ElementsAre(10, 20, 30));
+}
+
 TEST(SweepValues, AreWholeForCounts) {
   const Option& neighbors = optionNamed("contract", "geodesic_centroid", "neighbors"); // 7, from 3
   EXPECT_THAT(sweepValues(neighbors, scale, 3), ElementsAre(3, 9, 28));

@@ -161,6 +161,7 @@ void SweepFlow::proposeRange() {
     dress(*number, option, scaleOf(*scan), symbol(parts_.document.unit()));
   from_->setValue(ends.front());
   to_->setValue(ends.back());
+  proposed_ = {from_->value(), to_->value()};
 }
 
 void SweepFlow::start() {
@@ -170,7 +171,10 @@ void SweepFlow::start() {
   const std::string step = names[0].toStdString();
   const Option& option = optionOfChosen(parts_.pipeline.options(), step, names[1].toStdString());
   trials_.clear();
-  const std::pair<double, double> range = std::minmax(from_->value(), to_->value());
+  sweptOption_ = &option;
+  sweptStep_ = step;
+  std::optional<std::pair<double, double>> range = std::minmax(from_->value(), to_->value());
+  if (range == proposed_) range.reset(); // what is proposed is not rounded
   for (const double value : sweepValues(option, scaleOf(*scan), count_->value(), range)) {
     PipelineOptions options = parts_.pipeline.options();
     options.settings[step][option.name] = fixedAt(value);
@@ -243,6 +247,17 @@ void SweepFlow::pictureNext() {
   seen_.start(0);
 }
 
+PipelineOptions SweepFlow::inUse() const {
+  PipelineOptions options = parts_.pipeline.options();
+  const Scan* scan = parts_.document.scan();
+  if (scan == nullptr || sweptOption_ == nullptr) return options;
+  Rule& rule = options.settings[sweptStep_]
+                   .try_emplace(sweptOption_->name, sweptOption_->rule)
+                   .first->second;
+  rule = fixedAt(rule.value(scaleOf(*scan)));
+  return options;
+}
+
 void SweepFlow::showCards() {
   struct Column {
     QString name;
@@ -269,10 +284,10 @@ void SweepFlow::showCards() {
       {tr("Unexplained"), true, 0, quality(&ContractionQuality::unexplainedPoints)},
       {tr("F"), false, 3, score(&MethodScores::f)},
       {tr("Structural"), false, 3, score(&MethodScores::structural)}};
-  const PipelineOptions now = parts_.pipeline.options();
+  const PipelineOptions now = inUse();
   for (Trial& trial : trials_) {
     trial.item.scores.clear();
-    trial.item.isCurrent = trial.options.settings == now.settings;
+    trial.item.isCurrent = trial.options == now;
   }
   for (const Column& column : columns) {
     std::vector<double> values;

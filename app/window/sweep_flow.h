@@ -65,6 +65,8 @@ private:
   QWidget* makePanel();
   void listOptions();
   void proposeRange();
+  /// The options as they are, with a number for what is swept, even if that is its default.
+  [[nodiscard]] PipelineOptions inUse() const;
   void start();
   void runNext();
   void finish(const Outcome& outcome, const Judgment& judgment);
@@ -79,11 +81,14 @@ private:
   QSpinBox* count_;
   QDoubleSpinBox* from_;
   QDoubleSpinBox* to_;
+  std::pair<double, double> proposed_; // as the fields show it
   QPushButton* run_;
   QLabel* note_;
   SweepStrip* strip_;
   std::vector<Trial> trials_;
   QString swept_; // the option that these are of, as people read it
+  const Option* sweptOption_ = nullptr;
+  std::string sweptStep_;
   std::size_t next_ = 0;
   QTimer seen_; // until the view rests: then the pictures follow it, one at a time
   std::size_t pictured_ = 0;

@@ -279,6 +279,16 @@ TEST_F(PreviewTest, SweepsAnOptionAndTakesAValue) {
   EXPECT_TRUE(strip.cards()[2]->item().isCurrent);
 }
 
+TEST_F(PreviewTest, SweepsWithTheDefaultInTheMiddle) {
+  key(Qt::Key_F7, Qt::ShiftModifier);
+  find<QSpinBox>("sweep_count").setValue(3);
+  clickButton("sweep_run");
+  const auto& cards = find<SweepStrip>("sweep_strip").cards();
+  ASSERT_EQ(cards.size(), 3U);
+  EXPECT_TRUE(cards[1]->item().isCurrent) << "though nobody chose it";
+  EXPECT_FALSE(cards[0]->item().isCurrent);
+}
+
 TEST_F(PreviewTest, RecordsAChoiceInTheProjectAndTakesItBack) {
   EXPECT_FALSE(action("forget_choice").isEnabled());
   key(Qt::Key_K, Qt::ControlModifier | Qt::ShiftModifier);

@@ -48,11 +48,15 @@ PreviewFlow::PreviewFlow(const Parts& parts) : parts_(parts) {
   rest_.setSingleShot(true);
   rest_.setInterval(resting);
   connect(&rest_, &QTimer::timeout, this, [this] {
-    if (!job_.isBusy()) askAll(); // else once it is done
+    isAllOwed_ = job_.isBusy(); // then once it is done
+    if (!isAllOwed_) askAll();
+  });
+  connect(&job_, &LatestJob::idled, this, [this] {
+    if (isAllOwed_) askAll();
   });
   connect(&job_, &LatestJob::failed, this, [this](const QString& message) {
     rest_.stop();
-    isAll_ = false;
+    isAll_ = isAllOwed_ = false;
     parts_.pipeline.showFailed(message);
     emit failed(message);
     emit changed();
@@ -129,7 +133,7 @@ void PreviewFlow::ask(bool movesPoints) {
   const Scan* scan = parts_.document.scan();
   if (scan == nullptr) return;
   if (isAll_) parts_.pipeline.showStopped();
-  isAll_ = false;
+  isAll_ = isAllOwed_ = false;
   movesPoints_ = movesPoints;
   rest_.start();
   if (scan->cloud()->size() <= ballPoints) return askAll();
@@ -186,6 +190,7 @@ void PreviewFlow::askReconstructed() {
 
 void PreviewFlow::askAll() {
   rest_.stop();
+  isAllOwed_ = false;
   isAll_ = true;
   const Scan& scan = *parts_.document.scan();
   running_ = Kind::whole;
@@ -256,7 +261,7 @@ void PreviewFlow::stop() {
   job_.cancel();
   rest_.stop();
   if (isAll_) parts_.pipeline.showStopped();
-  isAll_ = false;
+  isAll_ = isAllOwed_ = false;
 }
 
 void PreviewFlow::clear() {

@@ -112,6 +112,7 @@ private:
   std::optional<NodeColors> colors_;
   PipelineOptions before_;     // the preview
   bool isAll_ = false;         // what runs is of the whole scan
+  bool isAllOwed_ = false;     // it comes once what runs is done
   Kind running_ = Kind::whole; // or what ran last
   bool movesPoints_ = false;   // what was changed last: then these are shown
 };

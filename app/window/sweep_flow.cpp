@@ -39,6 +39,18 @@ bool isSwept(const Option& option) {
   return !option.takesWords();
 }
 
+/// What one would sweep of a step, or of the contraction: a radius, else the first length.
+QString usualOption(const QString& stepName, const PipelineOptions& options) {
+  const std::string name = stepName.isEmpty() ? "contract" : stepName.toStdString();
+  QString usual;
+  for (const Option& option : chosenMethod(stepNamed(name), options).options) {
+    if (option.kind != OptionKind::length || (!usual.isEmpty() && option.name != "radius"))
+      continue;
+    usual = QString::fromStdString(name + "." + option.name);
+  }
+  return usual;
+}
+
 } // namespace
 
 SweepFlow::SweepFlow(const Parts& parts) : parts_(parts) {
@@ -143,9 +155,10 @@ void SweepFlow::listOptions() {
       if (isSwept(option))
         option_->addItem(QString::fromStdString(step.label + ": " + option.label),
                          QString::fromStdString(step.name + "." + option.name));
-  const int usual = option_->findData("contract.radius");
-  const int same = option_->findData(before);
-  option_->setCurrentIndex(std::max(before.isValid() ? same : usual, 0));
+  int shown = before.isValid() ? option_->findData(before) : -1;
+  if (shown < 0)
+    shown = option_->findData(usualOption(before.toString().section('.', 0, 0), options));
+  option_->setCurrentIndex(std::max(shown, 0));
   run_->setEnabled(parts_.document.scan() != nullptr);
   if (!before.isValid() || option_->currentData() != before) proposeRange();
 }

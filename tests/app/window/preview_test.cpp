@@ -287,6 +287,11 @@ TEST_F(PreviewTest, SweepsWithTheDefaultInTheMiddle) {
   ASSERT_EQ(cards.size(), 3U);
   EXPECT_TRUE(cards[1]->item().isCurrent) << "though nobody chose it";
   EXPECT_FALSE(cards[0]->item().isCurrent);
+  auto* method = step("contract").findChild<QComboBox*>();
+  method->setCurrentIndex(method->findData("adaptive_geodesic"));
+  emit method->activated(method->currentIndex());
+  EXPECT_TRUE(find<QComboBox>("sweep_option").currentText().startsWith("Contract:"))
+      << "of the same step, though its method has no such radius";
 }
 
 TEST_F(PreviewTest, RecordsAChoiceInTheProjectAndTakesItBack) {

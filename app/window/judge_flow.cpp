@@ -7,6 +7,7 @@
 #include "app/window/reference_flow.h"
 #include "app/window/states_flow.h"
 #include "ui/document/binned_values.h"
+#include "ui/document/number_scale.h"
 #include "ui/document/plant_document.h"
 #include "ui/plots/histogram_view.h"
 #include "ui/view/plant_view.h"
@@ -15,7 +16,6 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -290,7 +290,7 @@ ChoiceRecord JudgeFlow::record() const {
       if (row.values[i])
         chosen.numbers.emplace_back(row.unit.isEmpty() ? row.name
                                                        : tr("%1 [%2]").arg(row.name, row.unit),
-                                    QLocale().toString(*row.values[i], 'f', row.decimals));
+                                    numberText(*row.values[i], row.decimals));
     record.states.push_back(std::move(chosen));
   }
   record.title = names.join(tr(" and "));

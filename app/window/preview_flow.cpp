@@ -250,6 +250,7 @@ bool PreviewFlow::drop() {
   if (!shown_) return false;
   parts_.pipeline.setOptions(before_);
   clear();
+  if (parts_.reconstruct.used() == options()) parts_.pipeline.showDone({}); // as the plant is
   return true;
 }
 

@@ -6,6 +6,7 @@
 #include "app/window/reconstruct_flow.h"
 #include "app/window/reference_flow.h"
 #include "core/pipeline/sweep.h"
+#include "ui/document/number_scale.h"
 #include "ui/document/plant_document.h"
 #include "ui/panels/number_field.h"
 #include "ui/panels/pipeline_panel.h"
@@ -312,7 +313,7 @@ void SweepFlow::showCards() {
     for (Trial& trial : trials_)
       if (const auto value = column.of(trial.judgment))
         trial.item.scores.push_back({.name = column.name,
-                                     .text = QLocale().toString(*value, 'f', column.decimals),
+                                     .text = numberText(*value, column.decimals),
                                      .isBest = *value == best && least < most});
   }
   std::vector<SweepItem> items;

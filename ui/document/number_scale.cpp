@@ -22,11 +22,14 @@ std::vector<double> multiplesOf(double step, double from, double to) {
 
 QString numberAtStep(double value, double step) {
   const int decimals = std::clamp(static_cast<int>(-std::floor(std::log10(step) + 1e-9)), 0, 9);
-  if (std::abs(value) < 1e-9 * step) value = 0; // no "-0"
+  return numberText(std::abs(value) < 1e-9 * step ? 0 : value, decimals); // no "-0"
+}
+
+QString numberText(double value, int decimals) {
   QString text = QString::number(value, 'f', decimals);
   const qsizetype end = text.contains('.') ? text.indexOf('.') : text.size();
   for (qsizetype at = end - 3; at > (text.startsWith('-') ? 1 : 0); at -= 3)
-    text.insert(at, QChar(0x202f)); // thousands are parted as everywhere in the window
+    text.insert(at, QChar(0x202f));
   return text;
 }
 

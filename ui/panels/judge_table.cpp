@@ -1,5 +1,6 @@
 #include "ui/panels/judge_table.h"
 
+#include "ui/document/number_scale.h"
 #include "ui/panels/copy_key.h"
 
 #include <QApplication>
@@ -124,8 +125,8 @@ void JudgeTable::fillRow(int place, const JudgeRow& row) {
     const auto state = static_cast<std::size_t>(column - 1);
     const std::optional<double> value =
         state < row.values.size() ? row.values[state] : std::optional<double>();
-    auto* cell = new QTableWidgetItem(value ? QString::number(*value, 'f', row.decimals)
-                                            : QStringLiteral("–"));
+    auto* cell =
+        new QTableWidgetItem(value ? numberText(*value, row.decimals) : QStringLiteral("–"));
     cell->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     cell->setToolTip(tip);
     if (value && state > 0 && row.values.front()) {

@@ -161,6 +161,12 @@ TEST_F(PreviewTest, StepsTellHowTheyStand) {
   key(Qt::Key_R, Qt::ControlModifier);
   waitForJob();
   EXPECT_EQ(step("radius").state(), State::done);
+  turnOn();
+  type("contract", "radius", 0.12);
+  waitForPreview();
+  view().setFocus();
+  key(Qt::Key_Escape);
+  EXPECT_EQ(step("contract").state(), State::done) << "the plant is of these choices again";
 }
 
 TEST_F(PreviewTest, RunsUpToOneStep) {

@@ -1,204 +1,19 @@
 #include "app/cli/arguments.h"
 #include "app/cli/commands.h"
-#include "app/cli/evaluate_numbers.h"
-#include "app/cli/evaluate_report.h"
-#include "app/cli/evaluate_text.h"
+#include "app/cli/evaluate_command.h"
 #include "app/cli/files.h"
 #include "app/cli/pipeline_flags.h"
 #include "app/cli/terminal.h"
-#include "core/base/text.h"
-#include "core/evaluate/comparable.h"
-#include "core/evaluate/comparison.h"
-#include "core/evaluate/comparison_json.h"
-#include "core/evaluate/comparison_warnings.h"
+#include "core/evaluate/edit_comparison.h"
 #include "core/evaluate/ranking.h"
-#include "core/evaluate/registration.h"
-#include "core/io/atomic_file.h"
-#include "core/io/csv.h"
 
-#include <nlohmann/json.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <memory>
-#include <ostream>
 #include <set>
 
 namespace espalier {
 namespace {
 
-struct Flags {
-  std::vector<std::string> files; // results, and the reference last
-  bool noRegister = false;
-  double scale = 1; // of the results
-  std::string unit;
-  double distance = 0; // [L]; 0 = the rule
-  std::string editUnit = "segment";
-  std::string editCost = "topology";
-  bool merges = false;
-  bool where = false;
-  bool traits = false;
-  bool light = false;
-  int pixels = LightOptions().pixels;
-  bool ranks = false;
-  std::string rankBy; // empty: f
-  std::size_t draws = 2000;
-  std::uint64_t seed = 1;
-  std::string csv;
-  std::string json;
-  ReportFlags report;
-  int threads = 0;
-};
-
-Skeleton skeletonIn(const std::string& file, double scale = 1) {
-  Imported<Structure> structure = readStructure(file);
-  printNotes(structure.notes);
-  Skeleton skeleton = std::move(structure.value.skeleton);
-  requireComparable(skeleton, file);
-  if (scale != 1)
-    for (const NodeId id : skeleton.ids()) {
-      skeleton.setPosition(id, scale * skeleton[id].position);
-      skeleton.setRadius(id, scale * skeleton[id].radius);
-    }
-  return skeleton;
-}
-
-/// Where a name that the parser has checked stands in its list.
-template <class Enum> Enum named(const std::vector<std::string>& names, const std::string& name) {
-  return static_cast<Enum>(std::ranges::find(names, name) - names.begin());
-}
-
-EditOptions editOptions(const Flags& flags) {
-  return {.unit = named<EditUnit>(editUnitNames(), flags.editUnit),
-          .cost = named<EditCost>(editCostNames(), flags.editCost),
-          .mergesPaths = flags.merges};
-}
-
-void writeTable(const std::string& file, const std::vector<std::vector<std::string>>& rows) {
-  writeAtomically(file, [&](std::ostream& out) {
-    for (const std::vector<std::string>& row : rows)
-      out << csvLine(row);
-  });
-}
-
-void writeJson(const std::string& file, const nlohmann::ordered_json& json) {
-  if (file.empty()) return;
-  writeAtomically(file, [&](std::ostream& out) { out << json.dump(2) << '\n'; });
-}
-
-/// All numbers of a comparison, a line each: "authors.geometric,0.9".
-std::vector<std::vector<std::string>> tableOf(const nlohmann::ordered_json& json) {
-  std::vector<std::vector<std::string>> rows = {{"name", "value"}};
-  const nlohmann::ordered_json flat = json.flatten();
-  for (const auto& [path, value] : flat.items()) {
-    std::string name = path.substr(1); // they begin with a slash
-    std::ranges::replace(name, '/', '.');
-    rows.push_back({name, value.is_string() ? value.get<std::string>() : value.dump()});
-  }
-  return rows;
-}
-
-/// Where the two are compared as they lie: how far off the result is, if that decides the scores.
-void warnOfShift(Comparison& comparison, const Skeleton& result, const Skeleton& reference,
-                 const std::string& unit, const Progress& progress) {
-  const double shift = registration(result, reference, {}, progress).shift.norm();
-  if (shift <= defaultTolerances(reference).front()) return;
-  comparison.warnings.push_back(
-      "the result lies about " + plainDecimal(std::round(10 * shift) / 10) +
-      (unit.empty() ? "" : " " + unit) +
-      " off the reference, which lowers the scores: without --no-register "
-      "it is laid on it first");
-}
-
-void evaluateOne(const Flags& flags, const TerminalProgress& terminal) {
-  const Skeleton result = skeletonIn(flags.files.front(), flags.scale);
-  const Skeleton reference = skeletonIn(flags.files.back());
-  ComparisonOptions options;
-  options.registers = !flags.noRegister;
-  options.edit = editOptions(flags);
-  if (flags.light) options.light = LightOptions{.pixels = flags.pixels};
-  options = withTolerance(options, reference, flags.distance);
-  const Progress& whole = terminal.progress();
-  const bool hasReport = !flags.report.file.empty();
-  const auto scan = scanFor(flags.report, whole.part(0, 0.1, "Reading"));
-  Comparison comparison = compare(result, reference, options, whole.part(0.1, 0.4));
-  if (flags.noRegister)
-    warnOfShift(comparison, result, reference, flags.unit, whole.part(0.4, 0.45));
-  std::vector<std::string> notes = comparison.warnings;
-  std::erase(notes, comparison.shiftWarning); // what is printed tells of the shift
-  printNotes(notes);
-  print(comparison, options.edit, flags.unit);
-  if (flags.where) printWhere(comparison, flags.unit);
-  if (flags.traits) printTraits(comparison, flags.unit);
-  if (flags.light) printLight(comparison);
-  auto json = toJson(comparison);
-  json["result"] = flags.files.front();
-  json["reference"] = flags.files.back();
-  if (comparison.edit) {
-    json["edit_distance"]["unit"] = flags.editUnit;
-    json["edit_distance"]["cost"] = flags.editCost;
-    json["edit_distance"]["merge_paths"] = flags.merges;
-  }
-  if (!hasReport && flags.csv.empty() && flags.json.empty()) return;
-  const ReportData data = reportData(comparison, result, reference, scan, flags.distance,
-                                     whole.part(0.45, 0.7, "Measuring"));
-  addMeasured(json, data);
-  addOrigin(json,
-            {{flags.files.front()}, flags.files.back(), flags.report.scan, flags.unit, false});
-  if (!flags.csv.empty()) writeTable(flags.csv, tableOf(json));
-  writeJson(flags.json, json);
-  if (hasReport)
-    writeReport(flags.report, data,
-                {.resultFile = flags.files.front(),
-                 .referenceFile = flags.files.back(),
-                 .unit = flags.unit,
-                 .scale = flags.scale,
-                 .distance = flags.distance,
-                 .edit = options.edit},
-                whole.part(0.7, 1));
-}
-
-void evaluateMany(const Flags& flags, const TerminalProgress& terminal) {
-  if (flags.where || flags.merges || flags.traits || flags.light)
-    throw WrongUsage("--where, --traits, --light and --merge-paths tell of one result: leave them "
-                     "out, or give one");
-  if (!flags.report.scan.empty())
-    throw WrongUsage("--scan shows the points of one result: leave it out, or give one");
-  const std::vector<std::string> names(flags.files.begin(), flags.files.end() - 1);
-  const Skeleton reference = skeletonIn(flags.files.back());
-  const Traits expected = traits(reference);
-  std::vector<Skeleton> results;
-  std::vector<std::string> notes;
-  for (const std::string& name : names) {
-    results.push_back(skeletonIn(name, flags.scale));
-    const Traits found = traits(results.back());
-    for (const std::string& warning :
-         {warningOfTrees(found, "the result"), warningOfSize(found, expected)})
-      if (!warning.empty()) notes.push_back(name + ": " + warning);
-  }
-  printNotes(notes);
-  const Ranking found =
-      ranking(results, reference,
-              {.registers = !flags.noRegister,
-               .by = named<Score>(scoreNames(), flags.rankBy.empty() ? "f" : flags.rankBy),
-               .distance = flags.distance,
-               .draws = flags.draws,
-               .seed = flags.seed},
-              terminal.progress());
-  terminal.clear();
-  print(found, names, flags.unit);
-  if (!flags.csv.empty()) writeTable(flags.csv, toTable(found, names));
-  auto json = toJson(found, names);
-  json["reference"] = flags.files.back();
-  if (!flags.json.empty()) addOrigin(json, {names, flags.files.back(), {}, flags.unit, true});
-  writeJson(flags.json, json);
-  if (flags.report.file.empty()) return;
-  writeReport(flags.report, rankingReportData(found, results, reference, !flags.noRegister),
-              {names, flags.files.back(), flags.unit, flags.scale, notes});
-}
-
-void requireSense(const Flags& flags) {
+void requireSense(const EvaluateFlags& flags) {
   if (flags.files.size() < 2) throw CLI::RequiredError("REFERENCE");
   const bool isRanking = flags.ranks || flags.files.size() > 2;
   if (!isRanking && !flags.rankBy.empty())
@@ -210,7 +25,7 @@ void requireSense(const Flags& flags) {
       throw WrongUsage("two results would be written to " + file + ": give each a file of its own");
 }
 
-void evaluate(const Flags& flags) {
+void evaluate(const EvaluateFlags& flags) {
   requireSense(flags);
   if (flags.merges && flags.editCost == "topology" && flags.files.size() == 2)
     printNotes(
@@ -234,7 +49,7 @@ std::vector<std::string> rankingNames() {
   return names;
 }
 
-void addEdits(CLI::App& command, Flags& flags) {
+void addEdits(CLI::App& command, EvaluateFlags& flags) {
   command
       .add_option("--edit-unit", flags.editUnit,
                   "What the edit distance edits: node, segment or axis")
@@ -249,7 +64,7 @@ void addEdits(CLI::App& command, Flags& flags) {
                    "Let one segment stand for up to three that follow each other");
 }
 
-void addRanking(CLI::App& command, Flags& flags) {
+void addRanking(CLI::App& command, EvaluateFlags& flags) {
   command.add_flag("--ranking", flags.ranks,
                    "Rank the results, as is done where there are several");
   command
@@ -275,7 +90,7 @@ void addRanking(CLI::App& command, Flags& flags) {
 void addEvaluate(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "evaluate", "Measure a skeleton against a reference structure, or rank several");
-  const auto flags = std::make_shared<Flags>();
+  const auto flags = std::make_shared<EvaluateFlags>();
   command
       ->add_option("RESULT... REFERENCE", flags->files,
                    "Structures to judge, MTG or node list, and last the one that is taken as true")

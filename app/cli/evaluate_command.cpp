@@ -1,0 +1,39 @@
+#include "app/cli/evaluate_command.h"
+
+#include "app/cli/files.h"
+#include "core/evaluate/comparable.h"
+#include "core/io/atomic_file.h"
+#include "core/io/csv.h"
+
+#include <nlohmann/json.hpp>
+
+#include <ostream>
+
+namespace espalier {
+
+Skeleton skeletonIn(const std::string& file, double scale) {
+  Imported<Structure> structure = readStructure(file);
+  printNotes(structure.notes);
+  Skeleton skeleton = std::move(structure.value.skeleton);
+  requireComparable(skeleton, file);
+  if (scale != 1)
+    for (const NodeId id : skeleton.ids()) {
+      skeleton.setPosition(id, scale * skeleton[id].position);
+      skeleton.setRadius(id, scale * skeleton[id].radius);
+    }
+  return skeleton;
+}
+
+void writeTable(const std::string& file, const std::vector<std::vector<std::string>>& rows) {
+  writeAtomically(file, [&](std::ostream& out) {
+    for (const std::vector<std::string>& row : rows)
+      out << csvLine(row);
+  });
+}
+
+void writeJson(const std::string& file, const nlohmann::ordered_json& json) {
+  if (file.empty()) return;
+  writeAtomically(file, [&](std::ostream& out) { out << json.dump(2) << '\n'; });
+}
+
+} // namespace espalier

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "app/cli/evaluate_report.h"
+#include "app/cli/terminal.h"
+#include "core/evaluate/light_interception.h"
+#include "core/skeleton/skeleton.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace espalier {
+
+/// What `evaluate` is asked for.
+struct EvaluateFlags {
+  std::vector<std::string> files; // results, and the reference last
+  bool noRegister = false;
+  double scale = 1; // of the results
+  std::string unit;
+  double distance = 0; // [L]; 0 = the rule
+  std::string editUnit = "segment";
+  std::string editCost = "topology";
+  bool merges = false;
+  bool where = false;
+  bool traits = false;
+  bool light = false;
+  int pixels = LightOptions().pixels;
+  bool ranks = false;
+  std::string rankBy; // empty: f
+  std::size_t draws = 2000;
+  std::uint64_t seed = 1;
+  std::string csv;
+  std::string json;
+  ReportFlags report;
+  int threads = 0;
+};
+
+/// Where a name that the parser has checked stands in its list.
+template <class Enum> Enum named(const std::vector<std::string>& names, const std::string& name) {
+  return static_cast<Enum>(std::ranges::find(names, name) - names.begin());
+}
+
+/// Compares the one result with the reference.
+void evaluateOne(const EvaluateFlags& flags, const TerminalProgress& terminal);
+/// Ranks the results.
+void evaluateMany(const EvaluateFlags& flags, const TerminalProgress& terminal);
+
+/// A structure that can be compared, scaled. Tells on standard error what was noted of it.
+[[nodiscard]] Skeleton skeletonIn(const std::string& file, double scale = 1);
+void writeTable(const std::string& file, const std::vector<std::vector<std::string>>& rows);
+void writeJson(const std::string& file, const nlohmann::ordered_json& json); // no name: nowhere
+
+} // namespace espalier

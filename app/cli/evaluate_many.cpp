@@ -1,0 +1,52 @@
+#include "app/cli/arguments.h"
+#include "app/cli/evaluate_command.h"
+#include "app/cli/evaluate_numbers.h"
+#include "app/cli/evaluate_text.h"
+#include "app/cli/files.h"
+#include "core/evaluate/comparison_warnings.h"
+#include "core/evaluate/ranking.h"
+
+#include <nlohmann/json.hpp>
+
+namespace espalier {
+
+void evaluateMany(const EvaluateFlags& flags, const TerminalProgress& terminal) {
+  if (flags.where || flags.merges || flags.traits || flags.light)
+    throw WrongUsage("--where, --traits, --light and --merge-paths tell of one result: leave them "
+                     "out, or give one");
+  if (!flags.report.scan.empty())
+    throw WrongUsage("--scan shows the points of one result: leave it out, or give one");
+  const std::vector<std::string> names(flags.files.begin(), flags.files.end() - 1);
+  const Skeleton reference = skeletonIn(flags.files.back());
+  const Traits expected = traits(reference);
+  std::vector<Skeleton> results;
+  std::vector<std::string> notes;
+  for (const std::string& name : names) {
+    results.push_back(skeletonIn(name, flags.scale));
+    const Traits found = traits(results.back());
+    for (const std::string& warning :
+         {warningOfTrees(found, "the result"), warningOfSize(found, expected)})
+      if (!warning.empty()) notes.push_back(name + ": " + warning);
+  }
+  printNotes(notes);
+  const Ranking found =
+      ranking(results, reference,
+              {.registers = !flags.noRegister,
+               .by = named<Score>(scoreNames(), flags.rankBy.empty() ? "f" : flags.rankBy),
+               .distance = flags.distance,
+               .draws = flags.draws,
+               .seed = flags.seed},
+              terminal.progress());
+  terminal.clear();
+  print(found, names, flags.unit);
+  if (!flags.csv.empty()) writeTable(flags.csv, toTable(found, names));
+  auto json = toJson(found, names);
+  json["reference"] = flags.files.back();
+  if (!flags.json.empty()) addOrigin(json, {names, flags.files.back(), {}, flags.unit, true});
+  writeJson(flags.json, json);
+  if (flags.report.file.empty()) return;
+  writeReport(flags.report, rankingReportData(found, results, reference, !flags.noRegister),
+              {names, flags.files.back(), flags.unit, flags.scale, notes});
+}
+
+} // namespace espalier

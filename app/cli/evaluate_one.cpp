@@ -1,0 +1,97 @@
+#include "app/cli/evaluate_command.h"
+#include "app/cli/evaluate_numbers.h"
+#include "app/cli/evaluate_text.h"
+#include "app/cli/files.h"
+#include "core/base/text.h"
+#include "core/evaluate/comparison.h"
+#include "core/evaluate/comparison_json.h"
+#include "core/evaluate/registration.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace espalier {
+namespace {
+
+EditOptions editOptions(const EvaluateFlags& flags) {
+  return {.unit = named<EditUnit>(editUnitNames(), flags.editUnit),
+          .cost = named<EditCost>(editCostNames(), flags.editCost),
+          .mergesPaths = flags.merges};
+}
+
+/// All numbers of a comparison, a line each: "authors.geometric,0.9".
+std::vector<std::vector<std::string>> tableOf(const nlohmann::ordered_json& json) {
+  std::vector<std::vector<std::string>> rows = {{"name", "value"}};
+  const nlohmann::ordered_json flat = json.flatten();
+  for (const auto& [path, value] : flat.items()) {
+    std::string name = path.substr(1); // they begin with a slash
+    std::ranges::replace(name, '/', '.');
+    rows.push_back({name, value.is_string() ? value.get<std::string>() : value.dump()});
+  }
+  return rows;
+}
+
+/// Where the two are compared as they lie: how far off the result is, if that decides the scores.
+void warnOfShift(Comparison& comparison, const Skeleton& result, const Skeleton& reference,
+                 const std::string& unit, const Progress& progress) {
+  const double shift = registration(result, reference, {}, progress).shift.norm();
+  if (shift <= defaultTolerances(reference).front()) return;
+  comparison.warnings.push_back(
+      "the result lies about " + plainDecimal(std::round(10 * shift) / 10) +
+      (unit.empty() ? "" : " " + unit) +
+      " off the reference, which lowers the scores: without --no-register "
+      "it is laid on it first");
+}
+
+} // namespace
+
+void evaluateOne(const EvaluateFlags& flags, const TerminalProgress& terminal) {
+  const Skeleton result = skeletonIn(flags.files.front(), flags.scale);
+  const Skeleton reference = skeletonIn(flags.files.back());
+  ComparisonOptions options;
+  options.registers = !flags.noRegister;
+  options.edit = editOptions(flags);
+  if (flags.light) options.light = LightOptions{.pixels = flags.pixels};
+  options = withTolerance(options, reference, flags.distance);
+  const Progress& whole = terminal.progress();
+  const bool hasReport = !flags.report.file.empty();
+  const auto scan = scanFor(flags.report, whole.part(0, 0.1, "Reading"));
+  Comparison comparison = compare(result, reference, options, whole.part(0.1, 0.4));
+  if (flags.noRegister)
+    warnOfShift(comparison, result, reference, flags.unit, whole.part(0.4, 0.45));
+  std::vector<std::string> notes = comparison.warnings;
+  std::erase(notes, comparison.shiftWarning); // what is printed tells of the shift
+  printNotes(notes);
+  print(comparison, options.edit, flags.unit);
+  if (flags.where) printWhere(comparison, flags.unit);
+  if (flags.traits) printTraits(comparison, flags.unit);
+  if (flags.light) printLight(comparison);
+  auto json = toJson(comparison);
+  json["result"] = flags.files.front();
+  json["reference"] = flags.files.back();
+  if (comparison.edit) {
+    json["edit_distance"]["unit"] = flags.editUnit;
+    json["edit_distance"]["cost"] = flags.editCost;
+    json["edit_distance"]["merge_paths"] = flags.merges;
+  }
+  if (!hasReport && flags.csv.empty() && flags.json.empty()) return;
+  const ReportData data = reportData(comparison, result, reference, scan, flags.distance,
+                                     whole.part(0.45, 0.7, "Measuring"));
+  addMeasured(json, data);
+  addOrigin(json,
+            {{flags.files.front()}, flags.files.back(), flags.report.scan, flags.unit, false});
+  if (!flags.csv.empty()) writeTable(flags.csv, tableOf(json));
+  writeJson(flags.json, json);
+  if (hasReport)
+    writeReport(flags.report, data,
+                {.resultFile = flags.files.front(),
+                 .referenceFile = flags.files.back(),
+                 .unit = flags.unit,
+                 .scale = flags.scale,
+                 .distance = flags.distance,
+                 .edit = options.edit},
+                whole.part(0.7, 1));
+}
+
+} // namespace espalier

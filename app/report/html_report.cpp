@@ -6,11 +6,34 @@
 #include <QBuffer>
 #include <QCoreApplication>
 
+#include <algorithm>
+
 namespace espalier {
 namespace {
 
 QString escaped(const QString& text) {
   return text.toHtmlEscaped();
+}
+
+bool isHash(const ReportCell& cell) {
+  return cell.text.size() == 64; // nothing else is a word of that length
+}
+
+/// Letters that stand beside each other in a line of it at least: words break between, numbers not.
+qsizetype widthOf(const ReportTable& table) {
+  qsizetype width = 0;
+  for (std::size_t column = 0; column < table.columns.size(); ++column) {
+    qsizetype widest = 0;
+    const auto take = [&](const QString& text, bool breaks) {
+      for (const QString& word : text.split(breaks ? ' ' : '\n'))
+        widest = std::max(widest, word.size());
+    };
+    take(table.columns[column].title, true);
+    for (const auto& row : table.rows)
+      take(row[column].text, !table.columns[column].isNumber);
+    width += widest + 1;
+  }
+  return width;
 }
 
 /// Texts are escaped by those who add them.
@@ -30,7 +53,7 @@ public:
   [[nodiscard]] QByteArray page() const { return page_.toUtf8(); }
 
 private:
-  void addRow(const ReportTable& table, const std::vector<ReportCell>& row);
+  void addRow(const ReportTable& table, const std::vector<ReportCell>& row, bool isNamed);
 
   QString page_;
 };
@@ -66,16 +89,18 @@ void HtmlWriter::operator()(const ReportLegend& legend) {
   add(QStringLiteral("</ul>\n"));
 }
 
-void HtmlWriter::addRow(const ReportTable& table, const std::vector<ReportCell>& row) {
+/// @param isNamed whether each cell tells the title of its column, too
+void HtmlWriter::addRow(const ReportTable& table, const std::vector<ReportCell>& row,
+                        bool isNamed) {
   add(QStringLiteral("<tr>"));
   for (std::size_t column = 0; column < row.size(); ++column) {
     const ReportCell& cell = row[column];
-    const bool isHash = cell.text.size() == 64; // nothing else is a word of that length
-    add(QStringLiteral("<td class=\"%1\">%2")
+    add(QStringLiteral("<td class=\"%1\"")
             .arg(table.columns[column].isNumber ? "number"
-                 : isHash                       ? "code"
-                                                : "word",
-                 escaped(cell.text)));
+                 : isHash(cell)                 ? "code"
+                                                : "word"));
+    if (isNamed) add(QStringLiteral(" data-name=\"%1\"").arg(escaped(table.columns[column].title)));
+    add('>' + escaped(cell.text));
     if (cell.bar)
       add(QStringLiteral("<span class=\"bar\"><i style=\"width:%1%\"></i></span>")
               .arg(100 * *cell.bar, 0, 'f', 1));
@@ -85,7 +110,10 @@ void HtmlWriter::addRow(const ReportTable& table, const std::vector<ReportCell>&
 }
 
 void HtmlWriter::operator()(const ReportTable& table) {
-  add(QStringLiteral("<div class=\"wide\"><table>"));
+  constexpr qsizetype widthOfPhone = 46; // letters
+  const bool isCards = widthOf(table) > widthOfPhone;
+  add(QStringLiteral("<div class=\"wide\"><table%1>")
+          .arg(isCards ? QStringLiteral(" class=\"cards\"") : QString()));
   if (!table.caption.isEmpty())
     add(QStringLiteral("<caption>%1</caption>").arg(escaped(table.caption)));
   add(QStringLiteral("\n<thead><tr>"));
@@ -94,7 +122,7 @@ void HtmlWriter::operator()(const ReportTable& table) {
             .arg(column.isNumber ? "number" : "word", escaped(column.title)));
   add(QStringLiteral("</tr></thead>\n<tbody>\n"));
   for (const auto& row : table.rows)
-    addRow(table, row);
+    addRow(table, row, isCards);
   add(QStringLiteral("</tbody></table></div>\n"));
 }
 

@@ -66,7 +66,18 @@ dl{margin:.6rem 0;max-width:46rem}
 dt{font-weight:600;margin-top:.7rem}
 dd{margin:0}
 dd cite{display:block;color:var(--quiet);font-size:.875rem;font-style:normal}
-@media (max-width:40rem){th,td{padding-right:1rem}caption{white-space:normal}}
+@media (max-width:40rem){table{font-size:.8rem}th.word,th.number{white-space:normal}
+th,td{padding-right:.55rem}
+.bar{min-width:2.2rem}caption{white-space:normal;font-size:.9rem}
+.cards,.cards tbody,.cards caption{display:block}
+.cards thead{position:absolute;width:1px;height:1px;overflow:hidden;clip-path:inset(50%)}
+.cards tr{display:grid;grid-template-columns:1fr 1fr;column-gap:1rem;padding:.45rem 0;
+border-bottom:1px solid var(--line)}
+.cards td{display:block;padding:0;border:0;min-width:0;text-align:left;overflow-wrap:anywhere}
+.cards td::before{content:attr(data-name) " ";color:var(--quiet)}
+.cards td:first-child,.cards .number:first-child+.word,.cards .code{grid-column:1/-1}
+.cards td:first-child{font-weight:600}
+.cards .bar{display:none}}
 @page{size:A4;margin:16mm 15mm}
 @media print{:root{color-scheme:light;--ground:#fff;--panel:#f3f4f2;--text:#000;--quiet:#444;
 --line:#bbb;--accent:#2f8f5b;--bar:#dfe9e3;--warn:#fff;--warnline:#888}

@@ -108,6 +108,27 @@ TEST(HtmlReport, IsWholeWithoutPictures) {
   EXPECT_TRUE(parsed.text.contains("Methods"));
 }
 
+/// A table of one row with as many columns of numbers.
+Report tableOf(int columns) {
+  ReportTable table;
+  table.rows.emplace_back();
+  for (int i = 0; i < columns; ++i) {
+    table.columns.push_back({"share"});
+    table.rows.front().push_back({"0.12345"});
+  }
+  return {"Table", {}, {{"Table", {std::move(table)}}}};
+}
+
+TEST(HtmlReport, WritesATableThatIsTooWideForAPhoneRowBelowRow) {
+  const QByteArray narrow = htmlOf(tableOf(5)); // 5 x 8 letters
+  EXPECT_FALSE(narrow.contains("<table class=\"cards\">"));
+  EXPECT_FALSE(narrow.contains("data-name="));
+  const QByteArray wide = htmlOf(tableOf(6)); // 6 x 8
+  EXPECT_TRUE(wide.contains("<table class=\"cards\">"));
+  EXPECT_EQ(wide.count("data-name=\"share\""), 6) << "each cell tells what it is";
+  static_cast<void>(parse(wide));
+}
+
 TEST(PdfReport, HasSeveralPagesOfA4) {
   const QByteArray pdf = pdfOf(sample());
   EXPECT_TRUE(pdf.startsWith("%PDF-"));

@@ -22,6 +22,6 @@ struct EvenSample {
 /// @param most samples at most: a larger step is taken where more would be needed
 /// @return at least one sample if the skeleton has any length, else none. Time O(N + samples).
 [[nodiscard]] std::vector<EvenSample> evenSamples(const Skeleton& skeleton, double step,
-                                                  std::size_t most = 2'000'000);
+                                                  std::size_t most = 500'000);
 
 } // namespace espalier

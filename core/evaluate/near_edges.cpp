@@ -16,11 +16,19 @@ constexpr std::size_t none = SIZE_MAX;
 double nearShare(const Skeleton& skeleton, NodeId id, const EdgeIndex& other, double tolerance) {
   const Node& node = skeleton[id];
   const Eigen::Vector3d start = node.parent ? skeleton[*node.parent].position : node.position;
-  const double samples =
-      std::clamp(std::ceil(2 * (node.position - start).norm() / tolerance), 1.0, 1e5);
+  const double length = (node.position - start).norm();
+  const double samples = std::clamp(std::ceil(2 * length / tolerance), 1.0, 1e5);
   double near = 0;
-  for (double i = 0.5; i < samples; ++i)
-    if (other.nearest(start + i / samples * (node.position - start))->distance <= tolerance) ++near;
+  for (double i = 0; i < samples;) {
+    const double distance =
+        other.nearest(start + (i + 0.5) / samples * (node.position - start))->distance;
+    // No distance changes by more than the way: what lies that far on is alike, and not measured.
+    const double alike =
+        length > 0 ? std::floor(std::abs(distance - tolerance) * samples / length) : 0;
+    const double next = std::min(i + std::max(1.0, alike), samples);
+    if (distance <= tolerance) near += next - i;
+    i = next;
+  }
   return near / samples;
 }
 

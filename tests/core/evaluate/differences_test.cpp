@@ -101,6 +101,23 @@ TEST(Differences, TellsABranchThatHangsElsewhere) {
   EXPECT_EQ(found.ofResult[indexOf(branch[3])], Difference::wronglyAttached);
 }
 
+// An edge of ten thousand tolerances whose first half, or a little less of it, is near.
+TEST(Differences, CountTheNearShareOfALongEdge) {
+  Skeleton pole = test::stick(2, 1000);
+  for (const double share : {0.5002, 0.4998}) {
+    const Differences found = differences(pole, test::stick(2, 1000 * share), tolerance);
+    EXPECT_EQ(found.ofResult[1], share > 0.5 ? Difference::matched : Difference::invented);
+  }
+  pole.add({.position = {0, 1000, 1000}, .parent = NodeId{1}});
+  Skeleton comb = test::stick(2, 1000); // beside every second stretch of the other edge
+  NodeId last{1};
+  for (int i = 0; i < 100; ++i)
+    last = comb.add({.position = {i / 2 % 2 == 0 ? 0.05 : 3, 10.0 * i, 1000}, .parent = last});
+  EXPECT_EQ(differences(pole, comb, tolerance).ofResult[2], Difference::invented)
+      << "49 %, for what crosses over is not near";
+  EXPECT_EQ(differences(pole, comb, 4).ofResult[2], Difference::matched);
+}
+
 // Its new place is on the way down in the reference, too, but the trunk between is there.
 TEST(Differences, TellsABranchThatHangsFartherDown) {
   const auto [plant, trunk, branch] = test::trunkAndBranch();

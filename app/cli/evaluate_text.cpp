@@ -31,6 +31,19 @@ std::string inUnit(const std::string& name, const std::string& unit,
   return unit.empty() ? name : name + "/" + unit + power;
 }
 
+void printNetwork(const Comparison& comparison, const std::string& unit) {
+  const NetworkAgreement& network = comparison.network;
+  std::printf("NetMets: %.3f of the length missed, %.3f invented; %.3f of %zu connections missed, "
+              "%.3f invented; barcodes (TMD) %.3f apart\n",
+              network.missedLength, network.inventedLength, network.missedConnections,
+              network.connections, network.inventedConnections, comparison.barcodeDistance);
+  const RadiusAgreement& radii = comparison.radii;
+  if (radii.compared > 0)
+    std::printf("radii: concordance (CCC) %.3f, %s off in the mean, %s in the root mean square\n",
+                radii.concordance, withUnit(radii.meanError, unit).c_str(),
+                withUnit(radii.rootMeanSquare, unit).c_str());
+}
+
 /// How far each is from the other, and what hangs on what within the distance of the landmarks.
 void printConnections(const Comparison& comparison, const std::string& unit) {
   const DistanceSummary& there = comparison.tolerance.toReference;
@@ -55,6 +68,7 @@ void printConnections(const Comparison& comparison, const std::string& unit) {
   if (architecture.types.count() > 0)
     std::printf("  %5.1f%% of matched segments begin with the same type of edge\n",
                 percent(architecture.types.observed()));
+  printNetwork(comparison, unit);
 }
 
 /// By how many percent the result is above the reference; a dash where there should be none.

@@ -43,13 +43,20 @@ ReportTable howFar(const ReportParts& parts) {
   ReportTable table;
   table.caption = tr("How far from one to the other, over the length");
   table.columns = {
-      {tr("from"), false}, {numbers.inUnit(tr("mean"))}, {numbers.inUnit(tr("95 % within"))}};
-  table.rows = {{{tr("the result to the reference")},
-                 {numbers.number(curve.toReference.mean)},
-                 {numbers.number(curve.toReference.percentile95)}},
-                {{tr("the reference to the result")},
-                 {numbers.number(curve.toResult.mean)},
-                 {numbers.number(curve.toResult.percentile95)}}};
+      {tr("from"), false},
+      {numbers.inUnit(tr("mean"))},
+      {numbers.inUnit(tr("95 % within"))},
+      {tr("over %1 off").arg(numbers.givenLength(defaultTolerances(parts.data.reference).front()))},
+      {numbers.inUnit(tr("mean of these"))}};
+  const auto row = [&](const QString& from, const DistanceSummary& summary) {
+    table.rows.push_back({{from},
+                          {numbers.number(summary.mean)},
+                          {numbers.number(summary.percentile95)},
+                          {numbers.percent(summary.farShare)},
+                          {numbers.number(summary.farMean)}});
+  };
+  row(tr("the result to the reference"), curve.toReference);
+  row(tr("the reference to the result"), curve.toResult);
   return table;
 }
 
@@ -115,6 +122,12 @@ ReportTable structureTable(const ReportParts& parts) {
   table.add(tr("branchings, F"), comparison.branchings.f());
   table.add(tr("DIADEM-like score"), comparison.diadem.score);
   table.add(tr("ways along the plant as long, up to a tenth"), comparison.pathLengths.withinTenth);
+  const NetworkAgreement& network = comparison.network;
+  table.add(tr("NetMets, length missed"), network.missedLength);
+  table.add(tr("NetMets, length invented"), network.inventedLength);
+  table.add(tr("NetMets, connections missed"), network.missedConnections);
+  table.add(tr("NetMets, connections invented"), network.inventedConnections);
+  table.add(tr("distance of the barcodes (TMD)"), comparison.barcodeDistance);
   const ArchitectureAgreement& architecture = comparison.architecture;
   const auto of = [&](bool isCompared, double value) {
     return isCompared ? numbers.share(value, 5) : QStringLiteral("–");

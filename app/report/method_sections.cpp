@@ -174,6 +174,14 @@ std::vector<ReportTerms::Term> matchingTerms() {
        tr("Share of tips and branchings that are found and reached along a way as long, from the "
           "next one below that is found; invented ones count against it."),
        QStringLiteral("T. Gillette, K. Brown, G. Ascoli, Neuroinformatics 9, 2011.")},
+      {tr("NetMets"),
+       tr("Shares of length that the other plant lacks, by a Gaussian of the distance; and of "
+          "the ways between tips and branchings that both have, those that only one has."),
+       QStringLiteral("D. Mayerich et al., BMC Bioinformatics 13, 2012.")},
+      {tr("Barcodes (TMD)"),
+       tr("Each tip is a bar, from where it leaves something longer up to its end, along the "
+          "plant; 0 where all bars are alike, 1 where none is."),
+       QStringLiteral("L. Kanari et al., Neuroinformatics 16, 2018.")},
       {tr("Kappa"),
        tr("Agreement on what continues an axis and what branches, at the feet of matched segments, "
           "beyond what chance would do."),
@@ -187,6 +195,10 @@ std::vector<ReportTerms::Term> matchingTerms() {
 
 std::vector<ReportTerms::Term> plantTerms(bool hasLight) {
   std::vector<ReportTerms::Term> terms = {
+      {tr("Concordance"),
+       tr("Agreement of radii where both plants lie near each other: 1 where all are the same. "
+          "Unlike a correlation it falls where all are too large alike."),
+       QStringLiteral("L. Lin, Biometrics 45, 1989.")},
       {tr("Strahler number"),
        tr("An apex has 1; a node has the greatest number above it, and one more where several have "
           "that."),

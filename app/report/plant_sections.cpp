@@ -48,6 +48,21 @@ private:
   ReportTable table_;
 };
 
+ReportTable radiusTable(const ReportParts& parts) {
+  const RadiusAgreement& radii = parts.data.comparison.radii;
+  const ReportNumbers& numbers = parts.numbers;
+  ReportTable table;
+  table.caption =
+      tr("Radii where both lie within %1 of each other").arg(numbers.givenLength(radii.distance));
+  table.columns = {{tr("measure"), false}, {tr("value")}};
+  table.rows = {
+      {{tr("concordance (CCC)")}, {numbers.share(radii.concordance, 5)}},
+      {{numbers.inUnit(tr("mean error"))}, {numbers.number(radii.meanError)}},
+      {{numbers.inUnit(tr("root mean square error"))}, {numbers.number(radii.rootMeanSquare)}},
+      {{numbers.inUnit(tr("length compared"))}, {numbers.number(radii.compared)}}};
+  return table;
+}
+
 ReportTable woodTable(const ReportParts& parts, const QString& caption, const QString& what,
                       const std::vector<WoodAmount>& result,
                       const std::vector<WoodAmount>& reference, const QStringList& names) {
@@ -166,6 +181,7 @@ ReportSection woodSection(const ReportParts& parts) {
       woodTable(parts, tr("By order"), tr("order"),
                 whole(comparison.resultWood.byOrder, comparison.resultWood.whole),
                 whole(comparison.referenceWood.byOrder, comparison.referenceWood.whole), names));
+  if (comparison.radii.compared > 0) section.blocks.emplace_back(radiusTable(parts));
   if (comparison.radiusLimits.empty()) return section;
   names.clear();
   for (const double limit : comparison.radiusLimits)

@@ -1,5 +1,6 @@
 #include "core/evaluate/comparison.h"
 
+#include "core/evaluate/barcode.h"
 #include "core/evaluate/comparable.h"
 #include "core/evaluate/comparison_warnings.h"
 #include "core/surface/generalized_cylinders.h"
@@ -78,17 +79,22 @@ void measureEach(Comparison& comparison, const Skeleton& result, const Skeleton&
   comparison.referenceWood = woodAmounts(reference, comparison.radiusLimits);
 }
 
-/// Tips and branchings, and what hangs on what, within `distance`.
+/// Tips, branchings, radii, and what hangs on what, within `distance`.
 void compareLandmarks(Comparison& comparison, const Skeleton& laid, const Skeleton& reference,
-                      double distance, const Progress& progress) {
+                      double distance, double near, const Progress& progress) {
   const double step = comparison.tolerance.step;
   comparison.tips = landmarkAgreement(tips(laid), tips(reference), distance);
   comparison.branchings = landmarkAgreement(branchings(laid), branchings(reference), distance);
   comparison.diadem = diademScore(laid, reference, {.distance = distance});
   comparison.pathLengths = pathLengthAgreement(
-      laid, reference, {.distance = distance, .step = step}, progress.part(0, 0.3));
+      laid, reference, {.distance = distance, .step = step}, progress.part(0, 0.2));
+  comparison.network =
+      networkAgreement(laid, reference, {.deviation = near, .distance = distance, .step = step},
+                       progress.part(0.2, 0.4));
+  comparison.barcodeDistance = barcodeDistance(barcode(laid), barcode(reference));
+  comparison.radii = radiusAgreement(laid, reference, distance, step, progress.part(0.4, 0.5));
   comparison.architecture = architectureAgreement(laid, reference, comparison.authors, distance,
-                                                  step, progress.part(0.3, 1));
+                                                  step, progress.part(0.5, 1));
 }
 
 } // namespace
@@ -125,11 +131,11 @@ Comparison compare(const Skeleton& result, const Skeleton& reference,
       progress.part(0.8, 0.9));
 
   const double step = comparison.tolerance.step;
+  const double near = options.placeDistance > 0 ? options.placeDistance : usualTolerance(reference);
   compareLandmarks(comparison, laid, reference,
                    options.landmarkDistance > 0 ? options.landmarkDistance
                                                 : comparison.referenceTraits.medianEdge,
-                   progress.part(0.9, 0.95));
-  const double near = options.placeDistance > 0 ? options.placeDistance : usualTolerance(reference);
+                   near, progress.part(0.9, 0.95));
   comparison.byPlace =
       agreementByPlace(laid, reference, near, step, progress.part(0.95, options.light ? 0.96 : 1));
   if (options.light) {

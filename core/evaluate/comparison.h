@@ -9,8 +9,10 @@
 #include "core/evaluate/edit_comparison.h"
 #include "core/evaluate/landmark_agreement.h"
 #include "core/evaluate/light_interception.h"
+#include "core/evaluate/network_agreement.h"
 #include "core/evaluate/path_length_agreement.h"
 #include "core/evaluate/path_matches.h"
+#include "core/evaluate/radius_agreement.h"
 #include "core/evaluate/registration.h"
 #include "core/evaluate/tolerance_curve.h"
 #include "core/evaluate/traits.h"
@@ -46,6 +48,9 @@ struct Comparison {
   LandmarkAgreement branchings;
   DiademScore diadem; // these three within the distance of the landmarks
   PathLengthAgreement pathLengths;
+  NetworkAgreement network;   // by the distance of `byPlace`, and that of the landmarks
+  double barcodeDistance = 0; // in [0, 1], of the barcodes of both
+  RadiusAgreement radii;      // within the distance of the landmarks
   ArchitectureAgreement architecture;
   AgreementByPlace byPlace;
   Traits resultTraits;
@@ -63,8 +68,8 @@ struct Comparison {
 inline constexpr std::size_t mostEditedPairs = 25'000'000;
 
 /// Compares a result with its reference: registration, then the authors' indices, as they are, one
-/// to many, and capped, edit distance, tolerance curve, tips, branchings and agreement by place on
-/// the registered result, and the traits and the wood of both.
+/// to many, and capped, edit distance, tolerance curve, tips, branchings, connections, radii and
+/// agreement by place on the registered result, and the barcodes, the traits and the wood of both.
 ///
 /// Warns if the two lie apart by more than the finest default tolerance, if one is of several
 /// trees, if one is as much larger as a unit is than another, or over 20 times, and if hardly

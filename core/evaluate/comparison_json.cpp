@@ -56,7 +56,10 @@ Json toJson(const std::vector<ToleranceScore>& scores) {
 }
 
 Json toJson(const DistanceSummary& summary) {
-  return {{"mean", summary.mean}, {"percentile_95", summary.percentile95}};
+  return {{"mean", summary.mean},
+          {"percentile_95", summary.percentile95},
+          {"far_share", summary.farShare},
+          {"far_mean", summary.farMean}};
 }
 
 Json toJson(const Registration& registration) {
@@ -101,6 +104,24 @@ Json toJson(const PathLengthAgreement& paths) {
           {"mean_error", paths.meanError},
           {"median_error", paths.medianError},
           {"within_tenth", paths.withinTenth}};
+}
+
+Json toJson(const NetworkAgreement& network) {
+  return {{"deviation", network.deviation},
+          {"missed_length", network.missedLength},
+          {"invented_length", network.inventedLength},
+          {"connections", network.connections},
+          {"missed_connections", network.missedConnections},
+          {"invented_connections", network.inventedConnections}};
+}
+
+Json toJson(const RadiusAgreement& radii) {
+  const auto of = [&](double value) { return radii.compared > 0 ? Json(value) : Json(); };
+  return {{"distance", radii.distance},
+          {"compared", radii.compared},
+          {"mean_error", of(radii.meanError)},
+          {"root_mean_square", of(radii.rootMeanSquare)},
+          {"concordance", of(radii.concordance)}};
 }
 
 Json toJson(const ArchitectureAgreement& agreed) {
@@ -174,6 +195,9 @@ nlohmann::ordered_json toJson(const Comparison& comparison) {
                     {"matched_branchings", toJson(comparison.branchings)}};
   json["diadem"] = toJson(comparison.diadem);
   json["path_lengths"] = toJson(comparison.pathLengths);
+  json["network"] = toJson(comparison.network);
+  json["barcode"] = {{"distance", comparison.barcodeDistance}};
+  json["radius"] = toJson(comparison.radii);
   json["architecture"] = toJson(comparison.architecture);
   json["by_place"] = toJson(comparison.byPlace);
   json["wood"] = {{"radius_limits", comparison.radiusLimits},

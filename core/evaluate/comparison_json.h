@@ -16,7 +16,7 @@ namespace espalier {
 ///   edit_distance distance, removing_all, inserting_all, similarity, matched, removed, inserted;
 ///                null if it would take too long
 ///   tolerance[]  distance, precision, recall, f
-///   distances    step, {to_reference,to_result}.{mean,percentile_95}
+///   distances    step, {to_reference,to_result}.{mean,percentile_95,far_share,far_mean}
 ///   shift        [x, y, z] by which the result was moved; zeros if it was not registered
 ///   registration rotation, reach, residual_before, residual_after; null if not registered
 ///   traits       {result,reference}.{nodes,roots,tips,branchings,segments,length,median_edge,
@@ -26,6 +26,11 @@ namespace espalier {
 ///                {matched_tips,matched_branchings}.{distance,matched,precision,recall,f}
 ///   diadem       distance, landmarks, matched, connected, score
 ///   path_lengths distance, pairs, found, connected, mean_error, median_error, within_tenth
+///   network      deviation, missed_length, invented_length, connections, missed_connections,
+///                invented_connections
+///   barcode      distance
+///   radius       distance, compared, mean_error, root_mean_square, concordance; the last three
+///                null if nothing could be compared
 ///   architecture distance, compared, same_order, same_axis, by_order[].{length,same}, edges,
 ///                same_edge
 ///   by_place     distance, {by_order,by_height}[].{from,to,result_length,reference_length,

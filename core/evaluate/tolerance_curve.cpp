@@ -30,12 +30,16 @@ double shareWithin(const std::vector<double>& distances, double tolerance) {
   return static_cast<double>(end - distances.begin()) / static_cast<double>(distances.size());
 }
 
-/// pre: sorted, not empty
-DistanceSummary summary(const std::vector<double>& distances) {
+/// @param near that far off is as good as there. pre: sorted, not empty
+DistanceSummary summary(const std::vector<double>& distances, double near) {
   const auto count = static_cast<double>(distances.size());
   const auto rank = static_cast<std::size_t>(std::ceil(0.95 * count)) - 1;
+  const auto far = std::upper_bound(distances.begin(), distances.end(), near);
+  const auto farCount = static_cast<double>(distances.end() - far);
   return {.mean = std::accumulate(distances.begin(), distances.end(), 0.0) / count,
-          .percentile95 = distances[rank]};
+          .percentile95 = distances[rank],
+          .farShare = farCount / count,
+          .farMean = farCount > 0 ? std::accumulate(far, distances.end(), 0.0) / farCount : 0};
 }
 
 std::vector<double> sortedDistances(const Skeleton& from, const Skeleton& to, double step,
@@ -90,8 +94,8 @@ ToleranceCurve toleranceCurve(const Skeleton& result, const Skeleton& reference,
     curve.scores.push_back({.distance = distance,
                             .precision = shareWithin(there, distance),
                             .recall = shareWithin(back, distance)});
-  curve.toReference = summary(there);
-  curve.toResult = summary(back);
+  curve.toReference = summary(there, rule.front());
+  curve.toResult = summary(back, rule.front());
   return curve;
 }
 

@@ -29,6 +29,8 @@ struct ToleranceScore {
 struct DistanceSummary {
   double mean = 0;         // one side of the Chamfer distance
   double percentile95 = 0; // 95 % of the length is at most this far: the robust Hausdorff distance
+  double farShare = 0;     // in [0, 1]: of the length that is over the finest default tolerance off
+  double farMean = 0;      // over that length: the substantial distance of neuron tools; 0 if none
 };
 
 struct ToleranceCurve {

@@ -52,6 +52,11 @@ TEST(ComparisonReport, HoldsTheNumbersOfTheJson) {
   EXPECT_EQ(cellOf(indices, "structural index T", 1), five(json["authors"]["structural"]));
   EXPECT_EQ(cellOf(indices, "tips, F", 1), five(json["traits"]["matched_tips"]["f"]));
   EXPECT_EQ(cellOf(indices, "edit similarity", 1), five(json["edit_distance"]["similarity"]));
+  EXPECT_EQ(cellOf(indices, "NetMets, length missed", 1), five(json["network"]["missed_length"]));
+  EXPECT_EQ(cellOf(indices, "distance of the barcodes (TMD)", 1),
+            five(json["barcode"]["distance"]));
+  EXPECT_EQ(cellOf(sectionOf(report, "Wood"), "concordance (CCC)", 1),
+            five(json["radius"]["concordance"]));
   // Two thirds of the length are found, but for what lies about the foot of the branch.
   const QString recall = cellOf(sectionOf(report, "Agreement over the tolerance"), "0.02", 2);
   EXPECT_NEAR(recall.toDouble(), 2.0 / 3 + near / 3, 0.005);

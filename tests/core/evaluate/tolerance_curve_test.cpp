@@ -47,6 +47,22 @@ TEST(EvenSamples, DoNotMoveWhenNodesAreAdded) {
     EXPECT_NEAR((before[i].position - after[i].position).norm(), 0, 1e-9);
 }
 
+// A stick of 10 that leaves the other by 0.3 in its upper half: edges are 1, 0.1 is the finest.
+TEST(ToleranceCurve, TellsHowMuchIsFarOffAndHowFar) {
+  Skeleton bent = test::stick(11);
+  const NodeId side = bent.add({.position = {0.3, 0, 5}, .parent = NodeId{5}});
+  bent.reparent(NodeId{6}, side, EdgeType::successor);
+  for (std::uint32_t i = 6; i <= 10; ++i)
+    bent.setPosition(NodeId{i}, {0.3, 0, static_cast<double>(i)});
+  const auto curve = toleranceCurve(bent, test::stick(11), {.step = 0.001});
+  EXPECT_EQ(curve.scores.front().distance, 0.1);
+  EXPECT_NEAR(curve.toReference.farShare, 5.2 / 10.3, 1e-3) << "and most of the step aside";
+  EXPECT_NEAR(curve.toReference.farMean, (5 * 0.3 + 0.2 * 0.2) / 5.2, 1e-3);
+  const DistanceSummary same = toleranceCurve(test::stick(11), test::stick(11)).toReference;
+  EXPECT_EQ(same.farShare, 0);
+  EXPECT_EQ(same.farMean, 0);
+}
+
 TEST(ToleranceCurve, OfParallelSticksIsAStepAtTheirDistance) {
   const Skeleton stick = test::stick(5);
   const auto curve =

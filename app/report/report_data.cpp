@@ -47,20 +47,34 @@ Eigen::Isometry3d toScan(const ReportData& data, const Skeleton& result, const P
 
 } // namespace
 
-std::vector<std::size_t> shownErrors(const Differences& differences) {
+std::vector<std::size_t> shownErrors(const ReportData& data) {
   constexpr std::size_t most = 6;
   constexpr std::size_t mostOfKind = 2;
   std::array<std::size_t, 4> ofKind{};
   std::vector<std::size_t> shown;
   std::vector<std::size_t> others;
-  for (std::size_t i = 0; i < differences.parts.size(); ++i) {
-    std::size_t& count = ofKind[static_cast<std::size_t>(differences.parts[i].kind)];
+  const std::vector<DifferingPart>& parts = data.differences.parts;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (std::ranges::find(data.ignored, i) != data.ignored.end()) continue;
+    std::size_t& count = ofKind[static_cast<std::size_t>(parts[i].kind)];
     (++count <= mostOfKind ? shown : others).push_back(i);
   }
   for (std::size_t i = 0; i < others.size() && shown.size() < most; ++i)
     shown.push_back(others[i]);
   std::ranges::sort(shown); // the parts are by length
   return shown;
+}
+
+void ignore(ReportData& data, const std::vector<DifferingPart>& ignored) {
+  const auto& registration = data.comparison.registration;
+  const std::vector<DifferingPart>& parts = data.differences.parts;
+  data.ignored.clear();
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (std::ranges::any_of(ignored, [&](DifferingPart part) {
+          if (registration) part.at = registration->motion * part.at;
+          return isSame(part, parts[i], data.tolerance);
+        }))
+      data.ignored.push_back(i);
 }
 
 ComparisonOptions withTolerance(ComparisonOptions options, const Skeleton& reference,

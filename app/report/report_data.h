@@ -21,6 +21,7 @@ struct ReportData {
   ToleranceScore score{};                           // of `comparison`, at the tolerance
   std::vector<ToleranceScore> curve;                // at even distances from 0 on
   Differences differences;                          // at the tolerance
+  std::vector<std::size_t> ignored;                 // by hand; where they stand in its parts
   Ranking intervals;                                // of the result alone, at the tolerance
   std::shared_ptr<const PointCloud> scan = nullptr; // null: there is none
   /// From the frame of the reference to that of the scan: identity, or back to where the result
@@ -29,9 +30,13 @@ struct ReportData {
 };
 
 /// Which errors a report shows, at most six: the two longest of each kind, or more where there are
-/// fewer of another, the longest first.
+/// fewer of another, the longest first; none that is ignored.
 /// @return where they stand in differences.parts
-[[nodiscard]] std::vector<std::size_t> shownErrors(const Differences& differences);
+[[nodiscard]] std::vector<std::size_t> shownErrors(const ReportData& data);
+
+/// Takes out of what is shown what somebody decided to be no error.
+/// @param ignored by their kinds and places, in the frame in which the result lay
+void ignore(ReportData& data, const std::vector<DifferingPart>& ignored);
 
 /// The options of a comparison at some tolerance: the usual distances, and this one.
 /// @param tolerance [L]; 0 = usualTolerance()

@@ -124,7 +124,7 @@ void PictureSession::addWholes(bool hasScan) {
 
 void PictureSession::addErrors(const ReportData& data) {
   const double least = 0.02 * both_.bounds().sizes().maxCoeff();
-  for (const std::size_t i : shownErrors(data.differences)) {
+  for (const std::size_t i : shownErrors(data)) {
     const DifferingPart& part = data.differences.parts[i];
     const std::vector<Eigen::Vector3d> places = placesOf(data, part);
     const Eigen::AlignedBox3d box = around(places, least);

@@ -96,6 +96,26 @@ ReportKeyNumbers keyNumbers(const ReportParts& parts) {
             tr("within %1").arg(numbers.givenLength(comparison.tips.distance))}}};
 }
 
+ReportTable errorTable(const ReportParts& parts, const QString& caption,
+                       const std::vector<std::size_t>& errors) {
+  const ReportNumbers& numbers = parts.numbers;
+  ReportTable table;
+  table.caption = caption;
+  table.columns = {
+      {tr("no."), false},        {tr("kind"), false},       {numbers.inUnit(tr("length"))},
+      {numbers.inUnit(tr("x"))}, {numbers.inUnit(tr("y"))}, {numbers.inUnit(tr("z"))}};
+  for (const std::size_t i : errors) {
+    const DifferingPart& part = parts.data.differences.parts[i];
+    table.rows.push_back({{numbers.count(table.rows.size() + 1)},
+                          {titleOf(part.kind)},
+                          {numbers.number(part.length)},
+                          {numbers.number(part.at.x())},
+                          {numbers.number(part.at.y())},
+                          {numbers.number(part.at.z())}});
+  }
+  return table;
+}
+
 } // namespace
 
 ReportSection summarySection(const ReportParts& parts) {
@@ -164,37 +184,36 @@ ReportSection plantsSection(const ReportParts& parts) {
 ReportSection errorsSection(const ReportParts& parts) {
   const auto& all = parts.data.differences.parts;
   const ReportNumbers& numbers = parts.numbers;
-  const std::vector<std::size_t> shown = shownErrors(parts.data.differences);
+  const std::vector<std::size_t> shown = shownErrors(parts.data);
+  const std::vector<std::size_t>& ignored = parts.data.ignored;
   ReportSection section{tr("Largest errors"), {}};
-  if (shown.empty()) {
+  if (all.empty()) {
     section.blocks.emplace_back(ReportParagraph{tr("There are none at this tolerance.")});
     return section;
   }
-  section.blocks.emplace_back(ReportParagraph{
-      tr("%1 of %2: the longest of each kind. Of what is wrongly attached, all that hangs there "
-         "counts. Rings: where it begins; dashed, where the reference hangs it.")
-          .arg(numbers.count(shown.size()), numbers.count(all.size()))});
+  if (!shown.empty())
+    section.blocks.emplace_back(ReportParagraph{
+        tr("%1 of %2: the longest of each kind. Of what is wrongly attached, all that hangs there "
+           "counts. Rings: where it begins; dashed, where the reference hangs it.")
+            .arg(numbers.count(shown.size()), numbers.count(all.size() - ignored.size()))});
   ReportFigures figures{.across = 3, .figures = {}};
-  ReportTable table;
-  table.caption = tr("Where they begin, in the frame of the reference");
-  table.columns = {
-      {tr("no."), false},        {tr("kind"), false},       {numbers.inUnit(tr("length"))},
-      {numbers.inUnit(tr("x"))}, {numbers.inUnit(tr("y"))}, {numbers.inUnit(tr("z"))}};
-  for (std::size_t i = 0; i < shown.size(); ++i) {
+  for (std::size_t i = 0; i < std::min(shown.size(), parts.pictures.errors.size()); ++i) {
     const DifferingPart& part = all[shown[i]];
-    const QString title = tr("%1. %2").arg(numbers.count(i + 1), titleOf(part.kind));
-    if (i < parts.pictures.errors.size())
-      figures.figures.push_back(
-          {parts.pictures.errors[i], title, tr("%1 long").arg(numbers.length(part.length))});
-    table.rows.push_back({{numbers.count(i + 1)},
-                          {titleOf(part.kind)},
-                          {numbers.number(part.length)},
-                          {numbers.number(part.at.x())},
-                          {numbers.number(part.at.y())},
-                          {numbers.number(part.at.z())}});
+    figures.figures.push_back({parts.pictures.errors[i],
+                               tr("%1. %2").arg(numbers.count(i + 1), titleOf(part.kind)),
+                               tr("%1 long").arg(numbers.length(part.length))});
   }
   if (!figures.figures.empty()) section.blocks.emplace_back(std::move(figures));
-  section.blocks.emplace_back(std::move(table));
+  if (!shown.empty())
+    section.blocks.emplace_back(
+        errorTable(parts, tr("Where they begin, in the frame of the reference"), shown));
+  if (ignored.empty()) return section;
+  section.blocks.emplace_back(ReportParagraph{
+      ignored.size() == 1
+          ? tr("1 more was looked at and is ignored. All scores and lengths count it.")
+          : tr("%1 more were looked at and are ignored. All scores and lengths count them.")
+                .arg(numbers.count(ignored.size()))});
+  section.blocks.emplace_back(errorTable(parts, tr("Ignored"), ignored));
   return section;
 }
 

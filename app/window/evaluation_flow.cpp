@@ -117,6 +117,7 @@ void EvaluationFlow::show(const std::string& text) {
 void EvaluationFlow::setOptions() {
   methods_->setOptions(isLaid_, tolerance_);
   report_->setOptions(isLaid_, tolerance_);
+  report_->setIgnored(errors_->ignored());
 }
 
 void EvaluationFlow::connectDocument() {
@@ -169,7 +170,10 @@ void EvaluationFlow::connectPanel() {
   connect(methods_.get(), &MethodsFlow::noted, this, &EvaluationFlow::noted);
   connect(report_.get(), &ReportFlow::noted, this, &EvaluationFlow::noted);
   connect(errors_.get(), &ErrorWalk::noted, this, &EvaluationFlow::noted);
-  connect(errors_.get(), &ErrorWalk::ignoredChanged, this, &EvaluationFlow::changed);
+  connect(errors_.get(), &ErrorWalk::ignoredChanged, this, [this] {
+    setOptions();
+    emit changed();
+  });
   connect(errors_.get(), &ErrorWalk::shownAsked, this,
           [this] { parts_.window.actions["show_evaluation"]->setChecked(true); });
 }

@@ -110,15 +110,17 @@ void ReportFlow::write(const QString& path) {
   parts_.jobs.start(
       tr("Measuring for the report"),
       [result = parts_.document.skeleton(), reference = parts_.reference.skeleton(),
-       cloud = scan != nullptr ? scan->cloud() : nullptr, isLaid = isLaid_,
-       tolerance = tolerance_](const Progress& progress) {
+       cloud = scan != nullptr ? scan->cloud() : nullptr, isLaid = isLaid_, tolerance = tolerance_,
+       ignored = ignored_](const Progress& progress) {
         ComparisonOptions options;
         options.registers = isLaid;
         Comparison comparison =
             compare(result, *reference, withTolerance(options, *reference, tolerance),
                     progress.part(0, 0.6));
-        return reportData(std::move(comparison), result, *reference, cloud, tolerance,
-                          progress.part(0.6, 1));
+        ReportData data = reportData(std::move(comparison), result, *reference, cloud, tolerance,
+                                     progress.part(0.6, 1));
+        ignore(data, ignored);
+        return data;
       },
       [this, path, told = about()](ReportData data) {
         making_ = std::make_unique<Making>(Making{path, told, std::move(data), nullptr});

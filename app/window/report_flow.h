@@ -32,6 +32,7 @@ public:
 
   /// How the plant is compared: the report tells of the same.
   void setOptions(bool isLaid, double tolerance);
+  void setIgnored(std::vector<DifferingPart> ignored) { ignored_ = std::move(ignored); }
   void setChoices(std::vector<ChoiceRecord> records) { choices_ = std::move(records); }
   void refresh(); // whether there is anything to report
 
@@ -54,7 +55,8 @@ private:
   std::unique_ptr<Making> making_; // null: none
   bool isLaid_ = true;
   std::vector<ChoiceRecord> choices_;
-  double tolerance_ = 0; // [L]; 0: by the rule
+  std::vector<DifferingPart> ignored_; // in the frame of the plant
+  double tolerance_ = 0;               // [L]; 0: by the rule
 };
 
 } // namespace espalier

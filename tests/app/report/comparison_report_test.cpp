@@ -92,13 +92,34 @@ TEST(ComparisonReport, ListsTheErrorsWithKindLengthAndPlace) {
 }
 
 TEST(ComparisonReport, ShowsErrorsOfEachKindBeforeMoreOfOne) {
-  Differences differences;
+  ReportData data;
+  std::vector<DifferingPart>& parts = data.differences.parts;
   for (int i = 0; i < 8; ++i)
-    differences.parts.push_back({.kind = Difference::wronglyAttached, .length = 100.0 - i});
-  differences.parts.push_back({.kind = Difference::missed, .length = 10});
-  differences.parts.push_back({.kind = Difference::invented, .length = 5});
-  EXPECT_EQ(shownErrors(differences), (std::vector<std::size_t>{0, 1, 2, 3, 8, 9}));
+    parts.push_back({.kind = Difference::wronglyAttached, .length = 100.0 - i});
+  parts.push_back({.kind = Difference::missed, .length = 10});
+  parts.push_back({.kind = Difference::invented, .length = 5});
+  EXPECT_EQ(shownErrors(data), (std::vector<std::size_t>{0, 1, 2, 3, 8, 9}));
+  data.ignored = {1, 9};
+  EXPECT_EQ(shownErrors(data), (std::vector<std::size_t>{0, 2, 3, 4, 5, 8}));
   EXPECT_TRUE(shownErrors({}).empty());
+}
+
+TEST(ComparisonReport, ListsWhatIsIgnoredApart) {
+  Skeleton moved = test::stick(21, 0.1); // beside the reference, without its branch
+  for (const NodeId id : moved.ids())
+    moved.setPosition(id, moved[id].position + Eigen::Vector3d(0, 0.5, 0));
+  ReportData data = reportData(compare(moved, branched(), withTolerance({}, branched(), near)),
+                               moved, branched(), nullptr, near);
+  ASSERT_EQ(data.differences.parts.size(), 1U);
+  ignore(data, {{.kind = Difference::invented, .at = {0.1, 0.5, 1}}});
+  EXPECT_TRUE(data.ignored.empty()) << "another kind";
+  ignore(data, {{.kind = Difference::missed, .at = {0.1, 0.5, 1}}});
+  ASSERT_EQ(data.ignored.size(), 1U) << "where it lay before it was registered";
+  const ReportSection section =
+      sectionOf(comparisonReport(data, {}, aboutPlants()), "Largest errors");
+  EXPECT_EQ(textOf(section), "Largest errors\n1 more was looked at and is ignored. All scores and "
+                             "lengths count it.");
+  EXPECT_EQ(cellOf(section, "1", 1), "Missed");
 }
 
 TEST(ComparisonReport, TellsTheSettingsAndTheFilesByTheirHashes) {

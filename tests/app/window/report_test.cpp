@@ -6,6 +6,7 @@
 #include "ui/panels/status_line.h"
 
 #include <QFile>
+#include <QLabel>
 #include <QTest>
 #include <QToolButton>
 
@@ -63,6 +64,21 @@ TEST_F(ReportWindowTest, IsWrittenByTheButtonOfTheDock) {
   EXPECT_TRUE(html.contains("Work by hand"));
   EXPECT_TRUE(html.contains("1 edit, under a minute of work"));
   EXPECT_TRUE(action("export_report").isEnabled()) << "again";
+}
+
+TEST_F(ReportWindowTest, ListsApartWhatIsIgnored) {
+  Skeleton twig = test::stick(21, 0.1);
+  twig.add({.position = {0.7, 0, 1}, .parent = NodeId{10}, .edge = EdgeType::branching});
+  open({write("plant.mtg", test::stick(21, 0.1))});
+  answer(chooseFile(write("expert.mtg", twig)), [this] { action("load_reference").trigger(); });
+  waitForJob();
+  ASSERT_TRUE(QTest::qWaitFor(
+      [this] { return find<QLabel>("differences_title").text() == "1 error"; }, 60'000));
+  key(Qt::Key_F3);
+  key(Qt::Key_F3, Qt::ControlModifier);
+  answer(chooseFile(path("plant.html")), [this] { action("export_report").trigger(); });
+  ASSERT_TRUE(waitForNote("Wrote plant.html"));
+  EXPECT_TRUE(bytesOf(path("plant.html")).contains("1 more was looked at and is ignored"));
 }
 
 TEST_F(ReportWindowTest, IsAPdfIfItsNameSaysSo) {

@@ -127,7 +127,7 @@ void EvaluationFlow::connectDocument() {
   PlantDocument& document = parts_.document;
   for (const char* id : {"show_evaluation", "show_methods"})
     connect(parts_.window.actions[id], &QAction::toggled, this, &EvaluationFlow::later);
-  connect(&document, &PlantDocument::skeletonEdited, this, &EvaluationFlow::take);
+  connect(&document, &PlantDocument::skeletonEdited, this, &EvaluationFlow::takeEdit);
   connect(&document, &PlantDocument::skeletonReplaced, this, [this] {
     report_->refresh();
     motion_.reset();
@@ -193,9 +193,8 @@ void EvaluationFlow::takeReference() {
   later();
 }
 
-void EvaluationFlow::take(const SkeletonDelta& delta) {
-  // What moves most of the plant, as onto its scan, moves it against the reference.
-  if (2 * delta.changes.size() > parts_.document.skeleton().size()) motion_.reset();
+void EvaluationFlow::takeEdit() {
+  isEdited_ = true;
   setFresh(false);
   later();
 }
@@ -222,14 +221,18 @@ void EvaluationFlow::start() {
   job_.start(
       tr("Compare"),
       [skeleton = parts_.document.skeleton(), reference = parts_.reference.skeleton(),
-       options =
-           EvaluationOptions{.registers = isLaid_, .motion = motion_, .tolerance = tolerance_}](
-          const Progress& progress) { return evaluate(skeleton, *reference, options, progress); },
+       options = EvaluationOptions{.registers = isLaid_,
+                                   .motion = motion_,
+                                   .isResultEdited = isEdited_,
+                                   .tolerance = tolerance_}](const Progress& progress) {
+        return evaluate(skeleton, *reference, options, progress);
+      },
       [this](Evaluation evaluation) {
         if (isOutdated_ || timer_.isActive()) return; // the plant, or what is asked, is another now
         panel_->showRest({});
         panel_->showHandWork(workOf(parts_.document));
         motion_ = evaluation.motion;
+        isEdited_ = false;
         parts_.reference.lay(evaluation.motion);
         show(std::move(evaluation));
         setFresh(true);

@@ -5,7 +5,6 @@
 #include "app/window/panel_dock.h"
 #include "app/window/report_flow.h"
 #include "core/evaluate/evaluation.h"
-#include "core/skeleton/skeleton_delta.h"
 #include "ui/jobs/job_runner.h"
 
 #include <QObject>
@@ -70,7 +69,7 @@ private:
   void connectDocument();
   void connectPanel();
   void takeReference();
-  void take(const SkeletonDelta& delta);
+  void takeEdit();
   void later();
   void start();
   void show(Evaluation evaluation);
@@ -95,6 +94,7 @@ private:
   bool isFresh_ = false;
   std::shared_ptr<const Evaluation> evaluation_;
   std::optional<Eigen::Isometry3d> motion_; // of the reference; none: to be found
+  bool isEdited_ = false;                   // since then
   double tolerance_ = 0;                    // [L], as chosen; 0: by the rule
   bool isLaid_ = true;
 };

@@ -14,8 +14,15 @@ constexpr int curveSteps = 40;
 Eigen::Isometry3d motionOf(const Skeleton& result, const Skeleton& reference,
                            const EvaluationOptions& options, const Progress& progress) {
   if (!options.registers) return Eigen::Isometry3d::Identity();
-  if (options.motion) return *options.motion;
-  return registration(result, reference, {}, progress).motion.inverse();
+  if (options.motion && !options.isResultEdited) return *options.motion;
+  const Eigen::Isometry3d found = registration(result, reference, {}, progress).motion.inverse();
+  if (!options.motion) return found;
+  const Eigen::AlignedBox3d box = bounds(reference);
+  const auto apart = [&](const Eigen::Vector3d& place) {
+    return (found * place - *options.motion * place).norm();
+  };
+  const double limit = defaultTolerances(reference).front() / 2;
+  return std::max(apart(box.min()), apart(box.max())) > limit ? found : *options.motion;
 }
 
 } // namespace

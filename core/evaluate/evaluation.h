@@ -14,7 +14,10 @@ namespace espalier {
 struct EvaluationOptions {
   bool registers = true; // lays the reference on the result before anything is measured
   std::optional<Eigen::Isometry3d> motion; // of the reference, found before; none: it is found
-  double tolerance = 0;                    // [L], what is called near; 0 = usualTolerance()
+  /// Since `motion` was found: it is found again, and kept unless the reference would lie elsewhere
+  /// by over half of the finest default tolerance, so that small edits do not make it tremble.
+  bool isResultEdited = false;
+  double tolerance = 0; // [L], what is called near; 0 = usualTolerance()
 };
 
 /// What an editor shows of a comparison. All places are in the frame of the result: it is the

@@ -32,6 +32,21 @@ TEST(Evaluation, TakesAMotionThatWasFoundBeforeOrNone) {
   EXPECT_FALSE(where.isShiftLarge);
 }
 
+TEST(Evaluation, FindsTheMotionAgainOnceThePlantIsEdited) {
+  const Skeleton bush = test::bush();
+  const Eigen::Isometry3d before = Eigen::Isometry3d::Identity();
+  const Skeleton moved = test::shifted(bush, {0.3, 0, 0.2});
+  EXPECT_EQ(evaluate(moved, bush, {.motion = before}).shift, Eigen::Vector3d::Zero());
+  const EvaluationOptions edited{.motion = before, .isResultEdited = true};
+  EXPECT_TRUE(evaluate(moved, bush, edited).shift.isApprox(Eigen::Vector3d(0.3, 0, 0.2), 1e-6));
+  const double little = defaultTolerances(bush).front() / 4;
+  EXPECT_EQ(evaluate(test::shifted(bush, {little, 0, 0}), bush, edited).shift,
+            Eigen::Vector3d::Zero())
+      << "it does not tremble";
+  EXPECT_EQ(evaluate(moved, bush, {.registers = false, .isResultEdited = true}).shift,
+            Eigen::Vector3d::Zero());
+}
+
 TEST(Evaluation, ScoresAtTheToleranceAndOverACurveThatRises) {
   const Skeleton bush = test::bush();
   const Evaluation usual = evaluate(test::jittered(bush, 0.1), bush);

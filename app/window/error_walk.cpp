@@ -4,6 +4,7 @@
 #include "app/window/editing.h"
 #include "core/base/error.h"
 #include "core/evaluate/accept_reference.h"
+#include "core/evaluate/reference_way.h"
 #include "core/skeleton/path_edits.h"
 #include "ui/document/plant_document.h"
 #include "ui/jobs/job_runner.h"
@@ -124,20 +125,25 @@ void ErrorWalk::step(int by) {
     emit noted(tr("Nothing differs from the reference within the tolerance"));
 }
 
-/// Selects what differs, in the plant or in the reference, and shows it with what is around it.
+/// Selects what differs, in the plant or in the reference, and where the reference attaches it;
+/// shows both with what is around them.
 void ErrorWalk::goTo(const DifferingPart& part) {
   const bool isOfReference = part.kind == Difference::missed;
-  const Skeleton& skeleton = isOfReference ? evaluation_->reference : parts_.document.skeleton();
   Eigen::AlignedBox3d box(part.at);
-  std::vector<NodeId> there;
-  for (const NodeId id : part.nodes) {
-    if (!skeleton.contains(id)) continue; // edited since
-    there.push_back(id);
-    box.extend(skeleton[id].position);
-    if (const auto parent = skeleton[id].parent) box.extend(skeleton[*parent].position);
-  }
-  parts_.document.selection().set(isOfReference ? std::vector<NodeId>() : there);
-  parts_.view.setReferenceSelection(isOfReference ? there : std::vector<NodeId>());
+  const auto select = [&box](const Skeleton& skeleton, std::vector<NodeId> nodes) {
+    std::erase_if(nodes, [&](NodeId id) { return !skeleton.contains(id); }); // edited since
+    for (const NodeId id : nodes) {
+      box.extend(skeleton[id].position);
+      if (const auto parent = skeleton[id].parent) box.extend(skeleton[*parent].position);
+    }
+    return nodes;
+  };
+  parts_.document.selection().set(
+      select(parts_.document.skeleton(), isOfReference ? std::vector<NodeId>() : part.nodes));
+  const Skeleton& reference = evaluation_->reference;
+  parts_.view.setReferenceSelection(
+      select(reference,
+             isOfReference ? part.nodes : referenceWay(evaluation_->differences, reference, part)));
   const double margin =
       std::max(0.5 * box.diagonal().norm(), 2 * meanEdgeLength(evaluation_->reference));
   box.min().array() -= margin;

@@ -7,12 +7,16 @@
 #include <QAction>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QPainter>
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+
+#include <algorithm>
+#include <array>
 
 namespace espalier {
 namespace {
@@ -134,6 +138,7 @@ DifferencesPanel::DifferencesPanel(const PlantDocument& document, const Actions&
   list_->header()->setSectionResizeMode(lengthColumn, QHeaderView::ResizeToContents);
   list_->header()->setSectionResizeMode(placeColumn, QHeaderView::ResizeToContents);
   onEnter(*list_, [this] { tellChosen(list_->currentItem()); });
+  list_->installEventFilter(this);
   column->addWidget(list_, 1);
   connect(list_, &QTreeWidget::itemClicked, this,
           [this](const QTreeWidgetItem* item) { tellChosen(item); });
@@ -229,6 +234,17 @@ void DifferencesPanel::refreshTitle() {
   title_->setText(count_ == 1 ? tr("1 error") : tr("%1 errors").arg(formatCount(count_)));
   showIgnored_->setVisible(ignored_ > 0);
   showIgnored_->setText(tr("%1 ignored").arg(formatCount(ignored_)));
+}
+
+/// The keys that go through a list choose what they come to.
+bool DifferencesPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (watched != list_ || event->type() != QEvent::KeyRelease) return false;
+  const auto* release = static_cast<QKeyEvent*>(event);
+  const std::array keys = {Qt::Key_Up,       Qt::Key_Down, Qt::Key_PageUp,
+                           Qt::Key_PageDown, Qt::Key_Home, Qt::Key_End};
+  if (std::ranges::find(keys, release->key()) != keys.end() && !release->isAutoRepeat())
+    tellChosen(list_->currentItem());
+  return false;
 }
 
 void DifferencesPanel::tellChosen(const QTreeWidgetItem* item) {

@@ -43,10 +43,11 @@ public:
   std::optional<DifferingPart> step(int by);
 
 signals:
-  void chosen(const espalier::DifferingPart& part); // by a click or Enter
+  void chosen(const espalier::DifferingPart& part); // by a click, Enter, or a key that goes there
   void currentChanged();
 
 private:
+  bool eventFilter(QObject* watched, QEvent* event) override; // of the list
   void addItem(const DifferingPart& part, bool isIgnored);
   void restoreCurrent(const std::optional<DifferingPart>& part, double tolerance);
   void refreshTitle();

@@ -9,6 +9,7 @@
 #include "ui/document/difference_look.h"
 #include "ui/panels/status_line.h"
 #include "ui/plots/plot_view.h"
+#include "ui/view/palette.h"
 
 #include <QCheckBox>
 #include <QDockWidget>
@@ -213,6 +214,54 @@ TEST_F(EvaluationWindowTest, KeysGoFromErrorToErrorTheLongestFirst) {
   QTest::mouseClick(list().viewport(), Qt::LeftButton, {},
                     list().visualItemRect(list().topLevelItem(0)).center());
   EXPECT_TRUE(document().selection().isEmpty());
+}
+
+TEST_F(EvaluationWindowTest, FliesToWhatTheArrowKeysComeTo) {
+  compare([](SkeletonEditor& editor) {
+    removeSubtree(editor, shoot(2));
+    addChild(editor, NodeId{5}, {0, -0.5, 0.5});
+  });
+  ASSERT_TRUE(waitForErrors(2));
+  list().setCurrentItem(list().topLevelItem(0));
+  const Eigen::Vector3d before = view().camera().pivot;
+  QTest::keyClick(&list(), Qt::Key_Down);
+  EXPECT_EQ(list().currentItem(), list().topLevelItem(1));
+  EXPECT_EQ(document().selection().nodes().size(), 1U);
+  EXPECT_FALSE(view().camera().pivot.isApprox(before));
+  QTest::keyClick(&list(), Qt::Key_Up);
+  EXPECT_TRUE(document().selection().isEmpty()) << "it is of the reference";
+}
+
+TEST_F(EvaluationWindowTest, DrawsWhereTheReferenceAttachesWhatHangsWrong) {
+  compare([](SkeletonEditor& editor) { reparentNode(editor, shoot(1), NodeId{3}); });
+  ASSERT_TRUE(waitForErrors(1));
+  EXPECT_EQ(kind(0), "Wrongly attached");
+  key(Qt::Key_F3);
+  document().selection().clear();
+  view().frame({Eigen::Vector3d(-0.2, -0.2, 0.9), Eigen::Vector3d(0.2, 0.2, 1.2)});
+  const auto marked = [this] {
+    const QImage picture = view().picture({600, 450});
+    return std::max(test::countPixels(picture, palette(false).selected, 24),
+                    test::countPixels(picture, palette(true).selected, 24));
+  };
+  EXPECT_GT(marked(), 10) << "the edge of the reference";
+  key(Qt::Key_6, Qt::ControlModifier);
+  EXPECT_EQ(marked(), 0);
+}
+
+TEST_F(EvaluationWindowTest, FindsTheShiftAgainAsThePlantIsMovedPieceByPiece) {
+  compare(nothing);
+  EXPECT_TRUE(find<QLabel>("evaluation_shift").text().startsWith("moved by"));
+  for (const std::uint32_t first : {0U, 14U, 28U})
+    document().edit("Move", [=](SkeletonEditor& editor) {
+      for (std::uint32_t i = first; i < std::min(first + 14, 41U); ++i)
+        editor.setPosition(NodeId{i},
+                           editor.skeleton()[NodeId{i}].position + Eigen::Vector3d(0.3, 0, 0));
+    });
+  ASSERT_TRUE(waitForScores());
+  EXPECT_EQ(score("f"), "1.000");
+  EXPECT_TRUE(find<QLabel>("evaluation_shift").text().contains("it lay 0.3"))
+      << find<QLabel>("evaluation_shift").text().toStdString();
 }
 
 TEST_F(EvaluationWindowTest, AcceptsErrorByErrorEachAsOneStep) {

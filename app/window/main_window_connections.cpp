@@ -258,6 +258,7 @@ void MainWindow::connectEvaluation() {
                    .show = [this](const std::string& text) { reference_->show(text); }});
   connect(reference_.get(), &ReferenceFlow::changed, projects_.get(), &ProjectFlow::noteChange);
   connect(reference_.get(), &ReferenceFlow::noted, status_, &StatusLine::showNote);
+  connect(reference_.get(), &ReferenceFlow::loaded, banner_, &QWidget::hide); // of one refused
   connect(reference_.get(), &ReferenceFlow::openRequested, this, &MainWindow::open);
   projects_->keep({.name = "evaluation",
                    .text = [this] { return evaluation_->text(); },

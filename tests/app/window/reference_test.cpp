@@ -115,6 +115,9 @@ TEST_F(ReferenceWindowTest, RefusesWhatCannotBeComparedWith) {
   load(writeScan("plant.xyz"));
   EXPECT_EQ(message(), "plant.xyz is a scan: a reference is a structure, as an MTG");
   EXPECT_FALSE(action("remove_reference").isEnabled());
+  EXPECT_TRUE(window().banner().isVisible());
+  load(writeReference());
+  EXPECT_FALSE(window().banner().isVisible()) << "what was said of another leaves";
 }
 
 TEST_F(ReferenceWindowTest, AsksWhatADroppedStructureIsToBe) {

@@ -12,14 +12,13 @@
 class QAction;
 class QCheckBox;
 class QDoubleSpinBox;
-class QGridLayout;
 class QLabel;
 class QProgressBar;
 class QPushButton;
-class QScrollArea;
 
 namespace espalier {
 
+class EvaluationScores;
 class PlantDocument;
 
 /// How well the plant agrees with its reference: what is compared, at which tolerance, the scores,
@@ -59,40 +58,23 @@ signals:
 
 private:
   QWidget* makeHead(const Parts& parts);
-  QWidget* makeScores();
-  QLabel* addScore(QGridLayout& grid, int row, int column, const QString& text, const QString& help,
-                   const char* name);
   void refreshShift(const Evaluation& evaluation);
-  void fitScores(); // none is cut off
+  void refreshWarnings(const Evaluation& evaluation);
   [[nodiscard]] QString length(double value) const;
 
   const PlantDocument& document_;
   QWidget* content_;
   QWidget* empty_;
+  EvaluationScores* scores_;
   QLabel* title_;
   QLabel* shift_;
+  QLabel* warnings_;
   QLabel* state_;
   QProgressBar* progress_;
   QPushButton* cancel_;
   QPushButton* compare_;
   QCheckBox* laid_;
   QDoubleSpinBox* tolerance_;
-  QWidget* scores_;
-  QScrollArea* scoresArea_;
-  QLabel* precision_;
-  QLabel* recall_;
-  QLabel* f_;
-  QLabel* mapping_;
-  QLabel* geometric_;
-  QLabel* cappedGeometric_;
-  QLabel* structural_;
-  QLabel* structuralOfAll_;
-  QLabel* tips_;
-  QLabel* branchings_;
-  QLabel* distances_;
-  QLabel* edits_;
-  QLabel* types_;
-  QLabel* work_;
 };
 
 } // namespace espalier

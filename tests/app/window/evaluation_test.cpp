@@ -264,6 +264,21 @@ TEST_F(EvaluationWindowTest, FindsTheShiftAgainAsThePlantIsMovedPieceByPiece) {
       << find<QLabel>("evaluation_shift").text().toStdString();
 }
 
+TEST_F(EvaluationWindowTest, SaysAboveTheScoresThatUnitsDiffer) {
+  compare(nothing);
+  auto& warnings = find<QLabel>("evaluation_warnings");
+  EXPECT_FALSE(warnings.isVisible());
+  Skeleton inMillimeters = plant();
+  for (const NodeId id : inMillimeters.ids())
+    inMillimeters.setPosition(id, 1000 * inMillimeters[id].position);
+  load(write("expert_mm.mtg", inMillimeters));
+  EXPECT_TRUE(warnings.isVisible());
+  EXPECT_TRUE(warnings.text().contains("1000 times as small as the reference"))
+      << warnings.text().toStdString();
+  load(write("expert.mtg", plant()));
+  EXPECT_FALSE(warnings.isVisible());
+}
+
 TEST_F(EvaluationWindowTest, AcceptsErrorByErrorEachAsOneStep) {
   compare([](SkeletonEditor& editor) {
     removeSubtree(editor, shoot(2));

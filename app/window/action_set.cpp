@@ -22,6 +22,13 @@ void takeWhatIsTyped() {
     emit text->editingFinished();
 }
 
+/// A keyboard has two keys that are called Enter: a command with one of them takes both.
+QList<QKeySequence> withBothEnters(const QKeySequence& keys) {
+  if (keys.isEmpty()) return {};
+  if (keys.count() != 1 || keys[0].key() != Qt::Key_Enter) return {keys};
+  return {keys, QKeyCombination(keys[0].keyboardModifiers(), Qt::Key_Return)};
+}
+
 /// Its text, its keys and what it does, as they are now.
 void refreshToolTip(QAction& action) {
   const QString text = action.text().remove('&').remove(QChar(0x2026)).toHtmlEscaped();
@@ -37,7 +44,7 @@ ActionSet::ActionSet(QWidget& window) : QObject(&window), window_(window) {}
 
 QAction* ActionSet::add(const Command& command, std::function<void()> act) {
   auto* action = new QAction(command.text, this);
-  action->setShortcut(command.keys);
+  action->setShortcuts(withBothEnters(command.keys));
   action->setCheckable(command.isCheckable);
   action->setStatusTip(command.help);
   const QString name = QString(command.text).remove('&').remove(QChar(0x2026));

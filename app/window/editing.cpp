@@ -71,10 +71,9 @@ void Editing::addTools() {
   accept_ = actions_.add({.id = "accept",
                           .text = tr("Accept"),
                           .help = tr("Makes what the preview shows"),
-                          .keys = Qt::Key_Return,
+                          .keys = Qt::Key_Enter,
                           .refusal = Refusal::atPointer},
                          [this] { accept(); });
-  accept_->setShortcuts({Qt::Key_Return, Qt::Key_Enter});
   // Off without a preview: Enter then belongs to the field that is typed in.
   connect(this, &Editing::hintChanged, accept_,
           [this] { accept_->setEnabled(canEdit() && tool().hasPreview()); });
@@ -104,7 +103,7 @@ void Editing::addNodeEdits() {
                                 .icon = edit.icon,
                                 .keys = edit.shortcut,
                                 .refusal = Refusal::atPointer},
-                               [this, edit] { edit.apply(document_, chosenTarget(edit)); }));
+                               [this, edit] { make(edit); }));
   new ResampleFlow(
       document_, actions_, [this] { return chosenTarget().nodes; }, this);
   edits_.append(actions_["resample"]);

@@ -81,7 +81,7 @@ void ErrorWalk::addActions() {
       QKeySequence(Qt::SHIFT | Qt::Key_F3), [this] { step(-1); });
   add("accept_reference", tr("Accept Reference"),
       tr("Makes the plant there what the reference is, as one step"),
-      QKeySequence(Qt::CTRL | Qt::Key_Return), [this] { accept(); });
+      QKeySequence(Qt::CTRL | Qt::Key_Enter), [this] { accept(); });
   add("ignore_error", tr("Ignore Error"), tr("Leaves the error out of the list, or takes it back"),
       QKeySequence(Qt::CTRL | Qt::Key_F3), [this] { toggleIgnored(); });
 }

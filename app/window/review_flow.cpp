@@ -117,15 +117,14 @@ void ReviewFlow::addMarkActions() {
       tr("What is selected is right; shows the next stretch that is not reviewed. Without the "
          "panel "
          "it only begins the review"),
-      Qt::Key_Return, [this] {
+      Qt::Key_Enter, [this] {
         // Enter also accepts previews: one Enter too many must not review what nobody looks at.
         if (!parts_.actions["show_review"]->isChecked()) return step(WalkTo::notReviewed);
         mark(ReviewState::reviewed);
         step(WalkTo::notReviewed);
       });
-  marks_.back()->setShortcuts({Qt::Key_Return, Qt::Key_Enter});
   add("mark_doubtful", tr("Mark Doubtful"), tr("What is selected needs another look"),
-      QKeySequence(Qt::SHIFT | Qt::Key_Return), [this] { mark(ReviewState::doubtful); });
+      QKeySequence(Qt::SHIFT | Qt::Key_Enter), [this] { mark(ReviewState::doubtful); });
   add("mark_to_do", tr("Mark To Do"), tr("What is selected is to be reviewed again"),
       Qt::Key_Backspace, [this] { mark(ReviewState::toDo); });
   add("comment", tr("Comment"), tr("A remark on what is selected"), Qt::Key_K, [this] {

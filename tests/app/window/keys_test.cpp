@@ -175,6 +175,15 @@ TEST_F(KeysWindowTest, TheListIsFilteredByNameAndByKey) {
   EXPECT_EQ(shown(), QStringList{"Undo"});
 }
 
+// Hints and the manual say Enter, whichever of the two it is.
+TEST_F(KeysWindowTest, BothEntersAreToldAsEnter) {
+  action("shortcuts").trigger();
+  EXPECT_EQ(sheet().findChild<QPushButton*>("keys_of_accept")->text(), "Enter");
+  EXPECT_EQ(sheet().findChild<QPushButton*>("keys_of_mark_doubtful")->text(), "Shift+Enter");
+  EXPECT_EQ(sheet().findChild<QPushButton*>("keys_of_accept_reference")->text(), "Ctrl+Enter");
+  EXPECT_TRUE(action("accept_reference").shortcuts().contains(Qt::CTRL | Qt::Key_Return));
+}
+
 TEST_F(KeysWindowTest, AHintWithoutAKeyIsLeftOut) {
   const ActionSet& actions = window().actionSet();
   EXPECT_EQ(withKeys("Drag: turn   {new_child} new child   Esc: leave", actions),

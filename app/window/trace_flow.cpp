@@ -84,7 +84,8 @@ void TraceFlow::addGrowing() {
       {.id = "branch_from_points",
        .text = tr("New Branch from Points"),
        .help = tr("Grows a branch from the selected points, on the nearest node"),
-       .keys = QKeySequence(Qt::CTRL | Qt::Key_B)},
+       .keys = QKeySequence(Qt::CTRL | Qt::Key_B),
+       .refusal = Refusal::atPointer},
       [this] { growFromPoints(); });
   QAction* fewer = parts_.actions.add(
       {.id = "fewer_branches",
@@ -110,9 +111,8 @@ void TraceFlow::addGrowing() {
     const bool mayGrow = document.scan() != nullptr && !document.skeleton().isEmpty() &&
                          !document.isReadOnly() && !parts_.jobs.isRunning();
     missing->setEnabled(mayGrow);
-    chosen->setEnabled(mayGrow && !parts_.document.pointSelection().isEmpty());
+    chosen->setEnabled(mayGrow); // without selected points it says how to select some
   };
-  connect(&parts_.document.pointSelection(), &PointSelection::changed, this, refresh);
   connect(&parts_.document, &PlantDocument::scanChanged, this, refresh);
   connect(&parts_.editing, &Editing::hintChanged, this, refresh);
   refresh();

@@ -30,8 +30,9 @@ ClipPanel::ClipPanel(QWidget* parent) : QWidget(parent) {
   grid->setColumnStretch(2, 1);
   addSlab(*grid);
   addBox(*grid);
-  fade_ = addSlider(*grid, "clip_fade", tr("Fade by depth"), 0);
-  fade_->setToolTip(tr("The back of the plant steps back"));
+  fade_ = addSlider(*grid, "clip_fade", tr("Fade"), 0);
+  fade_->setToolTip(tr("The farther back, the paler"));
+  fade_->setAccessibleName(tr("Fade by depth"));
   auto* all = new QPushButton(tr("Show All Again"));
   all->setObjectName("clip_show_all");
   grid->addWidget(all, grid->rowCount(), 0, 1, 3);
@@ -71,7 +72,7 @@ void ClipPanel::addBox(QGridLayout& grid) {
       field->setButtonSymbols(QAbstractSpinBox::NoButtons);
       field->setKeyboardTracking(false);
       field->setDecimals(3);
-      field->setMinimumWidth(64);
+      field->setMinimumWidth(56); // with the labels no wider than the inspector
       grid.addWidget(field, row, column);
       connect(field, &QDoubleSpinBox::valueChanged, this, &ClipPanel::changed);
       return field;

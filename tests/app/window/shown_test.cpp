@@ -102,6 +102,16 @@ TEST_F(ShownTest, ClipsWithThePanelAndShowsAllAgain) {
   EXPECT_EQ(find<QSlider>("clip_nearest").value(), 0);
 }
 
+TEST_F(ShownTest, OpensAndClosesTheClippingPanelWithoutMovingThePlant) {
+  const int width = view().width();
+  action("clipping").trigger();
+  QCoreApplication::processEvents();
+  EXPECT_EQ(view().width(), width);
+  action("clipping").trigger();
+  QCoreApplication::processEvents();
+  EXPECT_EQ(view().width(), width);
+}
+
 TEST_F(ShownTest, BeginsABoxAboutThePlant) {
   action("clipping").trigger();
   find<QCheckBox>("clip_box_on").click();

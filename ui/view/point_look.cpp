@@ -31,10 +31,8 @@ std::vector<Color> colorsOf(const Scene& scene) {
   return colors;
 }
 
-} // namespace
-
-std::vector<std::array<std::uint8_t, 4>> pointLooks(const Scene& scene) {
-  const std::vector<Color> colors = colorsOf(scene);
+std::vector<std::array<std::uint8_t, 4>> looksOf(const Scene& scene,
+                                                 const std::vector<Color>& colors) {
   const Palette fixed = palette(scene.dark);
   std::vector<std::array<std::uint8_t, 4>> looks;
   looks.reserve(colors.size());
@@ -48,6 +46,17 @@ std::vector<std::array<std::uint8_t, 4>> pointLooks(const Scene& scene) {
     looks.push_back({color[0], color[1], color[2], shown});
   }
   return looks;
+}
+
+} // namespace
+
+std::vector<std::array<std::uint8_t, 4>> pointLooks(const Scene& scene) {
+  return looksOf(scene, colorsOf(scene));
+}
+
+std::vector<std::array<std::uint8_t, 4>> contractedLooks(const Scene& scene) {
+  return looksOf(scene, std::vector<Color>(static_cast<std::size_t>(scene.cloud->size()),
+                                           palette(scene.dark).contracted));
 }
 
 } // namespace espalier

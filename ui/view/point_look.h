@@ -24,4 +24,7 @@ struct PointValues {
 /// Red, green, blue and whether it is drawn (255) or not (0), of each point of a scene's cloud.
 [[nodiscard]] std::vector<std::array<std::uint8_t, 4>> pointLooks(const Scene& scene);
 
+/// The same points where they are contracted: all in the accent, but hidden, dim, ... as they are.
+[[nodiscard]] std::vector<std::array<std::uint8_t, 4>> contractedLooks(const Scene& scene);
+
 } // namespace espalier

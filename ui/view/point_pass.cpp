@@ -162,11 +162,15 @@ void PointPass::drawPart(const DrawSettings& settings, const StatePart& part, fl
   const GlBuffer* own = buffers.scanned.size() > 0 ? &buffers.scanned : nullptr;
   const bool replacesPoints =
       scene_.blend || (part.other && scene_.other(*part.other).replacesPoints);
-  const bool takesColors = isWhole && (scene_.blend || (replacesPoints && scene_.pointValues));
+  const GlBuffer* looks = nullptr; // the accent
+  if (scene_.blend || (replacesPoints && scene_.pointValues))
+    looks = &buffers_.cloud().colors;
+  else if (!part.other && buffers.colors.size() > 0)
+    looks = &buffers.colors;
   const Drawn drawn{.points = points,
                     .buffers = buffers,
                     .scanned = own == nullptr && isWhole ? &buffers_.cloud().positions : own,
-                    .colors = takesColors ? &buffers_.cloud().colors : nullptr,
+                    .colors = isWhole ? looks : nullptr,
                     .hole = part.hole};
   const bool isShown = scene_.contracted.visible || replacesPoints;
   if (isShown) drawLayer(settings, drawn, pointSize, until);

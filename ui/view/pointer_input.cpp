@@ -97,7 +97,7 @@ Pick PointerInput::pick(const QPointF& position) const {
   });
   if (!pick.point)
     pick.point = pointUnder(scene_.contracted, scene_.origin(), map, pixel, [&](Eigen::Index i) {
-      return clip.contains(scene_.contracted.positions->col(i));
+      return scene_.isContractedShown(i) && clip.contains(scene_.contracted.positions->col(i));
     });
   return pick;
 }

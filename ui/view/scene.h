@@ -107,6 +107,11 @@ struct Scene {
     return !pointStates || (*pointStates)[static_cast<std::size_t>(point)] != PointState::hidden;
   }
 
+  /// Likewise, of a contracted point.
+  [[nodiscard]] bool isContractedShown(Eigen::Index point) const {
+    return contracted.size() != points.size() || isPointShown(point);
+  }
+
   /// What is shown from a camera.
   [[nodiscard]] ClipVolume clipVolume(const Camera& camera) const;
 

@@ -119,8 +119,13 @@ void uploadContracted(SceneBuffers::Points& buffers, const DrawnPoints& layer,
 void SceneBuffers::uploadPoints(const Scene& scene) {
   if (cloud_.revision != scene.points.revision && scene.points.positions)
     uploadPositions(cloud_.positions, *scene.points.positions);
-  if (cloud_.colorRevision != scene.colorRevision && scene.cloud)
+  if (cloud_.colorRevision != scene.colorRevision && scene.cloud) {
     uploadLooks(cloud_.colors, pointLooks(scene));
+    if (scene.pointStates)
+      uploadLooks(contracted_.colors, contractedLooks(scene));
+    else
+      contracted_.colors.release();
+  }
   cloud_.revision = scene.points.revision;
   cloud_.colorRevision = scene.colorRevision;
   uploadContracted(contracted_, scene.contracted, scene.points.positions.get(), scene);

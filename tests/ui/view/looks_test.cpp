@@ -184,6 +184,26 @@ TEST_F(PointLooksTest, DrawsSelectedPointsAmberAndDimOnesPale) {
   EXPECT_TRUE(view_.pick(pixelOf(left_)).point) << "it is there";
 }
 
+TEST_F(PointLooksTest, HidesAndDimsContractedPointsAsTheyWereScanned) {
+  const Color accent = palette(false).contracted;
+  auto up = std::make_shared<Eigen::Matrix3Xf>(cloud_->positions());
+  up->row(2).array() += 1;
+  view_.setContracted(up);
+  const Eigen::Vector3d leftUp = left_ + Eigen::Vector3d(0, 0, 1);
+  const Eigen::Vector3d rightUp = right_ + Eigen::Vector3d(0, 0, 1);
+  ASSERT_GT(count(leftUp, accent), 5);
+  view_.setPointStates(leftIs(PointState::hidden));
+  EXPECT_EQ(count(leftUp, accent), 0);
+  EXPECT_GT(count(rightUp, accent), 5);
+  EXPECT_FALSE(view_.pick(pixelOf(leftUp)).point);
+  EXPECT_TRUE(view_.pick(pixelOf(rightUp)).point);
+  view_.setPointStates(leftIs(PointState::dim));
+  EXPECT_EQ(count(leftUp, accent), 0);
+  EXPECT_TRUE(view_.pick(pixelOf(leftUp)).point) << "it is there";
+  view_.setPointStates(nullptr);
+  EXPECT_GT(count(leftUp, accent), 5);
+}
+
 TEST_F(PointLooksTest, ColorsPointsByValues) {
   view_.resize(600, 300); // the color bar lies beside the points
   std::vector<float> values(2, none);

@@ -30,9 +30,10 @@ constexpr std::array<Color, 9> cividisStops = {{{0, 32, 76},
 
 constexpr std::array<Color, 2> grayStops = {{{0, 0, 0}, {255, 255, 255}}};
 
-// The middle steps back toward the background.
-constexpr std::array<Color, 3> divergingOnLight = {{{0, 114, 178}, {190, 194, 192}, {213, 94, 0}}};
-constexpr std::array<Color, 3> divergingOnDark = {{{60, 160, 225}, {92, 97, 95}, {240, 120, 30}}};
+// The middle steps back toward the background, but thin edges are still seen on it.
+constexpr std::array<Color, 3> divergingOnLight = {{{0, 114, 178}, {128, 133, 130}, {213, 94, 0}}};
+constexpr std::array<Color, 3> divergingOnDark = {
+    {{60, 160, 225}, {124, 130, 127}, {240, 120, 30}}};
 
 template <std::size_t Count> Color between(const std::array<Color, Count>& stops, double fraction) {
   const double at = fraction * static_cast<double>(Count - 1);

@@ -1,7 +1,9 @@
 #include "ui/view/color_map.h"
+#include "ui/view/palette.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <vector>
@@ -29,6 +31,25 @@ TEST(ColorMap, IsNeutralInTheMiddleIfDiverging) {
     EXPECT_GT(colorOf(ColorMap::diverging, 0, dark)[2], colorOf(ColorMap::diverging, 0, dark)[0]);
     EXPECT_GT(colorOf(ColorMap::diverging, 1, dark)[0], colorOf(ColorMap::diverging, 1, dark)[2]);
   }
+}
+
+// Relative luminance and contrast as WCAG 2.1 has them; 3 is what it asks for graphics.
+double contrast(const Color& a, const Color& b) {
+  const auto light = [](const Color& color) {
+    const auto linear = [](int value) {
+      const double part = value / 255.0;
+      return part <= 0.03928 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(color[0]) + 0.7152 * linear(color[1]) + 0.0722 * linear(color[2]) + 0.05;
+  };
+  return std::max(light(a) / light(b), light(b) / light(a));
+}
+
+TEST(ColorMap, IsSeenOnTheBackgroundIfDiverging) {
+  for (const bool dark : {false, true})
+    for (const double at : {0.0, 0.25, 0.5, 0.75, 1.0})
+      for (const Color& ground : {palette(dark).backgroundTop, palette(dark).backgroundBottom})
+        EXPECT_GE(contrast(colorOf(ColorMap::diverging, at, dark), ground), 3) << dark << at;
 }
 
 TEST(LegendColors, RunFromFirstToLastValueAndNoFarther) {

@@ -34,7 +34,8 @@ QString MoveNodeTool::hint() const {
         .arg(nodeName(under().node ? *under().node : under().edge->child));
   if (under().node && document().selection().contains(*under().node))
     return document().selection().nodes().size() > 1
-               ? tr("Drag: move the %n nodes   Shift+click: leave this one out   "
+               ? tr("Drag: move the %n nodes   Click: select this one alone   Shift+click: leave "
+                    "it out   "
                     "{new_child} new child   {tool_reparent} reparent   {remove} remove",
                     nullptr, static_cast<int>(document().selection().nodes().size()))
                : tr("Drag: move %1   {new_child} new child   {split_edge} split edge   "
@@ -111,7 +112,7 @@ bool MoveNodeTool::act(const ToolInput& input) {
       return true;
     }
     const bool wasMine = drag_.has_value();
-    if (wasMine) snapAll();
+    if (wasMine) release();
     drag_.reset();
     if (!wasMine) click(input);
     camera_.reset();
@@ -159,6 +160,14 @@ bool MoveNodeTool::press(const ToolInput& input) {
         [&](const auto& moved) { return (moved.second - held).squaredNorm(); });
   }
   return true;
+}
+
+/// Of several nodes that are selected, a click takes the one it is on.
+void MoveNodeTool::release() {
+  if (drag_->hasMoved || drag_->isCanceled)
+    snapAll();
+  else
+    document().selection().set({drag_->node});
 }
 
 void MoveNodeTool::drag(const ToolInput& input) {

@@ -61,6 +61,7 @@ private:
   bool act(const ToolInput& input) override;
   bool press(const ToolInput& input);
   void drag(const ToolInput& input);
+  void release();
   void move(SkeletonEditor& editor, const Eigen::Vector3d& way, const ToolInput& input);
   void snapMore(SkeletonEditor& editor); // of what was moved
   void snapResting();                    // the same, while the pointer rests

@@ -43,6 +43,15 @@ TEST_F(MoveNodeToolTest, AddsAndRemovesWithShift) {
   EXPECT_THAT(chosen(), ElementsAre(NodeId{3}));
 }
 
+TEST_F(MoveNodeToolTest, ChoosesOneOfSeveralChosenNodesByAClick) {
+  document.selection().set({NodeId{2}, NodeId{3}, NodeId{4}});
+  mouse.press(onNode(NodeId{3}), {0, 2});
+  EXPECT_EQ(chosen().size(), 3U) << "a drag would move them all";
+  mouse.release();
+  EXPECT_THAT(chosen(), ElementsAre(NodeId{3}));
+  EXPECT_EQ(document.undoStack().count(), 0);
+}
+
 TEST_F(MoveNodeToolTest, ChoosesTheNodeThatAnEdgeLeadsTo) {
   mouse.click(onEdge(document.skeleton(), NodeId{3}, 0.5), {0, 1.5});
   EXPECT_THAT(chosen(), ElementsAre(NodeId{3}));

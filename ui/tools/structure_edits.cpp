@@ -89,11 +89,20 @@ auto onPath(const char* text, void (*change)(SkeletonEditor&, const std::vector<
   };
 }
 
+/// The nodes chosen; of two that are the ends of a path, those between them.
+std::vector<NodeId> meantToSmooth(const Skeleton& skeleton, const std::vector<NodeId>& chosen) {
+  if (chosen.size() != 2) return chosen;
+  const std::vector<NodeId> path = pathOf(skeleton, chosen);
+  if (path.size() < 3) return chosen;
+  return {path.begin() + 1, path.end() - 1};
+}
+
 void smoothOut(PlantDocument& document, const NodeTarget& target) {
   const double width = meanEdgeLength(document.skeleton());
   if (width == 0) throw Error(tr("the plant has no edge to smooth along").toStdString());
-  document.edit(tr("Smooth %1").arg(nodeNames(target.nodes)),
-                [&](SkeletonEditor& editor) { smooth(editor, target.nodes, width); });
+  const std::vector<NodeId> nodes = meantToSmooth(document.skeleton(), target.nodes);
+  document.edit(tr("Smooth %1").arg(nodeNames(nodes)),
+                [&](SkeletonEditor& editor) { smooth(editor, nodes, width); });
 }
 
 auto resampleBy(double factor) {
@@ -135,7 +144,8 @@ std::vector<NodeEdit> pathEdits() {
       {"straighten", tr("Straighten"), tr("Puts the nodes between the ends on a straight line"), "",
        QKeySequence(),
        onPath(QT_TRANSLATE_NOOP("StructureEdits", "Straighten the path of %1"), straighten), menu},
-      {"smooth", tr("Smooth"), tr("Moves the selected nodes to the mean of their neighbors"), "",
+      {"smooth", tr("Smooth"),
+       tr("Moves the selected nodes, or those between two, to the mean of their neighbors"), "",
        QKeySequence(), smoothOut, menu},
       {"interpolate_radii", tr("Interpolate Radii"),
        tr("Radii between the ends follow from those of the ends"), "", QKeySequence(),

@@ -130,6 +130,18 @@ TEST_F(StructureEditsTest, SmoothTheChosenNodesOnly) {
   EXPECT_EQ(node(1).position.x(), 1);
 }
 
+TEST_F(StructureEditsTest, SmoothThePathBetweenTwoNodes) {
+  Skeleton plant = test::stick(6);
+  for (const NodeId id : {NodeId{1}, NodeId{3}, NodeId{4}})
+    plant.setPosition(id, plant[id].position + Eigen::Vector3d(1, 0, 0));
+  open(plant);
+  apply("smooth", {NodeId{4}, NodeId{1}});
+  EXPECT_EQ(node(1).position, plant[NodeId{1}].position) << "the ends stay";
+  EXPECT_EQ(node(4).position, plant[NodeId{4}].position);
+  EXPECT_GT(node(2).position.x(), 0.1);
+  EXPECT_LT(node(3).position.x(), 0.9);
+}
+
 TEST_F(StructureEditsTest, InterpolateRadiiAndThinOutAPath) {
   Skeleton plant = test::stick(5);
   plant.setRadius(NodeId{4}, 0.5);

@@ -78,6 +78,7 @@ bool StrokeTool::act(const ToolInput& input) {
   };
   std::erase_if(seen_, isGone);
   std::erase_if(crossed_, isGone);
+  std::erase_if(crossedBehind_, isGone);
   switch (input.phase) {
   case ToolInput::Phase::press:
     isCanceled_ = false;
@@ -148,9 +149,10 @@ bool StrokeTool::goesOn(const Eigen::Vector3d& point, const ToolInput& input) co
 
 void StrokeTool::findCrossed(const QLineF& stretch) {
   for (const SeenEdge& edge : seen_) {
-    if (!cross(edge.line, stretch) || isHidden(edge)) continue;
+    if (!cross(edge.line, stretch)) continue;
+    std::vector<SeenEdge>& crossed = isHidden(edge) ? crossedBehind_ : crossed_;
     const auto isThis = [&](const SeenEdge& other) { return other.child == edge.child; };
-    if (std::ranges::none_of(crossed_, isThis)) crossed_.push_back(edge);
+    if (std::ranges::none_of(crossed, isThis)) crossed.push_back(edge);
   }
 }
 
@@ -201,8 +203,12 @@ StrokeTool::Kind StrokeTool::kind() const {
 std::vector<NodeId> StrokeTool::arms() const {
   if (!isLoop()) return childrenOf(crossed_);
   std::vector<NodeId> leaving; // the loop, towards the apex
-  for (const SeenEdge& edge : crossed_)
-    if (!stroke_.containsPoint(edge.line.p2(), Qt::OddEvenFill)) leaving.push_back(edge.child);
+  const auto take = [&](const std::vector<SeenEdge>& edges) {
+    for (const SeenEdge& edge : edges)
+      if (!stroke_.containsPoint(edge.line.p2(), Qt::OddEvenFill)) leaving.push_back(edge.child);
+  };
+  take(crossed_);
+  if (leaving.size() < 2) take(crossedBehind_); // where branches cross, one lies behind the other
   return leaving;
 }
 
@@ -231,6 +237,7 @@ void StrokeTool::reset() {
   startEdge_.reset();
   seen_.clear();
   crossed_.clear();
+  crossedBehind_.clear();
   canvas().showBand({});
 }
 

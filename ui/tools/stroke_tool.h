@@ -64,7 +64,8 @@ private:
   std::optional<NodeId> startNode_;
   std::optional<EdgePick> startEdge_;
   std::vector<SeenEdge> seen_;
-  std::vector<SeenEdge> crossed_; // in order
+  std::vector<SeenEdge> crossed_;       // in order
+  std::vector<SeenEdge> crossedBehind_; // wood: these are not cut
 };
 
 } // namespace espalier

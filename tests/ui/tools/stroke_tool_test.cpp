@@ -101,6 +101,16 @@ TEST_F(StrokeToolTest, ExchangesTheArmsInALoop) {
   EXPECT_EQ(document.skeleton()[NodeId{3}].parent, NodeId{0});
 }
 
+TEST_F(StrokeToolTest, ExchangesInALoopWhatLiesBehindTheOther) {
+  open(crossedStems());
+  canvas.nodes = {NodeId{0}, NodeId{1}};
+  draw({{0.2, 0.7}, {0.8, 0.7}, {0.8, 1.3}, {0.2, 1.3}, {0.2, 0.72}});
+  EXPECT_TRUE(tool.hint().contains("exchange the arms")) << tool.hint().toStdString();
+  mouse.release();
+  EXPECT_EQ(document.skeleton()[NodeId{1}].parent, NodeId{2});
+  EXPECT_EQ(document.skeleton()[NodeId{3}].parent, NodeId{0});
+}
+
 TEST_F(StrokeToolTest, OnlyCutsWithShift) {
   open(crossedStems());
   draw({{0.2, 1}, {0.5, 1}, {0.8, 1}}, Qt::ShiftModifier);

@@ -33,21 +33,26 @@ void requireBetween(const std::vector<NodeId>& path) {
     throw Error("there is no node between the ends: choose the two ends of a longer path");
 }
 
+struct Place {
+  Eigen::Vector3d position; // [L]
+  double radius;            // [L]
+};
+
 /// The place and radius on a polyline at a length from its start.
 struct Line {
-  std::vector<Node> nodes;
+  std::vector<Place> places;
   std::vector<double> at; // length from the first [L]
 
-  [[nodiscard]] Node place(double length) const {
+  [[nodiscard]] Place place(double length) const {
     const auto behind = std::ranges::upper_bound(at, length);
     const std::size_t next =
         std::clamp<std::size_t>(static_cast<std::size_t>(behind - at.begin()), 1, at.size() - 1);
     const double edge = at[next] - at[next - 1];
     const double share = edge > 0 ? std::clamp((length - at[next - 1]) / edge, 0.0, 1.0) : 0;
-    const Node& from = nodes[next - 1];
-    const Node& to = nodes[next];
-    return {.position = from.position + share * (to.position - from.position),
-            .radius = from.radius + share * (to.radius - from.radius)};
+    const Place& from = places[next - 1];
+    const Place& to = places[next];
+    return {from.position + share * (to.position - from.position),
+            from.radius + share * (to.radius - from.radius)};
   }
 };
 
@@ -83,8 +88,7 @@ std::vector<Stretch> stretchesOf(const Skeleton& skeleton, const std::vector<Nod
     path.push_back(id);
     stretch.line.at = lengths(skeleton, path);
     for (const NodeId each : path)
-      stretch.line.nodes.push_back(
-          {.position = skeleton[each].position, .radius = skeleton[each].radius});
+      stretch.line.places.push_back({skeleton[each].position, skeleton[each].radius});
     const double edges = std::round(stretch.line.at.back() / step);
     constexpr double most = 1e6;
     if (edges > most)
@@ -111,7 +115,7 @@ void space(SkeletonEditor& editor, const Stretch& stretch) {
   const double total = stretch.line.at.back();
   for (std::size_t i = 0; i < kept.size(); ++i) {
     const double share = static_cast<double>(i + 1) / static_cast<double>(stretch.count + 1);
-    const Node place = stretch.line.place(share * total);
+    const Place place = stretch.line.place(share * total);
     editor.setPosition(kept[i], place.position);
     editor.setRadius(kept[i], place.radius);
   }

@@ -14,6 +14,13 @@ std::string name(NodeId id) {
   return "node " + std::to_string(indexOf(id));
 }
 
+/// Whether a parent is known, without a walk to the root, to be none of what a node carries: it is
+/// the node's own, that one's, or a sibling.
+bool isBelowOrBeside(const Node& node, NodeId parent, const Skeleton& skeleton) {
+  return node.parent && (node.parent == parent || skeleton[*node.parent].parent == parent ||
+                         skeleton[parent].parent == node.parent);
+}
+
 } // namespace
 
 std::vector<NodeId> Skeleton::ids() const {
@@ -93,7 +100,8 @@ void Skeleton::setReview(NodeId id, ReviewMark review) {
 void Skeleton::reparent(NodeId id, NodeId parent, EdgeType edge) {
   assert(contains(id));
   if (!contains(parent)) throw Error(name(parent) + " does not exist: choose another parent");
-  if (id == parent || (!children(id).empty() && isAncestor(id, parent)))
+  const bool isFree = children(id).empty() || isBelowOrBeside((*this)[id], parent, *this);
+  if (id == parent || (!isFree && isAncestor(id, parent)))
     throw Error("cannot hang " + name(id) + " on " + name(parent) +
                 ", which it carries itself: choose a parent outside its branch");
   unlink(id);

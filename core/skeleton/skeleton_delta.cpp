@@ -17,6 +17,14 @@ bool looksAlike(const Node& a, const Node& b) {
   return a.position == b.position && a.parent == b.parent && (!a.parent || a.edge == b.edge);
 }
 
+/// What became of the nodes noted; those that ended as they were are left out.
+SkeletonDelta deltaOf(std::vector<SkeletonDelta::Change> noted, const Skeleton& skeleton) {
+  for (SkeletonDelta::Change& change : noted)
+    change.after = lookUp(skeleton, change.id);
+  std::erase_if(noted, [](const SkeletonDelta::Change& c) { return c.before == c.after; });
+  return {std::move(noted)};
+}
+
 } // namespace
 
 SkeletonDelta SkeletonDelta::inverse() const {
@@ -133,7 +141,7 @@ void SkeletonEditor::erase(NodeId id) {
 
 SkeletonDelta SkeletonEditor::commit() {
   takeBackReviews();
-  SkeletonDelta delta = changesSoFar();
+  SkeletonDelta delta = deltaOf(std::move(noted_), skeleton_);
   noted_.clear();
   ids_.clear();
   return delta;
@@ -156,12 +164,7 @@ void SkeletonEditor::takeBackReviews() {
 }
 
 SkeletonDelta SkeletonEditor::changesSoFar() const {
-  SkeletonDelta delta;
-  for (SkeletonDelta::Change change : noted_) {
-    change.after = lookUp(skeleton_, change.id);
-    if (change.before != change.after) delta.changes.push_back(std::move(change));
-  }
-  return delta;
+  return deltaOf(noted_, skeleton_);
 }
 
 } // namespace espalier

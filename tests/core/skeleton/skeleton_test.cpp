@@ -63,5 +63,14 @@ TEST(Skeleton, CarriesABranchToItsNewParent) {
   EXPECT_THAT(plant.children(forkRoot), ElementsAre(NodeId{1}, NodeId{3}));
 }
 
+TEST(Skeleton, HangsABranchOnASiblingOrOnItsGrandparent) {
+  Skeleton plant = test::fork(2);
+  plant.reparent(NodeId{3}, NodeId{2}, EdgeType::successor);
+  EXPECT_THAT(plant.children(NodeId{2}), ElementsAre(NodeId{3}));
+  plant.reparent(NodeId{2}, forkRoot, EdgeType::branching);
+  EXPECT_THAT(plant.children(forkRoot), ElementsAre(forkTop, NodeId{2}));
+  EXPECT_THROW(plant.reparent(NodeId{2}, NodeId{3}, EdgeType::successor), Error) << "its child";
+}
+
 } // namespace
 } // namespace espalier

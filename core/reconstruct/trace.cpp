@@ -49,6 +49,15 @@ bool isOtherWay(const Trace& trace, const std::vector<Trace>& others, double apa
   return away > 1 && 5 * away >= trace.places.size();
 }
 
+/// Leads a line on as far as the point it ends at: contraction draws the ends of wood in.
+void leadOnTo(const Eigen::Vector3d& point, std::vector<Eigen::Vector3d>& line) {
+  constexpr std::size_t back = 4; // places, a step together
+  const Eigen::Vector3d& from = line[line.size() > back ? line.size() - 1 - back : 0];
+  const Eigen::Vector3d along = (line.back() - from).normalized();
+  const double ahead = (point - line.back()).dot(along);
+  if (ahead > 0) line.emplace_back(line.back() + ahead * along);
+}
+
 } // namespace
 
 /// Points from the start to the end.
@@ -228,7 +237,14 @@ Trace TraceGraph::traceOf(const std::vector<std::uint32_t>& points, const TraceE
   if (to.isFixed) line.back() = to.place;
   constexpr int smoothings =
       8; // of places a quarter of a step apart: no zigzag from point to point
-  line = spacedEvenly(smoothedLine(spacedEvenly(line, step / 4), 0.5, smoothings), step);
+  line = smoothedLine(spacedEvenly(line, step / 4), 0.5, smoothings);
+  if (!to.isFixed) leadOnTo(cloud_->position(points.back()), line);
+  if (!from.isFixed) {
+    std::ranges::reverse(line);
+    leadOnTo(cloud_->position(points.front()), line);
+    std::ranges::reverse(line);
+  }
+  line = spacedEvenly(line, step);
   std::vector<double> radii(line.size(), 0);
   for (int round = 0; round < 2; ++round) { // the second cuts across the better axis
     const std::vector<Eigen::Vector3d> before = line;

@@ -55,6 +55,18 @@ TEST(Trace, RunsInTheMiddleOfTheWood) {
   EXPECT_NEAR(trace.length(), 1.6, 0.1);
 }
 
+// Contraction draws the ends of wood in, by most of its radius of 7.5 point spacings.
+TEST(Trace, ReachesThePointsItWasStartedAndEndedAt) {
+  const TraceGraph graph(cloudOf(pole()));
+  const Trace trace = graph.between({{0.1, 0, 0}}, {{0, 0.1, 2}}, {.step = 0.2}).front();
+  EXPECT_NEAR(trace.places.front().z(), 0, 0.03);
+  EXPECT_NEAR(trace.places.back().z(), 2, 0.03);
+  const Trace drawn = graph.through({{0, 0, 1}, {0, 0.1, 1.5}, {0, 0.1, 2}}, true, {.step = 0.2});
+  EXPECT_NEAR(drawn.places.back().z(), 2, 0.03);
+  for (const Vector3d& place : drawn.places)
+    EXPECT_LT(place.head<2>().norm(), 0.02);
+}
+
 TEST(Trace, SpacesItsPlacesEvenly) {
   const TraceGraph graph(cloudOf(pole()));
   const Trace trace = graph.between({{0, 0, 0}, true}, {{0, 0, 2}, true}, {.step = 0.25}).front();

@@ -199,6 +199,23 @@ private:
     });
   }
 
+  /// The node that a part hangs on: the nearest, or if the part would begin backward, the nearest
+  /// of those linked with it from which it leads ahead.
+  [[nodiscard]] NodeId bearerOf(const Part& part, const Eigen::Vector3d& foot) const {
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    for (const Eigen::Index point : part.points)
+      middle += place(point) / static_cast<double>(part.points.size());
+    const auto leadsAhead = [&](NodeId id) {
+      return (foot - skeleton_[id].position).dot(middle - foot) >= 0;
+    };
+    const NodeId nearest = nearestWood(skeleton_, skeleton_.ids(), foot);
+    if (leadsAhead(nearest)) return nearest;
+    std::vector<NodeId> linked = skeleton_.children(nearest);
+    if (skeleton_[nearest].parent) linked.push_back(*skeleton_[nearest].parent);
+    std::erase_if(linked, [&](NodeId id) { return !leadsAhead(id); });
+    return linked.empty() ? nearest : nearestWood(skeleton_, linked, foot);
+  }
+
   void hang(const Link& link, const Progress& progress) {
     const Eigen::Vector3d foot = place(link.at);
     std::vector<Eigen::Index> columns;
@@ -212,7 +229,7 @@ private:
     }
     if (grown.isEmpty()) return;
     const std::optional<Hung> below = link.to ? hung_[*link.to] : std::nullopt;
-    const NodeId on = below ? below->on : nearestWood(skeleton_, skeleton_.ids(), foot);
+    const NodeId on = below ? below->on : bearerOf(parts_[link.from], foot);
     Skeleton& tree = treeOn(on);
     const NodeId node = below ? nearestWood(tree, below->nodes, foot) : tree.roots().front();
     const Skeleton part = hungOn(tree[node], grown);
@@ -254,6 +271,22 @@ private:
 
 namespace {
 
+double toleranceOf(const GrowOptions& options, const PointCloud& cloud) {
+  return options.tolerance > 0 ? options.tolerance : 3 * pointSpacing(cloud.positions());
+}
+
+/// Those of some points that no edge explains; if they are too few for a branch, all.
+std::vector<Eigen::Index> unexplained(const std::vector<Eigen::Index>& points,
+                                      const Skeleton& skeleton, const PointCloud& cloud,
+                                      double tolerance, const Progress& progress) {
+  const std::vector<PointByTube> places =
+      pointsByTube(cloud.positions()(Eigen::all, points), cloud.origin(), skeleton, progress);
+  std::vector<Eigen::Index> left;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (places[i].distance > tolerance) left.push_back(points[i]);
+  return left.size() < fewestPoints ? points : left;
+}
+
 std::vector<GrownBranch> grown(const Skeleton& skeleton, const PointCloud& cloud,
                                const std::vector<Eigen::Index>& points, const GrowOptions& options,
                                double leastReach, const Progress& progress) {
@@ -274,15 +307,16 @@ std::vector<GrownBranch> grownBranches(const Skeleton& skeleton,
                                        const std::vector<Eigen::Index>& points,
                                        const GrowOptions& options, const Progress& progress) {
   assert(!skeleton.isEmpty());
-  return grown(skeleton, *cloud, points, options, 0, progress);
+  const std::vector<Eigen::Index> left =
+      unexplained(points, skeleton, *cloud, toleranceOf(options, *cloud), progress.part(0, 0.1));
+  return grown(skeleton, *cloud, left, options, 0, progress.part(0.1, 1));
 }
 
 std::vector<GrownBranch> grownFromUnexplained(const Skeleton& skeleton,
                                               const std::shared_ptr<const PointCloud>& cloud,
                                               const GrowOptions& options,
                                               const Progress& progress) {
-  const double tolerance =
-      options.tolerance > 0 ? options.tolerance : 3 * pointSpacing(cloud->positions());
+  const double tolerance = toleranceOf(options, *cloud);
   const std::vector<Eigen::Index> points =
       freePoints(skeleton, *cloud, options.pipeline.leftOut, tolerance, {}, progress.part(0, 0.2));
   if (points.size() < fewestPoints)

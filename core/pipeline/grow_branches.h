@@ -26,8 +26,10 @@ struct GrownBranch {
 /// The points fall into parts where gaps are wide; fewer than 20 are dust. Each part is
 /// reconstructed by all steps of the pipeline, with the settings that its rules give for the whole
 /// scan, from its point that is nearest to the plant, and hangs on the node whose wood is nearest
-/// to that; none of it is thicker than the node, if that has a radius. A part that is nearer to
-/// another part than to the plant hangs on that one.
+/// to that, or on the next one if it would begin backward; none of it is thicker than the node, if
+/// that has a radius. A part that is nearer to another part than to the plant hangs on that one.
+///
+/// Points that an edge explains are left out, unless hardly any others are among them.
 ///
 /// @param skeleton with radii, in the frame of the file; not empty
 /// @param points   columns of `cloud`, ascending

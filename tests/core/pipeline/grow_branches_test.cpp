@@ -159,6 +159,37 @@ TEST(GrownBranches, GrowFromThePointsChosenAlone) {
     EXPECT_GT(branches[0].part[id].position.x(), -0.01);
 }
 
+/// The columns of the points in a box.
+std::vector<Eigen::Index> inside(const PointCloud& cloud, const Eigen::AlignedBox3d& box) {
+  std::vector<Eigen::Index> columns;
+  for (Eigen::Index i = 0; i < cloud.size(); ++i)
+    if (box.contains(cloud.position(i))) columns.push_back(i);
+  return columns;
+}
+
+// A lasso about a branch takes bark of the trunk as well: that has its nodes already.
+TEST(GrownBranches, LeaveOutWhatThePlantExplains) {
+  const Eigen::Matrix3Xf branch = test::cylinder({0.04, 0, 0.8}, {0.8, 0, 1.2}, 0.02, 0.01);
+  const auto cloud = cloudOf(test::both(trunkPoints(), branch));
+  const std::vector<GrownBranch> branches = grownBranches(
+      trunk(), cloud, inside(*cloud, {Eigen::Vector3d(-1, -1, 0.4), Eigen::Vector3d(1, 1, 1.4)}));
+  ASSERT_EQ(branches.size(), 1U);
+  const Skeleton& part = branches[0].part;
+  for (const NodeId id : part.ids())
+    EXPECT_TRUE(!part[id].parent || part[id].position.x() > 0.05) << "along the trunk";
+  EXPECT_LT(farthestTip(together(trunk(), branches), {0.8, 0, 1.2}), 0.08);
+}
+
+// The branch begins beside the trunk, nearer to the node above than to the one below, and rises.
+TEST(GrownBranches, BeginForward) {
+  const Eigen::Matrix3Xf branch = test::cylinder({0.12, 0, 0.75}, {0.3, 0, 1.6}, 0.02, 0.01);
+  const auto cloud = cloudOf(test::both(trunkPoints(), branch));
+  const std::vector<GrownBranch> branches = grownBranches(
+      trunk(), cloud, inside(*cloud, {Eigen::Vector3d(0.07, -1, 0), Eigen::Vector3d(1, 1, 2)}));
+  ASSERT_EQ(branches.size(), 1U);
+  EXPECT_NEAR(trunk()[branches[0].on].position.z(), 0.6, 1e-9);
+}
+
 TEST(GrownBranches, AreRefusedForTooFewPoints) {
   const auto cloud = cloudOf(trunkPoints());
   EXPECT_THROW((void)grownBranches(trunk(), cloud, {0, 1, 2}), Error);

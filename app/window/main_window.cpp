@@ -173,7 +173,7 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
 
 void MainWindow::makeCenter() {
   auto* page = new QWidget(this);
-  auto* layers = new QGridLayout(page); // the banner lies over the view, which keeps its size
+  auto* layers = new QGridLayout(page);
   layers->setContentsMargins(0, 0, 0, 0);
   layers->setSpacing(0);
   center_ = new QStackedWidget(page);
@@ -185,12 +185,13 @@ void MainWindow::makeCenter() {
   start_->setIcon(programIcon());
   center_->addWidget(start_);
   center_->addWidget(views_);
-  banner_ = new MessageBanner(page);
-  banner_->setCover([this, page](const QRect& part) {
+  // The banner lies over the view, which keeps its size.
+  banner_ = new MessageBanner(center_);
+  banner_->setCover([this](const QRect& part) {
     int covered = 0;
     for (const PlantView* view : {view_, twoViews_ ? twoViews_->second() : nullptr})
       if (view != nullptr && view->isVisible())
-        covered += view->coveredBy(part.translated(-view->mapTo(page, QPoint())));
+        covered += view->coveredBy(part.translated(-view->mapTo(center_, QPoint())));
     return covered;
   });
   layers->addWidget(center_, 0, 0); // bars lie below

@@ -200,9 +200,12 @@ int PlantView::coveredBy(const QRect& part) const {
   const auto isBarIn = [&](const ColorBar* bar) {
     return bar->isVisible() && bar->geometry().intersects(part);
   };
-  constexpr int asMuch = 1000; // places: what a color bar counts for
-  return static_cast<int>(std::ranges::count_if(parts_->scene.outline(), isIn) +
-                          asMuch * std::ranges::count_if(parts_->colorBars, isBarIn));
+  const Minimap* map = parts_->minimap;
+  const bool isMapIn = map != nullptr && map->isVisible() && map->geometry().intersects(part);
+  constexpr int asMuch = 1000; // places: what a color bar or the minimap counts for
+  return static_cast<int>(
+      std::ranges::count_if(parts_->scene.outline(), isIn) +
+      asMuch * (std::ranges::count_if(parts_->colorBars, isBarIn) + (isMapIn ? 1 : 0)));
 }
 
 std::vector<NodeId> PlantView::nodesInside(const QPolygonF& area, Depth depth) const {

@@ -47,6 +47,36 @@ TEST_F(ValuesWindowTest, TheSliderLeavesWhatTheSkeletonDoesNotExplain) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return picture() == all; }));
 }
 
+TEST_F(ValuesWindowTest, BarsOverTheViewCoverNeitherEachOtherNorTheMinimap) {
+  openForkAndScan();
+  view().setMinimapShown(true);
+  action("hide_explained").setChecked(true);
+  action("blend_points").setChecked(true);
+  Camera near = view().camera();
+  near.distance /= 8; // the minimap is absent while all is shown
+  view().setCamera(near);
+  auto* minimap = view().findChild<QWidget*>("minimap");
+  ASSERT_TRUE(minimap != nullptr && QTest::qWaitFor([&] { return minimap->isVisible(); }));
+  const auto placeOf = [&](const QString& name) {
+    auto& widget = find<QWidget>(name);
+    EXPECT_TRUE(widget.isVisible());
+    return QRect(widget.mapTo(&window(), QPoint()), widget.size());
+  };
+  const QRect explained = placeOf("explained_bar");
+  const QRect blend = placeOf("blend_bar");
+  EXPECT_FALSE(explained.intersects(blend));
+  const QRect map(minimap->mapTo(&window(), QPoint()), minimap->size());
+  document().pointSelection().set(PointSet::of({0}));
+  action("branch_from_points").trigger(); // of too few points
+  waitForJob();
+  const QRect message = placeOf("message_banner");
+  for (const QRect& bar : {explained, blend}) {
+    EXPECT_FALSE(bar.intersects(map));
+    EXPECT_FALSE(bar.intersects(message));
+  }
+  EXPECT_FALSE(message.intersects(map));
+}
+
 TEST_F(ValuesWindowTest, TheSliderFollowsEdits) {
   openForkAndScan();
   action("hide_explained").setChecked(true);

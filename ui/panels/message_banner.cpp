@@ -4,12 +4,23 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QStyle>
 
 #include <algorithm>
 #include <utility>
 
 namespace espalier {
+namespace {
+
+/// Reasons begin with a small letter or with the name of a file, which stays as it is.
+QString asSentence(QString reason) {
+  static const QRegularExpression name(QStringLiteral("^\\S*[.,:]"));
+  if (!reason.isEmpty() && !name.match(reason).hasMatch()) reason[0] = reason[0].toUpper();
+  return reason;
+}
+
+} // namespace
 
 MessageBanner::MessageBanner(QWidget* parent)
     : QFrame(parent),
@@ -47,7 +58,7 @@ MessageBanner::MessageBanner(QWidget* parent)
 }
 
 void MessageBanner::showError(const QString& text, const Actions& actions) {
-  showText("error", text, actions);
+  showText("error", asSentence(text), actions);
   leaves_.stop();
 }
 

@@ -107,7 +107,7 @@ TEST_F(HistoryWindowTest, AReadOnlyPlantStaysAsItIs) {
   document().setReadOnly("save it elsewhere to edit it");
   clickRow(0);
   EXPECT_EQ(document().undoStack().index(), 2);
-  EXPECT_TRUE(message().contains("save it elsewhere"));
+  EXPECT_TRUE(message().contains("Save it elsewhere"));
 }
 
 } // namespace

@@ -154,7 +154,7 @@ TEST_F(SealWindowTest, ThatCannotBeReadIsToldAndLeftAlone) {
   action("close_plant").trigger();
   Project::open(toPath(file), Access::readWrite).setDocument("seal", "{nonsense");
   open({file});
-  EXPECT_EQ(message(), "the seal of this structure cannot be read: sign it again");
+  EXPECT_EQ(message(), "The seal of this structure cannot be read: sign it again");
   EXPECT_EQ(seal(), "Not signed yet.");
 }
 

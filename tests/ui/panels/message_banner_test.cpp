@@ -28,6 +28,15 @@ struct MessageBannerTest : testing::Test {
   }
 };
 
+TEST_F(MessageBannerTest, BeginsASentenceLargeAndLeavesNamesOfFiles) {
+  banner.showError("nothing grows from these points: choose others");
+  EXPECT_EQ(banner.text(), "Nothing grows from these points: choose others");
+  for (const char* text : {"oak.xyz, line 12: expected 3 numbers", "oak, line 12: no number"}) {
+    banner.showError(text);
+    EXPECT_EQ(banner.text(), text);
+  }
+}
+
 TEST_F(MessageBannerTest, LiesInTheMiddleOfTheFoot) {
   EXPECT_NEAR(place().center().x(), 500, 1);
   EXPECT_GT(place().top(), 500);

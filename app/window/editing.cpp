@@ -115,6 +115,15 @@ void Editing::addNodeEdits() {
   wheel_ = new RadiusWheel(document_, actions_, nodes, this);
 }
 
+/// What changes nothing is no step, but gets an answer.
+void Editing::make(const NodeEdit& edit) {
+  bool isChanged = false;
+  QObject watch;
+  connect(&document_, &PlantDocument::skeletonEdited, &watch, [&isChanged] { isChanged = true; });
+  edit.apply(document_, chosenTarget(edit));
+  if (!isChanged) emit noted(tr("%1: nothing to change here").arg(QString(edit.text).remove('&')));
+}
+
 void Editing::addNodeChoices() {
   actions_.beginSection(tr("Select"));
   for (const NodeChoice& choice : nodeChoices()) {

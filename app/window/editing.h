@@ -67,11 +67,13 @@ public:
 
 signals:
   void hintChanged();
+  void noted(const QString& message); // nothing has changed
   void contextMenuRequested(const QPoint& globalPosition);
 
 private:
   void addTools();
   void addNodeEdits();
+  void make(const NodeEdit& edit);
   void addNodeChoices();
   void addNavigation();
   void addDepth();

@@ -186,6 +186,7 @@ void MainWindow::connectDocument() {
   connect(&document_.undoStack(), &QUndoStack::indexChanged, this, &MainWindow::tellStep);
   connect(editing_.get(), &Editing::hintChanged, this, &MainWindow::refreshHint);
   connect(radius_.get(), &RadiusFlow::hintChanged, this, &MainWindow::refreshHint);
+  connect(editing_.get(), &Editing::noted, status_, &StatusLine::showNote);
   connect(radius_.get(), &RadiusFlow::noted, status_, &StatusLine::showNote);
   connect(radius_.get(), &RadiusFlow::done, this, [this](const QString& message) {
     banner_->showResult(message, tr("Undo"), [this] { editing_->undo(); });

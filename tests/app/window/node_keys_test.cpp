@@ -1,6 +1,7 @@
 // What keys, menus and the wheel do to nodes, in the real window.
 #include "tests/app/window/window_fixture.h"
 #include "tests/support/plants.h"
+#include "ui/panels/status_line.h"
 
 #include <QAction>
 #include <QInputDialog>
@@ -95,6 +96,14 @@ TEST_F(NodeKeysTest, CtrlWheelZoomsWhereNoNodeIsMeant) {
   wheel(2);
   EXPECT_EQ(document().undoStack().count(), 0);
   EXPECT_FALSE(view().camera() == before);
+}
+
+TEST_F(NodeKeysTest, AnEditThatChangesNothingIsAnswered) {
+  document().selection().set({nodeAt({0, 0, 0}), nodeAt({0, 0, 1})});
+  action("space_evenly").trigger();
+  EXPECT_EQ(document().undoStack().count(), 0);
+  EXPECT_TRUE(window().statusLine().shownText().contains("Space Evenly: nothing to change here"))
+      << window().statusLine().shownText().toStdString();
 }
 
 TEST_F(NodeKeysTest, ResampleAsksForALength) {

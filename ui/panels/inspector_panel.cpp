@@ -96,6 +96,7 @@ void InspectorPanel::makeForm() {
   empty_->setWordWrap(true);
   edge_->addItem(tr("< axial"), QVariant::fromValue(EdgeType::successor));
   edge_->addItem(tr("+ branching"), QVariant::fromValue(EdgeType::branching));
+  parent_->setObjectName("node_parent");
   parent_->setProperty("role", "link");
   parent_->setFlat(true);
   parent_->setCursor(Qt::PointingHandCursor);
@@ -125,6 +126,8 @@ void InspectorPanel::makeForm() {
   form_->addRow(tr("Children"), children_);
   form_->addRow(tr("Length"), length_);
   form_->addRow(tr("Position"), position_);
+  auto* place = static_cast<QLabel*>(form_->labelForField(position_));
+  place->setAlignment(Qt::AlignLeft | Qt::AlignTop); // a form makes it higher beside three lines
 }
 
 void InspectorPanel::refresh() {

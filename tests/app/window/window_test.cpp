@@ -10,11 +10,14 @@
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QFile>
+#include <QFormLayout>
 #include <QLabel>
 #include <QListWidget>
 #include <QMenu>
+#include <QPushButton>
 #include <QRegularExpression>
 #include <QScrollBar>
+#include <QStyleOptionButton>
 #include <QTest>
 #include <QTextBrowser>
 #include <QTimer>
@@ -284,6 +287,24 @@ TEST_F(MainWindowTest, RunsACommandFoundInThePalette) {
   QTest::keyClicks(palette.findChild<QLineEdit*>(), "sel all");
   QTest::keyClick(palette.findChild<QLineEdit*>(), Qt::Key_Return);
   EXPECT_TRUE(QTest::qWaitFor([this] { return document().selection().nodes().size() == 5; }));
+}
+
+TEST_F(MainWindowTest, AlignsTheNamesAndValuesOfANode) {
+  open({writeFork("fork.mtg")});
+  document().selection().set({test::forkTop});
+  auto& parent = find<QPushButton>("node_parent");
+  QStyleOptionButton option;
+  option.initFrom(&parent);
+  EXPECT_EQ(parent.style()->subElementRect(QStyle::SE_PushButtonContents, &option, &parent).left(),
+            0);
+  auto& form = static_cast<QFormLayout&>(*parent.parentWidget()->layout());
+  for (int row = 0; row < form.rowCount(); ++row) {
+    auto* name = static_cast<QLabel*>(form.itemAt(row, QFormLayout::LabelRole)->widget());
+    const QWidget& value = *form.itemAt(row, QFormLayout::FieldRole)->widget();
+    const bool isOneLine = value.height() < 2 * name->fontMetrics().height();
+    EXPECT_TRUE(isOneLine || name->alignment().testFlag(Qt::AlignTop))
+        << name->text().toStdString();
+  }
 }
 
 TEST_F(MainWindowTest, ShowsItsShortcuts) {

@@ -23,6 +23,14 @@ QString fullText(const QAction& action) {
   return action.property("section").toString() + ": " + name;
 }
 
+/// What is named as it was typed comes before what does so.
+int scoreOf(const QAction& action, const QString& typed) {
+  const QString name = fullText(action);
+  const int byName = CommandPalette::match(name, typed);
+  if (byName > 0) return byName + 1;
+  return CommandPalette::match(name + ' ' + action.statusTip(), typed) > 0 ? 1 : 0;
+}
+
 constexpr int keysRole = Qt::UserRole + 1;
 
 /// Keys stand in a column of their own, at the right.
@@ -93,7 +101,7 @@ bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
 void CommandPalette::refill() {
   std::vector<std::pair<int, QAction*>> found;
   for (QAction* action : actions_) {
-    const int score = match(fullText(*action), typed_->text());
+    const int score = scoreOf(*action, typed_->text());
     if (score > 0 && action->isEnabled() && action->isVisible()) found.emplace_back(score, action);
   }
   std::ranges::stable_sort(found, std::greater<>(), &std::pair<int, QAction*>::first);

@@ -289,6 +289,16 @@ TEST_F(MainWindowTest, RunsACommandFoundInThePalette) {
   EXPECT_TRUE(QTest::qWaitFor([this] { return document().selection().nodes().size() == 5; }));
 }
 
+TEST_F(MainWindowTest, FindsACommandByWhatItDoes) {
+  open({writeFork("fork.mtg")});
+  action("palette").trigger();
+  auto& palette = find<QDialog>("command_palette");
+  QTest::keyClicks(palette.findChild<QLineEdit*>(), "color nodes radius share");
+  QTest::keyClick(palette.findChild<QLineEdit*>(), Qt::Key_Return);
+  EXPECT_TRUE(
+      QTest::qWaitFor([this] { return action("node_color_radius_to_parent").isChecked(); }));
+}
+
 TEST_F(MainWindowTest, AlignsTheNamesAndValuesOfANode) {
   open({writeFork("fork.mtg")});
   document().selection().set({test::forkTop});

@@ -1,5 +1,6 @@
 #include "ui/panels/coverage_bar.h"
 
+#include <QEvent>
 #include <QPainter>
 #include <QPainterPath>
 #include <QPixmap>
@@ -28,6 +29,11 @@ QPixmap CoverageBar::sample(ReviewState state) const {
   QPainter painter(&pixmap);
   fill(painter, QRectF(0, 0, side, side), state);
   return pixmap;
+}
+
+void CoverageBar::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) emit colorsChanged();
 }
 
 void CoverageBar::paintEvent(QPaintEvent* event) {

@@ -22,7 +22,11 @@ public:
 
   [[nodiscard]] QSize sizeHint() const override { return {120, 12}; }
 
+signals:
+  void colorsChanged(); // with the theme: samples are to be taken anew
+
 protected:
+  void changeEvent(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
 
 private:

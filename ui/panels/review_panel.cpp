@@ -136,6 +136,7 @@ void ReviewPanel::addCoverage(QVBoxLayout& column) {
   for (const ReviewState state : shownStates) {
     const auto at = static_cast<std::size_t>(state);
     samples_[at] = new QLabel;
+    samples_[at]->setObjectName(QStringLiteral("review_sample_%1").arg(at));
     lengths_[at] = new QLabel;
     lengths_[at]->setObjectName(QStringLiteral("review_length_%1").arg(at));
     lengths_[at]->setAlignment(Qt::AlignRight);
@@ -144,6 +145,7 @@ void ReviewPanel::addCoverage(QVBoxLayout& column) {
     grid->addWidget(new QLabel(nameOf(state)), row, 1);
     grid->addWidget(lengths_[at], row, 2);
   }
+  connect(bar_, &CoverageBar::colorsChanged, this, &ReviewPanel::showSamples);
 }
 
 void ReviewPanel::addChosen(QVBoxLayout& column, const Actions& actions) {
@@ -234,9 +236,9 @@ void ReviewPanel::refresh() {
   timer_.stop();
   const ReviewCoverage seen = coverage(document_.skeleton());
   bar_->setCoverage(seen);
+  showSamples();
   for (const ReviewState state : shownStates) {
     const auto at = static_cast<std::size_t>(state);
-    samples_[at]->setPixmap(bar_->sample(state));
     lengths_[at]->setText(formatLength(seen.length[at], document_.unit(), 3));
     lengths_[at]->setToolTip(tr("%1 nodes").arg(formatCount(seen.nodes[at])));
   }
@@ -245,6 +247,12 @@ void ReviewPanel::refresh() {
       tr("%1 % reviewed").arg(seen.isComplete() ? 100.0 : std::min(percent, 99.9), 0, 'f', 1));
   model_->show(document_.skeleton(), document_.unit());
   fitSeal();
+}
+
+/// In the colors of the theme, as the bar.
+void ReviewPanel::showSamples() {
+  for (const ReviewState state : shownStates)
+    samples_[static_cast<std::size_t>(state)]->setPixmap(bar_->sample(state));
 }
 
 void ReviewPanel::refreshChosen() {

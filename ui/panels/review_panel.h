@@ -62,6 +62,7 @@ private:
   void fitSeal();
   void later(); // many edits, as of a drag, are shown at once
   void refresh();
+  void showSamples();
   void refreshChosen();
 
   PlantDocument& document_;

@@ -1,5 +1,6 @@
 #include "tests/app/window/window_fixture.h"
 #include "tests/support/plants.h"
+#include "ui/panels/coverage_bar.h"
 #include "ui/panels/review_panel.h"
 #include "ui/panels/status_line.h"
 
@@ -29,6 +30,21 @@ struct ReviewWindowTest : test::WindowTest {
     return QTest::qWaitFor([&] { return label(name) == text; });
   }
 };
+
+TEST_F(ReviewWindowTest, SamplesOfColorsFollowTheTheme) {
+  openFork();
+  action("show_review").setChecked(true);
+  action("theme_light").trigger();
+  const auto& sample = find<QLabel>("review_sample_2");
+  const QImage light = sample.pixmap(Qt::ReturnByValue).toImage();
+  action("theme_dark").trigger();
+  const auto* bar = window().findChild<CoverageBar*>();
+  ASSERT_NE(bar, nullptr);
+  EXPECT_EQ(sample.pixmap(Qt::ReturnByValue).toImage(),
+            bar->sample(ReviewState::reviewed).toImage());
+  EXPECT_NE(sample.pixmap(Qt::ReturnByValue).toImage(), light);
+  action("theme_light").trigger();
+}
 
 TEST_F(ReviewWindowTest, TheWalkGoesFromStretchToStretchAndShowsEach) {
   openFork();

@@ -34,6 +34,14 @@ QString stateName(ReviewState state) {
 
 } // namespace
 
+QString AxisReviewModel::name(int row, int order) {
+  return QString(std::min(order, deepest), ' ') + QString::number(row + 1);
+}
+
+QString AxisReviewModel::longestName() const {
+  return name(rowCount(), deepest);
+}
+
 void AxisReviewModel::show(const Skeleton& skeleton, LengthUnit unit) {
   std::vector<Row> rows;
   const std::vector<int> orderOf = orders(skeleton);
@@ -74,7 +82,7 @@ QVariant AxisReviewModel::data(const QModelIndex& index, int role) const {
   if (role != Qt::DisplayRole) return {};
   switch (index.column()) {
   case nameColumn:
-    return QString(2 * std::min(row.order, 4), ' ') + QString::number(index.row() + 1);
+    return name(index.row(), row.order);
   case lengthColumn:
     return formatLength(row.seen.totalLength(), unit_, 3);
   default:

@@ -19,6 +19,8 @@ public:
   void show(const Skeleton& skeleton, LengthUnit unit); // O(N)
   [[nodiscard]] const Axis& axis(int row) const { return rows_[std::size_t(row)].axis; }
 
+  [[nodiscard]] QString longestName() const; // of an axis, at most
+
   [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
@@ -26,6 +28,8 @@ public:
                                     int role) const override;
 
 private:
+  static constexpr int deepest = 3; // what is of a higher order is indented no farther
+  static QString name(int row, int order);
   struct Row {
     Axis axis;
     int order = 0;

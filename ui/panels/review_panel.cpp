@@ -194,8 +194,7 @@ void ReviewPanel::addAxes(QVBoxLayout& column) {
   axes_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Fixed);
   axes_->horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
   axes_->horizontalHeader()->setSectionResizeMode(2, QHeaderView::Fixed);
-  axes_->horizontalHeader()->resizeSection(0, 38);
-  axes_->horizontalHeader()->resizeSection(2, 48);
+  axes_->horizontalHeader()->resizeSection(2, 46);
   axes_->horizontalHeader()->setHighlightSections(false);
   column.addWidget(axes_, 1);
   const auto choose = [this](const QModelIndex& index) {
@@ -246,6 +245,11 @@ void ReviewPanel::refresh() {
   share_->setText(
       tr("%1 % reviewed").arg(seen.isComplete() ? 100.0 : std::min(percent, 99.9), 0, 'f', 1));
   model_->show(document_.skeleton(), document_.unit());
+  constexpr int margins = 8;
+  const QFontMetrics& letters = axes_->fontMetrics();
+  axes_->horizontalHeader()->resizeSection(
+      0, margins + std::max(letters.horizontalAdvance(model_->longestName()),
+                            letters.horizontalAdvance(tr("Axis"))));
   fitSeal();
 }
 

@@ -46,6 +46,24 @@ TEST_F(ReviewWindowTest, SamplesOfColorsFollowTheTheme) {
   action("theme_light").trigger();
 }
 
+TEST_F(ReviewWindowTest, TheListShowsTheNumbersOfAxesOfHighOrder) {
+  openFork();
+  Skeleton plant = test::stick(1);
+  for (std::uint32_t i = 0; i < 120; ++i) // each on the one before
+    plant.add({.position = {double(i), 0, 0}, .parent = NodeId{i}, .edge = EdgeType::branching});
+  document().openSkeleton(plant, "plant.mtg");
+  action("show_review").setChecked(true);
+  const auto& list = find<QTableView>("review_axes");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return list.model()->rowCount() == 121; }));
+  const QStyle& style = *list.style();
+  const int margin = style.pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, &list) + 1;
+  for (const int row : {0, 11, 120})
+    EXPECT_LE(list.fontMetrics().horizontalAdvance(list.model()->index(row, 0).data().toString()) +
+                  2 * margin,
+              list.columnWidth(0))
+        << row;
+}
+
 TEST_F(ReviewWindowTest, TheWalkGoesFromStretchToStretchAndShowsEach) {
   openFork();
   EXPECT_FALSE(find<QDockWidget>("review").isVisible());

@@ -4,10 +4,13 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QHBoxLayout>
+#include <QImage>
 #include <QListWidget>
 #include <QScrollBar>
 #include <QTextBlock>
 #include <QTextBrowser>
+
+#include <algorithm>
 
 namespace espalier {
 
@@ -44,7 +47,8 @@ void ManualWindow::fitPictures() {
       const QTextFragment fragment = part.fragment();
       if (!fragment.charFormat().isImageFormat()) continue;
       QTextImageFormat picture = fragment.charFormat().toImageFormat();
-      picture.setWidth(widest);
+      const QVariant file = text_->loadResource(QTextDocument::ImageResource, picture.name());
+      picture.setWidth(std::min(widest, QImage::fromData(file.toByteArray()).width()));
       QTextCursor cursor(text_->document());
       cursor.setPosition(fragment.position());
       cursor.setPosition(fragment.position() + fragment.length(), QTextCursor::KeepAnchor);

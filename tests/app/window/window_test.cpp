@@ -20,6 +20,7 @@
 #include <QStyleOptionButton>
 #include <QTest>
 #include <QTextBrowser>
+#include <QTextDocument>
 #include <QTimer>
 
 namespace espalier {
@@ -235,6 +236,12 @@ TEST_F(MainWindowTest, ShowsTheManual) {
   auto& manual = find<QDialog>("manual_window");
   const auto* text = manual.findChild<QTextBrowser*>();
   EXPECT_TRUE(text->toPlainText().contains("Remove Subtree"));
+  QMap<QString, double> widths;
+  for (const QTextFormat& format : text->document()->allFormats())
+    if (format.isImageFormat() && format.hasProperty(QTextFormat::ImageWidth))
+      widths.insert(format.toImageFormat().name(), format.toImageFormat().width());
+  EXPECT_EQ(widths.value("section.png"), 188) << "as it is";
+  EXPECT_EQ(widths.value("editor.png"), 620) << "no wider than the page";
   auto* headings = manual.findChild<QListWidget*>();
   ASSERT_GT(headings->count(), 3);
   headings->setCurrentRow(3);

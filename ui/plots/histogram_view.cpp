@@ -28,6 +28,7 @@ std::size_t countBetween(const std::vector<float>& values, double from, double t
 
 HistogramView::HistogramView(QWidget* parent) : QWidget(parent) {
   setObjectName("histogram");
+  setAccessibleName(tr("Histogram"));
   setMinimumSize(200, 90);
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);

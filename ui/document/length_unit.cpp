@@ -1,6 +1,6 @@
 #include "ui/document/length_unit.h"
 
-#include <QLocale>
+#include "ui/document/number_scale.h"
 
 #include <algorithm>
 #include <array>
@@ -38,7 +38,7 @@ QString formatLength(double length, LengthUnit unit, int digits) {
   if (length != 0 && std::isfinite(length))
     decimals =
         std::clamp(digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(length)))), 0, 6);
-  const QString number = QLocale::c().toString(length, 'f', decimals);
+  const QString number = numberText(length, decimals);
   return unit == LengthUnit::unknown ? number : number + QChar(0x202f) + symbol(unit);
 }
 
@@ -58,10 +58,7 @@ QString formatVolume(double volume, LengthUnit unit) {
 }
 
 QString formatCount(std::size_t count) {
-  QString digits = QString::number(count);
-  for (qsizetype at = digits.size() - 3; at > 0; at -= 3)
-    digits.insert(at, QChar(0x202f));
-  return digits;
+  return numberText(static_cast<double>(count), 0);
 }
 
 } // namespace espalier

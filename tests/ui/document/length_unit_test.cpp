@@ -15,7 +15,7 @@ TEST(LengthUnit, IsFoundAgainByItsSymbol) {
 TEST(LengthUnit, FollowsANumberRoundedToItsSize) {
   EXPECT_EQ(formatLength(12.3456, LengthUnit::millimeter, 3), QString::fromUtf8("12.3\u202fmm"));
   EXPECT_EQ(formatLength(0.00123456, LengthUnit::meter, 3), QString::fromUtf8("0.00123\u202fm"));
-  EXPECT_EQ(formatLength(123456, LengthUnit::unknown, 3), "123456");
+  EXPECT_EQ(formatLength(123456, LengthUnit::unknown, 3), QString::fromUtf8("123\u202f456"));
   EXPECT_EQ(formatLength(0, LengthUnit::unknown), "0");
 }
 

@@ -62,6 +62,10 @@ void addEdits(CLI::App& command, EvaluateFlags& flags) {
       ->type_name("COST");
   command.add_flag("--merge-paths", flags.merges,
                    "Let one segment stand for up to three that follow each other");
+  command
+      .add_option("--mapping", flags.mapping,
+                  "File to write to which part stands for which, and what is removed and inserted")
+      ->type_name("FILE");
 }
 
 void addRanking(CLI::App& command, EvaluateFlags& flags) {

@@ -24,6 +24,7 @@ struct EvaluateFlags {
   std::string editUnit = "segment";
   std::string editCost = "topology";
   bool merges = false;
+  std::string mapping; // a file; empty: none
   bool where = false;
   bool traits = false;
   bool light = false;

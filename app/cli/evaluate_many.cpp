@@ -11,9 +11,10 @@
 namespace espalier {
 
 void evaluateMany(const EvaluateFlags& flags, const TerminalProgress& terminal) {
-  if (flags.where || flags.merges || flags.traits || flags.light)
-    throw WrongUsage("--where, --traits, --light and --merge-paths tell of one result: leave them "
-                     "out, or give one");
+  if (flags.where || flags.merges || flags.traits || flags.light || !flags.mapping.empty())
+    throw WrongUsage(
+        "--where, --traits, --light, --merge-paths and --mapping tell of one result: leave them "
+        "out, or give one");
   if (!flags.report.scan.empty())
     throw WrongUsage("--scan shows the points of one result: leave it out, or give one");
   const std::vector<std::string> names(flags.files.begin(), flags.files.end() - 1);

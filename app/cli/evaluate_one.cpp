@@ -2,9 +2,11 @@
 #include "app/cli/evaluate_numbers.h"
 #include "app/cli/evaluate_text.h"
 #include "app/cli/files.h"
+#include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/evaluate/comparison.h"
 #include "core/evaluate/comparison_json.h"
+#include "core/evaluate/edit_table.h"
 #include "core/evaluate/registration.h"
 
 #include <nlohmann/json.hpp>
@@ -44,6 +46,15 @@ void warnOfShift(Comparison& comparison, const Skeleton& result, const Skeleton&
       "it is laid on it first");
 }
 
+void writeMapping(const std::string& file, const Comparison& comparison, const Skeleton& result,
+                  const Skeleton& reference) {
+  if (file.empty()) return;
+  if (!comparison.edit)
+    throw Error(file + ": the plants have too many parts for an edit distance: compare their axes "
+                       "by --edit-unit axis");
+  writeTable(file, editTable(*comparison.edit, result, reference));
+}
+
 } // namespace
 
 void evaluateOne(const EvaluateFlags& flags, const TerminalProgress& terminal) {
@@ -75,6 +86,7 @@ void evaluateOne(const EvaluateFlags& flags, const TerminalProgress& terminal) {
     json["edit_distance"]["cost"] = flags.editCost;
     json["edit_distance"]["merge_paths"] = flags.merges;
   }
+  writeMapping(flags.mapping, comparison, result, reference);
   if (!hasReport && flags.csv.empty() && flags.json.empty()) return;
   const ReportData data = reportData(comparison, result, reference, scan, flags.distance,
                                      whole.part(0.45, 0.7, "Measuring"));

@@ -243,7 +243,7 @@ TEST_F(Evaluate, WritesAReportOfARanking) {
 
 TEST_F(Evaluate, RefusesWhatARankingDoesNotTell) {
   expectRefusal(runProgram({"evaluate", truth_, truth_, truth_, "--where"}), 2,
-                {"--where, --traits, --light and --merge-paths tell of one result"});
+                {"--where, --traits, --light, --merge-paths and --mapping tell of one result"});
   expectRefusal(runProgram({"evaluate", truth_, truth_, "--rank-by", "beauty"}), 2,
                 {"choose one of geometric, structural"});
   expectRefusal(runProgram({"evaluate", truth_, truth_, "--rank-by", "f"}), 2, {"--ranking"});

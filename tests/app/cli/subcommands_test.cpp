@@ -203,6 +203,11 @@ TEST_F(Subcommands, EvaluateCountsEditsAsAsked) {
   EXPECT_EQ(edit["merge_paths"], true);
   EXPECT_EQ(edit["distance"], 0);
   EXPECT_GT(edit["removing_all"], 0);
+  run({"evaluate", truth_, truth_, "--mapping", file("m.csv")});
+  const std::string mapping = test::bytesOf(file("m.csv"));
+  EXPECT_EQ(mapping.substr(0, 14), "edit,result,re");
+  EXPECT_THAT(mapping, HasSubstr("\nmatched,"));
+  EXPECT_THAT(mapping, Not(HasSubstr("\nremoved,")));
   const Outcome wrong = runProgram({"evaluate", truth_, truth_, "--edit-cost", "shap"});
   EXPECT_EQ(wrong.status, 2);
   EXPECT_THAT(wrong.err, HasSubstr("{topology,attributes,length,place,shape}"));

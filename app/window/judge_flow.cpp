@@ -9,6 +9,7 @@
 #include "ui/document/binned_values.h"
 #include "ui/document/number_scale.h"
 #include "ui/document/plant_document.h"
+#include "ui/panels/enter_key.h"
 #include "ui/plots/histogram_view.h"
 #include "ui/view/plant_view.h"
 
@@ -172,6 +173,7 @@ QWidget* JudgeFlow::makePanel() {
   auto* column = new QVBoxLayout;
   column->setSpacing(4);
   kind_ = new QComboBox;
+  opensOnEnter(*kind_);
   kind_->setObjectName("judge_kind");
   kind_->setAccessibleName(tr("What the histogram shows"));
   kind_->addItems({tr("Residual thickness"), tr("Displacement"), tr("Density"),

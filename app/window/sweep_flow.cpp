@@ -8,6 +8,7 @@
 #include "core/pipeline/sweep.h"
 #include "ui/document/number_scale.h"
 #include "ui/document/plant_document.h"
+#include "ui/panels/enter_key.h"
 #include "ui/panels/number_field.h"
 #include "ui/panels/pipeline_panel.h"
 #include "ui/panels/step_form.h"
@@ -99,6 +100,7 @@ QWidget* SweepFlow::makePanel() {
   auto* row = new QHBoxLayout;
   row->setSpacing(8);
   option_ = new QComboBox;
+  opensOnEnter(*option_);
   option_->setObjectName("sweep_option");
   option_->setAccessibleName(tr("Option that is swept"));
   row->addWidget(option_);

@@ -2,6 +2,7 @@
 
 #include "core/skeleton/edits.h"
 #include "ui/document/plant_document.h"
+#include "ui/panels/enter_key.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -82,6 +83,7 @@ void CrossSectionPanel::makeForm() {
   for (const RadiusMeasure measure :
        {RadiusMeasure::circle, RadiusMeasure::mean, RadiusMeasure::maximum, RadiusMeasure::hull})
     measure_->addItem(nameOf(measure), static_cast<int>(measure));
+  opensOnEnter(*measure_);
   measure_->setObjectName("section_measure");
   measure_->setAccessibleName(tr("Measured by"));
   measure_->setToolTip(tr("What the dashed circle is taken from"));

@@ -1,5 +1,6 @@
 #include "ui/panels/enter_key.h"
 
+#include <QComboBox>
 #include <QKeyEvent>
 
 #include <utility>
@@ -37,6 +38,10 @@ private:
 
 void onEnter(QWidget& widget, std::function<void()> act) {
   new EnterKey(widget, std::move(act)); // owned by the widget
+}
+
+void opensOnEnter(QComboBox& choices) {
+  onEnter(choices, [&choices] { choices.showPopup(); });
 }
 
 } // namespace espalier

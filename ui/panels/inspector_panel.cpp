@@ -3,6 +3,7 @@
 #include "core/skeleton/axes.h"
 #include "ui/document/plant_document.h"
 #include "ui/panels/cross_section_panel.h"
+#include "ui/panels/enter_key.h"
 #include "ui/panels/units_form.h"
 
 #include <QComboBox>
@@ -94,6 +95,7 @@ void InspectorPanel::makeForm() {
   title_->setProperty("role", "title");
   empty_->setProperty("role", "quiet");
   empty_->setWordWrap(true);
+  opensOnEnter(*edge_);
   edge_->addItem(tr("< axial"), QVariant::fromValue(EdgeType::successor));
   edge_->addItem(tr("+ branching"), QVariant::fromValue(EdgeType::branching));
   parent_->setObjectName("node_parent");

@@ -1,6 +1,7 @@
 #include "ui/panels/scan_form.h"
 
 #include "ui/document/plant_document.h"
+#include "ui/panels/enter_key.h"
 
 #include <QComboBox>
 #include <QFileInfo>
@@ -17,6 +18,7 @@ ScanForm::ScanForm(PlantDocument& document, QWidget* parent)
   unit_->addItem(tr("not known"), QString());
   for (const LengthUnit unit : {LengthUnit::millimeter, LengthUnit::centimeter, LengthUnit::meter})
     unit_->addItem(symbol(unit), symbol(unit));
+  opensOnEnter(*unit_);
   unit_->setObjectName("unit");
   unit_->setToolTip(tr("The unit of the coordinates. They are shown with it, never rescaled."));
   auto* form = new QFormLayout(this);

@@ -2,6 +2,7 @@
 
 #include "ui/panels/density_curve.h"
 #include "ui/panels/density_fields.h"
+#include "ui/panels/enter_key.h"
 #include "ui/panels/option_field.h"
 
 #include <QComboBox>
@@ -48,6 +49,7 @@ StepForm::StepForm(const Step& step, int number, QWidget* parent)
   method_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   method_->setMinimumContentsLength(8); // long names are cut off rather than widen the form
   method_->setVisible(step.methods.size() > 1);
+  opensOnEnter(*method_);
   method_->setAccessibleName(tr("Method of %1").arg(QString::fromStdString(step.label)));
   column_->setContentsMargins(28, 4, 12, 12);
   column_->setSpacing(8);

@@ -1,5 +1,7 @@
 #include "ui/panels/word_fields.h"
 
+#include "ui/panels/enter_key.h"
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QGridLayout>
@@ -13,6 +15,7 @@ ChoiceField::ChoiceField(const Option& option, QGridLayout& grid, QWidget& paren
     : OptionField(option, parent), words_(new QComboBox(&parent)) {
   words_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   words_->setMinimumContentsLength(8);
+  opensOnEnter(*words_);
   words_->setObjectName(QString::fromStdString(option.name));
   words_->setAccessibleName(label().text());
   for (const Choice& choice : option.choices)

@@ -3,8 +3,11 @@
 #include "ui/panels/coverage_bar.h"
 #include "ui/panels/review_panel.h"
 #include "ui/panels/status_line.h"
+#include "ui/panels/step_form.h"
 
+#include <QAbstractItemView>
 #include <QAction>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QLabel>
@@ -62,6 +65,16 @@ TEST_F(ReviewWindowTest, TheListShowsTheNumbersOfAxesOfHighOrder) {
                   2 * margin,
               list.columnWidth(0))
         << row;
+}
+
+TEST_F(ReviewWindowTest, EnterInAListOfChoicesOpensItAndMarksNothing) {
+  openFork();
+  auto* methods = window().findChild<StepForm*>()->findChild<QComboBox*>();
+  methods->setFocus();
+  QTest::keyClick(methods, Qt::Key_Return);
+  EXPECT_TRUE(methods->view()->isVisible());
+  methods->hidePopup();
+  EXPECT_FALSE(action("show_review").isChecked());
 }
 
 TEST_F(ReviewWindowTest, TheWalkGoesFromStretchToStretchAndShowsEach) {

@@ -6,6 +6,7 @@
 #include "app/window/reconstruct_flow.h"
 #include "app/window/reference_flow.h"
 #include "app/window/states_flow.h"
+#include "core/base/error.h"
 #include "ui/document/binned_values.h"
 #include "ui/document/number_scale.h"
 #include "ui/document/plant_document.h"
@@ -60,16 +61,20 @@ auto ofScores(double MethodScores::*value) {
   };
 }
 
+/// Of a length of a whole plant: to some mm, if it is known what it is in.
+int decimalsOf(const QString& unit) {
+  return unit == symbol(LengthUnit::meter) ? 2 : unit == symbol(LengthUnit::centimeter) ? 1 : 0;
+}
+
 std::vector<Number> numbersOfQuality(const QString& unit) {
   const auto tr = [](const char* text) { return JudgeFlow::tr(text); };
   using Q = ContractionQuality;
   return {
       {tr("Residual thickness"), tr("spacings"),
-       tr("Median distance of contracted points from the axis through those about them"),
+       tr("How far contracted points lie from the axis through those about them: the root mean "
+          "square about each point, and of these the median"),
        Better::less, 2, ofQuality(&Q::residualThickness)},
-      {tr("On a line"), tr("%"),
-       tr("Share of the points about which the contracted ones lie on a "
-          "line"),
+      {tr("On a line"), tr("%"), tr("Share of points whose contracted neighbors lie on a line"),
        Better::more, 1, ofQuality(&Q::shareOnLine, 100)},
       {tr("Ends of the scan"),
        {},
@@ -95,8 +100,8 @@ std::vector<Number> numbersOfQuality(const QString& unit) {
        Better::less,
        0,
        ofSkeleton(&Q::unexplainedPoints)},
-      {tr("Length of the skeleton"), unit, tr("Of all its edges"), Better::neither, 0,
-       ofSkeleton(&Q::skeletonLength)},
+      {tr("Length of the skeleton"), unit, tr("Of all its edges"), Better::neither,
+       decimalsOf(unit), ofSkeleton(&Q::skeletonLength)},
       {tr("Nodes"), {}, tr("Nodes of the skeleton"), Better::neither, 0, ofSkeleton(&Q::nodes)},
   };
 }
@@ -210,6 +215,7 @@ std::vector<JudgeFlow::State> JudgeFlow::states() const {
   if (parts_.document.contracted() != nullptr || !parts_.document.skeleton().isEmpty())
     states.push_back({.name = tr("Plant"), .outcome = parts_.states.plant()});
   if (parts_.states.kept()) states.push_back({.name = tr("A"), .outcome = *parts_.states.kept()});
+  if (!parts_.preview.shown()) std::ranges::reverse(states); // the plant is what became of A
   if (parts_.preview.shown())
     states.push_back(
         {.name = parts_.preview.shown()->within ? tr("Preview, in the ball") : tr("Preview"),
@@ -267,13 +273,16 @@ void JudgeFlow::show() {
   QStringList names;
   for (const State& state : shown_)
     names.append(state.name);
-  table_->show(names, shown_.empty() ? std::vector<JudgeRow>() : rows());
+  const bool isPart = !shown_.empty() && shown_.back().outcome.within;
+  table_->show(names, shown_.empty() ? std::vector<JudgeRow>() : rows(), !isPart);
   showHistogram();
 }
 
 ChoiceRecord JudgeFlow::record() const {
   ChoiceRecord record;
   if (shown_.empty() || parts_.document.scan() == nullptr) return record;
+  if (shown_.back().outcome.within || parts_.preview.isBusy() || isBusy())
+    throw Error(tr("the preview is not of the whole scan yet: wait a moment").toStdString());
   const Scan& scan = *parts_.document.scan();
   const PlantScale scale{.spacing = scan.spacing(), .height = scan.height()};
   const std::vector<JudgeRow> numbers = rows();

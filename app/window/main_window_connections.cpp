@@ -280,6 +280,7 @@ void MainWindow::connectPreview() {
   });
   connect(preview_.get(), &PreviewFlow::failed, banner_,
           [this](const QString& message) { banner_->showError(message); });
+  connect(preview_.get(), &PreviewFlow::noted, status_, &StatusLine::showNote);
   connect(preview_.get(), &PreviewFlow::changed, this, &MainWindow::refreshHint);
   connect(preview_.get(), &PreviewFlow::changed, this, [this] {
     const std::optional<Outcome>& shown = preview_->shown();

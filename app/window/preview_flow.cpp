@@ -235,19 +235,23 @@ void PreviewFlow::setColors(std::optional<NodeColors> colors) {
 }
 
 void PreviewFlow::draw() {
-  const Outcome& outcome = *shown_;
-  const Scan& scan = *parts_.document.scan();
-  const QString change =
-      changeText(before_, outcome.options, {.spacing = scan.spacing(), .height = scan.height()},
-                 symbol(parts_.document.unit()));
-  PlantState state = outcome.shownAs(change.isEmpty() ? tr("Preview") : change);
+  const QString change = changeTo(shown_->options);
+  PlantState state = shown_->shownAs(change.isEmpty() ? tr("Preview") : change);
   state.colors = colors_;
   state.replacesPoints = movesPoints_;
   parts_.view.setState(Side::right, state);
 }
 
+QString PreviewFlow::changeTo(const PipelineOptions& options) const {
+  const Scan& scan = *parts_.document.scan();
+  return changeText(before_, options, {.spacing = scan.spacing(), .height = scan.height()},
+                    symbol(parts_.document.unit()));
+}
+
 bool PreviewFlow::drop() {
   if (!shown_) return false;
+  if (const QString change = changeTo(parts_.pipeline.options()); !change.isEmpty())
+    emit noted(tr("Dropped: %1").arg(change)); // it can be typed again
   parts_.pipeline.setOptions(before_);
   clear();
   if (parts_.reconstruct.used() == options()) parts_.pipeline.showDone({}); // as the plant is

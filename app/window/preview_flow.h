@@ -78,6 +78,7 @@ public:
 signals:
   void changed(); // what is shown, or whether it still is to be completed
   void failed(const QString& message);
+  void noted(const QString& message);
 
 private:
   enum class Kind : std::uint8_t { contracted, reconstructed, whole }; // the first two of a ball
@@ -101,6 +102,7 @@ private:
   [[nodiscard]] PipelineOptions options() const;
   void show(const Outcome& outcome);
   void draw();
+  [[nodiscard]] QString changeTo(const PipelineOptions& options) const; // from those before
   void forgetScan();
 
   Parts parts_;

@@ -57,9 +57,13 @@ void StatesFlow::addActions() {
   const auto add = [&](Arrangement arrangement, const Command& command) {
     QAction* action = actions.add(command, [this, arrangement] {
       arrangement_ = arrangement;
+      QAction* twoViews = parts_.actions["two_views"];
       if (arrangement == Arrangement::twoViews) {
-        parts_.actions["two_views"]->setChecked(true);
+        hasOpenedSecond_ = hasOpenedSecond_ || !twoViews->isChecked();
+        twoViews->setChecked(true);
         parts_.actions["link_same"]->trigger();
+      } else if (std::exchange(hasOpenedSecond_, false)) {
+        twoViews->setChecked(false);
       }
       arrange();
     });
@@ -181,18 +185,17 @@ void StatesFlow::showA() {
   const QString change =
       changeText({}, kept_->options, {.spacing = scan.spacing(), .height = scan.height()},
                  symbol(parts_.document.unit()));
-  PlantState state = kept_->shownAs(change.isEmpty() ? tr("A") : tr("A · %1").arg(change));
+  PlantState state = kept_->shownAs(tr("A · %1").arg(change.isEmpty() ? tr("Default") : change));
   state.replacesPoints = areReplaced_;
   parts_.view.setState(Side::left, state);
 }
 
 void StatesFlow::arrange() {
   const bool isCompared = parts_.preview.shown() || kept_;
-  const double alone = parts_.preview.shown() || !kept_ ? 0 : 1;
   PlantView* second = parts_.twoViews.second();
   switch (isCompared ? arrangement_ : Arrangement::preview) {
   case Arrangement::preview:
-    parts_.view.setDivider(isCompared ? alone : 1);
+    parts_.view.setDivider(isCompared ? 0 : 1); // A shows beside something only
     break;
   case Arrangement::divided:
     parts_.view.setDivider(divider_);

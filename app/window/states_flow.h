@@ -65,6 +65,7 @@ private:
 
   Parts parts_;
   QActionGroup* arrangements_;
+  bool hasOpenedSecond_ = false; // the second view is there for the comparison alone
   Arrangement arrangement_ = Arrangement::preview;
   BlendBar* bar_ = nullptr;
   bool isPlantShown_ = false;

@@ -280,6 +280,7 @@ void SweepFlow::showCards() {
     bool isLessBetter;
     int decimals;
     std::function<std::optional<double>(const Judgment&)> of;
+    std::function<std::optional<double>(const Judgment&)> all = {}; // of how many
   };
   const auto quality = [](auto member) {
     return [member](const Judgment& judgment) -> std::optional<double> {
@@ -295,7 +296,8 @@ void SweepFlow::showCards() {
   };
   const std::vector<Column> columns = {
       {tr("Residual"), true, 2, quality(&ContractionQuality::residualThickness)},
-      {tr("Lost ends"), true, 0, quality(&ContractionQuality::lostTips)},
+      {tr("Lost ends"), true, 0, quality(&ContractionQuality::lostTips),
+       quality(&ContractionQuality::tips)},
       {tr("Webbed"), true, 0, quality(&ContractionQuality::webbedJunctions)},
       {tr("Unexplained"), true, 0, quality(&ContractionQuality::unexplainedPoints)},
       {tr("F"), false, 3, score(&MethodScores::f)},
@@ -312,11 +314,15 @@ void SweepFlow::showCards() {
     if (values.empty()) continue;
     const auto [least, most] = std::ranges::minmax(values);
     const double best = column.isLessBetter ? least : most;
+    // What half of them share says nothing of a value.
+    const bool tells = 2 * std::ranges::count(values, best) < std::ssize(values);
     for (Trial& trial : trials_)
-      if (const auto value = column.of(trial.judgment))
-        trial.item.scores.push_back({.name = column.name,
-                                     .text = numberText(*value, column.decimals),
-                                     .isBest = *value == best && least < most});
+      if (const auto value = column.of(trial.judgment)) {
+        QString text = numberText(*value, column.decimals);
+        if (column.all) text = tr("%1 of %2").arg(text, numberText(*column.all(trial.judgment), 0));
+        trial.item.scores.push_back(
+            {.name = column.name, .text = text, .isBest = tells && *value == best});
+      }
   }
   std::vector<SweepItem> items;
   for (const Trial& trial : trials_)

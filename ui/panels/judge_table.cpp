@@ -67,6 +67,12 @@ private:
   }
 };
 
+/// A number as it is written, so that differences are those one sees.
+double written(double value, const JudgeRow& row) {
+  const double unit = std::pow(10, -row.decimals);
+  return std::round(value / unit) * unit;
+}
+
 /// "+0.25 ✓": how far from the first state; the mark says that it is better.
 QString differenceText(const JudgeRow& row, double difference) {
   const QString number = QString::number(std::abs(difference), 'f', row.decimals);
@@ -81,7 +87,8 @@ QString tipOf(const JudgeRow& row) {
   const QString better = row.better == JudgeRow::Better::less   ? JudgeTable::tr("Less is better.")
                          : row.better == JudgeRow::Better::more ? JudgeTable::tr("More is better.")
                                                                 : QString();
-  return QStringLiteral("<qt>%1 %2</qt>").arg(row.meaning.toHtmlEscaped(), better);
+  const QString stop = row.meaning.endsWith('.') ? QString() : QStringLiteral(".");
+  return QStringLiteral("<qt>%1%2 %3</qt>").arg(row.meaning.toHtmlEscaped(), stop, better);
 }
 
 } // namespace
@@ -102,7 +109,9 @@ JudgeTable::JudgeTable(QWidget* parent) : QTableWidget(parent) {
   onCopy(*this, [this] { QApplication::clipboard()->setText(table()); });
 }
 
-void JudgeTable::show(const QStringList& states, const std::vector<JudgeRow>& rows) {
+void JudgeTable::show(const QStringList& states, const std::vector<JudgeRow>& rows,
+                      bool areOfSame) {
+  areOfSame_ = areOfSame;
   states_ = states;
   rows_ = rows;
   setColumnCount(1 + static_cast<int>(states.size()));
@@ -129,8 +138,9 @@ void JudgeTable::fillRow(int place, const JudgeRow& row) {
         new QTableWidgetItem(value ? numberText(*value, row.decimals) : QStringLiteral("–"));
     cell->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     cell->setToolTip(tip);
-    if (value && state > 0 && row.values.front()) {
-      const QString difference = differenceText(row, *value - *row.values.front());
+    if (value && state > 0 && row.values.front() && areOfSame_) {
+      const QString difference =
+          differenceText(row, written(*value, row) - written(*row.values.front(), row));
       cell->setData(differenceRole, difference);
       cell->setData(Qt::AccessibleTextRole,
                     tr("%1, %2 against %3").arg(cell->text(), difference, states_.front()));

@@ -20,8 +20,9 @@ struct JudgeRow {
   std::vector<std::optional<double>> values; // one per state; none: not known
 };
 
-/// Numbers of a few states of a plant side by side, each with its difference to the first state:
-/// small and quiet, with a mark where it is better. Copying takes the table, for a spreadsheet.
+/// Numbers of a few states of a plant side by side, each with its difference to the first state, as
+/// they are written: small and quiet, with a mark where it is better. Copying takes the table, for
+/// a spreadsheet.
 class JudgeTable : public QTableWidget {
   Q_OBJECT
 
@@ -29,7 +30,8 @@ public:
   explicit JudgeTable(QWidget* parent = nullptr);
 
   /// @param states their names: "Plant", "A", "Preview"
-  void show(const QStringList& states, const std::vector<JudgeRow>& rows);
+  /// @param areOfSame points; if not, their numbers have no differences
+  void show(const QStringList& states, const std::vector<JudgeRow>& rows, bool areOfSame = true);
   /// The table for a spreadsheet: columns divided by tabs, numbers in full.
   [[nodiscard]] QString table() const;
 
@@ -37,6 +39,7 @@ private:
   void fillRow(int place, const JudgeRow& row);
 
   QStringList states_;
+  bool areOfSame_ = true;
   std::vector<JudgeRow> rows_;
 };
 

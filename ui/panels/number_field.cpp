@@ -3,8 +3,10 @@
 #include "ui/panels/option_slider.h"
 
 #include <QDoubleSpinBox>
+#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QSignalBlocker>
 #include <QToolButton>
 
@@ -46,6 +48,7 @@ NumberField::NumberField(const Option& option, QGridLayout& grid, QWidget& paren
   number_->setButtonSymbols(QAbstractSpinBox::NoButtons);
   number_->setFixedWidth(84);
   number_->setAccessibleName(label().text());
+  number_->findChild<QLineEdit*>()->installEventFilter(this);
   slider_->setAccessibleName(label().text());
   slider_->setMinimumWidth(48);
   label().setBuddy(number_);
@@ -57,6 +60,13 @@ NumberField::NumberField(const Option& option, QGridLayout& grid, QWidget& paren
   connect(slider_, &QSlider::valueChanged, this, [this] { choose(valueAt(slider_->place())); });
   connect(slider_, &OptionSlider::defaultRequested, this, [this] { choose(std::nullopt); });
   connect(number_, &QDoubleSpinBox::valueChanged, this, [this](double typed) { choose(typed); });
+}
+
+/// A double click takes the whole number, not the digits on one side of its point.
+bool NumberField::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() != QEvent::MouseButtonDblClick) return OptionField::eventFilter(watched, event);
+  number_->selectAll();
+  return true;
 }
 
 void NumberField::showScale(const QString& unit) {

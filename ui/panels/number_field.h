@@ -19,6 +19,8 @@ class NumberField : public OptionField {
 public:
   NumberField(const Option& option, QGridLayout& grid, QWidget& parent);
 
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
   void showScale(const QString& unit) override;
   void showValue() override;

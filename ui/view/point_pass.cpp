@@ -162,8 +162,9 @@ void PointPass::drawPart(const DrawSettings& settings, const StatePart& part, fl
   const GlBuffer* own = buffers.scanned.size() > 0 ? &buffers.scanned : nullptr;
   const bool replacesPoints =
       scene_.blend || (part.other && scene_.other(*part.other).replacesPoints);
-  const GlBuffer* looks = nullptr; // the accent
-  if (scene_.blend || (replacesPoints && scene_.pointValues))
+  const GlBuffer* looks = nullptr;              // the accent
+  const bool isKept = part.other == Side::left; // values are of what is on the right
+  if (scene_.blend || (replacesPoints && scene_.pointValues && !isKept))
     looks = &buffers_.cloud().colors;
   else if (!part.other && buffers.colors.size() > 0)
     looks = &buffers.colors;

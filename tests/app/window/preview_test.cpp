@@ -207,9 +207,14 @@ TEST_F(PreviewTest, ComparesWithWhatWasKeptAsA) {
   action("compare_two_views").trigger();
   EXPECT_EQ(view().divider(), 1) << "A in the first view, the preview in the second";
   EXPECT_EQ(find<PlantView>("second_view").divider(), 0);
-  action("forget_a").trigger();
   action("compare_alone").trigger();
+  EXPECT_FALSE(action("two_views").isChecked()) << "which was there for the comparison";
   EXPECT_EQ(view().divider(), 0);
+  view().setFocus();
+  key(Qt::Key_Escape);
+  EXPECT_EQ(view().divider(), 0) << "the plant, not A, fills the view";
+  action("forget_a").trigger();
+  EXPECT_EQ(view().divider(), 1);
 }
 
 TEST_F(PreviewTest, BlendsScannedAndContractedPoints) {
@@ -308,8 +313,12 @@ TEST_F(PreviewTest, RecordsAChoiceInTheProjectAndTakesItBack) {
   turnOn();
   ASSERT_TRUE(
       QTest::qWaitFor([&] { return find<JudgeTable>("judge_table").rowCount() > 0; }, patience));
-  key(Qt::Key_K, Qt::ControlModifier | Qt::ShiftModifier);
-  EXPECT_TRUE(action("forget_choice").isEnabled());
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { // refused until all numbers are there
+        key(Qt::Key_K, Qt::ControlModifier | Qt::ShiftModifier);
+        return action("forget_choice").isEnabled();
+      },
+      patience));
   answer(chooseFile(path("plant.espalier")), [&] { action("save_project_as").trigger(); });
   waitForJob();
   restart();

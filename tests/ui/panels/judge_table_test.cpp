@@ -39,6 +39,17 @@ TEST_F(ShownTable, CallsEqualWhatIsWrittenAlike) {
   EXPECT_EQ(difference(0), "=");
 }
 
+TEST_F(ShownTable, ComparesNothingThatIsOfOtherPoints) {
+  table_.show({"Plant", "Ball"}, {{"Lost tips", {}, {}, JudgeRow::Better::less, 0, {12, 3}}},
+              false);
+  EXPECT_EQ(difference(0), "");
+}
+
+TEST_F(ShownTable, TellsTheDifferenceOfWhatIsWritten) {
+  table_.show({"Plant", "A"}, {{"Length", "m", {}, JudgeRow::Better::less, 0, {32.4, 30.6}}});
+  EXPECT_EQ(difference(0), "−1 ✓") << "from 32 to 31";
+}
+
 TEST_F(ShownTable, SaysWhatANumberIs) {
   EXPECT_EQ(table_.item(1, 0)->text(), "Thickness [mm]");
   EXPECT_TRUE(table_.item(1, 2)->toolTip().contains("Spread of the points. Less is better."));

@@ -4,6 +4,7 @@
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QLineEdit>
 #include <QSignalSpy>
 #include <QTest>
 #include <gtest/gtest.h>
@@ -65,6 +66,12 @@ TEST_F(AdaptiveForm, HasNumbersThatFollowTheCurve) {
   EXPECT_EQ(settings().at("least_radius"), fixedAt(curve().curve().least));
   QTest::keyClick(&curve(), Qt::Key_Down);
   EXPECT_TRUE(settings().empty()) << "back at the default it follows the rule";
+}
+
+TEST_F(AdaptiveForm, TakesAWholeNumberByADoubleClick) {
+  auto* line = number("least_radius").findChild<QLineEdit*>();
+  QTest::mouseDClick(line, Qt::LeftButton);
+  EXPECT_EQ(line->selectedText(), number("least_radius").cleanText());
 }
 
 TEST_F(AdaptiveForm, HasACurveForEachPlant) {

@@ -5,8 +5,8 @@
 #include "app/window/options_text.h"
 #include "app/window/reconstruct_flow.h"
 #include "app/window/reference_flow.h"
+#include "app/window/sweep_scores.h"
 #include "core/pipeline/sweep.h"
-#include "ui/document/number_scale.h"
 #include "ui/document/plant_document.h"
 #include "ui/panels/enter_key.h"
 #include "ui/panels/number_field.h"
@@ -275,54 +275,14 @@ PipelineOptions SweepFlow::inUse() const {
 }
 
 void SweepFlow::showCards() {
-  struct Column {
-    QString name;
-    bool isLessBetter;
-    int decimals;
-    std::function<std::optional<double>(const Judgment&)> of;
-    std::function<std::optional<double>(const Judgment&)> all = {}; // of how many
-  };
-  const auto quality = [](auto member) {
-    return [member](const Judgment& judgment) -> std::optional<double> {
-      if (!judgment.quality) return std::nullopt;
-      return static_cast<double>((*judgment.quality).*member);
-    };
-  };
-  const auto score = [](double MethodScores::*member) {
-    return [member](const Judgment& judgment) -> std::optional<double> {
-      if (!judgment.scores) return std::nullopt;
-      return (*judgment.scores).*member;
-    };
-  };
-  const std::vector<Column> columns = {
-      {tr("Residual"), true, 2, quality(&ContractionQuality::residualThickness)},
-      {tr("Lost ends"), true, 0, quality(&ContractionQuality::lostTips),
-       quality(&ContractionQuality::tips)},
-      {tr("Webbed"), true, 0, quality(&ContractionQuality::webbedJunctions)},
-      {tr("Unexplained"), true, 0, quality(&ContractionQuality::unexplainedPoints)},
-      {tr("F"), false, 3, score(&MethodScores::f)},
-      {tr("Structural"), false, 3, score(&MethodScores::structural)}};
   const PipelineOptions now = inUse();
-  for (Trial& trial : trials_) {
-    trial.item.scores.clear();
-    trial.item.isCurrent = trial.options == now;
-  }
-  for (const Column& column : columns) {
-    std::vector<double> values;
-    for (const Trial& trial : trials_)
-      if (const auto value = column.of(trial.judgment)) values.push_back(*value);
-    if (values.empty()) continue;
-    const auto [least, most] = std::ranges::minmax(values);
-    const double best = column.isLessBetter ? least : most;
-    // What half of them share says nothing of a value.
-    const bool tells = 2 * std::ranges::count(values, best) < std::ssize(values);
-    for (Trial& trial : trials_)
-      if (const auto value = column.of(trial.judgment)) {
-        QString text = numberText(*value, column.decimals);
-        if (column.all) text = tr("%1 of %2").arg(text, numberText(*column.all(trial.judgment), 0));
-        trial.item.scores.push_back(
-            {.name = column.name, .text = text, .isBest = tells && *value == best});
-      }
+  std::vector<Judgment> judgments;
+  for (const Trial& trial : trials_)
+    judgments.push_back(trial.judgment);
+  const std::vector<std::vector<SweepScore>> scores = sweepScores(judgments);
+  for (std::size_t i = 0; i < trials_.size(); ++i) {
+    trials_[i].item.scores = scores[i];
+    trials_[i].item.isCurrent = trials_[i].options == now;
   }
   std::vector<SweepItem> items;
   for (const Trial& trial : trials_)

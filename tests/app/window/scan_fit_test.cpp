@@ -136,8 +136,8 @@ TEST(Misfit, IsDescribedInASentence) {
             "pine.mtg does not lie on palm.las: it is 266 times as large; is it of another plant, "
             "or in another unit?");
   EXPECT_EQ(describe({.size = 0.001}, "pine.mtg", "palm.las"),
-            "pine.mtg does not lie on palm.las: it is 1000 times as small; is it of another "
-            "plant, or in another unit?");
+            QString::fromUtf8("pine.mtg does not lie on palm.las: it is 1\u202f000 times as small; "
+                              "is it of another plant, or in another unit?"));
 }
 
 } // namespace

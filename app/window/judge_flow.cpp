@@ -11,7 +11,7 @@
 #include "ui/document/binned_values.h"
 #include "ui/document/number_scale.h"
 #include "ui/document/plant_document.h"
-#include "ui/panels/enter_key.h"
+#include "ui/panels/focus_keys.h"
 #include "ui/plots/histogram_view.h"
 #include "ui/view/plant_view.h"
 

@@ -8,7 +8,7 @@
 #include "app/window/sweep_scores.h"
 #include "core/pipeline/sweep.h"
 #include "ui/document/plant_document.h"
-#include "ui/panels/enter_key.h"
+#include "ui/panels/focus_keys.h"
 #include "ui/panels/number_field.h"
 #include "ui/panels/pipeline_panel.h"
 #include "ui/panels/step_form.h"

@@ -2,7 +2,7 @@
 
 #include "core/skeleton/edits.h"
 #include "ui/document/plant_document.h"
-#include "ui/panels/enter_key.h"
+#include "ui/panels/focus_keys.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>

@@ -2,7 +2,7 @@
 
 #include "ui/document/difference_look.h"
 #include "ui/document/plant_document.h"
-#include "ui/panels/enter_key.h"
+#include "ui/panels/focus_keys.h"
 
 #include <QAction>
 #include <QHBoxLayout>

@@ -1,7 +1,7 @@
 #include "ui/panels/findings_panel.h"
 
 #include "ui/document/plant_document.h"
-#include "ui/panels/enter_key.h"
+#include "ui/panels/focus_keys.h"
 
 #include <QAction>
 #include <QHBoxLayout>

@@ -1,6 +1,6 @@
 #include "ui/panels/history_panel.h"
 
-#include "ui/panels/enter_key.h"
+#include "ui/panels/focus_keys.h"
 #include "ui/panels/history_model.h"
 
 #include <QHeaderView>

@@ -3,7 +3,7 @@
 #include "core/skeleton/axes.h"
 #include "ui/document/plant_document.h"
 #include "ui/panels/cross_section_panel.h"
-#include "ui/panels/enter_key.h"
+#include "ui/panels/focus_keys.h"
 #include "ui/panels/units_form.h"
 
 #include <QComboBox>

@@ -1,7 +1,7 @@
 #include "ui/panels/judge_table.h"
 
 #include "ui/document/number_scale.h"
-#include "ui/panels/copy_key.h"
+#include "ui/panels/focus_keys.h"
 
 #include <QApplication>
 #include <QClipboard>

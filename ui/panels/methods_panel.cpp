@@ -1,6 +1,6 @@
 #include "ui/panels/methods_panel.h"
 
-#include "ui/panels/copy_key.h"
+#include "ui/panels/focus_keys.h"
 
 #include <QHBoxLayout>
 #include <QHeaderView>

@@ -2,7 +2,7 @@
 
 #include "ui/panels/density_curve.h"
 #include "ui/panels/density_fields.h"
-#include "ui/panels/enter_key.h"
+#include "ui/panels/focus_keys.h"
 #include "ui/panels/option_field.h"
 
 #include <QComboBox>

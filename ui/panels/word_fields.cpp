@@ -1,6 +1,6 @@
 #include "ui/panels/word_fields.h"
 
-#include "ui/panels/enter_key.h"
+#include "ui/panels/focus_keys.h"
 
 #include <QCheckBox>
 #include <QComboBox>

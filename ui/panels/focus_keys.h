@@ -1,0 +1,23 @@
+#pragma once
+
+#include <QWidget>
+
+#include <functional>
+
+class QComboBox;
+
+namespace espalier {
+
+// Keys that a widget has for itself while it has the focus; elsewhere they do what the action with
+// this key does.
+
+/// Lets Enter, alone, do `act`. With Ctrl and its like it stays that of the actions.
+void onEnter(QWidget& widget, std::function<void()> act);
+
+/// The same for a list of choices: Enter opens it.
+void opensOnEnter(QComboBox& choices);
+
+/// Lets the key for copying do `act`.
+void onCopy(QWidget& widget, std::function<void()> act);
+
+} // namespace espalier

@@ -218,15 +218,13 @@ void EvaluationFlow::start() {
     return;
   }
   panel_->showProgress(0);
+  EvaluationOptions how = options();
+  how.motion = motion_;
+  how.isResultEdited = isEdited_;
   job_.start(
       tr("Compare"),
       [skeleton = parts_.document.skeleton(), reference = parts_.reference.skeleton(),
-       options = EvaluationOptions{.registers = isLaid_,
-                                   .motion = motion_,
-                                   .isResultEdited = isEdited_,
-                                   .tolerance = tolerance_}](const Progress& progress) {
-        return evaluate(skeleton, *reference, options, progress);
-      },
+       how](const Progress& progress) { return evaluate(skeleton, *reference, how, progress); },
       [this](Evaluation evaluation) {
         if (isOutdated_ || timer_.isActive()) return; // the plant, or what is asked, is another now
         panel_->showRest({});

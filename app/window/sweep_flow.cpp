@@ -9,6 +9,7 @@
 #include "core/pipeline/sweep.h"
 #include "ui/document/plant_document.h"
 #include "ui/panels/focus_keys.h"
+#include "ui/panels/number_box.h"
 #include "ui/panels/number_field.h"
 #include "ui/panels/pipeline_panel.h"
 #include "ui/panels/step_form.h"
@@ -17,7 +18,6 @@
 
 #include <QAction>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -113,7 +113,7 @@ QWidget* SweepFlow::makePanel() {
   count_->setSuffix(tr(" values"));
   row->addWidget(count_);
   const auto addEnd = [&](const QString& name, const QString& label, const QString& help) {
-    auto* number = new QDoubleSpinBox;
+    auto* number = new NumberBox;
     number->setObjectName(name);
     number->setAccessibleName(help);
     number->setToolTip(help);

@@ -33,6 +33,11 @@ LengthUnit unitOfSymbol(const QString& text) {
   return found == units.end() ? LengthUnit::unknown : *found;
 }
 
+double metersIn(LengthUnit unit) {
+  if (unit == LengthUnit::millimeter) return 1e-3;
+  return unit == LengthUnit::centimeter ? 1e-2 : 1;
+}
+
 QString formatLength(double length, LengthUnit unit, int digits) {
   int decimals = 0;
   if (length != 0 && std::isfinite(length))
@@ -45,9 +50,7 @@ QString formatLength(double length, LengthUnit unit, int digits) {
 QString formatVolume(double volume, LengthUnit unit) {
   constexpr int digits = 3;
   if (unit == LengthUnit::unknown) return formatLength(volume, unit, digits);
-  double liters = 1e3 * volume; // of m³
-  if (unit == LengthUnit::millimeter) liters = 1e-6 * volume;
-  if (unit == LengthUnit::centimeter) liters = 1e-3 * volume;
+  const double liters = 1e3 * std::pow(metersIn(unit), 3) * volume;
   const auto written = [](double value, const char* name) {
     return formatLength(value, LengthUnit::unknown, digits) + QChar(0x202f) +
            QString::fromUtf8(name);

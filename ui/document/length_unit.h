@@ -15,6 +15,9 @@ enum class LengthUnit { unknown, millimeter, centimeter, meter };
 /// The unit with this symbol; unknown for any other text.
 [[nodiscard]] LengthUnit unitOfSymbol(const QString& symbol);
 
+/// pre: known
+[[nodiscard]] double metersIn(LengthUnit unit);
+
 /// A length as people read it, to `digits` significant digits and no exponent: "12.4 mm".
 [[nodiscard]] QString formatLength(double length, LengthUnit unit, int digits = 4);
 

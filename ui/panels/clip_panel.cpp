@@ -1,7 +1,8 @@
 #include "ui/panels/clip_panel.h"
 
+#include "ui/panels/number_box.h"
+
 #include <QCheckBox>
-#include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -66,7 +67,7 @@ void ClipPanel::addBox(QGridLayout& grid) {
     const int row = grid.rowCount();
     grid.addWidget(new QLabel(name), row, 0);
     const auto add = [&](const QString& end, const QString& told, int column) {
-      auto* field = new QDoubleSpinBox;
+      auto* field = new NumberBox;
       field->setObjectName("clip_" + name + end);
       field->setAccessibleName(told.arg(name));
       field->setButtonSymbols(QAbstractSpinBox::NoButtons);

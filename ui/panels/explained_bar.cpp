@@ -1,8 +1,8 @@
 #include "ui/panels/explained_bar.h"
 
+#include "ui/panels/number_box.h"
 #include "ui/panels/option_slider.h"
 
-#include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -26,8 +26,8 @@ double placeOf(double spacings) {
 } // namespace
 
 ExplainedBar::ExplainedBar(QWidget* parent)
-    : QFrame(parent), slider_(new OptionSlider), number_(new QDoubleSpinBox),
-      hide_(new QToolButton), left_(new QLabel) {
+    : QFrame(parent), slider_(new OptionSlider), number_(new NumberBox), hide_(new QToolButton),
+      left_(new QLabel) {
   setObjectName("explained_bar");
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(12, 4, 4, 4);

@@ -4,10 +4,10 @@
 #include "ui/document/plant_document.h"
 #include "ui/panels/cross_section_panel.h"
 #include "ui/panels/focus_keys.h"
+#include "ui/panels/number_box.h"
 #include "ui/panels/units_form.h"
 
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -47,7 +47,7 @@ InspectorPanel::InspectorPanel(PlantDocument& document, QWidget* parent)
       empty_(new QLabel(tr("Click a node to see it here.\nShift+click adds more."), this)),
       body_(new QWidget(this)), form_(new QFormLayout(body_)), order_(makeValue(body_)),
       edge_(new QComboBox(body_)), parent_(new QPushButton(body_)), children_(makeValue(body_)),
-      position_(makeValue(body_)), length_(makeValue(body_)), radius_(new QDoubleSpinBox(body_)),
+      position_(makeValue(body_)), length_(makeValue(body_)), radius_(new NumberBox(body_)),
       section_(new CrossSectionPanel(document, this)), units_(new UnitsForm(document)) {
   makeForm();
   auto* page = new QWidget;

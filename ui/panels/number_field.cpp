@@ -1,8 +1,8 @@
 #include "ui/panels/number_field.h"
 
+#include "ui/panels/number_box.h"
 #include "ui/panels/option_slider.h"
 
-#include <QDoubleSpinBox>
 #include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
@@ -41,7 +41,7 @@ void dress(QDoubleSpinBox& number, const Option& option, const PlantScale& scale
 
 NumberField::NumberField(const Option& option, QGridLayout& grid, QWidget& parent)
     : OptionField(option, parent), slider_(new OptionSlider(&parent)),
-      number_(new QDoubleSpinBox(&parent)) {
+      number_(new NumberBox(&parent)) {
   number_->setObjectName(QString::fromStdString(option.name));
   number_->setKeyboardTracking(false);
   number_->setAlignment(Qt::AlignRight);

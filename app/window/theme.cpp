@@ -48,8 +48,9 @@ QString styleSheetOf(const ThemeColors& colors, bool dark) {
   put("error", colors.error);
   put("on-error", colors.onError);
   const QString ground = dark ? QStringLiteral("dark") : QStringLiteral("light");
-  sheet.replace(QStringLiteral("@chevron;"),
-                QStringLiteral("url(:/style/chevron_on_%1.svg);").arg(ground));
+  for (const char* icon : {"chevron", "check"})
+    sheet.replace(QString("@%1;").arg(icon),
+                  QString("url(:/style/%1_on_%2.svg);").arg(icon, ground));
   return sheet;
 }
 

@@ -73,14 +73,15 @@ double written(double value, const JudgeRow& row) {
   return std::round(value / unit) * unit;
 }
 
-/// "+0.25 ✓": how far from the first state; the mark says that it is better.
+/// "+0.25 ✓": how far from the first state; the mark says that it is better, a cross that it is
+/// worse.
 QString differenceText(const JudgeRow& row, double difference) {
   const QString number = QString::number(std::abs(difference), 'f', row.decimals);
   if (number.toDouble() == 0) return QStringLiteral("=");
   const QString text = (difference > 0 ? QStringLiteral("+") : QStringLiteral("−")) + number;
-  const bool isBetter = (row.better == JudgeRow::Better::more && difference > 0) ||
-                        (row.better == JudgeRow::Better::less && difference < 0);
-  return isBetter ? text + QStringLiteral(" ✓") : text;
+  if (row.better == JudgeRow::Better::neither) return text;
+  const bool isBetter = (row.better == JudgeRow::Better::more) == (difference > 0);
+  return text + (isBetter ? QStringLiteral(" ✓") : QStringLiteral(" ✗"));
 }
 
 QString tipOf(const JudgeRow& row) {

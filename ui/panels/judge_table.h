@@ -21,8 +21,8 @@ struct JudgeRow {
 };
 
 /// Numbers of a few states of a plant side by side, each with its difference to the first state, as
-/// they are written: small and quiet, with a mark where it is better. Copying takes the table, for
-/// a spreadsheet.
+/// they are written: small and quiet, with a mark where it is better or worse. Copying takes the
+/// table, for a spreadsheet.
 class JudgeTable : public QTableWidget {
   Q_OBJECT
 

@@ -28,7 +28,7 @@ protected:
 
 TEST_F(ShownTable, TellsTheDifferenceToTheFirstStateAndWhetherItIsBetter) {
   EXPECT_EQ(difference(0), "−3 ✓") << "less is better";
-  EXPECT_EQ(difference(1), "+0.25") << "more is worse";
+  EXPECT_EQ(difference(1), "+0.25 ✗") << "more is worse";
   EXPECT_EQ(difference(2), "+1.0") << "nobody knows";
   EXPECT_EQ(difference(3), "") << "there is nothing to compare it with";
   EXPECT_EQ(table_.item(3, 1)->text(), "–");

@@ -117,10 +117,10 @@ void MainWindow::connectFiles() {
   };
   connect(projects_.get(), &ProjectFlow::opened, this, showPlant);
   connect(files_.get(), &FileFlow::opened, this, showPlant);
-  connect(files_.get(), &FileFlow::opened, view_, &PlantView::frameAll); // after it has its size
+  connect(files_.get(), &FileFlow::opened, view_, &PlantView::faceAll); // after it has its size
   connect(projects_.get(), &ProjectFlow::scanFound, this, [this, showPlant] {
     showPlant();
-    if (document_.skeleton().isEmpty()) view_->frameAll(); // there was nothing to look at
+    if (document_.skeleton().isEmpty()) view_->faceAll(); // there was nothing to look at
   });
   connect(files_.get(), &FileFlow::noted, this,
           [this](const QString& message) { banner_->showResult(message); });

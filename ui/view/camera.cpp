@@ -1,5 +1,7 @@
 #include "ui/view/camera.h"
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -113,6 +115,21 @@ void Camera::face(StandardView view) {
   }
   yaw = keptYaw + wrapped(yaw - keptYaw);
   focus = pivot + axes(*this).transpose() * held;
+}
+
+void Camera::faceBroadside(const std::vector<Eigen::Vector3d>& places) {
+  constexpr double flat = 2.5; // as far across as deep
+  if (places.size() < 3) return;
+  Eigen::Matrix2Xd level(2, static_cast<Eigen::Index>(places.size()));
+  for (std::size_t i = 0; i < places.size(); ++i)
+    level.col(static_cast<Eigen::Index>(i)) = places[i].head<2>();
+  level.colwise() -= level.rowwise().mean().eval();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> spread(level * level.transpose());
+  if (!(spread.eigenvalues()[1] > flat * flat * spread.eigenvalues()[0])) return;
+  const Eigen::Vector2d thin = spread.eigenvectors().col(0);
+  double by = wrapped(std::atan2(-thin.x(), thin.y()) - yaw); // forward() along it
+  if (std::abs(by) > quarterTurn) by = wrapped(by + std::numbers::pi);
+  turn(by, 0);
 }
 
 Eigen::Matrix4d Camera::viewMatrix(const Eigen::Vector3d& origin) const {

@@ -50,6 +50,10 @@ struct Camera {
   void frame(const std::vector<Eigen::Vector3d>& places, double aspect);
   void frame(const Eigen::AlignedBox3d& box, double aspect); // all of its corners
   void face(StandardView view);
+  /// Turns about the pivot to look along the horizontal direction in which these places reach
+  /// least, if they reach much farther across it: so a branch that was scanned lying flat is not
+  /// seen edge on. The less it turns for that the better.
+  void faceBroadside(const std::vector<Eigen::Vector3d>& places);
 
   /// From the frame of the file, less `origin`, to that of the eye (x right, y up, z backward).
   [[nodiscard]] Eigen::Matrix4d viewMatrix(const Eigen::Vector3d& origin) const;

@@ -130,6 +130,14 @@ void PlantView::frameAll() {
 }
 
 void PlantView::frame(const Eigen::AlignedBox3d& box) {
+void PlantView::faceAll() {
+  const std::vector<Eigen::Vector3d> places = parts_->scene.outline();
+  Camera camera = parts_->navigator.destination();
+  camera.faceBroadside(places);
+  parts_->moveTo(camera, isVisible());
+  frameAll();
+}
+
   if (!box.isEmpty()) parts_->frame(box, *this);
 }
 

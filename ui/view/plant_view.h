@@ -107,6 +107,7 @@ public:
   void setLengthUnit(const QString& unit); // written at scales; empty: not known
 
   void frameAll();
+  void faceAll();                             // likewise, and as Camera::faceBroadside()
   void frame(const Eigen::AlignedBox3d& box); // [L], frame of the file
   void look(StandardView view);
   void setPivot(const Eigen::Vector3d& place);       // [L], what the camera turns around

@@ -136,5 +136,40 @@ TEST(Camera, ShowsASingleNode) {
   EXPECT_GT(camera.distance, 0);
 }
 
+/// The corners of a board of this width across x and depth along y, turned about z.
+std::vector<Eigen::Vector3d> board(double width, double depth, double turned) {
+  std::vector<Eigen::Vector3d> places;
+  const Eigen::AngleAxisd turn(turned, Eigen::Vector3d::UnitZ());
+  for (const double x : {-width, width})
+    for (const double y : {-depth, depth})
+      for (const double z : {0.0, 1.0})
+        places.emplace_back(somewhere + turn * Eigen::Vector3d(x, y, z));
+  return places;
+}
+
+TEST(CameraBroadside, LooksAlongTheThinSideTurningLittle) {
+  for (const double turned : {-1.2, -0.4, 0.0, 0.4, 1.2}) {
+    Camera camera;
+    camera.pitch = 0.3;
+    camera.faceBroadside(board(5, 1, turned));
+    EXPECT_NEAR(camera.yaw, turned, 1e-9);
+    EXPECT_EQ(camera.pitch, 0.3);
+    camera.yaw = 3;
+    camera.faceBroadside(board(5, 1, turned));
+    EXPECT_LE(std::abs(std::remainder(camera.yaw - 3, 2 * std::numbers::pi)),
+              std::numbers::pi / 2 + 1e-9);
+    EXPECT_NEAR(std::abs(std::sin(camera.yaw - turned)), 0, 1e-9);
+  }
+}
+
+TEST(CameraBroadside, StaysWherePlantsAreRound) {
+  Camera camera;
+  camera.yaw = 0.7;
+  camera.faceBroadside(board(2, 1, 0));
+  EXPECT_EQ(camera.yaw, 0.7);
+  camera.faceBroadside({{0, 0, 0}});
+  EXPECT_EQ(camera.yaw, 0.7);
+}
+
 } // namespace
 } // namespace espalier

@@ -13,7 +13,8 @@ QImage picture(const Scene& scene, const Camera& camera, const Overlay& overlay,
   PlantRenderer::Frame frame{.camera = camera, .size = size, .pixelRatio = pixelRatio};
   frame.points = std::numeric_limits<Eigen::Index>::max();
   frame.divider = overlay.divider;
-  renderer.draw(frame);
+  while (!renderer.draw(frame).complete) { // points, then their relief
+  }
   QImage image = renderer.image();
   QPainter painter(&image);
   painter.scale(pixelRatio, pixelRatio);

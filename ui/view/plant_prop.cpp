@@ -52,17 +52,18 @@ int PlantProp::RenderOpaqueGeometry(vtkViewport* viewport) {
   if (!std::exchange(hasJoined_, true)) buffers_->join();
   const DrawSettings drawn = settings(viewport);
   const PointPass::Result points = points_->draw(drawn, frame_.points, frame_.moving);
-  // Relief is worth its time for a picture that stays; it stays while the skeleton is edited.
-  const bool relief = !frame_.moving && points.complete;
-  if (points.changed || relief != wasRelief_)
-    shade_.shade(drawn, points_->picture(), palette(scene_->dark), relief);
+  // Relief is worth its time for a picture that stays; it stays while the skeleton is edited. It
+  // has a frame of its own: neither waits for both.
+  const bool relief = !frame_.moving && points.complete && !points.changed;
+  const bool isShaded = points.changed || relief != wasRelief_;
+  if (isShaded) shade_.shade(drawn, points_->picture(), palette(scene_->dark), relief);
   wasRelief_ = relief;
   shade_.copy(drawn, points_->picture(), scene_->showRadii);
   reference_->draw(drawn);
   skeleton_->draw(drawn);
   for (const auto& other : others_)
     other->draw(drawn);
-  result_ = {points.complete, points.drawn};
+  result_ = {.complete = relief, .pointsDrawn = points.drawn, .shaded = isShaded};
   return 1;
 }
 

@@ -42,8 +42,9 @@ public:
     double divider = 1;    // as PlantView::setDivider
   };
   struct Result {
-    bool complete;            // all points are drawn
+    bool complete;            // all points are drawn, with their relief
     Eigen::Index pointsDrawn; // by this frame
+    bool shaded;              // the background and the points were put together anew
   };
   /// Draws into a framebuffer of its own. Still frames that are the same add to each other until
   /// they are complete.

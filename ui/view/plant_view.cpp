@@ -13,26 +13,26 @@
 namespace espalier {
 namespace {
 
-constexpr double movingFrame = 34;  // [ms] of drawing: 25 a second with what Qt adds
-constexpr double restingFrame = 60; // [ms] a step of completing a still picture
-constexpr int restAfter = 120;      // [ms] after the last move
+constexpr double frameTime = 30; // [ms] of drawing: 25 a second with what Qt adds
+constexpr int restAfter = 120;   // [ms] after the last move
 
 } // namespace
 
 SurfaceClient PlantView::Parts::client() {
   return {.nextFrame =
               [this](QSize size, double pixelRatio) {
-                return PlantRenderer::Frame{
-                    .camera = navigator.camera(),
-                    .size = size,
-                    .pixelRatio = pixelRatio,
-                    .points = budget.points((moving ? movingFrame : restingFrame) / seenViews()),
-                    .moving = moving,
-                    .divider = divider};
+                return PlantRenderer::Frame{.camera = navigator.camera(),
+                                            .size = size,
+                                            .pixelRatio = pixelRatio,
+                                            .points = budget.points(frameTime / seenViews()),
+                                            .moving = moving,
+                                            .divider = divider};
               },
           .drawn =
               [this](const PlantRenderer::Result& result, double milliseconds) {
-                budget.measured(result.pointsDrawn, milliseconds);
+                // Relief alone tells nothing of other frames.
+                if (result.pointsDrawn > 0 || !result.shaded)
+                  budget.measured(result.pointsDrawn, milliseconds);
                 complete = result.complete;
                 // Later, so that what the user does comes first.
                 if (!complete && !moving)

@@ -82,11 +82,14 @@ struct PlantView::Parts {
     return {scene.clip, scene.bounds(), pointer.screen()};
   }
   void hoverClip(std::optional<ClipHandles::Handle> handle); // plant_view_clip.cpp
-  void moved() {
+  void unsettle() { // what is drawn now, something else follows in a moment
     moving = true;
     rest.start();
     redrawThis();
     emit owner.cameraMoved(navigator.camera());
+  }
+  void moved() {
+    unsettle();
   }
   void moveTo(const Camera& camera, bool seen) {
     if (seen && wasFramed)
@@ -111,8 +114,8 @@ struct PlantView::Parts {
   Overlay overlay;
   ClipHandles clipHandles;
   DetailBudget budget;
-  QTimer rest; // runs while the camera moves
-  bool moving = false;
+  QTimer rest;         // runs while the camera, or what is shown, changes
+  bool moving = false; // likewise
   bool complete = false;
   bool wasFramed = false;
   QWidget* surface; // owned by the view; goes before what it draws, see ~PlantView

@@ -7,6 +7,8 @@ namespace espalier {
 
 void PlantView::setState(Side side, const std::optional<PlantState>& state) {
   parts_->scene.setOther(side, state);
+  for (Parts* view : parts_->shared->views)
+    view->unsettle(); // while a knob is turned the next one comes soon
   parts_->redraw();
 }
 

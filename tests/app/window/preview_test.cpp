@@ -338,7 +338,7 @@ TEST_F(PreviewTest, DrawsWhatTheMethodSeesUnderTheMouse) {
   ASSERT_TRUE(QTest::qWaitFor(
       [&] {
         hover(trunk);
-        return view().sightShown().has_value();
+        return view().sightShown() && view().sightShown()->point;
       },
       patience));
   const ShownSight& sight = *view().sightShown();
@@ -397,32 +397,43 @@ TEST_F(PreviewTest, AnswersWhileKnobsAreTurned) {
   ESPALIER_SHARED_FILE(scan, "puu1/scan.ply");
   open({QString::fromStdString(scan.string())});
   key(Qt::Key_L, Qt::ControlModifier);
-  qint64 longest = 0;
-  int beats = 0;
-  QElapsedTimer sinceBeat;
-  sinceBeat.start();
-  QTimer heart;
-  QObject::connect(&heart, &QTimer::timeout, &window(), [&] {
-    longest = std::max(longest, sinceBeat.restart());
-    ++beats;
-  });
-  heart.start(5);
+  waitForPreview();
   auto* slider = step("contract").findChildren<QSlider*>().back(); // of the radius
   const int turns = qEnvironmentVariableIntValue("ESPALIER_TURNS") + 20;
   int shownParts = 0;
   QObject::connect(&window().preview(), &PreviewFlow::changed, &window(), [&] {
     if (shown() && shown()->within) ++shownParts;
   });
-  for (int i = 0; i < turns; ++i) {
-    QTest::keyClick(slider, i % 20 < 10 ? Qt::Key_Right : Qt::Key_Left);
-    QTest::qWait(i % 10 == 9 ? 400 : 60);
-  }
+  QEventLoop loop;
+  int turn = 0;
+  QTimer hand;
+  QObject::connect(&hand, &QTimer::timeout, &window(), [&] {
+    QTest::keyClick(slider, turn % 20 < 10 ? Qt::Key_Right : Qt::Key_Left);
+    ++turn;
+    hand.setInterval(turn % 10 == 0 ? 400 : 60); // it rests now and then
+    if (turn == turns) loop.quit();
+  });
+  std::vector<qint64> blocks; // [ms], from beat to beat
+  QElapsedTimer sinceBeat;
+  QTimer heart;
+  QObject::connect(&heart, &QTimer::timeout, &window(),
+                   [&] { blocks.push_back(sinceBeat.restart()); });
+  sinceBeat.start();
+  heart.start(5);
+  hand.start(60);
+  loop.exec();
+  hand.stop();
   heart.stop();
   waitForPreview();
-  RecordProperty("longest_block_ms", static_cast<int>(longest));
-  std::cout << "longest block " << longest << " ms, " << beats << " beats, " << shownParts
-            << " parts shown in " << turns << " turns\n";
-  EXPECT_GT(beats, turns) << "the window went on while previews were computed";
+  std::ranges::sort(blocks);
+  const auto share = [&](double part) {
+    return blocks[static_cast<std::size_t>(part * double(blocks.size() - 1))];
+  };
+  RecordProperty("longest_block_ms", static_cast<int>(blocks.back()));
+  std::cout << "longest block " << blocks.back() << " ms, 99 of 100 within " << share(0.99)
+            << " ms, " << blocks.size() << " beats, " << shownParts << " parts shown in " << turns
+            << " turns\n";
+  EXPECT_GT(std::ssize(blocks), turns) << "the window went on while previews were computed";
   EXPECT_GT(shownParts, 0);
 }
 

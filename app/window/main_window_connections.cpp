@@ -284,7 +284,10 @@ void MainWindow::connectPreview() {
   connect(preview_.get(), &PreviewFlow::changed, this, &MainWindow::refreshHint);
   connect(preview_.get(), &PreviewFlow::changed, this, [this] {
     const std::optional<Outcome>& shown = preview_->shown();
-    valueColors_->setPreviewed(shown && !shown->within ? shown->contracted : nullptr);
+    if (shown)
+      valueColors_->setPreviewed(shown->contracted, shown->points);
+    else
+      valueColors_->setPreviewed(nullptr, {});
   });
   connect(theme_, &ThemeFlow::changed, judge_.get(), &JudgeFlow::setDark);
   projects_->keep({.name = "choices",

@@ -38,6 +38,7 @@ PlantState Outcome::shownAs(const QString& name) const {
   return {.name = name,
           .contracted = contracted,
           .scanned = scanned,
+          .points = points,
           .skeleton = *skeleton,
           .colors = std::nullopt,
           .within = within};

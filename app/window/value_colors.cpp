@@ -120,10 +120,12 @@ void ValueColors::colorNodes() {
   parts_.view.setNodeColors(std::move(colors));
 }
 
-void ValueColors::setPreviewed(std::shared_ptr<const Eigen::Matrix3Xf> contracted) {
+void ValueColors::setPreviewed(std::shared_ptr<const Eigen::Matrix3Xf> contracted,
+                               std::vector<Eigen::Index> points) {
   if (contracted == previewed_) return;
   previewed_ = std::move(contracted);
-  if (pointColor_ == byDisplacement) timer_.start();
+  previewedPoints_ = std::move(points);
+  if (pointColor_ == byDisplacement) colorPoints(); // at once: they are seen already
 }
 
 void ValueColors::colorPoints() {
@@ -138,8 +140,21 @@ std::optional<PointValues> ValueColors::pointValues() const {
   const Scan* scan = parts_.document.scan();
   if (pointColor_ != byDisplacement || scan == nullptr) return std::nullopt;
   const auto& contracted = previewed_ ? previewed_ : parts_.document.contracted();
-  if (!contracted || contracted->cols() != scan->cloud()->size()) return std::nullopt;
-  return displacements(*contracted);
+  if (!contracted) return std::nullopt;
+  if (previewed_ && !previewedPoints_.empty()) return shownDisplacements(displacementsInPart());
+  if (contracted->cols() != scan->cloud()->size()) return std::nullopt;
+  return shownDisplacements(displacements(scan->cloud()->positions(), *contracted));
+}
+
+/// Of points elsewhere nothing is known: they are drawn as usual.
+std::vector<float> ValueColors::displacementsInPart() const {
+  const Eigen::Matrix3Xf& scanned = parts_.document.scan()->cloud()->positions();
+  std::vector<float> moved(static_cast<std::size_t>(scanned.cols()), none);
+  for (Eigen::Index i = 0; i < previewed_->cols(); ++i) {
+    const Eigen::Index point = previewedPoints_[static_cast<std::size_t>(i)];
+    moved[static_cast<std::size_t>(point)] = (previewed_->col(i) - scanned.col(point)).norm();
+  }
+  return moved;
 }
 
 /// Blue inside the wood, neutral on its surface, and vermillion where wood is missing.
@@ -160,17 +175,18 @@ PointValues ValueColors::distances() const {
   return {.values = values, .legend = std::move(legend)};
 }
 
-PointValues ValueColors::displacements(const Eigen::Matrix3Xf& contracted) const {
-  auto values = std::make_shared<const std::vector<float>>(
-      espalier::displacements(parts_.document.scan()->cloud()->positions(), contracted));
-  const double most = nearlyLargest(*values);
+PointValues ValueColors::shownDisplacements(std::vector<float> lengths) const {
+  std::vector<double> known(lengths.begin(), lengths.end());
+  std::erase_if(known, [](double length) { return std::isnan(length); });
+  const double most = nearlyLargest(known);
   Legend legend{.id = byDisplacement,
                 .title = tr("Displacement"),
                 .unit = symbol(parts_.document.unit()),
                 .to = most,
-                .histogram = histogramOf({values->begin(), values->end()}, {0, most}),
+                .histogram = histogramOf(known, {0, most}),
                 .categories = {}};
-  return {.values = values, .legend = std::move(legend)};
+  return {.values = std::make_shared<const std::vector<float>>(std::move(lengths)),
+          .legend = std::move(legend)};
 }
 
 Legend ValueColors::legendOf(const QString& id, std::vector<double> known) const {

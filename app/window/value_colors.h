@@ -34,8 +34,10 @@ public:
   explicit ValueColors(const Parts& parts);
 
   /// What is contracted in place of the contracted points of the document.
-  /// @param contracted all points of the scan; null: those of the document
-  void setPreviewed(std::shared_ptr<const Eigen::Matrix3Xf> contracted);
+  /// @param contracted null: those of the document
+  /// @param points which points of the scan these are, ascending; empty: all
+  void setPreviewed(std::shared_ptr<const Eigen::Matrix3Xf> contracted,
+                    std::vector<Eigen::Index> points);
 
 private:
   void choose();
@@ -44,7 +46,9 @@ private:
   void colorPoints();
   [[nodiscard]] std::optional<PointValues> pointValues() const; // none: not colored by these
   [[nodiscard]] PointValues distances() const;
-  [[nodiscard]] PointValues displacements(const Eigen::Matrix3Xf& contracted) const;
+  /// @param lengths one per point of the scan [L]; not a number: not known
+  [[nodiscard]] PointValues shownDisplacements(std::vector<float> lengths) const;
+  [[nodiscard]] std::vector<float> displacementsInPart() const; // of what is previewed
   /// @param known values of the nodes, not empty
   [[nodiscard]] Legend legendOf(const QString& id, std::vector<double> known) const;
 
@@ -52,6 +56,7 @@ private:
   QString nodeColor_;  // the id of the action chosen
   QString pointColor_; // likewise
   std::shared_ptr<const Eigen::Matrix3Xf> previewed_;
+  std::vector<Eigen::Index> previewedPoints_; // as of setPreviewed()
   bool hasPointValues_ = false;
   QTimer timer_;
 };

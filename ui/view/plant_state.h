@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace espalier {
 
@@ -22,6 +23,7 @@ struct PlantState {
   std::shared_ptr<const Eigen::Matrix3Xf> contracted; // about the origin of the cloud; null: none
   /// Where each of these points was scanned; null: all points of the cloud, in their order.
   std::shared_ptr<const Eigen::Matrix3Xf> scanned;
+  std::vector<Eigen::Index> points = {}; // which of the cloud they are; empty: all, or not known
   Skeleton skeleton;
   std::optional<NodeColors> colors; // of its nodes; none: the accent
   bool replacesPoints = false;      // its contracted points are shown in place of those scanned

@@ -3,6 +3,7 @@
 #include "ui/view/palette.h"
 #include "ui/view/scene.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace espalier {
@@ -36,9 +37,13 @@ std::vector<std::array<std::uint8_t, 4>> looksOf(const Scene& scene,
   const Palette fixed = palette(scene.dark);
   std::vector<std::array<std::uint8_t, 4>> looks;
   looks.reserve(colors.size());
+  const bool areSomeSelected =
+      scene.pointStates && std::ranges::count(*scene.pointStates, PointState::selected) > 0;
   for (std::size_t i = 0; i < colors.size(); ++i) {
     const PointState state = scene.pointStates ? (*scene.pointStates)[i] : PointState::normal;
     Color color = colors[i];
+    if (state == PointState::normal && areSomeSelected)
+      color = mixed(color, fixed.backgroundBottom, half); // the others step back
     if (state == PointState::dim) color = mixed(color, fixed.backgroundBottom, dimness);
     if (state == PointState::aside) color = mixed(fixed.branching, fixed.backgroundBottom, half);
     if (state == PointState::selected) color = fixed.selected;

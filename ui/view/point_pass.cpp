@@ -168,10 +168,11 @@ void PointPass::drawPart(const DrawSettings& settings, const StatePart& part, fl
     looks = &buffers_.cloud().colors;
   else if (!part.other && buffers.colors.size() > 0)
     looks = &buffers.colors;
+  if (!isWhole && looks != nullptr) looks = buffers.colors.size() > 0 ? &buffers.colors : nullptr;
   const Drawn drawn{.points = points,
                     .buffers = buffers,
                     .scanned = own == nullptr && isWhole ? &buffers_.cloud().positions : own,
-                    .colors = isWhole ? looks : nullptr,
+                    .colors = looks,
                     .hole = part.hole};
   const bool isShown = scene_.contracted.visible || replacesPoints;
   if (isShown) drawLayer(settings, drawn, pointSize, until);

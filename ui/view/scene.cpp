@@ -68,6 +68,7 @@ void Scene::setOther(Side side, const std::optional<PlantState>& state) {
   shown.replacesPoints = state && state->replacesPoints;
   shown.within = state ? state->within : std::nullopt;
   shown.scanned = state ? state->scanned : nullptr;
+  shown.points = state ? state->points : std::vector<Eigen::Index>();
   shown.contracted.set(state ? state->contracted : nullptr);
   shown.skeleton.rebuild(state ? state->skeleton : Skeleton(), origin());
   if (state) shown.skeleton.setColors(state->colors);

@@ -43,6 +43,7 @@ struct OtherState {
   QString name;
   DrawnPoints contracted;
   std::shared_ptr<const Eigen::Matrix3Xf> scanned; // where these points come from; may be null
+  std::vector<Eigen::Index> points;                // which of the cloud they are; may be empty
   SkeletonGlyphs skeleton;
   bool replacesPoints = false;
   std::optional<Ball> within;

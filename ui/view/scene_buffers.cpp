@@ -114,6 +114,22 @@ void uploadContracted(SceneBuffers::Points& buffers, const DrawnPoints& layer,
   }
 }
 
+/// The looks of points that are a part of the cloud, if these are colored by value.
+/// Before uploadContracted(), which takes note of the revision.
+void uploadLooksOf(const OtherState& other, SceneBuffers::Points& buffers, const Scene& scene) {
+  if (!scene.pointValues || other.points.empty()) return buffers.colors.release();
+  const bool isNew = buffers.colors.size() == 0 || buffers.revision != other.contracted.revision ||
+                     buffers.colorRevision != scene.colorRevision;
+  if (!isNew) return;
+  const std::vector<std::array<std::uint8_t, 4>> all = pointLooks(scene);
+  std::vector<std::array<std::uint8_t, 4>> looks;
+  looks.reserve(other.points.size());
+  for (const Eigen::Index point : other.points)
+    looks.push_back(all[static_cast<std::size_t>(point)]);
+  uploadLooks(buffers.colors, looks);
+  buffers.colorRevision = scene.colorRevision;
+}
+
 } // namespace
 
 void SceneBuffers::uploadPoints(const Scene& scene) {
@@ -128,6 +144,8 @@ void SceneBuffers::uploadPoints(const Scene& scene) {
   }
   cloud_.revision = scene.points.revision;
   cloud_.colorRevision = scene.colorRevision;
+  for (const Side side : {Side::left, Side::right})
+    uploadLooksOf(scene.other(side), others_[static_cast<std::size_t>(side)].contracted, scene);
   uploadContracted(contracted_, scene.contracted, scene.points.positions.get(), scene);
   for (const Side side : {Side::left, Side::right}) {
     const OtherState& other = scene.other(side);

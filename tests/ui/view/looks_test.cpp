@@ -178,6 +178,7 @@ TEST_F(PointLooksTest, DrawsAndPicksNoHiddenPoint) {
 TEST_F(PointLooksTest, DrawsSelectedPointsAmberAndDimOnesPale) {
   view_.setPointStates(leftIs(PointState::selected));
   EXPECT_GT(count(left_, palette(false).selected), 5);
+  EXPECT_EQ(count(right_, plain), 0) << "the others step back";
   view_.setPointStates(leftIs(PointState::dim));
   EXPECT_EQ(count(left_, plain), 0);
   EXPECT_GT(count(right_, plain), 5);
@@ -215,6 +216,32 @@ TEST_F(PointLooksTest, ColorsPointsByValues) {
   EXPECT_GT(count(right_, plain), 5) << "it has no value";
   view_.setPointValues(std::nullopt);
   EXPECT_GT(count(left_, plain), 5);
+}
+
+TEST_F(PointLooksTest, ColorsAPartOfThePointsInAnotherStateByTheirValues) {
+  view_.resize(600, 300); // the color bar lies beside the points
+  view_.setContracted(nullptr);
+  const auto column = static_cast<Eigen::Index>(leftColumn_);
+  Eigen::Matrix3Xf scanned = cloud_->positions().col(column);
+  const Eigen::Matrix3Xf up = scanned.colwise() + Eigen::Vector3f(0, 0, 1);
+  PlantState state;
+  state.contracted = std::make_shared<const Eigen::Matrix3Xf>(up);
+  state.scanned = std::make_shared<const Eigen::Matrix3Xf>(scanned);
+  state.points = {column};
+  state.replacesPoints = true;
+  view_.setState(Side::right, state);
+  view_.setDivider(0);
+  const Eigen::Vector3d place = left_ + Eigen::Vector3d(0, 0, 1);
+  EXPECT_GT(count(place, palette(false).contracted), 5);
+  std::vector<float> values(2, none);
+  values[leftColumn_] = 10;
+  view_.setPointValues(PointValues{std::make_shared<const std::vector<float>>(values),
+                                   {.title = "Displacement",
+                                    .unit = "m",
+                                    .map = ColorMap::cividis,
+                                    .to = 10,
+                                    .categories = {}}});
+  EXPECT_GT(count(place, colorOf(ColorMap::cividis, 1, false)), 5);
 }
 
 TEST_F(PointLooksTest, ForgetsLooksWithTheCloud) {

@@ -294,6 +294,7 @@ bool Editing::handle(PlantView& view, const ToolInput& input) {
   under_ = input.pick;
   pointer_ = input.screen;
   viewDirection_ = input.viewDirection;
+  emit pointed();
   if (input.phase == ToolInput::Phase::hover) view.setHovered(isEnabled_ ? input.pick : Pick{});
   if (!isEnabled_) return false;
   if (isMenuClick(input)) {

@@ -67,6 +67,7 @@ public:
 
 signals:
   void hintChanged();
+  void pointed();                     // under() was told anew
   void noted(const QString& message); // nothing has changed
   void contextMenuRequested(const QPoint& globalPosition);
 

@@ -3,14 +3,12 @@
 #include "app/window/action_set.h"
 #include "app/window/editing.h"
 #include "app/window/preview_flow.h"
+#include "ui/document/number_scale.h"
 #include "ui/document/plant_document.h"
 #include "ui/panels/pipeline_panel.h"
 #include "ui/view/plant_view.h"
 
 #include <QAction>
-#include <QEvent>
-#include <QLocale>
-#include <QMouseEvent>
 
 #include <utility>
 
@@ -25,14 +23,14 @@ std::vector<Eigen::Vector3d> placesOf(const std::vector<Eigen::Index>& points,
   return places;
 }
 
-QString labelOf(const MethodSight& sight, LengthUnit unit) {
-  QStringList parts;
-  if (sight.radius > 0)
-    parts.append(SightFlow::tr("within %1").arg(formatLength(sight.radius, unit, 3)));
-  parts.append(SightFlow::tr("%1 points").arg(sight.ball.size()));
-  parts.append(SightFlow::tr("linearity %1").arg(QLocale().toString(sight.linearity, 'f', 2)));
-  parts.append(SightFlow::tr("density %1").arg(QLocale().toString(sight.density, 'f', 2)));
-  return parts.join(QStringLiteral(" · "));
+QStringList toldOf(const MethodSight& sight, LengthUnit unit) {
+  const QString points = formatCount(sight.ball.size());
+  return {
+      sight.radius > 0
+          ? SightFlow::tr("%1 points within %2").arg(points, formatLength(sight.radius, unit, 3))
+          : SightFlow::tr("%1 points").arg(points),
+      SightFlow::tr("Linearity %1").arg(numberText(sight.linearity, 2)),
+      SightFlow::tr("Density %1").arg(numberText(sight.density, 2))};
 }
 
 ShownSight shownOf(const MethodSight& sight, const PointCloud& cloud, const Scan& scan,
@@ -46,7 +44,7 @@ ShownSight shownOf(const MethodSight& sight, const PointCloud& cloud, const Scan
                    .reach = sight.radius > 0 ? sight.radius : 6 * scan.spacing(),
                    .circle = std::nullopt,
                    .cones = {},
-                   .label = labelOf(sight, unit)};
+                   .told = toldOf(sight, unit)};
   if (sight.circle)
     shown.circle = {sight.circle->center, sight.circle->normal, sight.circle->radius};
   for (const SightCone& cone : sight.cones)
@@ -77,7 +75,9 @@ SightFlow::SightFlow(const Parts& parts) : parts_(parts) {
     sights_.reset();
     prepare();
   });
-  parts_.view.installEventFilter(this);
+  connect(&parts_.editing, &Editing::pointed, this, [this] {
+    if (sights_) timer_.start();
+  });
 }
 
 void SightFlow::turn(bool isOn) {
@@ -114,23 +114,15 @@ void SightFlow::prepare() {
       });
 }
 
-bool SightFlow::eventFilter(QObject* view, QEvent* event) {
-  if (event->type() == QEvent::MouseMove) pointer_ = static_cast<QMouseEvent*>(event)->position();
-  if (event->type() == QEvent::Leave) pointer_.reset();
-  if (sights_ && (event->type() == QEvent::MouseMove || event->type() == QEvent::Leave))
-    timer_.start();
-  return QObject::eventFilter(view, event);
-}
-
 void SightFlow::look() {
   if (!sights_ || !show_->isChecked()) return;
-  const Pick under = pointer_ ? parts_.view.pick(*pointer_) : Pick();
-  if (!under.point) {
+  const std::optional<Eigen::Vector3d>& under = parts_.editing.under().point;
+  if (!under) {
     shown_.reset();
-    return parts_.view.showSight(std::nullopt);
+    return parts_.view.showSight(ShownSight{.told = {tr("Point at the plant")}});
   }
   const Scan& scan = *parts_.document.scan();
-  const Eigen::Vector3f place = (*under.point - scan.cloud()->origin()).cast<float>();
+  const Eigen::Vector3f place = (*under - scan.cloud()->origin()).cast<float>();
   const Eigen::Index point = scan.index().nearest(place, 1).front().index;
   if (shown_ == point) return;
   shown_ = point;

@@ -4,7 +4,6 @@
 #include "ui/jobs/latest_job.h"
 
 #include <QObject>
-#include <QPointF>
 #include <QTimer>
 
 #include <memory>
@@ -40,9 +39,6 @@ signals:
   void noted(const QString& message);
   void failed(const QString& message);
 
-protected:
-  bool eventFilter(QObject* view, QEvent* event) override;
-
 private:
   void turn(bool isOn);
   void prepare();
@@ -52,7 +48,6 @@ private:
   QAction* show_;
   std::shared_ptr<const MethodSights> sights_; // null: not ready
   QTimer timer_;                               // many moves of the mouse are one
-  std::optional<QPointF> pointer_;             // in the view; none: it is elsewhere
   std::optional<Eigen::Index> shown_;
   LatestJob job_;
 };

@@ -1,9 +1,9 @@
 #include "ui/view/legend.h"
 
+#include "ui/document/number_scale.h"
 #include "ui/view/overlay_text.h"
 
 #include <QLinearGradient>
-#include <QLocale>
 
 #include <algorithm>
 #include <cmath>
@@ -93,13 +93,13 @@ void paintNumbers(QPainter& painter, const Legend& legend, const LegendBox& box,
     painter.setPen(QPen(toQt(colors.text), 1));
     painter.drawLine(QPointF(left - 2, place), QPointF(box.scale.right(), place));
   }
-  const double step = roundLength((range.to - range.from) / 3);
-  for (double value = std::ceil(range.from / step) * step; value <= range.to; value += step) {
+  const double step = roundStep((range.to - range.from) / 3);
+  for (const double value : multiplesOf(step, range.from, range.to)) {
     const double place = box.placeOf(legend, value);
     if (std::min(bottom - place, place - top) < rowHeight) continue;
     painter.setPen(toQt(colors.text));
     painter.drawLine(QPointF(left - 2, place), QPointF(left + 2, place));
-    write(place, scaleNumber(value, step));
+    write(place, numberAtStep(value, step));
   }
 }
 
@@ -170,26 +170,7 @@ void paintLegends(QPainter& painter, const std::vector<Legend>& legends, const Q
 }
 
 QString rangeNumber(double value, const ValueRange& range) {
-  return scaleNumber(value, roundLength((range.to - range.from) / 100));
-}
-
-QString scaleNumber(double value, double step) {
-  const int digits = std::clamp(static_cast<int>(-std::floor(std::log10(step) + 1e-9)), 0, 9);
-  QLocale locale = QLocale::c();
-  locale.setNumberOptions(QLocale::OmitGroupSeparator);
-  if (std::abs(value) < 1e-9 * step) value = 0; // no "-0"
-  QString text = locale.toString(value, 'f', digits);
-  // Thin spaces between thousands, as everywhere in the window.
-  const qsizetype end = text.contains('.') ? text.indexOf('.') : text.size();
-  for (qsizetype i = end - 3; i > (text.startsWith('-') ? 1 : 0); i -= 3)
-    text.insert(i, QChar(0x202f));
-  return text;
-}
-
-double roundLength(double length) {
-  const double power = std::pow(10, std::floor(std::log10(length) + 1e-9));
-  const double rest = length / power * (1 + 1e-9);
-  return (rest >= 5 ? 5 : rest >= 2 ? 2 : 1) * power;
+  return numberAtStep(value, roundStep((range.to - range.from) / 100));
 }
 
 } // namespace espalier

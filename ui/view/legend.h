@@ -31,10 +31,4 @@ void paintLegends(QPainter& painter, const std::vector<Legend>& legends, const Q
 /// The ends of a range, as written at a color bar.
 [[nodiscard]] QString rangeNumber(double value, const ValueRange& range);
 
-/// A number with as many digits as a step between such numbers calls for.
-[[nodiscard]] QString scaleNumber(double value, double step);
-
-/// The largest of 1, 2 or 5 times a power of ten that is not above `length`; pre: length > 0
-[[nodiscard]] double roundLength(double length);
-
 } // namespace espalier

@@ -1,5 +1,6 @@
 #include "ui/view/overlay.h"
 
+#include "ui/document/number_scale.h"
 #include "ui/view/legend.h"
 #include "ui/view/overlay_of_tools.h"
 #include "ui/view/overlay_text.h"
@@ -23,7 +24,7 @@ void paintScaleBar(QPainter& painter, const Scene& scene, const Camera& camera, 
                    const QSizeF& size) {
   const Palette colors = palette(scene.dark);
   const double pixel = camera.halfHeight() / (size.height() / 2);
-  const double length = roundLength(140 * pixel);
+  const double length = roundStep(140 * pixel);
   const QPointF left(margin, size.height() - margin);
   const QPointF right = left + QPointF(length / pixel, 0);
   paintVeil(painter, QRectF(left + QPointF(-8, -28), right + QPointF(8, 8)),
@@ -34,7 +35,7 @@ void paintScaleBar(QPainter& painter, const Scene& scene, const Camera& camera, 
     painter.drawLine(end + QPointF(0, -4), end);
   const QRectF box(left.x(), left.y() - 24, std::max(right.x() - left.x(), 80.0), 18);
   drawText(painter, box, Qt::AlignLeft | Qt::AlignVCenter,
-           withUnit(scaleNumber(length, length), unit), colors);
+           withUnit(numberAtStep(length, length), unit), colors);
 }
 
 void paintAxes(QPainter& painter, const Camera& camera, const QSizeF& size, bool dark) {
@@ -89,8 +90,7 @@ void paintPivot(QPainter& painter, const Scene& scene, const Camera& camera, con
 void paintBalls(QPainter& painter, const Scene& scene, double divider, const ScreenMap& screen) {
   for (const Side side : {Side::left, Side::right}) {
     const OtherState& other = scene.other(side);
-    const bool isSeen = side == Side::left ? divider > 0 : divider < 1;
-    if (!other.isShown || !other.within || !isSeen) continue;
+    if (!other.isShown || !other.within || !SeenSides::of(divider).has(side)) continue;
     const auto middle = screen.project(other.within->center);
     if (!middle) continue;
     const double radius = other.within->radius / screen.pixelSize(middle->depth);
@@ -122,23 +122,40 @@ void paintStateNames(QPainter& painter, const Scene& scene, double divider, cons
   }
 }
 
+bool showsPlantBeside(const OtherState& other) {
+  return !other.isShown || other.within.has_value();
+}
+
+/// Is there a side of the divider where this can be said of the other state?
+bool isSeen(const Scene& scene, const SeenSides& seen, bool (*what)(const OtherState&)) {
+  return std::ranges::any_of(std::array{Side::left, Side::right},
+                             [&](Side side) { return seen.has(side) && what(scene.other(side)); });
+}
+
+/// Contracted points that are shown in place of the others have one color, but on their way.
+bool areColorsOfPointsSeen(const Scene& scene, const SeenSides& seen) {
+  return scene.blend || scene.pointValues || isSeen(scene, seen, [](const OtherState& other) {
+           return showsPlantBeside(other) || !other.replacesPoints;
+         });
+}
+
 } // namespace
 
-std::vector<Legend> legendsOf(const Scene& scene, const QString& unit) {
+std::vector<Legend> legendsOf(const Scene& scene, const QString& unit, const SeenSides& seen) {
   std::vector<Legend> legends;
-  if (const auto legend = scene.pointLegend(); legend && scene.points.visible) {
-    legends.push_back(*legend);
-    const bool isHeight = !scene.pointValues && scene.pointColor == PointColor::height;
-    if (isHeight) legends.back().unit = unit;
-  }
-  if (const auto legend = scene.nodeLegend(); legend && scene.skeletonVisible)
-    legends.push_back(*legend);
-  const auto isListed = [&](const Legend& legend) {
-    return std::ranges::any_of(legends, [&](const Legend& each) { return each == legend; });
+  const auto add = [&](const std::optional<Legend>& legend) { // what several share, once
+    if (legend && !std::ranges::count(legends, *legend)) legends.push_back(*legend);
   };
-  if (const auto legend = scene.referenceLegend();
-      legend && scene.referenceVisible && !isListed(*legend)) // both may share one
-    legends.push_back(*legend);
+  if (scene.points.visible && areColorsOfPointsSeen(scene, seen)) {
+    add(scene.pointLegend());
+    const bool isHeight = !scene.pointValues && scene.pointColor == PointColor::height;
+    if (isHeight && !legends.empty()) legends.back().unit = unit;
+  }
+  if (scene.skeletonVisible && isSeen(scene, seen, showsPlantBeside)) add(scene.nodeLegend());
+  for (const Side side : {Side::left, Side::right})
+    if (scene.skeletonVisible && seen.has(side) && scene.other(side).isShown)
+      add(scene.legendOf(scene.other(side)));
+  if (scene.referenceVisible) add(scene.referenceLegend());
   return legends;
 }
 
@@ -154,11 +171,12 @@ void Overlay::paint(QPainter& painter, const Scene& scene, const Camera& camera,
   paintPreview(painter, preview, screen, scene.dark);
   paintBand(painter, band, scene.dark);
   if (scene.bounds().isEmpty()) return;
-  if (hasLegends) paintLegends(painter, legendsOf(scene, unit), size, scene.dark);
+  if (hasLegends) paintLegends(painter, legendsOf(scene, unit, seen), size, scene.dark);
   paintScaleBar(painter, scene, camera, unit, size);
   paintAxes(painter, camera, size, scene.dark);
   if (pivotShown) paintPivot(painter, scene, camera, size);
   paintStateNames(painter, scene, divider, size);
+  if (sight && hasLegends) paintSightKey(painter, *sight, scene.dark);
 }
 
 } // namespace espalier

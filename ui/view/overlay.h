@@ -16,8 +16,18 @@
 
 namespace espalier {
 
+/// The sides of a divider that are seen.
+struct SeenSides {
+  bool left = true;
+  bool right = true;
+
+  [[nodiscard]] static SeenSides of(double divider) { return {divider > 0, divider < 1}; }
+  [[nodiscard]] bool has(Side side) const { return side == Side::left ? left : right; }
+};
+
 /// What the colors that are drawn stand for.
-[[nodiscard]] std::vector<Legend> legendsOf(const Scene& scene, const QString& unit);
+[[nodiscard]] std::vector<Legend> legendsOf(const Scene& scene, const QString& unit,
+                                            const SeenSides& seen);
 
 /// What is drawn over the plant: color bar, scale bar, axes, the pivot while turning, and what
 /// tools show of what they do.
@@ -26,11 +36,12 @@ struct Overlay {
   bool hasLegends = true;
   bool isBare = false; // nothing is painted
   bool pivotShown = false;
-  double divider = 1;              // of the view, as PlantView::setDivider
-  std::vector<ShownHull> hulls;    // as PlantView::setHulls
-  std::optional<ShownSight> sight; // as PlantView::showSight
-  QPolygonF band;                  // as Canvas::showBand
-  Preview preview;                 // as Canvas::showPreview
+  double divider = 1;                // of the view, as PlantView::setDivider
+  SeenSides seen = SeenSides::of(1); // that legends are for
+  std::vector<ShownHull> hulls;      // as PlantView::setHulls
+  std::optional<ShownSight> sight;   // as PlantView::showSight
+  QPolygonF band;                    // as Canvas::showBand
+  Preview preview;                   // as Canvas::showPreview
 
   /// @param size of the view in logical pixels
   void paint(QPainter& painter, const Scene& scene, const Camera& camera, const QSizeF& size) const;

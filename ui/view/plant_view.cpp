@@ -50,6 +50,7 @@ void PlantView::Parts::paintOverlay(QPainter& painter) {
   overlay.hulls = shared->hulls;
   overlay.hasLegends = isFirst();
   overlay.divider = divider;
+  overlay.seen = shared->seenSides();
   overlay.pivotShown = navigator.gesture() == Navigator::Gesture::turn;
   painter.setRenderHint(QPainter::Antialiasing);
   clipHandles.paint(painter, sight(), scene.dark); // under the legends
@@ -129,7 +130,6 @@ void PlantView::frameAll() {
   if (!places.empty()) parts_->frame(places, *this);
 }
 
-void PlantView::frame(const Eigen::AlignedBox3d& box) {
 void PlantView::faceAll() {
   const std::vector<Eigen::Vector3d> places = parts_->scene.outline();
   Camera camera = parts_->navigator.destination();
@@ -138,6 +138,7 @@ void PlantView::faceAll() {
   frameAll();
 }
 
+void PlantView::frame(const Eigen::AlignedBox3d& box) {
   if (!box.isEmpty()) parts_->frame(box, *this);
 }
 
@@ -248,6 +249,7 @@ QImage PlantView::picture(const QSize& size) {
   overlay.unit = parts_->shared->unit;
   overlay.hulls = parts_->shared->hulls;
   overlay.divider = parts_->divider;
+  overlay.seen = SeenSides::of(parts_->divider);
   return espalier::picture(parts_->scene, parts_->navigator.destination(), overlay, size);
 }
 

@@ -33,7 +33,7 @@ void PlantView::setReferenceSelection(const std::vector<NodeId>& nodes) {
 
 void PlantView::Parts::refreshColorBars() {
   const std::vector<Legend> legends =
-      isFirst() ? legendsOf(scene, shared->unit) : std::vector<Legend>();
+      isFirst() ? legendsOf(scene, shared->unit, shared->seenSides()) : std::vector<Legend>();
   const std::vector<LegendBox> boxes =
       legendBoxes(legends, owner.size(), QFontMetricsF(owner.font(), overlayWidget));
   std::size_t shown = 0;

@@ -28,6 +28,8 @@ struct PlantView::Shared {
   QString unit; // of lengths; empty: not known
   std::vector<ShownHull> hulls;
   std::vector<Parts*> views;
+
+  [[nodiscard]] SeenSides seenSides() const; // in any view
 };
 
 /// What a view is made of; for its own sources.
@@ -85,11 +87,11 @@ struct PlantView::Parts {
   void unsettle() { // what is drawn now, something else follows in a moment
     moving = true;
     rest.start();
-    redrawThis();
-    emit owner.cameraMoved(navigator.camera());
   }
   void moved() {
     unsettle();
+    redrawThis();
+    emit owner.cameraMoved(navigator.camera());
   }
   void moveTo(const Camera& camera, bool seen) {
     if (seen && wasFramed)

@@ -15,6 +15,7 @@ void PlantView::setState(Side side, const std::optional<PlantState>& state) {
 void PlantView::setDivider(double across) {
   parts_->divider = std::clamp(across, 0.0, 1.0);
   parts_->redrawThis();
+  if (!parts_->isFirst()) parts_->shared->views.front()->redrawThis(); // its legends
 }
 
 double PlantView::divider() const {
@@ -33,12 +34,23 @@ void PlantView::setDisplacementsShown(bool areShown) {
 
 void PlantView::showSight(const std::optional<ShownSight>& sight) {
   if (!sight && !parts_->overlay.sight) return;
-  parts_->overlay.sight = sight;
-  parts_->overlayWidget->update();
+  for (Parts* view : parts_->shared->views) {
+    view->overlay.sight = sight;
+    view->overlayWidget->update();
+  }
 }
 
 const std::optional<ShownSight>& PlantView::sightShown() const {
   return parts_->overlay.sight;
+}
+
+SeenSides PlantView::Shared::seenSides() const {
+  SeenSides seen{.left = false, .right = false};
+  for (const Parts* view : views) {
+    seen.left = seen.left || view->divider > 0;
+    seen.right = seen.right || view->divider < 1;
+  }
+  return seen;
 }
 
 QImage PlantView::pictureOf(const PlantState& state, const QSize& size, Framing framing) const {

@@ -128,10 +128,8 @@ void Scene::recolorNodes() {
 }
 
 void Scene::recolorNodes(OtherState& shown) const {
-  const Legend* given = shown.skeleton.legend();
-  shown.skeleton.setColorMap(given != nullptr
-                                 ? std::optional(LegendColors(colorScales.ofNodes(*given), dark))
-                                 : std::nullopt);
+  const std::optional<Legend> legend = legendOf(shown);
+  shown.skeleton.setColorMap(legend ? std::optional(LegendColors(*legend, dark)) : std::nullopt);
 }
 
 std::optional<Legend> Scene::pointLegend() const {
@@ -146,6 +144,11 @@ std::optional<Legend> Scene::nodeLegend() const {
 
 std::optional<Legend> Scene::referenceLegend() const {
   const Legend* given = reference.legend();
+  return given != nullptr ? std::optional(colorScales.ofNodes(*given)) : std::nullopt;
+}
+
+std::optional<Legend> Scene::legendOf(const OtherState& other) const {
+  const Legend* given = other.skeleton.legend();
   return given != nullptr ? std::optional(colorScales.ofNodes(*given)) : std::nullopt;
 }
 

@@ -93,6 +93,7 @@ struct Scene {
   [[nodiscard]] std::optional<Legend> pointLegend() const;
   [[nodiscard]] std::optional<Legend> nodeLegend() const;
   [[nodiscard]] std::optional<Legend> referenceLegend() const;
+  [[nodiscard]] std::optional<Legend> legendOf(const OtherState& other) const; // its nodes'
 
   [[nodiscard]] const OtherState& other(Side side) const {
     return others[static_cast<std::size_t>(side)];

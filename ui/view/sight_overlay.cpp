@@ -3,8 +3,10 @@
 #include "ui/view/overlay_text.h"
 #include "ui/view/palette.h"
 
+#include <QCoreApplication>
 #include <QPolygonF>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -62,6 +64,26 @@ private:
   const ScreenMap& screen_;
 };
 
+/// What a color stands for.
+struct KeyRow {
+  QString name;
+  Color color;
+  bool isDot = false;
+};
+
+std::vector<KeyRow> keyOf(const ShownSight& sight, const Palette& colors) {
+  const auto tr = [](const char* text) { return QCoreApplication::translate("SightKey", text); };
+  std::vector<KeyRow> rows = {
+      {tr("Points its new place is from"), colors.selected, true},
+      {tr("Where it goes"), colors.contracted},
+      {sight.circle ? tr("Neighbors, and the circle through them") : tr("Neighbors"),
+       colors.reference},
+      {tr("Direction of the wood"), colors.text},
+      {tr("Normal"), colors.hovered}};
+  if (!sight.cones.empty()) rows.push_back({tr("Cones of the search"), colors.branching});
+  return rows;
+}
+
 QPen penOf(const Color& color, double width, int alpha = 255) {
   return {toQt(color, alpha), width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin};
 }
@@ -69,6 +91,8 @@ QPen penOf(const Color& color, double width, int alpha = 255) {
 } // namespace
 
 void paintSight(QPainter& painter, const ShownSight& sight, const ScreenMap& screen, bool dark) {
+  if (!sight.point) return;
+  const Eigen::Vector3d& point = *sight.point;
   const Palette colors = palette(dark);
   SightPainter paint(painter, screen);
   painter.setPen(Qt::NoPen);
@@ -81,22 +105,51 @@ void paintSight(QPainter& painter, const ShownSight& sight, const ScreenMap& scr
     paint.cone(cone);
   painter.setPen(penOf(colors.reference, 1.5));
   for (const Eigen::Vector3d& place : sight.neighbors)
-    paint.line(sight.point, place);
+    paint.line(point, place);
   if (sight.circle) paint.circle(sight.circle->center, sight.circle->normal, sight.circle->radius);
   painter.setPen(penOf(colors.text, 2.5));
-  paint.line(sight.point - sight.reach * sight.direction,
-             sight.point + sight.reach * sight.direction);
+  paint.line(point - sight.reach * sight.direction, point + sight.reach * sight.direction);
   painter.setPen(penOf(colors.hovered, 2));
-  paint.line(sight.point, sight.point + 0.6 * sight.reach * sight.normal);
+  paint.line(point, point + 0.6 * sight.reach * sight.normal);
   painter.setPen(penOf(colors.contracted, 2.5));
-  paint.line(sight.point, sight.moved);
+  paint.line(point, sight.moved);
   painter.setBrush(toQt(colors.contracted));
   paint.dot(sight.moved, 4);
   painter.setPen(penOf(colors.outline, 1));
   painter.setBrush(toQt(colors.text));
-  paint.dot(sight.point, 3.5);
-  if (const auto at = paint.pixelOf(sight.point); at && !sight.label.isEmpty())
-    paintLabel(painter, *at, sight.label, colors);
+  paint.dot(point, 3.5);
+}
+
+void paintSightKey(QPainter& painter, const ShownSight& sight, bool dark) {
+  constexpr double row = 20; // [logical pixels], as all here
+  constexpr double swatch = 18;
+  const Palette colors = palette(dark);
+  const std::vector<KeyRow> rows = keyOf(sight, colors);
+  const QFontMetricsF font(painter.font(), painter.device());
+  double width = 0;
+  for (const QString& line : sight.told)
+    width = std::max(width, font.horizontalAdvance(line));
+  for (const KeyRow& each : rows)
+    width = std::max(width, swatch + 8 + font.horizontalAdvance(each.name));
+  const double height = row * static_cast<double>(sight.told.size() + std::ssize(rows));
+  paintVeil(painter, QRectF(8, 8, width + 16, height + 12), colors.backgroundTop);
+  QRectF line(16, 14, width, row);
+  for (const QString& told : sight.told) {
+    drawText(painter, line, Qt::AlignLeft | Qt::AlignVCenter, told, colors);
+    line.translate(0, row);
+  }
+  for (const KeyRow& each : rows) {
+    const QPointF middle(line.left() + swatch / 2, line.center().y());
+    painter.setPen(each.isDot ? QPen(Qt::NoPen) : penOf(each.color, 2.5));
+    painter.setBrush(toQt(each.color));
+    if (each.isDot)
+      painter.drawEllipse(middle, 3.5, 3.5);
+    else
+      painter.drawLine(middle - QPointF(swatch / 2, 0), middle + QPointF(swatch / 2, 0));
+    drawText(painter, line.adjusted(swatch + 8, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
+             each.name, colors);
+    line.translate(0, row);
+  }
 }
 
 } // namespace espalier

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 #include <QPainter>
-#include <QString>
+#include <QStringList>
 
 #include <optional>
 #include <vector>
@@ -24,7 +24,7 @@ struct ShownSight {
     double angle;              // full opening [rad]
     double length;
   };
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();
+  std::optional<Eigen::Vector3d> point;                // none: there is only the key
   Eigen::Vector3d moved = Eigen::Vector3d::Zero();     // where it goes
   std::vector<Eigen::Vector3d> neighbors;              // linked to it
   std::vector<Eigen::Vector3d> ball;                   // what its new place is from
@@ -33,10 +33,13 @@ struct ShownSight {
   double reach = 0;                                    // of the lines for these
   std::optional<Circle> circle;
   std::vector<Cone> cones;
-  QString label;
+  QStringList told; // beside the key, a line each
 };
 
 /// Paints it over the plant.
 void paintSight(QPainter& painter, const ShownSight& sight, const ScreenMap& screen, bool dark);
+
+/// Paints what is told of it, and what its colors stand for, at the top left of a view.
+void paintSightKey(QPainter& painter, const ShownSight& sight, bool dark);
 
 } // namespace espalier

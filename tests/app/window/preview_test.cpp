@@ -345,7 +345,7 @@ TEST_F(PreviewTest, DrawsWhatTheMethodSeesUnderTheMouse) {
   EXPECT_FALSE(sight.neighbors.empty());
   EXPECT_GT(sight.ball.size(), sight.neighbors.size());
   EXPECT_GT(std::abs(sight.direction.z()), 0.9) << "along the trunk";
-  EXPECT_LT((sight.moved - sight.point).norm(), 0.1);
+  EXPECT_LT((sight.moved - *sight.point).norm(), 0.1);
   key(Qt::Key_0, Qt::ControlModifier);
   EXPECT_FALSE(view().sightShown());
 }
@@ -393,6 +393,7 @@ TEST_F(RegionPreviewTest, ShowsTheBallWhereThePointerPutIt) {
 }
 
 /// How long the window does not answer while knobs are turned; told, not judged: machines differ.
+/// Its event loop runs as ever, so that no wait of a test counts.
 TEST_F(PreviewTest, AnswersWhileKnobsAreTurned) {
   ESPALIER_SHARED_FILE(scan, "puu1/scan.ply");
   open({QString::fromStdString(scan.string())});

@@ -1,4 +1,7 @@
+#include "tests/support/plants.h"
+#include "tests/ui/view/pictures.h"
 #include "ui/view/legend.h"
+#include "ui/view/overlay.h"
 #include "ui/view/overlay_of_tools.h"
 #include "ui/view/palette.h"
 
@@ -10,17 +13,6 @@
 
 namespace espalier {
 namespace {
-
-TEST(RoundLength, IsOneTwoOrFiveTimesAPowerOfTen) {
-  EXPECT_DOUBLE_EQ(roundLength(1), 1);
-  EXPECT_DOUBLE_EQ(roundLength(1.99), 1);
-  EXPECT_DOUBLE_EQ(roundLength(2), 2);
-  EXPECT_DOUBLE_EQ(roundLength(4.9), 2);
-  EXPECT_DOUBLE_EQ(roundLength(5), 5);
-  EXPECT_DOUBLE_EQ(roundLength(99), 50);
-  EXPECT_DOUBLE_EQ(roundLength(1000), 1000);
-  EXPECT_DOUBLE_EQ(roundLength(0.003), 0.002);
-}
 
 /// What is left of a red ground at a corner of the box of a color bar, clear of its text.
 QColor groundUnderBar(const QSize& size) {
@@ -65,6 +57,77 @@ TEST(PaintedByTools, StandsOutFromPointsOfItsColor) {
     const QPoint beside(int(middle->pixel.x()), int(middle->pixel.y()) - 3);
     EXPECT_GT(contrastWith(accent, image.pixelColor(beside)), 100) << "beside the preview";
   }
+}
+
+/// A cloud colored by height, and another state of it on the right.
+class LegendsOfStates : public testing::Test {
+protected:
+  LegendsOfStates() {
+    scene_.setCloud(test::cloudOf({{0, 0, 0}, {0, 0, 1}}));
+    scene_.setOther(Side::right, state_);
+  }
+  [[nodiscard]] QStringList titles(double divider) const {
+    QStringList titles;
+    for (const Legend& legend : legendsOf(scene_, "m", SeenSides::of(divider)))
+      titles.append(legend.title);
+    return titles;
+  }
+
+  PlantState state_;
+  Scene scene_;
+};
+
+TEST_F(LegendsOfStates, AreThoseOfColorsThatAreSeen) {
+  const QStringList height = titles(1);
+  ASSERT_EQ(height.size(), 1);
+  EXPECT_EQ(titles(0), height) << "the points are where they were";
+  state_.replacesPoints = true;
+  scene_.setOther(Side::right, state_);
+  EXPECT_EQ(titles(0), QStringList()) << "contracted points have one color";
+  EXPECT_EQ(titles(0.5), height);
+  scene_.blend = 0.5;
+  EXPECT_EQ(titles(0), height) << "on their way they keep theirs";
+  scene_.blend.reset();
+  state_.within = Ball{{0, 0, 0}, 0.1};
+  scene_.setOther(Side::right, state_);
+  EXPECT_EQ(titles(0), height) << "of what lies around the ball";
+}
+
+TEST_F(LegendsOfStates, TellWhatColorsOfItsNodesStandFor) {
+  state_.skeleton = test::stick(2);
+  state_.colors =
+      NodeColors{.values = {0, 1, 0},
+                 .legend = {.title = "Differences", .unit = {}, .categories = {{"Matched", {}}}}};
+  scene_.setOther(Side::right, state_);
+  EXPECT_FALSE(titles(1).contains("Differences"));
+  EXPECT_TRUE(titles(0).contains("Differences"));
+  EXPECT_EQ(titles(0.5).count("Differences"), 1);
+}
+
+TEST(SightKey, NamesTheColorsAtTheTopLeft) {
+  const auto painted = [](const ShownSight& sight) {
+    QImage image(400, 300, QImage::Format_RGB32);
+    image.fill(Qt::red);
+    QPainter painter(&image);
+    paintSightKey(painter, sight, false);
+    return image;
+  };
+  ShownSight sight;
+  sight.told = {"Point at the plant"};
+  const QImage image = painted(sight);
+  const Color link = palette(false).reference;
+  const Color cone = palette(false).branching;
+  const auto has = [](const QImage& in, const Color& color) {
+    for (int y = 0; y < in.height(); ++y)
+      if (in.pixelColor(25, y) == QColor(color[0], color[1], color[2])) return true;
+    return false;
+  };
+  EXPECT_NE(image.pixelColor(12, 12), QColor(Qt::red)) << "a veil";
+  EXPECT_EQ(image.pixelColor(380, 280), QColor(Qt::red));
+  EXPECT_TRUE(has(image, link));
+  EXPECT_FALSE(has(image, cone));
+  sight.cones.push_back({});
+  EXPECT_TRUE(has(painted(sight), cone));
 }
 
 } // namespace

@@ -13,8 +13,7 @@
 namespace espalier {
 namespace {
 
-constexpr double frameTime = 30; // [ms] of drawing: 25 a second with what Qt adds
-constexpr int restAfter = 120;   // [ms] after the last move
+constexpr int restAfter = 120; // [ms] after the last move
 
 } // namespace
 
@@ -78,6 +77,7 @@ PlantView::PlantView(std::shared_ptr<Shared> shared, QWidget* parent)
   parts_->rest.setInterval(restAfter);
   connect(&parts_->rest, &QTimer::timeout, this, [this] {
     parts_->moving = false;
+    parts_->frameTime = parts_->usualFrame;
     parts_->redrawThis();
     parts_->pointer.hoverAgain(); // something else has come under it
   });

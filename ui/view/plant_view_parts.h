@@ -84,12 +84,18 @@ struct PlantView::Parts {
     return {scene.clip, scene.bounds(), pointer.screen()};
   }
   void hoverClip(std::optional<ClipHandles::Handle> handle); // plant_view_clip.cpp
-  void unsettle() { // what is drawn now, something else follows in a moment
+  static constexpr double usualFrame = 30;   // [ms] of drawing: 25 a second with what Qt adds
+  static constexpr double previewFrame = 16; // likewise, beside a job and the news of its result
+
+  /// Something else follows in a moment upon what is drawn now.
+  void unsettle(double frame) {
     moving = true;
+    complete = false;
+    frameTime = frame;
     rest.start();
   }
   void moved() {
-    unsettle();
+    unsettle(usualFrame);
     redrawThis();
     emit owner.cameraMoved(navigator.camera());
   }
@@ -118,6 +124,7 @@ struct PlantView::Parts {
   DetailBudget budget;
   QTimer rest;         // runs while the camera, or what is shown, changes
   bool moving = false; // likewise
+  double frameTime = usualFrame;
   bool complete = false;
   bool wasFramed = false;
   QWidget* surface; // owned by the view; goes before what it draws, see ~PlantView

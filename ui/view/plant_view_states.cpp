@@ -8,11 +8,12 @@ namespace espalier {
 void PlantView::setState(Side side, const std::optional<PlantState>& state) {
   parts_->scene.setOther(side, state);
   for (Parts* view : parts_->shared->views)
-    view->unsettle(); // while a knob is turned the next one comes soon
-  parts_->redraw();
+    view->unsettle(Parts::previewFrame); // while a knob is turned the next one comes soon
+  QTimer::singleShot(0, this, [this] { parts_->redraw(); }); // what the user does comes first
 }
 
 void PlantView::setDivider(double across) {
+  if (across == parts_->divider) return;
   parts_->divider = std::clamp(across, 0.0, 1.0);
   parts_->redrawThis();
   if (!parts_->isFirst()) parts_->shared->views.front()->redrawThis(); // its legends

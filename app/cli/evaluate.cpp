@@ -17,7 +17,7 @@ void requireSense(const EvaluateFlags& flags) {
   if (flags.files.size() < 2) throw CLI::RequiredError("REFERENCE");
   const bool isRanking = flags.ranks || flags.files.size() > 2;
   if (!isRanking && !flags.rankBy.empty())
-    throw WrongUsage("--rank-by tells how several results are ranked: give more of them, or "
+    throw WrongUsage("--rank-by tells how several structures are ranked: give more of them, or "
                      "--ranking");
   std::set<std::string> outputs;
   for (const std::string& file : {flags.csv, flags.json, flags.report.file})
@@ -70,7 +70,7 @@ void addEdits(CLI::App& command, EvaluateFlags& flags) {
 
 void addRanking(CLI::App& command, EvaluateFlags& flags) {
   command.add_flag("--ranking", flags.ranks,
-                   "Rank the results, as is done where there are several");
+                   "Rank the structures, as is done where there are several");
   command
       .add_option("--rank-by", flags.rankBy,
                   "Score to rank by: " + CLI::detail::join(rankingNames(), ", "))
@@ -101,11 +101,11 @@ void addEvaluate(CLI::App& app) {
       ->expected(1, 10000)
       ->required();
   command->add_flag("--no-register", flags->noRegister,
-                    "Compare the two where they lie; without it the result is first laid on the "
+                    "Compare the two where they lie; without it the plant is first laid on the "
                     "reference");
   command
       ->add_option("--scale", flags->scale,
-                   "Multiply the results by this first, as by 0.001 from mm to m")
+                   "Multiply all but the reference by this first, as by 0.001 from mm to m")
       ->type_name("FACTOR")
       ->check(number(1e-12, 1e12));
   addUnit(*command, flags->unit, "Unit of the structures, to be named with the numbers");

@@ -13,10 +13,10 @@ namespace espalier {
 void evaluateMany(const EvaluateFlags& flags, const TerminalProgress& terminal) {
   if (flags.where || flags.merges || flags.traits || flags.light || !flags.mapping.empty())
     throw WrongUsage(
-        "--where, --traits, --light, --merge-paths and --mapping tell of one result: leave them "
+        "--where, --traits, --light, --merge-paths and --mapping tell of one plant: leave them "
         "out, or give one");
   if (!flags.report.scan.empty())
-    throw WrongUsage("--scan shows the points of one result: leave it out, or give one");
+    throw WrongUsage("--scan is of one plant: leave it out, or give one");
   const std::vector<std::string> names(flags.files.begin(), flags.files.end() - 1);
   const Skeleton reference = skeletonIn(flags.files.back());
   const Traits expected = traits(reference);
@@ -26,7 +26,7 @@ void evaluateMany(const EvaluateFlags& flags, const TerminalProgress& terminal) 
     results.push_back(skeletonIn(name, flags.scale));
     const Traits found = traits(results.back());
     for (const std::string& warning :
-         {warningOfTrees(found, "the result"), warningOfSize(found, expected)})
+         {warningOfTrees(found, "the plant"), warningOfSize(found, expected)})
       if (!warning.empty()) notes.push_back(name + ": " + warning);
   }
   printNotes(notes);

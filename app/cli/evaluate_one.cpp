@@ -40,7 +40,7 @@ void warnOfShift(Comparison& comparison, const Skeleton& result, const Skeleton&
   const double shift = registration(result, reference, {}, progress).shift.norm();
   if (shift <= defaultTolerances(reference).front()) return;
   comparison.warnings.push_back(
-      "the result lies about " + plainDecimal(std::round(10 * shift) / 10) +
+      "the plant lies about " + plainDecimal(std::round(10 * shift) / 10) +
       (unit.empty() ? "" : " " + unit) +
       " off the reference, which lowers the scores: without --no-register "
       "it is laid on it first");

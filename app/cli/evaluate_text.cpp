@@ -129,7 +129,7 @@ void printWhere(const Comparison& comparison, const std::string& unit) {
   };
   const auto head = [&](const std::string& what) {
     std::printf("\n%18s %10s %10s %12s %12s\n", what.c_str(), "precision", "recall",
-                inUnit("result", unit).c_str(), inUnit("reference", unit).c_str());
+                inUnit("plant", unit).c_str(), inUnit("reference", unit).c_str());
   };
   std::printf("\nwithin %s, with the lengths there are:", withUnit(agreed.distance, unit).c_str());
   head("order");
@@ -159,7 +159,7 @@ void printWhere(const Comparison& comparison, const std::string& unit) {
 void printTraits(const Comparison& comparison, const std::string& unit) {
   const Traits& result = comparison.resultTraits;
   const Traits& reference = comparison.referenceTraits;
-  std::printf("\n%21s %12s %12s %12s\n", "traits", "result", "reference", "difference");
+  std::printf("\n%21s %12s %12s %12s\n", "traits", "plant", "reference", "difference");
   const auto row = [](const std::string& name, double found, double expected) {
     const std::string above = excess(found, expected);
     std::printf("%21s %12.7g %12.7g %12s\n", name.c_str(), found, expected,
@@ -187,7 +187,7 @@ void printTraits(const Comparison& comparison, const std::string& unit) {
 
 void printLight(const Comparison& comparison) {
   std::printf("\nsilhouette to total area (STAR), overcast sky\n%21s %12s %12s\n", "pixels",
-              "result", "reference");
+              "plant", "reference");
   const auto& result = comparison.resultLight;
   const auto& reference = comparison.referenceLight;
   const auto& pixels = result ? result->convergence
@@ -207,7 +207,7 @@ void print(const Ranking& ranking, const std::vector<std::string>& names, const 
   std::printf("ranked by %s within %s; %.0f%% intervals of %zu draws of the segments\n",
               title(ranking.by).c_str(), withUnit(ranking.distance, unit).c_str(),
               percent(ranking.confidence), ranking.draws);
-  std::size_t width = 6;
+  std::size_t width = 9;
   for (const std::string& name : names)
     width = std::max(width, name.size());
   std::vector<std::pair<Score, std::string>> shown = {{Score::f, "F"},
@@ -217,7 +217,7 @@ void print(const Ranking& ranking, const std::vector<std::string>& names, const 
   if (std::ranges::find(shown, ranking.by, &std::pair<Score, std::string>::first) == shown.end())
     shown.insert(shown.begin(), {ranking.by, title(ranking.by)});
   const auto column = static_cast<int>(width);
-  std::printf("\n%4s  %-*s", "rank", column, "result");
+  std::printf("\n%4s  %-*s", "rank", column, "structure");
   for (const auto& [score, name] : shown)
     std::printf("  %-19s", name.c_str());
   std::printf("  beats the next\n");

@@ -55,8 +55,8 @@ ReportTable howFar(const ReportParts& parts) {
                           {numbers.percent(summary.farShare)},
                           {numbers.number(summary.farMean)}});
   };
-  row(tr("the result to the reference"), curve.toReference);
-  row(tr("the reference to the result"), curve.toResult);
+  row(tr("the plant to the reference"), curve.toReference);
+  row(tr("the reference to the plant"), curve.toResult);
   return table;
 }
 
@@ -108,7 +108,7 @@ ReportTable authorsTable(const ReportParts& parts) {
   table.add(tr("length precision"), authors.lengthPrecision);
   table.add(tr("length recall"), authors.lengthRecall);
   table.add(tr("segments matched"), numbers.count(authors.matches.size()));
-  table.add(tr("segments of the result"), numbers.count(authors.resultSegments.size()));
+  table.add(tr("segments of the plant"), numbers.count(authors.resultSegments.size()));
   table.add(tr("segments of the reference"), numbers.count(authors.referenceSegments.size()));
   table.add(numbers.inUnit(tr("cost of the matching")), numbers.number(authors.cost, 9));
   return table.table(tr("As the authors of the method measure"));
@@ -187,7 +187,7 @@ ReportSection placesSection(const ReportParts& parts) {
     made.columns = {{what, false},
                     {tr("precision")},
                     {tr("recall")},
-                    {numbers.inUnit(tr("result"))},
+                    {numbers.inUnit(tr("plant"))},
                     {numbers.inUnit(tr("reference"))}};
     for (const PartAgreement& part : rows)
       made.rows.push_back({{name(part)},

@@ -40,7 +40,7 @@ void addRegistration(SettingsTable& table, const ReportParts& parts) {
     return;
   }
   const Eigen::Vector3d& shift = registration->shift;
-  table.add(tr("registration"), tr("the result was shifted onto the reference"));
+  table.add(tr("registration"), tr("the plant was shifted onto the reference"));
   table.add(tr("shift x, y, z"), joined(numbers, {shift.x(), shift.y(), shift.z()}));
   table.add(tr("shift in all"), numbers.length(shift.norm()));
   table.add(tr("mean distance before, after"),
@@ -54,7 +54,7 @@ ReportTable settings(const ReportParts& parts) {
   SettingsTable table;
   table.add(tr("unit of lengths"),
             parts.about.unit.isEmpty() ? tr("that of the files") : parts.about.unit);
-  table.add(tr("scale of the result"), numbers.given(parts.about.scale));
+  table.add(tr("scale of the plant"), numbers.given(parts.about.scale));
   addRegistration(table, parts);
   table.add(tr("tolerance"), numbers.givenLength(parts.data.tolerance));
   std::vector<double> distances;
@@ -92,7 +92,7 @@ ReportTable inputs(const ReportParts& parts) {
     table.rows.push_back(
         {{role}, {name}, {file.fingerprint.isEmpty() ? tr("none") : file.fingerprint}});
   };
-  add(tr("result"), parts.about.result);
+  add(tr("plant"), parts.about.result);
   add(tr("reference"), parts.about.reference);
   if (parts.about.scan) add(tr("scan"), *parts.about.scan);
   return table;
@@ -137,13 +137,13 @@ QString commandOf(const ReportParts& parts) {
 std::vector<ReportTerms::Term> nearnessTerms() {
   return {
       {tr("Registration"),
-       tr("The result is shifted to where it fits the reference best, from several starts, before "
+       tr("The plant is shifted to where it fits the reference best, from several starts, before "
           "anything is measured: two files of one plant are often not in the same frame."),
        QStringLiteral("P. Besl, N. McKay, A method for registration of 3-D shapes, PAMI 14(2), "
                       "1992.")},
       {tr("Precision, recall, F"),
-       tr("Shares of the length of the result near the reference, and of the reference near the "
-          "result, and their harmonic mean; places are sampled at even steps, distances taken to "
+       tr("Shares of the length of the plant near the reference, and of the reference near the "
+          "plant, and their harmonic mean; places are sampled at even steps, distances taken to "
           "edges."),
        QStringLiteral("A. Knapitsch et al., Tanks and Temples, ACM Transactions on Graphics 36(4), "
                       "2017.")},

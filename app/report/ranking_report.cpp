@@ -55,7 +55,7 @@ ReportTable scoreTable(const Parts& parts, const QString& caption,
                        const std::vector<Score>& scores) {
   ReportTable table;
   table.caption = caption;
-  table.columns = {{tr("rank")}, {tr("result"), false}};
+  table.columns = {{tr("rank")}, {tr("structure"), false}};
   for (const Score score : scores) {
     table.columns.push_back({titleOf(score)});
     table.columns.push_back({tr("interval"), false});
@@ -75,7 +75,7 @@ ReportSection ranks(const Parts& parts) {
   const Ranking& ranking = parts.data.ranking;
   ReportTable table;
   table.columns = {{tr("rank")},
-                   {tr("result"), false},
+                   {tr("structure"), false},
                    {titleOf(ranking.by)},
                    {tr("interval"), false},
                    {tr("beats the next")}};
@@ -94,11 +94,11 @@ ReportSection ranks(const Parts& parts) {
                           .arg(titleOf(ranking.by), parts.numbers.givenLength(ranking.distance))});
   section.blocks.emplace_back(std::move(table));
   section.blocks.emplace_back(ReportParagraph{
-      tr("The segments of the reference were drawn again %1 times, all results from the same "
+      tr("The segments of the reference were drawn again %1 times, all structures from the same "
          "draws. "
          "An interval holds the middle %2 of the scores. \"Beats the next\" is the share of draws "
          "in "
-         "which a result is above the one after it: near 50 %, the two cannot be told apart.")
+         "which a structure is above the one after it: near 50 %, the two cannot be told apart.")
           .arg(parts.numbers.count(ranking.draws), parts.numbers.percent(ranking.confidence)),
       ReportParagraph::Look::note});
   if (!parts.about.notes.isEmpty()) section.blocks.emplace_back(ReportWarnings{parts.about.notes});
@@ -145,7 +145,7 @@ ReportSection origin(const Parts& parts) {
                     {tr("SHA-256"), false}};
   for (const RankedResult& result : parts.data.ranking.results) {
     const ReportedFile& file = parts.about.results.at(result.result);
-    inputs.rows.push_back({{tr("result")},
+    inputs.rows.push_back({{tr("structure")},
                            {file.name},
                            {parts.numbers.number(result.shift.norm())},
                            {file.fingerprint}});
@@ -160,9 +160,9 @@ ReportSection origin(const Parts& parts) {
   const Ranking& ranking = parts.data.ranking;
   settings.rows = {
       {{tr("registration")},
-       {parts.data.isRegistered ? tr("each result was shifted onto the reference")
+       {parts.data.isRegistered ? tr("each structure was shifted onto the reference")
                                 : tr("none: compared where they lie")}},
-      {{tr("scale of the results")}, {parts.numbers.given(parts.about.scale)}},
+      {{tr("scale of the structures")}, {parts.numbers.given(parts.about.scale)}},
       {{tr("tolerance")}, {parts.numbers.givenLength(ranking.distance)}},
       {{tr("draws for the intervals")},
        {tr("%1, seed %2").arg(parts.numbers.count(ranking.draws)).arg(ranking.seed)}},
@@ -194,7 +194,7 @@ RankingReportData rankingReportData(Ranking ranking, const std::vector<Skeleton>
 Report rankingReport(const RankingReportData& data, const RankingReportAbout& about) {
   const Parts parts{data, about, ReportNumbers(about.unit)};
   Report report;
-  report.title = reportText("%1 results compared with %2")
+  report.title = reportText("%1 structures compared with %2")
                      .arg(parts.numbers.count(about.results.size()), about.reference.name);
   report.facts = {about.date, reportText("Espalier %1").arg(about.version),
                   about.unit.isEmpty() ? reportText("lengths in the unit of the files")

@@ -32,7 +32,7 @@ QString places(const ReportNumbers& numbers, std::size_t count) {
 QString whatIsNear(const ReportParts& parts) {
   const ReportNumbers& numbers = parts.numbers;
   const ToleranceScore& score = parts.data.score;
-  return tr("The reconstruction finds %1 of the length of the reference within %2, and %3 of its "
+  return tr("The plant has %1 of the length of the reference within %2, and %3 of its "
             "own "
             "length lies that near to the reference: F is %4.")
       .arg(numbers.percent(score.recall), numbers.givenLength(score.distance),
@@ -134,7 +134,7 @@ ReportSection summarySection(const ReportParts& parts) {
     warnings.lines.append(QString::fromStdString(warning));
   if (parts.about.scale != 1)
     warnings.lines.append(
-        tr("the result was multiplied by %1 first").arg(parts.numbers.given(parts.about.scale)));
+        tr("the plant was multiplied by %1 first").arg(parts.numbers.given(parts.about.scale)));
   if (!parts.pictures.problem.isEmpty())
     warnings.lines.append(tr("there are no pictures: %1").arg(parts.pictures.problem));
   if (!warnings.lines.isEmpty()) section.blocks.emplace_back(std::move(warnings));
@@ -150,16 +150,15 @@ ReportSection plantsSection(const ReportParts& parts) {
     return ReportLegend::Entry{titleOf(kind), QColor(color[0], color[1], color[2]), text};
   };
   ReportSection section{tr("Both plants"), {}};
-  section.blocks.emplace_back(
-      ReportLegend{{entry(Difference::matched,
-                          tr("%1 of the result").arg(numbers.length(found.matchedInResult))),
-                    entry(Difference::missed,
-                          tr("%1 of the reference, dotted; %2")
-                              .arg(numbers.length(found.missed), places(numbers, counts.missed))),
-                    entry(Difference::invented, tr("%1 of the result; %2")
-                                                    .arg(numbers.length(found.invented),
-                                                         places(numbers, counts.invented))),
-                    entry(Difference::wronglyAttached, places(numbers, counts.wronglyAttached))}});
+  section.blocks.emplace_back(ReportLegend{
+      {entry(Difference::matched, tr("%1 of the plant").arg(numbers.length(found.matchedInResult))),
+       entry(Difference::missed,
+             tr("%1 of the reference, dotted; %2")
+                 .arg(numbers.length(found.missed), places(numbers, counts.missed))),
+       entry(Difference::invented,
+             tr("%1 of the plant; %2")
+                 .arg(numbers.length(found.invented), places(numbers, counts.invented))),
+       entry(Difference::wronglyAttached, places(numbers, counts.wronglyAttached))}});
   const auto add = [&](int across, const std::vector<ReportFigures::Figure>& figures) {
     ReportFigures shown{.across = across, .figures = {}};
     for (const auto& figure : figures)
@@ -168,10 +167,10 @@ ReportSection plantsSection(const ReportParts& parts) {
   };
   const ReportPictures& pictures = parts.pictures;
   add(2, {{pictures.front, tr("What differs, from the front"),
-           tr("The result, and what it misses of the reference")},
+           tr("The plant, and what it misses of the reference")},
           {pictures.side, tr("What differs, from the right"), tr("The same from the side")}});
   add(parts.data.scan ? 3 : 2,
-      {{pictures.result, tr("The result"), parts.about.result.name},
+      {{pictures.result, tr("The plant"), parts.about.result.name},
        {pictures.reference, tr("The reference"), parts.about.reference.name},
        {pictures.scan, tr("The scan"),
         parts.about.scan ? tr("%1, %2 points, by height")

@@ -65,7 +65,7 @@ std::vector<PartAgreement> agreement(const Shares& result, double resultLength,
 
 AgreementByPlace agreementByPlace(const Skeleton& result, const Skeleton& reference,
                                   double distance, double step, const Progress& progress) {
-  requireComparable(result, "the result");
+  requireComparable(result, "the plant");
   requireComparable(reference, "the reference");
   const Side found = sideOf(result, reference, step, progress.part(0, 0.5));
   const Side truth = sideOf(reference, result, step, progress.part(0.5, 1));

@@ -108,7 +108,7 @@ ArchitectureAgreement architectureAgreement(const Skeleton& result, const Skelet
                                             const AuthorsComparison& matches, double distance,
                                             double step, const Progress& progress) {
   assert(distance > 0 && step > 0);
-  requireComparable(result, "the result");
+  requireComparable(result, "the plant");
   requireComparable(reference, "the reference");
   const std::vector<EvenSample> samples = evenSamples(reference, step);
   const auto all = static_cast<double>(samples.size());

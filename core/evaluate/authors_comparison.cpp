@@ -144,7 +144,7 @@ void noteIndices(AuthorsComparison& comparison) {
 
 AuthorsComparison authorsComparison(const Skeleton& result, const Skeleton& reference,
                                     const AuthorsOptions& options, const Progress& progress) {
-  requireComparable(result, "the result");
+  requireComparable(result, "the plant");
   requireComparable(reference, "the reference");
   AuthorsComparison comparison;
   comparison.resultSegments = unbranchedSegments(result);

@@ -89,7 +89,7 @@ std::vector<double> checked(const std::vector<double>& distances, const Skeleton
 
 std::vector<CappedScore> cappedScores(const Skeleton& result, const Skeleton& reference,
                                       const CappedOptions& options, const Progress& progress) {
-  requireComparable(result, "the result");
+  requireComparable(result, "the plant");
   requireComparable(reference, "the reference");
   const std::vector<double> distances = checked(options.distances, reference);
   const double step = options.step > 0 ? options.step : std::ranges::min(distances);

@@ -8,7 +8,7 @@ namespace espalier {
 
 /// Checks that a skeleton can be compared: it has nodes, finite positions, and some length.
 ///
-/// @param role what the user calls it in a message: "the result", "the reference"
+/// @param role what the user calls it in a message: "the plant", "the reference"
 /// @throws Error that names what is missing, and the node where there is one
 void requireComparable(const Skeleton& skeleton, std::string_view role);
 

@@ -20,8 +20,8 @@ void warnOfShift(Comparison& comparison, double unit) {
   const Eigen::Vector3d& shift = comparison.registration->shift;
   std::ostringstream text;
   text.precision(4);
-  text << "the result lay " << shift.norm() << " off the reference: it was shifted by ("
-       << shift.x() << ", " << shift.y() << ", " << shift.z() << ") before it was measured";
+  text << "the plant lay " << shift.norm() << " off the reference: it was shifted by (" << shift.x()
+       << ", " << shift.y() << ", " << shift.z() << ") before it was measured";
   comparison.shiftWarning = text.str();
   comparison.warnings.push_back(comparison.shiftWarning);
 }
@@ -101,11 +101,11 @@ void compareLandmarks(Comparison& comparison, const Skeleton& laid, const Skelet
 
 Comparison compare(const Skeleton& result, const Skeleton& reference,
                    const ComparisonOptions& options, const Progress& progress) {
-  requireComparable(result, "the result");
+  requireComparable(result, "the plant");
   requireComparable(reference, "the reference");
   Comparison comparison;
   measureEach(comparison, result, reference);
-  warn(comparison, warningOfTrees(comparison.resultTraits, "the result"));
+  warn(comparison, warningOfTrees(comparison.resultTraits, "the plant"));
   warn(comparison, warningOfTrees(comparison.referenceTraits, "the reference"));
   const std::string ofSize = warningOfSize(comparison.resultTraits, comparison.referenceTraits);
   warn(comparison, ofSize);
@@ -139,7 +139,7 @@ Comparison compare(const Skeleton& result, const Skeleton& reference,
   comparison.byPlace =
       agreementByPlace(laid, reference, near, step, progress.part(0.95, options.light ? 0.96 : 1));
   if (options.light) {
-    comparison.resultLight = lightOf(comparison, laid, "the result", *options.light,
+    comparison.resultLight = lightOf(comparison, laid, "the plant", *options.light,
                                      progress.part(0.96, 0.98, "Measuring light"));
     comparison.referenceLight =
         lightOf(comparison, reference, "the reference", *options.light, progress.part(0.98, 1));

@@ -40,7 +40,7 @@ std::string warningOfSize(const Traits& result, const Traits& reference) {
   const UnitPair* units = unitsOf(ratio);
   if (units == nullptr && ratio <= 20) return {};
   std::ostringstream text;
-  text << "the result is "
+  text << "the plant is "
        << plainDecimal(ratio < 100 ? std::round(10 * ratio) / 10 : std::round(ratio))
        << " times as " << (isLarger ? "large" : "small") << " as the reference: ";
   if (units == nullptr) {
@@ -48,7 +48,7 @@ std::string warningOfSize(const Traits& result, const Traits& reference) {
   } else {
     text << "it seems to be in " << (isLarger ? units->smaller : units->larger)
          << ", the reference in " << (isLarger ? units->larger : units->smaller)
-         << "; scale the result by " << plainDecimal(isLarger ? 1 / units->ratio : units->ratio);
+         << "; scale the plant by " << plainDecimal(isLarger ? 1 / units->ratio : units->ratio);
   }
   return text.str();
 }
@@ -59,7 +59,7 @@ std::string warningOfDistance(const ToleranceCurve& curve, bool isRegistered) {
   text.precision(4);
   text << "hardly anything of the two lies within " << curve.scores.back().distance
        << " of the other: check that they are of the same plant"
-       << (isRegistered ? "" : " and in the same frame, or let the result be registered");
+       << (isRegistered ? "" : " and in the same frame, or let the plant be registered");
   return text.str();
 }
 

@@ -94,7 +94,7 @@ void addStretches(Differences& found, const Skeleton& skeleton,
 
 Differences differences(const Skeleton& result, const Skeleton& reference, double tolerance,
                         const Progress& progress) {
-  requireComparable(result, "the result");
+  requireComparable(result, "the plant");
   requireComparable(reference, "the reference");
   Differences found{.tolerance = tolerance};
   found.ofResult =

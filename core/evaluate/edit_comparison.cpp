@@ -172,7 +172,7 @@ private:
 
 EditComparison editComparison(const Skeleton& result, const Skeleton& reference,
                               const EditOptions& options, const Progress& progress) {
-  requireComparable(result, "the result");
+  requireComparable(result, "the plant");
   requireComparable(reference, "the reference");
   const Parts first = partsOf(result, options.unit);
   const Parts second = partsOf(reference, options.unit);

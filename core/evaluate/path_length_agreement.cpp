@@ -86,7 +86,7 @@ PathLengthAgreement pathLengthAgreement(const Skeleton& result, const Skeleton& 
                                         const PathLengthOptions& options,
                                         const Progress& progress) {
   assert(options.distance > 0 && options.step > 0);
-  requireComparable(result, "the result");
+  requireComparable(result, "the plant");
   requireComparable(reference, "the reference");
   const Ways found(result);
   const Ways truth(reference);

@@ -173,7 +173,7 @@ std::vector<Eigen::Vector3d> startingShifts(const Skeleton& result, const Skelet
 
 Registration registration(const Skeleton& result, const Skeleton& reference,
                           const RegistrationOptions& options, const Progress& progress) {
-  requireComparable(result, "the result");
+  requireComparable(result, "the plant");
   requireComparable(reference, "the reference");
   const Eigen::AlignedBox3d box = bounds(reference);
   // Half the mean segment: twigs further apart are other twigs. Edges would depend on the nodes.

@@ -81,7 +81,7 @@ std::vector<double> distancesTo(const EdgeIndex& index, const std::vector<EvenSa
 
 ToleranceCurve toleranceCurve(const Skeleton& result, const Skeleton& reference,
                               const ToleranceOptions& options, const Progress& progress) {
-  requireComparable(result, "the result");
+  requireComparable(result, "the plant");
   const std::vector<double> rule = defaultTolerances(reference);
   for (const double distance : options.distances)
     if (!(distance >= 0 && std::isfinite(distance)))

@@ -225,7 +225,7 @@ TEST_F(Evaluate, WritesAReportOfARanking) {
                   "50", "--unit", "m", "--distance", "0.1", "--report", file("r.html")});
   ASSERT_EQ(told.status, 0) << told.err;
   const std::string page = test::bytesOf(file("r.html"));
-  EXPECT_THAT(page, HasSubstr("2 results compared with true.txt"));
+  EXPECT_THAT(page, HasSubstr("2 structures compared with true.txt"));
   EXPECT_LT(page.find("same.txt"), page.find("worse.txt")) << "the best first";
   EXPECT_THAT(page, HasSubstr("1.000 to 1.000")) << "the interval of what is the same";
   EXPECT_THAT(page, HasSubstr("1. same.txt: precision, recall and F"));
@@ -238,12 +238,12 @@ TEST_F(Evaluate, WritesAReportOfARanking) {
   EXPECT_EQ(test::bytesOf(file("r.pdf")).substr(0, 5), "%PDF-");
   expectRefusal(runProgram({"evaluate", worse, worse, worse, "--report", file("s.html"), "--scan",
                             test::sample("young_tree.ply")}),
-                2, {"--scan shows the points of one result"});
+                2, {"--scan is of one plant"});
 }
 
 TEST_F(Evaluate, RefusesWhatARankingDoesNotTell) {
   expectRefusal(runProgram({"evaluate", truth_, truth_, truth_, "--where"}), 2,
-                {"--where, --traits, --light, --merge-paths and --mapping tell of one result"});
+                {"--where, --traits, --light, --merge-paths and --mapping tell of one plant"});
   expectRefusal(runProgram({"evaluate", truth_, truth_, "--rank-by", "beauty"}), 2,
                 {"choose one of geometric, structural"});
   expectRefusal(runProgram({"evaluate", truth_, truth_, "--rank-by", "f"}), 2, {"--ranking"});
@@ -261,7 +261,7 @@ TEST_F(Evaluate, TellsTheTraitsOfBoth) {
   const std::string told = runProgram({"evaluate", fork("a.txt"), fork("b.txt", 2), "--no-register",
                                        "--traits", "--json", file("a.json")})
                                .out;
-  EXPECT_THAT(told, HasSubstr("               traits       result    reference   difference\n"));
+  EXPECT_THAT(told, HasSubstr("               traits        plant    reference   difference\n"));
   EXPECT_THAT(told, HasSubstr("               height            2            4       -50.0%\n"));
   EXPECT_THAT(told, HasSubstr("      Strahler number            2            2         0.0%\n"));
   const json traits = json::parse(test::bytesOf(file("a.json")))["traits"]["result"];
@@ -288,7 +288,7 @@ TEST_F(Evaluate, SaysWhenAShiftThatIsLeftDecides) {
   const Outcome apart = runProgram(
       {"evaluate", fork("a.txt", 1, 0.5), fork("b.txt"), "--no-register", "--unit", "m"});
   EXPECT_EQ(apart.status, 0);
-  EXPECT_THAT(apart.err, HasSubstr("the result lies about 0.5 m off the reference"));
+  EXPECT_THAT(apart.err, HasSubstr("the plant lies about 0.5 m off the reference"));
   const Outcome same = runProgram({"evaluate", truth_, truth_, "--no-register"});
   EXPECT_THAT(same.err, IsEmpty());
 }
@@ -315,7 +315,7 @@ TEST_F(Evaluate, TellsTheLightOfBoth) {
   const std::string bare = plant("bare.txt", {"1\t\t<\t0\t0\t0\t0", "2\t1\t<\t0\t0\t1\t0"});
   const Outcome without = runProgram({"evaluate", bare, fork("f.txt"), "--light"});
   EXPECT_EQ(without.status, 0);
-  EXPECT_THAT(without.err, HasSubstr("the result has no radii: its light is left out"));
+  EXPECT_THAT(without.err, HasSubstr("the plant has no radii: its light is left out"));
 }
 
 TEST_F(Evaluate, SaysThatAFileHoldsTwoPlants) {
@@ -323,7 +323,7 @@ TEST_F(Evaluate, SaysThatAFileHoldsTwoPlants) {
                                             "3\t\t<\t9\t0\t0\t0.1", "4\t3\t<\t9\t0\t2\t0.1"});
   const Outcome result = runProgram({"evaluate", two, fork("f.txt"), "--no-register"});
   EXPECT_EQ(result.status, 0);
-  EXPECT_THAT(result.err, HasSubstr("the result is of 2 separate trees, compared as one plant: "
+  EXPECT_THAT(result.err, HasSubstr("the plant is of 2 separate trees, compared as one plant: "
                                     "keep one of them if they are not\n"));
   const Outcome reference = runProgram({"evaluate", fork("f.txt"), two, "--no-register"});
   EXPECT_THAT(reference.err, HasSubstr("the reference is of 2 separate trees"));
@@ -343,20 +343,20 @@ TEST_F(Evaluate, RecognizesUnitsThatDiffer) {
   const Outcome larger =
       runProgram({"evaluate", fork("mm.txt", 1000), fork("m.txt"), "--json", file("a.json")});
   EXPECT_EQ(larger.status, 0);
-  EXPECT_THAT(larger.err, HasSubstr("the result is 1000 times as large as the reference: it seems "
-                                    "to be in mm, the reference in m; scale the result by 0.001"));
+  EXPECT_THAT(larger.err, HasSubstr("the plant is 1000 times as large as the reference: it seems "
+                                    "to be in mm, the reference in m; scale the plant by 0.001"));
   const json numbers = json::parse(test::bytesOf(file("a.json")));
   EXPECT_LT(numbers["tolerance"][0]["precision"], 0.01) << "as they are, hardly anything fits";
   const Outcome smaller = runProgram({"evaluate", fork("m.txt"), fork("cm.txt", 100)});
   EXPECT_THAT(smaller.err, HasSubstr("100 times as small as the reference: it seems to be in m, "
-                                     "the reference in cm; scale the result by 100\n"));
+                                     "the reference in cm; scale the plant by 100\n"));
   const Outcome scaled =
       runProgram({"evaluate", fork("mm.txt", 1000), fork("m.txt"), "--scale", "0.001"});
   EXPECT_THAT(scaled.err, IsEmpty());
   EXPECT_THAT(scaled.out, HasSubstr("mapping 1.000  geometric index 1.000"));
   const Outcome many =
       runProgram({"evaluate", fork("mm.txt", 1000), fork("m.txt"), fork("m.txt"), "--draws", "10"});
-  EXPECT_THAT(many.err, HasSubstr("mm.txt: the result is 1000 times as large"));
+  EXPECT_THAT(many.err, HasSubstr("mm.txt: the plant is 1000 times as large"));
 }
 
 TEST_F(Evaluate, SaysThatPlantsDoNotMeet) {
@@ -364,7 +364,7 @@ TEST_F(Evaluate, SaysThatPlantsDoNotMeet) {
       runProgram({"evaluate", fork("far.txt", 1, 500), fork("f.txt"), "--no-register"});
   EXPECT_EQ(apart.status, 0);
   EXPECT_THAT(apart.err, HasSubstr("hardly anything of the two lies within "));
-  EXPECT_THAT(apart.err, HasSubstr("and in the same frame, or let the result be registered"));
+  EXPECT_THAT(apart.err, HasSubstr("and in the same frame, or let the plant be registered"));
   EXPECT_THAT(apart.out, HasSubstr("mapping 0.000  geometric index 0.000  structural index 0.000"));
   const Outcome together = runProgram({"evaluate", fork("far.txt", 1, 500), fork("f.txt")});
   EXPECT_THAT(together.out, HasSubstr("mapping 1.000  geometric index 1.000"));

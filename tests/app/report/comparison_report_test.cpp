@@ -124,8 +124,8 @@ TEST(ComparisonReport, ListsWhatIsIgnoredApart) {
 
 TEST(ComparisonReport, TellsTheSettingsAndTheFilesByTheirHashes) {
   const ReportSection section = sectionOf(reportOfTrunk(), "How it was measured");
-  EXPECT_EQ(cellOf(section, "result", 1), "oak.mtg");
-  EXPECT_EQ(cellOf(section, "result", 2), QString(64, 'a'));
+  EXPECT_EQ(cellOf(section, "plant", 1), "oak.mtg");
+  EXPECT_EQ(cellOf(section, "plant", 2), QString(64, 'a'));
   EXPECT_EQ(cellOf(section, "reference", 2), QString(64, 'b'));
   EXPECT_EQ(cellOf(section, "tolerance", 1), thin("0.02_m"));
   EXPECT_EQ(cellOf(section, "registration", 1), "none: compared where they lie");
@@ -153,8 +153,8 @@ TEST(ComparisonReport, SaysWhatMakesTheNumbersDoubtful) {
   const Report report =
       comparisonReport(reportData(comparison, moved, branched()), pictures, about);
   const QString text = textOf(sectionOf(report, "Summary"));
-  EXPECT_TRUE(text.contains("the result lay 0.5 off the reference")) << qPrintable(text);
-  EXPECT_TRUE(text.contains("the result was multiplied by 0.001 first")) << qPrintable(text);
+  EXPECT_TRUE(text.contains("the plant lay 0.5 off the reference")) << qPrintable(text);
+  EXPECT_TRUE(text.contains("the plant was multiplied by 0.001 first")) << qPrintable(text);
   EXPECT_TRUE(text.contains("there are no pictures: OpenGL: no context")) << qPrintable(text);
 }
 

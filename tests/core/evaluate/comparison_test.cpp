@@ -128,7 +128,7 @@ TEST(Comparison, SaysSoWhereUnitsSeemToDiffer) {
   const Comparison larger = compare(test::scaled(test::bush(), 1000), test::bush());
   EXPECT_THAT(larger.warnings, testing::Contains(HasSubstr(
                                    "1000 times as large as the reference: it seems to be in mm, "
-                                   "the reference in m; scale the result by 0.001")));
+                                   "the reference in m; scale the plant by 0.001")));
   const Comparison smaller = compare(test::bush(), test::scaled(test::bush(), 100));
   EXPECT_THAT(smaller.warnings, testing::Contains(HasSubstr("100 times as small")));
   const Comparison other = compare(test::scaled(test::bush(), 30), test::bush());

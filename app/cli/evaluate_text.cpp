@@ -182,6 +182,22 @@ void printTraits(const Comparison& comparison, const std::string& unit) {
     row("angle/deg, order " + std::to_string(order + 1), degrees(found[order].mean),
         degrees(expected[order].mean));
   row("divergence/deg", degrees(result.angles.divergence.mean),
+/// Means of the axes of each order, of the plant and, beside them, of the reference.
+void printAxes(const std::vector<AxisTraits>& result, const std::vector<AxisTraits>& reference,
+               const std::string& unit) {
+  std::printf("\nmeans of axes, of the plant and of the reference\n%5s %12s %17s %17s %15s %19s\n",
+              "order", "axes", inUnit("length", unit).c_str(), inUnit("chord", unit).c_str(),
+              "leaves at", inUnit("base radius", unit).c_str());
+  for (std::size_t order = 0; order < std::max(result.size(), reference.size()); ++order) {
+    const AxisTraits found = order < result.size() ? result[order] : AxisTraits();
+    const AxisTraits expected = order < reference.size() ? reference[order] : AxisTraits();
+    std::printf("%5zu %5zu %6zu %8.4g %8.4g %8.4g %8.4g %7.2f %7.2f %9.3g %9.3g\n", order,
+                found.count, expected.count, found.meanLength, expected.meanLength, found.meanChord,
+                expected.meanChord, found.meanInsertion, expected.meanInsertion,
+                found.meanBaseRadius, expected.meanBaseRadius);
+  }
+}
+
       degrees(reference.angles.divergence.mean));
 }
 
@@ -202,6 +218,11 @@ void printLight(const Comparison& comparison) {
                 star(reference, k).c_str());
 }
 
+  row(inUnit("stem length", unit), result.stem.length, reference.stem.length);
+  row(inUnit("lowest branch", unit), result.stem.lowestBranch, reference.stem.lowestBranch);
+  row(inUnit("highest branch", unit), result.stem.highestBranch, reference.stem.highestBranch);
+  row(inUnit("stem radius, base", unit), result.stem.baseRadius, reference.stem.baseRadius);
+  row(inUnit("stem radius, top", unit), result.stem.topRadius, reference.stem.topRadius);
 void print(const Ranking& ranking, const std::vector<std::string>& names, const std::string& unit) {
   const auto title = [](Score score) { return scoreNames()[static_cast<std::size_t>(score)]; };
   std::printf("ranked by %s within %s; %.0f%% intervals of %zu draws of the segments\n",
@@ -209,6 +230,7 @@ void print(const Ranking& ranking, const std::vector<std::string>& names, const 
               percent(ranking.confidence), ranking.draws);
   std::size_t width = 9;
   for (const std::string& name : names)
+  printAxes(result.axes, reference.axes, unit);
     width = std::max(width, name.size());
   std::vector<std::pair<Score, std::string>> shown = {{Score::f, "F"},
                                                       {Score::geometric, "G"},

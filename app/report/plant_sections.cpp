@@ -63,6 +63,18 @@ ReportTable radiusTable(const ReportParts& parts) {
   return table;
 }
 
+void addStem(BesideTable& table, const ReportParts& parts) {
+  const StemTraits& found = parts.data.comparison.resultTraits.stem;
+  const StemTraits& expected = parts.data.comparison.referenceTraits.stem;
+  const ReportNumbers& numbers = parts.numbers;
+  table.add(numbers.inUnit(tr("stem length")), found.length, expected.length);
+  table.add(numbers.inUnit(tr("lowest branch on it")), found.lowestBranch, expected.lowestBranch);
+  table.add(numbers.inUnit(tr("highest branch on it")), found.highestBranch,
+            expected.highestBranch);
+  table.add(numbers.inUnit(tr("stem radius at the base")), found.baseRadius, expected.baseRadius);
+  table.add(numbers.inUnit(tr("stem radius at the top")), found.topRadius, expected.topRadius);
+}
+
 ReportTable woodTable(const ReportParts& parts, const QString& caption, const QString& what,
                       const std::vector<WoodAmount>& result,
                       const std::vector<WoodAmount>& reference, const QStringList& names) {
@@ -99,6 +111,34 @@ void addSizes(BesideTable& table, const ReportParts& parts) {
   table.add(tr("branchings"), found.branchings, expected.branchings);
   table.add(tr("orders"), found.axesByOrder.size(), expected.axesByOrder.size());
   table.add(tr("Strahler number"), found.strahler.size(), expected.strahler.size());
+struct AxisColumn {
+  QString title;
+  double AxisTraits::*value;
+};
+
+/// Means over the axes of each order, those of the plant beside those of the reference.
+ReportTable axisMeansTable(const ReportParts& parts, const QString& caption,
+                           const std::vector<AxisColumn>& columns) {
+  const std::vector<AxisTraits>& found = parts.data.comparison.resultTraits.axes;
+  const std::vector<AxisTraits>& expected = parts.data.comparison.referenceTraits.axes;
+  ReportTable table;
+  table.caption = caption;
+  table.columns = {{tr("order"), false}};
+  for (const AxisColumn& column : columns) {
+    table.columns.push_back({column.title});
+    table.columns.push_back({tr("reference")});
+  }
+  for (std::size_t order = 0; order < std::max(found.size(), expected.size()); ++order) {
+    table.rows.push_back({{QString::number(order)}});
+    for (const AxisColumn& column : columns)
+      for (const auto* axes : {&found, &expected})
+        table.rows.back().push_back({order < axes->size()
+                                         ? parts.numbers.number((*axes)[order].*column.value)
+                                         : QStringLiteral("–")});
+  }
+  return table;
+}
+
   table.add(numbers.inUnit(tr("length")), found.length, expected.length);
   table.add(numbers.inUnit(tr("median edge")), found.medianEdge, expected.medianEdge);
 }
@@ -123,11 +163,22 @@ void addAngles(BesideTable& table, const ReportParts& parts) {
     table.addAngle(tr("branching angle, order %1").arg(k + 1), found.byOrder[k].mean,
                    expected.byOrder[k].mean);
   if (found.divergence.count > 0 && expected.divergence.count > 0)
+  addStem(table, parts);
     table.addAngle(tr("divergence"), found.divergence.mean, expected.divergence.mean);
 }
 
 ReportTable axesTable(const ReportParts& parts) {
   const Traits& found = parts.data.comparison.resultTraits;
+  const ReportNumbers& numbers = parts.numbers;
+  section.blocks.emplace_back(
+      axisMeansTable(parts, tr("Means of axes: along them, straight, and where on what bears them"),
+                     {{numbers.inUnit(tr("length")), &AxisTraits::meanLength},
+                      {numbers.inUnit(tr("chord")), &AxisTraits::meanChord},
+                      {tr("leaves at"), &AxisTraits::meanInsertion}}));
+  section.blocks.emplace_back(
+      axisMeansTable(parts, tr("Mean radii of axes"),
+                     {{numbers.inUnit(tr("at the base")), &AxisTraits::meanBaseRadius},
+                      {numbers.inUnit(tr("at the apex")), &AxisTraits::meanTopRadius}}));
   const Traits& expected = parts.data.comparison.referenceTraits;
   BesideTable table(parts.numbers, tr("order"));
   const std::size_t orders = std::max(found.axesByOrder.size(), expected.axesByOrder.size());

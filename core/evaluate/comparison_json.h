@@ -20,7 +20,10 @@ namespace espalier {
 ///   shift        [x, y, z] by which the result was moved; zeros if it was not registered
 ///   registration rotation, reach, residual_before, residual_after; null if not registered
 ///   traits       {result,reference}.{nodes,roots,tips,branchings,segments,length,median_edge,
-///                extent,axes_by_order,length_by_order,strahler[].{streams,length},
+///                extent,axes_by_order,length_by_order,axes[].{count,mean_length,
+///                length_deviation,median_length,mean_chord,mean_insertion,mean_base_radius,
+///                mean_top_radius},stem.{length,lowest_branch,highest_branch,base_radius,
+///                top_radius},strahler[].{streams,length},
 ///                branching_angles[].{count,mean,deviation}, divergence likewise, divergences,
 ///                crown.{height,base_height,depth,area,diameter,spread}},
 ///                {matched_tips,matched_branchings}.{distance,matched,precision,recall,f}

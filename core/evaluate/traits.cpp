@@ -51,6 +51,8 @@ Traits traits(const Skeleton& skeleton) {
   result.medianEdge = medianEdgeLength(skeleton);
   if (!skeleton.isEmpty()) result.extent = bounds(skeleton).sizes();
   countByOrder(skeleton, result);
+  result.axes = axisTraits(skeleton);
+  result.stem = stemTraits(skeleton);
   result.strahler = strahlerOrders(skeleton);
   result.angles = branchAngles(skeleton);
   result.crown = crownDimensions(skeleton);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/evaluate/axis_traits.h"
 #include "core/evaluate/branch_angles.h"
 #include "core/evaluate/crown.h"
 #include "core/evaluate/strahler.h"
@@ -24,6 +25,8 @@ struct Traits {
   Eigen::Vector3d extent = Eigen::Vector3d::Zero(); // sides of the bounding box [L]
   std::vector<std::size_t> axesByOrder;             // order 0 first
   std::vector<double> lengthByOrder; // of these axes, with the edges they hang on [L]
+  std::vector<AxisTraits> axes;      // of these orders
+  StemTraits stem;
   std::vector<StrahlerOrder>
       strahler; // number 1 first: as many as the Strahler number of the plant
   BranchAngles angles;

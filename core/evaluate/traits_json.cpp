@@ -23,6 +23,25 @@ Json toJson(const StrahlerOrder& order) {
   return {{"streams", order.streams}, {"length", order.length}};
 }
 
+Json toJson(const AxisTraits& axes) {
+  return {{"count", axes.count},
+          {"mean_length", axes.meanLength},
+          {"length_deviation", axes.lengthDeviation},
+          {"median_length", axes.medianLength},
+          {"mean_chord", axes.meanChord},
+          {"mean_insertion", axes.meanInsertion},
+          {"mean_base_radius", axes.meanBaseRadius},
+          {"mean_top_radius", axes.meanTopRadius}};
+}
+
+Json toJson(const StemTraits& stem) {
+  return {{"length", stem.length},
+          {"lowest_branch", stem.lowestBranch},
+          {"highest_branch", stem.highestBranch},
+          {"base_radius", stem.baseRadius},
+          {"top_radius", stem.topRadius}};
+}
+
 Json toJson(const CrownDimensions& crown) {
   return {{"height", crown.height}, {"base_height", crown.baseHeight}, {"depth", crown.depth},
           {"area", crown.area},     {"diameter", crown.diameter},      {"spread", crown.spread}};
@@ -60,6 +79,8 @@ nlohmann::ordered_json toJson(const Traits& traits) {
           {"extent", Json::array({traits.extent.x(), traits.extent.y(), traits.extent.z()})},
           {"axes_by_order", traits.axesByOrder},
           {"length_by_order", traits.lengthByOrder},
+          {"axes", listOf(traits.axes)},
+          {"stem", toJson(traits.stem)},
           {"strahler", listOf(traits.strahler)},
           {"branching_angles", listOf(traits.angles.byOrder)},
           {"divergence", toJson(traits.angles.divergence)},

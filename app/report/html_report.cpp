@@ -110,10 +110,14 @@ void HtmlWriter::addRow(const ReportTable& table, const std::vector<ReportCell>&
 }
 
 void HtmlWriter::operator()(const ReportTable& table) {
-  constexpr qsizetype widthOfPhone = 46; // letters
+  constexpr qsizetype widthOfPhone = 46;   // letters
+  constexpr std::size_t mostTogether = 10; // rows that a page of A4 is not to part
   const bool isCards = widthOf(table) > widthOfPhone;
+  QStringList looks;
+  if (isCards) looks.append(QStringLiteral("cards"));
+  if (table.rows.size() > mostTogether) looks.append(QStringLiteral("long"));
   add(QStringLiteral("<div class=\"wide\"><table%1>")
-          .arg(isCards ? QStringLiteral(" class=\"cards\"") : QString()));
+          .arg(looks.isEmpty() ? QString() : QStringLiteral(" class=\"%1\"").arg(looks.join(' '))));
   if (!table.caption.isEmpty())
     add(QStringLiteral("<caption>%1</caption>").arg(escaped(table.caption)));
   add(QStringLiteral("\n<thead><tr>"));

@@ -83,11 +83,14 @@ border-bottom:1px solid var(--line)}
 --line:#bbb;--accent:#2f8f5b;--bar:#dfe9e3;--warn:#fff;--warnline:#888}
 body{font-size:9.5pt;-webkit-print-color-adjust:exact;print-color-adjust:exact}
 main{max-width:none;padding:0}
-.numbers{grid-template-columns:repeat(3,1fr)}
+.numbers{grid-template-columns:repeat(6,1fr);gap:.35rem}.numbers div{padding:.4rem .5rem}
+.numbers b{font-size:1.3rem}h1{font-size:1.5rem}
 .figures{grid-template-columns:repeat(2,1fr)}.three{grid-template-columns:repeat(3,1fr)}
 section>p:not(.note),.legend{break-after:avoid}
 h2{break-after:avoid;margin-top:1.4rem}
-p,table,figure,.legend,.numbers,.warnings,dt+dd{break-inside:avoid}
+p,table,tr,figure,.legend,.numbers,.warnings,dt+dd{break-inside:avoid}
+table.long{break-inside:auto}
+.figures img{width:auto;max-width:100%;max-height:88mm}
 dt{break-after:avoid}caption{break-after:avoid}
 .wide{overflow:visible}
 th,td{padding:.15rem 1rem .15rem 0}}

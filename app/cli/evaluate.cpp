@@ -32,8 +32,10 @@ void evaluate(const EvaluateFlags& flags) {
         {"--merge-paths changes nothing with --edit-cost topology, where each joint costs as "
          "much as the part it saves: choose attributes, length, place or shape"});
   const Threads threads(flags.threads);
-  requireOutput(flags.csv, flags.files);
-  requireOutput(flags.json, flags.files);
+  std::vector<std::string> read = flags.files;
+  if (!flags.report.scan.empty()) read.push_back(flags.report.scan);
+  for (const std::string& file : {flags.csv, flags.json, flags.mapping})
+    requireOutput(file, read);
   requireReport(flags.report, flags.files);
   const TerminalProgress terminal;
   if (flags.ranks || flags.files.size() > 2)
@@ -108,7 +110,8 @@ void addEvaluate(CLI::App& app) {
                    "Multiply all but the reference by this first, as by 0.001 from mm to m")
       ->type_name("FACTOR")
       ->check(number(1e-12, 1e12));
-  addUnit(*command, flags->unit, "Unit of the structures, to be named with the numbers");
+  addUnit(*command, flags->unit,
+          "Unit of the structures: named with the numbers, and tells where breast height is");
   command
       ->add_option("--distance", flags->distance,
                    "How far apart counts as near, for the report, the ranking and --where")

@@ -68,6 +68,8 @@ void evaluateOne(const EvaluateFlags& flags, const TerminalProgress& terminal) {
   const Progress& whole = terminal.progress();
   const bool hasReport = !flags.report.file.empty();
   const auto scan = scanFor(flags.report, whole.part(0, 0.1, "Reading"));
+  options.scan.cloud = scan;
+  options.breastHeight = breastHeightIn(flags.unit);
   Comparison comparison = compare(result, reference, options, whole.part(0.1, 0.4));
   if (flags.noRegister)
     warnOfShift(comparison, result, reference, flags.unit, whole.part(0.4, 0.45));

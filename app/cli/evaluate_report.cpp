@@ -36,16 +36,15 @@ void addReport(CLI::App& command, ReportFlags& flags) {
       .add_option("--report", flags.file,
                   "Report to write, HTML or PDF, with pictures, curves and all tables")
       ->type_name("FILE");
-  command.add_option("--scan", flags.scan, "Points of the plant, to be shown in the report")
+  command
+      .add_option("--scan", flags.scan,
+                  "Points of the plant: tell how radii agree by how far around they were "
+                  "seen, and are shown in the report")
       ->type_name("FILE");
 }
 
 void requireReport(const ReportFlags& flags, const std::vector<std::string>& inputs) {
-  if (flags.file.empty()) {
-    if (!flags.scan.empty())
-      throw WrongUsage("--scan shows the points in a report: give --report, too");
-    return;
-  }
+  if (flags.file.empty()) return;
   requireReportName(flags.file);
   std::vector<std::string> read = inputs;
   if (!flags.scan.empty()) read.push_back(flags.scan);

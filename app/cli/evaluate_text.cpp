@@ -31,17 +31,42 @@ std::string inUnit(const std::string& name, const std::string& unit,
   return unit.empty() ? name : name + "/" + unit + power;
 }
 
-void printNetwork(const Comparison& comparison, const std::string& unit) {
+void printNetwork(const Comparison& comparison) {
   const NetworkAgreement& network = comparison.network;
   std::printf("NetMets: %.3f of the length missed, %.3f invented; %.3f of %zu connections missed, "
               "%.3f invented; barcodes (TMD) %.3f apart\n",
               network.missedLength, network.inventedLength, network.missedConnections,
               network.connections, network.inventedConnections, comparison.barcodeDistance);
+}
+
+void printStems(const StemDiameters& stems, const std::string& unit) {
+  const auto of = [&](const std::optional<double>& diameter) {
+    return diameter ? withUnit(*diameter, unit) : std::string("none");
+  };
+  if (const auto error = stems.relativeError())
+    std::printf("stem diameter at breast height (DBH) %s, of the reference %s: %+.1f%%\n",
+                of(stems.result).c_str(), of(stems.reference).c_str(), percent(*error));
+  else
+    std::printf("stem diameter at breast height (DBH) not compared: %s%s\n", stems.missing.c_str(),
+                stems.height > 0 ? "" : ", which --unit tells");
+}
+
+void printRadii(const Comparison& comparison, const std::string& unit) {
   const RadiusAgreement& radii = comparison.radii;
   if (radii.compared > 0)
     std::printf("radii: concordance (CCC) %.3f, %s off in the mean, %s in the root mean square\n",
                 radii.concordance, withUnit(radii.meanError, unit).c_str(),
                 withUnit(radii.rootMeanSquare, unit).c_str());
+  for (const RadiusByArc& arc : radii.byArc) {
+    std::printf("  %3.0f to %3.0f%% of the way around seen: ", percent(arc.from), percent(arc.to));
+    if (arc.compared > 0)
+      std::printf("over %s, %s off in the mean, %s (%.1f%%) in the root mean square\n",
+                  withUnit(arc.compared, unit).c_str(), withUnit(arc.meanError, unit).c_str(),
+                  withUnit(arc.rootMeanSquare, unit).c_str(), percent(arc.relativeRootMeanSquare));
+    else
+      std::printf("no radii to compare\n");
+  }
+  printStems(comparison.stems, unit);
 }
 
 /// How far each is from the other, and what hangs on what within the distance of the landmarks.
@@ -68,7 +93,8 @@ void printConnections(const Comparison& comparison, const std::string& unit) {
   if (architecture.types.count() > 0)
     std::printf("  %5.1f%% of matched segments begin with the same type of edge\n",
                 percent(architecture.types.observed()));
-  printNetwork(comparison, unit);
+  printNetwork(comparison);
+  printRadii(comparison, unit);
 }
 
 /// By how many percent the result is above the reference; a dash where there should be none.
@@ -156,6 +182,22 @@ void printWhere(const Comparison& comparison, const std::string& unit) {
   }
 }
 
+/// Means of the axes of each order, of the plant and, beside them, of the reference.
+void printAxes(const std::vector<AxisTraits>& result, const std::vector<AxisTraits>& reference,
+               const std::string& unit) {
+  std::printf("\nmeans of axes, of the plant and of the reference\n%5s %12s %17s %17s %15s %19s\n",
+              "order", "axes", inUnit("length", unit).c_str(), inUnit("chord", unit).c_str(),
+              "leaves at", inUnit("base radius", unit).c_str());
+  for (std::size_t order = 0; order < std::max(result.size(), reference.size()); ++order) {
+    const AxisTraits found = order < result.size() ? result[order] : AxisTraits();
+    const AxisTraits expected = order < reference.size() ? reference[order] : AxisTraits();
+    std::printf("%5zu %5zu %6zu %8.4g %8.4g %8.4g %8.4g %7.2f %7.2f %9.3g %9.3g\n", order,
+                found.count, expected.count, found.meanLength, expected.meanLength, found.meanChord,
+                expected.meanChord, found.meanInsertion, expected.meanInsertion,
+                found.meanBaseRadius, expected.meanBaseRadius);
+  }
+}
+
 void printTraits(const Comparison& comparison, const std::string& unit) {
   const Traits& result = comparison.resultTraits;
   const Traits& reference = comparison.referenceTraits;
@@ -176,29 +218,19 @@ void printTraits(const Comparison& comparison, const std::string& unit) {
   row(inUnit("crown depth", unit), result.crown.depth, reference.crown.depth);
   row(inUnit("crown area", unit, "^2"), result.crown.area, reference.crown.area);
   row(inUnit("crown diameter", unit), result.crown.diameter, reference.crown.diameter);
+  row(inUnit("stem length", unit), result.stem.length, reference.stem.length);
+  row(inUnit("lowest branch", unit), result.stem.lowestBranch, reference.stem.lowestBranch);
+  row(inUnit("highest branch", unit), result.stem.highestBranch, reference.stem.highestBranch);
+  row(inUnit("stem radius, base", unit), result.stem.baseRadius, reference.stem.baseRadius);
+  row(inUnit("stem radius, top", unit), result.stem.topRadius, reference.stem.topRadius);
   const auto& found = result.angles.byOrder;
   const auto& expected = reference.angles.byOrder;
   for (std::size_t order = 0; order < std::min(found.size(), expected.size()); ++order)
     row("angle/deg, order " + std::to_string(order + 1), degrees(found[order].mean),
         degrees(expected[order].mean));
   row("divergence/deg", degrees(result.angles.divergence.mean),
-/// Means of the axes of each order, of the plant and, beside them, of the reference.
-void printAxes(const std::vector<AxisTraits>& result, const std::vector<AxisTraits>& reference,
-               const std::string& unit) {
-  std::printf("\nmeans of axes, of the plant and of the reference\n%5s %12s %17s %17s %15s %19s\n",
-              "order", "axes", inUnit("length", unit).c_str(), inUnit("chord", unit).c_str(),
-              "leaves at", inUnit("base radius", unit).c_str());
-  for (std::size_t order = 0; order < std::max(result.size(), reference.size()); ++order) {
-    const AxisTraits found = order < result.size() ? result[order] : AxisTraits();
-    const AxisTraits expected = order < reference.size() ? reference[order] : AxisTraits();
-    std::printf("%5zu %5zu %6zu %8.4g %8.4g %8.4g %8.4g %7.2f %7.2f %9.3g %9.3g\n", order,
-                found.count, expected.count, found.meanLength, expected.meanLength, found.meanChord,
-                expected.meanChord, found.meanInsertion, expected.meanInsertion,
-                found.meanBaseRadius, expected.meanBaseRadius);
-  }
-}
-
       degrees(reference.angles.divergence.mean));
+  printAxes(result.axes, reference.axes, unit);
 }
 
 void printLight(const Comparison& comparison) {
@@ -218,11 +250,6 @@ void printLight(const Comparison& comparison) {
                 star(reference, k).c_str());
 }
 
-  row(inUnit("stem length", unit), result.stem.length, reference.stem.length);
-  row(inUnit("lowest branch", unit), result.stem.lowestBranch, reference.stem.lowestBranch);
-  row(inUnit("highest branch", unit), result.stem.highestBranch, reference.stem.highestBranch);
-  row(inUnit("stem radius, base", unit), result.stem.baseRadius, reference.stem.baseRadius);
-  row(inUnit("stem radius, top", unit), result.stem.topRadius, reference.stem.topRadius);
 void print(const Ranking& ranking, const std::vector<std::string>& names, const std::string& unit) {
   const auto title = [](Score score) { return scoreNames()[static_cast<std::size_t>(score)]; };
   std::printf("ranked by %s within %s; %.0f%% intervals of %zu draws of the segments\n",
@@ -230,7 +257,6 @@ void print(const Ranking& ranking, const std::vector<std::string>& names, const 
               percent(ranking.confidence), ranking.draws);
   std::size_t width = 9;
   for (const std::string& name : names)
-  printAxes(result.axes, reference.axes, unit);
     width = std::max(width, name.size());
   std::vector<std::pair<Score, std::string>> shown = {{Score::f, "F"},
                                                       {Score::geometric, "G"},

@@ -112,6 +112,8 @@ QString commandOf(const ReportParts& parts) {
   QStringList words = {QStringLiteral("espalier evaluate"), typed(about.result),
                        typed(about.reference)};
   if (!parts.data.comparison.registration) words.append(QStringLiteral("--no-register"));
+  if (about.scan && !about.scan->path.isEmpty())
+    words.append(QStringLiteral("--scan ") + typed(*about.scan));
   if (about.scale != 1) words.append(QStringLiteral("--scale %1").arg(about.scale));
   if (!about.unit.isEmpty()) words.append(QStringLiteral("--unit %1").arg(about.unit));
   if (about.distance > 0)
@@ -199,6 +201,11 @@ std::vector<ReportTerms::Term> plantTerms(bool hasLight) {
        tr("Agreement of radii where both plants lie near each other: 1 where all are the same. "
           "Unlike a correlation it falls where all are too large alike."),
        QStringLiteral("L. Lin, Biometrics 45, 1989.")},
+      {tr("Breast height, and the way around"),
+       tr("Stems are measured 1.3 m above the foot of the reference. Of 16 sectors about a node of "
+          "the reference, those that hold points of its section tell how much of the way around "
+          "the scanner saw."),
+       QStringLiteral("P. Raumonen et al., Remote Sensing 5, 2013, for the sectors.")},
       {tr("Strahler number"),
        tr("An apex has 1; a node has the greatest number above it, and one more where several have "
           "that."),

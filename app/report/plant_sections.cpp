@@ -10,11 +10,11 @@ QString tr(const char* text) {
   return reportText(text);
 }
 
-/// Rows of a value of the result, one of the reference, and how much the first is above.
+/// Rows of a value of the plant, one of the reference, and how much the first is above.
 class BesideTable {
 public:
   BesideTable(const ReportNumbers& numbers, const QString& what) : numbers_(numbers) {
-    table_.columns = {{what, false}, {tr("result")}, {tr("reference")}, {tr("difference")}};
+    table_.columns = {{what, false}, {tr("plant")}, {tr("reference")}, {tr("difference")}};
   }
   void add(const QString& name, double found, double expected) {
     table_.rows.push_back({{name},
@@ -48,19 +48,19 @@ private:
   ReportTable table_;
 };
 
-ReportTable radiusTable(const ReportParts& parts) {
-  const RadiusAgreement& radii = parts.data.comparison.radii;
+void addSizes(BesideTable& table, const ReportParts& parts) {
+  const Traits& found = parts.data.comparison.resultTraits;
+  const Traits& expected = parts.data.comparison.referenceTraits;
   const ReportNumbers& numbers = parts.numbers;
-  ReportTable table;
-  table.caption =
-      tr("Radii where both lie within %1 of each other").arg(numbers.givenLength(radii.distance));
-  table.columns = {{tr("measure"), false}, {tr("value")}};
-  table.rows = {
-      {{tr("concordance (CCC)")}, {numbers.share(radii.concordance, 5)}},
-      {{numbers.inUnit(tr("mean error"))}, {numbers.number(radii.meanError)}},
-      {{numbers.inUnit(tr("root mean square error"))}, {numbers.number(radii.rootMeanSquare)}},
-      {{numbers.inUnit(tr("length compared"))}, {numbers.number(radii.compared)}}};
-  return table;
+  table.add(tr("nodes"), found.nodes, expected.nodes);
+  table.add(tr("trees"), found.roots, expected.roots);
+  table.add(tr("segments"), found.segments, expected.segments);
+  table.add(tr("tips"), found.tips, expected.tips);
+  table.add(tr("branchings"), found.branchings, expected.branchings);
+  table.add(tr("orders"), found.axesByOrder.size(), expected.axesByOrder.size());
+  table.add(tr("Strahler number"), found.strahler.size(), expected.strahler.size());
+  table.add(numbers.inUnit(tr("length")), found.length, expected.length);
+  table.add(numbers.inUnit(tr("median edge")), found.medianEdge, expected.medianEdge);
 }
 
 void addStem(BesideTable& table, const ReportParts& parts) {
@@ -75,42 +75,42 @@ void addStem(BesideTable& table, const ReportParts& parts) {
   table.add(numbers.inUnit(tr("stem radius at the top")), found.topRadius, expected.topRadius);
 }
 
-ReportTable woodTable(const ReportParts& parts, const QString& caption, const QString& what,
-                      const std::vector<WoodAmount>& result,
-                      const std::vector<WoodAmount>& reference, const QStringList& names) {
+void addCrown(BesideTable& table, const ReportParts& parts) {
+  const CrownDimensions& found = parts.data.comparison.resultTraits.crown;
+  const CrownDimensions& expected = parts.data.comparison.referenceTraits.crown;
   const ReportNumbers& numbers = parts.numbers;
-  ReportTable table;
-  table.caption = caption;
-  table.columns = {{what, false}, {numbers.inUnit(tr("length"))},
-                   {tr("more")},  {numbers.inUnit(tr("area"), 2)},
-                   {tr("more")},  {numbers.inUnit(tr("volume"), 3)},
-                   {tr("more")}};
-  const std::size_t count = std::max(result.size(), reference.size());
-  for (std::size_t k = 0; k < count; ++k) {
-    const WoodAmount found = k < result.size() ? result[k] : WoodAmount();
-    const WoodAmount expected = k < reference.size() ? reference[k] : WoodAmount();
-    table.rows.push_back({{names[static_cast<qsizetype>(k)]},
-                          {numbers.number(found.length)},
-                          {numbers.difference(found.length, expected.length)},
-                          {numbers.number(found.area)},
-                          {numbers.difference(found.area, expected.area)},
-                          {numbers.number(found.volume)},
-                          {numbers.difference(found.volume, expected.volume)}});
-  }
-  return table;
+  table.add(numbers.inUnit(tr("height")), found.height, expected.height);
+  table.add(numbers.inUnit(tr("crown base")), found.baseHeight, expected.baseHeight);
+  table.add(numbers.inUnit(tr("crown depth")), found.depth, expected.depth);
+  table.add(numbers.inUnit(tr("crown area"), 2), found.area, expected.area);
+  table.add(numbers.inUnit(tr("crown diameter")), found.diameter, expected.diameter);
+  table.add(numbers.inUnit(tr("crown spread")), found.spread, expected.spread);
 }
 
-void addSizes(BesideTable& table, const ReportParts& parts) {
+void addAngles(BesideTable& table, const ReportParts& parts) {
+  const BranchAngles& found = parts.data.comparison.resultTraits.angles;
+  const BranchAngles& expected = parts.data.comparison.referenceTraits.angles;
+  const std::size_t orders = std::min(found.byOrder.size(), expected.byOrder.size());
+  for (std::size_t k = 0; k < orders; ++k)
+    table.addAngle(tr("branching angle, order %1").arg(k + 1), found.byOrder[k].mean,
+                   expected.byOrder[k].mean);
+  if (found.divergence.count > 0 && expected.divergence.count > 0)
+    table.addAngle(tr("divergence"), found.divergence.mean, expected.divergence.mean);
+}
+
+ReportTable axesTable(const ReportParts& parts) {
   const Traits& found = parts.data.comparison.resultTraits;
   const Traits& expected = parts.data.comparison.referenceTraits;
-  const ReportNumbers& numbers = parts.numbers;
-  table.add(tr("nodes"), found.nodes, expected.nodes);
-  table.add(tr("trees"), found.roots, expected.roots);
-  table.add(tr("segments"), found.segments, expected.segments);
-  table.add(tr("tips"), found.tips, expected.tips);
-  table.add(tr("branchings"), found.branchings, expected.branchings);
-  table.add(tr("orders"), found.axesByOrder.size(), expected.axesByOrder.size());
-  table.add(tr("Strahler number"), found.strahler.size(), expected.strahler.size());
+  BesideTable table(parts.numbers, tr("order"));
+  const std::size_t orders = std::max(found.axesByOrder.size(), expected.axesByOrder.size());
+  const auto at = [](const std::vector<std::size_t>& counts, std::size_t k) {
+    return k < counts.size() ? counts[k] : 0;
+  };
+  for (std::size_t k = 0; k < orders; ++k)
+    table.add(QString::number(k), at(found.axesByOrder, k), at(expected.axesByOrder, k));
+  return std::move(table).table(tr("Axes by order"));
+}
+
 struct AxisColumn {
   QString title;
   double AxisTraits::*value;
@@ -139,57 +139,6 @@ ReportTable axisMeansTable(const ReportParts& parts, const QString& caption,
   return table;
 }
 
-  table.add(numbers.inUnit(tr("length")), found.length, expected.length);
-  table.add(numbers.inUnit(tr("median edge")), found.medianEdge, expected.medianEdge);
-}
-
-void addCrown(BesideTable& table, const ReportParts& parts) {
-  const CrownDimensions& found = parts.data.comparison.resultTraits.crown;
-  const CrownDimensions& expected = parts.data.comparison.referenceTraits.crown;
-  const ReportNumbers& numbers = parts.numbers;
-  table.add(numbers.inUnit(tr("height")), found.height, expected.height);
-  table.add(numbers.inUnit(tr("crown base")), found.baseHeight, expected.baseHeight);
-  table.add(numbers.inUnit(tr("crown depth")), found.depth, expected.depth);
-  table.add(numbers.inUnit(tr("crown area"), 2), found.area, expected.area);
-  table.add(numbers.inUnit(tr("crown diameter")), found.diameter, expected.diameter);
-  table.add(numbers.inUnit(tr("crown spread")), found.spread, expected.spread);
-}
-
-void addAngles(BesideTable& table, const ReportParts& parts) {
-  const BranchAngles& found = parts.data.comparison.resultTraits.angles;
-  const BranchAngles& expected = parts.data.comparison.referenceTraits.angles;
-  const std::size_t orders = std::min(found.byOrder.size(), expected.byOrder.size());
-  for (std::size_t k = 0; k < orders; ++k)
-    table.addAngle(tr("branching angle, order %1").arg(k + 1), found.byOrder[k].mean,
-                   expected.byOrder[k].mean);
-  if (found.divergence.count > 0 && expected.divergence.count > 0)
-  addStem(table, parts);
-    table.addAngle(tr("divergence"), found.divergence.mean, expected.divergence.mean);
-}
-
-ReportTable axesTable(const ReportParts& parts) {
-  const Traits& found = parts.data.comparison.resultTraits;
-  const ReportNumbers& numbers = parts.numbers;
-  section.blocks.emplace_back(
-      axisMeansTable(parts, tr("Means of axes: along them, straight, and where on what bears them"),
-                     {{numbers.inUnit(tr("length")), &AxisTraits::meanLength},
-                      {numbers.inUnit(tr("chord")), &AxisTraits::meanChord},
-                      {tr("leaves at"), &AxisTraits::meanInsertion}}));
-  section.blocks.emplace_back(
-      axisMeansTable(parts, tr("Mean radii of axes"),
-                     {{numbers.inUnit(tr("at the base")), &AxisTraits::meanBaseRadius},
-                      {numbers.inUnit(tr("at the apex")), &AxisTraits::meanTopRadius}}));
-  const Traits& expected = parts.data.comparison.referenceTraits;
-  BesideTable table(parts.numbers, tr("order"));
-  const std::size_t orders = std::max(found.axesByOrder.size(), expected.axesByOrder.size());
-  const auto at = [](const std::vector<std::size_t>& counts, std::size_t k) {
-    return k < counts.size() ? counts[k] : 0;
-  };
-  for (std::size_t k = 0; k < orders; ++k)
-    table.add(QString::number(k), at(found.axesByOrder, k), at(expected.axesByOrder, k));
-  return std::move(table).table(tr("Axes by order"));
-}
-
 /// STAR of those that have radii; empty if light was not asked for.
 ReportTable lightTable(const ReportParts& parts) {
   const auto& result = parts.data.comparison.resultLight;
@@ -197,7 +146,7 @@ ReportTable lightTable(const ReportParts& parts) {
   ReportTable table;
   if (!result && !reference) return table;
   table.caption = tr("Silhouette to total area (STAR) under an overcast sky");
-  table.columns = {{tr("pixels")}, {tr("result")}, {tr("reference")}};
+  table.columns = {{tr("pixels")}, {tr("plant")}, {tr("reference")}};
   const auto star = [&](const std::optional<LightInterception>& light, std::size_t k) {
     return light ? parts.numbers.share(light->convergence[k].star, 5) : tr("none");
   };
@@ -211,47 +160,25 @@ ReportTable lightTable(const ReportParts& parts) {
 
 } // namespace
 
-ReportSection woodSection(const ReportParts& parts) {
-  const Comparison& comparison = parts.data.comparison;
-  ReportSection section{tr("Wood"), {}};
-  section.blocks.emplace_back(ReportParagraph{
-      tr("Of the result, and by how much it has more than the reference. Edges count as truncated "
-         "cones; those without a radius have a length alone.")});
-  const std::size_t orders =
-      std::max(comparison.resultWood.byOrder.size(), comparison.referenceWood.byOrder.size());
-  QStringList names;
-  for (std::size_t k = 0; k < orders; ++k)
-    names.append(QString::number(k));
-  const auto whole = [&](std::vector<WoodAmount> rows, const WoodAmount& sum) {
-    rows.resize(orders);
-    rows.push_back(sum);
-    return rows;
-  };
-  names.append(tr("all"));
-  section.blocks.emplace_back(
-      woodTable(parts, tr("By order"), tr("order"),
-                whole(comparison.resultWood.byOrder, comparison.resultWood.whole),
-                whole(comparison.referenceWood.byOrder, comparison.referenceWood.whole), names));
-  if (comparison.radii.compared > 0) section.blocks.emplace_back(radiusTable(parts));
-  if (comparison.radiusLimits.empty()) return section;
-  names.clear();
-  for (const double limit : comparison.radiusLimits)
-    names.append(parts.numbers.given(limit));
-  names.append(tr("more"));
-  section.blocks.emplace_back(woodTable(parts, tr("By radius"), parts.numbers.inUnit(tr("up to")),
-                                        comparison.resultWood.byRadius,
-                                        comparison.referenceWood.byRadius, names));
-  return section;
-}
-
 ReportSection traitsSection(const ReportParts& parts) {
   BesideTable table(parts.numbers, tr("trait"));
   addSizes(table, parts);
+  addStem(table, parts);
   addCrown(table, parts);
   addAngles(table, parts);
   ReportSection section{tr("Architecture"), {}};
   section.blocks.emplace_back(std::move(table).table(tr("Each plant by itself")));
   section.blocks.emplace_back(axesTable(parts));
+  const ReportNumbers& numbers = parts.numbers;
+  section.blocks.emplace_back(
+      axisMeansTable(parts, tr("Means of axes: along them, straight, and where on what bears them"),
+                     {{numbers.inUnit(tr("length")), &AxisTraits::meanLength},
+                      {numbers.inUnit(tr("chord")), &AxisTraits::meanChord},
+                      {tr("leaves at"), &AxisTraits::meanInsertion}}));
+  section.blocks.emplace_back(
+      axisMeansTable(parts, tr("Mean radii of axes"),
+                     {{numbers.inUnit(tr("at the base")), &AxisTraits::meanBaseRadius},
+                      {numbers.inUnit(tr("at the apex")), &AxisTraits::meanTopRadius}}));
   ReportTable light = lightTable(parts);
   if (!light.rows.empty()) section.blocks.emplace_back(std::move(light));
   return section;

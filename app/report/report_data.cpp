@@ -1,7 +1,6 @@
 #include "app/report/report_data.h"
 
 #include "core/base/error.h"
-#include "core/evaluate/edge_index.h"
 #include "core/evaluate/evaluation.h"
 
 #include <algorithm>
@@ -20,29 +19,6 @@ ToleranceScore scoreAt(const ToleranceCurve& curve, double tolerance) {
   if (found == curve.scores.end())
     throw Error("a report needs the scores at its own tolerance: compare again with it");
   return *found;
-}
-
-/// Mean distance of about a thousand points, evenly chosen, from a skeleton [L].
-double distanceOf(const PointCloud& scan, const Skeleton& skeleton, const Progress& progress) {
-  const EdgeIndex index(skeleton);
-  const Eigen::Index step = std::max<Eigen::Index>(1, scan.size() / 1000);
-  double sum = 0;
-  Eigen::Index count = 0;
-  for (Eigen::Index point = 0; point < scan.size(); point += step, ++count) {
-    progress.check();
-    const auto nearest = index.nearest(scan.position(point));
-    sum += (nearest->position - scan.position(point)).norm();
-  }
-  return sum / static_cast<double>(std::max<Eigen::Index>(1, count));
-}
-
-/// A result lies on the scan that it was made of, unless it was moved and the reference was not.
-Eigen::Isometry3d toScan(const ReportData& data, const Skeleton& result, const Progress& progress) {
-  const auto& registration = data.comparison.registration;
-  if (!data.scan || data.scan->isEmpty() || !registration) return Eigen::Isometry3d::Identity();
-  const bool isOnResult =
-      distanceOf(*data.scan, result, progress) < distanceOf(*data.scan, data.reference, progress);
-  return isOnResult ? registration->motion.inverse() : Eigen::Isometry3d::Identity();
 }
 
 } // namespace
@@ -110,7 +86,9 @@ ReportData reportData(Comparison comparison, const Skeleton& result, const Skele
   data.intervals =
       ranking({data.result}, reference, {.registers = false, .distance = data.tolerance},
               progress.part(0.5, 0.95, "Drawing segments"));
-  data.toScan = toScan(data, result, progress.part(0.95, 1));
+  if (data.scan && registration)
+    data.toScan =
+        toScan(*data.scan, result, reference, registration->motion, progress.part(0.95, 1));
   progress.update(1);
   return data;
 }

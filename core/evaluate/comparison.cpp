@@ -92,9 +92,25 @@ void compareLandmarks(Comparison& comparison, const Skeleton& laid, const Skelet
       networkAgreement(laid, reference, {.deviation = near, .distance = distance, .step = step},
                        progress.part(0.2, 0.4));
   comparison.barcodeDistance = barcodeDistance(barcode(laid), barcode(reference));
-  comparison.radii = radiusAgreement(laid, reference, distance, step, progress.part(0.4, 0.5));
+  comparison.radii =
+      radiusAgreement(laid, reference, distance, step,
+                      comparison.coverages ? *comparison.coverages : std::vector<double>(),
+                      progress.part(0.4, 0.5));
   comparison.architecture = architectureAgreement(laid, reference, comparison.authors, distance,
                                                   step, progress.part(0.5, 1));
+}
+
+/// How much of the way around each node of the reference the scanner saw; null without a scan.
+std::shared_ptr<const std::vector<double>>
+coveragesOf(const Comparison& comparison, const Skeleton& result, const Skeleton& reference,
+            const ComparisonOptions& options, const Progress& progress) {
+  if (options.coverages || !options.scan) return options.coverages;
+  const Eigen::Isometry3d motion = comparison.registration
+                                       ? toScan(*options.scan.cloud, result, reference,
+                                                comparison.registration->motion, progress)
+                                       : Eigen::Isometry3d::Identity();
+  return std::make_shared<const std::vector<double>>(
+      seenArcs(moved(reference, motion), options.scan, progress));
 }
 
 } // namespace
@@ -130,12 +146,15 @@ Comparison compare(const Skeleton& result, const Skeleton& reference,
       {.distances = cappedDistances(comparison.tolerance), .step = comparison.tolerance.step},
       progress.part(0.8, 0.9));
 
+  comparison.coverages =
+      coveragesOf(comparison, result, reference, options, progress.part(0.9, 0.91));
+  comparison.stems = stemDiameters(laid, reference, options.breastHeight);
   const double step = comparison.tolerance.step;
   const double near = options.placeDistance > 0 ? options.placeDistance : usualTolerance(reference);
   compareLandmarks(comparison, laid, reference,
                    options.landmarkDistance > 0 ? options.landmarkDistance
                                                 : comparison.referenceTraits.medianEdge,
-                   near, progress.part(0.9, 0.95));
+                   near, progress.part(0.91, 0.95));
   comparison.byPlace =
       agreementByPlace(laid, reference, near, step, progress.part(0.95, options.light ? 0.96 : 1));
   if (options.light) {

@@ -4,6 +4,7 @@
 #include "core/evaluate/agreement_by_place.h"
 #include "core/evaluate/architecture_agreement.h"
 #include "core/evaluate/authors_comparison.h"
+#include "core/evaluate/breast_height.h"
 #include "core/evaluate/capped_scores.h"
 #include "core/evaluate/diadem_score.h"
 #include "core/evaluate/edit_comparison.h"
@@ -14,11 +15,13 @@
 #include "core/evaluate/path_matches.h"
 #include "core/evaluate/radius_agreement.h"
 #include "core/evaluate/registration.h"
+#include "core/evaluate/scan_sight.h"
 #include "core/evaluate/tolerance_curve.h"
 #include "core/evaluate/traits.h"
 #include "core/evaluate/wood_amounts.h"
 #include "core/skeleton/skeleton.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,7 +36,11 @@ struct ComparisonOptions {
   ToleranceOptions tolerance;
   double placeDistance = 0;    // [L], for the agreement by place; 0 = usualTolerance()
   double landmarkDistance = 0; // [L], for tips and branchings; 0 = the reference's median edge
+  double breastHeight = 0;     // [L], as breastHeightIn(); 0: its diameter is not measured
   std::optional<LightOptions> light; // none: it is not measured
+  EvaluatedScan scan;                // without points: no errors by the arc that was seen
+  /// By id of the reference, found before from that scan; null: they are found.
+  std::shared_ptr<const std::vector<double>> coverages;
 };
 
 /// All that tells how a result agrees with its reference.
@@ -51,6 +58,8 @@ struct Comparison {
   NetworkAgreement network;   // by the distance of `byPlace`, and that of the landmarks
   double barcodeDistance = 0; // in [0, 1], of the barcodes of both
   RadiusAgreement radii;      // within the distance of the landmarks
+  std::shared_ptr<const std::vector<double>> coverages; // as used; null: not known
+  StemDiameters stems;
   ArchitectureAgreement architecture;
   AgreementByPlace byPlace;
   Traits resultTraits;

@@ -115,13 +115,23 @@ Json toJson(const NetworkAgreement& network) {
           {"invented_connections", network.inventedConnections}};
 }
 
-Json toJson(const RadiusAgreement& radii) {
+Json toJson(const RadiusByArc& radii) {
   const auto of = [&](double value) { return radii.compared > 0 ? Json(value) : Json(); };
-  return {{"distance", radii.distance},
+  return {{"from", radii.from},
+          {"to", radii.to},
           {"compared", radii.compared},
           {"mean_error", of(radii.meanError)},
           {"root_mean_square", of(radii.rootMeanSquare)},
-          {"concordance", of(radii.concordance)}};
+          {"relative_root_mean_square", of(radii.relativeRootMeanSquare)}};
+}
+
+Json toJson(const StemDiameters& stems) {
+  const auto of = [](const std::optional<double>& value) { return value ? Json(*value) : Json(); };
+  return {{"height", stems.height > 0 ? Json(stems.height) : Json()},
+          {"diameter", {{"result", of(stems.result)}, {"reference", of(stems.reference)}}},
+          {"error", of(stems.error())},
+          {"relative_error", of(stems.relativeError())},
+          {"missing", stems.missing.empty() ? Json() : Json(stems.missing)}};
 }
 
 Json toJson(const ArchitectureAgreement& agreed) {
@@ -162,6 +172,13 @@ template <class Part> Json listOf(const std::vector<Part>& parts) {
   return list;
 }
 
+Json toJson(const RadiusAgreement& radii) {
+  const auto of = [&](double value) { return radii.compared > 0 ? Json(value) : Json(); };
+  return {{"distance", radii.distance},           {"compared", radii.compared},
+          {"mean_error", of(radii.meanError)},    {"root_mean_square", of(radii.rootMeanSquare)},
+          {"concordance", of(radii.concordance)}, {"by_arc", listOf(radii.byArc)}};
+}
+
 Json toJson(const WoodAmounts& wood) {
   return {{"whole", toJson(wood.whole)},
           {"by_order", listOf(wood.byOrder)},
@@ -198,6 +215,7 @@ nlohmann::ordered_json toJson(const Comparison& comparison) {
   json["network"] = toJson(comparison.network);
   json["barcode"] = {{"distance", comparison.barcodeDistance}};
   json["radius"] = toJson(comparison.radii);
+  json["breast_height"] = toJson(comparison.stems);
   json["architecture"] = toJson(comparison.architecture);
   json["by_place"] = toJson(comparison.byPlace);
   json["wood"] = {{"radius_limits", comparison.radiusLimits},

@@ -33,7 +33,11 @@ namespace espalier {
 ///                invented_connections
 ///   barcode      distance
 ///   radius       distance, compared, mean_error, root_mean_square, concordance; the last three
-///                null if nothing could be compared
+///                null if nothing could be compared; by_arc[].{from,to,compared,mean_error,
+///                root_mean_square,relative_root_mean_square}, empty without a scan, the last three
+///                null where nothing could be compared
+///   breast_height height, diameter.{result,reference}, error, relative_error, missing; null where
+///                there is none, and `missing` tells why
 ///   architecture distance, compared, same_order, same_axis, by_order[].{length,same}, edges,
 ///                same_edge
 ///   by_place     distance, {by_order,by_height}[].{from,to,result_length,reference_length,

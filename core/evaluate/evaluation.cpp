@@ -25,6 +25,15 @@ Eigen::Isometry3d motionOf(const Skeleton& result, const Skeleton& reference,
   return std::max(apart(box.min()), apart(box.max())) > limit ? found : *options.motion;
 }
 
+/// On the scan lies whichever of the two is nearer to it.
+std::vector<double> coveragesOf(const Skeleton& result, const Skeleton& reference,
+                                const Eigen::Isometry3d& motion, const EvaluatedScan& scan,
+                                const Progress& progress) {
+  const Eigen::Isometry3d place =
+      toScan(*scan.cloud, result, reference, motion.inverse(), progress);
+  return seenArcs(moved(reference, place), scan, progress);
+}
+
 } // namespace
 
 std::vector<double> curveDistances(double tolerance, double coarsest) {
@@ -53,8 +62,14 @@ Evaluation evaluate(const Skeleton& result, const Skeleton& reference,
   compared.registers = false;
   compared.tolerance.distances = {made.tolerance};
   compared.placeDistance = made.tolerance;
+  compared.breastHeight = options.breastHeight;
+  if (!options.motion || made.motion.isApprox(*options.motion))
+    compared.coverages = options.coverages;
+  if (!compared.coverages && options.scan)
+    compared.coverages = std::make_shared<const std::vector<double>>(
+        coveragesOf(result, reference, made.motion, options.scan, progress.part(0.65, 0.7)));
   made.comparison =
-      compare(result, made.reference, compared, progress.part(0.65, 0.95, "Comparing"));
+      compare(result, made.reference, compared, progress.part(0.7, 0.95, "Comparing"));
   made.score = made.comparison.tolerance.scores.front();
   made.curve = toleranceCurve(result, made.reference,
                               {.distances = curveDistances(made.tolerance, usual.back())},

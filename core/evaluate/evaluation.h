@@ -6,6 +6,7 @@
 #include "core/evaluate/registration.h"
 #include "core/skeleton/skeleton.h"
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -17,7 +18,12 @@ struct EvaluationOptions {
   /// Since `motion` was found: it is found again, and kept unless the reference would lie elsewhere
   /// by over half of the finest default tolerance, so that small edits do not make it tremble.
   bool isResultEdited = false;
-  double tolerance = 0; // [L], what is called near; 0 = usualTolerance()
+  double tolerance = 0;    // [L], what is called near; 0 = usualTolerance()
+  double breastHeight = 0; // [L], as breastHeightIn(); 0: its diameter is not measured
+  EvaluatedScan scan;      // without points: no errors by the arc that was seen
+  /// By id of the reference, found before from that scan, where `motion` laid it if there is one;
+  /// null: they are found.
+  std::shared_ptr<const std::vector<double>> coverages;
 };
 
 /// What an editor shows of a comparison. All places are in the frame of the result: it is the

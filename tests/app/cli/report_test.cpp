@@ -53,6 +53,56 @@ TEST_F(EvaluateReport, HoldsTheNumbersOfTheJson) {
   EXPECT_THAT(html, HasSubstr("data:image/png;base64,"));
 }
 
+TEST_F(EvaluateReport, NeedNotBeWrittenForTheScanToTellOfRadii) {
+  const test::Outcome told = runProgram({"evaluate", truth_, truth_, "--scan", scan_, "--unit", "m",
+                                         "--json", file("a.json"), "--csv", file("a.csv")});
+  ASSERT_EQ(told.status, 0) << told.err;
+  EXPECT_THAT(told.out, HasSubstr("75 to 100% of the way around seen: over "));
+  const json radii = json::parse(bytesOf(file("a.json")))["radius"];
+  const json& arcs = radii["by_arc"];
+  ASSERT_EQ(arcs.size(), 4U);
+  double compared = 0;
+  for (const json& arc : arcs)
+    compared += arc["compared"].get<double>();
+  EXPECT_GT(arcs[3]["compared"].get<double>(), 0);
+  EXPECT_NEAR(compared, radii["compared"].get<double>(), 1e-9 * compared) << "each place once";
+  EXPECT_NEAR(arcs[3]["root_mean_square"].get<double>(), 0, 1e-12);
+  EXPECT_THAT(bytesOf(file("a.csv")), HasSubstr("radius.by_arc.3.root_mean_square,"));
+  expectRefusal(runProgram({"evaluate", truth_, truth_, "--scan", scan_, "--json", scan_}), 1,
+                {"is what is read, and would be replaced"});
+}
+
+TEST_F(EvaluateReport, TellsStemsAtBreastHeightOrWhyNot) {
+  const auto numbers = [&](const std::vector<std::string>& flags) {
+    std::vector<std::string> words = {"evaluate",      file("thick.txt"), file("thin.txt"),
+                                      "--no-register", "--json",          file("a.json")};
+    words.insert(words.end(), flags.begin(), flags.end());
+    const test::Outcome told = runProgram(words);
+    EXPECT_EQ(told.status, 0) << told.err;
+    return std::pair(told.out, json::parse(bytesOf(file("a.json")))["breast_height"]);
+  };
+  const auto stem = [](const char* radius) {
+    return std::string("# vid parentid edgetype XX YY ZZ Radius\n2\n1\t\t/\t0\t0\t0\t") + radius +
+           "\n2\t1\t<\t0\t0\t2\t" + radius + "\n";
+  };
+  test::writeBytes(file("thick.txt"), stem("0.12"));
+  test::writeBytes(file("thin.txt"), stem("0.1"));
+  const auto [text, told] = numbers({"--unit", "m"});
+  EXPECT_THAT(text, HasSubstr("(DBH) 0.24 m, of the reference 0.2 m: +20.0%"));
+  EXPECT_EQ(told["height"], 1.3);
+  EXPECT_NEAR(told["error"].get<double>(), 0.04, 1e-12);
+  EXPECT_NEAR(told["relative_error"].get<double>(), 0.2, 1e-12);
+  EXPECT_TRUE(told["missing"].is_null());
+  const auto [unknown, none] = numbers({});
+  EXPECT_THAT(unknown,
+              HasSubstr("not compared: the unit of the lengths is not known, which --unit tells"));
+  EXPECT_TRUE(none["height"].is_null());
+  EXPECT_TRUE(none["error"].is_null());
+  const auto [low, short_] = numbers({"--unit", "mm"});
+  EXPECT_THAT(low, HasSubstr("the stem of the reference does not rise to breast height"));
+  EXPECT_EQ(short_["missing"], "the stem of the reference does not rise to breast height, 1.3 m");
+}
+
 TEST_F(EvaluateReport, IsWrittenAsPdfToo) {
   const test::Outcome told = runProgram({"evaluate", truth_, truth_, "--report", file("a.pdf")});
   ASSERT_EQ(told.status, 0) << told.err;
@@ -77,8 +127,6 @@ TEST_F(EvaluateReport, IsRefusedBeforeTheWork) {
                 {"a.docx: a report is written as HTML or PDF", "ends in .html or .pdf"});
   expectRefusal(runProgram({"evaluate", "missing.mtg", truth_, "--report", file("nowhere/a.html")}),
                 1, {"nowhere/a.html", "create the folder first"});
-  expectRefusal(runProgram({"evaluate", "missing.mtg", truth_, "--scan", scan_}), 2,
-                {"--scan shows the points in a report", "give --report, too"});
   EXPECT_THAT(test::namesIn(folder_), IsEmpty());
 }
 

@@ -1,3 +1,4 @@
+#include "app/report/html_report.h"
 #include "core/base/error.h"
 #include "core/evaluate/comparison_json.h"
 #include "tests/app/report/reported_plants.h"
@@ -120,6 +121,44 @@ TEST(ComparisonReport, ListsWhatIsIgnoredApart) {
   EXPECT_EQ(textOf(section), "Largest errors\n1 more was looked at and is ignored. All scores and "
                              "lengths count it.");
   EXPECT_EQ(cellOf(section, "1", 1), "Missed");
+}
+
+TEST(ComparisonReport, TellsStemsAndRadiiByTheArcThatWasSeen) {
+  const ReportSection without = sectionOf(reportOfTrunk(), "Wood");
+  EXPECT_TRUE(textOf(without).contains("breast height, 1.3 m, are not compared: the unit"))
+      << qPrintable(textOf(without));
+  Comparison comparison =
+      compare(branched(), branched(), withTolerance({.registers = false}, branched(), near));
+  comparison.stems = {.height = 1.3, .result = 0.3, .reference = 0.2, .missing = {}};
+  comparison.radii.byArc = {{.from = 0, .to = 0.25},
+                            {.from = 0.25,
+                             .to = 0.5,
+                             .compared = 2,
+                             .meanError = -0.01,
+                             .rootMeanSquare = 0.02,
+                             .relativeRootMeanSquare = 0.125}};
+  const ReportSection section =
+      sectionOf(comparisonReport(reportData(comparison, branched(), branched(), nullptr, near), {},
+                                 aboutPlants()),
+                "Wood");
+  EXPECT_EQ(cellOf(section, "0.3000", 2), thin("+50.0_%"));
+  EXPECT_EQ(cellOf(section, "0 to 25 %", 2), QStringLiteral("–"));
+  EXPECT_EQ(cellOf(section, "25 to 50 %", 1), "2.000");
+  EXPECT_EQ(cellOf(section, "25 to 50 %", 3), "0.02000");
+  EXPECT_EQ(cellOf(section, "25 to 50 %", 4), thin("12.5_%"));
+}
+
+TEST(HtmlReport, LetsPagesPartLongTablesAlone) {
+  const auto pageOf = [](std::size_t rows) {
+    ReportTable table;
+    table.columns = {{"a"}};
+    table.rows.assign(rows, {{"1"}});
+    Report report;
+    report.sections.push_back({"S", {table}});
+    return htmlOf(report);
+  };
+  EXPECT_FALSE(pageOf(10).contains("<table class=\"long\">"));
+  EXPECT_TRUE(pageOf(11).contains("<table class=\"long\">"));
 }
 
 TEST(ComparisonReport, TellsTheSettingsAndTheFilesByTheirHashes) {

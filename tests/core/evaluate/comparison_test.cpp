@@ -11,7 +11,11 @@
 
 #include <cmath>
 #include <gmock/gmock.h>
+#include <memory>
+#include <numbers>
 #include <stop_token>
+#include <utility>
+#include <vector>
 
 namespace espalier {
 namespace {
@@ -172,6 +176,77 @@ TEST(Comparison, StopsWhenAsked) {
   source.request_stop();
   EXPECT_THROW((void)compare(test::fork(3), test::fork(3), {}, Progress(source.get_token(), {})),
                Cancelled);
+}
+
+/// A thick stick, and a scan of all its way around but for its upper half, of which half was seen.
+struct SeenStick {
+  Skeleton plant = [] {
+    Skeleton made = test::stick(21);
+    for (const NodeId id : made.ids())
+      made.setRadius(id, 1);
+    return made;
+  }();
+  std::shared_ptr<const PointCloud> cloud = [] {
+    RawPoints raw;
+    for (int layer = 0; layer <= 200; ++layer)
+      for (int sector = 0; sector < (layer <= 100 ? 16 : 8); ++sector) {
+        const double angle = (sector + 0.5) * std::numbers::pi / 8;
+        raw.positions.emplace_back(std::cos(angle), std::sin(angle), 0.1 * layer);
+      }
+    return std::make_shared<const PointCloud>(raw);
+  }();
+};
+
+// Half is seen all around, half by half; an edge between two nodes of both counts as both.
+TEST(Comparison, TellsRadiiByTheArcWhereverThePlantLay) {
+  const SeenStick seen;
+  Skeleton thicker = seen.plant;
+  for (const NodeId id : thicker.ids())
+    thicker.setRadius(id, 1.5);
+  const Eigen::Vector3d off(3, 0, 0);
+  for (const auto& [result, reference] :
+       {std::pair(thicker, seen.plant), std::pair(thicker, test::shifted(seen.plant, off)),
+        std::pair(test::shifted(thicker, off), seen.plant)}) {
+    ComparisonOptions options;
+    options.scan.cloud = seen.cloud;
+    const Comparison comparison = compare(result, reference, options);
+    ASSERT_EQ(comparison.radii.byArc.size(), 4U);
+    EXPECT_EQ(comparison.radii.byArc[0].compared, 0);
+    EXPECT_EQ(comparison.radii.byArc[1].compared, 0);
+    EXPECT_NEAR(comparison.radii.byArc[2].compared, 10, 1);
+    EXPECT_NEAR(comparison.radii.byArc[3].compared, 10, 1);
+    EXPECT_NEAR(comparison.radii.byArc[3].meanError, 0.5, 1e-9);
+    EXPECT_NEAR(comparison.radii.byArc[3].relativeRootMeanSquare, 0.5, 1e-9);
+  }
+}
+
+TEST(Comparison, DoesNotCountPointsThatAreLeftOut) {
+  const SeenStick seen;
+  std::vector<Eigen::Index> upper;
+  for (Eigen::Index i = 0; i < seen.cloud->size(); ++i)
+    if (seen.cloud->position(i).z() > 9) upper.push_back(i);
+  ComparisonOptions options{.registers = false};
+  options.scan = {seen.cloud, PointSet::of(upper)};
+  const Comparison comparison = compare(seen.plant, seen.plant, options);
+  EXPECT_NEAR(comparison.radii.byArc[0].compared, 11, 1);
+  EXPECT_NEAR(comparison.radii.byArc[3].compared, 9, 1);
+  options.coverages = std::make_shared<const std::vector<double>>(21, 0.6);
+  EXPECT_NEAR(compare(seen.plant, seen.plant, options).radii.byArc[2].compared, 20, 1e-9)
+      << "as they were found before";
+}
+
+TEST(ComparisonJson, TellsStemsOrWhyNot) {
+  const SeenStick seen;
+  const auto known = toJson(
+      compare(seen.plant, seen.plant, {.registers = false, .breastHeight = breastHeightIn("m")}));
+  EXPECT_EQ(known["breast_height"]["height"], 1.3);
+  EXPECT_EQ(known["breast_height"]["diameter"]["result"], 2.0);
+  EXPECT_EQ(known["breast_height"]["error"], 0.0);
+  EXPECT_TRUE(known["breast_height"]["missing"].is_null());
+  EXPECT_EQ(known["radius"]["by_arc"], nlohmann::ordered_json::array()) << "without a scan";
+  const auto unknown = toJson(compare(seen.plant, seen.plant, {.registers = false}));
+  EXPECT_TRUE(unknown["breast_height"]["height"].is_null());
+  EXPECT_EQ(unknown["breast_height"]["missing"], "the unit of the lengths is not known");
 }
 
 TEST(ComparisonJson, HasTheKeysThatScriptsRead) {

@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace espalier {
 namespace {
@@ -66,6 +68,30 @@ TEST(RadiusAgreement, ComparesOnlyWhatLiesNearAndHasARadius) {
     far.setPosition(id, far[id].position + Eigen::Vector3d(1, 0, 0));
   EXPECT_EQ(radiusAgreement(far, tapered(), near, step).compared, 0);
   EXPECT_THROW(static_cast<void>(radiusAgreement({}, tapered(), near, step)), Error);
+}
+
+// Of ten edges the one in the middle goes evenly from a tenth seen to nine tenths.
+TEST(RadiusAgreement, IsToldByHowMuchOfTheWayAroundWasSeen) {
+  const auto sized = [](double radius) { return tapered([=](double) { return radius; }); };
+  std::vector<double> coverages(11, 0.1);
+  std::fill(coverages.begin() + 6, coverages.end(), 0.9);
+  const RadiusAgreement found = radiusAgreement(sized(1), sized(2), near, step, coverages);
+  ASSERT_EQ(found.byArc.size(), 4U);
+  const double lengths[] = {5 + 0.15 / 0.8, 0.25 / 0.8, 0.25 / 0.8, 4 + 0.15 / 0.8};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const RadiusByArc& arc = found.byArc[k];
+    EXPECT_EQ(arc.from, 0.25 * static_cast<double>(k));
+    EXPECT_EQ(arc.to, 0.25 * static_cast<double>(k + 1));
+    EXPECT_NEAR(arc.compared, lengths[k], 0.002);
+    EXPECT_NEAR(arc.meanError, -1, 1e-9);
+    EXPECT_NEAR(arc.rootMeanSquare, 1, 1e-9);
+    EXPECT_NEAR(arc.relativeRootMeanSquare, 0.5, 1e-9);
+  }
+  const RadiusAgreement whole =
+      radiusAgreement(sized(1), sized(2), near, step, std::vector<double>(11, 1));
+  EXPECT_EQ(whole.byArc[0].compared, 0);
+  EXPECT_NEAR(whole.byArc[3].compared, 10, 1e-9) << "1 is in the last quarter";
+  EXPECT_TRUE(radiusAgreement(sized(1), sized(2), near, step).byArc.empty());
 }
 
 TEST(RadiusAgreement, DoesNotDependOnNodesWithinEdges) {

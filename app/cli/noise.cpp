@@ -13,7 +13,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <memory>
 #include <ostream>
@@ -24,6 +23,7 @@ namespace {
 struct Flags {
   std::string reference;
   std::vector<std::string> kinds;
+  std::vector<std::string> scores; // to print; empty: what a reader compares first
   std::uint64_t seed = 1;
   std::size_t repeats = 5;
   bool registers = false;
@@ -64,12 +64,32 @@ NoiseSeries seriesOf(const std::string& text) {
   return series;
 }
 
-void print(const NoiseStudy& study, const std::string& unit) {
-  // What a reader compares first; all scores are in the files.
-  constexpr std::array columns = {
-      Score::geometric, Score::structural, Score::structuralOfAll, Score::cappedGeometric, Score::f,
-      Score::diadem,    Score::ways};
-  constexpr std::array titles = {"G", "T", "T of all", "capped G", "F", "DIADEM", "ways"};
+struct Column {
+  Score score;
+  std::string title;
+};
+
+/// The scores that are asked for, or what a reader compares first: all are in the files.
+std::vector<Column> columnsOf(const std::vector<std::string>& asked) {
+  if (asked.empty())
+    return {{Score::geometric, "G"},
+            {Score::structural, "T"},
+            {Score::structuralOfAll, "T of all"},
+            {Score::cappedGeometric, "capped G"},
+            {Score::f, "F"},
+            {Score::diadem, "DIADEM"},
+            {Score::ways, "ways"}};
+  std::vector<Column> columns;
+  for (const std::string& name : asked)
+    columns.push_back(
+        {static_cast<Score>(std::ranges::find(scoreNames(), name) - scoreNames().begin()), name});
+  return columns;
+}
+
+void print(const NoiseStudy& study, const std::vector<Column>& columns, const std::string& unit) {
+  const auto widthOf = [](const Column& column) {
+    return std::max(9, static_cast<int>(column.title.size()));
+  };
   const std::string named = unit.empty() ? unit : " " + unit;
   std::printf(
       "means of %zu plants; capped G and F within %.4g%s, DIADEM-like score and ways within "
@@ -79,13 +99,13 @@ void print(const NoiseStudy& study, const std::string& unit) {
   for (const NoiseCurve& curve : study.curves) {
     const PerturbationEntry& entry = perturbations()[static_cast<std::size_t>(curve.kind)];
     std::printf("\n%22s", (entry.name + ", " + entry.unit).c_str());
-    for (const char* title : titles)
-      std::printf(" %9s", title);
+    for (const Column& column : columns)
+      std::printf(" %*s", widthOf(column), column.title.c_str());
     std::printf("\n");
     for (const NoisePoint& point : curve.points) {
       std::printf("%22.4g", point.level);
-      for (const Score score : columns)
-        std::printf(" %9.3f", point.mean[static_cast<std::size_t>(score)]);
+      for (const Column& column : columns)
+        std::printf(" %*.3f", widthOf(column), point.mean[static_cast<std::size_t>(column.score)]);
       std::printf("\n");
     }
   }
@@ -125,7 +145,7 @@ void noise(const Flags& flags) {
     return noiseStudy(structure.value.skeleton, options, terminal.progress());
   });
   terminal.clear();
-  print(study, flags.unit);
+  print(study, columnsOf(flags.scores), flags.unit);
   writeFiles(flags, study);
 }
 
@@ -151,6 +171,14 @@ void addNoise(CLI::App& app) {
       ->type_name("N")
       ->check(wholeNumber(0, 1e15))
       ->capture_default_str();
+  command
+      ->add_option("--score", flags->scores,
+                   "Score to print, instead of those that are compared first: " +
+                       CLI::detail::join(scoreNames(), ", "))
+      ->type_name("NAME")
+      ->check(oneOf(scoreNames()))
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command->add_flag("--register", flags->registers, "Lay each plant on the reference first");
   command
       ->add_option("--distance", flags->distance,
@@ -164,9 +192,11 @@ void addNoise(CLI::App& app) {
   command->add_option("--json", flags->json, "File to write all numbers to")->type_name("FILE");
   addThreads(*command, flags->threads);
   command->callback([flags] { noise(*flags); });
-  command->footer("Examples:\n"
-                  "  espalier noise expert.mtg --csv noise.csv\n"
-                  "  espalier noise expert.mtg --kind position=0.5,1,2 --kind prune --repeats 20");
+  command->footer(
+      "Examples:\n"
+      "  espalier noise expert.mtg --csv noise.csv\n"
+      "  espalier noise expert.mtg --kind position=0.5,1,2 --kind prune --repeats 20\n"
+      "  espalier noise expert.mtg --kind spurs --score barcode --score invented_length");
 }
 
 } // namespace espalier

@@ -2,12 +2,15 @@
 
 #include "core/evaluate/architecture_agreement.h"
 #include "core/evaluate/authors_comparison.h"
+#include "core/evaluate/barcode.h"
 #include "core/evaluate/capped_scores.h"
 #include "core/evaluate/comparable.h"
 #include "core/evaluate/diadem_score.h"
 #include "core/evaluate/landmark_agreement.h"
+#include "core/evaluate/network_agreement.h"
 #include "core/evaluate/path_length_agreement.h"
 #include "core/evaluate/path_matches.h"
+#include "core/evaluate/radius_agreement.h"
 #include "core/evaluate/tolerance_curve.h"
 #include "core/evaluate/traits.h"
 
@@ -30,8 +33,22 @@ const std::vector<std::string>& scoreNames() {
                                                  "ways",
                                                  "order",
                                                  "axis",
-                                                 "edge"};
+                                                 "edge",
+                                                 "missed_length",
+                                                 "invented_length",
+                                                 "missed_connections",
+                                                 "invented_connections",
+                                                 "barcode",
+                                                 "substantial_to_reference",
+                                                 "substantial_to_result",
+                                                 "concordance",
+                                                 "radius_mean_error",
+                                                 "radius_root_mean_square"};
   return names;
+}
+
+bool isError(Score score) {
+  return score > Score::edge && score != Score::concordance;
 }
 
 ScoreOptions resolved(const ScoreOptions& options, const Skeleton& reference) {
@@ -50,10 +67,14 @@ std::vector<double> agreementScores(const Skeleton& result, const Skeleton& refe
       cappedScores(result, reference, {.distances = {distance}, .step = step},
                    progress.part(0.2, 0.4))
           .front();
-  const ToleranceScore near =
-      toleranceCurve(result, reference, {.distances = {distance}, .step = step},
-                     progress.part(0.4, 0.8))
-          .scores.front();
+  const ToleranceCurve curve = toleranceCurve(
+      result, reference, {.distances = {distance}, .step = step}, progress.part(0.4, 0.7));
+  const ToleranceScore& near = curve.scores.front();
+  const NetworkAgreement network = networkAgreement(
+      result, reference, {.deviation = distance, .distance = landmarkDistance, .step = step},
+      progress.part(0.7, 0.75));
+  const RadiusAgreement radii =
+      radiusAgreement(result, reference, landmarkDistance, step, {}, progress.part(0.75, 0.8));
   const PathLengthAgreement ways = pathLengthAgreement(
       result, reference, {.distance = landmarkDistance, .step = step}, progress.part(0.8, 0.9));
   const ArchitectureAgreement architecture = architectureAgreement(
@@ -74,7 +95,17 @@ std::vector<double> agreementScores(const Skeleton& result, const Skeleton& refe
           ways.withinTenth,
           architecture.sameOrder,
           architecture.sameAxis,
-          architecture.types.observed()};
+          architecture.types.observed(),
+          network.missedLength,
+          network.inventedLength,
+          network.missedConnections,
+          network.inventedConnections,
+          barcodeDistance(barcode(result), barcode(reference)),
+          curve.toReference.farMean,
+          curve.toResult.farMean,
+          radii.concordance,
+          radii.meanError,
+          radii.rootMeanSquare};
 }
 
 } // namespace espalier

@@ -9,7 +9,8 @@
 
 namespace espalier {
 
-/// Scores of a result by which many can be compared, each in [0, 1], 1 for the reference itself.
+/// Scores of a result by which many can be compared. Each is in [0, 1], and 1 for the reference
+/// itself, unless it is an error.
 enum class Score {
   mapping,          // of authorsComparison()
   geometric,        //
@@ -27,8 +28,22 @@ enum class Score {
   ways,             // pathLengthAgreement().withinTenth at that distance
   order,            // architectureAgreement() at that distance
   axis,             //
-  edge              //
+  edge,             //
+
+  missedLength,           // of networkAgreement() at both distances: errors in [0, 1]
+  inventedLength,         //
+  missedConnections,      //
+  inventedConnections,    //
+  barcode,                // barcodeDistance(): likewise
+  substantialToReference, // of toleranceCurve(): errors [L]
+  substantialToResult,    //
+  concordance,            // of radiusAgreement(), in [-1, 1]; 0 where no radii can be compared
+  radiusMeanError,        // of the same: errors [L]; 0 where none can be
+  radiusRootMeanSquare    //
 };
+
+/// Whether it is 0, not 1, for the reference itself.
+[[nodiscard]] bool isError(Score score);
 
 /// What a score is called in files, "structural_of_all", in the order of Score.
 [[nodiscard]] const std::vector<std::string>& scoreNames();

@@ -61,6 +61,14 @@ TEST_F(Noise, WritesTheCurvesAsTextCsvAndJson) {
   EXPECT_EQ(table.rows[0].fields[*table.column("f")], points[0]["scores"]["f"]["mean"].dump());
 }
 
+TEST_F(Noise, PrintsTheScoresThatAreAskedFor) {
+  const auto outcome = runProgram({"noise", truth_, "--kind", "spurs=0.5", "--repeats", "1",
+                                   "--score", "barcode", "--score", "invented_length"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("spurs, per node   barcode invented_length\n"));
+  expectRefusal(runProgram({"noise", truth_, "--score", "beauty"}), 2, {"beauty"});
+}
+
 TEST_F(Noise, IsTheSameOnAnyNumberOfThreads) {
   for (const char* threads : {"1", "2"})
     ASSERT_EQ(

@@ -17,16 +17,52 @@ double meanOf(const NoisePoint& point, Score score) {
 }
 
 TEST(AgreementScores, HaveANameEach) {
-  EXPECT_EQ(scoreNames().size(), static_cast<std::size_t>(Score::edge) + 1);
+  EXPECT_EQ(scoreNames().size(), static_cast<std::size_t>(Score::radiusRootMeanSquare) + 1);
   EXPECT_EQ(agreementScores(test::fork(2), test::fork(2)).size(), scoreNames().size());
   EXPECT_EQ(scoreNames()[static_cast<std::size_t>(Score::diadem)], "diadem");
   EXPECT_EQ(scoreNames()[static_cast<std::size_t>(Score::f)], "f");
 }
 
-TEST(AgreementScores, OfAPlantWithItselfAreOne) {
-  const std::vector<double> scores = agreementScores(test::bush(), test::bush());
+/// With radii that fall with the height.
+Skeleton thickBush() {
+  Skeleton plant = test::bush();
+  for (const NodeId id : plant.ids())
+    plant.setRadius(id, 0.2 - 0.01 * plant[id].position.z());
+  return plant;
+}
+
+TEST(AgreementScores, OfAPlantWithItselfAreOneAndErrorsZero) {
+  const std::vector<double> scores = agreementScores(thickBush(), thickBush());
   for (std::size_t i = 0; i < scores.size(); ++i)
-    EXPECT_EQ(scores[i], 1) << scoreNames()[i];
+    EXPECT_NEAR(scores[i], isError(static_cast<Score>(i)) ? 0 : 1, 1e-12) << scoreNames()[i];
+}
+
+TEST(NoiseStudy, FindsThatErrorsRiseWithNoise) {
+  const NoiseStudy study =
+      noiseStudy(thickBush(), {.series = {{Perturbation::position, {0.1, 0.3, 1}}}, .repeats = 2});
+  const std::vector<NoisePoint>& points = study.curves[0].points;
+  for (const Score score :
+       {Score::missedLength, Score::inventedLength, Score::barcode, Score::substantialToReference,
+        Score::substantialToResult, Score::radiusRootMeanSquare})
+    for (std::size_t i = 1; i < points.size(); ++i)
+      EXPECT_GT(meanOf(points[i], score), meanOf(points[i - 1], score))
+          << scoreNames()[static_cast<std::size_t>(score)];
+  EXPECT_LT(meanOf(points[2], Score::concordance), meanOf(points[0], Score::concordance));
+}
+
+// Pruning invents nothing, and spurs miss nothing.
+TEST(NoiseStudy, TellsWhatIsMissedFromWhatIsInvented) {
+  const NoiseStudy study = noiseStudy(
+      thickBush(),
+      {.series = {{Perturbation::prune, {0.5}}, {Perturbation::spurs, {0.5}}}, .repeats = 2});
+  const NoisePoint& pruned = study.curves[0].points[0];
+  const NoisePoint& spurred = study.curves[1].points[0];
+  EXPECT_GT(meanOf(pruned, Score::missedLength), 0.1);
+  EXPECT_NEAR(meanOf(pruned, Score::inventedLength), 0, 1e-12);
+  EXPECT_EQ(meanOf(pruned, Score::substantialToReference), 0);
+  EXPECT_GT(meanOf(pruned, Score::substantialToResult), 0);
+  EXPECT_GT(meanOf(spurred, Score::inventedLength), 0.1);
+  EXPECT_NEAR(meanOf(spurred, Score::missedLength), 0, 1e-12);
 }
 
 // Only the authors' Hausdorff distance of nodes may notice that they lie elsewhere.

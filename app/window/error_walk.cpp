@@ -6,6 +6,7 @@
 #include "core/evaluate/accept_reference.h"
 #include "core/evaluate/reference_way.h"
 #include "core/skeleton/path_edits.h"
+#include "ui/document/difference_look.h"
 #include "ui/document/plant_document.h"
 #include "ui/jobs/job_runner.h"
 #include "ui/panels/differences_panel.h"
@@ -90,6 +91,29 @@ void ErrorWalk::show(std::shared_ptr<const Evaluation> evaluation) {
   evaluation_ = std::move(evaluation);
   done_.clear();
   list();
+  mark(panel_->current());
+}
+
+/// Where what hangs wrong belongs.
+void ErrorWalk::mark(const std::optional<DifferingPart>& part) {
+  const Skeleton& plant = parts_.document.skeleton();
+  if (!evaluation_ || !part || part->kind != Difference::wronglyAttached ||
+      !plant.contains(part->hanging))
+    return parts_.view.showAttachment(std::nullopt);
+  ShownAttachment shown{.wrong = {},
+                        .right = {plant[part->hanging].position},
+                        .color = colorOf(part->kind),
+                        .wrongLabel = tr("hangs here"),
+                        .rightLabel = tr("belongs here")};
+  for (std::optional<NodeId> id = part->hanging; id; id = plant[*id].parent) {
+    shown.wrong.push_back(plant[*id].position);
+    if (std::ranges::find(part->nodes, *id) == part->nodes.end()) break; // what it hangs on
+  }
+  for (const NodeId id : referenceWay(evaluation_->differences, evaluation_->reference, *part))
+    if (const auto parent = evaluation_->reference[id].parent)
+      shown.right.push_back(evaluation_->reference[*parent].position);
+  if (shown.right.size() > 1) shown.right.back() = part->place;
+  parts_.view.showAttachment(shown);
 }
 
 void ErrorWalk::setIgnored(std::vector<DifferingPart> ignored) {
@@ -125,8 +149,8 @@ void ErrorWalk::step(int by) {
     emit noted(tr("Nothing differs from the reference within the tolerance"));
 }
 
-/// Selects what differs, in the plant or in the reference, and where the reference attaches it;
-/// shows both with what is around them.
+/// Selects what differs, in the plant or in the reference, and marks where the reference attaches
+/// it; shows both with what is around them.
 void ErrorWalk::goTo(const DifferingPart& part) {
   const bool isOfReference = part.kind == Difference::missed;
   Eigen::AlignedBox3d box(part.at);
@@ -142,8 +166,10 @@ void ErrorWalk::goTo(const DifferingPart& part) {
       select(parts_.document.skeleton(), isOfReference ? std::vector<NodeId>() : part.nodes));
   const Skeleton& reference = evaluation_->reference;
   parts_.view.setReferenceSelection(
-      select(reference,
-             isOfReference ? part.nodes : referenceWay(evaluation_->differences, reference, part)));
+      select(reference, isOfReference ? part.nodes : std::vector<NodeId>()));
+  static_cast<void>( // seen, but not selected: the plant is what is edited
+      select(reference, referenceWay(evaluation_->differences, reference, part)));
+  mark(part);
   const double margin =
       std::max(0.5 * box.diagonal().norm(), 2 * meanEdgeLength(evaluation_->reference));
   box.min().array() -= margin;
@@ -166,6 +192,7 @@ void ErrorWalk::accept() {
   std::erase_if(changed, [&](NodeId id) { return !parts_.document.skeleton().contains(id); });
   parts_.document.selection().set(std::move(changed));
   parts_.view.setReferenceSelection({});
+  parts_.view.showAttachment(std::nullopt);
   done_.push_back(*part);
   list(); // without it; the rest follows once all is compared again
 }

@@ -52,6 +52,7 @@ private:
   [[nodiscard]] bool isIgnored(const DifferingPart& part) const;
   void step(int by);
   void goTo(const DifferingPart& part);
+  void mark(const std::optional<DifferingPart>& part);
   void accept();
   void toggleIgnored();
   void showActions();

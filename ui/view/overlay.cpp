@@ -167,6 +167,8 @@ void Overlay::paint(QPainter& painter, const Scene& scene, const Camera& camera,
   for (const ShownHull& hull : hulls)
     paintHull(painter, hull, screen, scene.dark);
   if (sight) paintSight(painter, *sight, screen, scene.dark);
+  if (attachment && scene.referenceVisible)
+    paintAttachment(painter, *attachment, screen, scene.dark);
   paintBalls(painter, scene, divider, screen);
   paintPreview(painter, preview, screen, scene.dark);
   paintBand(painter, band, scene.dark);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/document/canvas.h"
+#include "ui/view/attachment_overlay.h"
 #include "ui/view/camera.h"
 #include "ui/view/hull_overlay.h"
 #include "ui/view/scene.h"
@@ -36,12 +37,13 @@ struct Overlay {
   bool hasLegends = true;
   bool isBare = false; // nothing is painted
   bool pivotShown = false;
-  double divider = 1;                // of the view, as PlantView::setDivider
-  SeenSides seen = SeenSides::of(1); // that legends are for
-  std::vector<ShownHull> hulls;      // as PlantView::setHulls
-  std::optional<ShownSight> sight;   // as PlantView::showSight
-  QPolygonF band;                    // as Canvas::showBand
-  Preview preview;                   // as Canvas::showPreview
+  double divider = 1;                        // of the view, as PlantView::setDivider
+  SeenSides seen = SeenSides::of(1);         // that legends are for
+  std::vector<ShownHull> hulls;              // as PlantView::setHulls
+  std::optional<ShownSight> sight;           // as PlantView::showSight
+  std::optional<ShownAttachment> attachment; // as PlantView::showAttachment
+  QPolygonF band;                            // as Canvas::showBand
+  Preview preview;                           // as Canvas::showPreview
 
   /// @param size of the view in logical pixels
   void paint(QPainter& painter, const Scene& scene, const Camera& camera, const QSizeF& size) const;

@@ -47,6 +47,7 @@ double PlantView::Parts::seenViews() const {
 void PlantView::Parts::paintOverlay(QPainter& painter) {
   overlay.unit = shared->unit;
   overlay.hulls = shared->hulls;
+  overlay.attachment = shared->attachment;
   overlay.hasLegends = isFirst();
   overlay.divider = divider;
   overlay.seen = shared->seenSides();
@@ -248,6 +249,7 @@ QImage PlantView::picture(const QSize& size) {
   Overlay overlay;
   overlay.unit = parts_->shared->unit;
   overlay.hulls = parts_->shared->hulls;
+  overlay.attachment = parts_->shared->attachment;
   overlay.divider = parts_->divider;
   overlay.seen = SeenSides::of(parts_->divider);
   return espalier::picture(parts_->scene, parts_->navigator.destination(), overlay, size);

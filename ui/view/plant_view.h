@@ -5,6 +5,7 @@
 #include "core/skeleton/skeleton_delta.h"
 #include "ui/document/canvas.h"
 #include "ui/document/tool_input.h"
+#include "ui/view/attachment_overlay.h"
 #include "ui/view/camera.h"
 #include "ui/view/clip.h"
 #include "ui/view/close_look.h"
@@ -101,6 +102,8 @@ public:
   void setPointSize(int pixels);               // 1 to 10
   void setShowRadii(bool trueRadii);           // edges as tubes of their radius instead of lines
   void setHulls(std::vector<ShownHull> hulls); // painted over the plant
+  /// Likewise, with the layer of the reference, until setReference(); none: nothing.
+  void showAttachment(const std::optional<ShownAttachment>& attachment);
   void setProjection(Projection projection);
   void setDark(bool dark);
   void setMinimapShown(bool isShown);      // in views that are large enough; at first: not

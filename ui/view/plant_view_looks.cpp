@@ -16,6 +16,7 @@ void PlantView::setNodeColors(std::optional<NodeColors> colors) {
 }
 
 void PlantView::setReference(const Skeleton& reference) {
+  showAttachment(std::nullopt);
   parts_->scene.reference.select({});
   parts_->scene.setReference(reference);
   parts_->redraw();
@@ -166,6 +167,13 @@ void PlantView::setPointSize(int pixels) {
 
 void PlantView::setHulls(std::vector<ShownHull> hulls) {
   parts_->shared->hulls = std::move(hulls);
+  for (Parts* each : parts_->shared->views)
+    each->overlayWidget->update();
+}
+
+void PlantView::showAttachment(const std::optional<ShownAttachment>& attachment) {
+  if (!attachment && !parts_->shared->attachment) return;
+  parts_->shared->attachment = attachment;
   for (Parts* each : parts_->shared->views)
     each->overlayWidget->update();
 }

@@ -27,6 +27,7 @@ struct PlantView::Shared {
   std::shared_ptr<SceneBuffers> buffers = makeSceneBuffers();
   QString unit; // of lengths; empty: not known
   std::vector<ShownHull> hulls;
+  std::optional<ShownAttachment> attachment;
   std::vector<Parts*> views;
 
   [[nodiscard]] SeenSides seenSides() const; // in any view

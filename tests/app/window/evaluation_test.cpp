@@ -240,9 +240,7 @@ TEST_F(EvaluationWindowTest, DrawsWhereTheReferenceAttachesWhatHangsWrong) {
   document().selection().clear();
   view().frame({Eigen::Vector3d(-0.2, -0.2, 0.9), Eigen::Vector3d(0.2, 0.2, 1.2)});
   const auto marked = [this] {
-    const QImage picture = view().picture({600, 450});
-    return std::max(test::countPixels(picture, palette(false).selected, 24),
-                    test::countPixels(picture, palette(true).selected, 24));
+    return test::countPixels(view().picture({600, 450}), colorOf(Difference::wronglyAttached), 24);
   };
   EXPECT_GT(marked(), 10) << "the edge of the reference";
   key(Qt::Key_6, Qt::ControlModifier);

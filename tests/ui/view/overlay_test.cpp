@@ -1,5 +1,6 @@
 #include "tests/support/plants.h"
 #include "tests/ui/view/pictures.h"
+#include "ui/view/attachment_overlay.h"
 #include "ui/view/legend.h"
 #include "ui/view/overlay.h"
 #include "ui/view/overlay_of_tools.h"
@@ -37,6 +38,40 @@ TEST(Legends, VeilThePlantOnlyWhereThereIsRoomBesideIt) {
 int contrastWith(const Color& accent, const QColor& color) {
   return std::abs(color.red() - accent[0]) + std::abs(color.green() - accent[1]) +
          std::abs(color.blue() - accent[2]);
+}
+
+TEST(Attachments, MarkWhereAPartHangsAndTheWayToWhereItBelongs) {
+  constexpr Color purple{0xcc, 0x79, 0xa7};
+  for (const bool isDark : {false, true}) {
+    const Palette colors = palette(isDark);
+    QImage image(200, 200, QImage::Format_RGB32);
+    image.fill(qRgb(purple[0], purple[1], purple[2])); // on a plant of its own color
+    QPainter painter(&image);
+    Camera camera;
+    camera.frame(Eigen::AlignedBox3d(Eigen::Vector3d(-1, 0, -1), Eigen::Vector3d(1, 0, 1)), 1);
+    const ScreenMap screen(camera, {200, 200});
+    const ShownAttachment shown{.wrong = {{0, 0, 0}, {0.5, 0, 0.5}},
+                                .right = {{0, 0, 0}, {-0.5, 0, -0.5}},
+                                .color = purple,
+                                .wrongLabel = "hangs here",
+                                .rightLabel = "belongs here"};
+    paintAttachment(painter, shown, screen, isDark);
+    const auto rimsAbout = [&](const Eigen::Vector3d& place) {
+      const auto at = screen.project(place);
+      int count = 0;
+      for (int y = -11; y <= 11; ++y)
+        for (int x = -11; x <= 11; ++x) {
+          const QColor color =
+              image.pixelColor(QPointF(at->pixel.x() + x, at->pixel.y() + y).toPoint());
+          if (contrastWith(colors.text, color) < 60) ++count;
+        }
+      return count;
+    };
+    EXPECT_GT(rimsAbout({0.5, 0, 0.5}), 20) << "the cross";
+    EXPECT_GT(rimsAbout({-0.5, 0, -0.5}), 20) << "the ring";
+    EXPECT_GT(rimsAbout({-0.25, 0, -0.25}), 20) << "the way";
+    EXPECT_EQ(rimsAbout({-0.5, 0, 0.5}), 0);
+  }
 }
 
 TEST(PaintedByTools, StandsOutFromPointsOfItsColor) {

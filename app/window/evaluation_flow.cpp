@@ -4,7 +4,7 @@
 #include "app/window/action_set.h"
 #include "app/window/evaluation_text.h"
 #include "app/window/reference_flow.h"
-#include "core/project/corrections.h"
+#include "ui/document/hand_work_text.h"
 #include "ui/document/plant_document.h"
 #include "ui/panels/differences_panel.h"
 #include "ui/panels/evaluation_panel.h"
@@ -14,19 +14,12 @@
 #include <QAction>
 #include <QMenu>
 
-#include <limits>
 #include <utility>
 
 namespace espalier {
 namespace {
 
 constexpr auto colorId = comparisonColorId;
-
-/// The steps that are done.
-HandWork workOf(const PlantDocument& document) {
-  const History history = document.history();
-  return handWork(std::span(history.steps).first(history.position), history.skeleton);
-}
 
 } // namespace
 
@@ -110,12 +103,12 @@ void EvaluationFlow::show(const std::string& text) {
   panel_->setLaid(isLaid_);
   errors_->setIgnored(read.ignored);
   setOptions();
-  motion_.reset();
+  letGoOfPlace();
   later();
 }
 
 void EvaluationFlow::setOptions() {
-  methods_->setOptions(isLaid_, tolerance_);
+  methods_->setOptions(options());
   report_->setOptions(isLaid_, tolerance_);
   report_->setIgnored(errors_->ignored());
 }
@@ -130,13 +123,22 @@ void EvaluationFlow::connectDocument() {
   connect(&document, &PlantDocument::skeletonEdited, this, &EvaluationFlow::takeEdit);
   connect(&document, &PlantDocument::skeletonReplaced, this, [this] {
     report_->refresh();
-    motion_.reset();
+    letGoOfPlace();
     forget();
     later();
   });
   connect(&document, &PlantDocument::unitChanged, this, [this] {
-    if (evaluation_) show(Evaluation(*evaluation_));
+    if (evaluation_) show(Evaluation(*evaluation_)); // all lengths, at once
+    setOptions();                                    // which tell where breast height is
+    setFresh(false);
+    later();
   });
+  for (auto signal : {&PlantDocument::scanChanged, &PlantDocument::leftOutChanged})
+    connect(&document, signal, this, [this] {
+      coverages_.reset();
+      setFresh(false);
+      later();
+    });
   connect(&parts_.reference, &ReferenceFlow::changed, this, &EvaluationFlow::takeReference);
   connect(&parts_.reference, &ReferenceFlow::loaded, this, [this] {
     parts_.window.actions["show_evaluation"]->setChecked(true);
@@ -180,7 +182,7 @@ void EvaluationFlow::connectPanel() {
 
 void EvaluationFlow::takeReference() {
   const bool hasOne = parts_.reference.skeleton() != nullptr;
-  motion_.reset();
+  letGoOfPlace();
   forget();
   panel_->setReference(hasOne ? parts_.reference.name() : QString());
   if (hasOne)
@@ -191,6 +193,11 @@ void EvaluationFlow::takeReference() {
   color->setVisible(hasOne);
   report_->refresh();
   later();
+}
+
+void EvaluationFlow::letGoOfPlace() {
+  motion_.reset();
+  coverages_.reset();
 }
 
 void EvaluationFlow::takeEdit() {
@@ -221,6 +228,8 @@ void EvaluationFlow::start() {
   EvaluationOptions how = options();
   how.motion = motion_;
   how.isResultEdited = isEdited_;
+  how.coverages = coverages_;
+  if (const Scan* scan = parts_.document.scan()) how.scan = {scan->cloud(), scan->leftOut()};
   job_.start(
       tr("Compare"),
       [skeleton = parts_.document.skeleton(), reference = parts_.reference.skeleton(),
@@ -228,8 +237,9 @@ void EvaluationFlow::start() {
       [this](Evaluation evaluation) {
         if (isOutdated_ || timer_.isActive()) return; // the plant, or what is asked, is another now
         panel_->showRest({});
-        panel_->showHandWork(workOf(parts_.document));
+        panel_->showHandWork(handWork(parts_.document));
         motion_ = evaluation.motion;
+        coverages_ = evaluation.comparison.coverages;
         isEdited_ = false;
         parts_.reference.lay(evaluation.motion);
         show(std::move(evaluation));
@@ -288,7 +298,7 @@ void EvaluationFlow::chooseTolerance(double tolerance) {
 void EvaluationFlow::chooseLaid(bool isLaid) {
   isLaid_ = isLaid;
   setOptions();
-  motion_.reset();
+  letGoOfPlace();
   setFresh(false);
   later();
   emit changed();

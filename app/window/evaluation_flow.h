@@ -5,6 +5,7 @@
 #include "app/window/panel_dock.h"
 #include "app/window/report_flow.h"
 #include "core/evaluate/evaluation.h"
+#include "ui/document/plant_document.h"
 #include "ui/jobs/job_runner.h"
 
 #include <QObject>
@@ -13,6 +14,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 class QMenu;
 
@@ -47,12 +49,16 @@ public:
   void setChoices(std::vector<ChoiceRecord> records); // for the report
   void setDark(bool isDark);
 
+  [[nodiscard]] MethodsFlow& methods() { return *methods_; }
   /// Null: nothing has been compared. Of the plant as it is, if isUpToDate().
   [[nodiscard]] const std::shared_ptr<const Evaluation>& evaluation() const { return evaluation_; }
   [[nodiscard]] bool isUpToDate() const { return isFresh_; }
   /// How a result is compared with the reference, as chosen.
   [[nodiscard]] EvaluationOptions options() const {
-    return {.registers = isLaid_, .motion = std::nullopt, .tolerance = tolerance_};
+    return {.registers = isLaid_,
+            .motion = std::nullopt,
+            .tolerance = tolerance_,
+            .breastHeight = breastHeightIn(symbol(parts_.document.unit()).toStdString())};
   }
 
   /// How it is compared, as a project keeps it, and back.
@@ -69,6 +75,7 @@ private:
   void connectDocument();
   void connectPanel();
   void takeReference();
+  void letGoOfPlace(); // where the reference lies is found anew
   void takeEdit();
   void later();
   void start();
@@ -95,7 +102,9 @@ private:
   std::shared_ptr<const Evaluation> evaluation_;
   std::optional<Eigen::Isometry3d> motion_; // of the reference; none: to be found
   bool isEdited_ = false;                   // since then
-  double tolerance_ = 0;                    // [L], as chosen; 0: by the rule
+  std::shared_ptr<const std::vector<double>>
+      coverages_;        // of the reference there; null: to be found
+  double tolerance_ = 0; // [L], as chosen; 0: by the rule
   bool isLaid_ = true;
 };
 

@@ -25,10 +25,9 @@ template <class Value> auto ofSkeleton(Value ContractionQuality::*value) {
   };
 }
 
-auto ofScores(double MethodScores::*value) {
-  return [value](const Judgment& judgment) -> std::optional<double> {
-    if (!judgment.scores) return std::nullopt;
-    return (*judgment.scores).*value;
+auto ofScores(const char* key) {
+  return [key](const Judgment& judgment) -> std::optional<double> {
+    return judgment.scores ? scoreIn(*judgment.scores, key) : std::nullopt;
   };
 }
 
@@ -83,25 +82,24 @@ std::vector<JudgedNumber> numbersOfReference() {
   const auto tr = [](const char* text) {
     return QCoreApplication::translate("JudgedNumbers", text);
   };
-  using S = MethodScores;
   return {{tr("F of length"),
            {},
            tr("Agreement of length with the reference, within the tolerance of the evaluation"),
            Better::more,
            3,
-           ofScores(&S::f)},
+           ofScores("f")},
           {tr("Geometric index"),
            {},
            tr("Of the authors' comparison with the reference"),
            Better::more,
            3,
-           ofScores(&S::geometric)},
+           ofScores("geometric")},
           {tr("Structural index"),
            {},
            tr("Of the authors' comparison with the reference"),
            Better::more,
            3,
-           ofScores(&S::structural)}};
+           ofScores("structural")}};
 }
 
 } // namespace

@@ -265,6 +265,11 @@ void MainWindow::connectEvaluation() {
                    .text = [this] { return evaluation_->text(); },
                    .show = [this](const std::string& text) { evaluation_->show(text); }});
   connect(evaluation_.get(), &EvaluationFlow::changed, projects_.get(), &ProjectFlow::noteChange);
+  MethodsFlow& methods = evaluation_->methods(); // behind what they are compared with, and how
+  projects_->keep({.name = "methods",
+                   .text = [&methods] { return methods.text(); },
+                   .show = [&methods](const std::string& text) { methods.show(text); }});
+  connect(&methods, &MethodsFlow::changed, projects_.get(), &ProjectFlow::noteChange);
   connect(evaluation_.get(), &EvaluationFlow::noted, status_, &StatusLine::showNote);
   connect(theme_, &ThemeFlow::changed, evaluation_.get(), &EvaluationFlow::setDark);
 }

@@ -9,6 +9,8 @@
 #include <QAction>
 #include <QApplication>
 #include <QClipboard>
+#include <QDateTime>
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMainWindow>
@@ -23,6 +25,10 @@ namespace {
 
 const QString folderKey = QStringLiteral("last_folder");
 
+qint64 writtenAt(const QString& path) { // [ms since 1970]
+  return QFileInfo(path).lastModified().toMSecsSinceEpoch();
+}
+
 } // namespace
 
 MethodsFlow::MethodsFlow(const Parts& parts) : parts_(parts), panel_(new MethodsPanel) {
@@ -35,23 +41,13 @@ MethodsFlow::MethodsFlow(const Parts& parts) : parts_(parts), panel_(new Methods
                         panel_, this);
   connect(panel_, &MethodsPanel::addRequested, this, &MethodsFlow::choose);
   connect(panel_, &MethodsPanel::copyRequested, this, &MethodsFlow::copy);
-  connect(panel_, &MethodsPanel::removeRequested, this, [this](const std::vector<int>& rows) {
-    for (const int row : rows | std::views::reverse)
-      if (row > 0) methods_.erase(methods_.begin() + row - 1); // the first is the plant
-    list();
-  });
+  connect(panel_, &MethodsPanel::removeRequested, this, &MethodsFlow::remove);
   connect(&parts_.reference, &ReferenceFlow::changed, this, &MethodsFlow::compareAll);
   connect(&parts_.document, &PlantDocument::unitChanged, this, &MethodsFlow::list);
   connect(parts_.window.actions["show_methods"], &QAction::toggled, this,
           &MethodsFlow::startNext); // nothing is compared while nobody looks
-  const auto finish = [this](const QString& error) {
-    for (Method& method : methods_)
-      if (method.path == running_ && method.isWaiting) {
-        method.isWaiting = false;
-        method.row.error = error;
-      }
-  };
-  connect(&job_, &JobRunner::failed, this, finish);
+  connect(&job_, &JobRunner::failed, this,
+          [this](const QString& error) { finish([&](Method& method) { method.error = error; }); });
   connect(&job_, &JobRunner::finished, this, [this] {
     running_.clear();
     list();
@@ -71,16 +67,57 @@ void MethodsFlow::choose() {
 
 void MethodsFlow::add(const QStringList& paths) {
   for (const QString& path : paths)
-    if (std::ranges::find(methods_, path, &Method::path) == methods_.end())
-      methods_.push_back({path, {.name = QFileInfo(path).fileName()}});
+    if (std::ranges::none_of(methods_,
+                             [&](const Method& method) { return method.kept.path == path; }))
+      methods_.push_back({.kept = {.path = path, .scores = std::nullopt}});
   list();
   startNext();
+  emit changed();
 }
 
-void MethodsFlow::setOptions(bool isLaid, double tolerance) {
-  if (std::exchange(isLaid_, isLaid) == isLaid && tolerance_ == tolerance) return;
-  tolerance_ = tolerance;
-  compareAll();
+void MethodsFlow::remove(const std::vector<int>& rows) {
+  for (const int row : rows | std::views::reverse)
+    if (row > 0) methods_.erase(methods_.begin() + row - 1); // the first is the plant
+  list();
+  emit changed();
+}
+
+void MethodsFlow::setOptions(const EvaluationOptions& options) {
+  const bool isSame = options.registers == options_.registers &&
+                      options.tolerance == options_.tolerance &&
+                      options.breastHeight == options_.breastHeight;
+  options_ = options;
+  if (!isSame) compareAll();
+}
+
+std::string MethodsFlow::text() const {
+  std::vector<KeptMethod> kept;
+  for (const Method& method : methods_)
+    kept.push_back(method.kept);
+  return textOf(kept);
+}
+
+/// What a file has been compared by stays until it is written anew.
+MethodsFlow::Method MethodsFlow::methodOf(const KeptMethod& kept) {
+  Method method{.kept = kept, .isWaiting = !kept.scores};
+  if (!kept.scores) return method;
+  const QFileInfo file(kept.path);
+  if (!file.exists())
+    method.error = tr("%1 is not where it was: these are the numbers that were kept")
+                       .arg(QDir::toNativeSeparators(kept.path));
+  else if (writtenAt(kept.path) != kept.written)
+    method = {.kept = {.path = kept.path, .scores = std::nullopt}};
+  return method;
+}
+
+void MethodsFlow::show(const std::string& text) {
+  job_.cancel();
+  methods_.clear();
+  list();
+  for (const KeptMethod& kept : methodsFrom(text))
+    methods_.push_back(methodOf(kept));
+  list();
+  startNext();
 }
 
 void MethodsFlow::setPlant(std::shared_ptr<const Evaluation> evaluation) {
@@ -89,51 +126,55 @@ void MethodsFlow::setPlant(std::shared_ptr<const Evaluation> evaluation) {
 }
 
 void MethodsFlow::compareAll() {
-  if (parts_.reference.skeleton() == nullptr && parts_.document.isEmpty())
-    methods_.clear(); // another plant will have others
-  for (Method& method : methods_) {
-    method.row = {.name = method.row.name};
-    method.isWaiting = true;
-  }
+  const bool hadScores = std::ranges::any_of(
+      methods_, [](const Method& method) { return method.kept.scores.has_value(); });
+  for (Method& method : methods_)
+    method = {.kept = {.path = method.kept.path, .scores = std::nullopt}};
   job_.cancel(); // what it found would be of before
   list();
   startNext();
+  if (hadScores) emit changed();
 }
 
 void MethodsFlow::startNext() {
   if (job_.isRunning() || !parts_.window.actions["show_methods"]->isChecked()) return;
   const auto next = std::ranges::find(methods_, true, &Method::isWaiting);
   if (next == methods_.end() || parts_.reference.skeleton() == nullptr) return;
-  running_ = next->path;
+  running_ = next->kept.path;
   job_.start(
-      tr("Compare %1").arg(next->row.name),
+      tr("Compare %1").arg(QFileInfo(running_).fileName()),
       [path = running_, reference = parts_.reference.skeleton(),
-       options = EvaluationOptions{.registers = isLaid_,
-                                   .motion = std::nullopt,
-                                   .tolerance = tolerance_}](const Progress& progress) {
+       options = options_](const Progress& progress) {
+        const qint64 written = writtenAt(path);
         const Imported<Skeleton> read = readReference(path);
-        return MethodScores::of(evaluate(read.value, *reference, options, progress));
+        return KeptMethod{path, scoresOf(evaluate(read.value, *reference, options, progress)),
+                          written};
       },
-      [this](const MethodScores& scores) {
-        for (Method& method : methods_)
-          if (method.path == running_) {
-            method.row.scores = scores;
-            method.isWaiting = false;
-          }
+      [this](const KeptMethod& found) {
+        finish([&](Method& method) { method.kept = found; });
+        emit changed();
       });
   panel_->setBusy(true);
+}
+
+void MethodsFlow::finish(const std::function<void(Method&)>& note) {
+  for (Method& method : methods_)
+    if (method.kept.path == running_ && method.isWaiting) {
+      method.isWaiting = false;
+      note(method);
+    }
 }
 
 void MethodsFlow::list() {
   std::vector<MethodRow> rows;
   if (parts_.reference.skeleton() != nullptr) {
     rows.push_back({.name = tr("The plant"), .scores = std::nullopt, .error = {}});
-    if (plant_) rows.front().scores = MethodScores::of(*plant_);
+    if (plant_) rows.front().scores = scoresOf(*plant_);
     for (const Method& method : methods_)
-      rows.push_back(method.row);
+      rows.push_back({QFileInfo(method.kept.path).fileName(), method.kept.scores, method.error});
   }
   panel_->show(rows, parts_.reference.name(), parts_.document.unit(),
-               plant_ ? plant_->tolerance : tolerance_);
+               plant_ ? plant_->tolerance : options_.tolerance);
   panel_->setBusy(job_.isRunning());
 }
 

@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/io/atomic_file.h"
 #include "core/io/node_list.h"
+#include "ui/document/hand_work_text.h"
 #include "ui/document/plant_document.h"
 #include "ui/jobs/job_runner.h"
 
@@ -93,9 +94,8 @@ ReportAbout ReportFlow::about() const {
   about.version = QCoreApplication::applicationVersion();
   about.unit = symbol(document.unit());
   about.distance = tolerance_;
-  const History history = document.history();
   about.choices = choices_;
-  about.handWork = handWork(std::span(history.steps).first(history.position), history.skeleton);
+  about.handWork = handWork(document);
   return about;
 }
 
@@ -106,19 +106,19 @@ void ReportFlow::write(const QString& path) {
                     .toStdString());
   requireReportName(toPath(path));
   requireWritable(toPath(path));
-  const Scan* scan = parts_.document.scan();
+  ComparisonOptions options;
+  options.registers = isLaid_;
+  options.breastHeight = breastHeightIn(symbol(parts_.document.unit()).toStdString());
+  if (const Scan* scan = parts_.document.scan()) options.scan = {scan->cloud(), scan->leftOut()};
   parts_.jobs.start(
       tr("Measuring for the report"),
-      [result = parts_.document.skeleton(), reference = parts_.reference.skeleton(),
-       cloud = scan != nullptr ? scan->cloud() : nullptr, isLaid = isLaid_, tolerance = tolerance_,
-       ignored = ignored_](const Progress& progress) {
-        ComparisonOptions options;
-        options.registers = isLaid;
+      [result = parts_.document.skeleton(), reference = parts_.reference.skeleton(), options,
+       tolerance = tolerance_, ignored = ignored_](const Progress& progress) {
         Comparison comparison =
             compare(result, *reference, withTolerance(options, *reference, tolerance),
                     progress.part(0, 0.6));
-        ReportData data = reportData(std::move(comparison), result, *reference, cloud, tolerance,
-                                     progress.part(0.6, 1));
+        ReportData data = reportData(std::move(comparison), result, *reference, options.scan.cloud,
+                                     tolerance, progress.part(0.6, 1));
         ignore(data, ignored);
         return data;
       },

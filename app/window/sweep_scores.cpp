@@ -34,10 +34,9 @@ template <class Member> Value quality(Member member) {
   };
 }
 
-Value score(double MethodScores::*member) {
-  return [member](const Judgment& judgment) -> std::optional<double> {
-    if (!judgment.scores) return std::nullopt;
-    return (*judgment.scores).*member;
+Value score(const char* key) {
+  return [key](const Judgment& judgment) -> std::optional<double> {
+    return judgment.scores ? scoreIn(*judgment.scores, key) : std::nullopt;
   };
 }
 
@@ -47,8 +46,8 @@ std::vector<Column> columns() {
           {tr("Lost ends"), true, 0, quality(&Q::lostTips), quality(&Q::tips)},
           {tr("Webbed"), true, 0, quality(&Q::webbedJunctions)},
           {tr("Unexplained"), true, 0, quality(&Q::unexplainedPoints)},
-          {tr("F"), false, 3, score(&MethodScores::f)},
-          {tr("Structural"), false, 3, score(&MethodScores::structural)}};
+          {tr("F"), false, 3, score("f")},
+          {tr("Structural"), false, 3, score("structural")}};
 }
 
 /// The best value of a column; none: there is none, or too many have it.

@@ -1,9 +1,12 @@
 #include "ui/document/hand_work_text.h"
 
 #include "ui/document/length_unit.h"
+#include "ui/document/plant_document.h"
 
 #include <QCoreApplication>
 #include <QStringList>
+
+#include <span>
 
 namespace espalier {
 namespace {
@@ -13,6 +16,11 @@ QString tr(const char* text) {
 }
 
 } // namespace
+
+HandWork handWork(const PlantDocument& document) {
+  const History history = document.history();
+  return handWork(std::span(history.steps).first(history.position), history.skeleton);
+}
 
 QString formatWorkTime(std::int64_t milliseconds) {
   const std::int64_t minutes = milliseconds / 60'000;

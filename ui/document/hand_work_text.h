@@ -6,6 +6,11 @@
 
 namespace espalier {
 
+class PlantDocument;
+
+/// Of the steps that are done.
+[[nodiscard]] HandWork handWork(const PlantDocument& document);
+
 /// "1 h 12 min", "12 min", "under a minute"
 [[nodiscard]] QString formatWorkTime(std::int64_t milliseconds);
 

@@ -49,8 +49,8 @@ EvaluationPanel::EvaluationPanel(const PlantDocument& document, const Parts& par
   auto* row = new QHBoxLayout;
   row->setSpacing(12);
   row->addWidget(scores_);
-  row->addWidget(parts.plot, 2);
-  row->addWidget(parts.errors, 3);
+  row->addWidget(parts.plot, 1);
+  row->addWidget(parts.errors, 2);
   column->addLayout(row, 1);
   page->addWidget(content_);
   setReference({});

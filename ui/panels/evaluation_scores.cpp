@@ -10,13 +10,11 @@
 #include <algorithm>
 
 namespace espalier {
-namespace {
 
-QString shareText(double share) {
-  return QString::number(share, 'f', 3);
-}
-
-} // namespace
+struct EvaluationScores::Place {
+  int row = 0;
+  int column = 0;
+};
 
 EvaluationScores::EvaluationScores(const PlantDocument& document) : document_(document) {
   scores_ = new QWidget;
@@ -24,83 +22,71 @@ EvaluationScores::EvaluationScores(const PlantDocument& document) : document_(do
   grid->setContentsMargins(0, 0, 8, 0);
   grid->setHorizontalSpacing(8);
   grid->setVerticalSpacing(2);
-  const auto add = [&](int row, int column, const QString& text, const QString& help,
-                       const char* name) { return addScore(*grid, row, column, text, help, name); };
-  f_ = add(0, 0, tr("F"), tr("Harmonic mean of precision and recall"), "score_f");
-  precision_ = add(1, 0, tr("Precision"), tr("Share of the plant's length near the reference"),
-                   "score_precision");
-  recall_ =
-      add(2, 0, tr("Recall"), tr("Share of the reference's length near the plant"), "score_recall");
-  tips_ = add(3, 0, tr("Tips, F"), tr("Ends that lie within a median edge of each other"),
-              "score_tips");
-  branchings_ =
-      add(4, 0, tr("Branchings, F"), tr("Branchings that lie within a median edge of each other"),
-          "score_branchings");
-  distances_ = add(5, 0, tr("Mean distance"),
-                   tr("From the plant to the reference, and from the reference to the plant"),
-                   "score_distance");
-  edits_ = add(6, 0, tr("Edit distance"),
-               tr("Segments to remove or insert to make one of the other"), "score_edits");
-  mapping_ = add(0, 1, tr("Mapping"),
-                 tr("Share of the segments of both that are matched (authors)"), "score_mapping");
-  geometric_ = add(1, 1, tr("Geometric G"),
-                   tr("Share of the length of both that is matched (authors)"), "score_geometric");
-  cappedGeometric_ =
-      add(2, 1, tr("Capped G"), tr("The same, matched only where they lie within the tolerance"),
-          "score_capped_geometric");
-  structural_ =
-      add(3, 1, tr("Structural T"),
-          tr("Share of the matches whose bearers are matched, too (authors)"), "score_structural");
-  structuralOfAll_ =
-      add(4, 1, tr("T over all segments"),
-          tr("The same as a share of all segments of the reference"), "score_structural_all");
-  types_ = add(5, 1, tr("Edge types, κ"),
-               tr("Agreement on what continues an axis and what branches, beyond chance (Cohen)"),
-               "score_types");
-  work_ = add(6, 1, tr("Work by hand"), tr("From the history of the plant"), "score_work");
-  grid->setRowStretch(7, 1);
+  addScores(*grid);
+  grid->setRowStretch(grid->rowCount(), 1);
   setObjectName("evaluation_scores");
   setAccessibleName(tr("Scores"));
   setFrameShape(QFrame::NoFrame);
   setWidgetResizable(true);
   setWidget(scores_);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  fit();
+  forget();
 }
 
-QLabel* EvaluationScores::addScore(QGridLayout& grid, int row, int column, const QString& text,
+/// The groups one below the other, in two columns of about the same height.
+void EvaluationScores::addScores(QGridLayout& grid) {
+  const auto rows = static_cast<int>(std::ranges::count_if(
+      scoreEntries(), [](const ScoreEntry& entry) { return !entry.group.isEmpty(); }));
+  Place place;
+  QString group;
+  for (const ScoreEntry& entry : scoreEntries()) {
+    values_.push_back(nullptr);
+    if (entry.group.isEmpty()) continue;
+    if (entry.group != group) {
+      if (place.column == 0 && 2 * place.row > rows) place = {.row = 0, .column = 1};
+      addGroup(grid, place, group = entry.group);
+    }
+    values_.back() = addValue(grid, place, entry.name, entry.help, ("score_" + entry.key).c_str());
+  }
+  stems_ = makeLabel("score_stems", "quiet");
+  stems_->setWordWrap(true);
+  grid.addWidget(stems_, place.row++, 2 * place.column, 1, 2);
+  addGroup(grid, place, tr("Work by hand"));
+  work_ = addValue(grid, place, tr("Edits and time"), tr("From the history of the plant"),
+                   "score_work");
+}
+
+void EvaluationScores::addGroup(QGridLayout& grid, Place& place, const QString& name) {
+  auto* label = makeLabel("", "quiet");
+  label->setText(name);
+  if (place.row > 0) label->setContentsMargins(0, 8, 0, 0);
+  grid.addWidget(label, place.row++, 2 * place.column, 1, 2);
+}
+
+QLabel* EvaluationScores::addValue(QGridLayout& grid, Place& place, const QString& text,
                                    const QString& help, const char* name) {
   auto* label = new QLabel(text);
   label->setToolTip(help);
-  grid.addWidget(label, row, 2 * column);
+  grid.addWidget(label, place.row, 2 * place.column);
   auto* value = makeLabel(name, "value");
   value->setToolTip(help);
   value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   value->setTextInteractionFlags(Qt::TextSelectableByMouse);
   value->setAccessibleName(text);
-  grid.addWidget(value, row, 2 * column + 1);
+  grid.addWidget(value, place.row++, 2 * place.column + 1);
   return value;
 }
 
 void EvaluationScores::show(const Evaluation& evaluation) {
-  const Comparison& comparison = evaluation.comparison;
-  const auto share = [](QLabel* label, double value) { label->setText(shareText(value)); };
-  share(f_, evaluation.score.f());
-  share(precision_, evaluation.score.precision);
-  share(recall_, evaluation.score.recall);
-  share(tips_, comparison.tips.f());
-  share(branchings_, comparison.branchings.f());
-  share(mapping_, comparison.authors.mapping);
-  share(geometric_, comparison.authors.geometric);
-  share(cappedGeometric_, evaluation.comparison.capped.front().geometric);
-  share(structural_, comparison.authors.structural);
-  share(structuralOfAll_, evaluation.comparison.authors.structuralOfAll);
-  distances_->setText(
-      tr("%1, %2").arg(formatLength(comparison.tolerance.toReference.mean, LengthUnit::unknown, 3),
-                       formatLength(comparison.tolerance.toResult.mean, document_.unit(), 3)));
-  edits_->setText(comparison.edit ? QString::number(comparison.edit->distance.distance, 'g', 6)
-                                  : QStringLiteral("–"));
-  share(types_, evaluation.comparison.architecture.types.kappa());
+  const Scores scores = scoresOf(evaluation);
+  for (std::size_t i = 0; i < scores.size(); ++i)
+    if (values_[i] != nullptr)
+      values_[i]->setText(textOf(scores[i], scoreEntries()[i].kind, document_.unit()));
+  const std::string& missing = evaluation.comparison.stems.missing;
+  stems_->setText(missing.empty()
+                      ? QString()
+                      : tr("No diameters at 1.3 m: %1").arg(QString::fromStdString(missing)));
+  stems_->setVisible(!missing.empty());
   fit();
 }
 
@@ -111,16 +97,15 @@ void EvaluationScores::fit() {
 }
 
 void EvaluationScores::forget() {
-  for (QLabel* label :
-       {f_, precision_, recall_, tips_, branchings_, mapping_, geometric_, cappedGeometric_,
-        structural_, structuralOfAll_, distances_, edits_, types_})
-    label->setText(QStringLiteral("–"));
+  for (QLabel* value : values_)
+    if (value != nullptr) value->setText(QStringLiteral("–"));
+  stems_->hide();
+  fit();
 }
 
 void EvaluationScores::setStale(bool isStale) {
-  for (QLabel* label : scores_->findChildren<QLabel*>())
-    if (label != work_ && !label->objectName().isEmpty())
-      setRole(*label, isStale ? "quiet" : "value");
+  for (QLabel* value : values_)
+    if (value != nullptr) setRole(*value, isStale ? "quiet" : "value");
 }
 
 void EvaluationScores::showHandWork(const HandWork& work) {

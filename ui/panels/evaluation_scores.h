@@ -2,9 +2,12 @@
 
 #include "core/evaluate/evaluation.h"
 #include "core/project/corrections.h"
+#include "ui/panels/score_list.h"
 
 #include <QScrollArea>
 #include <QString>
+
+#include <vector>
 
 class QGridLayout;
 class QLabel;
@@ -13,7 +16,7 @@ namespace espalier {
 
 class PlantDocument;
 
-/// The scores of a comparison, and the work by hand, in two columns.
+/// The scores of a comparison in their groups, and the work by hand, in two columns.
 class EvaluationScores : public QScrollArea {
   Q_OBJECT
 
@@ -26,25 +29,17 @@ public:
   void showHandWork(const HandWork& work);
 
 private:
-  QLabel* addScore(QGridLayout& grid, int row, int column, const QString& text, const QString& help,
+  struct Place; // where the next row goes
+  void addScores(QGridLayout& grid);
+  void addGroup(QGridLayout& grid, Place& place, const QString& name);
+  QLabel* addValue(QGridLayout& grid, Place& place, const QString& text, const QString& help,
                    const char* name);
   void fit(); // none is cut off
 
   const PlantDocument& document_;
   QWidget* scores_;
-  QLabel* precision_;
-  QLabel* recall_;
-  QLabel* f_;
-  QLabel* mapping_;
-  QLabel* geometric_;
-  QLabel* cappedGeometric_;
-  QLabel* structural_;
-  QLabel* structuralOfAll_;
-  QLabel* tips_;
-  QLabel* branchings_;
-  QLabel* distances_;
-  QLabel* edits_;
-  QLabel* types_;
+  std::vector<QLabel*> values_; // by scoreEntries(); null: not in the panel
+  QLabel* stems_;               // why their diameters are not told
   QLabel* work_;
 };
 

@@ -9,58 +9,21 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-
 namespace espalier {
 namespace {
 
 constexpr int valueRole = Qt::UserRole;   // the number itself
 constexpr int rowRole = Qt::UserRole + 1; // as it was given
 
-enum class Kind { share, length, count };
-
-struct Column {
-  QString title;
-  QString help;
-  Kind kind;
-  std::function<std::optional<double>(const MethodScores&)> value;
-};
-
-const std::vector<Column>& scoreColumns() {
-  const auto tr = [](const char* text) { return MethodsPanel::tr(text); };
-  static const std::vector<Column> columns = {
-      {tr("F"), tr("Of precision and recall within the tolerance"), Kind::share, &MethodScores::f},
-      {tr("Precision"), tr("Share of its length near the reference"), Kind::share,
-       &MethodScores::precision},
-      {tr("Recall"), tr("Share of the reference's length near it"), Kind::share,
-       &MethodScores::recall},
-      {tr("Tips"), tr("F of the ends within a median edge"), Kind::share, &MethodScores::tips},
-      {tr("Branchings"), tr("F of the branchings within a median edge"), Kind::share,
-       &MethodScores::branchings},
-      {tr("To ref."), tr("Mean distance from it to the reference"), Kind::length,
-       &MethodScores::toReference},
-      {tr("From ref."), tr("Mean distance from the reference to it"), Kind::length,
-       &MethodScores::toResult},
-      {tr("Mapping"), tr("Share of the segments of both that are matched (authors)"), Kind::share,
-       &MethodScores::mapping},
-      {tr("G"), tr("Share of the length of both that is matched (authors)"), Kind::share,
-       &MethodScores::geometric},
-      {tr("Capped G"), tr("The same, matched only where they lie within the tolerance"),
-       Kind::share, &MethodScores::cappedGeometric},
-      {tr("T"), tr("Share of the matches whose bearers are matched, too (authors)"), Kind::share,
-       &MethodScores::structural},
-      {tr("T, all"), tr("The same as a share of all segments of the reference"), Kind::share,
-       &MethodScores::structuralOfAll},
-      {tr("Types, κ"), tr("Agreement on what continues and what branches, beyond chance"),
-       Kind::share, &MethodScores::types},
-      {tr("Wrong"), tr("Wrong attachments"), Kind::count, &MethodScores::wrong},
-      {tr("Edits"), tr("Segments to remove or insert to make one of the other"), Kind::count,
-       &MethodScores::edits},
-      {tr("Shift"), tr("How far off the reference it lay"), Kind::length, &MethodScores::shift},
-      {tr("Nodes"), tr("Nodes it has"), Kind::count, &MethodScores::nodes}};
-  return columns;
+/// The scores that have a column, by their places in scoreEntries().
+const std::vector<std::size_t>& columnScores() {
+  static const std::vector<std::size_t> places = [] {
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < scoreEntries().size(); ++i)
+      if (!scoreEntries()[i].column.isEmpty()) found.push_back(i);
+    return found;
+  }();
+  return places;
 }
 
 /// Sorts by number; what has none comes after all others, whichever way.
@@ -76,37 +39,7 @@ public:
   }
 };
 
-QString textOf(double value, Kind kind, LengthUnit unit) {
-  if (kind == Kind::share) return QString::number(value, 'f', 3);
-  if (kind == Kind::length) return formatLength(value, unit, 3);
-  return QString::number(value, 'g', 6);
-}
-
 } // namespace
-
-MethodScores MethodScores::of(const Evaluation& evaluation) {
-  const Comparison& comparison = evaluation.comparison;
-  MethodScores scores{.nodes = static_cast<double>(comparison.resultTraits.nodes),
-                      .f = evaluation.score.f(),
-                      .precision = evaluation.score.precision,
-                      .recall = evaluation.score.recall,
-                      .tips = comparison.tips.f(),
-                      .branchings = comparison.branchings.f(),
-                      .toReference = comparison.tolerance.toReference.mean,
-                      .toResult = comparison.tolerance.toResult.mean,
-                      .mapping = comparison.authors.mapping,
-                      .geometric = comparison.authors.geometric,
-                      .cappedGeometric = comparison.capped.front().geometric,
-                      .structural = comparison.authors.structural,
-                      .structuralOfAll = comparison.authors.structuralOfAll,
-                      .types = comparison.architecture.types.kappa(),
-                      .edits = std::nullopt,
-                      .shift = evaluation.shift.norm()};
-  if (comparison.edit) scores.edits = comparison.edit->distance.distance;
-  scores.wrong = static_cast<double>(std::ranges::count(
-      evaluation.differences.parts, Difference::wronglyAttached, &DifferingPart::kind));
-  return scores;
-}
 
 MethodsPanel::MethodsPanel(QWidget* parent)
     : QWidget(parent), note_(new QLabel), add_(new QPushButton(tr("Add Structures…"))),
@@ -139,14 +72,14 @@ MethodsPanel::MethodsPanel(QWidget* parent)
   table_->setWordWrap(false);
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setDefaultSectionSize(24);
-  table_->setColumnCount(1 + static_cast<int>(scoreColumns().size()));
-  QStringList titles = {tr("Structure")};
-  for (const Column& column : scoreColumns())
-    titles.append(column.title);
-  table_->setHorizontalHeaderLabels(titles);
-  for (int i = 0; i < static_cast<int>(scoreColumns().size()); ++i)
-    table_->horizontalHeaderItem(i + 1)->setToolTip(
-        scoreColumns()[static_cast<std::size_t>(i)].help);
+  table_->setColumnCount(1 + static_cast<int>(columnScores().size()));
+  table_->setHorizontalHeaderItem(0, new QTableWidgetItem(tr("Structure")));
+  for (std::size_t k = 0; k < columnScores().size(); ++k) {
+    const ScoreEntry& entry = scoreEntries()[columnScores()[k]];
+    auto* head = new QTableWidgetItem(entry.column);
+    head->setToolTip(entry.help);
+    table_->setHorizontalHeaderItem(static_cast<int>(k) + 1, head);
+  }
   table_->horizontalHeader()->setHighlightSections(false);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setSortIndicator(1, Qt::DescendingOrder);
@@ -172,17 +105,17 @@ void MethodsPanel::show(const std::vector<MethodRow>& rows, const QString& refer
     name->setToolTip(row.error);
     name->setData(rowRole, i);
     table_->setItem(i, 0, name);
-    for (int k = 0; k < static_cast<int>(scoreColumns().size()); ++k) {
-      const Column& column = scoreColumns()[static_cast<std::size_t>(k)];
+    for (std::size_t k = 0; k < columnScores().size(); ++k) {
+      const std::size_t score = columnScores()[k];
       const std::optional<double> value =
-          row.scores ? column.value(*row.scores) : std::optional<double>();
-      auto* cell = new Cell(value                                ? textOf(*value, column.kind, unit)
-                            : row.error.isEmpty() && !row.scores ? QStringLiteral("…")
-                                                                 : QStringLiteral("–"));
+          row.scores ? row.scores->at(score) : std::optional<double>();
+      const bool isComing = row.error.isEmpty() && !row.scores;
+      auto* cell = new Cell(isComing ? QStringLiteral("…")
+                                     : textOf(value, scoreEntries()[score].kind, unit));
       if (value) cell->setData(valueRole, *value);
       cell->setToolTip(row.error);
       cell->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-      table_->setItem(i, k + 1, cell);
+      table_->setItem(i, static_cast<int>(k) + 1, cell);
     }
   }
   table_->setSortingEnabled(true);

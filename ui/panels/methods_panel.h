@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/evaluate/evaluation.h"
 #include "ui/document/length_unit.h"
+#include "ui/panels/score_list.h"
 
 #include <QString>
 #include <QWidget>
@@ -15,26 +15,11 @@ class QTableWidget;
 
 namespace espalier {
 
-/// The scores of one structure against the reference.
-struct MethodScores {
-  double nodes = 0;
-  double f = 0, precision = 0, recall = 0; // within the tolerance
-  double tips = 0, branchings = 0;         // F
-  double toReference = 0, toResult = 0;    // [L], mean distances
-  double mapping = 0, geometric = 0, cappedGeometric = 0, structural = 0, structuralOfAll = 0;
-  double types = 0;            // kappa
-  std::optional<double> edits; // none: too many parts
-  double wrong = 0;            // attachments
-  double shift = 0;            // [L]
-
-  [[nodiscard]] static MethodScores of(const Evaluation& evaluation);
-};
-
 /// A structure in the table, and where it stands.
 struct MethodRow {
   QString name;
-  std::optional<MethodScores> scores; // none: not compared yet
-  QString error;                      // why it cannot be; empty: nothing is known against it
+  std::optional<Scores> scores; // none: not compared yet
+  QString error;                // why it cannot be, or what is doubtful; empty: all is well
 };
 
 /// A table of any number of structures against one reference: a row each, sorted by any column.

@@ -112,6 +112,45 @@ TEST_F(EvaluationWindowTest, GivesThePlantItselfAllThatCanBeReached) {
   EXPECT_TRUE(window().statusLine().shownText().startsWith("Nothing differs"));
 }
 
+TEST_F(EvaluationWindowTest, TellsWhatIsMissedAndFarInGroups) {
+  compare([](SkeletonEditor& editor) { removeSubtree(editor, shoot(2)); });
+  EXPECT_GT(score("missed_length").toDouble(), 0.1);
+  EXPECT_EQ(score("invented_length"), "0.000");
+  EXPECT_EQ(score("missed_connections"), "0.000");
+  EXPECT_GT(score("barcodes").toDouble(), 0.05);
+  EXPECT_EQ(score("far_plant"), "0.000");
+  EXPECT_GT(score("far_reference").toDouble(), 0.1);
+  EXPECT_GT(score("substantial_from").split(QChar(0x202f)).front().toDouble(), 0.1);
+  EXPECT_EQ(score("concordance"), "1.000");
+  EXPECT_EQ(score("radius_rms"), formatLength(0, document().unit(), 3));
+  EXPECT_EQ(score("radius_arc_0"), QStringLiteral("–")) << "there is no scan";
+  EXPECT_EQ(score("wrong"), "0");
+  for (const QLabel* label : window().findChildren<QLabel*>()) {
+    if (!label->objectName().startsWith("score_") || label->objectName() == "score_stems") continue;
+    EXPECT_FALSE(label->toolTip().isEmpty()) << label->objectName().toStdString();
+  }
+}
+
+TEST_F(EvaluationWindowTest, TellsDiametersAtBreastHeightOnceTheUnitIsKnown) {
+  compare([](SkeletonEditor& editor) {
+    for (const NodeId id : editor.skeleton().ids())
+      editor.setRadius(id, 0.015);
+  });
+  document().setUnit(LengthUnit::unknown);
+  ASSERT_TRUE(waitForScores());
+  EXPECT_EQ(score("dbh"), QStringLiteral("–"));
+  EXPECT_TRUE(find<QLabel>("score_stems").isVisibleTo(&window()));
+  EXPECT_TRUE(score("stems").contains("the unit of the lengths is not known"));
+  document().setUnit(LengthUnit::meter);
+  ASSERT_TRUE(waitForScores());
+  EXPECT_FALSE(find<QLabel>("score_stems").isVisibleTo(&window()));
+  EXPECT_EQ(score("dbh"), formatLength(0.03, LengthUnit::meter, 3)) << "the stem is 2 high";
+  EXPECT_EQ(score("dbh_error"), formatLength(0.01, LengthUnit::meter, 3));
+  document().setUnit(LengthUnit::millimeter);
+  ASSERT_TRUE(waitForScores());
+  EXPECT_TRUE(score("stems").contains("does not rise to breast height"));
+}
+
 TEST_F(EvaluationWindowTest, MeasuresByTheToleranceThatIsChosen) {
   // One shoot, of four parts of equal length but for its steepness, lies 0.2 to the side.
   compare([](SkeletonEditor& editor) { removeSubtree(editor, shoot(2)); });
@@ -242,9 +281,9 @@ TEST_F(EvaluationWindowTest, DrawsWhereTheReferenceAttachesWhatHangsWrong) {
   const auto marked = [this] {
     return test::countPixels(view().picture({600, 450}), colorOf(Difference::wronglyAttached), 24);
   };
-  EXPECT_GT(marked(), 10) << "the edge of the reference";
+  const int before = marked();
   key(Qt::Key_6, Qt::ControlModifier);
-  EXPECT_EQ(marked(), 0);
+  EXPECT_GT(before, marked() + 300) << "cross, way, arrows and ring, beside the plant itself";
 }
 
 TEST_F(EvaluationWindowTest, FindsTheShiftAgainAsThePlantIsMovedPieceByPiece) {

@@ -1,4 +1,6 @@
 #include "app/window/load_files.h"
+#include "app/window/methods_text.h"
+#include "core/base/error.h"
 #include "core/io/formats.h"
 #include "core/skeleton/edits.h"
 #include "tests/app/window/project_fixture.h"
@@ -6,6 +8,7 @@
 
 #include <QApplication>
 #include <QClipboard>
+#include <QDateTime>
 #include <QFile>
 #include <QLabel>
 #include <QPushButton>
@@ -32,6 +35,9 @@ struct MethodsWindowTest : test::ProjectWindowTest {
     answer(chooseFile(write(3)), [this] { action("load_reference").trigger(); });
     waitForJob();
     key(Qt::Key_F5, Qt::ShiftModifier);
+  }
+  void showTable() {
+    if (!action("show_methods").isChecked()) action("show_methods").trigger();
   }
   void add(const QString& file) {
     answer(chooseFile(file), [this] { clickButton("methods_add"); });
@@ -108,6 +114,80 @@ TEST_F(MethodsWindowTest, AFileThatCannotBeReadStopsNoneOfTheOthers) {
   EXPECT_TRUE(table().item(2, 0)->toolTip().contains("broken.mtg"));
   EXPECT_EQ(cell(2, "F"), QStringLiteral("–"));
   EXPECT_EQ(cell(1, "Structure"), "method1.mtg");
+}
+
+TEST_F(MethodsWindowTest, IsKeptInTheProjectWithItsNumbers) {
+  openWithReference();
+  add(write(1));
+  add(write(3));
+  ASSERT_TRUE(waitForRows(3));
+  const QString recall = cell(2, "Recall");
+  const QString file = saveProject("plant.espalier");
+  QFile::remove(path("method3.mtg"));
+  restart();
+  open({file});
+  showTable();
+  ASSERT_TRUE(waitForRows(3));
+  EXPECT_EQ(cell(2, "Structure"), "method1.mtg");
+  EXPECT_EQ(cell(2, "Recall"), recall);
+  EXPECT_EQ(cell(0, "Structure"), QStringLiteral("⚠ method3.mtg"));
+  EXPECT_EQ(cell(0, "F"), "1.000") << "as it was when the file was there";
+  EXPECT_TRUE(table().item(0, 0)->toolTip().contains("is not where it was"));
+}
+
+TEST_F(MethodsWindowTest, ComparesAnewWhatWasWrittenSinceTheProject) {
+  openWithReference();
+  add(write(1));
+  ASSERT_TRUE(waitForRows(2));
+  const QString file = saveProject("plant.espalier");
+  writeStructure(toPath(path("method1.mtg")), test::fork(3));
+  QFile written(path("method1.mtg"));
+  ASSERT_TRUE(written.open(QIODevice::ReadWrite));
+  written.setFileTime(QDateTime::currentDateTime().addSecs(60), QFileDevice::FileModificationTime);
+  written.close();
+  restart();
+  open({file});
+  showTable();
+  ASSERT_TRUE(waitForRows(2));
+  EXPECT_EQ(cell(0, "Structure"), "method1.mtg");
+  EXPECT_EQ(cell(0, "Recall"), "1.000");
+}
+
+TEST_F(MethodsWindowTest, OfOneProjectIsNotThatOfTheNext) {
+  openWithReference();
+  add(write(1));
+  ASSERT_TRUE(waitForRows(2));
+  saveProject("first.espalier");
+  open({write(2)});
+  EXPECT_EQ(table().rowCount(), 2) << "another skeleton of the plant";
+  action("close_plant").trigger();
+  open({write(2)});
+  answer(chooseFile(write(3)), [this] { action("load_reference").trigger(); });
+  waitForJob();
+  EXPECT_TRUE(waitForRows(1));
+}
+
+TEST(MethodsText, ComesBackAsItWas) {
+  Scores scores(scoreEntries().size(), 0.25);
+  scores.back() = std::nullopt;
+  const std::vector<KeptMethod> kept = {
+      {.path = "/a/b.mtg", .scores = scores, .written = 1'700'000'000'123},
+      {.path = "c.mtg", .scores = std::nullopt}};
+  EXPECT_EQ(methodsFrom(textOf(kept)), kept);
+  EXPECT_EQ(textOf(std::vector<KeptMethod>()), "");
+  EXPECT_TRUE(methodsFrom("").empty());
+}
+
+TEST(MethodsText, LeavesOutScoresOfAnotherVersion) {
+  const auto read = methodsFrom(R"([{"path": "a.mtg", "written": 5, "scores": {"f": 0.5}}])");
+  ASSERT_EQ(read.size(), 1U);
+  EXPECT_FALSE(read.front().scores.has_value()) << "it is compared again";
+}
+
+TEST(MethodsText, IsRefusedIfItIsNone) {
+  for (const char* text : {"nonsense", "{}", "[{}]", R"([{"path": 3}])",
+                           R"([{"path": "a.mtg", "scores": {"f": "much"}}])"})
+    EXPECT_THROW(static_cast<void>(methodsFrom(text)), Error) << text;
 }
 
 TEST_F(MethodsWindowTest, IsCopiedAndLetsGoOfRows) {

@@ -3,6 +3,7 @@
 #include "app/cli/files.h"
 #include "app/cli/pipeline_flags.h"
 #include "app/cli/terminal.h"
+#include "core/simulate/foliage.h"
 #include "core/simulate/laser_scanner.h"
 #include "core/simulate/plant_grower.h"
 #include "core/simulate/prepared_plant.h"
@@ -11,6 +12,7 @@
 #include <iostream>
 #include <limits>
 #include <memory>
+#include <numbers>
 #include <string>
 
 namespace espalier {
@@ -22,9 +24,20 @@ struct Flags {
   std::string from;
   GrowthOptions growth;
   ScannerOptions scanner;
-  double noise = -1; // [L], < 0: the scanner's own
+  double noise = -1;        // [L], < 0: the scanner's own
+  double foliage = 0;       // as dense as the kind of plant bears it
+  double foliageLength = 0; // in extents; 0: of the kind
+  double foliageAngle = -1; // [degrees]; < 0: of the kind
   int threads = 0;
 };
+
+Foliage foliageOf(const Flags& flags) {
+  Foliage foliage = foliageOf(flags.growth.architecture, flags.foliage);
+  if (flags.foliageAngle >= 0)
+    foliage.shortShoots.angle = foliage.blades.angle = flags.foliageAngle * std::numbers::pi / 180;
+  if (flags.foliageLength > 0) foliage.blades.length = flags.foliageLength;
+  return foliage;
+}
 
 /// Scan and truth next to each other: PREFIX.ply and PREFIX.mtg.
 void simulate(const Flags& flags) {
@@ -44,6 +57,7 @@ void simulate(const Flags& flags) {
   }
   ScannerOptions scanner = flags.scanner;
   if (flags.noise >= 0) scanner.rangeNoise = flags.noise;
+  scanner.foliage = foliageOf(flags);
   const auto scanned = [&] {
     return scan(truth, scanner, flags.seed, terminal.progress().part(0.3, 0.95, "Scan"));
   };
@@ -59,7 +73,8 @@ void simulate(const Flags& flags) {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 void addGrowth(CLI::App& command, GrowthOptions& growth) {
-  addChoice(command, "--architecture", growth.architecture, "Kind of plant to grow",
+  addChoice(command, "--architecture", growth.architecture,
+            "Kind of plant to grow, or whose foliage to give the structure",
             {{"broadleaf", Architecture::broadleaf},
              {"conifer", Architecture::conifer},
              {"shrub", Architecture::shrub},
@@ -100,6 +115,28 @@ void addScanner(CLI::App& command, ScannerOptions& scanner) {
       ->capture_default_str();
 }
 
+void addFoliage(CLI::App& command, Flags& flags) {
+  command
+      .add_option("--foliage", flags.foliage,
+                  "Needles, leaves and short shoots that are in the scan, not in the truth: 1 as "
+                  "the kind of plant bears them, 2 twice as many")
+      ->type_name("DENSITY")
+      ->check(number(0, 20))
+      ->capture_default_str();
+  command
+      .add_option("--foliage-length", flags.foliageLength,
+                  "Length of needles and leaves, in heights or widths of the plant, the larger")
+      ->type_name("SHARE")
+      ->check(number(1e-4, 0.2))
+      ->default_str("of the kind, 0.011 to 0.03");
+  command
+      .add_option("--foliage-angle", flags.foliageAngle,
+                  "Angle of needles, leaves and short shoots with the wood")
+      ->type_name("DEGREES")
+      ->check(number(0, 180))
+      ->default_str("of the kind, 45 to 60");
+}
+
 } // namespace
 
 void addSimulate(CLI::App& app) {
@@ -118,6 +155,7 @@ void addSimulate(CLI::App& app) {
       ->type_name("FILE");
   addGrowth(*command, flags->growth);
   addScanner(*command, flags->scanner);
+  addFoliage(*command, *flags);
   command
       ->add_option("--noise", flags->noise,
                    "Standard deviation of the range, in the unit of the plant")

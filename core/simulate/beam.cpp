@@ -32,7 +32,10 @@ double leavesAt(const std::vector<LeafClump>& clumps, const Ray& ray) {
 }
 
 std::optional<WoodHit> hitOf(const ScanScene& scene, const Ray& ray) {
-  return scene.wood.firstHit(ray, leavesAt(scene.clumps, ray));
+  const double leaves = leavesAt(scene.clumps, ray);
+  std::optional<WoodHit> wood = scene.wood.firstHit(ray, leaves);
+  std::optional<WoodHit> blade = scene.blades.firstHit(ray, wood ? wood->range : leaves);
+  return blade ? blade : wood;
 }
 
 /// A direction within the beam around `direction`.

@@ -1,8 +1,9 @@
 #pragma once
 
 #include "core/simulate/counted_random.h"
+#include "core/simulate/foliage.h"
 #include "core/simulate/laser_scanner.h"
-#include "core/simulate/wood_index.h"
+#include "core/simulate/piece_tree.h"
 
 #include <Eigen/Core>
 
@@ -32,7 +33,8 @@ struct LeafClump {
 
 /// What the beams of one scan go through.
 struct ScanScene {
-  const WoodIndex& wood;
+  const WoodIndex& wood; // with short shoots
+  const PieceTree<Blade>& blades;
   const ScannerOptions& options;
   std::vector<LeafClump> clumps;
   double extent = 0;     // [L]
@@ -40,9 +42,9 @@ struct ScanScene {
 };
 
 struct Echo {
-  Eigen::Vector3d position; // [L]
-  float intensity = 0;      // in [0, 1]
-  NodeId node{};            // whose edge it lies on
+  Eigen::Vector3d position;   // [L]
+  float intensity = 0;        // in [0, 1]
+  std::optional<NodeId> node; // whose edge it lies on; none: foliage
 };
 
 /// What comes back of the beam sent to this azimuth and elevation, if anything does.

@@ -58,14 +58,34 @@ std::vector<Vector3d> stationsAround(const Eigen::AlignedBox3d& bounds, double e
   return stations;
 }
 
-std::vector<LeafClump> clumpsIn(const WoodIndex& wood, double extent, const ScannerOptions& options,
-                                Random& random) {
+std::vector<LeafClump> clumpsIn(const std::vector<WoodPiece>& wood, double extent,
+                                const ScannerOptions& options, Random& random) {
   std::vector<LeafClump> clumps;
   clumps.reserve(static_cast<std::size_t>(options.clumps));
   for (int i = 0; i < options.clumps; ++i)
-    clumps.push_back(
-        {wood.wood()[random.below(wood.wood().size())].to, options.clumpRadius * extent});
+    clumps.push_back({wood[random.below(wood.size())].to, options.clumpRadius * extent});
   return clumps;
+}
+
+/// Where each station looks, and how far its scan is out of place.
+std::vector<ScanWindow> windowsOf(const std::vector<Vector3d>& stations,
+                                  const Eigen::AlignedBox3d& bounds, double misalignment,
+                                  Random& random) {
+  std::vector<ScanWindow> windows;
+  for (const Vector3d& station : stations) {
+    require(station.allFinite(), "expected finite places of the stations");
+    windows.push_back(windowOf(station, bounds));
+    for (double& shift : windows.back().shift)
+      shift = misalignment * random.normal();
+  }
+  return windows;
+}
+
+Eigen::AlignedBox3d boundsOfAll(const std::vector<WoodPiece>& wood) {
+  Eigen::AlignedBox3d bounds;
+  for (const WoodPiece& piece : wood)
+    bounds.extend(boundsOf(piece));
+  return bounds;
 }
 
 /// The beams of a station as rows of even elevation.
@@ -182,31 +202,32 @@ void addStrays(SimulatedScan& scan, double share, Eigen::AlignedBox3d bounds, Ra
 SimulatedScan scan(const Skeleton& plant, const ScannerOptions& options, std::uint64_t seed,
                    const Progress& progress) {
   check(options);
-  const WoodIndex wood(woodOf(plant));
-  if (wood.wood().empty()) throw Error("the plant has no edges: nothing to scan");
-  const Eigen::AlignedBox3d bounds = wood.bounds();
+  std::vector<WoodPiece> pieces = woodOf(plant);
+  if (pieces.empty()) throw Error("the plant has no edges: nothing to scan");
+  Eigen::AlignedBox3d bounds = boundsOfAll(pieces); // of the plant alone: foliage moves no station
   const double extent = bounds.sizes().maxCoeff();
   Random random(seed);
   SimulatedScan result{.stations = stationsAround(bounds, extent, options, random)};
+  std::vector<LeafClump> clumps = clumpsIn(pieces, extent, options, random);
+  Organs organs = organsOf(plant, options.foliage, extent, seed + 3);
+  pieces.insert(pieces.end(), organs.shortShoots.begin(), organs.shortShoots.end());
+  const WoodIndex wood(std::move(pieces));
+  const PieceTree<Blade> blades(std::move(organs.blades));
   const ScanScene scene{.wood = wood,
+                        .blades = blades,
                         .options = options,
-                        .clumps = clumpsIn(wood, extent, options, random),
+                        .clumps = std::move(clumps),
                         .extent = extent,
                         .rangeNoise = options.rangeNoise.value_or(extent / 2500)};
-  const double misalignment = options.misalignment.value_or(extent / 2500);
-  std::vector<ScanWindow> windows;
-  for (const Vector3d& station : result.stations) {
-    require(station.allFinite(), "expected finite places of the stations");
-    windows.push_back(windowOf(station, bounds));
-    for (double& shift : windows.back().shift)
-      shift = misalignment * random.normal();
-  }
+  bounds.extend(wood.bounds()).extend(blades.bounds());
+  const std::vector<ScanWindow> windows =
+      windowsOf(result.stations, bounds, options.misalignment.value_or(extent / 2500), random);
   result.angularStep = angularStep(scene, windows, seed + 1, progress.part(0, 0.15, "aim"));
   for (const Echo& echo :
        echoesOf(scene, windows, result.angularStep, seed + 2, progress.part(0.15, 0.95, "scan"))) {
     result.points.positions.push_back(echo.position);
     result.points.intensities.push_back(echo.intensity);
-    result.nodes.emplace_back(echo.node);
+    result.nodes.push_back(echo.node);
   }
   addStrays(result, options.strayShare, bounds, random);
   progress.update(1);

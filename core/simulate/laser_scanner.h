@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/simulate/foliage.h"
 #include "core/simulate/simulated_scan.h"
 #include "core/skeleton/skeleton.h"
 
@@ -32,6 +33,7 @@ struct ScannerOptions {
   double strayShare = 0.001;    // of points that lie on nothing, in [0, 0.5]
   int clumps = 0;               // of leaves that hid the wood and were cleaned away, in [0, 1000]
   double clumpRadius = 0.05;    // in extents, in [0, 1]
+  Foliage foliage;              // in the scan, not in the structure
 };
 
 /// What a laser scanner would have measured of a plant.
@@ -39,8 +41,9 @@ struct ScannerOptions {
 /// From each station beams go out in even steps of azimuth and elevation. Each returns the first
 /// wood it meets, so that twigs behind others are missing, near wood has more points than far wood,
 /// and what no station sees is not there. A beam has a width: one that grazes an edge may return a
-/// range between the two surfaces that it meets, and thin twigs look thicker than they are. The
-/// angular step follows from the number of points wanted, which is met within a few percent.
+/// range between the two surfaces that it meets, and thin twigs look thicker than they are.
+/// Foliage is met and hides what is behind it, but its points lie on no edge. The angular step
+/// follows from the number of points wanted, which is met within a few percent.
 ///
 /// @param plant  with radii; see woodOf for the surface it stands for
 /// @throws Error     if a node has no radius, an option is out of its range, or no beam hits

@@ -2,7 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/random.h"
-#include "core/simulate/wood_index.h"
+#include "core/simulate/piece_tree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -65,7 +65,7 @@ SimulatedScan sampleSurface(const Skeleton& plant, const SamplingOptions& option
                             std::uint64_t seed, const Progress& progress) {
   check(options);
   const WoodIndex index(woodOf(plant));
-  const std::vector<double> sums = areaSums(index.wood());
+  const std::vector<double> sums = areaSums(index.pieces());
   if (sums.empty() || !(sums.back() > 0))
     throw Error("the plant has no surface: give it edges and radii");
   const double buried = -1e-9 * index.bounds().sizes().maxCoeff();
@@ -84,10 +84,10 @@ SimulatedScan sampleSurface(const Skeleton& plant, const SamplingOptions& option
     const auto at = std::upper_bound(sums.begin(), sums.end(), random.uniform() * sums.back());
     const auto piece =
         std::min<std::size_t>(static_cast<std::size_t>(at - sums.begin()), sums.size() - 1);
-    const Sample sample = sampleOf(index.wood()[piece], random);
+    const Sample sample = sampleOf(index.pieces()[piece], random);
     if (index.distance(sample.place, 0) < buried) continue;
     places.emplace_back(sample.place + options.noise * random.normal() * sample.normal);
-    result.nodes.emplace_back(index.wood()[piece].node);
+    result.nodes.emplace_back(index.pieces()[piece].node);
     if (places.size() % 4096 == 0)
       progress.update(options.points > 0
                           ? static_cast<double>(places.size()) / static_cast<double>(options.points)

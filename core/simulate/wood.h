@@ -12,11 +12,11 @@ namespace espalier {
 
 /// The wood around one edge: a frustum between its two nodes, closed by a ball at the upper one.
 struct WoodPiece {
-  Eigen::Vector3d from;  // [L], the parent
-  Eigen::Vector3d to;    // [L], the node
-  double fromRadius = 0; // [L]
-  double toRadius = 0;   // [L]
-  NodeId node{};         // whose edge to its parent this is
+  Eigen::Vector3d from;       // [L], the parent
+  Eigen::Vector3d to;         // [L], the node
+  double fromRadius = 0;      // [L]
+  double toRadius = 0;        // [L]
+  std::optional<NodeId> node; // whose edge to its parent this is; none: of a short shoot
 };
 
 struct Ray {
@@ -25,9 +25,9 @@ struct Ray {
 };
 
 struct WoodHit {
-  double range = 0;       // [L] along the ray, > 0
-  Eigen::Vector3d normal; // unit, out of the wood
-  NodeId node{};          // whose edge was hit
+  double range = 0;           // [L] along the ray, > 0
+  Eigen::Vector3d normal;     // unit, out of the wood
+  std::optional<NodeId> node; // whose edge was hit, if any
 };
 
 /// The solid that a skeleton with radii stands for, a piece per edge, parents first.

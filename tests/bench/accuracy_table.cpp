@@ -1,11 +1,15 @@
 // What each method reaches on simulated scans, a row each: the presets first, then every other
 // method with all else as it is by default.
 //
-//   espalier_accuracy [--plants grown|structures|all|grid] [--seeds N] [--worst] [ROW ...]
+//   espalier_accuracy [--plants grown|structures|all|grid] [--seeds N] [--foliage DENSITY]
+//                     [--worst] [--radii] [ROW ...]
 //
 // A ROW is NAME:STEP.OPTION=VALUE,...; "6 spacings" is a length in point spacings. With rows,
-// only they are printed. --worst prints each plant, too. A grid
-// is of grown plants: each at three densities (points a segment), with three noises (in extents).
+// only they are printed. --worst prints each plant, too, --radii the errors of radii by how
+// thick the wood is. Plants are bare, or have needles, leaves
+// and short shoots that their truth lacks, 1 as dense as their kind bears them. A grid
+// is of grown plants: each at three densities (points a segment), with three noises (in extents),
+// bare and with foliage.
 //
 // Columns: the authors' indices G and T; precision, recall and F within 4 spacings; the
 // share of the length on the same axis; median error of the radius, of wood over 2 spacings thick
@@ -24,11 +28,12 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
+#include <limits>
 #include <memory>
 #include <numeric>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace espalier {
@@ -46,6 +51,12 @@ struct Row {
   PipelineOptions options; // that these change
 };
 
+/// A node of the result that lies within the true wood or near it.
+struct JudgedRadius {
+  double thickness = 0; // true radius, in spacings
+  double error = 0;     // relative, < 0 if too thin
+};
+
 struct Score {
   double geometric = 0;
   double structural = 0;
@@ -57,6 +68,14 @@ struct Score {
   double radiusError = 0;
   double radiusBias = 0;
   double seconds = 0;
+  std::vector<JudgedRadius> radii; // of all plants, where these are of several
+};
+
+/// Which plants.
+struct Choice {
+  std::string plants = "grown";
+  int seeds = 3;
+  double foliage = 0;
 };
 
 Plant scanned(std::string name, Skeleton truth, const ScannerOptions& scanner, std::uint64_t seed) {
@@ -80,7 +99,7 @@ Quality qualityOf(std::uint64_t seed) {
 }
 
 /// @param quality none: another for each seed
-std::vector<Plant> grownPlants(int seeds, std::optional<Quality> quality = {}) {
+std::vector<Plant> grownPlants(int seeds, double foliage, std::optional<Quality> quality = {}) {
   std::vector<Plant> plants;
   const std::pair<const char*, Architecture> kinds[] = {{"broadleaf", Architecture::broadleaf},
                                                         {"conifer", Architecture::conifer},
@@ -95,6 +114,7 @@ std::vector<Plant> grownPlants(int seeds, std::optional<Quality> quality = {}) {
       scanner.points = pointsPerSegment[used.density] * segments;
       scanner.rangeNoise = 4 * noises[used.noise];
       scanner.clumps = seed % 2 == 0 ? 10 : 0; // of leaves that hid wood
+      scanner.foliage = foliageOf(kind, foliage);
       plants.push_back(
           scanned(name + std::string(" ") + std::to_string(seed),
                   growPlant({.architecture = kind, .height = 4, .segments = segments}, number),
@@ -103,17 +123,22 @@ std::vector<Plant> grownPlants(int seeds, std::optional<Quality> quality = {}) {
   return plants;
 }
 
-std::vector<Plant> structurePlants(int seeds) {
+std::vector<Plant> structurePlants(int seeds, double foliage) {
   std::vector<Plant> plants;
-  for (const char* name : {"puu3", "cherry", "arabidopsis"}) {
-    const auto file = test::sharedFile("structures/" + std::string(name) + "_reference.mtg");
+  const std::tuple<std::string, Architecture, Eigen::Index> structures[] = {
+      {"puu3", Architecture::conifer, 120'000},
+      {"cherry", Architecture::broadleaf, 120'000},
+      {"arabidopsis", Architecture::herb, 6'000}};
+  for (const auto& [name, kind, points] : structures) {
+    const auto file = test::sharedFile("structures/" + name + "_reference.mtg");
     if (!file) continue;
     const Skeleton truth = preparedPlant(readStructure(*file).value.skeleton);
     for (int seed = 1; seed <= seeds; ++seed) {
       ScannerOptions scanner;
-      scanner.points = std::strcmp(name, "arabidopsis") == 0 ? 6'000 : 120'000;
+      scanner.points = points;
       if (seed % 2 == 0) scanner.clumps = 10;
-      plants.push_back(scanned(name + std::string(" ") + std::to_string(seed), truth, scanner,
+      scanner.foliage = foliageOf(kind, foliage);
+      plants.push_back(scanned(name + " " + std::to_string(seed), truth, scanner,
                                static_cast<std::uint64_t>(seed)));
     }
   }
@@ -127,12 +152,11 @@ double medianOf(std::vector<double> values) {
   return *middle;
 }
 
-/// Relative errors of radii at the nodes of the result that lie within the true wood or near it.
-void judgeRadii(const Skeleton& result, const Skeleton& truth, double spacing, Score& score) {
+/// Relative errors of radii.
+std::vector<JudgedRadius> judgedRadii(const Skeleton& result, const Skeleton& truth,
+                                      double spacing) {
   const EdgeIndex index(truth);
-  std::vector<double> all;
-  std::vector<double> thick;
-  std::vector<double> biases;
+  std::vector<JudgedRadius> judged;
   for (const NodeId id : result.ids()) {
     const auto place = index.nearest(result[id].position);
     if (!place) continue;
@@ -144,15 +168,36 @@ void judgeRadii(const Skeleton& result, const Skeleton& truth, double spacing, S
       const double share = length > 0 ? (upper.position - place->position).norm() / length : 0;
       radius = (1 - share) * upper.radius + share * lower.radius;
     }
-    if (place->distance > radius + spacing) continue;
-    const double error = std::abs(result[id].radius / radius - 1);
-    all.push_back(error);
-    biases.push_back(result[id].radius / radius - 1);
-    if (radius > 2 * spacing) thick.push_back(error);
+    if (place->distance <= radius + spacing)
+      judged.push_back({radius / spacing, result[id].radius / radius - 1});
   }
-  score.radiusError = medianOf(all);
-  score.radiusBias = medianOf(biases);
-  score.thickError = medianOf(thick);
+  return judged;
+}
+
+/// Of wood from `least` to `most` spacings thick.
+std::vector<double> errorsOf(const std::vector<JudgedRadius>& judged, double least, double most) {
+  std::vector<double> errors;
+  for (const JudgedRadius& each : judged)
+    if (each.thickness >= least && each.thickness < most) errors.push_back(each.error);
+  return errors;
+}
+
+std::vector<double> sizesOf(std::vector<double> errors) {
+  for (double& error : errors)
+    error = std::abs(error);
+  return errors;
+}
+
+constexpr double anyThickness = std::numeric_limits<double>::infinity();
+
+void printRadii(const std::vector<JudgedRadius>& judged) {
+  constexpr double limits[] = {0, 0.5, 1, 2, 4, anyThickness};
+  for (std::size_t i = 0; i + 1 < std::size(limits); ++i) {
+    const std::vector<double> errors = errorsOf(judged, limits[i], limits[i + 1]);
+    std::printf("  radii from %.1f to %.1f spacings: %6zu nodes, median error %.3f, signed %.3f\n",
+                limits[i], limits[i + 1], errors.size(), medianOf(sizesOf(errors)),
+                medianOf(errors));
+  }
 }
 
 PipelineOptions optionsOf(const Row& row) {
@@ -178,7 +223,10 @@ Score scoreOf(const Row& row, const Plant& plant) {
   score.recall = comparison.tolerance.scores.front().recall;
   score.f = comparison.tolerance.scores.front().f();
   score.axis = comparison.architecture.sameAxis;
-  judgeRadii(result.skeleton, plant.truth, spacing, score);
+  score.radii = judgedRadii(result.skeleton, plant.truth, spacing);
+  score.radiusError = medianOf(sizesOf(errorsOf(score.radii, 0, anyThickness)));
+  score.radiusBias = medianOf(errorsOf(score.radii, 0, anyThickness));
+  score.thickError = medianOf(sizesOf(errorsOf(score.radii, 2, anyThickness)));
   return score;
 }
 
@@ -196,6 +244,8 @@ Score meanOf(const std::vector<Score>& scores) {
         &Score::axis, &Score::thickError, &Score::radiusError, &Score::radiusBias, &Score::seconds})
     for (const Score& score : scores)
       mean.*member += score.*member / static_cast<double>(scores.size());
+  for (const Score& score : scores)
+    mean.radii.insert(mean.radii.end(), score.radii.begin(), score.radii.end());
   return mean;
 }
 
@@ -222,59 +272,75 @@ Row rowOf(const std::string& text) {
   return row;
 }
 
-void printRow(const Row& row, const std::vector<Plant>& plants, bool printsEach) {
+/// What is printed besides the means.
+struct Details {
+  bool plants = false;
+  bool radii = false;
+};
+
+void printRow(const Row& row, const std::vector<Plant>& plants, const Details& details) {
   std::vector<Score> scores;
   for (const Plant& plant : plants) {
     try {
       scores.push_back(scoreOf(row, plant));
-      if (printsEach) print(row.name + ", " + plant.name, scores.back());
+      if (details.plants) print(row.name + ", " + plant.name, scores.back());
     } catch (const Error& problem) {
       std::printf("%s, %s: %s\n", row.name.c_str(), plant.name.c_str(), problem.what());
     }
   }
-  if (!scores.empty()) print(row.name, meanOf(scores));
+  if (scores.empty()) return;
+  const Score mean = meanOf(scores);
+  print(row.name, mean);
+  if (details.radii) printRadii(mean.radii);
 }
 
-/// Each row at each density with each noise.
-void printGrid(const std::vector<Row>& rows, int seeds, bool printsEach) {
-  for (std::size_t density = 0; density < std::size(pointsPerSegment); ++density)
-    for (std::size_t noise = 0; noise < std::size(noises); ++noise) {
-      const std::vector<Plant> plants = grownPlants(seeds, Quality{density, noise});
-      for (Row row : rows) {
-        row.name += ", " + std::to_string(pointsPerSegment[density]) + " pts, noise ";
-        row.name += noises[noise] > 0 ? "1/" + std::to_string(std::lround(1 / noises[noise])) : "0";
-        printRow(row, plants, printsEach);
+/// Each row at each density with each noise, bare and with foliage.
+void printGrid(const std::vector<Row>& rows, int seeds, const Details& details) {
+  for (const double foliage : {0.0, 1.0})
+    for (std::size_t density = 0; density < std::size(pointsPerSegment); ++density)
+      for (std::size_t noise = 0; noise < std::size(noises); ++noise) {
+        const std::vector<Plant> plants = grownPlants(seeds, foliage, Quality{density, noise});
+        for (Row row : rows) {
+          row.name += foliage > 0 ? ", leafy, " : ", bare, ";
+          row.name += std::to_string(pointsPerSegment[density]) + " pts, ";
+          row.name += noises[noise] > 0 ? "1/" + std::to_string(std::lround(1 / noises[noise]))
+                                        : "no noise";
+          printRow(row, plants, details);
+        }
       }
-    }
 }
 
 void run(const std::vector<std::string>& arguments) {
-  std::string which = "grown";
-  int seeds = 3;
-  bool printsEach = false;
+  Choice choice;
+  Details details;
   std::vector<Row> rows;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     if (arguments[i] == "--plants")
-      which = arguments.at(++i);
+      choice.plants = arguments.at(++i);
     else if (arguments[i] == "--seeds")
-      seeds = std::stoi(arguments.at(++i));
+      choice.seeds = std::stoi(arguments.at(++i));
+    else if (arguments[i] == "--foliage")
+      choice.foliage = std::stod(arguments.at(++i));
     else if (arguments[i] == "--worst")
-      printsEach = true;
+      details.plants = true;
+    else if (arguments[i] == "--radii")
+      details.radii = true;
     else
       rows.push_back(rowOf(arguments[i]));
   }
   if (rows.empty()) rows = allMethods();
   std::printf("%-34s %-5s %-5s  %-5s %-5s %-5s  %-5s  %-5s %-5s %-6s  %6s\n", "", "G", "T", "P",
               "R", "F4", "axis", "thick", "radii", "bias", "s");
-  if (which == "grid") {
-    printGrid(rows, seeds, printsEach);
+  if (choice.plants == "grid") {
+    printGrid(rows, choice.seeds, details);
     return;
   }
   std::vector<Plant> plants;
-  if (which != "structures") plants = grownPlants(seeds);
-  if (which != "grown") std::ranges::move(structurePlants(seeds), std::back_inserter(plants));
+  if (choice.plants != "structures") plants = grownPlants(choice.seeds, choice.foliage);
+  if (choice.plants != "grown")
+    std::ranges::move(structurePlants(choice.seeds, choice.foliage), std::back_inserter(plants));
   for (const Row& row : rows)
-    printRow(row, plants, printsEach);
+    printRow(row, plants, details);
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "core/base/spatial_index.h"
 #include "core/io/formats.h"
 #include "core/radius/measured_radii.h"
+#include "core/skeleton/assign_points.h"
 #include "core/skeleton/checks.h"
 #include "tests/app/cli/program.h"
 #include "tests/support/shared_data.h"
@@ -408,6 +409,31 @@ TEST_F(Subcommands, SimulateWritesAScanAndItsTruth) {
   EXPECT_EQ(outcome.err, std::to_string(cloud.size()) + " points in " + file("a.ply") +
                              ", the truth of " + std::to_string(truth.size()) + " nodes in " +
                              file("a.mtg") + "\n");
+}
+
+TEST_F(Subcommands, SimulateAddsFoliageToTheScanAlone) {
+  struct Result {
+    Skeleton truth;
+    std::ptrdiff_t away = 0; // points farther from the axes than the stem is thick
+  };
+  const auto simulated = [&](std::vector<std::string> flags) {
+    flags.insert(flags.begin(), {"simulate", "-o", file("a"), "--architecture", "conifer",
+                                 "--points", "5000", "--segments", "40", "--strays", "0"});
+    EXPECT_EQ(runProgram(flags).status, 0);
+    const PointCloud cloud = readPoints(file("a.ply")).value;
+    Result result{.truth = readStructure(file("a.mtg")).value.skeleton};
+    for (const PointOnSkeleton& place :
+         assignPoints(cloud.positions(), cloud.origin(), result.truth, 8, {}))
+      if (place.distance > 0.06) ++result.away;
+    return result;
+  };
+  const Result bare = simulated({});
+  const Result leafy = simulated({"--foliage", "2", "--foliage-length", "0.05"});
+  const Result flat =
+      simulated({"--foliage", "2", "--foliage-length", "0.05", "--foliage-angle", "0"});
+  EXPECT_EQ(leafy.truth, bare.truth);
+  EXPECT_GT(leafy.away, bare.away + 300);
+  EXPECT_GT(leafy.away, 2 * flat.away) << "along the wood, needles stay near it";
 }
 
 TEST_F(Subcommands, SimulateHidesWoodInClumpsOfLeaves) {

@@ -1,8 +1,8 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/simulate/laser_scanner.h"
+#include "core/simulate/piece_tree.h"
 #include "core/simulate/plant_grower.h"
-#include "core/simulate/wood_index.h"
 #include "tests/support/plants.h"
 
 #include <gtest/gtest.h>

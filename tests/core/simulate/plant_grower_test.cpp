@@ -1,6 +1,6 @@
 #include "core/base/error.h"
+#include "core/simulate/piece_tree.h"
 #include "core/simulate/plant_grower.h"
-#include "core/simulate/wood_index.h"
 
 #include <gtest/gtest.h>
 
@@ -114,7 +114,7 @@ TEST_P(EachArchitecture, KeepsTheAxesOutOfOtherWood) {
     if (!plant.children(id).empty()) continue; // apices are far from where their axes start
     ++looked;
     const bool stuck = std::any_of(wood.begin(), wood.end(), [&](const WoodPiece& piece) {
-      return !plant.isAncestor(piece.node, id) &&
+      return !plant.isAncestor(*piece.node, id) &&
              signedDistance(piece, plant[id].position) < plant[id].radius;
     });
     inside += stuck ? 1 : 0;

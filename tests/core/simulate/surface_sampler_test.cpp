@@ -1,7 +1,7 @@
 #include "core/base/error.h"
+#include "core/simulate/piece_tree.h"
 #include "core/simulate/plant_grower.h"
 #include "core/simulate/surface_sampler.h"
-#include "core/simulate/wood_index.h"
 #include "tests/support/plants.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 #include "core/base/random.h"
-#include "core/simulate/wood_index.h"
+#include "core/simulate/piece_tree.h"
 #include "tests/support/plants.h"
 
 #include <gtest/gtest.h>

@@ -1,0 +1,207 @@
+#include "core/simulate/foliage.h"
+
+#include "core/base/error.h"
+#include "core/base/random.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+
+namespace espalier {
+namespace {
+
+using Eigen::Vector3d;
+using std::numbers::pi;
+
+constexpr double degrees = pi / 180;
+
+/// A straight piece of wood that may bear organs.
+struct Stretch {
+  Vector3d from;         // [L]
+  Vector3d to;           // [L]
+  double fromRadius = 0; // [L]
+  double toRadius = 0;   // [L]
+  double wayToApex = 0;  // [L], from its upper end to the farthest apex
+};
+
+void check(const OrganHabit& habit, const char* what) {
+  const auto require = [&](bool holds, const char* expected) {
+    if (!holds) throw Error(std::string(what) + ": expected " + expected);
+  };
+  require(habit.spacing >= 0 && habit.spacing <= 1e300, "a spacing of 0 or more");
+  require(habit.length > 0 && habit.length <= 1, "a length above 0, to 1 extent of the plant");
+  require(habit.width >= 0 && habit.width <= 1, "a width of 0 to 1 extent of the plant");
+  require(habit.angle >= 0 && habit.angle <= pi, "an angle of 0 to 180 degrees");
+  require(habit.reach >= 0 && habit.reach <= 1e300, "a reach of 0 or more");
+}
+
+/// By id [L].
+std::vector<double> waysToApex(const Skeleton& plant, const std::vector<NodeId>& ids) {
+  std::vector<double> ways(plant.idEnd(), 0);
+  for (auto id = ids.rbegin(); id != ids.rend(); ++id)
+    if (const auto parent = plant[*id].parent)
+      ways[indexOf(*parent)] =
+          std::max(ways[indexOf(*parent)],
+                   ways[indexOf(*id)] + (plant[*id].position - plant[*parent].position).norm());
+  return ways;
+}
+
+std::vector<Stretch> stretchesOf(const Skeleton& plant) {
+  const std::vector<NodeId> ids = plant.ids();
+  const std::vector<double> ways = waysToApex(plant, ids);
+  std::vector<Stretch> stretches;
+  for (const WoodPiece& piece : woodOf(plant))
+    stretches.push_back(
+        {piece.from, piece.to, piece.fromRadius, piece.toRadius, ways[indexOf(*piece.node)]});
+  return stretches;
+}
+
+/// A place on the surface of wood from which an organ grows.
+struct Place {
+  Vector3d center;    // [L], on the axis of the wood
+  Vector3d direction; // unit, of the organ
+  Vector3d outward;   // unit, across the wood
+  double radius = 0;  // [L], of the wood
+  double length = 0;  // [L], of the organ
+};
+
+/// Strews organs over stretches, and counts them.
+class Strewing {
+public:
+  Strewing(double extent, std::uint64_t seed) : extent_(extent), random_(seed) {}
+
+  /// Calls grow(place) for each organ. They are as likely everywhere, whatever the pieces.
+  template <class Grow>
+  void over(const std::vector<Stretch>& stretches, const OrganHabit& habit, const Grow& grow) {
+    if (!(habit.spacing > 0)) return;
+    for (const Stretch& stretch : stretches) {
+      const Vector3d axis = stretch.to - stretch.from;
+      const double length = axis.norm();
+      if (!(length > 0)) continue;
+      for (double at = gap(habit); at < length; at += gap(habit)) {
+        if (stretch.wayToApex + length - at > habit.reach * extent_) continue;
+        if (++count_ > mostOrgans)
+          throw Error("foliage: over 10 million organs; ask for a greater spacing");
+        grow(placeAt(stretch, axis / length, at / length, habit));
+      }
+    }
+  }
+
+  /// A unit vector across `direction`.
+  [[nodiscard]] Vector3d across(const Vector3d& direction) {
+    const double azimuth = random_.uniform(0, 2 * pi);
+    const Vector3d side = direction.unitOrthogonal();
+    return std::cos(azimuth) * side + std::sin(azimuth) * direction.cross(side);
+  }
+
+private:
+  static constexpr int mostOrgans = 10'000'000;
+
+  [[nodiscard]] double gap(const OrganHabit& habit) { // of a Poisson process
+    return -habit.spacing * extent_ * std::log(1 - random_.uniform());
+  }
+
+  [[nodiscard]] Place placeAt(const Stretch& stretch, const Vector3d& axis, double share,
+                              const OrganHabit& habit) {
+    const Vector3d outward = across(axis);
+    const double angle = std::clamp(habit.angle + 0.15 * random_.normal(), 0.0, pi);
+    return {.center = stretch.from + share * (stretch.to - stretch.from),
+            .direction = std::cos(angle) * axis + std::sin(angle) * outward,
+            .outward = outward,
+            .radius = (1 - share) * stretch.fromRadius + share * stretch.toRadius,
+            .length = habit.length * extent_ * random_.uniform(0.7, 1.3)};
+  }
+
+  double extent_;
+  Random random_;
+  int count_ = 0;
+};
+
+double thinnestOf(const std::vector<Stretch>& wood) {
+  double thinnest = std::numeric_limits<double>::infinity();
+  for (const Stretch& stretch : wood)
+    thinnest = std::min(thinnest, stretch.toRadius);
+  return thinnest;
+}
+
+} // namespace
+
+Foliage foliageOf(Architecture architecture, double density) {
+  if (!(density > 0)) return {};
+  const auto every = [density](double spacing) { return spacing / density; };
+  switch (architecture) {
+  case Architecture::conifer: // needles of 45 mm on a pine of 4 m, kept for three years
+    return {.shortShoots = {.spacing = every(0.03), .length = 0.005, .angle = 55 * degrees},
+            .blades = {.spacing = every(0.0015),
+                       .length = 0.011,
+                       .width = 0.0005,
+                       .angle = 45 * degrees,
+                       .reach = 0.12}};
+  case Architecture::broadleaf:
+  case Architecture::shrub:
+    return {.shortShoots = {.spacing = every(0.015),
+                            .length = 0.007,
+                            .angle = 60 * degrees,
+                            .reach = 0.25},
+            .blades = {.spacing = every(0.025),
+                       .length = 0.012,
+                       .width = 0.006,
+                       .angle = 55 * degrees,
+                       .reach = 0.12}};
+  case Architecture::herb:
+    return {.blades = {.spacing = every(0.04),
+                       .length = 0.03,
+                       .width = 0.01,
+                       .angle = 50 * degrees,
+                       .reach = 0.5}};
+  }
+  return {};
+}
+
+std::optional<WoodHit> hit(const Blade& blade, const Ray& ray) {
+  const Vector3d normal = blade.along.cross(blade.half).normalized();
+  const double facing = ray.direction.dot(normal);
+  if (!(std::abs(facing) > 1e-12)) return std::nullopt; // on edge, or of no width
+  const double range = (blade.base - ray.origin).dot(normal) / facing;
+  if (!(range > 0)) return std::nullopt;
+  const Vector3d place = ray.origin + range * ray.direction - blade.base;
+  const double along = place.dot(blade.along) / blade.along.squaredNorm();
+  const double across = std::abs(place.dot(blade.half)) / blade.half.squaredNorm();
+  if (across > 1 - std::abs(2 * along - 1)) return std::nullopt;
+  return WoodHit{range, facing < 0 ? normal : Vector3d(-normal), {}};
+}
+
+Eigen::AlignedBox3d boundsOf(const Blade& blade) {
+  Eigen::AlignedBox3d box(blade.base);
+  const Vector3d middle = blade.base + 0.5 * blade.along;
+  box.extend(blade.base + blade.along);
+  box.extend(middle + blade.half);
+  box.extend(middle - blade.half);
+  return box;
+}
+
+Organs organsOf(const Skeleton& plant, const Foliage& foliage, double extent, std::uint64_t seed) {
+  check(foliage.shortShoots, "short shoots");
+  check(foliage.blades, "needles and leaves");
+  std::vector<Stretch> wood = stretchesOf(plant);
+  const double thinnest = thinnestOf(wood);
+  Strewing strewing(extent, seed);
+  Organs organs;
+  strewing.over(wood, foliage.shortShoots, [&](const Place& place) {
+    const Vector3d tip = place.center + (place.radius + place.length) * place.direction;
+    organs.shortShoots.push_back({place.center, tip, thinnest, thinnest, {}});
+  });
+  for (const WoodPiece& shoot : organs.shortShoots)
+    wood.push_back({shoot.from, shoot.to, shoot.fromRadius, shoot.toRadius, 0});
+  strewing.over(wood, foliage.blades, [&](const Place& place) {
+    organs.blades.push_back(
+        {.base = place.center + place.radius * place.outward,
+         .along = place.length * place.direction,
+         .half = 0.5 * foliage.blades.width * extent * strewing.across(place.direction)});
+  });
+  return organs;
+}
+
+} // namespace espalier

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "core/simulate/habit.h"
+#include "core/simulate/wood.h"
+#include "core/skeleton/skeleton.h"
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace espalier {
+
+/// Small organs of one kind on the youngest wood. Extent: the larger of height and width of the
+/// plant.
+struct OrganHabit {
+  double spacing = 0;   // along the wood, in extents, >= 0; 0: there are none
+  double length = 0.01; // in extents, in (0, 1]; each is 0.7 to 1.3 times as long
+  double width = 0;     // in extents, in [0, 1]; of short shoots, which have a radius, none
+  double angle = 0.8;   // with the wood, to its tip [rad], in [0, pi]
+  double reach = 0.1; // they stand on wood nearer than this to its farthest apex, in extents, >= 0
+};
+
+/// What stands on the shoots of a plant and is in its scan, but no part of its structure.
+struct Foliage {
+  OrganHabit shortShoots = {}; // rods, as thick as the thinnest wood; they bear blades, too
+  OrganHabit blades = {};      // needles and leaves, flat
+};
+
+/// Foliage as a kind of plant bears it: needles on conifers; on trees and shrubs short shoots and
+/// the few leaves of winter; leaves on herbs.
+/// @param density  times as many organs, >= 0; 0: none
+[[nodiscard]] Foliage foliageOf(Architecture architecture, double density = 1);
+
+/// A needle or a leaf: a flat lozenge.
+struct Blade {
+  Eigen::Vector3d base;  // [L], on the wood
+  Eigen::Vector3d along; // [L], from there to its tip
+  Eigen::Vector3d half;  // [L], across, from its middle line to its edge where it is widest
+};
+
+/// Where a ray meets a blade, from either side.
+[[nodiscard]] std::optional<WoodHit> hit(const Blade& blade, const Ray& ray);
+
+[[nodiscard]] Eigen::AlignedBox3d boundsOf(const Blade& blade); // [L]
+
+struct Organs {
+  std::vector<WoodPiece> shortShoots; // of no node
+  std::vector<Blade> blades;
+};
+
+/// The organs of a plant: strewn by chance along the wood that bears them, all around it.
+///
+/// @param plant   with radii
+/// @param extent  [L] of the plant
+/// @throws Error if an option is out of its range, or these are more than 10 million organs
+/// Deterministic. Time O(nodes + organs).
+[[nodiscard]] Organs organsOf(const Skeleton& plant, const Foliage& foliage, double extent,
+                              std::uint64_t seed);
+
+} // namespace espalier

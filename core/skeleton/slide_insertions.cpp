@@ -12,11 +12,17 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// A place on the edge to `upper`, and how near a line comes to it.
+/// A node of an axis, and how far along the axis it is [L].
+struct Station {
+  double along = 0;
+  NodeId node{};
+};
+
+/// Branches that leave an axis at one place.
 struct Insertion {
-  NodeId upper{};
-  double share = 0; // of the edge, from its lower end
-  double distance = std::numeric_limits<double>::infinity();
+  double along = 0;  // of the axis [L]
+  double weight = 0; // how sharply their lines tell the place
+  std::vector<NodeId> branches;
 };
 
 /// The way back from a branch: from its first node, against its direction.
@@ -42,10 +48,15 @@ std::optional<WayBack> wayBackFrom(const Skeleton& skeleton, NodeId branch) {
   return WayBack{start, back / length, 2 * gap};
 }
 
-/// Where a way back comes nearest to an edge.
-Insertion nearestOn(const Skeleton& skeleton, NodeId upper, const WayBack& way) {
-  const Vector3d& lower = skeleton[*skeleton[upper].parent].position;
-  const Vector3d along = skeleton[upper].position - lower;
+/// Where a way back comes nearest to an edge, and how near.
+struct Approach {
+  double share = 0; // of the edge, from its lower end
+  double distance = std::numeric_limits<double>::infinity();
+  double sharpness = 0; // squared sine of the angle between the two
+};
+
+Approach nearestOn(const Vector3d& lower, const Vector3d& upper, const WayBack& way) {
+  const Vector3d along = upper - lower;
   const Vector3d between = way.start - lower;
   const double a = along.squaredNorm();
   if (a == 0) return {};
@@ -57,41 +68,79 @@ Insertion nearestOn(const Skeleton& skeleton, NodeId upper, const WayBack& way) 
   t = std::clamp(t, 0.0, way.length);
   const double share = std::clamp(along.dot(between + t * way.direction) / a, 0.0, 1.0);
   t = std::clamp(way.direction.dot(lower + share * along - way.start), 0.0, way.length);
-  const double distance = (between + t * way.direction - share * along).norm();
-  return {.upper = upper, .share = share, .distance = distance};
+  return {share, (between + t * way.direction - share * along).norm(), parallel / a};
 }
 
-/// The edges of the axis through `node`, by their upper ends, nearest first.
-std::vector<NodeId> edgesAbout(const Skeleton& skeleton, NodeId node, int reach) {
-  std::vector<NodeId> uppers;
-  NodeId below = node;
-  for (int i = 0; i < reach && skeleton[below].parent; ++i) {
-    if (skeleton[below].edge != EdgeType::successor) break; // where the axis begins
-    uppers.push_back(below);
-    below = *skeleton[below].parent;
+std::vector<Station> stationsOf(const Skeleton& skeleton, const Axis& axis) {
+  std::vector<Station> stations;
+  double along = 0;
+  for (std::size_t i = 0; i < axis.size(); ++i) {
+    if (i > 0) along += (skeleton[axis[i]].position - skeleton[axis[i - 1]].position).norm();
+    stations.push_back({along, axis[i]});
   }
-  auto above = nextOnAxis(skeleton, node);
-  for (int i = 0; i < reach && above; ++i) {
-    uppers.push_back(*above);
-    above = nextOnAxis(skeleton, *above);
-  }
-  return uppers;
+  return stations;
 }
 
-/// The node at a place of an edge; a new one if none is near.
-NodeId nodeAt(Skeleton& skeleton, const Insertion& place, double nearNode) {
-  const NodeId lower = *skeleton[place.upper].parent;
-  if (place.share <= nearNode) return lower;
-  if (place.share >= 1 - nearNode) return place.upper;
+/// Where a branch of station `at` leaves the axis.
+Insertion insertionOf(const Skeleton& skeleton, const std::vector<Station>& stations,
+                      std::size_t at, NodeId branch, std::size_t reach) {
+  constexpr double leastWeight = 0.01;
+  Insertion stays{stations[at].along, leastWeight, {branch}};
+  const std::optional<WayBack> way = wayBackFrom(skeleton, branch);
+  if (!way) return stays;
+  Approach best;
+  Insertion result = stays;
+  for (std::size_t i = at > reach ? at - reach : 0; i + 1 < stations.size() && i < at + reach;
+       ++i) {
+    const Approach found = nearestOn(skeleton[stations[i].node].position,
+                                     skeleton[stations[i + 1].node].position, *way);
+    if (found.distance >= best.distance) continue;
+    best = found;
+    result.along = (1 - found.share) * stations[i].along + found.share * stations[i + 1].along;
+    result.weight = std::max(leastWeight, found.sharpness);
+  }
+  const double now = (way->start - skeleton[stations[at].node].position).norm();
+  return best.distance < 0.7 * now ? result : stays; // else the line leads past the axis
+}
+
+/// Insertions less than `apart` from each other made one, the nearest two first.
+void gather(std::vector<Insertion>& insertions, double apart) {
+  std::ranges::stable_sort(insertions, {}, &Insertion::along);
+  while (insertions.size() > 1) {
+    std::size_t nearest = 1;
+    const auto gap = [&](std::size_t i) { return insertions[i].along - insertions[i - 1].along; };
+    for (std::size_t i = 2; i < insertions.size(); ++i)
+      if (gap(i) < gap(nearest)) nearest = i;
+    if (!(gap(nearest) < apart)) return;
+    Insertion& lower = insertions[nearest - 1];
+    const Insertion& upper = insertions[nearest];
+    const double share = upper.weight / (lower.weight + upper.weight);
+    lower.along += share * (upper.along - lower.along);
+    lower.weight += upper.weight;
+    lower.branches.insert(lower.branches.end(), upper.branches.begin(), upper.branches.end());
+    insertions.erase(insertions.begin() + static_cast<std::ptrdiff_t>(nearest));
+  }
+}
+
+/// The node at a place of an axis; a new one if none is near.
+NodeId nodeAt(Skeleton& skeleton, std::vector<Station>& stations, double along, double nearNode) {
+  const auto upper = std::ranges::upper_bound(stations, along, {}, &Station::along);
+  if (upper == stations.begin()) return stations.front().node;
+  const Station lower = *(upper - 1);
+  if (upper == stations.end()) return lower.node;
+  const double share = (along - lower.along) / (upper->along - lower.along);
+  if (share <= nearNode) return lower.node;
+  if (share >= 1 - nearNode) return upper->node;
   Node node;
-  const Node& upper = skeleton[place.upper];
-  node.position =
-      skeleton[lower].position + place.share * (upper.position - skeleton[lower].position);
-  node.radius = (1 - place.share) * skeleton[lower].radius + place.share * upper.radius;
-  node.parent = lower;
-  node.edge = upper.edge;
+  const Node& above = skeleton[upper->node];
+  const Node& below = skeleton[lower.node];
+  node.position = below.position + share * (above.position - below.position);
+  node.radius = (1 - share) * below.radius + share * above.radius;
+  node.parent = lower.node;
+  node.edge = above.edge;
   const NodeId added = skeleton.add(node);
-  skeleton.reparent(place.upper, added, EdgeType::successor);
+  skeleton.reparent(upper->node, added, EdgeType::successor);
+  stations.insert(upper, {along, added});
   return added;
 }
 
@@ -99,21 +148,21 @@ NodeId nodeAt(Skeleton& skeleton, const Insertion& place, double nearNode) {
 
 Skeleton withSlidInsertions(const Skeleton& skeleton, const InsertionOptions& options) {
   Skeleton result = skeleton;
-  for (const NodeId branch : skeleton.ids()) {
-    const Node& node = result[branch];
-    if (!node.parent || node.edge != EdgeType::branching) continue;
-    const NodeId parent = *node.parent;
-    const std::optional<WayBack> way = wayBackFrom(result, branch);
-    if (!way) continue;
-    Insertion best;
-    for (const NodeId upper : edgesAbout(result, parent, options.reach)) {
-      const Insertion found = nearestOn(result, upper, *way);
-      if (found.distance < best.distance) best = found;
+  for (const Axis& axis : axes(skeleton)) {
+    std::vector<Station> stations = stationsOf(skeleton, axis);
+    std::vector<Insertion> insertions;
+    // What hangs on the end of an axis stays: without it the end would be a tip of its own.
+    for (std::size_t at = 0; at + 1 < axis.size(); ++at)
+      for (const NodeId child : skeleton.children(axis[at]))
+        if (skeleton[child].edge == EdgeType::branching)
+          insertions.push_back(
+              insertionOf(skeleton, stations, at, child, static_cast<std::size_t>(options.reach)));
+    gather(insertions, options.gather);
+    for (const Insertion& insertion : insertions) {
+      const NodeId at = nodeAt(result, stations, insertion.along, options.nearNode);
+      for (const NodeId branch : insertion.branches)
+        if (result[branch].parent != at) result.reparent(branch, at, EdgeType::branching);
     }
-    const double now = (way->start - result[parent].position).norm();
-    if (best.distance >= 0.7 * now) continue; // the line leads past the axis
-    const NodeId at = nodeAt(result, best, options.nearNode);
-    if (at != parent) result.reparent(branch, at, EdgeType::branching);
   }
   return result;
 }

@@ -60,6 +60,36 @@ TEST(WithSlidInsertions, LooksNoFartherThanItIsTold) {
   EXPECT_NE(plant[branch].parent, NodeId{4});
 }
 
+/// withBranch(4.4, 5) and a second branch, from 4.6, on the other side.
+Skeleton withTwoBranches() {
+  Skeleton plant = withBranch(4.4, 5);
+  NodeId below{5};
+  for (int i = 1; i <= 4; ++i)
+    below = plant.add({.position = {static_cast<double>(-i), 0, 4.6 + i},
+                       .radius = 0.02,
+                       .parent = below,
+                       .edge = i == 1 ? EdgeType::branching : EdgeType::successor});
+  return plant;
+}
+
+TEST(WithSlidInsertions, GathersBranchesOfOneWhorl) {
+  constexpr NodeId second{14};
+  const Skeleton apart = withSlidInsertions(withTwoBranches(), {.gather = 0.1});
+  EXPECT_NEAR(apart[*apart[branch].parent].position.z(), 4.4, 1e-9);
+  EXPECT_NEAR(apart[*apart[second].parent].position.z(), 4.6, 1e-9);
+  EXPECT_EQ(apart[*apart[second].parent].parent, *apart[branch].parent) << "above the other";
+  const Skeleton whorl = withSlidInsertions(withTwoBranches(), {.gather = 0.3});
+  EXPECT_EQ(whorl[branch].parent, whorl[second].parent);
+  EXPECT_NEAR(whorl[*whorl[branch].parent].position.z(), 4.5, 1e-9)
+      << "between, as both tell alike";
+  EXPECT_EQ(axes(whorl).size(), 3U);
+}
+
+TEST(WithSlidInsertions, LeavesWhatHangsOnTheEndOfAnAxis) {
+  const Skeleton plant = withBranch(7, 9);
+  EXPECT_EQ(withSlidInsertions(plant), plant);
+}
+
 TEST(WithSlidInsertions, CopesWithPlantsWithoutAxes) {
   EXPECT_TRUE(withSlidInsertions({}).isEmpty());
   EXPECT_EQ(withSlidInsertions(test::stick(1)), test::stick(1));

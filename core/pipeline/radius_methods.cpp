@@ -127,10 +127,11 @@ Method cylinderMethod() {
             const Eigen::Matrix3Xf kept = keptPositions(state);
             const AssignedPoints points(state.skeleton, kept, state.cloud->origin(),
                                         progress.part(0, 0.5));
+            const CylinderOptions cylinders = options.cylinders(state, progress);
             std::vector<double> radii;
-            for (const MeasuredRadius& each :
-                 cylinderRadii(state.skeleton, points, options.cylinders(state, progress),
-                               progress.part(0.5, 1)))
+            for (const MeasuredRadius& each : cylinderRadii(
+                     cylindersAbout(state.skeleton, points, cylinders, progress.part(0.5, 1)),
+                     cylinders.spacing))
               radii.push_back(each.radius);
             setMeasured(state, radii, options.branchShare);
           }};
@@ -189,9 +190,10 @@ Method fusedMethod() {
         const Eigen::Matrix3Xf kept = keptPositions(state);
         const AssignedPoints points(state.skeleton, kept, state.cloud->origin(),
                                     progress.part(0, 0.5));
-        const std::vector<MeasuredRadius> measured =
-            withThinRadii(state.skeleton, points,
-                          cylinderRadii(state.skeleton, points, cylinders, progress.part(0.5, 1)));
+        const auto fitted =
+            cylindersAbout(state.skeleton, points, cylinders, progress.part(0.5, 1));
+        const std::vector<MeasuredRadius> measured = withThinRadii(
+            state.skeleton, points, cylinderRadii(fitted, cylinders.spacing), pointError(fitted));
         FusionOptions fusion{.axisStep = options.axisStep, .branchStep = options.branchStep};
         const std::vector<double> model =
             modelOf(state.skeleton, points, measured, cylinders.spacing, fusion.modelSpread);

@@ -13,8 +13,17 @@ namespace {
 /// A stretch of an axis about a node, and its points.
 struct Stretch {
   std::vector<Eigen::Vector3d> points; // [L], frame of the skeleton
+  std::vector<double> distances;       // of these to the axis [L]
   FittedCylinder start;
 };
+
+/// [L]; 0 of none. @param share in [0, 1)
+double quantile(std::vector<double> distances, double share) {
+  if (distances.empty()) return 0;
+  const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(distances.size()));
+  std::nth_element(distances.begin(), distances.begin() + place, distances.end());
+  return distances[static_cast<std::size_t>(place)];
+}
 
 /// Gathers the points of nodes around one of an axis.
 class StretchFinder {
@@ -28,38 +37,39 @@ public:
     constexpr std::size_t enough = 24; // points
     constexpr std::size_t most = 400;  // more do not make it better
     Stretch result;
-    double distances = 0;
+    double sum = 0;
     std::size_t first = at;
     std::size_t last = at;
-    take(axis[at], result, distances);
+    sum += take(axis[at], result);
     for (;;) {
-      const double radius = meanOf(distances, result.points.size());
+      const double radius =
+          sum / static_cast<double>(std::max<std::size_t>(1, result.points.size()));
       const double length = (place(axis[last]) - place(axis[first])).norm();
       const bool isLong = length >= options_.length * radius && last > first;
       if (isLong && (result.points.size() >= enough || last - first >= 6)) break;
       const bool canRise = last + 1 < axis.size();
       if ((!canRise && first == 0) || result.points.size() >= most) break;
       const bool rises = canRise && (first == 0 || last - at <= at - first);
-      take(rises ? axis[++last] : axis[--first], result, distances);
+      sum += take(rises ? axis[++last] : axis[--first], result);
     }
     result.start.point = place(axis[at]);
     result.start.direction = directionOf(axis, first, last);
-    result.start.radius = meanOf(distances, result.points.size());
+    result.start.radius = quantile(result.distances, 0.25); // needles lie farther out
     return result;
   }
 
 private:
   [[nodiscard]] const Eigen::Vector3d& place(NodeId id) const { return skeleton_[id].position; }
 
-  static double meanOf(double sum, std::size_t count) {
-    return count > 0 ? sum / static_cast<double>(count) : 0;
-  }
-
-  void take(NodeId id, Stretch& stretch, double& distances) const {
+  /// @return the sum of the distances to the axis [L]
+  double take(NodeId id, Stretch& stretch) const {
+    double sum = 0;
     for (const std::uint32_t column : points_.of(id)) {
       stretch.points.push_back(points_.position(column));
-      distances += points_.distance(column);
+      stretch.distances.push_back(points_.distance(column));
+      sum += stretch.distances.back();
     }
+    return sum;
   }
 
   /// Of the wood from one node of an axis to another; upright if that has no length.
@@ -97,7 +107,8 @@ MeasuredRadius radiusOf(const FittedCylinder& fit, double spacing) {
   constexpr double roughness = 0.04;
   const double scatter = fit.error / fit.radius / std::sqrt(fit.kept * fit.points / 5) /
                          (fit.coverage * fit.coverage); // five numbers are fitted
-  return {.radius = fit.radius,
+  // Scattered points lie farther out than in: the least squares are that much too thick.
+  return {.radius = fit.radius - fit.error * fit.error / (2 * fit.radius),
           .deviation = std::hypot(roughness, scatter, widening * spacing / fit.radius)};
 }
 
@@ -122,25 +133,68 @@ std::vector<std::optional<FittedCylinder>> cylindersAbout(const Skeleton& skelet
   return result;
 }
 
-std::vector<MeasuredRadius> cylinderRadii(const Skeleton& skeleton, const AssignedPoints& points,
-                                          const CylinderOptions& options,
-                                          const Progress& progress) {
-  std::vector<MeasuredRadius> result(skeleton.idEnd());
-  const auto cylinders = cylindersAbout(skeleton, points, options, progress);
+double pointError(const std::vector<std::optional<FittedCylinder>>& cylinders) {
+  constexpr double thick = 5; // errors
+  constexpr double leastCoverage = 0.5;
+  std::vector<double> errors;
+  for (const auto& each : cylinders)
+    if (each && each->radius > thick * each->error && each->coverage >= leastCoverage)
+      errors.push_back(each->error);
+  if (errors.empty()) return 0;
+  const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
+  std::nth_element(errors.begin(), middle, errors.end());
+  return *middle;
+}
+
+std::vector<MeasuredRadius>
+cylinderRadii(const std::vector<std::optional<FittedCylinder>>& cylinders, double spacing) {
+  std::vector<MeasuredRadius> result(cylinders.size());
   for (std::size_t i = 0; i < cylinders.size(); ++i)
-    if (cylinders[i]) result[i] = radiusOf(*cylinders[i], options.spacing);
+    if (cylinders[i]) result[i] = radiusOf(*cylinders[i], spacing);
   return result;
 }
 
-std::vector<MeasuredRadius> withThinRadii(const Skeleton& skeleton, const AssignedPoints& points,
-                                          std::vector<MeasuredRadius> measured) {
-  constexpr double deviation = 0.2;
-  const std::vector<double> means = assignedRadii(skeleton, points, AssignedMeasure::mean);
-  for (const NodeId id : skeleton.ids()) {
-    MeasuredRadius& each = measured[indexOf(id)];
-    const double mean = means[indexOf(id)];
-    if (each.radius == 0 && mean > 0) each = {.radius = mean, .deviation = deviation};
+namespace {
+
+/// Distances to the axis [L] of the points of a node, and of those next to it until there are
+/// enough; none if it has under 3 of its own.
+std::vector<double> distancesAbout(const AssignedPoints& points, const Axis& axis, std::size_t at) {
+  constexpr std::size_t fewest = 3;
+  constexpr std::size_t enough = 12;
+  constexpr std::size_t reach = 4; // nodes
+  std::vector<double> distances;
+  const auto take = [&](std::size_t i) {
+    for (const std::uint32_t column : points.of(axis[i]))
+      distances.push_back(points.distance(column));
+  };
+  take(at);
+  if (distances.size() < fewest) return {};
+  for (std::size_t step = 1; step <= reach && distances.size() < enough; ++step) {
+    if (at + step < axis.size()) take(at + step);
+    if (at >= step) take(at - step);
   }
+  return distances;
+}
+
+} // namespace
+
+std::vector<MeasuredRadius> withThinRadii(const Skeleton& skeleton, const AssignedPoints& points,
+                                          std::vector<MeasuredRadius> measured, double error) {
+  constexpr double deviation = 0.2;
+  constexpr double quarter = 0.25;
+  constexpr double belowMean = 0.6745; // standard deviations of normal noise
+  constexpr double leastShare = 0.2;   // of the distances that may be left
+  for (const Axis& axis : axes(skeleton))
+    for (std::size_t at = 0; at < axis.size(); ++at) {
+      MeasuredRadius& each = measured[indexOf(axis[at])];
+      if (each.radius > 0) continue;
+      const std::vector<double> distances = distancesAbout(points, axis, at);
+      if (distances.empty()) continue;
+      const double middle = quantile(distances, quarter) + belowMean * error;
+      const double square = middle * middle - error * error; // scatter along the surface
+      const double radius = std::max(leastShare * middle, std::sqrt(std::max(0.0, square)));
+      if (radius > 0) each = {.radius = radius, .deviation = deviation};
+    }
   return measured;
 }
 

@@ -34,26 +34,36 @@ struct CylinderOptions {
 cylindersAbout(const Skeleton& skeleton, const AssignedPoints& points,
                const CylinderOptions& options, const Progress& progress = {});
 
-/// The radii of these cylinders, by id.
+/// The error of points across thick wood [L]: the median of those of cylinders at least 5 of their
+/// errors thick of which half is seen; 0 if there are none.
+[[nodiscard]] double pointError(const std::vector<std::optional<FittedCylinder>>& cylinders);
+
+/// The radii of these cylinders, by id, less what the scatter of the points adds to a least-squares
+/// fit: error^2 / (2 radius).
 ///
 /// The deviation adds up, squared: 4 % that wood is no cylinder; the error of the points by their
 /// number and by how far around they are; and a tenth of a spacing, by which a beam widens what it
 /// grazes.
-/// @throws Cancelled if `progress` asks to stop
-[[nodiscard]] std::vector<MeasuredRadius> cylinderRadii(const Skeleton& skeleton,
-                                                        const AssignedPoints& points,
-                                                        const CylinderOptions& options,
-                                                        const Progress& progress = {});
+/// @param spacing [L] between neighboring points, >= 0
+/// Source of the bias: A. Al-Sharadqah, N. Chernov, "Error analysis for circle fitting algorithms",
+/// Electron. J. Stat. 3, 2009.
+[[nodiscard]] std::vector<MeasuredRadius>
+cylinderRadii(const std::vector<std::optional<FittedCylinder>>& cylinders, double spacing);
 
 /// `measured` with radii, too, of nodes with at least 3 points that have none: wood too thin, or
 /// too badly seen, for a cylinder.
 ///
-/// These are the mean distances of points to the skeleton, with a deviation of 20 %. (To take the
-/// noise of the points off the distances makes them worse: a skeleton follows the points, noise and
-/// all.)
-/// Deterministic. Time O(N).
+/// Of distances to the axis scattered by `error`, those along the beam add to the radius and those
+/// along the surface to its square. So the radius is sqrt(d^2 - error^2), where d is the lower
+/// quartile of the distances and the 0.67 errors that of normal ones lies under their middle; but
+/// it is at least a fifth of d. The quartile is of the wood even if most points are of needles or
+/// split beams. Nodes with fewer than 12 points take those of up to 4 nodes next to them on either
+/// side. The deviation is 20 %.
+/// @param error [L] of the points, >= 0
+/// Deterministic. Time O(N log N).
 [[nodiscard]] std::vector<MeasuredRadius> withThinRadii(const Skeleton& skeleton,
                                                         const AssignedPoints& points,
-                                                        std::vector<MeasuredRadius> measured);
+                                                        std::vector<MeasuredRadius> measured,
+                                                        double error);
 
 } // namespace espalier

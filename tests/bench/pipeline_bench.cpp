@@ -124,13 +124,15 @@ void radii(benchmark::State& state) {
 void cylinders(benchmark::State& state) {
   time(state, [](const Workpiece& piece) {
     const AssignedPoints points(piece.skeleton, piece.positions(), piece.cloud->origin());
-    return cylinderRadii(piece.skeleton, points, {.spacing = piece.spacing});
+    return cylinderRadii(cylindersAbout(piece.skeleton, points, {.spacing = piece.spacing}),
+                         piece.spacing);
   });
 }
 void fuseRadii(benchmark::State& state) {
   const Workpiece& piece = workpiece(state);
   const AssignedPoints points(piece.skeleton, piece.positions(), piece.cloud->origin());
-  const auto measured = cylinderRadii(piece.skeleton, points, {.spacing = piece.spacing});
+  const auto measured = cylinderRadii(
+      cylindersAbout(piece.skeleton, points, {.spacing = piece.spacing}), piece.spacing);
   time(state, [&](const Workpiece& same) {
     const auto model = fittedLengthPipe(same.skeleton, measured);
     return fusedRadii(same.skeleton, measured, radiiOf(same.skeleton, model.value()));

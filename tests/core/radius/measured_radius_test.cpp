@@ -1,8 +1,12 @@
+#include "core/base/random.h"
 #include "core/radius/measured_radius.h"
 #include "tests/support/clouds.h"
 #include "tests/support/plants.h"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
 
 namespace espalier {
 namespace {
@@ -13,7 +17,7 @@ constexpr double spacing = 0.02;
 std::vector<MeasuredRadius> measured(const Skeleton& skeleton, const Eigen::Matrix3Xf& points,
                                      const Progress& progress = {}) {
   const AssignedPoints assigned(skeleton, points, zero);
-  return cylinderRadii(skeleton, assigned, {.spacing = spacing}, progress);
+  return cylinderRadii(cylindersAbout(skeleton, assigned, {.spacing = spacing}, progress), spacing);
 }
 
 TEST(CylinderRadii, OfACylinderAreItsRadiusWhereverTheSkeletonRunsInIt) {
@@ -54,18 +58,80 @@ TEST(CylinderRadii, AreNotFoundOnceToldToStop) {
       [&](const Progress& progress) { (void)measured(stick, points, progress); }));
 }
 
-TEST(ThinRadii, AreMeanDistancesWhereThereIsNoCylinder) {
+/// `count` points on an upright cylinder of length 2, scattered by `error` both ways across it.
+Eigen::Matrix3Xf scattered(double radius, double error, Eigen::Index count) {
+  Random random(3);
+  Eigen::Matrix3Xf points(3, count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const double angle = random.uniform(0, 2 * std::numbers::pi);
+    const Eigen::Vector3d place(radius * std::cos(angle) + error * random.normal(),
+                                radius * std::sin(angle) + error * random.normal(),
+                                random.uniform(0, 2));
+    points.col(i) = place.cast<float>();
+  }
+  return points;
+}
+
+// Least squares alone would give 0.05 + 0.01^2 / (2 * 0.05) = 0.051.
+TEST(CylinderRadii, AreNotThickerForTheScatterOfThePoints) {
+  const Skeleton stick = test::stick(9, 0.25);
+  double sum = 0;
+  const auto radii = measured(stick, scattered(0.05, 0.01, 20'000));
+  for (const MeasuredRadius& each : radii)
+    sum += each.radius / static_cast<double>(radii.size());
+  EXPECT_NEAR(sum, 0.05, 0.0004);
+}
+
+TEST(PointError, IsThatAcrossThickWood) {
+  const Skeleton stick = test::stick(9, 0.25);
+  const auto errorOf = [&](const Eigen::Matrix3Xf& points) {
+    return pointError(
+        cylindersAbout(stick, AssignedPoints(stick, points, zero), {.spacing = spacing}));
+  };
+  EXPECT_NEAR(errorOf(scattered(0.1, 0.005, 2000)), 0.005, 0.0005);
+  EXPECT_EQ(errorOf(scattered(0.01, 0.005, 2000)), 0) << "no wood is thick enough";
+  EXPECT_EQ(pointError({}), 0);
+}
+
+TEST(ThinRadii, AreDistancesWhereThereIsNoCylinder) {
   const Skeleton stick = test::stick(3);
   Eigen::Matrix3Xf points(3, 4);
-  points << 0.02F, -0.04F, 0, 0, 0, 0, 0.06F, -0.08F, 2, 2, 2, 2;
+  points << 0.05F, -0.05F, 0, 0, 0, 0, 0.05F, -0.05F, 2, 2, 2, 2;
   const AssignedPoints assigned(stick, points, zero);
   const MeasuredRadius known{.radius = 0.2, .deviation = 0.05};
-  const auto radii = withThinRadii(stick, assigned, {known, {}, {}});
+  const auto radii = withThinRadii(stick, assigned, {known, {}, {}}, 0);
   EXPECT_EQ(radii[0].radius, 0.2) << "what is known stays";
   EXPECT_EQ(radii[0].deviation, 0.05);
   EXPECT_EQ(radii[1].radius, 0) << "it has no points";
   EXPECT_NEAR(radii[2].radius, 0.05, 1e-6);
   EXPECT_GT(radii[2].deviation, known.deviation);
+}
+
+// As thick as three errors: mean distances would be 6 % and root mean squares 11 % too long.
+TEST(ThinRadii, AreNotThickerForTheScatterOfThePoints) {
+  const Skeleton stick = test::stick(3);
+  const AssignedPoints assigned(stick, scattered(0.03, 0.01, 20'000), zero);
+  for (const MeasuredRadius& each : withThinRadii(stick, assigned, {{}, {}, {}}, 0.01))
+    EXPECT_NEAR(each.radius, 0.03, 0.0005);
+}
+
+TEST(ThinRadii, AreAFifthOfTheDistancesAtLeast) {
+  const Skeleton stick = test::stick(3);
+  const AssignedPoints assigned(stick, scattered(0.001, 0, 100), zero);
+  for (const MeasuredRadius& each : withThinRadii(stick, assigned, {{}, {}, {}}, 0.01)) {
+    EXPECT_GE(each.radius, 0.2 * (0.001 + 0.67 * 0.01));
+    EXPECT_LT(each.radius, 0.01);
+  }
+}
+
+TEST(ThinRadii, DoNotCountNeedles) {
+  const Skeleton stick = test::stick(3);
+  Eigen::Matrix3Xf points(3, 6);
+  points << 0.05F, -0.05F, 0, 0.3F, 0, 0.4F, //
+      0, 0, 0.05F, 0, -0.2F, 0,              //
+      2, 2, 2, 2, 2, 2;
+  const AssignedPoints assigned(stick, points, zero);
+  EXPECT_NEAR(withThinRadii(stick, assigned, {{}, {}, {}}, 0)[2].radius, 0.05, 1e-6);
 }
 
 } // namespace

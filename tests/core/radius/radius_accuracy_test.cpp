@@ -42,7 +42,10 @@ struct Measured {
   PointCloud cloud;
   double spacing = pointSpacing(cloud.positions());
   AssignedPoints points{truth, cloud.positions(), cloud.origin()};
-  std::vector<MeasuredRadius> radii = cylinderRadii(truth, points, {.spacing = spacing});
+  std::vector<std::optional<FittedCylinder>> cylinders =
+      cylindersAbout(truth, points, {.spacing = spacing});
+  std::vector<MeasuredRadius> radii = cylinderRadii(cylinders, spacing);
+  std::vector<MeasuredRadius> withThin = withThinRadii(truth, points, radii, pointError(cylinders));
 
   Measured(Skeleton plant, RawPoints raw) : truth(std::move(plant)), cloud(std::move(raw)) {}
   Measured(const Measured&) = delete;
@@ -95,10 +98,10 @@ TEST_P(RadiusAccuracy, OfCylindersIsTenPercentWhereCoverageAllows) {
 }
 
 TEST_P(RadiusAccuracy, OfTheFusionIsTenPercentOfThickWoodAndHoldsOnTwigs) {
-  const auto model = fittedLengthPipe(truth_, withThinRadii(truth_, plant_.points, measured_));
+  const auto model = fittedLengthPipe(truth_, plant_.withThin);
   ASSERT_TRUE(model);
   const std::vector<double> radii =
-      fusedRadii(truth_, withThinRadii(truth_, plant_.points, measured_), radiiOf(truth_, *model),
+      fusedRadii(truth_, plant_.withThin, radiiOf(truth_, *model),
                  {.modelSpread = std::clamp(model->spread, 0.08, 0.5)})
           .radii;
   EXPECT_LE(

@@ -179,6 +179,9 @@ Option circlesOption(bool isOn) {
 }
 
 std::vector<Method> contractMethods() {
+  // A radius of 6 spacings instead of 7.5 gains T 0.022 on leafy grown plants (6 seeds) and loses
+  // 0.017 on leafy structures (3); F stays within 0.001. 4 gains more on the one, and loses F 0.006
+  // on the other.
   std::vector<Method> methods = {geodesicCentroidMethod(), adaptiveGeodesicMethod(),
                                  adaptiveSectionsMethod(), euclideanBallMethod()};
   for (Method& method : surfaceContractMethods())

@@ -242,6 +242,9 @@ Method endsMethod() {
 } // namespace
 
 std::vector<Method> pruneMethods() {
+  // On leafy scans 10 spacings instead of 14 would gain: on grown plants (6 seeds) G 0.012, T 0.006
+  // and F 0.005, on experts' structures (3 seeds) 0.028, 0.012 and 0.012. But other methods then
+  // leave stray tips on rings and where points lie twice.
   return {spurMethod(), noMethod("Keeps all branches.")};
 }
 
@@ -256,6 +259,9 @@ std::vector<Method> recenterMethods() {
 }
 
 std::vector<Method> endsMethods() {
+  // Without it F falls by 0.006 on leafy grown plants and by 0.009 on bare ones (4 seeds); on leafy
+  // structures it rises by 0.003. Leaving out more than the farthest tenth of the points, to half
+  // of them, changes F by less than 0.002 on all.
   return {endsMethod(), noMethod("Leaves the ends where they are.")};
 }
 

@@ -3,10 +3,10 @@
 #include "ui/document/plant_document.h"
 #include "ui/panels/evaluation_scores.h"
 #include "ui/panels/label_role.h"
+#include "ui/panels/number_box.h"
 
 #include <QAction>
 #include <QCheckBox>
-#include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
@@ -105,7 +105,7 @@ QWidget* EvaluationPanel::makeHead(const Parts& parts) {
   connect(parts.report, &QAction::changed, report, [report] { report->setText(tr("Report…")); });
   row->addWidget(report);
   row->addWidget(new QLabel(tr("Tolerance")));
-  tolerance_ = new QDoubleSpinBox;
+  tolerance_ = new NumberBox;
   tolerance_->setObjectName("evaluation_tolerance");
   tolerance_->setAccessibleName(tr("Tolerance"));
   tolerance_->setToolTip(tr("What lies this near to the other skeleton is called matched"));

@@ -90,6 +90,7 @@ std::vector<AxisTraits> axisTraits(const Skeleton& skeleton) {
     of.insertion.add(ways[indexOf(*first.parent)] / lengths[indexOf(*first.parent)]);
   }
   std::vector<AxisTraits> traits;
+  traits.reserve(sums.size());
   for (AxisSums& each : sums)
     traits.push_back(traitsOf(std::move(each)));
   return traits;

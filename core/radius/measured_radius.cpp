@@ -90,7 +90,7 @@ private:
 /// The cylinder of a stretch, if its points tell of one.
 std::optional<FittedCylinder> cylinderOf(const Stretch& stretch, const CylinderOptions& options) {
   if (!(stretch.start.radius > 0)) return std::nullopt;
-  const std::optional<FittedCylinder> fit = fitCylinder(stretch.points, stretch.start);
+  std::optional<FittedCylinder> fit = fitCylinder(stretch.points, stretch.start);
   constexpr double leastKept = 2.0 / 3;
   constexpr double mostError = 0.3; // in radii
   constexpr double mostTurn = 0.7;  // cosine to the axis

@@ -40,11 +40,13 @@ void check(const OrganHabit& habit, const char* what) {
 /// By id [L].
 std::vector<double> waysToApex(const Skeleton& plant, const std::vector<NodeId>& ids) {
   std::vector<double> ways(plant.idEnd(), 0);
-  for (auto id = ids.rbegin(); id != ids.rend(); ++id)
-    if (const auto parent = plant[*id].parent)
-      ways[indexOf(*parent)] =
-          std::max(ways[indexOf(*parent)],
-                   ways[indexOf(*id)] + (plant[*id].position - plant[*parent].position).norm());
+  for (std::size_t i = ids.size(); i-- > 0;) { // children first
+    const NodeId id = ids[i];
+    const auto parent = plant[id].parent;
+    if (!parent) continue;
+    const double way = ways[indexOf(id)] + (plant[id].position - plant[*parent].position).norm();
+    ways[indexOf(*parent)] = std::max(ways[indexOf(*parent)], way);
+  }
   return ways;
 }
 

@@ -35,4 +35,14 @@ const SimulatedPlant& simulatedHerb() {
   return herb;
 }
 
+ScannerOptions idealScanner(Eigen::Index points) {
+  return {.points = points,
+          .rangeNoise = 0,
+          .misalignment = 0,
+          .angularNoise = 0,
+          .beamWidth = 0,
+          .grazingLoss = 0,
+          .strayShare = 0};
+}
+
 } // namespace espalier::test

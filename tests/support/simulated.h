@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/cloud/point_cloud.h"
+#include "core/simulate/laser_scanner.h"
 #include "core/simulate/simulated_scan.h"
 #include "core/skeleton/skeleton.h"
 
@@ -19,5 +20,8 @@ struct SimulatedPlant {
 
 /// A herb of 300 mm and 25 segments, 4000 points evenly all over it, without errors. Made once.
 [[nodiscard]] const SimulatedPlant& simulatedHerb();
+
+/// A scanner without errors.
+[[nodiscard]] ScannerOptions idealScanner(Eigen::Index points);
 
 } // namespace espalier::test

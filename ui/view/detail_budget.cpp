@@ -5,7 +5,7 @@
 namespace espalier {
 namespace {
 
-constexpr Eigen::Index fewest = 10'000;
+constexpr Eigen::Index fewest = 20'000;
 constexpr double weightOfNew = 0.3; // one slow frame, while the machine did other things, is noise
 
 void approach(double& value, double measured) {

@@ -398,7 +398,6 @@ TEST_F(PreviewTest, AnswersWhileKnobsAreTurned) {
   ESPALIER_SHARED_FILE(scan, "puu1/scan.ply");
   open({QString::fromStdString(scan.string())});
   key(Qt::Key_L, Qt::ControlModifier);
-  waitForPreview();
   auto* slider = step("contract").findChildren<QSlider*>().back(); // of the radius
   const int turns = qEnvironmentVariableIntValue("ESPALIER_TURNS") + 20;
   int shownParts = 0;

@@ -23,6 +23,9 @@
 #include <QTextDocument>
 #include <QTimer>
 
+#include <cmath>
+#include <fstream>
+
 namespace espalier {
 namespace {
 
@@ -266,6 +269,15 @@ TEST_F(MainWindowTest, OffersTheEditsOfANodeInItsMenu) {
   EXPECT_EQ(texts.value(0), QString("Node %1").arg(indexOf(apex)));
   EXPECT_TRUE(texts.contains("Remove Subtree"));
   EXPECT_TRUE(texts.contains("Reparent"));
+}
+
+TEST_F(MainWindowTest, OpensAFlatPlantFromItsBroadSide) {
+  std::ofstream out(path("flat.xyz").toStdString());
+  for (int i = 0; i < 300; ++i)
+    out << 0.01 * (i % 2) << ' ' << i / 300.0 << ' ' << i * 7 % 300 / 300.0 << '\n';
+  out.close();
+  open({path("flat.xyz")});
+  EXPECT_NEAR(std::abs(view().camera().forward().x()), 1, 0.01);
 }
 
 TEST_F(MainWindowTest, OpensNoMenuAfterAPan) {

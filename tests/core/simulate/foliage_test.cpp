@@ -5,6 +5,7 @@
 #include "core/simulate/piece_tree.h"
 #include "core/simulate/plant_grower.h"
 #include "tests/support/plants.h"
+#include "tests/support/simulated.h"
 
 #include <gtest/gtest.h>
 
@@ -17,6 +18,7 @@ namespace espalier {
 namespace {
 
 using Eigen::Vector3d;
+using test::idealScanner;
 
 constexpr double pi = std::numbers::pi;
 
@@ -146,18 +148,8 @@ std::vector<double> offWood(const SimulatedScan& scan, const Skeleton& plant) {
   return distances;
 }
 
-ScannerOptions ideal(Eigen::Index points) {
-  return {.points = points,
-          .rangeNoise = 0,
-          .misalignment = 0,
-          .angularNoise = 0,
-          .beamWidth = 0,
-          .grazingLoss = 0,
-          .strayShare = 0};
-}
-
 TEST(LaserScanner, SeesFoliageAroundTheWoodThatBearsIt) {
-  ScannerOptions options = ideal(10'000);
+  ScannerOptions options = idealScanner(10'000);
   options.foliage = foliageOf(Architecture::conifer);
   const SimulatedScan result = scan(pine(), options, 1);
   const std::vector<double> distances = offWood(result, pine());
@@ -171,7 +163,7 @@ TEST(LaserScanner, SeesFoliageAroundTheWoodThatBearsIt) {
 }
 
 TEST(LaserScanner, SeesNoFoliageUnlessAskedTo) {
-  EXPECT_TRUE(offWood(scan(pine(), ideal(3000), 1), pine()).empty());
+  EXPECT_TRUE(offWood(scan(pine(), idealScanner(3000), 1), pine()).empty());
 }
 
 TEST(LaserScanner, SeesTheSameFoliageOnAnyNumberOfThreads) {

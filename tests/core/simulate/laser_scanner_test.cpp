@@ -4,6 +4,7 @@
 #include "core/simulate/piece_tree.h"
 #include "core/simulate/plant_grower.h"
 #include "tests/support/plants.h"
+#include "tests/support/simulated.h"
 
 #include <gtest/gtest.h>
 
@@ -16,17 +17,7 @@ namespace espalier {
 namespace {
 
 using Eigen::Vector3d;
-
-/// A scanner without errors.
-ScannerOptions ideal(Eigen::Index points) {
-  return {.points = points,
-          .rangeNoise = 0,
-          .misalignment = 0,
-          .angularNoise = 0,
-          .beamWidth = 0,
-          .grazingLoss = 0,
-          .strayShare = 0};
-}
+using test::idealScanner;
 
 Skeleton smallTree() {
   return growPlant({.segments = 120}, 5);
@@ -43,7 +34,7 @@ Eigen::Index pointsOf(const SimulatedScan& scan, NodeId node) {
 TEST(LaserScanner, PutsPointsOnTheSurfaceIfItMakesNoErrors) {
   const Skeleton plant = smallTree();
   const WoodIndex wood(woodOf(plant));
-  const SimulatedScan result = scan(plant, ideal(3000), 1);
+  const SimulatedScan result = scan(plant, idealScanner(3000), 1);
   for (std::size_t i = 0; i < result.nodes.size(); ++i) {
     ASSERT_TRUE(result.nodes[i]);
     ASSERT_NEAR(offSurface(wood, result.points.positions[i]), 0, 1e-9);
@@ -52,7 +43,7 @@ TEST(LaserScanner, PutsPointsOnTheSurfaceIfItMakesNoErrors) {
 
 TEST(LaserScanner, KnowsWhichEdgeEachPointLiesOn) {
   const Skeleton plant = smallTree();
-  const SimulatedScan result = scan(plant, ideal(2000), 2);
+  const SimulatedScan result = scan(plant, idealScanner(2000), 2);
   const std::vector<WoodPiece> wood = woodOf(plant);
   for (std::size_t i = 0; i < result.nodes.size(); ++i) {
     const auto piece = std::find_if(wood.begin(), wood.end(), [&](const WoodPiece& candidate) {
@@ -65,7 +56,7 @@ TEST(LaserScanner, KnowsWhichEdgeEachPointLiesOn) {
 
 // A wide wall, so that a beam is compared with the very place it met.
 TEST(LaserScanner, ScattersPointsAlongTheBeamByTheRangeNoise) {
-  ScannerOptions options = ideal(4000);
+  ScannerOptions options = idealScanner(4000);
   options.rangeNoise = 0.01;
   options.stations = 1;
   options.azimuth = 0;
@@ -103,7 +94,7 @@ Skeleton twigBehindTrunk() {
 TEST(LaserScanner, SeesNoTwigBehindATrunk) {
   const Skeleton plant = twigBehindTrunk();
   constexpr NodeId twig{3};
-  ScannerOptions options = ideal(5000);
+  ScannerOptions options = idealScanner(5000);
   options.at = {{6, 0, 1}};
   EXPECT_EQ(pointsOf(scan(plant, options, 1), twig), 0);
   options.at = {{-6, 0, 1}};
@@ -111,7 +102,7 @@ TEST(LaserScanner, SeesNoTwigBehindATrunk) {
 }
 
 TEST(LaserScanner, SeesOneSideOnlyFromOneStation) {
-  ScannerOptions options = ideal(3000);
+  ScannerOptions options = idealScanner(3000);
   options.stations = 1;
   options.azimuth = 0;
   const SimulatedScan result = scan(test::stick(4), options, 1);
@@ -149,7 +140,7 @@ TEST(LaserScanner, HasMorePointsWhereItIsNear) {
     const NodeId foot = plant.add({.position = {x, 0, 0}, .radius = 0.05});
     plant.add({.position = {x, 0, 0.5}, .radius = 0.05, .parent = foot});
   }
-  ScannerOptions options = ideal(20000);
+  ScannerOptions options = idealScanner(20000);
   options.at = {{6, 0.5, 0.25}};
   const SimulatedScan result = scan(plant, options, 1);
   const double ratio = static_cast<double>(pointsOf(result, NodeId{3})) /
@@ -187,7 +178,7 @@ TEST(LaserScanner, ScalesWithThePlant) {
 }
 
 TEST(LaserScanner, AddsStrayPointsInTheShareAskedFor) {
-  ScannerOptions options = ideal(5000);
+  ScannerOptions options = idealScanner(5000);
   options.strayShare = 0.2;
   const Skeleton plant = smallTree();
   const SimulatedScan result = scan(plant, options, 6);
@@ -199,7 +190,7 @@ TEST(LaserScanner, AddsStrayPointsInTheShareAskedFor) {
 TEST(LaserScanner, MixesTheRangesAtEdgesIfItsBeamIsWide) {
   const Skeleton plant = smallTree();
   const WoodIndex wood(woodOf(plant));
-  ScannerOptions options = ideal(5000);
+  ScannerOptions options = idealScanner(5000);
   options.beamWidth = 1;
   const SimulatedScan result = scan(plant, options, 7);
   const auto off = std::count_if(result.points.positions.begin(), result.points.positions.end(),
@@ -209,7 +200,7 @@ TEST(LaserScanner, MixesTheRangesAtEdgesIfItsBeamIsWide) {
 }
 
 TEST(LaserScanner, PutsTheScanOfEachStationOutOfPlaceAsAWhole) {
-  ScannerOptions options = ideal(1000);
+  ScannerOptions options = idealScanner(1000);
   options.stations = 3;
   const Skeleton plant = smallTree();
   const SimulatedScan exact = scan(plant, options, 8);
@@ -227,7 +218,7 @@ TEST(LaserScanner, PutsTheScanOfEachStationOutOfPlaceAsAWhole) {
 }
 
 TEST(LaserScanner, LosesEchoesWhereBeamsGraze) {
-  ScannerOptions options = ideal(20000);
+  ScannerOptions options = idealScanner(20000);
   options.at = {{20, 0, 1}};
   const auto edgeShare = [&](double loss) {
     options.grazingLoss = loss;
@@ -242,7 +233,7 @@ TEST(LaserScanner, LosesEchoesWhereBeamsGraze) {
 
 TEST(LaserScanner, HasNoPointsWhereLeavesHidTheWood) {
   const Skeleton plant = test::stick(40);
-  ScannerOptions options = ideal(8000);
+  ScannerOptions options = idealScanner(8000);
   options.clumps = 1;
   options.clumpRadius = 0.1;
   const SimulatedScan result = scan(plant, options, 2);
@@ -273,7 +264,7 @@ TEST(LaserScanner, RefusesWhatItCannotScan) {
 }
 
 TEST(LaserScanner, SaysSoIfNoBeamHits) {
-  ScannerOptions options = ideal(100);
+  ScannerOptions options = idealScanner(100);
   options.clumps = 50;
   options.clumpRadius = 1; // leaves over all of it
   EXPECT_THROW(static_cast<void>(scan(test::stick(3), options, 1)), Error);

@@ -24,7 +24,7 @@ TEST(DetailBudget, DrawsSomePointsHoweverSlowTheMachineIs) {
   DetailBudget budget;
   for (int frame = 0; frame < 50; ++frame)
     budget.measured(20'000, 5000);
-  EXPECT_EQ(budget.points(30), 10'000);
+  EXPECT_GE(budget.points(30), 20'000);
 }
 
 TEST(DetailBudget, IsNotThrownOffByOneSlowFrame) {

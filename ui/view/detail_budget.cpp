@@ -5,7 +5,7 @@
 namespace espalier {
 namespace {
 
-constexpr Eigen::Index fewest = 20'000;
+constexpr Eigen::Index fewestToMeasure = 10'000; // of fewer, the time says little
 constexpr double weightOfNew = 0.3; // one slow frame, while the machine did other things, is noise
 
 void approach(double& value, double measured) {
@@ -14,15 +14,15 @@ void approach(double& value, double measured) {
 
 } // namespace
 
-Eigen::Index DetailBudget::points(double milliseconds) const {
+Eigen::Index DetailBudget::points(double milliseconds, Eigen::Index atLeast) const {
   const double count = std::clamp((milliseconds - base_) / perPoint_, 0.0, 1e15);
-  return std::max(fewest, static_cast<Eigen::Index>(count));
+  return std::max(atLeast, static_cast<Eigen::Index>(count));
 }
 
 void DetailBudget::measured(Eigen::Index points, double milliseconds) {
   if (points == 0) {
     approach(base_, milliseconds);
-  } else if (points >= fewest / 2) { // of fewer, the time says little
+  } else if (points >= fewestToMeasure) {
     const double drawing = std::max(milliseconds - base_, 0.2 * milliseconds);
     approach(perPoint_, std::max(drawing / static_cast<double>(points), 1e-7));
   }

@@ -20,12 +20,13 @@ constexpr int restAfter = 120; // [ms] after the last move
 SurfaceClient PlantView::Parts::client() {
   return {.nextFrame =
               [this](QSize size, double pixelRatio) {
-                return PlantRenderer::Frame{.camera = navigator.camera(),
-                                            .size = size,
-                                            .pixelRatio = pixelRatio,
-                                            .points = budget.points(frameTime / seenViews()),
-                                            .moving = moving,
-                                            .divider = divider};
+                return PlantRenderer::Frame{
+                    .camera = navigator.camera(),
+                    .size = size,
+                    .pixelRatio = pixelRatio,
+                    .points = budget.points(pace.frame / seenViews(), pace.fewest),
+                    .moving = moving,
+                    .divider = divider};
               },
           .drawn =
               [this](const PlantRenderer::Result& result, double milliseconds) {
@@ -78,7 +79,7 @@ PlantView::PlantView(std::shared_ptr<Shared> shared, QWidget* parent)
   parts_->rest.setInterval(restAfter);
   connect(&parts_->rest, &QTimer::timeout, this, [this] {
     parts_->moving = false;
-    parts_->frameTime = parts_->usualFrame;
+    parts_->pace = Parts::usual;
     parts_->redrawThis();
     parts_->pointer.hoverAgain(); // something else has come under it
   });

@@ -85,18 +85,23 @@ struct PlantView::Parts {
     return {scene.clip, scene.bounds(), pointer.screen()};
   }
   void hoverClip(std::optional<ClipHandles::Handle> handle); // plant_view_clip.cpp
-  static constexpr double usualFrame = 30;   // [ms] of drawing: 25 a second with what Qt adds
-  static constexpr double previewFrame = 16; // likewise, beside a job and the news of its result
+  /// How long drawing may take, but for so many points at least.
+  struct Pace {
+    double frame; // [ms]
+    Eigen::Index fewest;
+  };
+  static constexpr Pace usual{30, 20'000};          // 25 a second with what Qt adds
+  static constexpr Pace besidePreviews{16, 10'000}; // a job runs, and its result is news to others
 
   /// Something else follows in a moment upon what is drawn now.
-  void unsettle(double frame) {
+  void unsettle(const Pace& until) {
     moving = true;
     complete = false;
-    frameTime = frame;
+    pace = until;
     rest.start();
   }
   void moved() {
-    unsettle(usualFrame);
+    unsettle(usual);
     redrawThis();
     emit owner.cameraMoved(navigator.camera());
   }
@@ -125,7 +130,7 @@ struct PlantView::Parts {
   DetailBudget budget;
   QTimer rest;         // runs while the camera, or what is shown, changes
   bool moving = false; // likewise
-  double frameTime = usualFrame;
+  Pace pace = usual;
   bool complete = false;
   bool wasFramed = false;
   QWidget* surface; // owned by the view; goes before what it draws, see ~PlantView

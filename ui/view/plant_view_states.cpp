@@ -8,7 +8,7 @@ namespace espalier {
 void PlantView::setState(Side side, const std::optional<PlantState>& state) {
   parts_->scene.setOther(side, state);
   for (Parts* view : parts_->shared->views)
-    view->unsettle(Parts::previewFrame); // while a knob is turned the next one comes soon
+    view->unsettle(Parts::besidePreviews); // while a knob is turned the next one comes soon
   QTimer::singleShot(0, this, [this] { parts_->redraw(); }); // what the user does comes first
 }
 

@@ -25,6 +25,7 @@ TEST(DetailBudget, DrawsSomePointsHoweverSlowTheMachineIs) {
   for (int frame = 0; frame < 50; ++frame)
     budget.measured(20'000, 5000);
   EXPECT_GE(budget.points(30), 20'000);
+  EXPECT_EQ(budget.points(30, 10'000), 10'000);
 }
 
 TEST(DetailBudget, IsNotThrownOffByOneSlowFrame) {

@@ -3,7 +3,6 @@
 #include "core/base/error.h"
 
 #include <vtkOpenGLShaderCache.h>
-#include <vtkOpenGLState.h>
 
 #include <utility>
 
@@ -75,11 +74,22 @@ bool GlPicture::resize(int width, int height, bool withDepth) {
   return true;
 }
 
+void GlPicture::copyTo(vtkOpenGLState& state, GLuint framebuffer, GLbitfield what) const {
+  const Onto target(state, framebuffer);
+  state.vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_);
+  glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, what, GL_NEAREST);
+}
+
 void GlPicture::release() {
   removeTexture(color_);
   removeTexture(depth_);
   if (framebuffer_ != 0) glDeleteFramebuffers(1, &framebuffer_);
   framebuffer_ = 0;
+}
+
+Onto::Onto(vtkOpenGLState& state, GLuint framebuffer) : state_(state) {
+  state_.PushFramebufferBindings();
+  state_.vtkglBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
 }
 
 vtkShaderProgram& readyProgram(vtkOpenGLRenderWindow& window, const char* vertex,

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
 #include <vtkShaderProgram.h>
 #include <vtk_glew.h>
 
@@ -49,6 +50,10 @@ public:
   [[nodiscard]] GLuint framebuffer() const { return framebuffer_; }
   [[nodiscard]] GLuint color() const { return color_; }
   [[nodiscard]] GLuint depth() const { return depth_; }
+  [[nodiscard]] int width() const { return width_; }
+  [[nodiscard]] int height() const { return height_; }
+  /// To one of the same size, and the same kind of depth if `what` has GL_DEPTH_BUFFER_BIT.
+  void copyTo(vtkOpenGLState& state, GLuint framebuffer, GLbitfield what) const;
   void release();
 
 private:
@@ -57,6 +62,18 @@ private:
   GLuint depth_ = 0;
   int width_ = 0;
   int height_ = 0;
+};
+
+/// As long as it lives, what is drawn goes to a framebuffer, and what is read comes from there.
+class Onto {
+public:
+  Onto(vtkOpenGLState& state, GLuint framebuffer);
+  ~Onto() { state_.PopFramebufferBindings(); }
+  Onto(const Onto&) = delete;
+  Onto& operator=(const Onto&) = delete;
+
+private:
+  vtkOpenGLState& state_;
 };
 
 /// A shader program, ready for use; kept by VTK's cache. @throws Error if it does not compile

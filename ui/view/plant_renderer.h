@@ -18,7 +18,9 @@ class SceneBuffers; // scene_buffers.h, which names OpenGL
 /// What a scene takes in the memory of the graphics card [bytes].
 [[nodiscard]] std::size_t bytesIn(SceneBuffers& buffers);
 
-/// Draws a scene with VTK, in an OpenGL context that someone else owns.
+/// Draws a scene in an OpenGL context that someone else owns: points, their relief, the reference,
+/// the skeleton. VTK keeps the state of OpenGL and the shaders; its own passes would fill the whole
+/// screen twice more in each frame, which is most of the time on software OpenGL.
 class PlantRenderer {
 public:
   /// How the context is reached. Both are called in the middle of drawing.
@@ -44,7 +46,7 @@ public:
   struct Result {
     bool complete;            // all points are drawn, with their relief
     Eigen::Index pointsDrawn; // by this frame
-    bool shaded;              // the background and the points were put together anew
+    bool reliefDrawn;         // anew
   };
   /// Draws into a framebuffer of its own. Still frames that are the same add to each other until
   /// they are complete.

@@ -20,19 +20,19 @@ constexpr int restAfter = 120; // [ms] after the last move
 SurfaceClient PlantView::Parts::client() {
   return {.nextFrame =
               [this](QSize size, double pixelRatio) {
+                const Pace& now = moving ? pace : completing;
                 return PlantRenderer::Frame{
                     .camera = navigator.camera(),
                     .size = size,
                     .pixelRatio = pixelRatio,
-                    .points = budget.points(pace.frame / seenViews(), pace.fewest),
+                    .points = budget().points(now.frame / seenViews(), now.fewest),
                     .moving = moving,
                     .divider = divider};
               },
           .drawn =
               [this](const PlantRenderer::Result& result, double milliseconds) {
                 // Relief alone tells nothing of other frames.
-                if (result.pointsDrawn > 0 || !result.shaded)
-                  budget.measured(result.pointsDrawn, milliseconds);
+                if (!result.reliefDrawn) budget().measured(result.pointsDrawn, milliseconds);
                 complete = result.complete;
                 // Later, so that what the user does comes first.
                 if (!complete && !moving)
@@ -79,7 +79,6 @@ PlantView::PlantView(std::shared_ptr<Shared> shared, QWidget* parent)
   parts_->rest.setInterval(restAfter);
   connect(&parts_->rest, &QTimer::timeout, this, [this] {
     parts_->moving = false;
-    parts_->pace = Parts::usual;
     parts_->redrawThis();
     parts_->pointer.hoverAgain(); // something else has come under it
   });

@@ -90,7 +90,8 @@ struct PlantView::Parts {
     double frame; // [ms]
     Eigen::Index fewest;
   };
-  static constexpr Pace usual{30, 20'000};          // 25 a second with what Qt adds
+  static constexpr Pace turning{30, 20'000};        // 25 a second with what Qt adds
+  static constexpr Pace completing{12, 10'000};     // the hand may come back at any moment
   static constexpr Pace besidePreviews{16, 10'000}; // a job runs, and its result is news to others
 
   /// Something else follows in a moment upon what is drawn now.
@@ -101,7 +102,7 @@ struct PlantView::Parts {
     rest.start();
   }
   void moved() {
-    unsettle(usual);
+    unsettle(turning);
     redrawThis();
     emit owner.cameraMoved(navigator.camera());
   }
@@ -127,10 +128,12 @@ struct PlantView::Parts {
   PointerInput pointer;
   Overlay overlay;
   ClipHandles clipHandles;
-  DetailBudget budget;
+  DetailBudget sampleBudget; // a still picture, put together from steps, costs more
+  DetailBudget pictureBudget;
+  [[nodiscard]] DetailBudget& budget() { return moving ? sampleBudget : pictureBudget; }
   QTimer rest;         // runs while the camera, or what is shown, changes
   bool moving = false; // likewise
-  Pace pace = usual;
+  Pace pace = turning; // while it runs
   bool complete = false;
   bool wasFramed = false;
   QWidget* surface; // owned by the view; goes before what it draws, see ~PlantView

@@ -3,10 +3,9 @@
 #include "ui/view/clip_shader.h"
 #include "ui/view/palette.h"
 
-#include <vtkOpenGLState.h>
-
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace espalier {
 namespace {
@@ -68,6 +67,10 @@ void setColor(const Color& color) {
   glVertexAttrib4Nub(1, color[0], color[1], color[2], 255);
 }
 
+double partOf(Eigen::Index all, Eigen::Index atMost) {
+  return all > atMost ? static_cast<double>(atMost) / static_cast<double>(all) : 1;
+}
+
 /// Points are as many pixels larger as fewer of them are drawn: the plant keeps its body.
 float sizeFor(const Scene& scene, const DrawSettings& settings, double part) {
   const auto size = static_cast<float>(scene.pointSize) * settings.pixelRatio;
@@ -94,44 +97,62 @@ PointPass::Key PointPass::keyOf(const DrawSettings& settings, float pointSize) c
           scene_.blend.value_or(-1)};
 }
 
-PointPass::Result PointPass::draw(const DrawSettings& settings, Eigen::Index atMost, bool moving) {
-  buffers_.uploadPoints(scene_);
-  Eigen::Index total = scene_.points.visible ? scene_.points.size() : 0;
+Eigen::Index PointPass::total(const DrawSettings& settings) const {
+  Eigen::Index count = scene_.points.visible ? scene_.points.size() : 0;
   const bool areContracted = scene_.contracted.visible || scene_.blend;
   for (const StatePart& part : stateParts(scene_, settings.divider)) {
     const OtherState* other = part.other ? &scene_.other(*part.other) : nullptr;
     if (areContracted || (other != nullptr && other->replacesPoints))
-      total += other != nullptr ? other->contracted.size() : scene_.contracted.size();
+      count += other != nullptr ? other->contracted.size() : scene_.contracted.size();
   }
-  const double step = total > atMost ? static_cast<double>(atMost) / static_cast<double>(total) : 1;
-  const float pointSize = sizeFor(scene_, settings, moving ? step : 1);
+  return count;
+}
+
+PointPass::Result PointPass::draw(const DrawSettings& settings, Eigen::Index atMost) {
+  buffers_.uploadPoints(scene_);
+  const Eigen::Index all = total(settings);
+  const float pointSize = sizeFor(scene_, settings, 1);
   const bool isNew = picture_.resize(static_cast<int>(settings.size.x()),
                                      static_cast<int>(settings.size.y()), true);
   const Key key = keyOf(settings, pointSize);
   const bool restart = isNew || !key_ || !(*key_ == key);
-  if (!restart && (drawn_ >= 1 || moving)) return {false, drawn_ >= 1, 0};
+  if (!restart && drawn_ >= 1) return {false, true, 0};
   key_ = key;
 
-  if (restart) drawn_ = 0;
-  const double until = std::min(1.0, drawn_ + step);
-  drawLayers(settings, pointSize, until);
-  const auto drawn = static_cast<Eigen::Index>((until - drawn_) * static_cast<double>(total));
-  drawn_ = until;
+  vtkOpenGLState& state = *settings.window->GetState();
+  const Onto onPicture(state, picture_.framebuffer());
+  if (restart) {
+    drawn_ = 0;
+    state.vtkglDepthMask(GL_TRUE);
+    state.vtkglClearColor(0, 0, 0, 0);
+    state.vtkglClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  }
+  const Eigen::Index drawn = drawMore(settings, pointSize, all, atMost);
   return {true, drawn_ >= 1, drawn};
 }
 
+Eigen::Index PointPass::drawSample(const DrawSettings& settings, Eigen::Index atMost) {
+  buffers_.uploadPoints(scene_);
+  const Eigen::Index all = total(settings);
+  key_.reset();
+  drawn_ = 0;
+  return drawMore(settings, sizeFor(scene_, settings, partOf(all, atMost)), all, atMost);
+}
+
+Eigen::Index PointPass::drawMore(const DrawSettings& settings, float pointSize, Eigen::Index all,
+                                 Eigen::Index atMost) {
+  vtkOpenGLState& state = *settings.window->GetState();
+  state.vtkglDisable(GL_BLEND);
+  state.vtkglEnable(GL_DEPTH_TEST);
+  state.vtkglDepthMask(GL_TRUE);
+  state.vtkglDepthFunc(GL_LEQUAL);
+  const double until = std::min(1.0, drawn_ + partOf(all, atMost));
+  drawLayers(settings, pointSize, until);
+  return static_cast<Eigen::Index>((until - std::exchange(drawn_, until)) *
+                                   static_cast<double>(all));
+}
+
 void PointPass::drawLayers(const DrawSettings& settings, float pointSize, double until) {
-  vtkOpenGLState* state = settings.window->GetState();
-  state->PushFramebufferBindings();
-  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, picture_.framebuffer());
-  state->vtkglDisable(GL_BLEND);
-  state->vtkglEnable(GL_DEPTH_TEST);
-  state->vtkglDepthMask(GL_TRUE);
-  state->vtkglDepthFunc(GL_LEQUAL);
-  if (drawn_ == 0) {
-    state->vtkglClearColor(0, 0, 0, 0);
-    state->vtkglClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  }
   if (scene_.points.visible && !scene_.blend) {
     for (const StatePart& part : pointParts(scene_, settings.divider)) {
       const OnlyIn only(part, settings);
@@ -140,7 +161,6 @@ void PointPass::drawLayers(const DrawSettings& settings, float pointSize, double
   }
   for (const StatePart& part : stateParts(scene_, settings.divider))
     drawPart(settings, part, pointSize, until);
-  state->PopFramebufferBindings();
 }
 
 PointPass::Drawn PointPass::pointsOf(const std::optional<Ball>& hole) const {

@@ -10,8 +10,8 @@
 
 namespace espalier {
 
-/// Draws the points into a picture of its own, which is kept: frames that only change the skeleton
-/// draw no point, and a still picture is completed over several frames.
+/// Draws the points: those of a still view into a picture of its own, which is kept, so that frames
+/// that only change the skeleton draw no point, and which is completed over several frames.
 ///
 /// Points are drawn in steps of the golden ratio through the cloud: since near points are near in
 /// memory, every prefix of that order is an even sample of the plant.
@@ -25,8 +25,10 @@ public:
     Eigen::Index drawn; // points drawn by this call
   };
   /// @param atMost points to draw in this call
-  /// @param moving  draw an even part of the points, larger: the next frame will be another
-  Result draw(const DrawSettings& settings, Eigen::Index atMost, bool moving);
+  Result draw(const DrawSettings& settings, Eigen::Index atMost);
+  /// Draws an even part of the points, larger, over what the framebuffer that is bound shows: the
+  /// next frame will be another. Returns how many. The picture is lost.
+  Eigen::Index drawSample(const DrawSettings& settings, Eigen::Index atMost);
 
   [[nodiscard]] const GlPicture& picture() const { return picture_; }
   void release();
@@ -46,6 +48,10 @@ private:
   };
 
   [[nodiscard]] Key keyOf(const DrawSettings& settings, float pointSize) const;
+  [[nodiscard]] Eigen::Index total(const DrawSettings& settings) const; // points that are shown
+  /// Draws as many more of all into the framebuffer that is bound; returns how many.
+  Eigen::Index drawMore(const DrawSettings& settings, float pointSize, Eigen::Index all,
+                        Eigen::Index atMost);
   /// Draws what is missing up to a part of each layer.
   void drawLayers(const DrawSettings& settings, float pointSize, double until);
   /// A layer as it is drawn by one call.

@@ -1,7 +1,5 @@
 #include "ui/view/shade_pass.h"
 
-#include <vtkOpenGLState.h>
-
 #include <cmath>
 
 namespace espalier {
@@ -14,7 +12,14 @@ void main() {
   gl_Position = vec4(corner * 2.0 - 1.0, 0.0, 1.0);
 })";
 
-// Apart from the one with relief, since software OpenGL takes the time of all branches.
+// Apart from each other, since software OpenGL takes the time of all branches.
+constexpr const char* backgroundShader = R"(#version 330 core
+uniform vec3 top;
+uniform vec3 bottom;
+uniform float height;      // of the screen, in pixels
+out vec4 fragment;
+void main() { fragment = vec4(mix(bottom, top, gl_FragCoord.y / height), 1.0); })";
+
 constexpr const char* flatShader = R"(#version 330 core
 uniform sampler2D pointColor;
 uniform vec3 top;
@@ -67,21 +72,6 @@ void main() {
   fragment.rgb *= exp(-strength * hidden / 8.0);
 })";
 
-constexpr const char* copyShader = R"(#version 330 core
-uniform sampler2D shaded;
-out vec4 fragment;
-void main() { fragment = texelFetch(shaded, ivec2(gl_FragCoord.xy), 0); })";
-
-constexpr const char* copyWithDepthShader = R"(#version 330 core
-uniform sampler2D shaded;
-uniform sampler2D pointDepth;
-out vec4 fragment;
-void main() {
-  ivec2 here = ivec2(gl_FragCoord.xy);
-  fragment = texelFetch(shaded, here, 0);
-  gl_FragDepth = texelFetch(pointDepth, here, 0).r;
-})";
-
 void bindTexture(vtkOpenGLState& state, int unit, GLuint texture) {
   state.vtkglActiveTexture(static_cast<unsigned>(GL_TEXTURE0 + unit));
   glBindTexture(GL_TEXTURE_2D, texture);
@@ -104,6 +94,36 @@ void setRelief(vtkShaderProgram& program, const DrawSettings& settings, float st
 
 } // namespace
 
+vtkShaderProgram& ShadePass::prepare(const DrawSettings& settings, const Palette& palette,
+                                     const char* fragmentShader) {
+  vtkOpenGLState* state = settings.window->GetState();
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  vtkShaderProgram& program = readyProgram(*settings.window, coverShader, fragmentShader);
+  setColor(program, "top", palette.backgroundTop);
+  setColor(program, "bottom", palette.backgroundBottom);
+  program.SetUniformf("height", settings.size.y());
+  return program;
+}
+
+void ShadePass::drawBackground(const DrawSettings& settings, const Palette& palette) {
+  prepare(settings, palette, backgroundShader);
+  fill();
+}
+
+void ShadePass::draw(const DrawSettings& settings, const GlPicture& points, const Palette& palette,
+                     bool relief) {
+  vtkShaderProgram& program = prepare(settings, palette, relief ? reliefShader : flatShader);
+  vtkOpenGLState* state = settings.window->GetState();
+  bindTexture(*state, 0, points.color());
+  program.SetUniformi("pointColor", 0);
+  if (relief) {
+    bindTexture(*state, 1, points.depth());
+    setRelief(program, settings, palette.relief);
+  }
+  fill();
+}
+
 void ShadePass::fill() {
   if (vertexArray_ == 0) glGenVertexArrays(1, &vertexArray_);
   glBindVertexArray(vertexArray_);
@@ -111,48 +131,7 @@ void ShadePass::fill() {
   glBindVertexArray(0);
 }
 
-void ShadePass::shade(const DrawSettings& settings, const GlPicture& points, const Palette& palette,
-                      bool relief) {
-  shaded_.resize(static_cast<int>(settings.size.x()), static_cast<int>(settings.size.y()), false);
-  vtkOpenGLState* state = settings.window->GetState();
-  state->PushFramebufferBindings();
-  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, shaded_.framebuffer());
-  state->vtkglDisable(GL_BLEND);
-  state->vtkglDisable(GL_DEPTH_TEST);
-  vtkShaderProgram& program =
-      readyProgram(*settings.window, coverShader, relief ? reliefShader : flatShader);
-  bindTexture(*state, 0, points.color());
-  bindTexture(*state, 1, points.depth());
-  program.SetUniformi("pointColor", 0);
-  setColor(program, "top", palette.backgroundTop);
-  setColor(program, "bottom", palette.backgroundBottom);
-  program.SetUniformf("height", settings.size.y());
-  if (relief) setRelief(program, settings, palette.relief);
-  fill();
-  state->PopFramebufferBindings();
-}
-
-void ShadePass::copy(const DrawSettings& settings, const GlPicture& points, bool withDepth) {
-  vtkOpenGLState* state = settings.window->GetState();
-  vtkShaderProgram& program =
-      readyProgram(*settings.window, coverShader, withDepth ? copyWithDepthShader : copyShader);
-  state->vtkglDisable(GL_BLEND);
-  bindTexture(*state, 0, shaded_.color());
-  program.SetUniformi("shaded", 0);
-  if (withDepth) {
-    bindTexture(*state, 1, points.depth());
-    program.SetUniformi("pointDepth", 1);
-    state->vtkglEnable(GL_DEPTH_TEST); // without the test no depth is written
-    state->vtkglDepthMask(GL_TRUE);
-    state->vtkglDepthFunc(GL_ALWAYS);
-  } else {
-    state->vtkglDisable(GL_DEPTH_TEST);
-  }
-  fill();
-}
-
 void ShadePass::release() {
-  shaded_.release();
   if (vertexArray_ != 0) glDeleteVertexArrays(1, &vertexArray_);
   vertexArray_ = 0;
 }

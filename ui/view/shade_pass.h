@@ -5,7 +5,8 @@
 
 namespace espalier {
 
-/// Puts the picture of the points on the background, their relief shown by eye-dome lighting.
+/// Puts the picture of the points on the background, their relief shown by eye-dome lighting, or
+/// draws the background alone.
 ///
 /// A point is darkened by how far its neighbors on the screen stand out before it, counted in
 /// widths of a pixel: so the relief looks the same from near and far, and in any unit.
@@ -13,21 +14,19 @@ namespace espalier {
 /// perceptive-based approach", PhD thesis, 2009. Differs: linear depths, and their bound.
 class ShadePass {
 public:
-  /// Shades anew, into a picture that is kept.
+  // Both fill the framebuffer that is bound.
+  void drawBackground(const DrawSettings& settings, const Palette& palette);
   /// @param relief  false: no shading
-  void shade(const DrawSettings& settings, const GlPicture& points, const Palette& palette,
-             bool relief);
-
-  /// Copies the shaded picture into the framebuffer that is bound, and with `withDepth` the depths
-  /// of the points, to hide what is behind them.
-  void copy(const DrawSettings& settings, const GlPicture& points, bool withDepth);
+  void draw(const DrawSettings& settings, const GlPicture& points, const Palette& palette,
+            bool relief);
   void release();
 
 private:
+  vtkShaderProgram& prepare(const DrawSettings& settings, const Palette& palette,
+                            const char* fragmentShader);
   void fill();
 
   GLuint vertexArray_ = 0;
-  GlPicture shaded_;
 };
 
 } // namespace espalier

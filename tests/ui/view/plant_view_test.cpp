@@ -101,6 +101,24 @@ TEST_F(PlantViewTest, PicksTheScanPointInFront) {
   EXPECT_FALSE(view_.pick(pixelOf(Eigen::Vector3d(1, -1, 2))).point);
 }
 
+// Points that are apart on the screen have no relief.
+TEST_F(PlantViewTest, ShowsInMotionWhatItShowsAtRest) {
+  std::vector<Eigen::Vector3d> sheet;
+  for (int x = -5; x <= 5; ++x)
+    for (int z = 0; z <= 20; ++z)
+      sheet.emplace_back(0.2 * x, x % 2 == 0 ? -0.5 : 0.5, 0.2 * z); // before and behind the stick
+  view_.setCloud(test::cloudOf(sheet));
+  for (const bool areRadiiShown : {false, true}) {
+    view_.setShowRadii(areRadiiShown);
+    rest();
+    const QImage still = view_.grab().toImage();
+    view_.setCamera(view_.camera());
+    const QImage moving = view_.grab().toImage();
+    EXPECT_FALSE(view_.isStill());
+    EXPECT_EQ(moving, still) << "with radii: " << areRadiiShown;
+  }
+}
+
 // Zoomed in, the front of the plant is behind the plane of the eye, and drawn all the same.
 TEST_F(PlantViewTest, PicksInParallelProjectionWhateverIsDrawn) {
   const Eigen::Vector3d place(0.1, -1, 2);

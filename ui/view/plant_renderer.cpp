@@ -155,13 +155,12 @@ PlantRenderer::Result PlantRenderer::Parts::drawPicture(const DrawSettings& draw
   // has a frame of its own: neither waits for both.
   const bool withRelief = result.complete && !result.changed;
   const bool isNew = !std::exchange(hasRelief, withRelief) && withRelief;
-  if (!withRelief) shade.draw(drawn, points.picture(), colors, false);
   if (isNew) {
     relief.resize(canvas.width(), canvas.height(), false);
     const Onto onRelief(state, relief.framebuffer());
     shade.draw(drawn, points.picture(), colors, true);
   }
-  if (withRelief) relief.copyTo(state, canvas.framebuffer(), GL_COLOR_BUFFER_BIT);
+  shade.draw(drawn, withRelief ? relief : points.picture(), colors, false);
   if (scene.showRadii) points.picture().copyTo(state, canvas.framebuffer(), GL_DEPTH_BUFFER_BIT);
   return {.complete = withRelief, .pointsDrawn = result.drawn, .reliefDrawn = isNew};
 }

@@ -223,6 +223,7 @@ void FileFlow::tellFit(const ScanFit& fit, QStringList notes) {
       requireNoJob();
       parts_.document.edit(tr("Move structure onto the scan"),
                            [&](SkeletonEditor& editor) { moveAll(editor, shift); });
+      emit movedOntoScan();
     };
     emit told({.text = notes.join('\n'), .actions = {{tr("Move"), move}, {tr("Leave"), [] {}}}});
     return;

@@ -122,6 +122,7 @@ void MainWindow::connectFiles() {
     showPlant();
     if (document_.skeleton().isEmpty()) view_->faceAll(); // there was nothing to look at
   });
+  connect(files_.get(), &FileFlow::movedOntoScan, view_, &PlantView::frameAll);
   connect(files_.get(), &FileFlow::noted, this,
           [this](const QString& message) { banner_->showResult(message); });
   connect(files_.get(), &FileFlow::saved, this, [this](const QString& path) {
@@ -302,7 +303,10 @@ void MainWindow::connectPreview() {
     evaluation_->setChoices(choices_->records());
     projects_->noteChange();
   });
-  connect(choices_.get(), &ChoicesFlow::noted, status_, &StatusLine::showNote);
+  connect(choices_.get(), &ChoicesFlow::noted, this, [this](const QString& message) {
+    if (banner_->isError()) banner_->hide(); // of what kept it from being recorded before
+    status_->showNote(message);
+  });
   connect(sight_.get(), &SightFlow::noted, status_, &StatusLine::showNote);
   connect(sight_.get(), &SightFlow::failed, banner_,
           [this](const QString& message) { banner_->showError(message); });

@@ -86,6 +86,13 @@ TEST_F(ScanFitTest, OffersToMoveAStructureAboutTheMeanOfTheScanInAnyOrder) {
   }
 }
 
+TEST_F(ScanFitTest, LooksAtThePlantOnceItLiesOnTheScan) {
+  open({path("tree.xyz"), writeTree(1, -mean)});
+  const double before = view().camera().distance;
+  clickButton("banner_action");
+  EXPECT_LT(view().camera().distance, before) << "nothing lies apart any more";
+}
+
 TEST_F(ScanFitTest, LeavesAStructureWhereItIsIfToldSo) {
   open({path("tree.xyz"), writeTree(1, -mean)});
   const Skeleton before = document().skeleton();

@@ -225,7 +225,7 @@ void FileFlow::tellFit(const ScanFit& fit, QStringList notes) {
                            [&](SkeletonEditor& editor) { moveAll(editor, shift); });
       emit movedOntoScan();
     };
-    emit told({.text = notes.join('\n'), .actions = {{tr("Move"), move}, {tr("Leave"), [] {}}}});
+    emit told({.text = notes.join('\n'), .actions = {{tr("Move"), move}}});
     return;
   }
   if (fit.misfit)

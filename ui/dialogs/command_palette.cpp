@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -23,12 +24,17 @@ QString fullText(const QAction& action) {
   return action.property("section").toString() + ": " + name;
 }
 
-/// What is named as it was typed comes before what does so.
-int scoreOf(const QAction& action, const QString& typed) {
+/// What is named as it was typed comes before what does so, and all that before what cannot be done
+/// now. None: neither named so nor visible.
+std::optional<int> scoreOf(const QAction& action, const QString& typed) {
+  constexpr int notNow = -1000;
+  if (!action.isVisible()) return std::nullopt;
+  const int base = action.isEnabled() ? 0 : notNow;
   const QString name = fullText(action);
   const int byName = CommandPalette::match(name, typed);
-  if (byName > 0) return byName + 1;
-  return CommandPalette::match(name + ' ' + action.statusTip(), typed) > 0 ? 1 : 0;
+  if (byName > 0) return base + byName + 1;
+  if (CommandPalette::match(name + ' ' + action.statusTip(), typed) == 0) return std::nullopt;
+  return base + 1;
 }
 
 constexpr int keysRole = Qt::UserRole + 1;
@@ -101,8 +107,7 @@ bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
 void CommandPalette::refill() {
   std::vector<std::pair<int, QAction*>> found;
   for (QAction* action : actions_) {
-    const int score = scoreOf(*action, typed_->text());
-    if (score > 0 && action->isEnabled() && action->isVisible()) found.emplace_back(score, action);
+    if (const auto score = scoreOf(*action, typed_->text())) found.emplace_back(*score, action);
   }
   std::ranges::stable_sort(found, std::greater<>(), &std::pair<int, QAction*>::first);
   list_->clear();
@@ -114,20 +119,21 @@ void CommandPalette::refill() {
     item->setData(Qt::UserRole, QVariant::fromValue(action));
     item->setData(keysRole, action->shortcut().toString(QKeySequence::NativeText));
     item->setToolTip(action->statusTip());
+    if (!action->isEnabled()) item->setFlags(Qt::NoItemFlags);
   }
   if (list_->count() == 0) { // none can be chosen
     auto* none = new QListWidgetItem(tr("No command is called so"), list_);
     none->setFlags(Qt::NoItemFlags);
     return;
   }
-  list_->setCurrentRow(0);
+  if (found.front().second->isEnabled()) list_->setCurrentRow(0);
 }
 
 void CommandPalette::runChosen() {
   const QListWidgetItem* item = list_->currentItem();
   if (item == nullptr) return;
   auto* action = item->data(Qt::UserRole).value<QAction*>();
-  if (action == nullptr) return; // that there is none
+  if (action == nullptr || !action->isEnabled()) return;
   close();
   QTimer::singleShot(0, action, &QAction::trigger); // once the palette is gone
 }

@@ -96,7 +96,7 @@ TEST_F(ScanFitTest, LooksAtThePlantOnceItLiesOnTheScan) {
 TEST_F(ScanFitTest, LeavesAStructureWhereItIsIfToldSo) {
   open({path("tree.xyz"), writeTree(1, -mean)});
   const Skeleton before = document().skeleton();
-  clickButton("banner_other_action");
+  clickButton("dismiss");
   EXPECT_FALSE(window().banner().isVisible());
   EXPECT_EQ(document().skeleton(), before);
   EXPECT_FALSE(document().isModified());

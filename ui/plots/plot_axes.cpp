@@ -2,6 +2,8 @@
 
 #include "ui/document/number_scale.h"
 
+#include <algorithm>
+
 namespace espalier {
 
 PlotColors plotColors(bool isDark) {
@@ -28,9 +30,23 @@ PlotPainting::PlotPainting(QPainter& painter) : painter_(painter) {
   painter_.setFont(font);
 }
 
+double stepOfNumbers(double from, double to, double width, const QFontMetricsF& font) {
+  constexpr double apart = 8; // pixels
+  const auto widest = [&](double step) {
+    double pixels = 0;
+    for (const double number : multiplesOf(step, from, to))
+      pixels = std::max(pixels, font.horizontalAdvance(numberAtStep(number, step)));
+    return pixels;
+  };
+  double step = roundStep((to - from) / 3);
+  while (step < to - from && widest(step) + apart > width * step / (to - from))
+    step = roundStep(2.5 * step); // the next one
+  return step;
+}
+
 void paintNumbersBelow(QPainter& painter, const QRectF& inner, double from, double to,
                        const PlotColors& colors) {
-  const double step = roundStep((to - from) / 3);
+  const double step = stepOfNumbers(from, to, inner.width(), QFontMetricsF(painter.font()));
   for (const double number : multiplesOf(step, from, to)) {
     const double x = inner.left() + inner.width() * (number - from) / (to - from);
     painter.setPen(QPen(colors.grid, 1));

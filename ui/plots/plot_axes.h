@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QColor>
+#include <QFontMetricsF>
 #include <QPainter>
 #include <QRectF>
 
@@ -29,6 +30,10 @@ public:
 private:
   QPainter& painter_;
 };
+
+/// The finest round step whose numbers stand apart in `width` pixels; some three steps at most.
+/// pre: to > from
+[[nodiscard]] double stepOfNumbers(double from, double to, double width, const QFontMetricsF& font);
 
 /// Round numbers with their ticks below a plot whose left edge is `from`; pre: to > from
 void paintNumbersBelow(QPainter& painter, const QRectF& inner, double from, double to,

@@ -1,3 +1,4 @@
+#include "ui/document/number_scale.h"
 #include "ui/plots/plot_view.h"
 
 #include <QBuffer>
@@ -110,6 +111,24 @@ TEST(PlotView, ChoosesAToleranceByDraggingAndByArrowKeys) {
   EXPECT_NEAR(chosen.last()[0].toDouble(), dragged, 1e-9);
   QTest::mousePress(&view, Qt::LeftButton, {}, QPoint(0, 100));
   EXPECT_GT(chosen.last()[0].toDouble(), 0) << "a tolerance is never none";
+}
+
+TEST(PlotAxes, WritesNoNumberOverAnother) {
+  const QFontMetricsF font{QFont()};
+  const auto numbers = [&](double width) { // and how much of the width they take
+    const double step = stepOfNumbers(0, 0.05, width, font);
+    std::pair<std::size_t, double> found{0, 0};
+    for (const double number : multiplesOf(step, 0, 0.05)) {
+      ++found.first;
+      found.second += font.horizontalAdvance(numberAtStep(number, step));
+    }
+    return found;
+  };
+  const double one = font.horizontalAdvance("0.05");
+  EXPECT_EQ(numbers(20 * one).first, 6U) << "as many as a third of the range calls for";
+  for (const double width : {6 * one, 4 * one, 3 * one})
+    EXPECT_LT(numbers(width).second, width + one) << "the outer ones reach beyond by halves";
+  EXPECT_LT(numbers(4 * one).first, 6U);
 }
 
 } // namespace

@@ -141,7 +141,7 @@ void EvaluationFlow::connectDocument() {
     });
   connect(&parts_.reference, &ReferenceFlow::changed, this, &EvaluationFlow::takeReference);
   connect(&parts_.reference, &ReferenceFlow::loaded, this, [this] {
-    parts_.window.actions["show_evaluation"]->setChecked(true);
+    dock_->bringToFront();
     parts_.window.actions[colorId]->trigger();
   });
   connect(parts_.window.actions[colorId], &QAction::toggled, this, [this] {
@@ -176,8 +176,7 @@ void EvaluationFlow::connectPanel() {
     setOptions();
     emit changed();
   });
-  connect(errors_.get(), &ErrorWalk::shownAsked, this,
-          [this] { parts_.window.actions["show_evaluation"]->setChecked(true); });
+  connect(errors_.get(), &ErrorWalk::shownAsked, dock_, &PanelDock::bringToFront);
 }
 
 void EvaluationFlow::takeReference() {

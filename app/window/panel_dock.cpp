@@ -24,6 +24,7 @@ PanelDock::PanelDock(const Parts& parts, const Name& name, QWidget* panel, QObje
       {});
   show->setChecked(parts_.settings.value("panels/" + action_, false).toBool());
   connect(show, &QAction::toggled, this, [this](bool isShown) {
+    if (!isShown && isBehind()) return bringToFront();
     parts_.settings.setValue("panels/" + action_, isShown);
     refresh();
   });
@@ -40,7 +41,13 @@ void PanelDock::setPlantShown(bool isShown) {
   refresh();
 }
 
+void PanelDock::bringToFront() {
+  parts_.actions[action_]->setChecked(true);
+  dock_->raise();
+}
+
 void PanelDock::resetLayout() {
+  dock_->hide();
   dock_->setFloating(false);
   place();
   parts_.actions[action_]->setChecked(false);
@@ -52,6 +59,10 @@ bool PanelDock::isShown() const {
 
 bool PanelDock::isInFront() const {
   return isShown() && !dock_->visibleRegion().isEmpty();
+}
+
+bool PanelDock::isBehind() const {
+  return isShown() && !parts_.window.tabifiedDockWidgets(dock_).isEmpty() && !isInFront();
 }
 
 bool PanelDock::eventFilter(QObject* watched, QEvent* event) {

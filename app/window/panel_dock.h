@@ -13,8 +13,9 @@ namespace espalier {
 
 class ActionSet;
 
-/// A dock at the bottom of the window with the action that shows it. It begins hidden; whether it
-/// is shown is remembered. All of them share one place, as tabs.
+/// A dock at the bottom of the window with the action that shows it, brings it to the front, or
+/// hides it if it is there. It begins hidden; whether it is shown is remembered. All of them share
+/// one place, as tabs.
 class PanelDock : public QObject {
   Q_OBJECT
 
@@ -35,6 +36,7 @@ public:
   PanelDock(const Parts& parts, const Name& name, QWidget* panel, QObject* parent);
 
   void setPlantShown(bool isShown); // without a plant the panel is absent
+  void bringToFront();              // shown, if it was not
   void resetLayout();
   [[nodiscard]] bool isShown() const;
   [[nodiscard]] bool isInFront() const; // shown, and not behind another tab
@@ -43,6 +45,7 @@ protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+  [[nodiscard]] bool isBehind() const; // another tab
   void place();
   void refresh();
 

@@ -12,6 +12,7 @@ namespace {
 constexpr int margin = 8;
 constexpr int rowHeight = 16;
 constexpr int headHeight = 20;
+constexpr int leastPicture = 64; // height
 
 /// For those who do not see it: the value, and what came of it.
 QString spoken(const SweepItem& item) {
@@ -30,7 +31,7 @@ QString spoken(const SweepItem& item) {
 SweepCard::SweepCard(QWidget* parent) : QAbstractButton(parent) {
   setFocusPolicy(Qt::StrongFocus);
   setCursor(Qt::PointingHandCursor);
-  setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+  setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
   setAttribute(Qt::WA_Hover); // is painted anew when the pointer comes
 }
 
@@ -50,8 +51,16 @@ void SweepCard::setRows(std::size_t rows) {
 }
 
 QSize SweepCard::sizeHint() const {
+  return sizeWith(side);
+}
+
+QSize SweepCard::minimumSizeHint() const {
+  return sizeWith(leastPicture);
+}
+
+QSize SweepCard::sizeWith(int pictureHeight) const {
   return {side + 2 * margin,
-          margin + side + headHeight + rowHeight * static_cast<int>(rows_) + margin};
+          margin + pictureHeight + headHeight + rowHeight * static_cast<int>(rows_) + margin};
 }
 
 void SweepCard::paintEvent(QPaintEvent* /*event*/) {
@@ -69,8 +78,9 @@ void SweepCard::paintEvent(QPaintEvent* /*event*/) {
     painter.setPen(QPen(palette().color(QPalette::Text), 1, Qt::DotLine));
     painter.drawRoundedRect(QRectF(rect()).adjusted(3.5, 3.5, -3.5, -3.5), 3, 3);
   }
-  paintPicture(painter, {margin, margin, side, side});
-  const QRect head(margin, margin + side, side, headHeight);
+  const int pictureHeight = height() - sizeWith(0).height();
+  paintPicture(painter, {margin, margin, side, pictureHeight});
+  const QRect head(margin, margin + pictureHeight, side, headHeight);
   QFont bold = font();
   bold.setBold(true);
   painter.setFont(bold);

@@ -31,7 +31,7 @@ class SweepCard : public QAbstractButton {
   Q_OBJECT
 
 public:
-  static constexpr int side = 144; // of the picture [px]
+  static constexpr int side = 144; // of the picture [px], if there is room; scores come first
 
   explicit SweepCard(QWidget* parent = nullptr);
 
@@ -41,6 +41,7 @@ public:
   void setRows(std::size_t rows);
 
   [[nodiscard]] QSize sizeHint() const override;
+  [[nodiscard]] QSize minimumSizeHint() const override;
 
 signals:
   void hovered(bool isInside); // by the pointer, or reached by a key
@@ -54,6 +55,7 @@ protected:
   void focusOutEvent(QFocusEvent* event) override;
 
 private:
+  [[nodiscard]] QSize sizeWith(int pictureHeight) const;
   void paintPicture(QPainter& painter, const QRect& box) const;
   void paintScores(QPainter& painter, const QRect& box) const;
 

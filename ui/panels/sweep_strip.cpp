@@ -18,7 +18,7 @@ SweepStrip::SweepStrip(QWidget* parent)
   setAccessibleName(tr("Sweep"));
   row_->setContentsMargins(8, 8, 8, 8);
   row_->setSpacing(8);
-  row_->setSizeConstraint(QLayout::SetMinAndMaxSize);
+  row_->addStretch(1);
   scroll_->setWidget(page_);
   scroll_->setWidgetResizable(true);
   scroll_->setFrameShape(QFrame::NoFrame);
@@ -50,7 +50,7 @@ void SweepStrip::setItem(std::size_t index, const SweepItem& item) {
 void SweepStrip::addCard(std::size_t index) {
   auto* card = new SweepCard(page_);
   card->installEventFilter(this);
-  row_->addWidget(card);
+  row_->insertWidget(row_->count() - 1, card);
   cards_.push_back(card);
   connect(card, &SweepCard::clicked, this, [this, card, index] {
     const SweepItem& item = card->item();
@@ -61,15 +61,15 @@ void SweepStrip::addCard(std::size_t index) {
   });
 }
 
-/// All cards have room for the most scores; the strip is as high as they are.
+/// All cards have room for the most scores; the strip has room for these at least.
 void SweepStrip::resizeCards() {
   std::size_t rows = 0;
   for (const SweepCard* card : cards_)
     rows = std::max(rows, card->item().scores.size());
   for (SweepCard* card : cards_)
     card->setRows(rows);
-  const int height = cards_.empty() ? 0 : cards_.front()->sizeHint().height() + 16;
-  scroll_->setFixedHeight(height + scroll_->horizontalScrollBar()->sizeHint().height());
+  const int height = cards_.empty() ? 0 : cards_.front()->minimumSizeHint().height() + 16;
+  scroll_->setMinimumHeight(height + scroll_->horizontalScrollBar()->sizeHint().height());
 }
 
 /// The card that a key leads to from this one; none: it is another key.

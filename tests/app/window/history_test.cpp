@@ -44,6 +44,25 @@ TEST_F(HistoryWindowTest, IsShownAndHiddenByItsKey) {
   EXPECT_FALSE(action("show_history").isChecked());
 }
 
+TEST_F(HistoryWindowTest, ComesToTheFrontByItsKeyAndThenGoes) {
+  openForkAndEdit(1);
+  const auto isInFront = [&](const char* panel) {
+    QCoreApplication::processEvents();
+    return !find<QDockWidget>(panel).visibleRegion().isEmpty();
+  };
+  key(Qt::Key_F10);
+  key(Qt::Key_F11);
+  EXPECT_FALSE(isInFront("history")) << "it is behind the table of nodes";
+  key(Qt::Key_F10);
+  EXPECT_TRUE(isInFront("history"));
+  EXPECT_FALSE(isInFront("node_table"));
+  EXPECT_TRUE(action("show_history").isChecked());
+  key(Qt::Key_F10);
+  EXPECT_TRUE(find<QDockWidget>("history").isHidden());
+  EXPECT_FALSE(action("show_history").isChecked());
+  EXPECT_TRUE(isInFront("node_table"));
+}
+
 TEST_F(HistoryWindowTest, AClickGoesBackAndForth) {
   openForkAndEdit(5);
   key(Qt::Key_F10);

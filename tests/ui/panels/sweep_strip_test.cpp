@@ -93,13 +93,22 @@ TEST_F(ShownStrip, TellsThoseWhoDoNotSeeItValueAndScores) {
   EXPECT_EQ(strip_.cards()[2]->accessibleName(), "20 mm; in use; Lost tips 2; Length 4 m");
 }
 
-TEST_F(ShownStrip, IsHighEnoughForTheMostScores) {
+TEST_F(ShownStrip, HasRoomForTheMostScoresAndGivesTheRestToPictures) {
+  strip_.resize(strip_.width(), 0); // as low as it can be
+  QCoreApplication::processEvents();
   const int before = strip_.cards()[0]->height();
   items_[3].scores.push_back({"Webbed", "0", false});
   strip_.setItem(3, items_[3]);
   QCoreApplication::processEvents();
-  for (const SweepCard* card : strip_.cards())
+  const int lowest = strip_.cards()[0]->height();
+  for (const SweepCard* card : strip_.cards()) {
     EXPECT_GT(card->height(), before);
+    EXPECT_GE(card->height(), card->minimumSizeHint().height());
+  }
+  strip_.resize(strip_.width(), strip_.height() + 50);
+  QCoreApplication::processEvents();
+  for (const SweepCard* card : strip_.cards())
+    EXPECT_EQ(card->height(), lowest + 50);
 }
 
 TEST_F(ShownStrip, GrowsAndShrinksWithItsItems) {

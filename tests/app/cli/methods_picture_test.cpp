@@ -1,0 +1,72 @@
+#include "tests/app/cli/subcommands.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <gmock/gmock.h>
+
+namespace espalier {
+namespace {
+
+using nlohmann::json;
+using test::namesIn;
+using test::Subcommands;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+TEST_F(Subcommands, MethodsDescribesEveryOption) {
+  const json methods = json::parse(run({"methods", "--json"}));
+  EXPECT_GE(methods.size(), 8U);
+  const std::string text = run({"methods"});
+  for (const json& method : methods) {
+    const std::string name =
+        method["step"].get<std::string>() + '.' + method["method"].get<std::string>();
+    SCOPED_TRACE(name);
+    EXPECT_THAT(text, HasSubstr(name));
+    for (const json& option : method["options"]) {
+      for (const char* key : {"name", "kind", "rule", "range", "help"})
+        EXPECT_FALSE(option.value(key, "").empty()) << key;
+      EXPECT_LE(option["minimum"], option["maximum"]);
+      EXPECT_THAT(text, HasSubstr(option["help"].get<std::string>()));
+    }
+  }
+}
+
+TEST_F(Subcommands, MethodsTellsOfOneStep) {
+  const json methods = json::parse(run({"methods", "contract", "--json"}));
+  ASSERT_GE(methods.size(), 1U);
+  for (const json& method : methods)
+    EXPECT_EQ(method["step"], "contract");
+}
+
+TEST_F(Subcommands, PictureIsOfTheSizeThatIsAsked) {
+  run({"picture", scan_, truth_, "-o", file("a.png"), "--width", "320", "--height", "200", "--view",
+       "side", "--dark", "--radii", "--unit", "m"});
+  const std::string png = test::bytesOf(file("a.png"));
+  ASSERT_GT(png.size(), 1000U);
+  EXPECT_EQ(png.substr(0, 8), "\x89PNG\r\n\x1a\n");
+  EXPECT_EQ(png.substr(16, 8), std::string("\0\0\x1\x40\0\0\0\xc8", 8)) << "320 x 200, big endian";
+  EXPECT_THAT(namesIn(folder_), ElementsAre("a.png"));
+}
+
+TEST_F(Subcommands, PictureShowsTheLayersThatAreAsked) {
+  const auto picture = [&](const std::string& name, const test::Arguments& extra) {
+    test::Arguments arguments = {"picture", scan_, truth_,     "-o", file(name),
+                                 "--width", "160", "--height", "120"};
+    arguments.insert(arguments.end(), extra.begin(), extra.end());
+    run(arguments);
+    return test::bytesOf(file(name));
+  };
+  const std::string all = picture("all.png", {});
+  const std::string points = picture("points.png", {"--layers", "points"});
+  const std::string skeleton = picture("skeleton.png", {"--layers", "skeleton"});
+  EXPECT_NE(points, skeleton);
+  EXPECT_NE(all, points);
+  EXPECT_NE(all, skeleton);
+  EXPECT_EQ(picture("both.png", {"--layers", "points,skeleton"}), all);
+  EXPECT_NE(picture("side.png", {"--view", "side"}), all);
+  EXPECT_EQ(picture("right.png", {"--view", "right"}), picture("side.png", {"--view", "side"}));
+}
+
+} // namespace
+} // namespace espalier

@@ -1,0 +1,170 @@
+#include "core/io/formats.h"
+#include "core/radius/measured_radii.h"
+#include "core/skeleton/checks.h"
+#include "tests/app/cli/subcommands.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <gmock/gmock.h>
+#include <numeric>
+#include <sstream>
+
+namespace espalier {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using test::namesIn;
+using test::Outcome;
+using test::runProgram;
+using test::Subcommands;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+json jsonIn(const fs::path& file) {
+  return json::parse(test::bytesOf(file));
+}
+
+Eigen::Vector3d rootOf(const fs::path& structure) {
+  const Skeleton plant = readStructure(structure).value.skeleton;
+  return plant[plant.roots().front()].position;
+}
+
+TEST_F(Subcommands, ReconstructFindsOnePlantWithRadii) {
+  EXPECT_THAT(
+      run({"reconstruct", scan_, "-o", file("a.mtg"), "--json", file("a.json"), "--unit", "m"}),
+      IsEmpty());
+  const Skeleton plant = readStructure(file("a.mtg")).value.skeleton;
+  EXPECT_EQ(plant.roots().size(), 1U);
+  for (const Finding& finding : check(plant)) // where wood turns or touches is the plant's
+    EXPECT_TRUE(finding.kind == Finding::Kind::sharpTurn || finding.kind == Finding::Kind::crossing)
+        << describe(finding, plant);
+  for (const NodeId id : plant.ids())
+    ASSERT_GT(plant[id].radius, 0);
+  const json statistics = jsonIn(file("a.json"));
+  EXPECT_EQ(statistics["scan"], scan_);
+  EXPECT_EQ(statistics["unit"], "m");
+  EXPECT_EQ(statistics["cloud"]["points"], readPoints(scan_).value.size());
+  EXPECT_EQ(statistics["skeleton"]["nodes"], plant.size());
+  EXPECT_EQ(statistics["steps"].size(), 11U);
+  const json sources = statistics["radius_sources"];
+  EXPECT_EQ(sources["measured"].get<std::size_t>() + sources["fused"].get<std::size_t>() +
+                sources["modeled"].get<std::size_t>(),
+            statistics["skeleton"]["nodes"].get<std::size_t>());
+  EXPECT_EQ(statistics["steps"][1]["method"], "geodesic_centroid");
+  EXPECT_TRUE(statistics["seconds"].contains("Contract"));
+  EXPECT_THAT(namesIn(folder_), ElementsAre("a.json", "a.mtg"));
+}
+
+TEST_F(Subcommands, ReconstructUsesWhatIsSet) {
+  test::writeBytes(
+      file("preset.json"),
+      R"({"contract": {"radius": 0.07, "neighbors": 9}, "prune": {"method": "none"}})");
+  run({"reconstruct", scan_, "-o", file("a.mtg"), "--json", file("a.json"), "--preset",
+       file("preset.json"), "--set", "contract.radius=0.05", "--set", "axes.sharpest_turn=45"});
+  const json steps = jsonIn(file("a.json"))["steps"];
+  EXPECT_EQ(steps[1]["options"]["radius"], 0.05) << "what is set goes before the preset";
+  EXPECT_EQ(steps[1]["options"]["neighbors"], 9);
+  const auto named = [&](const std::string& name) {
+    return *std::ranges::find_if(steps, [&](const json& step) { return step["step"] == name; });
+  };
+  EXPECT_EQ(named("prune")["method"], "none");
+  EXPECT_EQ(named("axes")["options"]["sharpest_turn"], 45);
+}
+
+TEST_F(Subcommands, ReconstructStartsAtTheRootThatIsGiven) {
+  const Skeleton truth = readStructure(truth_).value.skeleton;
+  Eigen::Vector3d top = Eigen::Vector3d::Zero();
+  for (const NodeId id : truth.ids())
+    if (truth[id].position.z() > top.z()) top = truth[id].position;
+  std::ostringstream place;
+  place << top.x() << ',' << top.y() << ',' << top.z();
+  run({"reconstruct", scan_, "-o", file("top.mtg"), "--root", place.str()});
+  EXPECT_LT((rootOf(file("top.mtg")) - top).norm(), 0.1);
+  run({"reconstruct", scan_, "-o", file("lowest.mtg"), "--root", "lowest"});
+  EXPECT_LT(rootOf(file("lowest.mtg")).norm(), 0.1) << "the sample stands at the origin";
+}
+
+TEST_F(Subcommands, ReconstructKnowsWhereUpIs) {
+  std::ostringstream turned; // z becomes x
+  const PointCloud cloud = readPoints(scan_).value;
+  for (Eigen::Index i = 0; i < cloud.size(); ++i) {
+    const Eigen::Vector3d p = cloud.position(i);
+    turned << p.z() << ' ' << p.x() << ' ' << p.y() << '\n';
+  }
+  test::writeBytes(file("turned.xyz"), turned.str());
+  run({"reconstruct", file("turned.xyz"), "-o", file("a.mtg"), "--up", "x"});
+  EXPECT_LT(rootOf(file("a.mtg")).norm(), 0.1);
+}
+
+TEST_F(Subcommands, ContractPullsPointsTowardsTheAxes) {
+  EXPECT_THAT(run({"contract", scan_, "-o", file("a.ply")}), IsEmpty());
+  const PointCloud before = readPoints(scan_).value;
+  const PointCloud after = readPoints(file("a.ply")).value;
+  ASSERT_EQ(after.size(), before.size());
+  const Skeleton truth = readStructure(truth_).value.skeleton;
+  const auto meanDistance = [&](const PointCloud& cloud) {
+    const std::vector<double> distances =
+        meanPointDistances(truth, cloud.positions(), cloud.origin());
+    return std::accumulate(distances.begin(), distances.end(), 0.0);
+  };
+  EXPECT_LT(meanDistance(after), 0.8 * meanDistance(before));
+}
+
+TEST_F(Subcommands, ContractTellsHowGoodItIs) {
+  run({"contract", scan_, "-o", file("a.ply"), "--json", file("a.json")});
+  run({"contract", scan_, "-o", file("b.ply"), "--json", file("b.json"), "--method", "none"});
+  const json contracted = jsonIn(file("a.json"))["quality"];
+  const json asScanned = jsonIn(file("b.json"))["quality"];
+  EXPECT_LT(contracted["residual_thickness"], asScanned["residual_thickness"]);
+  EXPECT_GT(contracted["share_on_line"], asScanned["share_on_line"]);
+  EXPECT_EQ(contracted["tips"], asScanned["tips"]) << "of the scan";
+  EXPECT_FALSE(contracted.contains("nodes")) << "there is no skeleton";
+}
+
+TEST_F(Subcommands, SweepTriesEachValue) {
+  const std::string out =
+      run({"sweep", scan_, "contract.radius", "--values", "0.03,8 spacings", "--reference", truth_,
+           "--csv", file("a.csv"), "--json", file("a.json")});
+  EXPECT_EQ(std::ranges::count(out, '\n'), 3) << "a head and two rows";
+  const json results = jsonIn(file("a.json"))["results"];
+  ASSERT_EQ(results.size(), 2U);
+  EXPECT_EQ(results[0]["value"], 0.03);
+  for (const json& result : results) {
+    EXPECT_GT(result["quality"]["nodes"], 10);
+    EXPECT_GT(result["scores"]["geometric"], 0.2);
+  }
+  std::istringstream table(test::bytesOf(file("a.csv")));
+  std::string head;
+  std::getline(table, head);
+  EXPECT_THAT(head, testing::StartsWith("value,quality.residual_thickness,"));
+  EXPECT_THAT(head, HasSubstr(",scores.structural,"));
+}
+
+TEST_F(Subcommands, SweepRefusesWhatItCannotTry) {
+  test::expectRefusal(runProgram({"sweep", scan_, "radius"}), 2, {"STEP.OPTION"});
+  test::expectRefusal(runProgram({"sweep", scan_, "contract.strength"}), 2,
+                      {"no option", "radius"});
+  test::expectRefusal(runProgram({"sweep", scan_, "contract.radius", "--values", "wide"}), 2,
+                      {"contract.radius", "wide"});
+}
+
+TEST_F(Subcommands, ReconstructWritesAxesIfAskedAndTellsTheLengthInItsUnit) {
+  const Outcome outcome = runProgram({"reconstruct", scan_, "-o", file("a.mtg"), "--unit", "m",
+                                      "--mtg-scales", "plant-axis-node"});
+  const json told = json::parse(run({"info", file("a.mtg"), "--json"}));
+  ASSERT_EQ(told["vertices_per_scale"].size(), 4U);
+  EXPECT_EQ(told["vertices_per_scale"][2], told["branching_edges"].get<int>() / 2 + 1)
+      << "an axis for the root and each branching node; its edges are told at both scales";
+  std::ostringstream wrote;
+  wrote.precision(6);
+  wrote << "espalier: wrote " << file("a.mtg") << ": " << told["nodes"] << " nodes, length "
+        << told["length"].get<double>() << " m\n";
+  EXPECT_EQ(outcome.err, wrote.str());
+}
+
+} // namespace
+} // namespace espalier

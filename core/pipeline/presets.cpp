@@ -7,8 +7,8 @@ namespace {
 
 /// The steps of the thesis with the defaults of its program. That had lengths in mm on scans with
 /// points 5 mm apart; here they are in spacings. Its cones of 90 degrees left only one, straight
-/// ahead, so they are of 80. It had no step that prunes, joins, recenters or extends, and drew
-/// thick wood to its axis by contraction alone.
+/// ahead, so they are of 80. It had no step that prunes, joins, recenters, slides or extends, and
+/// drew thick wood to its axis by contraction alone.
 PipelineOptions thesis() {
   PipelineOptions options;
   for (const char* setting :
@@ -18,7 +18,8 @@ PipelineOptions thesis() {
         "skeleton.method=point_tracking", "skeleton.least_step=8 spacings",
         "skeleton.greatest_step=10 spacings", "skeleton.reach=2", "skeleton.kill=1.2",
         "skeleton.cone_angle=80", "skeleton.thick_wood=0 spacings", "prune.method=none",
-        "recenter.method=none", "ends.method=none", "radius.method=node_count_pipe"})
+        "recenter.method=none", "insertions.method=none", "ends.method=none",
+        "radius.method=node_count_pipe"})
     options.set(setting);
   return options;
 }

@@ -83,8 +83,9 @@ std::vector<Station> stationsOf(const Skeleton& skeleton, const Axis& axis) {
 
 /// Where a branch of station `at` leaves the axis.
 Insertion insertionOf(const Skeleton& skeleton, const std::vector<Station>& stations,
-                      std::size_t at, NodeId branch, std::size_t reach) {
+                      std::size_t at, NodeId branch, const InsertionOptions& options) {
   constexpr double leastWeight = 0.01;
+  const auto reach = static_cast<std::size_t>(options.reach);
   Insertion stays{stations[at].along, leastWeight, {branch}};
   const std::optional<WayBack> way = wayBackFrom(skeleton, branch);
   if (!way) return stays;
@@ -100,7 +101,10 @@ Insertion insertionOf(const Skeleton& skeleton, const std::vector<Station>& stat
     result.weight = std::max(leastWeight, found.sharpness);
   }
   const double now = (way->start - skeleton[stations[at].node].position).norm();
-  return best.distance < 0.7 * now ? result : stays; // else the line leads past the axis
+  if (best.distance >= 0.7 * now) return stays; // the line leads past the axis
+  const double share = result.weight / (result.weight + options.nodeWeight);
+  result.along = stays.along + share * (result.along - stays.along);
+  return result;
 }
 
 /// Insertions less than `apart` from each other made one, the nearest two first.
@@ -155,8 +159,7 @@ Skeleton withSlidInsertions(const Skeleton& skeleton, const InsertionOptions& op
     for (std::size_t at = 0; at + 1 < axis.size(); ++at)
       for (const NodeId child : skeleton.children(axis[at]))
         if (skeleton[child].edge == EdgeType::branching)
-          insertions.push_back(
-              insertionOf(skeleton, stations, at, child, static_cast<std::size_t>(options.reach)));
+          insertions.push_back(insertionOf(skeleton, stations, at, child, options));
     gather(insertions, options.gather);
     for (const Insertion& insertion : insertions) {
       const NodeId at = nodeAt(result, stations, insertion.along, options.nearNode);

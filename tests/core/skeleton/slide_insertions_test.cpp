@@ -41,6 +41,19 @@ TEST(WithSlidInsertions, MakesANodeBetweenTwoForIt) {
   EXPECT_EQ(axes(plant).size(), 2U);
 }
 
+// The line meets the stick at 45 degrees, at 4.2: it has half the weight of one at right angles.
+TEST(WithSlidInsertions, GoesPartOfTheWayByTheWeightOfTheNode) {
+  const auto heightWith = [](double weight) {
+    const Skeleton plant =
+        withSlidInsertions(withBranch(4.2, 6), {.nearNode = 0, .nodeWeight = weight});
+    return plant[*plant[branch].parent].position.z();
+  };
+  EXPECT_NEAR(heightWith(0), 4.2, 1e-9);
+  EXPECT_NEAR(heightWith(0.5), (4.2 + 6) / 2, 1e-9);
+  EXPECT_NEAR(heightWith(1), (4.2 + 2 * 6) / 3, 1e-9);
+  EXPECT_NEAR(heightWith(100), 6, 0.01);
+}
+
 TEST(WithSlidInsertions, DoesNotMoveANode) {
   const Skeleton before = withBranch(4.5, 5);
   const Skeleton after = withSlidInsertions(before);

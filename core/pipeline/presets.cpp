@@ -11,15 +11,26 @@ namespace {
 /// drew thick wood to its axis by contraction alone.
 PipelineOptions thesis() {
   PipelineOptions options;
-  for (const char* setting :
-       {"contract.method=adaptive_geodesic", "contract.neighbors=7",
-        "contract.density_radius=2 spacings", "contract.least_radius=2 spacings",
-        "contract.most_radius=5 spacings", "contract.curve=1", "contract.circles=no",
-        "skeleton.method=point_tracking", "skeleton.least_step=8 spacings",
-        "skeleton.greatest_step=10 spacings", "skeleton.reach=2", "skeleton.kill=1.2",
-        "skeleton.cone_angle=80", "skeleton.thick_wood=0 spacings", "prune.method=none",
-        "recenter.method=none", "insertions.method=none", "ends.method=none",
-        "radius.method=node_count_pipe"})
+  for (const char* setting : {"contract.method=adaptive_geodesic",
+                              "contract.neighbors=7",
+                              "contract.density_radius=2 spacings",
+                              "contract.least_radius=2 spacings",
+                              "contract.most_radius=5 spacings",
+                              "contract.curve=1",
+                              "contract.circles=no",
+                              "skeleton.method=point_tracking",
+                              "skeleton.least_step=8 spacings",
+                              "skeleton.greatest_step=10 spacings",
+                              "skeleton.reach=2",
+                              "skeleton.kill=1.2",
+                              "skeleton.cone_angle=80",
+                              "skeleton.thick_wood=0 spacings",
+                              "join.method=none",
+                              "prune.method=none",
+                              "recenter.method=none",
+                              "insertions.method=none",
+                              "ends.method=none",
+                              "radius.method=node_count_pipe"})
     options.set(setting);
   return options;
 }

@@ -2,10 +2,12 @@
 
 #include "core/base/spatial_index.h"
 #include "core/graph/arborescence.h"
+#include "core/reconstruct/backward_branches.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -17,16 +19,25 @@ using Eigen::Vector3d;
 /// The pieces of a skeleton between its long edges.
 struct Fragments {
   std::vector<std::uint32_t> ofNode; // by id
+  std::vector<bool> isEntry;         // by id
   std::vector<NodeId> entries;       // where each is entered now: its lowest node
 };
+
+/// How much longer the edge to a node is than the wood at its ends is thick [L].
+double gapBelow(const Skeleton& skeleton, NodeId id) {
+  const Node& upper = skeleton[id];
+  const Node& lower = skeleton[*upper.parent];
+  return (upper.position - lower.position).norm() - 2 * (lower.radius + upper.radius);
+}
 
 Fragments fragmentsOf(const Skeleton& skeleton, double widest) {
   Fragments fragments;
   fragments.ofNode.resize(skeleton.idEnd());
+  fragments.isEntry.resize(skeleton.idEnd(), false);
   for (const NodeId id : skeleton.ids()) {
     const auto parent = skeleton[id].parent;
-    const bool isEntry =
-        !parent || (skeleton[id].position - skeleton[*parent].position).norm() > widest;
+    const bool isEntry = !parent || gapBelow(skeleton, id) > widest;
+    fragments.isEntry[indexOf(id)] = isEntry;
     fragments.ofNode[indexOf(id)] = isEntry ? static_cast<std::uint32_t>(fragments.entries.size())
                                             : fragments.ofNode[indexOf(*parent)];
     if (isEntry) fragments.entries.push_back(id);
@@ -40,34 +51,53 @@ struct Bridge {
   NodeId to;
 };
 
-/// Finds what may bridge the gaps, and what it costs.
-class BridgeFinder {
+/// What links between fragments cost.
+class BridgeCosts {
 public:
-  BridgeFinder(const Skeleton& skeleton, const Fragments& fragments, const GapOptions& options)
-      : skeleton_(skeleton), fragments_(fragments), options_(options), ids_(skeleton.ids()) {}
+  BridgeCosts(const Skeleton& skeleton, const Fragments& fragments, const GapOptions& options)
+      : skeleton_(skeleton), options_(options), outwards_(skeleton.idEnd()),
+        backward_(backwardBranches(skeleton, fragments.isEntry)) {
+    for (const NodeId id : skeleton.ids())
+      if (neighbors(fragments, id).size() <= 1)
+        outwards_[indexOf(id)] = outwardsFrom(fragments, id);
+  }
 
+  [[nodiscard]] bool isEnd(NodeId id) const { return outwards_[indexOf(id)].has_value(); }
+
+  /// What a link costs [L]; never under its length.
+  [[nodiscard]] double of(const Bridge& bridge) const {
+    const double back = options_.backCost * backward_[indexOf(bridge.to)];
+    const Vector3d link = skeleton_[bridge.to].position - skeleton_[bridge.from].position;
+    const double length = link.norm();
+    if (length == 0) return back;
+    const Vector3d direction = link / length;
+    double factor = 1 + turn(outwards_[indexOf(bridge.to)].value_or(Vector3d::Zero()), -direction);
+    if (const std::optional<Vector3d>& below = outwards_[indexOf(bridge.from)]) {
+      factor += turn(*below, direction);
+      const double lower = skeleton_[bridge.from].radius;
+      const double upper = skeleton_[bridge.to].radius;
+      if (lower > 0 && upper > 0) factor *= 1 + std::abs(std::log(upper / lower)) / 2;
+    }
+    return length * factor + back;
+  }
+
+private:
   /// The nodes of the same fragment that an edge joins to one.
-  [[nodiscard]] std::vector<NodeId> neighbors(NodeId id) const {
+  [[nodiscard]] std::vector<NodeId> neighbors(const Fragments& fragments, NodeId id) const {
     std::vector<NodeId> result;
-    const auto note = [&](NodeId other) {
-      if (fragments_.ofNode[indexOf(other)] == fragments_.ofNode[indexOf(id)])
-        result.push_back(other);
-    };
-    if (const auto parent = skeleton_[id].parent) note(*parent);
+    if (!fragments.isEntry[indexOf(id)]) result.push_back(*skeleton_[id].parent);
     for (const NodeId child : skeleton_.children(id))
-      note(child);
+      if (!fragments.isEntry[indexOf(child)]) result.push_back(child);
     return result;
   }
 
-  [[nodiscard]] bool isEnd(NodeId id) const { return neighbors(id).size() <= 1; }
-
   /// The way on from an end of a fragment; 0 where that is a single node.
-  [[nodiscard]] Vector3d outwards(NodeId end) const {
+  [[nodiscard]] Vector3d outwardsFrom(const Fragments& fragments, NodeId end) const {
     constexpr int edges = 4; // single ones stray
     NodeId before = end;
     NodeId at = end;
     for (int i = 0; i < edges; ++i) {
-      const std::vector<NodeId> next = neighbors(at);
+      const std::vector<NodeId> next = neighbors(fragments, at);
       const auto on = std::ranges::find_if(next, [&](NodeId id) { return id != before; });
       if (next.size() > 2 || on == next.end()) break;
       before = at;
@@ -78,39 +108,22 @@ public:
     return length > 0 ? Vector3d(way / length) : Vector3d::Zero();
   }
 
-  /// What a link costs [L]; never under its length.
-  [[nodiscard]] double cost(const Bridge& bridge) const {
-    const Vector3d link = skeleton_[bridge.to].position - skeleton_[bridge.from].position;
-    const double length = link.norm();
-    if (length == 0) return 0;
-    const Vector3d direction = link / length;
-    double factor = turned(isEnd(bridge.to) ? outwards(bridge.to) : Vector3d::Zero(), -direction);
-    if (!isEnd(bridge.to)) factor += options_.sideCost;
-    if (!isEnd(bridge.from)) return length * (factor + options_.sideCost);
-    factor += turned(outwards(bridge.from), direction) - 1;
-    const double lower = skeleton_[bridge.from].radius;
-    const double upper = skeleton_[bridge.to].radius;
-    if (lower > 0 && upper > 0) factor *= 1 + std::abs(std::log(upper / lower)) / 2;
-    return length * factor;
-  }
-
-private:
-  /// 1 for straight on, more the more it turns; between the two where there is no direction.
-  [[nodiscard]] double turned(const Vector3d& way, const Vector3d& direction) const {
-    return 1 + options_.turnCost * (1 - way.dot(direction)) / 2;
+  /// 0 for straight on, more the more it turns; between the two where there is no direction.
+  [[nodiscard]] double turn(const Vector3d& way, const Vector3d& direction) const {
+    return options_.turnCost * (1 - way.dot(direction)) / 2;
   }
 
   const Skeleton& skeleton_;
-  const Fragments& fragments_;
   GapOptions options_;
-  std::vector<NodeId> ids_;
+  std::vector<std::optional<Vector3d>> outwards_; // by id, of ends
+  std::vector<double> backward_;                  // by id
 };
 
 /// The cheapest link between each two fragments that are in reach.
 std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<double, Bridge>>
 bridgesOf(const Skeleton& skeleton, const Fragments& fragments, const GapOptions& options,
           const Progress& progress) {
-  const BridgeFinder finder(skeleton, fragments, options);
+  const BridgeCosts costs(skeleton, fragments, options);
   const std::vector<NodeId> ids = skeleton.ids();
   const Vector3d origin = skeleton[ids.front()].position;
   Eigen::Matrix3Xf places(3, static_cast<Eigen::Index>(ids.size()));
@@ -122,7 +135,7 @@ bridgesOf(const Skeleton& skeleton, const Fragments& fragments, const GapOptions
     const std::uint32_t from = fragments.ofNode[indexOf(bridge.from)];
     const std::uint32_t to = fragments.ofNode[indexOf(bridge.to)];
     if (from == to) return;
-    const double cost = finder.cost(bridge);
+    const double cost = costs.of(bridge);
     const auto [place, isNew] = bridges.try_emplace({from, to}, cost, bridge);
     if (!isNew && cost < place->second.first) place->second = {cost, bridge};
   };
@@ -132,7 +145,7 @@ bridgesOf(const Skeleton& skeleton, const Fragments& fragments, const GapOptions
     const std::uint32_t fragment = fragments.ofNode[indexOf(to)];
     const NodeId entry = fragments.entries[fragment];
     if (!skeleton[entry].parent) continue; // that of a root stays as it is
-    if (to != entry && !finder.isEnd(to)) continue;
+    if (to != entry && !costs.isEnd(to)) continue;
     if (to == entry) note({*skeleton[to].parent, to});
     for (const Neighbor& near :
          index.within(places.col(static_cast<Eigen::Index>(i)), static_cast<float>(options.reach)))
@@ -162,6 +175,7 @@ Skeleton withJoinedGaps(const Skeleton& skeleton, const GapOptions& options,
   if (skeleton.isEmpty()) return result;
   const Fragments fragments = fragmentsOf(skeleton, options.widest);
   const auto count = static_cast<std::uint32_t>(fragments.entries.size());
+  if (count == 1) return result;
   std::vector<DirectedLink> links;
   std::vector<Bridge> bridges;
   for (const auto& [pair, best] : bridgesOf(skeleton, fragments, options, progress)) {

@@ -6,23 +6,27 @@
 namespace espalier {
 
 struct GapOptions {
-  double widest = 0;   // [L] edges longer than this bridge a gap, > 0
+  double widest = 0;   // [L] edges this much longer than the wood is thick bridge a gap, > 0
   double reach = 0;    // [L] how far across a gap wood is looked for, >= widest
-  double turnCost = 2; // how much more a link costs that turns back than one straight on, >= 0
-  double sideCost = 1; // how much more one costs that ends at the side of wood, not its tip, >= 0
+  double turnCost = 4; // how much more a link costs that turns back than one straight on, >= 0
+  double backCost = 0; // [L] what it costs that a branch points back, >= 0
 };
 
 /// `skeleton` with the gaps in it bridged by direction: a long edge is the shortest way to wood
 /// that no scanner saw the foot of, but often not the one it grew.
 ///
-/// Long edges are cut, which leaves fragments. Each may be entered at any of its ends, or where it
-/// was, from any node of others in reach. A link costs its length, times what the turns at both its
-/// ends add, times 1 + the difference of the logarithms of radii where it joins two tips. Of all
-/// ways to hang the fragments on each other and at last on that of the root, the one with the least
-/// sum of costs is taken; fragments are turned around where that enters them elsewhere.
+/// Long edges are cut, which leaves fragments; what two nodes stand for, twice their radii, is no
+/// gap. Each fragment may be entered at any of its ends, or where it was, from any node of others
+/// in reach. A link costs its length, times what the turns at both its ends add, times 1 + half the
+/// difference of the logarithms of radii where it joins two tips; and, by `backCost`, the branches
+/// that point back in a fragment entered there (see backwardBranches): whole crowns that were
+/// entered from above hang on their feet again. Of all ways to hang the fragments on each other and
+/// at last on that of the root, the one with the least sum of costs is taken; fragments are turned
+/// around where that enters them elsewhere.
 ///
 /// What no link in reach leads to stays on its long edge. Trees beside the first keep to
 /// themselves.
+/// pre: radii are finite: what the points of a node lie off it, or 0
 /// @return all edges are successors again where they were re-hung (see withAssembledAxes)
 /// @throws Cancelled if `progress` asks to stop
 /// Deterministic. Time O(n log n + ends * nodes in reach).

@@ -48,6 +48,60 @@ TEST(WithJoinedGaps, TurnsAFragmentAroundThatGrewFromItsOtherEnd) {
     EXPECT_EQ(joined[upper[i]].parent, upper[i + 1]);
 }
 
+/// A crown that was entered at its top, 2 from the end of a shoot that bends down to it; its foot
+/// is 4 above the end of an axis.
+struct EnteredFromAbove {
+  Skeleton plant;
+  NodeId below;              // the end of the axis
+  NodeId above;              // that of the shoot
+  std::vector<NodeId> crown; // from the top down
+};
+
+EnteredFromAbove enteredFromAbove() {
+  EnteredFromAbove result;
+  Skeleton& plant = result.plant;
+  const auto first = grow(plant, std::nullopt, {0, 0, 0}, {0, 0, 1}, 6);
+  const auto out = grow(plant, first[0], {1, 0, 0}, {1, 0, 0}, 6);
+  const auto up = grow(plant, out.back(), {6, 0, 1}, {0, 0, 1}, 24);
+  const auto back = grow(plant, up.back(), {5, 0, 24}, {-1, 0, 0}, 6);
+  const auto down = grow(plant, back.back(), {0, 0, 23}, {0, 0, -1}, 4);
+  result.below = first.back();
+  result.above = down.back();
+  result.crown = grow(plant, down.back(), {0, 0, 18}, {0, 0, -1}, 10);
+  for (const std::size_t at : {4, 5, 6}) // branches that point up
+    grow(plant, result.crown[at], plant[result.crown[at]].position + Eigen::Vector3d(0, 0.7, 0.7),
+         {0, 0.7, 0.7}, 5);
+  return result;
+}
+
+// Three branches at 45 degrees point back: 2.1 times the cost of one, of 2, is more than the foot
+// is farther away.
+TEST(WithJoinedGaps, HangsACrownOnItsFootAsItsBranchesPoint) {
+  const EnteredFromAbove scene = enteredFromAbove();
+  EXPECT_EQ(withJoinedGaps(scene.plant, options), scene.plant)
+      << "the nearer end, if they are free";
+  GapOptions told = options;
+  told.backCost = 2;
+  const Skeleton joined = withJoinedGaps(scene.plant, told);
+  EXPECT_EQ(joined[scene.crown.back()].parent, scene.below);
+  EXPECT_EQ(joined[scene.crown.front()].parent, scene.crown[1]);
+}
+
+// A branch at the bark of a trunk 3 thick is 5 from the axis; a twig ends right before it.
+TEST(WithJoinedGaps, TakesNoThickWoodForAGap) {
+  const auto withTrunk = [](double radius) {
+    Skeleton plant;
+    const auto trunk = grow(plant, std::nullopt, {0, 0, 0}, {0, 0, 1}, 10);
+    for (const NodeId id : trunk)
+      plant.setRadius(id, radius);
+    grow(plant, trunk[2], {1, 0, 2.8}, {1, 0, 0}, 3);
+    grow(plant, trunk[3], {5, 0, 3}, {1, 0, 0}, 5);
+    return plant;
+  };
+  EXPECT_EQ(withJoinedGaps(withTrunk(3), options), withTrunk(3));
+  EXPECT_NE(withJoinedGaps(withTrunk(0.1), options), withTrunk(0.1)) << "this is one";
+}
+
 TEST(WithJoinedGaps, LeavesAPlantWithoutGaps) {
   for (const Skeleton& plant : {test::stick(20), test::fork(4), Skeleton(), test::stick(1)})
     EXPECT_EQ(withJoinedGaps(plant, options), plant);

@@ -101,10 +101,10 @@ std::optional<FittedCylinder> cylinderOf(const Stretch& stretch, const CylinderO
   return fit;
 }
 
-constexpr double widening = 0.1; // of wood by a beam, in spacings
+constexpr double widening = 0.1;   // of wood by a beam, in spacings
+constexpr double roughness = 0.04; // by which wood is no cylinder, of its radius
 
 MeasuredRadius radiusOf(const FittedCylinder& fit, double spacing) {
-  constexpr double roughness = 0.04;
   const double scatter = fit.error / fit.radius / std::sqrt(fit.kept * fit.points / 5) /
                          (fit.coverage * fit.coverage); // five numbers are fitted
   // Scattered points lie farther out than in: the least squares are that much too thick.
@@ -146,6 +146,15 @@ double pointError(const std::vector<std::optional<FittedCylinder>>& cylinders) {
   return *middle;
 }
 
+std::vector<std::optional<FittedCylinder>>
+withoutScattered(std::vector<std::optional<FittedCylinder>> cylinders, double error) {
+  constexpr double most = 1.5;
+  for (std::optional<FittedCylinder>& each : cylinders)
+    if (each && error > 0 && each->error > most * std::hypot(error, roughness * each->radius))
+      each.reset();
+  return cylinders;
+}
+
 std::vector<MeasuredRadius>
 cylinderRadii(const std::vector<std::optional<FittedCylinder>>& cylinders, double spacing) {
   std::vector<MeasuredRadius> result(cylinders.size());
@@ -181,18 +190,17 @@ std::vector<double> distancesAbout(const AssignedPoints& points, const Axis& axi
 std::vector<MeasuredRadius> withThinRadii(const Skeleton& skeleton, const AssignedPoints& points,
                                           std::vector<MeasuredRadius> measured, double error) {
   constexpr double deviation = 0.2;
-  constexpr double quarter = 0.25;
-  constexpr double belowMean = 0.6745; // standard deviations of normal noise
-  constexpr double leastShare = 0.2;   // of the distances that may be left
+  constexpr double tenth = 0.1;
+  const double half = 1.2816 / 2 * error; // of what the tenth of normal noise is under its middle
   for (const Axis& axis : axes(skeleton))
     for (std::size_t at = 0; at < axis.size(); ++at) {
       MeasuredRadius& each = measured[indexOf(axis[at])];
       if (each.radius > 0) continue;
       const std::vector<double> distances = distancesAbout(points, axis, at);
       if (distances.empty()) continue;
-      const double middle = quantile(distances, quarter) + belowMean * error;
-      const double square = middle * middle - error * error; // scatter along the surface
-      const double radius = std::max(leastShare * middle, std::sqrt(std::max(0.0, square)));
+      const double low = quantile(distances, tenth) + half;
+      const double square = low * low - error * error; // scatter along the surface
+      const double radius = half + std::sqrt(std::max(0.0, square));
       if (radius > 0) each = {.radius = radius, .deviation = deviation};
     }
   return measured;

@@ -38,6 +38,13 @@ cylindersAbout(const Skeleton& skeleton, const AssignedPoints& points,
 /// errors thick of which half is seen; 0 if there are none.
 [[nodiscard]] double pointError(const std::vector<std::optional<FittedCylinder>>& cylinders);
 
+/// `cylinders` without those whose points scatter more than the points and wood itself do: by 1.5
+/// times `error` and the 4 % of the radius that wood is no cylinder. They are of needles and leaves
+/// around the wood, and too thick.
+/// @param error [L] of the points, >= 0; 0, unknown: all stay
+[[nodiscard]] std::vector<std::optional<FittedCylinder>>
+withoutScattered(std::vector<std::optional<FittedCylinder>> cylinders, double error);
+
 /// The radii of these cylinders, by id, less what the scatter of the points adds to a least-squares
 /// fit: error^2 / (2 radius).
 ///
@@ -54,11 +61,11 @@ cylinderRadii(const std::vector<std::optional<FittedCylinder>>& cylinders, doubl
 /// too badly seen, for a cylinder.
 ///
 /// Of distances to the axis scattered by `error`, those along the beam add to the radius and those
-/// along the surface to its square. So the radius is sqrt(d^2 - error^2), where d is the lower
-/// quartile of the distances and the 0.67 errors that of normal ones lies under their middle; but
-/// it is at least a fifth of d. The quartile is of the wood even if most points are of needles or
-/// split beams. Nodes with fewer than 12 points take those of up to 4 nodes next to them on either
-/// side. The deviation is 20 %.
+/// along the surface to its square. So the radius is h + sqrt((d + h)^2 - error^2), where d is the
+/// distance that a tenth of them is below, and 2h = 1.28 errors is what that of normal ones lies
+/// under their middle; it is h at least. The tenth is of the wood even if most points are of
+/// needles or split beams. Nodes with fewer than 12 points take those of up to 4 nodes next to them
+/// on either side. The deviation is 20 %.
 /// @param error [L] of the points, >= 0
 /// Deterministic. Time O(N log N).
 [[nodiscard]] std::vector<MeasuredRadius> withThinRadii(const Skeleton& skeleton,

@@ -5,23 +5,23 @@
 //                     [--worst] [--radii] [ROW ...]
 //
 // A ROW is NAME:STEP.OPTION=VALUE,...; "6 spacings" is a length in point spacings. With rows,
-// only they are printed. --worst prints each plant, too, --radii the errors of radii by how
-// thick the wood is. Plants are bare, or have needles, leaves
-// and short shoots that their truth lacks, 1 as dense as their kind bears them. A grid
-// is of grown plants: each at three densities (points a segment), with three noises (in extents),
-// bare and with foliage.
+// only they are printed. --worst prints each plant, too, --radii the errors of radii by how thick
+// the wood is and how much of the way around it has points. Plants are bare, or have needles,
+// leaves and short shoots that their truth lacks, 1 as dense as their kind bears them. A grid is of
+// grown plants: each at three densities (points a segment), with three noises (in extents), bare
+// and with foliage.
 //
 // Columns: the authors' indices G and T; precision, recall and F within 4 spacings; the
 // share of the length on the same axis; median error of the radius, of wood over 2 spacings thick
 // and of all, and its median with the sign; seconds a plant.
 #include "core/base/error.h"
 #include "core/evaluate/comparison.h"
-#include "core/evaluate/edge_index.h"
 #include "core/io/formats.h"
 #include "core/pipeline/presets.h"
 #include "core/simulate/laser_scanner.h"
 #include "core/simulate/plant_grower.h"
 #include "core/simulate/prepared_plant.h"
+#include "tests/bench/judged_radii.h"
 #include "tests/support/shared_data.h"
 
 #include <algorithm>
@@ -49,12 +49,6 @@ struct Row {
   std::string name;
   std::vector<std::string> settings;
   PipelineOptions options; // that these change
-};
-
-/// A node of the result that lies within the true wood or near it.
-struct JudgedRadius {
-  double thickness = 0; // true radius, in spacings
-  double error = 0;     // relative, < 0 if too thin
 };
 
 struct Score {
@@ -145,61 +139,6 @@ std::vector<Plant> structurePlants(int seeds, double foliage) {
   return plants;
 }
 
-double medianOf(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-/// Relative errors of radii.
-std::vector<JudgedRadius> judgedRadii(const Skeleton& result, const Skeleton& truth,
-                                      double spacing) {
-  const EdgeIndex index(truth);
-  std::vector<JudgedRadius> judged;
-  for (const NodeId id : result.ids()) {
-    const auto place = index.nearest(result[id].position);
-    if (!place) continue;
-    const Node& upper = truth[place->node];
-    double radius = upper.radius;
-    if (upper.parent && upper.edge == EdgeType::successor) {
-      const Node& lower = truth[*upper.parent];
-      const double length = (upper.position - lower.position).norm();
-      const double share = length > 0 ? (upper.position - place->position).norm() / length : 0;
-      radius = (1 - share) * upper.radius + share * lower.radius;
-    }
-    if (place->distance <= radius + spacing)
-      judged.push_back({radius / spacing, result[id].radius / radius - 1});
-  }
-  return judged;
-}
-
-/// Of wood from `least` to `most` spacings thick.
-std::vector<double> errorsOf(const std::vector<JudgedRadius>& judged, double least, double most) {
-  std::vector<double> errors;
-  for (const JudgedRadius& each : judged)
-    if (each.thickness >= least && each.thickness < most) errors.push_back(each.error);
-  return errors;
-}
-
-std::vector<double> sizesOf(std::vector<double> errors) {
-  for (double& error : errors)
-    error = std::abs(error);
-  return errors;
-}
-
-constexpr double anyThickness = std::numeric_limits<double>::infinity();
-
-void printRadii(const std::vector<JudgedRadius>& judged) {
-  constexpr double limits[] = {0, 0.5, 1, 2, 4, anyThickness};
-  for (std::size_t i = 0; i + 1 < std::size(limits); ++i) {
-    const std::vector<double> errors = errorsOf(judged, limits[i], limits[i + 1]);
-    std::printf("  radii from %.1f to %.1f spacings: %6zu nodes, median error %.3f, signed %.3f\n",
-                limits[i], limits[i + 1], errors.size(), medianOf(sizesOf(errors)),
-                medianOf(errors));
-  }
-}
-
 PipelineOptions optionsOf(const Row& row) {
   PipelineOptions options = row.options;
   for (const std::string& setting : row.settings)
@@ -223,10 +162,11 @@ Score scoreOf(const Row& row, const Plant& plant) {
   score.recall = comparison.tolerance.scores.front().recall;
   score.f = comparison.tolerance.scores.front().f();
   score.axis = comparison.architecture.sameAxis;
-  score.radii = judgedRadii(result.skeleton, plant.truth, spacing);
-  score.radiusError = medianOf(sizesOf(errorsOf(score.radii, 0, anyThickness)));
-  score.radiusBias = medianOf(errorsOf(score.radii, 0, anyThickness));
-  score.thickError = medianOf(sizesOf(errorsOf(score.radii, 2, anyThickness)));
+  score.radii = judgedRadii(result.skeleton, plant.truth, *plant.cloud, spacing);
+  const RadiusErrors all = errorsOf(score.radii, {});
+  score.radiusError = all.median;
+  score.radiusBias = all.signedMedian;
+  score.thickError = errorsOf(score.radii, {.thinnest = 2}).median;
   return score;
 }
 

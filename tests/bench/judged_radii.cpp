@@ -1,0 +1,81 @@
+#include "tests/bench/judged_radii.h"
+
+#include "core/base/spatial_index.h"
+#include "core/evaluate/edge_index.h"
+#include "core/radius/arc_coverage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iterator>
+
+namespace espalier {
+namespace {
+
+double medianOf(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+void print(const RadiusErrors& errors) {
+  std::printf("%6zu nodes, median error %.3f, signed %.3f\n", errors.count, errors.median,
+              errors.signedMedian);
+}
+
+} // namespace
+
+std::vector<JudgedRadius> judgedRadii(const Skeleton& result, const Skeleton& truth,
+                                      const PointCloud& scan, double spacing) {
+  const EdgeIndex edges(truth);
+  const SpatialIndex points(scan.positions());
+  const std::vector<double> seen =
+      arcCoverages(truth, {scan.positions(), scan.origin(), points, spacing});
+  std::vector<JudgedRadius> judged;
+  for (const NodeId id : result.ids()) {
+    const auto place = edges.nearest(result[id].position);
+    if (!place) continue;
+    const Node& upper = truth[place->node];
+    double radius = upper.radius;
+    if (upper.parent && upper.edge == EdgeType::successor) {
+      const Node& lower = truth[*upper.parent];
+      const double length = (upper.position - lower.position).norm();
+      const double share = length > 0 ? (upper.position - place->position).norm() / length : 0;
+      radius = (1 - share) * upper.radius + share * lower.radius;
+    }
+    if (place->distance <= radius + spacing)
+      judged.push_back(
+          {radius / spacing, seen[indexOf(place->node)], result[id].radius / radius - 1});
+  }
+  return judged;
+}
+
+RadiusErrors errorsOf(const std::vector<JudgedRadius>& judged, const WoodRange& wood) {
+  std::vector<double> errors;
+  for (const JudgedRadius& each : judged)
+    if (each.thickness >= wood.thinnest && each.thickness < wood.thickest &&
+        each.seen >= wood.leastSeen && each.seen < wood.mostSeen)
+      errors.push_back(each.error);
+  RadiusErrors result{.count = errors.size(), .signedMedian = medianOf(errors)};
+  for (double& error : errors)
+    error = std::abs(error);
+  result.median = medianOf(std::move(errors));
+  return result;
+}
+
+void printRadii(const std::vector<JudgedRadius>& judged) {
+  constexpr double limits[] = {0, 0.5, 1, 2, 4, std::numeric_limits<double>::infinity()};
+  for (std::size_t i = 0; i + 1 < std::size(limits); ++i) {
+    std::printf("  radii from %.1f to %.1f spacings: ", limits[i], limits[i + 1]);
+    print(errorsOf(judged, {.thinnest = limits[i], .thickest = limits[i + 1]}));
+  }
+  constexpr double quarters[] = {0, 0.25, 0.5, 0.75, 2};
+  for (std::size_t i = 0; i + 1 < std::size(quarters); ++i) {
+    std::printf("  seen from %3.0f to %3.0f %% around: ", 100 * quarters[i],
+                100 * std::min(1.0, quarters[i + 1]));
+    print(errorsOf(judged, {.thinnest = 1, .leastSeen = quarters[i], .mostSeen = quarters[i + 1]}));
+  }
+}
+
+} // namespace espalier

@@ -1,5 +1,7 @@
 #include "core/base/sparse_ldlt.h"
 
+#include "core/base/paced_check.h"
+
 #include <algorithm>
 #include <functional>
 #include <limits>
@@ -13,28 +15,30 @@ namespace {
 /// Splits parts of the unknowns, again and again.
 class Dissection {
 public:
-  Dissection(const SymmetricMatrix& matrix, const Eigen::Matrix3Xf& places,
+  Dissection(const SymmetricPattern& pattern, const Eigen::Matrix3Xf& places,
              const Progress& progress)
-      : matrix_(matrix), places_(places), progress_(progress), side_(matrix.size(), 0) {}
+      : pattern_(pattern), places_(places), pace_(progress), side_(pattern.size(), 0) {}
 
   /// Puts `part` in order.
   void split(std::span<std::uint32_t> part) {
     constexpr std::size_t smallest = 48;
-    progress_.check();
+    pace_.after(part.size());
     if (part.size() <= smallest) return;
     const Eigen::Index axis = longestAxis(part);
     const auto middle = part.begin() + static_cast<std::ptrdiff_t>(part.size() / 2);
-    std::ranges::nth_element(part, middle, {},
-                             [&](std::uint32_t i) { return std::tuple(places_(axis, i), i); });
+    std::ranges::nth_element(part, middle, {}, [&](std::uint32_t i) {
+      pace_.after(1);
+      return std::tuple(places_(axis, i), i);
+    });
     const std::uint32_t right = ++sides_;
     for (auto i = middle; i != part.end(); ++i)
       side_[*i] = right;
     // Of the first half, those that touch the second come last of all.
     const auto touches = [&](std::uint32_t i) {
-      return std::any_of(matrix_.columns.begin() + static_cast<std::ptrdiff_t>(matrix_.begin[i]),
-                         matrix_.columns.begin() +
-                             static_cast<std::ptrdiff_t>(matrix_.begin[i + 1]),
-                         [&](std::uint32_t j) { return side_[j] == right; });
+      const std::span row(pattern_.columns.data() + pattern_.begin[i],
+                          pattern_.columns.data() + pattern_.begin[i + 1]);
+      pace_.after(row.size());
+      return std::ranges::any_of(row, [&](std::uint32_t j) { return side_[j] == right; });
     };
     const auto wall =
         std::stable_partition(part.begin(), middle, [&](std::uint32_t i) { return !touches(i); });
@@ -58,57 +62,60 @@ private:
     return axis;
   }
 
-  const SymmetricMatrix& matrix_;
+  const SymmetricPattern& pattern_;
   const Eigen::Matrix3Xf& places_;
-  const Progress& progress_;
+  PacedCheck pace_;
   std::vector<std::uint32_t> side_; // number of the half that an unknown was put into last
   std::uint32_t sides_ = 0;
 };
 
 } // namespace
 
-std::vector<std::uint32_t> dissectionOrder(const SymmetricMatrix& matrix,
+std::vector<std::uint32_t> dissectionOrder(const SymmetricPattern& pattern,
                                            const Eigen::Matrix3Xf& places,
                                            const Progress& progress) {
-  std::vector<std::uint32_t> order(matrix.size());
+  std::vector<std::uint32_t> order(pattern.size());
   std::iota(order.begin(), order.end(), 0U);
-  Dissection(matrix, places, progress).split(order);
+  Dissection(pattern, places, progress).split(order);
   return order;
 }
 
-SparseLdlt::SparseLdlt(const SymmetricMatrix& pattern, std::vector<std::uint32_t> order,
+SparseLdlt::SparseLdlt(const SymmetricPattern& pattern, std::vector<std::uint32_t> order,
                        const Progress& progress)
-    : order_(std::move(order)), place_(order_.size()), parent_(order_.size(), none),
-      begin_(order_.size() + 1, 0), diagonal_(order_.size()), met_(order_.size(), none),
-      path_(order_.size()) {
+    : pattern_(pattern), order_(std::move(order)), place_(order_.size()),
+      parent_(order_.size(), none), begin_(order_.size() + 1, 0), diagonal_(order_.size()),
+      met_(order_.size(), none), path_(order_.size()) {
+  PacedCheck pace(progress);
   const auto size = static_cast<std::uint32_t>(order_.size());
   for (std::uint32_t k = 0; k < size; ++k)
     place_[order_[k]] = k;
   for (std::uint32_t k = 0; k < size; ++k) {
-    if (k % 1024 == 0) progress.check();
     met_[k] = k;
     const std::uint32_t row = order_[k];
-    for (std::size_t p = pattern.begin[row]; p < pattern.begin[row + 1]; ++p)
+    for (std::size_t p = pattern.begin[row]; p < pattern.begin[row + 1]; ++p) {
+      pace.after(1);
       for (std::uint32_t i = place_[pattern.columns[p]]; i < k && met_[i] != k; i = parent_[i]) {
+        pace.after(1);
         if (parent_[i] == none) parent_[i] = k;
         ++begin_[i + 1];
         met_[i] = k;
       }
+    }
   }
   std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-  rows_.resize(begin_.back());
-  values_.resize(begin_.back());
+  rows_.resize(static_cast<Eigen::Index>(begin_.back()));
+  values_.resize(static_cast<Eigen::Index>(begin_.back()));
 }
 
 /// Collects the columns that row k of L has entries in, so that each comes before those that it
 /// adds to. @return where they begin in path_
-std::size_t SparseLdlt::pathOf(const SymmetricMatrix& matrix, std::uint32_t k) {
+std::size_t SparseLdlt::pathOf(std::uint32_t k) {
   std::size_t top = path_.size();
   met_[k] = k;
   const std::uint32_t row = order_[k];
-  for (std::size_t p = matrix.begin[row]; p < matrix.begin[row + 1]; ++p) {
+  for (std::size_t p = pattern_.begin[row]; p < pattern_.begin[row + 1]; ++p) {
     std::size_t length = 0;
-    for (std::uint32_t i = place_[matrix.columns[p]]; i < k && met_[i] != k; i = parent_[i]) {
+    for (std::uint32_t i = place_[pattern_.columns[p]]; i < k && met_[i] != k; i = parent_[i]) {
       path_[length++] = i;
       met_[i] = k;
     }
@@ -118,47 +125,58 @@ std::size_t SparseLdlt::pathOf(const SymmetricMatrix& matrix, std::uint32_t k) {
   return top;
 }
 
-void SparseLdlt::factor(const SymmetricMatrix& matrix, const Progress& progress) {
+void SparseLdlt::factor(const Eigen::VectorXd& values, const Progress& progress) {
+  PacedCheck pace(progress);
   const auto size = static_cast<std::uint32_t>(order_.size());
   std::vector<double> row(size, 0);
+  std::uint32_t* const rows = rows_.data();
+  double* const entries = values_.data();
   filled_.assign(begin_.begin(), begin_.end() - 1);
   std::ranges::fill(met_, none);
   for (std::uint32_t k = 0; k < size; ++k) {
     if (k % 16 == 0) progress.update(k / static_cast<double>(size));
     const std::uint32_t unknown = order_[k];
-    for (std::size_t p = matrix.begin[unknown]; p < matrix.begin[unknown + 1]; ++p)
-      if (const std::uint32_t i = place_[matrix.columns[p]]; i <= k) row[i] += matrix.values[p];
+    for (std::size_t p = pattern_.begin[unknown]; p < pattern_.begin[unknown + 1]; ++p)
+      if (const std::uint32_t i = place_[pattern_.columns[p]]; i <= k)
+        row[i] += values[static_cast<Eigen::Index>(p)];
     double pivot = row[k];
     row[k] = 0;
-    for (std::size_t top = pathOf(matrix, k); top < path_.size(); ++top) {
+    for (std::size_t top = pathOf(k); top < path_.size(); ++top) {
       const std::uint32_t i = path_[top];
       const double value = row[i];
       row[i] = 0;
       const std::size_t end = filled_[i]++;
+      pace.after(end - begin_[i]);
       for (std::size_t p = begin_[i]; p < end; ++p)
-        row[rows_[p]] -= values_[p] * value;
+        row[rows[p]] -= entries[p] * value;
       const double entry = value / diagonal_[i];
       pivot -= entry * value;
-      rows_[end] = k;
-      values_[end] = entry;
+      rows[end] = k;
+      entries[end] = entry;
     }
     diagonal_[k] = std::max(pivot, std::numeric_limits<double>::min()); // rounding
   }
   progress.update(1);
 }
 
-Eigen::MatrixX3d SparseLdlt::solve(const Eigen::MatrixX3d& right) const {
+Eigen::MatrixX3d SparseLdlt::solve(const Eigen::MatrixX3d& right, const Progress& progress) const {
+  PacedCheck pace(progress);
   const auto size = static_cast<std::uint32_t>(order_.size());
   Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor> x(size, 3);
   for (std::uint32_t k = 0; k < size; ++k)
     x.row(k) = right.row(order_[k]);
-  for (std::uint32_t k = 0; k < size; ++k)
+  const std::uint32_t* const rows = rows_.data();
+  const double* const entries = values_.data();
+  for (std::uint32_t k = 0; k < size; ++k) {
+    pace.after(begin_[k + 1] - begin_[k]);
     for (std::size_t p = begin_[k]; p < begin_[k + 1]; ++p)
-      x.row(rows_[p]) -= values_[p] * x.row(k);
+      x.row(rows[p]) -= entries[p] * x.row(k);
+  }
   for (std::uint32_t k = size; k-- > 0;) {
+    pace.after(begin_[k + 1] - begin_[k]);
     x.row(k) /= diagonal_[k];
     for (std::size_t p = begin_[k]; p < begin_[k + 1]; ++p)
-      x.row(k) -= values_[p] * x.row(rows_[p]);
+      x.row(k) -= entries[p] * x.row(rows[p]);
   }
   Eigen::MatrixX3d result(size, 3);
   for (std::uint32_t k = 0; k < size; ++k)

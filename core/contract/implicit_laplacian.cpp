@@ -42,8 +42,8 @@ Eigen::Matrix3Xf contractedByImplicitLaplacian(const Eigen::Matrix3Xf& points,
   // About their middle, so that no digits are lost.
   const Eigen::Vector3d middle = points.cast<double>().rowwise().mean();
   Eigen::Matrix3Xd places = points.cast<double>().colwise() - middle;
-  const std::vector<double> first = laplacian.sizes(places);
-  const double extent = mean(laplacian.extents(places));
+  const std::vector<double> first = laplacian.sizes(places, progress.part(0.1, 0.12));
+  const double extent = mean(laplacian.extents(places, progress.part(0.12, 0.13)));
   if (extent == 0) return points;
   double shrunk = mean(first);
   const double diagonal =
@@ -51,16 +51,15 @@ Eigen::Matrix3Xf contractedByImplicitLaplacian(const Eigen::Matrix3Xf& points,
   double weight = std::min(options.contraction * diagonal / (5 * extent), greatestWeight);
 
   std::vector<double> holds(first.size(), 1);
-  SymmetricMatrix matrix = laplacian.normalEquations(places, weight, holds, progress);
-  SparseLdlt solver(matrix, dissectionOrder(matrix, points, progress), progress);
+  const SymmetricPattern& pattern = laplacian.pattern();
+  SparseLdlt solver(pattern, dissectionOrder(pattern, points, progress), progress);
   for (int round = 0; round < options.rounds; ++round) {
     const auto share = [&](double of) { return 0.15 + 0.85 * (round + of) / options.rounds; };
-    if (round > 0)
-      matrix =
-          laplacian.normalEquations(places, weight, holds, progress.part(share(0), share(0.1)));
-    solver.factor(matrix, progress.part(share(0.1), share(0.9)));
-    places = solver.solve(rightSide(places, holds)).transpose();
-    const std::vector<double> sizes = laplacian.sizes(places);
+    const Progress setting = progress.part(share(0), share(0.1));
+    solver.factor(laplacian.normalEquations(places, weight, holds, setting),
+                  progress.part(share(0.1), share(0.95)));
+    places = solver.solve(rightSide(places, holds), progress).transpose();
+    const std::vector<double> sizes = laplacian.sizes(places, progress.part(share(0.95), share(1)));
     const double now = mean(sizes);
     if (now > 0.99 * shrunk) break;
     shrunk = now;

@@ -2,10 +2,12 @@
 
 #include "core/base/progress.h"
 #include "core/base/sparse_ldlt.h"
+#include "core/graph/neighborhoods.h"
 
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace espalier {
@@ -18,32 +20,43 @@ public:
   RingLaplacian(const Eigen::Matrix3Xf& points, int neighbors, const Progress& progress = {});
 
   /// Mean distance of each point to its ring [L]; 0 where it has none.
-  [[nodiscard]] std::vector<double> extents(const Eigen::Matrix3Xd& places) const;
+  [[nodiscard]] std::vector<double> extents(const Eigen::Matrix3Xd& places,
+                                            const Progress& progress = {}) const;
 
   /// Square root of the area of the triangles about each point [L]: a line has none, however far
   /// its points are apart. The extent of its ring where there are no triangles.
-  [[nodiscard]] std::vector<double> sizes(const Eigen::Matrix3Xd& places) const;
+  [[nodiscard]] std::vector<double> sizes(const Eigen::Matrix3Xd& places,
+                                          const Progress& progress = {}) const;
 
-  /// The matrix of the normal equations with cotangents at `places`:
+  /// Where the normal equations have entries.
+  [[nodiscard]] const SymmetricPattern& pattern() const { return pattern_; }
+
+  /// The entries of the normal equations with cotangents at `places`:
   /// weight^2 L^T L + diagonal(holds^2).
-  [[nodiscard]] SymmetricMatrix normalEquations(const Eigen::Matrix3Xd& places, double weight,
+  [[nodiscard]] Eigen::VectorXd normalEquations(const Eigen::Matrix3Xd& places, double weight,
                                                 const std::vector<double>& holds,
                                                 const Progress& progress = {}) const;
 
 private:
-  /// Cotangent weights of a ring, by place in rings_; between 1/1000 and 1000.
-  [[nodiscard]] std::vector<double> cotangents(const Eigen::Matrix3Xd& places,
-                                               const Progress& progress) const;
-  void findPattern(const Progress& progress);
-
   struct Use { // of a point, in the ring of another
     std::uint32_t row;
-    std::uint32_t place; // in rings_
+    std::uint32_t place; // in that ring
   };
 
-  std::vector<std::vector<std::uint32_t>> rings_; // with noNeighbor for gaps
-  std::vector<std::vector<Use>> uses_;            // by point
-  SymmetricMatrix pattern_;                       // of L^T L; its values mean nothing
+  /// Cotangent weights of the rings, by place in rings_.members; between 1/1000 and 1000.
+  [[nodiscard]] Eigen::VectorXd cotangents(const Eigen::Matrix3Xd& places,
+                                           const Progress& progress) const;
+  void findUses(const Progress& progress);
+  void findPattern(const Progress& progress);
+  [[nodiscard]] std::span<const Use> usesOf(Eigen::Index point) const {
+    const auto i = static_cast<std::size_t>(point);
+    return {uses_.data() + usesBegin_[i], uses_.data() + usesBegin_[i + 1]};
+  }
+
+  Neighborhoods rings_;                // with noNeighbor for gaps
+  std::vector<std::size_t> usesBegin_; // by point: places in uses_
+  std::vector<Use> uses_;
+  SymmetricPattern pattern_; // of L^T L
 };
 
 } // namespace espalier

@@ -1,5 +1,6 @@
 #include "core/graph/neighborhoods.h"
 
+#include "core/base/paced_check.h"
 #include "core/base/parallel.h"
 #include "core/base/spatial_index.h"
 #include "core/graph/geodesic.h"
@@ -32,15 +33,18 @@ std::vector<std::uint32_t> sorted(std::vector<Found>& found, std::uint32_t own) 
 
 } // namespace
 
-Neighborhoods joinedLists(const Lists& lists) {
+Neighborhoods joinedLists(const Lists& lists, const Progress& progress) {
   Neighborhoods result;
+  PacedCheck pace(progress);
   result.begin.assign(1, 0);
   result.begin.reserve(lists.size() + 1);
   for (const auto& list : lists)
     result.begin.push_back(result.begin.back() + list.size());
   result.members.reserve(result.begin.back());
-  for (const auto& list : lists)
+  for (const auto& list : lists) {
+    pace.after(1 + list.size());
     result.members.insert(result.members.end(), list.begin(), list.end());
+  }
   return result;
 }
 
@@ -66,7 +70,7 @@ Neighborhoods neighborhoodsWithin(const Eigen::Matrix3Xf& points, float radius,
     lists[static_cast<std::size_t>(point)] = sorted(found, static_cast<std::uint32_t>(point));
   };
   parallelFor(points.cols(), search, progress, 32);
-  return joinedLists(lists);
+  return joinedLists(lists, progress);
 }
 
 Neighborhoods geodesicNearest(const NeighborhoodGraph& graph, int count, const Progress& progress) {
@@ -81,7 +85,7 @@ Neighborhoods geodesicNearest(const NeighborhoodGraph& graph, int count, const P
     if (list.size() == most) list.pop_back(); // at the same place, and settled before the center
   };
   parallelFor(graph.size(), search, progress, 32);
-  return joinedLists(lists);
+  return joinedLists(lists, progress);
 }
 
 Neighborhoods geodesicWithin(const NeighborhoodGraph& graph, float radius,
@@ -97,7 +101,7 @@ Neighborhoods geodesicWithin(const NeighborhoodGraph& graph, float radius,
   };
   forEachGeodesicBalls(
       graph, [&](std::uint32_t /*center*/) { return radius; }, visit, progress);
-  return joinedLists(lists);
+  return joinedLists(lists, progress);
 }
 
 } // namespace espalier

@@ -23,8 +23,9 @@ struct Neighborhoods {
   }
 };
 
-/// One list of neighbors per point, joined.
-[[nodiscard]] Neighborhoods joinedLists(const std::vector<std::vector<std::uint32_t>>& lists);
+/// One list of neighbors per point, joined. @throws Cancelled if `progress` asks to stop
+[[nodiscard]] Neighborhoods joinedLists(const std::vector<std::vector<std::uint32_t>>& lists,
+                                        const Progress& progress = {});
 
 // All below list the nearest first, are deterministic, use all threads, and throw Cancelled if
 // `progress` asks to stop.

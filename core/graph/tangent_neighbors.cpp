@@ -170,7 +170,7 @@ Neighborhoods voronoiNeighbors(const Eigen::Matrix3Xf& points, const Eigen::Matr
     lists[static_cast<std::size_t>(point)] = std::move(ring);
   };
   parallelFor(points.cols(), find, progress);
-  return joinedLists(lists);
+  return joinedLists(lists, progress);
 }
 
 Neighborhoods angleCriterionNeighbors(const Eigen::Matrix3Xf& points,
@@ -190,7 +190,7 @@ Neighborhoods angleCriterionNeighbors(const Eigen::Matrix3Xf& points,
         evenlyAround(std::move(placed), static_cast<std::size_t>(std::max(count, 0)), widestGap);
   };
   parallelFor(points.cols(), find, progress);
-  return joinedLists(lists);
+  return joinedLists(lists, progress);
 }
 
 } // namespace espalier

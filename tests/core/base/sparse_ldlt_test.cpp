@@ -36,22 +36,30 @@ Eigen::MatrixXd dense() {
   return matrix;
 }
 
-SymmetricMatrix sparse(const Eigen::MatrixXd& matrix) {
-  SymmetricMatrix result;
-  result.begin.push_back(0);
+/// Both halves of a matrix, row by row.
+struct Sparse {
+  SymmetricPattern pattern;
+  Eigen::VectorXd values;
+};
+
+Sparse sparse(const Eigen::MatrixXd& matrix) {
+  Sparse result;
+  std::vector<double> values;
+  result.pattern.begin.push_back(0);
   for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
     for (Eigen::Index j = 0; j < matrix.cols(); ++j)
       if (matrix(i, j) != 0) {
-        result.columns.push_back(static_cast<std::uint32_t>(j));
-        result.values.push_back(matrix(i, j));
+        result.pattern.columns.push_back(static_cast<std::uint32_t>(j));
+        values.push_back(matrix(i, j));
       }
-    result.begin.push_back(result.columns.size());
+    result.pattern.begin.push_back(values.size());
   }
+  result.values = Eigen::Map<Eigen::VectorXd>(values.data(), std::ssize(values));
   return result;
 }
 
 TEST(DissectionOrder, HoldsEachUnknownOnce) {
-  std::vector<std::uint32_t> order = dissectionOrder(sparse(dense()), places());
+  std::vector<std::uint32_t> order = dissectionOrder(sparse(dense()).pattern, places());
   std::ranges::sort(order);
   std::vector<std::uint32_t> all(side * side);
   std::iota(all.begin(), all.end(), 0U);
@@ -59,23 +67,28 @@ TEST(DissectionOrder, HoldsEachUnknownOnce) {
 }
 
 TEST(SparseLdlt, SolvesWhatItMultipliesTo) {
-  const SymmetricMatrix matrix = sparse(dense());
+  const Sparse matrix = sparse(dense());
   const Eigen::MatrixX3d truth = places().cast<double>().transpose();
-  SparseLdlt solver(matrix, dissectionOrder(matrix, places()));
-  solver.factor(matrix);
+  SparseLdlt solver(matrix.pattern, dissectionOrder(matrix.pattern, places()));
+  solver.factor(matrix.values);
   EXPECT_LT((solver.solve(dense() * truth) - truth).cwiseAbs().maxCoeff(), 1e-9);
   // Again, with other values.
-  const SymmetricMatrix other = sparse(3 * dense());
-  solver.factor(other);
+  solver.factor(3 * matrix.values);
   EXPECT_LT((solver.solve(3 * dense() * truth) - truth).cwiseAbs().maxCoeff(), 1e-9);
 }
 
 TEST(SparseLdlt, StopsWhenAsked) {
-  const SymmetricMatrix matrix = sparse(dense());
-  SparseLdlt solver(matrix, dissectionOrder(matrix, places()));
-  EXPECT_TRUE(test::stopsWhenAsked([&](const Progress& p) { solver.factor(matrix, p); }));
-  EXPECT_TRUE(
-      test::stopsWhenAsked([&](const Progress& p) { (void)dissectionOrder(matrix, places(), p); }));
+  const Sparse matrix = sparse(dense());
+  const std::vector<std::uint32_t> order = dissectionOrder(matrix.pattern, places());
+  SparseLdlt solver(matrix.pattern, order);
+  solver.factor(matrix.values);
+  const Eigen::MatrixX3d right = places().cast<double>().transpose();
+  using test::stopsWhenAsked;
+  EXPECT_TRUE(stopsWhenAsked(
+      [&](const Progress& p) { (void)dissectionOrder(matrix.pattern, places(), p); }));
+  EXPECT_TRUE(stopsWhenAsked([&](const Progress& p) { SparseLdlt(matrix.pattern, order, p); }));
+  EXPECT_TRUE(stopsWhenAsked([&](const Progress& p) { solver.factor(matrix.values, p); }));
+  EXPECT_TRUE(stopsWhenAsked([&](const Progress& p) { (void)solver.solve(right, p); }));
 }
 
 } // namespace

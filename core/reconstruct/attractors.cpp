@@ -49,13 +49,6 @@ std::vector<std::uint32_t> Attractors::around(const Eigen::Vector3d& place, doub
   return living;
 }
 
-std::vector<std::uint32_t> Attractors::unreached() const {
-  std::vector<std::uint32_t> points;
-  for (std::uint32_t i = 0; i < owner_.size(); ++i)
-    if (owner_[i] == none) points.push_back(i);
-  return points;
-}
-
 const std::vector<std::uint32_t>& Attractors::of(std::uint32_t node) {
   std::erase_if(owned_[node],
                 [&](std::uint32_t point) { return !isAlive_[point] || owner_[point] != node; });

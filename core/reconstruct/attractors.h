@@ -34,12 +34,11 @@ public:
   /// The living points of a node, by their number. Valid until the next call of meet().
   [[nodiscard]] const std::vector<std::uint32_t>& of(std::uint32_t node);
 
-  /// The points that no node has been in reach of.
-  [[nodiscard]] std::vector<std::uint32_t> unreached() const;
-
   [[nodiscard]] bool isOf(std::uint32_t node, std::uint32_t point) const {
     return owner_[point] == node;
   }
+  /// Whether a node has been in reach of it.
+  [[nodiscard]] bool isReached(std::uint32_t point) const { return owner_[point] != none; }
   [[nodiscard]] Eigen::Vector3d position(std::uint32_t point) const {
     return points_.col(point).cast<double>();
   }

@@ -1,10 +1,13 @@
 #include "core/reconstruct/growing_tree.h"
 
+#include "core/base/parallel.h"
 #include "core/base/spatial_index.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <span>
 #include <tuple>
 
 namespace espalier {
@@ -37,26 +40,40 @@ GrowingTree::shootTowards(std::uint32_t node, const std::vector<std::uint32_t>& 
   return Shoot{node, place};
 }
 
-std::vector<GrowingTree::Shoot> GrowingTree::shootsAcrossGaps(double widestGap,
-                                                              const Progress& progress) const {
-  constexpr std::size_t fewest = 3; // points that tell a twig from dust
-  struct Gap {
-    float squaredWidth;
-    std::uint32_t point;
-    std::uint32_t node;
+void GrowingTree::updateGaps(const Progress& progress) {
+  if (nodesOfGaps_ == 0)
+    for (std::uint32_t point = 0; point < attractors_.size(); ++point)
+      gaps_.push_back({std::numeric_limits<float>::max(), point, 0});
+  std::erase_if(gaps_, [&](const Gap& gap) { return attractors_.isReached(gap.point); });
+  const std::span<const Eigen::Vector3d> added = std::span(places_).subspan(nodesOfGaps_);
+  Eigen::Matrix3Xf nodes(3, static_cast<Eigen::Index>(added.size()));
+  for (std::size_t i = 0; i < added.size(); ++i)
+    nodes.col(static_cast<Eigen::Index>(i)) = added[i].cast<float>();
+  const SpatialIndex index(nodes, progress);
+  constexpr float longest = std::numeric_limits<float>::max();
+  const auto first = static_cast<std::uint32_t>(nodesOfGaps_);
+  const auto update = [&](Eigen::Index i) {
+    Gap& gap = gaps_[static_cast<std::size_t>(i)];
+    const float reach = std::nextafter(std::sqrt(gap.squaredWidth), longest);
+    const auto nearest = index.nearestIf(attractors_.position(gap.point).cast<float>(), reach,
+                                         [](Eigen::Index) { return true; });
+    if (nearest && nearest->squaredDistance < gap.squaredWidth)
+      gap = {nearest->squaredDistance, gap.point,
+             first + static_cast<std::uint32_t>(nearest->index)};
   };
-  Eigen::Matrix3Xf nodes(3, static_cast<Eigen::Index>(places_.size()));
-  for (std::size_t i = 0; i < places_.size(); ++i)
-    nodes.col(static_cast<Eigen::Index>(i)) = places_[i].cast<float>();
-  const SpatialIndex index(nodes);
+  parallelFor(static_cast<Eigen::Index>(gaps_.size()), update, progress.part(0, 0));
+  nodesOfGaps_ = places_.size();
+}
+
+std::vector<GrowingTree::Shoot> GrowingTree::shootsAcrossGaps(double widestGap,
+                                                              const Progress& progress) {
+  constexpr std::size_t fewest = 3; // points that tell a twig from dust
+  updateGaps(progress);
   const double widest = widestGap > 0 ? widestGap : std::numeric_limits<double>::infinity();
   std::vector<Gap> gaps;
-  for (const std::uint32_t point : attractors_.unreached()) {
-    progress.check();
-    const Neighbor nearest = index.nearest(attractors_.position(point).cast<float>(), 1).front();
-    if (std::sqrt(static_cast<double>(nearest.squaredDistance)) <= widest)
-      gaps.push_back({nearest.squaredDistance, point, static_cast<std::uint32_t>(nearest.index)});
-  }
+  std::ranges::copy_if(gaps_, std::back_inserter(gaps), [&](const Gap& gap) {
+    return std::sqrt(static_cast<double>(gap.squaredWidth)) <= widest;
+  });
   std::ranges::sort(gaps, {},
                     [](const Gap& gap) { return std::tuple(gap.squaredWidth, gap.point); });
   std::vector<bool> isLeft(attractors_.size(), false); // by point: beside a gap, and not met yet

@@ -47,7 +47,7 @@ public:
   /// @param widestGap [L] wider ones are not bridged; 0 = all are
   /// @throws Cancelled if `progress` asks to stop
   [[nodiscard]] std::vector<Shoot> shootsAcrossGaps(double widestGap,
-                                                    const Progress& progress = {}) const;
+                                                    const Progress& progress = {});
 
   [[nodiscard]] const Eigen::Vector3d& place(std::uint32_t node) const { return places_[node]; }
   [[nodiscard]] double step(std::uint32_t node) const { return steps_[node]; } // [L]
@@ -56,6 +56,17 @@ public:
   [[nodiscard]] const Skeleton& skeleton() const { return skeleton_; }
 
 private:
+  /// From a point that no node has been in reach of to the node nearest to it.
+  struct Gap {
+    float squaredWidth; // [L^2]
+    std::uint32_t point;
+    std::uint32_t node;
+  };
+
+  /// Forgets the gaps of points that were reached since, and looks for nearer nodes among those
+  /// added since. Time O(G log n) for G gaps and n new nodes, far less where these are far off.
+  void updateGaps(const Progress& progress);
+
   /// Clears the marks of all points that lie together with `first`.
   void takeTogether(std::uint32_t first, std::vector<bool>& isLeft, const Progress& progress) const;
 
@@ -67,6 +78,8 @@ private:
   std::vector<double> steps_;
   std::vector<double> densities_; // of the nearest point
   std::vector<NodeId> ids_;
+  std::vector<Gap> gaps_;       // by number of the point
+  std::size_t nodesOfGaps_ = 0; // that gaps_ know of
   Skeleton skeleton_;
 };
 

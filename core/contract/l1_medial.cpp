@@ -49,16 +49,14 @@ public:
   /// Moves samples until they rest, then ties those on lines to branches.
   void runStage(double radius, const Progress& progress) {
     weighPoints(radius, progress.part(0, 0.2));
-    std::vector<SampleLine> lines;
     for (int round = 0; round < options_.roundsPerStage; ++round) {
       const double share = 0.2 + 0.8 * round / options_.roundsPerStage;
-      lines = linesThrough(radius, progress);
       const double shift =
-          moveOnce(radius, lines, progress.part(share, share + 0.8 / options_.roundsPerStage));
+          moveOnce(radius, progress.part(share, share + 0.8 / options_.roundsPerStage));
       if (shift < 0.01 * radius) break;
     }
-    lines = linesThrough(radius, progress);
-    markBranches(places_, lines, radius, options_.leastDirection, isDone_);
+    markBranches(places_, linesThrough(radius, progress), radius, options_.leastDirection, isDone_,
+                 progress);
   }
   [[nodiscard]] bool isFinished() const {
     return std::ranges::all_of(isDone_, [](bool done) { return done; });
@@ -77,38 +75,31 @@ private:
     parallelFor(points_.cols(), weigh, progress, 64);
   }
 
-  /// The line that the samples about each one form, and how much they spread along it.
+  /// The lines of the samples that are free to move.
   [[nodiscard]] std::vector<SampleLine> linesThrough(double radius,
                                                      const Progress& progress) const {
-    const SpatialIndex samples(places_);
+    const SpatialIndex samples(places_, progress);
     std::vector<SampleLine> lines(static_cast<std::size_t>(places_.cols()));
     const auto find = [&](Eigen::Index i) {
       progress.check();
-      const Eigen::Vector3d place = places_.col(i).cast<double>();
-      Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-      for (const Neighbor& other : samples.within(places_.col(i), static_cast<float>(radius))) {
-        const Eigen::Vector3d d = places_.col(other.index).cast<double>() - place;
-        spread += fading(static_cast<double>(other.squaredDistance), radius) * d * d.transpose();
-      }
-      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
-      const double sum = solver.eigenvalues().sum();
-      if (sum > 0)
-        lines[static_cast<std::size_t>(i)] = {.direction = solver.eigenvectors().col(2),
-                                              .share = solver.eigenvalues()[2] / sum};
+      if (isDone_[static_cast<std::size_t>(i)]) return;
+      const auto about = samples.within(places_.col(i), static_cast<float>(radius));
+      lines[static_cast<std::size_t>(i)] = lineThrough(i, about, radius);
     };
     parallelFor(places_.cols(), find, {}, 64);
     return lines;
   }
 
   /// @return the mean way that a sample went
-  double moveOnce(double radius, const std::vector<SampleLine>& lines, const Progress& progress) {
-    const SpatialIndex samples(places_);
+  double moveOnce(double radius, const Progress& progress) {
+    const SpatialIndex samples(places_, progress);
     Eigen::Matrix3Xf moved = places_;
     const auto move = [&](Eigen::Index i) {
       if (isDone_[static_cast<std::size_t>(i)]) return;
-      const Eigen::Vector3d to = median(i, radius) + options_.repulsion *
-                                                         lines[static_cast<std::size_t>(i)].share *
-                                                         push(samples, i, radius);
+      const auto about = samples.within(places_.col(i), static_cast<float>(radius));
+      const double share = lineThrough(i, about, radius).share;
+      const Eigen::Vector3d to =
+          median(i, radius) + options_.repulsion * share * push(i, about, radius);
       moved.col(i) = to.cast<float>();
     };
     parallelFor(places_.cols(), move, progress, 32);
@@ -116,6 +107,21 @@ private:
     const double way = static_cast<double>((moved - places_).colwise().norm().sum());
     places_ = std::move(moved);
     return free > 0 ? way / static_cast<double>(free) : 0;
+  }
+
+  /// The line that the samples about one form, and how much they spread along it.
+  [[nodiscard]] SampleLine lineThrough(Eigen::Index sample, const std::vector<Neighbor>& about,
+                                       double radius) const {
+    const Eigen::Vector3d place = places_.col(sample).cast<double>();
+    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+    for (const Neighbor& other : about) {
+      const Eigen::Vector3d d = places_.col(other.index).cast<double>() - place;
+      spread += fading(static_cast<double>(other.squaredDistance), radius) * d * d.transpose();
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
+    const double sum = solver.eigenvalues().sum();
+    if (!(sum > 0)) return {};
+    return {.direction = solver.eigenvectors().col(2), .share = solver.eigenvalues()[2] / sum};
   }
 
   /// One step of Weiszfeld's way to the median of the points about a sample.
@@ -134,12 +140,12 @@ private:
   }
 
   /// Away from the other samples, by their means.
-  [[nodiscard]] Eigen::Vector3d push(const SpatialIndex& samples, Eigen::Index sample,
+  [[nodiscard]] Eigen::Vector3d push(Eigen::Index sample, const std::vector<Neighbor>& about,
                                      double radius) const {
     const double nearest = 1e-3 * radius;
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     double total = 0;
-    for (const Neighbor& other : samples.within(places_.col(sample), static_cast<float>(radius))) {
+    for (const Neighbor& other : about) {
       if (other.index == sample) continue;
       const auto squared = static_cast<double>(other.squaredDistance);
       const double weight = fading(squared, radius) / std::max(squared, nearest * nearest);

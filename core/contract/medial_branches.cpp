@@ -15,27 +15,29 @@ namespace {
 class RowTracer {
 public:
   RowTracer(const Eigen::Matrix3Xf& places, const std::vector<SampleLine>& lines, double radius,
-            double leastShare)
-      : places_(places), lines_(lines), index_(places), radius_(radius), leastShare_(leastShare) {}
+            double leastShare, const Progress& progress)
+      : places_(places), lines_(lines), index_(places, progress), radius_(radius),
+        leastShare_(leastShare) {}
 
   [[nodiscard]] bool isDirected(Eigen::Index sample) const {
     return lines_[static_cast<std::size_t>(sample)].share >= leastShare_;
   }
 
   /// The samples that follow `first` towards `direction`, itself not among them.
+  /// @param isTaken those that are not to be met; the same again when this returns
   [[nodiscard]] std::vector<Eigen::Index> from(Eigen::Index first, Eigen::Vector3d direction,
-                                               const std::vector<bool>& isTaken) const {
-    std::vector<Eigen::Index> row;
-    std::vector<bool> isMet(isTaken);
-    isMet[static_cast<std::size_t>(first)] = true;
-    for (Eigen::Index at = first;;) {
-      const std::optional<Eigen::Index> next = nextAfter(at, direction, isMet);
-      if (!next) return row;
-      direction = (places_.col(*next) - places_.col(at)).cast<double>().normalized();
+                                               std::vector<bool>& isTaken) const {
+    std::vector<Eigen::Index> row = {first};
+    isTaken[static_cast<std::size_t>(first)] = true;
+    while (const std::optional<Eigen::Index> next = nextAfter(row.back(), direction, isTaken)) {
+      direction = (places_.col(*next) - places_.col(row.back())).cast<double>().normalized();
       row.push_back(*next);
-      at = *next;
-      isMet[static_cast<std::size_t>(at)] = true;
+      isTaken[static_cast<std::size_t>(*next)] = true;
     }
+    for (const Eigen::Index met : row)
+      isTaken[static_cast<std::size_t>(met)] = false;
+    row.erase(row.begin());
+    return row;
   }
 
 private:
@@ -66,15 +68,17 @@ private:
 } // namespace
 
 void markBranches(const Eigen::Matrix3Xf& places, const std::vector<SampleLine>& lines,
-                  double radius, double leastShare, std::vector<bool>& isDone) {
+                  double radius, double leastShare, std::vector<bool>& isDone,
+                  const Progress& progress) {
   constexpr std::size_t fewest = 5;
-  const RowTracer tracer(places, lines, radius, leastShare);
+  const RowTracer tracer(places, lines, radius, leastShare, progress);
   std::vector<Eigen::Index> seeds(lines.size());
   std::iota(seeds.begin(), seeds.end(), 0);
   std::ranges::stable_sort(seeds, std::greater<>(), [&](Eigen::Index i) {
     return lines[static_cast<std::size_t>(i)].share;
   });
   for (const Eigen::Index seed : seeds) {
+    progress.check();
     if (!tracer.isDirected(seed)) break;
     if (isDone[static_cast<std::size_t>(seed)]) continue;
     const Eigen::Vector3d direction = lines[static_cast<std::size_t>(seed)].direction;
@@ -90,7 +94,7 @@ void markBranches(const Eigen::Matrix3Xf& places, const std::vector<SampleLine>&
 
 Eigen::Matrix3Xf carriedAlong(const Eigen::Matrix3Xf& points, const Eigen::Matrix3Xf& start,
                               const Eigen::Matrix3Xf& end, const Progress& progress) {
-  const SpatialIndex index(start);
+  const SpatialIndex index(start, progress);
   Eigen::Matrix3Xf result(3, points.cols());
   const auto carry = [&](Eigen::Index i) {
     const std::vector<Neighbor> near = index.nearest(points.col(i), 3);

@@ -21,18 +21,22 @@ double cotangent(const Eigen::Vector3d& tip, const Eigen::Vector3d& a, const Eig
   return along / std::max(across, 1e-3 * std::abs(along) + 1e-300);
 }
 
-} // namespace
-
-RingLaplacian::RingLaplacian(const Eigen::Matrix3Xf& points, int neighbors,
-                             const Progress& progress) {
-  const Neighborhoods near = nearestNeighborhoods(points, neighbors, progress.part(0, 0.4));
-  const Eigen::Matrix3Xf across = normals(points, near, progress.part(0.4, 0.6));
+Neighborhoods ringsOf(const Eigen::Matrix3Xf& points, int neighbors, const Progress& progress) {
+  const Neighborhoods near = nearestNeighborhoods(points, neighbors, progress.part(0, 0.5));
+  const Eigen::Matrix3Xf across = normals(points, near, progress.part(0.5, 0.75));
   std::vector<std::vector<std::uint32_t>> rings(static_cast<std::size_t>(points.cols()));
   const auto findRing = [&](Eigen::Index i) {
     rings[static_cast<std::size_t>(i)] = voronoiRing(points, i, across.col(i), near.of(i));
   };
-  parallelFor(points.cols(), findRing, progress.part(0.6, 0.8));
-  rings_ = joinedLists(rings, progress);
+  parallelFor(points.cols(), findRing, progress.part(0.75, 1));
+  return joinedLists(rings, progress);
+}
+
+} // namespace
+
+RingLaplacian::RingLaplacian(const Eigen::Matrix3Xf& points, int neighbors,
+                             const Progress& progress)
+    : rings_(ringsOf(points, neighbors, progress.part(0, 0.8))) {
   findUses(progress);
   findPattern(progress.part(0.8, 1));
 }
@@ -56,23 +60,42 @@ void RingLaplacian::findUses(const Progress& progress) {
 }
 
 void RingLaplacian::findPattern(const Progress& progress) {
-  std::vector<std::vector<std::uint32_t>> rows(rings_.size());
-  const auto addRing = [&](std::vector<std::uint32_t>& row, std::uint32_t of) {
-    row.push_back(of);
-    for (const std::uint32_t other : rings_.of(of))
-      if (other != noNeighbor) row.push_back(other);
-  };
+  PacedCheck pace(progress);
+  // Room for each row with all that is named twice: as lists, freeing them would outlast a stop.
+  std::vector<std::size_t> room(rings_.size() + 1, 0);
+  for (std::size_t i = 0; i < rings_.size(); ++i) {
+    const auto point = static_cast<Eigen::Index>(i);
+    pace.after(usesOf(point).size());
+    room[i + 1] = room[i] + 1 + rings_.of(point).size();
+    for (const Use& use : usesOf(point))
+      room[i + 1] += 1 + rings_.of(use.row).size();
+  }
+  Eigen::Array<std::uint32_t, Eigen::Dynamic, 1> columns(static_cast<Eigen::Index>(room.back()));
+  std::vector<std::size_t> ends(rings_.size());
   const auto findRow = [&](Eigen::Index i) {
-    auto& row = rows[static_cast<std::size_t>(i)];
-    addRing(row, static_cast<std::uint32_t>(i));
+    std::uint32_t* const begin = columns.data() + room[static_cast<std::size_t>(i)];
+    std::uint32_t* end = begin;
+    const auto addRing = [&](std::uint32_t of) {
+      *end++ = of;
+      end = std::ranges::remove_copy(rings_.of(of), end, noNeighbor).out;
+    };
+    addRing(static_cast<std::uint32_t>(i));
     for (const Use& use : usesOf(i))
-      addRing(row, use.row);
-    std::ranges::sort(row);
-    row.erase(std::unique(row.begin(), row.end()), row.end());
+      addRing(use.row);
+    std::sort(begin, end);
+    ends[static_cast<std::size_t>(i)] =
+        static_cast<std::size_t>(std::unique(begin, end) - columns.data());
   };
-  parallelFor(static_cast<Eigen::Index>(rows.size()), findRow, progress);
-  Neighborhoods joined = joinedLists(rows, progress);
-  pattern_ = {.begin = std::move(joined.begin), .columns = std::move(joined.members)};
+  parallelFor(static_cast<Eigen::Index>(ends.size()), findRow, progress);
+  pattern_.begin.assign(1, 0);
+  for (std::size_t i = 0; i < ends.size(); ++i)
+    pattern_.begin.push_back(pattern_.begin.back() + ends[i] - room[i]);
+  pattern_.columns.reserve(pattern_.begin.back());
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    pace.after(ends[i] - room[i]);
+    pattern_.columns.insert(pattern_.columns.end(), columns.data() + room[i],
+                            columns.data() + ends[i]);
+  }
 }
 
 std::vector<double> RingLaplacian::extents(const Eigen::Matrix3Xd& places,

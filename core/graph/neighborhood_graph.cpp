@@ -1,9 +1,12 @@
 #include "core/graph/neighborhood_graph.h"
 
+#include "core/base/paced_check.h"
+#include "core/base/parallel.h"
 #include "core/base/spatial_index.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace espalier {
 namespace {
@@ -13,18 +16,20 @@ std::span<const std::uint32_t> chosenBy(const NearestOthers& table, std::size_t 
   return {table.indices.data() + point * perPoint, perPoint};
 }
 
-/// Calls visit(from, place in the table) for each choice that the other end did not make as well.
-template <class Visit>
-void forEachOneSidedChoice(const NearestOthers& table, std::size_t count, const Progress& progress,
-                           const Visit& visit) {
+/// For each choice whether the other end did not make it as well.
+std::vector<char> oneSidedChoices(const NearestOthers& table, std::size_t count,
+                                  const Progress& progress) {
   const auto perPoint = static_cast<std::size_t>(table.perPoint);
-  for (std::size_t from = 0; from < count; ++from) {
-    if (from % (1 << 16) == 0) progress.check();
+  std::vector<char> isOneSided(table.indices.size());
+  const auto look = [&](Eigen::Index point) {
+    const auto from = static_cast<std::size_t>(point);
     for (std::size_t place = from * perPoint; place < (from + 1) * perPoint; ++place) {
       const auto back = chosenBy(table, table.indices[place]);
-      if (std::find(back.begin(), back.end(), from) == back.end()) visit(from, place);
+      isOneSided[place] = std::find(back.begin(), back.end(), from) == back.end() ? 1 : 0;
     }
-  }
+  };
+  parallelFor(static_cast<Eigen::Index>(count), look, progress);
+  return isOneSided;
 }
 
 } // namespace
@@ -36,26 +41,29 @@ NeighborhoodGraph::NeighborhoodGraph(const Eigen::Matrix3Xf& points, int neighbo
       SpatialIndex(points, progress).nearestOthers(std::max(neighbors, 1), progress.part(0, 0.8));
   const auto perPoint = static_cast<std::size_t>(table.perPoint);
 
-  begin_.assign(count + 1, 0);
-  for (std::size_t i = 0; i < count; ++i)
-    begin_[i + 1] = perPoint;
-  forEachOneSidedChoice(table, count, progress, [&](std::size_t /*from*/, std::size_t place) {
-    ++begin_[table.indices[place] + 1];
-  });
-  progress.update(0.9);
-  for (std::size_t i = 0; i < count; ++i)
-    begin_[i + 1] += begin_[i];
+  const std::vector<char> isOneSided = oneSidedChoices(table, count, progress.part(0.8, 0.9));
+  PacedCheck pace(progress);
+
+  begin_.assign(count + 1, perPoint);
+  begin_[0] = 0;
+  for (std::size_t place = 0; place < isOneSided.size(); ++place)
+    if (isOneSided[place] != 0) ++begin_[table.indices[place] + 1];
+  std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
 
   links_.resize(begin_.back());
   std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
   const auto lengthAt = [&](std::size_t place) { return std::sqrt(table.squaredDistances[place]); };
-  for (std::size_t i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < count; ++i) {
+    pace.after(perPoint);
     for (std::size_t place = i * perPoint; place < (i + 1) * perPoint; ++place)
       links_[next[i]++] = {table.indices[place], lengthAt(place)};
-  forEachOneSidedChoice(table, count, progress, [&](std::size_t from, std::size_t place) {
-    const std::uint32_t to = table.indices[place];
-    links_[next[to]++] = {static_cast<std::uint32_t>(from), lengthAt(place)};
-  });
+  }
+  for (std::size_t place = 0; place < isOneSided.size(); ++place) {
+    pace.after(1);
+    if (isOneSided[place] != 0)
+      links_[next[table.indices[place]]++] = {static_cast<std::uint32_t>(place / perPoint),
+                                              lengthAt(place)};
+  }
   progress.update(1);
 }
 

@@ -51,7 +51,7 @@ ReportTable tableOf(const ChoiceRecord& record) {
   table.columns.push_back({reportText("number"), false});
   for (const ChoiceState& state : record.states)
     table.columns.push_back(
-        {state.isTaken ? reportText("%1 (taken)").arg(state.name) : state.name});
+        {state.isTaken ? reportText("%1 (in use then)").arg(state.name) : state.name});
   const auto longest = std::ranges::max_element(
       record.states, {}, [](const ChoiceState& state) { return state.numbers.size(); });
   if (longest == record.states.end()) return table;

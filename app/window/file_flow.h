@@ -58,7 +58,7 @@ public:
 
 signals:
   void opened();
-  void movedOntoScan(); // the structure, as was offered
+  void movedOntoScan();               // the structure, as was offered
   void noted(const QString& message); // of how a file was read, or what one written does not keep
   void saved(const QString& path);
   void told(const espalier::ProjectFlow::Notice& notice);

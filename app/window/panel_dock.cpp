@@ -8,6 +8,8 @@
 #include <QMainWindow>
 #include <QSettings>
 
+#include <algorithm>
+
 namespace espalier {
 namespace {
 
@@ -44,6 +46,12 @@ void PanelDock::setPlantShown(bool isShown) {
 void PanelDock::bringToFront() {
   parts_.actions[action_]->setChecked(true);
   dock_->raise();
+}
+
+void PanelDock::growBy(int pixels) {
+  if (pixels <= 0 || dock_->isFloating()) return;
+  const int most = std::max(dock_->height(), parts_.window.height() / 2);
+  parts_.window.resizeDocks({dock_}, {std::min(dock_->height() + pixels, most)}, Qt::Vertical);
 }
 
 void PanelDock::resetLayout() {

@@ -37,6 +37,7 @@ public:
 
   void setPlantShown(bool isShown); // without a plant the panel is absent
   void bringToFront();              // shown, if it was not
+  void growBy(int pixels);          // in height; of the window at most half
   void resetLayout();
   [[nodiscard]] bool isShown() const;
   [[nodiscard]] bool isInFront() const; // shown, and not behind another tab

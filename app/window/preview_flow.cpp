@@ -73,8 +73,13 @@ PreviewFlow::PreviewFlow(const Parts& parts) : parts_(parts) {
     clear();
     before_ = parts_.pipeline.options();
   });
-  connect(&parts_.document, &PlantDocument::scanChanged, this, &PreviewFlow::forgetScan);
-  connect(&parts_.document, &PlantDocument::leftOutChanged, this, &PreviewFlow::forgetScan);
+  for (auto signal : {&PlantDocument::scanChanged, &PlantDocument::leftOutChanged})
+    connect(&parts_.document, signal, this, [this] {
+      forgetScan();
+      QTimer::singleShot(0, this, [this] { // once one looks at it
+        if (isLive() && !shown_ && !isBusy()) ask(true);
+      });
+    });
   before_ = parts_.pipeline.options();
 }
 

@@ -20,7 +20,9 @@
 #include <QMainWindow>
 #include <QTimer>
 
+#include <filesystem>
 #include <sstream>
+#include <system_error>
 #include <utility>
 
 namespace espalier {
@@ -35,6 +37,12 @@ QString fingerprintOf(const Skeleton& skeleton) {
       QCryptographicHash::hash(QByteArrayView(bytes.data(), static_cast<qsizetype>(bytes.size())),
                                QCryptographicHash::Sha256)
           .toHex());
+}
+
+/// Tells the file that the points came from, as it lies now, if it still does.
+void identifyScan(ReportAbout& about, const std::filesystem::path& path) {
+  std::error_code none;
+  if (about.scan && std::filesystem::is_regular_file(path, none)) about.scan = reportedFile(path);
 }
 
 } // namespace
@@ -87,9 +95,12 @@ ReportAbout ReportFlow::about() const {
   const QString note = tr("hashed as a node list");
   const QString name = QFileInfo(document.filePath()).fileName();
   ReportAbout about;
-  about.result = {name.isEmpty() ? tr("plant") : name, fingerprintOf(document.skeleton()), note};
+  const QString scan = QFileInfo(document.scanPath()).fileName();
+  const QString unnamed = scan.isEmpty() ? tr("plant") : tr("plant of %1").arg(scan);
+  about.result = {name.isEmpty() ? unnamed : name, fingerprintOf(document.skeleton()), note};
   about.reference = {parts_.reference.name(), fingerprintOf(*parts_.reference.skeleton()), note};
-  if (document.scan() != nullptr) about.scan = ReportedFile{tr("points of the plant"), {}};
+  if (document.scan() != nullptr)
+    about.scan = ReportedFile{.name = scan.isEmpty() ? tr("points of the plant") : scan};
   about.date = QDate::currentDate().toString(Qt::ISODate);
   about.version = QCoreApplication::applicationVersion();
   about.unit = symbol(document.unit());
@@ -113,17 +124,20 @@ void ReportFlow::write(const QString& path) {
   parts_.jobs.start(
       tr("Measuring for the report"),
       [result = parts_.document.skeleton(), reference = parts_.reference.skeleton(), options,
-       tolerance = tolerance_, ignored = ignored_](const Progress& progress) {
+       tolerance = tolerance_, ignored = ignored_, told = about(),
+       scan = toPath(parts_.document.scanPath())](const Progress& progress) mutable {
         Comparison comparison =
             compare(result, *reference, withTolerance(options, *reference, tolerance),
                     progress.part(0, 0.6));
         ReportData data = reportData(std::move(comparison), result, *reference, options.scan.cloud,
                                      tolerance, progress.part(0.6, 1));
         ignore(data, ignored);
-        return data;
+        identifyScan(told, scan);
+        return std::pair(std::move(told), std::move(data));
       },
-      [this, path, told = about()](ReportData data) {
-        making_ = std::make_unique<Making>(Making{path, told, std::move(data), nullptr});
+      [this, path](std::pair<ReportAbout, ReportData> made) {
+        making_ = std::make_unique<Making>(
+            Making{path, std::move(made.first), std::move(made.second), nullptr});
         refresh();
         parts_.jobs.afterwards([this] {
           making_->pictures = std::make_unique<PictureSession>(making_->data, making_->about.unit);

@@ -242,6 +242,7 @@ void SweepFlow::finish(const Outcome& outcome, const Judgment& judgment) {
   trial.item.isPending = false;
   ++next_;
   showCards();
+  dock_->growBy(strip_->heightForScores() - strip_->height());
   runNext();
 }
 

@@ -1,5 +1,6 @@
 #include "ui/panels/focus_keys.h"
 
+#include <QAbstractItemView>
 #include <QComboBox>
 #include <QKeyEvent>
 
@@ -34,6 +35,23 @@ private:
   std::function<void()> act_;
 };
 
+/// Keeps the keys with which one chooses in a list from being shortcuts while it is open.
+class OpenList : public QObject {
+public:
+  explicit OpenList(QComboBox& choices) : QObject(&choices) { // owned by it
+    choices.view()->installEventFilter(this);
+  }
+
+private:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    constexpr auto ofActions = Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier;
+    if (event->type() == QEvent::ShortcutOverride &&
+        !(static_cast<QKeyEvent*>(event)->modifiers() & ofActions))
+      event->accept();
+    return QObject::eventFilter(watched, event);
+  }
+};
+
 bool isEnter(const QKeyEvent& press) {
   return (press.key() == Qt::Key_Return || press.key() == Qt::Key_Enter) &&
          !(press.modifiers() & ~Qt::KeypadModifier);
@@ -51,6 +69,7 @@ void onEnter(QWidget& widget, std::function<void()> act) {
 
 void opensOnEnter(QComboBox& choices) {
   onEnter(choices, [&choices] { choices.showPopup(); });
+  new OpenList(choices);
 }
 
 void onCopy(QWidget& widget, std::function<void()> act) {

@@ -14,7 +14,7 @@ namespace espalier {
 /// Lets Enter, alone, do `act`. With Ctrl and its like it stays that of the actions.
 void onEnter(QWidget& widget, std::function<void()> act);
 
-/// The same for a list of choices: Enter opens it.
+/// The same for a list of choices: Enter opens it; once it is open, all keys choose in it.
 void opensOnEnter(QComboBox& choices);
 
 /// Lets the key for copying do `act`.

@@ -23,7 +23,7 @@ SweepStrip::SweepStrip(QWidget* parent)
   scroll_->setWidgetResizable(true);
   scroll_->setFrameShape(QFrame::NoFrame);
   scroll_->setFocusPolicy(Qt::NoFocus); // the cards have it
-  scroll_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll_->setMinimumHeight(96);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(scroll_);
@@ -61,15 +61,18 @@ void SweepStrip::addCard(std::size_t index) {
   });
 }
 
-/// All cards have room for the most scores; the strip has room for these at least.
+/// All cards have room for the most scores.
 void SweepStrip::resizeCards() {
   std::size_t rows = 0;
   for (const SweepCard* card : cards_)
     rows = std::max(rows, card->item().scores.size());
   for (SweepCard* card : cards_)
     card->setRows(rows);
+}
+
+int SweepStrip::heightForScores() const {
   const int height = cards_.empty() ? 0 : cards_.front()->minimumSizeHint().height() + 16;
-  scroll_->setMinimumHeight(height + scroll_->horizontalScrollBar()->sizeHint().height());
+  return height + scroll_->horizontalScrollBar()->sizeHint().height();
 }
 
 /// The card that a key leads to from this one; none: it is another key.
@@ -86,7 +89,8 @@ std::optional<std::size_t> SweepStrip::reached(const QObject* card, int key) con
 bool SweepStrip::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::Wheel) {
     const QPoint angle = static_cast<QWheelEvent*>(event)->angleDelta();
-    QScrollBar* bar = scroll_->horizontalScrollBar();
+    QScrollBar* sideways = scroll_->horizontalScrollBar();
+    QScrollBar* bar = sideways->maximum() > 0 ? sideways : scroll_->verticalScrollBar();
     bar->setValue(bar->value() - (angle.x() != 0 ? angle.x() : angle.y()));
     return true;
   }

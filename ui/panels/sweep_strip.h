@@ -25,6 +25,8 @@ public:
 
   void setItems(const std::vector<SweepItem>& items);
   void setItem(std::size_t index, const SweepItem& item); // pre: index < count of the items
+  /// What it takes to see all scores [px]; lower strips scroll.
+  [[nodiscard]] int heightForScores() const;
   [[nodiscard]] const std::vector<SweepCard*>& cards() const { return cards_; }
 
 signals:

@@ -49,7 +49,7 @@ TEST(ChoiceRecord, IsTheTableAndThePicturesOfAReport) {
   EXPECT_EQ(figures.figures[0].text, "all as usual");
   const auto& table = std::get<ReportTable>(section.blocks[2]);
   ASSERT_EQ(table.columns.size(), 3U);
-  EXPECT_EQ(table.columns[2].title, "Preview (taken)");
+  EXPECT_EQ(table.columns[2].title, "Preview (in use then)");
   ASSERT_EQ(table.rows.size(), 2U);
   EXPECT_EQ(table.rows[0][2].text, "14");
   EXPECT_EQ(table.rows[1][1].text, "–") << "A has no such number";

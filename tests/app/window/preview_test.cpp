@@ -9,6 +9,7 @@
 #include "ui/panels/step_form.h"
 #include "ui/panels/sweep_strip.h"
 
+#include <QAbstractItemView>
 #include <QAction>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -84,6 +85,23 @@ TEST_F(PreviewTest, ShowsWhatTheStepsWouldMakeAndChangesNothing) {
   key(Qt::Key_L, Qt::ControlModifier);
   EXPECT_FALSE(shown());
   EXPECT_EQ(view().divider(), 1);
+}
+
+TEST_F(PreviewTest, GoesOnWithAnotherScan) {
+  turnOn();
+  open({writeScan("other.xyz")});
+  waitForPreview();
+  EXPECT_TRUE(panel().isLive());
+}
+
+TEST_F(PreviewTest, EnterInAnOpenListChoosesThereAlone) {
+  auto* method = step("contract").findChild<QComboBox*>();
+  method->setFocus();
+  method->showPopup();
+  QTest::keyClick(method->view(), Qt::Key_Down);
+  QTest::keyClick(method->view(), Qt::Key_Return);
+  EXPECT_EQ(method->currentIndex(), 1);
+  EXPECT_FALSE(action("show_review").isChecked()) << "whose key it is elsewhere";
 }
 
 TEST_F(PreviewTest, FollowsAKnobAndIsTheRealRunBitForBit) {

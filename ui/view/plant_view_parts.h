@@ -92,7 +92,7 @@ struct PlantView::Parts {
   };
   static constexpr Pace turning{30, 20'000};        // 25 a second with what Qt adds
   static constexpr Pace completing{12, 10'000};     // the hand may come back at any moment
-  static constexpr Pace besidePreviews{16, 10'000}; // a job runs, and its result is news to others
+  static constexpr Pace besidePreviews{10, 10'000}; // a job runs, and its result is news to others
 
   /// Something else follows in a moment upon what is drawn now.
   void unsettle(const Pace& until) {

@@ -6,7 +6,9 @@
 #include <QDockWidget>
 #include <QEvent>
 #include <QMainWindow>
+#include <QScrollArea>
 #include <QSettings>
+#include <QTabBar>
 
 #include <algorithm>
 
@@ -15,6 +17,20 @@ namespace {
 
 constexpr int height = 220; // of a window of 800: the plant keeps most of it
 constexpr auto placeName = "bottom_panel";
+
+/// A panel that scrolls sideways, in a window too narrow for it, instead of reaching beyond.
+class PanelArea : public QScrollArea {
+public:
+  explicit PanelArea(QWidget* panel) {
+    setWidgetResizable(true);
+    setFrameShape(QFrame::NoFrame);
+    setFocusPolicy(Qt::NoFocus);
+    setWidget(panel);
+  }
+  [[nodiscard]] QSize minimumSizeHint() const override {
+    return {QScrollArea::minimumSizeHint().width(), widget()->minimumSizeHint().height()};
+  }
+};
 
 } // namespace
 
@@ -32,7 +48,7 @@ PanelDock::PanelDock(const Parts& parts, const Name& name, QWidget* panel, QObje
   });
   dock_->setObjectName(name.id);
   dock_->setProperty(placeName, true);
-  dock_->setWidget(panel);
+  dock_->setWidget(new PanelArea(panel));
   dock_->installEventFilter(this);
   place();
   dock_->hide();
@@ -50,8 +66,14 @@ void PanelDock::bringToFront() {
 
 void PanelDock::growBy(int pixels) {
   if (pixels <= 0 || dock_->isFloating()) return;
+  int tabs = 0; // which count as height of the dock here, and not there
+  if (!parts_.window.tabifiedDockWidgets(dock_).isEmpty())
+    for (const auto* bar :
+         parts_.window.findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
+      tabs = std::max(tabs, bar->height());
   const int most = std::max(dock_->height(), parts_.window.height() / 2);
-  parts_.window.resizeDocks({dock_}, {std::min(dock_->height() + pixels, most)}, Qt::Vertical);
+  const int wanted = std::min(dock_->height() + pixels, most);
+  parts_.window.resizeDocks({dock_}, {wanted + tabs}, Qt::Vertical);
 }
 
 void PanelDock::resetLayout() {

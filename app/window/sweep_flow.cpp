@@ -242,7 +242,9 @@ void SweepFlow::finish(const Outcome& outcome, const Judgment& judgment) {
   trial.item.isPending = false;
   ++next_;
   showCards();
-  dock_->growBy(strip_->heightForScores() - strip_->height());
+  QTimer::singleShot(0, dock_, [this] { // once the strip knows its place
+    dock_->growBy(strip_->heightForScores() - strip_->height());
+  });
   runNext();
 }
 

@@ -12,6 +12,7 @@
 #include <QAbstractItemView>
 #include <QAction>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QElapsedTimer>
 #include <QPushButton>
@@ -92,6 +93,26 @@ TEST_F(PreviewTest, GoesOnWithAnotherScan) {
   open({writeScan("other.xyz")});
   waitForPreview();
   EXPECT_TRUE(panel().isLive());
+}
+
+TEST_F(PreviewTest, PanelsStayWithinTheSmallestWindowAndShowAllScoresInALargerOne) {
+  window().resize(window().minimumSize());
+  key(Qt::Key_F7, Qt::ShiftModifier);
+  const auto& dock = find<QDockWidget>("sweep");
+  QCoreApplication::processEvents();
+  EXPECT_LT(dock.geometry().right(), window().width());
+  EXPECT_LT(dock.geometry().bottom(), window().height());
+  window().resize(1280, 800);
+  find<QSpinBox>("sweep_count").setValue(2);
+  clickButton("sweep_run");
+  const auto& strip = find<SweepStrip>("sweep_strip");
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] {
+        return strip.cards().size() == 2 && !strip.cards()[1]->item().scores.empty() &&
+               strip.height() >= strip.heightForScores();
+      },
+      patience))
+      << strip.height() << " of " << strip.heightForScores();
 }
 
 TEST_F(PreviewTest, EnterInAnOpenListChoosesThereAlone) {

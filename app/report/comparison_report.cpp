@@ -9,12 +9,19 @@
 
 namespace espalier {
 
-ReportedFile reportedFile(const std::filesystem::path& path) {
+ReportedFile reportedFile(const std::filesystem::path& path, const Progress& progress) {
+  constexpr qint64 atOnce = 1 << 20; // bytes
   const QString name = QString::fromStdString(path.string());
   QFile file(name);
   QCryptographicHash hash(QCryptographicHash::Sha256);
-  if (!file.open(QIODevice::ReadOnly) || !hash.addData(&file))
-    throw Error(path.string() + ": " + file.errorString().toStdString());
+  bool isRead = file.open(QIODevice::ReadOnly);
+  while (isRead && !file.atEnd()) {
+    progress.check();
+    const QByteArray bytes = file.read(atOnce);
+    isRead = !bytes.isEmpty();
+    hash.addData(bytes);
+  }
+  if (!isRead) throw Error(path.string() + ": " + file.errorString().toStdString());
   return {QFileInfo(name).fileName(), QString::fromLatin1(hash.result().toHex()), {}, name};
 }
 

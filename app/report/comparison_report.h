@@ -4,6 +4,7 @@
 #include "app/report/report.h"
 #include "app/report/report_data.h"
 #include "app/report/report_pictures.h"
+#include "core/base/progress.h"
 #include "core/project/corrections.h"
 
 #include <QString>
@@ -23,7 +24,9 @@ struct ReportedFile {
 
 /// The file as it lies on the disk.
 /// @throws Error if it cannot be read
-[[nodiscard]] ReportedFile reportedFile(const std::filesystem::path& path);
+/// @throws Cancelled if `progress` asks to stop
+[[nodiscard]] ReportedFile reportedFile(const std::filesystem::path& path,
+                                        const Progress& progress = {});
 
 /// What a report tells beside its numbers.
 struct ReportAbout {

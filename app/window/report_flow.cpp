@@ -22,7 +22,6 @@
 
 #include <filesystem>
 #include <sstream>
-#include <system_error>
 #include <utility>
 
 namespace espalier {
@@ -39,10 +38,14 @@ QString fingerprintOf(const Skeleton& skeleton) {
           .toHex());
 }
 
-/// Tells the file that the points came from, as it lies now, if it still does.
-void identifyScan(ReportAbout& about, const std::filesystem::path& path) {
-  std::error_code none;
-  if (about.scan && std::filesystem::is_regular_file(path, none)) about.scan = reportedFile(path);
+/// Tells the file that the points came from, as it lies now, if it can still be read.
+void identifyScan(ReportAbout& about, const std::filesystem::path& path, const Progress& progress) {
+  if (!about.scan || path.empty()) return;
+  try {
+    about.scan = reportedFile(path, progress);
+  } catch (const Error&) {
+    about.scan->note = ReportFlow::tr("the file can no longer be read");
+  }
 }
 
 } // namespace
@@ -132,7 +135,7 @@ void ReportFlow::write(const QString& path) {
         ReportData data = reportData(std::move(comparison), result, *reference, options.scan.cloud,
                                      tolerance, progress.part(0.6, 1));
         ignore(data, ignored);
-        identifyScan(told, scan);
+        identifyScan(told, scan, progress);
         return std::pair(std::move(told), std::move(data));
       },
       [this, path](std::pair<ReportAbout, ReportData> made) {

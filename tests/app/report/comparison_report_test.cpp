@@ -2,8 +2,10 @@
 #include "core/base/error.h"
 #include "core/evaluate/comparison_json.h"
 #include "tests/app/report/reported_plants.h"
+#include "tests/support/clouds.h"
 #include "tests/support/shared_data.h"
 
+#include <QCryptographicHash>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -238,6 +240,12 @@ TEST(ReportedFile, IsKnownByTheHashOfItsBytes) {
   EXPECT_EQ(reportedAs.fingerprint,
             "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
   EXPECT_THROW(static_cast<void>(reportedFile(file.parent_path() / "missing.txt")), Error);
+  EXPECT_TRUE(test::stopsWhenAsked([&](const Progress& p) { (void)reportedFile(file, p); }));
+  std::ofstream(file) << std::string(1'000'000, 'a') << std::string(1'000'000, 'a');
+  const QByteArray all(2'000'000, 'a');
+  EXPECT_EQ(reportedFile(file).fingerprint,
+            QCryptographicHash::hash(all, QCryptographicHash::Sha256).toHex())
+      << "of a file that is read in parts";
 }
 
 } // namespace

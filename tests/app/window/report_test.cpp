@@ -1,3 +1,4 @@
+#include "app/report/comparison_report.h"
 #include "app/window/load_files.h"
 #include "core/io/formats.h"
 #include "core/skeleton/edits.h"
@@ -64,6 +65,23 @@ TEST_F(ReportWindowTest, IsWrittenByTheButtonOfTheDock) {
   EXPECT_TRUE(html.contains("Work by hand"));
   EXPECT_TRUE(html.contains("1 edit, under a minute of work"));
   EXPECT_TRUE(action("export_report").isEnabled()) << "again";
+}
+
+TEST_F(ReportWindowTest, NamesTheScanAndItsHashWhileTheFileIsThere) {
+  const QString scan = writeScan("tree.xyz");
+  open({scan});
+  compare();
+  const QString hash = reportedFile(toPath(scan)).fingerprint;
+  for (const bool isThere : {true, false}) {
+    if (!isThere) QFile::remove(scan);
+    const QString name = isThere ? "there.html" : "gone.html";
+    answer(chooseFile(path(name)), [this] { action("export_report").trigger(); });
+    ASSERT_TRUE(waitForNote("Wrote " + name)) << qPrintable(window().statusLine().shownText());
+    const QString html = QString::fromUtf8(bytesOf(path(name)));
+    EXPECT_TRUE(html.contains("tree.xyz"));
+    EXPECT_EQ(html.contains(hash), isThere);
+    EXPECT_EQ(html.contains("the file can no longer be read"), !isThere);
+  }
 }
 
 TEST_F(ReportWindowTest, ListsApartWhatIsIgnored) {

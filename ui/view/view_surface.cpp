@@ -5,11 +5,15 @@
 
 #include <QElapsedTimer>
 #include <QGuiApplication>
+#include <QOffscreenSurface>
 #include <QOpenGLContext>
+#include <QOpenGLFunctions>
 #include <QOpenGLWidget>
 #include <QPaintEvent>
 #include <QPainter>
 
+#include <algorithm>
+#include <array>
 #include <memory>
 
 namespace espalier {
@@ -128,15 +132,37 @@ private:
   std::unique_ptr<PlantRenderer> renderer_;
 };
 
+/// Whether the processor does what a graphics card should, as in virtual machines and over a
+/// network.
+bool drawnBySoftware() {
+  QOffscreenSurface surface;
+  surface.create();
+  QOpenGLContext context;
+  if (!context.create() || !context.makeCurrent(&surface)) return true;
+  const auto* text = context.functions()->glGetString(GL_RENDERER);
+  const QByteArray renderer = text == nullptr ? "" : reinterpret_cast<const char*>(text);
+  return std::ranges::any_of(std::array{"llvmpipe", "softpipe", "swrast", "Software", "GDI"},
+                             [&](const char* name) { return renderer.contains(name); });
+}
+
 } // namespace
 
-QWidget* makeSurface(Scene& scene, std::shared_ptr<SceneBuffers> buffers, SurfaceClient client,
-                     QWidget* parent) {
+SurfaceKind surfaceKind() {
+  const QByteArray wanted = qgetenv("ESPALIER_SURFACE").toLower();
+  if (wanted == "image") return SurfaceKind::image;
+  if (wanted == "opengl") return SurfaceKind::openGl;
   const QString platform = QGuiApplication::platformName();
   // On these Qt crashes when a QOpenGLWidget is shown.
   for (const char* without : {"offscreen", "minimal", "vnc"})
-    if (platform == QLatin1String(without))
-      return new ImageSurface(scene, std::move(buffers), std::move(client), parent);
+    if (platform == QLatin1String(without)) return SurfaceKind::image;
+  static const bool software = drawnBySoftware();
+  return software ? SurfaceKind::image : SurfaceKind::openGl;
+}
+
+QWidget* makeSurface(Scene& scene, std::shared_ptr<SceneBuffers> buffers, SurfaceClient client,
+                     QWidget* parent) {
+  if (surfaceKind() == SurfaceKind::image)
+    return new ImageSurface(scene, std::move(buffers), std::move(client), parent);
   return new OpenGlSurface(scene, std::move(buffers), std::move(client), parent);
 }
 

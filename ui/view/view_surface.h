@@ -15,10 +15,16 @@ struct SurfaceClient {
   std::function<void(const PlantRenderer::Result& result, double milliseconds)> drawn;
 };
 
+/// How a picture comes into its widget: painted as an image that was drawn off screen, or drawn by
+/// OpenGL into the window.
+enum class SurfaceKind { image, openGl };
+
+/// An image on the platforms of Qt without OpenGL, and where OpenGL is software: there Qt would
+/// compose the whole window by software for every frame. ESPALIER_SURFACE (image or opengl) in the
+/// environment overrules.
+[[nodiscard]] SurfaceKind surfaceKind();
+
 /// A widget in which a scene appears; it draws when asked to by QWidget::update().
-///
-/// With OpenGL where the platform of Qt has it; else drawn off screen and painted as an image: on
-/// the platforms without windows, which tests and servers use.
 /// @param scene   must outlive the widget, which `parent` owns
 /// @param buffers of this scene; surfaces in one window may have the same
 [[nodiscard]] QWidget* makeSurface(Scene& scene, std::shared_ptr<SceneBuffers> buffers,

@@ -210,10 +210,10 @@ void FileFlow::show(Read read, bool isAnotherPlant) {
     copied_.clear();
   }
   emit opened();
-  tellFit(read.fit, std::move(loaded.notes));
+  if (!tellFit(read.fit, std::move(loaded.notes))) parts_.projects.offerSessions();
 }
 
-void FileFlow::tellFit(const ScanFit& fit, QStringList notes) {
+bool FileFlow::tellFit(const ScanFit& fit, QStringList notes) {
   PlantDocument& document = parts_.document;
   const QString file = QFileInfo(document.filePath()).fileName();
   const QString structure = file.isEmpty() ? tr("the skeleton") : file;
@@ -226,11 +226,12 @@ void FileFlow::tellFit(const ScanFit& fit, QStringList notes) {
       emit movedOntoScan();
     };
     emit told({.text = notes.join('\n'), .actions = {{tr("Move"), move}}});
-    return;
+    return true;
   }
   if (fit.misfit)
     notes.append(describe(*fit.misfit, structure, QFileInfo(document.scanPath()).fileName()));
   if (!notes.isEmpty()) emit noted(notes.join('\n'));
+  return !notes.isEmpty();
 }
 
 void FileFlow::writeTo(const Target& target) {

@@ -72,7 +72,7 @@ private:
   };
   void show(Read read, bool isAnotherPlant);
   void requireNoJob() const;
-  void tellFit(const ScanFit& fit, QStringList notes);
+  bool tellFit(const ScanFit& fit, QStringList notes); // whether there was anything to tell
   struct Target {
     QString path; // empty: none was chosen
     MtgStyle style = MtgStyle::plantNode;

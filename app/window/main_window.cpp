@@ -102,11 +102,11 @@ MainWindow::MainWindow(QSettings& settings, QWidget* parent)
   statusBar()->setSizeGripEnabled(false);
 
   sync_ = std::make_unique<ViewSync>(document_, *view_);
+  reconstruct_ = std::make_unique<ReconstructFlow>(document_, jobs_, nullptr);
   projects_ = std::make_unique<ProjectFlow>(
       ProjectFlow::Parts{document_, jobs_, *recent_, settings_, *this});
   files_ = std::make_unique<FileFlow>(
       FileFlow::Parts{document_, jobs_, *projects_, *recent_, settings_, *this});
-  reconstruct_ = std::make_unique<ReconstructFlow>(document_, jobs_, nullptr);
   addActions();
   fillMenus();
   fillToolBar();

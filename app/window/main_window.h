@@ -168,9 +168,9 @@ private:
   std::unique_ptr<ReferenceFlow> reference_;
   std::unique_ptr<EvaluationFlow> evaluation_;
   std::unique_ptr<ChoicesFlow> choices_;
+  std::unique_ptr<ReconstructFlow> reconstruct_;
   std::unique_ptr<ProjectFlow> projects_; // behind all that it keeps: writes that as it goes
   std::unique_ptr<FileFlow> files_;
-  std::unique_ptr<ReconstructFlow> reconstruct_;
   std::unique_ptr<PreviewFlow> preview_;
   std::unique_ptr<StatesFlow> states_;
   std::unique_ptr<DensityFlow> densities_;

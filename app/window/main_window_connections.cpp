@@ -3,7 +3,6 @@
 #include "app/window/density_flow.h"
 #include "app/window/editing.h"
 #include "app/window/evaluation_flow.h"
-#include "app/window/file_flow.h"
 #include "app/window/findings_flow.h"
 #include "app/window/history_flow.h"
 #include "app/window/hull_flow.h"
@@ -30,7 +29,6 @@
 #include "app/window/unit_flow.h"
 #include "app/window/value_colors.h"
 #include "app/window/view_options.h"
-#include "core/pipeline/preset.h"
 #include "ui/dialogs/key_bindings.h"
 #include "ui/panels/inspector_panel.h"
 #include "ui/panels/message_banner.h"
@@ -41,29 +39,7 @@
 #include "ui/view/plant_view.h"
 
 #include <QAction>
-#include <QFileInfo>
-
-#include <sstream>
-
 namespace espalier {
-namespace {
-
-/// As a preset; empty: all is as the rules say.
-std::string textOf(const PipelineOptions& options) {
-  std::ostringstream text;
-  if (options != PipelineOptions()) writePreset(text, options);
-  return text.str();
-}
-
-PipelineOptions optionsFrom(const std::string& text) {
-  if (text.empty()) return {};
-  std::istringstream in(text);
-  PipelineOptions options = readPreset(in);
-  requireKnown(options);
-  return options;
-}
-
-} // namespace
 
 void MainWindow::connectJobs() {
   connect(&jobs_, &JobRunner::started, this, [this] {
@@ -103,75 +79,9 @@ void MainWindow::connectJobs() {
   connect(reconstruct_.get(), &ReconstructFlow::done, this,
           [this](const QString& message, const std::string& last) {
             pipeline_->showDone(reconstruct_->telling(), last);
+            projects_->noteChange();
             banner_->showResult(message, tr("Undo"), [this] { editing_->undo(); });
           });
-}
-
-void MainWindow::connectFiles() {
-  const auto showPlant = [this] {
-    banner_->hide();
-    const auto* scan = document_.scan();
-    options_->setAvailable(scan != nullptr && !scan->cloud()->intensities().empty(),
-                           scan != nullptr && !scan->cloud()->colors().empty());
-    refreshEmptiness();
-  };
-  connect(projects_.get(), &ProjectFlow::opened, this, showPlant);
-  connect(files_.get(), &FileFlow::opened, this, showPlant);
-  connect(files_.get(), &FileFlow::opened, view_, &PlantView::faceAll); // after it has its size
-  connect(projects_.get(), &ProjectFlow::scanFound, this, [this, showPlant] {
-    showPlant();
-    if (document_.skeleton().isEmpty()) view_->faceAll(); // there was nothing to look at
-  });
-  connect(files_.get(), &FileFlow::movedOntoScan, view_, &PlantView::frameAll);
-  connect(files_.get(), &FileFlow::noted, this,
-          [this](const QString& message) { banner_->showResult(message); });
-  connect(files_.get(), &FileFlow::saved, this, [this](const QString& path) {
-    banner_->hide(); // of what kept it from being saved before
-    status_->showNote(tr("Saved %1").arg(QFileInfo(path).fileName()));
-  });
-}
-
-void MainWindow::connectProjects() {
-  const auto tell = [this](const ProjectFlow::Notice& notice) {
-    MessageBanner::Actions actions;
-    for (const ProjectFlow::Notice::Action& action : notice.actions)
-      actions.push_back({action.text, [this, act = action.act] {
-                           actions_->guarded(
-                               [&] {
-                                 act();
-                                 return true;
-                               },
-                               Refusal::inBanner);
-                         }});
-    if (notice.isError)
-      banner_->showError(notice.text, actions);
-    else if (actions.empty())
-      banner_->showResult(notice.text);
-    else
-      banner_->showOffer(notice.text, actions);
-  };
-  connect(projects_.get(), &ProjectFlow::told, this, tell);
-  connect(files_.get(), &FileFlow::told, this, tell);
-  projects_->keep(
-      {.name = "pipeline",
-       .text = [this] { return textOf(pipeline_->options()); },
-       .show = [this](const std::string& text) { pipeline_->setOptions(optionsFrom(text)); }});
-  projects_->keep({.name = "view",
-                   .text = [this] { return options_->text(); },
-                   .show = [this](const std::string& text) { options_->show(text); }});
-  connect(pipeline_, &PipelinePanel::changed, projects_.get(), &ProjectFlow::noteChange);
-  connect(presets_.get(), &PresetFlow::chosen, projects_.get(), &ProjectFlow::noteChange);
-  connect(projects_.get(), &ProjectFlow::chosen, this,
-          [this](const QString& path) { open({path}); });
-  connect(projects_.get(), &ProjectFlow::sessionsChanged, this, [this] {
-    QStringList texts;
-    QStringList paths;
-    for (const Session& session : projects_->sessions().waiting()) {
-      texts.append(describe(session, QDateTime::currentDateTime()));
-      paths.append(session.path);
-    }
-    start_->setSessions(texts, paths);
-  });
 }
 
 void MainWindow::connectDocument() {

@@ -260,7 +260,8 @@ bool PreviewFlow::drop() {
     emit noted(tr("Dropped: %1").arg(change)); // it can be typed again
   parts_.pipeline.setOptions(before_);
   clear();
-  if (parts_.reconstruct.used() == options()) parts_.pipeline.showDone({}); // as the plant is
+  if (const auto& used = parts_.reconstruct.used())
+    parts_.pipeline.showMadeWith(*used, parts_.reconstruct.telling());
   return true;
 }
 

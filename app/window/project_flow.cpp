@@ -11,6 +11,7 @@
 #include <QLocale>
 #include <QSettings>
 
+#include <algorithm>
 #include <utility>
 
 namespace espalier {
@@ -175,15 +176,26 @@ void ProjectFlow::setScanReference(const std::optional<ScanReference>& scan) {
 void ProjectFlow::offerSessions() {
   const QList<Session> waiting = sessions_.waiting();
   emit sessionsChanged();
-  if (waiting.isEmpty()) return;
-  const QString path = waiting.front().path;
-  emit told(
-      {.text = tr("Continue with %1").arg(describe(waiting.front(), QDateTime::currentDateTime())),
-       .actions = {{tr("Continue"), [this, path] { emit chosen(path); }},
-                   {tr("Discard"), [this, path] {
-                      Sessions::remove(path);
-                      offerSessions();
-                    }}}});
+  const bool isAny = parts_.document.isEmpty();
+  const auto found = std::ranges::find_if(
+      waiting, [&](const Session& session) { return isAny || isOfThePlant(session); });
+  if (found == waiting.end()) return;
+  const QString path = found->path;
+  const QString text = isAny ? tr("Continue with %1") : tr("This was not saved: %1");
+  emit told({.text = text.arg(describe(*found, QDateTime::currentDateTime())),
+             .actions = {{tr("Continue"), [this, path] { emit chosen(path); }},
+                         {tr("Discard"), [this, path] {
+                            Sessions::remove(path);
+                            offerSessions();
+                          }}}});
+}
+
+bool ProjectFlow::isOfThePlant(const Session& session) const {
+  const auto isSame = [](const QString& path, const QString& other) {
+    return !path.isEmpty() && !other.isEmpty() && QFileInfo(path) == QFileInfo(other);
+  };
+  return isSame(parts_.document.scanPath(), session.scan) ||
+         isSame(parts_.document.filePath(), session.file);
 }
 
 void ProjectFlow::requireIdle() const {

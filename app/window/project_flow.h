@@ -89,6 +89,7 @@ public:
   void setScanReference(const std::optional<ScanReference>& scan);
 
   [[nodiscard]] const Sessions& sessions() const { return sessions_; }
+  /// The newest that waits; if a plant is open, the newest of its scan or structure.
   void offerSessions();
 
   /// What is to be told, with what can be done about it.
@@ -126,6 +127,7 @@ private:
   void requireIdle() const;
   void finishKeeping();
   void tellFailure(const QString& message);
+  [[nodiscard]] bool isOfThePlant(const Session& session) const;
 
   Parts parts_;
   Sessions sessions_;

@@ -13,7 +13,8 @@ ReconstructFlow::ReconstructFlow(PlantDocument& document, JobRunner& jobs, QObje
     : QObject(parent), document_(document), jobs_(jobs),
       pipeline_(std::make_shared<SharedPipeline>()) {
   connect(&jobs_, &JobRunner::finished, this, [this] { isRunning_ = false; });
-  connect(&document_, &PlantDocument::scanChanged, this, [this] { used_.reset(); });
+  for (auto signal : {&PlantDocument::scanChanged, &PlantDocument::skeletonReplaced})
+    connect(&document_, signal, this, [this] { used_.reset(); });
 }
 
 void ReconstructFlow::start(const PipelineOptions& options, const Step* last) {

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace espalier {
 
@@ -30,6 +31,8 @@ public:
   [[nodiscard]] PipelinePanel::Telling telling() const;
   /// The options that led to the skeleton, if they are known.
   [[nodiscard]] const std::optional<PipelineOptions>& used() const { return used_; }
+  /// Those of a plant that was made before.
+  void setUsed(std::optional<PipelineOptions> used) { used_ = std::move(used); }
   [[nodiscard]] bool isRunning() const { return isRunning_; }
 
 signals:

@@ -7,6 +7,7 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QLocale>
 #include <QSettings>
 #include <QStandardPaths>
@@ -17,8 +18,8 @@
 namespace espalier {
 namespace {
 
-QString tr(const char* text, int count = -1) {
-  return QCoreApplication::translate("Sessions", text, nullptr, count);
+QString tr(const char* text) {
+  return QCoreApplication::translate("Sessions", text);
 }
 
 /// A session that was made ready, and its window ended by force before an edit.
@@ -36,8 +37,11 @@ std::optional<Session> sessionIn(const QString& path) {
       if (read.notes.empty()) removeUnused(path);
       return std::nullopt;
     }
+    const std::optional<ScanReference> scan = project.scan();
     return Session{.path = path,
                    .name = QString::fromStdString(project.document("name")),
+                   .scan = scan ? QString::fromStdString(scan->path.string()) : QString(),
+                   .file = QString::fromStdString(project.document("file")),
                    .edits = static_cast<int>(history.steps.size()),
                    .last = QDateTime::fromMSecsSinceEpoch(history.steps.back().time)};
   } catch (const Error&) { // no session, or none any more: a start must not fail on it
@@ -94,8 +98,13 @@ void Sessions::remove(const QString& path) {
 
 QString describe(const Session& session, const QDateTime& now) {
   const QString edits = session.edits == 1 ? tr("1 edit") : tr("%1 edits").arg(session.edits);
+  const QString source = session.file.isEmpty() ? session.scan : session.file;
+  const QString folder = QFileInfo(source).dir().dirName(); // many scans have the same name
+  const QString plant = source.isEmpty() || folder.isEmpty()
+                            ? session.name
+                            : tr("%1 in %2").arg(session.name, folder);
   return QStringLiteral("%1, %2, %3 %4")
-      .arg(session.name, edits, dayOf(session.last, now),
+      .arg(plant, edits, dayOf(session.last, now),
            QLocale().toString(session.last.time(), QLocale::ShortFormat));
 }
 

@@ -11,7 +11,9 @@ namespace espalier {
 /// Work that never got a name, left by a window before.
 struct Session {
   QString path;
-  QString name; // of the plant
+  QString name;      // of the plant
+  QString scan = {}; // path of its file; empty if there is none
+  QString file = {}; // the same of its structure
   int edits = 0;
   QDateTime last; // edit
 };
@@ -31,7 +33,7 @@ private:
   QString folder_;
 };
 
-/// "puu1, 14 edits, yesterday 17:03"
+/// "scan in puu1, 14 edits, yesterday 17:03"
 [[nodiscard]] QString describe(const Session& session, const QDateTime& now);
 
 } // namespace espalier

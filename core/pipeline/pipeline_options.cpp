@@ -108,6 +108,14 @@ const Method& chosenMethod(const Step& step, const PipelineOptions& options) {
   return choice == options.methods.end() ? step.methods.front() : methodNamed(step, choice->second);
 }
 
+bool isSameIn(const Step& step, const PipelineOptions& a, const PipelineOptions& b) {
+  const auto settings = [&](const PipelineOptions& options) {
+    const auto found = options.settings.find(step.name);
+    return found != options.settings.end() ? found->second : std::map<std::string, Rule>();
+  };
+  return &chosenMethod(step, a) == &chosenMethod(step, b) && settings(a) == settings(b);
+}
+
 std::vector<double> resolvedValues(const Step& step, const Method& method,
                                    const PipelineOptions& options, const PlantScale& scale) {
   const auto settings = options.settings.find(step.name);

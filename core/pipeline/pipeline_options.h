@@ -39,6 +39,9 @@ void requireKnown(const PipelineOptions& options);
 /// @throws Error naming what there is
 [[nodiscard]] const Method& chosenMethod(const Step& step, const PipelineOptions& options);
 
+/// Whether both choose the same method of a step, and the same values for it.
+[[nodiscard]] bool isSameIn(const Step& step, const PipelineOptions& a, const PipelineOptions& b);
+
 /// The values a step would use for a plant of this scale, one per option of its method, in order.
 /// @throws Error if a setting is out of range
 [[nodiscard]] std::vector<double> resolvedValues(const Step& step, const Method& method,

@@ -135,18 +135,14 @@ void FindingsPanel::show(const std::vector<Finding>& findings,
     restoreCurrent(before);
   }
   count_ = findings.size();
-  refreshTitle();
+  refreshTexts();
   list_->setVisible(!listed_.empty());
   emit currentChanged();
 }
 
 void FindingsPanel::setChecking(bool isChecking) {
   isChecking_ = isChecking;
-  refreshTitle();
-  note_->setText(isChecking                    ? tr("Checking against the scan…")
-                 : document_.scan() == nullptr ? tr("Open a scan to check against it")
-                                               : QString());
-  note_->setVisible(!note_->text().isEmpty());
+  refreshTexts();
 }
 
 void FindingsPanel::setCurrent(const Finding& finding) {
@@ -182,7 +178,12 @@ void FindingsPanel::addGroup(const QString& title, const std::vector<Finding>& f
   group->setExpanded(isOpen);
 }
 
-void FindingsPanel::refreshTitle() {
+void FindingsPanel::refreshTexts() {
+  note_->setText(document_.skeleton().isEmpty() ? QString()
+                 : isChecking_                  ? tr("Checking against the scan…")
+                 : document_.scan() == nullptr  ? tr("Open a scan to check against it")
+                                                : QString());
+  note_->setVisible(!note_->text().isEmpty());
   if (document_.skeleton().isEmpty())
     title_->setText(tr("There is no skeleton to check yet"));
   else if (count_ > 0)

@@ -43,7 +43,7 @@ signals:
 private:
   void addGroup(const QString& title, const std::vector<Finding>& findings, bool isOpen,
                 bool isIgnored);
-  void refreshTitle();
+  void refreshTexts();
   void restoreCurrent(const std::optional<Finding>& finding);
   void tellChosen(const QTreeWidgetItem* item);
   [[nodiscard]] QString textOf(const Finding& finding) const;

@@ -128,6 +128,17 @@ void PipelinePanel::showDone(const Telling& tell, const std::string& last) {
   }
 }
 
+void PipelinePanel::showMadeWith(const PipelineOptions& made, const Telling& tell) {
+  const PipelineOptions now = options();
+  bool isSame = true;
+  for (StepForm* form : steps_) {
+    isSame = isSame && isSameIn(form->step(), now, made);
+    const Told told = tell && isSame ? tell(form->step()) : Told();
+    form->setState(isSame ? StepForm::State::done : StepForm::State::stale, told.note,
+                   told.details);
+  }
+}
+
 void PipelinePanel::showFailed(const QString& why) {
   bool isBehind = false;
   for (StepForm* form : steps_) {

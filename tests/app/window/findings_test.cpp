@@ -57,6 +57,13 @@ TEST_F(FindingsWindowTest, ThePanelSaysThatAllIsWell) {
   EXPECT_FALSE(find<QDockWidget>("findings").isVisible());
 }
 
+TEST_F(FindingsWindowTest, ThePanelSaysThatThereIsNoSkeletonAndNoMore) {
+  open({writeScan("plant.xyz")});
+  key(Qt::Key_F8);
+  EXPECT_EQ(title(), "There is no skeleton to check yet");
+  EXPECT_FALSE(find<QLabel>("findings_note").isVisible());
+}
+
 TEST_F(FindingsWindowTest, FollowsEditsAndUndo) {
   openFork();
   key(Qt::Key_F8);

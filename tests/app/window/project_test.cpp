@@ -3,7 +3,9 @@
 #include "core/base/error.h"
 #include "tests/app/window/project_fixture.h"
 
+#include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QPushButton>
 #include <QTest>
 
@@ -65,13 +67,31 @@ TEST_F(ProjectWindowTest, KeepsWorkWithoutANameAndOffersItAtTheNextStart) {
   EXPECT_TRUE(window().close()) << "without a question";
   restart();
   EXPECT_TRUE(document().isEmpty());
-  EXPECT_TRUE(message().startsWith("Continue with puu1, 1 edit, today "))
+  const QString folder = QFileInfo(path("puu1.xyz")).dir().dirName();
+  EXPECT_TRUE(message().startsWith("Continue with puu1 in " + folder + ", 1 edit, today "))
       << message().toStdString();
   clickButton("banner_action");
   waitForJob();
   EXPECT_EQ(document().skeleton().size(), 1U);
   EXPECT_NE(document().scan(), nullptr);
   EXPECT_TRUE(document().undoStack().canUndo());
+}
+
+TEST_F(ProjectWindowTest, OffersWorkOnAScanWhenThatIsOpenedAgain) {
+  const QString scan = writeScan("puu1.xyz");
+  const QString other = writeScan("puu2.xyz");
+  open({scan});
+  document().edit("Add", [](SkeletonEditor& editor) { editor.add({.radius = 0.5}); });
+  EXPECT_TRUE(window().close());
+  restart();
+  open({other});
+  EXPECT_FALSE(window().banner().isVisible());
+  open({scan});
+  EXPECT_TRUE(message().startsWith("This was not saved: puu1 in ")) << message().toStdString();
+  EXPECT_TRUE(document().skeleton().isEmpty());
+  clickButton("banner_action");
+  waitForJob();
+  EXPECT_EQ(document().skeleton().size(), 1U);
 }
 
 TEST_F(ProjectWindowTest, HasASessionReadyBeforeTheFirstEdit) {
@@ -323,6 +343,9 @@ TEST(Session, IsDescribedAsPeopleWould) {
   session.edits = 1;
   session.last = QDateTime(QDate(2026, 11, 21), QTime(17, 3));
   EXPECT_EQ(describe(session, now), "puu1, 1 edit, today " + time);
+  session.name = "scan";
+  session.scan = "/birches/puu1/scan.ply";
+  EXPECT_EQ(describe(session, now), "scan in puu1, 1 edit, today " + time);
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "app/window/view_text.h"
 #include "core/base/error.h"
 #include "tests/app/window/project_fixture.h"
+#include "ui/panels/step_form.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -33,6 +34,34 @@ TEST_F(ProjectWindowTest, KeepsTheOptionsOfThePipeline) {
       << "the form shows it";
   open({writeScan("other.xyz")});
   EXPECT_EQ(options(), PipelineOptions()) << "another plant";
+}
+
+TEST_F(ProjectWindowTest, TellsWhichStepsThePlantWasMadeWithWhenItIsOpenedAgain) {
+  using State = StepForm::State;
+  const auto state = [this](const char* step) {
+    return dynamic_cast<StepForm&>(find<QWidget>(step)).state();
+  };
+  open({writeScan("plant.xyz")});
+  key(Qt::Key_R, Qt::ControlModifier);
+  waitForJob();
+  const QString file = saveProject("plant.espalier");
+  window().close();
+  restart();
+  open({file});
+  EXPECT_EQ(state("step_clean"), State::done);
+  EXPECT_EQ(state("step_radius"), State::done);
+  auto& radius = *find<QWidget>("step_contract").findChild<QDoubleSpinBox*>("radius");
+  radius.setValue(1.5 * radius.value());
+  EXPECT_EQ(state("step_clean"), State::done);
+  EXPECT_EQ(state("step_contract"), State::stale);
+  window().close();
+  restart();
+  open({file});
+  EXPECT_EQ(state("step_clean"), State::done);
+  EXPECT_EQ(state("step_contract"), State::stale);
+  EXPECT_EQ(state("step_radius"), State::stale);
+  open({path("plant.xyz"), writeFork("fork.mtg")});
+  EXPECT_EQ(state("step_clean"), State::idle) << "a structure of a file was made by other means";
 }
 
 TEST_F(ProjectWindowTest, KeepsOptionsWhileTheScanIsMissing) {

@@ -16,10 +16,11 @@ namespace espalier {
 
 /// What was compared, as a reader of the report can tell it from anything else.
 struct ReportedFile {
-  QString name;        // for people
-  QString fingerprint; // SHA-256 of its bytes; empty: it is no file as it lies
-  QString note = {};   // what was done to it since
-  QString path = {};   // as it was given; empty: it is no file as it lies
+  QString name;            // for people
+  QString fingerprint;     // SHA-256 of its bytes; empty: it is no file as it lies
+  QString note = {};       // what was done to it since
+  QString path = {};       // as it was given; empty: it is no file as it lies
+  bool isToExport = false; // before a command can read it: it is in no file yet, or in a project
 };
 
 /// The file as it lies on the disk.

@@ -98,8 +98,11 @@ ReportTable inputs(const ReportParts& parts) {
   return table;
 }
 
+const QString exportedName = QStringLiteral("plant.mtg");
+
 /// A file as it is typed.
 QString typed(const ReportedFile& file) {
+  if (file.isToExport) return exportedName;
   QString path = file.path.isEmpty() ? file.name : file.path;
   static const QRegularExpression plain(QStringLiteral("^[\\w./+:=@%,-]+$"));
   if (plain.match(path).hasMatch()) return path;
@@ -229,6 +232,9 @@ ReportSection settingsSection(const ReportParts& parts) {
   ReportSection section{tr("How it was measured"), {inputs(parts), settings(parts)}};
   section.blocks.emplace_back(ReportParagraph{
       tr("All numbers as JSON and CSV; they are the values that this report rounds:")});
+  if (parts.about.result.isToExport)
+    section.blocks.emplace_back(
+        ReportParagraph{tr("Export the plant as %1 first.").arg(exportedName)});
   section.blocks.emplace_back(ReportParagraph{commandOf(parts), ReportParagraph::Look::code});
   return section;
 }

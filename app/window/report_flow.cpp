@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/io/atomic_file.h"
 #include "core/io/node_list.h"
+#include "core/project/project.h"
 #include "ui/document/hand_work_text.h"
 #include "ui/document/plant_document.h"
 #include "ui/jobs/job_runner.h"
@@ -101,6 +102,8 @@ ReportAbout ReportFlow::about() const {
   const QString scan = QFileInfo(document.scanPath()).fileName();
   const QString unnamed = scan.isEmpty() ? tr("plant") : tr("plant of %1").arg(scan);
   about.result = {name.isEmpty() ? unnamed : name, fingerprintOf(document.skeleton()), note};
+  about.result.isToExport =
+      name.isEmpty() || document.isModified() || isProject(toPath(document.filePath()));
   about.reference = {parts_.reference.name(), fingerprintOf(*parts_.reference.skeleton()), note};
   if (document.scan() != nullptr)
     about.scan = ReportedFile{.name = scan.isEmpty() ? tr("points of the plant") : scan};

@@ -182,6 +182,14 @@ TEST(ComparisonReport, TellsWhatToTypeForTheSameNumbers) {
                             "--unit m --edit-unit axis --json numbers.json --csv numbers.csv"));
 }
 
+TEST(ComparisonReport, TellsToExportAPlantThatNoCommandCanRead) {
+  ReportAbout about = aboutPlants();
+  about.result.isToExport = true;
+  const QString text = textOf(sectionOf(reportOfTrunk(about), "How it was measured"));
+  EXPECT_TRUE(text.contains("Export the plant as plant.mtg first."));
+  EXPECT_TRUE(text.contains("espalier evaluate plant.mtg expert.mtg "));
+}
+
 TEST(ComparisonReport, SaysWhatMakesTheNumbersDoubtful) {
   Skeleton moved = branched();
   for (const NodeId id : moved.ids())

@@ -1,5 +1,6 @@
 #include "core/base/spatial_index.h"
 
+#include "core/base/nearest_kept.h"
 #include "core/base/parallel.h"
 
 #include <nanoflann.hpp>
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -63,31 +65,15 @@ private:
 };
 
 /// Keeps the nearest points of a search that are not passed over.
-class NearestOfOthers {
-public:
-  NearestOfOthers(std::size_t count, const std::vector<bool>& isPassed)
-      : count_(count), isPassed_(isPassed) {}
+struct NearestOfOthers : NearestKept {
+  NearestOfOthers(std::size_t count, const std::vector<bool>& passed)
+      : NearestKept(count), isPassed(passed) {}
+
+  const std::vector<bool>& isPassed;
 
   bool addPoint(float squaredDistance, std::uint32_t index) {
-    if (isPassed_[index] || squaredDistance >= worstDist()) return true;
-    if (full()) found_.pop_back();
-    const auto behind =
-        std::ranges::upper_bound(found_, squaredDistance, {}, &Neighbor::squaredDistance);
-    found_.insert(behind, {index, squaredDistance});
-    return true;
+    return isPassed[index] || NearestKept::addPoint(squaredDistance, index);
   }
-  [[nodiscard]] float worstDist() const {
-    return full() ? found_.back().squaredDistance : std::numeric_limits<float>::max();
-  }
-  [[nodiscard]] bool full() const { return found_.size() == count_; }
-  [[nodiscard]] std::size_t size() const { return found_.size(); }
-  void sort() const {}
-  [[nodiscard]] std::vector<Neighbor> take() { return std::move(found_); }
-
-private:
-  std::size_t count_;
-  const std::vector<bool>& isPassed_;
-  std::vector<Neighbor> found_; // nearest first
 };
 
 /// Keeps every point of a search within a radius, unless it is passed over.
@@ -112,6 +98,14 @@ private:
   const std::vector<bool>& isPassed_;
   std::vector<Neighbor> found_;
 };
+
+/// No point is farther from its nearest ones than one beside it, and that from its own. [L^2]
+float squaredReachFrom(const NearestKept& ofOneBeside, float apart) {
+  const float reach = std::sqrt(ofOneBeside.worstDist()) + apart;
+  constexpr float rounding = 1e-4F;
+  return std::min((1 + rounding) * reach * reach + std::numeric_limits<float>::min(),
+                  std::numeric_limits<float>::max());
+}
 
 } // namespace
 
@@ -144,19 +138,16 @@ std::vector<Neighbor> SpatialIndex::nearest(const Eigen::Vector3f& place, int co
   const auto total = tree_->columns.kdtree_get_point_count();
   const auto wanted = std::min(static_cast<std::size_t>(std::max(count, 0)), total);
   if (wanted == 0) return {};
-  if (!isPassed_.empty()) {
-    NearestOfOthers others(wanted, isPassed_);
-    tree_->index.findNeighbors(others, place.data(), {});
-    return others.take();
-  }
-  std::vector<std::uint32_t> indices(wanted);
-  std::vector<float> distances(wanted);
-  const std::size_t found =
-      tree_->index.knnSearch(place.data(), wanted, indices.data(), distances.data());
-  std::vector<Neighbor> result(found);
-  for (std::size_t i = 0; i < found; ++i)
-    result[i] = {indices[i], distances[i]};
-  return result;
+  const auto found = [&](auto kept) {
+    tree_->index.findNeighbors(kept, place.data(), {});
+    std::vector<Neighbor> result;
+    result.reserve(wanted);
+    kept.forEach([&](std::uint32_t index, float squaredDistance) {
+      result.push_back({index, squaredDistance});
+    });
+    return result;
+  };
+  return isPassed_.empty() ? found(NearestKept(wanted)) : found(NearestOfOthers(wanted, isPassed_));
 }
 
 std::vector<Neighbor> SpatialIndex::within(const Eigen::Vector3f& place, float radius) const {
@@ -188,25 +179,26 @@ NearestOthers SpatialIndex::nearestOthers(int count, const Progress& progress) c
   if (perPoint == 0) return result;
   result.indices.resize(static_cast<std::size_t>(total * perPoint));
   result.squaredDistances.resize(result.indices.size());
-  struct Scratch {
-    std::vector<std::uint32_t> indices;
-    std::vector<float> distances;
-  };
   const auto wanted = static_cast<std::size_t>(perPoint) + 1; // the point itself comes along
-  oneapi::tbb::enumerable_thread_specific<Scratch> scratches([&] {
-    return Scratch{std::vector<std::uint32_t>(wanted), std::vector<float>(wanted)};
-  });
+  struct Last {
+    NearestKept kept;
+    Eigen::Index point = -2; // that it keeps the nearest of
+  };
+  oneapi::tbb::enumerable_thread_specific<Last> lasts([&] { return Last{NearestKept(wanted)}; });
+  const auto place = [&](Eigen::Index point) { return tree_->columns.points->col(point); };
   const auto findOthersOf = [&](Eigen::Index point) {
-    Scratch& found = scratches.local();
-    tree_->index.knnSearch(tree_->columns.points->col(point).data(), wanted, found.indices.data(),
-                           found.distances.data());
+    auto& [kept, last] = lasts.local();
+    kept.begin(last == point - 1 ? squaredReachFrom(kept, (place(point) - place(last)).norm())
+                                 : std::numeric_limits<float>::max());
+    last = point;
+    tree_->index.findNeighbors(kept, place(point).data(), {});
     auto out = static_cast<std::size_t>(point * perPoint);
     const std::size_t end = out + static_cast<std::size_t>(perPoint);
-    for (std::size_t i = 0; i < wanted && out < end; ++i) {
-      if (found.indices[i] == static_cast<std::uint32_t>(point)) continue;
-      result.indices[out] = found.indices[i];
-      result.squaredDistances[out++] = found.distances[i];
-    }
+    kept.forEach([&](std::uint32_t index, float squaredDistance) {
+      if (index == static_cast<std::uint32_t>(point) || out == end) return;
+      result.indices[out] = index;
+      result.squaredDistances[out++] = squaredDistance;
+    });
   };
   parallelFor(total, findOthersOf, progress);
   return result;

@@ -1,10 +1,13 @@
+#include "core/base/parallel.h"
 #include "core/base/random.h"
 #include "core/base/spatial_index.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
+#include <stop_token>
 
 namespace espalier {
 namespace {
@@ -15,6 +18,23 @@ Eigen::Matrix3Xf randomPoints(int count, std::uint64_t seed) {
   for (int i = 0; i < count; ++i)
     points.col(i) = random.direction().cast<float>();
   return points;
+}
+
+/// Points of a coarse grid: many are equally far from others, and many lie at one place.
+Eigen::Matrix3Xf gridPoints(int count, std::uint64_t seed) {
+  return (20 * randomPoints(count, seed)).array().round().matrix();
+}
+
+/// The same points in an order in which the next is often beside.
+Eigen::Matrix3Xf sorted(const Eigen::Matrix3Xf& points) {
+  std::vector<std::array<float, 3>> places;
+  for (const auto& point : points.colwise())
+    places.push_back({point[0], point[1], point[2]});
+  std::ranges::sort(places);
+  Eigen::Matrix3Xf result(3, points.cols());
+  for (Eigen::Index i = 0; i < points.cols(); ++i)
+    result.col(i) = Eigen::Map<const Eigen::Vector3f>(places[static_cast<std::size_t>(i)].data());
+  return result;
 }
 
 /// Squared distances of all points to `place`, sorted.
@@ -104,6 +124,46 @@ TEST(SpatialIndex, ListsOthersOfEachPointWithoutItself) {
     EXPECT_EQ(own.size(), 5U);
     EXPECT_FALSE(own.contains(static_cast<std::uint32_t>(i)));
   }
+}
+
+// The list looks no farther than the points beside one let it; that must lose none.
+TEST(SpatialIndex, ListsTheOthersThatASearchFromEachPointFinds) {
+  for (const Eigen::Matrix3Xf& points :
+       {randomPoints(2000, 6), sorted(randomPoints(20'000, 7)), sorted(gridPoints(20'000, 7))}) {
+    const SpatialIndex index(points);
+    const NearestOthers others = index.nearestOthers(9);
+    std::vector<std::uint32_t> indices;
+    std::vector<float> squaredDistances;
+    for (Eigen::Index i = 0; i < points.cols(); ++i) {
+      std::vector<Neighbor> found = index.nearest(points.col(i), 10);
+      std::erase_if(found, [&](const Neighbor& each) { return each.index == i; });
+      found.resize(9, {}); // where ten more lie at its place, it is not among them
+      for (const Neighbor& each : found) {
+        indices.push_back(static_cast<std::uint32_t>(each.index));
+        squaredDistances.push_back(each.squaredDistance);
+      }
+    }
+    EXPECT_EQ(others.indices, indices);
+    EXPECT_EQ(others.squaredDistances, squaredDistances);
+  }
+}
+
+TEST(SpatialIndex, IsTheSameOnAnyNumberOfThreads) {
+  const Eigen::Matrix3Xf points = gridPoints(60'000, 8);
+  const NearestOthers onAll = SpatialIndex(points).nearestOthers(9);
+  for (const int threads : {1, 2, 4}) {
+    const ThreadLimit limit(threads);
+    const NearestOthers others = SpatialIndex(points).nearestOthers(9);
+    EXPECT_EQ(others.indices, onAll.indices) << threads;
+    EXPECT_EQ(others.squaredDistances, onAll.squaredDistances) << threads;
+  }
+}
+
+TEST(SpatialIndex, StopsBeingBuiltWhenAsked) {
+  std::stop_source source;
+  source.request_stop();
+  const Eigen::Matrix3Xf points = gridPoints(20'000, 9);
+  EXPECT_THROW(SpatialIndex(points, Progress(source.get_token(), {})), Cancelled);
 }
 
 TEST(SpatialIndex, CopesWithCoincidentPoints) {

@@ -20,13 +20,13 @@
 namespace espalier {
 namespace {
 
-std::string presetOf(const PipelineOptions& options) {
+/// As a preset; empty: all is as the rules say.
+std::string textOf(const PipelineOptions& options) {
   std::ostringstream text;
-  writePreset(text, options);
+  if (options != PipelineOptions()) writePreset(text, options);
   return text.str();
 }
 
-/// Empty: all is as the rules say.
 PipelineOptions optionsFrom(const std::string& text) {
   if (text.empty()) return {};
   std::istringstream in(text);
@@ -84,24 +84,13 @@ void MainWindow::connectProjects() {
   connect(files_.get(), &FileFlow::told, this, tell);
   projects_->keep(
       {.name = "pipeline",
-       .text =
-           [this] {
-             const PipelineOptions options = pipeline_->options();
-             return options != PipelineOptions() ? presetOf(options) : std::string();
-           },
+       .text = [this] { return textOf(pipeline_->options()); },
        .show = [this](const std::string& text) { pipeline_->setOptions(optionsFrom(text)); }});
   projects_->keep({.name = "made_with",
-                   .text =
-                       [this] {
-                         const auto& used = reconstruct_->used();
-                         return used ? presetOf(*used) : std::string();
-                       },
-                   .show =
-                       [this](const std::string& text) {
-                         if (text.empty()) return reconstruct_->setUsed({});
-                         reconstruct_->setUsed(optionsFrom(text));
-                         pipeline_->showMadeWith(*reconstruct_->used());
-                       }});
+                   .text = [this] { return reconstruct_->usedText(); },
+                   .show = [this](const std::string& text) { reconstruct_->setUsed(text); }});
+  connect(reconstruct_.get(), &ReconstructFlow::usedChanged, this,
+          [this] { reconstruct_->showUsed(*pipeline_); });
   projects_->keep({.name = "view",
                    .text = [this] { return options_->text(); },
                    .show = [this](const std::string& text) { options_->show(text); }});

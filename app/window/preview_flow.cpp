@@ -260,8 +260,7 @@ bool PreviewFlow::drop() {
     emit noted(tr("Dropped: %1").arg(change)); // it can be typed again
   parts_.pipeline.setOptions(before_);
   clear();
-  if (const auto& used = parts_.reconstruct.used())
-    parts_.pipeline.showMadeWith(*used, parts_.reconstruct.telling());
+  parts_.reconstruct.showUsed(parts_.pipeline);
   return true;
 }
 

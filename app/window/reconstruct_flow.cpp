@@ -1,11 +1,16 @@
 #include "app/window/reconstruct_flow.h"
 
 #include "core/base/error.h"
+#include "core/pipeline/preset.h"
 #include "ui/document/plant_document.h"
 #include "ui/jobs/job_runner.h"
 
 #include <QElapsedTimer>
 #include <QLocale>
+#include <QUndoStack>
+
+#include <sstream>
+#include <utility>
 
 namespace espalier {
 
@@ -14,7 +19,8 @@ ReconstructFlow::ReconstructFlow(PlantDocument& document, JobRunner& jobs, QObje
       pipeline_(std::make_shared<SharedPipeline>()) {
   connect(&jobs_, &JobRunner::finished, this, [this] { isRunning_ = false; });
   for (auto signal : {&PlantDocument::scanChanged, &PlantDocument::skeletonReplaced})
-    connect(&document_, signal, this, [this] { used_.reset(); });
+    connect(&document_, signal, this, [this] { setRun({}); });
+  connect(&document_.undoStack(), &QUndoStack::indexChanged, this, &ReconstructFlow::refreshUsed);
 }
 
 void ReconstructFlow::start(const PipelineOptions& options, const Step* last) {
@@ -36,8 +42,10 @@ void ReconstructFlow::start(const PipelineOptions& options, const Step* last) {
         return pipeline->run(cloud, options, progress, to);
       },
       [this, elapsed, last, options](const Reconstruction& result) {
-        used_ = options;
         show(result, last, static_cast<double>(elapsed.elapsed()) / 1000);
+        if (!result.skeleton.isEmpty())
+          setRun(Run{options, last != nullptr ? last->name : std::string(),
+                     document_.step(document_.undoStack().index() - 1).time});
       });
 }
 
@@ -51,6 +59,46 @@ PipelinePanel::Telling ReconstructFlow::telling() const {
     return {.note = seconds < 0.005 ? QString() : tr("%1 s").arg(time),
             .details = tr("Last run: %1 s, %2 MB more memory at most").arg(time, memory)};
   };
+}
+
+std::string ReconstructFlow::usedText() const {
+  if (!isDone_) return {};
+  std::ostringstream text;
+  text << run_->time << ' ' << run_->last << '\n';
+  writePreset(text, run_->options);
+  return text.str();
+}
+
+void ReconstructFlow::setUsed(const std::string& text) {
+  if (text.empty()) return setRun({});
+  std::istringstream in(text);
+  std::string line;
+  std::getline(in, line);
+  Run run;
+  std::istringstream(line) >> run.time >> run.last;
+  run.options = readPreset(in);
+  requireKnown(run.options);
+  setRun(std::move(run));
+}
+
+void ReconstructFlow::showUsed(PipelinePanel& panel) const {
+  if (isDone_)
+    panel.showMadeWith(run_->options, telling(), run_->last);
+  else
+    panel.showIdle();
+}
+
+void ReconstructFlow::setRun(std::optional<Run> run) {
+  run_ = std::move(run);
+  isDone_ = false;
+  refreshUsed();
+}
+
+void ReconstructFlow::refreshUsed() {
+  bool isDone = false;
+  for (int i = 0; run_ && i < document_.undoStack().index() && !isDone; ++i)
+    isDone = document_.step(i).time == run_->time;
+  if (std::exchange(isDone_, isDone) != isDone) emit usedChanged();
 }
 
 void ReconstructFlow::show(const Reconstruction& result, const Step* last, double seconds) {

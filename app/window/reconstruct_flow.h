@@ -5,10 +5,10 @@
 
 #include <QObject>
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 
 namespace espalier {
 
@@ -29,22 +29,36 @@ public:
   [[nodiscard]] const std::shared_ptr<SharedPipeline>& pipeline() const { return pipeline_; }
   /// How long steps took, for the panel of the pipeline.
   [[nodiscard]] PipelinePanel::Telling telling() const;
-  /// The options that led to the skeleton, if they are known.
-  [[nodiscard]] const std::optional<PipelineOptions>& used() const { return used_; }
-  /// Those of a plant that was made before.
-  void setUsed(std::optional<PipelineOptions> used) { used_ = std::move(used); }
+  /// A run that made a skeleton.
+  struct Run {
+    PipelineOptions options;
+    std::string last;      // its last step; empty: of all
+    std::int64_t time = 0; // of its step in the history
+  };
+  /// The one that the skeleton is of, if that is known: none once it is undone.
+  [[nodiscard]] const Run* used() const { return isDone_ ? &*run_ : nullptr; }
+  /// The same as a text; empty if it is not known.
+  [[nodiscard]] std::string usedText() const;
+  /// Marks the steps that it is of; none if it is not known.
+  void showUsed(PipelinePanel& panel) const;
+  /// @throws Error if it is no such text
+  void setUsed(const std::string& text);
   [[nodiscard]] bool isRunning() const { return isRunning_; }
 
 signals:
+  void usedChanged();                                         // by undo and redo, and setUsed()
   void done(const QString& message, const std::string& last); // a step; empty: all
 
 private:
   void show(const Reconstruction& result, const Step* last, double seconds);
+  void setRun(std::optional<Run> run);
+  void refreshUsed();
 
   PlantDocument& document_;
   JobRunner& jobs_;
   std::shared_ptr<SharedPipeline> pipeline_; // keeps the results of steps
-  std::optional<PipelineOptions> used_;
+  std::optional<Run> run_;                   // the last
+  bool isDone_ = false;                      // it is not undone
   bool isRunning_ = false;
 };
 

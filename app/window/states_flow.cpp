@@ -138,7 +138,8 @@ void StatesFlow::blend() {
 }
 
 Outcome StatesFlow::plant() const {
-  PipelineOptions options = parts_.reconstruct.used().value_or(PipelineOptions());
+  const ReconstructFlow::Run* used = parts_.reconstruct.used();
+  PipelineOptions options = used != nullptr ? used->options : PipelineOptions();
   options.leftOut = parts_.document.leftOut();
   return {.options = options,
           .contracted = parts_.document.contracted(),

@@ -128,15 +128,13 @@ void PipelinePanel::showDone(const Telling& tell, const std::string& last) {
   }
 }
 
-void PipelinePanel::showMadeWith(const PipelineOptions& made, const Telling& tell) {
+void PipelinePanel::showMadeWith(const PipelineOptions& made, const Telling& tell,
+                                 const std::string& last) {
+  showDone(tell, last);
   const PipelineOptions now = options();
-  bool isSame = true;
-  for (StepForm* form : steps_) {
-    isSame = isSame && isSameIn(form->step(), now, made);
-    const Told told = tell && isSame ? tell(form->step()) : Told();
-    form->setState(isSame ? StepForm::State::done : StepForm::State::stale, told.note,
-                   told.details);
-  }
+  const auto changed = std::ranges::find_if(
+      steps_, [&](const StepForm* form) { return !isSameIn(form->step(), now, made); });
+  if (changed != steps_.end()) markStale(*changed);
 }
 
 void PipelinePanel::showFailed(const QString& why) {

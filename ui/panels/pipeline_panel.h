@@ -39,8 +39,8 @@ public:
   void showRunning(const QString& stage);
   /// Marks all steps up to the one of this name (empty: all) as up to date.
   void showDone(const Telling& tell = {}, const std::string& last = {});
-  /// Marks the steps as up to date as far as their choices are those that made the plant.
-  void showMadeWith(const PipelineOptions& made, const Telling& tell = {});
+  /// The same of those whose choices, and those before, are the ones that the plant was made with.
+  void showMadeWith(const PipelineOptions& made, const Telling& tell, const std::string& last);
   /// Marks the step that is running as failed, and those behind it as not run.
   void showFailed(const QString& why);
   /// Forgets how steps went.

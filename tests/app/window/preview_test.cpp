@@ -206,6 +206,10 @@ TEST_F(PreviewTest, StepsTellHowTheyStand) {
   view().setFocus();
   key(Qt::Key_Escape);
   EXPECT_EQ(step("contract").state(), State::done) << "the plant is of these choices again";
+  document().undoStack().undo();
+  EXPECT_EQ(step("clean").state(), State::idle) << "of the plant before, nobody knows";
+  document().undoStack().redo();
+  EXPECT_EQ(step("radius").state(), State::done);
 }
 
 TEST_F(PreviewTest, RunsUpToOneStep) {

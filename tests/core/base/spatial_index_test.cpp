@@ -40,6 +40,7 @@ Eigen::Matrix3Xf sorted(const Eigen::Matrix3Xf& points) {
 /// Squared distances of all points to `place`, sorted.
 std::vector<float> sortedDistances(const Eigen::Matrix3Xf& points, const Eigen::Vector3f& place) {
   std::vector<float> result;
+  result.reserve(static_cast<std::size_t>(points.cols()));
   for (int i = 0; i < points.cols(); ++i)
     result.push_back((points.col(i) - place).squaredNorm());
   std::sort(result.begin(), result.end());

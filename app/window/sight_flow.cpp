@@ -123,7 +123,7 @@ void SightFlow::look() {
   }
   const Scan& scan = *parts_.document.scan();
   const Eigen::Vector3f place = (*under - scan.cloud()->origin()).cast<float>();
-  const Eigen::Index point = scan.index().nearest(place, 1).front().index;
+  const Eigen::Index point = scan.index().nearestOne(place)->index;
   if (shown_ == point) return;
   shown_ = point;
   parts_.view.showSight(shownOf(sights_->at(point, parts_.document.skeleton()), *scan.cloud(), scan,

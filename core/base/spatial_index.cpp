@@ -40,9 +40,9 @@ using Index = nanoflann::KDTreeSingleIndexAdaptor<Metric, Columns, 3, std::uint3
 // Results of searches, as nanoflann 1.4 and 1.5 both ask for them (they differ in their own).
 
 /// Keeps the nearest accepted point of a search.
-class NearestAccepted {
+template <class Accepts> class NearestAccepted {
 public:
-  NearestAccepted(float squaredRadius, const std::function<bool(Eigen::Index)>& accepts)
+  NearestAccepted(float squaredRadius, const Accepts& accepts)
       : worst_(squaredRadius), accepts_(accepts) {}
 
   bool addPoint(float squaredDistance, std::uint32_t index) {
@@ -60,7 +60,7 @@ public:
 
 private:
   float worst_;
-  const std::function<bool(Eigen::Index)>& accepts_;
+  const Accepts& accepts_;
   std::optional<Neighbor> found_;
 };
 
@@ -157,16 +157,26 @@ std::vector<Neighbor> SpatialIndex::within(const Eigen::Vector3f& place, float r
   return result.take();
 }
 
+template <class Accepts>
+std::optional<Neighbor> SpatialIndex::nearestAccepted(const Eigen::Vector3f& place, float radius,
+                                                      const Accepts& accepts) const {
+  if (tree_->columns.kdtree_get_point_count() == 0) return std::nullopt;
+  const auto acceptsIt = [&](std::uint32_t point) {
+    return (isPassed_.empty() || !isPassed_[point]) && accepts(point);
+  };
+  NearestAccepted result(radius * radius, acceptsIt);
+  tree_->index.findNeighbors(result, place.data(), {});
+  return result.found();
+}
+
+std::optional<Neighbor> SpatialIndex::nearestOne(const Eigen::Vector3f& place, float radius) const {
+  return nearestAccepted(place, radius, [](Eigen::Index) { return true; });
+}
+
 std::optional<Neighbor>
 SpatialIndex::nearestIf(const Eigen::Vector3f& place, float radius,
                         const std::function<bool(Eigen::Index)>& accepts) const {
-  if (tree_->columns.kdtree_get_point_count() == 0) return std::nullopt;
-  const std::function<bool(Eigen::Index)> acceptsOther = [&](Eigen::Index point) {
-    return !isPassed_[static_cast<std::size_t>(point)] && accepts(point);
-  };
-  NearestAccepted result(radius * radius, isPassed_.empty() ? accepts : acceptsOther);
-  tree_->index.findNeighbors(result, place.data(), {});
-  return result.found();
+  return nearestAccepted(place, radius, accepts);
 }
 
 NearestOthers SpatialIndex::nearestOthers(int count, const Progress& progress) const {

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -45,6 +46,11 @@ public:
   /// The `count` points nearest to `place`, nearest first; all of them if there are fewer.
   [[nodiscard]] std::vector<Neighbor> nearest(const Eigen::Vector3f& place, int count) const;
 
+  /// The nearest point within `radius` [L], if any.
+  [[nodiscard]] std::optional<Neighbor>
+  nearestOne(const Eigen::Vector3f& place,
+             float radius = std::numeric_limits<float>::infinity()) const;
+
   /// The points within `radius` [L] of `place`, in no order that means anything.
   [[nodiscard]] std::vector<Neighbor> within(const Eigen::Vector3f& place, float radius) const;
 
@@ -59,6 +65,10 @@ public:
   [[nodiscard]] NearestOthers nearestOthers(int count, const Progress& progress = {}) const;
 
 private:
+  template <class Accepts>
+  [[nodiscard]] std::optional<Neighbor> nearestAccepted(const Eigen::Vector3f& place, float radius,
+                                                        const Accepts& accepts) const;
+
   struct Tree;
   explicit SpatialIndex(std::shared_ptr<const Tree> tree);
 

@@ -170,9 +170,9 @@ std::optional<CrossSection> CrossSections::at(NodeId id) const {
   if (!edges_ || points_.positions.cols() == 0) return std::nullopt;
   const Eigen::Vector3d center = skeleton_[id].position;
   const Eigen::Vector3f local = (center - points_.origin).cast<float>();
-  const std::vector<Neighbor> found = points_.index.nearest(local, 1);
-  if (found.empty()) return std::nullopt; // all of them are passed over
-  const double nearest = std::sqrt(found.front().squaredDistance);
+  const std::optional<Neighbor> found = points_.index.nearestOne(local);
+  if (!found) return std::nullopt; // all of them are passed over
+  const double nearest = std::sqrt(found->squaredDistance);
   const double known = radiusAbout(id);
   const double radius = known > 0 ? known : nearest;
   const std::optional<Eigen::Vector3d> axis = axisAt(id, std::max(radius, 3 * points_.spacing));

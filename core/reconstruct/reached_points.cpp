@@ -28,7 +28,7 @@ Skeleton withMeanDistances(Skeleton skeleton, const Eigen::Matrix3Xf& points,
   parallelFor(
       points.cols(),
       [&](Eigen::Index point) {
-        nearest[static_cast<std::size_t>(point)] = index.nearest(points.col(point), 1).front();
+        nearest[static_cast<std::size_t>(point)] = *index.nearestOne(points.col(point));
       },
       progress);
   std::vector<double> sums(ids.size(), 0);

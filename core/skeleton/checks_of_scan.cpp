@@ -69,7 +69,7 @@ bool hasPoints(const WoodTube& tube, const PointCloud& cloud, const SpatialIndex
     const double share = i / steps;
     const Eigen::Vector3f place = (tube.from + share * along - cloud.origin()).cast<float>();
     const auto radius = static_cast<float>(radiusAt(tube, share) + reach);
-    if (index.nearestIf(place, radius, [](Eigen::Index) { return true; })) ++found;
+    if (index.nearestOne(place, radius)) ++found;
   }
   return 2 * found >= steps + 1;
 }

@@ -34,7 +34,7 @@ public:
     std::vector<double> distances;
     for (const Eigen::Vector3d& place : places_) {
       const Eigen::Vector3f local = (place + shift - cloud_.origin()).cast<float>();
-      const auto nearest = index_.nearest(local, 1).front().index;
+      const auto nearest = index_.nearestOne(local)->index;
       distances.push_back((place + shift - cloud_.position(nearest)).norm());
     }
     const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);

@@ -115,6 +115,23 @@ TEST(SpatialIndex, FindsTheNearestPointOfThoseAccepted) {
   EXPECT_FALSE(index.nearestIf(points.col(0), 2, [](Eigen::Index) { return false; }));
 }
 
+TEST(SpatialIndex, FindsTheOneNearestPoint) {
+  const Eigen::Matrix3Xf points = randomPoints(500, 4);
+  SpatialIndex index(points);
+  const Eigen::Vector3f place(0.4F, 0.5F, 0.6F);
+  const std::vector<Neighbor> two = index.nearest(place, 2);
+  const auto one = index.nearestOne(place);
+  ASSERT_TRUE(one);
+  EXPECT_EQ(one->index, two[0].index);
+  EXPECT_EQ(one->squaredDistance, two[0].squaredDistance);
+  EXPECT_FALSE(index.nearestOne(place, 0.99F * std::sqrt(one->squaredDistance)));
+  std::vector<bool> passed(500, false);
+  passed[static_cast<std::size_t>(one->index)] = true;
+  EXPECT_EQ(index.passingOver(passed).nearestOne(place)->index, two[1].index);
+  const Eigen::Matrix3Xf none(3, 0);
+  EXPECT_FALSE(SpatialIndex(none).nearestOne(place));
+}
+
 TEST(SpatialIndex, ListsOthersOfEachPointWithoutItself) {
   const Eigen::Matrix3Xf points = randomPoints(300, 4);
   const NearestOthers others = SpatialIndex(points).nearestOthers(5);

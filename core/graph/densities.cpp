@@ -44,10 +44,12 @@ std::vector<float> nearestDensities(const Eigen::Matrix3Xf& points, int count,
 
 DensityRange rangeOf(const std::vector<float>& densities) {
   assert(!densities.empty());
-  std::vector<float> sorted = densities;
-  std::ranges::sort(sorted);
-  const std::size_t last = sorted.size() - 1;
-  return {.least = sorted[last / 100], .most = sorted[last - last / 100]};
+  std::vector<float> partly = densities; // sorted
+  const auto rest = static_cast<std::ptrdiff_t>((densities.size() - 1) / 100);
+  const auto most = partly.end() - 1 - rest;
+  std::ranges::nth_element(partly, most);
+  std::nth_element(partly.begin(), partly.begin() + rest, most);
+  return {.least = partly[static_cast<std::size_t>(rest)], .most = *most};
 }
 
 std::vector<float> normalizedDensities(const std::vector<float>& densities,

@@ -7,51 +7,62 @@ namespace espalier {
 
 Attractors::Attractors(const Eigen::Matrix3Xf& points, const std::vector<float>& densities,
                        const Progress& progress)
-    : points_(points), densities_(densities), index_(points, progress),
-      isAlive_(densities.size(), 1), owner_(densities.size(), none),
-      squaredDistance_(densities.size(), std::numeric_limits<float>::infinity()) {
+    : places_(points), densities_(densities), index_(points, progress), points_(densities.size()) {
   assert(static_cast<Eigen::Index>(densities.size()) == points.cols());
 }
 
 double Attractors::densityAt(const Eigen::Vector3d& place) const {
-  const Eigen::Index nearest = index_.nearest(place.cast<float>(), 1).front().index;
+  const Eigen::Index nearest = index_.nearestOne(place.cast<float>())->index;
   return static_cast<double>(densities_[static_cast<std::size_t>(nearest)]);
 }
 
-void Attractors::meet(std::uint32_t node, const Eigen::Vector3d& place, double kill, double reach) {
-  assert(node == owned_.size());
-  owned_.emplace_back();
+std::vector<Neighbor> Attractors::metBy(const Eigen::Vector3d& place, double kill,
+                                        double reach) const {
   const auto squaredKill = static_cast<float>(kill * kill);
-  const auto farthest = static_cast<float>(std::max(kill, reach));
-  for (const Neighbor& found : index_.within(place.cast<float>(), farthest)) {
-    const auto point = static_cast<std::uint32_t>(found.index);
-    if (!isAlive_[point]) continue;
-    if (owner_[point] == none) ++reached_;
-    if (found.squaredDistance <= squaredKill) {
-      isAlive_[point] = 0;
-      owner_[point] = node;
+  std::vector<Neighbor> met =
+      index_.within(place.cast<float>(), static_cast<float>(std::max(kill, reach)));
+  std::erase_if(met, [&](const Neighbor& found) {
+    const Point& point = points_[static_cast<std::size_t>(found.index)];
+    return !point.isAlive() ||
+           (found.squaredDistance > squaredKill && found.squaredDistance >= point.squaredDistance);
+  });
+  return met;
+}
+
+void Attractors::meet(std::uint32_t node, const std::vector<Neighbor>& met, double kill) {
+  assert(node == owned_.size());
+  std::vector<std::uint32_t>& own = owned_.emplace_back();
+  own.reserve(met.size());
+  const auto squaredKill = static_cast<float>(kill * kill);
+  for (const auto& [index, squaredDistance] : met) {
+    const auto number = static_cast<std::uint32_t>(index);
+    Point& point = points_[number];
+    if (!point.isAlive()) continue;
+    if (point.owner == none) ++reached_;
+    if (squaredDistance <= squaredKill) {
+      point = {.squaredDistance = -1, .owner = node};
       ++dead_;
-    } else if (found.squaredDistance < squaredDistance_[point]) {
-      squaredDistance_[point] = found.squaredDistance;
-      owner_[point] = node;
-      owned_.back().push_back(point);
+    } else if (squaredDistance < point.squaredDistance) {
+      point = {.squaredDistance = squaredDistance, .owner = node};
+      own.push_back(number);
     }
   }
-  std::ranges::sort(owned_.back());
+  std::ranges::sort(own);
 }
 
 std::vector<std::uint32_t> Attractors::around(const Eigen::Vector3d& place, double reach) const {
   std::vector<std::uint32_t> living;
   for (const Neighbor& found : index_.within(place.cast<float>(), static_cast<float>(reach)))
-    if (isAlive_[static_cast<std::size_t>(found.index)])
+    if (points_[static_cast<std::size_t>(found.index)].isAlive())
       living.push_back(static_cast<std::uint32_t>(found.index));
   std::ranges::sort(living);
   return living;
 }
 
 const std::vector<std::uint32_t>& Attractors::of(std::uint32_t node) {
-  std::erase_if(owned_[node],
-                [&](std::uint32_t point) { return !isAlive_[point] || owner_[point] != node; });
+  std::erase_if(owned_[node], [&](std::uint32_t point) {
+    return !points_[point].isAlive() || points_[point].owner != node;
+  });
   return owned_[node];
 }
 

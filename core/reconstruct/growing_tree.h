@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace espalier {
@@ -31,8 +32,13 @@ public:
   GrowingTree(Attractors& attractors, const AdaptiveLength& step, double kill, double reach)
       : attractors_(attractors), step_(step), kill_(kill), reach_(reach) {}
 
-  /// Adds a node, which the attractors meet. @return its number: 0, 1, 2, ...
-  std::uint32_t add(const Eigen::Vector3d& place, std::optional<std::uint32_t> parent);
+  /// Adds the root. @return its number, 0
+  std::uint32_t addRoot(const Eigen::Vector3d& place);
+
+  /// Adds a node per shoot, which the attractors meet one after the other. On all threads.
+  /// @return their numbers, one after the other
+  /// @throws Cancelled if `progress` asks to stop
+  std::vector<std::uint32_t> add(const std::vector<Shoot>& shoots, const Progress& progress);
 
   /// Where a child of `node` would stand that is one step off in the mean direction of `pulling`;
   /// none if they pull nowhere, or it would not come nearer to one of them by a tenth of a step:
@@ -53,9 +59,19 @@ public:
   [[nodiscard]] double step(std::uint32_t node) const { return steps_[node]; } // [L]
   [[nodiscard]] double density(std::uint32_t node) const { return densities_[node]; }
   [[nodiscard]] double reach(std::uint32_t node) const { return reach_ * steps_[node]; } // [L]
-  [[nodiscard]] const Skeleton& skeleton() const { return skeleton_; }
+  [[nodiscard]] Skeleton takeSkeleton() { return std::move(skeleton_); }
 
 private:
+  /// What a new node would be.
+  struct Sprout {
+    double density = 0; // of the nearest point
+    double step = 0;    // [L]
+    std::vector<Neighbor> met;
+  };
+  [[nodiscard]] Sprout sproutAt(const Eigen::Vector3d& place) const;
+  std::uint32_t add(const Sprout& sprout, const Eigen::Vector3d& place,
+                    std::optional<std::uint32_t> parent);
+
   /// From a point that no node has been in reach of to the node nearest to it.
   struct Gap {
     float squaredWidth; // [L^2]
@@ -67,8 +83,14 @@ private:
   /// added since. Time O(G log n) for G gaps and n new nodes, far less where these are far off.
   void updateGaps(const Progress& progress);
 
-  /// Clears the marks of all points that lie together with `first`.
-  void takeTogether(std::uint32_t first, std::vector<bool>& isLeft, const Progress& progress) const;
+  /// The nearest gaps of squared widths over `beyond` [L^2], with those little wider; nearest
+  /// first.
+  /// @param widest [L] wider ones are left out
+  [[nodiscard]] std::vector<Gap> nearestGaps(float beyond, double widest) const;
+
+  /// The first of all gaps whose points lie together, each in reach of another.
+  [[nodiscard]] std::vector<Gap> onePerClump(const std::vector<Gap>& gaps,
+                                             const Progress& progress) const;
 
   Attractors& attractors_;
   AdaptiveLength step_;
@@ -80,6 +102,7 @@ private:
   std::vector<NodeId> ids_;
   std::vector<Gap> gaps_;       // by number of the point
   std::size_t nodesOfGaps_ = 0; // that gaps_ know of
+  std::vector<bool> isDust_;    // by point: too few live beside it, and never will more
   Skeleton skeleton_;
 };
 

@@ -1,5 +1,6 @@
 #include "core/reconstruct/point_tracking.h"
 
+#include "core/base/parallel.h"
 #include "core/reconstruct/attractors.h"
 #include "core/reconstruct/direction_clusters.h"
 #include "core/reconstruct/direction_cones.h"
@@ -27,24 +28,19 @@ public:
         tree_(attractors, {options.leastStep, options.greatestStep}, options.kill, options.reach) {}
 
   Skeleton grow(const Eigen::Vector3d& root, Eigen::Index points, const Progress& progress) {
-    std::vector<std::uint32_t> growing = {tree_.add(root, std::nullopt)};
+    std::vector<std::uint32_t> growing = {tree_.addRoot(root)};
     headings_.push_back(firstHeading());
     while (!growing.empty()) {
       progress.update(static_cast<double>(attractors_.dead()) / static_cast<double>(points));
-      std::vector<GrowingTree::Shoot> shoots;
-      for (const std::uint32_t node : growing) {
-        progress.check();
-        growFrom(node, shoots);
-      }
+      std::vector<GrowingTree::Shoot> shoots = shootsOf(growing, progress);
       if (shoots.empty()) shoots = tree_.shootsAcrossGaps(options_.widestGap, progress);
-      growing.clear();
       for (const GrowingTree::Shoot& shoot : shoots) {
         const Eigen::Vector3d direction = (shoot.place - tree_.place(shoot.parent)).normalized();
         headings_.push_back(headings_[shoot.parent].turnedTo(direction));
-        growing.push_back(tree_.add(shoot.place, shoot.parent));
       }
+      growing = tree_.add(shoots, progress);
     }
-    return tree_.skeleton();
+    return tree_.takeSkeleton();
   }
 
 private:
@@ -86,7 +82,8 @@ private:
     return cones_.groups(headings_[node], view.directions);
   }
 
-  void growFrom(std::uint32_t node, std::vector<GrowingTree::Shoot>& shoots) const {
+  [[nodiscard]] std::vector<GrowingTree::Shoot> shootsOf(std::uint32_t node) const {
+    std::vector<GrowingTree::Shoot> shoots;
     const View view = viewOf(node);
     for (const std::vector<std::size_t>& group : groupsOf(node, view)) {
       if (group.size() < static_cast<std::size_t>(options_.fewestPoints)) continue;
@@ -96,6 +93,21 @@ private:
       if (own.empty()) continue;
       if (const auto shoot = tree_.shootTowards(node, own)) shoots.push_back(*shoot);
     }
+    return shoots;
+  }
+
+  [[nodiscard]] std::vector<GrowingTree::Shoot> shootsOf(const std::vector<std::uint32_t>& nodes,
+                                                         const Progress& progress) const {
+    std::vector<std::vector<GrowingTree::Shoot>> found(nodes.size());
+    const auto find = [&](Eigen::Index i) {
+      const auto at = static_cast<std::size_t>(i);
+      found[at] = shootsOf(nodes[at]);
+    };
+    parallelFor(static_cast<Eigen::Index>(nodes.size()), find, progress.part(0, 0), 8);
+    std::vector<GrowingTree::Shoot> shoots;
+    for (const auto& each : found)
+      shoots.insert(shoots.end(), each.begin(), each.end());
+    return shoots;
   }
 
   Attractors& attractors_;

@@ -1,5 +1,6 @@
 #include "core/reconstruct/space_colonization.h"
 
+#include "core/base/parallel.h"
 #include "core/reconstruct/attractors.h"
 #include "core/reconstruct/growing_tree.h"
 #include "core/reconstruct/reached_points.h"
@@ -21,6 +22,22 @@ std::optional<GrowingTree::Shoot> shootOf(std::uint32_t node, Attractors& attrac
   return tree.shootTowards(node, side);
 }
 
+/// Of those nodes that grow.
+std::vector<GrowingTree::Shoot> shootsOf(const std::vector<std::uint32_t>& nodes,
+                                         Attractors& attractors, const GrowingTree& tree,
+                                         const Progress& progress) {
+  std::vector<std::optional<GrowingTree::Shoot>> found(nodes.size());
+  const auto find = [&](Eigen::Index i) {
+    const auto at = static_cast<std::size_t>(i);
+    found[at] = shootOf(nodes[at], attractors, tree);
+  };
+  parallelFor(static_cast<Eigen::Index>(nodes.size()), find, progress.part(0, 0), 8);
+  std::vector<GrowingTree::Shoot> shoots;
+  for (const auto& shoot : found)
+    if (shoot) shoots.push_back(*shoot);
+  return shoots;
+}
+
 } // namespace
 
 Skeleton skeletonBySpaceColonization(const Eigen::Matrix3Xf& points,
@@ -33,26 +50,20 @@ Skeleton skeletonBySpaceColonization(const Eigen::Matrix3Xf& points,
   Attractors attractors(drawn, densities, progress);
   GrowingTree tree(attractors, {options.leastStep, options.greatestStep}, options.kill,
                    options.reach);
-  std::vector<std::uint32_t> growing = {tree.add(drawn.col(root).cast<double>(), std::nullopt)};
+  std::vector<std::uint32_t> growing = {tree.addRoot(drawn.col(root).cast<double>())};
   const Progress growth = progress.part(0.2, 0.9);
   while (!growing.empty()) {
     growth.update(static_cast<double>(attractors.dead()) / static_cast<double>(drawn.cols()));
-    std::vector<GrowingTree::Shoot> shoots;
-    std::vector<std::uint32_t> next;
-    for (const std::uint32_t node : growing) {
-      progress.check();
-      if (const auto shoot = shootOf(node, attractors, tree)) {
-        shoots.push_back(*shoot);
-        next.push_back(node); // what is left of its points may pull it elsewhere
-      }
-    }
-    if (shoots.empty()) shoots = tree.shootsAcrossGaps(options.widestGap, progress);
+    std::vector<GrowingTree::Shoot> shoots = shootsOf(growing, attractors, tree, progress);
+    growing.clear();
     for (const GrowingTree::Shoot& shoot : shoots)
-      next.push_back(tree.add(shoot.place, shoot.parent));
-    growing = std::move(next);
+      growing.push_back(shoot.parent); // what is left of its points may pull it elsewhere
+    if (shoots.empty()) shoots = tree.shootsAcrossGaps(options.widestGap, progress);
+    const std::vector<std::uint32_t> added = tree.add(shoots, progress);
+    growing.insert(growing.end(), added.begin(), added.end());
   }
   requireHalf(attractors.reached(), drawn.cols());
-  return withMeanDistances(tree.skeleton(), points, progress.part(0.9, 1));
+  return withMeanDistances(tree.takeSkeleton(), points, progress.part(0.9, 1));
 }
 
 } // namespace espalier

@@ -210,10 +210,13 @@ TEST_P(SkeletonMethods, FollowTurningAndOtherUnits) {
 }
 
 TEST_P(SkeletonMethods, AreTheSameOnAnyNumberOfThreads) {
-  const Eigen::Matrix3Xf points = test::forkCloud();
-  const Skeleton onMany = of(points);
-  const ThreadLimit limit(1);
-  EXPECT_EQ(of(points), onMany);
+  const auto cloud =
+      std::make_shared<const PointCloud>(test::simulatedTree().cloud); // grows widely
+  const Skeleton onAll = Pipeline().run(cloud, options(), {}, "skeleton").skeleton;
+  for (const int threads : {1, 2, 4}) {
+    const ThreadLimit limit(threads);
+    EXPECT_EQ(Pipeline().run(cloud, options(), {}, "skeleton").skeleton, onAll) << threads;
+  }
 }
 
 TEST_P(SkeletonMethods, FindMostOfASimulatedTree) {

@@ -39,34 +39,42 @@ BridgeSearch::BridgeSearch(const Eigen::Matrix3Xf& points, const Progress& progr
   std::iota(order_.begin(), order_.end(), 0U);
   parts_.push_back(
       {.low = {}, .high = {}, .begin = 0, .end = static_cast<std::uint32_t>(order_.size())});
-  for (std::size_t part = 0; part < parts_.size(); ++part) {
-    if (part % 1024 == 0 || parts_[part].end - parts_[part].begin > 10'000) progress.check();
-    split(part); // adds to parts_
+  for (std::size_t first = 0; first < parts_.size();) { // level by level
+    const std::size_t end = parts_.size();
+    for (std::size_t part = first; part < end; ++part)
+      addHalves(part);
+    const auto count = static_cast<Eigen::Index>(end - first);
+    const auto divide = [&](Eigen::Index i) { split(parts_[first + static_cast<std::size_t>(i)]); };
+    parallelFor(count, divide, progress.part(0, 0), 1 + count / 256);
+    first = end;
   }
 }
 
-void BridgeSearch::split(std::size_t at) {
-  Part part = parts_[at];
+void BridgeSearch::addHalves(std::size_t part) {
+  const std::uint32_t begin = parts_[part].begin;
+  const std::uint32_t end = parts_[part].end;
+  if (end - begin <= mostInLeaf) return;
+  const std::uint32_t middle = begin + (end - begin) / 2;
+  parts_[part].left = static_cast<std::uint32_t>(parts_.size());
+  parts_.push_back({.low = {}, .high = {}, .begin = begin, .end = middle});
+  parts_.push_back({.low = {}, .high = {}, .begin = middle, .end = end});
+}
+
+void BridgeSearch::split(Part& part) {
   part.low.setConstant(std::numeric_limits<float>::max());
   part.high = -part.low;
   for (std::uint32_t k = part.begin; k < part.end; ++k) {
     part.low = part.low.cwiseMin(points_.col(order_[k]));
     part.high = part.high.cwiseMax(points_.col(order_[k]));
   }
-  if (part.end - part.begin > mostInLeaf) {
-    Eigen::Index axis = 0;
-    (part.high - part.low).maxCoeff(&axis);
-    const std::uint32_t middle = part.begin + (part.end - part.begin) / 2;
-    const auto place = [&](std::uint32_t k) { return order_.begin() + std::ptrdiff_t(k); };
-    std::nth_element(place(part.begin), place(middle), place(part.end),
-                     [&](std::uint32_t a, std::uint32_t b) {
-                       return std::tuple(points_(axis, a), a) < std::tuple(points_(axis, b), b);
-                     });
-    part.left = static_cast<std::uint32_t>(parts_.size());
-    parts_.push_back({.low = {}, .high = {}, .begin = part.begin, .end = middle});
-    parts_.push_back({.low = {}, .high = {}, .begin = middle, .end = part.end});
-  }
-  parts_[at] = part;
+  if (part.isLeaf()) return;
+  Eigen::Index axis = 0;
+  (part.high - part.low).maxCoeff(&axis);
+  const auto place = [&](std::uint32_t k) { return order_.begin() + std::ptrdiff_t(k); };
+  std::nth_element(place(part.begin), place(parts_[part.left].end), place(part.end),
+                   [&](std::uint32_t a, std::uint32_t b) {
+                     return std::tuple(points_(axis, a), a) < std::tuple(points_(axis, b), b);
+                   });
 }
 
 void BridgeSearch::label(const std::vector<std::uint32_t>& componentOf) {

@@ -26,7 +26,7 @@ struct Bridge {
 /// them, and looks no farther than what another point of its component has found.
 class BridgeSearch {
 public:
-  /// @param points 3 x N, finite [L]; must outlive the search. Time O(N log N)
+  /// @param points 3 x N, finite [L]; must outlive the search. Time O(N log N), on all threads
   /// @throws Cancelled if `progress` asks to stop
   explicit BridgeSearch(const Eigen::Matrix3Xf& points, const Progress& progress = {});
 
@@ -53,7 +53,8 @@ private:
   };
   static constexpr std::uint32_t mixed = std::numeric_limits<std::uint32_t>::max();
 
-  void split(std::size_t part);
+  void addHalves(std::size_t part);
+  void split(Part& part); // among its halves
   void label(const std::vector<std::uint32_t>& componentOf);
   [[nodiscard]] Bridge from(std::uint32_t point, const std::vector<std::uint32_t>& componentOf,
                             float squaredReach) const;

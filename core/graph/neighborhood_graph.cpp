@@ -53,11 +53,12 @@ NeighborhoodGraph::NeighborhoodGraph(const Eigen::Matrix3Xf& points, int neighbo
   links_.resize(begin_.back());
   std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
   const auto lengthAt = [&](std::size_t place) { return std::sqrt(table.squaredDistances[place]); };
-  for (std::size_t i = 0; i < count; ++i) {
-    pace.after(perPoint);
+  const auto addChosen = [&](Eigen::Index point) {
+    const auto i = static_cast<std::size_t>(point);
     for (std::size_t place = i * perPoint; place < (i + 1) * perPoint; ++place)
       links_[next[i]++] = {table.indices[place], lengthAt(place)};
-  }
+  };
+  parallelFor(points.cols(), addChosen, progress.part(0.9, 1), 4096);
   for (std::size_t place = 0; place < isOneSided.size(); ++place) {
     pace.after(1);
     if (isOneSided[place] != 0)

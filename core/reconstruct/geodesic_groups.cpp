@@ -100,10 +100,15 @@ GeodesicGroups geodesicGroups(const NeighborhoodGraph& graph, const Eigen::Matri
     if (bins[i] != none) groups.bins[groups.ofPoint[i]] = bins[i];
   measure(groups, points, count);
   groups.adjacent.resize(count);
-  for (std::size_t i = 0; i < groups.ofPoint.size(); ++i)
+  for (std::size_t i = 0; i < groups.ofPoint.size(); ++i) {
+    const std::uint32_t own = groups.ofPoint[i];
+    if (own == none) continue;
+    std::vector<std::uint32_t>& list = groups.adjacent[own];
     for (const NeighborhoodGraph::Link& link : graph.links(static_cast<Eigen::Index>(i)))
-      if (groups.ofPoint[i] != none && groups.ofPoint[link.to] != groups.ofPoint[i])
-        groups.adjacent[groups.ofPoint[i]].push_back(groups.ofPoint[link.to]);
+      if (const std::uint32_t other = groups.ofPoint[link.to];
+          other != own && (list.empty() || list.back() != other))
+        list.push_back(other);
+  }
   for (std::vector<std::uint32_t>& list : groups.adjacent) {
     std::sort(list.begin(), list.end());
     list.erase(std::unique(list.begin(), list.end()), list.end());

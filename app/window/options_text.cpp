@@ -1,6 +1,7 @@
 #include "app/window/options_text.h"
 
-#include <QLocale>
+#include "ui/document/number_scale.h"
+
 #include <QObject>
 #include <QStringList>
 
@@ -10,14 +11,13 @@
 namespace espalier {
 namespace {
 
-QString numberText(double value) {
+/// To three digits, without zeros at the end.
+QString shortNumber(double value) {
   const int decimals =
       value == 0 ? 0 : std::clamp(2 - int(std::floor(std::log10(std::abs(value)))), 0, 6);
-  QString text = QLocale().toString(value, 'f', decimals);
-  if (!text.contains(QLocale().decimalPoint())) return text;
-  while (text.endsWith('0'))
+  QString text = numberText(value, decimals);
+  while (text.contains('.') && (text.endsWith('0') || text.endsWith('.')))
     text.chop(1);
-  if (text.endsWith(QLocale().decimalPoint())) text.chop(1);
   return text;
 }
 
@@ -52,9 +52,9 @@ QString changeText(const PipelineOptions& before, const PipelineOptions& after,
 QString valueText(const Option& option, double value, const QString& unit) {
   if (option.takesWords()) return QString::fromStdString(option.wordFor(value));
   const bool isLength = option.kind == OptionKind::length && !unit.isEmpty();
-  return numberText(value) + (isLength                           ? QChar(0x202f) + unit
-                              : option.kind == OptionKind::angle ? QStringLiteral("°")
-                                                                 : QString());
+  return shortNumber(value) + (isLength                           ? QChar(0x202f) + unit
+                               : option.kind == OptionKind::angle ? QStringLiteral("°")
+                                                                  : QString());
 }
 
 } // namespace espalier

@@ -2,11 +2,11 @@
 
 #include "core/base/error.h"
 #include "core/pipeline/preset.h"
+#include "ui/document/number_scale.h"
 #include "ui/document/plant_document.h"
 #include "ui/jobs/job_runner.h"
 
 #include <QElapsedTimer>
-#include <QLocale>
 #include <QUndoStack>
 
 #include <sstream>
@@ -54,8 +54,8 @@ PipelinePanel::Telling ReconstructFlow::telling() const {
     const auto cost = costs.find(step.name);
     if (cost == costs.end()) return {};
     const auto& [seconds, bytes] = cost->second;
-    const QString time = QLocale().toString(seconds, 'f', seconds < 0.995 ? 2 : 1);
-    const QString memory = QLocale().toString(static_cast<double>(bytes) / 1e6, 'f', 0);
+    const QString time = numberText(seconds, seconds < 0.995 ? 2 : 1);
+    const QString memory = numberText(static_cast<double>(bytes) / 1e6, 0);
     return {.note = seconds < 0.005 ? QString() : tr("%1 s").arg(time),
             .details = tr("Last run: %1 s, %2 MB more memory at most").arg(time, memory)};
   };
@@ -102,7 +102,7 @@ void ReconstructFlow::refreshUsed() {
 }
 
 void ReconstructFlow::show(const Reconstruction& result, const Step* last, double seconds) {
-  const QString time = QLocale().toString(seconds, 'f', 1);
+  const QString time = seconds < 0.1 ? tr("less than 0.1") : numberText(seconds, 1);
   const std::string end = last != nullptr ? last->name : std::string();
   if (last != nullptr && result.skeleton.isEmpty()) {
     document_.contract(QString::fromStdString(last->label), result.contracted);

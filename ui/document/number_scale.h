@@ -25,19 +25,20 @@ namespace espalier {
   return numbers;
 }
 
-/// A number with its thousands parted, as everywhere in the window: "1 250.5". pre: decimals >= 0
+/// A number with its thousands parted and the sign of mathematics, as everywhere in the window:
+/// "1 250.5", "−3". pre: decimals >= 0
 [[nodiscard]] inline QString numberText(double value, int decimals) {
-  QString text = QString::number(value, 'f', decimals);
+  QString text = QString::number(std::abs(value), 'f', decimals);
   const qsizetype end = text.contains('.') ? text.indexOf('.') : text.size();
-  for (qsizetype at = end - 3; at > (text.startsWith('-') ? 1 : 0); at -= 3)
+  for (qsizetype at = end - 3; at > 0; at -= 3)
     text.insert(at, QChar(0x202f));
-  return text;
+  return value < 0 ? QChar(0x2212) + text : text;
 }
 
 /// A number with as many digits as a step between such numbers calls for: "1 250", "0.05".
 [[nodiscard]] inline QString numberAtStep(double value, double step) {
   const int decimals = std::clamp(static_cast<int>(-std::floor(std::log10(step) + 1e-9)), 0, 9);
-  return numberText(std::abs(value) < 1e-9 * step ? 0 : value, decimals); // no "-0"
+  return numberText(std::abs(value) < 1e-9 * step ? 0 : value, decimals); // no "−0"
 }
 
 } // namespace espalier

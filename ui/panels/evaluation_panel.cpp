@@ -136,7 +136,7 @@ void EvaluationPanel::refreshShift(const Evaluation& evaluation) {
   shift_->setToolTip({});
   if (!laid_->isChecked()) return;
   const Eigen::Vector3d& shift = evaluation.shift;
-  shift_->setText(evaluation.isShiftLarge ? tr("⚠ it lay %1 off").arg(length(shift.norm()))
+  shift_->setText(evaluation.isShiftLarge ? tr("⚠ they were %1 apart").arg(length(shift.norm()))
                                           : tr("moved by %1").arg(length(shift.norm())));
   shift_->setToolTip(
       tr("The reference is moved by (%1, %2, %3) to lie on the plant. Where only one of them "

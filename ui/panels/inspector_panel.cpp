@@ -1,6 +1,7 @@
 #include "ui/panels/inspector_panel.h"
 
 #include "core/skeleton/axes.h"
+#include "ui/document/number_scale.h"
 #include "ui/document/plant_document.h"
 #include "ui/panels/cross_section_panel.h"
 #include "ui/panels/focus_keys.h"
@@ -11,7 +12,6 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QLocale>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSignalBlocker>
@@ -30,7 +30,7 @@ int decimalsFor(double radius) {
 }
 
 QString describe(const Eigen::Vector3d& place) {
-  const auto number = [](double value) { return QLocale::c().toString(value, 'f', 3); };
+  const auto number = [](double value) { return numberText(value, 3); };
   return QStringLiteral("%1\n%2\n%3").arg(number(place.x()), number(place.y()), number(place.z()));
 }
 

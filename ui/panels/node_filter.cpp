@@ -66,7 +66,8 @@ NodeFilter::Condition NodeFilter::conditionOf(const QString& text) {
   condition.text = match.captured(3);
   if (isNumber(condition.column)) {
     bool isRead = false;
-    condition.number = QLocale::c().toDouble(condition.text, &isRead);
+    condition.number =
+        QLocale::c().toDouble(QString(condition.text).replace(QChar(0x2212), '-'), &isRead);
     if (!isRead)
       throw Error(tr("%1 is compared with a number, as in “%1 > 10”")
                       .arg(keyOf(condition.column))

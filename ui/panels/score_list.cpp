@@ -1,8 +1,11 @@
 #include "ui/panels/score_list.h"
 
+#include "ui/document/number_scale.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <cmath>
 
 namespace espalier {
 namespace {
@@ -169,7 +172,7 @@ std::vector<ScoreEntry> others() {
        {},
        tr("Shift"),
        tr("Shift"),
-       tr("How far off the reference it lay"),
+       tr("How far apart both were before they were aligned"),
        length,
        [](const Evaluation& each) -> Value { return each.shift.norm(); }},
       {"nodes",
@@ -209,7 +212,7 @@ QString textOf(const std::optional<double>& score, ScoreKind kind, LengthUnit un
   if (!score) return QStringLiteral("–");
   if (kind == ScoreKind::share) return QString::number(*score, 'f', 3);
   if (kind == ScoreKind::length) return formatLength(*score, unit, 3);
-  return QString::number(*score, 'g', 6);
+  return numberText(*score, *score == std::round(*score) ? 0 : 2);
 }
 
 } // namespace espalier

@@ -49,7 +49,7 @@ void ValueField::close(bool takes, bool goesOn) {
 
 std::optional<double> numberIn(QString text) {
   text.removeIf([](QChar letter) { return letter.isSpace(); });
-  text.replace(',', '.');
+  text.replace(',', '.').replace(QChar(0x2212), '-'); // as it is written
   bool isNumber = false;
   const double number = QLocale::c().toDouble(text, &isNumber);
   return isNumber && std::isfinite(number) ? std::optional(number) : std::nullopt;

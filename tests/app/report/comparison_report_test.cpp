@@ -202,7 +202,7 @@ TEST(ComparisonReport, SaysWhatMakesTheNumbersDoubtful) {
   const Report report =
       comparisonReport(reportData(comparison, moved, branched()), pictures, about);
   const QString text = textOf(sectionOf(report, "Summary"));
-  EXPECT_TRUE(text.contains("the plant lay 0.5 off the reference")) << qPrintable(text);
+  EXPECT_TRUE(text.contains("the plant was 0.5 away from the reference")) << qPrintable(text);
   EXPECT_TRUE(text.contains("the plant was multiplied by 0.001 first")) << qPrintable(text);
   EXPECT_TRUE(text.contains("there are no pictures: OpenGL: no context")) << qPrintable(text);
 }

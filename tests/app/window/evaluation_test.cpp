@@ -216,7 +216,7 @@ TEST_F(EvaluationWindowTest, LaysTheReferenceOnThePlantUnlessItIsToLieWhereItLay
   open({write("plant.mtg", plant())});
   load(write("expert.mtg", off));
   EXPECT_EQ(score("f"), "1.000");
-  EXPECT_TRUE(find<QLabel>("evaluation_shift").text().contains("it lay 0.112"))
+  EXPECT_TRUE(find<QLabel>("evaluation_shift").text().contains("they were 0.112"))
       << find<QLabel>("evaluation_shift").text().toStdString();
   QTest::mouseClick(&find<QCheckBox>("evaluation_laid"), Qt::LeftButton, {}, QPoint(8, 8));
   ASSERT_TRUE(waitForScores());
@@ -297,7 +297,7 @@ TEST_F(EvaluationWindowTest, FindsTheShiftAgainAsThePlantIsMovedPieceByPiece) {
     });
   ASSERT_TRUE(waitForScores());
   EXPECT_EQ(score("f"), "1.000");
-  EXPECT_TRUE(find<QLabel>("evaluation_shift").text().contains("it lay 0.3"))
+  EXPECT_TRUE(find<QLabel>("evaluation_shift").text().contains("they were 0.3"))
       << find<QLabel>("evaluation_shift").text().toStdString();
 }
 

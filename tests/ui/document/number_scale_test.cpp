@@ -17,9 +17,10 @@ TEST(NumberScale, StepsByOneTwoAndFive) {
 TEST(NumberScale, WritesAsManyDigitsAsTheStepNeeds) {
   EXPECT_EQ(numberAtStep(0.25, 0.05), "0.25");
   EXPECT_EQ(numberAtStep(12, 2), "12");
-  EXPECT_EQ(numberAtStep(-0.0001, 0.1), "-0.0") << "rounded, but not nothing";
+  EXPECT_EQ(numberAtStep(-0.0001, 0.1), QString::fromUtf8("−0.0")) << "rounded, but not nothing";
   EXPECT_EQ(numberAtStep(-1e-17, 0.1), "0.0");
-  EXPECT_EQ(numberAtStep(-1234567, 1000), QString("-1 234 567").replace(' ', QChar(0x202f)));
+  EXPECT_EQ(numberAtStep(-1234567, 1000),
+            QString::fromUtf8("−1 234 567").replace(' ', QChar(0x202f)));
 }
 
 TEST(NumberScale, CountsBothEndsOfARange) {

@@ -17,9 +17,10 @@ struct Palette {
   Color branching{0xd5, 0x5e, 0x00};
   Color selected{0xe6, 0x9f, 0x00};
   Color hovered{0x56, 0xb4, 0xe9};
-  Color outline; // around the skeleton, so that it stands out from the points
-  float relief;  // how dark eye-dome lighting makes points, in [0, 2]
-  Color solid;   // edges and nodes drawn with their radius
+  Color normal{0xcc, 0x79, 0xa7}; // across a surface
+  Color outline;                  // around the skeleton, so that it stands out from the points
+  float relief;                   // how dark eye-dome lighting makes points, in [0, 2]
+  Color solid;                    // edges and nodes drawn with their radius
 };
 
 [[nodiscard]] constexpr Palette palette(bool dark) {

@@ -69,6 +69,7 @@ struct KeyRow {
   QString name;
   Color color;
   bool isDot = false;
+  bool isDashed = false;
 };
 
 std::vector<KeyRow> keyOf(const ShownSight& sight, const Palette& colors) {
@@ -79,13 +80,15 @@ std::vector<KeyRow> keyOf(const ShownSight& sight, const Palette& colors) {
       {sight.circle ? tr("Neighbors, and the circle through them") : tr("Neighbors"),
        colors.reference},
       {tr("Direction of the wood"), colors.text},
-      {tr("Normal"), colors.hovered}};
+      {.name = tr("Normal"), .color = colors.normal, .isDashed = true}};
   if (!sight.cones.empty()) rows.push_back({tr("Cones of the search"), colors.branching});
   return rows;
 }
 
-QPen penOf(const Color& color, double width, int alpha = 255) {
-  return {toQt(color, alpha), width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin};
+QPen penOf(const Color& color, double width, bool isDashed = false) {
+  QPen pen(toQt(color), width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
+  if (isDashed) pen.setDashPattern({2, 1.8}); // in widths
+  return pen;
 }
 
 } // namespace
@@ -100,7 +103,7 @@ void paintSight(QPainter& painter, const ShownSight& sight, const ScreenMap& scr
   for (const Eigen::Vector3d& place : sight.ball)
     paint.dot(place, 1.5);
   painter.setBrush(Qt::NoBrush);
-  painter.setPen(penOf(colors.branching, 1, 150));
+  painter.setPen(QPen(toQt(colors.branching, 150), 1));
   for (const ShownSight::Cone& cone : sight.cones)
     paint.cone(cone);
   painter.setPen(penOf(colors.reference, 1.5));
@@ -109,7 +112,7 @@ void paintSight(QPainter& painter, const ShownSight& sight, const ScreenMap& scr
   if (sight.circle) paint.circle(sight.circle->center, sight.circle->normal, sight.circle->radius);
   painter.setPen(penOf(colors.text, 2.5));
   paint.line(point - sight.reach * sight.direction, point + sight.reach * sight.direction);
-  painter.setPen(penOf(colors.hovered, 2));
+  painter.setPen(penOf(colors.normal, 2.5, true));
   paint.line(point, point + 0.6 * sight.reach * sight.normal);
   painter.setPen(penOf(colors.contracted, 2.5));
   paint.line(point, sight.moved);
@@ -140,7 +143,7 @@ void paintSightKey(QPainter& painter, const ShownSight& sight, bool dark) {
   }
   for (const KeyRow& each : rows) {
     const QPointF middle(line.left() + swatch / 2, line.center().y());
-    painter.setPen(each.isDot ? QPen(Qt::NoPen) : penOf(each.color, 2.5));
+    painter.setPen(each.isDot ? QPen(Qt::NoPen) : penOf(each.color, 2.5, each.isDashed));
     painter.setBrush(toQt(each.color));
     if (each.isDot)
       painter.drawEllipse(middle, 3.5, 3.5);

@@ -12,6 +12,8 @@ inline constexpr auto comparisonColorId = "node_color_comparison";
 
 /// Colors a skeleton by what differs; one legend for both skeletons of a comparison.
 /// @param kinds by node id
-[[nodiscard]] NodeColors comparisonColors(const std::vector<Difference>& kinds);
+/// @param with what it is compared with, as the legend tells it; empty: the reference
+[[nodiscard]] NodeColors comparisonColors(const std::vector<Difference>& kinds,
+                                          const QString& with = {});
 
 } // namespace espalier

@@ -225,7 +225,8 @@ void StatesFlow::colorDifferences() {
       [now = shown->skeleton, before, tolerance = differing * parts_.document.scan()->spacing()](
           const Progress& progress) { return differences(*now, *before, tolerance, progress); },
       [this](const Differences& found) {
-        parts_.preview.setColors(comparisonColors(found.ofResult));
+        parts_.preview.setColors(
+            comparisonColors(found.ofResult, kept_ ? tr("A") : tr("the plant")));
       });
 }
 

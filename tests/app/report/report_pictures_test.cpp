@@ -1,3 +1,4 @@
+#include "app/report/comparison_colors.h"
 #include "app/report/report_pictures.h"
 #include "tests/app/report/reported_plants.h"
 
@@ -60,6 +61,11 @@ TEST_F(Pictures, AreDrawnOneByOne) {
   EXPECT_EQ(session.done(), 1);
   EXPECT_FALSE(session.drawNext());
   EXPECT_TRUE(session.pictures().scan.isNull()) << "there is no scan";
+}
+
+TEST(ComparisonColors, SayWithWhatIsCompared) {
+  EXPECT_EQ(comparisonColors({}).legend.title, "Compared with the reference");
+  EXPECT_EQ(comparisonColors({}, "A").legend.title, "Compared with A");
 }
 
 TEST_F(Pictures, AreTheSameEachTime) {

@@ -1,5 +1,6 @@
 #include "app/report/report_sections.h"
 #include "ui/document/difference_look.h"
+#include "ui/view/point_colors.h"
 
 #include <algorithm>
 
@@ -52,6 +53,14 @@ QString whatDiffers(const ReportParts& parts) {
   return tr("%1 are missed in %2 and %3 invented in %4; %5.")
       .arg(numbers.length(found.missed), places(numbers, counts.missed),
            numbers.length(found.invented), places(numbers, counts.invented), attached);
+}
+
+/// What the colors of the points mean.
+QString heightText(const PointCloud& scan, const ReportNumbers& numbers) {
+  const std::optional<Legend> heights = pointLegend(scan, PointColor::height);
+  if (!heights) return tr("all at one height");
+  return tr("colored by height, from %1 (violet) to %2 (green)")
+      .arg(numbers.length(heights->from, 3), numbers.length(heights->to, 3));
 }
 
 double f(const PartAgreement& part) {
@@ -173,10 +182,12 @@ ReportSection plantsSection(const ReportParts& parts) {
       {{pictures.result, tr("The plant"), parts.about.result.name},
        {pictures.reference, tr("The reference"), parts.about.reference.name},
        {pictures.scan, tr("The scan"),
-        parts.about.scan ? tr("%1, %2 points, by height")
-                               .arg(parts.about.scan->name, numbers.count(static_cast<std::size_t>(
-                                                                parts.data.scan->size())))
-                         : QString()}});
+        parts.about.scan
+            ? tr("%1, %2 points, %3")
+                  .arg(parts.about.scan->name,
+                       numbers.count(static_cast<std::size_t>(parts.data.scan->size())),
+                       heightText(*parts.data.scan, numbers))
+            : QString()}});
   return section;
 }
 

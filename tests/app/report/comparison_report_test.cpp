@@ -84,6 +84,26 @@ TEST(ComparisonReport, PutsTheTraitsOfBothBesideEachOther) {
   EXPECT_EQ(cellOf(section, "Strahler number", 2), "2");
 }
 
+TEST(ComparisonReport, TellsWhatTheColorsOfTheScanMean) {
+  ReportData data = reported(test::stick(21, 0.1), branched(), near);
+  RawPoints raw;
+  raw.positions = {{0, 0, -0.5}, {0, 0, 1}, {0, 0, 2}};
+  data.scan = std::make_shared<const PointCloud>(std::move(raw));
+  ReportAbout about = aboutPlants();
+  about.scan = {"oak.ply", QString(64, 'c')};
+  ReportPictures pictures;
+  pictures.scan = QImage(4, 4, QImage::Format_RGB32);
+  const Report report = comparisonReport(data, pictures, about);
+  QStringList captions;
+  for (const ReportBlock& block : sectionOf(report, "Both plants").blocks)
+    if (const auto* figures = std::get_if<ReportFigures>(&block))
+      for (const auto& figure : figures->figures)
+        captions.append(figure.text);
+  EXPECT_EQ(captions.join('\n').replace(QChar(0x202f), ' '),
+            QString::fromUtf8("oak.ply, 3 points, colored by height, from −0.500 m (violet) to "
+                              "2.00 m (green)"));
+}
+
 TEST(ComparisonReport, ListsTheErrorsWithKindLengthAndPlace) {
   const ReportSection section = sectionOf(reportOfTrunk(), "Largest errors");
   EXPECT_EQ(cellOf(section, "1", 1), "Missed");

@@ -19,13 +19,14 @@ ManualWindow::ManualWindow(const QString& file, QWidget* parent)
   setObjectName("manual_window");
   setWindowTitle(tr("Manual"));
   setAttribute(Qt::WA_DeleteOnClose);
-  resize(900, 680);
+  resize(1000, 680);
   text_->setSearchPaths({QFileInfo(file).path()});
   text_->setOpenExternalLinks(true);
   text_->setFrameShape(QFrame::NoFrame);
   text_->document()->setDocumentMargin(16);
   headings_->setFrameShape(QFrame::NoFrame);
-  headings_->setFixedWidth(200);
+  headings_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  headings_->setWordWrap(true);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(8, 8, 8, 8);
   row->setSpacing(8);
@@ -37,6 +38,9 @@ ManualWindow::ManualWindow(const QString& file, QWidget* parent)
   if (isThere) text_->setMarkdown(QString::fromUtf8(source.readAll()));
   fitPictures();
   listHeadings();
+  constexpr int widest = 280; // [px]; longer headings are wrapped
+  const int beside = headings_->verticalScrollBar()->sizeHint().width() + 16;
+  headings_->setFixedWidth(std::min(widest, headings_->sizeHintForColumn(0) + beside));
   connect(headings_, &QListWidget::currentRowChanged, this, &ManualWindow::goTo);
 }
 

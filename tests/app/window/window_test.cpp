@@ -247,6 +247,13 @@ TEST_F(MainWindowTest, ShowsTheManual) {
   EXPECT_EQ(widths.value("editor.png"), 620) << "no wider than the page";
   auto* headings = manual.findChild<QListWidget*>();
   ASSERT_GT(headings->count(), 3);
+  EXPECT_FALSE(headings->horizontalScrollBar()->isVisible());
+  EXPECT_EQ(text->horizontalScrollBar()->maximum(), 0) << "all is as wide as the page";
+  for (int row = 0; row < headings->count(); ++row) {
+    const QListWidgetItem& item = *headings->item(row);
+    EXPECT_LE(headings->visualItemRect(&item).right(), headings->viewport()->width())
+        << item.text().toStdString();
+  }
   headings->setCurrentRow(3);
   EXPECT_GT(text->verticalScrollBar()->value(), 0);
   manual.close();

@@ -68,7 +68,7 @@ std::vector<LocalAxis> localAxes(const ThinnedPlant& plant, const Eigen::Matrix3
   return axes;
 }
 
-/// What of the axes makes the numbers of thickness, and the residuals of all points.
+/// What of the axes makes the numbers of thickness, and those of all points.
 void measureThickness(const ThinnedPlant& plant, const std::vector<LocalAxis>& axes,
                       const Eigen::Matrix3Xf& contracted, double spacing,
                       ContractionQuality& quality) {
@@ -90,6 +90,7 @@ void measureThickness(const ThinnedPlant& plant, const std::vector<LocalAxis>& a
     const std::uint32_t cube = plant.cubeOf[i];
     if (plant.isDust[cube]) continue;
     const Eigen::Vector3d place = contracted.col(static_cast<Eigen::Index>(i)).cast<double>();
+    quality.thicknesses[i] = static_cast<float>(axes[cube].thickness / spacing);
     quality.residuals[i] = static_cast<float>(axes[cube].distance(place) / spacing);
   }
 }
@@ -156,8 +157,9 @@ Judged judged(const Eigen::Matrix3Xf& points, const Eigen::Matrix3Xf& contracted
                 .places = {},
                 .ends = {},
                 .quality = {}};
-  result.quality.residuals.assign(static_cast<std::size_t>(points.cols()),
-                                  std::numeric_limits<float>::quiet_NaN());
+  for (std::vector<float>* byPoint : {&result.quality.thicknesses, &result.quality.residuals})
+    byPoint->assign(static_cast<std::size_t>(points.cols()),
+                    std::numeric_limits<float>::quiet_NaN());
   result.places = contracted(Eigen::all, result.plant.points);
   const std::vector<LocalAxis> axes =
       localAxes(result.plant, result.places, nearReach * spacing, progress.part(0.5, 0.9));

@@ -46,9 +46,10 @@ struct ContractionQuality {
   /// radius. Told by one point per cube for all points in it.
   Eigen::Index unexplainedPoints = 0;
   Eigen::Index nodes = 0;
-  /// By point: distance of its contracted place from the local axis [spacings]; not a number for
-  /// dust.
-  std::vector<float> residuals;
+  // By point [spacings]; not a number for dust:
+  std::vector<float>
+      thicknesses;              // near it; `residualThickness` is their median, a cube one of them
+  std::vector<float> residuals; // distance of its contracted place from the local axis
 };
 
 /// @param points     as scanned, 3 x N [L]

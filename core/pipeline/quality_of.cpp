@@ -20,11 +20,13 @@ ContractionQuality qualityOf(const PointCloud& cloud, const Reconstruction& resu
       result.skeleton.isEmpty()
           ? contractionQuality(points, contracted, how, progress)
           : contractionQuality(points, contracted, result.skeleton, cloud.origin(), how, progress);
-  std::vector<float> byPoint(static_cast<std::size_t>(cloud.size()),
-                             std::numeric_limits<float>::quiet_NaN());
-  for (std::size_t i = 0; i < kept.size(); ++i)
-    byPoint[static_cast<std::size_t>(kept[i])] = quality.residuals[i];
-  quality.residuals = std::move(byPoint);
+  for (std::vector<float>* ofKept : {&quality.thicknesses, &quality.residuals}) {
+    std::vector<float> byPoint(static_cast<std::size_t>(cloud.size()),
+                               std::numeric_limits<float>::quiet_NaN());
+    for (std::size_t i = 0; i < kept.size(); ++i)
+      byPoint[static_cast<std::size_t>(kept[i])] = (*ofKept)[i];
+    *ofKept = std::move(byPoint);
+  }
   return quality;
 }
 

@@ -147,6 +147,23 @@ void paintEnds(QPainter& painter, const HistogramPlot& plot, const QRectF& inner
   painter.setBrush(Qt::NoBrush);
 }
 
+/// Its line is dashed, and its text stands on the side that has more room.
+void paintMark(QPainter& painter, const HistogramPlot& plot, const QRectF& inner, const QRectF& box,
+               const PlotColors& colors) {
+  const double x = plot.placeOf(plot.mark->value, box);
+  painter.setPen(QPen(colors.text, 1.5, Qt::DashLine));
+  painter.drawLine(QPointF(x, inner.top()), QPointF(x, inner.bottom()));
+  const QString& text = plot.mark->text;
+  const double width = QFontMetricsF(painter.font(), painter.device()).horizontalAdvance(text) + 4;
+  const bool isRight = inner.right() - x > x - inner.left();
+  const QRectF place(isRight ? x + 4 : x - 4 - width, inner.top(), width, 16);
+  QColor ground = colors.ground;
+  ground.setAlphaF(0.8F);
+  painter.fillRect(place, ground);
+  painter.setPen(colors.text);
+  painter.drawText(place, Qt::AlignCenter, text);
+}
+
 /// Title and unit on the left; on the right what is marked, else the name of the outline.
 void paintHead(QPainter& painter, const HistogramPlot& plot, const QRectF& box,
                const PlotColors& colors) {
@@ -174,7 +191,7 @@ void HistogramPlot::paint(QPainter& painter, const QRectF& box, const PlotColors
   const PlotPainting painting(painter);
   paintHead(painter, *this, box, colors);
   if (bins.isEmpty()) {
-    painter.drawText(box, Qt::AlignCenter, tr("No values"));
+    painter.drawText(box, Qt::AlignCenter, emptyText());
     return;
   }
   const QRectF inner = innerOf(*this, box);
@@ -185,6 +202,7 @@ void HistogramPlot::paint(QPainter& painter, const QRectF& box, const PlotColors
   painter.setPen(QPen(colors.grid, 1));
   painter.drawLine(inner.bottomLeft(), inner.bottomRight());
   if (second) paintOutline(painter, bars, heights, inner.bottom(), colors);
+  if (mark) paintMark(painter, *this, inner, box, colors);
   if (brush) paintEnds(painter, *this, inner, box, colors);
   paintNumbersBelow(painter, inner, bins.from, bins.to, colors);
 }
@@ -239,6 +257,10 @@ QString HistogramPlot::brushText() const {
       .arg(numberOf(brush->from),
            numberOf(brush->to) + (unit.isEmpty() ? QString() : QChar(0x202f) + unit),
            formatCount(brush->count), percent(brush->count, bins.total));
+}
+
+QString HistogramPlot::emptyText() const {
+  return areComing ? tr("Computing…") : tr("No values");
 }
 
 QString HistogramPlot::numberOf(double value) const {

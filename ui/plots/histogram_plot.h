@@ -18,6 +18,11 @@ struct HistogramPlot {
     double to = 0;
     std::size_t count = 0; // of values between
   };
+  /// A number of the whole that is told elsewhere, too.
+  struct Mark {
+    double value = 0;
+    QString text; // "median 1.13"
+  };
 
   BinnedValues bins;
   std::optional<BinnedValues> second; // in the same bins: an outline over the bars
@@ -25,6 +30,8 @@ struct HistogramPlot {
   QString unit; // of the values; empty: they have none, or it is not known
   QString secondName;
   std::optional<Brush> brush;
+  std::optional<Mark> mark; // a dashed line, with its text
+  bool areComing = false;   // the values: there are none yet
 
   void paint(QPainter& painter, const QRectF& box, const PlotColors& colors) const;
 
@@ -39,6 +46,7 @@ struct HistogramPlot {
   [[nodiscard]] QString tipAt(const QPointF& place, const QRectF& box) const;
   /// The numbers of the marked range: "3.1 – 7.4 mm · 12 345 (23 %)". pre: brush
   [[nodiscard]] QString brushText() const;
+  [[nodiscard]] QString emptyText() const; // in place of bars
   /// A value with as many digits as tell bins apart, without the unit.
   [[nodiscard]] QString numberOf(double value) const;
 };

@@ -44,6 +44,8 @@ void HistogramView::show(const PlottedValues& values) {
   plot_.bins = binned(values_, values.range);
   plot_.title = values.title;
   plot_.unit = values.unit;
+  plot_.mark = values.mark;
+  plot_.areComing = values.areComing;
   plot_.brush.reset();
   addSecond(secondValues_, plot_.secondName);
   setAccessibleName(tr("Histogram: %1").arg(values.title));
@@ -79,6 +81,7 @@ bool HistogramView::event(QEvent* event) {
     const auto* help = static_cast<QHelpEvent*>(event);
     QString tip = plot_.tipAt(help->pos(), rect());
     if (tip.isEmpty()) tip = plot_.title;
+    if (plot_.mark) tip += '\n' + tr("Dashed line: %1").arg(plot_.mark->text);
     if (plot_.bins.missing > 0)
       tip += '\n' + tr("%1 have no value").arg(formatCount(plot_.bins.missing));
     tip += '\n' + tr("Drag to mark a range, click to clear it");
@@ -213,7 +216,7 @@ void HistogramView::tellMarked(bool isFinal) {
 /// For those who do not see it.
 void HistogramView::describe() {
   if (plot_.bins.isEmpty())
-    setAccessibleDescription(tr("No values"));
+    setAccessibleDescription(plot_.emptyText());
   else if (plot_.brush)
     setAccessibleDescription(plot_.brushText());
   else

@@ -17,6 +17,8 @@ struct PlottedValues {
   QString unit;
   /// What is shown; none: from the values, see binned().
   std::optional<std::pair<double, double>> range;
+  std::optional<HistogramPlot::Mark> mark = {};
+  bool areComing = false; // they are computed yet: their title is there first
 };
 
 /// A histogram in which a drag marks a range of values, as do the arrow keys: Left and Right move

@@ -15,6 +15,7 @@ struct PlotColors {
   QColor second;
   QColor third;
   QColor chosen; // what the user has marked
+  QColor ground; // behind texts over lines
 };
 /// For a screen of either theme, and for paper: as light.
 [[nodiscard]] PlotColors plotColors(bool isDark);

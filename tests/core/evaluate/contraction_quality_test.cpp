@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -68,10 +69,29 @@ TEST(ContractionQuality, TellsTheRadiusOfATubeThatWasNotContracted) {
     if (points(2, i) < 15 || points(2, i) > 85) continue; // the axis of an end is askew
     EXPECT_NEAR(asScanned.residuals[static_cast<std::size_t>(i)], 3, 1)
         << "what is near reaches farther on this side than around the tube";
+    EXPECT_NEAR(asScanned.thicknesses[static_cast<std::size_t>(i)], 3, 0.15);
   }
   const ContractionQuality drawn = qualityOf(points, onAxis(points));
   EXPECT_NEAR(drawn.residualThickness, 0, 1e-6);
   EXPECT_EQ(drawn.shareOnLine, 1);
+}
+
+// A point alone is nearer to the axis, or farther from it, than those near it are on the mean.
+TEST(ContractionQuality, IsTheMedianOfWhatIsNearThePointsNotOfTheirDistances) {
+  Eigen::Matrix3Xf points = tube(3, 100);
+  Eigen::Matrix3Xf flat = points;
+  flat.row(1).setZero(); // a band, in which points lie up to 3 off the axis
+  const ContractionQuality quality = qualityOf(points, flat);
+  const auto median = [](std::vector<float> values) {
+    std::erase_if(values, [](float value) { return std::isnan(value); });
+    const auto middle = values.begin() + std::ssize(values) / 2;
+    std::ranges::nth_element(values, middle);
+    return static_cast<double>(*middle);
+  };
+  const double rootMeanSquare = 3 / std::sqrt(2.0);
+  EXPECT_NEAR(quality.residualThickness, rootMeanSquare, 0.15);
+  EXPECT_NEAR(median(quality.thicknesses), quality.residualThickness, 0.05);
+  EXPECT_GT(quality.residualThickness - *std::ranges::min_element(quality.residuals), 2);
 }
 
 // Half way to the axis, half of the radius is left.
@@ -199,6 +219,7 @@ TEST(ContractionQuality, IsTheSameOnAnyNumberOfThreadsAndStopsWhenAsked) {
   const ContractionQuality onOne = contractionQuality(points, points, options);
   EXPECT_EQ(onMany.residualThickness, onOne.residualThickness);
   EXPECT_EQ(onMany.residuals, onOne.residuals);
+  EXPECT_EQ(onMany.thicknesses, onOne.thicknesses);
 }
 
 } // namespace

@@ -184,6 +184,31 @@ TEST_F(ShownHistogram, DrawsASecondSetOfAnotherSizeAsHighAsItsShare) {
   EXPECT_FALSE(plot.second);
 }
 
+TEST_F(ShownHistogram, MarksANumberThatIsToldElsewhere) {
+  const PlottedValues plain{.values = thousand(), .title = "Residual", .unit = "mm", .range = {}};
+  const auto dark = [&](double value) {
+    const QImage image = view_.grab().toImage();
+    const int x = static_cast<int>(std::lround(view_.plot().placeOf(value, view_.rect())));
+    int count = 0;
+    for (int y = 24; y < view_.height() - 24; ++y)
+      count += static_cast<int>(qGray(image.pixel(x, y)) < 100);
+    return count;
+  };
+  view_.show(plain);
+  const int before = dark(700);
+  PlottedValues marked = plain;
+  marked.mark = {.value = 700, .text = "median 700"};
+  view_.show(marked);
+  EXPECT_GT(dark(700), before + 20) << "a dashed line over the bars";
+  EXPECT_EQ(view_.plot().mark->text, "median 700");
+}
+
+TEST_F(ShownHistogram, ShowsTheNewTitleBeforeTheValues) {
+  view_.show({.values = {}, .title = "Density", .unit = {}, .range = {}, .areComing = true});
+  EXPECT_EQ(view_.plot().title, "Density");
+  EXPECT_EQ(view_.accessibleDescription(), "Computing…");
+}
+
 TEST_F(ShownHistogram, SaysThatThereIsNothing) {
   view_.show({.values = {std::numeric_limits<float>::quiet_NaN()},
               .title = "Residual",

@@ -21,28 +21,37 @@ QString encoded(const QImage& picture) {
   return QString::fromLatin1(bytes.toBase64());
 }
 
+using Pairs = std::vector<std::pair<QString, QString>>;
+
+QJsonArray jsonOf(const Pairs& pairs) {
+  QJsonArray json;
+  for (const auto& [name, value] : pairs)
+    json.append(QJsonArray{name, value});
+  return json;
+}
+
+Pairs pairsFrom(const QJsonValue& json) {
+  Pairs pairs;
+  for (const QJsonValue& pair : json.toArray())
+    pairs.emplace_back(pair.toArray().at(0).toString(), pair.toArray().at(1).toString());
+  return pairs;
+}
+
 QJsonObject jsonOf(const ChoiceState& state) {
-  QJsonArray numbers;
-  for (const auto& [name, value] : state.numbers)
-    numbers.append(QJsonArray{name, value});
   return {{"name", state.name},
           {"options", state.options},
           {"picture", encoded(state.picture)},
-          {"numbers", numbers},
+          {"numbers", jsonOf(state.numbers)},
           {"taken", state.isTaken}};
 }
 
 ChoiceState stateFrom(const QJsonObject& json) {
-  ChoiceState state{.name = json["name"].toString(),
-                    .options = json["options"].toString(),
-                    .picture = QImage::fromData(
-                        QByteArray::fromBase64(json["picture"].toString().toLatin1()), "PNG"),
-                    .numbers = {},
-                    .isTaken = json["taken"].toBool()};
-  for (const QJsonValue& number : json["numbers"].toArray())
-    state.numbers.emplace_back(number.toArray().at(0).toString(),
-                               number.toArray().at(1).toString());
-  return state;
+  return {.name = json["name"].toString(),
+          .options = json["options"].toString(),
+          .picture = QImage::fromData(QByteArray::fromBase64(json["picture"].toString().toLatin1()),
+                                      "PNG"),
+          .numbers = pairsFrom(json["numbers"]),
+          .isTaken = json["taken"].toBool()};
 }
 
 /// A row for each number, a column for each state.
@@ -67,6 +76,18 @@ ReportTable tableOf(const ChoiceRecord& record) {
   return table;
 }
 
+/// What the numbers of a table mean, unless it is told already.
+void addTerms(ReportTerms& terms, const ChoiceRecord& record, const ReportTable& table) {
+  for (const auto& [name, meaning] : record.meanings) {
+    const bool isUsed =
+        std::ranges::any_of(table.rows, [&](const auto& row) { return row.front().text == name; });
+    if (!isUsed ||
+        std::ranges::find(terms.terms, name, &ReportTerms::Term::name) != terms.terms.end())
+      continue;
+    terms.terms.push_back({.name = name, .text = meaning, .source = {}});
+  }
+}
+
 } // namespace
 
 std::string writeChoices(const std::vector<ChoiceRecord>& records) {
@@ -75,7 +96,11 @@ std::string writeChoices(const std::vector<ChoiceRecord>& records) {
     QJsonArray states;
     for (const ChoiceState& state : record.states)
       states.append(jsonOf(state));
-    all.append(QJsonObject{{"title", record.title}, {"time", record.time}, {"states", states}});
+    all.append(QJsonObject{{"title", record.title},
+                           {"time", record.time},
+                           {"seen", record.seen},
+                           {"meanings", jsonOf(record.meanings)},
+                           {"states", states}});
   }
   return QJsonDocument(all).toJson(QJsonDocument::Compact).toStdString();
 }
@@ -90,8 +115,11 @@ std::vector<ChoiceRecord> readChoices(const std::string& text) {
   std::vector<ChoiceRecord> records;
   for (const QJsonValue& each : json.array()) {
     const QJsonObject object = each.toObject();
-    ChoiceRecord record{
-        .title = object["title"].toString(), .time = object["time"].toString(), .states = {}};
+    ChoiceRecord record{.title = object["title"].toString(),
+                        .time = object["time"].toString(),
+                        .seen = object["seen"].toString(),
+                        .meanings = pairsFrom(object["meanings"]),
+                        .states = {}};
     for (const QJsonValue& state : object["states"].toArray())
       record.states.push_back(stateFrom(state.toObject()));
     records.push_back(std::move(record));
@@ -101,18 +129,22 @@ std::vector<ChoiceRecord> readChoices(const std::string& text) {
 
 ReportSection choicesSection(const std::vector<ChoiceRecord>& records) {
   ReportSection section{.title = reportText("How options were chosen"), .blocks = {}};
+  ReportTerms terms; // those of all records, once
   for (const ChoiceRecord& record : records) {
-    section.blocks.push_back(ReportParagraph{reportText("%1, %2").arg(record.title, record.time)});
-    ReportFigures figures{.across = 2, .figures = {}};
+    const QString title = reportText("%1, %2.").arg(record.title, record.time);
+    ReportFigures figures{.across = record.states.size() > 2 ? 3 : 2, .figures = {}};
     for (const ChoiceState& state : record.states)
       if (!state.picture.isNull())
         figures.figures.push_back(
-            {.image = state.picture,
-             .title = state.name,
-             .text = state.options.isEmpty() ? reportText("all as usual") : state.options});
+            {.image = state.picture, .title = state.name, .text = state.options});
+    section.blocks.push_back(ReportParagraph{
+        figures.figures.empty() ? title : QStringLiteral("%1 %2").arg(title, record.seen)});
     if (!figures.figures.empty()) section.blocks.push_back(std::move(figures));
-    section.blocks.push_back(tableOf(record));
+    ReportTable table = tableOf(record);
+    addTerms(terms, record, table);
+    section.blocks.push_back(std::move(table));
   }
+  if (!terms.terms.empty()) section.blocks.push_back(std::move(terms));
   return section;
 }
 

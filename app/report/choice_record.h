@@ -14,7 +14,7 @@ namespace espalier {
 /// One of the states of a plant that were looked at when options were chosen.
 struct ChoiceState {
   QString name;    // "A", "Preview", or the value of a sweep
-  QString options; // what was chosen otherwise than usual; empty: nothing
+  QString options; // under its picture: what was chosen otherwise than usual; empty: the name tells
   QImage picture;  // may be null
   std::vector<std::pair<QString, QString>> numbers; // name with its unit, value
   bool isTaken = false;
@@ -22,8 +22,10 @@ struct ChoiceState {
 
 /// Why options are as they are: what was compared, in pictures and numbers.
 struct ChoiceRecord {
-  QString title; // what was compared
-  QString time;  // when, as it is to be written
+  QString title;                                     // what was compared
+  QString time;                                      // when, as it is to be written
+  QString seen;                                      // what the pictures show
+  std::vector<std::pair<QString, QString>> meanings; // of numbers, by their name with its unit
   std::vector<ChoiceState> states;
 };
 

@@ -27,8 +27,6 @@
 namespace espalier {
 namespace {
 
-constexpr QSize recordedPicture(480, 480);
-
 /// Where both can be seen; none: where the first can.
 std::optional<std::pair<double, double>> rangeOfBoth(const std::vector<float>& first,
                                                      const std::vector<float>& second) {
@@ -51,7 +49,8 @@ JudgeFlow::JudgeFlow(const Parts& parts) : parts_(parts) {
   timer_.setSingleShot(true);
   timer_.setInterval(300); // [ms]: edits in a row are judged once
   connect(&timer_, &QTimer::timeout, this, &JudgeFlow::judge);
-  const auto later = [this] { timer_.start(); };
+  connect(&job_, &LatestJob::idled, this, &JudgeFlow::tell);
+  const auto later = [this] { judgeLater(); };
   connect(&parts_.preview, &PreviewFlow::changed, this, later);
   connect(&parts_.states, &StatesFlow::changed, this, later);
   connect(&parts_.reference, &ReferenceFlow::changed, this, later);
@@ -81,8 +80,8 @@ QWidget* JudgeFlow::makePanel() {
   opensOnEnter(*kind_);
   kind_->setObjectName("judge_kind");
   kind_->setAccessibleName(tr("What the histogram shows"));
-  kind_->addItems({tr("Residual thickness"), tr("Displacement"), tr("Density"),
-                   tr("Quality of directions"), tr("Radius of nodes")});
+  kind_->addItems({tr("Residual thickness"), tr("Distance from the axis"), tr("Displacement"),
+                   tr("Relative density"), tr("Quality of directions"), tr("Radius of nodes")});
   histogram_ = new HistogramView;
   histogram_->setObjectName("judge_histogram");
   note_ = new QLabel;
@@ -92,7 +91,7 @@ QWidget* JudgeFlow::makePanel() {
   column->addWidget(histogram_, 1);
   column->addWidget(note_);
   row->addLayout(column, 2);
-  connect(kind_, &QComboBox::currentIndexChanged, this, &JudgeFlow::judge);
+  connect(kind_, &QComboBox::currentIndexChanged, this, &JudgeFlow::chooseKind);
   connect(histogram_, &HistogramView::brushed, this,
           [this](double from, double to) { brush(from, to); });
   connect(histogram_, &HistogramView::brushCleared, this, [this] {
@@ -113,14 +112,53 @@ Distributed JudgeFlow::kind() const {
 std::vector<JudgeFlow::State> JudgeFlow::states() const {
   std::vector<State> states;
   if (parts_.document.contracted() != nullptr || !parts_.document.skeleton().isEmpty())
-    states.push_back({.name = tr("Plant"), .outcome = parts_.states.plant()});
-  if (parts_.states.kept()) states.push_back({.name = tr("A"), .outcome = *parts_.states.kept()});
+    states.push_back({.name = tr("Plant"), .isPreview = false, .outcome = parts_.states.plant()});
+  if (parts_.states.kept())
+    states.push_back({.name = tr("A"), .isPreview = false, .outcome = *parts_.states.kept()});
   if (!parts_.preview.shown()) std::ranges::reverse(states); // the plant is what became of A
   if (parts_.preview.shown())
     states.push_back(
         {.name = parts_.preview.shown()->within ? tr("Preview, in the ball") : tr("Preview"),
+         .isPreview = true,
          .outcome = *parts_.preview.shown()});
   return states;
+}
+
+/// A preview that is gone is told no longer, at once; what is new once it is judged.
+void JudgeFlow::judgeLater() {
+  timer_.start();
+  isCurrent_ = false;
+  if (!parts_.preview.shown()) job_.cancel(); // it may still judge one
+  if (!parts_.preview.shown() && !shown_.empty() && shown_.back().isPreview) {
+    shown_.pop_back();
+    std::ranges::reverse(shown_); // as states() has them
+    return show();
+  }
+  tell();
+}
+
+/// Its name is there at once, its values once they are computed.
+void JudgeFlow::chooseKind() {
+  for (State& state : shown_)
+    state.values.clear();
+  areValuesComing_ = !shown_.empty();
+  showHistogram();
+  if (!isCurrent_) return judge();
+  job_.start(
+      [states = shown_, cloud = parts_.document.scan()->cloud(),
+       spacing = parts_.document.scan()->spacing(), kind = kind()](const Progress& progress) {
+        std::vector<std::vector<float>> values;
+        for (const State& state : states)
+          values.push_back(distribution(kind, state.outcome, *cloud, spacing, progress));
+        return values;
+      },
+      [this](std::vector<std::vector<float>> values) {
+        if (values.size() != shown_.size()) return; // they are others by now
+        for (std::size_t i = 0; i < shown_.size(); ++i)
+          shown_[i].values = std::move(values[i]);
+        areValuesComing_ = false;
+        showHistogram();
+      });
 }
 
 void JudgeFlow::judge() {
@@ -129,6 +167,7 @@ void JudgeFlow::judge() {
   if (scan == nullptr || !parts_.window.actions["show_judge"]->isChecked()) {
     job_.cancel();
     shown_.clear();
+    areValuesComing_ = false;
     return show();
   }
   job_.start(
@@ -145,6 +184,8 @@ void JudgeFlow::judge() {
       },
       [this](std::vector<State> judged) {
         shown_ = std::move(judged);
+        isCurrent_ = !timer_.isActive();
+        areValuesComing_ = false;
         show();
       });
 }
@@ -172,8 +213,17 @@ void JudgeFlow::show() {
   for (const State& state : shown_)
     names.append(state.name);
   const bool isPart = !shown_.empty() && shown_.back().outcome.within;
+  const bool wasEmpty = table_->rowCount() == 0;
   table_->show(names, shown_.empty() ? std::vector<JudgeRow>() : rows(), !isPart);
+  if (wasEmpty && !shown_.empty()) QTimer::singleShot(0, dock_, [this] { showAllRows(); });
   showHistogram();
+}
+
+void JudgeFlow::showAllRows() {
+  const QWidget& panel = *table_->parentWidget();
+  const QMargins margins = panel.layout()->contentsMargins();
+  const int needed = table_->heightForRows() + margins.top() + margins.bottom();
+  dock_->growBy(needed - panel.parentWidget()->height());
 }
 
 ChoiceRecord JudgeFlow::record() const {
@@ -183,47 +233,66 @@ ChoiceRecord JudgeFlow::record() const {
     throw Error(tr("the preview is not of the whole scan yet: wait a moment").toStdString());
   const Scan& scan = *parts_.document.scan();
   const PlantScale scale{.spacing = scan.spacing(), .height = scan.height()};
-  const std::vector<JudgeRow> numbers = rows();
+  const QString unit = symbol(parts_.document.unit());
+  const std::vector<JudgedNumber> numbers =
+      judgedNumbers(unit, parts_.reference.skeleton() != nullptr);
+  record.meanings = meaningsOf(numbers);
   QStringList names;
   for (std::size_t i = 0; i < shown_.size(); ++i) {
     const State& state = shown_[i];
     names.append(state.name);
-    ChoiceState chosen{
-        .name = state.name,
-        .options = changeText({}, state.outcome.options, scale, symbol(parts_.document.unit())),
-        .picture = parts_.view.pictureOf(state.outcome.shownAs({}), recordedPicture,
-                                         PlantView::Framing::whole),
-        .numbers = {},
-        .isTaken = i + 1 == shown_.size()};
-    for (const JudgeRow& row : numbers)
-      if (row.values[i])
-        chosen.numbers.emplace_back(row.unit.isEmpty() ? row.name
-                                                       : tr("%1 [%2]").arg(row.name, row.unit),
-                                    numberText(*row.values[i], row.decimals));
-    record.states.push_back(std::move(chosen));
+    const QString change = changeText({}, state.outcome.options, scale, unit);
+    record.states.push_back(
+        {.name = state.name,
+         .options = change.isEmpty() ? tr("all as usual") : change,
+         .picture = parts_.view.paperOf(state.outcome.shownAs({}), recordedPicture,
+                                        PlantView::Framing::whole),
+         .numbers = recorded(numbers, state.judgment),
+         .isTaken = i + 1 == shown_.size()});
   }
   record.title = names.join(tr(" and "));
+  record.seen = paperKey(shown_.back().outcome.contracted != nullptr);
   return record;
 }
 
 void JudgeFlow::showHistogram() {
   const QString unit = symbol(parts_.document.unit());
-  const QString units[] = {tr("spacings"), unit, {}, {}, unit};
+  const QString spacings = tr("spacings");
+  const QString units[] = {
+      spacings, spacings, unit, tr("0 thinnest, 1 densest"), tr("0 none, 1 a line"), unit};
   PlottedValues plotted{.values = {},
                         .title = kind_->currentText(),
                         .unit = units[kind_->currentIndex()],
                         .range = std::nullopt};
   const bool hasTwo = shown_.size() > 1;
+  plotted.areComing = areValuesComing_;
   if (!shown_.empty()) plotted.values = shown_.back().values;
   if (hasTwo) plotted.range = rangeOfBoth(shown_.back().values, shown_.front().values);
+  if (hasMedian())
+    plotted.mark = {
+        .value = shown_.back().judgment.quality->residualThickness,
+        .text =
+            tr("median %1").arg(numberText(shown_.back().judgment.quality->residualThickness, 2))};
   histogram_->show(plotted);
   histogram_->addSecond(hasTwo ? shown_.front().values : std::vector<float>(),
                         hasTwo ? shown_.front().name : QString());
-  note_->setText(shown_.empty()
-                     ? tr("Turn on Live Preview, or reconstruct, to judge what comes of it")
-                 : hasTwo ? tr("Bars: %1. Outline: %2. Drag to select those points.")
-                                .arg(shown_.back().name, shown_.front().name)
-                          : tr("Drag to select those points"));
+  tell();
+}
+
+/// Does the histogram show what a number of the table is the median of?
+bool JudgeFlow::hasMedian() const {
+  return kind() == Distributed::thicknesses && !shown_.empty() && shown_.back().judgment.quality;
+}
+
+void JudgeFlow::tell() {
+  if (shown_.empty())
+    return note_->setText(tr("Turn on Live Preview, or reconstruct, to judge what comes of it"));
+  QStringList parts;
+  if (shown_.size() > 1)
+    parts.append(tr("Bars: %1. Outline: %2.").arg(shown_.back().name, shown_.front().name));
+  if (hasMedian()) parts.append(tr("Dashed: the number of the table."));
+  parts.append(isBusy() ? tr("Computing…") : tr("Drag to select those points."));
+  note_->setText(parts.join(' '));
 }
 
 void JudgeFlow::brush(double from, double to) {
@@ -242,7 +311,6 @@ void JudgeFlow::brush(double from, double to) {
   for (std::size_t i = 0; i < state.values.size(); ++i)
     if (isIn(state.values[i]))
       points.push_back(columns.empty() ? static_cast<Eigen::Index>(i) : columns[i]);
-  parts_.preview.showScanned(); // where a selection is seen
   parts_.document.pointSelection().set(PointSet::of(points));
 }
 

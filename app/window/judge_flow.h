@@ -58,14 +58,20 @@ private:
   /// What stands in a column of the table.
   struct State {
     QString name;
+    bool isPreview;
     Outcome outcome;
     Judgment judgment = {};
     std::vector<float> values = {}; // of what the histogram shows
   };
   QWidget* makePanel();
+  void judgeLater();
   void judge();
+  void chooseKind();
   void show();
+  void showAllRows(); // as far as there is room
   void showHistogram();
+  void tell(); // below the histogram what it shows
+  [[nodiscard]] bool hasMedian() const;
   void brush(double from, double to);
   [[nodiscard]] std::vector<State> states() const;
   [[nodiscard]] std::vector<JudgeRow> rows() const;
@@ -78,7 +84,9 @@ private:
   HistogramView* histogram_;
   QLabel* note_;
   std::vector<State> shown_;
-  QTimer timer_; // many changes are judged at once
+  bool isCurrent_ = false;       // what is shown: of the states as they are
+  bool areValuesComing_ = false; // of another kind than was shown
+  QTimer timer_;                 // many changes are judged at once
   LatestJob job_;
 };
 

@@ -1,6 +1,7 @@
 #include "app/window/judge_numbers.h"
 
 #include "ui/document/length_unit.h"
+#include "ui/document/number_scale.h"
 
 #include <QCoreApplication>
 
@@ -41,44 +42,63 @@ std::vector<JudgedNumber> numbersOfQuality(const QString& unit) {
     return QCoreApplication::translate("JudgedNumbers", text);
   };
   using Q = ContractionQuality;
+  using Rank = JudgedNumber::Rank;
   return {
       {tr("Residual thickness"), tr("spacings"),
-       tr("How far contracted points lie from the axis through those about them: the root mean "
-          "square about each point, and of these the median"),
-       Better::less, 2, ofQuality(&Q::residualThickness)},
+       tr("How far contracted points lie from the axis through those near them: the root mean "
+          "square near each place of the plant, and of these the median"),
+       Better::less, 2, ofQuality(&Q::residualThickness), Rank::byItself, tr("Thickness")},
       {tr("On a line"), tr("%"), tr("Share of points whose contracted neighbors lie on a line"),
-       Better::more, 1, ofQuality(&Q::shareOnLine, 100)},
-      {tr("Ends of the scan"),
-       {},
-       tr("Ends of branches, as the points tell"),
-       Better::neither,
-       0,
-       ofQuality(&Q::tips)},
+       Better::more, 1, ofQuality(&Q::shareOnLine, 100), Rank::byItself, tr("On a line")},
+      {.name = tr("Ends of the scan"),
+       .unit = {},
+       .meaning = tr("Ends of branches, as the points tell"),
+       .better = Better::neither,
+       .decimals = 0,
+       .of = ofQuality(&Q::tips)},
       {tr("Lost ends"),
        {},
-       tr("Ends of branches that nothing is near to any more"),
+       tr("Ends of branches with no tip of the skeleton within 7 spacings, or without a skeleton "
+          "no contracted point"),
        Better::less,
        0,
-       ofQuality(&Q::lostTips)},
+       ofQuality(&Q::lostTips),
+       Rank::byItself,
+       tr("Lost ends"),
+       ofQuality(&Q::tips)},
       {tr("Webbed places"),
        {},
        tr("Places where contracted points lie together that are far apart along the plant"),
        Better::less,
        0,
-       ofQuality(&Q::webbedJunctions)},
+       ofQuality(&Q::webbedJunctions),
+       Rank::byItself,
+       tr("Webbed")},
       {tr("Unexplained points"),
        {},
-       tr("Points that lie off all edges of the skeleton"),
+       tr("Points that are contracted to more than 3 spacings off the wood of the skeleton"),
        Better::less,
        0,
-       ofSkeleton(&Q::unexplainedPoints)},
-      {tr("Length of the skeleton"), unit, tr("Of all its edges"), Better::neither,
-       decimalsOf(unit), ofSkeleton(&Q::skeletonLength)},
-      {tr("Nodes"), {}, tr("Nodes of the skeleton"), Better::neither, 0, ofSkeleton(&Q::nodes)},
+       ofSkeleton(&Q::unexplainedPoints),
+       Rank::byItself,
+       tr("Unexplained")},
+      {.name = tr("Length of the skeleton"),
+       .unit = unit,
+       .meaning = tr("Of all its edges"),
+       .better = Better::neither,
+       .decimals = decimalsOf(unit),
+       .of = ofSkeleton(&Q::skeletonLength)},
+      {.name = tr("Nodes"),
+       .unit = {},
+       .meaning = tr("Nodes of the skeleton"),
+       .better = Better::neither,
+       .decimals = 0,
+       .of = ofSkeleton(&Q::nodes)},
   };
 }
 
 std::vector<JudgedNumber> numbersOfReference() {
+  using Rank = JudgedNumber::Rank;
   const auto tr = [](const char* text) {
     return QCoreApplication::translate("JudgedNumbers", text);
   };
@@ -87,22 +107,32 @@ std::vector<JudgedNumber> numbersOfReference() {
            tr("Agreement of length with the reference, within the tolerance of the evaluation"),
            Better::more,
            3,
-           ofScores("f")},
-          {tr("Geometric index"),
-           {},
-           tr("Of the authors' comparison with the reference"),
-           Better::more,
-           3,
-           ofScores("geometric")},
+           ofScores("f"),
+           Rank::byReference,
+           tr("F")},
+          {.name = tr("Geometric index"),
+           .unit = {},
+           .meaning = tr("How far the segments of plant and reference lie on each other: 1 for "
+                         "the same, as the authors' comparison tells it"),
+           .better = Better::more,
+           .decimals = 3,
+           .of = ofScores("geometric")},
           {tr("Structural index"),
            {},
-           tr("Of the authors' comparison with the reference"),
+           tr("How far segments that lie on each other hang together alike: 1 for the same, as the "
+              "authors' comparison tells it"),
            Better::more,
            3,
-           ofScores("structural")}};
+           ofScores("structural"),
+           Rank::byReference,
+           tr("Structural")}};
 }
 
 } // namespace
+
+QString JudgedNumber::nameInUnit() const {
+  return unit.isEmpty() ? name : QStringLiteral("%1 [%2]").arg(name, unit);
+}
 
 std::vector<JudgedNumber> judgedNumbers(const QString& unit, bool hasReference) {
   std::vector<JudgedNumber> numbers = numbersOfQuality(unit);
@@ -110,6 +140,31 @@ std::vector<JudgedNumber> judgedNumbers(const QString& unit, bool hasReference) 
     for (JudgedNumber& number : numbersOfReference())
       numbers.push_back(std::move(number));
   return numbers;
+}
+
+std::vector<std::pair<QString, QString>> recorded(const std::vector<JudgedNumber>& numbers,
+                                                  const Judgment& judgment) {
+  std::vector<std::pair<QString, QString>> known;
+  for (const JudgedNumber& number : numbers)
+    if (const std::optional<double> value = number.of(judgment))
+      known.emplace_back(number.nameInUnit(), numberText(*value, number.decimals));
+  return known;
+}
+
+std::vector<std::pair<QString, QString>> meaningsOf(const std::vector<JudgedNumber>& numbers) {
+  std::vector<std::pair<QString, QString>> meanings;
+  for (const JudgedNumber& number : numbers)
+    meanings.emplace_back(number.nameInUnit(), number.meaning);
+  return meanings;
+}
+
+QString paperKey(bool hasContracted) {
+  const auto tr = [](const char* text) {
+    return QCoreApplication::translate("JudgedNumbers", text);
+  };
+  const QString points =
+      hasContracted ? tr("Green: the contracted points.") : tr("Gray: the scanned points.");
+  return points + ' ' + tr("Black: the skeleton, with edges that branch off in vermillion.");
 }
 
 } // namespace espalier

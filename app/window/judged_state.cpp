@@ -64,6 +64,8 @@ std::vector<float> distribution(Distributed kind, const Outcome& outcome, const 
                                 double spacing, const Progress& progress) {
   const Eigen::Matrix3Xf& points = scannedIn(outcome, cloud);
   switch (kind) {
+  case Distributed::thicknesses:
+    return outcome.quality ? outcome.quality->thicknesses : std::vector<float>();
   case Distributed::residuals:
     return outcome.quality ? outcome.quality->residuals : std::vector<float>();
   case Distributed::radii:

@@ -17,7 +17,14 @@ struct Judgment {
 };
 
 /// What the numbers of points are that a histogram shows.
-enum class Distributed : std::uint8_t { residuals, displacements, densities, directions, radii };
+enum class Distributed : std::uint8_t {
+  thicknesses, // near each point: the residual thickness is their median
+  residuals,   // of each point alone
+  displacements,
+  densities,
+  directions,
+  radii
+};
 
 /// Judges a state of a scan.
 /// @param reference null: none

@@ -2,6 +2,7 @@
 
 #include "app/window/action_set.h"
 #include "app/window/evaluation_flow.h"
+#include "app/window/judge_numbers.h"
 #include "app/window/options_text.h"
 #include "app/window/reconstruct_flow.h"
 #include "app/window/reference_flow.h"
@@ -298,18 +299,22 @@ void SweepFlow::showCards() {
 }
 
 ChoiceRecord SweepFlow::record() const {
-  ChoiceRecord record{.title = tr("Sweep of %1").arg(swept_), .time = {}, .states = {}};
-  for (const Trial& trial : trials_) {
-    if (trial.item.isPending || trial.item.picture.isNull()) continue;
-    ChoiceState state{.name = trial.item.label,
-                      .options = swept_ + ' ' + trial.item.label,
-                      .picture = trial.item.picture,
-                      .numbers = {},
-                      .isTaken = trial.item.isCurrent};
-    for (const SweepScore& score : trial.item.scores)
-      state.numbers.emplace_back(score.name, score.text);
-    record.states.push_back(std::move(state));
-  }
+  const std::vector<JudgedNumber> numbers =
+      judgedNumbers(symbol(parts_.document.unit()), parts_.reference.skeleton() != nullptr);
+  ChoiceRecord record{.title = tr("Sweep of %1").arg(swept_),
+                      .time = {},
+                      .seen = paperKey(true) + ' ' + tr("The middle of the view."),
+                      .meanings = meaningsOf(numbers),
+                      .states = {}};
+  for (const Trial& trial : trials_)
+    if (trial.outcome)
+      record.states.push_back(
+          {.name = trial.item.label,
+           .options = {},
+           .picture = parts_.view.paperOf(trial.outcome->shownAs({}), recordedPicture,
+                                          PlantView::Framing::asSeen),
+           .numbers = recorded(numbers, trial.judgment),
+           .isTaken = trial.item.isCurrent});
   return record;
 }
 

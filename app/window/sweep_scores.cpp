@@ -1,83 +1,79 @@
 #include "app/window/sweep_scores.h"
 
+#include "app/window/judge_numbers.h"
 #include "ui/document/number_scale.h"
 
 #include <QCoreApplication>
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <iterator>
 #include <optional>
 
 namespace espalier {
 namespace {
 
-using Value = std::function<std::optional<double>(const Judgment&)>;
-
-struct Column {
-  QString name;
-  bool isLessBetter;
-  int decimals;
-  Value of;
-  Value all = {}; // of how many
-};
+using Values = std::vector<std::optional<double>>; // of a number, by trial; none: not known
 
 QString tr(const char* text) {
   return QCoreApplication::translate("SweepScores", text);
 }
 
-template <class Member> Value quality(Member member) {
-  return [member](const Judgment& judgment) -> std::optional<double> {
-    if (!judgment.quality) return std::nullopt;
-    return static_cast<double>((*judgment.quality).*member);
-  };
+bool isLessBetter(const JudgedNumber& number) {
+  return number.better == JudgeRow::Better::less;
 }
 
-Value score(const char* key) {
-  return [key](const Judgment& judgment) -> std::optional<double> {
-    return judgment.scores ? scoreIn(*judgment.scores, key) : std::nullopt;
-  };
-}
-
-std::vector<Column> columns() {
-  using Q = ContractionQuality;
-  return {{tr("Residual"), true, 2, quality(&Q::residualThickness)},
-          {tr("Lost ends"), true, 0, quality(&Q::lostTips), quality(&Q::tips)},
-          {tr("Webbed"), true, 0, quality(&Q::webbedJunctions)},
-          {tr("Unexplained"), true, 0, quality(&Q::unexplainedPoints)},
-          {tr("F"), false, 3, score("f")},
-          {tr("Structural"), false, 3, score("structural")}};
-}
-
-/// The best value of a column; none: there is none, or too many have it.
-std::optional<double> bestOf(const Column& column, const std::vector<Judgment>& judgments) {
-  std::vector<double> values;
-  for (const Judgment& judgment : judgments)
-    if (const auto value = column.of(judgment)) values.push_back(*value);
-  if (values.empty()) return std::nullopt;
-  const auto [least, most] = std::ranges::minmax(values);
-  const double best = column.isLessBetter ? least : most;
-  if (2 * std::ranges::count(values, best) >= std::ssize(values)) return std::nullopt;
+/// The best value of a number; none: there is none, or too many have it.
+std::optional<double> bestOf(const JudgedNumber& number, const Values& values) {
+  std::vector<double> known;
+  for (const std::optional<double>& value : values)
+    if (value) known.push_back(*value);
+  if (known.empty()) return std::nullopt;
+  const auto [least, most] = std::ranges::minmax(known);
+  const double best = isLessBetter(number) ? least : most;
+  if (2 * std::ranges::count(known, best) >= std::ssize(known)) return std::nullopt;
   return best;
 }
 
-QString textOf(const Column& column, double value, const Judgment& judgment) {
-  const QString text = numberText(value, column.decimals);
-  return column.all ? tr("%1 of %2").arg(text, numberText(*column.all(judgment), 0)) : text;
+/// Is the best at an end of what was tried?
+bool isAtEnd(double best, const Values& values) {
+  const auto isBest = [&](const std::optional<double>& value) { return value == best; };
+  return isBest(values.front()) || isBest(values.back());
+}
+
+QString textOf(const JudgedNumber& number, double value, const Judgment& judgment) {
+  const QString text = numberText(value, number.decimals);
+  if (number.unit == QStringLiteral("%")) return text + QChar(0x202f) + number.unit;
+  return number.all ? tr("%1 of %2").arg(text, numberText(*number.all(judgment), 0)) : text;
+}
+
+QString tipOf(const JudgedNumber& number, bool isEndBest) {
+  const QString unit = number.unit.isEmpty() ? QString() : QStringLiteral(" [%1]").arg(number.unit);
+  QString tip = QStringLiteral("%1%2: %3.").arg(number.name, unit, number.meaning);
+  if (isEndBest)
+    tip += ' ' + tr("No star: it is best at an end of the values, to which it leads by itself.");
+  return tip;
 }
 
 } // namespace
 
 std::vector<std::vector<SweepScore>> sweepScores(const std::vector<Judgment>& judgments) {
   std::vector<std::vector<SweepScore>> scores(judgments.size());
-  for (const Column& column : columns()) {
-    const std::optional<double> best = bestOf(column, judgments);
+  if (judgments.empty()) return scores;
+  for (const JudgedNumber& number : judgedNumbers({}, true)) {
+    if (number.shortName.isEmpty()) continue;
+    Values values;
+    for (const Judgment& judgment : judgments)
+      values.push_back(number.of(judgment));
+    const std::optional<double> best = bestOf(number, values);
+    const bool isEndBest =
+        number.rank == JudgedNumber::Rank::byItself && best && isAtEnd(*best, values);
     for (std::size_t i = 0; i < judgments.size(); ++i)
-      if (const auto value = column.of(judgments[i]))
-        scores[i].push_back({.name = column.name,
-                             .text = textOf(column, *value, judgments[i]),
-                             .isBest = best == value});
+      if (values[i])
+        scores[i].push_back({.name = number.shortName,
+                             .text = textOf(number, *values[i], judgments[i]),
+                             .isBest = !isEndBest && best == values[i],
+                             .tip = tipOf(number, isEndBest)});
   }
   return scores;
 }

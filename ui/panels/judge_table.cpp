@@ -76,8 +76,8 @@ double written(double value, const JudgeRow& row) {
 /// "+0.25 ✓": how far from the first state; the mark says that it is better, a cross that it is
 /// worse.
 QString differenceText(const JudgeRow& row, double difference) {
-  const QString number = QString::number(std::abs(difference), 'f', row.decimals);
-  if (number.toDouble() == 0) return QStringLiteral("=");
+  if (difference == 0) return QStringLiteral("=");
+  const QString number = numberText(std::abs(difference), row.decimals);
   const QString text = (difference > 0 ? QStringLiteral("+") : QStringLiteral("−")) + number;
   if (row.better == JudgeRow::Better::neither) return text;
   const bool isBetter = (row.better == JudgeRow::Better::more) == (difference > 0);
@@ -148,6 +148,10 @@ void JudgeTable::fillRow(int place, const JudgeRow& row) {
     }
     setItem(place, column, cell);
   }
+}
+
+int JudgeTable::heightForRows() const {
+  return horizontalHeader()->sizeHint().height() + verticalHeader()->length() + 2 * frameWidth();
 }
 
 QString JudgeTable::table() const {

@@ -32,6 +32,7 @@ public:
   /// @param states their names: "Plant", "A", "Preview"
   /// @param areOfSame points; if not, their numbers have no differences
   void show(const QStringList& states, const std::vector<JudgeRow>& rows, bool areOfSame = true);
+  [[nodiscard]] int heightForRows() const; // to see all of them [px]
   /// The table for a spreadsheet: columns divided by tabs, numbers in full.
   [[nodiscard]] QString table() const;
 

@@ -1,8 +1,10 @@
 #include "ui/panels/sweep_card.h"
 
+#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QPainter>
 #include <QPainterPath>
+#include <QToolTip>
 
 #include <algorithm>
 
@@ -63,6 +65,24 @@ QSize SweepCard::sizeWith(int pictureHeight) const {
           margin + pictureHeight + headHeight + rowHeight * static_cast<int>(rows_) + margin};
 }
 
+/// Of all scores, a row each.
+QRect SweepCard::scoreBox() const {
+  const int rows = rowHeight * static_cast<int>(rows_);
+  return {margin, height() - margin - rows, side, rows};
+}
+
+bool SweepCard::event(QEvent* event) {
+  if (event->type() != QEvent::ToolTip) return QAbstractButton::event(event);
+  const auto* help = static_cast<QHelpEvent*>(event);
+  const int row = (help->pos().y() - scoreBox().top()) / rowHeight;
+  const bool isOnScore = scoreBox().contains(help->pos()) && row < std::ssize(item_.scores);
+  if (!isOnScore) return QAbstractButton::event(event);
+  const QString& tip = item_.scores[static_cast<std::size_t>(row)].tip;
+  QToolTip::showText(help->globalPos(), QStringLiteral("<qt>%1</qt>").arg(tip.toHtmlEscaped()),
+                     this);
+  return true;
+}
+
 void SweepCard::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
@@ -87,7 +107,7 @@ void SweepCard::paintEvent(QPaintEvent* /*event*/) {
   painter.setPen(palette().color(QPalette::Text));
   painter.drawText(head, Qt::AlignLeft | Qt::AlignVCenter, item_.label);
   if (item_.isCurrent) painter.drawText(head, Qt::AlignRight | Qt::AlignVCenter, tr("in use"));
-  paintScores(painter, {margin, head.bottom() + 1, side, rowHeight * static_cast<int>(rows_)});
+  paintScores(painter, scoreBox());
 }
 
 /// A failure says why in place of the picture; what is to come stays quiet.

@@ -13,6 +13,7 @@ struct SweepScore {
   QString name;
   QString text;
   bool isBest = false; // of all in the strip
+  QString tip = {};    // what it means
 };
 
 /// What came of one value of a parameter.
@@ -47,6 +48,7 @@ signals:
   void hovered(bool isInside); // by the pointer, or reached by a key
 
 protected:
+  bool event(QEvent* event) override; // tips of the scores
   void paintEvent(QPaintEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void enterEvent(QEnterEvent* event) override;
@@ -56,6 +58,7 @@ protected:
 
 private:
   [[nodiscard]] QSize sizeWith(int pictureHeight) const;
+  [[nodiscard]] QRect scoreBox() const;
   void paintPicture(QPainter& painter, const QRect& box) const;
   void paintScores(QPainter& painter, const QRect& box) const;
 

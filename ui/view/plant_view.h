@@ -153,6 +153,9 @@ public:
   }; // all of the plant, or the middle of the view
   /// Another state of the plant as this view would draw it, without legends and names.
   [[nodiscard]] QImage pictureOf(const PlantState& state, const QSize& size, Framing framing) const;
+  /// The same for paper, whatever is shown here: on light ground, the contracted points in one
+  /// color, or without them those scanned, with the skeleton and nothing else.
+  [[nodiscard]] QImage paperOf(const PlantState& state, const QSize& size, Framing framing) const;
   [[nodiscard]] std::size_t graphicsBytes() const; // that all views of the plant hold together
 
 signals:

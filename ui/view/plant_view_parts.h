@@ -77,7 +77,10 @@ struct PlantView::Parts {
   [[nodiscard]] double seenViews() const;
   void refreshColorBars(); // plant_view_looks.cpp
   void refreshMinimap();   // likewise
-  void refreshDivider();   // plant_view_states.cpp
+  void refreshDivider();
+  /// Another scene as this view would draw it, without legends and names.
+  [[nodiscard]] QImage bare(const Scene& other, const QSize& size,
+                            Framing framing) const; // plant_view_states.cpp
   ColorBar* makeColorBar();
   Minimap* makeMinimap();
   [[nodiscard]] ColorBar* draggedColorBar() const;

@@ -57,12 +57,27 @@ SeenSides PlantView::Shared::seenSides() const {
 QImage PlantView::pictureOf(const PlantState& state, const QSize& size, Framing framing) const {
   Scene scene = parts_->scene;
   scene.setOther(Side::left, state);
-  Camera camera = parts_->navigator.destination();
+  return parts_->bare(scene, size, framing);
+}
+
+QImage PlantView::paperOf(const PlantState& state, const QSize& size, Framing framing) const {
+  Scene scene;
+  scene.pointColor = PointColor::uniform;
+  scene.setCloud(parts_->scene.cloud);
+  scene.contracted.set(state.contracted);
+  scene.points.visible = state.contracted == nullptr;
+  scene.setSkeleton(state.skeleton);
+  scene.clip = parts_->scene.clip;
+  return parts_->bare(scene, size, framing);
+}
+
+QImage PlantView::Parts::bare(const Scene& other, const QSize& size, Framing framing) const {
+  Camera camera = navigator.destination();
   if (framing == Framing::whole)
-    camera.frame(scene.outline(), size.width() / double(size.height()));
+    camera.frame(other.outline(), size.width() / double(size.height()));
   Overlay bare;
   bare.isBare = true;
-  return espalier::picture(scene, camera, bare, size);
+  return espalier::picture(other, camera, bare, size);
 }
 
 void PlantView::Parts::refreshDivider() {

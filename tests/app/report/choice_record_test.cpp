@@ -18,7 +18,11 @@ std::vector<ChoiceRecord> someRecords() {
                       .picture = {},
                       .numbers = {{"Nodes", "14"}, {"Lost ends", "2"}},
                       .isTaken = true};
-  return {{.title = "A and Preview", .time = "22.11.26 05:00", .states = {a, preview}}};
+  return {{.title = "A and Preview",
+           .time = "22.11.26 05:00",
+           .seen = "Green: the points.",
+           .meanings = {{"Nodes", "Nodes of the skeleton"}, {"Webbed", "Told of no state"}},
+           .states = {a, preview}}};
 }
 
 TEST(ChoiceRecord, ComesBackAsItWasWritten) {
@@ -26,6 +30,8 @@ TEST(ChoiceRecord, ComesBackAsItWasWritten) {
   ASSERT_EQ(back.size(), 1U);
   EXPECT_EQ(back[0].title, "A and Preview");
   EXPECT_EQ(back[0].time, "22.11.26 05:00");
+  EXPECT_EQ(back[0].seen, "Green: the points.");
+  EXPECT_EQ(back[0].meanings, someRecords()[0].meanings);
   ASSERT_EQ(back[0].states.size(), 2U);
   EXPECT_EQ(back[0].states[0].picture.size(), QSize(3, 2));
   EXPECT_EQ(back[0].states[0].picture.pixelColor(1, 1), QColor(10, 120, 60));
@@ -43,16 +49,29 @@ TEST(ChoiceRecord, RefusesWhatIsNone) {
 TEST(ChoiceRecord, IsTheTableAndThePicturesOfAReport) {
   const ReportSection section = choicesSection(someRecords());
   EXPECT_EQ(section.title, "How options were chosen");
-  ASSERT_EQ(section.blocks.size(), 3U);
+  ASSERT_EQ(section.blocks.size(), 4U);
+  EXPECT_EQ(std::get<ReportParagraph>(section.blocks[0]).text,
+            "A and Preview, 22.11.26 05:00. Green: the points.");
   const auto& figures = std::get<ReportFigures>(section.blocks[1]);
   ASSERT_EQ(figures.figures.size(), 1U) << "one has no picture";
-  EXPECT_EQ(figures.figures[0].text, "all as usual");
+  EXPECT_EQ(figures.figures[0].title, "A");
+  EXPECT_EQ(figures.figures[0].text, "") << "its name tells";
   const auto& table = std::get<ReportTable>(section.blocks[2]);
   ASSERT_EQ(table.columns.size(), 3U);
   EXPECT_EQ(table.columns[2].title, "Preview (in use then)");
   ASSERT_EQ(table.rows.size(), 2U);
   EXPECT_EQ(table.rows[0][2].text, "14");
   EXPECT_EQ(table.rows[1][1].text, "–") << "A has no such number";
+}
+
+TEST(ChoiceRecord, DefinesEachNumberOfAReportOnce) {
+  std::vector<ChoiceRecord> records = someRecords();
+  records.push_back(records.front());
+  const ReportSection section = choicesSection(records);
+  const auto& terms = std::get<ReportTerms>(section.blocks.back()).terms;
+  ASSERT_EQ(terms.size(), 1U) << "in one list for both, of what the tables have";
+  EXPECT_EQ(terms[0].name, "Nodes");
+  EXPECT_EQ(terms[0].text, "Nodes of the skeleton");
 }
 
 } // namespace

@@ -21,7 +21,8 @@
 namespace espalier {
 namespace {
 
-constexpr double edgesAround = 5; // mean edges that are shown about what is looked at
+constexpr double edgesAround = 5;     // mean edges that are shown about what is looked at
+constexpr double spacingsAround = 45; // the same of a preview: five edges of the usual bins
 
 /// The node with its parent and its children.
 void addWithNeighbors(std::vector<NodeId>& nodes, const Skeleton& skeleton, NodeId id) {
@@ -108,6 +109,11 @@ Sight sightOf(const Skeleton& skeleton, const Pick& pick, const Scan* scan) {
   } else if (pick.edge && skeleton.contains(pick.edge->child)) {
     sight.nodes.push_back(pick.edge->child);
     if (const auto parent = skeleton[pick.edge->child].parent) sight.nodes.push_back(*parent);
+  } else if (pick.point && pick.isOfOther && scan != nullptr) {
+    sight = {.nodes = {},
+             .places = {*pick.point},
+             .margin = spacingsAround * scan->spacing(),
+             .isOfOther = true};
   } else if (pick.point && !skeleton.isEmpty()) {
     sight.places.push_back(*pick.point);
     if (scan != nullptr) addMissing(sight, skeleton, *scan);

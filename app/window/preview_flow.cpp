@@ -228,12 +228,6 @@ void PreviewFlow::show(const Outcome& outcome) {
   emit changed();
 }
 
-void PreviewFlow::showScanned() {
-  if (!shown_ || !std::exchange(movesPoints_, false)) return;
-  draw();
-  emit changed();
-}
-
 void PreviewFlow::setColors(std::optional<NodeColors> colors) {
   if (!shown_ || (!colors && !colors_)) return;
   colors_ = std::move(colors);
@@ -241,22 +235,28 @@ void PreviewFlow::setColors(std::optional<NodeColors> colors) {
 }
 
 void PreviewFlow::draw() {
-  const QString change = changeTo(shown_->options);
-  PlantState state = shown_->shownAs(change.isEmpty() ? tr("Preview") : change);
+  PlantState state = shown_->shownAs(name());
   state.colors = colors_;
   state.replacesPoints = movesPoints_;
   parts_.view.setState(Side::right, state);
 }
 
-QString PreviewFlow::changeTo(const PipelineOptions& options) const {
+QString PreviewFlow::name() const {
+  const PipelineOptions ofPlant = parts_.reconstruct.used().value_or(PipelineOptions());
+  const QString change = changeBetween(ofPlant, shown_->options);
+  return change.isEmpty() ? tr("Preview") : change;
+}
+
+QString PreviewFlow::changeBetween(const PipelineOptions& before,
+                                   const PipelineOptions& after) const {
   const Scan& scan = *parts_.document.scan();
-  return changeText(before_, options, {.spacing = scan.spacing(), .height = scan.height()},
+  return changeText(before, after, {.spacing = scan.spacing(), .height = scan.height()},
                     symbol(parts_.document.unit()));
 }
 
 bool PreviewFlow::drop() {
   if (!shown_) return false;
-  if (const QString change = changeTo(parts_.pipeline.options()); !change.isEmpty())
+  if (const QString change = changeBetween(before_, parts_.pipeline.options()); !change.isEmpty())
     emit noted(tr("Dropped: %1").arg(change)); // it can be typed again
   parts_.pipeline.setOptions(before_);
   clear();

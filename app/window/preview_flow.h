@@ -62,9 +62,10 @@ public:
   [[nodiscard]] bool isBusy() const { return job_.isBusy() || rest_.isActive(); }
   /// What is shown in place of the plant; none: the plant itself.
   [[nodiscard]] const std::optional<Outcome>& shown() const { return shown_; }
+  /// What it does otherwise than the plant was made, as it is written over it. pre: shown()
+  [[nodiscard]] QString name() const;
   /// Whether contracted points are shown in place of those scanned: they are what changes.
   [[nodiscard]] bool movesPoints() const { return movesPoints_; }
-  void showScanned(); // the points as they were scanned, until the next change
   void setColors(std::optional<NodeColors> colors); // of its nodes; none: as usual
 
   void askAgain(); // other choices are shown, not by hand
@@ -102,7 +103,8 @@ private:
   [[nodiscard]] PipelineOptions options() const;
   void show(const Outcome& outcome);
   void draw();
-  [[nodiscard]] QString changeTo(const PipelineOptions& options) const; // from those before
+  [[nodiscard]] QString changeBetween(const PipelineOptions& before,
+                                      const PipelineOptions& after) const;
   void forgetScan();
 
   Parts parts_;

@@ -30,7 +30,7 @@ QStringList toldOf(const MethodSight& sight, LengthUnit unit) {
           ? SightFlow::tr("%1 points within %2").arg(points, formatLength(sight.radius, unit, 3))
           : SightFlow::tr("%1 points").arg(points),
       SightFlow::tr("Linearity %1").arg(numberText(sight.linearity, 2)),
-      SightFlow::tr("Density %1").arg(numberText(sight.density, 2))};
+      SightFlow::tr("Relative density %1").arg(numberText(sight.density, 2))};
 }
 
 ShownSight shownOf(const MethodSight& sight, const PointCloud& cloud, const Scan& scan,
@@ -114,6 +114,16 @@ void SightFlow::prepare() {
       });
 }
 
+/// The point of the scan that is drawn there: in a preview, where that contracts it.
+Eigen::Index SightFlow::pointAt(const Eigen::Vector3f& place) const {
+  const std::optional<Outcome>& preview = parts_.preview.shown();
+  if (!parts_.editing.under().isOfOther || !preview || preview->within)
+    return parts_.document.scan()->index().nearest(place, 1).front().index;
+  Eigen::Index point = 0;
+  (preview->contracted->colwise() - place).colwise().squaredNorm().minCoeff(&point);
+  return point;
+}
+
 void SightFlow::look() {
   if (!sights_ || !show_->isChecked()) return;
   const std::optional<Eigen::Vector3d>& under = parts_.editing.under().point;
@@ -122,8 +132,7 @@ void SightFlow::look() {
     return parts_.view.showSight(ShownSight{.told = {tr("Point at the plant")}});
   }
   const Scan& scan = *parts_.document.scan();
-  const Eigen::Vector3f place = (*under - scan.cloud()->origin()).cast<float>();
-  const Eigen::Index point = scan.index().nearestOne(place)->index;
+  const Eigen::Index point = pointAt((*under - scan.cloud()->origin()).cast<float>());
   if (shown_ == point) return;
   shown_ = point;
   parts_.view.showSight(shownOf(sights_->at(point, parts_.document.skeleton()), *scan.cloud(), scan,

@@ -43,6 +43,7 @@ private:
   void turn(bool isOn);
   void prepare();
   void look();
+  [[nodiscard]] Eigen::Index pointAt(const Eigen::Vector3f& place) const; // about the origin
 
   Parts parts_;
   QAction* show_;

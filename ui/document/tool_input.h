@@ -23,7 +23,8 @@ struct EdgePick {
 struct Pick {
   std::optional<NodeId> node;
   std::optional<EdgePick> edge;
-  std::optional<Eigen::Vector3d> point; // nearest visible scan point [L]
+  std::optional<Eigen::Vector3d> point; // nearest visible scan point, where it is drawn [L]
+  bool isOfOther = false;               // the point: contracted by another state than the plant
 };
 
 /// One act of the mouse in the 3D view, in terms of the plant: all that an editing tool is told.

@@ -37,7 +37,7 @@ class CloseLook {
 public:
   CloseLook(const Scene& scene, const Camera& now, const Sight& sight, const QSizeF& size)
       : scene_(scene), now_(now), size_(std::max(1.0, size.width()), std::max(1.0, size.height())),
-        margin_(sight.margin), places_(some(sight.places, mostMeant)) {
+        margin_(sight.margin), isOfOther_(sight.isOfOther), places_(some(sight.places, mostMeant)) {
     for (const NodeId id : some(sight.nodes, mostMeant))
       meant_.push_back(indexOf(id));
     outline_ = places_;
@@ -45,7 +45,7 @@ public:
       outline_.push_back(scene.skeleton.position(slot));
       outline_.push_back(parentEnd(scene.skeleton, slot));
     }
-    findAround();
+    if (!isOfOther_) findAround();
   }
 
   [[nodiscard]] Camera best() const {
@@ -131,7 +131,8 @@ private:
 
   [[nodiscard]] Seen look(const Camera& camera) const {
     const ScreenMap screen(camera, size_);
-    const Visibility visibility(scene_, screen, QRectF(0, 0, size_.x(), size_.y()));
+    const QRectF covering = isOfOther_ ? QRectF() : QRectF(0, 0, size_.x(), size_.y());
+    const Visibility visibility(scene_, screen, covering);
     const auto isOn = [&](const std::optional<ScreenMap::Place>& at) {
       return at && at->pixel.x() > edge && at->pixel.y() > edge &&
              at->pixel.x() < size_.x() - edge && at->pixel.y() < size_.y() - edge;
@@ -142,7 +143,7 @@ private:
     };
     const auto isPlaceSeen = [&](const Eigen::Vector3d& place) {
       const auto at = screen.project(place);
-      return isOn(at) && !visibility.hidesPoint(*at);
+      return isOn(at) && (isOfOther_ || !visibility.hidesPoint(*at));
     };
     const auto share = [](double part, double whole) { return whole > 0 ? part / whole : 1; };
     const auto meant = double(std::ranges::count_if(meant_, isNodeSeen) +
@@ -155,6 +156,7 @@ private:
   const Camera& now_;
   Eigen::Vector2d size_; // [logical pixels]
   double margin_;        // [L]
+  bool isOfOther_;
   std::vector<std::size_t> meant_;
   std::vector<Eigen::Vector3d> places_;  // [L]
   std::vector<Eigen::Vector3d> outline_; // of all that is meant [L]

@@ -17,6 +17,7 @@ struct Sight {
   std::vector<NodeId> nodes;                // with the edges to their parents
   std::vector<Eigen::Vector3d> places = {}; // on the points of the scan [L]
   double margin = 0;                        // [L] that is shown around all of it
+  bool isOfOther = false; // than the plant, in its place: nothing of the plant stands before it
 
   [[nodiscard]] bool isEmpty() const { return nodes.empty() && places.empty(); }
 };

@@ -186,9 +186,10 @@ void PointPass::drawPart(const DrawSettings& settings, const StatePart& part, fl
   const bool isKept = part.other == Side::left; // values are of what is on the right
   if (scene_.blend || (replacesPoints && scene_.pointValues && !isKept))
     looks = &buffers_.cloud().colors;
-  else if (!part.other && buffers.colors.size() > 0)
-    looks = &buffers.colors;
-  if (!isWhole && looks != nullptr) looks = buffers.colors.size() > 0 ? &buffers.colors : nullptr;
+  else if (isWhole)
+    looks = &buffers_.contracted(std::nullopt).colors; // the same points
+  if (!isWhole) looks = &buffers.colors;
+  if (looks != nullptr && looks->size() == 0) looks = nullptr;
   const Drawn drawn{.points = points,
                     .buffers = buffers,
                     .scanned = own == nullptr && isWhole ? &buffers_.cloud().positions : own,

@@ -39,11 +39,17 @@ double extentOf(const Scene& scene) {
   return extent > 0 ? extent : 1;
 }
 
-/// The scan point under a pixel, in the frame of the file.
-std::optional<Eigen::Vector3d> pointUnder(const PointLayer& layer, const Eigen::Vector3d& origin,
-                                          const ScreenMap& map, const Eigen::Vector2d& pixel,
-                                          const std::function<bool(Eigen::Index)>& isShown) {
-  if (!layer.visible || layer.size() == 0) return std::nullopt;
+/// Points that may be under the pointer.
+struct Pickable {
+  const DrawnPoints& points;
+  const PointHierarchy& boxes;
+  std::function<bool(Eigen::Index)> isShown;
+};
+
+/// The point under a pixel, in the frame of the file.
+std::optional<Eigen::Vector3d> pointUnder(const Pickable& layer, const Eigen::Vector3d& origin,
+                                          const ScreenMap& map, const Eigen::Vector2d& pixel) {
+  if (layer.points.size() == 0) return std::nullopt;
   const auto ray = map.ray(pixel);
   const double slope = pointReach * (map.pixelSize(2) - map.pixelSize(1)); // 0 if parallel
   const double radius = pointReach * map.pixelSize(0);
@@ -56,9 +62,9 @@ std::optional<Eigen::Vector3d> pointUnder(const PointLayer& layer, const Eigen::
   const Eigen::Vector3d apex = ray.pointAt(-back) - origin;
   const ViewCone cone{apex.cast<float>(), ray.direction().cast<float>(), static_cast<float>(radius),
                       static_cast<float>(slope)};
-  const auto found = layer.boxes.pick(*layer.positions, cone, isShown);
+  const auto found = layer.boxes.pick(*layer.points.positions, cone, layer.isShown);
   if (!found) return std::nullopt;
-  return layer.positions->col(*found).cast<double>() + origin;
+  return layer.points.positions->col(*found).cast<double>() + origin;
 }
 
 /// Where a pick is; a node or edge before a point.
@@ -92,14 +98,47 @@ Pick PointerInput::pick(const QPointF& position) const {
     pick = pickSkeleton(scene_.skeleton, map, pixel, skeletonReach, &visibility, clip);
   }
   pick = ofPlant(pick, position);
-  pick.point = pointUnder(scene_.points, scene_.origin(), map, pixel, [&](Eigen::Index i) {
-    return scene_.isPointShown(i) && clip.contains(scene_.points.positions->col(i));
-  });
-  if (!pick.point)
-    pick.point = pointUnder(scene_.contracted, scene_.origin(), map, pixel, [&](Eigen::Index i) {
-      return scene_.isContractedShown(i) && clip.contains(scene_.contracted.positions->col(i));
-    });
+  pickPoint(pick, map, pixel);
   return pick;
+}
+
+/// Of the layers that are drawn there: as scanned, contracted, or contracted by another state.
+void PointerInput::pickPoint(Pick& pick, const ScreenMap& map, const Eigen::Vector2d& pixel) const {
+  const Eigen::Vector3d origin = scene_.origin();
+  const ClipVolume clip = scene_.clipVolume(map.camera());
+  const double across = pixel.x() / size_.width();
+  const auto placeIn = [&](const DrawnPoints& points, Eigen::Index i) {
+    return Eigen::Vector3d(points.positions->col(i).cast<double>() + origin);
+  };
+  const PointLayer& points = scene_.points;
+  if (points.visible)
+    pick.point = pointUnder({points, points.boxes,
+                             [&](Eigen::Index i) {
+                               return scene_.isPointShown(i) &&
+                                      clip.contains(points.positions->col(i)) &&
+                                      scene_.showsScanned(placeIn(points, i), across, divider_);
+                             }},
+                            origin, map, pixel);
+  const PointLayer& contracted = scene_.contracted;
+  if (!pick.point && contracted.visible)
+    pick.point = pointUnder({contracted, contracted.boxes,
+                             [&](Eigen::Index i) {
+                               return scene_.isContractedShown(i) &&
+                                      clip.contains(contracted.positions->col(i)) &&
+                                      scene_.showsPlant(placeIn(contracted, i), across, divider_);
+                             }},
+                            origin, map, pixel);
+  const OtherState& other = scene_.other(across < divider_ ? Side::left : Side::right);
+  if (pick.point || !other.isShown || !(other.replacesPoints || contracted.visible)) return;
+  pick.point =
+      pointUnder({other.contracted, other.boxes,
+                  [&](Eigen::Index i) {
+                    const auto column = static_cast<std::size_t>(i);
+                    return scene_.isPointShown(other.points.empty() ? i : other.points[column]) &&
+                           clip.contains(other.contracted.positions->col(i));
+                  }},
+                 origin, map, pixel);
+  pick.isOfOther = pick.point.has_value();
 }
 
 Pick PointerInput::ofPlant(const Pick& pick, const QPointF& position) const {

@@ -49,6 +49,7 @@ private:
     Qt::MouseButton button;
     Qt::KeyboardModifiers modifiers;
   };
+  void pickPoint(Pick& pick, const ScreenMap& map, const Eigen::Vector2d& pixel) const;
   /// Drops what is not drawn there, since another state of the plant is.
   [[nodiscard]] Pick ofPlant(const Pick& pick, const QPointF& position) const;
   [[nodiscard]] ToolInput input(ToolInput::Phase phase, const Pointer& pointer,

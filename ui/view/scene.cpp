@@ -69,7 +69,10 @@ void Scene::setOther(Side side, const std::optional<PlantState>& state) {
   shown.within = state ? state->within : std::nullopt;
   shown.scanned = state ? state->scanned : nullptr;
   shown.points = state ? state->points : std::vector<Eigen::Index>();
-  shown.contracted.set(state ? state->contracted : nullptr);
+  const auto moved = state ? state->contracted : nullptr;
+  if (moved != shown.contracted.positions)
+    shown.boxes = moved ? PointHierarchy(*moved) : PointHierarchy();
+  shown.contracted.set(moved);
   shown.skeleton.rebuild(state ? state->skeleton : Skeleton(), origin());
   if (state) shown.skeleton.setColors(state->colors);
   recolorNodes(shown); // no others: this is on the way from a knob to the eye
@@ -78,6 +81,11 @@ void Scene::setOther(Side side, const std::optional<PlantState>& state) {
 bool Scene::showsPlant(const Eigen::Vector3d& place, double across, double divider) const {
   const OtherState& shown = other(across < divider ? Side::left : Side::right);
   return !shown.isShown || (shown.within && !shown.within->contains(place));
+}
+
+bool Scene::showsScanned(const Eigen::Vector3d& place, double across, double divider) const {
+  const OtherState& shown = other(across < divider ? Side::left : Side::right);
+  return !shown.replacesPoints || showsPlant(place, across, divider);
 }
 
 void Scene::setPointColor(PointColor color) {

@@ -42,6 +42,7 @@ struct OtherState {
   bool isShown = false;
   QString name;
   DrawnPoints contracted;
+  PointHierarchy boxes;                            // of these
   std::shared_ptr<const Eigen::Matrix3Xf> scanned; // where these points come from; may be null
   std::vector<Eigen::Index> points;                // which of the cloud they are; may be empty
   SkeletonGlyphs skeleton;
@@ -103,6 +104,10 @@ struct Scene {
   /// @param divider of the view, as PlantView::setDivider
   /// @param across  from its left, in [0, 1]
   [[nodiscard]] bool showsPlant(const Eigen::Vector3d& place, double across, double divider) const;
+
+  /// Are points drawn here where they were scanned, as long as their layer is?
+  [[nodiscard]] bool showsScanned(const Eigen::Vector3d& place, double across,
+                                  double divider) const;
 
   /// Is a point of the cloud drawn, as long as its layer is?
   [[nodiscard]] bool isPointShown(Eigen::Index point) const {

@@ -114,14 +114,16 @@ void uploadContracted(SceneBuffers::Points& buffers, const DrawnPoints& layer,
   }
 }
 
-/// The looks of points that are a part of the cloud, if these are colored by value.
-/// Before uploadContracted(), which takes note of the revision.
+/// The looks of points that are a part of the cloud, if these are colored by value, or some of them
+/// are selected, hidden, ... Before uploadContracted(), which takes note of the revision.
 void uploadLooksOf(const OtherState& other, SceneBuffers::Points& buffers, const Scene& scene) {
-  if (!scene.pointValues || other.points.empty()) return buffers.colors.release();
+  const bool areAlike = !scene.pointValues && !scene.pointStates;
+  if (areAlike || other.points.empty()) return buffers.colors.release();
   const bool isNew = buffers.colors.size() == 0 || buffers.revision != other.contracted.revision ||
                      buffers.colorRevision != scene.colorRevision;
   if (!isNew) return;
-  const std::vector<std::array<std::uint8_t, 4>> all = pointLooks(scene);
+  const std::vector<std::array<std::uint8_t, 4>> all =
+      scene.pointValues ? pointLooks(scene) : contractedLooks(scene);
   std::vector<std::array<std::uint8_t, 4>> looks;
   looks.reserve(other.points.size());
   for (const Eigen::Index point : other.points)

@@ -8,6 +8,7 @@
 #include "ui/panels/pipeline_panel.h"
 #include "ui/panels/step_form.h"
 #include "ui/panels/sweep_strip.h"
+#include "ui/plots/histogram_view.h"
 
 #include <QAbstractItemView>
 #include <QAction>
@@ -297,6 +298,69 @@ TEST_F(PreviewTest, JudgesByNumbersAndSelectsWhatIsMarked) {
   EXPECT_TRUE(document().pointSelection().isEmpty());
   for (int kind = 1; kind < find<QComboBox>("judge_kind").count(); ++kind)
     find<QComboBox>("judge_kind").setCurrentIndex(kind);
+}
+
+TEST_F(PreviewTest, MarksTheNumberOfTheTableInItsHistogram) {
+  window().resize(1280, 800);
+  key(Qt::Key_F6, Qt::ShiftModifier);
+  turnOn();
+  const auto& table = find<JudgeTable>("judge_table");
+  const auto& histogram = find<HistogramView>("judge_histogram");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return histogram.plot().mark.has_value(); }, patience));
+  EXPECT_EQ(table.item(0, 0)->text(), "Residual thickness [spacings]");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return table.height() >= table.heightForRows(); }, patience))
+      << "no row is cut";
+  EXPECT_EQ(histogram.plot().mark->text, "median " + table.item(0, 1)->text());
+  find<QComboBox>("judge_kind").setCurrentText("Distance from the axis");
+  EXPECT_FALSE(histogram.plot().mark) << "the number is not of these";
+}
+
+TEST_F(PreviewTest, NumbersFollowAtOnceWhatIsGoneAndWhatIsAskedFor) {
+  key(Qt::Key_R, Qt::ControlModifier);
+  waitForJob();
+  key(Qt::Key_F6, Qt::ShiftModifier);
+  turnOn();
+  const auto& table = find<JudgeTable>("judge_table");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return table.columnCount() == 3; }, patience));
+  const auto& histogram = find<HistogramView>("judge_histogram");
+  find<QComboBox>("judge_kind").setCurrentText("Displacement");
+  EXPECT_EQ(histogram.plot().title, "Displacement") << "before its values are computed";
+  EXPECT_TRUE(histogram.plot().bins.isEmpty());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !histogram.plot().bins.isEmpty(); }, patience));
+  view().setFocus();
+  key(Qt::Key_Escape);
+  EXPECT_FALSE(shown());
+  ASSERT_EQ(table.columnCount(), 2);
+  EXPECT_EQ(table.horizontalHeaderItem(1)->text(), "Plant");
+}
+
+TEST_F(PreviewTest, NamesWhatWasChangedBeforeItWasTurnedOn) {
+  type("contract", "radius", 0.12);
+  turnOn();
+  EXPECT_EQ(window().preview().name(), QString::fromUtf8("Contract: radius 0.12\u202fm"));
+  key(Qt::Key_R, Qt::ControlModifier);
+  waitForJob();
+  type("prune", "length", 0.3);
+  waitForPreview();
+  EXPECT_EQ(window().preview().name(), QString::fromUtf8("Prune: length 0.3\u202fm"))
+      << "the plant has the radius now";
+}
+
+TEST_F(PreviewTest, LooksCloselyAtWhatAPreviewDraws) {
+  turnOn();
+  waitForView();
+  const Camera before = view().camera();
+  hover(view().project({0, 0, 1.5})->toPoint());
+  key(Qt::Key_Z);
+  waitForView();
+  EXPECT_LT(view().camera().halfHeight(), 0.7 * before.halfHeight());
+  const PointCloud& cloud = *document().scan()->cloud();
+  const auto distanceTo = [&](const Eigen::Matrix3Xf& points) {
+    const Eigen::Vector3f focus = (view().camera().focus - cloud.origin()).cast<float>();
+    return std::sqrt((points.colwise() - focus).colwise().squaredNorm().minCoeff());
+  };
+  EXPECT_LT(distanceTo(*shown()->contracted), 1e-5) << "where the preview draws a point";
+  EXPECT_GT(distanceTo(cloud.positions()), 1e-3);
 }
 
 TEST_F(PreviewTest, SweepsAnOptionAndTakesAValue) {

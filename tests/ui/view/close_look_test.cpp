@@ -112,6 +112,18 @@ TEST_F(CloseLookTest, ShowsAPlaceOnThePoints) {
   EXPECT_NEAR(camera.halfHeight(), 0.2 * 1.08, 0.01);
 }
 
+TEST_F(CloseLookTest, GoesAroundNothingThatAPreviewReplaces) {
+  scene.setSkeleton(shoot({0, 0, 1}));
+  setWall(-0.5);
+  Sight sight{.nodes = {}, .places = {{0, 0, 0.5}}, .margin = 0.2};
+  const Camera around = cameraToSee(scene, front, sight, screenSize);
+  EXPECT_GT(std::abs(around.yaw - front.yaw) + std::abs(around.pitch - front.pitch), 0.1);
+  sight.isOfOther = true;
+  const Camera straight = cameraToSee(scene, front, sight, screenSize);
+  EXPECT_NEAR(straight.yaw, front.yaw, 1e-9);
+  EXPECT_NEAR(straight.pitch, front.pitch, 1e-9);
+}
+
 TEST_F(CloseLookTest, KeepsTheProjection) {
   scene.setSkeleton(shoot({0, 0, 1}));
   front.projection = Projection::parallel;

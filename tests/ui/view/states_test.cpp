@@ -178,6 +178,66 @@ TEST_F(BlendTest, ShowsContractedPointsInPlaceOfThoseScanned) {
   EXPECT_EQ(countAt(2, accent), 0);
 }
 
+TEST_F(BlendTest, PicksPointsWhereTheyAreDrawn) {
+  view_.setContracted(nullptr);
+  const QPointF below = pixelOf({0, 0, 0});
+  const QPointF above = pixelOf({0, 0, 2});
+  PlantState state;
+  auto up = std::make_shared<Eigen::Matrix3Xf>(cloud_->positions());
+  up->row(2).array() += 2;
+  state.contracted = up;
+  view_.setState(Side::left, state);
+  EXPECT_TRUE(view_.pick(below).point);
+  EXPECT_FALSE(view_.pick(below).isOfOther);
+  state.replacesPoints = true;
+  view_.setState(Side::left, state);
+  EXPECT_FALSE(view_.pick(below).point) << "of the points that were scanned none is drawn";
+  ASSERT_TRUE(view_.pick(above).point);
+  EXPECT_GT(view_.pick(above).point->z(), 1.4);
+  EXPECT_TRUE(view_.pick(above).isOfOther);
+  state.within = Ball{{9, 0, 0}, 0.3};
+  view_.setState(Side::left, state);
+  EXPECT_TRUE(view_.pick(below).point) << "outside the ball all is as usual";
+}
+
+TEST_F(BlendTest, ShowsSelectedPointsInPreviews) {
+  const Color amber = palette(false).selected;
+  auto states = std::make_shared<std::vector<PointState>>(static_cast<std::size_t>(cloud_->size()),
+                                                          PointState::selected);
+  view_.setPointStates(states);
+  PlantState state;
+  auto up = std::make_shared<Eigen::Matrix3Xf>(cloud_->positions());
+  up->row(2).array() += 2;
+  state.contracted = up;
+  state.replacesPoints = true;
+  view_.setState(Side::left, state);
+  EXPECT_GT(countAt(2, amber), 50);
+  EXPECT_EQ(countAt(2, accent), 0);
+  state.scanned = std::make_shared<const Eigen::Matrix3Xf>(cloud_->positions().leftCols(30000));
+  state.contracted = std::make_shared<const Eigen::Matrix3Xf>(up->leftCols(30000));
+  for (Eigen::Index i = 0; i < 30000; ++i)
+    state.points.push_back(i);
+  view_.setState(Side::left, state);
+  EXPECT_GT(countAt(2, amber), 50) << "in a part of the cloud, too";
+  view_.setPointStates(nullptr);
+  EXPECT_EQ(countAt(2, amber), 0);
+}
+
+TEST_F(BlendTest, IsOnPaperWithoutWhatOnlyTheScreenNeeds) {
+  view_.setDark(true);
+  view_.setPointColor(PointColor::height);
+  view_.setLayerVisible(Layer::contracted, false);
+  PlantState state;
+  state.contracted = std::make_shared<const Eigen::Matrix3Xf>(cloud_->positions());
+  const QImage paper = view_.paperOf(state, {200, 200}, PlantView::Framing::whole);
+  EXPECT_GT(qGray(paper.pixel(3, 3)), 220) << "light ground";
+  EXPECT_GT(test::countPixels(paper, accent, 40), 500);
+  state.contracted = nullptr;
+  const QImage scanned = view_.paperOf(state, {200, 200}, PlantView::Framing::whole);
+  EXPECT_GT(test::countPixels(scanned, palette(false).point, 60), 500)
+      << "not by height, for which there is no key";
+}
+
 TEST_F(BlendTest, DrawsTheWays) {
   view_.setLayerVisible(Layer::points, false);
   view_.setLayerVisible(Layer::contracted, false);

@@ -242,8 +242,7 @@ void PreviewFlow::draw() {
 }
 
 QString PreviewFlow::name() const {
-  const PipelineOptions ofPlant = parts_.reconstruct.used().value_or(PipelineOptions());
-  const QString change = changeBetween(ofPlant, shown_->options);
+  const QString change = changeBetween(parts_.reconstruct.used(), shown_->options);
   return change.isEmpty() ? tr("Preview") : change;
 }
 

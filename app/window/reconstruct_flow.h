@@ -29,15 +29,9 @@ public:
   [[nodiscard]] const std::shared_ptr<SharedPipeline>& pipeline() const { return pipeline_; }
   /// How long steps took, for the panel of the pipeline.
   [[nodiscard]] PipelinePanel::Telling telling() const;
-  /// A run that made a skeleton.
-  struct Run {
-    PipelineOptions options;
-    std::string last;      // its last step; empty: of all
-    std::int64_t time = 0; // of its step in the history
-  };
-  /// The one that the skeleton is of, if that is known: none once it is undone.
-  [[nodiscard]] const Run* used() const { return isDone_ ? &*run_ : nullptr; }
-  /// The same as a text; empty if it is not known.
+  /// What the skeleton was made with; as the rules say if that is not known, or undone.
+  [[nodiscard]] PipelineOptions used() const { return isDone_ ? run_->options : PipelineOptions(); }
+  /// The same, and which run it was, as a text; empty if it is not known.
   [[nodiscard]] std::string usedText() const;
   /// Marks the steps that it is of; none if it is not known.
   void showUsed(PipelinePanel& panel) const;
@@ -50,6 +44,12 @@ signals:
   void done(const QString& message, const std::string& last); // a step; empty: all
 
 private:
+  /// One that made a skeleton.
+  struct Run {
+    PipelineOptions options;
+    std::string last;      // its last step; empty: of all
+    std::int64_t time = 0; // of its step in the history
+  };
   void show(const Reconstruction& result, const Step* last, double seconds);
   void setRun(std::optional<Run> run);
   void refreshUsed();

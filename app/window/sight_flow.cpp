@@ -118,7 +118,7 @@ void SightFlow::prepare() {
 Eigen::Index SightFlow::pointAt(const Eigen::Vector3f& place) const {
   const std::optional<Outcome>& preview = parts_.preview.shown();
   if (!parts_.editing.under().isOfOther || !preview || preview->within)
-    return parts_.document.scan()->index().nearest(place, 1).front().index;
+    return parts_.document.scan()->index().nearestOne(place)->index;
   Eigen::Index point = 0;
   (preview->contracted->colwise() - place).colwise().squaredNorm().minCoeff(&point);
   return point;

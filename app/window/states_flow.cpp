@@ -138,8 +138,7 @@ void StatesFlow::blend() {
 }
 
 Outcome StatesFlow::plant() const {
-  const ReconstructFlow::Run* used = parts_.reconstruct.used();
-  PipelineOptions options = used != nullptr ? used->options : PipelineOptions();
+  PipelineOptions options = parts_.reconstruct.used();
   options.leftOut = parts_.document.leftOut();
   return {.options = options,
           .contracted = parts_.document.contracted(),

@@ -141,7 +141,7 @@ void HtmlWriter::operator()(const ReportFigures& figures) {
     add(QStringLiteral("<figure><img width=\"%1\" height=\"%2\" alt=\"%3\" "
                        "src=\"data:image/png;base64,%4\"/>")
             .arg(QString::number(figure.image.width()), QString::number(figure.image.height()),
-                 escaped(figure.title + QStringLiteral(": ") + figure.text),
+                 escaped(figure.text.isEmpty() ? figure.title : figure.title + ": " + figure.text),
                  QString::fromLatin1(png.toBase64())));
     add(QStringLiteral("<figcaption><b>%1</b> %2</figcaption></figure>\n")
             .arg(escaped(figure.title), escaped(figure.text)));

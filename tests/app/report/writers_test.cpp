@@ -129,6 +129,17 @@ TEST(HtmlReport, WritesATableThatIsTooWideForAPhoneRowBelowRow) {
   static_cast<void>(parse(wide));
 }
 
+TEST(HtmlReport, TellsPicturesToThoseWhoDoNotSeeThem) {
+  Report report = sample();
+  QImage image(2, 2, QImage::Format_RGB32);
+  image.fill(Qt::white);
+  report.sections = {
+      {"Pictures", {ReportFigures{.figures = {{image, "0.2 m", ""}, {image, "A", "the plant"}}}}}};
+  const QByteArray html = htmlOf(report);
+  EXPECT_TRUE(html.contains("alt=\"0.2 m\""));
+  EXPECT_TRUE(html.contains("alt=\"A: the plant\""));
+}
+
 TEST(PdfReport, HasSeveralPagesOfA4) {
   const QByteArray pdf = pdfOf(sample());
   EXPECT_TRUE(pdf.startsWith("%PDF-"));

@@ -80,7 +80,9 @@ struct NearestOfOthers : NearestKept {
 class Within {
 public:
   Within(float squaredRadius, const std::vector<bool>& isPassed)
-      : squaredRadius_(squaredRadius), isPassed_(isPassed) {}
+      : squaredRadius_(squaredRadius), isPassed_(isPassed) {
+    found_.reserve(64); // memory once instead of in steps
+  }
 
   bool addPoint(float squaredDistance, std::uint32_t index) {
     const bool isPassed = !isPassed_.empty() && isPassed_[index];

@@ -1,27 +1,16 @@
-// Previews, comparisons of states and sweeps by mouse and keys in the real window.
-#include "app/window/preview_flow.h"
+// Previews by mouse and keys in the real window.
 #include "core/base/random.h"
-#include "tests/app/window/window_fixture.h"
+#include "tests/app/window/preview_fixture.h"
 #include "tests/support/shared_data.h"
-#include "ui/panels/judge_table.h"
 #include "ui/panels/message_banner.h"
-#include "ui/panels/pipeline_panel.h"
-#include "ui/panels/step_form.h"
 #include "ui/panels/sweep_strip.h"
-#include "ui/plots/histogram_view.h"
 
-#include <QAbstractItemView>
-#include <QAction>
 #include <QComboBox>
 #include <QDockWidget>
-#include <QDoubleSpinBox>
 #include <QElapsedTimer>
-#include <QPushButton>
 #include <QSlider>
 #include <QSpinBox>
-#include <QTest>
 #include <QTimer>
-#include <QToolButton>
 
 #include <algorithm>
 #include <cmath>
@@ -32,50 +21,7 @@
 namespace espalier {
 namespace {
 
-constexpr int patience = 60'000; // ms; a deadline for what would else hang
-
-/// Over the scan of a trunk of 2 m with three branches.
-class PreviewTest : public test::WindowTest {
-protected:
-  PreviewTest() {
-    open({writeScan("scan.xyz")});
-    action("view_front").trigger();
-    waitForView();
-  }
-
-  [[nodiscard]] PipelinePanel& panel() { return *window().findChild<PipelinePanel*>(); }
-  [[nodiscard]] StepForm& step(const std::string& name) {
-    const auto& steps = panel().steps();
-    return **std::ranges::find_if(steps, [&](StepForm* form) { return form->step().name == name; });
-  }
-  [[nodiscard]] QDoubleSpinBox& number(const std::string& stepName, const QString& option) {
-    return *step(stepName).findChild<QDoubleSpinBox*>(option);
-  }
-  void type(const std::string& stepName, const QString& option, double value) {
-    QDoubleSpinBox& box = number(stepName, option);
-    box.setFocus(); // else digits are keys of the plant
-    box.selectAll();
-    QTest::keyClicks(&box, QLocale().toString(value, 'g', 6).remove(QLocale().groupSeparator()));
-    QTest::keyClick(&box, Qt::Key_Return);
-  }
-  [[nodiscard]] const std::optional<Outcome>& shown() { return window().preview().shown(); }
-  /// Until the preview is of the whole scan, and nothing runs.
-  void waitForPreview() {
-    ASSERT_TRUE(QTest::qWaitFor(
-        [&] { return shown() && !shown()->within && !window().preview().isBusy(); }, patience));
-  }
-  void turnOn() {
-    key(Qt::Key_L, Qt::ControlModifier);
-    waitForPreview();
-  }
-  void press(const QString& name) {
-    auto& button = find<QToolButton>(name);
-    QTest::mouseClick(&button, Qt::LeftButton);
-  }
-  [[nodiscard]] double radiusOf(const Outcome& outcome) {
-    return outcome.options.settings.at("contract").at("radius").value({});
-  }
-};
+using test::PreviewTest;
 
 TEST_F(PreviewTest, ShowsWhatTheStepsWouldMakeAndChangesNothing) {
   turnOn();
@@ -232,108 +178,6 @@ TEST_F(PreviewTest, RunsUpToOneStep) {
   EXPECT_TRUE(document().skeleton().isEmpty());
 }
 
-TEST_F(PreviewTest, ComparesWithWhatWasKeptAsA) {
-  turnOn();
-  key(Qt::Key_A, Qt::ControlModifier | Qt::ShiftModifier);
-  type("contract", "radius", 0.12);
-  waitForPreview();
-  key(Qt::Key_9, Qt::ControlModifier);
-  EXPECT_EQ(view().divider(), 0.5);
-  auto& divider = find<QWidget>("divider");
-  EXPECT_TRUE(divider.isVisible());
-  const QPoint grip = divider.rect().center();
-  QTest::mousePress(&divider, Qt::LeftButton, {}, grip);
-  QMouseEvent move(QEvent::MouseMove, grip + QPoint(80, 0),
-                   divider.mapToGlobal(grip + QPoint(80, 0)), Qt::NoButton, Qt::LeftButton, {});
-  QApplication::sendEvent(&divider, &move);
-  QTest::mouseRelease(&divider, Qt::LeftButton, {}, grip);
-  EXPECT_NEAR(view().divider(), 0.5 + 80.0 / view().width(), 0.01);
-  action("compare_two_views").trigger();
-  EXPECT_EQ(view().divider(), 1) << "A in the first view, the preview in the second";
-  EXPECT_EQ(find<PlantView>("second_view").divider(), 0);
-  action("compare_alone").trigger();
-  EXPECT_FALSE(action("two_views").isChecked()) << "which was there for the comparison";
-  EXPECT_EQ(view().divider(), 0);
-  view().setFocus();
-  key(Qt::Key_Escape);
-  EXPECT_EQ(view().divider(), 0) << "the plant, not A, fills the view";
-  action("forget_a").trigger();
-  EXPECT_EQ(view().divider(), 1);
-}
-
-TEST_F(PreviewTest, BlendsScannedAndContractedPoints) {
-  key(Qt::Key_R, Qt::ControlModifier);
-  waitForJob();
-  key(Qt::Key_7, Qt::ControlModifier);
-  auto& slider = find<QSlider>("blend_slider");
-  EXPECT_TRUE(slider.isVisible());
-  const QImage contracted = view().picture({300, 200});
-  QTest::keyClick(&slider, Qt::Key_Home);
-  EXPECT_NE(view().picture({300, 200}), contracted);
-  press("blend_ways");
-  clickButton("blend_close");
-  EXPECT_FALSE(slider.isVisible());
-  EXPECT_FALSE(action("blend_points").isChecked());
-}
-
-TEST_F(PreviewTest, JudgesByNumbersAndSelectsWhatIsMarked) {
-  key(Qt::Key_F6, Qt::ShiftModifier);
-  turnOn();
-  auto& table = find<JudgeTable>("judge_table");
-  ASSERT_TRUE(QTest::qWaitFor([&] { return table.rowCount() > 0; }, patience));
-  EXPECT_TRUE(table.table().contains("Residual thickness")) << table.table().toStdString();
-  EXPECT_TRUE(document().pointSelection().isEmpty());
-  auto& histogram = find<QWidget>("judge_histogram");
-  const QPoint from(histogram.width() / 2, histogram.height() / 2);
-  const QPoint to(histogram.width() - 12, histogram.height() / 2);
-  QTest::mousePress(&histogram, Qt::LeftButton, {}, from);
-  QMouseEvent move(QEvent::MouseMove, to, histogram.mapToGlobal(to), Qt::NoButton, Qt::LeftButton,
-                   {});
-  QApplication::sendEvent(&histogram, &move);
-  QTest::mouseRelease(&histogram, Qt::LeftButton, {}, to);
-  EXPECT_FALSE(document().pointSelection().isEmpty());
-  EXPECT_LT(document().pointSelection().points().size(),
-            std::size_t(document().scan()->cloud()->size()));
-  QTest::keyClick(&histogram, Qt::Key_Escape);
-  EXPECT_TRUE(document().pointSelection().isEmpty());
-  for (int kind = 1; kind < find<QComboBox>("judge_kind").count(); ++kind)
-    find<QComboBox>("judge_kind").setCurrentIndex(kind);
-}
-
-TEST_F(PreviewTest, MarksTheNumberOfTheTableInItsHistogram) {
-  window().resize(1280, 800);
-  key(Qt::Key_F6, Qt::ShiftModifier);
-  turnOn();
-  const auto& table = find<JudgeTable>("judge_table");
-  const auto& histogram = find<HistogramView>("judge_histogram");
-  ASSERT_TRUE(QTest::qWaitFor([&] { return histogram.plot().mark.has_value(); }, patience));
-  EXPECT_EQ(table.item(0, 0)->text(), "Residual thickness [spacings]");
-  EXPECT_TRUE(QTest::qWaitFor([&] { return table.height() >= table.heightForRows(); }, patience))
-      << "no row is cut";
-  EXPECT_EQ(histogram.plot().mark->text, "median " + table.item(0, 1)->text());
-  find<QComboBox>("judge_kind").setCurrentText("Distance from the axis");
-  EXPECT_FALSE(histogram.plot().mark) << "the number is not of these";
-}
-
-TEST_F(PreviewTest, NumbersFollowAtOnceWhatIsGoneAndWhatIsAskedFor) {
-  key(Qt::Key_R, Qt::ControlModifier);
-  waitForJob();
-  key(Qt::Key_F6, Qt::ShiftModifier);
-  turnOn();
-  const auto& table = find<JudgeTable>("judge_table");
-  ASSERT_TRUE(QTest::qWaitFor([&] { return table.columnCount() == 3; }, patience));
-  const auto& histogram = find<HistogramView>("judge_histogram");
-  find<QComboBox>("judge_kind").setCurrentText("Displacement");
-  EXPECT_EQ(histogram.plot().title, "Displacement") << "before its values are computed";
-  EXPECT_TRUE(histogram.plot().bins.isEmpty());
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !histogram.plot().bins.isEmpty(); }, patience));
-  view().setFocus();
-  key(Qt::Key_Escape);
-  EXPECT_FALSE(shown());
-  ASSERT_EQ(table.columnCount(), 2);
-  EXPECT_EQ(table.horizontalHeaderItem(1)->text(), "Plant");
-}
-
 TEST_F(PreviewTest, NamesWhatWasChangedBeforeItWasTurnedOn) {
   type("contract", "radius", 0.12);
   turnOn();
@@ -361,80 +205,6 @@ TEST_F(PreviewTest, LooksCloselyAtWhatAPreviewDraws) {
   };
   EXPECT_LT(distanceTo(*shown()->contracted), 1e-5) << "where the preview draws a point";
   EXPECT_GT(distanceTo(cloud.positions()), 1e-3);
-}
-
-TEST_F(PreviewTest, SweepsAnOptionAndTakesAValue) {
-  key(Qt::Key_F7, Qt::ShiftModifier);
-  find<QSpinBox>("sweep_count").setValue(3);
-  EXPECT_EQ(find<QComboBox>("sweep_option").currentText(), "Contract: Radius");
-  auto& from = find<QDoubleSpinBox>("sweep_from");
-  auto& to = find<QDoubleSpinBox>("sweep_to");
-  EXPECT_NEAR(to.value() / from.value(), 16, 0.5) << "from a quarter of the default to 4 times it";
-  from.setValue(0.05);
-  to.setValue(0.2);
-  clickButton("sweep_run");
-  auto& strip = find<SweepStrip>("sweep_strip");
-  ASSERT_EQ(strip.cards().size(), 3U);
-  ASSERT_TRUE(QTest::qWaitFor(
-      [&] {
-        return std::ranges::none_of(strip.cards(),
-                                    [](const SweepCard* card) { return card->item().isPending; });
-      },
-      patience));
-  for (const SweepCard* card : strip.cards()) {
-    EXPECT_FALSE(card->item().picture.isNull());
-    EXPECT_GE(card->item().scores.size(), 4U);
-  }
-  EXPECT_TRUE(document().skeleton().isEmpty()) << "nothing of the plant has changed";
-  EXPECT_NEAR(strip.cards()[1]->item().value, 0.1, 1e-9);
-  const QImage before = strip.cards()[1]->item().picture;
-  action("view_left").trigger();
-  EXPECT_TRUE(QTest::qWaitFor([&] { return strip.cards()[1]->item().picture != before; }, patience))
-      << "pictures follow the view";
-  const double value = strip.cards()[2]->item().value;
-  QTest::keyClick(strip.cards()[2], Qt::Key_Return);
-  EXPECT_EQ(panel().options().settings.at("contract").at("radius"), fixedAt(value));
-  EXPECT_TRUE(strip.cards()[2]->item().isCurrent);
-}
-
-TEST_F(PreviewTest, SweepsWithTheDefaultInTheMiddle) {
-  key(Qt::Key_F7, Qt::ShiftModifier);
-  find<QSpinBox>("sweep_count").setValue(3);
-  clickButton("sweep_run");
-  const auto& cards = find<SweepStrip>("sweep_strip").cards();
-  ASSERT_EQ(cards.size(), 3U);
-  EXPECT_TRUE(cards[1]->item().isCurrent) << "though nobody chose it";
-  EXPECT_FALSE(cards[0]->item().isCurrent);
-  auto* method = step("contract").findChild<QComboBox*>();
-  method->setCurrentIndex(method->findData("adaptive_geodesic"));
-  emit method->activated(method->currentIndex());
-  EXPECT_TRUE(find<QComboBox>("sweep_option").currentText().startsWith("Contract:"))
-      << "of the same step, though its method has no such radius";
-}
-
-TEST_F(PreviewTest, RecordsAChoiceInTheProjectAndTakesItBack) {
-  EXPECT_FALSE(action("forget_choice").isEnabled());
-  key(Qt::Key_K, Qt::ControlModifier | Qt::ShiftModifier);
-  EXPECT_TRUE(window().banner().isVisible()) << "nothing is compared yet";
-  key(Qt::Key_F6, Qt::ShiftModifier);
-  turnOn();
-  ASSERT_TRUE(
-      QTest::qWaitFor([&] { return find<JudgeTable>("judge_table").rowCount() > 0; }, patience));
-  ASSERT_TRUE(QTest::qWaitFor(
-      [&] { // refused until all numbers are there
-        key(Qt::Key_K, Qt::ControlModifier | Qt::ShiftModifier);
-        return action("forget_choice").isEnabled();
-      },
-      patience));
-  EXPECT_FALSE(window().banner().isVisible()) << "what it told is mended";
-  answer(chooseFile(path("plant.espalier")), [&] { action("save_project_as").trigger(); });
-  waitForJob();
-  restart();
-  EXPECT_FALSE(action("forget_choice").isEnabled());
-  open({path("plant.espalier")});
-  EXPECT_TRUE(action("forget_choice").isEnabled()) << "the project has kept it";
-  action("forget_choice").trigger();
-  EXPECT_FALSE(action("forget_choice").isEnabled());
 }
 
 TEST_F(PreviewTest, DrawsWhatTheMethodSeesUnderTheMouse) {

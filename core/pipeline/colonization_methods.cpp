@@ -50,6 +50,11 @@ Option kill(double steps) {
               "spurs."};
 }
 
+/// Those of the places that a skeleton is made of.
+std::vector<float> placeDensities(const PipelineState& state, const Progress& progress) {
+  return scannedDensities(state.cloud->positions()(Eigen::all, keptPlaces(state)), progress);
+}
+
 } // namespace
 
 Method graphColonizationMethod() {
@@ -74,7 +79,7 @@ Method graphColonizationMethod() {
           .source = "PlantScan3D, after C. Preuksakarn, PhD thesis, Montpellier 2, 2012",
           .options = table.descriptions(),
           .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
-            const std::vector<float> densities = scannedDensities(state, progress.part(0, 0.2));
+            const std::vector<float> densities = placeDensities(state, progress.part(0, 0.2));
             reconstructKept(state, [&](const Eigen::Matrix3Xf& points, Eigen::Index root) {
               return skeletonByGraphColonization(points, densities, root, table.with(values),
                                                  progress.part(0.2, 1));
@@ -123,7 +128,7 @@ Method pointTrackingMethod() {
           .source = "C. Preuksakarn, PhD thesis, Montpellier 2, 2012, section 4.7",
           .options = table.descriptions(),
           .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
-            const std::vector<float> densities = scannedDensities(state, progress.part(0, 0.2));
+            const std::vector<float> densities = placeDensities(state, progress.part(0, 0.2));
             reconstructKept(state, [&](const Eigen::Matrix3Xf& points, Eigen::Index root) {
               return skeletonByPointTracking(points, densities, root, table.with(values),
                                              progress.part(0.2, 1));
@@ -147,7 +152,7 @@ Method spaceColonizationMethod() {
                     "Phenomena, 2007",
           .options = table.descriptions(),
           .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
-            const std::vector<float> densities = scannedDensities(state, progress.part(0, 0.2));
+            const std::vector<float> densities = placeDensities(state, progress.part(0, 0.2));
             reconstructKept(state, [&](const Eigen::Matrix3Xf& points, Eigen::Index root) {
               return skeletonBySpaceColonization(points, densities, root, table.with(values),
                                                  progress.part(0.2, 1));

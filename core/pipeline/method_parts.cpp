@@ -57,6 +57,16 @@ std::vector<Eigen::Index> keptPoints(const PipelineState& state) {
   return kept;
 }
 
+std::vector<Eigen::Index> keptPlaces(const PipelineState& state) {
+  std::vector<Eigen::Index> places = keptPoints(state);
+  const auto isRepeated = [&](Eigen::Index a, Eigen::Index b) {
+    return state.cloud->positions().col(a) == state.cloud->positions().col(b);
+  };
+  const auto repeated = std::ranges::unique(places, isRepeated);
+  places.erase(repeated.begin(), repeated.end());
+  return places;
+}
+
 Eigen::Matrix3Xf keptPositions(const PipelineState& state) {
   return state.cloud->positions()(Eigen::all, keptPoints(state));
 }
@@ -70,19 +80,19 @@ void requirePlant(const std::vector<Eigen::Index>& kept) {
 void reconstructKept(
     PipelineState& state,
     const std::function<Skeleton(const Eigen::Matrix3Xf& points, Eigen::Index root)>& reconstruct) {
-  const std::vector<Eigen::Index> kept = keptPoints(state);
+  const std::vector<Eigen::Index> kept = keptPlaces(state);
   requirePlant(kept);
-  const auto place = std::lower_bound(kept.begin(), kept.end(), state.root);
+  const auto behindRoot = std::ranges::upper_bound(kept, state.root); // right behind its place
   const Eigen::Matrix3Xf points = (*state.contracted)(Eigen::all, kept);
-  Skeleton local = reconstruct(points, place - kept.begin());
+  Skeleton local = reconstruct(points, behindRoot - kept.begin() - 1);
   for (const NodeId id : local.ids())
     local.setPosition(id, local[id].position + state.cloud->origin());
   state.skeleton = std::move(local);
 }
 
-std::vector<float> scannedDensities(const PipelineState& state, const Progress& progress) {
+std::vector<float> scannedDensities(const Eigen::Matrix3Xf& points, const Progress& progress) {
   constexpr int nearest = 16; // as PlantScan3D has it
-  return normalizedDensities(nearestDensities(keptPositions(state), nearest, progress));
+  return normalizedDensities(nearestDensities(points, nearest, progress));
 }
 
 } // namespace espalier

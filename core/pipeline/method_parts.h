@@ -22,22 +22,26 @@ using Values = std::vector<double>;
 /// The points that cleaning kept, ascending.
 [[nodiscard]] std::vector<Eigen::Index> keptPoints(const PipelineState& state);
 
-/// Where they are in the scan, about the origin of the cloud [L].
+/// The same, of those at one place the first alone: where files of a scan overlap, points lie
+/// twice. Told where they follow each other, as they do in a cloud.
+[[nodiscard]] std::vector<Eigen::Index> keptPlaces(const PipelineState& state);
+
+/// Where the points that were kept are in the scan, about the origin of the cloud [L].
 [[nodiscard]] Eigen::Matrix3Xf keptPositions(const PipelineState& state);
 
 /// @throws Error if they are too few for a plant
 void requirePlant(const std::vector<Eigen::Index>& kept);
 
-/// Makes the skeleton of the kept points as they were contracted, with the root among them.
+/// Makes the skeleton of the kept places as they were contracted, with the root among them.
 /// `reconstruct` gives it in their frame; it ends up in that of the file.
 /// @throws Error if the points are too few; whatever `reconstruct` throws
 void reconstructKept(
     PipelineState& state,
     const std::function<Skeleton(const Eigen::Matrix3Xf& points, Eigen::Index root)>& reconstruct);
 
-/// Normalized densities of the kept points as they were scanned, in [0, 1]: contraction, which
-/// heaps points up, does not count.
-[[nodiscard]] std::vector<float> scannedDensities(const PipelineState& state,
+/// Normalized densities of points as they were scanned, in [0, 1]: contraction, which heaps points
+/// up, does not count.
+[[nodiscard]] std::vector<float> scannedDensities(const Eigen::Matrix3Xf& points,
                                                   const Progress& progress);
 
 } // namespace espalier

@@ -2,8 +2,8 @@
 
 #include "core/base/nearest_kept.h"
 #include "core/base/parallel.h"
+#include "core/base/parted_tree.h"
 
-#include <nanoflann.hpp>
 #include <oneapi/tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
@@ -14,28 +14,6 @@
 
 namespace espalier {
 namespace {
-
-/// What nanoflann asks of a set of points.
-struct Columns {
-  const Eigen::Matrix3Xf* points;
-  const Progress* building = nullptr; // while the tree is built: asked now and then
-  mutable int untilAsked = 0;
-
-  [[nodiscard]] std::size_t kdtree_get_point_count() const {
-    return static_cast<std::size_t>(points->cols());
-  }
-  [[nodiscard]] float kdtree_get_pt(std::size_t column, std::size_t row) const {
-    if (building != nullptr && --untilAsked <= 0) {
-      building->check();
-      untilAsked = 1 << 18; // reads: a few ms
-    }
-    return points->data()[3 * column + row];
-  }
-  template <class Box> bool kdtree_get_bbox(Box& /*unused*/) const { return false; }
-};
-
-using Metric = nanoflann::L2_Simple_Adaptor<float, Columns, float, std::uint32_t>;
-using Index = nanoflann::KDTreeSingleIndexAdaptor<Metric, Columns, 3, std::uint32_t>;
 
 // Results of searches, as nanoflann 1.4 and 1.5 both ask for them (they differ in their own).
 
@@ -112,36 +90,30 @@ float squaredReachFrom(const NearestKept& ofOneBeside, float apart) {
 } // namespace
 
 struct SpatialIndex::Tree {
-  Columns columns;
-  Index index;
-
-  Tree(const Eigen::Matrix3Xf& points, const Progress& progress)
-      : columns{&points, &progress},
-        index(3, columns, nanoflann::KDTreeSingleIndexAdaptorParams(12)) { // builds the tree
-    columns.building = nullptr;
-  }
+  const Eigen::Matrix3Xf& points;
+  PartedTree parts;
 };
 
 SpatialIndex::SpatialIndex(const Eigen::Matrix3Xf& points, const Progress& progress)
-    : tree_(std::make_shared<const Tree>(points, progress)) {}
+    : tree_(std::make_shared<const Tree>(Tree{points, PartedTree(points, progress)})) {}
 SpatialIndex::SpatialIndex(std::shared_ptr<const Tree> tree) : tree_(std::move(tree)) {}
 SpatialIndex::~SpatialIndex() = default;
 SpatialIndex::SpatialIndex(SpatialIndex&&) noexcept = default;
 SpatialIndex& SpatialIndex::operator=(SpatialIndex&&) noexcept = default;
 
 SpatialIndex SpatialIndex::passingOver(std::vector<bool> points) const {
-  assert(points.size() == tree_->columns.kdtree_get_point_count());
+  assert(points.size() == tree_->parts.size());
   SpatialIndex index(tree_);
   index.isPassed_ = std::move(points);
   return index;
 }
 
 std::vector<Neighbor> SpatialIndex::nearest(const Eigen::Vector3f& place, int count) const {
-  const auto total = tree_->columns.kdtree_get_point_count();
+  const auto total = tree_->parts.size();
   const auto wanted = std::min(static_cast<std::size_t>(std::max(count, 0)), total);
   if (wanted == 0) return {};
   const auto found = [&](auto kept) {
-    tree_->index.findNeighbors(kept, place.data(), {});
+    tree_->parts.search(place, kept);
     std::vector<Neighbor> result;
     result.reserve(wanted);
     kept.forEach([&](std::uint32_t index, float squaredDistance) {
@@ -153,21 +125,21 @@ std::vector<Neighbor> SpatialIndex::nearest(const Eigen::Vector3f& place, int co
 }
 
 std::vector<Neighbor> SpatialIndex::within(const Eigen::Vector3f& place, float radius) const {
-  if (tree_->columns.kdtree_get_point_count() == 0) return {};
+  if (tree_->parts.size() == 0) return {};
   Within result(radius * radius, isPassed_);
-  tree_->index.findNeighbors(result, place.data(), {});
+  tree_->parts.search(place, result);
   return result.take();
 }
 
 template <class Accepts>
 std::optional<Neighbor> SpatialIndex::nearestAccepted(const Eigen::Vector3f& place, float radius,
                                                       const Accepts& accepts) const {
-  if (tree_->columns.kdtree_get_point_count() == 0) return std::nullopt;
+  if (tree_->parts.size() == 0) return std::nullopt;
   const auto acceptsIt = [&](std::uint32_t point) {
     return (isPassed_.empty() || !isPassed_[point]) && accepts(point);
   };
   NearestAccepted result(radius * radius, acceptsIt);
-  tree_->index.findNeighbors(result, place.data(), {});
+  tree_->parts.search(place, result);
   return result.found();
 }
 
@@ -183,7 +155,7 @@ SpatialIndex::nearestIf(const Eigen::Vector3f& place, float radius,
 
 NearestOthers SpatialIndex::nearestOthers(int count, const Progress& progress) const {
   assert(isPassed_.empty());
-  const auto total = static_cast<Eigen::Index>(tree_->columns.kdtree_get_point_count());
+  const auto total = static_cast<Eigen::Index>(tree_->parts.size());
   const auto perPoint =
       std::min<Eigen::Index>(std::max(count, 0), std::max<Eigen::Index>(total - 1, 0));
   NearestOthers result;
@@ -197,13 +169,13 @@ NearestOthers SpatialIndex::nearestOthers(int count, const Progress& progress) c
     Eigen::Index point = -2; // that it keeps the nearest of
   };
   oneapi::tbb::enumerable_thread_specific<Last> lasts([&] { return Last{NearestKept(wanted)}; });
-  const auto place = [&](Eigen::Index point) { return tree_->columns.points->col(point); };
+  const auto place = [&](Eigen::Index point) { return tree_->points.col(point); };
   const auto findOthersOf = [&](Eigen::Index point) {
     auto& [kept, last] = lasts.local();
     kept.begin(last == point - 1 ? squaredReachFrom(kept, (place(point) - place(last)).norm())
                                  : std::numeric_limits<float>::max());
     last = point;
-    tree_->index.findNeighbors(kept, place(point).data(), {});
+    tree_->parts.search(place(point), kept);
     auto out = static_cast<std::size_t>(point * perPoint);
     const std::size_t end = out + static_cast<std::size_t>(perPoint);
     kept.forEach([&](std::uint32_t index, float squaredDistance) {

@@ -26,9 +26,10 @@ struct NearestOthers {
   std::vector<float> squaredDistances; // nearest first [L^2]
 };
 
-/// Finds the points near a place. Balanced k-d tree; the points are referred to, not copied.
+/// Finds the points near a place. Balanced k-d tree.
 ///
-/// Build O(N log N), one query O(log N + found). Queries are const and may run on many threads.
+/// Build O(N log N), on all threads; one query O(log N + found). Memory about 30 bytes per point.
+/// Queries are const and may run on many threads.
 class SpatialIndex {
 public:
   /// @param points 3 x N, finite; must outlive the index

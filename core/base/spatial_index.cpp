@@ -153,16 +153,17 @@ SpatialIndex::nearestIf(const Eigen::Vector3f& place, float radius,
   return nearestAccepted(place, radius, accepts);
 }
 
-NearestOthers SpatialIndex::nearestOthers(int count, const Progress& progress) const {
-  assert(isPassed_.empty());
+Eigen::Index SpatialIndex::othersPerPoint(int count) const {
   const auto total = static_cast<Eigen::Index>(tree_->parts.size());
-  const auto perPoint =
-      std::min<Eigen::Index>(std::max(count, 0), std::max<Eigen::Index>(total - 1, 0));
-  NearestOthers result;
-  result.perPoint = perPoint;
-  if (perPoint == 0) return result;
-  result.indices.resize(static_cast<std::size_t>(total * perPoint));
-  result.squaredDistances.resize(result.indices.size());
+  return std::min<Eigen::Index>(std::max(count, 0), std::max<Eigen::Index>(total - 1, 0));
+}
+
+/// Calls visit(point, rank, other, squaredDistance) for the nearest others of each point, those of
+/// a point one after the other, the nearest first, of rank 0.
+template <class Visit>
+void SpatialIndex::forEachOther(Eigen::Index perPoint, const Visit& visit,
+                                const Progress& progress) const {
+  assert(isPassed_.empty());
   const auto wanted = static_cast<std::size_t>(perPoint) + 1; // the point itself comes along
   struct Last {
     NearestKept kept;
@@ -176,16 +177,41 @@ NearestOthers SpatialIndex::nearestOthers(int count, const Progress& progress) c
                                  : std::numeric_limits<float>::max());
     last = point;
     tree_->parts.search(place(point), kept);
-    auto out = static_cast<std::size_t>(point * perPoint);
-    const std::size_t end = out + static_cast<std::size_t>(perPoint);
+    Eigen::Index rank = 0;
     kept.forEach([&](std::uint32_t index, float squaredDistance) {
-      if (index == static_cast<std::uint32_t>(point) || out == end) return;
-      result.indices[out] = index;
-      result.squaredDistances[out++] = squaredDistance;
+      if (index == static_cast<std::uint32_t>(point) || rank == perPoint) return;
+      visit(point, rank++, index, squaredDistance);
     });
   };
-  parallelFor(total, findOthersOf, progress);
+  parallelFor(tree_->points.cols(), findOthersOf, progress);
+}
+
+NearestOthers SpatialIndex::nearestOthers(int count, const Progress& progress) const {
+  NearestOthers result;
+  result.perPoint = othersPerPoint(count);
+  if (result.perPoint == 0) return result;
+  result.indices.resize(tree_->parts.size() * static_cast<std::size_t>(result.perPoint));
+  result.squaredDistances.resize(result.indices.size());
+  const auto keep = [&](Eigen::Index point, Eigen::Index rank, std::uint32_t other,
+                        float squaredDistance) {
+    const auto at = static_cast<std::size_t>(point * result.perPoint + rank);
+    result.indices[at] = other;
+    result.squaredDistances[at] = squaredDistance;
+  };
+  forEachOther(result.perPoint, keep, progress);
   return result;
+}
+
+std::vector<float> SpatialIndex::squaredReaches(int count, const Progress& progress) const {
+  std::vector<float> reaches(tree_->parts.size(), 0);
+  const Eigen::Index perPoint = othersPerPoint(count);
+  if (perPoint == 0) return reaches;
+  const auto keep = [&](Eigen::Index point, Eigen::Index /*rank*/, std::uint32_t /*other*/,
+                        float squaredDistance) { // the farthest comes last
+    reaches[static_cast<std::size_t>(point)] = squaredDistance;
+  };
+  forEachOther(perPoint, keep, progress);
+  return reaches;
 }
 
 } // namespace espalier

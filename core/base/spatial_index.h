@@ -65,10 +65,18 @@ public:
   /// `progress` asks to stop
   [[nodiscard]] NearestOthers nearestOthers(int count, const Progress& progress = {}) const;
 
+  /// For each indexed point the squared distance to the farthest of its `count` nearest others
+  /// [L^2]; of all others if there are fewer, 0 if there is none. Otherwise as nearestOthers(),
+  /// with memory for one number per point.
+  [[nodiscard]] std::vector<float> squaredReaches(int count, const Progress& progress = {}) const;
+
 private:
   template <class Accepts>
   [[nodiscard]] std::optional<Neighbor> nearestAccepted(const Eigen::Vector3f& place, float radius,
                                                         const Accepts& accepts) const;
+  [[nodiscard]] Eigen::Index othersPerPoint(int count) const;
+  template <class Visit>
+  void forEachOther(Eigen::Index perPoint, const Visit& visit, const Progress& progress) const;
 
   struct Tree;
   explicit SpatialIndex(std::shared_ptr<const Tree> tree);

@@ -27,18 +27,15 @@ std::vector<float> radiusDensities(const NeighborhoodGraph& graph, float radius,
 
 std::vector<float> nearestDensities(const Eigen::Matrix3Xf& points, int count,
                                     const Progress& progress) {
-  const NearestOthers others = SpatialIndex(points, progress).nearestOthers(count, progress);
-  std::vector<float> densities(static_cast<std::size_t>(points.cols()), 0);
-  if (others.perPoint == 0) return densities;
-  const auto perPoint = static_cast<std::size_t>(others.perPoint);
+  const auto perPoint = static_cast<float>(std::min<Eigen::Index>(count, points.cols() - 1));
+  std::vector<float> densities = SpatialIndex(points, progress).squaredReaches(count, progress);
   float greatest = 0;
-  for (std::size_t i = 0; i < densities.size(); ++i) {
-    const float farthest = others.squaredDistances[(i + 1) * perPoint - 1];
-    if (farthest > 0) densities[i] = static_cast<float>(perPoint) / farthest;
-    greatest = std::max(greatest, densities[i]);
+  for (float& density : densities) {
+    if (density > 0) density = perPoint / density; // was the squared reach
+    greatest = std::max(greatest, density);
   }
-  for (std::size_t i = 0; i < densities.size(); ++i)
-    if (others.squaredDistances[(i + 1) * perPoint - 1] == 0) densities[i] = greatest;
+  for (float& density : densities)
+    if (density == 0) density = greatest; // all of its others lie at its place
   return densities;
 }
 

@@ -166,6 +166,22 @@ TEST(SpatialIndex, ListsTheOthersThatASearchFromEachPointFinds) {
   }
 }
 
+TEST(SpatialIndex, TellsHowFarTheOthersReach) {
+  for (const Eigen::Matrix3Xf& points :
+       {sorted(gridPoints(20'000, 7)), randomPoints(5, 7), randomPoints(1, 7)}) {
+    const SpatialIndex index(points);
+    const NearestOthers others = index.nearestOthers(9);
+    std::vector<float> farthest(static_cast<std::size_t>(points.cols()), 0);
+    const auto perPoint = static_cast<std::size_t>(others.perPoint);
+    for (std::size_t i = 0; i < farthest.size() && perPoint > 0; ++i)
+      farthest[i] = others.squaredDistances[(i + 1) * perPoint - 1];
+    for (const int threads : {1, 2, 4}) {
+      const ThreadLimit limit(threads);
+      EXPECT_EQ(index.squaredReaches(9), farthest) << threads;
+    }
+  }
+}
+
 TEST(SpatialIndex, IsTheSameOnAnyNumberOfThreads) {
   const Eigen::Matrix3Xf points = gridPoints(60'000, 8);
   const NearestOthers onAll = SpatialIndex(points).nearestOthers(9);

@@ -21,28 +21,41 @@ std::vector<std::uint32_t> binsOf(const Geodesics& ways, double binWidth) {
   return bins;
 }
 
-/// Numbers the connected parts of each bin.
-std::vector<std::uint32_t> groupsOf(const NeighborhoodGraph& graph,
-                                    const std::vector<std::uint32_t>& bins) {
-  std::vector<std::uint32_t> groups(bins.size(), none);
+/// Numbers the connected parts of each bin, and tells which touch each other.
+void group(GeodesicGroups& groups, const NeighborhoodGraph& graph,
+           const std::vector<std::uint32_t>& bins) {
+  groups.ofPoint.assign(bins.size(), none);
+  const auto touch = [&](std::uint32_t own, std::uint32_t other) {
+    std::vector<std::uint32_t>& list = groups.adjacent[own];
+    if (list.empty() || list.back() != other) list.push_back(other);
+  };
   std::vector<std::uint32_t> stack;
-  std::uint32_t next = 0;
   for (std::size_t first = 0; first < bins.size(); ++first) {
-    if (bins[first] == none || groups[first] != none) continue;
-    groups[first] = next;
+    if (bins[first] == none || groups.ofPoint[first] != none) continue;
+    const auto own = static_cast<std::uint32_t>(groups.bins.size());
+    groups.bins.push_back(bins[first]);
+    groups.adjacent.emplace_back();
+    groups.ofPoint[first] = own;
     stack.push_back(static_cast<std::uint32_t>(first));
     while (!stack.empty()) {
       const std::uint32_t point = stack.back();
       stack.pop_back();
-      for (const NeighborhoodGraph::Link& link : graph.links(point))
-        if (bins[link.to] == bins[point] && groups[link.to] == none) {
-          groups[link.to] = next;
+      for (const NeighborhoodGraph::Link& link : graph.links(point)) {
+        std::uint32_t& other = groups.ofPoint[link.to];
+        if (other != none && other != own) { // numbered before: it did not see this group yet
+          touch(own, other);
+          touch(other, own);
+        } else if (other == none && bins[link.to] == groups.bins[own]) {
+          other = own;
           stack.push_back(link.to);
         }
+      }
     }
-    ++next;
   }
-  return groups;
+  for (std::vector<std::uint32_t>& list : groups.adjacent) {
+    std::ranges::sort(list);
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  }
 }
 
 /// The direction in which points lie, as long as they are linear; of one point 0.
@@ -88,31 +101,10 @@ GeodesicGroups geodesicGroups(const NeighborhoodGraph& graph, const Eigen::Matri
                                      [](float d) { return std::isfinite(d); });
   requireHalf(reached, points.cols());
   GeodesicGroups groups;
-  const std::vector<std::uint32_t> bins = binsOf(ways, binWidth);
-  groups.ofPoint = groupsOf(graph, bins);
+  group(groups, graph, binsOf(ways, binWidth));
   groups.distances = std::move(ways.distance);
-  std::uint32_t count = 0;
-  for (const std::uint32_t group : groups.ofPoint)
-    if (group != none) count = std::max(count, group + 1);
   groups.root = groups.ofPoint[static_cast<std::size_t>(root)];
-  groups.bins.resize(count);
-  for (std::size_t i = 0; i < bins.size(); ++i)
-    if (bins[i] != none) groups.bins[groups.ofPoint[i]] = bins[i];
-  measure(groups, points, count);
-  groups.adjacent.resize(count);
-  for (std::size_t i = 0; i < groups.ofPoint.size(); ++i) {
-    const std::uint32_t own = groups.ofPoint[i];
-    if (own == none) continue;
-    std::vector<std::uint32_t>& list = groups.adjacent[own];
-    for (const NeighborhoodGraph::Link& link : graph.links(static_cast<Eigen::Index>(i)))
-      if (const std::uint32_t other = groups.ofPoint[link.to];
-          other != own && (list.empty() || list.back() != other))
-        list.push_back(other);
-  }
-  for (std::vector<std::uint32_t>& list : groups.adjacent) {
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-  }
+  measure(groups, points, groups.bins.size());
   return groups;
 }
 

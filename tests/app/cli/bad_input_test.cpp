@@ -119,7 +119,8 @@ TEST_P(BadScans, AreNeitherDrawnNorToldAbout) {
     return;
   }
   const std::string picture = (folder_ / "result.png").string();
-  EXPECT_EQ(runProgram({"picture", scan_, "-o", picture, "--width", "64"}).status, 0);
+  const auto drawn = runProgram({"picture", scan_, "-o", picture, "--width", "64"});
+  EXPECT_EQ(drawn.status, 0) << drawn.err;
   EXPECT_EQ(runProgram({"info", scan_}).status, 0);
 }
 

@@ -22,8 +22,8 @@ struct ContractionQualityOptions {
 /// The plant is seen through one point per cube of 2 spacings, linked to its 8 nearest within 5
 /// spacings; what hangs together by fewer than 10 such links is dust and does not count. "Near a
 /// point" is within 10 spacings of it along these links, where it was scanned: so a neighboring
-/// twig does not count as thickness. Lengths that decide are those of the default rules: an end is
-/// that of a branch longer than a spur, 14 spacings.
+/// twig does not count as thickness. An end is that of a branch longer than 14 spacings, a little
+/// more than what pruning leaves by default.
 struct ContractionQuality {
   /// How thick what was contracted still is [spacings]: the median over the plant of the root mean
   /// square distance of the contracted points near a point from the line through them, their local
@@ -33,10 +33,10 @@ struct ContractionQuality {
   /// variance is along it (the share at which H. Huang et al., ACM Trans. Graph. 32(4), 2013, stop
   /// contracting).
   double shareOnLine = 0;
-  /// Ends of the scan: what no part farther from the root follows, on branches longer than a spur.
+  /// Ends of the scan: what no part farther from the root follows, on branches that long.
   Eigen::Index tips = 0;
-  /// Those with no contracted point, or with a skeleton no apex of it, within 7 spacings: half of a
-  /// spur is gone.
+  /// Those with no contracted point, or with a skeleton no apex of it, within 7 spacings: half of
+  /// such a branch is gone.
   Eigen::Index lostTips = 0;
   /// Places where contracted points lie within a spacing of each other, though along the plant they
   /// are over 20 spacings apart and over 3 times as far as straight through space.

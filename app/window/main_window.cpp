@@ -127,6 +127,7 @@ MainWindow::MainWindow(QSettings& settings, QWidget* parent)
 }
 
 MainWindow::~MainWindow() {
+  hide();                                 // or its last events reach panels whose plant is gone
   document_.undoStack().disconnect(this); // it clears itself when the parts are gone
 }
 

@@ -188,7 +188,9 @@ Batch batchOf(const Flags& flags) {
   Batch batch;
   batch.options = flags.pipeline.options("skeleton");
   batch.mtgStyle = flags.pipeline.mtgStyle;
-  batch.plants = readManifest(flags.manifest);
+  Imported<std::vector<BatchPlant>> manifest = readManifest(flags.manifest);
+  printNotes(manifest.notes);
+  batch.plants = std::move(manifest.value);
   for (const BatchPlant& plant : batch.plants)
     batch.names.push_back(plant.name);
   batch.folder = flags.folder;

@@ -37,16 +37,32 @@ std::optional<Eigen::Vector3d> rootOf(std::string text) {
   return parsePlace(text, "root");
 }
 
+/// A note if there are columns of which nothing is known: a name may be misspelt.
+std::vector<std::string> passedOver(const CsvTable& table, const std::string& file) {
+  constexpr std::string_view known[] = {"scan", "name", "reference", "root"};
+  std::vector<std::string> others = table.names;
+  for (const std::string_view name : known)
+    if (const auto column = table.column(name)) std::erase(others, table.names[*column]);
+  if (others.empty()) return {};
+  std::string list;
+  for (const std::string& name : others)
+    list += (list.empty() ? "" : ", ") + inQuotes(name);
+  return {file + ": passed over " + list +
+          (others.size() == 1 ? ", which is no column" : ", which are no columns") +
+          " of a plant: these are scan, name, reference and root"};
+}
+
 } // namespace
 
-std::vector<BatchPlant> readManifest(const std::filesystem::path& file) {
+Imported<std::vector<BatchPlant>> readManifest(const std::filesystem::path& file) {
   const CsvTable table = readCsv(textOf(file), file.string());
   if (!table.column("scan"))
     throw Error(place(file.string(), 1) +
                 "there is no column scan: name the columns in the first line, as "
                 "scan,name,reference");
   std::set<std::string> names;
-  std::vector<BatchPlant> plants;
+  Imported<std::vector<BatchPlant>> result{{}, passedOver(table, file.string())};
+  std::vector<BatchPlant>& plants = result.value;
   for (const CsvTable::Row& row : table.rows) {
     const auto field = [&](std::string_view name) {
       const std::optional<std::size_t> column = table.column(name);
@@ -73,7 +89,7 @@ std::vector<BatchPlant> readManifest(const std::filesystem::path& file) {
   }
   if (plants.empty())
     throw Error(file.string() + ": no plant is listed: write a line for each below the first");
-  return plants;
+  return result;
 }
 
 } // namespace espalier

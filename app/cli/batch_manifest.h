@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/base/imported.h"
+
 #include <Eigen/Core>
 
 #include <filesystem>
@@ -18,13 +20,13 @@ struct BatchPlant {
 };
 
 /// Reads which plants to reconstruct: a CSV table with a column `scan`, and those of `name`,
-/// `reference` and `root` that are needed. Other columns are passed over.
+/// `reference` and `root` that are needed. Other columns are passed over, with a note.
 ///
 /// A plant without a name is named as its scan. Files are sought from the folder of the manifest.
 /// A root is "X,Y,Z" in quotes, "X;Y;Z" or "X Y Z", or lowest.
 ///
 /// @throws Error with the line: no column or no file of a scan is named, a name comes twice or is
 ///         none for a file, or a root is no place. Whether the files exist is not looked at.
-[[nodiscard]] std::vector<BatchPlant> readManifest(const std::filesystem::path& file);
+[[nodiscard]] Imported<std::vector<BatchPlant>> readManifest(const std::filesystem::path& file);
 
 } // namespace espalier

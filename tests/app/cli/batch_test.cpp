@@ -88,6 +88,17 @@ TEST_F(Batch, ReconstructsEachPlantAndTellsOfItInALine) {
   EXPECT_GT(std::stod(told("my tree", "f")), 0.8);
 }
 
+TEST_F(Batch, TellsOfColumnsThatItDoesNotKnow) {
+  writeManifest("scan,refrence,Species\nstick.xyz,truth.mtg,pine\n");
+  const Outcome outcome = run();
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("plants.csv: passed over 'refrence', 'Species', which are no "
+                                     "columns of a plant: these are scan, name, reference and "
+                                     "root"));
+  writeManifest("Scan,Name\nstick.xyz,stick\n");
+  EXPECT_THAT(run().err, Not(HasSubstr("passed over '")));
+}
+
 TEST_F(Batch, GivesWhatReconstructGives) {
   writeManifest("scan\ntree.ply\n");
   ASSERT_EQ(run({"--set", "prune.length=0.3"}).status, 0);

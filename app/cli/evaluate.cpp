@@ -98,8 +98,9 @@ void addEvaluate(CLI::App& app) {
       "evaluate", "Measure a skeleton against a reference structure, or rank several");
   const auto flags = std::make_shared<EvaluateFlags>();
   command
-      ->add_option("RESULT... REFERENCE", flags->files,
-                   "Structures to judge, MTG or node list, and last the one that is taken as true")
+      ->add_option(
+          "RESULT... REFERENCE", flags->files,
+          "Structures to judge, in any format that is read, and last the one that is taken as true")
       ->expected(1, 10000)
       ->required();
   command->add_flag("--no-register", flags->noRegister,

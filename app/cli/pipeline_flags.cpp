@@ -57,7 +57,9 @@ Eigen::Vector3d parsePlace(const std::string& text, const std::string& flag) {
 }
 
 void PipelineFlags::addTo(CLI::App& command, const std::string& result) {
-  command.add_option("SCAN", scan, "Points of one plant: PLY, XYZ, LAS or PCD")->required();
+  command
+      .add_option("SCAN", scan, "Points of one plant, in any format that is read, as PLY or LAS")
+      ->required();
   addOutput(command, output, result);
   addOptionsTo(command);
   addRootTo(command);

@@ -222,7 +222,9 @@ void addSweep(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("sweep", "Try one option over several values, and judge each");
   const auto flags = std::make_shared<Flags>();
-  command->add_option("SCAN", flags->pipeline.scan, "Points of one plant: PLY, XYZ, LAS or PCD")
+  command
+      ->add_option("SCAN", flags->pipeline.scan,
+                   "Points of one plant, in any format that is read, as PLY or LAS")
       ->required();
   command
       ->add_option("OPTION", flags->name,
@@ -240,7 +242,7 @@ void addSweep(CLI::App& app) {
       ->capture_default_str();
   command
       ->add_option("--reference", flags->reference,
-                   "Structure to score the results against: an MTG or a node list")
+                   "Structure to score the results against, in any format that is read")
       ->type_name("FILE");
   flags->pipeline.addOptionsTo(*command);
   flags->pipeline.addRootTo(*command);

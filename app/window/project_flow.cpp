@@ -123,7 +123,8 @@ void ProjectFlow::saveAs(const QString& path) {
 bool ProjectFlow::confirmSaved() {
   recorder_.flush();
   if (!recorder_.isBehind()) {
-    emit told({.text = tr("Everything is saved")});
+    emit told({.text = tr("Everything is saved in %1")
+                           .arg(QFileInfo(pathOf(*recorder_.project())).fileName())});
     return true;
   }
   tellFailure(tr("%1 cannot be written: save it elsewhere")

@@ -122,7 +122,7 @@ void CommandPalette::refill() {
     if (!action->isEnabled()) item->setFlags(Qt::NoItemFlags);
   }
   if (list_->count() == 0) { // none can be chosen
-    auto* none = new QListWidgetItem(tr("No command is called so"), list_);
+    auto* none = new QListWidgetItem(tr("No command has this name"), list_);
     none->setFlags(Qt::NoItemFlags);
     return;
   }

@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <cmath>
 
 namespace espalier {
@@ -14,7 +15,8 @@ std::optional<double> secondsLeft(double elapsed, double fraction) {
 QString describeTimeLeft(std::optional<double> seconds) {
   if (!seconds) return {};
   if (*seconds < 90)
-    return QCoreApplication::translate("jobs", "about %1 s left").arg(std::ceil(*seconds));
+    return QCoreApplication::translate("jobs", "about %1 s left")
+        .arg(std::max(1.0, std::ceil(*seconds)));
   return QCoreApplication::translate("jobs", "about %1 min left").arg(std::round(*seconds / 60));
 }
 

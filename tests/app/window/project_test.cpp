@@ -45,7 +45,7 @@ TEST_F(ProjectWindowTest, SaysThatEverythingIsSavedOnSave) {
   open({writeFork("fork.mtg")});
   saveProject("plant.espalier");
   key(Qt::Key_S, Qt::ControlModifier);
-  EXPECT_EQ(message(), "Everything is saved");
+  EXPECT_EQ(message(), "Everything is saved in plant.espalier");
 }
 
 TEST_F(ProjectWindowTest, FindsAProjectSavedByAKilledProgram) {

@@ -17,6 +17,7 @@ TEST(TimeLeft, IsNotGuessedTooEarly) {
 
 TEST(TimeLeft, IsToldInWholeSecondsOrMinutes) {
   EXPECT_EQ(describeTimeLeft(11.2), "about 12 s left");
+  EXPECT_EQ(describeTimeLeft(0), "about 1 s left");
   EXPECT_EQ(describeTimeLeft(200), "about 3 min left");
   EXPECT_EQ(describeTimeLeft(std::nullopt), "");
 }

@@ -21,8 +21,9 @@ struct HullTest : test::ProjectWindowTest {
   }
   /// The volume that a node has as its feature.
   double volumeOf(NodeId id) {
-    for (const FeatureValue& value : document().skeleton()[id].entities.back().values)
-      if (value.feature == "hull_volume") return std::stod(value.text);
+    for (const Entity& entity : document().skeleton()[id].entities)
+      for (const FeatureValue& value : entity.values)
+        if (value.feature == "hull_volume") return std::stod(value.text);
     return 0;
   }
   void wrap(NodeId id) {

@@ -77,7 +77,7 @@ bool isDoneAlready(const Batch& batch, const BatchPlant& plant, const BatchSumma
 }
 
 void describe(const PointCloud& cloud, const Reconstruction& result, BatchResult& row) {
-  const Skeleton& skeleton = result.skeleton;
+  const Skeleton& skeleton = *result.skeleton;
   std::size_t tips = 0;
   double rootRadius = 0;
   for (const NodeId id : skeleton.ids()) {
@@ -122,11 +122,11 @@ void reconstruct(const Batch& batch, const BatchPlant& plant, const Progress& pr
   });
   describe(*cloud, result, row);
   if (isJudged)
-    judge(result.skeleton, plant.reference, result.scale.spacing, progress.part(0.8, 1, "Compare"),
+    judge(*result.skeleton, plant.reference, result.scale.spacing, progress.part(0.8, 1, "Compare"),
           row);
   progress.check();
   requireOutput(batch.output(plant).string(), {plant.scan.string()});
-  writeStructure(batch.output(plant), {.skeleton = result.skeleton}, batch.mtgStyle);
+  writeStructure(batch.output(plant), {.skeleton = *result.skeleton}, batch.mtgStyle);
 }
 
 /// What comes of a plant, whatever happens. @throws Cancelled if `progress` asks to stop

@@ -32,8 +32,8 @@ void writeStatistics(const PipelineFlags& flags, const PointCloud& cloud,
       {"scan", flags.scan},
       {"unit", flags.unit.empty() ? nlohmann::json(nullptr) : nlohmann::json(flags.unit)},
       {"cloud", statistics(cloud)}};
-  if (!result.skeleton.isEmpty()) json["skeleton"] = statistics(result.skeleton);
-  json["quality"] = statistics(qualityOf(cloud, result, options), !result.skeleton.isEmpty());
+  if (!result.skeleton->isEmpty()) json["skeleton"] = statistics(*result.skeleton);
+  json["quality"] = statistics(qualityOf(cloud, result, options), !result.skeleton->isEmpty());
   json.update(statistics(result, terminal.stageSeconds()));
   writeAtomically(flags.json, [&](std::ostream& out) { out << json.dump(2) << '\n'; });
 }
@@ -53,7 +53,7 @@ void run(const PipelineFlags& flags, const Task& task) {
   terminal.check();
   terminal.clear();
   if (task.content == Content::structure)
-    writeAndTell(flags.output, {.skeleton = result.skeleton}, flags.mtgStyle, flags.unit);
+    writeAndTell(flags.output, {.skeleton = *result.skeleton}, flags.mtgStyle, flags.unit);
   else
     writeAndTell(flags.output, *cloud, *result.contracted);
   writeStatistics(flags, *cloud, options, result, terminal);

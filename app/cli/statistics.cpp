@@ -100,7 +100,7 @@ Json statistics(const Reconstruction& reconstruction,
     steps.push_back(std::move(step));
   }
   Json sources = {{"measured", 0}, {"fused", 0}, {"modeled", 0}};
-  for (const NodeId id : reconstruction.skeleton.ids()) {
+  for (const NodeId id : reconstruction.skeleton->ids()) {
     if (indexOf(id) >= reconstruction.radiusSources.size()) break;
     const RadiusSource source = reconstruction.radiusSources[indexOf(id)];
     const char* name = source == RadiusSource::measured ? "measured"

@@ -88,7 +88,7 @@ Json rowOf(const SweepResult& result, const Option& option, const PointCloud& cl
     return row;
   }
   row["quality"] = statistics(qualityOf(cloud, result.reconstruction, options), true);
-  if (reference) row["scores"] = scoresOf(result.reconstruction.skeleton, *reference);
+  if (reference) row["scores"] = scoresOf(*result.reconstruction.skeleton, *reference);
   return row;
 }
 

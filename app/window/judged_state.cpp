@@ -34,7 +34,7 @@ ContractionQuality qualityIn(const Outcome& outcome, const PointCloud& cloud, do
   if (!outcome.scanned) {
     Reconstruction made;
     made.contracted = outcome.contracted;
-    made.skeleton = *outcome.skeleton;
+    made.skeleton = outcome.skeleton;
     made.scale.spacing = spacing;
     return qualityOf(cloud, made, outcome.options, progress);
   }

@@ -207,7 +207,7 @@ void PreviewFlow::askAll() {
         Outcome outcome{.options = options,
                         .contracted = made.contracted,
                         .scanned = nullptr,
-                        .skeleton = std::make_shared<const Skeleton>(made.skeleton),
+                        .skeleton = made.skeleton,
                         .within = std::nullopt,
                         .quality = nullptr};
         outcome.quality =

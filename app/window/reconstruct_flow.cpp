@@ -43,7 +43,7 @@ void ReconstructFlow::start(const PipelineOptions& options, const Step* last) {
       },
       [this, elapsed, last, options](const Reconstruction& result) {
         show(result, last, static_cast<double>(elapsed.elapsed()) / 1000);
-        if (!result.skeleton.isEmpty())
+        if (!result.skeleton->isEmpty())
           setRun(Run{options, last != nullptr ? last->name : std::string(),
                      document_.step(document_.undoStack().index() - 1).time});
       });
@@ -104,12 +104,12 @@ void ReconstructFlow::refreshUsed() {
 void ReconstructFlow::show(const Reconstruction& result, const Step* last, double seconds) {
   const QString time = seconds < 0.1 ? tr("less than 0.1") : numberText(seconds, 1);
   const std::string end = last != nullptr ? last->name : std::string();
-  if (last != nullptr && result.skeleton.isEmpty()) {
+  if (last != nullptr && result.skeleton->isEmpty()) {
     document_.contract(QString::fromStdString(last->label), result.contracted);
     emit done(tr("%1 done in %2 s").arg(QString::fromStdString(last->label), time), end);
     return;
   }
-  document_.reconstruct(tr("Reconstruct"), result.skeleton, result.contracted);
+  document_.reconstruct(tr("Reconstruct"), *result.skeleton, result.contracted);
   emit done(
       tr("%1 nodes reconstructed in %2 s").arg(formatCount(document_.skeleton().size()), time),
       end);

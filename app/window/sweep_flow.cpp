@@ -226,7 +226,7 @@ void SweepFlow::runNext() {
         const Outcome outcome{.options = options,
                               .contracted = made.contracted,
                               .scanned = nullptr,
-                              .skeleton = std::make_shared<const Skeleton>(made.skeleton),
+                              .skeleton = made.skeleton,
                               .within = std::nullopt,
                               .quality = nullptr};
         return std::pair(outcome, judged(outcome, *cloud, spacing, reference.get(), comparing,

@@ -73,7 +73,7 @@ Skeleton grownPart(const PointCloud& cloud, const std::vector<Eigen::Index>& poi
   const auto own = std::make_shared<const PointCloud>(std::move(raw));
   PipelineOptions fixed = fixedOptions(options, whole, scaleOf(*own, options.up));
   fixed.root = root;
-  return Pipeline().run(own, fixed, progress).skeleton;
+  return *Pipeline().run(own, fixed, progress).skeleton;
 }
 
 Skeleton hungOn(const Node& node, const Skeleton& grown) {

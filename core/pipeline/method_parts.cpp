@@ -87,7 +87,7 @@ void reconstructKept(
   Skeleton local = reconstruct(points, behindRoot - kept.begin() - 1);
   for (const NodeId id : local.ids())
     local.setPosition(id, local[id].position + state.cloud->origin());
-  state.skeleton = std::move(local);
+  state.setSkeleton(std::move(local));
 }
 
 std::vector<float> scannedDensities(const Eigen::Matrix3Xf& points, const Progress& progress) {

@@ -19,8 +19,9 @@ struct StepRecord {
 
 struct Reconstruction {
   std::shared_ptr<const Eigen::Matrix3Xf> contracted; // by point, about the origin of the cloud
-  Skeleton skeleton;                                  // frame of the file
-  std::vector<RadiusSource> radiusSources;            // by id; empty without the last step
+  /// In the frame of the file; the pipeline keeps it, too.
+  std::shared_ptr<const Skeleton> skeleton = std::make_shared<const Skeleton>();
+  std::vector<RadiusSource> radiusSources; // by id; empty without the last step
   PlantScale scale;
   std::vector<StepRecord> steps;
 };

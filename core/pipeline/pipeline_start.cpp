@@ -17,7 +17,6 @@ PipelineState firstState(const std::shared_ptr<const PointCloud>& cloud, const P
           .isLeftOut = std::move(isLeftOut),
           .contracted = {cloud, &cloud->positions()}, // of the cloud: no copy
           .root = 0,
-          .skeleton = {},
           .radiusSources = {}};
 }
 

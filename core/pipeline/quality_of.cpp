@@ -17,9 +17,9 @@ ContractionQuality qualityOf(const PointCloud& cloud, const Reconstruction& resu
                                    : Eigen::Vector3f(points.col(findRoot(points, options.up)));
   const ContractionQualityOptions how{.spacing = result.scale.spacing, .root = root};
   ContractionQuality quality =
-      result.skeleton.isEmpty()
+      result.skeleton->isEmpty()
           ? contractionQuality(points, contracted, how, progress)
-          : contractionQuality(points, contracted, result.skeleton, cloud.origin(), how, progress);
+          : contractionQuality(points, contracted, *result.skeleton, cloud.origin(), how, progress);
   for (std::vector<float>* ofKept : {&quality.thicknesses, &quality.residuals}) {
     std::vector<float> byPoint(static_cast<std::size_t>(cloud.size()),
                                std::numeric_limits<float>::quiet_NaN());

@@ -34,14 +34,16 @@ template <class Options> void addBranchShare(OptionTable<Options>& table, double
 /// Gives the nodes these radii [L], by id, none thicker than its parent.
 void setRadii(PipelineState& state, std::vector<double> radii, std::vector<RadiusSource> sources,
               double branchShare = 1) {
-  radii = limitedRadii(state.skeleton, std::move(radii), branchShare);
-  for (const NodeId id : state.skeleton.ids())
-    state.skeleton.setRadius(id, radii[indexOf(id)]);
+  radii = limitedRadii(*state.skeleton, std::move(radii), branchShare);
+  Skeleton skeleton = *state.skeleton;
+  for (const NodeId id : skeleton.ids())
+    skeleton.setRadius(id, radii[indexOf(id)]);
+  state.setSkeleton(std::move(skeleton));
   state.radiusSources = std::move(sources);
 }
 
 std::vector<RadiusSource> allModeled(const PipelineState& state) {
-  return std::vector<RadiusSource>(state.skeleton.idEnd(), RadiusSource::modeled);
+  return std::vector<RadiusSource>(state.skeleton->idEnd(), RadiusSource::modeled);
 }
 
 /// Radii of nodes that are measured; the others follow from those next to them.
@@ -49,11 +51,11 @@ void setMeasured(PipelineState& state, const std::vector<double>& radii, double 
   std::vector<RadiusSource> sources = allModeled(state);
   for (std::size_t i = 0; i < radii.size(); ++i)
     if (radii[i] > 0) sources[i] = RadiusSource::measured;
-  setRadii(state, interpolatedRadii(state.skeleton, radii), std::move(sources), branchShare);
+  setRadii(state, interpolatedRadii(*state.skeleton, radii), std::move(sources), branchShare);
 }
 
 std::vector<double> meanDistances(const PipelineState& state, const Progress& progress) {
-  return meanPointDistances(state.skeleton, keptPositions(state), state.cloud->origin(), progress);
+  return meanPointDistances(*state.skeleton, keptPositions(state), state.cloud->origin(), progress);
 }
 
 Method assignedMethod(std::string name, std::string label, std::string help,
@@ -68,8 +70,8 @@ Method assignedMethod(std::string name, std::string label, std::string help,
           .run = [table, measure](PipelineState& state, const Values& values,
                                   const Progress& progress) {
             const Eigen::Matrix3Xf kept = keptPositions(state);
-            const AssignedPoints points(state.skeleton, kept, state.cloud->origin(), progress);
-            setMeasured(state, assignedRadii(state.skeleton, points, measure),
+            const AssignedPoints points(*state.skeleton, kept, state.cloud->origin(), progress);
+            setMeasured(state, assignedRadii(*state.skeleton, points, measure),
                         table.with(values).branchShare);
           }};
 }
@@ -125,12 +127,12 @@ Method cylinderMethod() {
           .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
             const CylinderMethodOptions options = table.with(values);
             const Eigen::Matrix3Xf kept = keptPositions(state);
-            const AssignedPoints points(state.skeleton, kept, state.cloud->origin(),
+            const AssignedPoints points(*state.skeleton, kept, state.cloud->origin(),
                                         progress.part(0, 0.5));
             const CylinderOptions cylinders = options.cylinders(state, progress);
             std::vector<double> radii;
             for (const MeasuredRadius& each : cylinderRadii(
-                     cylindersAbout(state.skeleton, points, cylinders, progress.part(0.5, 1)),
+                     cylindersAbout(*state.skeleton, points, cylinders, progress.part(0.5, 1)),
                      cylinders.spacing))
               radii.push_back(each.radius);
             setMeasured(state, radii, options.branchShare);
@@ -188,18 +190,18 @@ Method fusedMethod() {
         const Options options = table.with(values);
         const CylinderOptions cylinders = options.cylinders(state, progress);
         const Eigen::Matrix3Xf kept = keptPositions(state);
-        const AssignedPoints points(state.skeleton, kept, state.cloud->origin(),
+        const AssignedPoints points(*state.skeleton, kept, state.cloud->origin(),
                                     progress.part(0, 0.5));
         const auto fitted =
-            cylindersAbout(state.skeleton, points, cylinders, progress.part(0.5, 1));
+            cylindersAbout(*state.skeleton, points, cylinders, progress.part(0.5, 1));
         const double error = pointError(fitted);
         const std::vector<MeasuredRadius> measured =
-            withThinRadii(state.skeleton, points,
+            withThinRadii(*state.skeleton, points,
                           cylinderRadii(withoutScattered(fitted, error), cylinders.spacing), error);
         FusionOptions fusion{.axisStep = options.axisStep, .branchStep = options.branchStep};
         const std::vector<double> model =
-            modelOf(state.skeleton, points, measured, cylinders.spacing, fusion.modelSpread);
-        SourcedRadii result = fusedRadii(state.skeleton, measured, model, fusion);
+            modelOf(*state.skeleton, points, measured, cylinders.spacing, fusion.modelSpread);
+        SourcedRadii result = fusedRadii(*state.skeleton, measured, model, fusion);
         setRadii(state, std::move(result.radii), std::move(result.sources), options.branchShare);
       }};
 }
@@ -212,8 +214,8 @@ Method nodeCountPipeMethod() {
           .source = thesis,
           .options = {},
           .run = [](PipelineState& state, const Values&, const Progress& progress) {
-            state.skeleton = withNodeCountPipeRadii(
-                state.skeleton, pipeEndRadii(state.skeleton, meanDistances(state, progress)));
+            state.setSkeleton(withNodeCountPipeRadii(
+                *state.skeleton, pipeEndRadii(*state.skeleton, meanDistances(state, progress))));
             state.radiusSources = allModeled(state);
           }};
 }
@@ -227,10 +229,10 @@ Method lengthPipeMethod() {
           .options = {},
           .run = [](PipelineState& state, const Values&, const Progress& progress) {
             const NodeCountPipeOptions ends =
-                pipeEndRadii(state.skeleton, meanDistances(state, progress));
+                pipeEndRadii(*state.skeleton, meanDistances(state, progress));
             const LengthPipeModel model =
-                lengthPipeThrough(state.skeleton, ends.rootRadius, ends.apexRadius);
-            setRadii(state, radiiOf(state.skeleton, model), allModeled(state));
+                lengthPipeThrough(*state.skeleton, ends.rootRadius, ends.apexRadius);
+            setRadii(state, radiiOf(*state.skeleton, model), allModeled(state));
           }};
 }
 
@@ -256,12 +258,12 @@ Method averagePipeMethod() {
           .options = table.descriptions(),
           .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
             const Eigen::Matrix3Xf kept = keptPositions(state);
-            const AssignedPoints points(state.skeleton, kept, state.cloud->origin(), progress);
+            const AssignedPoints points(*state.skeleton, kept, state.cloud->origin(), progress);
             double sum = 0;
             for (Eigen::Index i = 0; i < kept.cols(); ++i)
               sum += points.distance(static_cast<std::uint32_t>(i));
             const double mean = sum / static_cast<double>(kept.cols());
-            setRadii(state, averagePipeRadii(state.skeleton, mean, table.with(values).exponent),
+            setRadii(state, averagePipeRadii(*state.skeleton, mean, table.with(values).exponent),
                      allModeled(state));
           }};
 }

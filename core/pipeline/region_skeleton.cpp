@@ -61,7 +61,6 @@ PipelineState stateOf(const std::vector<Eigen::Index>& points, const PipelineSta
           .contracted =
               std::make_shared<const Eigen::Matrix3Xf>((*region.contracted)(Eigen::all, points)),
           .root = nearest - points.begin(),
-          .skeleton = {},
           .radiusSources = {}};
 }
 
@@ -100,7 +99,7 @@ Skeleton skeletonOfRegion(const PipelineState& region, const std::vector<float>&
   const std::vector<PartStep> steps = partSteps(options, scale);
   const std::vector<std::vector<Eigen::Index>> parts =
       partsOf(region, scale.spacing, progress.part(0, 0.1));
-  std::vector<Skeleton> skeletons(parts.size());
+  std::vector<std::shared_ptr<const Skeleton>> skeletons(parts.size()); // none where one failed
   std::vector<std::exception_ptr> failures(parts.size());
   const Progress stop = progress.part(0.1, 0.1); // the steps of parts tell when to stop alone
   const auto reconstruct = [&](Eigen::Index i) {
@@ -109,15 +108,15 @@ Skeleton skeletonOfRegion(const PipelineState& region, const std::vector<float>&
     try {
       for (const PartStep& step : steps)
         step.method->run(state, step.values, stop);
-      skeletons[part] = std::move(state.skeleton);
+      skeletons[part] = state.skeleton;
     } catch (const Error&) { // others may have a skeleton
       failures[part] = std::current_exception();
     }
   };
   parallelFor(static_cast<Eigen::Index>(parts.size()), reconstruct, progress.part(0.1, 1), 1);
   Skeleton result;
-  for (const Skeleton& skeleton : skeletons)
-    addInside(skeleton, ball, result);
+  for (const auto& skeleton : skeletons)
+    if (skeleton) addInside(*skeleton, ball, result);
   const auto failure = std::ranges::find_if(failures, [](const auto& one) { return !!one; });
   if (result.isEmpty() && failure != failures.end()) std::rethrow_exception(*failure);
   return result;

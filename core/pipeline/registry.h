@@ -23,10 +23,13 @@ struct PipelineState {
   std::vector<bool> isLeftOut;                        // by point: set aside, then cleaned
   std::shared_ptr<const Eigen::Matrix3Xf> contracted; // by point, about the origin of the cloud
   Eigen::Index root = 0;                              // a point
-  Skeleton skeleton;                                  // frame of the file
-  std::vector<RadiusSource> radiusSources;            // by id, once there are radii
+  /// In the frame of the file; states share it.
+  std::shared_ptr<const Skeleton> skeleton = std::make_shared<const Skeleton>();
+  std::vector<RadiusSource> radiusSources = {}; // by id, once there are radii
   /// Of the whole scan, if this is a part of one: for contractions that follow densities.
   std::optional<DensityRange> densityRange = {};
+
+  void setSkeleton(Skeleton made) { skeleton = std::make_shared<const Skeleton>(std::move(made)); }
 };
 
 /// One way to do a step.

@@ -53,7 +53,7 @@ Method joinMethod() {
           .source = "choice: R. E. Tarjan, Networks 7, 1977",
           .options = table.descriptions(),
           .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
-            state.skeleton = withJoinedGaps(state.skeleton, table.with(values), progress);
+            state.setSkeleton(withJoinedGaps(*state.skeleton, table.with(values), progress));
           }};
 }
 
@@ -103,7 +103,7 @@ Method insertionMethod() {
           .options = table.descriptions(),
           .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
             progress.check();
-            state.skeleton = withSlidInsertions(state.skeleton, table.with(values));
+            state.setSkeleton(withSlidInsertions(*state.skeleton, table.with(values)));
           }};
 }
 
@@ -128,9 +128,11 @@ Method evenMethod() {
           .options = table.descriptions(),
           .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
             progress.check();
-            SkeletonEditor editor(state.skeleton);
-            resample(editor, state.skeleton.ids(), table.with(values).length);
+            Skeleton skeleton = *state.skeleton;
+            SkeletonEditor editor(skeleton);
+            resample(editor, skeleton.ids(), table.with(values).length);
             (void)editor.commit();
+            state.setSkeleton(std::move(skeleton));
           }};
 }
 
@@ -153,7 +155,7 @@ Method simpleMethod() {
           .options = table.descriptions(),
           .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
             progress.check();
-            state.skeleton = withSimpleAxes(state.skeleton, table.with(values).length);
+            state.setSkeleton(withSimpleAxes(*state.skeleton, table.with(values).length));
           }};
 }
 
@@ -188,7 +190,7 @@ Method smoothMethod() {
           .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
             progress.check();
             const SmoothingOptions options = table.with(values);
-            state.skeleton = withSmoothAxes(state.skeleton, options.share, options.rounds);
+            state.setSkeleton(withSmoothAxes(*state.skeleton, options.share, options.rounds));
           }};
 }
 

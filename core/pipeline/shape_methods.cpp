@@ -36,7 +36,7 @@ Method spurMethod() {
           .source = {},
           .options = table.descriptions(),
           .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
-            state.skeleton = withoutSpurs(state.skeleton, table.with(values), progress);
+            state.setSkeleton(withoutSpurs(*state.skeleton, table.with(values), progress));
           }};
 }
 
@@ -71,7 +71,7 @@ Method heaviestMethod() {
           .options = table.descriptions(),
           .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
             progress.check();
-            state.skeleton = withAssembledAxes(state.skeleton, table.with(values));
+            state.setSkeleton(withAssembledAxes(*state.skeleton, table.with(values)));
           }};
 }
 
@@ -105,11 +105,11 @@ Method weighedMethod() {
           .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
             const AxisOptions options = table.with(values);
             const std::vector<double> radii =
-                options.thickness > 0 ? meanPointDistances(state.skeleton, keptPositions(state),
+                options.thickness > 0 ? meanPointDistances(*state.skeleton, keptPositions(state),
                                                            state.cloud->origin(), progress)
                                       : std::vector<double>();
             progress.check();
-            state.skeleton = withAssembledAxes(state.skeleton, options, radii);
+            state.setSkeleton(withAssembledAxes(*state.skeleton, options, radii));
           }};
 }
 
@@ -159,8 +159,8 @@ Method recenterMethod() {
       .source = "circle: G. Taubin, IEEE PAMI 13, 1991",
       .options = table.descriptions(),
       .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
-        state.skeleton = recentered(state.skeleton, keptPositions(state), state.cloud->origin(),
-                                    table.with(values), progress);
+        state.setSkeleton(recentered(*state.skeleton, keptPositions(state), state.cloud->origin(),
+                                     table.with(values), progress));
       }};
 }
 
@@ -216,14 +216,14 @@ Method cylinderRecenterMethod() {
           .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
             const Options chosen = table.with(values);
             const Eigen::Matrix3Xf kept = keptPositions(state);
-            state.skeleton =
-                recenteredOnCylinders(state.skeleton, kept, state.cloud->origin(),
+            state.setSkeleton(
+                recenteredOnCylinders(*state.skeleton, kept, state.cloud->origin(),
                                       {.rounds = chosen.rounds,
                                        .smoothing = chosen.smoothing,
                                        .cylinders = {.leastCoverage = chosen.leastCoverage,
                                                      .length = chosen.length,
                                                      .spacing = pointSpacing(kept, progress)}},
-                                      progress);
+                                      progress));
           }};
 }
 
@@ -234,8 +234,8 @@ Method endsMethod() {
           .source = {},
           .options = {},
           .run = [](PipelineState& state, const Values&, const Progress& progress) {
-            state.skeleton = withExtendedEnds(state.skeleton, keptPositions(state),
-                                              state.cloud->origin(), progress);
+            state.setSkeleton(withExtendedEnds(*state.skeleton, keptPositions(state),
+                                               state.cloud->origin(), progress));
           }};
 }
 

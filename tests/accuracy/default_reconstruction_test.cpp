@@ -15,7 +15,7 @@ namespace espalier {
 namespace {
 
 Skeleton reconstructed(const std::filesystem::path& scan) {
-  return Pipeline().run(std::make_shared<const PointCloud>(readPoints(scan).value)).skeleton;
+  return *Pipeline().run(std::make_shared<const PointCloud>(readPoints(scan).value)).skeleton;
 }
 
 /// F within `distance` [L] of the reference.
@@ -88,7 +88,7 @@ TEST(DefaultReconstruction, OfASimulatedTreeAgreesWithItsTruth) {
   const Reconstruction result =
       Pipeline().run(std::make_shared<const PointCloud>(plant.scan.points));
   const double near = 4 * result.scale.spacing;
-  const Comparison comparison = compare(result.skeleton, plant.truth,
+  const Comparison comparison = compare(*result.skeleton, plant.truth,
                                         {.registers = false, .tolerance = {.distances = {near}}});
   EXPECT_GE(comparison.authors.geometric, 0.85);
   EXPECT_GE(comparison.authors.structural, 0.75);

@@ -154,7 +154,7 @@ Score scoreOf(const Row& row, const Plant& plant) {
   Score score;
   score.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   const Comparison comparison =
-      compare(result.skeleton, plant.truth,
+      compare(*result.skeleton, plant.truth,
               {.registers = false, .tolerance = {.distances = {4 * spacing}}});
   score.geometric = comparison.authors.geometric;
   score.structural = comparison.authors.structural;
@@ -162,7 +162,7 @@ Score scoreOf(const Row& row, const Plant& plant) {
   score.recall = comparison.tolerance.scores.front().recall;
   score.f = comparison.tolerance.scores.front().f();
   score.axis = comparison.architecture.sameAxis;
-  score.radii = judgedRadii(result.skeleton, plant.truth, *plant.cloud, spacing);
+  score.radii = judgedRadii(*result.skeleton, plant.truth, *plant.cloud, spacing);
   const RadiusErrors all = errorsOf(score.radii, {});
   score.radiusError = all.median;
   score.radiusBias = all.signedMedian;

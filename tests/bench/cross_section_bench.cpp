@@ -36,7 +36,7 @@ struct Plant {
 const Plant* simulated() {
   static const Plant plant = [] {
     RawPoints raw = scan(growPlant({.segments = 2000}, 1), {.points = 100'000}, 1).points;
-    Skeleton skeleton = Pipeline().run(std::make_shared<const PointCloud>(raw)).skeleton;
+    Skeleton skeleton = *Pipeline().run(std::make_shared<const PointCloud>(raw)).skeleton;
     return Plant(PointCloud(std::move(raw)), std::move(skeleton));
   }();
   return &plant;

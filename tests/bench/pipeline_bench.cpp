@@ -44,7 +44,7 @@ struct Workpiece {
     const Reconstruction result = Pipeline().run(cloud);
     spacing = result.scale.spacing;
     contracted = *result.contracted;
-    skeleton = result.skeleton;
+    skeleton = *result.skeleton;
   }
   [[nodiscard]] const Eigen::Matrix3Xf& positions() const { return cloud->positions(); }
 };

@@ -32,7 +32,7 @@ void timeMethod(benchmark::State& state, const std::string& method) {
     (void)pipeline.run(cloud, options, {}, "contract");
     state.ResumeTiming();
     const Reconstruction result = pipeline.run(cloud, options, {}, "skeleton");
-    benchmark::DoNotOptimize(result.skeleton.size());
+    benchmark::DoNotOptimize(result.skeleton->size());
   }
   state.counters["points"] = static_cast<double>(cloud->size());
 }

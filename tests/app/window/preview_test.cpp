@@ -83,7 +83,7 @@ TEST_F(PreviewTest, FollowsAKnobAndIsTheRealRunBitForBit) {
   Pipeline pipeline;
   const Reconstruction real = pipeline.run(document().scan()->cloud(), panel().options());
   EXPECT_EQ(*preview.contracted, *real.contracted);
-  EXPECT_EQ(*preview.skeleton, real.skeleton);
+  EXPECT_EQ(*preview.skeleton, *real.skeleton);
   key(Qt::Key_R, Qt::ControlModifier);
   waitForJob();
   EXPECT_FALSE(shown()) << "it is the plant now";

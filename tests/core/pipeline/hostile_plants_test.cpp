@@ -124,7 +124,7 @@ TEST_P(EveryMethod, MakesAForestOfAnyScanOrSaysWhyNot) {
     SCOPED_TRACE(name);
     const auto cloud = cloudOf(points);
     try {
-      expectSensible(Pipeline().run(cloud, options).skeleton, *cloud);
+      expectSensible(*Pipeline().run(cloud, options).skeleton, *cloud);
     } catch (const Error& error) {
       EXPECT_GT(std::string(error.what()).size(), 20U) << error.what();
       EXPECT_LT(points.cols(), 10) << "a scan of this size has something to find: " << error.what();
@@ -146,7 +146,7 @@ INSTANTIATE_TEST_SUITE_P(HostilePlants, EveryMethod, testing::ValuesIn(everyMeth
                          });
 
 Skeleton reconstructed(const Points& points) {
-  return Pipeline().run(cloudOf(points, {0, 0, 0})).skeleton;
+  return *Pipeline().run(cloudOf(points, {0, 0, 0})).skeleton;
 }
 
 std::size_t countTips(const Skeleton& skeleton) {
@@ -178,7 +178,7 @@ TEST(HostilePlants, TwoPlantsAreOneTreeUnlessTheGapIsTooWide) {
   EXPECT_EQ(countTips(joined), 4U);
   PipelineOptions options;
   options.set("skeleton.widest_gap=1");
-  const Skeleton alone = Pipeline().run(cloudOf(twoPlants(), {0, 0, 0}), options).skeleton;
+  const Skeleton alone = *Pipeline().run(cloudOf(twoPlants(), {0, 0, 0}), options).skeleton;
   EXPECT_EQ(alone.roots().size(), 1U);
   EXPECT_EQ(countTips(alone), 2U) << "what cannot be reached from the root is left out";
 }

@@ -37,7 +37,7 @@ struct EveryMethodInvariance : testing::TestWithParam<std::pair<std::string, std
   void SetUp() override { options.methods[GetParam().first] = GetParam().second; }
 
   Skeleton of(const Points& points) const {
-    return Pipeline().run(test::cloudOf(points, {0, 0, 0}), options).skeleton;
+    return *Pipeline().run(test::cloudOf(points, {0, 0, 0}), options).skeleton;
   }
   const Skeleton& plain() {
     if (plain_.isEmpty()) plain_ = of(herb());

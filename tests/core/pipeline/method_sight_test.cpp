@@ -112,7 +112,7 @@ TEST_F(Sights, ShowTheConesOfTheTrackerAtTheNearestNode) {
   const MethodSights all = sights();
   const Eigen::Vector3f middle = (Eigen::Vector3d(500, 600, 701) - cloud->origin()).cast<float>();
   const Eigen::Index point = nearestPoint(cloud->positions(), middle);
-  const std::vector<SightCone> cones = all.at(point, result.skeleton).cones;
+  const std::vector<SightCone> cones = all.at(point, *result.skeleton).cones;
   ASSERT_EQ(cones.size(), 9U) << "one ahead, 8 at 45 degrees to it";
   EXPECT_GT(cones.front().direction.z(), 0.9) << "ahead is up the trunk";
   for (const SightCone& cone : cones) {

@@ -98,10 +98,10 @@ TEST(Preset, OfTheThesisFollowsAForkInAnyUnit) {
   for (const float unit : {1.0F, 1000.0F}) {
     const Reconstruction plant =
         Pipeline().run(test::cloudOf(unit * test::forkCloud(), {0, 0, 0}), options);
-    EXPECT_EQ(plant.skeleton.roots().size(), 1U);
-    const std::vector<NodeId> ids = plant.skeleton.ids();
+    EXPECT_EQ(plant.skeleton->roots().size(), 1U);
+    const std::vector<NodeId> ids = plant.skeleton->ids();
     const auto tips =
-        std::ranges::count_if(ids, [&](NodeId id) { return plant.skeleton.children(id).empty(); });
+        std::ranges::count_if(ids, [&](NodeId id) { return plant.skeleton->children(id).empty(); });
     EXPECT_GE(tips, 2) << "two arms";
     EXPECT_LE(tips, 3) << "and a spur at most";
     for (const StepRecord& step : plant.steps) {

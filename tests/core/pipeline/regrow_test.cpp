@@ -62,7 +62,7 @@ TEST(Regrow, BringsBackASubtreeAsWellAsAWholeReconstructionDoes) {
   for (const NodeId child : tree.truth.children(branch))
     pruned = without(std::move(pruned), child);
 
-  const Skeleton whole = Pipeline().run(cloud).skeleton;
+  const Skeleton whole = *Pipeline().run(cloud).skeleton;
   const double distance = 3 * pointSpacing(cloud->positions());
   const double reached = lengthShareFound(whole, tree.truth, distance);
   const Skeleton grown = regrown(pruned, branch, cloud);
@@ -129,7 +129,7 @@ TEST(Regrow, FindsBothArmsAboveATrunk) {
 }
 
 TEST(Regrow, IsRefusedWhereThePlantExplainsAllPoints) {
-  const Skeleton plant = Pipeline().run(forkCloud()).skeleton;
+  const Skeleton plant = *Pipeline().run(forkCloud()).skeleton;
   const std::vector<NodeId> ids = plant.ids();
   const NodeId tip =
       *std::ranges::find_if(ids, [&](NodeId id) { return plant.children(id).empty(); });
@@ -137,7 +137,7 @@ TEST(Regrow, IsRefusedWhereThePlantExplainsAllPoints) {
 }
 
 TEST(Regrow, StopsWhenAsked) {
-  const Skeleton plant = Pipeline().run(forkCloud()).skeleton;
+  const Skeleton plant = *Pipeline().run(forkCloud()).skeleton;
   EXPECT_TRUE(test::stopsWhenAsked([&](const Progress& progress) {
     (void)regrown(plant, plant.roots().front(), forkCloud(), {}, progress);
   }));

@@ -31,7 +31,7 @@ protected:
     RawPoints raw;
     for (Eigen::Index i = 0; i < points.cols(); ++i)
       raw.positions.emplace_back(points.col(i).cast<double>());
-    return Pipeline().run(std::make_shared<const PointCloud>(std::move(raw)), with).skeleton;
+    return *Pipeline().run(std::make_shared<const PointCloud>(std::move(raw)), with).skeleton;
   }
   [[nodiscard]] static Skeleton of(const Eigen::Matrix3Xf& points) { return of(points, options()); }
 };
@@ -212,10 +212,10 @@ TEST_P(SkeletonMethods, FollowTurningAndOtherUnits) {
 TEST_P(SkeletonMethods, AreTheSameOnAnyNumberOfThreads) {
   const auto cloud =
       std::make_shared<const PointCloud>(test::simulatedTree().cloud); // grows widely
-  const Skeleton onAll = Pipeline().run(cloud, options(), {}, "skeleton").skeleton;
+  const Skeleton onAll = *Pipeline().run(cloud, options(), {}, "skeleton").skeleton;
   for (const int threads : {1, 2, 4}) {
     const ThreadLimit limit(threads);
-    EXPECT_EQ(Pipeline().run(cloud, options(), {}, "skeleton").skeleton, onAll) << threads;
+    EXPECT_EQ(*Pipeline().run(cloud, options(), {}, "skeleton").skeleton, onAll) << threads;
   }
 }
 
@@ -223,8 +223,8 @@ TEST_P(SkeletonMethods, FindMostOfASimulatedTree) {
   const test::SimulatedPlant& tree = test::simulatedTree();
   const auto cloud = std::make_shared<const PointCloud>(tree.cloud);
   const Reconstruction result = Pipeline().run(cloud, options());
-  EXPECT_GT(agreement(result.skeleton, tree.truth, 4 * result.scale.spacing), 0.85);
-  const AuthorsComparison authors = authorsComparison(result.skeleton, tree.truth);
+  EXPECT_GT(agreement(*result.skeleton, tree.truth, 4 * result.scale.spacing), 0.85);
+  const AuthorsComparison authors = authorsComparison(*result.skeleton, tree.truth);
   EXPECT_GT(authors.geometric, 0.75);
   EXPECT_GT(authors.structural, 0.5);
 }
@@ -269,7 +269,7 @@ TEST_P(SkeletonMethods, StopWhenAsked) {
   const std::vector<double> values = resolvedValues(step, method, {}, scale);
   EXPECT_TRUE(
       test::stopsWhenAsked([&](const Progress& progress) { method.run(state, values, progress); }));
-  EXPECT_TRUE(state.skeleton.isEmpty());
+  EXPECT_TRUE(state.skeleton->isEmpty());
 }
 
 std::vector<std::string> names() {

@@ -108,7 +108,7 @@ TEST_F(StepsRun, AreThoseThatSeeTheRootOrTheHeightWithAnotherWayUp) {
 }
 
 TEST_F(StepsRun, AreNoneOnTheWayBackToOneOfFourChoices) {
-  const Skeleton first = pipeline.run(cloud, options).skeleton;
+  const Skeleton first = *pipeline.run(cloud, options).skeleton;
   for (const char* radius : {"0.11", "0.12", "0.13"}) {
     options.set(std::string("contract.radius=") + radius);
     EXPECT_EQ(run(), from("contract")) << radius;
@@ -116,7 +116,7 @@ TEST_F(StepsRun, AreNoneOnTheWayBackToOneOfFourChoices) {
   options = {};
   const Reconstruction again = pipeline.run(cloud, options);
   EXPECT_THAT(newSteps(again), IsEmpty());
-  EXPECT_EQ(again.skeleton, first);
+  EXPECT_EQ(*again.skeleton, first);
   options.leftOut = PointSet::firstOf(10);
   EXPECT_EQ(run(), from("clean"));
   options = {};

@@ -95,7 +95,7 @@ TEST_F(Sweeps, GiveWhatEachValueGives) {
   for (const SweepResult& result : results) {
     PipelineOptions own = options;
     own.settings["contract"]["radius"] = fixedAt(result.value);
-    EXPECT_EQ(result.reconstruction.skeleton, Pipeline().run(cloud, own).skeleton);
+    EXPECT_EQ(*result.reconstruction.skeleton, *Pipeline().run(cloud, own).skeleton);
     EXPECT_TRUE(result.failure.empty());
   }
   EXPECT_FALSE(results[1].reconstruction.steps[0].isNew) << "what lies before is computed once";
@@ -118,7 +118,7 @@ TEST_F(Sweeps, TellValuesThatFail) {
   sweep("skeleton", "widest_gap", {0.1, 0});
   ASSERT_EQ(results.size(), 2U);
   EXPECT_FALSE(results[0].failure.empty());
-  EXPECT_TRUE(results[0].reconstruction.skeleton.isEmpty());
+  EXPECT_TRUE(results[0].reconstruction.skeleton->isEmpty());
   EXPECT_TRUE(results[1].failure.empty()) << "the next value is tried";
 }
 

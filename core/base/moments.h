@@ -3,12 +3,14 @@
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 
+#include <utility>
+
 namespace espalier {
 
 /// Count, mean and spread of points, collected one by one about a place near them.
 class Moments {
 public:
-  explicit Moments(const Eigen::Vector3d& about = Eigen::Vector3d::Zero()) : about_(about) {}
+  explicit Moments(Eigen::Vector3d about = Eigen::Vector3d::Zero()) : about_(std::move(about)) {}
 
   void add(const Eigen::Vector3d& point) {
     const Eigen::Vector3d d = point - about_;

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace espalier {
@@ -67,8 +68,9 @@ private:
   struct Tree {
     Places places;
     Index index;
-    explicit Tree(const Places& own)
-        : places(own), index(3, places, nanoflann::KDTreeSingleIndexAdaptorParams(mostInLeaf)) {}
+    explicit Tree(Places own)
+        : places(std::move(own)),
+          index(3, places, nanoflann::KDTreeSingleIndexAdaptorParams(mostInLeaf)) {}
   };
   static constexpr std::size_t mostInLeaf = 12; // of nanoflann's: points
 

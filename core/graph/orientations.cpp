@@ -24,7 +24,7 @@ Moments linkedTo(const Eigen::Matrix3Xf& points, const NeighborhoodGraph& graph,
 
 Orientation orientationOf(const Moments& moments) {
   const auto components = moments.components();
-  const Eigen::Vector3d variances = components.eigenvalues();
+  const Eigen::Vector3d& variances = components.eigenvalues();
   if (!(variances[2] > 0)) return {};
   return {.direction = components.eigenvectors().col(2).cast<float>(),
           .linearity = static_cast<float>(

@@ -62,8 +62,7 @@ std::vector<Eigen::Index> keptPlaces(const PipelineState& state) {
   const auto isRepeated = [&](Eigen::Index a, Eigen::Index b) {
     return state.cloud->positions().col(a) == state.cloud->positions().col(b);
   };
-  const auto repeated = std::ranges::unique(places, isRepeated);
-  places.erase(repeated.begin(), repeated.end());
+  places.erase(std::unique(places.begin(), places.end(), isRepeated), places.end());
   return places;
 }
 

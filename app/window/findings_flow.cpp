@@ -2,6 +2,7 @@
 
 #include "app/window/action_set.h"
 #include "app/window/findings_text.h"
+#include "app/window/panel_dock.h"
 #include "core/skeleton/checks.h"
 #include "core/skeleton/checks_of_scan.h"
 #include "core/skeleton/own_points.h"
@@ -11,11 +12,7 @@
 #include "ui/view/plant_view.h"
 
 #include <QAction>
-#include <QDockWidget>
-#include <QEvent>
-#include <QMainWindow>
 #include <QMenu>
-#include <QSettings>
 
 #include <algorithm>
 #include <iterator>
@@ -36,17 +33,6 @@ FindingsFlow::FindingsFlow(const Parts& parts) : parts_(parts) {
   makePanel();
   connectParts();
   showAction();
-}
-
-void FindingsFlow::setPlantShown(bool isShown) {
-  isPlantShown_ = isShown;
-  refreshDock();
-}
-
-void FindingsFlow::resetLayout() {
-  dock_->setFloating(false);
-  placeDock();
-  parts_.actions["show_findings"]->setChecked(false);
 }
 
 void FindingsFlow::fillMenu(QMenu& menu) const {
@@ -84,17 +70,6 @@ void FindingsFlow::addActions() {
       QKeySequence(Qt::CTRL | Qt::Key_F4), [this] { toggleIgnored(); });
   add("select_findings", tr("All Findings"), tr("Selects the nodes of all findings of the checks"),
       {}, [this] { selectAll(); });
-  QAction* show = parts_.actions.add({.id = "show_findings",
-                                      .text = tr("Findings Panel"),
-                                      .help = tr("Shows or hides what the checks found"),
-                                      .keys = Qt::Key_F8,
-                                      .isCheckable = true},
-                                     {});
-  show->setChecked(parts_.settings.value("panels/show_findings", false).toBool());
-  connect(show, &QAction::toggled, this, [this](bool isShown) {
-    parts_.settings.setValue("panels/show_findings", isShown);
-    refreshDock();
-  });
 }
 
 void FindingsFlow::makePanel() {
@@ -102,11 +77,13 @@ void FindingsFlow::makePanel() {
   panel_ = new FindingsPanel(parts_.document, {.previous = at("previous_finding"),
                                                .next = at("next_finding"),
                                                .ignore = at("ignore_finding")});
-  dock_ = new QDockWidget(tr("Findings"), &parts_.window);
-  dock_->setObjectName("findings");
-  dock_->setWidget(panel_);
-  dock_->installEventFilter(this);
-  placeDock();
+  dock_ = new PanelDock({parts_.actions, parts_.settings, parts_.window},
+                        {.id = "findings",
+                         .title = tr("Findings"),
+                         .text = tr("Findings Panel"),
+                         .help = tr("Shows or hides what the checks found"),
+                         .keys = Qt::Key_F8},
+                        besideThePlant, panel_, this);
 }
 
 void FindingsFlow::connectParts() {
@@ -145,17 +122,15 @@ void FindingsFlow::connectParts() {
   });
   connect(&job_, &JobRunner::failed, this, &FindingsFlow::noted);
   connect(panel_, &FindingsPanel::chosen, this, &FindingsFlow::goTo);
+  connect(dock_, &PanelDock::shown, this, [this](bool isShown) {
+    parts_.distances.setWanted(ScanDistances::Use::findings, isShown);
+    if (isShown) refresh(); // nothing was checked while nobody looked
+  });
   connect(panel_, &FindingsPanel::currentChanged, this, &FindingsFlow::showAction);
 }
 
-bool FindingsFlow::eventFilter(QObject* watched, QEvent* event) {
-  if (watched == dock_ && event->type() == QEvent::Close)
-    parts_.actions["show_findings"]->setChecked(false);
-  return QObject::eventFilter(watched, event);
-}
-
 void FindingsFlow::later() {
-  if (!dock_->isHidden()) timer_.start();
+  if (dock_->isShown()) timer_.start();
 }
 
 void FindingsFlow::refresh() {
@@ -256,7 +231,7 @@ bool FindingsFlow::isIgnored(const Finding& finding) const {
 }
 
 void FindingsFlow::step(int by) {
-  parts_.actions["show_findings"]->setChecked(true);
+  dock_->bringToFront();
   if (timer_.isActive()) refresh();
   if (findings_.empty()) {
     noteNothing();
@@ -331,7 +306,7 @@ void FindingsFlow::showAction() {
 }
 
 void FindingsFlow::selectAll() {
-  parts_.actions["show_findings"]->setChecked(true);
+  dock_->bringToFront();
   if (timer_.isActive()) refresh();
   std::vector<NodeId> nodes;
   for (const Finding& finding : findings_)
@@ -340,22 +315,6 @@ void FindingsFlow::selectAll() {
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   parts_.document.selection().set(std::move(nodes));
   if (findings_.empty()) noteNothing();
-}
-
-void FindingsFlow::placeDock() {
-  parts_.window.addDockWidget(Qt::RightDockWidgetArea, dock_);
-  if (auto* inspector = parts_.window.findChild<QDockWidget*>("inspector"))
-    parts_.window.tabifyDockWidget(inspector, dock_);
-}
-
-void FindingsFlow::refreshDock() {
-  const bool isShown = isPlantShown_ && parts_.actions["show_findings"]->isChecked();
-  const bool isNew = isShown && dock_->isHidden();
-  dock_->setVisible(isShown);
-  parts_.distances.setWanted(ScanDistances::Use::findings, isShown);
-  if (!isNew) return;
-  dock_->raise();
-  refresh(); // nothing was checked while nobody looked
 }
 
 } // namespace espalier

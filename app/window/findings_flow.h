@@ -13,7 +13,6 @@
 #include <string>
 #include <vector>
 
-class QDockWidget;
 class QMainWindow;
 class QMenu;
 class QSettings;
@@ -22,6 +21,7 @@ namespace espalier {
 
 class ActionSet;
 class FindingsPanel;
+class PanelDock;
 class PlantDocument;
 class PlantView;
 
@@ -44,8 +44,7 @@ public:
   };
   explicit FindingsFlow(const Parts& parts);
 
-  void setPlantShown(bool isShown);
-  void resetLayout();
+  [[nodiscard]] PanelDock& dock() { return *dock_; }
   void fillMenu(QMenu& menu) const; // with what one does about findings
 
   /// Those that are not ignored, as they were last found.
@@ -75,7 +74,6 @@ private:
   void addActions();
   void makePanel();
   void connectParts();
-  bool eventFilter(QObject* watched, QEvent* event) override;
 
   void later();
   void refresh();
@@ -95,12 +93,10 @@ private:
   void toggleIgnored();
   void showAction();
   void selectAll();
-  void placeDock();
-  void refreshDock();
 
   Parts parts_;
   FindingsPanel* panel_ = nullptr;
-  QDockWidget* dock_ = nullptr;
+  PanelDock* dock_ = nullptr;
   QTimer timer_;
   JobRunner job_;
   bool isJobOutdated_ = false;
@@ -112,7 +108,6 @@ private:
   std::vector<Finding> findings_;
   std::vector<Finding> shownIgnored_; // that are still found
   std::vector<Finding> ignored_;      // all that one has ignored
-  bool isPlantShown_ = false;
 };
 
 } // namespace espalier

@@ -15,6 +15,7 @@
 #include "app/window/judge_flow.h"
 #include "app/window/key_hints.h"
 #include "app/window/node_table_flow.h"
+#include "app/window/panel_dock.h"
 #include "app/window/point_states.h"
 #include "app/window/points_flow.h"
 #include "app/window/preset_flow.h"
@@ -48,7 +49,6 @@
 
 #include <QAction>
 #include <QCloseEvent>
-#include <QDockWidget>
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QMenu>
@@ -73,10 +73,6 @@ static void useResources() {
 namespace espalier {
 namespace {
 
-// Together under a third of the width of a small screen.
-constexpr int pipelineWidth = 230;
-constexpr int inspectorWidth = 196;
-
 QStringList localFiles(const QMimeData& data) {
   QStringList paths;
   for (const QUrl& url : data.urls())
@@ -88,7 +84,8 @@ QStringList localFiles(const QMimeData& data) {
 
 MainWindow::MainWindow(QSettings& settings, QWidget* parent)
     : QMainWindow(parent), settings_(settings), recent_(std::make_unique<RecentFiles>(settings)),
-      actions_(std::make_unique<ActionSet>(*this)), status_(new StatusLine) {
+      actions_(std::make_unique<ActionSet>(*this)), status_(new StatusLine),
+      pipeline_(new PipelinePanel(document_)), inspector_(new InspectorPanel(document_)) {
   useResources();
   setObjectName("main_window");
   setWindowIcon(programIcon());
@@ -97,7 +94,6 @@ MainWindow::MainWindow(QSettings& settings, QWidget* parent)
   constexpr QSize frame(16, 48); // what the desktop puts around a window, about
   resize(QSize(1280, 800).boundedTo(screen()->availableSize() - frame));
   makeCenter();
-  makeDocks();
   statusBar()->addPermanentWidget(status_, 1);
   statusBar()->setSizeGripEnabled(false);
 
@@ -164,14 +160,6 @@ void MainWindow::dropEvent(QDropEvent* event) {
   if (!reference_->takesDropped(paths)) open(paths);
 }
 
-bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::Close) {
-    if (watched == pipelineDock_) (*actions_)["show_pipeline"]->setChecked(false);
-    if (watched == inspectorDock_) (*actions_)["show_inspector"]->setChecked(false);
-  }
-  return QMainWindow::eventFilter(watched, event);
-}
-
 void MainWindow::makeCenter() {
   auto* page = new QWidget(this);
   auto* layers = new QGridLayout(page);
@@ -199,26 +187,6 @@ void MainWindow::makeCenter() {
   setCentralWidget(page);
 }
 
-void MainWindow::makeDocks() {
-  pipeline_ = new PipelinePanel(document_);
-  inspector_ = new InspectorPanel(document_);
-  // Knobs stay in reach while what they do is judged below the view.
-  setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
-  const auto add = [this](const QString& name, const QString& title, QWidget* panel, int width,
-                          Qt::DockWidgetArea area) {
-    auto* dock = new QDockWidget(title, this);
-    dock->setObjectName(name);
-    dock->setWidget(panel);
-    dock->installEventFilter(this);
-    addDockWidget(area, dock);
-    resizeDocks({dock}, {width}, Qt::Horizontal);
-    return dock;
-  };
-  pipelineDock_ = add("pipeline", tr("Pipeline"), pipeline_, pipelineWidth, Qt::LeftDockWidgetArea);
-  inspectorDock_ =
-      add("inspector", tr("Inspector"), inspector_, inspectorWidth, Qt::RightDockWidgetArea);
-}
-
 void MainWindow::closePlant() {
   if (jobs_.isRunning()) jobs_.cancel();
   if (!files_->mayDiscard()) return;
@@ -242,11 +210,11 @@ void MainWindow::tellStep(int index) {
 
 void MainWindow::refreshDocks() {
   const bool hasPlant = center_->currentWidget() == views_; // panels that do not apply are absent
-  pipelineDock_->setVisible(hasPlant && (*actions_)["show_pipeline"]->isChecked());
-  inspectorDock_->setVisible(hasPlant && (*actions_)["show_inspector"]->isChecked());
-  review_->setPlantShown(hasPlant);
+  pipelineDock_->setPlantShown(hasPlant);
+  inspectorDock_->setPlantShown(hasPlant);
+  review_->dock().setPlantShown(hasPlant);
   shown_->setAvailable(hasPlant);
-  findings_->setPlantShown(hasPlant);
+  findings_->dock().setPlantShown(hasPlant);
   explained_->setPlantShown(hasPlant);
   states_->setPlantShown(hasPlant);
   history_->dock().setPlantShown(hasPlant);
@@ -254,8 +222,6 @@ void MainWindow::refreshDocks() {
   evaluation_->setPlantShown(hasPlant);
   judge_->dock().setPlantShown(hasPlant);
   sweep_->dock().setPlantShown(hasPlant);
-  if (hasPlant && !settings_.contains("window/state")) // nobody has set the widths yet
-    resizeDocks({pipelineDock_, inspectorDock_}, {pipelineWidth, inspectorWidth}, Qt::Horizontal);
 }
 
 void MainWindow::refreshTitle() {
@@ -327,15 +293,10 @@ void MainWindow::leave() {
 }
 
 void MainWindow::resetLayout() {
-  for (const char* id : {"show_pipeline", "show_inspector"})
-    (*actions_)[id]->setChecked(true);
-  for (QDockWidget* dock : {pipelineDock_, inspectorDock_})
-    dock->setFloating(false);
-  addDockWidget(Qt::LeftDockWidgetArea, pipelineDock_);
-  addDockWidget(Qt::RightDockWidgetArea, inspectorDock_);
-  resizeDocks({pipelineDock_, inspectorDock_}, {pipelineWidth, inspectorWidth}, Qt::Horizontal);
-  review_->resetLayout();
-  findings_->resetLayout();
+  pipelineDock_->resetLayout();
+  inspectorDock_->resetLayout();
+  review_->dock().resetLayout();
+  findings_->dock().resetLayout();
   history_->dock().resetLayout();
   nodeTable_->dock().resetLayout();
   evaluation_->resetLayout();

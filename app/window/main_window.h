@@ -7,7 +7,6 @@
 
 #include <memory>
 
-class QDockWidget;
 class QSettings;
 class QSplitter;
 class QStackedWidget;
@@ -31,6 +30,7 @@ class InspectorPanel;
 class KeyBindings;
 class MessageBanner;
 class NodeTableFlow;
+class PanelDock;
 class PipelinePanel;
 class PlantView;
 class PointStates;
@@ -86,14 +86,13 @@ protected:
   void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
-  bool eventFilter(QObject* watched, QEvent* event) override; // docks closed by their button
 
 private:
   void addActions();        // main_window_actions.cpp
   void addFileActions();    // likewise
   void addProjectActions(); // likewise
   void addEditActions();    // likewise
-  void addPanelActions();   // likewise
+  void addPanels();         // likewise
   void addHelpActions();    // likewise
   void fillMenus();         // menus.cpp
   void fillViewMenu();      // likewise
@@ -108,7 +107,6 @@ private:
   void connectEvaluation(); // likewise
   void connectPreview();    // likewise
   void makeCenter();
-  void makeDocks();
   void closePlant();
   void tellStep(int index);
   void refreshDocks();
@@ -136,8 +134,8 @@ private:
   StatusLine* status_;
   PipelinePanel* pipeline_;
   InspectorPanel* inspector_;
-  QDockWidget* pipelineDock_;
-  QDockWidget* inspectorDock_;
+  PanelDock* pipelineDock_ = nullptr;
+  PanelDock* inspectorDock_ = nullptr;
 
   int step_ = 0; // of the undo stack, when it was told last
   std::unique_ptr<ViewSync> sync_;

@@ -12,6 +12,7 @@
 #include "app/window/judge_flow.h"
 #include "app/window/main_window.h"
 #include "app/window/node_table_flow.h"
+#include "app/window/panel_dock.h"
 #include "app/window/point_states.h"
 #include "app/window/points_flow.h"
 #include "app/window/preset_flow.h"
@@ -63,6 +64,7 @@ void MainWindow::addActions() {
   radius_ = std::make_unique<RadiusFlow>(
       RadiusFlow::Parts{document_, jobs_, *actions_, *view_, inspector_->crossSection()});
   options_ = std::make_unique<ViewOptions>(*view_, *actions_, settings_, nullptr);
+  addPanels();
   seals_ = std::make_unique<SealFlow>(
       SealFlow::Parts{document_, *actions_, *projects_, *banner_, *this});
   review_ = std::make_unique<ReviewFlow>(
@@ -109,7 +111,6 @@ void MainWindow::addActions() {
   choices_ = std::make_unique<ChoicesFlow>(ChoicesFlow::Parts{*actions_, *judge_, *sweep_});
   sight_ = std::make_unique<SightFlow>(
       SightFlow::Parts{document_, *view_, *pipeline_, *actions_, *editing_, *preview_});
-  addPanelActions();
   theme_ = new ThemeFlow({*actions_, settings_, *this});
   addHelpActions();
   keys_ = new KeyBindings(actions_->all(), {"leave", "accept"}, settings_, this);
@@ -221,22 +222,25 @@ void MainWindow::addEditActions() {
                 [this] { reconstruct(); });
 }
 
-void MainWindow::addPanelActions() {
-  const auto add = [this](const QString& id, const QString& text, Qt::Key key) {
-    QAction* action = actions_->add({.id = id,
-                                     .text = text,
-                                     .help = tr("Shows or hides this panel"),
-                                     .keys = QKeySequence(key),
-                                     .isCheckable = true},
-                                    {});
-    action->setChecked(settings_.value("panels/" + id, true).toBool());
-    connect(action, &QAction::toggled, this, [this, id](bool isShown) {
-      settings_.setValue("panels/" + id, isShown);
-      refreshDocks();
-    });
+void MainWindow::addPanels() {
+  // Knobs stay in reach while what they do is judged below the view.
+  setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+  const PanelDock::Parts parts{*actions_, settings_, *this};
+  const auto add = [&](const QString& id, const QString& title, Qt::Key key,
+                       const PanelDock::Place& place, QWidget* panel) {
+    return new PanelDock(parts,
+                         {.id = id,
+                          .title = title,
+                          .text = title,
+                          .help = tr("Shows or hides this panel"),
+                          .keys = QKeySequence(key)},
+                         place, panel, this);
   };
-  add("show_pipeline", tr("Pipeline"), Qt::Key_F6);
-  add("show_inspector", tr("Inspector"), Qt::Key_F7);
+  pipelineDock_ = add("pipeline", tr("Pipeline"), Qt::Key_F6,
+                      {.side = Qt::LeftDockWidgetArea, .size = 230, .isShown = true}, pipeline_);
+  PanelDock::Place place = besideThePlant;
+  place.isShown = true;
+  inspectorDock_ = add("inspector", tr("Inspector"), Qt::Key_F7, place, inspector_);
   actions_->add({.id = "reset_layout",
                  .text = tr("Reset Layout"),
                  .help = tr("Puts all panels back in their places")},

@@ -11,12 +11,12 @@
 #include <QTabBar>
 
 #include <algorithm>
+#include <utility>
 
 namespace espalier {
 namespace {
 
-constexpr int height = 220; // of a window of 800: the plant keeps most of it
-constexpr auto placeName = "bottom_panel";
+constexpr auto sideName = "side_of_panel";
 
 /// A panel that scrolls sideways, in a window too narrow for it, instead of reaching beyond.
 class PanelArea : public QScrollArea {
@@ -34,23 +34,25 @@ public:
 
 } // namespace
 
-PanelDock::PanelDock(const Parts& parts, const Name& name, QWidget* panel, QObject* parent)
-    : QObject(parent), parts_(parts), action_("show_" + name.id),
+PanelDock::PanelDock(const Parts& parts, const Name& name, const Place& place, QWidget* panel,
+                     QObject* parent)
+    : QObject(parent), parts_(parts), place_(place), action_("show_" + name.id),
       dock_(new QDockWidget(name.title, &parts.window)) {
   QAction* show = parts_.actions.add(
       {.id = action_, .text = name.text, .help = name.help, .keys = name.keys, .isCheckable = true},
       {});
-  show->setChecked(parts_.settings.value("panels/" + action_, false).toBool());
+  show->setChecked(parts_.settings.value("panels/" + action_, place_.isShown).toBool());
   connect(show, &QAction::toggled, this, [this](bool isShown) {
     if (!isShown && isBehind()) return bringToFront();
     parts_.settings.setValue("panels/" + action_, isShown);
     refresh();
   });
   dock_->setObjectName(name.id);
-  dock_->setProperty(placeName, true);
-  dock_->setWidget(new PanelArea(panel));
+  dock_->setProperty(sideName, place_.side);
+  const bool isBelow = place_.side == Qt::BottomDockWidgetArea;
+  dock_->setWidget(isBelow ? new PanelArea(panel) : panel);
   dock_->installEventFilter(this);
-  place();
+  this->place();
   dock_->hide();
 }
 
@@ -80,7 +82,9 @@ void PanelDock::resetLayout() {
   dock_->hide();
   dock_->setFloating(false);
   place();
-  parts_.actions[action_]->setChecked(false);
+  parts_.actions[action_]->setChecked(place_.isShown);
+  refresh();
+  if (isShown()) takeSize();
 }
 
 bool PanelDock::isShown() const {
@@ -102,20 +106,32 @@ bool PanelDock::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void PanelDock::place() {
-  parts_.window.addDockWidget(Qt::BottomDockWidgetArea, dock_);
+  parts_.window.addDockWidget(place_.side, dock_);
   for (auto* other : parts_.window.findChildren<QDockWidget*>())
-    if (other != dock_ && other->property(placeName).toBool() && !other->isFloating())
+    if (other != dock_ && other->property(sideName) == dock_->property(sideName) &&
+        !other->isFloating())
       return parts_.window.tabifyDockWidget(other, dock_);
+}
+
+void PanelDock::takeSize() {
+  const bool isBelow = place_.side == Qt::BottomDockWidgetArea;
+  parts_.window.resizeDocks({dock_}, {place_.size}, isBelow ? Qt::Vertical : Qt::Horizontal);
+}
+
+bool PanelDock::isAlone() const {
+  return std::ranges::all_of(parts_.window.tabifiedDockWidgets(dock_), &QDockWidget::isHidden);
 }
 
 void PanelDock::refresh() {
   const bool isShown = isPlantShown_ && parts_.actions[action_]->isChecked();
   const bool isNew = isShown && dock_->isHidden();
   dock_->setVisible(isShown);
-  if (!isNew) return;
-  if (!parts_.settings.contains("window/state")) // nobody has set the height yet
-    parts_.window.resizeDocks({dock_}, {height}, Qt::Vertical);
-  dock_->raise();
+  if (isNew) {
+    const bool isSizeChosen = parts_.settings.contains("window/state");
+    if (!isSizeChosen && isAlone()) takeSize();
+    dock_->raise();
+  }
+  if (std::exchange(isTold_, isShown) != isShown) emit shown(isShown);
 }
 
 } // namespace espalier

@@ -13,9 +13,8 @@ namespace espalier {
 
 class ActionSet;
 
-/// A dock at the bottom of the window with the action that shows it, brings it to the front, or
-/// hides it if it is there. It begins hidden; whether it is shown is remembered. All of them share
-/// one place, as tabs.
+/// A dock of the window with the action that shows it, brings it to the front, or hides it if it is
+/// there. Whether it is shown is remembered. Those of one side share one place, as tabs.
 class PanelDock : public QObject {
   Q_OBJECT
 
@@ -33,7 +32,15 @@ public:
     QString help;
     QKeySequence keys;
   };
-  PanelDock(const Parts& parts, const Name& name, QWidget* panel, QObject* parent);
+  struct Place {
+    Qt::DockWidgetArea side = Qt::BottomDockWidgetArea;
+    int size = 220;       // [pixels] across that side; of a window of 800 the plant keeps most
+    bool isShown = false; // until one has chosen
+  };
+  PanelDock(const Parts& parts, const Name& name, QWidget* panel, QObject* parent)
+      : PanelDock(parts, name, Place(), panel, parent) {}
+  PanelDock(const Parts& parts, const Name& name, const Place& place, QWidget* panel,
+            QObject* parent);
 
   void setPlantShown(bool isShown); // without a plant the panel is absent
   void bringToFront();              // shown, if it was not
@@ -42,18 +49,28 @@ public:
   [[nodiscard]] bool isShown() const;
   [[nodiscard]] bool isInFront() const; // shown, and not behind another tab
 
+signals:
+  void shown(bool isShown); // or hidden: not whether another tab lies before it
+
 protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
   [[nodiscard]] bool isBehind() const; // another tab
   void place();
+  void takeSize();
+  [[nodiscard]] bool isAlone() const; // of its place
   void refresh();
 
   Parts parts_;
+  Place place_;
   QString action_; // its id
   QDockWidget* dock_;
   bool isPlantShown_ = false;
+  bool isTold_ = false; // to be shown
 };
+
+/// At the right. The side docks together take under a third of the width of a small screen.
+constexpr PanelDock::Place besideThePlant{.side = Qt::RightDockWidgetArea, .size = 196};
 
 } // namespace espalier

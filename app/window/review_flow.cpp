@@ -1,6 +1,7 @@
 #include "app/window/review_flow.h"
 
 #include "app/window/action_set.h"
+#include "app/window/panel_dock.h"
 #include "core/base/error.h"
 #include "ui/document/plant_document.h"
 #include "ui/panels/review_panel.h"
@@ -10,10 +11,8 @@
 #include <QAbstractSpinBox>
 #include <QAction>
 #include <QApplication>
-#include <QDockWidget>
 #include <QKeyEvent>
 #include <QLineEdit>
-#include <QMainWindow>
 #include <QMenu>
 #include <QSettings>
 
@@ -56,17 +55,6 @@ void ReviewFlow::setInGesture(bool isInGesture) {
   if (isInGesture == isInGesture_) return;
   isInGesture_ = isInGesture;
   refreshEnabled();
-}
-
-void ReviewFlow::setPlantShown(bool isShown) {
-  isPlantShown_ = isShown;
-  refreshDock();
-}
-
-void ReviewFlow::resetLayout() {
-  dock_->setFloating(false);
-  placeDock();
-  parts_.actions["show_review"]->setChecked(false);
 }
 
 void ReviewFlow::fillMenu(QMenu& menu) const {
@@ -129,7 +117,7 @@ void ReviewFlow::addMarkActions() {
       Qt::Key_Backspace, [this] { mark(ReviewState::toDo); });
   add("comment", tr("Comment"), tr("A remark on what is selected"), Qt::Key_K, [this] {
     requireChosen();
-    parts_.actions["show_review"]->setChecked(true);
+    dock_->bringToFront();
     panel_->focusComment();
   });
 }
@@ -145,22 +133,13 @@ void ReviewFlow::makePanel(QAction* sign) {
                                              .toDo = at("mark_to_do"),
                                              .sign = sign});
   panel_->setReviewer(reviewer_);
-  dock_ = new QDockWidget(tr("Review"), &parts_.window);
-  dock_->setObjectName("review");
-  dock_->setWidget(panel_);
-  dock_->installEventFilter(this);
-  placeDock();
-  QAction* show = parts_.actions.add({.id = "show_review",
-                                      .text = tr("Review Panel"),
-                                      .help = tr("Shows or hides this panel"),
-                                      .keys = Qt::Key_F9,
-                                      .isCheckable = true},
-                                     {});
-  show->setChecked(parts_.settings.value("panels/show_review", false).toBool());
-  connect(show, &QAction::toggled, this, [this](bool isShown) {
-    parts_.settings.setValue("panels/show_review", isShown);
-    refreshDock();
-  });
+  dock_ = new PanelDock({parts_.actions, parts_.settings, parts_.window},
+                        {.id = "review",
+                         .title = tr("Review"),
+                         .text = tr("Review Panel"),
+                         .help = tr("Shows or hides this panel"),
+                         .keys = Qt::Key_F9},
+                        besideThePlant, panel_, this);
 }
 
 void ReviewFlow::connectParts() {
@@ -186,19 +165,15 @@ void ReviewFlow::connectParts() {
   });
   // Enter in a field takes what is typed there, and marks nothing.
   connect(qApp, &QApplication::focusChanged, this, [this](QWidget* before, QWidget* now) {
-    if (before != nullptr && before != dock_) before->removeEventFilter(this);
+    if (before != nullptr) before->removeEventFilter(this);
     if (now != nullptr && takesEnter(now)) now->installEventFilter(this);
   });
 }
 
 bool ReviewFlow::eventFilter(QObject* watched, QEvent* event) {
-  if (watched == dock_) {
-    if (event->type() == QEvent::Close) parts_.actions["show_review"]->setChecked(false);
-  } else if (isEnter(*event)) {
-    event->accept();
-    return true;
-  }
-  return QObject::eventFilter(watched, event);
+  if (!isEnter(*event)) return QObject::eventFilter(watched, event);
+  event->accept();
+  return true;
 }
 
 void ReviewFlow::step(WalkTo to, WalkWay way) {
@@ -300,20 +275,6 @@ void ReviewFlow::refreshEnabled() {
     walk->setEnabled(isEnabled_ && hasNodes);
   for (QAction* mark : marks_)
     mark->setEnabled(isEnabled_ && !isInGesture_ && hasNodes && !parts_.document.isReadOnly());
-}
-
-/// In front of the inspector: the list of axes needs the height.
-void ReviewFlow::placeDock() {
-  parts_.window.addDockWidget(Qt::RightDockWidgetArea, dock_);
-  if (auto* inspector = parts_.window.findChild<QDockWidget*>("inspector"))
-    parts_.window.tabifyDockWidget(inspector, dock_);
-}
-
-void ReviewFlow::refreshDock() {
-  const bool isShown = isPlantShown_ && parts_.actions["show_review"]->isChecked();
-  const bool isNew = isShown && dock_->isHidden();
-  dock_->setVisible(isShown);
-  if (isNew) dock_->raise();
 }
 
 } // namespace espalier

@@ -7,7 +7,6 @@
 #include <QString>
 
 class QAction;
-class QDockWidget;
 class QMainWindow;
 class QMenu;
 class QSettings;
@@ -15,6 +14,7 @@ class QSettings;
 namespace espalier {
 
 class ActionSet;
+class PanelDock;
 class PlantDocument;
 class PlantView;
 class ReviewPanel;
@@ -40,10 +40,9 @@ public:
 
   void setEnabled(bool isEnabled);     // off while a job runs that replaces the skeleton
   void setInGesture(bool isInGesture); // of a tool: Enter is its own then, and nothing is marked
-  void setPlantShown(bool isShown);
-  void resetLayout();
   void fillMenu(QMenu& menu) const;
 
+  [[nodiscard]] PanelDock& dock() { return *dock_; }
   [[nodiscard]] ReviewPanel& panel() { return *panel_; }
   [[nodiscard]] const QString& reviewer() const { return reviewer_; }
   void setReviewer(const QString& name);
@@ -67,12 +66,10 @@ private:
   void requireChosen() const;
   void showPlace();
   void refreshEnabled();
-  void placeDock();
-  void refreshDock();
 
   Parts parts_;
   ReviewPanel* panel_ = nullptr;
-  QDockWidget* dock_ = nullptr;
+  PanelDock* dock_ = nullptr;
   QList<QAction*> walks_;
   QList<QAction*> marks_;
   QString reviewer_;
@@ -81,7 +78,6 @@ private:
   bool isFading_ = false; // all but at_, while it is what is selected
   bool isEnabled_ = true;
   bool isInGesture_ = false;
-  bool isPlantShown_ = false;
 };
 
 } // namespace espalier

@@ -78,6 +78,20 @@ TEST_F(FindingsWindowTest, FollowsEditsAndUndo) {
   EXPECT_TRUE(waitForTitle(allIsWell));
 }
 
+TEST_F(FindingsWindowTest, TheKeyOfTheNextBringsTheListToTheFront) {
+  openFork();
+  setRadiusOf(shoot(0), 0.2);
+  key(Qt::Key_F8);
+  key(Qt::Key_F7); // the inspector lies before it
+  const auto isInFront = [&] {
+    QCoreApplication::processEvents();
+    return !find<QDockWidget>("findings").visibleRegion().isEmpty();
+  };
+  ASSERT_FALSE(isInFront());
+  key(Qt::Key_F4);
+  EXPECT_TRUE(isInFront());
+}
+
 TEST_F(FindingsWindowTest, KeysGoFromFindingToFindingAndFlyThere) {
   openFork();
   setRadiusOf(shoot(0), 0.2);

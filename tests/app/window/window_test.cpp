@@ -25,6 +25,8 @@
 
 #include <cmath>
 #include <fstream>
+#include <utility>
+#include <vector>
 
 namespace espalier {
 namespace {
@@ -76,6 +78,43 @@ TEST_F(MainWindowTest, RemembersWhichPanelsWereClosed) {
   EXPECT_FALSE(find<QDockWidget>("inspector").isVisible());
   action("reset_layout").trigger();
   EXPECT_TRUE(find<QDockWidget>("inspector").isVisible());
+}
+
+TEST_F(MainWindowTest, PanelsBesideThePlantComeToTheFrontByTheirKeysAndThenGo) {
+  open({writeFork("fork.mtg")});
+  const auto isInFront = [&](const QString& panel) {
+    QCoreApplication::processEvents();
+    return !find<QDockWidget>(panel).visibleRegion().isEmpty();
+  };
+  const std::vector<std::pair<QString, Qt::Key>> panels = {
+      {"inspector", Qt::Key_F7}, {"findings", Qt::Key_F8}, {"review", Qt::Key_F9}};
+  key(Qt::Key_F8);
+  key(Qt::Key_F9);
+  for (const auto& [panel, its] : panels) {
+    EXPECT_FALSE(isInFront(panel) && panel != "review") << panel.toStdString();
+    if (!isInFront(panel)) key(its);
+    EXPECT_TRUE(isInFront(panel)) << panel.toStdString();
+    EXPECT_TRUE(action("show_" + panel).isChecked());
+    key(its);
+    EXPECT_TRUE(find<QDockWidget>(panel).isHidden()) << panel.toStdString();
+    EXPECT_FALSE(action("show_" + panel).isChecked());
+    key(its);
+    EXPECT_TRUE(isInFront(panel)) << panel.toStdString();
+  }
+}
+
+TEST_F(MainWindowTest, AnotherPanelOfASideTakesTheWidthItHas) {
+  open({writeFork("fork.mtg")});
+  auto& inspector = find<QDockWidget>("inspector");
+  window().resizeDocks({&inspector}, {300}, Qt::Horizontal);
+  QCoreApplication::processEvents();
+  const int width = inspector.width();
+  key(Qt::Key_F9);
+  QCoreApplication::processEvents();
+  EXPECT_EQ(find<QDockWidget>("review").width(), width);
+  action("reset_layout").trigger();
+  QCoreApplication::processEvents();
+  EXPECT_LT(inspector.width(), width);
 }
 
 TEST_F(MainWindowTest, NamesTheStepsInUndoAndRedo) {

@@ -53,7 +53,7 @@ InspectorPanel::InspectorPanel(PlantDocument& document, QWidget* parent)
   auto* page = new QWidget;
   page->setObjectName("inspector_page");
   auto* column = new QVBoxLayout(page);
-  column->setContentsMargins(12, 12, 12, 12);
+  column->setContentsMargins(12, 12, 8, 12);
   column->setSpacing(12);
   column->addWidget(title_);
   column->addWidget(empty_);
@@ -118,7 +118,7 @@ void InspectorPanel::makeForm() {
   }
   form_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   form_->setContentsMargins(0, 0, 0, 0);
-  form_->setHorizontalSpacing(12);
+  form_->setHorizontalSpacing(8);
   form_->setVerticalSpacing(8);
   form_->setLabelAlignment(Qt::AlignLeft | Qt::AlignTop);
   form_->addRow(tr("Radius"), radius_);

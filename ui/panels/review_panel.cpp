@@ -70,7 +70,7 @@ ReviewPanel::ReviewPanel(PlantDocument& document, const Actions& actions, QWidge
   auto* page = new QWidget;
   page->setObjectName("review_page");
   auto* column = new QVBoxLayout(page);
-  column->setContentsMargins(12, 12, 12, 12);
+  column->setContentsMargins(12, 12, 8, 12);
   column->setSpacing(8);
   addCoverage(*column);
   addChosen(*column, actions);

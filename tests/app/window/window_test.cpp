@@ -12,10 +12,12 @@
 #include <QFile>
 #include <QFormLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QScrollArea>
 #include <QScrollBar>
 #include <QStyleOptionButton>
 #include <QTest>
@@ -101,6 +103,23 @@ TEST_F(MainWindowTest, PanelsBesideThePlantComeToTheFrontByTheirKeysAndThenGo) {
     key(its);
     EXPECT_TRUE(isInFront(panel)) << panel.toStdString();
   }
+}
+
+TEST_F(MainWindowTest, NothingInTheInspectorIsCutBesideItsScrollBar) {
+  open({writeFork("fork.mtg")});
+  window().resize(1280, 600);
+  document().selection().set({nodeAt({1, 0, 2})});
+  QCoreApplication::processEvents();
+  auto& page = find<QWidget>("inspector_page");
+  auto* bar = static_cast<QScrollArea*>(page.parentWidget()->parentWidget())->verticalScrollBar();
+  ASSERT_TRUE(bar->isVisible());
+  for (const QComboBox* list : page.findChildren<QComboBox*>())
+    EXPECT_TRUE(list->isHidden() || list->width() >= list->sizeHint().width())
+        << list->currentText().toStdString() << ": " << list->width() << " of "
+        << list->sizeHint().width();
+  const auto& radius = find<QDoubleSpinBox>("node_radius");
+  EXPECT_GE(radius.findChild<QLineEdit*>()->width(),
+            radius.fontMetrics().horizontalAdvance(radius.text()));
 }
 
 TEST_F(MainWindowTest, AnotherPanelOfASideTakesTheWidthItHas) {

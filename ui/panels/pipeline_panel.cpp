@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -35,7 +36,8 @@ private:
 } // namespace
 
 PipelinePanel::PipelinePanel(PlantDocument& document, QWidget* parent)
-    : QWidget(parent), document_(document), live_(new QCheckBox(tr("Live preview"), this)),
+    : QWidget(parent), document_(document), scroll_(new QScrollArea(this)),
+      live_(new QCheckBox(tr("Live preview"), this)),
       run_(new QPushButton(tr("Reconstruct"), this)) {
   run_->setProperty("role", "primary");
   run_->setObjectName("reconstruct_button");
@@ -54,17 +56,19 @@ PipelinePanel::PipelinePanel(PlantDocument& document, QWidget* parent)
       markStale(form);
       emit changed(form->step());
     });
+    connect(steps_.back(), &StepForm::opened, this, [this, form = steps_.back()] {
+      QTimer::singleShot(0, form, [this, form] { scrollTo(*form); }); // once it has its height
+    });
     connect(steps_.back(), &StepForm::runRequested, this,
             [this, form = steps_.back()] { emit runRequested(form->step()); });
   }
   list->addStretch(1);
-  auto* scroll = new QScrollArea(this);
-  scroll->setWidget(page);
-  scroll->setAccessibleName(tr("Steps"));
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  page->installEventFilter(new WideEnough(*scroll));
+  scroll_->setWidget(page);
+  scroll_->setAccessibleName(tr("Steps"));
+  scroll_->setWidgetResizable(true);
+  scroll_->setFrameShape(QFrame::NoFrame);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  page->installEventFilter(new WideEnough(*scroll_));
   auto* scan = new ScanForm(document, this);
   scan->setContentsMargins(12, 12, 12, 12);
   auto* foot = new QVBoxLayout;
@@ -76,7 +80,7 @@ PipelinePanel::PipelinePanel(PlantDocument& document, QWidget* parent)
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   column->addWidget(scan);
-  column->addWidget(scroll, 1);
+  column->addWidget(scroll_, 1);
   column->addLayout(foot);
   connect(run_, &QPushButton::clicked, this, &PipelinePanel::reconstructRequested);
   live_->setObjectName("live_preview");
@@ -184,6 +188,13 @@ void PipelinePanel::setRunnable(bool isRunnable) {
 void PipelinePanel::setDensities(const std::string& step, const std::vector<float>& densities) {
   for (StepForm* form : steps_)
     if (form->step().name == step) form->setDensities(densities);
+}
+
+/// Shows all of a form, or its beginning if it is higher than the list.
+void PipelinePanel::scrollTo(const StepForm& form) {
+  const int bottom = form.geometry().bottom() + 1 - scroll_->viewport()->height();
+  QScrollBar& bar = *scroll_->verticalScrollBar();
+  bar.setValue(std::min(std::max(bar.value(), bottom), form.geometry().top()));
 }
 
 void PipelinePanel::refreshScale() {

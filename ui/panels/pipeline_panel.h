@@ -10,6 +10,7 @@
 
 class QCheckBox;
 class QPushButton;
+class QScrollArea;
 
 namespace espalier {
 
@@ -61,10 +62,12 @@ signals:
   void liveToggled(bool isLive);
 
 private:
+  void scrollTo(const StepForm& form);
   void refreshScale();
   void markStale(const StepForm* from);
 
   PlantDocument& document_;
+  QScrollArea* scroll_;
   std::vector<StepForm*> steps_;
   QCheckBox* live_;
   QPushButton* run_;

@@ -123,6 +123,7 @@ void StepForm::setOpen(bool isOpen) {
   header_->setChecked(isOpen);
   header_->setArrowType(isOpen ? Qt::DownArrow : Qt::RightArrow);
   body_->setVisible(isOpen);
+  if (isOpen) emit opened();
 }
 
 void StepForm::addTo(PipelineOptions& options) const {

@@ -46,6 +46,7 @@ public:
 
 signals:
   void changed();
+  void opened();
   void runRequested(); // up to here
 
 private:

@@ -3,7 +3,9 @@
 #include "tests/support/plants.h"
 #include "tests/support/shared_data.h"
 #include "ui/panels/message_banner.h"
+#include "ui/panels/pipeline_panel.h"
 #include "ui/panels/status_line.h"
+#include "ui/panels/step_form.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -24,6 +26,7 @@
 #include <QTextBrowser>
 #include <QTextDocument>
 #include <QTimer>
+#include <QToolButton>
 
 #include <cmath>
 #include <fstream>
@@ -120,6 +123,25 @@ TEST_F(MainWindowTest, NothingInTheInspectorIsCutBesideItsScrollBar) {
   const auto& radius = find<QDoubleSpinBox>("node_radius");
   EXPECT_GE(radius.findChild<QLineEdit*>()->width(),
             radius.fontMetrics().horizontalAdvance(radius.text()));
+}
+
+TEST_F(MainWindowTest, AStepThatIsOpenedIsSeen) {
+  open({writeScan("plant.xyz")});
+  window().resize(1280, 600);
+  for (const StepForm* form : window().findChildren<PipelinePanel*>().front()->steps()) {
+    QWidget* view = form->parentWidget()->parentWidget();
+    auto* header = form->findChild<QToolButton*>(QString(), Qt::FindDirectChildrenOnly);
+    if (header->isChecked()) continue;
+    static_cast<QScrollArea*>(view->parentWidget())->ensureWidgetVisible(header, 0, 0);
+    QTest::mouseClick(header, Qt::LeftButton);
+    ASSERT_TRUE(header->isChecked());
+    const auto seen = [&] { return QRect(form->mapTo(view, QPoint()), form->size()); };
+    const auto isSeen = [&] {
+      return seen().top() >= 0 && (seen().bottom() < view->height() || seen().top() == 0);
+    };
+    EXPECT_TRUE(QTest::qWaitFor(isSeen))
+        << form->step().name << ": " << seen().top() << " to " << seen().bottom();
+  }
 }
 
 TEST_F(MainWindowTest, AnotherPanelOfASideTakesTheWidthItHas) {

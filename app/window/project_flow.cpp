@@ -182,7 +182,7 @@ void ProjectFlow::offerSessions() {
       waiting, [&](const Session& session) { return isAny || isOfThePlant(session); });
   if (found == waiting.end()) return;
   const QString path = found->path;
-  const QString text = isAny ? tr("Continue with %1") : tr("This was not saved: %1");
+  const QString text = isAny ? tr("Continue with %1") : tr("Work on this plant was kept: %1");
   emit told({.text = text.arg(describe(*found, QDateTime::currentDateTime())),
              .actions = {{tr("Continue"), [this, path] { emit chosen(path); }},
                          {tr("Discard"), [this, path] {

@@ -87,7 +87,8 @@ TEST_F(ProjectWindowTest, OffersWorkOnAScanWhenThatIsOpenedAgain) {
   open({other});
   EXPECT_FALSE(window().banner().isVisible());
   open({scan});
-  EXPECT_TRUE(message().startsWith("This was not saved: puu1 in ")) << message().toStdString();
+  EXPECT_TRUE(message().startsWith("Work on this plant was kept: puu1 in "))
+      << message().toStdString();
   EXPECT_TRUE(document().skeleton().isEmpty());
   clickButton("banner_action");
   waitForJob();

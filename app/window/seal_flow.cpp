@@ -49,7 +49,11 @@ SealFlow::SealFlow(const Parts& parts) : parts_(parts) {
                               set(text.empty() ? std::nullopt : std::optional(sealFrom(text)));
                             }});
   connect(&parts_.document, &PlantDocument::skeletonReplaced, this, [this] { set({}); });
-  connect(&parts_.document, &PlantDocument::skeletonEdited, this, &SealFlow::follow);
+  connect(&parts_.document, &PlantDocument::skeletonEdited, this,
+          [this](const SkeletonDelta& delta) {
+            if (hash_) hash_->apply(delta);
+          });
+  connect(&parts_.document.undoStack(), &QUndoStack::indexChanged, this, &SealFlow::follow);
   connect(&parts_.document, &PlantDocument::titleChanged, this, &SealFlow::changed);
   refresh();
 }
@@ -67,7 +71,10 @@ QString SealFlow::text() const {
                     : tr("Not signed yet.");
   }
   if (!isIntact())
-    return tr("✗ Seal broken: edited since it was signed by %1.").arg(signature(*seal_));
+    return (isBeforeSigned()
+                ? tr("✗ Undone to before it was signed by %1: redo leads back to the seal.")
+                : tr("✗ Seal broken: edited since it was signed by %1."))
+        .arg(signature(*seal_));
   return tr("✓ Signed by %1.\nAt work: %2.\nCorrections: %3.")
       .arg(signature(*seal_), formatWorkTime(seal_->work.time), describe(seal_->work.corrections));
 }
@@ -95,7 +102,8 @@ void SealFlow::sign() {
 void SealFlow::exportSeal() {
   if (!seal_) throw Error(tr("there is no seal yet: sign the structure first").toStdString());
   if (!isIntact())
-    throw Error(tr("the seal is broken: undo what was edited, or sign again").toStdString());
+    throw Error(
+        tr("the seal does not hold: go back to what was signed, or sign again").toStdString());
   QFileDialog dialog(&parts_.window, tr("Export the seal"), {}, tr("Seals (*.json)"));
   dialog.setAcceptMode(QFileDialog::AcceptSave);
   dialog.setDefaultSuffix("json");
@@ -113,42 +121,56 @@ void SealFlow::set(std::optional<Seal> seal) {
   seal_ = std::move(seal);
   hash_.reset();
   if (seal_) hash_.emplace(parts_.document.skeleton());
-  intactStep_ = parts_.document.undoStack().index();
+  wasIntact_ = isIntact();
   told_.clear();
   refresh();
 }
 
-void SealFlow::follow(const SkeletonDelta& delta) {
-  if (seal_) {
-    const bool wasIntact = isIntact();
-    hash_->apply(delta);
-    if (wasIntact && !isIntact()) tellBroken();
-    if (!wasIntact && isIntact() && parts_.banner.text() == told_) parts_.banner.hide();
-  }
+void SealFlow::follow() {
+  const bool hasBroken = std::exchange(wasIntact_, isIntact()) && !isIntact();
+  const bool isTold = !told_.isEmpty() && parts_.banner.text() == told_;
+  if (isTold && (isIntact() || !signedStep())) parts_.banner.hide();
+  if (hasBroken) tellBroken();
   refresh();
 }
 
 void SealFlow::tellBroken() {
-  intactStep_ = parts_.document.undoStack().index(); // which this step has not left yet
-  told_ = tr("This breaks the seal of %1").arg(signature(*seal_));
-  parts_.banner.showOffer(told_, {{tr("Undo"), [this] {
-                                     const auto undo = [this] {
-                                       undoToSeal();
+  const bool isBefore = isBeforeSigned();
+  told_ =
+      (isBefore ? tr("This goes back to before the seal of %1") : tr("This breaks the seal of %1"))
+          .arg(signature(*seal_));
+  parts_.banner.showOffer(told_, {{isBefore ? tr("Redo") : tr("Undo"), [this] {
+                                     const auto go = [this] {
+                                       goToSigned();
                                        return true;
                                      };
-                                     parts_.actions.guarded(undo, Refusal::inBanner);
+                                     parts_.actions.guarded(go, Refusal::inBanner);
                                    }}});
 }
 
-/// Back to the step where the seal held; or by one, if that step is gone.
-void SealFlow::undoToSeal() {
-  parts_.document.requireEditable();
-  QUndoStack& stack = parts_.document.undoStack();
-  if (isIntact()) return;
-  if (intactStep_ <= stack.count() && intactStep_ != stack.index())
-    stack.setIndex(intactStep_);
-  else
-    stack.undo();
+void SealFlow::goToSigned() {
+  if (const std::optional<int> step = signedStep()) parts_.document.goTo(*step);
+}
+
+std::optional<int> SealFlow::signedStep() const {
+  const PlantDocument& document = parts_.document;
+  const QUndoStack& stack = parts_.document.undoStack();
+  if (!seal_ || isIntact()) return seal_ ? std::optional(stack.index()) : std::nullopt;
+  StructureHash hash = *hash_;
+  for (int i = stack.index(); i > 0; --i) {
+    hash.apply(document.step(i - 1).delta.inverse());
+    if (hash.value() == seal_->hash) return i - 1;
+  }
+  hash = *hash_;
+  for (int i = stack.index(); i < stack.count(); ++i) {
+    hash.apply(document.step(i).delta);
+    if (hash.value() == seal_->hash) return i + 1;
+  }
+  return std::nullopt;
+}
+
+bool SealFlow::isBeforeSigned() const {
+  return signedStep().value_or(0) > parts_.document.undoStack().index();
 }
 
 void SealFlow::refresh() {

@@ -19,7 +19,7 @@ class ProjectFlow;
 
 /// The seal of a structure: signing it, keeping it in the project, and telling when it breaks.
 ///
-/// Whether it holds is a matter of the structure alone: undo back to what was signed mends it.
+/// Whether it holds is a matter of the structure alone: undo or redo to what was signed mends it.
 class SealFlow : public QObject {
   Q_OBJECT
 
@@ -48,17 +48,21 @@ private:
   void sign();
   void exportSeal();
   void set(std::optional<Seal> seal);
-  void follow(const SkeletonDelta& delta);
+  void follow(); // a step was done or undone
   void tellBroken();
-  void undoToSeal();
+  void goToSigned();
+  /// How many steps are done where the structure is what was signed; none: no more of them leads
+  /// there. Time O(changes of all steps).
+  [[nodiscard]] std::optional<int> signedStep() const;
+  [[nodiscard]] bool isBeforeSigned() const; // by undo: redo leads there
   void refresh();
 
   Parts parts_;
   QString signer_;
   std::optional<Seal> seal_;
   std::optional<StructureHash> hash_; // of the skeleton now, once there is a seal
-  int intactStep_ = 0;                // of the undo stack, when it held last
-  QString told_;                      // in the banner, that it broke
+  bool wasIntact_ = false;
+  QString told_; // in the banner, that it broke
   bool isEnabled_ = true;
 };
 

@@ -4,6 +4,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QTest>
 
 namespace espalier {
@@ -88,6 +89,58 @@ TEST_F(SealWindowTest, TheBannerLeavesWhenTheSealHoldsAgain) {
   ASSERT_TRUE(window().banner().isVisible());
   key(Qt::Key_Z, Qt::ControlModifier);
   EXPECT_FALSE(window().banner().isVisible());
+}
+
+TEST_F(SealWindowTest, HoldsAgainOnceAMarkIsUndone) {
+  openAndReview();
+  saveProject("fork.espalier");
+  sign();
+  const QString before = seal();
+  const Skeleton structure = document().skeleton();
+  document().selection().set({nodeAt({1, 0, 2})});
+  for (const Qt::KeyboardModifier with : {Qt::NoModifier, Qt::ShiftModifier}) {
+    key(with == Qt::NoModifier ? Qt::Key_Backspace : Qt::Key_Return, with); // to do, doubtful
+    EXPECT_TRUE(isBroken());
+    key(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(seal(), before);
+    EXPECT_EQ(document().skeleton(), structure) << "with who has reviewed it";
+  }
+}
+
+TEST_F(SealWindowTest, RedoLeadsBackToItFromBeforeItWasSigned) {
+  openAndReview();
+  const QString file = saveProject("fork.espalier");
+  sign();
+  const QString before = seal();
+  const int steps = document().undoStack().index();
+  key(Qt::Key_Z, Qt::ControlModifier); // the last mark before it was signed
+  EXPECT_TRUE(seal().startsWith("✗ Undone to before it was signed by Anna on "))
+      << seal().toStdString();
+  EXPECT_TRUE(message().startsWith("This goes back to before the seal of Anna on "));
+  EXPECT_EQ(find<QPushButton>("banner_action").text(), "Redo");
+  clickButton("banner_action");
+  EXPECT_EQ(seal(), before);
+  EXPECT_EQ(document().undoStack().index(), steps);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  restart();
+  open({file});
+  EXPECT_TRUE(seal().startsWith("✗ Undone to before"));
+  key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_EQ(seal(), before);
+}
+
+TEST_F(SealWindowTest, AnEditBeforeItLeavesNoWayBack) {
+  openAndReview();
+  saveProject("fork.espalier");
+  sign();
+  key(Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_TRUE(window().banner().isVisible());
+  document().selection().set({nodeAt({0, 0, 1})});
+  key(Qt::Key_A); // a thicker trunk: nothing can be redone any more
+  EXPECT_TRUE(isBroken());
+  EXPECT_FALSE(window().banner().isVisible()) << "it would lead nowhere";
 }
 
 TEST_F(SealWindowTest, IsKeptInTheProject) {

@@ -1,35 +1,32 @@
 #include "ui/panels/axis_review_model.h"
 
 #include "core/skeleton/review_walk.h"
+#include "ui/panels/coverage_text.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace espalier {
 namespace {
 
 enum Column { nameColumn, lengthColumn, stateColumn, columns };
 
-/// A tick for all; never 100 % before that.
+/// A tick for all.
 QString stateText(const ReviewCoverage& seen) {
   if (seen.isComplete()) return QStringLiteral("✓");
-  const int percent =
-      std::min(99, static_cast<int>(std::floor(100 * seen.share(ReviewState::reviewed))));
-  return QStringLiteral("%1%2 %")
-      .arg(seen.state() == ReviewState::doubtful ? "? " : "")
-      .arg(percent);
+  return QStringLiteral("%1%2 %").arg(seen.state() == ReviewState::doubtful ? "? " : "",
+                                      percentText(seen, ReviewState::reviewed, 0));
 }
 
-QString stateName(ReviewState state) {
-  switch (state) {
-  case ReviewState::reviewed:
-    return AxisReviewModel::tr("reviewed");
-  case ReviewState::doubtful:
-    return AxisReviewModel::tr("doubtful");
-  case ReviewState::toDo:
-    break;
-  }
-  return AxisReviewModel::tr("to do");
+/// All that is not reviewed yet.
+QString leftText(const ReviewCoverage& seen) {
+  if (seen.isComplete()) return AxisReviewModel::tr("reviewed");
+  const auto nodes = [&](ReviewState state) { return seen.nodes[static_cast<std::size_t>(state)]; };
+  QStringList left;
+  if (nodes(ReviewState::doubtful) > 0)
+    left.append(AxisReviewModel::tr("%1 doubtful").arg(nodesText(nodes(ReviewState::doubtful))));
+  if (nodes(ReviewState::toDo) > 0)
+    left.append(AxisReviewModel::tr("%1 to do").arg(nodesText(nodes(ReviewState::toDo))));
+  return left.join(QStringLiteral(", "));
 }
 
 } // namespace
@@ -76,7 +73,7 @@ QVariant AxisReviewModel::data(const QModelIndex& index, int role) const {
         .arg(index.row() + 1)
         .arg(row.order)
         .arg(indexOf(row.axis.front()))
-        .arg(stateName(row.seen.state()));
+        .arg(leftText(row.seen));
   if (role == Qt::TextAlignmentRole && index.column() != nameColumn)
     return QVariant(Qt::AlignRight | Qt::AlignVCenter);
   if (role != Qt::DisplayRole) return {};

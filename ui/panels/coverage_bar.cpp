@@ -1,5 +1,7 @@
 #include "ui/panels/coverage_bar.h"
 
+#include "ui/panels/coverage_text.h"
+
 #include <QEvent>
 #include <QPainter>
 #include <QPainterPath>
@@ -14,10 +16,10 @@ CoverageBar::CoverageBar(QWidget* parent) : QWidget(parent) {
 
 void CoverageBar::setCoverage(const ReviewCoverage& coverage) {
   coverage_ = coverage;
-  const auto percent = [&](ReviewState state) { return qRound(100 * coverage.share(state)); };
-  setAccessibleDescription(tr("%1 % reviewed, %2 % doubtful")
-                               .arg(percent(ReviewState::reviewed))
-                               .arg(percent(ReviewState::doubtful)));
+  const auto percent = [&](ReviewState state) { return percentText(coverage, state, 0); };
+  setAccessibleDescription(
+      tr("%1 % reviewed, %2 % doubtful")
+          .arg(percent(ReviewState::reviewed), percent(ReviewState::doubtful)));
   update();
 }
 

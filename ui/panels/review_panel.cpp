@@ -3,6 +3,7 @@
 #include "ui/document/plant_document.h"
 #include "ui/panels/axis_review_model.h"
 #include "ui/panels/coverage_bar.h"
+#include "ui/panels/coverage_text.h"
 
 #include <QAction>
 #include <QGridLayout>
@@ -238,12 +239,10 @@ void ReviewPanel::refresh() {
   showSamples();
   for (const ReviewState state : shownStates) {
     const auto at = static_cast<std::size_t>(state);
-    lengths_[at]->setText(formatLength(seen.length[at], document_.unit(), 3));
-    lengths_[at]->setToolTip(tr("%1 nodes").arg(formatCount(seen.nodes[at])));
+    lengths_[at]->setText(amountText(seen, state, document_.unit()));
+    lengths_[at]->setToolTip(nodesText(seen.nodes[at]));
   }
-  const double percent = 100 * seen.share(ReviewState::reviewed);
-  share_->setText(
-      tr("%1 % reviewed").arg(seen.isComplete() ? 100.0 : std::min(percent, 99.9), 0, 'f', 1));
+  share_->setText(tr("%1 % reviewed").arg(percentText(seen, ReviewState::reviewed, 1)));
   model_->show(document_.skeleton(), document_.unit());
   constexpr int margins = 8;
   const QFontMetrics& letters = axes_->fontMetrics();

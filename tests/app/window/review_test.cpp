@@ -153,6 +153,25 @@ TEST_F(ReviewWindowTest, EnterMarksAStretchAndGoesOnUntilAllIsReviewed) {
     EXPECT_EQ(markOf(id), ReviewMark());
 }
 
+TEST_F(ReviewWindowTest, ThePanelTellsWhatIsLeftEvenIfItHasNoLength) {
+  openFork();
+  action("show_review").setChecked(true);
+  const NodeId root = document().skeleton().roots().front();
+  std::vector<NodeId> others = document().skeleton().ids();
+  std::erase(others, root);
+  document().selection().set(others);
+  key(Qt::Key_Return);
+  EXPECT_TRUE(waitForLabel("review_share", "99.9 % reviewed"));
+  EXPECT_EQ(label("review_length_0"), "1 node");
+  const QAbstractItemModel& axes = *find<QTableView>("review_axes").model();
+  EXPECT_EQ(axes.index(0, 2).data().toString(), "99 %");
+  EXPECT_TRUE(axes.index(0, 2).data(Qt::ToolTipRole).toString().endsWith("1 node to do"));
+  EXPECT_EQ(axes.index(1, 2).data().toString(), "✓");
+  key(Qt::Key_Return);
+  EXPECT_TRUE(waitForLabel("review_share", "100.0 % reviewed"));
+  EXPECT_EQ(axes.index(0, 2).data().toString(), "✓");
+}
+
 TEST_F(ReviewWindowTest, KeysLeadToOpenEndsAndBranchings) {
   openFork();
   key(Qt::Key_O);

@@ -1,0 +1,36 @@
+#include "ui/panels/coverage_text.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+namespace espalier {
+
+QString percentText(const ReviewCoverage& seen, ReviewState state, int decimals) {
+  const std::size_t nodes = seen.nodes[static_cast<std::size_t>(state)];
+  const double steps = std::pow(10, decimals); // in one percent
+  double percent = std::floor(100 * steps * seen.share(state)) / steps;
+  if (nodes == seen.totalNodes())
+    percent = nodes > 0 ? 100 : 0;
+  else
+    percent = std::min(percent, 100 - 1 / steps);
+  return QString::number(percent, 'f', decimals);
+}
+
+QString amountText(const ReviewCoverage& seen, ReviewState state, LengthUnit unit) {
+  constexpr double leastShare = 0.0005; // less than a tenth of a percent is missing
+  const auto at = static_cast<std::size_t>(state);
+  if (seen.nodes[at] > 0 && seen.length[at] <= leastShare * seen.totalLength())
+    return nodesText(seen.nodes[at]);
+  return formatLength(seen.length[at], unit, 3);
+}
+
+QString nodesText(std::size_t nodes) {
+  const auto tr = [](const char* text) {
+    return QCoreApplication::translate("espalier::ReviewPanel", text);
+  };
+  return nodes == 1 ? tr("1 node") : tr("%1 nodes").arg(formatCount(nodes));
+}
+
+} // namespace espalier

@@ -6,6 +6,8 @@
 #include "ui/view/overlay_text.h"
 #include "ui/view/palette.h"
 
+#include <QCoreApplication>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -101,15 +103,16 @@ void paintBalls(QPainter& painter, const Scene& scene, double divider, const Scr
 }
 
 /// What is seen on each side of the divider, at its top.
-void paintStateNames(QPainter& painter, const Scene& scene, double divider, const QSizeF& size) {
+void paintStateNames(QPainter& painter, const Scene& scene, double divider, const SeenSides& seen,
+                     const QSizeF& size) {
   const Palette colors = palette(scene.dark);
   const double x = divider * size.width();
   const QFontMetricsF metrics(painter.font());
   for (const Side side : {Side::left, Side::right}) {
-    const QString& name = scene.other(side).name;
+    const QString name = nameOf(scene, side, seen);
     const bool isLeft = side == Side::left;
     const double room = isLeft ? x : size.width() - x;
-    if (!scene.other(side).isShown || name.isEmpty() || room < 4 * margin) continue;
+    if (name.isEmpty() || room < 4 * margin) continue;
     const bool isAlone = room >= size.width();
     const QString text = metrics.elidedText(name, Qt::ElideRight, room - 2 * margin);
     const double width = metrics.horizontalAdvance(text);
@@ -159,6 +162,13 @@ std::vector<Legend> legendsOf(const Scene& scene, const QString& unit, const See
   return legends;
 }
 
+QString nameOf(const Scene& scene, Side side, const SeenSides& seen) {
+  if (scene.other(side).isShown) return scene.other(side).name;
+  const Side opposite = side == Side::left ? Side::right : Side::left;
+  const bool isCompared = seen.has(opposite) && scene.other(opposite).isShown;
+  return isCompared ? QCoreApplication::translate("espalier::Overlay", "Plant") : QString();
+}
+
 void Overlay::paint(QPainter& painter, const Scene& scene, const Camera& camera,
                     const QSizeF& size) const {
   if (isBare) return;
@@ -177,7 +187,7 @@ void Overlay::paint(QPainter& painter, const Scene& scene, const Camera& camera,
   paintScaleBar(painter, scene, camera, unit, size);
   paintAxes(painter, camera, size, scene.dark);
   if (pivotShown) paintPivot(painter, scene, camera, size);
-  paintStateNames(painter, scene, divider, size);
+  paintStateNames(painter, scene, divider, seen, size);
   if (sight && hasLegends) paintSightKey(painter, *sight, scene.dark);
 }
 

@@ -30,6 +30,9 @@ struct SeenSides {
 [[nodiscard]] std::vector<Legend> legendsOf(const Scene& scene, const QString& unit,
                                             const SeenSides& seen);
 
+/// What is written over a side of the divider; empty: the plant, with which nothing is compared.
+[[nodiscard]] QString nameOf(const Scene& scene, Side side, const SeenSides& seen);
+
 /// What is drawn over the plant: color bar, scale bar, axes, the pivot while turning, and what
 /// tools show of what they do.
 struct Overlay {

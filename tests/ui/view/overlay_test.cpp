@@ -139,6 +139,22 @@ TEST_F(LegendsOfStates, TellWhatColorsOfItsNodesStandFor) {
   EXPECT_EQ(titles(0.5).count("Differences"), 1);
 }
 
+TEST(NamesOfStates, AreThoseOfBothSidesThatAreCompared) {
+  Scene scene;
+  scene.setCloud(test::cloudOf({{0, 0, 0}, {0, 0, 1}}));
+  PlantState state;
+  state.name = "Prune: length 3";
+  scene.setOther(Side::right, state);
+  const SeenSides both = SeenSides::of(0.5);
+  EXPECT_EQ(nameOf(scene, Side::left, both), "Plant");
+  EXPECT_EQ(nameOf(scene, Side::right, both), "Prune: length 3");
+  EXPECT_EQ(nameOf(scene, Side::left, SeenSides::of(1)), "") << "the plant alone";
+  scene.setOther(Side::left, state);
+  scene.setOther(Side::right, std::nullopt);
+  EXPECT_EQ(nameOf(scene, Side::right, both), "Plant") << "beside what was kept as A";
+  EXPECT_EQ(nameOf(scene, Side::right, SeenSides::of(0)), "");
+}
+
 TEST(SightKey, NamesTheColorsAtTheTopLeft) {
   const auto painted = [](const ShownSight& sight) {
     QImage image(400, 300, QImage::Format_RGB32);

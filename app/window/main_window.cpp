@@ -257,7 +257,7 @@ void MainWindow::refreshHint() {
   if (document_.isEmpty()) // while a file is read, that is all there is to say
     hint = jobs_.isRunning() ? QString() : tr("Open a scan, or drop one here");
   if (const QString radius = radius_->hint(); !radius.isEmpty()) hint = radius;
-  if (preview_ && preview_->shown() && !editing_->isPending())
+  if (preview_ && preview_->shown() && preview_->isOther() && !editing_->isPending())
     hint = withKeys(tr("Preview   {reconstruct} make it the skeleton   {leave} drop it   "
                        "{keep_as_a} keep as A"),
                     *actions_);

@@ -200,7 +200,7 @@ void MainWindow::connectPreview() {
   connect(preview_.get(), &PreviewFlow::changed, this, &MainWindow::refreshHint);
   connect(preview_.get(), &PreviewFlow::changed, this, [this] {
     const std::optional<Outcome>& shown = preview_->shown();
-    if (shown)
+    if (shown && preview_->isOther())
       valueColors_->setPreviewed(shown->contracted, shown->points);
     else
       valueColors_->setPreviewed(nullptr, {});

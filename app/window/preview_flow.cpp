@@ -5,13 +5,16 @@
 #include "app/window/judged_state.h"
 #include "app/window/options_text.h"
 #include "app/window/reconstruct_flow.h"
+#include "core/pipeline/pipeline_options.h"
 #include "core/pipeline/region_preview.h"
+#include "core/pipeline/registry.h"
 #include "ui/document/plant_document.h"
 #include "ui/panels/pipeline_panel.h"
 #include "ui/view/plant_view.h"
 
 #include <QAction>
 
+#include <algorithm>
 #include <utility>
 
 namespace espalier {
@@ -19,6 +22,10 @@ namespace {
 
 constexpr Eigen::Index ballPoints = 20000; // what is shown at once
 constexpr int resting = 250;               // [ms] without a change: the hand rests
+
+bool isOfPoints(const Step& step) {
+  return step.name == "clean" || step.name == "contract";
+}
 
 Outcome outcomeOf(RegionPreview region, const Ball& ball, const PipelineOptions& options,
                   const PointCloud& cloud) {
@@ -67,17 +74,20 @@ PreviewFlow::PreviewFlow(const Parts& parts) : parts_(parts) {
   });
   connect(&parts_.pipeline, &PipelinePanel::changed, this, [this](const Step& step) {
     if (!isLive()) return askAgain();
-    ask(step.name == "clean" || step.name == "contract");
+    ask(isOfPoints(step));
   });
   connect(&parts_.reconstruct, &ReconstructFlow::done, this, [this] {
     clear();
     before_ = parts_.pipeline.options();
   });
+  connect(&parts_.reconstruct, &ReconstructFlow::usedChanged, this, [this] {
+    if (shown_) show(*shown_); // it may do something otherwise than the plant now
+  });
   for (auto signal : {&PlantDocument::scanChanged, &PlantDocument::leftOutChanged})
     connect(&parts_.document, signal, this, [this] {
       forgetScan();
       QTimer::singleShot(0, this, [this] { // once one looks at it
-        if (isLive() && !shown_ && !isBusy()) ask(true);
+        if (isLive() && !shown_ && !isBusy()) askFirst();
       });
     });
   before_ = parts_.pipeline.options();
@@ -109,7 +119,7 @@ bool PreviewFlow::isLive() const {
 }
 
 void PreviewFlow::turn(bool isOn) {
-  if (isOn && parts_.document.scan() != nullptr) return ask(true);
+  if (isOn && parts_.document.scan() != nullptr) return askFirst();
   clear();
   before_ = parts_.pipeline.options();
 }
@@ -132,7 +142,7 @@ void PreviewFlow::placeBall() {
   if (!isLive())
     parts_.actions["live_preview"]->setChecked(true); // asks
   else
-    ask(true);
+    ask(movesPoints_);
 }
 
 void PreviewFlow::ask(bool movesPoints) {
@@ -151,6 +161,14 @@ void PreviewFlow::ask(bool movesPoints) {
     askContracted();
   else
     askReconstructed();
+}
+
+/// Points are shown where they were scanned until their contraction is another.
+void PreviewFlow::askFirst() {
+  const PipelineOptions used = parts_.reconstruct.used();
+  ask(std::ranges::any_of(pipelineSteps(), [&](const Step& step) {
+    return isOfPoints(step) && !isSameIn(step, options(), used);
+  }));
 }
 
 void PreviewFlow::askAgain() {
@@ -234,7 +252,14 @@ void PreviewFlow::setColors(std::optional<NodeColors> colors) {
   draw();
 }
 
+bool PreviewFlow::isOther() const {
+  const PipelineOptions used = parts_.reconstruct.used();
+  return parts_.document.skeleton().isEmpty() || used.leftOut != shown_->options.leftOut ||
+         !changeBetween(used, shown_->options).isEmpty();
+}
+
 void PreviewFlow::draw() {
+  if (!isOther()) return parts_.view.setState(Side::right, std::nullopt);
   PlantState state = shown_->shownAs(name());
   state.colors = colors_;
   state.replacesPoints = movesPoints_;

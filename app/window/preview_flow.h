@@ -64,6 +64,9 @@ public:
   [[nodiscard]] const std::optional<Outcome>& shown() const { return shown_; }
   /// What it does otherwise than the plant was made, as it is written over it. pre: shown()
   [[nodiscard]] QString name() const;
+  /// Does it do anything otherwise than the plant was made? If not, the plant itself is drawn.
+  /// pre: shown()
+  [[nodiscard]] bool isOther() const;
   /// Whether contracted points are shown in place of those scanned: they are what changes.
   [[nodiscard]] bool movesPoints() const { return movesPoints_; }
   void setColors(std::optional<NodeColors> colors); // of its nodes; none: as usual
@@ -87,6 +90,7 @@ private:
   void turn(bool isOn);
   /// @param movesPoints whether the change is one of the contraction, or of what comes before it
   void ask(bool movesPoints);
+  void askFirst(); // no knob was turned yet
   /// Starts a job of this kind: at once, unless one of its kind is about to end.
   template <class Work, class Done> void begin(Kind kind, Work work, Done done) {
     if (running_ == kind && job_.isBusy())

@@ -41,7 +41,7 @@ void ReconstructFlow::start(const PipelineOptions& options, const Step* last) {
        to = last != nullptr ? last->name : std::string()](const Progress& progress) {
         return pipeline->run(cloud, options, progress, to);
       },
-      [this, elapsed, last, options](const Reconstruction& result) {
+      [this, elapsed, last, options = ofKept](const Reconstruction& result) {
         show(result, last, static_cast<double>(elapsed.elapsed()) / 1000);
         if (!result.skeleton->isEmpty())
           setRun(Run{options, last != nullptr ? last->name : std::string(),

@@ -3,7 +3,9 @@
 #include "tests/app/window/preview_fixture.h"
 #include "tests/support/shared_data.h"
 #include "ui/panels/message_banner.h"
+#include "ui/panels/status_line.h"
 #include "ui/panels/sweep_strip.h"
+#include "ui/view/color_bar.h"
 
 #include <QComboBox>
 #include <QDockWidget>
@@ -33,6 +35,47 @@ TEST_F(PreviewTest, ShowsWhatTheStepsWouldMakeAndChangesNothing) {
   key(Qt::Key_L, Qt::ControlModifier);
   EXPECT_FALSE(shown());
   EXPECT_EQ(view().divider(), 1);
+}
+
+TEST_F(PreviewTest, ThePlantIsDrawnUntilSomethingIsDoneOtherwise) {
+  const QImage scan = view().picture({300, 200});
+  type("contract", "radius", 0.1);
+  key(Qt::Key_R, Qt::ControlModifier);
+  waitForJob();
+  const auto tells = [&] { return window().statusLine().shownText().startsWith("Preview"); };
+  const QImage before = view().picture({300, 200});
+  turnOn();
+  EXPECT_EQ(view().picture({300, 200}), before);
+  type("contract", "radius", 0.2);
+  waitForPreview();
+  EXPECT_NE(view().picture({300, 200}), before);
+  EXPECT_TRUE(QTest::qWaitFor(tells, patience)) << "once it has told of the step";
+  type("contract", "radius", 0.1);
+  waitForPreview();
+  EXPECT_EQ(view().picture({300, 200}), before);
+  EXPECT_FALSE(tells());
+  view().setFocus();
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(document().skeleton().isEmpty());
+  EXPECT_NE(view().picture({300, 200}), scan) << "the preview is other than nothing";
+}
+
+TEST_F(PreviewTest, TheScanKeepsItsPlacesAndColorsUntilItIsContractedOtherwise) {
+  const auto isKeyShown = [&] {
+    return std::ranges::any_of(view().findChildren<ColorBar*>(), &QWidget::isVisible);
+  };
+  ASSERT_TRUE(isKeyShown());
+  turnOn();
+  waitForView();
+  EXPECT_TRUE(isKeyShown());
+  type("prune", "length", 0.3);
+  waitForPreview();
+  waitForView();
+  EXPECT_TRUE(isKeyShown());
+  type("contract", "radius", 0.12);
+  waitForPreview();
+  waitForView();
+  EXPECT_FALSE(isKeyShown()) << "contracted points have one color";
 }
 
 TEST_F(PreviewTest, GoesOnWithAnotherScan) {
@@ -192,6 +235,8 @@ TEST_F(PreviewTest, NamesWhatWasChangedBeforeItWasTurnedOn) {
 
 TEST_F(PreviewTest, LooksCloselyAtWhatAPreviewDraws) {
   turnOn();
+  type("contract", "radius", 0.12);
+  waitForPreview();
   waitForView();
   const Camera before = view().camera();
   hover(view().project({0, 0, 1.5})->toPoint());

@@ -119,13 +119,15 @@ void FindingsFlow::connectParts() {
   connect(&job_, &JobRunner::finished, this, [this] {
     if (std::exchange(isJobOutdated_, false)) startJob();
     panel_->setChecking(!isAllChecked());
+    tellEnd();
   });
   connect(&job_, &JobRunner::failed, this, &FindingsFlow::noted);
-  connect(panel_, &FindingsPanel::chosen, this, &FindingsFlow::goTo);
   connect(dock_, &PanelDock::shown, this, [this](bool isShown) {
     parts_.distances.setWanted(ScanDistances::Use::findings, isShown);
+    isAwaited_ = false;
     if (isShown) refresh(); // nothing was checked while nobody looked
   });
+  connect(panel_, &FindingsPanel::chosen, this, &FindingsFlow::goTo);
   connect(panel_, &FindingsPanel::currentChanged, this, &FindingsFlow::showAction);
 }
 
@@ -249,11 +251,23 @@ void FindingsFlow::step(int by) {
 }
 
 void FindingsFlow::noteNothing() {
-  if (parts_.document.skeleton().isEmpty())
-    emit noted(tr("There is no skeleton to check yet"));
+  const bool hasSkeleton = !parts_.document.skeleton().isEmpty();
+  isAwaited_ = hasSkeleton && !isAllChecked();
+  emit noted(!hasSkeleton ? tr("There is no skeleton to check yet")
+             : isAwaited_ ? tr("Checking against the scan…")
+                          : tr("Nothing to look at: all checks pass"));
+}
+
+/// To who has asked for findings before the checks had ended.
+void FindingsFlow::tellEnd() {
+  if (!isAwaited_ || !isAllChecked()) return;
+  isAwaited_ = false;
+  if (findings_.empty())
+    noteNothing();
   else
-    emit noted(isAllChecked() ? tr("Nothing to look at: all checks pass")
-                              : tr("Checking against the scan…"));
+    emit noted(findings_.size() == 1
+                   ? tr("The checks ended: 1 finding")
+                   : tr("The checks ended: %1 findings").arg(formatCount(findings_.size())));
 }
 
 /// Selects what takes part, and shows it, with some of what is around it, from its best side.

@@ -89,6 +89,7 @@ private:
   [[nodiscard]] bool isIgnored(const Finding& finding) const;
   void step(int by);
   void noteNothing();
+  void tellEnd();
   void goTo(const Finding& finding);
   void toggleIgnored();
   void showAction();
@@ -101,6 +102,7 @@ private:
   JobRunner job_;
   bool isJobOutdated_ = false;
   bool isCheckedAtOnce_ = true;
+  bool isAwaited_ = false;     // one has asked for findings before there were any
   bool isScanChecked_ = false; // against the skeleton of now
   std::shared_ptr<const Indexed> indexed_;
   std::vector<Finding> ofSkeleton_;

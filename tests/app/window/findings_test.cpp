@@ -92,6 +92,15 @@ TEST_F(FindingsWindowTest, TheKeyOfTheNextBringsTheListToTheFront) {
   EXPECT_TRUE(isInFront());
 }
 
+TEST_F(FindingsWindowTest, TellsHowTheChecksEndedToWhoHasAskedBefore) {
+  openForkAndScan();
+  const auto told = [&] { return window().statusLine().shownText(); };
+  key(Qt::Key_F4);
+  ASSERT_EQ(told(), QString::fromUtf8("Checking against the scan…"));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !find<QLabel>("findings_note").isVisible(); }));
+  EXPECT_EQ(told(), "The checks ended: " + title());
+}
+
 TEST_F(FindingsWindowTest, KeysGoFromFindingToFindingAndFlyThere) {
   openFork();
   setRadiusOf(shoot(0), 0.2);

@@ -71,6 +71,29 @@ TEST_F(NodeTableWindowTest, ListsAllNodes) {
   EXPECT_EQ(count(), "5 of 5 nodes, 0 selected");
 }
 
+TEST_F(NodeTableWindowTest, TheArrowOfTheOrderDoesNotLieOnTheName) {
+  openTable();
+  QHeaderView* header = table().horizontalHeader();
+  const QRect section(0, 0, header->sectionSize(0), header->height());
+  const QImage marked = header->grab(section).toImage();
+  header->setSortIndicatorShown(false);
+  const QImage plain = header->grab(section).toImage();
+  const auto boundsOf = [&](const auto& isOf) {
+    QRect bounds;
+    for (int y = 0; y < section.height() - 2; ++y) // without the line below
+      for (int x = 0; x < section.width(); ++x)
+        if (isOf(x, y)) bounds |= QRect(x, y, 1, 1);
+    return bounds;
+  };
+  const QRgb ground = plain.pixel(1, 1);
+  const QRect text = boundsOf([&](int x, int y) { return plain.pixel(x, y) != ground; });
+  const QRect arrow =
+      boundsOf([&](int x, int y) { return marked.pixel(x, y) != plain.pixel(x, y); });
+  EXPECT_FALSE(text.isEmpty());
+  EXPECT_GE(arrow.width(), 4);
+  EXPECT_FALSE(arrow.intersects(text));
+}
+
 TEST_F(NodeTableWindowTest, RowsSelectNodes) {
   openTable();
   clickRow(forkTop);

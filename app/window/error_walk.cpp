@@ -36,6 +36,22 @@ QString acceptText(const std::optional<DifferingPart>& part) {
   return {};
 }
 
+/// The same on a button.
+QString shortAcceptText(const std::optional<DifferingPart>& part) {
+  if (!part) return ErrorWalk::tr("Accept");
+  switch (part->kind) {
+  case Difference::missed:
+    return ErrorWalk::tr("Add");
+  case Difference::invented:
+    return ErrorWalk::tr("Remove");
+  case Difference::wronglyAttached:
+    return ErrorWalk::tr("Attach");
+  case Difference::matched:
+    break;
+  }
+  return {};
+}
+
 QString stepText(const DifferingPart& part, const QString& length) {
   switch (part.kind) {
   case Difference::missed:
@@ -215,9 +231,12 @@ void ErrorWalk::showActions() {
   const std::optional<DifferingPart> part = panel_->current();
   QAction* accept = parts_.actions["accept_reference"];
   accept->setText(acceptText(part));
+  accept->setIconText(shortAcceptText(part));
   accept->setEnabled(part.has_value());
   QAction* ignore = parts_.actions["ignore_error"];
-  ignore->setText(part && isIgnored(*part) ? tr("Show Error Again") : tr("Ignore Error"));
+  const bool isOut = part && isIgnored(*part);
+  ignore->setText(isOut ? tr("Show Error Again") : tr("Ignore Error"));
+  ignore->setIconText(isOut ? tr("Show Again") : tr("Ignore"));
   ignore->setEnabled(part.has_value());
 }
 

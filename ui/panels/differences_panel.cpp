@@ -140,6 +140,7 @@ DifferencesPanel::DifferencesPanel(const PlantDocument& document, const Actions&
   onEnter(*list_, [this] { tellChosen(list_->currentItem()); });
   list_->installEventFilter(this);
   column->addWidget(list_, 1);
+  column->addStretch();
   connect(list_, &QTreeWidget::itemClicked, this,
           [this](const QTreeWidgetItem* item) { tellChosen(item); });
   connect(list_, &QTreeWidget::currentItemChanged, this, [this](const QTreeWidgetItem* item) {
@@ -173,6 +174,7 @@ void DifferencesPanel::show(const std::vector<DifferingPart>& parts,
   count_ = parts.size();
   ignored_ = ignored.size();
   refreshTitle();
+  endBetweenRows();
   emit currentChanged();
 }
 
@@ -234,6 +236,19 @@ void DifferencesPanel::refreshTitle() {
   title_->setText(count_ == 1 ? tr("1 error") : tr("%1 errors").arg(formatCount(count_)));
   showIgnored_->setVisible(ignored_ > 0);
   showIgnored_->setText(tr("%1 ignored").arg(formatCount(ignored_)));
+}
+
+void DifferencesPanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  endBetweenRows();
+}
+
+/// The last row that is seen is not sliced.
+void DifferencesPanel::endBetweenRows() {
+  const int row = list_->sizeHintForRow(0);
+  const int rest = list_->header()->sizeHint().height() + 2 * list_->frameWidth();
+  const int room = height() - list_->y() - rest;
+  list_->setMaximumHeight(row > 0 ? rest + std::max(room / row, 1) * row : QWIDGETSIZE_MAX);
 }
 
 /// The keys that go through a list choose what they come to.

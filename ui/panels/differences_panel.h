@@ -46,11 +46,15 @@ signals:
   void chosen(const espalier::DifferingPart& part); // by a click, Enter, or a key that goes there
   void currentChanged();
 
+protected:
+  void resizeEvent(QResizeEvent* event) override;
+
 private:
   bool eventFilter(QObject* watched, QEvent* event) override; // of the list
   void addItem(const DifferingPart& part, bool isIgnored);
   void restoreCurrent(const std::optional<DifferingPart>& part, double tolerance);
   void refreshTitle();
+  void endBetweenRows();
   void tellChosen(const QTreeWidgetItem* item);
 
   const PlantDocument& document_;

@@ -94,6 +94,22 @@ void EvaluationScores::fit() {
   constexpr int scrollBar = 14;
   scores_->layout()->activate();
   setFixedWidth(std::max(396, scores_->minimumSizeHint().width() + scrollBar));
+  endBetweenRows();
+}
+
+void EvaluationScores::resizeEvent(QResizeEvent* event) {
+  QScrollArea::resizeEvent(event);
+  endBetweenRows();
+}
+
+/// The last row that is seen is not sliced.
+void EvaluationScores::endBetweenRows() {
+  const auto* grid = static_cast<QGridLayout*>(scores_->layout());
+  int end = 0;
+  for (int row = 0; row < grid->rowCount() - 1; ++row) // without what stretches
+    if (const int bottom = grid->cellRect(row, 0).bottom() + 1; bottom <= height()) end = bottom;
+  const bool isAllSeen = scores_->minimumSizeHint().height() <= height();
+  setViewportMargins(0, 0, 0, isAllSeen || end == 0 ? 0 : height() - end);
 }
 
 void EvaluationScores::forget() {

@@ -28,6 +28,9 @@ public:
   void setStale(bool isStale); // the plant has changed since
   void showHandWork(const HandWork& work);
 
+protected:
+  void resizeEvent(QResizeEvent* event) override;
+
 private:
   struct Place; // where the next row goes
   void addScores(QGridLayout& grid);
@@ -35,6 +38,7 @@ private:
   QLabel* addValue(QGridLayout& grid, Place& place, const QString& text, const QString& help,
                    const char* name);
   void fit(); // none is cut off
+  void endBetweenRows();
 
   const PlantDocument& document_;
   QWidget* scores_;

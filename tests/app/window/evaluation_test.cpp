@@ -15,6 +15,7 @@
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QScrollArea>
 #include <QTest>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -110,6 +111,39 @@ TEST_F(EvaluationWindowTest, GivesThePlantItselfAllThatCanBeReached) {
   EXPECT_EQ(errors(), "0 errors");
   key(Qt::Key_F3);
   EXPECT_TRUE(window().statusLine().shownText().startsWith("Nothing differs"));
+}
+
+TEST_F(EvaluationWindowTest, NoRowIsSlicedAndNoButtonCut) {
+  compare([](SkeletonEditor& editor) {
+    for (std::uint32_t i = 1; i < 10; ++i) { // twigs that the reference lacks
+      const Eigen::Vector3d at = editor.skeleton()[NodeId{i}].position;
+      addChild(editor, NodeId{i}, at + Eigen::Vector3d(0.3, 0, 0));
+    }
+  });
+  ASSERT_TRUE(waitForErrors(9));
+  key(Qt::Key_F3);
+  key(Qt::Key_F3, Qt::ControlModifier);
+  key(Qt::Key_F3);
+  ASSERT_TRUE(find<QToolButton>("differences_ignored").isVisible());
+  for (const int height : {800, 810, 821}) {
+    window().resize(1280, height);
+    QCoreApplication::processEvents();
+    EXPECT_EQ(list().viewport()->height() % list().sizeHintForRow(0), 0) << height;
+    const auto& scores = find<QScrollArea>("evaluation_scores");
+    EXPECT_GT(scores.viewport()->height(), 60);
+    for (const auto* label : scores.widget()->findChildren<QLabel*>()) {
+      const QRect place = label->geometry();
+      EXPECT_TRUE(label->isHidden() || place.top() >= scores.viewport()->height() ||
+                  place.bottom() < scores.viewport()->height())
+          << height << ": " << label->text().toStdString();
+    }
+  }
+  const auto& panel = find<QWidget>("evaluation_panel");
+  for (const auto* button : find<QWidget>("differences_panel").findChildren<QToolButton*>()) {
+    const QRect seen(button->mapTo(panel.parentWidget(), QPoint()), button->size());
+    EXPECT_TRUE(panel.parentWidget()->rect().contains(seen)) << button->text().toStdString();
+    EXPECT_GE(button->width(), button->sizeHint().width()) << button->text().toStdString();
+  }
 }
 
 TEST_F(EvaluationWindowTest, TellsWhatIsMissedAndFarInGroups) {

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace espalier {
 namespace {
@@ -23,7 +24,7 @@ QString asSentence(QString reason) {
 } // namespace
 
 MessageBanner::MessageBanner(QWidget* parent)
-    : QFrame(parent),
+    : QFrame(parent), row_(new QBoxLayout(QBoxLayout::LeftToRight, this)),
       text_(new QLabel(this)), buttons_{new QPushButton(this), new QPushButton(this)} {
   setObjectName("message_banner");
   text_->setTextFormat(Qt::PlainText);
@@ -36,13 +37,16 @@ MessageBanner::MessageBanner(QWidget* parent)
     button->setFlat(true);
     button->setCursor(Qt::PointingHandCursor);
   }
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(16, 4, 8, 4);
-  row->setSpacing(8);
-  row->addWidget(text_, 1);
+  row_->setContentsMargins(16, 4, 8, 4);
+  row_->setSpacing(4);
+  row_->addWidget(text_, 1);
+  auto* answers = new QHBoxLayout;
+  answers->setSpacing(8);
+  answers->addStretch();
   for (QPushButton* button : buttons_)
-    row->addWidget(button);
-  row->addWidget(dismiss);
+    answers->addWidget(button);
+  answers->addWidget(dismiss);
+  row_->addLayout(answers);
   leaves_.setSingleShot(true);
   leaves_.setInterval(10'000); // [ms], time to read it and to reach for Undo
   connect(&leaves_, &QTimer::timeout, this, &QWidget::hide);
@@ -103,29 +107,36 @@ bool MessageBanner::eventFilter(QObject* watched, QEvent* event) {
 
 QSize MessageBanner::sizeWithin(int width) {
   text_->setWordWrap(false);
-  layout()->activate();
-  const QSize size = sizeHint();
-  if (size.width() <= width) return size;
+  for (const auto direction : {QBoxLayout::LeftToRight, QBoxLayout::TopToBottom}) {
+    row_->setDirection(direction);
+    row_->activate();
+    if (const QSize size = sizeHint(); size.width() <= width) return size;
+  }
   text_->setWordWrap(true);
-  layout()->activate();
+  row_->activate();
   return {width, heightForWidth(width)};
 }
 
 void MessageBanner::place() {
   constexpr int margin = 12;
   constexpr int widest = 880;
-  constexpr int narrow = 400; // of one that lies in a corner
-  constexpr int scaleBar = 40;
+  constexpr int scaleBar = 40; // [pixels] above the foot, at the left
+  constexpr int axes = 88;     // likewise, at the right
   const QRect within = parentWidget()->rect().adjusted(margin, margin, -margin, -margin);
   const QSize wide = sizeWithin(std::min(widest, within.width()));
-  const QSize small = sizeWithin(std::min(narrow, within.width()));
+  const QSize high = sizeWithin(wide.width() - 1); // its buttons below its line
+  const auto wrapped = [&](int width) { return sizeWithin(std::min(width, within.width())); };
   const auto at = [&](const QSize& size, double across, int top) {
     return QRect(within.left() + int(across * (within.width() - size.width())), top, size.width(),
                  size.height());
   };
   const auto foot = [&](const QSize& size) { return within.bottom() + 1 - size.height(); };
-  const std::array places = {at(wide, 0.5, foot(wide)), at(small, 0, foot(small) - scaleBar),
-                             at(small, 0, within.top()), at(wide, 0.5, within.top())};
+  std::vector<QRect> places = {at(wide, 0.5, foot(wide))};
+  for (const QSize& size : {wide, high, wrapped(400), wrapped(300)})
+    for (const QRect& place :
+         {at(size, 0, foot(size) - scaleBar), at(size, 1, foot(size) - axes),
+          at(size, 0, within.top()), at(size, 1, within.top()), at(size, 0.5, within.top())})
+      places.push_back(place);
   QRect best = places.front();
   int least = covered_ ? covered_(best) : 0;
   for (const QRect& place : places) {

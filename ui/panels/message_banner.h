@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+class QBoxLayout;
 class QLabel;
 class QPushButton;
 
@@ -46,8 +47,10 @@ private:
   bool eventFilter(QObject* watched, QEvent* event) override; // of the parent: it is resized
   void showText(const QString& kind, const QString& text, const Actions& actions);
   void place();
-  [[nodiscard]] QSize sizeWithin(int width); // its text in one line, if there is room for it
+  /// With its text in one line and the buttons beside it, else below it, if there is room for that.
+  [[nodiscard]] QSize sizeWithin(int width);
 
+  QBoxLayout* row_;
   QLabel* text_;
   std::array<QPushButton*, 2> buttons_;
   QTimer leaves_;

@@ -1,5 +1,7 @@
 #include "ui/panels/message_banner.h"
 
+#include <QCoreApplication>
+#include <QLabel>
 #include <gtest/gtest.h>
 
 namespace espalier {
@@ -60,6 +62,33 @@ TEST_F(MessageBannerTest, CoversAsLittleAsItCanOfAPlantThatIsEverywhere) {
   plant = {page.rect(), {0, 0, 1000, 100}, {0, 500, 400, 100}, {480, 500, 520, 100}};
   EXPECT_TRUE(page.rect().contains(place()));
   EXPECT_GT(place().top(), 400) << "its top is the denser one";
+}
+
+TEST_F(MessageBannerTest, LiesBesideThePlantAtTheRightIfThereIsNoRoomAtTheLeft) {
+  plant = {{480, 100, 40, 500}, {0, 100, 480, 500}, {400, 0, 200, 100}};
+  EXPECT_GT(place().left(), 520);
+  EXPECT_LT(place().bottom(), 600 - 80) << "above the axes of the view";
+}
+
+TEST_F(MessageBannerTest, KeepsItsTextInOneLineWhereThereIsRoom) {
+  const QString text = "Work on this plant was kept: scan in puu1, 2 edits, today 22:43";
+  const auto* label = banner.findChild<QLabel*>();
+  const auto show = [&] {
+    banner.showOffer(text, {{"Continue", [] {}}, {"Discard", [] {}}});
+    return banner.geometry();
+  };
+  const int line = label->fontMetrics().height();
+  const QRect wide = show();
+  EXPECT_LT(label->height(), 2 * line);
+  plant = {{480, 100, 40, 500}, {0, 0, 1000, 100}}; // a trunk in the way of a long line
+  const QRect narrow = show();
+  EXPECT_LT(narrow.width(), wide.width());
+  EXPECT_GT(narrow.height(), wide.height()) << "the buttons are below";
+  EXPECT_FALSE(narrow.intersects(plant.front()));
+  page.show();
+  QCoreApplication::processEvents();
+  EXPECT_GE(label->width(), label->fontMetrics().horizontalAdvance(text));
+  EXPECT_LT(label->height(), 2 * line);
 }
 
 TEST_F(MessageBannerTest, StaysOnAPageThatShrinks) {

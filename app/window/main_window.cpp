@@ -297,6 +297,7 @@ void MainWindow::resetLayout() {
   inspectorDock_->resetLayout();
   review_->dock().resetLayout();
   findings_->dock().resetLayout();
+  shown_->dock().resetLayout();
   history_->dock().resetLayout();
   nodeTable_->dock().resetLayout();
   evaluation_->resetLayout();

@@ -64,14 +64,15 @@ void MainWindow::addActions() {
   radius_ = std::make_unique<RadiusFlow>(
       RadiusFlow::Parts{document_, jobs_, *actions_, *view_, inspector_->crossSection()});
   options_ = std::make_unique<ViewOptions>(*view_, *actions_, settings_, nullptr);
+  const PanelDock::Parts panels{*actions_, settings_, *this};
   addPanels();
   seals_ = std::make_unique<SealFlow>(
       SealFlow::Parts{document_, *actions_, *projects_, *banner_, *this});
   review_ = std::make_unique<ReviewFlow>(
       ReviewFlow::Parts{document_, *view_, *actions_, settings_, *this},
       (*actions_)["sign_structure"]);
-  shown_ =
-      std::make_unique<ShownFlow>(ShownFlow::Parts{document_, *view_, *actions_, *editing_, *this});
+  shown_ = std::make_unique<ShownFlow>(
+      ShownFlow::Parts{document_, *view_, *actions_, *editing_, panels});
   pointStates_ = std::make_unique<PointStates>(document_, *view_);
   points_ = std::make_unique<PointsFlow>(
       PointsFlow::Parts{document_, *actions_, *editing_, *pointStates_});
@@ -92,7 +93,6 @@ void MainWindow::addActions() {
       CloseLookFlow::Parts{document_, *view_, *actions_, *editing_, *twoViews_});
   valueColors_ = std::make_unique<ValueColors>(
       ValueColors::Parts{document_, *view_, *actions_, *options_, *distances_});
-  const PanelDock::Parts panels{*actions_, settings_, *this};
   history_ = std::make_unique<HistoryFlow>(HistoryFlow::Parts{document_, *editing_, panels});
   nodeTable_ = std::make_unique<NodeTableFlow>(NodeTableFlow::Parts{document_, *editing_, panels});
   reference_ = std::make_unique<ReferenceFlow>(

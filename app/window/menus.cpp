@@ -151,7 +151,7 @@ void MainWindow::fillViewMenu() {
   QMenu* saved = view->addMenu(tr("Saved Views"));
   saved->setObjectName("saved_views");
   connect(saved, &QMenu::aboutToShow, saved, [this, saved] { savedViews_->fill(*saved); });
-  add(*view, *actions_, {"hide", "isolate", "clipping", "show_all", ""});
+  add(*view, *actions_, {"hide", "isolate", "show_clipping", "show_all", ""});
   add(*view->addMenu(tr("Panels")), *actions_,
       {"show_pipeline", "show_inspector", "show_review", "show_findings", "show_history",
        "show_node_table", "show_judge", "show_sweep", "show_evaluation", "show_methods", "",

@@ -48,7 +48,7 @@ PanelDock::PanelDock(const Parts& parts, const Name& name, const Place& place, Q
     refresh();
   });
   dock_->setObjectName(name.id);
-  dock_->setProperty(sideName, place_.side);
+  if (place_.isTab) dock_->setProperty(sideName, place_.side);
   const bool isBelow = place_.side == Qt::BottomDockWidgetArea;
   dock_->setWidget(isBelow ? new PanelArea(panel) : panel);
   dock_->installEventFilter(this);
@@ -107,6 +107,7 @@ bool PanelDock::eventFilter(QObject* watched, QEvent* event) {
 
 void PanelDock::place() {
   parts_.window.addDockWidget(place_.side, dock_);
+  if (!place_.isTab) return;
   for (auto* other : parts_.window.findChildren<QDockWidget*>())
     if (other != dock_ && other->property(sideName) == dock_->property(sideName) &&
         !other->isFloating())
@@ -114,6 +115,7 @@ void PanelDock::place() {
 }
 
 void PanelDock::takeSize() {
+  if (!place_.isTab) return;
   const bool isBelow = place_.side == Qt::BottomDockWidgetArea;
   parts_.window.resizeDocks({dock_}, {place_.size}, isBelow ? Qt::Vertical : Qt::Horizontal);
 }

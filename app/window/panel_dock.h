@@ -14,7 +14,8 @@ namespace espalier {
 class ActionSet;
 
 /// A dock of the window with the action that shows it, brings it to the front, or hides it if it is
-/// there. Whether it is shown is remembered. Those of one side share one place, as tabs.
+/// there. Whether it is shown is remembered. Those of one side share one place, as tabs, unless one
+/// asks for its own.
 class PanelDock : public QObject {
   Q_OBJECT
 
@@ -36,6 +37,7 @@ public:
     Qt::DockWidgetArea side = Qt::BottomDockWidgetArea;
     int size = 220;       // [pixels] across that side; of a window of 800 the plant keeps most
     bool isShown = false; // until one has chosen
+    bool isTab = true;    // else it has a place of its own, as wide or high as what is beside it
   };
   PanelDock(const Parts& parts, const Name& name, QWidget* panel, QObject* parent)
       : PanelDock(parts, name, Place(), panel, parent) {}

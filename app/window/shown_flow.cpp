@@ -9,8 +9,6 @@
 #include "ui/view/plant_view.h"
 
 #include <QAction>
-#include <QDockWidget>
-#include <QMainWindow>
 #include <QMenu>
 
 #include <algorithm>
@@ -60,18 +58,19 @@ void ShownFlow::addActions() {
 
 void ShownFlow::makePanel() {
   panel_ = new ClipPanel;
-  dock_ = new QDockWidget(tr("Clipping"), &window_);
-  dock_->setObjectName("clipping");
-  dock_->setWidget(panel_);
-  window_.addDockWidget(Qt::RightDockWidgetArea, dock_);
-  dock_->hide();
-  QAction* action = dock_->toggleViewAction();
-  action->setText(tr("Clipping…"));
-  action->setStatusTip(tr("Shows a slab or a box of the plant, and fades its back"));
-  action->setProperty("name", tr("Clipping"));
-  actions_.adopt("clipping", action);
-  connect(action, &QAction::triggered, this, &ShownFlow::refreshPanel);
-  connect(dock_, &QDockWidget::visibilityChanged, &view_, &PlantView::setClipHandlesShown);
+  PanelDock::Place place = besideThePlant;
+  place.isTab = false;
+  dock_ = new PanelDock(window_,
+                        {.id = "clipping",
+                         .title = tr("Clipping"),
+                         .text = tr("Clipping…"),
+                         .help = tr("Shows a slab or a box of the plant, and fades its back"),
+                         .keys = {}},
+                        place, panel_, this);
+  connect(dock_, &PanelDock::shown, this, [this](bool isShown) {
+    if (isShown) refreshPanel();
+    view_.setClipHandlesShown(isShown);
+  });
   connect(panel_, &ClipPanel::changed, this, &ShownFlow::clipAsPanelSays);
   connect(panel_, &ClipPanel::showAllRequested, actions_["show_all"], &QAction::trigger);
 }
@@ -157,8 +156,8 @@ void ShownFlow::refreshPanel() {
 }
 
 void ShownFlow::setAvailable(bool hasPlant) {
-  if (!hasPlant) dock_->hide();
-  for (const char* id : {"hide", "isolate", "clipping"})
+  dock_->setPlantShown(hasPlant);
+  for (const char* id : {"hide", "isolate", "show_clipping"})
     actions_[id]->setEnabled(hasPlant);
 }
 

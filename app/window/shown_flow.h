@@ -1,13 +1,12 @@
 #pragma once
 
+#include "app/window/panel_dock.h"
 #include "core/skeleton/skeleton.h"
 
 #include <QObject>
 
 #include <vector>
 
-class QDockWidget;
-class QMainWindow;
 class QMenu;
 
 namespace espalier {
@@ -30,10 +29,11 @@ public:
     PlantView& view;
     ActionSet& actions;
     Editing& editing;
-    QMainWindow& window; // gets the panel
+    PanelDock::Parts window; // gets the panel
   };
   explicit ShownFlow(const Parts& parts);
 
+  [[nodiscard]] PanelDock& dock() { return *dock_; }
   [[nodiscard]] const std::vector<NodeId>& hidden() const { return hidden_; }
   [[nodiscard]] std::vector<NodeId> shownNodes() const; // those that are not hidden
   void setHidden(const std::vector<NodeId>& nodes);     // ids that are gone are left out
@@ -62,8 +62,8 @@ private:
   PlantView& view_;
   ActionSet& actions_;
   Editing& editing_;
-  QMainWindow& window_;
-  QDockWidget* dock_ = nullptr; // of the window
+  PanelDock::Parts window_;
+  PanelDock* dock_ = nullptr;
   ClipPanel* panel_ = nullptr;
   std::vector<NodeId> hidden_;
   bool arePointsIsolated_ = false;

@@ -24,7 +24,7 @@ struct ReachTest : test::WindowTest {
   void openWithAllPanels() {
     open({writeScan("scan.xyz"), writeFork("fork.mtg")});
     for (const char* id : {"show_pipeline", "show_inspector", "show_review", "show_findings",
-                           "show_history", "show_node_table", "clipping", "hide_explained"})
+                           "show_history", "show_node_table", "show_clipping", "hide_explained"})
       if (!action(id).isChecked()) action(id).trigger();
     document().selection().set({test::forkTop});
     QCoreApplication::processEvents();

@@ -4,6 +4,7 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QDialog>
+#include <QDockWidget>
 #include <QInputDialog>
 #include <QMenu>
 #include <QPushButton>
@@ -88,7 +89,7 @@ TEST_F(ShownTest, RefusesToHideNothing) {
 }
 
 TEST_F(ShownTest, ClipsWithThePanelAndShowsAllAgain) {
-  action("clipping").trigger();
+  action("show_clipping").trigger();
   auto& slab = find<QCheckBox>("clip_slab_on");
   EXPECT_TRUE(slab.isVisible());
   slab.click();
@@ -104,23 +105,38 @@ TEST_F(ShownTest, ClipsWithThePanelAndShowsAllAgain) {
 
 TEST_F(ShownTest, OpensAndClosesTheClippingPanelWithoutMovingThePlant) {
   const int width = view().width();
-  action("clipping").trigger();
+  action("show_clipping").trigger();
   QCoreApplication::processEvents();
   EXPECT_EQ(view().width(), width);
-  action("clipping").trigger();
+  action("show_clipping").trigger();
   QCoreApplication::processEvents();
   EXPECT_EQ(view().width(), width);
 }
 
+TEST_F(ShownTest, TheClippingPanelComesToTheFrontFromBehindATab) {
+  action("show_clipping").trigger();
+  auto& clipping = find<QDockWidget>("clipping");
+  auto& inspector = find<QDockWidget>("inspector");
+  window().tabifyDockWidget(&clipping, &inspector);
+  inspector.raise();
+  QCoreApplication::processEvents();
+  ASSERT_TRUE(clipping.visibleRegion().isEmpty());
+  action("show_clipping").trigger();
+  QCoreApplication::processEvents();
+  EXPECT_FALSE(clipping.visibleRegion().isEmpty());
+  action("show_clipping").trigger();
+  EXPECT_TRUE(clipping.isHidden());
+}
+
 TEST_F(ShownTest, BeginsABoxAboutThePlant) {
-  action("clipping").trigger();
+  action("show_clipping").trigger();
   find<QCheckBox>("clip_box_on").click();
   ASSERT_TRUE(view().clip().box);
   EXPECT_EQ(seen().size(), document().skeleton().size()) << "nothing is cut yet";
 }
 
 TEST_F(ShownTest, KeepsTheSlabThickerThanNothing) {
-  action("clipping").trigger();
+  action("show_clipping").trigger();
   find<QCheckBox>("clip_slab_on").click();
   find<QSlider>("clip_farthest").setValue(0);
   ASSERT_TRUE(view().clip().slab);
@@ -160,7 +176,7 @@ TEST_F(ShownTest, ProposesANameAndRemovesAView) {
 }
 
 TEST_F(ShownTest, ThePanelFollowsWhatIsDraggedInTheView) {
-  action("clipping").trigger();
+  action("show_clipping").trigger();
   find<QCheckBox>("clip_slab_on").click();
   const QPoint back(30, view().height() / 2 - 100); // on the gauge, which is 200 high
   drag(back, back + QPoint(0, 100));
@@ -168,7 +184,7 @@ TEST_F(ShownTest, ThePanelFollowsWhatIsDraggedInTheView) {
   EXPECT_NEAR(view().clip().slab->farthest, 0.5, 0.01);
   EXPECT_NEAR(find<QSlider>("clip_farthest").value(), 100, 2);
   EXPECT_EQ(document().undoStack().count(), 0) << "it is looking, not editing";
-  action("clipping").trigger();
+  action("show_clipping").trigger();
   drag(back + QPoint(0, 100), back);
   EXPECT_NEAR(view().clip().slab->farthest, 0.5, 0.01) << "without the panel there is no handle";
 }

@@ -19,7 +19,7 @@ std::optional<WoodCircle> circleOf(const std::vector<Eigen::Vector3f>& members,
                                    const Moments& moments, double radius) {
   constexpr double leastLinearity = 0.4;
   const auto components = moments.components();
-  const Eigen::Vector3d variances = components.eigenvalues();
+  const Eigen::Vector3d& variances = components.eigenvalues();
   if (variances[2] - variances[1] < leastLinearity * variances[2]) return std::nullopt;
   return circleAround(members, components.eigenvectors().col(2), radius);
 }

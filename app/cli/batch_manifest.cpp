@@ -2,25 +2,15 @@
 
 #include "app/cli/pipeline_flags.h"
 #include "core/base/error.h"
+#include "core/base/open_for_reading.h"
 #include "core/base/text.h"
 #include "core/io/csv.h"
 
 #include <algorithm>
-#include <fstream>
 #include <set>
-#include <system_error>
 
 namespace espalier {
 namespace {
-
-std::string textOf(const std::filesystem::path& file) {
-  std::error_code isMissing;
-  if (std::filesystem::is_directory(file, isMissing))
-    throw Error(file.string() + ": is a folder, choose a file in it");
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw Error(file.string() + ": cannot be read: check its name and your rights to it");
-  return readAll(in);
-}
 
 /// @throws Error if no file can have this name
 void requireName(const std::string& name) {
@@ -55,7 +45,8 @@ std::vector<std::string> passedOver(const CsvTable& table, const std::string& fi
 } // namespace
 
 Imported<std::vector<BatchPlant>> readManifest(const std::filesystem::path& file) {
-  const CsvTable table = readCsv(textOf(file), file.string());
+  std::ifstream in = openForReading(file);
+  const CsvTable table = readCsv(readAll(in), file.string());
   if (!table.column("scan"))
     throw Error(place(file.string(), 1) +
                 "there is no column scan: name the columns in the first line, as "

@@ -1,11 +1,11 @@
 #include "app/cli/batch_summary.h"
 
 #include "core/base/error.h"
+#include "core/base/open_for_reading.h"
 #include "core/base/text.h"
 #include "core/io/atomic_file.h"
 #include "core/io/csv.h"
 
-#include <fstream>
 #include <ostream>
 #include <set>
 #include <system_error>
@@ -66,8 +66,7 @@ BatchResult resultOf(const CsvTable& table, const CsvTable::Row& row) {
 BatchSummary::BatchSummary(std::filesystem::path file) : file_(std::move(file)) {
   std::error_code isMissing;
   if (!std::filesystem::exists(file_, isMissing)) return;
-  std::ifstream in(file_, std::ios::binary);
-  if (!in) throw Error(file_.string() + ": cannot be read: check your rights to it");
+  std::ifstream in = openForReading(file_);
   const CsvTable table = readCsv(readAll(in), file_.string());
   if (!table.column(nameColumn) || !table.column(statusColumn) || !table.column("inputs"))
     throw Error(file_.string() + ": is no summary of a batch: choose another folder");

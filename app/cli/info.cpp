@@ -1,6 +1,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/statistics.h"
 #include "app/cli/terminal.h"
+#include "core/base/open_for_reading.h"
 #include "core/io/formats.h"
 #include "core/mtg/mtg_skeleton.h"
 
@@ -8,7 +9,6 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <sstream>
@@ -60,7 +60,7 @@ void printLines(const Json& json, const std::string& prefix = {}) {
 /// An MTG is told as it is, with all its scales; its skeleton only if it has one.
 Json infoOnMtg(const std::string& file, const Format& format) {
   const std::string name = std::filesystem::path(file).filename().string();
-  std::ifstream in(file, std::ios::binary);
+  std::ifstream in = openForReading(file);
   const Imported<Mtg> mtg = format.readMtg(in, name);
   printNotes(mtg.notes);
   Imported<Skeleton> skeleton;

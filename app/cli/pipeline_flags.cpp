@@ -2,6 +2,7 @@
 
 #include "app/cli/arguments.h"
 #include "app/cli/files.h"
+#include "core/base/open_for_reading.h"
 #include "core/base/parallel.h"
 #include "core/base/text.h"
 #include "core/pipeline/preset.h"
@@ -10,7 +11,6 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <system_error>
 
@@ -21,12 +21,9 @@ namespace {
 PipelineOptions presetIn(const std::string& path) {
   if (const NamedPreset* known = presetNamed(path)) return known->options;
   std::error_code isMissing;
-  if (std::filesystem::is_directory(path, isMissing))
-    throw Error(path + ": is a folder, choose a file in it");
-  std::ifstream in(path);
-  if (!in)
-    throw Error(path + ": cannot be read: check its name and your rights to it; or name default or "
-                       "thesis");
+  if (!std::filesystem::exists(path, isMissing))
+    throw Error(path + ": there is no such preset or file: name default, thesis, or a JSON file");
+  std::ifstream in = openForReading(path);
   return readPreset(in, path);
 }
 

@@ -3,6 +3,7 @@
 #include "app/window/action_set.h"
 #include "app/window/load_files.h"
 #include "core/base/error.h"
+#include "core/base/open_for_reading.h"
 #include "core/io/atomic_file.h"
 #include "core/pipeline/preset.h"
 #include "core/pipeline/presets.h"
@@ -16,7 +17,6 @@
 #include <QSettings>
 
 #include <algorithm>
-#include <fstream>
 #include <sstream>
 
 namespace espalier {
@@ -135,11 +135,7 @@ void PresetFlow::open() {
                                                     parts_.settings.value(folderKey).toString(),
                                                     tr("Settings (*.json)"));
   if (path.isEmpty()) return;
-  std::ifstream in(toPath(path));
-  if (!in)
-    throw Error(tr("%1 cannot be read: check your rights to it")
-                    .arg(QFileInfo(path).fileName())
-                    .toStdString());
+  std::ifstream in = openForReading(toPath(path));
   const PipelineOptions options = readPreset(in, QFileInfo(path).fileName().toStdString());
   parts_.settings.setValue(folderKey, QFileInfo(path).absolutePath());
   show(options);

@@ -1,6 +1,7 @@
 #include "core/io/formats.h"
 
 #include "core/base/error.h"
+#include "core/base/open_for_reading.h"
 #include "core/base/text.h"
 #include "core/io/atomic_file.h"
 #include "core/mtg/mtg_edits.h"
@@ -11,7 +12,6 @@
 #include "core/mtg/mtg_writer.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <fstream>
 #include <sstream>
 #include <system_error>
@@ -52,18 +52,6 @@ template <class Wanted> std::string listOf(const Wanted& wanted) {
     list += ')';
   }
   return list;
-}
-
-std::ifstream openForReading(const std::filesystem::path& path) {
-  std::error_code ignored;
-  const auto fail = [&](const std::string& what) { throw Error(path.string() + ": " + what); };
-  if (std::filesystem::is_directory(path, ignored)) fail("is a folder, choose a file in it");
-  errno = 0;
-  std::ifstream in(path, std::ios::binary);
-  if (!in)
-    fail("cannot be read: " + std::generic_category().message(errno != 0 ? errno : EIO) +
-         "; check its name and your rights to it");
-  return in;
 }
 
 std::string beginningOf(std::istream& in, const std::filesystem::path& path) {

@@ -1,13 +1,13 @@
 #include "core/project/content_hash.h"
 
 #include "core/base/error.h"
+#include "core/base/open_for_reading.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
 #include <cstring>
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -97,15 +97,14 @@ std::uint64_t contentHash(std::string_view bytes) {
 }
 
 std::uint64_t contentHashOfFile(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
+  std::ifstream in = openForReading(path);
   std::vector<char> buffer(std::size_t{1} << 20);
   Hash hash;
   while (in) {
     in.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
     hash.add({buffer.data(), static_cast<std::size_t>(in.gcount())});
   }
-  if (!in.eof())
-    throw Error(path.string() + ": cannot be read: check that it exists and may be read");
+  if (!in.eof()) throw Error(path.string() + ": breaks off while it is read: try a copy of it");
   return hash.value();
 }
 

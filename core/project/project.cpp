@@ -1,5 +1,6 @@
 #include "core/project/project.h"
 
+#include "core/base/open_for_reading.h"
 #include "core/project/content_hash.h"
 #include "core/project/node_bytes.h"
 #include "core/project/project_schema.h"
@@ -29,7 +30,7 @@ bool hasWaitingEdits(const fs::path& path) {
 }
 
 Database openedIn(const fs::path& path, Access access) {
-  if (!fs::exists(path)) throw Error(path.string() + ": there is no such file: choose another");
+  requireReadable(path);
   if (access == Access::readWrite) return {path, Opening::readWrite};
   const bool mayChange = ProjectLock::holder(path) || hasWaitingEdits(path);
   return {path, mayChange ? Opening::readOnly : Opening::frozen};
@@ -129,7 +130,7 @@ Project Project::create(const fs::path& path, const History& history) {
 Project Project::open(const fs::path& path, Access access) {
   std::unique_ptr<ProjectLock> lock;
   if (access == Access::readWrite) {
-    if (!fs::exists(path)) throw Error(path.string() + ": there is no such file: choose another");
+    requireReadable(path);
     if (::access(path.c_str(), W_OK) != 0)
       throw Error(path.string() + ": may only be read: open it to read only, or open a copy");
     lock = std::make_unique<ProjectLock>(path);

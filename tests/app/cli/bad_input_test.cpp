@@ -144,7 +144,7 @@ TEST(BadInput, AMissingFileIsNamed) {
   const fs::path folder = test::freshFolder();
   const std::string missing = (folder / "missing.ply").string();
   const std::string output = (folder / "result.mtg").string();
-  const std::vector<std::string> parts = {missing, "No such file", "check its name"};
+  const std::vector<std::string> parts = {missing + ": there is no such file: check its name"};
   expectRefusal(runProgram({"reconstruct", missing, "-o", output}), 1, parts);
   expectRefusal(runProgram({"info", missing}), 1, parts);
   expectRefusal(runProgram({"convert", missing, output}), 1, parts);
@@ -152,6 +152,17 @@ TEST(BadInput, AMissingFileIsNamed) {
   expectRefusal(runProgram({"evaluate", test::sample("young_tree.mtg"), missing}), 1, parts);
   expectRefusal(runProgram({"simulate", "--from", missing, "-o", (folder / "x").string()}), 1,
                 parts);
+  expectRefusal(runProgram({"batch", missing, "-o", (folder / "x").string()}), 1, parts);
+  expectRefusal(runProgram({"picture", missing, "-o", (folder / "x.png").string()}), 1, parts);
+  EXPECT_THAT(namesIn(folder), IsEmpty());
+}
+
+TEST(BadInput, APresetThatIsNoneIsNamed) {
+  const fs::path folder = test::freshFolder();
+  const std::string output = (folder / "result.mtg").string();
+  expectRefusal(runProgram({"reconstruct", test::sample("young_tree.ply"), "-o", output, "--preset",
+                            "thessis"}),
+                1, {"thessis: there is no such preset or file", "default, thesis"});
   EXPECT_THAT(namesIn(folder), IsEmpty());
 }
 
@@ -163,6 +174,7 @@ TEST(BadInput, AFolderIsNoFile) {
   const std::vector<std::string> parts = {inside, "is a folder, choose a file in it"};
   expectRefusal(runProgram({"reconstruct", inside, "-o", output}), 1, parts);
   expectRefusal(runProgram({"evaluate", inside, test::sample("young_tree.mtg")}), 1, parts);
+  expectRefusal(runProgram({"batch", inside, "-o", (folder / "results").string()}), 1, parts);
   expectRefusal(
       runProgram({"reconstruct", test::sample("young_tree.ply"), "-o", output, "--preset", inside}),
       1, parts);
@@ -175,7 +187,7 @@ TEST(BadInput, AFileThatMayNotBeReadIsNamed) {
   const std::string scan = (folder / "secret.xyz").string();
   test::writeBytes(scan, "1 2 3\n");
   fs::permissions(scan, fs::perms::none);
-  expectRefusal(runProgram({"info", scan}), 1, {scan, "Permission denied", "your rights"});
+  expectRefusal(runProgram({"info", scan}), 1, {scan, "may not be read", "change its rights"});
 }
 
 TEST(BadInput, AStructureIsNoScan) {

@@ -217,7 +217,7 @@ TEST_F(Batch, RefusesABadManifestBeforeAnythingIsDone) {
   refuses("scan,name\nstick.xyz,../a\n", "line 2: the name '../a' is none for a file");
   refuses("scan,root\nstick.xyz,top\n", "line 2: root 'top'");
   expectRefusal(runProgram({"batch", (folder_ / "none.csv").string(), "-o", results_.string()}), 1,
-                {"none.csv: cannot be read"});
+                {"none.csv: there is no such file"});
 }
 
 TEST_F(Batch, RefusesWhatItCannotDo) {

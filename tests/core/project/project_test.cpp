@@ -366,7 +366,13 @@ TEST(Project, ThatIsMissingIsAnError) {
       test::errorOf([] {
         return Project::open(test::freshFolder() / "none.espalier", Access::readWrite).path();
       }),
-      HasSubstr("there is no such file"));
+      HasSubstr("there is no such file: check its name"));
+}
+
+TEST(Project, ThatIsAFolderIsAnError) {
+  EXPECT_THAT(
+      test::errorOf([] { return Project::open(test::freshFolder(), Access::readOnly).path(); }),
+      HasSubstr("is a folder, choose a file in it"));
 }
 
 } // namespace

@@ -154,6 +154,7 @@ BatchResult resultOf(const Batch& batch, const BatchPlant& plant, const BatchSum
                      const Progress& progress, bool& isSkipped) {
   std::string inputs;
   try {
+    if (!plant.problem.empty()) throw Error(plant.problem);
     inputs = inputsOf(batch, plant);
   } catch (const Error& problem) {
     BatchResult row;
@@ -180,7 +181,7 @@ void requireApart(const Batch& batch, const Flags& flags) {
                   ": is what is read, and would be replaced: choose another folder");
   };
   for (const BatchPlant& plant : batch.plants)
-    require(batch.output(plant));
+    if (plant.problem.empty()) require(batch.output(plant));
   require(batch.folder / "summary.csv");
 }
 

@@ -12,6 +12,8 @@
 namespace espalier {
 namespace {
 
+constexpr const char* noScan = "no scan is named: write its file";
+
 /// @throws Error if no file can have this name
 void requireName(const std::string& name) {
   const bool isPlain = std::ranges::none_of(
@@ -20,11 +22,14 @@ void requireName(const std::string& name) {
     throw Error("the name " + inQuotes(name) + " is none for a file: leave out slashes");
 }
 
-std::optional<Eigen::Vector3d> rootOf(std::string text) {
+std::optional<Eigen::Vector3d> rootOf(const std::string& text) {
   if (text.empty() || text == "lowest") return std::nullopt;
-  std::ranges::replace(text, ';', ',');
-  std::ranges::replace(text, ' ', ',');
-  return parsePlace(text, "root");
+  std::string parted = text;
+  std::ranges::replace(parted, ';', ',');
+  std::ranges::replace(parted, ' ', ',');
+  const std::optional<Eigen::Vector3d> place = placeIn(parted);
+  if (!place) throw Error("root " + inQuotes(text) + ": write lowest, or three numbers as X Y Z");
+  return place;
 }
 
 /// A note if there are columns of which nothing is known: a name may be misspelt.
@@ -42,6 +47,45 @@ std::vector<std::string> passedOver(const CsvTable& table, const std::string& fi
           " of a plant: these are scan, name, reference and root"};
 }
 
+/// The name of a plant, which no other has. @throws Error if it can have none
+std::string nameOf(const BatchPlant& plant, std::set<std::string>& names) {
+  std::string name = plant.name.empty() ? plant.scan.stem().string() : plant.name;
+  if (name.empty()) throw Error(noScan);
+  requireName(name);
+  if (!names.insert(name).second)
+    throw Error("the name " + inQuotes(name) +
+                " comes twice: give each plant another in a column name");
+  return name;
+}
+
+/// @param names of the plants so far; that of this one is added
+BatchPlant plantOf(const CsvTable& table, const CsvTable::Row& row,
+                   const std::filesystem::path& file, std::set<std::string>& names) {
+  const auto field = [&](std::string_view name) {
+    const std::optional<std::size_t> column = table.column(name);
+    return column ? row.fields[*column] : std::string();
+  };
+  const auto path = [&](std::string_view name) {
+    const std::string text = field(name);
+    return text.empty() ? std::filesystem::path() : file.parent_path() / text;
+  };
+  BatchPlant plant{.name = field("name"), .scan = path("scan"), .reference = path("reference")};
+  bool isNamed = false;
+  try {
+    plant.name = nameOf(plant, names);
+    isNamed = true;
+    if (plant.scan.empty()) throw Error(noScan);
+    plant.root = rootOf(field("root"));
+  } catch (const Error& problem) {
+    plant.problem = place(file.string(), row.line) + problem.what();
+  }
+  if (isNamed) return plant;
+  plant.name = "line " + std::to_string(row.line);
+  while (!names.insert(plant.name).second)
+    plant.name += '*';
+  return plant;
+}
+
 } // namespace
 
 Imported<std::vector<BatchPlant>> readManifest(const std::filesystem::path& file) {
@@ -51,33 +95,11 @@ Imported<std::vector<BatchPlant>> readManifest(const std::filesystem::path& file
     throw Error(place(file.string(), 1) +
                 "there is no column scan: name the columns in the first line, as "
                 "scan,name,reference");
-  std::set<std::string> names;
   Imported<std::vector<BatchPlant>> result{{}, passedOver(table, file.string())};
   std::vector<BatchPlant>& plants = result.value;
-  for (const CsvTable::Row& row : table.rows) {
-    const auto field = [&](std::string_view name) {
-      const std::optional<std::size_t> column = table.column(name);
-      return column ? row.fields[*column] : std::string();
-    };
-    const auto path = [&](const std::string& name) {
-      return name.empty() ? std::filesystem::path() : file.parent_path() / name;
-    };
-    try {
-      BatchPlant plant{.name = field("name"),
-                       .scan = path(field("scan")),
-                       .reference = path(field("reference")),
-                       .root = rootOf(field("root"))};
-      if (plant.scan.empty()) throw Error("no scan is named: write its file");
-      if (plant.name.empty()) plant.name = plant.scan.stem().string();
-      requireName(plant.name);
-      if (!names.insert(plant.name).second)
-        throw Error("the name " + inQuotes(plant.name) +
-                    " comes twice: give each plant another in a column name");
-      plants.push_back(std::move(plant));
-    } catch (const Error& problem) {
-      throw Error(place(file.string(), row.line) + problem.what());
-    }
-  }
+  std::set<std::string> names;
+  for (const CsvTable::Row& row : table.rows)
+    plants.push_back(plantOf(table, row, file, names));
   if (plants.empty())
     throw Error(file.string() + ": no plant is listed: write a line for each below the first");
   return result;

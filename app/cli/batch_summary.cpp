@@ -89,7 +89,7 @@ void BatchSummary::put(BatchResult result, const std::vector<std::string>& order
       if (const BatchResult* each = find(name)) out << lineOf(*each);
     const std::set<std::string> listed(order.begin(), order.end());
     for (const auto& [name, each] : results_)
-      if (!listed.contains(name)) out << lineOf(each);
+      if (each.isDone && !listed.contains(name)) out << lineOf(each);
   });
 }
 

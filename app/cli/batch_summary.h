@@ -31,7 +31,7 @@ public:
   [[nodiscard]] const BatchResult* find(const std::string& name) const;
 
   /// Adds or replaces a result and writes the file, which is always whole: the plants of `order`
-  /// first, then those of earlier runs that are not in it.
+  /// first, then those of earlier runs that are done and not in it.
   /// @throws Error if it cannot be written
   void put(BatchResult result, const std::vector<std::string>& order);
 

@@ -11,7 +11,6 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <optional>
 #include <system_error>
 
 namespace espalier {
@@ -38,7 +37,7 @@ Threads::Threads(int threads) : limit_(std::make_unique<Limit>()) {
 }
 Threads::~Threads() = default;
 
-Eigen::Vector3d parsePlace(const std::string& text, const std::string& flag) {
+std::optional<Eigen::Vector3d> placeIn(const std::string& text) {
   Eigen::Vector3d place;
   const char* at = text.data();
   const char* end = at + text.size();
@@ -46,8 +45,7 @@ Eigen::Vector3d parsePlace(const std::string& text, const std::string& flag) {
     const auto [next, error] = std::from_chars(at, end, place[axis]);
     const bool isLast = axis == 2;
     const bool endsWell = isLast ? next == end : next != end && *next == ',';
-    if (error != std::errc() || !endsWell || !std::isfinite(place[axis]))
-      throw Error(flag + " " + inQuotes(text) + ": write lowest, or three numbers as X,Y,Z");
+    if (error != std::errc() || !endsWell || !std::isfinite(place[axis])) return std::nullopt;
     at = next + (isLast ? 0 : 1);
   }
   return place;
@@ -98,7 +96,11 @@ PipelineOptions PipelineFlags::options(const std::string& stepOfMethod) const {
     if (!method.empty()) result.set(stepOfMethod + ".method=" + method);
     for (const std::string& setting : settings)
       result.set(setting);
-    if (root != "lowest") result.root = parsePlace(root, "--root");
+    if (root != "lowest") {
+      result.root = placeIn(root);
+      if (!result.root)
+        throw Error("--root " + inQuotes(root) + ": write lowest, or three numbers as X,Y,Z");
+    }
     requireKnown(result);
   } catch (const Error& problem) {
     throw WrongUsage(problem.what());

@@ -4,6 +4,7 @@
 #include "core/pipeline/pipeline.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,7 +54,7 @@ private:
   std::unique_ptr<Limit> limit_;
 };
 
-/// "X,Y,Z" as numbers. @throws Error naming `flag` if it is not three numbers
-[[nodiscard]] Eigen::Vector3d parsePlace(const std::string& text, const std::string& flag);
+/// "X,Y,Z" as numbers; none if it is not three of them.
+[[nodiscard]] std::optional<Eigen::Vector3d> placeIn(const std::string& text);
 
 } // namespace espalier

@@ -124,6 +124,32 @@ TEST_F(Batch, GoesOnAfterABadPlantAndNamesItInTheEnd) {
   EXPECT_THAT(told("missing", "problem"), HasSubstr("missing.ply"));
 }
 
+TEST_F(Batch, TakesAPlantWhoseLineIsWrongForAFailedOne) {
+  writeManifest("scan,name,root\nstick.xyz,a,1 2\n,b,\nstick.xyz,../c,\nstick.xyz,d,\n"
+                "stick.xyz,d,\n");
+  const Outcome outcome = run();
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("\nespalier: a: " + (folder_ / "plants.csv").string() +
+                                     ", line 2: root '1 2': write lowest, or three numbers as X Y "
+                                     "Z\n"));
+  EXPECT_THAT(outcome.err, HasSubstr("\nespalier: 4 of 5 plants failed: "));
+  EXPECT_THAT(namesIn(results_), ElementsAre("d.mtg", "summary.csv"));
+  EXPECT_EQ(told("d", "status"), "done");
+  EXPECT_EQ(told("a", "status"), "failed");
+  EXPECT_THAT(told("b", "problem"), HasSubstr("line 3: no scan is named"));
+  EXPECT_THAT(told("line 4", "problem"), HasSubstr("line 4: the name '../c' is none for a file"));
+  EXPECT_THAT(told("line 6", "problem"), HasSubstr("line 6: the name 'd' comes twice"));
+}
+
+TEST_F(Batch, DropsAFailureThatLeftTheManifest) {
+  writeManifest("scan,root\nmissing.ply,\n,lowest\n");
+  ASSERT_EQ(run().status, 1);
+  writeManifest("scan\nstick.xyz\n");
+  ASSERT_EQ(run().status, 0);
+  EXPECT_EQ(told("missing", "status"), "not listed");
+  EXPECT_EQ(told("line 3", "status"), "not listed");
+}
+
 TEST_F(Batch, PassesOverWhatIsDoneAndTriesTheRestAgain) {
   writeManifest("scan\nstick.xyz\nlate.xyz\n");
   ASSERT_EQ(run().status, 1);
@@ -212,10 +238,7 @@ TEST_F(Batch, RefusesABadManifestBeforeAnythingIsDone) {
   refuses("", "line 1: there are no names");
   refuses("file\nstick.xyz\n", "line 1: there is no column scan");
   refuses("scan\n", "no plant is listed");
-  refuses("scan,name\nstick.xyz,a\n,b\n", "line 3: no scan is named");
-  refuses("scan\nstick.xyz\nold/stick.xyz\n", "line 3: the name 'stick' comes twice");
-  refuses("scan,name\nstick.xyz,../a\n", "line 2: the name '../a' is none for a file");
-  refuses("scan,root\nstick.xyz,top\n", "line 2: root 'top'");
+  refuses("scan,root\nstick.xyz,0,0,399\n", "line 2: expected 2 fields, found 4");
   expectRefusal(runProgram({"batch", (folder_ / "none.csv").string(), "-o", results_.string()}), 1,
                 {"none.csv: there is no such file"});
 }

@@ -2,7 +2,6 @@
 
 #include "app/cli/files.h"
 #include "core/evaluate/comparable.h"
-#include "core/io/atomic_file.h"
 #include "core/io/csv.h"
 
 #include <nlohmann/json.hpp>
@@ -25,15 +24,14 @@ Skeleton skeletonIn(const std::string& file, double scale) {
 }
 
 void writeTable(const std::string& file, const std::vector<std::vector<std::string>>& rows) {
-  writeAtomically(file, [&](std::ostream& out) {
+  writeAndTell(file, [&](std::ostream& out) {
     for (const std::vector<std::string>& row : rows)
       out << csvLine(row);
   });
 }
 
 void writeJson(const std::string& file, const nlohmann::ordered_json& json) {
-  if (file.empty()) return;
-  writeAtomically(file, [&](std::ostream& out) { out << json.dump(2) << '\n'; });
+  writeAndTell(file, [&](std::ostream& out) { out << json.dump(2) << '\n'; });
 }
 
 } // namespace espalier

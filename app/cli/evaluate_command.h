@@ -52,6 +52,6 @@ void evaluateMany(const EvaluateFlags& flags, const TerminalProgress& terminal);
 /// A structure that can be compared, scaled. Tells on standard error what was noted of it.
 [[nodiscard]] Skeleton skeletonIn(const std::string& file, double scale = 1);
 void writeTable(const std::string& file, const std::vector<std::vector<std::string>>& rows);
-void writeJson(const std::string& file, const nlohmann::ordered_json& json); // no name: nowhere
+void writeJson(const std::string& file, const nlohmann::ordered_json& json);
 
 } // namespace espalier

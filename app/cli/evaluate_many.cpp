@@ -40,7 +40,7 @@ void evaluateMany(const EvaluateFlags& flags, const TerminalProgress& terminal) 
               terminal.progress());
   terminal.clear();
   print(found, names, flags.unit);
-  if (!flags.csv.empty()) writeTable(flags.csv, toTable(found, names));
+  writeTable(flags.csv, toTable(found, names));
   auto json = toJson(found, names);
   json["reference"] = flags.files.back();
   if (!flags.json.empty()) addOrigin(json, {names, flags.files.back(), {}, flags.unit, true});

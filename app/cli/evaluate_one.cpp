@@ -76,6 +76,7 @@ void evaluateOne(const EvaluateFlags& flags, const TerminalProgress& terminal) {
   std::vector<std::string> notes = comparison.warnings;
   std::erase(notes, comparison.shiftWarning); // what is printed tells of the shift
   printNotes(notes);
+  terminal.clear();
   print(comparison, options.edit, flags.unit);
   if (flags.where) printWhere(comparison, flags.unit);
   if (flags.traits) printTraits(comparison, flags.unit);

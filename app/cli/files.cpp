@@ -28,6 +28,13 @@ void requireOutput(const std::string& path, Content content,
   requireOutput(path, inputs);
 }
 
+void writeAndTell(const std::string& path, const std::function<void(std::ostream&)>& write,
+                  const std::string& what) {
+  if (path.empty()) return;
+  writeAtomically(path, write);
+  printWritten(what.empty() ? path : path + ": " + what);
+}
+
 void writeAndTell(const std::string& path, const Structure& structure, MtgStyle style,
                   const std::string& unit) {
   writeStructure(path, structure, style);

@@ -3,6 +3,8 @@
 #include "core/base/error.h"
 #include "core/io/formats.h"
 
+#include <functional>
+#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -17,6 +19,13 @@ void requireOutput(const std::string& path, const std::vector<std::string>& inpu
 /// The same of a file that holds points or a structure, with an extension that tells how.
 void requireOutput(const std::string& path, Content content,
                    const std::vector<std::string>& inputs);
+
+/// Writes a file, which is whole or as it was before, and tells so on standard error. An empty path
+/// is a file nobody asked for.
+/// @param what  it holds, to be told; may be empty
+/// @throws Error why it cannot be written
+void writeAndTell(const std::string& path, const std::function<void(std::ostream&)>& write,
+                  const std::string& what = {});
 
 /// Writes a structure in the format of the extension. Tells on standard error what was written, and
 /// what the format does not keep.

@@ -7,7 +7,6 @@
 #include "core/evaluate/comparable.h"
 #include "core/evaluate/comparison_warnings.h"
 #include "core/evaluate/noise_study.h"
-#include "core/io/atomic_file.h"
 #include "core/io/csv.h"
 
 #include <nlohmann/json.hpp>
@@ -112,16 +111,15 @@ void print(const NoiseStudy& study, const std::vector<Column>& columns, const st
 }
 
 void writeFiles(const Flags& flags, const NoiseStudy& study) {
-  if (!flags.csv.empty())
-    writeAtomically(flags.csv, [&](std::ostream& out) {
-      for (const std::vector<std::string>& row : toTable(study))
-        out << csvLine(row);
-    });
-  if (!flags.json.empty()) {
+  writeAndTell(flags.csv, [&](std::ostream& out) {
+    for (const std::vector<std::string>& row : toTable(study))
+      out << csvLine(row);
+  });
+  writeAndTell(flags.json, [&](std::ostream& out) {
     auto json = toJson(study);
     json["reference"] = flags.reference;
-    writeAtomically(flags.json, [&](std::ostream& out) { out << json.dump(2) << '\n'; });
-  }
+    out << json.dump(2) << '\n';
+  });
 }
 
 void noise(const Flags& flags) {

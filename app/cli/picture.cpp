@@ -6,7 +6,6 @@
 #include "app/cli/headless.h"
 #include "app/cli/terminal.h"
 #include "core/base/text.h"
-#include "core/io/atomic_file.h"
 
 #include <QBuffer>
 
@@ -106,9 +105,12 @@ void drawPicture(const Flags& flags) {
   const QImage image = picture(scene, camera, {.unit = QString::fromStdString(flags.unit)}, size);
   const QByteArray bytes = pngOf(image);
   terminal.check();
-  writeAtomically(flags.output, [&](std::ostream& out) {
-    out.write(bytes.constData(), static_cast<std::streamsize>(bytes.size()));
-  });
+  writeAndTell(
+      flags.output,
+      [&](std::ostream& out) {
+        out.write(bytes.constData(), static_cast<std::streamsize>(bytes.size()));
+      },
+      std::to_string(flags.width) + " x " + std::to_string(flags.height) + " pixels");
 }
 
 } // namespace

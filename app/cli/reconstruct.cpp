@@ -4,7 +4,6 @@
 #include "app/cli/pipeline_flags.h"
 #include "app/cli/statistics.h"
 #include "app/cli/terminal.h"
-#include "core/io/atomic_file.h"
 #include "core/pipeline/quality_of.h"
 
 #include <nlohmann/json.hpp>
@@ -35,7 +34,7 @@ void writeStatistics(const PipelineFlags& flags, const PointCloud& cloud,
   if (!result.skeleton->isEmpty()) json["skeleton"] = statistics(*result.skeleton);
   json["quality"] = statistics(qualityOf(cloud, result, options), !result.skeleton->isEmpty());
   json.update(statistics(result, terminal.stageSeconds()));
-  writeAtomically(flags.json, [&](std::ostream& out) { out << json.dump(2) << '\n'; });
+  writeAndTell(flags.json, [&](std::ostream& out) { out << json.dump(2) << '\n'; });
 }
 
 void run(const PipelineFlags& flags, const Task& task) {

@@ -9,7 +9,6 @@
 #include "core/simulate/prepared_plant.h"
 
 #include <cstdint>
-#include <iostream>
 #include <limits>
 #include <memory>
 #include <numbers>
@@ -64,10 +63,8 @@ void simulate(const Flags& flags) {
   SimulatedScan result = flags.from.empty() ? scanned() : about(flags.from, scanned);
   const PointCloud cloud(std::move(result.points));
   terminal.check();
-  writePoints(scanFile, cloud);
-  writeStructure(truthFile, truth);
-  std::cerr << cloud.size() << " points in " << scanFile << ", the truth of " << truth.size()
-            << " nodes in " << truthFile << '\n';
+  writeAndTell(scanFile, cloud, cloud.positions());
+  writeAndTell(truthFile, {.skeleton = truth}, MtgStyle::plantNode);
 }
 
 constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -9,7 +9,6 @@
 #include "core/evaluate/agreement_scores.h"
 #include "core/evaluate/comparable.h"
 #include "core/evaluate/registration.h"
-#include "core/io/atomic_file.h"
 #include "core/io/csv.h"
 #include "core/pipeline/quality_of.h"
 
@@ -112,7 +111,7 @@ void writeTable(const std::string& file, const std::vector<Json>& rows) {
   for (const Json& row : rows)
     for (const auto& [name, value] : fieldsOf(row))
       if (std::ranges::find(names, name) == names.end()) names.push_back(name);
-  writeAtomically(file, [&](std::ostream& out) {
+  writeAndTell(file, [&](std::ostream& out) {
     out << csvLine(names);
     for (const Json& row : rows) {
       std::vector<std::string> line(names.size());
@@ -153,16 +152,15 @@ void printRow(const Json& row) {
 }
 
 void writeResults(const Flags& flags, const std::vector<Json>& rows) {
-  if (!flags.csv.empty()) writeTable(flags.csv, rows);
-  if (!flags.pipeline.json.empty())
-    writeAtomically(flags.pipeline.json, [&](std::ostream& out) {
-      const Json json = {
-          {"scan", flags.pipeline.scan},
-          {"option", flags.name},
-          {"reference", flags.reference.empty() ? Json(nullptr) : Json(flags.reference)},
-          {"results", rows}};
-      out << json.dump(2) << '\n';
-    });
+  writeTable(flags.csv, rows);
+  writeAndTell(flags.pipeline.json, [&](std::ostream& out) {
+    const Json json = {
+        {"scan", flags.pipeline.scan},
+        {"option", flags.name},
+        {"reference", flags.reference.empty() ? Json(nullptr) : Json(flags.reference)},
+        {"results", rows}};
+    out << json.dump(2) << '\n';
+  });
 }
 
 std::optional<Skeleton> referenceIn(const std::string& file) {

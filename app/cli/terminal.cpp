@@ -6,9 +6,20 @@
 #include <unistd.h>
 
 namespace espalier {
+namespace {
+
+bool isTerminal() {
+  return isatty(STDERR_FILENO) != 0;
+}
+
+void takeBarAway(bool isShown) {
+  if (isShown) std::fputs("\r\033[K", stderr);
+}
+
+} // namespace
 
 TerminalProgress::TerminalProgress()
-    : isTerminal_(isatty(STDERR_FILENO) != 0),
+    : isTerminal_(isTerminal()),
       progress_(interrupt_.token(),
                 [this](double fraction, std::string_view stage) { report(fraction, stage); }) {}
 
@@ -17,7 +28,7 @@ TerminalProgress::~TerminalProgress() {
 }
 
 void TerminalProgress::clear() const {
-  if (isTerminal_) std::fputs("\r\033[K", stderr);
+  takeBarAway(isTerminal_);
 }
 
 void TerminalProgress::report(double fraction, std::string_view stage) {
@@ -44,10 +55,12 @@ std::vector<std::pair<std::string, double>> TerminalProgress::stageSeconds() con
 }
 
 void printWritten(const std::string& what) {
+  takeBarAway(isTerminal());
   std::cerr << "espalier: wrote " << what << '\n';
 }
 
 void printNotes(const std::vector<std::string>& notes) {
+  takeBarAway(isTerminal());
   for (const std::string& note : notes)
     std::cerr << "espalier: note: " << note << '\n';
 }

@@ -10,6 +10,7 @@ namespace {
 
 using nlohmann::json;
 using test::namesIn;
+using test::runProgram;
 using test::Subcommands;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -40,8 +41,11 @@ TEST_F(Subcommands, MethodsTellsOfOneStep) {
 }
 
 TEST_F(Subcommands, PictureIsOfTheSizeThatIsAsked) {
-  run({"picture", scan_, truth_, "-o", file("a.png"), "--width", "320", "--height", "200", "--view",
-       "side", "--dark", "--radii", "--unit", "m"});
+  const auto outcome =
+      runProgram({"picture", scan_, truth_, "-o", file("a.png"), "--width", "320", "--height",
+                  "200", "--view", "side", "--dark", "--radii", "--unit", "m"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.err, "espalier: wrote " + file("a.png") + ": 320 x 200 pixels\n");
   const std::string png = test::bytesOf(file("a.png"));
   ASSERT_GT(png.size(), 1000U);
   EXPECT_EQ(png.substr(0, 8), "\x89PNG\r\n\x1a\n");

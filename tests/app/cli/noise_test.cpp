@@ -43,7 +43,8 @@ TEST_F(Noise, WritesTheCurvesAsTextCsvAndJson) {
       runProgram({"noise", truth_, "--kind", "prune=0.2,0.6", "--kind", "resample=2", "--repeats",
                   "2", "--csv", file("a.csv"), "--json", file("a.json")});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_THAT(outcome.err, IsEmpty());
+  EXPECT_EQ(outcome.err,
+            "espalier: wrote " + file("a.csv") + "\nespalier: wrote " + file("a.json") + "\n");
   EXPECT_THAT(outcome.out, HasSubstr("          prune, share         G         T"));
   const CsvTable table = readCsv(test::bytesOf(file("a.csv")), "a.csv");
   ASSERT_EQ(table.rows.size(), 3U);

@@ -82,7 +82,8 @@ void PipelineFlags::addOptionsTo(CLI::App& command) {
       ->allow_extra_args(false);
   command
       .add_option("--preset", preset,
-                  "default, thesis, or a JSON file of steps and options; --set goes before it")
+                  "default, thesis, or a JSON file of steps and options; --method and --set change "
+                  "it, wherever they stand")
       ->type_name("PRESET");
   addChoice(command, "--up", up, "Axis that points up",
             {{"x", UpAxis::x}, {"y", UpAxis::y}, {"z", UpAxis::z}});

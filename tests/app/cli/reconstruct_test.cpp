@@ -66,7 +66,10 @@ TEST_F(Subcommands, ReconstructUsesWhatIsSet) {
   run({"reconstruct", scan_, "-o", file("a.mtg"), "--json", file("a.json"), "--preset",
        file("preset.json"), "--set", "contract.radius=0.05", "--set", "axes.sharpest_turn=45"});
   const json steps = jsonIn(file("a.json"))["steps"];
-  EXPECT_EQ(steps[1]["options"]["radius"], 0.05) << "what is set goes before the preset";
+  EXPECT_EQ(steps[1]["options"]["radius"], 0.05) << "what is set changes the preset";
+  run({"reconstruct", scan_, "-o", file("b.mtg"), "--set", "contract.radius=0.05", "--set",
+       "axes.sharpest_turn=45", "--json", file("b.json"), "--preset", file("preset.json")});
+  EXPECT_EQ(jsonIn(file("b.json"))["steps"], steps) << "wherever it stands";
   EXPECT_EQ(steps[1]["options"]["neighbors"], 9);
   const auto named = [&](const std::string& name) {
     return *std::ranges::find_if(steps, [&](const json& step) { return step["step"] == name; });

@@ -14,6 +14,8 @@ struct Contents {
   bool labels = false;
   bool features = false;
   bool dates = false;
+  bool review = false; // marks or comments
+  bool unitStarts = false;
 };
 
 /// Whether an entity only says what a skeleton says without it: that there are plants of nodes, as
@@ -37,6 +39,8 @@ Contents contentsOf(const Skeleton& skeleton) {
   for (const NodeId id : skeleton.ids()) {
     const Node& node = skeleton[id];
     if (node.radius > 0) contents.radii = true;
+    if (node.review != ReviewMark()) contents.review = true;
+    if (node.isMarked) contents.unitStarts = true;
     if (!node.parent) ++roots;
     const bool branches = node.parent && node.edge == EdgeType::branching;
     if (branches || skeleton.children(id).size() > 1) contents.edgeTypes = true;
@@ -68,6 +72,10 @@ std::vector<std::string> droppedBy(const Format& format, const Skeleton& skeleto
   check(contents.features, carried.features,
         "no features: values beside position and radius are not written");
   check(contents.dates, carried.dates, "one date only: values at later dates are not written");
+  check(contents.review, false,
+        "no review: marks and comments are not written; only a project keeps them");
+  check(contents.unitStarts, false,
+        "no marks of unit starts: they are not written; only a project keeps them");
   return sentences;
 }
 

@@ -8,9 +8,8 @@
 namespace espalier {
 
 /// What a file of this format would not keep of this skeleton, a plain sentence each: "SWC keeps no
-/// edge types: ...". None if it keeps all.
-/// pre: format.content is Content::structure
-/// Time O(N).
+/// edge types: ...". None if it keeps all. What none of them keeps, as review marks, is told of,
+/// too. pre: format.content is Content::structure Time O(N).
 [[nodiscard]] std::vector<std::string> droppedBy(const Format& format, const Skeleton& skeleton);
 
 } // namespace espalier

@@ -197,6 +197,16 @@ TEST_F(WindowFilesTest, TellsWhatTheFormatOfAFileDoesNotKeep) {
   EXPECT_TRUE(window().banner().text().contains("SWC keeps no edge types"));
 }
 
+TEST_F(WindowFilesTest, TellsThatAnMtgKeepsNoReview) {
+  open({writeFork("fork.mtg")});
+  document().edit(
+      "Comment", [](SkeletonEditor& editor) { editor.setReview(forkTop, {.comment = "a spur?"}); });
+  key(Qt::Key_S, Qt::ControlModifier);
+  EXPECT_FALSE(document().isModified());
+  EXPECT_TRUE(window().banner().text().contains("MTG keeps no review"))
+      << qPrintable(window().banner().text());
+}
+
 TEST_F(WindowFilesTest, LeavesThePlantUnsavedInAFormatThatCannotBeOpened) {
   open({writeFork("fork.mtg")});
   edit();

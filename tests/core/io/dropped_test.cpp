@@ -56,6 +56,22 @@ TEST(DroppedBy, SaysNothingOfWhatIsNotThere) {
   EXPECT_THAT(droppedBy({.name = "X", .content = Content::structure}, bare), IsEmpty());
 }
 
+TEST(DroppedBy, SaysThatOnlyAProjectKeepsReviewAndUnitStarts) {
+  Skeleton plant = test::stick(4);
+  plant.setReview(NodeId{1}, {.state = ReviewState::doubtful, .reviewer = "Ada"});
+  EXPECT_THAT(droppedBy(named("MTG"), plant),
+              ElementsAre("MTG keeps no review: marks and comments are not written; only a project "
+                          "keeps them"));
+  plant.setReview(NodeId{1}, {});
+  plant.setReview(NodeId{2}, {.comment = "a spur?"});
+  plant.setMarked(NodeId{3}, true);
+  EXPECT_THAT(droppedBy(named("MTG"), plant),
+              ElementsAre("MTG keeps no review: marks and comments are not written; only a project "
+                          "keeps them",
+                          "MTG keeps no marks of unit starts: they are not written; only a project "
+                          "keeps them"));
+}
+
 TEST(DroppedBy, SaysThatSwcLosesEdgeTypes) {
   EXPECT_THAT(droppedBy(named("SWC"), test::fork(2)),
               ElementsAre("SWC keeps no edge types: which child continues an axis is not written"));

@@ -48,7 +48,7 @@ void addTurnOptions(OptionTable<AxisOptions>& table) {
              .rule = fixedAt(60),
              .minimum = 1,
              .maximum = 180,
-             .help = "An axis never turns more than this at a node."},
+             .help = "An axis never turns more than this where it branches."},
             &Options::sharpestTurn);
   table.add({.name = "reach",
              .label = "Reach",

@@ -73,9 +73,11 @@ double halvings(double value, double largest) {
   return largest > 0 ? std::log2(largest / std::max(value, largest * 0x1p-30)) : 0;
 }
 
-/// The one that loses least, unless it turns off too sharply.
+/// The one that loses least, unless it turns off too sharply. Where nothing branches, the axis goes
+/// on however it turns.
 std::optional<NodeId> successorAmong(const std::vector<Candidate>& candidates,
                                      const AxisOptions& options) {
+  if (candidates.size() == 1) return candidates.front().child;
   double mostCarried = 0;
   double thickest = 0;
   for (const Candidate& candidate : candidates) {

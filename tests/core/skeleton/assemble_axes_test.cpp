@@ -28,9 +28,16 @@ TEST(AssembleAxes, CountsLengthNotNodes) {
 
 TEST(AssembleAxes, EndsAnAxisAtATooSharpTurn) {
   Skeleton plant = test::stick(2);
-  plant.add({.position = {5, 0, 1}, .parent = NodeId{1}}); // 90 degrees off
+  plant.add({.position = {5, 0, 1}, .parent = NodeId{1}});  // 90 degrees off
+  plant.add({.position = {-1, 0, 1}, .parent = NodeId{1}}); // and so is what carries less
   EXPECT_EQ(withAssembledAxes(plant)[NodeId{2}].edge, EdgeType::branching);
   EXPECT_EQ(withAssembledAxes(plant, {.sharpestTurn = 1.6})[NodeId{2}].edge, EdgeType::successor);
+}
+
+TEST(AssembleAxes, GoesOnWhereNothingBranches) {
+  Skeleton plant = test::stick(3, 1);
+  plant.add({.position = {3, 0, 0}, .parent = NodeId{2}}); // 124 degrees off
+  EXPECT_EQ(withAssembledAxes(plant)[NodeId{3}].edge, EdgeType::successor);
 }
 
 TEST(AssembleAxes, LooksPastAKinkOfOneEdge) {
@@ -39,6 +46,7 @@ TEST(AssembleAxes, LooksPastAKinkOfOneEdge) {
   at = plant.add({.position = {0.1, 0, 5}, .parent = at}); // a short step aside
   for (int i = 1; i < 6; ++i)
     at = plant.add({.position = {0.1, 0, 5.0 + i}, .parent = at});
+  plant.add({.position = {-0.1, 0, 5.1}, .parent = NodeId{5}});
   EXPECT_EQ(withAssembledAxes(plant)[NodeId{6}].edge, EdgeType::successor);
   EXPECT_EQ(withAssembledAxes(plant, {.reach = 1})[NodeId{6}].edge, EdgeType::branching);
 }

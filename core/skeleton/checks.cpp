@@ -47,6 +47,17 @@ std::vector<Finding> secondSuccessors(const Skeleton& skeleton, const std::vecto
   return findings;
 }
 
+std::vector<Finding> loneBranches(const Skeleton& skeleton, const std::vector<NodeId>& ids) {
+  std::vector<Finding> findings;
+  for (const NodeId id : ids) {
+    const Node& node = skeleton[id];
+    if (node.parent && node.edge == EdgeType::branching &&
+        skeleton.children(*node.parent).size() == 1)
+      findings.push_back({.kind = Kind::loneBranch, .node = id, .others = {*node.parent}});
+  }
+  return findings;
+}
+
 std::vector<Finding> edgesWithoutLength(const Skeleton& skeleton, const std::vector<NodeId>& ids,
                                         double shortest) {
   std::vector<Finding> findings;
@@ -132,6 +143,7 @@ std::vector<Finding> check(const Skeleton& skeleton, double spacing, const Check
   };
   append(separatePieces(skeleton, ids));
   append(secondSuccessors(skeleton, ids));
+  append(loneBranches(skeleton, ids));
   append(edgesWithoutLength(skeleton, ids, shortest));
   append(duplicatedEdges(skeleton, ids, shortest, options.duplicateShare));
   append(sharpTurns(skeleton, ids, shortest, options.sharpTurn));

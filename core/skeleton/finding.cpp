@@ -68,6 +68,8 @@ std::string describe(const Finding& finding, const Skeleton& skeleton,
   case Kind::twoSuccessors:
     return node + " has " + counted(finding.amount, "successor", "successors") +
            ": an axis continues once";
+  case Kind::loneBranch:
+    return "an axis begins at " + node + ", though nothing else goes on from " + other;
   case Kind::noLength:
     return node + " lies on its parent: the edge has no length";
   case Kind::duplicatedEdge:
@@ -104,6 +106,8 @@ std::string nameOf(Kind kind) {
     return "separate_piece";
   case Kind::twoSuccessors:
     return "two_successors";
+  case Kind::loneBranch:
+    return "lone_branch";
   case Kind::noLength:
     return "no_length";
   case Kind::duplicatedEdge:

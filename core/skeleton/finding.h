@@ -17,6 +17,7 @@ struct Finding {
   enum class Kind : std::uint8_t {
     separatePiece,      // a tree beside the largest one
     twoSuccessors,      // more than one child continues the axis of the node
+    loneBranch,         // an axis begins at the node, the only child of its parent
     noLength,           // the edge to the parent has no length
     duplicatedEdge,     // the edge to the parent lies on another one
     sharpTurn,          // the axis turns back at the node
@@ -37,7 +38,7 @@ struct Finding {
   bool operator==(const Finding&) const = default;
 };
 
-inline constexpr int findingKinds = 10;
+inline constexpr int findingKinds = 11;
 
 /// The nodes to look at: the one it is at first.
 [[nodiscard]] std::vector<NodeId> nodesOf(const Finding& finding);

@@ -57,6 +57,8 @@ QString titleOf(Kind kind) {
     return FindingsPanel::tr("Separate pieces");
   case Kind::twoSuccessors:
     return FindingsPanel::tr("Two successors");
+  case Kind::loneBranch:
+    return FindingsPanel::tr("Lone branches");
   case Kind::noLength:
     return FindingsPanel::tr("Zero-length edges");
   case Kind::duplicatedEdge:
@@ -222,6 +224,7 @@ QString FindingsPanel::textOf(const Finding& finding) const {
     return count == 1 ? tr("%1 · alone").arg(node) : tr("%1 · %2 nodes").arg(node).arg(count);
   case Kind::twoSuccessors:
     return tr("%1 · %2").arg(node).arg(count);
+  case Kind::loneBranch:
   case Kind::noLength:
     return node;
   case Kind::duplicatedEdge:

@@ -47,6 +47,17 @@ TEST(Check, FindsASecondSuccessor) {
   EXPECT_EQ(describe(found[0], plant), "node 1 has 2 successors: an axis continues once");
 }
 
+TEST(Check, FindsAnAxisThatBeginsAtAnOnlyChild) {
+  Skeleton plant = test::stick(4);
+  plant.setEdge(NodeId{2}, EdgeType::branching);
+  const std::vector<Finding> found = check(plant);
+  ASSERT_THAT(found, ElementsAre(IsAt(Kind::loneBranch, NodeId{2})));
+  EXPECT_EQ(describe(found[0], plant),
+            "an axis begins at node 2, though nothing else goes on from node 1");
+  plant.add({.position = {1, 0, 1}, .radius = 0.1, .parent = NodeId{1}});
+  EXPECT_THAT(check(plant), IsEmpty()) << "it branches";
+}
+
 TEST(Check, FindsEdgesWithoutLength) {
   Skeleton plant = test::stick(3);
   plant.setPosition(NodeId{2}, plant[NodeId{1}].position);
@@ -109,7 +120,7 @@ TEST(Check, FindsTurnsAboveTheAngle) {
 TEST(Check, TakesNoBranchForATurn) {
   Skeleton plant = bent(2.5);
   plant.setEdge(NodeId{3}, EdgeType::branching);
-  EXPECT_THAT(check(plant), IsEmpty());
+  EXPECT_THAT(ofKind(Kind::sharpTurn, plant), IsEmpty());
 }
 
 /// A trunk 8 high, of radius 0.1, with two branches of radius 0.1, at 2 and 6; the upper one comes
@@ -122,6 +133,7 @@ Skeleton passing(double gap) {
   const NodeId upper = plant.add(
       {.position = {3, gap, 6}, .radius = 0.1, .parent = NodeId{6}, .edge = EdgeType::branching});
   plant.add({.position = {3, gap, 0}, .radius = 0.1, .parent = upper, .edge = EdgeType::branching});
+  plant.add({.position = {4, gap, 6}, .radius = 0.1, .parent = upper});
   return plant;
 }
 
@@ -200,8 +212,8 @@ TEST(Finding, HasANameForEachKind) {
   std::vector<std::string> names;
   for (int kind = 0; kind < findingKinds; ++kind)
     names.push_back(nameOf(static_cast<Kind>(kind)));
-  EXPECT_THAT(names, ElementsAre("separate_piece", "two_successors", "no_length", "duplicated_edge",
-                                 "sharp_turn", "crossing", "radius_above_parent",
+  EXPECT_THAT(names, ElementsAre("separate_piece", "two_successors", "lone_branch", "no_length",
+                                 "duplicated_edge", "sharp_turn", "crossing", "radius_above_parent",
                                  "edges_without_points", "no_own_points", "unexplained_points"));
 }
 

@@ -33,8 +33,9 @@ struct MtgReadOptions {
 /// missing. Features come in the order of their columns, which need not be contiguous, then those
 /// without one. See `MtgTopology` for the codes, `mtgSource` for comments and encodings.
 /// Repaired, with a note: classes and types that are not declared, features listed twice, edges to
-/// nothing, ranges that do not count up, values in columns without a name. The code FORM-B is read
-/// as FORM-A. The notes also tell which dialect was taken, if the file asks for one.
+/// nothing, ranges that do not count up, values in columns without a name. The notes also tell
+/// which dialect was taken, if the file asks for one. The code FORM-B is refused: its source names
+/// it as older and more limited, and does not say what it is.
 ///
 /// @param file  its name, for messages
 /// @throws Error naming line and column of what is wrong

@@ -28,16 +28,15 @@ std::vector<std::string_view> filledFields(std::string_view line) {
   return fields;
 }
 
-void checkCode(std::string_view line, const std::string& where, MtgNotes& notes) {
+void checkCode(std::string_view line, const std::string& where) {
   const std::vector<std::string_view> fields =
       filledFields(line.substr(std::min(line.find(':'), line.size() - 1) + 1));
   const std::string_view form = fields.empty() ? std::string_view() : fields.front();
   if (form == "FORM-B")
-    notes.repaired(where, "the old code FORM-B is read as FORM-A: look whether all vertices are "
-                          "where they belong");
-  else if (form != "FORM-A")
-    throw Error(where +
-                "only MTG files of code FORM-A or FORM-B can be read, this one is of code " +
+    throw Error(where + "the code FORM-B is older than the syntax of MTG files, which does not say "
+                        "how to read it: code the plant in FORM-A");
+  if (form != "FORM-A")
+    throw Error(where + "only MTG files of code FORM-A can be read, this one is of code " +
                 inQuotes(form));
 }
 
@@ -146,7 +145,7 @@ Mtg readMtgSections(LineReader& lines, MtgNotes& notes) {
     if (section.empty() && opened.empty() && !trimmed(*line).empty())
       throw Error(where + "expected 'CODE: FORM-A', found " + inQuotes(trimmed(*line)) +
                   ": is this an MTG file?");
-    if (opened == "CODE") checkCode(*line, where, notes);
+    if (opened == "CODE") checkCode(*line, where);
     if (opened == "MTG") {
       if (mtg.classes.empty()) throw Error(where + "no CLASSES are listed before the vertices");
       return mtg;

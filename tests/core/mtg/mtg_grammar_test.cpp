@@ -252,9 +252,11 @@ TEST(MtgSections, KeepFilesAndUnknownTypesOfFeatures) {
   EXPECT_EQ(read(out.str()).value, mtg);
 }
 
-TEST(MtgSections, OfTheOldFormBAreReadWithANote) {
-  const auto mtg = read("CODE: FORM-B\nCLASSES:\nA\t1\nMTG:\nTOPO\n/A1\n");
-  EXPECT_THAT(mtg.notes, testing::ElementsAre(testing::HasSubstr("line 1: the old code FORM-B")));
+// Read as another code, it could give a wrong plant.
+TEST(MtgSections, OfTheOldFormBAreRefused) {
+  EXPECT_THAT(refusalOf("CODE: FORM-B\nCLASSES:\nA\t1\nMTG:\nTOPO\n/A1\n"),
+              testing::HasSubstr("line 1: the code FORM-B is older than the syntax of MTG files"));
+  EXPECT_THAT(refusalOf("CODE: FORM-C\n"), testing::HasSubstr("only MTG files of code FORM-A"));
 }
 
 TEST(MtgSections, RefuseAbsurdScalesAndSymbols) {

@@ -149,6 +149,7 @@ void ReportFlow::write(const QString& path) {
           making_->pictures = std::make_unique<PictureSession>(making_->data, making_->about.unit);
           QTimer::singleShot(0, this, &ReportFlow::drawNext);
         });
+          emit noted(tr("Drawing the pictures of %1…").arg(QFileInfo(making_->path).fileName()));
       });
 }
 

@@ -58,6 +58,7 @@ TEST_F(ReportWindowTest, IsWrittenByTheButtonOfTheDock) {
   });
   const QString file = path("plant.report.html");
   answer(chooseFile(file), [this] { find<QToolButton>("evaluation_report").click(); });
+  EXPECT_TRUE(waitForNote("Drawing the pictures of plant.report.html"));
   ASSERT_TRUE(waitForNote("Wrote plant.report.html"))
       << qPrintable(window().statusLine().shownText());
   const QString html = QString::fromUtf8(bytesOf(file));

@@ -107,6 +107,11 @@ void addEvaluate(CLI::App& app) {
                     "Compare the two where they lie; without it the plant is first laid on the "
                     "reference");
   command
+      ->add_option("--shift", flags->shift,
+                   "Move the plant by this to lie on the reference, rather than by a shift that is "
+                   "found")
+      ->type_name("X,Y,Z");
+  command
       ->add_option("--scale", flags->scale,
                    "Multiply all but the reference by this first, as by 0.001 from mm to m")
       ->type_name("FACTOR")

@@ -18,7 +18,8 @@ namespace espalier {
 struct EvaluateFlags {
   std::vector<std::string> files; // results, and the reference last
   bool noRegister = false;
-  double scale = 1; // of the results
+  std::string shift; // X,Y,Z; empty: it is found
+  double scale = 1;  // of the results
   std::string unit;
   double distance = 0; // [L]; 0 = the rule
   std::string editUnit = "segment";

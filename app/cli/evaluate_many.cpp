@@ -15,6 +15,7 @@ void evaluateMany(const EvaluateFlags& flags, const TerminalProgress& terminal) 
     throw WrongUsage(
         "--where, --traits, --light, --merge-paths and --mapping tell of one plant: leave them "
         "out, or give one");
+  if (!flags.shift.empty()) throw WrongUsage("--shift is of one plant: leave it out, or give one");
   if (!flags.report.scan.empty())
     throw WrongUsage("--scan is of one plant: leave it out, or give one");
   const std::vector<std::string> names(flags.files.begin(), flags.files.end() - 1);

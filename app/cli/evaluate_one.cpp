@@ -1,7 +1,9 @@
+#include "app/cli/arguments.h"
 #include "app/cli/evaluate_command.h"
 #include "app/cli/evaluate_numbers.h"
 #include "app/cli/evaluate_text.h"
 #include "app/cli/files.h"
+#include "app/cli/pipeline_flags.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/evaluate/comparison.h"
@@ -55,6 +57,15 @@ void writeMapping(const std::string& file, const Comparison& comparison, const S
   writeTable(file, editTable(*comparison.edit, result, reference));
 }
 
+std::optional<Eigen::Isometry3d> motionIn(const EvaluateFlags& flags) {
+  if (flags.shift.empty()) return std::nullopt;
+  if (flags.noRegister) throw WrongUsage("--shift and --no-register exclude each other: give one");
+  const std::optional<Eigen::Vector3d> shift = placeIn(flags.shift);
+  if (!shift)
+    throw WrongUsage("--shift " + inQuotes(flags.shift) + ": write three numbers as X,Y,Z");
+  return Eigen::Isometry3d(Eigen::Translation3d(*shift));
+}
+
 } // namespace
 
 void evaluateOne(const EvaluateFlags& flags, const TerminalProgress& terminal) {
@@ -62,6 +73,7 @@ void evaluateOne(const EvaluateFlags& flags, const TerminalProgress& terminal) {
   const Skeleton reference = skeletonIn(flags.files.back());
   ComparisonOptions options;
   options.registers = !flags.noRegister;
+  options.registration.motion = motionIn(flags);
   options.edit = editOptions(flags);
   if (flags.light) options.light = LightOptions{.pixels = flags.pixels};
   options = withTolerance(options, reference, flags.distance);

@@ -1,5 +1,6 @@
 #include "app/report/report_sections.h"
 
+#include <QLocale>
 #include <QRegularExpression>
 #include <QtGlobal>
 
@@ -40,7 +41,7 @@ void addRegistration(SettingsTable& table, const ReportParts& parts) {
     return;
   }
   const Eigen::Vector3d& shift = registration->shift;
-  table.add(tr("registration"), tr("the plant was shifted onto the reference"));
+  table.add(tr("registration"), tr("the plant was moved to lie on the reference"));
   table.add(tr("shift x, y, z"), joined(numbers, {shift.x(), shift.y(), shift.z()}));
   table.add(tr("shift in all"), numbers.length(shift.norm()));
   table.add(tr("mean distance before, after"),
@@ -109,12 +110,23 @@ QString typed(const ReportedFile& file) {
   return '\'' + path.replace('\'', QStringLiteral("'\\''")) + '\'';
 }
 
+/// Tells the very numbers; zero has no sign.
+QString shiftFlag(const Eigen::Vector3d& shift) {
+  QStringList numbers;
+  for (const double number : shift)
+    numbers.append(QString::number(number + 0.0, 'g', QLocale::FloatingPointShortest));
+  return QStringLiteral("--shift=") + numbers.join(',');
+}
+
 /// What to type for the same numbers.
 QString commandOf(const ReportParts& parts) {
   const ReportAbout& about = parts.about;
   QStringList words = {QStringLiteral("espalier evaluate"), typed(about.result),
                        typed(about.reference)};
-  if (!parts.data.comparison.registration) words.append(QStringLiteral("--no-register"));
+  const auto& registration = parts.data.comparison.registration;
+  if (!registration) words.append(QStringLiteral("--no-register"));
+  if (registration && registration->isGiven)
+    words.append(shiftFlag(registration->motion.translation()));
   if (about.scan && !about.scan->path.isEmpty())
     words.append(QStringLiteral("--scan ") + typed(*about.scan));
   if (about.scale != 1) words.append(QStringLiteral("--scale %1").arg(about.scale));
@@ -142,7 +154,7 @@ QString commandOf(const ReportParts& parts) {
 std::vector<ReportTerms::Term> nearnessTerms() {
   return {
       {tr("Registration"),
-       tr("The plant is shifted to where it fits the reference best, from several starts, before "
+       tr("The plant is moved to where it fits the reference best, from several starts, before "
           "anything is measured: two files of one plant are often not in the same frame."),
        QStringLiteral("P. Besl, N. McKay, A method for registration of 3-D shapes, PAMI 14(2), "
                       "1992.")},

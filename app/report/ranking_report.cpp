@@ -160,7 +160,7 @@ ReportSection origin(const Parts& parts) {
   const Ranking& ranking = parts.data.ranking;
   settings.rows = {
       {{tr("registration")},
-       {parts.data.isRegistered ? tr("each structure was shifted onto the reference")
+       {parts.data.isRegistered ? tr("each structure was moved to lie on the reference")
                                 : tr("none: compared where they lie")}},
       {{tr("scale of the structures")}, {parts.numbers.given(parts.about.scale)}},
       {{tr("tolerance")}, {parts.numbers.givenLength(ranking.distance)}},

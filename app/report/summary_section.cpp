@@ -63,6 +63,13 @@ QString heightText(const PointCloud& scan, const ReportNumbers& numbers) {
       .arg(numbers.length(heights->from, 3), numbers.length(heights->to, 3));
 }
 
+/// As the warning of the comparison, with the unit.
+QString shiftText(const Eigen::Vector3d& shift, const ReportNumbers& numbers) {
+  return tr("the plant lay %1 off the reference: it was moved by (%2, %3, %4) to lie on it")
+      .arg(numbers.length(shift.norm()), numbers.length(shift.x()), numbers.length(shift.y()),
+           numbers.length(shift.z()));
+}
+
 double f(const PartAgreement& part) {
   return harmonicMean(part.precision, part.recall);
 }
@@ -139,8 +146,11 @@ ReportSection summarySection(const ReportParts& parts) {
                           .arg(parts.numbers.count(parts.data.intervals.draws)),
                       ReportParagraph::Look::note});
   ReportWarnings warnings;
-  for (const std::string& warning : parts.data.comparison.warnings)
-    warnings.lines.append(QString::fromStdString(warning));
+  const Comparison& comparison = parts.data.comparison;
+  for (const std::string& warning : comparison.warnings)
+    warnings.lines.append(warning == comparison.shiftWarning
+                              ? shiftText(comparison.registration->shift, parts.numbers)
+                              : QString::fromStdString(warning));
   if (parts.about.scale != 1)
     warnings.lines.append(
         tr("the plant was multiplied by %1 first").arg(parts.numbers.given(parts.about.scale)));

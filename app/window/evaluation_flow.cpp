@@ -27,8 +27,9 @@ EvaluationFlow::EvaluationFlow(const Parts& parts) : parts_(parts) {
   parts_.window.actions.beginSection(tr("Evaluate"));
   errors_ = std::make_unique<ErrorWalk>(ErrorWalk::Parts{parts_.document, parts_.view, parts_.jobs,
                                                          parts_.window.actions, parts_.editing});
-  report_ = std::make_unique<ReportFlow>(
-      ReportFlow::Parts{parts_.document, parts_.jobs, parts_.reference, parts_.window});
+  report_ = std::make_unique<ReportFlow>(ReportFlow::Parts{parts_.document, parts_.jobs,
+                                                           parts_.reference, parts_.window,
+                                                           [this] { return optionsNow(); }});
   makePanel();
   methods_ = std::make_unique<MethodsFlow>(
       MethodsFlow::Parts{parts_.document, parts_.reference, parts_.window});
@@ -109,7 +110,6 @@ void EvaluationFlow::show(const std::string& text) {
 
 void EvaluationFlow::setOptions() {
   methods_->setOptions(options());
-  report_->setOptions(isLaid_, tolerance_);
   report_->setIgnored(errors_->ignored());
 }
 
@@ -215,6 +215,15 @@ void EvaluationFlow::later() {
   if (isWanted() && !isFresh_) timer_.start();
 }
 
+EvaluationOptions EvaluationFlow::optionsNow() const {
+  EvaluationOptions how = options();
+  how.motion = motion_;
+  how.isResultEdited = isEdited_;
+  how.coverages = coverages_;
+  if (const Scan* scan = parts_.document.scan()) how.scan = {scan->cloud(), scan->leftOut()};
+  return how;
+}
+
 void EvaluationFlow::start() {
   timer_.stop();
   if (!isWanted()) return;
@@ -224,15 +233,12 @@ void EvaluationFlow::start() {
     return;
   }
   panel_->showProgress(0);
-  EvaluationOptions how = options();
-  how.motion = motion_;
-  how.isResultEdited = isEdited_;
-  how.coverages = coverages_;
-  if (const Scan* scan = parts_.document.scan()) how.scan = {scan->cloud(), scan->leftOut()};
   job_.start(
       tr("Compare"),
       [skeleton = parts_.document.skeleton(), reference = parts_.reference.skeleton(),
-       how](const Progress& progress) { return evaluate(skeleton, *reference, how, progress); },
+       how = optionsNow()](const Progress& progress) {
+        return evaluate(skeleton, *reference, how, progress);
+      },
       [this](Evaluation evaluation) {
         if (isOutdated_ || timer_.isActive()) return; // the plant, or what is asked, is another now
         panel_->showRest({});

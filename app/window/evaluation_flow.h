@@ -87,6 +87,7 @@ private:
   void chooseTolerance(double tolerance);
   void chooseLaid(bool isLaid);
   [[nodiscard]] bool isWanted() const;
+  [[nodiscard]] EvaluationOptions optionsNow() const; // with what is known of the plant
 
   Parts parts_;
   std::unique_ptr<ErrorWalk> errors_;

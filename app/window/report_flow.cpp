@@ -49,6 +49,18 @@ void identifyScan(ReportAbout& about, const std::filesystem::path& path, const P
   }
 }
 
+/// The plant lies as in the panels, so that both tell the same.
+ComparisonOptions comparedAs(const EvaluationOptions& how, const Skeleton& result,
+                             const Skeleton& reference, const Progress& progress) {
+  ComparisonOptions options;
+  options.registers = how.registers;
+  if (how.registers)
+    options.registration.motion = referenceMotion(result, reference, how, progress).inverse();
+  options.breastHeight = how.breastHeight;
+  options.scan = how.scan;
+  return withTolerance(options, reference, how.tolerance);
+}
+
 } // namespace
 
 struct ReportFlow::Making {
@@ -68,11 +80,6 @@ ReportFlow::ReportFlow(const Parts& parts) : parts_(parts) {
 }
 
 ReportFlow::~ReportFlow() = default;
-
-void ReportFlow::setOptions(bool isLaid, double tolerance) {
-  isLaid_ = isLaid;
-  tolerance_ = tolerance;
-}
 
 void ReportFlow::refresh() {
   parts_.window.actions["export_report"]->setEnabled(
@@ -110,7 +117,7 @@ ReportAbout ReportFlow::about() const {
   about.date = QDate::currentDate().toString(Qt::ISODate);
   about.version = QCoreApplication::applicationVersion();
   about.unit = symbol(document.unit());
-  about.distance = tolerance_;
+  about.distance = parts_.how().tolerance;
   about.choices = choices_;
   about.handWork = handWork(document);
   return about;
@@ -123,20 +130,16 @@ void ReportFlow::write(const QString& path) {
                     .toStdString());
   requireReportName(toPath(path));
   requireWritable(toPath(path));
-  ComparisonOptions options;
-  options.registers = isLaid_;
-  options.breastHeight = breastHeightIn(symbol(parts_.document.unit()).toStdString());
-  if (const Scan* scan = parts_.document.scan()) options.scan = {scan->cloud(), scan->leftOut()};
   parts_.jobs.start(
       tr("Measuring for the report"),
-      [result = parts_.document.skeleton(), reference = parts_.reference.skeleton(), options,
-       tolerance = tolerance_, ignored = ignored_, told = about(),
+      [result = parts_.document.skeleton(), reference = parts_.reference.skeleton(),
+       how = parts_.how(), ignored = ignored_, told = about(),
        scan = toPath(parts_.document.scanPath())](const Progress& progress) mutable {
         Comparison comparison =
-            compare(result, *reference, withTolerance(options, *reference, tolerance),
-                    progress.part(0, 0.6));
-        ReportData data = reportData(std::move(comparison), result, *reference, options.scan.cloud,
-                                     tolerance, progress.part(0.6, 1));
+            compare(result, *reference, comparedAs(how, result, *reference, progress.part(0, 0.2)),
+                    progress.part(0.2, 0.6));
+        ReportData data = reportData(std::move(comparison), result, *reference, how.scan.cloud,
+                                     how.tolerance, progress.part(0.6, 1));
         ignore(data, ignored);
         identifyScan(told, scan, progress);
         return std::pair(std::move(told), std::move(data));
@@ -146,10 +149,10 @@ void ReportFlow::write(const QString& path) {
             Making{path, std::move(made.first), std::move(made.second), nullptr});
         refresh();
         parts_.jobs.afterwards([this] {
+          emit noted(tr("Drawing the pictures of %1…").arg(QFileInfo(making_->path).fileName()));
           making_->pictures = std::make_unique<PictureSession>(making_->data, making_->about.unit);
           QTimer::singleShot(0, this, &ReportFlow::drawNext);
         });
-          emit noted(tr("Drawing the pictures of %1…").arg(QFileInfo(making_->path).fileName()));
       });
 }
 

@@ -2,10 +2,12 @@
 
 #include "app/report/comparison_report.h"
 #include "app/window/panel_dock.h"
+#include "core/evaluate/evaluation.h"
 
 #include <QObject>
 #include <QString>
 
+#include <functional>
 #include <memory>
 
 namespace espalier {
@@ -26,12 +28,11 @@ public:
     JobRunner& jobs;
     ReferenceFlow& reference;
     PanelDock::Parts window;
+    std::function<EvaluationOptions()> how; // the plant is compared now
   };
   explicit ReportFlow(const Parts& parts);
   ~ReportFlow() override;
 
-  /// How the plant is compared: the report tells of the same.
-  void setOptions(bool isLaid, double tolerance);
   void setIgnored(std::vector<DifferingPart> ignored) { ignored_ = std::move(ignored); }
   void setChoices(std::vector<ChoiceRecord> records) { choices_ = std::move(records); }
   void refresh(); // whether there is anything to report
@@ -53,10 +54,8 @@ private:
 
   Parts parts_;
   std::unique_ptr<Making> making_; // null: none
-  bool isLaid_ = true;
   std::vector<ChoiceRecord> choices_;
   std::vector<DifferingPart> ignored_; // in the frame of the plant
-  double tolerance_ = 0;               // [L]; 0: by the rule
 };
 
 } // namespace espalier

@@ -20,8 +20,8 @@ void warnOfShift(Comparison& comparison, double unit) {
   const Eigen::Vector3d& shift = comparison.registration->shift;
   std::ostringstream text;
   text.precision(4);
-  text << "the plant was " << shift.norm() << " away from the reference: it was shifted by ("
-       << shift.x() << ", " << shift.y() << ", " << shift.z() << ") before it was measured";
+  text << "the plant lay " << shift.norm() << " off the reference: it was moved by (" << shift.x()
+       << ", " << shift.y() << ", " << shift.z() << ") to lie on it";
   comparison.shiftWarning = text.str();
   comparison.warnings.push_back(comparison.shiftWarning);
 }

@@ -11,20 +11,6 @@ namespace {
 
 constexpr int curveSteps = 40;
 
-Eigen::Isometry3d motionOf(const Skeleton& result, const Skeleton& reference,
-                           const EvaluationOptions& options, const Progress& progress) {
-  if (!options.registers) return Eigen::Isometry3d::Identity();
-  if (options.motion && !options.isResultEdited) return *options.motion;
-  const Eigen::Isometry3d found = registration(result, reference, {}, progress).motion.inverse();
-  if (!options.motion) return found;
-  const Eigen::AlignedBox3d box = bounds(reference);
-  const auto apart = [&](const Eigen::Vector3d& place) {
-    return (found * place - *options.motion * place).norm();
-  };
-  const double limit = defaultTolerances(reference).front() / 2;
-  return std::max(apart(box.min()), apart(box.max())) > limit ? found : *options.motion;
-}
-
 /// On the scan lies whichever of the two is nearer to it.
 std::vector<double> coveragesOf(const Skeleton& result, const Skeleton& reference,
                                 const Eigen::Isometry3d& motion, const EvaluatedScan& scan,
@@ -44,13 +30,27 @@ std::vector<double> curveDistances(double tolerance, double coarsest) {
   return distances;
 }
 
+Eigen::Isometry3d referenceMotion(const Skeleton& result, const Skeleton& reference,
+                                  const EvaluationOptions& options, const Progress& progress) {
+  if (!options.registers) return Eigen::Isometry3d::Identity();
+  if (options.motion && !options.isResultEdited) return *options.motion;
+  const Eigen::Isometry3d found = registration(result, reference, {}, progress).motion.inverse();
+  if (!options.motion) return found;
+  const Eigen::AlignedBox3d box = bounds(reference);
+  const auto apart = [&](const Eigen::Vector3d& place) {
+    return (found * place - *options.motion * place).norm();
+  };
+  const double limit = defaultTolerances(reference).front() / 2;
+  return std::max(apart(box.min()), apart(box.max())) > limit ? found : *options.motion;
+}
+
 Evaluation evaluate(const Skeleton& result, const Skeleton& reference,
                     const EvaluationOptions& options, const Progress& progress) {
   requireComparable(result, "the plant");
   requireComparable(reference, "the reference");
   const std::vector<double> usual = defaultTolerances(reference);
   Evaluation made;
-  made.motion = motionOf(result, reference, options, progress.part(0, 0.5, "Registering"));
+  made.motion = referenceMotion(result, reference, options, progress.part(0, 0.5, "Registering"));
   made.reference = moved(reference, made.motion);
   const Eigen::Vector3d middle = bounds(reference).center();
   made.shift = made.motion * middle - middle;

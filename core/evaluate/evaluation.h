@@ -43,6 +43,11 @@ struct Evaluation {
 /// Even distances for a smooth curve: from 0 to twice the tolerance at least, and to `coarsest`.
 [[nodiscard]] std::vector<double> curveDistances(double tolerance, double coarsest); // [L]
 
+/// Where evaluate() lays the reference. @throws as it does
+[[nodiscard]] Eigen::Isometry3d referenceMotion(const Skeleton& result, const Skeleton& reference,
+                                                const EvaluationOptions& options,
+                                                const Progress& progress = {});
+
 /// Lays a reference on a result, and compares both in every way that an editor shows.
 /// @throws Error     if one of the two has no nodes, no length, or a position that is no number
 /// @throws Cancelled if `progress` asks to stop

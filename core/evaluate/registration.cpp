@@ -169,6 +169,24 @@ std::vector<Eigen::Vector3d> startingShifts(const Skeleton& result, const Skelet
   return starts;
 }
 
+/// The best motion by few samples, over all starts.
+Eigen::Isometry3d roughMotion(const Skeleton& result, const Skeleton& reference, const Frame& frame,
+                              double radius, const Progress& progress) {
+  const Side roughResult(result, 1000);
+  const Side roughReference(reference, 1000);
+  const auto starts = startingShifts(
+      result, reference, centroid(roughReference.samples) - centroid(roughResult.samples), radius,
+      frame.reach / 2);
+  Fit best{Eigen::Isometry3d::Identity(), 0};
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    const Eigen::Isometry3d start{Eigen::Translation3d(starts[i])};
+    const Fit fit = refined(start, roughResult, roughReference, frame, 15, progress);
+    if (i == 0 || fit.residual < 0.95 * best.residual) best = fit;
+    progress.update(static_cast<double>(i + 1) / static_cast<double>(starts.size()));
+  }
+  return best.motion;
+}
+
 } // namespace
 
 Registration registration(const Skeleton& result, const Skeleton& reference,
@@ -183,30 +201,20 @@ Registration registration(const Skeleton& result, const Skeleton& reference,
                     .reach = totalLength(reference) / segments / 2,
                     .rotates = options.rotates};
   const double radius = options.searchRadius > 0 ? options.searchRadius : frame.size / 10;
-
-  const Side roughResult(result, 1000);
-  const Side roughReference(reference, 1000);
-  const auto starts = startingShifts(
-      result, reference, centroid(roughReference.samples) - centroid(roughResult.samples), radius,
-      frame.reach / 2);
-  Fit best{Eigen::Isometry3d::Identity(), 0};
-  for (std::size_t i = 0; i < starts.size(); ++i) {
-    const Eigen::Isometry3d start{Eigen::Translation3d(starts[i])};
-    const Fit fit = refined(start, roughResult, roughReference, frame, 15, progress);
-    if (i == 0 || fit.residual < 0.95 * best.residual) best = fit;
-    progress.update(0.5 * static_cast<double>(i + 1) / static_cast<double>(starts.size()));
-  }
-
+  const Eigen::Isometry3d start =
+      options.motion ? *options.motion
+                     : roughMotion(result, reference, frame, radius, progress.part(0, 0.5));
   const Side fineResult(result, 4000);
   const Side fineReference(reference, 4000);
   const Fit before =
       refined(Eigen::Isometry3d::Identity(), fineResult, fineReference, frame, 0, progress);
-  Fit after = refined(best.motion, fineResult, fineReference, frame, 40, progress);
-  if (after.residual >= before.residual) after = before;
+  Fit after = refined(start, fineResult, fineReference, frame, options.motion ? 0 : 40, progress);
+  if (!options.motion && after.residual >= before.residual) after = before;
   progress.update(1);
   const Eigen::Vector3d middle = bounds(result).center();
   return {.motion = after.motion,
           .shift = after.motion * middle - middle,
+          .isGiven = options.motion.has_value(),
           .reach = frame.reach,
           .residualBefore = before.residual,
           .residualAfter = after.residual};

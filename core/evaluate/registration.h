@@ -6,21 +6,25 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <optional>
+
 namespace espalier {
 
 struct RegistrationOptions {
   bool rotates = false;    // also turns, by some degrees; false: shifts only, for equal axes
   double searchRadius = 0; // [L], greatest shift looked for about either start; 0 = a tenth of the
                            // diagonal of the reference
+  std::optional<Eigen::Isometry3d> motion; // known before: nothing is looked for
 };
 
 /// Where a result has to be moved to lie on its reference.
 struct Registration {
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity(); // from the result's frame
   Eigen::Vector3d shift = Eigen::Vector3d::Zero(); // of the middle of the result under motion [L]
+  bool isGiven = false;                            // the motion was known before
   double reach = 0;          // [L], distances above it count as this: they are no pairs
   double residualBefore = 0; // [L], mean distance between the two both ways, each up to reach
-  double residualAfter = 0;  // [L], the same after the motion; never above residualBefore
+  double residualAfter = 0;  // [L], the same after the motion; if found, not above residualBefore
 };
 
 /// Finds the rigid motion that lays a result on its reference.

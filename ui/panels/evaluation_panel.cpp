@@ -135,12 +135,12 @@ void EvaluationPanel::refreshShift(const Evaluation& evaluation) {
   shift_->clear();
   shift_->setToolTip({});
   if (!laid_->isChecked()) return;
-  const Eigen::Vector3d& shift = evaluation.shift;
+  const Eigen::Vector3d shift = -evaluation.shift; // of the plant, as reports tell it
   shift_->setText(evaluation.isShiftLarge ? tr("⚠ they were %1 apart").arg(length(shift.norm()))
                                           : tr("moved by %1").arg(length(shift.norm())));
   shift_->setToolTip(
-      tr("The reference is moved by (%1, %2, %3) to lie on the plant. Where only one of them "
-         "was moved, the two files have different frames.")
+      tr("The plant would be moved by (%1, %2, %3) to lie on the reference; here, the reference is "
+         "moved to the plant instead. Far apart, the two files have different frames.")
           .arg(length(shift.x()), length(shift.y()), length(shift.z())));
   setRole(*shift_, evaluation.isShiftLarge ? "warning" : "quiet");
 }

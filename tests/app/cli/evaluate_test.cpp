@@ -293,6 +293,25 @@ TEST_F(Evaluate, SaysWhenAShiftThatIsLeftDecides) {
   EXPECT_THAT(same.err, IsEmpty());
 }
 
+TEST_F(Evaluate, MovesThePlantByAShiftThatIsGiven) {
+  const auto shiftWith = [&](const std::string& shift) {
+    const Outcome outcome = runProgram({"evaluate", fork("a.txt", 1, 0.5), fork("b.txt"), "--shift",
+                                        shift, "--json", file("a.json")});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return json::parse(test::bytesOf(file("a.json")))["shift"];
+  };
+  EXPECT_EQ(shiftWith("0,0,0"), json({0, 0, 0})) << "none is found";
+  EXPECT_EQ(shiftWith("-0.25,0.5,1"), json({-0.25, 0.5, 1}));
+  const auto refusal = [&](const test::Arguments& more) {
+    test::Arguments arguments = {"evaluate", truth_, truth_};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return runProgram(arguments);
+  };
+  expectRefusal(refusal({"--shift", "1,2"}), 2, {"--shift '1,2'", "X,Y,Z"});
+  expectRefusal(refusal({"--shift", "1,2,3", "--no-register"}), 2, {"exclude each other"});
+  expectRefusal(refusal({truth_, "--shift", "1,2,3"}), 2, {"--shift is of one plant"});
+}
+
 TEST_F(Evaluate, SaysWhereMergedPathsChangeNothing) {
   EXPECT_THAT(runProgram({"evaluate", truth_, truth_, "--merge-paths"}).err,
               HasSubstr("--merge-paths changes nothing with --edit-cost topology"));

@@ -222,9 +222,26 @@ TEST(ComparisonReport, SaysWhatMakesTheNumbersDoubtful) {
   const Report report =
       comparisonReport(reportData(comparison, moved, branched()), pictures, about);
   const QString text = textOf(sectionOf(report, "Summary"));
-  EXPECT_TRUE(text.contains("the plant was 0.5 away from the reference")) << qPrintable(text);
+  EXPECT_TRUE(text.contains(thin("the plant lay 0.5000_m off the reference"))) << qPrintable(text);
   EXPECT_TRUE(text.contains("the plant was multiplied by 0.001 first")) << qPrintable(text);
   EXPECT_TRUE(text.contains("there are no pictures: OpenGL: no context")) << qPrintable(text);
+}
+
+// As the panel and the command line tell it, with the unit.
+TEST(ComparisonReport, TellsTheShiftOfThePlantThatIsGiven) {
+  const Skeleton plant = branched();
+  ComparisonOptions options;
+  options.registration.motion = Eigen::Isometry3d(Eigen::Translation3d(0.5, 0, -0.25));
+  const ReportData data = reportData(compare(plant, plant, withTolerance(options, plant, near)),
+                                     plant, plant, nullptr, near);
+  const Report report = comparisonReport(data, {}, aboutPlants());
+  const QString summary = textOf(sectionOf(report, "Summary"));
+  EXPECT_TRUE(summary.contains(thin("the plant lay 0.5590_m off the reference: it was moved by "
+                                    "(0.5000_m, 0_m, −0.2500_m) to lie on it")))
+      << qPrintable(summary);
+  const ReportSection& how = sectionOf(report, "How it was measured");
+  EXPECT_EQ(cellOf(how, "registration", 1), "the plant was moved to lie on the reference");
+  EXPECT_TRUE(textOf(how).contains(" --shift=0.5,0,-0.25 ")) << qPrintable(textOf(how));
 }
 
 TEST(ComparisonReport, TellsTheWorkByHandOfWhatHasAHistory) {

@@ -122,7 +122,8 @@ TEST(Comparison, MeasuresAfterRegistrationUnlessAskedNotTo) {
   const Comparison registered = compare(result, bush);
   EXPECT_NEAR(registered.tolerance.scores[0].f(), 1, 1e-3);
   EXPECT_EQ(registered.tips.f(), 1);
-  EXPECT_THAT(registered.warnings, ElementsAre(HasSubstr("shifted by (-0.5, -0.5, -0.5)")));
+  EXPECT_THAT(registered.warnings,
+              ElementsAre(HasSubstr("moved by (-0.5, -0.5, -0.5) to lie on it")));
   const Comparison asIs = compare(result, bush, {.registers = false});
   EXPECT_FALSE(asIs.registration);
   EXPECT_LT(asIs.tolerance.scores[0].f(), 0.5);

@@ -57,6 +57,18 @@ TEST(Registration, TakesBackAShiftOfAnySize) {
   }
 }
 
+TEST(Registration, TakesAMotionThatIsGivenAndMeasuresIt) {
+  const Skeleton bush = test::bush();
+  const Eigen::Isometry3d aside(Eigen::Translation3d(0.3, 0, 0));
+  const Registration found = registration(bush, bush, {.motion = aside});
+  EXPECT_TRUE(found.isGiven);
+  EXPECT_TRUE(found.motion.isApprox(aside));
+  expectNear(found.shift, {0.3, 0, 0}, 1e-12);
+  EXPECT_NEAR(found.residualBefore, 0, 1e-12);
+  EXPECT_GT(found.residualAfter, 0.05) << "though it makes it worse";
+  EXPECT_FALSE(registration(bush, bush).isGiven);
+}
+
 TEST(Registration, IsNotPulledByWhatOneOfTheTwoLacks) {
   const Skeleton bush = test::bush();
   const Eigen::Vector3d shift(0.3, 0.4, -0.6);

@@ -17,7 +17,6 @@
 #include <QSettings>
 
 #include <algorithm>
-#include <ranges>
 #include <utility>
 
 namespace espalier {
@@ -76,8 +75,8 @@ void MethodsFlow::add(const QStringList& paths) {
 }
 
 void MethodsFlow::remove(const std::vector<int>& rows) {
-  for (const int row : rows | std::views::reverse)
-    if (row > 0) methods_.erase(methods_.begin() + row - 1); // the first is the plant
+  for (auto row = rows.rbegin(); row != rows.rend(); ++row)
+    if (*row > 0) methods_.erase(methods_.begin() + *row - 1); // the first is the plant
   list();
   emit changed();
 }

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <ranges>
 
 namespace espalier {
 namespace {
@@ -48,7 +47,8 @@ std::vector<Bar> barcode(const Skeleton& skeleton) {
           height[indexOf(*parent)] + (skeleton[id].position - skeleton[*parent].position).norm();
   std::vector<Bar> bars;
   std::vector<double> reach(skeleton.idEnd(), 0); // of what a node carries
-  for (const NodeId id : std::views::reverse(ids)) {
+  for (auto at = ids.rbegin(); at != ids.rend(); ++at) {
+    const NodeId id = *at;
     const std::vector<NodeId>& children = skeleton.children(id);
     std::optional<NodeId> farthest;
     for (const NodeId child : children)

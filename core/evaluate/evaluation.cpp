@@ -34,7 +34,7 @@ Eigen::Isometry3d referenceMotion(const Skeleton& result, const Skeleton& refere
                                   const EvaluationOptions& options, const Progress& progress) {
   if (!options.registers) return Eigen::Isometry3d::Identity();
   if (options.motion && !options.isResultEdited) return *options.motion;
-  const Eigen::Isometry3d found = registration(result, reference, {}, progress).motion.inverse();
+  Eigen::Isometry3d found = registration(result, reference, {}, progress).motion.inverse();
   if (!options.motion) return found;
   const Eigen::AlignedBox3d box = bounds(reference);
   const auto apart = [&](const Eigen::Vector3d& place) {

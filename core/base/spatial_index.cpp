@@ -101,6 +101,10 @@ SpatialIndex::~SpatialIndex() = default;
 SpatialIndex::SpatialIndex(SpatialIndex&&) noexcept = default;
 SpatialIndex& SpatialIndex::operator=(SpatialIndex&&) noexcept = default;
 
+Eigen::Index SpatialIndex::size() const {
+  return static_cast<Eigen::Index>(tree_->parts.size());
+}
+
 SpatialIndex SpatialIndex::passingOver(std::vector<bool> points) const {
   assert(points.size() == tree_->parts.size());
   SpatialIndex index(tree_);

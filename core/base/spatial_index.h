@@ -40,6 +40,8 @@ public:
   SpatialIndex(SpatialIndex&&) noexcept;
   SpatialIndex& operator=(SpatialIndex&&) noexcept;
 
+  [[nodiscard]] Eigen::Index size() const; // points, those that are passed over too
+
   /// The same index, which passes over exactly the points told: one entry per point, true for those
   /// that are not to be found. Time and memory O(N) bits: the tree is shared.
   [[nodiscard]] SpatialIndex passingOver(std::vector<bool> points) const;

@@ -1,17 +1,14 @@
 #include "core/cloud/isolated_points.h"
 
-#include "core/base/spatial_index.h"
-
 #include <cmath>
 
 namespace espalier {
 
-std::vector<bool> isolatedPoints(const Eigen::Matrix3Xf& points,
-                                 const IsolatedPointOptions& options, const Progress& progress) {
-  std::vector<bool> result(static_cast<std::size_t>(points.cols()), false);
-  if (points.cols() <= options.neighbors) return result;
-  const NearestOthers others =
-      SpatialIndex(points, progress).nearestOthers(options.neighbors, progress.part(0, 0.9));
+std::vector<bool> isolatedPoints(const SpatialIndex& points, const IsolatedPointOptions& options,
+                                 const Progress& progress) {
+  std::vector<bool> result(static_cast<std::size_t>(points.size()), false);
+  if (points.size() <= options.neighbors) return result;
+  const NearestOthers others = points.nearestOthers(options.neighbors, progress.part(0, 0.9));
   const auto perPoint = static_cast<std::size_t>(others.perPoint);
   for (std::size_t i = 0; i < result.size(); ++i) {
     double sum = 0;

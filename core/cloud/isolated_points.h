@@ -1,8 +1,7 @@
 #pragma once
 
 #include "core/base/progress.h"
-
-#include <Eigen/Core>
+#include "core/base/spatial_index.h"
 
 #include <vector>
 
@@ -15,11 +14,10 @@ struct IsolatedPointOptions {
 
 /// Tells for each point whether it stands alone, as dust, rain and split laser beams do.
 ///
-/// @param points 3 x N, finite [L]
 /// @return one entry per point; none is isolated where there are no more points than neighbors
 /// @throws Cancelled if `progress` asks to stop
 /// Time O(N k log N).
-[[nodiscard]] std::vector<bool> isolatedPoints(const Eigen::Matrix3Xf& points,
+[[nodiscard]] std::vector<bool> isolatedPoints(const SpatialIndex& points,
                                                const IsolatedPointOptions& options,
                                                const Progress& progress = {});
 

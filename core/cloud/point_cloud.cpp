@@ -109,9 +109,12 @@ Eigen::AlignedBox3d PointCloud::bounds() const {
 }
 
 double pointSpacing(const Eigen::Matrix3Xf& points, const Progress& progress) {
+  return pointSpacing(points, SpatialIndex(points, progress));
+}
+
+double pointSpacing(const Eigen::Matrix3Xf& points, const SpatialIndex& index) {
   constexpr Eigen::Index samples = 20000;
   const Eigen::Index count = std::min(points.cols(), samples);
-  const SpatialIndex index(points, progress);
   std::vector<double> distances(static_cast<std::size_t>(count));
   parallelFor(count, [&](Eigen::Index i) {
     const Eigen::Index point = i * points.cols() / count;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/base/spatial_index.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -76,5 +77,7 @@ private:
 /// Mean distance from a point to its nearest neighbor at another place [L]: the unit of the default
 /// rules. Taken over at most 20 000 points spread evenly through the cloud. 0 if all coincide.
 [[nodiscard]] double pointSpacing(const Eigen::Matrix3Xf& points, const Progress& progress = {});
+/// The same, where there is an index of the points.
+[[nodiscard]] double pointSpacing(const Eigen::Matrix3Xf& points, const SpatialIndex& index);
 
 } // namespace espalier

@@ -39,16 +39,14 @@ std::vector<double> seenArcs(const Skeleton& reference, const EvaluatedScan& sca
   assert(scan);
   const PointCloud& cloud = *scan.cloud;
   SpatialIndex index(cloud.positions(), progress);
+  const double spacing = pointSpacing(cloud.positions(), index); // those passed over count, too
   if (!scan.leftOut.isEmpty()) {
     std::vector<bool> isPassed(static_cast<std::size_t>(cloud.size()), false);
     for (const Eigen::Index point : scan.leftOut.points())
       if (point < cloud.size()) isPassed[static_cast<std::size_t>(point)] = true;
     index = index.passingOver(std::move(isPassed));
   }
-  return arcCoverages(
-      reference,
-      {cloud.positions(), cloud.origin(), index, pointSpacing(cloud.positions(), progress)},
-      progress);
+  return arcCoverages(reference, {cloud.positions(), cloud.origin(), index, spacing}, progress);
 }
 
 } // namespace espalier

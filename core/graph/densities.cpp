@@ -1,6 +1,5 @@
 #include "core/graph/densities.h"
 
-#include "core/base/spatial_index.h"
 #include "core/graph/geodesic_balls.h"
 
 #include <algorithm>
@@ -25,10 +24,10 @@ std::vector<float> radiusDensities(const NeighborhoodGraph& graph, float radius,
   return densities;
 }
 
-std::vector<float> nearestDensities(const Eigen::Matrix3Xf& points, int count,
+std::vector<float> nearestDensities(const SpatialIndex& points, int count,
                                     const Progress& progress) {
-  const auto perPoint = static_cast<float>(std::min<Eigen::Index>(count, points.cols() - 1));
-  std::vector<float> densities = SpatialIndex(points, progress).squaredReaches(count, progress);
+  const auto perPoint = static_cast<float>(std::min<Eigen::Index>(count, points.size() - 1));
+  std::vector<float> densities = points.squaredReaches(count, progress);
   float greatest = 0;
   for (float& density : densities) {
     if (density > 0) density = perPoint / density; // was the squared reach

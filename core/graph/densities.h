@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/base/spatial_index.h"
 #include "core/graph/neighborhood_graph.h"
 
 #include <Eigen/Core>
@@ -19,7 +20,7 @@ namespace espalier {
 
 /// The `count` nearest others / squared distance of the farthest of them; where these are all at
 /// one place, the greatest density elsewhere, 0 if there is none.
-[[nodiscard]] std::vector<float> nearestDensities(const Eigen::Matrix3Xf& points, int count,
+[[nodiscard]] std::vector<float> nearestDensities(const SpatialIndex& points, int count,
                                                   const Progress& progress = {});
 
 /// What counts as thin and as dense.

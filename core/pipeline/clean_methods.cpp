@@ -35,7 +35,7 @@ Method isolatedPointsMethod() {
           .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
             const std::vector<Eigen::Index> kept = keptPoints(state);
             const std::vector<bool> isIsolated =
-                isolatedPoints(keptPositions(state), table.with(values), progress);
+                isolatedPoints(*scannedIndex(state, kept, progress), table.with(values), progress);
             for (std::size_t i = 0; i < kept.size(); ++i)
               if (isIsolated[i]) state.isLeftOut[static_cast<std::size_t>(kept[i])] = true;
           }};

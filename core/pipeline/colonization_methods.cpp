@@ -52,7 +52,7 @@ Option kill(double steps) {
 
 /// Those of the places that a skeleton is made of.
 std::vector<float> placeDensities(const PipelineState& state, const Progress& progress) {
-  return scannedDensities(state.cloud->positions()(Eigen::all, keptPlaces(state)), progress);
+  return scannedDensities(*scannedIndex(state, keptPlaces(state), progress), progress);
 }
 
 } // namespace

@@ -89,9 +89,24 @@ void reconstructKept(
   state.setSkeleton(std::move(local));
 }
 
-std::vector<float> scannedDensities(const Eigen::Matrix3Xf& points, const Progress& progress) {
+std::vector<float> scannedDensities(const SpatialIndex& scanned, const Progress& progress) {
   constexpr int nearest = 16; // as PlantScan3D has it
-  return normalizedDensities(nearestDensities(points, nearest, progress));
+  return normalizedDensities(nearestDensities(scanned, nearest, progress));
+}
+
+std::shared_ptr<const SpatialIndex> scannedIndex(const PipelineState& state,
+                                                 const std::vector<Eigen::Index>& points,
+                                                 const Progress& progress) {
+  const Eigen::Matrix3Xf& scan = state.cloud->positions();
+  if (state.index && static_cast<Eigen::Index>(points.size()) == scan.cols()) return state.index;
+  struct Indexed {
+    Eigen::Matrix3Xf points;
+    SpatialIndex index;
+    Indexed(Eigen::Matrix3Xf some, const Progress& progress)
+        : points(std::move(some)), index(points, progress) {}
+  };
+  const auto indexed = std::make_shared<const Indexed>(scan(Eigen::all, points), progress);
+  return {indexed, &indexed->index};
 }
 
 } // namespace espalier

@@ -41,7 +41,13 @@ void reconstructKept(
 
 /// Normalized densities of points as they were scanned, in [0, 1]: contraction, which heaps points
 /// up, does not count.
-[[nodiscard]] std::vector<float> scannedDensities(const Eigen::Matrix3Xf& points,
+[[nodiscard]] std::vector<float> scannedDensities(const SpatialIndex& scanned,
                                                   const Progress& progress);
+
+/// An index of these points as they were scanned: that of the whole scan, if it is at hand and they
+/// are all of it.
+[[nodiscard]] std::shared_ptr<const SpatialIndex>
+scannedIndex(const PipelineState& state, const std::vector<Eigen::Index>& points,
+             const Progress& progress);
 
 } // namespace espalier

@@ -90,7 +90,7 @@ struct MethodSights::Prepared {
     if (columns.empty()) return;
     const bool isTracked = tracking.method == "point_tracking";
     const bool followsDensity = contraction.has("density_radius");
-    if (isTracked || !followsDensity) densities = scannedDensities(points, progress.part(0.4, 0.7));
+    if (isTracked || !followsDensity) densities = scannedDensities(index, progress.part(0.4, 0.7));
     if (isTracked) trackingDensities = densities;
     if (followsDensity)
       densities = normalizedDensities(radiusDensities(

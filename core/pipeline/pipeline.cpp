@@ -88,10 +88,13 @@ struct Pipeline::Kept {
     states.resize(pipelineSteps().size());
   }
 
-  [[nodiscard]] PlantScale measuredScale(UpAxis up, const Progress& progress) {
+  /// Sets `index` to that of the cloud, if it takes one.
+  [[nodiscard]] PlantScale measuredScale(UpAxis up, const Progress& progress,
+                                         std::shared_ptr<const SpatialIndex>& index) {
     if (const PlantScale* known = scales.find(up)) return *known;
+    index = std::make_shared<const SpatialIndex>(cloud->positions(), progress);
     return scales.keep(
-        up, {pointSpacing(cloud->positions(), progress), plantHeight(cloud->positions(), up)});
+        up, {pointSpacing(cloud->positions(), *index), plantHeight(cloud->positions(), up)});
   }
 
   /// The state after the last step of `chain`, computed from that before it.
@@ -100,6 +103,7 @@ struct Pipeline::Kept {
     const ChosenStep& choice = chain.choices.back();
     if (watch.began) watch.began(*choice.step);
     choice.method->run(state, choice.values, progress);
+    state.index.reset(); // not worth its memory from one run to the next
     if (watch.ended) watch.ended(*choice.step);
     return states[chain.choices.size() - 1].keep(chain, std::move(state));
   }
@@ -109,6 +113,48 @@ struct Pipeline::Kept {
     const RootKey key{cleaned, options.root, options.up};
     if (const Eigen::Index* known = roots.find(key)) return *known;
     return roots.keep(key, rootPoint(state, options));
+  }
+
+  /// @throws Error if nothing can be made of the cloud
+  void take(const std::shared_ptr<const PointCloud>& newCloud, const PipelineOptions& options) {
+    requireKnown(options);
+    if (newCloud->size() < 2) throw Error("a plant needs at least 2 points: check the scan");
+    requireNearRoot(*newCloud, options);
+    if (cloud != newCloud) forget(newCloud);
+  }
+
+  /// @param index of the cloud, if there is one
+  Reconstruction run(const PlantScale& scale, const std::shared_ptr<const SpatialIndex>& index,
+                     const PipelineOptions& options, const Progress& progress,
+                     const std::string& last, const StepWatch& watch) {
+    if (scale.spacing == 0)
+      throw Error("all points of the scan are at the same place: check the scan");
+    Reconstruction result;
+    result.scale = scale;
+    Shares shares(progress);
+    Chain chain{std::make_shared<const PointSet>(options.leftOut), {}};
+    const PipelineState* state = nullptr;
+    Eigen::Index root = 0;
+    for (ChosenStep& choice : choicesUpTo(last, options, scale)) {
+      const Progress part = shares.next(*choice.step);
+      if (choice.method->seesRoot) choice.root = root;
+      chain.choices.push_back(std::move(choice));
+      const PipelineState* known = states[chain.choices.size() - 1].find(chain);
+      result.steps.push_back(recordOf(chain.choices.back(), known == nullptr));
+      if (known == nullptr) {
+        PipelineState next = state == nullptr ? firstState(cloud, options.leftOut) : *state;
+        next.root = root;
+        next.index = index;
+        known = &computed(chain, std::move(next), part, watch);
+      }
+      state = known;
+      if (chain.choices.size() == 1) root = rootOf(chain, *state, options);
+    }
+    result.contracted = state->contracted;
+    result.skeleton = state->skeleton;
+    result.radiusSources = state->radiusSources;
+    progress.update(1);
+    return result;
   }
 };
 
@@ -120,50 +166,18 @@ Pipeline& Pipeline::operator=(Pipeline&&) noexcept = default;
 Reconstruction Pipeline::run(const std::shared_ptr<const PointCloud>& cloud,
                              const PipelineOptions& options, const Progress& progress,
                              const std::string& last, const StepWatch& watch) {
-  requireKnown(options);
-  if (cloud->size() < 2) throw Error("a plant needs at least 2 points: check the scan");
-  requireNearRoot(*cloud, options);
-  if (kept_->cloud != cloud) kept_->forget(cloud);
-  return runAtScale(cloud, kept_->measuredScale(options.up, progress), options, progress, last,
-                    watch);
+  kept_->take(cloud, options);
+  std::shared_ptr<const SpatialIndex> index;
+  const PlantScale scale = kept_->measuredScale(options.up, progress, index);
+  return kept_->run(scale, index, options, progress, last, watch);
 }
 
 Reconstruction Pipeline::runAtScale(const std::shared_ptr<const PointCloud>& cloud,
                                     const PlantScale& scale, const PipelineOptions& options,
                                     const Progress& progress, const std::string& last,
                                     const StepWatch& watch) {
-  requireKnown(options);
-  if (cloud->size() < 2) throw Error("a plant needs at least 2 points: check the scan");
-  requireNearRoot(*cloud, options);
-  if (scale.spacing == 0)
-    throw Error("all points of the scan are at the same place: check the scan");
-  if (kept_->cloud != cloud) kept_->forget(cloud);
-
-  Reconstruction result;
-  result.scale = scale;
-  Shares shares(progress);
-  Chain chain{std::make_shared<const PointSet>(options.leftOut), {}};
-  const PipelineState* state = nullptr;
-  Eigen::Index root = 0;
-  for (ChosenStep& choice : choicesUpTo(last, options, scale)) {
-    const Progress part = shares.next(*choice.step);
-    if (choice.method->seesRoot) choice.root = root;
-    chain.choices.push_back(std::move(choice));
-    const PipelineState* known = kept_->states[chain.choices.size() - 1].find(chain);
-    result.steps.push_back(recordOf(chain.choices.back(), known == nullptr));
-    if (known == nullptr) {
-      PipelineState next = state == nullptr ? firstState(cloud, options.leftOut) : *state;
-      next.root = root;
-      known = &kept_->computed(chain, std::move(next), part, watch);
-    }
-    state = known;
-    if (chain.choices.size() == 1) root = kept_->rootOf(chain, *state, options);
-  }
-  result.contracted = state->contracted;
-  result.skeleton = state->skeleton;
-  result.radiusSources = state->radiusSources;
-  progress.update(1);
-  return result;
+  kept_->take(cloud, options);
+  return kept_->run(scale, {}, options, progress, last, watch);
 }
 
 } // namespace espalier

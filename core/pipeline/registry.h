@@ -26,6 +26,8 @@ struct PipelineState {
   /// In the frame of the file; states share it.
   std::shared_ptr<const Skeleton> skeleton = std::make_shared<const Skeleton>();
   std::vector<RadiusSource> radiusSources = {}; // by id, once there are radii
+  /// Of all points of the cloud, if it is at hand: see scannedIndex.
+  std::shared_ptr<const SpatialIndex> index = {};
   /// Of the whole scan, if this is a part of one: for contractions that follow densities.
   std::optional<DensityRange> densityRange = {};
 

@@ -20,7 +20,7 @@ constexpr std::size_t fewestNodes = 4;
 class Distances {
 public:
   Distances(const Skeleton& skeleton, const PointCloud& cloud)
-      : cloud_(cloud), index_(cloud.positions()), spacing_(pointSpacing(cloud.positions())),
+      : cloud_(cloud), index_(cloud.positions()), spacing_(pointSpacing(cloud.positions(), index_)),
         extent_(cloud.bounds().sizes().norm()) {
     const std::vector<NodeId> ids = skeleton.ids();
     const std::size_t count = std::min(ids.size(), mostMeasured);

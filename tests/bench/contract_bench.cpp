@@ -97,7 +97,7 @@ void sizes(benchmark::internal::Benchmark* each) {
     benchmark::DoNotOptimize(radiusDensities(graph, static_cast<float>(of.scale.height / 100)));
   });
   add("characterize/nearest_densities", [](const Scanned& of, const NeighborhoodGraph&) {
-    benchmark::DoNotOptimize(nearestDensities(of.cloud->positions(), 16));
+    benchmark::DoNotOptimize(nearestDensities(SpatialIndex(of.cloud->positions()), 16));
   });
   add("characterize/normals", [](const Scanned& of, const NeighborhoodGraph& graph) {
     const Eigen::Matrix3Xf& points = of.cloud->positions();

@@ -21,10 +21,14 @@ Eigen::Matrix3Xf sheet(float spacing) {
 
 constexpr std::size_t middle = 41 * 20 + 20;
 
+std::vector<float> nearestOf(const Eigen::Matrix3Xf& points, int count) {
+  return nearestDensities(SpatialIndex(points), count);
+}
+
 TEST(Densities, CountPointsPerArea) {
   // Of a lattice 0.1 apart, the 4 nearest lie 0.1 away, the 8 nearest up to 0.1 sqrt(2).
-  EXPECT_NEAR(nearestDensities(sheet(0.1F), 4)[middle], 400, 0.01);
-  EXPECT_NEAR(nearestDensities(sheet(0.1F), 8)[middle], 400, 0.01);
+  EXPECT_NEAR(nearestOf(sheet(0.1F), 4)[middle], 400, 0.01);
+  EXPECT_NEAR(nearestOf(sheet(0.1F), 8)[middle], 400, 0.01);
   // Links lead to the 4 nearest: 13 points lie within 2 steps along them.
   const NeighborhoodGraph graph(sheet(0.1F), 4);
   EXPECT_NEAR(radiusDensities(graph, 0.25F)[middle], 13 / 0.0625, 0.01);
@@ -34,17 +38,16 @@ TEST(Densities, FallByTheSquareOfTheUnit) {
   const NeighborhoodGraph meters(sheet(0.125F), 8);
   const NeighborhoodGraph halves(sheet(0.25F), 8);
   EXPECT_FLOAT_EQ(radiusDensities(meters, 0.5F)[middle], 4 * radiusDensities(halves, 1)[middle]);
-  EXPECT_FLOAT_EQ(nearestDensities(sheet(0.125F), 8)[middle],
-                  4 * nearestDensities(sheet(0.25F), 8)[middle]);
+  EXPECT_FLOAT_EQ(nearestOf(sheet(0.125F), 8)[middle], 4 * nearestOf(sheet(0.25F), 8)[middle]);
 }
 
 TEST(Densities, OfCoincidentPointsAreTheGreatestElsewhere) {
   Eigen::Matrix3Xf points(3, 5); // three at one place, two more
   points << 0, 0, 0, 1, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0;
-  const std::vector<float> densities = nearestDensities(points, 2);
+  const std::vector<float> densities = nearestOf(points, 2);
   EXPECT_FLOAT_EQ(densities[3], 2); // both are 1 away
   EXPECT_FLOAT_EQ(densities[0], 2);
-  EXPECT_EQ(nearestDensities(Eigen::Matrix3Xf::Ones(3, 4), 2), std::vector<float>(4, 0));
+  EXPECT_EQ(nearestOf(Eigen::Matrix3Xf::Ones(3, 4), 2), std::vector<float>(4, 0));
 }
 
 TEST(NormalizedDensities, RunFromZeroToOneWhateverTheExtremesAre) {
@@ -67,7 +70,8 @@ TEST(Densities, StopWhenAsked) {
   const NeighborhoodGraph graph(points, 7);
   using test::stopsWhenAsked;
   EXPECT_TRUE(stopsWhenAsked([&](const Progress& p) { (void)radiusDensities(graph, 1, p); }));
-  EXPECT_TRUE(stopsWhenAsked([&](const Progress& p) { (void)nearestDensities(points, 9, p); }));
+  EXPECT_TRUE(stopsWhenAsked(
+      [&](const Progress& p) { (void)nearestDensities(SpatialIndex(points), 9, p); }));
 }
 
 } // namespace

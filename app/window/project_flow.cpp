@@ -3,6 +3,7 @@
 #include "app/window/load_files.h"
 #include "app/window/recent_files.h"
 #include "core/base/error.h"
+#include "core/io/dropped.h"
 #include "ui/document/plant_document.h"
 #include "ui/jobs/job_runner.h"
 
@@ -146,8 +147,19 @@ void ProjectFlow::compact() {
                               locale.formattedDataSize(before))});
 }
 
+bool ProjectFlow::holdsMoreThanItsFile() const {
+  const QString& path = parts_.document.filePath();
+  if (path.isEmpty() || parts_.document.undoStack().count() == 0) return false;
+  try {
+    const Format& format = formatToWrite(toPath(path), Content::structure);
+    return !droppedBy(format, parts_.document.skeleton()).empty();
+  } catch (const Error&) { // a format that is only read: nothing was saved in it
+    return false;
+  }
+}
+
 void ProjectFlow::leave() {
-  release(parts_.document.isModified() && keepsWork());
+  release(parts_.document.isModified() ? keepsWork() : holdsMoreThanItsFile());
   parts_.document.setSaving(PlantDocument::Saving::byHand);
   parts_.document.setReadOnly({});
   hasFailed_ = false;

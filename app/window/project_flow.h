@@ -117,6 +117,8 @@ private:
   void showBeside(const Project& project, QStringList& notes);
   void writeRest(); // of what a new project keeps
   void take(std::unique_ptr<Project> project);
+  /// Whether the plant, with no edit since it was saved, holds what its file cannot: a review.
+  [[nodiscard]] bool holdsMoreThanItsFile() const;
   void release(bool isSessionKept);
   void startSession();
   void makeSession(); // throws

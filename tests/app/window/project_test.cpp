@@ -137,6 +137,24 @@ TEST_F(ProjectWindowTest, LeavesNoSessionBehindWhenAllIsSavedInAFile) {
   EXPECT_TRUE(sessionFiles().isEmpty());
 }
 
+TEST_F(ProjectWindowTest, KeepsAReviewThatTheFileCannotHold) {
+  const QString file = writeFork("fork.mtg");
+  open({file});
+  document().edit("Comment", [](SkeletonEditor& editor) {
+    editor.setReview(forkTop, {.state = ReviewState::doubtful, .comment = "a spur?"});
+  });
+  key(Qt::Key_S, Qt::ControlModifier);
+  EXPECT_TRUE(window().close()) << "without a question: nothing is lost";
+  EXPECT_EQ(sessionFiles().size(), 1);
+  restart();
+  open({file});
+  EXPECT_EQ(document().skeleton()[forkTop].review, ReviewMark()) << "the file alone has none";
+  EXPECT_TRUE(message().startsWith("Work on this plant was kept: fork")) << message().toStdString();
+  clickButton("banner_action");
+  waitForJob();
+  EXPECT_EQ(document().skeleton()[forkTop].review.comment, "a spur?");
+}
+
 TEST_F(ProjectWindowTest, LeavesNoSessionBehindWhenEditsAreDiscarded) {
   open({writeFork("fork.mtg")});
   setRadius(0.2);

@@ -193,7 +193,11 @@ void TraceFlow::regrow(NodeId node) {
     return regrown(skeleton, node, cloud, {.pipeline = options}, progress);
   };
   parts_.jobs.start(tr("Regrowing"), grow, [this, node](const Skeleton& part) {
-    parts_.jobs.afterwards([this, node, part] { regrow_->show(node, part); });
+    parts_.jobs.afterwards([this, node, part] {
+      parts_.editing.useTool("regrow",
+                             false); // a job drops the preview before, and with it the tool
+      regrow_->show(node, part);
+    });
   });
 }
 

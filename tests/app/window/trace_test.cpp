@@ -156,6 +156,20 @@ TEST_F(TraceWindowTest, RegrowsWhatANodeCarries) {
   expectUndone();
 }
 
+TEST_F(TraceWindowTest, RegrowsFromAnotherNodeThatIsClickedInstead) {
+  hover(atNode(0.75));
+  key(Qt::Key_N, Qt::ShiftModifier);
+  waitForJob();
+  ASSERT_TRUE(waitForPreview());
+  click(atNode(0.5));
+  waitForJob();
+  ASSERT_TRUE(waitForPreview()) << "the proposal can be accepted";
+  EXPECT_TRUE(action("tool_regrow").isChecked());
+  key(Qt::Key_Escape);
+  EXPECT_FALSE(action("accept").isEnabled()) << "and dropped";
+  EXPECT_EQ(document().skeleton(), before_);
+}
+
 TEST_F(TraceWindowTest, RegrowsAllBranchesThatAreMissing) {
   key(Qt::Key_N, Qt::ControlModifier | Qt::ShiftModifier);
   waitForJob();

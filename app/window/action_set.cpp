@@ -59,7 +59,7 @@ QAction* ActionSet::add(const Command& command, std::function<void()> act) {
                 act();
                 return true;
               };
-              guarded(done, refusal);
+              if (guarded(done, refusal)) emit acted();
             });
   return adopt(command.id, action, command.icon);
 }

@@ -50,6 +50,7 @@ public:
 
 signals:
   void refused(const QString& reason, espalier::Refusal where);
+  void acted(); // a command was done
 
 private:
   QWidget& window_;

@@ -309,6 +309,7 @@ void MainWindow::resetLayout() {
 void MainWindow::showRefusal(const QString& reason, Refusal where) {
   if (where == Refusal::inBanner) {
     banner_->showError(reason);
+    refusal_ = banner_->text();
     return;
   }
   constexpr int reading = 6000; // ms

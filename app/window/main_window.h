@@ -131,6 +131,7 @@ private:
   StartPage* start_;
   QStackedWidget* center_;
   MessageBanner* banner_;
+  QString refusal_; // the last one told in the banner
   StatusLine* status_;
   PipelinePanel* pipeline_;
   InspectorPanel* inspector_;

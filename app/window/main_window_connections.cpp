@@ -112,6 +112,9 @@ void MainWindow::connectDocument() {
   connect(shown_.get(), &ShownFlow::changed, this, &MainWindow::refreshCounts);
   connect(editing_.get(), &Editing::contextMenuRequested, this, &MainWindow::showContextMenu);
   connect(actions_.get(), &ActionSet::refused, this, &MainWindow::showRefusal);
+  connect(actions_.get(), &ActionSet::acted, this, [this] { // why the last one was not is history
+    if (banner_->isError() && banner_->text() == refusal_) banner_->hide();
+  });
   connect(start_, &StartPage::openRequested, (*actions_)["open"], &QAction::trigger);
   connect(start_, &StartPage::fileChosen, this, [this](const QString& path) { open({path}); });
   connect(recent_.get(), &RecentFiles::changed, this,

@@ -1,6 +1,7 @@
 #include "tests/app/window/window_fixture.h"
 #include "tests/support/plants.h"
 #include "ui/panels/coverage_bar.h"
+#include "ui/panels/message_banner.h"
 #include "ui/panels/review_panel.h"
 #include "ui/panels/status_line.h"
 #include "ui/panels/step_form.h"
@@ -33,6 +34,20 @@ struct ReviewWindowTest : test::WindowTest {
     return QTest::qWaitFor([&] { return label(name) == text; });
   }
 };
+
+TEST_F(ReviewWindowTest, TellsWhyNothingIsMarkedUntilSomethingIsDone) {
+  openFork();
+  action("show_review").setChecked(true);
+  document().selection().clear();
+  action("mark_doubtful").trigger();
+  EXPECT_TRUE(window().banner().isVisible());
+  action("mark_doubtful").trigger();
+  EXPECT_TRUE(window().banner().isVisible()) << "refused again";
+  document().selection().set({shoot()});
+  action("mark_doubtful").trigger();
+  EXPECT_EQ(markOf(shoot()).state, ReviewState::doubtful);
+  EXPECT_FALSE(window().banner().isVisible());
+}
 
 TEST_F(ReviewWindowTest, SamplesOfColorsFollowTheTheme) {
   openFork();

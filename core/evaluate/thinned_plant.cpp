@@ -198,7 +198,7 @@ PlantPieces piecesOf(const ThinnedPlant& plant, double stretch) {
         pieces.adjacent[pieces.ofCube[cube]].push_back(pieces.ofCube[link.to]);
   for (std::vector<std::uint32_t>& list : pieces.adjacent) {
     std::ranges::sort(list);
-    list.erase(std::ranges::unique(list).begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
   }
   return pieces;
 }

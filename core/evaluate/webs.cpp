@@ -51,7 +51,7 @@ struct Placed {
   std::array<std::int64_t, 3> cell; // a cube of a spacing
   std::uint32_t piece;
   std::uint32_t cube;
-  auto operator<=>(const Placed&) const = default;
+  auto operator<=>(const Placed&) const = default; // NOLINT(modernize-use-nullptr): its own 0
 };
 
 /// One for each cell and piece that has points there, those of a cell next to each other.
@@ -70,7 +70,7 @@ std::vector<Placed> placedPieces(const ThinnedPlant& plant, const PlantPieces& p
   const auto isSame = [](const Placed& a, const Placed& b) {
     return a.cell == b.cell && a.piece == b.piece;
   };
-  placed.erase(std::ranges::unique(placed, isSame).begin(), placed.end());
+  placed.erase(std::unique(placed.begin(), placed.end(), isSame), placed.end());
   return placed;
 }
 

@@ -126,6 +126,7 @@ std::vector<std::uint32_t> evenlyAround(std::vector<Placed> left, std::size_t co
     if (dropFarthest(chosen, widest)) i = 0; // places have moved
   }
   std::vector<std::uint32_t> points;
+  points.reserve(chosen.size());
   for (const Placed& one : chosen)
     points.push_back(one.point);
   return points;

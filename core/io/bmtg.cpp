@@ -80,7 +80,7 @@ private:
   }
 
   /// How all values that can be held are written: as vectors if any is one.
-  Form commonForm(const std::map<VertexId, PickleId>& values) const {
+  [[nodiscard]] Form commonForm(const std::map<VertexId, PickleId>& values) const {
     Form form = Form::none;
     for (const auto& [vertex, value] : values)
       form = std::max(form, formOf(pickle_, value));

@@ -67,7 +67,7 @@ private:
                 ": the file is damaged, or was saved by a program that failed");
   }
 
-  Entry entryOf(std::int64_t number, std::int64_t scale) const {
+  [[nodiscard]] Entry entryOf(std::int64_t number, std::int64_t scale) const {
     if (scale < 0 || scale > finestScale)
       fail(nameOf(number) + " is of scale " + std::to_string(scale));
     Entry entry{number, static_cast<int>(scale), std::nullopt, std::nullopt};
@@ -85,7 +85,7 @@ private:
     return entry;
   }
 
-  std::int64_t scaleOf(std::int64_t number, std::int64_t for_) const {
+  [[nodiscard]] std::int64_t scaleOf(std::int64_t number, std::int64_t for_) const {
     const auto found = tables_.scales.find(number);
     if (found == tables_.scales.end())
       fail(nameOf(for_) + " needs " + nameOf(number) + ", which is missing");
@@ -132,6 +132,11 @@ Label labelIn(std::string_view text) {
   return label;
 }
 
+std::string renamed(const std::string& symbol, const std::string& name, int scale) {
+  return "label " + symbol + " is used on several scales, and becomes " + name + " on scale " +
+         std::to_string(scale);
+}
+
 /// Sets symbols and indices, and the classes they are of.
 void nameVertices(const std::vector<Entry>& entries,
                   const std::map<std::int64_t, std::string_view>& labels, TableVertices& result,
@@ -160,10 +165,7 @@ void nameVertices(const std::vector<Entry>& entries,
     std::string name = symbol;
     while (!used.insert(name).second)
       name += symbol;
-    if (name != symbol)
-      result.notes.push_back(file + ": label " + symbol +
-                             " is used on several scales, and becomes " + name + " on scale " +
-                             std::to_string(scale));
+    if (name != symbol) result.notes.push_back(file + ": " + renamed(symbol, name, scale));
     result.mtg.classes.push_back({.symbol = name, .scale = scale});
     names.emplace(std::pair(scale, symbol), name);
   }

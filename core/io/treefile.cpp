@@ -96,7 +96,7 @@ public:
   }
 
 private:
-  NodeRow row(std::size_t i, const std::string& prefix, std::size_t line) const {
+  [[nodiscard]] NodeRow row(std::size_t i, const std::string& prefix, std::size_t line) const {
     const Fields& fields = i == 0 ? layout_.first : layout_.others;
     const std::size_t start = i == 0 ? 0 : layout_.first.count + (i - 1) * layout_.others.count;
     const auto value = [&](std::size_t field) { return values_[start + field]; };

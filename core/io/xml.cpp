@@ -78,7 +78,7 @@ void XmlFile::refuseEntities() const {
 
 void XmlFile::refuseDeepNesting() const {
   int depth = 0;
-  for (pugi::xml_node node = document_; node;) {
+  for (pugi::xml_node node = document_.root(); node;) {
     if (node.first_child()) {
       node = node.first_child();
       if (++depth > deepest)

@@ -81,6 +81,7 @@ std::vector<UnitPlace> unitsOf(const Skeleton& skeleton, NodeId id) {
   }
   std::ranges::sort(found, {}, [](const auto& each) { return each.first; });
   std::vector<UnitPlace> result;
+  result.reserve(found.size());
   for (const auto& each : found)
     result.push_back(each.second);
   return result;

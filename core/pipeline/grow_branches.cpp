@@ -292,11 +292,11 @@ std::vector<GrownBranch> grown(const Skeleton& skeleton, const PointCloud& cloud
                                double leastReach, const Progress& progress) {
   const Error nothing("nothing grows from these points: they are too few, or too far from the "
                       "plant; choose others, or trace the branch");
-  if (points.size() < fewestPoints) throw nothing;
+  if (points.size() < fewestPoints) throw Error(nothing);
   std::vector<GrownBranch> branches =
       Growth(skeleton, cloud, points, options, leastReach).grow(progress);
   std::erase_if(branches, [](const GrownBranch& branch) { return branch.part.size() < 2; });
-  if (branches.empty()) throw nothing;
+  if (branches.empty()) throw Error(nothing);
   return branches;
 }
 

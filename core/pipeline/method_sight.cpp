@@ -169,6 +169,7 @@ struct MethodSights::Prepared {
 
   static std::vector<std::uint32_t> inSpace(const std::vector<Neighbor>& found) {
     std::vector<std::uint32_t> members;
+    members.reserve(found.size());
     for (const Neighbor& neighbor : found)
       members.push_back(static_cast<std::uint32_t>(neighbor.index));
     return members;
@@ -179,6 +180,7 @@ struct MethodSights::Prepared {
                                                    const Orientation& orientation) const {
     if (contraction.value("circles") == 0 || ball.empty()) return std::nullopt;
     std::vector<Eigen::Vector3f> members;
+    members.reserve(ball.size());
     for (const std::uint32_t member : ball)
       members.emplace_back(points.col(member));
     std::optional<WoodCircle> circle;
@@ -229,6 +231,7 @@ struct MethodSights::Prepared {
   [[nodiscard]] std::vector<Eigen::Index>
   ascendingColumns(const std::vector<std::uint32_t>& members) const {
     std::vector<Eigen::Index> result;
+    result.reserve(members.size());
     for (const std::uint32_t member : members)
       result.push_back(columns[member]);
     std::ranges::sort(result);

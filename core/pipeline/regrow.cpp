@@ -52,19 +52,19 @@ std::vector<Eigen::Index> pointsAt(const Skeleton& skeleton, NodeId node, const 
                                    const Progress& progress) {
   const Error nothing("no points around " + name(node) +
                       " are left by the rest of the plant: choose another node");
-  if (points.size() < fewestPoints) throw nothing;
+  if (points.size() < fewestPoints) throw Error(nothing);
   const Eigen::Matrix3Xf positions = cloud.positions()(Eigen::all, points);
   const Eigen::Vector3f place = (skeleton[node].position - cloud.origin()).cast<float>();
   const Eigen::Index first = nearestPoint(positions, place);
   const double reach = 2 * skeleton[node].radius + widestGap + meanEdgeLength(skeleton);
-  if (static_cast<double>((positions.col(first) - place).norm()) > reach) throw nothing;
+  if (static_cast<double>((positions.col(first) - place).norm()) > reach) throw Error(nothing);
   const NeighborhoodGraph parts(positions, neighbors, progress.part(0, 0.7));
   const auto gap = static_cast<float>(widestGap);
   std::vector<Eigen::Index> together;
   for (const Eigen::Index found :
        reached(joined(parts, positions, gap, progress.part(0.7, 1)), first, gap))
     together.push_back(points[static_cast<std::size_t>(found)]);
-  if (together.size() < fewestPoints) throw nothing;
+  if (together.size() < fewestPoints) throw Error(nothing);
   return together;
 }
 

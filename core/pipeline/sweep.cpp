@@ -60,7 +60,7 @@ std::vector<double> sweepValues(const Option& option, const PlantScale& scale, i
             ? std::clamp(std::round(value), std::ceil(span.least), std::floor(span.most))
             : std::clamp(value, span.least, span.most));
   }
-  values.erase(std::ranges::unique(values).begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
   return values;
 }
 

@@ -75,8 +75,8 @@ int flagsOf(Opening opening) {
 
 } // namespace
 
-Statement::Statement(sqlite3* database, const std::string& file, std::string_view sql)
-    : statement_(nullptr, &sqlite3_finalize), file_(file) {
+Statement::Statement(sqlite3* database, std::string file, std::string_view sql)
+    : statement_(nullptr, &sqlite3_finalize), file_(std::move(file)) {
   sqlite3_stmt* made = nullptr;
   const int code =
       sqlite3_prepare_v2(database, sql.data(), static_cast<int>(sql.size()), &made, nullptr);

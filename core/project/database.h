@@ -26,7 +26,7 @@ public:
 class Statement {
 public:
   /// @throws Error   what is wrong with the file, and what to try; so for all that follows
-  Statement(sqlite3* database, const std::string& file, std::string_view sql);
+  Statement(sqlite3* database, std::string file, std::string_view sql);
 
   Statement& bind(int parameter, std::int64_t value);
   Statement& bind(int parameter, double value);

@@ -51,6 +51,7 @@ void dropFarOff(std::vector<Eigen::Vector2d>& section) {
   }
   const Eigen::Vector2d center(median(across), median(along));
   std::vector<double> distances;
+  distances.reserve(section.size());
   for (const Eigen::Vector2d& point : section)
     distances.push_back((point - center).norm());
   const double limit = farthest * median(distances);

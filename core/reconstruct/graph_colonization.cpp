@@ -34,7 +34,7 @@ struct Seed {
   std::uint32_t point;
   std::uint32_t neighbor; // in the group that grows
 
-  auto operator<=>(const Seed&) const = default;
+  auto operator<=>(const Seed&) const = default; // NOLINT(modernize-use-nullptr): its own 0
 };
 
 class Colony {

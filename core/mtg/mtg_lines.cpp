@@ -28,10 +28,13 @@ std::string lineOf(std::size_t column, const std::string& code,
 
 } // namespace
 
+std::string mtgLabel(const MtgVertex& vertex) {
+  return vertex.symbol + (vertex.index ? std::to_string(*vertex.index) : "");
+}
+
 std::string mtgLines(const MtgRow& row, const Mtg& mtg, const MtgLayout& layout) {
   const MtgVertex& vertex = mtg.vertices[indexOf(row.vertex)];
-  const std::string code = (row.continues ? "^" : "") + std::string(1, row.edge) + vertex.symbol +
-                           (vertex.index ? std::to_string(*vertex.index) : "");
+  const std::string code = (row.continues ? "^" : "") + std::string(1, row.edge) + mtgLabel(vertex);
   std::string lines = lineOf(row.column, code, vertex.values, vertex.alias, mtg, layout);
   for (const std::vector<std::string>& values : vertex.later)
     lines += lineOf(row.column, "*", values, {}, mtg, layout);

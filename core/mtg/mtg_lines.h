@@ -14,6 +14,9 @@ struct MtgLayout {
   std::size_t width = 0;            // columns in all
 };
 
+/// Its class and index: "N12".
+[[nodiscard]] std::string mtgLabel(const MtgVertex& vertex);
+
 /// The lines of a vertex, one for each date, with \n. pre: mtg is as `mtgAsWritten` gives, its
 /// features all have a column
 [[nodiscard]] std::string mtgLines(const MtgRow& row, const Mtg& mtg, const MtgLayout& layout);

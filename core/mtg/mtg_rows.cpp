@@ -1,6 +1,7 @@
 #include "core/mtg/mtg_rows.h"
 
 #include "core/base/error.h"
+#include "core/mtg/mtg_lines.h"
 
 #include <algorithm>
 #include <functional>
@@ -12,10 +13,6 @@ namespace {
 constexpr std::size_t mostColumns = 64; // no plant has more; then ^+ keeps chains of branches short
 
 using MaybeVertex = std::optional<VertexId>;
-
-std::string nameOf(const MtgVertex& vertex) {
-  return vertex.symbol + (vertex.index ? std::to_string(*vertex.index) : "");
-}
 
 /// What each vertex hangs on in the text.
 class Bearers {
@@ -72,8 +69,8 @@ private:
 
   [[noreturn]] void refuse(VertexId id) const {
     const MtgVertex& vertex = at(id);
-    throw Error("the vertex " + nameOf(vertex) + " of scale " + std::to_string(vertex.scale) +
-                " hangs on " + nameOf(at(*vertex.parent)) +
+    throw Error("the vertex " + mtgLabel(vertex) + " of scale " + std::to_string(vertex.scale) +
+                " hangs on " + mtgLabel(at(*vertex.parent)) +
                 ", but what it is a part of does not hang there: no MTG text can tell that; join "
                 "both to one unit, or let the unit begin there");
   }

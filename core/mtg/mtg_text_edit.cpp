@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/mtg/mtg_comments.h"
 #include "core/mtg/mtg_lines.h"
 #include "core/mtg/mtg_new_features.h"
 #include "core/mtg/mtg_parser.h"
@@ -212,10 +213,12 @@ std::string belowSections(const ParsedMtg& file, const Mtg& mtg) {
   const std::string& original = file.source.original;
   MtgLayout layout;
   std::string text = rows.isAmbiguous ? std::string(previousColumnMark) + '\n' : "";
-  std::string head = original.substr(0, file.start);
+  std::size_t kept = file.start; // bytes
+  std::string head = original.substr(0, kept);
   if (!hasRoom(file, mtg, rows, layout)) {
     layout = {.width = rows.columns + mtg.features.size()};
-    head = original.substr(0, file.columnsStart) + "ENTITY-CODE" + std::string(rows.columns, '\t');
+    kept = file.columnsStart;
+    head = original.substr(0, kept) + "ENTITY-CODE" + std::string(rows.columns, '\t');
     for (std::size_t i = 0; i < mtg.features.size(); ++i) {
       layout.columns.push_back(rows.columns + i);
       head += (i > 0 ? "\t" : "") + mtg.features[i].name;
@@ -225,6 +228,7 @@ std::string belowSections(const ParsedMtg& file, const Mtg& mtg) {
   std::string lines;
   for (const MtgRow& row : rows.rows)
     lines += mtgLines(row, mtg, layout);
+  lines += mtgCommentLines(file, kept);
   return withLineEnds(text, lineEndOf(original)) + head + withLineEnds(lines, lineEndOf(original));
 }
 
@@ -236,7 +240,8 @@ std::string belowFirstComments(const ParsedMtg& file, const Mtg& mtg) {
   start = start == std::string::npos || first == std::string::npos ? 0 : start + 1;
   std::ostringstream out;
   writeMtg(out, mtg);
-  return original.substr(0, start) + withLineEnds(out.str(), lineEndOf(original));
+  return original.substr(0, start) +
+         withLineEnds(out.str() + mtgCommentLines(file, start), lineEndOf(original));
 }
 
 /// Whether `text` is read as `edited`.

@@ -24,7 +24,8 @@ namespace espalier {
 /// the vertices are written anew, laid out as by `writeMtg`. All before them stays, but for the
 /// line of columns where it has too few of them; if the sections cannot tell of the plant any more,
 /// or lack a feature, they are written anew too, and only what stands before CODE stays. Line ends
-/// and the order of features stay; comments between vertices are lost.
+/// and the order of features stay. Comments of what is written anew go to the end, as by
+/// `mtgCommentLines`.
 ///
 /// The encoding is that of the file: Latin-1 unless a new value has a character beyond it, then
 /// UTF-8.

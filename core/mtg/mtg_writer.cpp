@@ -31,10 +31,6 @@ void checkText(const std::string& text, const std::string& what) {
               "blanks around it");
 }
 
-std::string labelOf(const MtgVertex& vertex) {
-  return vertex.symbol + (vertex.index ? std::to_string(*vertex.index) : "");
-}
-
 std::vector<std::string> cellsOf(const std::vector<std::string>& values, const Mtg& mtg) {
   std::vector<std::string> cells(std::min(values.size(), mtg.features.size()));
   for (std::size_t i = 0; i < cells.size(); ++i)
@@ -79,10 +75,10 @@ void checkTexts(const Mtg& mtg) {
   for (const MtgVertex& vertex : mtg.vertices) {
     checkText(vertex.alias, "the alias");
     for (std::size_t i = 0; i < vertex.values.size(); ++i)
-      checkText(vertex.values[i], "the value of " + labelOf(vertex));
+      checkText(vertex.values[i], "the value of " + mtgLabel(vertex));
     for (const auto& values : vertex.later)
       for (const std::string& value : values)
-        checkText(value, "the value of " + labelOf(vertex));
+        checkText(value, "the value of " + mtgLabel(vertex));
   }
 }
 
@@ -95,7 +91,8 @@ void checkClasses(const Mtg& mtg) {
   }
   for (const MtgVertex& vertex : mtg.vertices)
     if (!known.contains({vertex.symbol, vertex.scale}))
-      throw Error("the vertex " + labelOf(vertex) + " is of scale " + std::to_string(vertex.scale) +
+      throw Error("the vertex " + mtgLabel(vertex) + " is of scale " +
+                  std::to_string(vertex.scale) +
                   ", but no class of this symbol and scale is listed: rename its class");
 }
 
@@ -142,7 +139,7 @@ void checkReadsBack(const std::string& text, const Mtg& expected) {
   const ParsedMtg back = parseMtg(text, "the text to write");
   const auto [read, meant] = std::ranges::mismatch(back.mtg.vertices, expected.vertices);
   if (read == back.mtg.vertices.end() && meant == expected.vertices.end()) return;
-  throw Error("the vertex " + (meant == expected.vertices.end() ? "" : labelOf(*meant)) +
+  throw Error("the vertex " + (meant == expected.vertices.end() ? "" : mtgLabel(*meant)) +
               " would be read from MTG text as another: give its class a symbol that is not the "
               "beginning of another one");
 }

@@ -39,6 +39,10 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return text.replace(text.find(from), from.size(), to);
 }
 
+constexpr const char* commented = "# mine\nCODE: FORM-A\n# kinds\nCLASSES:\nA\t1\nFEATURES: # few\n"
+                                  "NAME\tTYPE\nx\tINT # one\n\n# all\nMTG:\nTOPO\t\tx # last\n"
+                                  "# base\n/A1\t\t2 # two\n# upper\n^<A2\n";
+
 TEST(MtgTextWith, NoChangeIsTheSameText) {
   for (const char* name : {"mtg/code_file.mtg", "mtg/mtg_dynamic.mtg", "mtg/mtg_fig32.mtg",
                            "mtg/jl_simple_plant.mtg", "mtg/test7.mtg", "puu1/expert.mtg"}) {
@@ -136,6 +140,36 @@ TEST(MtgTextWith, NewVerticesStandBelowTheSectionsAsTheyWere) {
             head + "/P1\t\t\t\t\t\t\n^/A1\t\t\t1\t\t\t\n^/E7\t\t\t1\t2\t3\t4\n");
 }
 
+TEST(MtgTextWith, CommentsGoToTheEndWithNewVertices) {
+  const std::string head = "# mine\n" + mtgText("");
+  const std::string text = head +
+                           "# base\n/P1/A1\t\t\t1 # dead\t2 ; sure\n\n(# was\ncut #)\n#\t/A2\n"
+                           "^/E1\t\t\t1\n#\n# all of it\n";
+  Mtg mtg = read(text);
+  mtg.vertices.push_back({.symbol = "E", .index = 2, .scale = 3, .parent = VertexId{2}});
+  mtg.vertices.back().complex = VertexId{1};
+  const std::string rows = "/P1\t\t\t\t\t\t\n^/A1\t\t\t1\t2\t\t\n^/E1\t\t\t1\t\t\t\n"
+                           "^<E2\t\t\t\t\t\t\n";
+  const std::string comments =
+      "# before A1: base\n# at A1: dead\n# at A1: sure\n"
+      "# before E1: was\n# before E1: cut\n# before E1: /A2\n# all of it\n";
+  const std::string result = mtgTextWith(text, mtg);
+  EXPECT_EQ(result, head + rows + comments);
+  mtg.vertices.pop_back();
+  EXPECT_EQ(mtgTextWith(result, mtg), replaced(result, "^<E2\t\t\t\t\t\t\n", "")); // and stay
+}
+
+TEST(MtgTextWith, CommentsOfSectionsThatAreMadeAnewGoToTheEnd) {
+  const std::string text =
+      "# mine\nCODE: FORM-A\n# kinds\nCLASSES:\nA\t1\nMTG:\nTOPO\n# base\n/A1\n";
+  Mtg mtg = read(text);
+  mtg.features.push_back({"age", "INT"});
+  mtg.vertices[0].values = {"4"};
+  const std::string result = mtgTextWith(text, mtg);
+  EXPECT_THAT(result, testing::StartsWith("# mine\nCODE"));
+  EXPECT_THAT(result, testing::EndsWith("\n/A1\t4\n# kinds\n# before A1: base\n"));
+}
+
 TEST(MtgTextWith, TheOrderOfColumnsStaysWithNewVertices) {
   const std::string head = "CODE: FORM-A\nCLASSES:\nA\t1\nFEATURES:\nx\tINT\ny\tINT\nMTG:\n"
                            "TOPO\t\ty\t\t\tx\n";
@@ -164,10 +198,6 @@ TEST(MtgTextWith, NewClassesAndFeaturesGetTheirSections) {
   EXPECT_THAT(result, testing::StartsWith("# mine\nCODE"));
   EXPECT_EQ(read(result), mtg);
 }
-
-constexpr const char* commented = "# mine\nCODE: FORM-A\n# kinds\nCLASSES:\nA\t1\nFEATURES: # few\n"
-                                  "NAME\tTYPE\nx\tINT # one\n\n# all\nMTG:\nTOPO\t\tx # last\n"
-                                  "# base\n/A1\t\t2 # two\n# upper\n^<A2\n";
 
 TEST(MtgTextWith, ANewFeatureGetsALineAndAColumnAndLeavesAllElse) {
   Mtg mtg = read(commented);

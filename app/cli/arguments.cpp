@@ -3,8 +3,10 @@
 #include "core/base/text.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <numeric>
+#include <system_error>
 #include <utility>
 
 namespace espalier {
@@ -43,10 +45,12 @@ std::size_t distance(const std::string& a, const std::string& b) {
   return row.back();
 }
 
-/// The long name of an option of `command` that is much like `name`; empty if none is.
+/// The long name of an option of `command` that is much like `name`, with up to two letters
+/// changed, and a third of them; empty if none is.
 std::string optionLike(const std::string& name, const CLI::App& command) {
   std::string best;
-  std::size_t least = 3; // letters that may differ, and one more
+  const std::size_t letters = name.size() - 2; // behind the dashes
+  std::size_t least = std::min<std::size_t>(2, letters / 3) + 1;
   for (const CLI::Option* option : command.get_options())
     for (const std::string& each : option->get_lnames())
       if (const std::size_t far = distance(name, "--" + each); far < least) {
@@ -57,6 +61,20 @@ std::string optionLike(const std::string& name, const CLI::App& command) {
 }
 
 } // namespace
+
+std::optional<Eigen::Vector3d> placeIn(const std::string& text) {
+  Eigen::Vector3d place;
+  const char* at = text.data();
+  const char* end = at + text.size();
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto [next, error] = std::from_chars(at, end, place[axis]);
+    const bool isLast = axis == 2;
+    const bool endsWell = isLast ? next == end : next != end && *next == ',';
+    if (error != std::errc() || !endsWell || !std::isfinite(place[axis])) return std::nullopt;
+    at = next + (isLast ? 0 : 1);
+  }
+  return place;
+}
 
 std::string unknownOption(const CLI::App& command, const std::vector<std::string>& arguments) {
   for (const std::string& argument : arguments) {

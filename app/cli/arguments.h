@@ -4,7 +4,9 @@
 #include "core/mtg/mtg_of_skeleton.h"
 
 #include <CLI/CLI.hpp>
+#include <Eigen/Core>
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,6 +23,9 @@ public:
 struct StoppedBetween {
   std::string told; // what there is, and how to go on
 };
+
+/// "X,Y,Z" as numbers; none if it is not three of them.
+[[nodiscard]] std::optional<Eigen::Vector3d> placeIn(const std::string& text);
 
 /// What is wrong with an option that `command` does not have, as "--seet is no option: did you mean
 /// --set?"; empty if all are known.

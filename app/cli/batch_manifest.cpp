@@ -1,6 +1,6 @@
 #include "app/cli/batch_manifest.h"
 
-#include "app/cli/pipeline_flags.h"
+#include "app/cli/arguments.h"
 #include "core/base/error.h"
 #include "core/base/open_for_reading.h"
 #include "core/base/text.h"
@@ -27,7 +27,7 @@ std::optional<Eigen::Vector3d> rootOf(const std::string& text) {
   std::string parted = text;
   std::ranges::replace(parted, ';', ',');
   std::ranges::replace(parted, ' ', ',');
-  const std::optional<Eigen::Vector3d> place = placeIn(parted);
+  std::optional<Eigen::Vector3d> place = placeIn(parted);
   if (!place) throw Error("root " + inQuotes(text) + ": write lowest, or three numbers as X Y Z");
   return place;
 }

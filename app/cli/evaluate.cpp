@@ -55,12 +55,12 @@ void addEdits(CLI::App& command, EvaluateFlags& flags) {
   command
       .add_option("--edit-unit", flags.editUnit,
                   "What the edit distance edits: node, segment or axis")
-      ->check(CLI::IsMember(editUnitNames()).description(""))
+      ->check(oneOf(editUnitNames()))
       ->type_name("UNIT");
   command
       .add_option("--edit-cost", flags.editCost,
                   "What an edit costs: topology, attributes, length, place or shape")
-      ->check(CLI::IsMember(editCostNames()).description(""))
+      ->check(oneOf(editCostNames()))
       ->type_name("COST");
   command.add_flag("--merge-paths", flags.merges,
                    "Let one segment stand for up to three that follow each other");

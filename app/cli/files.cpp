@@ -43,7 +43,8 @@ void writeAndTell(const std::string& path, const Structure& structure, MtgStyle 
     total += length(structure.skeleton, axis);
   std::ostringstream text;
   text.precision(6);
-  text << path << ": " << structure.skeleton.size() << " nodes, length " << total
+  const std::size_t nodes = structure.skeleton.size();
+  text << path << ": " << nodes << (nodes == 1 ? " node" : " nodes") << ", length " << total
        << (unit.empty() ? "" : " ") << unit;
   printWritten(text.str());
   printNotes(droppedBy(formatToWrite(path, Content::structure), structure.skeleton));

@@ -8,10 +8,7 @@
 #include "core/pipeline/preset.h"
 #include "core/pipeline/presets.h"
 
-#include <charconv>
-#include <cmath>
 #include <filesystem>
-#include <system_error>
 
 namespace espalier {
 namespace {
@@ -36,20 +33,6 @@ Threads::Threads(int threads) : limit_(std::make_unique<Limit>()) {
   if (threads > 0) limit_->tbb.emplace(threads);
 }
 Threads::~Threads() = default;
-
-std::optional<Eigen::Vector3d> placeIn(const std::string& text) {
-  Eigen::Vector3d place;
-  const char* at = text.data();
-  const char* end = at + text.size();
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto [next, error] = std::from_chars(at, end, place[axis]);
-    const bool isLast = axis == 2;
-    const bool endsWell = isLast ? next == end : next != end && *next == ',';
-    if (error != std::errc() || !endsWell || !std::isfinite(place[axis])) return std::nullopt;
-    at = next + (isLast ? 0 : 1);
-  }
-  return place;
-}
 
 void PipelineFlags::addTo(CLI::App& command, const std::string& result) {
   command

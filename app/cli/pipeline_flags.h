@@ -54,7 +54,4 @@ private:
   std::unique_ptr<Limit> limit_;
 };
 
-/// "X,Y,Z" as numbers; none if it is not three of them.
-[[nodiscard]] std::optional<Eigen::Vector3d> placeIn(const std::string& text);
-
 } // namespace espalier

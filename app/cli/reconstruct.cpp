@@ -51,6 +51,9 @@ void run(const PipelineFlags& flags, const Task& task) {
   });
   terminal.check();
   terminal.clear();
+  if (task.content == Content::structure && result.skeleton->roots() == result.skeleton->ids())
+    printNotes({flags.scan + ": no branch is found: the scan has too few points, or the lengths of "
+                             "the steps are too long for it"});
   if (task.content == Content::structure)
     writeAndTell(flags.output, {.skeleton = *result.skeleton}, flags.mtgStyle, flags.unit);
   else

@@ -53,7 +53,7 @@ TEST_F(Subcommands, EvaluateCountsEditsAsAsked) {
   EXPECT_THAT(mapping, Not(HasSubstr("\nremoved,")));
   const Outcome wrong = runProgram({"evaluate", truth_, truth_, "--edit-cost", "shap"});
   EXPECT_EQ(wrong.status, 2);
-  EXPECT_THAT(wrong.err, HasSubstr("{topology,attributes,length,place,shape}"));
+  EXPECT_THAT(wrong.err, HasSubstr("choose one of topology, attributes, length, place, shape"));
 }
 
 TEST_F(Subcommands, EvaluateTellsWhereTheTwoAgree) {

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <fstream>
 #include <gmock/gmock.h>
 #include <numeric>
 #include <sstream>
@@ -167,6 +168,16 @@ TEST_F(Subcommands, ReconstructWritesAxesIfAskedAndTellsTheLengthInItsUnit) {
   wrote << "espalier: wrote " << file("a.mtg") << ": " << told["nodes"] << " nodes, length "
         << told["length"].get<double>() << " m\n";
   EXPECT_EQ(outcome.err, wrote.str());
+}
+
+TEST_F(Subcommands, ReconstructTellsThatItFoundNoBranch) {
+  std::ofstream(file("two.xyz")) << "0 0 0\n0 0 1\n";
+  const Outcome outcome = runProgram({"reconstruct", file("two.xyz"), "-o", file("two.mtg")});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.err, "espalier: note: " + file("two.xyz") +
+                             ": no branch is found: the scan has too few points, or the lengths of "
+                             "the steps are too long for it\nespalier: wrote " +
+                             file("two.mtg") + ": 1 node, length 0\n");
 }
 
 } // namespace

@@ -58,6 +58,8 @@ TEST(Usage, AMistypedOptionIsToldWithTheOneThatWasMeant) {
                 2, {"--seet is no option: did you mean --set?"});
   expectRefusal(runProgram({"reconstruct", "--thread=2", "a.ply", "-o", "a.mtg"}), 2,
                 {"--thread is no option: did you mean --threads?"});
+  expectRefusal(runProgram({"reconstruct", "a.ply", "-o", "a.mtg", "--foo"}), 2,
+                {"--foo is no option; see"}); // --root is far off
 }
 
 TEST(Usage, ADisplayThatNobodyServesIsTold) {

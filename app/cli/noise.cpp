@@ -79,6 +79,7 @@ std::vector<Column> columnsOf(const std::vector<std::string>& asked) {
             {Score::diadem, "DIADEM"},
             {Score::ways, "ways"}};
   std::vector<Column> columns;
+  columns.reserve(asked.size());
   for (const std::string& name : asked)
     columns.push_back(
         {static_cast<Score>(std::ranges::find(scoreNames(), name) - scoreNames().begin()), name});

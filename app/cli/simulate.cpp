@@ -64,7 +64,7 @@ void simulate(const Flags& flags) {
   const PointCloud cloud(std::move(result.points));
   terminal.check();
   writeAndTell(scanFile, cloud, cloud.positions());
-  writeAndTell(truthFile, {.skeleton = truth}, MtgStyle::plantNode);
+  writeAndTell(truthFile, Structure{.skeleton = truth}, MtgStyle::plantNode);
 }
 
 constexpr double infinity = std::numeric_limits<double>::infinity();

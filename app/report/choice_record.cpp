@@ -32,7 +32,7 @@ QJsonArray jsonOf(const Pairs& pairs) {
 
 Pairs pairsFrom(const QJsonValue& json) {
   Pairs pairs;
-  for (const QJsonValue& pair : json.toArray())
+  for (const QJsonValue pair : json.toArray())
     pairs.emplace_back(pair.toArray().at(0).toString(), pair.toArray().at(1).toString());
   return pairs;
 }
@@ -113,14 +113,14 @@ std::vector<ChoiceRecord> readChoices(const std::string& text) {
                 (problem.error != QJsonParseError::NoError ? problem.errorString().toStdString()
                                                            : std::string("it is no list")));
   std::vector<ChoiceRecord> records;
-  for (const QJsonValue& each : json.array()) {
+  for (const QJsonValue each : json.array()) {
     const QJsonObject object = each.toObject();
     ChoiceRecord record{.title = object["title"].toString(),
                         .time = object["time"].toString(),
                         .seen = object["seen"].toString(),
                         .meanings = pairsFrom(object["meanings"]),
                         .states = {}};
-    for (const QJsonValue& state : object["states"].toArray())
+    for (const QJsonValue state : object["states"].toArray())
       record.states.push_back(stateFrom(state.toObject()));
     records.push_back(std::move(record));
   }
@@ -137,14 +137,14 @@ ReportSection choicesSection(const std::vector<ChoiceRecord>& records) {
       if (!state.picture.isNull())
         figures.figures.push_back(
             {.image = state.picture, .title = state.name, .text = state.options});
-    section.blocks.push_back(ReportParagraph{
+    section.blocks.emplace_back(ReportParagraph{
         figures.figures.empty() ? title : QStringLiteral("%1 %2").arg(title, record.seen)});
-    if (!figures.figures.empty()) section.blocks.push_back(std::move(figures));
+    if (!figures.figures.empty()) section.blocks.emplace_back(std::move(figures));
     ReportTable table = tableOf(record);
     addTerms(terms, record, table);
-    section.blocks.push_back(std::move(table));
+    section.blocks.emplace_back(std::move(table));
   }
-  if (!terms.terms.empty()) section.blocks.push_back(std::move(terms));
+  if (!terms.terms.empty()) section.blocks.emplace_back(std::move(terms));
   return section;
 }
 

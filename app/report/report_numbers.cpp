@@ -67,7 +67,7 @@ QString ReportNumbers::percent(double share) const {
 QString ReportNumbers::difference(double found, double expected) const {
   if (expected == 0) return found == 0 ? percent(0) : QStringLiteral("–");
   const double part = found / expected - 1;
-  const QString text = percent(std::abs(part));
+  QString text = percent(std::abs(part));
   if (text.startsWith(QLatin1String("0.0"))) return text;
   return (part < 0 ? minus : QChar('+')) + text;
 }

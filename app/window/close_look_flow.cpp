@@ -91,7 +91,7 @@ Pick besidePointer(const PlantView& view, const QPointF& pointer) {
     Pick point;
     for (int turn = 0; turn < directions; ++turn) {
       const double angle = 2 * std::numbers::pi * turn / directions;
-      const Pick pick = view.pick(pointer + away * QPointF(std::cos(angle), std::sin(angle)));
+      Pick pick = view.pick(pointer + away * QPointF(std::cos(angle), std::sin(angle)));
       if (pick.node || pick.edge) return pick;
       if (pick.point) point = pick;
     }

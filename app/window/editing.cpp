@@ -335,7 +335,7 @@ void Editing::refreshEnabled() {
 }
 
 NodeTarget Editing::chosenTarget() {
-  const NodeTarget meant = target();
+  NodeTarget meant = target();
   if (meant.nodes.empty() && !meant.edge)
     throw Error(tr("put the pointer on a node, or select one").toStdString());
   // What is edited is selected: the inspector shows it, and once it is removed the same key does
@@ -346,8 +346,7 @@ NodeTarget Editing::chosenTarget() {
 
 NodeTarget Editing::chosenTarget(const NodeEdit& edit) {
   if (!edit.isOfSelected) return chosenTarget();
-  const NodeTarget selected{.nodes = document_.selection().nodes(),
-                            .viewDirection = viewDirection_};
+  NodeTarget selected{.nodes = document_.selection().nodes(), .viewDirection = viewDirection_};
   if (selected.nodes.empty())
     throw Error(tr("select the node to go on from, or add a child first").toStdString());
   return selected;

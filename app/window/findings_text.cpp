@@ -77,7 +77,7 @@ std::vector<Finding> findingsFrom(const std::string& text) {
   const QJsonDocument document = QJsonDocument::fromJson(QByteArray::fromStdString(text));
   if (!document.isArray()) refuse();
   std::vector<Finding> findings;
-  for (const QJsonValue& each : document.array())
+  for (const QJsonValue each : document.array())
     findings.push_back(findingIn(each.toObject()));
   return findings;
 }

@@ -148,6 +148,7 @@ void JudgeFlow::chooseKind() {
       [states = shown_, cloud = parts_.document.scan()->cloud(),
        spacing = parts_.document.scan()->spacing(), kind = kind()](const Progress& progress) {
         std::vector<std::vector<float>> values;
+        values.reserve(states.size());
         for (const State& state : states)
           values.push_back(distribution(kind, state.outcome, *cloud, spacing, progress));
         return values;

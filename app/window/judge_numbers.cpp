@@ -153,6 +153,7 @@ std::vector<std::pair<QString, QString>> recorded(const std::vector<JudgedNumber
 
 std::vector<std::pair<QString, QString>> meaningsOf(const std::vector<JudgedNumber>& numbers) {
   std::vector<std::pair<QString, QString>> meanings;
+  meanings.reserve(numbers.size());
   for (const JudgedNumber& number : numbers)
     meanings.emplace_back(number.nameInUnit(), number.meaning);
   return meanings;

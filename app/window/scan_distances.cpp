@@ -41,6 +41,7 @@ PointSet ScanDistances::inScan(const std::vector<Eigen::Index>& points) const {
   if (leftOut_.isEmpty()) return PointSet::of(points);
   const std::vector<Eigen::Index> all = others(leftOut_, document_.scan()->cloud()->size());
   std::vector<Eigen::Index> result;
+  result.reserve(points.size());
   for (const Eigen::Index point : points)
     result.push_back(all[static_cast<std::size_t>(point)]);
   return PointSet::of(result);

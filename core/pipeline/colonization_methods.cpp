@@ -152,10 +152,13 @@ Method spaceColonizationMethod() {
                     "Phenomena, 2007",
           .options = table.descriptions(),
           .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
-            const std::vector<float> densities = placeDensities(state, progress.part(0, 0.2));
+            const auto scanned = scannedIndex(state, keptPlaces(state), progress);
+            const std::vector<float> densities = scannedDensities(*scanned, progress.part(0, 0.2));
+            const bool isAsScanned = state.contracted.get() == &state.cloud->positions();
             reconstructKept(state, [&](const Eigen::Matrix3Xf& points, Eigen::Index root) {
               return skeletonBySpaceColonization(points, densities, root, table.with(values),
-                                                 progress.part(0.2, 1));
+                                                 progress.part(0.2, 1),
+                                                 isAsScanned ? scanned.get() : nullptr);
             });
           }};
 }

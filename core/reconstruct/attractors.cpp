@@ -5,9 +5,9 @@
 
 namespace espalier {
 
-Attractors::Attractors(const Eigen::Matrix3Xf& points, const std::vector<float>& densities,
-                       const Progress& progress)
-    : places_(points), densities_(densities), index_(points, progress), points_(densities.size()) {
+Attractors::Attractors(const Eigen::Matrix3Xf& points, const SpatialIndex& index,
+                       const std::vector<float>& densities)
+    : places_(points), index_(index), densities_(densities), points_(densities.size()) {
   assert(static_cast<Eigen::Index>(densities.size()) == points.cols());
 }
 

@@ -15,10 +15,10 @@ namespace espalier {
 class Attractors {
 public:
   /// @param points    3 x N, finite [L]; must outlive this
+  /// @param index     of the same points; must outlive this
   /// @param densities N, in [0, 1]; must outlive this
-  /// @throws Cancelled if `progress` asks to stop
-  Attractors(const Eigen::Matrix3Xf& points, const std::vector<float>& densities,
-             const Progress& progress = {});
+  Attractors(const Eigen::Matrix3Xf& points, const SpatialIndex& index,
+             const std::vector<float>& densities);
 
   /// Density of the point nearest to `place`. pre: N > 0
   [[nodiscard]] double densityAt(const Eigen::Vector3d& place) const;
@@ -61,8 +61,8 @@ private:
     [[nodiscard]] bool isAlive() const { return squaredDistance >= 0; }
   };
   const Eigen::Matrix3Xf& places_;
+  const SpatialIndex& index_;
   const std::vector<float>& densities_;
-  SpatialIndex index_;
   std::vector<Point> points_;
   std::vector<std::vector<std::uint32_t>> owned_; // by node; some are another's since, or dead
   Eigen::Index dead_ = 0;

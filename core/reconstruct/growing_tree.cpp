@@ -24,8 +24,7 @@ std::uint32_t GrowingTree::add(const Sprout& sprout, const Eigen::Vector3d& plac
   places_.push_back(place);
   densities_.push_back(sprout.density);
   steps_.push_back(sprout.step);
-  ids_.push_back(skeleton_.add(
-      {.position = place, .parent = parent ? std::optional<NodeId>(ids_[*parent]) : std::nullopt}));
+  parents_.push_back(parent ? std::optional(NodeId{*parent}) : std::nullopt);
   attractors_.meet(number, sprout.met, kill_ * sprout.step);
   return number;
 }
@@ -62,6 +61,14 @@ GrowingTree::shootTowards(std::uint32_t node, const std::vector<std::uint32_t>& 
   });
   if (!comesNearer) return std::nullopt;
   return Shoot{node, place};
+}
+
+Skeleton GrowingTree::skeleton() const {
+  Skeleton skeleton;
+  skeleton.reserve(places_.size());
+  for (std::size_t i = 0; i < places_.size(); ++i)
+    skeleton.add({.position = places_[i], .parent = parents_[i]});
+  return skeleton;
 }
 
 void GrowingTree::updateGaps(const Progress& progress) {

@@ -7,7 +7,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace espalier {
@@ -59,7 +58,8 @@ public:
   [[nodiscard]] double step(std::uint32_t node) const { return steps_[node]; } // [L]
   [[nodiscard]] double density(std::uint32_t node) const { return densities_[node]; }
   [[nodiscard]] double reach(std::uint32_t node) const { return reach_ * steps_[node]; } // [L]
-  [[nodiscard]] Skeleton takeSkeleton() { return std::move(skeleton_); }
+  /// One node for each, in their order.
+  [[nodiscard]] Skeleton skeleton() const;
 
 private:
   /// What a new node would be.
@@ -99,11 +99,10 @@ private:
   std::vector<Eigen::Vector3d> places_;
   std::vector<double> steps_;
   std::vector<double> densities_; // of the nearest point
-  std::vector<NodeId> ids_;
+  std::vector<std::optional<NodeId>> parents_;
   std::vector<Gap> gaps_;       // by number of the point
   std::size_t nodesOfGaps_ = 0; // that gaps_ know of
   std::vector<bool> isDust_;    // by point: too few live beside it, and never will more
-  Skeleton skeleton_;
 };
 
 } // namespace espalier

@@ -40,7 +40,7 @@ public:
       }
       growing = tree_.add(shoots, progress);
     }
-    return tree_.takeSkeleton();
+    return tree_.skeleton();
   }
 
 private:
@@ -125,7 +125,8 @@ Skeleton skeletonByPointTracking(const Eigen::Matrix3Xf& points,
   const Eigen::Matrix3Xf drawn = withThickWoodAsLines(
       points, root, {.radius = options.thickWood, .widestGap = options.widestGap},
       progress.part(0, 0.2));
-  Attractors attractors(drawn, densities, progress);
+  const SpatialIndex index(drawn, progress);
+  Attractors attractors(drawn, index, densities);
   Tracker tracker(attractors, options);
   Skeleton skeleton =
       tracker.grow(drawn.col(root).cast<double>(), drawn.cols(), progress.part(0.2, 0.9));

@@ -43,11 +43,13 @@ std::vector<GrowingTree::Shoot> shootsOf(const std::vector<std::uint32_t>& nodes
 Skeleton skeletonBySpaceColonization(const Eigen::Matrix3Xf& points,
                                      const std::vector<float>& densities, Eigen::Index root,
                                      const SpaceColonizationOptions& options,
-                                     const Progress& progress) {
+                                     const Progress& progress, const SpatialIndex* index) {
   const Eigen::Matrix3Xf drawn = withThickWoodAsLines(
       points, root, {.radius = options.thickWood, .widestGap = options.widestGap},
       progress.part(0, 0.2));
-  Attractors attractors(drawn, densities, progress);
+  std::optional<SpatialIndex> ofDrawn;
+  if (index == nullptr || options.thickWood > 0) index = &ofDrawn.emplace(drawn, progress);
+  Attractors attractors(drawn, *index, densities);
   GrowingTree tree(attractors, {options.leastStep, options.greatestStep}, options.kill,
                    options.reach);
   std::vector<std::uint32_t> growing = {tree.addRoot(drawn.col(root).cast<double>())};
@@ -63,7 +65,7 @@ Skeleton skeletonBySpaceColonization(const Eigen::Matrix3Xf& points,
     growing.insert(growing.end(), added.begin(), added.end());
   }
   requireHalf(attractors.reached(), drawn.cols());
-  return withMeanDistances(tree.takeSkeleton(), points, progress.part(0.9, 1));
+  return withMeanDistances(tree.skeleton(), points, progress.part(0.9, 1));
 }
 
 } // namespace espalier

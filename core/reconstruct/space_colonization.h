@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/base/spatial_index.h"
 #include "core/skeleton/skeleton.h"
 
 #include <Eigen/Core>
@@ -29,6 +30,7 @@ struct SpaceColonizationOptions {
 /// @param points    3 x N, a column per point [L], finite; best contracted
 /// @param densities N, in [0, 1] (core/graph/densities.h), of the points as they were scanned
 /// @param root      column of a point at the foot of the trunk, in [0, N)
+/// @param index     of the same points, if there is one: saves making it
 /// @return one tree, its root first; all edges are successors (see assembleAxes); radius = mean
 ///         distance from a node to the points nearest to it [L]
 /// @throws Error     if under half of the points come within reach
@@ -39,10 +41,9 @@ struct SpaceColonizationOptions {
 /// PhD thesis, Montpellier 2, 2012, section 4.7.1. Differs: gaps are bridged; a node
 /// whose points pull it nowhere follows those on the side of the first of them; one whose child
 /// would come no nearer to its points stops growing, where the original goes on for ever.
-[[nodiscard]] Skeleton skeletonBySpaceColonization(const Eigen::Matrix3Xf& points,
-                                                   const std::vector<float>& densities,
-                                                   Eigen::Index root,
-                                                   const SpaceColonizationOptions& options,
-                                                   const Progress& progress = {});
+[[nodiscard]] Skeleton
+skeletonBySpaceColonization(const Eigen::Matrix3Xf& points, const std::vector<float>& densities,
+                            Eigen::Index root, const SpaceColonizationOptions& options,
+                            const Progress& progress = {}, const SpatialIndex* index = nullptr);
 
 } // namespace espalier

@@ -54,6 +54,11 @@ const std::vector<NodeId>& Skeleton::children(NodeId id) const {
   return children_[indexOf(id)];
 }
 
+void Skeleton::reserve(std::size_t nodes) {
+  nodes_.reserve(nodes);
+  children_.reserve(nodes);
+}
+
 NodeId Skeleton::add(const Node& node) {
   if (node.parent && !contains(*node.parent))
     throw Error("the parent, " + name(*node.parent) + ", does not exist: choose another");

@@ -44,6 +44,8 @@ public:
   /// One more than the highest id ever handed out: tables by id have this size.
   [[nodiscard]] std::size_t idEnd() const { return nodes_.size(); }
 
+  void reserve(std::size_t nodes); // memory for that many, once
+
   /// @throws Error if the parent is missing
   NodeId add(const Node& node);
   void setPosition(NodeId id, const Eigen::Vector3d& position); // pre: contains(id)

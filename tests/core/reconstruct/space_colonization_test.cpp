@@ -57,6 +57,18 @@ TEST(SpaceColonization, StepsByTheDensity) {
   EXPECT_EQ(skeletonOf(line(0, 1), 0, 1, adaptive).size(), 5U); // at 0, 0.2, ..., 0.8
 }
 
+TEST(SpaceColonization, TakesAnIndexThatThereIs) {
+  const Eigen::Matrix3Xf points = test::forkCloud();
+  const SpatialIndex index(points);
+  const std::vector<float> densities(static_cast<std::size_t>(points.cols()), 0.5F);
+  SpaceColonizationOptions with = options;
+  for (const double thick : {0.0, 0.02}) { // thick wood is moved: another index is needed
+    with.thickWood = thick;
+    EXPECT_EQ(skeletonBySpaceColonization(points, densities, 0, with, {}, &index),
+              skeletonBySpaceColonization(points, densities, 0, with));
+  }
+}
+
 TEST(SpaceColonization, FindsTheForkOfAFork) {
   const Eigen::Matrix3Xf points = test::forkCloud();
   SpaceColonizationOptions wide = options; // of wood 0.08 thick that is not contracted

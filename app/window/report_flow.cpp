@@ -70,7 +70,7 @@ struct ReportFlow::Making {
   std::unique_ptr<PictureSession> pictures;
 };
 
-ReportFlow::ReportFlow(const Parts& parts) : parts_(parts) {
+ReportFlow::ReportFlow(Parts parts) : parts_(std::move(parts)) {
   parts_.window.actions.add(
       {.id = "export_report",
        .text = tr("Export Report…"),

@@ -30,7 +30,7 @@ public:
     PanelDock::Parts window;
     std::function<EvaluationOptions()> how; // the plant is compared now
   };
-  explicit ReportFlow(const Parts& parts);
+  explicit ReportFlow(Parts parts);
   ~ReportFlow() override;
 
   void setIgnored(std::vector<DifferingPart> ignored) { ignored_ = std::move(ignored); }

@@ -18,8 +18,9 @@ namespace {
 std::vector<Eigen::Vector3d> placesOf(const std::vector<Eigen::Index>& points,
                                       const PointCloud& cloud) {
   std::vector<Eigen::Vector3d> places;
+  places.reserve(points.size());
   for (const Eigen::Index point : points)
-    places.push_back(cloud.positions().col(point).cast<double>() + cloud.origin());
+    places.emplace_back(cloud.positions().col(point).cast<double>() + cloud.origin());
   return places;
 }
 

@@ -91,7 +91,7 @@ SavedView savedIn(const QJsonObject& json) {
                  .clip = clipIn(json),
                  .depthFade = json["depth_fade"].toDouble(0),
                  .hidden = {}};
-  for (const QJsonValue& value : json["hidden"].toArray()) {
+  for (const QJsonValue value : json["hidden"].toArray()) {
     const double id = numberIn(value);
     if (id < 0 || id > std::numeric_limits<std::uint32_t>::max()) refuse();
     view.hidden.push_back(NodeId{static_cast<std::uint32_t>(id)});
@@ -151,7 +151,7 @@ ViewText viewFrom(const std::string& text) {
     view.layers[id] = layers[id].toBool(true);
   for (const QString& name : choiceNames())
     if (json.contains(name)) view.choices[name] = json[name].toString();
-  for (const QJsonValue& one : json["saved"].toArray())
+  for (const QJsonValue one : json["saved"].toArray())
     view.saved.push_back(savedIn(one.toObject()));
   return view;
 }

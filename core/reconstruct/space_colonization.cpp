@@ -14,7 +14,7 @@ std::optional<GrowingTree::Shoot> shootOf(std::uint32_t node, Attractors& attrac
                                           const GrowingTree& tree) {
   const std::vector<std::uint32_t>& own = attractors.of(node);
   if (own.empty()) return std::nullopt;
-  if (const auto shoot = tree.shootTowards(node, own)) return shoot;
+  if (auto shoot = tree.shootTowards(node, own)) return shoot;
   const Eigen::Vector3d first = attractors.position(own.front()) - tree.place(node);
   std::vector<std::uint32_t> side;
   for (const std::uint32_t point : own)

@@ -223,6 +223,7 @@ std::vector<Eigen::Vector3d> TraceGraph::slabAround(std::uint32_t seed,
 Trace TraceGraph::traceOf(const std::vector<std::uint32_t>& points, const TraceEnd& from,
                           const TraceEnd& to, double step) const {
   std::vector<Eigen::Vector3d> line;
+  line.reserve(points.size());
   for (const std::uint32_t point : points)
     line.emplace_back(contracted_->col(point).cast<double>() + cloud_->origin());
   const auto seedAt = [&, contracted = line](const Eigen::Vector3d& place) {

@@ -186,7 +186,7 @@ std::vector<Echo> echoesOf(const ScanScene& scene, const std::vector<ScanWindow>
 void addStrays(SimulatedScan& scan, double share, Eigen::AlignedBox3d bounds, Random& random) {
   const Vector3d margin = Vector3d::Constant(0.05 * bounds.sizes().maxCoeff());
   bounds = {bounds.min() - margin, bounds.max() + margin};
-  const double hits = static_cast<double>(scan.points.positions.size());
+  const auto hits = static_cast<double>(scan.points.positions.size());
   for (auto left = std::lround(hits * share / (1 - share)); left > 0; --left) {
     Vector3d place;
     for (int axis = 0; axis < 3; ++axis)

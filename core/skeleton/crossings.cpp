@@ -100,6 +100,7 @@ std::vector<Finding> crossings(const Skeleton& skeleton, double spacing,
   const std::vector<std::uint32_t> axis = axisNumbers(skeleton);
   const Ways ways(skeleton, ids);
   std::vector<Eigen::AlignedBox3d> boxes;
+  boxes.reserve(edges.size());
   for (const Edge& edge : edges)
     boxes.push_back(boxOf(edge));
   const BoxTree tree(boxes);
@@ -131,10 +132,12 @@ std::vector<Finding> crossings(const Skeleton& skeleton, double spacing,
       touch.finding.amount = near.distance;
     });
   std::vector<const Touch*> inOrder;
+  inOrder.reserve(touches.size());
   for (const auto& [pair, touch] : touches)
     inOrder.push_back(&touch);
   std::ranges::stable_sort(inOrder, {}, &Touch::edge);
   std::vector<Finding> findings;
+  findings.reserve(inOrder.size());
   for (const Touch* touch : inOrder)
     findings.push_back(touch->finding);
   return findings;

@@ -62,6 +62,7 @@ std::vector<NodeId> duplicatedNodes(const Skeleton& skeleton, double tolerance) 
   std::vector<NodeId> ids = skeleton.ids();
   if (ids.empty()) return {};
   std::vector<Eigen::Vector3d> places;
+  places.reserve(ids.size());
   for (const NodeId id : ids)
     places.push_back(skeleton[id].position);
   const Eigen::Matrix3Xf points = columns(places);
@@ -90,6 +91,7 @@ std::vector<NodeId> duplicatedBranches(const Skeleton& skeleton, double toleranc
   std::vector<std::size_t> shortestFirst(all.size());
   std::iota(shortestFirst.begin(), shortestFirst.end(), 0);
   std::vector<double> lengths;
+  lengths.reserve(all.size());
   for (const Axis& axis : all)
     lengths.push_back(length(skeleton, axis));
   std::ranges::stable_sort(shortestFirst, [&](std::size_t a, std::size_t b) {

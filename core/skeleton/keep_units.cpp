@@ -141,6 +141,7 @@ void reverseUnits(SkeletonEditor& editor, const std::vector<NodeId>& path) {
       move(nameAlone(start.unit), skeleton[start.node].entities.back());
   }
   std::vector<Entity> classes; // of new own entities: setting some would leave pointers behind
+  classes.reserve(own.size());
   for (const Entity* each : own)
     classes.push_back(each ? *each : Entity{});
   for (std::size_t i = 0; i < path.size(); ++i)

@@ -85,7 +85,7 @@ private:
   using Ring = std::vector<SurfaceMesh::VertexHandle>; // counterclockwise, seen from the apex
 
   SurfaceMesh::VertexHandle vertexAt(const Eigen::Vector3d& place) {
-    return mesh_.add_vertex({place.x(), place.y(), place.z()});
+    return SurfaceMesh::VertexHandle(mesh_.add_vertex({place.x(), place.y(), place.z()}).idx());
   }
 
   Ring ringOf(const Section& section) {

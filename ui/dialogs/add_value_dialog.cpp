@@ -9,6 +9,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include <utility>
+
 namespace espalier {
 namespace {
 
@@ -22,10 +24,9 @@ QString describe(std::string_view type) {
 
 } // namespace
 
-AddValueDialog::AddValueDialog(const QString& title, const std::vector<MtgFeature>& known,
-                               QWidget* parent)
-    : QDialog(parent), known_(known), name_(new QLineEdit(this)), type_(new QComboBox(this)),
-      value_(new QLineEdit(this)) {
+AddValueDialog::AddValueDialog(const QString& title, std::vector<MtgFeature> known, QWidget* parent)
+    : QDialog(parent), known_(std::move(known)), name_(new QLineEdit(this)),
+      type_(new QComboBox(this)), value_(new QLineEdit(this)) {
   setObjectName("add_value");
   setWindowTitle(title);
   setMinimumWidth(320);

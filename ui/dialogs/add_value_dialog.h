@@ -20,8 +20,7 @@ class AddValueDialog : public QDialog {
 
 public:
   /// @param known  features to choose from; empty: a new one is typed
-  AddValueDialog(const QString& title, const std::vector<MtgFeature>& known,
-                 QWidget* parent = nullptr);
+  AddValueDialog(const QString& title, std::vector<MtgFeature> known, QWidget* parent = nullptr);
 
   [[nodiscard]] QWidget* nameField() const;
   [[nodiscard]] QWidget* valueField() const;

@@ -4,6 +4,7 @@
 #include <QSettings>
 
 #include <algorithm>
+#include <utility>
 
 namespace espalier {
 namespace {
@@ -14,9 +15,9 @@ QString settingOf(const QAction& action) {
 
 } // namespace
 
-KeyBindings::KeyBindings(const QList<QAction*>& actions, const QStringList& fixed,
-                         QSettings& settings, QObject* parent)
-    : QObject(parent), actions_(actions), fixed_(fixed), settings_(settings) {
+KeyBindings::KeyBindings(QList<QAction*> actions, QStringList fixed, QSettings& settings,
+                         QObject* parent)
+    : QObject(parent), actions_(std::move(actions)), fixed_(std::move(fixed)), settings_(settings) {
   for (QAction* action : actions_) {
     defaults_.insert(action, action->shortcuts());
     if (!settings_.contains(settingOf(*action)) || isFixed(*action)) continue;

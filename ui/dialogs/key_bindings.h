@@ -19,8 +19,7 @@ public:
   /// @param actions   each with an object name of its own, which the settings know it by
   /// @param fixed     names of those whose keys stay as they are
   /// @param settings  must outlive it
-  KeyBindings(const QList<QAction*>& actions, const QStringList& fixed, QSettings& settings,
-              QObject* parent);
+  KeyBindings(QList<QAction*> actions, QStringList fixed, QSettings& settings, QObject* parent);
 
   [[nodiscard]] const QList<QAction*>& actions() const { return actions_; }
   [[nodiscard]] bool isFixed(const QAction& action) const;

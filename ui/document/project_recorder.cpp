@@ -107,8 +107,10 @@ void ProjectRecorder::follow() {
 }
 
 std::vector<std::uint64_t> ProjectRecorder::revisionsNow() const {
+  const int count = document_.undoStack().count();
   std::vector<std::uint64_t> revisions;
-  for (int i = 0; i < document_.undoStack().count(); ++i)
+  revisions.reserve(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i)
     revisions.push_back(document_.revision(i));
   return revisions;
 }

@@ -48,7 +48,7 @@ void CrossSectionView::setNode(const SectionNode& node) {
   update();
 }
 
-void CrossSectionView::setProposed(std::optional<FittedCircle> circle) {
+void CrossSectionView::setProposed(const std::optional<FittedCircle>& circle) {
   proposed_ = circle;
   if (!isZoomed_ && !isBusy()) showAll();
   update();

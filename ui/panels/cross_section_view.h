@@ -33,7 +33,7 @@ public:
   /// Shows another section, whole; with `keepView` the picture stays where it is. None: empty.
   void setSection(std::optional<CrossSection> section, bool keepView = false);
   void setNode(const SectionNode& node);
-  void setProposed(std::optional<FittedCircle> circle);
+  void setProposed(const std::optional<FittedCircle>& circle);
   void setUnit(LengthUnit unit);
   void setEditable(bool isEditable); // without: no handles
 

@@ -216,7 +216,7 @@ void FindingsPanel::tellChosen(const QTreeWidgetItem* item) {
 /// Short: the kind is written over it, and the whole sentence is its tool tip.
 QString FindingsPanel::textOf(const Finding& finding) const {
   const auto length = [this](double value) { return formatLength(value, document_.unit(), 3); };
-  const QString node = tr("node %1").arg(indexOf(finding.node));
+  QString node = tr("node %1").arg(indexOf(finding.node));
   const qulonglong other = finding.others.empty() ? 0 : indexOf(finding.others.front());
   const qlonglong count = std::llround(finding.amount);
   switch (finding.kind) {

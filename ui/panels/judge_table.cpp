@@ -78,7 +78,7 @@ double written(double value, const JudgeRow& row) {
 QString differenceText(const JudgeRow& row, double difference) {
   if (difference == 0) return QStringLiteral("=");
   const QString number = numberText(std::abs(difference), row.decimals);
-  const QString text = (difference > 0 ? QStringLiteral("+") : QStringLiteral("−")) + number;
+  QString text = (difference > 0 ? QStringLiteral("+") : QStringLiteral("−")) + number;
   if (row.better == JudgeRow::Better::neither) return text;
   const bool isBetter = (row.better == JudgeRow::Better::more) == (difference > 0);
   return text + (isBetter ? QStringLiteral(" ✓") : QStringLiteral(" ✗"));

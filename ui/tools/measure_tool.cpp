@@ -98,6 +98,7 @@ void MeasureTool::show() {
   if (marks_.size() == 1 && next_) shown.push_back(*next_);
   Preview preview;
   std::vector<Eigen::Vector3d> line;
+  line.reserve(shown.size());
   for (const Mark& mark : shown)
     line.push_back(positionOf(mark));
   preview.nodes = line;

@@ -29,6 +29,7 @@ double lengthOf(const QPolygonF& stroke) {
 
 std::vector<NodeId> childrenOf(const auto& edges) {
   std::vector<NodeId> ids;
+  ids.reserve(edges.size());
   for (const auto& edge : edges)
     ids.push_back(edge.child);
   return ids;

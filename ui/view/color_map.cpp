@@ -132,7 +132,7 @@ LegendColors::LegendColors(const Legend& legend, bool dark) : legend_(legend) {
 }
 
 Color LegendColors::operator()(double value) const {
-  const double last = static_cast<double>(colors_.size() - 1);
+  const auto last = static_cast<double>(colors_.size() - 1);
   const double at =
       legend_.categories.empty() ? last * legend_.fraction(value) : std::clamp(value, 0.0, last);
   return colors_[static_cast<std::size_t>(std::lround(at))];

@@ -69,7 +69,7 @@ void MainWindow::addActions() {
   seals_ = std::make_unique<SealFlow>(
       SealFlow::Parts{document_, *actions_, *projects_, *banner_, *this});
   review_ = std::make_unique<ReviewFlow>(
-      ReviewFlow::Parts{document_, *view_, *actions_, settings_, *this},
+      ReviewFlow::Parts{document_, *view_, *actions_, *editing_, settings_, *this},
       (*actions_)["sign_structure"]);
   shown_ = std::make_unique<ShownFlow>(
       ShownFlow::Parts{document_, *view_, *actions_, *editing_, panels});

@@ -1,6 +1,7 @@
 #include "app/window/review_flow.h"
 
 #include "app/window/action_set.h"
+#include "app/window/editing.h"
 #include "app/window/panel_dock.h"
 #include "core/base/error.h"
 #include "ui/document/plant_document.h"
@@ -30,6 +31,11 @@ bool isEnter(const QEvent& event) {
   if (event.type() != QEvent::ShortcutOverride) return false;
   const int key = static_cast<const QKeyEvent&>(event).key();
   return key == Qt::Key_Return || key == Qt::Key_Enter;
+}
+
+QString nothingToCommentOn() {
+  return ReviewFlow::tr(
+      "nothing is selected to comment on: put the pointer on a node, or select some");
 }
 
 } // namespace
@@ -115,11 +121,9 @@ void ReviewFlow::addMarkActions() {
       QKeySequence(Qt::SHIFT | Qt::Key_Enter), [this] { mark(ReviewState::doubtful); });
   add("mark_to_do", tr("Mark To Do"), tr("What is selected is to be reviewed again"),
       Qt::Key_Backspace, [this] { mark(ReviewState::toDo); });
-  add("comment", tr("Comment"), tr("A remark on what is selected"), Qt::Key_K, [this] {
-    requireChosen();
-    dock_->bringToFront();
-    panel_->focusComment();
-  });
+  add("comment", tr("Comment"),
+      tr("A remark on what is selected, else on the node under the pointer"), Qt::Key_K,
+      [this] { beginComment(); });
 }
 
 void ReviewFlow::makePanel(QAction* sign) {
@@ -223,7 +227,7 @@ void ReviewFlow::frame(const std::vector<NodeId>& nodes) {
 }
 
 void ReviewFlow::mark(ReviewState state) {
-  requireChosen();
+  requireChosen(tr("nothing is selected to mark: walk to a stretch, or select nodes"));
   const std::vector<NodeId> nodes = parts_.document.selection().nodes();
   const QString text = state == ReviewState::reviewed   ? tr("Mark %1 reviewed")
                        : state == ReviewState::doubtful ? tr("Mark %1 doubtful")
@@ -239,7 +243,19 @@ void ReviewFlow::mark(ReviewState state) {
   });
 }
 
+/// The field has the keyboard even where there is nothing to comment on: what is typed on is no
+/// command then.
+void ReviewFlow::beginComment() {
+  Selection& selection = parts_.document.selection();
+  const std::optional<NodeId> under = parts_.editing.nodeUnder();
+  if (selection.isEmpty() && under) selection.set({*under});
+  dock_->bringToFront();
+  panel_->focusComment();
+  requireChosen(nothingToCommentOn());
+}
+
 void ReviewFlow::comment(const QString& text) {
+  requireChosen(nothingToCommentOn());
   const std::vector<NodeId> nodes = parts_.document.selection().nodes();
   parts_.document.edit(tr("Comment on %1").arg(nodeNames(nodes)), [&](SkeletonEditor& editor) {
     for (const NodeId id : nodes) {
@@ -250,10 +266,8 @@ void ReviewFlow::comment(const QString& text) {
   });
 }
 
-void ReviewFlow::requireChosen() const {
-  if (parts_.document.selection().isEmpty())
-    throw Error(
-        tr("nothing is selected to mark: walk to a stretch, or select nodes").toStdString());
+void ReviewFlow::requireChosen(const QString& why) const {
+  if (parts_.document.selection().isEmpty()) throw Error(why.toStdString());
 }
 
 void ReviewFlow::showPlace() {

@@ -14,6 +14,7 @@ class QSettings;
 namespace espalier {
 
 class ActionSet;
+class Editing;
 class PanelDock;
 class PlantDocument;
 class PlantView;
@@ -32,6 +33,7 @@ public:
     PlantDocument& document;
     PlantView& view;
     ActionSet& actions;
+    Editing& editing;
     QSettings& settings;
     QMainWindow& window;
   };
@@ -63,7 +65,8 @@ private:
   void frame(const std::vector<NodeId>& nodes);
   void mark(ReviewState state);
   void comment(const QString& text);
-  void requireChosen() const;
+  void beginComment();
+  void requireChosen(const QString& why) const;
   void showPlace();
   void refreshEnabled();
 

@@ -57,6 +57,10 @@ bool isEnter(const QKeyEvent& press) {
          !(press.modifiers() & ~Qt::KeypadModifier);
 }
 
+bool isEscape(const QKeyEvent& press) {
+  return press.key() == Qt::Key_Escape && !press.modifiers();
+}
+
 bool isCopy(const QKeyEvent& press) {
   return press.matches(QKeySequence::Copy);
 }
@@ -70,6 +74,10 @@ void onEnter(QWidget& widget, std::function<void()> act) {
 void opensOnEnter(QComboBox& choices) {
   onEnter(choices, [&choices] { choices.showPopup(); });
   new OpenList(choices);
+}
+
+void onEscape(QWidget& widget, std::function<void()> act) {
+  new FocusKey(widget, isEscape, std::move(act));
 }
 
 void onCopy(QWidget& widget, std::function<void()> act) {

@@ -17,6 +17,9 @@ void onEnter(QWidget& widget, std::function<void()> act);
 /// The same for a list of choices: Enter opens it; once it is open, all keys choose in it.
 void opensOnEnter(QComboBox& choices);
 
+/// Lets Escape, alone, do `act`.
+void onEscape(QWidget& widget, std::function<void()> act);
+
 /// Lets the key for copying do `act`.
 void onCopy(QWidget& widget, std::function<void()> act);
 

@@ -4,6 +4,7 @@
 #include "ui/panels/axis_review_model.h"
 #include "ui/panels/coverage_bar.h"
 #include "ui/panels/coverage_text.h"
+#include "ui/panels/focus_keys.h"
 
 #include <QAction>
 #include <QGridLayout>
@@ -177,6 +178,10 @@ void ReviewPanel::addChosen(QVBoxLayout& column, const Actions& actions) {
     if (comment_->isModified()) emit commentTyped(comment_->text());
   });
   connect(comment_, &QLineEdit::returnPressed, this, &ReviewPanel::leaveRequested);
+  onEscape(*comment_, [this] {
+    refreshChosen(); // without what was typed
+    emit leaveRequested();
+  });
 }
 
 void ReviewPanel::addAxes(QVBoxLayout& column) {
@@ -262,7 +267,6 @@ void ReviewPanel::refreshChosen() {
   std::vector<NodeId> nodes = document_.selection().nodes();
   const Skeleton& skeleton = document_.skeleton();
   std::erase_if(nodes, [&](NodeId id) { return !skeleton.contains(id); }); // they leave it next
-  comment_->setEnabled(!nodes.empty());
   state_->setVisible(!nodes.empty());
   comment_->setText({});
   comment_->setPlaceholderText(tr("Comment"));

@@ -8,6 +8,7 @@
 
 #include <QAbstractItemView>
 #include <QAction>
+#include <QApplication>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
@@ -220,6 +221,49 @@ TEST_F(ReviewWindowTest, DoubtIsMarkedCommentedAndTakenBackByKeys) {
   EXPECT_EQ(markOf(shoot()).reviewer, "");
   EXPECT_EQ(markOf(shoot()).comment, "crosses b, or not.");
   EXPECT_EQ(document().undoStack().count(), 3);
+}
+
+TEST_F(ReviewWindowTest, ACommentIsOfTheNodeUnderThePointerIfNothingIsSelected) {
+  openFork();
+  hover(placeOf(shoot()));
+  key(Qt::Key_K);
+  EXPECT_EQ(chosen(), std::vector{shoot()});
+  auto& comment = find<QLineEdit>("review_comment");
+  ASSERT_TRUE(comment.hasFocus());
+  QTest::keyClicks(&comment, "dead");
+  QTest::keyClick(&comment, Qt::Key_Return);
+  EXPECT_EQ(markOf(shoot()).comment, "dead");
+}
+
+TEST_F(ReviewWindowTest, ACommentOnNothingIsRefusedAndWhatIsTypedOnEditsNothing) {
+  openFork();
+  const Skeleton start = document().skeleton();
+  hover({5, 5});
+  key(Qt::Key_K);
+  EXPECT_EQ(window().banner().text(), "Nothing is selected to comment on: put the pointer on a "
+                                      "node, or select some");
+  hover(placeOf(shoot())); // where the keys would be those of the node
+  for (const char letter : std::string("nem x"))
+    QTest::keyClick(QApplication::focusWidget(), letter);
+  EXPECT_EQ(find<QLineEdit>("review_comment").text(), "nem x");
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+  EXPECT_TRUE(window().banner().isVisible());
+  EXPECT_TRUE(view().hasFocus());
+  EXPECT_EQ(document().skeleton(), start);
+  EXPECT_EQ(document().undoStack().count(), 0);
+}
+
+TEST_F(ReviewWindowTest, EscapeDropsWhatIsTypedOfAComment) {
+  openFork();
+  click(placeOf(shoot()));
+  key(Qt::Key_K);
+  auto& comment = find<QLineEdit>("review_comment");
+  QTest::keyClicks(&comment, "dead");
+  QTest::keyClick(&comment, Qt::Key_Escape);
+  EXPECT_EQ(comment.text(), "");
+  EXPECT_TRUE(view().hasFocus());
+  EXPECT_EQ(markOf(shoot()).comment, "");
+  EXPECT_EQ(chosen(), std::vector{shoot()});
 }
 
 TEST_F(ReviewWindowTest, EnterInANumberFieldMarksNothing) {

@@ -108,12 +108,11 @@ void ReviewFlow::addMarkActions() {
     marks_.append(parts_.actions.add({.id = id, .text = text, .help = help, .keys = keys}, act));
   };
   add("mark_reviewed", tr("Mark Reviewed and Go On"),
-      tr("What is selected is right; shows the next stretch that is not reviewed. Without the "
-         "panel "
-         "it only begins the review"),
+      tr("What is selected is right; shows the next stretch that is not reviewed. Unless the "
+         "panel is in front, it only begins the review"),
       Qt::Key_Enter, [this] {
         // Enter also accepts previews: one Enter too many must not review what nobody looks at.
-        if (!parts_.actions["show_review"]->isChecked()) return step(WalkTo::notReviewed);
+        if (!dock_->isInFront()) return step(WalkTo::notReviewed);
         mark(ReviewState::reviewed);
         step(WalkTo::notReviewed);
       });
@@ -181,7 +180,7 @@ bool ReviewFlow::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void ReviewFlow::step(WalkTo to, WalkWay way) {
-  parts_.actions["show_review"]->setChecked(true);
+  dock_->bringToFront();
   const Skeleton& skeleton = parts_.document.skeleton();
   const std::vector<Stretch> all = stretches(skeleton, longestStretch(skeleton));
   const std::vector<NodeId>& chosen = parts_.document.selection().nodes();

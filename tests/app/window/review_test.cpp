@@ -291,6 +291,22 @@ TEST_F(ReviewWindowTest, EnterWithoutThePanelOnlyBeginsTheReview) {
   EXPECT_EQ(markOf(stretch.front()).state, ReviewState::reviewed);
 }
 
+TEST_F(ReviewWindowTest, EnterWithThePanelBehindAnotherOnlyBringsItToTheFront) {
+  openFork();
+  key(Qt::Key_F9);
+  action("show_findings").trigger();
+  const auto& panel = find<ReviewPanel>("review_panel");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return panel.visibleRegion().isEmpty(); }));
+  click(placeOf(shoot()));
+  key(Qt::Key_Return);
+  EXPECT_EQ(document().undoStack().count(), 0);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !panel.visibleRegion().isEmpty(); }));
+  const std::vector<NodeId> stretch = chosen();
+  ASSERT_FALSE(stretch.empty());
+  key(Qt::Key_Return);
+  EXPECT_EQ(markOf(stretch.front()).state, ReviewState::reviewed);
+}
+
 TEST_F(ReviewWindowTest, EnterInMidGestureMarksNothing) {
   openFork();
   key(Qt::Key_F9);

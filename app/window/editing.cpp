@@ -117,6 +117,7 @@ void Editing::addNodeEdits() {
 
 /// What changes nothing is no step, but gets an answer.
 void Editing::make(const NodeEdit& edit) {
+  document_.requireEditable();
   bool isChanged = false;
   QObject watch;
   connect(&document_, &PlantDocument::skeletonEdited, &watch, [&isChanged] { isChanged = true; });
@@ -214,14 +215,14 @@ void Editing::undo() {
   if (isPending())
     tool().cancel();
   else {
-    document_.requireEditable();
+    document_.requireWritable();
     document_.undoStack().undo();
   }
 }
 
 void Editing::redo() {
   if (isPending()) return;
-  document_.requireEditable();
+  document_.requireWritable();
   document_.undoStack().redo();
 }
 
@@ -336,8 +337,10 @@ void Editing::refreshEnabled() {
 
 NodeTarget Editing::chosenTarget() {
   NodeTarget meant = target();
-  if (meant.nodes.empty() && !meant.edge)
+  if (meant.nodes.empty() && !meant.edge) {
+    document_.requireEditable(); // of what is drawn instead of the plant, no node can be meant
     throw Error(tr("put the pointer on a node, or select one").toStdString());
+  }
   // What is edited is selected: the inspector shows it, and once it is removed the same key does
   // not fall on nodes that were selected somewhere else.
   if (!meant.nodes.empty()) document_.selection().set(meant.nodes);

@@ -95,6 +95,7 @@ void HullFlow::wrap() {
 }
 
 void HullFlow::unwrap() {
+  parts_.document.requireEditable();
   const std::vector<NodeId> have = nodesWithFeature(parts_.document.skeleton(), feature);
   std::vector<NodeId> nodes = chosen();
   std::erase_if(nodes, [&](NodeId id) { return !std::ranges::binary_search(have, id); });

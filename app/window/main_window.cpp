@@ -292,6 +292,20 @@ void MainWindow::leave() {
   if (editing_->isPending() || !preview_->drop()) editing_->escape();
 }
 
+void MainWindow::undoStep() {
+  if (editing_->isPending() || !endsPreview(document_.undoStack().index() - 1)) editing_->undo();
+}
+
+void MainWindow::redoStep() {
+  if (editing_->isPending() || !endsPreview(document_.undoStack().index())) editing_->redo();
+}
+
+/// A step of a plant that is behind a preview drops that first: one sees what is undone.
+bool MainWindow::endsPreview(int step) {
+  const bool isThere = step >= 0 && step < document_.undoStack().count();
+  return isThere && document_.isHeld() && !document_.step(step).delta.isEmpty() && preview_->drop();
+}
+
 void MainWindow::resetLayout() {
   pipelineDock_->resetLayout();
   inspectorDock_->resetLayout();

@@ -116,6 +116,9 @@ private:
   void refreshEmptiness();
   void reconstruct(const Step* last = nullptr); // up to a step
   void leave();
+  void undoStep();
+  void redoStep();
+  [[nodiscard]] bool endsPreview(int step); // of the undo stack
   void resetLayout();
   void showRefusal(const QString& reason, Refusal where);
   void showContextMenu(const QPoint& globalPosition);

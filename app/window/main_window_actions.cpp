@@ -186,13 +186,13 @@ void MainWindow::addEditActions() {
                                  .help = tr("Takes the last edit back"),
                                  .icon = "undo",
                                  .keys = QKeySequence(Qt::CTRL | Qt::Key_Z)},
-                                [this] { editing_->undo(); });
+                                [this] { undoStep(); });
   QAction* redo = actions_->add({.id = "redo",
                                  .text = tr("&Redo"),
                                  .help = tr("Makes the edit again"),
                                  .icon = "redo",
                                  .keys = QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z)},
-                                [this] { editing_->redo(); });
+                                [this] { redoStep(); });
   redo->setShortcuts({redo->shortcut(), QKeySequence(Qt::CTRL | Qt::Key_Y)});
   undo->setEnabled(false);
   redo->setEnabled(false);

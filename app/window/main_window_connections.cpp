@@ -80,7 +80,7 @@ void MainWindow::connectJobs() {
           [this](const QString& message, const std::string& last) {
             pipeline_->showDone(reconstruct_->telling(), last);
             projects_->noteChange();
-            banner_->showResult(message, tr("Undo"), [this] { editing_->undo(); });
+            banner_->showResult(message, tr("Undo"), [this] { undoStep(); });
           });
 }
 
@@ -100,7 +100,7 @@ void MainWindow::connectDocument() {
   connect(editing_.get(), &Editing::noted, status_, &StatusLine::showNote);
   connect(radius_.get(), &RadiusFlow::noted, status_, &StatusLine::showNote);
   connect(radius_.get(), &RadiusFlow::done, this, [this](const QString& message) {
-    banner_->showResult(message, tr("Undo"), [this] { editing_->undo(); });
+    banner_->showResult(message, tr("Undo"), [this] { undoStep(); });
   });
   connect(units_.get(), &UnitFlow::marksChanged, this, [this] {
     refreshCounts();

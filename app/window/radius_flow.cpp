@@ -157,6 +157,7 @@ void RadiusFlow::showRing() {
 }
 
 std::vector<NodeId> RadiusFlow::chosen() const {
+  parts_.document.requireEditable();
   const std::vector<NodeId>& nodes = parts_.document.selection().nodes();
   if (nodes.empty()) throw Error(tr("no node is selected: select some first").toStdString());
   return nodes;

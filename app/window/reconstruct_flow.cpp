@@ -26,7 +26,7 @@ ReconstructFlow::ReconstructFlow(PlantDocument& document, JobRunner& jobs, QObje
 void ReconstructFlow::start(const PipelineOptions& options, const Step* last) {
   if (document_.scan() == nullptr)
     throw Error(tr("there is no scan to reconstruct from: open one first").toStdString());
-  document_.requireEditable();
+  document_.requireWritable();
   if (jobs_.isRunning())
     throw Error(
         tr("%1 is still running: wait for it, or cancel it").arg(jobs_.name()).toStdString());

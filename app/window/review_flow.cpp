@@ -266,6 +266,7 @@ void ReviewFlow::comment(const QString& text) {
 }
 
 void ReviewFlow::requireChosen(const QString& why) const {
+  parts_.document.requireEditable();
   if (parts_.document.selection().isEmpty()) throw Error(why.toStdString());
 }
 

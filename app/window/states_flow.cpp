@@ -191,6 +191,7 @@ void StatesFlow::showA() {
 }
 
 void StatesFlow::arrange() {
+  holdPlant();
   const bool isCompared = parts_.preview.shown() || kept_;
   PlantView* second = parts_.twoViews.second();
   switch (isCompared ? arrangement_ : Arrangement::preview) {
@@ -206,6 +207,17 @@ void StatesFlow::arrange() {
     return;
   }
   if (second != nullptr) second->setDivider(parts_.view.divider());
+}
+
+/// The plant is not edited while nothing of it is drawn.
+void StatesFlow::holdPlant() {
+  const bool isCovered = parts_.preview.shown() && parts_.preview.isOther() &&
+                         (kept_ || arrangement_ == Arrangement::preview);
+  if (!isCovered) return parts_.document.setHeld({});
+  const QAction& make = *parts_.actions["reconstruct"];
+  const QString keys = make.shortcut().toString(QKeySequence::NativeText);
+  parts_.document.setHeld(tr("this is a preview: %1 makes it the skeleton, Esc drops it")
+                              .arg(keys.isEmpty() ? QString(make.text()).remove('&') : keys));
 }
 
 void StatesFlow::colorDifferences() {

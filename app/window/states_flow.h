@@ -58,6 +58,7 @@ private:
   void keepAsA();
   void forgetA();
   void arrange();
+  void holdPlant();
   void showA();
   [[nodiscard]] bool replacesPoints() const; // A, by its contracted points
   void blend();

@@ -112,7 +112,7 @@ void PlantDocument::edit(const QString& text, const std::function<void(SkeletonE
 }
 
 void PlantDocument::leaveOut(const QString& text, const PointSet& points) {
-  requireEditable();
+  requireWritable();
   if (points != leftOut_) push(text, {}, points ^ leftOut_, {}, std::nullopt);
 }
 
@@ -125,7 +125,7 @@ void PlantDocument::reconstruct(const QString& text, const Skeleton& skeleton,
 
 void PlantDocument::contract(const QString& text,
                              std::shared_ptr<const Eigen::Matrix3Xf> contracted) {
-  requireEditable();
+  requireWritable();
   push(text, {}, {}, {}, ContractedChange{contracted_, std::move(contracted)});
 }
 
@@ -236,8 +236,13 @@ void PlantDocument::setReadOnly(const QString& why) {
   emit titleChanged();
 }
 
-void PlantDocument::requireEditable() const {
+void PlantDocument::requireWritable() const {
   if (isReadOnly()) throw Error(readOnly_.toStdString());
+}
+
+void PlantDocument::requireEditable() const {
+  requireWritable();
+  if (isHeld()) throw Error(held_.toStdString());
 }
 
 void PlantDocument::setSaving(Saving saving) {

@@ -63,7 +63,7 @@ public:
             Gesture gesture = {});
 
   /// Sets exactly these points aside, as one undo step named `text`; no step if they are already.
-  /// @throws Error as requireEditable()
+  /// @throws Error as requireWritable()
   void leaveOut(const QString& text, const PointSet& points);
 
   /// Replaces the skeleton and the contracted points it was made from, as one undo step.
@@ -71,6 +71,7 @@ public:
                    std::shared_ptr<const Eigen::Matrix3Xf> contracted);
 
   /// Replaces the contracted points alone, as one undo step.
+  /// @throws Error as requireWritable()
   void contract(const QString& text, std::shared_ptr<const Eigen::Matrix3Xf> contracted);
 
   /// The last step done that changed the contracted points; none if they are of no step.
@@ -106,6 +107,12 @@ public:
   void setReadOnly(const QString& why);
   [[nodiscard]] bool isReadOnly() const { return !readOnly_.isEmpty(); }
   /// @throws Error why nothing may be edited
+  void requireWritable() const;
+  /// Why the skeleton is not to be edited for now, for people, as it is not what one sees; empty:
+  /// it may. Points can be set aside meanwhile, and the plant made anew.
+  void setHeld(const QString& why) { held_ = why; }
+  [[nodiscard]] bool isHeld() const { return !held_.isEmpty(); }
+  /// @throws Error as requireWritable(), or why the skeleton is held
   void requireEditable() const;
 
   /// As it happens: no edit is ever unsaved. Failing: it should be so, but the last could not be.
@@ -166,6 +173,7 @@ private:
   QString scanPath_;
   QString author_;
   QString readOnly_;             // why
+  QString held_;                 // likewise
   std::uint64_t revisions_ = 0;  // handed out
   std::optional<Way> way_;       // none: not in goTo()
   std::uint64_t lastOpened_ = 0; // the last revision that came with the file

@@ -274,6 +274,25 @@ TEST_F(PlantDocumentTest, KeepsWhatWasSetAsideUntilAnotherScanComes) {
   EXPECT_EQ(height(document), 5);
 }
 
+TEST_F(PlantDocumentTest, ItsSkeletonIsNotEditedWhileItIsHeld) {
+  document.setScan(rowOfPoints(), "row.xyz");
+  document.reconstruct("Reconstruct", test::fork(2), nullptr);
+  const Skeleton before = document.skeleton();
+  document.setHeld("a preview is shown");
+  const auto thicken = [](SkeletonEditor& editor) {
+    editor.setRadius(editor.skeleton().roots().front(), 1);
+  };
+  EXPECT_THROW(document.edit("Thicken", thicken), Error);
+  EXPECT_THROW(document.goTo(0), Error);
+  EXPECT_EQ(document.skeleton(), before);
+  document.leaveOut("One", PointSet::of({1}));
+  EXPECT_EQ(document.leftOut(), PointSet::of({1}));
+  document.reconstruct("Reconstruct", test::fork(3), nullptr);
+  document.setHeld({});
+  document.edit("Thicken", thicken);
+  EXPECT_EQ(document.undoStack().count(), 4);
+}
+
 TEST_F(PlantDocumentTest, SetsNothingAsideInAReadOnlyPlant) {
   document.setScan(rowOfPoints(), "row.xyz");
   document.setReadOnly("it is signed");

@@ -91,7 +91,9 @@ void FindingsFlow::connectParts() {
   timer_.setSingleShot(true);
   timer_.setInterval(50); // [ms]: a drag is checked when it rests
   connect(&timer_, &QTimer::timeout, this, &FindingsFlow::refresh);
+  connect(&document.selection(), &Selection::changed, this, [this] { awaitedStep_ = 0; });
   connect(&document, &PlantDocument::skeletonEdited, this, [this] {
+    awaitedStep_ = 0;
     isScanChecked_ = false;
     list(); // none may be of a node that is gone
     later();
@@ -119,7 +121,7 @@ void FindingsFlow::connectParts() {
   connect(&job_, &JobRunner::finished, this, [this] {
     if (std::exchange(isJobOutdated_, false)) startJob();
     panel_->setChecking(!isAllChecked());
-    tellEnd();
+    answer();
   });
   connect(&job_, &JobRunner::failed, this, &FindingsFlow::noted);
   connect(dock_, &PanelDock::shown, this, [this](bool isShown) {
@@ -237,6 +239,7 @@ void FindingsFlow::step(int by) {
   if (timer_.isActive()) refresh();
   if (findings_.empty()) {
     noteNothing();
+    awaitedStep_ = isAwaited_ ? by : 0;
     return;
   }
   const std::optional<Finding> current = panel_->current();
@@ -258,16 +261,17 @@ void FindingsFlow::noteNothing() {
                           : tr("Nothing to look at: all checks pass"));
 }
 
-/// To who has asked for findings before the checks had ended.
-void FindingsFlow::tellEnd() {
-  if (!isAwaited_ || !isAllChecked()) return;
+/// To who has asked for findings before there were any, and done nothing else since.
+void FindingsFlow::answer() {
+  const int by = findings_.empty() ? 0 : std::exchange(awaitedStep_, 0);
+  if (!isAwaited_ || (by == 0 && !isAllChecked())) return;
   isAwaited_ = false;
-  if (findings_.empty())
-    noteNothing();
-  else
+  if (findings_.empty()) return noteNothing();
+  if (isAllChecked())
     emit noted(findings_.size() == 1
                    ? tr("The checks ended: 1 finding")
                    : tr("The checks ended: %1 findings").arg(formatCount(findings_.size())));
+  if (by != 0) step(by);
 }
 
 /// Selects what takes part, and shows it, with some of what is around it, from its best side.

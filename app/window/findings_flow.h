@@ -89,7 +89,7 @@ private:
   [[nodiscard]] bool isIgnored(const Finding& finding) const;
   void step(int by);
   void noteNothing();
-  void tellEnd();
+  void answer();
   void goTo(const Finding& finding);
   void toggleIgnored();
   void showAction();
@@ -103,6 +103,7 @@ private:
   bool isJobOutdated_ = false;
   bool isCheckedAtOnce_ = true;
   bool isAwaited_ = false;     // one has asked for findings before there were any
+  int awaitedStep_ = 0;        // where to then: as of step(); 0: one only waits to be told
   bool isScanChecked_ = false; // against the skeleton of now
   std::shared_ptr<const Indexed> indexed_;
   std::vector<Finding> ofSkeleton_;

@@ -101,6 +101,25 @@ TEST_F(FindingsWindowTest, TellsHowTheChecksEndedToWhoHasAskedBefore) {
   EXPECT_EQ(told(), "The checks ended: " + title());
 }
 
+TEST_F(FindingsWindowTest, FliesToTheFirstFindingOnceThereIsOne) {
+  openForkAndScan();
+  key(Qt::Key_F4);
+  ASSERT_TRUE(chosen().empty()) << "it is still to be found";
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !chosen().empty(); }));
+  waitForView();
+  EXPECT_TRUE(isSeen(document().skeleton()[chosen().front()].position));
+  EXPECT_TRUE(find<QTreeWidget>("findings_list").currentItem()->isSelected());
+}
+
+TEST_F(FindingsWindowTest, FliesNowhereOnceOneHasSelectedSomethingElse) {
+  openForkAndScan();
+  key(Qt::Key_F4);
+  document().selection().set({nodeAt({0, 0, 0})});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !find<QLabel>("findings_note").isVisible(); }));
+  QCoreApplication::processEvents();
+  EXPECT_EQ(chosen(), std::vector{nodeAt({0, 0, 0})});
+}
+
 TEST_F(FindingsWindowTest, KeysGoFromFindingToFindingAndFlyThere) {
   openFork();
   setRadiusOf(shoot(0), 0.2);

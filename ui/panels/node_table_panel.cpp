@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "ui/document/plant_document.h"
 #include "ui/panels/edge_delegate.h"
+#include "ui/panels/label_role.h"
 #include "ui/panels/node_table_model.h"
 
 #include <QCheckBox>
@@ -23,7 +24,8 @@ namespace espalier {
 NodeTablePanel::NodeTablePanel(PlantDocument& document, QWidget* parent)
     : QWidget(parent), document_(document), model_(new NodeTableModel(document, this)),
       table_(new QTableView), filter_(new QLineEdit),
-      onlySelected_(new QCheckBox(tr("Selected only"))), count_(new QLabel) {
+      onlySelected_(new QCheckBox(tr("Selected only"))), count_(makeLabel("node_count", "quiet")),
+      wrong_(makeLabel("node_filter_wrong", "warning")) {
   setObjectName("node_table_panel");
   auto* page = new QVBoxLayout(this);
   page->setContentsMargins(12, 8, 12, 8);
@@ -35,8 +37,6 @@ NodeTablePanel::NodeTablePanel(PlantDocument& document, QWidget* parent)
   filter_->setPlaceholderText(tr("Filter: radius > 10 and order = 2, or a text"));
   filter_->setClearButtonEnabled(true);
   onlySelected_->setObjectName("only_selected");
-  count_->setObjectName("node_count");
-  count_->setProperty("role", "quiet");
   count_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // must not widen the panel
   auto* copy = new QPushButton(tr("Copy Table"));
   copy->setObjectName("copy_table");
@@ -46,6 +46,8 @@ NodeTablePanel::NodeTablePanel(PlantDocument& document, QWidget* parent)
   row->addWidget(count_, 3);
   row->addWidget(copy);
   page->addLayout(row);
+  wrong_->hide();
+  page->addWidget(wrong_);
   makeTable();
   page->addWidget(table_, 1);
   later_.setSingleShot(true);
@@ -88,6 +90,7 @@ void NodeTablePanel::makeTable() {
   table_->setModel(model_);
   table_->setItemDelegateForColumn(static_cast<int>(NodeColumn::edge), new EdgeDelegate(table_));
   table_->setShowGrid(false);
+  table_->setMinimumHeight(60); // leaves room for what is wrong with the filter
   table_->setSelectionBehavior(QTableView::SelectRows);
   table_->setEditTriggers(QTableView::DoubleClicked | QTableView::EditKeyPressed);
   table_->setTabKeyNavigation(false); // Tab leaves the table
@@ -98,13 +101,17 @@ void NodeTablePanel::makeTable() {
   QHeaderView* header = table_->horizontalHeader();
   header->setHighlightSections(false);
   header->setDefaultSectionSize(76);
-  header->setStretchLastSection(true);
+  header->setStretchLastSection(true); // in a window of 1280 x 800 the comments have the rest
   header->setSortIndicator(static_cast<int>(NodeColumn::node), Qt::AscendingOrder);
-  for (const NodeColumn narrow : {NodeColumn::node, NodeColumn::parent, NodeColumn::edge,
-                                  NodeColumn::order, NodeColumn::axis, NodeColumn::index})
-    header->resizeSection(static_cast<int>(narrow), 60);
+  for (const NodeColumn narrow :
+       {NodeColumn::edge, NodeColumn::order, NodeColumn::axis, NodeColumn::index})
+    header->resizeSection(static_cast<int>(narrow), 48);
+  for (const NodeColumn number : {NodeColumn::node, NodeColumn::parent, NodeColumn::unit})
+    header->resizeSection(static_cast<int>(number), 56);
   for (const NodeColumn wide : {NodeColumn::radius, NodeColumn::length})
-    header->resizeSection(static_cast<int>(wide), 96);
+    header->resizeSection(static_cast<int>(wide), 90);
+  for (const NodeColumn text : {NodeColumn::mark, NodeColumn::review})
+    header->resizeSection(static_cast<int>(text), 68);
   table_->setSortingEnabled(true);
   table_->installEventFilter(this);
 }
@@ -163,10 +170,12 @@ void NodeTablePanel::connectParts() {
 void NodeTablePanel::useFilter() {
   try { // what is wrong is told beside it: half a condition is no error of a command
     model_->setFilter(NodeFilter(filter_->text()));
-    wrong_.clear();
+    wrong_->hide();
   } catch (const Error& error) {
-    wrong_ = QString::fromUtf8(error.what());
-    wrong_[0] = wrong_[0].toUpper();
+    QString reason = QString::fromUtf8(error.what());
+    reason[0] = reason[0].toUpper();
+    wrong_->setText(reason);
+    wrong_->show();
   }
   refreshCount();
 }
@@ -217,10 +226,15 @@ void NodeTablePanel::listSelected() {
 
 void NodeTablePanel::refreshCount() {
   const auto rows = static_cast<std::size_t>(model_->rowCount());
-  const QString text = tr("%1 of %2 nodes, %3 selected")
-                           .arg(formatCount(rows), formatCount(document_.skeleton().size()),
-                                formatCount(document_.selection().nodes().size()));
-  count_->setText(wrong_.isEmpty() ? text : wrong_);
+  const std::size_t selected = document_.selection().nodes().size();
+  if (document_.skeleton().isEmpty())
+    count_->setText(tr("There are no nodes yet"));
+  else if (onlySelected_->isChecked() && rows == 0 && selected == 0)
+    count_->setText(tr("Select nodes to list them"));
+  else
+    count_->setText(tr("%1 of %2 nodes, %3 selected")
+                        .arg(formatCount(rows), formatCount(document_.skeleton().size()),
+                             formatCount(selected)));
   count_->setToolTip(count_->text()); // in full where the window is narrow
 }
 

@@ -53,7 +53,7 @@ private:
   QLineEdit* filter_;
   QCheckBox* onlySelected_;
   QLabel* count_;
-  QString wrong_;          // with the filter
+  QLabel* wrong_;          // with the filter
   bool isSyncing_ = false; // rows and nodes are made equal: neither is to follow the other
   QTimer later_;
 };

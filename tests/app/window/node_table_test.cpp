@@ -71,6 +71,27 @@ TEST_F(NodeTableWindowTest, ListsAllNodes) {
   EXPECT_EQ(count(), "5 of 5 nodes, 0 selected");
 }
 
+TEST_F(NodeTableWindowTest, HasRoomForCommentsInAWindowOfCommonSize) {
+  openTable();
+  QHeaderView* header = table().horizontalHeader();
+  constexpr int comment = static_cast<int>(NodeColumn::comment);
+  EXPECT_GE(header->sectionSize(comment),
+            header->fontMetrics().horizontalAdvance("broken, see photo"));
+  EXPECT_LE(header->sectionViewportPosition(comment) + header->sectionSize(comment),
+            table().viewport()->width());
+}
+
+TEST_F(NodeTableWindowTest, SaysWhyItIsEmpty) {
+  open({writeScan("plant.xyz")});
+  key(Qt::Key_F11);
+  EXPECT_EQ(count(), "There are no nodes yet");
+  open({writeFork("fork.mtg")});
+  find<QCheckBox>("only_selected").click();
+  EXPECT_EQ(count(), "Select nodes to list them");
+  document().selection().set({forkTop});
+  EXPECT_EQ(count(), "1 of 5 nodes, 1 selected");
+}
+
 TEST_F(NodeTableWindowTest, TheArrowOfTheOrderDoesNotLieOnTheName) {
   openTable();
   QHeaderView* header = table().horizontalHeader();
@@ -135,9 +156,18 @@ TEST_F(NodeTableWindowTest, FiltersAsOneTypes) {
   typeFilter("edge = +");
   EXPECT_EQ(table().model()->rowCount(), 2);
   EXPECT_EQ(count(), "2 of 5 nodes, 0 selected");
+  const auto& wrong = find<QLabel>("node_filter_wrong");
+  EXPECT_FALSE(wrong.isVisible());
   typeFilter("girth > 2");
-  EXPECT_TRUE(count().startsWith("There is no column “girth”")) << count().toStdString();
+  EXPECT_TRUE(wrong.isVisible());
+  EXPECT_TRUE(wrong.text().startsWith("There is no column “girth”")) << wrong.text().toStdString();
+  QCoreApplication::sendPostedEvents(); // of its place
+  EXPECT_GE(wrong.width(), wrong.sizeHint().width()) << "nothing of it is cut";
+  EXPECT_EQ(find<QWidget>("node_table_panel").visibleRegion().boundingRect().height(),
+            find<QWidget>("node_table_panel").height())
+      << "nor of the table";
   typeFilter("");
+  EXPECT_FALSE(wrong.isVisible());
   EXPECT_EQ(table().model()->rowCount(), 5);
   EXPECT_TRUE(chosen().empty()) << "to filter selects nothing";
 }

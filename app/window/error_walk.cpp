@@ -193,35 +193,40 @@ void ErrorWalk::goTo(const DifferingPart& part) {
   parts_.view.frame(box);
 }
 
+DifferingPart ErrorWalk::chosen() const {
+  if (!evaluation_)
+    throw Error(tr("nothing has been compared yet: load a reference first").toStdString());
+  if (const std::optional<DifferingPart> part = panel_->current()) return *part;
+  throw Error(tr("no error is chosen: click one, or go to the next").toStdString());
+}
+
 void ErrorWalk::accept() {
-  const std::optional<DifferingPart> part = panel_->current();
-  if (!part || !evaluation_) throw Error(tr("choose an error first").toStdString());
+  const DifferingPart part = chosen();
   if (parts_.jobs.isRunning())
     throw Error(
         tr("%1 is still running: wait for it, or cancel it").arg(parts_.jobs.name()).toStdString());
   if (parts_.editing.isPending()) parts_.editing.undo(); // leaves the gesture
   std::vector<NodeId> changed;
-  const QString text = stepText(*part, formatLength(part->length, parts_.document.unit(), 3));
+  const QString text = stepText(part, formatLength(part.length, parts_.document.unit(), 3));
   parts_.document.edit(text, [&](SkeletonEditor& editor) {
-    changed = acceptReference(editor, evaluation_->differences, evaluation_->reference, *part);
+    changed = acceptReference(editor, evaluation_->differences, evaluation_->reference, part);
   });
   std::erase_if(changed, [&](NodeId id) { return !parts_.document.skeleton().contains(id); });
   parts_.document.selection().set(std::move(changed));
   parts_.view.setReferenceSelection({});
   parts_.view.showAttachment(std::nullopt);
-  done_.push_back(*part);
+  done_.push_back(part);
   list(); // without it; the rest follows once all is compared again
 }
 
 void ErrorWalk::toggleIgnored() {
-  const std::optional<DifferingPart> part = panel_->current();
-  if (!part || !evaluation_) throw Error(tr("choose an error first").toStdString());
-  if (isIgnored(*part))
+  const DifferingPart part = chosen();
+  if (isIgnored(part))
     std::erase_if(ignored_, [&](const DifferingPart& other) {
-      return isSame(other, *part, evaluation_->tolerance);
+      return isSame(other, part, evaluation_->tolerance);
     });
   else
-    ignored_.push_back({.kind = part->kind, .nodes = {}, .at = part->at});
+    ignored_.push_back({.kind = part.kind, .nodes = {}, .at = part.at});
   list();
   emit ignoredChanged();
 }
@@ -232,12 +237,10 @@ void ErrorWalk::showActions() {
   QAction* accept = parts_.actions["accept_reference"];
   accept->setText(acceptText(part));
   accept->setIconText(shortAcceptText(part));
-  accept->setEnabled(part.has_value());
   QAction* ignore = parts_.actions["ignore_error"];
   const bool isOut = part && isIgnored(*part);
   ignore->setText(isOut ? tr("Show Error Again") : tr("Ignore Error"));
   ignore->setIconText(isOut ? tr("Show Again") : tr("Ignore"));
-  ignore->setEnabled(part.has_value());
 }
 
 } // namespace espalier

@@ -53,6 +53,8 @@ private:
   void step(int by);
   void goTo(const DifferingPart& part);
   void mark(const std::optional<DifferingPart>& part);
+  /// @throws Error if there is none
+  [[nodiscard]] DifferingPart chosen() const;
   void accept();
   void toggleIgnored();
   void showActions();

@@ -30,6 +30,13 @@ public:
   [[nodiscard]] QSize minimumSizeHint() const override {
     return {QScrollArea::minimumSizeHint().width(), widget()->minimumSizeHint().height()};
   }
+
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    const bool isDone = QScrollArea::eventFilter(watched, event);
+    if (watched == widget() && event->type() == QEvent::LayoutRequest) updateGeometry();
+    return isDone;
+  }
 };
 
 } // namespace

@@ -121,8 +121,14 @@ DifferencesPanel::DifferencesPanel(const PlantDocument& document, const Actions&
   head->addStretch();
   head->addWidget(makeButton(actions.previous, QStringLiteral("◂")));
   head->addWidget(makeButton(actions.next, QStringLiteral("▸")));
-  head->addWidget(makeButton(actions.accept, {}));
-  head->addWidget(makeButton(actions.ignore, {}));
+  for (QAction* action :
+       {actions.accept, actions.ignore}) { // which say by their keys what is missing
+    QToolButton* button = makeButton(action, {});
+    const auto enable = [this, button] { button->setEnabled(current().has_value()); };
+    connect(action, &QAction::changed, button, enable);
+    connect(this, &DifferencesPanel::currentChanged, button, enable);
+    head->addWidget(button);
+  }
   column->addLayout(head);
   list_->setObjectName("differences_list");
   list_->setAccessibleName(tr("Errors"));

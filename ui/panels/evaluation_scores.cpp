@@ -23,6 +23,8 @@ EvaluationScores::EvaluationScores(const PlantDocument& document) : document_(do
   grid->setHorizontalSpacing(8);
   grid->setVerticalSpacing(2);
   addScores(*grid);
+  for (const int values : {1, 3}) // other numbers must not move what lies beside
+    grid->setColumnMinimumWidth(values, fontMetrics().horizontalAdvance("0.000000 m"));
   grid->setRowStretch(grid->rowCount(), 1);
   setObjectName("evaluation_scores");
   setAccessibleName(tr("Scores"));
@@ -52,8 +54,10 @@ void EvaluationScores::addScores(QGridLayout& grid) {
   stems_->setWordWrap(true);
   grid.addWidget(stems_, place.row++, 2 * place.column, 1, 2);
   addGroup(grid, place, tr("Work by hand"));
-  work_ = addValue(grid, place, tr("Edits and time"), tr("From the history of the plant"),
-                   "score_work");
+  work_ = makeLabel("score_work", "value"); // in both columns: it must not widen that of numbers
+  work_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  work_->setAccessibleName(tr("Work by hand"));
+  grid.addWidget(work_, place.row++, 2 * place.column, 1, 2);
 }
 
 void EvaluationScores::addGroup(QGridLayout& grid, Place& place, const QString& name) {

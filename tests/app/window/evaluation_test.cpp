@@ -7,6 +7,7 @@
 #include "tests/support/canonical.h"
 #include "tests/ui/view/pictures.h"
 #include "ui/document/difference_look.h"
+#include "ui/panels/message_banner.h"
 #include "ui/panels/status_line.h"
 #include "ui/plots/plot_view.h"
 #include "ui/view/palette.h"
@@ -111,6 +112,56 @@ TEST_F(EvaluationWindowTest, GivesThePlantItselfAllThatCanBeReached) {
   EXPECT_EQ(errors(), "0 errors");
   key(Qt::Key_F3);
   EXPECT_TRUE(window().statusLine().shownText().startsWith("Nothing differs"));
+}
+
+TEST_F(EvaluationWindowTest, SaysThatThereIsNoErrorToAcceptOrIgnore) {
+  open({write("plant.mtg", plant())});
+  for (const Qt::Key pressed : {Qt::Key_Return, Qt::Key_F3}) {
+    key(pressed, Qt::ControlModifier);
+    EXPECT_EQ(window().banner().text(), "Nothing has been compared yet: load a reference first");
+    find<QWidget>("message_banner").hide();
+  }
+  answer(chooseFile(write("expert.mtg", plant())), [this] { action("load_reference").trigger(); });
+  waitForJob();
+  ASSERT_TRUE(waitForScores());
+  for (const Qt::Key pressed : {Qt::Key_Return, Qt::Key_F3}) {
+    key(pressed, Qt::ControlModifier);
+    EXPECT_EQ(window().banner().text(), "No error is chosen: click one, or go to the next");
+    find<QWidget>("message_banner").hide();
+  }
+  for (const auto* button : find<QWidget>("differences_panel").findChildren<QToolButton*>()) {
+    const bool isOfOne = button->text() == "Accept" || button->text() == "Ignore";
+    EXPECT_FALSE(isOfOne && button->isEnabled()) << button->text().toStdString();
+  }
+}
+
+TEST_F(EvaluationWindowTest, TheListOfErrorsKeepsItsWidthOnceThePlantIsEdited) {
+  compare([](SkeletonEditor& editor) { removeSubtree(editor, shoot(2)); });
+  ASSERT_TRUE(waitForErrors(1));
+  const int before = list().width();
+  const NodeId id = shoot(1);
+  document().edit("Type", [=](SkeletonEditor& editor) {
+    const bool isAxial = editor.skeleton()[id].edge == EdgeType::successor;
+    setEdgeType(editor, id, isAxial ? EdgeType::branching : EdgeType::successor);
+  });
+  ASSERT_TRUE(QTest::qWaitFor([&] { return score("work").startsWith("1 edit, under a minute"); }));
+  QCoreApplication::processEvents();
+  EXPECT_EQ(list().width(), before);
+}
+
+TEST_F(EvaluationWindowTest, ALowPanelGrowsForWhatAReferenceBrings) {
+  open({write("plant.mtg", plant())});
+  key(Qt::Key_F5);
+  auto& dock = find<QDockWidget>("evaluation");
+  QCoreApplication::processEvents();
+  window().resizeDocks({&dock}, {60}, Qt::Vertical);
+  QCoreApplication::processEvents();
+  answer(chooseFile(write("expert.mtg", plant())), [this] { action("load_reference").trigger(); });
+  waitForJob();
+  ASSERT_TRUE(waitForScores());
+  QCoreApplication::processEvents();
+  const auto& panel = find<QWidget>("evaluation_panel");
+  EXPECT_GE(panel.parentWidget()->height(), panel.minimumSizeHint().height()) << "nothing is cut";
 }
 
 TEST_F(EvaluationWindowTest, NoRowIsSlicedAndNoButtonCut) {

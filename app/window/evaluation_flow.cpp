@@ -171,6 +171,7 @@ void EvaluationFlow::connectPanel() {
   connect(panel_, &EvaluationPanel::compareRequested, this, &EvaluationFlow::start);
   connect(methods_.get(), &MethodsFlow::noted, this, &EvaluationFlow::noted);
   connect(report_.get(), &ReportFlow::noted, this, &EvaluationFlow::noted);
+  connect(report_.get(), &ReportFlow::written, this, &EvaluationFlow::reportWritten);
   connect(errors_.get(), &ErrorWalk::noted, this, &EvaluationFlow::noted);
   connect(errors_.get(), &ErrorWalk::ignoredChanged, this, [this] {
     setOptions();

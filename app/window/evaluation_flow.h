@@ -68,6 +68,7 @@ public:
 
 signals:
   void noted(const QString& message);
+  void reportWritten(const QString& path);
   void changed(); // what a project keeps of it
 
 private:

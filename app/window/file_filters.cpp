@@ -2,7 +2,10 @@
 
 #include "app/window/file_flow.h"
 #include "core/io/formats.h"
+#include "ui/document/plant_document.h"
 
+#include <QFileDialog>
+#include <QFileInfo>
 #include <QRegularExpression>
 
 #include <algorithm>
@@ -101,6 +104,13 @@ QString withExtensionOf(const QString& filter, const QString& path, const QStrin
   const QString rest = last.left(last.lastIndexOf('.'));
   if (!rest.isEmpty() && stem.endsWith(rest)) stem.chop(rest.size());
   return stem + (wanted.contains(extension) ? extension : wanted.front());
+}
+
+void proposeBeside(QFileDialog& dialog, const PlantDocument& document, const QString& ending) {
+  const QString path = document.filePath().isEmpty() ? document.scanPath() : document.filePath();
+  if (path.isEmpty()) return dialog.selectFile(FileFlow::tr("plant") + ending);
+  dialog.setDirectory(QFileInfo(path).absolutePath());
+  dialog.selectFile(QFileInfo(path).completeBaseName() + ending);
 }
 
 } // namespace espalier

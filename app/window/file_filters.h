@@ -5,7 +5,11 @@
 #include <QString>
 #include <QStringList>
 
+class QFileDialog;
+
 namespace espalier {
+
+class PlantDocument;
 
 // The kinds of files that dialogs list, as "MTG structure (*.mtg)".
 
@@ -29,5 +33,9 @@ namespace espalier {
 /// @param before  the kind it was of, whose extension goes as a whole: ".lines.obj"
 [[nodiscard]] QString withExtensionOf(const QString& filter, const QString& path,
                                       const QString& before);
+
+/// Proposes a file beside that of the plant, or else beside its scan, with the name of that.
+/// @param ending  ".report.html"
+void proposeBeside(QFileDialog& dialog, const PlantDocument& document, const QString& ending);
 
 } // namespace espalier

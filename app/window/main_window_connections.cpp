@@ -39,6 +39,10 @@
 #include "ui/view/plant_view.h"
 
 #include <QAction>
+#include <QDesktopServices>
+#include <QFileInfo>
+#include <QUrl>
+
 namespace espalier {
 
 void MainWindow::connectJobs() {
@@ -185,6 +189,14 @@ void MainWindow::connectEvaluation() {
                    .show = [&methods](const std::string& text) { methods.show(text); }});
   connect(&methods, &MethodsFlow::changed, projects_.get(), &ProjectFlow::noteChange);
   connect(evaluation_.get(), &EvaluationFlow::noted, status_, &StatusLine::showNote);
+  connect(evaluation_.get(), &EvaluationFlow::reportWritten, this, [this](const QString& path) {
+    const QString file = QFileInfo(path).fileName();
+    banner_->showOffer(tr("Wrote %1").arg(file),
+                       {{tr("Open"), [this, path, file] { // it took a while
+                           if (!QDesktopServices::openUrl(QUrl::fromLocalFile(path)))
+                             banner_->showError(tr("No program opens %1 from here").arg(file));
+                         }}});
+  });
   connect(theme_, &ThemeFlow::changed, evaluation_.get(), &EvaluationFlow::setDark);
 }
 

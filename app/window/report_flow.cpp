@@ -2,6 +2,7 @@
 
 #include "app/report/write_report.h"
 #include "app/window/action_set.h"
+#include "app/window/file_filters.h"
 #include "app/window/load_files.h"
 #include "app/window/reference_flow.h"
 #include "core/base/error.h"
@@ -94,10 +95,7 @@ void ReportFlow::choose() {
   connect(&dialog, &QFileDialog::filterSelected, &dialog, [&dialog](const QString& filter) {
     dialog.setDefaultSuffix(filter.contains(QLatin1String("pdf")) ? "pdf" : "html");
   });
-  const QFileInfo file(parts_.document.filePath());
-  if (!parts_.document.filePath().isEmpty()) dialog.setDirectory(file.absolutePath());
-  dialog.selectFile((file.fileName().isEmpty() ? tr("plant") : file.completeBaseName()) +
-                    ".report.html");
+  proposeBeside(dialog, parts_.document, ".report.html");
   if (dialog.exec() == QDialog::Accepted) write(dialog.selectedFiles().front());
 }
 
@@ -179,7 +177,10 @@ void ReportFlow::save() {
         writeReport(toPath(made->path), report);
         return true;
       },
-      [this, file](bool /*isWritten*/) { emit noted(tr("Wrote %1").arg(file)); });
+      [this, file, path = made->path](bool /*isWritten*/) {
+        emit noted(tr("Wrote %1").arg(file));
+        emit written(path);
+      });
 }
 
 } // namespace espalier

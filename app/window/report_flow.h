@@ -43,6 +43,7 @@ public:
 
 signals:
   void noted(const QString& message);
+  void written(const QString& path);
 
 private:
   /// A report on its way.

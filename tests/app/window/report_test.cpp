@@ -7,6 +7,7 @@
 #include "ui/panels/status_line.h"
 
 #include <QFile>
+#include <QFileDialog>
 #include <QLabel>
 #include <QTest>
 #include <QToolButton>
@@ -61,11 +62,30 @@ TEST_F(ReportWindowTest, IsWrittenByTheButtonOfTheDock) {
   EXPECT_TRUE(waitForNote("Drawing the pictures of plant.report.html"));
   ASSERT_TRUE(waitForNote("Wrote plant.report.html"))
       << qPrintable(window().statusLine().shownText());
+  EXPECT_EQ(message(), "Wrote plant.report.html") << "until one has seen it";
+  EXPECT_TRUE(window().banner().isVisible());
+  EXPECT_FALSE(window().banner().leavesByItself());
   const QString html = QString::fromUtf8(bytesOf(file));
   EXPECT_TRUE(html.contains("<h1>plant.mtg compared with expert.mtg</h1>"));
   EXPECT_TRUE(html.contains("Work by hand"));
   EXPECT_TRUE(html.contains("1 edit, under a minute of work"));
   EXPECT_TRUE(action("export_report").isEnabled()) << "again";
+}
+
+TEST_F(ReportWindowTest, IsOfferedTheNameOfTheScanIfThePlantHasNone) {
+  open({writeScan("oak.xyz")});
+  key(Qt::Key_R, Qt::ControlModifier);
+  waitForJob();
+  answer(chooseFile(write("expert.mtg", test::stick(21, 0.1))),
+         [this] { action("load_reference").trigger(); });
+  waitForJob();
+  answer(
+      [this](QDialog& dialog) {
+        auto& files = dynamic_cast<QFileDialog&>(dialog);
+        EXPECT_EQ(files.selectedFiles(), QStringList(path("oak.report.html")));
+        files.reject();
+      },
+      [this] { action("export_report").trigger(); });
 }
 
 // Found again, the shift would be another, though too small a one to move the reference.

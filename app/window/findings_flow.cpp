@@ -320,7 +320,6 @@ void FindingsFlow::showAction() {
   const std::optional<Finding> current = panel_->current();
   QAction* action = parts_.actions["ignore_finding"];
   action->setText(current && isIgnored(*current) ? tr("Show Finding Again") : tr("Ignore Finding"));
-  action->setEnabled(current.has_value());
 }
 
 void FindingsFlow::selectAll() {

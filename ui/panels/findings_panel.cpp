@@ -81,8 +81,9 @@ QString titleOf(Kind kind) {
 
 FindingsPanel::FindingsPanel(const PlantDocument& document, const Actions& actions, QWidget* parent)
     : QWidget(parent), document_(document), title_(makeLabel("findings_title", "title")),
-      note_(makeLabel("findings_note", "quiet")), list_(new QTreeWidget) {
+      note_(makeLabel("findings_note", "quiet")), list_(new QTreeWidget), walk_(new QWidget) {
   setObjectName("findings_panel");
+  walk_->setObjectName("findings_walk");
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(8, 12, 8, 12);
   column->setSpacing(8);
@@ -102,12 +103,18 @@ FindingsPanel::FindingsPanel(const PlantDocument& document, const Actions& actio
   list_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
   onEnter(*list_, [this] { tellChosen(list_->currentItem()); });
   column->addWidget(list_, 1);
-  auto* walk = new QHBoxLayout;
+  auto* walk = new QHBoxLayout(walk_);
+  walk->setContentsMargins(0, 0, 0, 0);
   walk->setSpacing(4);
   walk->addWidget(makeButton(actions.previous, tr("◂ Previous")));
   walk->addWidget(makeButton(actions.next, tr("Next ▸")));
-  column->addLayout(walk);
-  column->addWidget(makeButton(actions.ignore, {}));
+  column->addWidget(walk_);
+  ignore_ = makeButton(actions.ignore, {});
+  ignore_->setObjectName("findings_ignore");
+  const auto enable = [this] { ignore_->setEnabled(current().has_value()); };
+  connect(actions.ignore, &QAction::changed, ignore_, enable); // its key tells what is missing
+  connect(this, &FindingsPanel::currentChanged, ignore_, enable);
+  column->addWidget(ignore_);
   connect(list_, &QTreeWidget::itemClicked, this,
           [this](const QTreeWidgetItem* item) { tellChosen(item); });
   connect(list_, &QTreeWidget::currentItemChanged, this, &FindingsPanel::currentChanged);
@@ -139,6 +146,8 @@ void FindingsPanel::show(const std::vector<Finding>& findings,
   count_ = findings.size();
   refreshTexts();
   list_->setVisible(!listed_.empty());
+  walk_->setVisible(!findings.empty());
+  ignore_->setVisible(!listed_.empty());
   emit currentChanged();
 }
 
@@ -234,7 +243,6 @@ QString FindingsPanel::textOf(const Finding& finding) const {
   case Kind::crossing:
     return tr("%1 and %2").arg(node).arg(other);
   case Kind::radiusAboveParent:
-    return tr("%1 · radius %2").arg(node, length(finding.amount));
   case Kind::edgesWithoutPoints:
   case Kind::noOwnPoints:
     return tr("%1 · %2").arg(node, length(finding.amount));

@@ -10,6 +10,7 @@
 
 class QAction;
 class QLabel;
+class QToolButton;
 class QTreeWidget;
 class QTreeWidgetItem;
 
@@ -55,6 +56,8 @@ private:
   QLabel* title_;
   QLabel* note_;
   QTreeWidget* list_;
+  QWidget* walk_; // from finding to finding; absent where there is none
+  QToolButton* ignore_ = nullptr;
 };
 
 /// "Sharp turns"

@@ -53,6 +53,10 @@ TEST_F(FindingsWindowTest, ThePanelSaysThatAllIsWell) {
   EXPECT_EQ(title(), allIsWell);
   EXPECT_EQ(find<QLabel>("findings_note").text(), "Open a scan to check against it");
   EXPECT_FALSE(list().isVisible());
+  EXPECT_FALSE(find<QWidget>("findings_walk").isVisible()) << "there is nowhere to go";
+  EXPECT_FALSE(find<QWidget>("findings_ignore").isVisible());
+  key(Qt::Key_F4, Qt::ControlModifier);
+  EXPECT_EQ(window().statusLine().shownText(), "Choose a finding to ignore it");
   key(Qt::Key_F8);
   EXPECT_FALSE(find<QDockWidget>("findings").isVisible());
 }
@@ -146,12 +150,38 @@ TEST_F(FindingsWindowTest, AClickInTheListSelectsAndFliesThere) {
   key(Qt::Key_F8);
   ASSERT_TRUE(waitForTitle("1 finding"));
   const QTreeWidgetItem* item = list().topLevelItem(0)->child(0);
-  EXPECT_TRUE(item->text(0).contains("radius 0.200")) << item->text(0).toStdString();
+  EXPECT_TRUE(item->text(0).contains("· 0.200")) << item->text(0).toStdString();
   EXPECT_TRUE(item->toolTip(0).contains("is thicker than its parent"));
   QTest::mouseClick(list().viewport(), Qt::LeftButton, {}, list().visualItemRect(item).center());
   EXPECT_EQ(chosen(), std::vector{shoot(2)});
   waitForView();
   EXPECT_TRUE(isSeen(document().skeleton()[shoot(2)].position));
+}
+
+TEST_F(FindingsWindowTest, NothingInTheListIsCut) {
+  openFork();
+  for (int number = 0; number < 3; ++number)
+    setRadiusOf(shoot(number), 0.2);
+  document().edit("Id", [](SkeletonEditor& editor) { // many were there before
+    const NodeId on = editor.skeleton().roots().front();
+    for (int i = 0; i < 10'000; ++i)
+      editor.erase(editor.add({.position = {0, 1, 1}, .parent = on}));
+    editor.add({.position = {0, 1, 1}, .radius = 0.5, .parent = on, .edge = EdgeType::branching});
+  });
+  key(Qt::Key_F4);
+  EXPECT_GE(find<QWidget>("findings_walk").height(), 20);
+  const auto fits = [&](const QTreeWidgetItem& item) {
+    const QFontMetrics letters(list().font());
+    const int room = item.parent() != nullptr ? list().visualItemRect(&item).width()
+                                              : list().columnWidth(0) - list().indentation();
+    return letters.horizontalAdvance(item.text(0)) + 8 <= room;
+  };
+  for (int i = 0; i < list().topLevelItemCount(); ++i) {
+    const QTreeWidgetItem* group = list().topLevelItem(i);
+    EXPECT_TRUE(fits(*group)) << group->text(0).toStdString();
+    for (int k = 0; k < group->childCount(); ++k)
+      EXPECT_TRUE(fits(*group->child(k))) << group->child(k)->text(0).toStdString();
+  }
 }
 
 TEST_F(FindingsWindowTest, EnterInTheListGoesThereAndMarksNothing) {

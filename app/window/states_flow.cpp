@@ -56,6 +56,8 @@ void StatesFlow::addActions() {
               [this] { forgetA(); });
   const auto add = [&](Arrangement arrangement, const Command& command) {
     QAction* action = actions.add(command, [this, arrangement] {
+      if (arrangement == arrangement_ && arrangement != Arrangement::preview)
+        return parts_.actions["compare_alone"]->trigger(); // once more: as before
       arrangement_ = arrangement;
       QAction* twoViews = parts_.actions["two_views"];
       if (arrangement == Arrangement::twoViews) {

@@ -5,6 +5,7 @@
 #include "core/skeleton/select.h"
 #include "ui/document/length_unit.h"
 #include "ui/tools/node_edits.h"
+#include "ui/tools/screen_plane.h"
 
 #include <algorithm>
 #include <functional>
@@ -159,9 +160,17 @@ void RegrowTool::preview() {
 }
 
 bool RegrowTool::act(const ToolInput& input) {
+  const auto pressed = pressedOnEdge_;
+  if (input.phase != ToolInput::Phase::drag) pressedOnEdge_.reset();
+  if (input.phase == ToolInput::Phase::release && pressed && !isDragged(*pressed, input.screen))
+    throw Error(tr("click a node: what it carries is reconstructed again").toStdString());
   if (input.phase != ToolInput::Phase::press || input.button != Qt::LeftButton ||
-      input.modifiers.testFlag(Qt::ControlModifier) || !input.pick.node)
+      input.modifiers.testFlag(Qt::ControlModifier))
     return false;
+  if (!input.pick.node) {
+    if (input.pick.edge) pressedOnEdge_ = input.screen; // a drag from there turns the view
+    return false;
+  }
   document().selection().set({*input.pick.node});
   emit wanted(*input.pick.node);
   return true;

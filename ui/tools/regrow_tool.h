@@ -3,6 +3,8 @@
 #include "core/pipeline/grow_branches.h"
 #include "ui/tools/tool.h"
 
+#include <QPointF>
+
 #include <optional>
 #include <vector>
 
@@ -56,6 +58,7 @@ private:
   std::vector<double> lengths_;       // of these [L]
   std::size_t shown_ = 0;             // the first of these; what is accepted
   QString text_;
+  std::optional<QPointF> pressedOnEdge_; // there
 };
 
 } // namespace espalier

@@ -32,6 +32,9 @@ TEST_F(PreviewTest, ComparesWithWhatWasKeptAsA) {
   QApplication::sendEvent(&divider, &move);
   QTest::mouseRelease(&divider, Qt::LeftButton, {}, grip);
   EXPECT_NEAR(view().divider(), 0.5 + 80.0 / view().width(), 0.01);
+  key(Qt::Key_9, Qt::ControlModifier);
+  EXPECT_EQ(view().divider(), 0) << "as before";
+  EXPECT_TRUE(action("compare_alone").isChecked());
   action("compare_two_views").trigger();
   EXPECT_EQ(view().divider(), 1) << "A in the first view, the preview in the second";
   EXPECT_EQ(find<PlantView>("second_view").divider(), 0);

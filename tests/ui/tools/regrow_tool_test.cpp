@@ -33,6 +33,16 @@ TEST_F(RegrowToolTest, WantsTheNodeThatIsClicked) {
   EXPECT_THAT(wanted, testing::ElementsAre(test::forkTop));
 }
 
+TEST_F(RegrowToolTest, SaysAtAClickOnAnEdgeWhatToClick) {
+  const Pick edge = test::onEdge(before, test::forkTop, 0.5);
+  EXPECT_FALSE(mouse.press(edge, {0, 0.5})) << "a drag from there turns the view";
+  mouse.drag({1, 0.5});
+  EXPECT_NO_THROW(mouse.release());
+  EXPECT_FALSE(mouse.press(edge, {0, 0.5}));
+  EXPECT_THROW(mouse.release(edge), Error);
+  EXPECT_TRUE(wanted.empty());
+}
+
 TEST_F(RegrowToolTest, ReplacesWhatTheNodeCarriesOnceAccepted) {
   const QSignalSpy finished(&tool, &Tool::finished);
   tool.show(test::forkTop, test::stick(3));

@@ -169,15 +169,21 @@ bool FileFlow::mayDiscard() {
   QMessageBox box(QMessageBox::NoIcon, tr("Unsaved edits"),
                   tr("<b>Save the edits to this skeleton?</b>"), QMessageBox::NoButton,
                   &parts_.window);
-  box.setInformativeText(tr("They are lost otherwise."));
+  const QString path = parts_.document.filePath();
+  const QStringList dropped =
+      isNamed || !canBeSavedTo(path) ? QStringList() : droppedBySavingTo(path);
+  box.setInformativeText((QStringList(tr("They are lost otherwise")) + dropped).join(".\n") + ".");
   QPushButton* save = box.addButton(tr("Save"), QMessageBox::AcceptRole);
+  QPushButton* project =
+      dropped.isEmpty() ? nullptr : box.addButton(tr("Save Project As…"), QMessageBox::AcceptRole);
   QPushButton* discard = box.addButton(tr("Discard"), QMessageBox::DestructiveRole);
   QPushButton* keep = box.addButton(tr("Keep editing"), QMessageBox::RejectRole);
   box.setDefaultButton(save);
   box.setEscapeButton(keep);
   box.exec();
-  if (box.clickedButton() == save)
-    return isNamed ? parts_.projects.saveAs() && parts_.projects.keepsWork() : this->save();
+  if (box.clickedButton() == save && !isNamed) return this->save();
+  if (box.clickedButton() == save || (project != nullptr && box.clickedButton() == project))
+    return parts_.projects.saveAs() && parts_.projects.keepsWork();
   return box.clickedButton() == discard;
 }
 
@@ -254,11 +260,16 @@ void FileFlow::writeTo(const Target& target) {
   parts_.recent.add(path);
 }
 
-void FileFlow::noteDropped(const QString& path) {
-  QStringList notes;
+QStringList FileFlow::droppedBySavingTo(const QString& path) const {
+  QStringList sentences;
   const Format& format = formatToWrite(toPath(path), Content::structure);
   for (const std::string& sentence : droppedBy(format, parts_.document.skeleton()))
-    notes.append(QString::fromStdString(sentence));
+    sentences.append(QString::fromStdString(sentence));
+  return sentences;
+}
+
+void FileFlow::noteDropped(const QString& path) {
+  const QStringList notes = droppedBySavingTo(path);
   if (!notes.isEmpty()) emit noted(notes.join('\n'));
 }
 

@@ -80,6 +80,7 @@ private:
   [[nodiscard]] MtgStyle preferredStyle() const; // as chosen last
   [[nodiscard]] Target chooseTarget(const QString& title);
   void writeTo(const Target& target);
+  [[nodiscard]] QStringList droppedBySavingTo(const QString& path) const; // sentences
   void noteDropped(const QString& path);
 
   Parts parts_;

@@ -5,10 +5,14 @@
 #include "ui/panels/message_banner.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QDockWidget>
 #include <QDropEvent>
 #include <QFile>
+#include <QFileDialog>
+#include <QMessageBox>
 #include <QMimeData>
+#include <QTimer>
 
 namespace espalier {
 namespace {
@@ -63,6 +67,32 @@ TEST_F(WindowFilesTest, AsksBeforeUnsavedEditsAreLost) {
   EXPECT_TRUE(window().isVisible());
   answer(press("Discard"), [this] { EXPECT_TRUE(window().close()); });
   EXPECT_FALSE(window().isVisible());
+}
+
+TEST_F(WindowFilesTest, OffersAProjectForWhatTheFileCannotHold) {
+  open({writeFork("fork.mtg")});
+  document().edit("Comment",
+                  [](SkeletonEditor& editor) { editor.setReview(forkTop, {.comment = "dead"}); });
+  answer(
+      [](QDialog& dialog) {
+        const QString text = dynamic_cast<QMessageBox&>(dialog).informativeText();
+        EXPECT_TRUE(text.contains("keeps no review")) << text.toStdString();
+        press("Keep editing")(dialog);
+      },
+      [this] { EXPECT_FALSE(window().close()); });
+  const QString project = path("fork.espalier");
+  QTimer timer; // names the file that is asked for next
+  QObject::connect(&timer, &QTimer::timeout, [&] {
+    if (auto* files = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
+      timer.stop();
+      chooseFile(project)(*files);
+    }
+  });
+  timer.start(0);
+  answer(press("Save Project As…"), [this] { EXPECT_TRUE(window().close()); });
+  restart();
+  open({project});
+  EXPECT_EQ(document().skeleton()[nodeAt({0, 0, 1})].review.comment, "dead");
 }
 
 TEST_F(WindowFilesTest, SavesBeforeItClosesIfToldSo) {

@@ -1,6 +1,7 @@
 #include "app/window/seal_flow.h"
 
 #include "app/window/action_set.h"
+#include "app/window/file_filters.h"
 #include "app/window/load_files.h"
 #include "app/window/project_flow.h"
 #include "core/base/error.h"
@@ -107,10 +108,7 @@ void SealFlow::exportSeal() {
   QFileDialog dialog(&parts_.window, tr("Export the seal"), {}, tr("Seals (*.json)"));
   dialog.setAcceptMode(QFileDialog::AcceptSave);
   dialog.setDefaultSuffix("json");
-  const QFileInfo file(parts_.document.filePath());
-  if (!parts_.document.filePath().isEmpty()) dialog.setDirectory(file.absolutePath());
-  dialog.selectFile((file.fileName().isEmpty() ? tr("plant") : file.completeBaseName()) +
-                    ".seal.json");
+  proposeBeside(dialog, parts_.document, ".seal.json");
   if (dialog.exec() != QDialog::Accepted) return;
   const QString path = dialog.selectedFiles().front();
   writeAtomically(toPath(path), [this](std::ostream& out) { out << textOf(*seal_); });

@@ -120,6 +120,7 @@ void SealFlow::set(std::optional<Seal> seal) {
   hash_.reset();
   if (seal_) hash_.emplace(parts_.document.skeleton());
   wasIntact_ = isIntact();
+  hadWay_ = signedStep().has_value();
   told_.clear();
   refresh();
 }
@@ -128,15 +129,20 @@ void SealFlow::follow() {
   const bool hasBroken = std::exchange(wasIntact_, isIntact()) && !isIntact();
   const bool isTold = !told_.isEmpty() && parts_.banner.text() == told_;
   if (isTold && (isIntact() || !signedStep())) parts_.banner.hide();
+  const bool isLost = std::exchange(hadWay_, signedStep().has_value()) && !hadWay_;
   if (hasBroken) tellBroken();
+  if (isLost)
+    parts_.banner.showOffer(tr("The seal of %1 is lost: what was signed can no longer be redone")
+                                .arg(signature(*seal_)),
+                            {});
   refresh();
 }
 
 void SealFlow::tellBroken() {
   const bool isBefore = isBeforeSigned();
-  told_ =
-      (isBefore ? tr("This goes back to before the seal of %1") : tr("This breaks the seal of %1"))
-          .arg(signature(*seal_));
+  told_ = (isBefore ? tr("This goes back to before the seal of %1. An edit from here loses it")
+                    : tr("This breaks the seal of %1"))
+              .arg(signature(*seal_));
   parts_.banner.showOffer(told_, {{isBefore ? tr("Redo") : tr("Undo"), [this] {
                                      const auto go = [this] {
                                        goToSigned();

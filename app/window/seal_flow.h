@@ -61,6 +61,7 @@ private:
   QString signer_;
   std::optional<Seal> seal_;
   std::optional<StructureHash> hash_; // of the skeleton now, once there is a seal
+  bool hadWay_ = false;               // undo or redo led to what was signed
   bool wasIntact_ = false;
   QString told_; // in the banner, that it broke
   bool isEnabled_ = true;

@@ -140,7 +140,13 @@ TEST_F(SealWindowTest, AnEditBeforeItLeavesNoWayBack) {
   document().selection().set({nodeAt({0, 0, 1})});
   key(Qt::Key_A); // a thicker trunk: nothing can be redone any more
   EXPECT_TRUE(isBroken());
-  EXPECT_FALSE(window().banner().isVisible()) << "it would lead nowhere";
+  EXPECT_TRUE(message().startsWith("The seal of Anna on ")) << message().toStdString();
+  EXPECT_TRUE(message().endsWith(" is lost: what was signed can no longer be redone"));
+  for (const auto* button : window().banner().findChildren<QPushButton*>())
+    EXPECT_TRUE(button->isHidden() || button->text() == "Dismiss") << "nothing leads back";
+  clickButton("dismiss");
+  key(Qt::Key_A);
+  EXPECT_FALSE(window().banner().isVisible()) << "it is told once";
 }
 
 TEST_F(SealWindowTest, IsKeptInTheProject) {

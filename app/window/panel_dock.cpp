@@ -32,10 +32,23 @@ public:
   }
 
 protected:
+  void resizeEvent(QResizeEvent* event) override {
+    boundPanel();
+    QScrollArea::resizeEvent(event);
+  }
   bool eventFilter(QObject* watched, QEvent* event) override {
-    const bool isDone = QScrollArea::eventFilter(watched, event);
-    if (watched == widget() && event->type() == QEvent::LayoutRequest) updateGeometry();
-    return isDone;
+    if (watched == widget() && event->type() == QEvent::LayoutRequest) {
+      boundPanel();
+      updateGeometry();
+    }
+    return QScrollArea::eventFilter(watched, event);
+  }
+
+private:
+  /// One with text that wraps would else be as high as it likes to be.
+  void boundPanel() {
+    const int least = widget()->minimumSizeHint().height();
+    widget()->setMaximumHeight(std::max(viewport()->height(), least));
   }
 };
 

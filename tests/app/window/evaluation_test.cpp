@@ -149,6 +149,19 @@ TEST_F(EvaluationWindowTest, TheListOfErrorsKeepsItsWidthOnceThePlantIsEdited) {
   EXPECT_EQ(list().width(), before);
 }
 
+TEST_F(EvaluationWindowTest, AWarningCutsNothingBelowIt) {
+  open({write("plant.mtg", plant())});
+  Skeleton large = plant(); // as in mm
+  for (const NodeId id : large.ids())
+    large.setPosition(id, 1000 * large[id].position);
+  answer(chooseFile(write("expert.mtg", large)), [this] { action("load_reference").trigger(); });
+  waitForJob();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return find<QLabel>("evaluation_warnings").isVisible(); }));
+  QCoreApplication::processEvents();
+  const auto& panel = find<QWidget>("evaluation_panel");
+  EXPECT_LE(panel.height(), panel.parentWidget()->height());
+}
+
 TEST_F(EvaluationWindowTest, ALowPanelGrowsForWhatAReferenceBrings) {
   open({write("plant.mtg", plant())});
   key(Qt::Key_F5);

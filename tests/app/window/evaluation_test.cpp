@@ -1,10 +1,7 @@
 #include "app/window/evaluation_text.h"
 #include "app/window/load_files.h"
 #include "core/base/error.h"
-#include "core/io/formats.h"
-#include "core/skeleton/edits.h"
-#include "tests/app/window/project_fixture.h"
-#include "tests/support/canonical.h"
+#include "tests/app/window/evaluation_fixture.h"
 #include "tests/ui/view/pictures.h"
 #include "ui/document/difference_look.h"
 #include "ui/panels/message_banner.h"
@@ -15,76 +12,13 @@
 #include <QCheckBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
-#include <QLabel>
-#include <QScrollArea>
-#include <QTest>
 #include <QToolButton>
-#include <QTreeWidget>
 #include <QUndoStack>
 
 namespace espalier {
 namespace {
 
-/// A fork of three shoots as reference, and plants that differ from it.
-struct EvaluationWindowTest : test::ProjectWindowTest {
-  /// A fork whose edges have nodes every tenth, so that a tolerance of some hundredths fits.
-  static Skeleton plant() {
-    Skeleton made = test::stick(11, 0.1);
-    for (int shoot = 0; shoot < 3; ++shoot) {
-      NodeId last{10};
-      const double angle = 2 * M_PI * shoot / 3;
-      for (int i = 1; i <= 10; ++i)
-        last = made.add(
-            {.position = {0.1 * i * std::cos(angle), 0.1 * i * std::sin(angle), 1 + 0.1 * i},
-             .radius = 0.01,
-             .parent = last,
-             .edge = i == 1 && shoot > 0 ? EdgeType::branching : EdgeType::successor});
-    }
-    for (const NodeId id : made.ids())
-      made.setRadius(id, 0.01);
-    return made;
-  }
-  static NodeId shoot(int number) { return NodeId{static_cast<std::uint32_t>(11 + 10 * number)}; }
-  QString write(const QString& name, const Skeleton& skeleton) {
-    writeStructure(toPath(path(name)), skeleton);
-    return path(name);
-  }
-  /// Opens a plant, made of the reference by an edit, and loads that reference.
-  template <class Edit> void compare(const Edit& edit) {
-    Skeleton result = plant();
-    SkeletonEditor editor(result);
-    edit(editor);
-    static_cast<void>(editor.commit());
-    const QString file = write("plant.mtg", result);
-    open({file});
-    load(write("expert.mtg", plant()));
-  }
-  void load(const QString& file) {
-    answer(chooseFile(file), [this] { action("load_reference").trigger(); });
-    waitForJob();
-    EXPECT_TRUE(waitForScores());
-  }
-  [[nodiscard]] QString score(const QString& name) { return find<QLabel>("score_" + name).text(); }
-  [[nodiscard]] bool waitForScores() {
-    return QTest::qWaitFor(
-        [&] {
-          return score("f") != QStringLiteral("–") &&
-                 find<QLabel>("score_f").property("role") == "value";
-        },
-        60'000);
-  }
-  [[nodiscard]] bool waitForErrors(int count) {
-    const QString title = count == 1 ? "1 error" : QStringLiteral("%1 errors").arg(count);
-    return QTest::qWaitFor([&] { return errors() == title; }, 60'000);
-  }
-  [[nodiscard]] QString errors() { return find<QLabel>("differences_title").text(); }
-  QTreeWidget& list() { return find<QTreeWidget>("differences_list"); }
-  [[nodiscard]] QString kind(int row) { return list().topLevelItem(row)->text(0); }
-  [[nodiscard]] bool isPlantTheReference() {
-    return test::canonical(test::withoutEntities(document().skeleton())) ==
-           test::canonical(plant());
-  }
-};
+using test::EvaluationWindowTest;
 
 const auto nothing = [](SkeletonEditor&) {};
 
@@ -132,81 +66,6 @@ TEST_F(EvaluationWindowTest, SaysThatThereIsNoErrorToAcceptOrIgnore) {
   for (const auto* button : find<QWidget>("differences_panel").findChildren<QToolButton*>()) {
     const bool isOfOne = button->text() == "Accept" || button->text() == "Ignore";
     EXPECT_FALSE(isOfOne && button->isEnabled()) << button->text().toStdString();
-  }
-}
-
-TEST_F(EvaluationWindowTest, TheListOfErrorsKeepsItsWidthOnceThePlantIsEdited) {
-  compare([](SkeletonEditor& editor) { removeSubtree(editor, shoot(2)); });
-  ASSERT_TRUE(waitForErrors(1));
-  const int before = list().width();
-  const NodeId id = shoot(1);
-  document().edit("Type", [=](SkeletonEditor& editor) {
-    const bool isAxial = editor.skeleton()[id].edge == EdgeType::successor;
-    setEdgeType(editor, id, isAxial ? EdgeType::branching : EdgeType::successor);
-  });
-  ASSERT_TRUE(QTest::qWaitFor([&] { return score("work").startsWith("1 edit, under a minute"); }));
-  QCoreApplication::processEvents();
-  EXPECT_EQ(list().width(), before);
-}
-
-TEST_F(EvaluationWindowTest, AWarningCutsNothingBelowIt) {
-  open({write("plant.mtg", plant())});
-  Skeleton large = plant(); // as in mm
-  for (const NodeId id : large.ids())
-    large.setPosition(id, 1000 * large[id].position);
-  answer(chooseFile(write("expert.mtg", large)), [this] { action("load_reference").trigger(); });
-  waitForJob();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return find<QLabel>("evaluation_warnings").isVisible(); }));
-  QCoreApplication::processEvents();
-  const auto& panel = find<QWidget>("evaluation_panel");
-  EXPECT_LE(panel.height(), panel.parentWidget()->height());
-}
-
-TEST_F(EvaluationWindowTest, ALowPanelGrowsForWhatAReferenceBrings) {
-  open({write("plant.mtg", plant())});
-  key(Qt::Key_F5);
-  auto& dock = find<QDockWidget>("evaluation");
-  QCoreApplication::processEvents();
-  window().resizeDocks({&dock}, {60}, Qt::Vertical);
-  QCoreApplication::processEvents();
-  answer(chooseFile(write("expert.mtg", plant())), [this] { action("load_reference").trigger(); });
-  waitForJob();
-  ASSERT_TRUE(waitForScores());
-  QCoreApplication::processEvents();
-  const auto& panel = find<QWidget>("evaluation_panel");
-  EXPECT_GE(panel.parentWidget()->height(), panel.minimumSizeHint().height()) << "nothing is cut";
-}
-
-TEST_F(EvaluationWindowTest, NoRowIsSlicedAndNoButtonCut) {
-  compare([](SkeletonEditor& editor) {
-    for (std::uint32_t i = 1; i < 10; ++i) { // twigs that the reference lacks
-      const Eigen::Vector3d at = editor.skeleton()[NodeId{i}].position;
-      addChild(editor, NodeId{i}, at + Eigen::Vector3d(0.3, 0, 0));
-    }
-  });
-  ASSERT_TRUE(waitForErrors(9));
-  key(Qt::Key_F3);
-  key(Qt::Key_F3, Qt::ControlModifier);
-  key(Qt::Key_F3);
-  ASSERT_TRUE(find<QToolButton>("differences_ignored").isVisible());
-  for (const int height : {800, 810, 821}) {
-    window().resize(1280, height);
-    QCoreApplication::processEvents();
-    EXPECT_EQ(list().viewport()->height() % list().sizeHintForRow(0), 0) << height;
-    const auto& scores = find<QScrollArea>("evaluation_scores");
-    EXPECT_GT(scores.viewport()->height(), 60);
-    for (const auto* label : scores.widget()->findChildren<QLabel*>()) {
-      const QRect place = label->geometry();
-      EXPECT_TRUE(label->isHidden() || place.top() >= scores.viewport()->height() ||
-                  place.bottom() < scores.viewport()->height())
-          << height << ": " << label->text().toStdString();
-    }
-  }
-  const auto& panel = find<QWidget>("evaluation_panel");
-  for (const auto* button : find<QWidget>("differences_panel").findChildren<QToolButton*>()) {
-    const QRect seen(button->mapTo(panel.parentWidget(), QPoint()), button->size());
-    EXPECT_TRUE(panel.parentWidget()->rect().contains(seen)) << button->text().toStdString();
-    EXPECT_GE(button->width(), button->sizeHint().width()) << button->text().toStdString();
   }
 }
 

@@ -79,8 +79,8 @@ ReportTable tableOf(const ChoiceRecord& record) {
 /// What the numbers of a table mean, unless it is told already.
 void addTerms(ReportTerms& terms, const ChoiceRecord& record, const ReportTable& table) {
   for (const auto& [name, meaning] : record.meanings) {
-    const bool isUsed =
-        std::ranges::any_of(table.rows, [&](const auto& row) { return row.front().text == name; });
+    const bool isUsed = std::ranges::any_of(
+        table.rows, [&term = name](const auto& row) { return row.front().text == term; });
     if (!isUsed ||
         std::ranges::find(terms.terms, name, &ReportTerms::Term::name) != terms.terms.end())
       continue;

@@ -9,6 +9,8 @@
 #include <memory>
 #include <optional>
 
+class QAction;
+
 namespace espalier {
 
 class ActionSet;

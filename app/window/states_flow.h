@@ -11,6 +11,7 @@
 class QAction;
 class QActionGroup;
 class QGridLayout;
+class QMenu;
 
 namespace espalier {
 

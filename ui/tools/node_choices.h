@@ -3,6 +3,7 @@
 #include "core/skeleton/skeleton.h"
 
 #include <QKeySequence>
+#include <QList>
 #include <QString>
 
 #include <functional>

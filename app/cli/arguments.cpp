@@ -45,8 +45,8 @@ std::size_t distance(const std::string& a, const std::string& b) {
   return row.back();
 }
 
-/// The long name of an option of `command` that is much like `name`, with up to two letters
-/// changed, and a third of them; empty if none is.
+/// The long name of an option of `command` that is much like `name`: at most two of its letters,
+/// and a third of them, differ. Empty if none is.
 std::string optionLike(const std::string& name, const CLI::App& command) {
   std::string best;
   const std::size_t letters = name.size() - 2; // behind the dashes

@@ -37,6 +37,13 @@ void writeStatistics(const PipelineFlags& flags, const PointCloud& cloud,
   writeAndTell(flags.json, [&](std::ostream& out) { out << json.dump(2) << '\n'; });
 }
 
+/// A skeleton of roots alone is none that one has asked for.
+void noteIfBare(const Skeleton& skeleton, const std::string& scan) {
+  if (skeleton.roots().size() == skeleton.size())
+    printNotes({scan + ": no branch is found: the scan has too few points, or the lengths of the "
+                       "steps are too long for it"});
+}
+
 void run(const PipelineFlags& flags, const Task& task) {
   const Threads threads(flags.threads);
   const PipelineOptions options = flags.options(task.mainStep);
@@ -51,13 +58,12 @@ void run(const PipelineFlags& flags, const Task& task) {
   });
   terminal.check();
   terminal.clear();
-  if (task.content == Content::structure && result.skeleton->roots() == result.skeleton->ids())
-    printNotes({flags.scan + ": no branch is found: the scan has too few points, or the lengths of "
-                             "the steps are too long for it"});
-  if (task.content == Content::structure)
+  if (task.content == Content::structure) {
+    noteIfBare(*result.skeleton, flags.scan);
     writeAndTell(flags.output, {.skeleton = *result.skeleton}, flags.mtgStyle, flags.unit);
-  else
+  } else {
     writeAndTell(flags.output, *cloud, *result.contracted);
+  }
   writeStatistics(flags, *cloud, options, result, terminal);
 }
 

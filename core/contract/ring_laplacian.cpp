@@ -162,7 +162,7 @@ Eigen::VectorXd RingLaplacian::normalEquations(const Eigen::Matrix3Xd& places, d
   const Eigen::VectorXd weights = cotangents(places, progress.part(0, 0.3));
   const auto weightsOf = [&](Eigen::Index row) {
     const auto i = static_cast<std::size_t>(row);
-    return std::span(weights.data() + rings_.begin[i], weights.data() + rings_.begin[i + 1]);
+    return std::span(weights.data() + rings_.begin[i], weights.data() + rings_.end[i]);
   };
   Eigen::VectorXd values(static_cast<Eigen::Index>(pattern_.columns.size()));
   const auto fillRow = [&](Eigen::Index row) {

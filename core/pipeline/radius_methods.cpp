@@ -3,17 +3,20 @@
 #include "core/pipeline/method_parts.h"
 #include "core/radius/assigned_radii.h"
 #include "core/radius/length_pipe_model.h"
-#include "core/radius/measured_radii.h"
 #include "core/radius/measured_radius.h"
-#include "core/radius/node_count_pipe_model.h"
+#include "core/radius/pipe_ends.h"
 
 #include <algorithm>
+#include <iomanip>
+#include <sstream>
 #include <utility>
 
 namespace espalier {
 namespace {
 
 constexpr auto thesis = "law of the structures published with the thesis of C. Preuksakarn, 2012";
+
+constexpr auto noRadii = "no radius is measured, so there are no radii: check the scan";
 
 /// What the methods of this step have in common.
 struct CommonOptions {
@@ -52,10 +55,6 @@ void setMeasured(PipelineState& state, const std::vector<double>& radii, double 
   for (std::size_t i = 0; i < radii.size(); ++i)
     if (radii[i] > 0) sources[i] = RadiusSource::measured;
   setRadii(state, interpolatedRadii(*state.skeleton, radii), std::move(sources), branchShare);
-}
-
-std::vector<double> meanDistances(const PipelineState& state, const Progress& progress) {
-  return meanPointDistances(*state.skeleton, keptPositions(state), state.cloud->origin(), progress);
 }
 
 Method assignedMethod(std::string name, std::string label, std::string help,
@@ -139,6 +138,15 @@ Method cylinderMethod() {
           }};
 }
 
+/// Cylinders where points tell of them, distances elsewhere, by id.
+std::vector<MeasuredRadius> woodRadii(const Skeleton& skeleton, const AssignedPoints& points,
+                                      const CylinderOptions& options, const Progress& progress) {
+  const auto fitted = cylindersAbout(skeleton, points, options, progress);
+  const double error = pointError(fitted);
+  return withThinRadii(skeleton, points,
+                       cylinderRadii(withoutScattered(fitted, error), options.spacing), error);
+}
+
 /// The model that measurements are fused with: fitted to them, or, where they are too few, the mean
 /// distances of the points.
 std::vector<double> modelOf(const Skeleton& skeleton, const AssignedPoints& points,
@@ -192,18 +200,63 @@ Method fusedMethod() {
         const Eigen::Matrix3Xf kept = keptPositions(state);
         const AssignedPoints points(*state.skeleton, kept, state.cloud->origin(),
                                     progress.part(0, 0.5));
-        const auto fitted =
-            cylindersAbout(*state.skeleton, points, cylinders, progress.part(0.5, 1));
-        const double error = pointError(fitted);
         const std::vector<MeasuredRadius> measured =
-            withThinRadii(*state.skeleton, points,
-                          cylinderRadii(withoutScattered(fitted, error), cylinders.spacing), error);
+            woodRadii(*state.skeleton, points, cylinders, progress.part(0.5, 1));
         FusionOptions fusion{.axisStep = options.axisStep, .branchStep = options.branchStep};
         const std::vector<double> model =
             modelOf(*state.skeleton, points, measured, cylinders.spacing, fusion.modelSpread);
+        if (std::ranges::all_of(model, [](double radius) { return radius == 0; }))
+          state.notes.emplace_back(noRadii);
         SourcedRadii result = fusedRadii(*state.skeleton, measured, model, fusion);
         setRadii(state, std::move(result.radii), std::move(result.sources), options.branchShare);
       }};
+}
+
+/// What is to be said of ends that were not both measured; empty if they were.
+std::string noteOf(const PipeEnds& ends) {
+  std::ostringstream text;
+  text << std::setprecision(3);
+  const auto guess = [&text](const char* from) {
+    text << ": radii are a guess; they have the exponent of published structures, 1/"
+         << publishedPipe << ", from " << from;
+  };
+  switch (ends.basis) {
+  case PipeBasis::foot:
+    return {};
+  case PipeBasis::footOnly:
+    if (ends.footToTip > 0)
+      text << "the foot measures " << ends.footToTip << " times the tips, which fits no pipe model";
+    else
+      text << "nothing is measured at the tips";
+    guess("the foot up");
+    break;
+  case PipeBasis::tipsOnly:
+    text << "nothing is measured at the foot";
+    guess("the tips down");
+    break;
+  case PipeBasis::nothing:
+    if (!(ends.radii.apexRadius > 0)) return noRadii;
+    text << "no radius is measured";
+    guess("tips half as thick as the points are apart");
+    break;
+  }
+  return text.str();
+}
+
+/// The ends of a pipe model of the plant; says so if they were not both measured.
+NodeCountPipeOptions pipeEndsOf(PipelineState& state, const Progress& progress) {
+  const Eigen::Matrix3Xf kept = keptPositions(state);
+  const Eigen::Vector3d& origin = state.cloud->origin();
+  const SpatialIndex index(kept, progress.part(0, 0.1));
+  const double spacing = pointSpacing(kept, index);
+  const AssignedPoints points(*state.skeleton, kept, origin, progress.part(0.1, 0.5));
+  const std::vector<double> lowest =
+      lowestWoodRadii(*state.skeleton, {kept, origin, index, spacing}, progress.part(0.5, 0.6));
+  const std::vector<MeasuredRadius> wood =
+      woodRadii(*state.skeleton, points, {.spacing = spacing}, progress.part(0.6, 1));
+  const PipeEnds ends = pipeEnds(*state.skeleton, lowest, wood, spacing / 2);
+  if (std::string note = noteOf(ends); !note.empty()) state.notes.push_back(std::move(note));
+  return ends.radii;
 }
 
 Method nodeCountPipeMethod() {
@@ -214,8 +267,7 @@ Method nodeCountPipeMethod() {
           .source = thesis,
           .options = {},
           .run = [](PipelineState& state, const Values&, const Progress& progress) {
-            state.setSkeleton(withNodeCountPipeRadii(
-                *state.skeleton, pipeEndRadii(*state.skeleton, meanDistances(state, progress))));
+            state.setSkeleton(withNodeCountPipeRadii(*state.skeleton, pipeEndsOf(state, progress)));
             state.radiusSources = allModeled(state);
           }};
 }
@@ -228,8 +280,7 @@ Method lengthPipeMethod() {
           .source = thesis,
           .options = {},
           .run = [](PipelineState& state, const Values&, const Progress& progress) {
-            const NodeCountPipeOptions ends =
-                pipeEndRadii(*state.skeleton, meanDistances(state, progress));
+            const NodeCountPipeOptions ends = pipeEndsOf(state, progress);
             const LengthPipeModel model =
                 lengthPipeThrough(*state.skeleton, ends.rootRadius, ends.apexRadius);
             setRadii(state, radiiOf(*state.skeleton, model), allModeled(state));

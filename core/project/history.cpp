@@ -86,6 +86,7 @@ bool fits(const SkeletonDelta& delta, const Skeleton& skeleton) {
 
 void growIds(Skeleton& skeleton, std::size_t end) {
   assert(end <= mostIds);
+  if (skeleton.idEnd() < end) skeleton.reserve(end); // once: growing copies all there is
   while (skeleton.idEnd() < end)
     skeleton.erase(skeleton.add({}));
 }

@@ -1,11 +1,13 @@
 #include "core/project/node_bytes.h"
 
+#include "core/base/coordinates.h"
+#include "core/base/error.h"
 #include "core/project/content_hash.h"
 #include "core/project/history.h"
+#include "core/skeleton/finite_node.h"
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <concepts>
 #include <cstdint>
 #include <string>
@@ -15,7 +17,10 @@
 namespace espalier {
 namespace {
 
-constexpr std::uint8_t version = 3; // 2 had no points, 1 no reviews either; else the same
+/// 4 has indices that are texts; where there are none, 3 is written, which older programs read. 2
+/// had no points, 1 no reviews either; else all are the same.
+constexpr std::uint8_t version = 4;
+constexpr std::uint8_t versionOfPlainIndices = 3;
 constexpr std::size_t hashSize = 8;
 
 enum NodeFlag : std::uint8_t {
@@ -28,7 +33,8 @@ enum NodeFlag : std::uint8_t {
 enum ChangeFlag : std::uint8_t { hasBefore = 1, hasAfter = 2 };
 
 /// Of an entity; whether values of it are followed by the types of their features.
-enum EntityFlag : std::uint8_t { hasIndex = 1, hasTypes = 2 };
+/// An index that is more than a number is a text.
+enum EntityFlag : std::uint8_t { hasIndex = 1, hasTypes = 2, hasIndexText = 4 };
 
 bool isTyped(const Entity& entity) {
   const auto has = [](const std::vector<FeatureValue>& values) {
@@ -37,12 +43,33 @@ bool isTyped(const Entity& entity) {
   return has(entity.values) || std::ranges::any_of(entity.later, has);
 }
 
+/// Whether a node that is read is no damage.
+bool isReadable(const Node& node) {
+  return isFinite(node) && isInRange(node.position, node.radius);
+}
+
+/// What a reader takes for damage is not written.
+/// @throws Error if a reader would refuse the node, or its id
+void requireReadable(NodeId id, const Node& node) {
+  const std::string name = "node " + std::to_string(indexOf(id));
+  if (!isReadable(node))
+    throw Error(name + " has a position or radius that is not finite or too large, which a project "
+                       "cannot keep: undo what made it");
+  if (indexOf(id) >= mostIds || (node.parent && indexOf(*node.parent) >= mostIds))
+    throw Error(name + " has a number too large for a project: start a new project with the plant");
+}
+
+std::uint8_t indexFlag(const Entity& entity) {
+  if (!entity.index) return 0;
+  return entity.index->isPlain() ? hasIndex : hasIndexText;
+}
+
 /// What is not as it should be; caught where reading begins.
 struct Malformed {};
 
 class Writer {
 public:
-  Writer() { number(version); }
+  Writer() { number(versionOfPlainIndices); }
 
   template <std::unsigned_integral Number> void number(Number value) {
     for (std::size_t i = 0; i < sizeof(Number); ++i)
@@ -67,15 +94,21 @@ public:
     number(static_cast<std::uint32_t>(entity.scale));
     text(entity.symbol);
     const bool withTypes = isTyped(entity);
-    number(static_cast<std::uint8_t>((entity.index ? hasIndex : 0) | (withTypes ? hasTypes : 0)));
-    if (entity.index) number(static_cast<std::uint32_t>(*entity.index));
+    number(static_cast<std::uint8_t>(indexFlag(entity) | (withTypes ? hasTypes : 0)));
+    if (indexFlag(entity) == hasIndex) number(static_cast<std::uint32_t>(entity.index->number()));
+    if (indexFlag(entity) == hasIndexText) {
+      bytes_.front() = static_cast<char>(version);
+      text(entity.index->text());
+    }
     text(entity.alias);
     values(entity.values, withTypes);
     size(entity.later.size());
     for (const std::vector<FeatureValue>& date : entity.later)
       values(date, withTypes);
   }
-  void node(const Node& node) {
+  /// @throws Error if it could not be read back
+  void node(NodeId id, const Node& node) {
+    requireReadable(id, node);
     number(static_cast<std::uint8_t>(
         (node.parent ? hasParent : 0) | (node.edge == EdgeType::branching ? isBranching : 0) |
         (node.entities.empty() ? 0 : hasEntities) | (node.isMarked ? isMarked : 0) |
@@ -83,7 +116,7 @@ public:
     for (int i = 0; i < 3; ++i)
       real(node.position[i]);
     real(node.radius);
-    if (node.parent) id(*node.parent);
+    if (node.parent) this->id(*node.parent);
     if (!node.entities.empty()) size(node.entities.size());
     for (const Entity& one : node.entities)
       entity(one);
@@ -166,6 +199,10 @@ public:
     result.symbol = text();
     const auto flags = number<std::uint8_t>();
     if ((flags & hasIndex) != 0) result.index = integer();
+    if ((flags & hasIndexText) != 0) {
+      result.index = LabelIndex::in(text());
+      if (!result.index) throw Malformed{};
+    }
     result.alias = text();
     const bool withTypes = (flags & hasTypes) != 0;
     result.values = values(withTypes);
@@ -179,9 +216,7 @@ public:
     for (int i = 0; i < 3; ++i)
       result.position[i] = real();
     result.radius = real();
-    // A place that is no number is not equal to itself: an edit of it could not be undone.
-    if (!result.position.allFinite() || !std::isfinite(result.radius) || result.radius < 0)
-      throw Malformed{};
+    if (!isReadable(result)) throw Malformed{};
     result.isMarked = (flags & isMarked) != 0;
     if ((flags & hasParent) != 0) result.parent = id();
     if ((flags & isBranching) != 0) result.edge = EdgeType::branching;
@@ -261,8 +296,8 @@ std::string bytesOf(const SkeletonDelta& delta, const PointSet& points) {
     writer.id(change.id);
     writer.number(
         static_cast<std::uint8_t>((change.before ? hasBefore : 0) | (change.after ? hasAfter : 0)));
-    if (change.before) writer.node(*change.before);
-    if (change.after) writer.node(*change.after);
+    if (change.before) writer.node(change.id, *change.before);
+    if (change.after) writer.node(change.id, *change.after);
   }
   writer.points(points);
   return writer.finished();
@@ -281,12 +316,14 @@ std::optional<StoredDelta> deltaFrom(std::string_view bytes) {
 }
 
 std::string bytesOf(const Skeleton& skeleton, const PointSet& leftOut) {
+  const std::vector<NodeId> ids = skeleton.ids();
   Writer writer;
-  writer.size(skeleton.idEnd());
+  const std::size_t used = ids.empty() ? 0 : indexOf(*std::ranges::max_element(ids)) + 1;
+  writer.size(storedIdEnd(skeleton.idEnd(), used));
   writer.size(skeleton.size());
-  for (const NodeId id : skeleton.ids()) { // parents first: a reader needs no second look
+  for (const NodeId id : ids) { // parents first: a reader needs no second look
     writer.id(id);
-    writer.node(skeleton[id]);
+    writer.node(id, skeleton[id]);
   }
   writer.points(leftOut);
   return writer.finished();
@@ -302,6 +339,22 @@ std::optional<StoredPlant> plantFrom(std::string_view bytes) {
   } catch (const Malformed&) {
     return std::nullopt;
   }
+}
+
+std::size_t idsFor(std::size_t bytes) {
+  constexpr std::size_t always = std::size_t{1} << 22;
+  return std::min(mostIds, always + bytes / 2);
+}
+
+std::size_t storedIdEnd(std::size_t handedOut, std::size_t used) {
+  return handedOut <= idsFor(0) ? handedOut : used;
+}
+
+std::size_t idEndOf(std::string_view bytes) {
+  std::size_t end = 0;
+  for (std::size_t i = 0; i < 4 && i + 1 < bytes.size(); ++i)
+    end |= std::size_t{static_cast<unsigned char>(bytes[i + 1])} << (8 * i);
+  return end;
 }
 
 } // namespace espalier

@@ -77,6 +77,8 @@ ScanReference ScanReference::of(const fs::path& path, const Eigen::AlignedBox3d&
 bool isProject(const fs::path& path) {
   constexpr std::size_t idAt = 68;
   std::array<char, idAt + 4> header{};
+  std::error_code isMissing;
+  if (!fs::is_regular_file(path, isMissing)) return false; // to open a pipe would wait
   std::ifstream in(path, std::ios::binary);
   in.read(header.data(), header.size());
   const std::string_view bytes(header.data(), header.size());

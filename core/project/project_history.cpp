@@ -11,7 +11,8 @@
 namespace espalier {
 namespace {
 
-void insertStep(const Database& database, std::size_t step, const HistoryStep& content) {
+/// @return the bytes that it takes, of those that ids may follow from
+std::size_t insertStep(const Database& database, std::size_t step, const HistoryStep& content) {
   const std::string delta = bytesOf(content.delta, content.points);
   database.prepare("INSERT INTO journal VALUES (?, ?, ?, ?, ?)")
       .bind(1, static_cast<std::int64_t>(step))
@@ -20,6 +21,7 @@ void insertStep(const Database& database, std::size_t step, const HistoryStep& c
       .bindText(4, content.text)
       .bindBytes(5, delta)
       .run();
+  return delta.size();
 }
 
 void insertSnapshot(const Database& database, std::size_t step, const Skeleton& skeleton,
@@ -29,6 +31,14 @@ void insertSnapshot(const Database& database, std::size_t step, const Skeleton& 
       .bind(1, static_cast<std::int64_t>(step))
       .bindBytes(2, nodes)
       .run();
+}
+
+/// One more than the highest id that a delta names.
+std::size_t idEndIn(const SkeletonDelta& delta) {
+  std::size_t end = 0;
+  for (const SkeletonDelta::Change& change : delta.changes)
+    end = std::max(end, indexOf(change.id) + 1);
+  return end;
 }
 
 void setPosition(const Database& database, std::size_t position) {
@@ -50,6 +60,8 @@ struct Journal {
     if (isDamaged) read(database, "DESC");
   }
 
+  [[nodiscard]] std::size_t idEnd() const { return idEnd_; } // of all that steps name
+
   [[nodiscard]] std::int64_t end() const { return steps.empty() ? 0 : steps.rbegin()->first + 1; }
 
 private:
@@ -59,6 +71,7 @@ private:
           "SELECT step, time, author, text, delta FROM journal ORDER BY step " + order);
       while (rows.step()) {
         std::optional<StoredDelta> stored = deltaFrom(rows.bytes(4));
+        if (stored) idEnd_ = std::max(idEnd_, idEndIn(stored->delta));
         const std::int64_t step = rows.integer(0);
         if (stored && step >= 0 && step < mostSteps)
           steps.insert_or_assign(step, HistoryStep{.text = rows.text(3),
@@ -73,7 +86,76 @@ private:
       isDamaged = true;
     }
   }
+
+  std::size_t idEnd_ = 0;
 };
+
+/// What idsFor() is asked about.
+struct IdsAndBytes {
+  std::size_t idEnd = 0;
+  std::size_t bytes = 0;
+
+  [[nodiscard]] bool isAllowed() const { return idEnd <= idsFor(bytes); }
+  [[nodiscard]] std::string text() const {
+    return ": numbers its nodes up to " + std::to_string(idEnd) + ", too far for the " +
+           std::to_string(bytes) + " bytes that its plant and edits take: ";
+  }
+};
+
+/// The ids that snapshots make a table for, or `idEnd` if that is more, and the bytes of all plants
+/// and edits; these are counted only where they decide.
+IdsAndBytes idsAndBytes(const Database& database, std::size_t idEnd) {
+  IdsAndBytes result{.idEnd = idEnd};
+  std::size_t bytes = 0;
+  try {
+    Statement snapshots =
+        database.prepare("SELECT substr(nodes, 1, 5), length(nodes) FROM snapshot");
+    while (snapshots.step()) {
+      result.idEnd = std::max(result.idEnd, idEndOf(snapshots.bytes(0)));
+      bytes += static_cast<std::size_t>(snapshots.integer(1));
+    }
+    if (result.isAllowed()) return result;
+    bytes += static_cast<std::size_t>(
+        database.integer("SELECT coalesce(sum(length(delta)), 0) FROM journal"));
+  } catch (const DamagedFile&) { // what can be read of it counts
+  }
+  result.bytes = bytes;
+  return result;
+}
+
+/// Refuses ids that only a file has that was made to deceive: see idsFor().
+/// @param idEnd  of the journal
+void requireFewIds(const Database& database, std::size_t idEnd, const std::string& file) {
+  const IdsAndBytes read = idsAndBytes(database, idEnd);
+  if (!read.isAllowed())
+    throw Error(file + read.text() + "open a copy, or the plant as it was exported");
+}
+
+/// @throws Error if what was written would be refused when it is read
+void requireReadable(const IdsAndBytes& written, const std::string& file) {
+  if (!written.isAllowed())
+    throw Error(file + written.text() +
+                "save the plant as an MTG, and begin a new project with that, which numbers its "
+                "nodes anew");
+}
+
+/// Adds steps behind the first `kept`. Each beginning of the journal can be read back by itself:
+/// the steps behind it may be dropped later.
+void insertSteps(const Database& database, std::size_t kept, std::span<const HistoryStep> steps,
+                 const std::string& file) {
+  std::size_t highest = 0;
+  for (const HistoryStep& step : steps)
+    highest = std::max(highest, idEndIn(step.delta));
+  IdsAndBytes written = idsAndBytes(database, 0);
+  if (highest > idsFor(0))
+    written.bytes = idsAndBytes(database, highest).bytes; // mostly they are few
+  requireReadable(written, file);
+  for (const HistoryStep& step : steps) {
+    written.bytes += insertStep(database, kept++, step);
+    written.idEnd = std::max(written.idEnd, idEndIn(step.delta));
+    requireReadable(written, file);
+  }
+}
 
 std::vector<std::int64_t> snapshotSteps(const Database& database, bool& isDamaged) {
   std::vector<std::int64_t> result;
@@ -148,6 +230,7 @@ std::optional<Place> nearestPlace(const Database& database, const Journal& journ
 
 Imported<History> Project::history() const {
   Journal journal(database_);
+  requireFewIds(database_, journal.idEnd(), path_.string());
   const std::optional<std::int64_t> stored = storedPosition(database_);
   const std::int64_t end = journal.end();
   const std::int64_t position = std::min(stored.value_or(end), std::max(end, std::int64_t{0}));
@@ -157,21 +240,24 @@ Imported<History> Project::history() const {
     throw DamagedFile(
         path_.string() +
         ": is damaged: nothing of its plant can be read; take a copy if you have one");
-  Place first = *place;
-  first.moveTowards(0, journal);
-  Place last = *place;
-  last.moveTowards(end, journal);
+  // Forth and back in place: a copy would take the memory of the plant once more.
+  const std::int64_t at = place->at;
+  place->moveTowards(0, journal);
+  const std::int64_t first = place->at;
+  place->moveTowards(end, journal);
+  const std::int64_t last = place->at;
+  place->moveTowards(at, journal);
 
   Imported<History> result;
-  result.value.position = static_cast<std::size_t>(place->at - first.at);
+  result.value.position = static_cast<std::size_t>(place->at - first);
   result.value.skeleton = std::move(place->skeleton);
   result.value.leftOut = std::move(place->leftOut);
-  for (std::int64_t step = first.at; step < last.at; ++step)
+  for (std::int64_t step = first; step < last; ++step)
     result.value.steps.push_back(std::move(journal.steps.at(step)));
   for (const HistoryStep& step : result.value.steps) // what is redone needs its ids
     for (const SkeletonDelta::Change& change : step.delta.changes)
       growIds(result.value.skeleton, indexOf(change.id) + 1);
-  const bool isWhole = !journal.isDamaged && stored == place->at && first.at == 0 && last.at == end;
+  const bool isWhole = !journal.isDamaged && stored == place->at && first == 0 && last == end;
   if (!isWhole)
     result.notes.push_back(path_.string() + ": is damaged: the plant is as it was after " +
                            std::to_string(place->at) + " of " +
@@ -187,8 +273,7 @@ void Project::record(std::size_t kept, std::span<const HistoryStep> added, std::
   Transaction transaction(database_);
   database_.prepare("DELETE FROM journal WHERE step >= ?").bind(1, end).run();
   database_.prepare("DELETE FROM snapshot WHERE step > ?").bind(1, end).run();
-  for (const HistoryStep& step : added)
-    insertStep(database_, kept++, step);
+  insertSteps(database_, kept, added, path_.string());
   setPosition(database_, position);
   transaction.commit();
 }
@@ -196,8 +281,7 @@ void Project::record(std::size_t kept, std::span<const HistoryStep> added, std::
 void Project::insertHistory(const Database& database, const History& history) {
   const History beginning = beginningOf(history);
   insertSnapshot(database, 0, beginning.skeleton, beginning.leftOut);
-  for (std::size_t i = 0; i < history.steps.size(); ++i)
-    insertStep(database, i, history.steps[i]);
+  insertSteps(database, 0, history.steps, "the project");
   if (history.position > 0)
     insertSnapshot(database, history.position, history.skeleton, history.leftOut);
   setPosition(database, history.position);
@@ -214,6 +298,7 @@ void Project::takeSnapshot(const Skeleton& skeleton, const PointSet& leftOut) {
   Transaction transaction(database_);
   const std::int64_t position = database_.integer("SELECT step FROM position");
   insertSnapshot(database_, static_cast<std::size_t>(position), skeleton, leftOut);
+  requireReadable(idsAndBytes(database_, 0), path_.string());
   transaction.commit();
 }
 

@@ -31,7 +31,8 @@ public:
     number(static_cast<std::uint64_t>(entity.scale));
     text(entity.symbol);
     number(entity.index ? 1 : 0);
-    number(static_cast<std::uint64_t>(entity.index.value_or(0)));
+    number(static_cast<std::uint64_t>(entity.index ? entity.index->number() : 0));
+    if (entity.index && !entity.index->isPlain()) text(entity.index->text());
     text(entity.alias);
     values(entity.values);
     number(entity.later.size());

@@ -130,8 +130,8 @@ std::optional<FittedCylinder> fitCylinder(const Points& points, const FittedCyli
     cylinder.direction =
         (cylinder.direction + step[2] * frame.right + step[3] * frame.up).normalized();
     cylinder.radius += step[4];
-    if (!(cylinder.radius > 0) || cylinder.radius > 10 * farthest ||
-        (cylinder.point - middle).norm() > 10 * farthest)
+    if (!cylinder.direction.allFinite() || !(cylinder.radius > 0) ||
+        cylinder.radius > 10 * farthest || (cylinder.point - middle).norm() > 10 * farthest)
       return std::nullopt;
     if (length < 1e-7 * cylinder.radius) break;
   }

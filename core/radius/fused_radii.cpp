@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
 
 namespace espalier {
 namespace {
@@ -104,11 +107,32 @@ RadiusSource sourceOf(double share) {
   return share > 0.75 ? RadiusSource::measured : RadiusSource::fused;
 }
 
+/// `model` without zeros, of which there is no logarithm; none if no radius is known.
+std::optional<std::vector<double>> withoutZeros(std::vector<double> model,
+                                                const std::vector<NodeId>& ids,
+                                                const std::vector<MeasuredRadius>& measured) {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  double least = none;
+  for (const NodeId id : ids)
+    for (const double radius : {model[indexOf(id)], measured[indexOf(id)].radius})
+      if (radius > 0) least = std::min(least, radius);
+  if (least == none) return std::nullopt;
+  for (const NodeId id : ids)
+    if (!(model[indexOf(id)] > 0)) model[indexOf(id)] = least;
+  return model;
+}
+
 } // namespace
 
 SourcedRadii fusedRadii(const Skeleton& skeleton, const std::vector<MeasuredRadius>& measured,
-                        const std::vector<double>& model, const FusionOptions& options) {
+                        const std::vector<double>& given, const FusionOptions& options) {
   const std::vector<NodeId> ids = skeleton.ids();
+  SourcedRadii result{.radii = std::vector<double>(skeleton.idEnd(), 0),
+                      .sources =
+                          std::vector<RadiusSource>(skeleton.idEnd(), RadiusSource::modeled)};
+  const std::optional<std::vector<double>> known = withoutZeros(given, ids, measured);
+  if (!known) return result;
+  const std::vector<double>& model = *known;
   TreeSystem system = systemOf(skeleton, ids, measured, model, options);
   std::vector<double> values = system.solved(skeleton, ids);
   std::vector<bool> isTied(skeleton.idEnd(), false);
@@ -116,9 +140,6 @@ SourcedRadii fusedRadii(const Skeleton& skeleton, const std::vector<MeasuredRadi
   for (int i = 0; i < rounds && holdToParents(system, skeleton, ids, model, values, isTied); ++i)
     values = system.solved(skeleton, ids);
   const std::vector<double> shares = sharesOf(system, skeleton, ids, options.modelSpread);
-  SourcedRadii result{.radii = std::vector<double>(skeleton.idEnd(), 0),
-                      .sources =
-                          std::vector<RadiusSource>(skeleton.idEnd(), RadiusSource::modeled)};
   for (const NodeId id : ids) {
     result.radii[indexOf(id)] = model[indexOf(id)] * std::exp(values[indexOf(id)]);
     result.sources[indexOf(id)] = sourceOf(shares[indexOf(id)]);

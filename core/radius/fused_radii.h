@@ -37,7 +37,8 @@ struct FusionOptions {
 /// the tip.
 ///
 /// @param measured  by id
-/// @param model     by id [L], > 0
+/// @param model     by id [L]; where it is 0, the least radius that is known stands in for it, and
+///                  all are 0 if none is
 /// Deterministic. Time O(n): the tree is eliminated from its tips, a few times over.
 /// Source: D. Rose, "Triangulated graphs and the elimination process", J. Math. Anal. Appl. 32,
 /// 1970, for trees.

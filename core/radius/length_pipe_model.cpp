@@ -13,14 +13,20 @@ double medianOf(std::vector<double>& values) {
   return *middle;
 }
 
-/// [L]; 1 where no edge has a length.
+/// [L]; the mean where most edges have next to no length, 1 where none has any.
 double medianEdge(const Skeleton& skeleton) {
+  constexpr double negligible = 1e-9; // of the mean
   std::vector<double> lengths;
+  double sum = 0;
   for (const NodeId id : skeleton.ids())
-    if (const auto parent = skeleton[id].parent)
+    if (const auto parent = skeleton[id].parent) {
       lengths.push_back((skeleton[id].position - skeleton[*parent].position).norm());
-  const double median = lengths.empty() ? 0 : medianOf(lengths);
-  return median > 0 ? median : 1;
+      sum += lengths.back();
+    }
+  if (!(sum > 0)) return 1;
+  const double mean = sum / static_cast<double>(lengths.size());
+  const double median = medianOf(lengths);
+  return median > negligible * mean ? median : mean;
 }
 
 /// A measured radius over what its node carries.
@@ -32,12 +38,14 @@ struct Sample {
 
 std::vector<Sample> samplesOf(const Skeleton& skeleton,
                               const std::vector<MeasuredRadius>& measured) {
+  constexpr double leastDeviation = 1e-6; // or sums of weights may overflow
   const std::vector<double> carried = carriedLengths(skeleton);
   std::vector<Sample> samples;
   for (const NodeId id : skeleton.ids()) {
     const MeasuredRadius& each = measured[indexOf(id)];
-    if (each.radius > 0 && each.deviation > 0)
-      samples.push_back({carried[indexOf(id)], std::log(each.radius), 1 / each.deviation});
+    if (each.radius > 0 && std::isfinite(each.radius) && each.deviation > 0)
+      samples.push_back({carried[indexOf(id)], std::log(each.radius),
+                         1 / std::max(each.deviation, leastDeviation)});
   }
   return samples;
 }
@@ -109,8 +117,9 @@ LengthPipeModel lengthPipeThrough(const Skeleton& skeleton, double rootRadius, d
   double heaviest = 0;
   for (const double carried : carriedLengths(skeleton))
     heaviest = std::max(heaviest, carried);
-  const double exponent =
-      heaviest > 0 ? std::log(rootRadius / apexRadius) / std::log((heaviest + edge) / edge) : 0;
+  const double exponent = heaviest > 0 && apexRadius > 0 ? std::log(rootRadius / apexRadius) /
+                                                               std::log((heaviest + edge) / edge)
+                                                         : 0;
   return {.scale = apexRadius / std::pow(edge, exponent),
           .tipLength = edge,
           .exponent = exponent,

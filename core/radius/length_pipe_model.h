@@ -23,7 +23,7 @@ struct LengthPipeModel {
 };
 
 /// The model through two radii: that of the heaviest root and that of the tips, which carry a
-/// median edge. pre: rootRadius >= apexRadius > 0 [L]
+/// median edge. All radii are 0 if the apex radius is. pre: rootRadius >= apexRadius >= 0 [L]
 [[nodiscard]] LengthPipeModel lengthPipeThrough(const Skeleton& skeleton, double rootRadius,
                                                 double apexRadius);
 

@@ -175,6 +175,7 @@ MeasuredCircle measuredCircle(const CrossSection& section, RadiusMeasure measure
 }
 
 std::optional<FittedCircle> hullCircle(const Points& points) {
+  if (points.size() < 3) return std::nullopt;
   const Points hull = hullOf(points);
   if (hull.size() < 3) return std::nullopt;
   double perimeter = 0;

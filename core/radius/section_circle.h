@@ -50,8 +50,8 @@ using MeasuredCircle = std::variant<FittedCircle, NoRadius>;
 /// PlantScan3D, but about its centroid, not the middle of its box.
 [[nodiscard]] MeasuredCircle measuredCircle(const CrossSection& section, RadiusMeasure measure);
 
-/// A circle as long around as the convex hull of the points, about its centroid; none for points on
-/// a line. Time O(m log m).
+/// A circle as long around as the convex hull of the points, about its centroid; none for fewer
+/// than 3, or on a line. Time O(m log m).
 [[nodiscard]] std::optional<FittedCircle> hullCircle(const std::vector<Eigen::Vector2d>& points);
 
 /// The radii of many nodes.

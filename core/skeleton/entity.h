@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/skeleton/label_index.h"
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,7 +27,7 @@ struct FeatureValue {
 struct Entity {
   int scale = 1;                         // larger is finer; the node's own entity has the finest
   std::string symbol;                    // its class, as "U"
-  std::optional<int> index;              // as the 3 of "U3"
+  std::optional<LabelIndex> index;       // as the 3 of "U3"
   std::string alias = {};                // its name in the file, if it has one
   std::vector<FeatureValue> values = {}; // but for position and radius
   std::vector<std::vector<FeatureValue>> later = {}; // at later dates, in order

@@ -1,6 +1,9 @@
 #include "core/skeleton/skeleton_delta.h"
 
+#include "core/base/coordinates.h"
+
 #include <cassert>
+#include <string>
 #include <unordered_map>
 #include <utility>
 
@@ -15,6 +18,11 @@ std::optional<Node> lookUp(const Skeleton& skeleton, NodeId id) {
 /// Whether an edit left a node, and its edge to the parent, as they were when they were looked at.
 bool looksAlike(const Node& a, const Node& b) {
   return a.position == b.position && a.parent == b.parent && (!a.parent || a.edge == b.edge);
+}
+
+/// For the start of a message.
+std::string nameOf(NodeId id) {
+  return "node " + std::to_string(indexOf(id)) + ": ";
 }
 
 /// What became of the nodes noted; those that ended as they were are left out.
@@ -87,6 +95,7 @@ SkeletonEditor::~SkeletonEditor() {
 }
 
 NodeId SkeletonEditor::add(const Node& node) {
+  if (!isInRange(node.position, node.radius)) throw outOfRange("a new node: ");
   const NodeId id = skeleton_.add(node);
   skeleton_.setReview(id, {}); // of a copy, too
   ids_.insert(static_cast<std::uint32_t>(id));
@@ -95,11 +104,13 @@ NodeId SkeletonEditor::add(const Node& node) {
 }
 
 void SkeletonEditor::setPosition(NodeId id, const Eigen::Vector3d& position) {
+  if (!isInRange(position)) throw outOfRange(nameOf(id));
   note(id);
   skeleton_.setPosition(id, position);
 }
 
 void SkeletonEditor::setRadius(NodeId id, double radius) {
+  if (!(radius <= largestCoordinate)) throw outOfRange(nameOf(id));
   note(id);
   skeleton_.setRadius(id, radius);
 }

@@ -49,7 +49,8 @@ public:
 
   [[nodiscard]] const Skeleton& skeleton() const { return skeleton_; }
 
-  // As in Skeleton.
+  // As in Skeleton. @throws Error where a place or radius is not in range (isInRange): nothing may
+  // come into a plant that a project could not be read with.
   NodeId add(const Node& node);
   void setPosition(NodeId id, const Eigen::Vector3d& position);
   void setRadius(NodeId id, double radius);

@@ -1,3 +1,4 @@
+#include "core/base/error.h"
 #include "core/project/content_hash.h"
 #include "core/project/history.h"
 #include "core/project/node_bytes.h"
@@ -6,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <limits>
 
 namespace espalier {
@@ -17,8 +19,10 @@ Skeleton plantWithEntities() {
   entity.values = {{"Length", "12.5"}, {"Note", std::string("a\0b", 3)}};
   entity.later = {{}, {{"Length", "13"}}};
   plant.add({.radius = 0.25, .parent = NodeId{3}, .entities = {entity, {.symbol = "I"}}});
+  const Entity shoot{.scale = 2, .symbol = "S", .index = LabelIndex::in("16.01")};
   plant.setMarked(NodeId{5}, true);
   plant.setReview(NodeId{6}, {ReviewState::doubtful, "crosses its neighbor?", "Anna"});
+  plant.setEntities(NodeId{7}, {shoot});
   plant.setReview(NodeId{40}, {ReviewState::reviewed, {}, "Émile"});
   plant.erase(plant.add({.parent = NodeId{4}})); // its id stays handed out
   return plant;
@@ -58,21 +62,41 @@ TEST(NodeBytes, ThatWereChangedAreNone) {
   }
 }
 
+std::string littleEndian(std::uint64_t value) {
+  std::string bytes;
+  for (int i = 0; i < 8; ++i)
+    bytes.push_back(static_cast<char>((value >> (8 * i)) & 0xFF));
+  return bytes;
+}
+
+/// `bytes` with one number in place of another, and the hash of that.
+std::string withNumber(std::string bytes, double number, double instead) {
+  bytes.resize(bytes.size() - 8);
+  const std::size_t at = bytes.find(littleEndian(std::bit_cast<std::uint64_t>(number)));
+  EXPECT_NE(at, std::string::npos);
+  bytes.replace(at, 8, littleEndian(std::bit_cast<std::uint64_t>(instead)));
+  return bytes + littleEndian(contentHash(bytes));
+}
+
 // An edit of what is no number could not be undone: nothing is equal to that.
 TEST(NodeBytes, OfPlacesAndRadiiThatAreNoNumbersAreNone) {
-  const double infinite = std::numeric_limits<double>::infinity();
-  for (const double wrong : {std::numeric_limits<double>::quiet_NaN(), infinite, -infinite}) {
-    Skeleton plant;
-    SkeletonEditor editor(plant);
-    (void)editor.add({.position = {0, wrong, 0}});
-    EXPECT_FALSE(deltaFrom(bytesOf(editor.commit(), {})));
-    EXPECT_FALSE(plantFrom(bytesOf(plant, {})));
-    Skeleton thick;
-    SkeletonEditor other(thick);
-    (void)other.add({.radius = wrong});
-    EXPECT_FALSE(deltaFrom(bytesOf(other.commit(), {})));
-    EXPECT_FALSE(plantFrom(bytesOf(thick, {})));
-  }
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  constexpr double place = 12.625;
+  constexpr double radius = 0.3125;
+  Skeleton plant;
+  SkeletonEditor editor(plant);
+  (void)editor.add({.position = {0, place, 0}, .radius = radius});
+  const std::string delta = bytesOf(editor.commit(), {});
+  const std::string whole = bytesOf(plant, {});
+  EXPECT_TRUE(deltaFrom(withNumber(delta, place, 7)));
+  EXPECT_TRUE(plantFrom(withNumber(whole, radius, 7)));
+  for (const double wrong : {std::numeric_limits<double>::quiet_NaN(), infinite, -infinite, 1e13})
+    for (const double number : {place, radius}) {
+      EXPECT_FALSE(deltaFrom(withNumber(delta, number, wrong)));
+      EXPECT_FALSE(plantFrom(withNumber(whole, number, wrong)));
+    }
+  for (const Node& node : {Node{.position = {0, 1e13, 0}}, Node{.radius = infinite}})
+    EXPECT_THROW((void)editor.add(node), Error) << "nor comes any into a plant";
 }
 
 // A delta that is empty but for points ends with them: their count, one run, and the hash.
@@ -85,14 +109,30 @@ TEST(NodeBytes, WithRunsThatAreNoneAreNone) {
       bytes[run + 4 + i] = static_cast<char>((end >> (8 * i)) & 0xFF);
     }
     bytes.resize(bytes.size() - 8);
-    const std::uint64_t hash = contentHash(bytes);
-    for (std::size_t i = 0; i < 8; ++i)
-      bytes.push_back(static_cast<char>((hash >> (8 * i)) & 0xFF));
-    return bytes;
+    return bytes + littleEndian(contentHash(bytes));
   };
   ASSERT_TRUE(deltaFrom(withRun(5, 6)));
   EXPECT_FALSE(deltaFrom(withRun(6, 6)));
   EXPECT_FALSE(deltaFrom(withRun(6, 5)));
+}
+
+// A program that knows version 3 alone would misread the index; what it can read, it may.
+TEST(NodeBytes, AreOfVersionFourWhereAnIndexIsAText) {
+  EXPECT_EQ(bytesOf(plantWithEntities()).front(), 4);
+  Skeleton plant = plantWithEntities();
+  plant.setEntities(NodeId{7}, {});
+  EXPECT_EQ(bytesOf(plant).front(), 3);
+  EXPECT_EQ(plantFrom(bytesOf(plant))->skeleton, plant);
+  std::string later = bytesOf(plant);
+  later.resize(later.size() - 8);
+  later.front() = 5;
+  EXPECT_FALSE(plantFrom(later + littleEndian(contentHash(later))));
+}
+
+TEST(NodeBytes, NameErasedIdsOnlyAsFarAsAnyFileMay) {
+  EXPECT_EQ(storedIdEnd(1000, 5), 1000U);
+  EXPECT_EQ(storedIdEnd(idsFor(0), 5), idsFor(0));
+  EXPECT_EQ(storedIdEnd(idsFor(0) + 1, 5), 5U) << "a project with these alone would be refused";
 }
 
 TEST(NodeBytes, OfAnotherKindAreNone) {

@@ -159,5 +159,65 @@ TEST(DamagedProject, GivesAPlantOfItsHistoryOrAnErrorHoweverBytesChange) {
   EXPECT_GT(recovered, 50) << "most of a file is no reason to give up all of it";
 }
 
+/// A project whose first node has this id.
+fs::path projectFromNode(std::uint32_t id) {
+  Skeleton plant;
+  growIds(plant, id);
+  (void)plant.add({});
+  fs::path file = test::freshFolder() / "oak.espalier";
+  (void)Project::create(file, {.skeleton = plant});
+  return file;
+}
+
+// A plant has a table by id: a file of 40 kB must not take gigabytes.
+TEST(DamagedProject, OfFarTooLargeIdsIsRefused) {
+  EXPECT_EQ(messageOnOpening(projectFromNode(1'000'000)), "") << "as after many reconstructions";
+  const fs::path file = projectOfTenMoves();
+  const auto withId = [&](std::uint32_t id) {
+    const SkeletonDelta delta{{{NodeId{id}, std::nullopt, Node{}}}};
+    Database database(file, Opening::readWrite);
+    database.prepare("UPDATE journal SET delta = ? WHERE step = 9")
+        .bindBytes(1, bytesOf(delta))
+        .run();
+  };
+  withId(33'554'400);
+  EXPECT_THAT(messageOnOpening(file), HasSubstr("oak.espalier: numbers its nodes up to 33554401"));
+  withId(5'000'000);
+  EXPECT_THAT(messageOnOpening(file), HasSubstr("numbers its nodes up to 5000001"));
+}
+
+// The steps behind the first may be dropped, and with them the bytes that its id follows from.
+TEST(DamagedProject, IsNeverWrittenByStepsThatAreDropped) {
+  const fs::path file = projectOfTenMoves();
+  Project project = Project::open(file, Access::readWrite);
+  const std::uint32_t far = 4'200'000;
+  SkeletonDelta many;
+  for (std::uint32_t i = 1; i <= 1000; ++i)
+    many.changes.push_back({NodeId{far + i}, std::nullopt, Node{}});
+  const std::vector<HistoryStep> steps = {
+      {.text = "Add", .delta = {{{NodeId{far}, std::nullopt, Node{}}}}},
+      {.text = "Add", .delta = many}};
+  const std::string problem = test::errorOf([&] {
+    project.record(10, steps, 12);
+    return 0;
+  });
+  EXPECT_THAT(problem, HasSubstr("numbers its nodes up to 4200001"));
+  EXPECT_THAT(problem, HasSubstr("save the plant as an MTG, and begin a new project with that"));
+  EXPECT_EQ(project.history().value.steps.size(), 10U);
+}
+
+TEST(DamagedProject, IsNeverWrittenByIdsThatRunOut) {
+  const fs::path file = projectOfTenMoves();
+  Project project = Project::open(file, Access::readWrite);
+  const HistoryStep step{.text = "Add", .delta = {{{NodeId{5'000'000}, std::nullopt, Node{}}}}};
+  EXPECT_THAT(test::errorOf([&] {
+                project.record(10, {&step, 1}, 11);
+                return 0;
+              }),
+              HasSubstr("numbers its nodes up to 5000001"));
+  EXPECT_EQ(project.history().value, Project::open(file, Access::readOnly).history().value);
+  EXPECT_EQ(project.history().value.steps.size(), 10U);
+}
+
 } // namespace
 } // namespace espalier

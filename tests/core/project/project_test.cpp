@@ -9,6 +9,7 @@
 #include <csignal>
 #include <fstream>
 #include <gmock/gmock.h>
+#include <limits>
 #include <stop_token>
 #include <sys/resource.h>
 #include <thread>
@@ -61,6 +62,50 @@ TEST(Project, ReplaysALongHistoryOfAllEdits) {
   const History history = withEdits(10'000);
   (void)Project::create(file, history);
   EXPECT_EQ(readBack(file), history);
+}
+
+/// Nodes that would make a project read as damaged.
+std::vector<Node> unreadableNodes() {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  return {{.radius = infinity},
+          {.radius = none},
+          {.radius = -1},
+          {.position = {0, none, 0}},
+          {.position = {0, 0, -infinity}}};
+}
+
+TEST(Project, RefusesAnEditThatCouldNotBeReadBack) {
+  const fs::path file = test::freshFolder() / "oak.espalier";
+  const History history = withEdits(20);
+  Project project = Project::create(file, history);
+  const NodeId id{static_cast<std::uint32_t>(history.skeleton.idEnd())};
+  for (const Node& node : unreadableNodes()) {
+    const HistoryStep step{.text = "Measure", .delta = {{{id, std::nullopt, node}}}};
+    const std::string problem = test::errorOf([&] {
+      project.record(history.position, {&step, 1}, history.position + 1);
+    });
+    EXPECT_THAT(problem, HasSubstr("not finite"));
+    EXPECT_THAT(problem, testing::Not(HasSubstr("\n")));
+    EXPECT_EQ(readBack(file), history) << "it is as it was before";
+  }
+}
+
+TEST(Project, RefusesAPlantThatCouldNotBeReadBack) {
+  const fs::path folder = test::freshFolder();
+  const History history = withEdits(20);
+  Project project = Project::create(folder / "oak.espalier", history);
+  for (const Node& node : unreadableNodes()) {
+    Skeleton plant;
+    (void)plant.add(node);
+    EXPECT_THAT(test::errorOf([&] { project.reset(plant); }), HasSubstr("not finite"));
+    EXPECT_THAT(test::errorOf([&] { project.takeSnapshot(plant, {}); }), HasSubstr("not finite"));
+    EXPECT_THAT(
+        test::errorOf([&] { (void)Project::create(folder / "new.espalier", {.skeleton = plant}); }),
+        HasSubstr("not finite"));
+    EXPECT_FALSE(fs::exists(folder / "new.espalier"));
+    EXPECT_EQ(readBack(folder / "oak.espalier"), history);
+  }
 }
 
 TEST(Project, UndoneStepsComeBackByRedo) {

@@ -28,8 +28,8 @@ std::vector<int> successorCounts(const Skeleton& plant) {
 }
 
 /// The unit of each scale that each node is part of, by its index.
-std::map<std::pair<NodeId, int>, int> unitsOfAll(const Skeleton& plant) {
-  std::map<std::pair<NodeId, int>, int> units;
+std::map<std::pair<NodeId, int>, std::string> unitsOfAll(const Skeleton& plant) {
+  std::map<std::pair<NodeId, int>, std::string> units;
   for (const NodeId id : plant.ids()) {
     const Node& node = plant[id];
     for (const int scale : {1, 2}) {
@@ -38,7 +38,7 @@ std::map<std::pair<NodeId, int>, int> unitsOfAll(const Skeleton& plant) {
       if (below != units.end()) units[{id, scale}] = below->second;
     }
     for (std::size_t i = 0; i + 1 < node.entities.size(); ++i)
-      units[{id, node.entities[i].scale}] = *node.entities[i].index;
+      units[{id, node.entities[i].scale}] = node.entities[i].index->text();
   }
   return units;
 }

@@ -1,9 +1,11 @@
+#include "core/base/error.h"
 #include "core/skeleton/skeleton_delta.h"
 #include "tests/support/plants.h"
 #include "tests/support/random_edits.h"
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <stdexcept>
 
 namespace espalier {
@@ -76,6 +78,22 @@ TEST(SkeletonEditor, TakesBackAnEditThatThrows) {
   };
   EXPECT_THROW(failingEdit(), std::runtime_error);
   EXPECT_EQ(plant, test::fork(3));
+}
+
+// What is beyond any plant could be saved, but not read again.
+TEST(SkeletonEditor, LetsNoNodeBeyondAnyPlant) {
+  const Skeleton before = test::stick(3);
+  Skeleton plant = before;
+  for (const double far : {1.1e12, -1e300, std::numeric_limits<double>::quiet_NaN()}) {
+    SkeletonEditor editor(plant);
+    EXPECT_THROW(editor.setPosition(NodeId{1}, {0, 0, far}), Error) << far;
+    EXPECT_THROW((void)editor.add({.position = {far, 0, 0}}), Error) << far;
+    EXPECT_TRUE(editor.commit().isEmpty());
+  }
+  SkeletonEditor editor(plant);
+  EXPECT_THROW(editor.setRadius(NodeId{1}, 1e13), Error);
+  EXPECT_TRUE(editor.commit().isEmpty());
+  EXPECT_EQ(plant, before);
 }
 
 } // namespace

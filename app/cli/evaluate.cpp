@@ -8,7 +8,6 @@
 #include "core/evaluate/ranking.h"
 
 #include <memory>
-#include <set>
 
 namespace espalier {
 namespace {
@@ -19,18 +18,15 @@ void requireSense(const EvaluateFlags& flags) {
   if (!isRanking && !flags.rankBy.empty())
     throw WrongUsage("--rank-by tells how several structures are ranked: give more of them, or "
                      "--ranking");
-  std::set<std::string> outputs;
-  for (const std::string& file : {flags.csv, flags.json, flags.report.file})
-    if (!file.empty() && !outputs.insert(file).second)
-      throw WrongUsage("two results would be written to " + file + ": give each a file of its own");
+  requireApart({flags.csv, flags.json, flags.mapping, flags.report.file});
 }
 
 void evaluate(const EvaluateFlags& flags) {
   requireSense(flags);
-  if (flags.merges && flags.editCost == "topology" && flags.files.size() == 2)
+  if (flags.merges && flags.editCost == "topology" && flags.editUnit == "axis")
     printNotes(
-        {"--merge-paths changes nothing with --edit-cost topology, where each joint costs as "
-         "much as the part it saves: choose attributes, length, place or shape"});
+        {"--merge-paths changes nothing with --edit-unit axis and --edit-cost topology, where "
+         "each joint costs as much as the axis it saves: choose segments, or another cost"});
   const Threads threads(flags.threads);
   std::vector<std::string> read = flags.files;
   if (!flags.report.scan.empty()) read.push_back(flags.report.scan);
@@ -51,6 +47,26 @@ std::vector<std::string> rankingNames() {
   return names;
 }
 
+void addRegistration(CLI::App& command, EvaluateFlags& flags) {
+  command.add_flag("--no-register", flags.noRegister,
+                   "Compare the two where they lie; without it the plant is first laid on the "
+                   "reference");
+  addNoRotate(command, flags.noRotate);
+  addChoice(command, "--up", flags.up,
+            "Axis of the files that points up: heights are along it, and a turn by any angle "
+            "about it is found",
+            {{"x", UpAxis::x}, {"y", UpAxis::y}, {"z", UpAxis::z}});
+  command
+      .add_option("--shift", flags.shift,
+                  "Move the plant by this to lie on the reference, rather than by what is found")
+      ->type_name("X,Y,Z");
+  command
+      .add_option("--turn", flags.turn,
+                  "Turn the plant by this about an axis through the middle of its box, before "
+                  "--shift, rather than by what is found")
+      ->type_name("X,Y,Z,DEGREES");
+}
+
 void addEdits(CLI::App& command, EvaluateFlags& flags) {
   command
       .add_option("--edit-unit", flags.editUnit,
@@ -62,8 +78,10 @@ void addEdits(CLI::App& command, EvaluateFlags& flags) {
                   "What an edit costs: topology, attributes, length, place or shape")
       ->check(oneOf(editCostNames()))
       ->type_name("COST");
-  command.add_flag("--merge-paths", flags.merges,
-                   "Let one segment stand for up to three that follow each other");
+  command.add_flag(
+      "--merge-paths", flags.merges,
+      "Let one part stand for up to three that follow each other, as where a spur cuts "
+      "a segment in two");
   command
       .add_option("--mapping", flags.mapping,
                   "File to write to which part stands for which, and what is removed and inserted")
@@ -103,21 +121,14 @@ void addEvaluate(CLI::App& app) {
           "Structures to judge, in any format that is read, and last the one that is taken as true")
       ->expected(1, 10000)
       ->required();
-  command->add_flag("--no-register", flags->noRegister,
-                    "Compare the two where they lie; without it the plant is first laid on the "
-                    "reference");
-  command
-      ->add_option("--shift", flags->shift,
-                   "Move the plant by this to lie on the reference, rather than by a shift that is "
-                   "found")
-      ->type_name("X,Y,Z");
+  addRegistration(*command, *flags);
   command
       ->add_option("--scale", flags->scale,
                    "Multiply all but the reference by this first, as by 0.001 from mm to m")
       ->type_name("FACTOR")
       ->check(number(1e-12, 1e12));
   addUnit(*command, flags->unit,
-          "Unit of the structures: named with the numbers, and tells where breast height is");
+          "Unit of the structures: named with the numbers, and sets where breast height is");
   command
       ->add_option("--distance", flags->distance,
                    "How far apart counts as near, for the report, the ranking and --where")
@@ -151,7 +162,8 @@ void addEvaluate(CLI::App& app) {
     command->get_option(option)->check(isNamed);
   addThreads(*command, flags->threads);
   command->callback([flags] { evaluate(*flags); });
-  command->footer("Lengths are in the unit of the structures.\n\n"
+  command->footer("Lengths are in the unit of the structures.\nOne plant without a reference: "
+                  "espalier traits.\n\n"
                   "Examples:\n"
                   "  espalier evaluate pine.mtg expert.mtg --json numbers.json\n"
                   "  espalier evaluate pine.mtg expert.mtg --scan pine.ply --report pine.html\n"

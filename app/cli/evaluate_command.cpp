@@ -1,10 +1,9 @@
 #include "app/cli/evaluate_command.h"
 
 #include "app/cli/files.h"
+#include "core/base/coordinates.h"
 #include "core/evaluate/comparable.h"
 #include "core/io/csv.h"
-
-#include <nlohmann/json.hpp>
 
 #include <ostream>
 
@@ -19,6 +18,8 @@ Skeleton skeletonIn(const std::string& file, double scale) {
     for (const NodeId id : skeleton.ids()) {
       skeleton.setPosition(id, scale * skeleton[id].position);
       skeleton.setRadius(id, scale * skeleton[id].radius);
+      if (!isInRange(skeleton[id].position, skeleton[id].radius))
+        throw outOfRange(file + ", scaled: node " + std::to_string(indexOf(id)) + ": ");
     }
   return skeleton;
 }
@@ -28,10 +29,6 @@ void writeTable(const std::string& file, const std::vector<std::vector<std::stri
     for (const std::vector<std::string>& row : rows)
       out << csvLine(row);
   });
-}
-
-void writeJson(const std::string& file, const nlohmann::ordered_json& json) {
-  writeAndTell(file, [&](std::ostream& out) { out << json.dump(2) << '\n'; });
 }
 
 } // namespace espalier

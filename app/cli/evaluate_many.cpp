@@ -9,13 +9,27 @@
 #include <nlohmann/json.hpp>
 
 namespace espalier {
+namespace {
+
+/// A line for each result that little of lies near the reference once it was laid on it.
+std::vector<std::string> poorFits(const Ranking& ranking, const std::vector<std::string>& names) {
+  std::vector<std::string> lines;
+  for (const RankedResult& result : ranking.results)
+    if (result.registration)
+      if (const std::string warning = warningOfFit(*result.registration); !warning.empty())
+        lines.push_back(names.at(result.result) + ": " + warning);
+  return lines;
+}
+
+} // namespace
 
 void evaluateMany(const EvaluateFlags& flags, const TerminalProgress& terminal) {
   if (flags.where || flags.merges || flags.traits || flags.light || !flags.mapping.empty())
     throw WrongUsage(
         "--where, --traits, --light, --merge-paths and --mapping tell of one plant: leave them "
         "out, or give one");
-  if (!flags.shift.empty()) throw WrongUsage("--shift is of one plant: leave it out, or give one");
+  if (!flags.shift.empty() || !flags.turn.empty())
+    throw WrongUsage("--shift and --turn are of one plant: leave them out, or give one");
   if (!flags.report.scan.empty())
     throw WrongUsage("--scan is of one plant: leave it out, or give one");
   const std::vector<std::string> names(flags.files.begin(), flags.files.end() - 1);
@@ -34,12 +48,16 @@ void evaluateMany(const EvaluateFlags& flags, const TerminalProgress& terminal) 
   const Ranking found =
       ranking(results, reference,
               {.registers = !flags.noRegister,
+               .registration = registrationIn(flags),
                .by = named<Score>(scoreNames(), flags.rankBy.empty() ? "f" : flags.rankBy),
                .distance = flags.distance,
                .draws = flags.draws,
                .seed = flags.seed},
               terminal.progress());
   terminal.clear();
+  const std::vector<std::string> ofFits = poorFits(found, names);
+  printNotes(ofFits);
+  notes.insert(notes.end(), ofFits.begin(), ofFits.end());
   print(found, names, flags.unit);
   writeTable(flags.csv, toTable(found, names));
   auto json = toJson(found, names);

@@ -5,15 +5,12 @@
 #include "app/cli/files.h"
 #include "app/cli/pipeline_flags.h"
 #include "core/base/error.h"
-#include "core/base/text.h"
 #include "core/evaluate/comparison.h"
 #include "core/evaluate/comparison_json.h"
 #include "core/evaluate/edit_table.h"
-#include "core/evaluate/registration.h"
+#include "core/evaluate/traits_json.h"
 
 #include <nlohmann/json.hpp>
-
-#include <cmath>
 
 namespace espalier {
 namespace {
@@ -22,30 +19,6 @@ EditOptions editOptions(const EvaluateFlags& flags) {
   return {.unit = named<EditUnit>(editUnitNames(), flags.editUnit),
           .cost = named<EditCost>(editCostNames(), flags.editCost),
           .mergesPaths = flags.merges};
-}
-
-/// All numbers of a comparison, a line each: "authors.geometric,0.9".
-std::vector<std::vector<std::string>> tableOf(const nlohmann::ordered_json& json) {
-  std::vector<std::vector<std::string>> rows = {{"name", "value"}};
-  const nlohmann::ordered_json flat = json.flatten();
-  for (const auto& [path, value] : flat.items()) {
-    std::string name = path.substr(1); // they begin with a slash
-    std::ranges::replace(name, '/', '.');
-    rows.push_back({name, value.is_string() ? value.get<std::string>() : value.dump()});
-  }
-  return rows;
-}
-
-/// Where the two are compared as they lie: how far off the result is, if that decides the scores.
-void warnOfShift(Comparison& comparison, const Skeleton& result, const Skeleton& reference,
-                 const std::string& unit, const Progress& progress) {
-  const double shift = registration(result, reference, {}, progress).shift.norm();
-  if (shift <= defaultTolerances(reference).front()) return;
-  comparison.warnings.push_back(
-      "the plant lies about " + plainDecimal(std::round(10 * shift) / 10) +
-      (unit.empty() ? "" : " " + unit) +
-      " off the reference, which lowers the scores: without --no-register "
-      "it is laid on it first");
 }
 
 void writeMapping(const std::string& file, const Comparison& comparison, const Skeleton& result,
@@ -57,15 +30,6 @@ void writeMapping(const std::string& file, const Comparison& comparison, const S
   writeTable(file, editTable(*comparison.edit, result, reference));
 }
 
-std::optional<Eigen::Isometry3d> motionIn(const EvaluateFlags& flags) {
-  if (flags.shift.empty()) return std::nullopt;
-  if (flags.noRegister) throw WrongUsage("--shift and --no-register exclude each other: give one");
-  const std::optional<Eigen::Vector3d> shift = placeIn(flags.shift);
-  if (!shift)
-    throw WrongUsage("--shift " + inQuotes(flags.shift) + ": write three numbers as X,Y,Z");
-  return Eigen::Isometry3d(Eigen::Translation3d(*shift));
-}
-
 } // namespace
 
 void evaluateOne(const EvaluateFlags& flags, const TerminalProgress& terminal) {
@@ -73,7 +37,8 @@ void evaluateOne(const EvaluateFlags& flags, const TerminalProgress& terminal) {
   const Skeleton reference = skeletonIn(flags.files.back());
   ComparisonOptions options;
   options.registers = !flags.noRegister;
-  options.registration.motion = motionIn(flags);
+  options.registration = registrationIn(flags);
+  options.registration.motion = motionIn(flags, result);
   options.edit = editOptions(flags);
   if (flags.light) options.light = LightOptions{.pixels = flags.pixels};
   options = withTolerance(options, reference, flags.distance);
@@ -83,8 +48,7 @@ void evaluateOne(const EvaluateFlags& flags, const TerminalProgress& terminal) {
   options.scan.cloud = scan;
   options.breastHeight = breastHeightIn(flags.unit);
   Comparison comparison = compare(result, reference, options, whole.part(0.1, 0.4));
-  if (flags.noRegister)
-    warnOfShift(comparison, result, reference, flags.unit, whole.part(0.4, 0.45));
+  if (flags.noRegister) warnOfPlace(comparison, result, reference, flags, whole.part(0.4, 0.45));
   std::vector<std::string> notes = comparison.warnings;
   std::erase(notes, comparison.shiftWarning); // what is printed tells of the shift
   printNotes(notes);
@@ -117,6 +81,7 @@ void evaluateOne(const EvaluateFlags& flags, const TerminalProgress& terminal) {
                  .unit = flags.unit,
                  .scale = flags.scale,
                  .distance = flags.distance,
+                 .registration = options.registration,
                  .edit = options.edit},
                 whole.part(0.7, 1));
 }

@@ -37,7 +37,7 @@ Report comparisonReport(const ReportData& data, const ReportPictures& pictures,
                               indicesSection, placesSection, woodSection, traitsSection})
     report.sections.push_back(section(parts));
   if (!about.choices.empty()) report.sections.push_back(choicesSection(about.choices));
-  if (about.handWork) report.sections.push_back(handWorkSection(parts));
+  if (about.handWork) report.sections.push_back(handWorkSection(*about.handWork, parts.numbers));
   report.sections.push_back(settingsSection(parts));
   report.sections.push_back(methodsSection(parts));
   return report;

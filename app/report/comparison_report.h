@@ -34,11 +34,13 @@ struct ReportAbout {
   ReportedFile result;
   ReportedFile reference;
   std::optional<ReportedFile> scan;
-  QString date;        // as it is to be written
-  QString version;     // of the program
-  QString unit;        // of lengths: "mm"; empty: not known
-  double scale = 1;    // that the result was multiplied by
-  double distance = 0; // [L], the tolerance that was asked for; 0: by the rule
+  QString date;          // as it is to be written
+  QString version;       // of the program
+  QString unit;          // of lengths: "mm"; empty: not known
+  double scale = 1;      // that the result was multiplied by
+  double distance = 0;   // [L], the tolerance that was asked for; 0: by the rule
+  bool turns = true;     // turns were looked for
+  UpAxis up = UpAxis::z; // all angles about it
   EditOptions edit;
   std::vector<ChoiceRecord> choices = {}; // of options
   std::optional<HandWork> handWork;       // none: the result has no history

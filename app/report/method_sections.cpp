@@ -4,6 +4,8 @@
 #include <QRegularExpression>
 #include <QtGlobal>
 
+#include <numbers>
+
 namespace espalier {
 namespace {
 
@@ -33,6 +35,14 @@ QString joined(const ReportNumbers& numbers, const std::vector<double>& lengths)
   return numbers.unit().isEmpty() ? all : all + QChar(0x202f) + numbers.unit();
 }
 
+QString turnText(const Registration& lay, const ReportNumbers& numbers) {
+  if (lay.angle() == 0) return tr("none");
+  const Eigen::Vector3d axis = lay.axis();
+  return tr("%1 about (%2, %3, %4) through its middle")
+      .arg(numbers.degrees(lay.angle()), numbers.share(axis.x()), numbers.share(axis.y()),
+           numbers.share(axis.z()));
+}
+
 void addRegistration(SettingsTable& table, const ReportParts& parts) {
   const auto& registration = parts.data.comparison.registration;
   const ReportNumbers& numbers = parts.numbers;
@@ -42,11 +52,17 @@ void addRegistration(SettingsTable& table, const ReportParts& parts) {
   }
   const Eigen::Vector3d& shift = registration->shift;
   table.add(tr("registration"), tr("the plant was moved to lie on the reference"));
+  table.add(tr("turns tried about"),
+            parts.about.turns ? QString(QLatin1Char("xyz"[static_cast<int>(parts.about.up)]))
+                              : tr("none"));
+  table.add(tr("turn about x, y, z"), turnText(*registration, numbers));
   table.add(tr("shift x, y, z"), joined(numbers, {shift.x(), shift.y(), shift.z()}));
   table.add(tr("shift in all"), numbers.length(shift.norm()));
   table.add(tr("mean distance before, after"),
             joined(numbers, {registration->residualBefore, registration->residualAfter}));
   table.add(tr("counted up to"), numbers.length(registration->reach));
+  table.add(tr("length of both within %1").arg(numbers.length(registration->nearDistance)),
+            numbers.percent(registration->near));
 }
 
 ReportTable settings(const ReportParts& parts) {
@@ -84,51 +100,48 @@ ReportTable settings(const ReportParts& parts) {
 }
 
 ReportTable inputs(const ReportParts& parts) {
-  ReportTable table;
-  table.caption = tr("Inputs");
-  table.columns = {{tr("role"), false}, {tr("file"), false}, {tr("SHA-256"), false}};
-  const auto add = [&](const QString& role, const ReportedFile& file) {
-    const QString name =
-        file.note.isEmpty() ? file.name : QStringLiteral("%1 (%2)").arg(file.name, file.note);
-    table.rows.push_back(
-        {{role}, {name}, {file.fingerprint.isEmpty() ? tr("none") : file.fingerprint}});
-  };
-  add(tr("plant"), parts.about.result);
-  add(tr("reference"), parts.about.reference);
-  if (parts.about.scan) add(tr("scan"), *parts.about.scan);
-  return table;
+  std::vector<std::pair<QString, ReportedFile>> files = {{tr("plant"), parts.about.result},
+                                                         {tr("reference"), parts.about.reference}};
+  if (parts.about.scan) files.emplace_back(tr("scan"), *parts.about.scan);
+  return inputsTable(files);
 }
 
 const QString exportedName = QStringLiteral("plant.mtg");
 
-/// A file as it is typed.
-QString typed(const ReportedFile& file) {
-  if (file.isToExport) return exportedName;
-  QString path = file.path.isEmpty() ? file.name : file.path;
-  static const QRegularExpression plain(QStringLiteral("^[\\w./+:=@%,-]+$"));
-  if (plain.match(path).hasMatch()) return path;
-  return '\'' + path.replace('\'', QStringLiteral("'\\''")) + '\'';
+/// The very numbers, with commas between; zero has no sign.
+QString listed(const Eigen::VectorXd& values) {
+  QStringList numbers;
+  for (const double number : values)
+    numbers.append(QString::number(number + 0.0, 'g', QLocale::FloatingPointShortest));
+  return numbers.join(',');
 }
 
-/// Tells the very numbers; zero has no sign.
-QString shiftFlag(const Eigen::Vector3d& shift) {
-  QStringList numbers;
-  for (const double number : shift)
-    numbers.append(QString::number(number + 0.0, 'g', QLocale::FloatingPointShortest));
-  return QStringLiteral("--shift=") + numbers.join(',');
+/// How the plant is laid on the reference.
+QStringList placeFlags(const std::optional<Registration>& registration, const ReportAbout& about) {
+  if (!registration) return {QStringLiteral("--no-register")};
+  QStringList flags;
+  if (registration->isGiven && registration->angle() == 0) {
+    flags = {"--shift=" + listed(registration->motion.translation())};
+  } else if (registration->isGiven) {
+    const double degrees = registration->angle() * 180 / std::numbers::pi;
+    flags = {"--turn=" + listed((Eigen::Vector4d() << registration->axis(), degrees).finished()),
+             "--shift=" + listed(registration->shift)};
+  } else {
+    if (!about.turns) flags.append(QStringLiteral("--no-rotate"));
+    if (about.up != UpAxis::z)
+      flags.append(QStringLiteral("--up %1").arg(QLatin1Char("xyz"[static_cast<int>(about.up)])));
+  }
+  return flags;
 }
 
 /// What to type for the same numbers.
 QString commandOf(const ReportParts& parts) {
   const ReportAbout& about = parts.about;
-  QStringList words = {QStringLiteral("espalier evaluate"), typed(about.result),
-                       typed(about.reference)};
-  const auto& registration = parts.data.comparison.registration;
-  if (!registration) words.append(QStringLiteral("--no-register"));
-  if (registration && registration->isGiven)
-    words.append(shiftFlag(registration->motion.translation()));
+  QStringList words = {QStringLiteral("espalier evaluate"), typedName(about.result),
+                       typedName(about.reference)};
+  words += placeFlags(parts.data.comparison.registration, about);
   if (about.scan && !about.scan->path.isEmpty())
-    words.append(QStringLiteral("--scan ") + typed(*about.scan));
+    words.append(QStringLiteral("--scan ") + typedName(*about.scan));
   if (about.scale != 1) words.append(QStringLiteral("--scale %1").arg(about.scale));
   if (!about.unit.isEmpty()) words.append(QStringLiteral("--unit %1").arg(about.unit));
   if (about.distance > 0)
@@ -155,7 +168,8 @@ std::vector<ReportTerms::Term> nearnessTerms() {
   return {
       {tr("Registration"),
        tr("The plant is moved to where it fits the reference best, from several starts, before "
-          "anything is measured: two files of one plant are often not in the same frame."),
+          "anything is measured: two files of one plant are often not in the same frame. It is "
+          "turned only where that lowers the mean distance by a tenth."),
        QStringLiteral("P. Besl, N. McKay, A method for registration of 3-D shapes, PAMI 14(2), "
                       "1992.")},
       {tr("Precision, recall, F"),
@@ -220,7 +234,16 @@ std::vector<ReportTerms::Term> plantTerms(bool hasLight) {
        tr("Stems are measured 1.3 m above the foot of the reference. Of 16 sectors about a node of "
           "the reference, those that hold points of its section tell how much of the way around "
           "the scanner saw."),
-       QStringLiteral("P. Raumonen et al., Remote Sensing 5, 2013, for the sectors.")},
+       QStringLiteral("P. Raumonen et al., Remote Sensing 5, 2013, for the sectors.")}};
+  const std::vector<ReportTerms::Term> ofEach = traitTerms(hasLight);
+  terms.insert(terms.end(), ofEach.begin(), ofEach.end());
+  return terms;
+}
+
+} // namespace
+
+std::vector<ReportTerms::Term> traitTerms(bool hasLight) {
+  std::vector<ReportTerms::Term> terms = {
       {tr("Strahler number"),
        tr("An apex has 1; a node has the greatest number above it, and one more where several have "
           "that."),
@@ -238,15 +261,38 @@ std::vector<ReportTerms::Term> plantTerms(bool hasLight) {
   return terms;
 }
 
-} // namespace
+ReportTable inputsTable(const std::vector<std::pair<QString, ReportedFile>>& inputs) {
+  ReportTable table;
+  table.caption = tr("Inputs");
+  table.columns = {{tr("role"), false}, {tr("file"), false}, {tr("SHA-256"), false}};
+  for (const auto& [role, file] : inputs) {
+    const QString name =
+        file.note.isEmpty() ? file.name : QStringLiteral("%1 (%2)").arg(file.name, file.note);
+    table.rows.push_back(
+        {{role}, {name}, {file.fingerprint.isEmpty() ? tr("none") : file.fingerprint}});
+  }
+  return table;
+}
+
+QString typedName(const ReportedFile& file) {
+  if (file.isToExport) return exportedName;
+  QString path = file.path.isEmpty() ? file.name : file.path;
+  static const QRegularExpression plain(QStringLiteral("^[\\w./+:=@%,-]+$"));
+  if (plain.match(path).hasMatch()) return path;
+  return '\'' + path.replace('\'', QStringLiteral("'\\''")) + '\'';
+}
+
+std::vector<ReportBlock> exportAdvice(const ReportedFile& file) {
+  if (!file.isToExport) return {};
+  return {ReportParagraph{tr("Export the plant as %1 first.").arg(exportedName)}};
+}
 
 ReportSection settingsSection(const ReportParts& parts) {
   ReportSection section{tr("How it was measured"), {inputs(parts), settings(parts)}};
   section.blocks.emplace_back(ReportParagraph{
       tr("All numbers as JSON and CSV; they are the values that this report rounds:")});
-  if (parts.about.result.isToExport)
-    section.blocks.emplace_back(
-        ReportParagraph{tr("Export the plant as %1 first.").arg(exportedName)});
+  for (const ReportBlock& advice : exportAdvice(parts.about.result))
+    section.blocks.push_back(advice);
   section.blocks.emplace_back(ReportParagraph{commandOf(parts), ReportParagraph::Look::code});
   return section;
 }

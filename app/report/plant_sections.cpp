@@ -48,54 +48,20 @@ private:
   ReportTable table_;
 };
 
-void addSizes(BesideTable& table, const ReportParts& parts) {
-  const Traits& found = parts.data.comparison.resultTraits;
-  const Traits& expected = parts.data.comparison.referenceTraits;
-  const ReportNumbers& numbers = parts.numbers;
-  table.add(tr("nodes"), found.nodes, expected.nodes);
-  table.add(tr("trees"), found.roots, expected.roots);
-  table.add(tr("segments"), found.segments, expected.segments);
-  table.add(tr("tips"), found.tips, expected.tips);
-  table.add(tr("branchings"), found.branchings, expected.branchings);
-  table.add(tr("orders"), found.axesByOrder.size(), expected.axesByOrder.size());
-  table.add(tr("Strahler number"), found.strahler.size(), expected.strahler.size());
-  table.add(numbers.inUnit(tr("length")), found.length, expected.length);
-  table.add(numbers.inUnit(tr("median edge")), found.medianEdge, expected.medianEdge);
-}
-
-void addStem(BesideTable& table, const ReportParts& parts) {
-  const StemTraits& found = parts.data.comparison.resultTraits.stem;
-  const StemTraits& expected = parts.data.comparison.referenceTraits.stem;
-  const ReportNumbers& numbers = parts.numbers;
-  table.add(numbers.inUnit(tr("stem length")), found.length, expected.length);
-  table.add(numbers.inUnit(tr("lowest branch on it")), found.lowestBranch, expected.lowestBranch);
-  table.add(numbers.inUnit(tr("highest branch on it")), found.highestBranch,
-            expected.highestBranch);
-  table.add(numbers.inUnit(tr("stem radius at the base")), found.baseRadius, expected.baseRadius);
-  table.add(numbers.inUnit(tr("stem radius at the top")), found.topRadius, expected.topRadius);
-}
-
-void addCrown(BesideTable& table, const ReportParts& parts) {
-  const CrownDimensions& found = parts.data.comparison.resultTraits.crown;
-  const CrownDimensions& expected = parts.data.comparison.referenceTraits.crown;
-  const ReportNumbers& numbers = parts.numbers;
-  table.add(numbers.inUnit(tr("height")), found.height, expected.height);
-  table.add(numbers.inUnit(tr("crown base")), found.baseHeight, expected.baseHeight);
-  table.add(numbers.inUnit(tr("crown depth")), found.depth, expected.depth);
-  table.add(numbers.inUnit(tr("crown area"), 2), found.area, expected.area);
-  table.add(numbers.inUnit(tr("crown diameter")), found.diameter, expected.diameter);
-  table.add(numbers.inUnit(tr("crown spread")), found.spread, expected.spread);
-}
-
-void addAngles(BesideTable& table, const ReportParts& parts) {
-  const BranchAngles& found = parts.data.comparison.resultTraits.angles;
-  const BranchAngles& expected = parts.data.comparison.referenceTraits.angles;
-  const std::size_t orders = std::min(found.byOrder.size(), expected.byOrder.size());
-  for (std::size_t k = 0; k < orders; ++k)
-    table.addAngle(tr("branching angle, order %1").arg(k + 1), found.byOrder[k].mean,
-                   expected.byOrder[k].mean);
-  if (found.divergence.count > 0 && expected.divergence.count > 0)
-    table.addAngle(tr("divergence"), found.divergence.mean, expected.divergence.mean);
+/// The rows that both have, beside each other.
+void addTraits(BesideTable& table, const ReportParts& parts) {
+  const std::vector<TraitRow> expected = traitRows(parts.data.comparison.referenceTraits);
+  for (const TraitRow& row : traitRows(parts.data.comparison.resultTraits)) {
+    const auto same = std::ranges::find(expected, row.label, &TraitRow::label);
+    if (same == expected.end()) continue;
+    if (row.kind == TraitKind::angle)
+      table.addAngle(nameOf(row, parts.numbers), row.value, same->value);
+    else if (row.kind == TraitKind::count)
+      table.add(nameOf(row, parts.numbers), static_cast<std::size_t>(row.value),
+                static_cast<std::size_t>(same->value));
+    else
+      table.add(nameOf(row, parts.numbers), row.value, same->value);
+  }
 }
 
 ReportTable axesTable(const ReportParts& parts) {
@@ -160,12 +126,23 @@ ReportTable lightTable(const ReportParts& parts) {
 
 } // namespace
 
+QString nameOf(const TraitRow& row, const ReportNumbers& numbers) {
+  const QString name = tr(row.label.c_str());
+  switch (row.kind) {
+  case TraitKind::length:
+    return numbers.inUnit(name);
+  case TraitKind::area:
+    return numbers.inUnit(name, 2);
+  case TraitKind::volume:
+    return numbers.inUnit(name, 3);
+  default:
+    return name;
+  }
+}
+
 ReportSection traitsSection(const ReportParts& parts) {
   BesideTable table(parts.numbers, tr("trait"));
-  addSizes(table, parts);
-  addStem(table, parts);
-  addCrown(table, parts);
-  addAngles(table, parts);
+  addTraits(table, parts);
   ReportSection section{tr("Architecture"), {}};
   section.blocks.emplace_back(std::move(table).table(tr("Each plant by itself")));
   section.blocks.emplace_back(axesTable(parts));
@@ -184,13 +161,12 @@ ReportSection traitsSection(const ReportParts& parts) {
   return section;
 }
 
-ReportSection handWorkSection(const ReportParts& parts) {
-  const HandWork& work = *parts.about.handWork;
+ReportSection handWorkSection(const HandWork& work, const ReportNumbers& numbers) {
   const Corrections& done = work.corrections;
   ReportTable table;
   table.columns = {{tr("correction"), false}, {tr("nodes")}};
   const auto add = [&](const QString& name, std::size_t count) {
-    table.rows.push_back({{name}, {parts.numbers.count(count)}});
+    table.rows.push_back({{name}, {numbers.count(count)}});
   };
   add(tr("added"), done.added);
   add(tr("removed"), done.removed);
@@ -199,7 +175,7 @@ ReportSection handWorkSection(const ReportParts& parts) {
   add(tr("another type of edge"), done.retyped);
   add(tr("another radius"), done.radii);
   const QString edits =
-      done.edits == 1 ? tr("1 edit") : tr("%1 edits").arg(parts.numbers.count(done.edits));
+      done.edits == 1 ? tr("1 edit") : tr("%1 edits").arg(numbers.count(done.edits));
   const QString text = done.edits == 0
                            ? tr("Nothing was corrected by hand since the last reconstruction.")
                            : tr("Since the last reconstruction: %1, %2 of work. Pauses of over 5 "

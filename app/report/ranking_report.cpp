@@ -142,16 +142,20 @@ ReportSection origin(const Parts& parts) {
   inputs.columns = {{tr("role"), false},
                     {tr("file"), false},
                     {parts.numbers.inUnit(tr("shifted by"))},
+                    {tr("turned by")},
                     {tr("SHA-256"), false}};
   for (const RankedResult& result : parts.data.ranking.results) {
     const ReportedFile& file = parts.about.results.at(result.result);
+    const Registration lay = result.registration.value_or(Registration());
     inputs.rows.push_back({{tr("structure")},
                            {file.name},
-                           {parts.numbers.number(result.shift.norm())},
+                           {parts.numbers.number(lay.shift.norm())},
+                           {parts.numbers.degrees(lay.angle())},
                            {file.fingerprint}});
   }
   inputs.rows.push_back({{tr("reference")},
                          {parts.about.reference.name},
+                         {QStringLiteral("–")},
                          {QStringLiteral("–")},
                          {parts.about.reference.fingerprint}});
   ReportTable settings;
@@ -160,8 +164,9 @@ ReportSection origin(const Parts& parts) {
   const Ranking& ranking = parts.data.ranking;
   settings.rows = {
       {{tr("registration")},
-       {parts.data.isRegistered ? tr("each structure was moved to lie on the reference")
-                                : tr("none: compared where they lie")}},
+       {parts.data.isRegistered
+            ? tr("each structure was laid on the reference; its row says how far it was turned")
+            : tr("none: compared where they lie")}},
       {{tr("scale of the structures")}, {parts.numbers.given(parts.about.scale)}},
       {{tr("tolerance")}, {parts.numbers.givenLength(ranking.distance)}},
       {{tr("draws for the intervals")},
@@ -181,8 +186,7 @@ RankingReportData rankingReportData(Ranking ranking, const std::vector<Skeleton>
   const auto all = static_cast<double>(data.ranking.results.size());
   for (const RankedResult& result : data.ranking.results) {
     const auto done = static_cast<double>(data.curves.size());
-    Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
-    motion.translation() = result.shift; // a ranking turns nothing
+    const Eigen::Isometry3d motion = result.registration.value_or(Registration()).motion;
     data.curves.push_back(toleranceCurve(moved(results.at(result.result), motion), reference,
                                          {.distances = distances},
                                          progress.part(done / all, (done + 1) / all))

@@ -55,19 +55,20 @@ QString whatDiffers(const ReportParts& parts) {
            numbers.length(found.invented), places(numbers, counts.invented), attached);
 }
 
-/// What the colors of the points mean.
-QString heightText(const PointCloud& scan, const ReportNumbers& numbers) {
-  const std::optional<Legend> heights = pointLegend(scan, PointColor::height);
-  if (!heights) return tr("all at one height");
-  return tr("colored by height, from %1 (violet) to %2 (green)")
-      .arg(numbers.length(heights->from, 3), numbers.length(heights->to, 3));
-}
-
 /// As the warning of the comparison, with the unit.
-QString shiftText(const Eigen::Vector3d& shift, const ReportNumbers& numbers) {
-  return tr("the plant lay %1 off the reference: it was moved by (%2, %3, %4) to lie on it")
-      .arg(numbers.length(shift.norm()), numbers.length(shift.x()), numbers.length(shift.y()),
-           numbers.length(shift.z()));
+QString shiftText(const Registration& lay, const ReportNumbers& numbers) {
+  const Eigen::Vector3d& shift = lay.shift;
+  const QString by =
+      tr("(%1, %2, %3)")
+          .arg(numbers.length(shift.x()), numbers.length(shift.y()), numbers.length(shift.z()));
+  const QString off = numbers.length(shift.norm());
+  if (lay.angle() == 0)
+    return tr("the plant lay %1 off the reference: it was moved by %2 to lie on it").arg(off, by);
+  const Eigen::Vector3d axis = lay.axis();
+  return tr("the plant lay %1 off the reference: it was turned by %2 about (%3, %4, %5) and moved "
+            "by %6 to lie on it")
+      .arg(off, numbers.degrees(lay.angle()), numbers.share(axis.x()), numbers.share(axis.y()),
+           numbers.share(axis.z()), by);
 }
 
 double f(const PartAgreement& part) {
@@ -134,6 +135,18 @@ ReportTable errorTable(const ReportParts& parts, const QString& caption,
 
 } // namespace
 
+QString scanText(const QString& name, const PointCloud& scan, UpAxis up,
+                 const ReportNumbers& numbers) {
+  const std::optional<Legend> heights = pointLegend(scan, PointColor::height, up);
+  const QString colors =
+      heights ? tr("colored by height, from %1 (violet) to %2 (green)")
+                    .arg(numbers.length(heights->from, 3), numbers.length(heights->to, 3))
+              : tr("all at one height");
+  const auto points = static_cast<std::size_t>(scan.size());
+  return points == 1 ? tr("%1, 1 point, %2").arg(name, colors)
+                     : tr("%1, %2 points, %3").arg(name, numbers.count(points), colors);
+}
+
 ReportSection summarySection(const ReportParts& parts) {
   QStringList sentences = {whatIsNear(parts), whatDiffers(parts), whereItDiffers(parts)};
   sentences.removeAll(QString());
@@ -149,7 +162,7 @@ ReportSection summarySection(const ReportParts& parts) {
   const Comparison& comparison = parts.data.comparison;
   for (const std::string& warning : comparison.warnings)
     warnings.lines.append(warning == comparison.shiftWarning
-                              ? shiftText(comparison.registration->shift, parts.numbers)
+                              ? shiftText(*comparison.registration, parts.numbers)
                               : QString::fromStdString(warning));
   if (parts.about.scale != 1)
     warnings.lines.append(
@@ -193,10 +206,7 @@ ReportSection plantsSection(const ReportParts& parts) {
        {pictures.reference, tr("The reference"), parts.about.reference.name},
        {pictures.scan, tr("The scan"),
         parts.about.scan
-            ? tr("%1, %2 points, %3")
-                  .arg(parts.about.scan->name,
-                       numbers.count(static_cast<std::size_t>(parts.data.scan->size())),
-                       heightText(*parts.data.scan, numbers))
+            ? scanText(parts.about.scan->name, *parts.data.scan, parts.about.up, numbers)
             : QString()}});
   return section;
 }

@@ -3,9 +3,10 @@
 #include "core/evaluate/barcode.h"
 #include "core/evaluate/comparable.h"
 #include "core/evaluate/comparison_warnings.h"
-#include "core/surface/generalized_cylinders.h"
+#include "core/evaluate/plant_measures.h"
 
 #include <algorithm>
+#include <numbers>
 #include <sstream>
 
 namespace espalier {
@@ -15,28 +16,43 @@ void warn(Comparison& comparison, const std::string& warning) {
   if (!warning.empty()) comparison.warnings.push_back(warning);
 }
 
-void warnOfShift(Comparison& comparison, double unit) {
-  if (!comparison.registration || comparison.registration->shift.norm() <= unit) return;
-  const Eigen::Vector3d& shift = comparison.registration->shift;
+std::string inBrackets(const Eigen::Vector3d& vector) {
   std::ostringstream text;
   text.precision(4);
-  text << "the plant lay " << shift.norm() << " off the reference: it was moved by (" << shift.x()
-       << ", " << shift.y() << ", " << shift.z() << ") to lie on it";
+  text << '(' << vector.x() << ", " << vector.y() << ", " << vector.z() << ')';
+  return text.str();
+}
+
+void warnOfShift(Comparison& comparison, double unit) {
+  if (!comparison.registration) return;
+  const Registration& lay = *comparison.registration;
+  if (lay.angle() == 0 && lay.shift.norm() <= unit) return;
+  std::ostringstream text;
+  text.precision(4);
+  text << "the plant lay " << lay.shift.norm() << " off the reference: it was ";
+  if (lay.angle() > 0)
+    text << "turned by " << lay.angle() * 180 / std::numbers::pi << " degrees about "
+         << inBrackets(((1e3 * lay.axis()).array().round() / 1e3 + 0.0).matrix()) << " and ";
+  text << "moved by " << inBrackets(lay.shift) << " to lie on it";
   comparison.shiftWarning = text.str();
   comparison.warnings.push_back(comparison.shiftWarning);
+}
+
+/// Little lies near once the plant is laid on the reference, or nothing does.
+void warnOfMisfit(Comparison& comparison) {
+  const auto& lay = comparison.registration;
+  const std::string ofFit = lay ? warningOfFit(*lay) : std::string();
+  warn(comparison,
+       ofFit.empty() ? warningOfDistance(comparison.tolerance, lay.has_value()) : ofFit);
 }
 
 /// Light on the surface of a plant; none, with a warning, of one without radii.
 std::optional<LightInterception> lightOf(Comparison& comparison, const Skeleton& skeleton,
                                          const std::string& role, const LightOptions& options,
                                          const Progress& progress) {
-  const std::vector<NodeId> ids = skeleton.ids();
-  if (std::ranges::none_of(ids, [&](NodeId id) { return skeleton[id].radius > 0; })) {
-    warn(comparison, role + " has no radii: its light is left out; estimate radii first");
-    return std::nullopt;
-  }
-  return lightInterception(surfaceByGeneralizedCylinders(skeleton, {}, progress.part(0, 0.2)),
-                           options, progress.part(0.2, 1));
+  std::optional<LightInterception> light = lightOn(skeleton, options, progress);
+  if (!light) warn(comparison, role + " has no radii: its light is left out; estimate radii first");
+  return light;
 }
 
 /// Parts of a plant that an edit distance would compare.
@@ -71,6 +87,7 @@ void compareEdits(Comparison& comparison, const Skeleton& laid, const Skeleton& 
   comparison.warnings.push_back(text.str());
 }
 
+/// pre: both stand along z
 void measureEach(Comparison& comparison, const Skeleton& result, const Skeleton& reference) {
   comparison.resultTraits = traits(result);
   comparison.referenceTraits = traits(reference);
@@ -120,7 +137,9 @@ Comparison compare(const Skeleton& result, const Skeleton& reference,
   requireComparable(result, "the plant");
   requireComparable(reference, "the reference");
   Comparison comparison;
-  measureEach(comparison, result, reference);
+  const UpAxis up = options.registration.up;
+  const Skeleton uprightReference = standing(reference, up);
+  measureEach(comparison, standing(result, up), uprightReference);
   warn(comparison, warningOfTrees(comparison.resultTraits, "the plant"));
   warn(comparison, warningOfTrees(comparison.referenceTraits, "the reference"));
   const std::string ofSize = warningOfSize(comparison.resultTraits, comparison.referenceTraits);
@@ -140,7 +159,7 @@ Comparison compare(const Skeleton& result, const Skeleton& reference,
                progress.part(0.63, 0.68, "Counting edits"));
   comparison.tolerance = toleranceCurve(laid, reference, options.tolerance,
                                         progress.part(0.68, 0.8, "Measuring distances"));
-  if (ofSize.empty()) warn(comparison, warningOfDistance(comparison.tolerance, options.registers));
+  if (ofSize.empty()) warnOfMisfit(comparison);
   comparison.capped = cappedScores(
       laid, reference,
       {.distances = cappedDistances(comparison.tolerance), .step = comparison.tolerance.step},
@@ -148,20 +167,21 @@ Comparison compare(const Skeleton& result, const Skeleton& reference,
 
   comparison.coverages =
       coveragesOf(comparison, result, reference, options, progress.part(0.9, 0.91));
-  comparison.stems = stemDiameters(laid, reference, options.breastHeight);
+  const Skeleton uprightLaid = standing(laid, up);
+  comparison.stems = stemDiameters(uprightLaid, uprightReference, options.breastHeight);
   const double step = comparison.tolerance.step;
   const double near = options.placeDistance > 0 ? options.placeDistance : usualTolerance(reference);
   compareLandmarks(comparison, laid, reference,
                    options.landmarkDistance > 0 ? options.landmarkDistance
                                                 : comparison.referenceTraits.medianEdge,
                    near, progress.part(0.91, 0.95));
-  comparison.byPlace =
-      agreementByPlace(laid, reference, near, step, progress.part(0.95, options.light ? 0.96 : 1));
+  comparison.byPlace = agreementByPlace(uprightLaid, uprightReference, near, step,
+                                        progress.part(0.95, options.light ? 0.96 : 1));
   if (options.light) {
-    comparison.resultLight = lightOf(comparison, laid, "the plant", *options.light,
+    comparison.resultLight = lightOf(comparison, uprightLaid, "the plant", *options.light,
                                      progress.part(0.96, 0.98, "Measuring light"));
-    comparison.referenceLight =
-        lightOf(comparison, reference, "the reference", *options.light, progress.part(0.98, 1));
+    comparison.referenceLight = lightOf(comparison, uprightReference, "the reference",
+                                        *options.light, progress.part(0.98, 1));
   }
   progress.update(1);
   return comparison;

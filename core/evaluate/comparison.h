@@ -29,8 +29,8 @@
 namespace espalier {
 
 struct ComparisonOptions {
-  bool registers = true; // lays the result on the reference before anything is measured
-  RegistrationOptions registration;
+  bool registers = true;            // lays the result on the reference before anything is measured
+  RegistrationOptions registration; // its `up` is the axis along which heights are measured, too
   AuthorsOptions authors;
   EditOptions edit;
   ToleranceOptions tolerance;
@@ -80,9 +80,9 @@ inline constexpr std::size_t mostEditedPairs = 25'000'000;
 /// to many, and capped, edit distance, tolerance curve, tips, branchings, connections, radii and
 /// agreement by place on the registered result, and the barcodes, the traits and the wood of both.
 ///
-/// Warns if the two lie apart by more than the finest default tolerance, if one is of several
-/// trees, if one is as much larger as a unit is than another, or over 20 times, and if hardly
-/// anything of the two lies near.
+/// Warns if the two lie apart by more than the finest default tolerance or were turned, if one is
+/// of several trees, if one is as much larger as a unit is than another, or over 20 times, and if
+/// little or hardly anything of the two lies near.
 ///
 /// @throws Error     if one of the two has no nodes, no length, or a position that is no number
 /// @throws Cancelled if `progress` asks to stop

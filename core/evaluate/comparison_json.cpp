@@ -63,8 +63,12 @@ Json toJson(const DistanceSummary& summary) {
 }
 
 Json toJson(const Registration& registration) {
-  const double angle = Eigen::AngleAxisd(registration.motion.linear()).angle();
+  const double angle = registration.angle();
   return {{"rotation", angle * 180 / std::numbers::pi},
+          {"axis", angle > 0 ? toJson(registration.axis()) : Json()},
+          {"turned_about", toJson(registration.middle)},
+          {"near_distance", registration.nearDistance},
+          {"near_share", registration.near},
           {"reach", registration.reach},
           {"residual_before", registration.residualBefore},
           {"residual_after", registration.residualAfter}};
@@ -151,11 +155,6 @@ Json toJson(const ArchitectureAgreement& agreed) {
           {"edge_kappa", of(hasEdges, agreed.types.kappa())}};
 }
 
-Json toJson(const WoodAmount& wood) {
-  return {
-      {"edges", wood.edges}, {"length", wood.length}, {"area", wood.area}, {"volume", wood.volume}};
-}
-
 Json toJson(const PartAgreement& part) {
   return {{"from", part.from},
           {"to", part.to},
@@ -177,12 +176,6 @@ Json toJson(const RadiusAgreement& radii) {
   return {{"distance", radii.distance},           {"compared", radii.compared},
           {"mean_error", of(radii.meanError)},    {"root_mean_square", of(radii.rootMeanSquare)},
           {"concordance", of(radii.concordance)}, {"by_arc", listOf(radii.byArc)}};
-}
-
-Json toJson(const WoodAmounts& wood) {
-  return {{"whole", toJson(wood.whole)},
-          {"by_order", listOf(wood.byOrder)},
-          {"by_radius", listOf(wood.byRadius)}};
 }
 
 Json toJson(const AgreementByPlace& agreed) {

@@ -17,8 +17,11 @@ namespace espalier {
 ///                null if it would take too long
 ///   tolerance[]  distance, precision, recall, f
 ///   distances    step, {to_reference,to_result}.{mean,percentile_95,far_share,far_mean}
-///   shift        [x, y, z] by which the result was moved; zeros if it was not registered
-///   registration rotation, reach, residual_before, residual_after; null if not registered
+///   shift        [x, y, z] by which the middle of the result was moved; zeros if not registered
+///   registration rotation, axis, turned_about, near_distance, near_share, reach, residual_before,
+///                residual_after; null if not registered. The result was turned by `rotation`
+///                about `axis` (null: not at all) through its middle `turned_about`, then shifted;
+///                `near_share` is the share of the length of both within `near_distance` then
 ///   traits       {result,reference}.{nodes,roots,tips,branchings,segments,length,median_edge,
 ///                extent,axes_by_order,length_by_order,axes[].{count,mean_length,
 ///                length_deviation,median_length,mean_chord,mean_insertion,mean_base_radius,

@@ -33,6 +33,12 @@ std::string warningOfTrees(const Traits& traits, std::string_view role) {
          " separate trees, compared as one plant: keep one of them if they are not";
 }
 
+std::string warningOfTrees(const Traits& traits) {
+  if (traits.roots <= 1) return {};
+  return "the plant is of " + std::to_string(traits.roots) +
+         " separate trees, measured as one plant: keep one of them if they are not";
+}
+
 std::string warningOfSize(const Traits& result, const Traits& reference) {
   const double quotient = result.extent.norm() / reference.extent.norm();
   const bool isLarger = quotient > 1;
@@ -50,6 +56,17 @@ std::string warningOfSize(const Traits& result, const Traits& reference) {
          << ", the reference in " << (isLarger ? units->larger : units->smaller)
          << "; scale the plant by " << plainDecimal(isLarger ? 1 / units->ratio : units->ratio);
   }
+  return text.str();
+}
+
+std::string warningOfFit(const Registration& registration) {
+  if (registration.near >= poorFit) return {};
+  std::ostringstream text;
+  text.precision(3);
+  text << "the two fit poorly: laid on each other, "
+       << plainDecimal(std::round(100 * registration.near)) << " % of their length lies within "
+       << registration.nearDistance
+       << " of the other, an eighth of a mean segment: check that they are of the same plant";
   return text.str();
 }
 

@@ -34,8 +34,12 @@ Eigen::Isometry3d referenceMotion(const Skeleton& result, const Skeleton& refere
                                   const EvaluationOptions& options, const Progress& progress) {
   if (!options.registers) return Eigen::Isometry3d::Identity();
   if (options.motion && !options.isResultEdited) return *options.motion;
-  Eigen::Isometry3d found = registration(result, reference, {}, progress).motion.inverse();
-  if (!options.motion) return found;
+  RegistrationOptions how{.turns = options.turns, .up = options.up};
+  if (!options.motion) return registration(result, reference, how, progress).motion.inverse();
+  how.goodEnough = 0.5; // an edit does not turn it to another side, unless it fits nowhere
+  const Eigen::Isometry3d again =
+      registration(result, moved(reference, *options.motion), how, progress).motion.inverse();
+  const Eigen::Isometry3d found = again * *options.motion;
   const Eigen::AlignedBox3d box = bounds(reference);
   const auto apart = [&](const Eigen::Vector3d& place) {
     return (found * place - *options.motion * place).norm();
@@ -55,11 +59,16 @@ Evaluation evaluate(const Skeleton& result, const Skeleton& reference,
   const Eigen::Vector3d middle = bounds(reference).center();
   made.shift = made.motion * middle - middle;
   made.isShiftLarge = made.shift.norm() > usual.front();
+  if (options.registers)
+    made.registration = registration(result, reference, {.motion = made.motion.inverse()});
   made.tolerance = options.tolerance > 0 ? options.tolerance : usualTolerance(reference);
   made.differences = differences(result, made.reference, made.tolerance,
                                  progress.part(0.5, 0.65, "Finding differences"));
   ComparisonOptions compared;
-  compared.registers = false;
+  compared.registers = options.registers; // it lies there: only how well it fits is measured
+  compared.registration.motion = Eigen::Isometry3d::Identity();
+  compared.registration.up = options.up;
+  compared.edit = options.edit;
   compared.tolerance.distances = {made.tolerance};
   compared.placeDistance = made.tolerance;
   compared.breastHeight = options.breastHeight;

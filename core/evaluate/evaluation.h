@@ -14,10 +14,13 @@ namespace espalier {
 
 struct EvaluationOptions {
   bool registers = true; // lays the reference on the result before anything is measured
+  bool turns = true;     // turns it, too, where that fits clearly better
+  UpAxis up = UpAxis::z; // all angles about it are tried; heights are along it
   std::optional<Eigen::Isometry3d> motion; // of the reference, found before; none: it is found
   /// Since `motion` was found: it is found again, and kept unless the reference would lie elsewhere
   /// by over half of the finest default tolerance, so that small edits do not make it tremble.
   bool isResultEdited = false;
+  EditOptions edit;        // what the edit distance counts
   double tolerance = 0;    // [L], what is called near; 0 = usualTolerance()
   double breastHeight = 0; // [L], as breastHeightIn(); 0: its diameter is not measured
   EvaluatedScan scan;      // without points: no errors by the arc that was seen
@@ -32,11 +35,13 @@ struct Evaluation {
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity(); // of the reference
   Eigen::Vector3d shift = Eigen::Vector3d::Zero(); // of the middle of the reference under it [L]
   bool isShiftLarge = false;                       // it is more than the finest default tolerance
-  Skeleton reference;                              // moved, under its own ids
-  double tolerance = 0;                            // [L], as used
-  ToleranceScore score{};                          // at the tolerance
-  std::vector<ToleranceScore> curve;               // at even distances from 0 on
-  Comparison comparison; // not registered: both lie as they are compared; capped at the tolerance
+  /// Of the result on the reference, as reports tell it; none if the two are compared as they lie.
+  std::optional<Registration> registration;
+  Skeleton reference;                // moved, under its own ids
+  double tolerance = 0;              // [L], as used
+  ToleranceScore score{};            // at the tolerance
+  std::vector<ToleranceScore> curve; // at even distances from 0 on
+  Comparison comparison;             // both lie as they are compared; capped at the tolerance
   Differences differences;
 };
 

@@ -4,6 +4,7 @@
 #include "core/evaluate/comparison.h"
 #include "core/evaluate/edit_comparison.h"
 #include "core/evaluate/light_interception.h"
+#include "core/evaluate/registration.h"
 #include "core/io/formats.h"
 #include "core/simulate/plant_grower.h"
 #include "core/surface/generalized_cylinders.h"
@@ -79,6 +80,42 @@ void pineComparisons(benchmark::State& state) {
     benchmark::DoNotOptimize(compare(result, reference));
 }
 BENCHMARK(pineComparisons)->Unit(benchmark::kMillisecond);
+
+/// The same pine, the reference turned by 130 degrees and tilted by 5: a turn costs under a second
+/// more of the processor than a shift.
+void pineRegistrations(benchmark::State& state, bool turns) {
+  const auto automatic = test::sharedFile("puu1/thesis_automatic.mtg");
+  const auto expert = test::sharedFile("puu1/expert.mtg");
+  if (!automatic || !expert) return state.SkipWithError("shared data not found");
+  const Skeleton result = readStructure(*automatic).value.skeleton;
+  const Eigen::Isometry3d turn(Eigen::AngleAxisd(2.27, Eigen::Vector3d::UnitZ()) *
+                               Eigen::AngleAxisd(0.087, Eigen::Vector3d::UnitX()));
+  const Skeleton reference = moved(readStructure(*expert).value.skeleton, turn);
+  Registration found;
+  for (auto round : state)
+    benchmark::DoNotOptimize(found = registration(result, reference, {.turns = turns}));
+  state.counters["residual_share"] = found.residualAfter / found.reach;
+}
+BENCHMARK_CAPTURE(pineRegistrations, shift, false)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime();
+BENCHMARK_CAPTURE(pineRegistrations, turn, true)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime();
+
+/// Registration of large grown plants.
+void registrations(benchmark::State& state) {
+  const Pair pair = pairOf(static_cast<int>(state.range(0)));
+  const Eigen::Isometry3d turn(Eigen::AngleAxisd(1.2, Eigen::Vector3d::UnitZ()));
+  const Skeleton reference = moved(pair.reference, turn);
+  for (auto round : state)
+    benchmark::DoNotOptimize(registration(pair.result, reference));
+}
+BENCHMARK(registrations)
+    ->Arg(1000)
+    ->Arg(20000)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime();
 
 /// Light over 46 directions at four resolutions: to be under 3 s for 500 000 triangles.
 void light(benchmark::State& state) {

@@ -1,6 +1,7 @@
 #include "ui/panels/evaluation_panel.h"
 
 #include "ui/document/plant_document.h"
+#include "ui/panels/elided_label.h"
 #include "ui/panels/evaluation_scores.h"
 #include "ui/panels/label_role.h"
 #include "ui/panels/number_box.h"
@@ -9,6 +10,7 @@
 #include <QCheckBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -17,25 +19,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace espalier {
+namespace {
+
+QString angleText(double radians) {
+  return QString::number(radians * 180 / std::numbers::pi, 'f', 1) + QStringLiteral("°");
+}
+
+} // namespace
+
 EvaluationPanel::EvaluationPanel(const PlantDocument& document, const Parts& parts, QWidget* parent)
-    : QWidget(parent), document_(document), content_(new QWidget), empty_(new QWidget),
+    : QWidget(parent), document_(document), content_(new QWidget), empty_(parts.alone),
       scores_(new EvaluationScores(document)) {
   setObjectName("evaluation_panel");
   auto* page = new QVBoxLayout(this);
   page->setContentsMargins(12, 8, 12, 8);
 
-  auto* asking = new QVBoxLayout(empty_);
-  auto* hint = makeLabel("evaluation_hint", "quiet");
-  hint->setText(tr("Load the structure that the plant is to be compared with"));
-  auto* load = new QPushButton(tr("Load Reference…"));
-  load->setObjectName("evaluation_load");
-  connect(load, &QPushButton::clicked, parts.load, &QAction::trigger);
-  asking->addStretch();
-  asking->addWidget(hint, 0, Qt::AlignHCenter);
-  asking->addWidget(load, 0, Qt::AlignHCenter);
-  asking->addStretch();
   page->addWidget(empty_);
 
   auto* column = new QVBoxLayout(content_);
@@ -62,7 +63,10 @@ QWidget* EvaluationPanel::makeHead(const Parts& parts) {
   auto* row = new QHBoxLayout(head);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(8);
-  title_ = makeLabel("evaluation_title", "title");
+  title_ = new ElidedLabel;
+  title_->setObjectName("evaluation_title");
+  title_->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
+  setRole(*title_, "title");
   row->addWidget(title_);
   laid_ = new QCheckBox(tr("Lay on the plant"));
   laid_->setObjectName("evaluation_laid");
@@ -71,9 +75,17 @@ QWidget* EvaluationPanel::makeHead(const Parts& parts) {
          "where their files say"));
   connect(laid_, &QCheckBox::toggled, this, &EvaluationPanel::laidChosen);
   row->addWidget(laid_);
-  shift_ = makeLabel("evaluation_shift", "quiet");
-  row->addWidget(shift_);
-  row->addStretch();
+  turns_ = new QCheckBox(tr("Turn it, too"));
+  turns_->setObjectName("evaluation_turns");
+  turns_->setToolTip(tr("Looks for a turn by any angle about the upright axis, and by some degrees "
+                        "about any other, and takes it where it fits clearly better"));
+  connect(turns_, &QCheckBox::toggled, this, &EvaluationPanel::turnsChosen);
+  connect(laid_, &QCheckBox::toggled, turns_, &QCheckBox::setEnabled);
+  row->addWidget(turns_);
+  shift_ = new ElidedLabel;
+  shift_->setObjectName("evaluation_shift");
+  setRole(*shift_, "quiet");
+  row->addWidget(shift_, 1);
   state_ = makeLabel("evaluation_state", "quiet");
   row->addWidget(state_);
   progress_ = new QProgressBar;
@@ -97,6 +109,14 @@ QWidget* EvaluationPanel::makeHead(const Parts& parts) {
   color->setText(tr("Color")); // shorter than that of the menu
   connect(parts.color, &QAction::changed, color, [color] { color->setText(tr("Color")); });
   row->addWidget(color);
+  auto* edits = new QToolButton;
+  edits->setText(tr("Edits"));
+  edits->setToolTip(tr("What the edit distance counts, and which part stands for which"));
+  edits->setProperty("role", "panel");
+  edits->setObjectName("evaluation_edits");
+  edits->setPopupMode(QToolButton::InstantPopup);
+  edits->setMenu(parts.edits);
+  row->addWidget(edits);
   auto* report = new QToolButton;
   report->setDefaultAction(parts.report);
   report->setProperty("role", "panel");
@@ -118,7 +138,8 @@ QWidget* EvaluationPanel::makeHead(const Parts& parts) {
 }
 
 void EvaluationPanel::setReference(const QString& name) {
-  title_->setText(tr("Compared with %1").arg(name));
+  title_->setText(name);
+  title_->setToolTip(tr("Compared with %1").arg(name));
   empty_->setVisible(name.isEmpty());
   content_->setVisible(!name.isEmpty());
   if (name.isEmpty()) forgetScores();
@@ -127,31 +148,47 @@ void EvaluationPanel::setReference(const QString& name) {
 void EvaluationPanel::showScores(const Evaluation& evaluation) {
   scores_->show(evaluation);
   setTolerance(evaluation.tolerance);
-  refreshShift(evaluation);
-  refreshWarnings(evaluation);
+  refreshPlace(evaluation);
 }
 
-void EvaluationPanel::refreshShift(const Evaluation& evaluation) {
-  shift_->clear();
-  shift_->setToolTip({});
-  if (!laid_->isChecked()) return;
-  const Eigen::Vector3d shift = -evaluation.shift; // of the plant, as reports tell it
-  shift_->setText(evaluation.isShiftLarge ? tr("⚠ they were %1 apart").arg(length(shift.norm()))
-                                          : tr("moved by %1").arg(length(shift.norm())));
-  shift_->setToolTip(
-      tr("The plant would be moved by (%1, %2, %3) to lie on the reference; here, the reference is "
-         "moved to the plant instead. Far apart, the two files have different frames.")
-          .arg(length(shift.x()), length(shift.y()), length(shift.z())));
-  setRole(*shift_, evaluation.isShiftLarge ? "warning" : "quiet");
-}
-
-/// What makes the numbers doubtful is read above them.
-void EvaluationPanel::refreshWarnings(const Evaluation& evaluation) {
+/// What makes the numbers doubtful is read above them; a small shift only is a remark.
+void EvaluationPanel::refreshPlace(const Evaluation& evaluation) {
   QStringList lines;
   for (const std::string& warning : evaluation.comparison.warnings)
-    lines.append(QStringLiteral("⚠ ") + QString::fromStdString(warning));
+    lines.append(QString::fromStdString(warning));
+  shift_->clear();
+  shift_->setToolTip({});
+  warnings_->setToolTip({});
+  if (evaluation.registration) {
+    const Registration& lay = *evaluation.registration; // of the plant, as in reports
+    const QString far = length(lay.shift.norm());
+    const bool isTurned = lay.angle() > 0;
+    if (isTurned)
+      lines.prepend(tr("they were %1 apart, and turned by %2").arg(far, angleText(lay.angle())));
+    else if (evaluation.isShiftLarge)
+      lines.prepend(tr("they were %1 apart").arg(far));
+    else
+      shift_->setText(tr("moved by %1").arg(far));
+    (shift_->text().isEmpty() ? warnings_ : shift_)->setToolTip(placeTip(lay));
+  }
+  for (QString& line : lines)
+    line.prepend(QStringLiteral("⚠ "));
   warnings_->setText(lines.join('\n'));
   warnings_->setVisible(!lines.isEmpty());
+}
+
+QString EvaluationPanel::placeTip(const Registration& lay) const {
+  const Eigen::Vector3d& shift = lay.shift;
+  QString tip =
+      tr("The plant would be moved by (%1, %2, %3) to lie on the reference; here, the reference is "
+         "moved to the plant instead. Far apart, the two files have different frames.")
+          .arg(length(shift.x()), length(shift.y()), length(shift.z()));
+  if (!(lay.angle() > 0)) return tip;
+  const Eigen::Vector3d axis = lay.axis();
+  const auto text = [](double value) { return QString::number(value, 'f', 3); };
+  return tr("The plant would be turned by %1 about (%2, %3, %4) through its middle first. ")
+             .arg(angleText(lay.angle()), text(axis.x()), text(axis.y()), text(axis.z())) +
+         tip;
 }
 
 void EvaluationPanel::forgetScores() {
@@ -161,7 +198,6 @@ void EvaluationPanel::forgetScores() {
 }
 
 void EvaluationPanel::setStale(bool isStale) {
-  if (isStale) setRole(*shift_, "quiet");
   scores_->setStale(isStale);
 }
 
@@ -199,6 +235,12 @@ void EvaluationPanel::setTolerance(double tolerance) {
 void EvaluationPanel::setLaid(bool isLaid) {
   const QSignalBlocker blocker(laid_);
   laid_->setChecked(isLaid);
+  turns_->setEnabled(isLaid);
+}
+
+void EvaluationPanel::setTurns(bool turns) {
+  const QSignalBlocker blocker(turns_);
+  turns_->setChecked(turns);
 }
 
 QString EvaluationPanel::length(double value) const {

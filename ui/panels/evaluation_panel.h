@@ -13,6 +13,7 @@ class QAction;
 class QCheckBox;
 class QDoubleSpinBox;
 class QLabel;
+class QMenu;
 class QProgressBar;
 class QPushButton;
 
@@ -31,13 +32,14 @@ public:
   struct Parts {
     QWidget* plot;
     QWidget* errors;
-    QAction* load;   // a reference
+    QWidget* alone;  // shown while there is no reference
     QAction* color;  // colors both skeletons by what differs
     QAction* report; // writes all of it to a file
+    QMenu* edits;    // what the edit distance counts; not owned
   };
   EvaluationPanel(const PlantDocument& document, const Parts& parts, QWidget* parent = nullptr);
 
-  /// Empty: there is none, and what to do is said instead of scores.
+  /// Empty: there is none, and what is known of the plant alone is shown instead of scores.
   void setReference(const QString& name);
   void showScores(const Evaluation& evaluation);
   void forgetScores();
@@ -49,17 +51,19 @@ public:
 
   void setTolerance(double tolerance); // [L]
   void setLaid(bool isLaid);
+  void setTurns(bool turns);
 
 signals:
   void toleranceChosen(double tolerance);
   void laidChosen(bool isLaid); // whether the reference is laid on the plant
+  void turnsChosen(bool turns); // and turned for it
   void cancelRequested();
   void compareRequested();
 
 private:
   QWidget* makeHead(const Parts& parts);
-  void refreshShift(const Evaluation& evaluation);
-  void refreshWarnings(const Evaluation& evaluation);
+  void refreshPlace(const Evaluation& evaluation);
+  [[nodiscard]] QString placeTip(const Registration& lay) const;
   [[nodiscard]] QString length(double value) const;
 
   const PlantDocument& document_;
@@ -74,6 +78,7 @@ private:
   QPushButton* cancel_;
   QPushButton* compare_;
   QCheckBox* laid_;
+  QCheckBox* turns_;
   QDoubleSpinBox* tolerance_;
 };
 

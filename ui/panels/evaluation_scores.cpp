@@ -8,6 +8,7 @@
 #include <QLabel>
 
 #include <algorithm>
+#include <map>
 
 namespace espalier {
 
@@ -37,15 +38,20 @@ EvaluationScores::EvaluationScores(const PlantDocument& document) : document_(do
 
 /// The groups one below the other, in two columns of about the same height.
 void EvaluationScores::addScores(QGridLayout& grid) {
-  const auto rows = static_cast<int>(std::ranges::count_if(
-      scoreEntries(), [](const ScoreEntry& entry) { return !entry.group.isEmpty(); }));
+  std::map<QString, int> rowsOf; // of each group, with its name
+  for (const ScoreEntry& entry : scoreEntries())
+    if (!entry.group.isEmpty()) rowsOf[entry.group] += rowsOf.contains(entry.group) ? 1 : 2;
+  int rows = 0;
+  for (const auto& [name, count] : rowsOf)
+    rows += count;
   Place place;
   QString group;
   for (const ScoreEntry& entry : scoreEntries()) {
     values_.push_back(nullptr);
     if (entry.group.isEmpty()) continue;
     if (entry.group != group) {
-      if (place.column == 0 && 2 * place.row > rows) place = {.row = 0, .column = 1};
+      const bool isMoreThanHalf = 2 * place.row + rowsOf[entry.group] > rows;
+      if (place.column == 0 && isMoreThanHalf) place = {.row = 0, .column = 1};
       addGroup(grid, place, group = entry.group);
     }
     values_.back() = addValue(grid, place, entry.name, entry.help, ("score_" + entry.key).c_str());

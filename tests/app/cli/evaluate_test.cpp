@@ -1,5 +1,5 @@
 #include "core/io/csv.h"
-#include "tests/app/cli/program.h"
+#include "tests/app/cli/evaluate_files.h"
 #include "tests/support/shared_data.h"
 
 #include <gtest/gtest.h>
@@ -19,36 +19,7 @@ using test::runProgram;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-class Evaluate : public testing::Test {
-protected:
-  [[nodiscard]] std::string file(const std::string& name) const {
-    return (folder_ / name).string();
-  }
-
-  /// A node list of these lines: vid, parent, edge, x, y, z, radius.
-  [[nodiscard]] std::string plant(const std::string& name,
-                                  const std::vector<std::string>& nodes) const {
-    std::string text =
-        "# vid\tparentid\tedgetype\tXX\tYY\tZZ\tRadius\n" + std::to_string(nodes.size()) + "\n";
-    for (const std::string& node : nodes)
-      text += node + "\n";
-    test::writeBytes(file(name), text);
-    return file(name);
-  }
-
-  /// A trunk of two edges and a branch, all lengths times `scale`.
-  [[nodiscard]] std::string fork(const std::string& name, double scale = 1, double x = 0) const {
-    const auto at = [&](double dx, double z) {
-      return std::to_string(x + scale * dx) + "\t0\t" + std::to_string(scale * z) + "\t" +
-             std::to_string(scale * 0.1);
-    };
-    return plant(name, {"1\t\t<\t" + at(0, 0), "2\t1\t<\t" + at(0, 1), "3\t2\t<\t" + at(0, 2),
-                        "4\t2\t+\t" + at(1, 2)});
-  }
-
-  std::filesystem::path folder_ = test::freshFolder();
-  std::string truth_ = test::sample("young_tree.mtg");
-};
+class Evaluate : public test::EvaluateFiles {};
 
 TEST_F(Evaluate, TellsWhatTheAuthorsIndicesHide) {
   const std::string told = runProgram({"evaluate", truth_, truth_, "--json", file("a.json")}).out;
@@ -309,15 +280,34 @@ TEST_F(Evaluate, MovesThePlantByAShiftThatIsGiven) {
   };
   expectRefusal(refusal({"--shift", "1,2"}), 2, {"--shift '1,2'", "X,Y,Z"});
   expectRefusal(refusal({"--shift", "1,2,3", "--no-register"}), 2, {"exclude each other"});
-  expectRefusal(refusal({truth_, "--shift", "1,2,3"}), 2, {"--shift is of one plant"});
+  expectRefusal(refusal({truth_, "--shift", "1,2,3"}), 2, {"--shift and --turn are of one plant"});
+}
+
+// 1e155 crashed, as its square is no number any more.
+TEST_F(Evaluate, RefusesAShiftBeyondAllCoordinates) {
+  for (const char* shift : {"1e155,0,0", "0,-1e13,0", "0,0,1e300"}) {
+    const Outcome outcome = runProgram({"evaluate", truth_, truth_, "--shift", shift});
+    expectRefusal(outcome, 2, {std::string("--shift '") + shift + "'", "up to 1e12"});
+  }
+  EXPECT_EQ(runProgram({"evaluate", truth_, truth_, "--shift", "1e12,0,0"}).status, 0);
+}
+
+TEST_F(Evaluate, CountsASpurAloneOncePathsAreMerged) {
+  const std::string stick = plant(
+      "stick.txt", {"1\t\t<\t0\t0\t0\t0.1", "2\t1\t<\t0\t0\t1\t0.1", "3\t2\t<\t0\t0\t2\t0.1"});
+  const std::string spurred =
+      plant("spurred.txt", {"1\t\t<\t0\t0\t0\t0.1", "2\t1\t<\t0\t0\t1\t0.1",
+                            "3\t2\t<\t0\t0\t2\t0.1", "4\t2\t+\t0.1\t0\t1\t0.1"});
+  EXPECT_THAT(runProgram({"evaluate", spurred, stick}).out, HasSubstr("edit distance 2,"));
+  const Outcome merged = runProgram({"evaluate", spurred, stick, "--merge-paths"});
+  EXPECT_THAT(merged.out, HasSubstr("edit distance 1,"));
+  EXPECT_THAT(merged.err, testing::Not(HasSubstr("merge-paths")));
 }
 
 TEST_F(Evaluate, SaysWhereMergedPathsChangeNothing) {
-  EXPECT_THAT(runProgram({"evaluate", truth_, truth_, "--merge-paths"}).err,
-              HasSubstr("--merge-paths changes nothing with --edit-cost topology"));
-  EXPECT_THAT(
-      runProgram({"evaluate", truth_, truth_, "--merge-paths", "--edit-cost", "length"}).err,
-      IsEmpty());
+  EXPECT_THAT(runProgram({"evaluate", truth_, truth_, "--merge-paths", "--edit-unit", "axis"}).err,
+              HasSubstr("--merge-paths changes nothing with --edit-unit axis"));
+  EXPECT_THAT(runProgram({"evaluate", truth_, truth_, "--merge-paths"}).err, IsEmpty());
 }
 
 TEST_F(Evaluate, TellsTheLightOfBoth) {

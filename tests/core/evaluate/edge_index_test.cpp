@@ -53,6 +53,31 @@ TEST(EdgeIndex, FindsWhatTryingAllEdgesFinds) {
   }
 }
 
+// A thousand that meet at a place, and one of its own.
+TEST(BoxTree, PassesOverBoxesOfAGroupThatLieTogether) {
+  std::vector<Eigen::AlignedBox3d> boxes;
+  std::vector<std::uint32_t> groups;
+  for (int i = 0; i < 1000; ++i) {
+    Eigen::AlignedBox3d box(Eigen::Vector3d::Zero());
+    box.extend(Eigen::Vector3d(1, 0.001 * i, 0));
+    boxes.push_back(box);
+    groups.push_back(7);
+  }
+  boxes.emplace_back(Eigen::Vector3d(0.5, 0, 0));
+  groups.push_back(BoxTree::noGroup);
+  const BoxTree tree(boxes, groups);
+  const auto visits = [&](std::uint32_t but) {
+    std::vector<std::size_t> visited;
+    const auto note = [&](std::size_t i) { visited.push_back(i); };
+    tree.within(boxes.back(), 0, note, but);
+    return visited;
+  };
+  EXPECT_EQ(visits(BoxTree::noGroup).size(), boxes.size());
+  EXPECT_EQ(visits(8).size(), boxes.size());
+  EXPECT_LT(visits(7).size(), 10U) << "those that lie beside the other";
+  EXPECT_EQ(std::ranges::count(visits(7), boxes.size() - 1), 1);
+}
+
 TEST(BoxTree, FindsTheBoxesThatTryingAllFinds) {
   Random random(13);
   std::vector<Eigen::AlignedBox3d> boxes;

@@ -47,6 +47,51 @@ TEST(Evaluation, FindsTheMotionAgainOnceThePlantIsEdited) {
             Eigen::Vector3d::Zero());
 }
 
+TEST(Evaluation, TurnsTheReferenceOntoTheResultUnlessRefused) {
+  const Skeleton bush = test::bush();
+  Eigen::Isometry3d turn(Eigen::AngleAxisd(2, Eigen::Vector3d::UnitZ()));
+  turn.pretranslate(Eigen::Vector3d(0.5, 0, 0));
+  const Skeleton turned = moved(bush, turn);
+  const Evaluation made = evaluate(bush, turned);
+  EXPECT_NEAR(made.score.f(), 1, 1e-6);
+  EXPECT_NEAR(made.comparison.authors.geometric, 1, 1e-6);
+  EXPECT_TRUE(made.motion.isApprox(turn.inverse(), 1e-4));
+  ASSERT_TRUE(made.registration);
+  EXPECT_NEAR(made.registration->angle(), 2, 1e-4);
+  EXPECT_TRUE(made.comparison.warnings.empty());
+  const Evaluation refused = evaluate(bush, turned, {.turns = false});
+  EXPECT_LT(refused.score.f(), 0.7);
+  EXPECT_EQ(refused.registration->angle(), 0);
+  ASSERT_EQ(refused.comparison.warnings.size(), 1U);
+  EXPECT_LT(refused.registration->near, poorFit);
+  EXPECT_NE(refused.comparison.warnings[0].find("fit poorly"), std::string::npos);
+  EXPECT_FALSE(evaluate(bush, turned, {.registers = false}).registration);
+}
+
+TEST(Evaluation, AnEditTurnsNothingToAnotherSide) {
+  const Skeleton bush = test::bush();
+  const Eigen::Isometry3d turn(Eigen::AngleAxisd(2, Eigen::Vector3d::UnitZ()));
+  const Skeleton turned = moved(bush, turn);
+  Skeleton edited = bush;
+  for (const NodeId id : bush.ids())
+    if (indexOf(id) > 0 && bush.children(id).empty() && indexOf(id) % 3 == 0) edited.erase(id);
+  const Evaluation made =
+      evaluate(edited, turned, {.motion = turn.inverse(), .isResultEdited = true});
+  EXPECT_EQ(made.motion.matrix(), turn.inverse().matrix()) << "it does not tremble";
+}
+
+TEST(Evaluation, CountsEditsAsAsked) {
+  const Skeleton bush = test::bush();
+  Skeleton less = bush;
+  for (const NodeId id : bush.ids())
+    if (bush.children(id).empty() && indexOf(id) % 2 == 0) less.erase(id);
+  const EditOptions asked{.unit = EditUnit::axis, .cost = EditCost::length, .mergesPaths = true};
+  const Evaluation made = evaluate(less, bush, {.edit = asked});
+  EXPECT_EQ(made.comparison.edit->options, asked);
+  EXPECT_NEAR(made.comparison.edit->distance.distance,
+              editComparison(less, bush, asked).distance.distance, 1e-9);
+}
+
 TEST(Evaluation, ScoresAtTheToleranceAndOverACurveThatRises) {
   const Skeleton bush = test::bush();
   const Evaluation usual = evaluate(test::jittered(bush, 0.1), bush);

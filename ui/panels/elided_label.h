@@ -1,0 +1,21 @@
+#pragma once
+
+#include <QLabel>
+
+namespace espalier {
+
+/// A line of plain text that ends in "…" where there is no room for all of it. It asks for no
+/// width: what it says must stand elsewhere, too, as in its tip.
+class ElidedLabel : public QLabel {
+  Q_OBJECT
+
+public:
+  explicit ElidedLabel(QWidget* parent = nullptr);
+
+  [[nodiscard]] QSize minimumSizeHint() const override;
+
+protected:
+  void paintEvent(QPaintEvent* event) override;
+};
+
+} // namespace espalier

@@ -41,7 +41,7 @@ struct MtgFeature {
 
 struct MtgVertex {
   std::string symbol;
-  std::optional<int> index;
+  std::optional<LabelIndex> index;
   int scale = 1;
   std::optional<VertexId> complex; // what it is a part of, at a coarser scale; none: of the scene
   std::optional<VertexId> parent;  // at its own scale

@@ -29,10 +29,10 @@ std::string placeOf(std::size_t at, const ParsedMtg& file) {
 
 } // namespace
 
-std::string mtgCommentLines(const ParsedMtg& file, std::size_t from) {
+std::string mtgCommentLines(const ParsedMtg& file, std::size_t from, std::size_t to) {
   const auto& [original, text, isLatin1, notes] = file.source;
   std::string lines;
-  for (std::size_t start = text.find(' ', from); start < text.size();) {
+  for (std::size_t start = text.find(' ', from); start < std::min(text.size(), to);) {
     const std::size_t end = std::min(text.find_first_not_of(' ', start), text.size());
     // Comments are blank there, and no line end is in a blank.
     const std::string_view whole = std::string_view(original).substr(start, end - start);

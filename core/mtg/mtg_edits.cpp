@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <set>
 #include <unordered_set>
@@ -321,21 +320,27 @@ void Edit::numberNewVertices() {
   for (const MtgVertex& each : base_.vertices)
     if (each.index) indexed.insert(each.symbol);
   using Siblings = std::pair<MaybeVertex, std::string>;
-  std::map<Siblings, int> highest;
+  std::map<Siblings, IndicesInUse> ofComplex;
+  std::map<Siblings, IndicesInUse> ofParent;
+  const auto isBranch = [](const MtgVertex& each) {
+    return each.parent && each.edge == EdgeType::branching;
+  };
+  const auto take = [&](const MtgVertex& each) {
+    ofComplex[{each.complex, each.symbol}].take(*each.index);
+    if (isBranch(each)) ofParent[{each.parent, each.symbol}].take(*each.index);
+  };
   for (std::size_t i = 0; i < mtg_.vertices.size(); ++i) {
     const MtgVertex& each = mtg_.vertices[i];
-    if (each.index && !isGone(VertexId{static_cast<std::uint32_t>(i)})) {
-      int& most = highest[{each.complex, each.symbol}];
-      most = std::max(most, *each.index);
-    }
+    if (each.index && !isGone(VertexId{static_cast<std::uint32_t>(i)})) take(each);
   }
   for (std::size_t i = base_.vertices.size(); i < mtg_.vertices.size(); ++i) {
     MtgVertex& each = mtg_.vertices[i];
     const bool isNumbered = indexed.contains(each.symbol) ||
                             toNumber_.contains(VertexId{static_cast<std::uint32_t>(i)});
     if (each.index || !isNumbered) continue;
-    int& most = highest[{each.complex, each.symbol}];
-    if (most < std::numeric_limits<int>::max()) each.index = ++most;
+    if (isBranch(each)) each.index = ofParent[{each.parent, each.symbol}].nextAtPlace();
+    if (!each.index) each.index = ofComplex[{each.complex, each.symbol}].next();
+    if (each.index) take(each);
   }
 }
 
@@ -448,7 +453,7 @@ Mtg Edit::result() {
 } // namespace
 
 Mtg withEdits(const Mtg& base, const Skeleton& edited) {
-  return withEdits(base, viewOf(base, "the MTG that was opened").value, edited);
+  return withEdits(base, openedView(base), edited);
 }
 
 Mtg withEdits(const Mtg& base, const MtgView& view, const Skeleton& edited) {

@@ -27,7 +27,8 @@ namespace espalier {
 /// - A vertex without position stays without one where its place still follows from its neighbors.
 ///
 /// pre: ids of `edited` go on from those of skeletonOf(base), as edits leave them
-/// @throws Error if `base` has no positions, or a position or radius is not finite
+/// - What is made in a plant without positions becomes vertices beside its own.
+/// @throws Error if a position or radius is not finite
 /// Time O(n log n) for n vertices and nodes.
 [[nodiscard]] Mtg withEdits(const Mtg& base, const Skeleton& edited);
 

@@ -29,7 +29,7 @@ std::string lineOf(std::size_t column, const std::string& code,
 } // namespace
 
 std::string mtgLabel(const MtgVertex& vertex) {
-  return vertex.symbol + (vertex.index ? std::to_string(*vertex.index) : "");
+  return vertex.symbol + (vertex.index ? vertex.index->text() : "");
 }
 
 std::string mtgLines(const MtgRow& row, const Mtg& mtg, const MtgLayout& layout) {

@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/base/utf16.h"
 #include "core/mtg/mtg_notes.h"
 #include "core/mtg/mtg_sections.h"
 #include "core/mtg/mtg_topology.h"
@@ -58,9 +59,9 @@ MtgColumns readColumns(LineReader& lines, MtgNotes& notes, Mtg& mtg, std::size_t
     const std::vector<std::string_view> names = mtgFields(*line);
     if (std::ranges::all_of(names, [](std::string_view name) { return name.empty(); })) continue;
     const std::string where = place(notes.file(), lines.number());
-    if (names.front() == "ENTITY-CODE" || names.front() == "TOPO")
-      return columnsOf(names, where, notes, mtg);
-    if (names.front().starts_with("ENTITY-CODE ") || names.front().starts_with("TOPO "))
+    if (isMtgColumnName(names.front())) return columnsOf(names, where, notes, mtg);
+    std::string_view rest = names.front();
+    if (isMtgColumnName(nextWord(rest)))
       throw Error(where + "the columns are parted by blanks: put tabs between them");
     throw Error(where + "expected the line of columns, ENTITY-CODE ..., found " + inQuotes(*line));
   }
@@ -70,6 +71,13 @@ MtgColumns readColumns(LineReader& lines, MtgNotes& notes, Mtg& mtg, std::size_t
 /// Whether a field was meant as a code.
 bool isCode(std::string_view field) {
   return std::string_view("/<+^*(").find(field.front()) != std::string_view::npos;
+}
+
+/// What is wrong with a field among the values of a line without a code.
+std::string withoutCode(std::string_view field) {
+  if (!isCode(field) || numberIn(field)) return "values stand without a code before them";
+  return "the code " + inQuotes(field) +
+         " stands among the columns of values: move it to the left, or these to the right";
 }
 
 /// Reads the lines of the section MTG.
@@ -129,7 +137,7 @@ private:
     std::optional<std::size_t> column;
     for (std::size_t i = 0; i < fields.size(); ++i) {
       if (fields[i].empty()) continue;
-      if (i >= end && !column) throw Error(where(i) + "values stand without a code before them");
+      if (i >= end && !column) throw Error(where(i) + withoutCode(fields[i]));
       if (i >= end) break;
       if (column && !isCode(fields[i])) {
         notes_.repaired(where(i), inQuotes(fields[i]) +
@@ -247,11 +255,12 @@ void readBody(ParsedMtg& parsed, MtgNotes& notes, const LineReader& lines, MtgDi
 
 ParsedMtg parseMtg(std::string bytes, const std::string& file, const MtgReadOptions& options) {
   if (trimmed(bytes).empty()) throw Error(file + ": is empty");
+  requireNoUtf16(bytes, file);
   ParsedMtg parsed{.source = mtgSource(std::move(bytes))};
   MtgNotes notes(file, options.isStrict);
   for (const std::string& note : parsed.source.notes)
     notes.tell(note);
-  LineReader lines(parsed.source.text);
+  LineReader lines = mtgCodeIn(parsed.source.text).value_or(LineReader(parsed.source.text));
   parsed.mtg = readMtgSections(lines, notes);
   parsed.columns = readColumns(lines, notes, parsed.mtg, parsed.columnsStart);
   parsed.start = lines.offset();

@@ -10,7 +10,7 @@
 namespace espalier {
 namespace {
 
-constexpr std::size_t mostColumns = 64; // no plant has more; then ^+ keeps chains of branches short
+constexpr std::size_t mostColumns = 64; // no plant has more
 
 using MaybeVertex = std::optional<VertexId>;
 
@@ -85,27 +85,40 @@ struct Child {
   bool isFirstPart = false;
 };
 
-/// Which of the children of `vertex`, which stands in `column`, continues that column.
-std::size_t continuing(const std::vector<Child>& children, const MtgVertex& vertex, const Mtg& mtg,
+/// Which of the children of a vertex that stands in `column` continues that column.
+///
+/// Beyond `mostColumns` it is the one that carries most, so that there are no more columns than
+/// these and the logarithm of the vertices: else nested branches make a text of square size.
+/// @param weights  by vertex: how many lines it takes, with all that hangs on it
+std::size_t continuing(const std::vector<Child>& children, const std::vector<std::size_t>& weights,
                        std::size_t column) {
+  const bool hasParts = std::ranges::find(children, '/', &Child::edge) != children.end();
+  if (column + 1 >= mostColumns && !hasParts && !children.empty()) {
+    const auto heaviest = std::ranges::max_element(
+        children, {}, [&](const Child& child) { return weights[indexOf(child.id)]; });
+    return static_cast<std::size_t>(heaviest - children.begin());
+  }
   for (const char edge : {'<', '/'})
     for (std::size_t i = children.size(); i-- > 0;)
       if (children[i].edge == edge) return i;
-  const bool isDeep = column + 1 >= mostColumns && !children.empty() &&
-                      mtg.vertices[indexOf(children.back().id)].scale == vertex.scale;
-  return isDeep ? children.size() - 1 : children.size();
+  return children.size();
 }
 
 class Layout {
 public:
-  explicit Layout(const Mtg& mtg) : mtg_(mtg), children_(mtg.vertices.size()) {
+  explicit Layout(const Mtg& mtg)
+      : children_(mtg.vertices.size()), weights_(mtg.vertices.size(), 1) {
     const Bearers bearers(mtg);
+    std::vector<MaybeVertex> bearerOf(mtg.vertices.size());
     for (std::size_t i = 0; i < mtg.vertices.size(); ++i) {
       const VertexId id{static_cast<std::uint32_t>(i)};
       const auto [bearer, edge] = bearers.of(id);
       (bearer ? children_[indexOf(*bearer)] : roots_)
           .push_back({id, edge, bearers.isFirstPart(id)});
+      bearerOf[i] = bearer;
     }
+    for (std::size_t i = bearerOf.size(); i-- > 0;) // what bears comes first
+      if (bearerOf[i]) weights_[indexOf(*bearerOf[i])] += weights_[i];
     // One of a finer scale, read after a coarser one, would be taken for a part of it.
     std::ranges::stable_sort(roots_, std::greater{}, [&](const Child& child) {
       return mtg.vertices[indexOf(child.id)].scale;
@@ -136,8 +149,7 @@ private:
   void pushChildren(const MtgRow& row, std::vector<MtgRow>& stack) {
     std::vector<Child> children = std::move(children_[indexOf(row.vertex)]);
     std::optional<Child> last;
-    const std::size_t which =
-        continuing(children, mtg_.vertices[indexOf(row.vertex)], mtg_, row.column);
+    const std::size_t which = continuing(children, weights_, row.column);
     if (which < children.size()) {
       last = children[which];
       children.erase(children.begin() + static_cast<std::ptrdiff_t>(which));
@@ -161,9 +173,9 @@ private:
     return other == children.rend() ? last : std::exchange(*other, last);
   }
 
-  const Mtg& mtg_;
   std::vector<std::vector<Child>> children_; // by vertex
   std::vector<Child> roots_;
+  std::vector<std::size_t> weights_; // by vertex
   MtgRows result_;
 };
 

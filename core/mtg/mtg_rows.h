@@ -26,7 +26,8 @@ struct MtgRows {
 
 /// Lays out an MTG as lines.
 ///
-/// What has a successor continues its column with it; other children open the next column. A vertex
+/// What has a successor continues its column with it; other children open the next column. Beyond
+/// 64 columns what carries most continues, so that there are at most log2(vertices) more. A vertex
 /// that begins parts of its own hangs on the finest vertex that its first part hangs on, as in
 /// "/U1/E1<E2+U1/E1". Children keep the order of their ids, but for: successors that open a column
 /// first, the one that continues it last.

@@ -55,6 +55,10 @@ bool beginsComment(std::string_view text, std::size_t at) {
          (at == 0 || text[at - 1] == '\t' || text[at - 1] == '\n' || text[at - 1] == ' ');
 }
 
+bool beginsField(std::string_view text, std::size_t at) {
+  return at == 0 || text[at - 1] == '\t' || text[at - 1] == '\n';
+}
+
 /// Puts blanks for all but line ends in a part of `text`.
 void blank(std::string& text, std::size_t from, std::size_t to) {
   for (std::size_t i = from; i < to; ++i)
@@ -92,7 +96,10 @@ Comments blankComments(std::string& text) {
       ++at;
     }
     if (!beginsComment(text, at)) continue;
-    const bool isLine = text[at] == '#' && (at == 0 || text[at - 1] == '\n');
+    const bool isQuoted = at > 0 && text[at - 1] == '"' && beginsField(text, at - 1);
+    if (isQuoted) text[at - 1] = ' '; // Excel quotes a cell that holds a comma
+    const std::size_t first = isQuoted ? at - 1 : at;
+    const bool isLine = text[at] == '#' && (first == 0 || text[first - 1] == '\n');
     const std::size_t end = std::min(text.find_first_of(isLine ? "\n" : "\t\n", at), text.size());
     if (isLine && holdsCode(std::string_view(text).substr(at, end - at))) ++comments.codes;
     blank(text, at, end);
@@ -110,6 +117,8 @@ MtgSource mtgSource(std::string bytes) {
   source.text = source.original;
   if (source.isLatin1) source.notes.emplace_back("is no UTF-8 and is read as Latin-1");
   if (source.text.find('\n') == std::string::npos) std::ranges::replace(source.text, '\r', '\n');
+  const std::size_t end = source.text.find_last_not_of('\x1A');
+  blank(source.text, end == std::string::npos ? 0 : end + 1, source.text.size()); // the end, in DOS
   const Comments comments = blankComments(source.text);
   if (comments.codes > 0)
     source.notes.push_back(std::to_string(comments.codes) +

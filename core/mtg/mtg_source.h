@@ -16,7 +16,8 @@ struct MtgSource {
 
 /// Takes the comments out of a file: from # to the next tab or line end, the whole line if # begins
 /// it; from ; to the next tab or line end, where it begins a field or follows a blank; from (# to
-/// #), over lines. Bytes that are no UTF-8 are taken
+/// #), over lines; a quote before # is one that Excel puts around a cell with a comma. So does it
+/// with the signs 0x1A at the end of a file from DOS. Bytes that are no UTF-8 are taken
 /// for Latin-1. Time O(size).
 [[nodiscard]] MtgSource mtgSource(std::string bytes);
 

@@ -1,8 +1,9 @@
 #include "core/mtg/mtg_text_edit.h"
 
 #include "core/base/error.h"
-#include "core/base/text.h"
+#include "core/mtg/mtg_cells.h"
 #include "core/mtg/mtg_comments.h"
+#include "core/mtg/mtg_line_edits.h"
 #include "core/mtg/mtg_lines.h"
 #include "core/mtg/mtg_new_features.h"
 #include "core/mtg/mtg_parser.h"
@@ -19,57 +20,6 @@ namespace espalier {
 namespace {
 
 constexpr const char* resultName = "the edited text";
-
-std::string_view valueAt(const std::vector<std::string>& values, std::size_t feature) {
-  return feature < values.size() ? std::string_view(values[feature]) : std::string_view();
-}
-
-/// The values of an edited vertex by the features of the file.
-class FeatureMatch {
-public:
-  FeatureMatch(const Mtg& file, const Mtg& edited) : features_(file.features) {
-    std::map<std::string_view, std::size_t> places;
-    for (std::size_t i = 0; i < edited.features.size(); ++i)
-      places.emplace(edited.features[i].name, i);
-    for (const MtgFeature& feature : file.features) {
-      const auto found = places.find(feature.name);
-      inEdited_.push_back(found == places.end() ? std::nullopt : std::optional(found->second));
-      if (found != places.end()) places.erase(found);
-    }
-    for (const auto& [name, place] : places)
-      added_.push_back(place);
-  }
-
-  /// Whether both say the same of a feature of the file.
-  [[nodiscard]] bool isSame(const std::vector<std::string>& file,
-                            const std::vector<std::string>& edited, std::size_t feature) const {
-    if (!inEdited_[feature]) return true; // the edited plant does not know of it
-    const std::string_view before = valueAt(file, feature);
-    const std::string_view after = valueAt(edited, *inEdited_[feature]);
-    if (before == after || (isMissingMtgValue(before) && isMissingMtgValue(after))) return true;
-    return isNumberFeature(features_[feature]) && numberIn(before) && numberIn(after) &&
-           *numberIn(before) == *numberIn(after);
-  }
-
-  /// Whether both say the same of all features, and nothing of others.
-  [[nodiscard]] bool isSame(const std::vector<std::string>& file,
-                            const std::vector<std::string>& edited) const {
-    for (std::size_t i = 0; i < inEdited_.size(); ++i)
-      if (!isSame(file, edited, i)) return false;
-    return std::ranges::all_of(
-        added_, [&](std::size_t place) { return isMissingMtgValue(valueAt(edited, place)); });
-  }
-
-  [[nodiscard]] std::string textOf(const std::vector<std::string>& edited,
-                                   std::size_t feature) const {
-    return mtgCellText(std::string(valueAt(edited, *inEdited_[feature])), features_[feature]);
-  }
-
-private:
-  const std::vector<MtgFeature>& features_;
-  std::vector<std::optional<std::size_t>> inEdited_; // by feature of the file
-  std::vector<std::size_t> added_;                   // features of the edited plant alone
-};
 
 bool isSamePlace(const MtgVertex& a, const MtgVertex& b) {
   return a.symbol == b.symbol && a.index == b.index && a.scale == b.scale &&
@@ -93,41 +43,6 @@ bool isSame(const Mtg& file, const Mtg& edited) {
          std::ranges::equal(file.vertices, edited.vertices, isSameVertex);
 }
 
-const std::vector<std::string>& valuesOf(const Mtg& mtg, VertexId id, const MtgLine& line) {
-  const MtgVertex& vertex = mtg.vertices[indexOf(id)];
-  return line.date ? vertex.later[*line.date] : vertex.values;
-}
-
-struct Replacement {
-  std::size_t from = 0;
-  std::size_t to = 0;
-  std::string text;
-};
-
-/// What must change in a line so that `column` holds `value`.
-/// @param width  the columns that changes before gave the line at its end
-Replacement replacement(const MtgSource& source, const MtgLine& line, std::size_t column,
-                        const std::string& value, std::size_t& width) {
-  std::size_t start = line.start;
-  for (std::size_t i = 0; i < column; ++i) {
-    const std::size_t tab = source.text.find('\t', start);
-    if (tab >= line.end) {
-      const std::size_t present = std::max(width, i); // columns before this one, with added ones
-      width = column;
-      std::size_t at = line.end; // before a comment, which is blank in the text
-      while (at > line.start && source.text[at - 1] == ' ')
-        --at;
-      return {at, at, std::string(column - present, '\t') + value};
-    }
-    start = tab + 1;
-  }
-  const std::size_t end = std::min(source.text.find('\t', start), line.end);
-  const std::string_view field = trimmed(std::string_view(source.text).substr(start, end - start));
-  if (field.empty()) return {start, start, value + (start < end ? " " : "")};
-  const auto from = static_cast<std::size_t>(field.data() - source.text.data());
-  return {from, from + field.size(), value};
-}
-
 /// The text with other values in its cells; none if more than cells must change.
 std::optional<std::string> withOtherCells(const ParsedMtg& file, const Mtg& edited) {
   if (!isSamePlant(file.mtg, edited)) return std::nullopt;
@@ -135,19 +50,9 @@ std::optional<std::string> withOtherCells(const ParsedMtg& file, const Mtg& edit
   std::string text;
   std::size_t copied = 0;
   for (const MtgLine& line : file.lines) {
-    const auto& before = valuesOf(file.mtg, line.last, line);
-    const auto& after = valuesOf(edited, line.last, line);
-    std::size_t width = 0;
-    for (std::size_t column = 0; column < file.columns.features.size(); ++column) {
-      const auto feature = file.columns.features[column];
-      if (!feature || match.isSame(before, after, *feature)) continue;
-      const std::string value = match.textOf(after, *feature);
-      if (!survivesMtg(value)) return std::nullopt;
-      const Replacement change = replacement(file.source, line, column, value, width);
-      text.append(file.source.original, copied, change.from - copied);
-      text += change.text;
-      copied = change.to;
-    }
+    const auto changes = cellChanges(file, line, mtgValuesAt(edited, line.last, line.date), match);
+    if (!changes) return std::nullopt;
+    appendChanged(file.source.original, *changes, copied, text);
   }
   return text + file.source.original.substr(copied);
 }
@@ -175,7 +80,7 @@ Mtg withFeaturesLike(const Mtg& file, Mtg mtg) {
   const auto reorder = [&](std::vector<std::string>& values) {
     std::vector<std::string> result(order.size());
     for (std::size_t i = 0; i < order.size(); ++i)
-      result[i] = valueAt(values, order[i].second);
+      result[i] = mtgValueAt(values, order[i].second);
     values = std::move(result);
   };
   std::vector<MtgFeature> features;
@@ -235,9 +140,8 @@ std::string belowSections(const ParsedMtg& file, const Mtg& mtg) {
 /// All anew but for what stands before CODE.
 std::string belowFirstComments(const ParsedMtg& file, const Mtg& mtg) {
   const std::string& original = file.source.original;
-  const std::size_t first = file.source.text.find("CODE");
-  std::size_t start = original.find_last_of("\r\n", first);
-  start = start == std::string::npos || first == std::string::npos ? 0 : start + 1;
+  const auto code = mtgCodeIn(file.source.text);
+  const std::size_t start = code ? code->offset() : 0;
   std::ostringstream out;
   writeMtg(out, mtg);
   return original.substr(0, start) +
@@ -250,6 +154,22 @@ bool tellsOf(const std::string& text, const Mtg& edited, const MtgReadOptions& o
     return isSame(parseMtg(text, resultName, options).mtg, edited);
   } catch (const Error&) {
     return false;
+  }
+}
+
+/// Whether `text` is read as `edited`, but for the order of the vertices, which its lines tell.
+bool tellsOfAll(const std::string& text, const Mtg& edited, const MtgReadOptions& options) {
+  return isSame(mtgAsWritten(parseMtg(text, resultName, options).mtg), mtgAsWritten(edited));
+}
+
+/// The text with other lines, if lines can tell of the edited plant.
+std::optional<std::string> withLinesOf(const ParsedMtg& file, const Mtg& edited,
+                                       const MtgReadOptions& options) {
+  try {
+    const auto text = withOtherLines(file, mtgNormalized(withFeaturesLike(file.mtg, edited)));
+    return text && tellsOfAll(*text, edited, options) ? text : std::nullopt;
+  } catch (const Error&) { // all is written anew, or refused there
+    return std::nullopt;
   }
 }
 
@@ -274,15 +194,16 @@ std::string mtgTextWith(const std::string& original, const Mtg& edited,
                         const MtgReadOptions& options) {
   ParsedMtg file = parseMtg(original, "the file to save into", options);
   const bool isLatin1 = file.source.isLatin1;
-  const auto sameLines = [&]() -> std::optional<std::string> {
-    const auto text = withOtherCells(file, edited);
-    return text && tellsOf(*text, edited, options) ? text : std::nullopt;
+  const auto withSections = [&]() -> std::optional<std::string> {
+    auto text = withOtherCells(file, edited);
+    if (text && tellsOf(*text, edited, options)) return text;
+    return withLinesOf(file, edited, options);
   };
-  if (const auto text = sameLines()) return encoded(*text, isLatin1);
+  if (const auto text = withSections()) return encoded(*text, isLatin1);
   if (const auto missing = missingFeatures(file.mtg, edited); !missing.empty())
     if (const auto more = withMoreFeatures(file, missing)) {
       file = parseMtg(*more, resultName, options);
-      if (const auto text = sameLines()) return encoded(*text, isLatin1);
+      if (const auto text = withSections()) return encoded(*text, isLatin1);
     }
   const Mtg written = mtgAsWritten(withFeaturesLike(file.mtg, edited));
   const std::string anew = belowFirstComments(file, written); // checks that it can be told

@@ -20,12 +20,15 @@ namespace espalier {
 /// Those that the file does not have get a line at the end of its section FEATURES and a column
 /// behind the others, if it has both.
 ///
-/// Otherwise (other vertices, a new value within a range, a value that would be read as a comment)
-/// the vertices are written anew, laid out as by `writeMtg`. All before them stays, but for the
-/// line of columns where it has too few of them; if the sections cannot tell of the plant any more,
-/// or lack a feature, they are written anew too, and only what stands before CODE stays. Line ends
-/// and the order of features stay. Comments of what is written anew go to the end, as by
-/// `mtgCommentLines`.
+/// Where vertices came, went, or got other labels, their lines alone change (withOtherLines), if
+/// lines can tell of it.
+///
+/// Otherwise (vertices that hang elsewhere, a new value within a range, a value that would be read
+/// as a comment) the vertices are written anew, laid out as by `writeMtg`. All before them stays,
+/// but for the line of columns where it has too few of them; if the sections cannot tell of the
+/// plant any more, or lack a feature, they are written anew too, and only what stands before CODE
+/// stays. Line ends and the order of features stay. Comments of what is written anew go to the end,
+/// as by `mtgCommentLines`.
 ///
 /// The encoding is that of the file: Latin-1 unless a new value has a character beyond it, then
 /// UTF-8.
@@ -33,7 +36,7 @@ namespace espalier {
 /// @param options   as it was read
 /// @throws Error as `readMtg` and `writeMtg`
 /// Reading the result gives `edited`, but for the spelling of numbers and missing values, and as
-/// `mtgAsWritten` where vertices are written anew. Time O(size of both).
+/// `mtgAsWritten` where lines or vertices are written anew. Time O(size of both).
 [[nodiscard]] std::string mtgTextWith(const std::string& original, const Mtg& edited,
                                       const MtgReadOptions& options = {});
 

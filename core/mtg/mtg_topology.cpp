@@ -4,7 +4,6 @@
 #include "core/base/text.h"
 
 #include <algorithm>
-#include <charconv>
 #include <limits>
 
 namespace espalier {
@@ -13,6 +12,7 @@ namespace {
 constexpr std::string_view edges = "/<+";
 constexpr std::string_view signs = "/<+^(";
 constexpr std::string_view digits = "0123456789";
+constexpr std::string_view indexSigns = "0123456789.";
 constexpr std::string_view noIndex = "-9999"; // MultiScaleTreeGraph.jl writes it for none
 constexpr std::size_t mostInRanges = 200'000;
 constexpr int finestScale = 100;
@@ -30,8 +30,34 @@ bool isSymbol(std::string_view text) {
          std::ranges::all_of(text, isPart);
 }
 
-std::string_view withoutDigits(std::string_view text) {
-  return text.substr(0, text.find_last_not_of(digits) + 1);
+std::string_view withoutIndex(std::string_view text) {
+  return text.substr(0, text.find_last_not_of(indexSigns) + 1);
+}
+
+bool hasLooseDot(std::string_view index) {
+  return index.starts_with('.') || index.ends_with('.') ||
+         index.find("..") != std::string_view::npos;
+}
+
+/// "P, A, U", the first few of them.
+std::string symbolsOf(const std::vector<MtgClass>& classes) {
+  constexpr std::size_t most = 12;
+  std::string list;
+  for (std::size_t i = 0; i < std::min(classes.size(), most); ++i)
+    list += (list.empty() ? "" : ", ") + classes[i].symbol;
+  return list + (classes.size() > most ? " ..." : "");
+}
+
+/// How many steps a range makes that counts up from one index to another: 2 from S16.1 to S16.3.
+/// None if it does not.
+std::size_t stepsOf(const std::optional<LabelIndex>& from, const std::optional<LabelIndex>& to) {
+  if (!from || !to) return 0;
+  std::vector<int> first = from->parts();
+  std::vector<int> last = to->parts();
+  if (first.size() != last.size() || first.back() >= last.back()) return 0;
+  const auto steps = static_cast<std::size_t>(last.back()) - static_cast<std::size_t>(first.back());
+  first.back() = last.back();
+  return first == last ? steps : 0;
 }
 
 } // namespace
@@ -96,7 +122,7 @@ MtgTopology::Path MtgTopology::pathOf(std::string_view& code, MtgPlace place) {
   path.before = anchor(code, place, path.isName);
   if (continues) {
     path.own = path.before;
-    code.remove_prefix(1);
+    code = trimmed(code.substr(1));
   }
   if (code.empty() || edges.find(code.front()) == std::string_view::npos)
     throw Error(cell(place) + "expected /, < or + before " + inQuotes(code));
@@ -126,7 +152,7 @@ MtgTopology::Column MtgTopology::anchor(std::string_view code, MtgPlace place, b
   }
   if (!code.starts_with('/')) return columnAt(0, place);
   const std::string_view first = trimmed(code.substr(1, code.find_first_of(signs, 1) - 1));
-  const auto label = knownLabel(first, place);
+  const auto label = knownLabel(first);
   const bool isPlant = columns_.empty() || (label && label->scale <= coarsest_);
   if (!isPlant) return columnAt(0, place);
   isName = true;
@@ -159,9 +185,10 @@ void MtgTopology::follow(const Step& step, Path& path, MtgPlace place) {
     followRange(step, label, path, place);
     return;
   }
-  const auto found = path.isName && !step.isLast && label.index
-                         ? names_.find({path.before.last, step.edge, label.symbol, *label.index})
-                         : names_.end();
+  const auto found =
+      path.isName && !step.isLast && label.index
+          ? names_.find({path.before.last, step.edge, label.symbol, label.index->parts()})
+          : names_.end();
   path.isName = found != names_.end();
   if (!path.isName) {
     addOne(label, step.edge, path, place);
@@ -175,30 +202,35 @@ void MtgTopology::followRange(const Step& step, const Label& label, Path& path, 
   const auto bearer = bearerOf(label, step.edge, path.before);
   const auto start = upTo(bearer, label.scale);
   const MtgVertex* from = start ? &mtg_.vertices[indexOf(*start)] : nullptr;
-  if (from == nullptr || from->symbol != label.symbol || !from->index || !label.index ||
-      *from->index >= *label.index) {
+  const std::size_t steps =
+      from && from->symbol == label.symbol ? stepsOf(from->index, label.index) : 0;
+  if (steps == 0) {
     notes_.repaired(cell(place), "the range to " + inQuotes(step.label) +
                                      " does not count up from a vertex of its class: taken as a "
                                      "single edge");
     addOne(label, step.edge, path, place);
     return;
   }
-  const int before = *from->index;
-  inRanges_ += static_cast<std::size_t>(*label.index) - static_cast<std::size_t>(before);
+  inRanges_ += steps;
   if (inRanges_ > mostInRanges)
     throw Error(cell(place) + "the ranges up to " + inQuotes(step.label) + " stand for more than " +
                 std::to_string(mostInRanges) + " vertices: correct the index");
   const bool isOfThisCode = path.hasSpan && start == path.span.last;
   const VertexId first =
       isOfThisCode ? *start : VertexId{static_cast<std::uint32_t>(mtg_.vertices.size())};
-  for (int index = before + 1; index <= *label.index; ++index)
+  LabelIndex index = *from->index;
+  for (std::size_t i = 1; i < steps; ++i) {
+    index = *index.next();
     addOne({label.symbol, label.scale, index}, step.edge, path, place);
+  }
+  addOne(label, step.edge, path, place); // as it is typed
   if (step.isShared) path.span.first = first;
 }
 
 void MtgTopology::addOne(const Label& label, char edge, Path& path, MtgPlace place) {
   const VertexId id = attach(label, edge, path.before, place);
-  if (label.index) names_.try_emplace({path.before.last, edge, label.symbol, *label.index}, id);
+  if (label.index)
+    names_.try_emplace({path.before.last, edge, label.symbol, label.index->parts()}, id);
   if (label.scale == 0) scene_ = id;
   for (Column* column : {&path.before, &path.own})
     this->place(id, edge, *column);
@@ -206,35 +238,39 @@ void MtgTopology::addOne(const Label& label, char edge, Path& path, MtgPlace pla
   path.hasSpan = true;
 }
 
-std::optional<MtgTopology::Label> MtgTopology::knownLabel(std::string_view text,
-                                                          MtgPlace place) const {
+std::optional<MtgTopology::Label> MtgTopology::knownLabel(std::string_view text) const {
   if (text.ends_with(noIndex)) text.remove_suffix(noIndex.size());
-  // The index is the digits at the end; symbols may hold digits too, so the longest symbol wins.
-  const std::size_t letters = withoutDigits(text).size();
+  // The index is the digits, and dots, at the end; symbols may hold digits too, so the longest
+  // symbol wins.
+  const std::size_t letters = withoutIndex(text).size();
   const std::size_t longest = std::min<std::size_t>(text.size(), 100);
   for (std::size_t length = longest; length >= std::max<std::size_t>(letters, 1); --length) {
     const auto found = scales_.find(text.substr(0, length));
     if (found == scales_.end()) continue;
     Label label{found->first, found->second, std::nullopt};
     if (length == text.size()) return label;
-    int index = 0;
-    const char* end = text.data() + text.size();
-    if (std::from_chars(text.data() + length, end, index).ec != std::errc{})
-      throw Error(cell(place) + "the index in " + inQuotes(text) + " is too large");
-    label.index = index;
-    return label;
+    label.index = LabelIndex::in(text.substr(length));
+    if (label.index) return label;
   }
   return std::nullopt;
 }
 
 MtgTopology::Label MtgTopology::labelOf(const Step& step, const Column& before, MtgPlace place) {
-  if (const auto known = knownLabel(step.label, place)) return *known;
-  const std::string_view symbol = withoutDigits(step.label);
+  if (const auto known = knownLabel(step.label)) return *known;
+  const std::string_view symbol = withoutIndex(step.label);
+  const std::string_view index = step.label.substr(symbol.size());
   if (!isSymbol(symbol))
     throw Error(cell(place) + inQuotes(step.label) +
-                " begins with no symbol of the section CLASSES");
+                " begins with no symbol of the section CLASSES (" +
+                inQuotes(symbolsOf(mtg_.classes)) +
+                "): type one of these, and behind it its index, as in U1 or S16.1");
+  if (!index.empty() && !LabelIndex::in(index))
+    throw Error(cell(place) + "the index in " + inQuotes(step.label) +
+                (hasLooseDot(index)
+                     ? " has a dot without a number on both sides: type it as in U16 or U16.1"
+                     : " is too large"));
   declare(symbol, step, before, place);
-  return *knownLabel(step.label, place);
+  return *knownLabel(step.label);
 }
 
 void MtgTopology::declare(std::string_view symbol, const Step& step, const Column& before,

@@ -37,8 +37,9 @@ struct MtgSpan {
 /// - A code of a coarser scale than what it hangs on hangs on what that is a part of, and its own
 ///   first part hangs where the coarser one was reached from. A + leaves the vertex open for more
 ///   codes with ^.
+/// - An index is a number, or numbers parted by dots: S16.1 is the first of those at place 16.
 /// - "<<" and "++" stand for all vertices between two indices; so do "<.<" and "+.+", to which the
-///   values of the line belong alike.
+///   values of the line belong alike. Of indices with a dot the last number counts up.
 /// - A class that is not declared gets the scale of what it follows, after / the next finer one;
 ///   Scene is of scale 0.
 class MtgTopology {
@@ -66,7 +67,7 @@ private:
   struct Label {
     std::string_view symbol;
     int scale = 1;
-    std::optional<int> index;
+    std::optional<LabelIndex> index;
   };
   struct Entry { // from which vertex, and how, a coarser one was reached: its first part hangs
                  // there
@@ -92,7 +93,7 @@ private:
     MtgSpan span; // of the last step, if that made vertices
   };
   /// What a vertex was told after, and how: the same again means the same vertex, in full names.
-  using Name = std::tuple<std::optional<VertexId>, char, std::string_view, int>;
+  using Name = std::tuple<std::optional<VertexId>, char, std::string_view, std::vector<int>>;
 
   [[nodiscard]] std::string cell(MtgPlace place) const;
   [[nodiscard]] Path pathOf(std::string_view& code, MtgPlace place);
@@ -104,7 +105,7 @@ private:
   void followRange(const Step& step, const Label& label, Path& path, MtgPlace place);
   void addOne(const Label& label, char edge, Path& path, MtgPlace place);
 
-  [[nodiscard]] std::optional<Label> knownLabel(std::string_view text, MtgPlace place) const;
+  [[nodiscard]] std::optional<Label> knownLabel(std::string_view text) const;
   Label labelOf(const Step& step, const Column& before, MtgPlace place);
   void declare(std::string_view symbol, const Step& step, const Column& before, MtgPlace place);
   [[nodiscard]] int finerThan(int scale, MtgPlace place) const;

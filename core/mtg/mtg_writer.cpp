@@ -96,27 +96,6 @@ void checkClasses(const Mtg& mtg) {
                   ", but no class of this symbol and scale is listed: rename its class");
 }
 
-/// With what writing changes or adds, but for the order of the vertices.
-Mtg normalized(Mtg mtg) {
-  const auto hasAlias = [](const MtgVertex& vertex) { return !vertex.alias.empty(); };
-  if (std::ranges::any_of(mtg.vertices, hasAlias) &&
-      std::ranges::none_of(mtg.features, isAliasFeature)) {
-    mtg.features.insert(mtg.features.begin(), {"Alias", "STRING"});
-    for (MtgVertex& vertex : mtg.vertices) {
-      if (!vertex.values.empty()) vertex.values.insert(vertex.values.begin(), "");
-      for (auto& values : vertex.later)
-        values.insert(values.begin(), "");
-    }
-  }
-  for (MtgVertex& vertex : mtg.vertices) {
-    vertex.values = cellsOf(vertex.values, mtg);
-    for (auto& values : vertex.later)
-      values = cellsOf(values, mtg);
-    if (!vertex.parent) vertex.edge = EdgeType::successor; // it has no meaning there
-  }
-  return mtg;
-}
-
 Mtg inOrderOf(const MtgRows& rows, const Mtg& mtg) {
   std::vector<VertexId> place(mtg.vertices.size());
   for (std::size_t i = 0; i < rows.rows.size(); ++i)
@@ -147,7 +126,7 @@ void checkReadsBack(const std::string& text, const Mtg& expected) {
 } // namespace
 
 void writeMtg(std::ostream& out, const Mtg& mtg) {
-  const Mtg whole = normalized(mtg);
+  const Mtg whole = mtgNormalized(mtg);
   checkClasses(whole);
   checkTexts(whole);
   const MtgRows rows = mtgRows(whole);
@@ -162,8 +141,28 @@ void writeMtg(std::ostream& out, const Mtg& mtg) {
   out << text;
 }
 
+Mtg mtgNormalized(Mtg mtg) {
+  const auto hasAlias = [](const MtgVertex& vertex) { return !vertex.alias.empty(); };
+  if (std::ranges::any_of(mtg.vertices, hasAlias) &&
+      std::ranges::none_of(mtg.features, isAliasFeature)) {
+    mtg.features.insert(mtg.features.begin(), {"Alias", "STRING"});
+    for (MtgVertex& vertex : mtg.vertices) {
+      if (!vertex.values.empty()) vertex.values.insert(vertex.values.begin(), "");
+      for (auto& values : vertex.later)
+        values.insert(values.begin(), "");
+    }
+  }
+  for (MtgVertex& vertex : mtg.vertices) {
+    vertex.values = cellsOf(vertex.values, mtg);
+    for (auto& values : vertex.later)
+      values = cellsOf(values, mtg);
+    if (!vertex.parent) vertex.edge = EdgeType::successor; // it has no meaning there
+  }
+  return mtg;
+}
+
 Mtg mtgAsWritten(const Mtg& mtg) {
-  const Mtg whole = normalized(mtg);
+  const Mtg whole = mtgNormalized(mtg);
   return inOrderOf(mtgRows(whole), whole);
 }
 

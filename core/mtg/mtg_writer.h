@@ -21,6 +21,10 @@ namespace espalier {
 /// Time O(size of the text).
 void writeMtg(std::ostream& out, const Mtg& mtg);
 
+/// With what writing changes or adds: numbers without exponents, no empty values at the end, a
+/// feature Alias. The vertices keep their order.
+[[nodiscard]] Mtg mtgNormalized(Mtg mtg);
+
 /// An MTG as it comes back from its text: vertices in the order of their lines, numbers without
 /// exponents, no empty values at the end.
 [[nodiscard]] Mtg mtgAsWritten(const Mtg& mtg);
@@ -29,8 +33,8 @@ void writeMtg(std::ostream& out, const Mtg& mtg);
 /// nodes N of scale 2, features XX YY ZZ radius.
 ///
 /// A branching node opens the next column, a successor continues its own ("^<N"); of two successors
-/// the second opens a column too. Deeper than 64 columns, which no plant is, a node with nothing
-/// but branching children continues its column with the last of them ("^+N"). Numbers are the
+/// the second opens a column too. Deeper than 64 columns, which no plant is, a node continues its
+/// column with the child that carries most ("^+N"). Numbers are the
 /// shortest decimals that read back as the same double, without exponents; a radius of 0 is left
 /// empty. OpenAlea, PlantScan3D and MultiScaleTreeGraph.jl read the result.
 /// @throws Error if a position or radius is not finite

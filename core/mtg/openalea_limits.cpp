@@ -1,6 +1,7 @@
 #include "core/mtg/openalea_limits.h"
 
 #include "core/base/text.h"
+#include "core/mtg/mtg_lines.h"
 #include "core/mtg/mtg_rows.h"
 #include "core/mtg/mtg_writer.h"
 
@@ -32,8 +33,7 @@ void findInValues(const Mtg& mtg, std::vector<std::string>& found) {
     for (std::size_t i = 0; i < texts.size(); ++i)
       if (isTakenApart(texts[i], mtg) && ++values <= mostNamed)
         found.push_back("the value " + inQuotes(texts[i]) + " of " + mtg.features[i].name + " at " +
-                        vertex.symbol + (vertex.index ? std::to_string(*vertex.index) : "") +
-                        " holds signs of codes");
+                        mtgLabel(vertex) + " holds signs of codes");
   };
   for (const MtgVertex& vertex : mtg.vertices) {
     look(vertex.values, vertex);

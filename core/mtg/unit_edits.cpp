@@ -11,8 +11,6 @@
 #include "core/mtg/unit_starts.h"
 
 #include <algorithm>
-#include <charconv>
-#include <limits>
 #include <optional>
 #include <set>
 
@@ -20,7 +18,7 @@ namespace espalier {
 namespace {
 
 std::string nameOf(const Entity& entity) {
-  return entity.symbol + (entity.index ? std::to_string(*entity.index) : "");
+  return entity.symbol + (entity.index ? entity.index->text() : "");
 }
 
 /// The scale of a class, none if it is new here.
@@ -32,7 +30,7 @@ std::optional<int> scaleOfClass(const std::string& symbol, const Skeleton& skele
   if (base == nullptr) return std::nullopt;
   const auto found = std::ranges::find(base->classes, symbol, &MtgClass::symbol);
   if (found == base->classes.end()) return std::nullopt;
-  const int scale = viewOf(*base, "the MTG that was opened").value.scale;
+  const int scale = openedView(*base).scale;
   return ScaleShift(*base, scale, skeleton)(found->scale);
 }
 
@@ -56,16 +54,16 @@ Entity nextUnit(const Skeleton& skeleton, NodeId id, int scale) {
     result.symbol = entityOf(table.units()[*unit]).symbol;
     hasIndex = entityOf(table.units()[*unit]).index.has_value();
   }
-  int highest = 0;
+  IndicesInUse inUse;
   for (const UnitTable::Unit& unit : table.units()) {
     if (unit.scale != place) continue;
     const Entity& entity = entityOf(unit);
     if (result.symbol.empty()) result.symbol = entity.symbol;
     if (entity.symbol == result.symbol && entity.index &&
         complexAt(table, unit.start, place) == complexAt(table, id, place))
-      highest = std::max(highest, *entity.index);
+      inUse.take(*entity.index);
   }
-  if (hasIndex && highest < std::numeric_limits<int>::max()) result.index = highest + 1;
+  if (hasIndex) result.index = inUse.next();
   return result;
 }
 
@@ -135,14 +133,10 @@ void setClass(SkeletonEditor& editor, NodeId id, int scale, const std::string& s
 
 void setIndex(SkeletonEditor& editor, NodeId id, int scale, const std::string& index) {
   const std::string_view text = trimmed(index);
-  std::optional<int> typed;
-  if (!text.empty()) {
-    int number = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (error != std::errc() || end != text.data() + text.size() || number < 0)
-      throw Error(inQuotes(text) + " is no index: type a whole number, such as 3, or nothing");
-    typed = number;
-  }
+  const std::optional<LabelIndex> typed = LabelIndex::in(text);
+  if (!typed && !text.empty())
+    throw Error(inQuotes(text) + " is no index: type a whole number, such as 3, two parted by a "
+                                 "dot, such as 16.1, or nothing");
   changeEntity(editor, id, scale, [&](Entity& entity) { entity.index = typed; });
 }
 

@@ -76,6 +76,25 @@ numbered(const Skeleton& skeleton, const std::vector<NodeId>& starts, const Enti
   return result;
 }
 
+/// A unit of each scale, as they begin at the first root; without any node, of the classes.
+std::vector<Entity> firstUnits(const Mtg& base) {
+  const Skeleton view = openedView(base).skeleton;
+  std::map<int, Entity> units;
+  const auto add = [&](int scale, const std::string& symbol) {
+    if (scale > 0) units.emplace(scale, Entity{.scale = scale, .symbol = symbol});
+  };
+  if (!view.isEmpty())
+    for (const Entity& entity : view[view.roots().front()].entities)
+      add(entity.scale, entity.symbol);
+  else
+    for (const MtgClass& each : base.classes)
+      add(each.scale, each.symbol);
+  std::vector<Entity> result;
+  for (auto& [scale, unit] : units)
+    result.push_back(std::move(unit));
+  return result;
+}
+
 } // namespace
 
 bool hasEntities(const Skeleton& skeleton) {
@@ -87,10 +106,7 @@ void ensureEntities(SkeletonEditor& editor, const Mtg* base) {
   if (hasEntities(editor.skeleton())) return;
   std::vector<Entity> units = {{.scale = 1, .symbol = "P"}, {.scale = 2, .symbol = "N"}};
   if (base != nullptr) {
-    const Skeleton view = viewOf(*base, "the MTG that was opened").value.skeleton;
-    units.clear();
-    for (const Entity& entity : view[view.roots().front()].entities)
-      units.push_back({.scale = entity.scale, .symbol = entity.symbol});
+    units = firstUnits(*base);
   }
   int plants = 0;
   for (const NodeId root : editor.skeleton().roots()) {

@@ -14,7 +14,7 @@ namespace {
 
 QString nameOf(const Entity& entity) {
   return QString::fromStdString(entity.symbol) +
-         (entity.index ? QString::number(*entity.index) : QString());
+         (entity.index ? QString::fromStdString(entity.index->text()) : QString());
 }
 
 QString valueIn(const std::vector<FeatureValue>& values, const std::string& feature) {
@@ -58,8 +58,8 @@ QList<UnitRow> labelRows(const Subject& of) {
              setClass(editor, start, scale, text, base);
            }},
           {"index" + of.end, UnitsForm::tr("Index"),
-           of.entity.index ? QString::number(*of.entity.index) : QString(),
-           UnitsForm::tr("A whole number, or nothing"),
+           of.entity.index ? QString::fromStdString(of.entity.index->text()) : QString(),
+           UnitsForm::tr("A whole number, two parted by a dot (16.1), or nothing"),
            UnitsForm::tr("Set the index of %1").arg(of.name),
            [=](SkeletonEditor& editor, const std::string& text) {
              setIndex(editor, start, scale, text);

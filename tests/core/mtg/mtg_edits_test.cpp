@@ -79,6 +79,34 @@ TEST(WithEdits, NumbersANewNodeAmongTheNodesOfItsUnit) {
   EXPECT_EQ(added.parent, VertexId{5});
 }
 
+/// E16 bears E16.1 and E16.2; E17 follows it.
+Mtg shootsOfPlaces() {
+  return test::readMtgRows("/P1/A1\n\t/E16\t\t0\t0\t0\n\t\t+E16.1\t1\t0\t1\n"
+                           "\t\t+E16.2\t-1\t0\t1\n\t^<E17\t\t0\t0\t2\n")
+      .value;
+}
+
+TEST(WithEdits, NumbersABranchAfterThoseOfItsPlace) {
+  const Mtg base = shootsOfPlaces();
+  const Mtg result =
+      withEdits(base, edited(base, [](SkeletonEditor& e) {
+                  for (const double x : {2.0, 3.0})
+                    e.setEdge(addChild(e, NodeId{0}, {x, 0, 1}), EdgeType::branching);
+                }));
+  std::multiset<std::string> added;
+  for (const MtgVertex& vertex : result.vertices)
+    if (vertex.index && vertex.index->isDotted()) added.insert(vertex.index->text());
+  EXPECT_EQ(added, (std::multiset<std::string>{"16.1", "16.2", "16.3", "16.4"}));
+}
+
+TEST(WithEdits, NumbersABranchOfAnotherPlaceAfterTheHighestOfItsUnit) {
+  const Mtg base = shootsOfPlaces();
+  const Mtg result = withEdits(base, edited(base, [](SkeletonEditor& e) {
+                                 addChild(e, NodeId{3}, {0, 0, 3});
+                               }));
+  EXPECT_EQ(result.vertices.back().index, 18);
+}
+
 /// Four scales: P1 of A1 of E1 < E2 < E3, and A2 of E4 < E5 on E3; E2 has no position; each of E1
 /// to E4 has a part F, finer than the nodes.
 Mtg fourScales() {
@@ -223,7 +251,7 @@ TEST(MtgOf, NumbersPlantsAndAxes) {
   const Mtg mtg = mtgOf(test::fork(2), MtgStyle::plantAxisNode);
   std::vector<std::string> labels;
   for (const MtgVertex& vertex : mtg.vertices)
-    labels.push_back(vertex.symbol + (vertex.index ? std::to_string(*vertex.index) : ""));
+    labels.push_back(vertex.symbol + (vertex.index ? vertex.index->text() : ""));
   std::ranges::sort(labels);
   EXPECT_EQ(labels, (std::vector<std::string>{"A1", "A2", "N", "N", "N", "N", "P1"}));
   EXPECT_EQ(test::canonical(test::withoutEntities(readBack(mtg))), test::canonical(test::fork(2)));

@@ -29,7 +29,7 @@ std::string refusalOf(const std::string& text, const MtgReadOptions& options = {
 }
 
 std::string labelOf(const MtgVertex& vertex) {
-  return vertex.symbol + (vertex.index ? std::to_string(*vertex.index) : "");
+  return vertex.symbol + (vertex.index ? vertex.index->text() : "");
 }
 
 /// Each vertex with what it is a part of and what it hangs on: "E2(A1)<E1".

@@ -82,7 +82,8 @@ TEST(ReadMtg, NotesValuesWithoutAColumn) {
 TEST(ReadMtg, TellsTheCellThatIsWrong) {
   const auto refusalOf = [](const std::string& rows) { return messageOf(mtgText(rows)); };
   EXPECT_EQ(refusalOf("/P1\n^<?1\n"),
-            "plant.mtg, line 22, column 1: '?1' begins with no symbol of the section CLASSES");
+            "plant.mtg, line 22, column 1: '?1' begins with no symbol of the section CLASSES "
+            "('$, P, A, E'): type one of these, and behind it its index, as in U1 or S16.1");
   EXPECT_EQ(refusalOf("/P1\t\t\t1\t2\tx\n"),
             "plant.mtg, line 21, column 6: ZZ is 'x', expected a number");
   EXPECT_THAT(refusalOf("/P1\t\t\t1,5\n"), testing::HasSubstr("a decimal point, not a comma"));

@@ -51,8 +51,8 @@ TEST(SkeletonOf, PutsVerticesWithoutPositionBetweenTheirNeighbors) {
       skeletonOfRows("/P1/A1/E1\t\t\t0\t0\t0\n\t+E2\n\t^<E3\t\t2\t2\t4\n");
   ASSERT_EQ(plant.value.size(), 3U);
   EXPECT_EQ(plant.value[NodeId{1}].position, Eigen::Vector3d(1, 1, 2));
-  EXPECT_THAT(plant.notes, testing::ElementsAre("plant.mtg: 1 vertices have no position and are "
-                                                "put evenly between their neighbors"));
+  EXPECT_THAT(plant.notes, testing::ElementsAre("plant.mtg: 1 vertex has no position and is put "
+                                                "evenly between neighbors"));
 }
 
 // E2 bears E3 but has no position, nor a successor: E3 comes to hang on E1.
@@ -63,7 +63,7 @@ TEST(SkeletonOf, PassesOverVerticesWithoutPosition) {
   EXPECT_EQ(plant.value[NodeId{1}].parent, NodeId{0});
   EXPECT_EQ(plant.value[NodeId{1}].edge, EdgeType::branching);
   EXPECT_THAT(plant.notes,
-              testing::ElementsAre("plant.mtg: 1 vertices have no position and are passed over"));
+              testing::ElementsAre("plant.mtg: 1 vertex has no position and is passed over"));
 }
 
 TEST(SkeletonOf, ReadsXyzAndHalvesTheDiameter) {
@@ -76,7 +76,7 @@ TEST(SkeletonOf, ReadsXyzAndHalvesTheDiameter) {
 TEST(SkeletonOf, TakesNegativeRadiiAsNotKnown) {
   const Imported<Skeleton> plant = skeletonOfRows("/P1\t\t\t1\t2\t3\t-4\n");
   EXPECT_EQ(plant.value[NodeId{0}].radius, 0);
-  EXPECT_THAT(plant.notes, testing::ElementsAre(testing::HasSubstr("1 radii are negative")));
+  EXPECT_THAT(plant.notes, testing::ElementsAre(testing::HasSubstr("1 radius is negative")));
 }
 
 TEST(SkeletonOf, RefusesAPlantWithoutPositions) {

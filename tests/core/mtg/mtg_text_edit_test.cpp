@@ -130,14 +130,42 @@ TEST(MtgTextWith, FeaturesThatThePlantDoesNotKnowStay) {
   EXPECT_EQ(mtgTextWith(text, mtg), replaced(text, "1\t2\t3", "1\t8\t3"));
 }
 
-TEST(MtgTextWith, NewVerticesStandBelowTheSectionsAsTheyWere) {
+TEST(MtgTextWith, ANewVertexGetsALineOfItsOwn) {
   const std::string head = "# mine\n" + mtgText("");
   const std::string text = head + "/P1/A1\t\t\t1\n";
   Mtg mtg = read(text);
   mtg.vertices.push_back({.symbol = "E", .index = 7, .scale = 3, .complex = VertexId{1}});
   mtg.vertices.back().values = {"1", "2", "3", "4"};
+  EXPECT_EQ(mtgTextWith(text, mtg), head + "/P1/A1\t\t\t1\n^/E7\t\t\t1\t2\t3\t4\n");
+}
+
+TEST(MtgTextWith, AVertexThatIsPutBetweenTwoGetsTheLineBetween) {
+  const std::string text = mtgText("/P1/A1/E1 # foot\n\t+E2\t\t1\n# up\n^<E3 # top\n");
+  Mtg mtg = read(text);
+  MtgVertex between = mtg.vertices[4]; // E3
+  ASSERT_EQ(between.index, 3);
+  mtg.vertices[4].parent = VertexId{5};
+  between.index = 9;
+  mtg.vertices.push_back(between);
+  std::swap(mtg.vertices[4], mtg.vertices[5]);
+  mtg.vertices[5].parent = VertexId{4};
   EXPECT_EQ(mtgTextWith(text, mtg),
-            head + "/P1\t\t\t\t\t\t\n^/A1\t\t\t1\t\t\t\n^/E7\t\t\t1\t2\t3\t4\n");
+            mtgText("/P1/A1/E1 # foot\n\t+E2\t\t1\n^<E9\t\t\t\t\t\t\n# up\n^<E3 # top\n"));
+}
+
+TEST(MtgTextWith, ALineThatGoesLeavesItsComment) {
+  const std::string text = mtgText("/P1/A1/E1\n\t+E2\t\t1 # dead, cut\n^<E3\n");
+  Mtg mtg = read(text);
+  mtg.vertices.erase(mtg.vertices.begin() + 3);
+  EXPECT_EQ(mtgTextWith(text, mtg), mtgText("/P1/A1/E1\n# at E2: dead, cut\n^<E3\n"));
+}
+
+TEST(MtgTextWith, ALabelChangesWithinACodeOfSeveral) {
+  const std::string text = mtgText("/P1 / A1/E1 <E2\t\t\t1\n^<E3\n");
+  Mtg mtg = read(text);
+  mtg.vertices[1].index = LabelIndex::in("7.1");
+  mtg.vertices[2].index = 10;
+  EXPECT_EQ(mtgTextWith(text, mtg), mtgText("/P1 / A7.1/E10 <E2\t\t\t1\n^<E3\n"));
 }
 
 TEST(MtgTextWith, CommentsGoToTheEndWithNewVertices) {
@@ -146,17 +174,17 @@ TEST(MtgTextWith, CommentsGoToTheEndWithNewVertices) {
                            "# base\n/P1/A1\t\t\t1 # dead\t2 ; sure\n\n(# was\ncut #)\n#\t/A2\n"
                            "^/E1\t\t\t1\n#\n# all of it\n";
   Mtg mtg = read(text);
-  mtg.vertices.push_back({.symbol = "E", .index = 2, .scale = 3, .parent = VertexId{2}});
-  mtg.vertices.back().complex = VertexId{1};
-  const std::string rows = "/P1\t\t\t\t\t\t\n^/A1\t\t\t1\t2\t\t\n^/E1\t\t\t1\t\t\t\n"
-                           "^<E2\t\t\t\t\t\t\n";
+  // It hangs on P1, which stands within a line.
+  mtg.vertices.push_back({.symbol = "A", .index = 3, .scale = 2, .complex = VertexId{0}});
+  const std::string rows = "/P1\t\t\t\t\t\t\n\t/A1\t\t1\t2\t\t\n\t^/E1\t\t1\t\t\t\n"
+                           "^/A3\t\t\t\t\t\t\n";
   const std::string comments =
       "# before A1: base\n# at A1: dead\n# at A1: sure\n"
       "# before E1: was\n# before E1: cut\n# before E1: /A2\n# all of it\n";
   const std::string result = mtgTextWith(text, mtg);
   EXPECT_EQ(result, head + rows + comments);
   mtg.vertices.pop_back();
-  EXPECT_EQ(mtgTextWith(result, mtg), replaced(result, "^<E2\t\t\t\t\t\t\n", "")); // and stay
+  EXPECT_EQ(mtgTextWith(result, mtg), replaced(result, "^/A3\t\t\t\t\t\t\n", "")); // and stay
 }
 
 TEST(MtgTextWith, CommentsOfSectionsThatAreMadeAnewGoToTheEnd) {
@@ -180,11 +208,18 @@ TEST(MtgTextWith, TheOrderOfColumnsStaysWithNewVertices) {
 }
 
 TEST(MtgTextWith, MoreColumnsAreMadeWhereTheyDoNotSuffice) {
+  const std::string head = "CODE: FORM-A\nCLASSES:\nA\t1\nMTG:\n";
+  const std::string text = head + "TOPO\tx\n/A1\t2\n^<A\t\n";
+  Mtg mtg = read(text);
+  mtg.vertices.push_back({.symbol = "A", .parent = VertexId{0}, .edge = EdgeType::branching});
+  EXPECT_EQ(mtgTextWith(text, mtg), head + "ENTITY-CODE\t\tx\n/A1\t\t2\n\t+A\t\n^<A\t\t\n");
+}
+
+TEST(MtgTextWith, ABranchAtATipNeedsNoFurtherColumn) {
   const std::string text = "CODE: FORM-A\nCLASSES:\nA\t1\nMTG:\nTOPO\tx\n/A1\t2\n";
   Mtg mtg = read(text);
   mtg.vertices.push_back({.symbol = "A", .parent = VertexId{0}, .edge = EdgeType::branching});
-  EXPECT_EQ(mtgTextWith(text, mtg),
-            "CODE: FORM-A\nCLASSES:\nA\t1\nMTG:\nENTITY-CODE\t\tx\n/A1\t\t2\n\t+A\t\n");
+  EXPECT_EQ(mtgTextWith(text, mtg), text + "^+A\t\n");
 }
 
 TEST(MtgTextWith, NewClassesAndFeaturesGetTheirSections) {

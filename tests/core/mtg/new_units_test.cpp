@@ -37,7 +37,7 @@ std::string unitsAt(const Mtg& mtg, const Eigen::Vector3d& place) {
          at = mtg.vertices[indexOf(*at)].complex) {
       const MtgVertex& vertex = mtg.vertices[indexOf(*at)];
       text.insert(0, (text.empty() ? "" : "/"));
-      text.insert(0, vertex.symbol + (vertex.index ? std::to_string(*vertex.index) : ""));
+      text.insert(0, vertex.symbol + (vertex.index ? vertex.index->text() : ""));
     }
     return text;
   }

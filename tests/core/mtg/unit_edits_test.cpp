@@ -179,9 +179,16 @@ TEST(SetIndex, WritesAndClearsIt) {
   EXPECT_EQ(one.after([](SkeletonEditor& e) { setIndex(e, NodeId{1}, 3, ""); }), expected);
 }
 
-TEST(SetIndex, IsRefusedForWhatIsNoWholeNumber) {
+TEST(SetIndex, MayHaveADot) {
   Case one;
-  for (const char* text : {"-1", "2.5", "x", "99999999999"})
+  Mtg expected = one.base;
+  expected.vertices[3].index = LabelIndex::in("16.01");
+  EXPECT_EQ(one.after([](SkeletonEditor& e) { setIndex(e, NodeId{1}, 3, "16.01"); }), expected);
+}
+
+TEST(SetIndex, IsRefusedForWhatIsNoIndex) {
+  Case one;
+  for (const char* text : {"-1", "2.", ".5", "x", "99999999999"})
     EXPECT_THROW(one.after([&](SkeletonEditor& e) { setIndex(e, NodeId{1}, 3, text); }), Error)
         << text;
 }

@@ -64,7 +64,7 @@ std::map<int, int> verticesPerScale(const Mtg& mtg) {
 }
 
 std::string label(const MtgVertex& vertex) {
-  return vertex.symbol + (vertex.index ? std::to_string(*vertex.index) : "");
+  return vertex.symbol + (vertex.index ? vertex.index->text() : "");
 }
 
 /// The units that each node is in, by the height and distance of the node: "P1 S2".

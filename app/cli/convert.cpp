@@ -2,6 +2,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/files.h"
 #include "app/cli/terminal.h"
+#include "core/mtg/openalea_limits.h"
 
 #include <memory>
 #include <string>
@@ -13,6 +14,7 @@ struct Flags {
   std::string input;
   std::string output;
   MtgStyle mtgStyle = MtgStyle::plantNode;
+  bool rewrites = false;
 };
 
 /// ".ply, .xyz, ...": those that formats of this content are written by.
@@ -28,9 +30,21 @@ std::string extensionsToWrite(Content content) {
   return list.substr(0, list.size() - 2);
 }
 
+Error nothingToRewrite(const Flags& flags) {
+  return Error(flags.output + ": --rewrite is for MTG to MTG: leave it out");
+}
+
+/// The same without the text it was read from, so that all of it is written anew.
+Structure withoutText(const Structure& structure, const Flags& flags) {
+  if (!structure.frame || formatToWrite(flags.output, Content::structure).name != "MTG")
+    throw nothingToRewrite(flags);
+  return {structure.skeleton, std::make_shared<const MtgFrame>(MtgFrame{structure.frame->mtg, {}})};
+}
+
 void convert(const Flags& flags) {
   const Content content = formatOf(flags.input).content;
   requireOutput(flags.output, content, {flags.input});
+  if (flags.rewrites && content == Content::points) throw nothingToRewrite(flags);
   const TerminalProgress terminal;
   if (content == Content::points) {
     const auto points = readPoints(flags.input, terminal.progress());
@@ -39,10 +53,15 @@ void convert(const Flags& flags) {
     terminal.clear();
     writeAndTell(flags.output, points.value, points.value.positions());
   } else {
-    const auto structure = readStructure(flags.input);
+    auto structure = readAnyStructure(flags.input);
     printNotes(structure.notes);
     terminal.check();
     terminal.clear();
+    if (flags.rewrites) {
+      structure.value = withoutText(structure.value, flags);
+      for (const std::string& limit : openAleaLimits(structure.value.frame->mtg))
+        printNotes({"OpenAlea: " + limit});
+    }
     writeAndTell(flags.output, structure.value, flags.mtgStyle);
   }
 }
@@ -61,10 +80,14 @@ void addConvert(CLI::App& app) {
                        extensionsToWrite(Content::structure))
       ->required();
   addMtgStyle(*command, flags->mtgStyle);
+  command->add_flag("--rewrite", flags->rewrites,
+                    "Write an MTG anew: a vertex per line, columns and sections as other programs "
+                    "write them. Without it an MTG keeps its text");
   command->callback([flags] { convert(*flags); });
   command->footer("Examples:\n"
                   "  espalier convert pine.las pine.ply\n"
                   "  espalier convert pine.mtg pine.swc\n"
+                  "  espalier convert typed.mtg clean.mtg --rewrite\n"
                   "  espalier convert pine.swc pine.mtg --mtg-scales plant-axis-node\n"
                   "  espalier convert pine.mtg pine.internodes.csv   internode lengths and angles");
 }

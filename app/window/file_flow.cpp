@@ -3,6 +3,7 @@
 #include "app/window/file_filters.h"
 #include "app/window/recent_files.h"
 #include "core/base/error.h"
+#include "core/io/atomic_file.h"
 #include "core/io/dropped.h"
 #include "core/io/formats.h"
 #include "core/skeleton/bounds.h"
@@ -127,9 +128,7 @@ bool FileFlow::saveAs() {
 void FileFlow::exportStructure() {
   const Target target = chooseTarget(tr("Export the structure"));
   if (target.path.isEmpty()) return;
-  writeStructure(toPath(target.path), parts_.document.structure(), target.style);
-  emit saved(target.path);
-  noteDropped(target.path);
+  write(target);
 }
 
 MtgStyle FileFlow::preferredStyle() const {
@@ -203,7 +202,7 @@ void FileFlow::show(Read read, bool isAnotherPlant) {
   else if (loaded.structure)
     parts_.projects.leave();
   if (loaded.scan) {
-    document.setUnit(likelyUnit(loaded.scan->cloud()->bounds().sizes().maxCoeff()));
+    document.setUnit(likelyUnit(loaded.scan->bounds().sizes().maxCoeff()));
     document.setScan(std::move(loaded.scan), loaded.scanPath);
     parts_.projects.setScanReference(loaded.scanReference);
     parts_.recent.add(loaded.scanPath);
@@ -240,6 +239,14 @@ bool FileFlow::tellFit(const ScanFit& fit, QStringList notes) {
   return !notes.isEmpty();
 }
 
+void FileFlow::write(const Target& target) {
+  const auto path = toPath(target.path);
+  removeLeftovers(placeOf(path).parent_path());
+  writeStructure(path, parts_.document.structure(), target.style);
+  emit saved(target.path);
+  noteDropped(target.path);
+}
+
 void FileFlow::writeTo(const Target& target) {
   const QString& path = target.path;
   // A file of others may hold more than a skeleton: what it held before is kept once, beside it.
@@ -249,10 +256,8 @@ void FileFlow::writeTo(const Target& target) {
     std::filesystem::copy_file(toPath(path), toPath(path + "~"),
                                std::filesystem::copy_options::overwrite_existing, ignored);
   }
-  writeStructure(toPath(path), parts_.document.structure(), target.style);
+  write(target);
   saved_ = target;
-  emit saved(path);
-  noteDropped(path);
   if (!canBeSavedTo(path))
     return; // lines or a table, as other programs want: the plant is not kept
   copied_ = path;
@@ -263,7 +268,7 @@ void FileFlow::writeTo(const Target& target) {
 QStringList FileFlow::droppedBySavingTo(const QString& path) const {
   QStringList sentences;
   const Format& format = formatToWrite(toPath(path), Content::structure);
-  for (const std::string& sentence : droppedBy(format, parts_.document.skeleton()))
+  for (const std::string& sentence : droppedBy(format, parts_.document.structure()))
     sentences.append(QString::fromStdString(sentence));
   return sentences;
 }

@@ -79,7 +79,8 @@ private:
   };
   [[nodiscard]] MtgStyle preferredStyle() const; // as chosen last
   [[nodiscard]] Target chooseTarget(const QString& title);
-  void writeTo(const Target& target);
+  void write(const Target& target);
+  void writeTo(const Target& target); // and counts as saved from then on
   [[nodiscard]] QStringList droppedBySavingTo(const QString& path) const; // sentences
   void noteDropped(const QString& path);
 

@@ -1,6 +1,7 @@
 #include "app/window/load_files.h"
 
 #include "core/base/error.h"
+#include "core/base/listed.h"
 #include "core/io/formats.h"
 
 #include <QCoreApplication>
@@ -13,7 +14,7 @@ Error twoOfAKind(const QString& path, const char* message) {
 }
 
 void addNotes(LoadedFiles& loaded, const std::vector<std::string>& notes) {
-  for (const std::string& note : notes)
+  for (const std::string& note : firstNotes(notes))
     loaded.notes.append(QString::fromStdString(note));
 }
 
@@ -40,7 +41,7 @@ LoadedFiles loadFiles(const QStringList& paths, const Progress& progress) {
       if (loaded.structure)
         throw twoOfAKind(
             paths[i], QT_TRANSLATE_NOOP("LoadFiles", "%1: a second skeleton: open one at a time"));
-      Imported<Structure> structure = readStructure(path);
+      Imported<Structure> structure = readAnyStructure(path);
       loaded.structure = std::move(structure.value);
       loaded.structurePath = paths[i];
       addNotes(loaded, structure.notes);

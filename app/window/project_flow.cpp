@@ -4,6 +4,7 @@
 #include "app/window/recent_files.h"
 #include "core/base/error.h"
 #include "core/io/dropped.h"
+#include "core/mtg/mtg_of_skeleton.h"
 #include "ui/document/plant_document.h"
 #include "ui/jobs/job_runner.h"
 
@@ -189,7 +190,8 @@ void ProjectFlow::setScanReference(const std::optional<ScanReference>& scan) {
 void ProjectFlow::offerSessions() {
   const QList<Session> waiting = sessions_.waiting();
   emit sessionsChanged();
-  const bool isAny = parts_.document.isEmpty();
+  const PlantDocument& document = parts_.document;
+  const bool isAny = document.isEmpty() && !isWithoutPositions(document.structure());
   const auto found = std::ranges::find_if(
       waiting, [&](const Session& session) { return isAny || isOfThePlant(session); });
   if (found == waiting.end()) return;

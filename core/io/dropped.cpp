@@ -52,11 +52,18 @@ Contents contentsOf(const Skeleton& skeleton) {
   return contents;
 }
 
-} // namespace
+/// Of the formats that can write it at all.
+Contents contentsOf(const Mtg& mtg) {
+  Contents contents{.entities = true};
+  for (const MtgVertex& vertex : mtg.vertices) {
+    contents.labels = contents.labels || vertex.index || !vertex.alias.empty();
+    contents.features = contents.features || !vertex.values.empty();
+    contents.dates = contents.dates || !vertex.later.empty();
+  }
+  return contents;
+}
 
-std::vector<std::string> droppedBy(const Format& format, const Skeleton& skeleton) {
-  assert(format.content == Content::structure);
-  const Contents contents = contentsOf(skeleton);
+std::vector<std::string> droppedBy(const Format& format, const Contents& contents) {
   std::vector<std::string> sentences;
   const auto check = [&](bool isThere, bool isCarried, const char* what) {
     if (isThere && !isCarried) sentences.push_back(std::string(format.name) + " keeps " + what);
@@ -77,6 +84,18 @@ std::vector<std::string> droppedBy(const Format& format, const Skeleton& skeleto
   check(contents.unitStarts, false,
         "no marks of unit starts: they are not written; only a project keeps them");
   return sentences;
+}
+
+} // namespace
+
+std::vector<std::string> droppedBy(const Format& format, const Skeleton& skeleton) {
+  assert(format.content == Content::structure);
+  return droppedBy(format, contentsOf(skeleton));
+}
+
+std::vector<std::string> droppedBy(const Format& format, const Structure& structure) {
+  if (!isWithoutPositions(structure)) return droppedBy(format, structure.skeleton);
+  return droppedBy(format, contentsOf(structure.frame->mtg));
 }
 
 } // namespace espalier

@@ -12,4 +12,7 @@ namespace espalier {
 /// too. pre: format.content is Content::structure Time O(N).
 [[nodiscard]] std::vector<std::string> droppedBy(const Format& format, const Skeleton& skeleton);
 
+/// The same of a structure, which may be a plant without its shape.
+[[nodiscard]] std::vector<std::string> droppedBy(const Format& format, const Structure& structure);
+
 } // namespace espalier

@@ -1,9 +1,16 @@
 #include "core/io/formats.h"
 
+#include "core/base/coordinates.h"
+#include "core/base/counted.h"
 #include "core/base/error.h"
 #include "core/base/open_for_reading.h"
 #include "core/base/text.h"
+#include "core/base/utf16.h"
 #include "core/io/atomic_file.h"
+#include "core/io/graphml.h"
+#include "core/io/opf.h"
+#include "core/io/rsml.h"
+#include "core/io/scan_notes.h"
 #include "core/mtg/mtg_edits.h"
 #include "core/mtg/mtg_reader.h"
 #include "core/mtg/mtg_rows.h"
@@ -14,7 +21,6 @@
 #include <algorithm>
 #include <fstream>
 #include <sstream>
-#include <system_error>
 #include <utility>
 
 namespace espalier {
@@ -64,13 +70,21 @@ std::string beginningOf(std::istream& in, const std::filesystem::path& path) {
   return bytes;
 }
 
+/// Whether the reader of a format reads texts in UTF-16, or says what to do with them.
+bool knowsUtf16(const Format& format) {
+  const auto readers = {isMtg, isGraphml, isOpf, isRsml};
+  return std::ranges::find(readers, format.recognizes) != readers.end();
+}
+
 const Format& formatOfContent(std::string_view beginning, const std::filesystem::path& path) {
   if (trimmed(beginning).empty()) throw Error(nameOf(path) + ": is empty: copy or export it again");
   for (const Format& format : formats())
     if (format.recognizes != nullptr && format.recognizes(beginning)) return format;
-  if (const Format* format = formatOfName(path, [](const Format&) { return true; })) return *format;
+  const Format* format = formatOfName(path, [](const Format&) { return true; });
+  if (!format || !knowsUtf16(*format)) requireNoUtf16(beginning, nameOf(path));
+  if (format) return *format;
   throw Error(nameOf(path) + ": is of no known kind; can be read: " +
-              listOf([](const Format& format) { return format.canRead(); }));
+              listOf([](const Format& each) { return each.canRead(); }));
 }
 
 /// The format of `in`, which must be of this content and readable.
@@ -86,6 +100,18 @@ const Format& readableFormat(std::istream& in, const std::filesystem::path& path
                 (content == Content::points ? "points: choose a scan"
                                             : "a structure: choose an MTG or a node list"));
   return format;
+}
+
+/// Whatever the format: readers that know the line name it before.
+void requireInRange(const Skeleton& skeleton, const std::string& file) {
+  for (const NodeId id : skeleton.ids()) {
+    const Node& node = skeleton[id];
+    if (isInRange(node.position, node.radius)) continue;
+    std::ostringstream where;
+    where << file << ": a node at " << node.position.transpose() << ", with radius " << node.radius
+          << ": ";
+    throw outOfRange(where.str());
+  }
 }
 
 /// The bytes that a frame was read from, if the format is a text.
@@ -126,10 +152,7 @@ const Format& formatToWrite(const std::filesystem::path& path, Content content) 
     return format.content == content && format.canWrite();
   };
   if (const Format* format = formatOfName(path, isWanted)) return *format;
-  std::error_code ignored;
-  const auto status = std::filesystem::status(path, ignored);
-  const bool isAny = !path.has_extension() && (std::filesystem::is_character_file(status) ||
-                                               std::filesystem::is_fifo(status));
+  const bool isAny = !path.has_extension() && isStream(path);
   if (isAny) return *std::ranges::find_if(formats(), isWanted);
   throw Error(nameOf(path) + ": " + (content == Content::points ? "points" : "a structure") +
               " cannot be written with this extension; choose one of " + listOf(isWanted));
@@ -145,27 +168,41 @@ Imported<PointCloud> readPoints(const std::filesystem::path& path, const Progres
   const auto kept = static_cast<std::size_t>(result.value.size());
   if (listed == 0) throw Error(nameOf(path) + ": holds no points: export it again");
   if (kept == 0)
-    throw Error(nameOf(path) + ": none of its " + std::to_string(listed) +
-                " points is finite: export it again");
+    throw Error(nameOf(path) + ": holds " + counted(listed, "point") +
+                ", none of them finite: export it again");
   if (kept < listed)
     result.notes.push_back(nameOf(path) + ": " + std::to_string(listed - kept) + " of " +
                            std::to_string(listed) +
                            " points are not finite, or beyond any plant, and are left out");
+  for (std::string& note : scanNotes(result.value, nameOf(path)))
+    result.notes.push_back(std::move(note));
   return result;
 }
 
 Imported<Structure> readStructure(const std::filesystem::path& path) {
+  Imported<Structure> structure = readAnyStructure(path);
+  if (isWithoutPositions(structure.value)) // says so
+    (void)skeletonOf(structure.value.frame->mtg, nameOf(path));
+  return structure;
+}
+
+Imported<Structure> readAnyStructure(const std::filesystem::path& path) {
   std::ifstream in = openForReading(path);
   const Format& format = readableFormat(in, path, Content::structure);
   const std::string name = nameOf(path);
   if (format.readStructure) {
     Imported<Skeleton> skeleton = format.readStructure(in, name);
+    requireInRange(skeleton.value, name);
     return {{std::move(skeleton.value)}, std::move(skeleton.notes)};
   }
   Imported<Mtg> mtg = format.readMtg(in, name);
   std::string text = textOf(in, format);
   auto frame = std::make_shared<const MtgFrame>(
       text.empty() ? frameOf(mtg, name) : MtgFrame{std::move(mtg.value), std::move(text)});
+  if (!hasPositions(frame->mtg, name)) {
+    mtg.notes.push_back(name + ": has no positions: it is a plant without its shape");
+    return {{{}, std::move(frame)}, std::move(mtg.notes)};
+  }
   Imported<Skeleton> skeleton = skeletonOf(frame->mtg, name);
   mtg.notes.insert(mtg.notes.end(), skeleton.notes.begin(), skeleton.notes.end());
   return {{std::move(skeleton.value), std::move(frame)}, std::move(mtg.notes)};
@@ -188,8 +225,15 @@ void writeStructure(const std::filesystem::path& path, const Skeleton& skeleton)
 
 void writeStructure(const std::filesystem::path& path, const Structure& structure, MtgStyle style) {
   const Format& format = formatToWrite(path, Content::structure);
+  const bool isShapeless = isWithoutPositions(structure);
+  if (isShapeless && format.writeMtg == nullptr)
+    throw Error(nameOf(path) + ": " + std::string(format.name) +
+                " needs positions, and the structure has none: choose MTG or OPF");
+  if (isShapeless && format.recognizes != isMtg)
+    return writeAtomically(path,
+                           [&](std::ostream& out) { format.writeMtg(out, structure.frame->mtg); });
   if (format.recognizes != isMtg) return writeStructure(path, structure.skeleton);
-  if (!structure.frame || structure.skeleton.isEmpty()) {
+  if (!structure.frame || (structure.skeleton.isEmpty() && !isShapeless)) {
     const Mtg mtg = mtgOf(structure.skeleton, style);
     writeAtomically(path, [&](std::ostream& out) { writeMtg(out, mtg); });
     return;

@@ -48,7 +48,8 @@ struct Format {
   void (*writePoints)(std::ostream&, const PointCloud&,
                       const Eigen::Matrix3Xf& positions) = nullptr;
   void (*writeStructure)(std::ostream&, const Skeleton&) = nullptr;
-  Carried carried = {};    // by what writeStructure writes
+  void (*writeMtg)(std::ostream&, const Mtg&) = nullptr; // of a plant without positions
+  Carried carried = {};                                  // by what writeStructure writes
   std::string_view advice; // what to do with a file that cannot be read
 
   [[nodiscard]] bool canRead() const { return readPoints || readMtg || readStructure; }
@@ -82,6 +83,10 @@ struct Format {
 /// @throws Error as readPoints; also if the file holds points
 [[nodiscard]] Imported<Structure> readStructure(const std::filesystem::path& path);
 
+/// The same of a structure that may be a plant without its shape (isWithoutPositions), told of by a
+/// note: for what needs no positions.
+[[nodiscard]] Imported<Structure> readAnyStructure(const std::filesystem::path& path);
+
 /// Writes points in the format of the extension, in the order of the file they came from. The file
 /// is complete or as it was before.
 /// @throws Error why it cannot be written
@@ -97,8 +102,10 @@ void writePoints(const std::filesystem::path& path, const PointCloud& cloud,
 void writeStructure(const std::filesystem::path& path, const Skeleton& skeleton);
 
 /// The same of a skeleton that came from an MTG: written as MTG, edits go back into it, and its
-/// text stays as it was where nothing was edited (see withEdits, mtgTextWith).
+/// text stays as it was where nothing was edited (see withEdits, mtgTextWith). A plant without its
+/// shape is written by what has a place for it.
 /// @param style  of an MTG of a structure without scales of its own (hasScales)
+/// @throws Error also if the structure has no positions, and the format needs them
 void writeStructure(const std::filesystem::path& path, const Structure& structure,
                     MtgStyle style = MtgStyle::plantNode);
 

@@ -1,12 +1,12 @@
 #include "core/io/mtg_vertices.h"
 
+#include "core/base/counted.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 
 #include <queue>
 
 #include <algorithm>
-#include <charconv>
 #include <functional>
 #include <map>
 #include <set>
@@ -114,7 +114,7 @@ bool isLetter(char c) {
 
 struct Label {
   std::string symbol; // empty if the text is no label
-  std::optional<int> index;
+  std::optional<LabelIndex> index;
 };
 
 Label labelIn(std::string_view text) {
@@ -124,12 +124,8 @@ Label labelIn(std::string_view text) {
   Label label{std::string(text.substr(0, end)), std::nullopt};
   const std::string_view digits = text.substr(end);
   if (digits.empty()) return label;
-  int index = 0;
-  const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), index);
-  if (result.ec != std::errc() || result.ptr != digits.data() + digits.size() || index < 0)
-    return {};
-  label.index = index;
-  return label;
+  label.index = LabelIndex::in(digits);
+  return label.index ? label : Label{};
 }
 
 std::string renamed(const std::string& symbol, const std::string& name, int scale) {
@@ -156,8 +152,11 @@ void nameVertices(const std::vector<Entry>& entries,
     classes.emplace(entries[i].scale, label.symbol);
   }
   if (nameless > 0)
-    result.notes.push_back(file + ": " + std::to_string(nameless) +
-                           " vertices have no label of letters and a number, and get P or N");
+    result.notes.push_back(file + ": " +
+                           counted(nameless,
+                                   "vertex has no label of letters and a number, and gets",
+                                   "vertices have no label of letters and a number, and get") +
+                           " P or N");
   std::map<std::pair<int, std::string>, std::string> names;
   std::set<std::string> used;
   result.mtg.classes.push_back({"$", 0, "FREE", "FREE", "IMPLICIT"});
@@ -196,13 +195,17 @@ void setEdges(const std::vector<Entry>& entries,
   for (const std::size_t i : unclear)
     if (vertices[i].edge == EdgeType::branching) --successors[indexOf(*vertices[i].parent)];
   if (!unclear.empty())
-    result.notes.push_back(file + ": " + std::to_string(unclear.size()) +
-                           " edges are neither < nor +, and are taken as < where the parent has no "
-                           "other, else as +");
+    result.notes.push_back(file + ": " +
+                           counted(unclear.size(), "edge is neither < nor +, and is",
+                                   "edges are neither < nor +, and are") +
+                           " taken as < where the parent has no other, else as +");
   const auto several = std::ranges::count_if(successors, [](std::size_t n) { return n > 1; });
   if (several > 0)
-    result.notes.push_back(file + ": " + std::to_string(several) +
-                           " vertices have more than one successor; they are kept so");
+    result.notes.push_back(file + ": " +
+                           counted(static_cast<std::size_t>(several),
+                                   "vertex has more than one successor, and is",
+                                   "vertices have more than one successor, and are") +
+                           " kept so");
 }
 
 /// Which classes follow which.

@@ -38,4 +38,9 @@ namespace espalier {
 /// pre: positions and radii are finite
 void writeOpf(std::ostream& out, const Skeleton& skeleton);
 
+/// The same of an MTG: all vertices, of all scales, with their features. A vertex hangs where the
+/// text of an MTG hangs it (mtgRows). Indices, aliases and later dates have no place there.
+/// @throws Error as mtgRows
+void writeOpf(std::ostream& out, const Mtg& mtg);
+
 } // namespace espalier

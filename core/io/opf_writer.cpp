@@ -1,6 +1,8 @@
 #include "core/base/text.h"
 #include "core/io/opf.h"
 #include "core/io/xml.h"
+#include "core/mtg/mtg_rows.h"
+#include "core/mtg/mtg_values.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,25 +38,55 @@ int scaleOfNodes(const Skeleton& skeleton) {
   return scale > 0 ? scale : nodeScale;
 }
 
+void addFeature(const std::string& name, const std::string& text,
+                std::map<std::string, bool>& features) {
+  const auto number = numberIn(text);
+  const auto [place, isNew] = features.emplace(elementName(name), true);
+  place->second = place->second && number && std::isfinite(*number);
+}
+
 /// Which features there are, and whether all values of each are numbers.
 std::map<std::string, bool> featuresOf(const Skeleton& skeleton) {
   std::map<std::string, bool> features;
   for (const NodeId id : skeleton.ids())
     for (const Entity& entity : skeleton[id].entities)
-      for (const FeatureValue& value : entity.values) {
-        const auto number = numberIn(value.text);
-        const auto [place, isNew] = features.emplace(elementName(value.feature), true);
-        place->second = place->second && number && std::isfinite(*number);
-      }
+      for (const FeatureValue& value : entity.values)
+        addFeature(value.feature, value.text, features);
+  for (const char* name : {"XX", "YY", "ZZ", "radius"})
+    features[name] = true;
   return features;
 }
 
-void writeHead(std::ostream& out, const Skeleton& skeleton) {
+/// The values of a vertex that OPF can keep.
+template <class Visit> void eachValue(const MtgVertex& vertex, const Mtg& mtg, const Visit& visit) {
+  for (std::size_t i = 0; i < std::min(vertex.values.size(), mtg.features.size()); ++i)
+    if (!isMissingMtgValue(vertex.values[i])) visit(mtg.features[i].name, vertex.values[i]);
+}
+
+std::map<std::string, bool> featuresOf(const Mtg& mtg) {
+  std::map<std::string, bool> features;
+  for (const MtgVertex& vertex : mtg.vertices)
+    eachValue(vertex, mtg, [&](const std::string& name, const std::string& text) {
+      addFeature(name, text, features);
+    });
+  return features;
+}
+
+void writeValue(std::ostream& out, const std::string& name, const std::string& text) {
+  out << '<' << name << '>' << xmlText(text) << "</" << name << ">\n";
+}
+
+void openElement(std::ostream& out, const char* name, const std::string& symbol, int scale,
+                 int id) {
+  out << '<' << name << " class=\"" << xmlText(symbol) << "\" scale=\"" << scale << "\" id=\"" << id
+      << "\">\n";
+}
+
+constexpr const char* sceneElement = "<topology class=\"Scene\" scale=\"0\" id=\"1\">\n";
+
+void writeHead(std::ostream& out, const std::map<std::string, bool>& features) {
   out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<opf version=\"2.0\" editable=\"true\">\n"
          "<meshBDD/>\n<materialBDD/>\n<shapeBDD/>\n<attributeBDD>\n";
-  std::map<std::string, bool> features = featuresOf(skeleton);
-  for (const char* name : {"XX", "YY", "ZZ", "radius"})
-    features[name] = true;
   for (const auto& [name, isNumber] : features)
     out << "<attribute name=\"" << name << "\" class=\"" << (isNumber ? "Double" : "String")
         << "\"/>\n";
@@ -69,7 +101,7 @@ public:
   }
 
   void write() {
-    out_ << "<topology class=\"Scene\" scale=\"0\" id=\"1\">\n";
+    out_ << sceneElement;
     // What is to be written, last first: a node, or the ends of the elements of one.
     struct Step {
       NodeId node;
@@ -114,22 +146,17 @@ private:
                                                             : "follow");
       openEntity(names.back(), entity);
     }
-    writeValue("XX", plainDecimal(node.position.x()));
-    writeValue("YY", plainDecimal(node.position.y()));
-    writeValue("ZZ", plainDecimal(node.position.z()));
-    if (node.radius > 0) writeValue("radius", plainDecimal(node.radius));
+    writeValue(out_, "XX", plainDecimal(node.position.x()));
+    writeValue(out_, "YY", plainDecimal(node.position.y()));
+    writeValue(out_, "ZZ", plainDecimal(node.position.z()));
+    if (node.radius > 0) writeValue(out_, "radius", plainDecimal(node.radius));
     open_.push_back(std::move(names));
   }
 
   void openEntity(const std::string& name, const Entity& entity) {
-    out_ << '<' << name << " class=\"" << xmlText(entity.symbol) << "\" scale=\"" << entity.scale
-         << "\" id=\"" << ++lastId_ << "\">\n";
+    openElement(out_, name.c_str(), entity.symbol, entity.scale, ++lastId_);
     for (const FeatureValue& value : entity.values)
-      writeValue(elementName(value.feature), value.text);
-  }
-
-  void writeValue(const std::string& name, const std::string& text) {
-    out_ << '<' << name << '>' << xmlText(text) << "</" << name << ">\n";
+      writeValue(out_, elementName(value.feature), value.text);
   }
 
   void close() {
@@ -149,8 +176,37 @@ private:
 } // namespace
 
 void writeOpf(std::ostream& out, const Skeleton& skeleton) {
-  writeHead(out, skeleton);
+  writeHead(out, featuresOf(skeleton));
   OpfTopologyWriter(out, skeleton).write();
+}
+
+void writeOpf(std::ostream& out, const Mtg& mtg) {
+  const MtgRows rows = mtgRows(mtg);
+  writeHead(out, featuresOf(mtg));
+  out << sceneElement;
+  std::vector<std::size_t> lastOf; // by column: how many elements are open within its last vertex
+  std::vector<const char*> open;
+  const auto closeTo = [&](std::size_t depth) {
+    for (; open.size() > depth; open.pop_back())
+      out << "</" << open.back() << ">\n";
+  };
+  int id = 1;
+  for (const MtgRow& row : rows.rows) {
+    const MtgVertex& vertex = mtg.vertices[indexOf(row.vertex)];
+    const std::size_t bearer = row.continues ? row.column + 1 : row.column; // columns up to its own
+    closeTo(bearer == 0 ? 0 : lastOf[bearer - 1]);
+    lastOf.resize(row.column);
+    if (vertex.scale > 0) { // the scene is the element around all
+      open.push_back(row.edge == '/' ? "decomp" : row.edge == '+' ? "branch" : "follow");
+      openElement(out, open.back(), vertex.symbol, vertex.scale, ++id);
+      eachValue(vertex, mtg, [&](const std::string& name, const std::string& text) {
+        writeValue(out, elementName(name), text);
+      });
+    }
+    lastOf.push_back(open.size());
+  }
+  closeTo(0);
+  out << "</topology>\n</opf>\n";
 }
 
 } // namespace espalier

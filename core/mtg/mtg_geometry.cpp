@@ -1,7 +1,9 @@
 #include "core/mtg/mtg_geometry.h"
 
+#include "core/base/coordinates.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/mtg/mtg_lines.h"
 #include "core/mtg/mtg_values.h"
 
 #include <cmath>
@@ -44,6 +46,8 @@ std::optional<double> mtgNumber(const MtgVertex& vertex, const MtgGeometry::Feat
     throw Error(file + ": " + inQuotes(text) + " stands for a coordinate or radius of a vertex " +
                 vertex.symbol + ", expected a number");
   if (!std::isfinite(*number)) return std::nullopt;
+  if (std::abs(*number) > largestCoordinate)
+    throw outOfRange(file + ": vertex " + mtgLabel(vertex) + ", " + inQuotes(text) + ": ");
   return number;
 }
 

@@ -27,7 +27,7 @@ struct MtgGeometry {
 };
 
 /// The finite number that a feature has; none if there is none.
-/// @throws Error if the value is no number
+/// @throws Error if the value is no number, or beyond any plant
 [[nodiscard]] std::optional<double>
 mtgNumber(const MtgVertex& vertex, const MtgGeometry::Feature& feature, const std::string& file);
 

@@ -1,6 +1,7 @@
 #include "core/mtg/mtg_of_skeleton.h"
 
 #include "core/mtg/mtg_edits.h"
+#include "core/mtg/mtg_skeleton.h"
 #include "core/mtg/unit_scales.h"
 
 #include <algorithm>
@@ -56,7 +57,13 @@ Mtg frameOf(const Skeleton& skeleton) {
 } // namespace
 
 bool hasScales(const Structure& structure) {
-  return (structure.frame && !structure.skeleton.isEmpty()) || hasEntities(structure.skeleton);
+  if (structure.skeleton.isEmpty()) return isWithoutPositions(structure);
+  return structure.frame || hasEntities(structure.skeleton);
+}
+
+bool isWithoutPositions(const Structure& structure) {
+  return structure.frame && structure.skeleton.isEmpty() &&
+         !hasPositions(structure.frame->mtg, "the MTG that was opened");
 }
 
 Mtg mtgOf(const Skeleton& skeleton, MtgStyle style) {

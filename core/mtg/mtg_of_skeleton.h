@@ -17,6 +17,10 @@ enum class MtgStyle : std::uint8_t {
 /// Whether a structure has scales of its own, which an MTG of it keeps: no style applies then.
 [[nodiscard]] bool hasScales(const Structure& structure);
 
+/// Whether a structure is a plant without its shape: an MTG none of whose vertices has a position,
+/// and no node made since. Time O(vertices).
+[[nodiscard]] bool isWithoutPositions(const Structure& structure);
+
 /// An MTG of a skeleton alone, with features XX YY ZZ radius.
 ///
 /// If any node carries entities these are its classes, `style` is not looked at, and nodes that

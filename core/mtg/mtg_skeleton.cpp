@@ -1,5 +1,6 @@
 #include "core/mtg/mtg_skeleton.h"
 
+#include "core/base/counted.h"
 #include "core/base/error.h"
 #include "core/mtg/mtg_geometry.h"
 
@@ -87,14 +88,20 @@ std::vector<std::string> notesOn(const Counts& counts, std::size_t interpolated,
                                  const std::string& file) {
   std::vector<std::string> notes;
   if (interpolated > 0)
-    notes.push_back(file + ": " + std::to_string(interpolated) +
-                    " vertices have no position and are put evenly between their neighbors");
+    notes.push_back(file + ": " +
+                    counted(interpolated, "vertex has no position and is",
+                            "vertices have no position and are") +
+                    " put evenly between neighbors");
   if (counts.unplaced > 0)
-    notes.push_back(file + ": " + std::to_string(counts.unplaced) +
-                    " vertices have no position and are passed over");
+    notes.push_back(file + ": " +
+                    counted(counts.unplaced, "vertex has no position and is",
+                            "vertices have no position and are") +
+                    " passed over");
   if (counts.negative > 0)
-    notes.push_back(file + ": " + std::to_string(counts.negative) +
-                    " radii are negative and are taken as not known");
+    notes.push_back(
+        file + ": " +
+        counted(counts.negative, "radius is negative and is", "radii are negative and are") +
+        " taken as not known");
   return notes;
 }
 
@@ -181,7 +188,8 @@ Imported<MtgView> viewOf(const Mtg& mtg, const std::string& file) {
   const std::optional<int> scale = finestPositionedScale(mtg, geometry, file);
   if (!scale)
     throw Error(file + ": none of its vertices has a position, in features XX, YY and ZZ: it "
-                       "describes a plant without its shape");
+                       "describes a plant without its shape, which can be shown, reported (info) "
+                       "and written as MTG or OPF");
   refuseManyScales(mtg, file);
   Imported<MtgView> result{{.scale = *scale}, {}};
   MtgView& view = result.value;
@@ -208,6 +216,15 @@ Imported<MtgView> viewOf(const Mtg& mtg, const std::string& file) {
   addEntities(mtg, geometry, view);
   result.notes = notesOn(counts, view.interpolated.size(), file);
   return result;
+}
+
+MtgView openedView(const Mtg& mtg) {
+  const std::string file = "the MTG that was opened";
+  if (hasPositions(mtg, file)) return viewOf(mtg, file).value;
+  MtgView view;
+  for (const MtgClass& each : mtg.classes)
+    view.scale = std::max(view.scale, each.scale);
+  return view;
 }
 
 Imported<Skeleton> skeletonOf(const Mtg& mtg, const std::string& file) {

@@ -40,6 +40,11 @@ struct MtgView {
 /// Time and memory O(size of the MTG).
 [[nodiscard]] Imported<MtgView> viewOf(const Mtg& mtg, const std::string& file);
 
+/// The same of an MTG that is worked on. One without positions is a view without nodes, of its
+/// finest class: what is made in it becomes vertices of that scale.
+/// @throws Error as viewOf, but for positions
+[[nodiscard]] MtgView openedView(const Mtg& mtg);
+
 /// The skeleton of viewOf().
 [[nodiscard]] Imported<Skeleton> skeletonOf(const Mtg& mtg, const std::string& file);
 

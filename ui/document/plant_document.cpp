@@ -151,9 +151,14 @@ std::optional<std::size_t> PlantDocument::contractedStep() const {
   return std::nullopt;
 }
 
+PlantScale PlantDocument::scale() const {
+  return {.spacing = scan_->spacing(), .height = scan_->height(up_)};
+}
+
 void PlantDocument::setScan(std::unique_ptr<const Scan> scan, const QString& path) {
   pointSelection_.clear();
   forgetPoints();
+  setRoot(std::nullopt);
   replaceScan(std::move(scan), path);
 }
 
@@ -197,6 +202,18 @@ void PlantDocument::setUnit(LengthUnit unit) {
   if (unit == unit_) return;
   unit_ = unit;
   emit unitChanged();
+}
+
+void PlantDocument::setUp(UpAxis up) {
+  if (up == up_) return;
+  up_ = up;
+  emit upChanged();
+}
+
+void PlantDocument::setRoot(const std::optional<Eigen::Vector3d>& root) {
+  if (root == root_) return;
+  root_ = root;
+  emit rootChanged();
 }
 
 void PlantDocument::openSkeleton(Skeleton skeleton, const QString& path) {
@@ -261,6 +278,7 @@ void PlantDocument::clear() {
   setScan(nullptr, {});
   openSkeleton({}, {});
   setUnit(LengthUnit::unknown);
+  setUp(UpAxis::z);
 }
 
 History PlantDocument::history() const {

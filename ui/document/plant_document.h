@@ -1,6 +1,8 @@
 #pragma once
 
+#include "core/graph/find_root.h"
 #include "core/mtg/structure.h"
+#include "core/pipeline/option_table.h"
 #include "core/project/history.h"
 #include "core/skeleton/skeleton_delta.h"
 #include "ui/document/gesture.h"
@@ -35,6 +37,7 @@ public:
   ~PlantDocument() override;
 
   [[nodiscard]] const Scan* scan() const { return scan_.get(); } // null: none
+  [[nodiscard]] PlantScale scale() const; // what rules of options follow from. pre: scan()
   [[nodiscard]] const std::shared_ptr<const Eigen::Matrix3Xf>& contracted() const {
     return contracted_; // null: none; 3 x N, as the positions of the scan
   }
@@ -47,6 +50,11 @@ public:
   [[nodiscard]] PointSelection& pointSelection() { return pointSelection_; }
   [[nodiscard]] QUndoStack& undoStack() { return undoStack_; }
   [[nodiscard]] LengthUnit unit() const { return unit_; }
+  /// The axis of the file that points up.
+  [[nodiscard]] UpAxis up() const { return up_; }
+  /// Where the plant is to be rooted, as chosen, [L] in the frame of the file; none: where the scan
+  /// is lowest.
+  [[nodiscard]] const std::optional<Eigen::Vector3d>& root() const { return root_; }
   [[nodiscard]] bool isModified() const {
     return saving_ == Saving::byHand ? !undoStack_.isClean() : saving_ == Saving::failing;
   }
@@ -85,12 +93,15 @@ public:
   /// @throws Error as requireEditable()
   void goTo(int index);
 
-  /// Another scan: drops contracted points, and what was set aside of the one before.
+  /// Another scan: drops contracted points, and what was set aside, and the root, of the one
+  /// before.
   void setScan(std::unique_ptr<const Scan> scan, const QString& path);
   /// The scan that the steps are of, which was not at hand: what was set aside stays so.
   void setFoundScan(std::unique_ptr<const Scan> scan, const QString& path);
   void setContracted(std::shared_ptr<const Eigen::Matrix3Xf> positions);
   void setUnit(LengthUnit unit);
+  void setUp(UpAxis up);
+  void setRoot(const std::optional<Eigen::Vector3d>& root);
 
   /// Shows another structure, read from `path`. It has no history yet.
   void openStructure(Structure structure, const QString& path);
@@ -137,6 +148,8 @@ signals:
   void leftOutChanged(); // which points are set aside
   void contractedChanged();
   void unitChanged();
+  void upChanged();
+  void rootChanged(); // the place that is chosen for it
   void readOnlyChanged();
   void titleChanged(); // file, scan or modified
 
@@ -169,6 +182,8 @@ private:
   PointSelection pointSelection_;
   QUndoStack undoStack_;
   LengthUnit unit_ = LengthUnit::unknown;
+  UpAxis up_ = UpAxis::z;
+  std::optional<Eigen::Vector3d> root_;
   QString filePath_;
   QString scanPath_;
   QString author_;

@@ -111,7 +111,7 @@ TEST(ReadPoints, LeavesOutWhatIsNotFiniteAndSaysSo) {
   EXPECT_EQ(cloud.value.size(), 2);
   EXPECT_THAT(cloud.notes, ElementsAre(HasSubstr("scan.xyz: 2 of 4 points are not finite")));
   EXPECT_EQ(errorOfPoints(fileOf("scan.xyz", "nan nan nan\n")),
-            "scan.xyz: none of its 1 points is finite: export it again");
+            "scan.xyz: holds 1 point, none of them finite: export it again");
 }
 
 TEST(ReadPoints, TakesOnePointAndPointsThatCoincide) {

@@ -1,7 +1,9 @@
 #include "core/base/box_tree.h"
 
 #include <algorithm>
+#include <cassert>
 #include <numeric>
+#include <ranges>
 #include <utility>
 
 namespace espalier {
@@ -11,8 +13,9 @@ constexpr std::uint32_t boxesPerLeaf = 4;
 
 } // namespace
 
-BoxTree::BoxTree(std::vector<Eigen::AlignedBox3d> boxes)
-    : boxes_(std::move(boxes)), order_(boxes_.size()) {
+BoxTree::BoxTree(std::vector<Eigen::AlignedBox3d> boxes, std::vector<std::uint32_t> groups)
+    : boxes_(std::move(boxes)), groups_(std::move(groups)), order_(boxes_.size()) {
+  assert(groups_.empty() || groups_.size() == boxes_.size());
   if (boxes_.empty()) return;
   std::iota(order_.begin(), order_.end(), 0U);
   parts_.push_back({{}, 0, static_cast<std::uint32_t>(boxes_.size())});
@@ -28,6 +31,10 @@ void BoxTree::split(std::uint32_t part) {
     parts_[part].box.extend(boxes_[order_[k]]);
     centers.extend(boxes_[order_[k]].center());
   }
+  const auto groupAt = [&](std::uint32_t k) { return groups_[order_[k]]; };
+  const auto isOfFirst = [&](std::uint32_t k) { return groupAt(k) == groupAt(begin); };
+  const auto all = std::views::iota(begin, end);
+  if (!groups_.empty() && std::ranges::all_of(all, isOfFirst)) parts_[part].group = groupAt(begin);
   if (end - begin <= boxesPerLeaf) return;
 
   Eigen::Index axis = 0;

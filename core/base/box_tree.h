@@ -18,17 +18,23 @@ namespace espalier {
 /// Build O(N log N), memory O(N). Queries are const and may run on many threads.
 class BoxTree {
 public:
-  explicit BoxTree(std::vector<Eigen::AlignedBox3d> boxes); // none of them empty
+  static constexpr std::uint32_t noGroup = std::numeric_limits<std::uint32_t>::max();
+
+  /// @param boxes  none of them empty
+  /// @param groups of each box, for within(); empty: none is of any
+  explicit BoxTree(std::vector<Eigen::AlignedBox3d> boxes, std::vector<std::uint32_t> groups = {});
 
   /// Calls visit(i) for each box i at most `distance` [L] from `box`, in no order that means
-  /// anything.
+  /// anything. Boxes of group `but` are passed over where they lie together: some may be visited.
   template <class Visit>
-  void within(const Eigen::AlignedBox3d& box, double distance, const Visit& visit) const {
+  void within(const Eigen::AlignedBox3d& box, double distance, const Visit& visit,
+              std::uint32_t but = noGroup) const {
     if (parts_.empty()) return;
     const double limit = distance * distance;
     Stack open;
     for (open.push({0, 0}); !open.isEmpty();) {
       const Part& part = parts_[open.pop().part];
+      if (part.group != noGroup && part.group == but) continue;
       if (part.box.squaredExteriorDistance(box) > limit) continue;
       if (part.isLeaf()) {
         for (std::uint32_t k = part.begin; k < part.end; ++k)
@@ -69,8 +75,9 @@ public:
 private:
   struct Part {
     Eigen::AlignedBox3d box;
-    std::uint32_t begin, end; // in order_
-    std::uint32_t left = 0;   // its halves are parts left and left + 1; 0 in a leaf
+    std::uint32_t begin, end;      // in order_
+    std::uint32_t left = 0;        // its halves are parts left and left + 1; 0 in a leaf
+    std::uint32_t group = noGroup; // of all its boxes
     [[nodiscard]] bool isLeaf() const { return left == 0; }
   };
   struct Visit {
@@ -97,8 +104,9 @@ private:
   void split(std::uint32_t part);
 
   std::vector<Eigen::AlignedBox3d> boxes_;
-  std::vector<std::uint32_t> order_; // boxes, those of a part next to each other
-  std::vector<Part> parts_;          // the whole first
+  std::vector<std::uint32_t> groups_; // of the boxes; empty: none
+  std::vector<std::uint32_t> order_;  // boxes, those of a part next to each other
+  std::vector<Part> parts_;           // the whole first
 };
 
 } // namespace espalier

@@ -20,4 +20,14 @@ std::vector<bool> isolatedPoints(const SpatialIndex& points, const IsolatedPoint
   return result;
 }
 
+bool isIsolated(const SpatialIndex& points, const Eigen::Vector3f& place,
+                const IsolatedPointOptions& options) {
+  const std::vector<Neighbor> found = points.nearest(place, options.neighbors + 1); // and itself
+  if (std::ssize(found) <= options.neighbors) return false;
+  double sum = 0;
+  for (const Neighbor& neighbor : found)
+    sum += std::sqrt(static_cast<double>(neighbor.squaredDistance));
+  return sum / options.neighbors > options.distance;
+}
+
 } // namespace espalier

@@ -8,6 +8,8 @@
 namespace espalier {
 
 struct IsolatedPointOptions {
+  static constexpr double usualDistance = 8; // point spacings
+
   int neighbors = 8;   // >= 1
   double distance = 0; // [L] a point is isolated if these are farther away than this in the mean
 };
@@ -20,5 +22,9 @@ struct IsolatedPointOptions {
 [[nodiscard]] std::vector<bool> isolatedPoints(const SpatialIndex& points,
                                                const IsolatedPointOptions& options,
                                                const Progress& progress = {});
+
+/// The same for one of the points.
+[[nodiscard]] bool isIsolated(const SpatialIndex& points, const Eigen::Vector3f& place,
+                              const IsolatedPointOptions& options);
 
 } // namespace espalier

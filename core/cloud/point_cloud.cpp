@@ -1,8 +1,11 @@
 #include "core/cloud/point_cloud.h"
 
+#include "core/base/coordinates.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/base/spatial_index.h"
+#include "core/cloud/far_points.h"
+#include "core/cloud/spacing_of_places.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,25 +24,39 @@ std::uint64_t spreadBits(std::uint64_t value) {
   return value;
 }
 
-/// Place of a point along Morton's curve through `bounds`.
+/// Place of a point along Morton's curve through `bounds`, of the nearest place there if it lies
+/// outside.
 std::uint64_t mortonCode(const Eigen::Vector3d& point, const Eigen::AlignedBox3d& bounds) {
   const double side = std::max(bounds.sizes().maxCoeff(), 1e-300);
-  const Eigen::Vector3d scaled = (point - bounds.min()) / side * 2097151.0; // 2^21 - 1
+  const Eigen::Vector3d scaled =
+      (point.cwiseMax(bounds.min()).cwiseMin(bounds.max()) - bounds.min()) / side * 2097151.0;
   std::uint64_t code = 0;
   for (int axis = 0; axis < 3; ++axis)
     code |= spreadBits(static_cast<std::uint64_t>(scaled[axis])) << axis;
   return code;
 }
 
-/// Damaged files hold numbers whose squares, or whose floats, are infinite.
-bool isUsable(const Eigen::Vector3d& position) {
-  return (position.array().abs() <= PointCloud::largestCoordinate).all(); // not so for NaN
-}
-
 struct Place {
   std::uint64_t code;
   std::uint32_t index; // in the file
 };
+
+/// The bounds of all places but the far ones.
+Eigen::AlignedBox3d withoutFar(const Eigen::AlignedBox3d& bounds, const std::vector<Place>& places,
+                               const RawPoints& raw) {
+  const auto place = [&](Eigen::Index i) -> const Eigen::Vector3d& {
+    return raw.positions[places[static_cast<std::size_t>(i)].index];
+  };
+  const std::vector<Eigen::Index> far = farPoints(std::ssize(places), place, bounds);
+  if (far.empty()) return bounds;
+  std::vector<bool> isFar(places.size());
+  for (const Eigen::Index i : far)
+    isFar[static_cast<std::size_t>(i)] = true;
+  Eigen::AlignedBox3d plant;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (!isFar[i]) plant.extend(place(static_cast<Eigen::Index>(i)));
+  return plant;
+}
 
 } // namespace
 
@@ -48,11 +65,12 @@ PointCloud::PointCloud(RawPoints raw, const Progress& progress) {
   std::vector<Place> places;
   places.reserve(raw.positions.size());
   for (std::size_t i = 0; i < raw.positions.size(); ++i) {
-    if (!isUsable(raw.positions[i])) continue;
+    if (!isInRange(raw.positions[i])) continue;
     bounds.extend(raw.positions[i]);
     places.push_back({0, static_cast<std::uint32_t>(i)});
   }
   if (places.empty()) return;
+  bounds = withoutFar(bounds, places, raw);
   parallelFor(
       static_cast<Eigen::Index>(places.size()),
       [&](Eigen::Index i) {
@@ -93,8 +111,11 @@ PointCloud::PointCloud(StoredPoints stored) {
   if (stored.fileOrder.size() != count || !isNoneOr(stored.colors.size()) ||
       !isNoneOr(stored.intensities.size()))
     throw Error("stored points are not complete: open the scan again");
-  if (!stored.positions.allFinite() || !isUsable(stored.origin))
-    throw Error("stored points are not all finite: open the scan again");
+  // About an origin at the other end of all that is in range, a place is twice as far.
+  constexpr auto farthest = static_cast<float>(2 * largestCoordinate);
+  const bool areInRange = (stored.positions.array().abs() <= farthest).all();
+  if (!areInRange || !isInRange(stored.origin))
+    throw Error("stored points are not all finite, or beyond any plant: open the scan again");
   positions_ = std::move(stored.positions);
   origin_ = stored.origin;
   colors_ = std::move(stored.colors);
@@ -113,25 +134,10 @@ double pointSpacing(const Eigen::Matrix3Xf& points, const Progress& progress) {
 }
 
 double pointSpacing(const Eigen::Matrix3Xf& points, const SpatialIndex& index) {
-  constexpr Eigen::Index samples = 20000;
-  const Eigen::Index count = std::min(points.cols(), samples);
-  std::vector<double> distances(static_cast<std::size_t>(count));
-  parallelFor(count, [&](Eigen::Index i) {
-    const Eigen::Index point = i * points.cols() / count;
-    double& distance = distances[static_cast<std::size_t>(i)];
-    for (const Neighbor& neighbor : index.nearest(points.col(point), 8))
-      if (neighbor.squaredDistance > 0) {
-        distance = std::sqrt(static_cast<double>(neighbor.squaredDistance));
-        break;
-      }
-  });
-  double sum = 0;
-  Eigen::Index apart = 0;
-  for (const double distance : distances) {
-    sum += distance;
-    if (distance > 0) ++apart;
-  }
-  return apart > 0 ? sum / static_cast<double>(apart) : 0;
+  std::vector<Eigen::Index> places;
+  for (Eigen::Index i = 0; i < points.cols(); ++i)
+    if (i == 0 || points.col(i) != points.col(i - 1)) places.push_back(i);
+  return spacingOfPlaces(points, index, places);
 }
 
 } // namespace espalier

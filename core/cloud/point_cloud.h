@@ -38,9 +38,7 @@ class PointCloud {
 public:
   PointCloud() = default;
 
-  static constexpr double largestCoordinate = 1e12; // [L]
-
-  /// Points that are not finite, or have a larger coordinate, are left out: size() then is less
+  /// Points that are not finite, or beyond largestCoordinate, are left out: size() then is less
   /// than raw.positions.size(). Time O(N log N).
   explicit PointCloud(RawPoints raw, const Progress& progress = {});
 
@@ -51,7 +49,7 @@ public:
   [[nodiscard]] Eigen::Index size() const { return positions_.cols(); }
   [[nodiscard]] bool isEmpty() const { return size() == 0; }
 
-  /// 3 x N about origin() [L]: 1 mm is kept of any coordinate as long as the plant is under 10 km.
+  /// 3 x N about origin() [L], the middle of all but far points: plants under 10 km keep 1 mm.
   [[nodiscard]] const Eigen::Matrix3Xf& positions() const { return positions_; }
   [[nodiscard]] const Eigen::Vector3d& origin() const { return origin_; } // [L], frame of the file
   [[nodiscard]] const std::vector<Color>& colors() const { return colors_; }
@@ -74,8 +72,8 @@ private:
   std::vector<std::uint32_t> fileOrder_;
 };
 
-/// Mean distance from a point to its nearest neighbor at another place [L]: the unit of the default
-/// rules. Taken over at most 20 000 points spread evenly through the cloud. 0 if all coincide.
+/// Mean distance from a place to the nearest other [L], without strays (spacing_of_places.h): the
+/// unit of the default rules. Over at most 20 000 places, spread evenly. 0 if all coincide.
 [[nodiscard]] double pointSpacing(const Eigen::Matrix3Xf& points, const Progress& progress = {});
 /// The same, where there is an index of the points.
 [[nodiscard]] double pointSpacing(const Eigen::Matrix3Xf& points, const SpatialIndex& index);

@@ -1,5 +1,6 @@
 #include "core/pipeline/clean_methods.h"
 
+#include "core/cloud/far_points.h"
 #include "core/cloud/isolated_points.h"
 #include "core/pipeline/method_parts.h"
 
@@ -21,18 +22,22 @@ Method isolatedPointsMethod() {
       {.name = "distance",
        .label = "Distance",
        .kind = OptionKind::length,
-       .rule = spacings(8),
+       .rule = spacings(IsolatedPointOptions::usualDistance),
        .minimum = 0.5,
        .maximum = 100,
        .help = "A point is left out if its neighbors are farther away than this in the mean."},
       &Options::distance);
   return {.name = "isolated_points",
           .label = "Leave out isolated points",
-          .help = "Leaves out points that stand alone, as dust and split laser beams do.",
+          .help =
+              "Leaves out points that stand alone, as dust and split laser beams do, and the few "
+              "that lie far from the plant.",
           .source = "as in statistical outlier removal, with a distance in point spacings",
           .options = table.descriptions(),
           .seesRoot = false,
           .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
+            for (const Eigen::Index far : farPoints(*state.cloud, state.isLeftOut))
+              state.isLeftOut[static_cast<std::size_t>(far)] = true;
             const std::vector<Eigen::Index> kept = keptPoints(state);
             const std::vector<bool> isIsolated =
                 isolatedPoints(*scannedIndex(state, kept, progress), table.with(values), progress);

@@ -7,8 +7,8 @@
 namespace espalier {
 
 /// The method `described`, with the options of `table`, whose work is `contract(points, options,
-/// state, progress)`: the new places of the points that cleaning kept; the others stay. It is taken
-/// to see no root.
+/// state, progress)`: the new places of the points that cleaning kept; those at the place of one go
+/// with it, the others stay. It is taken to see no root.
 template <class Options, class Contract>
 [[nodiscard]] Method contractMethod(Method described, const OptionTable<Options>& table,
                                     const Contract& contract) {
@@ -21,6 +21,7 @@ template <class Options, class Contract>
     Eigen::Matrix3Xf positions = state.cloud->positions();
     const Eigen::Matrix3Xf points = positions(Eigen::all, kept);
     positions(Eigen::all, kept) = contract(points, table.with(values), state, progress);
+    followKept(positions, state);
     state.contracted = std::make_shared<const Eigen::Matrix3Xf>(std::move(positions));
   };
   return described;

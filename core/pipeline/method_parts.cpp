@@ -1,6 +1,7 @@
 #include "core/pipeline/method_parts.h"
 
 #include "core/base/error.h"
+#include "core/cloud/repeated_points.h"
 #include "core/graph/densities.h"
 
 #include <algorithm>
@@ -68,6 +69,15 @@ std::vector<Eigen::Index> keptPlaces(const PipelineState& state) {
 
 Eigen::Matrix3Xf keptPositions(const PipelineState& state) {
   return state.cloud->positions()(Eigen::all, keptPoints(state));
+}
+
+void followKept(Eigen::Matrix3Xf& places, const PipelineState& state) {
+  const auto isKept = [&](Eigen::Index point) {
+    return !state.isLeftOut[static_cast<std::size_t>(point)];
+  };
+  forEachRepeated(*state.cloud, isKept, [&](Eigen::Index point, Eigen::Index before) {
+    places.col(point) = places.col(before);
+  });
 }
 
 void requirePlant(const std::vector<Eigen::Index>& kept) {

@@ -29,6 +29,9 @@ using Values = std::vector<double>;
 /// Where the points that were kept are in the scan, about the origin of the cloud [L].
 [[nodiscard]] Eigen::Matrix3Xf keptPositions(const PipelineState& state);
 
+/// Moves the points at the place of one that was kept to where that one is now.
+void followKept(Eigen::Matrix3Xf& places, const PipelineState& state);
+
 /// @throws Error if they are too few for a plant
 void requirePlant(const std::vector<Eigen::Index>& kept);
 

@@ -256,9 +256,11 @@ MethodSight MethodSights::at(Eigen::Index point, const Skeleton& skeleton) const
   MethodSight sight;
   sight.point = point;
   sight.moved = all.contracted->col(point).cast<double>() + all.cloud->origin();
-  const auto place = std::ranges::lower_bound(all.columns, point);
-  if (place == all.columns.end() || *place != point) return sight;
-  const auto own = static_cast<std::uint32_t>(place - all.columns.begin());
+  const auto behind =
+      std::ranges::upper_bound(all.columns, point); // of its place, the first counts
+  if (behind == all.columns.begin()) return sight;
+  const auto own = static_cast<std::uint32_t>(behind - all.columns.begin() - 1);
+  if (all.points.col(own) != all.cloud->positions().col(point)) return sight;
   const double radius = all.radiusAt(own);
   const Orientation orientation =
       all.orientationAt(own, all.contraction.value("orientation_radius", radius));

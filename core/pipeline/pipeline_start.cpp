@@ -2,7 +2,10 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/cloud/far_points.h"
+#include "core/cloud/repeated_points.h"
 #include "core/pipeline/method_parts.h"
+#include "core/pipeline/plant_scale.h"
 
 #include <cmath>
 #include <utility>
@@ -10,33 +13,32 @@
 namespace espalier {
 
 PipelineState firstState(const std::shared_ptr<const PointCloud>& cloud, const PointSet& leftOut) {
-  std::vector<bool> isLeftOut(static_cast<std::size_t>(cloud->size()), true);
-  for (const Eigen::Index kept : others(leftOut, cloud->size()))
-    isLeftOut[static_cast<std::size_t>(kept)] = false;
   return {.cloud = cloud,
-          .isLeftOut = std::move(isLeftOut),
+          .isLeftOut = notCounted(*cloud, leftOut),
           .contracted = {cloud, &cloud->positions()}, // of the cloud: no copy
           .root = 0,
           .radiusSources = {}};
 }
 
-Eigen::Index rootPoint(const PipelineState& cleaned, const PipelineOptions& options) {
+Eigen::Index rootPoint(const PipelineState& cleaned, const PipelineOptions& options, float lowest) {
   const std::vector<Eigen::Index> kept = keptPoints(cleaned);
   if (kept.empty()) return 0;
+  if (!options.root) return footAmong(kept, *cleaned.cloud, options.leftOut, options.up, lowest);
   const Eigen::Matrix3Xf points = cleaned.cloud->positions()(Eigen::all, kept);
-  const Eigen::Index found =
-      options.root ? nearestPoint(points, (*options.root - cleaned.cloud->origin()).cast<float>())
-                   : findRoot(points, options.up);
-  return kept[static_cast<std::size_t>(found)];
+  const Eigen::Vector3f root = (*options.root - cleaned.cloud->origin()).cast<float>();
+  return kept[static_cast<std::size_t>(nearestPoint(points, root))];
 }
 
 void requireNearRoot(const PointCloud& cloud, const PipelineOptions& options) {
   if (!options.root) return;
-  const Eigen::AlignedBox3d box = cloud.bounds();
+  const Eigen::AlignedBox3d box = plantBounds(cloud, options.leftOut);
+  if (box.isEmpty()) return; // that no point is left is said when they are measured
   const double away = box.exteriorDistance(*options.root);
   if (away > box.diagonal().norm())
     throw Error("the root lies " + plainDecimal(std::round(away)) +
-                " away from the scan: give a place in its coordinates");
+                (options.leftOut.isEmpty()
+                     ? " away from the scan: give a place in its coordinates"
+                     : " away from the points that are not set aside: give a place near them"));
 }
 
 } // namespace espalier

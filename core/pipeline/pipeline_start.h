@@ -8,13 +8,16 @@ namespace espalier {
 
 // What the steps of the pipeline start from.
 
-/// Nothing computed yet: all points where they are, but for those that were set aside.
+/// Nothing computed yet: all points where they are, but for those that were set aside, and those at
+/// the place of one that was not: each place counts once (core/cloud/repeated_points.h).
 [[nodiscard]] PipelineState firstState(const std::shared_ptr<const PointCloud>& cloud,
                                        const PointSet& leftOut);
 
 /// The foot of the plant among the points that cleaning kept: the one nearest to the root that was
 /// chosen, or else the one that the points tell. 0 if none is left.
-[[nodiscard]] Eigen::Index rootPoint(const PipelineState& cleaned, const PipelineOptions& options);
+/// @param lowest  of the plant (PlantExtent)
+[[nodiscard]] Eigen::Index rootPoint(const PipelineState& cleaned, const PipelineOptions& options,
+                                     float lowest);
 
 /// @throws Error if the root that was chosen lies farther off than the plant is large
 void requireNearRoot(const PointCloud& cloud, const PipelineOptions& options);

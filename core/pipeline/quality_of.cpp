@@ -1,5 +1,8 @@
 #include "core/pipeline/quality_of.h"
 
+#include "core/cloud/far_points.h"
+#include "core/pipeline/plant_scale.h"
+
 #include <limits>
 #include <utility>
 #include <vector>
@@ -8,13 +11,20 @@ namespace espalier {
 
 ContractionQuality qualityOf(const PointCloud& cloud, const Reconstruction& result,
                              const PipelineOptions& options, const Progress& progress) {
-  const std::vector<Eigen::Index> kept = others(options.leftOut, cloud.size());
+  const PointSet far = PointSet::of(farPoints(cloud, options.leftOut)); // no part of the plant
+  const std::vector<Eigen::Index> kept = others(options.leftOut | far, cloud.size());
   if (kept.empty()) return {};
   const Eigen::Matrix3Xf points = cloud.positions()(Eigen::all, kept);
   const Eigen::Matrix3Xf contracted = (*result.contracted)(Eigen::all, kept);
-  const Eigen::Vector3f root = options.root
-                                   ? Eigen::Vector3f((*options.root - cloud.origin()).cast<float>())
-                                   : Eigen::Vector3f(points.col(findRoot(points, options.up)));
+  Eigen::Vector3f root;
+  if (options.root) {
+    root = (*options.root - cloud.origin()).cast<float>();
+  } else {
+    const SpatialIndex index(cloud.positions(), progress);
+    const PlantExtent extent = plantExtent(cloud, index, options.leftOut, options.up);
+    root =
+        cloud.positions().col(footAmong(kept, cloud, options.leftOut, options.up, extent.lowest));
+  }
   const ContractionQualityOptions how{.spacing = result.scale.spacing, .root = root};
   ContractionQuality quality =
       result.skeleton->isEmpty()

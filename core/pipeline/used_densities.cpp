@@ -1,5 +1,6 @@
 #include "core/pipeline/used_densities.h"
 
+#include "core/cloud/repeated_points.h"
 #include "core/pipeline/method_parts.h"
 #include "core/pipeline/pipeline_start.h"
 
@@ -52,6 +53,12 @@ std::optional<std::vector<float>> densitiesUsed(const std::shared_ptr<const Poin
   std::size_t next = 0;
   for (const Eigen::Index point : keptPoints(state))
     byPoint[static_cast<std::size_t>(point)] = densities[next++];
+  const auto isKept = [&](Eigen::Index point) {
+    return !state.isLeftOut[static_cast<std::size_t>(point)];
+  };
+  forEachRepeated(*cloud, isKept, [&](Eigen::Index point, Eigen::Index before) {
+    byPoint[static_cast<std::size_t>(point)] = byPoint[static_cast<std::size_t>(before)];
+  });
   return byPoint;
 }
 

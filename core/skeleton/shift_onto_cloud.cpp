@@ -1,6 +1,7 @@
 #include "core/skeleton/shift_onto_cloud.h"
 
 #include "core/base/spatial_index.h"
+#include "core/cloud/far_points.h"
 #include "core/skeleton/bounds.h"
 
 #include <Eigen/Geometry>
@@ -21,7 +22,7 @@ class Distances {
 public:
   Distances(const Skeleton& skeleton, const PointCloud& cloud)
       : cloud_(cloud), index_(cloud.positions()), spacing_(pointSpacing(cloud.positions(), index_)),
-        extent_(cloud.bounds().sizes().norm()) {
+        extent_(plantBounds(cloud).sizes().norm()) {
     const std::vector<NodeId> ids = skeleton.ids();
     const std::size_t count = std::min(ids.size(), mostMeasured);
     for (std::size_t i = 0; i < count; ++i)
@@ -55,11 +56,17 @@ private:
   std::vector<Eigen::Vector3d> places_;
 };
 
+/// Of all points but those that lie far off.
 Eigen::Vector3d meanOf(const PointCloud& cloud) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero(); // about the origin, to keep digits
+  const std::vector<Eigen::Index> allFar = farPoints(cloud);
+  auto far = allFar.begin();
   for (Eigen::Index i = 0; i < cloud.size(); ++i)
-    sum += cloud.positions().col(i).cast<double>();
-  return cloud.origin() + sum / static_cast<double>(cloud.size());
+    if (far != allFar.end() && *far == i)
+      ++far;
+    else
+      sum += cloud.positions().col(i).cast<double>();
+  return cloud.origin() + sum / static_cast<double>(cloud.size() - std::ssize(allFar));
 }
 
 bool isOff(const Distances& distances) {
@@ -84,13 +91,13 @@ std::optional<Misfit> misfitOf(const Skeleton& skeleton, const PointCloud& cloud
   constexpr double small = 1.0 / 50;
   constexpr double large = 3;
   const Eigen::AlignedBox3d box = bounds(skeleton);
-  const double extent = cloud.bounds().sizes().norm();
+  const double extent = plantBounds(cloud).sizes().norm();
   if (!(extent > 0)) return std::nullopt;
   const double size = box.sizes().norm() / extent;
   const bool isSmall = size < small && skeleton.size() >= fewestNodes;
   if (isSmall || (size > large && isOff(Distances(skeleton, cloud))))
     return Misfit{.size = size, .isOfOtherSize = true};
-  if (!box.intersects(cloud.bounds())) return Misfit{.size = size, .isOfOtherSize = false};
+  if (!box.intersects(plantBounds(cloud))) return Misfit{.size = size, .isOfOtherSize = false};
   return std::nullopt;
 }
 

@@ -1,30 +1,35 @@
 #include "ui/document/scan.h"
 
+#include "core/cloud/far_points.h"
+#include "core/cloud/repeated_points.h"
+#include "core/pipeline/plant_scale.h"
+
 #include <cassert>
 #include <utility>
 
 namespace espalier {
 namespace {
 
-std::vector<bool> maskOf(const PointSet& points, Eigen::Index count) {
-  std::vector<bool> mask(static_cast<std::size_t>(count), false);
-  for (const Eigen::Index point : points.points())
-    mask[static_cast<std::size_t>(point)] = true;
-  return mask;
+/// Of the points that are not set aside; `otherwise` if they have none.
+PlantSides measured(const PointCloud& cloud, const SpatialIndex& index, const PointSet& leftOut,
+                    const PlantSides& otherwise) {
+  const PlantSides sides = plantSides(cloud, index, leftOut);
+  return sides.spacing > 0 ? sides : otherwise;
 }
 
 } // namespace
 
 Scan::Scan(PointCloud cloud)
     : cloud_(std::make_shared<const PointCloud>(std::move(cloud))), index_(cloud_->positions()),
-      height_(cloud_->bounds().sizes().z()), spacing_(pointSpacing(cloud_->positions())) {
+      sides_(measured(*cloud_, index_, {}, {})), bounds_(plantBounds(*cloud_)) {
   assert(!cloud_->isEmpty());
+  if (!repeatedPoints(*cloud_).isEmpty()) index_ = index_.passingOver(notCounted(*cloud_));
 }
 
 Scan::Scan(const Scan& whole, const PointSet& leftOut)
     : cloud_(whole.cloud_), leftOut_(leftOut & PointSet::firstOf(cloud_->size())),
-      index_(whole.index_.passingOver(maskOf(leftOut_, cloud_->size()))), height_(whole.height_),
-      spacing_(whole.spacing_) {}
+      index_(whole.index_.passingOver(notCounted(*cloud_, leftOut_))),
+      sides_(measured(*cloud_, index_, leftOut_, whole.sides_)), bounds_(whole.bounds_) {}
 
 Scan Scan::leavingOut(const PointSet& points) const {
   return {*this, points};

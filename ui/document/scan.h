@@ -3,6 +3,7 @@
 #include "core/base/spatial_index.h"
 #include "core/cloud/point_cloud.h"
 #include "core/cloud/point_set.h"
+#include "core/pipeline/plant_scale.h"
 #include "core/skeleton/extend_along.h"
 
 #include <memory>
@@ -12,7 +13,7 @@ namespace espalier {
 
 /// The points of a document and what finds them. Never changes.
 ///
-/// The points set aside are in its cloud, but nothing finds them.
+/// The points set aside are in its cloud, but nothing finds them; of a place, one point is found.
 class Scan {
 public:
   /// Time O(N log N): made by the job that reads the file. pre: not empty
@@ -25,8 +26,12 @@ public:
   [[nodiscard]] const PointSet& leftOut() const { return leftOut_; }
   /// Of the positions of cloud(); passes over the points set aside.
   [[nodiscard]] const SpatialIndex& index() const { return index_; }
-  [[nodiscard]] double height() const { return height_; }   // extent along z [L]
-  [[nodiscard]] double spacing() const { return spacing_; } // between neighboring points [L]
+  [[nodiscard]] double height(UpAxis up) const { // along this axis, of those found [L]
+    return sides_.heights[static_cast<Eigen::Index>(up)];
+  }
+  [[nodiscard]] double spacing() const { return sides_.spacing; } // likewise (plant_scale.h) [L]
+  /// Of all points but the few far ones (plantBounds) [L], frame of the file.
+  [[nodiscard]] const Eigen::AlignedBox3d& bounds() const { return bounds_; }
 
   /// Centroid of the 5 points nearest to `place` [L]: one point alone is noise of the scanner.
   /// `place` itself if all points are set aside.
@@ -50,8 +55,8 @@ private:
   std::shared_ptr<const PointCloud> cloud_;
   PointSet leftOut_;
   SpatialIndex index_;
-  double height_;
-  double spacing_;
+  PlantSides sides_;
+  Eigen::AlignedBox3d bounds_;
 };
 
 } // namespace espalier

@@ -26,7 +26,7 @@ bool isContained(PlantDocument& document, NodeId id) {
 /// What a lone root grows by, and how far a new child looks for points.
 double reach(const PlantDocument& document) {
   if (!document.scan()) return 1;
-  const double size = document.scan()->cloud()->bounds().sizes().maxCoeff();
+  const double size = document.scan()->bounds().sizes().maxCoeff();
   return size > 0 ? size / 50 : 1;
 }
 

@@ -106,7 +106,7 @@ DrawSettings PlantRenderer::Parts::settings(const Frame& frame) const {
   const double height = frame.size.height();
   const bool perspective = camera.projection == Projection::perspective;
   const double pixelSize = camera.halfHeight() / (height / 2);
-  const DepthRange depths = camera.depthsOf(scene.bounds());
+  const DepthRange depths = scene.depths(camera);
   return {.window = window,
           .toView = camera.viewMatrix(scene.origin()).cast<float>(),
           .toClip = camera.projectionMatrix(width / height, depths).cast<float>(),

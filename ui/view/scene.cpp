@@ -1,5 +1,7 @@
 #include "ui/view/scene.h"
 
+#include "core/cloud/far_points.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -36,6 +38,7 @@ void PointLayer::set(std::shared_ptr<const Eigen::Matrix3Xf> replacement) {
 
 void Scene::setCloud(std::shared_ptr<const PointCloud> replacement) {
   cloud = std::move(replacement);
+  plantBox = cloud && !farPoints(*cloud).empty() ? plantBounds(*cloud) : Eigen::AlignedBox3d();
   pointStates.reset(); // they were those of other points
   pointValues.reset();
   // Shares the ownership of the cloud: its positions are not copied.
@@ -90,7 +93,7 @@ bool Scene::showsScanned(const Eigen::Vector3d& place, double across, double div
 
 void Scene::setPointColor(PointColor color) {
   pointColor = color;
-  colorLegend = cloud ? espalier::pointLegend(*cloud, color) : std::nullopt;
+  colorLegend = cloud ? espalier::pointLegend(*cloud, color, up) : std::nullopt;
   ++colorRevision;
 }
 
@@ -124,6 +127,12 @@ void Scene::setDark(bool isDark) {
   dark = isDark;
   ++colorRevision;
   recolorNodes();
+}
+
+void Scene::setUp(UpAxis axis) {
+  up = axis;
+  colorScales.ranges.erase(QStringLiteral("color_height")); // of other heights
+  setPointColor(pointColor);
 }
 
 void Scene::recolorNodes() {
@@ -164,17 +173,30 @@ ClipVolume Scene::clipVolume(const Camera& camera) const {
   return {clip, bounds(), origin(), camera};
 }
 
+DepthRange Scene::depths(const Camera& camera) const {
+  constexpr double deepest = 100; // times how far off the focus is
+  const DepthRange all = camera.depthsOf(boundsWithin({}));
+  return all.farthest <= deepest * camera.distance ? all : camera.depthsOf(bounds());
+}
+
 Eigen::Vector3d Scene::origin() const {
   return cloud && !cloud->isEmpty() ? cloud->origin() : skeleton.origin();
 }
 
 Eigen::AlignedBox3d Scene::bounds() const {
+  return boundsWithin(plantBox);
+}
+
+/// Of points only what lies in the box, unless that is empty.
+Eigen::AlignedBox3d Scene::boundsWithin(const Eigen::AlignedBox3d& within) const {
   Eigen::AlignedBox3d box = skeleton.bounds().merged(reference.bounds());
   for (const PointLayer* layer : {&points, &contracted}) {
     const Eigen::AlignedBox3f local = layer->boxes.bounds();
     if (local.isEmpty()) continue;
-    box.extend(Eigen::Vector3d(local.min().cast<double>() + origin()));
-    box.extend(Eigen::Vector3d(local.max().cast<double>() + origin()));
+    Eigen::AlignedBox3d ofLayer(local.min().cast<double>() + origin(),
+                                local.max().cast<double>() + origin());
+    if (!within.isEmpty()) ofLayer = ofLayer.intersection(within);
+    if (!ofLayer.isEmpty()) box.extend(ofLayer);
   }
   return box;
 }
@@ -186,8 +208,10 @@ std::vector<Eigen::Vector3d> Scene::outline() const {
     for (std::size_t slot = 0; slot < glyphs->nodes().size(); ++slot)
       if (glyphs->nodes()[slot].shape != NodeShape::none) places.push_back(glyphs->position(slot));
   for (const PointLayer* layer : {&points, &contracted})
-    for (Eigen::Index i = 0; i < layer->size(); i += 1 + layer->size() / sample)
-      places.emplace_back(layer->positions->col(i).cast<double>() + origin());
+    for (Eigen::Index i = 0; i < layer->size(); i += 1 + layer->size() / sample) {
+      const Eigen::Vector3d place = layer->positions->col(i).cast<double>() + origin();
+      if (plantBox.isEmpty() || plantBox.contains(place)) places.push_back(place);
+    }
   return places;
 }
 

@@ -53,6 +53,7 @@ struct OtherState {
 /// What the view shows. Read by the renderer, the overlay and the picker; knows none of them.
 struct Scene {
   std::shared_ptr<const PointCloud> cloud; // null: none
+  Eigen::AlignedBox3d plantBox;            // of the cloud without far points; empty: it has none
   PointLayer points;
   PointLayer contracted;
   SkeletonGlyphs skeleton;
@@ -74,6 +75,7 @@ struct Scene {
   std::uint64_t colorRevision = 0; // grows when points are to be colored anew
   int pointSize = 2;               // [logical pixels]
   bool showRadii = false;
+  UpAxis up = UpAxis::z; // along which heights are
   bool dark = false;
   Clip clip;
   double depthFade = 0; // how far the back of the plant steps back, in [0, 1]
@@ -89,6 +91,7 @@ struct Scene {
   void setReferenceColors(std::optional<NodeColors> colors);
   void setColorScales(const ColorScales& scales);
   void setDark(bool isDark);
+  void setUp(UpAxis axis);
 
   /// What points and nodes are colored by, on the scale that is chosen; none: not by value.
   [[nodiscard]] std::optional<Legend> pointLegend() const;
@@ -122,15 +125,21 @@ struct Scene {
   /// What is shown from a camera.
   [[nodiscard]] ClipVolume clipVolume(const Camera& camera) const;
 
+  /// What is drawn from a camera [L]. Far points are, from far away: near the plant they would
+  /// leave it no depth.
+  [[nodiscard]] DepthRange depths(const Camera& camera) const;
+
   /// What float coordinates are counted from [L]: the cloud's origin, else that of the glyphs.
   [[nodiscard]] Eigen::Vector3d origin() const;
-  /// Encloses all there is, shown or not [L], frame of the file; empty if there is nothing.
+  /// Encloses all there is, shown or not [L], frame of the file, but for the few far points of the
+  /// cloud: a plant beside one would be a dot. Empty if there is nothing.
   [[nodiscard]] Eigen::AlignedBox3d bounds() const;
-  /// All nodes and an even sample of the points [L], frame of the file: what a camera has to frame
-  /// to show the whole, tighter than the bounds.
+  /// All nodes and an even sample of these points [L], frame of the file: what a camera has to
+  /// frame to show the whole, tighter than the bounds.
   [[nodiscard]] std::vector<Eigen::Vector3d> outline() const;
 
 private:
+  [[nodiscard]] Eigen::AlignedBox3d boundsWithin(const Eigen::AlignedBox3d& within) const;
   void recolorNodes();
   void recolorNodes(OtherState& shown) const;
 };

@@ -99,5 +99,16 @@ TEST(PointSpacing, PassesOverDuplicates) {
   EXPECT_EQ(pointSpacing(Eigen::Matrix3Xf::Zero(3, 50)), 0);
 }
 
+TEST(PointSpacing, IsTheSameHoweverOftenEachPointIsThere) {
+  const RawPoints once = randomPoints(3000, {5, 5, 5});
+  const double expected = pointSpacing(PointCloud(once).positions());
+  for (const int copies : {2, 8, 9, 20}) {
+    RawPoints raw;
+    for (int i = 0; i < copies; ++i)
+      raw.positions.insert(raw.positions.end(), once.positions.begin(), once.positions.end());
+    EXPECT_EQ(pointSpacing(PointCloud(raw).positions()), expected) << copies;
+  }
+}
+
 } // namespace
 } // namespace espalier

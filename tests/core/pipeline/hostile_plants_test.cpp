@@ -114,6 +114,10 @@ void expectSensible(const Skeleton& skeleton, const PointCloud& cloud) {
   }
 }
 
+Eigen::Vector3d rootOf(const Skeleton& skeleton) {
+  return skeleton[skeleton.roots().front()].position;
+}
+
 struct EveryMethod : testing::TestWithParam<std::pair<std::string, std::string>> {};
 
 TEST_P(EveryMethod, MakesAForestOfAnyScanOrSaysWhyNot) {
@@ -129,6 +133,52 @@ TEST_P(EveryMethod, MakesAForestOfAnyScanOrSaysWhyNot) {
       EXPECT_GT(std::string(error.what()).size(), 20U) << error.what();
       EXPECT_LT(points.cols(), 10) << "a scan of this size has something to find: " << error.what();
     }
+  }
+}
+
+Points times(int copies, const Points& points) {
+  Points result(3, 0);
+  for (int i = 0; i < copies; ++i)
+    result = test::both(result, points);
+  return result;
+}
+
+Points with(const Eigen::Vector3f& stray, const Points& points) {
+  return test::both(stray, points);
+}
+
+TEST_P(EveryMethod, MakesTheSameWithAPointFarAway) {
+  const auto& [step, method] = GetParam();
+  PipelineOptions options;
+  options.methods[step] = method;
+  const Points plant = test::forkCloud();
+  const Reconstruction alone = Pipeline().run(cloudOf(plant), options);
+  const bool keepsAll = step == "clean" && method == "none";
+  for (const Eigen::Vector3f& stray : {Eigen::Vector3f(30, 0, 0), Eigen::Vector3f(0, 0, -100),
+                                       Eigen::Vector3f(1e6F, 4.77F, 10.78F)}) {
+    SCOPED_TRACE(stray.transpose());
+    const auto cloud = cloudOf(with(stray, plant));
+    const Reconstruction result = Pipeline().run(cloud, options);
+    EXPECT_EQ(result.scale.spacing, alone.scale.spacing);
+    EXPECT_EQ(result.scale.height, alone.scale.height);
+    EXPECT_LT((rootOf(*result.skeleton) - rootOf(*alone.skeleton)).norm(), 0.1);
+    EXPECT_TRUE(keepsAll || *result.skeleton == *alone.skeleton);
+  }
+}
+
+TEST_P(EveryMethod, MakesTheSameHoweverOftenEachPointIsThere) {
+  const auto& [step, method] = GetParam();
+  PipelineOptions options;
+  options.methods[step] = method;
+  const Points plant = test::forkCloud();
+  const Reconstruction alone = Pipeline().run(cloudOf(plant), options);
+  for (const int copies : {2, 8, 9, 20}) {
+    const auto cloud = cloudOf(times(copies, plant));
+    const Reconstruction result = Pipeline().run(cloud, options);
+    EXPECT_EQ(result.scale.spacing, alone.scale.spacing) << copies;
+    EXPECT_EQ(*result.skeleton, *alone.skeleton) << copies;
+    for (Eigen::Index i = 0; i < cloud->size(); ++i)
+      ASSERT_EQ(result.contracted->col(i), alone.contracted->col(i / copies)) << copies << ' ' << i;
   }
 }
 
@@ -202,10 +252,39 @@ TEST(HostilePlants, AGapOfFiveSpacingsIsBridged) {
   EXPECT_NEAR(totalLength(skeleton), 2, 4 * spacing);
 }
 
-TEST(HostilePlants, EveryPointTwiceIsThePlantOnce) {
-  const Skeleton skeleton = reconstructed(test::both(test::forkCloud(), test::forkCloud()));
-  EXPECT_EQ(countTips(skeleton), 2U);
-  EXPECT_LT(test::farthestFromFork(skeleton), 3 * spacing);
+TEST(HostilePlants, AFewCopiesOfSomePointsChangeNothing) {
+  const Points plant = test::forkCloud();
+  const Points some = test::both(plant, times(11, plant.leftCols(plant.cols() / 3)));
+  EXPECT_EQ(reconstructed(some), reconstructed(plant));
+}
+
+// Too near to be far, and in no one's way: cleaning leaves them out as isolated.
+TEST(HostilePlants, StraysBelowThePlantAreNotItsFoot) {
+  const Points plant = test::forkCloud();
+  Points points = plant;
+  for (const float below : {-0.7F, -0.9F, -1.2F, -2.5F})
+    points = with({0.4F, -0.3F, below}, points);
+  for (const char* clean : {"isolated_points", "none"}) {
+    PipelineOptions options;
+    options.methods["clean"] = clean;
+    const auto cloud = cloudOf(points, {0, 0, 0});
+    const Reconstruction result = Pipeline().run(cloud, options);
+    EXPECT_LT(rootOf(*result.skeleton).norm(), 0.2) << clean;
+    EXPECT_EQ(result.scale.height, plantHeight(plant, UpAxis::z)) << clean;
+    EXPECT_NEAR(result.scale.spacing, pointSpacing(plant), 1e-3 * spacing) << clean;
+  }
+}
+
+TEST(HostilePlants, PointsSetAsideDoNotCountForTheScale) {
+  const auto cloud = cloudOf(twoPlants(), {0, 0, 0}); // one 1 spacing lower would not be seen
+  std::vector<Eigen::Index> upper;
+  for (Eigen::Index i = 0; i < cloud->size(); ++i)
+    if (cloud->position(i).z() > 1) upper.push_back(i);
+  PipelineOptions options;
+  options.leftOut = PointSet::of(upper);
+  Pipeline pipeline;
+  EXPECT_NEAR(pipeline.run(cloud, options).scale.height, 1, 2 * spacing);
+  EXPECT_GT(pipeline.run(cloud).scale.height, 3);
 }
 
 } // namespace

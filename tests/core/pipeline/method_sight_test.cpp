@@ -50,6 +50,25 @@ TEST_F(Sights, AreWhatTheContractionTakesTheMeanOf) {
   }
 }
 
+// Of the points at one place all see what the one sees that counts.
+TEST_F(Sights, AreTheSameForRepeatedPoints) {
+  options.methods["contract"] = "adaptive_geodesic";
+  const Eigen::Matrix3Xf plant = test::forkCloud();
+  cloud = test::cloudOf(test::both(test::both(plant, plant), plant));
+  const MethodSights all = sights();
+  const auto densities = densitiesUsed(cloud, options, result.scale);
+  ASSERT_TRUE(densities);
+  for (const Eigen::Index point : {300, 3000}) {
+    const MethodSight first = all.at(point);
+    const MethodSight last = all.at(point + 2);
+    ASSERT_FALSE(first.ball.empty());
+    EXPECT_EQ(last.ball, first.ball);
+    EXPECT_EQ(last.moved, first.moved);
+    EXPECT_EQ((*densities)[static_cast<std::size_t>(point) + 2],
+              (*densities)[static_cast<std::size_t>(point)]);
+  }
+}
+
 TEST_F(Sights, FollowWhatIsSet) {
   options.methods["contract"] = "adaptive_geodesic";
   options.set("contract.along=3");

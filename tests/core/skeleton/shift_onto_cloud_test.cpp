@@ -64,6 +64,21 @@ TEST(ShiftOntoCloud, IsNoneForAStructureThatFits) {
     }
 }
 
+TEST(ShiftOntoCloud, DoesNotFollowAPointFarAway) {
+  const test::SimulatedPlant& tree = test::simulatedTree();
+  const PointCloud cloud = placed(tree.cloud, 1, {50'000, 540'000, 100});
+  RawPoints raw;
+  for (Eigen::Index i = 0; i < cloud.size(); ++i)
+    raw.positions.push_back(cloud.position(i));
+  raw.positions.emplace_back(0, 0, 0);
+  const Skeleton centered =
+      moved(tree.truth, Eigen::Vector3d(50'000, 540'000, 100) - meanOf(cloud));
+  const auto shift = shiftOntoCloud(centered, PointCloud(raw));
+  ASSERT_TRUE(shift);
+  EXPECT_LT((*shift - meanOf(cloud)).norm(), 1e-3);
+  EXPECT_FALSE(misfitOf(moved(centered, *shift), PointCloud(raw)));
+}
+
 TEST(ShiftOntoCloud, IsNoneForAStructureThatFitsInNeitherFrame) {
   const test::SimulatedPlant& tree = test::simulatedTree();
   EXPECT_FALSE(shiftOntoCloud(moved(tree.truth, {30, 0, 0}), tree.cloud));

@@ -27,7 +27,8 @@ TEST(Scan, LeavesAPlaceThatIsOutOfReach) {
 }
 
 TEST(Scan, KnowsItsHeightAndSpacing) {
-  EXPECT_NEAR(twoClumps().height(), 6, 1e-6);
+  EXPECT_NEAR(twoClumps().height(UpAxis::z), 6, 1e-6);
+  EXPECT_NEAR(twoClumps().height(UpAxis::y), 0.2, 1e-6) << "if it stands along y";
   EXPECT_NEAR(twoClumps().spacing(), 0.1, 1e-5);
 }
 
@@ -41,6 +42,45 @@ TEST(Scan, FindsNothingOfThePointsSetAside) {
   EXPECT_EQ(upper.leavingOut({}).near({1000, 0, 2}, 1).size(), 5U) << "brought back";
   const Eigen::Vector3d place(1, 2, 3);
   EXPECT_EQ(whole.leavingOut(PointSet::firstOf(10)).onPoints(place), place);
+}
+
+/// A column of 100 places 0.1 apart, each with so many points.
+RawPoints column(int copies) {
+  RawPoints raw;
+  for (int i = 0; i < 100 * copies; ++i)
+    raw.positions.emplace_back(0, 0, 0.1 * (i / copies));
+  return raw;
+}
+
+TEST(Scan, MeasuresThePointsThatAreNotSetAside) {
+  const Scan whole((PointCloud(column(1))));
+  EXPECT_NEAR(whole.height(UpAxis::z), 9.9, 1e-5);
+  const Scan lower = whole.leavingOut(PointSet::firstOf(100) - PointSet::firstOf(41));
+  EXPECT_NEAR(lower.height(UpAxis::z), 4, 1e-5);
+  std::vector<Eigen::Index> odd;
+  for (Eigen::Index i = 1; i < 100; i += 2)
+    odd.push_back(i);
+  EXPECT_NEAR(whole.leavingOut(PointSet::of(odd)).spacing(), 0.2, 1e-5);
+  EXPECT_NEAR(whole.leavingOut(PointSet::of(odd)).leavingOut({}).spacing(), 0.1, 1e-5);
+  EXPECT_NEAR(whole.leavingOut(PointSet::firstOf(99)).spacing(), 0.1, 1e-5)
+      << "one point has none: it stays";
+}
+
+TEST(Scan, IsNotMeasuredByAPointFarAway) {
+  RawPoints raw = column(1);
+  raw.positions.emplace_back(0, 0, -5e6);
+  const Scan scan((PointCloud(raw)));
+  EXPECT_NEAR(scan.height(UpAxis::z), 9.9, 1e-5);
+  EXPECT_NEAR(scan.spacing(), 0.1, 1e-5);
+}
+
+TEST(Scan, FindsEachPlaceOnce) {
+  const Scan scan((PointCloud(column(9))));
+  EXPECT_NEAR(scan.spacing(), 0.1, 1e-5);
+  EXPECT_EQ(scan.near({0, 0, 1}, 0.15).size(), 3U);
+  EXPECT_EQ(scan.leavingOut(PointSet::firstOf(5)).near({0, 0, 0}, 0.15).size(), 2U)
+      << "another point of the place is found then";
+  EXPECT_TRUE(scan.onPoints({0, 0, 5}).isApprox(Eigen::Vector3d(0, 0, 5), 1e-6));
 }
 
 TEST(Scan, KnowsNoPointBehindItsLast) {

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "core/cloud/point_cloud.h"
+
+#include <string>
+#include <vector>
+
+namespace espalier {
+
+/// What one should know of a scan before work: which points are not taken for the plant, and why.
+/// @param name  of its file, which each note begins with
+[[nodiscard]] std::vector<std::string> scanNotes(const PointCloud& cloud, const std::string& name);
+
+} // namespace espalier

@@ -1,0 +1,111 @@
+#include "core/pipeline/plant_scale.h"
+
+#include "core/cloud/far_points.h"
+#include "core/cloud/isolated_points.h"
+#include "core/cloud/repeated_points.h"
+#include "core/cloud/spacing_of_places.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace espalier {
+namespace {
+
+/// Points of a cloud and how far apart they lie.
+struct Places {
+  const Eigen::Matrix3Xf& positions;
+  const SpatialIndex& index; // finds these places alone, and far points
+  std::vector<Eigen::Index> points;
+  double spacing; // [L]
+
+  [[nodiscard]] float height(Eigen::Index point, UpAxis up) const {
+    return positions(static_cast<Eigen::Index>(up), point);
+  }
+
+  /// The lowest that does not stand alone, of heights times `sign`; the lowest if many do.
+  [[nodiscard]] float lowest(UpAxis up, float sign) const {
+    const auto isHigher = [&](Eigen::Index a, Eigen::Index b) {
+      return sign * height(a, up) > sign * height(b, up);
+    };
+    const Eigen::Index first = *std::ranges::max_element(points, isHigher);
+    if (!isIsolated(first)) return height(first, up);
+    std::vector<Eigen::Index> heap = points;
+    std::ranges::make_heap(heap, isHigher);
+    while (16 * heap.size() > 15 * points.size()) {
+      const Eigen::Index next = heap.front();
+      if (!isIsolated(next)) return height(next, up);
+      std::ranges::pop_heap(heap, isHigher);
+      heap.pop_back();
+    }
+    return height(first, up);
+  }
+
+  [[nodiscard]] bool isIsolated(Eigen::Index point) const {
+    return espalier::isIsolated(index, positions.col(point),
+                                {.distance = IsolatedPointOptions::usualDistance * spacing});
+  }
+};
+
+/// Those that count: without what is set aside, repeated or far. Calls measure(places).
+template <class Measure>
+auto onPlaces(const PointCloud& cloud, const SpatialIndex& index, const PointSet& leftOut,
+              const Measure& measure) {
+  const PointSet passed = leftOut | repeatedPoints(cloud, leftOut);
+  const PointSet without = passed | PointSet::of(farPoints(cloud, leftOut));
+  const Eigen::Matrix3Xf& positions = cloud.positions();
+  const auto measured = [&](const SpatialIndex& found) {
+    Places places{positions, found, others(without, cloud.size()), 0};
+    places.spacing = spacingOfPlaces(positions, found, places.points);
+    return measure(places);
+  };
+  return passed.isEmpty() ? measured(index)
+                          : measured(index.passingOver(notCounted(cloud, leftOut)));
+}
+
+PlantExtent extentOf(const Places& places, UpAxis up) {
+  if (places.points.empty()) return {};
+  const float lowest = places.lowest(up, 1);
+  const float highest = places.lowest(up, -1);
+  return {.scale = {.spacing = places.spacing,
+                    .height = static_cast<double>(highest) - static_cast<double>(lowest)},
+          .lowest = lowest};
+}
+
+} // namespace
+
+PlantExtent plantExtent(const PointCloud& cloud, const SpatialIndex& index, const PointSet& leftOut,
+                        UpAxis up) {
+  return onPlaces(cloud, index, leftOut,
+                  [up](const Places& places) { return extentOf(places, up); });
+}
+
+PlantSides plantSides(const PointCloud& cloud, const SpatialIndex& index, const PointSet& leftOut) {
+  return onPlaces(cloud, index, leftOut, [](const Places& places) {
+    PlantSides sides{.spacing = places.spacing};
+    for (const UpAxis up : {UpAxis::x, UpAxis::y, UpAxis::z})
+      sides.heights[static_cast<Eigen::Index>(up)] = extentOf(places, up).scale.height;
+    return sides;
+  });
+}
+
+PlantScale scaleOf(const PointCloud& cloud, const PointSet& leftOut, UpAxis up,
+                   const Progress& progress) {
+  return plantExtent(cloud, SpatialIndex(cloud.positions(), progress), leftOut, up).scale;
+}
+
+Eigen::Index footAmong(const std::vector<Eigen::Index>& points, const PointCloud& cloud,
+                       const PointSet& leftOut, UpAxis up, float lowest) {
+  const std::vector<Eigen::Index> far = farPoints(cloud, leftOut);
+  const auto isOff = [&](Eigen::Index point) {
+    return cloud.positions()(static_cast<Eigen::Index>(up), point) < lowest ||
+           std::ranges::binary_search(far, point);
+  };
+  std::vector<Eigen::Index> standing = points;
+  std::erase_if(standing, isOff);
+  if (standing.empty()) standing = points;
+  const Eigen::Matrix3Xf places = cloud.positions()(Eigen::all, standing);
+  return standing[static_cast<std::size_t>(findRoot(places, up))];
+}
+
+} // namespace espalier

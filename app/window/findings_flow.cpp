@@ -291,7 +291,10 @@ void FindingsFlow::goTo(const Finding& finding) {
       sight.places.push_back(now->cloud()->position(point));
   sight.margin =
       std::max(boundsOf(finding, skeleton).diagonal().norm() / 2, 2 * meanEdgeLength(skeleton));
-  parts_.view.flyTo(parts_.view.cameraToSee(sight));
+  const Camera camera = parts_.view.cameraToSee(sight);
+  const QString note = parts_.reveal(nodesOf(finding), sight.places, camera);
+  parts_.view.flyTo(camera);
+  if (!note.isEmpty()) emit noted(note);
 }
 
 void FindingsFlow::toggleIgnored() {

@@ -8,6 +8,7 @@
 #include <QString>
 #include <QTimer>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,6 +25,7 @@ class FindingsPanel;
 class PanelDock;
 class PlantDocument;
 class PlantView;
+struct Camera;
 
 /// The checks of the plant: their findings in a panel, the way to each, and those that are ignored.
 ///
@@ -41,6 +43,10 @@ public:
     ScanDistances& distances;
     QSettings& settings;
     QMainWindow& window;
+    /// Shows what one flies to, as ShownFlow::reveal.
+    std::function<QString(const std::vector<NodeId>& nodes,
+                          const std::vector<Eigen::Vector3d>& places, const Camera& camera)>
+        reveal;
   };
   explicit FindingsFlow(const Parts& parts);
 

@@ -3,6 +3,7 @@
 #include "app/window/action_set.h"
 #include "app/window/editing.h"
 #include "core/base/error.h"
+#include "core/cloud/repeated_points.h"
 #include "core/pipeline/regrow.h"
 #include "ui/document/plant_document.h"
 #include "ui/tools/regrow_tool.h"
@@ -23,10 +24,11 @@ template <class T> T* toolOf(const Editing& editing, const QString& id) {
   return tool;
 }
 
-/// Of the points that are not set aside.
+/// Of the points that are not set aside, each place once.
 std::shared_ptr<const TraceGraph> graphOf(std::shared_ptr<const PointCloud> cloud,
                                           std::shared_ptr<const Eigen::Matrix3Xf> contracted,
-                                          const PointSet& leftOut, const Progress& progress) {
+                                          const PointSet& setAside, const Progress& progress) {
+  const PointSet leftOut = setAside | repeatedPoints(*cloud, setAside);
   if (leftOut.isEmpty())
     return std::make_shared<const TraceGraph>(std::move(cloud), std::move(contracted), progress);
   const std::vector<Eigen::Index> kept = others(leftOut, cloud->size());

@@ -22,7 +22,10 @@ OptionTable<CheckOptions> makeTable() {
               member);
   };
   add("sharp_turn", "Sharp turn", OptionKind::angle, defaults.sharpTurn * degrees, 10, 180,
-      "An axis that turns by more at a node is told.", &CheckOptions::sharpTurn);
+      "An axis that turns by more at a node is reported.", &CheckOptions::sharpTurn);
+  add("branch_turn", "Branch turning back", OptionKind::angle, defaults.branchTurn * degrees, 10,
+      180, "A branch that turns by more from what bears it, or from its first edge, is reported.",
+      &CheckOptions::branchTurn);
   add("short_edge", "Short edge", OptionKind::ratio, defaults.shortEdge, 0, 0.1,
       "Edges shorter than this share of the mean edge have no length.", &CheckOptions::shortEdge);
   add("duplicate_share", "Duplicate", OptionKind::ratio, defaults.duplicateShare, 0, 0.5,
@@ -43,7 +46,7 @@ OptionTable<CheckOptions> makeTable() {
   add("cluster_size", "Cluster size", OptionKind::count, defaults.clusterSize, 1, 1e6,
       "Clusters of fewer points are strays of the scanner.", &CheckOptions::clusterSize);
   add("empty_reach", "Reach of points", OptionKind::ratio, defaults.emptyReach, 0, 1000,
-      "Edges with no points within so many point spacings, along over a half, are told.",
+      "Edges with no points within so many point spacings, along over a half, are reported.",
       &CheckOptions::emptyReach);
   add("own_beside", "Reach of other wood", OptionKind::ratio, defaults.ownBeside, 0, 1000,
       "Points within so many point spacings of other wood are not a branch's own.",
@@ -53,7 +56,7 @@ OptionTable<CheckOptions> makeTable() {
   add("own_count", "Own points", OptionKind::count, defaults.ownCount, 1, 1e6,
       "Fewer own points at a place of a branch are strays.", &CheckOptions::ownCount);
   add("own_length", "Length without own points", OptionKind::ratio, defaults.ownLength, 0, 1000,
-      "Branches that begin with more point spacings without own points are told.",
+      "Branches that begin with more point spacings without own points are reported.",
       &CheckOptions::ownLength);
   return table;
 }

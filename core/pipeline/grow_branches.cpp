@@ -4,15 +4,15 @@
 #include "core/base/spatial_index.h"
 #include "core/graph/components.h"
 #include "core/pipeline/grow_part.h"
-#include "core/skeleton/branch_edits.h"
+#include "core/pipeline/plant_scale.h"
+#include "core/pipeline/wood_skin.h"
+#include "core/skeleton/assign_points.h"
+#include "core/skeleton/path_edits.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <map>
-#include <numeric>
-#include <optional>
 #include <utility>
 
 namespace espalier {
@@ -20,56 +20,56 @@ namespace {
 
 constexpr int neighbors = 12;
 
-/// A link by which a part may hang: on the plant, or on another part.
-struct Link {
-  double length = std::numeric_limits<double>::infinity(); // [L]
-  std::size_t from = 0;                                    // the part
-  std::optional<std::size_t> to;                           // the other part; none: the plant
-  Eigen::Index at = 0;                                     // its point that is nearest
-};
+double toleranceOf(const GrowOptions& options, const PlantScale& whole) {
+  return options.tolerance > 0 ? options.tolerance : 3 * whole.spacing;
+}
 
+PlantScale scaleOf(const PointCloud& cloud, const GrowOptions& options, const Progress& progress) {
+  return espalier::scaleOf(cloud, options.pipeline.leftOut, options.pipeline.up, progress);
+}
+
+/// Points that hang together.
 struct Part {
   std::vector<Eigen::Index> points; // among those asked for, ascending
-  Link toPlant;
-  double farthest = 0; // of its points from the wood of the plant [L]
+  Eigen::Index foot = 0;            // its point that is nearest to the plant
 };
 
-/// Where a part has been hung, and what grew there.
-struct Hung {
-  NodeId on;                 // node of the plant at the foot of all
-  std::vector<NodeId> nodes; // of this part, in the tree on that node
-};
-
-/// What grows: parts, one after another.
+/// What grows: parts, each by itself, and then attached together.
 class Growth {
 public:
-  /// @param leastReach  [L] parts that nowhere lie farther off the plant are its bark, not branches
+  /// @param whole  of the cloud
+  /// @param bark   by id, of the plant: points within that of its axes are bark [L]; empty: the
+  ///               points were chosen by hand, and are what they are
   Growth(const Skeleton& skeleton, const PointCloud& cloud, std::vector<Eigen::Index> points,
-         const GrowOptions& options, double leastReach)
-      : skeleton_(skeleton), cloud_(cloud), points_(std::move(points)), options_(options.pipeline),
-        whole_(scaleOf(cloud, options.pipeline.up)),
-        gap_(options.widestGap > 0 ? options.widestGap : 8 * whole_.spacing),
-        join_(options.widestJoin > 0 ? options.widestJoin : whole_.height / 10),
-        leastReach_(leastReach), positions_(cloud.positions()(Eigen::all, points_)) {}
+         const GrowOptions& options, const PlantScale& whole, std::vector<double> bark)
+      : skeleton_(skeleton), cloud_(cloud), points_(std::move(points)), options_(options),
+        whole_(whole), gap_(options.widestGap > 0 ? options.widestGap : 6 * whole_.spacing),
+        edge_(meanEdgeLength(skeleton) > 0 ? meanEdgeLength(skeleton) : 9 * whole_.spacing),
+        tolerance_(toleranceOf(options, whole)), isChosen_(bark.empty()), bark_(std::move(bark)),
+        positions_(cloud.positions()(Eigen::all, points_)) {}
 
   std::vector<GrownBranch> grow(const Progress& progress) {
-    findParts(progress.part(0, 0.3));
-    measure(progress.part(0.3, 0.4));
-    const std::vector<Link> links = linksInOrder();
-    double done = 0;
+    findParts(progress.part(0, 0.2));
+    measure(progress.part(0.2, 0.3));
     double all = 0;
-    for (const Link& link : links)
-      all += static_cast<double>(parts_[link.from].points.size());
-    hung_.resize(parts_.size());
-    for (const Link& link : links) {
-      const double next = done + static_cast<double>(parts_[link.from].points.size());
-      hang(link, progress.part(0.4 + 0.6 * done / all, 0.4 + 0.6 * next / all));
+    for (const Part& part : parts_)
+      all += static_cast<double>(part.points.size());
+    Skeleton grown;
+    double done = 0;
+    for (const Part& part : parts_) {
+      const double next = done + static_cast<double>(part.points.size());
+      grow(part, grown, progress.part(0.3 + 0.6 * done / all, 0.3 + 0.6 * next / all));
       done = next;
     }
-    std::vector<GrownBranch> result;
-    for (auto& [on, tree] : trees_)
-      result.push_back({NodeId{on}, std::move(tree)});
-    return result;
+    if (!isChosen_ && !grown.isEmpty()) grown = offTheWood(grown);
+    if (grown.isEmpty()) return {};
+    const AttachOptions attach{.spacing = whole_.spacing,
+                               .widestGap = gap_,
+                               .widestJoin = options_.widestJoin > 0 ? options_.widestJoin : gap_};
+    const PointSet& leftOut = options_.pipeline.leftOut;
+    const Progress last = progress.part(0.9, 1);
+    if (leftOut.isEmpty()) return attached(skeleton_, skeleton_.ids(), grown, cloud_, attach, last);
+    return attached(skeleton_, skeleton_.ids(), grown, without(cloud_, leftOut), attach, last);
   }
 
 private:
@@ -95,185 +95,87 @@ private:
     }
   }
 
+  /// Finds the foot of each part, and leaves out those that are the bark of the plant: too few of
+  /// their points stand off it for a branch.
   void measure(const Progress& progress) {
-    const std::vector<PointByTube> places =
-        pointsByTube(positions_, cloud_.origin(), skeleton_, progress);
+    const std::vector<PointOnSkeleton> places =
+        assignPoints(positions_, cloud_.origin(), skeleton_, 8, progress);
+    const auto toWood = [&](Eigen::Index point) {
+      const PointOnSkeleton& place = places[static_cast<std::size_t>(point)];
+      return place.distance - tubeRadius(skeleton_, place);
+    };
     for (Part& part : parts_)
-      for (const Eigen::Index point : part.points) {
-        const double distance = std::max(places[static_cast<std::size_t>(point)].distance, 0.0);
-        part.farthest = std::max(part.farthest, distance);
-        if (distance < part.toPlant.length) part.toPlant = {distance, 0, std::nullopt, point};
-      }
-    std::erase_if(parts_, [&](const Part& part) { return part.farthest < leastReach_; });
-    for (std::size_t k = 0; k < parts_.size(); ++k)
-      parts_[k].toPlant.from = k;
-  }
-
-  /// The shortest link from each part to a point of another one that is nearer than the plant.
-  [[nodiscard]] std::vector<Link> linksBetween() const {
-    constexpr auto none = std::numeric_limits<std::size_t>::max();
-    std::vector<std::size_t> partOf(points_.size(), none);
-    for (std::size_t k = 0; k < parts_.size(); ++k)
-      for (const Eigen::Index point : parts_[k].points)
-        partOf[static_cast<std::size_t>(point)] = k;
-    const SpatialIndex index(positions_);
-    std::vector<Link> links;
-    for (std::size_t k = 0; k < parts_.size(); ++k) {
-      Link best{std::min(parts_[k].toPlant.length, join_), k, std::nullopt, 0};
-      const auto isOfAnother = [&](Eigen::Index i) {
-        const std::size_t part = partOf[static_cast<std::size_t>(i)];
-        return part != none && part != k;
-      };
-      for (const Eigen::Index point : parts_[k].points) {
-        const auto found =
-            index.nearestIf(positions_.col(point), static_cast<float>(best.length), isOfAnother);
-        if (!found) continue;
-        best = {std::sqrt(static_cast<double>(found->squaredDistance)), k,
-                partOf[static_cast<std::size_t>(found->index)], point};
-      }
-      if (best.to) links.push_back(best);
-    }
-    return links;
-  }
-
-  /// One link per part that is near enough, so that each comes after the one it hangs on: the
-  /// shortest ones that hold all together with the plant (Kruskal).
-  [[nodiscard]] std::vector<Link> linksInOrder() const {
-    std::vector<Link> all = linksBetween();
-    for (const Part& part : parts_)
-      if (part.toPlant.length <= join_) all.push_back(part.toPlant);
-    std::ranges::stable_sort(all, {}, &Link::length);
-    std::vector<std::size_t> group(parts_.size() + 1); // the last is the plant
-    std::iota(group.begin(), group.end(), std::size_t{0});
-    const auto root = [&](std::size_t of) {
-      while (group[of] != of)
-        of = group[of] = group[group[of]];
-      return of;
+      part.foot = *std::ranges::min_element(part.points, {}, toWood);
+    if (isChosen_) return;
+    const auto isOffTheBark = [&](Eigen::Index point) {
+      const PointOnSkeleton& place = places[static_cast<std::size_t>(point)];
+      return place.distance > bark_[indexOf(place.child)] && toWood(point) > 2 * tolerance_;
     };
-    std::vector<Link> taken;
-    for (const Link& link : all) {
-      const std::size_t a = root(link.from);
-      const std::size_t b = root(link.to.value_or(parts_.size()));
-      if (a == b) continue;
-      group[a] = b;
-      taken.push_back(link);
-    }
-    return fromThePlantOn(std::move(taken));
-  }
-
-  /// Links may have been found from either end: turns them to lead away from the plant.
-  [[nodiscard]] std::vector<Link> fromThePlantOn(std::vector<Link> links) const {
-    std::vector<bool> isHung(parts_.size(), false);
-    std::vector<Link> ordered;
-    bool goesOn = true;
-    while (goesOn) {
-      goesOn = false;
-      for (Link& link : links) {
-        if (link.to && isHung[link.from] && !isHung[*link.to])
-          link = {link.length, *link.to, link.from, nearestOf(*link.to, link.at)};
-        if (isHung[link.from] || (link.to && !isHung[*link.to])) continue;
-        isHung[link.from] = true;
-        ordered.push_back(link);
-        goesOn = true;
-      }
-    }
-    return ordered;
-  }
-
-  /// The point of a part that is nearest to a point of another.
-  [[nodiscard]] Eigen::Index nearestOf(std::size_t part, Eigen::Index to) const {
-    return *std::ranges::min_element(parts_[part].points, {}, [&](Eigen::Index point) {
-      return (positions_.col(point) - positions_.col(to)).squaredNorm();
+    std::erase_if(parts_, [&](const Part& part) {
+      const std::size_t least = std::min(fewestPoints, (part.points.size() + 1) / 2);
+      return std::ranges::count_if(part.points, isOffTheBark) < std::ptrdiff_t(least);
     });
   }
 
-  [[nodiscard]] Eigen::Vector3d place(Eigen::Index point) const {
-    return positions_.col(point).cast<double>() + cloud_.origin();
+  /// What grew without the ends that lie in the wood of the plant, and so add nothing to it.
+  [[nodiscard]] Skeleton offTheWood(const Skeleton& grown) const {
+    Eigen::Matrix3Xf places(3, static_cast<Eigen::Index>(grown.size()));
+    const std::vector<NodeId> ids = grown.ids();
+    for (std::size_t i = 0; i < ids.size(); ++i)
+      places.col(static_cast<Eigen::Index>(i)) =
+          (grown[ids[i]].position - cloud_.origin()).cast<float>();
+    const std::vector<PointOnSkeleton> nearest = assignPoints(places, cloud_.origin(), skeleton_);
+    std::vector<bool> isIn(grown.idEnd(), false);
+    for (std::size_t i = 0; i < ids.size(); ++i)
+      isIn[indexOf(ids[i])] = nearest[i].distance <= bark_[indexOf(nearest[i].child)];
+    Skeleton result = grown;
+    for (auto id = ids.rbegin(); id != ids.rend(); ++id) // tips before what carries them
+      if (isIn[indexOf(*id)] && result.children(*id).empty()) result.erase(*id);
+    for (const NodeId id : ids) { // and from below
+      if (!result.contains(id) || result[id].parent || !isIn[indexOf(id)]) continue;
+      const std::vector<NodeId> carried = result.children(id);
+      for (const NodeId child : carried)
+        result.makeRoot(child);
+      result.erase(id);
+    }
+    return result;
   }
 
-  /// Of `nodes`, the one whose wood is nearest to a place.
-  static NodeId nearestWood(const Skeleton& skeleton, const std::vector<NodeId>& nodes,
-                            const Eigen::Vector3d& place) {
-    return *std::ranges::min_element(nodes, {}, [&](NodeId id) {
-      return (skeleton[id].position - place).norm() - skeleton[id].radius;
-    });
-  }
-
-  /// The node that a part hangs on: the nearest, or if the part would begin backward, the nearest
-  /// of those linked with it from which it leads ahead.
-  [[nodiscard]] NodeId bearerOf(const Part& part, const Eigen::Vector3d& foot) const {
-    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-    for (const Eigen::Index point : part.points)
-      middle += place(point) / static_cast<double>(part.points.size());
-    const auto leadsAhead = [&](NodeId id) {
-      return (foot - skeleton_[id].position).dot(middle - foot) >= 0;
-    };
-    const NodeId nearest = nearestWood(skeleton_, skeleton_.ids(), foot);
-    if (leadsAhead(nearest)) return nearest;
-    std::vector<NodeId> linked = skeleton_.children(nearest);
-    if (skeleton_[nearest].parent) linked.push_back(*skeleton_[nearest].parent);
-    std::erase_if(linked, [&](NodeId id) { return !leadsAhead(id); });
-    return linked.empty() ? nearest : nearestWood(skeleton_, linked, foot);
-  }
-
-  void hang(const Link& link, const Progress& progress) {
-    const Eigen::Vector3d foot = place(link.at);
+  /// The trees of a part, added to those of others.
+  void grow(const Part& part, Skeleton& to, const Progress& progress) const {
     std::vector<Eigen::Index> columns;
-    for (const Eigen::Index point : parts_[link.from].points)
+    for (const Eigen::Index point : part.points)
       columns.push_back(points_[static_cast<std::size_t>(point)]);
+    const Eigen::Vector3d foot = positions_.col(part.foot).cast<double>() + cloud_.origin();
     Skeleton grown;
-    try {
-      grown = grownPart(cloud_, columns, foot, whole_, options_, progress);
-    } catch (const Error&) { // the pipeline makes no plant of it: too few points along it
-      return;
+    if (isChosen_)
+      grown = grownOrLine(cloud_, columns, foot, whole_, options_.pipeline, edge_, progress);
+    else
+      try {
+        grown = grownPart(cloud_, columns, foot, whole_, options_.pipeline, progress);
+      } catch (const Error&) { // it makes no plant of them: too few points along it
+      }
+    std::vector<NodeId> copies(grown.idEnd());
+    for (const NodeId id : grown.ids()) {
+      Node copy = grown[id];
+      if (copy.parent) copy.parent = copies[indexOf(*copy.parent)];
+      copies[indexOf(id)] = to.add(copy);
     }
-    if (grown.isEmpty()) return;
-    const std::optional<Hung> below = link.to ? hung_[*link.to] : std::nullopt;
-    const NodeId on = below ? below->on : bearerOf(parts_[link.from], foot);
-    Skeleton& tree = treeOn(on);
-    const NodeId node = below ? nearestWood(tree, below->nodes, foot) : tree.roots().front();
-    const Skeleton part = hungOn(tree[node], grown);
-    if (part.size() < 2) return;
-    const std::size_t before = tree.idEnd();
-    SkeletonEditor editor(tree);
-    (void)addCarried(editor, node, part);
-    (void)editor.commit();
-    Hung hung{on, {}};
-    for (std::size_t id = before; id < tree.idEnd(); ++id)
-      hung.nodes.push_back(NodeId{static_cast<std::uint32_t>(id)});
-    hung_[link.from] = std::move(hung);
-  }
-
-  Skeleton& treeOn(NodeId on) {
-    Skeleton& tree = trees_[static_cast<std::uint32_t>(on)];
-    if (tree.isEmpty()) {
-      const Node& node = skeleton_[on];
-      (void)tree.add({.position = node.position, .radius = node.radius});
-    }
-    return tree;
   }
 
   const Skeleton& skeleton_;
   const PointCloud& cloud_;
   std::vector<Eigen::Index> points_; // columns of the cloud
-  const PipelineOptions& options_;
+  const GrowOptions& options_;
   PlantScale whole_;
   double gap_;
-  double join_;
-  double leastReach_;
+  double edge_;      // [L], of new ones along lines
+  double tolerance_; // [L]
+  bool isChosen_;
+  std::vector<double> bark_;   // by id
   Eigen::Matrix3Xf positions_; // of points_
   std::vector<Part> parts_;
-  std::vector<std::optional<Hung>> hung_;   // by part; none: not yet, or nothing grew
-  std::map<std::uint32_t, Skeleton> trees_; // by the node they are on
 };
-
-} // namespace
-
-namespace {
-
-double toleranceOf(const GrowOptions& options, const PointCloud& cloud) {
-  return options.tolerance > 0 ? options.tolerance : 3 * pointSpacing(cloud.positions());
-}
 
 /// Those of some points that no edge explains; if they are too few for a branch, all.
 std::vector<Eigen::Index> unexplained(const std::vector<Eigen::Index>& points,
@@ -289,12 +191,13 @@ std::vector<Eigen::Index> unexplained(const std::vector<Eigen::Index>& points,
 
 std::vector<GrownBranch> grown(const Skeleton& skeleton, const PointCloud& cloud,
                                const std::vector<Eigen::Index>& points, const GrowOptions& options,
-                               double leastReach, const Progress& progress) {
+                               const PlantScale& whole, std::vector<double> bark,
+                               const Progress& progress) {
   const Error nothing("nothing grows from these points: they are too few, or too far from the "
                       "plant; choose others, or trace the branch");
   if (points.size() < fewestPoints) throw Error(nothing);
   std::vector<GrownBranch> branches =
-      Growth(skeleton, cloud, points, options, leastReach).grow(progress);
+      Growth(skeleton, cloud, points, options, whole, std::move(bark)).grow(progress);
   std::erase_if(branches, [](const GrownBranch& branch) { return branch.part.size() < 2; });
   if (branches.empty()) throw Error(nothing);
   return branches;
@@ -307,21 +210,24 @@ std::vector<GrownBranch> grownBranches(const Skeleton& skeleton,
                                        const std::vector<Eigen::Index>& points,
                                        const GrowOptions& options, const Progress& progress) {
   assert(!skeleton.isEmpty());
+  const PlantScale whole = scaleOf(*cloud, options, progress);
   const std::vector<Eigen::Index> left =
-      unexplained(points, skeleton, *cloud, toleranceOf(options, *cloud), progress.part(0, 0.1));
-  return grown(skeleton, *cloud, left, options, 0, progress.part(0.1, 1));
+      unexplained(points, skeleton, *cloud, toleranceOf(options, whole), progress.part(0, 0.1));
+  return grown(skeleton, *cloud, left, options, whole, {}, progress.part(0.1, 1));
 }
 
 std::vector<GrownBranch> grownFromUnexplained(const Skeleton& skeleton,
                                               const std::shared_ptr<const PointCloud>& cloud,
                                               const GrowOptions& options,
                                               const Progress& progress) {
-  const double tolerance = toleranceOf(options, *cloud);
+  const PlantScale whole = scaleOf(*cloud, options, progress);
+  const double tolerance = toleranceOf(options, whole);
   const std::vector<Eigen::Index> points =
       freePoints(skeleton, *cloud, options.pipeline.leftOut, tolerance, {}, progress.part(0, 0.2));
   if (points.size() < fewestPoints)
     throw Error("the skeleton explains all points: there is nothing to grow");
-  return grown(skeleton, *cloud, points, options, 2 * tolerance, progress.part(0.2, 1));
+  std::vector<double> bark = barkReaches(skeleton, *cloud, tolerance, progress.part(0.2, 0.4));
+  return grown(skeleton, *cloud, points, options, whole, std::move(bark), progress.part(0.4, 1));
 }
 
 } // namespace espalier

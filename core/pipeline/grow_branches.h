@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/pipeline/attach_grown.h"
 #include "core/pipeline/pipeline.h"
 
 #include <memory>
@@ -10,24 +11,17 @@ namespace espalier {
 struct GrowOptions {
   PipelineOptions pipeline; // methods, settings and points set aside; its root is not used
   double tolerance = 0;     // [L] as in RegrowOptions; 0 = 3 point spacings
-  double widestGap = 0;     // [L] points farther apart are of two parts; 0 = 8 point spacings
-  double widestJoin = 0;    // [L] a part farther off is not of this plant; 0 = a tenth of the
-                            // height of the scan
-};
-
-/// A new tree to be hung on a node: its root stands for that (addCarried in branch_edits.h).
-struct GrownBranch {
-  NodeId on;
-  Skeleton part;
+  double widestGap = 0;     // [L] points farther apart are of two parts; 0 = 6 point spacings
+  double widestJoin = 0;    // [L] nothing is attached across a wider gap; 0 = as widestGap
 };
 
 /// Branches for points that a plant has none for.
 ///
 /// The points fall into parts where gaps are wide; fewer than 20 are dust. Each part is
 /// reconstructed by all steps of the pipeline, with the settings that its rules give for the whole
-/// scan, from its point that is nearest to the plant, and hangs on the node whose wood is nearest
-/// to that, or on the next one if it would begin backward; none of it is thicker than the node, if
-/// that has a radius. A part that is nearer to another part than to the plant hangs on that one.
+/// scan, from its point that is nearest to the plant; of few points, a line along them. What grew
+/// is attached to the plant, and to other parts, where that is near and turns little (attached() in
+/// attach_grown.h).
 ///
 /// Points that an edge explains are left out, unless hardly any others are among them.
 ///
@@ -43,8 +37,9 @@ struct GrownBranch {
                                                      const GrowOptions& options = {},
                                                      const Progress& progress = {});
 
-/// The same for all points that no edge explains, but for those set aside. Parts that lie nowhere
-/// farther than twice the tolerance from the wood are rough bark, and grow nothing.
+/// The same for all points that no edge explains, but for those set aside. Parts of which less than
+/// half and fewer than 20 points stand off the bark, as it is measured (wood_skin.h), grow nothing,
+/// and no lines are made of few points: whoever chose none does not want each cluster of them.
 /// @throws Error also if the plant explains them all
 [[nodiscard]] std::vector<GrownBranch>
 grownFromUnexplained(const Skeleton& skeleton, const std::shared_ptr<const PointCloud>& cloud,

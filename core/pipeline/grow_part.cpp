@@ -1,21 +1,18 @@
 #include "core/pipeline/grow_part.h"
 
-#include "core/skeleton/assign_points.h"
-#include "core/skeleton/path_edits.h"
+#include "core/base/error.h"
+#include "core/cloud/repeated_points.h"
+#include "core/pipeline/plant_scale.h"
+#include "core/reconstruct/trace.h"
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
+#include <optional>
 #include <utility>
 
 namespace espalier {
 namespace {
-
-double tubeRadius(const Skeleton& skeleton, const PointOnSkeleton& place) {
-  const Node& child = skeleton[place.child];
-  if (!child.parent) return child.radius;
-  const double below = skeleton[*child.parent].radius;
-  return below + place.fraction * (child.radius - below);
-}
 
 /// The options with each setting that a rule derives for a plant of scale `whole`, as far as it is
 /// in range for one of scale `part`.
@@ -35,7 +32,21 @@ PipelineOptions fixedOptions(const PipelineOptions& options, const PlantScale& w
   return result;
 }
 
+PointCloud partOf(const PointCloud& cloud, const std::vector<Eigen::Index>& points) {
+  RawPoints raw;
+  for (const Eigen::Index point : points)
+    raw.positions.push_back(cloud.position(point));
+  return PointCloud(std::move(raw));
+}
+
 } // namespace
+
+double tubeRadius(const Skeleton& skeleton, const PointOnSkeleton& place) {
+  const Node& child = skeleton[place.child];
+  if (!child.parent) return child.radius;
+  const double below = skeleton[*child.parent].radius;
+  return below + place.fraction * (child.radius - below);
+}
 
 std::vector<PointByTube> pointsByTube(const Eigen::Matrix3Xf& points, const Eigen::Vector3d& origin,
                                       const Skeleton& skeleton, const Progress& progress) {
@@ -52,7 +63,7 @@ std::vector<Eigen::Index> freePoints(const Skeleton& skeleton, const PointCloud&
   const std::vector<PointByTube> places =
       pointsByTube(cloud.positions(), cloud.origin(), skeleton, progress);
   std::vector<Eigen::Index> points;
-  for (const Eigen::Index point : others(leftOut, cloud.size())) {
+  for (const Eigen::Index point : others(leftOut | repeatedPoints(cloud, leftOut), cloud.size())) {
     const PointByTube& place = places[static_cast<std::size_t>(point)];
     const bool isOfFree = !isAsFree.empty() && isAsFree[indexOf(place.child)];
     if (isOfFree || place.distance > tolerance) points.push_back(point);
@@ -60,36 +71,61 @@ std::vector<Eigen::Index> freePoints(const Skeleton& skeleton, const PointCloud&
   return points;
 }
 
-PlantScale scaleOf(const PointCloud& cloud, UpAxis up) {
-  return {pointSpacing(cloud.positions()), plantHeight(cloud.positions(), up)};
-}
-
 Skeleton grownPart(const PointCloud& cloud, const std::vector<Eigen::Index>& points,
                    const Eigen::Vector3d& root, const PlantScale& whole,
                    const PipelineOptions& options, const Progress& progress) {
-  RawPoints raw;
-  for (const Eigen::Index point : points)
-    raw.positions.push_back(cloud.position(point));
-  const auto own = std::make_shared<const PointCloud>(std::move(raw));
-  PipelineOptions fixed = fixedOptions(options, whole, scaleOf(*own, options.up));
+  const auto own = std::make_shared<const PointCloud>(partOf(cloud, points));
+  PipelineOptions fixed = fixedOptions(options, whole, scaleOf(*own, {}, options.up, progress));
   fixed.root = root;
   return *Pipeline().run(own, fixed, progress).skeleton;
 }
 
-Skeleton hungOn(const Node& node, const Skeleton& grown) {
-  Skeleton part;
-  const NodeId root = part.add({.position = node.position, .radius = node.radius});
-  const NodeId foot = grown.roots().front();
-  const bool isSame = (grown[foot].position - node.position).norm() < meanEdgeLength(grown) / 2;
-  std::vector<NodeId> copies(grown.idEnd(), root);
-  for (const NodeId id : grown.ids()) {
-    if (id == foot && isSame) continue;
-    Node copy = grown[id];
-    if (node.radius > 0) copy.radius = std::min(copy.radius, node.radius);
-    copy.parent = copy.parent ? copies[indexOf(*copy.parent)] : root;
-    copies[indexOf(id)] = part.add(copy);
+Skeleton lineAlong(const PointCloud& cloud, const std::vector<Eigen::Index>& points,
+                   const Eigen::Vector3d& start, double edge, const Progress& progress) {
+  const auto own = std::make_shared<const PointCloud>(partOf(cloud, points));
+  const TraceGraph graph(own, nullptr, progress.part(0, 0.8));
+  const Eigen::Vector3d end = graph.farthestFrom(start);
+  const Eigen::Vector3d otherEnd = graph.farthestFrom(end);
+  const double length = (end - otherEnd).norm();
+  Skeleton line;
+  if (length == 0) return line;
+  const Trace trace =
+      graph
+          .between({end}, {otherEnd}, {.step = std::min(edge, length / 2), .alternatives = 0},
+                   progress.part(0.8, 1))
+          .front();
+  std::optional<NodeId> last;
+  for (std::size_t i = 0; i < trace.places.size(); ++i)
+    last = line.add({.position = trace.places[i], .radius = trace.radii[i], .parent = last});
+  const double beside = meanDistance(cloud, points, line);
+  for (const NodeId id : line.ids())
+    if (line[id].radius == 0) line.setRadius(id, beside);
+  return line;
+}
+
+double meanDistance(const PointCloud& cloud, const std::vector<Eigen::Index>& points,
+                    const Skeleton& skeleton) {
+  assert(!points.empty());
+  if (skeleton.size() < 2) return std::numeric_limits<double>::infinity();
+  double sum = 0;
+  for (const PointOnSkeleton& place :
+       assignPoints(cloud.positions()(Eigen::all, points), cloud.origin(), skeleton))
+    sum += place.distance;
+  return sum / static_cast<double>(points.size());
+}
+
+Skeleton grownOrLine(const PointCloud& cloud, const std::vector<Eigen::Index>& points,
+                     const Eigen::Vector3d& root, const PlantScale& whole,
+                     const PipelineOptions& options, double edge, const Progress& progress) {
+  constexpr std::size_t enough = 5; // nodes: what branches is not for a line
+  Skeleton grown;
+  try {
+    grown = grownPart(cloud, points, root, whole, options, progress.part(0, 0.7));
+  } catch (const Error&) { // it makes no plant of them: too few along it
   }
-  return part;
+  if (grown.size() >= enough) return grown;
+  Skeleton line = lineAlong(cloud, points, root, edge, progress.part(0.7, 1));
+  return meanDistance(cloud, points, line) < meanDistance(cloud, points, grown) ? line : grown;
 }
 
 } // namespace espalier

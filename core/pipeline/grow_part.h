@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/pipeline/pipeline.h"
+#include "core/skeleton/assign_points.h"
 
 #include <vector>
 
@@ -11,7 +12,8 @@ namespace espalier {
 inline constexpr std::size_t fewestPoints = 20; // that tell a branch from dust
 
 /// The points that no edge of a skeleton explains: they lie farther than `tolerance` [L] from the
-/// tube of the edge they are nearest to. Points set aside are none of them.
+/// tube of the edge they are nearest to. Points set aside are none of them, and each place counts
+/// once.
 /// @param isAsFree  by id: points nearest to the edge of such a node are free as well; may be empty
 /// pre: the skeleton is not empty. @throws Cancelled if `progress` asks to stop
 /// Uses all threads. Time O(N log n).
@@ -29,8 +31,8 @@ struct PointByTube {
                                                     const Skeleton& skeleton,
                                                     const Progress& progress = {});
 
-/// What the rules of the option tables follow from. O(N log N).
-[[nodiscard]] PlantScale scaleOf(const PointCloud& cloud, UpAxis up);
+/// The radius of the wood at a place of an edge [L].
+[[nodiscard]] double tubeRadius(const Skeleton& skeleton, const PointOnSkeleton& place);
 
 /// All steps of the pipeline on some points of a cloud, with the settings that its rules give for
 /// the whole: so what grows looks like the rest.
@@ -43,8 +45,30 @@ struct PointByTube {
                                  const Eigen::Vector3d& root, const PlantScale& whole,
                                  const PipelineOptions& options, const Progress& progress = {});
 
-/// A grown skeleton hung on a root that stands for `node`; none of it is thicker than that, if that
-/// has a radius. Its foot is left out where it lies within half an edge of the node.
-[[nodiscard]] Skeleton hungOn(const Node& node, const Skeleton& grown);
+/// A line of nodes along some points of a cloud, from end to end of what hangs together about one
+/// of them, for points that are too few for the pipeline.
+/// @param points  columns, ascending; not empty
+/// @param start   [L], frame of the file: where the points are meant
+/// @param edge    [L] wanted length of edges, > 0; shorter where there would be one only
+/// @return a chain of two nodes or more; empty if the points have no length
+/// @throws Cancelled if `progress` asks to stop
+[[nodiscard]] Skeleton lineAlong(const PointCloud& cloud, const std::vector<Eigen::Index>& points,
+                                 const Eigen::Vector3d& start, double edge,
+                                 const Progress& progress = {});
+
+/// How far points lie from the edges of a skeleton, in the mean [L]; infinite if it has none.
+/// @param points  columns of `cloud`; not empty
+[[nodiscard]] double meanDistance(const PointCloud& cloud, const std::vector<Eigen::Index>& points,
+                                  const Skeleton& skeleton);
+
+/// What grows of points by the pipeline, or along a line where that follows them better: the
+/// pipeline makes a node or two of a few points.
+/// @param root, edge  as of grownPart() and lineAlong()
+/// @return a tree; empty if nothing grows
+/// @throws Cancelled if `progress` asks to stop
+[[nodiscard]] Skeleton grownOrLine(const PointCloud& cloud, const std::vector<Eigen::Index>& points,
+                                   const Eigen::Vector3d& root, const PlantScale& whole,
+                                   const PipelineOptions& options, double edge,
+                                   const Progress& progress = {});
 
 } // namespace espalier

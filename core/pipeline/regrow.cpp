@@ -2,12 +2,15 @@
 
 #include "core/base/error.h"
 #include "core/graph/components.h"
+#include "core/pipeline/attach_grown.h"
 #include "core/pipeline/grow_part.h"
+#include "core/pipeline/plant_scale.h"
 #include "core/skeleton/path_edits.h"
 #include "core/skeleton/select.h"
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -15,6 +18,7 @@ namespace espalier {
 namespace {
 
 constexpr int neighbors = 12;
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::string name(NodeId id) {
   return "node " + std::to_string(indexOf(id));
@@ -26,6 +30,26 @@ std::vector<bool> carriedBy(const Skeleton& skeleton, NodeId node) {
   for (const NodeId id : downstream(skeleton, {node}))
     isCarried[indexOf(id)] = id != node;
   return isCarried;
+}
+
+/// A node with what it carries, by itself.
+Skeleton partOf(const Skeleton& skeleton, NodeId node) {
+  Skeleton part;
+  std::vector<NodeId> copies(skeleton.idEnd());
+  for (const NodeId id : downstream(skeleton, {node})) {
+    Node copy = skeleton[id];
+    if (id == node)
+      copy.parent.reset();
+    else
+      copy.parent = copies[indexOf(*copy.parent)];
+    copies[indexOf(id)] = part.add(copy);
+  }
+  return part;
+}
+
+bool isUnbranched(const Skeleton& skeleton) {
+  return std::ranges::all_of(skeleton.ids(),
+                             [&](NodeId id) { return skeleton.children(id).size() <= 1; });
 }
 
 /// The points that links of at most `longest` lead to, in order. (The nearest neighbors of points
@@ -74,20 +98,43 @@ Skeleton regrown(const Skeleton& skeleton, NodeId node,
                  const std::shared_ptr<const PointCloud>& cloud, const RegrowOptions& options,
                  const Progress& progress) {
   assert(skeleton.contains(node));
-  const PlantScale whole = scaleOf(*cloud, options.pipeline.up);
+  const PlantScale whole = scaleOf(*cloud, options.pipeline.leftOut, options.pipeline.up, progress);
   const double tolerance = options.tolerance > 0 ? options.tolerance : 3 * whole.spacing;
   const double widestGap = options.widestGap > 0 ? options.widestGap : 8 * whole.spacing;
-  const std::vector<Eigen::Index> left =
-      freePoints(skeleton, *cloud, options.pipeline.leftOut, tolerance, carriedBy(skeleton, node),
-                 progress.part(0, 0.3));
+  const std::vector<bool> isCarried = carriedBy(skeleton, node);
+  const std::vector<Eigen::Index> left = freePoints(skeleton, *cloud, options.pipeline.leftOut,
+                                                    tolerance, isCarried, progress.part(0, 0.3));
   const std::vector<Eigen::Index> points =
       pointsAt(skeleton, node, *cloud, left, widestGap, progress.part(0.3, 0.5));
-  Skeleton grown = hungOn(skeleton[node], grownPart(*cloud, points, skeleton[node].position, whole,
-                                                    options.pipeline, progress.part(0.5, 1)));
-  if (grown.size() < 2)
+  const Skeleton before = partOf(skeleton, node);
+  const bool isChain = before.size() > 1 && isUnbranched(before);
+  const double mean = meanEdgeLength(isChain ? before : skeleton);
+  const double edge = mean > 0 ? mean : 9 * whole.spacing;
+  const Eigen::Vector3d& foot = skeleton[node].position;
+  std::vector<Skeleton> ways = {
+      grownOrLine(*cloud, points, foot, whole, options.pipeline, edge, progress.part(0.5, 0.9))};
+  if (isChain) ways.push_back(lineAlong(*cloud, points, foot, edge, progress.part(0.9, 0.95)));
+  const AttachOptions attach{.spacing = whole.spacing,
+                             .widestGap = widestGap,
+                             .widestJoin = widestGap + meanEdgeLength(skeleton)};
+  Skeleton best;
+  double least = infinity;
+  for (const Skeleton& way : ways) {
+    if (way.isEmpty()) continue;
+    const auto branches = attached(skeleton, {node}, way, *cloud, attach, progress.part(0.95, 1));
+    const double distance =
+        branches.empty() ? infinity : meanDistance(*cloud, points, branches.front().part);
+    if (distance >= least) continue;
+    least = distance;
+    best = branches.front().part;
+  }
+  if (best.isEmpty())
     throw Error("nothing grows from " + name(node) +
                 ": choose another node, or prune less in the pipeline");
-  return grown;
+  if (isChain && least > meanDistance(*cloud, points, before))
+    throw Error("what " + name(node) +
+                " carries follows the points better than what would grow: " + "it stays as it is");
+  return best;
 }
 
 } // namespace espalier

@@ -18,13 +18,14 @@ struct RegrowOptions {
 /// These are the points nearest to an edge of what it carries now, and those that no edge explains,
 /// as far as they hang together with the points at the node. All steps of the pipeline run on them,
 /// with the settings that its rules give for the whole scan, so that what grows looks like the
-/// rest. No new node is thicker than `node`, if that has a radius.
+/// rest; or a line is made along them, where that follows them better, with edges as long as there
+/// were. No new node is thicker than `node`, if that has a radius, and none turns back sharply.
 ///
 /// @param skeleton with radii, in the frame of the file; contains `node`
 /// @return one tree: its root stands for `node`, at its place; the others are new
 ///         (core/skeleton/branch_edits.h puts them into the skeleton)
-/// @throws Error     if no such points are near the node, nothing grows from them, or the pipeline
-///                   fails
+/// @throws Error     if no such points are near the node, nothing grows from them, or it follows
+///                   them worse than the unbranched nodes that are there now
 /// @throws Cancelled if `progress` asks to stop
 /// Deterministic. Time O(N log n), and that of the pipeline for the points found.
 [[nodiscard]] Skeleton regrown(const Skeleton& skeleton, NodeId node,

@@ -3,6 +3,7 @@
 #include "core/contract/geodesic_centroid.h"
 #include "core/graph/components.h"
 #include "core/graph/find_root.h"
+#include "core/graph/geodesic.h"
 #include "core/reconstruct/centered_line.h"
 
 #include <queue>
@@ -58,6 +59,20 @@ void leadOnTo(const Eigen::Vector3d& point, std::vector<Eigen::Vector3d>& line) 
   if (ahead > 0) line.emplace_back(line.back() + ahead * along);
 }
 
+/// Radii with those between two that are known in place of 0.
+std::vector<double> filled(std::vector<double> radii) {
+  std::optional<std::size_t> before;
+  for (std::size_t i = 0; i < radii.size(); ++i) {
+    if (radii[i] == 0) continue;
+    for (std::size_t k = before.value_or(i); k < i; ++k) {
+      const double share = static_cast<double>(k - *before) / static_cast<double>(i - *before);
+      radii[k] = radii[*before] + share * (radii[i] - radii[*before]);
+    }
+    before = i;
+  }
+  return radii;
+}
+
 } // namespace
 
 /// Points from the start to the end.
@@ -71,13 +86,13 @@ double Trace::length() const {
 
 TraceGraph::TraceGraph(std::shared_ptr<const PointCloud> cloud,
                        std::shared_ptr<const Eigen::Matrix3Xf> contracted, const Progress& progress)
-    : cloud_(std::move(cloud)), contracted_(std::move(contracted)),
-      spacing_(pointSpacing(cloud_->positions())),
-      graph_(joined(NeighborhoodGraph(cloud_->positions(), neighbors, progress.part(0, 0.3)),
-                    cloud_->positions(), std::numeric_limits<float>::max(),
-                    progress.part(0.3, 0.4))) {
+    : cloud_(std::move(cloud)), spacing_(pointSpacing(cloud_->positions())),
+      contracted_(contracted ? std::move(contracted)
+                             : contract(*cloud_, spacing_, progress.part(0, 0.6))),
+      graph_(joined(NeighborhoodGraph(cloud_->positions(), neighbors, progress.part(0.6, 0.9)),
+                    cloud_->positions(), std::numeric_limits<float>::max(), progress.part(0.9, 1))),
+      scanned_(cloud_->positions()), inWood_(*contracted_) {
   assert(!cloud_->isEmpty());
-  if (!contracted_) contracted_ = contract(*cloud_, spacing_, progress.part(0.4, 1));
   assert(contracted_->cols() == cloud_->size());
   progress.update(1);
 }
@@ -113,6 +128,12 @@ Trace TraceGraph::through(const std::vector<Eigen::Vector3d>& places, bool start
     points.push_back(static_cast<std::uint32_t>(nearestPoint(cloud_->positions(), local(place))));
   }
   return traceOf(points, {places.front(), startIsFixed}, {places.back(), false}, options.step);
+}
+
+Eigen::Vector3d TraceGraph::farthestFrom(const Eigen::Vector3d& place) const {
+  const std::vector<float> ways =
+      geodesics(graph_, {static_cast<Eigen::Index>(pointAt({place, false}))}).distance;
+  return cloud_->position(std::ranges::max_element(ways) - ways.begin());
 }
 
 Eigen::Vector3f TraceGraph::local(const Eigen::Vector3d& place) const {
@@ -261,7 +282,74 @@ Trace TraceGraph::traceOf(const std::vector<std::uint32_t>& points, const TraceE
     }
     line = smoothedLine(line, 0.2, 1);
   }
-  return {line, radii};
+  return onThePoints({line, radii}, from, to);
+}
+
+double TraceGraph::toPoints(const Eigen::Vector3d& place) const {
+  return std::sqrt(static_cast<double>(scanned_.nearest(local(place), 1)[0].squaredDistance));
+}
+
+/// A place off the points goes back to them; none: there are none to go back to, it is in a gap.
+/// Points may be far from the middle of thick wood: what they contract to is near then.
+std::optional<Eigen::Vector3d> TraceGraph::onPoints(const Eigen::Vector3d& place,
+                                                    double radius) const {
+  const double gap = 4 * spacing_;
+  const Neighbor scanned = scanned_.nearest(local(place), 1)[0];
+  const double distance = std::sqrt(static_cast<double>(scanned.squaredDistance));
+  if (distance <= radius + 1.5 * spacing_) return place;
+  if (distance <= gap) {
+    const Eigen::Vector3d point = cloud_->position(scanned.index);
+    return point + 1.4 * spacing_ / distance * (place - point);
+  }
+  const auto reach = static_cast<float>(1.5 * spacing_);
+  return inWood_.nearestOne(local(place), reach) ? std::optional(place) : std::nullopt;
+}
+
+/// Smoothing draws places off the points in bends, and spaces them across gaps: the former go back
+/// to the points, the latter are left out. Edges that still stray get a place of their own there.
+Trace TraceGraph::onThePoints(const Trace& trace, const TraceEnd& from, const TraceEnd& to) const {
+  if (spacing_ == 0) return trace;
+  const std::size_t last = trace.places.size() - 1;
+  const std::vector<double> wood = filled(trace.radii);
+  Trace result;
+  const auto add = [&](const Eigen::Vector3d& place, double radius) {
+    result.places.push_back(place);
+    result.radii.push_back(radius);
+  };
+  for (std::size_t i = 0; i <= last; ++i) {
+    const bool isFixed = (i == 0 && from.isFixed) || (i == last && to.isFixed);
+    const bool isEnd = i == 0 || i == last;
+    const auto place = isFixed ? trace.places[i] : onPoints(trace.places[i], wood[i]);
+    if (!place && !isEnd) continue;
+    if (i > 0)
+      if (const auto between = strayOn({result.places.back(), place.value_or(trace.places[i])},
+                                       std::max(wood[i - 1], wood[i])))
+        add(*between, wood[i]);
+    add(place.value_or(trace.places[i]), wood[i]);
+  }
+  return result;
+}
+
+/// Where an edge strays farthest from the points, back on them; none: nowhere, or across a gap.
+std::optional<Eigen::Vector3d> TraceGraph::strayOn(const std::array<Eigen::Vector3d, 2>& edge,
+                                                   double radius) const {
+  const Eigen::Vector3d along = edge[1] - edge[0];
+  const double steps = std::clamp(std::ceil(2 * along.norm() / spacing_), 1.0, 1000.0);
+  double farthest = radius + 1.5 * spacing_;
+  std::optional<Eigen::Vector3d> stray;
+  for (double i = 1; i < steps; ++i) {
+    const Eigen::Vector3d place = edge[0] + i / steps * along;
+    const double distance = toPoints(place);
+    if (distance <= farthest) continue;
+    farthest = distance;
+    stray = place;
+  }
+  const bool isInGap = farthest > 4 * spacing_;
+  if (!stray || isInGap) return std::nullopt;
+  const auto place = onPoints(*stray, radius);
+  const double shortest = spacing_; // shorter edges only make a trace turn
+  const bool isApart = (*place - edge[0]).norm() > shortest && (*place - edge[1]).norm() > shortest;
+  return isApart ? place : std::nullopt;
 }
 
 } // namespace espalier

@@ -1,12 +1,15 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/base/spatial_index.h"
 #include "core/cloud/point_cloud.h"
 #include "core/graph/neighborhood_graph.h"
 
 #include <Eigen/Core>
 
+#include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace espalier {
@@ -20,7 +23,9 @@ struct TraceEnd {
 /// A way along the wood, with an entry per node to be made.
 struct Trace {
   std::vector<Eigen::Vector3d> places; // from end to end [L], frame of the file; two or more
-  std::vector<double> radii;           // of the wood at each place [L]; 0 where it is not known
+  /// Of the wood at each place [L]; even between places where it is known, 0 before and behind
+  /// them.
+  std::vector<double> radii;
 
   [[nodiscard]] double length() const; // along the places [L]
 };
@@ -36,6 +41,9 @@ struct TraceOptions {
 /// A way from point to point costs the distance between the places that the two contract to, so it
 /// is the length of the axis that counts and not how the way winds over the bark; a leap over a gap
 /// costs more the wider it is.
+///
+/// Places of a trace lie within 1.5 spacings of the points beside the wood, or amid thick wood; so
+/// none is in a gap. Ends that are fixed are where they are.
 class TraceGraph {
 public:
   /// @param cloud       not empty
@@ -66,6 +74,10 @@ public:
   [[nodiscard]] Trace through(const std::vector<Eigen::Vector3d>& places, bool startIsFixed,
                               const TraceOptions& options, const Progress& progress = {}) const;
 
+  /// The point to which the way over the points is longest, from the one nearest to a place [L].
+  /// Time O(N log N).
+  [[nodiscard]] Eigen::Vector3d farthestFrom(const Eigen::Vector3d& place) const;
+
 private:
   struct Way;
   [[nodiscard]] Eigen::Vector3f local(const Eigen::Vector3d& place) const;
@@ -81,11 +93,20 @@ private:
                                                         double step) const;
   [[nodiscard]] Trace traceOf(const std::vector<std::uint32_t>& points, const TraceEnd& from,
                               const TraceEnd& to, double step) const;
+  [[nodiscard]] double toPoints(const Eigen::Vector3d& place) const; // [L], to the nearest
+  [[nodiscard]] std::optional<Eigen::Vector3d> onPoints(const Eigen::Vector3d& place,
+                                                        double radius) const;
+  [[nodiscard]] std::optional<Eigen::Vector3d> strayOn(const std::array<Eigen::Vector3d, 2>& edge,
+                                                       double radius) const;
+  [[nodiscard]] Trace onThePoints(const Trace& trace, const TraceEnd& from,
+                                  const TraceEnd& to) const;
 
   std::shared_ptr<const PointCloud> cloud_;
-  std::shared_ptr<const Eigen::Matrix3Xf> contracted_;
   double spacing_;
+  std::shared_ptr<const Eigen::Matrix3Xf> contracted_;
   NeighborhoodGraph graph_;
+  SpatialIndex scanned_; // of the positions of cloud_
+  SpatialIndex inWood_;  // of contracted_
 };
 
 } // namespace espalier

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 
 namespace espalier {
 namespace {
@@ -80,43 +81,103 @@ bool haveSameEnds(const Skeleton& skeleton, NodeId a, NodeId b, double tolerance
 std::vector<Finding> duplicatedEdges(const Skeleton& skeleton, const std::vector<NodeId>& ids,
                                      double shortest, double share) {
   std::vector<NodeId> edges;
+  std::vector<double> lengths;
   std::vector<Eigen::AlignedBox3d> middles;
   for (const NodeId id : ids) {
-    if (!skeleton[id].parent || lengthOfEdge(skeleton, id) <= shortest) continue;
+    const double length = skeleton[id].parent ? lengthOfEdge(skeleton, id) : 0;
+    if (length <= shortest) continue;
     edges.push_back(id);
+    lengths.push_back(length);
     middles.emplace_back(
         Eigen::Vector3d((skeleton[id].position + skeleton[*skeleton[id].parent].position) / 2));
   }
   const BoxTree tree(middles);
+  constexpr std::size_t mostKnown = 8;
+  std::deque<std::size_t> lainOn; // the last edges that others lie on
   std::vector<Finding> findings;
   for (std::size_t i = 0; i < edges.size(); ++i) {
-    const double own = lengthOfEdge(skeleton, edges[i]);
-    std::size_t first = i; // that it lies on
-    tree.within(middles[i], share * own, [&](std::size_t k) {
-      const double tolerance = share * std::min(own, lengthOfEdge(skeleton, edges[k]));
-      if (k < first && haveSameEnds(skeleton, edges[i], edges[k], tolerance)) first = k;
-    });
-    if (first != i)
-      findings.push_back(
-          {.kind = Kind::duplicatedEdge, .node = edges[i], .others = {edges[first]}});
+    const auto isSame = [&](std::size_t k) {
+      const double tolerance = share * std::min(lengths[i], lengths[k]);
+      return haveSameEnds(skeleton, edges[i], edges[k], tolerance);
+    };
+    // Where thousands lie on each other, most lie on one that others did.
+    const auto known = std::ranges::find_if(lainOn, isSame);
+    std::size_t first = known != lainOn.end() ? *known : i; // that it lies on
+    if (first == i)
+      tree.within(middles[i], share * lengths[i], [&](std::size_t k) {
+        if (k < first && isSame(k)) first = k;
+      });
+    if (first == i) continue;
+    findings.push_back({.kind = Kind::duplicatedEdge, .node = edges[i], .others = {edges[first]}});
+    if (known == lainOn.end()) lainOn.push_front(first);
+    if (lainOn.size() > mostKnown) lainOn.pop_back();
   }
   return findings;
 }
 
+double turn(const Eigen::Vector3d& before, const Eigen::Vector3d& after) {
+  return std::atan2(before.cross(after).norm(), before.dot(after));
+}
+
+/// The turns of edges that have a length.
+class Turns {
+public:
+  Turns(const Skeleton& skeleton, double shortest) : skeleton_(skeleton), shortest_(shortest) {}
+
+  /// From the edge to a node to the next one of its axis, 0 if there is none.
+  [[nodiscard]] double on(NodeId id) const {
+    const std::optional<NodeId> next = nextOnAxis(skeleton_, id);
+    return next ? between(edge(id), edge(*next)) : 0;
+  }
+
+  /// How far a branch turns from what bears it: its first edge from the edge below, and its first
+  /// few edges from a few below. The less of the two: edges that begin amid wood stray, and a
+  /// branch may hang over from its first edge on.
+  [[nodiscard]] double off(NodeId branch) const {
+    constexpr int reach = 4; // edges
+    const NodeId foot = *skeleton_[branch].parent;
+    NodeId lower = foot;
+    NodeId upper = branch;
+    for (int i = 0; i < reach; ++i) {
+      lower = skeleton_[lower].parent.value_or(lower);
+      if (i > 0) upper = nextOnAxis(skeleton_, upper).value_or(upper);
+    }
+    const Eigen::Vector3d place = skeleton_[foot].position;
+    return std::min(between(edge(foot), edge(branch)),
+                    between(place - skeleton_[lower].position, skeleton_[upper].position - place));
+  }
+
+private:
+  [[nodiscard]] Eigen::Vector3d edge(NodeId id) const {
+    const Node& node = skeleton_[id];
+    if (!node.parent) return Eigen::Vector3d::Zero();
+    return node.position - skeleton_[*node.parent].position;
+  }
+
+  [[nodiscard]] double between(const Eigen::Vector3d& before, const Eigen::Vector3d& after) const {
+    if (before.norm() <= shortest_ || after.norm() <= shortest_) return 0;
+    return turn(before, after);
+  }
+
+  const Skeleton& skeleton_;
+  double shortest_; // [L]: shorter edges have no direction
+};
+
 std::vector<Finding> sharpTurns(const Skeleton& skeleton, const std::vector<NodeId>& ids,
-                                double shortest, double limit) {
+                                double shortest, const CheckOptions& options) {
+  const Turns turns(skeleton, shortest);
   std::vector<Finding> findings;
   for (const NodeId id : ids) {
     const Node& node = skeleton[id];
-    if (!node.parent || node.edge != EdgeType::successor) continue;
-    const std::optional<NodeId> next = nextOnAxis(skeleton, id);
-    if (!next) continue;
-    const Eigen::Vector3d before = node.position - skeleton[*node.parent].position;
-    const Eigen::Vector3d after = skeleton[*next].position - node.position;
-    if (before.norm() <= shortest || after.norm() <= shortest) continue;
-    const double turn = std::atan2(before.cross(after).norm(), before.dot(after));
-    if (turn > limit)
-      findings.push_back({.kind = Kind::sharpTurn, .node = id, .others = {*next}, .amount = turn});
+    if (!node.parent) continue;
+    const bool isBranch = node.edge == EdgeType::branching;
+    const double on = turns.on(id);
+    const double off = isBranch ? turns.off(id) : 0;
+    const double sharpest = std::max(on, off);
+    if (sharpest <= (isBranch ? options.branchTurn : options.sharpTurn)) continue;
+    const NodeId other = off == sharpest ? *node.parent : *nextOnAxis(skeleton, id);
+    findings.push_back(
+        {.kind = Kind::sharpTurn, .node = id, .others = {other}, .amount = sharpest});
   }
   return findings;
 }
@@ -146,7 +207,7 @@ std::vector<Finding> check(const Skeleton& skeleton, double spacing, const Check
   append(loneBranches(skeleton, ids));
   append(edgesWithoutLength(skeleton, ids, shortest));
   append(duplicatedEdges(skeleton, ids, shortest, options.duplicateShare));
-  append(sharpTurns(skeleton, ids, shortest, options.sharpTurn));
+  append(sharpTurns(skeleton, ids, shortest, options));
   append(crossings(skeleton, spacing, options));
   append(thickOnThin(skeleton, ids));
   return findings;

@@ -78,13 +78,15 @@ bool hasPoints(const WoodTube& tube, const PointCloud& cloud, const SpatialIndex
 
 std::vector<Finding> unexplainedClusters(const PointDistances& distances, double spacing,
                                          const CheckOptions& options, const Progress& progress) {
-  std::vector<Eigen::Index> far;
+  std::vector<Eigen::Index> far; // each place once
+  const Eigen::Matrix3Xf& all = distances.cloud()->positions();
   for (std::size_t i = 0; i < distances.toSurface().size(); ++i) {
     const float distance = distances.toSurface()[i];
-    if (std::isfinite(distance) && distance > options.pointReach * spacing)
-      far.push_back(static_cast<Eigen::Index>(i));
+    const auto point = static_cast<Eigen::Index>(i);
+    if (!std::isfinite(distance) || !(distance > options.pointReach * spacing)) continue;
+    if (far.empty() || all.col(far.back()) != all.col(point)) far.push_back(point);
   }
-  const Eigen::Matrix3Xf positions = distances.cloud()->positions()(Eigen::all, far);
+  const Eigen::Matrix3Xf positions = all(Eigen::all, far);
   std::vector<Finding> findings;
   const auto gap = static_cast<float>(options.clusterGap * spacing);
   for (std::vector<Eigen::Index>& cluster : clusters(positions, gap, progress)) {

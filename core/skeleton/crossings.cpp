@@ -85,6 +85,17 @@ Eigen::AlignedBox3d boxOf(const Edge& edge) {
   return {box.min() - wood, box.max() + wood};
 }
 
+/// Numbers of the nodes that edges hang on: those of one node meet there, and all their boxes do.
+std::vector<std::uint32_t> parentsOf(const Skeleton& skeleton, const std::vector<Edge>& edges) {
+  std::vector<std::uint32_t> parents;
+  parents.reserve(edges.size());
+  for (const Edge& edge : edges) {
+    const std::optional<NodeId> parent = skeleton[edge.node].parent;
+    parents.push_back(parent ? static_cast<std::uint32_t>(*parent) : BoxTree::noGroup);
+  }
+  return parents;
+}
+
 bool areNeighbors(const Skeleton& skeleton, NodeId a, NodeId b) {
   const auto underA = skeleton[a].parent;
   const auto underB = skeleton[b].parent;
@@ -103,7 +114,8 @@ std::vector<Finding> crossings(const Skeleton& skeleton, double spacing,
   boxes.reserve(edges.size());
   for (const Edge& edge : edges)
     boxes.push_back(boxOf(edge));
-  const BoxTree tree(boxes);
+  const std::vector<std::uint32_t> parents = parentsOf(skeleton, edges);
+  const BoxTree tree(boxes, parents);
 
   struct Touch {
     double gap = std::numeric_limits<double>::infinity(); // between the surfaces [L]
@@ -112,8 +124,8 @@ std::vector<Finding> crossings(const Skeleton& skeleton, double spacing,
   };
   std::map<std::pair<std::uint32_t, std::uint32_t>, Touch> touches; // by pair of axes
   const double thin = options.touch * spacing;
-  for (std::size_t i = 0; i < edges.size(); ++i)
-    tree.within(boxes[i], thin, [&](std::size_t k) {
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const auto look = [&](std::size_t k) {
       const NodeId a = edges[i].node;
       const NodeId b = edges[k].node;
       if (k >= i || axis[indexOf(a)] == axis[indexOf(b)] || areNeighbors(skeleton, a, b)) return;
@@ -130,7 +142,9 @@ std::vector<Finding> crossings(const Skeleton& skeleton, double spacing,
       touch.finding.node = a;
       touch.finding.others = {b};
       touch.finding.amount = near.distance;
-    });
+    };
+    tree.within(boxes[i], thin, look, parents[i]); // without its siblings
+  }
   std::vector<const Touch*> inOrder;
   inOrder.reserve(touches.size());
   for (const auto& [pair, touch] : touches)

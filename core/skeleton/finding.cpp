@@ -74,9 +74,14 @@ std::string describe(const Finding& finding, const Skeleton& skeleton,
     return node + " lies on its parent: the edge has no length";
   case Kind::duplicatedEdge:
     return "the edge to " + node + " lies on the one to " + other;
-  case Kind::sharpTurn:
-    return "the axis turns by " +
-           std::to_string(std::llround(finding.amount * 180 / std::numbers::pi)) + "° at " + node;
+  case Kind::sharpTurn: {
+    const std::string degrees =
+        std::to_string(std::llround(finding.amount * 180 / std::numbers::pi)) + "°";
+    const Node& at = skeleton[finding.node];
+    return at.parent && at.edge == EdgeType::branching
+               ? "the branch that begins at " + node + " turns back by " + degrees
+               : "the axis turns by " + degrees + " at " + node;
+  }
   case Kind::crossing:
     return node + " and " + other + " touch, but are not of one branch: " + length(finding.amount) +
            " apart";

@@ -20,7 +20,7 @@ struct Finding {
     loneBranch,         // an axis begins at the node, the only child of its parent
     noLength,           // the edge to the parent has no length
     duplicatedEdge,     // the edge to the parent lies on another one
-    sharpTurn,          // the axis turns back at the node
+    sharpTurn,          // the axis turns back at the node, or the branch that begins there
     crossing,           // touches a branch that it does not hang on
     radiusAboveParent,  // thicker than what the node hangs on
     edgesWithoutPoints, // nothing of the scan is near

@@ -247,7 +247,8 @@ QString FindingsPanel::textOf(const Finding& finding) const {
   case Kind::noOwnPoints:
     return tr("%1 · %2").arg(node, length(finding.amount));
   case Kind::unexplainedPoints:
-    return tr("%1 points").arg(formatCount(static_cast<std::size_t>(count)));
+    return count == 1 ? tr("1 point")
+                      : tr("%1 points").arg(formatCount(static_cast<std::size_t>(count)));
   }
   return {};
 }

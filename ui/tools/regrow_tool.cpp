@@ -48,7 +48,7 @@ QString RegrowTool::branchesHint() const {
   std::size_t nodes = 0;
   for (std::size_t i = 0; i < shown_; ++i)
     nodes += branches_[i].part.size() - 1;
-  const QString added = tr("%1 new nodes").arg(formatCount(nodes));
+  const QString added = nodes == 1 ? tr("1 new node") : tr("%1 new nodes").arg(formatCount(nodes));
   const QString end = tr("Enter accepts, Esc drops");
   if (branches_.size() == 1)
     return tr("%1 on %2   %3").arg(added, nodeName(branches_.front().on), end);
@@ -80,16 +80,16 @@ void RegrowTool::accept() {
 }
 
 void RegrowTool::acceptBranches() {
+  const Skeleton& skeleton = document().skeleton();
   for (std::size_t i = 0; i < shown_; ++i)
-    if (const GrownBranch& branch = branches_[i]; !document().skeleton().contains(branch.on))
+    if (const GrownBranch& branch = branches_[i];
+        !skeleton.contains(branch.on) || (branch.fraction < 1 && !skeleton[branch.on].parent))
       throw Error(tr("%1 is gone, which was to carry a branch: drop this, and grow it again")
                       .arg(nodeName(branch.on))
                       .toStdString());
   std::vector<NodeId> added;
   document().edit(text_, [&](SkeletonEditor& editor) {
-    for (std::size_t i = 0; i < shown_; ++i)
-      for (const NodeId first : addCarried(editor, branches_[i].on, branches_[i].part))
-        added.push_back(first);
+    added = addGrown(editor, {branches_.begin(), branches_.begin() + std::ptrdiff_t(shown_)});
   });
   document().selection().set(downstream(document().skeleton(), added));
   cancel();

@@ -37,6 +37,9 @@ struct FindingsWindowTest : test::ProjectWindowTest {
     return {};
   }
   std::vector<NodeId> chosen() { return document().selection().nodes(); }
+  bool isDrawn(NodeId id) {
+    return std::ranges::count(view().nodesInside(QRectF(view().rect()), Depth::through), id) > 0;
+  }
   bool isSeen(const Eigen::Vector3d& place) {
     const auto shown = view().project(place);
     return shown && view().rect().contains(shown->toPoint());
@@ -142,6 +145,36 @@ TEST_F(FindingsWindowTest, KeysGoFromFindingToFindingAndFlyThere) {
   key(Qt::Key_F4, Qt::ShiftModifier);
   EXPECT_EQ(chosen(), second);
   EXPECT_EQ(document().undoStack().count(), 2) << "to look is no edit";
+}
+
+// With a slab or box that shows other parts of the plant, one would fly to an empty view.
+TEST_F(FindingsWindowTest, TheKeyTakesSlabAndBoxAlong) {
+  openFork();
+  for (int number = 0; number < 3; ++number)
+    setRadiusOf(shoot(number), 0.2);
+  const Clip slab{.slab = Clip::Slab{0.9, 1}, .box = {}};
+  const Clip box{.slab = {},
+                 .box =
+                     Eigen::AlignedBox3d(Eigen::Vector3d(-2, -2, -1), Eigen::Vector3d(2, 2, 0.5))};
+  for (const Clip& clip : {slab, box}) {
+    view().setClip(clip);
+    for (int finding = 0; finding < 3; ++finding) {
+      key(Qt::Key_F4);
+      waitForView();
+      ASSERT_EQ(chosen().size(), 1U);
+      EXPECT_TRUE(isDrawn(chosen().front()));
+    }
+    EXPECT_FALSE(view().clip().isAll()) << "moved, not taken off";
+  }
+  action("show_all").trigger();
+  document().selection().set({shoot(0), shoot(1), shoot(2)});
+  action("hide").trigger();
+  key(Qt::Key_F4);
+  ASSERT_EQ(chosen().size(), 1U);
+  waitForView();
+  EXPECT_TRUE(isDrawn(chosen().front()));
+  EXPECT_TRUE(window().statusLine().shownText().startsWith("What was hidden here is shown again"))
+      << window().statusLine().shownText().toStdString();
 }
 
 TEST_F(FindingsWindowTest, AClickInTheListSelectsAndFliesThere) {

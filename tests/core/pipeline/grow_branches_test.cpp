@@ -1,10 +1,13 @@
 #include "core/base/error.h"
 #include "core/evaluate/tolerance_curve.h"
 #include "core/pipeline/grow_branches.h"
-#include "core/skeleton/branch_edits.h"
+#include "core/simulate/laser_scanner.h"
+#include "core/simulate/plant_grower.h"
+#include "core/skeleton/axes.h"
 #include "core/skeleton/edits.h"
 #include "core/skeleton/select.h"
 #include "tests/support/clouds.h"
+#include "tests/support/course.h"
 #include "tests/support/simulated.h"
 
 #include <gtest/gtest.h>
@@ -38,10 +41,29 @@ Eigen::Matrix3Xf trunkPoints() {
 Skeleton together(const Skeleton& plant, const std::vector<GrownBranch>& branches) {
   Skeleton whole = plant;
   SkeletonEditor editor(whole);
-  for (const GrownBranch& branch : branches)
-    (void)addCarried(editor, branch.on, branch.part);
+  (void)addGrown(editor, branches);
   (void)editor.commit();
   return whole;
+}
+
+/// What it has more than a plant.
+std::vector<NodeId> added(const Skeleton& whole, const Skeleton& plant) {
+  std::vector<NodeId> ids = whole.ids();
+  std::erase_if(ids, [&](NodeId id) { return plant.contains(id); });
+  return ids;
+}
+
+/// Every third branch of a plant is taken away, with all it carries.
+Skeleton withoutEveryThirdBranch(const Skeleton& plant) {
+  Skeleton pruned = plant;
+  SkeletonEditor editor(pruned);
+  int met = 0;
+  for (const NodeId id : plant.ids())
+    if (pruned.contains(id) && pruned[id].edge == EdgeType::branching && pruned[id].parent &&
+        ++met % 3 == 0)
+      removeSubtree(editor, id);
+  (void)editor.commit();
+  return pruned;
 }
 
 std::ptrdiff_t countTips(const Skeleton& plant) {
@@ -128,14 +150,7 @@ TEST(GrownFromUnexplained, SeesNothingOfPointsThatAreSetAside) {
 TEST(GrownFromUnexplained, BringsBackWhatATreeLost) {
   const test::SimulatedPlant& tree = test::simulatedTree();
   const auto cloud = std::make_shared<const PointCloud>(tree.cloud);
-  Skeleton pruned = tree.truth;
-  SkeletonEditor editor(pruned);
-  int kept = 0;
-  for (const NodeId id : tree.truth.ids())
-    if (pruned.contains(id) && pruned[id].edge == EdgeType::branching && pruned[id].parent &&
-        ++kept % 3 == 0)
-      removeSubtree(editor, id);
-  (void)editor.commit();
+  const Skeleton pruned = withoutEveryThirdBranch(tree.truth);
   ASSERT_LT(pruned.size(), tree.truth.size());
   const double distance = 3 * pointSpacing(cloud->positions());
   const auto f = [&](const Skeleton& plant) {
@@ -144,6 +159,117 @@ TEST(GrownFromUnexplained, BringsBackWhatATreeLost) {
   const Skeleton whole = together(pruned, grownFromUnexplained(pruned, cloud));
   EXPECT_EQ(whole.roots().size(), pruned.roots().size());
   EXPECT_GT(f(whole), f(pruned));
+}
+
+// Branches of reconstructed shrubs are taken away: what grows there turns back nowhere, and keeps
+// to the points.
+TEST(GrownFromUnexplained, TurnsBackNowhereAndKeepsToThePoints) {
+  for (const std::uint64_t seed : {1, 2}) {
+    const Skeleton truth =
+        growPlant({.architecture = Architecture::shrub, .height = 4, .segments = 200}, seed);
+    const auto cloud =
+        std::make_shared<const PointCloud>(scan(truth, {.points = 40'000}, seed).points);
+    const double spacing = pointSpacing(cloud->positions());
+    const Skeleton pruned = withoutEveryThirdBranch(*Pipeline().run(cloud).skeleton);
+    const Skeleton whole = together(pruned, grownFromUnexplained(pruned, cloud));
+    const test::Course course = test::courseOf(whole, added(whole, pruned), *cloud);
+    EXPECT_GT(course.nodes, 500U);
+    EXPECT_LE(course.sharpestTurn, 120 + 1e-6);
+    EXPECT_LE(course.farthestNode, 1.5 * spacing);
+    EXPECT_LE(course.farthestOnEdge, 4 * spacing) << "no edge crosses a gap of over 6";
+  }
+}
+
+// The trunk is an oval: over half of its bark is farther from its axis than its radius explains.
+TEST(GrownFromUnexplained, GrowsNothingOnTheSkinOfThickWood) {
+  Eigen::Matrix3Xf points = test::cylinder({0, 0, 0}, {0, 0, 2}, 0.1, 0.008);
+  points.row(0) *= 1.3F;
+  Skeleton plant;
+  std::optional<NodeId> last;
+  for (int i = 0; i <= 10; ++i)
+    last = plant.add({.position = {0, 0, 0.2 * i}, .radius = 0.1, .parent = last});
+  EXPECT_THROW((void)grownFromUnexplained(plant, cloudOf(points)), Error);
+  const Eigen::Matrix3Xf branch = test::cylinder({0.13, 0, 1}, {0.8, 0, 1.3}, 0.02, 0.008);
+  const std::vector<GrownBranch> branches =
+      grownFromUnexplained(plant, cloudOf(test::both(points, branch)));
+  const Skeleton whole = together(plant, branches);
+  EXPECT_EQ(countTips(whole), 2);
+  EXPECT_LT(farthestTip(whole, {0.8, 0, 1.3}), 0.08);
+}
+
+// Thousands of pieces in the air, and a branch of as many nodes: each is tried on each.
+TEST(AttachedGrown, LeavesOutThousandsOfPiecesThatNothingLeadsToSoon) {
+  const Eigen::Matrix3Xf branch = test::cylinder({0.04, 0, 1}, {20.05, 0, 1}, 0.02, 0.02);
+  const auto cloud = cloudOf(test::both(trunkPoints(), branch));
+  Skeleton grown;
+  std::optional<NodeId> last;
+  for (int i = 0; i < 2000; ++i)
+    last = grown.add({.position = {0.05 + 0.01 * i, 0, 1}, .radius = 0.01, .parent = last});
+  for (int i = 0; i < 4000; ++i) {
+    const Eigen::Vector3d place(i % 20, 50 + i / 20 % 20, i / 400);
+    const NodeId foot = grown.add({.position = place});
+    (void)grown.add({.position = place + Eigen::Vector3d(0, 0, 0.01), .parent = foot});
+  }
+  const std::vector<GrownBranch> branches =
+      attached(trunk(), trunk().ids(), grown, *cloud,
+               {.spacing = 0.02, .widestGap = 0.12, .widestJoin = 0.12});
+  ASSERT_EQ(branches.size(), 1U);
+  EXPECT_GT(branches[0].part.size(), 1900U);
+  for (const NodeId id : branches[0].part.ids())
+    EXPECT_LT(branches[0].part[id].position.y(), 1);
+}
+
+// A stub as long as what an edge explains twice: of its points, too few stand off the bark.
+TEST(GrownFromUnexplained, GrowsNothingOfAStubOnTheBark) {
+  const auto withBranchTo = [](double x) {
+    return cloudOf(
+        test::both(trunkPoints(), test::cylinder({0.04, 0, 1}, {x, 0, 1.05}, 0.02, 0.02)));
+  };
+  EXPECT_THROW((void)grownFromUnexplained(trunk(), withBranchTo(0.12)), Error);
+  EXPECT_EQ(grownFromUnexplained(trunk(), withBranchTo(0.28)).size(), 1U);
+}
+
+// One edge along all of the trunk: the branch begins amid it, and not at one of its ends.
+TEST(GrownFromUnexplained, MakesANodeAmidALongEdge) {
+  Skeleton plant;
+  const NodeId foot = plant.add({.position = {0, 0, 0}, .radius = 0.04});
+  const NodeId top = plant.add({.position = {0, 0, 2}, .radius = 0.04, .parent = foot});
+  const Eigen::Matrix3Xf low = test::cylinder({0.04, 0, 0.6}, {0.8, 0, 0.9}, 0.02, 0.01);
+  const Eigen::Matrix3Xf high = test::cylinder({-0.04, 0, 1.4}, {-0.8, 0, 1.7}, 0.02, 0.01);
+  const auto cloud = cloudOf(test::both(trunkPoints(), test::both(low, high)));
+  const std::vector<GrownBranch> branches = grownFromUnexplained(plant, cloud);
+  ASSERT_EQ(branches.size(), 2U);
+  for (const GrownBranch& branch : branches)
+    EXPECT_EQ(branch.on, top);
+  const Skeleton whole = together(plant, branches);
+  EXPECT_EQ(whole.roots().size(), 1U);
+  const std::vector<NodeId> trunkAxis = axisThrough(whole, foot);
+  ASSERT_EQ(trunkAxis.size(), 4U) << "with two new nodes";
+  EXPECT_NEAR(whole[trunkAxis[1]].position.z(), 0.6, 0.1);
+  EXPECT_NEAR(whole[trunkAxis[2]].position.z(), 1.4, 0.1);
+  EXPECT_EQ(trunkAxis.back(), top);
+}
+
+// A twig of 46 points, as the check lists them: the pipeline made one node of such.
+TEST(GrownBranches, MakeABranchOfFewPoints) {
+  const Eigen::Matrix3Xf trunkAlone = trunkPoints();
+  Eigen::Matrix3Xf twig(3, 46);
+  for (int i = 0; i < 46; ++i) // 0.35 long, bent
+    twig.col(i) = Eigen::Vector3f(0.06F + 0.0078F * float(i), 0.005F * float(i % 3),
+                                  1 + 0.00015F * float(i * i));
+  const auto cloud = cloudOf(test::both(trunkAlone, twig));
+  std::vector<Eigen::Index> chosen;
+  for (Eigen::Index i = 0; i < cloud->size(); ++i)
+    if (cloud->fileOrder()[static_cast<std::size_t>(i)] >= trunkAlone.cols()) chosen.push_back(i);
+  ASSERT_EQ(chosen.size(), 46U);
+  const Skeleton whole = together(trunk(), grownBranches(trunk(), cloud, chosen));
+  const std::vector<NodeId> ids = added(whole, trunk());
+  EXPECT_GE(ids.size(), 2U);
+  EXPECT_LE(ids.size(), 8U);
+  EXPECT_LT(farthestTip(whole, twig.col(45).cast<double>()), 0.05);
+  const test::Course course = test::courseOf(whole, ids, *cloud);
+  EXPECT_LE(course.sharpestTurn, 120);
+  EXPECT_LE(course.farthestNode, 1.5 * pointSpacing(cloud->positions()));
 }
 
 TEST(GrownBranches, GrowFromThePointsChosenAlone) {

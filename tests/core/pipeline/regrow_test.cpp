@@ -1,6 +1,7 @@
 #include "core/base/error.h"
 #include "core/evaluate/tolerance_curve.h"
 #include "core/pipeline/regrow.h"
+#include "core/skeleton/assign_points.h"
 #include "core/skeleton/branch_edits.h"
 #include "core/skeleton/edits.h"
 #include "core/skeleton/select.h"
@@ -115,6 +116,39 @@ std::shared_ptr<const PointCloud> forkCloud() {
   for (Eigen::Index i = 0; i < points.cols(); ++i)
     raw.positions.emplace_back(points.col(i).cast<double>());
   return std::make_shared<const PointCloud>(std::move(raw));
+}
+
+// Its tip bends: two nodes follow that. What grows has no fewer, and follows the points no worse.
+TEST(Regrow, FollowsABendNearATip) {
+  RawPoints raw;
+  const auto curve = [](double along) {
+    return Eigen::Vector3d(0.3 * along * along, 0, 1 + along);
+  };
+  for (int i = 0; i < 200; ++i)
+    raw.positions.emplace_back(0.006 * std::cos(2.4 * i), 0.006 * std::sin(2.4 * i), i / 200.0);
+  for (int i = 0; i < 60; ++i)
+    raw.positions.emplace_back(curve(i / 120.0) +
+                               0.004 * Eigen::Vector3d(std::cos(2.4 * i), std::sin(2.4 * i), 0));
+  const auto cloud = std::make_shared<const PointCloud>(std::move(raw));
+  Skeleton plant;
+  std::optional<NodeId> last;
+  for (int i = 0; i <= 5; ++i)
+    last = plant.add({.position = {0, 0, 0.2 * i}, .radius = 0.006, .parent = last});
+  const NodeId node = *last;
+  for (const double along : {0.17, 0.34, 0.5})
+    last = plant.add({.position = curve(along), .radius = 0.004, .parent = last});
+  const Skeleton before = carriedBy(plant, node);
+  const Skeleton grown = regrown(plant, node, cloud);
+  EXPECT_GE(grown.size(), before.size());
+  const auto mean = [&](const Skeleton& part) {
+    double sum = 0;
+    for (int i = 0; i < 50; ++i) {
+      const Eigen::Matrix3Xf place = curve(i / 100.0).cast<float>();
+      sum += assignPoints(place, Eigen::Vector3d::Zero(), part).front().distance / 50;
+    }
+    return sum;
+  };
+  EXPECT_LE(mean(grown), mean(before) + 0.002) << "half the radius of the twig";
 }
 
 TEST(Regrow, FindsBothArmsAboveATrunk) {

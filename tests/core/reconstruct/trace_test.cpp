@@ -169,6 +169,15 @@ TEST(Trace, CrossesAGapInTheScan) {
   EXPECT_NEAR(trace.length(), 1.8, 0.1);
 }
 
+TEST(Trace, HasNoPlaceInAGap) {
+  const TraceGraph graph(cloudOf(test::both(test::cylinder({0, 0, 0}, {0, 0, 0.9}, 0.01, 0.01),
+                                            test::cylinder({0, 0, 1.3}, {0, 0, 2}, 0.01, 0.01))));
+  const Trace trace = graph.between({{0, 0, 0.1}}, {{0, 0, 1.9}}, {.step = 0.1}).front();
+  for (const Vector3d& place : trace.places)
+    EXPECT_TRUE(place.z() < 0.92 || place.z() > 1.28) << place.z();
+  EXPECT_NEAR(trace.length(), 1.8, 0.1);
+}
+
 TEST(Trace, MovesWithTheScan) {
   const Vector3d shift(1000, 2000, -500);
   const TraceGraph here(cloudOf(pole()));

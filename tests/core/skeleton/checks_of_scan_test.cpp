@@ -118,6 +118,17 @@ TEST(UnexplainedClusters, TellTheirSizeAndPlace) {
   EXPECT_THAT(clustersIn(cloud, trunk, {.pointReach = 1000}), IsEmpty());
 }
 
+// 10 places off the trunk are no cluster, however often each is there.
+TEST(UnexplainedClusters, CountEachPlaceOnce) {
+  Eigen::Matrix3Xf line(3, 200);
+  for (int i = 0; i < 200; ++i)
+    line.col(i) << 1.1F, 0, 1 + 0.01F * static_cast<float>(i / 20);
+  const auto cloud =
+      cloudOf(test::both(test::cylinder(Eigen::Vector3d::Zero(), trunkTop, 0.1, 0.02), line));
+  EXPECT_THAT(clustersIn(cloud, test::stick(3)), IsEmpty());
+  EXPECT_THAT(clustersIn(cloud, test::stick(3), {.clusterSize = 10}), SizeIs(1));
+}
+
 TEST(UnexplainedClusters, AreNoneWithoutNodesOrPoints) {
   EXPECT_THAT(clustersIn(trunkCloud(), {}), IsEmpty());
   EXPECT_THAT(clustersIn(std::make_shared<const PointCloud>(), test::stick(3)), IsEmpty());

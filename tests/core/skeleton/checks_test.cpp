@@ -85,6 +85,18 @@ TEST(Check, FindsPiecesBesideTheLargest) {
   EXPECT_EQ(describe(found[0], plant), "node 0 is the root of a separate piece of 2 nodes");
 }
 
+TEST(Check, FindsAllOfThousandsOfEdgesInOnePlace) {
+  Skeleton plant;
+  const NodeId foot = plant.add({.position = {0, 0, 0}});
+  constexpr int count = 20'000;
+  for (int i = 0; i < count; ++i) // in bundles that lie apart
+    plant.add({.position = {0.2 * (i % 4), 1e-6 * i, 1}, .parent = foot});
+  const std::vector<Finding> found = ofKind(Kind::duplicatedEdge, plant);
+  ASSERT_EQ(found.size(), count - 4U);
+  for (const Finding& each : found)
+    EXPECT_EQ(indexOf(each.others.front()), 1 + (indexOf(each.node) - 1) % 4);
+}
+
 TEST(Check, FindsTheSecondOfTwoEdgesInOnePlace) {
   Skeleton plant = test::fork(2);
   const Eigen::Vector3d beside(0.05, 0, 0); // of an edge of length 1.4
@@ -117,10 +129,61 @@ TEST(Check, FindsTurnsAboveTheAngle) {
               ElementsAre(IsAt(Kind::sharpTurn, NodeId{2})));
 }
 
-TEST(Check, TakesNoBranchForATurn) {
-  Skeleton plant = bent(2.5);
-  plant.setEdge(NodeId{3}, EdgeType::branching);
+// The first edge of a branch begins amid its bearer: it may lead to the side, but not back.
+TEST(Check, FindsBranchesThatTurnBackFromTheirBearer) {
+  constexpr double degree = std::numbers::pi / 180;
+  const auto branching = [](double angle) {
+    Skeleton plant = bent(angle);
+    plant.setEdge(NodeId{3}, EdgeType::branching);
+    return plant;
+  };
+  EXPECT_THAT(ofKind(Kind::sharpTurn, branching(115 * degree)), IsEmpty());
+  const std::vector<Finding> found = ofKind(Kind::sharpTurn, branching(140 * degree));
+  ASSERT_THAT(found, ElementsAre(IsAt(Kind::sharpTurn, NodeId{3})));
+  EXPECT_THAT(found[0].others, ElementsAre(NodeId{2}));
+  EXPECT_NEAR(found[0].amount, 140 * degree, 1e-9);
+  EXPECT_EQ(describe(found[0], branching(140 * degree)),
+            "the branch that begins at node 3 turns back by 140°");
+  EXPECT_THAT(ofKind(Kind::sharpTurn, branching(115 * degree), 0, {.branchTurn = 110 * degree}),
+              ElementsAre(IsAt(Kind::sharpTurn, NodeId{3})));
+}
+
+TEST(Check, FindsBranchesThatTurnBackFromTheirFirstEdge) {
+  Skeleton plant = test::stick(3);
+  const NodeId first = plant.add(
+      {.position = {1, 0, 2}, .radius = 0.1, .parent = NodeId{1}, .edge = EdgeType::branching});
+  const NodeId tip = plant.add({.position = {0.2, 0, 2.1}, .radius = 0.1, .parent = first});
+  const std::vector<Finding> found = ofKind(Kind::sharpTurn, plant);
+  ASSERT_THAT(found, ElementsAre(IsAt(Kind::sharpTurn, first)));
+  EXPECT_THAT(found[0].others, ElementsAre(tip));
+}
+
+// It begins amid thick wood, a little below its bearer's node, and rises.
+TEST(Check, TakesNoFirstEdgeForABranchThatTurnsBack) {
+  Skeleton plant = test::stick(4);
+  NodeId last = plant.add(
+      {.position = {0.1, 0, 1.8}, .radius = 0.1, .parent = NodeId{2}, .edge = EdgeType::branching});
+  for (int i = 1; i <= 3; ++i)
+    last =
+        plant.add({.position = {0.1 + 0.2 * i, 0, 1.8 + 0.2 * i}, .radius = 0.1, .parent = last});
   EXPECT_THAT(ofKind(Kind::sharpTurn, plant), IsEmpty());
+}
+
+// All edges meet at the node: that none of them touches another is found without looking at pairs.
+TEST(Check, TakesANodeOfManyChildren) {
+  Skeleton plant = test::stick(2);
+  constexpr int many = 20'000;
+  const double golden = std::numbers::pi * (3 - std::sqrt(5.0));
+  for (int i = 0; i < many; ++i) {
+    const double z = 1 - (2 * i + 1.0) / many;
+    const double across = std::sqrt(1 - z * z);
+    plant.add({.position = Eigen::Vector3d(across * std::cos(golden * i),
+                                           across * std::sin(golden * i), 1 + z),
+               .radius = 1e-4,
+               .parent = test::forkTop,
+               .edge = i == 0 ? EdgeType::successor : EdgeType::branching});
+  }
+  EXPECT_THAT(ofKind(Kind::crossing, plant), IsEmpty());
 }
 
 /// A trunk 8 high, of radius 0.1, with two branches of radius 0.1, at 2 and 6; the upper one comes

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/cloud/point_cloud.h"
+#include "core/skeleton/skeleton.h"
+
+#include <vector>
+
+namespace espalier {
+
+/// How far from its axis the bark of each edge reaches [L], by id of its upper end, as the points
+/// show it: the radius of a node is that of a circle, and wood is oval and grooved, and measured
+/// with errors that may be many point spacings.
+///
+/// It is the median distance of the points near the edge, and three robust standard deviations
+/// (1.48 median absolute deviations) more. Near are those within 1.5 radii and `tolerance`. The
+/// radius and `tolerance` is the least, and all there is where fewer than 20 points are near; the
+/// most is twice the tolerance over 1.25 medians or radii: new branches that begin there are no
+/// bark.
+///
+/// @param tolerance [L], from the surface of a tube: nearer points are explained by it
+/// pre: the skeleton is not empty
+/// @throws Cancelled if `progress` asks to stop
+/// Uses all threads, deterministic. Time O(N log n).
+[[nodiscard]] std::vector<double> barkReaches(const Skeleton& skeleton, const PointCloud& cloud,
+                                              double tolerance, const Progress& progress = {});
+
+} // namespace espalier

@@ -2,6 +2,7 @@
 
 #include "app/window/action_set.h"
 #include "app/window/editing.h"
+#include "app/window/looked_at.h"
 #include "app/window/panel_dock.h"
 #include "core/base/error.h"
 #include "ui/document/plant_document.h"
@@ -108,18 +109,24 @@ void ReviewFlow::addMarkActions() {
     marks_.append(parts_.actions.add({.id = id, .text = text, .help = help, .keys = keys}, act));
   };
   add("mark_reviewed", tr("Mark Reviewed and Go On"),
-      tr("What is selected is right; shows the next stretch that is not reviewed. Unless the "
-         "panel is in front, it only begins the review"),
-      Qt::Key_Enter, [this] {
-        // Enter also accepts previews: one Enter too many must not review what nobody looks at.
-        if (!dock_->isInFront()) return step(WalkTo::notReviewed);
-        mark(ReviewState::reviewed);
-        step(WalkTo::notReviewed);
+      tr("What is selected and seen is right; shows the next stretch that is not reviewed. Unless "
+         "the panel is in front, it only begins the review"),
+      Qt::Key_Enter, [this] { markReviewed(); });
+  add("mark_doubtful", tr("Mark Doubtful"),
+      tr("What is selected needs another look; Enter then goes on and leaves the doubt"),
+      QKeySequence(Qt::SHIFT | Qt::Key_Enter), [this] {
+        requireToMark();
+        mark(ReviewState::doubtful, parts_.document.selection().nodes());
+        doubt_ = Doubt::isNew;
       });
-  add("mark_doubtful", tr("Mark Doubtful"), tr("What is selected needs another look"),
-      QKeySequence(Qt::SHIFT | Qt::Key_Enter), [this] { mark(ReviewState::doubtful); });
   add("mark_to_do", tr("Mark To Do"), tr("What is selected is to be reviewed again"),
-      Qt::Key_Backspace, [this] { mark(ReviewState::toDo); });
+      Qt::Key_Backspace, [this] {
+        requireToMark();
+        mark(ReviewState::toDo, parts_.document.selection().nodes());
+      });
+  add("mark_all_selected", tr("Mark All Selected Reviewed"),
+      tr("Marks all nodes selected that are to do, seen or not; doubtful ones stay so"), {},
+      [this] { markAllSelected(); });
   add("comment", tr("Comment"),
       tr("A remark on what is selected, else on the node under the pointer"), Qt::Key_K,
       [this] { beginComment(); });
@@ -151,7 +158,11 @@ void ReviewFlow::connectParts() {
     connect(&document, signal, this, &ReviewFlow::refreshEnabled);
   connect(&document, &PlantDocument::skeletonEdited, this, &ReviewFlow::refreshEnabled);
   connect(&document, &PlantDocument::skeletonReplaced, this, [this] { at_.clear(); });
-  connect(&document.selection(), &Selection::changed, this, &ReviewFlow::showPlace);
+  connect(&document.selection(), &Selection::changed, this, [this] {
+    doubt_ = Doubt::old;
+    showPlace();
+    refreshEnabled();
+  });
   connect(panel_, &ReviewPanel::reviewerTyped, this, &ReviewFlow::setReviewer);
   connect(panel_, &ReviewPanel::commentTyped, this, [this](const QString& text) {
     const auto act = [&] {
@@ -223,11 +234,68 @@ void ReviewFlow::frame(const std::vector<NodeId>& nodes) {
   box.min().array() -= margin;
   box.max().array() += margin;
   parts_.view.frame(box);
+  const QString note = parts_.reveal(nodes, {}, parts_.view.camera());
+  if (!note.isEmpty()) emit noted(note);
 }
 
-void ReviewFlow::mark(ReviewState state) {
-  requireChosen(tr("nothing is selected to mark: walk to a stretch, or select nodes"));
+void ReviewFlow::markReviewed() {
+  // Enter also accepts previews: one Enter too many must not review what nobody looks at.
+  if (!dock_->isInFront()) return step(WalkTo::notReviewed);
+  requireToMark();
+  if (isDoubtful() && doubt_ == Doubt::isNew) {
+    doubt_ = Doubt::old; // should the walk lead nowhere else
+    return step(WalkTo::notReviewed);
+  }
   const std::vector<NodeId> nodes = parts_.document.selection().nodes();
+  requireLookedAt({.skeleton = parts_.document.skeleton(),
+                   .hidden = parts_.hidden(),
+                   .views = {&parts_.view, &parts_.editing.activeView()}},
+                  nodes, parts_.actions);
+  if (isDoubtful() && doubt_ != Doubt::askedFor) return askForDoubt();
+  mark(ReviewState::reviewed, nodes);
+  step(WalkTo::notReviewed);
+}
+
+void ReviewFlow::markAllSelected() {
+  requireToMark();
+  std::vector<NodeId> nodes = parts_.document.selection().nodes();
+  std::erase_if(nodes, [&](NodeId id) {
+    return parts_.document.skeleton()[id].review.state != ReviewState::toDo;
+  });
+  if (nodes.empty())
+    throw Error(
+        tr("nothing that is selected is to do: it is reviewed or doubtful already").toStdString());
+  dock_->bringToFront();
+  mark(ReviewState::reviewed, nodes);
+}
+
+bool ReviewFlow::isDoubtful() const {
+  return std::ranges::any_of(parts_.document.selection().nodes(), [&](NodeId id) {
+    return parts_.document.skeleton()[id].review.state == ReviewState::doubtful;
+  });
+}
+
+/// Says whose doubt Enter would take back, and why it was: the next Enter does so.
+void ReviewFlow::askForDoubt() {
+  std::vector<NodeId> doubtful = parts_.document.selection().nodes();
+  std::erase_if(doubtful, [&](NodeId id) {
+    return parts_.document.skeleton()[id].review.state != ReviewState::doubtful;
+  });
+  const ReviewMark& mark = parts_.document.skeleton()[doubtful.front()].review;
+  QString whose = QString::fromStdString(mark.reviewer);
+  if (!mark.comment.empty())
+    whose += (whose.isEmpty() ? "" : ": ") + QString::fromStdString(mark.comment);
+  QString text = (doubtful.size() == 1 ? tr("%1 is doubtful") : tr("%1 are doubtful"))
+                     .arg(nodeNames(doubtful));
+  if (!whose.isEmpty()) text += QString(" (%1)").arg(whose);
+  text += tr(": %1 once more takes that back and marks it reviewed")
+              .arg(parts_.actions["mark_reviewed"]->shortcut().toString(QKeySequence::NativeText));
+  text[0] = text[0].toUpper();
+  doubt_ = Doubt::askedFor;
+  emit noted(text);
+}
+
+void ReviewFlow::mark(ReviewState state, const std::vector<NodeId>& nodes) {
   const QString text = state == ReviewState::reviewed   ? tr("Mark %1 reviewed")
                        : state == ReviewState::doubtful ? tr("Mark %1 doubtful")
                                                         : tr("Mark %1 to do");
@@ -270,6 +338,10 @@ void ReviewFlow::requireChosen(const QString& why) const {
   if (parts_.document.selection().isEmpty()) throw Error(why.toStdString());
 }
 
+void ReviewFlow::requireToMark() const {
+  requireChosen(tr("nothing is selected to mark: walk to a stretch, or select nodes"));
+}
+
 void ReviewFlow::showPlace() {
   const std::vector<NodeId>& nodes = parts_.document.selection().nodes();
   QString text = nodes.empty() ? tr("Press . to walk") : nodeNames(nodes);
@@ -289,6 +361,10 @@ void ReviewFlow::refreshEnabled() {
     walk->setEnabled(isEnabled_ && hasNodes);
   for (QAction* mark : marks_)
     mark->setEnabled(isEnabled_ && !isInGesture_ && hasNodes && !parts_.document.isReadOnly());
+  const std::size_t chosen = parts_.document.selection().nodes().size();
+  parts_.actions["mark_all_selected"]->setText(
+      chosen > 1 ? tr("Mark All %1 Selected Reviewed").arg(formatCount(chosen))
+                 : tr("Mark All Selected Reviewed"));
 }
 
 } // namespace espalier

@@ -6,6 +6,10 @@
 #include <QObject>
 #include <QString>
 
+#include <cstdint>
+#include <functional>
+#include <vector>
+
 class QAction;
 class QMainWindow;
 class QMenu;
@@ -19,11 +23,13 @@ class PanelDock;
 class PlantDocument;
 class PlantView;
 class ReviewPanel;
+struct Camera;
 
 /// The review: the walk along the plant, the marks on what is selected, and the panel for both.
 ///
 /// The stretch one is at is what is selected; so it can be changed by any selection before it is
-/// marked.
+/// marked. The key that marks it reviewed does so only with what is seen and is looked at in one go
+/// (app/window/looked_at.h), and takes no doubt back unasked.
 class ReviewFlow : public QObject {
   Q_OBJECT
 
@@ -36,6 +42,11 @@ public:
     Editing& editing;
     QSettings& settings;
     QMainWindow& window;
+    /// Shows what one flies to, as ShownFlow::reveal.
+    std::function<QString(const std::vector<NodeId>& nodes,
+                          const std::vector<Eigen::Vector3d>& places, const Camera& camera)>
+        reveal;
+    std::function<const std::vector<NodeId>&()> hidden; // in order
   };
   /// @param sign  the action that the panel offers at its foot
   ReviewFlow(const Parts& parts, QAction* sign);
@@ -63,10 +74,15 @@ private:
   void step(WalkTo to, WalkWay way = WalkWay::forward);
   void goTo(const std::vector<Stretch>& all, std::size_t index);
   void frame(const std::vector<NodeId>& nodes);
-  void mark(ReviewState state);
+  void markReviewed();
+  void markAllSelected();
+  [[nodiscard]] bool isDoubtful() const; // any node that is selected
+  void askForDoubt();
+  void mark(ReviewState state, const std::vector<NodeId>& nodes);
   void comment(const QString& text);
   void beginComment();
   void requireChosen(const QString& why) const;
+  void requireToMark() const;
   void showPlace();
   void refreshEnabled();
 
@@ -76,9 +92,15 @@ private:
   QList<QAction*> walks_;
   QList<QAction*> marks_;
   QString reviewer_;
-  Stretch at_;            // where one is; may hold nodes that are gone
-  QString placeText_;     // of at_
-  bool isFading_ = false; // all but at_, while it is what is selected
+  Stretch at_;        // where one is; may hold nodes that are gone
+  QString placeText_; // of at_
+  enum class Doubt : std::uint8_t {
+    old,     // Enter asks whether it is to be taken back
+    isNew,   // Enter leaves it and goes on
+    askedFor // Enter takes it back
+  };
+  Doubt doubt_ = Doubt::old; // of what is selected, if it is doubtful
+  bool isFading_ = false;    // all but at_, while it is what is selected
   bool isEnabled_ = true;
   bool isInGesture_ = false;
 };

@@ -2,10 +2,12 @@
 
 #include "app/window/action_set.h"
 #include "app/window/editing.h"
+#include "app/window/key_hints.h"
 #include "core/base/error.h"
 #include "core/skeleton/axes.h"
 #include "ui/document/plant_document.h"
 #include "ui/panels/clip_panel.h"
+#include "ui/view/moved_clip.h"
 #include "ui/view/plant_view.h"
 
 #include <QAction>
@@ -124,6 +126,32 @@ void ShownFlow::showAll() {
   view_.setDepthFade(0);
   setHidden({});
   refreshPanel();
+}
+
+QString ShownFlow::reveal(const std::vector<NodeId>& nodes,
+                          const std::vector<Eigen::Vector3d>& places, const Camera& camera) {
+  QStringList done;
+  std::vector<NodeId> stillHidden = hidden_;
+  std::erase_if(stillHidden,
+                [&](NodeId id) { return std::ranges::find(nodes, id) != nodes.end(); });
+  if (stillHidden.size() < hidden_.size()) {
+    done.append(tr("what was hidden here is shown again"));
+    setHidden(stillHidden);
+  }
+  std::vector<Eigen::Vector3d> meant = places;
+  for (const NodeId id : nodes)
+    meant.push_back(document_.skeleton()[id].position);
+  const Clip before = view_.clip();
+  const Clip after = movedToShow(before, meant, view_.bounds(), camera);
+  if (after.slab != before.slab) done.append(tr("the slab was moved to what you fly to"));
+  if (before.box &&
+      (after.box->min() != before.box->min() || after.box->max() != before.box->max()))
+    done.append(tr("the box was moved to what you fly to"));
+  if (done.isEmpty()) return {};
+  view_.setClip(after);
+  QString text = done.join(tr("; "));
+  text[0] = text[0].toUpper();
+  return withKeys(text + tr("   {show_all} shows all of the plant"), actions_);
 }
 
 void ShownFlow::fillContextMenu(QMenu& menu) const {

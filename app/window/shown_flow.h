@@ -3,7 +3,9 @@
 #include "app/window/panel_dock.h"
 #include "core/skeleton/skeleton.h"
 
+#include <Eigen/Core>
 #include <QObject>
+#include <QString>
 
 #include <vector>
 
@@ -16,6 +18,7 @@ class ClipPanel;
 class Editing;
 class PlantDocument;
 class PlantView;
+struct Camera;
 
 /// What of the plant is shown: hides and isolates nodes, and clips the view. All of it is undone by
 /// one command; none of it edits the plant.
@@ -38,6 +41,12 @@ public:
   [[nodiscard]] std::vector<NodeId> shownNodes() const; // those that are not hidden
   void setHidden(const std::vector<NodeId>& nodes);     // ids that are gone are left out
   void showAll();
+  /// Shows what one flies to, as it will be seen from `camera`: nodes that are hidden are shown
+  /// again, and the slab and the box are moved along.
+  /// @param places further ones that are meant, as points of the scan [L]
+  /// @return what was changed, for the status line; empty: nothing had to be
+  [[nodiscard]] QString reveal(const std::vector<NodeId>& nodes,
+                               const std::vector<Eigen::Vector3d>& places, const Camera& camera);
   void setAvailable(bool hasPlant);         // without one, the panel is absent
   void setPointsIsolated(bool areIsolated); // points are hidden elsewhere
   void refreshPanel();                      // after the clip of the view was changed elsewhere

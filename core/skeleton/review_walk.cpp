@@ -3,6 +3,7 @@
 #include "core/skeleton/bounds.h"
 
 #include <algorithm>
+#include <unordered_set>
 #include <utility>
 
 namespace espalier {
@@ -84,6 +85,18 @@ std::vector<Stretch> stretches(const Skeleton& skeleton, double longest) {
 double longestStretch(const Skeleton& skeleton) {
   if (skeleton.isEmpty()) return 0;
   return bounds(skeleton).diagonal().norm() / 10;
+}
+
+bool isOneLook(const Skeleton& skeleton, const std::vector<NodeId>& nodes) {
+  if (nodes.empty()) return true;
+  const Axis axis = axisThrough(skeleton, nodes.front());
+  const std::unordered_set<NodeId> ofAxis(axis.begin(), axis.end());
+  if (std::ranges::all_of(nodes, [&](NodeId id) { return ofAxis.contains(id); })) return true;
+  double length = 0;
+  for (const NodeId id : nodes)
+    if (const auto parent = skeleton[id].parent)
+      length += (skeleton[id].position - skeleton[*parent].position).norm();
+  return length <= 2 * longestStretch(skeleton);
 }
 
 std::optional<std::size_t> stretchOf(const std::vector<Stretch>& stretches, NodeId id) {

@@ -25,6 +25,10 @@ using Stretch = std::vector<NodeId>; // not empty
 /// What fits a screen together with its surroundings: a tenth of the diagonal of the plant [L].
 [[nodiscard]] double longestStretch(const Skeleton& skeleton);
 
+/// Whether nodes are no more than one looks at in one go: all of one axis, or together no longer
+/// than two of the longest stretches. Each node counts with the edge to its parent. O(nodes).
+[[nodiscard]] bool isOneLook(const Skeleton& skeleton, const std::vector<NodeId>& nodes);
+
 /// The stretch that `id` is in; none: the node is gone. O(N).
 [[nodiscard]] std::optional<std::size_t> stretchOf(const std::vector<Stretch>& stretches,
                                                    NodeId id);

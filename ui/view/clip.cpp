@@ -19,8 +19,9 @@ ClipVolume::ClipVolume(const Clip& clip, const Eigen::AlignedBox3d& bounds,
   if (clip.slab && !bounds.isEmpty()) {
     const double middle = forward.dot(bounds.center() - camera.eye());
     const double half = std::max(forward.cwiseAbs().dot(bounds.sizes()) / 2, 1e-9);
-    depths_ = {static_cast<float>(middle + (2 * clip.slab->nearest - 1) * half),
-               static_cast<float>(middle + (2 * clip.slab->farthest - 1) * half)};
+    const double rounding = 1e-5 * half; // what lies on a plane of the slab is in it
+    depths_ = {static_cast<float>(middle + (2 * clip.slab->nearest - 1) * half - rounding),
+               static_cast<float>(middle + (2 * clip.slab->farthest - 1) * half + rounding)};
   }
   if (clip.box) {
     low_ = (clip.box->min() - origin).cast<float>();

@@ -57,6 +57,20 @@ TEST(ReviewWalk, StretchesAreNoLongerThanAsked) {
   EXPECT_DOUBLE_EQ(longestStretch(plant), 0.7);
 }
 
+// The plant is 3 high and 2 wide: two of its longest stretches are 0.72.
+TEST(ReviewWalk, OneLookIsAnAxisOrAsMuchAsTwoStretches) {
+  Skeleton plant = smallTree();
+  const NodeId a =
+      plant.add({.position = {0.3, 0, 3}, .parent = NodeId{3}, .edge = EdgeType::branching});
+  const NodeId b =
+      plant.add({.position = {0, 0.3, 3}, .parent = NodeId{3}, .edge = EdgeType::branching});
+  EXPECT_TRUE(isOneLook(plant, {}));
+  EXPECT_TRUE(isOneLook(plant, {NodeId{3}, NodeId{0}, NodeId{2}})) << "along the trunk";
+  EXPECT_FALSE(isOneLook(plant, {NodeId{0}, NodeId{4}}));
+  EXPECT_FALSE(isOneLook(plant, plant.ids()));
+  EXPECT_TRUE(isOneLook(plant, {a, b})) << "two short twigs";
+}
+
 TEST(ReviewWalk, LeavesOutNoNodeOfAnyPlant) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const Skeleton plant = test::randomPlant(200, seed);

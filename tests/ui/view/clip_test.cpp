@@ -1,5 +1,6 @@
 #include "tests/support/plants.h"
 #include "tests/ui/view/pictures.h"
+#include "ui/view/moved_clip.h"
 #include "ui/view/palette.h"
 #include "ui/view/plant_view.h"
 
@@ -53,6 +54,43 @@ TEST(ClipVolume, CutsABoxAboutAnyOrigin) {
                           Camera());
   EXPECT_TRUE(volume.contains({0.5F, 0.5F, 0.5F}));
   EXPECT_FALSE(volume.contains({1.5F, 0.5F, 0.5F}));
+}
+
+// The camera looks along y; the plant reaches from y = 0 to y = 10.
+TEST(MovedToShow, MovesASlabNoFartherThanItMust) {
+  const auto bounds = boxOf({-1, 0, -1}, {1, 10, 1});
+  const auto shows = [&](const Clip::Slab& slab, const std::vector<Eigen::Vector3d>& places) {
+    return *movedToShow({.slab = slab, .box = {}}, places, bounds, Camera()).slab;
+  };
+  EXPECT_EQ(shows({0.2, 0.5}, {{0, 3, 0}}), (Clip::Slab{0.2, 0.5})) << "it is shown already";
+  const Clip::Slab back = shows({0.2, 0.5}, {{0, 7, 0}});
+  EXPECT_NEAR(back.farthest, 0.72, 1e-9) << "with a little of what is around it";
+  EXPECT_NEAR(back.farthest - back.nearest, 0.3, 1e-9);
+  const Clip::Slab front = shows({0.2, 0.5}, {{0, 0, 0}});
+  EXPECT_NEAR(front.nearest, 0, 1e-9);
+  EXPECT_NEAR(front.farthest, 0.3, 1e-9);
+  const Clip::Slab wide = shows({0.2, 0.3}, {{0, 1, 0}, {0, 9, 0}});
+  EXPECT_LE(wide.nearest, 0.1);
+  EXPECT_GE(wide.farthest, 0.9);
+  EXPECT_EQ(shows({0.2, 0.3}, {}), (Clip::Slab{0.2, 0.3}));
+}
+
+TEST(MovedToShow, MovesABoxAlongAndEnlargesItOnlyWhereItMust) {
+  const auto bounds = boxOf({0, 0, 0}, {10, 10, 10});
+  const Clip clip{.slab = {}, .box = boxOf({1, 1, 1}, {3, 3, 3})};
+  const auto shown = [&](const std::vector<Eigen::Vector3d>& places) {
+    return *movedToShow(clip, places, bounds, Camera()).box;
+  };
+  EXPECT_TRUE(shown({{2, 2, 2}}).isApprox(*clip.box));
+  EXPECT_TRUE(shown({{6, 2, 2}}).isApprox(boxOf({4.2, 1, 1}, {6.2, 3, 3})));
+  const Eigen::AlignedBox3d large = shown({{6, 2, 0}, {9, 2, 0}});
+  EXPECT_TRUE(large.contains(Eigen::Vector3d(6, 2, 0)) && large.contains(Eigen::Vector3d(9, 2, 0)));
+  EXPECT_NEAR(large.sizes().y(), 2, 1e-9);
+  EXPECT_NEAR(large.sizes().z(), 2, 1e-9);
+}
+
+TEST(MovedToShow, LeavesAViewWithoutAClipAlone) {
+  EXPECT_TRUE(movedToShow({}, {{0, 0, 0}}, boxOf({0, 0, 0}, {1, 1, 1}), Camera()).isAll());
 }
 
 /// A stick of five nodes along z with a point beside each node, seen from the front.

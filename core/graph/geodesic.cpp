@@ -10,9 +10,12 @@ namespace {
 
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
-bool isFarther(const GeodesicBall::Member& a, const GeodesicBall::Member& b) {
-  return a.distance != b.distance ? a.distance > b.distance : a.point > b.point;
-}
+// A type, not a function: the heap then holds its code instead of calling it.
+struct IsFarther {
+  bool operator()(const GeodesicBall::Member& a, const GeodesicBall::Member& b) const {
+    return a.distance != b.distance ? a.distance > b.distance : a.point > b.point;
+  }
+};
 
 } // namespace
 
@@ -24,8 +27,7 @@ Geodesics geodesics(const NeighborhoodGraph& graph, const std::vector<Eigen::Ind
   using Member = GeodesicBall::Member;
   std::vector<Member> storage;
   storage.reserve(count);
-  std::priority_queue<Member, std::vector<Member>, bool (*)(const Member&, const Member&)> queue(
-      isFarther, std::move(storage));
+  std::priority_queue<Member, std::vector<Member>, IsFarther> queue({}, std::move(storage));
   for (const Eigen::Index source : sources) {
     result.distance[static_cast<std::size_t>(source)] = 0;
     queue.push({static_cast<std::uint32_t>(source), 0});
@@ -67,7 +69,7 @@ const std::vector<GeodesicBall::Member>& GeodesicBall::around(Eigen::Index cente
   heap_.push_back({first, 0});
   while (!heap_.empty() && members_.size() < most) {
     const Member near = heap_.front();
-    std::pop_heap(heap_.begin(), heap_.end(), isFarther);
+    std::pop_heap(heap_.begin(), heap_.end(), IsFarther{});
     heap_.pop_back();
     if (near.distance > distance_[near.point]) continue;
     members_.push_back(near);
@@ -78,7 +80,7 @@ const std::vector<GeodesicBall::Member>& GeodesicBall::around(Eigen::Index cente
       if (known == infinite) met_.push_back(link.to);
       known = distance;
       heap_.push_back({link.to, distance});
-      std::push_heap(heap_.begin(), heap_.end(), isFarther);
+      std::push_heap(heap_.begin(), heap_.end(), IsFarther{});
     }
   }
   for (const std::uint32_t point : met_)

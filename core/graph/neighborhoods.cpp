@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <tuple>
+#include <utility>
 
 namespace espalier {
 namespace {
@@ -31,16 +32,36 @@ std::vector<std::uint32_t> sorted(std::vector<Found>& found, std::uint32_t own) 
   return points;
 }
 
+/// Moves the lists of `points` to the end of `result`, and makes room for as many members of each
+/// of the `left` points that come later. Memory that is not written to takes none.
+void takeLists(Lists& lists, std::span<const std::uint32_t> points, std::size_t left,
+               Neighborhoods& result) {
+  std::size_t added = 0;
+  for (const std::uint32_t point : points)
+    added += lists[point].size();
+  const std::size_t size = result.members.size() + added;
+  if (result.members.capacity() < size)
+    result.members.reserve(size + (added * left + added * left / 8) / points.size());
+  for (const std::uint32_t point : points) {
+    const auto list = std::exchange(lists[point], {});
+    result.begin[point] = result.members.size();
+    result.members.insert(result.members.end(), list.begin(), list.end());
+    result.end[point] = result.members.size();
+  }
+}
+
 } // namespace
 
 Neighborhoods joinedLists(const Lists& lists, const Progress& progress) {
   Neighborhoods result;
   PacedCheck pace(progress);
-  result.begin.assign(1, 0);
-  result.begin.reserve(lists.size() + 1);
-  for (const auto& list : lists)
-    result.begin.push_back(result.begin.back() + list.size());
-  result.members.reserve(result.begin.back());
+  std::size_t total = 0;
+  for (const auto& list : lists) {
+    result.begin.push_back(total);
+    total += list.size();
+    result.end.push_back(total);
+  }
+  result.members.reserve(total);
   for (const auto& list : lists) {
     pace.after(1 + list.size());
     result.members.insert(result.members.end(), list.begin(), list.end());
@@ -53,8 +74,10 @@ Neighborhoods nearestNeighborhoods(const Eigen::Matrix3Xf& points, int count,
   NearestOthers others = SpatialIndex(points, progress).nearestOthers(count, progress);
   Neighborhoods result;
   const auto perPoint = static_cast<std::size_t>(others.perPoint);
-  for (std::size_t i = 0; i <= static_cast<std::size_t>(points.cols()); ++i)
+  for (std::size_t i = 0; i < static_cast<std::size_t>(points.cols()); ++i) {
     result.begin.push_back(i * perPoint);
+    result.end.push_back((i + 1) * perPoint);
+  }
   result.members = std::move(others.indices);
   return result;
 }
@@ -90,6 +113,8 @@ Neighborhoods geodesicNearest(const NeighborhoodGraph& graph, int count, const P
 
 Neighborhoods geodesicWithin(const NeighborhoodGraph& graph, float radius,
                              const Progress& progress) {
+  constexpr std::size_t groupsAtOnce = 1024; // only their lists are in memory twice
+  const BallGroups groups = ballGroups(graph);
   Lists lists(static_cast<std::size_t>(graph.size()));
   const auto visit = [&](const GeodesicBalls& balls) {
     std::array<std::vector<Found>, GeodesicBalls::most> found;
@@ -99,9 +124,19 @@ Neighborhoods geodesicWithin(const NeighborhoodGraph& graph, float radius,
     for (std::size_t i = 0; i < balls.centers().size(); ++i)
       lists[balls.centers()[i]] = sorted(found[i], balls.centers()[i]);
   };
-  forEachGeodesicBalls(
-      graph, [&](std::uint32_t /*center*/) { return radius; }, visit, progress);
-  return joinedLists(lists, progress);
+  const auto radiusOf = [&](std::uint32_t /*center*/) { return radius; };
+  const auto total = static_cast<double>(groups.size());
+  Neighborhoods result{.begin = std::vector<std::size_t>(lists.size()),
+                       .end = std::vector<std::size_t>(lists.size())};
+  for (std::size_t first = 0; first < groups.size(); first += groupsAtOnce) {
+    const std::size_t last = std::min(first + groupsAtOnce, groups.size());
+    forEachGeodesicBalls(
+        groups, first, last, graph, radiusOf, findAlongLinks, visit,
+        progress.part(static_cast<double>(first) / total, static_cast<double>(last) / total));
+    const std::size_t seen = last == groups.size() ? lists.size() : groups.begin(last);
+    takeLists(lists, groups.between(first, last), lists.size() - seen, result);
+  }
+  return result;
 }
 
 } // namespace espalier

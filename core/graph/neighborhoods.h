@@ -13,13 +13,13 @@ namespace espalier {
 
 /// For each point of a cloud those that count as its neighbors, itself not among them.
 struct Neighborhoods {
-  std::vector<std::size_t> begin;     // N + 1 places in members
-  std::vector<std::uint32_t> members; // columns of the cloud
+  std::vector<std::size_t> begin, end; // by point: places in members
+  std::vector<std::uint32_t> members;  // columns of the cloud
 
-  [[nodiscard]] std::size_t size() const { return begin.empty() ? 0 : begin.size() - 1; }
+  [[nodiscard]] std::size_t size() const { return begin.size(); }
   [[nodiscard]] std::span<const std::uint32_t> of(Eigen::Index point) const {
     const auto i = static_cast<std::size_t>(point);
-    return {members.data() + begin[i], members.data() + begin[i + 1]};
+    return {members.data() + begin[i], members.data() + end[i]};
   }
 };
 
@@ -43,7 +43,8 @@ struct Neighborhoods {
 [[nodiscard]] Neighborhoods geodesicNearest(const NeighborhoodGraph& graph, int count,
                                             const Progress& progress = {});
 
-/// Those within `radius` [L] along the graph. Time O(N k m / 16) for m of them.
+/// Those within `radius` [L] along the graph. Time O(N k m / 16) for m of them; no memory to speak
+/// of beside the result.
 [[nodiscard]] Neighborhoods geodesicWithin(const NeighborhoodGraph& graph, float radius,
                                            const Progress& progress = {});
 

@@ -63,12 +63,26 @@ TEST(Neighborhoods, OfCoincidentPointsHoldTheOthers) {
   }
 }
 
+// More points than are searched before their lists are put together.
+TEST(Neighborhoods, AlongAGraphAreThoseOfEachPointWhereThereAreMany) {
+  Eigen::Matrix3Xf line = Eigen::Matrix3Xf::Zero(3, 40'000);
+  line.row(0) = Eigen::RowVectorXf::LinSpaced(line.cols(), 0, static_cast<float>(line.cols() - 1));
+  const Neighborhoods near = geodesicWithin(NeighborhoodGraph(line, 2), 2.1F);
+  ASSERT_EQ(near.size(), 40'000U);
+  for (Eigen::Index i = 2; i + 2 < line.cols(); ++i) {
+    const auto at = static_cast<std::uint32_t>(i);
+    ASSERT_EQ(of(near, i), (Points{at - 1, at + 1, at - 2, at + 2})) << i;
+  }
+}
+
 TEST(Neighborhoods, AreTheSameOnAnyNumberOfThreads) {
   const Eigen::Matrix3Xf points = test::forkCloud();
   const NeighborhoodGraph graph(points, 7);
   const Neighborhoods onMany = geodesicWithin(graph, 0.1F);
   const ThreadLimit limit(1);
-  EXPECT_EQ(geodesicWithin(graph, 0.1F).members, onMany.members);
+  const Neighborhoods onOne = geodesicWithin(graph, 0.1F);
+  EXPECT_EQ(onOne.begin, onMany.begin);
+  EXPECT_EQ(onOne.members, onMany.members);
 }
 
 TEST(Neighborhoods, StopWhenAsked) {

@@ -3,6 +3,7 @@
 #include "app/report/comparison_colors.h"
 #include "core/base/error.h"
 #include "core/evaluate/registration.h"
+#include "core/graph/turn_upright.h"
 #include "ui/view/overlay.h"
 #include "ui/view/picture.h"
 
@@ -22,8 +23,10 @@ constexpr QSize errorSize(800, 600);
 /// Width over height that suits a plant from front and side alike.
 double aspectOf(const Scene& scene) {
   const Eigen::Vector3d sides = scene.bounds().sizes();
-  const double width = std::max(sides.x(), sides.y());
-  return sides.z() > 0 ? std::clamp(width / sides.z(), 0.6, 1.5) : 1.5;
+  const auto up = static_cast<int>(scene.up);
+  const double height = sides[up];
+  const double width = std::max(sides[(up + 1) % 3], sides[(up + 2) % 3]);
+  return height > 0 ? std::clamp(width / height, 0.6, 1.5) : 1.5;
 }
 
 QSize sizeOf(double aspect) {
@@ -55,13 +58,12 @@ Eigen::AlignedBox3d around(const std::vector<Eigen::Vector3d>& places, double le
 }
 
 /// Looks across the way in which the places spread most, so that they lie along the screen.
-double yawAcross(const std::vector<Eigen::Vector3d>& places) {
-  Eigen::Vector2d middle = Eigen::Vector2d::Zero();
-  for (const Eigen::Vector3d& place : places)
-    middle += place.head<2>() / static_cast<double>(places.size());
-  Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
-  for (const Eigen::Vector3d& place : places)
-    spread += (place.head<2>() - middle) * (place.head<2>() - middle).transpose();
+double yawAcross(const std::vector<Eigen::Vector3d>& places, UpAxis up) {
+  Eigen::Matrix2Xd level(2, static_cast<Eigen::Index>(places.size()));
+  for (std::size_t i = 0; i < places.size(); ++i)
+    level.col(static_cast<Eigen::Index>(i)) = (turnUpright(up) * places[i]).head<2>();
+  level.colwise() -= level.rowwise().mean().eval();
+  const Eigen::Matrix2d spread = level * level.transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(spread);
   Eigen::Vector2d right = solver.eigenvectors().col(1);
   if (right.x() < 0) right = -right; // from the front rather than from behind
@@ -86,7 +88,10 @@ bool hasRadii(const Skeleton& skeleton) {
 
 } // namespace
 
-PictureSession::PictureSession(const ReportData& data, QString unit) : unit_(std::move(unit)) {
+PictureSession::PictureSession(const ReportData& data, UpAxis up, QString unit)
+    : unit_(std::move(unit)) {
+  for (Scene* scene : {&both_, &result_, &reference_, &scan_})
+    scene->setUp(up);
   const Skeleton result = moved(data.result, data.toScan);
   const Skeleton reference = moved(data.reference, data.toScan);
   const Skeleton missed = missedOf(reference, data.differences.ofReference);
@@ -104,19 +109,36 @@ PictureSession::PictureSession(const ReportData& data, QString unit) : unit_(std
   addErrors(data);
 }
 
+PictureSession::PictureSession(const Skeleton& plant, std::shared_ptr<const PointCloud> scan,
+                               UpAxis up, QString unit)
+    : unit_(std::move(unit)) {
+  for (Scene* scene : {&both_, &scan_})
+    scene->setUp(up);
+  both_.setSkeleton(plant);
+  both_.showRadii = hasRadii(plant);
+  const double aspect = aspectOf(both_);
+  const QSize size = sizeOf(aspect);
+  const Camera front = cameraFrom(StandardView::front, aspect);
+  shots_.push_back({&both_, front, size, &ReportPictures::front});
+  shots_.push_back({&both_, cameraFrom(StandardView::right, aspect), size, &ReportPictures::side});
+  if (!scan) return;
+  scan_.setCloud(std::move(scan));
+  shots_.push_back({&scan_, front, size, &ReportPictures::scan});
+}
+
+Camera PictureSession::cameraFrom(StandardView view, double aspect) const {
+  Camera camera{.projection = Projection::parallel, .upAxis = both_.up};
+  camera.face(view);
+  camera.frame(both_.outline(), aspect);
+  return camera;
+}
+
 void PictureSession::addWholes(bool hasScan) {
   const double aspect = aspectOf(both_);
   const QSize size = sizeOf(aspect);
-  const auto seen = [&](StandardView view) {
-    Camera camera;
-    camera.projection = Projection::parallel;
-    camera.face(view);
-    camera.frame(both_.outline(), aspect);
-    return camera;
-  };
-  const Camera front = seen(StandardView::front);
+  const Camera front = cameraFrom(StandardView::front, aspect);
   shots_.push_back({&both_, front, size, &ReportPictures::front});
-  shots_.push_back({&both_, seen(StandardView::right), size, &ReportPictures::side});
+  shots_.push_back({&both_, cameraFrom(StandardView::right, aspect), size, &ReportPictures::side});
   shots_.push_back({&result_, front, size, &ReportPictures::result});
   shots_.push_back({&reference_, front, size, &ReportPictures::reference});
   if (hasScan) shots_.push_back({&scan_, front, size, &ReportPictures::scan});
@@ -128,9 +150,8 @@ void PictureSession::addErrors(const ReportData& data) {
     const DifferingPart& part = data.differences.parts[i];
     const std::vector<Eigen::Vector3d> places = placesOf(data, part);
     const Eigen::AlignedBox3d box = around(places, least);
-    Camera camera;
-    camera.yaw = yawAcross(places);
-    camera.projection = Projection::parallel;
+    Camera camera{.projection = Projection::parallel, .upAxis = both_.up};
+    camera.yaw = yawAcross(places, both_.up);
     camera.frame(box, static_cast<double>(errorSize.width()) / errorSize.height());
     Shot shot{&both_, camera, errorSize, nullptr, box};
     shot.marks.push_back({data.toScan * part.at, false});
@@ -183,8 +204,8 @@ double PictureSession::done() const {
   return static_cast<double>(next_) / static_cast<double>(shots_.size());
 }
 
-ReportPictures reportPictures(const ReportData& data, const QString& unit) {
-  PictureSession session(data, unit);
+ReportPictures reportPictures(const ReportData& data, UpAxis up, const QString& unit) {
+  PictureSession session(data, up, unit);
   while (session.drawNext()) {
   }
   return session.pictures();

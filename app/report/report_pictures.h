@@ -30,7 +30,12 @@ struct ReportPictures {
 /// QGuiApplication, but no display.
 class PictureSession {
 public:
-  explicit PictureSession(const ReportData& data, QString unit = {});
+  /// @param up of the frame of the scan
+  explicit PictureSession(const ReportData& data, UpAxis up = UpAxis::z, QString unit = {});
+  /// Of one plant by itself: front, side and scan.
+  /// @param scan may be null
+  PictureSession(const Skeleton& plant, std::shared_ptr<const PointCloud> scan, UpAxis up,
+                 QString unit = {});
   PictureSession(const PictureSession&) = delete; // what it draws is within it
   PictureSession& operator=(const PictureSession&) = delete;
 
@@ -54,6 +59,7 @@ private:
     std::vector<Mark> marks = {};
   };
   void addWholes(bool hasScan);
+  [[nodiscard]] Camera cameraFrom(StandardView view, double aspect) const;
   void addErrors(const ReportData& data);
   [[nodiscard]] QImage draw(const Shot& shot) const;
 
@@ -68,6 +74,6 @@ private:
 };
 
 /// All of them at once.
-[[nodiscard]] ReportPictures reportPictures(const ReportData& data, const QString& unit);
+[[nodiscard]] ReportPictures reportPictures(const ReportData& data, UpAxis up, const QString& unit);
 
 } // namespace espalier

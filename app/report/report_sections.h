@@ -2,8 +2,12 @@
 
 #include "app/report/comparison_report.h"
 #include "app/report/report_numbers.h"
+#include "core/evaluate/trait_rows.h"
 
 #include <QCoreApplication>
+
+#include <utility>
+#include <vector>
 
 namespace espalier {
 
@@ -23,9 +27,23 @@ struct ReportParts {
 [[nodiscard]] ReportSection placesSection(const ReportParts& parts);
 [[nodiscard]] ReportSection woodSection(const ReportParts& parts);
 [[nodiscard]] ReportSection traitsSection(const ReportParts& parts);
-[[nodiscard]] ReportSection handWorkSection(const ReportParts& parts); // pre: there is a history
+[[nodiscard]] ReportSection handWorkSection(const HandWork& work, const ReportNumbers& numbers);
 [[nodiscard]] ReportSection settingsSection(const ReportParts& parts);
 [[nodiscard]] ReportSection methodsSection(const ReportParts& parts);
+
+/// Below the picture of a scan: what it is, and what its colors mean.
+[[nodiscard]] QString scanText(const QString& name, const PointCloud& scan, UpAxis up,
+                               const ReportNumbers& numbers);
+/// A trait with its unit, as in the first column of a table: "stem length [mm]".
+[[nodiscard]] QString nameOf(const TraitRow& row, const ReportNumbers& numbers);
+/// What was read, by its role.
+[[nodiscard]] ReportTable inputsTable(const std::vector<std::pair<QString, ReportedFile>>& inputs);
+/// A file as it is typed in a command; one that is to be exported first has a name of its own.
+[[nodiscard]] QString typedName(const ReportedFile& file);
+/// Says to export it first; empty: it is a file already.
+[[nodiscard]] std::vector<ReportBlock> exportAdvice(const ReportedFile& file);
+/// What the traits and the light of one plant mean.
+[[nodiscard]] std::vector<ReportTerms::Term> traitTerms(bool hasLight);
 
 /// What the scores of a ranking mean.
 [[nodiscard]] ReportTerms scoreTerms();

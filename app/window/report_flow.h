@@ -2,13 +2,13 @@
 
 #include "app/report/comparison_report.h"
 #include "app/window/panel_dock.h"
+#include "app/window/report_maker.h"
 #include "core/evaluate/evaluation.h"
 
 #include <QObject>
 #include <QString>
 
 #include <functional>
-#include <memory>
 
 namespace espalier {
 
@@ -31,7 +31,6 @@ public:
     std::function<EvaluationOptions()> how; // the plant is compared now
   };
   explicit ReportFlow(Parts parts);
-  ~ReportFlow() override;
 
   void setIgnored(std::vector<DifferingPart> ignored) { ignored_ = std::move(ignored); }
   void setChoices(std::vector<ChoiceRecord> records) { choices_ = std::move(records); }
@@ -46,15 +45,11 @@ signals:
   void written(const QString& path);
 
 private:
-  /// A report on its way.
-  struct Making;
   void choose();
   [[nodiscard]] ReportAbout about() const;
-  void drawNext();
-  void save();
 
   Parts parts_;
-  std::unique_ptr<Making> making_; // null: none
+  ReportMaker maker_;
   std::vector<ChoiceRecord> choices_;
   std::vector<DifferingPart> ignored_; // in the frame of the plant
 };

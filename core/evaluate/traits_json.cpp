@@ -2,7 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <numbers>
+#include <utility>
 
 namespace espalier {
 namespace {
@@ -59,6 +61,11 @@ Json toJson(const StarAtPixels& each) {
   return {{"pixels", each.pixels}, {"star", each.star}};
 }
 
+Json toJson(const WoodAmount& wood) {
+  return {
+      {"edges", wood.edges}, {"length", wood.length}, {"area", wood.area}, {"volume", wood.volume}};
+}
+
 template <class Part> Json listOf(const std::vector<Part>& parts) {
   Json list = Json::array();
   for (const Part& part : parts)
@@ -86,6 +93,37 @@ nlohmann::ordered_json toJson(const Traits& traits) {
           {"divergence", toJson(traits.angles.divergence)},
           {"divergences", traits.angles.divergences},
           {"crown", toJson(traits.crown)}};
+}
+
+nlohmann::ordered_json toJson(const WoodAmounts& wood) {
+  return {{"whole", toJson(wood.whole)},
+          {"by_order", listOf(wood.byOrder)},
+          {"by_radius", listOf(wood.byRadius)}};
+}
+
+nlohmann::ordered_json toJson(const PlantMeasures& measures) {
+  const std::optional<double>& diameter = measures.stemDiameter;
+  const std::string& missing = measures.stemMissing;
+  Json wood = {{"radius_limits", measures.radiusLimits}};
+  wood.update(toJson(measures.wood));
+  return {{"traits", toJson(measures.traits)},
+          {"breast_height",
+           {{"diameter", diameter ? Json(*diameter) : Json()},
+            {"missing", missing.empty() ? Json() : Json(missing)}}},
+          {"wood", std::move(wood)},
+          {"light", measures.light ? toJson(*measures.light) : Json()},
+          {"warnings", measures.warnings}};
+}
+
+std::vector<std::vector<std::string>> tableOf(const nlohmann::ordered_json& json) {
+  std::vector<std::vector<std::string>> rows = {{"name", "value"}};
+  const Json flat = json.flatten();
+  for (const auto& [path, value] : flat.items()) {
+    std::string name = path.substr(1); // they begin with a slash
+    std::ranges::replace(name, '/', '.');
+    rows.push_back({name, value.is_string() ? value.get<std::string>() : value.dump()});
+  }
+  return rows;
 }
 
 nlohmann::ordered_json toJson(const LightInterception& light) {

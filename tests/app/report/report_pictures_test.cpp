@@ -27,7 +27,7 @@ class Pictures : public testing::Test {
 protected:
   void draw(const Skeleton& result, const Skeleton& reference) {
     data_ = test::reported(result, reference, 0.02);
-    pictures_ = reportPictures(data_, "m");
+    pictures_ = reportPictures(data_, UpAxis::z, "m");
     if (!pictures_.problem.isEmpty()) GTEST_SKIP() << qPrintable(pictures_.problem);
   }
   const QColor missed_{0x1b, 0x87, 0xd0};
@@ -70,7 +70,7 @@ TEST(ComparisonColors, SayWithWhatIsCompared) {
 
 TEST_F(Pictures, AreTheSameEachTime) {
   draw(test::stick(21, 0.1), test::branched());
-  const ReportPictures again = reportPictures(data_, "m");
+  const ReportPictures again = reportPictures(data_, UpAxis::z, "m");
   EXPECT_EQ(again.front, pictures_.front);
   EXPECT_EQ(again.errors, pictures_.errors);
 }

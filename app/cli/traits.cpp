@@ -1,0 +1,145 @@
+#include "app/cli/arguments.h"
+#include "app/cli/commands.h"
+#include "app/cli/evaluate_command.h"
+#include "app/cli/files.h"
+#include "app/cli/headless.h"
+#include "app/cli/pipeline_flags.h"
+#include "app/cli/terminal.h"
+#include "app/report/plant_report.h"
+#include "app/report/write_report.h"
+#include "core/evaluate/breast_height.h"
+#include "core/evaluate/trait_rows.h"
+#include "core/evaluate/traits_json.h"
+
+#include <QDate>
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <memory>
+#include <numbers>
+
+namespace espalier {
+namespace {
+
+struct Flags {
+  std::string file;
+  UpAxis up = UpAxis::z;
+  bool light = false;
+  int pixels = LightOptions().pixels;
+  std::string unit;
+  std::string csv;
+  std::string json;
+  ReportFlags report;
+  int threads = 0;
+};
+
+void requireOutputs(const Flags& flags) {
+  requireApart({flags.csv, flags.json, flags.report.file});
+  for (const std::string& file : {flags.csv, flags.json})
+    requireOutput(file, {flags.file});
+  requireReport(flags.report, {flags.file});
+}
+
+std::string unitOf(TraitKind kind, const std::string& unit) {
+  if (kind == TraitKind::angle) return " deg";
+  if (unit.empty() || kind == TraitKind::count || kind == TraitKind::share) return {};
+  return ' ' + unit + (kind == TraitKind::area ? "^2" : kind == TraitKind::volume ? "^3" : "");
+}
+
+void print(const PlantMeasures& measures, const std::string& unit) {
+  std::string group;
+  for (const TraitRow& row : traitRows(measures)) {
+    if (row.group != group) std::printf("%s%s\n", group.empty() ? "" : "\n", row.group.c_str());
+    group = row.group;
+    const double value =
+        row.kind == TraitKind::angle ? row.value * 180 / std::numbers::pi : row.value;
+    std::printf("  %-28s %12.7g%s\n", row.label.c_str(), value, unitOf(row.kind, unit).c_str());
+  }
+  const std::vector<AxisTraits>& axes = measures.traits.axes;
+  std::printf("\n%7s %8s %12s %12s %12s\n", "order", "axes", "mean length", "mean chord",
+              "leaves at");
+  for (std::size_t order = 0; order < axes.size(); ++order)
+    std::printf("%7zu %8zu %12.7g %12.7g %12.4f\n", order, axes[order].count,
+                axes[order].meanLength, axes[order].meanChord, axes[order].meanInsertion);
+}
+
+PlantReportAbout aboutOf(const Flags& flags) {
+  PlantReportAbout about;
+  about.plant = reportedFile(flags.file);
+  if (!flags.report.scan.empty()) about.scan = reportedFile(flags.report.scan);
+  about.date = QDate::currentDate().toString(Qt::ISODate);
+  about.version = QStringLiteral(ESPALIER_VERSION);
+  about.unit = QString::fromStdString(flags.unit);
+  return about;
+}
+
+void writeReport(const Flags& flags, const PlantReportData& data, const PlantReportAbout& about,
+                 const Progress& progress) {
+  const Headless headless;
+  PictureSession session(data.plant, data.scan, data.up, about.unit);
+  do
+    progress.update(session.done());
+  while (session.drawNext());
+  writePlantReport(flags.report.file, data, session.pictures(), about);
+  printWritten(flags.report.file);
+}
+
+void measure(const Flags& flags) {
+  requireOutputs(flags);
+  const Threads threads(flags.threads);
+  const TerminalProgress terminal;
+  const Progress& whole = terminal.progress();
+  PlantReportData data{.plant = skeletonIn(flags.file),
+                       .up = flags.up,
+                       .measures = {},
+                       .pixels = flags.pixels,
+                       .scan = scanFor(flags.report, whole.part(0, 0.1, "Reading"))};
+  PlantMeasureOptions options{
+      .up = flags.up, .breastHeight = breastHeightIn(flags.unit), .light = std::nullopt};
+  if (flags.light) options.light = LightOptions{.pixels = flags.pixels};
+  data.measures =
+      about(flags.file, [&] { return plantMeasures(data.plant, options, whole.part(0.1, 0.7)); });
+  printNotes(data.measures.warnings);
+  terminal.clear();
+  print(data.measures, flags.unit);
+  const PlantReportAbout told = aboutOf(flags);
+  const nlohmann::ordered_json json = numbersOf(data, told);
+  if (!flags.csv.empty()) writeTable(flags.csv, tableOf(json));
+  writeJson(flags.json, json);
+  if (!flags.report.file.empty()) writeReport(flags, data, told, whole.part(0.7, 1, "Drawing"));
+}
+
+} // namespace
+
+void addTraits(CLI::App& app) {
+  CLI::App* command = app.add_subcommand(
+      "traits", "Measure one plant by itself: sizes, axes, angles, wood and light");
+  const auto flags = std::make_shared<Flags>();
+  command->add_option("PLANT", flags->file, "A structure, in any format that is read")->required();
+  command->add_flag("--light", flags->light,
+                    "Measure how much of its surface it shows to an overcast sky (STAR)");
+  command
+      ->add_option("--pixels", flags->pixels,
+                   "Pixels along the longer side of each picture for --light, 8 to 16384")
+      ->type_name("N")
+      ->check(wholeNumber(8, 16384))
+      ->capture_default_str();
+  addChoice(*command, "--up", flags->up, "Axis that points up",
+            {{"x", UpAxis::x}, {"y", UpAxis::y}, {"z", UpAxis::z}});
+  addUnit(*command, flags->unit,
+          "Unit of the structure: named with the numbers, and sets where breast height is");
+  command->add_option("--csv", flags->csv, "File to write all numbers to, as a table")
+      ->type_name("FILE");
+  command->add_option("--json", flags->json, "File to write all numbers to")->type_name("FILE");
+  addReport(*command, flags->report);
+  addThreads(*command, flags->threads);
+  command->callback([flags] { measure(*flags); });
+  command->footer("Lengths are in the unit of the structure. Beside a reference: espalier "
+                  "evaluate.\n\n"
+                  "Examples:\n"
+                  "  espalier traits pine.mtg --unit m\n"
+                  "  espalier traits pine.mtg --light --json numbers.json --csv numbers.csv\n"
+                  "  espalier traits pine.mtg --light --scan pine.ply --report pine.html");
+}
+
+} // namespace espalier

@@ -1,0 +1,353 @@
+#include "app/report/plant_report.h"
+
+#include "app/report/report_sections.h"
+#include "app/report/write_report.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/evaluate/traits_json.h"
+#include "core/io/atomic_file.h"
+#include "core/io/csv.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <ostream>
+
+namespace espalier {
+namespace {
+
+QString tr(const char* text) {
+  return reportText(text);
+}
+
+struct Parts {
+  const PlantReportData& data;
+  const ReportPictures& pictures;
+  const PlantReportAbout& about;
+  ReportNumbers numbers;
+};
+
+char axisName(UpAxis up) {
+  return "xyz"[static_cast<std::size_t>(up)];
+}
+
+QString valueOf(const TraitRow& row, const ReportNumbers& numbers) {
+  switch (row.kind) {
+  case TraitKind::count:
+    return numbers.count(static_cast<std::size_t>(row.value));
+  case TraitKind::share:
+    return numbers.share(row.value, 5);
+  case TraitKind::angle:
+    return numbers.degrees(row.value);
+  default:
+    return numbers.number(row.value);
+  }
+}
+
+QString sentence(const Parts& parts) {
+  const Traits& traits = parts.data.measures.traits;
+  const ReportNumbers& numbers = parts.numbers;
+  std::size_t axes = 0;
+  for (const std::size_t ofOrder : traits.axesByOrder)
+    axes += ofOrder;
+  const auto counted = [&](std::size_t count, const QString& one, const QString& many) {
+    return count == 1 ? tr("1 %1").arg(one) : tr("%1 %2").arg(numbers.count(count), many);
+  };
+  return tr("The plant is %1 high. It has %2 of a length of %3 in sum, in %4, with %5 and %6.")
+      .arg(numbers.length(traits.crown.height), counted(axes, tr("axis"), tr("axes")),
+           numbers.length(traits.length),
+           counted(traits.axesByOrder.size(), tr("order"), tr("orders")),
+           counted(traits.tips, tr("tip"), tr("tips")),
+           counted(traits.branchings, tr("branching"), tr("branchings")));
+}
+
+ReportKeyNumbers keyNumbers(const Parts& parts) {
+  const PlantMeasures& measures = parts.data.measures;
+  const Traits& traits = measures.traits;
+  const ReportNumbers& numbers = parts.numbers;
+  ReportKeyNumbers key{{{numbers.length(traits.crown.height), tr("height"), {}},
+                        {numbers.length(traits.length), tr("length of all axes"), {}},
+                        {numbers.count(traits.axesByOrder.size()), tr("orders"), {}},
+                        {numbers.count(traits.strahler.size()), tr("Strahler number"), {}}}};
+  if (measures.wood.whole.volume > 0) {
+    const QString unit = parts.about.unit;
+    const QString volume = numbers.number(measures.wood.whole.volume);
+    key.numbers.push_back(
+        {unit.isEmpty() ? volume : volume + QChar(0x202f) + unit + QStringLiteral("³"),
+         tr("volume of wood"),
+         {}});
+  }
+  if (measures.light)
+    key.numbers.push_back(
+        {numbers.share(measures.light->star), tr("STAR"), tr("under an overcast sky")});
+  return key;
+}
+
+ReportSection summary(const Parts& parts) {
+  ReportSection section{tr("Summary"), {ReportParagraph{sentence(parts)}}};
+  section.blocks.emplace_back(keyNumbers(parts));
+  ReportWarnings warnings;
+  for (const std::string& warning : parts.data.measures.warnings)
+    warnings.lines.append(QString::fromStdString(warning));
+  if (!parts.pictures.problem.isEmpty())
+    warnings.lines.append(tr("there are no pictures: %1").arg(parts.pictures.problem));
+  if (!warnings.lines.isEmpty()) section.blocks.emplace_back(std::move(warnings));
+  return section;
+}
+
+ReportSection pictures(const Parts& parts) {
+  ReportSection section{tr("The plant"), {}};
+  ReportFigures shown{.across = parts.data.scan ? 3 : 2, .figures = {}};
+  const auto add = [&](const QImage& image, const QString& title, const QString& text) {
+    if (!image.isNull()) shown.figures.push_back({image, title, text});
+  };
+  add(parts.pictures.front, tr("From the front"), parts.about.plant.name);
+  add(parts.pictures.side, tr("From the right"), tr("The same from the side"));
+  if (parts.data.scan)
+    add(parts.pictures.scan, tr("The scan"),
+        scanText(parts.about.scan ? parts.about.scan->name : tr("points of the plant"),
+                 *parts.data.scan, parts.data.up, parts.numbers));
+  if (!shown.figures.empty()) section.blocks.emplace_back(std::move(shown));
+  return section;
+}
+
+/// The axes of each order: how many, and their means.
+ReportTable axesTable(const Parts& parts) {
+  const ReportNumbers& numbers = parts.numbers;
+  ReportTable table;
+  table.caption =
+      tr("Axes by order: how many, and their means: along them, straight, where on what "
+         "bears them, and radii");
+  table.columns = {{tr("order"), false},
+                   {tr("axes")},
+                   {numbers.inUnit(tr("length"))},
+                   {numbers.inUnit(tr("chord"))},
+                   {tr("leaves at")},
+                   {numbers.inUnit(tr("at the base"))},
+                   {numbers.inUnit(tr("at the apex"))}};
+  const std::vector<AxisTraits>& axes = parts.data.measures.traits.axes;
+  for (std::size_t order = 0; order < axes.size(); ++order)
+    table.rows.push_back({{QString::number(order)},
+                          {numbers.count(axes[order].count)},
+                          {numbers.number(axes[order].meanLength)},
+                          {numbers.number(axes[order].meanChord)},
+                          {numbers.number(axes[order].meanInsertion)},
+                          {numbers.number(axes[order].meanBaseRadius)},
+                          {numbers.number(axes[order].meanTopRadius)}});
+  return table;
+}
+
+ReportTable strahlerTable(const Parts& parts) {
+  ReportTable table;
+  table.caption = tr("Streams by Strahler number");
+  table.columns = {
+      {tr("number"), false}, {tr("streams")}, {parts.numbers.inUnit(tr("length in all"))}};
+  const std::vector<StrahlerOrder>& orders = parts.data.measures.traits.strahler;
+  for (std::size_t k = 0; k < orders.size(); ++k)
+    table.rows.push_back({{QString::number(k + 1)},
+                          {parts.numbers.count(orders[k].streams)},
+                          {parts.numbers.number(orders[k].length)}});
+  return table;
+}
+
+ReportSection architecture(const Parts& parts) {
+  ReportSection section{tr("Architecture"), {}};
+  ReportTable table;
+  for (const TraitRow& row : traitRows(parts.data.measures.traits)) {
+    const QString group = tr(row.group.c_str());
+    if (table.caption != group) {
+      if (!table.rows.empty()) section.blocks.emplace_back(table);
+      table = {.caption = group, .columns = {{tr("trait"), false}, {tr("plant")}}, .rows = {}};
+    }
+    table.rows.push_back({{nameOf(row, parts.numbers)}, {valueOf(row, parts.numbers)}});
+  }
+  section.blocks.emplace_back(std::move(table));
+  section.blocks.emplace_back(axesTable(parts));
+  section.blocks.emplace_back(strahlerTable(parts));
+  return section;
+}
+
+ReportTable woodTable(const Parts& parts, const QString& caption, const QString& what) {
+  const ReportNumbers& numbers = parts.numbers;
+  ReportTable table;
+  table.caption = caption;
+  table.columns = {{what, false},
+                   {numbers.inUnit(tr("length"))},
+                   {numbers.inUnit(tr("area"), 2)},
+                   {numbers.inUnit(tr("volume"), 3)}};
+  return table;
+}
+
+ReportSection wood(const Parts& parts) {
+  const PlantMeasures& measures = parts.data.measures;
+  const ReportNumbers& numbers = parts.numbers;
+  const auto add = [&](ReportTable& table, const QString& name, const WoodAmount& amount) {
+    table.rows.push_back({{name},
+                          {numbers.number(amount.length)},
+                          {numbers.number(amount.area)},
+                          {numbers.number(amount.volume)}});
+  };
+  ReportSection section{tr("Wood"), {}};
+  section.blocks.emplace_back(ReportParagraph{
+      tr("Edges count as truncated cones; those without a radius have a length alone.")});
+  ReportTable byOrder = woodTable(parts, tr("By order"), tr("order"));
+  for (std::size_t k = 0; k < measures.wood.byOrder.size(); ++k)
+    add(byOrder, QString::number(k), measures.wood.byOrder[k]);
+  add(byOrder, tr("all"), measures.wood.whole);
+  section.blocks.emplace_back(std::move(byOrder));
+  section.blocks.emplace_back(ReportParagraph{
+      measures.stemDiameter ? tr("Diameter of the stem at breast height, 1.3 m: %1.")
+                                  .arg(numbers.length(*measures.stemDiameter))
+                            : tr("There is no diameter of the stem at breast height, 1.3 m: %1.")
+                                  .arg(QString::fromStdString(measures.stemMissing)),
+      ReportParagraph::Look::note});
+  if (measures.radiusLimits.empty()) return section;
+  ReportTable byRadius = woodTable(parts, tr("By radius"), numbers.inUnit(tr("up to")));
+  for (std::size_t k = 0; k < measures.wood.byRadius.size(); ++k)
+    add(byRadius,
+        k < measures.radiusLimits.size() ? numbers.given(measures.radiusLimits[k]) : tr("more"),
+        measures.wood.byRadius[k]);
+  section.blocks.emplace_back(std::move(byRadius));
+  return section;
+}
+
+ReportSection light(const Parts& parts) {
+  const LightInterception& light = *parts.data.measures.light;
+  const ReportNumbers& numbers = parts.numbers;
+  ReportSection section{tr("Light"), {}};
+  section.blocks.emplace_back(ReportParagraph{
+      tr("The plant shows %1 of its surface to an overcast sky (STAR); a sphere shows 0.25.")
+          .arg(numbers.share(light.star, 5))});
+  ReportTable steps;
+  steps.caption = tr("The same from pictures of fewer pixels: how far the number may be trusted");
+  steps.columns = {{tr("pixels")}, {tr("STAR")}};
+  for (const StarAtPixels& step : light.convergence)
+    steps.rows.push_back(
+        {{numbers.count(static_cast<std::size_t>(step.pixels))}, {numbers.share(step.star, 5)}});
+  section.blocks.emplace_back(std::move(steps));
+  ReportTable directions;
+  directions.caption = tr("From each direction");
+  directions.columns = {{tr("elevation")},
+                        {tr("azimuth")},
+                        {tr("weight")},
+                        {numbers.inUnit(tr("silhouette"), 2)},
+                        {tr("STAR")}};
+  for (const DirectionalStar& each : light.directions)
+    directions.rows.push_back({{numbers.degrees(each.elevation)},
+                               {numbers.degrees(each.azimuth)},
+                               {numbers.share(each.weight, 4)},
+                               {numbers.number(each.silhouette)},
+                               {numbers.share(each.star, 5)}});
+  section.blocks.emplace_back(std::move(directions));
+  return section;
+}
+
+/// What to type for the same numbers.
+QString commandOf(const Parts& parts) {
+  QStringList words = {QStringLiteral("espalier traits"), typedName(parts.about.plant)};
+  if (parts.data.measures.light)
+    words.append(QStringLiteral("--light --pixels %1").arg(parts.data.pixels));
+  if (!parts.about.unit.isEmpty()) words.append(QStringLiteral("--unit ") + parts.about.unit);
+  if (parts.data.up != UpAxis::z)
+    words.append(QStringLiteral("--up ") + QChar(axisName(parts.data.up)));
+  words.append(QStringLiteral("--json numbers.json --csv numbers.csv"));
+  return words.join(' ');
+}
+
+ReportSection settings(const Parts& parts) {
+  std::vector<std::pair<QString, ReportedFile>> files = {{tr("plant"), parts.about.plant}};
+  if (parts.about.scan) files.emplace_back(tr("scan"), *parts.about.scan);
+  ReportTable table;
+  table.caption = tr("Settings");
+  table.columns = {{tr("setting"), false}, {tr("value"), false}};
+  table.rows = {{{tr("unit of lengths")},
+                 {parts.about.unit.isEmpty() ? tr("that of the files") : parts.about.unit}},
+                {{tr("up")}, {QString(QChar(axisName(parts.data.up)))}},
+                {{tr("version")}, {tr("Espalier %1, Qt %2").arg(parts.about.version, qVersion())}}};
+  ReportSection section{tr("How it was measured"), {inputsTable(files), std::move(table)}};
+  section.blocks.emplace_back(ReportParagraph{
+      tr("All numbers as JSON and CSV; they are the values that this report rounds:")});
+  for (const ReportBlock& advice : exportAdvice(parts.about.plant))
+    section.blocks.push_back(advice);
+  section.blocks.emplace_back(ReportParagraph{commandOf(parts), ReportParagraph::Look::code});
+  return section;
+}
+
+enum class Written { html, json, csv };
+
+std::optional<Written> writtenAs(const std::filesystem::path& path) {
+  const std::string extension = lowerCase(path.extension().string());
+  if (extension == ".html" || extension == ".htm" || extension == ".pdf") return Written::html;
+  if (extension == ".json") return Written::json;
+  if (extension == ".csv") return Written::csv;
+  return std::nullopt;
+}
+
+} // namespace
+
+Report plantReport(const PlantReportData& data, const ReportPictures& drawn,
+                   const PlantReportAbout& about) {
+  const Parts parts{data, drawn, about, ReportNumbers(about.unit)};
+  Report report;
+  report.title = about.plant.name;
+  report.facts = {about.date, tr("Espalier %1").arg(about.version),
+                  about.unit.isEmpty() ? tr("lengths in the unit of the files")
+                                       : tr("lengths in %1").arg(about.unit)};
+  report.sections = {summary(parts), pictures(parts), architecture(parts), wood(parts)};
+  if (data.measures.light) report.sections.push_back(light(parts));
+  if (about.handWork) report.sections.push_back(handWorkSection(*about.handWork, parts.numbers));
+  report.sections.push_back(settings(parts));
+  report.sections.push_back(
+      {tr("Methods"), {ReportTerms{traitTerms(data.measures.light.has_value())}}});
+  std::erase_if(report.sections, [](const ReportSection& section) {
+    return section.blocks.empty(); // no picture could be drawn
+  });
+  return report;
+}
+
+nlohmann::ordered_json numbersOf(const PlantReportData& data, const PlantReportAbout& about) {
+  const auto orNull = [](const QString& text) {
+    return text.isEmpty() ? nlohmann::ordered_json() : nlohmann::ordered_json(text.toStdString());
+  };
+  const auto fileJson = [&](const ReportedFile& file) {
+    return nlohmann::ordered_json{
+        {"file", (file.path.isEmpty() ? file.name : file.path).toStdString()},
+        {"sha256", orNull(file.fingerprint)}};
+  };
+  nlohmann::ordered_json json = {{"version", about.version.toStdString()},
+                                 {"unit", orNull(about.unit)},
+                                 {"up", std::string(1, axisName(data.up))},
+                                 {"inputs", {{"plant", fileJson(about.plant)}}}};
+  if (about.scan) json["inputs"]["scan"] = fileJson(*about.scan);
+  json.update(toJson(data.measures));
+  return json;
+}
+
+void requirePlantReportName(const std::filesystem::path& path) {
+  if (!writtenAs(path))
+    throw Error(path.string() +
+                ": numbers of a plant are written as HTML, PDF, CSV or JSON: choose "
+                "a name that ends in .html, .pdf, .csv or .json");
+}
+
+bool hasPictures(const std::filesystem::path& path) {
+  return writtenAs(path) == Written::html;
+}
+
+void writePlantReport(const std::filesystem::path& path, const PlantReportData& data,
+                      const ReportPictures& drawn, const PlantReportAbout& about) {
+  requirePlantReportName(path);
+  if (hasPictures(path)) return writeReport(path, plantReport(data, drawn, about));
+  const nlohmann::ordered_json json = numbersOf(data, about);
+  const bool isTable = writtenAs(path) == Written::csv;
+  writeAtomically(path, [&](std::ostream& out) {
+    if (!isTable) out << json.dump(2) << '\n';
+    if (isTable)
+      for (const std::vector<std::string>& row : tableOf(json))
+        out << csvLine(row);
+  });
+}
+
+} // namespace espalier

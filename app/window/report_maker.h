@@ -1,0 +1,45 @@
+#pragma once
+
+#include "app/report/report_pictures.h"
+
+#include <QObject>
+#include <QString>
+
+#include <functional>
+#include <memory>
+
+namespace espalier {
+
+class JobRunner;
+
+/// What comes after the measuring of a report: its pictures are drawn one by one between what else
+/// the window does, and writing is a job.
+class ReportMaker : public QObject {
+  Q_OBJECT
+
+public:
+  using Write = std::function<void(const ReportPictures&)>; // on the thread of the job; may throw
+
+  explicit ReportMaker(JobRunner& jobs, QObject* parent = nullptr);
+
+  [[nodiscard]] bool isBusy() const { return write_ != nullptr; }
+  /// @param pictures null: there are none to draw
+  /// pre: !isBusy(), and no job runs
+  void start(const QString& path, std::unique_ptr<PictureSession> pictures, Write write);
+
+signals:
+  void busyChanged();
+  void noted(const QString& message);
+  void written(const QString& path);
+
+private:
+  void drawNext();
+  void save();
+
+  JobRunner& jobs_;
+  QString path_;
+  std::unique_ptr<PictureSession> pictures_;
+  Write write_;
+};
+
+} // namespace espalier

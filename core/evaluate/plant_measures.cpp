@@ -1,0 +1,60 @@
+#include "core/evaluate/plant_measures.h"
+
+#include "core/evaluate/comparable.h"
+#include "core/evaluate/comparison_warnings.h"
+#include "core/evaluate/registration.h"
+#include "core/evaluate/stem_diameter.h"
+#include "core/graph/turn_upright.h"
+#include "core/surface/generalized_cylinders.h"
+
+#include <algorithm>
+
+namespace espalier {
+namespace {
+
+StemDiameter stemOfPlant(const Skeleton& plant, double breastHeight) {
+  if (!(breastHeight > 0)) return {{}, "the unit of the lengths is not known"};
+  const double foot = plant[stemOf(plant).front()].position.z();
+  return stemDiameterAt(plant, foot + breastHeight, "the plant");
+}
+
+} // namespace
+
+PlantMeasures plantMeasures(const Skeleton& plant, const PlantMeasureOptions& options,
+                            const Progress& progress) {
+  requireComparable(plant, "the plant");
+  const Skeleton upright = standing(plant, options.up);
+  PlantMeasures measures;
+  measures.traits = traits(upright);
+  measures.radiusLimits = radiusLimits(upright);
+  measures.wood = woodAmounts(upright, measures.radiusLimits);
+  const StemDiameter stem = stemOfPlant(upright, options.breastHeight);
+  measures.stemDiameter = stem.value;
+  measures.stemMissing = stem.missing;
+  if (const std::string trees = warningOfTrees(measures.traits); !trees.empty())
+    measures.warnings.push_back(trees);
+  if (options.light) {
+    measures.light = lightOn(upright, *options.light, progress.part(0, 1, "Measuring light"));
+    if (!measures.light)
+      measures.warnings.emplace_back(
+          "the plant has no radii: its light is left out; estimate radii first");
+  }
+  progress.update(1);
+  return measures;
+}
+
+std::optional<LightInterception> lightOn(const Skeleton& plant, const LightOptions& options,
+                                         const Progress& progress) {
+  const std::vector<NodeId> ids = plant.ids();
+  if (std::ranges::none_of(ids, [&](NodeId id) { return plant[id].radius > 0; }))
+    return std::nullopt;
+  return lightInterception(surfaceByGeneralizedCylinders(plant, {}, progress.part(0, 0.2)), options,
+                           progress.part(0.2, 1));
+}
+
+Skeleton standing(const Skeleton& plant, UpAxis up) {
+  if (up == UpAxis::z) return plant;
+  return moved(plant, Eigen::Isometry3d(turnUpright(up)));
+}
+
+} // namespace espalier

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/skeleton/skeleton.h"
+
+#include <optional>
+#include <string>
+
+namespace espalier {
+
+/// How thick a stem is at some height, or why that cannot be told.
+struct StemDiameter {
+  std::optional<double> value; // [L]
+  std::string missing;         // empty if there is a value
+};
+
+/// Of stemOf(), where it first rises to this height. It changes evenly along an edge.
+///
+/// @param z    [L], in the frame of the plant; up is z
+/// @param role what the user calls the plant: "the reference"
+/// Time O(N).
+[[nodiscard]] StemDiameter stemDiameterAt(const Skeleton& plant, double z, const std::string& role);
+
+} // namespace espalier

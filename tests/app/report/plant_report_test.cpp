@@ -1,0 +1,128 @@
+#include "app/report/html_report.h"
+#include "app/report/plant_report.h"
+#include "core/base/error.h"
+#include "core/evaluate/traits_json.h"
+#include "tests/app/report/reported_plants.h"
+#include "tests/support/shared_data.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+#include <gmock/gmock.h>
+#include <sstream>
+
+namespace espalier {
+namespace {
+
+using test::cellOf;
+using test::sectionOf;
+using test::textOf;
+
+PlantReportData data(UpAxis up = UpAxis::z) {
+  PlantReportData made{.plant = test::branched(), .up = up, .measures = {}, .pixels = 64};
+  made.measures = plantMeasures(
+      made.plant, {.up = up, .breastHeight = 1.3, .light = LightOptions{.pixels = 64}});
+  return made;
+}
+
+PlantReportAbout about() {
+  return {.plant = {"oak.mtg", QString(64, 'a'), {}, "trees/oak.mtg"},
+          .scan = std::nullopt,
+          .date = "2026-01-02",
+          .version = "9.8.7",
+          .unit = "m",
+          .handWork = std::nullopt};
+}
+
+std::string contentOf(const std::filesystem::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+TEST(PlantReport, TellsAllOfOnePlant) {
+  const Report report = plantReport(data(), {}, about());
+  EXPECT_EQ(report.title, "oak.mtg");
+  const QString summary = textOf(sectionOf(report, "Summary"));
+  EXPECT_TRUE(summary.contains("3.000")) << "of axes: " << qPrintable(summary);
+  EXPECT_TRUE(summary.contains("in 2 orders, with 2 tips and 1 branching.")) << qPrintable(summary);
+  const ReportSection& architecture = sectionOf(report, "Architecture");
+  EXPECT_EQ(cellOf(architecture, "length [m]", 1), "3.000");
+  EXPECT_EQ(cellOf(architecture, "branching angle, order 1", 1), "90.0°");
+  EXPECT_EQ(cellOf(architecture, "1", 2), "1.000") << "mean length of order 1";
+  EXPECT_EQ(cellOf(sectionOf(report, "Wood"), "all", 1), "3.000");
+  EXPECT_TRUE(textOf(sectionOf(report, "Wood")).contains("1.3 m"));
+}
+
+TEST(PlantReport, HoldsTheNumbersOfTheJson) {
+  const PlantReportData made = data();
+  const Report report = plantReport(made, {}, about());
+  const auto json = numbersOf(made, about());
+  const ReportSection& light = sectionOf(report, "Light");
+  EXPECT_EQ(cellOf(light, "64", 1), QString::number(json["light"]["star"].get<double>(), 'f', 5));
+  std::size_t directions = 0;
+  for (const ReportBlock& block : light.blocks)
+    if (const auto* table = std::get_if<ReportTable>(&block))
+      directions = std::max(directions, table->rows.size());
+  EXPECT_EQ(directions, 46U) << "of the sky";
+  EXPECT_EQ(json["inputs"]["plant"]["file"], "trees/oak.mtg");
+  EXPECT_EQ(json["unit"], "m");
+  EXPECT_EQ(json["traits"], toJson(made.measures.traits));
+}
+
+TEST(PlantReport, SaysHowToGetTheSameNumbers) {
+  const QString text =
+      textOf(sectionOf(plantReport(data(UpAxis::y), {}, about()), "How it was measured"));
+  EXPECT_TRUE(text.contains("espalier traits trees/oak.mtg --light --pixels 64 --unit m --up y "
+                            "--json numbers.json --csv numbers.csv"))
+      << qPrintable(text);
+}
+
+TEST(PlantReport, LeavesOutWhatWasNotMeasured) {
+  PlantReportData made = data();
+  made.measures = plantMeasures(made.plant);
+  const Report report = plantReport(made, {}, about());
+  EXPECT_THROW(static_cast<void>(sectionOf(report, "Light")), std::out_of_range);
+  EXPECT_THROW(static_cast<void>(sectionOf(report, "The plant")), std::out_of_range)
+      << "no pictures, no section";
+  EXPECT_TRUE(textOf(sectionOf(report, "Wood")).contains("There is no diameter"));
+  EXPECT_FALSE(htmlOf(report).isEmpty());
+}
+
+TEST(PlantReport, IsWrittenAsItsNameSays) {
+  const std::filesystem::path folder = test::freshFolder();
+  const PlantReportData made = data();
+  for (const char* name : {"oak.html", "oak.pdf", "oak.csv", "oak.json"})
+    writePlantReport(folder / name, made, {}, about());
+  EXPECT_THAT(contentOf(folder / "oak.html"), testing::HasSubstr("<h1>oak.mtg</h1>"));
+  EXPECT_THAT(contentOf(folder / "oak.pdf"), testing::StartsWith("%PDF"));
+  EXPECT_EQ(nlohmann::ordered_json::parse(contentOf(folder / "oak.json")),
+            numbersOf(made, about()));
+  EXPECT_THAT(contentOf(folder / "oak.csv"), testing::HasSubstr("\ntraits.tips,2\n"));
+  EXPECT_THROW(requirePlantReportName("oak.txt"), Error);
+  EXPECT_TRUE(hasPictures("oak.PDF"));
+  EXPECT_FALSE(hasPictures("oak.csv"));
+}
+
+// A plant that stands along y is drawn standing: higher than wide.
+TEST(PlantReport, DrawsThePlantUpright) {
+  Skeleton lying;
+  NodeId last = lying.add({.position = {0, 0, 0}, .radius = 0.02});
+  for (int i = 1; i <= 20; ++i)
+    last = lying.add({.position = {0, 0.1 * i, 0}, .radius = 0.02, .parent = last});
+  const auto sizeFor = [&](UpAxis up) {
+    PictureSession session(lying, nullptr, up);
+    while (session.drawNext()) {
+    }
+    if (!session.pictures().problem.isEmpty()) return QSize();
+    return session.pictures().front.size();
+  };
+  const QSize standing = sizeFor(UpAxis::y);
+  if (standing.isEmpty()) GTEST_SKIP() << "there is no OpenGL";
+  EXPECT_GT(standing.height(), standing.width());
+  EXPECT_LT(sizeFor(UpAxis::z).height(), sizeFor(UpAxis::z).width());
+}
+
+} // namespace
+} // namespace espalier

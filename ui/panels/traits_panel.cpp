@@ -1,0 +1,222 @@
+#include "ui/panels/traits_panel.h"
+
+#include "ui/document/plant_document.h"
+#include "ui/panels/label_role.h"
+#include "ui/panels/trait_text.h"
+
+#include <QAction>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <iterator>
+
+namespace espalier {
+namespace {
+
+/// The groups that stand below each other, column by column; what is by order has a table.
+const std::vector<QStringList>& columns() {
+  static const std::vector<QStringList> names = {
+      {"Size"}, {"Stem", "Wood"}, {"Crown", "Branching", "Light"}};
+  return names;
+}
+
+QToolButton* makeButton(QAction& action, const char* name, const QString& text) {
+  auto* button = new QToolButton;
+  button->setDefaultAction(&action);
+  button->setProperty("role", "panel");
+  button->setObjectName(name);
+  button->setText(text); // shorter than that of the menu
+  QObject::connect(&action, &QAction::changed, button, [button, text] { button->setText(text); });
+  return button;
+}
+
+QGridLayout* gridIn(QWidget& group, const QString& name, int across) {
+  auto* grid = new QGridLayout(&group);
+  grid->setContentsMargins(0, 0, 0, 8);
+  grid->setHorizontalSpacing(12);
+  grid->setVerticalSpacing(2);
+  auto* title = makeLabel("", "quiet");
+  title->setText(name);
+  grid->addWidget(title, 0, 0, 1, across);
+  return grid;
+}
+
+} // namespace
+
+TraitsPanel::TraitsPanel(const PlantDocument& document, const Parts& parts, QWidget* parent)
+    : QWidget(parent), document_(document), hint_(makeLabel("evaluation_hint", "quiet")),
+      warnings_(makeLabel("traits_warnings", "warning")), area_(new QScrollArea) {
+  setObjectName("traits_panel");
+  auto* page = new QVBoxLayout(this);
+  page->setContentsMargins(0, 0, 0, 0);
+  page->setSpacing(4);
+  page->addWidget(makeHead(parts));
+  warnings_->setWordWrap(true);
+  warnings_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  page->addWidget(warnings_);
+  hint_->setAlignment(Qt::AlignCenter);
+  page->addWidget(hint_, 1);
+  area_->setObjectName("traits");
+  area_->setAccessibleName(tr("Traits of the plant"));
+  area_->setFrameShape(QFrame::NoFrame);
+  area_->setWidgetResizable(true);
+  page->addWidget(area_, 1);
+  forget();
+}
+
+QWidget* TraitsPanel::makeHead(const Parts& parts) {
+  auto* head = new QWidget;
+  auto* row = new QHBoxLayout(head);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(8);
+  title_ = makeLabel("traits_title", "title");
+  title_->setText(tr("The plant by itself"));
+  row->addWidget(title_);
+  row->addStretch();
+  row->addWidget(makeButton(*parts.light, "traits_light", tr("Measure Light")));
+  row->addWidget(makeButton(*parts.report, "traits_report", tr("Report…")));
+  auto* load = new QPushButton(tr("Load Reference…"));
+  load->setObjectName("evaluation_load");
+  connect(load, &QPushButton::clicked, parts.load, &QAction::trigger);
+  row->addWidget(load);
+  return head;
+}
+
+void TraitsPanel::show(const PlantMeasures& measures, bool isLightStale) {
+  hint_->hide();
+  title_->show();
+  values_.clear();
+  area_->setWidget(makePage(measures, isLightStale)); // the one before is deleted
+  area_->show();
+  QStringList lines;
+  for (const std::string& warning : measures.warnings)
+    lines.append(QStringLiteral("⚠ ") + QString::fromStdString(warning));
+  warnings_->setText(lines.join('\n'));
+  warnings_->setVisible(!lines.isEmpty());
+}
+
+void TraitsPanel::forget(const QString& why) {
+  values_.clear();
+  area_->hide();
+  warnings_->hide();
+  title_->hide();
+  hint_->setText(!why.isEmpty()
+                     ? why
+                     : tr("Reconstruct the scan, or open a structure: its traits are shown here.\n"
+                          "Load a reference to see how the two agree."));
+  hint_->show();
+}
+
+void TraitsPanel::setStale(bool isStale) {
+  for (QLabel* value : values_)
+    setRole(*value, isStale ? "quiet" : "value");
+}
+
+QWidget* TraitsPanel::makePage(const PlantMeasures& measures, bool isLightStale) {
+  auto* page = new QWidget;
+  page->setObjectName("traits_page");
+  auto* across = new QHBoxLayout(page);
+  across->setContentsMargins(0, 4, 8, 0);
+  across->setSpacing(18);
+  std::vector<TraitRow> rows = traitRows(measures);
+  for (const QStringList& groups : columns()) {
+    auto* column = new QVBoxLayout;
+    column->setSpacing(4);
+    for (const QString& group : groups) {
+      std::vector<TraitRow> ofGroup;
+      std::ranges::copy_if(rows, std::back_inserter(ofGroup),
+                           [&](const TraitRow& row) { return row.group == group.toStdString(); });
+      if (ofGroup.empty()) continue;
+      QWidget* made = makeGroup(group, ofGroup);
+      if (group == QLatin1String("Light") && isLightStale) {
+        made->setToolTip(tr("Of the plant before it was changed: measure it again"));
+        for (QLabel* value : made->findChildren<QLabel*>())
+          setRole(*value, "quiet");
+      }
+      column->addWidget(made);
+    }
+    column->addStretch();
+    across->addLayout(column);
+  }
+  auto* last = new QVBoxLayout;
+  last->addWidget(makeAxes(measures.traits));
+  last->addStretch();
+  across->addLayout(last);
+  across->addStretch();
+  return page;
+}
+
+QWidget* TraitsPanel::makeGroup(const QString& name, const std::vector<TraitRow>& rows) {
+  auto* group = new QWidget;
+  QGridLayout* grid = gridIn(*group, tr(qPrintable(name)), 2);
+  int place = 1;
+  for (const TraitRow& row : rows) {
+    QString text = tr(row.label.c_str());
+    text[0] = text[0].toUpper();
+    const QString help = tr(row.help.c_str());
+    auto* label = new QLabel(text);
+    label->setToolTip(help);
+    grid->addWidget(label, place, 0);
+    grid->addWidget(makeValue(text, textOf(row, document_.unit()), help), place++, 1);
+  }
+  return group;
+}
+
+/// A table of its own: a line for each order.
+QWidget* TraitsPanel::makeAxes(const Traits& traits) {
+  const std::vector<AxisTraits>& axes = traits.axes;
+  const std::vector<AngleSummary>& angles = traits.angles.byOrder; // from order 1 on
+  auto* group = new QWidget;
+  QGridLayout* grid = gridIn(*group, tr("Axes by order"), 5);
+  const QStringList titles = {tr("Order"), tr("Axes"), tr("Mean length"), tr("Leave at"),
+                              tr("Branching angle")};
+  const QStringList helps = {tr("How many branchings lie between the axis and the root"),
+                             tr("How many there are"), tr("Along the axis"),
+                             tr("Where on what bears them: 0 at its foot, 1 at its tip"),
+                             tr("Mean, between branches of this order and what bears them")};
+  for (int column = 0; column < titles.size(); ++column) {
+    auto* title = new QLabel(titles[column]);
+    title->setToolTip(helps[column]);
+    title->setAlignment(Qt::AlignRight);
+    grid->addWidget(title, 1, column);
+  }
+  const auto add = [&](int row, int column, const QString& text) {
+    const QString name =
+        column == 0 ? titles[0] : tr("%1, order %2").arg(titles[column]).arg(row - 2);
+    grid->addWidget(makeValue(name, text, helps[column]), row, column);
+  };
+  const QString none = QStringLiteral("–");
+  for (std::size_t order = 0; order < axes.size(); ++order) {
+    const int row = static_cast<int>(order) + 2;
+    add(row, 0, QString::number(order));
+    add(row, 1, formatCount(axes[order].count));
+    add(row, 2, formatLength(axes[order].meanLength, document_.unit(), 3));
+    add(row, 3,
+        order == 0 ? none : formatLength(axes[order].meanInsertion, LengthUnit::unknown, 2));
+    const bool hasAngle = order > 0 && order <= angles.size();
+    add(row, 4,
+        hasAngle
+            ? textOf({.kind = TraitKind::angle, .value = angles[order - 1].mean}, document_.unit())
+            : none);
+  }
+  return group;
+}
+
+QLabel* TraitsPanel::makeValue(const QString& name, const QString& text, const QString& help) {
+  auto* value = makeLabel("trait_value", "value");
+  value->setText(text);
+  value->setToolTip(help);
+  value->setAccessibleName(name);
+  value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  values_.append(value);
+  return value;
+}
+
+} // namespace espalier

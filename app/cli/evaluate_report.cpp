@@ -25,6 +25,8 @@ ReportAbout aboutOf(const ReportFlags& flags, const ReportSubject& subject) {
   about.unit = QString::fromStdString(subject.unit);
   about.scale = subject.scale;
   about.distance = subject.distance;
+  about.turns = subject.registration.turns;
+  about.up = subject.registration.up;
   about.edit = subject.edit;
   return about;
 }
@@ -63,7 +65,7 @@ void writeReport(const ReportFlags& flags, const ReportData& data, const ReportS
   const ReportAbout about = aboutOf(flags, subject);
   const Headless headless;
   const Progress drawing = progress.part(0, 0.95, "Drawing");
-  PictureSession session(data, about.unit);
+  PictureSession session(data, about.up, about.unit);
   do
     drawing.update(session.done());
   while (session.drawNext());

@@ -39,6 +39,7 @@ struct ReportSubject {
   std::string unit;
   double scale = 1;
   double distance = 0; // [L], that was asked for; 0 = usualTolerance()
+  RegistrationOptions registration;
   EditOptions edit;
 };
 

@@ -1,5 +1,7 @@
 #include "app/cli/evaluate_text.h"
 
+#include "core/base/printable.h"
+
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -116,7 +118,7 @@ void print(const Comparison& comparison, const EditOptions& edit, const std::str
   std::printf("over all segments of the reference, structural index %.3f; one to many, geometric "
               "index %.3f\n",
               authors.structuralOfAll, comparison.paths.geometric);
-  const bool isLength = edit.cost != EditCost::topology && edit.cost != EditCost::attributes;
+  const bool isLength = countsLength(edit.cost);
   if (comparison.edit)
     std::printf("edit distance %.6g%s, similarity %.3f: %zu removed, %zu inserted\n",
                 comparison.edit->distance.distance,
@@ -125,6 +127,11 @@ void print(const Comparison& comparison, const EditOptions& edit, const std::str
                 comparison.edit->inserted);
   if (comparison.registration) {
     const Eigen::Vector3d& shift = comparison.registration->shift;
+    if (const double angle = comparison.registration->angle(); angle > 0) {
+      const Eigen::Vector3d axis = comparison.registration->axis();
+      std::printf("turned by %.4g degrees about %.3f, %.3f, %.3f, then ", degrees(angle), axis.x(),
+                  axis.y(), axis.z());
+    }
     std::printf("moved by %.4g, %.4g, %.4g %s, %s in all, to lie on the reference\n", shift.x(),
                 shift.y(), shift.z(),
                 unit.empty() ? "(in the unit of the structures)" : unit.c_str(),
@@ -271,7 +278,7 @@ void print(const Ranking& ranking, const std::vector<std::string>& names, const 
   std::printf("  beats the next\n");
   std::size_t rank = 0;
   for (const RankedResult& result : ranking.results) {
-    std::printf("%4zu  %-*s", ++rank, column, names.at(result.result).c_str());
+    std::printf("%4zu  %-*s", ++rank, column, printable(names.at(result.result)).c_str());
     for (const auto& [score, name] : shown)
       for (std::size_t k = 0; k < rankingScores().size(); ++k) {
         if (rankingScores()[k] != score) continue;

@@ -3,17 +3,28 @@
 #include "app/report/comparison_colors.h"
 #include "app/window/action_set.h"
 #include "app/window/evaluation_text.h"
+#include "app/window/file_filters.h"
+#include "app/window/load_files.h"
 #include "app/window/reference_flow.h"
+#include "core/base/error.h"
+#include "core/evaluate/edit_table.h"
+#include "core/io/atomic_file.h"
+#include "core/io/csv.h"
 #include "ui/document/hand_work_text.h"
 #include "ui/document/plant_document.h"
 #include "ui/panels/differences_panel.h"
 #include "ui/panels/evaluation_panel.h"
+#include "ui/panels/traits_panel.h"
 #include "ui/plots/plot_view.h"
 #include "ui/view/plant_view.h"
 
 #include <QAction>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMainWindow>
 #include <QMenu>
 
+#include <ostream>
 #include <utility>
 
 namespace espalier {
@@ -23,13 +34,23 @@ constexpr auto colorId = comparisonColorId;
 
 } // namespace
 
-EvaluationFlow::EvaluationFlow(const Parts& parts) : parts_(parts) {
+EvaluationFlow::EvaluationFlow(const Parts& parts)
+    : parts_(parts), editsMenu_(std::make_unique<QMenu>()) {
   parts_.window.actions.beginSection(tr("Evaluate"));
+  edits_ = std::make_unique<EditChoices>(parts_.window.actions);
+  parts_.window.actions.add(
+      {.id = "save_edit_mapping",
+       .text = tr("Save Edit Mapping…"),
+       .help = tr("Writes which part stands for which, and what is removed and inserted, as CSV")},
+      [this] { saveMapping(); });
+  edits_->fillMenu(*editsMenu_);
   errors_ = std::make_unique<ErrorWalk>(ErrorWalk::Parts{parts_.document, parts_.view, parts_.jobs,
                                                          parts_.window.actions, parts_.editing});
   report_ = std::make_unique<ReportFlow>(ReportFlow::Parts{parts_.document, parts_.jobs,
                                                            parts_.reference, parts_.window,
                                                            [this] { return optionsNow(); }});
+  traits_ =
+      std::make_unique<TraitsFlow>(TraitsFlow::Parts{parts_.document, parts_.jobs, parts_.window});
   makePanel();
   methods_ = std::make_unique<MethodsFlow>(
       MethodsFlow::Parts{parts_.document, parts_.reference, parts_.window});
@@ -38,15 +59,19 @@ EvaluationFlow::EvaluationFlow(const Parts& parts) : parts_(parts) {
   takeReference();
 }
 
+EvaluationFlow::~EvaluationFlow() = default;
+
 void EvaluationFlow::makePanel() {
   const auto at = [this](const char* id) { return parts_.window.actions[id]; };
   plot_ = new PlotView;
   panel_ = new EvaluationPanel(parts_.document, {.plot = plot_,
                                                  .errors = errors_->panel(),
-                                                 .load = at("load_reference"),
+                                                 .alone = traits_->panel(),
                                                  .color = at(colorId),
-                                                 .report = at("export_report")});
+                                                 .report = at("export_report"),
+                                                 .edits = editsMenu_.get()});
   panel_->setLaid(isLaid_);
+  panel_->setTurns(turns_);
   dock_ = new PanelDock(parts_.window,
                         {.id = "evaluation",
                          .title = tr("Evaluation"),
@@ -65,6 +90,11 @@ void EvaluationFlow::fillMenu(QMenu& menu) const {
   add("show_methods");
   add(colorId);
   add("export_report");
+  QMenu* edits = menu.addMenu(tr("E&dit Distance"));
+  edits->addActions(editsMenu_->actions());
+  menu.addSeparator();
+  add("measure_light");
+  add("export_plant_report");
   menu.addSeparator();
   for (const QString& id : ErrorWalk::menu())
     add(id);
@@ -74,6 +104,8 @@ void EvaluationFlow::setPlantShown(bool isShown) {
   dock_->setPlantShown(isShown);
   methods_->dock().setPlantShown(isShown);
   report_->refresh();
+  traits_->refresh();
+  showTraits();
   later();
 }
 
@@ -91,21 +123,25 @@ void EvaluationFlow::setDark(bool isDark) {
 }
 
 std::string EvaluationFlow::text() const {
-  return textOf(EvaluationText{tolerance_, isLaid_, errors_->ignored()});
+  return textOf(EvaluationText{tolerance_, isLaid_, turns_, edits_->options(), errors_->ignored()});
 }
 
 void EvaluationFlow::show(const std::string& text) {
-  tolerance_ = 0;
-  isLaid_ = true;
-  errors_->setIgnored({});
-  const EvaluationText read = evaluationFrom(text);
-  tolerance_ = read.tolerance;
-  isLaid_ = read.isLaid;
-  panel_->setLaid(isLaid_);
-  errors_->setIgnored(read.ignored);
+  take({});
+  take(evaluationFrom(text));
   setOptions();
   letGoOfPlace();
   later();
+}
+
+void EvaluationFlow::take(const EvaluationText& chosen) {
+  tolerance_ = chosen.tolerance;
+  isLaid_ = chosen.isLaid;
+  turns_ = chosen.turns;
+  panel_->setLaid(isLaid_);
+  panel_->setTurns(turns_);
+  edits_->set(chosen.edit);
+  errors_->setIgnored(chosen.ignored);
 }
 
 void EvaluationFlow::setOptions() {
@@ -120,6 +156,8 @@ void EvaluationFlow::connectDocument() {
   PlantDocument& document = parts_.document;
   for (const char* id : {"show_evaluation", "show_methods"})
     connect(parts_.window.actions[id], &QAction::toggled, this, &EvaluationFlow::later);
+  connect(parts_.window.actions["show_evaluation"], &QAction::toggled, this,
+          &EvaluationFlow::showTraits);
   connect(&document, &PlantDocument::skeletonEdited, this, &EvaluationFlow::takeEdit);
   connect(&document, &PlantDocument::skeletonReplaced, this, [this] {
     report_->refresh();
@@ -132,6 +170,10 @@ void EvaluationFlow::connectDocument() {
     setOptions();                                    // which tell where breast height is
     setFresh(false);
     later();
+  });
+  connect(&document, &PlantDocument::upChanged, this, [this] { // which angles are tried
+    letGoOfPlace();
+    chooseAnew();
   });
   for (auto signal : {&PlantDocument::scanChanged, &PlantDocument::leftOutChanged})
     connect(&document, signal, this, [this] {
@@ -162,7 +204,17 @@ void EvaluationFlow::connectPanel() {
     panel_->setTolerance(tolerance);
     chooseTolerance(tolerance);
   });
-  connect(panel_, &EvaluationPanel::laidChosen, this, &EvaluationFlow::chooseLaid);
+  connect(panel_, &EvaluationPanel::laidChosen, this, [this](bool isLaid) {
+    isLaid_ = isLaid;
+    letGoOfPlace();
+    chooseAnew();
+  });
+  connect(panel_, &EvaluationPanel::turnsChosen, this, [this](bool turns) {
+    turns_ = turns;
+    letGoOfPlace();
+    chooseAnew();
+  });
+  connect(edits_.get(), &EditChoices::chosen, this, &EvaluationFlow::chooseAnew);
   connect(panel_, &EvaluationPanel::cancelRequested, this, [this] {
     isOutdated_ = false;
     job_.cancel();
@@ -172,6 +224,8 @@ void EvaluationFlow::connectPanel() {
   connect(methods_.get(), &MethodsFlow::noted, this, &EvaluationFlow::noted);
   connect(report_.get(), &ReportFlow::noted, this, &EvaluationFlow::noted);
   connect(report_.get(), &ReportFlow::written, this, &EvaluationFlow::reportWritten);
+  connect(traits_.get(), &TraitsFlow::noted, this, &EvaluationFlow::noted);
+  connect(traits_.get(), &TraitsFlow::written, this, &EvaluationFlow::reportWritten);
   connect(errors_.get(), &ErrorWalk::noted, this, &EvaluationFlow::noted);
   connect(errors_.get(), &ErrorWalk::ignoredChanged, this, [this] {
     setOptions();
@@ -192,7 +246,13 @@ void EvaluationFlow::takeReference() {
   if (!hasOne && color->isChecked()) parts_.window.actions["node_color_none"]->trigger();
   color->setVisible(hasOne);
   report_->refresh();
+  showTraits();
   later();
+}
+
+/// They stand in the place of scores.
+void EvaluationFlow::showTraits() {
+  traits_->setSeen(dock_->isShown() && parts_.reference.skeleton() == nullptr);
 }
 
 void EvaluationFlow::letGoOfPlace() {
@@ -295,19 +355,42 @@ void EvaluationFlow::showColors() {
 
 void EvaluationFlow::chooseTolerance(double tolerance) {
   tolerance_ = tolerance;
+  chooseAnew();
+}
+
+void EvaluationFlow::chooseAnew() {
   setOptions();
   setFresh(false);
   later();
   emit changed();
 }
 
-void EvaluationFlow::chooseLaid(bool isLaid) {
-  isLaid_ = isLaid;
-  setOptions();
-  letGoOfPlace();
-  setFresh(false);
-  later();
-  emit changed();
+void EvaluationFlow::saveMapping() {
+  if (parts_.reference.skeleton() == nullptr)
+    throw Error(tr("there is no reference to compare with: load one first").toStdString());
+  if (!evaluation_ || !isFresh_)
+    throw Error(tr("the plant is not compared yet, as it is: show the evaluation panel, and wait "
+                   "until its numbers are no longer pale")
+                    .toStdString());
+  if (!evaluation_->comparison.edit)
+    throw Error((edits_->options().unit == EditUnit::axis
+                     ? tr("the plants have too many axes for an edit distance")
+                     : tr("the plants have too many parts for an edit distance: choose Evaluate > "
+                          "Edit Distance > Edits of Axes"))
+                    .toStdString());
+  QFileDialog dialog(&parts_.window.window, tr("Save the edit mapping"), {}, tr("Tables (*.csv)"));
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setDefaultSuffix("csv");
+  proposeBeside(dialog, parts_.document, ".edits.csv");
+  if (dialog.exec() != QDialog::Accepted) return;
+  const QString path = dialog.selectedFiles().front();
+  const auto rows = editTable(*evaluation_->comparison.edit, parts_.document.skeleton(),
+                              *parts_.reference.skeleton());
+  writeAtomically(toPath(path), [&](std::ostream& out) {
+    for (const std::vector<std::string>& row : rows)
+      out << csvLine(row);
+  });
+  emit noted(tr("Wrote %1").arg(QFileInfo(path).fileName()));
 }
 
 } // namespace espalier

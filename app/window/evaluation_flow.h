@@ -1,9 +1,11 @@
 #pragma once
 
+#include "app/window/edit_choices.h"
 #include "app/window/error_walk.h"
 #include "app/window/methods_flow.h"
 #include "app/window/panel_dock.h"
 #include "app/window/report_flow.h"
+#include "app/window/traits_flow.h"
 #include "core/evaluate/evaluation.h"
 #include "ui/document/plant_document.h"
 #include "ui/jobs/job_runner.h"
@@ -22,10 +24,12 @@ namespace espalier {
 
 class EvaluationPanel;
 class PlotView;
+struct EvaluationText;
 class ReferenceFlow;
 
-/// The evaluation dock: compares the plant with its reference, as a job a moment after each edit,
-/// and shows scores, curve and errors, and both skeletons in the colors of what differs.
+/// The evaluation dock: without a reference the traits of the plant by itself; with one, it
+/// compares the plant with that, as a job a moment after each edit, and shows scores, curve and
+/// errors, and both skeletons in the colors of what differs.
 ///
 /// Nothing is compared while nobody looks. What is shown after an edit is pale until it is fresh.
 class EvaluationFlow : public QObject {
@@ -42,6 +46,7 @@ public:
     PanelDock::Parts window;
   };
   explicit EvaluationFlow(const Parts& parts);
+  ~EvaluationFlow() override;
 
   void setPlantShown(bool isShown); // without a plant the panels are absent
   void resetLayout();
@@ -56,7 +61,10 @@ public:
   /// How a result is compared with the reference, as chosen.
   [[nodiscard]] EvaluationOptions options() const {
     return {.registers = isLaid_,
+            .turns = turns_,
+            .up = parts_.document.up(),
             .motion = std::nullopt,
+            .edit = edits_->options(),
             .tolerance = tolerance_,
             .breastHeight = breastHeightIn(symbol(parts_.document.unit()).toStdString())};
   }
@@ -75,7 +83,9 @@ private:
   void makePanel();
   void connectDocument();
   void connectPanel();
+  void take(const EvaluationText& chosen); // of all that is chosen here
   void takeReference();
+  void showTraits();
   void letGoOfPlace(); // where the reference lies is found anew
   void takeEdit();
   void later();
@@ -86,14 +96,18 @@ private:
   void showColors();
   void setOptions(); // of all that compares
   void chooseTolerance(double tolerance);
-  void chooseLaid(bool isLaid);
+  void chooseAnew(); // what is compared, or how
+  void saveMapping();
   [[nodiscard]] bool isWanted() const;
   [[nodiscard]] EvaluationOptions optionsNow() const; // with what is known of the plant
 
   Parts parts_;
+  std::unique_ptr<EditChoices> edits_;
+  std::unique_ptr<QMenu> editsMenu_;
   std::unique_ptr<ErrorWalk> errors_;
   std::unique_ptr<MethodsFlow> methods_;
   std::unique_ptr<ReportFlow> report_;
+  std::unique_ptr<TraitsFlow> traits_;
   EvaluationPanel* panel_ = nullptr;
   PlotView* plot_ = nullptr;
   PanelDock* dock_ = nullptr;
@@ -108,6 +122,7 @@ private:
       coverages_;        // of the reference there; null: to be found
   double tolerance_ = 0; // [L], as chosen; 0: by the rule
   bool isLaid_ = true;
+  bool turns_ = true;
 };
 
 } // namespace espalier

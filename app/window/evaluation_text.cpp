@@ -7,6 +7,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
+#include <algorithm>
 #include <cmath>
 
 namespace espalier {
@@ -23,6 +24,31 @@ double numberIn(const QJsonValue& value) {
   const double number = value.toDouble(std::nan(""));
   if (!std::isfinite(number)) refuse();
   return number;
+}
+
+template <class Enum> QString nameIn(const std::vector<std::string>& names, Enum value) {
+  return QString::fromStdString(names[static_cast<std::size_t>(value)]);
+}
+
+bool flagIn(const QJsonValue& value, bool usual) {
+  if (!value.isUndefined() && !value.isBool()) refuse();
+  return value.toBool(usual);
+}
+
+/// Which of the names it is.
+template <class Enum>
+Enum namedIn(const QJsonValue& value, const std::vector<std::string>& names, Enum usual) {
+  if (value.isUndefined()) return usual;
+  const auto found = std::ranges::find(names, value.toString().toStdString());
+  if (found == names.end()) refuse();
+  return static_cast<Enum>(found - names.begin());
+}
+
+EditOptions editIn(const QJsonDocument& document) {
+  const EditOptions usual;
+  return {.unit = namedIn(document["edit_unit"], editUnitNames(), usual.unit),
+          .cost = namedIn(document["edit_cost"], editCostNames(), usual.cost),
+          .mergesPaths = flagIn(document["merge_paths"], usual.mergesPaths)};
 }
 
 DifferingPart partIn(const QJsonObject& json) {
@@ -48,8 +74,14 @@ std::string textOf(const EvaluationText& evaluation) {
   for (const DifferingPart& part : evaluation.ignored)
     ignored.append(QJsonObject{{"kind", QString::fromStdString(nameOf(part.kind))},
                                {"at", QJsonArray{part.at.x(), part.at.y(), part.at.z()}}});
-  const QJsonObject json{
-      {"tolerance", evaluation.tolerance}, {"laid", evaluation.isLaid}, {"ignored", ignored}};
+  const EditOptions& edit = evaluation.edit;
+  const QJsonObject json{{"tolerance", evaluation.tolerance},
+                         {"laid", evaluation.isLaid},
+                         {"turned", evaluation.turns},
+                         {"edit_unit", nameIn(editUnitNames(), edit.unit)},
+                         {"edit_cost", nameIn(editCostNames(), edit.cost)},
+                         {"merge_paths", edit.mergesPaths},
+                         {"ignored", ignored}};
   return QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString();
 }
 
@@ -58,7 +90,9 @@ EvaluationText evaluationFrom(const std::string& text) {
   const QJsonDocument document = QJsonDocument::fromJson(QByteArray::fromStdString(text));
   if (!document.isObject() || !document["laid"].isBool()) refuse();
   EvaluationText evaluation{.tolerance = numberIn(document["tolerance"]),
-                            .isLaid = document["laid"].toBool()};
+                            .isLaid = document["laid"].toBool(),
+                            .turns = flagIn(document["turned"], true),
+                            .edit = editIn(document)};
   if (evaluation.tolerance < 0) refuse();
   for (const auto& each : document["ignored"].toArray())
     evaluation.ignored.push_back(partIn(each.toObject()));

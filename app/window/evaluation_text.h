@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/evaluate/differences.h"
+#include "core/evaluate/edit_comparison.h"
 
 #include <string>
 #include <vector>
@@ -11,12 +12,15 @@ namespace espalier {
 struct EvaluationText {
   double tolerance = 0;                    // [L]; 0: as the reference suggests
   bool isLaid = true;                      // the reference on the plant
+  bool turns = true;                       // turned, too
+  EditOptions edit = {};                   // but the weights
   std::vector<DifferingPart> ignored = {}; // kind and `at` alone
   bool operator==(const EvaluationText&) const = default;
 };
 
-/// As JSON: {"tolerance": 10, "laid": false, "ignored": [{"kind": "missed", "at": [x, y, z]}]};
-/// empty if all is as at first.
+/// As JSON: {"tolerance": 10, "laid": false, "turned": true, "edit_unit": "segment", "edit_cost":
+/// "topology", "merge_paths": false, "ignored": [{"kind": "missed", "at": [x, y, z]}]}; empty if
+/// all is as at first. What is missing is as at first, too.
 [[nodiscard]] std::string textOf(const EvaluationText& evaluation);
 
 /// @throws Error if it is no such text

@@ -22,7 +22,12 @@ struct Side {
   std::vector<Polyline> places; // by segment, at even steps
 };
 
+/// @param step  [L]; a larger one is taken where more places would be needed than any plant has:
+/// one
+///              node of a damaged file may lie a million times farther than all others
 Side sideOf(const Skeleton& skeleton, double step) {
+  constexpr double mostPlaces = 2e6;
+  step = std::max(step, totalLength(skeleton) / mostPlaces);
   Side side{.segments = unbranchedSegments(skeleton), .places = {}};
   side.places.reserve(side.segments.size());
   for (const Segment& segment : side.segments)

@@ -140,15 +140,22 @@ public:
     return 0;
   }
 
-  /// Joints between parts that count one each are edits of their own.
-  [[nodiscard]] double merge(const Part& whole, std::size_t parts, const Part& other) const {
-    const double joints = isCounted() ? static_cast<double>(parts - 1) : 0;
-    return joints + substitution(whole, other);
+  /// A path of one plant by a part of the other.
+  [[nodiscard]] double merge(const Parts& plant, std::span<const std::size_t> path,
+                             const Part& other) const {
+    const double joints = isJointCounted() ? static_cast<double>(path.size() - 1) : 0;
+    if (options_.cost == EditCost::topology) return joints; // whatever they look like
+    return joints + substitution(merged(plant, path), other);
   }
 
 private:
-  [[nodiscard]] bool isCounted() const {
-    return options_.cost == EditCost::topology || options_.cost == EditCost::attributes;
+  [[nodiscard]] bool isCounted() const { return !countsLength(options_.cost); }
+
+  /// What branches off at the joint of two segments is removed, and counted, where they are merged:
+  /// that alone makes one segment of them, and there is nothing left to count. One axis that bears
+  /// another does not become one with it.
+  [[nodiscard]] bool isJointCounted() const {
+    return isCounted() && options_.unit == EditUnit::axis;
   }
 
   [[nodiscard]] double difference(const Part& a, const Part& b) const { // in [0, 1]
@@ -192,13 +199,14 @@ EditComparison editComparison(const Skeleton& result, const Skeleton& reference,
     edits.insertion.push_back(costs.alone(part));
   if (options.mergesPaths) {
     edits.merge = [&](std::span<const std::size_t> path, std::size_t j) {
-      return costs.merge(merged(first, path), path.size(), second.parts[j]);
+      return costs.merge(first, path, second.parts[j]);
     };
     edits.split = [&](std::size_t i, std::span<const std::size_t> path) {
-      return costs.merge(merged(second, path), path.size(), first.parts[i]);
+      return costs.merge(second, path, first.parts[i]);
     };
   }
   EditComparison comparison;
+  comparison.options = options;
   comparison.distance = editDistance(first.parents, second.parents, edits, progress);
   std::size_t found = 0; // of the reference
   for (const EditMatch& match : comparison.distance.matches) {
@@ -210,6 +218,10 @@ EditComparison editComparison(const Skeleton& result, const Skeleton& reference,
   comparison.result = first.nodes;
   comparison.reference = second.nodes;
   return comparison;
+}
+
+bool countsLength(EditCost cost) {
+  return cost != EditCost::topology && cost != EditCost::attributes;
 }
 
 const std::vector<std::string>& editUnitNames() {

@@ -22,6 +22,9 @@ enum class EditCost {
   shape       // as `length`, but the Hausdorff distance of the two, at most what both cost alone
 };
 
+/// Whether parts count their length; else each counts one.
+[[nodiscard]] bool countsLength(EditCost cost);
+
 struct EditOptions {
   EditUnit unit = EditUnit::segment;
   EditCost cost = EditCost::topology;
@@ -33,10 +36,13 @@ struct EditOptions {
   double radiusWeight = 1;
   double orderWeight = 1;
   double directionWeight = 1;
+
+  bool operator==(const EditOptions&) const = default;
 };
 
 /// How much of a result must be edited to make it the reference.
 struct EditComparison {
+  EditOptions options;                        // as asked for
   EditDistance distance;                      // [1] or [L], by the cost
   std::vector<std::vector<NodeId>> result;    // the parts, by vertex: their nodes from the foot up
   std::vector<std::vector<NodeId>> reference; // likewise
@@ -48,9 +54,11 @@ struct EditComparison {
 /// The constrained edit distance of two skeletons as unordered trees of nodes, unbranched segments
 /// or axes. Where the parts lie counts for the costs `place` and `shape` only; register first.
 ///
-/// A merged path
-/// costs what its union would, with one part more than needed counted for each joint in `topology`
-/// and `attributes`.
+/// A merged path costs what its union would; the joints within it cost nothing. For segments and
+/// nodes, what branches off at a joint is removed and counted already, and without it the two are
+/// one segment. Axes are another matter: of one axis and another that it bears, each joint costs as
+/// much as the axis that it saves in `topology` and `attributes`, so that merging axes never pays
+/// in `topology`.
 ///
 /// @throws Error     if a skeleton cannot be compared, or both have so many parts that their pairs
 ///                   do not fit into memory

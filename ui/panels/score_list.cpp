@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace espalier {
 namespace {
@@ -115,10 +116,50 @@ std::vector<ScoreEntry> structure() {
        [](const Evaluation& each) -> Value {
          return static_cast<double>(std::ranges::count(
              each.differences.parts, Difference::wronglyAttached, &DifferingPart::kind));
-       }},
-      {"edits", group, tr("Edit distance"), tr("Edits"),
-       tr("Segments to remove or insert to make one of the other"), count,
-       compared([](C c) -> Value { return c.edit ? Value(c.edit->distance.distance) : Value(); })}};
+       }}};
+}
+
+std::vector<ScoreEntry> edits() {
+  const QString group = tr("Edits");
+  using C = const Comparison&;
+  const auto distance = [](bool ofLength) {
+    return compared([ofLength](C c) -> Value {
+      const bool isTold = c.edit && countsLength(c.edit->options.cost) == ofLength;
+      return isTold ? Value(c.edit->distance.distance) : Value();
+    });
+  };
+  const auto parts = [](std::size_t EditComparison::*member) {
+    return compared([member](C c) -> Value {
+      return c.edit ? Value(static_cast<double>((*c.edit).*member)) : Value();
+    });
+  };
+  return {{"edits", group, tr("Edit distance"), tr("Edits"),
+           tr("The least that has to be removed, inserted and changed to make one of the other, in "
+              "parts: for the costs topology and attributes"),
+           count, distance(false)},
+          {"edit_length", group, tr("In length"), tr("Edits, length"),
+           tr("The least that has to be removed, inserted and changed to make one of the other: "
+              "for the costs length, place and shape"),
+           length, distance(true)},
+          {"edit_similarity", group, tr("Similarity"), tr("Edits, similarity"),
+           tr("1 where nothing is to be edited, 0 where nothing of the plant is of use"), share,
+           compared([](C c) -> Value {
+             return c.edit ? Value(c.edit->distance.similarity()) : Value();
+           })},
+          {"edits_removed",
+           group,
+           tr("To remove"),
+           {},
+           tr("Of the plant: they stand for nothing of the reference"),
+           count,
+           parts(&EditComparison::removed)},
+          {"edits_inserted",
+           group,
+           tr("To insert"),
+           {},
+           tr("Of the reference: nothing of the plant stands for them"),
+           count,
+           parts(&EditComparison::inserted)}};
 }
 
 /// Root mean square error where a quarter of the way around, from the k-th on, was seen.
@@ -175,6 +216,16 @@ std::vector<ScoreEntry> others() {
        tr("How far apart both were before they were aligned"),
        length,
        [](const Evaluation& each) -> Value { return each.shift.norm(); }},
+      {"turn",
+       {},
+       tr("Turn"),
+       tr("Turn, °"),
+       tr("By how many degrees the plant was turned to lie on the reference"),
+       count,
+       [](const Evaluation& each) -> Value {
+         if (!each.registration) return std::nullopt;
+         return std::round(each.registration->angle() * 1800 / std::numbers::pi) / 10;
+       }},
       {"nodes",
        {},
        tr("Nodes"),
@@ -189,7 +240,7 @@ std::vector<ScoreEntry> others() {
 const std::vector<ScoreEntry>& scoreEntries() {
   static const std::vector<ScoreEntry> entries = [] {
     std::vector<ScoreEntry> all;
-    for (const auto& some : {nearness(), segments(), structure(), radii(), others()})
+    for (const auto& some : {nearness(), segments(), structure(), edits(), radii(), others()})
       all.insert(all.end(), some.begin(), some.end());
     return all;
   }();

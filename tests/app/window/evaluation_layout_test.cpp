@@ -48,6 +48,7 @@ TEST_F(EvaluationWindowTest, ALowPanelGrowsForWhatAReferenceBrings) {
   ASSERT_TRUE(waitForScores());
   QCoreApplication::processEvents();
   const auto& panel = find<QWidget>("evaluation_panel");
+  EXPECT_GE(panel.parentWidget()->width(), panel.minimumSizeHint().width()) << "no scroll bar";
   EXPECT_GE(panel.parentWidget()->height(), panel.minimumSizeHint().height()) << "nothing is cut";
 }
 

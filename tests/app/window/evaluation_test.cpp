@@ -22,17 +22,18 @@ using test::EvaluationWindowTest;
 
 const auto nothing = [](SkeletonEditor&) {};
 
-TEST_F(EvaluationWindowTest, SaysWhatToDoWithoutAReference) {
+TEST_F(EvaluationWindowTest, ShowsThePlantByItselfUntilThereIsAReference) {
   open({write("plant.mtg", plant())});
   EXPECT_FALSE(find<QDockWidget>("evaluation").isVisible());
   key(Qt::Key_F5);
   EXPECT_TRUE(find<QDockWidget>("evaluation").isVisible());
-  EXPECT_TRUE(find<QLabel>("evaluation_hint").isVisible());
+  EXPECT_TRUE(QTest::qWaitFor([&] { return find<QLabel>("traits_title").isVisible(); }))
+      << "what is known of it by itself";
   answer(chooseFile(write("expert.mtg", plant())), [this] { clickButton("evaluation_load"); });
   waitForJob();
   EXPECT_TRUE(waitForScores());
-  EXPECT_FALSE(find<QLabel>("evaluation_hint").isVisible());
-  EXPECT_EQ(find<QLabel>("evaluation_title").text(), "Compared with expert.mtg");
+  EXPECT_FALSE(find<QLabel>("traits_title").isVisible());
+  EXPECT_EQ(find<QLabel>("evaluation_title").text(), "expert.mtg");
 }
 
 TEST_F(EvaluationWindowTest, GivesThePlantItselfAllThatCanBeReached) {
@@ -173,13 +174,13 @@ TEST_F(EvaluationWindowTest, LaysTheReferenceOnThePlantUnlessItIsToLieWhereItLay
   open({write("plant.mtg", plant())});
   load(write("expert.mtg", off));
   EXPECT_EQ(score("f"), "1.000");
-  EXPECT_TRUE(find<QLabel>("evaluation_shift").text().contains("they were 0.112"))
-      << find<QLabel>("evaluation_shift").text().toStdString();
+  EXPECT_TRUE(find<QLabel>("evaluation_warnings").text().contains("they were 0.112"))
+      << find<QLabel>("evaluation_warnings").text().toStdString();
   QTest::mouseClick(&find<QCheckBox>("evaluation_laid"), Qt::LeftButton, {}, QPoint(8, 8));
   ASSERT_TRUE(waitForScores());
   EXPECT_LT(score("f").toDouble(), 0.9);
-  EXPECT_FALSE(find<QLabel>("evaluation_shift").text().contains("lay"));
-  EXPECT_FALSE(find<QLabel>("evaluation_shift").text().contains("moved"));
+  EXPECT_FALSE(find<QLabel>("evaluation_warnings").text().contains("they were"));
+  EXPECT_EQ(find<QLabel>("evaluation_shift").text(), "");
 }
 
 TEST_F(EvaluationWindowTest, KeysGoFromErrorToErrorTheLongestFirst) {
@@ -254,8 +255,8 @@ TEST_F(EvaluationWindowTest, FindsTheShiftAgainAsThePlantIsMovedPieceByPiece) {
     });
   ASSERT_TRUE(waitForScores());
   EXPECT_EQ(score("f"), "1.000");
-  EXPECT_TRUE(find<QLabel>("evaluation_shift").text().contains("they were 0.3"))
-      << find<QLabel>("evaluation_shift").text().toStdString();
+  EXPECT_TRUE(find<QLabel>("evaluation_warnings").text().contains("they were 0.3"))
+      << find<QLabel>("evaluation_warnings").text().toStdString();
 }
 
 TEST_F(EvaluationWindowTest, SaysAboveTheScoresThatUnitsDiffer) {
@@ -363,8 +364,15 @@ TEST_F(EvaluationWindowTest, IsWrittenByAWindowThatGoesAtOnce) {
 
 TEST(EvaluationText, ComesBackAsItWas) {
   const EvaluationText text{
-      0.25, false, {{.kind = Difference::invented, .nodes = {}, .at = {1, 2.5, -3}}}};
+      .tolerance = 0.25,
+      .isLaid = false,
+      .turns = false,
+      .edit = {.unit = EditUnit::axis, .cost = EditCost::shape, .mergesPaths = true},
+      .ignored = {{.kind = Difference::invented, .nodes = {}, .at = {1, 2.5, -3}}}};
   EXPECT_EQ(evaluationFrom(textOf(text)), text);
+  const EvaluationText before = evaluationFrom(R"({"tolerance": 0.25, "laid": false})");
+  EXPECT_TRUE(before.turns) << "of a project that was written before there were turns";
+  EXPECT_EQ(before.edit, EditOptions());
   EXPECT_EQ(textOf(EvaluationText()), "");
   EXPECT_EQ(evaluationFrom(""), EvaluationText());
 }
@@ -372,7 +380,8 @@ TEST(EvaluationText, ComesBackAsItWas) {
 TEST(EvaluationText, IsRefusedIfItIsNone) {
   for (const char* text :
        {"nonsense", "{}", R"({"tolerance": "a", "laid": true})",
-        R"({"tolerance": -1, "laid": true})",
+        R"({"tolerance": -1, "laid": true})", R"({"tolerance": 1, "laid": true, "turned": 3})",
+        R"({"tolerance": 1, "laid": true, "edit_cost": "shap"})",
         R"({"tolerance": 1, "laid": true, "ignored": [{"kind": "matched", "at": [0, 0, 0]}]})",
         R"({"tolerance": 1, "laid": true, "ignored": [{"kind": "missed", "at": [0, 0]}]})"})
     EXPECT_THROW(static_cast<void>(evaluationFrom(text)), Error) << text;

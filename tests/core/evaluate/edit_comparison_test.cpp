@@ -92,6 +92,48 @@ TEST(EditComparison, MergingUndoesTheCutOfASpur) {
   EXPECT_EQ(split.inserted, 1U);
 }
 
+// A spur cuts a stick in two: removing it is one edit, and makes one segment of the two again.
+TEST(EditComparison, MergingCountsTheSpurAloneWhereOnlyTopologyCounts) {
+  Skeleton spurred = test::stick(5);
+  spurred.add({.position = {0.1, 0, 2}, .parent = NodeId{2}, .edge = EdgeType::branching});
+  EXPECT_EQ(editComparison(spurred, test::stick(5)).distance.distance, 2) << "the spur, and a half";
+  const EditComparison merged = editComparison(spurred, test::stick(5), {.mergesPaths = true});
+  EXPECT_EQ(merged.distance.distance, 1);
+  EXPECT_EQ(merged.removed, 1U);
+  ASSERT_EQ(merged.distance.matches.size(), 1U);
+  EXPECT_EQ(merged.distance.matches[0].first.size(), 2U);
+  EXPECT_EQ(editComparison(test::stick(5), spurred, {.mergesPaths = true}).distance.distance, 1);
+  const Skeleton apart = test::fork(3); // nothing is cut: nothing changes
+  EXPECT_EQ(editComparison(apart, test::fork(2), {.mergesPaths = true}).distance.distance,
+            editComparison(apart, test::fork(2)).distance.distance);
+}
+
+TEST(EditComparison, MergingNeverMakesAnAxisThatIsTooManyFree) {
+  Skeleton spurred = test::stick(5);
+  spurred.add({.position = {0.1, 0, 2}, .parent = NodeId{2}, .edge = EdgeType::branching});
+  const EditOptions options{.unit = EditUnit::axis, .mergesPaths = true};
+  EXPECT_EQ(editComparison(spurred, test::stick(5), options).distance.distance, 1);
+}
+
+TEST(EditComparison, MergingNeverCostsMore) {
+  const Skeleton bush = test::bush();
+  Skeleton spurred = bush;
+  for (const NodeId id : bush.ids())
+    if (indexOf(id) % 9 == 4)
+      spurred.add({.position = bush[id].position + Eigen::Vector3d(0, 0.1, 0),
+                   .parent = id,
+                   .edge = EdgeType::branching});
+  for (const EditUnit unit : allUnits)
+    for (const EditCost cost : allCosts) {
+      EditOptions options{.unit = unit, .cost = cost};
+      const double plain = editComparison(spurred, bush, options).distance.distance;
+      options.mergesPaths = true;
+      const double merged = editComparison(spurred, bush, options).distance.distance;
+      EXPECT_LE(merged, plain + 1e-9);
+      EXPECT_TRUE(unit != EditUnit::segment || merged < 0.9 * plain) << merged << " of " << plain;
+    }
+}
+
 TEST(EditComparison, RefusesWhatHasNoNodes) {
   EXPECT_THROW((void)editComparison({}, test::fork(3)), Error);
 }

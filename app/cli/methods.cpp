@@ -52,6 +52,10 @@ void printText(const Flags& flags) {
                   << "\n        " << option.help << '\n';
       std::cout << '\n';
     }
+  std::cout
+      << "A length can be set as 12.5, in the unit of the scan, as 6sp (point spacings), 0.02h "
+         "(plant\nheights) or, with --unit, as 38mm, 3.8cm, 0.038m; an angle as 30 or 30deg, "
+         "in degrees.\n";
 }
 
 Json toJson(const Option& option) {
@@ -106,9 +110,14 @@ void addMethods(CLI::App& app) {
   command->add_option("NAME", flags->name, "A step or method")->default_str("all");
   command->add_flag("--json", flags->isJson, "Print JSON instead of text");
   command->callback([flags] { methods(*flags); });
-  command->footer("Examples:\n"
-                  "  espalier methods contract\n"
-                  "  espalier reconstruct pine.las -o pine.mtg --set contract.radius=0.05");
+  command->footer(
+      "A length is set in the unit of the scan, in spacings of its points (6sp, \"6\n"
+      "spacings\"), in heights of the plant (0.02h, \"0.02 heights\") or, where --unit\n"
+      "says what the scan is in, in mm, cm or m (38mm); an angle in degrees (30,\n"
+      "30deg).\n\n"
+      "Examples:\n"
+      "  espalier methods contract\n"
+      "  espalier reconstruct pine.las -o pine.mtg --set contract.radius=6sp");
 }
 
 } // namespace espalier

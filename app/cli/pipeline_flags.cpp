@@ -7,20 +7,22 @@
 #include "core/base/text.h"
 #include "core/pipeline/preset.h"
 #include "core/pipeline/presets.h"
+#include "core/pipeline/typed_value.h"
 
 #include <filesystem>
+#include <sstream>
 
 namespace espalier {
 namespace {
 
 /// A preset by its name, or else a file.
-PipelineOptions presetIn(const std::string& path) {
+PipelineOptions presetIn(const std::string& path, double meters) {
   if (const NamedPreset* known = presetNamed(path)) return known->options;
   std::error_code isMissing;
   if (!std::filesystem::exists(path, isMissing))
     throw Error(path + ": there is no such preset or file: name default, thesis, or a JSON file");
-  std::ifstream in = openForReading(path);
-  return readPreset(in, path);
+  std::istringstream in(readText(path));
+  return readPreset(in, path, meters);
 }
 
 } // namespace
@@ -41,7 +43,6 @@ void PipelineFlags::addTo(CLI::App& command, const std::string& result) {
   addOutput(command, output, result);
   addOptionsTo(command);
   addRootTo(command);
-  addUnit(command, unit, "Unit of the scan, to be named in the statistics");
   command.add_option("--json", json, "File to write statistics and the options used to")
       ->type_name("FILE");
 }
@@ -58,9 +59,11 @@ void PipelineFlags::addOptionsTo(CLI::App& command) {
   command.add_option("--method", method, "Method of the main step (see: espalier methods)")
       ->type_name("NAME");
   command
-      .add_option("--set", settings,
-                  "STEP.OPTION=VALUE, as often as needed; lengths in the unit of the scan or as "
-                  "'6 spacings' of its points, angles in degrees (see: espalier methods)")
+      .add_option(
+          "--set", settings,
+          "STEP.OPTION=VALUE, as often as needed; lengths in the unit of the scan, as 6sp for "
+          "spacings of its points or, with --unit, as 38mm; angles in degrees (see: espalier "
+          "methods)")
       ->type_name("SETTING")
       ->allow_extra_args(false);
   command
@@ -70,16 +73,21 @@ void PipelineFlags::addOptionsTo(CLI::App& command) {
       ->type_name("PRESET");
   addChoice(command, "--up", up, "Axis that points up",
             {{"x", UpAxis::x}, {"y", UpAxis::y}, {"z", UpAxis::z}});
+  addUnit(command, unit, "Unit of the scan: lengths can then be set as 38mm");
   addThreads(command, threads);
+}
+
+double PipelineFlags::meters() const {
+  return unit.empty() ? 0 : metersIn(typedValue("1" + unit).unit);
 }
 
 PipelineOptions PipelineFlags::options(const std::string& stepOfMethod) const {
   PipelineOptions result;
-  if (!preset.empty()) result = presetIn(preset);
+  if (!preset.empty()) result = presetIn(preset, meters());
   try {
     if (!method.empty()) result.set(stepOfMethod + ".method=" + method);
     for (const std::string& setting : settings)
-      result.set(setting);
+      result.set(setting, meters());
     if (root != "lowest") {
       result.root = placeIn(root);
       if (!result.root)

@@ -34,8 +34,10 @@ struct PipelineFlags {
   /// Adds --root.
   void addRootTo(CLI::App& command);
 
-  /// Adds those that tell how a plant is reconstructed, whichever it is.
+  /// Adds those that tell how a plant is reconstructed, whichever it is, and --unit.
   void addOptionsTo(CLI::App& command);
+
+  [[nodiscard]] double meters() const; // in the unit of the scan; 0: not known
 
   /// @throws Error naming the flag, what it holds and what it may hold
   [[nodiscard]] PipelineOptions options(const std::string& stepOfMethod) const;

@@ -6,8 +6,10 @@
 #include "app/cli/pipeline_flags.h"
 #include "app/cli/statistics.h"
 #include "app/cli/terminal.h"
+#include "core/base/text.h"
 #include "core/evaluate/agreement_scores.h"
 #include "core/evaluate/comparable.h"
+#include "core/evaluate/comparison_warnings.h"
 #include "core/evaluate/registration.h"
 #include "core/io/csv.h"
 #include "core/pipeline/quality_of.h"
@@ -15,8 +17,10 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <ostream>
 
@@ -31,6 +35,7 @@ struct Flags {
   std::vector<std::string> values;
   int count = 7;
   std::string reference;
+  bool noRotate = false;
   std::string csv;
 };
 
@@ -56,7 +61,7 @@ std::vector<double> listedValues(const Flags& flags, const Swept& swept,
   for (const std::string& text : flags.values) {
     PipelineOptions with = options;
     try {
-      with.setText(step, swept.option, text);
+      with.setText(step, swept.option, text, flags.pipeline.meters());
     } catch (const Error& problem) {
       throw WrongUsage(problem.what());
     }
@@ -67,19 +72,37 @@ std::vector<double> listedValues(const Flags& flags, const Swept& swept,
   return values;
 }
 
-/// The scores of a result that is laid on the reference first, by their names.
-Json scoresOf(const Skeleton& result, const Skeleton& reference) {
-  const Skeleton laid = moved(result, registration(result, reference).motion);
-  const std::vector<double> scores = agreementScores(laid, reference);
-  Json json = Json::object();
+/// What results are scored against, and how they are laid on it first.
+struct Reference {
+  Skeleton skeleton;
+  RegistrationOptions registration;
+};
+
+/// What makes scores doubtful of a result that was laid on the reference so.
+std::vector<std::string> doubtsIn(const Registration& lay) {
+  std::vector<std::string> doubts;
+  if (lay.angle() > 0)
+    doubts.push_back("the plant was turned by " +
+                     plainDecimal(std::round(10 * lay.angle() * 180 / std::numbers::pi) / 10) +
+                     " degrees to lie on the reference");
+  if (const std::string ofFit = warningOfFit(lay); !ofFit.empty()) doubts.push_back(ofFit);
+  return doubts;
+}
+
+/// Adds the scores of a result that is laid on the reference first, by their names, and what makes
+/// them doubtful.
+void addScores(Json& row, const Skeleton& result, const Reference& reference) {
+  const Registration lay = registration(result, reference.skeleton, reference.registration);
+  const std::vector<double> scores = agreementScores(moved(result, lay.motion), reference.skeleton);
   for (std::size_t i = 0; i < scores.size(); ++i)
-    json[scoreNames()[i]] = scores[i];
-  return json;
+    row["scores"][scoreNames()[i]] = scores[i];
+  const std::vector<std::string> doubts = doubtsIn(lay);
+  if (!doubts.empty()) row["notes"] = doubts;
 }
 
 /// What one value gave.
 Json rowOf(const SweepResult& result, const Option& option, const PointCloud& cloud,
-           const PipelineOptions& options, const std::optional<Skeleton>& reference) {
+           const PipelineOptions& options, const std::optional<Reference>& reference) {
   Json row = {
       {"value", option.takesWords() ? Json(option.wordFor(result.value)) : Json(result.value)}};
   if (!result.failure.empty()) {
@@ -87,7 +110,7 @@ Json rowOf(const SweepResult& result, const Option& option, const PointCloud& cl
     return row;
   }
   row["quality"] = statistics(qualityOf(cloud, result.reconstruction, options), true);
-  if (reference) row["scores"] = scoresOf(*result.reconstruction.skeleton, *reference);
+  if (reference) addScores(row, *result.reconstruction.skeleton, *reference);
   return row;
 }
 
@@ -153,22 +176,31 @@ void printRow(const Json& row) {
 
 void writeResults(const Flags& flags, const std::vector<Json>& rows) {
   writeTable(flags.csv, rows);
-  writeAndTell(flags.pipeline.json, [&](std::ostream& out) {
-    const Json json = {
-        {"scan", flags.pipeline.scan},
-        {"option", flags.name},
-        {"reference", flags.reference.empty() ? Json(nullptr) : Json(flags.reference)},
-        {"results", rows}};
-    out << json.dump(2) << '\n';
-  });
+  writeJson(flags.pipeline.json,
+            {{"scan", flags.pipeline.scan},
+             {"option", flags.name},
+             {"reference", flags.reference.empty() ? Json(nullptr) : Json(flags.reference)},
+             {"results", rows}});
 }
 
-std::optional<Skeleton> referenceIn(const std::string& file) {
+/// What makes the scores of each value doubtful, a line each.
+std::vector<std::string> notesIn(const std::string& option, const std::vector<Json>& rows) {
+  std::vector<std::string> notes;
+  for (const Json& row : rows)
+    if (const auto found = row.find("notes"); found != row.end())
+      for (const Json& note : *found)
+        notes.push_back(option + "=" + plain(row["value"]) + ": " + note.get<std::string>());
+  return notes;
+}
+
+std::optional<Reference> referenceIn(const Flags& flags) {
+  const std::string& file = flags.reference;
   if (file.empty()) return std::nullopt;
   Imported<Structure> structure = readStructure(file);
   printNotes(structure.notes);
   requireComparable(structure.value.skeleton, file);
-  return std::move(structure.value.skeleton);
+  return Reference{.skeleton = std::move(structure.value.skeleton),
+                   .registration = {.turns = !flags.noRotate, .up = flags.pipeline.up}};
 }
 
 void run(const Flags& flags) {
@@ -183,10 +215,11 @@ void run(const Flags& flags) {
   }
   const std::vector<std::string> inputs = {flags.pipeline.scan, flags.pipeline.preset,
                                            flags.reference};
+  requireApart({flags.csv, flags.pipeline.json});
   requireOutput(flags.csv, inputs);
   requireOutput(flags.pipeline.json, inputs);
   const TerminalProgress terminal;
-  const std::optional<Skeleton> reference = referenceIn(flags.reference);
+  const std::optional<Reference> reference = referenceIn(flags);
   auto scan = readPoints(flags.pipeline.scan, terminal.progress().part(0, 0.1, "Read"));
   printNotes(scan.notes);
   const auto cloud = std::make_shared<const PointCloud>(std::move(scan.value));
@@ -211,6 +244,7 @@ void run(const Flags& flags) {
   });
   terminal.check();
   terminal.clear();
+  printNotes(notesIn(flags.name, rows));
   writeResults(flags, rows);
 }
 
@@ -242,6 +276,7 @@ void addSweep(CLI::App& app) {
       ->add_option("--reference", flags->reference,
                    "Structure to score the results against, in any format that is read")
       ->type_name("FILE");
+  addNoRotate(*command, flags->noRotate);
   flags->pipeline.addOptionsTo(*command);
   flags->pipeline.addRootTo(*command);
   command->add_option("--csv", flags->csv, "File to write a table to, a row per value")

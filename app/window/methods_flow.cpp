@@ -82,7 +82,8 @@ void MethodsFlow::remove(const std::vector<int>& rows) {
 }
 
 void MethodsFlow::setOptions(const EvaluationOptions& options) {
-  const bool isSame = options.registers == options_.registers &&
+  const bool isSame = options.registers == options_.registers && options.turns == options_.turns &&
+                      options.up == options_.up && options.edit == options_.edit &&
                       options.tolerance == options_.tolerance &&
                       options.breastHeight == options_.breastHeight;
   options_ = options;

@@ -7,6 +7,7 @@
 #include "core/io/atomic_file.h"
 #include "core/pipeline/preset.h"
 #include "core/pipeline/presets.h"
+#include "ui/document/plant_document.h"
 #include "ui/panels/message_banner.h"
 #include "ui/panels/pipeline_panel.h"
 
@@ -135,8 +136,10 @@ void PresetFlow::open() {
                                                     parts_.settings.value(folderKey).toString(),
                                                     tr("Settings (*.json)"));
   if (path.isEmpty()) return;
-  std::ifstream in = openForReading(toPath(path));
-  const PipelineOptions options = readPreset(in, QFileInfo(path).fileName().toStdString());
+  std::istringstream in(readText(toPath(path)));
+  const LengthUnit unit = parts_.document.unit();
+  const PipelineOptions options = readPreset(in, QFileInfo(path).fileName().toStdString(),
+                                             unit == LengthUnit::unknown ? 0 : metersIn(unit));
   parts_.settings.setValue(folderKey, QFileInfo(path).absolutePath());
   show(options);
 }

@@ -16,6 +16,7 @@ namespace espalier {
 class ActionSet;
 class MessageBanner;
 class PipelinePanel;
+class PlantDocument;
 
 /// The settings of all steps as a whole: those that come with the program, those that the user
 /// keeps under a name, and files of them.
@@ -30,6 +31,7 @@ public:
     MessageBanner& banner;
     QSettings& settings;
     QWidget& window;
+    const PlantDocument& document; // whose unit lengths as "38 mm" are turned into
   };
   explicit PresetFlow(const Parts& parts);
 

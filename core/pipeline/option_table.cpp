@@ -1,10 +1,10 @@
 #include "core/pipeline/option_table.h"
 
+#include "core/pipeline/typed_value.h"
+
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <charconv>
-#include <cmath>
 #include <sstream>
 
 namespace espalier {
@@ -28,15 +28,11 @@ std::string Rule::text() const {
 }
 
 std::optional<Rule> Rule::parse(std::string_view text) {
-  double amount = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), amount);
-  if (error != std::errc() || !std::isfinite(amount)) return std::nullopt;
-  const std::string_view unit = text.substr(static_cast<std::size_t>(end - text.data()));
-  if (unit.empty()) return fixedAt(amount);
-  for (const char* known : {" spacing", " spacings", " point spacing", " point spacings"})
-    if (unit == known) return espalier::spacings(amount);
-  for (const char* known : {" height", " heights", " plant height", " plant heights"})
-    if (unit == known) return Rule{.heights = amount};
+  const TypedValue typed = typedValue(text);
+  if (typed.state != TypedValue::State::complete) return std::nullopt;
+  if (typed.unit == ValueUnit::none) return fixedAt(typed.amount);
+  if (typed.unit == ValueUnit::spacings) return espalier::spacings(typed.amount);
+  if (typed.unit == ValueUnit::heights) return Rule{.heights = typed.amount};
   return std::nullopt;
 }
 

@@ -1,10 +1,13 @@
 #include "core/pipeline/preset.h"
 
 #include "core/base/error.h"
+#include "core/base/printable.h"
+#include "core/base/text.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <istream>
 #include <iterator>
@@ -46,7 +49,7 @@ Json toJson(const PipelineOptions& options, const Step& step, const std::string&
   return value;
 }
 
-void readOption(const std::string& step, const std::string& name, const Json& value,
+void readOption(const std::string& step, const std::string& name, const Json& value, double meters,
                 PipelineOptions& options) {
   if (name == "method" && value.is_string()) return;
   if (takesWords(stepNamed(step), name)) {
@@ -55,7 +58,7 @@ void readOption(const std::string& step, const std::string& name, const Json& va
     return;
   }
   if (value.is_string()) {
-    options.setText(stepNamed(step), name, value.get<std::string>());
+    options.setText(stepNamed(step), name, value.get<std::string>(), meters);
     return;
   }
   if (!value.is_number()) throw Error("\"" + step + "." + name + "\" must be a number");
@@ -91,6 +94,22 @@ std::size_t placeOf(std::string_view text, const std::string& step, const std::s
   return text.size();
 }
 
+/// Where a number begins that is too large for a double; the end of the text if none is.
+std::size_t placeOfVastNumber(std::string_view text) {
+  constexpr std::string_view signs = "+-.0123456789eE";
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (text[at] == '"')
+      for (++at; at < text.size() && text[at] != '"'; ++at)
+        if (text[at] == '\\') ++at;
+    if (at >= text.size() || signs.substr(1, 12).find(text[at]) == std::string_view::npos) continue;
+    const std::size_t end = std::min(text.find_first_not_of(signs, at), text.size());
+    const auto number = numberIn(text.substr(at, end - at));
+    if (number && std::isinf(*number)) return at;
+    at = end - 1;
+  }
+  return text.size();
+}
+
 /// How a message begins that is about this place: "pine.json, line 3: ".
 using Where = std::function<std::string(const std::string& step, const std::string& name)>;
 
@@ -104,7 +123,7 @@ void located(const Where& where, const std::string& step, const std::string& nam
   }
 }
 
-PipelineOptions optionsIn(const Json& json, const Where& where, bool mustExist) {
+PipelineOptions optionsIn(const Json& json, const Where& where, bool mustExist, double meters) {
   PipelineOptions options;
   for (const auto& [name, content] : json.items()) {
     const std::string& step = name; // Clang 14 captures no structured bindings
@@ -113,10 +132,10 @@ PipelineOptions optionsIn(const Json& json, const Where& where, bool mustExist) 
             [&] { readStep(step, choices, options); });
     for (const auto& choice : choices.items())
       located(where, step, choice.key(), [&] {
-        readOption(step, choice.key(), choice.value(), options);
+        readOption(step, choice.key(), choice.value(), meters, options);
         if (!mustExist || choice.key() == "method") return;
         PipelineOptions alone{.methods = options.methods};
-        readOption(step, choice.key(), choice.value(), alone);
+        readOption(step, choice.key(), choice.value(), meters, alone);
         requireKnown(alone);
       });
   }
@@ -132,11 +151,13 @@ PipelineOptions readPreset(std::istream& in) {
   const auto json = Json::parse(in, nullptr, false);
   if (!json.is_object()) throw Error(notAPreset);
   const auto nowhere = [](const std::string&, const std::string&) { return std::string(); };
-  return optionsIn(json, nowhere, false);
+  return optionsIn(json, nowhere, false, 0);
 }
 
-PipelineOptions readPreset(std::istream& in, const std::string& file) {
+PipelineOptions readPreset(std::istream& in, const std::string& file, double meters) {
   const std::string text{std::istreambuf_iterator<char>(in), {}};
+  if (!isUtf8(text) || text.find('\0') != std::string::npos)
+    throw Error(file + ": is no text in UTF-8, but perhaps in UTF-16: save it as UTF-8");
   const auto at = [&](std::size_t place) {
     return file + ", line " + std::to_string(lineAt(text, place)) + ": ";
   };
@@ -146,12 +167,15 @@ PipelineOptions readPreset(std::istream& in, const std::string& file) {
   } catch (const Json::parse_error& error) {
     throw Error(at(error.byte > 0 ? error.byte - 1 : 0) + notAPreset +
                 "; the JSON breaks off here");
+  } catch (const Json::out_of_range&) { // the one that parsing knows: a number
+    throw Error(at(placeOfVastNumber(text)) +
+                "a number is too large: write one below 1e12, as no length is larger");
   }
   if (!json.is_object()) throw Error(at(0) + notAPreset);
   const auto where = [&](const std::string& step, const std::string& name) {
     return at(placeOf(text, step, name));
   };
-  return optionsIn(json, where, true);
+  return optionsIn(json, where, true, meters);
 }
 
 void writePreset(std::ostream& out, const PipelineOptions& options) {

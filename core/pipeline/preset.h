@@ -16,8 +16,10 @@ namespace espalier {
 [[nodiscard]] PipelineOptions readPreset(std::istream& in);
 
 /// The same of a file that a user wrote: options must exist, too, and messages name file and line.
-/// @param file  name for messages
-[[nodiscard]] PipelineOptions readPreset(std::istream& in, const std::string& file);
+/// @param file    name for messages
+/// @param meters  in [L], for lengths as "38 mm"; 0: not known
+[[nodiscard]] PipelineOptions readPreset(std::istream& in, const std::string& file,
+                                         double meters = 0);
 
 /// Writes what readPreset reads.
 void writePreset(std::ostream& out, const PipelineOptions& options);

@@ -30,6 +30,8 @@ struct PipelineState {
   std::shared_ptr<const SpatialIndex> index = {};
   /// Of the whole scan, if this is a part of one: for contractions that follow densities.
   std::optional<DensityRange> densityRange = {};
+  /// What the last step has to say of its result: sentences without a full stop.
+  std::vector<std::string> notes = {};
 
   void setSkeleton(Skeleton made) { skeleton = std::make_shared<const Skeleton>(std::move(made)); }
 };

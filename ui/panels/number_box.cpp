@@ -4,50 +4,44 @@
 
 #include <QKeyEvent>
 #include <QLineEdit>
-#include <QRegularExpression>
 #include <QToolTip>
 
 #include <algorithm>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace espalier {
-namespace {
 
-/// How many of `unit` a number with these letters behind it is in; none: they name no unit.
-std::optional<double> factorOf(const QString& letters, LengthUnit unit) {
-  if (letters.isEmpty()) return 1;
-  const LengthUnit typed = unitOfSymbol(letters);
-  if (typed == LengthUnit::unknown || unit == LengthUnit::unknown) return std::nullopt;
-  return metersIn(typed) / metersIn(unit);
+/// How much one of `unit` is in this field; none: nobody knows.
+std::optional<double> NumberBox::factorOf(ValueUnit unit) const {
+  if (unit == ValueUnit::none) return 1;
+  if (unit == ValueUnit::degrees) return suffix() == "°" ? std::optional(1.0) : std::nullopt;
+  if (unit == ValueUnit::spacings) return scale_ ? std::optional(scale_->spacing) : std::nullopt;
+  if (unit == ValueUnit::heights) return scale_ ? std::optional(scale_->height) : std::nullopt;
+  const LengthUnit own = unitOfSymbol(suffix().trimmed());
+  if (own == LengthUnit::unknown) return std::nullopt;
+  return metersIn(unit) / metersIn(own);
 }
-
-std::optional<double> numberOf(QString digits) {
-  bool isNumber = false;
-  const double value = digits.replace(',', '.').toDouble(&isNumber);
-  return isNumber ? std::optional(value) : std::nullopt;
-}
-
-} // namespace
 
 NumberBox::Typed NumberBox::read(const QString& text) const {
-  static const QRegularExpression form(
-      R"(^([-+]?[0-9]*[.,]?[0-9]*(?:[eE][-+]?[0-9]*)?)\s*([a-z]*)$)");
   QString rest = text;
   if (!suffix().isEmpty() && rest.endsWith(suffix())) rest.chop(suffix().size());
-  const QRegularExpressionMatch match = form.match(rest.trimmed());
-  if (!match.hasMatch()) return {QValidator::Invalid, std::nullopt};
-  const QString letters = match.captured(2);
-  const LengthUnit unit = unitOfSymbol(suffix().trimmed());
-  const std::optional<double> factor = factorOf(letters, unit);
-  if (!factor) {
-    const bool isBegun = letters == "c" && unit != LengthUnit::unknown;
-    return {isBegun ? QValidator::Intermediate : QValidator::Invalid, std::nullopt};
-  }
-  const std::optional<double> number = numberOf(match.captured(1));
-  if (!number) return {QValidator::Intermediate, std::nullopt};
-  const double value = *number * *factor;
-  const bool isIn = value >= minimum() && value <= maximum();
-  return {isIn ? QValidator::Acceptable : QValidator::Intermediate, value};
+  const std::string bytes = rest.toStdString();
+  const TypedValue typed = typedValue(bytes);
+  if (typed.state == TypedValue::State::complete)
+    if (const std::optional<double> factor = factorOf(typed.unit)) {
+      const double value = typed.amount * *factor;
+      const bool isIn = value >= minimum() && value <= maximum();
+      return {isIn ? QValidator::Acceptable : QValidator::Intermediate, value};
+    }
+  const std::vector<ValueUnit> units = unitsBeginning(typed.letters);
+  const bool isBegun =
+      typed.state != TypedValue::State::wrong && std::ranges::any_of(units, [this](ValueUnit unit) {
+        return unit != ValueUnit::none && factorOf(unit).has_value();
+      });
+  const bool isNumberBegun = typed.state == TypedValue::State::begun && typed.letters.empty();
+  return {isBegun || isNumberBegun ? QValidator::Intermediate : QValidator::Invalid, std::nullopt};
 }
 
 QValidator::State NumberBox::validate(QString& text, int& /*cursor*/) const {
@@ -65,10 +59,12 @@ void NumberBox::fixup(QString& text) const {
 
 QString NumberBox::taken() const {
   const QString range = tr("%1 to %2").arg(textFromValue(minimum()), textFromValue(maximum()));
-  if (suffix().isEmpty()) return tr("A number from %1").arg(range);
-  if (unitOfSymbol(suffix().trimmed()) == LengthUnit::unknown)
-    return tr("A number from %1").arg(range + suffix());
-  return tr("A number from %1; also in mm, cm or m").arg(range + suffix());
+  const QString number = tr("A number from %1").arg(range + suffix());
+  const bool isKnown = unitOfSymbol(suffix().trimmed()) != LengthUnit::unknown;
+  if (isKnown && scale_)
+    return tr("%1; also in mm, cm or m, as 6 sp (spacings) or 0.02 h (heights)").arg(number);
+  if (isKnown) return tr("%1; also in mm, cm or m").arg(number);
+  return scale_ ? tr("%1; also as 6 sp (spacings) or 0.02 h (heights)").arg(number) : number;
 }
 
 void NumberBox::keyPressEvent(QKeyEvent* event) {

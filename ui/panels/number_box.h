@@ -1,13 +1,17 @@
 #pragma once
 
+#include "core/pipeline/option_table.h"
+#include "core/pipeline/typed_value.h"
+
 #include <QDoubleSpinBox>
 
 #include <optional>
 
 namespace espalier {
 
-/// A field for a number. Where its suffix is a unit of length, numbers may be typed in any other:
-/// "3 cm" where lengths are in m becomes "0.03 m". Digits may stand after a point or a comma.
+/// A field for a number, which may be typed with a unit as on the command line: see typedValue().
+/// Where its suffix is a unit of length, "3 cm" where lengths are in m becomes "0.03 m"; where the
+/// plant has a scale, "6 sp" becomes the length that 6 spacings are.
 ///
 /// What is beyond the range becomes its nearest end once the typing is over. A letter that no
 /// number has is not taken, and a tip below the field tells what is.
@@ -23,6 +27,9 @@ public:
   /// What may be typed here, in words.
   [[nodiscard]] QString taken() const;
 
+  /// Of a length that may be typed in spacings of the points and heights of the plant.
+  void setScale(const PlantScale& scale) { scale_ = scale; }
+
 protected:
   void keyPressEvent(QKeyEvent* event) override;
 
@@ -32,6 +39,9 @@ private:
     std::optional<double> value; // in the unit of the field; none: not complete
   };
   [[nodiscard]] Typed read(const QString& text) const;
+  [[nodiscard]] std::optional<double> factorOf(ValueUnit unit) const;
+
+  std::optional<PlantScale> scale_;
 };
 
 } // namespace espalier

@@ -72,6 +72,7 @@ bool NumberField::eventFilter(QObject* watched, QEvent* event) {
 void NumberField::showScale(const QString& unit) {
   const QSignalBlocker quiet(number_);
   dress(*number_, option(), scale(), unit);
+  if (option().kind == OptionKind::length) number_->setScale(scale());
   slider_->setDefaultPlace(placeOf(option().rule.value(scale())));
   slider_->setToolTip(help());
   number_->setToolTip(help());

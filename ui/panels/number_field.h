@@ -6,6 +6,7 @@ class QDoubleSpinBox;
 
 namespace espalier {
 
+class NumberBox;
 class OptionSlider;
 
 /// Gives a field the range, the digits and the unit of an option.
@@ -28,7 +29,7 @@ private:
   [[nodiscard]] double valueAt(double place) const;
 
   OptionSlider* slider_;
-  QDoubleSpinBox* number_;
+  NumberBox* number_;
 };
 
 } // namespace espalier

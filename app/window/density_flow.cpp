@@ -24,9 +24,7 @@ void DensityFlow::refresh() {
   options.leftOut = document_.leftOut();
   const Step& step = stepNamed("contract");
   const Method& method = chosenMethod(step, options);
-  const PlantScale scale = scan != nullptr
-                               ? PlantScale{.spacing = scan->spacing(), .height = scan->height()}
-                               : PlantScale{};
+  const PlantScale scale = scan != nullptr ? document_.scale() : PlantScale{};
   const bool isFollowed =
       scan != nullptr && densityValues(method, resolvedValues(step, method, options, scale));
   if (!isFollowed) {

@@ -189,11 +189,12 @@ QString Editing::hint() const {
 
 void Editing::useTool(const QString& id, bool startsWithNodes) {
   if (!tool_.isEmpty() && id != tool_) {
-    const bool ends = tool_ == "reparent" || tool_ == "regrow";
+    const bool ends = tool_ == "reparent" || tool_ == "regrow" || tool_ == "root";
     if (!ends) toolBefore_ = tool_; // one does not come back to a tool that ends
     const QString left = std::exchange(tool_, id);
     Tool& before = *tools_.at(left);
     if (before.isBusy() || before.hasPreview() || !before.result().isEmpty()) before.cancel();
+    before.leave();
     canvas_.showBand({}); // of the tool before
   }
   tool_ = id;

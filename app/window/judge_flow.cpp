@@ -232,8 +232,7 @@ ChoiceRecord JudgeFlow::record() const {
   if (shown_.empty() || parts_.document.scan() == nullptr) return record;
   if (shown_.back().outcome.within || parts_.preview.isBusy() || isBusy())
     throw Error(tr("the preview is not of the whole scan yet: wait a moment").toStdString());
-  const Scan& scan = *parts_.document.scan();
-  const PlantScale scale{.spacing = scan.spacing(), .height = scan.height()};
+  const PlantScale scale = parts_.document.scale();
   const QString unit = symbol(parts_.document.unit());
   const std::vector<JudgedNumber> numbers =
       judgedNumbers(unit, parts_.reference.skeleton() != nullptr);

@@ -31,6 +31,7 @@
 #include "app/window/shown_flow.h"
 #include "app/window/sight_flow.h"
 #include "app/window/snap_flow.h"
+#include "app/window/stand_flow.h"
 #include "app/window/states_flow.h"
 #include "app/window/sweep_flow.h"
 #include "app/window/theme_flow.h"
@@ -40,11 +41,13 @@
 #include "app/window/value_colors.h"
 #include "app/window/view_options.h"
 #include "app/window/view_sync.h"
+#include "core/mtg/mtg_of_skeleton.h"
 #include "ui/panels/inspector_panel.h"
 #include "ui/panels/message_banner.h"
 #include "ui/panels/pipeline_panel.h"
 #include "ui/panels/start_page.h"
 #include "ui/panels/status_line.h"
+#include "ui/panels/vertex_page.h"
 #include "ui/view/plant_view.h"
 
 #include <QAction>
@@ -174,6 +177,8 @@ void MainWindow::makeCenter() {
   start_->setIcon(programIcon());
   center_->addWidget(start_);
   center_->addWidget(views_);
+  vertices_ = new VertexPage(center_);
+  center_->addWidget(vertices_);
   // The banner lies over the view, which keeps its size.
   banner_ = new MessageBanner(center_);
   banner_->setCover([this](const QRect& part) {
@@ -230,6 +235,7 @@ void MainWindow::refreshTitle() {
   (*actions_)["keep_scan"]->setChecked(projects_->isScanKept());
   const QString path = document_.filePath().isEmpty() ? document_.scanPath() : document_.filePath();
   setWindowFilePath(path);
+  vertices_->setFile(QFileInfo(path).fileName());
   setWindowTitle(path.isEmpty() ? QStringLiteral("Espalier")
                                 : QFileInfo(path).fileName() +
                                       (document_.isReadOnly() ? tr(" (read-only)") : QString()) +
@@ -239,15 +245,22 @@ void MainWindow::refreshTitle() {
 
 void MainWindow::refreshCounts() {
   QStringList parts;
-  if (document_.scan() != nullptr)
-    parts.append(tr("%1 pts").arg(formatCount(std::size_t(document_.scan()->cloud()->size()))));
-  if (!document_.skeleton().isEmpty())
-    parts.append(tr("%1 nodes").arg(formatCount(document_.skeleton().size())));
+  if (document_.scan() != nullptr) {
+    const auto points = std::size_t(document_.scan()->cloud()->size());
+    parts.append(points == 1 ? tr("1 pt") : tr("%1 pts").arg(formatCount(points)));
+  }
+  if (const std::size_t nodes = document_.skeleton().size(); nodes > 0)
+    parts.append(nodes == 1 ? tr("1 node") : tr("%1 nodes").arg(formatCount(nodes)));
   if (units_->marks() > 0) parts.append(tr("%1 marked").arg(formatCount(units_->marks())));
   if (const std::size_t hidden = shown_->hidden().size(); hidden > 0)
     parts.append(tr("%1 hidden").arg(formatCount(hidden)));
   if (!document_.leftOut().isEmpty())
     parts.append(tr("%1 set aside").arg(formatCount(document_.leftOut().size())));
+  const auto& frame = document_.structure().frame;
+  if (frame && center_->currentWidget() == vertices_) {
+    const std::size_t vertices = frame->mtg.vertices.size();
+    parts.append(vertices == 1 ? tr("1 vertex") : tr("%1 vertices").arg(formatCount(vertices)));
+  }
   if (document_.unit() != LengthUnit::unknown) parts.append(symbol(document_.unit()));
   status_->setCounts(parts.join(QStringLiteral(" · ")));
 }
@@ -256,6 +269,10 @@ void MainWindow::refreshHint() {
   QString hint = editing_->hint();
   if (document_.isEmpty()) // while a file is read, that is all there is to say
     hint = jobs_.isRunning() ? QString() : tr("Open a scan, or drop one here");
+  if (center_->currentWidget() == vertices_)
+    hint = withKeys(tr("No positions, so no view   {export_structure} write as MTG or OPF   "
+                       "{open} open another file"),
+                    *actions_);
   if (const QString radius = radius_->hint(); !radius.isEmpty()) hint = radius;
   if (preview_ && preview_->shown() && preview_->isOther() && !editing_->isPending())
     hint = withKeys(tr("Preview   {reconstruct} make it the skeleton   {leave} drop it   "
@@ -267,15 +284,20 @@ void MainWindow::refreshHint() {
 }
 
 void MainWindow::refreshEmptiness() {
+  const bool isShapeless = isWithoutPositions(document_.structure());
   const bool isEmpty = document_.isEmpty() && !document_.undoStack().canUndo();
-  center_->setCurrentWidget(isEmpty ? static_cast<QWidget*>(start_) : views_);
+  const bool showsVertices = isEmpty && isShapeless;
+  vertices_->show(showsVertices ? document_.structure().frame : nullptr,
+                  (*actions_)["export_structure"]->shortcut().toString(QKeySequence::NativeText));
+  center_->setCurrentWidget(showsVertices ? vertices_
+                            : isEmpty     ? static_cast<QWidget*>(start_)
+                                          : views_);
   const bool canRun = document_.scan() != nullptr && !jobs_.isRunning();
   pipeline_->setRunnable(canRun);
   (*actions_)["reconstruct"]->setEnabled(canRun);
-  (*actions_)["save_as"]->setEnabled(!document_.skeleton().isEmpty());
-  (*actions_)["save"]->setEnabled(!document_.skeleton().isEmpty());
-  (*actions_)["export_structure"]->setEnabled(!document_.skeleton().isEmpty());
-  (*actions_)["save_project_as"]->setEnabled(!document_.isEmpty());
+  for (const char* id : {"save", "save_as", "export_structure"})
+    (*actions_)[id]->setEnabled(isShapeless || !document_.skeleton().isEmpty());
+  (*actions_)["save_project_as"]->setEnabled(isShapeless || !document_.isEmpty());
   refreshDocks();
   refreshTitle();
   refreshCounts();

@@ -50,6 +50,7 @@ class ShownFlow;
 class SightFlow;
 struct Step;
 class SnapFlow;
+class StandFlow;
 class SweepFlow;
 class StartPage;
 class StatesFlow;
@@ -59,6 +60,7 @@ class ThemeFlow;
 class TwoViewsFlow;
 class UnitFlow;
 class ValueColors;
+class VertexPage;
 class ViewOptions;
 class ViewSync;
 
@@ -132,6 +134,7 @@ private:
   PlantView* view_;
   QSplitter* views_; // beside it there may be a second
   StartPage* start_;
+  VertexPage* vertices_; // of a plant without positions
   QStackedWidget* center_;
   MessageBanner* banner_;
   QString refusal_; // the last one told in the banner
@@ -148,6 +151,7 @@ private:
   std::unique_ptr<CloseLookFlow> closeLook_;
   std::unique_ptr<TraceFlow> traces_;
   std::unique_ptr<SnapFlow> snaps_;
+  std::unique_ptr<StandFlow> stand_;
   std::unique_ptr<PointStates> pointStates_;
   std::unique_ptr<PointsFlow> points_;
   std::unique_ptr<UnitFlow> units_;

@@ -26,6 +26,7 @@
 #include "app/window/shown_flow.h"
 #include "app/window/sight_flow.h"
 #include "app/window/snap_flow.h"
+#include "app/window/stand_flow.h"
 #include "app/window/states_flow.h"
 #include "app/window/sweep_flow.h"
 #include "app/window/theme_flow.h"
@@ -60,6 +61,8 @@ void MainWindow::addActions() {
   connect(traces_.get(), &TraceFlow::failed, this,
           [this](const QString& message) { banner_->showError(message); });
   snaps_ = std::make_unique<SnapFlow>(document_, *actions_, *editing_, settings_);
+  stand_ = std::make_unique<StandFlow>(
+      StandFlow::Parts{document_, *view_, *pipeline_, *actions_, *editing_});
   units_ = std::make_unique<UnitFlow>(document_, *actions_, *inspector_, *this);
   radius_ = std::make_unique<RadiusFlow>(
       RadiusFlow::Parts{document_, jobs_, *actions_, *view_, inspector_->crossSection()});
@@ -68,8 +71,13 @@ void MainWindow::addActions() {
   addPanels();
   seals_ = std::make_unique<SealFlow>(
       SealFlow::Parts{document_, *actions_, *projects_, *banner_, *this});
+  const auto reveal = [this](const std::vector<NodeId>& nodes,
+                             const std::vector<Eigen::Vector3d>& places, const Camera& camera) {
+    return shown_->reveal(nodes, places, camera);
+  };
   review_ = std::make_unique<ReviewFlow>(
-      ReviewFlow::Parts{document_, *view_, *actions_, *editing_, settings_, *this},
+      ReviewFlow::Parts{document_, *view_, *actions_, *editing_, settings_, *this, reveal,
+                        [this]() -> const std::vector<NodeId>& { return shown_->hidden(); }},
       (*actions_)["sign_structure"]);
   shown_ = std::make_unique<ShownFlow>(
       ShownFlow::Parts{document_, *view_, *actions_, *editing_, panels});
@@ -80,11 +88,11 @@ void MainWindow::addActions() {
       std::make_unique<SavedViews>(SavedViews::Parts{*view_, *options_, *shown_, *actions_, *this});
   distances_ = std::make_unique<ScanDistances>(document_);
   findings_ = std::make_unique<FindingsFlow>(
-      FindingsFlow::Parts{document_, *view_, *actions_, *distances_, settings_, *this});
+      FindingsFlow::Parts{document_, *view_, *actions_, *distances_, settings_, *this, reveal});
   explained_ = std::make_unique<ExplainedFlow>(
       ExplainedFlow::Parts{document_, *pointStates_, *actions_, *distances_, settings_, *this});
   presets_ = std::make_unique<PresetFlow>(
-      PresetFlow::Parts{*pipeline_, *actions_, *banner_, settings_, *this});
+      PresetFlow::Parts{*pipeline_, *actions_, *banner_, settings_, *this, document_});
   hulls_ = std::make_unique<HullFlow>(
       HullFlow::Parts{document_, *view_, *actions_, *editing_, *distances_});
   twoViews_ = std::make_unique<TwoViewsFlow>(

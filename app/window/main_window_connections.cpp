@@ -23,6 +23,7 @@
 #include "app/window/seal_flow.h"
 #include "app/window/shown_flow.h"
 #include "app/window/sight_flow.h"
+#include "app/window/stand_flow.h"
 #include "app/window/states_flow.h"
 #include "app/window/sweep_flow.h"
 #include "app/window/theme_flow.h"
@@ -102,6 +103,7 @@ void MainWindow::connectDocument() {
   connect(editing_.get(), &Editing::hintChanged, this, &MainWindow::refreshHint);
   connect(radius_.get(), &RadiusFlow::hintChanged, this, &MainWindow::refreshHint);
   connect(editing_.get(), &Editing::noted, status_, &StatusLine::showNote);
+  connect(stand_.get(), &StandFlow::noted, status_, &StatusLine::showNote);
   connect(radius_.get(), &RadiusFlow::noted, status_, &StatusLine::showNote);
   connect(radius_.get(), &RadiusFlow::done, this, [this](const QString& message) {
     banner_->showResult(message, tr("Undo"), [this] { undoStep(); });

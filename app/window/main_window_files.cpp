@@ -2,11 +2,12 @@
 #include "app/window/action_set.h"
 #include "app/window/file_flow.h"
 #include "app/window/main_window.h"
+#include "app/window/options_text.h"
 #include "app/window/preset_flow.h"
+#include "app/window/preview_flow.h"
 #include "app/window/project_flow.h"
 #include "app/window/reconstruct_flow.h"
 #include "app/window/view_options.h"
-#include "core/pipeline/preset.h"
 #include "ui/panels/message_banner.h"
 #include "ui/panels/pipeline_panel.h"
 #include "ui/panels/start_page.h"
@@ -15,24 +16,12 @@
 
 #include <QFileInfo>
 
-#include <sstream>
-
 namespace espalier {
 namespace {
 
-/// As a preset; empty: all is as the rules say.
+/// Empty: all is as the rules say.
 std::string textOf(const PipelineOptions& options) {
-  std::ostringstream text;
-  if (options != PipelineOptions()) writePreset(text, options);
-  return text.str();
-}
-
-PipelineOptions optionsFrom(const std::string& text) {
-  if (text.empty()) return {};
-  std::istringstream in(text);
-  PipelineOptions options = readPreset(in);
-  requireKnown(options);
-  return options;
+  return options != PipelineOptions() ? keptText(options) : std::string();
 }
 
 } // namespace
@@ -82,10 +71,17 @@ void MainWindow::connectProjects() {
   };
   connect(projects_.get(), &ProjectFlow::told, this, tell);
   connect(files_.get(), &FileFlow::told, this, tell);
-  projects_->keep(
-      {.name = "pipeline",
-       .text = [this] { return textOf(pipeline_->options()); },
-       .show = [this](const std::string& text) { pipeline_->setOptions(optionsFrom(text)); }});
+  projects_->keep({.name = "pipeline",
+                   .text = [this] { return textOf(pipeline_->options()); },
+                   .show =
+                       [this](const std::string& text) {
+                         const PipelineOptions options =
+                             text.empty() ? PipelineOptions() : keptOptions(text);
+                         document_.setUp(options.up);
+                         document_.setRoot(options.root);
+                         pipeline_->setOptions(options);
+                         preview_->keepChoices();
+                       }});
   projects_->keep({.name = "made_with",
                    .text = [this] { return reconstruct_->usedText(); },
                    .show = [this](const std::string& text) { reconstruct_->setUsed(text); }});
@@ -95,6 +91,7 @@ void MainWindow::connectProjects() {
                    .text = [this] { return options_->text(); },
                    .show = [this](const std::string& text) { options_->show(text); }});
   connect(pipeline_, &PipelinePanel::changed, projects_.get(), &ProjectFlow::noteChange);
+  connect(&document_, &PlantDocument::upChanged, projects_.get(), &ProjectFlow::noteChange);
   connect(presets_.get(), &PresetFlow::chosen, projects_.get(), &ProjectFlow::noteChange);
   connect(projects_.get(), &ProjectFlow::chosen, this,
           [this](const QString& path) { open({path}); });

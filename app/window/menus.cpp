@@ -13,6 +13,7 @@
 #include "app/window/review_flow.h"
 #include "app/window/saved_views.h"
 #include "app/window/snap_flow.h"
+#include "app/window/stand_flow.h"
 #include "app/window/states_flow.h"
 #include "app/window/two_views_flow.h"
 #include "app/window/view_options.h"
@@ -107,6 +108,7 @@ void MainWindow::fillMenus() {
 
   QMenu* skeleton = menuBar()->addMenu(tr("&Skeleton"));
   add(*skeleton, *actions_, {"reconstruct", "regrow_missing"});
+  stand_->fillMenu(*skeleton->addMenu(tr("R&oot and Up")));
   QMenu* settings = skeleton->addMenu(tr("Se&ttings of the Steps"));
   settings->setObjectName("presets");
   presets_->fill(*settings); // for who looks through the menus

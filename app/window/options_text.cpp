@@ -1,5 +1,7 @@
 #include "app/window/options_text.h"
 
+#include "core/base/error.h"
+#include "core/pipeline/preset.h"
 #include "ui/document/number_scale.h"
 
 #include <QObject>
@@ -7,6 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <sstream>
+#include <string_view>
 
 namespace espalier {
 namespace {
@@ -38,11 +43,65 @@ QString changeOf(const Step& step, const PipelineOptions& before, const Pipeline
   return parts.join(QStringLiteral(", "));
 }
 
+constexpr std::string_view axisNames = "xyz"; // in the order of UpAxis
+
+UpAxis axisOf(const std::string& name) {
+  const std::size_t axis = name.size() == 1 ? axisNames.find(name) : std::string_view::npos;
+  if (axis == std::string_view::npos) throw Error("\"" + name + "\" is no axis that points up");
+  return static_cast<UpAxis>(axis);
+}
+
+Eigen::Vector3d rootIn(std::istream& in) {
+  Eigen::Vector3d root;
+  if (!(in >> root.x() >> root.y() >> root.z()) || !root.allFinite())
+    throw Error("the root of the plant is no place");
+  return root;
+}
+
+/// How the plant stands otherwise.
+QStringList changesOfScan(const PipelineOptions& before, const PipelineOptions& after) {
+  QStringList parts;
+  if (after.up != before.up)
+    parts.append(QObject::tr("Up: %1").arg(QChar(axisNames[static_cast<std::size_t>(after.up)])));
+  if (after.root != before.root)
+    parts.append(after.root ? QObject::tr("Root: picked") : QObject::tr("Root: lowest point"));
+  return parts;
+}
+
 } // namespace
+
+std::string keptText(const PipelineOptions& options) {
+  std::ostringstream text;
+  if (options.up != UpAxis::z)
+    text << "up " << axisNames[static_cast<std::size_t>(options.up)] << '\n';
+  text.precision(std::numeric_limits<double>::max_digits10);
+  if (options.root) text << "root " << options.root->transpose() << '\n';
+  writePreset(text, options);
+  return text.str();
+}
+
+PipelineOptions keptOptions(const std::string& text) {
+  std::istringstream in(text);
+  PipelineOptions ofScan;
+  for (std::string name; in >> std::ws && in.peek() != '{' && in >> name;) {
+    std::string axis;
+    if (name == "up" && in >> axis)
+      ofScan.up = axisOf(axis);
+    else if (name == "root")
+      ofScan.root = rootIn(in);
+    else
+      throw Error("\"" + name + "\" is no option of a project");
+  }
+  PipelineOptions options = readPreset(in);
+  requireKnown(options);
+  options.up = ofScan.up;
+  options.root = ofScan.root;
+  return options;
+}
 
 QString changeText(const PipelineOptions& before, const PipelineOptions& after,
                    const PlantScale& scale, const QString& unit) {
-  QStringList steps;
+  QStringList steps = changesOfScan(before, after);
   for (const Step& step : pipelineSteps())
     if (const QString change = changeOf(step, before, after, scale, unit); !change.isEmpty())
       steps.append(QString::fromStdString(step.label) + QStringLiteral(": ") + change);

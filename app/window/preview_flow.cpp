@@ -73,12 +73,13 @@ PreviewFlow::PreviewFlow(const Parts& parts) : parts_(parts) {
     if (isAll_) parts_.pipeline.showRunning(stage);
   });
   connect(&parts_.pipeline, &PipelinePanel::changed, this, [this](const Step& step) {
+    if (isDropping_) return;
     if (!isLive()) return askAgain();
     ask(isOfPoints(step));
   });
   connect(&parts_.reconstruct, &ReconstructFlow::done, this, [this] {
     clear();
-    before_ = parts_.pipeline.options();
+    keepChoices();
   });
   connect(&parts_.reconstruct, &ReconstructFlow::usedChanged, this, [this] {
     if (shown_) show(*shown_); // it may do something otherwise than the plant now
@@ -90,7 +91,7 @@ PreviewFlow::PreviewFlow(const Parts& parts) : parts_(parts) {
         if (isLive() && !shown_ && !isBusy()) askFirst();
       });
     });
-  before_ = parts_.pipeline.options();
+  keepChoices();
 }
 
 PreviewFlow::~PreviewFlow() = default;
@@ -121,7 +122,7 @@ bool PreviewFlow::isLive() const {
 void PreviewFlow::turn(bool isOn) {
   if (isOn && parts_.document.scan() != nullptr) return askFirst();
   clear();
-  before_ = parts_.pipeline.options();
+  keepChoices();
 }
 
 PipelineOptions PreviewFlow::options() const {
@@ -153,14 +154,20 @@ void PreviewFlow::ask(bool movesPoints) {
   movesPoints_ = movesPoints;
   rest_.start();
   if (scan->cloud()->size() <= ballPoints) return askAll();
-  if (!previewer_)
-    previewer_ = std::make_shared<const RegionPreviewer>(
-        scan->cloud(), parts_.document.leftOut(),
-        PlantScale{.spacing = scan->spacing(), .height = scan->height()}, options().up);
+  makePreviewer();
   if (movesPoints)
     askContracted();
   else
     askReconstructed();
+}
+
+/// It is of the whole scan, and kept as long as that stands as it does.
+void PreviewFlow::makePreviewer() {
+  const PipelineOptions now = options();
+  if (previewer_ && previewed_.root == now.root && previewed_.up == now.up) return;
+  previewed_ = now;
+  previewer_ = std::make_shared<const RegionPreviewer>(parts_.document.scan()->cloud(), now.leftOut,
+                                                       parts_.document.scale(), now.up, now.root);
 }
 
 /// Points are shown where they were scanned until their contraction is another.
@@ -175,7 +182,7 @@ void PreviewFlow::askAgain() {
   if (isLive())
     ask(true);
   else
-    before_ = parts_.pipeline.options();
+    keepChoices();
 }
 
 void PreviewFlow::askContracted() {
@@ -273,19 +280,29 @@ QString PreviewFlow::name() const {
 
 QString PreviewFlow::changeBetween(const PipelineOptions& before,
                                    const PipelineOptions& after) const {
-  const Scan& scan = *parts_.document.scan();
-  return changeText(before, after, {.spacing = scan.spacing(), .height = scan.height()},
-                    symbol(parts_.document.unit()));
+  return changeText(before, after, parts_.document.scale(), symbol(parts_.document.unit()));
+}
+
+void PreviewFlow::keepChoices() {
+  before_ = parts_.pipeline.options();
 }
 
 bool PreviewFlow::drop() {
   if (!shown_) return false;
-  if (const QString change = changeBetween(before_, parts_.pipeline.options()); !change.isEmpty())
-    emit noted(tr("Dropped: %1").arg(change)); // it can be typed again
-  parts_.pipeline.setOptions(before_);
+  if (isOther()) dropChoices();
   clear();
   parts_.reconstruct.showUsed(parts_.pipeline);
   return true;
+}
+
+void PreviewFlow::dropChoices() {
+  if (const QString change = changeBetween(before_, parts_.pipeline.options()); !change.isEmpty())
+    emit noted(tr("Dropped: %1").arg(change)); // it can be typed again
+  isDropping_ = true;
+  parts_.document.setUp(before_.up);
+  parts_.document.setRoot(before_.root);
+  isDropping_ = false;
+  parts_.pipeline.setOptions(before_);
 }
 
 void PreviewFlow::goOn() {
@@ -311,6 +328,7 @@ void PreviewFlow::forgetScan() {
   clear();
   previewer_.reset();
   placed_.reset();
+  keepChoices(); // root and up are of the scan
 }
 
 } // namespace espalier

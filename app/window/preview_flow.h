@@ -73,7 +73,10 @@ public:
 
   void askAgain(); // other choices are shown, not by hand
 
-  /// Takes the preview away, with the choices that led to it. Returns whether there was one.
+  void keepChoices(); // what is chosen now is what drop() leads back to
+
+  /// Takes the preview away, with the choices that led to it where it is other than the plant.
+  /// Returns whether there was one.
   bool drop();
   void goOn();  // after stop(), until the preview is of the whole scan
   void stop();  // computes no further; what is shown stays
@@ -99,6 +102,8 @@ private:
       job_.start(std::move(work), std::move(done));
     running_ = kind;
   }
+  void makePreviewer();
+  void dropChoices();
   void askContracted();
   void askReconstructed();
   void askAll();
@@ -118,7 +123,9 @@ private:
   std::optional<Eigen::Vector3d> placed_;            // center of the ball; none: where one looks
   std::optional<Outcome> shown_;
   std::optional<NodeColors> colors_;
-  PipelineOptions before_;     // the preview
+  PipelineOptions before_;    // the preview
+  PipelineOptions previewed_; // root and up that `previewer_` is for
+  bool isDropping_ = false;
   bool isAll_ = false;         // what runs is of the whole scan
   bool isAllOwed_ = false;     // it comes once what runs is done
   Kind running_ = Kind::whole; // or what ran last

@@ -1,7 +1,7 @@
 #include "app/window/reconstruct_flow.h"
 
+#include "app/window/options_text.h"
 #include "core/base/error.h"
-#include "core/pipeline/preset.h"
 #include "ui/document/number_scale.h"
 #include "ui/document/plant_document.h"
 #include "ui/jobs/job_runner.h"
@@ -9,6 +9,7 @@
 #include <QElapsedTimer>
 #include <QUndoStack>
 
+#include <iterator>
 #include <sstream>
 #include <utility>
 
@@ -19,7 +20,10 @@ ReconstructFlow::ReconstructFlow(PlantDocument& document, JobRunner& jobs, QObje
       pipeline_(std::make_shared<SharedPipeline>()) {
   connect(&jobs_, &JobRunner::finished, this, [this] { isRunning_ = false; });
   for (auto signal : {&PlantDocument::scanChanged, &PlantDocument::skeletonReplaced})
-    connect(&document_, signal, this, [this] { setRun({}); });
+    connect(&document_, signal, this, [this] {
+      notes_.clear();
+      setRun({});
+    });
   connect(&document_.undoStack(), &QUndoStack::indexChanged, this, &ReconstructFlow::refreshUsed);
 }
 
@@ -50,22 +54,26 @@ void ReconstructFlow::start(const PipelineOptions& options, const Step* last) {
 }
 
 PipelinePanel::Telling ReconstructFlow::telling() const {
-  return [costs = pipeline_->costs()](const Step& step) -> PipelinePanel::Told {
+  return [costs = pipeline_->costs(), notes = notes_](const Step& step) -> PipelinePanel::Told {
     const auto cost = costs.find(step.name);
     if (cost == costs.end()) return {};
     const auto& [seconds, bytes] = cost->second;
     const QString time = numberText(seconds, seconds < 0.995 ? 2 : 1);
     const QString memory = numberText(static_cast<double>(bytes) / 1e6, 0);
-    return {.note = seconds < 0.005 ? QString() : tr("%1 s").arg(time),
-            .details = tr("Last run: %1 s, %2 MB more memory at most").arg(time, memory)};
+    const PipelinePanel::Told told{
+        .note = seconds < 0.005 ? QString() : tr("%1 s").arg(time),
+        .details = tr("Last run: %1 s, %2 MB more memory at most").arg(time, memory)};
+    const auto note = notes.find(step.name);
+    if (note == notes.end()) return told;
+    return {.note = told.note.isEmpty() ? tr("note") : tr("note, %1").arg(told.note),
+            .details = note->second + QStringLiteral("\n") + told.details};
   };
 }
 
 std::string ReconstructFlow::usedText() const {
   if (!isDone_) return {};
   std::ostringstream text;
-  text << run_->time << ' ' << run_->last << '\n';
-  writePreset(text, run_->options);
+  text << run_->time << ' ' << run_->last << '\n' << keptText(run_->options);
   return text.str();
 }
 
@@ -76,8 +84,7 @@ void ReconstructFlow::setUsed(const std::string& text) {
   std::getline(in, line);
   Run run;
   std::istringstream(line) >> run.time >> run.last;
-  run.options = readPreset(in);
-  requireKnown(run.options);
+  run.options = keptOptions({std::istreambuf_iterator<char>(in), {}});
   setRun(std::move(run));
 }
 
@@ -104,15 +111,25 @@ void ReconstructFlow::refreshUsed() {
 void ReconstructFlow::show(const Reconstruction& result, const Step* last, double seconds) {
   const QString time = seconds < 0.1 ? tr("less than 0.1") : numberText(seconds, 1);
   const std::string end = last != nullptr ? last->name : std::string();
+  notes_.clear();
+  for (const StepRecord& record : result.steps)
+    for (const std::string& note : record.notes)
+      notes_[record.step] += (notes_[record.step].isEmpty() ? QString() : QStringLiteral("; ")) +
+                             QString::fromStdString(note);
+  QString said;
+  for (const std::string& note : notesOf(result))
+    said += QStringLiteral("; ") + QString::fromStdString(note);
   if (last != nullptr && result.skeleton->isEmpty()) {
     document_.contract(QString::fromStdString(last->label), result.contracted);
     emit done(tr("%1 done in %2 s").arg(QString::fromStdString(last->label), time), end);
     return;
   }
   document_.reconstruct(tr("Reconstruct"), *result.skeleton, result.contracted);
-  emit done(
-      tr("%1 nodes reconstructed in %2 s").arg(formatCount(document_.skeleton().size()), time),
-      end);
+  const std::size_t nodes = document_.skeleton().size();
+  emit done((nodes == 1 ? tr("1 node reconstructed in %1 s").arg(time)
+                        : tr("%1 nodes reconstructed in %2 s").arg(formatCount(nodes), time)) +
+                said,
+            end);
 }
 
 } // namespace espalier

@@ -4,8 +4,10 @@
 #include "ui/panels/pipeline_panel.h"
 
 #include <QObject>
+#include <QString>
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -27,7 +29,7 @@ public:
   /// @throws Error if there is no scan, or another job is running
   void start(const PipelineOptions& options, const Step* last = nullptr);
   [[nodiscard]] const std::shared_ptr<SharedPipeline>& pipeline() const { return pipeline_; }
-  /// How long steps took, for the panel of the pipeline.
+  /// How long steps took, and what they said of their results, for the panel of the pipeline.
   [[nodiscard]] PipelinePanel::Telling telling() const;
   /// What the skeleton was made with; as the rules say if that is not known, or undone.
   [[nodiscard]] PipelineOptions used() const { return isDone_ ? run_->options : PipelineOptions(); }
@@ -58,6 +60,7 @@ private:
   JobRunner& jobs_;
   std::shared_ptr<SharedPipeline> pipeline_; // keeps the results of steps
   std::optional<Run> run_;                   // the last
+  std::map<std::string, QString> notes_;     // of its steps, by name
   bool isDone_ = false;                      // it is not undone
   bool isRunning_ = false;
 };

@@ -5,6 +5,7 @@
 #include "app/window/load_files.h"
 #include "app/window/load_reference.h"
 #include "core/base/error.h"
+#include "core/base/listed.h"
 #include "core/evaluate/comparable.h"
 #include "core/evaluate/registration.h"
 #include "core/io/formats.h"
@@ -89,7 +90,7 @@ void ReferenceFlow::load(const QString& path) {
       [this, path](Imported<Skeleton> read) {
         set({std::move(read.value), path});
         QStringList notes = {tr("%1 is the reference now").arg(name())};
-        for (const std::string& note : read.notes)
+        for (const std::string& note : firstNotes(read.notes))
           notes.append(QString::fromStdString(note));
         emit noted(notes.join(QStringLiteral("; ")));
         emit loaded();

@@ -25,13 +25,14 @@ std::vector<Eigen::Vector3d> placesOf(const std::vector<Eigen::Index>& points,
 }
 
 QStringList toldOf(const MethodSight& sight, LengthUnit unit) {
-  const QString points = formatCount(sight.ball.size());
-  return {
-      sight.radius > 0
-          ? SightFlow::tr("%1 points within %2").arg(points, formatLength(sight.radius, unit, 3))
-          : SightFlow::tr("%1 points").arg(points),
-      SightFlow::tr("Linearity %1").arg(numberText(sight.linearity, 2)),
-      SightFlow::tr("Relative density %1").arg(numberText(sight.density, 2))};
+  const QString points = sight.ball.size() == 1
+                             ? SightFlow::tr("1 point")
+                             : SightFlow::tr("%1 points").arg(formatCount(sight.ball.size()));
+  return {sight.radius > 0
+              ? SightFlow::tr("%1 within %2").arg(points, formatLength(sight.radius, unit, 3))
+              : points,
+          SightFlow::tr("Linearity %1").arg(numberText(sight.linearity, 2)),
+          SightFlow::tr("Relative density %1").arg(numberText(sight.density, 2))};
 }
 
 ShownSight shownOf(const MethodSight& sight, const PointCloud& cloud, const Scan& scan,
@@ -104,8 +105,7 @@ void SightFlow::prepare() {
   }
   job_.start(
       [cloud = scan->cloud(), contracted, options,
-       scale = PlantScale{.spacing = scan->spacing(), .height = scan->height()}](
-          const Progress& progress) {
+       scale = parts_.document.scale()](const Progress& progress) {
         return std::make_shared<const MethodSights>(cloud, contracted, options, scale, progress);
       },
       [this](const std::shared_ptr<const MethodSights>& sights) {

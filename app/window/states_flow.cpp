@@ -183,10 +183,8 @@ bool StatesFlow::replacesPoints() const {
 
 void StatesFlow::showA() {
   areReplaced_ = replacesPoints();
-  const Scan& scan = *parts_.document.scan();
   const QString change =
-      changeText({}, kept_->options, {.spacing = scan.spacing(), .height = scan.height()},
-                 symbol(parts_.document.unit()));
+      changeText({}, kept_->options, parts_.document.scale(), symbol(parts_.document.unit()));
   PlantState state = kept_->shownAs(tr("A · %1").arg(change.isEmpty() ? tr("Default") : change));
   state.replacesPoints = areReplaced_;
   parts_.view.setState(Side::left, state);

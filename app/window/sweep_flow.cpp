@@ -34,10 +34,6 @@ namespace {
 
 constexpr QSize pictureSize(SweepCard::side, SweepCard::side);
 
-PlantScale scaleOf(const Scan& scan) {
-  return {.spacing = scan.spacing(), .height = scan.height()};
-}
-
 bool isSwept(const Option& option) {
   return !option.takesWords();
 }
@@ -173,9 +169,9 @@ void SweepFlow::proposeRange() {
   if (scan == nullptr || names.size() != 2) return;
   const Option& option =
       optionOfChosen(parts_.pipeline.options(), names[0].toStdString(), names[1].toStdString());
-  const std::vector<double> ends = sweepValues(option, scaleOf(*scan), 2);
+  const std::vector<double> ends = sweepValues(option, parts_.document.scale(), 2);
   for (QDoubleSpinBox* number : {from_, to_})
-    dress(*number, option, scaleOf(*scan), symbol(parts_.document.unit()));
+    dress(*number, option, parts_.document.scale(), symbol(parts_.document.unit()));
   from_->setValue(ends.front());
   to_->setValue(ends.back());
   proposed_ = {from_->value(), to_->value()};
@@ -192,7 +188,7 @@ void SweepFlow::start() {
   sweptStep_ = step;
   std::optional<std::pair<double, double>> range = std::minmax(from_->value(), to_->value());
   if (range == proposed_) range.reset(); // what is proposed is not rounded
-  for (const double value : sweepValues(option, scaleOf(*scan), count_->value(), range)) {
+  for (const double value : sweepValues(option, parts_.document.scale(), count_->value(), range)) {
     PipelineOptions options = parts_.pipeline.options();
     options.settings[step][option.name] = fixedAt(value);
     trials_.push_back({.value = value, .options = std::move(options)});
@@ -274,7 +270,7 @@ PipelineOptions SweepFlow::inUse() const {
   Rule& rule = options.settings[sweptStep_]
                    .try_emplace(sweptOption_->name, sweptOption_->rule)
                    .first->second;
-  rule = fixedAt(rule.value(scaleOf(*scan)));
+  rule = fixedAt(rule.value(parts_.document.scale()));
   return options;
 }
 
@@ -319,6 +315,8 @@ ChoiceRecord SweepFlow::record() const {
 }
 
 void SweepFlow::take(std::size_t index) {
+  parts_.document.setUp(trials_[index].options.up); // it was made so
+  parts_.document.setRoot(trials_[index].options.root);
   parts_.pipeline.setOptions(trials_[index].options);
   showCards();
   emit taken();

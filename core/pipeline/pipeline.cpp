@@ -1,8 +1,11 @@
 #include "core/pipeline/pipeline.h"
 
 #include "core/base/error.h"
+#include "core/pipeline/method_parts.h"
 #include "core/pipeline/pipeline_start.h"
+#include "core/pipeline/plant_scale.h"
 #include "core/pipeline/recent.h"
+#include "core/skeleton/finite_node.h"
 
 namespace espalier {
 namespace {
@@ -23,6 +26,13 @@ struct Chain {
   bool operator==(const Chain& other) const {
     return choices == other.choices && (leftOut == other.leftOut || *leftOut == *other.leftOut);
   }
+};
+
+/// All that the extent of the plant follows from, but the cloud.
+struct ExtentKey {
+  PointSet leftOut;
+  UpAxis up;
+  bool operator==(const ExtentKey&) const = default;
 };
 
 /// All that the root follows from, but the cloud.
@@ -54,6 +64,16 @@ StepRecord recordOf(const ChosenStep& choice, bool isNew) {
   return record;
 }
 
+/// @throws Error if a step made what no file and no project can keep
+void requireFinite(const Skeleton& skeleton, const ChosenStep& choice) {
+  for (const NodeId id : skeleton.ids())
+    if (!isFinite(skeleton[id]))
+      throw Error("step " + choice.step->name + ", method " + choice.method->name + ": node " +
+                  std::to_string(indexOf(id)) +
+                  " gets a position or radius that is not finite: choose another method, and check "
+                  "the scan for many points at one place");
+}
+
 /// The progress of each step, as a part of that of a run of all.
 class Shares {
 public:
@@ -78,7 +98,7 @@ private:
 /// What the last runs computed of one cloud.
 struct Pipeline::Kept {
   std::shared_ptr<const PointCloud> cloud;
-  Recent<UpAxis, PlantScale> scales;
+  Recent<ExtentKey, PlantExtent> extents;
   Recent<RootKey, Eigen::Index> roots;
   std::vector<Recent<Chain, PipelineState>> states; // by step
 
@@ -89,12 +109,12 @@ struct Pipeline::Kept {
   }
 
   /// Sets `index` to that of the cloud, if it takes one.
-  [[nodiscard]] PlantScale measuredScale(UpAxis up, const Progress& progress,
-                                         std::shared_ptr<const SpatialIndex>& index) {
-    if (const PlantScale* known = scales.find(up)) return *known;
+  [[nodiscard]] PlantExtent measured(const PipelineOptions& options, const Progress& progress,
+                                     std::shared_ptr<const SpatialIndex>& index) {
+    const ExtentKey key{options.leftOut, options.up};
+    if (const PlantExtent* known = extents.find(key)) return *known;
     index = std::make_shared<const SpatialIndex>(cloud->positions(), progress);
-    return scales.keep(
-        up, {pointSpacing(cloud->positions(), *index), plantHeight(cloud->positions(), up)});
+    return extents.keep(key, plantExtent(*cloud, *index, options.leftOut, options.up));
   }
 
   /// The state after the last step of `chain`, computed from that before it.
@@ -103,16 +123,17 @@ struct Pipeline::Kept {
     const ChosenStep& choice = chain.choices.back();
     if (watch.began) watch.began(*choice.step);
     choice.method->run(state, choice.values, progress);
+    requireFinite(*state.skeleton, choice);
     state.index.reset(); // not worth its memory from one run to the next
     if (watch.ended) watch.ended(*choice.step);
     return states[chain.choices.size() - 1].keep(chain, std::move(state));
   }
 
   [[nodiscard]] Eigen::Index rootOf(const Chain& cleaned, const PipelineState& state,
-                                    const PipelineOptions& options) {
+                                    const PipelineOptions& options, float lowest) {
     const RootKey key{cleaned, options.root, options.up};
     if (const Eigen::Index* known = roots.find(key)) return *known;
-    return roots.keep(key, rootPoint(state, options));
+    return roots.keep(key, rootPoint(state, options, lowest));
   }
 
   /// @throws Error if nothing can be made of the cloud
@@ -124,18 +145,20 @@ struct Pipeline::Kept {
   }
 
   /// @param index of the cloud, if there is one
-  Reconstruction run(const PlantScale& scale, const std::shared_ptr<const SpatialIndex>& index,
+  Reconstruction run(const PlantExtent& extent, const std::shared_ptr<const SpatialIndex>& index,
                      const PipelineOptions& options, const Progress& progress,
                      const std::string& last, const StepWatch& watch) {
-    if (scale.spacing == 0)
+    if (extent.scale.spacing == 0) {
+      requirePlant(others(options.leftOut, cloud->size()));
       throw Error("all points of the scan are at the same place: check the scan");
+    }
     Reconstruction result;
-    result.scale = scale;
+    result.scale = extent.scale;
     Shares shares(progress);
     Chain chain{std::make_shared<const PointSet>(options.leftOut), {}};
     const PipelineState* state = nullptr;
     Eigen::Index root = 0;
-    for (ChosenStep& choice : choicesUpTo(last, options, scale)) {
+    for (ChosenStep& choice : choicesUpTo(last, options, extent.scale)) {
       const Progress part = shares.next(*choice.step);
       if (choice.method->seesRoot) choice.root = root;
       chain.choices.push_back(std::move(choice));
@@ -145,10 +168,12 @@ struct Pipeline::Kept {
         PipelineState next = state == nullptr ? firstState(cloud, options.leftOut) : *state;
         next.root = root;
         next.index = index;
+        next.notes.clear();
         known = &computed(chain, std::move(next), part, watch);
       }
       state = known;
-      if (chain.choices.size() == 1) root = rootOf(chain, *state, options);
+      result.steps.back().notes = state->notes;
+      if (chain.choices.size() == 1) root = rootOf(chain, *state, options, extent.lowest);
     }
     result.contracted = state->contracted;
     result.skeleton = state->skeleton;
@@ -157,6 +182,14 @@ struct Pipeline::Kept {
     return result;
   }
 };
+
+std::vector<std::string> notesOf(const Reconstruction& reconstruction) {
+  std::vector<std::string> notes;
+  for (const StepRecord& record : reconstruction.steps)
+    for (const std::string& note : record.notes)
+      notes.push_back(stepNamed(record.step).label + ": " + note);
+  return notes;
+}
 
 Pipeline::Pipeline() : kept_(std::make_unique<Kept>()) {}
 Pipeline::~Pipeline() = default;
@@ -168,8 +201,8 @@ Reconstruction Pipeline::run(const std::shared_ptr<const PointCloud>& cloud,
                              const std::string& last, const StepWatch& watch) {
   kept_->take(cloud, options);
   std::shared_ptr<const SpatialIndex> index;
-  const PlantScale scale = kept_->measuredScale(options.up, progress, index);
-  return kept_->run(scale, index, options, progress, last, watch);
+  const PlantExtent extent = kept_->measured(options, progress, index);
+  return kept_->run(extent, index, options, progress, last, watch);
 }
 
 Reconstruction Pipeline::runAtScale(const std::shared_ptr<const PointCloud>& cloud,
@@ -177,7 +210,7 @@ Reconstruction Pipeline::runAtScale(const std::shared_ptr<const PointCloud>& clo
                                     const Progress& progress, const std::string& last,
                                     const StepWatch& watch) {
   kept_->take(cloud, options);
-  return kept_->run(scale, {}, options, progress, last, watch);
+  return kept_->run({.scale = scale}, {}, options, progress, last, watch);
 }
 
 } // namespace espalier

@@ -15,6 +15,7 @@ struct StepRecord {
   std::string method;
   std::vector<std::pair<std::string, double>> values; // option -> value used
   bool isNew = true;                                  // false: the result was at hand
+  std::vector<std::string> notes = {};                // what is to be said of its result
 };
 
 struct Reconstruction {
@@ -25,6 +26,9 @@ struct Reconstruction {
   PlantScale scale;
   std::vector<StepRecord> steps;
 };
+
+/// The notes of all steps of a run, each behind the label of its step.
+[[nodiscard]] std::vector<std::string> notesOf(const Reconstruction& reconstruction);
 
 /// Told when a step is computed, not when its result is at hand; on the thread of run().
 struct StepWatch {

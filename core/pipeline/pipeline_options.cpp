@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/pipeline/typed_value.h"
 
 #include <cmath>
 #include <sstream>
@@ -53,9 +54,55 @@ const Option* optionNamed(const Step& step, const PipelineOptions& options,
   return found;
 }
 
+/// With a few digits, for a message.
+std::string shortDecimal(double value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+/// What is no value, and the line to type instead.
+Error noValue(const std::string& name, const std::string& text, OptionKind kind) {
+  const std::string_view digits = typedValue(text).digits;
+  const std::string number(numberIn(digits) ? digits : "6");
+  const bool isLength = kind == OptionKind::length;
+  return Error(name + " must be a number" +
+               (isLength ? ", or a length as '6 spacings', '0.01 heights' or '38 mm'" : "") +
+               ", not " + inQuotes(text) + ": write " + name + "=" + number +
+               (isLength ? ", or " + name + "=" + number + "sp for spacings of the points" : ""));
+}
+
+/// A length in mm, cm or m where nobody knows what the coordinates are in.
+Error noUnit(const std::string& name, const std::string& text, const TypedValue& typed) {
+  const double length = typed.amount * metersIn(typed.unit);
+  return Error(name + "=" + text +
+               ": the unit of the scan is not known: say it first (--unit, or Unit in "
+               "the window), or write " +
+               name + "=" + shortDecimal(1000 * length) + " for a scan in mm, " + name + "=" +
+               shortDecimal(length) + " for one in m");
+}
+
+/// @param option  none: not known yet
+/// @param meters  in the unit of the scan; 0: not known
+Rule ruleOf(const std::string& name, const std::string& typedText, const Option* option,
+            double meters) {
+  const OptionKind kind = option == nullptr ? OptionKind::length : option->kind;
+  // An angle or a share has no unit of length: '30mm' is not converted, and so refused below.
+  const std::string text = kind == OptionKind::length ? inUnitOf(meters, typedText) : typedText;
+  const TypedValue typed = typedValue(text);
+  const bool isWhole = typed.state == TypedValue::State::complete;
+  if (isWhole && kind == OptionKind::length && isMetric(typed.unit))
+    throw noUnit(name, text, typed);
+  if (isWhole && kind == OptionKind::angle && typed.unit == ValueUnit::degrees)
+    return fixedAt(typed.amount);
+  const std::optional<Rule> rule = Rule::parse(text);
+  if (!rule || !(kind == OptionKind::length || rule->isFixed())) throw noValue(name, text, kind);
+  return *rule;
+}
+
 } // namespace
 
-void PipelineOptions::set(const std::string& assignment) {
+void PipelineOptions::set(const std::string& assignment, double meters) {
   const std::size_t equals = assignment.find('=');
   const std::size_t dot = assignment.find('.');
   if (equals == std::string::npos || dot == std::string::npos || dot > equals)
@@ -70,10 +117,11 @@ void PipelineOptions::set(const std::string& assignment) {
     methods[step] = text;
     return;
   }
-  setText(stepNamed(step), option, text);
+  setText(stepNamed(step), option, text, meters);
 }
 
-void PipelineOptions::setText(const Step& in, const std::string& option, const std::string& text) {
+void PipelineOptions::setText(const Step& in, const std::string& option, const std::string& text,
+                              double meters) {
   const std::string& step = in.name;
   if (const Option* known = optionNamed(in, *this, option); known && known->takesWords()) {
     const std::optional<double> word = known->valueOf(text);
@@ -84,13 +132,7 @@ void PipelineOptions::setText(const Step& in, const std::string& option, const s
     return;
   }
   const Option* known = optionNamed(in, *this, option);
-  const bool isLength = known == nullptr || known->kind == OptionKind::length;
-  const std::optional<Rule> value = Rule::parse(text);
-  if (!value || !(isLength || value->isFixed()))
-    throw Error(step + "." + option + " must be a number" +
-                (isLength ? ", or a length as '6 spacings' or '0.01 heights'" : "") + ", not " +
-                inQuotes(text));
-  settings[step][option] = *value;
+  settings[step][option] = ruleOf(step + "." + option, text, known, meters);
 }
 
 void requireKnown(const PipelineOptions& options) {

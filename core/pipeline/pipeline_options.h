@@ -21,12 +21,15 @@ struct PipelineOptions {
   PointSet leftOut = {};
 
   /// Sets one option by its full name, "step.option".
-  /// Lengths are in [L], or follow from the scan: "7.5 spacings", "0.01 heights".
+  /// Lengths are in [L], or follow from the scan: "7.5 spacings", "0.01 heights"; or in mm, cm or
+  /// m.
+  /// @param meters  in the unit of the scan; 0: not known, and lengths in mm, cm and m are refused
   /// @throws Error naming what there is, if the step is unknown or the value is no number, or none
-  /// of the words that the option takes
-  void set(const std::string& assignment); // "contract.radius=12.5"
+  /// of the words that the option takes, or has a unit that is none for it
+  void set(const std::string& assignment, double meters = 0); // "contract.radius=12.5"
   /// The same, in parts; `text` is a number, a length by a rule, or a word.
-  void setText(const Step& step, const std::string& option, const std::string& text);
+  void setText(const Step& step, const std::string& option, const std::string& text,
+               double meters = 0);
 
   bool operator==(const PipelineOptions&) const = default;
 };

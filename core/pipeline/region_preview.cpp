@@ -4,7 +4,9 @@
 #include "core/cloud/point_cloud.h"
 #include "core/graph/components.h"
 #include "core/graph/geodesic.h"
+#include "core/pipeline/method_parts.h"
 #include "core/pipeline/pipeline_start.h"
+#include "core/pipeline/plant_scale.h"
 #include "core/pipeline/recent.h"
 #include "core/pipeline/region_skeleton.h"
 #include "core/pipeline/used_densities.h"
@@ -70,6 +72,10 @@ struct RegionPreviewer::Whole {
 
   const SpatialIndex& indexed(const Progress& progress) {
     const std::scoped_lock lock(mutex);
+    return indexedHere(progress);
+  }
+
+  const SpatialIndex& indexedHere(const Progress& progress) { // pre: the mutex is held
     if (!index) index = std::make_unique<const SpatialIndex>(cloud->positions(), progress);
     return *index;
   }
@@ -102,13 +108,15 @@ struct RegionPreviewer::Whole {
     constexpr int linksPerPoint = 7;
     const std::scoped_lock lock(mutex);
     if (distanceToRoot) return distanceToRoot;
-    const std::vector<Eigen::Index> kept = others(leftOut, cloud->size());
+    const PipelineState all = firstState(cloud, leftOut);
+    const std::vector<Eigen::Index> kept = keptPoints(all);
     const Eigen::Matrix3Xf points = cloud->positions()(Eigen::all, kept);
     std::vector<float> result(static_cast<std::size_t>(cloud->size()),
                               std::numeric_limits<float>::infinity());
     if (!kept.empty()) {
       const NeighborhoodGraph parts(points, linksPerPoint, progress);
-      const Eigen::Index root = rootPoint(firstState(cloud, leftOut), start);
+      const PlantExtent extent = plantExtent(*cloud, indexedHere(progress), leftOut, start.up);
+      const Eigen::Index root = rootPoint(all, start, extent.lowest);
       const auto place = std::ranges::lower_bound(kept, root) - kept.begin();
       const Geodesics ways = geodesics(
           joined(parts, points, std::numeric_limits<float>::max(), progress), {place}, 1, progress);
@@ -148,16 +156,20 @@ std::vector<float> atColumns(const std::vector<float>& values,
   return result;
 }
 
-/// The places of the points in the ball: those that cleaning leaves out stay.
+/// The places of the points in the ball: those that cleaning leaves out stay, those at the place of
+/// another go with it.
 Eigen::Matrix3Xf placesOf(const Region& region, const PointCloud& cloud) {
   Eigen::Matrix3Xf places = cloud.positions()(Eigen::all, region.preview.points);
   auto column = region.columns.begin();
   for (std::size_t i = 0; i < region.preview.points.size(); ++i) {
     const Eigen::Index point = region.preview.points[i];
     column = std::lower_bound(column, region.columns.end(), point);
-    if (column == region.columns.end() || *column != point) continue;
-    places.col(static_cast<Eigen::Index>(i)) =
-        region.state.contracted->col(column - region.columns.begin());
+    const auto place = static_cast<Eigen::Index>(i);
+    if (column != region.columns.end() && *column == point)
+      places.col(place) = region.state.contracted->col(column - region.columns.begin());
+    else if (i > 0 &&
+             cloud.positions().col(point) == cloud.positions().col(region.preview.points[i - 1]))
+      places.col(place) = places.col(place - 1);
   }
   return places;
 }
@@ -215,6 +227,7 @@ RegionPreviewer::RegionPreviewer(std::shared_ptr<const PointCloud> cloud, const 
   whole_->leftOut = leftOut;
   whole_->scale = scale;
   whole_->start.up = up;
+  whole_->start.leftOut = whole_->leftOut;
   whole_->start.root = root;
 }
 

@@ -113,7 +113,7 @@ std::optional<double> NodeFacts::number(NodeId id, NodeColumn column) const {
     return (node.position - document_.skeleton()[*node.parent].position).norm();
   case NodeColumn::index:
     if (node.entities.empty() || !node.entities.back().index) return std::nullopt;
-    return *node.entities.back().index;
+    return node.entities.back().index->number(); // 16 of 16.1
   default:
     return std::nullopt;
   }
@@ -127,6 +127,9 @@ QString NodeFacts::text(NodeId id, NodeColumn column) const {
     return QString(QLatin1Char(static_cast<char>(node.edge)));
   case NodeColumn::unit:
     return node.entities.empty() ? QString() : QString::fromStdString(node.entities.back().symbol);
+  case NodeColumn::index:
+    if (node.entities.empty() || !node.entities.back().index) return {};
+    return QString::fromStdString(node.entities.back().index->text());
   case NodeColumn::mark:
     return node.isMarked ? tr("unit start") : QString();
   case NodeColumn::review:

@@ -79,6 +79,7 @@ PipelinePanel::PipelinePanel(PlantDocument& document, QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
+  connect(scan, &ScanForm::rootAsked, this, &PipelinePanel::rootAsked);
   column->addWidget(scan);
   column->addWidget(scroll_, 1);
   column->addLayout(foot);
@@ -88,12 +89,15 @@ PipelinePanel::PipelinePanel(PlantDocument& document, QWidget* parent)
   connect(live_, &QCheckBox::toggled, this, &PipelinePanel::liveToggled);
   connect(&document_, &PlantDocument::scanChanged, this, &PipelinePanel::refreshScale);
   connect(&document_, &PlantDocument::unitChanged, this, &PipelinePanel::refreshScale);
+  connect(&document_, &PlantDocument::leftOutChanged, this, &PipelinePanel::showScale);
+  connect(&document_, &PlantDocument::rootChanged, this, &PipelinePanel::takeRoot);
+  connect(&document_, &PlantDocument::upChanged, this, &PipelinePanel::takeUp);
   connect(&document_, &PlantDocument::skeletonReplaced, this, &PipelinePanel::showIdle);
   refreshScale();
 }
 
 PipelineOptions PipelinePanel::options() const {
-  PipelineOptions options;
+  PipelineOptions options{.root = document_.root(), .up = document_.up()};
   for (const StepForm* step : steps_)
     step->addTo(options);
   return options;
@@ -136,9 +140,29 @@ void PipelinePanel::showMadeWith(const PipelineOptions& made, const Telling& tel
                                  const std::string& last) {
   showDone(tell, last);
   const PipelineOptions now = options();
+  if (now.up != made.up) markStale(steps_.front());
+  if (now.root != made.root) markStale(firstFromRoot());
   const auto changed = std::ranges::find_if(
       steps_, [&](const StepForm* form) { return !isSameIn(form->step(), now, made); });
   if (changed != steps_.end()) markStale(*changed);
+}
+
+/// Cleaning looks for no root; what comes behind it may.
+const StepForm* PipelinePanel::firstFromRoot() const {
+  return steps_[1];
+}
+
+void PipelinePanel::takeRoot() {
+  markStale(firstFromRoot());
+  if (document_.scan() != nullptr) emit changed(firstFromRoot()->step());
+}
+
+/// What follows from the height of the plant is another, too.
+void PipelinePanel::takeUp() {
+  if (document_.scan() == nullptr) return;
+  showScale();
+  markStale(steps_.front());
+  emit changed(steps_.front()->step());
 }
 
 void PipelinePanel::showFailed(const QString& why) {
@@ -198,13 +222,16 @@ void PipelinePanel::scrollTo(const StepForm& form) {
 }
 
 void PipelinePanel::refreshScale() {
-  const Scan* scan = document_.scan();
-  if (scan != nullptr) // else nothing tells what the options of a plant may be
-    for (StepForm* step : steps_)
-      step->setScale({.spacing = scan->spacing(), .height = scan->height()},
-                     symbol(document_.unit()));
-  setRunnable(scan != nullptr);
+  showScale();
+  setRunnable(document_.scan() != nullptr);
   showIdle();
+}
+
+/// Without a scan, nothing shows what the options of a plant may be.
+void PipelinePanel::showScale() {
+  if (document_.scan() == nullptr) return;
+  for (StepForm* step : steps_)
+    step->setScale(document_.scale(), symbol(document_.unit()));
 }
 
 } // namespace espalier

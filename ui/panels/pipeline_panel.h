@@ -25,7 +25,8 @@ public:
   explicit PipelinePanel(PlantDocument& document, QWidget* parent = nullptr);
 
   [[nodiscard]] PipelineOptions options() const;
-  /// Shows these choices; all else follows the rules. What no step has is passed over.
+  /// Shows these choices of steps; all else follows the rules. What no step has is passed over.
+  /// Root and up stay: they are of the scan, as the points set aside.
   void setOptions(const PipelineOptions& options);
   [[nodiscard]] const std::vector<StepForm*>& steps() const { return steps_; }
 
@@ -58,12 +59,17 @@ public:
 signals:
   void changed(const espalier::Step& step); // an option of it, by hand
   void reconstructRequested();
+  void rootAsked();                              // it is to be picked in the view
   void runRequested(const espalier::Step& last); // up to this one
   void liveToggled(bool isLive);
 
 private:
   void scrollTo(const StepForm& form);
   void refreshScale();
+  void showScale();
+  [[nodiscard]] const StepForm* firstFromRoot() const;
+  void takeRoot();
+  void takeUp();
   void markStale(const StepForm* from);
 
   PlantDocument& document_;

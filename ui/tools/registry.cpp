@@ -4,6 +4,7 @@
 #include "ui/tools/measure_tool.h"
 #include "ui/tools/move_node_tool.h"
 #include "ui/tools/navigate_tool.h"
+#include "ui/tools/pick_root_tool.h"
 #include "ui/tools/regrow_tool.h"
 #include "ui/tools/reparent_node_tool.h"
 #include "ui/tools/select_points_tool.h"
@@ -44,6 +45,9 @@ std::vector<ToolEntry> tools() {
       {"points", tr("Select Points"),
        tr("A brush, boxes and lassos select points of the scan, to set them aside"), "points",
        Qt::Key_C, make<SelectPointsTool>, true},
+      {"root", tr("Pick Root"),
+       tr("Click the foot of the trunk in the scan: the plant will be rooted there"), "root",
+       QKeySequence(Qt::SHIFT | Qt::Key_R), make<PickRootTool>},
       {"navigate", tr("Navigate"), tr("The mouse only moves the camera"), "navigate", Qt::Key_V,
        make<NavigateTool>, true},
       {"measure", tr("Measure"), tr("Click two things for their distance, three for an angle"),

@@ -47,6 +47,9 @@ public:
   /// Leaves the gesture with nothing changed, and drops the preview.
   virtual void cancel() {}
 
+  /// Another tool is used now: takes away what it shows under the pointer.
+  virtual void leave() {}
+
   /// What the tool works on until its next use, for one that is started from a node.
   virtual void startWith(const std::vector<NodeId>& /*nodes*/) {}
 

@@ -1,5 +1,7 @@
 #include "ui/view/camera.h"
 
+#include "core/graph/turn_upright.h"
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -16,6 +18,11 @@ double wrapped(double angle) {
   return std::remainder(angle, 2 * std::numbers::pi);
 }
 
+/// From the frame in which z is up to that of the file, in which `up` is.
+Eigen::Matrix3d fromUpright(UpAxis up) {
+  return turnUpright(up).transpose();
+}
+
 /// Rows: right, up, backward.
 Eigen::Matrix3d axes(const Camera& camera) {
   Eigen::Matrix3d rows;
@@ -26,15 +33,17 @@ Eigen::Matrix3d axes(const Camera& camera) {
 } // namespace
 
 Eigen::Vector3d Camera::right() const {
-  return {std::cos(yaw), std::sin(yaw), 0};
+  return fromUpright(upAxis) * Eigen::Vector3d(std::cos(yaw), std::sin(yaw), 0);
 }
 
 Eigen::Vector3d Camera::up() const {
-  return {-std::sin(yaw) * std::sin(pitch), std::cos(yaw) * std::sin(pitch), std::cos(pitch)};
+  return fromUpright(upAxis) * Eigen::Vector3d(-std::sin(yaw) * std::sin(pitch),
+                                               std::cos(yaw) * std::sin(pitch), std::cos(pitch));
 }
 
 Eigen::Vector3d Camera::forward() const {
-  return {-std::sin(yaw) * std::cos(pitch), std::cos(yaw) * std::cos(pitch), -std::sin(pitch)};
+  return fromUpright(upAxis) * Eigen::Vector3d(-std::sin(yaw) * std::cos(pitch),
+                                               std::cos(yaw) * std::cos(pitch), -std::sin(pitch));
 }
 
 double Camera::halfHeight() const {
@@ -122,7 +131,8 @@ void Camera::faceBroadside(const std::vector<Eigen::Vector3d>& places) {
   if (places.size() < 3) return;
   Eigen::Matrix2Xd level(2, static_cast<Eigen::Index>(places.size()));
   for (std::size_t i = 0; i < places.size(); ++i)
-    level.col(static_cast<Eigen::Index>(i)) = places[i].head<2>();
+    level.col(static_cast<Eigen::Index>(i)) =
+        (fromUpright(upAxis).transpose() * places[i]).head<2>();
   level.colwise() -= level.rowwise().mean().eval();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> spread(level * level.transpose());
   if (!(spread.eigenvalues()[1] > flat * flat * spread.eigenvalues()[0])) return;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/graph/find_root.h"
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -17,18 +19,21 @@ struct DepthRange {
   double farthest;
 };
 
-/// A turntable camera: up is always z. A value; its acts keep what the user holds on to in place.
+/// A turntable camera: the plant stands along `upAxis`, always. A value; its acts keep what the
+/// user holds on to in place.
 ///
-/// With yaw and pitch 0 it looks along +y, x to the right: the front of the plant.
+/// With yaw and pitch 0 it looks at the front of the plant: along +y, x to the right, where z is
+/// up; along -z, x to the right, where y is; along +z, y to the right, where x is.
 struct Camera {
   static constexpr double fieldOfView = 0.6; // [rad], vertical
 
   Eigen::Vector3d focus = Eigen::Vector3d::Zero(); // [L], in the middle of the screen
   Eigen::Vector3d pivot = Eigen::Vector3d::Zero(); // [L], what turns turn around
   double distance = 1;                             // [L], from the eye to the focus, > 0
-  double yaw = 0;                                  // [rad], about z, counterclockwise from above
+  double yaw = 0;   // [rad], about the axis that is up, counterclockwise from above
   double pitch = 0; // [rad], in [-pi/2, pi/2]; positive looks down on the plant
   Projection projection = Projection::perspective;
+  UpAxis upAxis = UpAxis::z; // of the frame of the file
 
   [[nodiscard]] Eigen::Vector3d right() const;
   [[nodiscard]] Eigen::Vector3d up() const;

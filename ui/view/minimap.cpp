@@ -56,7 +56,8 @@ void Minimap::noteChange() {
 }
 
 void Minimap::showCamera(const Camera& camera) {
-  const bool isTurned = camera.yaw != camera_.yaw || camera.pitch != camera_.pitch;
+  const bool isTurned =
+      camera.yaw != camera_.yaw || camera.pitch != camera_.pitch || camera.upAxis != camera_.upAxis;
   camera_ = camera;
   if (isTurned) frameAll();
   update();

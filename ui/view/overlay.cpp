@@ -180,6 +180,7 @@ void Overlay::paint(QPainter& painter, const Scene& scene, const Camera& camera,
   if (attachment && scene.referenceVisible)
     paintAttachment(painter, *attachment, screen, scene.dark);
   paintBalls(painter, scene, divider, screen);
+  if (rootMark) paintRootMark(painter, *rootMark, screen, scene.dark);
   paintPreview(painter, preview, screen, scene.dark);
   paintBand(painter, band, scene.dark);
   if (scene.bounds().isEmpty()) return;

@@ -45,6 +45,7 @@ struct Overlay {
   std::vector<ShownHull> hulls;              // as PlantView::setHulls
   std::optional<ShownSight> sight;           // as PlantView::showSight
   std::optional<ShownAttachment> attachment; // as PlantView::showAttachment
+  std::optional<Eigen::Vector3d> rootMark;   // as PlantView::setRootMark
   QPolygonF band;                            // as Canvas::showBand
   Preview preview;                           // as Canvas::showPreview
 

@@ -2,6 +2,7 @@
 
 #include "ui/view/overlay_text.h"
 
+#include <QCoreApplication>
 #include <QPainterPath>
 
 #include <algorithm>
@@ -79,6 +80,21 @@ void paintPreview(QPainter& painter, const Preview& preview, const ScreenMap& sc
   if (!hasLine && preview.nodes.empty()) return;
   const auto end = pixelOf(screen, hasLine ? preview.lines.back().back() : preview.nodes.back());
   if (end) paintLabel(painter, *end, preview.label, colors);
+}
+
+void paintRootMark(QPainter& painter, const Eigen::Vector3d& place, const ScreenMap& screen,
+                   bool dark) {
+  const std::optional<QPointF> at = pixelOf(screen, place);
+  if (!at) return;
+  const Palette colors = palette(dark);
+  constexpr double half = 6; // a square, as roots are
+  const QRectF square(*at - QPointF(half, half), *at + QPointF(half, half));
+  painter.setBrush(toQt(colors.contracted, 90));
+  painter.setPen(QPen(toQt(colors.outline, 220), 4, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+  painter.drawRect(square);
+  painter.setPen(QPen(toQt(colors.contracted), 2, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+  painter.drawRect(square);
+  paintLabel(painter, *at, QCoreApplication::translate("espalier::Overlay", "root"), colors);
 }
 
 } // namespace espalier

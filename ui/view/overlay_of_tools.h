@@ -15,4 +15,8 @@ void paintBand(QPainter& painter, const QPolygonF& band, bool dark);
 /// seen. Lines are drawn where both their ends are before the eye.
 void paintPreview(QPainter& painter, const Preview& preview, const ScreenMap& screen, bool dark);
 
+/// The place that was chosen for the root.
+void paintRootMark(QPainter& painter, const Eigen::Vector3d& place, const ScreenMap& screen,
+                   bool dark);
+
 } // namespace espalier

@@ -23,7 +23,7 @@ QImage picture(const Scene& scene, const Camera& camera, const Overlay& overlay,
 }
 
 Camera cameraOf(const Scene& scene, StandardView view, double aspect) {
-  Camera camera;
+  Camera camera{.upAxis = scene.up};
   camera.face(view);
   const std::vector<Eigen::Vector3d> places = scene.outline();
   if (!places.empty()) camera.frame(places, aspect);

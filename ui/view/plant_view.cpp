@@ -49,6 +49,7 @@ void PlantView::Parts::paintOverlay(QPainter& painter) {
   overlay.unit = shared->unit;
   overlay.hulls = shared->hulls;
   overlay.attachment = shared->attachment;
+  overlay.rootMark = shared->rootMark;
   overlay.hasLegends = isFirst();
   overlay.divider = divider;
   overlay.seen = shared->seenSides();
@@ -164,12 +165,12 @@ const Camera& PlantView::currentCamera() const {
 }
 
 void PlantView::setCamera(const Camera& camera) {
-  parts_->navigator.set(camera);
+  parts_->navigator.set(parts_->upright(camera));
   parts_->wasFramed = true;
 }
 
 void PlantView::flyTo(const Camera& camera) {
-  parts_->moveTo(camera, isVisible());
+  parts_->moveTo(parts_->upright(camera), isVisible());
   parts_->wasFramed = true;
 }
 

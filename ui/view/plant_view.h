@@ -108,6 +108,10 @@ public:
   void setDark(bool dark);
   void setMinimapShown(bool isShown);      // in views that are large enough; at first: not
   void setLengthUnit(const QString& unit); // written at scales; empty: not known
+  /// The axis of the file along which the plant stands, and heights are. At first: z.
+  void setUp(UpAxis up);
+  /// The place that was chosen for the root [L]: a square with a label; none: nothing.
+  void setRootMark(const std::optional<Eigen::Vector3d>& place);
 
   void frameAll();
   void faceAll();                             // likewise, and as Camera::faceBroadside()

@@ -201,4 +201,22 @@ void PlantView::setLengthUnit(const QString& unit) {
   parts_->redraw();
 }
 
+void PlantView::setUp(UpAxis up) {
+  if (up == parts_->scene.up) return;
+  parts_->scene.setUp(up);
+  for (Parts* view : parts_->shared->views) {
+    Camera camera = view->navigator.destination();
+    camera.upAxis = up;
+    camera.focus = camera.pivot; // what one looks at stays in the middle
+    view->navigator.set(camera);
+  }
+  parts_->redraw();
+}
+
+void PlantView::setRootMark(const std::optional<Eigen::Vector3d>& place) {
+  parts_->shared->rootMark = place;
+  for (Parts* view : parts_->shared->views)
+    view->overlayWidget->update();
+}
+
 } // namespace espalier

@@ -28,6 +28,7 @@ struct PlantView::Shared {
   QString unit; // of lengths; empty: not known
   std::vector<ShownHull> hulls;
   std::optional<ShownAttachment> attachment;
+  std::optional<Eigen::Vector3d> rootMark; // as PlantView::setRootMark
   std::vector<Parts*> views;
 
   [[nodiscard]] SeenSides seenSides() const; // in any view
@@ -108,6 +109,11 @@ struct PlantView::Parts {
     unsettle(turning);
     redrawThis();
     emit owner.cameraMoved(navigator.camera());
+  }
+  /// The same camera for a plant that stands as this one: who keeps cameras need not know how.
+  [[nodiscard]] Camera upright(Camera camera) const {
+    camera.upAxis = scene.up;
+    return camera;
   }
   void moveTo(const Camera& camera, bool seen) {
     if (seen && wasFramed)

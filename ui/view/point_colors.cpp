@@ -1,9 +1,12 @@
 #include "ui/view/point_colors.h"
 
+#include "core/cloud/far_points.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace espalier {
 namespace {
@@ -22,13 +25,21 @@ ValueRange intensityRange(std::vector<float> values) {
   return {*least, *most};
 }
 
-double heightOf(const PointCloud& cloud, std::size_t point) {
-  return cloud.positions()(2, static_cast<Eigen::Index>(point)) + cloud.origin().z();
+double heightOf(const PointCloud& cloud, std::size_t point, UpAxis up) {
+  const auto row = static_cast<Eigen::Index>(up);
+  return cloud.positions()(row, static_cast<Eigen::Index>(point)) + cloud.origin()[row];
+}
+
+QString titleOfHeights(UpAxis up) {
+  const char* title = up == UpAxis::x   ? QT_TRANSLATE_NOOP("espalier::Overlay", "Height x")
+                      : up == UpAxis::y ? QT_TRANSLATE_NOOP("espalier::Overlay", "Height y")
+                                        : QT_TRANSLATE_NOOP("espalier::Overlay", "Height z");
+  return QCoreApplication::translate("espalier::Overlay", title);
 }
 
 } // namespace
 
-std::optional<Legend> pointLegend(const PointCloud& cloud, PointColor by) {
+std::optional<Legend> pointLegend(const PointCloud& cloud, PointColor by, UpAxis up) {
   if (cloud.isEmpty()) return std::nullopt;
   const bool isHeight = by == PointColor::height;
   if (!isHeight && (by != PointColor::intensity || cloud.intensities().empty()))
@@ -36,18 +47,20 @@ std::optional<Legend> pointLegend(const PointCloud& cloud, PointColor by) {
   ValueRange range;
   std::vector<double> values;
   if (isHeight) {
-    const Eigen::AlignedBox3d box = cloud.bounds();
-    range = {box.min().z(), box.max().z()};
+    const Eigen::AlignedBox3d box = plantBounds(cloud);
+    range = {box.min()[static_cast<int>(up)], box.max()[static_cast<int>(up)]};
     values.resize(static_cast<std::size_t>(cloud.size()));
     for (std::size_t i = 0; i < values.size(); ++i)
-      values[i] = heightOf(cloud, i);
+      values[i] = heightOf(cloud, i, up);
+    for (const Eigen::Index far : farPoints(cloud))
+      values[static_cast<std::size_t>(far)] = std::numeric_limits<double>::quiet_NaN();
   } else {
     range = intensityRange(cloud.intensities());
     values.assign(cloud.intensities().begin(), cloud.intensities().end());
   }
   if (!(range.from < range.to)) return std::nullopt;
   return Legend{.id = isHeight ? "color_height" : "color_intensity",
-                .title = isHeight ? QCoreApplication::translate("espalier::Overlay", "Height z")
+                .title = isHeight ? titleOfHeights(up)
                                   : QCoreApplication::translate("espalier::Overlay", "Intensity"),
                 .unit = {},
                 .from = range.from,
@@ -57,14 +70,15 @@ std::optional<Legend> pointLegend(const PointCloud& cloud, PointColor by) {
 }
 
 std::vector<Color> pointColors(const PointCloud& cloud, PointColor by,
-                               const std::optional<Legend>& legend, bool dark, const Color& plain) {
+                               const std::optional<Legend>& legend, bool dark, const Color& plain,
+                               UpAxis up) {
   if (by == PointColor::rgb && !cloud.colors().empty()) return cloud.colors();
   std::vector<Color> colors(static_cast<std::size_t>(cloud.size()), plain);
   if (!legend) return colors;
   const LegendColors map(*legend, dark);
   for (std::size_t i = 0; i < colors.size(); ++i)
     colors[i] = map(by == PointColor::intensity ? static_cast<double>(cloud.intensities()[i])
-                                                : heightOf(cloud, i));
+                                                : heightOf(cloud, i, up));
   return colors;
 }
 

@@ -23,7 +23,7 @@ std::vector<Color> colorsOf(const Scene& scene) {
   const Color& plain = palette(scene.dark).point;
   const std::optional<Legend> legend = scene.pointLegend();
   if (!scene.pointValues)
-    return pointColors(*scene.cloud, scene.pointColor, legend, scene.dark, plain);
+    return pointColors(*scene.cloud, scene.pointColor, legend, scene.dark, plain, scene.up);
   std::vector<Color> colors(static_cast<std::size_t>(scene.cloud->size()), plain);
   const LegendColors map(*legend, scene.dark);
   const std::vector<float>& values = *scene.pointValues->values;

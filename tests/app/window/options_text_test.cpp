@@ -1,4 +1,5 @@
 #include "app/window/options_text.h"
+#include "core/base/error.h"
 
 #include <gtest/gtest.h>
 
@@ -30,6 +31,24 @@ TEST(OptionsText, NamesTheMethodAndEachStep) {
       "Contract: means of balls, radius 8");
   EXPECT_EQ(changeText({}, with({"contract.circles=yes", "prune.method=none"}), scale, {}),
             "Contract: fit circles yes; Prune: none");
+}
+
+TEST(OptionsText, TellsOfRootAndUp) {
+  PipelineOptions options = with({"contract.radius=12.5"});
+  options.up = UpAxis::y;
+  options.root = Eigen::Vector3d(1, 2, 3);
+  EXPECT_EQ(changeText({}, options, scale, {}), "Up: y; Root: picked; Contract: radius 12.5");
+  EXPECT_EQ(changeText(options, {}, scale, {}), "Up: z; Root: lowest point; Contract: radius 15");
+}
+
+TEST(OptionsText, KeepsRootAndUpBesideTheSteps) {
+  PipelineOptions options = with({"contract.radius=12.5", "prune.method=none"});
+  EXPECT_EQ(keptOptions(keptText(options)), options);
+  options.up = UpAxis::x;
+  options.root = Eigen::Vector3d(500000.123456789, -1e-7, 1.0 / 3);
+  EXPECT_EQ(keptOptions(keptText(options)), options) << "to the last digit";
+  for (const char* text : {"up w\n{}", "root 1 2\n{}", "root 1 2 nan\n{}", "left 3\n{}", "up"})
+    EXPECT_THROW(keptOptions(text), Error) << text;
 }
 
 TEST(OptionsText, RoundsAsPeopleRead) {

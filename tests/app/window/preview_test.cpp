@@ -60,6 +60,28 @@ TEST_F(PreviewTest, ThePlantIsDrawnUntilSomethingIsDoneOtherwise) {
   EXPECT_NE(view().picture({300, 200}), scan) << "the preview is other than nothing";
 }
 
+TEST_F(PreviewTest, ShowsWhatAnotherRootWouldMakeAndDropsIt) {
+  turnOn();
+  const auto rootShown = [&] {
+    const Skeleton& skeleton = *shown()->skeleton;
+    return skeleton[skeleton.roots().front()].position;
+  };
+  const Eigen::Vector3d lowest = rootShown();
+  document().setRoot(Eigen::Vector3d(0.8, 0, 1.6)); // the end of a branch
+  waitForPreview();
+  EXPECT_LT((rootShown() - *document().root()).norm(), 0.1);
+  EXPECT_TRUE(window().preview().name().startsWith("Root: picked"));
+  view().setFocus();
+  key(Qt::Key_Escape);
+  EXPECT_FALSE(document().root()) << "with the choices that led to it";
+  EXPECT_FALSE(shown());
+  ASSERT_TRUE(panel().isLive()) << "what is chosen next is shown";
+  key(Qt::Key_L, Qt::ControlModifier);
+  turnOn();
+  ASSERT_TRUE(shown());
+  EXPECT_EQ(rootShown(), lowest);
+}
+
 TEST_F(PreviewTest, TheScanKeepsItsPlacesAndColorsUntilItIsContractedOtherwise) {
   const auto isKeyShown = [&] {
     return std::ranges::any_of(view().findChildren<ColorBar*>(), &QWidget::isVisible);

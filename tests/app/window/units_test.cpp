@@ -100,8 +100,10 @@ TEST_F(UnitsWindowTest, TheInspectorTakesAnIndexAndRefusesAWrongOne) {
   QTest::keyClicks(&index, "x");
   QTest::keyClick(&index, Qt::Key_Return);
   EXPECT_EQ(document().undoStack().count(), 0);
-  EXPECT_EQ(window().statusLine().shownText(),
-            "'x' is no index: type a whole number, such as 3, or nothing");
+  EXPECT_EQ(
+      window().statusLine().shownText(),
+      "'x' is no index: type a whole number, such as 3, two parted by a dot, such as 16.1, or "
+      "nothing");
   index.selectAll();
   QTest::keyClicks(&index, "7");
   QTest::keyClick(&index, Qt::Key_Return);

@@ -1,4 +1,5 @@
 #include "app/window/load_files.h"
+#include "core/io/atomic_file.h"
 #include "core/io/formats.h"
 #include "tests/app/window/window_fixture.h"
 #include "tests/support/plants.h"
@@ -6,12 +7,14 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QDir>
 #include <QDockWidget>
 #include <QDropEvent>
 #include <QFile>
 #include <QFileDialog>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QProcess>
 #include <QTimer>
 
 namespace espalier {
@@ -215,6 +218,23 @@ TEST_F(WindowFilesTest, KeepsACopyOfAFileOfOthersThatItOverwrites) {
   QFile copy(path("fork.mtg~"));
   ASSERT_TRUE(copy.open(QIODevice::ReadOnly));
   EXPECT_EQ(copy.readAll(), content);
+}
+
+TEST_F(WindowFilesTest, RemovesWhatAKilledRunLeftUnfinishedWhereItSaves) {
+  QProcess run; // one that has ended
+  run.start("true", {});
+  ASSERT_TRUE(run.waitForStarted());
+  const qint64 ended = run.processId();
+  ASSERT_TRUE(run.waitForFinished());
+  QString left;
+  writeAtomically(toPath(path("oak.mtg")), [&](std::ostream&) {
+    left = QDir(path({})).entryList({".oak.mtg.*"}, QDir::Files | QDir::Hidden).value(0);
+  });
+  left.replace(QString("-%1-").arg(QCoreApplication::applicationPid()), QString("-%1-").arg(ended));
+  ASSERT_TRUE(QFile::copy(path("oak.mtg"), path(left)));
+  open({writeFork("fork.txt")});
+  answer(chooseFile(path("fork.mtg")), [this] { action("save_as").trigger(); });
+  EXPECT_FALSE(QFile::exists(path(left)));
 }
 
 TEST_F(WindowFilesTest, TellsWhatTheFormatOfAFileDoesNotKeep) {

@@ -144,6 +144,31 @@ TEST_F(MainWindowTest, AStepThatIsOpenedIsSeen) {
   }
 }
 
+// Cleaning leaves two places with many points each, on which all nodes lie.
+TEST_F(MainWindowTest, SaysWhatAStepNotes) {
+  std::ofstream scan(path("crowds.xyz").toStdString());
+  for (int i = 0; i < 9; ++i)
+    scan << "0 0 0\n0 0 3\n";
+  scan << "100 0 0\n100 0 0.1\n";
+  scan.close();
+  open({path("crowds.xyz")});
+  action("preset_thesis").trigger();
+  clickButton("reconstruct_button");
+  waitForJob();
+  EXPECT_TRUE(window().banner().text().contains("Radius: nothing is measured at the foot"))
+      << window().banner().text().toStdString();
+  const auto noted = [this](const std::string& step) {
+    for (const StepForm* form : window().findChildren<PipelinePanel*>().front()->steps())
+      if (form->step().name == step)
+        return form->findChild<QToolButton*>(QString(), Qt::FindDirectChildrenOnly)
+            ->toolTip()
+            .contains("nothing is measured at the foot");
+    return false;
+  };
+  EXPECT_TRUE(noted("radius"));
+  EXPECT_FALSE(noted("skeleton"));
+}
+
 TEST_F(MainWindowTest, AnotherPanelOfASideTakesTheWidthItHas) {
   open({writeFork("fork.mtg")});
   auto& inspector = find<QDockWidget>("inspector");

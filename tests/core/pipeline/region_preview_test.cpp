@@ -58,6 +58,25 @@ TEST_F(RegionPreviews, HoldNoPointsThatWereSetAside) {
     EXPECT_FALSE(options.leftOut.contains(point));
 }
 
+/// Each point nine times, and one far below.
+std::shared_ptr<const PointCloud> oddCloud(const Eigen::Vector3d& place) {
+  Eigen::Matrix3Xf points = Eigen::Vector3f(0, 0, -900);
+  for (int copy = 0; copy < 9; ++copy)
+    points = test::both(points, test::forkCloud());
+  return test::cloudOf(points, place);
+}
+
+TEST_F(RegionPreviews, AreTheSameBesideAStrayAndOfRepeatedPoints) {
+  options.methods["contract"] = "path_based"; // it sees how far the root is
+  const RegionPreview plain = previewer().reconstructed(ball, options);
+  cloud = oddCloud(place);
+  const RegionPreview odd = previewer().reconstructed(ball, options);
+  EXPECT_EQ(odd.skeleton, plain.skeleton);
+  ASSERT_EQ(odd.points.size(), 9 * plain.points.size());
+  for (Eigen::Index i = 0; i < odd.contracted.cols(); ++i)
+    ASSERT_EQ(odd.contracted.col(i), plain.contracted.col(i / 9));
+}
+
 TEST_F(RegionPreviews, AgreeWithARunOnTheWholeWhereAContractionLooksNoFartherThanItsOptions) {
   for (const char* method :
        {"geodesic_centroid", "adaptive_geodesic", "euclidean_ball", "one_step_laplacian", "none"}) {

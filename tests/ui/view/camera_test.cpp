@@ -171,5 +171,45 @@ TEST(CameraBroadside, StaysWherePlantsAreRound) {
   EXPECT_EQ(camera.yaw, 0.7);
 }
 
+// Up on the screen is up in the plant, and right and forward follow it as a right hand does.
+TEST(Camera, StandsAlongTheAxisThatIsUp) {
+  for (const UpAxis axis : {UpAxis::x, UpAxis::y, UpAxis::z}) {
+    Camera camera{.upAxis = axis};
+    const Eigen::Vector3d up = Eigen::Vector3d::Unit(static_cast<int>(axis));
+    camera.face(StandardView::front);
+    EXPECT_LT((camera.up() - up).norm(), 1e-12);
+    EXPECT_LT((camera.right().cross(camera.forward()) - up).norm(), 1e-12);
+    const Eigen::Vector3d front = camera.forward();
+    camera.face(StandardView::right);
+    EXPECT_LT((camera.up() - up).norm(), 1e-12);
+    EXPECT_NEAR(camera.forward().dot(front), 0, 1e-12);
+    camera.face(StandardView::top);
+    EXPECT_LT((camera.forward() + up).norm(), 1e-12) << "it looks down on the plant";
+    camera.face(StandardView::front);
+    camera.turn(1, 0);
+    EXPECT_LT((camera.up() - up).norm(), 1e-12) << "a turntable turns about it";
+  }
+}
+
+TEST(Camera, LooksAtThePicturesOfOtherProgramsAsTheyDo) {
+  const Camera camera{.upAxis = UpAxis::y}; // x to the right, y up, z to the viewer
+  EXPECT_LT((camera.right() - Eigen::Vector3d::UnitX()).norm(), 1e-12);
+  EXPECT_LT((camera.forward() + Eigen::Vector3d::UnitZ()).norm(), 1e-12);
+}
+
+TEST(Camera, SeesAFlatPlantBroadsideWhicheverAxisIsUp) {
+  for (const UpAxis axis : {UpAxis::x, UpAxis::y, UpAxis::z}) {
+    const auto up = static_cast<int>(axis);
+    Camera camera{.upAxis = axis};
+    std::vector<Eigen::Vector3d> fan; // high along `up`, wide along one of the others
+    for (int i = 0; i <= 10; ++i)
+      for (const double side : {-1.0, 1.0})
+        fan.emplace_back(i * Eigen::Vector3d::Unit(up) +
+                         3 * side * Eigen::Vector3d::Unit((up + 1) % 3));
+    camera.faceBroadside(fan);
+    EXPECT_NEAR(std::abs(camera.forward()[(up + 2) % 3]), 1, 1e-9) << up;
+  }
+}
+
 } // namespace
 } // namespace espalier

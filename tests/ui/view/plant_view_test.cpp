@@ -304,6 +304,50 @@ TEST_F(PlantViewTest, TakesThePictureOfWhatIsShown) {
             400 * 300 / 200);
 }
 
+/// The block with one more point.
+std::shared_ptr<const PointCloud> blockAnd(const Eigen::Vector3d& stray) {
+  const auto block = test::block({0, 0, 2});
+  std::vector<Eigen::Vector3d> positions = {stray};
+  for (Eigen::Index i = 0; i < block->size(); ++i)
+    positions.push_back(block->position(i));
+  return test::cloudOf(positions);
+}
+
+TEST_F(PlantViewTest, FramesThePlantAndNotAPointFarAway) {
+  view_.setCloud(test::block({0, 0, 2}));
+  view_.frameAll();
+  rest();
+  const Camera camera = view_.camera();
+  const Eigen::AlignedBox3d bounds = view_.bounds();
+  const QImage alone = view_.grab().toImage();
+  view_.setCloud(blockAnd({5e5, 5e6, 300}));
+  view_.frameAll();
+  rest();
+  EXPECT_NEAR(view_.camera().distance, camera.distance, 1e-3 * camera.distance);
+  EXPECT_LT((view_.camera().focus - camera.focus).norm(), 1e-2);
+  EXPECT_TRUE(view_.bounds().isApprox(bounds, 1e-6));
+  view_.setCamera(camera); // it frames a sample of the points, another one now
+  rest();
+  EXPECT_LT(test::countDifferences(alone, view_.grab().toImage()), 400 * 300 / 50);
+}
+
+TEST_F(PlantViewTest, ShowsAPointFarAwayFromFarAway) {
+  view_.setSkeleton({});
+  const Eigen::AlignedBox3d all(Eigen::Vector3d(-0.5, -0.5, 1.5), Eigen::Vector3d(60, 90, 2.5));
+  const auto pictureWith = [&](std::shared_ptr<const PointCloud> cloud) {
+    view_.setCloud(std::move(cloud));
+    view_.setPointColor(PointColor::uniform);
+    view_.frame(all);
+    rest();
+    return view_.grab().toImage();
+  };
+  const QImage alone = pictureWith(test::block({0, 0, 2}));
+  const QImage beside = pictureWith(blockAnd({60, 90, 2}));
+  const QPoint place = pixelOf({60, 90, 2});
+  const QRect around(place - QPoint(4, 4), place + QPoint(4, 4));
+  EXPECT_GT(test::countDifferences(alone.copy(around), beside.copy(around)), 0);
+}
+
 TEST_F(PlantViewTest, ShowsAnEmptyPlant) {
   view_.setCloud(nullptr);
   view_.setContracted(nullptr);

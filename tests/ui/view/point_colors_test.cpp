@@ -35,11 +35,38 @@ TEST(PointColors, RunThroughTheMapWithHeight) {
   }
 }
 
+TEST(PointColors, RunAlongTheAxisThatIsUp) {
+  RawPoints raw;
+  for (int y = 0; y <= 10; ++y)
+    raw.positions.emplace_back(0, 700 + y, 3);
+  const PointCloud cloud(std::move(raw));
+  EXPECT_FALSE(pointLegend(cloud, PointColor::height)) << "all at one z";
+  const auto scale = pointLegend(cloud, PointColor::height, UpAxis::y);
+  ASSERT_TRUE(scale);
+  EXPECT_EQ(scale->title, "Height y");
+  EXPECT_DOUBLE_EQ(scale->from, 700);
+  EXPECT_DOUBLE_EQ(scale->to, 710);
+  const auto colors = pointColors(cloud, PointColor::height, scale, true, plain, UpAxis::y);
+  EXPECT_NE(colors.front(), colors.back());
+}
+
 TEST(PointColors, AreNotSpoiledByOneBrightPoint) {
   const auto scale = pointLegend(column(), PointColor::intensity);
   ASSERT_TRUE(scale);
   EXPECT_NEAR(scale->from, 2, 1);
   EXPECT_NEAR(scale->to, 98, 2);
+}
+
+TEST(PointColors, AreNotSpoiledByAPointFarAway) {
+  RawPoints raw;
+  for (int z = 0; z <= 100; ++z)
+    raw.positions.emplace_back(0, 0, z);
+  raw.positions.emplace_back(0, 0, -5e6);
+  const auto scale = pointLegend(PointCloud(raw), PointColor::height);
+  ASSERT_TRUE(scale);
+  EXPECT_DOUBLE_EQ(scale->from, 0);
+  EXPECT_DOUBLE_EQ(scale->to, 100);
+  EXPECT_DOUBLE_EQ(scale->histogram.range.from, 0) << "nor is how often heights are found";
 }
 
 TEST(PointColors, AreThoseOfTheScannerOnRequest) {

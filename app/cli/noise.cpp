@@ -116,15 +116,14 @@ void writeFiles(const Flags& flags, const NoiseStudy& study) {
     for (const std::vector<std::string>& row : toTable(study))
       out << csvLine(row);
   });
-  writeAndTell(flags.json, [&](std::ostream& out) {
-    auto json = toJson(study);
-    json["reference"] = flags.reference;
-    out << json.dump(2) << '\n';
-  });
+  auto json = toJson(study);
+  json["reference"] = flags.reference;
+  writeJson(flags.json, json);
 }
 
 void noise(const Flags& flags) {
   const Threads threads(flags.threads);
+  requireApart({flags.csv, flags.json});
   requireOutput(flags.csv, {flags.reference});
   requireOutput(flags.json, {flags.reference});
   NoiseOptions options{.series = {},

@@ -6,6 +6,7 @@
 #include "app/cli/headless.h"
 #include "app/cli/terminal.h"
 #include "core/base/text.h"
+#include "core/io/atomic_file.h"
 
 #include <QBuffer>
 
@@ -14,7 +15,6 @@
 #include <memory>
 #include <ostream>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -77,11 +77,7 @@ Scene sceneOf(const Flags& flags, const Progress& progress) {
 void requirePng(const std::string& path) {
   const std::string extension = lowerCase(std::filesystem::path(path).extension().string());
   if (extension == ".png") return;
-  std::error_code isMissing;
-  const bool isDevice = std::filesystem::exists(path, isMissing) &&
-                        !std::filesystem::is_regular_file(path, isMissing) &&
-                        !std::filesystem::is_directory(path, isMissing);
-  if (!isDevice || !extension.empty())
+  if (!isStream(path) || !extension.empty())
     throw Error(path + ": pictures are written as PNG: choose a name that ends in .png");
 }
 

@@ -43,6 +43,7 @@ void simulate(const Flags& flags) {
   const Threads threads(flags.threads);
   const std::string scanFile = flags.prefix + ".ply";
   const std::string truthFile = flags.prefix + ".mtg";
+  requireApart({scanFile, truthFile});
   requireOutput(scanFile, {flags.from});
   requireOutput(truthFile, {flags.from});
   const TerminalProgress terminal;

@@ -1,5 +1,7 @@
 #include "core/base/text.h"
 
+#include "core/base/printable.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -68,13 +70,12 @@ std::string lowerCase(std::string_view text) {
 }
 
 std::string inQuotes(std::string_view text) {
-  constexpr std::size_t longest = 40;
-  std::string result = "'";
-  for (const char c : text.substr(0, longest)) {
-    const auto byte = static_cast<unsigned char>(c);
-    result += byte < 0x20 || byte >= 0x7f ? '?' : c;
-  }
-  return result + (text.size() > longest ? "...'" : "'");
+  constexpr std::size_t longest = 40; // bytes, but for the rest of a sign
+  std::size_t end = std::min(longest, text.size());
+  while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80 &&
+         end < longest + 3)
+    ++end;
+  return "'" + printable(text.substr(0, end)) + (text.size() > end ? "...'" : "'");
 }
 
 std::string readAll(std::istream& in, const Progress& progress) {

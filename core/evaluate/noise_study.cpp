@@ -30,8 +30,11 @@ std::vector<NoiseSeries> wholeSeries(const std::vector<NoiseSeries>& asked) {
   if (series.empty())
     for (std::size_t i = 0; i < perturbations().size(); ++i)
       series.push_back({static_cast<Perturbation>(i), {}});
-  for (NoiseSeries& each : series)
+  for (NoiseSeries& each : series) {
     if (each.levels.empty()) each.levels = entryOf(each.kind).levels;
+    for (const double level : each.levels)
+      requireLevel(each.kind, level);
+  }
   return series;
 }
 
@@ -40,7 +43,7 @@ std::vector<double> scoresOf(const Run& run, const Skeleton& reference, const No
   Skeleton plant = perturbed(reference, run.kind, run.level, run.seed);
   try {
     if (study.isRegistered)
-      plant = moved(plant, registration(plant, reference, {}, progress).motion);
+      plant = moved(plant, registration(plant, reference, {.goodEnough = 0.5}, progress).motion);
     return agreementScores(plant, reference, study.scores, progress);
   } catch (const Error&) {
     throw Error("level " + plainDecimal(run.level) + " of " + entryOf(run.kind).name +

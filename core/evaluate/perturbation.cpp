@@ -15,6 +15,7 @@
 #include <numbers>
 #include <optional>
 #include <ranges>
+#include <sstream>
 #include <utility>
 
 namespace espalier {
@@ -191,33 +192,39 @@ Skeleton turned(Skeleton plant, double angle, Random& random) {
   return plant;
 }
 
-bool isShare(Perturbation kind) {
-  return kind == Perturbation::reparent || kind == Perturbation::prune ||
-         kind == Perturbation::shorten;
-}
-
 } // namespace
 
 const std::vector<PerturbationEntry>& perturbations() {
   constexpr double degree = std::numbers::pi / 180;
   static const std::vector<PerturbationEntry> entries = {
-      {"position", "median edges", {0.1, 0.3, 0.5, 0.75, 1, 1.5, 2, 3}},
-      {"reparent", "share", {0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.75, 1}},
-      {"prune", "share", {0.05, 0.1, 0.2, 0.4, 0.6, 0.8}},
-      {"shorten", "share", {0.05, 0.1, 0.2, 0.4, 0.6, 0.8}},
-      {"spurs", "per node", {0.01, 0.02, 0.05, 0.1, 0.2, 0.5}},
-      {"resample", "median edges", {0.25, 0.5, 1, 2, 4}},
-      {"shift", "median edges", {0.1, 0.25, 0.5, 1, 1.5, 2}},
-      {"turn", "radians", {0.5 * degree, 1 * degree, 2 * degree, 3 * degree, 5 * degree}}};
+      {"position", "median edges", {0.1, 0.3, 0.5, 0.75, 1, 1.5, 2, 3}, 0, 1000},
+      {"reparent", "share", {0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.75, 1}, 0, 1},
+      {"prune", "share", {0.05, 0.1, 0.2, 0.4, 0.6, 0.8}, 0, 1},
+      {"shorten", "share", {0.05, 0.1, 0.2, 0.4, 0.6, 0.8}, 0, 1},
+      {"spurs", "per node", {0.01, 0.02, 0.05, 0.1, 0.2, 0.5}, 0, 10},
+      {"resample", "median edges", {0.25, 0.5, 1, 2, 4}, 0.05, 1e6},
+      {"shift", "median edges", {0.1, 0.25, 0.5, 1, 1.5, 2}, 0, 1e6},
+      {"turn",
+       "radians",
+       {0.5 * degree, 1 * degree, 2 * degree, 3 * degree, 5 * degree},
+       0,
+       2 * std::numbers::pi}};
   return entries;
+}
+
+void requireLevel(Perturbation kind, double level) {
+  const PerturbationEntry& entry = perturbations()[static_cast<std::size_t>(kind)];
+  if (level == 0 || (level >= entry.least && level <= entry.most)) return;
+  std::ostringstream text;
+  text << "level " << level << " of " << entry.name << ": expected "
+       << (entry.least > 0 ? "0, or " : "") << "a number from " << entry.least << " to "
+       << entry.most << " (" << entry.unit << ')';
+  throw Error(text.str());
 }
 
 Skeleton perturbed(const Skeleton& skeleton, Perturbation kind, double level, std::uint64_t seed) {
   requireComparable(skeleton, "the reference");
-  const PerturbationEntry& entry = perturbations()[static_cast<std::size_t>(kind)];
-  if (!(level >= 0 && std::isfinite(level)) || (isShare(kind) && level > 1))
-    throw Error("level " + std::to_string(level) + " of " + entry.name +
-                ": expected a number from 0" + (isShare(kind) ? " to 1" : " on"));
+  requireLevel(kind, level);
   if (level == 0) return skeleton;
   Random random(seed);
   const double edge = medianEdgeLength(skeleton);

@@ -25,16 +25,21 @@ struct PerturbationEntry {
   std::string name;           // "position"
   std::string unit;           // "median edges"
   std::vector<double> levels; // that a study takes unless told otherwise; rising
+  double least;               // level but for 0, which changes nothing
+  double most;                // likewise
 };
 
 [[nodiscard]] const std::vector<PerturbationEntry>& perturbations(); // in the order of the enum
+
+/// @throws Error that tells the range, if the level is neither 0 nor in that of its entry
+void requireLevel(Perturbation kind, double level);
 
 /// `skeleton` made worse. Ids stay, but for nodes that go or are added.
 ///
 /// The same seed gives the same plant, and a higher level of `position`, `shift` and `turn` is more
 /// of the same: the directions are equal. Shares are rounded to whole nodes or segments.
 ///
-/// @param level >= 0; shares at most 1
+/// @param level 0, or in the range of its entry
 /// @throws Error if the skeleton has no nodes, no length, or a position that is no number; if the
 ///               level is outside its range
 /// Time O(N log N), for `reparent` at worst O(N^2).

@@ -5,7 +5,6 @@
 #include "core/base/random.h"
 #include "core/base/text.h"
 #include "core/evaluate/comparable.h"
-#include "core/evaluate/registration.h"
 #include "core/evaluate/segment_shares.h"
 #include "core/evaluate/tolerance_curve.h"
 
@@ -14,6 +13,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 namespace espalier {
@@ -96,8 +96,9 @@ Candidate candidateOf(const Skeleton& result, const Skeleton& reference,
     candidate.shares = segmentShares(result, reference, distance, step, progress);
     return candidate;
   }
-  const Registration lay = registration(result, reference, {}, progress.part(0, 0.6));
-  candidate.ranked.shift = lay.shift;
+  const Registration lay =
+      registration(result, reference, options.registration, progress.part(0, 0.6));
+  candidate.ranked.registration = lay;
   candidate.shares =
       segmentShares(moved(result, lay.motion), reference, distance, step, progress.part(0.6, 1));
   return candidate;
@@ -166,12 +167,18 @@ nlohmann::ordered_json toJson(const Ranking& ranking, const std::vector<std::str
           {"value", result.scores[k].value},
           {"low", result.scores[k].low},
           {"high", result.scores[k].high}};
-    results.push_back(
-        {{"rank", results.size() + 1},
-         {"result", names.at(result.result)},
-         {"shift", Json::array({result.shift.x(), result.shift.y(), result.shift.z()})},
-         {"scores", scores},
-         {"above_next", result.aboveNext ? Json(*result.aboveNext) : Json()}});
+    const Registration lay = result.registration.value_or(Registration());
+    const auto listed = [](const Eigen::Vector3d& vector) {
+      return Json::array({vector.x(), vector.y(), vector.z()});
+    };
+    results.push_back({{"rank", results.size() + 1},
+                       {"result", names.at(result.result)},
+                       {"shift", listed(lay.shift)},
+                       {"rotation", lay.angle() * 180 / std::numbers::pi},
+                       {"axis", lay.angle() > 0 ? listed(lay.axis()) : Json()},
+                       {"near_share", result.registration ? Json(lay.near) : Json()},
+                       {"scores", scores},
+                       {"above_next", result.aboveNext ? Json(*result.aboveNext) : Json()}});
   }
   return {{"by", scoreNames()[static_cast<std::size_t>(ranking.by)]},
           {"distance", ranking.distance},

@@ -2,9 +2,9 @@
 
 #include "core/base/progress.h"
 #include "core/evaluate/agreement_scores.h"
+#include "core/evaluate/registration.h"
 #include "core/skeleton/skeleton.h"
 
-#include <Eigen/Core>
 #include <nlohmann/json_fwd.hpp>
 
 #include <cstddef>
@@ -19,7 +19,8 @@ namespace espalier {
 [[nodiscard]] const std::vector<Score>& rankingScores();
 
 struct RankingOptions {
-  bool registers = true;    // lays each result on the reference first
+  bool registers = true; // lays each result on the reference first
+  RegistrationOptions registration;
   Score by = Score::f;      // one of rankingScores()
   double distance = 0;      // [L]; 0 = as ScoreOptions
   std::size_t draws = 2000; // of the bootstrap, >= 1
@@ -35,9 +36,9 @@ struct ScoreInterval {
 };
 
 struct RankedResult {
-  std::size_t result = 0;                          // which of those given
-  Eigen::Vector3d shift = Eigen::Vector3d::Zero(); // by which it was moved [L]
-  std::vector<ScoreInterval> scores;               // by rankingScores()
+  std::size_t result = 0;                   // which of those given
+  std::optional<Registration> registration; // none if it was compared where it lay
+  std::vector<ScoreInterval> scores;        // by rankingScores()
   std::optional<double> aboveNext; // share of draws in which it beats the next; none for the last
 };
 
@@ -66,8 +67,8 @@ struct Ranking {
 [[nodiscard]] Ranking ranking(const std::vector<Skeleton>& results, const Skeleton& reference,
                               const RankingOptions& options = {}, const Progress& progress = {});
 
-/// Keys: by, distance, draws, confidence, seed, results[].{rank,result,shift,scores.NAME.{value,
-/// low,high},above_next}; `names` are what the results are called.
+/// Keys: by, distance, draws, confidence, seed, results[].{rank,result,shift,rotation,axis,
+/// near_share,scores.NAME.{value,low,high},above_next}; `names` are what the results are called.
 [[nodiscard]] nlohmann::ordered_json toJson(const Ranking& ranking,
                                             const std::vector<std::string>& names);
 

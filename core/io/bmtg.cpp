@@ -1,5 +1,6 @@
 #include "core/io/bmtg.h"
 
+#include "core/base/counted.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/io/mtg_tables.h"
@@ -51,11 +52,11 @@ public:
         if (property.name == first) add(property);
     for (const MtgProperty& property : properties)
       if (property.name != "position" && property.name != "radius") add(property);
-    const std::string rest = " values are not finite, or of a kind that an MTG cannot hold, and "
-                             "are left out";
-    if (leftOut_ > 0) note(std::to_string(leftOut_) + rest);
+    if (leftOut_ > 0)
+      note(counted(leftOut_, "value is", "values are") +
+           " not finite, or of a kind that an MTG cannot hold: left out");
     if (strays_ > 0)
-      note(std::to_string(strays_) + " values are of vertices that were erased, and are left out");
+      note(counted(strays_, "value is", "values are") + " of vertices that were erased: left out");
   }
 
 private:
@@ -191,8 +192,10 @@ Imported<Mtg> readBmtg(std::istream& in, const std::string& file) {
   TableVertices vertices = verticesOf(pickle, tables, file);
   Features(pickle, bytes.size(), vertices, file).add(tables.properties);
   if (const std::size_t count = zeroLengthEdges(vertices.mtg); count > 0)
-    vertices.notes.push_back(file + ": " + std::to_string(count) +
-                             " vertices lie where their parent lies; they are kept so");
+    vertices.notes.push_back(file + ": " +
+                             counted(count, "vertex lies where its parent lies, and is",
+                                     "vertices lie where their parents lie, and are") +
+                             " kept so");
   return {std::move(vertices.mtg), std::move(vertices.notes)};
 }
 

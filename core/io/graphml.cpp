@@ -1,6 +1,8 @@
 #include "core/io/graphml.h"
 
+#include "core/base/counted.h"
 #include "core/base/error.h"
+#include "core/base/listed.h"
 #include "core/base/text.h"
 #include "core/io/node_rows.h"
 #include "core/io/xml.h"
@@ -58,12 +60,9 @@ public:
       result.value = withAssembledAxes(result.value);
       result.notes.push_back(noteOnAxes(xml_.file(), "this GraphML"));
     }
-    if (!unused_.empty()) {
-      std::string list;
-      for (const std::string& name : unused_)
-        list += (list.empty() ? "" : ", ") + inQuotes(name);
-      result.notes.push_back(xml_.file() + ": its data " + list + " are left out");
-    }
+    if (!unused_.empty())
+      result.notes.push_back(xml_.file() + ": its data " +
+                             listed({unused_.begin(), unused_.end()}) + " are left out");
     return result;
   }
 
@@ -142,8 +141,10 @@ private:
     const auto isDirected = [](const Edge& edge) { return edge.isDirected; };
     if (std::ranges::all_of(edges_, isDirected) || std::ranges::none_of(edges_, isDirected)) return;
     const std::size_t count = std::erase_if(edges_, isDirected);
-    notes.push_back(xml_.file() + ": " + std::to_string(count) +
-                    " directed edges among undirected ones are left out");
+    notes.push_back(xml_.file() + ": " +
+                    counted(count, "directed edge among undirected ones is",
+                            "directed edges among undirected ones are") +
+                    " left out");
   }
 
   /// Whether each node has one parent at most if edges lead from it, or to it.

@@ -1,5 +1,6 @@
 #include "core/io/mat_file.h"
 
+#include "core/base/counted.h"
 #include "core/base/error.h"
 #include "core/io/byte_reader.h"
 
@@ -13,7 +14,9 @@ namespace espalier {
 namespace {
 
 constexpr std::size_t headerSize = 128;
-constexpr std::size_t mostUnpacked = std::size_t{1} << 30;
+constexpr std::size_t mostUnpacked = std::size_t{1} << 27;
+constexpr std::size_t mostUnpackedOfAll = std::size_t{1} << 30;
+constexpr std::size_t mostNumbers = std::size_t{1} << 22; // of an array: over a million cylinders
 constexpr std::uint32_t matrixType = 14;
 constexpr std::uint32_t compressedType = 15;
 constexpr std::uint8_t structureClass = 2;
@@ -83,9 +86,10 @@ public:
   Inflater(const Inflater&) = delete;
   Inflater& operator=(const Inflater&) = delete;
 
-  /// All of it; none if it is damaged, cut short or longer than `most`.
+  /// All of it; none if it is damaged, cut short or longer than `most`, which `isTooLong` tells.
   std::optional<std::string> all(std::size_t most) {
     std::string bytes;
+    isTooLong = false;
     std::vector<char> block(std::size_t{1} << 16);
     int status = isReady_ ? Z_OK : Z_MEM_ERROR;
     while (status == Z_OK) {
@@ -93,10 +97,13 @@ public:
       stream_.avail_out = static_cast<uInt>(block.size());
       status = inflate(&stream_, Z_NO_FLUSH);
       bytes.append(block.data(), block.size() - stream_.avail_out);
-      if (bytes.size() > most) return std::nullopt;
+      isTooLong = bytes.size() > most;
+      if (isTooLong) return std::nullopt;
     }
     return status == Z_STREAM_END ? std::optional(std::move(bytes)) : std::nullopt;
   }
+
+  bool isTooLong = false;
 
 private:
   z_stream stream_{};
@@ -131,8 +138,12 @@ std::vector<double> takeValues(ByteReader& in, std::endian order, const MatArray
   const std::uint64_t count = element.data.size() / size;
   if (element.data.size() % size != 0 || array.columns > count / array.rows ||
       array.rows * array.columns != count)
-    in.fail("has " + std::to_string(count) + " numbers, expected " + std::to_string(array.rows) +
-            " x " + std::to_string(array.columns) + ": it is damaged");
+    in.fail("has " + counted(count, "number") + ", expected " + std::to_string(array.rows) + " x " +
+            std::to_string(array.columns) + ": it is damaged");
+  if (count > mostNumbers)
+    in.fail("has " + std::to_string(count) +
+            " numbers in one array, more than any model: at most " + std::to_string(mostNumbers) +
+            " are read");
   std::vector<double> values(count);
   for (std::size_t i = 0; i < count; ++i)
     values[i] = scalarAt(element.data.data() + i * size, *type, order);
@@ -161,11 +172,16 @@ bool MatFile::next(std::string& unpacked) {
     Element element = takeElement(in, order_);
     offset_ += in.offset();
     if (element.type == compressedType) {
-      auto data = Inflater(element.data).all(mostUnpacked);
+      Inflater inflater(element.data);
+      const auto data = inflater.all(mostUnpacked);
       if (!data)
-        in.fail(
-            "has a variable that cannot be unpacked: the file is damaged, or larger than 1 GiB; "
-            "save the model alone");
+        in.fail(inflater.isTooLong
+                    ? "has a variable that unpacks to over 128 MiB, as of no model: save the model "
+                      "alone"
+                    : "has a variable that cannot be unpacked: the file is damaged, save it again");
+      unpacked_ += data->size();
+      if (unpacked_ > mostUnpackedOfAll)
+        in.fail("unpacks to over 1 GiB up to here, as of no model: save the model alone");
       ByteReader inner(*data, file_ + ", unpacked variable");
       element = takeElement(inner, order_);
       if (element.type == matrixType) {

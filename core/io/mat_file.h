@@ -34,11 +34,13 @@ public:
 
   /// Unpacks the next variable; its bytes are in `unpacked`, which what is read from it views.
   /// @return whether there is one
-  /// @throws Error if it is cut short or damaged, or unpacks to more than 1 GiB
+  /// @throws Error if it is cut short or damaged, or unpacks to more than 128 MiB, or all
+  ///         so far to more than 1 GiB
   bool next(std::string& unpacked);
 
   /// What a variable or a field is; the values of numbers are read too.
-  /// @throws Error if it is cut short, or has another number of values than its size tells
+  /// @throws Error if it is cut short, has another number of values than its size tells, or over
+  ///         2^22 of them
   /// Time and memory O(size of the array).
   [[nodiscard]] MatArray array(std::string_view matrix) const;
 
@@ -46,6 +48,7 @@ private:
   std::string_view bytes_;
   std::string file_;
   std::size_t offset_ = 0;
+  std::size_t unpacked_ = 0; // bytes, of all variables so far
   std::endian order_ = std::endian::little;
 };
 

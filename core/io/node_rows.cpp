@@ -1,5 +1,6 @@
 #include "core/io/node_rows.h"
 
+#include "core/base/coordinates.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 
@@ -45,6 +46,7 @@ Skeleton skeletonOfRows(const std::vector<NodeRow>& rows, const Where& where) {
                           [&](std::size_t i) { return rows[i].node.edge == EdgeType::successor; });
     for (const std::size_t child : below) {
       Node node = rows[child].node;
+      if (!isInRange(node.position, node.radius)) throw outOfRange(where(rows[child]));
       node.parent = ids[order[next]];
       if (!node.parent) node.edge = EdgeType::successor; // without meaning for a root
       ids[child] = result.add(node);

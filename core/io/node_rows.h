@@ -21,8 +21,8 @@ struct NodeRow {
 /// before their siblings.
 ///
 /// @param where  the start of a message about a row: "oak.swc, line 12: "
-/// @throws Error for an id that occurs twice, a parent that is missing, and a node among its own
-///         ancestors
+/// @throws Error for an id that occurs twice, a parent that is missing, a node among its own
+///         ancestors, and one that is not in range (isInRange)
 /// Time O(N).
 [[nodiscard]] Skeleton skeletonOfRows(const std::vector<NodeRow>& rows,
                                       const std::function<std::string(const NodeRow&)>& where);

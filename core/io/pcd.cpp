@@ -1,12 +1,13 @@
 #include "core/io/pcd.h"
 
+#include "core/base/counted.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/io/lzf.h"
 #include "core/io/pcd_header.h"
 #include "core/io/point_collector.h"
 
-#include <algorithm>
+#include <array>
 #include <bit>
 #include <optional>
 #include <utility>
@@ -31,13 +32,14 @@ double packedColor(double value, ScalarType type) {
 
 std::vector<PointField> rolesOf(const PcdHeader& header, const std::string& file) {
   std::vector<PointField> roles;
+  std::array<bool, PointValues().size()> taken{};
   for (const PcdField& field : header.fields) {
     const PointField role = field.count > 0 ? pointFieldNamed(field.name) : PointField::none;
-    roles.push_back(std::ranges::count(roles, role) > 0 ? PointField::none : role);
+    roles.push_back(std::exchange(taken[indexOf(role)], true) ? PointField::none : role);
   }
   for (const auto& [role, name] : {std::pair{PointField::x, "x"}, std::pair{PointField::y, "y"},
                                    std::pair{PointField::z, "z"}})
-    if (std::ranges::count(roles, role) == 0)
+    if (!taken[indexOf(role)])
       throw Error(file + ": has no field '" + name + "': export it with x, y and z");
   return roles;
 }
@@ -108,6 +110,23 @@ void readBinary(std::string_view bytes, const PcdHeader& header, const std::vect
   }
 }
 
+/// Checks what compressed data would fill before memory is taken for it: packed as tightly as no
+/// scan can be, a file of 1 MB would fill gigabytes.
+void refuseBomb(const std::string& file, const PcdHeader& header, std::uint64_t packed,
+                std::uint64_t unpacked) {
+  constexpr std::uint64_t freeBytes = 1 << 26;
+  constexpr std::uint64_t mostBytes = 32; // to a packed byte
+  constexpr std::uint64_t freePoints = 1 << 20;
+  constexpr std::uint64_t mostPoints = 4; // to a packed byte
+  if (unpacked <= freeBytes + mostBytes * packed &&
+      header.points <= freePoints + mostPoints * packed)
+    return;
+  throw Error(file + ": its " + std::to_string(packed) +
+              " bytes of compressed data would unpack to " + std::to_string(unpacked) +
+              " bytes of " + counted(header.points, "point") +
+              ", as of no scan: export it again, not compressed");
+}
+
 /// The data of a compressed file, unpacked: all values of the first field, then of the second ...
 std::string unpacked(std::string_view data, const PcdHeader& header, const std::string& file) {
   constexpr std::size_t sizes = 8; // two sizes of 32 bits come first
@@ -115,6 +134,7 @@ std::string unpacked(std::string_view data, const PcdHeader& header, const std::
   const auto packedSize = valueAt<std::uint32_t>(data.data());
   const auto size = valueAt<std::uint32_t>(data.data() + 4);
   checkPromise(file, header.points, header.pointSize(), size);
+  refuseBomb(file, header, packedSize, size);
   if (packedSize > data.size() - sizes)
     throw Error(file + ": its header promises " + std::to_string(packedSize) +
                 " bytes of compressed data, but only " + std::to_string(data.size() - sizes) +

@@ -1,5 +1,6 @@
 #include "core/io/ply.h"
 
+#include "core/base/counted.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/io/file_order.h"
@@ -7,6 +8,7 @@
 #include "core/io/point_collector.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <ostream>
 #include <utility>
@@ -17,14 +19,15 @@ namespace {
 /// Fields by property of `element`.
 std::vector<PointField> fieldsOf(const PlyElement& element, const std::string& file) {
   std::vector<PointField> fields;
+  std::array<bool, PointValues().size()> taken{};
   for (const PlyProperty& property : element.properties) {
     const PointField field = property.countType ? PointField::none : pointFieldNamed(property.name);
-    const bool isTaken = std::ranges::count(fields, field) > 0;
+    const bool isTaken = std::exchange(taken[indexOf(field)], true);
     fields.push_back(isTaken || field == PointField::packedColor ? PointField::none : field);
   }
   for (const auto& [field, name] : {std::pair{PointField::x, "x"}, std::pair{PointField::y, "y"},
                                     std::pair{PointField::z, "z"}})
-    if (std::ranges::count(fields, field) == 0)
+    if (!taken[indexOf(field)])
       throw Error(file + ": its element 'vertex' has no property '" + name +
                   "': export it with x, y and z");
   return fields;
@@ -167,8 +170,8 @@ RawPoints readVertices(Rows& rows, const PlyElement& vertices, std::uint64_t lea
 std::vector<std::string> notesOn(const PlyHeader& header, const std::string& file) {
   for (const PlyElement& element : header.elements)
     if (element.name == "face" && element.count > 0)
-      return {file + ": is a mesh: its " + std::to_string(element.count) +
-              " faces are left out, its corners are taken as points"};
+      return {file + ": is a mesh: " + counted(element.count, "face") +
+              " left out, its corners are taken as points"};
   return {};
 }
 

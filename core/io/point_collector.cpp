@@ -1,5 +1,6 @@
 #include "core/io/point_collector.h"
 
+#include "core/base/counted.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 
@@ -107,9 +108,9 @@ RawPoints PointCollector::finish(bool mayBeFractions) && {
 void checkPromise(const std::string& file, std::uint64_t count, std::uint64_t size,
                   std::uint64_t available) {
   if (count > available / size)
-    throw Error(file + ": its header promises " + std::to_string(count) + " points of at least " +
-                std::to_string(size) + " bytes, but only " + std::to_string(available) +
-                " bytes follow: the file is cut short or damaged, copy or export it again");
+    throw Error(file + ": its header promises " + counted(count, "point") + " of at least " +
+                counted(size, "byte") + ", but only " + counted(available, "byte") +
+                " follow: the file is cut short or damaged, copy or export it again");
   if (count > std::numeric_limits<std::uint32_t>::max())
     throw Error(file + ": holds " + std::to_string(count) +
                 " points, more than can be worked on at once: thin or split it");

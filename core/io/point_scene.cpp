@@ -1,6 +1,8 @@
 #include "core/io/point_scene.h"
 
+#include "core/base/counted.h"
 #include "core/base/error.h"
+#include "core/base/listed.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,18 +63,18 @@ RawPoints pointsOfShapes(const PointScene& scene, const Progress& progress) {
 std::vector<std::string> notesOn(const PointScene& scene, const std::string& file) {
   std::vector<std::string> notes;
   if (!scene.skipped.empty()) {
-    std::string types;
-    for (const std::string& type : scene.skipped)
-      types += (types.empty() ? "" : ", ") + type;
-    notes.push_back(file + ": objects that are no point sets are passed over: " + types);
+    notes.push_back(file + ": objects that are no point sets are passed over: " +
+                    listed({scene.skipped.begin(), scene.skipped.end()}));
   }
   if (scene.unplaced > 0)
-    notes.push_back(file + ": " + std::to_string(scene.unplaced) +
-                    " points in objects that the scene bends, or turns in no clear way, are left "
-                    "out");
+    notes.push_back(file + ": " + counted(scene.unplaced, "point") +
+                    " in objects that the scene bends, or turns in no clear way, left out");
   if (scene.badColors > 0)
-    notes.push_back(file + ": " + std::to_string(scene.badColors) +
-                    " point sets have another number of colors than of points, and lose them");
+    notes.push_back(file + ": " +
+                    counted(scene.badColors,
+                            "point set has another number of colors than of points, and loses",
+                            "point sets have another number of colors than of points, and lose") +
+                    " them");
   return notes;
 }
 

@@ -1,5 +1,6 @@
 #include "core/io/qsm.h"
 
+#include "core/base/counted.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/skeleton/axes.h"
@@ -106,10 +107,9 @@ private:
     if (!qsm_.hasExtensions && !qsm_.hasBranches)
       note("does not tell which cylinder continues another: the first in the file is taken");
     if (distant_ > 0)
-      note(std::to_string(distant_) +
-           " cylinders begin farther than its radius from the end of the "
-           "one they hang on, by up to " +
-           plainDecimal(widestGap_) + "; their edges begin at that end nevertheless");
+      note(counted(distant_, "cylinder begins", "cylinders begin") +
+           " farther than its radius from the end of the one that bears it, by up to " +
+           plainDecimal(widestGap_) + "; the edge begins at that end nevertheless");
     std::size_t astray = 0;
     for (std::size_t i = 0; i < qsm_.cylinders.size(); ++i) {
       const std::uint32_t extension = qsm_.cylinders[i].extension;
@@ -118,8 +118,13 @@ private:
         ++astray;
     }
     if (astray > 0)
-      note(std::to_string(astray) + " extensions are cylinders that do not hang on the one they "
-                                    "should extend, and are passed over");
+      note(
+          counted(
+              astray,
+              "extension is a cylinder that does not hang on the one it should extend, "
+              "and is",
+              "extensions are cylinders that do not hang on the ones they should extend, and are") +
+          " passed over");
   }
   void note(const std::string& what) { result_.notes.push_back(file_ + ": " + what); }
 

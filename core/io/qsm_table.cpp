@@ -1,6 +1,7 @@
 #include "core/io/qsm_table.h"
 
 #include "core/base/error.h"
+#include "core/base/listed.h"
 #include "core/base/text.h"
 #include "core/io/qsm.h"
 #include "core/io/qsm_columns.h"
@@ -87,14 +88,6 @@ QsmCylinder cylinderIn(const Row& row, const QsmColumns& columns, const std::str
   return cylinder;
 }
 
-std::string listOf(const std::vector<std::string>& names) {
-  constexpr std::size_t most = 10;
-  std::string list;
-  for (std::size_t i = 0; i < std::min(names.size(), most); ++i)
-    list += (i > 0 ? ", " : "") + inQuotes(names[i]);
-  return names.size() > most ? list + " ..." : list;
-}
-
 void checkFinite(const Skeleton& skeleton) {
   for (const NodeId id : skeleton.ids())
     if (!skeleton[id].position.allFinite() || !std::isfinite(skeleton[id].radius))
@@ -128,7 +121,7 @@ Imported<Skeleton> readQsmTable(std::istream& in, const std::string& file) {
   }
   Imported<Skeleton> result = skeletonOf(qsm, file);
   if (!columns->leftOut.empty())
-    result.notes.push_back(file + ": columns that are not kept: " + listOf(columns->leftOut));
+    result.notes.push_back(file + ": columns that are not kept: " + listed(columns->leftOut));
   return result;
 }
 

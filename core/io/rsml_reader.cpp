@@ -1,4 +1,6 @@
+#include "core/base/counted.h"
 #include "core/base/error.h"
+#include "core/base/listed.h"
 #include "core/base/text.h"
 #include "core/io/rsml.h"
 #include "core/io/xml.h"
@@ -26,14 +28,15 @@ public:
       note("its unit is " + inQuotes(unit) + ", at a resolution of " +
            inQuotes(trimmed(metadata.child_value("resolution"))));
     if (isFlat_) note("its points have no z, which is taken as 0");
-    if (bare_ > 0) note(std::to_string(bare_) + " roots have no polyline and are left out");
+    if (bare_ > 0)
+      note(counted(bare_, "root has no polyline and is", "roots have no polyline and are") +
+           " left out");
     if (strays_ > 0)
-      note(std::to_string(strays_) +
-           " roots tell a parent-node that is not there, and hang on the nearest node");
-    std::string list;
-    for (const std::string& name : unused_)
-      list += (list.empty() ? "" : ", ") + inQuotes(name);
-    if (!list.empty()) note("its functions " + list + " are left out");
+      note(counted(strays_, "root names a parent-node that is not there, and hangs",
+                   "roots name a parent-node that is not there, and hang") +
+           " on the nearest node");
+    if (!unused_.empty())
+      note("its functions " + listed({unused_.begin(), unused_.end()}) + " are left out");
     return std::move(result_);
   }
 

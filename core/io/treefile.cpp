@@ -1,6 +1,7 @@
 #include "core/io/treefile.h"
 
 #include "core/base/error.h"
+#include "core/base/listed.h"
 #include "core/base/text.h"
 #include "core/io/node_rows.h"
 #include "core/skeleton/assemble_axes.h"
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ostream>
+#include <set>
 #include <vector>
 
 namespace espalier {
@@ -40,13 +42,16 @@ struct Layout {
 
 Fields namesOf(std::string_view names, std::vector<std::string>& extra) {
   Fields fields;
+  std::set<std::string_view> known(extra.begin(), extra.end());
+  std::vector<std::string> added; // apart: `known` views the names in `extra`
   for (const std::string_view name : fieldsOf(names)) {
     const std::size_t at = fields.count++;
     if (name == parentField)
       fields.parent = at;
-    else if (at >= 4 && !name.empty() && std::ranges::count(extra, name) == 0)
-      extra.emplace_back(name);
+    else if (at >= 4 && !name.empty() && known.insert(name).second)
+      added.emplace_back(name);
   }
+  extra.insert(extra.end(), added.begin(), added.end());
   return fields;
 }
 
@@ -121,13 +126,6 @@ private:
   std::string where_;
   std::size_t count_ = 0;
 };
-
-std::string listed(const std::vector<std::string>& names) {
-  std::string list;
-  for (const std::string& name : names)
-    list += (list.empty() ? "" : ", ") + inQuotes(name);
-  return list;
-}
 
 void writeTree(std::ostream& out, const Skeleton& skeleton, NodeId root,
                std::vector<std::size_t>& numbers) {

@@ -1,5 +1,6 @@
 #include "core/io/xyz.h"
 
+#include "core/base/counted.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/io/file_order.h"
@@ -47,7 +48,7 @@ std::vector<std::string> notesOn(const XyzLayout& layout, std::size_t points,
                     std::to_string(layout.columns.size()) +
                     " columns are left out; a first line as 'x y z intensity r g b' names columns");
   if (layout.count && *layout.count > points)
-    notes.push_back(file + ": promises " + std::to_string(*layout.count) + " points, but lists " +
+    notes.push_back(file + ": promises " + counted(*layout.count, "point") + ", but lists " +
                     std::to_string(points));
   return notes;
 }

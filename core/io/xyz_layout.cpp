@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace espalier {
 namespace {
@@ -91,12 +92,13 @@ std::string_view plainName(std::string_view name) {
 std::vector<PointField> namedColumns(std::string_view header, char separator, std::size_t count) {
   header = header.substr(std::min(header.find_first_not_of("/#%! \t"), header.size()));
   std::vector<PointField> columns;
+  std::array<bool, PointValues().size()> taken{};
   for (const std::string_view name : fieldsOf(header, separator)) {
     const PointField field = pointFieldNamed(plainName(name));
-    const bool isTaken = std::ranges::count(columns, field) > 0;
+    const bool isTaken = std::exchange(taken[indexOf(field)], true);
     columns.push_back(isTaken || field == PointField::packedColor ? PointField::none : field);
   }
-  const auto has = [&](PointField field) { return std::ranges::count(columns, field) == 1; };
+  const auto has = [&](PointField field) { return taken[indexOf(field)]; };
   const bool isHeader = has(PointField::x) && has(PointField::y) && has(PointField::z);
   if (!isHeader || columns.size() != count) return {};
   return columns;

@@ -1,6 +1,7 @@
 #include "core/base/error.h"
 #include "core/evaluate/comparison.h"
 #include "core/evaluate/comparison_json.h"
+#include "core/graph/turn_upright.h"
 #include "tests/core/evaluate/evaluate_plants.h"
 #include "tests/core/evaluate/tab_structure.h"
 #include "tests/support/plants.h"
@@ -85,6 +86,28 @@ TEST(LandmarkAgreement, WithoutPlacesInventsNothingAndMissesNothing) {
   const auto missed = landmarkAgreement({}, {{0, 0, 0}}, 1);
   EXPECT_EQ(missed.precision(), 1);
   EXPECT_EQ(missed.recall(), 0);
+}
+
+TEST(Comparison, MeasuresHeightsAlongTheAxisThatPointsUp) {
+  Skeleton upright = test::fork(3);
+  for (const NodeId id : upright.ids())
+    upright.setRadius(id, 0.05);
+  ComparisonOptions options{.registers = false};
+  options.breastHeight = 0.5;
+  options.light = LightOptions{.pixels = 256};
+  const Comparison expected = compare(upright, upright, options);
+  ASSERT_TRUE(expected.stems.result);
+  for (const UpAxis up : {UpAxis::x, UpAxis::y}) {
+    const Skeleton file = moved(upright, Eigen::Isometry3d(turnUpright(up).transpose()));
+    options.registration.up = up;
+    const Comparison compared = compare(file, file, options);
+    EXPECT_NEAR(compared.resultTraits.crown.height, 2, 1e-9);
+    EXPECT_NEAR(compared.referenceTraits.crown.height, 2, 1e-9);
+    ASSERT_TRUE(compared.stems.result);
+    EXPECT_NEAR(*compared.stems.result, *expected.stems.result, 1e-9);
+    EXPECT_EQ(compared.byPlace.byHeight.size(), expected.byPlace.byHeight.size());
+    EXPECT_NEAR(compared.resultLight->star, expected.resultLight->star, 0.01);
+  }
 }
 
 TEST(Comparison, OfAPlantWithItselfIsPerfect) {

@@ -129,6 +129,16 @@ TEST(Perturbation, OfShiftAndTurnAreRigid) {
   }
 }
 
+// Each of these took all memory, or an afternoon.
+TEST(Perturbation, RefusesLevelsThatAreAbsurd) {
+  const Skeleton plant = test::stick(5);
+  for (const auto& [kind, level] :
+       {std::pair(Perturbation::position, 1e300), std::pair(Perturbation::spurs, 1e300),
+        std::pair(Perturbation::resample, 1e-300), std::pair(Perturbation::shift, 1e300),
+        std::pair(Perturbation::turn, 1e300)})
+    EXPECT_THROW((void)perturbed(plant, kind, level, 1), Error) << level;
+}
+
 TEST(Perturbation, RefusesLevelsThatAreNoneAndPlantsThatAreNone) {
   EXPECT_THROW((void)perturbed({}, Perturbation::shift, 1, 1), Error);
   for (const Perturbation kind : allKinds()) {

@@ -87,7 +87,7 @@ TEST(Ranking, OfTwoEqualResultsIsTheOrderGivenAndUndecided) {
 TEST(Ranking, TellsTheShiftOfEachResult) {
   const Ranking found =
       ranking({test::shifted(test::bush(), {0.5, 0, 0})}, test::bush(), {.draws = 10});
-  EXPECT_NEAR(found.results[0].shift.x(), -0.5, 1e-4);
+  EXPECT_NEAR(found.results[0].registration->shift.x(), -0.5, 1e-4);
   EXPECT_GT(found.results[0].scores[placeOf(Score::f)].value, 0.99);
 }
 

@@ -53,7 +53,7 @@ TEST(ReadBgeom, MovesAndScalesPointsAndKeepsTheirColors) {
   EXPECT_THAT(points.value.colors, ElementsAre(Color{10, 20, 30}, Color{40, 50, 60},
                                                Color{10, 20, 30}, Color{40, 50, 60}));
   EXPECT_THAT(points.notes, ElementsAre("oak.bgeom: objects that are no point sets are passed "
-                                        "over: Sphere"));
+                                        "over: 'Sphere'"));
 }
 
 // A point at x is first scaled, then moved, then scaled again: 2 (3 x + 10).
@@ -80,7 +80,7 @@ TEST(ReadBgeom, DropsColorsThatDoNotMatchThePoints) {
       read(out.file(out.shapeOf(out.points({1, 1, 1, 2, 2, 2}, {{1, 2, 3}}))));
   EXPECT_EQ(points.value.positions.size(), 2U);
   EXPECT_THAT(points.value.colors, IsEmpty());
-  EXPECT_THAT(points.notes, ElementsAre(HasSubstr("1 point sets have another number of colors")));
+  EXPECT_THAT(points.notes, ElementsAre(HasSubstr("1 point set has another number of colors")));
 }
 
 TEST(ReadBgeom, PassesOverMeshesAndMaterialsOfAnyKind) {
@@ -98,7 +98,7 @@ TEST(ReadBgeom, PassesOverMeshesAndMaterialsOfAnyKind) {
   const Imported<RawPoints> points =
       read(out.file(shape + material + out.shapeOf(out.points({1, 2, 3}))));
   EXPECT_EQ(points.value.positions, (Points{{1, 2, 3}}));
-  EXPECT_THAT(points.notes, ElementsAre(HasSubstr("passed over: TriangleSet")));
+  EXPECT_THAT(points.notes, ElementsAre(HasSubstr("passed over: 'TriangleSet'")));
 }
 
 constexpr double quarter = std::numbers::pi / 2;
@@ -149,7 +149,7 @@ TEST(ReadBgeom, LeavesOutPointsThatTheSceneBendsOrTurnsInNoClearWay) {
   const Imported<RawPoints> points =
       read(out.file(out.shapeOf(bent) + out.shapeOf(unclear) + out.shapeOf(out.points({4, 5, 6}))));
   EXPECT_EQ(points.value.positions, (Points{{4, 5, 6}}));
-  EXPECT_THAT(points.notes, ElementsAre(HasSubstr("passed over: Tapered"),
+  EXPECT_THAT(points.notes, ElementsAre(HasSubstr("passed over: 'Tapered'"),
                                         HasSubstr("2 points in objects that the scene bends")));
 }
 

@@ -83,8 +83,8 @@ TEST(ReadBmtg, LeavesOutValuesOfErasedVertices) {
   mtg.labels[99] = "N";
   const Imported<Mtg> plant = read(pickled(mtg));
   EXPECT_EQ(plant.value.vertices.size(), 5U);
-  EXPECT_THAT(plant.notes, ElementsAre("oak.bmtg: 2 values are of vertices that were erased, and "
-                                       "are left out"));
+  EXPECT_THAT(plant.notes, ElementsAre("oak.bmtg: 2 values are of vertices that were erased: left "
+                                       "out"));
 }
 
 TEST(ReadBmtg, TakesAnUnclearEdgeAsSuccessorIfThereIsNoOther) {
@@ -103,8 +103,8 @@ TEST(ReadBmtg, TellsOfSeveralSuccessorsAndOfNodesAtOnePlace) {
   mtg.positions[5] = mtg.positions[3];
   const Imported<Mtg> plant = read(pickled(mtg));
   EXPECT_EQ(plant.value.vertices[4].edge, EdgeType::successor);
-  EXPECT_THAT(plant.notes, ElementsAre(HasSubstr("1 vertices have more than one successor"),
-                                       HasSubstr("1 vertices lie where their parent lies")));
+  EXPECT_THAT(plant.notes, ElementsAre(HasSubstr("1 vertex has more than one successor"),
+                                       HasSubstr("1 vertex lies where its parent lies")));
 }
 
 TEST(ReadBmtg, GivesASymbolOfTwoScalesASecondName) {
@@ -115,7 +115,7 @@ TEST(ReadBmtg, GivesASymbolOfTwoScalesASecondName) {
   EXPECT_EQ(plant.value.vertices[3].symbol, "BB");
   EXPECT_EQ(plant.value.vertices[4].symbol, "N");
   EXPECT_THAT(plant.notes,
-              ElementsAre(HasSubstr("1 vertices have no label"),
+              ElementsAre(HasSubstr("1 vertex has no label"),
                           HasSubstr("label B is used on several scales, and becomes BB on scale "
                                     "2")));
 }

@@ -61,7 +61,7 @@ TEST(ReadGeom, DropsColorsThatDoNotMatchThePoints) {
   const Imported<RawPoints> points = read("PointSet a { PointList [OX, OY] ColorList [Red] }");
   EXPECT_EQ(points.value.positions.size(), 2U);
   EXPECT_THAT(points.value.colors, IsEmpty());
-  EXPECT_THAT(points.notes, ElementsAre(HasSubstr("1 point sets have another number of colors")));
+  EXPECT_THAT(points.notes, ElementsAre(HasSubstr("1 point set has another number of colors")));
 }
 
 // A point at x is first scaled, then moved, then scaled again: 2 (3 x + 10).
@@ -89,7 +89,7 @@ TEST(ReadGeom, LeavesOutPointsThatTheSceneBendsOrTurnsInNoClearWay) {
            "Oriented c { Primary <1,1,0> Geometry PointSet { PointList [OX] } } "
            "PointSet d { PointList [<4,5,6>] }");
   EXPECT_EQ(points.value.positions, (Points{{4, 5, 6}}));
-  EXPECT_THAT(points.notes, ElementsAre(HasSubstr("passed over: Tapered"),
+  EXPECT_THAT(points.notes, ElementsAre(HasSubstr("passed over: 'Tapered'"),
                                         HasSubstr("3 points in objects that the scene bends")));
 }
 
@@ -106,7 +106,8 @@ TEST(ReadGeom, LeavesOutShapesOfAnInnerScene) {
       "Inline i { Translation <9,9,9> Scene { PointSet a { PointList [OX] } Shape s { Geometry a } "
       "} } Shape t { Geometry PointSet { PointList [OY] } }");
   EXPECT_EQ(points.value.positions, (Points{{0, 1, 0}}));
-  EXPECT_THAT(points.notes, ElementsAre(HasSubstr("passed over: Inline"), HasSubstr("1 points")));
+  EXPECT_THAT(points.notes,
+              ElementsAre(HasSubstr("passed over: 'Inline'"), HasSubstr("1 point in")));
 }
 
 TEST(ReadGeom, PassesOverWhatLeadsToNoPoints) {
@@ -117,8 +118,9 @@ TEST(ReadGeom, PassesOverWhatLeadsToNoPoints) {
       "Group g { Skeleton Polyline { PointList [OX] } GeometryList [ PointSet { PointList [OZ] } ] "
       "}");
   EXPECT_EQ(points.value.positions, (Points{{0, 0, 1}}));
-  EXPECT_THAT(points.notes, ElementsAre(HasSubstr("passed over: Extrusion, Polyline, Polyline2D, "
-                                                  "Text")));
+  EXPECT_THAT(points.notes,
+              ElementsAre(HasSubstr("passed over: 'Extrusion', 'Polyline', 'Polyline2D', "
+                                    "'Text'")));
 }
 
 TEST(ReadGeom, RefusesWhatItCannotReadAndNamesTheLine) {

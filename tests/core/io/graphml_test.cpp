@@ -109,7 +109,7 @@ TEST(ReadGraphml, TakesWhatCatmaidExports) {
       "<edge id=\"e3\" directed=\"true\" source=\"n9\" target=\"n5\">"
       "<data key=\"pre_skid\">1</data></edge></graph></graphml>");
   EXPECT_THAT(chain(plant.value), testing::ElementsAre(0, 1, 2));
-  EXPECT_THAT(plant.notes, Contains(HasSubstr("1 directed edges among undirected ones")));
+  EXPECT_THAT(plant.notes, Contains(HasSubstr("1 directed edge among undirected ones")));
   EXPECT_THAT(plant.notes, Contains(HasSubstr("'skeleton id' are left out")));
 }
 

@@ -2,6 +2,10 @@
 
 #include "core/io/scalar.h"
 
+#include <gtest/gtest.h>
+
+#include <zlib.h>
+
 namespace espalier::test {
 namespace {
 
@@ -66,19 +70,14 @@ std::uint32_t classOf(MatType type) {
   return 6;
 }
 
-/// A stream of zlib (RFC 1950) with one block that is stored as it is.
-std::string stored(const std::string& data) {
-  std::string bytes = "\x78\x01\x01";
-  appendValue(bytes, static_cast<std::uint16_t>(data.size()));
-  appendValue(bytes, static_cast<std::uint16_t>(~data.size()));
-  bytes += data;
-  std::uint32_t a = 1;
-  std::uint32_t b = 0;
-  for (const char c : data) {
-    a = (a + static_cast<std::uint8_t>(c)) % 65521;
-    b = (b + a) % 65521;
-  }
-  appendValue(bytes, b << 16 | a, std::endian::big);
+/// A stream of zlib (RFC 1950).
+std::string packed(const std::string& data) {
+  uLongf size = compressBound(data.size());
+  std::string bytes(size, '\0');
+  const int status = compress(reinterpret_cast<Bytef*>(bytes.data()), &size,
+                              reinterpret_cast<const Bytef*>(data.data()), data.size());
+  EXPECT_EQ(status, Z_OK);
+  bytes.resize(size);
   return bytes;
 }
 
@@ -116,7 +115,7 @@ std::string matFile(const std::vector<std::string>& elements, bool isCompressed)
       bytes += element;
       continue;
     }
-    const std::string stream = stored(element);
+    const std::string stream = packed(element);
     bytes += words({compressedType, static_cast<std::uint32_t>(stream.size())}) + stream;
   }
   return bytes;

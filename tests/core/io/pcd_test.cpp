@@ -2,6 +2,7 @@
 #include "core/io/pcd.h"
 #include "tests/core/io/samples.h"
 
+#include <algorithm>
 #include <gmock/gmock.h>
 #include <sstream>
 
@@ -89,6 +90,39 @@ TEST(UnpackedLzf, RefusesDamagedData) {
   EXPECT_EQ(unpackedLzf("\x02"s + "abc", 4), std::nullopt) << "too few";
   EXPECT_EQ(unpackedLzf("\x02"s + "abc", 2), std::nullopt) << "too many";
   EXPECT_EQ(unpackedLzf("\x02"s + "abc", std::size_t{1} << 40), std::nullopt);
+}
+
+/// A compressed file of points without coordinates other than 0 in one-byte fields.
+std::string packedZeros(std::uint32_t points) {
+  std::string packed;
+  appendValue(packed, std::uint8_t{0}); // one byte as it is, and then copies of 264
+  appendValue(packed, std::uint8_t{0});
+  const std::uint32_t size = 3 * points;
+  for (std::uint32_t at = 1; at < size;) {
+    const std::uint32_t length = std::min<std::uint32_t>(264, size - at);
+    if (length < 9) {
+      packed += '\0';
+      packed += '\0';
+      ++at;
+      continue;
+    }
+    packed += '\xe0';
+    packed += static_cast<char>(length - 9);
+    packed += '\0';
+    at += length;
+  }
+  std::string bytes = "VERSION 0.7\nFIELDS x y z\nSIZE 1 1 1\nTYPE I I I\nCOUNT 1 1 1\nWIDTH " +
+                      std::to_string(points) + "\nHEIGHT 1\nPOINTS " + std::to_string(points) +
+                      "\nDATA binary_compressed\n";
+  appendValue(bytes, static_cast<std::uint32_t>(packed.size()));
+  appendValue(bytes, size);
+  return bytes + packed;
+}
+
+TEST(ReadPcd, DoesNotUnpackWhatNoScanFills) {
+  EXPECT_EQ(read(packedZeros(1000)).value.positions.size(), 1000U);
+  EXPECT_THAT(errorOf(packedZeros(90'000'000)),
+              HasSubstr("would unpack to 270000000 bytes of 90000000 points, as of no scan"));
 }
 
 } // namespace

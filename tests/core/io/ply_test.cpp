@@ -44,7 +44,7 @@ TEST_P(ReadPlyOfEitherOrder, TakesAnyTypesAndPassesOverTheRest) {
   EXPECT_THAT(points.value.colors,
               ElementsAre(Color{10, 20, 30}, Color{11, 20, 30}, Color{12, 20, 30}));
   EXPECT_THAT(points.value.intensities, ElementsAre(0.0F, 0.5F, 1.0F));
-  EXPECT_THAT(points.notes, ElementsAre(HasSubstr("its 1 faces are left out")));
+  EXPECT_THAT(points.notes, ElementsAre(HasSubstr("is a mesh: 1 face left out")));
 }
 
 TEST_P(ReadPlyOfEitherOrder, RefusesAFileCutShortAnywhereInItsPoints) {
@@ -213,6 +213,18 @@ TEST(WritePly, WritesMovedPointsToo) {
   writePly(out, cloud, cloud.positions().array() + 1);
   EXPECT_THAT(read(out.str()).value.positions,
               ElementsAre(Eigen::Vector3d(2, 3, 4), Eigen::Vector3d(5, 6, 7)));
+}
+
+// Linear: by now it would take minutes otherwise.
+TEST(ReadPly, TakesAHeaderOfVeryManyProperties) {
+  std::string header = "ply\nformat binary_little_endian 1.0\nelement vertex 1\n";
+  for (const char* name : {"x", "y", "z"})
+    header += std::string("property float ") + name + '\n';
+  constexpr int more = 500'000;
+  for (int i = 0; i < more; ++i)
+    header += "property char p" + std::to_string(i) + '\n';
+  EXPECT_EQ(read(header + "end_header\n" + std::string(12 + more, '\0')).value.positions.size(),
+            1U);
 }
 
 } // namespace

@@ -142,7 +142,7 @@ TEST(ReadQsmMat, RefusesFieldsThatDoNotFit) {
 
 TEST(ReadQsmMat, DoesNotTrustItsSizes) {
   EXPECT_THAT(errorOf(fileWith("radius", {0x7fffffff, 1, {1}})),
-              HasSubstr("has 1 numbers, expected 2147483647 x 1"));
+              HasSubstr("has 1 number, expected 2147483647 x 1"));
   auto fields = qsmFields(); // more rows than values
   for (auto& [name, numbers] : fields)
     numbers.rows = 100;
@@ -160,6 +160,20 @@ TEST(ReadQsmMat, RefusesAStreamThatWasChanged) {
   std::string bytes = test::qsmMatFile();
   bytes[bytes.size() / 2] ^= 1;
   EXPECT_THAT(errorOf(bytes), HasSubstr("cannot be unpacked"));
+}
+
+// A stream of a few kilobytes stands for gigabytes of zeros.
+TEST(ReadQsmMat, DoesNotUnpackWhatNoModelFills) {
+  const auto zeros = [](std::uint32_t rows) {
+    return matElement({rows, 1, std::vector<double>(rows), MatType::int8}, "z");
+  };
+  EXPECT_THAT(errorOf(matFile({zeros(140'000'000)}, true)),
+              HasSubstr("unpacks to over 128 MiB, as of no model"));
+  EXPECT_THAT(errorOf(matFile({zeros(120'000'000)}, true)),
+              HasSubstr("has 120000000 numbers in one array"));
+  EXPECT_THAT(
+      errorOf(fileWith("radius", {5'000'000, 1, std::vector<double>(5'000'000), MatType::int8})),
+      HasSubstr("has 5000000 numbers in one array"));
 }
 
 } // namespace

@@ -86,8 +86,8 @@ TEST(ReadQsmTable, TellsOfCylindersThatBeginElsewhereAndOfFalseExtensions) {
            "0.1,1,0,0,1,1,0,0,1,9\n");
   EXPECT_EQ(tree.value[NodeId{2}].parent, NodeId{1});
   EXPECT_EQ(tree.value[NodeId{2}].edge, EdgeType::branching);
-  EXPECT_THAT(tree.notes, ElementsAre(HasSubstr("1 cylinders begin farther than its radius from "
-                                                "the end of the one they hang on, by up to 3;"),
+  EXPECT_THAT(tree.notes, ElementsAre(HasSubstr("1 cylinder begins farther than its radius from "
+                                                "the end of the one that bears it, by up to 3;"),
                                       HasSubstr("2 extensions are cylinders that do not hang")));
 }
 

@@ -107,8 +107,8 @@ TEST(ReadRsml, NotesWhatIsLeftOut) {
                     root({5, 6}) + "</root>" + root({7, 8}, root({9}, parentNode("5")))));
   EXPECT_EQ(plant.value.roots().size(), 3U) << "what is within a root without polyline is read";
   EXPECT_THAT(plant.notes, Contains("beet.rsml: its functions 'age' are left out"));
-  EXPECT_THAT(plant.notes, Contains("beet.rsml: 1 roots have no polyline and are left out"));
-  EXPECT_THAT(plant.notes, Contains(HasSubstr("1 roots tell a parent-node that is not there")));
+  EXPECT_THAT(plant.notes, Contains("beet.rsml: 1 root has no polyline and is left out"));
+  EXPECT_THAT(plant.notes, Contains(HasSubstr("1 root names a parent-node that is not there")));
 }
 
 TEST(ReadRsml, TellsTheLineThatIsWrong) {

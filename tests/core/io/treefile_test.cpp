@@ -105,5 +105,18 @@ TEST(WriteTreefile, AndReadingGivesTheSamePlantButForEdgeTypes) {
   }
 }
 
+// Linear: by now it would take minutes otherwise.
+TEST(ReadTreefile, TakesVeryManyFields) {
+  std::string names = "x,y,z,radius,parent_id";
+  std::string values = "0,0,0,1,-1";
+  for (int i = 0; i < 200'000; ++i) {
+    names += ",f" + std::to_string(i);
+    values += ",0";
+  }
+  const Imported<Skeleton> trees = imported(names + '\n' + values + '\n');
+  EXPECT_EQ(trees.value.size(), 1U);
+  EXPECT_THAT(trees.notes, testing::Contains(testing::HasSubstr("and 199990 more are left out")));
+}
+
 } // namespace
 } // namespace espalier

@@ -118,6 +118,8 @@ protected:
     action("link_whole").trigger();
     for (const char* menu : {"View", "Second View", "All of the Plant"})
       did(std::string("look: menu, ") + menu + " (click)");
+    QEvent leave(QEvent::Leave); // the pointer is on the menu: what it was on is not meant any more
+    QApplication::sendEvent(&view(), &leave);
     waitForViews();
   }
   void waitForViews() {
@@ -293,22 +295,28 @@ protected:
     std::vector<Eigen::Vector3d> way = {place(mistake.parent)};
     way.insert(way.end(), places.begin(), places.end());
     const std::size_t before = document().skeleton().size();
+    const std::size_t firstNew = document().skeleton().idEnd();
     stroke(way);
     did("stroke a branch (Shift+Alt+drag)");
     const auto isThere = [&] { return document().skeleton().size() > before; };
     ASSERT_TRUE(QTest::qWaitFor(isThere, patience));
-    if (isRight(mistake)) return;
+    if (isRight(mistake, firstNew)) return;
     key(Qt::Key_Z, Qt::ControlModifier);
     did("undo (Ctrl+Z)");
     trace(*seen(mistake.parent), *seen(places.back(), 25));
   }
 
-  /// Is it seen that the branch leads from its parent to its tip?
-  [[nodiscard]] bool isRight(const Mistake& mistake) {
-    const std::vector<NodeId> carried = downstream(document().skeleton(), {mistake.parent});
-    return std::ranges::any_of(carried, [&](NodeId id) {
-      return id != mistake.parent && (place(id) - mistake.places.back()).norm() < 30;
-    });
+  /// Is it seen that the new branch leads from its parent to its tip, along its wood?
+  [[nodiscard]] bool isRight(const Mistake& mistake, std::size_t firstNew) {
+    std::vector<Eigen::Vector3d> wood = {place(mistake.parent)};
+    wood.insert(wood.end(), mistake.places.begin(), mistake.places.end());
+    bool isAtTip = false;
+    for (const NodeId id : downstream(document().skeleton(), {mistake.parent})) {
+      if (indexOf(id) < firstNew) continue;
+      if (distanceTo(wood, place(id)) > 20) return false;
+      isAtTip = isAtTip || (place(id) - wood.back()).norm() < 30;
+    }
+    return isAtTip;
   }
 
   void trace(const QPoint& from, const QPoint& to) {

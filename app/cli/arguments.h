@@ -71,6 +71,9 @@ void addThreads(CLI::App& command, int& threads);
 /// Adds --mtg-scales: how an MTG is written of a structure without scales of its own.
 void addMtgStyle(CLI::App& command, MtgStyle& style);
 
+/// Adds --no-rotate, of those that lay a plant on a reference.
+void addNoRotate(CLI::App& command, bool& isSet);
+
 /// Adds --unit, for those who read the numbers; empty = not known.
 void addUnit(CLI::App& command, std::string& unit, const std::string& help);
 

@@ -29,6 +29,7 @@ namespace fs = std::filesystem;
 struct Flags {
   std::string manifest;
   std::string folder;
+  bool noRotate = false;
   PipelineFlags pipeline;
 };
 
@@ -39,6 +40,7 @@ struct Batch {
   fs::path folder;
   PipelineOptions options;
   MtgStyle mtgStyle = MtgStyle::plantNode;
+  RegistrationOptions registration; // of results on their references
 
   [[nodiscard]] fs::path output(const BatchPlant& plant) const {
     return folder / (plant.name + ".mtg");
@@ -62,6 +64,7 @@ std::string inputsOf(const Batch& batch, const BatchPlant& plant) {
       text << plainDecimal(coordinate) << '\n';
   text << static_cast<int>(batch.options.up) << ' ' << static_cast<int>(batch.mtgStyle) << '\n';
   writePreset(text, batch.options);
+  if (!plant.reference.empty() && !batch.registration.turns) text << "no-rotate\n";
   char digits[20];
   std::snprintf(digits, sizeof digits, "%016llx",
                 static_cast<unsigned long long>(contentHash(text.str())));
@@ -96,13 +99,27 @@ void describe(const PointCloud& cloud, const Reconstruction& result, BatchResult
   row.rootRadius = shortNumber(rootRadius);
 }
 
+/// What makes the scores doubtful. A shift alone does not: scans and references seldom have one
+/// frame.
+std::vector<std::string> doubtsIn(const Comparison& comparison) {
+  std::vector<std::string> doubts = comparison.warnings;
+  const bool isTurned = comparison.registration && comparison.registration->angle() > 0;
+  if (!isTurned) std::erase(doubts, comparison.shiftWarning);
+  return doubts;
+}
+
 /// @param spacing  of the points [L]: F is taken at four of them
-void judge(const Skeleton& skeleton, const fs::path& reference, double spacing,
-           const Progress& progress, BatchResult& row) {
+void judge(const Skeleton& skeleton, const fs::path& reference,
+           const RegistrationOptions& registration, double spacing, const Progress& progress,
+           BatchResult& row) {
   const Skeleton truth = readStructure(reference).value.skeleton;
   const Comparison comparison = about(reference.string(), [&] {
-    return compare(skeleton, truth, {.tolerance = {.distances = {4 * spacing}}}, progress);
+    return compare(skeleton, truth,
+                   {.registration = registration, .tolerance = {.distances = {4 * spacing}}},
+                   progress);
   });
+  for (const std::string& doubt : doubtsIn(comparison))
+    row.notes.push_back(doubt);
   row.geometric = shortNumber(comparison.authors.geometric, "%.3f");
   row.structural = shortNumber(comparison.authors.structural, "%.3f");
   row.distance = shortNumber(4 * spacing);
@@ -121,9 +138,12 @@ void reconstruct(const Batch& batch, const BatchPlant& plant, const Progress& pr
     return Pipeline().run(cloud, options, progress.part(0.2, isJudged ? 0.8 : 1));
   });
   describe(*cloud, result, row);
+  row.notes = scan.notes;
+  for (const std::string& note : notesOf(result))
+    row.notes.push_back(note);
   if (isJudged)
-    judge(*result.skeleton, plant.reference, result.scale.spacing, progress.part(0.8, 1, "Compare"),
-          row);
+    judge(*result.skeleton, plant.reference, batch.registration, result.scale.spacing,
+          progress.part(0.8, 1, "Compare"), row);
   progress.check();
   requireOutput(batch.output(plant).string(), {plant.scan.string()});
   writeStructure(batch.output(plant), {.skeleton = *result.skeleton}, batch.mtgStyle);
@@ -169,12 +189,18 @@ BatchResult resultOf(const Batch& batch, const BatchPlant& plant, const BatchSum
 /// @throws Error if a result would replace what is read
 void requireApart(const Batch& batch, const Flags& flags) {
   std::error_code isMissing;
-  std::set<fs::path> read = {fs::weakly_canonical(flags.manifest, isMissing)};
-  for (const BatchPlant& plant : batch.plants)
-    for (const fs::path& file : {plant.scan, plant.reference})
-      read.insert(fs::weakly_canonical(file, isMissing));
-  if (!flags.pipeline.preset.empty())
-    read.insert(fs::weakly_canonical(flags.pipeline.preset, isMissing));
+  std::set<fs::path> read;
+  const auto add = [&](const fs::path& file) {
+    // One that has no place, as for a name that is too long, cannot be read either.
+    const fs::path place = fs::weakly_canonical(file, isMissing);
+    if (!place.empty()) read.insert(place);
+  };
+  add(flags.manifest);
+  add(flags.pipeline.preset);
+  for (const BatchPlant& plant : batch.plants) {
+    add(plant.scan);
+    add(plant.reference);
+  }
   const auto require = [&](const fs::path& file) {
     if (read.contains(fs::weakly_canonical(file, isMissing)))
       throw Error(file.string() +
@@ -189,6 +215,7 @@ Batch batchOf(const Flags& flags) {
   Batch batch;
   batch.options = flags.pipeline.options("skeleton");
   batch.mtgStyle = flags.pipeline.mtgStyle;
+  batch.registration = {.turns = !flags.noRotate, .up = batch.options.up};
   Imported<std::vector<BatchPlant>> manifest = readManifest(flags.manifest);
   printNotes(manifest.notes);
   batch.plants = std::move(manifest.value);
@@ -214,7 +241,7 @@ void tell(const std::vector<BatchResult>& failures, std::size_t skipped, std::si
   if (skipped > 0) text += ", " + count(skipped, "of them done before");
   printWritten(text);
   for (const BatchResult& failure : failures)
-    std::fprintf(stderr, "espalier: %s: %s\n", failure.name.c_str(), failure.problem.c_str());
+    printLine(failure.name + ": " + failure.problem);
   if (!failures.empty())
     throw Error(count(failures.size(), "of ") + count(all, all == 1 ? "plant" : "plants") +
                 " failed: mend what is told above and start again, what is done is kept");
@@ -223,10 +250,12 @@ void tell(const std::vector<BatchResult>& failures, std::size_t skipped, std::si
 void run(const Flags& flags) {
   const Threads threads(flags.pipeline.threads);
   const Batch batch = batchOf(flags);
+  removeLeftovers(batch.folder);
   BatchSummary summary(batch.folder / "summary.csv");
   requireWritable(summary.file());
   TerminalProgress terminal;
   std::vector<BatchResult> failures;
+  std::vector<std::string> notes;
   std::size_t skipped = 0;
   const auto all = static_cast<double>(batch.plants.size());
   for (std::size_t i = 0; i < batch.plants.size(); ++i) {
@@ -243,6 +272,8 @@ void run(const Flags& flags) {
       if (isSkipped) ++skipped;
       if (!isSkipped) summary.put(result, batch.names);
       if (!result.isDone) failures.push_back(result);
+      for (const std::string& note : result.notes)
+        notes.push_back(plant.name + ": " + note);
     } catch (const Cancelled&) {
       throw StoppedBetween{"stopped after " + std::to_string(i) + " of " +
                            std::to_string(batch.plants.size()) +
@@ -250,6 +281,7 @@ void run(const Flags& flags) {
     }
   }
   terminal.clear();
+  printNotes(notes);
   tell(failures, skipped, batch.plants.size(), summary.file());
 }
 
@@ -268,6 +300,7 @@ void addBatch(CLI::App& app) {
       ->type_name("FOLDER");
   flags->pipeline.addOptionsTo(*command);
   addMtgStyle(*command, flags->pipeline.mtgStyle);
+  addNoRotate(*command, flags->noRotate);
   command->callback([flags] { run(*flags); });
   command->footer(
       "Files are sought from the folder of the manifest. Started again, it passes over\n"

@@ -2,9 +2,12 @@
 
 #include "app/cli/arguments.h"
 #include "core/base/error.h"
+#include "core/base/listed.h"
 #include "core/base/open_for_reading.h"
 #include "core/base/text.h"
 #include "core/io/csv.h"
+
+#include <climits>
 
 #include <algorithm>
 #include <set>
@@ -20,6 +23,11 @@ void requireName(const std::string& name) {
       name, [](char c) { return c == '/' || c == '\\' || static_cast<unsigned char>(c) < ' '; });
   if (!isPlain || name == "." || name == "..")
     throw Error("the name " + inQuotes(name) + " is none for a file: leave out slashes");
+  constexpr std::size_t longest = NAME_MAX - 4; // with .mtg behind it
+  if (name.size() > longest)
+    throw Error("the name " + inQuotes(name) + " has " + std::to_string(name.size()) +
+                " bytes, too many for a file: leave it at " + std::to_string(longest) +
+                " or fewer");
 }
 
 std::optional<Eigen::Vector3d> rootOf(const std::string& text) {
@@ -39,10 +47,7 @@ std::vector<std::string> passedOver(const CsvTable& table, const std::string& fi
   for (const std::string_view name : known)
     if (const auto column = table.column(name)) std::erase(others, table.names[*column]);
   if (others.empty()) return {};
-  std::string list;
-  for (const std::string& name : others)
-    list += (list.empty() ? "" : ", ") + inQuotes(name);
-  return {file + ": passed over " + list +
+  return {file + ": passed over " + listed(others) +
           (others.size() == 1 ? ", which is no column" : ", which are no columns") +
           " of a plant: these are scan, name, reference and root"};
 }
@@ -89,8 +94,7 @@ BatchPlant plantOf(const CsvTable& table, const CsvTable::Row& row,
 } // namespace
 
 Imported<std::vector<BatchPlant>> readManifest(const std::filesystem::path& file) {
-  std::ifstream in = openForReading(file);
-  const CsvTable table = readCsv(readAll(in), file.string());
+  const CsvTable table = readCsv(readText(file), file.string());
   if (!table.column("scan"))
     throw Error(place(file.string(), 1) +
                 "there is no column scan: name the columns in the first line, as "

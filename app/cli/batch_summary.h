@@ -16,6 +16,8 @@ struct BatchResult {
   std::string geometric, structural, distance, f; // against the reference, if there is one
   std::string seconds;
   std::string problem; // why it failed
+  std::vector<std::string> notes =
+      {}; // of the scan, the steps and the fit, of this run; not in the file
 };
 
 /// The results of a batch, of this run and those before: DIR/summary.csv, a line per plant.

@@ -3,6 +3,7 @@
 #include "app/cli/arguments.h"
 #include "app/cli/commands.h"
 #include "app/cli/help.h"
+#include "app/cli/terminal.h"
 #include "core/base/progress.h"
 #include "core/base/text.h"
 
@@ -35,6 +36,7 @@ void addAll(CLI::App& app) {
   addContract(app);
   addSweep(app);
   addEvaluate(app);
+  addTraits(app);
   addNoise(app);
   addConvert(app);
   addInfo(app);
@@ -66,18 +68,27 @@ std::string helpHint(const CLI::App& app) {
   return "; see \"" + name + " --help\"";
 }
 
+/// "--method is given 2 times: give it once": CLI11 ends its message with how many values there
+/// are.
+std::string mismatchMessage(const std::string& what) {
+  const std::string name = what.substr(0, what.find(": "));
+  const std::size_t digits = what.find_last_not_of("0123456789") + 1;
+  const std::string given = what.substr(digits);
+  if (given.empty() || given == "0") return name + " needs a value";
+  return name + " is given " + given + " times: give it once";
+}
+
 /// What is wrong with the arguments, with the name of the subcommand that tells more.
 std::string usageMessage(const CLI::App& app, const CLI::ParseError& problem) {
   std::string what = problem.what();
   if (dynamic_cast<const CLI::ExtrasError*>(&problem) != nullptr)
     what = what.substr(what.find(": ") + 2) + " is not expected here";
-  if (dynamic_cast<const CLI::ArgumentMismatch*>(&problem) != nullptr)
-    what = what.substr(0, what.find(": ")) + " needs a value";
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&problem) != nullptr) what = mismatchMessage(what);
   return what + helpHint(app);
 }
 
 int fail(int status, const std::string& message) {
-  std::cerr << "espalier: " << message << '\n';
+  printLine(message);
   return status;
 }
 

@@ -14,6 +14,7 @@ void addBatch(CLI::App& app);
 void addContract(CLI::App& app);
 void addSweep(CLI::App& app);
 void addEvaluate(CLI::App& app);
+void addTraits(CLI::App& app);
 void addNoise(CLI::App& app);
 void addConvert(CLI::App& app);
 void addInfo(CLI::App& app);

@@ -3,6 +3,8 @@
 #include "core/base/error.h"
 #include "core/io/formats.h"
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <functional>
 #include <iosfwd>
 #include <string>
@@ -10,8 +12,13 @@
 
 namespace espalier {
 
+/// Makes sure, before the work, that no two results go to one file, by whatever paths and links. An
+/// empty path is a file nobody asked for.
+/// @throws WrongUsage
+void requireApart(const std::vector<std::string>& outputs);
+
 /// Makes sure, before the work rather than after it, that a file can be written. An empty path is
-/// a file nobody asked for.
+/// a file nobody asked for. What killed runs left in its folder is removed.
 /// @param inputs files that are read, which the output must not replace
 /// @throws Error which tells what to choose instead
 void requireOutput(const std::string& path, const std::vector<std::string>& inputs);
@@ -26,6 +33,13 @@ void requireOutput(const std::string& path, Content content,
 /// @throws Error why it cannot be written
 void writeAndTell(const std::string& path, const std::function<void(std::ostream&)>& write,
                   const std::string& what = {});
+
+/// JSON as text that people can read, too. A name of a file that is no UTF-8, as JSON is, gets a
+/// sign that says so for what it cannot hold, and a note is printed.
+[[nodiscard]] std::string textOf(const nlohmann::ordered_json& json);
+
+/// Writes JSON as writeAndTell does. An empty path is a file nobody asked for.
+void writeJson(const std::string& path, const nlohmann::ordered_json& json);
 
 /// Writes a structure in the format of the extension. Tells on standard error what was written, and
 /// what the format does not keep.

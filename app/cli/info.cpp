@@ -1,9 +1,13 @@
 #include "app/cli/commands.h"
+#include "app/cli/files.h"
+#include "app/cli/project_info.h"
 #include "app/cli/statistics.h"
 #include "app/cli/terminal.h"
 #include "core/base/open_for_reading.h"
+#include "core/base/printable.h"
 #include "core/io/formats.h"
 #include "core/mtg/mtg_skeleton.h"
+#include "core/project/project.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -25,13 +29,22 @@ struct Flags {
 };
 
 /// Numbers with as many digits as a person reads; arrays as "[1, 2, 3]".
-std::string textOf(const Json& value) {
-  if (value.is_string()) return value.get<std::string>();
+std::string shown(const Json& value) {
+  if (value.is_string()) return printable(value.get<std::string>());
   if (value.is_array()) {
     std::string list;
     for (const Json& each : value)
-      list += (list.empty() ? "" : ", ") + textOf(each);
+      list += (list.empty() ? "" : ", ") + shown(each);
     return '[' + list + ']';
+  }
+  if (value.is_object()) { // its name, and what else is said of it
+    std::string text;
+    for (const auto& [key, part] : value.items())
+      text += (text.empty()                          ? ""
+               : text.find('(') == std::string::npos ? " ("
+                                                     : ", ") +
+              (text.empty() ? "" : key + ' ') + shown(part);
+    return text + (value.size() > 1 ? ")" : "");
   }
   if (!value.is_number_float()) return value.dump();
   std::ostringstream text;
@@ -53,7 +66,7 @@ void printLines(const Json& json, const std::string& prefix = {}) {
     if (key == "findings")
       std::cout << value.size() << '\n';
     else
-      std::cout << textOf(value) << '\n';
+      std::cout << shown(value) << '\n';
   }
 }
 
@@ -64,13 +77,15 @@ Json infoOnMtg(const std::string& file, const Format& format) {
   const Imported<Mtg> mtg = format.readMtg(in, name);
   printNotes(mtg.notes);
   Imported<Skeleton> skeleton;
-  if (hasPositions(mtg.value, name))
+  const bool isPlaced = hasPositions(mtg.value, name);
+  if (isPlaced)
     skeleton = skeletonOf(mtg.value, name);
   else
     skeleton.notes.push_back(name + ": has no positions, so there is no skeleton to measure");
   printNotes(skeleton.notes);
   Json json = statistics(skeleton.value);
   json.update(statistics(mtg.value));
+  json["has_positions"] = isPlaced;
   return json;
 }
 
@@ -88,11 +103,18 @@ Json infoOn(const std::string& file, const Format& format) {
 }
 
 void info(const Flags& flags) {
-  const Format& format = formatOf(flags.file);
-  Json json = {{"file", flags.file}, {"format", std::string(format.name)}};
-  json.update(infoOn(flags.file, format));
+  requireReadable(flags.file);
+  Json json = {{"file", flags.file}};
+  if (isProject(flags.file)) {
+    json["format"] = "Espalier project";
+    json.update(infoOnProject(flags.file));
+  } else {
+    const Format& format = formatOf(flags.file);
+    json["format"] = std::string(format.name);
+    json.update(infoOn(flags.file, format));
+  }
   if (flags.isJson)
-    std::cout << json.dump(2) << '\n';
+    std::cout << textOf(json);
   else
     printLines(json);
 }
@@ -102,7 +124,9 @@ void info(const Flags& flags) {
 void addInfo(CLI::App& app) {
   CLI::App* command = app.add_subcommand("info", "Tell what a file holds");
   const auto flags = std::make_shared<Flags>();
-  command->add_option("FILE", flags->file, "Points or a structure, of any format that can be read")
+  command
+      ->add_option("FILE", flags->file,
+                   "Points or a structure, of any format that can be read, or a project")
       ->required();
   command->add_flag("--json", flags->isJson, "Print JSON instead of text");
   command->callback([flags] { info(*flags); });

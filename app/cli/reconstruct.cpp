@@ -10,7 +10,9 @@
 
 #include <memory>
 #include <ostream>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace espalier {
 namespace {
@@ -34,7 +36,7 @@ void writeStatistics(const PipelineFlags& flags, const PointCloud& cloud,
   if (!result.skeleton->isEmpty()) json["skeleton"] = statistics(*result.skeleton);
   json["quality"] = statistics(qualityOf(cloud, result, options), !result.skeleton->isEmpty());
   json.update(statistics(result, terminal.stageSeconds()));
-  writeAndTell(flags.json, [&](std::ostream& out) { out << json.dump(2) << '\n'; });
+  writeJson(flags.json, json);
 }
 
 /// A skeleton of roots alone is none that one has asked for.
@@ -47,6 +49,7 @@ void noteIfBare(const Skeleton& skeleton, const std::string& scan) {
 void run(const PipelineFlags& flags, const Task& task) {
   const Threads threads(flags.threads);
   const PipelineOptions options = flags.options(task.mainStep);
+  requireApart({flags.output, flags.json});
   requireOutput(flags.output, task.content, {flags.scan, flags.preset});
   requireOutput(flags.json, {flags.scan, flags.preset});
   const TerminalProgress terminal;
@@ -60,6 +63,10 @@ void run(const PipelineFlags& flags, const Task& task) {
   terminal.clear();
   if (task.content == Content::structure) {
     noteIfBare(*result.skeleton, flags.scan);
+    std::vector<std::string> notes = notesOf(result);
+    for (std::string& note : notes)
+      note = flags.scan + ": " + note;
+    printNotes(notes);
     writeAndTell(flags.output, {.skeleton = *result.skeleton}, flags.mtgStyle, flags.unit);
   } else {
     writeAndTell(flags.output, *cloud, *result.contracted);

@@ -1,5 +1,8 @@
 #include "app/cli/statistics.h"
 
+#include "core/cloud/far_points.h"
+#include "core/cloud/repeated_points.h"
+#include "core/pipeline/plant_scale.h"
 #include "core/pipeline/registry.h"
 #include "core/skeleton/axes.h"
 #include "core/skeleton/bounds.h"
@@ -8,6 +11,9 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <map>
+#include <string_view>
+#include <utility>
 
 namespace espalier {
 namespace {
@@ -22,12 +28,25 @@ Json toJson(const Eigen::AlignedBox3d& box) {
   return {{"minimum", toJson(box.min())}, {"maximum", toJson(box.max())}};
 }
 
+/// Those that have vertices, coarsest first.
+Json classesOf(const Mtg& mtg) {
+  std::map<std::pair<int, std::string_view>, std::size_t> counts;
+  for (const MtgVertex& vertex : mtg.vertices)
+    ++counts[{vertex.scale, vertex.symbol}];
+  auto classes = Json::array();
+  for (const auto& [key, count] : counts)
+    classes.push_back({{"symbol", key.second}, {"scale", key.first}, {"vertices", count}});
+  return classes;
+}
+
 } // namespace
 
 Json statistics(const PointCloud& cloud) {
   return {{"points", cloud.size()},
           {"bounds", toJson(cloud.bounds())},
-          {"spacing", pointSpacing(cloud.positions())},
+          {"spacing", scaleOf(cloud, {}, UpAxis::z).spacing},
+          {"far_points", farPoints(cloud).size()},
+          {"repeated_points", repeatedPoints(cloud).size()},
           {"has_colors", !cloud.colors().empty()},
           {"has_intensities", !cloud.intensities().empty()}};
 }
@@ -42,7 +61,12 @@ Json statistics(const Mtg& mtg) {
     if (scale > 0) ++vertices[scale]; // there is one scene, whether the file names it or not
     if (vertex.parent) ++(vertex.edge == EdgeType::successor ? successors : branchings);
   }
+  auto features = Json::array();
+  for (const MtgFeature& feature : mtg.features)
+    features.push_back({{"name", feature.name}, {"type", feature.type}});
   return {{"vertices_per_scale", vertices},
+          {"classes", classesOf(mtg)},
+          {"features", std::move(features)},
           {"successor_edges", successors},
           {"branching_edges", branchings}};
 }
@@ -97,6 +121,7 @@ Json statistics(const Reconstruction& reconstruction,
       else
         step["options"][name] = value;
     }
+    if (!record.notes.empty()) step["notes"] = record.notes;
     steps.push_back(std::move(step));
   }
   Json sources = {{"measured", 0}, {"fused", 0}, {"modeled", 0}};

@@ -13,7 +13,9 @@
 
 namespace espalier {
 
-/// Keys: points, bounds.{minimum,maximum}, spacing, has_colors, has_intensities.
+/// Keys: points, bounds.{minimum,maximum}, spacing, far_points, repeated_points, has_colors,
+/// has_intensities. The bounds are of all points; far and repeated ones do not count for the
+/// spacing.
 [[nodiscard]] nlohmann::ordered_json statistics(const PointCloud& cloud);
 
 /// Keys: vertices_per_scale, coarsest first, the scene of scale 0 included; successor_edges and

@@ -1,5 +1,8 @@
 #include "app/cli/terminal.h"
 
+#include "core/base/listed.h"
+#include "core/base/printable.h"
+
 #include <cstdio>
 #include <iostream>
 #include <string>
@@ -39,8 +42,8 @@ void TerminalProgress::report(double fraction, std::string_view stage) {
   const int full = static_cast<int>(fraction * width);
   std::string bar(static_cast<std::size_t>(full), '#');
   bar.resize(width, '.');
-  std::fprintf(stderr, "\r\033[K[%s] %3.0f %%  %s%s", bar.c_str(), 100 * fraction, subject_.c_str(),
-               stages_.empty() ? "" : stages_.back().first.c_str());
+  std::fprintf(stderr, "\r\033[K[%s] %3.0f %%  %s%s", bar.c_str(), 100 * fraction,
+               printable(subject_).c_str(), stages_.empty() ? "" : stages_.back().first.c_str());
   std::fflush(stderr);
 }
 
@@ -54,15 +57,18 @@ std::vector<std::pair<std::string, double>> TerminalProgress::stageSeconds() con
   return result;
 }
 
-void printWritten(const std::string& what) {
+void printLine(const std::string& message) {
   takeBarAway(isTerminal());
-  std::cerr << "espalier: wrote " << what << '\n';
+  std::cerr << "espalier: " << printable(message) << '\n';
+}
+
+void printWritten(const std::string& what) {
+  printLine("wrote " + what);
 }
 
 void printNotes(const std::vector<std::string>& notes) {
-  takeBarAway(isTerminal());
-  for (const std::string& note : notes)
-    std::cerr << "espalier: note: " << note << '\n';
+  for (const std::string& note : firstNotes(notes))
+    printLine("note: " + note);
 }
 
 } // namespace espalier

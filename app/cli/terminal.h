@@ -46,10 +46,14 @@ private:
   Progress progress_;
 };
 
+/// Prints a message on its line of standard error, whatever the names in it hold.
+void printLine(const std::string& message);
+
 /// Tells on standard error what was written: "wrote pine.mtg: 1204 nodes".
 void printWritten(const std::string& what);
 
-/// Prints the notes a reader or writer had, each on its line of standard error.
+/// Prints the notes a reader or writer had, each on its line of standard error: the first of them,
+/// and how many more there are.
 void printNotes(const std::vector<std::string>& notes);
 
 } // namespace espalier

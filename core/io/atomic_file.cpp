@@ -2,13 +2,20 @@
 
 #include "core/base/error.h"
 
+#include <climits>
+
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <charconv>
+#include <csignal>
 #include <fcntl.h>
+#include <optional>
 #include <ostream>
 #include <streambuf>
 #include <string>
 #include <string_view>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
@@ -34,6 +41,8 @@ std::string adviceFor(int code) {
     return "create the folder first or choose another";
   case EISDIR:
     return "choose a file name";
+  case ENAMETOOLONG:
+    return "choose a shorter name";
   default:
     return "try another place";
   }
@@ -105,6 +114,87 @@ fs::path target(const fs::path& path) {
   fail(path, ELOOP);
 }
 
+/// The number of the descriptor that a path names, as /dev/stdout or /dev/fd/3; none for a file.
+/// What it leads to is written on where it stands: it may be a file that others write to, too.
+std::optional<int> descriptorNamed(const fs::path& path) {
+  const std::string name = path.string();
+  if (name == "/dev/stdout") return STDOUT_FILENO;
+  if (name == "/dev/stderr") return STDERR_FILENO;
+  for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
+    if (!name.starts_with(folder)) continue;
+    int number = -1;
+    const char* end = name.data() + name.size();
+    const auto [stop, error] = std::from_chars(name.data() + folder.size(), end, number);
+    if (stop == end && error == std::errc{} && number >= 0) return number;
+  }
+  return std::nullopt;
+}
+
+/// A pipe or device: what exists and is neither a file nor a folder.
+bool isDevice(const fs::path& path) {
+  struct stat status {};
+  return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+}
+
+/// An open descriptor to a stream. pre: isStream(path)
+int openStream(const fs::path& path) {
+  const std::optional<int> named = descriptorNamed(path);
+  const int descriptor =
+      named ? ::fcntl(*named, F_DUPFD_CLOEXEC, 0) : ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  if (descriptor < 0) fail(path, errno);
+  return descriptor;
+}
+
+/// This computer in the name of a file: a process number means nothing on another.
+std::string hostMark() {
+  std::array<char, 256> name{};
+  if (::gethostname(name.data(), name.size() - 1) != 0) return "host";
+  std::string mark(name.data());
+  constexpr std::size_t longest = 40;
+  mark.resize(std::min(mark.size(), longest));
+  for (char& c : mark)
+    if (c == '/' || c == '.' || c == '-' || static_cast<unsigned char>(c) <= ' ') c = '_';
+  return mark;
+}
+
+constexpr std::string_view temporaryEnd = ".tmp";
+
+/// ".oak.mtg.HOST-PROCESS-NUMBER.tmp"; of a long name the beginning alone.
+std::string temporaryName(const std::string& of, pid_t process, int number) {
+  constexpr std::size_t longest = 160; // bytes, of 255 that a name may have
+  return '.' + of.substr(0, longest) + '.' + hostMark() + '-' + std::to_string(process) + '-' +
+         std::to_string(number) + std::string(temporaryEnd);
+}
+
+/// The process that made a temporary file of this name on this computer; none for any other file.
+std::optional<pid_t> makerOf(std::string_view name) {
+  if (!name.starts_with('.') || !name.ends_with(temporaryEnd)) return std::nullopt;
+  name.remove_suffix(temporaryEnd.size());
+  std::array<int, 2> numbers{}; // the last one first
+  for (int& number : numbers) {
+    const std::size_t dash = name.rfind('-');
+    if (dash == std::string_view::npos) return std::nullopt;
+    const char* end = name.data() + name.size();
+    const auto [stop, error] = std::from_chars(name.data() + dash + 1, end, number);
+    if (stop != end || error != std::errc{} || number < 0) return std::nullopt;
+    name = name.substr(0, dash);
+  }
+  return numbers[1] > 0 && name.ends_with('.' + hostMark()) ? std::optional(numbers[1])
+                                                            : std::nullopt;
+}
+
+/// Whether nobody holds a file: whoever writes one has it locked, also in another container.
+bool isReleased(const fs::path& file) {
+  struct stat status {};
+  if (::lstat(file.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return false;
+  if (status.st_uid != ::geteuid()) return false;
+  const int descriptor = ::open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC);
+  if (descriptor < 0) return false;
+  const bool isFree = ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
+  ::close(descriptor);
+  return isFree;
+}
+
 /// A temporary file beside the one it will replace; removed unless it did.
 class TemporaryFile {
 public:
@@ -112,12 +202,12 @@ public:
     constexpr int mostTries = 10000;
     for (int i = 0; i < mostTries && descriptor_ < 0; ++i) {
       path_ = path;
-      path_.replace_filename("." + path.filename().string() + "." + std::to_string(::getpid()) +
-                             "-" + std::to_string(i) + ".tmp");
+      path_.replace_filename(temporaryName(path.filename().string(), ::getpid(), i));
       descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
       if (descriptor_ < 0 && errno != EEXIST) fail(path, errno);
     }
     if (descriptor_ < 0) fail(path, EEXIST);
+    (void)::flock(descriptor_, LOCK_EX | LOCK_NB); // see isReleased
   }
   ~TemporaryFile() {
     if (!path_.empty()) ::unlink(path_.c_str());
@@ -158,17 +248,15 @@ void writeThrough(FileBuffer& buffer, const std::function<void(std::ostream&)>& 
 } // namespace
 
 void writeAtomically(const fs::path& path, const std::function<void(std::ostream&)>& write) {
+  if (isStream(path)) {
+    FileBuffer buffer(openStream(path), path);
+    writeThrough(buffer, write, false);
+    return;
+  }
   const fs::path file = target(path);
   struct stat old {};
   const bool exists = ::stat(file.c_str(), &old) == 0;
   if (exists && S_ISDIR(old.st_mode)) fail(path, EISDIR);
-  if (exists && !S_ISREG(old.st_mode)) {
-    const int descriptor = ::open(file.c_str(), O_WRONLY | O_CLOEXEC);
-    if (descriptor < 0) fail(path, errno);
-    FileBuffer buffer(descriptor, path);
-    writeThrough(buffer, write, false);
-    return;
-  }
   TemporaryFile temporary(file);
   FileBuffer buffer(temporary.descriptor(), path);
   constexpr mode_t permissionBits = 07777;
@@ -179,17 +267,39 @@ void writeAtomically(const fs::path& path, const std::function<void(std::ostream
 }
 
 void requireWritable(const fs::path& path) {
-  const fs::path file = target(path);
-  struct stat status {};
-  if (::stat(file.c_str(), &status) == 0 && !S_ISREG(status.st_mode)) {
-    if (S_ISDIR(status.st_mode)) fail(path, EISDIR);
-    if (::access(file.c_str(), W_OK) != 0) fail(path, errno);
+  if (isStream(path)) {
+    if (::access(path.c_str(), W_OK) != 0) fail(path, errno);
     return;
   }
+  const fs::path file = target(path);
+  struct stat status {};
+  if (::stat(file.c_str(), &status) == 0 && S_ISDIR(status.st_mode)) fail(path, EISDIR);
+  if (file.filename().string().size() > NAME_MAX) fail(path, ENAMETOOLONG);
   const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
   if (::stat(folder.c_str(), &status) != 0) fail(path, errno);
   if (!S_ISDIR(status.st_mode)) fail(path, ENOTDIR);
   if (::access(folder.c_str(), W_OK | X_OK) != 0) fail(path, errno);
+}
+
+bool isStream(const fs::path& path) {
+  return descriptorNamed(path).has_value() || isDevice(path);
+}
+
+fs::path placeOf(const fs::path& path) {
+  std::error_code failed;
+  // Made absolute first: of a name alone that is not there yet, nothing would be.
+  const fs::path place = fs::weakly_canonical(fs::absolute(target(path), failed), failed);
+  return failed ? fs::absolute(path).lexically_normal() : place;
+}
+
+void removeLeftovers(const fs::path& folder) {
+  std::error_code failed;
+  for (fs::directory_iterator entry(folder.empty() ? "." : folder, failed), end;
+       !failed && entry != end; entry.increment(failed)) {
+    const std::optional<pid_t> maker = makerOf(entry->path().filename().string());
+    const bool hasEnded = maker && ::kill(*maker, 0) != 0 && errno == ESRCH;
+    if (hasEnded && isReleased(entry->path())) ::unlink(entry->path().c_str());
+  }
 }
 
 } // namespace espalier

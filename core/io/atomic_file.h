@@ -10,7 +10,7 @@ namespace espalier {
 ///
 /// `write` fills a temporary file in the same folder, which then takes the place of `path`; it is
 /// on the disk when this returns. A symbolic link is followed, and the permissions of a file that
-/// is replaced are kept. What is no regular file, as /dev/stdout, is written to directly.
+/// is replaced are kept. A stream is written to directly.
 ///
 /// @throws Error which file cannot be written and why; whatever `write` throws. The file of old is
 ///         then untouched and nothing else is left behind.
@@ -22,5 +22,19 @@ void writeAtomically(const std::filesystem::path& path,
 /// so a full disk shows only later.
 /// @throws Error as writeAtomically
 void requireWritable(const std::filesystem::path& path);
+
+/// Whether a path is no file that is replaced as a whole: a pipe, a device, or what a descriptor of
+/// this program leads to, as /dev/stdout.
+[[nodiscard]] bool isStream(const std::filesystem::path& path);
+
+/// Where what is written to `path` arrives, through all links; two paths that lead to one file,
+/// whether it exists or not, give one place.
+/// @throws Error if links lead in a circle
+[[nodiscard]] std::filesystem::path placeOf(const std::filesystem::path& path);
+
+/// Removes the temporary files that writeAtomically left in a folder when it was killed: those of
+/// processes that have ended, of this user and this computer. Others stay, and what cannot be
+/// removed.
+void removeLeftovers(const std::filesystem::path& folder);
 
 } // namespace espalier

@@ -2,8 +2,10 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/base/utf16.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace espalier {
 namespace {
@@ -79,11 +81,35 @@ private:
   char sign_ = ',';
 };
 
+/// Whether a spreadsheet would compute a field instead of showing it.
+bool isFormula(std::string_view field) {
+  const bool begins = field.size() > 1 && std::string_view("=+-@").find(field[0]) < 4;
+  return begins && !numberIn(field);
+}
+
+/// Whether a field is a formula behind apostrophes: then one more is written before it, and taken
+/// off when it is read, so that each text reads back as it was.
+bool isQuotedFormula(std::string_view field) {
+  const std::size_t first = field.find_first_not_of('\'');
+  return first != std::string_view::npos && first > 0 && isFormula(field.substr(first));
+}
+
+/// Fields without the apostrophes that csvLine has put before formulas.
+std::vector<std::string> asWritten(std::vector<std::string> fields) {
+  for (std::string& field : fields)
+    if (isQuotedFormula(field)) field.erase(0, 1);
+  return fields;
+}
+
 bool isBlank(const CsvTable::Row& row) {
   return std::ranges::all_of(row.fields, &std::string::empty);
 }
 
 void requireNames(const CsvTable& table, const std::string& file) {
+  constexpr std::size_t most = 1000;
+  if (table.names.size() > most)
+    throw Error(place(file, 1) + "there are " + std::to_string(table.names.size()) +
+                " columns, more than in any such table: leave out those that are not needed");
   for (auto name = table.names.begin(); name != table.names.end(); ++name) {
     const auto isSame = [&](const std::string& other) {
       return !name->empty() && lowerCase(other) == lowerCase(*name);
@@ -102,9 +128,10 @@ std::optional<std::size_t> CsvTable::column(std::string_view name) const {
 }
 
 CsvTable readCsv(std::string_view text, const std::string& file) {
+  requireNoUtf16(text, file);
   CsvReader reader(text, file);
   CsvTable table;
-  if (!reader.atEnd()) table.names = reader.row().fields;
+  if (!reader.atEnd()) table.names = asWritten(reader.row().fields);
   if (std::ranges::all_of(table.names, &std::string::empty))
     throw Error(place(file, 1) + "there are no names of columns: begin with a line of names");
   requireNames(table, file);
@@ -115,6 +142,7 @@ CsvTable readCsv(std::string_view text, const std::string& file) {
       throw Error(place(file, row.line) + "expected " + std::to_string(table.names.size()) +
                   " fields, found " + std::to_string(row.fields.size()) +
                   ": quote fields that hold the sign that parts them");
+    row.fields = asWritten(std::move(row.fields));
     row.fields.resize(table.names.size());
     table.rows.push_back(std::move(row));
   }
@@ -124,7 +152,8 @@ CsvTable readCsv(std::string_view text, const std::string& file) {
 std::string csvLine(const std::vector<std::string>& fields) {
   std::string line;
   for (std::size_t i = 0; i < fields.size(); ++i) {
-    const std::string& field = fields[i];
+    const bool isCode = isFormula(fields[i]) || isQuotedFormula(fields[i]);
+    const std::string field = (isCode ? "'" : "") + fields[i];
     line += i == 0 ? "" : ",";
     const bool isPlain =
         field.find_first_of(",;\t\r\n\"") == std::string::npos && trimmed(field) == field;

@@ -25,15 +25,18 @@ struct CsvTable {
 ///
 /// Fields are parted by commas, or by the semicolons or tabs that the first line has instead; those
 /// in double quotes may hold anything, a quote written twice. Blanks around a plain field and lines
-/// without any field do not count.
+/// without any field do not count. An apostrophe that csvLine writes before a formula is taken off.
 ///
 /// @param file  name for messages
-/// @throws Error with the line if there are no names, a name comes twice, a row is longer than the
-///         first line, or a quote is not closed. Missing fields at the end of a row are empty.
+/// @throws Error with the line if there are no names or over 1000, a name comes twice, a row is
+///         longer than the first line, a quote is not closed, or the text is in UTF-16. Missing
+///         fields at the end of a row are empty.
 /// Time O(bytes). Source: RFC 4180.
 [[nodiscard]] CsvTable readCsv(std::string_view text, const std::string& file);
 
-/// One line of such a table, with commas and its end; what readCsv reads as `fields`.
+/// One line of such a table, with commas and its end; what readCsv reads as `fields`. What a
+/// spreadsheet would take for a formula, as "=1+1", gets an apostrophe before it, which the
+/// spreadsheet does not show; numbers stay as they are.
 [[nodiscard]] std::string csvLine(const std::vector<std::string>& fields);
 
 } // namespace espalier

@@ -1,3 +1,4 @@
+#include "core/evaluate/registration.h"
 #include "core/io/csv.h"
 #include "core/io/formats.h"
 #include "tests/app/cli/program.h"
@@ -8,6 +9,7 @@
 #include <csignal>
 #include <filesystem>
 #include <gmock/gmock.h>
+#include <numbers>
 
 namespace espalier {
 namespace {
@@ -86,6 +88,53 @@ TEST_F(Batch, ReconstructsEachPlantAndTellsOfItInALine) {
   EXPECT_EQ(told("stick", "geometric"), "") << "there is no reference";
   EXPECT_GT(std::stod(told("my tree", "geometric")), 0.8);
   EXPECT_GT(std::stod(told("my tree", "f")), 0.8);
+}
+
+TEST_F(Batch, NotesWhatIsOddAboutAScan) {
+  test::writeBytes(folder_ / "stick.xyz",
+                   test::bytesOf(folder_ / "stick.xyz") + "90000 0 0\nnan 0 0\n");
+  writeManifest("scan\nstick.xyz\n");
+  const Outcome outcome = run();
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("note: stick: stick.xyz: 1 of 402 points are not finite"));
+  EXPECT_THAT(outcome.err, HasSubstr("note: stick: stick.xyz: 1 point lies far from all others"));
+}
+
+TEST_F(Batch, TurnsAPlantOntoItsReferenceAndSaysSo) {
+  const auto turn = [&](const Eigen::Vector3d& axis, double degrees) {
+    const Eigen::Isometry3d motion(Eigen::AngleAxisd(degrees * std::numbers::pi / 180, axis));
+    writeStructure(folder_ / "truth.mtg",
+                   moved(readStructure(folder_ / "truth.mtg").value.skeleton, motion));
+  };
+  turn(Eigen::Vector3d::UnitZ(), 90);
+  writeManifest("scan,reference\ntree.ply,truth.mtg\n");
+  EXPECT_THAT(run().err, HasSubstr("note: tree: the plant lay "));
+  const double turned = std::stod(told("tree", "geometric"));
+  EXPECT_GT(turned, 0.8);
+  const Outcome kept = run({"--no-rotate"});
+  EXPECT_THAT(kept.err, Not(HasSubstr("of them done before")));
+  EXPECT_THAT(kept.err, HasSubstr("note: tree: the two fit poorly"));
+  EXPECT_LT(std::stod(told("tree", "geometric")), turned - 0.1);
+  EXPECT_THAT(run({"--no-rotate"}).err, HasSubstr("1 of them done before"));
+}
+
+// A plant that lies, and a reference turned about the axis along which it grew.
+TEST_F(Batch, TurnsAPlantAboutTheAxisThatPointsUp) {
+  const auto scan = readPoints(folder_ / "tree.ply").value;
+  std::string text = "x y z\n";
+  for (Eigen::Index i = 0; i < scan.size(); ++i) { // along x, as turned by 90 degrees about y
+    const Eigen::Vector3d place = scan.position(i);
+    text += std::to_string(place.z()) + ' ' + std::to_string(place.y()) + ' ' +
+            std::to_string(-place.x()) + '\n';
+  }
+  test::writeBytes(folder_ / "lying.xyz", text);
+  const Eigen::Isometry3d lie(Eigen::AngleAxisd(2.5, Eigen::Vector3d::UnitX()) *
+                              Eigen::AngleAxisd(std::numbers::pi / 2, Eigen::Vector3d::UnitY()));
+  writeStructure(folder_ / "lying.mtg",
+                 moved(readStructure(folder_ / "truth.mtg").value.skeleton, lie));
+  writeManifest("scan,reference\nlying.xyz,lying.mtg\n");
+  EXPECT_EQ(run({"--up", "x"}).status, 0);
+  EXPECT_GT(std::stod(told("lying", "geometric")), 0.8);
 }
 
 TEST_F(Batch, TellsOfColumnsThatItDoesNotKnow) {

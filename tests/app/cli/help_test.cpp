@@ -16,7 +16,7 @@ using testing::IsEmpty;
 
 const test::Arguments subcommands = {"reconstruct", "batch",   "contract", "evaluate",
                                      "noise",       "convert", "info",     "simulate",
-                                     "methods",     "picture", "sweep"};
+                                     "methods",     "picture", "sweep",    "traits"};
 
 void expectPage(const Outcome& help) {
   EXPECT_EQ(help.status, 0);

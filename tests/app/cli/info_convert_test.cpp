@@ -19,6 +19,13 @@ using test::runProgram;
 using test::Subcommands;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::StartsWith;
+
+/// As a botanist types it: a title, places with a dot, no positions.
+constexpr const char* typedMtg =
+    "Apple 3\nCODE : FORM-A\t\t\nCLASSES :\nSYMBOL\tSCALE\nP\t1\nS\t2\nFEATURES :\nNAME\tTYPE\n"
+    "Length\tREAL (cm)\nMTG :\nENTITY-CODE\t\t\tLength\n/P1\t\t\t\n\t/S1\t\t5\n\t\t+S1.1\t2\n"
+    "\t^<S2\t\t4\n";
 
 TEST_F(Subcommands, InfoCountsPoints) {
   const json told = json::parse(run({"info", scan_, "--json"}));
@@ -30,6 +37,23 @@ TEST_F(Subcommands, InfoCountsPoints) {
   const std::string text = run({"info", scan_});
   EXPECT_THAT(text, HasSubstr("points                  " + std::to_string(cloud.size()) + "\n"));
   EXPECT_THAT(text, HasSubstr("\nbounds.minimum          [-"));
+}
+
+TEST_F(Subcommands, InfoCountsFarAndRepeatedPoints) {
+  const PointCloud cloud = readPoints(scan_).value;
+  std::ostringstream text;
+  text.precision(9);
+  for (int i = 0; i < 9 * static_cast<int>(cloud.size()); ++i)
+    text << cloud.position(i / 9).transpose() << '\n';
+  text << "1000000 4.77 10.78\n";
+  test::writeBytes(file("odd.xyz"), text.str());
+  const Outcome outcome = runProgram({"info", file("odd.xyz"), "--json"});
+  const json told = json::parse(outcome.out);
+  EXPECT_EQ(told["far_points"], 1);
+  EXPECT_EQ(told["repeated_points"], 8 * cloud.size());
+  EXPECT_NEAR(told["bounds"]["maximum"][0], 1e6, 1) << "of all";
+  EXPECT_NEAR(told["spacing"], json::parse(run({"info", scan_, "--json"}))["spacing"], 1e-5);
+  EXPECT_THAT(outcome.err, HasSubstr("far from all others"));
 }
 
 TEST_F(Subcommands, ConvertNotesWhatTheFormatDoesNotKeep) {
@@ -115,6 +139,59 @@ TEST_F(Subcommands, InfoTellsOfAnMtgWithoutPositions) {
   EXPECT_EQ(told["successor_edges"], 2);
   EXPECT_EQ(told["branching_edges"], 1);
   EXPECT_EQ(told["nodes"], 0);
+}
+
+TEST_F(Subcommands, InfoListsClassesAndFeaturesOfAnMtg) {
+  test::writeBytes(file("a.mtg"), typedMtg);
+  const json told = json::parse(runProgram({"info", file("a.mtg"), "--json"}).out);
+  EXPECT_EQ(told["classes"], json::parse(R"([{"symbol": "P", "scale": 1, "vertices": 1},
+                                             {"symbol": "S", "scale": 2, "vertices": 3}])"));
+  EXPECT_EQ(told["features"], json::parse(R"([{"name": "Length", "type": "REAL"}])"));
+  EXPECT_EQ(told["has_positions"], false);
+  EXPECT_THAT(runProgram({"info", file("a.mtg")}).out,
+              HasSubstr("[P (scale 1, vertices 1), S (scale 2, vertices 3)]\n"));
+}
+
+TEST_F(Subcommands, ConvertCopiesAnMtgWithoutPositions) {
+  test::writeBytes(file("a.mtg"), typedMtg);
+  const Outcome outcome = runProgram({"convert", file("a.mtg"), file("b.mtg")});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.err,
+            "espalier: note: a.mtg: has no positions: it is a plant without its shape\n"
+            "espalier: wrote " +
+                file("b.mtg") + ": 4 vertices without positions\n");
+  EXPECT_EQ(test::bytesOf(file("b.mtg")), typedMtg);
+  const Outcome refused = runProgram({"convert", file("a.mtg"), file("b.swc")});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.err, HasSubstr("b.swc: SWC needs positions, and the structure has none"));
+}
+
+TEST_F(Subcommands, ConvertRewritesAnMtgIfAsked) {
+  test::writeBytes(file("a.mtg"), typedMtg);
+  EXPECT_EQ(runProgram({"convert", file("a.mtg"), file("b.mtg"), "--rewrite"}).status, 0);
+  const std::string anew = test::bytesOf(file("b.mtg"));
+  EXPECT_THAT(anew, StartsWith("CODE :\tFORM-A\n"));
+  EXPECT_THAT(anew, HasSubstr("\n^<S2\t\t4\n"));
+  EXPECT_THAT(anew, HasSubstr("\n\t+S1.1\t2\n"));
+  EXPECT_EQ(json::parse(runProgram({"info", file("a.mtg"), "--json"}).out)["vertices_per_scale"],
+            json::parse(runProgram({"info", file("b.mtg"), "--json"}).out)["vertices_per_scale"]);
+  const Outcome refused = runProgram({"convert", file("a.mtg"), file("b.opf"), "--rewrite"});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.err, HasSubstr("--rewrite is for MTG to MTG"));
+  test::expectRefusal(runProgram({"convert", scan_, file("b.xyz"), "--rewrite"}), 1,
+                      {"b.xyz: --rewrite is for MTG to MTG: leave it out"});
+}
+
+TEST_F(Subcommands, ConvertReadsAllSamplesOfOthers) {
+  ESPALIER_SHARED_FILE(counts, "mtg/openalea_counts.tsv");
+  int converted = 0;
+  for (const auto& entry : fs::directory_iterator(counts.parent_path())) {
+    if (entry.path().extension() != ".mtg") continue;
+    const Outcome outcome = runProgram({"convert", entry.path().string(), file("out.mtg")});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    ++converted;
+  }
+  EXPECT_EQ(converted, 20);
 }
 
 TEST_F(Subcommands, InfoCountsWhatOpenAleaCounts) {

@@ -50,5 +50,15 @@ TEST(Progress, IsABarOnATerminalThatIsClearedInTheEnd) {
   EXPECT_TRUE(outcome.err.ends_with("\r\33[K"));
 }
 
+TEST(Progress, NeverRunsIntoALineThatIsPrinted) {
+  const std::string prefix = (test::freshFolder() / "a").string();
+  const Outcome outcome =
+      runAndSignal({"simulate", "-o", prefix, "--points", "2000", "--segments", "20"},
+                   "this text is never seen", SIGINT);
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("Scan\r\33[Kespalier: wrote " + prefix + ".ply"));
+  EXPECT_THAT(outcome.err, HasSubstr("\r\33[Kespalier: wrote " + prefix + ".mtg"));
+}
+
 } // namespace
 } // namespace espalier

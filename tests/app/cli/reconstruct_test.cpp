@@ -104,6 +104,34 @@ TEST_F(Subcommands, ReconstructKnowsWhereUpIs) {
   EXPECT_LT(rootOf(file("a.mtg")).norm(), 0.1);
 }
 
+/// The points of a scan in map coordinates, so often each, then more lines.
+std::string movedText(const PointCloud& cloud, int copies, const std::string& more) {
+  std::ostringstream text;
+  text.precision(12);
+  for (int copy = 0; copy < copies; ++copy)
+    for (Eigen::Index i = 0; i < cloud.size(); ++i) {
+      const Eigen::Vector3d place = cloud.position(i) + Eigen::Vector3d(430'000, 5'410'000, 0);
+      text << place.x() << ' ' << place.y() << ' ' << place.z() << '\n';
+    }
+  return text.str() + more;
+}
+
+TEST_F(Subcommands, ReconstructMakesTheSameOfAScanWithStraysOrRepeatedPoints) {
+  const PointCloud cloud = readPoints(scan_).value;
+  const auto skeletonOf = [&](const std::string& text, const std::string& note) {
+    test::writeBytes(file("scan.xyz"), text);
+    const Outcome outcome = runProgram({"reconstruct", file("scan.xyz"), "-o", file("a.mtg")});
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_THAT(outcome.err, testing::HasSubstr(note));
+    return readStructure(file("a.mtg")).value.skeleton;
+  };
+  const Skeleton alone = skeletonOf(movedText(cloud, 1, {}), "wrote");
+  EXPECT_GT(alone.size(), 50U);
+  EXPECT_EQ(skeletonOf(movedText(cloud, 1, "0 0 0\n"), "1 point lies far from all others"), alone);
+  EXPECT_EQ(skeletonOf(movedText(cloud, 1, "430030 5410000 0\n"), "far from all others"), alone);
+  EXPECT_EQ(skeletonOf(movedText(cloud, 9, {}), "each place counts once"), alone);
+}
+
 TEST_F(Subcommands, ContractPullsPointsTowardsTheAxes) {
   EXPECT_THAT(run({"contract", scan_, "-o", file("a.ply")}), IsEmpty());
   const PointCloud before = readPoints(scan_).value;
@@ -154,6 +182,13 @@ TEST_F(Subcommands, SweepRefusesWhatItCannotTry) {
                       {"no option", "radius"});
   test::expectRefusal(runProgram({"sweep", scan_, "contract.radius", "--values", "wide"}), 2,
                       {"contract.radius", "wide"});
+  test::expectRefusal(runProgram({"sweep", scan_, "skeleton.power", "--method", "shortest_paths",
+                                  "--unit", "m", "--values", "500mm"}),
+                      2, {"skeleton.power must be a number, not '500mm'"});
+  test::expectRefusal(
+      runProgram({"reconstruct", scan_, "-o", file("x.mtg"), "--unit", "mm", "--method",
+                  "shortest_paths", "--set", "skeleton.merge_angle=30mm"}),
+      2, {"skeleton.merge_angle must be a number, not '30mm'"});
 }
 
 TEST_F(Subcommands, ReconstructWritesAxesIfAskedAndTellsTheLengthInItsUnit) {
@@ -178,6 +213,27 @@ TEST_F(Subcommands, ReconstructTellsThatItFoundNoBranch) {
                              ": no branch is found: the scan has too few points, or the lengths of "
                              "the steps are too long for it\nespalier: wrote " +
                              file("two.mtg") + ": 1 node, length 0\n");
+}
+
+// Nothing is measured about so few places.
+TEST_F(Subcommands, ReconstructTellsWhatAStepNotes) {
+  std::ofstream scan(file("crowds.xyz"));
+  for (int i = 0; i < 9; ++i)
+    scan << "0 0 0\n0 0 3\n";
+  scan << "100 0 0\n100 0 0.1\n";
+  scan.close();
+  const std::string note = "no radius is measured: radii are a guess; they have the exponent of "
+                           "published structures, 1/2.9, from tips half as thick as the points are "
+                           "apart";
+  const Outcome outcome =
+      runProgram({"reconstruct", file("crowds.xyz"), "-o", file("a.mtg"), "--json", file("a.json"),
+                  "--set", "radius.method=node_count_pipe"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.err,
+              HasSubstr("espalier: note: " + file("crowds.xyz") + ": Radius: " + note + "\n"));
+  const json steps = jsonIn(file("a.json"))["steps"];
+  EXPECT_EQ(steps.back()["notes"], json::array({note}));
+  EXPECT_FALSE(steps.front().contains("notes"));
 }
 
 } // namespace

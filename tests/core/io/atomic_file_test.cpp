@@ -4,10 +4,13 @@
 #include "tests/core/io/samples.h"
 #include "tests/support/shared_data.h"
 
+#include <array>
 #include <fstream>
 #include <gmock/gmock.h>
 #include <sstream>
+#include <sys/wait.h>
 #include <unistd.h>
+#include <vector>
 
 namespace espalier {
 namespace {
@@ -150,6 +153,81 @@ TEST(RequireWritable, SaysWhatWritingWouldSay) {
     EXPECT_EQ(error, errorOf([&] { writeText(path, "new"); }));
     EXPECT_THAT(error, HasSubstr(path.string() + ": cannot be written: "));
   }
+}
+
+/// A process that has ended.
+pid_t endedProcess() {
+  const pid_t child = ::fork();
+  if (child == 0) ::_exit(0);
+  ::waitpid(child, nullptr, 0);
+  return child;
+}
+
+/// The name that the temporary file of this process has while "oak.mtg" is written.
+std::string temporaryName(const fs::path& folder) {
+  std::string name;
+  writeAtomically(folder / "oak.mtg", [&](std::ostream&) {
+    for (const auto& entry : fs::directory_iterator(folder))
+      if (entry.path().filename() != "oak.mtg") name = entry.path().filename().string();
+  });
+  return name;
+}
+
+TEST(RemoveLeftovers, RemovesThoseOfProcessesThatHaveEnded) {
+  const fs::path folder = test::freshFolder();
+  const std::string own = temporaryName(folder);
+  const std::string mark = '-' + std::to_string(::getpid()) + '-';
+  ASSERT_NE(own.find(mark), std::string::npos) << own;
+  std::string left = own;
+  left.replace(own.find(mark), mark.size(), '-' + std::to_string(endedProcess()) + '-');
+  const std::vector<std::string> kept = {
+      own,        "oak.mtg",  "x" + left,
+      left + "x", ".oak.tmp", ".oak.elsewhere-" + std::to_string(endedProcess()) + "-0.tmp"};
+  for (const std::string& name : kept)
+    writeText(folder / name, "text");
+  fs::copy_file(folder / "oak.mtg", folder / left);
+  removeLeftovers(folder);
+  EXPECT_FALSE(fs::exists(folder / left));
+  for (const std::string& name : kept)
+    EXPECT_TRUE(fs::exists(folder / name)) << name;
+}
+
+TEST(RemoveLeftovers, TouchesNoLinkAndNoFolder) {
+  const fs::path folder = test::freshFolder();
+  const std::string own = temporaryName(folder);
+  const std::string mark = '-' + std::to_string(::getpid()) + '-';
+  std::string left = own;
+  left.replace(own.find(mark), mark.size(), '-' + std::to_string(endedProcess()) + '-');
+  fs::create_symlink("oak.mtg", folder / left);
+  removeLeftovers(folder);
+  EXPECT_TRUE(fs::is_symlink(folder / left));
+  removeLeftovers(folder / "missing"); // and does not fail
+}
+
+TEST(WriteAtomically, WritesToAPipe) {
+  const fs::path folder = test::freshFolder();
+  std::array<int, 2> ends{};
+  ASSERT_EQ(::pipe(ends.data()), 0);
+  const fs::path named = "/dev/fd/" + std::to_string(ends[1]);
+  EXPECT_TRUE(isStream(named));
+  requireWritable(named);
+  writeText(named, "text");
+  std::array<char, 8> got{};
+  EXPECT_EQ(::read(ends[0], got.data(), got.size()), 4);
+  ::close(ends[0]);
+  ::close(ends[1]);
+}
+
+TEST(PlaceOf, IsOneForAllPathsToAFile) {
+  const fs::path folder = fs::canonical(test::freshFolder());
+  fs::create_directory(folder / "a");
+  fs::create_symlink("../oak.mtg", folder / "a" / "link");
+  const fs::path place = placeOf(folder / "oak.mtg");
+  EXPECT_EQ(place, folder / "oak.mtg");
+  EXPECT_EQ(placeOf(folder / "a" / ".." / "oak.mtg"), place);
+  EXPECT_EQ(placeOf(folder / "a" / "link"), place);
+  EXPECT_NE(placeOf(folder / "a" / "oak.mtg"), place);
+  EXPECT_EQ(placeOf("./none_there.mtg"), placeOf("none_there.mtg"));
 }
 
 } // namespace

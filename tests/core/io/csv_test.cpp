@@ -61,5 +61,35 @@ TEST(Csv, RefusesBrokenTablesWithTheLine) {
   EXPECT_THAT(errorOf("a,b\n\"1\"2,3\n"), HasSubstr("line 2: there is text behind"));
 }
 
+TEST(Csv, WritesFormulasOfSpreadsheetsAsText) {
+  EXPECT_EQ(csvLine({"=1+1", "+cmd", "-x", "@a", "'=1", "-1.5", "+2", "-", "it's", "a=b"}),
+            "'=1+1,'+cmd,'-x,'@a,''=1,-1.5,+2,-,it's,a=b\n");
+}
+
+TEST(Csv, ReadsFormulasBackAsTheyWere) {
+  const std::vector<std::string> fields = {"=1+1", "'=1", "''=1", "=a,\"b\"", "@x", "-1", "'x"};
+  const CsvTable table = read(csvLine({"a", "b", "c", "d", "e", "f", "g"}) + csvLine(fields));
+  ASSERT_EQ(table.rows.size(), 1U);
+  EXPECT_EQ(table.rows[0].fields, fields);
+}
+
+TEST(Csv, ReadsNamesThatAreFormulasBackAsTheyWere) {
+  const CsvTable table = read(csvLine({"=1+1", "'@a", "-b"}));
+  EXPECT_THAT(table.names, ElementsAre("=1+1", "'@a", "-b"));
+  EXPECT_EQ(table.column("=1+1"), 0U);
+}
+
+TEST(Csv, RefusesMoreColumnsThanAnyTableHas) {
+  std::string names;
+  for (int i = 0; i < 2000; ++i)
+    names += "c" + std::to_string(i) + ',';
+  EXPECT_THAT(errorOf(names + "\n"), HasSubstr("line 1: there are 2001 columns, more than"));
+}
+
+TEST(Csv, NamesUtf16) {
+  EXPECT_THAT(errorOf(std::string("\xFF\xFEs\0c\0", 6)),
+              HasSubstr("plants.csv: is text of two bytes per character (UTF-16"));
+}
+
 } // namespace
 } // namespace espalier

@@ -1,0 +1,154 @@
+// All commands of the window: where they are found, and where they are described.
+#include "app/window/action_set.h"
+#include "tests/app/window/window_fixture.h"
+#include "tests/support/plants.h"
+#include "tests/support/shared_data.h"
+#include "ui/panels/message_banner.h"
+#include "ui/panels/pipeline_panel.h"
+#include "ui/panels/status_line.h"
+#include "ui/panels/step_form.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QFile>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMenu>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QStyleOptionButton>
+#include <QTest>
+#include <QTextBrowser>
+#include <QTextDocument>
+#include <QTimer>
+#include <QToolButton>
+
+#include <cmath>
+#include <fstream>
+#include <utility>
+#include <vector>
+
+namespace espalier {
+namespace {
+
+using test::forkTop;
+
+using MainWindowTest = test::WindowTest;
+
+TEST_F(MainWindowTest, TheSheetOfShortcutsTellsOfBoxesAndLassos) {
+  action("shortcuts").trigger();
+  auto& sheet = find<QDialog>("shortcut_sheet");
+  QStringList texts;
+  for (const QLabel* label : sheet.findChildren<QLabel*>())
+    texts.append(label->text());
+  EXPECT_TRUE(texts.contains("Shift+drag"));
+  EXPECT_TRUE(texts.contains("Alt+drag"));
+  sheet.reject();
+}
+
+TEST_F(MainWindowTest, ShowsTheManual) {
+  action("manual").trigger();
+  auto& manual = find<QDialog>("manual_window");
+  const auto* text = manual.findChild<QTextBrowser*>();
+  EXPECT_TRUE(text->toPlainText().contains("Remove Subtree"));
+  QMap<QString, double> widths;
+  for (const QTextFormat& format : text->document()->allFormats())
+    if (format.isImageFormat() && format.hasProperty(QTextFormat::ImageWidth))
+      widths.insert(format.toImageFormat().name(), format.toImageFormat().width());
+  EXPECT_EQ(widths.value("section.png"), 188) << "as it is";
+  EXPECT_EQ(widths.value("editor.png"), 620) << "no wider than the page";
+  auto* headings = manual.findChild<QListWidget*>();
+  ASSERT_GT(headings->count(), 3);
+  EXPECT_FALSE(headings->horizontalScrollBar()->isVisible());
+  EXPECT_EQ(text->horizontalScrollBar()->maximum(), 0) << "all is as wide as the page";
+  for (int row = 0; row < headings->count(); ++row) {
+    const QListWidgetItem& item = *headings->item(row);
+    EXPECT_LE(headings->visualItemRect(&item).right(), headings->viewport()->width())
+        << item.text().toStdString();
+  }
+  headings->setCurrentRow(3);
+  EXPECT_GT(text->verticalScrollBar()->value(), 0);
+  manual.close();
+}
+
+TEST_F(MainWindowTest, OffersTheEditsOfANodeInItsMenu) {
+  open({writeFork("fork.mtg")});
+  const NodeId apex = nodeAt({1, 0, 2});
+  QStringList texts;
+  QTimer timer;
+  QObject::connect(&timer, &QTimer::timeout, [&] {
+    auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+    if (menu == nullptr) return;
+    for (const QAction* entry : menu->actions())
+      texts.append(entry->text());
+    menu->close();
+  });
+  timer.start(0);
+  click(placeOf(apex), Qt::NoModifier, Qt::RightButton);
+  EXPECT_EQ(texts.value(0), QString("Node %1").arg(indexOf(apex)));
+  EXPECT_TRUE(texts.contains("Remove Subtree"));
+  EXPECT_TRUE(texts.contains("Reparent"));
+}
+
+TEST_F(MainWindowTest, RunsACommandFoundInThePalette) {
+  open({writeFork("fork.mtg")});
+  key(Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
+  auto& palette = find<QDialog>("command_palette");
+  QTest::keyClicks(palette.findChild<QLineEdit*>(), "sel all");
+  QTest::keyClick(palette.findChild<QLineEdit*>(), Qt::Key_Return);
+  EXPECT_TRUE(QTest::qWaitFor([this] { return document().selection().nodes().size() == 5; }));
+}
+
+TEST_F(MainWindowTest, FindsACommandByWhatItDoes) {
+  open({writeFork("fork.mtg")});
+  action("palette").trigger();
+  auto& palette = find<QDialog>("command_palette");
+  QTest::keyClicks(palette.findChild<QLineEdit*>(), "color nodes radius share");
+  QTest::keyClick(palette.findChild<QLineEdit*>(), Qt::Key_Return);
+  EXPECT_TRUE(
+      QTest::qWaitFor([this] { return action("node_color_radius_to_parent").isChecked(); }));
+}
+
+TEST_F(MainWindowTest, ShowsItsShortcuts) {
+  action("shortcuts").trigger();
+  auto& sheet = find<QDialog>("shortcut_sheet");
+  EXPECT_TRUE(sheet.isVisible());
+  sheet.reject();
+}
+
+TEST_F(MainWindowTest, GivesEveryActionANameAndHelpAndNoKeyTwice) {
+  std::map<QString, QString> owners;
+  for (const QAction* each : window().actionSet().all()) {
+    EXPECT_FALSE(each->text().isEmpty()) << each->objectName().toStdString();
+    EXPECT_FALSE(each->statusTip().isEmpty()) << each->objectName().toStdString();
+    for (const QKeySequence& keys : each->shortcuts()) {
+      if (each->objectName() == "accept") continue; // on while all else on Enter is off
+      const auto [owner, isNew] = owners.emplace(keys.toString(), each->objectName());
+      EXPECT_TRUE(isNew) << keys.toString().toStdString() << ": " << owner->second.toStdString()
+                         << " and " << each->objectName().toStdString();
+    }
+  }
+}
+
+TEST_F(MainWindowTest, HasALineInTheManualForEveryAction) {
+  QFile file(
+      QString::fromStdString((test::sourceFolder() / "resources/manual/manual.md").string()));
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  const QString manual = QString::fromUtf8(file.readAll());
+  const QRegularExpression pointSize("^\\d+ px$"); // one line tells of all
+  for (const QAction* each : window().actionSet().all()) {
+    const QString name = each->text().remove('&');
+    if (!pointSize.match(name).hasMatch()) {
+      EXPECT_TRUE(manual.contains(name)) << name.toStdString();
+    }
+  }
+}
+
+} // namespace
+} // namespace espalier

@@ -1,0 +1,181 @@
+// What a review marks: only what is seen, never much at once, and no doubt by the way.
+#include "tests/app/window/review_fixture.h"
+#include "ui/panels/coverage_bar.h"
+#include "ui/panels/message_banner.h"
+#include "ui/panels/review_panel.h"
+#include "ui/panels/status_line.h"
+#include "ui/panels/step_form.h"
+
+#include <QAbstractItemView>
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QTableView>
+#include <QTest>
+#include <QToolButton>
+
+#include <algorithm>
+
+namespace espalier {
+namespace {
+
+using test::ReviewWindowTest;
+
+TEST_F(ReviewWindowTest, EnterMarksNothingThatIsNotSeen) {
+  openFork();
+  key(Qt::Key_F9);
+  document().selection().set({shoot()});
+  const auto expectRefused = [&](const QString& why) {
+    key(Qt::Key_Return);
+    EXPECT_EQ(markOf(shoot()).state, ReviewState::toDo) << why.toStdString();
+    EXPECT_EQ(
+        window().banner().text(),
+        QString("Nothing is marked, as node %1 cannot be seen, being ").arg(indexOf(shoot())) +
+            why);
+  };
+  const Eigen::Vector3d place = document().skeleton()[shoot()].position;
+  view().setClip({.slab = {},
+                  .box = Eigen::AlignedBox3d(Eigen::Vector3d(-1, -1, 0),
+                                             Eigen::Vector3d(1, 1, place.z() - 0.1))});
+  expectRefused("clipped away: choose Show All Again (Alt+H)");
+  view().setClip({});
+  Camera aside = view().camera();
+  aside.focus += 100 * aside.right();
+  view().setCamera(aside);
+  expectRefused("outside the view: choose Frame Selection (F)");
+  action("frame").trigger();
+  waitForView();
+  action("hide").trigger();
+  document().selection().set({shoot()}); // as from the node table
+  expectRefused("hidden: choose Show All Again (Alt+H)");
+  action("show_all").trigger();
+  action("layer_skeleton").trigger();
+  key(Qt::Key_Return);
+  EXPECT_EQ(window().banner().text(),
+            "Nothing is marked, as the skeleton is not shown: choose Skeleton (Ctrl+3)");
+  action("layer_skeleton").trigger();
+  EXPECT_EQ(document().undoStack().count(), 0);
+  key(Qt::Key_Return);
+  EXPECT_EQ(markOf(shoot()).state, ReviewState::reviewed);
+}
+
+TEST_F(ReviewWindowTest, EnterMarksWhatLiesBehindWood) {
+  open({writeScan("scan.xyz"), writeFork("fork.mtg")});
+  key(Qt::Key_Period);
+  const std::vector<NodeId> stretch = chosen();
+  key(Qt::Key_Return);
+  EXPECT_EQ(markOf(stretch.front()).state, ReviewState::reviewed);
+}
+
+TEST_F(ReviewWindowTest, TheWalkTakesSlabAndBoxAlong) {
+  openFork();
+  action("view_front").trigger();
+  waitForView();
+  const Clip thin{.slab = Clip::Slab{0, 0.1}, .box = {}};
+  const Clip low{.slab = {},
+                 .box =
+                     Eigen::AlignedBox3d(Eigen::Vector3d(-2, -2, -1), Eigen::Vector3d(2, 2, 0.5))};
+  for (const Clip& clip : {thin, low}) {
+    view().setClip(clip);
+    for (int stretch = 0; stretch < 4; ++stretch) {
+      key(Qt::Key_Period);
+      waitForView();
+      for (const NodeId id : chosen())
+        EXPECT_TRUE(isDrawn(id)) << label("review_place").toStdString();
+    }
+    EXPECT_NE(view().clip(), clip);
+    EXPECT_FALSE(view().clip().isAll()) << "moved, not taken off";
+  }
+  EXPECT_EQ(document().undoStack().count(), 0) << "to look is no edit";
+}
+
+TEST_F(ReviewWindowTest, TheStatusLineSaysThatTheBoxWasMoved) {
+  openFork();
+  view().setClip(
+      {.slab = {},
+       .box = Eigen::AlignedBox3d(Eigen::Vector3d(-2, -2, -1), Eigen::Vector3d(2, 2, 0.5))});
+  key(Qt::Key_Period); // along the trunk, which is 1 high
+  EXPECT_EQ(window().statusLine().shownText(),
+            "The box was moved to what you fly to   Alt+H shows all of the plant");
+}
+
+TEST_F(ReviewWindowTest, TheWalkShowsWhatWasHiddenAgain) {
+  openFork();
+  document().selection().set({shoot()});
+  action("hide").trigger();
+  ASSERT_FALSE(isDrawn(shoot()));
+  key(Qt::Key_Period);
+  EXPECT_FALSE(isDrawn(shoot())) << "it is not flown to yet";
+  key(Qt::Key_Period);
+  EXPECT_EQ(chosen(), std::vector{shoot()});
+  waitForView();
+  EXPECT_TRUE(isDrawn(shoot()));
+}
+
+TEST_F(ReviewWindowTest, EnterAfterADoubtGoesOnAndLeavesTheDoubt) {
+  openFork();
+  key(Qt::Key_Period);
+  const std::vector<NodeId> trunk = chosen();
+  key(Qt::Key_Return, Qt::ShiftModifier);
+  EXPECT_EQ(chosen(), trunk) << "a comment on it may follow";
+  key(Qt::Key_Return);
+  EXPECT_NE(chosen(), trunk);
+  for (int stretch = 0; stretch < 3; ++stretch)
+    key(Qt::Key_Return);
+  EXPECT_EQ(chosen(), trunk) << "all others are reviewed";
+  for (const NodeId id : document().skeleton().ids())
+    EXPECT_EQ(markOf(id).state,
+              std::ranges::count(trunk, id) > 0 ? ReviewState::doubtful : ReviewState::reviewed);
+}
+
+TEST_F(ReviewWindowTest, EnterTakesAnOldDoubtBackOnlyIfItIsPressedTwice) {
+  openFork();
+  key(Qt::Key_F9);
+  document().edit("Doubt", [&](SkeletonEditor& editor) {
+    editor.setReview(shoot(),
+                     {.state = ReviewState::doubtful, .comment = "crosses b", .reviewer = "Anna"});
+  });
+  document().selection().set({shoot()});
+  key(Qt::Key_Return);
+  EXPECT_EQ(markOf(shoot()).state, ReviewState::doubtful);
+  EXPECT_EQ(window().statusLine().shownText(),
+            QString("Node %1 is doubtful (Anna: crosses b): Enter once more takes that back and "
+                    "marks it reviewed")
+                .arg(indexOf(shoot())));
+  document().selection().set({nodeAt({0, 0, 1})});
+  document().selection().set({shoot()});
+  key(Qt::Key_Return);
+  EXPECT_EQ(markOf(shoot()).state, ReviewState::doubtful) << "it was left meanwhile";
+  key(Qt::Key_Return);
+  EXPECT_EQ(markOf(shoot()).state, ReviewState::reviewed);
+}
+
+TEST_F(ReviewWindowTest, EnterDoesNotReviewAWholePlantAtOnce) {
+  openFork();
+  key(Qt::Key_F9);
+  action("select_all").trigger();
+  key(Qt::Key_Return);
+  EXPECT_EQ(document().undoStack().count(), 0);
+  EXPECT_EQ(window().banner().text(),
+            "Nothing is marked, as 5 nodes are more than one looks at in one go: walk to them by "
+            "Next Not Reviewed (Ctrl+.), or choose Review > Mark All 5 Selected Reviewed");
+  document().edit("Doubt", [&](SkeletonEditor& editor) {
+    editor.setReview(shoot(), {.state = ReviewState::doubtful});
+  });
+  action("mark_all_selected").trigger();
+  EXPECT_EQ(document().undoStack().undoText(), "Mark 4 nodes reviewed");
+  for (const NodeId id : document().skeleton().ids())
+    EXPECT_EQ(markOf(id).state, id == shoot() ? ReviewState::doubtful : ReviewState::reviewed);
+  action("mark_all_selected").trigger();
+  EXPECT_TRUE(window().banner().isVisible()) << "nothing of it is to do";
+  key(Qt::Key_Z, Qt::ControlModifier);
+  for (const NodeId id : document().skeleton().ids())
+    EXPECT_NE(markOf(id).state, ReviewState::reviewed);
+}
+
+} // namespace
+} // namespace espalier

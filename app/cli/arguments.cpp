@@ -126,6 +126,21 @@ void addNoRotate(CLI::App& command, bool& isSet) {
                    "the mean distance by a tenth");
 }
 
+void addLight(CLI::App& command, bool& isMeasured, int& pixels, const std::string& help) {
+  command.add_flag("--light", isMeasured, help);
+  command
+      .add_option("--pixels", pixels,
+                  "Pixels along the longer side of each picture for --light, 8 to 16384")
+      ->type_name("N")
+      ->check(wholeNumber(8, 16384))
+      ->capture_default_str();
+}
+
+void addNumberFiles(CLI::App& command, std::string& csv, std::string& json) {
+  command.add_option("--csv", csv, "File to write all numbers to, as a table")->type_name("FILE");
+  command.add_option("--json", json, "File to write all numbers to")->type_name("FILE");
+}
+
 void addUnit(CLI::App& command, std::string& unit, const std::string& help) {
   addChoice(command, "--unit", unit, help, {{"mm", "mm"}, {"cm", "cm"}, {"m", "m"}});
 }

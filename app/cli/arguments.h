@@ -74,6 +74,12 @@ void addMtgStyle(CLI::App& command, MtgStyle& style);
 /// Adds --no-rotate, of those that lay a plant on a reference.
 void addNoRotate(CLI::App& command, bool& isSet);
 
+/// Adds --light and --pixels: whether the STAR is measured, and how finely.
+void addLight(CLI::App& command, bool& isMeasured, int& pixels, const std::string& help);
+
+/// Adds --csv and --json, which name files for all numbers.
+void addNumberFiles(CLI::App& command, std::string& csv, std::string& json);
+
 /// Adds --unit, for those who read the numbers; empty = not known.
 void addUnit(CLI::App& command, std::string& unit, const std::string& help);
 

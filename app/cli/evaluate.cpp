@@ -140,18 +140,10 @@ void addEvaluate(CLI::App& app) {
                     "Tell by order, height and radius where the two agree");
   command->add_flag("--traits", flags->traits,
                     "Tell sizes, Strahler numbers, branching angles and crown of both");
-  command->add_flag("--light", flags->light,
-                    "Measure how much of its surface each shows to an overcast sky (STAR)");
-  command
-      ->add_option("--pixels", flags->pixels,
-                   "Pixels along the longer side of each picture for --light, 8 to 16384")
-      ->type_name("N")
-      ->check(wholeNumber(8, 16384))
-      ->capture_default_str();
+  addLight(*command, flags->light, flags->pixels,
+           "Measure how much of its surface each shows to an overcast sky (STAR)");
   addRanking(*command, *flags);
-  command->add_option("--csv", flags->csv, "File to write all numbers to, as a table")
-      ->type_name("FILE");
-  command->add_option("--json", flags->json, "File to write all numbers to")->type_name("FILE");
+  addNumberFiles(*command, flags->csv, flags->json);
   addReport(*command, flags->report);
   const CLI::Validator isNamed(
       [](const std::string& name) {

@@ -116,21 +116,13 @@ void addTraits(CLI::App& app) {
       "traits", "Measure one plant by itself: sizes, axes, angles, wood and light");
   const auto flags = std::make_shared<Flags>();
   command->add_option("PLANT", flags->file, "A structure, in any format that is read")->required();
-  command->add_flag("--light", flags->light,
-                    "Measure how much of its surface it shows to an overcast sky (STAR)");
-  command
-      ->add_option("--pixels", flags->pixels,
-                   "Pixels along the longer side of each picture for --light, 8 to 16384")
-      ->type_name("N")
-      ->check(wholeNumber(8, 16384))
-      ->capture_default_str();
+  addLight(*command, flags->light, flags->pixels,
+           "Measure how much of its surface it shows to an overcast sky (STAR)");
   addChoice(*command, "--up", flags->up, "Axis that points up",
             {{"x", UpAxis::x}, {"y", UpAxis::y}, {"z", UpAxis::z}});
   addUnit(*command, flags->unit,
           "Unit of the structure: named with the numbers, and sets where breast height is");
-  command->add_option("--csv", flags->csv, "File to write all numbers to, as a table")
-      ->type_name("FILE");
-  command->add_option("--json", flags->json, "File to write all numbers to")->type_name("FILE");
+  addNumberFiles(*command, flags->csv, flags->json);
   addReport(*command, flags->report);
   addThreads(*command, flags->threads);
   command->callback([flags] { measure(*flags); });

@@ -118,13 +118,12 @@ private:
         ++astray;
     }
     if (astray > 0)
-      note(
-          counted(
-              astray,
-              "extension is a cylinder that does not hang on the one it should extend, "
-              "and is",
-              "extensions are cylinders that do not hang on the ones they should extend, and are") +
-          " passed over");
+      note(counted(astray,
+                   "extension is a cylinder that is not attached to the one it should extend, "
+                   "and is",
+                   "extensions are cylinders that are not attached to the ones they should extend, "
+                   "and are") +
+           " passed over");
   }
   void note(const std::string& what) { result_.notes.push_back(file_ + ": " + what); }
 

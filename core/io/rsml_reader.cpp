@@ -32,9 +32,9 @@ public:
       note(counted(bare_, "root has no polyline and is", "roots have no polyline and are") +
            " left out");
     if (strays_ > 0)
-      note(counted(strays_, "root names a parent-node that is not there, and hangs",
-                   "roots name a parent-node that is not there, and hang") +
-           " on the nearest node");
+      note(counted(strays_, "root names a parent-node that is not there, and is attached",
+                   "roots name a parent-node that is not there, and are attached") +
+           " to the nearest node");
     if (!unused_.empty())
       note("its functions " + listed({unused_.begin(), unused_.end()}) + " are left out");
     return std::move(result_);

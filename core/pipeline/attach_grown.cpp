@@ -265,13 +265,13 @@ private:
   void consider(std::uint32_t piece, std::uint32_t at, const Bearer& bearer) {
     check_.after(ofTry);
     const Node& node = loose_[at].node;
-    const Vector3d way = node.position - bearer.node.position;
-    const double gap = std::max(0.0, way.norm() - bearer.node.radius - node.radius);
+    const Vector3d link = node.position - bearer.node.position;
+    const double gap = std::max(0.0, link.norm() - bearer.node.radius - node.radius);
     if (gap > longestAttachment * options_.widestJoin) return;
     constexpr double atOnce = 3; // spacings that any attachment costs: short ones may turn as well
     const double least = gap + atOnce * options_.spacing;
     if (least >= best_[piece].cost) return;
-    const double cost = least * (1 + turnCost(at, bearer, way));
+    const double cost = least * (1 + turnCost(at, bearer, link));
     if (cost >= best_[piece].cost) return;
     if (gap > options_.widestJoin && !points_.hasNoGap(bearer.node, node, options_.widestJoin))
       return;
@@ -279,14 +279,15 @@ private:
   }
 
   /// How much more an attachment costs that turns; infinite where it turns too sharply.
-  [[nodiscard]] double turnCost(std::uint32_t at, const Bearer& bearer, const Vector3d& way) const {
+  [[nodiscard]] double turnCost(std::uint32_t at, const Bearer& bearer,
+                                const Vector3d& link) const {
     constexpr double weight = 4; // as across gaps in the reconstruction (GapOptions)
-    const double below = bearer.direction.isZero(0) ? 1 : cosine(bearer.direction, way);
+    const double below = bearer.direction.isZero(0) ? 1 : cosine(bearer.direction, link);
     if (below < leastCosine_) return infinity;
     double sharpest = 1;
     bool goesOn = loose_[at].links.empty();
     for (const std::uint32_t next : loose_[at].links) {
-      const double on = cosine(way, loose_[next].node.position - loose_[at].node.position);
+      const double on = cosine(link, loose_[next].node.position - loose_[at].node.position);
       sharpest = std::min(sharpest, on);
       goesOn = goesOn || on >= leastCosine_;
     }
@@ -326,7 +327,8 @@ private:
       const auto [at, bearer] = open.back();
       open.pop_back();
       const Node node = onPoints(loose_[at].node, bearer.node);
-      const bool isPassed = mayBePassed(at, bearer); // it only makes the way turn, or adds nothing
+      const bool isPassed =
+          mayBePassed(at, bearer); // it only makes the branch turn, or adds nothing
       if (!isPassed && !goesOn(bearer, node.position)) {
         cut.push_back(at);
         continue;
@@ -344,22 +346,22 @@ private:
     }
   }
 
-  /// Does a way on from a bearer turn off no more than it may?
+  /// Does a branch on from a bearer turn off no more than it may?
   [[nodiscard]] bool goesOn(const Bearer& bearer, const Vector3d& to) const {
     return bearer.direction.isZero(0) ||
            cosine(bearer.direction, to - bearer.node.position) >= leastCosine_;
   }
 
-  /// Does the way from a bearer lead on without this node, where it does not with it, or would not
-  /// need it?
+  /// Does the branch from a bearer lead on without this node, where it does not with it, or would
+  /// not need it?
   [[nodiscard]] bool mayBePassed(std::uint32_t at, const Bearer& bearer) {
     const std::vector<std::uint32_t>& links = loose_[at].links;
     const Vector3d place = loose_[at].node.position;
-    const Vector3d way = place - bearer.node.position;
+    const Vector3d link = place - bearer.node.position;
     const auto turnsSharply = [&](std::uint32_t next) {
-      return cosine(way, loose_[next].node.position - place) < leastCosine_;
+      return cosine(link, loose_[next].node.position - place) < leastCosine_;
     };
-    const bool isShort = way.norm() <= short_;
+    const bool isShort = link.norm() <= short_;
     const bool isKink = links.size() == 1 && (!goesOn(bearer, place) || turnsSharply(links[0]));
     if (links.empty() || !(isShort || isKink)) return false;
     const double widest = std::max(options_.widestGap, options_.widestJoin);

@@ -88,7 +88,7 @@ TEST(ReadQsmTable, TellsOfCylindersThatBeginElsewhereAndOfFalseExtensions) {
   EXPECT_EQ(tree.value[NodeId{2}].edge, EdgeType::branching);
   EXPECT_THAT(tree.notes, ElementsAre(HasSubstr("1 cylinder begins farther than its radius from "
                                                 "the end of the one that bears it, by up to 3;"),
-                                      HasSubstr("2 extensions are cylinders that do not hang")));
+                                      HasSubstr("2 extensions are cylinders that are not attached")));
 }
 
 TEST(ReadQsmTable, TakesParentsThatComeLater) {

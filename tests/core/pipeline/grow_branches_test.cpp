@@ -219,7 +219,7 @@ TEST(AttachedGrown, LeavesOutThousandsOfPiecesThatNothingLeadsToSoon) {
     EXPECT_LT(branches[0].part[id].position.y(), 1);
 }
 
-// A stub as long as what an edge explains twice: of its points, too few stand off the bark.
+// Of the points of a short branch on a trunk, too few stand off the bark.
 TEST(GrownFromUnexplained, GrowsNothingOfAStubOnTheBark) {
   const auto withBranchTo = [](double x) {
     return cloudOf(

@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Flags {
+struct BatchFlags {
   std::string manifest;
   std::string folder;
   bool noRotate = false;
@@ -187,7 +187,7 @@ BatchResult resultOf(const Batch& batch, const BatchPlant& plant, const BatchSum
 }
 
 /// @throws Error if a result would replace what is read
-void requireApart(const Batch& batch, const Flags& flags) {
+void requireApart(const Batch& batch, const BatchFlags& flags) {
   std::error_code isMissing;
   std::set<fs::path> read;
   const auto add = [&](const fs::path& file) {
@@ -211,7 +211,7 @@ void requireApart(const Batch& batch, const Flags& flags) {
   require(batch.folder / "summary.csv");
 }
 
-Batch batchOf(const Flags& flags) {
+Batch batchOf(const BatchFlags& flags) {
   Batch batch;
   batch.options = flags.pipeline.options("skeleton");
   batch.mtgStyle = flags.pipeline.mtgStyle;
@@ -247,7 +247,7 @@ void tell(const std::vector<BatchResult>& failures, std::size_t skipped, std::si
                 " failed: mend what is told above and start again, what is done is kept");
 }
 
-void run(const Flags& flags) {
+void run(const BatchFlags& flags) {
   const Threads threads(flags.pipeline.threads);
   const Batch batch = batchOf(flags);
   removeLeftovers(batch.folder);
@@ -290,7 +290,7 @@ void run(const Flags& flags) {
 void addBatch(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "batch", "Reconstruct many plants in turn; a bad one does not stop the rest");
-  const auto flags = std::make_shared<Flags>();
+  const auto flags = std::make_shared<BatchFlags>();
   command
       ->add_option("MANIFEST", flags->manifest,
                    "CSV table of the plants: a column scan, and name, reference and root if needed")

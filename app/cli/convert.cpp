@@ -10,7 +10,7 @@
 namespace espalier {
 namespace {
 
-struct Flags {
+struct ConvertFlags {
   std::string input;
   std::string output;
   MtgStyle mtgStyle = MtgStyle::plantNode;
@@ -30,18 +30,18 @@ std::string extensionsToWrite(Content content) {
   return list.substr(0, list.size() - 2);
 }
 
-Error nothingToRewrite(const Flags& flags) {
+Error nothingToRewrite(const ConvertFlags& flags) {
   return Error(flags.output + ": --rewrite is for MTG to MTG: leave it out");
 }
 
 /// The same without the text it was read from, so that all of it is written anew.
-Structure withoutText(const Structure& structure, const Flags& flags) {
+Structure withoutText(const Structure& structure, const ConvertFlags& flags) {
   if (!structure.frame || formatToWrite(flags.output, Content::structure).name != "MTG")
     throw nothingToRewrite(flags);
   return {structure.skeleton, std::make_shared<const MtgFrame>(MtgFrame{structure.frame->mtg, {}})};
 }
 
-void convert(const Flags& flags) {
+void convert(const ConvertFlags& flags) {
   const Content content = formatOf(flags.input).content;
   requireOutput(flags.output, content, {flags.input});
   if (flags.rewrites && content == Content::points) throw nothingToRewrite(flags);
@@ -71,7 +71,7 @@ void convert(const Flags& flags) {
 void addConvert(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("convert", "Write points or a structure in another format");
-  const auto flags = std::make_shared<Flags>();
+  const auto flags = std::make_shared<ConvertFlags>();
   command->add_option("INPUT", flags->input, "Points or a structure to read")->required();
   command
       ->add_option("OUTPUT", flags->output,

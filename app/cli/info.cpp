@@ -23,7 +23,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Flags {
+struct InfoFlags {
   std::string file;
   bool isJson = false;
 };
@@ -102,7 +102,7 @@ Json infoOn(const std::string& file, const Format& format) {
   return statistics(points.value);
 }
 
-void info(const Flags& flags) {
+void info(const InfoFlags& flags) {
   requireReadable(flags.file);
   Json json = {{"file", flags.file}};
   if (isProject(flags.file)) {
@@ -123,7 +123,7 @@ void info(const Flags& flags) {
 
 void addInfo(CLI::App& app) {
   CLI::App* command = app.add_subcommand("info", "Tell what a file holds");
-  const auto flags = std::make_shared<Flags>();
+  const auto flags = std::make_shared<InfoFlags>();
   command
       ->add_option("FILE", flags->file,
                    "Points or a structure, of any format that can be read, or a project")

@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Flags {
+struct MethodsFlags {
   std::string name; // of a step or method; empty: all
   bool isJson = false;
 };
@@ -33,11 +33,11 @@ std::string rangeText(const Option& option) {
   return option.kind == OptionKind::angle ? text + " degrees" : text;
 }
 
-bool isWanted(const Flags& flags, const Step& step, const Method& method) {
+bool isWanted(const MethodsFlags& flags, const Step& step, const Method& method) {
   return flags.name.empty() || flags.name == step.name || flags.name == method.name;
 }
 
-void printText(const Flags& flags) {
+void printText(const MethodsFlags& flags) {
   for (const Step& step : pipelineSteps())
     for (const Method& method : step.methods) {
       if (!isWanted(flags, step, method)) continue;
@@ -68,7 +68,7 @@ Json toJson(const Option& option) {
   return json;
 }
 
-void printJson(const Flags& flags) {
+void printJson(const MethodsFlags& flags) {
   auto json = Json::array();
   for (const Step& step : pipelineSteps())
     for (const Method& method : step.methods) {
@@ -87,7 +87,7 @@ void printJson(const Flags& flags) {
   std::cout << json.dump(2) << '\n';
 }
 
-void methods(const Flags& flags) {
+void methods(const MethodsFlags& flags) {
   bool isKnown = flags.name.empty();
   for (const Step& step : pipelineSteps())
     for (const Method& method : step.methods)
@@ -106,7 +106,7 @@ void methods(const Flags& flags) {
 void addMethods(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("methods", "List every step, method and option with its default rule");
-  const auto flags = std::make_shared<Flags>();
+  const auto flags = std::make_shared<MethodsFlags>();
   command->add_option("NAME", flags->name, "A step or method")->default_str("all");
   command->add_flag("--json", flags->isJson, "Print JSON instead of text");
   command->callback([flags] { methods(*flags); });

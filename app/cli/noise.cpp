@@ -19,7 +19,7 @@
 namespace espalier {
 namespace {
 
-struct Flags {
+struct NoiseFlags {
   std::string reference;
   std::vector<std::string> kinds;
   std::vector<std::string> scores; // to print; empty: what a reader compares first
@@ -63,13 +63,13 @@ NoiseSeries seriesOf(const std::string& text) {
   return series;
 }
 
-struct Column {
+struct NoiseColumn {
   Score score;
   std::string title;
 };
 
 /// The scores that are asked for, or what a reader compares first: all are in the files.
-std::vector<Column> columnsOf(const std::vector<std::string>& asked) {
+std::vector<NoiseColumn> columnsOf(const std::vector<std::string>& asked) {
   if (asked.empty())
     return {{Score::geometric, "G"},
             {Score::structural, "T"},
@@ -78,7 +78,7 @@ std::vector<Column> columnsOf(const std::vector<std::string>& asked) {
             {Score::f, "F"},
             {Score::diadem, "DIADEM"},
             {Score::ways, "ways"}};
-  std::vector<Column> columns;
+  std::vector<NoiseColumn> columns;
   columns.reserve(asked.size());
   for (const std::string& name : asked)
     columns.push_back(
@@ -86,8 +86,9 @@ std::vector<Column> columnsOf(const std::vector<std::string>& asked) {
   return columns;
 }
 
-void print(const NoiseStudy& study, const std::vector<Column>& columns, const std::string& unit) {
-  const auto widthOf = [](const Column& column) {
+void print(const NoiseStudy& study, const std::vector<NoiseColumn>& columns,
+           const std::string& unit) {
+  const auto widthOf = [](const NoiseColumn& column) {
     return std::max(9, static_cast<int>(column.title.size()));
   };
   const std::string named = unit.empty() ? unit : " " + unit;
@@ -99,19 +100,19 @@ void print(const NoiseStudy& study, const std::vector<Column>& columns, const st
   for (const NoiseCurve& curve : study.curves) {
     const PerturbationEntry& entry = perturbations()[static_cast<std::size_t>(curve.kind)];
     std::printf("\n%22s", (entry.name + ", " + entry.unit).c_str());
-    for (const Column& column : columns)
+    for (const NoiseColumn& column : columns)
       std::printf(" %*s", widthOf(column), column.title.c_str());
     std::printf("\n");
     for (const NoisePoint& point : curve.points) {
       std::printf("%22.4g", point.level);
-      for (const Column& column : columns)
+      for (const NoiseColumn& column : columns)
         std::printf(" %*.3f", widthOf(column), point.mean[static_cast<std::size_t>(column.score)]);
       std::printf("\n");
     }
   }
 }
 
-void writeFiles(const Flags& flags, const NoiseStudy& study) {
+void writeFiles(const NoiseFlags& flags, const NoiseStudy& study) {
   writeAndTell(flags.csv, [&](std::ostream& out) {
     for (const std::vector<std::string>& row : toTable(study))
       out << csvLine(row);
@@ -121,7 +122,7 @@ void writeFiles(const Flags& flags, const NoiseStudy& study) {
   writeJson(flags.json, json);
 }
 
-void noise(const Flags& flags) {
+void noise(const NoiseFlags& flags) {
   const Threads threads(flags.threads);
   requireApart({flags.csv, flags.json});
   requireOutput(flags.csv, {flags.reference});
@@ -152,7 +153,7 @@ void noise(const Flags& flags) {
 void addNoise(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "noise", "Make a reference worse step by step, and see how the scores of evaluate fall");
-  const auto flags = std::make_shared<Flags>();
+  const auto flags = std::make_shared<NoiseFlags>();
   command->add_option("REFERENCE", flags->reference, "Structure that is made worse")->required();
   command
       ->add_option("--kind", flags->kinds,

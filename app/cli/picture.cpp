@@ -21,7 +21,7 @@
 namespace espalier {
 namespace {
 
-struct Flags {
+struct PictureFlags {
   std::vector<std::string> files;
   std::string output;
   StandardView view = StandardView::front;
@@ -44,7 +44,7 @@ void requireColor(const PointCloud& cloud, PointColor color) {
                      ": choose another --color");
 }
 
-Scene sceneOf(const Flags& flags, const Progress& progress) {
+Scene sceneOf(const PictureFlags& flags, const Progress& progress) {
   Scene scene;
   bool hasStructure = false;
   for (const std::string& file : flags.files) {
@@ -89,7 +89,7 @@ QByteArray pngOf(const QImage& image) {
   return bytes;
 }
 
-void drawPicture(const Flags& flags) {
+void drawPicture(const PictureFlags& flags) {
   requirePng(flags.output);
   requireOutput(flags.output, flags.files);
   const Headless headless;
@@ -114,7 +114,7 @@ void drawPicture(const Flags& flags) {
 void addPicture(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("picture", "Draw a scan, a structure, or both, as the editor would");
-  const auto flags = std::make_shared<Flags>();
+  const auto flags = std::make_shared<PictureFlags>();
   command->add_option("FILE", flags->files, "A scan, a structure, or one of each")->required();
   addOutput(*command, flags->output, "PNG picture to write");
   addChoice(*command, "--view", flags->view, "Side to look from",

@@ -17,7 +17,7 @@
 namespace espalier {
 namespace {
 
-struct Flags {
+struct SimulateFlags {
   std::string prefix;
   std::uint64_t seed = 1;
   std::string from;
@@ -30,7 +30,7 @@ struct Flags {
   int threads = 0;
 };
 
-Foliage foliageOf(const Flags& flags) {
+Foliage foliageOf(const SimulateFlags& flags) {
   Foliage foliage = foliageOf(flags.growth.architecture, flags.foliage);
   if (flags.foliageAngle >= 0)
     foliage.shortShoots.angle = foliage.blades.angle = flags.foliageAngle * std::numbers::pi / 180;
@@ -39,7 +39,7 @@ Foliage foliageOf(const Flags& flags) {
 }
 
 /// Scan and truth next to each other: PREFIX.ply and PREFIX.mtg.
-void simulate(const Flags& flags) {
+void simulate(const SimulateFlags& flags) {
   const Threads threads(flags.threads);
   const std::string scanFile = flags.prefix + ".ply";
   const std::string truthFile = flags.prefix + ".mtg";
@@ -113,7 +113,7 @@ void addScanner(CLI::App& command, ScannerOptions& scanner) {
       ->capture_default_str();
 }
 
-void addFoliage(CLI::App& command, Flags& flags) {
+void addFoliage(CLI::App& command, SimulateFlags& flags) {
   command
       .add_option("--foliage", flags.foliage,
                   "Needles, leaves and short shoots that are in the scan, not in the truth: 1 as "
@@ -140,7 +140,7 @@ void addFoliage(CLI::App& command, Flags& flags) {
 void addSimulate(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "simulate", "Grow a plant, or take a structure, and scan it, so that the truth is known");
-  const auto flags = std::make_shared<Flags>();
+  const auto flags = std::make_shared<SimulateFlags>();
   addOutput(*command, flags->prefix,
             "Prefix of the files written: PREFIX.ply, the scan, and "
             "PREFIX.mtg, the truth")

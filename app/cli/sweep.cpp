@@ -29,7 +29,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Flags {
+struct SweepFlags {
   PipelineFlags pipeline;
   std::string name; // STEP.OPTION
   std::vector<std::string> values;
@@ -53,7 +53,7 @@ Swept parsed(const std::string& name) {
 }
 
 /// The values that were listed, as numbers in the units the option is set in.
-std::vector<double> listedValues(const Flags& flags, const Swept& swept,
+std::vector<double> listedValues(const SweepFlags& flags, const Swept& swept,
                                  const PipelineOptions& options, const PlantScale& scale) {
   const Step& step = stepNamed(swept.step);
   const Method& method = chosenMethod(step, options);
@@ -174,7 +174,7 @@ void printRow(const Json& row) {
   std::printf("\n");
 }
 
-void writeResults(const Flags& flags, const std::vector<Json>& rows) {
+void writeResults(const SweepFlags& flags, const std::vector<Json>& rows) {
   writeTable(flags.csv, rows);
   writeJson(flags.pipeline.json,
             {{"scan", flags.pipeline.scan},
@@ -193,7 +193,7 @@ std::vector<std::string> notesIn(const std::string& option, const std::vector<Js
   return notes;
 }
 
-std::optional<Reference> referenceIn(const Flags& flags) {
+std::optional<Reference> referenceIn(const SweepFlags& flags) {
   const std::string& file = flags.reference;
   if (file.empty()) return std::nullopt;
   Imported<Structure> structure = readStructure(file);
@@ -203,7 +203,7 @@ std::optional<Reference> referenceIn(const Flags& flags) {
                    .registration = {.turns = !flags.noRotate, .up = flags.pipeline.up}};
 }
 
-void run(const Flags& flags) {
+void run(const SweepFlags& flags) {
   const Threads threads(flags.pipeline.threads);
   const Swept swept = parsed(flags.name);
   const PipelineOptions options = flags.pipeline.options(swept.step);
@@ -253,7 +253,7 @@ void run(const Flags& flags) {
 void addSweep(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("sweep", "Try one option over several values, and judge each");
-  const auto flags = std::make_shared<Flags>();
+  const auto flags = std::make_shared<SweepFlags>();
   command
       ->add_option("SCAN", flags->pipeline.scan,
                    "Points of one plant, in any format that is read, as PLY or LAS")

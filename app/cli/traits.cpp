@@ -21,7 +21,7 @@
 namespace espalier {
 namespace {
 
-struct Flags {
+struct TraitsFlags {
   std::string file;
   UpAxis up = UpAxis::z;
   bool light = false;
@@ -33,7 +33,7 @@ struct Flags {
   int threads = 0;
 };
 
-void requireOutputs(const Flags& flags) {
+void requireOutputs(const TraitsFlags& flags) {
   requireApart({flags.csv, flags.json, flags.report.file});
   for (const std::string& file : {flags.csv, flags.json})
     requireOutput(file, {flags.file});
@@ -63,7 +63,7 @@ void print(const PlantMeasures& measures, const std::string& unit) {
                 axes[order].meanLength, axes[order].meanChord, axes[order].meanInsertion);
 }
 
-PlantReportAbout aboutOf(const Flags& flags) {
+PlantReportAbout aboutOf(const TraitsFlags& flags) {
   PlantReportAbout about;
   about.plant = reportedFile(flags.file);
   if (!flags.report.scan.empty()) about.scan = reportedFile(flags.report.scan);
@@ -73,8 +73,8 @@ PlantReportAbout aboutOf(const Flags& flags) {
   return about;
 }
 
-void writeReport(const Flags& flags, const PlantReportData& data, const PlantReportAbout& about,
-                 const Progress& progress) {
+void writeReport(const TraitsFlags& flags, const PlantReportData& data,
+                 const PlantReportAbout& about, const Progress& progress) {
   const Headless headless;
   PictureSession session(data.plant, data.scan, data.up, about.unit);
   do
@@ -84,7 +84,7 @@ void writeReport(const Flags& flags, const PlantReportData& data, const PlantRep
   printWritten(flags.report.file);
 }
 
-void measure(const Flags& flags) {
+void measure(const TraitsFlags& flags) {
   requireOutputs(flags);
   const Threads threads(flags.threads);
   const TerminalProgress terminal;
@@ -114,7 +114,7 @@ void measure(const Flags& flags) {
 void addTraits(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "traits", "Measure one plant by itself: sizes, axes, angles, wood and light");
-  const auto flags = std::make_shared<Flags>();
+  const auto flags = std::make_shared<TraitsFlags>();
   command->add_option("PLANT", flags->file, "A structure, in any format that is read")->required();
   addLight(*command, flags->light, flags->pixels,
            "Measure how much of its surface it shows to an overcast sky (STAR)");

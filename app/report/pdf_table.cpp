@@ -11,11 +11,11 @@ constexpr double padding = 3;
 constexpr double barHeight = 3;
 constexpr double leastBar = 48;
 
-const QColor quiet(0x5b, 0x63, 0x5f);
+const QColor quietText(0x5b, 0x63, 0x5f);
 const QColor line(0xc4, 0xca, 0xc7);
 
 PdfText headLook() {
-  return {.size = 10.5, .isBold = true, .color = quiet};
+  return {.size = 10.5, .isBold = true, .color = quietText};
 }
 PdfText captionLook() {
   return {.size = 11.5, .isBold = true};

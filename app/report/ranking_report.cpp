@@ -13,13 +13,13 @@ QString tr(const char* text) {
   return reportText(text);
 }
 
-struct Parts {
+struct RankingParts {
   const RankingReportData& data;
   const RankingReportAbout& about;
   ReportNumbers numbers;
 };
 
-QString nameOf(const Parts& parts, const RankedResult& result) {
+QString nameOf(const RankingParts& parts, const RankedResult& result) {
   return parts.about.results.at(result.result).name;
 }
 
@@ -51,7 +51,7 @@ QString titleOf(Score score) {
   }
 }
 
-ReportTable scoreTable(const Parts& parts, const QString& caption,
+ReportTable scoreTable(const RankingParts& parts, const QString& caption,
                        const std::vector<Score>& scores) {
   ReportTable table;
   table.caption = caption;
@@ -71,7 +71,7 @@ ReportTable scoreTable(const Parts& parts, const QString& caption,
   return table;
 }
 
-ReportSection ranks(const Parts& parts) {
+ReportSection ranks(const RankingParts& parts) {
   const Ranking& ranking = parts.data.ranking;
   ReportTable table;
   table.columns = {{tr("rank")},
@@ -105,7 +105,7 @@ ReportSection ranks(const Parts& parts) {
   return section;
 }
 
-ReportSection scores(const Parts& parts) {
+ReportSection scores(const RankingParts& parts) {
   return {tr("Scores"),
           {scoreTable(parts, tr("What lies near"), {Score::f, Score::precision, Score::recall}),
            scoreTable(parts, tr("As the authors of the method measure"),
@@ -114,7 +114,7 @@ ReportSection scores(const Parts& parts) {
                       {Score::cappedGeometric, Score::cappedStructural})}};
 }
 
-ReportSection curves(const Parts& parts) {
+ReportSection curves(const RankingParts& parts) {
   ReportSection section{tr("Agreement over the tolerance"), {}};
   for (std::size_t i = 0; i < parts.data.curves.size(); ++i) {
     const RankedResult& result = parts.data.ranking.results[i];
@@ -136,7 +136,7 @@ ReportSection curves(const Parts& parts) {
   return section;
 }
 
-ReportSection origin(const Parts& parts) {
+ReportSection origin(const RankingParts& parts) {
   ReportTable inputs;
   inputs.caption = tr("Inputs");
   inputs.columns = {{tr("role"), false},
@@ -196,7 +196,7 @@ RankingReportData rankingReportData(Ranking ranking, const std::vector<Skeleton>
 }
 
 Report rankingReport(const RankingReportData& data, const RankingReportAbout& about) {
-  const Parts parts{data, about, ReportNumbers(about.unit)};
+  const RankingParts parts{data, about, ReportNumbers(about.unit)};
   Report report;
   report.title = reportText("%1 structures compared with %2")
                      .arg(parts.numbers.count(about.results.size()), about.reference.name);

@@ -1,6 +1,6 @@
 #include "app/window/evaluation_text.h"
 
-#include "core/base/error.h"
+#include "app/window/kept_json.h"
 
 #include <QCoreApplication>
 #include <QJsonArray>
@@ -8,23 +8,9 @@
 #include <QJsonObject>
 
 #include <algorithm>
-#include <cmath>
 
 namespace espalier {
 namespace {
-
-[[noreturn]] void refuse() {
-  throw Error(QCoreApplication::translate("EvaluationText",
-                                          "how this project compares with its reference cannot be "
-                                          "read: choose the tolerance again")
-                  .toStdString());
-}
-
-double numberIn(const QJsonValue& value) {
-  const double number = value.toDouble(std::nan(""));
-  if (!std::isfinite(number)) refuse();
-  return number;
-}
 
 template <class Enum> QString nameIn(const std::vector<std::string>& names, Enum value) {
   return QString::fromStdString(names[static_cast<std::size_t>(value)]);
@@ -87,16 +73,21 @@ std::string textOf(const EvaluationText& evaluation) {
 
 EvaluationText evaluationFrom(const std::string& text) {
   if (text.empty()) return {};
-  const QJsonDocument document = QJsonDocument::fromJson(QByteArray::fromStdString(text));
-  if (!document.isObject() || !document["laid"].isBool()) refuse();
-  EvaluationText evaluation{.tolerance = numberIn(document["tolerance"]),
-                            .isLaid = document["laid"].toBool(),
-                            .turns = flagIn(document["turned"], true),
-                            .edit = editIn(document)};
-  if (evaluation.tolerance < 0) refuse();
-  for (const auto& each : document["ignored"].toArray())
-    evaluation.ignored.push_back(partIn(each.toObject()));
-  return evaluation;
+  const QString refusal = QCoreApplication::translate(
+      "EvaluationText",
+      "how this project compares with its reference cannot be read: choose the tolerance again");
+  return readKept(refusal, [&] {
+    const QJsonDocument document = QJsonDocument::fromJson(QByteArray::fromStdString(text));
+    if (!document.isObject() || !document["laid"].isBool()) refuse();
+    EvaluationText evaluation{.tolerance = numberIn(document["tolerance"]),
+                              .isLaid = document["laid"].toBool(),
+                              .turns = flagIn(document["turned"], true),
+                              .edit = editIn(document)};
+    if (evaluation.tolerance < 0) refuse();
+    for (const auto& each : document["ignored"].toArray())
+      evaluation.ignored.push_back(partIn(each.toObject()));
+    return evaluation;
+  });
 }
 
 } // namespace espalier

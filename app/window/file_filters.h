@@ -11,6 +11,9 @@ namespace espalier {
 
 class PlantDocument;
 
+/// Of the settings: the folder of the last file that was chosen.
+inline const QString folderKey = QStringLiteral("last_folder");
+
 // The kinds of files that dialogs list, as "MTG structure (*.mtg)".
 
 /// All that can be opened, in one text.

@@ -22,7 +22,6 @@
 namespace espalier {
 namespace {
 
-const QString folderKey = QStringLiteral("last_folder");
 const QString axesKey = QStringLiteral("save_mtg_with_axes");
 
 /// Whether a skeleton saved there can be opened again.

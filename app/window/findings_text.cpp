@@ -1,36 +1,14 @@
 #include "app/window/findings_text.h"
 
-#include "core/base/error.h"
+#include "app/window/kept_json.h"
 
 #include <QCoreApplication>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 
-#include <cmath>
-#include <limits>
-
 namespace espalier {
 namespace {
-
-[[noreturn]] void refuse() {
-  throw Error(
-      QCoreApplication::translate(
-          "FindingsText", "what is ignored in this project cannot be read: all findings are shown")
-          .toStdString());
-}
-
-double numberIn(const QJsonValue& value) {
-  const double number = value.toDouble(std::nan(""));
-  if (!std::isfinite(number)) refuse();
-  return number;
-}
-
-NodeId nodeIn(const QJsonValue& value) {
-  const double number = numberIn(value);
-  if (number < 0 || number > std::numeric_limits<std::uint32_t>::max()) refuse();
-  return NodeId{static_cast<std::uint32_t>(number)};
-}
 
 Finding::Kind kindNamed(const QString& name) {
   for (int kind = 0; kind < findingKinds; ++kind)
@@ -74,12 +52,16 @@ std::string textOf(const std::vector<Finding>& findings) {
 
 std::vector<Finding> findingsFrom(const std::string& text) {
   if (text.empty()) return {};
-  const QJsonDocument document = QJsonDocument::fromJson(QByteArray::fromStdString(text));
-  if (!document.isArray()) refuse();
-  std::vector<Finding> findings;
-  for (const QJsonValue each : document.array())
-    findings.push_back(findingIn(each.toObject()));
-  return findings;
+  const QString refusal = QCoreApplication::translate(
+      "FindingsText", "what is ignored in this project cannot be read: all findings are shown");
+  return readKept(refusal, [&] {
+    const QJsonDocument document = QJsonDocument::fromJson(QByteArray::fromStdString(text));
+    if (!document.isArray()) refuse();
+    std::vector<Finding> findings;
+    for (const QJsonValue each : document.array())
+      findings.push_back(findingIn(each.toObject()));
+    return findings;
+  });
 }
 
 } // namespace espalier

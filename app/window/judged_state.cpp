@@ -14,7 +14,7 @@ namespace {
 constexpr int links = 7;             // per point, as the contractions have
 constexpr double densityReach = 3;   // point spacings, as theirs
 constexpr double directionReach = 7; // point spacings
-constexpr float none = std::numeric_limits<float>::quiet_NaN();
+constexpr float noValue = std::numeric_limits<float>::quiet_NaN();
 
 const Eigen::Matrix3Xf& scannedIn(const Outcome& outcome, const PointCloud& cloud) {
   return outcome.scanned ? *outcome.scanned : cloud.positions();
@@ -23,7 +23,7 @@ const Eigen::Matrix3Xf& scannedIn(const Outcome& outcome, const PointCloud& clou
 std::vector<float> radiiOf(const Skeleton& skeleton) {
   std::vector<float> radii;
   for (const NodeId id : skeleton.ids()) {
-    if (radii.size() <= indexOf(id)) radii.resize(indexOf(id) + 1, none);
+    if (radii.size() <= indexOf(id)) radii.resize(indexOf(id) + 1, noValue);
     if (skeleton[id].radius > 0) radii[indexOf(id)] = static_cast<float>(skeleton[id].radius);
   }
   return radii;

@@ -18,9 +18,9 @@
 namespace espalier {
 namespace {
 
-QString tr(const char* text) {
-  return QCoreApplication::translate("LookedAt", text);
-}
+struct LookedAtText {
+  Q_DECLARE_TR_FUNCTIONS(LookedAt)
+};
 
 /// "Show All Again (Alt+H)"
 QString nameOf(const QAction& action) {
@@ -32,7 +32,8 @@ QString nameOf(const QAction& action) {
 /// "node 12", or "3 of the 8 nodes selected"
 QString countOf(std::size_t unseen, const std::vector<NodeId>& nodes) {
   if (nodes.size() == 1) return nodeName(nodes.front());
-  return tr("%1 of the %2 nodes selected").arg(formatCount(unseen), formatCount(nodes.size()));
+  return LookedAtText::tr("%1 of the %2 nodes selected")
+      .arg(formatCount(unseen), formatCount(nodes.size()));
 }
 
 /// Why a node is not seen.
@@ -62,13 +63,15 @@ std::optional<Unseen> whyUnseen(NodeId id, const Seen& seen) {
 QString whyNot(Unseen reason, const QString& which, const ActionSet& actions) {
   switch (reason) {
   case Unseen::hidden:
-    return tr("nothing is marked, as %1 cannot be seen, being hidden: choose %2")
+    return LookedAtText::tr("nothing is marked, as %1 cannot be seen, being hidden: choose %2")
         .arg(which, nameOf(*actions["show_all"]));
   case Unseen::clipped:
-    return tr("nothing is marked, as %1 cannot be seen, being clipped away: choose %2")
+    return LookedAtText::tr(
+               "nothing is marked, as %1 cannot be seen, being clipped away: choose %2")
         .arg(which, nameOf(*actions["show_all"]));
   case Unseen::offScreen:
-    return tr("nothing is marked, as %1 cannot be seen, being outside the view: choose %2")
+    return LookedAtText::tr(
+               "nothing is marked, as %1 cannot be seen, being outside the view: choose %2")
         .arg(which, nameOf(*actions["frame"]));
   }
   return {};
@@ -78,13 +81,14 @@ QString whyNot(Unseen reason, const QString& which, const ActionSet& actions) {
 
 void requireLookedAt(const Seen& seen, const std::vector<NodeId>& nodes, const ActionSet& actions) {
   if (!isOneLook(seen.skeleton, nodes))
-    throw Error(tr("nothing is marked, as %1 nodes are more than one looks at in one go: walk to "
-                   "them by %2, or choose Review > %3")
+    throw Error(LookedAtText::tr(
+                    "nothing is marked, as %1 nodes are more than one looks at in one go: walk to "
+                    "them by %2, or choose Review > %3")
                     .arg(formatCount(nodes.size()), nameOf(*actions["next_not_reviewed"]),
                          nameOf(*actions["mark_all_selected"]))
                     .toStdString());
   if (!actions["layer_skeleton"]->isChecked())
-    throw Error(tr("nothing is marked, as the skeleton is not shown: choose %1")
+    throw Error(LookedAtText::tr("nothing is marked, as the skeleton is not shown: choose %1")
                     .arg(nameOf(*actions["layer_skeleton"]))
                     .toStdString());
   std::map<Unseen, std::size_t> unseen;

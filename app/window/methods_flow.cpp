@@ -22,8 +22,6 @@
 namespace espalier {
 namespace {
 
-const QString folderKey = QStringLiteral("last_folder");
-
 qint64 writtenAt(const QString& path) { // [ms since 1970]
   return QFileInfo(path).lastModified().toMSecsSinceEpoch();
 }

@@ -1,6 +1,6 @@
 #include "app/window/methods_text.h"
 
-#include "core/base/error.h"
+#include "app/window/kept_json.h"
 
 #include <QCoreApplication>
 #include <QJsonArray>
@@ -9,13 +9,6 @@
 
 namespace espalier {
 namespace {
-
-[[noreturn]] void refuse() {
-  throw Error(QCoreApplication::translate("MethodsText",
-                                          "the table of methods in this project cannot be read: "
-                                          "add the structures again")
-                  .toStdString());
-}
 
 QString keyOf(const ScoreEntry& entry) {
   return QString::fromStdString(entry.key);
@@ -58,20 +51,25 @@ std::string textOf(const std::vector<KeptMethod>& methods) {
 
 std::vector<KeptMethod> methodsFrom(const std::string& text) {
   if (text.empty()) return {};
-  const QJsonDocument document = QJsonDocument::fromJson(QByteArray::fromStdString(text));
-  if (!document.isArray()) refuse();
-  std::vector<KeptMethod> methods;
-  for (const auto& each : document.array()) {
-    const QJsonObject json = each.toObject();
-    KeptMethod method{.path = json["path"].toString(), .scores = std::nullopt};
-    if (method.path.isEmpty()) refuse();
-    if (json.contains("scores")) {
-      method.scores = scoresIn(json["scores"].toObject());
-      if (method.scores) method.written = json["written"].toInteger();
+  const QString refusal = QCoreApplication::translate(
+      "MethodsText",
+      "the table of methods in this project cannot be read: add the structures again");
+  return readKept(refusal, [&] {
+    const QJsonDocument document = QJsonDocument::fromJson(QByteArray::fromStdString(text));
+    if (!document.isArray()) refuse();
+    std::vector<KeptMethod> methods;
+    for (const auto& each : document.array()) {
+      const QJsonObject json = each.toObject();
+      KeptMethod method{.path = json["path"].toString(), .scores = std::nullopt};
+      if (method.path.isEmpty()) refuse();
+      if (json.contains("scores")) {
+        method.scores = scoresIn(json["scores"].toObject());
+        if (method.scores) method.written = json["written"].toInteger();
+      }
+      methods.push_back(std::move(method));
     }
-    methods.push_back(std::move(method));
-  }
-  return methods;
+    return methods;
+  });
 }
 
 } // namespace espalier

@@ -23,7 +23,7 @@
 namespace espalier {
 namespace {
 
-const QString folderKey = QStringLiteral("preset_folder");
+const QString presetFolderKey = QStringLiteral("preset_folder");
 const QString ownKey = QStringLiteral("own_presets");
 
 QString idOf(const NamedPreset& preset) {
@@ -132,21 +132,21 @@ void PresetFlow::show(const PipelineOptions& options) {
 }
 
 void PresetFlow::open() {
-  const QString path = QFileDialog::getOpenFileName(&parts_.window, tr("Open settings"),
-                                                    parts_.settings.value(folderKey).toString(),
-                                                    tr("Settings (*.json)"));
+  const QString path = QFileDialog::getOpenFileName(
+      &parts_.window, tr("Open settings"), parts_.settings.value(presetFolderKey).toString(),
+      tr("Settings (*.json)"));
   if (path.isEmpty()) return;
   std::istringstream in(readText(toPath(path)));
   const LengthUnit unit = parts_.document.unit();
   const PipelineOptions options = readPreset(in, QFileInfo(path).fileName().toStdString(),
                                              unit == LengthUnit::unknown ? 0 : metersIn(unit));
-  parts_.settings.setValue(folderKey, QFileInfo(path).absolutePath());
+  parts_.settings.setValue(presetFolderKey, QFileInfo(path).absolutePath());
   show(options);
 }
 
 void PresetFlow::save() {
   QFileDialog dialog(&parts_.window, tr("Save settings"),
-                     parts_.settings.value(folderKey).toString(), tr("Settings (*.json)"));
+                     parts_.settings.value(presetFolderKey).toString(), tr("Settings (*.json)"));
   dialog.setAcceptMode(QFileDialog::AcceptSave);
   dialog.setDefaultSuffix("json");
   dialog.selectFile("settings.json");
@@ -154,7 +154,7 @@ void PresetFlow::save() {
   const QString path = dialog.selectedFiles().front();
   writeAtomically(toPath(path),
                   [this](std::ostream& out) { writePreset(out, parts_.pipeline.options()); });
-  parts_.settings.setValue(folderKey, QFileInfo(path).absolutePath());
+  parts_.settings.setValue(presetFolderKey, QFileInfo(path).absolutePath());
   parts_.banner.showResult(tr("Wrote %1").arg(QFileInfo(path).fileName()));
 }
 

@@ -1,5 +1,6 @@
 #include "app/window/project_flow.h"
 
+#include "app/window/file_filters.h"
 #include "app/window/load_files.h"
 #include "app/window/recent_files.h"
 #include "core/base/error.h"
@@ -18,8 +19,6 @@
 
 namespace espalier {
 namespace {
-
-const QString folderKey = QStringLiteral("last_folder");
 
 QString pathOf(const Project& project) {
   return QString::fromStdString(project.path().string());

@@ -1,4 +1,5 @@
 // The scan of a project: kept in it, or found again.
+#include "app/window/file_filters.h"
 #include "app/window/load_files.h"
 #include "app/window/project_flow.h"
 #include "core/base/error.h"
@@ -17,7 +18,6 @@ namespace espalier {
 namespace {
 
 const std::string cloudName = "cloud"; // of the scan, in a project
-const QString folderKey = QStringLiteral("last_folder");
 
 } // namespace
 

@@ -28,8 +28,6 @@
 namespace espalier {
 namespace {
 
-const QString folderKey = QStringLiteral("last_folder");
-
 bool isStructure(const QString& path) {
   try {
     return !isProject(toPath(path)) && formatOf(toPath(path)).content == Content::structure;

@@ -1,30 +1,16 @@
 #include "app/window/reference_text.h"
 
-#include "core/base/error.h"
+#include "app/window/kept_json.h"
 
 #include <QCoreApplication>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 
-#include <cmath>
 #include <vector>
 
 namespace espalier {
 namespace {
-
-[[noreturn]] void refuse() {
-  throw Error(
-      QCoreApplication::translate(
-          "ReferenceText", "the reference in this project cannot be read: load it from its file")
-          .toStdString());
-}
-
-double numberIn(const QJsonValue& value) {
-  const double number = value.toDouble(std::nan(""));
-  if (!std::isfinite(number)) refuse();
-  return number;
-}
 
 Node nodeIn(const QJsonArray& json, const std::vector<NodeId>& before) {
   if (json.size() != 6) refuse();
@@ -61,14 +47,18 @@ std::string textOf(const Reference& reference) {
 
 Reference referenceFrom(const std::string& text) {
   if (text.empty()) return {};
-  const QJsonDocument document = QJsonDocument::fromJson(QByteArray::fromStdString(text));
-  const QJsonArray nodes = document["nodes"].toArray();
-  if (nodes.isEmpty()) refuse();
-  Reference reference{.skeleton = {}, .path = document["path"].toString()};
-  std::vector<NodeId> ids;
-  for (const auto& each : nodes)
-    ids.push_back(reference.skeleton.add(nodeIn(each.toArray(), ids)));
-  return reference;
+  const QString refusal = QCoreApplication::translate(
+      "ReferenceText", "the reference in this project cannot be read: load it from its file");
+  return readKept(refusal, [&] {
+    const QJsonDocument document = QJsonDocument::fromJson(QByteArray::fromStdString(text));
+    const QJsonArray nodes = document["nodes"].toArray();
+    if (nodes.isEmpty()) refuse();
+    Reference reference{.skeleton = {}, .path = document["path"].toString()};
+    std::vector<NodeId> ids;
+    for (const auto& each : nodes)
+      ids.push_back(reference.skeleton.add(nodeIn(each.toArray(), ids)));
+    return reference;
+  });
 }
 
 } // namespace espalier

@@ -18,9 +18,9 @@
 namespace espalier {
 namespace {
 
-QString tr(const char* text) {
-  return QCoreApplication::translate("Sessions", text);
-}
+struct SessionText {
+  Q_DECLARE_TR_FUNCTIONS(Sessions)
+};
 
 /// A session that was made ready, and its window ended by force before an edit.
 void removeUnused(const QString& path) {
@@ -51,8 +51,8 @@ std::optional<Session> sessionIn(const QString& path) {
 
 QString dayOf(const QDateTime& time, const QDateTime& now) {
   const qint64 days = time.date().daysTo(now.date());
-  if (days == 0) return tr("today");
-  if (days == 1) return tr("yesterday");
+  if (days == 0) return SessionText::tr("today");
+  if (days == 1) return SessionText::tr("yesterday");
   return QLocale().toString(time.date(), QLocale::ShortFormat);
 }
 
@@ -97,12 +97,13 @@ void Sessions::remove(const QString& path) {
 }
 
 QString describe(const Session& session, const QDateTime& now) {
-  const QString edits = session.edits == 1 ? tr("1 edit") : tr("%1 edits").arg(session.edits);
+  const QString edits = session.edits == 1 ? SessionText::tr("1 edit")
+                                           : SessionText::tr("%1 edits").arg(session.edits);
   const QString source = session.file.isEmpty() ? session.scan : session.file;
   const QString folder = QFileInfo(source).dir().dirName(); // many scans have the same name
   const QString plant = source.isEmpty() || folder.isEmpty()
                             ? session.name
-                            : tr("%1 in %2").arg(session.name, folder);
+                            : SessionText::tr("%1 in %2").arg(session.name, folder);
   return QStringLiteral("%1, %2, %3 %4")
       .arg(plant, edits, dayOf(session.last, now),
            QLocale().toString(session.last.time(), QLocale::ShortFormat));

@@ -15,9 +15,9 @@ namespace {
 
 using Values = std::vector<std::optional<double>>; // of a number, by trial; none: not known
 
-QString tr(const char* text) {
-  return QCoreApplication::translate("SweepScores", text);
-}
+struct SweepText {
+  Q_DECLARE_TR_FUNCTIONS(SweepScores)
+};
 
 bool isLessBetter(const JudgedNumber& number) {
   return number.better == JudgeRow::Better::less;
@@ -44,14 +44,16 @@ bool isAtEnd(double best, const Values& values) {
 QString textOf(const JudgedNumber& number, double value, const Judgment& judgment) {
   const QString text = numberText(value, number.decimals);
   if (number.unit == QStringLiteral("%")) return text + QChar(0x202f) + number.unit;
-  return number.all ? tr("%1 of %2").arg(text, numberText(*number.all(judgment), 0)) : text;
+  return number.all ? SweepText::tr("%1 of %2").arg(text, numberText(*number.all(judgment), 0))
+                    : text;
 }
 
 QString tipOf(const JudgedNumber& number, bool isEndBest) {
   const QString unit = number.unit.isEmpty() ? QString() : QStringLiteral(" [%1]").arg(number.unit);
   QString tip = QStringLiteral("%1%2: %3.").arg(number.name, unit, number.meaning);
   if (isEndBest)
-    tip += ' ' + tr("No star: it is best at an end of the values, to which it leads by itself.");
+    tip += ' ' + SweepText::tr(
+                     "No star: it is best at an end of the values, to which it leads by itself.");
   return tip;
 }
 

@@ -26,7 +26,7 @@
 namespace espalier {
 namespace {
 
-using Made = std::pair<PlantReportAbout, PlantReportData>;
+using MadeTraits = std::pair<PlantReportAbout, PlantReportData>;
 
 } // namespace
 
@@ -197,9 +197,9 @@ void TraitsFlow::write(const QString& path) {
        file = toPath(parts_.document.scanPath())](const Progress& progress) mutable {
         data.measures = plantMeasures(data.plant, how, progress.part(0, 0.95));
         identifyScan(told.scan, file, progress.part(0.95, 1));
-        return std::make_shared<const Made>(std::move(told), std::move(data));
+        return std::make_shared<const MadeTraits>(std::move(told), std::move(data));
       },
-      [this, path](const std::shared_ptr<const Made>& made) {
+      [this, path](const std::shared_ptr<const MadeTraits>& made) {
         parts_.jobs.afterwards([this, path, made] {
           const auto& [told, measured] = *made;
           auto pictures = hasPictures(toPath(path))

@@ -19,7 +19,7 @@ namespace {
 
 const QString byDistance = QStringLiteral("color_distance"); // ids of actions
 const QString byDisplacement = QStringLiteral("color_displacement");
-constexpr float none = std::numeric_limits<float>::quiet_NaN(); // drawn as usual
+constexpr float asUsual = std::numeric_limits<float>::quiet_NaN(); // drawn as usual
 
 const std::map<QString, NodeValue>& valuesById() {
   static const std::map<QString, NodeValue> values = {
@@ -50,7 +50,8 @@ Legend reviewLegend() {
 }
 
 NodeColors reviewColors(const Skeleton& skeleton) {
-  NodeColors colors{.values = std::vector<float>(skeleton.idEnd(), none), .legend = reviewLegend()};
+  NodeColors colors{.values = std::vector<float>(skeleton.idEnd(), asUsual),
+                    .legend = reviewLegend()};
   for (const NodeId id : skeleton.ids())
     colors.values[indexOf(id)] = static_cast<float>(skeleton[id].review.state);
   return colors;
@@ -111,7 +112,7 @@ void ValueColors::colorNodes() {
   NodeColors colors;
   std::vector<double> known;
   for (const std::optional<double>& each : values) {
-    colors.values.push_back(each ? static_cast<float>(unit * *each) : none);
+    colors.values.push_back(each ? static_cast<float>(unit * *each) : asUsual);
     if (each) known.push_back(unit * *each);
   }
   colors.legend = legendOf(nodeColor_, known);
@@ -149,7 +150,7 @@ std::optional<PointValues> ValueColors::pointValues() const {
 /// Of points elsewhere nothing is known: they are drawn as usual.
 std::vector<float> ValueColors::displacementsInPart() const {
   const Eigen::Matrix3Xf& scanned = parts_.document.scan()->cloud()->positions();
-  std::vector<float> moved(static_cast<std::size_t>(scanned.cols()), none);
+  std::vector<float> moved(static_cast<std::size_t>(scanned.cols()), asUsual);
   for (Eigen::Index i = 0; i < previewed_->cols(); ++i) {
     const Eigen::Index point = previewedPoints_[static_cast<std::size_t>(i)];
     moved[static_cast<std::size_t>(point)] = (previewed_->col(i) - scanned.col(point)).norm();

@@ -1,6 +1,6 @@
 #include "app/window/view_text.h"
 
-#include "core/base/error.h"
+#include "app/window/kept_json.h"
 
 #include <QCoreApplication>
 #include <QJsonArray>
@@ -8,7 +8,6 @@
 #include <QJsonObject>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace espalier {
@@ -16,18 +15,6 @@ namespace {
 
 QJsonArray jsonOf(const Eigen::Vector3d& place) {
   return {place.x(), place.y(), place.z()};
-}
-
-[[noreturn]] void refuse() {
-  throw Error(QCoreApplication::translate(
-                  "ViewText", "the view of this project cannot be read: all of the plant is shown")
-                  .toStdString());
-}
-
-double numberIn(const QJsonValue& value) {
-  const double number = value.toDouble(std::nan(""));
-  if (!std::isfinite(number)) refuse();
-  return number;
 }
 
 Eigen::Vector3d placeIn(const QJsonValue& value) {
@@ -92,9 +79,7 @@ SavedView savedIn(const QJsonObject& json) {
                  .depthFade = json["depth_fade"].toDouble(0),
                  .hidden = {}};
   for (const QJsonValue value : json["hidden"].toArray()) {
-    const double id = numberIn(value);
-    if (id < 0 || id > std::numeric_limits<std::uint32_t>::max()) refuse();
-    view.hidden.push_back(NodeId{static_cast<std::uint32_t>(id)});
+    view.hidden.push_back(nodeIn(value));
   }
   return view;
 }
@@ -139,21 +124,25 @@ std::string textOf(const ViewText& view) {
 }
 
 ViewText viewFrom(const std::string& text) {
-  const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(text)).object();
-  ViewText view{.camera = cameraIn(json["camera"].toObject()),
-                .layers = {},
-                .choices = {},
-                .ranges = rangesIn(json["ranges"].toObject()),
-                .clip = clipIn(json),
-                .depthFade = json["depth_fade"].toDouble(0)};
-  const QJsonObject layers = json["layers"].toObject();
-  for (const QString& id : layers.keys())
-    view.layers[id] = layers[id].toBool(true);
-  for (const QString& name : choiceNames())
-    if (json.contains(name)) view.choices[name] = json[name].toString();
-  for (const QJsonValue one : json["saved"].toArray())
-    view.saved.push_back(savedIn(one.toObject()));
-  return view;
+  const QString refusal = QCoreApplication::translate(
+      "ViewText", "the view of this project cannot be read: all of the plant is shown");
+  return readKept(refusal, [&] {
+    const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(text)).object();
+    ViewText view{.camera = cameraIn(json["camera"].toObject()),
+                  .layers = {},
+                  .choices = {},
+                  .ranges = rangesIn(json["ranges"].toObject()),
+                  .clip = clipIn(json),
+                  .depthFade = json["depth_fade"].toDouble(0)};
+    const QJsonObject layers = json["layers"].toObject();
+    for (const QString& id : layers.keys())
+      view.layers[id] = layers[id].toBool(true);
+    for (const QString& name : choiceNames())
+      if (json.contains(name)) view.choices[name] = json[name].toString();
+    for (const QJsonValue one : json["saved"].toArray())
+      view.saved.push_back(savedIn(one.toObject()));
+    return view;
+  });
 }
 
 } // namespace espalier

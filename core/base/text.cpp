@@ -1,10 +1,12 @@
 #include "core/base/text.h"
 
+#include "core/base/error.h"
 #include "core/base/printable.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <istream>
 #include <limits>
 
@@ -34,6 +36,13 @@ std::optional<double> numberIn(std::string_view text) {
   const auto [stop, error] = std::from_chars(text.data(), end, value);
   if (stop != end || error == std::errc::invalid_argument) return std::nullopt;
   return error == std::errc::result_out_of_range ? rounded(text) : value;
+}
+
+double finiteNumber(std::string_view field, std::string_view name, const std::string& where) {
+  const auto number = numberIn(field);
+  if (!number || !std::isfinite(*number))
+    throw Error(where + "expected a number as " + std::string(name) + ", found " + inQuotes(field));
+  return *number;
 }
 
 std::string plainDecimal(double value) {

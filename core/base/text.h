@@ -14,6 +14,12 @@ namespace espalier {
 /// point whatever the locale. None for anything else, an empty text too.
 [[nodiscard]] std::optional<double> numberIn(std::string_view text);
 
+/// The number that a field is.
+/// @param name   of the field, @param where  what a message begins with, as place() gives it
+/// @throws Error if it is no number, or not finite
+[[nodiscard]] double finiteNumber(std::string_view field, std::string_view name,
+                                  const std::string& where);
+
 /// The shortest decimal that reads back as the same double, never with an exponent.
 /// pre: value is finite
 [[nodiscard]] std::string plainDecimal(double value);
@@ -24,6 +30,10 @@ namespace espalier {
 /// Takes the next word off the front of `rest`; empty when there is none. Words are parted by
 /// blanks and tabs.
 [[nodiscard]] std::string_view nextWord(std::string_view& rest);
+
+[[nodiscard]] constexpr bool isLetter(char c) { // A to Z, a to z
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
 
 /// `text` with the letters A to Z made small.
 [[nodiscard]] std::string lowerCase(std::string_view text);

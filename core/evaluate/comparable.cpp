@@ -25,7 +25,7 @@ void requireComparable(const Skeleton& skeleton, std::string_view role) {
   if (skeleton.isEmpty()) throw Error(name + " has no nodes: choose a structure with positions");
   for (const NodeId id : skeleton.ids())
     if (!skeleton[id].position.allFinite())
-      throw Error(name + ", node " + std::to_string(indexOf(id)) +
+      throw Error(name + ", " + nameOf(id) +
                   ": its position is not a number: correct or delete the node");
   if (totalLength(skeleton) == 0)
     throw Error(name + " has no length: its nodes are not linked or all lie at one place; choose "

@@ -14,11 +14,10 @@ namespace {
 
 constexpr int newestVersion = 25; // 2.5
 constexpr std::string_view magic = "!bGEOM";
-constexpr Color white = {255, 255, 255};
 
-class SceneReader {
+class BgeomReader {
 public:
-  SceneReader(std::string_view bytes, const std::string& file, const Progress& progress)
+  BgeomReader(std::string_view bytes, const std::string& file, const Progress& progress)
       : in_(bytes, file), size_(bytes.size()), progress_(progress) {}
 
   PointScene read() {
@@ -69,7 +68,7 @@ private:
   bool isDouble_ = false;
 };
 
-void SceneReader::readHeader() {
+void BgeomReader::readHeader() {
   if (in_.left() < magic.size() || in_.take(magic.size()) != magic)
     in_.failAt(0, "is no binary scene of PlantGL, it does not begin with !bGEOM");
   const auto version = in_.value<float>();
@@ -91,7 +90,7 @@ void SceneReader::readHeader() {
   (void)in_.takeUntil('#');
 }
 
-void SceneReader::readTypes() {
+void BgeomReader::readTypes() {
   types_[1] = "Reference";
   types_[2] = "Shape";
   types_[3] = "Material";
@@ -107,7 +106,7 @@ void SceneReader::readTypes() {
   if (in_.take(1) != "!") in_.fail("expected the scene behind !: the file is damaged");
 }
 
-std::uint32_t SceneReader::readObject(int depth) {
+std::uint32_t BgeomReader::readObject(int depth) {
   if (depth > PointScene::deepest) failOfDepth();
   if (scene_.objects.size() % 1024 == 0)
     progress_.update(static_cast<double>(in_.offset()) / static_cast<double>(size_));
@@ -136,7 +135,7 @@ std::uint32_t SceneReader::readObject(int depth) {
   return place;
 }
 
-std::uint32_t SceneReader::readShape(int depth) {
+std::uint32_t BgeomReader::readShape(int depth) {
   (void)text();
   (void)in_.value<std::uint32_t>();
   if (version_ >= 19) (void)in_.value<std::uint32_t>();
@@ -146,7 +145,7 @@ std::uint32_t SceneReader::readShape(int depth) {
   return geometry;
 }
 
-std::uint32_t SceneReader::readReference() {
+std::uint32_t BgeomReader::readReference() {
   const std::size_t start = in_.offset();
   const auto found = shared_.find(in_.value<std::uint32_t>());
   if (found == shared_.end())
@@ -154,7 +153,7 @@ std::uint32_t SceneReader::readReference() {
   return found->second;
 }
 
-SceneObject SceneReader::readPoints() {
+SceneObject BgeomReader::readPoints() {
   SceneObject object;
   object.firstPoint = scene_.points.positions.size();
   object.pointCount = in_.value<std::uint32_t>();
@@ -167,7 +166,7 @@ SceneObject SceneReader::readPoints() {
     scene_.points.positions.emplace_back(scalarAt(at, type), scalarAt(at + realSize(), type),
                                          scalarAt(at + 2 * realSize(), type));
   }
-  scene_.points.colors.resize(scene_.points.positions.size(), white);
+  scene_.points.colors.resize(scene_.points.positions.size(), unpainted);
   if (version_ >= 17) {
     const std::uint64_t count = in_.value<std::uint32_t>();
     const std::string_view rgba = in_.take(count * 4);
@@ -183,7 +182,7 @@ SceneObject SceneReader::readPoints() {
   return object;
 }
 
-SceneObject SceneReader::readPlaced(bool isScale, int depth) {
+SceneObject BgeomReader::readPlaced(bool isScale, int depth) {
   SceneObject object;
   if (isScale)
     object.linear = vector().asDiagonal();
@@ -193,7 +192,7 @@ SceneObject SceneReader::readPlaced(bool isScale, int depth) {
   return object;
 }
 
-SceneObject SceneReader::readTurned(const std::string& type, int depth) {
+SceneObject BgeomReader::readTurned(const std::string& type, int depth) {
   const auto mask = in_.value<std::uint8_t>(); // a set bit: the default, and absent
   const auto vectorOr = [&](int bit, const Eigen::Vector3d& usual) {
     return (mask >> bit & 1) != 0 ? usual : vector();
@@ -220,7 +219,7 @@ SceneObject SceneReader::readTurned(const std::string& type, int depth) {
   return object;
 }
 
-SceneObject SceneReader::readGroup(int depth) {
+SceneObject BgeomReader::readGroup(int depth) {
   SceneObject object;
   const bool hasSkeleton = (in_.value<std::uint8_t>() & 1) == 0; // a set bit: the default, none
   if (hasSkeleton) (void)readObject(depth + 1);
@@ -230,7 +229,7 @@ SceneObject SceneReader::readGroup(int depth) {
 }
 
 /// Passes over an object that is no point set. Its parts are read, but lead to no points.
-SceneObject SceneReader::skip(const std::string& type, int depth) {
+SceneObject BgeomReader::skip(const std::string& type, int depth) {
   const auto layout = bgeomLayoutOf(type, version_);
   if (!layout)
     in_.fail("has an object " + inQuotes(type) + " whose size is not known in version " +
@@ -257,7 +256,7 @@ SceneObject SceneReader::skip(const std::string& type, int depth) {
   return object;
 }
 
-void SceneReader::skipField(char type, SceneObject& object, int depth) {
+void BgeomReader::skipField(char type, SceneObject& object, int depth) {
   const auto rows = [&] { return std::uint64_t{in_.value<std::uint32_t>()}; };
   switch (type) {
   case 'b':
@@ -314,7 +313,7 @@ void SceneReader::skipField(char type, SceneObject& object, int depth) {
 } // namespace
 
 PointScene bgeomSceneIn(std::string_view bytes, const std::string& file, const Progress& progress) {
-  return SceneReader(bytes, file, progress).read();
+  return BgeomReader(bytes, file, progress).read();
 }
 
 } // namespace espalier

@@ -15,8 +15,6 @@
 namespace espalier {
 namespace {
 
-constexpr Color white = {255, 255, 255};
-
 /// What the fields of a moved, scaled or turned object say.
 struct Placing {
   std::map<std::string_view, Eigen::Vector3d> vectors = {{"Axis", Eigen::Vector3d::UnitZ()},
@@ -41,9 +39,9 @@ struct Placing {
   }
 };
 
-class SceneReader {
+class GeomReader {
 public:
-  SceneReader(std::string_view text, const std::string& file, const Progress& progress)
+  GeomReader(std::string_view text, const std::string& file, const Progress& progress)
       : in_(text, file), size_(text.size()), progress_(progress) {}
 
   PointScene read();
@@ -86,7 +84,7 @@ private:
   int passedOver_ = 0;                              // objects around that are passed over
 };
 
-PointScene SceneReader::read() {
+PointScene GeomReader::read() {
   std::vector<std::uint32_t> outermost;
   while (!in_.isAtEnd()) {
     if (in_.next().kind == GeomToken::Kind::command)
@@ -100,7 +98,7 @@ PointScene SceneReader::read() {
   return std::move(scene_);
 }
 
-void SceneReader::readCommand() {
+void GeomReader::readCommand() {
   const GeomToken command = in_.next();
   const std::string name = lowerCase(command.text);
   if (name != "echo" && name != "list" && name != "quit")
@@ -110,7 +108,7 @@ void SceneReader::readCommand() {
   in_.skipLine();
 }
 
-std::uint32_t SceneReader::readObject(int depth) {
+std::uint32_t GeomReader::readObject(int depth) {
   const std::size_t line = in_.next().line;
   const auto checkDepth = [&](int levels) {
     if (levels > PointScene::deepest)
@@ -131,7 +129,7 @@ std::uint32_t SceneReader::readObject(int depth) {
   return place;
 }
 
-SceneObject SceneReader::readBody(std::string_view type, int depth) {
+SceneObject GeomReader::readBody(std::string_view type, int depth) {
   if (type == "PointSet") return readPoints(depth);
   if (type == "Group") return readGroup(depth);
   if (type == "Shape") return readShape(depth);
@@ -139,7 +137,7 @@ SceneObject SceneReader::readBody(std::string_view type, int depth) {
   return skipBody(type, depth);
 }
 
-SceneObject SceneReader::readPoints(int depth) {
+SceneObject GeomReader::readPoints(int depth) {
   SceneObject object;
   std::vector<Eigen::Vector3d>& positions = scene_.points.positions;
   object.firstPoint = positions.size();
@@ -156,12 +154,12 @@ SceneObject SceneReader::readPoints(int depth) {
   const bool fits = colors.size() == object.pointCount;
   if (!colors.empty() && !fits) ++scene_.badColors;
   scene_.hasColors = scene_.hasColors || (fits && !colors.empty());
-  if (!fits) colors.assign(object.pointCount, white);
+  if (!fits) colors.assign(object.pointCount, unpainted);
   scene_.points.colors.insert(scene_.points.colors.end(), colors.begin(), colors.end());
   return object;
 }
 
-SceneObject SceneReader::readPlaced(std::string_view type, int depth) {
+SceneObject GeomReader::readPlaced(std::string_view type, int depth) {
   SceneObject object;
   Placing placing;
   while (const auto field = nextField()) {
@@ -182,7 +180,7 @@ SceneObject SceneReader::readPlaced(std::string_view type, int depth) {
   return object;
 }
 
-SceneObject SceneReader::readGroup(int depth) {
+SceneObject GeomReader::readGroup(int depth) {
   SceneObject object;
   while (const auto field = nextField()) {
     if (*field == "GeometryList")
@@ -194,7 +192,7 @@ SceneObject SceneReader::readGroup(int depth) {
 }
 
 /// Its fields may come without their names: "Shape { geometry, appearance }".
-SceneObject SceneReader::readShape(int depth) {
+SceneObject GeomReader::readShape(int depth) {
   SceneObject object;
   if (in_.next().isWord() && (in_.next(1).is('}') || in_.next(1).is(','))) {
     readPart(object, depth);
@@ -212,7 +210,7 @@ SceneObject SceneReader::readShape(int depth) {
 }
 
 /// Passes over an object that is no point set. Its parts are read, but lead to no points.
-SceneObject SceneReader::skipBody(std::string_view type, int depth) {
+SceneObject GeomReader::skipBody(std::string_view type, int depth) {
   SceneObject object;
   std::vector<std::uint32_t> inner;
   ++passedOver_;
@@ -239,7 +237,7 @@ SceneObject SceneReader::skipBody(std::string_view type, int depth) {
   return object;
 }
 
-void SceneReader::readPart(SceneObject& object, int depth) {
+void GeomReader::readPart(SceneObject& object, int depth) {
   if (isObjectNext()) {
     object.parts.push_back(readObject(depth + 1));
     return;
@@ -255,7 +253,7 @@ void SceneReader::readPart(SceneObject& object, int depth) {
 }
 
 /// "[a, b, ...]"
-template <class Item> void SceneReader::readList(const Item& item) {
+template <class Item> void GeomReader::readList(const Item& item) {
   in_.require('[');
   if (in_.takeIf(']')) return;
   std::size_t count = 0;
@@ -267,7 +265,7 @@ template <class Item> void SceneReader::readList(const Item& item) {
 }
 
 /// Passes over the value of a field that leads to no points: an object, a name, a number, a list.
-void SceneReader::skipValue(int depth) {
+void GeomReader::skipValue(int depth) {
   if (isObjectNext()) {
     ++passedOver_;
     (void)readObject(depth + 1);
@@ -284,7 +282,7 @@ void SceneReader::skipValue(int depth) {
   }
 }
 
-void SceneReader::skipBrackets() {
+void GeomReader::skipBrackets() {
   std::size_t open = 0;
   do {
     if (in_.isAtEnd()) in_.failOfNext("]");
@@ -297,7 +295,7 @@ void SceneReader::skipBrackets() {
 } // namespace
 
 PointScene geomSceneIn(std::string_view text, const std::string& file, const Progress& progress) {
-  return SceneReader(text, file, progress).read();
+  return GeomReader(text, file, progress).read();
 }
 
 } // namespace espalier

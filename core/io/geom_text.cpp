@@ -11,8 +11,8 @@
 namespace espalier {
 namespace {
 
-bool isLetter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+bool beginsName(char c) {
+  return isLetter(c) || c == '_';
 }
 
 bool isDigit(char c) {
@@ -21,7 +21,8 @@ bool isDigit(char c) {
 
 /// How many letters and digits `text` begins with.
 std::size_t wordSize(std::string_view text) {
-  const auto* end = std::ranges::find_if(text, [](char c) { return !isLetter(c) && !isDigit(c); });
+  const auto* end =
+      std::ranges::find_if(text, [](char c) { return !beginsName(c) && !isDigit(c); });
   return static_cast<std::size_t>(end - text.begin());
 }
 
@@ -147,9 +148,9 @@ GeomToken GeomText::scan() {
   if (offset_ == text_.size()) return token;
   if (isDigit(at()) || (at() == '.' && isDigit(at(1)))) return scanNumber();
   if (at() == '"') return scanQuoted();
-  const bool isCommand = at() == ':' && isLetter(at(1));
+  const bool isCommand = at() == ':' && beginsName(at(1));
   if (isCommand) ++offset_;
-  const bool isWord = isLetter(at());
+  const bool isWord = beginsName(at());
   const std::size_t size = isWord ? wordSize(text_.substr(offset_)) : 1;
   token.kind = GeomToken::Kind::sign;
   if (isWord) token.kind = isCommand ? GeomToken::Kind::command : GeomToken::Kind::word;

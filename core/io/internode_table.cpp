@@ -15,7 +15,7 @@ namespace {
 
 constexpr double degreesPerRadian = 180 / std::numbers::pi;
 
-constexpr const char* head =
+constexpr const char* headLine =
     "# Internodes, exported by Espalier. p is a node, q its parent, o the parent of q.\n"
     "# Angles are in degrees, lengths in the unit of the coordinates.\n"
     "# length: of the internode, |p - q|\n"
@@ -44,7 +44,7 @@ std::optional<double> clockwise(std::optional<double> angle) {
 } // namespace
 
 void writeInternodeTable(std::ostream& out, const Skeleton& skeleton) {
-  out << head;
+  out << headLine;
   const std::vector<Internode> table = internodes(skeleton);
   std::vector<std::size_t> numbers(skeleton.idEnd());
   std::size_t last = 0;

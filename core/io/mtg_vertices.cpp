@@ -14,7 +14,6 @@
 namespace espalier {
 namespace {
 
-constexpr std::int64_t finestScale = 100; // finer ones are damage, not plants
 constexpr std::size_t longestSymbol = 32;
 
 std::string nameOf(std::int64_t vertex) {
@@ -22,7 +21,7 @@ std::string nameOf(std::int64_t vertex) {
 }
 
 /// A vertex in the tables: its numbers, and how many of these must come before it.
-struct Entry {
+struct NumberedVertex {
   std::int64_t number = 0;
   int scale = 1;
   std::optional<std::int64_t> parent;
@@ -34,7 +33,7 @@ public:
   Topology(const MtgTables& tables, const std::string& file) : tables_(tables), file_(file) {}
 
   /// All vertices but the scene, parents and complexes before those that need them.
-  std::vector<Entry> ordered() {
+  std::vector<NumberedVertex> ordered() {
     for (const auto& [number, scale] : tables_.scales)
       if (scale != 0) entries_.emplace(number, entryOf(number, scale));
     std::map<std::int64_t, std::vector<std::int64_t>> dependents;
@@ -48,7 +47,7 @@ public:
         }
       if (!entry.parent && !entry.complex) ready.push(number);
     }
-    std::vector<Entry> order;
+    std::vector<NumberedVertex> order;
     while (!ready.empty()) {
       const std::int64_t number = ready.top();
       ready.pop();
@@ -67,10 +66,10 @@ private:
                 ": the file is damaged, or was saved by a program that failed");
   }
 
-  [[nodiscard]] Entry entryOf(std::int64_t number, std::int64_t scale) const {
+  [[nodiscard]] NumberedVertex entryOf(std::int64_t number, std::int64_t scale) const {
     if (scale < 0 || scale > finestScale)
       fail(nameOf(number) + " is of scale " + std::to_string(scale));
-    Entry entry{number, static_cast<int>(scale), std::nullopt, std::nullopt};
+    NumberedVertex entry{number, static_cast<int>(scale), std::nullopt, std::nullopt};
     if (const auto parent = tables_.parents.find(number); parent != tables_.parents.end()) {
       if (scaleOf(parent->second, number) != scale)
         fail(nameOf(number) + " hangs on " + nameOf(parent->second) + " of another scale");
@@ -94,7 +93,7 @@ private:
 
   const MtgTables& tables_;
   const std::string& file_;
-  std::map<std::int64_t, Entry> entries_;
+  std::map<std::int64_t, NumberedVertex> entries_;
 };
 
 /// A text property by vertex; values of other kinds are as good as none.
@@ -106,10 +105,6 @@ std::map<std::int64_t, std::string_view> textsOf(const Pickle& pickle, const Mtg
       for (const auto& [vertex, value] : candidate.values)
         if (const auto* text = std::get_if<std::string>(&pickle[value])) texts[vertex] = *text;
   return texts;
-}
-
-bool isLetter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
 struct Label {
@@ -134,11 +129,11 @@ std::string renamed(const std::string& symbol, const std::string& name, int scal
 }
 
 /// Sets symbols and indices, and the classes they are of.
-void nameVertices(const std::vector<Entry>& entries,
+void nameVertices(const std::vector<NumberedVertex>& entries,
                   const std::map<std::int64_t, std::string_view>& labels, TableVertices& result,
                   const std::string& file) {
   std::size_t nameless = 0;
-  const int coarsest = std::ranges::min(entries, {}, &Entry::scale).scale;
+  const int coarsest = std::ranges::min(entries, {}, &NumberedVertex::scale).scale;
   std::set<std::pair<int, std::string>> classes;
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const auto found = labels.find(entries[i].number);
@@ -173,7 +168,7 @@ void nameVertices(const std::vector<Entry>& entries,
 }
 
 /// Sets the edges to the parents.
-void setEdges(const std::vector<Entry>& entries,
+void setEdges(const std::vector<NumberedVertex>& entries,
               const std::map<std::int64_t, std::string_view>& types, TableVertices& result,
               const std::string& file) {
   std::vector<MtgVertex>& vertices = result.mtg.vertices;
@@ -226,9 +221,9 @@ std::vector<MtgRule> rulesOf(const std::vector<MtgVertex>& vertices) {
 
 TableVertices verticesOf(const Pickle& pickle, const MtgTables& tables, const std::string& file) {
   TableVertices result;
-  const std::vector<Entry> entries = Topology(tables, file).ordered();
+  const std::vector<NumberedVertex> entries = Topology(tables, file).ordered();
   if (entries.empty()) throw Error(file + ": holds no vertices");
-  for (const Entry& entry : entries) {
+  for (const NumberedVertex& entry : entries) {
     const VertexId id{static_cast<std::uint32_t>(result.mtg.vertices.size())};
     MtgVertex vertex{.symbol = {}, .index = {}, .scale = entry.scale, .values = {}};
     if (entry.parent) {

@@ -13,14 +13,6 @@ namespace {
 
 constexpr std::string_view columnNames = "vid parentid edgetype XX YY ZZ Radius";
 
-double numberOf(std::string_view field, std::string_view column, const std::string& where) {
-  const auto number = numberIn(field);
-  if (!number || !std::isfinite(*number))
-    throw Error(where + "expected a number as " + std::string(column) + ", found " +
-                inQuotes(field));
-  return *number;
-}
-
 bool isMissing(std::string_view field) {
   return field.empty() || field == "None" || field == "-1";
 }
@@ -40,10 +32,10 @@ NodeRow rowOf(std::string_view line, std::size_t number, const std::string& file
   if (row.id.empty()) throw Error(where + "the node has no id");
   if (!isMissing(fields[1])) row.parent = fields[1];
   if (fields[2] == "+") row.node.edge = EdgeType::branching;
-  row.node.position = {numberOf(fields[3], "XX", where), numberOf(fields[4], "YY", where),
-                       numberOf(fields[5], "ZZ", where)};
+  row.node.position = {finiteNumber(fields[3], "XX", where), finiteNumber(fields[4], "YY", where),
+                       finiteNumber(fields[5], "ZZ", where)};
   if (fields.size() > 6 && !isMissing(fields[6]))
-    row.node.radius = numberOf(fields[6], "Radius", where);
+    row.node.radius = finiteNumber(fields[6], "Radius", where);
   if (row.node.radius < 0) throw Error(where + "the radius is negative");
   return row;
 }

@@ -13,7 +13,6 @@
 namespace espalier {
 namespace {
 
-constexpr int finestScale = 100;
 constexpr std::size_t mostRoom = 10'000'000; // for values, those that are empty too
 constexpr std::array<const char*, 3> coordinates = {"XX", "YY", "ZZ"};
 

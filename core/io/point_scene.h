@@ -12,6 +12,8 @@
 
 namespace espalier {
 
+inline constexpr Color unpainted = {255, 255, 255}; // of points without a color
+
 /// An object of a scene of PlantGL, as far as it leads to points.
 struct SceneObject {
   std::size_t firstPoint = 0; // its own, in the order of the file

@@ -91,8 +91,7 @@ QsmCylinder cylinderIn(const Row& row, const QsmColumns& columns, const std::str
 void checkFinite(const Skeleton& skeleton) {
   for (const NodeId id : skeleton.ids())
     if (!skeleton[id].position.allFinite() || !std::isfinite(skeleton[id].radius))
-      throw Error("node " + std::to_string(indexOf(id)) +
-                  " has a position or radius that is not finite: move or remove it");
+      throw Error(nameOf(id) + " has a position or radius that is not finite: move or remove it");
 }
 
 } // namespace

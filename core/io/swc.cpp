@@ -13,11 +13,11 @@
 namespace espalier {
 namespace {
 
-constexpr std::size_t columns = 7; // id type x y z radius parent
+constexpr std::size_t swcColumns = 7; // id type x y z radius parent
 
 std::vector<std::string_view> wordsOf(std::string_view line) {
   std::vector<std::string_view> words;
-  for (std::string_view rest = trimmed(line); !rest.empty() && words.size() < columns;)
+  for (std::string_view rest = trimmed(line); !rest.empty() && words.size() < swcColumns;)
     words.push_back(nextWord(rest));
   return words;
 }
@@ -28,8 +28,8 @@ bool isWhole(std::string_view word) {
 }
 
 /// @param mayBeMissing  then nan stands for none
-double numberOf(std::string_view word, std::string_view column, const std::string& where,
-                bool mayBeMissing = false) {
+double valueIn(std::string_view word, std::string_view column, const std::string& where,
+               bool mayBeMissing = false) {
   const auto number = numberIn(word);
   if (!number || (!std::isfinite(*number) && !mayBeMissing))
     throw Error(where + "expected a number as " + std::string(column) + ", found " +
@@ -44,16 +44,16 @@ std::string idOf(std::string_view word, std::string_view column, const std::stri
   return std::string(word);
 }
 
-NodeRow rowOf(std::string_view line, std::size_t number, const std::string& file) {
+NodeRow sampleIn(std::string_view line, std::size_t number, const std::string& file) {
   const std::string where = place(file, number);
   const std::vector<std::string_view> words = wordsOf(line);
-  if (words.size() < columns)
+  if (words.size() < swcColumns)
     throw Error(where + "expected 7 numbers (id type x y z radius parent), found " +
                 std::to_string(words.size()));
   NodeRow row{.id = idOf(words[0], "id", where), .place = number};
-  row.node.position = {numberOf(words[2], "x", where), numberOf(words[3], "y", where),
-                       numberOf(words[4], "z", where)};
-  const double radius = numberOf(words[5], "radius", where, true);
+  row.node.position = {valueIn(words[2], "x", where), valueIn(words[3], "y", where),
+                       valueIn(words[4], "z", where)};
+  const double radius = valueIn(words[5], "radius", where, true);
   if (std::isfinite(radius) && radius > 0) row.node.radius = radius;
   const std::string parent = idOf(words[6], "parent", where);
   if (parent != "-1") row.parent = parent;
@@ -86,7 +86,7 @@ bool isSwc(std::string_view beginning) {
     const std::string_view text = trimmed(*line);
     if (text.empty() || text.starts_with('#')) continue;
     const std::vector<std::string_view> words = wordsOf(text);
-    if (words.size() < columns || !isWhole(words[0]) || !isWhole(words[1]) || !isWhole(words[6]))
+    if (words.size() < swcColumns || !isWhole(words[0]) || !isWhole(words[1]) || !isWhole(words[6]))
       return false;
     if (!std::ranges::all_of(words,
                              [](std::string_view word) { return numberIn(word).has_value(); }))
@@ -102,7 +102,8 @@ Imported<Skeleton> readSwc(std::istream& in, const std::string& file) {
   LineReader lines(bytes);
   while (const auto line = lines.next()) {
     const std::string_view text = trimmed(*line);
-    if (!text.empty() && !text.starts_with('#')) rows.push_back(rowOf(text, lines.number(), file));
+    if (!text.empty() && !text.starts_with('#'))
+      rows.push_back(sampleIn(text, lines.number(), file));
   }
   if (rows.empty()) throw Error(file + ": holds no nodes");
   const Skeleton skeleton =

@@ -70,13 +70,6 @@ Layout layoutOf(std::string_view line, const std::string& where) {
   return layout;
 }
 
-double numberOf(std::string_view field, std::string_view name, const std::string& where) {
-  const auto number = numberIn(field);
-  if (!number || !std::isfinite(*number))
-    throw Error(where + "expected a number as " + std::string(name) + ", found " + inQuotes(field));
-  return *number;
-}
-
 /// The nodes of a line, which is a tree.
 class Tree {
 public:
@@ -107,12 +100,12 @@ private:
     const auto value = [&](std::size_t field) { return values_[start + field]; };
     const std::string where = where_ + "segment " + std::to_string(i) + ": ";
     NodeRow row{.id = prefix + std::to_string(i), .place = line};
-    row.node.position = {numberOf(value(0), "x", where), numberOf(value(1), "y", where),
-                         numberOf(value(2), "z", where)};
-    row.node.radius = std::max(0.0, numberOf(value(3), "radius", where));
+    row.node.position = {finiteNumber(value(0), "x", where), finiteNumber(value(1), "y", where),
+                         finiteNumber(value(2), "z", where)};
+    row.node.radius = std::max(0.0, finiteNumber(value(3), "radius", where));
     row.node.edge = EdgeType::branching; // until the axes are assembled
     if (!fields.parent) return row;
-    const double parent = numberOf(value(*fields.parent), parentField, where);
+    const double parent = finiteNumber(value(*fields.parent), parentField, where);
     if (parent == -1) return row;
     if (!(parent >= 0 && parent < static_cast<double>(count_)) || parent != std::floor(parent))
       throw Error(where + "its parent_id is " + inQuotes(value(*fields.parent)) +

@@ -16,8 +16,8 @@ void changeEntity(SkeletonEditor& editor, NodeId id, int scale,
   if (entities.empty()) entities.push_back(ownEntity(editor.skeleton(), id));
   const auto at = std::ranges::find(entities, scale, &Entity::scale);
   if (at == entities.end())
-    throw Error("nothing of scale " + std::to_string(scale) + " begins at node " +
-                std::to_string(indexOf(id)) + ": choose the node it begins at");
+    throw Error("nothing of scale " + std::to_string(scale) + " begins at " + nameOf(id) +
+                ": choose the node it begins at");
   change(*at);
   editor.setEntities(id, std::move(entities));
 }

@@ -11,9 +11,12 @@ namespace espalier {
 
 enum class VertexId : std::uint32_t {}; // place in Mtg::vertices
 
+inline constexpr int finestScale = 100;       // no plant has more than ten: finer ones are damage
+inline constexpr std::size_t mostScales = 32; // of one plant, which has five or six
+
 struct MtgClass {
   std::string symbol; // "$" is the scene
-  int scale = 1;      // 0 for the scene, larger is finer; at most 100
+  int scale = 1;      // 0 for the scene, larger is finer; at most finestScale
   std::string decomposition = "FREE";
   std::string indexation = "FREE";
   std::string definition = "EXPLICIT";

@@ -22,7 +22,7 @@ namespace {
 void requireFinite(const Skeleton& skeleton) {
   for (const NodeId id : skeleton.ids())
     if (!skeleton[id].position.allFinite() || !std::isfinite(skeleton[id].radius))
-      throw Error("node " + std::to_string(indexOf(id)) +
+      throw Error(nameOf(id) +
                   " has a position or radius that is not finite: correct it before saving");
 }
 

@@ -9,11 +9,11 @@
 namespace espalier {
 namespace {
 
-using Link = std::tuple<std::string, std::string, std::string>; // left, right, edge
+using AllowedLink = std::tuple<std::string, std::string, std::string>; // left, right, edge
 
 /// All links that rules tell of: a right side may name several classes.
-std::set<Link> linksOf(const std::vector<MtgRule>& rules) {
-  std::set<Link> links;
+std::set<AllowedLink> linksOf(const std::vector<MtgRule>& rules) {
+  std::set<AllowedLink> links;
   for (const MtgRule& rule : rules)
     for (std::size_t at = 0; at <= rule.right.size();) {
       const std::size_t end = std::min(rule.right.find(',', at), rule.right.size());
@@ -33,7 +33,7 @@ Mtg withRulesOfNewClasses(const Mtg& base, Mtg edited) {
     if (std::ranges::find(base.classes, each.symbol, &MtgClass::symbol) == base.classes.end())
       added.insert(each.symbol);
   if (added.empty()) return edited;
-  std::set<Link> known = linksOf(edited.rules);
+  std::set<AllowedLink> known = linksOf(edited.rules);
   const auto add = [&](const std::string& left, const std::string& right, char edge) {
     if (known.emplace(left, right, std::string(1, edge)).second)
       edited.rules.push_back({left, right, std::string(1, edge), "?"});

@@ -17,7 +17,6 @@ constexpr auto featureTypes = std::to_array<std::string_view>(
     {"INT", "REAL", "STRING", "ALPHA", "BOOLEAN", "DD/MM", "MM/YY", "DD/MM/YY", "DD/MM/YYYY",
      "DD/MM-TIME", "DD/MM/YY-TIME", "GEOMETRY", "APPEARANCE", "OBJECT"});
 
-constexpr int finestScale = 100;           // no plant has more than ten
 constexpr std::size_t longestSymbol = 100; // bounds the search for the symbol in a label
 
 bool isSameWord(std::string_view a, std::string_view b) {

@@ -12,8 +12,6 @@
 namespace espalier {
 namespace {
 
-constexpr std::size_t mostScales = 32; // a plant has five or six; no file makes tables by millions
-
 std::optional<int> finestPositionedScale(const Mtg& mtg, const MtgGeometry& geometry,
                                          const std::string& file) {
   std::optional<int> finest;

@@ -15,7 +15,6 @@ constexpr std::string_view digits = "0123456789";
 constexpr std::string_view indexSigns = "0123456789.";
 constexpr std::string_view noIndex = "-9999"; // MultiScaleTreeGraph.jl writes it for none
 constexpr std::size_t mostInRanges = 200'000;
-constexpr int finestScale = 100;
 
 /// Whether `text` can name a class: letters, digits, _ and what is not ASCII, no digit first or
 /// last.

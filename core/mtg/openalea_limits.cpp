@@ -13,10 +13,6 @@ namespace {
 
 constexpr std::size_t mostNamed = 20;
 
-bool isLetter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
 /// Whether OpenAlea takes a value apart: all travels through the parser of its codes. A / parts it
 /// only before a symbol, so dates are safe.
 bool isTakenApart(std::string_view value, const Mtg& mtg) {

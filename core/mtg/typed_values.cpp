@@ -16,10 +16,6 @@ bool isDigit(char c) {
   return c >= '0' && c <= '9';
 }
 
-bool isLetter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
 bool isWhole(std::string_view text) {
   constexpr std::size_t mostDigits = 18; // fits every reader's integer
   if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);

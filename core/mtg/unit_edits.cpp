@@ -100,15 +100,14 @@ void beginUnit(SkeletonEditor& editor, NodeId id, int scale) {
   const std::vector<Entity>& entities = editor.skeleton()[id].entities;
   const auto found = std::ranges::find(entities, scale, &Entity::scale);
   if (found != entities.end())
-    throw Error(nameOf(*found) + " begins at node " + std::to_string(indexOf(id)) +
-                " already: choose a node further on");
+    throw Error(nameOf(*found) + " begins at " + nameOf(id) + " already: choose a node further on");
   startUnits(editor, {{id, nextUnit(editor.skeleton(), id, scale)}});
 }
 
 void endUnit(SkeletonEditor& editor, NodeId id, int scale) {
   std::vector<Entity> entities = editor.skeleton()[id].entities;
   const auto found = std::ranges::find(entities, scale, &Entity::scale);
-  const std::string node = "node " + std::to_string(indexOf(id));
+  const std::string node = nameOf(id);
   if (found == entities.end() || found + 1 == entities.end())
     throw Error("no unit of scale " + std::to_string(scale) + " begins at " + node +
                 ": choose the node it begins at");
@@ -150,8 +149,8 @@ void setAlias(SkeletonEditor& editor, NodeId id, int scale, const std::string& a
   for (const NodeId node : editor.skeleton().ids())
     for (const Entity& each : editor.skeleton()[node].entities)
       if (!typed.empty() && each.alias == typed && !isSameUnit(each))
-        throw Error(inQuotes(typed) + " is the alias of " + nameOf(each) + " at node " +
-                    std::to_string(indexOf(node)) + " already: choose another one");
+        throw Error(inQuotes(typed) + " is the alias of " + nameOf(each) + " at " + nameOf(node) +
+                    " already: choose another one");
   changeEntity(editor, id, scale, [&](Entity& entity) { entity.alias = typed; });
 }
 

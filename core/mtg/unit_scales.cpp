@@ -16,8 +16,6 @@
 namespace espalier {
 namespace {
 
-constexpr std::size_t mostScales = 32; // as files may have
-
 /// All nodes, axis after axis, from the base of each to its tip.
 std::vector<NodeId> alongAxes(const Skeleton& skeleton) {
   std::vector<NodeId> order;

@@ -18,8 +18,6 @@
 namespace espalier {
 namespace {
 
-constexpr int neighbors = 12;
-
 double toleranceOf(const GrowOptions& options, const PlantScale& whole) {
   return options.tolerance > 0 ? options.tolerance : 3 * whole.spacing;
 }
@@ -74,7 +72,7 @@ public:
 
 private:
   void findParts(const Progress& progress) {
-    const NeighborhoodGraph near(positions_, neighbors, progress.part(0, 0.6));
+    const NeighborhoodGraph near(positions_, partLinks, progress.part(0, 0.6));
     const NeighborhoodGraph graph =
         joined(near, positions_, static_cast<float>(gap_), progress.part(0.6, 1));
     std::vector<bool> isMet(points_.size(), false);

@@ -10,6 +10,7 @@ namespace espalier {
 // What regrowing a node and growing new branches share: the pipeline, run on a part of a scan.
 
 inline constexpr std::size_t fewestPoints = 20; // that tell a branch from dust
+inline constexpr int partLinks = 12;            // of a point, to find what hangs together
 
 /// The points that no edge of a skeleton explains: they lie farther than `tolerance` [L] from the
 /// tube of the edge they are nearest to. Points set aside are none of them, and each place counts

@@ -17,12 +17,7 @@
 namespace espalier {
 namespace {
 
-constexpr int neighbors = 12;
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-std::string name(NodeId id) {
-  return "node " + std::to_string(indexOf(id));
-}
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 /// By id: what `node` carries.
 std::vector<bool> carriedBy(const Skeleton& skeleton, NodeId node) {
@@ -74,7 +69,7 @@ std::vector<Eigen::Index> reached(const NeighborhoodGraph& graph, Eigen::Index f
 std::vector<Eigen::Index> pointsAt(const Skeleton& skeleton, NodeId node, const PointCloud& cloud,
                                    const std::vector<Eigen::Index>& points, double widestGap,
                                    const Progress& progress) {
-  const Error nothing("no points around " + name(node) +
+  const Error nothing("no points around " + nameOf(node) +
                       " are left by the rest of the plant: choose another node");
   if (points.size() < fewestPoints) throw Error(nothing);
   const Eigen::Matrix3Xf positions = cloud.positions()(Eigen::all, points);
@@ -82,7 +77,7 @@ std::vector<Eigen::Index> pointsAt(const Skeleton& skeleton, NodeId node, const 
   const Eigen::Index first = nearestPoint(positions, place);
   const double reach = 2 * skeleton[node].radius + widestGap + meanEdgeLength(skeleton);
   if (static_cast<double>((positions.col(first) - place).norm()) > reach) throw Error(nothing);
-  const NeighborhoodGraph parts(positions, neighbors, progress.part(0, 0.7));
+  const NeighborhoodGraph parts(positions, partLinks, progress.part(0, 0.7));
   const auto gap = static_cast<float>(widestGap);
   std::vector<Eigen::Index> together;
   for (const Eigen::Index found :
@@ -118,21 +113,21 @@ Skeleton regrown(const Skeleton& skeleton, NodeId node,
                              .widestGap = widestGap,
                              .widestJoin = widestGap + meanEdgeLength(skeleton)};
   Skeleton best;
-  double least = infinity;
+  double least = unbounded;
   for (const Skeleton& way : ways) {
     if (way.isEmpty()) continue;
     const auto branches = attached(skeleton, {node}, way, *cloud, attach, progress.part(0.95, 1));
     const double distance =
-        branches.empty() ? infinity : meanDistance(*cloud, points, branches.front().part);
+        branches.empty() ? unbounded : meanDistance(*cloud, points, branches.front().part);
     if (distance >= least) continue;
     least = distance;
     best = branches.front().part;
   }
   if (best.isEmpty())
-    throw Error("nothing grows from " + name(node) +
+    throw Error("nothing grows from " + nameOf(node) +
                 ": choose another node, or prune less in the pipeline");
   if (isChain && least > meanDistance(*cloud, points, before))
-    throw Error("what " + name(node) +
+    throw Error("what " + nameOf(node) +
                 " carries follows the points better than what would grow: " + "it stays as it is");
   return best;
 }

@@ -19,7 +19,7 @@ namespace {
 
 /// 4 has indices that are texts; where there are none, 3 is written, which older programs read. 2
 /// had no points, 1 no reviews either; else all are the same.
-constexpr std::uint8_t version = 4;
+constexpr std::uint8_t bytesVersion = 4;
 constexpr std::uint8_t versionOfPlainIndices = 3;
 constexpr std::size_t hashSize = 8;
 
@@ -51,7 +51,7 @@ bool isReadable(const Node& node) {
 /// What a reader takes for damage is not written.
 /// @throws Error if a reader would refuse the node, or its id
 void requireReadable(NodeId id, const Node& node) {
-  const std::string name = "node " + std::to_string(indexOf(id));
+  const std::string name = nameOf(id);
   if (!isReadable(node))
     throw Error(name + " has a position or radius that is not finite or too large, which a project "
                        "cannot keep: undo what made it");
@@ -97,7 +97,7 @@ public:
     number(static_cast<std::uint8_t>(indexFlag(entity) | (withTypes ? hasTypes : 0)));
     if (indexFlag(entity) == hasIndex) number(static_cast<std::uint32_t>(entity.index->number()));
     if (indexFlag(entity) == hasIndexText) {
-      bytes_.front() = static_cast<char>(version);
+      bytes_.front() = static_cast<char>(bytesVersion);
       text(entity.index->text());
     }
     text(entity.alias);
@@ -152,7 +152,7 @@ public:
     rest_ = bytes.substr(0, bytes.size() - hashSize);
     if (hash != contentHash(rest_)) throw Malformed{};
     written_ = number<std::uint8_t>();
-    if (written_ < 1 || written_ > version) throw Malformed{};
+    if (written_ < 1 || written_ > bytesVersion) throw Malformed{};
   }
 
   template <std::unsigned_integral Number> Number number() {
@@ -252,7 +252,7 @@ public:
 
 private:
   std::string_view rest_; // not read yet
-  std::uint8_t written_;  // version
+  std::uint8_t written_;  // bytesVersion
 };
 
 constexpr std::size_t leastNode = 33; // bytes: flags, position, radius

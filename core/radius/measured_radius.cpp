@@ -1,6 +1,7 @@
 #include "core/radius/measured_radius.h"
 
 #include "core/base/parallel.h"
+#include "core/base/quantile.h"
 #include "core/radius/cylinder_fit.h"
 #include "core/skeleton/axes.h"
 
@@ -16,14 +17,6 @@ struct Stretch {
   std::vector<double> distances;       // of these to the axis [L]
   FittedCylinder start;
 };
-
-/// [L]; 0 of none. @param share in [0, 1)
-double quantile(std::vector<double> distances, double share) {
-  if (distances.empty()) return 0;
-  const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(distances.size()));
-  std::nth_element(distances.begin(), distances.begin() + place, distances.end());
-  return distances[static_cast<std::size_t>(place)];
-}
 
 /// Gathers the points of nodes around one of an axis.
 class StretchFinder {
@@ -54,7 +47,7 @@ public:
     }
     result.start.point = place(axis[at]);
     result.start.direction = directionOf(axis, first, last);
-    result.start.radius = quantile(result.distances, 0.25); // needles lie farther out
+    result.start.radius = quantile(result.distances, 0.25).value_or(0); // needles lie farther out
     return result;
   }
 
@@ -198,7 +191,7 @@ std::vector<MeasuredRadius> withThinRadii(const Skeleton& skeleton, const Assign
       if (each.radius > 0) continue;
       const std::vector<double> distances = distancesAbout(points, axis, at);
       if (distances.empty()) continue;
-      const double low = quantile(distances, tenth) + half;
+      const double low = quantile(distances, tenth).value_or(0) + half;
       const double square = low * low - error * error; // scatter along the surface
       const double radius = half + std::sqrt(std::max(0.0, square));
       if (radius > 0) each = {.radius = radius, .deviation = deviation};

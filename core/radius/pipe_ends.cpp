@@ -1,6 +1,7 @@
 #include "core/radius/pipe_ends.h"
 
 #include "core/base/parallel.h"
+#include "core/base/quantile.h"
 #include "core/radius/section_circle.h"
 
 #include <algorithm>
@@ -47,15 +48,6 @@ Skeleton alone(const Skeleton& skeleton, const std::vector<Place>& chain) {
   for (const Place& place : chain)
     below = result.add({.position = skeleton[place.id].position, .parent = below});
   return result;
-}
-
-/// The value that a share of all is below; none of none. @param share in [0, 1)
-std::optional<double> quantile(std::vector<double> values, double share) {
-  if (values.empty()) return std::nullopt;
-  const auto place =
-      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size()));
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
 }
 
 /// The radius of the outermost wood [L].

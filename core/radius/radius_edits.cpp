@@ -113,11 +113,9 @@ void limitRadii(SkeletonEditor& editor, const std::vector<NodeId>& nodes) {
 void pipeModelFrom(SkeletonEditor& editor, NodeId from, const std::vector<NodeId>& kept) {
   const Skeleton& skeleton = editor.skeleton();
   if (skeleton[from].radius == 0)
-    throw Error("node " + std::to_string(indexOf(from)) +
-                " has no radius yet: measure it, or type one in the inspector");
+    throw Error(nameOf(from) + " has no radius yet: measure it, or type one in the inspector");
   if (skeleton.children(from).empty())
-    throw Error("node " + std::to_string(indexOf(from)) +
-                " carries nothing: choose a node farther from the tips");
+    throw Error(nameOf(from) + " carries nothing: choose a node farther from the tips");
   std::vector<bool> isKept(skeleton.idEnd(), false);
   for (const NodeId id : kept)
     isKept[indexOf(id)] = skeleton[id].radius > 0;

@@ -12,20 +12,20 @@
 namespace espalier {
 namespace {
 
-using Points = std::vector<Eigen::Vector2d>;
+using PlanePoints = std::vector<Eigen::Vector2d>;
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-FittedCircle meanCircle(const Points& points) {
+FittedCircle meanCircle(const PlanePoints& points) {
   double sum = 0;
   for (const Eigen::Vector2d& point : points)
     sum += point.norm();
   return judgedCircle({0, 0}, sum / static_cast<double>(points.size()), points);
 }
 
-FittedCircle maximumCircle(const Points& points) {
+FittedCircle maximumCircle(const PlanePoints& points) {
   double most = 0;
   for (const Eigen::Vector2d& point : points)
     most = std::max(most, point.norm());
@@ -33,11 +33,11 @@ FittedCircle maximumCircle(const Points& points) {
 }
 
 /// The convex hull, counterclockwise. Source: A. M. Andrew, Inf. Process. Lett. 9, 1979.
-Points hullOf(Points points) {
+PlanePoints hullOf(PlanePoints points) {
   std::ranges::sort(points, [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y());
   });
-  Points hull;
+  PlanePoints hull;
   const auto chain = [&hull](const auto& ordered) {
     const std::size_t start = hull.size();
     for (const Eigen::Vector2d& point : ordered) {
@@ -67,7 +67,7 @@ circleThrough(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::V
 }
 
 /// Median distance of points to a circle [L].
-double medianDistance(const Points& points, const Eigen::Vector2d& center, double radius,
+double medianDistance(const PlanePoints& points, const Eigen::Vector2d& center, double radius,
                       std::vector<double>& scratch) {
   scratch.clear();
   for (const Eigen::Vector2d& point : points)
@@ -78,10 +78,10 @@ double medianDistance(const Points& points, const Eigen::Vector2d& center, doubl
 }
 
 /// The circle with the least median distance among circles through three of the points.
-std::optional<FittedCircle> leastMedianCircle(const Points& points) {
+std::optional<FittedCircle> leastMedianCircle(const PlanePoints& points) {
   constexpr int draws = 150;          // half stray: all of them bad once in 10^9
   constexpr std::size_t judged = 128; // points are enough to tell circles apart
-  Points some;
+  PlanePoints some;
   const std::size_t step = std::max<std::size_t>(1, points.size() / judged);
   for (std::size_t i = 0; i < points.size(); i += step)
     some.push_back(points[i]);
@@ -107,11 +107,11 @@ std::optional<FittedCircle> leastMedianCircle(const Points& points) {
   return judgedCircle(best->first, best->second, points);
 }
 
-std::optional<FittedCircle> robustCircle(const Points& points) {
+std::optional<FittedCircle> robustCircle(const PlanePoints& points) {
   std::optional<FittedCircle> circle = leastMedianCircle(points);
   if (!circle) return std::nullopt;
   std::vector<double> scratch;
-  Points kept;
+  PlanePoints kept;
   constexpr int rounds = 10;
   for (int i = 0; i < rounds; ++i) {
     constexpr double deviation = 1.4826; // per median distance, of normal noise
@@ -120,7 +120,7 @@ std::optional<FittedCircle> robustCircle(const Points& points) {
     const double scale =
         deviation * medianDistance(points, circle->center, circle->radius, scratch);
     const double limit = std::max(farthest * scale, least * circle->radius);
-    Points next;
+    PlanePoints next;
     for (const Eigen::Vector2d& point : points)
       if (std::abs((point - circle->center).norm() - circle->radius) <= limit)
         next.push_back(point);
@@ -174,9 +174,9 @@ MeasuredCircle measuredCircle(const CrossSection& section, RadiusMeasure measure
   return *circle;
 }
 
-std::optional<FittedCircle> hullCircle(const Points& points) {
+std::optional<FittedCircle> hullCircle(const PlanePoints& points) {
   if (points.size() < 3) return std::nullopt;
-  const Points hull = hullOf(points);
+  const PlanePoints hull = hullOf(points);
   if (hull.size() < 3) return std::nullopt;
   double perimeter = 0;
   double area = 0; // twice

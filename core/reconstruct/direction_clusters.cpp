@@ -11,7 +11,7 @@ namespace {
 using Directions = std::vector<Eigen::Vector3d>;
 
 constexpr std::size_t mostFitted = 120;
-constexpr int mostRounds = 40;
+constexpr int mostFits = 40;
 constexpr double greatestConcentration = 205; // 1 / (4 degrees)^2
 constexpr double leastConcentration = 1e-3;
 const double narrow = std::cos(30 * std::numbers::pi / 180);
@@ -108,7 +108,7 @@ Mixture fitted(const Directions& directions, std::size_t count, int starts) {
         directions.size() * static_cast<std::size_t>(start) / static_cast<std::size_t>(starts);
     Mixture mixture = spreadSeeds(directions, first, count);
     double before = -std::numeric_limits<double>::infinity();
-    for (int round = 0; round < mostRounds; ++round) {
+    for (int round = 0; round < mostFits; ++round) {
       const Eigen::ArrayXXd shares = expected(mixture, directions);
       if (mixture.logLikelihood - before < 1e-4) break;
       before = mixture.logLikelihood;

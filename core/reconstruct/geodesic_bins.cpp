@@ -15,14 +15,13 @@
 namespace espalier {
 namespace {
 
-constexpr std::uint32_t none = GeodesicGroups::none;
 using Groups = GeodesicGroups;
 
 /// A tree of the shortest ways over the centroids.
 Skeleton shortestTreeOf(const Groups& groups) {
   const std::size_t count = groups.centroids.size();
   std::vector<double> distance(count, std::numeric_limits<double>::infinity());
-  std::vector<std::uint32_t> parent(count, none);
+  std::vector<std::uint32_t> parent(count, noGroup);
   std::vector<std::optional<NodeId>> nodes(count);
   using Item = std::pair<double, std::uint32_t>;
   std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
@@ -36,7 +35,7 @@ Skeleton shortestTreeOf(const Groups& groups) {
     nodes[group] =
         skeleton.add({.position = groups.centroids[group],
                       .radius = groups.radii[group],
-                      .parent = parent[group] == none ? std::nullopt : nodes[parent[group]]});
+                      .parent = parent[group] == noGroup ? std::nullopt : nodes[parent[group]]});
     for (const std::uint32_t next : groups.adjacent[group]) {
       const double through = at + (groups.centroids[group] - groups.centroids[next]).norm();
       if (nodes[next] || through >= distance[next]) continue;

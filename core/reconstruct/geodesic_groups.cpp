@@ -11,10 +11,8 @@
 namespace espalier {
 namespace {
 
-constexpr std::uint32_t none = GeodesicGroups::none;
-
 std::vector<std::uint32_t> binsOf(const Geodesics& ways, double binWidth) {
-  std::vector<std::uint32_t> bins(ways.distance.size(), none);
+  std::vector<std::uint32_t> bins(ways.distance.size(), noGroup);
   for (std::size_t i = 0; i < bins.size(); ++i)
     if (std::isfinite(ways.distance[i]))
       bins[i] = static_cast<std::uint32_t>(static_cast<double>(ways.distance[i]) / binWidth);
@@ -24,14 +22,14 @@ std::vector<std::uint32_t> binsOf(const Geodesics& ways, double binWidth) {
 /// Numbers the connected parts of each bin, and tells which touch each other.
 void group(GeodesicGroups& groups, const NeighborhoodGraph& graph,
            const std::vector<std::uint32_t>& bins) {
-  groups.ofPoint.assign(bins.size(), none);
+  groups.ofPoint.assign(bins.size(), noGroup);
   const auto touch = [&](std::uint32_t own, std::uint32_t other) {
     std::vector<std::uint32_t>& list = groups.adjacent[own];
     if (list.empty() || list.back() != other) list.push_back(other);
   };
   std::vector<std::uint32_t> stack;
   for (std::size_t first = 0; first < bins.size(); ++first) {
-    if (bins[first] == none || groups.ofPoint[first] != none) continue;
+    if (bins[first] == noGroup || groups.ofPoint[first] != noGroup) continue;
     const auto own = static_cast<std::uint32_t>(groups.bins.size());
     groups.bins.push_back(bins[first]);
     groups.adjacent.emplace_back();
@@ -42,10 +40,10 @@ void group(GeodesicGroups& groups, const NeighborhoodGraph& graph,
       stack.pop_back();
       for (const NeighborhoodGraph::Link& link : graph.links(point)) {
         std::uint32_t& other = groups.ofPoint[link.to];
-        if (other != none && other != own) { // numbered before: it did not see this group yet
+        if (other != noGroup && other != own) { // numbered before: it did not see this group yet
           touch(own, other);
           touch(other, own);
-        } else if (other == none && bins[link.to] == groups.bins[own]) {
+        } else if (other == noGroup && bins[link.to] == groups.bins[own]) {
           other = own;
           stack.push_back(link.to);
         }
@@ -72,7 +70,7 @@ void measure(GeodesicGroups& groups, const Eigen::Matrix3Xf& points, std::size_t
   groups.centroids.assign(count, Eigen::Vector3d::Zero());
   groups.radii.assign(count, 0);
   for (std::size_t i = 0; i < groups.ofPoint.size(); ++i) {
-    if (groups.ofPoint[i] == none) continue;
+    if (groups.ofPoint[i] == noGroup) continue;
     groups.centroids[groups.ofPoint[i]] += points.col(static_cast<Eigen::Index>(i)).cast<double>();
     sizes[groups.ofPoint[i]] += 1;
   }
@@ -81,7 +79,7 @@ void measure(GeodesicGroups& groups, const Eigen::Matrix3Xf& points, std::size_t
   std::vector<Eigen::Matrix3d> scatters(count, Eigen::Matrix3d::Zero());
   for (std::size_t i = 0; i < groups.ofPoint.size(); ++i) {
     const std::uint32_t g = groups.ofPoint[i];
-    if (g == none) continue;
+    if (g == noGroup) continue;
     const Eigen::Vector3d d =
         points.col(static_cast<Eigen::Index>(i)).cast<double>() - groups.centroids[g];
     groups.radii[g] += d.norm() / sizes[g];

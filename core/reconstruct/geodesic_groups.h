@@ -11,12 +11,12 @@
 
 namespace espalier {
 
+inline constexpr std::uint32_t noGroup = Geodesics::none;
+
 /// The points of a plant in bins of their distance to the root along it, and these in their
 /// connected parts: the pieces of wood that lie one after the other.
 struct GeodesicGroups {
-  static constexpr std::uint32_t none = Geodesics::none;
-
-  std::vector<std::uint32_t> ofPoint; // none where the root cannot be reached
+  std::vector<std::uint32_t> ofPoint; // noGroup where the root cannot be reached
   std::vector<float> distances;       // by point, to the root [L]
   std::vector<std::uint32_t> bins;    // by group: which bin it is of, the root's is 0
   std::vector<double> sizes;          // its points

@@ -17,7 +17,7 @@
 namespace espalier {
 namespace {
 
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t ungrouped = std::numeric_limits<std::uint32_t>::max();
 
 /// A group of points that is going to grow.
 struct Bud {
@@ -43,7 +43,7 @@ public:
          const NeighborhoodGraph& graph, const Geodesics& ways,
          const GraphColonizationOptions& options)
       : points_(points), densities_(densities), graph_(graph), ways_(ways), options_(options),
-        groupOf_(densities.size(), none) {}
+        groupOf_(densities.size(), ungrouped) {}
 
   Skeleton grow(Eigen::Index root, const Progress& progress) {
     const auto first = static_cast<std::uint32_t>(root);
@@ -71,7 +71,7 @@ private:
     std::vector<Seed> seeds;
     for (const std::uint32_t point : groups_[group])
       for (const NeighborhoodGraph::Link& link : graph_.links(point))
-        if (groupOf_[link.to] == none) seeds.push_back({link.to, point});
+        if (groupOf_[link.to] == ungrouped) seeds.push_back({link.to, point});
     std::ranges::sort(seeds);
     return seeds;
   }
@@ -92,10 +92,10 @@ private:
     }
     double later = std::numeric_limits<double>::infinity();
     for (const Seed& seed : seeds)
-      if (groupOf_[seed.point] == none && distance(seed.point) <= end)
+      if (groupOf_[seed.point] == ungrouped && distance(seed.point) <= end)
         found(seedsWith(seed.point, seeds, end), end, bud.number);
     for (const Seed& seed : seeds)
-      if (groupOf_[seed.point] == none) later = std::min(later, distance(seed.point));
+      if (groupOf_[seed.point] == ungrouped) later = std::min(later, distance(seed.point));
     if (std::isfinite(later)) buds_.push({later, bud.number});
   }
 
@@ -115,7 +115,7 @@ private:
     groupOf_[first] = number;
     for (std::size_t next = 0; next < members.size(); ++next)
       for (const NeighborhoodGraph::Link& link : graph_.links(members[next])) {
-        if (groupOf_[link.to] != none || distance(link.to) > end) continue;
+        if (groupOf_[link.to] != ungrouped || distance(link.to) > end) continue;
         groupOf_[link.to] = number;
         members.push_back(link.to);
       }

@@ -10,19 +10,17 @@
 namespace espalier {
 namespace {
 
-constexpr std::uint32_t none = GeodesicGroups::none;
-
 /// The pieces of wood before and behind one: of several the one with most points.
 struct Beside {
-  std::uint32_t below = none;
-  std::uint32_t above = none;
+  std::uint32_t below = noGroup;
+  std::uint32_t above = noGroup;
 };
 
 Beside besideOf(const GeodesicGroups& groups, std::uint32_t group) {
   Beside beside;
   for (const std::uint32_t other : groups.adjacent[group]) {
     std::uint32_t& side = groups.bins[other] < groups.bins[group] ? beside.below : beside.above;
-    if (side == none || groups.sizes[other] > groups.sizes[side]) side = other;
+    if (side == noGroup || groups.sizes[other] > groups.sizes[side]) side = other;
   }
   return beside;
 }
@@ -33,14 +31,14 @@ std::vector<double> thicknesses(const GeodesicGroups& groups, const std::vector<
   std::vector<Eigen::Vector3d> directions = groups.axes;
   for (std::size_t group = 0; group < directions.size(); ++group) {
     const auto [below, above] = beside[group];
-    if (below != none && above != none)
+    if (below != noGroup && above != noGroup)
       directions[group] = groups.centroids[above] - groups.centroids[below];
     directions[group].normalize();
   }
   std::vector<double> means(directions.size(), 0);
   for (std::size_t i = 0; i < groups.ofPoint.size(); ++i) {
     const std::uint32_t group = groups.ofPoint[i];
-    if (group == none) continue;
+    if (group == noGroup) continue;
     const Eigen::Vector3d from =
         points.col(static_cast<Eigen::Index>(i)).cast<double>() - groups.centroids[group];
     means[group] +=
@@ -63,12 +61,12 @@ void draw(Eigen::Matrix3Xf& points, Eigen::Index root, const ThickWoodOptions& o
   const std::vector<double> thick = thicknesses(groups, beside, points);
   for (std::size_t i = 0; i < groups.ofPoint.size(); ++i) {
     const std::uint32_t group = groups.ofPoint[i];
-    if (group == none || thick[group] <= radius) continue;
+    if (group == noGroup || thick[group] <= radius) continue;
     const double bins = static_cast<double>(groups.distances[i]) / length;
     const double along = bins - groups.bins[group] - 0.5; // from the middle of its bin
     const std::uint32_t to = along < 0 ? beside[group].below : beside[group].above;
     Eigen::Vector3d place = groups.centroids[group];
-    if (to != none) place += std::abs(along) * (groups.centroids[to] - groups.centroids[group]);
+    if (to != noGroup) place += std::abs(along) * (groups.centroids[to] - groups.centroids[group]);
     points.col(static_cast<Eigen::Index>(i)) = place.cast<float>();
   }
 }

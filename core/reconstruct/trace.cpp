@@ -19,7 +19,7 @@ namespace espalier {
 namespace {
 
 constexpr float infinite = std::numeric_limits<float>::infinity();
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t noPoint = std::numeric_limits<std::uint32_t>::max();
 constexpr int neighbors = 12; // as the default reconstruction links them
 
 struct Reached {
@@ -156,7 +156,7 @@ TraceGraph::Way TraceGraph::wayBetween(std::uint32_t from, std::uint32_t to,
   const auto spacing = static_cast<float>(spacing_ > 0 ? spacing_ : 1);
   const auto count = static_cast<std::size_t>(cloud_->size());
   std::vector<float> costs(count, infinite);
-  std::vector<std::uint32_t> before(count, none);
+  std::vector<std::uint32_t> before(count, noPoint);
   const auto costOf = [&](std::uint32_t point, const NeighborhoodGraph::Link& link) {
     const float leap = link.length / (widestLink * spacing);
     const float cost =
@@ -186,7 +186,7 @@ TraceGraph::Way TraceGraph::wayBetween(std::uint32_t from, std::uint32_t to,
     }
   }
   Way way;
-  for (std::uint32_t point = to; point != none; point = before[point])
+  for (std::uint32_t point = to; point != noPoint; point = before[point])
     way.points.push_back(point);
   std::ranges::reverse(way.points);
   return way;

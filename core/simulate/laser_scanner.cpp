@@ -18,7 +18,7 @@ using Eigen::Index;
 using Eigen::Vector3d;
 using std::numbers::pi;
 
-void require(bool holds, const char* what) {
+void requireOption(bool holds, const char* what) {
   if (!holds) throw Error(std::string("scanner options: ") + what);
 }
 
@@ -27,19 +27,25 @@ bool isIn(double value, double least, double most) {
 }
 
 void check(const ScannerOptions& options) {
-  require(options.points >= 10 && options.points <= 100'000'000, "expected 10 to 10^8 points");
-  require(options.stations >= 1 && options.stations <= 100, "expected 1 to 100 stations");
-  require(isIn(options.distance, 0.6, 100), "expected a distance of 0.6 to 100 plant extents");
-  require(isIn(options.elevation, -10, 10), "expected an elevation of -10 to 10 plant heights");
-  require(isIn(options.rangeNoise.value_or(0), 0, 1e300) && isIn(options.rangeNoiseInSteps, 0, 1e3),
-          "expected a range noise of 0 or more");
-  require(isIn(options.misalignment.value_or(0), 0, 1e300), "expected a misalignment of 0 or more");
-  require(isIn(options.angularNoise, 0, 10), "expected an angular noise of 0 to 10 steps");
-  require(isIn(options.beamWidth, 0, 3), "expected a beam width of 0 to 3 steps");
-  require(isIn(options.grazingLoss, 0, 1), "expected a grazing loss of 0 to 1");
-  require(isIn(options.strayShare, 0, 0.5), "expected a share of stray points of 0 to 0.5");
-  require(options.clumps >= 0 && options.clumps <= 1000, "expected 0 to 1000 clumps of leaves");
-  require(isIn(options.clumpRadius, 0, 1), "expected a clump radius of 0 to 1 extents");
+  requireOption(options.points >= 10 && options.points <= 100'000'000,
+                "expected 10 to 10^8 points");
+  requireOption(options.stations >= 1 && options.stations <= 100, "expected 1 to 100 stations");
+  requireOption(isIn(options.distance, 0.6, 100),
+                "expected a distance of 0.6 to 100 plant extents");
+  requireOption(isIn(options.elevation, -10, 10),
+                "expected an elevation of -10 to 10 plant heights");
+  requireOption(isIn(options.rangeNoise.value_or(0), 0, 1e300) &&
+                    isIn(options.rangeNoiseInSteps, 0, 1e3),
+                "expected a range noise of 0 or more");
+  requireOption(isIn(options.misalignment.value_or(0), 0, 1e300),
+                "expected a misalignment of 0 or more");
+  requireOption(isIn(options.angularNoise, 0, 10), "expected an angular noise of 0 to 10 steps");
+  requireOption(isIn(options.beamWidth, 0, 3), "expected a beam width of 0 to 3 steps");
+  requireOption(isIn(options.grazingLoss, 0, 1), "expected a grazing loss of 0 to 1");
+  requireOption(isIn(options.strayShare, 0, 0.5), "expected a share of stray points of 0 to 0.5");
+  requireOption(options.clumps >= 0 && options.clumps <= 1000,
+                "expected 0 to 1000 clumps of leaves");
+  requireOption(isIn(options.clumpRadius, 0, 1), "expected a clump radius of 0 to 1 extents");
 }
 
 std::vector<Vector3d> stationsAround(const Eigen::AlignedBox3d& bounds, double extent,
@@ -73,7 +79,7 @@ std::vector<ScanWindow> windowsOf(const std::vector<Vector3d>& stations,
                                   Random& random) {
   std::vector<ScanWindow> windows;
   for (const Vector3d& station : stations) {
-    require(station.allFinite(), "expected finite places of the stations");
+    requireOption(station.allFinite(), "expected finite places of the stations");
     windows.push_back(windowOf(station, bounds));
     for (double& shift : windows.back().shift)
       shift = misalignment * random.normal();

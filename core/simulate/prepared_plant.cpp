@@ -31,8 +31,7 @@ double edgeLength(const Skeleton& plant, NodeId id) { // pre: id has a parent
 void check(const Skeleton& plant, const PreparationOptions& options) {
   for (const NodeId id : plant.ids())
     if (!plant[id].position.allFinite() || !std::isfinite(plant[id].radius))
-      throw Error("node " + std::to_string(indexOf(id)) +
-                  ": its position or radius is not finite; correct or delete it");
+      throw Error(nameOf(id) + ": its position or radius is not finite; correct or delete it");
   if (!(options.spacing >= 0) || options.smoothing < 0 || options.smoothing > 100)
     throw Error("preparation: expected a spacing of 0 or more and 0 to 100 smoothing passes");
   if (!(options.baseRadius >= 0) || !(options.apexRadius >= 0))

@@ -70,7 +70,7 @@ std::optional<WoodHit> hitBall(const WoodPiece& piece, const Ray& ray) {
 }
 
 [[noreturn]] void refuse(NodeId id, const char* what) {
-  throw Error("node " + std::to_string(indexOf(id)) + ": " + what);
+  throw Error(nameOf(id) + ": " + what);
 }
 
 } // namespace

@@ -10,19 +10,15 @@
 namespace espalier {
 namespace {
 
-std::string name(NodeId id) {
-  return "node " + std::to_string(indexOf(id));
-}
-
 void requireArms(const Skeleton& skeleton, NodeId a, NodeId b) {
   for (const NodeId id : {a, b})
     if (!skeleton[id].parent)
-      throw Error(name(id) + " is a root and hangs on nothing: choose a node above it");
+      throw Error(nameOf(id) + " is a root and hangs on nothing: choose a node above it");
   if (skeleton[a].parent == skeleton[b].parent)
-    throw Error(name(a) + " and " + name(b) +
+    throw Error(nameOf(a) + " and " + nameOf(b) +
                 " hang on the same node: there is nothing to exchange");
   if (skeleton.isAncestor(a, b) || skeleton.isAncestor(b, a))
-    throw Error("of " + name(a) + " and " + name(b) +
+    throw Error("of " + nameOf(a) + " and " + nameOf(b) +
                 " one carries the other: choose arms of two branches that cross");
 }
 

@@ -17,8 +17,7 @@ bool isSuccessor(const Skeleton& skeleton, NodeId id) {
 
 void requireParent(const Skeleton& skeleton, NodeId id) {
   if (!skeleton[id].parent)
-    throw Error("node " + std::to_string(indexOf(id)) +
-                " is a root and has no edge to a parent: choose a node above it");
+    throw Error(nameOf(id) + " is a root and has no edge to a parent: choose a node above it");
 }
 
 void removeRoot(SkeletonEditor& editor, NodeId root) {

@@ -17,10 +17,6 @@ std::string plainLength(double length) {
   return text.str();
 }
 
-std::string nameOf(NodeId id) {
-  return "node " + std::to_string(indexOf(id));
-}
-
 std::string counted(double count, const std::string& one, const std::string& many) {
   const auto whole = std::llround(count);
   return std::to_string(whole) + ' ' + (whole == 1 ? one : many);

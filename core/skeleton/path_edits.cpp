@@ -176,8 +176,7 @@ void interpolateRadii(SkeletonEditor& editor, const std::vector<NodeId>& path) {
   requireBetween(path);
   for (const NodeId end : {path.front(), path.back()})
     if (editor.skeleton()[end].radius == 0)
-      throw Error("node " + std::to_string(indexOf(end)) +
-                  " has no radius yet: type one in the inspector first");
+      throw Error(nameOf(end) + " has no radius yet: type one in the inspector first");
   const std::vector<double> at = lengths(editor.skeleton(), path);
   const double from = editor.skeleton()[path.front()].radius;
   const double to = editor.skeleton()[path.back()].radius;

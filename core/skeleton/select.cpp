@@ -141,8 +141,7 @@ std::vector<NodeId> pathBetween(const Skeleton& skeleton, NodeId from, NodeId to
   std::vector<NodeId> up = upstream(skeleton, {from});
   std::vector<NodeId> down = upstream(skeleton, {to});
   if (up.back() != down.back())
-    throw Error("node " + std::to_string(indexOf(from)) + " and node " +
-                std::to_string(indexOf(to)) +
+    throw Error(nameOf(from) + " and " + nameOf(to) +
                 " belong to different trees: choose two of one tree, or join them first");
   while (up.size() > 1 && down.size() > 1 && up[up.size() - 2] == down[down.size() - 2]) {
     up.pop_back();

@@ -10,10 +10,6 @@
 namespace espalier {
 namespace {
 
-std::string name(NodeId id) {
-  return "node " + std::to_string(indexOf(id));
-}
-
 /// Whether a parent is known, without a walk to the root, to be none of what a node carries: it is
 /// the node's own, that one's, or a sibling.
 bool isBelowOrBeside(const Node& node, NodeId parent, const Skeleton& skeleton) {
@@ -61,7 +57,7 @@ void Skeleton::reserve(std::size_t nodes) {
 
 NodeId Skeleton::add(const Node& node) {
   if (node.parent && !contains(*node.parent))
-    throw Error("the parent, " + name(*node.parent) + ", does not exist: choose another");
+    throw Error("the parent, " + nameOf(*node.parent) + ", does not exist: choose another");
   const NodeId id{static_cast<std::uint32_t>(nodes_.size())};
   nodes_.emplace_back(node);
   children_.emplace_back();
@@ -104,10 +100,10 @@ void Skeleton::setReview(NodeId id, ReviewMark review) {
 
 void Skeleton::reparent(NodeId id, NodeId parent, EdgeType edge) {
   assert(contains(id));
-  if (!contains(parent)) throw Error(name(parent) + " does not exist: choose another parent");
+  if (!contains(parent)) throw Error(nameOf(parent) + " does not exist: choose another parent");
   const bool isFree = children(id).empty() || isBelowOrBeside((*this)[id], parent, *this);
   if (id == parent || (!isFree && isAncestor(id, parent)))
-    throw Error("cannot hang " + name(id) + " on " + name(parent) +
+    throw Error("cannot hang " + nameOf(id) + " on " + nameOf(parent) +
                 ", which it carries itself: choose a parent outside its branch");
   unlink(id);
   nodes_[indexOf(id)]->parent = parent;
@@ -166,6 +162,10 @@ void Skeleton::unlink(NodeId id) {
   const Node& node = *nodes_[indexOf(id)];
   if (!node.parent) return;
   std::erase(children_[indexOf(*node.parent)], id);
+}
+
+std::string nameOf(NodeId id) {
+  return "node " + std::to_string(indexOf(id));
 }
 
 } // namespace espalier

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace espalier {
@@ -80,5 +81,7 @@ private:
 [[nodiscard]] constexpr std::size_t indexOf(NodeId id) {
   return static_cast<std::size_t>(id);
 }
+
+[[nodiscard]] std::string nameOf(NodeId id); // "node 12", in messages
 
 } // namespace espalier

@@ -21,10 +21,6 @@ bool looksAlike(const Node& a, const Node& b) {
 }
 
 /// For the start of a message.
-std::string nameOf(NodeId id) {
-  return "node " + std::to_string(indexOf(id)) + ": ";
-}
-
 /// What became of the nodes noted; those that ended as they were are left out.
 SkeletonDelta deltaOf(std::vector<SkeletonDelta::Change> noted, const Skeleton& skeleton) {
   for (SkeletonDelta::Change& change : noted)
@@ -104,13 +100,13 @@ NodeId SkeletonEditor::add(const Node& node) {
 }
 
 void SkeletonEditor::setPosition(NodeId id, const Eigen::Vector3d& position) {
-  if (!isInRange(position)) throw outOfRange(nameOf(id));
+  if (!isInRange(position)) throw outOfRange(nameOf(id) + ": ");
   note(id);
   skeleton_.setPosition(id, position);
 }
 
 void SkeletonEditor::setRadius(NodeId id, double radius) {
-  if (!(radius <= largestCoordinate)) throw outOfRange(nameOf(id));
+  if (!(radius <= largestCoordinate)) throw outOfRange(nameOf(id) + ": ");
   note(id);
   skeleton_.setRadius(id, radius);
 }

@@ -12,10 +12,6 @@
 namespace espalier {
 namespace {
 
-std::string name(NodeId id) {
-  return "node " + std::to_string(indexOf(id));
-}
-
 NodeId rootOf(const Skeleton& skeleton, NodeId id) {
   return upstream(skeleton, {id}).back();
 }
@@ -46,7 +42,7 @@ void requireNeighbors(const Skeleton& skeleton, const std::vector<NodeId>& tops)
     const std::optional<NodeId>& parent = skeleton[id].parent;
     const bool isAlone = tops.size() == 1;
     if (!isAlone && (!parent || parent != skeleton[tops.front()].parent))
-      throw Error(name(tops.front()) + " and " + name(id) +
+      throw Error(nameOf(tops.front()) + " and " + nameOf(id) +
                   " do not hang together: choose nodes linked by edges, or children of one node");
   }
 }
@@ -56,7 +52,7 @@ void requireNeighbors(const Skeleton& skeleton, const std::vector<NodeId>& tops)
 void swapSuccessor(SkeletonEditor& editor, NodeId id) {
   std::vector<NodeId> children = editor.skeleton().children(id);
   if (children.size() < 2)
-    throw Error(name(id) + " does not branch: choose a node with two children or more");
+    throw Error(nameOf(id) + " does not branch: choose a node with two children or more");
   const bool hasSuccessor = editor.skeleton()[children.front()].edge == EdgeType::successor;
   const NodeId before = children.front();
   std::ranges::sort(children, {}, indexOf);
@@ -67,14 +63,14 @@ void swapSuccessor(SkeletonEditor& editor, NodeId id) {
 
 void cutOff(SkeletonEditor& editor, NodeId id) {
   if (!editor.skeleton()[id].parent)
-    throw Error(name(id) + " is a root already: choose a node above it");
+    throw Error(nameOf(id) + " is a root already: choose a node above it");
   hangInItsUnits(editor, id, std::nullopt);
 }
 
 void joinTree(SkeletonEditor& editor, NodeId id, NodeId onto) {
   const Skeleton& skeleton = editor.skeleton();
   if (rootOf(skeleton, id) == rootOf(skeleton, onto))
-    throw Error(name(id) + " and " + name(onto) +
+    throw Error(nameOf(id) + " and " + nameOf(onto) +
                 " belong to one tree: reparent one to the other instead");
   reroot(editor, id);
   editor.reparent(id, onto, edgeOfNewChild(skeleton, onto));
@@ -84,7 +80,7 @@ void joinTree(SkeletonEditor& editor, NodeId id, NodeId onto) {
 NodeId nearestInOtherTree(const Skeleton& skeleton, NodeId id) {
   const std::vector<NodeId> others = inverted(skeleton, treesOf(skeleton, {id}));
   if (others.empty())
-    throw Error("the plant is one tree: there is nothing to join " + name(id) + " to");
+    throw Error("the plant is one tree: there is nothing to join " + nameOf(id) + " to");
   NodeId nearest = others.front();
   double least = std::numeric_limits<double>::infinity();
   for (const NodeId other : others) {
@@ -105,7 +101,7 @@ void reroot(SkeletonEditor& editor, NodeId id) {
 void reversePath(SkeletonEditor& editor, NodeId top, NodeId bottom) {
   const Skeleton& skeleton = editor.skeleton();
   if (top == bottom || !skeleton.isAncestor(top, bottom))
-    throw Error(name(top) + " does not carry " + name(bottom) +
+    throw Error(nameOf(top) + " does not carry " + nameOf(bottom) +
                 ": choose the two ends of a path that leads upward");
   const std::vector<NodeId> path = pathBetween(skeleton, top, bottom);
   const Node first = skeleton[top];

@@ -22,7 +22,7 @@ QString nameOf(const QAction& action) {
   return action.property("name").toString();
 }
 
-QString keysOf(const QAction& action) {
+QString shortcutOf(const QAction& action) {
   return QKeySequence::listToString(action.shortcuts(), QKeySequence::NativeText);
 }
 
@@ -147,7 +147,7 @@ void KeysDialog::refresh() {
   for (QTreeWidgetItemIterator at(list_, QTreeWidgetItemIterator::NoChildren); *at != nullptr; ++at)
     for (const QAction* action : bindings_.actions()) {
       if ((*at)->data(0, Qt::UserRole) != action->objectName()) continue;
-      (*at)->setText(keysColumn, keysOf(*action));
+      (*at)->setText(keysColumn, shortcutOf(*action));
       QFont font = list_->font();
       font.setBold(bindings_.isChanged(*action));
       (*at)->setFont(keysColumn, font);

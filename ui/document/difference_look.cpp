@@ -5,22 +5,22 @@
 namespace espalier {
 namespace {
 
-QString tr(const char* text) {
-  return QCoreApplication::translate("Differences", text);
-}
+struct DifferenceText {
+  Q_DECLARE_TR_FUNCTIONS(Differences)
+};
 
 } // namespace
 
 QString titleOf(Difference difference) {
   switch (difference) {
   case Difference::matched:
-    return tr("Matched");
+    return DifferenceText::tr("Matched");
   case Difference::missed:
-    return tr("Missed");
+    return DifferenceText::tr("Missed");
   case Difference::invented:
-    return tr("Invented");
+    return DifferenceText::tr("Invented");
   case Difference::wronglyAttached:
-    return tr("Wrongly attached");
+    return DifferenceText::tr("Wrongly attached");
   }
   return {};
 }

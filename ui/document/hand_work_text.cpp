@@ -11,9 +11,9 @@
 namespace espalier {
 namespace {
 
-QString tr(const char* text) {
-  return QCoreApplication::translate("HandWork", text);
-}
+struct HandWorkText {
+  Q_DECLARE_TR_FUNCTIONS(HandWork)
+};
 
 } // namespace
 
@@ -24,26 +24,27 @@ HandWork handWork(const PlantDocument& document) {
 
 QString formatWorkTime(std::int64_t milliseconds) {
   const std::int64_t minutes = milliseconds / 60'000;
-  if (minutes < 1) return tr("under a minute");
-  if (minutes < 60) return tr("%1 min").arg(minutes);
-  return tr("%1 h %2 min").arg(minutes / 60).arg(minutes % 60);
+  if (minutes < 1) return HandWorkText::tr("under a minute");
+  if (minutes < 60) return HandWorkText::tr("%1 min").arg(minutes);
+  return HandWorkText::tr("%1 h %2 min").arg(minutes / 60).arg(minutes % 60);
 }
 
 QString describe(const Corrections& corrections) {
-  if (corrections.edits == 0) return tr("none");
+  if (corrections.edits == 0) return HandWorkText::tr("none");
   QStringList kinds;
   const auto add = [&](std::size_t count, const QString& text) {
     if (count > 0) kinds.append(text.arg(formatCount(count)));
   };
-  add(corrections.added, tr("%1 added"));
-  add(corrections.removed, tr("%1 removed"));
-  add(corrections.moved, tr("%1 moved"));
-  add(corrections.reparented, tr("%1 reparented"));
-  add(corrections.retyped, tr("%1 with another edge type"));
-  add(corrections.radii, tr("%1 with another radius"));
-  const QString edits =
-      corrections.edits == 1 ? tr("1 edit") : tr("%1 edits").arg(formatCount(corrections.edits));
-  return tr("%1; nodes: %2").arg(edits, kinds.join(", "));
+  add(corrections.added, HandWorkText::tr("%1 added"));
+  add(corrections.removed, HandWorkText::tr("%1 removed"));
+  add(corrections.moved, HandWorkText::tr("%1 moved"));
+  add(corrections.reparented, HandWorkText::tr("%1 reparented"));
+  add(corrections.retyped, HandWorkText::tr("%1 with another edge type"));
+  add(corrections.radii, HandWorkText::tr("%1 with another radius"));
+  const QString edits = corrections.edits == 1
+                            ? HandWorkText::tr("1 edit")
+                            : HandWorkText::tr("%1 edits").arg(formatCount(corrections.edits));
+  return HandWorkText::tr("%1; nodes: %2").arg(edits, kinds.join(", "));
 }
 
 } // namespace espalier

@@ -8,7 +8,7 @@
 namespace espalier {
 namespace {
 
-enum Column { nameColumn, lengthColumn, stateColumn, columns };
+enum AxisColumn { axisName, axisLength, axisState, axisColumns };
 
 /// A tick for all.
 QString stateText(const ReviewCoverage& seen) {
@@ -50,7 +50,7 @@ void AxisReviewModel::show(const Skeleton& skeleton, LengthUnit unit) {
   unit_ = unit;
   if (rows.size() == rows_.size()) { // where one is in the list stays
     rows_ = std::move(rows);
-    if (!rows_.empty()) emit dataChanged(index(0, 0), index(rowCount() - 1, columns - 1));
+    if (!rows_.empty()) emit dataChanged(index(0, 0), index(rowCount() - 1, axisColumns - 1));
     return;
   }
   beginResetModel();
@@ -63,7 +63,7 @@ int AxisReviewModel::rowCount(const QModelIndex& parent) const {
 }
 
 int AxisReviewModel::columnCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : columns;
+  return parent.isValid() ? 0 : axisColumns;
 }
 
 QVariant AxisReviewModel::data(const QModelIndex& index, int role) const {
@@ -74,13 +74,13 @@ QVariant AxisReviewModel::data(const QModelIndex& index, int role) const {
         .arg(row.order)
         .arg(indexOf(row.axis.front()))
         .arg(leftText(row.seen));
-  if (role == Qt::TextAlignmentRole && index.column() != nameColumn)
+  if (role == Qt::TextAlignmentRole && index.column() != axisName)
     return QVariant(Qt::AlignRight | Qt::AlignVCenter);
   if (role != Qt::DisplayRole) return {};
   switch (index.column()) {
-  case nameColumn:
+  case axisName:
     return name(index.row(), row.order);
-  case lengthColumn:
+  case axisLength:
     return formatLength(row.seen.totalLength(), unit_, 3);
   default:
     return stateText(row.seen);
@@ -89,12 +89,12 @@ QVariant AxisReviewModel::data(const QModelIndex& index, int role) const {
 
 QVariant AxisReviewModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (role == Qt::TextAlignmentRole)
-    return QVariant((section == nameColumn ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+    return QVariant((section == axisName ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
   switch (section) {
-  case nameColumn:
+  case axisName:
     return tr("Axis");
-  case lengthColumn:
+  case axisLength:
     return tr("Length");
   default:
     return tr("Done");

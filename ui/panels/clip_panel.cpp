@@ -15,10 +15,10 @@
 namespace espalier {
 namespace {
 
-constexpr int steps = 200; // of a slider from 0 to 1
+constexpr int clipSteps = 200; // of a slider from 0 to 1
 
 int stepOf(double part) {
-  return static_cast<int>(std::lround(part * steps));
+  return static_cast<int>(std::lround(part * clipSteps));
 }
 
 } // namespace
@@ -48,7 +48,7 @@ void ClipPanel::addSlab(QGridLayout& grid) {
   slab_->setToolTip(tr("Shows what is neither nearer nor farther; turns with the view"));
   grid.addWidget(slab_, 0, 0, 1, 3);
   nearest_ = addSlider(grid, "clip_nearest", tr("Front"), 0);
-  farthest_ = addSlider(grid, "clip_farthest", tr("Back"), steps);
+  farthest_ = addSlider(grid, "clip_farthest", tr("Back"), clipSteps);
   for (QSlider* slider : {nearest_, farthest_})
     connect(slider, &QSlider::valueChanged, this, [this, slider] { keepApart(slider); });
   connect(slab_, &QCheckBox::toggled, this, [this] {
@@ -92,8 +92,8 @@ QSlider* ClipPanel::addSlider(QGridLayout& grid, const QString& name, const QStr
   auto* slider = new QSlider(Qt::Horizontal);
   slider->setObjectName(name);
   slider->setAccessibleName(label);
-  slider->setRange(0, steps);
-  slider->setPageStep(steps / 10);
+  slider->setRange(0, clipSteps);
+  slider->setPageStep(clipSteps / 10);
   slider->setValue(value);
   const int row = grid.rowCount();
   grid.addWidget(new QLabel(label), row, 0);
@@ -170,11 +170,11 @@ ClipPanel::Values ClipPanel::values() const {
     box.max()[axis] = std::max(a, b);
   }
   return {.hasSlab = slab_->isChecked(),
-          .nearest = double(nearest_->value()) / steps,
-          .farthest = double(farthest_->value()) / steps,
+          .nearest = double(nearest_->value()) / clipSteps,
+          .farthest = double(farthest_->value()) / clipSteps,
           .hasBox = box_->isChecked(),
           .box = box,
-          .fade = double(fade_->value()) / steps};
+          .fade = double(fade_->value()) / clipSteps};
 }
 
 } // namespace espalier

@@ -13,8 +13,8 @@
 namespace espalier {
 namespace {
 
-constexpr double grip = 10;      // how near the pointer takes a handle [px]
-constexpr double fineness = 0.1; // of the way of the mouse or a key, with Shift
+constexpr double curveGrip = 10;      // how near the pointer takes a handle [px]
+constexpr double curveFineness = 0.1; // of the way of the mouse or a key, with Shift
 constexpr double leastExponent = 0.1;
 constexpr double mostExponent = 10;
 constexpr double exponentStep = 1.1; // a key multiplies by it
@@ -106,7 +106,7 @@ QPointF DensityCurve::placeOf(Handle handle) const {
 
 std::optional<DensityCurve::Handle> DensityCurve::handleAt(const QPointF& place) const {
   std::optional<Handle> nearest;
-  double least = grip;
+  double least = curveGrip;
   for (const Handle handle : handles) {
     const QPointF d = place - placeOf(handle);
     if (std::hypot(d.x(), d.y()) > least) continue;
@@ -121,7 +121,7 @@ double DensityCurve::radiusStep() const {
 }
 
 QString DensityCurve::textOf(double radius) const {
-  const double fine = roundStep(fineness * radiusStep());
+  const double fine = roundStep(curveFineness * radiusStep());
   return tr("%1 = %2 spacings")
       .arg(withUnit(numberAtStep(radius, fine), unit_),
            numberAtStep(radius / spacing_, roundStep(fine / spacing_)));
@@ -142,7 +142,8 @@ void DensityCurve::moveTo(Handle handle, double y, bool isFine) {
     setExponent(std::log(share) / std::log(middle));
     return;
   }
-  const double step = roundStep((isFine ? fineness : 1) * top_ / std::max(inner().height(), 1.0));
+  const double step =
+      roundStep((isFine ? curveFineness : 1) * top_ / std::max(inner().height(), 1.0));
   setRadius(handle, std::round(radius / step) * step);
 }
 
@@ -164,7 +165,7 @@ void DensityCurve::setExponent(double exponent) {
 }
 
 void DensityCurve::step(Handle handle, int way, bool isFine) {
-  const double size = isFine ? fineness : 1;
+  const double size = isFine ? curveFineness : 1;
   if (handle == Handle::bend) {
     setExponent(curve_.exponent * std::pow(exponentStep, -way * size)); // up: more radius
     return;
@@ -226,7 +227,7 @@ void DensityCurve::mouseMoveEvent(QMouseEvent* event) {
     return;
   }
   const bool isFine = event->modifiers().testFlag(Qt::ShiftModifier);
-  drag_->y += (isFine ? fineness : 1) * (event->position().y() - drag_->mouse);
+  drag_->y += (isFine ? curveFineness : 1) * (event->position().y() - drag_->mouse);
   drag_->mouse = event->position().y();
   moveTo(current_, drag_->y, isFine);
 }

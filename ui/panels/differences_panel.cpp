@@ -3,6 +3,7 @@
 #include "ui/document/difference_look.h"
 #include "ui/document/plant_document.h"
 #include "ui/panels/focus_keys.h"
+#include "ui/panels/panel_button.h"
 
 #include <QAction>
 #include <QHBoxLayout>
@@ -21,10 +22,10 @@
 namespace espalier {
 namespace {
 
-constexpr int numberRole = Qt::UserRole;      // of a part
-constexpr int valueRole = Qt::UserRole + 1;   // to sort by
+constexpr int partRole = Qt::UserRole;        // of a part
+constexpr int sortRole = Qt::UserRole + 1;    // to sort by
 constexpr int ignoredRole = Qt::UserRole + 2; // whether it is
-enum Column { kindColumn, lengthColumn, placeColumn, columns };
+enum PartColumn { partKind, partLength, partPlace, partColumns };
 
 /// Sorts lengths as numbers, ignored parts after all others.
 class Row : public QTreeWidgetItem {
@@ -36,13 +37,12 @@ public:
     const bool isUp = treeWidget()->header()->sortIndicatorOrder() == Qt::AscendingOrder;
     if (isIgnored != isOtherIgnored) return isIgnored != isUp;
     const int column = treeWidget()->sortColumn();
-    if (column != kindColumn)
-      return data(column, valueRole).toDouble() < other.data(column, valueRole).toDouble();
-    const double kind = data(kindColumn, valueRole).toDouble();
-    const double otherKind = other.data(kindColumn, valueRole).toDouble();
+    if (column != partKind)
+      return data(column, sortRole).toDouble() < other.data(column, sortRole).toDouble();
+    const double kind = data(partKind, sortRole).toDouble();
+    const double otherKind = other.data(partKind, sortRole).toDouble();
     if (kind != otherKind) return kind < otherKind;
-    return data(lengthColumn, valueRole).toDouble() <
-           other.data(lengthColumn, valueRole).toDouble();
+    return data(partLength, sortRole).toDouble() < other.data(partLength, sortRole).toDouble();
   }
 };
 
@@ -62,19 +62,6 @@ QIcon iconOf(Difference kind, double ratio) {
   else
     painter.drawLine(QPointF(3, 14), QPointF(13, 3));
   return QIcon(pixmap);
-}
-
-QToolButton* makeButton(QAction* action, const QString& text) {
-  auto* button = new QToolButton;
-  button->setDefaultAction(action);
-  button->setProperty("role", "panel");
-  button->setToolButtonStyle(Qt::ToolButtonTextOnly);
-  button->setMinimumWidth(28);
-  if (text.isEmpty()) return button;
-  button->setText(text); // shorter than that of the menu
-  QObject::connect(action, &QAction::changed, button, [button, text] { button->setText(text); });
-  button->setAccessibleName(action->text());
-  return button;
 }
 
 QString helpOf(const DifferingPart& part, const QString& length) {
@@ -119,11 +106,11 @@ DifferencesPanel::DifferencesPanel(const PlantDocument& document, const Actions&
   showIgnored_->setProperty("role", "panel");
   head->addWidget(showIgnored_);
   head->addStretch();
-  head->addWidget(makeButton(actions.previous, QStringLiteral("◂")));
-  head->addWidget(makeButton(actions.next, QStringLiteral("▸")));
+  head->addWidget(panelButton(*actions.previous, QStringLiteral("◂")));
+  head->addWidget(panelButton(*actions.next, QStringLiteral("▸")));
   for (QAction* action :
        {actions.accept, actions.ignore}) { // which say by their keys what is missing
-    QToolButton* button = makeButton(action, {});
+    QToolButton* button = panelButton(*action);
     const auto enable = [this, button] { button->setEnabled(current().has_value()); };
     connect(action, &QAction::changed, button, enable);
     connect(this, &DifferencesPanel::currentChanged, button, enable);
@@ -132,17 +119,17 @@ DifferencesPanel::DifferencesPanel(const PlantDocument& document, const Actions&
   column->addLayout(head);
   list_->setObjectName("differences_list");
   list_->setAccessibleName(tr("Errors"));
-  list_->setColumnCount(columns);
+  list_->setColumnCount(partColumns);
   list_->setHeaderLabels({tr("Error"), tr("Length"), tr("Place")});
   list_->setRootIsDecorated(false);
   list_->setUniformRowHeights(true);
   list_->setSortingEnabled(true);
-  list_->sortByColumn(lengthColumn, Qt::DescendingOrder);
+  list_->sortByColumn(partLength, Qt::DescendingOrder);
   list_->setMinimumSize(180, 60);
   list_->header()->setStretchLastSection(false);
-  list_->header()->setSectionResizeMode(kindColumn, QHeaderView::Stretch);
-  list_->header()->setSectionResizeMode(lengthColumn, QHeaderView::ResizeToContents);
-  list_->header()->setSectionResizeMode(placeColumn, QHeaderView::ResizeToContents);
+  list_->header()->setSectionResizeMode(partKind, QHeaderView::Stretch);
+  list_->header()->setSectionResizeMode(partLength, QHeaderView::ResizeToContents);
+  list_->header()->setSectionResizeMode(partPlace, QHeaderView::ResizeToContents);
   onEnter(*list_, [this] { tellChosen(list_->currentItem()); });
   list_->installEventFilter(this);
   column->addWidget(list_, 1);
@@ -187,7 +174,7 @@ void DifferencesPanel::show(const std::vector<DifferingPart>& parts,
 std::optional<DifferingPart> DifferencesPanel::current() const {
   const QTreeWidgetItem* item = list_->currentItem();
   if (item == nullptr) return std::nullopt;
-  return listed_[item->data(0, numberRole).toULongLong()];
+  return listed_[item->data(0, partRole).toULongLong()];
 }
 
 std::optional<DifferingPart> DifferencesPanel::step(int by) {
@@ -207,16 +194,16 @@ std::optional<DifferingPart> DifferencesPanel::step(int by) {
 void DifferencesPanel::addItem(const DifferingPart& part, bool isIgnored) {
   const QString length = formatLength(part.length, document_.unit(), 3);
   auto* item = new Row(list_, {titleOf(part.kind), length, placeOf(part)});
-  item->setIcon(kindColumn, iconOf(part.kind, devicePixelRatioF()));
-  item->setTextAlignment(lengthColumn, Qt::AlignRight | Qt::AlignVCenter);
-  item->setData(kindColumn, valueRole, static_cast<double>(part.kind));
-  item->setData(lengthColumn, valueRole, part.length);
-  item->setData(placeColumn, valueRole, part.at.z());
-  item->setData(0, numberRole, static_cast<qulonglong>(listed_.size()));
+  item->setIcon(partKind, iconOf(part.kind, devicePixelRatioF()));
+  item->setTextAlignment(partLength, Qt::AlignRight | Qt::AlignVCenter);
+  item->setData(partKind, sortRole, static_cast<double>(part.kind));
+  item->setData(partLength, sortRole, part.length);
+  item->setData(partPlace, sortRole, part.at.z());
+  item->setData(0, partRole, static_cast<qulonglong>(listed_.size()));
   item->setData(0, ignoredRole, isIgnored);
   const QString help =
       isIgnored ? tr("Ignored: %1").arg(helpOf(part, length)) : helpOf(part, length);
-  for (int column = 0; column < columns; ++column) {
+  for (int column = 0; column < partColumns; ++column) {
     item->setToolTip(column, help);
     if (isIgnored) item->setForeground(column, palette().placeholderText());
   }
@@ -228,7 +215,7 @@ void DifferencesPanel::restoreCurrent(const std::optional<DifferingPart>& part, 
   if (!part) return;
   for (int i = 0; i < list_->topLevelItemCount(); ++i) {
     QTreeWidgetItem* item = list_->topLevelItem(i);
-    const DifferingPart& other = listed_[item->data(0, numberRole).toULongLong()];
+    const DifferingPart& other = listed_[item->data(0, partRole).toULongLong()];
     if (item->isHidden() || !isSame(other, *part, tolerance)) continue;
     list_->setCurrentItem(item);
     list_->scrollToItem(item);
@@ -270,7 +257,7 @@ bool DifferencesPanel::eventFilter(QObject* watched, QEvent* event) {
 
 void DifferencesPanel::tellChosen(const QTreeWidgetItem* item) {
   if (item == nullptr) return;
-  const DifferingPart part = listed_[item->data(0, numberRole).toULongLong()];
+  const DifferingPart part = listed_[item->data(0, partRole).toULongLong()];
   emit chosen(part);
 }
 

@@ -2,6 +2,7 @@
 
 #include "ui/document/plant_document.h"
 #include "ui/panels/focus_keys.h"
+#include "ui/panels/panel_button.h"
 
 #include <QAction>
 #include <QHBoxLayout>
@@ -24,21 +25,6 @@ using Kind = Finding::Kind;
 constexpr int numberRole = Qt::UserRole; // of a finding; none for a group
 constexpr int groupRole = Qt::UserRole + 1;
 constexpr int ignoredGroup = findingKinds;
-
-QToolButton* makeButton(QAction* action, const QString& text) {
-  auto* button = new QToolButton;
-  button->setDefaultAction(action);
-  button->setProperty("role", "panel");
-  button->setToolButtonStyle(Qt::ToolButtonTextOnly);
-  button->setMinimumWidth(40);
-  button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // must not widen the panel
-  if (text.isEmpty()) return button;
-  button->setText(text); // shorter than that of the menu
-  // Whenever the action changes, it writes its text on the button again.
-  QObject::connect(action, &QAction::changed, button, [button, text] { button->setText(text); });
-  button->setAccessibleName(action->text());
-  return button;
-}
 
 QLabel* makeLabel(const char* name, const char* role) {
   auto* label = new QLabel;
@@ -106,10 +92,10 @@ FindingsPanel::FindingsPanel(const PlantDocument& document, const Actions& actio
   auto* walk = new QHBoxLayout(walk_);
   walk->setContentsMargins(0, 0, 0, 0);
   walk->setSpacing(4);
-  walk->addWidget(makeButton(actions.previous, tr("◂ Previous")));
-  walk->addWidget(makeButton(actions.next, tr("Next ▸")));
+  walk->addWidget(sharingButton(*actions.previous, tr("◂ Previous")));
+  walk->addWidget(sharingButton(*actions.next, tr("Next ▸")));
   column->addWidget(walk_);
-  ignore_ = makeButton(actions.ignore, {});
+  ignore_ = sharingButton(*actions.ignore);
   ignore_->setObjectName("findings_ignore");
   const auto enable = [this] { ignore_->setEnabled(current().has_value()); };
   connect(actions.ignore, &QAction::changed, ignore_, enable); // its key tells what is missing

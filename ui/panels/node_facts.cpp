@@ -10,9 +10,9 @@
 namespace espalier {
 namespace {
 
-QString tr(const char* text) {
-  return QCoreApplication::translate("NodeTable", text);
-}
+struct NodeFactText {
+  Q_DECLARE_TR_FUNCTIONS(NodeTable)
+};
 
 struct Name {
   const char* key;
@@ -38,13 +38,13 @@ constexpr std::array<Name, nodeColumns> names = {
 QString nameOf(ReviewState state) {
   switch (state) {
   case ReviewState::reviewed:
-    return tr("reviewed");
+    return NodeFactText::tr("reviewed");
   case ReviewState::doubtful:
-    return tr("doubtful");
+    return NodeFactText::tr("doubtful");
   case ReviewState::toDo:
     break;
   }
-  return tr("to do");
+  return NodeFactText::tr("to do");
 }
 
 int at(const std::vector<int>& byId, NodeId id) {
@@ -54,7 +54,7 @@ int at(const std::vector<int>& byId, NodeId id) {
 } // namespace
 
 QString nameOf(NodeColumn column) {
-  return tr(names[static_cast<std::size_t>(column)].text);
+  return NodeFactText::tr(names[static_cast<std::size_t>(column)].text);
 }
 
 QString keyOf(NodeColumn column) {
@@ -131,7 +131,7 @@ QString NodeFacts::text(NodeId id, NodeColumn column) const {
     if (node.entities.empty() || !node.entities.back().index) return {};
     return QString::fromStdString(node.entities.back().index->text());
   case NodeColumn::mark:
-    return node.isMarked ? tr("unit start") : QString();
+    return node.isMarked ? NodeFactText::tr("unit start") : QString();
   case NodeColumn::review:
     return nameOf(node.review.state);
   case NodeColumn::comment:

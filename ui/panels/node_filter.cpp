@@ -13,9 +13,9 @@
 namespace espalier {
 namespace {
 
-QString tr(const char* text) {
-  return QCoreApplication::translate("NodeTable", text);
-}
+struct NodeFilterText {
+  Q_DECLARE_TR_FUNCTIONS(NodeTable)
+};
 
 /// By its name in a file or in the window.
 std::optional<NodeColumn> columnNamed(const QString& name) {
@@ -33,7 +33,7 @@ NodeColumn requireColumn(const QString& name) {
   QStringList all;
   for (int i = 0; i < nodeColumns; ++i)
     all.append(keyOf(static_cast<NodeColumn>(i)));
-  throw Error(tr("there is no column “%1”: the columns are %2")
+  throw Error(NodeFilterText::tr("there is no column “%1”: the columns are %2")
                   .arg(name, all.join(QStringLiteral(", ")))
                   .toStdString());
 }
@@ -69,12 +69,13 @@ NodeFilter::Condition NodeFilter::conditionOf(const QString& text) {
     condition.number =
         QLocale::c().toDouble(QString(condition.text).replace(QChar(0x2212), '-'), &isRead);
     if (!isRead)
-      throw Error(tr("%1 is compared with a number, as in “%1 > 10”")
+      throw Error(NodeFilterText::tr("%1 is compared with a number, as in “%1 > 10”")
                       .arg(keyOf(condition.column))
                       .toStdString());
   } else if (condition.comparison > Comparison::unequal) {
-    throw Error(
-        tr("%1 is a text: compare it by = or !=").arg(keyOf(condition.column)).toStdString());
+    throw Error(NodeFilterText::tr("%1 is a text: compare it by = or !=")
+                    .arg(keyOf(condition.column))
+                    .toStdString());
   }
   return condition;
 }

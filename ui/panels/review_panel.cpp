@@ -5,6 +5,7 @@
 #include "ui/panels/coverage_bar.h"
 #include "ui/panels/coverage_text.h"
 #include "ui/panels/focus_keys.h"
+#include "ui/panels/panel_button.h"
 
 #include <QAction>
 #include <QGridLayout>
@@ -25,7 +26,7 @@ namespace {
 constexpr std::array shownStates = {ReviewState::reviewed, ReviewState::doubtful,
                                     ReviewState::toDo};
 
-QString nameOf(ReviewState state) {
+QString headOf(ReviewState state) {
   switch (state) {
   case ReviewState::reviewed:
     return ReviewPanel::tr("Reviewed");
@@ -35,20 +36,6 @@ QString nameOf(ReviewState state) {
     break;
   }
   return ReviewPanel::tr("To do");
-}
-
-QToolButton* makeButton(QAction* action, const QString& text) {
-  auto* button = new QToolButton;
-  button->setDefaultAction(action);
-  button->setProperty("role", "panel");
-  button->setToolButtonStyle(Qt::ToolButtonTextOnly);
-  button->setText(text); // shorter than that of the menu
-  // Whenever the action changes, it writes its text on the button again.
-  QObject::connect(action, &QAction::changed, button, [button, text] { button->setText(text); });
-  button->setAccessibleName(action->property("name").toString());
-  button->setMinimumWidth(40);
-  button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // must not widen the panel
-  return button;
 }
 
 QGridLayout* makeGrid(QVBoxLayout& column) {
@@ -145,7 +132,7 @@ void ReviewPanel::addCoverage(QVBoxLayout& column) {
     lengths_[at]->setAlignment(Qt::AlignRight);
     const int row = grid->rowCount();
     grid->addWidget(samples_[at], row, 0);
-    grid->addWidget(new QLabel(nameOf(state)), row, 1);
+    grid->addWidget(new QLabel(headOf(state)), row, 1);
     grid->addWidget(lengths_[at], row, 2);
   }
   connect(bar_, &CoverageBar::colorsChanged, this, &ReviewPanel::showSamples);
@@ -161,14 +148,14 @@ void ReviewPanel::addChosen(QVBoxLayout& column, const Actions& actions) {
     column.addWidget(label);
   }
   QGridLayout* grid = makeGrid(column);
-  grid->addWidget(makeButton(actions.previous, tr("◂ Previous")), 0, 0);
-  grid->addWidget(makeButton(actions.next, tr("Next ▸")), 0, 1);
-  grid->addWidget(makeButton(actions.openEnd, tr("Open End")), 1, 0);
-  grid->addWidget(makeButton(actions.branching, tr("Branching")), 1, 1);
-  column.addWidget(makeButton(actions.reviewed, tr("Reviewed, Go On")));
+  grid->addWidget(sharingButton(*actions.previous, tr("◂ Previous")), 0, 0);
+  grid->addWidget(sharingButton(*actions.next, tr("Next ▸")), 0, 1);
+  grid->addWidget(sharingButton(*actions.openEnd, tr("Open End")), 1, 0);
+  grid->addWidget(sharingButton(*actions.branching, tr("Branching")), 1, 1);
+  column.addWidget(sharingButton(*actions.reviewed, tr("Reviewed, Go On")));
   grid = makeGrid(column);
-  grid->addWidget(makeButton(actions.doubtful, tr("Doubtful")), 0, 0);
-  grid->addWidget(makeButton(actions.toDo, tr("To Do")), 0, 1);
+  grid->addWidget(sharingButton(*actions.doubtful, tr("Doubtful")), 0, 0);
+  grid->addWidget(sharingButton(*actions.toDo, tr("To Do")), 0, 1);
   comment_->setObjectName("review_comment");
   comment_->setAccessibleName(tr("Comment"));
   comment_->setPlaceholderText(tr("Comment"));
@@ -228,7 +215,7 @@ void ReviewPanel::addSeal(QVBoxLayout& column, const Actions& actions) {
   column.addWidget(title);
   column.addWidget(reviewer_);
   column.addWidget(seal_);
-  column.addWidget(makeButton(actions.sign, tr("Sign Structure…")));
+  column.addWidget(sharingButton(*actions.sign, tr("Sign Structure…")));
   connect(reviewer_, &QLineEdit::editingFinished, this,
           [this] { emit reviewerTyped(reviewer_->text().trimmed()); });
   connect(reviewer_, &QLineEdit::returnPressed, this, &ReviewPanel::leaveRequested);
@@ -277,7 +264,7 @@ void ReviewPanel::refreshChosen() {
     return std::ranges::all_of(
         nodes, [&](NodeId id) { return skeleton[id].review.*member == first.*member; });
   };
-  QString state = nameOf(coverage(skeleton, nodes).state());
+  QString state = headOf(coverage(skeleton, nodes).state());
   if (!all(&ReviewMark::state)) state += tr(", in part");
   if (all(&ReviewMark::reviewer) && !first.reviewer.empty())
     state += QStringLiteral(" · ") + QString::fromStdString(first.reviewer);

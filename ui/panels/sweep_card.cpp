@@ -11,7 +11,7 @@
 namespace espalier {
 namespace {
 
-constexpr int margin = 8;
+constexpr int cardMargin = 8;
 constexpr int rowHeight = 16;
 constexpr int headHeight = 20;
 constexpr int leastPicture = 64; // height
@@ -61,14 +61,14 @@ QSize SweepCard::minimumSizeHint() const {
 }
 
 QSize SweepCard::sizeWith(int pictureHeight) const {
-  return {side + 2 * margin,
-          margin + pictureHeight + headHeight + rowHeight * static_cast<int>(rows_) + margin};
+  return {side + 2 * cardMargin, cardMargin + pictureHeight + headHeight +
+                                     rowHeight * static_cast<int>(rows_) + cardMargin};
 }
 
 /// Of all scores, a row each.
 QRect SweepCard::scoreBox() const {
   const int rows = rowHeight * static_cast<int>(rows_);
-  return {margin, height() - margin - rows, side, rows};
+  return {cardMargin, height() - cardMargin - rows, side, rows};
 }
 
 bool SweepCard::event(QEvent* event) {
@@ -99,8 +99,8 @@ void SweepCard::paintEvent(QPaintEvent* /*event*/) {
     painter.drawRoundedRect(QRectF(rect()).adjusted(3.5, 3.5, -3.5, -3.5), 3, 3);
   }
   const int pictureHeight = height() - sizeWith(0).height();
-  paintPicture(painter, {margin, margin, side, pictureHeight});
-  const QRect head(margin, margin + pictureHeight, side, headHeight);
+  paintPicture(painter, {cardMargin, cardMargin, side, pictureHeight});
+  const QRect head(cardMargin, cardMargin + pictureHeight, side, headHeight);
   QFont bold = font();
   bold.setBold(true);
   painter.setFont(bold);
@@ -123,7 +123,7 @@ void SweepCard::paintPicture(QPainter& painter, const QRect& box) const {
   }
   painter.setPen(
       palette().color(item_.failure.isEmpty() ? QPalette::PlaceholderText : QPalette::Text));
-  painter.drawText(box.adjusted(margin, margin, -margin, -margin),
+  painter.drawText(box.adjusted(cardMargin, cardMargin, -cardMargin, -cardMargin),
                    Qt::AlignCenter | Qt::TextWordWrap,
                    !item_.failure.isEmpty() ? QStringLiteral("⚠ ") + item_.failure
                    : item_.isPending        ? QStringLiteral("…")

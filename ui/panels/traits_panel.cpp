@@ -2,6 +2,7 @@
 
 #include "ui/document/plant_document.h"
 #include "ui/panels/label_role.h"
+#include "ui/panels/panel_button.h"
 #include "ui/panels/trait_text.h"
 
 #include <QAction>
@@ -24,16 +25,6 @@ const std::vector<QStringList>& columns() {
   static const std::vector<QStringList> names = {
       {"Size"}, {"Stem", "Wood"}, {"Crown", "Branching", "Light"}};
   return names;
-}
-
-QToolButton* makeButton(QAction& action, const char* name, const QString& text) {
-  auto* button = new QToolButton;
-  button->setDefaultAction(&action);
-  button->setProperty("role", "panel");
-  button->setObjectName(name);
-  button->setText(text); // shorter than that of the menu
-  QObject::connect(&action, &QAction::changed, button, [button, text] { button->setText(text); });
-  return button;
 }
 
 QGridLayout* gridIn(QWidget& group, const QString& name, int across) {
@@ -79,8 +70,12 @@ QWidget* TraitsPanel::makeHead(const Parts& parts) {
   title_->setText(tr("The plant by itself"));
   row->addWidget(title_);
   row->addStretch();
-  row->addWidget(makeButton(*parts.light, "traits_light", tr("Measure Light")));
-  row->addWidget(makeButton(*parts.report, "traits_report", tr("Report…")));
+  QToolButton* light = panelButton(*parts.light, tr("Measure Light"));
+  light->setObjectName("traits_light");
+  row->addWidget(light);
+  QToolButton* report = panelButton(*parts.report, tr("Report…"));
+  report->setObjectName("traits_report");
+  row->addWidget(report);
   auto* load = new QPushButton(tr("Load Reference…"));
   load->setObjectName("evaluation_load");
   connect(load, &QPushButton::clicked, parts.load, &QAction::trigger);

@@ -6,7 +6,7 @@
 namespace espalier {
 namespace {
 
-enum Column { vertexColumn, scaleColumn, attachedColumn, ownColumns };
+enum VertexColumn { vertexColumn, scaleColumn, attachedColumn, ownColumns };
 
 constexpr int dateBits = 24;
 

@@ -16,9 +16,9 @@ namespace {
 constexpr double besideWidth = 8; // of a bar for all beyond [px]
 constexpr double besideGap = 3;
 
-QString tr(const char* text) {
-  return QCoreApplication::translate("HistogramPlot", text);
-}
+struct HistogramText {
+  Q_DECLARE_TR_FUNCTIONS(HistogramPlot)
+};
 
 QString percent(std::size_t count, std::size_t total) {
   const double share = 100 * static_cast<double>(count) / static_cast<double>(total);
@@ -237,14 +237,14 @@ QString HistogramPlot::tipAt(const QPointF& place, const QRectF& box) const {
   if (bins.isEmpty() || !box.contains(place)) return {};
   for (const Bar& bar : barsOf(*this, box)) {
     if (place.x() < bar.left || place.x() >= bar.right) continue;
-    const QString range = tr("%1 to %2").arg(numberOf(bar.from), numberOf(bar.to)) +
+    const QString range = HistogramText::tr("%1 to %2").arg(numberOf(bar.from), numberOf(bar.to)) +
                           (unit.isEmpty() ? QString() : QChar(0x202f) + unit);
-    QString tip = tr("%1: %2 of %3 (%4)")
+    QString tip = HistogramText::tr("%1: %2 of %3 (%4)")
                       .arg(range, formatCount(bar.count), formatCount(bins.total),
                            percent(bar.count, bins.total));
     if (second && second->total > 0)
-      tip += '\n' + tr("%1: %2 of %3 (%4)")
-                        .arg(secondName.isEmpty() ? tr("Outline") : secondName,
+      tip += '\n' + HistogramText::tr("%1: %2 of %3 (%4)")
+                        .arg(secondName.isEmpty() ? HistogramText::tr("Outline") : secondName,
                              formatCount(bar.secondCount), formatCount(second->total),
                              percent(bar.secondCount, second->total));
     return tip;
@@ -253,14 +253,14 @@ QString HistogramPlot::tipAt(const QPointF& place, const QRectF& box) const {
 }
 
 QString HistogramPlot::brushText() const {
-  return tr("%1 – %2 · %3 (%4)")
+  return HistogramText::tr("%1 – %2 · %3 (%4)")
       .arg(numberOf(brush->from),
            numberOf(brush->to) + (unit.isEmpty() ? QString() : QChar(0x202f) + unit),
            formatCount(brush->count), percent(brush->count, bins.total));
 }
 
 QString HistogramPlot::emptyText() const {
-  return areComing ? tr("Computing…") : tr("No values");
+  return areComing ? HistogramText::tr("Computing…") : HistogramText::tr("No values");
 }
 
 QString HistogramPlot::numberOf(double value) const {

@@ -9,9 +9,9 @@
 namespace espalier {
 namespace {
 
-QString tr(const char* text) {
-  return QCoreApplication::translate("TolerancePlot", text);
-}
+struct ToleranceText {
+  Q_DECLARE_TR_FUNCTIONS(TolerancePlot)
+};
 
 /// What is painted where.
 struct Frame {
@@ -38,12 +38,12 @@ struct Line {
 };
 
 std::array<Line, 3> linesOf(const PlotColors& colors) {
-  return {{{[](const ToleranceScore& score) { return score.f(); }, tr("F"), colors.first,
-            Qt::SolidLine},
-           {[](const ToleranceScore& score) { return score.precision; }, tr("precision"),
-            colors.second, Qt::DashLine},
-           {[](const ToleranceScore& score) { return score.recall; }, tr("recall"), colors.third,
-            Qt::DotLine}}};
+  return {{{[](const ToleranceScore& score) { return score.f(); }, ToleranceText::tr("F"),
+            colors.first, Qt::SolidLine},
+           {[](const ToleranceScore& score) { return score.precision; },
+            ToleranceText::tr("precision"), colors.second, Qt::DashLine},
+           {[](const ToleranceScore& score) { return score.recall; }, ToleranceText::tr("recall"),
+            colors.third, Qt::DotLine}}};
 }
 
 void paintAxes(QPainter& painter, const Frame& frame, const QString& unit,
@@ -59,7 +59,8 @@ void paintAxes(QPainter& painter, const Frame& frame, const QString& unit,
   }
   paintNumbersBelow(painter, inner, frame.from, frame.to, colors);
   painter.drawText(QRectF(inner.left(), inner.bottom() + 19, inner.width(), 16), Qt::AlignCenter,
-                   unit.isEmpty() ? tr("tolerance") : tr("tolerance [%1]").arg(unit));
+                   unit.isEmpty() ? ToleranceText::tr("tolerance")
+                                  : ToleranceText::tr("tolerance [%1]").arg(unit));
 }
 
 /// Names at the right ends of the lines, moved apart where these meet.

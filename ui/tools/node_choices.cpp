@@ -9,15 +9,16 @@
 namespace espalier {
 namespace {
 
-QString tr(const char* text) {
-  return QCoreApplication::translate("NodeChoices", text);
-}
+struct NodeChoiceText {
+  Q_DECLARE_TR_FUNCTIONS(NodeChoices)
+};
 
 using Nodes = std::vector<NodeId>;
 
 Nodes path(const Skeleton& skeleton, const Nodes& nodes) {
   if (nodes.size() < 2)
-    throw Error(tr("a path has two ends: select a first and a last node").toStdString());
+    throw Error(
+        NodeChoiceText::tr("a path has two ends: select a first and a last node").toStdString());
   return pathBetween(skeleton, nodes.front(), nodes.back());
 }
 
@@ -32,17 +33,19 @@ Nodes required(Nodes found, const QString& none) {
 }
 
 Nodes unreviewed(const Skeleton& skeleton, const Nodes& /*nodes*/) {
-  return required(notReviewed(skeleton), tr("all nodes are reviewed: there is nothing to select"));
+  return required(notReviewed(skeleton),
+                  NodeChoiceText::tr("all nodes are reviewed: there is nothing to select"));
 }
 
 Nodes twins(const Skeleton& skeleton, const Nodes& /*nodes*/) {
   return required(duplicatedNodes(skeleton, duplicateTolerance(skeleton)),
-                  tr("no two nodes lie together: there is nothing to select"));
+                  NodeChoiceText::tr("no two nodes lie together: there is nothing to select"));
 }
 
 Nodes twinBranches(const Skeleton& skeleton, const Nodes& /*nodes*/) {
-  return required(duplicatedBranches(skeleton, 2 * duplicateTolerance(skeleton)),
-                  tr("no branch runs along another one: there is nothing to select"));
+  return required(
+      duplicatedBranches(skeleton, 2 * duplicateTolerance(skeleton)),
+      NodeChoiceText::tr("no branch runs along another one: there is nothing to select"));
 }
 
 } // namespace
@@ -50,73 +53,73 @@ Nodes twinBranches(const Skeleton& skeleton, const Nodes& /*nodes*/) {
 std::vector<NodeChoice> nodeChoices() {
   return {
       {"select_downstream",
-       tr("Select &Downstream"),
-       tr("The node and all that it carries"),
+       NodeChoiceText::tr("Select &Downstream"),
+       NodeChoiceText::tr("The node and all that it carries"),
        {Qt::Key_1},
        downstream},
       {"select_to_root",
-       tr("Select to &Root"),
-       tr("The node and all that carries it"),
+       NodeChoiceText::tr("Select to &Root"),
+       NodeChoiceText::tr("The node and all that carries it"),
        {Qt::Key_2},
        upstream},
       {"select_axis",
-       tr("Select A&xis"),
-       tr("The whole axis of the node"),
+       NodeChoiceText::tr("Select A&xis"),
+       NodeChoiceText::tr("The whole axis of the node"),
        {Qt::Key_3},
        axesThrough},
       {"select_order",
-       tr("Select &Order"),
-       tr("All nodes of the same order"),
+       NodeChoiceText::tr("Select &Order"),
+       NodeChoiceText::tr("All nodes of the same order"),
        {Qt::Key_4},
        ofSameOrder},
       {"select_tree",
-       tr("Select &Tree"),
-       tr("All that is connected with the node"),
+       NodeChoiceText::tr("Select &Tree"),
+       NodeChoiceText::tr("All that is connected with the node"),
        {Qt::Key_5},
        treesOf},
       {"invert_selection",
-       tr("&Invert Selection"),
-       tr("All other nodes"),
+       NodeChoiceText::tr("&Invert Selection"),
+       NodeChoiceText::tr("All other nodes"),
        {Qt::Key_6},
        inverted,
        false},
       {"select_unreviewed",
-       tr("Select &Unreviewed"),
-       tr("All nodes that are to do or doubtful"),
+       NodeChoiceText::tr("Select &Unreviewed"),
+       NodeChoiceText::tr("All nodes that are to do or doubtful"),
        {Qt::Key_7},
        unreviewed,
        false},
       {},
       {"select_path",
-       tr("Select &Path Between"),
-       tr("All nodes from the first to the last one selected"),
+       NodeChoiceText::tr("Select &Path Between"),
+       NodeChoiceText::tr("All nodes from the first to the last one selected"),
        {},
        path},
       {"select_similar",
-       tr("Select &Similar Radius"),
-       tr("All nodes whose radius is within 20 %"),
+       NodeChoiceText::tr("Select &Similar Radius"),
+       NodeChoiceText::tr("All nodes whose radius is within 20 %"),
        {},
        similar},
       {"grow_selection",
-       tr("&Grow Selection"),
-       tr("Adds the nodes that are linked to it"),
+       NodeChoiceText::tr("&Grow Selection"),
+       NodeChoiceText::tr("Adds the nodes that are linked to it"),
        {Qt::Key_Plus, Qt::Key_Equal},
        grown},
       {"shrink_selection",
-       tr("Shri&nk Selection"),
-       tr("Leaves out its nodes at the border"),
+       NodeChoiceText::tr("Shri&nk Selection"),
+       NodeChoiceText::tr("Leaves out its nodes at the border"),
        {Qt::Key_Minus},
        shrunk},
       {},
       {"select_duplicates",
-       tr("Select Duplicated Nodes"),
-       tr("Nodes nearer to each other than a quarter of an edge"),
+       NodeChoiceText::tr("Select Duplicated Nodes"),
+       NodeChoiceText::tr("Nodes nearer to each other than a quarter of an edge"),
        {},
        twins,
        false},
       {"select_duplicated_branches",
-       tr("Select Duplicated Branches"),
-       tr("Branches that run along another one"),
+       NodeChoiceText::tr("Select Duplicated Branches"),
+       NodeChoiceText::tr("Branches that run along another one"),
        {},
        twinBranches,
        false},

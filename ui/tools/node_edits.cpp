@@ -15,16 +15,16 @@
 namespace espalier {
 namespace {
 
-QString tr(const char* text, int n = -1) {
-  return QCoreApplication::translate("NodeEdits", text, nullptr, n);
-}
+struct NodeEditText {
+  Q_DECLARE_TR_FUNCTIONS(NodeEdits)
+};
 
 bool isContained(PlantDocument& document, NodeId id) {
   return document.skeleton().contains(id);
 }
 
 /// What a lone root grows by, and how far a new child looks for points.
-double reach(const PlantDocument& document) {
+double snapReach(const PlantDocument& document) {
   if (!document.scan()) return 1;
   const double size = document.scan()->bounds().sizes().maxCoeff();
   return size > 0 ? size / 50 : 1;
@@ -44,16 +44,18 @@ std::optional<Eigen::Vector3d> alongThePoints(const PlantDocument& document,
 
 void newChild(PlantDocument& document, const NodeTarget& target) {
   const Snap snap = [&](const Eigen::Vector3d& place) {
-    return document.scan() ? document.scan()->onPoints(place, reach(document)) : place;
+    return document.scan() ? document.scan()->onPoints(place, snapReach(document)) : place;
   };
   std::vector<NodeId> added;
-  editEach(document, target, tr("New child of %1"), [&](SkeletonEditor& editor, NodeId id) {
-    const auto ahead = alongThePoints(document, editor.skeleton(), id);
-    added.push_back(addChild(
-        editor, id,
-        ahead ? *ahead
-              : proposeChild(editor.skeleton(), id, target.viewDirection, reach(document), snap)));
-  });
+  editEach(document, target, NodeEditText::tr("New child of %1"),
+           [&](SkeletonEditor& editor, NodeId id) {
+             const auto ahead = alongThePoints(document, editor.skeleton(), id);
+             added.push_back(
+                 addChild(editor, id,
+                          ahead ? *ahead
+                                : proposeChild(editor.skeleton(), id, target.viewDirection,
+                                               snapReach(document), snap)));
+           });
   document.selection().set(added);
 }
 
@@ -63,37 +65,38 @@ void split(PlantDocument& document, const NodeTarget& target) {
     const auto at = [&](SkeletonEditor& editor) {
       added.push_back(splitEdge(editor, target.edge->child, target.edge->fraction));
     };
-    document.edit(tr("Split the edge of %1").arg(nodeName(target.edge->child)), at);
+    document.edit(NodeEditText::tr("Split the edge of %1").arg(nodeName(target.edge->child)), at);
   } else {
-    editEach(document, target, tr("Split the edge of %1"), [&](SkeletonEditor& editor, NodeId id) {
-      added.push_back(splitEdge(editor, id, 0.5));
-    });
+    editEach(
+        document, target, NodeEditText::tr("Split the edge of %1"),
+        [&](SkeletonEditor& editor, NodeId id) { added.push_back(splitEdge(editor, id, 0.5)); });
   }
   document.selection().set(added);
 }
 
 void remove(PlantDocument& document, const NodeTarget& target) {
-  editEach(document, target, tr("Remove %1"), removeNode);
+  editEach(document, target, NodeEditText::tr("Remove %1"), removeNode);
 }
 
 void removeBranch(PlantDocument& document, const NodeTarget& target) {
-  editEach(document, target, tr("Remove the subtree of %1"), removeSubtree);
+  editEach(document, target, NodeEditText::tr("Remove the subtree of %1"), removeSubtree);
 }
 
 void makeAxial(PlantDocument& document, const NodeTarget& target) {
-  editEach(document, target, tr("Make %1 axial"),
+  editEach(document, target, NodeEditText::tr("Make %1 axial"),
            [](SkeletonEditor& editor, NodeId id) { setEdgeType(editor, id, EdgeType::successor); });
 }
 
 void makeBranching(PlantDocument& document, const NodeTarget& target) {
-  editEach(document, target, tr("Make %1 branching"),
+  editEach(document, target, NodeEditText::tr("Make %1 branching"),
            [](SkeletonEditor& editor, NodeId id) { setEdgeType(editor, id, EdgeType::branching); });
 }
 
 void requireRadius(const Skeleton& skeleton, NodeId id) {
   if (skeleton[id].radius == 0)
-    throw Error(
-        tr("%1 has no radius yet: type one in the inspector").arg(nodeName(id)).toStdString());
+    throw Error(NodeEditText::tr("%1 has no radius yet: type one in the inspector")
+                    .arg(nodeName(id))
+                    .toStdString());
 }
 
 void scaleRadius(PlantDocument& document, const NodeTarget& target, const QString& text,
@@ -106,14 +109,16 @@ void scaleRadius(PlantDocument& document, const NodeTarget& target, const QStrin
 
 void requireScan(const PlantDocument& document) {
   if (!document.scan())
-    throw Error(tr("there are no points to stick to: open the scan first").toStdString());
+    throw Error(
+        NodeEditText::tr("there are no points to stick to: open the scan first").toStdString());
 }
 
 void stick(PlantDocument& document, const NodeTarget& target) {
   requireScan(document);
-  editEach(document, target, tr("Stick %1 to the points"), [&](SkeletonEditor& editor, NodeId id) {
-    moveNode(editor, id, document.scan()->onPoints(editor.skeleton()[id].position));
-  });
+  editEach(document, target, NodeEditText::tr("Stick %1 to the points"),
+           [&](SkeletonEditor& editor, NodeId id) {
+             moveNode(editor, id, document.scan()->onPoints(editor.skeleton()[id].position));
+           });
 }
 
 void stickBranch(PlantDocument& document, const NodeTarget& target) {
@@ -127,14 +132,14 @@ void stickBranch(PlantDocument& document, const NodeTarget& target) {
       carried.insert(carried.end(), children.begin(), children.end());
     }
   };
-  editEach(document, target, tr("Stick the subtree of %1 to the points"), stickAll);
+  editEach(document, target, NodeEditText::tr("Stick the subtree of %1 to the points"), stickAll);
 }
 
 void center(PlantDocument& document, const NodeTarget& target) {
   requireScan(document);
   bool isFound = false;
   const Skeleton before = document.skeleton(); // sections lie across it as it is
-  editEach(document, target, tr("Center %1"), [&](SkeletonEditor& editor, NodeId id) {
+  editEach(document, target, NodeEditText::tr("Center %1"), [&](SkeletonEditor& editor, NodeId id) {
     const auto near = document.scan()->near(before[id].position, sectionReach(document, id));
     const auto place = sectionCenter(before, id, near);
     if (!place) return;
@@ -142,7 +147,7 @@ void center(PlantDocument& document, const NodeTarget& target) {
     moveNode(editor, id, *place);
   });
   if (!isFound)
-    throw Error(tr("the points around %1 show no circle: move it by hand")
+    throw Error(NodeEditText::tr("the points around %1 show no circle: move it by hand")
                     .arg(nodeNames(target.nodes))
                     .toStdString());
 }
@@ -150,7 +155,8 @@ void center(PlantDocument& document, const NodeTarget& target) {
 void markUnitStart(PlantDocument& document, const NodeTarget& target) {
   const bool areMarked = std::ranges::all_of(
       target.nodes, [&](NodeId id) { return document.skeleton()[id].isMarked; });
-  const QString text = areMarked ? tr("Take the mark off %1") : tr("Mark a unit start at %1");
+  const QString text = areMarked ? NodeEditText::tr("Take the mark off %1")
+                                 : NodeEditText::tr("Mark a unit start at %1");
   document.edit(text.arg(nodeNames(target.nodes)),
                 [&](SkeletonEditor& editor) { toggleMarks(editor, target.nodes); });
 }
@@ -158,12 +164,14 @@ void markUnitStart(PlantDocument& document, const NodeTarget& target) {
 /// Those that end the menu.
 std::vector<NodeEdit> lastEdits() {
   return {
-      {"mark_unit_start", tr("Mark Unit Start"),
-       tr("A unit of a coarser scale is to start here; once more takes the mark off"), "",
-       Qt::Key_U, markUnitStart},
-      {"remove", tr("Remove Node"), tr("Its children hang on its parent"), "remove",
-       QKeySequence(Qt::Key_Delete), remove},
-      {"remove_subtree", tr("Remove Subtree"), tr("With all that the node carries"), "",
+      {"mark_unit_start", NodeEditText::tr("Mark Unit Start"),
+       NodeEditText::tr("A unit of a coarser scale is to start here; once more takes the mark off"),
+       "", Qt::Key_U, markUnitStart},
+      {"remove", NodeEditText::tr("Remove Node"),
+       NodeEditText::tr("Its children hang on its parent"), "remove", QKeySequence(Qt::Key_Delete),
+       remove},
+      {"remove_subtree", NodeEditText::tr("Remove Subtree"),
+       NodeEditText::tr("With all that the node carries"), "",
        QKeySequence(Qt::SHIFT | Qt::Key_Delete), removeBranch},
   };
 }
@@ -171,11 +179,12 @@ std::vector<NodeEdit> lastEdits() {
 } // namespace
 
 QString nodeName(NodeId id) {
-  return tr("node %1").arg(indexOf(id));
+  return NodeEditText::tr("node %1").arg(indexOf(id));
 }
 
 QString nodeNames(const std::vector<NodeId>& ids) {
-  return ids.size() == 1 ? nodeName(ids.front()) : tr("%n nodes", static_cast<int>(ids.size()));
+  return ids.size() == 1 ? nodeName(ids.front())
+                         : NodeEditText::tr("%n nodes", nullptr, static_cast<int>(ids.size()));
 }
 
 double sectionReach(const PlantDocument& document, NodeId id) {
@@ -204,37 +213,39 @@ NodeTarget targetOf(PlantDocument& document, const Pick& under,
 std::vector<NodeEdit> nodeEdits() {
   const auto scaleBy = [](const char* text, double factor) {
     return [text, factor](PlantDocument& document, const NodeTarget& target) {
-      scaleRadius(document, target, tr(text), factor);
+      scaleRadius(document, target, NodeEditText::tr(text), factor);
     };
   };
   std::vector<NodeEdit> edits = {
-      {"new_child", tr("New Child"), tr("Adds a child, on the points ahead"), "add", Qt::Key_N,
-       newChild},
+      {"new_child", NodeEditText::tr("New Child"),
+       NodeEditText::tr("Adds a child, on the points ahead"), "add", Qt::Key_N, newChild},
       {.id = "extend_again",
-       .text = tr("Extend Again"),
-       .help = tr("One more child of the node that was added last, or is selected"),
+       .text = NodeEditText::tr("Extend Again"),
+       .help = NodeEditText::tr("One more child of the node that was added last, or is selected"),
        .icon = "",
        .shortcut = Qt::Key_Space,
        .apply = newChild,
        .isOfSelected = true},
-      {"split_edge", tr("Split Edge"),
-       tr("Puts a node on the edge: where the pointer is, or in the middle"), "split", Qt::Key_E,
-       split},
-      {"make_axial", tr("Make Axial"), tr("Continues the axis of the parent (<)"), "axial",
-       Qt::Key_M, makeAxial},
-      {"make_branching", tr("Make Branching"), tr("Begins an axis of its own (+)"), "branching",
+      {"split_edge", NodeEditText::tr("Split Edge"),
+       NodeEditText::tr("Puts a node on the edge: where the pointer is, or in the middle"), "split",
+       Qt::Key_E, split},
+      {"make_axial", NodeEditText::tr("Make Axial"),
+       NodeEditText::tr("Continues the axis of the parent (<)"), "axial", Qt::Key_M, makeAxial},
+      {"make_branching", NodeEditText::tr("Make Branching"),
+       NodeEditText::tr("Begins an axis of its own (+)"), "branching",
        QKeySequence(Qt::SHIFT | Qt::Key_M), makeBranching},
-      {"stick", tr("Stick to Points"), tr("Moves the node to the middle of its 5 nearest points"),
-       "stick", Qt::Key_T, stick},
-      {"stick_subtree", tr("Stick Subtree to Points"), tr("The same for all that the node carries"),
-       "", Qt::Key_G, stickBranch},
-      {"center", tr("Move to Section Center"),
-       tr("Moves the node to the middle of the circle of points around it"), "",
+      {"stick", NodeEditText::tr("Stick to Points"),
+       NodeEditText::tr("Moves the node to the middle of its 5 nearest points"), "stick", Qt::Key_T,
+       stick},
+      {"stick_subtree", NodeEditText::tr("Stick Subtree to Points"),
+       NodeEditText::tr("The same for all that the node carries"), "", Qt::Key_G, stickBranch},
+      {"center", NodeEditText::tr("Move to Section Center"),
+       NodeEditText::tr("Moves the node to the middle of the circle of points around it"), "",
        QKeySequence(Qt::SHIFT | Qt::Key_T), center},
-      {"radius_up", tr("Increase Radius"), tr("5 % more"), "", Qt::Key_A,
-       scaleBy(QT_TRANSLATE_NOOP("NodeEdits", "Increase the radius of %1"), 1.05)},
-      {"radius_down", tr("Decrease Radius"), tr("5 % less"), "", Qt::Key_Q,
-       scaleBy(QT_TRANSLATE_NOOP("NodeEdits", "Decrease the radius of %1"), 0.95)},
+      {"radius_up", NodeEditText::tr("Increase Radius"), NodeEditText::tr("5 % more"), "",
+       Qt::Key_A, scaleBy(QT_TRANSLATE_NOOP("NodeEdits", "Increase the radius of %1"), 1.05)},
+      {"radius_down", NodeEditText::tr("Decrease Radius"), NodeEditText::tr("5 % less"), "",
+       Qt::Key_Q, scaleBy(QT_TRANSLATE_NOOP("NodeEdits", "Decrease the radius of %1"), 0.95)},
   };
   for (const std::vector<NodeEdit>& others : {treeEdits(), pathEdits(), lastEdits()})
     edits.insert(edits.end(), others.begin(), others.end());
@@ -249,14 +260,15 @@ void scaleRadii(PlantDocument& document, const std::vector<NodeId>& nodes, doubl
       editor.setRadius(id, factor * editor.skeleton()[id].radius);
     }
   };
-  document.edit(tr("Change the radius of %1").arg(nodeNames(nodes)), scale, gesture);
+  document.edit(NodeEditText::tr("Change the radius of %1").arg(nodeNames(nodes)), scale, gesture);
 }
 
 void setRadius(PlantDocument& document, const std::vector<NodeId>& nodes, double radius) {
-  document.edit(tr("Set the radius of %1").arg(nodeNames(nodes)), [&](SkeletonEditor& editor) {
-    for (const NodeId id : nodes)
-      editor.setRadius(id, radius);
-  });
+  document.edit(NodeEditText::tr("Set the radius of %1").arg(nodeNames(nodes)),
+                [&](SkeletonEditor& editor) {
+                  for (const NodeId id : nodes)
+                    editor.setRadius(id, radius);
+                });
 }
 
 } // namespace espalier

@@ -16,9 +16,9 @@
 namespace espalier {
 namespace {
 
-QString tr(const char* text) {
-  return QCoreApplication::translate("Tools", text);
-}
+struct ToolText {
+  Q_DECLARE_TR_FUNCTIONS(Tools)
+};
 
 template <class T> std::unique_ptr<Tool> make(PlantDocument& document, Canvas& canvas) {
   return std::make_unique<T>(document, canvas);
@@ -28,30 +28,35 @@ template <class T> std::unique_ptr<Tool> make(PlantDocument& document, Canvas& c
 
 std::vector<ToolEntry> tools() {
   return {
-      {"move", tr("Select and Move"), tr("Click to select, drag to move"), "select", Qt::Key_S,
-       make<MoveNodeTool>, true},
-      {"add", tr("Add Nodes"),
-       tr("Pull children out of nodes, insert on edges, click along points"), "add", Qt::Key_D,
-       make<AddNodeTool>},
-      {"reparent", tr("Reparent"), tr("Drag a branch onto another node or edge"), "reparent",
-       Qt::Key_P, make<ReparentNodeTool>},
-      {"trace", tr("Trace"), tr("Click a start and an end: the branch is found along the points"),
-       "trace", Qt::Key_L, make<TraceTool>},
-      {"stroke", tr("Stroke"),
-       tr("Draw across edges to cut, along points to branch, around a crossing to exchange arms"),
+      {"move", ToolText::tr("Select and Move"), ToolText::tr("Click to select, drag to move"),
+       "select", Qt::Key_S, make<MoveNodeTool>, true},
+      {"add", ToolText::tr("Add Nodes"),
+       ToolText::tr("Pull children out of nodes, insert on edges, click along points"), "add",
+       Qt::Key_D, make<AddNodeTool>},
+      {"reparent", ToolText::tr("Reparent"),
+       ToolText::tr("Drag a branch onto another node or edge"), "reparent", Qt::Key_P,
+       make<ReparentNodeTool>},
+      {"trace", ToolText::tr("Trace"),
+       ToolText::tr("Click a start and an end: the branch is found along the points"), "trace",
+       Qt::Key_L, make<TraceTool>},
+      {"stroke", ToolText::tr("Stroke"),
+       ToolText::tr(
+           "Draw across edges to cut, along points to branch, around a crossing to exchange arms"),
        "stroke", Qt::Key_Y, make<StrokeTool>},
-      {"regrow", tr("Regrow"), tr("What a node carries is reconstructed again from the points"),
-       "regrow", QKeySequence(Qt::SHIFT | Qt::Key_N), make<RegrowTool>},
-      {"points", tr("Select Points"),
-       tr("A brush, boxes and lassos select points of the scan, to set them aside"), "points",
-       Qt::Key_C, make<SelectPointsTool>, true},
-      {"root", tr("Pick Root"),
-       tr("Click the foot of the trunk in the scan: the plant will be rooted there"), "root",
-       QKeySequence(Qt::SHIFT | Qt::Key_R), make<PickRootTool>},
-      {"navigate", tr("Navigate"), tr("The mouse only moves the camera"), "navigate", Qt::Key_V,
-       make<NavigateTool>, true},
-      {"measure", tr("Measure"), tr("Click two things for their distance, three for an angle"),
-       "measure", Qt::Key_I, make<MeasureTool>, true},
+      {"regrow", ToolText::tr("Regrow"),
+       ToolText::tr("What a node carries is reconstructed again from the points"), "regrow",
+       QKeySequence(Qt::SHIFT | Qt::Key_N), make<RegrowTool>},
+      {"points", ToolText::tr("Select Points"),
+       ToolText::tr("A brush, boxes and lassos select points of the scan, to set them aside"),
+       "points", Qt::Key_C, make<SelectPointsTool>, true},
+      {"root", ToolText::tr("Pick Root"),
+       ToolText::tr("Click the foot of the trunk in the scan: the plant will be rooted there"),
+       "root", QKeySequence(Qt::SHIFT | Qt::Key_R), make<PickRootTool>},
+      {"navigate", ToolText::tr("Navigate"), ToolText::tr("The mouse only moves the camera"),
+       "navigate", Qt::Key_V, make<NavigateTool>, true},
+      {"measure", ToolText::tr("Measure"),
+       ToolText::tr("Click two things for their distance, three for an angle"), "measure",
+       Qt::Key_I, make<MeasureTool>, true},
   };
 }
 

@@ -12,22 +12,22 @@
 namespace espalier {
 namespace {
 
-QString tr(const char* text) {
-  return QCoreApplication::translate("StructureEdits", text);
-}
+struct StructureEditText {
+  Q_DECLARE_TR_FUNCTIONS(StructureEdits)
+};
 
 void swapContinuation(PlantDocument& document, const NodeTarget& target) {
-  editEach(document, target, tr("Swap the continuation of %1"), swapSuccessor);
+  editEach(document, target, StructureEditText::tr("Swap the continuation of %1"), swapSuccessor);
 }
 
 void cut(PlantDocument& document, const NodeTarget& target) {
   if (target.edge) {
     const NodeId above = target.edge->child;
-    document.edit(tr("Cut off %1").arg(nodeName(above)),
+    document.edit(StructureEditText::tr("Cut off %1").arg(nodeName(above)),
                   [&](SkeletonEditor& editor) { cutOff(editor, above); });
     document.selection().set({above});
   } else {
-    editEach(document, target, tr("Cut off %1"), cutOff);
+    editEach(document, target, StructureEditText::tr("Cut off %1"), cutOff);
   }
 }
 
@@ -48,19 +48,21 @@ void join(PlantDocument& document, const NodeTarget& target) {
       isOneJoined = true;
     }
   };
-  document.edit(tr("Join %1 to %2").arg(nodeNames(joining), nodeName(onto)), change);
+  document.edit(StructureEditText::tr("Join %1 to %2").arg(nodeNames(joining), nodeName(onto)),
+                change);
 }
 
 void makeRoot(PlantDocument& document, const NodeTarget& target) {
   const Skeleton& skeleton = document.skeleton();
   if (std::ranges::all_of(target.nodes, [&](NodeId id) { return !skeleton[id].parent; }))
-    throw Error(tr("%1 is the root already").arg(nodeNames(target.nodes)).toStdString());
-  editEach(document, target, tr("Make %1 the root"), reroot);
+    throw Error(
+        StructureEditText::tr("%1 is the root already").arg(nodeNames(target.nodes)).toStdString());
+  editEach(document, target, StructureEditText::tr("Make %1 the root"), reroot);
 }
 
 void merge(PlantDocument& document, const NodeTarget& target) {
   NodeId kept{};
-  document.edit(tr("Merge %1").arg(nodeNames(target.nodes)),
+  document.edit(StructureEditText::tr("Merge %1").arg(nodeNames(target.nodes)),
                 [&](SkeletonEditor& editor) { kept = mergeNodes(editor, target.nodes); });
   document.selection().set({kept});
 }
@@ -69,11 +71,11 @@ void turnAround(PlantDocument& document, const NodeTarget& target) {
   const Skeleton& skeleton = document.skeleton();
   const std::vector<NodeId> path = pathOf(skeleton, target.nodes);
   if (path.size() < 2)
-    throw Error(tr("%1 is alone on its axis: select the two ends of a path")
+    throw Error(StructureEditText::tr("%1 is alone on its axis: select the two ends of a path")
                     .arg(nodeName(path.front()))
                     .toStdString());
   const bool isUpward = skeleton.isAncestor(path.front(), path.back());
-  document.edit(tr("Turn around the path of %1").arg(nodeNames(target.nodes)),
+  document.edit(StructureEditText::tr("Turn around the path of %1").arg(nodeNames(target.nodes)),
                 [&](SkeletonEditor& editor) {
                   reversePath(editor, isUpward ? path.front() : path.back(),
                               isUpward ? path.back() : path.front());
@@ -84,7 +86,7 @@ void turnAround(PlantDocument& document, const NodeTarget& target) {
 auto onPath(const char* text, void (*change)(SkeletonEditor&, const std::vector<NodeId>&)) {
   return [text, change](PlantDocument& document, const NodeTarget& target) {
     const std::vector<NodeId> path = pathOf(document.skeleton(), target.nodes);
-    document.edit(tr(text).arg(nodeNames(target.nodes)),
+    document.edit(StructureEditText::tr(text).arg(nodeNames(target.nodes)),
                   [&](SkeletonEditor& editor) { change(editor, path); });
   };
 }
@@ -99,16 +101,18 @@ std::vector<NodeId> meantToSmooth(const Skeleton& skeleton, const std::vector<No
 
 void smoothOut(PlantDocument& document, const NodeTarget& target) {
   const double width = meanEdgeLength(document.skeleton());
-  if (width == 0) throw Error(tr("the plant has no edge to smooth along").toStdString());
+  if (width == 0)
+    throw Error(StructureEditText::tr("the plant has no edge to smooth along").toStdString());
   const std::vector<NodeId> nodes = meantToSmooth(document.skeleton(), target.nodes);
-  document.edit(tr("Smooth %1").arg(nodeNames(nodes)),
+  document.edit(StructureEditText::tr("Smooth %1").arg(nodeNames(nodes)),
                 [&](SkeletonEditor& editor) { smooth(editor, nodes, width); });
 }
 
 auto resampleBy(double factor) {
   return [factor](PlantDocument& document, const NodeTarget& target) {
     const double spacing = pathSpacing(document.skeleton(), target.nodes);
-    if (spacing == 0) throw Error(tr("there is no edge between the ends").toStdString());
+    if (spacing == 0)
+      throw Error(StructureEditText::tr("there is no edge between the ends").toStdString());
     resamplePath(document, target.nodes, factor * spacing);
   };
 }
@@ -120,57 +124,69 @@ std::vector<NodeId> meantToResample(const Skeleton& skeleton, const std::vector<
 } // namespace
 
 std::vector<NodeEdit> treeEdits() {
-  const QString menu = tr("&Tree");
+  const QString menu = StructureEditText::tr("&Tree");
   return {
-      {"cut_off", tr("Cut Off"), tr("What the node carries becomes a tree of its own"), "cut",
-       Qt::Key_X, cut, menu},
-      {"join", tr("Join"),
-       tr("Hangs the tree of the node on the nearest other one, or on the last node selected"),
+      {"cut_off", StructureEditText::tr("Cut Off"),
+       StructureEditText::tr("What the node carries becomes a tree of its own"), "cut", Qt::Key_X,
+       cut, menu},
+      {"join", StructureEditText::tr("Join"),
+       StructureEditText::tr(
+           "Hangs the tree of the node on the nearest other one, or on the last node selected"),
        "join", Qt::Key_J, join, menu},
-      {"swap_continuation", tr("Swap Continuation"),
-       tr("Another child continues the axis of the node"), "", Qt::Key_W, swapContinuation, menu},
-      {"merge", tr("Merge Nodes"), tr("Makes one node of several neighbors"), "", QKeySequence(),
-       merge, menu},
-      {"make_root", tr("Make Root"), tr("The tree grows from this node"), "", QKeySequence(),
-       makeRoot, menu},
+      {"swap_continuation", StructureEditText::tr("Swap Continuation"),
+       StructureEditText::tr("Another child continues the axis of the node"), "", Qt::Key_W,
+       swapContinuation, menu},
+      {"merge", StructureEditText::tr("Merge Nodes"),
+       StructureEditText::tr("Makes one node of several neighbors"), "", QKeySequence(), merge,
+       menu},
+      {"make_root", StructureEditText::tr("Make Root"),
+       StructureEditText::tr("The tree grows from this node"), "", QKeySequence(), makeRoot, menu},
   };
 }
 
 std::vector<NodeEdit> pathEdits() {
   const QString menu = pathMenu();
   return {
-      {"turn_around", tr("Turn Around"), tr("The path hangs by its other end"), "", QKeySequence(),
-       turnAround, menu},
-      {"straighten", tr("Straighten"), tr("Puts the nodes between the ends on a straight line"), "",
+      {"turn_around", StructureEditText::tr("Turn Around"),
+       StructureEditText::tr("The path hangs by its other end"), "", QKeySequence(), turnAround,
+       menu},
+      {"straighten", StructureEditText::tr("Straighten"),
+       StructureEditText::tr("Puts the nodes between the ends on a straight line"), "",
        QKeySequence(),
        onPath(QT_TRANSLATE_NOOP("StructureEdits", "Straighten the path of %1"), straighten), menu},
-      {"smooth", tr("Smooth"),
-       tr("Moves the selected nodes, or those between two, to the mean of their neighbors"), "",
-       QKeySequence(), smoothOut, menu},
-      {"interpolate_radii", tr("Interpolate Radii"),
-       tr("Radii between the ends follow from those of the ends"), "", QKeySequence(),
+      {"smooth", StructureEditText::tr("Smooth"),
+       StructureEditText::tr(
+           "Moves the selected nodes, or those between two, to the mean of their neighbors"),
+       "", QKeySequence(), smoothOut, menu},
+      {"interpolate_radii", StructureEditText::tr("Interpolate Radii"),
+       StructureEditText::tr("Radii between the ends follow from those of the ends"), "",
+       QKeySequence(),
        onPath(QT_TRANSLATE_NOOP("StructureEdits", "Interpolate the radii of the path of %1"),
               interpolateRadii),
        menu},
-      {"thin_out", tr("Thin Out"), tr("Removes nodes between the ends; what hangs on what stays"),
-       "", QKeySequence(),
+      {"thin_out", StructureEditText::tr("Thin Out"),
+       StructureEditText::tr("Removes nodes between the ends; what hangs on what stays"), "",
+       QKeySequence(),
        onPath(QT_TRANSLATE_NOOP("StructureEdits", "Thin out the path of %1"), thinOut), menu},
-      {"space_evenly", tr("Space Evenly"), tr("Moves the nodes to equal distances"), "",
-       QKeySequence(), resampleBy(1), menu},
-      {"more_nodes", tr("More Nodes"), tr("Twice as many nodes, evenly spaced"), "", QKeySequence(),
+      {"space_evenly", StructureEditText::tr("Space Evenly"),
+       StructureEditText::tr("Moves the nodes to equal distances"), "", QKeySequence(),
+       resampleBy(1), menu},
+      {"more_nodes", StructureEditText::tr("More Nodes"),
+       StructureEditText::tr("Twice as many nodes, evenly spaced"), "", QKeySequence(),
        resampleBy(0.5), menu},
-      {"fewer_nodes", tr("Fewer Nodes"), tr("Half as many nodes, evenly spaced"), "",
-       QKeySequence(), resampleBy(2), menu},
+      {"fewer_nodes", StructureEditText::tr("Fewer Nodes"),
+       StructureEditText::tr("Half as many nodes, evenly spaced"), "", QKeySequence(),
+       resampleBy(2), menu},
   };
 }
 
 QString pathMenu() {
-  return tr("&Path");
+  return StructureEditText::tr("&Path");
 }
 
 void resamplePath(PlantDocument& document, const std::vector<NodeId>& chosen, double step) {
   const std::vector<NodeId> nodes = meantToResample(document.skeleton(), chosen);
-  document.edit(tr("Space the path of %1").arg(nodeNames(chosen)),
+  document.edit(StructureEditText::tr("Space the path of %1").arg(nodeNames(chosen)),
                 [&](SkeletonEditor& editor) { resample(editor, nodes, step); });
 }
 

@@ -17,17 +17,12 @@ using Handle = ClipHandles::Handle;
 using Part = ClipHandles::Handle::Part;
 
 // [logical pixels]
-constexpr double reach = 10;
+constexpr double handleReach = 10;
 constexpr double gaugeLeft = 26;
 constexpr double gaugeWidth = 8;
 
 constexpr double leastPart = 0.01;         // of its range that a slab or box keeps
 constexpr double leastForeshortened = 0.2; // a face that moves along the line of sight has no grip
-
-std::optional<QPointF> pixelOf(const ScreenMap& screen, const Eigen::Vector3d& place) {
-  const auto found = screen.project(place);
-  return found ? std::optional(QPointF(found->pixel.x(), found->pixel.y())) : std::nullopt;
-}
 
 bool isFace(Part part) {
   return part == Part::lowFace || part == Part::highFace;
@@ -141,7 +136,7 @@ std::vector<ClipHandles::Grip> ClipHandles::grips(const Sight& sight) {
 std::optional<Handle> ClipHandles::at(const Sight& sight, const QPointF& place) const {
   if (!isShown_) return std::nullopt;
   std::optional<Handle> nearest;
-  double least = reach;
+  double least = handleReach;
   for (const Grip& grip : grips(sight)) {
     const double distance = QLineF(grip.place, place).length();
     if (distance > least) continue;
@@ -151,7 +146,7 @@ std::optional<Handle> ClipHandles::at(const Sight& sight, const QPointF& place) 
   if (nearest || !sight.clip.slab) return nearest;
   const QRectF gauge = gaugeOf(sight.screen);
   const double depth = depthOn(gauge, place.y());
-  const bool isOnSlab = std::abs(place.x() - gauge.center().x()) < reach &&
+  const bool isOnSlab = std::abs(place.x() - gauge.center().x()) < handleReach &&
                         depth > sight.clip.slab->nearest && depth < sight.clip.slab->farthest;
   return isOnSlab ? std::optional(Handle{Part::slab, 0}) : std::nullopt;
 }

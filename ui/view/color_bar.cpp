@@ -14,11 +14,11 @@
 namespace espalier {
 namespace {
 
-constexpr double reach = 8;        // [logical pixels] of a handle
-constexpr double grip = 10;        // beside the bar
-constexpr double numbers = 70;     // room left of the bar
-constexpr double clickReach = 3;   // a press that moves less is a click
-constexpr double leastPart = 0.01; // of the axis that a range keeps
+constexpr double edgeReach = 8;     // [logical pixels] of a handle
+constexpr double grip = 10;         // beside the bar
+constexpr double numbers = 70;      // room left of the bar
+constexpr double pressReach = 3;    // a press that moves less is a click
+constexpr double leastRange = 0.01; // of the axis that a range keeps
 
 } // namespace
 
@@ -49,7 +49,7 @@ double ColorBar::placeOf(End end) const {
 std::optional<ColorBar::End> ColorBar::endAt(const QPointF& place) const {
   const double bottom = std::abs(place.y() - placeOf(End::from));
   const double top = std::abs(place.y() - placeOf(End::to));
-  if (std::min(bottom, top) > reach) return std::nullopt;
+  if (std::min(bottom, top) > edgeReach) return std::nullopt;
   return bottom < top ? End::from : End::to;
 }
 
@@ -94,7 +94,7 @@ void ColorBar::mousePressEvent(QMouseEvent* event) {
 
 void ColorBar::mouseMoveEvent(QMouseEvent* event) {
   if (dragged_) {
-    hasMoved_ = hasMoved_ || std::abs(event->position().y() - pressed_.y()) > clickReach;
+    hasMoved_ = hasMoved_ || std::abs(event->position().y() - pressed_.y()) > pressReach;
     if (hasMoved_) drag(event->position());
     return;
   }
@@ -104,7 +104,7 @@ void ColorBar::mouseMoveEvent(QMouseEvent* event) {
 
 void ColorBar::drag(const QPointF& place) {
   const ValueRange axis = legendBefore_.axis();
-  const double least = leastPart * (axis.to - axis.from);
+  const double least = leastRange * (axis.to - axis.from);
   const double value = std::clamp(box_.valueAt(legendBefore_, place.y()), axis.from, axis.to);
   ValueRange range{legendBefore_.from, legendBefore_.to};
   if (dragged_ == End::from)
@@ -125,7 +125,8 @@ void ColorBar::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void ColorBar::mouseDoubleClickEvent(QMouseEvent* event) {
-  const bool isOnBar = box_.scale.adjusted(-4, -reach, grip, reach).contains(event->position());
+  const bool isOnBar =
+      box_.scale.adjusted(-4, -edgeReach, grip, edgeReach).contains(event->position());
   if (event->button() != Qt::LeftButton || !isOnBar) return event->ignore();
   dragged_.reset();
   emit rangeChosen(legend_.id, std::nullopt, true);

@@ -12,9 +12,9 @@
 namespace espalier {
 namespace {
 
-constexpr int reach = 8;        // [pixels] on either side of the line
-constexpr double step = 0.02;   // of an arrow key
-constexpr double margin = 0.03; // of the view that is left to each side
+constexpr int lineReach = 8;       // [pixels] on either side of the line
+constexpr double step = 0.02;      // of an arrow key
+constexpr double leastSide = 0.03; // of the view that is left to each side
 
 } // namespace
 
@@ -31,7 +31,7 @@ void Divider::place(double across, bool dark) {
   dark_ = dark;
   const QWidget* view = parentWidget();
   const int x = static_cast<int>(across * view->width());
-  setGeometry(x - reach, 0, 2 * reach + 1, view->height());
+  setGeometry(x - lineReach, 0, 2 * lineReach + 1, view->height());
   raise();
   update();
 }
@@ -41,7 +41,7 @@ void Divider::paintEvent(QPaintEvent* /*event*/) {
   painter.setRenderHint(QPainter::Antialiasing);
   const Palette colors = espalier::palette(dark_);
   const QColor line = hasFocus() ? toQt(colors.contracted) : toQt(colors.text);
-  const double x = reach + 0.5;
+  const double x = lineReach + 0.5;
   painter.setPen(QPen(toQt(colors.backgroundBottom, 200), 4));
   painter.drawLine(QPointF(x, 0), QPointF(x, height()));
   painter.setPen(QPen(line, 1.5));
@@ -72,7 +72,7 @@ void Divider::keyPressEvent(QKeyEvent* event) {
 }
 
 void Divider::ask(double across) {
-  emit moveAsked(std::clamp(across, margin, 1 - margin));
+  emit moveAsked(std::clamp(across, leastSide, 1 - leastSide));
 }
 
 void Divider::enterEvent(QEnterEvent* event) {

@@ -92,6 +92,11 @@ Onto::Onto(vtkOpenGLState& state, GLuint framebuffer) : state_(state) {
   state_.vtkglBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
 }
 
+void setColor(vtkShaderProgram& program, const char* name, const Color& color) {
+  const float values[3] = {color[0] / 255.0F, color[1] / 255.0F, color[2] / 255.0F};
+  program.SetUniform3f(name, values);
+}
+
 vtkShaderProgram& readyProgram(vtkOpenGLRenderWindow& window, const char* vertex,
                                const char* fragment) {
   vtkShaderProgram* program = window.GetShaderCache()->ReadyShaderProgram(vertex, fragment, "");

@@ -76,6 +76,8 @@ private:
   vtkOpenGLState& state_;
 };
 
+void setColor(vtkShaderProgram& program, const char* name, const Color& color); // of a uniform
+
 /// A shader program, ready for use; kept by VTK's cache. @throws Error if it does not compile
 [[nodiscard]] vtkShaderProgram& readyProgram(vtkOpenGLRenderWindow& window, const char* vertex,
                                              const char* fragment);

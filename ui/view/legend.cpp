@@ -12,7 +12,7 @@ namespace espalier {
 namespace {
 
 // [logical pixels]
-constexpr double margin = 16;
+constexpr double legendMargin = 16;
 constexpr double titleHeight = 24;
 constexpr double barWidth = 10;
 constexpr double scaleWidth = 46; // the bar and the histogram
@@ -145,14 +145,15 @@ double LegendBox::valueAt(const Legend& legend, double place) const {
 std::vector<LegendBox> legendBoxes(const std::vector<Legend>& legends, const QSizeF& size,
                                    const QFontMetricsF& font) {
   std::vector<LegendBox> boxes;
-  double right = size.width() - margin;
+  double right = size.width() - legendMargin;
   for (const Legend& legend : legends) {
     const double width = widthOf(legend, font);
     const double height = bodyHeight(legend, size);
-    LegendBox box{.veil = {right - width - 8, margin - 8, width + 16, height + titleHeight + 20},
-                  .scale = {}};
+    LegendBox box{
+        .veil = {right - width - 8, legendMargin - 8, width + 16, height + titleHeight + 20},
+        .scale = {}};
     if (legend.categories.empty())
-      box.scale = {right - scaleWidth, margin + titleHeight, scaleWidth, height};
+      box.scale = {right - scaleWidth, legendMargin + titleHeight, scaleWidth, height};
     boxes.push_back(box);
     right -= width + 24;
   }

@@ -16,7 +16,7 @@ namespace {
 constexpr QSize mapSize(168, 126);
 constexpr QSize leastView(560, 420);
 constexpr int besideAxes = 92;
-constexpr int margin = 12;
+constexpr int minimapMargin = 12;
 constexpr double slack = 2; // that a plant may reach beyond what the view shows of it
 
 constexpr std::size_t mostEdges = 5000; // more are not told apart, and take their time
@@ -45,7 +45,7 @@ bool Minimap::fits(const QSize& view) {
 
 void Minimap::place(const QSize& view) {
   setGeometry(QRect(QPoint(view.width() - besideAxes - mapSize.width(),
-                           view.height() - margin - mapSize.height()),
+                           view.height() - minimapMargin - mapSize.height()),
                     mapSize));
   viewAspect_ = view.width() / std::max(1.0, double(view.height()));
   update();

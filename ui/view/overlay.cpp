@@ -16,7 +16,7 @@
 namespace espalier {
 namespace {
 
-constexpr double margin = 16; // [logical pixels], as all below
+constexpr double overlayMargin = 16; // [logical pixels], as all below
 
 QString withUnit(const QString& text, const QString& unit) {
   return unit.isEmpty() ? text : text + QChar::Nbsp + unit;
@@ -27,7 +27,7 @@ void paintScaleBar(QPainter& painter, const Scene& scene, const Camera& camera, 
   const Palette colors = palette(scene.dark);
   const double pixel = camera.halfHeight() / (size.height() / 2);
   const double length = roundStep(140 * pixel);
-  const QPointF left(margin, size.height() - margin);
+  const QPointF left(overlayMargin, size.height() - overlayMargin);
   const QPointF right = left + QPointF(length / pixel, 0);
   paintVeil(painter, QRectF(left + QPointF(-8, -28), right + QPointF(8, 8)),
             colors.backgroundBottom);
@@ -42,7 +42,8 @@ void paintScaleBar(QPainter& painter, const Scene& scene, const Camera& camera, 
 
 void paintAxes(QPainter& painter, const Camera& camera, const QSizeF& size, bool dark) {
   constexpr double reach = 26;
-  const QPointF middle(size.width() - margin - reach - 10, size.height() - margin - reach - 10);
+  const QPointF middle(size.width() - overlayMargin - reach - 10,
+                       size.height() - overlayMargin - reach - 10);
   const QPointF corner(reach + 16, reach + 16);
   paintVeil(painter, QRectF(middle - corner, middle + corner), palette(dark).backgroundBottom);
   struct Axis {
@@ -112,14 +113,14 @@ void paintStateNames(QPainter& painter, const Scene& scene, double divider, cons
     const QString name = nameOf(scene, side, seen);
     const bool isLeft = side == Side::left;
     const double room = isLeft ? x : size.width() - x;
-    if (name.isEmpty() || room < 4 * margin) continue;
+    if (name.isEmpty() || room < 4 * overlayMargin) continue;
     const bool isAlone = room >= size.width();
-    const QString text = metrics.elidedText(name, Qt::ElideRight, room - 2 * margin);
+    const QString text = metrics.elidedText(name, Qt::ElideRight, room - 2 * overlayMargin);
     const double width = metrics.horizontalAdvance(text);
     const double left = isAlone  ? (size.width() - width) / 2
-                        : isLeft ? x - margin - width
-                                 : x + margin;
-    const QRectF box(left, margin, width, metrics.height());
+                        : isLeft ? x - overlayMargin - width
+                                 : x + overlayMargin;
+    const QRectF box(left, overlayMargin, width, metrics.height());
     paintVeil(painter, box.adjusted(-8, -4, 8, 4), colors.backgroundBottom);
     drawText(painter, box, Qt::AlignCenter, text, colors);
   }

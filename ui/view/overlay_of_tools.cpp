@@ -10,12 +10,6 @@
 namespace espalier {
 namespace {
 
-std::optional<QPointF> pixelOf(const ScreenMap& screen, const Eigen::Vector3d& place) {
-  const auto found = screen.project(place);
-  if (!found) return std::nullopt;
-  return QPointF(found->pixel.x(), found->pixel.y());
-}
-
 /// Beside a line in the accent, so that it stands out from points of its color.
 QPen haloOf(double width, const Color& outline) {
   return {toQt(outline, 150), width + 4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin};

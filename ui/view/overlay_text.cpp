@@ -28,4 +28,10 @@ void paintLabel(QPainter& painter, const QPointF& at, const QString& label, cons
   drawText(painter, box, Qt::AlignCenter, label, colors);
 }
 
+std::optional<QPointF> pixelOf(const ScreenMap& screen, const Eigen::Vector3d& place) {
+  const auto found = screen.project(place);
+  if (!found) return std::nullopt;
+  return QPointF(found->pixel.x(), found->pixel.y());
+}
+
 } // namespace espalier

@@ -1,11 +1,15 @@
 #pragma once
 
+#include "ui/view/camera.h"
 #include "ui/view/palette.h"
 
 #include <QColor>
 #include <QPainter>
+#include <QPointF>
 #include <QRectF>
 #include <QString>
+
+#include <optional>
 
 namespace espalier {
 
@@ -22,5 +26,8 @@ void paintLabel(QPainter& painter, const QPointF& at, const QString& label, cons
 
 /// A veil under what is to be read over the plant.
 void paintVeil(QPainter& painter, const QRectF& box, const Color& background);
+
+/// Where a place is seen [logical pixels]; none behind the eye.
+[[nodiscard]] std::optional<QPointF> pixelOf(const ScreenMap& screen, const Eigen::Vector3d& place);
 
 } // namespace espalier

@@ -62,7 +62,7 @@ void readPlaces(GLuint attribute, const GlBuffer& buffer) {
   glVertexAttribPointer(attribute, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
 }
 
-void setColor(const Color& color) {
+void setPointColor(const Color& color) {
   glDisableVertexAttribArray(1);
   glVertexAttrib4Nub(1, color[0], color[1], color[2], 255);
 }
@@ -237,7 +237,7 @@ void PointPass::drawLayer(const DrawSettings& settings, const Drawn& layer, floa
     glEnableVertexAttribArray(1);
     glVertexAttribPointer(1, 4, GL_UNSIGNED_BYTE, GL_TRUE, 4, nullptr);
   } else {
-    setColor(palette(scene_.dark).contracted);
+    setPointColor(palette(scene_.dark).contracted);
   }
   glPointSize(pointSize);
   glDrawArrays(GL_POINTS, first, last - first);
@@ -250,7 +250,7 @@ void PointPass::drawDisplacements(const DrawSettings& settings, const Drawn& lay
   prepare(settings, {.points = layer.points, .buffers = layer.buffers, .hole = layer.hole}, 1);
   readPlaces(0, lines);
   readPlaces(2, lines);
-  setColor(palette(scene_.dark).reference);
+  setPointColor(palette(scene_.dark).reference);
   glDrawArrays(GL_LINES, 0, static_cast<GLsizei>(lines.size() / (3 * sizeof(float))));
   glBindVertexArray(0);
 }

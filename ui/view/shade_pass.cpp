@@ -77,11 +77,6 @@ void bindTexture(vtkOpenGLState& state, int unit, GLuint texture) {
   glBindTexture(GL_TEXTURE_2D, texture);
 }
 
-void setColor(vtkShaderProgram& program, const char* name, const Color& color) {
-  const float values[3] = {color[0] / 255.0F, color[1] / 255.0F, color[2] / 255.0F};
-  program.SetUniform3f(name, values);
-}
-
 void setRelief(vtkShaderProgram& program, const DrawSettings& settings, float strength) {
   program.SetUniformf("strength", strength);
   program.SetUniformi("pointDepth", 1);

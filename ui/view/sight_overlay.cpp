@@ -13,7 +13,7 @@
 namespace espalier {
 namespace {
 
-constexpr int corners = 48; // of a circle
+constexpr int circleCorners = 48; // of a circle
 
 /// Draws places and lines of the plant where they are seen.
 class SightPainter {
@@ -36,8 +36,8 @@ public:
     const Eigen::Vector3d across = normal.unitOrthogonal();
     const Eigen::Vector3d other = normal.cross(across);
     QPolygonF outline;
-    for (int i = 0; i <= corners; ++i) {
-      const double angle = 2 * std::numbers::pi * i / corners;
+    for (int i = 0; i <= circleCorners; ++i) {
+      const double angle = 2 * std::numbers::pi * i / circleCorners;
       const auto at =
           pixelOf(center + radius * (std::cos(angle) * across + std::sin(angle) * other));
       if (!at) return;

@@ -23,11 +23,6 @@ void addAttribute(GLuint index, GLint count, GLenum type, std::size_t stride, st
   glVertexAttribPointer(index, count, type, GL_FALSE, static_cast<GLsizei>(stride), place);
 }
 
-void setColor(vtkShaderProgram& program, const char* name, const Color& color) {
-  const float values[3] = {color[0] / 255.0F, color[1] / 255.0F, color[2] / 255.0F};
-  program.SetUniform3f(name, values);
-}
-
 /// Nearest and farthest depth of the skeleton [L].
 Eigen::Vector2f depthsOf(const SkeletonGlyphs& skeleton, const DrawSettings& settings,
                          const Eigen::Vector3d& origin) {

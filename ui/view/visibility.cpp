@@ -7,14 +7,14 @@
 namespace espalier {
 namespace {
 
-constexpr double cell = 2;        // [logical pixels]
-constexpr int largestHalf = 24;   // of what a point covers [cells]
-constexpr double spread = 0.75;   // that far, in spacings, a point stands for its surface
-constexpr double glyphReach = 3;  // [logical pixels], what of a node is looked at
-constexpr int mostOfNine = 7;     // of the places looked at
-constexpr double slack = 1.5;     // radii are measured to about a third
-constexpr double steepest = 0.35; // sine between axis and line of sight: wood seen end on
-constexpr double noise = 3;       // how thick a surface of points is, in their spacings
+constexpr double cell = 2;          // [logical pixels]
+constexpr int largestHalf = 24;     // of what a point covers [cells]
+constexpr double spread = 0.75;     // that far, in spacings, a point stands for its surface
+constexpr double glyphReach = 3;    // [logical pixels], what of a node is looked at
+constexpr int mostOfNine = 7;       // of the places looked at
+constexpr double radiusSlack = 1.5; // radii are measured to about a third
+constexpr double leastSine = 0.35;  // sine between axis and line of sight: wood seen end on
+constexpr double noise = 3;         // how thick a surface of points is, in their spacings
 
 } // namespace
 
@@ -123,15 +123,15 @@ double Visibility::reachOf(double radius, const Eigen::Vector3f& place,
       screen_.isPerspective() ? (place.cast<double>() + scene_.origin() - screen_.eye()).eval()
                               : screen_.forward();
   const double size = along.norm() * sight.norm();
-  const double sine = size > 0 ? along.cross(sight).norm() / size : steepest;
-  return slack * radius / std::max(sine, steepest) + noise * scene_.points.spacing;
+  const double sine = size > 0 ? along.cross(sight).norm() / size : leastSine;
+  return radiusSlack * radius / std::max(sine, leastSine) + noise * scene_.points.spacing;
 }
 
 bool Visibility::hidesNode(std::size_t slot, const ScreenMap::Place& at) const {
   const NodeGlyph& node = scene_.skeleton.nodes()[slot];
   const EdgeGlyph& edge = scene_.skeleton.edges()[slot];
   const double cells = 2 * cell * screen_.pixelSize(at.depth);
-  if (!hides(at, slack * double(node.radius) + cells)) return false; // the quick answer
+  if (!hides(at, radiusSlack * double(node.radius) + cells)) return false; // the quick answer
   const Eigen::Vector3f axis = edge.shape == EdgeShape::none
                                    ? Eigen::Vector3f::Zero()
                                    : Eigen::Vector3f(Eigen::Vector3f(edge.child.data()) -

@@ -1,0 +1,29 @@
+#include "ui/panels/panel_button.h"
+
+#include <QAction>
+#include <QToolButton>
+
+namespace espalier {
+
+QToolButton* panelButton(QAction& action, const QString& text) {
+  auto* button = new QToolButton;
+  button->setDefaultAction(&action);
+  button->setProperty("role", "panel");
+  button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  button->setMinimumWidth(28);
+  if (text.isEmpty()) return button;
+  button->setText(text);
+  // Whenever the action changes, it writes its text on the button again.
+  QObject::connect(&action, &QAction::changed, button, [button, text] { button->setText(text); });
+  button->setAccessibleName(action.property("name").toString());
+  return button;
+}
+
+QToolButton* sharingButton(QAction& action, const QString& text) {
+  QToolButton* button = panelButton(action, text);
+  button->setMinimumWidth(40);
+  button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  return button;
+}
+
+} // namespace espalier

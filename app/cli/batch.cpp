@@ -244,7 +244,7 @@ void tell(const std::vector<BatchResult>& failures, std::size_t skipped, std::si
     printLine(failure.name + ": " + failure.problem);
   if (!failures.empty())
     throw Error(count(failures.size(), "of ") + count(all, all == 1 ? "plant" : "plants") +
-                " failed: mend what is told above and start again, what is done is kept");
+                " failed: mend what is reported above and start again, what is done is kept");
 }
 
 void run(const BatchFlags& flags) {

@@ -45,8 +45,8 @@ void addAll(CLI::App& app) {
   addPicture(app);
   // What subcommands would inherit comes after them.
   app.set_version_flag("--version", "espalier " ESPALIER_VERSION, "Print the version");
-  app.footer("\"espalier SUBCOMMAND --help\" tells all about one. Results go to files, messages\n"
-             "to standard error. Exit status: 0 done, 1 an error told in one line, 2 wrong\n"
+  app.footer("\"espalier SUBCOMMAND --help\" describes one. Results go to files, messages\n"
+             "to standard error. Exit status: 0 done, 1 an error in one line, 2 wrong\n"
              "usage, 130 stopped by Ctrl+C.");
 }
 

@@ -16,7 +16,7 @@ void requireSense(const EvaluateFlags& flags) {
   if (flags.files.size() < 2) throw CLI::RequiredError("REFERENCE");
   const bool isRanking = flags.ranks || flags.files.size() > 2;
   if (!isRanking && !flags.rankBy.empty())
-    throw WrongUsage("--rank-by tells how several structures are ranked: give more of them, or "
+    throw WrongUsage("--rank-by sets how several structures are ranked: give more of them, or "
                      "--ranking");
   requireApart({flags.csv, flags.json, flags.mapping, flags.report.file});
 }

@@ -26,7 +26,7 @@ std::vector<std::string> poorFits(const Ranking& ranking, const std::vector<std:
 void evaluateMany(const EvaluateFlags& flags, const TerminalProgress& terminal) {
   if (flags.where || flags.merges || flags.traits || flags.light || !flags.mapping.empty())
     throw WrongUsage(
-        "--where, --traits, --light, --merge-paths and --mapping tell of one plant: leave them "
+        "--where, --traits, --light, --merge-paths and --mapping are for one plant: leave them "
         "out, or give one");
   if (!flags.shift.empty() || !flags.turn.empty())
     throw WrongUsage("--shift and --turn are of one plant: leave them out, or give one");

@@ -40,7 +40,7 @@ void addReport(CLI::App& command, ReportFlags& flags) {
       ->type_name("FILE");
   command
       .add_option("--scan", flags.scan,
-                  "Points of the plant: tell how radii agree by how far around they were "
+                  "Points of the plant: show how radii agree by how far around they were "
                   "seen, and are shown in the report")
       ->type_name("FILE");
 }

@@ -50,7 +50,7 @@ void printStems(const StemDiameters& stems, const std::string& unit) {
                 of(stems.result).c_str(), of(stems.reference).c_str(), percent(*error));
   else
     std::printf("stem diameter at breast height (DBH) not compared: %s%s\n", stems.missing.c_str(),
-                stems.height > 0 ? "" : ", which --unit tells");
+                stems.height > 0 ? "" : ", which --unit sets");
 }
 
 void printRadii(const Comparison& comparison, const std::string& unit) {
@@ -60,7 +60,8 @@ void printRadii(const Comparison& comparison, const std::string& unit) {
                 radii.concordance, withUnit(radii.meanError, unit).c_str(),
                 withUnit(radii.rootMeanSquare, unit).c_str());
   for (const RadiusByArc& arc : radii.byArc) {
-    std::printf("  %3.0f to %3.0f%% of the way around seen: ", percent(arc.from), percent(arc.to));
+    std::printf("  %3.0f to %3.0f%% of the circumference seen: ", percent(arc.from),
+                percent(arc.to));
     if (arc.compared > 0)
       std::printf("over %s, %s off in the mean, %s (%.1f%%) in the root mean square\n",
                   withUnit(arc.compared, unit).c_str(), withUnit(arc.meanError, unit).c_str(),
@@ -85,7 +86,7 @@ void printConnections(const Comparison& comparison, const std::string& unit) {
   std::printf("within %s of each other: tips F %.3f, branchings F %.3f, DIADEM-like score %.3f\n",
               withUnit(comparison.diadem.distance, unit).c_str(), comparison.tips.f(),
               comparison.branchings.f(), comparison.diadem.score);
-  std::printf("  %5.1f%% of ways along the plant are as long, up to a tenth\n",
+  std::printf("  %5.1f%% of paths along the plant are as long, up to a tenth\n",
               percent(ways.withinTenth));
   if (architecture.compared > 0)
     std::printf("  %5.1f%% of the length is of the same order, %.1f%% on the same axis\n",

@@ -93,7 +93,7 @@ void print(const NoiseStudy& study, const std::vector<NoiseColumn>& columns,
   };
   const std::string named = unit.empty() ? unit : " " + unit;
   std::printf(
-      "means of %zu plants; capped G and F within %.4g%s, DIADEM-like score and ways within "
+      "means of %zu plants; capped G and F within %.4g%s, DIADEM-like score and paths within "
       "%.4g%s\n",
       study.repeats, study.scores.distance, named.c_str(), study.scores.landmarkDistance,
       named.c_str());

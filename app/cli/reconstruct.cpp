@@ -90,7 +90,7 @@ void addReconstruct(CLI::App& app) {
       {.mainStep = "skeleton",
        .lastStep = {},
        .content = Content::structure,
-       .outputHelp = "Structure to write; its ending tells the format, as .mtg or .txt"})
+       .outputHelp = "Structure to write; its ending sets the format, as .mtg or .txt"})
       ->footer("Examples:\n"
                "  espalier reconstruct pine.las -o pine.mtg\n"
                "  espalier reconstruct pine.las -o pine.mtg --set contract.radius=0.05\n"

@@ -121,7 +121,7 @@ ReportTable structureTable(const ReportParts& parts) {
   table.add(tr("tips, F"), comparison.tips.f());
   table.add(tr("branchings, F"), comparison.branchings.f());
   table.add(tr("DIADEM-like score"), comparison.diadem.score);
-  table.add(tr("ways along the plant as long, up to a tenth"), comparison.pathLengths.withinTenth);
+  table.add(tr("paths along the plant as long, up to a tenth"), comparison.pathLengths.withinTenth);
   const NetworkAgreement& network = comparison.network;
   table.add(tr("NetMets, length missed"), network.missedLength);
   table.add(tr("NetMets, length invented"), network.inventedLength);
@@ -146,7 +146,7 @@ ReportTable structureTable(const ReportParts& parts) {
         tr("edits: removed, inserted"),
         QStringLiteral("%1, %2").arg(numbers.count(edit.removed), numbers.count(edit.inserted)));
   }
-  return table.table(tr("What hangs on what; places count as found within %1")
+  return table.table(tr("Attachment; places count as found within %1")
                          .arg(numbers.givenLength(comparison.tips.distance)));
 }
 

@@ -83,7 +83,7 @@ ReportTable settings(const ReportParts& parts) {
             numbers.givenLength(comparison.authors.boxDistance));
   table.add(tr("tips and branchings pair up to"), numbers.givenLength(comparison.tips.distance));
   table.add(tr("by height and order within"), numbers.givenLength(comparison.byPlace.distance));
-  table.add(tr("ways along the plant"),
+  table.add(tr("paths along the plant"),
             tr("%1 pairs").arg(numbers.count(comparison.pathLengths.pairs)));
   table.add(tr("draws for the intervals"), tr("%1, seed %2")
                                                .arg(numbers.count(parts.data.intervals.draws))
@@ -180,11 +180,11 @@ std::vector<ReportTerms::Term> nearnessTerms() {
                       "2017.")},
       {tr("Missed, invented, wrongly attached"),
        tr("Stretches without anything of the other within the tolerance; and what lies right but "
-          "hangs on wood that meets its own more than four tolerances farther down."),
+          "is attached to wood that meets its own more than four tolerances farther down."),
        tr("This program.")},
       {tr("Intervals"),
        tr("The segments of the reference are drawn again with replacement; the middle 95 % of the "
-          "scores. They tell how much hangs on which segments this one plant has."),
+          "scores. They show how much depends on which segments this one plant has."),
        QStringLiteral("B. Efron, Bootstrap methods, Annals of Statistics 7, 1979.")}};
 }
 
@@ -193,7 +193,8 @@ std::vector<ReportTerms::Term> matchingTerms() {
       {tr("G, T and mapping"),
        tr("Unbranched segments are matched one to one at the least sum of Hausdorff distances; G "
           "is "
-          "the share of length matched, T that of matches which hang on matches. Both hardly fall "
+          "the share of length matched, T that of matches that are attached to matches. Both "
+          "hardly fall "
           "with noise."),
        QStringLiteral("F. Boudon et al., Annals of Botany 114, 2014; C. Preuksakarn, thesis, "
                       "Montpellier, 2012.")},
@@ -202,12 +203,12 @@ std::vector<ReportTerms::Term> matchingTerms() {
           "segments of the reference, and a branch may match the pieces that spurs cut it into."),
        tr("This program, after the same.")},
       {tr("DIADEM-like score"),
-       tr("Share of tips and branchings that are found and reached along a way as long, from the "
+       tr("Share of tips and branchings that are found and reached along a path as long, from the "
           "next one below that is found; invented ones count against it."),
        QStringLiteral("T. Gillette, K. Brown, G. Ascoli, Neuroinformatics 9, 2011.")},
       {tr("NetMets"),
        tr("Shares of length that the other plant lacks, by a Gaussian of the distance; and of "
-          "the ways between tips and branchings that both have, those that only one has."),
+          "the paths between tips and branchings that both have, those that only one has."),
        QStringLiteral("D. Mayerich et al., BMC Bioinformatics 13, 2012.")},
       {tr("Barcodes (TMD)"),
        tr("Each tip is a bar, from where it leaves something longer up to its end, along the "
@@ -219,7 +220,7 @@ std::vector<ReportTerms::Term> matchingTerms() {
        QStringLiteral("J. Cohen, Educational and Psychological Measurement 20, 1960.")},
       {tr("Edit distance"),
        tr("The least that has to be removed and inserted to make one tree of the other, where what "
-          "hangs on what must stay; similarity 1 where nothing is to be done."),
+          "is attached to what must stay; similarity 1 where nothing is to be done."),
        QStringLiteral("K. Zhang, Algorithmica 15, 1996; P. Ferraro, C. Godin, Annals of Forest "
                       "Science 57, 2000.")}};
 }
@@ -230,10 +231,10 @@ std::vector<ReportTerms::Term> plantTerms(bool hasLight) {
        tr("Agreement of radii where both plants lie near each other: 1 where all are the same. "
           "Unlike a correlation it falls where all are too large alike."),
        QStringLiteral("L. Lin, Biometrics 45, 1989.")},
-      {tr("Breast height, and the way around"),
+      {tr("Breast height, and the circumference"),
        tr("Stems are measured 1.3 m above the foot of the reference. Of 16 sectors about a node of "
-          "the reference, those that hold points of its section tell how much of the way around "
-          "the scanner saw."),
+          "the reference, the share that holds points of its section is that of the circumference "
+          "that the scanner saw."),
        QStringLiteral("P. Raumonen et al., Remote Sensing 5, 2013, for the sectors.")}};
   const std::vector<ReportTerms::Term> ofEach = traitTerms(hasLight);
   terms.insert(terms.end(), ofEach.begin(), ofEach.end());

@@ -171,7 +171,7 @@ ReportSection handWorkSection(const HandWork& work, const ReportNumbers& numbers
   add(tr("added"), done.added);
   add(tr("removed"), done.removed);
   add(tr("moved"), done.moved);
-  add(tr("hung elsewhere"), done.reparented);
+  add(tr("attached elsewhere"), done.reparented);
   add(tr("another type of edge"), done.retyped);
   add(tr("another radius"), done.radii);
   const QString edits =

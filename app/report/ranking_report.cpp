@@ -98,7 +98,7 @@ ReportSection ranks(const RankingParts& parts) {
          "draws. "
          "An interval holds the middle %2 of the scores. \"Beats the next\" is the share of draws "
          "in "
-         "which a structure is above the one after it: near 50 %, the two cannot be told apart.")
+         "which a structure is above the one after it: near 50 %, the two cannot be distinguished.")
           .arg(parts.numbers.count(ranking.draws), parts.numbers.percent(ranking.confidence)),
       ReportParagraph::Look::note});
   if (!parts.about.notes.isEmpty()) section.blocks.emplace_back(ReportWarnings{parts.about.notes});

@@ -45,11 +45,11 @@ QString whatDiffers(const ReportParts& parts) {
   const ReportNumbers& numbers = parts.numbers;
   if (found.parts.empty()) return tr("No part of either is missed, invented or wrongly attached.");
   const Counts counts = countsOf(found);
-  const QString attached =
-      counts.wronglyAttached == 0 ? tr("nothing hangs on the wrong wood")
-      : counts.wronglyAttached == 1
-          ? tr("1 part hangs on the wrong wood")
-          : tr("%1 parts hang on the wrong wood").arg(numbers.count(counts.wronglyAttached));
+  const QString attached = counts.wronglyAttached == 0 ? tr("nothing is attached to the wrong wood")
+                           : counts.wronglyAttached == 1
+                               ? tr("1 part is attached to the wrong wood")
+                               : tr("%1 parts are attached to the wrong wood")
+                                     .arg(numbers.count(counts.wronglyAttached));
   return tr("%1 are missed in %2 and %3 invented in %4; %5.")
       .arg(numbers.length(found.missed), places(numbers, counts.missed),
            numbers.length(found.invented), places(numbers, counts.invented), attached);
@@ -223,8 +223,8 @@ ReportSection errorsSection(const ReportParts& parts) {
   }
   if (!shown.empty())
     section.blocks.emplace_back(ReportParagraph{
-        tr("%1 of %2: the longest of each kind. Of what is wrongly attached, all that hangs there "
-           "counts. Rings: where it begins; dashed, where the reference hangs it.")
+        tr("%1 of %2: the longest of each kind. Of what is wrongly attached, all that it carries "
+           "counts. Rings: where it begins; dashed, where the reference attaches it.")
             .arg(numbers.count(shown.size()), numbers.count(all.size() - ignored.size()))});
   ReportFigures figures{.across = 3, .figures = {}};
   for (std::size_t i = 0; i < std::min(shown.size(), parts.pictures.errors.size()); ++i) {

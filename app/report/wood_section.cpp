@@ -28,7 +28,7 @@ ReportTable radiusTable(const ReportParts& parts) {
 ReportTable arcTable(const ReportParts& parts) {
   const ReportNumbers& numbers = parts.numbers;
   ReportTable table;
-  table.caption = tr("Errors of radii by how much of the way around has points of the scan");
+  table.caption = tr("Errors of radii by how much of the circumference has points of the scan");
   table.columns = {{tr("seen"), false},
                    {numbers.inUnit(tr("compared"))},
                    {numbers.inUnit(tr("mean error"))},

@@ -119,7 +119,7 @@ void ErrorWalk::mark(const std::optional<DifferingPart>& part) {
   ShownAttachment shown{.wrong = {},
                         .right = {plant[part->hanging].position},
                         .color = colorOf(part->kind),
-                        .wrongLabel = tr("hangs here"),
+                        .wrongLabel = tr("attached here"),
                         .rightLabel = tr("belongs here")};
   for (std::optional<NodeId> id = part->hanging; id; id = plant[*id].parent) {
     shown.wrong.push_back(plant[*id].position);

@@ -52,7 +52,7 @@ std::vector<JudgedNumber> numbersOfQuality(const QString& unit) {
        Better::more, 1, ofQuality(&Q::shareOnLine, 100), Rank::byItself, tr("On a line")},
       {.name = tr("Ends of the scan"),
        .unit = {},
-       .meaning = tr("Ends of branches, as the points tell"),
+       .meaning = tr("Ends of branches, as the points show"),
        .better = Better::neither,
        .decimals = 0,
        .of = ofQuality(&Q::tips)},
@@ -113,14 +113,14 @@ std::vector<JudgedNumber> numbersOfReference() {
           {.name = tr("Geometric index"),
            .unit = {},
            .meaning = tr("How far the segments of plant and reference lie on each other: 1 for "
-                         "the same, as the authors' comparison tells it"),
+                         "the same, as the authors' comparison reports it"),
            .better = Better::more,
            .decimals = 3,
            .of = ofScores("geometric")},
           {tr("Structural index"),
            {},
-           tr("How far segments that lie on each other hang together alike: 1 for the same, as the "
-              "authors' comparison tells it"),
+           tr("How far segments that lie on each other are connected alike: 1 for the same, as the "
+              "authors' comparison reports it"),
            Better::more,
            3,
            ofScores("structural"),

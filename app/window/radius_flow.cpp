@@ -103,8 +103,8 @@ void RadiusFlow::addModels() {
       tr("The same, but a radius that the points confirm stays"),
       &RadiusFlow::pipeModelAroundMeasured);
   add("smooth_radius", tr("Smooth Radii"),
-      tr("Halfway to what the neighbors on the axis tell; tapers stay"), &RadiusFlow::smooth);
-  add("limit_radius", tr("Limit Radii by Parent's"), tr("No node thicker than the one it hangs on"),
+      tr("Halfway to the mean of the neighbors on the axis; tapers stay"), &RadiusFlow::smooth);
+  add("limit_radius", tr("Limit Radii by Parent's"), tr("No node thicker than its parent"),
       &RadiusFlow::limit);
 }
 
@@ -259,7 +259,7 @@ void RadiusFlow::limit() {
   parts_.document.edit(tr("Limit the radius of %1").arg(nodeNames(nodes)),
                        [&](SkeletonEditor& editor) { limitRadii(editor, nodes); });
   if (parts_.document.undoStack().index() == before)
-    emit noted(tr("No selected node is thicker than the one it hangs on"));
+    emit noted(tr("No selected node is thicker than its parent"));
 }
 
 } // namespace espalier

@@ -62,8 +62,8 @@ TraceFlow::TraceFlow(const Parts& parts)
 
   parts_.actions.beginSection(tr("Tools"));
   QAction* next = parts_.actions.add({.id = "next_way",
-                                      .text = tr("Show Another Way"),
-                                      .help = tr("The next way that a trace could take"),
+                                      .text = tr("Show Another Path"),
+                                      .help = tr("The next path that a trace could take"),
                                       .keys = Qt::Key_Tab},
                                      [this] { tool_->showNextWay(); });
   next->setEnabled(false); // Tab leads from field to field while there is nothing to choose

@@ -95,8 +95,9 @@ std::vector<NodeId> removeInvented(SkeletonEditor& editor, const Differences& fo
   const std::optional<NodeId> below = skeleton[part.nodes.front()].parent;
   const std::vector<NodeId> invented = inventedNodes(found, part);
   if (invented.empty())
-    throw Error("what hangs here is of the reference: accept what was missed beside it, or attach "
-                "it elsewhere");
+    throw Error(
+        "what is attached here is of the reference: accept what was missed beside it, or attach "
+        "it elsewhere");
   hangCarried(editor, found, reference, invented);
   for (std::size_t i = invented.size(); i-- > 0;) // children first
     if (skeleton.contains(invented[i])) removeNode(editor, invented[i]);
@@ -111,7 +112,7 @@ std::vector<NodeId> hangRight(SkeletonEditor& editor, const Differences& found,
   requireThere(editor.skeleton(), {part.hanging, *part.host});
   const Skeleton& skeleton = editor.skeleton();
   if (skeleton.isAncestor(part.hanging, *part.host))
-    throw Error("what this should hang on hangs on it now: accept that part first");
+    throw Error("what should bear this is attached to it now: accept that part first");
   Graft graft(editor, found, reference);
   Hold right{.host = part.host, .place = part.place, .way = {}, .edge = part.edge};
   const auto along = graft.standing().below(part.hanging, [](NodeId) { return false; });

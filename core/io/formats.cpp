@@ -134,7 +134,7 @@ MtgFrame frameOf(Imported<Mtg>& mtg, const std::string& file) {
     writeMtg(text, mtg.value);
     return {mtgAsWritten(mtg.value), std::move(text).str()};
   } catch (const Error& error) {
-    mtg.notes.push_back(file + ": cannot be told as MTG text (" + error.what() +
+    mtg.notes.push_back(file + ": cannot be written as MTG text (" + error.what() +
                         "): a project keeps its skeleton, without the rest of the MTG");
     return {std::move(mtg.value), {}};
   }

@@ -28,7 +28,7 @@ constexpr const char* headLine =
     "# relative_ccw: absolute less that of the branch before on the axis, modulo 360;\n"
     "#   counterclockwise as seen from the apex\n"
     "# relative_cw: 360 - relative_ccw\n"
-    "# node_length: along the axis, from where the branch before hangs to q\n"
+    "# node_length: along the axis, from where the branch before is attached to q\n"
     "node,parent,edge,x,y,z,radius,length,inclination,turn,absolute,relative_ccw,relative_cw,"
     "node_length\n";
 

@@ -114,7 +114,7 @@ private:
 std::vector<std::pair<std::string, std::string_view>> takeFields(ByteReader& in, std::endian order,
                                                                  bool isEmpty) {
   const Element size = takeElement(in, order);
-  if (size.data.size() != 4) in.fail("tells no size of the names of its fields: it is damaged");
+  if (size.data.size() != 4) in.fail("gives no size of the names of its fields: it is damaged");
   const auto nameSize = valueAt<std::uint32_t>(size.data.data(), order);
   const std::string_view names = takeElement(in, order).data;
   if (nameSize == 0 || names.size() % nameSize != 0)
@@ -206,7 +206,7 @@ MatArray MatFile::array(std::string_view matrix) const {
   const auto classType = static_cast<std::uint8_t>(word & 0xff);
   const bool isComplex = (word >> 8 & complexFlag) != 0;
   const std::string_view sizes = takeElement(in, order_).data;
-  if (sizes.size() < 8 || sizes.size() % 4 != 0) in.fail("tells no size: it is damaged");
+  if (sizes.size() < 8 || sizes.size() % 4 != 0) in.fail("gives no size: it is damaged");
   array.rows = valueAt<std::uint32_t>(sizes.data(), order_);
   array.columns = 1;
   for (std::size_t at = 4; at < sizes.size(); at += 4) {

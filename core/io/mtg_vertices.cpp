@@ -72,7 +72,7 @@ private:
     NumberedVertex entry{number, static_cast<int>(scale), std::nullopt, std::nullopt};
     if (const auto parent = tables_.parents.find(number); parent != tables_.parents.end()) {
       if (scaleOf(parent->second, number) != scale)
-        fail(nameOf(number) + " hangs on " + nameOf(parent->second) + " of another scale");
+        fail(nameOf(number) + " is attached to " + nameOf(parent->second) + " of another scale");
       entry.parent = parent->second;
     }
     if (const auto complex = tables_.complexes.find(number); complex != tables_.complexes.end()) {

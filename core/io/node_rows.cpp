@@ -61,7 +61,7 @@ Skeleton skeletonOfRows(const std::vector<NodeRow>& rows, const Where& where) {
 
 std::string noteOnAxes(const std::string& file, const std::string& format) {
   return file + ": " + format +
-         " tells no edge types: the child that carries most continues each axis";
+         " has no edge types: the child that carries most continues each axis";
 }
 
 } // namespace espalier

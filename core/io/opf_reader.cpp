@@ -120,7 +120,7 @@ private:
     const std::optional<VertexId> bearer = outer ? upTo(*outer, vertex.scale) : std::nullopt;
     if (!bearer)
       throw Error(xml_.where(element) + "this vertex of scale " + std::to_string(vertex.scale) +
-                  " hangs on nothing of its scale");
+                  " is attached to nothing of its scale");
     vertex.parent = bearer;
     vertex.complex = mtg_.vertices[indexOf(*bearer)].complex;
     if (bearer != outer) entries_.emplace(id, Entry{*outer, vertex.edge});

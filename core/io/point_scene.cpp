@@ -68,7 +68,7 @@ std::vector<std::string> notesOn(const PointScene& scene, const std::string& fil
   }
   if (scene.unplaced > 0)
     notes.push_back(file + ": " + counted(scene.unplaced, "point") +
-                    " in objects that the scene bends, or turns in no clear way, left out");
+                    " in objects that the scene bends, or turns unclearly, left out");
   if (scene.badColors > 0)
     notes.push_back(file + ": " +
                     counted(scene.badColors,

@@ -43,7 +43,7 @@ private:
     if (cylinder.radius < 0 || cylinder.startRadius.value_or(0) < 0)
       fail(i, "has a negative radius");
     if (cylinder.parent > qsm_.cylinders.size())
-      fail(i, "hangs on cylinder " + std::to_string(cylinder.parent) + ", and there are " +
+      fail(i, "is attached to cylinder " + std::to_string(cylinder.parent) + ", and there are " +
                   std::to_string(qsm_.cylinders.size()) + ": the table is cut short or damaged");
   }
 
@@ -105,7 +105,7 @@ private:
 
   void addNotes() {
     if (!qsm_.hasExtensions && !qsm_.hasBranches)
-      note("does not tell which cylinder continues another: the first in the file is taken");
+      note("does not say which cylinder continues another: the first in the file is taken");
     if (distant_ > 0)
       note(counted(distant_, "cylinder begins", "cylinders begin") +
            " farther than its radius from the end of the one that bears it, by up to " +

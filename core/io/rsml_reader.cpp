@@ -143,7 +143,7 @@ private:
     constexpr std::size_t most = 100'000'000; // about a second
     compared_ += bearer.size();
     if (compared_ > most)
-      throw Error(xml_.where(root) + "too many roots on long ones tell no parent-node");
+      throw Error(xml_.where(root) + "too many roots on long ones have no parent-node");
     const auto distance = [&](NodeId id) {
       return (result_.value[id].position - place).squaredNorm();
     };

@@ -70,8 +70,8 @@ private:
   [[noreturn]] void refuse(VertexId id) const {
     const MtgVertex& vertex = at(id);
     throw Error("the vertex " + mtgLabel(vertex) + " of scale " + std::to_string(vertex.scale) +
-                " hangs on " + mtgLabel(at(*vertex.parent)) +
-                ", but what it is a part of does not hang there: no MTG text can tell that; join "
+                " is attached to " + mtgLabel(at(*vertex.parent)) +
+                ", but what it is a part of is not attached there: no MTG text can say that; join "
                 "both to one unit, or let the unit begin there");
   }
 
@@ -184,7 +184,8 @@ private:
 MtgRows mtgRows(const Mtg& mtg) {
   MtgRows result = Layout(mtg).rows();
   if (result.rows.size() != mtg.vertices.size())
-    throw Error("the units of the plant hang on each other in a ring: no MTG text can tell that");
+    throw Error(
+        "the units of the plant are attached to each other in a ring: no MTG text can say that");
   return result;
 }
 

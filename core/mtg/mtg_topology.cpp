@@ -108,7 +108,7 @@ std::string MtgTopology::cell(MtgPlace place) const {
 
 MtgTopology::Column MtgTopology::columnAt(std::size_t wanted, MtgPlace place) const {
   if (wanted >= columns_.size())
-    throw Error(cell(place) + "this hangs on column " + std::to_string(wanted + 1) +
+    throw Error(cell(place) + "this is attached to column " + std::to_string(wanted + 1) +
                 ", where nothing stands before it: move it to the left");
   return columns_[wanted];
 }
@@ -338,7 +338,7 @@ VertexId MtgTopology::attach(const Label& label, char edge, const Column& before
     if (edge != '/' && !vertex.complex)
       throw Error(cell(place) + inQuotes(label.symbol) + " is of scale " +
                   std::to_string(label.scale) +
-                  ", and nothing stands before it that it could hang on");
+                  ", and nothing stands before it that it could be attached to");
     if (edge != '/')
       notes_.repaired(cell(place), "no vertex of its scale stands before " +
                                        inQuotes(edge + std::string(label.symbol)) +

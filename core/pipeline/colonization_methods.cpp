@@ -100,8 +100,9 @@ Method pointTrackingMethod() {
              .rule = fixedAt(45),
              .minimum = 10,
              .maximum = 80,
-             .help = "Opening of the cones in which a node looks for children; less tells narrower "
-                     "forks apart."},
+             .help =
+                 "Opening of the cones in which a node looks for children; less separates narrower "
+                 "forks apart."},
             &Options::coneAngle);
   table.add({.name = "fewest_points",
              .label = "Fewest points",

@@ -37,7 +37,7 @@ Method shortestPathMethod() {
              .rule = fixedAt(0.019),
              .minimum = 0,
              .maximum = 1,
-             .help = "Branches go whose longest way is a smaller share of that of their wood."},
+             .help = "Branches go whose longest path is a smaller share of that of their wood."},
             &Options::leastShare);
   table.add(spacing(), &Options::spacing);
   table.add({.name = "merge_angle",
@@ -60,7 +60,7 @@ Method shortestPathMethod() {
   table.add(widestGap(), &Options::widestGap);
   return {.name = "shortest_paths",
           .label = "Shortest paths",
-          .help = "Simplifies the tree of shortest ways, by squared length, over all points.",
+          .help = "Simplifies the tree of shortest paths, by squared length, over all points.",
           .source = "S. Du et al. (AdTree), Remote Sensing 11(18), 2019",
           .options = table.descriptions(),
           .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
@@ -114,7 +114,7 @@ Method branchStructureMethod() {
   return {.name = "branch_structure",
           .label = "Branch structure graph",
           .help =
-              "Straightens the tree of shortest ways over all points, and merges what overlaps.",
+              "Straightens the tree of shortest paths over all points, and merges what overlaps.",
           .source = "Y. Livny et al., ACM Trans. Graph. 29(6), 2010",
           .options = table.descriptions(),
           .run = [table](PipelineState& state, const Values& values, const Progress& progress) {

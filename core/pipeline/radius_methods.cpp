@@ -100,7 +100,7 @@ OptionTable<CylinderMethodOptions> cylinderTable() {
              .rule = fixedAt(0.3),
              .minimum = 0.1,
              .maximum = 1,
-             .help = "Share of the way around that points must cover before a fit is trusted."},
+             .help = "Share of the circumference that points must cover before a fit is trusted."},
             &Options::leastCoverage);
   table.add({.name = "length",
              .label = "Length",
@@ -189,7 +189,7 @@ Method fusedMethod() {
   return {
       .name = "fused",
       .label = "Cylinders and pipe model",
-      .help = "Radii of fitted cylinders where points tell, of a pipe model fitted to them "
+      .help = "Radii of fitted cylinders where points suffice, of a pipe model fitted to them "
               "elsewhere, each as far as it can be trusted.",
       .source = "pipe model: K. Shinozaki et al., Jpn. J. Ecol. 14, 1964; fusion: least squares "
                 "of logarithms by their deviations",

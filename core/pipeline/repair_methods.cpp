@@ -20,7 +20,7 @@ Method joinMethod() {
              .minimum = 1,
              .maximum = 1000,
              .help = "Edges longer than this, and than the wood at their ends is thick, bridge a "
-                     "gap: what they lead to may be hung elsewhere."},
+                     "gap: what they lead to may be attached elsewhere."},
             &Options::widest);
   table.add({.name = "reach",
              .label = "Reach",
@@ -172,7 +172,7 @@ Method smoothMethod() {
              .rule = fixedAt(0.5),
              .minimum = 0,
              .maximum = 1,
-             .help = "Share of the way each node moves to the mean of its neighbors on the axis."},
+             .help = "How far each node moves to the mean of its neighbors on the axis."},
             &SmoothingOptions::share);
   table.add({.name = "rounds",
              .label = "Rounds",

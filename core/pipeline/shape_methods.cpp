@@ -130,7 +130,7 @@ Method recenterMethod() {
              .rule = fixedAt(0.2),
              .minimum = 0,
              .maximum = 1,
-             .help = "Share of the way each node moves to the mean of its neighbors on the axis."},
+             .help = "How far each node moves to the mean of its neighbors on the axis."},
             &Options::smoothing);
   table.add({.name = "least_coverage",
              .label = "Least coverage",
@@ -189,7 +189,7 @@ Method cylinderRecenterMethod() {
              .rule = fixedAt(0.2),
              .minimum = 0,
              .maximum = 1,
-             .help = "Share of the way each node moves to the mean of its neighbors on the axis."},
+             .help = "How far each node moves to the mean of its neighbors on the axis."},
             &Options::smoothing);
   table.add({.name = "least_coverage",
              .label = "Least coverage",
@@ -197,7 +197,7 @@ Method cylinderRecenterMethod() {
              .rule = fixedAt(0.4),
              .minimum = 0.1,
              .maximum = 1,
-             .help = "Share of the way around that points must cover before a fit is trusted."},
+             .help = "Share of the circumference that points must cover before a fit is trusted."},
             &Options::leastCoverage);
   table.add({.name = "length",
              .label = "Length",

@@ -30,7 +30,7 @@ Method geodesicBinsMethod() {
              .maximum = 100,
              .help =
                  "How much more a link costs across the wood than along it, when twigs touch; 0 "
-                 "takes the shortest way."},
+                 "takes the shortest path."},
             &Options::turnCost);
   return {.name = "geodesic_bins",
           .label = "Geodesic bins",

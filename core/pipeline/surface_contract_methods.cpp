@@ -139,7 +139,7 @@ Method rotationalSymmetryMethod() {
                         "How often sections and axes are found in turn."),
             &Options::rounds);
   table.add(countOption("smoothing", "Smoothing", defaults.smoothing, 0, 50,
-                        "How often places that normals do not tell follow their neighbors."),
+                        "How often places that normals do not determine follow their neighbors."),
             &Options::smoothing);
   return contractMethod<Options>(
       {.name = "rotational_symmetry",

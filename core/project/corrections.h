@@ -9,13 +9,13 @@
 namespace espalier {
 
 /// What was corrected by hand: nodes by what became of them, once per edit that did it. A node
-/// that is moved and hung elsewhere by one edit counts as both.
+/// that is moved and attached elsewhere by one edit counts as both.
 struct Corrections {
   std::size_t edits = 0; // that corrected anything: those of marks and features do not
   std::size_t added = 0;
   std::size_t removed = 0;
   std::size_t moved = 0;
-  std::size_t reparented = 0; // hung elsewhere, or made a root
+  std::size_t reparented = 0; // attached elsewhere, or made a root
   std::size_t retyped = 0;    // `<` to `+` or back, on the same parent
   std::size_t radii = 0;      // set
 

@@ -13,7 +13,7 @@ namespace espalier {
 void requireHalf(Eigen::Index reached, Eigen::Index all) {
   if (2 * reached < all)
     throw Error("only " + std::to_string(100 * reached / all) +
-                " % of the points hang together with the root: choose another root, or allow wider "
+                " % of the points are connected to the root: choose another root, or allow wider "
                 "gaps");
 }
 

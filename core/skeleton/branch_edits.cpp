@@ -13,10 +13,10 @@ namespace {
 void requireArms(const Skeleton& skeleton, NodeId a, NodeId b) {
   for (const NodeId id : {a, b})
     if (!skeleton[id].parent)
-      throw Error(nameOf(id) + " is a root and hangs on nothing: choose a node above it");
+      throw Error(nameOf(id) + " is a root, attached to nothing: choose a node above it");
   if (skeleton[a].parent == skeleton[b].parent)
     throw Error(nameOf(a) + " and " + nameOf(b) +
-                " hang on the same node: there is nothing to exchange");
+                " are attached to the same node: there is nothing to exchange");
   if (skeleton.isAncestor(a, b) || skeleton.isAncestor(b, a))
     throw Error("of " + nameOf(a) + " and " + nameOf(b) +
                 " one carries the other: choose arms of two branches that cross");

@@ -103,7 +103,7 @@ void Skeleton::reparent(NodeId id, NodeId parent, EdgeType edge) {
   if (!contains(parent)) throw Error(nameOf(parent) + " does not exist: choose another parent");
   const bool isFree = children(id).empty() || isBelowOrBeside((*this)[id], parent, *this);
   if (id == parent || (!isFree && isAncestor(id, parent)))
-    throw Error("cannot hang " + nameOf(id) + " on " + nameOf(parent) +
+    throw Error("cannot attach " + nameOf(id) + " to " + nameOf(parent) +
                 ", which it carries itself: choose a parent outside its branch");
   unlink(id);
   nodes_[indexOf(id)]->parent = parent;

@@ -43,7 +43,7 @@ void requireNeighbors(const Skeleton& skeleton, const std::vector<NodeId>& tops)
     const bool isAlone = tops.size() == 1;
     if (!isAlone && (!parent || parent != skeleton[tops.front()].parent))
       throw Error(nameOf(tops.front()) + " and " + nameOf(id) +
-                  " do not hang together: choose nodes linked by edges, or children of one node");
+                  " are not connected: choose nodes linked by edges, or children of one node");
   }
 }
 

@@ -71,7 +71,7 @@ QString helpOf(const DifferingPart& part, const QString& length) {
   case Difference::invented:
     return DifferencesPanel::tr("The plant has %1 here that the reference lacks").arg(length);
   case Difference::wronglyAttached:
-    return DifferencesPanel::tr("%1 of the plant hang on something else in the reference")
+    return DifferencesPanel::tr("%1 of the plant are attached to something else in the reference")
         .arg(length);
   case Difference::matched:
     break;

@@ -87,7 +87,7 @@ std::vector<ScoreEntry> segments() {
 }
 
 std::vector<ScoreEntry> structure() {
-  const QString group = tr("What hangs on what");
+  const QString group = tr("Attachment");
   using C = const Comparison&;
   return {
       {"tips", group, tr("Tips, F"), tr("Tips, F"),
@@ -100,11 +100,11 @@ std::vector<ScoreEntry> structure() {
        tr("Agreement on what continues an axis and what branches, beyond chance (Cohen)"), share,
        compared([](C c) { return c.architecture.types.kappa(); })},
       {"missed_connections", group, tr("Connections missed"), tr("Connections missed"),
-       tr("Of the ways between tips and branchings that both have, the share of the reference's "
+       tr("Of the paths between tips and branchings that both have, the share of the reference's "
           "that the plant lacks (NetMets)"),
        share, compared([](C c) { return c.network.missedConnections; })},
       {"invented_connections", group, tr("Connections invented"), tr("Connections invented"),
-       tr("Of the ways between tips and branchings that both have, the share of the plant's that "
+       tr("Of the paths between tips and branchings that both have, the share of the plant's that "
           "the reference lacks (NetMets)"),
        share, compared([](C c) { return c.network.inventedConnections; })},
       {"barcodes", group, tr("Barcodes apart"), tr("Barcodes"),
@@ -112,7 +112,7 @@ std::vector<ScoreEntry> structure() {
           "1 wholly (TMD)"),
        share, compared([](C c) { return c.barcodeDistance; })},
       {"wrong", group, tr("Wrong attachments"), tr("Wrong"),
-       tr("Parts of the plant that hang on something else in the reference"), count,
+       tr("Parts of the plant that are attached to something else in the reference"), count,
        [](const Evaluation& each) -> Value {
          return static_cast<double>(std::ranges::count(
              each.differences.parts, Difference::wronglyAttached, &DifferingPart::kind));
@@ -169,7 +169,8 @@ ScoreEntry radiusByArc(const QString& group, std::size_t k) {
           group,
           name,
           {}, // it takes a scan in their frame
-          tr("Root mean square error of radii where the scan has points on this much of the way "
+          tr("Root mean square error of radii where the scan has points on this much of the "
+             "circumference "
              "around the wood"),
           length,
           compared([k](const Comparison& c) -> Value {

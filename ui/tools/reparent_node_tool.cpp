@@ -14,14 +14,14 @@ QString ReparentNodeTool::hint() const {
   if (moving_.empty()) return tr("Drag a node onto its new parent, or click one after the other");
   const QString names = nodeNames(moving_);
   if (isDragging_ && under().node && !isMoving(under()))
-    return tr("Release: hang %1 on %2   Esc: put it back").arg(names, nodeName(*under().node));
+    return tr("Release: attach %1 to %2   Esc: put it back").arg(names, nodeName(*under().node));
   if (isDragging_ && under().edge && !isMoving(under()))
-    return tr("Release: hang %1 here on the edge   Esc: put it back").arg(names);
+    return tr("Release: attach %1 here on the edge   Esc: put it back").arg(names);
   if (isDragging_) return tr("Drop %1 on its new parent   Esc: put it back").arg(names);
   if (under().node && !isMoving(under()))
-    return tr("Click: hang %1 on %2   Esc: leave it").arg(names, nodeName(*under().node));
+    return tr("Click: attach %1 to %2   Esc: leave it").arg(names, nodeName(*under().node));
   if (under().edge && !isMoving(under()))
-    return tr("Click: hang %1 here on the edge   Esc: leave it").arg(names);
+    return tr("Click: attach %1 here on the edge   Esc: leave it").arg(names);
   return tr("Click the new parent of %1   Drag: turn   Esc: leave it").arg(names);
 }
 
@@ -90,7 +90,8 @@ void ReparentNodeTool::hangOn(const Pick& target) {
   const Skeleton& skeleton = document().skeleton();
   const auto carries = [&](NodeId id) { return skeleton.isAncestor(id, target.edge->child); };
   if (target.edge && std::ranges::any_of(moving_, carries))
-    throw Error(tr("a branch cannot hang on itself: choose a place outside it").toStdString());
+    throw Error(
+        tr("a branch cannot be attached to itself: choose a place outside it").toStdString());
   const QString names = nodeNames(moving_);
   const QString text =
       target.node ? tr("Reparent %1 to %2").arg(names).arg(indexOf(*target.node))

@@ -148,8 +148,8 @@ std::vector<NodeEdit> pathEdits() {
   const QString menu = pathMenu();
   return {
       {"turn_around", StructureEditText::tr("Turn Around"),
-       StructureEditText::tr("The path hangs by its other end"), "", QKeySequence(), turnAround,
-       menu},
+       StructureEditText::tr("The path is attached by its other end"), "", QKeySequence(),
+       turnAround, menu},
       {"straighten", StructureEditText::tr("Straighten"),
        StructureEditText::tr("Puts the nodes between the ends on a straight line"), "",
        QKeySequence(),
@@ -165,7 +165,7 @@ std::vector<NodeEdit> pathEdits() {
               interpolateRadii),
        menu},
       {"thin_out", StructureEditText::tr("Thin Out"),
-       StructureEditText::tr("Removes nodes between the ends; what hangs on what stays"), "",
+       StructureEditText::tr("Removes nodes between the ends; attachments stay"), "",
        QKeySequence(),
        onPath(QT_TRANSLATE_NOOP("StructureEdits", "Thin out the path of %1"), thinOut), menu},
       {"space_evenly", StructureEditText::tr("Space Evenly"),

@@ -31,7 +31,7 @@ QString TraceTool::hint() const {
   if (!isHeld_ && hasPreview())
     return tr("Click: end it here   Enter accepts, Esc drops   Drag: turn");
   if (hasOtherWays())
-    return tr("Way %1 of %2   Tab: next way   Enter accepts, Esc drops")
+    return tr("Path %1 of %2   Tab: next path   Enter accepts, Esc drops")
         .arg(shown_ + 1)
         .arg(traces_.size());
   if (hasPreview()) return tr("Enter accepts, Esc drops   Click: end it elsewhere");
@@ -139,7 +139,7 @@ void TraceTool::show() {
   const Trace& trace = traces_[shown_];
   Preview preview{.lines = {trace.places}, .nodes = trace.places, .label = {}};
   if (start_->node || start_->edge) preview.nodes.erase(preview.nodes.begin());
-  if (hasOtherWays()) preview.label = tr("%1 of %2", "way").arg(shown_ + 1).arg(traces_.size());
+  if (hasOtherWays()) preview.label = tr("%1 of %2", "path").arg(shown_ + 1).arg(traces_.size());
   canvas().showPreview(preview);
   emit hintChanged();
 }
@@ -167,7 +167,7 @@ void TraceTool::accept() {
   const Skeleton& skeleton = document().skeleton();
   const bool isGone = (from && !skeleton.contains(*from)) ||
                       (shownEnd_.node && !skeleton.contains(*shownEnd_.node));
-  if (isGone) throw Error(tr("the node it hung on is gone: trace it again").toStdString());
+  if (isGone) throw Error(tr("the node it was attached to is gone: trace it again").toStdString());
   document().edit(from ? tr("Trace a branch from %1").arg(nodeName(*from)) : tr("Trace a branch"),
                   [&](SkeletonEditor& editor) { apply(editor, trace); });
   cancel();

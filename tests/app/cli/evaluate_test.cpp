@@ -61,7 +61,7 @@ TEST_F(Evaluate, WritesNothingIfTheScanOfTheReportIsMissing) {
 
 TEST_F(Evaluate, TellsWhatHangsOnWhat) {
   const std::string told = runProgram({"evaluate", truth_, truth_, "--json", file("a.json")}).out;
-  EXPECT_THAT(told, HasSubstr("DIADEM-like score 1.000\n  100.0% of ways along the plant"));
+  EXPECT_THAT(told, HasSubstr("DIADEM-like score 1.000\n  100.0% of paths along the plant"));
   EXPECT_THAT(told,
               HasSubstr("100.0% of the length is of the same order, 100.0% on the same axis"));
   const json numbers = json::parse(test::bytesOf(file("a.json")));
@@ -214,7 +214,7 @@ TEST_F(Evaluate, WritesAReportOfARanking) {
 
 TEST_F(Evaluate, RefusesWhatARankingDoesNotTell) {
   expectRefusal(runProgram({"evaluate", truth_, truth_, truth_, "--where"}), 2,
-                {"--where, --traits, --light, --merge-paths and --mapping tell of one plant"});
+                {"--where, --traits, --light, --merge-paths and --mapping are for one plant"});
   expectRefusal(runProgram({"evaluate", truth_, truth_, "--rank-by", "beauty"}), 2,
                 {"choose one of geometric, structural"});
   expectRefusal(runProgram({"evaluate", truth_, truth_, "--rank-by", "f"}), 2, {"--ranking"});

@@ -57,7 +57,7 @@ TEST_F(EvaluateReport, NeedNotBeWrittenForTheScanToTellOfRadii) {
   const test::Outcome told = runProgram({"evaluate", truth_, truth_, "--scan", scan_, "--unit", "m",
                                          "--json", file("a.json"), "--csv", file("a.csv")});
   ASSERT_EQ(told.status, 0) << told.err;
-  EXPECT_THAT(told.out, HasSubstr("75 to 100% of the way around seen: over "));
+  EXPECT_THAT(told.out, HasSubstr("75 to 100% of the circumference seen: over "));
   const json radii = json::parse(bytesOf(file("a.json")))["radius"];
   const json& arcs = radii["by_arc"];
   ASSERT_EQ(arcs.size(), 4U);
@@ -95,7 +95,7 @@ TEST_F(EvaluateReport, TellsStemsAtBreastHeightOrWhyNot) {
   EXPECT_TRUE(told["missing"].is_null());
   const auto [unknown, none] = numbers({});
   EXPECT_THAT(unknown,
-              HasSubstr("not compared: the unit of the lengths is not known, which --unit tells"));
+              HasSubstr("not compared: the unit of the lengths is not known, which --unit sets"));
   EXPECT_TRUE(none["height"].is_null());
   EXPECT_TRUE(none["error"].is_null());
   const auto [low, short_] = numbers({"--unit", "mm"});

@@ -39,7 +39,7 @@ TEST(ComparisonReport, SaysInWordsWhatIsFoundAndWhatIsMissed) {
   EXPECT_TRUE(text.contains(thin("100.0_% of its own length lies that near"))) << qPrintable(text);
   EXPECT_TRUE(text.contains(thin("0_m invented in 0 places"))) << qPrintable(text);
   EXPECT_TRUE(text.contains(" are missed in 1 place ")) << qPrintable(text);
-  EXPECT_TRUE(text.contains("nothing hangs on the wrong wood")) << qPrintable(text);
+  EXPECT_TRUE(text.contains("nothing is attached to the wrong wood")) << qPrintable(text);
 }
 
 TEST(ComparisonReport, HoldsTheNumbersOfTheJson) {

@@ -141,7 +141,7 @@ TEST(AcceptReference, IsTakenBackExactlyAndRefusedOnceThePartIsGone) {
   EXPECT_EQ(result, removed);
 }
 
-/// A bush with twigs removed, hung elsewhere, and shoots that are not there.
+/// A bush with twigs removed, attached elsewhere, and shoots that are not there.
 Skeleton damaged(const Skeleton& bush, std::uint64_t seed) {
   Random random(seed);
   return test::edited(bush, [&](SkeletonEditor& editor) {
@@ -209,7 +209,7 @@ TEST(AcceptReference, HangsWhatAnInventedWayCarriesAlongTheMissedOne) {
 }
 
 // Of any part, whatever else differs: one tree, exact undo, and hardly ever more that differs. A
-// branch that is hung elsewhere can lose what was matched by chance: one more part, at most.
+// branch that is attached elsewhere can lose what was matched by chance: one more part, at most.
 TEST(AcceptReference, NeverMakesAPlantFallApartOrMuchWorse) {
   const Skeleton bush = test::bush();
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {

@@ -158,7 +158,7 @@ TEST(ReadBmtg, RefusesTablesThatAreNoPlant) {
   EXPECT_THAT(errorWith([](auto& mtg) { mtg.parents[3] = 77; }),
               HasSubstr("vertex 3 needs vertex 77, which is missing"));
   EXPECT_THAT(errorWith([](auto& mtg) { mtg.parents[3] = 1; }),
-              HasSubstr("vertex 3 hangs on vertex 1 of another scale"));
+              HasSubstr("vertex 3 is attached to vertex 1 of another scale"));
   EXPECT_THAT(errorWith([](auto& mtg) { mtg.complexes[3] = 2; }), HasSubstr("which is no coarser"));
   EXPECT_THAT(errorWith([](auto& mtg) { mtg.scales[5] = -1; }), HasSubstr("of scale -1"));
   EXPECT_THAT(errorWith([](auto& mtg) { mtg.scales = {{0, 0}}; }), HasSubstr("holds no vertices"));

@@ -75,7 +75,7 @@ TEST(ReadGraphml, LetsTheChildThatCarriesMostContinueTheAxisWhereNoEdgeHasAType)
       imported(graph(node("a", "0") + node("b", "1") + node("c", "2") + node("d", "3") +
                      edge("a", "b") + edge("b", "c") + edge("b", "d")));
   EXPECT_EQ(plant.value[plant.value.children(NodeId{1}).front()].position.x(), 3);
-  EXPECT_THAT(plant.notes, Contains(HasSubstr("tells no edge types")));
+  EXPECT_THAT(plant.notes, Contains(HasSubstr("has no edge types")));
 }
 
 TEST(ReadGraphml, TakesDirectedEdgesFromParentsToChildren) {

@@ -137,10 +137,10 @@ TEST(ReadOpf, TellsTheLineThatIsWrong) {
   EXPECT_THAT(errorOf("<decomp class=\"P\" scale=\"1.5\"/>"), HasSubstr("found '1.5'"));
   EXPECT_THAT(errorOf("<decomp scale=\"1\"/>"), HasSubstr("line 5: the vertex has no class"));
   EXPECT_THAT(errorOf("<branch class=\"P\" scale=\"1\"/>"),
-              HasSubstr("line 5: this vertex of scale 1 hangs on nothing of its scale"));
+              HasSubstr("line 5: this vertex of scale 1 is attached to nothing of its scale"));
   EXPECT_THAT(
       errorOf("<decomp class=\"P\" scale=\"1\">\n<follow class=\"N\" scale=\"2\"/></decomp>"),
-      HasSubstr("line 6: this vertex of scale 2 hangs on nothing of its scale"));
+      HasSubstr("line 6: this vertex of scale 2 is attached to nothing of its scale"));
   EXPECT_THAT(
       errorOf("<decomp class=\"P\" scale=\"2\">\n<decomp class=\"N\" scale=\"2\"/></decomp>"),
       HasSubstr("line 6: a part of a vertex of scale 2 must have a finer scale, not 2"));

@@ -129,7 +129,7 @@ TEST(ReadQsmMat, RefusesFieldsThatDoNotFit) {
   EXPECT_THAT(errorOf(fileWith("radius", {1, 4, {1, 2, 3, 4}})),
               HasSubstr("has 1 x 4 values, expected N x 1"));
   EXPECT_THAT(errorOf(fileWith("parent", {4, 1, {0, 1, 9, 3}})),
-              HasSubstr("cylinder 3 hangs on cylinder 9, and there are 4"));
+              HasSubstr("cylinder 3 is attached to cylinder 9, and there are 4"));
   EXPECT_THAT(errorOf(fileWith("parent", {4, 1, {0, 1, 0.5, 3}})),
               HasSubstr("cylinder 3 has no whole number as parent"));
   EXPECT_THAT(errorOf(fileWith("parent", {4, 1, {2, 1, 1, 3}})),

@@ -76,7 +76,7 @@ TEST(ReadQsmTable, TakesTheBranchOrElseTheFirstWithoutExtensions) {
       read(names + "\n1;1;0;0;0;0;0;1;0\n1;1;0;0;1;1;0;0;1\n1;1;0;0;1;0;0;1;1\n");
   EXPECT_EQ(byOrder.value[NodeId{2}].edge, EdgeType::successor);
   EXPECT_EQ(byOrder.value[NodeId{3}].edge, EdgeType::branching);
-  EXPECT_THAT(byOrder.notes, ElementsAre(HasSubstr("does not tell which cylinder continues")));
+  EXPECT_THAT(byOrder.notes, ElementsAre(HasSubstr("does not say which cylinder continues")));
 }
 
 TEST(ReadQsmTable, TellsOfCylindersThatBeginElsewhereAndOfFalseExtensions) {
@@ -86,9 +86,10 @@ TEST(ReadQsmTable, TellsOfCylindersThatBeginElsewhereAndOfFalseExtensions) {
            "0.1,1,0,0,1,1,0,0,1,9\n");
   EXPECT_EQ(tree.value[NodeId{2}].parent, NodeId{1});
   EXPECT_EQ(tree.value[NodeId{2}].edge, EdgeType::branching);
-  EXPECT_THAT(tree.notes, ElementsAre(HasSubstr("1 cylinder begins farther than its radius from "
-                                                "the end of the one that bears it, by up to 3;"),
-                                      HasSubstr("2 extensions are cylinders that are not attached")));
+  EXPECT_THAT(tree.notes,
+              ElementsAre(HasSubstr("1 cylinder begins farther than its radius from "
+                                    "the end of the one that bears it, by up to 3;"),
+                          HasSubstr("2 extensions are cylinders that are not attached")));
 }
 
 TEST(ReadQsmTable, TakesParentsThatComeLater) {
@@ -113,7 +114,7 @@ TEST(ReadQsmTable, RefusesLinesThatAreNoCylinders) {
       {"1,1,0,0,0,0,0,1,0.5\n", "expected a whole number in column 9"},
       {"1,1,0,0,0,0,0,1,-2\n", "expected a whole number in column 9"},
       {"1,1,0,0,0,0,0,1,1e99\n", "expected a whole number in column 9"},
-      {"1,1,0,0,0,0,0,1,2\n", "cylinder 1 hangs on cylinder 2, and there are 1"},
+      {"1,1,0,0,0,0,0,1,2\n", "cylinder 1 is attached to cylinder 2, and there are 1"},
       {"1,1,0,0,0,0,0,1,1\n", "cylinder 1 is among its own ancestors"},
       {"1,1,0,0,0,0,0,1,0\n1,1,0,0,0,0,0,1,3\n1,1,0,0,0,0,0,1,2\n",
        "line 3: cylinder 2 is among its own ancestors"},

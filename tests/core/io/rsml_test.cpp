@@ -131,7 +131,7 @@ TEST(ReadRsml, RefusesToLookForNearestNodesForever) {
   for (int i = 0; i < 4'000; ++i)
     laterals += root({1});
   EXPECT_THAT(errorOf(root(std::vector<double>(30'000, 0.0), laterals)),
-              HasSubstr("tell no parent-node"));
+              HasSubstr("have no parent-node"));
 }
 
 TEST(WriteRsml, WritesAxesWithinAxes) {

@@ -48,7 +48,7 @@ TEST(ReadTreefile, TakesOtherFieldsForTheFootThanForBranches) {
   ASSERT_EQ(plant.value.size(), 2U);
   EXPECT_EQ(plant.value[NodeId{1}].position, Eigen::Vector3d(1, 2, 4));
   EXPECT_EQ(plant.value[NodeId{1}].parent, NodeId{0});
-  EXPECT_THAT(plant.notes, ElementsAre(HasSubstr("tells no edge types"),
+  EXPECT_THAT(plant.notes, ElementsAre(HasSubstr("has no edge types"),
                                        "oak.txt: its fields 'height', 'section' are left out"));
 }
 

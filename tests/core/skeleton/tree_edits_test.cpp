@@ -194,8 +194,8 @@ TEST(MergeNodes, RefusesNodesThatDoNotHangTogether) {
   const auto merge = [](const std::vector<NodeId>& nodes) {
     return [nodes](SkeletonEditor& editor) { mergeNodes(editor, nodes); };
   };
-  expectRefused(test::stick(4), "do not hang together", merge({NodeId{0}, NodeId{2}}));
-  expectRefused(twoSticks(2, 2), "do not hang together", merge({NodeId{0}, NodeId{2}}));
+  expectRefused(test::stick(4), "are not connected", merge({NodeId{0}, NodeId{2}}));
+  expectRefused(twoSticks(2, 2), "are not connected", merge({NodeId{0}, NodeId{2}}));
   expectRefused(test::stick(4), "choose two or more", merge({NodeId{1}, NodeId{1}}));
 }
 

@@ -11,7 +11,7 @@
 namespace espalier {
 namespace {
 
-constexpr std::size_t fewest = 3; // points
+constexpr std::size_t fewestPoints = 3; // points
 
 NodeId ownerOf(const Skeleton& skeleton, const PointOnSkeleton& place) {
   const Node& child = skeleton[place.child];
@@ -87,7 +87,7 @@ std::vector<double> assignedRadii(const Skeleton& skeleton, const AssignedPoints
   std::vector<double> radii(skeleton.idEnd(), 0);
   for (const NodeId id : skeleton.ids()) {
     const std::span<const std::uint32_t> own = points.of(id);
-    if (own.size() < fewest) continue;
+    if (own.size() < fewestPoints) continue;
     switch (measure) {
     case AssignedMeasure::mean:
       radii[indexOf(id)] = meanOf(points, own);

@@ -57,15 +57,15 @@ struct Line {
 };
 
 /// A part of a skeleton whose nodes may be spaced anew: `inner` lie between two that stay.
-struct Stretch {
+struct CutStretch {
   std::vector<NodeId> inner; // from below
   NodeId end{};              // above them; the parent of the lowest is the other one
   Line line;
   std::size_t count = 0; // of inner nodes, when spaced
 };
 
-std::vector<Stretch> stretchesOf(const Skeleton& skeleton, const std::vector<NodeId>& nodes,
-                                 double step) {
+std::vector<CutStretch> stretchesOf(const Skeleton& skeleton, const std::vector<NodeId>& nodes,
+                                    double step) {
   std::vector<bool> isChosen(skeleton.idEnd(), false);
   for (const NodeId id : nodes)
     isChosen[indexOf(id)] = true;
@@ -74,11 +74,11 @@ std::vector<Stretch> stretchesOf(const Skeleton& skeleton, const std::vector<Nod
            isChosen[indexOf(*skeleton[id].parent)] &&
            isChosen[indexOf(skeleton.children(id).front())];
   };
-  std::vector<Stretch> result;
+  std::vector<CutStretch> result;
   for (const NodeId id : skeleton.ids()) {
     const std::optional<NodeId>& parent = skeleton[id].parent;
     if (!isChosen[indexOf(id)] || !parent || !isChosen[indexOf(*parent)] || isInner(id)) continue;
-    Stretch stretch{.inner = {}, .end = id, .line = {}};
+    CutStretch stretch{.inner = {}, .end = id, .line = {}};
     NodeId foot = *parent;
     for (; isInner(foot); foot = *skeleton[foot].parent)
       stretch.inner.push_back(foot);
@@ -100,7 +100,7 @@ std::vector<Stretch> stretchesOf(const Skeleton& skeleton, const std::vector<Nod
 }
 
 /// Removes or adds nodes until there are as many as are to be, then moves them.
-void space(SkeletonEditor& editor, const Stretch& stretch) {
+void space(SkeletonEditor& editor, const CutStretch& stretch) {
   std::vector<NodeId> kept;
   const std::size_t before = stretch.inner.size();
   for (std::size_t i = 0; i < before; ++i) {
@@ -222,7 +222,7 @@ void smooth(SkeletonEditor& editor, const std::vector<NodeId>& nodes, double wid
 
 void resample(SkeletonEditor& editor, const std::vector<NodeId>& nodes, double step) {
   assert(step > 0);
-  for (const Stretch& stretch : stretchesOf(editor.skeleton(), nodes, step))
+  for (const CutStretch& stretch : stretchesOf(editor.skeleton(), nodes, step))
     space(editor, stretch);
 }
 

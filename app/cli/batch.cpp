@@ -115,15 +115,17 @@ void judge(const Skeleton& skeleton, const fs::path& reference,
   const Skeleton truth = readStructure(reference).value.skeleton;
   const Comparison comparison = about(reference.string(), [&] {
     return compare(skeleton, truth,
-                   {.registration = registration, .tolerance = {.distances = {4 * spacing}}},
+                   {.registration = registration,
+                    .tolerance = {.distances = {4 * spacing}},
+                    .placeDistance = 4 * spacing},
                    progress);
   });
   for (const std::string& doubt : doubtsIn(comparison))
     row.notes.push_back(doubt);
-  row.geometric = shortNumber(comparison.authors.geometric, "%.3f");
-  row.structural = shortNumber(comparison.authors.structural, "%.3f");
+  for (const Score* score : scoresIn(inBrief))
+    if (const auto& value = comparison.scores.at(score->key))
+      row.scores[score->key] = shortNumber(*value, "%.3f");
   row.distance = shortNumber(4 * spacing);
-  row.f = shortNumber(comparison.tolerance.scores.front().f(), "%.3f");
 }
 
 /// Reconstructs a plant and writes its structure.

@@ -3,9 +3,11 @@
 #include "core/base/error.h"
 #include "core/base/open_for_reading.h"
 #include "core/base/text.h"
+#include "core/evaluate/scores.h"
 #include "core/io/atomic_file.h"
 #include "core/io/csv.h"
 
+#include <functional>
 #include <ostream>
 #include <set>
 #include <system_error>
@@ -15,40 +17,57 @@ namespace espalier {
 namespace {
 
 struct Column {
-  const char* name;
-  std::string BatchResult::*member;
+  std::string name;
+  std::function<std::string&(BatchResult&)> field;
 };
 
 constexpr const char* nameColumn = "name";
 constexpr const char* statusColumn = "status";
 
+Column columnOf(const char* name, std::string BatchResult::*member) {
+  return {name, [member](BatchResult& result) -> std::string& { return result.*member; }};
+}
+
+void addScores(std::vector<Column>& columns, bool takeDistance) {
+  for (const Score* score : scoresIn(inBrief))
+    if (score->takesDistance == takeDistance)
+      columns.push_back({score->key, [score](BatchResult& result) -> std::string& {
+                           return result.scores[score->key];
+                         }});
+}
+
 /// All columns behind name and status.
-constexpr Column columns[] = {{"points", &BatchResult::points},
-                              {"spacing", &BatchResult::spacing},
-                              {"nodes", &BatchResult::nodes},
-                              {"tips", &BatchResult::tips},
-                              {"length", &BatchResult::length},
-                              {"height", &BatchResult::height},
-                              {"root_radius", &BatchResult::rootRadius},
-                              {"geometric", &BatchResult::geometric},
-                              {"structural", &BatchResult::structural},
-                              {"distance", &BatchResult::distance},
-                              {"f", &BatchResult::f},
-                              {"seconds", &BatchResult::seconds},
-                              {"inputs", &BatchResult::inputs},
-                              {"problem", &BatchResult::problem}};
+const std::vector<Column>& columns() {
+  static const std::vector<Column> all = [] {
+    std::vector<Column> made = {columnOf("points", &BatchResult::points),
+                                columnOf("spacing", &BatchResult::spacing),
+                                columnOf("nodes", &BatchResult::nodes),
+                                columnOf("tips", &BatchResult::tips),
+                                columnOf("length", &BatchResult::length),
+                                columnOf("height", &BatchResult::height),
+                                columnOf("root_radius", &BatchResult::rootRadius)};
+    addScores(made, false);
+    made.push_back(columnOf("distance", &BatchResult::distance));
+    addScores(made, true);
+    made.push_back(columnOf("seconds", &BatchResult::seconds));
+    made.push_back(columnOf("inputs", &BatchResult::inputs));
+    made.push_back(columnOf("problem", &BatchResult::problem));
+    return made;
+  }();
+  return all;
+}
 
 std::string headLine() {
   std::vector<std::string> names = {nameColumn, statusColumn};
-  for (const Column& column : columns)
-    names.emplace_back(column.name);
+  for (const Column& column : columns())
+    names.push_back(column.name);
   return csvLine(names);
 }
 
-std::string lineOf(const BatchResult& result) {
+std::string lineOf(BatchResult result) {
   std::vector<std::string> fields = {result.name, result.isDone ? "done" : "failed"};
-  for (const Column& column : columns)
-    fields.push_back(result.*column.member);
+  for (const Column& column : columns())
+    fields.push_back(column.field(result));
   return csvLine(fields);
 }
 
@@ -56,8 +75,8 @@ BatchResult resultOf(const CsvTable& table, const CsvTable::Row& row) {
   BatchResult result;
   result.name = row.fields[*table.column(nameColumn)];
   result.isDone = row.fields[*table.column(statusColumn)] == "done";
-  for (const Column& column : columns)
-    if (const auto at = table.column(column.name)) result.*column.member = row.fields[*at];
+  for (const Column& column : columns())
+    if (const auto at = table.column(column.name)) column.field(result) = row.fields[*at];
   return result;
 }
 

@@ -13,7 +13,9 @@ struct BatchResult {
   bool isDone = false; // false: it failed
   std::string inputs;  // hash of the scan, the reference and all that was asked for
   std::string points, spacing, nodes, tips, length, height, rootRadius; // lengths in [L]
-  std::string geometric, structural, distance, f; // against the reference, if there is one
+  std::map<std::string, std::string> scores =
+      {};               // by key: scoresIn(inBrief), if there is a reference
+  std::string distance; // of those that take one
   std::string seconds;
   std::string problem; // why it failed
   std::vector<std::string> notes =

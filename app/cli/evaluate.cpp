@@ -40,13 +40,6 @@ void evaluate(const EvaluateFlags& flags) {
     evaluateOne(flags, terminal);
 }
 
-std::vector<std::string> rankingNames() {
-  std::vector<std::string> names;
-  for (const Score score : rankingScores())
-    names.push_back(scoreNames()[static_cast<std::size_t>(score)]);
-  return names;
-}
-
 void addRegistration(CLI::App& command, EvaluateFlags& flags) {
   command.add_flag("--no-register", flags.noRegister,
                    "Compare the two where they lie; without it the plant is first laid on the "
@@ -93,10 +86,10 @@ void addRanking(CLI::App& command, EvaluateFlags& flags) {
                    "Rank the structures, as is done where there are several");
   command
       .add_option("--rank-by", flags.rankBy,
-                  "Score to rank by: " + CLI::detail::join(rankingNames(), ", "))
+                  "Score to rank by: " + CLI::detail::join(keysOf(rankedScores()), ", "))
       ->type_name("NAME")
-      ->check(oneOf(rankingNames()))
-      ->default_str("f");
+      ->check(oneOf(keysOf(rankedScores())))
+      ->default_str(std::string(leadingScore));
   command
       .add_option("--draws", flags.draws,
                   "How often segments are drawn for the intervals of a ranking, 1 to 1000000")

@@ -49,7 +49,7 @@ void evaluateMany(const EvaluateFlags& flags, const TerminalProgress& terminal) 
       ranking(results, reference,
               {.registers = !flags.noRegister,
                .registration = registrationIn(flags),
-               .by = named<Score>(scoreNames(), flags.rankBy.empty() ? "f" : flags.rankBy),
+               .by = flags.rankBy.empty() ? std::string(leadingScore) : flags.rankBy,
                .distance = flags.distance,
                .draws = flags.draws,
                .seed = flags.seed},

@@ -100,6 +100,36 @@ void printConnections(const Comparison& comparison, const std::string& unit) {
   printRadii(comparison, unit);
 }
 
+/// "0.912", "12.4 mm" or "17"
+std::string textOf(double value, ScoreUnit counted, const std::string& unit) {
+  if (counted == ScoreUnit::length) return withUnit(value, unit);
+  std::array<char, 40> text{};
+  std::snprintf(text.data(), text.size(), counted == ScoreUnit::share ? "%.3f" : "%.6g", value);
+  return text.data();
+}
+
+/// The scores that no sentence above tells, a line each.
+void printOthers(const Comparison& comparison, const std::string& unit) {
+  for (const Score* score : leadingFirst(scoresIn(inText)))
+    if (const auto& value = comparison.scores.at(score->key))
+      std::printf("%s %s\n", score->label.c_str(), textOf(*value, score->unit, unit).c_str());
+}
+
+void printByDistance(const Comparison& comparison, const std::string& unit) {
+  std::printf("%12s", inUnit("distance", unit).c_str());
+  for (const Score* score : scoresByDistance())
+    std::printf(" %10s", score->symbol.c_str());
+  std::printf("\n");
+  for (const auto& [distance, values] : comparison.scoresAt) {
+    std::printf("%12.4g", distance);
+    for (const Score* score : scoresByDistance()) {
+      const auto& value = values.at(score->key);
+      std::printf(" %10s", value ? textOf(*value, score->unit, unit).c_str() : "-");
+    }
+    std::printf("\n");
+  }
+}
+
 /// By how many percent the result is above the reference; a dash where there should be none.
 std::string excess(double result, double reference) {
   if (reference <= 0) return "-";
@@ -139,14 +169,8 @@ void print(const Comparison& comparison, const EditOptions& edit, const std::str
                 withUnit(shift.norm(), unit).c_str());
   }
   printConnections(comparison, unit);
-  std::printf("%12s %10s %10s %10s %10s %10s\n", inUnit("distance", unit).c_str(), "precision",
-              "recall", "F", "capped G", "capped T");
-  for (std::size_t k = 0; k < comparison.tolerance.scores.size(); ++k) {
-    const ToleranceScore& score = comparison.tolerance.scores[k];
-    std::printf("%12.4g %10.3f %10.3f %10.3f %10.3f %10.3f\n", score.distance, score.precision,
-                score.recall, score.f(), comparison.capped[k].geometric,
-                comparison.capped[k].structuralOfAll);
-  }
+  printOthers(comparison, unit);
+  printByDistance(comparison, unit);
 }
 
 void printWhere(const Comparison& comparison, const std::string& unit) {
@@ -259,33 +283,30 @@ void printLight(const Comparison& comparison) {
 }
 
 void print(const Ranking& ranking, const std::vector<std::string>& names, const std::string& unit) {
-  const auto title = [](Score score) { return scoreNames()[static_cast<std::size_t>(score)]; };
   std::printf("ranked by %s within %s; %.0f%% intervals of %zu draws of the segments\n",
-              title(ranking.by).c_str(), withUnit(ranking.distance, unit).c_str(),
+              ranking.by.c_str(), withUnit(ranking.distance, unit).c_str(),
               percent(ranking.confidence), ranking.draws);
   std::size_t width = 9;
   for (const std::string& name : names)
     width = std::max(width, name.size());
-  std::vector<std::pair<Score, std::string>> shown = {{Score::f, "F"},
-                                                      {Score::geometric, "G"},
-                                                      {Score::structuralOfAll, "T of all"},
-                                                      {Score::cappedGeometric, "capped G"}};
-  if (std::ranges::find(shown, ranking.by, &std::pair<Score, std::string>::first) == shown.end())
-    shown.insert(shown.begin(), {ranking.by, title(ranking.by)});
+  std::vector<std::pair<std::string, std::string>> shown; // keys and titles
+  for (const Score* score : leadingFirst(scoresIn(inRankingText)))
+    shown.emplace_back(score->key, score->symbol);
+  if (std::ranges::find(shown, ranking.by, &std::pair<std::string, std::string>::first) ==
+      shown.end())
+    shown.insert(shown.begin(), {ranking.by, ranking.by}); // titled as it was asked for
   const auto column = static_cast<int>(width);
   std::printf("\n%4s  %-*s", "rank", column, "structure");
-  for (const auto& [score, name] : shown)
-    std::printf("  %-19s", name.c_str());
+  for (const auto& [key, title] : shown)
+    std::printf("  %-19s", title.c_str());
   std::printf("  beats the next\n");
   std::size_t rank = 0;
   for (const RankedResult& result : ranking.results) {
     std::printf("%4zu  %-*s", ++rank, column, printable(names.at(result.result)).c_str());
-    for (const auto& [score, name] : shown)
-      for (std::size_t k = 0; k < rankingScores().size(); ++k) {
-        if (rankingScores()[k] != score) continue;
-        const ScoreInterval& found = result.scores[k];
-        std::printf("  %.3f (%.3f-%.3f)", found.value, found.low, found.high);
-      }
+    for (const auto& [key, title] : shown) {
+      const ScoreInterval& found = result.scores.at(key);
+      std::printf("  %.3f (%.3f-%.3f)", found.value, found.low, found.high);
+    }
     if (result.aboveNext) std::printf("  in %.1f%% of draws", percent(*result.aboveNext));
     std::printf("\n");
   }

@@ -63,26 +63,19 @@ NoiseSeries seriesOf(const std::string& text) {
   return series;
 }
 
-struct NoiseColumn {
-  Score score;
+struct Column {
+  std::string key; // of a score
   std::string title;
 };
 
 /// The scores that are asked for, or what a reader compares first: all are in the files.
-std::vector<NoiseColumn> columnsOf(const std::vector<std::string>& asked) {
+std::vector<Column> columnsOf(const std::vector<std::string>& asked) {
+  std::vector<Column> columns;
+  for (const std::string& key : asked)
+    columns.push_back({key, key});
   if (asked.empty())
-    return {{Score::geometric, "G"},
-            {Score::structural, "T"},
-            {Score::structuralOfAll, "T of all"},
-            {Score::cappedGeometric, "capped G"},
-            {Score::f, "F"},
-            {Score::diadem, "DIADEM"},
-            {Score::ways, "ways"}};
-  std::vector<NoiseColumn> columns;
-  columns.reserve(asked.size());
-  for (const std::string& name : asked)
-    columns.push_back(
-        {static_cast<Score>(std::ranges::find(scoreNames(), name) - scoreNames().begin()), name});
+    for (const Score* score : scoresIn(inNoiseText))
+      columns.push_back({score->key, score->symbol});
   return columns;
 }
 
@@ -105,8 +98,8 @@ void print(const NoiseStudy& study, const std::vector<NoiseColumn>& columns,
     std::printf("\n");
     for (const NoisePoint& point : curve.points) {
       std::printf("%22.4g", point.level);
-      for (const NoiseColumn& column : columns)
-        std::printf(" %*.3f", widthOf(column), point.mean[static_cast<std::size_t>(column.score)]);
+      for (const Column& column : columns)
+        std::printf(" %*.3f", widthOf(column), point.scores.at(column.key).mean);
       std::printf("\n");
     }
   }
@@ -173,9 +166,9 @@ void addNoise(CLI::App& app) {
   command
       ->add_option("--score", flags->scores,
                    "Score to print, instead of those that are compared first: " +
-                       CLI::detail::join(scoreNames(), ", "))
+                       CLI::detail::join(keysOf(scoresIn(inStudies)), ", "))
       ->type_name("NAME")
-      ->check(oneOf(scoreNames()))
+      ->check(oneOf(keysOf(scoresIn(inStudies))))
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command->add_flag("--register", flags->registers, "Lay each plant on the reference first");

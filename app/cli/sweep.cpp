@@ -7,8 +7,8 @@
 #include "app/cli/statistics.h"
 #include "app/cli/terminal.h"
 #include "core/base/text.h"
-#include "core/evaluate/agreement_scores.h"
 #include "core/evaluate/comparable.h"
+#include "core/evaluate/compared_plants.h"
 #include "core/evaluate/comparison_warnings.h"
 #include "core/evaluate/registration.h"
 #include "core/io/csv.h"
@@ -89,13 +89,13 @@ std::vector<std::string> doubtsIn(const Registration& lay) {
   return doubts;
 }
 
-/// Adds the scores of a result that is laid on the reference first, by their names, and what makes
+/// Adds the scores of a result that is laid on the reference first, by their keys, and what makes
 /// them doubtful.
 void addScores(Json& row, const Skeleton& result, const Reference& reference) {
   const Registration lay = registration(result, reference.skeleton, reference.registration);
-  const std::vector<double> scores = agreementScores(moved(result, lay.motion), reference.skeleton);
-  for (std::size_t i = 0; i < scores.size(); ++i)
-    row["scores"][scoreNames()[i]] = scores[i];
+  const auto values = studyScores(moved(result, lay.motion), reference.skeleton);
+  for (const Score* score : scoresIn(inStudies))
+    row["scores"][score->key] = values.at(score->key);
   const std::vector<std::string> doubts = doubtsIn(lay);
   if (!doubts.empty()) row["notes"] = doubts;
 }
@@ -146,10 +146,16 @@ void writeTable(const std::string& file, const std::vector<Json>& rows) {
   });
 }
 
+int widthOf(const Score& score) {
+  return std::max(5, static_cast<int>(score.key.size()));
+}
+
 void printHead(const std::string& name, bool hasReference) {
   std::printf("%20s %9s %7s %9s %5s %10s %11s %6s", name.c_str(), "thickness", "on line",
               "lost tips", "webs", "length", "unexplained", "nodes");
-  if (hasReference) std::printf(" %9s %10s %5s", "geometric", "structural", "F");
+  if (hasReference)
+    for (const Score* score : scoresIn(inBrief))
+      std::printf(" %*s", widthOf(*score), score->key.c_str());
   std::printf("\n");
 }
 
@@ -169,8 +175,8 @@ void printRow(const Json& row) {
               quality["webbed_junctions"].dump().c_str(), quality["skeleton_length"].get<double>(),
               quality["unexplained_points"].dump().c_str(), quality["nodes"].dump().c_str());
   if (row.contains("scores"))
-    std::printf(" %9.3f %10.3f %5.3f", row["scores"]["geometric"].get<double>(),
-                row["scores"]["structural"].get<double>(), row["scores"]["f"].get<double>());
+    for (const Score* score : scoresIn(inBrief))
+      std::printf(" %*.3f", widthOf(*score), row["scores"][score->key].get<double>());
   std::printf("\n");
 }
 

@@ -11,26 +11,16 @@ QString tr(const char* text) {
 
 ReportTable distanceTable(const ReportParts& parts) {
   const ReportNumbers& numbers = parts.numbers;
-  const Comparison& comparison = parts.data.comparison;
   ReportTable table;
-  table.columns = {{numbers.inUnit(tr("within")), false},
-                   {tr("precision")},
-                   {tr("recall")},
-                   {tr("F")},
-                   {tr("capped G")},
-                   {tr("capped T")}};
-  for (const ToleranceScore& score : comparison.tolerance.scores) {
-    std::vector<ReportCell> row = {{numbers.given(score.distance)},
-                                   {numbers.share(score.precision), score.precision},
-                                   {numbers.share(score.recall), score.recall},
-                                   {numbers.share(score.f()), score.f()}};
-    const auto capped =
-        std::ranges::find(comparison.capped, score.distance, &CappedScore::distance);
-    if (capped == comparison.capped.end()) {
-      row.resize(table.columns.size(), {QStringLiteral("–")});
-    } else {
-      row.push_back({numbers.share(capped->geometric), capped->geometric});
-      row.push_back({numbers.share(capped->structuralOfAll), capped->structuralOfAll});
+  table.columns = {{numbers.inUnit(tr("within")), false}};
+  for (const Score* score : scoresByDistance())
+    table.columns.push_back({symbolOf(*score)});
+  for (const auto& [distance, values] : parts.data.comparison.scoresAt) {
+    std::vector<ReportCell> row = {{numbers.given(distance)}};
+    for (const Score* score : scoresByDistance()) {
+      const auto& value = values.at(score->key);
+      row.push_back(value ? ReportCell{numbers.share(*value), *value}
+                          : ReportCell{QStringLiteral("–")});
     }
     table.rows.push_back(std::move(row));
   }
@@ -60,24 +50,29 @@ ReportTable howFar(const ReportParts& parts) {
   return table;
 }
 
-/// A score with its interval, where one is drawn for it.
+/// Scores and other numbers, with an interval where segments are drawn for it.
 class IndexTable {
 public:
   explicit IndexTable(const ReportParts& parts) : parts_(parts) {
     table_.columns = {{tr("index"), false}, {tr("value")}, {tr("95 % interval"), false}};
   }
-  void add(const QString& name, double value, std::optional<Score> score = {}) {
-    add(name, parts_.numbers.share(value, 5), score);
-  }
-  void add(const QString& name, const QString& value, std::optional<Score> score = {}) {
-    QString interval;
-    if (score) {
-      const auto place = std::ranges::find(rankingScores(), *score) - rankingScores().begin();
-      interval = parts_.numbers.range(
-          parts_.data.intervals.results.front().scores[static_cast<std::size_t>(place)]);
-    }
+  void add(const QString& name, const QString& value, const QString& interval = {}) {
     table_.rows.push_back({{name}, {value}, {interval}});
   }
+  void add(const QString& name, double share) { add(name, parts_.numbers.share(share, 5)); }
+  /// The scores of a group that tables of reports show.
+  void add(ScoreGroup group) {
+    const auto& intervals = parts_.data.intervals.results.front().scores;
+    for (const Score* score : scoresIn(inReport)) {
+      if (score->group != group || score->takesDistance) continue;
+      const auto& value = parts_.data.comparison.scores.at(score->key);
+      if (!value && group == ScoreGroup::edits) continue; // of another cost
+      const auto interval = intervals.find(score->key);
+      add(nameInUnit(*score, parts_.numbers), valueText(*score, value, parts_.numbers),
+          interval == intervals.end() ? QString() : parts_.numbers.range(interval->second));
+    }
+  }
+  [[nodiscard]] bool isEmpty() const { return table_.rows.empty(); }
   [[nodiscard]] ReportTable table(const QString& caption) const {
     ReportTable made = table_;
     made.caption = caption;
@@ -99,12 +94,7 @@ ReportTable authorsTable(const ReportParts& parts) {
   const AuthorsComparison& authors = parts.data.comparison.authors;
   const ReportNumbers& numbers = parts.numbers;
   IndexTable table(parts);
-  table.add(tr("mapping"), authors.mapping);
-  table.add(tr("geometric index G"), authors.geometric, Score::geometric);
-  table.add(tr("structural index T"), authors.structural, Score::structural);
-  table.add(tr("T over all segments of the reference"), authors.structuralOfAll,
-            Score::structuralOfAll);
-  table.add(tr("G, one to many"), parts.data.comparison.paths.geometric);
+  table.add(ScoreGroup::segments);
   table.add(tr("length precision"), authors.lengthPrecision);
   table.add(tr("length recall"), authors.lengthRecall);
   table.add(tr("segments matched"), numbers.count(authors.matches.size()));
@@ -118,39 +108,30 @@ ReportTable structureTable(const ReportParts& parts) {
   const Comparison& comparison = parts.data.comparison;
   const ReportNumbers& numbers = parts.numbers;
   IndexTable table(parts);
-  table.add(tr("tips, F"), comparison.tips.f());
-  table.add(tr("branchings, F"), comparison.branchings.f());
-  table.add(tr("DIADEM-like score"), comparison.diadem.score);
-  table.add(tr("paths along the plant as long, up to a tenth"), comparison.pathLengths.withinTenth);
-  const NetworkAgreement& network = comparison.network;
-  table.add(tr("NetMets, length missed"), network.missedLength);
-  table.add(tr("NetMets, length invented"), network.inventedLength);
-  table.add(tr("NetMets, connections missed"), network.missedConnections);
-  table.add(tr("NetMets, connections invented"), network.inventedConnections);
-  table.add(tr("distance of the barcodes (TMD)"), comparison.barcodeDistance);
-  const ArchitectureAgreement& architecture = comparison.architecture;
-  const auto of = [&](bool isCompared, double value) {
-    return isCompared ? numbers.share(value, 5) : QStringLiteral("–");
-  };
-  const bool isNear = architecture.compared > 0;
-  table.add(tr("length of the same order"), of(isNear, architecture.sameOrder));
-  table.add(tr("length on the same axis"), of(isNear, architecture.sameAxis));
-  const bool hasEdges = architecture.types.count() > 0;
-  table.add(tr("edge types, share that agrees"), of(hasEdges, architecture.types.observed()));
-  table.add(tr("edge types, kappa"), of(hasEdges, architecture.types.kappa()));
-  if (comparison.edit) {
-    const EditComparison& edit = *comparison.edit;
-    table.add(tr("edit distance"), numbers.given(edit.distance.distance));
-    table.add(tr("edit similarity"), edit.distance.similarity());
+  for (const ScoreGroup group :
+       {ScoreGroup::landmarks, ScoreGroup::network, ScoreGroup::architecture, ScoreGroup::edits})
+    table.add(group);
+  if (const auto& edit = comparison.edit)
     table.add(
         tr("edits: removed, inserted"),
-        QStringLiteral("%1, %2").arg(numbers.count(edit.removed), numbers.count(edit.inserted)));
-  }
-  return table.table(tr("Attachment; places count as found within %1")
+        QStringLiteral("%1, %2").arg(numbers.count(edit->removed), numbers.count(edit->inserted)));
+  return table.table(tr("What hangs on what; places count as found within %1")
                          .arg(numbers.givenLength(comparison.tips.distance)));
 }
 
 } // namespace
+
+QString nameInUnit(const Score& score, const ReportNumbers& numbers) {
+  const QString name = labelOf(score);
+  return score.unit == ScoreUnit::length ? numbers.inUnit(name) : name;
+}
+
+QString valueText(const Score& score, const std::optional<double>& value,
+                  const ReportNumbers& numbers) {
+  if (!value) return QStringLiteral("–");
+  if (score.unit == ScoreUnit::share) return numbers.share(*value, 5);
+  return score.unit == ScoreUnit::length ? numbers.number(*value) : numbers.given(*value);
+}
 
 ReportSection toleranceSection(const ReportParts& parts) {
   ReportSection section{tr("Agreement over the tolerance"), {}};
@@ -171,7 +152,12 @@ ReportSection toleranceSection(const ReportParts& parts) {
 }
 
 ReportSection indicesSection(const ReportParts& parts) {
-  return {tr("Indices"), {authorsTable(parts), structureTable(parts)}};
+  ReportSection section{tr("Indices"), {authorsTable(parts), structureTable(parts)}};
+  IndexTable others(parts);
+  for (const ScoreGroup group : {ScoreGroup::nearness, ScoreGroup::capped, ScoreGroup::files})
+    others.add(group);
+  if (!others.isEmpty()) section.blocks.emplace_back(others.table(tr("Others")));
+  return section;
 }
 
 ReportSection placesSection(const ReportParts& parts) {

@@ -5,6 +5,7 @@
 #include <QtGlobal>
 
 #include <numbers>
+#include <set>
 
 namespace espalier {
 namespace {
@@ -164,78 +165,33 @@ QString commandOf(const ReportParts& parts) {
   return words.join(' ');
 }
 
+/// The measures that scores of these groups come from.
+std::vector<ReportTerms::Term> termsOf(const std::set<ScoreGroup>& groups) {
+  std::vector<ReportTerms::Term> terms;
+  for (const Measure& measure : measures())
+    if (groups.contains(measure.group) && !measure.text.empty())
+      terms.push_back(
+          {scoreText(measure.name), scoreText(measure.text), scoreText(measure.source)});
+  return terms;
+}
+
 std::vector<ReportTerms::Term> nearnessTerms() {
-  return {
-      {tr("Registration"),
-       tr("The plant is moved to where it fits the reference best, from several starts, before "
-          "anything is measured: two files of one plant are often not in the same frame. It is "
-          "turned only where that lowers the mean distance by a tenth."),
-       QStringLiteral("P. Besl, N. McKay, A method for registration of 3-D shapes, PAMI 14(2), "
-                      "1992.")},
-      {tr("Precision, recall, F"),
-       tr("Shares of the length of the plant near the reference, and of the reference near the "
-          "plant, and their harmonic mean; places are sampled at even steps, distances taken to "
-          "edges."),
-       QStringLiteral("A. Knapitsch et al., Tanks and Temples, ACM Transactions on Graphics 36(4), "
-                      "2017.")},
-      {tr("Missed, invented, wrongly attached"),
-       tr("Stretches without anything of the other within the tolerance; and what lies right but "
-          "is attached to wood that meets its own more than four tolerances farther down."),
-       tr("This program.")},
+  std::vector<ReportTerms::Term> terms = termsOf({ScoreGroup::nearness});
+  terms.push_back(
       {tr("Intervals"),
        tr("The segments of the reference are drawn again with replacement; the middle 95 % of the "
-          "scores. They show how much depends on which segments this one plant has."),
-       QStringLiteral("B. Efron, Bootstrap methods, Annals of Statistics 7, 1979.")}};
+          "scores. They tell how much hangs on which segments this one plant has."),
+       QStringLiteral("B. Efron, Bootstrap methods, Annals of Statistics 7, 1979.")});
+  return terms;
 }
 
 std::vector<ReportTerms::Term> matchingTerms() {
-  return {
-      {tr("G, T and mapping"),
-       tr("Unbranched segments are matched one to one at the least sum of Hausdorff distances; G "
-          "is "
-          "the share of length matched, T that of matches that are attached to matches. Both "
-          "hardly fall "
-          "with noise."),
-       QStringLiteral("F. Boudon et al., Annals of Botany 114, 2014; C. Preuksakarn, thesis, "
-                      "Montpellier, 2012.")},
-      {tr("Capped, over all, one to many"),
-       tr("The same with nothing hidden: matches lie within the distance as curves, T counts all "
-          "segments of the reference, and a branch may match the pieces that spurs cut it into."),
-       tr("This program, after the same.")},
-      {tr("DIADEM-like score"),
-       tr("Share of tips and branchings that are found and reached along a path as long, from the "
-          "next one below that is found; invented ones count against it."),
-       QStringLiteral("T. Gillette, K. Brown, G. Ascoli, Neuroinformatics 9, 2011.")},
-      {tr("NetMets"),
-       tr("Shares of length that the other plant lacks, by a Gaussian of the distance; and of "
-          "the paths between tips and branchings that both have, those that only one has."),
-       QStringLiteral("D. Mayerich et al., BMC Bioinformatics 13, 2012.")},
-      {tr("Barcodes (TMD)"),
-       tr("Each tip is a bar, from where it leaves something longer up to its end, along the "
-          "plant; 0 where all bars are alike, 1 where none is."),
-       QStringLiteral("L. Kanari et al., Neuroinformatics 16, 2018.")},
-      {tr("Kappa"),
-       tr("Agreement on what continues an axis and what branches, at the feet of matched segments, "
-          "beyond what chance would do."),
-       QStringLiteral("J. Cohen, Educational and Psychological Measurement 20, 1960.")},
-      {tr("Edit distance"),
-       tr("The least that has to be removed and inserted to make one tree of the other, where what "
-          "is attached to what must stay; similarity 1 where nothing is to be done."),
-       QStringLiteral("K. Zhang, Algorithmica 15, 1996; P. Ferraro, C. Godin, Annals of Forest "
-                      "Science 57, 2000.")}};
+  return termsOf({ScoreGroup::segments, ScoreGroup::capped, ScoreGroup::landmarks,
+                  ScoreGroup::network, ScoreGroup::architecture, ScoreGroup::edits});
 }
 
 std::vector<ReportTerms::Term> plantTerms(bool hasLight) {
-  std::vector<ReportTerms::Term> terms = {
-      {tr("Concordance"),
-       tr("Agreement of radii where both plants lie near each other: 1 where all are the same. "
-          "Unlike a correlation it falls where all are too large alike."),
-       QStringLiteral("L. Lin, Biometrics 45, 1989.")},
-      {tr("Breast height, and the circumference"),
-       tr("Stems are measured 1.3 m above the foot of the reference. Of 16 sectors about a node of "
-          "the reference, the share that holds points of its section is that of the circumference "
-          "that the scanner saw."),
-       QStringLiteral("P. Raumonen et al., Remote Sensing 5, 2013, for the sectors.")}};
+  std::vector<ReportTerms::Term> terms = termsOf({ScoreGroup::radii, ScoreGroup::files});
   const std::vector<ReportTerms::Term> ofEach = traitTerms(hasLight);
   terms.insert(terms.end(), ofEach.begin(), ofEach.end());
   return terms;

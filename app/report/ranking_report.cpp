@@ -23,47 +23,20 @@ QString nameOf(const RankingParts& parts, const RankedResult& result) {
   return parts.about.results.at(result.result).name;
 }
 
-const ScoreInterval& intervalOf(const RankedResult& result, Score score) {
-  const auto place = std::ranges::find(rankingScores(), score) - rankingScores().begin();
-  return result.scores.at(static_cast<std::size_t>(place));
-}
-
-QString titleOf(Score score) {
-  switch (score) {
-  case Score::f:
-    return tr("F");
-  case Score::precision:
-    return tr("precision");
-  case Score::recall:
-    return tr("recall");
-  case Score::geometric:
-    return tr("G");
-  case Score::structural:
-    return tr("T");
-  case Score::structuralOfAll:
-    return tr("T of all");
-  case Score::cappedGeometric:
-    return tr("capped G");
-  case Score::cappedStructural:
-    return tr("capped T");
-  default:
-    return QString::fromStdString(scoreNames()[static_cast<std::size_t>(score)]);
-  }
-}
-
-ReportTable scoreTable(const RankingParts& parts, const QString& caption,
-                       const std::vector<Score>& scores) {
+ReportTable scoreTable(const Parts& parts, const QString& caption, ScoreGroup group) {
+  ScoreList scores = leadingFirst(rankedScores());
+  std::erase_if(scores, [group](const Score* score) { return score->group != group; });
   ReportTable table;
   table.caption = caption;
   table.columns = {{tr("rank")}, {tr("structure"), false}};
-  for (const Score score : scores) {
-    table.columns.push_back({titleOf(score)});
+  for (const Score* score : scores) {
+    table.columns.push_back({symbolOf(*score)});
     table.columns.push_back({tr("interval"), false});
   }
   for (const RankedResult& result : parts.data.ranking.results) {
     table.rows.push_back({{parts.numbers.count(table.rows.size() + 1)}, {nameOf(parts, result)}});
-    for (const Score score : scores) {
-      const ScoreInterval& interval = intervalOf(result, score);
+    for (const Score* score : scores) {
+      const ScoreInterval& interval = result.scores.at(score->key);
       table.rows.back().push_back({parts.numbers.share(interval.value), interval.value});
       table.rows.back().push_back({parts.numbers.range(interval)});
     }
@@ -76,11 +49,11 @@ ReportSection ranks(const RankingParts& parts) {
   ReportTable table;
   table.columns = {{tr("rank")},
                    {tr("structure"), false},
-                   {titleOf(ranking.by)},
+                   {symbolOf(scoreOf(ranking.by))},
                    {tr("interval"), false},
                    {tr("beats the next")}};
   for (const RankedResult& result : ranking.results) {
-    const ScoreInterval& interval = intervalOf(result, ranking.by);
+    const ScoreInterval& interval = result.scores.at(ranking.by);
     table.rows.push_back(
         {{parts.numbers.count(table.rows.size() + 1)},
          {nameOf(parts, result)},
@@ -89,9 +62,9 @@ ReportSection ranks(const RankingParts& parts) {
          {result.aboveNext ? parts.numbers.percent(*result.aboveNext) : QStringLiteral("–")}});
   }
   ReportSection section{tr("Ranking"), {}};
-  section.blocks.emplace_back(
-      ReportParagraph{tr("By %1, within %2.")
-                          .arg(titleOf(ranking.by), parts.numbers.givenLength(ranking.distance))});
+  section.blocks.emplace_back(ReportParagraph{
+      tr("By %1, within %2.")
+          .arg(symbolOf(scoreOf(ranking.by)), parts.numbers.givenLength(ranking.distance))});
   section.blocks.emplace_back(std::move(table));
   section.blocks.emplace_back(ReportParagraph{
       tr("The segments of the reference were drawn again %1 times, all structures from the same "
@@ -105,13 +78,21 @@ ReportSection ranks(const RankingParts& parts) {
   return section;
 }
 
-ReportSection scores(const RankingParts& parts) {
-  return {tr("Scores"),
-          {scoreTable(parts, tr("What lies near"), {Score::f, Score::precision, Score::recall}),
-           scoreTable(parts, tr("As the authors of the method measure"),
-                      {Score::geometric, Score::structural, Score::structuralOfAll}),
-           scoreTable(parts, tr("Matched within the distance only"),
-                      {Score::cappedGeometric, Score::cappedStructural})}};
+ReportSection scoreSection(const Parts& parts) {
+  ReportSection section{tr("Scores"), {}};
+  const std::vector<std::pair<ScoreGroup, QString>> captions = {
+      {ScoreGroup::nearness, tr("What lies near")},
+      {ScoreGroup::segments, tr("As the authors of the method measure")},
+      {ScoreGroup::capped, tr("Matched within the distance only")},
+      {ScoreGroup::landmarks, tr("Tips and branchings")},
+      {ScoreGroup::network, tr("Missed and invented")},
+      {ScoreGroup::architecture, tr("Orders, axes and edges")},
+      {ScoreGroup::edits, tr("Edits")},
+      {ScoreGroup::radii, tr("Radii")}};
+  for (const auto& [group, caption] : captions)
+    if (ReportTable table = scoreTable(parts, caption, group); table.columns.size() > 2)
+      section.blocks.emplace_back(std::move(table));
+  return section;
 }
 
 ReportSection curves(const RankingParts& parts) {
@@ -122,15 +103,12 @@ ReportSection curves(const RankingParts& parts) {
     plot.size = {380, 230};
     plot.text = tr("%1. %2: precision, recall and F")
                     .arg(parts.numbers.count(i + 1), nameOf(parts, result));
-    plot.paint =
-        [curve = TolerancePlot{.curve = parts.data.curves[i],
-                               .chosen = ToleranceScore{parts.data.ranking.distance,
-                                                        intervalOf(result, Score::precision).value,
-                                                        intervalOf(result, Score::recall).value},
-                               .unit = parts.about.unit}](QPainter& painter, const QRectF& box,
-                                                          const PlotColors& colors) {
-          curve.paint(painter, box, colors);
-        };
+    plot.paint = [curve = TolerancePlot{.curve = parts.data.curves[i],
+                                        .chosen = parts.data.chosen[i],
+                                        .unit = parts.about.unit}](
+                     QPainter& painter, const QRectF& box, const PlotColors& colors) {
+      curve.paint(painter, box, colors);
+    };
     section.blocks.emplace_back(std::move(plot));
   }
   return section;
@@ -180,9 +158,10 @@ ReportSection origin(const RankingParts& parts) {
 RankingReportData rankingReportData(Ranking ranking, const std::vector<Skeleton>& results,
                                     const Skeleton& reference, bool isRegistered,
                                     const Progress& progress) {
-  RankingReportData data{std::move(ranking), {}, isRegistered};
-  const std::vector<double> distances =
+  RankingReportData data{std::move(ranking), {}, {}, isRegistered};
+  std::vector<double> distances =
       curveDistances(data.ranking.distance, defaultTolerances(reference).back());
+  distances.push_back(data.ranking.distance);
   const auto all = static_cast<double>(data.ranking.results.size());
   for (const RankedResult& result : data.ranking.results) {
     const auto done = static_cast<double>(data.curves.size());
@@ -191,6 +170,8 @@ RankingReportData rankingReportData(Ranking ranking, const std::vector<Skeleton>
                                          {.distances = distances},
                                          progress.part(done / all, (done + 1) / all))
                               .scores);
+    data.chosen.push_back(data.curves.back().back());
+    data.curves.back().pop_back();
   }
   return data;
 }
@@ -204,7 +185,7 @@ Report rankingReport(const RankingReportData& data, const RankingReportAbout& ab
                   about.unit.isEmpty() ? reportText("lengths in the unit of the files")
                                        : reportText("lengths in %1").arg(about.unit)};
   report.sections = {ranks(parts),
-                     scores(parts),
+                     scoreSection(parts),
                      curves(parts),
                      origin(parts),
                      {reportText("Methods"), {scoreTerms()}}};

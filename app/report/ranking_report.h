@@ -11,6 +11,7 @@ namespace espalier {
 struct RankingReportData {
   Ranking ranking;
   std::vector<std::vector<ToleranceScore>> curves; // by ranking.results, at even distances
+  std::vector<ToleranceScore> chosen;              // likewise, at the distance of the ranking
   bool isRegistered = true;
 };
 

@@ -3,9 +3,11 @@
 #include "app/report/comparison_report.h"
 #include "app/report/report_numbers.h"
 #include "core/evaluate/trait_rows.h"
+#include "ui/panels/score_text.h"
 
 #include <QCoreApplication>
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -34,6 +36,10 @@ struct ReportParts {
 /// Below the picture of a scan: what it is, and what its colors mean.
 [[nodiscard]] QString scanText(const QString& name, const PointCloud& scan, UpAxis up,
                                const ReportNumbers& numbers);
+/// A score with its unit, as in the first column of a table.
+[[nodiscard]] QString nameInUnit(const Score& score, const ReportNumbers& numbers);
+[[nodiscard]] QString valueText(const Score& score, const std::optional<double>& value,
+                                const ReportNumbers& numbers); // a dash for none
 /// A trait with its unit, as in the first column of a table: "stem length [mm]".
 [[nodiscard]] QString nameOf(const TraitRow& row, const ReportNumbers& numbers);
 /// What was read, by its role.

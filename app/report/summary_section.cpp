@@ -93,24 +93,26 @@ QString whereItDiffers(const ReportParts& parts) {
            parts.numbers.share(f(*worst)));
 }
 
+/// Below a key number: its interval, or within which distance places count.
+QString remarkOf(const Score& score, const ReportParts& parts) {
+  const auto& intervals = parts.data.intervals.results.front().scores;
+  const auto interval = intervals.find(score.key);
+  if (interval != intervals.end()) return parts.numbers.range(interval->second);
+  if (score.group != ScoreGroup::landmarks) return {};
+  return tr("within %1").arg(parts.numbers.givenLength(parts.data.comparison.tips.distance));
+}
+
 ReportKeyNumbers keyNumbers(const ReportParts& parts) {
-  const Comparison& comparison = parts.data.comparison;
-  const ReportNumbers& numbers = parts.numbers;
-  const RankedResult& intervals = parts.data.intervals.results.front();
-  const auto within = [&](Score score) {
-    const auto place = std::ranges::find(rankingScores(), score) - rankingScores().begin();
-    return numbers.range(intervals.scores[static_cast<std::size_t>(place)]);
-  };
-  const QString near = numbers.givenLength(parts.data.tolerance);
-  return {{{numbers.share(parts.data.score.f()), tr("F within %1").arg(near), within(Score::f)},
-           {numbers.share(parts.data.score.precision), tr("precision"), within(Score::precision)},
-           {numbers.share(parts.data.score.recall), tr("recall"), within(Score::recall)},
-           {numbers.share(comparison.authors.geometric), tr("geometric index G"),
-            within(Score::geometric)},
-           {numbers.share(comparison.authors.structural), tr("structural index T"),
-            within(Score::structural)},
-           {numbers.share(comparison.tips.f()), tr("tips, F"),
-            tr("within %1").arg(numbers.givenLength(comparison.tips.distance))}}};
+  ReportKeyNumbers shown;
+  for (const Score* score : leadingFirst(scoresIn(inKeyNumbers))) {
+    const auto& value = parts.data.comparison.scores.at(score->key);
+    QString name = labelOf(*score);
+    if (score->key == leadingScore)
+      name = tr("%1 within %2").arg(name, parts.numbers.givenLength(parts.data.tolerance));
+    shown.numbers.push_back(
+        {value ? parts.numbers.share(*value) : QStringLiteral("–"), name, remarkOf(*score, parts)});
+  }
+  return shown;
 }
 
 ReportTable errorTable(const ReportParts& parts, const QString& caption,

@@ -16,11 +16,12 @@ ReportTable radiusTable(const ReportParts& parts) {
   table.caption =
       tr("Radii where both lie within %1 of each other").arg(numbers.givenLength(radii.distance));
   table.columns = {{tr("measure"), false}, {tr("value")}};
-  table.rows = {
-      {{tr("concordance (CCC)")}, {numbers.share(radii.concordance, 5)}},
-      {{numbers.inUnit(tr("mean error"))}, {numbers.number(radii.meanError)}},
-      {{numbers.inUnit(tr("root mean square error"))}, {numbers.number(radii.rootMeanSquare)}},
-      {{numbers.inUnit(tr("length compared"))}, {numbers.number(radii.compared)}}};
+  for (const Score* score : scoresIn(inReport))
+    if (score->group == ScoreGroup::radii)
+      table.rows.push_back(
+          {{nameInUnit(*score, numbers)},
+           {valueText(*score, parts.data.comparison.scores.at(score->key), numbers)}});
+  table.rows.push_back({{numbers.inUnit(tr("length compared"))}, {numbers.number(radii.compared)}});
   return table;
 }
 

@@ -2,6 +2,7 @@
 
 #include "ui/document/length_unit.h"
 #include "ui/document/number_scale.h"
+#include "ui/panels/score_text.h"
 
 #include <QCoreApplication>
 
@@ -9,8 +10,6 @@
 
 namespace espalier {
 namespace {
-
-using Better = JudgeRow::Better;
 
 template <class Value> auto ofQuality(Value ContractionQuality::*value, double factor = 1) {
   return [value, factor](const Judgment& judgment) -> std::optional<double> {
@@ -23,12 +22,6 @@ template <class Value> auto ofSkeleton(Value ContractionQuality::*value) {
   return [value](const Judgment& judgment) -> std::optional<double> {
     if (!judgment.quality || judgment.quality->nodes == 0) return std::nullopt;
     return static_cast<double>((*judgment.quality).*value);
-  };
-}
-
-auto ofScores(const char* key) {
-  return [key](const Judgment& judgment) -> std::optional<double> {
-    return judgment.scores ? scoreIn(*judgment.scores, key) : std::nullopt;
   };
 }
 
@@ -98,34 +91,22 @@ std::vector<JudgedNumber> numbersOfQuality(const QString& unit) {
 }
 
 std::vector<JudgedNumber> numbersOfReference() {
-  using Rank = JudgedNumber::Rank;
-  const auto tr = [](const char* text) {
-    return QCoreApplication::translate("JudgedNumbers", text);
-  };
-  return {{tr("F of length"),
-           {},
-           tr("Agreement of length with the reference, within the tolerance of the evaluation"),
-           Better::more,
-           3,
-           ofScores("f"),
-           Rank::byReference,
-           tr("F")},
-          {.name = tr("Geometric index"),
-           .unit = {},
-           .meaning = tr("How far the segments of plant and reference lie on each other: 1 for "
-                         "the same, as the authors' comparison reports it"),
-           .better = Better::more,
-           .decimals = 3,
-           .of = ofScores("geometric")},
-          {tr("Structural index"),
-           {},
-           tr("How far segments that lie on each other are connected alike: 1 for the same, as the "
-              "authors' comparison reports it"),
-           Better::more,
-           3,
-           ofScores("structural"),
-           Rank::byReference,
-           tr("Structural")}};
+  std::vector<JudgedNumber> numbers;
+  for (const Score* score : leadingFirst(scoresIn(inBrief))) {
+    const bool isOnCards = (score->uses & onCards) != 0;
+    numbers.push_back(
+        {.name = titled(labelOf(*score)),
+         .unit = {},
+         .meaning = scoreText(score->help),
+         .better = score->better,
+         .decimals = 3,
+         .of = [key = score->key](const Judgment& judgment) -> std::optional<double> {
+           return judgment.scores ? judgment.scores->at(key) : std::nullopt;
+         },
+         .rank = isOnCards ? JudgedNumber::Rank::byReference : JudgedNumber::Rank::none,
+         .shortName = isOnCards ? symbolOf(*score) : QString()});
+  }
+  return numbers;
 }
 
 } // namespace

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/window/judged_state.h"
-#include "ui/panels/judge_table.h"
+#include "core/evaluate/scores.h"
 
 #include <QSize>
 #include <QString>
@@ -26,7 +26,7 @@ struct JudgedNumber {
   QString name;
   QString unit;
   QString meaning;
-  JudgeRow::Better better;
+  Better better;
   int decimals;
   std::function<std::optional<double>(const Judgment&)> of; // none: not known
   Rank rank = Rank::none;

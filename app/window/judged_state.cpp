@@ -56,7 +56,7 @@ Judgment judged(const Outcome& outcome, const PointCloud& cloud, double spacing,
         qualityIn(outcome, cloud, spacing, progress.part(0, 0.3)));
   if (reference != nullptr && !outcome.skeleton->isEmpty() && !outcome.within)
     judgment.scores =
-        scoresOf(evaluate(*outcome.skeleton, *reference, comparing, progress.part(0.3, 1)));
+        evaluate(*outcome.skeleton, *reference, comparing, progress.part(0.3, 1)).comparison.scores;
   return judgment;
 }
 

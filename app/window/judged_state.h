@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/window/preview_flow.h"
-#include "ui/panels/score_list.h"
+#include "core/evaluate/evaluation.h"
 
 #include <cstdint>
 #include <memory>
@@ -13,7 +13,7 @@ namespace espalier {
 /// What is known of a state of the plant, in numbers.
 struct Judgment {
   std::shared_ptr<const ContractionQuality> quality; // null: it has no contracted points
-  std::optional<Scores> scores;                      // none: there is no reference, or no skeleton
+  std::optional<ScoreValues> scores;                 // none: there is no reference, or no skeleton
 };
 
 /// What the numbers of points are that a histogram shows.

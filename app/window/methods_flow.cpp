@@ -145,8 +145,8 @@ void MethodsFlow::startNext() {
        options = options_](const Progress& progress) {
         const qint64 written = writtenAt(path);
         const Imported<Skeleton> read = readReference(path);
-        return KeptMethod{path, scoresOf(evaluate(read.value, *reference, options, progress)),
-                          written};
+        return KeptMethod{
+            path, evaluate(read.value, *reference, options, progress).comparison.scores, written};
       },
       [this](const KeptMethod& found) {
         finish([&](Method& method) { method.kept = found; });
@@ -167,7 +167,7 @@ void MethodsFlow::list() {
   std::vector<MethodRow> rows;
   if (parts_.reference.skeleton() != nullptr) {
     rows.push_back({.name = tr("The plant"), .scores = std::nullopt, .error = {}});
-    if (plant_) rows.front().scores = scoresOf(*plant_);
+    if (plant_) rows.front().scores = plant_->comparison.scores;
     for (const Method& method : methods_)
       rows.push_back({QFileInfo(method.kept.path).fileName(), method.kept.scores, method.error});
   }

@@ -10,27 +10,30 @@
 namespace espalier {
 namespace {
 
-QString keyOf(const ScoreEntry& entry) {
-  return QString::fromStdString(entry.key);
+[[noreturn]] void refuse() {
+  throw Error(QCoreApplication::translate("MethodsText",
+                                          "the table of methods in this project cannot be read: "
+                                          "add the structures again")
+                  .toStdString());
 }
 
-QJsonObject jsonOf(const Scores& scores) {
+QJsonObject jsonOf(const ScoreValues& scores) {
   QJsonObject json;
-  for (std::size_t i = 0; i < scores.size(); ++i)
-    json[keyOf(scoreEntries()[i])] = scores[i] ? QJsonValue(*scores[i]) : QJsonValue();
+  for (const auto& [key, value] : scores)
+    json[QString::fromStdString(key)] = value ? QJsonValue(*value) : QJsonValue();
   return json;
 }
 
 /// None if one is missing: they are of another version.
-std::optional<Scores> scoresIn(const QJsonObject& json) {
-  Scores scores;
-  for (const ScoreEntry& entry : scoreEntries()) {
-    const QJsonValue value = json[keyOf(entry)];
+std::optional<ScoreValues> scoresIn(const QJsonObject& json) {
+  ScoreValues values;
+  for (const Score& score : scores()) {
+    const QJsonValue value = json[QString::fromStdString(score.key)];
     if (value.isUndefined()) return std::nullopt;
     if (!value.isDouble() && !value.isNull()) refuse();
-    scores.push_back(value.isDouble() ? std::optional(value.toDouble()) : std::nullopt);
+    values[score.key] = value.isDouble() ? std::optional(value.toDouble()) : std::nullopt;
   }
-  return scores;
+  return values;
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/panels/score_list.h"
+#include "core/evaluate/scores.h"
 
 #include <QString>
 #include <QtGlobal>
@@ -13,9 +13,9 @@ namespace espalier {
 
 /// A structure in the table of methods.
 struct KeptMethod {
-  QString path;                 // of its file
-  std::optional<Scores> scores; // none: not compared, or not by what is compared now
-  qint64 written = 0;           // when the file that they are of was [ms since 1970]
+  QString path;                      // of its file
+  std::optional<ScoreValues> scores; // none: not compared, or not by what is compared now
+  qint64 written = 0;                // when the file that they are of was [ms since 1970]
 
   bool operator==(const KeptMethod&) const = default;
 };

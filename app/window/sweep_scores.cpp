@@ -20,7 +20,7 @@ struct SweepText {
 };
 
 bool isLessBetter(const JudgedNumber& number) {
-  return number.better == JudgeRow::Better::less;
+  return number.better == Better::less;
 }
 
 /// The best value of a number; none: there is none, or too many have it.

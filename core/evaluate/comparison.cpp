@@ -1,7 +1,7 @@
 #include "core/evaluate/comparison.h"
 
-#include "core/evaluate/barcode.h"
 #include "core/evaluate/comparable.h"
+#include "core/evaluate/compared_plants.h"
 #include "core/evaluate/comparison_warnings.h"
 #include "core/evaluate/plant_measures.h"
 
@@ -55,32 +55,9 @@ std::optional<LightInterception> lightOf(Comparison& comparison, const Skeleton&
   return light;
 }
 
-/// Parts of a plant that an edit distance would compare.
-std::size_t parts(const Traits& traits, EditUnit unit) {
-  if (unit == EditUnit::node) return traits.nodes;
-  if (unit == EditUnit::segment) return traits.segments;
-  std::size_t axes = 0;
-  for (const std::size_t ofOrder : traits.axesByOrder)
-    axes += ofOrder;
-  return axes;
-}
-
-/// No pair is capped at no distance, but a tolerance may be zero.
-std::vector<double> cappedDistances(const ToleranceCurve& curve) {
-  std::vector<double> distances;
-  for (const ToleranceScore& score : curve.scores)
-    if (score.distance > 0) distances.push_back(score.distance);
-  return distances;
-}
-
-void compareEdits(Comparison& comparison, const Skeleton& laid, const Skeleton& reference,
-                  const EditOptions& options, const Progress& progress) {
-  const std::size_t ofResult = parts(comparison.resultTraits, options.unit);
-  const std::size_t ofReference = parts(comparison.referenceTraits, options.unit);
-  if (ofResult * ofReference <= mostEditedPairs) {
-    comparison.edit = editComparison(laid, reference, options, progress);
-    return;
-  }
+void warnOfEdits(Comparison& comparison, ComparedPlants& plants, EditUnit unit) {
+  if (plants.edit()) return;
+  const auto [ofResult, ofReference] = editedParts(plants, unit);
   std::ostringstream text;
   text << "the edit distance of " << ofResult << " and " << ofReference
        << " parts would take too long and is left out: compare segments or axes";
@@ -96,25 +73,16 @@ void measureEach(Comparison& comparison, const Skeleton& result, const Skeleton&
   comparison.referenceWood = woodAmounts(reference, comparison.radiusLimits);
 }
 
-/// Tips, branchings, radii, and what hangs on what, within `distance`.
-void compareLandmarks(Comparison& comparison, const Skeleton& laid, const Skeleton& reference,
-                      double distance, double near, const Progress& progress) {
-  const double step = comparison.tolerance.step;
-  comparison.tips = landmarkAgreement(tips(laid), tips(reference), distance);
-  comparison.branchings = landmarkAgreement(branchings(laid), branchings(reference), distance);
-  comparison.diadem = diademScore(laid, reference, {.distance = distance});
-  comparison.pathLengths = pathLengthAgreement(
-      laid, reference, {.distance = distance, .step = step}, progress.part(0, 0.2));
-  comparison.network =
-      networkAgreement(laid, reference, {.deviation = near, .distance = distance, .step = step},
-                       progress.part(0.2, 0.4));
-  comparison.barcodeDistance = barcodeDistance(barcode(laid), barcode(reference));
-  comparison.radii =
-      radiusAgreement(laid, reference, distance, step,
-                      comparison.coverages ? *comparison.coverages : std::vector<double>(),
-                      progress.part(0.4, 0.5));
-  comparison.architecture = architectureAgreement(laid, reference, comparison.authors, distance,
-                                                  step, progress.part(0.5, 1));
+/// All scores where they lie, and those that take a distance at each of the curve's.
+void score(Comparison& comparison, ComparedPlants& plants) {
+  const double near = plants.distance();
+  for (const Score& each : scores())
+    comparison.scores[each.key] = each.compute(plants);
+  for (const ToleranceScore& at : plants.tolerance().scores) {
+    plants.goTo(at.distance);
+    comparison.scoresAt.push_back({at.distance, valuesOf(scoresByDistance(), plants)});
+  }
+  plants.goTo(near);
 }
 
 /// How much of the way around each node of the reference the scanner saw; null without a scan.
@@ -152,31 +120,26 @@ Comparison compare(const Skeleton& result, const Skeleton& reference,
     laid = moved(result, comparison.registration->motion);
     warnOfShift(comparison, defaultTolerances(reference).front());
   }
-  comparison.authors =
-      authorsComparison(laid, reference, options.authors, progress.part(0.6, 0.63));
-  comparison.paths = pathMatches(comparison.authors);
-  compareEdits(comparison, laid, reference, options.edit,
-               progress.part(0.63, 0.68, "Counting edits"));
-  comparison.tolerance = toleranceCurve(laid, reference, options.tolerance,
-                                        progress.part(0.68, 0.8, "Measuring distances"));
-  if (ofSize.empty()) warnOfMisfit(comparison);
-  comparison.capped = cappedScores(
-      laid, reference,
-      {.distances = cappedDistances(comparison.tolerance), .step = comparison.tolerance.step},
-      progress.part(0.8, 0.9));
-
   comparison.coverages =
-      coveragesOf(comparison, result, reference, options, progress.part(0.9, 0.91));
+      coveragesOf(comparison, result, reference, options, progress.part(0.6, 0.61));
+  ComparisonOptions laidOptions = options;
+  laidOptions.coverages = comparison.coverages;
+  if (!laidOptions.laidBefore) laidOptions.laidBefore = comparison.registration;
+  ComparedPlants plants(laid, reference, laidOptions, progress.part(0.61, 0.63));
+  static_cast<void>(plants.authors());
+  plants.with(progress.part(0.63, 0.68, "Counting edits"));
+  warnOfEdits(comparison, plants, options.edit.unit);
+  plants.with(progress.part(0.68, 0.8, "Measuring distances"));
+  comparison.tolerance = plants.tolerance();
+  if (ofSize.empty()) warnOfMisfit(comparison);
+  plants.with(progress.part(0.8, 0.95));
+  score(comparison, plants);
+  const double near = plants.distance();
+  std::move(plants).moveTo(comparison);
   const Skeleton uprightLaid = standing(laid, up);
-  comparison.stems = stemDiameters(uprightLaid, uprightReference, options.breastHeight);
-  const double step = comparison.tolerance.step;
-  const double near = options.placeDistance > 0 ? options.placeDistance : usualTolerance(reference);
-  compareLandmarks(comparison, laid, reference,
-                   options.landmarkDistance > 0 ? options.landmarkDistance
-                                                : comparison.referenceTraits.medianEdge,
-                   near, progress.part(0.91, 0.95));
-  comparison.byPlace = agreementByPlace(uprightLaid, uprightReference, near, step,
-                                        progress.part(0.95, options.light ? 0.96 : 1));
+  comparison.byPlace =
+      agreementByPlace(uprightLaid, uprightReference, near, comparison.tolerance.step,
+                       progress.part(0.95, options.light ? 0.96 : 1));
   if (options.light) {
     comparison.resultLight = lightOf(comparison, uprightLaid, "the plant", *options.light,
                                      progress.part(0.96, 0.98, "Measuring light"));

@@ -16,6 +16,7 @@
 #include "core/evaluate/radius_agreement.h"
 #include "core/evaluate/registration.h"
 #include "core/evaluate/scan_sight.h"
+#include "core/evaluate/scores.h"
 #include "core/evaluate/tolerance_curve.h"
 #include "core/evaluate/traits.h"
 #include "core/evaluate/wood_amounts.h"
@@ -27,6 +28,8 @@
 #include <vector>
 
 namespace espalier {
+
+struct Differences;
 
 struct ComparisonOptions {
   bool registers = true;            // lays the result on the reference before anything is measured
@@ -41,11 +44,23 @@ struct ComparisonOptions {
   EvaluatedScan scan;                // without points: no errors by the arc that was seen
   /// By id of the reference, found before from that scan; null: they are found.
   std::shared_ptr<const std::vector<double>> coverages;
+  /// Found before, at `placeDistance`; outlive the comparison; null: they are found.
+  const Differences* differences = nullptr;
+  /// How the result was laid on the reference before: told as its shift and turn.
+  std::optional<Registration> laidBefore = {};
+};
+
+/// The scores that take a distance, at one.
+struct ScoresAt {
+  double distance = 0; // [L]
+  ScoreValues values;
 };
 
 /// All that tells how a result agrees with its reference.
 struct Comparison {
   std::optional<Registration> registration; // none if it was not asked for
+  ScoreValues scores;                       // all, at the distance of `byPlace`
+  std::vector<ScoresAt> scoresAt;           // by the distances of `tolerance`
   AuthorsComparison authors;
   PathMatches paths;                  // of `authors`, one to many
   std::vector<CappedScore> capped;    // by the distances of `tolerance`
@@ -76,9 +91,8 @@ struct Comparison {
 /// Pairs of parts of both plants up to which compare() tells the edit distance: a few seconds.
 inline constexpr std::size_t mostEditedPairs = 25'000'000;
 
-/// Compares a result with its reference: registration, then the authors' indices, as they are, one
-/// to many, and capped, edit distance, tolerance curve, tips, branchings, connections, radii and
-/// agreement by place on the registered result, and the barcodes, the traits and the wood of both.
+/// Compares a result with its reference: registration, then all scores and what they come from on
+/// the registered result, agreement by place, and the traits and the wood of both.
 ///
 /// Warns if the two lie apart by more than the finest default tolerance or were turned, if one is
 /// of several trees, if one is as much larger as a unit is than another, or over 20 times, and if

@@ -15,6 +15,13 @@ Json toJson(const Eigen::Vector3d& vector) {
   return Json::array({vector.x(), vector.y(), vector.z()});
 }
 
+Json toJson(const ScoreValues& values) {
+  Json json;
+  for (const Score& score : scores())
+    json[score.key] = values.at(score.key) ? Json(*values.at(score.key)) : Json();
+  return json;
+}
+
 Json toJson(const AuthorsComparison& authors) {
   return {{"segments",
            {{"result", authors.resultSegments.size()},
@@ -217,6 +224,7 @@ nlohmann::ordered_json toJson(const Comparison& comparison) {
   json["light"] = {
       {"result", comparison.resultLight ? toJson(*comparison.resultLight) : Json()},
       {"reference", comparison.referenceLight ? toJson(*comparison.referenceLight) : Json()}};
+  json["scores"] = toJson(comparison.scores);
   json["warnings"] = comparison.warnings;
   return json;
 }

@@ -49,6 +49,7 @@ namespace espalier {
 ///                area,volume}
 ///   light        {result,reference}.{area,star,directions[].{elevation,azimuth,weight,silhouette,
 ///                star},convergence[].{pixels,star}}; null unless asked for
+///   scores       KEY: each of scores(), at the distance of by_place; null where it cannot be told
 ///   warnings[]   a line each
 ///
 /// The command line adds result, reference, and what app/cli/evaluate_numbers.h tells.

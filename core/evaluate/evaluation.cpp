@@ -72,6 +72,8 @@ Evaluation evaluate(const Skeleton& result, const Skeleton& reference,
   compared.tolerance.distances = {made.tolerance};
   compared.placeDistance = made.tolerance;
   compared.breastHeight = options.breastHeight;
+  compared.differences = &made.differences;
+  compared.laidBefore = made.registration;
   if (!options.motion || made.motion.isApprox(*options.motion))
     compared.coverages = options.coverages;
   if (!compared.coverages && options.scan)

@@ -10,9 +10,12 @@
 
 #include <cassert>
 #include <cmath>
+#include <span>
 
 namespace espalier {
 namespace {
+
+using PlantScores = std::map<std::string, double>; // of one plant, by key
 
 /// One plant to be made and scored.
 struct Run {
@@ -38,33 +41,35 @@ std::vector<NoiseSeries> wholeSeries(const std::vector<NoiseSeries>& asked) {
   return series;
 }
 
-std::vector<double> scoresOf(const Run& run, const Skeleton& reference, const NoiseStudy& study,
-                             const Progress& progress) {
+PlantScores scoresOf(const Run& run, const Skeleton& reference, const NoiseStudy& study,
+                     const Progress& progress) {
   Skeleton plant = perturbed(reference, run.kind, run.level, run.seed);
   try {
     if (study.isRegistered)
       plant = moved(plant, registration(plant, reference, {.goodEnough = 0.5}, progress).motion);
-    return agreementScores(plant, reference, study.scores, progress);
+    return studyScores(plant, reference, study.scores, progress);
   } catch (const Error&) {
     throw Error("level " + plainDecimal(run.level) + " of " + entryOf(run.kind).name +
                 " leaves nothing to compare: choose a lower one");
   }
 }
 
-/// Mean and deviation of the scores of runs [begin, begin + count).
-NoisePoint pointOf(double level, const std::vector<std::vector<double>>& scores, std::size_t begin,
-                   std::size_t count) {
-  const std::size_t kinds = scoreNames().size();
-  NoisePoint point{level, std::vector<double>(kinds, 0), std::vector<double>(kinds, 0)};
-  const auto plants = static_cast<double>(count);
-  for (std::size_t score = 0; score < kinds; ++score) {
-    for (std::size_t i = begin; i < begin + count; ++i)
-      point.mean[score] += scores[i][score] / plants;
-    double squares = 0;
-    for (std::size_t i = begin; i < begin + count; ++i)
-      squares += std::pow(scores[i][score] - point.mean[score], 2);
-    if (count > 1) point.deviation[score] = std::sqrt(squares / (plants - 1));
-  }
+ScoreSpread spreadOf(const std::string& key, std::span<const PlantScores> runs) {
+  const auto plants = static_cast<double>(runs.size());
+  ScoreSpread spread;
+  for (const PlantScores& scores : runs)
+    spread.mean += scores.at(key) / plants;
+  double squares = 0;
+  for (const PlantScores& scores : runs)
+    squares += std::pow(scores.at(key) - spread.mean, 2);
+  if (runs.size() > 1) spread.deviation = std::sqrt(squares / (plants - 1));
+  return spread;
+}
+
+NoisePoint pointOf(double level, std::span<const PlantScores> runs) {
+  NoisePoint point{.level = level, .scores = {}};
+  for (const Score* score : scoresIn(inStudies))
+    point.scores[score->key] = spreadOf(score->key, runs);
   return point;
 }
 
@@ -86,7 +91,7 @@ NoiseStudy noiseStudy(const Skeleton& reference, const NoiseOptions& options,
       for (std::size_t i = 0; i < options.repeats; ++i)
         runs.push_back({each.kind, level, options.seed + i});
 
-  std::vector<std::vector<double>> scores(runs.size());
+  std::vector<PlantScores> scores(runs.size());
   const Progress whole = progress.part(0, 1, "Comparing plants");
   const Progress stopOnly = whole.part(0, 0); // plants come at once: none tells how far all are
   parallelFor(
@@ -101,7 +106,8 @@ NoiseStudy noiseStudy(const Skeleton& reference, const NoiseOptions& options,
   for (const NoiseSeries& each : series) {
     study.curves.push_back({each.kind, {}});
     for (const double level : each.levels) {
-      study.curves.back().points.push_back(pointOf(level, scores, next, options.repeats));
+      study.curves.back().points.push_back(
+          pointOf(level, std::span(scores).subspan(next, options.repeats)));
       next += options.repeats;
     }
   }
@@ -115,8 +121,10 @@ nlohmann::ordered_json toJson(const NoiseStudy& study) {
     Json points = Json::array();
     for (const NoisePoint& point : curve.points) {
       Json scores = Json::object();
-      for (std::size_t i = 0; i < scoreNames().size(); ++i)
-        scores[scoreNames()[i]] = {{"mean", point.mean[i]}, {"deviation", point.deviation[i]}};
+      for (const Score* score : scoresIn(inStudies)) {
+        const ScoreSpread& spread = point.scores.at(score->key);
+        scores[score->key] = {{"mean", spread.mean}, {"deviation", spread.deviation}};
+      }
       points.push_back({{"level", point.level}, {"scores", scores}});
     }
     curves.push_back({{"kind", entryOf(curve.kind).name},
@@ -133,17 +141,18 @@ nlohmann::ordered_json toJson(const NoiseStudy& study) {
 
 std::vector<std::vector<std::string>> toTable(const NoiseStudy& study) {
   std::vector<std::vector<std::string>> rows = {{"kind", "level", "unit", "repeats"}};
-  for (const std::string& name : scoreNames()) {
-    rows.front().push_back(name);
-    rows.front().push_back(name + "_deviation");
+  for (const Score* score : scoresIn(inStudies)) {
+    rows.front().push_back(score->key);
+    rows.front().push_back(score->key + "_deviation");
   }
   for (const NoiseCurve& curve : study.curves)
     for (const NoisePoint& point : curve.points) {
       rows.push_back({entryOf(curve.kind).name, plainDecimal(point.level), entryOf(curve.kind).unit,
                       std::to_string(study.repeats)});
-      for (std::size_t i = 0; i < scoreNames().size(); ++i) {
-        rows.back().push_back(plainDecimal(point.mean[i]));
-        rows.back().push_back(plainDecimal(point.deviation[i]));
+      for (const Score* score : scoresIn(inStudies)) {
+        const ScoreSpread& spread = point.scores.at(score->key);
+        rows.back().push_back(plainDecimal(spread.mean));
+        rows.back().push_back(plainDecimal(spread.deviation));
       }
     }
   return rows;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/evaluate/agreement_scores.h"
+#include "core/evaluate/compared_plants.h"
 #include "core/evaluate/perturbation.h"
 #include "core/skeleton/skeleton.h"
 
@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -28,11 +29,15 @@ struct NoiseOptions {
   ScoreOptions scores;
 };
 
-/// Scores at one level, over the plants made there.
+/// A score over the plants made at one level.
+struct ScoreSpread {
+  double mean = 0;
+  double deviation = 0; // standard deviation of one plant; 0 of a single one
+};
+
 struct NoisePoint {
   double level = 0;
-  std::vector<double> mean;      // by Score
-  std::vector<double> deviation; // by Score: standard deviation of one plant; 0 of a single one
+  std::map<std::string, ScoreSpread> scores; // by key: those of studyScores()
 };
 
 struct NoiseCurve {
@@ -55,17 +60,17 @@ struct NoiseStudy {
 /// @throws Error     if the reference has no nodes, no length, or a position that is no number; if
 ///                   a level is outside its range, or leaves nothing to compare
 /// @throws Cancelled if `progress` asks to stop
-/// Deterministic on any number of threads. Cost: levels * repeats * agreementScores().
+/// Deterministic on any number of threads. Cost: levels * repeats * studyScores().
 /// Source: the design of the thesis, chapter 5: a reference under increasing noise.
 [[nodiscard]] NoiseStudy noiseStudy(const Skeleton& reference, const NoiseOptions& options = {},
                                     const Progress& progress = {});
 
 /// Keys: repeats, seed, registered, distance, landmark_distance, curves[].{kind,unit,points[].{
-/// level,scores.NAME.{mean,deviation}}}; the names are those of scoreNames().
+/// level,scores.KEY.{mean,deviation}}}; the keys are those of scoresIn(inStudies).
 [[nodiscard]] nlohmann::ordered_json toJson(const NoiseStudy& study);
 
-/// A table of fields, its first row the names of the columns: kind, level, unit, repeats, and NAME
-/// and NAME_deviation of each score.
+/// A table of fields, its first row the names of the columns: kind, level, unit, repeats, and KEY
+/// and KEY_deviation of each score.
 [[nodiscard]] std::vector<std::vector<std::string>> toTable(const NoiseStudy& study);
 
 } // namespace espalier

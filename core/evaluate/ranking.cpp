@@ -19,31 +19,6 @@
 namespace espalier {
 namespace {
 
-double ratio(double part, double whole) {
-  return whole > 0 ? std::min(1.0, part / whole) : 0; // the sums round differently
-}
-
-/// The scores that sums of shares give, by rankingScores().
-std::vector<double> scoresOf(const ShareSums& sums) {
-  const auto of = [&](Share share) { return sums(static_cast<Eigen::Index>(share)); };
-  const double length = of(Share::resultLength) + of(Share::referenceLength);
-  const double precision = ratio(of(Share::nearResult), of(Share::allResult));
-  const double recall = ratio(of(Share::nearReference), of(Share::allReference));
-  return {ratio(of(Share::matchedResult) + of(Share::matchedReference), length),
-          ratio(of(Share::conserved), of(Share::matches)),
-          ratio(of(Share::conserved), of(Share::segments)),
-          ratio(of(Share::cappedResult) + of(Share::cappedReference), length),
-          ratio(of(Share::cappedConserved), of(Share::segments)),
-          precision,
-          recall,
-          harmonicMean(precision, recall)};
-}
-
-std::size_t placeOf(Score score) {
-  const auto& all = rankingScores();
-  return static_cast<std::size_t>(std::ranges::find(all, score) - all.begin());
-}
-
 /// The middle share of the values.
 ScoreInterval intervalOf(double value, std::vector<double> values, double confidence) {
   std::ranges::sort(values);
@@ -57,14 +32,13 @@ ScoreInterval intervalOf(double value, std::vector<double> values, double confid
 struct Candidate {
   RankedResult ranked;
   SegmentShares shares;
-  std::vector<std::vector<double>> drawn; // by rankingScores(), in each draw
+  std::map<std::string, std::vector<double>> drawn; // by key, in each draw
 };
 
 /// Draws the segments again and again, the same for all candidates.
 void drawAll(std::vector<Candidate>& candidates, const RankingOptions& options,
              const Progress& progress) {
-  for (Candidate& candidate : candidates)
-    candidate.drawn.resize(rankingScores().size());
+  const ScoreList scores = rankedScores();
   Random random(options.seed);
   const auto segments = static_cast<std::size_t>(candidates.front().shares.cols());
   for (std::size_t draw = 0; draw < options.draws; ++draw) {
@@ -74,16 +48,16 @@ void drawAll(std::vector<Candidate>& candidates, const RankingOptions& options,
     for (std::size_t i = 0; i < segments; ++i)
       often(static_cast<Eigen::Index>(random.below(segments))) += 1;
     for (Candidate& candidate : candidates) {
-      const std::vector<double> scores = scoresOf(candidate.shares * often);
-      for (std::size_t k = 0; k < scores.size(); ++k)
-        candidate.drawn[k].push_back(scores[k]);
+      const ShareSums sums = candidate.shares * often;
+      for (const Score* score : scores)
+        candidate.drawn[score->key].push_back(score->ofShares(sums));
     }
   }
   for (Candidate& candidate : candidates) {
-    const std::vector<double> plain = scoresOf(candidate.shares.rowwise().sum());
-    for (std::size_t k = 0; k < plain.size(); ++k)
-      candidate.ranked.scores.push_back(
-          intervalOf(plain[k], candidate.drawn[k], options.confidence));
+    const ShareSums plain = candidate.shares.rowwise().sum();
+    for (const Score* score : scores)
+      candidate.ranked.scores[score->key] =
+          intervalOf(score->ofShares(plain), candidate.drawn[score->key], options.confidence);
   }
 }
 
@@ -114,21 +88,14 @@ double shareAbove(const std::vector<double>& first, const std::vector<double>& s
 
 } // namespace
 
-const std::vector<Score>& rankingScores() {
-  static const std::vector<Score> scores = {
-      Score::geometric,        Score::structural, Score::structuralOfAll, Score::cappedGeometric,
-      Score::cappedStructural, Score::precision,  Score::recall,          Score::f};
-  return scores;
-}
-
 Ranking ranking(const std::vector<Skeleton>& results, const Skeleton& reference,
                 const RankingOptions& options, const Progress& progress) {
-  assert(options.draws >= 1 && placeOf(options.by) < rankingScores().size());
+  assert(options.draws >= 1 && scoreOf(options.by).ofShares != nullptr);
   requireComparable(reference, "the reference");
   for (std::size_t i = 0; i < results.size(); ++i)
     requireComparable(results[i], "result " + std::to_string(i + 1));
   Ranking found{.by = options.by,
-                .distance = resolved({.distance = options.distance}, reference).distance,
+                .distance = options.distance > 0 ? options.distance : usualTolerance(reference),
                 .draws = options.draws,
                 .confidence = options.confidence,
                 .seed = options.seed,
@@ -144,14 +111,13 @@ Ranking ranking(const std::vector<Skeleton>& results, const Skeleton& reference,
     candidates.back().ranked.result = i;
   }
   drawAll(candidates, options, progress.part(0.9, 1, "Drawing"));
-  const std::size_t by = placeOf(options.by);
   std::ranges::stable_sort(candidates, [&](const Candidate& a, const Candidate& b) {
-    return a.ranked.scores[by].value > b.ranked.scores[by].value;
+    return a.ranked.scores.at(options.by).value > b.ranked.scores.at(options.by).value;
   });
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     if (i + 1 < candidates.size())
       candidates[i].ranked.aboveNext =
-          shareAbove(candidates[i].drawn[by], candidates[i + 1].drawn[by]);
+          shareAbove(candidates[i].drawn[options.by], candidates[i + 1].drawn[options.by]);
     found.results.push_back(candidates[i].ranked);
   }
   return found;
@@ -162,11 +128,10 @@ nlohmann::ordered_json toJson(const Ranking& ranking, const std::vector<std::str
   Json results = Json::array();
   for (const RankedResult& result : ranking.results) {
     Json scores = Json::object();
-    for (std::size_t k = 0; k < result.scores.size(); ++k)
-      scores[scoreNames()[static_cast<std::size_t>(rankingScores()[k])]] = {
-          {"value", result.scores[k].value},
-          {"low", result.scores[k].low},
-          {"high", result.scores[k].high}};
+    for (const Score* score : rankedScores()) {
+      const ScoreInterval& found = result.scores.at(score->key);
+      scores[score->key] = {{"value", found.value}, {"low", found.low}, {"high", found.high}};
+    }
     const Registration lay = result.registration.value_or(Registration());
     const auto listed = [](const Eigen::Vector3d& vector) {
       return Json::array({vector.x(), vector.y(), vector.z()});
@@ -180,26 +145,25 @@ nlohmann::ordered_json toJson(const Ranking& ranking, const std::vector<std::str
                        {"scores", scores},
                        {"above_next", result.aboveNext ? Json(*result.aboveNext) : Json()}});
   }
-  return {{"by", scoreNames()[static_cast<std::size_t>(ranking.by)]},
-          {"distance", ranking.distance},
-          {"draws", ranking.draws},
-          {"confidence", ranking.confidence},
-          {"seed", ranking.seed},
-          {"results", results}};
+  return {{"by", ranking.by},       {"distance", ranking.distance},
+          {"draws", ranking.draws}, {"confidence", ranking.confidence},
+          {"seed", ranking.seed},   {"results", results}};
 }
 
 std::vector<std::vector<std::string>> toTable(const Ranking& ranking,
                                               const std::vector<std::string>& names) {
   std::vector<std::vector<std::string>> rows = {{"rank", "result"}};
-  for (const Score score : rankingScores())
+  for (const Score* score : rankedScores())
     for (const char* ending : {"", "_low", "_high"})
-      rows.front().push_back(scoreNames()[static_cast<std::size_t>(score)] + ending);
+      rows.front().push_back(score->key + ending);
   rows.front().emplace_back("above_next");
   for (const RankedResult& result : ranking.results) {
     rows.push_back({std::to_string(rows.size()), names.at(result.result)});
-    for (const ScoreInterval& score : result.scores)
-      for (const double value : {score.value, score.low, score.high})
+    for (const Score* score : rankedScores()) {
+      const ScoreInterval& found = result.scores.at(score->key);
+      for (const double value : {found.value, found.low, found.high})
         rows.back().push_back(plainDecimal(value));
+    }
     rows.back().push_back(result.aboveNext ? plainDecimal(*result.aboveNext) : "");
   }
   return rows;

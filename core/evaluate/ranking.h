@@ -1,30 +1,28 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/evaluate/agreement_scores.h"
 #include "core/evaluate/registration.h"
+#include "core/evaluate/scores.h"
 #include "core/skeleton/skeleton.h"
 
 #include <nlohmann/json_fwd.hpp>
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace espalier {
 
-/// Scores that are sums over the segments of the reference, so that segments can be drawn again.
-[[nodiscard]] const std::vector<Score>& rankingScores();
-
 struct RankingOptions {
   bool registers = true; // lays each result on the reference first
   RegistrationOptions registration;
-  Score by = Score::f;      // one of rankingScores()
-  double distance = 0;      // [L]; 0 = as ScoreOptions
-  std::size_t draws = 2000; // of the bootstrap, >= 1
-  double confidence = 0.95; // of the intervals, in (0, 1)
+  std::string by = std::string(leadingScore); // the key of one of rankedScores()
+  double distance = 0;                        // [L]; 0 = usualTolerance()
+  std::size_t draws = 2000;                   // of the bootstrap, >= 1
+  double confidence = 0.95;                   // of the intervals, in (0, 1)
   std::uint64_t seed = 1;
 };
 
@@ -36,14 +34,14 @@ struct ScoreInterval {
 };
 
 struct RankedResult {
-  std::size_t result = 0;                   // which of those given
-  std::optional<Registration> registration; // none if it was compared where it lay
-  std::vector<ScoreInterval> scores;        // by rankingScores()
+  std::size_t result = 0;                      // which of those given
+  std::optional<Registration> registration;    // none if it was compared where it lay
+  std::map<std::string, ScoreInterval> scores; // by key: rankedScores()
   std::optional<double> aboveNext; // share of draws in which it beats the next; none for the last
 };
 
 struct Ranking {
-  Score by = Score::f;
+  std::string by;      // key of a score
   double distance = 0; // [L], as used
   std::size_t draws = 0;
   double confidence = 0;
@@ -68,12 +66,12 @@ struct Ranking {
                               const RankingOptions& options = {}, const Progress& progress = {});
 
 /// Keys: by, distance, draws, confidence, seed, results[].{rank,result,shift,rotation,axis,
-/// near_share,scores.NAME.{value,low,high},above_next}; `names` are what the results are called.
+/// near_share,scores.KEY.{value,low,high},above_next}; `names` are what the results are called.
 [[nodiscard]] nlohmann::ordered_json toJson(const Ranking& ranking,
                                             const std::vector<std::string>& names);
 
-/// A table of fields, its first row the names of the columns: rank, result, and NAME, NAME_low and
-/// NAME_high of each score, above_next.
+/// A table of fields, its first row the names of the columns: rank, result, and KEY, KEY_low and
+/// KEY_high of each score, above_next.
 [[nodiscard]] std::vector<std::vector<std::string>> toTable(const Ranking& ranking,
                                                             const std::vector<std::string>& names);
 

@@ -10,8 +10,8 @@
 namespace espalier {
 namespace {
 
-double meanOf(const NoisePoint& point, Score score) {
-  return point.mean[static_cast<std::size_t>(score)];
+double meanOf(const NoisePoint& point, const std::string& key) {
+  return point.scores.at(key).mean;
 }
 
 struct Known {
@@ -36,9 +36,9 @@ void expectKnown(Perturbation kind, const std::vector<Known>& known) {
       noiseStudy(readStructure(expert).value.skeleton, {.series = {series}, .repeats = 20});
   for (std::size_t i = 0; i < known.size(); ++i) {
     const NoisePoint& point = study.curves[0].points[i];
-    const double scatter = point.deviation[static_cast<std::size_t>(Score::structural)];
-    EXPECT_NEAR(meanOf(point, Score::geometric), known[i].geometric, 0.01) << known[i].level;
-    EXPECT_NEAR(meanOf(point, Score::structural), known[i].structural, std::max(0.01, 2 * scatter))
+    const double scatter = point.scores.at("structural").deviation;
+    EXPECT_NEAR(meanOf(point, "geometric"), known[i].geometric, 0.01) << known[i].level;
+    EXPECT_NEAR(meanOf(point, "structural"), known[i].structural, std::max(0.01, 2 * scatter))
         << known[i].level;
     EXPECT_LT(scatter, 0.03) << known[i].level << ": or else the bound says nothing";
   }

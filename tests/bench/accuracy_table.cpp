@@ -51,7 +51,7 @@ struct Row {
   PipelineOptions options; // that these change
 };
 
-struct Score {
+struct Reached {
   double geometric = 0;
   double structural = 0;
   double precision = 0;
@@ -146,12 +146,12 @@ PipelineOptions optionsOf(const Row& row) {
   return options;
 }
 
-Score scoreOf(const Row& row, const Plant& plant) {
+Reached scoreOf(const Row& row, const Plant& plant) {
   using Clock = std::chrono::steady_clock;
   const double spacing = pointSpacing(plant.cloud->positions());
   const auto start = Clock::now();
   const Reconstruction result = Pipeline().run(plant.cloud, optionsOf(row));
-  Score score;
+  Reached score;
   score.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   const Comparison comparison =
       compare(*result.skeleton, plant.truth,
@@ -170,21 +170,22 @@ Score scoreOf(const Row& row, const Plant& plant) {
   return score;
 }
 
-void print(const std::string& name, const Score& score) {
+void print(const std::string& name, const Reached& score) {
   std::printf("%-34s %.3f %.3f  %.3f %.3f %.3f  %.3f  %5.3f %5.3f %6.3f  %6.2f\n", name.c_str(),
               score.geometric, score.structural, score.precision, score.recall, score.f, score.axis,
               score.thickError, score.radiusError, score.radiusBias, score.seconds);
   std::fflush(stdout);
 }
 
-Score meanOf(const std::vector<Score>& scores) {
-  Score mean;
-  for (double Score::*member :
-       {&Score::geometric, &Score::structural, &Score::precision, &Score::recall, &Score::f,
-        &Score::axis, &Score::thickError, &Score::radiusError, &Score::radiusBias, &Score::seconds})
-    for (const Score& score : scores)
+Reached meanOf(const std::vector<Reached>& scores) {
+  Reached mean;
+  for (double Reached::*member :
+       {&Reached::geometric, &Reached::structural, &Reached::precision, &Reached::recall,
+        &Reached::f, &Reached::axis, &Reached::thickError, &Reached::radiusError,
+        &Reached::radiusBias, &Reached::seconds})
+    for (const Reached& score : scores)
       mean.*member += score.*member / static_cast<double>(scores.size());
-  for (const Score& score : scores)
+  for (const Reached& score : scores)
     mean.radii.insert(mean.radii.end(), score.radii.begin(), score.radii.end());
   return mean;
 }
@@ -219,7 +220,7 @@ struct Details {
 };
 
 void printRow(const Row& row, const std::vector<Plant>& plants, const Details& details) {
-  std::vector<Score> scores;
+  std::vector<Reached> scores;
   for (const Plant& plant : plants) {
     try {
       scores.push_back(scoreOf(row, plant));
@@ -229,7 +230,7 @@ void printRow(const Row& row, const std::vector<Plant>& plants, const Details& d
     }
   }
   if (scores.empty()) return;
-  const Score mean = meanOf(scores);
+  const Reached mean = meanOf(scores);
   print(row.name, mean);
   if (details.radii) printRadii(mean.radii);
 }

@@ -3,6 +3,7 @@
 #include "ui/document/hand_work_text.h"
 #include "ui/document/plant_document.h"
 #include "ui/panels/label_role.h"
+#include "ui/panels/score_text.h"
 
 #include <QGridLayout>
 #include <QLabel>
@@ -38,23 +39,25 @@ EvaluationScores::EvaluationScores(const PlantDocument& document) : document_(do
 
 /// The groups one below the other, in two columns of about the same height.
 void EvaluationScores::addScores(QGridLayout& grid) {
-  std::map<QString, int> rowsOf; // of each group, with its name
-  for (const ScoreEntry& entry : scoreEntries())
-    if (!entry.group.isEmpty()) rowsOf[entry.group] += rowsOf.contains(entry.group) ? 1 : 2;
+  const ScoreList shown = leadingFirst(scoresIn(inPanel));
+  std::map<QString, int> rowsOf; // of each group, with its title
+  for (const Score* score : shown) {
+    const QString title = titleOf(score->group);
+    rowsOf[title] += rowsOf.contains(title) ? 1 : 2;
+  }
   int rows = 0;
-  for (const auto& [name, count] : rowsOf)
+  for (const auto& [title, count] : rowsOf)
     rows += count;
   Place place;
   QString group;
-  for (const ScoreEntry& entry : scoreEntries()) {
-    values_.push_back(nullptr);
-    if (entry.group.isEmpty()) continue;
-    if (entry.group != group) {
-      const bool isMoreThanHalf = 2 * place.row + rowsOf[entry.group] > rows;
+  for (const Score* score : shown) {
+    if (const QString title = titleOf(score->group); title != group) {
+      const bool isMoreThanHalf = 2 * place.row + rowsOf[title] > rows;
       if (place.column == 0 && isMoreThanHalf) place = {.row = 0, .column = 1};
-      addGroup(grid, place, group = entry.group);
+      addGroup(grid, place, group = title);
     }
-    values_.back() = addValue(grid, place, entry.name, entry.help, ("score_" + entry.key).c_str());
+    values_[score->key] = addValue(grid, place, titled(symbolOf(*score)), tipOf(*score),
+                                   ("score_" + score->key).c_str());
   }
   stems_ = makeLabel("score_stems", "quiet");
   stems_->setWordWrap(true);
@@ -88,10 +91,9 @@ QLabel* EvaluationScores::addValue(QGridLayout& grid, Place& place, const QStrin
 }
 
 void EvaluationScores::show(const Evaluation& evaluation) {
-  const Scores scores = scoresOf(evaluation);
-  for (std::size_t i = 0; i < scores.size(); ++i)
-    if (values_[i] != nullptr)
-      values_[i]->setText(textOf(scores[i], scoreEntries()[i].kind, document_.unit()));
+  const ScoreValues& scores = evaluation.comparison.scores;
+  for (const auto& [key, value] : values_)
+    value->setText(textOf(scores.at(key), scoreOf(key).unit, document_.unit()));
   const std::string& missing = evaluation.comparison.stems.missing;
   stems_->setText(missing.empty()
                       ? QString()
@@ -123,15 +125,15 @@ void EvaluationScores::endBetweenRows() {
 }
 
 void EvaluationScores::forget() {
-  for (QLabel* value : values_)
-    if (value != nullptr) value->setText(QStringLiteral("–"));
+  for (const auto& [key, value] : values_)
+    value->setText(QStringLiteral("–"));
   stems_->hide();
   fit();
 }
 
 void EvaluationScores::setStale(bool isStale) {
-  for (QLabel* value : values_)
-    if (value != nullptr) setRole(*value, isStale ? "quiet" : "value");
+  for (const auto& [key, value] : values_)
+    setRole(*value, isStale ? "quiet" : "value");
 }
 
 void EvaluationScores::showHandWork(const HandWork& work) {

@@ -2,12 +2,12 @@
 
 #include "core/evaluate/evaluation.h"
 #include "core/project/corrections.h"
-#include "ui/panels/score_list.h"
 
 #include <QScrollArea>
 #include <QString>
 
-#include <vector>
+#include <map>
+#include <string>
 
 class QGridLayout;
 class QLabel;
@@ -42,8 +42,8 @@ private:
 
   const PlantDocument& document_;
   QWidget* scores_;
-  std::vector<QLabel*> values_; // by scoreEntries(); null: not in the panel
-  QLabel* stems_;               // why their diameters are not told
+  std::map<std::string, QLabel*> values_; // by key of the score
+  QLabel* stems_;                         // why their diameters are not told
   QLabel* work_;
 };
 

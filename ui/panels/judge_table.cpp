@@ -79,15 +79,15 @@ QString differenceText(const JudgeRow& row, double difference) {
   if (difference == 0) return QStringLiteral("=");
   const QString number = numberText(std::abs(difference), row.decimals);
   QString text = (difference > 0 ? QStringLiteral("+") : QStringLiteral("−")) + number;
-  if (row.better == JudgeRow::Better::neither) return text;
-  const bool isBetter = (row.better == JudgeRow::Better::more) == (difference > 0);
+  if (row.better == Better::neither) return text;
+  const bool isBetter = (row.better == Better::more) == (difference > 0);
   return text + (isBetter ? QStringLiteral(" ✓") : QStringLiteral(" ✗"));
 }
 
 QString tipOf(const JudgeRow& row) {
-  const QString better = row.better == JudgeRow::Better::less   ? JudgeTable::tr("Less is better.")
-                         : row.better == JudgeRow::Better::more ? JudgeTable::tr("More is better.")
-                                                                : QString();
+  const QString better = row.better == Better::less   ? JudgeTable::tr("Less is better.")
+                         : row.better == Better::more ? JudgeTable::tr("More is better.")
+                                                      : QString();
   const QString stop = row.meaning.endsWith('.') ? QString() : QStringLiteral(".");
   return QStringLiteral("<qt>%1%2 %3</qt>").arg(row.meaning.toHtmlEscaped(), stop, better);
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/evaluate/scores.h"
+
 #include <QString>
 #include <QTableWidget>
 
@@ -10,8 +12,6 @@ namespace espalier {
 
 /// A number that states are judged by.
 struct JudgeRow {
-  enum class Better { less, more, neither };
-
   QString name;
   QString unit;    // empty: none
   QString meaning; // how it is defined, for its tip

@@ -15,15 +15,9 @@ namespace {
 constexpr int valueRole = Qt::UserRole;   // the number itself
 constexpr int rowRole = Qt::UserRole + 1; // as it was given
 
-/// The scores that have a column, by their places in scoreEntries().
-const std::vector<std::size_t>& columnScores() {
-  static const std::vector<std::size_t> places = [] {
-    std::vector<std::size_t> found;
-    for (std::size_t i = 0; i < scoreEntries().size(); ++i)
-      if (!scoreEntries()[i].column.isEmpty()) found.push_back(i);
-    return found;
-  }();
-  return places;
+const ScoreList& columnScores() {
+  static const ScoreList scores = leadingFirst(scoresIn(inMethods));
+  return scores;
 }
 
 /// Sorts by number; what has none comes after all others, whichever way.
@@ -75,9 +69,9 @@ MethodsPanel::MethodsPanel(QWidget* parent)
   table_->setColumnCount(1 + static_cast<int>(columnScores().size()));
   table_->setHorizontalHeaderItem(0, new QTableWidgetItem(tr("Structure")));
   for (std::size_t k = 0; k < columnScores().size(); ++k) {
-    const ScoreEntry& entry = scoreEntries()[columnScores()[k]];
-    auto* head = new QTableWidgetItem(entry.column);
-    head->setToolTip(entry.help);
+    const Score& score = *columnScores()[k];
+    auto* head = new QTableWidgetItem(titled(symbolOf(score)));
+    head->setToolTip(tipOf(score));
     table_->setHorizontalHeaderItem(static_cast<int>(k) + 1, head);
   }
   table_->horizontalHeader()->setHighlightSections(false);
@@ -106,12 +100,11 @@ void MethodsPanel::show(const std::vector<MethodRow>& rows, const QString& refer
     name->setData(rowRole, i);
     table_->setItem(i, 0, name);
     for (std::size_t k = 0; k < columnScores().size(); ++k) {
-      const std::size_t score = columnScores()[k];
+      const Score& score = *columnScores()[k];
       const std::optional<double> value =
-          row.scores ? row.scores->at(score) : std::optional<double>();
+          row.scores ? row.scores->at(score.key) : std::optional<double>();
       const bool isComing = row.error.isEmpty() && !row.scores;
-      auto* cell = new Cell(isComing ? QStringLiteral("…")
-                                     : textOf(value, scoreEntries()[score].kind, unit));
+      auto* cell = new Cell(isComing ? QStringLiteral("…") : textOf(value, score.unit, unit));
       if (value) cell->setData(valueRole, *value);
       cell->setToolTip(row.error);
       cell->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/document/length_unit.h"
-#include "ui/panels/score_list.h"
+#include "ui/panels/score_text.h"
 
 #include <QString>
 #include <QWidget>
@@ -18,8 +18,8 @@ namespace espalier {
 /// A structure in the table, and where it stands.
 struct MethodRow {
   QString name;
-  std::optional<Scores> scores; // none: not compared yet
-  QString error;                // why it cannot be, or what is doubtful; empty: all is well
+  std::optional<ScoreValues> scores; // none: not compared yet
+  QString error;                     // why it cannot be, or what is doubtful; empty: all is well
 };
 
 /// A table of any number of structures against one reference: a row each, sorted by any column.

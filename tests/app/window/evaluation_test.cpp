@@ -40,7 +40,7 @@ TEST_F(EvaluationWindowTest, GivesThePlantItselfAllThatCanBeReached) {
   compare(nothing);
   EXPECT_TRUE(find<QDockWidget>("evaluation").isVisible()) << "what was loaded is shown";
   for (const char* name : {"f", "precision", "recall", "tips", "branchings", "mapping", "geometric",
-                           "capped_geometric", "structural", "structural_all", "types"})
+                           "capped_geometric", "structural", "structural_of_all", "edge_kappa"})
     EXPECT_EQ(score(name), "1.000") << name;
   EXPECT_EQ(score("edits"), "0");
   EXPECT_EQ(score("work"), "none");
@@ -75,12 +75,12 @@ TEST_F(EvaluationWindowTest, TellsWhatIsMissedAndFarInGroups) {
   EXPECT_GT(score("missed_length").toDouble(), 0.1);
   EXPECT_EQ(score("invented_length"), "0.000");
   EXPECT_EQ(score("missed_connections"), "0.000");
-  EXPECT_GT(score("barcodes").toDouble(), 0.05);
+  EXPECT_GT(score("barcode").toDouble(), 0.05);
   EXPECT_EQ(score("far_plant"), "0.000");
   EXPECT_GT(score("far_reference").toDouble(), 0.1);
-  EXPECT_GT(score("substantial_from").split(QChar(0x202f)).front().toDouble(), 0.1);
+  EXPECT_GT(score("substantial_to_result").split(QChar(0x202f)).front().toDouble(), 0.1);
   EXPECT_EQ(score("concordance"), "1.000");
-  EXPECT_EQ(score("radius_rms"), formatLength(0, document().unit(), 3));
+  EXPECT_EQ(score("radius_root_mean_square"), formatLength(0, document().unit(), 3));
   EXPECT_EQ(score("radius_arc_0"), QStringLiteral("–")) << "there is no scan";
   EXPECT_EQ(score("wrong"), "0");
   for (const QLabel* label : window().findChildren<QLabel*>()) {

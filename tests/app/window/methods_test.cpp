@@ -168,10 +168,12 @@ TEST_F(MethodsWindowTest, OfOneProjectIsNotThatOfTheNext) {
 }
 
 TEST(MethodsText, ComesBackAsItWas) {
-  Scores scores(scoreEntries().size(), 0.25);
-  scores.back() = std::nullopt;
+  ScoreValues values;
+  for (const Score& score : scores())
+    values[score.key] = 0.25;
+  values["shift"] = std::nullopt;
   const std::vector<KeptMethod> kept = {
-      {.path = "/a/b.mtg", .scores = scores, .written = 1'700'000'000'123},
+      {.path = "/a/b.mtg", .scores = values, .written = 1'700'000'000'123},
       {.path = "c.mtg", .scores = std::nullopt}};
   EXPECT_EQ(methodsFrom(textOf(kept)), kept);
   EXPECT_EQ(textOf(std::vector<KeptMethod>()), "");

@@ -22,9 +22,10 @@ Judgment judgment(double thickness, Eigen::Index lost, Eigen::Index webbed) {
 
 Judgment scored(double f) {
   Judgment judged = judgment(1, 2, 3);
-  judged.scores = Scores(scoreEntries().size());
-  const auto at = std::ranges::find(scoreEntries(), std::string("f"), &ScoreEntry::key);
-  (*judged.scores)[static_cast<std::size_t>(at - scoreEntries().begin())] = f;
+  judged.scores = ScoreValues();
+  for (const Score& score : scores())
+    (*judged.scores)[score.key] = std::nullopt;
+  (*judged.scores)["f"] = f;
   return judged;
 }
 

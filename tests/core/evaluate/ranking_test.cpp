@@ -1,5 +1,6 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/evaluate/compared_plants.h"
 #include "core/evaluate/perturbation.h"
 #include "core/evaluate/ranking.h"
 #include "tests/core/evaluate/evaluate_plants.h"
@@ -8,7 +9,6 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <gmock/gmock.h>
 #include <stop_token>
 
@@ -21,14 +21,9 @@ std::vector<Skeleton> threeResults() {
   return {test::jittered(test::bush(), 0.1), test::bush(), test::jittered(test::bush(), 0.02)};
 }
 
-std::size_t placeOf(Score score) {
-  const auto& all = rankingScores();
-  return static_cast<std::size_t>(std::ranges::find(all, score) - all.begin());
-}
-
 TEST(Ranking, PutsTheBestFirst) {
   const Ranking found =
-      ranking(threeResults(), test::bush(), {.by = Score::cappedGeometric, .distance = 0.15});
+      ranking(threeResults(), test::bush(), {.by = "capped_geometric", .distance = 0.15});
   ASSERT_EQ(found.results.size(), 3U);
   EXPECT_EQ(found.results[0].result, 1U);
   EXPECT_EQ(found.results[1].result, 2U);
@@ -40,18 +35,17 @@ TEST(Ranking, PutsTheBestFirst) {
 TEST(Ranking, HasTheScoresOfTheWholePlant) {
   const Skeleton result = threeResults()[0];
   const ScoreOptions lengths{.distance = 0.15};
-  const std::vector<double> scores = agreementScores(result, test::bush(), lengths);
+  const auto scores = studyScores(result, test::bush(), lengths);
   const Ranking found =
       ranking({result}, test::bush(), {.registers = false, .distance = 0.15, .draws = 10});
-  for (const Score score : rankingScores())
-    EXPECT_NEAR(found.results[0].scores[placeOf(score)].value,
-                scores[static_cast<std::size_t>(score)], 1e-9)
-        << scoreNames()[static_cast<std::size_t>(score)];
+  EXPECT_EQ(found.results[0].scores.size(), 8U);
+  for (const auto& [key, score] : found.results[0].scores)
+    EXPECT_NEAR(score.value, scores.at(key), 1e-9) << key;
 }
 
 TEST(Ranking, OfTheReferenceItselfIsSure) {
   const Ranking found = ranking({test::bush()}, test::bush());
-  for (const ScoreInterval& score : found.results[0].scores) {
+  for (const auto& [key, score] : found.results[0].scores) {
     EXPECT_NEAR(score.value, 1, 1e-9);
     EXPECT_NEAR(score.low, 1, 1e-9);
     EXPECT_NEAR(score.high, 1, 1e-9);
@@ -70,8 +64,8 @@ TEST(Ranking, HasTheIntervalOfABinomialWhereSegmentsAreFoundOrNot) {
     return plant;
   };
   const Ranking found =
-      ranking({sticks(60)}, sticks(100), {.registers = false, .by = Score::recall, .draws = 4000});
-  const ScoreInterval recall = found.results[0].scores[placeOf(Score::recall)];
+      ranking({sticks(60)}, sticks(100), {.registers = false, .by = "recall", .draws = 4000});
+  const ScoreInterval recall = found.results[0].scores.at("recall");
   EXPECT_NEAR(recall.value, 0.6, 1e-9);
   EXPECT_NEAR(recall.low, 0.6 - 0.096, 0.012);
   EXPECT_NEAR(recall.high, 0.6 + 0.096, 0.012);
@@ -88,7 +82,7 @@ TEST(Ranking, TellsTheShiftOfEachResult) {
   const Ranking found =
       ranking({test::shifted(test::bush(), {0.5, 0, 0})}, test::bush(), {.draws = 10});
   EXPECT_NEAR(found.results[0].registration->shift.x(), -0.5, 1e-4);
-  EXPECT_GT(found.results[0].scores[placeOf(Score::f)].value, 0.99);
+  EXPECT_GT(found.results[0].scores.at("f").value, 0.99);
 }
 
 TEST(Ranking, FollowsTheSeedOnAnyNumberOfThreads) {

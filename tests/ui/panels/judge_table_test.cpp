@@ -14,7 +14,6 @@ constexpr int differenceRole = Qt::UserRole;
 class ShownTable : public testing::Test {
 protected:
   ShownTable() {
-    using Better = JudgeRow::Better;
     table_.show({"Plant", "A"},
                 {{"Lost tips", {}, "Ends without points.", Better::less, 0, {12.0, 9.0}},
                  {"Thickness", "mm", "Spread of the points.", Better::less, 2, {1.5, 1.75}},
@@ -35,18 +34,17 @@ TEST_F(ShownTable, TellsTheDifferenceToTheFirstStateAndWhetherItIsBetter) {
 }
 
 TEST_F(ShownTable, CallsEqualWhatIsWrittenAlike) {
-  table_.show({"Plant", "A"}, {{"F", {}, {}, JudgeRow::Better::more, 2, {0.5, 0.501}}});
+  table_.show({"Plant", "A"}, {{"F", {}, {}, Better::more, 2, {0.5, 0.501}}});
   EXPECT_EQ(difference(0), "=");
 }
 
 TEST_F(ShownTable, ComparesNothingThatIsOfOtherPoints) {
-  table_.show({"Plant", "Ball"}, {{"Lost tips", {}, {}, JudgeRow::Better::less, 0, {12, 3}}},
-              false);
+  table_.show({"Plant", "Ball"}, {{"Lost tips", {}, {}, Better::less, 0, {12, 3}}}, false);
   EXPECT_EQ(difference(0), "");
 }
 
 TEST_F(ShownTable, TellsTheDifferenceOfWhatIsWritten) {
-  table_.show({"Plant", "A"}, {{"Length", "m", {}, JudgeRow::Better::less, 0, {32.4, 30.6}}});
+  table_.show({"Plant", "A"}, {{"Length", "m", {}, Better::less, 0, {32.4, 30.6}}});
   EXPECT_EQ(difference(0), "−1 ✓") << "from 32 to 31";
 }
 

@@ -7,6 +7,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QLineEdit>
+#include <QMenu>
 #include <QWidget>
 
 #include <utility>
@@ -61,6 +62,7 @@ QAction* ActionSet::add(const Command& command, std::function<void()> act) {
               };
               if (guarded(done, refusal)) emit acted();
             });
+  if (!command.menu.isEmpty()) place(command.menu, QStringList{command.id});
   return adopt(command.id, action, command.icon);
 }
 
@@ -72,6 +74,25 @@ QAction* ActionSet::adopt(const QString& id, QAction* action, const QString& ico
   all_.append(action);
   byId_.insert(id, action);
   return action;
+}
+
+void ActionSet::place(const QString& place, const QStringList& ids) {
+  this->place(place, [this, ids](QMenu& menu) {
+    for (const QString& id : ids)
+      if (id.isEmpty())
+        menu.addSeparator();
+      else
+        menu.addAction((*this)[id]);
+  });
+}
+
+void ActionSet::place(const QString& place, std::function<void(QMenu&)> fill) {
+  places_.emplace_back(place, std::move(fill));
+}
+
+void ActionSet::fill(QMenu& menu, const QString& place) const {
+  for (const auto& [at, fill] : places_)
+    if (at == place) fill(menu);
 }
 
 QAction* ActionSet::operator[](const QString& id) const {

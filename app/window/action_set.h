@@ -4,11 +4,16 @@
 #include <QKeySequence>
 #include <QList>
 #include <QObject>
+#include <QPointer>
 #include <QString>
+#include <QStringList>
 
 #include <functional>
+#include <utility>
+#include <vector>
 
 class QAction;
+class QMenu;
 class QWidget;
 
 namespace espalier {
@@ -26,10 +31,11 @@ struct Command {
   QKeySequence keys = {};
   bool isCheckable = false;
   Refusal refusal = Refusal::inBanner;
+  QString menu = {}; // its place there, see menus.cpp; empty: in none, or its part places it
 };
 
-/// All actions of the window, in sections. What an action throws as an Error is told as `refused`:
-/// this is where errors of commands are caught.
+/// All actions of the window, in sections, and their places in the menus. What an action throws as
+/// an Error is told as `refused`: this is where errors of commands are caught.
 class ActionSet : public QObject {
   Q_OBJECT
 
@@ -42,11 +48,22 @@ public:
   /// Takes over an action that acts by itself.
   QAction* adopt(const QString& id, QAction* action, const QString& icon = {});
 
+  /// Puts actions at a place in the menus, behind what is there already; an empty id is a line.
+  void place(const QString& place, const QStringList& ids);
+  /// Likewise, whatever `fill` puts there: once, but whenever it opens in a context menu.
+  void place(const QString& place, std::function<void(QMenu&)> fill);
+  /// Adds all that is at a place.
+  void fill(QMenu& menu, const QString& place) const;
+
   [[nodiscard]] QAction* operator[](const QString& id) const; // pre: it was added
   [[nodiscard]] const QList<QAction*>& all() const { return all_; }
 
   /// Runs `act`, and tells an Error as `refused`. Returns what it returned, `otherwise` if refused.
   bool guarded(const std::function<bool()>& act, Refusal refusal, bool otherwise = false);
+
+  /// Where the text stands that is typed, for Refusal::atField; null: nowhere, or it is gone.
+  void setField(QWidget* field) { field_ = field; }
+  [[nodiscard]] QWidget* field() const { return field_; }
 
 signals:
   void refused(const QString& reason, espalier::Refusal where);
@@ -55,6 +72,8 @@ signals:
 private:
   QWidget& window_;
   QString section_;
+  QPointer<QWidget> field_;
+  std::vector<std::pair<QString, std::function<void(QMenu&)>>> places_;
   QList<QAction*> all_;
   QHash<QString, QAction*> byId_;
 };

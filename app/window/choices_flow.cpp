@@ -19,12 +19,21 @@ ChoicesFlow::ChoicesFlow(const Parts& parts) : parts_(parts) {
                       .text = tr("Record the Choice"),
                       .help = tr("Keeps what is compared, or the sweep, with the project and in "
                                  "the report"),
-                      .keys = QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_K)},
+                      .keys = QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_K),
+                      .menu = "preview/choices"},
                      [this] { record(); });
   parts_.actions.add({.id = "forget_choice",
                       .text = tr("Forget the Last Choice Recorded"),
-                      .help = tr("Takes the last one out of the project and the report")},
+                      .help = tr("Takes the last one out of the project and the report"),
+                      .menu = "preview/choices"},
                      [this] { forgetLast(); });
+  keepInProject({.name = "choices",
+                 .text = [this] { return text_; },
+                 .show =
+                     [this](const std::string& text) {
+                       set(text.empty() ? std::vector<ChoiceRecord>() : readChoices(text));
+                     }});
+  connect(this, &ChoicesFlow::changed, this, &ChoicesFlow::keptChanged);
   set({});
 }
 
@@ -48,10 +57,6 @@ void ChoicesFlow::forgetLast() {
   records.pop_back();
   set(std::move(records));
   emit noted(tr("Forgotten: %1").arg(title));
-}
-
-void ChoicesFlow::show(const std::string& text) {
-  set(text.empty() ? std::vector<ChoiceRecord>() : readChoices(text));
 }
 
 void ChoicesFlow::set(std::vector<ChoiceRecord> records) {

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "app/report/choice_record.h"
-
-#include <QObject>
+#include "app/window/window_part.h"
 
 #include <string>
 #include <vector>
@@ -17,7 +16,7 @@ class SweepFlow;
 
 /// The record of how options were chosen: what was compared, in pictures and numbers, with the
 /// project and in the report.
-class ChoicesFlow : public QObject {
+class ChoicesFlow : public WindowPart {
   Q_OBJECT
 
 public:
@@ -30,13 +29,9 @@ public:
   explicit ChoicesFlow(const Parts& parts);
 
   [[nodiscard]] const std::vector<ChoiceRecord>& records() const { return records_; }
-  /// As a project keeps them; empty: none.
-  [[nodiscard]] std::string text() const { return text_; }
-  void show(const std::string& text);
 
 signals:
   void changed();
-  void noted(const QString& message);
 
 private:
   void record();

@@ -138,13 +138,15 @@ CloseLookFlow::CloseLookFlow(const Parts& parts) : parts_(parts) {
        .text = tr("Look Closely"),
        .help = tr("Shows what is under the pointer, or selected, from where it is seen best"),
        .keys = Qt::Key_Z,
-       .refusal = Refusal::atPointer},
+       .refusal = Refusal::atPointer,
+       .menu = "view/look"},
       [this] { look(); });
   actions.add({.id = "look_back",
                .text = tr("Look Back"),
                .help = tr("Goes back to where one looked closely from"),
                .keys = QKeySequence(Qt::SHIFT | Qt::Key_Z),
-               .refusal = Refusal::atPointer},
+               .refusal = Refusal::atPointer,
+               .menu = "view/look"},
               [this] { goBack(); });
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "app/window/window_part.h"
 #include "ui/view/close_look.h"
 
-#include <QObject>
 #include <QPointer>
 
 #include <vector>
@@ -26,7 +26,7 @@ struct Pick;
 
 /// One key that shows what is under the pointer from near and from where it is seen best, and one
 /// that goes back to where one was.
-class CloseLookFlow : public QObject {
+class CloseLookFlow : public WindowPart {
   Q_OBJECT
 
 public:

@@ -1,8 +1,7 @@
 #pragma once
 
+#include "app/window/window_part.h"
 #include "ui/jobs/latest_job.h"
-
-#include <QObject>
 
 namespace espalier {
 
@@ -10,7 +9,7 @@ class PipelinePanel;
 class PlantDocument;
 
 /// Tells the panel of the pipeline how dense the points of the scan lie, where radii follow it.
-class DensityFlow : public QObject {
+class DensityFlow : public WindowPart {
   Q_OBJECT
 
 public:
@@ -18,7 +17,7 @@ public:
   DensityFlow(PlantDocument& document, PipelinePanel& pipeline);
 
   void refresh();
-  [[nodiscard]] bool isBusy() const { return job_.isBusy(); }
+  [[nodiscard]] bool isBusy() const override { return job_.isBusy(); }
 
 private:
   PlantDocument& document_;

@@ -22,15 +22,16 @@
 
 namespace espalier {
 
-Editing::Editing(PlantDocument& document, PlantView& view, ActionSet& actions, QObject* parent,
+Editing::Editing(PlantDocument& document, PlantView& view, ActionSet& actions,
                  std::vector<ToolEntry> entries)
-    : QObject(parent), document_(document), canvas_(view), actions_(actions),
-      entries_(std::move(entries)), toolGroup_(new QActionGroup(this)) {
+    : document_(document), canvas_(view), actions_(actions), entries_(std::move(entries)),
+      toolGroup_(new QActionGroup(this)) {
   addTools();
   addNodeChoices();
   addDepth();
   addNodeEdits();
   addNavigation();
+  addToMenus();
   listenTo(view);
   connect(&document_, &PlantDocument::skeletonEdited, this, [this] {
     if (!tool().isBusy()) canvas_.view().hoverAgain(); // another node may lie under the pointer now
@@ -72,7 +73,8 @@ void Editing::addTools() {
                           .text = tr("Accept"),
                           .help = tr("Makes what the preview shows"),
                           .keys = Qt::Key_Enter,
-                          .refusal = Refusal::atPointer},
+                          .refusal = Refusal::atPointer,
+                          .menu = "edit/preview"},
                          [this] { accept(); });
   // Off without a preview: Enter then belongs to the field that is typed in.
   connect(this, &Editing::hintChanged, accept_,
@@ -87,7 +89,8 @@ void Editing::addTools() {
                                     .help = entry.help,
                                     .icon = entry.icon,
                                     .keys = entry.shortcut,
-                                    .isCheckable = true},
+                                    .isCheckable = true,
+                                    .menu = "edit/tools"},
                                    [this, id = entry.id] { useTool(id); });
     toolGroup_->addAction(action);
   }
@@ -150,7 +153,8 @@ void Editing::addDepth() {
   actions_.add({.id = "select_through",
                 .text = tr("Select &Through"),
                 .help = tr("Clicks, boxes and lassos also take what is hidden behind wood"),
-                .isCheckable = true},
+                .isCheckable = true,
+                .menu = "select/through"},
                [this] {
                  const bool isThrough = actions_["select_through"]->isChecked();
                  canvas_.view().setDepth(isThrough ? Depth::through : Depth::front);
@@ -163,7 +167,8 @@ void Editing::addNavigation() {
                 .text = tr("Turn Around This"),
                 .help = tr("The place under the pointer stays in the middle"),
                 .icon = "pivot",
-                .keys = Qt::Key_R},
+                .keys = Qt::Key_R,
+                .menu = "view/pivot"},
                [this] {
                  if (const auto place = placeUnder()) canvas_.view().setPivot(*place);
                });
@@ -171,8 +176,17 @@ void Editing::addNavigation() {
                 .text = tr("Frame Selection"),
                 .help = tr("The chosen nodes fill the view"),
                 .icon = "frame",
-                .keys = Qt::Key_F},
+                .keys = Qt::Key_F,
+                .menu = "view/frame"},
                [this] { frameSelection(document_, canvas_.view()); });
+}
+
+void Editing::addToMenus() {
+  actions_.place("select/nodes", [this](QMenu& menu) { fillNodeChoices(menu, actions_); });
+  actions_.place("skeleton/edits", [this](QMenu& menu) { // but those that other menus have
+    fillNodeEdits(menu, actions_, {"mark_unit_start", "radius_up", "radius_down"});
+  });
+  actions_.place("context/nodes", [this](QMenu& menu) { fillContextMenu(menu); });
 }
 
 void Editing::setEnabled(bool isEnabled) {

@@ -1,12 +1,12 @@
 #pragma once
 
 #include "app/window/active_canvas.h"
+#include "app/window/window_part.h"
 #include "ui/tools/node_edits.h"
 #include "ui/tools/registry.h"
 #include "ui/tools/tool.h"
 
 #include <QList>
-#include <QObject>
 
 #include <map>
 #include <memory>
@@ -22,12 +22,12 @@ class ActionSet;
 class PlantView;
 
 /// Joins tools, keys and the 3D view: decides which tool hears the mouse, and what a key means.
-class Editing : public QObject {
+class Editing : public WindowPart {
   Q_OBJECT
 
 public:
   /// @param entries the tools; the first is the default
-  Editing(PlantDocument& document, PlantView& view, ActionSet& actions, QObject* parent,
+  Editing(PlantDocument& document, PlantView& view, ActionSet& actions,
           std::vector<ToolEntry> entries = tools());
   ~Editing() override;
 
@@ -36,14 +36,13 @@ public:
   void removeView(PlantView& view);
 
   /// While off, the mouse only moves the camera, and no key edits.
-  void setEnabled(bool isEnabled);
+  void setEnabled(bool isEnabled) override;
 
-  [[nodiscard]] bool isBusy() const { return tool().isBusy(); } // in mid-gesture
+  [[nodiscard]] bool isBusy() const override { return tool().isBusy(); } // in mid-gesture
   /// In mid-gesture, or with a preview that waits for a yes: Enter and Escape belong to the tool.
   [[nodiscard]] bool isPending() const { return tool().isBusy() || tool().hasPreview(); }
 
-  /// What the mouse will do now.
-  [[nodiscard]] QString hint() const;
+  [[nodiscard]] QString hint() const override;
   [[nodiscard]] QString currentTool() const { return tool_; } // its id
   /// @param startsWithNodes  it begins with the node under the pointer, or those selected
   void useTool(const QString& id, bool startsWithNodes = true);
@@ -58,7 +57,6 @@ public:
   void
   escape(); // leaves the gesture or drops the preview, else leaves the tool, else the selection
 
-  void fillContextMenu(QMenu& menu) const;
   [[nodiscard]] const Pick& under() const { return under_; } // the pointer, as it was told last
   [[nodiscard]] std::optional<QPointF> pointer() const; // in the active view; none once it left
   [[nodiscard]] PlantView& activeView() const { return canvas_.view(); } // the pointer was in last
@@ -66,13 +64,14 @@ public:
   [[nodiscard]] std::optional<NodeId> nodeUnder() const;
 
 signals:
-  void hintChanged();
   void pointed();                     // under() was told anew
   void noted(const QString& message); // nothing has changed
   void contextMenuRequested(const QPoint& globalPosition);
 
 private:
   void addTools();
+  void addToMenus();
+  void fillContextMenu(QMenu& menu) const;
   void addNodeEdits();
   void make(const NodeEdit& edit);
   void addNodeChoices();

@@ -19,6 +19,7 @@
 #include "ui/view/plant_view.h"
 
 #include <QAction>
+#include <QDesktopServices>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMainWindow>
@@ -54,6 +55,9 @@ EvaluationFlow::EvaluationFlow(const Parts& parts)
   makePanel();
   methods_ = std::make_unique<MethodsFlow>(
       MethodsFlow::Parts{parts_.document, parts_.reference, parts_.window});
+  addDock(&methods_->dock());
+  parts_.window.actions.place("evaluate", [this](QMenu& menu) { fillMenu(menu); });
+  keepTexts();
   connectDocument();
   connectPanel();
   takeReference();
@@ -72,13 +76,15 @@ void EvaluationFlow::makePanel() {
                                                  .edits = editsMenu_.get()});
   panel_->setLaid(isLaid_);
   panel_->setTurns(turns_);
-  dock_ = new PanelDock(parts_.window,
-                        {.id = "evaluation",
-                         .title = tr("Evaluation"),
-                         .text = tr("Evaluation"),
-                         .help = tr("Shows or hides how the plant agrees with its reference"),
-                         .keys = Qt::Key_F5},
-                        panel_, this);
+  dock_ =
+      addDock(new PanelDock(parts_.window,
+                            {.id = "evaluation",
+                             .title = tr("Evaluation"),
+                             .text = tr("Evaluation"),
+                             .help = tr("Shows or hides how the plant agrees with its reference"),
+                             .keys = Qt::Key_F5,
+                             .menu = "panels/evaluation"},
+                            panel_, this));
 }
 
 void EvaluationFlow::fillMenu(QMenu& menu) const {
@@ -100,18 +106,31 @@ void EvaluationFlow::fillMenu(QMenu& menu) const {
     add(id);
 }
 
-void EvaluationFlow::setPlantShown(bool isShown) {
-  dock_->setPlantShown(isShown);
-  methods_->dock().setPlantShown(isShown);
+void EvaluationFlow::setPlantShown(bool /*isShown*/) {
   report_->refresh();
   traits_->refresh();
   showTraits();
   later();
 }
 
-void EvaluationFlow::resetLayout() {
-  dock_->resetLayout();
-  methods_->dock().resetLayout();
+void EvaluationFlow::keepTexts() {
+  keepInProject({.name = "evaluation",
+                 .text = [this] { return text(); },
+                 .show = [this](const std::string& text) { show(text); }});
+  connect(this, &EvaluationFlow::changed, this, &EvaluationFlow::keptChanged);
+  keepInProject({.name = "methods", // behind what they are compared with, and how
+                 .text = [this] { return methods_->text(); },
+                 .show = [this](const std::string& text) { methods_->show(text); }});
+  connect(methods_.get(), &MethodsFlow::changed, this, &EvaluationFlow::keptChanged);
+}
+
+void EvaluationFlow::offerToOpen(const QString& path) {
+  const QString file = QFileInfo(path).fileName();
+  emit told({.text = tr("Wrote %1").arg(file),
+             .actions = {{tr("Open"), [this, path, file] { // it took a while
+                            if (!QDesktopServices::openUrl(QUrl::fromLocalFile(path)))
+                              emit failed(tr("No program opens %1 from here").arg(file));
+                          }}}});
 }
 
 void EvaluationFlow::setChoices(std::vector<ChoiceRecord> records) {
@@ -223,9 +242,9 @@ void EvaluationFlow::connectPanel() {
   connect(panel_, &EvaluationPanel::compareRequested, this, &EvaluationFlow::start);
   connect(methods_.get(), &MethodsFlow::noted, this, &EvaluationFlow::noted);
   connect(report_.get(), &ReportFlow::noted, this, &EvaluationFlow::noted);
-  connect(report_.get(), &ReportFlow::written, this, &EvaluationFlow::reportWritten);
+  connect(report_.get(), &ReportFlow::written, this, &EvaluationFlow::offerToOpen);
   connect(traits_.get(), &TraitsFlow::noted, this, &EvaluationFlow::noted);
-  connect(traits_.get(), &TraitsFlow::written, this, &EvaluationFlow::reportWritten);
+  connect(traits_.get(), &TraitsFlow::written, this, &EvaluationFlow::offerToOpen);
   connect(errors_.get(), &ErrorWalk::noted, this, &EvaluationFlow::noted);
   connect(errors_.get(), &ErrorWalk::ignoredChanged, this, [this] {
     setOptions();

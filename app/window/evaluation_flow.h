@@ -6,11 +6,11 @@
 #include "app/window/panel_dock.h"
 #include "app/window/report_flow.h"
 #include "app/window/traits_flow.h"
+#include "app/window/window_part.h"
 #include "core/evaluate/evaluation.h"
 #include "ui/document/plant_document.h"
 #include "ui/jobs/job_runner.h"
 
-#include <QObject>
 #include <QTimer>
 
 #include <memory>
@@ -32,7 +32,7 @@ class ReferenceFlow;
 /// errors, and both skeletons in the colors of what differs.
 ///
 /// Nothing is compared while nobody looks. What is shown after an edit is pale until it is fresh.
-class EvaluationFlow : public QObject {
+class EvaluationFlow : public WindowPart {
   Q_OBJECT
 
 public:
@@ -48,13 +48,10 @@ public:
   explicit EvaluationFlow(const Parts& parts);
   ~EvaluationFlow() override;
 
-  void setPlantShown(bool isShown); // without a plant the panels are absent
-  void resetLayout();
-  void fillMenu(QMenu& menu) const;
+  void setPlantShown(bool isShown) override;
   void setChoices(std::vector<ChoiceRecord> records); // for the report
   void setDark(bool isDark);
 
-  [[nodiscard]] MethodsFlow& methods() { return *methods_; }
   /// Null: nothing has been compared. Of the plant as it is, if isUpToDate().
   [[nodiscard]] const std::shared_ptr<const Evaluation>& evaluation() const { return evaluation_; }
   [[nodiscard]] bool isUpToDate() const { return isFresh_; }
@@ -69,18 +66,18 @@ public:
             .breastHeight = breastHeightIn(symbol(parts_.document.unit()).toStdString())};
   }
 
-  /// How it is compared, as a project keeps it, and back.
-  /// @throws Error if it is no such text; all is as at first then
-  [[nodiscard]] std::string text() const;
-  void show(const std::string& text);
-
 signals:
-  void noted(const QString& message);
-  void reportWritten(const QString& path);
   void changed(); // what a project keeps of it
 
 private:
   void makePanel();
+  void fillMenu(QMenu& menu) const;
+  void keepTexts();
+  /// How it is compared, as a project keeps it, and back.
+  /// @throws Error if it is no such text; all is as at first then
+  [[nodiscard]] std::string text() const;
+  void show(const std::string& text);
+  void offerToOpen(const QString& path); // a report
   void connectDocument();
   void connectPanel();
   void take(const EvaluationText& chosen); // of all that is chosen here

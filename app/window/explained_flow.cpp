@@ -18,7 +18,8 @@ ExplainedFlow::ExplainedFlow(const Parts& parts) : parts_(parts) {
        .text = tr("Hide Explained Points"),
        .help = tr("Dims or hides the points near the skeleton: what is missing stands out"),
        .keys = QKeySequence(Qt::CTRL | Qt::Key_5),
-       .isCheckable = true},
+       .isCheckable = true,
+       .menu = "view/points"},
       {});
   connect(action, &QAction::toggled, this, &ExplainedFlow::turn);
   makeBar();

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/window/scan_distances.h"
+#include "app/window/window_part.h"
 
-#include <QObject>
 #include <QTimer>
 
 class QMainWindow;
@@ -17,7 +17,7 @@ class PointStates;
 
 /// Dims or hides the points that the skeleton explains, so that what is missing stands out. Follows
 /// every edit.
-class ExplainedFlow : public QObject {
+class ExplainedFlow : public WindowPart {
   Q_OBJECT
 
 public:
@@ -32,7 +32,7 @@ public:
   };
   explicit ExplainedFlow(const Parts& parts);
 
-  void setPlantShown(bool isShown);
+  void setPlantShown(bool isShown) override;
 
 private:
   void makeBar();

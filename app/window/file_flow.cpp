@@ -57,6 +57,8 @@ QString proposedPath(const PlantDocument& document, const QString& folder) {
 
 FileFlow::FileFlow(const Parts& parts) : parts_(parts) {
   parts_.projects.setGate([this](const std::function<void()>& show) { showUnlessKept(show); });
+  addActions();
+  addProjectActions();
 }
 
 void FileFlow::chooseAndOpen() {
@@ -161,6 +163,22 @@ FileFlow::Target FileFlow::chooseTarget(const QString& title) {
   return target;
 }
 
+bool FileFlow::mayClose() {
+  if (!mayDiscard()) return false;
+  parts_.jobs.cancel();
+  parts_.projects.leave();
+  return true;
+}
+
+void FileFlow::closePlant() {
+  if (parts_.jobs.isRunning()) parts_.jobs.cancel();
+  if (!mayDiscard()) return;
+  parts_.projects.clear();
+  emit outdated();
+  parts_.projects.offerSessions();
+  emit closed();
+}
+
 bool FileFlow::mayDiscard() {
   const bool isNamed = parts_.projects.isNamed();
   if (parts_.projects.keepsWork() || (!isNamed && !parts_.document.isModified())) return true;
@@ -234,7 +252,7 @@ bool FileFlow::tellFit(const ScanFit& fit, QStringList notes) {
   }
   if (fit.misfit)
     notes.append(describe(*fit.misfit, structure, QFileInfo(document.scanPath()).fileName()));
-  if (!notes.isEmpty()) emit noted(notes.join('\n'));
+  if (!notes.isEmpty()) emit told({.text = notes.join('\n')});
   return !notes.isEmpty();
 }
 
@@ -242,7 +260,8 @@ void FileFlow::write(const Target& target) {
   const auto path = toPath(target.path);
   removeLeftovers(placeOf(path).parent_path());
   writeStructure(path, parts_.document.structure(), target.style);
-  emit saved(target.path);
+  emit outdated(); // of what kept it from being saved before
+  emit noted(tr("Saved %1").arg(QFileInfo(target.path).fileName()));
   noteDropped(target.path);
 }
 
@@ -274,7 +293,7 @@ QStringList FileFlow::droppedBySavingTo(const QString& path) const {
 
 void FileFlow::noteDropped(const QString& path) {
   const QStringList notes = droppedBySavingTo(path);
-  if (!notes.isEmpty()) emit noted(notes.join('\n'));
+  if (!notes.isEmpty()) emit told({.text = notes.join('\n')});
 }
 
 } // namespace espalier

@@ -3,24 +3,26 @@
 #include "app/window/load_files.h"
 #include "app/window/project_flow.h"
 #include "app/window/scan_fit.h"
+#include "app/window/window_part.h"
 #include "core/mtg/mtg_of_skeleton.h"
 
-#include <QObject>
 #include <QStringList>
 
 #include <functional>
 
+class QMenu;
 class QSettings;
 class QWidget;
 
 namespace espalier {
 
+class ActionSet;
 class JobRunner;
 class PlantDocument;
 class RecentFiles;
 
 /// Opening and saving: the dialogs, the jobs, and the question before unsaved work is lost.
-class FileFlow : public QObject {
+class FileFlow : public WindowPart {
   Q_OBJECT
 
 public:
@@ -28,6 +30,7 @@ public:
   struct Parts {
     PlantDocument& document;
     JobRunner& jobs;
+    ActionSet& actions;
     ProjectFlow& projects;
     RecentFiles& recent;
     QSettings& settings;
@@ -35,13 +38,27 @@ public:
   };
   explicit FileFlow(const Parts& parts);
 
-  void chooseAndOpen();
-
   /// A project replaces all; a structure replaces the skeleton; a scan comes under a skeleton that
   /// has none, else it begins another plant. Reading goes on as a job; only once all is read is it
   /// asked what to do with unsaved edits that it would replace.
   /// @throws Error if a file cannot be read or a job is running
   void open(const QStringList& paths);
+
+  void setPlantShown(bool isShown) override;
+  [[nodiscard]] bool mayClose() override;
+
+signals:
+  void opened();
+  void movedOntoScan(); // the structure, as was offered
+  void closed();
+
+private:
+  void addActions();        // file_actions.cpp
+  void addProjectActions(); // likewise
+  void fillRecent(QMenu& menu);
+  void refreshProject();
+  void chooseAndOpen();
+  void closePlant();
 
   /// Each returns whether the skeleton is saved now; the user may have left the dialog, or chosen a
   /// format that cannot be opened again.
@@ -51,19 +68,9 @@ public:
   /// Writes a copy of the skeleton: the document stays where it is.
   /// @throws Error why it cannot be written
   void exportStructure();
-
   /// Asks what to do with unsaved edits, if there are any. False: keep editing.
   /// @throws Error if they are to be saved and cannot be
   [[nodiscard]] bool mayDiscard();
-
-signals:
-  void opened();
-  void movedOntoScan();               // the structure, as was offered
-  void noted(const QString& message); // of how a file was read, or what one written does not keep
-  void saved(const QString& path);
-  void told(const espalier::ProjectFlow::Notice& notice);
-
-private:
   void showUnlessKept(const std::function<void()>& show); // asks about unsaved edits first
   /// Files as they were read, and how the structure then lies to the scan.
   struct Read {

@@ -31,21 +31,15 @@ bool hasNodes(const Skeleton& skeleton, const Finding& finding) {
 FindingsFlow::FindingsFlow(const Parts& parts) : parts_(parts) {
   addActions();
   makePanel();
+  keepInProject({.name = "ignored_findings",
+                 .text = [this] { return textOf(ignored_); },
+                 .show = [this](const std::string& text) { show(text); }});
   connectParts();
   showAction();
 }
 
-void FindingsFlow::fillMenu(QMenu& menu) const {
-  for (const char* id : {"next_finding", "previous_finding", "ignore_finding"})
-    menu.addAction(parts_.actions[id]);
-}
-
-bool FindingsFlow::isUpToDate() const {
-  return !timer_.isActive() && !job_.isRunning() && !parts_.distances.isMeasuring();
-}
-
-std::string FindingsFlow::text() const {
-  return textOf(ignored_);
+bool FindingsFlow::isBusy() const {
+  return timer_.isActive() || job_.isRunning() || parts_.distances.isBusy();
 }
 
 void FindingsFlow::show(const std::string& text) {
@@ -70,6 +64,8 @@ void FindingsFlow::addActions() {
       QKeySequence(Qt::CTRL | Qt::Key_F4), [this] { toggleIgnored(); });
   add("select_findings", tr("All Findings"), tr("Selects the nodes of all findings of the checks"),
       {}, [this] { selectAll(); });
+  parts_.actions.place("review/findings", {"next_finding", "previous_finding", "ignore_finding"});
+  parts_.actions.place("select/findings", {"select_findings"});
 }
 
 void FindingsFlow::makePanel() {
@@ -77,13 +73,13 @@ void FindingsFlow::makePanel() {
   panel_ = new FindingsPanel(parts_.document, {.previous = at("previous_finding"),
                                                .next = at("next_finding"),
                                                .ignore = at("ignore_finding")});
-  dock_ = new PanelDock({parts_.actions, parts_.settings, parts_.window},
-                        {.id = "findings",
-                         .title = tr("Findings"),
-                         .text = tr("Findings Panel"),
-                         .help = tr("Shows or hides what the checks found"),
-                         .keys = Qt::Key_F8},
-                        besideThePlant, panel_, this);
+  dock_ = addDock(new PanelDock({parts_.actions, parts_.settings, parts_.window},
+                                {.id = "findings",
+                                 .title = tr("Findings"),
+                                 .text = tr("Findings Panel"),
+                                 .help = tr("Shows or hides what the checks found"),
+                                 .keys = Qt::Key_F8},
+                                besideThePlant, panel_, this));
 }
 
 void FindingsFlow::connectParts() {
@@ -210,7 +206,7 @@ void FindingsFlow::take(Found found) {
 
 bool FindingsFlow::isAllChecked() const {
   if (parts_.document.scan() != nullptr) return isScanChecked_;
-  return isCheckedAtOnce_ || isUpToDate();
+  return isCheckedAtOnce_ || !isBusy();
 }
 
 double FindingsFlow::spacing() const {
@@ -315,7 +311,7 @@ void FindingsFlow::toggleIgnored() {
     if (!findings_.empty()) // the one that takes its place
       panel_->setCurrent(findings_[std::min(static_cast<std::size_t>(at), findings_.size() - 1)]);
   }
-  emit ignoredChanged();
+  emit keptChanged();
 }
 
 /// The command says what it will do.

@@ -1,10 +1,11 @@
 #pragma once
 
+#include "app/window/reveal.h"
 #include "app/window/scan_distances.h"
+#include "app/window/window_part.h"
 #include "core/base/spatial_index.h"
 #include "core/skeleton/finding.h"
 
-#include <QObject>
 #include <QString>
 #include <QTimer>
 
@@ -15,7 +16,6 @@
 #include <vector>
 
 class QMainWindow;
-class QMenu;
 class QSettings;
 
 namespace espalier {
@@ -25,13 +25,12 @@ class FindingsPanel;
 class PanelDock;
 class PlantDocument;
 class PlantView;
-struct Camera;
 
 /// The checks of the plant: their findings in a panel, the way to each, and those that are ignored.
 ///
 /// The skeleton is checked a moment after an edit, a large one and the scan against it as a job,
 /// which a later edit replaces. Nothing is checked while nobody looks.
-class FindingsFlow : public QObject {
+class FindingsFlow : public WindowPart {
   Q_OBJECT
 
 public:
@@ -43,29 +42,14 @@ public:
     ScanDistances& distances;
     QSettings& settings;
     QMainWindow& window;
-    /// Shows what one flies to, as ShownFlow::reveal.
-    std::function<QString(const std::vector<NodeId>& nodes,
-                          const std::vector<Eigen::Vector3d>& places, const Camera& camera)>
-        reveal;
+    Reveal reveal;
   };
   explicit FindingsFlow(const Parts& parts);
-
-  [[nodiscard]] PanelDock& dock() { return *dock_; }
-  void fillMenu(QMenu& menu) const; // with what one does about findings
 
   /// Those that are not ignored, as they were last found.
   [[nodiscard]] const std::vector<Finding>& findings() const { return findings_; }
   [[nodiscard]] const std::vector<Finding>& ignored() const { return shownIgnored_; }
-  [[nodiscard]] bool isUpToDate() const; // nothing waits, and no job is running
-
-  /// What is ignored, as JSON, and back. Empty: nothing.
-  /// @throws Error if it is no such text; nothing is ignored then
-  [[nodiscard]] std::string text() const;
-  void show(const std::string& text);
-
-signals:
-  void noted(const QString& message);
-  void ignoredChanged();
+  [[nodiscard]] bool isBusy() const override; // the findings are not of the plant as it is
 
 private:
   struct Indexed { // what finds the points of a scan; the index refers to the cloud
@@ -79,6 +63,9 @@ private:
   };
   void addActions();
   void makePanel();
+  /// @param text  what is ignored, as JSON; empty: nothing
+  /// @throws Error if it is no such text; nothing is ignored then
+  void show(const std::string& text);
   void connectParts();
 
   void later();

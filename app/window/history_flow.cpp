@@ -12,13 +12,13 @@ namespace espalier {
 HistoryFlow::HistoryFlow(const Parts& parts) : parts_(parts) {
   parts_.window.actions.beginSection(tr("View"));
   auto* panel = new HistoryPanel(parts_.document);
-  dock_ = new PanelDock(parts_.window,
+  addDock(new PanelDock(parts_.window,
                         {.id = "history",
                          .title = tr("History"),
                          .text = tr("History"),
                          .help = tr("Shows or hides the list of all steps"),
                          .keys = Qt::Key_F10},
-                        panel, this);
+                        panel, this));
   connect(panel, &HistoryPanel::chosen, this, [this](int position) {
     parts_.window.actions.guarded(
         [&] {

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "app/window/panel_dock.h"
-
-#include <QObject>
+#include "app/window/window_part.h"
 
 namespace espalier {
 
@@ -10,7 +9,7 @@ class Editing;
 class PlantDocument;
 
 /// The history dock: a click on a step goes there.
-class HistoryFlow : public QObject {
+class HistoryFlow : public WindowPart {
   Q_OBJECT
 
 public:
@@ -22,16 +21,10 @@ public:
   };
   explicit HistoryFlow(const Parts& parts);
 
-  [[nodiscard]] PanelDock& dock() { return *dock_; }
-
-signals:
-  void noted(const QString& text);
-
 private:
   void goTo(int position);
 
   Parts parts_;
-  PanelDock* dock_;
 };
 
 } // namespace espalier

@@ -37,13 +37,20 @@ HullFlow::HullFlow(const Parts& parts) : parts_(parts) {
                       .help = tr("Wraps the points of all that the node carries, and keeps the "
                                  "volume as its feature hull_volume"),
                       .keys = QKeySequence(Qt::SHIFT | Qt::Key_V),
-                      .refusal = Refusal::atPointer},
+                      .refusal = Refusal::atPointer,
+                      .menu = "skeleton/hulls"},
                      [this] { wrap(); });
   parts_.actions.add({.id = "remove_hull",
                       .text = tr("Remove Convex Hull"),
                       .help = tr("Takes the hull and its volume off the node"),
-                      .refusal = Refusal::atPointer},
+                      .refusal = Refusal::atPointer,
+                      .menu = "skeleton/hulls"},
                      [this] { unwrap(); });
+  parts_.actions.place("context/hulls", [this](QMenu& menu) {
+    if (!parts_.editing.nodeUnder()) return;
+    menu.addSeparator();
+    parts_.actions.fill(menu, "skeleton/hulls");
+  });
   timer_.setSingleShot(true);
   timer_.setInterval(50); // [ms]: a drag is followed when it rests
   connect(&timer_, &QTimer::timeout, this, &HullFlow::work);
@@ -62,11 +69,6 @@ HullFlow::HullFlow(const Parts& parts) : parts_(parts) {
     if (std::exchange(isJobOutdated_, false)) work();
   });
   refreshEnabled();
-}
-
-void HullFlow::fillMenu(QMenu& menu) const {
-  for (const char* id : {"wrap_hull", "remove_hull"})
-    menu.addAction(parts_.actions[id]);
 }
 
 /// The node under the pointer if nothing is selected; of those selected, the ones that others hang

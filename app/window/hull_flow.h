@@ -1,15 +1,13 @@
 #pragma once
 
 #include "app/window/scan_distances.h"
+#include "app/window/window_part.h"
 #include "core/surface/convex_hull.h"
 
-#include <QObject>
 #include <QTimer>
 
 #include <optional>
 #include <vector>
-
-class QMenu;
 
 namespace espalier {
 
@@ -21,7 +19,7 @@ class PlantView;
 /// The convex hulls of branches: each is about the points of what its node carries, and belongs to
 /// the plant as the value of a feature of the node, its volume. They are shown as they are now, and
 /// follow every edit; the volume is what it was when it was asked for.
-class HullFlow : public QObject {
+class HullFlow : public WindowPart {
   Q_OBJECT
 
 public:
@@ -36,10 +34,6 @@ public:
   explicit HullFlow(const Parts& parts);
 
   static constexpr const char* feature = "hull_volume"; // [L^3]
-  void fillMenu(QMenu& menu) const;
-
-signals:
-  void noted(const QString& message);
 
 private:
   using Hulls = std::vector<std::optional<ConvexHull>>;

@@ -39,13 +39,14 @@ std::optional<std::pair<double, double>> rangeOfBoth(const std::vector<float>& f
 } // namespace
 
 JudgeFlow::JudgeFlow(const Parts& parts) : parts_(parts) {
-  dock_ = new PanelDock(parts_.window,
-                        {.id = "judge",
-                         .title = tr("Preview in Numbers"),
-                         .text = tr("Preview in Numbers"),
-                         .help = tr("Shows or hides the numbers by which a preview is judged"),
-                         .keys = QKeySequence(Qt::SHIFT | Qt::Key_F6)},
-                        makePanel(), this);
+  dock_ =
+      addDock(new PanelDock(parts_.window,
+                            {.id = "judge",
+                             .title = tr("Preview in Numbers"),
+                             .text = tr("Preview in Numbers"),
+                             .help = tr("Shows or hides the numbers by which a preview is judged"),
+                             .keys = QKeySequence(Qt::SHIFT | Qt::Key_F6)},
+                            makePanel(), this));
   timer_.setSingleShot(true);
   timer_.setInterval(300); // [ms]: edits in a row are judged once
   connect(&timer_, &QTimer::timeout, this, &JudgeFlow::judge);

@@ -3,10 +3,10 @@
 #include "app/report/choice_record.h"
 #include "app/window/judged_state.h"
 #include "app/window/panel_dock.h"
+#include "app/window/window_part.h"
 #include "ui/jobs/latest_job.h"
 #include "ui/panels/judge_table.h"
 
-#include <QObject>
 #include <QStringList>
 #include <QTimer>
 
@@ -30,7 +30,7 @@ class StatesFlow;
 /// The numbers by which the plant, what was kept as A, and the preview are judged, side by side,
 /// and how they are distributed over the points: a range marked in the histogram selects its
 /// points.
-class JudgeFlow : public QObject {
+class JudgeFlow : public WindowPart {
   Q_OBJECT
 
 public:
@@ -48,11 +48,10 @@ public:
   explicit JudgeFlow(const Parts& parts);
   ~JudgeFlow() override;
 
-  [[nodiscard]] PanelDock& dock() { return *dock_; }
   void setDark(bool isDark);
   /// What is compared, with a picture of each state; no states: nothing is judged.
   [[nodiscard]] ChoiceRecord record() const;
-  [[nodiscard]] bool isBusy() const { return job_.isBusy() || timer_.isActive(); }
+  [[nodiscard]] bool isBusy() const override { return job_.isBusy() || timer_.isActive(); }
 
 private:
   /// What stands in a column of the table.

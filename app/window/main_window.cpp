@@ -1,50 +1,13 @@
 #include "app/window/main_window.h"
 
 #include "app/window/action_set.h"
-#include "app/window/choices_flow.h"
-#include "app/window/close_look_flow.h"
-#include "app/window/density_flow.h"
-#include "app/window/editing.h"
-#include "app/window/evaluation_flow.h"
-#include "app/window/explained_flow.h"
-#include "app/window/file_flow.h"
-#include "app/window/findings_flow.h"
-#include "app/window/history_flow.h"
-#include "app/window/hull_flow.h"
 #include "app/window/icon.h"
-#include "app/window/judge_flow.h"
 #include "app/window/key_hints.h"
-#include "app/window/node_table_flow.h"
 #include "app/window/panel_dock.h"
-#include "app/window/point_states.h"
-#include "app/window/points_flow.h"
-#include "app/window/preset_flow.h"
-#include "app/window/preview_flow.h"
-#include "app/window/project_flow.h"
-#include "app/window/radius_flow.h"
 #include "app/window/recent_files.h"
-#include "app/window/reconstruct_flow.h"
-#include "app/window/reference_flow.h"
-#include "app/window/review_flow.h"
-#include "app/window/saved_views.h"
-#include "app/window/seal_flow.h"
-#include "app/window/shown_flow.h"
-#include "app/window/sight_flow.h"
-#include "app/window/snap_flow.h"
-#include "app/window/stand_flow.h"
-#include "app/window/states_flow.h"
-#include "app/window/sweep_flow.h"
-#include "app/window/theme_flow.h"
-#include "app/window/trace_flow.h"
-#include "app/window/two_views_flow.h"
-#include "app/window/unit_flow.h"
-#include "app/window/value_colors.h"
-#include "app/window/view_options.h"
 #include "app/window/view_sync.h"
 #include "core/mtg/mtg_of_skeleton.h"
-#include "ui/panels/inspector_panel.h"
 #include "ui/panels/message_banner.h"
-#include "ui/panels/pipeline_panel.h"
 #include "ui/panels/start_page.h"
 #include "ui/panels/status_line.h"
 #include "ui/panels/vertex_page.h"
@@ -54,7 +17,6 @@
 #include <QCloseEvent>
 #include <QFileInfo>
 #include <QGridLayout>
-#include <QMenu>
 #include <QMimeData>
 #include <QScreen>
 #include <QSettings>
@@ -63,7 +25,7 @@
 #include <QStatusBar>
 #include <QToolTip>
 
-#include <utility>
+#include <algorithm>
 
 /// Icons, manual and style live in a static library, which the linker else leaves out. Not in a
 /// namespace, as the macro asks.
@@ -87,42 +49,32 @@ QStringList localFiles(const QMimeData& data) {
 
 MainWindow::MainWindow(QSettings& settings, QWidget* parent)
     : QMainWindow(parent), settings_(settings), recent_(std::make_unique<RecentFiles>(settings)),
-      actions_(std::make_unique<ActionSet>(*this)), status_(new StatusLine),
-      pipeline_(new PipelinePanel(document_)), inspector_(new InspectorPanel(document_)) {
+      actions_(std::make_unique<ActionSet>(*this)), status_(new StatusLine) {
   useResources();
   setObjectName("main_window");
   setWindowIcon(programIcon());
   setAcceptDrops(true);
   setMinimumSize(960, 600);
+  // Knobs stay in reach while what they do is judged below the view.
+  setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   constexpr QSize frame(16, 48); // what the desktop puts around a window, about
   resize(QSize(1280, 800).boundedTo(screen()->availableSize() - frame));
   makeCenter();
   statusBar()->addPermanentWidget(status_, 1);
   statusBar()->setSizeGripEnabled(false);
-
   sync_ = std::make_unique<ViewSync>(document_, *view_);
-  reconstruct_ = std::make_unique<ReconstructFlow>(document_, jobs_, nullptr);
-  projects_ = std::make_unique<ProjectFlow>(
-      ProjectFlow::Parts{document_, jobs_, *recent_, settings_, *this});
-  files_ = std::make_unique<FileFlow>(
-      FileFlow::Parts{document_, jobs_, *projects_, *recent_, settings_, *this});
-  addActions();
+
+  makeParts();
   fillMenus();
   fillToolBar();
   connectJobs();
-  connectFiles();
-  connectProjects();
-  connectDocument();
-  connectReview();
-  connectFindings();
-  connectAtHand();
-  connectEvaluation();
-  connectPreview();
-  theme_->start();
+  connectMessages();
+  connectParts();
   restoreGeometry(settings_.value("window/geometry").toByteArray());
   restoreState(settings_.value("window/state").toByteArray());
   refreshEmptiness();
-  projects_->offerSessions();
+  for (const auto& part : parts_)
+    part->beginWork();
 }
 
 MainWindow::~MainWindow() {
@@ -131,23 +83,17 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::open(const QStringList& paths) {
-  actions_->guarded(
-      [&] {
-        files_->open(paths);
-        return true;
-      },
-      Refusal::inBanner);
+  emit openRequested(paths);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  const bool mayClose =
-      actions_->guarded([this] { return files_->mayDiscard(); }, Refusal::inBanner);
-  if (!mayClose) {
+  const auto mayClose = [this] {
+    return std::ranges::all_of(parts_, [](const auto& part) { return part->mayClose(); });
+  };
+  if (!actions_->guarded(mayClose, Refusal::inBanner)) {
     event->ignore();
     return;
   }
-  jobs_.cancel();
-  projects_->leave();
   settings_.setValue("window/geometry", saveGeometry());
   settings_.setValue("window/state", saveState());
   event->accept();
@@ -159,8 +105,7 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 
 void MainWindow::dropEvent(QDropEvent* event) {
   event->acceptProposedAction();
-  const QStringList paths = localFiles(*event->mimeData());
-  if (!reference_->takesDropped(paths)) open(paths);
+  emit dropped(localFiles(*event->mimeData()));
 }
 
 void MainWindow::makeCenter() {
@@ -183,8 +128,9 @@ void MainWindow::makeCenter() {
   banner_ = new MessageBanner(center_);
   banner_->setCover([this](const QRect& part) {
     int covered = 0;
-    for (const PlantView* view : {view_, twoViews_ ? twoViews_->second() : nullptr})
-      if (view != nullptr && view->isVisible())
+    for (const PlantView* view :
+         views_->findChildren<PlantView*>(QString(), Qt::FindDirectChildrenOnly))
+      if (view->isVisible())
         covered += view->coveredBy(part.translated(-view->mapTo(center_, QPoint())));
     return covered;
   });
@@ -192,47 +138,84 @@ void MainWindow::makeCenter() {
   setCentralWidget(page);
 }
 
-void MainWindow::closePlant() {
-  if (jobs_.isRunning()) jobs_.cancel();
-  if (!files_->mayDiscard()) return;
-  projects_->clear();
-  banner_->hide();
-  projects_->offerSessions();
-  refreshEmptiness();
+void MainWindow::connectParts() {
+  for (const auto& each : parts_) {
+    const WindowPart* part = each.get();
+    connect(part, &WindowPart::noted, status_, &StatusLine::showNote);
+    connect(part, &WindowPart::failed, banner_,
+            [this](const QString& message) { banner_->showError(message); });
+    connect(part, &WindowPart::told, this, &MainWindow::tell);
+    connect(part, &WindowPart::outdated, banner_, &QWidget::hide);
+    connect(part, &WindowPart::hintChanged, this, &MainWindow::refreshHint);
+    connect(part, &WindowPart::countChanged, this, &MainWindow::refreshCounts);
+  }
 }
 
-void MainWindow::tellStep(int index) {
-  if (banner_->leavesByItself()) banner_->hide(); // it told of the step before
-  const QUndoStack& stack = document_.undoStack();
-  const int before = std::exchange(step_, index);
-  if (editing_->isBusy() || projects_->isLoading()) return; // a drag tells what it does itself
-  if (index == before - 1 && index < stack.count())
-    status_->showNote(tr("Undone: %1").arg(stack.text(index)));
-  else if (index == before + 1)
-    status_->showNote(index < stack.count() ? tr("Redone: %1").arg(stack.text(index - 1))
-                                            : stack.text(index - 1));
+void MainWindow::connectJobs() {
+  connect(&jobs_, &JobRunner::started, this, [this] {
+    status_->showJob(jobs_.name());
+    for (const auto& part : parts_)
+      part->setEnabled(false); // what a job will replace is not to be edited meanwhile
+  });
+  connect(&jobs_, &JobRunner::progressed, status_, &StatusLine::showProgress);
+  connect(&jobs_, &JobRunner::failed, this,
+          [this](const QString& message) { banner_->showError(message); });
+  connect(&jobs_, &JobRunner::finished, this, [this] {
+    status_->hideJob();
+    for (const auto& part : parts_)
+      part->setEnabled(true);
+    if (jobs_.isCanceled()) status_->showNote(tr("Canceled: nothing has changed"));
+    refreshEmptiness();
+  });
+  connect(status_, &StatusLine::cancelRequested, &jobs_, &JobRunner::cancel);
+}
+
+void MainWindow::connectMessages() {
+  for (auto signal : {&PlantDocument::titleChanged, &PlantDocument::scanChanged})
+    connect(&document_, signal, this, &MainWindow::refreshTitle);
+  for (auto signal :
+       {&PlantDocument::scanChanged, &PlantDocument::skeletonReplaced, &PlantDocument::unitChanged})
+    connect(&document_, signal, this, &MainWindow::refreshCounts);
+  connect(&document_, &PlantDocument::skeletonEdited, this, &MainWindow::refreshCounts);
+  connect(&document_, &PlantDocument::leftOutChanged, this, &MainWindow::refreshCounts);
+  connect(&document_.undoStack(), &QUndoStack::indexChanged, this, [this] {
+    if (banner_->leavesByItself()) banner_->hide(); // it told of the step before
+  });
+  connect(actions_.get(), &ActionSet::refused, this, &MainWindow::showRefusal);
+  connect(actions_.get(), &ActionSet::acted, this, [this] { // why the last one was not is history
+    if (banner_->isError() && banner_->text() == refusal_) banner_->hide();
+  });
+  connect(start_, &StartPage::openRequested, (*actions_)["open"], &QAction::trigger);
+  connect(start_, &StartPage::fileChosen, this, [this](const QString& path) { open({path}); });
+  connect(recent_.get(), &RecentFiles::changed, this,
+          [this] { start_->setRecentFiles(recent_->paths()); });
+  start_->setRecentFiles(recent_->paths());
+}
+
+void MainWindow::tell(const Notice& notice) {
+  if (notice.isStep)
+    return banner_->showResult(notice.text, tr("Undo"), [this] { (*actions_)["undo"]->trigger(); });
+  MessageBanner::Actions actions;
+  for (const BannerAction& action : notice.actions)
+    actions.push_back({action.text, [this, act = action.act] { guarded(act); }});
+  if (notice.isError)
+    banner_->showError(notice.text, actions);
+  else if (actions.empty())
+    banner_->showResult(notice.text);
+  else
+    banner_->showOffer(notice.text, actions);
 }
 
 void MainWindow::refreshDocks() {
   const bool hasPlant = center_->currentWidget() == views_; // panels that do not apply are absent
-  pipelineDock_->setPlantShown(hasPlant);
-  inspectorDock_->setPlantShown(hasPlant);
-  review_->dock().setPlantShown(hasPlant);
-  shown_->setAvailable(hasPlant);
-  findings_->dock().setPlantShown(hasPlant);
-  explained_->setPlantShown(hasPlant);
-  states_->setPlantShown(hasPlant);
-  history_->dock().setPlantShown(hasPlant);
-  nodeTable_->dock().setPlantShown(hasPlant);
-  evaluation_->setPlantShown(hasPlant);
-  judge_->dock().setPlantShown(hasPlant);
-  sweep_->dock().setPlantShown(hasPlant);
+  for (const auto& part : parts_) {
+    for (PanelDock* dock : part->docks())
+      dock->setPlantShown(hasPlant);
+    part->setPlantShown(hasPlant);
+  }
 }
 
 void MainWindow::refreshTitle() {
-  (*actions_)["compact_project"]->setEnabled(projects_->isNamed());
-  (*actions_)["keep_scan"]->setEnabled(projects_->isNamed() && document_.scan() != nullptr);
-  (*actions_)["keep_scan"]->setChecked(projects_->isScanKept());
   const QString path = document_.filePath().isEmpty() ? document_.scanPath() : document_.filePath();
   setWindowFilePath(path);
   vertices_->setFile(QFileInfo(path).fileName());
@@ -244,43 +227,40 @@ void MainWindow::refreshTitle() {
 }
 
 void MainWindow::refreshCounts() {
-  QStringList parts;
+  QStringList counts;
   if (document_.scan() != nullptr) {
     const auto points = std::size_t(document_.scan()->cloud()->size());
-    parts.append(points == 1 ? tr("1 pt") : tr("%1 pts").arg(formatCount(points)));
+    counts.append(points == 1 ? tr("1 pt") : tr("%1 pts").arg(formatCount(points)));
   }
   if (const std::size_t nodes = document_.skeleton().size(); nodes > 0)
-    parts.append(nodes == 1 ? tr("1 node") : tr("%1 nodes").arg(formatCount(nodes)));
-  if (units_->marks() > 0) parts.append(tr("%1 marked").arg(formatCount(units_->marks())));
-  if (const std::size_t hidden = shown_->hidden().size(); hidden > 0)
-    parts.append(tr("%1 hidden").arg(formatCount(hidden)));
+    counts.append(nodes == 1 ? tr("1 node") : tr("%1 nodes").arg(formatCount(nodes)));
+  for (const auto& part : parts_)
+    if (const QString count = part->count(); !count.isEmpty()) counts.append(count);
   if (!document_.leftOut().isEmpty())
-    parts.append(tr("%1 set aside").arg(formatCount(document_.leftOut().size())));
+    counts.append(tr("%1 set aside").arg(formatCount(document_.leftOut().size())));
   const auto& frame = document_.structure().frame;
   if (frame && center_->currentWidget() == vertices_) {
     const std::size_t vertices = frame->mtg.vertices.size();
-    parts.append(vertices == 1 ? tr("1 vertex") : tr("%1 vertices").arg(formatCount(vertices)));
+    counts.append(vertices == 1 ? tr("1 vertex") : tr("%1 vertices").arg(formatCount(vertices)));
   }
-  if (document_.unit() != LengthUnit::unknown) parts.append(symbol(document_.unit()));
-  status_->setCounts(parts.join(QStringLiteral(" · ")));
+  if (document_.unit() != LengthUnit::unknown) counts.append(symbol(document_.unit()));
+  status_->setCounts(counts.join(QStringLiteral(" · ")));
 }
 
 void MainWindow::refreshHint() {
-  QString hint = editing_->hint();
+  QString hint;
+  QString further;
+  for (const auto& part : parts_) {
+    if (const QString its = part->hint(); !its.isEmpty()) hint = its;
+    if (const QString its = part->furtherHint(); !its.isEmpty()) further += "   " + its;
+  }
   if (document_.isEmpty()) // while a file is read, that is all there is to say
     hint = jobs_.isRunning() ? QString() : tr("Open a scan, or drop one here");
   if (center_->currentWidget() == vertices_)
     hint = withKeys(tr("No positions, so no view   {export_structure} write as MTG or OPF   "
                        "{open} open another file"),
                     *actions_);
-  if (const QString radius = radius_->hint(); !radius.isEmpty()) hint = radius;
-  if (preview_ && preview_->shown() && preview_->isOther() && !editing_->isPending())
-    hint = withKeys(tr("Preview   {reconstruct} make it the skeleton   {leave} drop it   "
-                       "{keep_as_a} keep as A"),
-                    *actions_);
-  if (units_->marks() > 0)
-    hint += "   " + withKeys(tr("{mark_unit_start} mark unit start"), *actions_);
-  status_->setHint(hint);
+  status_->setHint(hint + further);
 }
 
 void MainWindow::refreshEmptiness() {
@@ -292,53 +272,24 @@ void MainWindow::refreshEmptiness() {
   center_->setCurrentWidget(showsVertices ? vertices_
                             : isEmpty     ? static_cast<QWidget*>(start_)
                                           : views_);
-  const bool canRun = document_.scan() != nullptr && !jobs_.isRunning();
-  pipeline_->setRunnable(canRun);
-  (*actions_)["reconstruct"]->setEnabled(canRun);
-  for (const char* id : {"save", "save_as", "export_structure"})
-    (*actions_)[id]->setEnabled(isShapeless || !document_.skeleton().isEmpty());
-  (*actions_)["save_project_as"]->setEnabled(isShapeless || !document_.isEmpty());
   refreshDocks();
   refreshTitle();
   refreshCounts();
   refreshHint();
 }
 
-void MainWindow::reconstruct(const Step* last) {
-  sweep_->stop();
-  preview_->stop(); // what it has computed is at hand
-  reconstruct_->start(pipeline_->options(), last);
-}
-
-void MainWindow::leave() {
-  if (editing_->isPending() || !preview_->drop()) editing_->escape();
-}
-
-void MainWindow::undoStep() {
-  if (editing_->isPending() || !endsPreview(document_.undoStack().index() - 1)) editing_->undo();
-}
-
-void MainWindow::redoStep() {
-  if (editing_->isPending() || !endsPreview(document_.undoStack().index())) editing_->redo();
-}
-
-/// A step of a plant that is behind a preview drops that first: one sees what is undone.
-bool MainWindow::endsPreview(int step) {
-  const bool isThere = step >= 0 && step < document_.undoStack().count();
-  return isThere && document_.isHeld() && !document_.step(step).delta.isEmpty() && preview_->drop();
+void MainWindow::addLayoutAction() {
+  actions_->add({.id = "reset_layout",
+                 .text = tr("Reset Layout"),
+                 .help = tr("Puts all panels back in their places"),
+                 .menu = "panels/layout"},
+                [this] { resetLayout(); });
 }
 
 void MainWindow::resetLayout() {
-  pipelineDock_->resetLayout();
-  inspectorDock_->resetLayout();
-  review_->dock().resetLayout();
-  findings_->dock().resetLayout();
-  shown_->dock().resetLayout();
-  history_->dock().resetLayout();
-  nodeTable_->dock().resetLayout();
-  evaluation_->resetLayout();
-  judge_->dock().resetLayout();
-  sweep_->dock().resetLayout();
+  for (const auto& part : parts_)
+    for (PanelDock* dock : part->docks())
+      dock->resetLayout();
   refreshDocks();
 }
 
@@ -349,7 +300,7 @@ void MainWindow::showRefusal(const QString& reason, Refusal where) {
     return;
   }
   constexpr int reading = 6000; // ms
-  QWidget* field = where == Refusal::atField ? units_->field() : nullptr;
+  QWidget* field = where == Refusal::atField ? actions_->field() : nullptr;
   if (field != nullptr)
     QToolTip::showText(field->mapToGlobal(field->rect().bottomLeft()), reason, field, {}, reading);
   else
@@ -357,16 +308,13 @@ void MainWindow::showRefusal(const QString& reason, Refusal where) {
   status_->showNote(reason);
 }
 
-void MainWindow::showContextMenu(const QPoint& globalPosition) {
-  QMenu menu(this);
-  points_->fillContextMenu(menu);
-  editing_->fillContextMenu(menu);
-  if (editing_->nodeUnder()) {
-    menu.addSeparator();
-    hulls_->fillMenu(menu);
-  }
-  shown_->fillContextMenu(menu);
-  menu.exec(globalPosition);
+void MainWindow::guarded(const std::function<void()>& act) {
+  actions_->guarded(
+      [&] {
+        act();
+        return true;
+      },
+      Refusal::inBanner);
 }
 
 } // namespace espalier

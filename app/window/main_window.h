@@ -1,5 +1,7 @@
 #pragma once
 
+#include "app/window/reveal.h"
+#include "app/window/window_parts.h"
 #include "ui/document/plant_document.h"
 #include "ui/jobs/job_runner.h"
 
@@ -15,56 +17,18 @@ namespace espalier {
 
 enum class Refusal;
 class ActionSet;
-class ChoicesFlow;
-class CloseLookFlow;
-class DensityFlow;
-class Editing;
-class EvaluationFlow;
-class ExplainedFlow;
-class FileFlow;
-class FindingsFlow;
-class HistoryFlow;
-class HullFlow;
-class JudgeFlow;
 class InspectorPanel;
-class KeyBindings;
 class MessageBanner;
-class NodeTableFlow;
-class PanelDock;
 class PipelinePanel;
 class PlantView;
-class PointStates;
-class PointsFlow;
-class PresetFlow;
-class PreviewFlow;
-class ProjectFlow;
-class RadiusFlow;
 class RecentFiles;
-class ReconstructFlow;
-class ReferenceFlow;
-class ReviewFlow;
-class ScanDistances;
-class SealFlow;
-class SavedViews;
-class ShownFlow;
-class SightFlow;
-struct Step;
-class SnapFlow;
-class StandFlow;
-class SweepFlow;
 class StartPage;
-class StatesFlow;
 class StatusLine;
-class TraceFlow;
-class ThemeFlow;
-class TwoViewsFlow;
-class UnitFlow;
-class ValueColors;
 class VertexPage;
-class ViewOptions;
 class ViewSync;
 
-/// The window: joins document, view, panels and actions, and decides nothing itself.
+/// The window: document, view, messages and actions, which its parts work with. It knows no single
+/// part but where they are made.
 class MainWindow : public QMainWindow {
   Q_OBJECT
 
@@ -80,9 +44,13 @@ public:
   [[nodiscard]] JobRunner& jobs() { return jobs_; }
   [[nodiscard]] PlantView& view() { return *view_; }
   [[nodiscard]] const ActionSet& actionSet() const { return *actions_; }
-  [[nodiscard]] const PreviewFlow& preview() const { return *preview_; }
+  template <class Part> [[nodiscard]] const Part& part() const { return parts_.get<Part>(); }
   [[nodiscard]] const MessageBanner& banner() const { return *banner_; }
   [[nodiscard]] const StatusLine& statusLine() const { return *status_; }
+
+signals:
+  void openRequested(const QStringList& paths);
+  void dropped(const QStringList& paths);
 
 protected:
   void closeEvent(QCloseEvent* event) override;
@@ -90,40 +58,43 @@ protected:
   void dropEvent(QDropEvent* event) override;
 
 private:
-  void addActions();        // main_window_actions.cpp
-  void addFileActions();    // likewise
-  void addProjectActions(); // likewise
-  void addEditActions();    // likewise
-  void addPanels();         // likewise
-  void addHelpActions();    // likewise
-  void fillMenus();         // menus.cpp
-  void fillViewMenu();      // likewise
-  void fillToolBar();       // likewise
-  void connectJobs();       // main_window_connections.cpp
-  void connectFiles();      // likewise
-  void connectProjects();   // likewise
-  void connectDocument();   // likewise
-  void connectReview();     // likewise
-  void connectFindings();   // likewise
-  void connectAtHand();     // likewise
-  void connectEvaluation(); // likewise
-  void connectPreview();    // likewise
+  // main_window_parts.cpp
+  void makeParts();
+  void makeFiles(PipelinePanel& pipeline);
+  void makeEditing(PipelinePanel& pipeline, InspectorPanel& inspector);
+  void makePanels(PipelinePanel& pipeline, InspectorPanel& inspector);
+  void makeReview();
+  void makePoints(PipelinePanel& pipeline);
+  void makeViews();
+  void makeEvaluation();
+  void makePreview(PipelinePanel& pipeline);
+  void joinEdits();
+  void joinFiles();
+  void joinReview();
+  void joinPipeline();
+  void joinPreview();
+  void joinViews();
+  [[nodiscard]] Reveal reveal();
+
+  // menus.cpp
+  void fillMenus();
+  void fillToolBar();
+  void showContextMenu(const QPoint& globalPosition);
+
   void makeCenter();
-  void closePlant();
-  void tellStep(int index);
+  void connectParts();
+  void connectJobs();
+  void connectMessages();
+  void tell(const Notice& notice);
   void refreshDocks();
   void refreshTitle();
   void refreshCounts();
   void refreshHint();
   void refreshEmptiness();
-  void reconstruct(const Step* last = nullptr); // up to a step
-  void leave();
-  void undoStep();
-  void redoStep();
-  [[nodiscard]] bool endsPreview(int step); // of the undo stack
+  void addLayoutAction();
   void resetLayout();
   void showRefusal(const QString& reason, Refusal where);
-  void showContextMenu(const QPoint& globalPosition);
+  void guarded(const std::function<void()>& act); // what it throws is in the banner
 
   QSettings& settings_;
   PlantDocument document_;
@@ -139,50 +110,9 @@ private:
   MessageBanner* banner_;
   QString refusal_; // the last one told in the banner
   StatusLine* status_;
-  PipelinePanel* pipeline_;
-  InspectorPanel* inspector_;
-  PanelDock* pipelineDock_ = nullptr;
-  PanelDock* inspectorDock_ = nullptr;
 
-  int step_ = 0; // of the undo stack, when it was told last
   std::unique_ptr<ViewSync> sync_;
-  std::unique_ptr<Editing> editing_;
-  std::unique_ptr<TwoViewsFlow> twoViews_;
-  std::unique_ptr<CloseLookFlow> closeLook_;
-  std::unique_ptr<TraceFlow> traces_;
-  std::unique_ptr<SnapFlow> snaps_;
-  std::unique_ptr<StandFlow> stand_;
-  std::unique_ptr<PointStates> pointStates_;
-  std::unique_ptr<PointsFlow> points_;
-  std::unique_ptr<UnitFlow> units_;
-  std::unique_ptr<RadiusFlow> radius_;
-  std::unique_ptr<SealFlow> seals_;
-  std::unique_ptr<ReviewFlow> review_;
-  std::unique_ptr<ShownFlow> shown_;
-  std::unique_ptr<ScanDistances> distances_;
-  std::unique_ptr<FindingsFlow> findings_;
-  std::unique_ptr<ExplainedFlow> explained_;
-  std::unique_ptr<HullFlow> hulls_;
-  std::unique_ptr<PresetFlow> presets_;
-  std::unique_ptr<HistoryFlow> history_;
-  std::unique_ptr<NodeTableFlow> nodeTable_;
-  ThemeFlow* theme_;
-  KeyBindings* keys_ = nullptr;
-  std::unique_ptr<ViewOptions> options_;
-  std::unique_ptr<SavedViews> savedViews_;
-  std::unique_ptr<ValueColors> valueColors_;
-  std::unique_ptr<ReferenceFlow> reference_;
-  std::unique_ptr<EvaluationFlow> evaluation_;
-  std::unique_ptr<ChoicesFlow> choices_;
-  std::unique_ptr<ReconstructFlow> reconstruct_;
-  std::unique_ptr<ProjectFlow> projects_; // behind all that it keeps: writes that as it goes
-  std::unique_ptr<FileFlow> files_;
-  std::unique_ptr<PreviewFlow> preview_;
-  std::unique_ptr<StatesFlow> states_;
-  std::unique_ptr<DensityFlow> densities_;
-  std::unique_ptr<JudgeFlow> judge_;
-  std::unique_ptr<SweepFlow> sweep_;
-  std::unique_ptr<SightFlow> sight_;
+  WindowParts parts_;
 };
 
 } // namespace espalier

@@ -1,26 +1,11 @@
+// The menus and the toolbar: which places they have, in order. What stands at a place, the parts of
+// the window say (ActionSet).
 #include "app/window/action_set.h"
-#include "app/window/evaluation_flow.h"
-#include "app/window/findings_flow.h"
-#include "app/window/hull_flow.h"
 #include "app/window/icon.h"
 #include "app/window/main_window.h"
-#include "app/window/menu_title.h"
-#include "app/window/node_menus.h"
-#include "app/window/points_flow.h"
-#include "app/window/preset_flow.h"
-#include "app/window/radius_flow.h"
-#include "app/window/recent_files.h"
-#include "app/window/review_flow.h"
-#include "app/window/saved_views.h"
-#include "app/window/snap_flow.h"
-#include "app/window/stand_flow.h"
-#include "app/window/states_flow.h"
-#include "app/window/two_views_flow.h"
-#include "app/window/view_options.h"
 #include "ui/tools/registry.h"
 
-#include <QDir>
-#include <QFileInfo>
+#include <QAction>
 #include <QMenu>
 #include <QMenuBar>
 #include <QToolBar>
@@ -29,17 +14,137 @@
 namespace espalier {
 namespace {
 
-/// Adds actions by id; an empty id is a separator.
-void add(QWidget& to, const ActionSet& actions, const QStringList& ids) {
-  for (const QString& id : ids) {
-    if (!id.isEmpty()) {
-      to.addAction(actions[id]);
-      continue;
-    }
-    auto* separator = new QAction(&to);
-    separator->setSeparator(true);
-    to.addAction(separator);
+struct Place {
+  QString id;                     // empty: a line
+  QString title = {};             // of a menu within, which holds the place
+  std::vector<Place> within = {}; // or these places instead
+};
+
+struct MenuPlaces {
+  QString title;
+  std::vector<Place> places;
+};
+
+QString tr(const char* text) {
+  return MainWindow::tr(text);
+}
+
+const Place line;
+
+/// In the View menu, and in one of the toolbar.
+Place colorScales() {
+  return {"view/color_scales",
+          tr("Color Scales"),
+          {{"view/point_maps", tr("Colors of Points")},
+           {"view/node_maps", tr("Colors of Nodes")},
+           line,
+           {"view/color_ranges"}}};
+}
+
+std::vector<Place> viewPlaces() {
+  return {{"view/layers_title"},
+          {"view/layers"},
+          line,
+          {"view/point_colors", tr("Color Points By")},
+          {"view/node_colors", tr("Color Nodes By")},
+          colorScales(),
+          {"view/points"},
+          {"view/sizes", tr("Point Size")},
+          {"view/projections", tr("Projection")},
+          {"view/directions", tr("Look From")},
+          {"view/frame_all"},
+          {"view/frame"},
+          {"view/look"},
+          {"view/pivot"},
+          line,
+          {"view/more"},
+          {"view/second", tr("Second View")},
+          {"view/saved", tr("Saved Views")},
+          {"view/hide"},
+          {"view/clipping"},
+          {"view/show_all"},
+          line,
+          {"", tr("Panels"), {{"panels"}, {"panels/evaluation"}, line, {"panels/layout"}}},
+          {"view/theme", tr("Theme")}};
+}
+
+std::vector<Place> skeletonPlaces() {
+  return {{"skeleton/make"},
+          {"skeleton/stand", tr("R&oot and Up")},
+          {"skeleton/settings", tr("Se&ttings of the Steps")},
+          {"",
+           tr("Pre&view"),
+           {{"preview/live"},
+            line,
+            {"preview/kept"},
+            line,
+            {"preview/choices"},
+            line,
+            {"preview/compare"},
+            line,
+            {"preview/points"}}},
+          line,
+          {"skeleton/edits"},
+          line,
+          {"skeleton/units", tr("&Units")},
+          {"skeleton/hulls"}};
+}
+
+std::vector<MenuPlaces> menuPlaces() {
+  return {{tr("&File"),
+           {{"file/new"},
+            {"file/open"},
+            {"file/recent", tr("Open &Recent")},
+            line,
+            {"file/reference"},
+            line,
+            {"file/save"},
+            line,
+            {"file/export"},
+            {"file/project"},
+            line,
+            {"file/close"}}},
+          {tr("&Edit"),
+           {{"edit/history"},
+            line,
+            {"edit/copy"},
+            line,
+            {"edit/preview"},
+            {"edit/leave"},
+            line,
+            {"edit/tools"},
+            line,
+            {"edit/snap", tr("S&nap")}}},
+          {tr("Se&lect"),
+           {{"select/all"}, {"select/findings"}, {"select/through"}, line, {"select/nodes"}}},
+          {tr("&View"), viewPlaces()},
+          {tr("&Points"), {{"points"}}},
+          {tr("&Skeleton"), skeletonPlaces()},
+          {tr("R&adius"), {{"radius"}}},
+          {tr("Eval&uate"), {{"evaluate"}}},
+          {tr("&Review"), {{"review/walk"}, line, {"review/findings"}}},
+          {tr("Help"), {{"help"}}}}; // Alt+H is a key of the plant
+}
+
+void fill(QMenu& menu, const ActionSet& actions, const std::vector<Place>& places) {
+  for (const Place& place : places) {
+    if (!place.title.isEmpty()) {
+      const std::vector<Place> itself = {{place.id}};
+      fill(*menu.addMenu(place.title), actions, place.within.empty() ? itself : place.within);
+    } else if (place.id.isEmpty())
+      menu.addSeparator();
+    else
+      actions.fill(menu, place.id);
   }
+}
+
+/// Adds actions by id; an empty id is a separator.
+void add(QToolBar& bar, const ActionSet& actions, const QStringList& ids) {
+  for (const QString& id : ids)
+    if (id.isEmpty())
+      bar.addSeparator();
+    else
+      bar.addAction(actions[id]);
 }
 
 QToolButton* makeMenuButton(const QString& text, const QString& icon, QMenu* menu) {
@@ -57,12 +162,6 @@ QToolButton* makeMenuButton(const QString& text, const QString& icon, QMenu* men
   return button;
 }
 
-void fillColorScales(QMenu& menu, const ActionSet& actions, const ViewOptions& options) {
-  menu.addMenu(MainWindow::tr("Colors of Points"))->addActions(options.pointMaps());
-  menu.addMenu(MainWindow::tr("Colors of Nodes"))->addActions(options.nodeMaps());
-  add(menu, actions, {"", "color_range", "usual_color_ranges"});
-}
-
 QStringList toolIds() {
   QStringList ids;
   for (const ToolEntry& tool : tools())
@@ -73,92 +172,8 @@ QStringList toolIds() {
 } // namespace
 
 void MainWindow::fillMenus() {
-  QMenu* file = menuBar()->addMenu(tr("&File"));
-  add(*file, *actions_, {"new_plant", "open"});
-  QMenu* recent = file->addMenu(tr("Open &Recent"));
-  connect(recent, &QMenu::aboutToShow, recent, [this, recent] {
-    recent->clear();
-    for (const QString& path : recent_->paths())
-      recent->addAction(QDir::toNativeSeparators(path), this, [this, path] { open({path}); });
-    if (recent->isEmpty())
-      recent->addAction(tr("None yet"))->setEnabled(false);
-    else
-      recent->addSeparator();
-    recent->addAction(tr("Clear"), recent_.get(), &RecentFiles::clear);
-  });
-  add(*file, *actions_,
-      {"", "load_reference", "remove_reference", "", "save", "save_as", "save_project_as", "",
-       "export_structure", "keep_scan", "compact_project", "", "close_plant", "quit"});
-
-  QMenu* edit = menuBar()->addMenu(tr("&Edit"));
-  add(*edit, *actions_,
-      {"undo", "redo", "", "copy", "", "accept", "next_way", "fewer_branches", "more_branches",
-       "leave", ""});
-  add(*edit, *actions_, toolIds());
-  edit->addSeparator();
-  snaps_->fillMenu(*edit->addMenu(tr("S&nap")));
-
-  QMenu* select = menuBar()->addMenu(tr("Se&lect"));
-  add(*select, *actions_, {"select_all", "select_findings", "select_through", ""});
-  fillNodeChoices(*select, *actions_);
-
-  fillViewMenu();
-
-  points_->fillMenu(*menuBar()->addMenu(tr("&Points")));
-
-  QMenu* skeleton = menuBar()->addMenu(tr("&Skeleton"));
-  add(*skeleton, *actions_, {"reconstruct", "regrow_missing"});
-  stand_->fillMenu(*skeleton->addMenu(tr("R&oot and Up")));
-  QMenu* settings = skeleton->addMenu(tr("Se&ttings of the Steps"));
-  settings->setObjectName("presets");
-  presets_->fill(*settings); // for who looks through the menus
-  connect(settings, &QMenu::aboutToShow, presets_.get(),
-          [this, settings] { presets_->fill(*settings); });
-  states_->fillMenu(*skeleton->addMenu(tr("Pre&view")));
-  skeleton->addSeparator();
-  const QStringList ofUnits = {"mark_unit_start", "commit_marks", "clear_marks"};
-  fillNodeEdits(*skeleton, *actions_, ofUnits + QStringList{"radius_up", "radius_down"});
-  skeleton->addSeparator();
-  add(*skeleton->addMenu(tr("&Units")), *actions_, ofUnits);
-  hulls_->fillMenu(*skeleton);
-
-  add(*menuBar()->addMenu(tr("R&adius")), *actions_, RadiusFlow::menu());
-
-  evaluation_->fillMenu(*menuBar()->addMenu(tr("Eval&uate")));
-
-  QMenu* review = menuBar()->addMenu(tr("&Review"));
-  review_->fillMenu(*review);
-  review->addSeparator();
-  findings_->fillMenu(*review);
-
-  QMenu* help = menuBar()->addMenu(tr("Help")); // Alt+H is a key of the plant
-  add(*help, *actions_, {"manual", "shortcuts", "palette", "", "about"});
-}
-
-void MainWindow::fillViewMenu() {
-  QMenu* view = menuBar()->addMenu(tr("&View"));
-  addTitle(*view, tr("Layers"));
-  view->addActions(options_->layers());
-  view->addSeparator();
-  view->addMenu(tr("Color Points By"))->addActions(options_->colors());
-  view->addMenu(tr("Color Nodes By"))->addActions(options_->nodeColors());
-  fillColorScales(*view->addMenu(tr("Color Scales")), *actions_, *options_);
-  add(*view, *actions_, {"hide_explained", "blend_points"});
-  view->addMenu(tr("Point Size"))->addActions(options_->sizes());
-  view->addMenu(tr("Projection"))->addActions(options_->projections());
-  view->addMenu(tr("Look From"))->addActions(options_->standardViews());
-  add(*view, *actions_, {"frame_all", "frame", "look_closely", "look_back", "pivot", ""});
-  add(*view, *actions_, {"minimap", "two_views"});
-  view->addMenu(tr("Second View"))->addActions(twoViews_->links());
-  QMenu* saved = view->addMenu(tr("Saved Views"));
-  saved->setObjectName("saved_views");
-  connect(saved, &QMenu::aboutToShow, saved, [this, saved] { savedViews_->fill(*saved); });
-  add(*view, *actions_, {"hide", "isolate", "show_clipping", "show_all", ""});
-  add(*view->addMenu(tr("Panels")), *actions_,
-      {"show_pipeline", "show_inspector", "show_review", "show_findings", "show_history",
-       "show_node_table", "show_judge", "show_sweep", "show_evaluation", "show_methods", "",
-       "reset_layout"});
-  add(*view->addMenu(tr("Theme")), *actions_, {"theme_system", "theme_light", "theme_dark"});
+  for (const MenuPlaces& menu : menuPlaces())
+    fill(*menuBar()->addMenu(menu.title), *actions_, menu.places);
 }
 
 void MainWindow::fillToolBar() {
@@ -171,20 +186,28 @@ void MainWindow::fillToolBar() {
   add(*bar, *actions_, toolIds());
   add(*bar, *actions_, {"", "reconstruct", ""});
   auto* layers = new QMenu(bar);
-  layers->addActions(options_->layers());
+  fill(*layers, *actions_, {{"view/layers"}});
   bar->addWidget(makeMenuButton(tr("Layers"), "layers", layers));
   auto* colors = new QMenu(bar);
-  colors->addActions(options_->colors());
-  colors->addSeparator();
-  colors->addMenu(tr("Color Nodes By"))->addActions(options_->nodeColors());
-  fillColorScales(*colors->addMenu(tr("Color Scales")), *actions_, *options_);
-  colors->addMenu(tr("Point Size"))->addActions(options_->sizes());
+  fill(*colors, *actions_,
+       {{"view/point_colors"},
+        line,
+        {"view/node_colors", tr("Color Nodes By")},
+        colorScales(),
+        {"view/sizes", tr("Point Size")}});
   bar->addWidget(makeMenuButton(tr("Color By"), "color", colors));
   add(*bar, *actions_, {"frame_all"});
   auto* space = new QWidget(bar);
   space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   bar->addWidget(space);
   add(*bar, *actions_, {"palette", "shortcuts"});
+}
+
+void MainWindow::showContextMenu(const QPoint& globalPosition) {
+  QMenu menu(this);
+  fill(menu, *actions_,
+       {{"context/points"}, {"context/nodes"}, {"context/hulls"}, {"context/shown"}});
+  menu.exec(globalPosition);
 }
 
 } // namespace espalier

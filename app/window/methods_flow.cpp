@@ -34,7 +34,8 @@ MethodsFlow::MethodsFlow(const Parts& parts) : parts_(parts), panel_(new Methods
                          .title = tr("Methods"),
                          .text = tr("Table of Methods"),
                          .help = tr("Shows or hides how other structures agree with the reference"),
-                         .keys = QKeySequence(Qt::SHIFT | Qt::Key_F5)},
+                         .keys = QKeySequence(Qt::SHIFT | Qt::Key_F5),
+                         .menu = "panels/evaluation"},
                         panel_, this);
   connect(panel_, &MethodsPanel::addRequested, this, &MethodsFlow::choose);
   connect(panel_, &MethodsPanel::copyRequested, this, &MethodsFlow::copy);

@@ -22,16 +22,17 @@ NodeTableFlow::NodeTableFlow(const Parts& parts)
        .text = tr("&Copy"),
        .help = tr("Copies the selected nodes as a table, or what was measured"),
        .keys = QKeySequence::Copy,
-       .refusal = Refusal::atPointer},
+       .refusal = Refusal::atPointer,
+       .menu = "edit/copy"},
       [this] { copy(); });
   parts_.window.actions.beginSection(tr("View"));
-  dock_ = new PanelDock(parts_.window,
+  addDock(new PanelDock(parts_.window,
                         {.id = "node_table",
                          .title = tr("Nodes"),
                          .text = tr("Node Table"),
                          .help = tr("Shows or hides the table of nodes"),
                          .keys = Qt::Key_F11},
-                        panel_, this);
+                        panel_, this));
   connectTable();
 }
 

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "app/window/panel_dock.h"
-
-#include <QObject>
+#include "app/window/window_part.h"
 
 namespace espalier {
 
@@ -11,7 +10,7 @@ class NodeTablePanel;
 class PlantDocument;
 
 /// The table of nodes and Copy: what is typed into the table is edited, what is copied is text.
-class NodeTableFlow : public QObject {
+class NodeTableFlow : public WindowPart {
   Q_OBJECT
 
 public:
@@ -23,11 +22,6 @@ public:
   };
   explicit NodeTableFlow(const Parts& parts);
 
-  [[nodiscard]] PanelDock& dock() { return *dock_; }
-
-signals:
-  void noted(const QString& text);
-
 private:
   void connectTable();
   void guarded(const std::function<void()>& act);
@@ -36,7 +30,6 @@ private:
 
   Parts parts_;
   NodeTablePanel* panel_;
-  PanelDock* dock_;
 };
 
 } // namespace espalier

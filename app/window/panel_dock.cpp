@@ -58,9 +58,13 @@ PanelDock::PanelDock(const Parts& parts, const Name& name, const Place& place, Q
                      QObject* parent)
     : QObject(parent), parts_(parts), place_(place), action_("show_" + name.id),
       dock_(new QDockWidget(name.title, &parts.window)) {
-  QAction* show = parts_.actions.add(
-      {.id = action_, .text = name.text, .help = name.help, .keys = name.keys, .isCheckable = true},
-      {});
+  QAction* show = parts_.actions.add({.id = action_,
+                                      .text = name.text,
+                                      .help = name.help,
+                                      .keys = name.keys,
+                                      .isCheckable = true,
+                                      .menu = name.menu},
+                                     {});
   show->setChecked(parts_.settings.value("panels/" + action_, place_.isShown).toBool());
   connect(show, &QAction::toggled, this, [this](bool isShown) {
     if (!isShown && isBehind()) return bringToFront();

@@ -32,6 +32,7 @@ public:
     QString text;  // of the action
     QString help;
     QKeySequence keys;
+    QString menu = QStringLiteral("panels"); // the place of the action
   };
   struct Place {
     Qt::DockWidgetArea side = Qt::BottomDockWidgetArea;

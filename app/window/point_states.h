@@ -1,9 +1,9 @@
 #pragma once
 
+#include "app/window/window_part.h"
 #include "core/cloud/point_set.h"
 #include "ui/view/point_look.h"
 
-#include <QObject>
 #include <QTimer>
 
 #include <memory>
@@ -17,7 +17,7 @@ class PlantView;
 
 /// How the points of the scan look, by all that has a say in it: what the skeleton explains, what
 /// is set aside, what is shown alone, and what is selected.
-class PointStates : public QObject {
+class PointStates : public WindowPart {
   Q_OBJECT
 
 public:

@@ -41,6 +41,11 @@ void PointsFlow::addActions() {
   addChoices();
   addEdits();
   addShown();
+  parts_.actions.place("points", {"tool_points", "points_shape", "brush_larger", "brush_smaller",
+                                  "invert_points", "deselect_points", "", "set_points_aside",
+                                  "keep_points", "bring_points_back", "", "branch_from_points", "",
+                                  "isolate_points", "show_set_aside"});
+  parts_.actions.place("context/points", [this](QMenu& menu) { fillContextMenu(menu); });
 }
 
 void PointsFlow::addChoices() {
@@ -181,18 +186,6 @@ void PointsFlow::refreshEnabled() {
   enable("points_shape", hasScan && isIdle);
   for (const char* id : {"brush_larger", "brush_smaller"})
     enable(id, isTool && tool_->shape() == SelectPointsTool::Shape::brush);
-}
-
-void PointsFlow::fillMenu(QMenu& menu) const {
-  for (const char* id :
-       {"tool_points", "points_shape", "brush_larger", "brush_smaller", "invert_points",
-        "deselect_points", "", "set_points_aside", "keep_points", "bring_points_back", "",
-        "branch_from_points", "", "isolate_points", "show_set_aside"}) {
-    if (*id == '\0')
-      menu.addSeparator();
-    else
-      menu.addAction(parts_.actions[id]);
-  }
 }
 
 void PointsFlow::fillContextMenu(QMenu& menu) const {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <QObject>
+#include "app/window/window_part.h"
 
 class QMenu;
 
@@ -15,7 +15,7 @@ class SelectPointsTool;
 
 /// What is done with points of the scan: they are selected, set aside and brought back, and shown
 /// alone. To set them aside is a step of the history; what is shown is none.
-class PointsFlow : public QObject {
+class PointsFlow : public WindowPart {
   Q_OBJECT
 
 public:
@@ -28,13 +28,11 @@ public:
   };
   explicit PointsFlow(const Parts& parts);
 
-  void fillMenu(QMenu& menu) const;
-  void fillContextMenu(QMenu& menu) const; // with what may be done to selected points, if any
-
 signals:
   void changed(); // what is shown alone
 
 private:
+  void fillContextMenu(QMenu& menu) const; // with what may be done to selected points, if any
   void addActions();
   void addChoices();
   void addEdits();

@@ -8,7 +8,6 @@
 #include "core/pipeline/preset.h"
 #include "core/pipeline/presets.h"
 #include "ui/document/plant_document.h"
-#include "ui/panels/message_banner.h"
 #include "ui/panels/pipeline_panel.h"
 
 #include <QFileDialog>
@@ -53,6 +52,11 @@ PresetFlow::PresetFlow(const Parts& parts) : parts_(parts) {
                       .help = tr("Writes methods and options of all steps to a file, for other "
                                  "plants and for the command line")},
                      [this] { save(); });
+  parts_.actions.place("skeleton/settings", [this](QMenu& menu) {
+    menu.setObjectName("presets");
+    fill(menu); // for who looks through the menus
+    connect(&menu, &QMenu::aboutToShow, this, [this, &menu] { fill(menu); });
+  });
 }
 
 void PresetFlow::fill(QMenu& menu) {
@@ -117,7 +121,7 @@ void PresetFlow::keep() {
   else
     all.push_back({.name = name, .text = text.str()});
   setOwn(all);
-  parts_.banner.showResult(tr("Kept these settings as %1").arg(name));
+  emit told({.text = tr("Kept these settings as %1").arg(name)});
 }
 
 void PresetFlow::forget(const QString& name) {
@@ -129,6 +133,7 @@ void PresetFlow::forget(const QString& name) {
 void PresetFlow::show(const PipelineOptions& options) {
   parts_.pipeline.setOptions(options);
   emit chosen();
+  emit keptChanged();
 }
 
 void PresetFlow::open() {
@@ -154,8 +159,8 @@ void PresetFlow::save() {
   const QString path = dialog.selectedFiles().front();
   writeAtomically(toPath(path),
                   [this](std::ostream& out) { writePreset(out, parts_.pipeline.options()); });
-  parts_.settings.setValue(presetFolderKey, QFileInfo(path).absolutePath());
-  parts_.banner.showResult(tr("Wrote %1").arg(QFileInfo(path).fileName()));
+  parts_.settings.setValue(folderKey, QFileInfo(path).absolutePath());
+  emit told({.text = tr("Wrote %1").arg(QFileInfo(path).fileName())});
 }
 
 } // namespace espalier

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "app/window/window_part.h"
 #include "core/pipeline/pipeline.h"
 
-#include <QObject>
 #include <QString>
 
 #include <vector>
@@ -14,13 +14,12 @@ class QWidget;
 namespace espalier {
 
 class ActionSet;
-class MessageBanner;
 class PipelinePanel;
 class PlantDocument;
 
 /// The settings of all steps as a whole: those that come with the program, those that the user
 /// keeps under a name, and files of them.
-class PresetFlow : public QObject {
+class PresetFlow : public WindowPart {
   Q_OBJECT
 
 public:
@@ -28,19 +27,17 @@ public:
   struct Parts {
     PipelinePanel& pipeline;
     ActionSet& actions;
-    MessageBanner& banner;
     QSettings& settings;
     QWidget& window;
     const PlantDocument& document; // whose unit lengths as "38 mm" are turned into
   };
   explicit PresetFlow(const Parts& parts);
 
-  void fill(QMenu& menu); // anew: what is kept may have changed
-
 signals:
   void chosen(); // other settings are shown
 
 private:
+  void fill(QMenu& menu); // anew: what is kept may have changed
   struct Own {
     QString name;
     std::string text; // as a file of settings

@@ -3,6 +3,7 @@
 #include "app/window/action_set.h"
 #include "app/window/editing.h"
 #include "app/window/judged_state.h"
+#include "app/window/key_hints.h"
 #include "app/window/options_text.h"
 #include "app/window/reconstruct_flow.h"
 #include "core/pipeline/pipeline_options.h"
@@ -92,6 +93,7 @@ PreviewFlow::PreviewFlow(const Parts& parts) : parts_(parts) {
       });
     });
   keepChoices();
+  connect(this, &PreviewFlow::changed, this, &PreviewFlow::hintChanged);
 }
 
 PreviewFlow::~PreviewFlow() = default;
@@ -102,7 +104,8 @@ void PreviewFlow::addActions() {
                                       .text = tr("Live Preview"),
                                       .help = tr("Shows what each change of a step would make"),
                                       .keys = QKeySequence(Qt::CTRL | Qt::Key_L),
-                                      .isCheckable = true},
+                                      .isCheckable = true,
+                                      .menu = "preview/live"},
                                      {});
   connect(live, &QAction::toggled, &parts_.pipeline, &PipelinePanel::setLive);
   connect(&parts_.pipeline, &PipelinePanel::liveToggled, live, &QAction::setChecked);
@@ -111,7 +114,8 @@ void PreviewFlow::addActions() {
                       .text = tr("Preview Here"),
                       .help = tr("Shows changes at once in the points under the pointer; on empty "
                                  "ground: where one looks, as usual"),
-                      .keys = QKeySequence(Qt::SHIFT | Qt::Key_L)},
+                      .keys = QKeySequence(Qt::SHIFT | Qt::Key_L),
+                      .menu = "preview/live"},
                      [this] { placeBall(); });
 }
 
@@ -291,7 +295,7 @@ bool PreviewFlow::drop() {
   if (!shown_) return false;
   if (isOther()) dropChoices();
   clear();
-  parts_.reconstruct.showUsed(parts_.pipeline);
+  parts_.reconstruct.showUsed();
   return true;
 }
 
@@ -303,6 +307,20 @@ void PreviewFlow::dropChoices() {
   parts_.document.setRoot(before_.root);
   isDropping_ = false;
   parts_.pipeline.setOptions(before_);
+}
+
+void PreviewFlow::setEnabled(bool isEnabled) {
+  if (isEnabled)
+    goOn();
+  else
+    stop();
+}
+
+QString PreviewFlow::hint() const {
+  if (!shown_ || !isOther() || parts_.editing.isPending()) return {};
+  return withKeys(tr("Preview   {reconstruct} make it the skeleton   {leave} drop it   "
+                     "{keep_as_a} keep as A"),
+                  parts_.actions);
 }
 
 void PreviewFlow::goOn() {

@@ -1,12 +1,12 @@
 #pragma once
 
 #include "app/window/shared_pipeline.h"
+#include "app/window/window_part.h"
 #include "core/cloud/ball.h"
 #include "core/evaluate/contraction_quality.h"
 #include "ui/jobs/latest_job.h"
 #include "ui/view/plant_state.h"
 
-#include <QObject>
 #include <QTimer>
 
 #include <cstdint>
@@ -42,7 +42,7 @@ struct Outcome {
 /// points where one looks, or where one has put it, then, once the hand rests, of the whole scan.
 /// What is out of date is dropped, never waited for, but for what is nearly there: so a knob that
 /// moves steadily shows something all the while.
-class PreviewFlow : public QObject {
+class PreviewFlow : public WindowPart {
   Q_OBJECT
 
 public:
@@ -59,7 +59,7 @@ public:
   ~PreviewFlow() override;
 
   [[nodiscard]] bool isLive() const;
-  [[nodiscard]] bool isBusy() const { return job_.isBusy() || rest_.isActive(); }
+  [[nodiscard]] bool isBusy() const override { return job_.isBusy() || rest_.isActive(); }
   /// What is shown in place of the plant; none: the plant itself.
   [[nodiscard]] const std::optional<Outcome>& shown() const { return shown_; }
   /// What it does otherwise than the plant was made, as it is written over it. pre: shown()
@@ -78,18 +78,18 @@ public:
   /// Takes the preview away, with the choices that led to it where it is other than the plant.
   /// Returns whether there was one.
   bool drop();
-  void goOn();  // after stop(), until the preview is of the whole scan
-  void stop();  // computes no further; what is shown stays
+  void stop() override; // what is shown stays
+  void setEnabled(bool isEnabled) override;
+  [[nodiscard]] QString hint() const override;
   void clear(); // takes the preview away; the choices stay
 
 signals:
   void changed(); // what is shown, or whether it still is to be completed
-  void failed(const QString& message);
-  void noted(const QString& message);
 
 private:
   enum class Kind : std::uint8_t { contracted, reconstructed, whole }; // the first two of a ball
   void addActions();
+  void goOn(); // after stop(), until the preview is of the whole scan
   void turn(bool isOn);
   /// @param movesPoints whether the change is one of the contraction, or of what comes before it
   void ask(bool movesPoints);

@@ -53,7 +53,7 @@ ProjectFlow::ProjectFlow(const Parts& parts)
   connect(&prepare_, &QTimer::timeout, this, &ProjectFlow::prepareSession);
 }
 
-ProjectFlow::~ProjectFlow() {
+void ProjectFlow::endWork() {
   blockSignals(true); // who would show it is going too
   release(parts_.document.isModified());
 }
@@ -170,13 +170,16 @@ void ProjectFlow::clear() {
   isScanKept_ = false;
   parts_.document.clear();
   scan_.reset();
-  for (const Beside& beside : beside_)
+  for (const Kept& beside : beside_)
     beside.show({});
 }
 
-void ProjectFlow::keep(const Beside& beside) {
-  beside_.push_back(beside);
-  recorder_.keep(beside.name, beside.text);
+void ProjectFlow::keep(const WindowPart& part) {
+  for (const Kept& kept : part.kept()) {
+    beside_.push_back(kept);
+    recorder_.keep(kept.name, kept.text);
+  }
+  connect(&part, &WindowPart::keptChanged, this, [this] { recorder_.noteChange(); });
 }
 
 void ProjectFlow::setScanReference(const std::optional<ScanReference>& scan) {
@@ -270,7 +273,7 @@ void ProjectFlow::show(LoadedProject loaded, As as) {
 }
 
 void ProjectFlow::showBeside(const Project& project, QStringList& notes) {
-  for (const Beside& beside : beside_) {
+  for (const Kept& beside : beside_) {
     try {
       beside.show(project.document(beside.name));
     } catch (const Error& error) {

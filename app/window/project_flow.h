@@ -2,9 +2,8 @@
 
 #include "app/window/load_project.h"
 #include "app/window/sessions.h"
+#include "app/window/window_part.h"
 #include "ui/document/project_recorder.h"
-
-#include <QObject>
 
 #include <functional>
 #include <optional>
@@ -26,7 +25,7 @@ class RecentFiles;
 /// A document is in a project from its first edit on: in one with a name, or in a session, which is
 /// made a moment after a plant is opened, so that no edit waits for it. A session is removed once
 /// nothing in it is unsaved; else the next start offers it.
-class ProjectFlow : public QObject {
+class ProjectFlow : public WindowPart {
   Q_OBJECT
 
 public:
@@ -39,7 +38,8 @@ public:
     QWidget& window;
   };
   explicit ProjectFlow(const Parts& parts);
-  ~ProjectFlow() override;
+  void beginWork() override { offerSessions(); }
+  void endWork() override;
 
   /// What every project that is to replace the document passes once it is read: the gate may ask,
   /// and calls `show` or not.
@@ -64,16 +64,8 @@ public:
   bool confirmSaved();
   void compact();
 
-  /// What a project keeps beside the plant, as one text by name. `show` is told the text of a
-  /// project that is opened, and the empty one for a new plant; what it throws as an Error is told.
-  struct Beside {
-    std::string name;
-    std::function<std::string()> text;
-    std::function<void(const std::string&)> show;
-  };
-  void keep(const Beside& beside);
-  /// What is beside the plant may have changed.
-  void noteChange() { recorder_.noteChange(); }
+  /// Keeps what a part wants kept beside the plant. What is thrown as an Error is told.
+  void keep(const WindowPart& part);
 
   /// Keeps the scan in the project itself, or no longer; as a job. It is not taken out of there
   /// unless its file is found.
@@ -92,21 +84,9 @@ public:
   /// The newest that waits; if a plant is open, the newest of its scan or structure.
   void offerSessions();
 
-  /// What is to be told, with what can be done about it.
-  struct Notice {
-    QString text;
-    bool isError = false;
-    struct Action {
-      QString text;
-      std::function<void()> act;
-    };
-    std::vector<Action> actions; // at most two
-  };
-
 signals:
   void opened();    // where it is seen from is told by what is kept beside it
   void scanFound(); // of the project that is open
-  void told(const espalier::ProjectFlow::Notice& notice);
   void sessionsChanged();
   void chosen(const QString& path); // a session to go on with
 
@@ -135,7 +115,7 @@ private:
   Sessions sessions_;
   ProjectRecorder recorder_;
   Gate gate_ = [](const std::function<void()>& show) { show(); };
-  std::vector<Beside> beside_;
+  std::vector<Kept> beside_;
   QTimer prepare_;
   std::optional<ScanReference> scan_;
   bool isScanKept_ = false; // in the project, or to be kept in the next one

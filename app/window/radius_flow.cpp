@@ -50,6 +50,10 @@ RadiusFlow::RadiusFlow(const Parts& parts) : parts_(parts) {
   parts_.actions.beginSection(tr("Radius"));
   addMeasures();
   addModels();
+  parts_.actions.place("radius",
+                       {"radius_circle", "radius_mean", "radius_maximum", "radius_hull", "",
+                        "radius_up", "radius_down", "", "interpolate_radii", "smooth_radius",
+                        "limit_radius", "", "pipe_model", "pipe_measured"});
   connectSection();
   for (auto signal : {&PlantDocument::skeletonReplaced, &PlantDocument::scanChanged,
                       &PlantDocument::readOnlyChanged})
@@ -57,23 +61,6 @@ RadiusFlow::RadiusFlow(const Parts& parts) : parts_(parts) {
   connect(&parts_.document, &PlantDocument::skeletonEdited, this, &RadiusFlow::refreshEnabled);
   connect(&parts_.document.selection(), &Selection::changed, this, &RadiusFlow::refreshEnabled);
   refreshEnabled();
-}
-
-QStringList RadiusFlow::menu() {
-  return {"radius_circle",
-          "radius_mean",
-          "radius_maximum",
-          "radius_hull",
-          "",
-          "radius_up",
-          "radius_down",
-          "",
-          "interpolate_radii",
-          "smooth_radius",
-          "limit_radius",
-          "",
-          "pipe_model",
-          "pipe_measured"};
 }
 
 void RadiusFlow::addMeasures() {
@@ -216,10 +203,13 @@ void RadiusFlow::setMeasured(RadiusMeasure by) {
     });
     const std::size_t refused = refusedCount(radii);
     if (refused > 0)
-      emit done(tr("Radius by %1: %2 set, %3 as before (%4)")
-                    .arg(measureName, nodeNames(set), formatCount(refused), refusals(radii)));
+      emit told(
+          {.text = tr("Radius by %1: %2 set, %3 as before (%4)")
+                       .arg(measureName, nodeNames(set), formatCount(refused), refusals(radii)),
+           .isStep = true});
     else if (set.size() > atOnce)
-      emit done(tr("Radius by %1: %2 set").arg(measureName, nodeNames(set)));
+      emit told(
+          {.text = tr("Radius by %1: %2 set").arg(measureName, nodeNames(set)), .isStep = true});
   });
 }
 
@@ -242,8 +232,9 @@ void RadiusFlow::pipeModelAroundMeasured() {
                                for (const NodeId id : nodes)
                                  pipeModelFrom(editor, id, kept);
                              });
-        emit done(
-            tr("Pipe model: %1 kept their radius, which the points confirm").arg(nodeNames(kept)));
+        emit told({.text = tr("Pipe model: %1 kept their radius, which the points confirm")
+                               .arg(nodeNames(kept)),
+                   .isStep = true});
       });
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "app/window/window_part.h"
 #include "core/radius/section_circle.h"
 
-#include <QObject>
 #include <QString>
 #include <QStringList>
 
@@ -18,7 +18,7 @@ class PlantDocument;
 class PlantView;
 
 /// Radii: the commands of the Radius menu, and what is dragged in the cross-section.
-class RadiusFlow : public QObject {
+class RadiusFlow : public WindowPart {
   Q_OBJECT
 
 public:
@@ -32,16 +32,8 @@ public:
 
   explicit RadiusFlow(const Parts& parts);
 
-  /// The ids of the actions of the menu; an empty one is a separator.
-  [[nodiscard]] static QStringList menu();
-
-  void setEnabled(bool isEnabled);    // off while a job runs that replaces the skeleton
-  [[nodiscard]] QString hint() const; // what the mouse does in the cross-section; empty outside it
-
-signals:
-  void done(const QString& message);  // of a step that left nodes as they were, or took long
-  void noted(const QString& message); // nothing has changed
-  void hintChanged();
+  void setEnabled(bool isEnabled) override;
+  [[nodiscard]] QString hint() const override; // in the cross-section
 
 private:
   void addMeasures();

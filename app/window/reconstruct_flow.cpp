@@ -1,11 +1,13 @@
 #include "app/window/reconstruct_flow.h"
 
+#include "app/window/action_set.h"
 #include "app/window/options_text.h"
 #include "core/base/error.h"
 #include "ui/document/number_scale.h"
 #include "ui/document/plant_document.h"
 #include "ui/jobs/job_runner.h"
 
+#include <QAction>
 #include <QElapsedTimer>
 #include <QUndoStack>
 
@@ -15,9 +17,31 @@
 
 namespace espalier {
 
-ReconstructFlow::ReconstructFlow(PlantDocument& document, JobRunner& jobs, QObject* parent)
-    : QObject(parent), document_(document), jobs_(jobs),
+ReconstructFlow::ReconstructFlow(const Parts& parts)
+    : document_(parts.document), jobs_(parts.jobs), actions_(parts.actions), panel_(parts.panel),
       pipeline_(std::make_shared<SharedPipeline>()) {
+  QAction* action = actions_.add({.id = "reconstruct",
+                                  .text = tr("Re&construct"),
+                                  .help = tr("Makes the skeleton from the scan"),
+                                  .icon = "reconstruct",
+                                  .keys = QKeySequence(Qt::CTRL | Qt::Key_R),
+                                  .menu = "skeleton/make"},
+                                 [this] { start(); });
+  connect(&panel_, &PipelinePanel::reconstructRequested, action, &QAction::trigger);
+  connect(&panel_, &PipelinePanel::runRequested, this, [this](const Step& last) {
+    actions_.guarded(
+        [&] {
+          start(&last);
+          return true;
+        },
+        Refusal::inBanner);
+  });
+  connect(&jobs_, &JobRunner::progressed, this, [this](double, const QString& stage) {
+    if (isRunning_) panel_.showRunning(stage);
+  });
+  connect(&jobs_, &JobRunner::failed, this, [this](const QString& message) {
+    if (isRunning_) panel_.showFailed(message);
+  });
   connect(&jobs_, &JobRunner::finished, this, [this] { isRunning_ = false; });
   for (auto signal : {&PlantDocument::scanChanged, &PlantDocument::skeletonReplaced})
     connect(&document_, signal, this, [this] {
@@ -27,14 +51,26 @@ ReconstructFlow::ReconstructFlow(PlantDocument& document, JobRunner& jobs, QObje
   connect(&document_.undoStack(), &QUndoStack::indexChanged, this, &ReconstructFlow::refreshUsed);
 }
 
-void ReconstructFlow::start(const PipelineOptions& options, const Step* last) {
+void ReconstructFlow::setEnabled(bool isEnabled) {
+  if (isEnabled && jobs_.isCanceled()) panel_.showStopped();
+  setPlantShown(isEnabled);
+}
+
+void ReconstructFlow::setPlantShown(bool /*isShown*/) {
+  const bool canRun = document_.scan() != nullptr && !jobs_.isRunning();
+  panel_.setRunnable(canRun);
+  actions_["reconstruct"]->setEnabled(canRun);
+}
+
+void ReconstructFlow::start(const Step* last) {
+  emit starting();
   if (document_.scan() == nullptr)
     throw Error(tr("there is no scan to reconstruct from: open one first").toStdString());
   document_.requireWritable();
   if (jobs_.isRunning())
     throw Error(
         tr("%1 is still running: wait for it, or cancel it").arg(jobs_.name()).toStdString());
-  PipelineOptions ofKept = options;
+  PipelineOptions ofKept = panel_.options();
   ofKept.leftOut = document_.leftOut();
   isRunning_ = true;
   QElapsedTimer elapsed;
@@ -88,11 +124,15 @@ void ReconstructFlow::setUsed(const std::string& text) {
   setRun(std::move(run));
 }
 
-void ReconstructFlow::showUsed(PipelinePanel& panel) const {
+void ReconstructFlow::showUsed() const {
   if (isDone_)
-    panel.showMadeWith(run_->options, telling(), run_->last);
+    panel_.showMadeWith(run_->options, telling(), run_->last);
   else
-    panel.showIdle();
+    panel_.showIdle();
+}
+
+void ReconstructFlow::showDone(const std::string& last) const {
+  panel_.showDone(telling(), last);
 }
 
 void ReconstructFlow::setRun(std::optional<Run> run) {

@@ -40,6 +40,10 @@ bool isStructure(const QString& path) {
 
 ReferenceFlow::ReferenceFlow(const Parts& parts) : parts_(parts) {
   addActions();
+  keepInProject({.name = "reference",
+                 .text = [this] { return text_; },
+                 .show = [this](const std::string& text) { show(text); }});
+  connect(this, &ReferenceFlow::changed, this, &ReferenceFlow::keptChanged);
   show({});
 }
 
@@ -48,11 +52,13 @@ void ReferenceFlow::addActions() {
   parts_.actions.add({.id = "load_reference",
                       .text = tr("&Load Reference…"),
                       .help = tr("Loads the structure that the plant is compared with"),
-                      .keys = QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O)},
+                      .keys = QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O),
+                      .menu = "file/reference"},
                      [this] { choose(); });
   parts_.actions.add({.id = "remove_reference",
                       .text = tr("Remove Reference"),
-                      .help = tr("Puts the reference away; its file stays as it is")},
+                      .help = tr("Puts the reference away; its file stays as it is"),
+                      .menu = "file/reference"},
                      [this] {
                        const QString file = name();
                        show({});
@@ -91,6 +97,7 @@ void ReferenceFlow::load(const QString& path) {
         for (const std::string& note : firstNotes(read.notes))
           notes.append(QString::fromStdString(note));
         emit noted(notes.join(QStringLiteral("; ")));
+        emit outdated(); // of one refused
         emit loaded();
       });
 }

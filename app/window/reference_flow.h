@@ -1,9 +1,9 @@
 #pragma once
 
 #include "app/window/reference_text.h"
+#include "app/window/window_part.h"
 
 #include <Eigen/Geometry>
-#include <QObject>
 #include <QStringList>
 
 #include <memory>
@@ -21,7 +21,7 @@ class PlantDocument;
 class PlantView;
 
 /// The reference: loading and removing it, its layer in the view, and its text in the project.
-class ReferenceFlow : public QObject {
+class ReferenceFlow : public WindowPart {
   Q_OBJECT
 
 public:
@@ -50,19 +50,15 @@ public:
   /// Asks what a structure that is dropped on a plant is to be. False: it is to be opened.
   [[nodiscard]] bool takesDropped(const QStringList& paths);
 
-  /// As a project keeps it; empty: none.
-  [[nodiscard]] std::string text() const { return text_; }
-  void show(const std::string& text);
-
 signals:
-  void changed(); // another, or none
-  void loaded();  // by hand
-  void noted(const QString& message);
+  void changed();                               // another, or none
+  void loaded();                                // by hand
   void openRequested(const QStringList& paths); // what was dropped
 
 private:
   void addActions();
   void choose();
+  void show(const std::string& text);
   void set(Reference reference);
   void askAbout(const QStringList& paths);
 

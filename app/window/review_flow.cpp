@@ -48,6 +48,12 @@ ReviewFlow::ReviewFlow(const Parts& parts, QAction* sign)
   addWalkActions();
   addMarkActions();
   makePanel(sign);
+  parts_.actions.place("review/walk", [this](QMenu& menu) {
+    menu.addActions(walks_);
+    menu.addSeparator();
+    menu.addActions(marks_);
+  });
+  parts_.actions.place("review/walk", {"", "sign_structure", "export_seal", "", "show_review"});
   connectParts();
   refreshEnabled();
   showPlace();
@@ -62,17 +68,6 @@ void ReviewFlow::setInGesture(bool isInGesture) {
   if (isInGesture == isInGesture_) return;
   isInGesture_ = isInGesture;
   refreshEnabled();
-}
-
-void ReviewFlow::fillMenu(QMenu& menu) const {
-  menu.addActions(walks_);
-  menu.addSeparator();
-  menu.addActions(marks_);
-  menu.addSeparator();
-  for (const char* id : {"sign_structure", "export_seal"})
-    menu.addAction(parts_.actions[id]);
-  menu.addSeparator();
-  menu.addAction(parts_.actions["show_review"]);
 }
 
 void ReviewFlow::setReviewer(const QString& name) {
@@ -143,13 +138,13 @@ void ReviewFlow::makePanel(QAction* sign) {
                                              .toDo = at("mark_to_do"),
                                              .sign = sign});
   panel_->setReviewer(reviewer_);
-  dock_ = new PanelDock({parts_.actions, parts_.settings, parts_.window},
-                        {.id = "review",
-                         .title = tr("Review"),
-                         .text = tr("Review Panel"),
-                         .help = tr("Shows or hides this panel"),
-                         .keys = Qt::Key_F9},
-                        besideThePlant, panel_, this);
+  dock_ = addDock(new PanelDock({parts_.actions, parts_.settings, parts_.window},
+                                {.id = "review",
+                                 .title = tr("Review"),
+                                 .text = tr("Review Panel"),
+                                 .help = tr("Shows or hides this panel"),
+                                 .keys = Qt::Key_F9},
+                                besideThePlant, panel_, this));
 }
 
 void ReviewFlow::connectParts() {

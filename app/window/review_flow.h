@@ -1,9 +1,10 @@
 #pragma once
 
+#include "app/window/reveal.h"
+#include "app/window/window_part.h"
 #include "core/skeleton/review_walk.h"
 
 #include <QList>
-#include <QObject>
 #include <QString>
 
 #include <cstdint>
@@ -12,7 +13,6 @@
 
 class QAction;
 class QMainWindow;
-class QMenu;
 class QSettings;
 
 namespace espalier {
@@ -23,14 +23,13 @@ class PanelDock;
 class PlantDocument;
 class PlantView;
 class ReviewPanel;
-struct Camera;
 
 /// The review: the walk along the plant, the marks on what is selected, and the panel for both.
 ///
 /// The stretch one is at is what is selected; so it can be changed by any selection before it is
 /// marked. The key that marks it reviewed does so only with what is seen and is looked at in one go
 /// (app/window/looked_at.h), and takes no doubt back unasked.
-class ReviewFlow : public QObject {
+class ReviewFlow : public WindowPart {
   Q_OBJECT
 
 public:
@@ -42,20 +41,15 @@ public:
     Editing& editing;
     QSettings& settings;
     QMainWindow& window;
-    /// Shows what one flies to, as ShownFlow::reveal.
-    std::function<QString(const std::vector<NodeId>& nodes,
-                          const std::vector<Eigen::Vector3d>& places, const Camera& camera)>
-        reveal;
+    Reveal reveal;
     std::function<const std::vector<NodeId>&()> hidden; // in order
   };
   /// @param sign  the action that the panel offers at its foot
   ReviewFlow(const Parts& parts, QAction* sign);
 
-  void setEnabled(bool isEnabled);     // off while a job runs that replaces the skeleton
+  void setEnabled(bool isEnabled) override;
   void setInGesture(bool isInGesture); // of a tool: Enter is its own then, and nothing is marked
-  void fillMenu(QMenu& menu) const;
 
-  [[nodiscard]] PanelDock& dock() { return *dock_; }
   [[nodiscard]] ReviewPanel& panel() { return *panel_; }
   [[nodiscard]] const QString& reviewer() const { return reviewer_; }
   void setReviewer(const QString& name);

@@ -20,6 +20,10 @@ SavedViews::SavedViews(const Parts& parts)
                 .text = tr("Save This View…"),
                 .help = tr("Keeps camera, clipping and what is hidden, under a name")},
                [this] { save(); });
+  actions_.place("view/saved", [this](QMenu& menu) {
+    menu.setObjectName("saved_views");
+    connect(&menu, &QMenu::aboutToShow, this, [this, &menu] { fill(menu); });
+  });
 }
 
 void SavedViews::fill(QMenu& menu) {
@@ -61,7 +65,7 @@ void SavedViews::save() {
   else
     all.push_back(saved);
   options_.setSavedViews(std::move(all));
-  emit changed();
+  emit keptChanged();
 }
 
 void SavedViews::show(const SavedView& saved) {
@@ -76,7 +80,7 @@ void SavedViews::remove(const QString& name) {
   std::vector<SavedView> all = options_.savedViews();
   std::erase_if(all, [&](const SavedView& saved) { return saved.name == name; });
   options_.setSavedViews(std::move(all));
-  emit changed();
+  emit keptChanged();
 }
 
 } // namespace espalier

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <QObject>
+#include "app/window/window_part.h"
 
 class QMenu;
 class QWidget;
@@ -15,7 +15,7 @@ class ViewOptions;
 
 /// Views with a name, to come back to: where from, what is clipped, what is hidden. The project
 /// keeps them with how the plant is looked at.
-class SavedViews : public QObject {
+class SavedViews : public WindowPart {
   Q_OBJECT
 
 public:
@@ -29,13 +29,9 @@ public:
   };
   explicit SavedViews(const Parts& parts);
 
+private:
   /// Lists them, and what can be done with them, each time it is opened.
   void fill(QMenu& menu);
-
-signals:
-  void changed();
-
-private:
   void save(); // asks for a name; one that is taken is replaced
   void show(const SavedView& saved);
   void remove(const QString& name);

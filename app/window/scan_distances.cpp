@@ -7,8 +7,7 @@
 
 namespace espalier {
 
-ScanDistances::ScanDistances(PlantDocument& document, QObject* parent)
-    : QObject(parent), document_(document) {
+ScanDistances::ScanDistances(PlantDocument& document) : document_(document) {
   connect(&document, &PlantDocument::skeletonEdited, this, &ScanDistances::take);
   connect(&document, &PlantDocument::skeletonReplaced, this, &ScanDistances::measureAnew);
   connect(&document, &PlantDocument::scanChanged, this, &ScanDistances::measureAnew);

@@ -1,10 +1,9 @@
 #pragma once
 
+#include "app/window/window_part.h"
 #include "core/cloud/point_set.h"
 #include "core/skeleton/point_distances.h"
 #include "ui/jobs/job_runner.h"
-
-#include <QObject>
 
 #include <cstdint>
 #include <memory>
@@ -21,11 +20,11 @@ class PlantDocument;
 ///
 /// Nothing is measured while nobody wants it. A plant is measured as a job of its own, which blocks
 /// nothing; an edit, unless it changes much of the plant, is taken in at once.
-class ScanDistances : public QObject {
+class ScanDistances : public WindowPart {
   Q_OBJECT
 
 public:
-  explicit ScanDistances(PlantDocument& document, QObject* parent = nullptr);
+  explicit ScanDistances(PlantDocument& document);
 
   enum class Use : std::uint8_t { findings, explained, nodeColors, pointColors, hulls };
   void setWanted(Use use, bool isWanted);
@@ -37,7 +36,7 @@ public:
   [[nodiscard]] std::vector<float> toSurface() const;
   /// Points that now() tells of, as they are counted in the scan. pre: as toSurface()
   [[nodiscard]] PointSet inScan(const std::vector<Eigen::Index>& points) const;
-  [[nodiscard]] bool isMeasuring() const { return job_.isRunning(); }
+  [[nodiscard]] bool isBusy() const override { return job_.isRunning(); }
 
 signals:
   void changed();

@@ -43,12 +43,12 @@ SealFlow::SealFlow(const Parts& parts) : parts_(parts) {
                       .text = tr("Export Seal…"),
                       .help = tr("Writes who signed, when, and after what work, as JSON")},
                      [this] { exportSeal(); });
-  parts_.projects.keep({.name = "seal",
-                        .text = [this] { return seal_ ? textOf(*seal_) : std::string(); },
-                        .show =
-                            [this](const std::string& text) {
-                              set(text.empty() ? std::nullopt : std::optional(sealFrom(text)));
-                            }});
+  keepInProject({.name = "seal",
+                 .text = [this] { return seal_ ? textOf(*seal_) : std::string(); },
+                 .show =
+                     [this](const std::string& text) {
+                       set(text.empty() ? std::nullopt : std::optional(sealFrom(text)));
+                     }});
   connect(&parts_.document, &PlantDocument::skeletonReplaced, this, [this] { set({}); });
   connect(&parts_.document, &PlantDocument::skeletonEdited, this,
           [this](const SkeletonDelta& delta) {
@@ -89,7 +89,7 @@ void SealFlow::sign() {
   SignDialog dialog(draft, document.unit(), signer_, &parts_.window);
   if (dialog.exec() != QDialog::Accepted) return;
   set(signedBy(dialog.signer().toStdString(), now(), history));
-  parts_.projects.noteChange();
+  emit keptChanged();
   emit signerChanged(dialog.signer());
   const QString done = tr("Signed by %1").arg(signature(*seal_));
   if (parts_.projects.isNamed())

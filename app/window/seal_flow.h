@@ -1,9 +1,9 @@
 #pragma once
 
+#include "app/window/window_part.h"
 #include "core/project/seal.h"
 #include "core/project/structure_hash.h"
 
-#include <QObject>
 #include <QString>
 
 #include <optional>
@@ -20,7 +20,7 @@ class ProjectFlow;
 /// The seal of a structure: signing it, keeping it in the project, and telling when it breaks.
 ///
 /// Whether it holds is a matter of the structure alone: undo or redo to what was signed mends it.
-class SealFlow : public QObject {
+class SealFlow : public WindowPart {
   Q_OBJECT
 
 public:
@@ -34,7 +34,7 @@ public:
   };
   explicit SealFlow(const Parts& parts);
 
-  void setEnabled(bool isEnabled); // off while a job runs that replaces the skeleton
+  void setEnabled(bool isEnabled) override;
   void setSigner(const QString& name) { signer_ = name; }
   [[nodiscard]] bool isSigned() const { return seal_.has_value(); }
   [[nodiscard]] bool isIntact() const { return seal_ && hash_->value() == seal_->hash; }

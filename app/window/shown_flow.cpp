@@ -11,7 +11,6 @@
 #include "ui/view/plant_view.h"
 
 #include <QAction>
-#include <QMenu>
 
 #include <algorithm>
 #include <unordered_set>
@@ -43,33 +42,39 @@ void ShownFlow::addActions() {
                 .text = tr("Hide"),
                 .help = tr("Hides the selected nodes, or the axis under the pointer"),
                 .keys = Qt::Key_H,
-                .refusal = Refusal::atPointer},
+                .refusal = Refusal::atPointer,
+                .menu = "view/hide"},
                [this] { hide(); });
   actions_.add({.id = "isolate",
                 .text = tr("Isolate"),
                 .help = tr("Hides all but the selected nodes, or the axis under the pointer"),
                 .keys = QKeySequence(Qt::SHIFT | Qt::Key_H),
-                .refusal = Refusal::atPointer},
+                .refusal = Refusal::atPointer,
+                .menu = "view/hide"},
                [this] { isolate(); });
   actions_.add({.id = "show_all",
                 .text = tr("Show All Again"),
                 .help = tr("Shows what is hidden or clipped"),
-                .keys = QKeySequence(Qt::ALT | Qt::Key_H)},
+                .keys = QKeySequence(Qt::ALT | Qt::Key_H),
+                .menu = "view/show_all"},
                [this] { showAll(); });
+  actions_.place("context/shown", {"", "hide", "isolate", "show_all"});
 }
 
 void ShownFlow::makePanel() {
   panel_ = new ClipPanel;
   PanelDock::Place place = besideThePlant;
   place.isTab = false;
-  dock_ = new PanelDock(window_,
-                        {.id = "clipping",
-                         .title = tr("Clipping"),
-                         .text = tr("Clipping…"),
-                         .help = tr("Shows a slab or a box of the plant, and fades its back"),
-                         .keys = {}},
-                        place, panel_, this);
-  connect(dock_, &PanelDock::shown, this, [this](bool isShown) {
+  const PanelDock* dock =
+      addDock(new PanelDock(window_,
+                            {.id = "clipping",
+                             .title = tr("Clipping"),
+                             .text = tr("Clipping…"),
+                             .help = tr("Shows a slab or a box of the plant, and fades its back"),
+                             .keys = {},
+                             .menu = "view/clipping"},
+                            place, panel_, this));
+  connect(dock, &PanelDock::shown, this, [this](bool isShown) {
     if (isShown) refreshPanel();
     view_.setClipHandlesShown(isShown);
   });
@@ -154,12 +159,6 @@ QString ShownFlow::reveal(const std::vector<NodeId>& nodes,
   return withKeys(text + tr("   {show_all} shows all of the plant"), actions_);
 }
 
-void ShownFlow::fillContextMenu(QMenu& menu) const {
-  menu.addSeparator();
-  for (const char* id : {"hide", "isolate", "show_all"})
-    menu.addAction(actions_[id]);
-}
-
 void ShownFlow::clipAsPanelSays() {
   const ClipPanel::Values values = panel_->values();
   Clip clip;
@@ -183,10 +182,13 @@ void ShownFlow::refreshPanel() {
                      .fade = view_.depthFade()});
 }
 
-void ShownFlow::setAvailable(bool hasPlant) {
-  dock_->setPlantShown(hasPlant);
+void ShownFlow::setPlantShown(bool isShown) {
   for (const char* id : {"hide", "isolate", "show_clipping"})
-    actions_[id]->setEnabled(hasPlant);
+    actions_[id]->setEnabled(isShown);
+}
+
+QString ShownFlow::count() const {
+  return hidden_.empty() ? QString() : tr("%1 hidden").arg(formatCount(hidden_.size()));
 }
 
 void ShownFlow::setPointsIsolated(bool areIsolated) {
@@ -198,7 +200,7 @@ void ShownFlow::refreshEnabled() {
   const bool isPart =
       !hidden_.empty() || arePointsIsolated_ || !view_.clip().isAll() || view_.depthFade() > 0;
   actions_["show_all"]->setEnabled(isPart);
-  emit changed();
+  emit countChanged();
 }
 
 } // namespace espalier

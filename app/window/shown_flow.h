@@ -1,15 +1,13 @@
 #pragma once
 
 #include "app/window/panel_dock.h"
+#include "app/window/window_part.h"
 #include "core/skeleton/skeleton.h"
 
 #include <Eigen/Core>
-#include <QObject>
 #include <QString>
 
 #include <vector>
-
-class QMenu;
 
 namespace espalier {
 
@@ -22,7 +20,7 @@ struct Camera;
 
 /// What of the plant is shown: hides and isolates nodes, and clips the view. All of it is undone by
 /// one command; none of it edits the plant.
-class ShownFlow : public QObject {
+class ShownFlow : public WindowPart {
   Q_OBJECT
 
 public:
@@ -36,7 +34,6 @@ public:
   };
   explicit ShownFlow(const Parts& parts);
 
-  [[nodiscard]] PanelDock& dock() { return *dock_; }
   [[nodiscard]] const std::vector<NodeId>& hidden() const { return hidden_; }
   [[nodiscard]] std::vector<NodeId> shownNodes() const; // those that are not hidden
   void setHidden(const std::vector<NodeId>& nodes);     // ids that are gone are left out
@@ -47,14 +44,10 @@ public:
   /// @return what was changed, for the status line; empty: nothing had to be
   [[nodiscard]] QString reveal(const std::vector<NodeId>& nodes,
                                const std::vector<Eigen::Vector3d>& places, const Camera& camera);
-  void setAvailable(bool hasPlant);         // without one, the panel is absent
+  void setPlantShown(bool isShown) override;
+  [[nodiscard]] QString count() const override;
   void setPointsIsolated(bool areIsolated); // points are hidden elsewhere
   void refreshPanel();                      // after the clip of the view was changed elsewhere
-
-  void fillContextMenu(QMenu& menu) const;
-
-signals:
-  void changed(); // what is hidden or clipped
 
 private:
   void addActions();
@@ -72,7 +65,6 @@ private:
   ActionSet& actions_;
   Editing& editing_;
   PanelDock::Parts window_;
-  PanelDock* dock_ = nullptr;
   ClipPanel* panel_ = nullptr;
   std::vector<NodeId> hidden_;
   bool arePointsIsolated_ = false;

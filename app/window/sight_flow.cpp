@@ -63,7 +63,8 @@ SightFlow::SightFlow(const Parts& parts) : parts_(parts) {
                               .help = tr("Draws, at the point under the mouse, its neighbors, what "
                                          "its new place is from, directions and circles"),
                               .keys = QKeySequence(Qt::CTRL | Qt::Key_0),
-                              .isCheckable = true},
+                              .isCheckable = true,
+                              .menu = "preview/points"},
                              {});
   connect(show_, &QAction::toggled, this, &SightFlow::turn);
   timer_.setSingleShot(true);

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "app/window/window_part.h"
 #include "core/pipeline/method_sight.h"
 #include "ui/jobs/latest_job.h"
 
-#include <QObject>
 #include <QTimer>
 
 #include <memory>
@@ -22,7 +22,7 @@ class PreviewFlow;
 
 /// Draws what the chosen methods see at the point under the mouse: its neighbors, the points its
 /// new place is from, directions, circles, and the cones of point tracking.
-class SightFlow : public QObject {
+class SightFlow : public WindowPart {
   Q_OBJECT
 
 public:
@@ -36,10 +36,6 @@ public:
     PreviewFlow& preview;
   };
   explicit SightFlow(const Parts& parts);
-
-signals:
-  void noted(const QString& message);
-  void failed(const QString& message);
 
 private:
   void turn(bool isOn);

@@ -44,7 +44,8 @@ SnapFlow::SnapFlow(PlantDocument& document, ActionSet& actions, const Editing& e
                                    .text = text,
                                    .help = help,
                                    .isCheckable = true,
-                                   .refusal = Refusal::atPointer},
+                                   .refusal = Refusal::atPointer,
+                                   .menu = "edit/snap"},
                                   [this, snap] { choose(snap); }));
   };
   add(Snap::nothing, tr("Snap to Nothing"),
@@ -56,11 +57,6 @@ SnapFlow::SnapFlow(PlantDocument& document, ActionSet& actions, const Editing& e
   for (const Snap snap : all) // without a scan yet it moves nodes freely
     if (settings_.value(setting) == idOf(snap)) tool_->setSnap(snap);
   showChoice();
-}
-
-void SnapFlow::fillMenu(QMenu& menu) const {
-  for (const Snap snap : all)
-    menu.addAction(actions_[idOf(snap)]);
 }
 
 void SnapFlow::choose(Snap snap) {

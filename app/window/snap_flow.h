@@ -1,10 +1,9 @@
 #pragma once
 
-#include <QObject>
+#include "app/window/window_part.h"
 
 #include <cstdint>
 
-class QMenu;
 class QSettings;
 
 namespace espalier {
@@ -16,15 +15,13 @@ class PlantDocument;
 enum class Snap : std::uint8_t;
 
 /// What nodes that are dragged snap to: a choice in a menu, remembered in the settings.
-class SnapFlow : public QObject {
+class SnapFlow : public WindowPart {
   Q_OBJECT
 
 public:
   /// All must outlive it.
   SnapFlow(PlantDocument& document, ActionSet& actions, const Editing& editing,
            QSettings& settings);
-
-  void fillMenu(QMenu& menu) const;
 
 private:
   void choose(Snap snap);

@@ -50,6 +50,7 @@ void StandFlow::addActions() {
         parts_.document.setRoot(std::nullopt);
         noteRoot();
       });
+  parts_.actions.place("skeleton/stand", {"tool_root", "root_lowest", ""});
   auto* group = new QActionGroup(this);
   for (const auto& [axis, name] : axes) {
     const auto choose = [this, up = axis] { parts_.document.setUp(up); };
@@ -58,17 +59,10 @@ void StandFlow::addActions() {
          .text = tr("Up Is %1").arg(QLatin1String(name)),
          .help = tr("The %1 axis of the file points up: the plant stands along it")
                      .arg(QLatin1String(name)),
-         .isCheckable = true},
+         .isCheckable = true,
+         .menu = "skeleton/stand"},
         choose));
   }
-}
-
-void StandFlow::fillMenu(QMenu& menu) const {
-  for (const char* id : {"tool_root", "root_lowest"})
-    menu.addAction(parts_.actions[id]);
-  menu.addSeparator();
-  for (const auto& [axis, name] : axes)
-    menu.addAction(parts_.actions[idOf(name)]);
 }
 
 void StandFlow::showUp() {

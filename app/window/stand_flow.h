@@ -1,13 +1,11 @@
 #pragma once
 
+#include "app/window/window_part.h"
 #include "core/graph/find_root.h"
 
 #include <Eigen/Core>
-#include <QObject>
 
 #include <optional>
-
-class QMenu;
 
 namespace espalier {
 
@@ -19,7 +17,7 @@ class PlantView;
 
 /// How the plant stands in its file, chosen before it is reconstructed: which axis points up, and
 /// where the root is. The view follows: it turns the plant upright, and marks the root.
-class StandFlow : public QObject {
+class StandFlow : public WindowPart {
   Q_OBJECT
 
 public:
@@ -32,11 +30,6 @@ public:
     Editing& editing; // whose tool picks the root
   };
   explicit StandFlow(const Parts& parts);
-
-  void fillMenu(QMenu& menu) const;
-
-signals:
-  void noted(const QString& message);
 
 private:
   void addActions();

@@ -48,13 +48,17 @@ void StatesFlow::addActions() {
   actions.add({.id = "keep_as_a",
                .text = tr("Keep as A"),
                .help = tr("Keeps what is shown, to compare it with what comes next"),
-               .keys = QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_A)},
+               .keys = QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_A),
+               .menu = "preview/kept"},
               [this] { keepAsA(); });
   actions.add({.id = "forget_a",
                .text = tr("Forget A"),
-               .help = tr("Compares with the plant as it is again")},
+               .help = tr("Compares with the plant as it is again"),
+               .menu = "preview/kept"},
               [this] { forgetA(); });
-  const auto add = [&](Arrangement arrangement, const Command& command) {
+  const auto add = [&](Arrangement arrangement, Command command) {
+    command.isCheckable = true;
+    command.menu = "preview/compare";
     QAction* action = actions.add(command, [this, arrangement] {
       if (arrangement == arrangement_ && arrangement != Arrangement::preview)
         return parts_.actions["compare_alone"]->trigger(); // once more: as before
@@ -73,25 +77,23 @@ void StatesFlow::addActions() {
   };
   add(Arrangement::preview, {.id = "compare_alone",
                              .text = tr("Preview Alone"),
-                             .help = tr("Shows the preview in place of the plant"),
-                             .isCheckable = true});
+                             .help = tr("Shows the preview in place of the plant")});
   add(Arrangement::divided, {.id = "compare_divided",
                              .text = tr("Divided View"),
                              .help = tr("Shows A, or the plant, left of a divider and the preview "
                                         "right of it"),
-                             .keys = QKeySequence(Qt::CTRL | Qt::Key_9),
-                             .isCheckable = true});
+                             .keys = QKeySequence(Qt::CTRL | Qt::Key_9)});
   add(Arrangement::twoViews, {.id = "compare_two_views",
                               .text = tr("Side by Side"),
                               .help = tr("Shows A, or the plant, in one view and the preview in "
-                                         "another that moves with it"),
-                              .isCheckable = true});
+                                         "another that moves with it")});
   actions["compare_alone"]->setChecked(true);
   QAction* color = actions.add({.id = "color_state_differences",
                                 .text = tr("Color What Differs"),
                                 .help = tr("Colors the skeletons of A and the preview by where "
                                            "they differ"),
-                                .isCheckable = true},
+                                .isCheckable = true,
+                                .menu = "preview/compare"},
                                {});
   connect(color, &QAction::toggled, this, &StatesFlow::colorDifferences);
   QAction* blend = actions.add({.id = "blend_points",
@@ -99,21 +101,11 @@ void StatesFlow::addActions() {
                                 .help = tr("Moves points between where they were scanned and where "
                                            "contraction puts them"),
                                 .keys = QKeySequence(Qt::CTRL | Qt::Key_7),
-                                .isCheckable = true},
+                                .isCheckable = true,
+                                .menu = "preview/points"},
                                {});
+  actions.place("view/points", {"blend_points"});
   connect(blend, &QAction::toggled, this, &StatesFlow::blend);
-}
-
-void StatesFlow::fillMenu(QMenu& menu) const {
-  for (const char* id :
-       {"live_preview", "preview_here", "", "keep_as_a", "forget_a", "", "record_choice",
-        "forget_choice", "", "compare_alone", "compare_divided", "compare_two_views",
-        "color_state_differences", "", "blend_points", "method_sight"}) {
-    if (*id == '\0')
-      menu.addSeparator();
-    else
-      menu.addAction(parts_.actions[id]);
-  }
 }
 
 void StatesFlow::makeBar() {

@@ -1,9 +1,8 @@
 #pragma once
 
 #include "app/window/preview_flow.h"
+#include "app/window/window_part.h"
 #include "ui/jobs/latest_job.h"
-
-#include <QObject>
 
 #include <cstdint>
 #include <optional>
@@ -11,7 +10,6 @@
 class QAction;
 class QActionGroup;
 class QGridLayout;
-class QMenu;
 
 namespace espalier {
 
@@ -25,7 +23,7 @@ class TwoViewsFlow;
 /// Compares two states of the plant: A, which was kept, or else the plant as it is, and what the
 /// preview shows, or else the plant. Beside a divider, in two views, or one after the other. And
 /// moves the points of what is shown between where they were scanned and where they are contracted.
-class StatesFlow : public QObject {
+class StatesFlow : public WindowPart {
   Q_OBJECT
 
 public:
@@ -41,8 +39,7 @@ public:
   };
   explicit StatesFlow(const Parts& parts);
 
-  void fillMenu(QMenu& menu) const;
-  void setPlantShown(bool isShown);
+  void setPlantShown(bool isShown) override;
   /// What was kept as A; none: nothing was.
   [[nodiscard]] const std::optional<Outcome>& kept() const { return kept_; }
   void keep(const Outcome& outcome);
@@ -50,7 +47,6 @@ public:
 
 signals:
   void changed(); // what is kept
-  void noted(const QString& message);
 
 private:
   enum class Arrangement : std::uint8_t { preview, divided, twoViews };

@@ -53,13 +53,14 @@ QString usualOption(const QString& stepName, const PipelineOptions& options) {
 } // namespace
 
 SweepFlow::SweepFlow(const Parts& parts) : parts_(parts) {
-  dock_ = new PanelDock(parts_.window,
-                        {.id = "sweep",
-                         .title = tr("Sweep"),
-                         .text = tr("Sweep of a Parameter"),
-                         .help = tr("Shows or hides what comes of several values of one option"),
-                         .keys = QKeySequence(Qt::SHIFT | Qt::Key_F7)},
-                        makePanel(), this);
+  dock_ = addDock(
+      new PanelDock(parts_.window,
+                    {.id = "sweep",
+                     .title = tr("Sweep"),
+                     .text = tr("Sweep of a Parameter"),
+                     .help = tr("Shows or hides what comes of several values of one option"),
+                     .keys = QKeySequence(Qt::SHIFT | Qt::Key_F7)},
+                    makePanel(), this));
   connect(&job_, &LatestJob::failed, this, [this](const QString& message) {
     if (next_ >= trials_.size()) return;
     trials_[next_].item.failure = message;
@@ -320,6 +321,7 @@ void SweepFlow::take(std::size_t index) {
   parts_.pipeline.setOptions(trials_[index].options);
   showCards();
   emit taken();
+  emit keptChanged();
 }
 
 } // namespace espalier

@@ -3,10 +3,9 @@
 #include "app/report/choice_record.h"
 #include "app/window/judged_state.h"
 #include "app/window/panel_dock.h"
+#include "app/window/window_part.h"
 #include "ui/jobs/latest_job.h"
 #include "ui/panels/sweep_card.h"
-
-#include <QObject>
 
 #include <vector>
 
@@ -28,7 +27,7 @@ class SweepStrip;
 
 /// Runs the pipeline with a few values of one option, one after the other, and lays what came of
 /// them side by side, each with its picture and its numbers. A click takes a value.
-class SweepFlow : public QObject {
+class SweepFlow : public WindowPart {
   Q_OBJECT
 
 public:
@@ -45,9 +44,9 @@ public:
   explicit SweepFlow(const Parts& parts);
   ~SweepFlow() override;
 
-  [[nodiscard]] PanelDock& dock() { return *dock_; }
-  [[nodiscard]] bool isBusy() const { return job_.isBusy(); }
-  void stop();
+  [[nodiscard]] const PanelDock& dock() const { return *dock_; }
+  [[nodiscard]] bool isBusy() const override { return job_.isBusy(); }
+  void stop() override;
   /// What came of each value; no states: nothing was swept.
   [[nodiscard]] ChoiceRecord record() const;
 

@@ -10,7 +10,7 @@
 
 namespace espalier {
 
-ThemeFlow::ThemeFlow(const Parts& parts) : QObject(&parts.window), parts_(parts) {
+ThemeFlow::ThemeFlow(const Parts& parts) : parts_(parts) {
   parts_.actions.beginSection(tr("Theme"));
   auto* group = new QActionGroup(this);
   const auto add = [&](Theme theme, const QString& text, const QString& icon) {
@@ -18,7 +18,8 @@ ThemeFlow::ThemeFlow(const Parts& parts) : QObject(&parts.window), parts_(parts)
                                          .text = text,
                                          .help = tr("Changes the colors of the window"),
                                          .icon = icon,
-                                         .isCheckable = true},
+                                         .isCheckable = true,
+                                         .menu = "view/theme"},
                                         [this, theme] {
                                           parts_.settings.setValue("theme", nameOf(theme));
                                           use(theme);

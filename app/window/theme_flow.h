@@ -1,8 +1,7 @@
 #pragma once
 
 #include "app/window/theme.h"
-
-#include <QObject>
+#include "app/window/window_part.h"
 
 #include <functional>
 
@@ -14,7 +13,7 @@ namespace espalier {
 class ActionSet;
 
 /// The choice of a theme. "As the System" follows the system while the program runs.
-class ThemeFlow : public QObject {
+class ThemeFlow : public WindowPart {
   Q_OBJECT
 
 public:

@@ -62,9 +62,10 @@ TraceFlow::TraceFlow(const Parts& parts)
 
   parts_.actions.beginSection(tr("Tools"));
   QAction* next = parts_.actions.add({.id = "next_way",
-                                      .text = tr("Show Another Path"),
-                                      .help = tr("The next path that a trace could take"),
-                                      .keys = Qt::Key_Tab},
+                                      .text = tr("Show Another Way"),
+                                      .help = tr("The next way that a trace could take"),
+                                      .keys = Qt::Key_Tab,
+                                      .menu = "edit/preview"},
                                      [this] { tool_->showNextWay(); });
   next->setEnabled(false); // Tab leads from field to field while there is nothing to choose
   connect(&parts_.editing, &Editing::hintChanged, next, [this, next] {
@@ -80,7 +81,8 @@ void TraceFlow::addGrowing() {
        .text = tr("Regrow What Is Missing"),
        .help = tr("Grows branches from all points that the skeleton does not explain"),
        .icon = "regrow",
-       .keys = QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N)},
+       .keys = QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N),
+       .menu = "skeleton/make"},
       [this] { regrowMissing(); });
   QAction* chosen = parts_.actions.add(
       {.id = "branch_from_points",
@@ -93,13 +95,15 @@ void TraceFlow::addGrowing() {
       {.id = "fewer_branches",
        .text = tr("Only Longer Branches"),
        .help = tr("Leaves the shortest fifth out of the branches that are shown to be added"),
-       .keys = Qt::Key_PageUp},
+       .keys = Qt::Key_PageUp,
+       .menu = "edit/preview"},
       [this] { regrow_->showFewer(); });
   QAction* more = parts_.actions.add(
       {.id = "more_branches",
        .text = tr("Shorter Branches Too"),
        .help = tr("Shows a fifth more branches to be added, the longest of the others"),
-       .keys = Qt::Key_PageDown},
+       .keys = Qt::Key_PageDown,
+       .menu = "edit/preview"},
       [this] { regrow_->showMore(); });
   connect(&parts_.editing, &Editing::hintChanged, this, [this, fewer, more] {
     const bool isShown = parts_.editing.currentTool() == "regrow";

@@ -1,11 +1,10 @@
 #pragma once
 
+#include "app/window/window_part.h"
 #include "core/pipeline/grow_branches.h"
 #include "core/pipeline/pipeline.h"
 #include "ui/jobs/job_runner.h"
 #include "ui/tools/trace_question.h"
-
-#include <QObject>
 
 #include <functional>
 #include <memory>
@@ -25,7 +24,7 @@ class TraceTool;
 /// What all traces through a scan share is made when a tool asks first, and kept until another scan
 /// is shown. Questions never queue: of those asked while one is answered, the last is answered
 /// next.
-class TraceFlow : public QObject {
+class TraceFlow : public WindowPart {
   Q_OBJECT
 
 public:
@@ -40,10 +39,7 @@ public:
   };
   explicit TraceFlow(const Parts& parts);
 
-  [[nodiscard]] bool isWorking() const { return traces_.isRunning() || next_.has_value(); }
-
-signals:
-  void failed(const QString& message);
+  [[nodiscard]] bool isBusy() const override { return traces_.isRunning() || next_.has_value(); }
 
 private:
   struct Asked {

@@ -42,10 +42,6 @@ TwoViewsFlow::~TwoViewsFlow() {
   setTwo(false);
 }
 
-QList<QAction*> TwoViewsFlow::links() const {
-  return links_->actions();
-}
-
 void TwoViewsFlow::addActions() {
   ActionSet& actions = parts_.actions;
   actions.beginSection(tr("View"));
@@ -53,15 +49,17 @@ void TwoViewsFlow::addActions() {
                               .text = tr("Two Views"),
                               .help = tr("Shows the plant from another side as well"),
                               .keys = Qt::Key_F12,
-                              .isCheckable = true},
+                              .isCheckable = true,
+                              .menu = "view/more"},
                              {});
   connect(two, &QAction::toggled, this, [this](bool areTwo) {
     setTwo(areTwo);
     parts_.settings.setValue("view/two_views", areTwo);
   });
   const auto add = [&](Link link, const QString& id, const QString& text, const QString& help) {
-    QAction* action =
-        actions.add({.id = id, .text = text, .help = help, .isCheckable = true}, [this, link, id] {
+    QAction* action = actions.add(
+        {.id = id, .text = text, .help = help, .isCheckable = true, .menu = "view/second"},
+        [this, link, id] {
           setLink(link);
           parts_.settings.setValue("view/link", id);
         });

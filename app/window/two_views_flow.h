@@ -1,8 +1,8 @@
 #pragma once
 
+#include "app/window/window_part.h"
+
 #include <Eigen/Geometry>
-#include <QList>
-#include <QObject>
 
 class QAction;
 class QActionGroup;
@@ -18,7 +18,7 @@ struct Camera;
 
 /// A second view of the plant beside the first, on request: from the side, from the same direction,
 /// or from wherever one likes. All tools work in both.
-class TwoViewsFlow : public QObject {
+class TwoViewsFlow : public WindowPart {
   Q_OBJECT
 
 public:
@@ -34,7 +34,6 @@ public:
   ~TwoViewsFlow() override;
 
   [[nodiscard]] PlantView* second() const { return second_; } // null: there is one view
-  [[nodiscard]] QList<QAction*> links() const;                // of which one is chosen
   /// Does a view show all of the plant, while the other one looks closely?
   [[nodiscard]] bool showsWhole(const PlantView& view) const {
     return link_ == Link::whole && &view == second_;

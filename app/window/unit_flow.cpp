@@ -1,6 +1,7 @@
 #include "app/window/unit_flow.h"
 
 #include "app/window/action_set.h"
+#include "app/window/key_hints.h"
 #include "core/mtg/feature_edits.h"
 #include "core/mtg/unit_edits.h"
 #include "core/mtg/unit_scales.h"
@@ -25,10 +26,11 @@ UnitFlow::UnitFlow(PlantDocument& document, ActionSet& actions, InspectorPanel& 
                 .text = tr("Clear Marks"),
                 .help = tr("Takes all marks of unit starts off")},
                [this] { clear(); });
+  actions_.place("skeleton/units", {"mark_unit_start", "commit_marks", "clear_marks"});
   connect(&inspector, &InspectorPanel::unitTyped, this, &UnitFlow::edit);
   connect(&inspector, &InspectorPanel::featureRequested, this, &UnitFlow::addFeature);
   connect(&inspector, &InspectorPanel::dateRequested, this, &UnitFlow::addDate);
-  connect(&document_, &PlantDocument::skeletonEdited, this, &UnitFlow::count);
+  connect(&document_, &PlantDocument::skeletonEdited, this, &UnitFlow::recount);
   connect(&document_, &PlantDocument::skeletonReplaced, this,
           [this] { setMarks(markedNodes(document_.skeleton()).size()); });
   refreshEnabled();
@@ -63,7 +65,7 @@ void UnitFlow::addFeature(const UnitPart& part) {
     const QString feature = QString::fromStdString(typed.feature.name).trimmed();
     const auto change = [&](SkeletonEditor& editor) {
       requireNewFeature(editor.skeleton(), typed.feature.name, base);
-      field_ = dialog.valueField(); // the name is as it should be
+      actions_.setField(dialog.valueField()); // the name is as it should be
       if (hasEntities(editor.skeleton()))
         espalier::addFeature(editor, part.start, part.scale, typed, base);
       else
@@ -94,7 +96,7 @@ void UnitFlow::addDate(const UnitPart& part) {
 
 bool UnitFlow::edit(const QString& name, const std::function<void(SkeletonEditor&)>& change,
                     QWidget* field) {
-  field_ = field;
+  actions_.setField(field);
   const auto act = [&] {
     document_.edit(name, change);
     return true;
@@ -102,7 +104,7 @@ bool UnitFlow::edit(const QString& name, const std::function<void(SkeletonEditor
   return actions_.guarded(act, Refusal::atField);
 }
 
-void UnitFlow::count(const SkeletonDelta& delta) {
+void UnitFlow::recount(const SkeletonDelta& delta) {
   std::size_t marks = marks_;
   for (const SkeletonDelta::Change& change : delta.changes) {
     if (change.before && change.before->isMarked) --marks;
@@ -115,7 +117,16 @@ void UnitFlow::setMarks(std::size_t marks) {
   if (marks == marks_) return;
   marks_ = marks;
   refreshEnabled();
-  emit marksChanged();
+  emit countChanged();
+  emit hintChanged();
+}
+
+QString UnitFlow::furtherHint() const {
+  return marks_ > 0 ? withKeys(tr("{mark_unit_start} mark unit start"), actions_) : QString();
+}
+
+QString UnitFlow::count() const {
+  return marks_ > 0 ? tr("%1 marked").arg(formatCount(marks_)) : QString();
 }
 
 void UnitFlow::refreshEnabled() {

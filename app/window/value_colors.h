@@ -1,9 +1,9 @@
 #pragma once
 
 #include "app/window/scan_distances.h"
+#include "app/window/window_part.h"
 #include "ui/view/point_look.h"
 
-#include <QObject>
 #include <QTimer>
 
 #include <memory>
@@ -19,7 +19,7 @@ class ViewOptions;
 
 /// Colors nodes by what they are, and points by how far they are from the skeleton or how far
 /// contraction moved them, as the options of the view say. Follows every edit and every preview.
-class ValueColors : public QObject {
+class ValueColors : public WindowPart {
   Q_OBJECT
 
 public:

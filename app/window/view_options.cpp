@@ -1,6 +1,7 @@
 #include "app/window/view_options.h"
 
 #include "app/window/action_set.h"
+#include "app/window/menu_title.h"
 #include "ui/view/plant_view.h"
 
 #include <QAction>
@@ -11,11 +12,11 @@
 
 namespace espalier {
 
-ViewOptions::ViewOptions(PlantView& view, ActionSet& actions, QSettings& settings, QObject* parent)
-    : QObject(parent), view_(view), actions_(actions), settings_(settings),
-      colors_(new QActionGroup(this)), nodeColors_(new QActionGroup(this)),
-      pointMaps_(new QActionGroup(this)), nodeMaps_(new QActionGroup(this)),
-      sizes_(new QActionGroup(this)), projections_(new QActionGroup(this)) {
+ViewOptions::ViewOptions(PlantView& view, ActionSet& actions, QSettings& settings)
+    : view_(view), actions_(actions), settings_(settings), colors_(new QActionGroup(this)),
+      nodeColors_(new QActionGroup(this)), pointMaps_(new QActionGroup(this)),
+      nodeMaps_(new QActionGroup(this)), sizes_(new QActionGroup(this)),
+      projections_(new QActionGroup(this)) {
   actions_.beginSection(tr("View"));
   addLayers();
   addColors();
@@ -26,30 +27,14 @@ ViewOptions::ViewOptions(PlantView& view, ActionSet& actions, QSettings& setting
   addProjections();
   addStandardViews();
   addMinimap();
-}
-
-QList<QAction*> ViewOptions::colors() const {
-  return colors_->actions();
+  keepInProject({.name = "view",
+                 .text = [this] { return text(); },
+                 .show = [this](const std::string& text) { show(text); }});
+  connect(&view_, &PlantView::clipChanged, this, &ViewOptions::keptChanged);
 }
 
 QList<QAction*> ViewOptions::nodeColors() const {
   return nodeColors_->actions();
-}
-
-QList<QAction*> ViewOptions::pointMaps() const {
-  return pointMaps_->actions();
-}
-
-QList<QAction*> ViewOptions::nodeMaps() const {
-  return nodeMaps_->actions();
-}
-
-QList<QAction*> ViewOptions::sizes() const {
-  return sizes_->actions();
-}
-
-QList<QAction*> ViewOptions::projections() const {
-  return projections_->actions();
 }
 
 void ViewOptions::setAvailable(bool hasIntensity, bool hasColor) {
@@ -136,7 +121,10 @@ void ViewOptions::remember(const QString& key, const QVariant& value) {
 }
 
 void ViewOptions::addLayers() {
-  const auto add = [this](Layer layer, const Command& command) {
+  actions_.place("view/layers_title", [](QMenu& menu) { addTitle(menu, tr("Layers")); });
+  const auto add = [this](Layer layer, Command command) {
+    command.menu = "view/layers";
+    command.isCheckable = true;
     const QString key = "view/" + command.id;
     QAction* action = actions_.add(command, {});
     connect(action, &QAction::toggled, this, [this, layer, key](bool isShown) {
@@ -150,28 +138,25 @@ void ViewOptions::addLayers() {
   add(Layer::points, {.id = "layer_points",
                       .text = tr("Points"),
                       .help = tr("Shows the scan"),
-                      .keys = QKeySequence(Qt::CTRL | Qt::Key_1),
-                      .isCheckable = true});
+                      .keys = QKeySequence(Qt::CTRL | Qt::Key_1)});
   add(Layer::contracted, {.id = "layer_contracted",
                           .text = tr("Contracted Points"),
                           .help = tr("Shows where contraction has moved the points"),
-                          .keys = QKeySequence(Qt::CTRL | Qt::Key_2),
-                          .isCheckable = true});
+                          .keys = QKeySequence(Qt::CTRL | Qt::Key_2)});
   add(Layer::skeleton, {.id = "layer_skeleton",
                         .text = tr("Skeleton"),
                         .help = tr("Shows nodes and edges"),
-                        .keys = QKeySequence(Qt::CTRL | Qt::Key_3),
-                        .isCheckable = true});
+                        .keys = QKeySequence(Qt::CTRL | Qt::Key_3)});
   add(Layer::reference, {.id = "layer_reference",
                          .text = tr("Reference"),
                          .help = tr("Shows the structure that the skeleton is compared with"),
-                         .keys = QKeySequence(Qt::CTRL | Qt::Key_6),
-                         .isCheckable = true});
+                         .keys = QKeySequence(Qt::CTRL | Qt::Key_6)});
   QAction* radii = actions_.add({.id = "true_radii",
                                  .text = tr("True Radii"),
                                  .help = tr("Draws edges as thick as the wood"),
                                  .keys = QKeySequence(Qt::CTRL | Qt::Key_4),
-                                 .isCheckable = true},
+                                 .isCheckable = true,
+                                 .menu = "view/layers"},
                                 {});
   connect(radii, &QAction::toggled, this, [this](bool isOn) {
     view_.setShowRadii(isOn);
@@ -181,8 +166,9 @@ void ViewOptions::addLayers() {
   layers_.append(radii);
 }
 
-QAction* ViewOptions::addChoice(QActionGroup* group, const Command& command, const QString& key,
+QAction* ViewOptions::addChoice(QActionGroup* group, Command command, const QString& key,
                                 const std::function<void()>& apply) {
+  command.isCheckable = true;
   QAction* action = actions_.add(command, [this, apply, key, id = command.id] {
     apply();
     remember(key, id);
@@ -198,7 +184,7 @@ void ViewOptions::addSizes() {
               {.id = QStringLiteral("point_size_%1").arg(pixels),
                .text = tr("%1 px").arg(pixels),
                .help = tr("Draws points of this size"),
-               .isCheckable = true},
+               .menu = "view/sizes"},
               QStringLiteral("view/point_size"), [this, pixels] { view_.setPointSize(pixels); });
   if (sizes_->checkedAction() == nullptr) actions_["point_size_2"]->trigger();
 }
@@ -211,11 +197,11 @@ void ViewOptions::addProjections() {
   add(Projection::perspective, {.id = "perspective",
                                 .text = tr("Perspective"),
                                 .help = tr("Near things are larger"),
-                                .isCheckable = true});
+                                .menu = "view/projections"});
   add(Projection::parallel, {.id = "parallel",
                              .text = tr("Parallel"),
                              .help = tr("Equal lengths look equal"),
-                             .isCheckable = true});
+                             .menu = "view/projections"});
   if (projections_->checkedAction() == nullptr) actions_["perspective"]->trigger();
 }
 
@@ -225,7 +211,8 @@ void ViewOptions::addMinimap() {
                     .text = tr("Minimap"),
                     .help = tr("Shows all of the plant in a corner, to move about in it"),
                     .keys = QKeySequence(Qt::CTRL | Qt::Key_M),
-                    .isCheckable = true},
+                    .isCheckable = true,
+                    .menu = "view/more"},
                    {});
   connect(map, &QAction::toggled, this, [this](bool isShown) {
     view_.setMinimapShown(isShown);
@@ -239,10 +226,10 @@ void ViewOptions::addStandardViews() {
     QAction* action = actions_.add({.id = id,
                                     .text = text,
                                     .help = tr("Looks from there"),
-                                    .keys = QKeySequence(Qt::KeypadModifier | key)},
+                                    .keys = QKeySequence(Qt::KeypadModifier | key),
+                                    .menu = "view/directions"},
                                    [this, view] { view_.look(view); });
     action->setShortcuts({action->shortcut(), QKeySequence(Qt::ALT | key)}); // without a keypad
-    standardViews_.append(action);
   };
   // As the number block lies, as in CloudCompare. The digits in the top row select.
   add(StandardView::front, "view_front", tr("Front"), Qt::Key_5);
@@ -256,7 +243,8 @@ void ViewOptions::addStandardViews() {
                 .text = tr("Frame All"),
                 .help = tr("The whole plant fills the view"),
                 .icon = "frame_all",
-                .keys = Qt::Key_Home},
+                .keys = Qt::Key_Home,
+                .menu = "view/frame_all"},
                [this] { view_.frameAll(); });
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "app/window/view_text.h"
+#include "app/window/window_part.h"
 
 #include <QList>
-#include <QObject>
 
 #include <functional>
 #include <string>
@@ -23,20 +23,13 @@ class PlantView;
 
 /// How the plant is drawn: layers, colors, sizes, projection, and where it is seen from. Remembered
 /// in the settings.
-class ViewOptions : public QObject {
+class ViewOptions : public WindowPart {
   Q_OBJECT
 
 public:
-  ViewOptions(PlantView& view, ActionSet& actions, QSettings& settings, QObject* parent);
+  ViewOptions(PlantView& view, ActionSet& actions, QSettings& settings);
 
-  [[nodiscard]] QList<QAction*> layers() const { return layers_; }
-  [[nodiscard]] QList<QAction*> colors() const;
   [[nodiscard]] QList<QAction*> nodeColors() const; // what they do: ValueColors
-  [[nodiscard]] QList<QAction*> pointMaps() const;
-  [[nodiscard]] QList<QAction*> nodeMaps() const;
-  [[nodiscard]] QList<QAction*> sizes() const;
-  [[nodiscard]] QList<QAction*> projections() const;
-  [[nodiscard]] QList<QAction*> standardViews() const { return standardViews_; }
 
   /// What is shown and from where, as JSON, and back. An empty text: what the settings remember,
   /// and all of the plant. Showing a text changes no setting.
@@ -50,9 +43,6 @@ public:
 
   /// Offers only the colors that the points have.
   void setAvailable(bool hasIntensity, bool hasColor);
-
-signals:
-  void rangesChanged(); // of color bars
 
 private:
   void showRemembered();
@@ -68,7 +58,7 @@ private:
   void addStandardViews();
   void addMinimap();
   [[nodiscard]] QList<std::pair<QString, QActionGroup*>> choices() const; // by choiceNames()
-  QAction* addChoice(QActionGroup* group, const Command& command, const QString& key,
+  QAction* addChoice(QActionGroup* group, Command command, const QString& key,
                      const std::function<void()>& apply);
 
   PlantView& view_;
@@ -83,7 +73,6 @@ private:
   QActionGroup* sizes_;
   QActionGroup* projections_;
   QList<QAction*> layers_;
-  QList<QAction*> standardViews_;
 };
 
 } // namespace espalier

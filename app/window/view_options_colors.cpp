@@ -18,7 +18,7 @@ void ViewOptions::addColors() {
   const QString key = QStringLiteral("view/color");
   const auto add = [&](PointColor color, const QString& id, const QString& text,
                        const QString& help) {
-    addChoice(colors_, {.id = id, .text = text, .help = help, .isCheckable = true}, key,
+    addChoice(colors_, {.id = id, .text = text, .help = help, .menu = "view/point_colors"}, key,
               [this, color] { view_.setPointColor(color); });
   };
   add(PointColor::height, "color_height", tr("Height"), tr("Colors points by their height"));
@@ -27,7 +27,8 @@ void ViewOptions::addColors() {
   add(PointColor::rgb, "color_rgb", tr("Own Color"), tr("Colors points as the scanner saw them"));
   add(PointColor::uniform, "color_uniform", tr("One Color"), tr("Draws all points alike"));
   const auto addValue = [&](const QString& id, const QString& text, const QString& help) {
-    addChoice(colors_, {.id = id, .text = text, .help = help, .isCheckable = true}, key, [] {});
+    addChoice(colors_, {.id = id, .text = text, .help = help, .menu = "view/point_colors"}, key,
+              [] {});
   }; // ValueColors follows them
   addValue("color_distance", tr("Distance to Skeleton"),
            tr("Colors points by how far they are from the surface of the wood"));
@@ -38,7 +39,7 @@ void ViewOptions::addColors() {
 
 void ViewOptions::addNodeColors() {
   const auto add = [this](const QString& id, const QString& text, const QString& help) {
-    addChoice(nodeColors_, {.id = id, .text = text, .help = help, .isCheckable = true},
+    addChoice(nodeColors_, {.id = id, .text = text, .help = help, .menu = "view/node_colors"},
               QStringLiteral("view/node_color"), [] {});
   };
   add("node_color_none", tr("Type of Edge"), tr("Draws nodes and edges as usual"));
@@ -60,7 +61,8 @@ void ViewOptions::addColorMaps() {
   const auto addTo = [this](QActionGroup* group, const QString& name, ColorMap ColorScales::*which,
                             const QString& what) {
     const auto add = [&](ColorMap map, const QString& id, const QString& text) {
-      addChoice(group, {.id = name + "_" + id, .text = text, .help = what, .isCheckable = true},
+      addChoice(group,
+                {.id = name + "_" + id, .text = text, .help = what, .menu = "view/" + name + "s"},
                 "view/" + name, [this, map, which] {
                   ColorScales scales = view_.colorScales();
                   scales.*which = map;
@@ -80,19 +82,21 @@ void ViewOptions::addColorRanges() {
   actions_.add({.id = "color_range",
                 .text = tr("Type Color Range…"),
                 .help = tr("Types the values at the ends of the color bar"),
-                .refusal = Refusal::atPointer},
+                .refusal = Refusal::atPointer,
+                .menu = "view/color_ranges"},
                [this] {
                  if (!view_.typeColorRange())
                    throw Error(tr("color points or nodes by a value first").toStdString());
                });
   actions_.add({.id = "usual_color_ranges",
                 .text = tr("Usual Color Ranges"),
-                .help = tr("Gives all color bars the range that follows from the values")},
+                .help = tr("Gives all color bars the range that follows from the values"),
+                .menu = "view/color_ranges"},
                [this] {
                  setRanges({});
-                 emit rangesChanged();
+                 emit keptChanged();
                });
-  connect(&view_, &PlantView::colorScalesChanged, this, &ViewOptions::rangesChanged);
+  connect(&view_, &PlantView::colorScalesChanged, this, &ViewOptions::keptChanged);
 }
 
 } // namespace espalier

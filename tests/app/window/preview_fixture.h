@@ -40,11 +40,14 @@ protected:
     QTest::keyClicks(&box, QLocale().toString(value, 'g', 6).remove(QLocale().groupSeparator()));
     QTest::keyClick(&box, Qt::Key_Return);
   }
-  [[nodiscard]] const std::optional<Outcome>& shown() { return window().preview().shown(); }
+  [[nodiscard]] const std::optional<Outcome>& shown() {
+    return window().part<PreviewFlow>().shown();
+  }
   /// Until the preview is of the whole scan, and nothing runs.
   void waitForPreview() {
     ASSERT_TRUE(QTest::qWaitFor(
-        [&] { return shown() && !shown()->within && !window().preview().isBusy(); }, patience));
+        [&] { return shown() && !shown()->within && !window().part<PreviewFlow>().isBusy(); },
+        patience));
   }
   void turnOn() {
     key(Qt::Key_L, Qt::ControlModifier);

@@ -70,7 +70,7 @@ TEST_F(PreviewTest, ShowsWhatAnotherRootWouldMakeAndDropsIt) {
   document().setRoot(Eigen::Vector3d(0.8, 0, 1.6)); // the end of a branch
   waitForPreview();
   EXPECT_LT((rootShown() - *document().root()).norm(), 0.1);
-  EXPECT_TRUE(window().preview().name().startsWith("Root: picked"));
+  EXPECT_TRUE(window().part<PreviewFlow>().name().startsWith("Root: picked"));
   view().setFocus();
   key(Qt::Key_Escape);
   EXPECT_FALSE(document().root()) << "with the choices that led to it";
@@ -172,7 +172,7 @@ TEST_F(PreviewTest, EscapeDropsItAndTheChoicesThatLedToIt) {
 TEST_F(PreviewTest, ShowsOnlyTheLastOfManyTurnsOfAKnob) {
   turnOn();
   std::vector<double> seen;
-  QObject::connect(&window().preview(), &PreviewFlow::changed, &window(), [&] {
+  QObject::connect(&window().part<PreviewFlow>(), &PreviewFlow::changed, &window(), [&] {
     if (shown() && shown()->options.settings.contains("contract"))
       seen.push_back(radiusOf(*shown()));
   });
@@ -192,7 +192,7 @@ TEST_F(PreviewTest, TellsWhyAStepFails) {
   type("contract", "along", 0);
   type("contract", "across", 0);
   ASSERT_TRUE(QTest::qWaitFor([&] { return window().banner().isVisible(); }, patience));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !window().preview().isBusy(); }, patience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !window().part<PreviewFlow>().isBusy(); }, patience));
   EXPECT_TRUE(window().banner().text().contains("raise one of them"))
       << window().banner().text().toStdString();
   EXPECT_TRUE(document().skeleton().isEmpty());
@@ -246,12 +246,12 @@ TEST_F(PreviewTest, RunsUpToOneStep) {
 TEST_F(PreviewTest, NamesWhatWasChangedBeforeItWasTurnedOn) {
   type("contract", "radius", 0.12);
   turnOn();
-  EXPECT_EQ(window().preview().name(), QString::fromUtf8("Contract: radius 0.12\u202fm"));
+  EXPECT_EQ(window().part<PreviewFlow>().name(), QString::fromUtf8("Contract: radius 0.12\u202fm"));
   key(Qt::Key_R, Qt::ControlModifier);
   waitForJob();
   type("prune", "length", 0.3);
   waitForPreview();
-  EXPECT_EQ(window().preview().name(), QString::fromUtf8("Prune: length 0.3\u202fm"))
+  EXPECT_EQ(window().part<PreviewFlow>().name(), QString::fromUtf8("Prune: length 0.3\u202fm"))
       << "the plant has the radius now";
 }
 
@@ -315,7 +315,7 @@ protected:
 
 TEST_F(RegionPreviewTest, ShowsABallAtOnceAndThenTheWhole) {
   std::vector<bool> areParts;
-  QObject::connect(&window().preview(), &PreviewFlow::changed, &window(), [&] {
+  QObject::connect(&window().part<PreviewFlow>(), &PreviewFlow::changed, &window(), [&] {
     if (shown()) areParts.push_back(shown()->within.has_value());
   });
   turnOn();
@@ -328,7 +328,7 @@ TEST_F(RegionPreviewTest, ShowsTheBallWhereThePointerPutIt) {
   const Eigen::Vector3d place(0, -0.05, 3.5);
   hover(view().project(place)->toPoint());
   std::optional<Ball> ball;
-  QObject::connect(&window().preview(), &PreviewFlow::changed, &window(), [&] {
+  QObject::connect(&window().part<PreviewFlow>(), &PreviewFlow::changed, &window(), [&] {
     if (shown() && shown()->within) ball = shown()->within;
   });
   key(Qt::Key_L, Qt::ShiftModifier);
@@ -346,7 +346,7 @@ TEST_F(PreviewTest, AnswersWhileKnobsAreTurned) {
   auto* slider = step("contract").findChildren<QSlider*>().back(); // of the radius
   const int turns = qEnvironmentVariableIntValue("ESPALIER_TURNS") + 20;
   int shownParts = 0;
-  QObject::connect(&window().preview(), &PreviewFlow::changed, &window(), [&] {
+  QObject::connect(&window().part<PreviewFlow>(), &PreviewFlow::changed, &window(), [&] {
     if (shown() && shown()->within) ++shownParts;
   });
   QEventLoop loop;

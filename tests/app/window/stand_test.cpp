@@ -201,7 +201,9 @@ TEST_F(StandTest, EscWithLivePreviewLeavesRootAndUpOfAnotherPlant) {
   const QString file = saveProject("plant.espalier");
   action("live_preview").trigger();
   open({writeScan("plant.xyz")});
-  const auto isShown = [&] { return window().preview().shown() && !window().preview().isBusy(); };
+  const auto isShown = [&] {
+    return window().part<PreviewFlow>().shown() && !window().part<PreviewFlow>().isBusy();
+  };
   ASSERT_TRUE(QTest::qWaitFor(isShown, 60'000));
   const UpAxis up = document().up();
   const auto root = document().root();

@@ -1,0 +1,101 @@
+#include "app/window/edit_flow.h"
+
+#include "app/window/action_set.h"
+#include "app/window/editing.h"
+#include "app/window/preview_flow.h"
+#include "app/window/project_flow.h"
+#include "app/window/shown_flow.h"
+#include "ui/document/plant_document.h"
+
+#include <QAction>
+
+#include <utility>
+
+namespace espalier {
+
+EditFlow::EditFlow(PlantDocument& document, ActionSet& actions)
+    : document_(document), actions_(actions) {
+  actions_.beginSection(tr("Edit"));
+  addHistory();
+  actions_.add({.id = "select_all",
+                .text = tr("Select &All"),
+                .help = tr("Selects all nodes but the hidden ones"),
+                .keys = QKeySequence::SelectAll,
+                .menu = "select/all"},
+               [this] { document_.selection().set(later_->shown.shownNodes()); });
+  actions_.add({.id = "leave",
+                .text = tr("Leave"),
+                .help = tr("Leaves the gesture, the tool, or the selection"),
+                .keys = Qt::Key_Escape,
+                .menu = "edit/leave"},
+               [this] { leave(); });
+}
+
+void EditFlow::join(const Later& later) {
+  later_.emplace(later);
+  connect(&document_.undoStack(), &QUndoStack::indexChanged, this, &EditFlow::noteStep);
+}
+
+void EditFlow::addHistory() {
+  QUndoStack& stack = document_.undoStack();
+  QAction* undo = actions_.add({.id = "undo",
+                                .text = tr("&Undo"),
+                                .help = tr("Takes the last edit back"),
+                                .icon = "undo",
+                                .keys = QKeySequence(Qt::CTRL | Qt::Key_Z),
+                                .menu = "edit/history"},
+                               [this] { this->undo(); });
+  QAction* redo = actions_.add({.id = "redo",
+                                .text = tr("&Redo"),
+                                .help = tr("Makes the edit again"),
+                                .icon = "redo",
+                                .keys = QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z),
+                                .menu = "edit/history"},
+                               [this] { this->redo(); });
+  redo->setShortcuts({redo->shortcut(), QKeySequence(Qt::CTRL | Qt::Key_Y)});
+  undo->setEnabled(false);
+  redo->setEnabled(false);
+  connect(&stack, &QUndoStack::canUndoChanged, undo, &QAction::setEnabled);
+  connect(&stack, &QUndoStack::canRedoChanged, redo, &QAction::setEnabled);
+  connect(&stack, &QUndoStack::undoTextChanged, undo, [undo](const QString& step) {
+    undo->setText(step.isEmpty() ? tr("&Undo") : tr("&Undo: %1").arg(step));
+  });
+  connect(&stack, &QUndoStack::redoTextChanged, redo, [redo](const QString& step) {
+    redo->setText(step.isEmpty() ? tr("&Redo") : tr("&Redo: %1").arg(step));
+  });
+}
+
+void EditFlow::undo() {
+  Editing& editing = later_->editing;
+  if (editing.isPending() || !endsPreview(document_.undoStack().index() - 1)) editing.undo();
+}
+
+void EditFlow::redo() {
+  Editing& editing = later_->editing;
+  if (editing.isPending() || !endsPreview(document_.undoStack().index())) editing.redo();
+}
+
+/// A step of a plant that is behind a preview drops that first: one sees what is undone.
+bool EditFlow::endsPreview(int step) {
+  const bool isThere = step >= 0 && step < document_.undoStack().count();
+  return isThere && document_.isHeld() && !document_.step(step).delta.isEmpty() &&
+         later_->preview.drop();
+}
+
+void EditFlow::leave() {
+  if (later_->editing.isPending() || !later_->preview.drop()) later_->editing.escape();
+}
+
+void EditFlow::noteStep(int index) {
+  const QUndoStack& stack = document_.undoStack();
+  const int before = std::exchange(step_, index);
+  if (later_->editing.isBusy() || later_->projects.isLoading())
+    return; // a drag notes what it does itself
+  if (index == before - 1 && index < stack.count())
+    emit noted(tr("Undone: %1").arg(stack.text(index)));
+  else if (index == before + 1)
+    emit noted(index < stack.count() ? tr("Redone: %1").arg(stack.text(index - 1))
+                                     : stack.text(index - 1));
+}
+
+} // namespace espalier

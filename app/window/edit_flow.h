@@ -1,0 +1,46 @@
+#pragma once
+
+#include "app/window/window_part.h"
+
+#include <optional>
+
+namespace espalier {
+
+class ActionSet;
+class Editing;
+class PlantDocument;
+class PreviewFlow;
+class ProjectFlow;
+class ShownFlow;
+
+/// What is edited by no tool: undo and redo, all that can be selected, and the way out.
+class EditFlow : public WindowPart {
+  Q_OBJECT
+
+public:
+  EditFlow(PlantDocument& document, ActionSet& actions);
+
+  /// Parts that are made later, and must be before any command is given.
+  struct Later {
+    Editing& editing;
+    PreviewFlow& preview;
+    const ShownFlow& shown;
+    const ProjectFlow& projects;
+  };
+  void join(const Later& later);
+
+private:
+  void addHistory();
+  void undo();
+  void redo();
+  void leave();
+  [[nodiscard]] bool endsPreview(int step); // of the undo stack
+  void noteStep(int index);
+
+  PlantDocument& document_;
+  ActionSet& actions_;
+  std::optional<Later> later_;
+  int step_ = 0; // of the undo stack, when it was noted last
+};
+
+} // namespace espalier

@@ -1,0 +1,299 @@
+// The parts of the window: here they are made, each with what it works with, and joined where one
+// needs what another does. Actions are listed, and panels lie side by side, in this order.
+#include "app/window/action_set.h"
+#include "app/window/choices_flow.h"
+#include "app/window/close_look_flow.h"
+#include "app/window/density_flow.h"
+#include "app/window/edit_flow.h"
+#include "app/window/editing.h"
+#include "app/window/evaluation_flow.h"
+#include "app/window/explained_flow.h"
+#include "app/window/file_flow.h"
+#include "app/window/findings_flow.h"
+#include "app/window/help_flow.h"
+#include "app/window/history_flow.h"
+#include "app/window/hull_flow.h"
+#include "app/window/inspector_flow.h"
+#include "app/window/judge_flow.h"
+#include "app/window/main_window.h"
+#include "app/window/node_table_flow.h"
+#include "app/window/panel_dock.h"
+#include "app/window/pipeline_flow.h"
+#include "app/window/point_states.h"
+#include "app/window/points_flow.h"
+#include "app/window/preset_flow.h"
+#include "app/window/preview_flow.h"
+#include "app/window/project_flow.h"
+#include "app/window/radius_flow.h"
+#include "app/window/recent_files.h"
+#include "app/window/reconstruct_flow.h"
+#include "app/window/reference_flow.h"
+#include "app/window/review_flow.h"
+#include "app/window/saved_views.h"
+#include "app/window/seal_flow.h"
+#include "app/window/shown_flow.h"
+#include "app/window/sight_flow.h"
+#include "app/window/snap_flow.h"
+#include "app/window/stand_flow.h"
+#include "app/window/states_flow.h"
+#include "app/window/sweep_flow.h"
+#include "app/window/theme_flow.h"
+#include "app/window/trace_flow.h"
+#include "app/window/two_views_flow.h"
+#include "app/window/unit_flow.h"
+#include "app/window/value_colors.h"
+#include "app/window/view_options.h"
+#include "ui/panels/inspector_panel.h"
+#include "ui/panels/message_banner.h"
+#include "ui/panels/pipeline_panel.h"
+#include "ui/panels/review_panel.h"
+#include "ui/panels/start_page.h"
+#include "ui/view/plant_view.h"
+
+#include <QDateTime>
+
+namespace espalier {
+
+void MainWindow::makeParts() {
+  auto* pipeline = new PipelinePanel(document_);
+  auto* inspector = new InspectorPanel(document_);
+  makeFiles(*pipeline);
+  makeEditing(*pipeline, *inspector);
+  makePanels(*pipeline, *inspector);
+  makeReview();
+  makePoints(*pipeline);
+  makeViews();
+  makeEvaluation();
+  makePreview(*pipeline);
+  parts_.make<ThemeFlow>(ThemeFlow::Parts{*actions_, settings_, *this});
+  parts_.make<HelpFlow>(HelpFlow::Parts{*actions_, settings_, *this});
+  joinEdits();
+  joinFiles();
+  joinReview();
+  joinPipeline();
+  joinPreview();
+  joinViews();
+  for (const auto& part : parts_)
+    parts_.get<ProjectFlow>().keep(*part);
+}
+
+void MainWindow::makeFiles(PipelinePanel& pipeline) {
+  auto& projects =
+      parts_.make<ProjectFlow>(ProjectFlow::Parts{document_, jobs_, *recent_, settings_, *this});
+  parts_.make<FileFlow>(
+      FileFlow::Parts{document_, jobs_, *actions_, projects, *recent_, settings_, *this});
+  parts_.make<EditFlow>(document_, *actions_);
+  parts_.make<ReconstructFlow>(ReconstructFlow::Parts{document_, jobs_, *actions_, pipeline});
+}
+
+void MainWindow::makeEditing(PipelinePanel& pipeline, InspectorPanel& inspector) {
+  auto& editing = parts_.make<Editing>(document_, *view_, *actions_);
+  parts_.make<TraceFlow>(TraceFlow::Parts{document_, *view_, *actions_, editing, jobs_,
+                                          [&pipeline] { return pipeline.options(); }});
+  parts_.make<SnapFlow>(document_, *actions_, editing, settings_);
+  parts_.make<StandFlow>(StandFlow::Parts{document_, *view_, pipeline, *actions_, editing});
+  parts_.make<UnitFlow>(document_, *actions_, inspector, *this);
+  parts_.make<RadiusFlow>(
+      RadiusFlow::Parts{document_, jobs_, *actions_, *view_, inspector.crossSection()});
+  parts_.make<ViewOptions>(*view_, *actions_, settings_);
+}
+
+void MainWindow::makePanels(PipelinePanel& pipeline, InspectorPanel& inspector) {
+  const PanelDock::Parts window{*actions_, settings_, *this};
+  parts_.make<PipelineFlow>(
+      PipelineFlow::Parts{document_, pipeline, parts_.get<ReconstructFlow>(), window});
+  parts_.make<InspectorFlow>(InspectorFlow::Parts{document_, *view_, inspector, window});
+  addLayoutAction();
+}
+
+void MainWindow::makeReview() {
+  parts_.make<SealFlow>(
+      SealFlow::Parts{document_, *actions_, parts_.get<ProjectFlow>(), *banner_, *this});
+  auto& editing = parts_.get<Editing>();
+  parts_.make<ReviewFlow>(ReviewFlow::Parts{document_, *view_, *actions_, editing, settings_, *this,
+                                            reveal(),
+                                            [this]() -> const std::vector<NodeId>& {
+                                              return parts_.get<ShownFlow>().hidden();
+                                            }},
+                          (*actions_)["sign_structure"]);
+  const PanelDock::Parts window{*actions_, settings_, *this};
+  parts_.make<ShownFlow>(ShownFlow::Parts{document_, *view_, *actions_, editing, window});
+}
+
+Reveal MainWindow::reveal() {
+  return [this](const std::vector<NodeId>& nodes, const std::vector<Eigen::Vector3d>& places,
+                const Camera& camera) {
+    return parts_.get<ShownFlow>().reveal(nodes, places, camera);
+  };
+}
+
+void MainWindow::makePoints(PipelinePanel& pipeline) {
+  auto& editing = parts_.get<Editing>();
+  auto& states = parts_.make<PointStates>(document_, *view_);
+  parts_.make<PointsFlow>(PointsFlow::Parts{document_, *actions_, editing, states});
+  parts_.make<SavedViews>(SavedViews::Parts{*view_, parts_.get<ViewOptions>(),
+                                            parts_.get<ShownFlow>(), *actions_, *this});
+  auto& distances = parts_.make<ScanDistances>(document_);
+  parts_.make<FindingsFlow>(
+      FindingsFlow::Parts{document_, *view_, *actions_, distances, settings_, *this, reveal()});
+  parts_.make<ExplainedFlow>(
+      ExplainedFlow::Parts{document_, states, *actions_, distances, settings_, *this});
+  parts_.make<PresetFlow>(PresetFlow::Parts{pipeline, *actions_, settings_, *this, document_});
+  parts_.make<HullFlow>(HullFlow::Parts{document_, *view_, *actions_, editing, distances});
+}
+
+void MainWindow::makeViews() {
+  const PanelDock::Parts window{*actions_, settings_, *this};
+  auto& editing = parts_.get<Editing>();
+  auto& twoViews = parts_.make<TwoViewsFlow>(
+      TwoViewsFlow::Parts{*view_, *views_, *actions_, editing, settings_});
+  parts_.make<CloseLookFlow>(CloseLookFlow::Parts{document_, *view_, *actions_, editing, twoViews});
+  parts_.make<ValueColors>(ValueColors::Parts{
+      document_, *view_, *actions_, parts_.get<ViewOptions>(), parts_.get<ScanDistances>()});
+  parts_.make<HistoryFlow>(HistoryFlow::Parts{document_, editing, window});
+  parts_.make<NodeTableFlow>(NodeTableFlow::Parts{document_, editing, window});
+}
+
+void MainWindow::makeEvaluation() {
+  const PanelDock::Parts window{*actions_, settings_, *this};
+  auto& reference = parts_.make<ReferenceFlow>(
+      ReferenceFlow::Parts{document_, *view_, jobs_, *actions_, settings_, *this});
+  parts_.make<EvaluationFlow>(
+      EvaluationFlow::Parts{document_, *view_, jobs_, parts_.get<Editing>(), reference, window});
+}
+
+void MainWindow::makePreview(PipelinePanel& pipeline) {
+  const PanelDock::Parts window{*actions_, settings_, *this};
+  auto& editing = parts_.get<Editing>();
+  auto& reconstruct = parts_.get<ReconstructFlow>();
+  auto& reference = parts_.get<ReferenceFlow>();
+  auto& evaluation = parts_.get<EvaluationFlow>();
+  auto& preview = parts_.make<PreviewFlow>(
+      PreviewFlow::Parts{document_, *view_, pipeline, *actions_, editing, reconstruct});
+  auto& states =
+      parts_.make<StatesFlow>(StatesFlow::Parts{document_, *view_, *actions_, reconstruct, preview,
+                                                parts_.get<TwoViewsFlow>(), *centralWidget()});
+  parts_.make<DensityFlow>(document_, pipeline);
+  auto& judge = parts_.make<JudgeFlow>(JudgeFlow::Parts{document_, *view_, reconstruct, preview,
+                                                        states, reference, evaluation, window});
+  auto& sweep = parts_.make<SweepFlow>(
+      SweepFlow::Parts{document_, *view_, pipeline, reconstruct, reference, evaluation, window});
+  parts_.make<ChoicesFlow>(ChoicesFlow::Parts{*actions_, judge, sweep});
+  parts_.make<SightFlow>(
+      SightFlow::Parts{document_, *view_, pipeline, *actions_, editing, preview});
+}
+
+void MainWindow::joinEdits() {
+  auto& editing = parts_.get<Editing>();
+  auto& points = parts_.get<PointsFlow>();
+  auto& shown = parts_.get<ShownFlow>();
+  parts_.get<EditFlow>().join(
+      {editing, parts_.get<PreviewFlow>(), shown, parts_.get<ProjectFlow>()});
+  connect(&points, &PointsFlow::changed, &shown,
+          [this, &shown] { shown.setPointsIsolated(parts_.get<PointStates>().isIsolated()); });
+  connect(&editing, &Editing::contextMenuRequested, this, &MainWindow::showContextMenu);
+}
+
+void MainWindow::joinFiles() {
+  auto& projects = parts_.get<ProjectFlow>();
+  auto& files = parts_.get<FileFlow>();
+  auto& reference = parts_.get<ReferenceFlow>();
+  const auto showPlant = [this] {
+    banner_->hide();
+    const auto* scan = document_.scan();
+    parts_.get<ViewOptions>().setAvailable(scan != nullptr && !scan->cloud()->intensities().empty(),
+                                           scan != nullptr && !scan->cloud()->colors().empty());
+    refreshEmptiness();
+  };
+  connect(&projects, &ProjectFlow::opened, this, showPlant);
+  connect(&files, &FileFlow::opened, this, showPlant);
+  connect(&files, &FileFlow::opened, view_, &PlantView::faceAll); // after it has its size
+  connect(&files, &FileFlow::closed, this, &MainWindow::refreshEmptiness);
+  connect(&projects, &ProjectFlow::scanFound, this, [this, showPlant] {
+    showPlant();
+    if (document_.skeleton().isEmpty()) view_->faceAll(); // there was nothing to look at
+  });
+  connect(&files, &FileFlow::movedOntoScan, view_, &PlantView::frameAll);
+  connect(&projects, &ProjectFlow::chosen, this, [this](const QString& path) { open({path}); });
+  connect(&projects, &ProjectFlow::sessionsChanged, start_, [this, &projects] {
+    QStringList texts;
+    QStringList paths;
+    for (const Session& session : projects.sessions().waiting()) {
+      texts.append(describe(session, QDateTime::currentDateTime()));
+      paths.append(session.path);
+    }
+    start_->setSessions(texts, paths);
+  });
+  connect(this, &MainWindow::openRequested, &files,
+          [this, &files](const QStringList& paths) { guarded([&] { files.open(paths); }); });
+  connect(&reference, &ReferenceFlow::openRequested, this, &MainWindow::open);
+  connect(this, &MainWindow::dropped, &reference, [this, &reference](const QStringList& paths) {
+    if (!reference.takesDropped(paths)) open(paths);
+  });
+}
+
+void MainWindow::joinReview() {
+  auto& seals = parts_.get<SealFlow>();
+  auto& review = parts_.get<ReviewFlow>();
+  auto& editing = parts_.get<Editing>();
+  const auto showSeal = [&review, &seals] { review.panel().showSeal(seals.text()); };
+  seals.setSigner(review.reviewer());
+  connect(&seals, &SealFlow::changed, &review, showSeal);
+  connect(&seals, &SealFlow::signerChanged, &review, &ReviewFlow::setReviewer);
+  connect(&review, &ReviewFlow::reviewerChanged, &seals, &SealFlow::setSigner);
+  connect(&editing, &Editing::hintChanged, &review,
+          [&review, &editing] { review.setInGesture(editing.isPending()); });
+  showSeal();
+}
+
+void MainWindow::joinPipeline() {
+  auto& reconstruct = parts_.get<ReconstructFlow>();
+  auto& densities = parts_.get<DensityFlow>();
+  auto& preview = parts_.get<PreviewFlow>();
+  auto& sweep = parts_.get<SweepFlow>();
+  auto& presets = parts_.get<PresetFlow>();
+  connect(&reconstruct, &ReconstructFlow::starting, this, [this] {
+    for (const auto& part : parts_)
+      part->stop(); // what the preview has computed is at hand
+  });
+  connect(&reconstruct, &ReconstructFlow::done, this,
+          [this, &reconstruct](const QString& message, const std::string& last) {
+            reconstruct.showDone(last);
+            tell({.text = message, .isStep = true});
+          });
+  connect(&reconstruct, &ReconstructFlow::usedChanged, &reconstruct, &ReconstructFlow::showUsed);
+  connect(&parts_.get<PipelineFlow>(), &PipelineFlow::shown, &preview, &PreviewFlow::keepChoices);
+  connect(&sweep, &SweepFlow::taken, &densities, &DensityFlow::refresh);
+  connect(&presets, &PresetFlow::chosen, &densities, &DensityFlow::refresh);
+  connect(&sweep, &SweepFlow::taken, &preview, &PreviewFlow::askAgain);
+  connect(&presets, &PresetFlow::chosen, &preview, &PreviewFlow::askAgain);
+}
+
+void MainWindow::joinPreview() {
+  auto& preview = parts_.get<PreviewFlow>();
+  auto& colors = parts_.get<ValueColors>();
+  auto& choices = parts_.get<ChoicesFlow>();
+  auto& evaluation = parts_.get<EvaluationFlow>();
+  connect(&preview, &PreviewFlow::changed, &colors, [&preview, &colors] {
+    const std::optional<Outcome>& shown = preview.shown();
+    if (shown && preview.isOther())
+      colors.setPreviewed(shown->contracted, shown->points);
+    else
+      colors.setPreviewed(nullptr, {});
+  });
+  connect(&choices, &ChoicesFlow::changed, &evaluation,
+          [&choices, &evaluation] { evaluation.setChoices(choices.records()); });
+  connect(&choices, &ChoicesFlow::noted, banner_, [this] {
+    if (banner_->isError()) banner_->hide(); // of what kept it from being recorded before
+  });
+}
+
+void MainWindow::joinViews() {
+  auto& theme = parts_.get<ThemeFlow>();
+  connect(&theme, &ThemeFlow::changed, view_, &PlantView::setDark);
+  connect(&theme, &ThemeFlow::changed, &parts_.get<EvaluationFlow>(), &EvaluationFlow::setDark);
+  connect(&theme, &ThemeFlow::changed, &parts_.get<JudgeFlow>(), &JudgeFlow::setDark);
+  theme.start();
+}
+
+} // namespace espalier

@@ -12,7 +12,7 @@ namespace espalier {
 DensityFlow::DensityFlow(PlantDocument& document, PipelinePanel& pipeline)
     : document_(document), pipeline_(pipeline) {
   connect(&pipeline_, &PipelinePanel::changed, this, [this](const Step& step) {
-    if (step.name == "clean" || step.name == "contract") refresh();
+    if (step.result == StepResult::points) refresh();
   });
   for (auto signal : {&PlantDocument::scanChanged, &PlantDocument::leftOutChanged})
     connect(&document_, signal, this, &DensityFlow::refresh);
@@ -22,11 +22,10 @@ void DensityFlow::refresh() {
   const Scan* scan = document_.scan();
   PipelineOptions options = pipeline_.options();
   options.leftOut = document_.leftOut();
-  const Step& step = stepNamed("contract");
-  const Method& method = chosenMethod(step, options);
+  const Step& step = contractionStep();
   const PlantScale scale = scan != nullptr ? document_.scale() : PlantScale{};
   const bool isFollowed =
-      scan != nullptr && densityValues(method, resolvedValues(step, method, options, scale));
+      scan != nullptr && chosenFor(step, options, scale).probe().density.has_value();
   if (!isFollowed) {
     job_.cancel();
     return pipeline_.setDensities(step.name, {});

@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/pipeline/preset.h"
 #include "ui/document/number_scale.h"
+#include "ui/document/shown_text.h"
 
 #include <QObject>
 #include <QStringList>
@@ -32,13 +33,13 @@ QString changeOf(const Step& step, const PipelineOptions& before, const Pipeline
   const Method& method = chosenMethod(step, after);
   QStringList parts;
   const bool isOther = method.name != chosenMethod(step, before).name;
-  if (isOther) parts.append(QString::fromStdString(method.label).toLower());
+  if (isOther) parts.append(shownText(method.label).toLower());
   const std::vector<double> now = resolvedValues(step, method, after, scale);
   const std::vector<double> then =
       resolvedValues(step, method, isOther ? PipelineOptions() : before, scale);
   for (std::size_t i = 0; i < now.size(); ++i)
     if (now[i] != then[i])
-      parts.append(QString::fromStdString(method.options[i].label).toLower() + ' ' +
+      parts.append(shownText(method.options[i].label).toLower() + ' ' +
                    valueText(method.options[i], now[i], unit));
   return parts.join(QStringLiteral(", "));
 }
@@ -104,7 +105,7 @@ QString changeText(const PipelineOptions& before, const PipelineOptions& after,
   QStringList steps = changesOfScan(before, after);
   for (const Step& step : pipelineSteps())
     if (const QString change = changeOf(step, before, after, scale, unit); !change.isEmpty())
-      steps.append(QString::fromStdString(step.label) + QStringLiteral(": ") + change);
+      steps.append(shownText(step.label) + QStringLiteral(": ") + change);
   return steps.join(QStringLiteral("; "));
 }
 

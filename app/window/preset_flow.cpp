@@ -8,6 +8,8 @@
 #include "core/pipeline/preset.h"
 #include "core/pipeline/presets.h"
 #include "ui/document/plant_document.h"
+#include "ui/document/shown_text.h"
+#include "ui/panels/message_banner.h"
 #include "ui/panels/pipeline_panel.h"
 
 #include <QFileDialog>
@@ -35,8 +37,8 @@ PresetFlow::PresetFlow(const Parts& parts) : parts_(parts) {
   parts_.actions.beginSection(tr("Settings of the Steps"));
   for (const NamedPreset& preset : presets())
     parts_.actions.add({.id = idOf(preset),
-                        .text = tr("Settings: %1").arg(QString::fromStdString(preset.label)),
-                        .help = QString::fromStdString(preset.help)},
+                        .text = tr("Settings: %1").arg(shownText(preset.label)),
+                        .help = shownText(preset.help)},
                        [this, &preset] { show(preset.options); });
   parts_.actions.add({.id = "keep_preset",
                       .text = tr("Keep Settings As…"),

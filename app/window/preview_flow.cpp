@@ -25,7 +25,7 @@ constexpr Eigen::Index ballPoints = 20000; // what is shown at once
 constexpr int resting = 250;               // [ms] without a change: the hand rests
 
 bool isOfPoints(const Step& step) {
-  return step.name == "clean" || step.name == "contract";
+  return step.result == StepResult::points;
 }
 
 Outcome outcomeOf(RegionPreview region, const Ball& ball, const PipelineOptions& options,

@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "ui/document/number_scale.h"
 #include "ui/document/plant_document.h"
+#include "ui/document/shown_text.h"
 #include "ui/jobs/job_runner.h"
 
 #include <QAction>
@@ -160,8 +161,8 @@ void ReconstructFlow::show(const Reconstruction& result, const Step* last, doubl
   for (const std::string& note : notesOf(result))
     said += QStringLiteral("; ") + QString::fromStdString(note);
   if (last != nullptr && result.skeleton->isEmpty()) {
-    document_.contract(QString::fromStdString(last->label), result.contracted);
-    emit done(tr("%1 done in %2 s").arg(QString::fromStdString(last->label), time), end);
+    document_.contract(shownText(last->label), result.contracted);
+    emit done(tr("%1 done in %2 s").arg(shownText(last->label), time), end);
     return;
   }
   document_.reconstruct(tr("Reconstruct"), *result.skeleton, result.contracted);

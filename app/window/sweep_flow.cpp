@@ -9,6 +9,7 @@
 #include "app/window/sweep_scores.h"
 #include "core/pipeline/sweep.h"
 #include "ui/document/plant_document.h"
+#include "ui/document/shown_text.h"
 #include "ui/panels/focus_keys.h"
 #include "ui/panels/number_box.h"
 #include "ui/panels/number_field.h"
@@ -38,16 +39,12 @@ bool isSwept(const Option& option) {
   return !option.takesWords();
 }
 
-/// What one would sweep of a step, or of the contraction: a radius, else the first length.
+/// What one would sweep of a step, or of the contraction: the first length.
 QString usualOption(const QString& stepName, const PipelineOptions& options) {
-  const std::string name = stepName.isEmpty() ? "contract" : stepName.toStdString();
-  QString usual;
-  for (const Option& option : chosenMethod(stepNamed(name), options).options) {
-    if (option.kind != OptionKind::length || (!usual.isEmpty() && option.name != "radius"))
-      continue;
-    usual = QString::fromStdString(name + "." + option.name);
-  }
-  return usual;
+  const Step& step = stepName.isEmpty() ? contractionStep() : stepNamed(stepName.toStdString());
+  const std::vector<Option>& all = chosenMethod(step, options).options;
+  const auto usual = std::ranges::find(all, OptionKind::length, &Option::kind);
+  return usual == all.end() ? QString() : QString::fromStdString(step.name + "." + usual->name);
 }
 
 } // namespace
@@ -154,7 +151,7 @@ void SweepFlow::listOptions() {
   for (const Step& step : pipelineSteps())
     for (const Option& option : chosenMethod(step, options).options)
       if (isSwept(option))
-        option_->addItem(QString::fromStdString(step.label + ": " + option.label),
+        option_->addItem(shownText(step.label) + QStringLiteral(": ") + shownText(option.label),
                          QString::fromStdString(step.name + "." + option.name));
   int shown = before.isValid() ? option_->findData(before) : -1;
   if (shown < 0)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/base/rule.h"
 #include "core/base/spatial_index.h"
 
 #include <vector>
@@ -10,8 +11,9 @@ namespace espalier {
 struct IsolatedPointOptions {
   static constexpr double usualDistance = 8; // point spacings
 
-  int neighbors = 8;   // >= 1
-  double distance = 0; // [L] a point is isolated if these are farther away than this in the mean
+  int neighbors = 8; // >= 1
+  Length distance = spacings(
+      usualDistance); // [L] a point is isolated if these are farther away than this in the mean
 };
 
 /// Tells for each point whether it stands alone, as dust, rain and split laser beams do.

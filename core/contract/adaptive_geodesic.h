@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/base/rule.h"
 #include "core/graph/densities.h"
 
 #include <Eigen/Core>
@@ -10,15 +11,15 @@
 namespace espalier {
 
 struct AdaptiveGeodesicOptions {
-  int neighbors = 7;        // links per point, >= 1
-  double densityRadius = 0; // [L] along the plant, > 0: where points are counted
-  double leastRadius = 0;   // [L], > 0: where they lie thinnest
-  double mostRadius = 0;    // [L], >= leastRadius: where they lie densest
+  int neighbors = 7;                  // links per point, >= 1
+  Length densityRadius = spacings(3); // [L] along the plant, > 0: where points are counted
+  Length leastRadius = spacings(5);   // [L], > 0: where they lie thinnest
+  Length mostRadius = spacings(10);   // [L], >= leastRadius: where they lie densest
   double curve = 1;  // exponent of the density between the two (core/contract/density_radii.h)
   double along = 1;  // weight of squared lengths along the wood, >= 0
   double across = 1; // and across it, >= 0; not both 0
-  double orientationRadius = 0; // [L] along the plant: where its direction is measured
-  bool fitsCircles = true;      // for wood seen from one side
+  Length orientationRadius = heights(0.01); // [L] along the plant: where its direction is measured
+  bool fitsCircles = true;                  // for wood seen from one side
   std::optional<DensityRange> densityRange = {}; // of the scan that the points are a part of
 };
 

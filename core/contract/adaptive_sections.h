@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/base/rule.h"
 #include "core/graph/densities.h"
 
 #include <Eigen/Core>
@@ -10,14 +11,15 @@
 namespace espalier {
 
 struct AdaptiveSectionOptions {
-  int neighbors = 7;        // links per point, >= 1
-  double densityRadius = 0; // [L] along the plant, > 0: where points are counted
-  double leastRadius = 0;   // [L], > 0: where they lie thinnest
-  double mostRadius = 0;    // [L], >= leastRadius: where they lie densest
+  int neighbors = 7;                  // links per point, >= 1
+  Length densityRadius = spacings(3); // [L] along the plant, > 0: where points are counted
+  // Half of a circumference must be reached: pi times the radii that PlantScan3D looks for.
+  Length leastRadius = heights(0.0157); // [L], > 0: where they lie thinnest
+  Length mostRadius = heights(0.0628);  // [L], >= leastRadius: where they lie densest
   double curve = 1; // exponent of the density between the two (core/contract/density_radii.h)
-  double width = 0; // [L], > 0: half of the thickness of a section
-  double orientationRadius = 0; // [L] along the plant: where its direction is measured
-  bool fitsCircles = true;      // for wood seen from one side
+  Length width = spacings(1.6);             // [L], > 0: half of the thickness of a section
+  Length orientationRadius = heights(0.01); // [L] along the plant: where its direction is measured
+  bool fitsCircles = true;                  // for wood seen from one side
   std::optional<DensityRange> densityRange = {}; // of the scan that the points are a part of
 };
 

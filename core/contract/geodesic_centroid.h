@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/base/rule.h"
 #include "core/graph/neighborhood_graph.h"
 
 #include <Eigen/Core>
@@ -8,9 +9,9 @@
 namespace espalier {
 
 struct GeodesicCentroidOptions {
-  int neighbors = 7;        // links per point, >= 1
-  double radius = 0;        // [L] along the plant, > 0
-  bool fitsCircles = false; // for wood seen from one side
+  int neighbors = 7;             // links per point, >= 1
+  Length radius = spacings(7.5); // [L] along the plant, > 0
+  bool fitsCircles = false;      // for wood seen from one side
 };
 
 /// Contracts a cloud towards the axes of the plant: each point moves to the mean of the points that

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/base/rule.h"
 
 #include <Eigen/Core>
 
@@ -9,11 +10,11 @@
 namespace espalier {
 
 struct L1MedialOptions {
-  double sampleShare = 0.1;    // of the points that become samples, (0, 1]
-  double firstRadius = 0;      // [L], > 0: of the neighborhoods in the first stage
-  double lastRadius = 0;       // [L], >= firstRadius: no stage looks farther
-  int roundsPerStage = 20;     // at most, >= 1
-  double repulsion = 0.35;     // of samples among each other, in [0, 0.5)
+  double sampleShare = 0.2;         // of the points that become samples, (0, 1]
+  Length firstRadius = spacings(4); // [L], > 0: of the neighborhoods in the first stage
+  Length lastRadius = spacings(12); // [L], >= firstRadius: no stage looks farther
+  int roundsPerStage = 20;          // at most, >= 1
+  double repulsion = 0.35;          // of samples among each other, in [0, 0.5)
   double leastDirection = 0.9; // (0, 1]: samples that spread so much along a line become a branch
   std::uint64_t seed = 1;
 };

@@ -1,18 +1,19 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/base/rule.h"
 
 #include <Eigen/Core>
 
 namespace espalier {
 
 struct RotationalSymmetryOptions {
-  int neighbors = 7;        // links per point, >= 1
-  int normalNeighbors = 12; // points that give a normal, >= 3
-  double width = 0;         // [L], > 0: half of the thickness of a section
-  double reach = 0;         // [L], > 0: how far it goes across
-  int rounds = 3;           // >= 1: how often axes are found
-  int smoothing = 5;        // >= 0: how often places that nothing tells follow their neighbors
+  int neighbors = 7;          // links per point, >= 1
+  int normalNeighbors = 12;   // points that give a normal, >= 3
+  Length width = spacings(2); // [L], > 0: half of the thickness of a section
+  Length reach = spacings(8); // [L], > 0: how far it goes across
+  int rounds = 3;             // >= 1: how often axes are found
+  int smoothing = 5;          // >= 0: how often places that nothing tells follow their neighbors
 };
 
 /// Contracts a cloud to its rotational symmetry axes, for wood of which parts are not seen.

@@ -10,28 +10,20 @@ namespace {
 Method isolatedPointsMethod() {
   using Options = IsolatedPointOptions;
   OptionTable<Options> table;
-  table.add({.name = "neighbors",
-             .label = "Neighbors",
-             .kind = OptionKind::count,
-             .rule = fixedAt(8),
-             .minimum = 1,
-             .maximum = 64,
-             .help = "How many of the nearest points are looked at."},
+  table.add(countOption("neighbors", Shown::tr("Neighbors"), 1, 64,
+                        Shown::tr("How many of the nearest points are looked at.")),
             &Options::neighbors);
   table.add(
-      {.name = "distance",
-       .label = "Distance",
-       .kind = OptionKind::length,
-       .rule = spacings(IsolatedPointOptions::usualDistance),
-       .minimum = 0.5,
-       .maximum = 100,
-       .help = "A point is left out if its neighbors are farther away than this in the mean."},
+      lengthOption(
+          "distance", Shown::tr("Distance"), 0.5, 100,
+          Shown::tr(
+              "A point is left out if its neighbors are farther away than this in the mean.")),
       &Options::distance);
   return {.name = "isolated_points",
-          .label = "Leave out isolated points",
-          .help =
+          .label = Shown::tr("Leave out isolated points"),
+          .help = Shown::tr(
               "Leaves out points that stand alone, as dust and split laser beams do, and the few "
-              "that lie far from the plant.",
+              "that lie far from the plant."),
           .source = "as in statistical outlier removal, with a distance in point spacings",
           .options = table.descriptions(),
           .seesRoot = false,
@@ -49,7 +41,7 @@ Method isolatedPointsMethod() {
 } // namespace
 
 std::vector<Method> cleanMethods() {
-  return {isolatedPointsMethod(), noMethod("Keeps all points.")};
+  return {isolatedPointsMethod(), noMethod(Shown::tr("Keeps all points."))};
 }
 
 } // namespace espalier

@@ -8,46 +8,28 @@
 namespace espalier {
 namespace {
 
-Option leastStep(double count) {
-  return {.name = "least_step",
-          .label = "Least step",
-          .kind = OptionKind::length,
-          .rule = spacings(count),
-          .minimum = 1,
-          .maximum = 100,
-          .help = "Distance between nodes where points are sparsest, as in twigs."};
+Option leastStepOption() {
+  return lengthOption("least_step", Shown::tr("Least step"), 1, 100,
+                      Shown::tr("Distance between nodes where points are sparsest, as in twigs."));
 }
 
-Option greatestStep(double count) {
-  return {.name = "greatest_step",
-          .label = "Greatest step",
-          .kind = OptionKind::length,
-          .rule = spacings(count),
-          .minimum = 1,
-          .maximum = 200,
-          .help = "Distance between nodes where points are densest, as in thick wood."};
+Option greatestStepOption() {
+  return lengthOption(
+      "greatest_step", Shown::tr("Greatest step"), 1, 200,
+      Shown::tr("Distance between nodes where points are densest, as in thick wood."));
 }
 
-Option reach(double steps) {
-  return {.name = "reach",
-          .label = "Reach",
-          .kind = OptionKind::ratio,
-          .rule = fixedAt(steps),
-          .minimum = 1,
-          .maximum = 10,
-          .help = "How far from a node points pull at it, in steps; more bridges wider gaps."};
+Option reachOption() {
+  return ratioOption(
+      "reach", Shown::tr("Reach"), 1, 10,
+      Shown::tr("How far from a node points pull at it, in steps; more bridges wider gaps."));
 }
 
-Option kill(double steps) {
-  return {.name = "kill",
-          .label = "Kill distance",
-          .kind = OptionKind::ratio,
-          .rule = fixedAt(steps),
-          .minimum = 0.1,
-          .maximum = 5,
-          .help =
-              "Points nearer to a node are done with, in steps; less finds more twigs, and more "
-              "spurs."};
+Option killOption() {
+  return ratioOption(
+      "kill", Shown::tr("Kill distance"), 0.1, 5,
+      Shown::tr("Points nearer to a node are done with, in steps; less finds more twigs, and more "
+                "spurs."));
 }
 
 /// Those of the places that a skeleton is made of.
@@ -60,22 +42,22 @@ std::vector<float> placeDensities(const PipelineState& state, const Progress& pr
 Method graphColonizationMethod() {
   using Options = GraphColonizationOptions;
   OptionTable<Options> table;
-  table.add(linksPerPoint(12), &Options::neighbors);
-  table.add(leastStep(5), &Options::leastStep);
-  table.add(greatestStep(8), &Options::greatestStep);
-  table.add({.name = "junction_share",
-             .label = "Junction share",
-             .kind = OptionKind::ratio,
-             .rule = fixedAt(0),
-             .minimum = 0,
-             .maximum = 1,
-             .help = "0 puts nodes in the middle of their points, 1 where these meet those of the "
-                     "node before."},
-            &Options::junctionShare);
-  table.add(widestGap(), &Options::widestGap);
+  table.add(linksOverGapsOption(), &Options::neighbors);
+  table.add(leastStepOption(), &Options::leastStep);
+  table.add(greatestStepOption(), &Options::greatestStep);
+  table.add(
+      ratioOption(
+          "junction_share", Shown::tr("Junction share"), 0, 1,
+          Shown::tr("0 puts nodes in the middle of their points, 1 where these meet those of the "
+                    "node before.")),
+      &Options::junctionShare);
+  table.add(widestGapOption(), &Options::widestGap);
   return {.name = "graph_colonization",
-          .label = "Graph colonization",
-          .help = "Groups of points take the points behind them, in steps that follow the density.",
+          .label = Shown::tr("Graph colonization"),
+          .help = Shown::tr(
+              "Groups of points take the points behind them, in steps that follow the density."),
+          .inManual = Shown::tr(
+              "lets each piece take the points behind it, far in thick wood, near in twigs"),
           .source = "PlantScan3D, after C. Preuksakarn, PhD thesis, Montpellier 2, 2012",
           .options = table.descriptions(),
           .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
@@ -90,65 +72,68 @@ Method graphColonizationMethod() {
 Method pointTrackingMethod() {
   using Options = PointTrackingOptions;
   OptionTable<Options> table;
-  table.add(leastStep(5), &Options::leastStep);
-  table.add(greatestStep(6), &Options::greatestStep);
-  table.add(reach(3), &Options::reach);
-  table.add(kill(1), &Options::kill);
-  table.add({.name = "cone_angle",
-             .label = "Cone angle",
-             .kind = OptionKind::angle,
-             .rule = fixedAt(45),
-             .minimum = 10,
-             .maximum = 80,
-             .help =
-                 "Opening of the cones in which a node looks for children; less separates narrower "
-                 "forks apart."},
-            &Options::coneAngle);
-  table.add({.name = "fewest_points",
-             .label = "Fewest points",
-             .kind = OptionKind::count,
-             .rule = fixedAt(3),
-             .minimum = 1,
-             .maximum = 100,
-             .help = "Cones with fewer points bear no child."},
+  table.add(leastStepOption(), &Options::leastStep);
+  table.add(greatestStepOption(), &Options::greatestStep);
+  table.add(reachOption(), &Options::reach);
+  table.add(killOption(), &Options::kill);
+  table.add(
+      angleOption(
+          "cone_angle", Shown::tr("Cone angle"), 10, 80,
+          Shown::tr("Opening of the cones in which a node looks for children; less tells narrower "
+                    "forks apart.")),
+      &Options::coneAngle);
+  table.add(countOption("fewest_points", Shown::tr("Fewest points"), 1, 100,
+                        Shown::tr("Cones with fewer points bear no child.")),
             &Options::fewestPoints);
-  table.add({.name = "cluster_density",
-             .label = "Cluster density",
-             .kind = OptionKind::ratio,
-             .rule = fixedAt(0.5),
-             .minimum = 0,
-             .maximum = 1,
-             .help = "Where points are denser than this share of the densest, directions are "
-                     "clustered instead of sorted by cones; 1 is nowhere."},
+  table.add(ratioOption(
+                "cluster_density", Shown::tr("Cluster density"), 0, 1,
+                Shown::tr("Where points are denser than this share of the densest, directions are "
+                          "clustered instead of sorted by cones; 1 is nowhere.")),
             &Options::clusterDensity);
-  table.add(thickWood(1), &Options::thickWood);
-  table.add(widestGap(), &Options::widestGap);
-  return {.name = "point_tracking",
-          .label = "Point tracking",
-          .help = "Follows the points from node to node, through cones, as the thesis does.",
-          .source = "C. Preuksakarn, PhD thesis, Montpellier 2, 2012, section 4.7",
-          .options = table.descriptions(),
-          .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
+  table.add(thickWoodOption(), &Options::thickWood);
+  table.add(widestGapOption(), &Options::widestGap);
+  return {
+      .name = "point_tracking",
+      .label = Shown::tr("Point tracking"),
+      .help = Shown::tr("Follows the points from node to node, through cones, as the thesis does."),
+      .inManual = Shown::tr("follows the points from node to node, through cones, or by clusters "
+                            "of directions where points are dense"),
+      .source = "C. Preuksakarn, PhD thesis, Montpellier 2, 2012, section 4.7",
+      .options = table.descriptions(),
+      .run =
+          [table](PipelineState& state, const Values& values, const Progress& progress) {
             const std::vector<float> densities = placeDensities(state, progress.part(0, 0.2));
             reconstructKept(state, [&](const Eigen::Matrix3Xf& points, Eigen::Index root) {
               return skeletonByPointTracking(points, densities, root, table.with(values),
                                              progress.part(0.2, 1));
             });
+          },
+      .probe =
+          [table](const Values& values) {
+            const Options options = table.with(values);
+            return MethodProbe{
+                .cones = ConeProbe{.angle = options.coneAngle, .length = [options](double density) {
+                                     const double step =
+                                         options.leastStep +
+                                         density * (options.greatestStep - options.leastStep);
+                                     return options.reach * step;
+                                   }}};
           }};
 }
 
 Method spaceColonizationMethod() {
   using Options = SpaceColonizationOptions;
   OptionTable<Options> table;
-  table.add(leastStep(2), &Options::leastStep);
-  table.add(greatestStep(3), &Options::greatestStep);
-  table.add(reach(4), &Options::reach);
-  table.add(kill(1.2), &Options::kill);
-  table.add(thickWood(1), &Options::thickWood);
-  table.add(widestGap(), &Options::widestGap);
+  table.add(leastStepOption(), &Options::leastStep);
+  table.add(greatestStepOption(), &Options::greatestStep);
+  table.add(reachOption(), &Options::reach);
+  table.add(killOption(), &Options::kill);
+  table.add(thickWoodOption(), &Options::thickWood);
+  table.add(widestGapOption(), &Options::widestGap);
   return {.name = "space_colonization",
-          .label = "Space colonization",
-          .help = "Points pull the nodes nearest to them; steps follow the density.",
+          .label = Shown::tr("Space colonization"),
+          .help = Shown::tr("Points pull the nodes nearest to them; steps follow the density."),
+          .inManual = Shown::tr("lets the points pull the nodes nearest to them"),
           .source = "A. Runions, B. Lane, P. Prusinkiewicz, Eurographics Workshop on Natural "
                     "Phenomena, 2007",
           .options = table.descriptions(),

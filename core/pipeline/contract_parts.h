@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/pipeline/contract_probes.h"
 #include "core/pipeline/method_parts.h"
 
 #include <utility>
@@ -8,12 +9,14 @@ namespace espalier {
 
 /// The method `described`, with the options of `table`, whose work is `contract(points, options,
 /// state, progress)`: the new places of the points that cleaning kept; those at the place of one go
-/// with it, the others stay. It is taken to see no root.
-template <class Options, class Contract>
+/// with it, the others stay. It is taken to see no root. `probe(options)` is how it looks at the
+/// plant.
+template <class Options, class Contract, class Probe>
 [[nodiscard]] Method contractMethod(Method described, const OptionTable<Options>& table,
-                                    const Contract& contract) {
+                                    const Contract& contract, const Probe& probe) {
   described.options = table.descriptions();
   described.seesRoot = false;
+  described.probe = [table, probe](const Values& values) { return probe(table.with(values)); };
   described.run = [table, contract](PipelineState& state, const Values& values,
                                     const Progress& progress) {
     const std::vector<Eigen::Index> kept = keptPoints(state);
@@ -26,10 +29,6 @@ template <class Options, class Contract>
   };
   return described;
 }
-
-// Options that several contractions have.
-[[nodiscard]] Option linksOption();
-[[nodiscard]] Option circlesOption(bool isOn);
 
 /// Those after the geodesic ones: by equations, along paths, and by sampling.
 [[nodiscard]] std::vector<Method> surfaceContractMethods();

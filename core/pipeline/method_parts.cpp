@@ -11,7 +11,7 @@ namespace espalier {
 
 Method noMethod(std::string help) {
   return {.name = "none",
-          .label = "None",
+          .label = Shown::tr("None"),
           .help = std::move(help),
           .source = {},
           .options = {},
@@ -19,36 +19,37 @@ Method noMethod(std::string help) {
           .run = [](PipelineState&, const Values&, const Progress&) {}};
 }
 
-Option linksPerPoint(int count) {
-  return {.name = "neighbors",
-          .label = "Neighbors",
-          .kind = OptionKind::count,
-          .rule = fixedAt(count),
-          .minimum = 3,
-          .maximum = 64,
-          .help = "Links per point along which distances are measured; more bridge wider gaps."};
+Option linksOption(const char* help) {
+  return countOption("neighbors", Shown::tr("Neighbors"), 3, 64, help);
 }
 
-Option widestGap() {
-  return {.name = "widest_gap",
-          .label = "Widest gap",
-          .kind = OptionKind::length,
-          .rule = fixedAt(0),
-          .minimum = 0,
-          .maximum = 10000,
-          .help = "Parts of the plant farther apart than this are not joined; 0 joins all."};
+Option linksOverGapsOption() {
+  return linksOption(
+      Shown::tr("Links per point along which distances are measured; more bridge wider gaps."));
 }
 
-Option thickWood(double radius) {
-  return {.name = "thick_wood",
-          .label = "Thick wood",
-          .kind = OptionKind::length,
-          .rule = spacings(radius),
-          .minimum = 0,
-          .maximum = 10000,
-          .help =
-              "Points of wood thicker than this are drawn to its axis first, or they would leave "
-              "strands on it; 0 draws none."};
+Option widestGapOption() {
+  return lengthOption(
+      "widest_gap", Shown::tr("Widest gap"), 0, 10000,
+      Shown::tr("Parts of the plant farther apart than this are not joined; 0 joins all."));
+}
+
+Option thickWoodOption() {
+  return lengthOption(
+      "thick_wood", Shown::tr("Thick wood"), 0, 10000,
+      Shown::tr("Points of wood thicker than this are drawn to its axis first, or they would leave "
+                "strands on it; 0 draws none."));
+}
+
+Option coverageOption() {
+  return ratioOption(
+      "least_coverage", Shown::tr("Least coverage"), 0.1, 1,
+      Shown::tr("Share of the way around that points must cover before a fit is trusted."));
+}
+
+Option cylinderLengthOption() {
+  return ratioOption("length", Shown::tr("Length"), 1, 30,
+                     Shown::tr("How much of the wood a cylinder is fitted to, in radii."));
 }
 
 std::vector<Eigen::Index> keptPoints(const PipelineState& state) {

@@ -14,10 +14,14 @@ using Values = std::vector<double>;
 /// The method "none" of a step that may be left out.
 [[nodiscard]] Method noMethod(std::string help);
 
-/// Options that several methods of the skeleton have.
-[[nodiscard]] Option linksPerPoint(int count);
-[[nodiscard]] Option widestGap();
-[[nodiscard]] Option thickWood(double radius);
+// Options that several methods have.
+[[nodiscard]] Option
+linksOption(const char* help = Shown::tr("Links per point along which distances are measured."));
+[[nodiscard]] Option linksOverGapsOption(); // of methods of the skeleton
+[[nodiscard]] Option widestGapOption();
+[[nodiscard]] Option thickWoodOption();
+[[nodiscard]] Option coverageOption(); // of cylinder fits
+[[nodiscard]] Option cylinderLengthOption();
 
 /// The points that cleaning kept, ascending.
 [[nodiscard]] std::vector<Eigen::Index> keptPoints(const PipelineState& state);

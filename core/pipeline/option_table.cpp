@@ -5,34 +5,26 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <sstream>
 
 namespace espalier {
 namespace {
 
 const std::array<std::string, 2> flagWords = {"no", "yes"};
 
-} // namespace
-
-std::string Rule::text() const {
-  std::ostringstream text;
-  const auto append = [&](double amount, const char* unit) {
-    if (amount == 0) return;
-    if (text.tellp() > 0) text << " + ";
-    text << amount << unit;
-  };
-  append(spacings, spacings == 1 ? " point spacing" : " point spacings");
-  append(heights, heights == 1 ? " plant height" : " plant heights");
-  append(fixed, "");
-  return text.tellp() > 0 ? text.str() : "0";
+Option optionOf(OptionKind kind, const char* name, const char* label, double least, double most,
+                const char* help) {
+  return {
+      .name = name, .label = label, .kind = kind, .minimum = least, .maximum = most, .help = help};
 }
 
-std::optional<Rule> Rule::parse(std::string_view text) {
+} // namespace
+
+std::optional<Rule> ruleIn(std::string_view text) {
   const TypedValue typed = typedValue(text);
   if (typed.state != TypedValue::State::complete) return std::nullopt;
   if (typed.unit == ValueUnit::none) return fixedAt(typed.amount);
-  if (typed.unit == ValueUnit::spacings) return espalier::spacings(typed.amount);
-  if (typed.unit == ValueUnit::heights) return Rule{.heights = typed.amount};
+  if (typed.unit == ValueUnit::spacings) return spacings(typed.amount);
+  if (typed.unit == ValueUnit::heights) return heights(typed.amount);
   return std::nullopt;
 }
 
@@ -75,6 +67,7 @@ std::string nameOf(OptionKind kind) {
   case OptionKind::length:
     return "length";
   case OptionKind::ratio:
+  case OptionKind::curve: // where it is no form, its exponent
     return "ratio";
   case OptionKind::count:
     return "count";
@@ -86,6 +79,35 @@ std::string nameOf(OptionKind kind) {
     return "flag";
   }
   return {};
+}
+
+Option lengthOption(const char* name, const char* label, double least, double most,
+                    const char* help) {
+  return optionOf(OptionKind::length, name, label, least, most, help);
+}
+
+Option ratioOption(const char* name, const char* label, double least, double most,
+                   const char* help) {
+  return optionOf(OptionKind::ratio, name, label, least, most, help);
+}
+
+Option countOption(const char* name, const char* label, double least, double most,
+                   const char* help) {
+  return optionOf(OptionKind::count, name, label, least, most, help);
+}
+
+Option angleOption(const char* name, const char* label, double least, double most,
+                   const char* help) {
+  return optionOf(OptionKind::angle, name, label, least, most, help);
+}
+
+Option curveOption(const char* name, const char* label, double least, double most,
+                   const char* help) {
+  return optionOf(OptionKind::curve, name, label, least, most, help);
+}
+
+Option flagOption(const char* name, const char* label, const char* help) {
+  return optionOf(OptionKind::flag, name, label, 0, 1, help);
 }
 
 } // namespace espalier

@@ -1,45 +1,22 @@
 #pragma once
 
+#include "core/base/rule.h"
+
+#include <cmath>
 #include <functional>
 #include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace espalier {
 
-/// What default rules derive lengths from.
-struct PlantScale {
-  double spacing = 0; // mean distance between neighboring points [L]
-  double height = 0;  // extent along the up axis [L]
-};
-
-/// How a value follows from the plant: the sum of its parts.
-struct Rule {
-  double fixed = 0;    // for counts and ratios
-  double spacings = 0; // in point spacings
-  double heights = 0;  // in plant heights
-
-  [[nodiscard]] double value(const PlantScale& scale) const {
-    return fixed + spacings * scale.spacing + heights * scale.height;
-  }
-  [[nodiscard]] bool isFixed() const { return spacings == 0 && heights == 0; }
-  [[nodiscard]] std::string text() const; // "7.5 point spacings"
-  /// What text() writes of one part, or people: "12.5", "7.5 spacings", "0.01 plant heights".
-  [[nodiscard]] static std::optional<Rule> parse(std::string_view text);
-  bool operator==(const Rule&) const = default;
-};
-
-[[nodiscard]] constexpr Rule fixedAt(double value) {
-  return {.fixed = value};
-}
-[[nodiscard]] constexpr Rule spacings(double count) {
-  return {.spacings = count};
-}
-
-enum class OptionKind { length, ratio, count, angle, choice, flag };
+/// A curve is the exponent between the two lengths before it: from the first, where points lie
+/// thinnest, to the second, where they lie densest.
+enum class OptionKind { length, ratio, count, angle, curve, choice, flag };
 
 /// One of the words that an option of kind choice takes.
 struct Choice {
@@ -52,10 +29,11 @@ struct Option {
   std::string name;  // on the command line and in files
   std::string label; // in the form
   OptionKind kind = OptionKind::ratio;
-  Rule rule;          // the default; of a choice its place in `choices`, of a flag 0 or 1
-  double minimum = 0; // in point spacings for a length, degrees for an angle
-  double maximum = 0; // likewise; both follow from the kind for a choice and a flag
-  std::string help;   // one line
+  /// The default, from the options struct; of a choice its place in `choices`, of a flag 0 or 1.
+  Rule rule = {};
+  double minimum = 0;               // in point spacings for a length, degrees for an angle
+  double maximum = 0;               // likewise; both follow from the kind for a choice and a flag
+  std::string help;                 // one line
   std::vector<Choice> choices = {}; // of a choice
 
   /// Whether people write a word for the value, not a number.
@@ -75,18 +53,52 @@ struct Option {
 
 [[nodiscard]] std::string nameOf(OptionKind kind); // "length", "ratio", ...
 
+/// A rule of one part as text() writes it, or people: "12.5", "7.5 spacings", "0.01 plant heights".
+[[nodiscard]] std::optional<Rule> ruleIn(std::string_view text);
+
+/// Marks English text that users see, for lupdate: core knows no Qt, so the window translates it
+/// (ui/document/shown_text.h).
+struct Shown {
+  [[nodiscard]] static constexpr const char* tr(const char* english) { return english; }
+};
+
+// Options without their default, which the options struct has. Lengths are in point spacings.
+[[nodiscard]] Option lengthOption(const char* name, const char* label, double least, double most,
+                                  const char* help);
+[[nodiscard]] Option ratioOption(const char* name, const char* label, double least, double most,
+                                 const char* help);
+[[nodiscard]] Option countOption(const char* name, const char* label, double least, double most,
+                                 const char* help);
+[[nodiscard]] Option angleOption(const char* name, const char* label, double least, double most,
+                                 const char* help);
+[[nodiscard]] Option curveOption(const char* name, const char* label, double least, double most,
+                                 const char* help);
+[[nodiscard]] Option flagOption(const char* name, const char* label, const char* help);
+
 /// The options of one method, tied to the members of its options struct. Angles are in degrees to
 /// people, in radians in the struct.
 template <class Options> class OptionTable {
 public:
-  template <class Member> OptionTable& add(Option option, Member Options::*member) {
+  /// @param defaults other than those of the struct, for methods that share one
+  explicit OptionTable(const Options& defaults = {}) : defaults_(defaults) {}
+
+  /// @param path from the struct to the member: that, or one of a member of it
+  template <class... Members> OptionTable& add(Option option, Members... path) {
     const double unit = option.kind == OptionKind::angle ? std::numbers::pi / 180 : 1;
     if (option.kind == OptionKind::flag) option.maximum = 1;
     if (option.kind == OptionKind::choice)
       option.maximum = static_cast<double>(option.choices.size()) - 1;
+    const auto& usual = memberOf(defaults_, path...);
+    using Value = std::remove_cvref_t<decltype(usual)>;
+    if constexpr (std::is_same_v<Value, Length>)
+      option.rule = usual.rule();
+    else if (option.kind == OptionKind::angle)
+      option.rule = fixedAt(std::round(static_cast<double>(usual) / unit * 1e9) / 1e9);
+    else
+      option.rule = fixedAt(static_cast<double>(usual));
     descriptions_.push_back(std::move(option));
-    setters_.push_back([member, unit](Options& options, double value) {
-      options.*member = static_cast<Member>(value * unit);
+    setters_.push_back([path..., unit](Options& options, double value) {
+      memberOf(options, path...) = static_cast<Value>(value * unit);
     });
     return *this;
   }
@@ -95,13 +107,18 @@ public:
 
   /// The struct with `values`, one per option in order.
   [[nodiscard]] Options with(const std::vector<double>& values) const {
-    Options options;
+    Options options = defaults_;
     for (std::size_t i = 0; i < setters_.size(); ++i)
       setters_[i](options, values[i]);
     return options;
   }
 
 private:
+  template <class... Members> static auto& memberOf(Options& options, Members... path) {
+    return (options.*....*path); // .* path .* path and so on
+  }
+
+  Options defaults_;
   std::vector<Option> descriptions_;
   std::vector<std::function<void(Options&, double)>> setters_;
 };

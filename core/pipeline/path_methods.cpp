@@ -7,14 +7,9 @@
 namespace espalier {
 namespace {
 
-Option spacing() {
-  return {.name = "spacing",
-          .label = "Spacing",
-          .kind = OptionKind::length,
-          .rule = spacings(6),
-          .minimum = 1,
-          .maximum = 100,
-          .help = "Greatest distance between nodes."};
+Option spacingOption() {
+  return lengthOption("spacing", Shown::tr("Spacing"), 1, 100,
+                      Shown::tr("Greatest distance between nodes."));
 }
 
 } // namespace
@@ -22,45 +17,31 @@ Option spacing() {
 Method shortestPathMethod() {
   using Options = ShortestPathOptions;
   OptionTable<Options> table;
-  table.add(linksPerPoint(16), &Options::neighbors);
-  table.add({.name = "power",
-             .label = "Power",
-             .kind = OptionKind::ratio,
-             .rule = fixedAt(2),
-             .minimum = 1,
-             .maximum = 4,
-             .help = "A link costs its length to this power; more avoids leaps over gaps."},
-            &Options::power);
-  table.add({.name = "least_share",
-             .label = "Least share",
-             .kind = OptionKind::ratio,
-             .rule = fixedAt(0.019),
-             .minimum = 0,
-             .maximum = 1,
-             .help = "Branches go whose longest path is a smaller share of that of their wood."},
-            &Options::leastShare);
-  table.add(spacing(), &Options::spacing);
-  table.add({.name = "merge_angle",
-             .label = "Merge angle",
-             .kind = OptionKind::angle,
-             .rule = fixedAt(25),
-             .minimum = 0,
-             .maximum = 90,
-             .help = "Branches side by side at less than this may be one."},
+  table.add(linksOverGapsOption(), &Options::neighbors);
+  table.add(
+      ratioOption("power", Shown::tr("Power"), 1, 4,
+                  Shown::tr("A link costs its length to this power; more avoids leaps over gaps.")),
+      &Options::power);
+  table.add(
+      ratioOption(
+          "least_share", Shown::tr("Least share"), 0, 1,
+          Shown::tr("Branches go whose longest way is a smaller share of that of their wood.")),
+      &Options::leastShare);
+  table.add(spacingOption(), &Options::spacing);
+  table.add(angleOption("merge_angle", Shown::tr("Merge angle"), 0, 90,
+                        Shown::tr("Branches side by side at less than this may be one.")),
             &Options::mergeAngle);
-  table.add({.name = "least_radius",
-             .label = "Least radius",
-             .kind = OptionKind::length,
-             .rule = spacings(2),
-             .minimum = 0.1,
-             .maximum = 50,
-             .help = "How far points lie off the axis even of a twig; more merges more."},
-            &Options::leastRadius);
-  table.add(thickWood(1), &Options::thickWood);
-  table.add(widestGap(), &Options::widestGap);
+  table.add(
+      lengthOption("least_radius", Shown::tr("Least radius"), 0.1, 50,
+                   Shown::tr("How far points lie off the axis even of a twig; more merges more.")),
+      &Options::leastRadius);
+  table.add(thickWoodOption(), &Options::thickWood);
+  table.add(widestGapOption(), &Options::widestGap);
   return {.name = "shortest_paths",
-          .label = "Shortest paths",
-          .help = "Simplifies the tree of shortest paths, by squared length, over all points.",
+          .label = Shown::tr("Shortest paths"),
+          .help = Shown::tr(
+              "Simplifies the tree of shortest ways, by squared length, over all points."),
+          .inManual = Shown::tr("simplifies the tree of shortest ways over all points"),
           .source = "S. Du et al. (AdTree), Remote Sensing 11(18), 2019",
           .options = table.descriptions(),
           .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
@@ -73,48 +54,31 @@ Method shortestPathMethod() {
 Method branchStructureMethod() {
   using Options = BranchStructureOptions;
   OptionTable<Options> table;
-  table.add(linksPerPoint(7), &Options::neighbors);
-  table.add({.name = "rounds",
-             .label = "Rounds",
-             .kind = OptionKind::count,
-             .rule = fixedAt(3),
-             .minimum = 0,
-             .maximum = 50,
-             .help = "How often branches are made straighter."},
+  table.add(linksOverGapsOption(), &Options::neighbors);
+  table.add(countOption("rounds", Shown::tr("Rounds"), 0, 50,
+                        Shown::tr("How often branches are made straighter.")),
             &Options::rounds);
-  table.add({.name = "radius_share",
-             .label = "Radius share",
-             .kind = OptionKind::ratio,
-             .rule = fixedAt(1),
-             .minimum = 0.001,
-             .maximum = 100,
-             .help =
-                 "Mean radius of the wood, in mean distances of the points from it; more merges "
-                 "more."},
-            &Options::radiusShare);
-  table.add({.name = "least_edge",
-             .label = "Least edge",
-             .kind = OptionKind::ratio,
-             .rule = fixedAt(0.15),
-             .minimum = 0,
-             .maximum = 1,
-             .help = "Shorter edges go; 0 is the shortest, 1 the longest of all."},
+  table.add(
+      ratioOption(
+          "radius_share", Shown::tr("Radius share"), 0.001, 100,
+          Shown::tr("Mean radius of the wood, in mean distances of the points from it; more merges "
+                    "more.")),
+      &Options::radiusShare);
+  table.add(ratioOption("least_edge", Shown::tr("Least edge"), 0, 1,
+                        Shown::tr("Shorter edges go; 0 is the shortest, 1 the longest of all.")),
             &Options::leastEdge);
-  table.add({.name = "overlap",
-             .label = "Overlap",
-             .kind = OptionKind::ratio,
-             .rule = fixedAt(0.5),
-             .minimum = 0.01,
-             .maximum = 1,
-             .help = "Branches whose wood overlaps by more than this share become one."},
-            &Options::overlap);
-  table.add(spacing(), &Options::spacing);
-  table.add(thickWood(1), &Options::thickWood);
-  table.add(widestGap(), &Options::widestGap);
+  table.add(
+      ratioOption("overlap", Shown::tr("Overlap"), 0.01, 1,
+                  Shown::tr("Branches whose wood overlaps by more than this share become one.")),
+      &Options::overlap);
+  table.add(spacingOption(), &Options::spacing);
+  table.add(thickWoodOption(), &Options::thickWood);
+  table.add(widestGapOption(), &Options::widestGap);
   return {.name = "branch_structure",
-          .label = "Branch structure graph",
-          .help =
-              "Straightens the tree of shortest paths over all points, and merges what overlaps.",
+          .label = Shown::tr("Branch structure graph"),
+          .help = Shown::tr(
+              "Straightens the tree of shortest ways over all points, and merges what overlaps."),
+          .inManual = Shown::tr("straightens such a tree, and merges what overlaps"),
           .source = "Y. Livny et al., ACM Trans. Graph. 29(6), 2010",
           .options = table.descriptions(),
           .run = [table](PipelineState& state, const Values& values, const Progress& progress) {

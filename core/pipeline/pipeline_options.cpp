@@ -95,7 +95,7 @@ Rule ruleOf(const std::string& name, const std::string& typedText, const Option*
     throw noUnit(name, text, typed);
   if (isWhole && kind == OptionKind::angle && typed.unit == ValueUnit::degrees)
     return fixedAt(typed.amount);
-  const std::optional<Rule> rule = Rule::parse(text);
+  const std::optional<Rule> rule = ruleIn(text);
   if (!rule || !(kind == OptionKind::length || rule->isFixed())) throw noValue(name, text, kind);
   return *rule;
 }
@@ -148,6 +148,11 @@ void requireKnown(const PipelineOptions& options) {
 const Method& chosenMethod(const Step& step, const PipelineOptions& options) {
   const auto choice = options.methods.find(step.name);
   return choice == options.methods.end() ? step.methods.front() : methodNamed(step, choice->second);
+}
+
+ChosenMethod chosenFor(const Step& step, const PipelineOptions& options, const PlantScale& scale) {
+  const Method& method = chosenMethod(step, options);
+  return {&method, resolvedValues(step, method, options, scale)};
 }
 
 bool isSameIn(const Step& step, const PipelineOptions& a, const PipelineOptions& b) {

@@ -42,6 +42,23 @@ void requireKnown(const PipelineOptions& options);
 /// @throws Error naming what there is
 [[nodiscard]] const Method& chosenMethod(const Step& step, const PipelineOptions& options);
 
+/// The method of a step with its values.
+struct ChosenMethod {
+  const Method* method = nullptr;
+  std::vector<double> values; // one per option, in order
+
+  void run(PipelineState& state, const Progress& progress) const {
+    method->run(state, values, progress);
+  }
+  [[nodiscard]] MethodProbe probe() const { return method->probe(values); }
+  bool operator==(const ChosenMethod&) const = default;
+};
+
+/// What a step does with a plant of this scale.
+/// @throws Error if the method is unknown or a setting is out of range
+[[nodiscard]] ChosenMethod chosenFor(const Step& step, const PipelineOptions& options,
+                                     const PlantScale& scale);
+
 /// Whether both choose the same method of a step, and the same values for it.
 [[nodiscard]] bool isSameIn(const Step& step, const PipelineOptions& a, const PipelineOptions& b);
 

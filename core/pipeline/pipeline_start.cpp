@@ -20,6 +20,15 @@ PipelineState firstState(const std::shared_ptr<const PointCloud>& cloud, const P
           .radiusSources = {}};
 }
 
+PipelineState cleanedState(const std::shared_ptr<const PointCloud>& cloud,
+                           const PipelineOptions& options, const PlantScale& scale,
+                           const Progress& progress) {
+  requireKnown(options);
+  PipelineState state = firstState(cloud, options.leftOut);
+  chosenFor(cleaningStep(), options, scale).run(state, progress);
+  return state;
+}
+
 Eigen::Index rootPoint(const PipelineState& cleaned, const PipelineOptions& options, float lowest) {
   const std::vector<Eigen::Index> kept = keptPoints(cleaned);
   if (kept.empty()) return 0;

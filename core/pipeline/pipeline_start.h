@@ -13,6 +13,12 @@ namespace espalier {
 [[nodiscard]] PipelineState firstState(const std::shared_ptr<const PointCloud>& cloud,
                                        const PointSet& leftOut);
 
+/// The same once the step Clean has run.
+/// @throws Error if an option of any step is unknown, or one of this step out of range
+[[nodiscard]] PipelineState cleanedState(const std::shared_ptr<const PointCloud>& cloud,
+                                         const PipelineOptions& options, const PlantScale& scale,
+                                         const Progress& progress);
+
 /// The foot of the plant among the points that cleaning kept: the one nearest to the root that was
 /// chosen, or else the one that the points tell. 0 if none is left.
 /// @param lowest  of the plant (PlantExtent)

@@ -40,12 +40,13 @@ PipelineOptions thesis() {
 const std::vector<NamedPreset>& presets() {
   static const std::vector<NamedPreset> all = {
       {"default",
-       "Default",
-       "The best of all methods; every option follows from the scan.",
+       Shown::tr("Default"),
+       Shown::tr("The best of all methods; every option follows from the scan."),
        "",
        {}},
-      {"thesis", "As in the Thesis",
-       "Adaptive contraction, point tracking and pipe model, with the settings of the thesis.",
+      {"thesis", Shown::tr("As in the Thesis"),
+       Shown::tr("Adaptive contraction, point tracking and pipe model, with the settings of the "
+                 "thesis."),
        "C. Preuksakarn, PhD thesis, Montpellier 2, 2012, sections 4.5 to 4.8", thesis()}};
   return all;
 }

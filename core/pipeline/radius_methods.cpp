@@ -18,20 +18,14 @@ constexpr auto thesis = "law of the structures published with the thesis of C. P
 
 constexpr auto noRadii = "no radius is measured, so there are no radii: check the scan";
 
-/// What the methods of this step have in common.
-struct CommonOptions {
+struct BranchOptions {
   double branchShare = 1;
 };
 
-template <class Options> void addBranchShare(OptionTable<Options>& table, double Options::*member) {
-  table.add({.name = "branch_limit",
-             .label = "Branch limit",
-             .kind = OptionKind::ratio,
-             .rule = fixedAt(1),
-             .minimum = 0.1,
-             .maximum = 1,
-             .help = "A branch is at most this share as thick as the wood that bears it."},
-            member);
+Option branchLimitOption() {
+  return ratioOption(
+      "branch_limit", Shown::tr("Branch limit"), 0.1, 1,
+      Shown::tr("A branch is at most this share as thick as the wood that bears it."));
 }
 
 /// Gives the nodes these radii [L], by id, none thicker than its parent.
@@ -59,8 +53,8 @@ void setMeasured(PipelineState& state, const std::vector<double>& radii, double 
 
 Method assignedMethod(std::string name, std::string label, std::string help,
                       AssignedMeasure measure) {
-  OptionTable<CommonOptions> table;
-  addBranchShare(table, &CommonOptions::branchShare);
+  OptionTable<BranchOptions> table;
+  table.add(branchLimitOption(), &BranchOptions::branchShare);
   return {.name = std::move(name),
           .label = std::move(label),
           .help = std::move(help),
@@ -75,67 +69,46 @@ Method assignedMethod(std::string name, std::string label, std::string help,
           }};
 }
 
-/// The options of a cylinder fit, and what is done with the radii.
+/// What is done with the radii of cylinders, too.
 struct CylinderMethodOptions {
-  double leastCoverage = 0;
-  double length = 0;
+  CylinderOptions cylinders;
   double branchShare = 1;
-  double axisStep = 0;
-  double branchStep = 0;
-
-  [[nodiscard]] CylinderOptions cylinders(const PipelineState& state,
-                                          const Progress& progress) const {
-    return {.leastCoverage = leastCoverage,
-            .length = length,
-            .spacing = pointSpacing(keptPositions(state), progress)};
-  }
+  FusionOptions fusion;
 };
 
 OptionTable<CylinderMethodOptions> cylinderTable() {
   using Options = CylinderMethodOptions;
   OptionTable<Options> table;
-  table.add({.name = "least_coverage",
-             .label = "Least coverage",
-             .kind = OptionKind::ratio,
-             .rule = fixedAt(0.3),
-             .minimum = 0.1,
-             .maximum = 1,
-             .help = "Share of the circumference that points must cover before a fit is trusted."},
-            &Options::leastCoverage);
-  table.add({.name = "length",
-             .label = "Length",
-             .kind = OptionKind::ratio,
-             .rule = fixedAt(4),
-             .minimum = 1,
-             .maximum = 30,
-             .help = "How much of the wood a cylinder is fitted to, in radii."},
-            &Options::length);
-  addBranchShare(table, &Options::branchShare);
+  table.add(coverageOption(), &Options::cylinders, &CylinderOptions::leastCoverage);
+  table.add(cylinderLengthOption(), &Options::cylinders, &CylinderOptions::length);
+  table.add(branchLimitOption(), &Options::branchShare);
   return table;
 }
 
 Method cylinderMethod() {
   const OptionTable<CylinderMethodOptions> table = cylinderTable();
-  return {.name = "cylinders",
-          .label = "Cylinder fits",
-          .help = "Radii of cylinders fitted to the wood about each node, which stray points do "
-                  "not pull.",
-          .source = "G. Lukacs, R. Martin, D. Marshall, ECCV 1998; coverage after P. Raumonen et "
-                    "al., Remote Sens. 5, 2013",
-          .options = table.descriptions(),
-          .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
-            const CylinderMethodOptions options = table.with(values);
-            const Eigen::Matrix3Xf kept = keptPositions(state);
-            const AssignedPoints points(*state.skeleton, kept, state.cloud->origin(),
-                                        progress.part(0, 0.5));
-            const CylinderOptions cylinders = options.cylinders(state, progress);
-            std::vector<double> radii;
-            for (const MeasuredRadius& each : cylinderRadii(
-                     cylindersAbout(*state.skeleton, points, cylinders, progress.part(0.5, 1)),
-                     cylinders.spacing))
-              radii.push_back(each.radius);
-            setMeasured(state, radii, options.branchShare);
-          }};
+  return {
+      .name = "cylinders",
+      .label = Shown::tr("Cylinder fits"),
+      .help =
+          Shown::tr("Radii of cylinders fitted to the wood about each node, which stray points do "
+                    "not pull."),
+      .source = "G. Lukacs, R. Martin, D. Marshall, ECCV 1998; coverage after P. Raumonen et "
+                "al., Remote Sens. 5, 2013",
+      .options = table.descriptions(),
+      .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
+        CylinderMethodOptions options = table.with(values);
+        const Eigen::Matrix3Xf kept = keptPositions(state);
+        const AssignedPoints points(*state.skeleton, kept, state.cloud->origin(),
+                                    progress.part(0, 0.5));
+        options.cylinders.spacing = pointSpacing(kept, progress);
+        std::vector<double> radii;
+        for (const MeasuredRadius& each : cylinderRadii(
+                 cylindersAbout(*state.skeleton, points, options.cylinders, progress.part(0.5, 1)),
+                 options.cylinders.spacing))
+          radii.push_back(each.radius);
+        setMeasured(state, radii, options.branchShare);
+      }};
 }
 
 /// Cylinders where points tell of them, distances elsewhere, by id.
@@ -169,45 +142,38 @@ std::vector<double> modelOf(const Skeleton& skeleton, const AssignedPoints& poin
 Method fusedMethod() {
   using Options = CylinderMethodOptions;
   OptionTable<Options> table = cylinderTable();
-  table.add({.name = "axis_step",
-             .label = "Step along an axis",
-             .kind = OptionKind::ratio,
-             .rule = fixedAt(0.05),
-             .minimum = 0.001,
-             .maximum = 10,
-             .help = "How much the radius may stray from the model from node to node: more follows "
-                     "each measurement."},
-            &Options::axisStep);
-  table.add({.name = "branch_step",
-             .label = "Step to a branch",
-             .kind = OptionKind::ratio,
-             .rule = fixedAt(0.3),
-             .minimum = 0.001,
-             .maximum = 10,
-             .help = "The same from an axis to a branch."},
-            &Options::branchStep);
+  table.add(
+      ratioOption(
+          "axis_step", Shown::tr("Step along an axis"), 0.001, 10,
+          Shown::tr("How much the radius may stray from the model from node to node: more follows "
+                    "each measurement.")),
+      &Options::fusion, &FusionOptions::axisStep);
+  table.add(ratioOption("branch_step", Shown::tr("Step to a branch"), 0.001, 10,
+                        Shown::tr("The same from an axis to a branch.")),
+            &Options::fusion, &FusionOptions::branchStep);
   return {
       .name = "fused",
-      .label = "Cylinders and pipe model",
-      .help = "Radii of fitted cylinders where points suffice, of a pipe model fitted to them "
-              "elsewhere, each as far as it can be trusted.",
+      .label = Shown::tr("Cylinders and pipe model"),
+      .help =
+          Shown::tr("Radii of fitted cylinders where points tell, of a pipe model fitted to them "
+                    "elsewhere, each as far as it can be trusted."),
       .source = "pipe model: K. Shinozaki et al., Jpn. J. Ecol. 14, 1964; fusion: least squares "
                 "of logarithms by their deviations",
       .options = table.descriptions(),
       .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
-        const Options options = table.with(values);
-        const CylinderOptions cylinders = options.cylinders(state, progress);
+        Options options = table.with(values);
         const Eigen::Matrix3Xf kept = keptPositions(state);
+        options.cylinders.spacing = pointSpacing(kept, progress);
         const AssignedPoints points(*state.skeleton, kept, state.cloud->origin(),
                                     progress.part(0, 0.5));
         const std::vector<MeasuredRadius> measured =
-            woodRadii(*state.skeleton, points, cylinders, progress.part(0.5, 1));
-        FusionOptions fusion{.axisStep = options.axisStep, .branchStep = options.branchStep};
+            woodRadii(*state.skeleton, points, options.cylinders, progress.part(0.5, 1));
         const std::vector<double> model =
-            modelOf(*state.skeleton, points, measured, cylinders.spacing, fusion.modelSpread);
+            modelOf(*state.skeleton, points, measured, options.cylinders.spacing,
+                    options.fusion.modelSpread);
         if (std::ranges::all_of(model, [](double radius) { return radius == 0; }))
           state.notes.emplace_back(noRadii);
-        SourcedRadii result = fusedRadii(*state.skeleton, measured, model, fusion);
+        SourcedRadii result = fusedRadii(*state.skeleton, measured, model, options.fusion);
         setRadii(state, std::move(result.radii), std::move(result.sources), options.branchShare);
       }};
 }
@@ -261,9 +227,10 @@ NodeCountPipeOptions pipeEndsOf(PipelineState& state, const Progress& progress) 
 
 Method nodeCountPipeMethod() {
   return {.name = "node_count_pipe",
-          .label = "Node-count pipe model",
-          .help = "Radii grow with the number of nodes carried, between those measured at the foot "
-                  "and at the tips.",
+          .label = Shown::tr("Node-count pipe model"),
+          .help = Shown::tr(
+              "Radii grow with the number of nodes carried, between those measured at the foot "
+              "and at the tips."),
           .source = thesis,
           .options = {},
           .run = [](PipelineState& state, const Values&, const Progress& progress) {
@@ -274,9 +241,10 @@ Method nodeCountPipeMethod() {
 
 Method lengthPipeMethod() {
   return {.name = "length_pipe",
-          .label = "Length pipe model",
-          .help = "Radii grow with the length of the wood carried, between those measured at the "
-                  "foot and at the tips; node spacing does not matter.",
+          .label = Shown::tr("Length pipe model"),
+          .help = Shown::tr(
+              "Radii grow with the length of the wood carried, between those measured at the "
+              "foot and at the tips; node spacing does not matter."),
           .source = thesis,
           .options = {},
           .run = [](PipelineState& state, const Values&, const Progress& progress) {
@@ -288,23 +256,19 @@ Method lengthPipeMethod() {
 }
 
 struct AveragePipeOptions {
-  double exponent = 0;
+  double exponent = 2;
 };
 
 Method averagePipeMethod() {
   OptionTable<AveragePipeOptions> table;
-  table.add({.name = "exponent",
-             .label = "Exponent",
-             .kind = OptionKind::ratio,
-             .rule = fixedAt(2),
-             .minimum = 0.1,
-             .maximum = 5,
-             .help = "How fast radii grow with the logarithm of the length carried."},
+  table.add(ratioOption("exponent", Shown::tr("Exponent"), 0.1, 5,
+                        Shown::tr("How fast radii grow with the logarithm of the length carried.")),
             &AveragePipeOptions::exponent);
   return {.name = "average_pipe",
-          .label = "Average-constrained pipe model",
-          .help = "Radii grow with the length of the wood carried; their mean is the mean distance "
-                  "of the points to the skeleton.",
+          .label = Shown::tr("Average-constrained pipe model"),
+          .help = Shown::tr(
+              "Radii grow with the length of the wood carried; their mean is the mean distance "
+              "of the points to the skeleton."),
           .source = "PlantScan3D; Y. Livny et al., ACM Trans. Graph. 29(6), 2010, has exponent 2.5",
           .options = table.descriptions(),
           .run = [table](PipelineState& state, const Values& values, const Progress& progress) {

@@ -20,33 +20,12 @@
 namespace espalier {
 namespace {
 
-/// A method with its values.
-struct Chosen {
-  const Method* method = nullptr;
-  std::vector<double> values;
-  bool operator==(const Chosen&) const = default;
-};
-
-Chosen chosenFor(const std::string& step, const PipelineOptions& options, const PlantScale& scale) {
-  const Method& method = chosenMethod(stepNamed(step), options);
-  return {&method, resolvedValues(stepNamed(step), method, options, scale)};
-}
-
-/// The greatest length among the values.
-double greatestLength(const Chosen& chosen) {
-  double greatest = 0;
-  for (std::size_t i = 0; i < chosen.values.size(); ++i)
-    if (chosen.method->options[i].kind == OptionKind::length)
-      greatest = std::max(greatest, chosen.values[i]);
-  return greatest;
-}
-
 /// How far around the ball points are looked at [L].
-double marginOf(const Chosen& contraction, const Ball& ball, double spacing) {
+double marginOf(const ChosenMethod& contraction, const Ball& ball, double spacing) {
   constexpr double least = 8; // in point spacings: for those that look at nearest points
   constexpr double alwaysAllowed = 20;
   const double most = std::max(ball.radius / 2, alwaysAllowed * spacing);
-  return std::clamp(2 * greatestLength(contraction), least * spacing, most);
+  return std::clamp(2 * contraction.probe().reach, least * spacing, most);
 }
 
 } // namespace
@@ -55,7 +34,7 @@ double marginOf(const Chosen& contraction, const Ball& ball, double spacing) {
 struct RegionPreviewer::Whole {
   using IsLeftOut = std::shared_ptr<const std::vector<bool>>; // by point: set aside, or cleaned
   struct DensityKey {
-    Chosen clean;
+    ChosenMethod clean;
     DensityValues values;
     bool operator==(const DensityKey&) const = default;
   };
@@ -66,7 +45,7 @@ struct RegionPreviewer::Whole {
   PipelineOptions start; // its root and way up
   std::mutex mutex;      // of all below
   std::unique_ptr<const SpatialIndex> index;
-  Recent<Chosen, IsLeftOut> cleaned;
+  Recent<ChosenMethod, IsLeftOut> cleaned;
   Recent<DensityKey, DensityRange> ranges;
   std::shared_ptr<const std::vector<float>> distanceToRoot; // by point; infinite if set aside
 
@@ -80,20 +59,20 @@ struct RegionPreviewer::Whole {
     return *index;
   }
 
-  IsLeftOut leftOutBy(const Chosen& clean, const Progress& progress) {
+  IsLeftOut leftOutBy(const ChosenMethod& clean, const Progress& progress) {
     const std::scoped_lock lock(mutex);
     if (const IsLeftOut* known = cleaned.find(clean)) return *known;
     PipelineState state = firstState(cloud, leftOut);
-    clean.method->run(state, clean.values, progress);
+    clean.run(state, progress);
     return cleaned.keep(clean,
                         std::make_shared<const std::vector<bool>>(std::move(state.isLeftOut)));
   }
 
   /// None for methods that do not follow densities.
-  std::optional<DensityRange> densityRange(const Chosen& clean, const IsLeftOut& isLeftOut,
-                                           const Chosen& contraction, const Progress& progress) {
-    const std::optional<DensityValues> used =
-        densityValues(*contraction.method, contraction.values);
+  std::optional<DensityRange> densityRange(const ChosenMethod& clean, const IsLeftOut& isLeftOut,
+                                           const ChosenMethod& contraction,
+                                           const Progress& progress) {
+    const std::optional<DensityValues> used = contraction.probe().density;
     if (!used) return std::nullopt;
     const DensityKey key{clean, *used};
     const std::scoped_lock lock(mutex);
@@ -181,8 +160,8 @@ struct RegionPreviewer::Regions {
   static Region contracted(Whole& whole, const Ball& ball, const PipelineOptions& options,
                            const Progress& progress) {
     requireKnown(options);
-    const Chosen clean = chosenFor("clean", options, whole.scale);
-    const Chosen contraction = chosenFor("contract", options, whole.scale);
+    const ChosenMethod clean = chosenFor(cleaningStep(), options, whole.scale);
+    const ChosenMethod contraction = chosenFor(contractionStep(), options, whole.scale);
     const Whole::IsLeftOut isLeftOut = whole.leftOutBy(clean, progress.part(0, 0.2));
     Region region =
         around(whole, ball, marginOf(contraction, ball, whole.scale.spacing), *isLeftOut, progress);
@@ -190,7 +169,7 @@ struct RegionPreviewer::Regions {
         whole.densityRange(clean, isLeftOut, contraction, progress.part(0.2, 0.3));
     if (region.columns.size() >= 2) {
       if (contraction.method->seesRoot) region.state.root = nearestToRoot(whole, region, progress);
-      contraction.method->run(region.state, contraction.values, progress.part(0.3, 1));
+      contraction.run(region.state, progress.part(0.3, 1));
     }
     region.preview.contracted = placesOf(region, *whole.cloud);
     return region;

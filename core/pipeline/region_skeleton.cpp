@@ -64,19 +64,11 @@ PipelineState stateOf(const std::vector<Eigen::Index>& points, const PipelineSta
           .radiusSources = {}};
 }
 
-/// A step between the contraction and the radii, with what was chosen for it.
-struct PartStep {
-  const Method* method;
-  std::vector<double> values;
-};
-
-std::vector<PartStep> partSteps(const PipelineOptions& options, const PlantScale& scale) {
-  std::vector<PartStep> steps;
-  for (const Step& step : pipelineSteps()) {
-    if (step.name == "clean" || step.name == "contract" || step.name == "radius") continue;
-    const Method& method = chosenMethod(step, options);
-    steps.push_back({&method, resolvedValues(step, method, options, scale)});
-  }
+/// Those between the contraction and the radii.
+std::vector<ChosenMethod> partSteps(const PipelineOptions& options, const PlantScale& scale) {
+  std::vector<ChosenMethod> steps;
+  for (const Step& step : pipelineSteps())
+    if (step.result == StepResult::skeleton) steps.push_back(chosenFor(step, options, scale));
   return steps;
 }
 
@@ -96,7 +88,7 @@ void addInside(const Skeleton& part, const Ball& ball, Skeleton& result) {
 Skeleton skeletonOfRegion(const PipelineState& region, const std::vector<float>& distanceToRoot,
                           const Ball& ball, const PipelineOptions& options, const PlantScale& scale,
                           const Progress& progress) {
-  const std::vector<PartStep> steps = partSteps(options, scale);
+  const std::vector<ChosenMethod> steps = partSteps(options, scale);
   const std::vector<std::vector<Eigen::Index>> parts =
       partsOf(region, scale.spacing, progress.part(0, 0.1));
   std::vector<std::shared_ptr<const Skeleton>> skeletons(parts.size()); // none where one failed
@@ -106,8 +98,8 @@ Skeleton skeletonOfRegion(const PipelineState& region, const std::vector<float>&
     const auto part = static_cast<std::size_t>(i);
     PipelineState state = stateOf(parts[part], region, distanceToRoot);
     try {
-      for (const PartStep& step : steps)
-        step.method->run(state, step.values, stop);
+      for (const ChosenMethod& step : steps)
+        step.run(state, stop);
       skeletons[part] = state.skeleton;
     } catch (const Error&) { // others may have a skeleton
       failures[part] = std::current_exception();

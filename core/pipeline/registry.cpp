@@ -13,58 +13,61 @@ namespace espalier {
 const std::vector<Step>& pipelineSteps() {
   static const std::vector<Step> steps = {
       {.name = "clean",
-       .label = "Clean",
-       .help = "Leaves out points that are no plant.",
+       .label = Shown::tr("Clean"),
+       .help = Shown::tr("Leaves out points that are no plant."),
+       .result = StepResult::points,
        .share = 0.1,
        .methods = cleanMethods()},
       {.name = "contract",
-       .label = "Contract",
-       .help = "Pulls the points towards the axes of the plant.",
+       .label = Shown::tr("Contract"),
+       .help = Shown::tr("Pulls the points towards the axes of the plant."),
+       .result = StepResult::points,
        .share = 0.5,
        .methods = contractMethods()},
       {.name = "skeleton",
-       .label = "Skeleton",
-       .help = "Finds nodes and their attachments.",
+       .label = Shown::tr("Skeleton"),
+       .help = Shown::tr("Finds nodes and what hangs on what."),
        .share = 0.2,
        .methods = skeletonMethods()},
       {.name = "join",
-       .label = "Join",
-       .help = "Chooses the attachments across gaps.",
+       .label = Shown::tr("Join"),
+       .help = Shown::tr("Chooses across gaps what hangs on what."),
        .share = 0.02,
        .methods = joinMethods()},
       {.name = "prune",
-       .label = "Prune",
-       .help = "Removes what is no branch.",
+       .label = Shown::tr("Prune"),
+       .help = Shown::tr("Removes what is no branch."),
        .share = 0.01,
        .methods = pruneMethods()},
       {.name = "axes",
-       .label = "Axes",
-       .help = "Chooses which child continues the axis.",
+       .label = Shown::tr("Axes"),
+       .help = Shown::tr("Chooses which child continues the axis."),
        .share = 0.01,
        .methods = axesMethods()},
       {.name = "recenter",
-       .label = "Recenter",
-       .help = "Moves nodes into the middle of the wood.",
+       .label = Shown::tr("Recenter"),
+       .help = Shown::tr("Moves nodes into the middle of the wood."),
        .share = 0.15,
        .methods = recenterMethods()},
       {.name = "insertions",
-       .label = "Insertions",
-       .help = "Hangs branches where they leave the wood that bears them.",
+       .label = Shown::tr("Insertions"),
+       .help = Shown::tr("Hangs branches where they leave the wood that bears them."),
        .share = 0.01,
        .methods = insertionMethods()},
       {.name = "ends",
-       .label = "Ends",
-       .help = "Gives tips and roots their full length.",
+       .label = Shown::tr("Ends"),
+       .help = Shown::tr("Gives tips and roots their full length."),
        .share = 0.08,
        .methods = endsMethods()},
       {.name = "nodes",
-       .label = "Nodes",
-       .help = "Spaces the nodes.",
+       .label = Shown::tr("Nodes"),
+       .help = Shown::tr("Spaces the nodes."),
        .share = 0.01,
        .methods = nodeMethods()},
       {.name = "radius",
-       .label = "Radius",
-       .help = "Gives each node its radius.",
+       .label = Shown::tr("Radius"),
+       .help = Shown::tr("Gives each node its radius."),
+       .result = StepResult::radii,
        .share = 0.05,
        .methods = radiusMethods()},
   };
@@ -87,6 +90,18 @@ const Named& findNamed(const std::vector<Named>& all, std::string_view name,
 }
 
 } // namespace
+
+const Step& cleaningStep() {
+  return pipelineSteps()[0];
+}
+
+const Step& contractionStep() {
+  return pipelineSteps()[1];
+}
+
+const Step& skeletonStep() {
+  return pipelineSteps()[2];
+}
 
 const Step& stepNamed(std::string_view name) {
   return findNamed(pipelineSteps(), name, "step");

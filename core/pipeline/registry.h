@@ -4,6 +4,7 @@
 #include "core/cloud/point_cloud.h"
 #include "core/graph/densities.h"
 #include "core/graph/find_root.h"
+#include "core/pipeline/method_probe.h"
 #include "core/pipeline/option_table.h"
 #include "core/radius/fused_radii.h"
 #include "core/skeleton/skeleton.h"
@@ -38,27 +39,38 @@ struct PipelineState {
 
 /// One way to do a step.
 struct Method {
-  std::string name;  // on the command line and in files
-  std::string label; // in menus and forms
-  std::string help;  // one line
+  std::string name;          // on the command line and in files
+  std::string label;         // in menus and forms
+  std::string help;          // one line
+  std::string inManual = {}; // what the table of methods in the manual says of it
   std::string source;
   std::vector<Option> options;
   bool seesRoot = true; // false: its result is the same wherever the plant has its root
   /// `values`: one per option, in order.
   std::function<void(PipelineState&, const std::vector<double>& values, const Progress&)> run;
+  std::function<MethodProbe(const std::vector<double>& values)> probe =
+      [](const std::vector<double>&) { return MethodProbe(); };
 };
+
+/// What a step gives anew.
+enum class StepResult { points, skeleton, radii };
 
 /// One step from scan to radii.
 struct Step {
   std::string name;
   std::string label;
   std::string help;
+  StepResult result = StepResult::skeleton;
   double share = 1;            // of the time of a run, for its progress
   std::vector<Method> methods; // the first is the default
 };
 
 /// All steps in their order, each with all its methods.
 [[nodiscard]] const std::vector<Step>& pipelineSteps();
+
+[[nodiscard]] const Step& cleaningStep();
+[[nodiscard]] const Step& contractionStep();
+[[nodiscard]] const Step& skeletonStep(); // makes it of points; others mend it
 
 /// @throws Error that lists the names there are
 [[nodiscard]] const Step& stepNamed(std::string_view name);

@@ -13,43 +13,29 @@ namespace {
 Method joinMethod() {
   using Options = GapOptions;
   OptionTable<Options> table;
-  table.add({.name = "widest",
-             .label = "Longest edge",
-             .kind = OptionKind::length,
-             .rule = spacings(10),
-             .minimum = 1,
-             .maximum = 1000,
-             .help = "Edges longer than this, and than the wood at their ends is thick, bridge a "
-                     "gap: what they lead to may be attached elsewhere."},
-            &Options::widest);
-  table.add({.name = "reach",
-             .label = "Reach",
-             .kind = OptionKind::length,
-             .rule = spacings(50),
-             .minimum = 1,
-             .maximum = 10000,
-             .help = "How far across a gap wood is looked for."},
+  table.add(
+      lengthOption(
+          "widest", Shown::tr("Longest edge"), 1, 1000,
+          Shown::tr("Edges longer than this, and than the wood at their ends is thick, bridge a "
+                    "gap: what they lead to may be hung elsewhere.")),
+      &Options::widest);
+  table.add(lengthOption("reach", Shown::tr("Reach"), 1, 10000,
+                         Shown::tr("How far across a gap wood is looked for.")),
             &Options::reach);
-  table.add({.name = "turn_cost",
-             .label = "Cost of turns",
-             .kind = OptionKind::ratio,
-             .rule = fixedAt(4),
-             .minimum = 0,
-             .maximum = 100,
-             .help = "How much more a link costs that turns back than one straight on."},
-            &Options::turnCost);
-  table.add({.name = "back_cost",
-             .label = "Cost of branches that point back",
-             .kind = OptionKind::length,
-             .rule = spacings(20),
-             .minimum = 0,
-             .maximum = 10000,
-             .help = "What each branch costs that would point back to where its wood begins."},
-            &Options::backCost);
+  table.add(
+      ratioOption("turn_cost", Shown::tr("Cost of turns"), 0, 100,
+                  Shown::tr("How much more a link costs that turns back than one straight on.")),
+      &Options::turnCost);
+  table.add(
+      lengthOption(
+          "back_cost", Shown::tr("Cost of branches that point back"), 0, 10000,
+          Shown::tr("What each branch costs that would point back to where its wood begins.")),
+      &Options::backCost);
   return {.name = "by_direction",
-          .label = "Across gaps by direction",
-          .help = "Hangs what lies beyond gaps on the wood that it goes on from, by direction, "
-                  "radius and distance, for all at once.",
+          .label = Shown::tr("Across gaps by direction"),
+          .help = Shown::tr(
+              "Hangs what lies beyond gaps on the wood that it goes on from, by direction, "
+              "radius and distance, for all at once."),
           .source = "choice: R. E. Tarjan, Networks 7, 1977",
           .options = table.descriptions(),
           .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
@@ -60,45 +46,34 @@ Method joinMethod() {
 Method insertionMethod() {
   using Options = InsertionOptions;
   OptionTable<Options> table;
-  table.add({.name = "reach",
-             .label = "Reach",
-             .kind = OptionKind::count,
-             .rule = fixedAt(3),
-             .minimum = 1,
-             .maximum = 50,
-             .help = "Edges of the axis below, up and down from the branch, that are looked at."},
-            &Options::reach);
-  table.add({.name = "near_node",
-             .label = "Near a node",
-             .kind = OptionKind::ratio,
-             .rule = fixedAt(0.3),
-             .minimum = 0,
-             .maximum = 0.5,
-             .help = "Share of an edge within which a branch goes to the node there, not to a new "
-                     "one."},
-            &Options::nearNode);
-  table.add({.name = "node_weight",
-             .label = "Weight of the node",
-             .kind = OptionKind::ratio,
-             .rule = fixedAt(1),
-             .minimum = 0,
-             .maximum = 100,
-             .help = "How much the node counts that a branch was found on; its line counts 1 where "
-                     "it meets the axis at a right angle, less where it is flatter."},
-            &Options::nodeWeight);
-  table.add({.name = "gather",
-             .label = "Gather",
-             .kind = OptionKind::length,
-             .rule = spacings(4),
-             .minimum = 0,
-             .maximum = 100,
-             .help = "Branches that leave the axis nearer to each other than this leave it at one "
-                     "place."},
-            &Options::gather);
+  table.add(
+      countOption(
+          "reach", Shown::tr("Reach"), 1, 50,
+          Shown::tr("Edges of the axis below, up and down from the branch, that are looked at.")),
+      &Options::reach);
+  table.add(
+      ratioOption(
+          "near_node", Shown::tr("Near a node"), 0, 0.5,
+          Shown::tr("Share of an edge within which a branch goes to the node there, not to a new "
+                    "one.")),
+      &Options::nearNode);
+  table.add(
+      ratioOption(
+          "node_weight", Shown::tr("Weight of the node"), 0, 100,
+          Shown::tr("How much the node counts that a branch was found on; its line counts 1 where "
+                    "it meets the axis at a right angle, less where it is flatter.")),
+      &Options::nodeWeight);
+  table.add(
+      lengthOption(
+          "gather", Shown::tr("Gather"), 0, 100,
+          Shown::tr("Branches that leave the axis nearer to each other than this leave it at one "
+                    "place.")),
+      &Options::gather);
   return {.name = "slide",
-          .label = "Slide along the axis",
-          .help = "Hangs each branch nearer to where its first edges, drawn on backwards, meet the "
-                  "axis.",
+          .label = Shown::tr("Slide along the axis"),
+          .help = Shown::tr(
+              "Hangs each branch nearer to where its first edges, drawn on backwards, meet the "
+              "axis."),
           .source = {},
           .options = table.descriptions(),
           .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
@@ -107,23 +82,19 @@ Method insertionMethod() {
           }};
 }
 
-struct SpacingOptions {
-  double length = 0;
+struct EvenOptions {
+  Length length = spacings(6);
 };
 
 Method evenMethod() {
-  OptionTable<SpacingOptions> table;
-  table.add({.name = "length",
-             .label = "Length",
-             .kind = OptionKind::length,
-             .rule = spacings(6),
-             .minimum = 0.1,
-             .maximum = 1000,
-             .help = "Wanted length of edges, between nodes that stay: branchings and ends."},
-            &SpacingOptions::length);
+  OptionTable<EvenOptions> table;
+  table.add(lengthOption(
+                "length", Shown::tr("Length"), 0.1, 1000,
+                Shown::tr("Wanted length of edges, between nodes that stay: branchings and ends.")),
+            &EvenOptions::length);
   return {.name = "even",
-          .label = "Even spacing",
-          .help = "Spaces nodes evenly along each unbranched stretch.",
+          .label = Shown::tr("Even spacing"),
+          .help = Shown::tr("Spaces nodes evenly along each unbranched stretch."),
           .source = {},
           .options = table.descriptions(),
           .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
@@ -136,55 +107,48 @@ Method evenMethod() {
           }};
 }
 
+struct CurvatureOptions {
+  Length tolerance = spacings(0.5);
+};
+
 Method simpleMethod() {
-  OptionTable<SpacingOptions> table;
+  OptionTable<CurvatureOptions> table;
   table.add(
-      {.name = "tolerance",
-       .label = "Tolerance",
-       .kind = OptionKind::length,
-       .rule = spacings(0.5),
-       .minimum = 0,
-       .maximum = 100,
-       .help = "How far a node that is left out may lie from the line between its neighbors."},
-      &SpacingOptions::length);
+      lengthOption(
+          "tolerance", Shown::tr("Tolerance"), 0, 100,
+          Shown::tr(
+              "How far a node that is left out may lie from the line between its neighbors.")),
+      &CurvatureOptions::tolerance);
   return {.name = "by_curvature",
-          .label = "By curvature",
-          .help = "Leaves out nodes where axes are straight, so that there are many where they "
-                  "bend.",
+          .label = Shown::tr("By curvature"),
+          .help = Shown::tr(
+              "Leaves out nodes where axes are straight, so that there are many where they "
+              "bend."),
           .source = "D. Douglas, T. Peucker, Cartographica 10, 1973",
           .options = table.descriptions(),
           .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
             progress.check();
-            state.setSkeleton(withSimpleAxes(*state.skeleton, table.with(values).length));
+            state.setSkeleton(withSimpleAxes(*state.skeleton, table.with(values).tolerance));
           }};
 }
 
 struct SmoothingOptions {
-  double share = 0;
-  int rounds = 1;
+  double share = 0.5;
+  int rounds = 2;
 };
 
 Method smoothMethod() {
   OptionTable<SmoothingOptions> table;
-  table.add({.name = "share",
-             .label = "Share",
-             .kind = OptionKind::ratio,
-             .rule = fixedAt(0.5),
-             .minimum = 0,
-             .maximum = 1,
-             .help = "How far each node moves to the mean of its neighbors on the axis."},
-            &SmoothingOptions::share);
-  table.add({.name = "rounds",
-             .label = "Rounds",
-             .kind = OptionKind::count,
-             .rule = fixedAt(2),
-             .minimum = 1,
-             .maximum = 100,
-             .help = "How often."},
+  table.add(
+      ratioOption(
+          "share", Shown::tr("Share"), 0, 1,
+          Shown::tr("Share of the way each node moves to the mean of its neighbors on the axis.")),
+      &SmoothingOptions::share);
+  table.add(countOption("rounds", Shown::tr("Rounds"), 1, 100, Shown::tr("How often.")),
             &SmoothingOptions::rounds);
   return {.name = "smooth",
-          .label = "Smooth",
-          .help = "Smooths each axis; its ends stay.",
+          .label = Shown::tr("Smooth"),
+          .help = Shown::tr("Smooths each axis; its ends stay."),
           .source = {},
           .options = table.descriptions(),
           .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
@@ -211,7 +175,7 @@ std::vector<Method> joinMethods() {
   // across it from one another, as where twigs touch (T of bare grown plants 0.862 as without, of
   // structures 0.882 to 0.888 instead of 0.892), or that point back from the axis (0.851 to 0.858,
   // and 0.891 to 0.893).
-  return {joinMethod(), noMethod("Keeps the shortest bridges.")};
+  return {joinMethod(), noMethod(Shown::tr("Keeps the shortest bridges."))};
 }
 
 std::vector<Method> insertionMethods() {
@@ -232,11 +196,13 @@ std::vector<Method> insertionMethods() {
   // (0.853, 0.821, 0.895, 0.845), and branches slid by no more than 2 to 4 spacings.
   // Gathered in 6 spacings instead of 4, structures gain T 0.008 and lose G 0.002, and A3B4 loses
   // T 0.020.
-  return {insertionMethod(), noMethod("Leaves branches on the nodes they were found at.")};
+  return {insertionMethod(),
+          noMethod(Shown::tr("Leaves branches on the nodes they were found at."))};
 }
 
 std::vector<Method> nodeMethods() {
-  return {noMethod("Leaves the nodes as they are."), evenMethod(), simpleMethod(), smoothMethod()};
+  return {noMethod(Shown::tr("Leaves the nodes as they are.")), evenMethod(), simpleMethod(),
+          smoothMethod()};
 }
 
 } // namespace espalier

@@ -14,25 +14,16 @@ namespace {
 Method spurMethod() {
   using Options = SpurOptions;
   OptionTable<Options> table;
-  table.add({.name = "length",
-             .label = "Length",
-             .kind = OptionKind::length,
-             .rule = spacings(11),
-             .minimum = 0,
-             .maximum = 200,
-             .help = "Unbranched ends shorter than this are removed."},
+  table.add(lengthOption("length", Shown::tr("Length"), 0, 200,
+                         Shown::tr("Unbranched ends shorter than this are removed.")),
             &Options::length);
-  table.add({.name = "radius_share",
-             .label = "Radius share",
-             .kind = OptionKind::ratio,
-             .rule = fixedAt(0),
-             .minimum = 0,
-             .maximum = 10,
-             .help = "This many radii of the wood they stand on are added to that length."},
-            &Options::radiusShare);
+  table.add(
+      ratioOption("radius_share", Shown::tr("Radius share"), 0, 10,
+                  Shown::tr("This many radii of the wood they stand on are added to that length.")),
+      &Options::radiusShare);
   return {.name = "spurs",
-          .label = "Remove spurs",
-          .help = "Removes short unbranched ends, shortest first.",
+          .label = Shown::tr("Remove spurs"),
+          .help = Shown::tr("Removes short unbranched ends, shortest first."),
           .source = {},
           .options = table.descriptions(),
           .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
@@ -40,33 +31,35 @@ Method spurMethod() {
           }};
 }
 
+Option recenterRoundsOption() {
+  return countOption("rounds", Shown::tr("Rounds"), 0, 20,
+                     Shown::tr("How often nodes are moved and smoothed."));
+}
+
+Option smoothingOption() {
+  return ratioOption(
+      "smoothing", Shown::tr("Smoothing"), 0, 1,
+      Shown::tr("Share of the way each node moves to the mean of its neighbors on the axis."));
+}
+
 void addTurnOptions(OptionTable<AxisOptions>& table) {
   using Options = AxisOptions;
-  table.add({.name = "sharpest_turn",
-             .label = "Sharpest turn",
-             .kind = OptionKind::angle,
-             .rule = fixedAt(60),
-             .minimum = 1,
-             .maximum = 180,
-             .help = "An axis never turns more than this where it branches."},
+  table.add(angleOption("sharpest_turn", Shown::tr("Sharpest turn"), 1, 180,
+                        Shown::tr("An axis never turns more than this where it branches.")),
             &Options::sharpestTurn);
-  table.add({.name = "reach",
-             .label = "Reach",
-             .kind = OptionKind::count,
-             .rule = fixedAt(4),
-             .minimum = 1,
-             .maximum = 50,
-             .help = "Edges before and behind a node over which its turn is measured."},
-            &Options::reach);
+  table.add(
+      countOption("reach", Shown::tr("Reach"), 1, 50,
+                  Shown::tr("Edges before and behind a node over which its turn is measured.")),
+      &Options::reach);
 }
 
 Method heaviestMethod() {
   OptionTable<AxisOptions> table;
   addTurnOptions(table);
   return {.name = "heaviest_child",
-          .label = "Heaviest child",
-          .help =
-              "The child that carries most continues the axis, unless it turns off too sharply.",
+          .label = Shown::tr("Heaviest child"),
+          .help = Shown::tr(
+              "The child that carries most continues the axis, unless it turns off too sharply."),
           .source = "PlantScan3D's rule, by length instead of node count",
           .options = table.descriptions(),
           .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
@@ -77,29 +70,22 @@ Method heaviestMethod() {
 
 Method weighedMethod() {
   using Options = AxisOptions;
-  OptionTable<Options> table;
+  OptionTable<Options> table(weighedAxes);
   addTurnOptions(table);
-  const auto addWeight = [&table](const char* name, const char* label, double weight,
-                                  const char* help, double Options::*member) {
-    table.add({.name = name,
-               .label = label,
-               .kind = OptionKind::ratio,
-               .rule = fixedAt(weight),
-               .minimum = 0,
-               .maximum = 100,
-               .help = help},
-              member);
-  };
-  addWeight("carried", "Weight of what it carries", 1,
-            "What a child loses per halving of the length that it carries.", &Options::carried);
-  addWeight("straightness", "Weight of straightness", 6,
-            "What a child loses per turn by 60 degrees.", &Options::straightness);
-  addWeight("thickness", "Weight of thickness", 1, "What a child loses per halving of its radius.",
+  table.add(ratioOption("carried", Shown::tr("Weight of what it carries"), 0, 100,
+                        Shown::tr("What a child loses per halving of the length that it carries.")),
+            &Options::carried);
+  table.add(ratioOption("straightness", Shown::tr("Weight of straightness"), 0, 100,
+                        Shown::tr("What a child loses per turn by 60 degrees.")),
+            &Options::straightness);
+  table.add(ratioOption("thickness", Shown::tr("Weight of thickness"), 0, 100,
+                        Shown::tr("What a child loses per halving of its radius.")),
             &Options::thickness);
   return {.name = "weighed",
-          .label = "Weighed",
-          .help = "The child that is heavy, straight and thick continues the axis, unless it turns "
-                  "off too sharply.",
+          .label = Shown::tr("Weighed"),
+          .help = Shown::tr(
+              "The child that is heavy, straight and thick continues the axis, unless it turns "
+              "off too sharply."),
           .source = {},
           .options = table.descriptions(),
           .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
@@ -116,46 +102,26 @@ Method weighedMethod() {
 Method recenterMethod() {
   using Options = RecenterOptions;
   OptionTable<Options> table;
-  table.add({.name = "rounds",
-             .label = "Rounds",
-             .kind = OptionKind::count,
-             .rule = fixedAt(1),
-             .minimum = 0,
-             .maximum = 20,
-             .help = "How often nodes are moved and smoothed."},
-            &Options::rounds);
-  table.add({.name = "smoothing",
-             .label = "Smoothing",
-             .kind = OptionKind::ratio,
-             .rule = fixedAt(0.2),
-             .minimum = 0,
-             .maximum = 1,
-             .help = "How far each node moves to the mean of its neighbors on the axis."},
-            &Options::smoothing);
-  table.add({.name = "least_coverage",
-             .label = "Least coverage",
-             .kind = OptionKind::ratio,
-             .rule = fixedAt(0.6),
-             .minimum = 0.1,
-             .maximum = 1,
-             .help = "Share of a circle that points must cover before a fitted circle is trusted."},
-            &Options::leastCoverage);
-  table.add({.name = "straight_reach",
-             .label = "Straight reach",
-             .kind = OptionKind::ratio,
-             .rule = fixedAt(6),
-             .minimum = 0,
-             .maximum = 100,
-             .help =
-                 "Between two trusted circles so near, in radii, wood is taken as straight: there "
-                 "branches pull nodes aside."},
-            &Options::straightReach);
+  table.add(recenterRoundsOption(), &Options::rounds);
+  table.add(smoothingOption(), &Options::smoothing);
+  table.add(
+      ratioOption(
+          "least_coverage", Shown::tr("Least coverage"), 0.1, 1,
+          Shown::tr("Share of a circle that points must cover before a fitted circle is trusted.")),
+      &Options::leastCoverage);
+  table.add(
+      ratioOption(
+          "straight_reach", Shown::tr("Straight reach"), 0, 100,
+          Shown::tr(
+              "Between two trusted circles so near, in radii, wood is taken as straight: there "
+              "branches pull nodes aside.")),
+      &Options::straightReach);
   return {
       .name = "sections",
-      .label = "Recenter on sections",
-      .help =
+      .label = Shown::tr("Recenter on sections"),
+      .help = Shown::tr(
           "Moves nodes to the centers of circles fitted to the wood around them and smooths the "
-          "axes.",
+          "axes."),
       .source = "circle: G. Taubin, IEEE PAMI 13, 1991",
       .options = table.descriptions(),
       .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
@@ -164,73 +130,34 @@ Method recenterMethod() {
       }};
 }
 
-/// The options of recentering on cylinders; what the tables tie is not nested.
-struct CylinderRecenterOptions {
-  int rounds = 1;
-  double smoothing = 0;
-  double leastCoverage = 0;
-  double length = 0;
-};
-
 Method cylinderRecenterMethod() {
-  using Options = CylinderRecenterOptions;
+  using Options = CylinderCenteringOptions;
   OptionTable<Options> table;
-  table.add({.name = "rounds",
-             .label = "Rounds",
-             .kind = OptionKind::count,
-             .rule = fixedAt(1),
-             .minimum = 0,
-             .maximum = 20,
-             .help = "How often nodes are moved and smoothed."},
-            &Options::rounds);
-  table.add({.name = "smoothing",
-             .label = "Smoothing",
-             .kind = OptionKind::ratio,
-             .rule = fixedAt(0.2),
-             .minimum = 0,
-             .maximum = 1,
-             .help = "How far each node moves to the mean of its neighbors on the axis."},
-            &Options::smoothing);
-  table.add({.name = "least_coverage",
-             .label = "Least coverage",
-             .kind = OptionKind::ratio,
-             .rule = fixedAt(0.4),
-             .minimum = 0.1,
-             .maximum = 1,
-             .help = "Share of the circumference that points must cover before a fit is trusted."},
-            &Options::leastCoverage);
-  table.add({.name = "length",
-             .label = "Length",
-             .kind = OptionKind::ratio,
-             .rule = fixedAt(4),
-             .minimum = 1,
-             .maximum = 30,
-             .help = "How much of the wood a cylinder is fitted to, in radii."},
-            &Options::length);
+  table.add(recenterRoundsOption(), &Options::rounds);
+  table.add(smoothingOption(), &Options::smoothing);
+  table.add(coverageOption(), &Options::cylinders, &CylinderOptions::leastCoverage);
+  table.add(cylinderLengthOption(), &Options::cylinders, &CylinderOptions::length);
   return {.name = "cylinders",
-          .label = "Recenter on cylinders",
-          .help = "Moves nodes onto the axes of cylinders fitted to the wood around them, which "
-                  "finds the middle of wood scanned from one side, and smooths the axes.",
+          .label = Shown::tr("Recenter on cylinders"),
+          .help = Shown::tr(
+              "Moves nodes onto the axes of cylinders fitted to the wood around them, which "
+              "finds the middle of wood scanned from one side, and smooths the axes."),
           .source = "cylinder: G. Lukacs, R. Martin, D. Marshall, ECCV 1998",
           .options = table.descriptions(),
           .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
-            const Options chosen = table.with(values);
+            Options options = table.with(values);
             const Eigen::Matrix3Xf kept = keptPositions(state);
-            state.setSkeleton(
-                recenteredOnCylinders(*state.skeleton, kept, state.cloud->origin(),
-                                      {.rounds = chosen.rounds,
-                                       .smoothing = chosen.smoothing,
-                                       .cylinders = {.leastCoverage = chosen.leastCoverage,
-                                                     .length = chosen.length,
-                                                     .spacing = pointSpacing(kept, progress)}},
-                                      progress));
+            options.cylinders.spacing = pointSpacing(kept, progress);
+            state.setSkeleton(recenteredOnCylinders(*state.skeleton, kept, state.cloud->origin(),
+                                                    options, progress));
           }};
 }
 
 Method endsMethod() {
   return {.name = "to_points",
-          .label = "Extend to the points",
-          .help = "Lengthens tips and roots to the points that contraction pulled inwards.",
+          .label = Shown::tr("Extend to the points"),
+          .help =
+              Shown::tr("Lengthens tips and roots to the points that contraction pulled inwards."),
           .source = {},
           .options = {},
           .run = [](PipelineState& state, const Values&, const Progress& progress) {
@@ -258,7 +185,7 @@ std::vector<Method> pruneMethods() {
   // length, angle and straightness too the area under the curve is 0.78 to 0.90 instead of 0.78 to
   // 0.88, and 0.86 instead of 0.85 on puu1. Were all of them told right, T of puu1 would be 0.882
   // and that of leafy structures 0.036 more; that of grown plants stays.
-  return {spurMethod(), noMethod("Keeps all branches.")};
+  return {spurMethod(), noMethod(Shown::tr("Keeps all branches."))};
 }
 
 std::vector<Method> axesMethods() {
@@ -268,14 +195,15 @@ std::vector<Method> axesMethods() {
 }
 
 std::vector<Method> recenterMethods() {
-  return {recenterMethod(), cylinderRecenterMethod(), noMethod("Leaves the nodes where they are.")};
+  return {recenterMethod(), cylinderRecenterMethod(),
+          noMethod(Shown::tr("Leaves the nodes where they are."))};
 }
 
 std::vector<Method> endsMethods() {
   // Without it F falls by 0.006 on leafy grown plants and by 0.009 on bare ones (4 seeds); on leafy
   // structures it rises by 0.003. Leaving out more than the farthest tenth of the points, to half
   // of them, changes F by less than 0.002 on all.
-  return {endsMethod(), noMethod("Leaves the ends where they are.")};
+  return {endsMethod(), noMethod(Shown::tr("Leaves the ends where they are."))};
 }
 
 } // namespace espalier

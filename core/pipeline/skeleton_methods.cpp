@@ -11,30 +11,24 @@ namespace {
 Method geodesicBinsMethod() {
   using Options = GeodesicBinOptions;
   OptionTable<Options> table;
-  table.add(linksPerPoint(12), &Options::neighbors);
+  table.add(linksOverGapsOption(), &Options::neighbors);
   table.add(
-      {.name = "bin_width",
-       .label = "Bin width",
-       .kind = OptionKind::length,
-       .rule = spacings(6),
-       .minimum = 1,
-       .maximum = 100,
-       .help = "Distance between nodes along the plant. Less finds more twigs, and more spurs."},
+      lengthOption(
+          "bin_width", Shown::tr("Bin width"), 1, 100,
+          Shown::tr(
+              "Distance between nodes along the plant. Less finds more twigs, and more spurs.")),
       &Options::binWidth);
-  table.add(widestGap(), &Options::widestGap);
-  table.add({.name = "turn_cost",
-             .label = "Cost of turns",
-             .kind = OptionKind::ratio,
-             .rule = fixedAt(0),
-             .minimum = 0,
-             .maximum = 100,
-             .help =
-                 "How much more a link costs across the wood than along it, when twigs touch; 0 "
-                 "takes the shortest path."},
-            &Options::turnCost);
+  table.add(widestGapOption(), &Options::widestGap);
+  table.add(
+      ratioOption(
+          "turn_cost", Shown::tr("Cost of turns"), 0, 100,
+          Shown::tr("How much more a link costs across the wood than along it, when twigs touch; 0 "
+                    "takes the shortest way.")),
+      &Options::turnCost);
   return {.name = "geodesic_bins",
-          .label = "Geodesic bins",
-          .help = "One node per connected part of each bin of the distance to the root.",
+          .label = Shown::tr("Geodesic bins"),
+          .help = Shown::tr("One node per connected part of each bin of the distance to the root."),
+          .inManual = Shown::tr("cuts the plant into pieces of equal distance to the root"),
           .source = "H. Xu, N. Gossett, B. Chen, ACM Trans. Graph. 26(4), 2007",
           .options = table.descriptions(),
           .run = [table](PipelineState& state, const Values& values, const Progress& progress) {

@@ -5,28 +5,8 @@
 #include "core/pipeline/pipeline_start.h"
 
 #include <limits>
-#include <string_view>
 
 namespace espalier {
-namespace {
-
-std::optional<double> valueOf(const Method& method, const std::vector<double>& values,
-                              std::string_view name) {
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (method.options[i].name == name) return values[i];
-  return std::nullopt;
-}
-
-} // namespace
-
-std::optional<DensityValues> densityValues(const Method& method,
-                                           const std::vector<double>& values) {
-  const std::optional<double> neighbors = valueOf(method, values, "neighbors");
-  const std::optional<double> radius = valueOf(method, values, "density_radius");
-  if (!neighbors || !radius) return std::nullopt;
-  return DensityValues{.neighbors = static_cast<int>(*neighbors), .radius = *radius};
-}
-
 std::vector<float> countedDensities(const PipelineState& cleaned, const DensityValues& values,
                                     const Progress& progress) {
   const NeighborhoodGraph graph(keptPositions(cleaned), values.neighbors, progress.part(0, 0.6));
@@ -36,16 +16,9 @@ std::vector<float> countedDensities(const PipelineState& cleaned, const DensityV
 std::optional<std::vector<float>> densitiesUsed(const std::shared_ptr<const PointCloud>& cloud,
                                                 const PipelineOptions& options,
                                                 const PlantScale& scale, const Progress& progress) {
-  requireKnown(options);
-  const Step& step = stepNamed("contract");
-  const Method& method = chosenMethod(step, options);
-  const std::optional<DensityValues> used =
-      densityValues(method, resolvedValues(step, method, options, scale));
+  const auto used = chosenFor(contractionStep(), options, scale).probe().density;
   if (!used) return std::nullopt;
-  const Step& first = stepNamed("clean");
-  const Method& clean = chosenMethod(first, options);
-  PipelineState state = firstState(cloud, options.leftOut);
-  clean.run(state, resolvedValues(first, clean, options, scale), progress.part(0, 0.4));
+  const PipelineState state = cleanedState(cloud, options, scale, progress.part(0, 0.4));
   const std::vector<float> densities =
       normalizedDensities(countedDensities(state, *used, progress.part(0.4, 1)));
   std::vector<float> byPoint(static_cast<std::size_t>(cloud->size()),

@@ -2,23 +2,13 @@
 
 #include "core/pipeline/pipeline_options.h"
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace espalier {
 
 // The densities that an adaptive contraction follows: those that its curve turns into radii.
-
-/// What they follow from.
-struct DensityValues {
-  int neighbors = 0; // links per point
-  double radius = 0; // [L]
-  bool operator==(const DensityValues&) const = default;
-};
-
-/// None if the method follows no density. `values`: one per option of it
-[[nodiscard]] std::optional<DensityValues> densityValues(const Method& method,
-                                                         const std::vector<double>& values);
 
 /// Of the points that cleaning kept, in their order, as counted: core/graph/densities.h.
 /// @throws Cancelled if `progress` asks to stop

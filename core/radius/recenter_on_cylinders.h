@@ -12,7 +12,7 @@ struct CylinderCenteringOptions {
   int rounds = 1;         // >= 0
   double smoothing = 0.2; // as for withSmoothAxes, after each round, in [0, 1]
   double farthest = 1.5;  // a node moves at most this many radii, > 0
-  CylinderOptions cylinders;
+  CylinderOptions cylinders{.leastCoverage = 0.4};
 };
 
 /// `skeleton` with its nodes moved onto the axes of cylinders that are fitted to the wood about

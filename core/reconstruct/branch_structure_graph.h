@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/base/rule.h"
 #include "core/skeleton/skeleton.h"
 
 #include <Eigen/Core>
@@ -14,9 +15,9 @@ struct BranchStructureOptions {
   double leastEdge = 0.15; // in [0, 1]: shorter edges go; 0 = the shortest, 1 = the longest of them
   double overlap = 0.5;    // in (0, 1]: share of the wood of an edge inside another that makes
                            // them one
-  double spacing = 0;      // [L] between nodes at most, > 0
-  double thickWood = 0;    // [L] thicker wood is drawn to its axis first; 0 = none
-  double widestGap = 0;    // [L] parts of the plant farther apart are not joined; 0 = join all
+  Length spacing = spacings(6);   // [L] between nodes at most, > 0
+  Length thickWood = spacings(1); // [L] thicker wood is drawn to its axis first; 0 = none
+  Length widestGap = 0; // [L] parts of the plant farther apart are not joined; 0 = join all
 };
 
 /// Skeleton of a plant by a branch structure graph: a tree over all points, made smooth and simple.

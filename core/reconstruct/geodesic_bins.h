@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/base/rule.h"
 #include "core/skeleton/skeleton.h"
 
 #include <Eigen/Core>
@@ -8,9 +9,9 @@
 namespace espalier {
 
 struct GeodesicBinOptions {
-  int neighbors = 12;   // links per point, >= 1; more of them bridge wider gaps
-  double binWidth = 0;  // [L] along the plant, > 0
-  double widestGap = 0; // [L] parts of the plant farther apart are not joined; 0 = join all
+  int neighbors = 12;            // links per point, >= 1; more of them bridge wider gaps
+  Length binWidth = spacings(6); // [L] along the plant, > 0
+  Length widestGap = 0; // [L] parts of the plant farther apart are not joined; 0 = join all
   double turnCost = 0;  // >= 0; 0: parents follow the shortest ways, else see below
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/base/rule.h"
 #include "core/skeleton/skeleton.h"
 
 #include <Eigen/Core>
@@ -10,12 +11,12 @@
 namespace espalier {
 
 struct GraphColonizationOptions {
-  int neighbors = 12;       // links per point, >= 1; more of them bridge wider gaps
-  double leastStep = 0;     // [L] along the plant where points are sparsest, > 0
-  double greatestStep = 0;  // [L] where they are densest, >= leastStep
+  int neighbors = 12;                // links per point, >= 1; more of them bridge wider gaps
+  Length leastStep = spacings(5);    // [L] along the plant where points are sparsest, > 0
+  Length greatestStep = spacings(8); // [L] where they are densest, >= leastStep
   double junctionShare = 0; // in [0, 1]: 0 puts a node at the mean of its points, 1 at the mean of
                             // those that touch its parent's, between them on the line between
-  double widestGap = 0;     // [L] parts of the plant farther apart are not joined; 0 = join all
+  Length widestGap = 0;     // [L] parts of the plant farther apart are not joined; 0 = join all
 };
 
 /// Skeleton of a plant by colonizing the graph of its points, step by step away from the root.

@@ -1,15 +1,17 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/base/rule.h"
 #include "core/skeleton/skeleton.h"
 
 namespace espalier {
 
 struct GapOptions {
-  double widest = 0;   // [L] edges this much longer than the wood is thick bridge a gap, > 0
-  double reach = 0;    // [L] how far across a gap wood is looked for, >= widest
+  Length widest =
+      spacings(10); // [L] edges this much longer than the wood is thick bridge a gap, > 0
+  Length reach = spacings(50); // [L] how far across a gap wood is looked for, >= widest
   double turnCost = 4; // how much more a link costs that turns back than one straight on, >= 0
-  double backCost = 0; // [L] what it costs that a branch points back, >= 0
+  Length backCost = spacings(20); // [L] what it costs that a branch points back, >= 0
 };
 
 /// `skeleton` with the gaps in it bridged by direction: a long edge is the shortest way to wood

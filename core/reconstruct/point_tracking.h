@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/base/rule.h"
 #include "core/skeleton/skeleton.h"
 
 #include <Eigen/Core>
@@ -11,16 +12,16 @@
 namespace espalier {
 
 struct PointTrackingOptions {
-  double leastStep = 0;                    // [L] between nodes where points are sparsest, > 0
-  double greatestStep = 0;                 // [L] where they are densest, >= leastStep
-  double reach = 2;                        // in steps: how far a node sees points, > kill
-  double kill = 1.2;                       // in steps: points nearer to a node are done with, > 0
+  Length leastStep = spacings(5);          // [L] between nodes where points are sparsest, > 0
+  Length greatestStep = spacings(6);       // [L] where they are densest, >= leastStep
+  double reach = 3;                        // in steps: how far a node sees points, > kill
+  double kill = 1;                         // in steps: points nearer to a node are done with, > 0
   double coneAngle = std::numbers::pi / 4; // full opening [rad], in (0, pi / 2)
   int fewestPoints = 3;                    // in a cone that a child grows into, >= 1
-  double thickWood = 0;                    // [L] thicker wood is drawn to its axis first; 0 = none
-  double widestGap = 0;      // [L] parts of the plant farther apart are not joined; 0 = join all
-  double clusterDensity = 1; // in [0, 1]: where points are denser, directions are clustered; 1 =
-                             // nowhere
+  Length thickWood = spacings(1);          // [L] thicker wood is drawn to its axis first; 0 = none
+  Length widestGap = 0;        // [L] parts of the plant farther apart are not joined; 0 = join all
+  double clusterDensity = 0.5; // in [0, 1]: where points are denser, directions are clustered; 1 =
+                               // nowhere
 };
 
 /// Skeleton of a plant by tracking its points from the root up, as the thesis does.

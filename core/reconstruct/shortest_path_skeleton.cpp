@@ -73,7 +73,7 @@ private:
   /// [L] of the wood around a node, from which the longest way down is `down`.
   [[nodiscard]] double radius(double down) const {
     const double share = height_ > 0 ? down / height_ : 0;
-    return std::max(options_.leastRadius, footRadius_ * std::pow(share, allometry));
+    return std::max<double>(options_.leastRadius, footRadius_ * std::pow(share, allometry));
   }
 
   /// Takes away what is a small share of the wood it stands on, or ends inside it.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/base/rule.h"
 #include "core/skeleton/skeleton.h"
 
 #include <Eigen/Core>
@@ -10,14 +11,14 @@
 namespace espalier {
 
 struct ShortestPathOptions {
-  int neighbors = 16;        // links per point, >= 1
-  double power = 2;          // a link costs its length to this power, in [1, 4]
-  double leastShare = 0.019; // of the longest way down, in [0, 1]: less is pruned
-  double spacing = 0;        // [L] between nodes, > 0
+  int neighbors = 16;           // links per point, >= 1
+  double power = 2;             // a link costs its length to this power, in [1, 4]
+  double leastShare = 0.019;    // of the longest way down, in [0, 1]: less is pruned
+  Length spacing = spacings(6); // [L] between nodes, > 0
   double mergeAngle = 25 * std::numbers::pi / 180; // [rad] siblings closer than this may be one
-  double leastRadius = 0; // [L] > 0: how far points lie off the axis even of a twig
-  double thickWood = 0;   // [L] thicker wood is drawn to its axis first; 0 = none
-  double widestGap = 0;   // [L] parts of the plant farther apart are not joined; 0 = join all
+  Length leastRadius = spacings(2); // [L] > 0: how far points lie off the axis even of a twig
+  Length thickWood = spacings(1);   // [L] thicker wood is drawn to its axis first; 0 = none
+  Length widestGap = 0; // [L] parts of the plant farther apart are not joined; 0 = join all
 };
 
 /// Skeleton of a plant from the shortest ways over its points, made simpler, as AdTree does.

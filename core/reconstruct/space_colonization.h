@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/base/rule.h"
 #include "core/base/spatial_index.h"
 #include "core/skeleton/skeleton.h"
 
@@ -11,12 +12,13 @@
 namespace espalier {
 
 struct SpaceColonizationOptions {
-  double leastStep = 0;    // [L] between nodes where points are sparsest, > 0
-  double greatestStep = 0; // [L] where they are densest, >= leastStep; equal: as Runions has it
-  double reach = 2.5;      // in steps: how far from a node points pull at it, > kill
-  double kill = 1.2;       // in steps: how near to a node they have done so, > 0
-  double thickWood = 0;    // [L] thicker wood is drawn to its axis first; 0 = none
-  double widestGap = 0;    // [L] parts of the plant farther apart are not joined; 0 = join all
+  Length leastStep = spacings(2); // [L] between nodes where points are sparsest, > 0
+  Length greatestStep =
+      spacings(3);   // [L] where they are densest, >= leastStep; equal: as Runions has it
+  double reach = 4;  // in steps: how far from a node points pull at it, > kill
+  double kill = 1.2; // in steps: how near to a node they have done so, > 0
+  Length thickWood = spacings(1); // [L] thicker wood is drawn to its axis first; 0 = none
+  Length widestGap = 0; // [L] parts of the plant farther apart are not joined; 0 = join all
 };
 
 /// Skeleton of a plant by space colonization: points pull the nodes nearest to them.

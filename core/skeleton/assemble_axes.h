@@ -17,6 +17,9 @@ struct AxisOptions {
   double thickness = 0;    // per halving of its radius, >= 0
 };
 
+/// Where radii are at hand: what is straight and thick counts, too.
+inline constexpr AxisOptions weighedAxes{.straightness = 6, .thickness = 1};
+
 /// Chooses at each branching which child continues the axis: the one that loses least by what it
 /// carries, how much it turns and how thick it is, unless it turns off too sharply; all others
 /// branch. Where there is one child only, the axis goes on: no expert lets one begin there.

@@ -1,12 +1,13 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/base/rule.h"
 #include "core/skeleton/skeleton.h"
 
 namespace espalier {
 
 struct SpurOptions {
-  double length = 0; // [L] spurs shorter than this go
+  Length length = spacings(11); // [L] spurs shorter than this go
   double radiusShare =
       0; // and those shorter than length + radiusShare * radius at their foot, >= 0
 };

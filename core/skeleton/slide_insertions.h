@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/rule.h"
 #include "core/skeleton/skeleton.h"
 
 namespace espalier {
@@ -7,8 +8,9 @@ namespace espalier {
 struct InsertionOptions {
   int reach = 3;         // edges of the parent's axis looked at below and above, >= 1
   double nearNode = 0.3; // share of an edge within which a branch goes to the node there, [0, 0.5]
-  double nodeWeight = 0; // of the node a branch hangs on, if a line at right angles has 1; >= 0
-  double gather = 0;     // [L], >= 0: places nearer to each other along the axis are taken for one
+  double nodeWeight = 1; // of the node a branch hangs on, if a line at right angles has 1; >= 0
+  Length gather =
+      spacings(4); // [L], >= 0: places nearer to each other along the axis are taken for one
 };
 
 /// `skeleton` with each branch hung where it comes from: towards where its first edges, drawn on

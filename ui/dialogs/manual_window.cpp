@@ -1,5 +1,8 @@
 #include "ui/dialogs/manual_window.h"
 
+#include "core/pipeline/registry.h"
+#include "ui/document/shown_text.h"
+
 #include <QAbstractTextDocumentLayout>
 #include <QFile>
 #include <QFileInfo>
@@ -13,6 +16,23 @@
 #include <algorithm>
 
 namespace espalier {
+namespace {
+
+QString withMethods(QString manual) {
+  for (const Step& step : pipelineSteps()) {
+    QStringList rows;
+    for (const Method& method : step.methods)
+      if (!method.inManual.empty())
+        rows.append(QStringLiteral("| %1 | %2 | %3 |")
+                        .arg(shownText(method.label), shownText(method.inManual),
+                             QString::fromStdString(method.source)));
+    manual.replace(QStringLiteral("{methods %1}").arg(QString::fromStdString(step.name)),
+                   rows.join('\n'));
+  }
+  return manual;
+}
+
+} // namespace
 
 ManualWindow::ManualWindow(const QString& file, QWidget* parent)
     : QDialog(parent), headings_(new QListWidget(this)), text_(new QTextBrowser(this)) {
@@ -35,7 +55,7 @@ ManualWindow::ManualWindow(const QString& file, QWidget* parent)
   QFile source(file);
   const bool isThere = source.open(QIODevice::ReadOnly);
   Q_ASSERT(isThere);
-  if (isThere) text_->setMarkdown(QString::fromUtf8(source.readAll()));
+  if (isThere) text_->setMarkdown(withMethods(QString::fromUtf8(source.readAll())));
   fitPictures();
   listHeadings();
   constexpr int widest = 280; // [px]; longer headings are wrapped

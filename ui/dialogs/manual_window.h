@@ -12,7 +12,8 @@ class ManualWindow : public QDialog {
   Q_OBJECT
 
 public:
-  /// @param file  Markdown; pictures are looked for beside it
+  /// @param file  Markdown; pictures are looked for beside it. A line "{methods contract}" stands
+  /// for the rows of a table of the methods of that step
   ManualWindow(const QString& file, QWidget* parent);
 
 private:

@@ -13,10 +13,8 @@
 namespace espalier {
 namespace {
 
-constexpr double curveGrip = 10;      // how near the pointer takes a handle [px]
-constexpr double curveFineness = 0.1; // of the way of the mouse or a key, with Shift
-constexpr double leastExponent = 0.1;
-constexpr double mostExponent = 10;
+constexpr double grip = 10;          // how near the pointer takes a handle [px]
+constexpr double fineness = 0.1;     // of the way of the mouse or a key, with Shift
 constexpr double exponentStep = 1.1; // a key multiplies by it
 constexpr double middle = 0.5;       // density where the curve is bent
 
@@ -57,10 +55,10 @@ void DensityCurve::setDensities(const std::vector<float>& densities) {
   update();
 }
 
-void DensityCurve::setLimits(double leastRadius, double mostRadius, const QString& unit,
+void DensityCurve::setLimits(const Curve& lowest, const Curve& highest, const QString& unit,
                              double spacing) {
-  leastRadius_ = leastRadius;
-  mostRadius_ = mostRadius;
+  lowest_ = lowest;
+  highest_ = highest;
   unit_ = unit;
   spacing_ = spacing;
   drag_.reset();
@@ -79,7 +77,7 @@ void DensityCurve::setDefault(const Curve& curve) {
 void DensityCurve::refreshScale() {
   constexpr double room = 1.35;
   const double most =
-      std::max({curve_.least, curve_.most, default_.least, default_.most, leastRadius_});
+      std::max({curve_.least, curve_.most, default_.least, default_.most, lowest_.least});
   top_ = most > 0 ? room * most : 1;
 }
 
@@ -151,15 +149,15 @@ void DensityCurve::moveTo(Handle handle, double y, bool isFine) {
 void DensityCurve::setRadius(Handle handle, double radius) {
   Curve curve = curve_;
   if (handle == Handle::least)
-    curve.least = std::clamp(radius, leastRadius_, std::max(curve.most, leastRadius_));
+    curve.least = std::clamp(radius, lowest_.least, std::max(curve.most, lowest_.least));
   else
-    curve.most = std::clamp(radius, std::min(curve.least, mostRadius_), mostRadius_);
+    curve.most = std::clamp(radius, std::min(curve.least, highest_.most), highest_.most);
   set(curve);
 }
 
 void DensityCurve::setExponent(double exponent) {
   Curve curve = curve_;
-  const double clamped = std::clamp(exponent, leastExponent, mostExponent);
+  const double clamped = std::clamp(exponent, lowest_.exponent, highest_.exponent);
   curve.exponent = exponentText(clamped).toDouble(); // what is written is what is used
   set(curve);
 }

@@ -35,8 +35,9 @@ public:
   [[nodiscard]] const Curve& curve() const { return curve_; }
   /// @param densities normalized to [0, 1], one per point; none: no histogram
   void setDensities(const std::vector<float>& densities);
-  /// What radii can be set [L], what they are written in, and the spacing of the points [L].
-  void setLimits(double leastRadius, double mostRadius, const QString& unit, double spacing);
+  /// Between what ends and exponents it can be set, what radii are written in, and the spacing of
+  /// the points [L].
+  void setLimits(const Curve& lowest, const Curve& highest, const QString& unit, double spacing);
   void setDefault(const Curve& curve);
 
   [[nodiscard]] QSize sizeHint() const override { return {220, 160}; }
@@ -91,8 +92,8 @@ private:
   Curve curve_;
   Curve default_;
   BinnedValues densities_;
-  double leastRadius_ = 0; // limits [L]
-  double mostRadius_ = 1;
+  Curve lowest_{.least = 0, .most = 0, .exponent = 0};
+  Curve highest_;
   QString unit_;
   double spacing_ = 1; // [L]
   double top_ = 1;     // radius at the upper end of the axis [L]

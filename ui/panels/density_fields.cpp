@@ -2,15 +2,7 @@
 
 #include "ui/panels/option_field.h"
 
-#include <algorithm>
-
 namespace espalier {
-
-bool DensityFields::areIn(const std::vector<Option>& options) {
-  return std::ranges::all_of(names, [&](const char* name) {
-    return std::ranges::find(options, name, &Option::name) != options.end();
-  });
-}
 
 DensityFields::DensityFields(DensityCurve& curve, OptionField& least, OptionField& most,
                              OptionField& exponent)
@@ -22,7 +14,9 @@ DensityFields::DensityFields(DensityCurve& curve, OptionField& least, OptionFiel
 
 void DensityFields::setScale(const PlantScale& scale, const QString& unit) {
   scale_ = scale;
-  curve_.setLimits(least_.option().range(scale).first, most_.option().range(scale).second, unit,
+  const auto [leastExponent, mostExponent] = exponent_.option().range(scale);
+  curve_.setLimits({.least = least_.option().range(scale).first, .exponent = leastExponent},
+                   {.most = most_.option().range(scale).second, .exponent = mostExponent}, unit,
                    scale.spacing);
   curve_.setDefault({.least = least_.option().rule.value(scale),
                      .most = most_.option().rule.value(scale),

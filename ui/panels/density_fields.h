@@ -5,8 +5,6 @@
 
 #include <QObject>
 
-#include <array>
-
 namespace espalier {
 
 class OptionField;
@@ -17,10 +15,6 @@ class DensityFields : public QObject {
   Q_OBJECT
 
 public:
-  /// The options that a curve stands for; a method that has all of them can be shown as one.
-  static constexpr std::array names = {"least_radius", "most_radius", "curve"};
-  [[nodiscard]] static bool areIn(const std::vector<Option>& options);
-
   DensityFields(DensityCurve& curve, OptionField& least, OptionField& most, OptionField& exponent);
 
   void setScale(const PlantScale& scale, const QString& unit);

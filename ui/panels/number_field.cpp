@@ -20,7 +20,7 @@ namespace {
 int decimalsFor(const Option& option, double size) {
   if (option.kind == OptionKind::count) return 0;
   if (option.kind == OptionKind::angle) return 1;
-  if (option.kind == OptionKind::ratio || size <= 0) return 2;
+  if (option.kind != OptionKind::length || size <= 0) return 2;
   return std::clamp(2 - static_cast<int>(std::floor(std::log10(size))), 0, 6);
 }
 

@@ -1,5 +1,6 @@
 #include "ui/panels/option_field.h"
 
+#include "ui/document/shown_text.h"
 #include "ui/panels/number_field.h"
 #include "ui/panels/word_fields.h"
 
@@ -23,8 +24,7 @@ OptionField* OptionField::make(const Option& option, QGridLayout& grid, QWidget&
 }
 
 OptionField::OptionField(const Option& option, QWidget& parent)
-    : QObject(&parent), option_(option),
-      label_(new QLabel(QString::fromStdString(option.label), &parent)),
+    : QObject(&parent), option_(option), label_(new QLabel(shownText(option.label), &parent)),
       reset_(new QToolButton(&parent)) {
   reset_->setText(QStringLiteral("↺"));
   reset_->setAutoRaise(true);
@@ -55,7 +55,7 @@ void OptionField::choose(const std::optional<Rule>& value) {
 
 QString OptionField::help() const {
   return tr("<qt>%1<br>Default: %2</qt>") // rich, so that it is broken into lines
-      .arg(QString::fromStdString(option_.help).toHtmlEscaped(),
+      .arg(shownText(option_.help).toHtmlEscaped(),
            QString::fromStdString(option_.ruleText()).toHtmlEscaped());
 }
 

@@ -50,7 +50,7 @@ PipelinePanel::PipelinePanel(PlantDocument& document, QWidget* parent)
   int number = 0;
   for (const Step& step : pipelineSteps()) {
     steps_.push_back(new StepForm(step, ++number, page));
-    steps_.back()->setOpen(step.name == "contract");
+    steps_.back()->setOpen(&step == &contractionStep());
     list->addWidget(steps_.back());
     connect(steps_.back(), &StepForm::changed, this, [this, form = steps_.back()] {
       markStale(form);

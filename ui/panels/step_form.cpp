@@ -1,5 +1,6 @@
 #include "ui/panels/step_form.h"
 
+#include "ui/document/shown_text.h"
 #include "ui/panels/density_curve.h"
 #include "ui/panels/density_fields.h"
 #include "ui/panels/focus_keys.h"
@@ -14,7 +15,6 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 namespace espalier {
@@ -24,8 +24,8 @@ StepForm::StepForm(const Step& step, int number, QWidget* parent)
       state_(new QLabel(this)), run_(new QToolButton(this)), body_(new QWidget(this)),
       column_(new QVBoxLayout(body_)), method_(new QComboBox(body_)) {
   setObjectName("step_" + QString::fromStdString(step.name));
-  header_->setText(QStringLiteral("%1  %2").arg(number).arg(QString::fromStdString(step.label)));
-  header_->setToolTip(QString::fromStdString(step.help));
+  header_->setText(QStringLiteral("%1  %2").arg(number).arg(shownText(step.label)));
+  header_->setToolTip(shownText(step.help));
   header_->setProperty("role", "step");
   header_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   header_->setCheckable(true);
@@ -39,18 +39,17 @@ StepForm::StepForm(const Step& step, int number, QWidget* parent)
   run_->setProperty("role", "quiet");
   run_->setAutoRaise(true);
   run_->setToolTip(tr("Runs the steps up to this one, those that are not up to date"));
-  run_->setAccessibleName(tr("Run up to %1").arg(QString::fromStdString(step.label)));
+  run_->setAccessibleName(tr("Run up to %1").arg(shownText(step.label)));
   connect(run_, &QToolButton::clicked, this, &StepForm::runRequested);
   for (const Method& method : step.methods) {
-    method_->addItem(QString::fromStdString(method.label), QString::fromStdString(method.name));
-    method_->setItemData(method_->count() - 1, QString::fromStdString(method.help),
-                         Qt::ToolTipRole);
+    method_->addItem(shownText(method.label), QString::fromStdString(method.name));
+    method_->setItemData(method_->count() - 1, shownText(method.help), Qt::ToolTipRole);
   }
   method_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   method_->setMinimumContentsLength(8); // long names are cut off rather than widen the form
   method_->setVisible(step.methods.size() > 1);
   opensOnEnter(*method_);
-  method_->setAccessibleName(tr("Method of %1").arg(QString::fromStdString(step.label)));
+  method_->setAccessibleName(tr("Method of %1").arg(shownText(step.label)));
   column_->setContentsMargins(28, 4, 12, 12);
   column_->setSpacing(8);
   column_->addWidget(method_);
@@ -110,7 +109,7 @@ void StepForm::setState(State state, const QString& note, const QString& details
   state_->setText(shown.sign);
   state_->setAccessibleName(shown.name);
   header_->setAccessibleDescription(shown.name);
-  const QString help = QString::fromStdString(step_.help);
+  const QString help = shownText(step_.help);
   const QString told = details.isEmpty() ? shown.name : details;
   header_->setToolTip(told.isEmpty() ? help : help + QStringLiteral("\n") + told);
 }
@@ -164,17 +163,17 @@ void StepForm::showMethod() {
   grid->setVerticalSpacing(2);
   grid->setColumnStretch(0, 1);
   const Method& method = step_.methods[static_cast<std::size_t>(method_->currentIndex())];
-  auto* help = new QLabel(QString::fromStdString(method.help), options_);
+  auto* help = new QLabel(shownText(method.help), options_);
   help->setWordWrap(true);
   help->setProperty("role", "quiet");
   if (!method.source.empty()) help->setToolTip(tr("Source: %1").arg(method.source.c_str()));
   grid->addWidget(help, 0, 0, 1, 2);
-  for (const Option& option : method.options) {
-    if (option.name == DensityFields::names.front() && DensityFields::areIn(method.options))
-      addCurve(*grid);
-    addField(option, *grid);
+  const std::vector<Option>& options = method.options;
+  for (std::size_t i = 0; i < options.size(); ++i) {
+    if (i + 2 < options.size() && options[i + 2].kind == OptionKind::curve) addCurve(*grid);
+    addField(options[i], *grid);
+    if (options[i].kind == OptionKind::curve) tieCurve();
   }
-  if (curve_ != nullptr) tieCurve(method.options);
   column_->addWidget(options_);
 }
 
@@ -190,12 +189,10 @@ void StepForm::addCurve(QGridLayout& grid) {
   grid.addWidget(curve_, grid.rowCount(), 0, 1, 2);
 }
 
-void StepForm::tieCurve(const std::vector<Option>& options) {
-  std::array<OptionField*, DensityFields::names.size()> tied{};
-  for (std::size_t i = 0; i < tied.size(); ++i)
-    tied[i] = fields_[static_cast<std::size_t>(
-        std::ranges::find(options, DensityFields::names[i], &Option::name) - options.begin())];
-  curveFields_ = new DensityFields(*curve_, *tied[0], *tied[1], *tied[2]);
+/// The last field is that of the exponent, those before it of the two ends.
+void StepForm::tieCurve() {
+  const auto exponent = fields_.end() - 1;
+  curveFields_ = new DensityFields(*curve_, **(exponent - 2), **(exponent - 1), **exponent);
   curveFields_->setScale(scale_, unit_);
 }
 

@@ -53,7 +53,7 @@ private:
   void showMethod();
   void addField(const Option& option, QGridLayout& grid);
   void addCurve(QGridLayout& grid);
-  void tieCurve(const std::vector<Option>& options);
+  void tieCurve();
 
   const Step& step_;
   PlantScale scale_{.spacing = 1, .height = 100};

@@ -1,5 +1,6 @@
 #include "ui/panels/word_fields.h"
 
+#include "ui/document/shown_text.h"
 #include "ui/panels/focus_keys.h"
 
 #include <QCheckBox>
@@ -19,7 +20,7 @@ ChoiceField::ChoiceField(const Option& option, QGridLayout& grid, QWidget& paren
   words_->setObjectName(QString::fromStdString(option.name));
   words_->setAccessibleName(label().text());
   for (const Choice& choice : option.choices)
-    words_->addItem(QString::fromStdString(choice.label));
+    words_->addItem(shownText(choice.label));
   label().setBuddy(words_);
   const int row = grid.rowCount();
   grid.addWidget(&label(), row, 0);

@@ -57,6 +57,8 @@ TEST_F(MainWindowTest, ShowsTheManual) {
   auto& manual = find<QDialog>("manual_window");
   const auto* text = manual.findChild<QTextBrowser*>();
   EXPECT_TRUE(text->toPlainText().contains("Remove Subtree"));
+  EXPECT_TRUE(text->toPlainText().contains("Branch structure graph")) << "of the registry";
+  EXPECT_FALSE(text->toPlainText().contains("{methods"));
   QMap<QString, double> widths;
   for (const QTextFormat& format : text->document()->allFormats())
     if (format.isImageFormat() && format.hasProperty(QTextFormat::ImageWidth))

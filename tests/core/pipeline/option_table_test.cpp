@@ -2,14 +2,23 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 namespace espalier {
 namespace {
 
 enum class Flow { slow, fast };
 
+struct Water {
+  double depth = 0.5;
+  double turn = std::numbers::pi / 3;
+};
+
 struct Options {
-  Flow flow = Flow::slow;
+  Flow flow = Flow::fast;
   bool isDry = false;
+  Length width = spacings(2.5);
+  Water water;
 };
 
 OptionTable<Options> table() {
@@ -17,16 +26,14 @@ OptionTable<Options> table() {
   table.add({.name = "flow",
              .label = "Flow",
              .kind = OptionKind::choice,
-             .rule = fixedAt(1),
              .help = "How it flows.",
              .choices = {{"slow", "Slow"}, {"fast", "Fast"}}},
             &Options::flow);
-  table.add({.name = "dry",
-             .label = "Dry",
-             .kind = OptionKind::flag,
-             .rule = fixedAt(0),
-             .help = "Whether it is dry."},
-            &Options::isDry);
+  table.add(flagOption("dry", "Dry", "Whether it is dry."), &Options::isDry);
+  table.add(lengthOption("width", "Width", 1, 10, "How wide it is."), &Options::width);
+  table.add(ratioOption("depth", "Depth", 0, 1, "How deep it is."), &Options::water, &Water::depth);
+  table.add(angleOption("turn", "Turn", 0, 90, "How much it bends."), &Options::water,
+            &Water::turn);
   return table;
 }
 
@@ -41,9 +48,35 @@ const Option& dry() {
 }
 
 TEST(OptionTable, TurnsWordsIntoMembers) {
-  const Options options = table().with({*flow().valueOf("fast"), *dry().valueOf("yes")});
-  EXPECT_EQ(options.flow, Flow::fast);
+  const Options options =
+      table().with({*flow().valueOf("slow"), *dry().valueOf("yes"), 2, 0.5, 60});
+  EXPECT_EQ(options.flow, Flow::slow);
   EXPECT_TRUE(options.isDry);
+}
+
+TEST(OptionTable, ReadsDefaultsFromTheStruct) {
+  const std::vector<Option> all = table().descriptions();
+  EXPECT_EQ(all[2].rule, spacings(2.5));
+  EXPECT_EQ(all[3].rule, fixedAt(0.5));
+  EXPECT_EQ(all[4].rule, fixedAt(60)) << "in degrees, not nearly so";
+}
+
+TEST(OptionTable, StartsFromOtherDefaultsWhereMethodsShareAStruct) {
+  OptionTable<Water> deep(Water{.depth = 0.75});
+  deep.add(angleOption("turn", "Turn", 0, 90, "How much it bends."), &Water::turn);
+  EXPECT_EQ(deep.with({30}).depth, 0.75);
+}
+
+TEST(OptionTable, SetsMembersOfMembers) {
+  const Options options = table().with({0, 0, 3, 0.25, 90});
+  EXPECT_EQ(options.width, 3);
+  EXPECT_EQ(options.water.depth, 0.25);
+  EXPECT_DOUBLE_EQ(options.water.turn, std::numbers::pi / 2);
+}
+
+TEST(Length, IsNoneUntilItsRuleIsApplied) {
+  EXPECT_EQ(Length(spacings(2.5)), 0);
+  EXPECT_EQ(Length(0.5), 0.5);
 }
 
 TEST(OptionTable, KnowsTheRangeOfWords) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -31,6 +32,38 @@ TEST(Registry, DescribesEveryMethodAndOption) {
       }
     }
   }
+}
+
+// So that the form can draw it, and the probe follow it.
+TEST(Registry, HasBothEndsBeforeEachCurve) {
+  for (const Step& step : pipelineSteps())
+    for (const Method& method : step.methods)
+      for (std::size_t i = 0; i < method.options.size(); ++i) {
+        if (method.options[i].kind != OptionKind::curve) continue;
+        ASSERT_GE(i, 2U) << method.name;
+        EXPECT_EQ(method.options[i - 2].kind, OptionKind::length) << method.name;
+        EXPECT_EQ(method.options[i - 1].kind, OptionKind::length) << method.name;
+      }
+}
+
+// What looks no farther than its reach gives the same in the preview of a part of a scan.
+TEST(Registry, ReachesAsFarAsTheLongestLengthOfAContraction) {
+  const PlantScale scale{.spacing = 5, .height = 4000};
+  for (const Method& method : contractionStep().methods) {
+    std::vector<double> values;
+    double longest = 0;
+    for (const Option& option : method.options) {
+      values.push_back(option.rule.value(scale));
+      if (option.kind == OptionKind::length) longest = std::max(longest, values.back());
+    }
+    EXPECT_EQ(method.probe(values).reach, longest) << method.name;
+  }
+}
+
+TEST(Registry, KnowsItsStepsByWhatTheyDo) {
+  EXPECT_EQ(cleaningStep().name, "clean");
+  EXPECT_EQ(contractionStep().name, "contract");
+  EXPECT_EQ(skeletonStep().name, "skeleton");
 }
 
 TEST(Registry, HasDefaultsInTheirOwnRange) {

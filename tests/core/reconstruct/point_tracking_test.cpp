@@ -13,7 +13,12 @@ namespace espalier {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr PointTrackingOptions options{.leastStep = 0.1, .greatestStep = 0.1, .widestGap = 0.3};
+constexpr PointTrackingOptions options{.leastStep = 0.1,
+                                       .greatestStep = 0.1,
+                                       .reach = 2,
+                                       .kill = 1.2,
+                                       .widestGap = 0.3,
+                                       .clusterDensity = 1};
 
 Eigen::Vector3d tilted(double angle, double azimuth = 0) {
   return {std::sin(angle) * std::cos(azimuth), std::sin(angle) * std::sin(azimuth),

@@ -7,6 +7,8 @@
 namespace espalier {
 namespace {
 
+constexpr InsertionOptions allTheWay{.nodeWeight = 0};
+
 /// An upright stick of 10 nodes 1 apart, and a branch of 4 nodes at 45 degrees that leaves it at
 /// `height` and begins 1 to the side; it hangs on node `parent`.
 Skeleton withBranch(double height, std::uint32_t parent) {
@@ -23,15 +25,16 @@ Skeleton withBranch(double height, std::uint32_t parent) {
 constexpr NodeId branch{10};
 
 TEST(WithSlidInsertions, HangsABranchOnTheNodeItComesFrom) {
-  const Skeleton plant = withSlidInsertions(withBranch(4, 5));
+  const Skeleton plant = withSlidInsertions(withBranch(4, 5), allTheWay);
   EXPECT_EQ(plant[branch].parent, NodeId{4});
   EXPECT_EQ(plant[branch].edge, EdgeType::branching);
   EXPECT_EQ(plant.size(), 14U);
-  EXPECT_EQ(withSlidInsertions(withBranch(4, 3))[branch].parent, NodeId{4}) << "from below, too";
+  EXPECT_EQ(withSlidInsertions(withBranch(4, 3), allTheWay)[branch].parent, NodeId{4})
+      << "from below, too";
 }
 
 TEST(WithSlidInsertions, MakesANodeBetweenTwoForIt) {
-  const Skeleton plant = withSlidInsertions(withBranch(4.5, 5));
+  const Skeleton plant = withSlidInsertions(withBranch(4.5, 5), allTheWay);
   ASSERT_EQ(plant.size(), 15U);
   const Node& added = plant[*plant[branch].parent];
   EXPECT_LT((added.position - Eigen::Vector3d(0, 0, 4.5)).norm(), 1e-9);
@@ -56,7 +59,7 @@ TEST(WithSlidInsertions, GoesPartOfTheWayByTheWeightOfTheNode) {
 
 TEST(WithSlidInsertions, DoesNotMoveANode) {
   const Skeleton before = withBranch(4.5, 5);
-  const Skeleton after = withSlidInsertions(before);
+  const Skeleton after = withSlidInsertions(before, allTheWay);
   for (const NodeId id : before.ids())
     EXPECT_EQ(after[id].position, before[id].position);
 }
@@ -65,11 +68,11 @@ TEST(WithSlidInsertions, LeavesABranchWhoseLineLeadsPastTheAxis) {
   Skeleton plant = withBranch(4, 5);
   for (const NodeId id : plant.ids()) // the branch runs beside the stick, not from it
     if (indexOf(id) >= 10) plant.setPosition(id, {1, static_cast<double>(indexOf(id)) - 5, 5});
-  EXPECT_EQ(withSlidInsertions(plant), plant);
+  EXPECT_EQ(withSlidInsertions(plant, allTheWay), plant);
 }
 
 TEST(WithSlidInsertions, LooksNoFartherThanItIsTold) {
-  const Skeleton plant = withSlidInsertions(withBranch(4, 8), {.reach = 2});
+  const Skeleton plant = withSlidInsertions(withBranch(4, 8), {.reach = 2, .nodeWeight = 0});
   EXPECT_NE(plant[branch].parent, NodeId{4});
 }
 
@@ -87,11 +90,11 @@ Skeleton withTwoBranches() {
 
 TEST(WithSlidInsertions, GathersBranchesOfOneWhorl) {
   constexpr NodeId second{14};
-  const Skeleton apart = withSlidInsertions(withTwoBranches(), {.gather = 0.1});
+  const Skeleton apart = withSlidInsertions(withTwoBranches(), {.nodeWeight = 0, .gather = 0.1});
   EXPECT_NEAR(apart[*apart[branch].parent].position.z(), 4.4, 1e-9);
   EXPECT_NEAR(apart[*apart[second].parent].position.z(), 4.6, 1e-9);
   EXPECT_EQ(apart[*apart[second].parent].parent, *apart[branch].parent) << "above the other";
-  const Skeleton whorl = withSlidInsertions(withTwoBranches(), {.gather = 0.3});
+  const Skeleton whorl = withSlidInsertions(withTwoBranches(), {.nodeWeight = 0, .gather = 0.3});
   EXPECT_EQ(whorl[branch].parent, whorl[second].parent);
   EXPECT_NEAR(whorl[*whorl[branch].parent].position.z(), 4.5, 1e-9)
       << "between, as both tell alike";
@@ -100,15 +103,15 @@ TEST(WithSlidInsertions, GathersBranchesOfOneWhorl) {
 
 TEST(WithSlidInsertions, LeavesWhatHangsOnTheEndOfAnAxis) {
   const Skeleton plant = withBranch(7, 9);
-  EXPECT_EQ(withSlidInsertions(plant), plant);
+  EXPECT_EQ(withSlidInsertions(plant, allTheWay), plant);
 }
 
 TEST(WithSlidInsertions, CopesWithPlantsWithoutAxes) {
-  EXPECT_TRUE(withSlidInsertions({}).isEmpty());
-  EXPECT_EQ(withSlidInsertions(test::stick(1)), test::stick(1));
-  EXPECT_EQ(withSlidInsertions(test::stick(3, 0)), test::stick(3, 0));
+  EXPECT_TRUE(withSlidInsertions({}, allTheWay).isEmpty());
+  EXPECT_EQ(withSlidInsertions(test::stick(1), allTheWay), test::stick(1));
+  EXPECT_EQ(withSlidInsertions(test::stick(3, 0), allTheWay), test::stick(3, 0));
   const Skeleton fork = test::fork(3);
-  EXPECT_EQ(withSlidInsertions(fork).size(), fork.size());
+  EXPECT_EQ(withSlidInsertions(fork, allTheWay).size(), fork.size());
 }
 
 } // namespace

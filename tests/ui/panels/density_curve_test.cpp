@@ -26,7 +26,7 @@ class ShownCurve : public testing::Test {
 protected:
   ShownCurve() {
     curve_.resize(266, 142);
-    curve_.setLimits(1, 100, "mm", 2);
+    curve_.setLimits({.least = 1, .exponent = 0.1}, {.most = 100, .exponent = 10}, "mm", 2);
     curve_.setDefault({.least = 4, .most = 10, .exponent = 1});
     curve_.setCurve({.least = 4, .most = 10, .exponent = 1});
     curve_.show();

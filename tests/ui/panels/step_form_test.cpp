@@ -4,19 +4,18 @@
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QSignalSpy>
 #include <QTest>
+#include <QTranslator>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string_view>
 
 namespace espalier {
 namespace {
-
-const Step& contraction() {
-  return *std::ranges::find(pipelineSteps(), "contract", &Step::name);
-}
 
 /// The form of the contraction, for a plant of points 2 mm apart; its radii follow the density, by
 /// default from 5 spacings to 10.
@@ -39,7 +38,7 @@ protected:
     return options.settings["contract"];
   }
 
-  StepForm form_{contraction(), 3};
+  StepForm form_{contractionStep(), 3};
   QSignalSpy changed_{&form_, &StepForm::changed};
 };
 
@@ -90,6 +89,28 @@ TEST_F(AdaptiveForm, KeepsTheDensitiesForAnotherMethodThatHasACurve) {
   options.methods["contract"] = "adaptive_geodesic";
   form_.choose(options);
   EXPECT_NE(curve().grab().toImage(), without);
+}
+
+/// To a language in which all that core marks is written in brackets.
+class BracketTranslator : public QTranslator {
+public:
+  bool isEmpty() const override { return false; }
+  QString translate(const char* context, const char* text, const char* /*hint*/,
+                    int /*count*/) const override {
+    return std::string_view(context) == "espalier::Shown" ? QStringLiteral("[%1]").arg(text)
+                                                          : QString();
+  }
+};
+
+TEST(StepForm, ShowsMethodsAndOptionsInTheLanguageOfTheWindow) {
+  BracketTranslator translator; // its destructor removes it
+  QCoreApplication::installTranslator(&translator);
+  const StepForm form(contractionStep(), 3);
+  EXPECT_EQ(form.findChild<QComboBox*>()->currentText(), "[Geodesic centroids]");
+  const auto labels = form.findChildren<QLabel*>();
+  EXPECT_TRUE(std::ranges::any_of(labels, [](const QLabel* each) {
+    return each->text() == "[Radius]" && each->toolTip().contains("[Each point moves");
+  }));
 }
 
 } // namespace

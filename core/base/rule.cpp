@@ -1,0 +1,20 @@
+#include "core/base/rule.h"
+
+#include <sstream>
+
+namespace espalier {
+
+std::string Rule::text() const {
+  std::ostringstream text;
+  const auto append = [&](double amount, const char* unit) {
+    if (amount == 0) return;
+    if (text.tellp() > 0) text << " + ";
+    text << amount << unit;
+  };
+  append(spacings, spacings == 1 ? " point spacing" : " point spacings");
+  append(heights, heights == 1 ? " plant height" : " plant heights");
+  append(fixed, "");
+  return text.tellp() > 0 ? text.str() : "0";
+}
+
+} // namespace espalier

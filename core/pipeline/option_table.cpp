@@ -11,12 +11,6 @@ namespace {
 
 const std::array<std::string, 2> flagWords = {"no", "yes"};
 
-Option optionOf(OptionKind kind, const char* name, const char* label, double least, double most,
-                const char* help) {
-  return {
-      .name = name, .label = label, .kind = kind, .minimum = least, .maximum = most, .help = help};
-}
-
 } // namespace
 
 std::optional<Rule> ruleIn(std::string_view text) {
@@ -79,35 +73,6 @@ std::string nameOf(OptionKind kind) {
     return "flag";
   }
   return {};
-}
-
-Option lengthOption(const char* name, const char* label, double least, double most,
-                    const char* help) {
-  return optionOf(OptionKind::length, name, label, least, most, help);
-}
-
-Option ratioOption(const char* name, const char* label, double least, double most,
-                   const char* help) {
-  return optionOf(OptionKind::ratio, name, label, least, most, help);
-}
-
-Option countOption(const char* name, const char* label, double least, double most,
-                   const char* help) {
-  return optionOf(OptionKind::count, name, label, least, most, help);
-}
-
-Option angleOption(const char* name, const char* label, double least, double most,
-                   const char* help) {
-  return optionOf(OptionKind::angle, name, label, least, most, help);
-}
-
-Option curveOption(const char* name, const char* label, double least, double most,
-                   const char* help) {
-  return optionOf(OptionKind::curve, name, label, least, most, help);
-}
-
-Option flagOption(const char* name, const char* label, const char* help) {
-  return optionOf(OptionKind::flag, name, label, 0, 1, help);
 }
 
 } // namespace espalier

@@ -62,18 +62,23 @@ struct Shown {
   [[nodiscard]] static constexpr const char* tr(const char* english) { return english; }
 };
 
-// Options without their default, which the options struct has. Lengths are in point spacings.
-[[nodiscard]] Option lengthOption(const char* name, const char* label, double least, double most,
-                                  const char* help);
-[[nodiscard]] Option ratioOption(const char* name, const char* label, double least, double most,
-                                 const char* help);
-[[nodiscard]] Option countOption(const char* name, const char* label, double least, double most,
-                                 const char* help);
-[[nodiscard]] Option angleOption(const char* name, const char* label, double least, double most,
-                                 const char* help);
-[[nodiscard]] Option curveOption(const char* name, const char* label, double least, double most,
-                                 const char* help);
-[[nodiscard]] Option flagOption(const char* name, const char* label, const char* help);
+/// An option without its default, which the options struct has.
+template <OptionKind kind>
+[[nodiscard]] Option optionOf(const char* name, const char* label, double least, double most,
+                              const char* help) {
+  return {
+      .name = name, .label = label, .kind = kind, .minimum = least, .maximum = most, .help = help};
+}
+
+inline constexpr auto lengthOption = optionOf<OptionKind::length>; // in point spacings
+inline constexpr auto ratioOption = optionOf<OptionKind::ratio>;
+inline constexpr auto countOption = optionOf<OptionKind::count>;
+inline constexpr auto angleOption = optionOf<OptionKind::angle>; // in degrees
+inline constexpr auto curveOption = optionOf<OptionKind::curve>;
+
+[[nodiscard]] inline Option flagOption(const char* name, const char* label, const char* help) {
+  return optionOf<OptionKind::flag>(name, label, 0, 1, help);
+}
 
 /// The options of one method, tied to the members of its options struct. Angles are in degrees to
 /// people, in radians in the struct.

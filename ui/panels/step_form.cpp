@@ -85,11 +85,11 @@ void StepForm::setDensities(std::vector<float> densities) {
 }
 
 void StepForm::setState(State state, const QString& note, const QString& details) {
-  struct Shown {
+  struct Look {
     QString sign;
     QString name;
   };
-  const Shown shown = [&]() -> Shown {
+  const Look shown = [&]() -> Look {
     switch (state) {
     case State::stale:
       return {QStringLiteral("○"), tr("to be run again")};

@@ -293,20 +293,21 @@ std::vector<Method> radiusMethods() {
   // 0.32, 0.48, 0.092, 0.111; the cylinders alone 0.24, 0.33, 0.090, 0.111. The middle of the
   // shortest third of the distances (0.39, 0.61, 0.116, 0.113), or less trust in thin radii whose
   // distances spread (0.51, 0.83, 0.106, 0.120), gained nothing.
-  return {fusedMethod(),
-          nodeCountPipeMethod(),
-          lengthPipeMethod(),
-          averagePipeMethod(),
-          cylinderMethod(),
-          assignedMethod("mean_distance", "Mean distance",
-                         "Mean distance of the points of each node to the skeleton.",
-                         AssignedMeasure::mean),
-          assignedMethod("maximum_distance", "Maximum distance",
-                         "Distance that 95 % of the points of each node are nearer than.",
-                         AssignedMeasure::maximum),
-          assignedMethod("hull", "Hull",
-                         "Length around the convex hull of the points of each node.",
-                         AssignedMeasure::hull)};
+  return {
+      fusedMethod(),
+      nodeCountPipeMethod(),
+      lengthPipeMethod(),
+      averagePipeMethod(),
+      cylinderMethod(),
+      assignedMethod("mean_distance", Shown::tr("Mean distance"),
+                     Shown::tr("Mean distance of the points of each node to the skeleton."),
+                     AssignedMeasure::mean),
+      assignedMethod("maximum_distance", Shown::tr("Maximum distance"),
+                     Shown::tr("Distance that 95 % of the points of each node are nearer than."),
+                     AssignedMeasure::maximum),
+      assignedMethod("hull", Shown::tr("Hull"),
+                     Shown::tr("Length around the convex hull of the points of each node."),
+                     AssignedMeasure::hull)};
 }
 
 } // namespace espalier

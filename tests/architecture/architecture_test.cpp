@@ -128,7 +128,7 @@ TEST(Architecture, LibrariesAreNamedInTheirRoomsOnly) {
       {"pugixml", {"core/io/"}},      {"zlib", {"core/io/mat_file."}},
       {"sqlite3", {"core/project/"}}, {"vtk", {"ui/view/"}},
       {"CLI/", {"app/cli/"}},         {"libqhull", {"core/surface/"}},
-      {"xxhash", {"core/project/"}}};
+      {"xxhash", {"core/project/"}},  {"liblzf/", {"core/io/lzf."}}};
   for (const Include& include : allIncludes())
     for (const auto& [library, places] : rules) {
       if (!include.target.starts_with(library)) continue;

@@ -90,6 +90,10 @@ TEST(UnpackedLzf, RefusesDamagedData) {
   EXPECT_EQ(unpackedLzf("\x02"s + "abc", 4), std::nullopt) << "too few";
   EXPECT_EQ(unpackedLzf("\x02"s + "abc", 2), std::nullopt) << "too many";
   EXPECT_EQ(unpackedLzf("\x02"s + "abc", std::size_t{1} << 40), std::nullopt);
+  EXPECT_EQ(unpackedLzf("\xe0"s, 9), std::nullopt) << "a copy without its distance";
+  EXPECT_EQ(unpackedLzf("", 1), std::nullopt);
+  EXPECT_EQ(unpackedLzf("\x00"s + "a", 0), std::nullopt);
+  EXPECT_EQ(unpackedLzf("", 0), "");
 }
 
 /// A compressed file of points without coordinates other than 0 in one-byte fields.

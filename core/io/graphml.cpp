@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <ostream>
 #include <set>
 #include <string_view>
 #include <unordered_map>
@@ -186,6 +185,20 @@ private:
   bool hasTypes_ = false;
 };
 
+void addKey(pugi::xml_node graphml, const char* name, const char* owner, const char* type) {
+  pugi::xml_node key = graphml.append_child("key");
+  addAttribute(key, "id", name);
+  addAttribute(key, "for", owner);
+  addAttribute(key, "attr.name", name);
+  addAttribute(key, "attr.type", type);
+}
+
+void addData(pugi::xml_node element, const char* key, const std::string& text) {
+  pugi::xml_node data = element.append_child("data");
+  addAttribute(data, "key", key);
+  data.text().set(text.c_str());
+}
+
 } // namespace
 
 bool isGraphml(std::string_view beginning) {
@@ -198,34 +211,33 @@ Imported<Skeleton> readGraphml(std::istream& in, const std::string& file) {
 }
 
 void writeGraphml(std::ostream& out, const Skeleton& skeleton) {
-  out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-         "<graphml xmlns=\"http://graphml.graphdrawing.org/xmlns\">\n";
+  pugi::xml_document document;
+  pugi::xml_node graphml = document.append_child("graphml");
+  addAttribute(graphml, "xmlns", "http://graphml.graphdrawing.org/xmlns");
   for (const char* name : {"x", "y", "z", "radius"})
-    out << "<key id=\"" << name << "\" for=\"node\" attr.name=\"" << name
-        << "\" attr.type=\"double\"/>\n";
-  out << "<key id=\"type\" for=\"edge\" attr.name=\"type\" attr.type=\"string\"/>\n"
-         "<graph id=\"plant\" edgedefault=\"directed\">\n";
-  std::vector<std::size_t> numbers(skeleton.idEnd());
+    addKey(graphml, name, "node", "double");
+  addKey(graphml, "type", "edge", "string");
+  pugi::xml_node graph = graphml.append_child("graph");
+  addAttribute(graph, "id", "plant");
+  addAttribute(graph, "edgedefault", "directed");
+  std::vector<std::string> names(skeleton.idEnd());
   std::size_t last = 0;
   for (const NodeId id : skeleton.ids()) {
     const Node& node = skeleton[id];
-    numbers[indexOf(id)] = ++last;
-    std::string text = "<node id=\"n" + std::to_string(last) + "\">";
-    const auto addData = [&](const char* key, double value) {
-      text += std::string("<data key=\"") + key + "\">" + plainDecimal(value) + "</data>";
-    };
-    addData("x", node.position.x());
-    addData("y", node.position.y());
-    addData("z", node.position.z());
-    if (node.radius > 0) addData("radius", node.radius);
-    text += "</node>\n";
-    if (node.parent)
-      text += "<edge source=\"n" + std::to_string(numbers[indexOf(*node.parent)]) +
-              "\" target=\"n" + std::to_string(last) + "\"><data key=\"type\">" +
-              xmlText(std::string(1, static_cast<char>(node.edge))) + "</data></edge>\n";
-    out << text;
+    names[indexOf(id)] = "n" + std::to_string(++last);
+    pugi::xml_node element = graph.append_child("node");
+    addAttribute(element, "id", names[indexOf(id)]);
+    addData(element, "x", plainDecimal(node.position.x()));
+    addData(element, "y", plainDecimal(node.position.y()));
+    addData(element, "z", plainDecimal(node.position.z()));
+    if (node.radius > 0) addData(element, "radius", plainDecimal(node.radius));
+    if (!node.parent) continue;
+    pugi::xml_node edge = graph.append_child("edge");
+    addAttribute(edge, "source", names[indexOf(*node.parent)]);
+    addAttribute(edge, "target", names[indexOf(id)]);
+    addData(edge, "type", std::string(1, static_cast<char>(node.edge)));
   }
-  out << "</graph>\n</graphml>\n";
+  writeXml(out, document);
 }
 
 } // namespace espalier

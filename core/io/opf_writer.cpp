@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <ostream>
 #include <set>
 #include <vector>
 
@@ -72,64 +71,79 @@ std::map<std::string, bool> featuresOf(const Mtg& mtg) {
   return features;
 }
 
-void writeValue(std::ostream& out, const std::string& name, const std::string& text) {
-  out << '<' << name << '>' << xmlText(text) << "</" << name << ">\n";
+pugi::xml_node addVertex(pugi::xml_node bearer, const char* name, const std::string& symbol,
+                         int scale, int id) {
+  pugi::xml_node element = bearer.append_child(name);
+  addAttribute(element, "class", symbol);
+  addAttribute(element, "scale", std::to_string(scale));
+  addAttribute(element, "id", std::to_string(id));
+  return element;
 }
 
-void openElement(std::ostream& out, const char* name, const std::string& symbol, int scale,
-                 int id) {
-  out << '<' << name << " class=\"" << xmlText(symbol) << "\" scale=\"" << scale << "\" id=\"" << id
-      << "\">\n";
-}
+constexpr int sceneId = 1; // of the element around all
 
-constexpr const char* sceneElement = "<topology class=\"Scene\" scale=\"0\" id=\"1\">\n";
-
-void writeHead(std::ostream& out, const std::map<std::string, bool>& features) {
-  out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<opf version=\"2.0\" editable=\"true\">\n"
-         "<meshBDD/>\n<materialBDD/>\n<shapeBDD/>\n<attributeBDD>\n";
-  for (const auto& [name, isNumber] : features)
-    out << "<attribute name=\"" << name << "\" class=\"" << (isNumber ? "Double" : "String")
-        << "\"/>\n";
-  out << "</attributeBDD>\n";
-}
-
-/// Writes the nodes, each within the one it hangs on.
-class OpfTopologyWriter {
-public:
-  OpfTopologyWriter(std::ostream& out, const Skeleton& skeleton)
-      : out_(out), skeleton_(skeleton), scale_(scaleOfNodes(skeleton)), symbols_(skeleton.idEnd()) {
+/// Adds what comes before the vertices.
+/// @return the element around all of them
+pugi::xml_node addScene(pugi::xml_document& document, const std::map<std::string, bool>& features) {
+  pugi::xml_node opf = document.append_child("opf");
+  addAttribute(opf, "version", "2.0");
+  addAttribute(opf, "editable", "true");
+  for (const char* none : {"meshBDD", "materialBDD", "shapeBDD"})
+    opf.append_child(none);
+  pugi::xml_node attributes = opf.append_child("attributeBDD");
+  for (const auto& [name, isNumber] : features) {
+    pugi::xml_node attribute = attributes.append_child("attribute");
+    addAttribute(attribute, "name", name);
+    addAttribute(attribute, "class", isNumber ? "Double" : "String");
   }
+  return addVertex(opf, "topology", "Scene", 0, sceneId);
+}
 
-  void write() {
-    out_ << sceneElement;
-    // What is to be written, last first: a node, or the ends of the elements of one.
-    struct Step {
-      NodeId node;
-      bool isEnd = false;
-    };
-    std::vector<Step> stack;
-    const std::vector<NodeId> roots = skeleton_.roots();
-    for (auto root = roots.rbegin(); root != roots.rend(); ++root)
-      stack.push_back({*root});
-    while (!stack.empty()) {
-      const Step step = stack.back();
-      stack.pop_back();
-      if (step.isEnd) {
-        close();
-        continue;
-      }
-      open(step.node);
-      stack.push_back({step.node, true});
-      const std::vector<NodeId>& children = skeleton_.children(step.node);
-      for (const NodeId child : children) // branches are written before the successor, as usual
-        stack.push_back({child});
+/// The elements of nodes, each within that of the node it is attached to.
+class NodeElements {
+public:
+  NodeElements(pugi::xml_node scene, const Skeleton& skeleton)
+      : scene_(scene), skeleton_(skeleton), scale_(scaleOfNodes(skeleton)),
+        symbols_(skeleton.idEnd()), elements_(skeleton.idEnd()) {}
+
+  void addAll() {
+    std::vector<NodeId> open = skeleton_.roots();
+    std::ranges::reverse(open);
+    while (!open.empty()) {
+      const NodeId id = open.back();
+      open.pop_back();
+      add(id);
+      const std::vector<NodeId>& children = skeleton_.children(id);
+      // Branches are written before the successor, as usual.
+      open.insert(open.end(), children.begin(), children.end());
     }
-    out_ << "</topology>\n</opf>\n";
   }
 
 private:
-  void open(NodeId id) {
+  void add(NodeId id) {
     const Node& node = skeleton_[id];
+    pugi::xml_node element = node.parent ? elements_[indexOf(*node.parent)] : scene_;
+    bool isPart = !node.parent;
+    for (const Entity& entity : entitiesOf(node)) {
+      element = addVertex(element,
+                          isPart                             ? "decomp"
+                          : node.edge == EdgeType::branching ? "branch"
+                                                             : "follow",
+                          entity.symbol, entity.scale, ++lastId_);
+      for (const FeatureValue& value : entity.values)
+        addText(element, elementName(value.feature), value.text);
+      symbols_[indexOf(id)] = entity.symbol;
+      isPart = true;
+    }
+    addText(element, "XX", plainDecimal(node.position.x()));
+    addText(element, "YY", plainDecimal(node.position.y()));
+    addText(element, "ZZ", plainDecimal(node.position.z()));
+    if (node.radius > 0) addText(element, "radius", plainDecimal(node.radius));
+    elements_[indexOf(id)] = element;
+  }
+
+  /// Those of a node, the last of the scale of nodes.
+  [[nodiscard]] std::vector<Entity> entitiesOf(const Node& node) const {
     std::vector<Entity> entities = node.entities;
     if (entities.empty() && !node.parent && scale_ > plantScale)
       entities.push_back({.scale = plantScale, .symbol = "P"});
@@ -137,76 +151,46 @@ private:
       const std::string inherited = node.parent ? symbols_[indexOf(*node.parent)] : "N";
       entities.push_back({.scale = scale_, .symbol = inherited});
     }
-    symbols_[indexOf(id)] = entities.back().symbol;
-    std::vector<std::string> names;
-    for (const Entity& entity : entities) {
-      const bool isPart = !names.empty() || !node.parent;
-      names.emplace_back(isPart                             ? "decomp"
-                         : node.edge == EdgeType::branching ? "branch"
-                                                            : "follow");
-      openEntity(names.back(), entity);
-    }
-    writeValue(out_, "XX", plainDecimal(node.position.x()));
-    writeValue(out_, "YY", plainDecimal(node.position.y()));
-    writeValue(out_, "ZZ", plainDecimal(node.position.z()));
-    if (node.radius > 0) writeValue(out_, "radius", plainDecimal(node.radius));
-    open_.push_back(std::move(names));
+    return entities;
   }
 
-  void openEntity(const std::string& name, const Entity& entity) {
-    openElement(out_, name.c_str(), entity.symbol, entity.scale, ++lastId_);
-    for (const FeatureValue& value : entity.values)
-      writeValue(out_, elementName(value.feature), value.text);
-  }
-
-  void close() {
-    for (auto name = open_.back().rbegin(); name != open_.back().rend(); ++name)
-      out_ << "</" << *name << ">\n";
-    open_.pop_back();
-  }
-
-  std::ostream& out_;
+  pugi::xml_node scene_;
   const Skeleton& skeleton_;
-  int scale_;                                  // of the nodes
-  std::vector<std::string> symbols_;           // of the nodes, by id
-  std::vector<std::vector<std::string>> open_; // elements, by node
-  int lastId_ = 1;
+  int scale_;                            // of the nodes
+  std::vector<std::string> symbols_;     // of the nodes, by id
+  std::vector<pugi::xml_node> elements_; // by node
+  int lastId_ = sceneId;
 };
 
 } // namespace
 
 void writeOpf(std::ostream& out, const Skeleton& skeleton) {
-  writeHead(out, featuresOf(skeleton));
-  OpfTopologyWriter(out, skeleton).write();
+  pugi::xml_document document;
+  NodeElements(addScene(document, featuresOf(skeleton)), skeleton).addAll();
+  writeXml(out, document);
 }
 
 void writeOpf(std::ostream& out, const Mtg& mtg) {
+  pugi::xml_document document;
+  const pugi::xml_node scene = addScene(document, featuresOf(mtg));
+  std::vector<pugi::xml_node> lastOf; // by column: the element of its last vertex
+  int id = sceneId;
   const MtgRows rows = mtgRows(mtg);
-  writeHead(out, featuresOf(mtg));
-  out << sceneElement;
-  std::vector<std::size_t> lastOf; // by column: how many elements are open within its last vertex
-  std::vector<const char*> open;
-  const auto closeTo = [&](std::size_t depth) {
-    for (; open.size() > depth; open.pop_back())
-      out << "</" << open.back() << ">\n";
-  };
-  int id = 1;
   for (const MtgRow& row : rows.rows) {
     const MtgVertex& vertex = mtg.vertices[indexOf(row.vertex)];
     const std::size_t bearer = row.continues ? row.column + 1 : row.column; // columns up to its own
-    closeTo(bearer == 0 ? 0 : lastOf[bearer - 1]);
+    pugi::xml_node element = bearer == 0 ? scene : lastOf[bearer - 1];
     lastOf.resize(row.column);
     if (vertex.scale > 0) { // the scene is the element around all
-      open.push_back(row.edge == '/' ? "decomp" : row.edge == '+' ? "branch" : "follow");
-      openElement(out, open.back(), vertex.symbol, vertex.scale, ++id);
-      eachValue(vertex, mtg, [&](const std::string& name, const std::string& text) {
-        writeValue(out, elementName(name), text);
+      const char* name = row.edge == '/' ? "decomp" : row.edge == '+' ? "branch" : "follow";
+      element = addVertex(element, name, vertex.symbol, vertex.scale, ++id);
+      eachValue(vertex, mtg, [&](const std::string& feature, const std::string& text) {
+        addText(element, elementName(feature), text);
       });
     }
-    lastOf.push_back(open.size());
+    lastOf.push_back(element);
   }
-  closeTo(0);
-  out << "</topology>\n</opf>\n";
+  writeXml(out, document);
 }
 
 } // namespace espalier

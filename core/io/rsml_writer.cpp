@@ -1,109 +1,97 @@
 #include "core/base/text.h"
 #include "core/io/rsml.h"
+#include "core/io/xml.h"
 #include "core/skeleton/axes.h"
 
 #include <algorithm>
-#include <ostream>
 #include <vector>
 
 namespace espalier {
 namespace {
 
-/// Writes axes, each within the one it branches off.
-class RsmlWriter {
-public:
-  RsmlWriter(std::ostream& out, const Skeleton& skeleton)
-      : out_(out), skeleton_(skeleton), axes_(axes(skeleton)), within_(axes_.size()),
-        axisOf_(skeleton.idEnd()), pointOf_(skeleton.idEnd()) {
-    for (std::size_t i = 0; i < axes_.size(); ++i) {
-      const std::optional<NodeId> parent = skeleton[axes_[i].front()].parent;
-      if (parent) within_[axisOf_[indexOf(*parent)]].push_back(i); // axes come after their bearers
-      std::size_t point = parent ? 1 : 0;                          // 0 lies on the parent
-      for (const NodeId id : axes_[i]) {
-        axisOf_[indexOf(id)] = i;
-        pointOf_[indexOf(id)] = point++;
-      }
-    }
-  }
+void addMetadata(pugi::xml_node rsml) {
+  pugi::xml_node metadata = rsml.append_child("metadata");
+  addText(metadata, "version", "1");
+  addText(metadata, "unit", "unknown");
+  addText(metadata, "resolution", "1");
+  addText(metadata, "software", "Espalier");
+}
 
-  void write() {
-    out_ << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-            "<rsml xmlns:po=\"http://www.plantontology.org/xml-dtd/po.dtd\">\n"
-            "<metadata>\n<version>1</version>\n<unit>unknown</unit>\n<resolution>1</resolution>\n"
-            "<software>Espalier</software>\n</metadata>\n<scene>\n";
-    std::size_t plants = 0;
-    for (std::size_t i = 0; i < axes_.size(); ++i) {
-      if (skeleton_[axes_[i].front()].parent) continue;
-      out_ << "<plant id=\"p" << ++plants << "\">\n";
-      writeTree(i);
-      out_ << "</plant>\n";
+/// The elements of axes, each within that of the axis it branches off.
+class RootElements {
+public:
+  RootElements(pugi::xml_node scene, const Skeleton& skeleton)
+      : scene_(scene), skeleton_(skeleton), rootOf_(skeleton.idEnd()), pointOf_(skeleton.idEnd()) {}
+
+  void add(const Axis& axis) { // after the one that bears it
+    const std::optional<NodeId> parent = skeleton_[axis.front()].parent;
+    pugi::xml_node bearer = parent ? rootOf_[indexOf(*parent)] : newPlant();
+    pugi::xml_node root = bearer.append_child("root");
+    addAttribute(root, "id", "r" + std::to_string(++roots_));
+    std::size_t point = parent ? 1 : 0; // 0 lies on the parent
+    for (const NodeId id : axis) {
+      rootOf_[indexOf(id)] = root;
+      pointOf_[indexOf(id)] = point++;
     }
-    out_ << "</scene>\n</rsml>\n";
+    if (parent)
+      addAttribute(root.append_child("properties").append_child("parent-node"), "value",
+                   std::to_string(pointOf_[indexOf(*parent)]));
+    addPolyline(root, axis, parent);
+    addDiameters(root, axis, parent);
   }
 
 private:
-  void writeTree(std::size_t trunk) {
-    struct Step {
-      std::size_t axis;
-      bool isEnd = false;
+  pugi::xml_node newPlant() {
+    pugi::xml_node plant = scene_.append_child("plant");
+    addAttribute(plant, "id", "p" + std::to_string(++plants_));
+    return plant;
+  }
+
+  void addPolyline(pugi::xml_node root, const Axis& axis, std::optional<NodeId> parent) const {
+    pugi::xml_node polyline = root.append_child("geometry").append_child("polyline");
+    const auto addPoint = [&](NodeId id) {
+      const Eigen::Vector3d& place = skeleton_[id].position;
+      pugi::xml_node point = polyline.append_child("point");
+      addAttribute(point, "x", plainDecimal(place.x()));
+      addAttribute(point, "y", plainDecimal(place.y()));
+      addAttribute(point, "z", plainDecimal(place.z()));
     };
-    std::vector<Step> stack = {{trunk}};
-    while (!stack.empty()) {
-      const Step step = stack.back();
-      stack.pop_back();
-      if (step.isEnd) {
-        out_ << "</root>\n";
-        continue;
-      }
-      writeAxis(step.axis);
-      stack.push_back({step.axis, true});
-      for (auto axis = within_[step.axis].rbegin(); axis != within_[step.axis].rend(); ++axis)
-        stack.push_back({*axis});
-    }
+    if (parent) addPoint(*parent);
+    std::ranges::for_each(axis, addPoint);
   }
 
-  void writeAxis(std::size_t i) {
-    const Axis& axis = axes_[i];
-    const std::optional<NodeId> parent = skeleton_[axis.front()].parent;
-    out_ << "<root id=\"r" << i + 1 << "\">\n";
-    if (parent)
-      out_ << "<properties><parent-node value=\"" << pointOf_[indexOf(*parent)]
-           << "\"/></properties>\n";
-    out_ << "<geometry><polyline>\n";
-    if (parent) writePoint(skeleton_[*parent].position);
-    for (const NodeId id : axis)
-      writePoint(skeleton_[id].position);
-    out_ << "</polyline></geometry>\n";
+  void addDiameters(pugi::xml_node root, const Axis& axis, std::optional<NodeId> parent) const {
     const auto hasRadius = [&](NodeId id) { return skeleton_[id].radius > 0; };
-    if (!std::ranges::any_of(axis, hasRadius)) return;
-    out_ << "<functions><function name=\"diameter\" domain=\"polyline\">\n";
-    if (parent) writeDiameter(axis.front());
-    for (const NodeId id : axis)
-      writeDiameter(id);
-    out_ << "</function></functions>\n";
+    if (std::ranges::none_of(axis, hasRadius)) return;
+    pugi::xml_node function = root.append_child("functions").append_child("function");
+    addAttribute(function, "name", "diameter");
+    addAttribute(function, "domain", "polyline");
+    const auto addSample = [&](NodeId id) {
+      addText(function, "sample", plainDecimal(2 * skeleton_[id].radius));
+    };
+    if (parent) addSample(axis.front());
+    std::ranges::for_each(axis, addSample);
   }
 
-  void writePoint(const Eigen::Vector3d& place) {
-    out_ << "<point x=\"" << plainDecimal(place.x()) << "\" y=\"" << plainDecimal(place.y())
-         << "\" z=\"" << plainDecimal(place.z()) << "\"/>\n";
-  }
-
-  void writeDiameter(NodeId id) {
-    out_ << "<sample>" << plainDecimal(2 * skeleton_[id].radius) << "</sample>\n";
-  }
-
-  std::ostream& out_;
+  pugi::xml_node scene_;
   const Skeleton& skeleton_;
-  std::vector<Axis> axes_;
-  std::vector<std::vector<std::size_t>> within_; // axes that branch off each
-  std::vector<std::size_t> axisOf_;              // by node
-  std::vector<std::size_t> pointOf_;             // by node, in the polyline of its axis
+  std::vector<pugi::xml_node> rootOf_; // by node
+  std::vector<std::size_t> pointOf_;   // by node, in the polyline of its axis
+  std::size_t plants_ = 0;
+  std::size_t roots_ = 0;
 };
 
 } // namespace
 
 void writeRsml(std::ostream& out, const Skeleton& skeleton) {
-  RsmlWriter(out, skeleton).write();
+  pugi::xml_document document;
+  pugi::xml_node rsml = document.append_child("rsml");
+  addAttribute(rsml, "xmlns:po", "http://www.plantontology.org/xml-dtd/po.dtd");
+  addMetadata(rsml);
+  RootElements roots(rsml.append_child("scene"), skeleton);
+  for (const Axis& axis : axes(skeleton))
+    roots.add(axis);
+  writeXml(out, document);
 }
 
 } // namespace espalier

@@ -94,22 +94,26 @@ void XmlFile::refuseDeepNesting() const {
   }
 }
 
-std::string xmlText(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '&')
-      result += "&amp;";
-    else if (c == '<')
-      result += "&lt;";
-    else if (c == '>')
-      result += "&gt;";
-    else if (c == '"')
-      result += "&quot;";
-    else
-      result += byte < 0x20 ? ' ' : c;
-  }
-  return result;
+void addText(pugi::xml_node parent, const std::string& name, const std::string& text) {
+  parent.append_child(name.c_str()).text().set(xmlText(text).c_str());
+}
+
+void addAttribute(pugi::xml_node element, const char* name, const std::string& value) {
+  element.append_attribute(name).set_value(xmlText(value).c_str());
+}
+
+void writeXml(std::ostream& out, pugi::xml_document& document) {
+  pugi::xml_node declaration = document.prepend_child(pugi::node_declaration);
+  addAttribute(declaration, "version", "1.0");
+  addAttribute(declaration, "encoding", "UTF-8");
+  // Not indented: in a plant, elements are nested thousands deep.
+  document.save(out, "", pugi::format_default & ~pugi::format_indent, pugi::encoding_utf8);
+}
+
+std::string xmlText(std::string text) {
+  std::ranges::replace_if(
+      text, [](char c) { return c >= 0 && c < 0x20; }, ' ');
+  return text;
 }
 
 } // namespace espalier

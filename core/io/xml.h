@@ -1,5 +1,6 @@
 #pragma once
 
+#include <iosfwd>
 #include <pugixml.hpp>
 #include <string>
 #include <string_view>
@@ -41,7 +42,15 @@ private:
   pugi::xml_document document_;
 };
 
-/// `text` as it is written between tags or quotes. Characters that XML cannot hold become blanks.
-[[nodiscard]] std::string xmlText(std::string_view text);
+/// Adds an element `name` of this text.
+void addText(pugi::xml_node parent, const std::string& name, const std::string& text);
+
+void addAttribute(pugi::xml_node element, const char* name, const std::string& value);
+
+/// Writes a document in UTF-8, an element a line.
+void writeXml(std::ostream& out, pugi::xml_document& document);
+
+/// `text` with blanks for the control characters, which XML cannot hold.
+[[nodiscard]] std::string xmlText(std::string text);
 
 } // namespace espalier

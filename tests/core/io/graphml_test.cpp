@@ -113,6 +113,14 @@ TEST(ReadGraphml, TakesWhatCatmaidExports) {
   EXPECT_THAT(plant.notes, Contains(HasSubstr("'skeleton id' are left out")));
 }
 
+TEST(ReadGraphml, TakesIdsOfAnyCharacters) {
+  EXPECT_EQ(read(graph(node("a&lt;&amp;&quot;", "0") + node("Lärche", "1") +
+                       edge("a&lt;&amp;&quot;", "Lärche")))
+                .roots()
+                .size(),
+            1U);
+}
+
 TEST(ReadGraphml, TellsTheLineThatIsWrong) {
   const std::string a = node("a", "0");
   const std::string b = node("b", "1");
@@ -141,10 +149,10 @@ TEST(WriteGraphml, NamesNodesAndEdges) {
       {.position = {1, 2, 3}, .parent = plant.add({.radius = 0.5}), .edge = EdgeType::branching});
   writeGraphml(out, plant);
   EXPECT_THAT(out.str(),
-              HasSubstr("<node id=\"n1\"><data key=\"x\">0</data><data key=\"y\">0</data>"
-                        "<data key=\"z\">0</data><data key=\"radius\">0.5</data></node>"));
+              HasSubstr("<node id=\"n1\">\n<data key=\"x\">0</data>\n<data key=\"y\">0</data>\n"
+                        "<data key=\"z\">0</data>\n<data key=\"radius\">0.5</data>\n</node>\n"));
   EXPECT_THAT(out.str(),
-              HasSubstr("<edge source=\"n1\" target=\"n2\"><data key=\"type\">+</data></edge>"));
+              HasSubstr("<edge source=\"n1\" target=\"n2\">\n<data key=\"type\">+</data>\n"));
 }
 
 TEST(WriteGraphml, AndReadingGivesTheSamePlant) {

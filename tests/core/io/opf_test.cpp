@@ -187,6 +187,17 @@ TEST(WriteOpf, KeepsPlantsAsTallAsTheyCome) {
   EXPECT_EQ(readBack(written(test::stick(20'000))).size(), 20'000U);
 }
 
+TEST(WriteOpf, KeepsAnyCharactersOfClassesAndValues) {
+  for (const std::string text : {"a<b> & \"c\" 'd'", "Lärche 落叶松", "]]> &amp;"}) {
+    Skeleton plant;
+    plant.add({.entities = {{.scale = 1, .symbol = text, .values = {{"note", text}}}}});
+    const Mtg mtg = imported(written(plant)).value;
+    ASSERT_EQ(mtg.vertices.size(), 1U);
+    EXPECT_EQ(mtg.vertices[0].symbol, text);
+    EXPECT_THAT(mtg.vertices[0].values, testing::Contains(text));
+  }
+}
+
 // A shoot A of units U: the second unit follows the first, a second shoot branches off it.
 TEST(WriteOpf, KeepsClassesScalesAndFeatures) {
   Skeleton plant;

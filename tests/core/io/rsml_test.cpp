@@ -140,11 +140,11 @@ TEST(WriteRsml, WritesAxesWithinAxes) {
   std::ostringstream out;
   writeRsml(out, plant);
   EXPECT_THAT(out.str(), HasSubstr("<root id=\"r2\">\n"
-                                   "<properties><parent-node value=\"1\"/></properties>\n"
-                                   "<geometry><polyline>\n"
-                                   "<point x=\"0\" y=\"0\" z=\"1\"/>\n"
-                                   "<point x=\"1\" y=\"0\" z=\"1\"/>\n"
-                                   "</polyline></geometry>\n</root>\n</root>\n</plant>\n"));
+                                   "<properties>\n<parent-node value=\"1\" />\n</properties>\n"
+                                   "<geometry>\n<polyline>\n"
+                                   "<point x=\"0\" y=\"0\" z=\"1\" />\n"
+                                   "<point x=\"1\" y=\"0\" z=\"1\" />\n"
+                                   "</polyline>\n</geometry>\n</root>\n</root>\n</plant>\n"));
   EXPECT_THAT(out.str(), HasSubstr("<sample>0.2</sample>\n<sample>0.2</sample>\n"));
 }
 

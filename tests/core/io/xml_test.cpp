@@ -2,6 +2,7 @@
 #include "tests/core/io/samples.h"
 
 #include <gmock/gmock.h>
+#include <sstream>
 
 namespace espalier {
 namespace {
@@ -76,8 +77,48 @@ TEST(IsXml, LooksAtTheOutermostElement) {
   EXPECT_FALSE(isXml("", "oak"));
 }
 
-TEST(XmlText, HidesWhatXmlUsesItself) {
-  EXPECT_EQ(xmlText("a<b> & \"c\"\x01"), "a&lt;b&gt; &amp; &quot;c&quot; ");
+/// An `oak` with this text and attribute, written.
+std::string written(const std::string& text) {
+  pugi::xml_document document;
+  pugi::xml_node oak = document.append_child("oak");
+  addAttribute(oak, "name", text);
+  addText(oak, "note", text);
+  std::ostringstream out;
+  writeXml(out, document);
+  return out.str();
+}
+
+void expectBack(const std::string& text, const std::string& expected) {
+  const XmlFile xml(written(text), "oak.xml", "oak");
+  EXPECT_EQ(xml.root().attribute("name").value(), expected) << written(text);
+  EXPECT_EQ(xml.root().child_value("note"), expected) << written(text);
+}
+
+TEST(WriteXml, DeclaresUtf8AndWritesAnElementALine) {
+  EXPECT_EQ(written("a<b>"), "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+                             "<oak name=\"a&lt;b>\">\n<note>a&lt;b&gt;</note>\n</oak>\n");
+}
+
+TEST(WriteXml, AndReadingGivesAnyTextBack) {
+  for (const std::string text :
+       {"a<b> & \"c\" 'd' &amp; ]]> <!-- -->", "Lärche 落叶松 🌲", "%s \\ `", "&#65;", "a \x7F"})
+    expectBack(text, text);
+  expectBack("", "");
+}
+
+TEST(WriteXml, WritesBlanksForWhatXmlCannotHold) {
+  expectBack(std::string("a\0b\x01\x1F\t\n\r c", 10), "a b      c");
+}
+
+TEST(WriteXml, NestsAsDeepAsPlantsAreTall) {
+  pugi::xml_document document;
+  pugi::xml_node deepest = document.append_child("oak");
+  for (int i = 1; i < 100'000; ++i)
+    deepest = deepest.append_child("a");
+  std::ostringstream out;
+  writeXml(out, document);
+  EXPECT_LT(out.str().size(), 1'000'000U);
+  EXPECT_EQ(errorOf(out.str()), "");
 }
 
 } // namespace

@@ -17,35 +17,21 @@ namespace espalier {
 namespace {
 
 using Eigen::Vector2d;
+using Eigen::Vector3d;
 
-/// Triangles as plain arrays: 46 directions read them over and over.
-struct Triangles {
-  std::vector<Eigen::Vector3d> corners;            // [L], from the middle of the mesh
-  std::vector<std::array<std::uint32_t, 3>> faces; // into corners
-};
-
-Triangles trianglesOf(const SurfaceMesh& mesh) {
-  Triangles triangles;
-  triangles.corners.reserve(mesh.n_vertices());
+/// The corners from their middle.
+/// @throws Error if one is no number
+std::vector<Vector3d> centeredCorners(const SurfaceMesh& mesh) {
   Eigen::AlignedBox3d box;
-  for (const auto vertex : mesh.vertices()) {
-    const auto& point = mesh.point(vertex);
-    triangles.corners.emplace_back(point[0], point[1], point[2]);
-    box.extend(triangles.corners.back());
-    if (!triangles.corners.back().allFinite())
+  for (const Vector3d& corner : mesh.corners) {
+    box.extend(corner);
+    if (!corner.allFinite())
       throw Error("the surface has a corner that is no number: correct the radii and positions");
   }
-  for (Eigen::Vector3d& corner : triangles.corners)
+  std::vector<Vector3d> corners = mesh.corners;
+  for (Vector3d& corner : corners)
     corner -= box.center();
-  triangles.faces.reserve(mesh.n_faces());
-  for (const auto face : mesh.faces()) {
-    auto at = mesh.cfv_iter(face);
-    std::array<std::uint32_t, 3> indices{};
-    for (std::uint32_t& index : indices)
-      index = static_cast<std::uint32_t>((at++)->idx());
-    triangles.faces.push_back(indices);
-  }
-  return triangles;
+  return corners;
 }
 
 /// A picture of which pixels are covered.
@@ -99,13 +85,15 @@ private:
 };
 
 /// Area of what is seen along `direction` [L^2].
-double silhouette(const Triangles& triangles, const Eigen::Vector3d& direction, int pixels) {
-  const Eigen::Vector3d right = direction.unitOrthogonal();
-  const Eigen::Vector3d up = direction.cross(right);
-  std::vector<Vector2d> seen(triangles.corners.size());
+double silhouette(const std::vector<Vector3d>& corners,
+                  const std::vector<std::array<int, 3>>& triangles, const Vector3d& direction,
+                  int pixels) {
+  const Vector3d right = direction.unitOrthogonal();
+  const Vector3d up = direction.cross(right);
+  std::vector<Vector2d> seen(corners.size());
   Eigen::AlignedBox2d box;
   for (std::size_t i = 0; i < seen.size(); ++i) {
-    seen[i] = {triangles.corners[i].dot(right), triangles.corners[i].dot(up)};
+    seen[i] = {corners[i].dot(right), corners[i].dot(up)};
     box.extend(seen[i]);
   }
   const double pixel = box.sizes().maxCoeff() / pixels;
@@ -114,8 +102,9 @@ double silhouette(const Triangles& triangles, const Eigen::Vector3d& direction, 
   for (Vector2d& place : seen)
     place = (place - box.min()) / pixel;
   Picture picture(size.x(), size.y());
-  for (const auto& [a, b, c] : triangles.faces)
-    picture.draw(seen[a], seen[b], seen[c]);
+  const auto at = [&](int corner) { return seen[static_cast<std::size_t>(corner)]; };
+  for (const auto& [a, b, c] : triangles)
+    picture.draw(at(a), at(b), at(c));
   return static_cast<double>(picture.covered()) * pixel * pixel;
 }
 
@@ -127,7 +116,7 @@ LightInterception lightInterception(const SurfaceMesh& mesh, const LightOptions&
     throw Error(std::to_string(options.pixels) + " pixels: choose from 8 to 16384");
   LightInterception light{.area = area(mesh)};
   if (!(light.area > 0)) throw Error("the surface has no area: estimate radii first");
-  const Triangles triangles = trianglesOf(mesh);
+  const std::vector<Vector3d> corners = centeredCorners(mesh);
   const std::vector<SkyDirection>& sky = overcastSky();
   for (const int part : {8, 4, 2, 1})
     light.convergence.push_back({.pixels = options.pixels / part});
@@ -139,8 +128,8 @@ LightInterception lightInterception(const SurfaceMesh& mesh, const LightOptions&
       static_cast<Eigen::Index>(areas.size()),
       [&](Eigen::Index i) {
         const auto k = static_cast<std::size_t>(i);
-        areas[k] =
-            silhouette(triangles, sky[k / parts].direction, light.convergence[k % parts].pixels);
+        areas[k] = silhouette(corners, mesh.triangles, sky[k / parts].direction,
+                              light.convergence[k % parts].pixels);
       },
       progress, 1);
   for (std::size_t i = 0; i < sky.size(); ++i) {

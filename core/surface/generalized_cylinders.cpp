@@ -73,8 +73,8 @@ public:
       const Ring ring = ringOf(sections[i]);
       for (std::size_t k = 0; k < ring.size(); ++k) {
         const std::size_t next = (k + 1) % ring.size();
-        mesh_.add_face(before[k], before[next], ring[next]);
-        mesh_.add_face(before[k], ring[next], ring[k]);
+        mesh_.triangles.push_back({before[k], before[next], ring[next]});
+        mesh_.triangles.push_back({before[k], ring[next], ring[k]});
       }
       before = ring;
     }
@@ -82,10 +82,11 @@ public:
   }
 
 private:
-  using Ring = std::vector<SurfaceMesh::VertexHandle>; // counterclockwise, seen from the apex
+  using Ring = std::vector<int>; // corners, counterclockwise as seen from the apex
 
-  SurfaceMesh::VertexHandle vertexAt(const Eigen::Vector3d& place) {
-    return SurfaceMesh::VertexHandle(mesh_.add_vertex({place.x(), place.y(), place.z()}).idx());
+  int cornerAt(const Eigen::Vector3d& place) {
+    mesh_.corners.push_back(place);
+    return static_cast<int>(mesh_.corners.size()) - 1;
   }
 
   Ring ringOf(const Section& section) {
@@ -93,7 +94,7 @@ private:
     Ring ring;
     for (int k = 0; k < sides_; ++k) {
       const double angle = 2 * std::numbers::pi * k / sides_;
-      ring.push_back(vertexAt(section.center +
+      ring.push_back(cornerAt(section.center +
                               section.radius * fullness_ *
                                   (std::cos(angle) * section.forward + std::sin(angle) * aside)));
     }
@@ -101,13 +102,13 @@ private:
   }
 
   void cap(const Ring& ring, const Eigen::Vector3d& center, bool isApex) {
-    const SurfaceMesh::VertexHandle middle = vertexAt(center);
+    const int middle = cornerAt(center);
     for (std::size_t k = 0; k < ring.size(); ++k) {
       const std::size_t next = (k + 1) % ring.size();
       if (isApex)
-        mesh_.add_face(middle, ring[k], ring[next]);
+        mesh_.triangles.push_back({middle, ring[k], ring[next]});
       else
-        mesh_.add_face(middle, ring[next], ring[k]);
+        mesh_.triangles.push_back({middle, ring[next], ring[k]});
     }
   }
 

@@ -1,18 +1,19 @@
 #pragma once
 
-#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#include <Eigen/Core>
+
+#include <array>
+#include <vector>
 
 namespace espalier {
 
-struct SurfaceTraits : OpenMesh::DefaultTraitsDouble {};
+/// Triangles, to be drawn, measured and written: nobody asks for their neighbors.
+struct SurfaceMesh {
+  std::vector<Eigen::Vector3d> corners;      // [L], frame of the skeleton
+  std::vector<std::array<int, 3>> triangles; // corners, counterclockwise as seen from outside
+};
 
-/// Triangles, [L] in the frame of the skeleton; normals point out of the wood.
-using SurfaceMesh = OpenMesh::TriMesh_ArrayKernelT<SurfaceTraits>;
-
-/// Volume that a closed mesh holds [L^3]; parts that overlap count twice. O(faces).
-[[nodiscard]] double volume(const SurfaceMesh& mesh);
-
-/// Area of all triangles [L^2]. O(faces).
+/// Area of all triangles [L^2]. O(triangles).
 [[nodiscard]] double area(const SurfaceMesh& mesh);
 
 } // namespace espalier

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -17,27 +18,26 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-/// A flat rectangle at height z, two triangles.
-void addPlate(SurfaceMesh& mesh, double width, double depth, double z) {
-  const auto a = mesh.add_vertex({0, 0, z});
-  const auto b = mesh.add_vertex({width, 0, z});
-  const auto c = mesh.add_vertex({width, depth, z});
-  const auto d = mesh.add_vertex({0, depth, z});
-  mesh.add_face(a, b, c);
-  mesh.add_face(a, c, d);
+/// A plane quadrangle, two triangles.
+void addQuadrangle(SurfaceMesh& mesh, const std::array<Eigen::Vector3d, 4>& corners) {
+  const int first = static_cast<int>(mesh.corners.size());
+  mesh.corners.insert(mesh.corners.end(), corners.begin(), corners.end());
+  mesh.triangles.push_back({first, first + 1, first + 2});
+  mesh.triangles.push_back({first, first + 2, first + 3});
+}
+
+/// A flat rectangle at height z from x.
+void addPlate(SurfaceMesh& mesh, double width, double depth, double z, double x = 0) {
+  addQuadrangle(mesh, {{{x, 0, z}, {x + width, 0, z}, {x + width, depth, z}, {x, depth, z}}});
 }
 
 SurfaceMesh unitCube() {
+  const auto corner = [](int i) { return Eigen::Vector3d(i & 1, (i >> 1) & 1, i >> 2); };
   SurfaceMesh mesh;
-  std::vector<SurfaceMesh::VertexHandle> corners;
-  for (int i = 0; i < 8; ++i)
-    corners.push_back(mesh.add_vertex({double(i & 1), double((i >> 1) & 1), double(i >> 2)}));
   const int sides[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
                            {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
-  for (const auto& side : sides) {
-    mesh.add_face(corners[side[0]], corners[side[1]], corners[side[2]]);
-    mesh.add_face(corners[side[0]], corners[side[2]], corners[side[3]]);
-  }
+  for (const auto& side : sides)
+    addQuadrangle(mesh, {corner(side[0]), corner(side[1]), corner(side[2]), corner(side[3])});
   return mesh;
 }
 
@@ -49,18 +49,13 @@ SurfaceMesh ball() {
   const auto at = [&](int ring, int side) {
     const double polar = std::numbers::pi * ring / rings;
     const double around = 2 * std::numbers::pi * side / sides;
-    return SurfaceMesh::Point(std::sin(polar) * std::cos(around),
-                              std::sin(polar) * std::sin(around), std::cos(polar));
+    return Eigen::Vector3d(std::sin(polar) * std::cos(around), std::sin(polar) * std::sin(around),
+                           std::cos(polar));
   };
   for (int ring = 0; ring < rings; ++ring)
-    for (int side = 0; side < sides; ++side) {
-      const auto a = mesh.add_vertex(at(ring, side));
-      const auto b = mesh.add_vertex(at(ring + 1, side));
-      const auto c = mesh.add_vertex(at(ring + 1, side + 1));
-      const auto d = mesh.add_vertex(at(ring, side + 1));
-      mesh.add_face(a, b, c);
-      mesh.add_face(a, c, d);
-    }
+    for (int side = 0; side < sides; ++side)
+      addQuadrangle(
+          mesh, {at(ring, side), at(ring + 1, side), at(ring + 1, side + 1), at(ring, side + 1)});
   return mesh;
 }
 
@@ -138,15 +133,8 @@ TEST(LightInterception, ComesNearerWithMorePixels) {
 // Two hundred wires much thinner than a pixel, side by side: the mean is right all the same.
 TEST(LightInterception, CountsThinWoodRightInTheMean) {
   SurfaceMesh mesh;
-  for (int i = 0; i < 200; ++i) {
-    const double x = i * 1.0373;
-    const auto a = mesh.add_vertex({x, 0, 0});
-    const auto b = mesh.add_vertex({x + 0.2, 0, 0});
-    const auto c = mesh.add_vertex({x + 0.2, 200, 0});
-    const auto d = mesh.add_vertex({x, 200, 0});
-    mesh.add_face(a, b, c);
-    mesh.add_face(a, c, d);
-  }
+  for (int i = 0; i < 200; ++i)
+    addPlate(mesh, 0.2, 200, 0, i * 1.0373);
   const LightInterception light = lightInterception(mesh, {.pixels = 128});
   EXPECT_NEAR(light.directions.back().star, 1, 0.15);
 }

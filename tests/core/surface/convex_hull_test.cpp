@@ -1,14 +1,14 @@
 #include "core/base/random.h"
 #include "core/surface/convex_hull.h"
 #include "core/surface/subtree_hulls.h"
+#include "tests/support/mesh_topology.h"
 #include "tests/support/plants.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <map>
 #include <memory>
-#include <utility>
+#include <numbers>
 
 namespace espalier {
 namespace {
@@ -45,22 +45,11 @@ TEST(ConvexHull, IsClosedAndTurnsOut) {
   const auto hull = convexHull(points);
   ASSERT_TRUE(hull);
   EXPECT_EQ(hull->corners.cols(), 500) << "all of a sphere are corners";
-  std::map<std::pair<int, int>, int> edges;
-  double volume = 0;
-  for (const auto& [a, b, c] : hull->triangles) {
-    ++edges[{a, b}];
-    ++edges[{b, c}];
-    ++edges[{c, a}];
-    const Eigen::Vector3d first = hull->corners.col(a);
-    volume += first.dot(hull->corners.col(b).cross(hull->corners.col(c))) / 6;
-  }
-  for (const auto& [edge, count] : edges) {
-    EXPECT_EQ(count, 1);
-    EXPECT_EQ((edges[{edge.second, edge.first}]), 1) << "each edge has a triangle on either side";
-  }
-  EXPECT_NEAR(volume, hull->volume, 1e-12);
-  EXPECT_LT(hull->volume, 4 * M_PI / 3) << "a sphere of radius 1, from inside";
-  EXPECT_GT(hull->volume, 0.95 * 4 * M_PI / 3);
+  EXPECT_EQ(test::topologyOf(500, hull->triangles),
+            (test::MeshTopology{.pieces = 1, .boundaryLoops = 0, .eulerCharacteristic = 2}));
+  EXPECT_NEAR(test::volumeOf(hull->corners, hull->triangles), hull->volume, 1e-12);
+  EXPECT_LT(hull->volume, 4 * std::numbers::pi / 3) << "a sphere of radius 1, from inside";
+  EXPECT_GT(hull->volume, 0.95 * 4 * std::numbers::pi / 3);
 }
 
 TEST(ConvexHull, IsTheSameBodyInAnyOrder) {

@@ -2,6 +2,7 @@
 #include "core/skeleton/axes.h"
 #include "core/surface/generalized_cylinders.h"
 #include "tests/support/clouds.h"
+#include "tests/support/mesh_topology.h"
 #include "tests/support/plants.h"
 
 #include <Eigen/Geometry>
@@ -17,28 +18,16 @@ constexpr double pi = std::numbers::pi;
 
 /// Number of separate pieces; expects that each is closed and like a sphere.
 int closedPieces(const SurfaceMesh& mesh) {
-  for (const auto edge : mesh.edges())
-    if (mesh.is_boundary(edge)) ADD_FAILURE() << "an edge is open";
-  std::vector<bool> seen(mesh.n_vertices());
-  int pieces = 0;
-  for (const auto start : mesh.vertices()) {
-    if (seen[std::size_t(start.idx())]) continue;
-    ++pieces;
-    std::vector<OpenMesh::SmartVertexHandle> open{start};
-    seen[std::size_t(start.idx())] = true;
-    while (!open.empty()) {
-      const auto vertex = open.back();
-      open.pop_back();
-      for (const auto near : vertex.vertices())
-        if (!seen[std::size_t(near.idx())]) {
-          seen[std::size_t(near.idx())] = true;
-          open.push_back(near);
-        }
-    }
-  }
-  const int euler = int(mesh.n_vertices()) - int(mesh.n_edges()) + int(mesh.n_faces());
-  EXPECT_EQ(euler, 2 * pieces);
-  return pieces;
+  const test::MeshTopology topology = test::topologyOf(int(mesh.corners.size()), mesh.triangles);
+  EXPECT_EQ(topology.boundaryLoops, 0);
+  EXPECT_EQ(topology.eulerCharacteristic, 2 * topology.pieces);
+  return topology.pieces;
+}
+
+double volume(const SurfaceMesh& mesh) {
+  const Eigen::Map<const Eigen::Matrix3Xd> corners(mesh.corners.front().data(), 3,
+                                                   std::ssize(mesh.corners));
+  return test::volumeOf(corners, mesh.triangles);
 }
 
 TEST(GeneralizedCylinders, AStickHasTheVolumeOfItsCylinder) {
@@ -126,7 +115,7 @@ TEST(GeneralizedCylinders, APlantWithoutRadiiIsRefused) {
 }
 
 TEST(GeneralizedCylinders, ALoneNodeHasNoSurface) {
-  EXPECT_EQ(surfaceByGeneralizedCylinders(test::stick(1)).n_faces(), 0U);
+  EXPECT_EQ(surfaceByGeneralizedCylinders(test::stick(1)).triangles.size(), 0U);
 }
 
 TEST(GeneralizedCylinders, StopWhenAsked) {

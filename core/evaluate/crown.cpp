@@ -1,5 +1,6 @@
 #include "core/evaluate/crown.h"
 
+#include "core/base/plane_hull.h"
 #include "core/skeleton/axes.h"
 #include "core/skeleton/bounds.h"
 
@@ -18,30 +19,6 @@ using Eigen::Vector2d;
 
 double cross(const Vector2d& a, const Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
-}
-
-/// Corners of the convex hull, counterclockwise (Andrew's monotone chain).
-std::vector<Vector2d> convexHull(std::vector<Vector2d> places) {
-  const auto less = [](const Vector2d& a, const Vector2d& b) {
-    return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
-  };
-  std::ranges::sort(places, less);
-  places.erase(std::unique(places.begin(), places.end()), places.end());
-  if (places.size() < 3) return places;
-  std::vector<Vector2d> hull;
-  const auto addAll = [&](auto begin, auto end) {
-    const std::size_t base = hull.size();
-    for (auto place = begin; place != end; ++place) {
-      while (hull.size() >= base + 2 &&
-             cross(hull.back() - hull[hull.size() - 2], *place - hull.back()) <= 0)
-        hull.pop_back();
-      hull.push_back(*place);
-    }
-    hull.pop_back(); // the other half begins with it
-  };
-  addAll(places.begin(), places.end());
-  addAll(places.rbegin(), places.rend());
-  return hull;
 }
 
 } // namespace
@@ -66,7 +43,7 @@ CrownDimensions crownDimensions(const Skeleton& skeleton) {
   if (places.empty()) return crown;
   crown.baseHeight = base - box.min().z();
   crown.depth = box.max().z() - base;
-  const std::vector<Vector2d> hull = convexHull(std::move(places));
+  const std::vector<Vector2d> hull = planeHull(places);
   for (std::size_t i = 0; i < hull.size(); ++i) {
     const Vector2d& next = hull[(i + 1) % hull.size()];
     crown.area += cross(hull[i] - hull[0], next - hull[0]) / 2;

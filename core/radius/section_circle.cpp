@@ -1,6 +1,7 @@
 #include "core/radius/section_circle.h"
 
 #include "core/base/parallel.h"
+#include "core/base/plane_hull.h"
 #include "core/base/random.h"
 
 #include <algorithm>
@@ -30,28 +31,6 @@ FittedCircle maximumCircle(const PlanePoints& points) {
   for (const Eigen::Vector2d& point : points)
     most = std::max(most, point.norm());
   return judgedCircle({0, 0}, most, points);
-}
-
-/// The convex hull, counterclockwise. Source: A. M. Andrew, Inf. Process. Lett. 9, 1979.
-PlanePoints hullOf(PlanePoints points) {
-  std::ranges::sort(points, [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y());
-  });
-  PlanePoints hull;
-  const auto chain = [&hull](const auto& ordered) {
-    const std::size_t start = hull.size();
-    for (const Eigen::Vector2d& point : ordered) {
-      while (hull.size() >= start + 2 &&
-             cross(hull.back() - hull[hull.size() - 2], point - hull.back()) <= 0)
-        hull.pop_back();
-      hull.push_back(point);
-    }
-    hull.pop_back(); // the first of the other chain
-  };
-  chain(points);
-  std::ranges::reverse(points);
-  chain(points);
-  return hull;
 }
 
 /// The circle through three points, if they are not on a line.
@@ -174,9 +153,8 @@ MeasuredCircle measuredCircle(const CrossSection& section, RadiusMeasure measure
   return *circle;
 }
 
-std::optional<FittedCircle> hullCircle(const PlanePoints& points) {
-  if (points.size() < 3) return std::nullopt;
-  const PlanePoints hull = hullOf(points);
+std::optional<FittedCircle> hullCircle(const Points& points) {
+  const Points hull = planeHull(points);
   if (hull.size() < 3) return std::nullopt;
   double perimeter = 0;
   double area = 0; // twice

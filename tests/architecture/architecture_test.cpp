@@ -127,7 +127,7 @@ TEST(Architecture, LibrariesAreNamedInTheirRoomsOnly) {
       {"nanoflann", {"core/base/"}},  {"OpenMesh/", {}}, // for checks in tests
       {"pugixml", {"core/io/"}},      {"zlib", {"core/io/mat_file."}},
       {"sqlite3", {"core/project/"}}, {"vtk", {"ui/view/"}},
-      {"CLI/", {"app/cli/"}},         {"libqhull", {"core/surface/"}},
+      {"CLI/", {"app/cli/"}},         {"libqhull", {"core/base/qhull."}},
       {"xxhash", {"core/project/"}},  {"liblzf/", {"core/io/lzf."}}};
   for (const Include& include : allIncludes())
     for (const auto& [library, places] : rules) {

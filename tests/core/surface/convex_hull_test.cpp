@@ -4,6 +4,7 @@
 #include "tests/support/mesh_topology.h"
 #include "tests/support/plants.h"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -72,6 +73,16 @@ TEST(ConvexHull, OfWhatFillsNoSpaceIsNone) {
     line.col(i) = Eigen::Vector3d(1, 2, 3) * i;
   EXPECT_FALSE(convexHull(line));
   EXPECT_FALSE(convexHull(box({1, 1, 0}, {5, 5, 5}))) << "a plane";
+}
+
+// Turned, so that rounding lifts the points off their plane a little.
+TEST(ConvexHull, OfATurnedPlaneIsNone) {
+  Random random(3);
+  const Eigen::AngleAxisd turn(1, Eigen::Vector3d(1, 2, 3).normalized());
+  Eigen::Matrix3Xd points(3, 1000);
+  for (auto column : points.colwise())
+    column = turn * Eigen::Vector3d(random.uniform(), random.uniform(), 0);
+  EXPECT_FALSE(convexHull(points));
 }
 
 TEST(SubtreeHulls, AreOfThePointsThatABranchCarries) {

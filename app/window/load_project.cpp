@@ -7,6 +7,7 @@
 #include "core/project/content_hash.h"
 #include "core/project/point_bytes.h"
 
+#include <algorithm>
 #include <functional>
 #include <sstream>
 #include <utility>
@@ -60,19 +61,12 @@ void addScan(LoadedProject& loaded, const Progress& progress) {
     loaded.scan = std::make_unique<const Scan>(readPoints(*found, progress).value);
     loaded.scanPath = nameOf(*found);
   }
-  const std::string contracted = loaded.project->bytes("contracted");
-  if (contracted.empty()) return;
-  auto positions = std::make_shared<const Eigen::Matrix3Xf>(positionsFrom(contracted));
-  if (positions->cols() != loaded.scan->cloud()->size()) return;
-  loaded.contracted = std::move(positions);
-  bool isNumber = false;
-  const auto step =
-      QString::fromStdString(loaded.project->document("contracted_step")).toULongLong(&isNumber);
-  if (!isNumber || loaded.isDamaged) return; // steps may be missing
-  if (step < loaded.history.position)
-    loaded.contractedStep = step;
-  else
-    loaded.contracted = nullptr; // the step was undone in the last moment
+  ContractedPoints contracted = contractedIn(*loaded.project);
+  if (!contracted.positions || contracted.positions->cols() != loaded.scan->cloud()->size()) return;
+  loaded.contracted = std::move(contracted);
+  const auto isTheirs = [&](const HistoryStep& step) { return step.id == loaded.contracted.step; };
+  if (loaded.isDamaged && std::ranges::none_of(loaded.history.steps, isTheirs))
+    loaded.contracted.step = {}; // it was before the first that can be read
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/mtg/structure.h"
+#include "core/project/contracted_points.h"
 #include "core/project/project.h"
 #include "ui/document/length_unit.h"
 #include "ui/document/scan.h"
@@ -21,8 +22,7 @@ struct LoadedProject {
   std::unique_ptr<const Scan> scan; // null: none, or not found
   QString scanPath;                 // where it is, or was
   bool isScanKept = false;          // read from the project itself
-  std::shared_ptr<const Eigen::Matrix3Xf> contracted;
-  std::optional<std::size_t> contractedStep; // of the history: what the contracted points are from
+  ContractedPoints contracted;
   std::optional<ScanReference> scanReference;
   LengthUnit unit = LengthUnit::unknown;
   QString file; // of a session: where its skeleton was read from or saved to

@@ -245,11 +245,8 @@ void ProjectFlow::show(LoadedProject loaded, As as) {
   document.clear();
   document.setUnit(loaded.unit);
   if (loaded.scan) document.setScan(std::move(loaded.scan), loaded.scanPath);
-  if (loaded.contracted) document.setContracted(loaded.contracted);
-  document.openHistory({std::move(loaded.history.skeleton), loaded.frame},
-                       std::move(loaded.history.steps), loaded.history.position,
-                       isSession ? loaded.file : QString(), loaded.contractedStep,
-                       loaded.history.leftOut);
+  document.openHistory(std::move(loaded.history), loaded.frame, isSession ? loaded.file : QString(),
+                       loaded.contracted);
   isLoading_ = false;
   scan_ = loaded.scanReference;
   isScanKept_ = loaded.isScanKept;

@@ -83,10 +83,7 @@ void ReconstructFlow::start(const Step* last) {
         return pipeline->run(cloud, options, progress, to);
       },
       [this, elapsed, last, options = ofKept](const Reconstruction& result) {
-        show(result, last, static_cast<double>(elapsed.elapsed()) / 1000);
-        if (!result.skeleton->isEmpty())
-          setRun(Run{options, last != nullptr ? last->name : std::string(),
-                     document_.step(document_.undoStack().index() - 1).time});
+        show(result, last, options, static_cast<double>(elapsed.elapsed()) / 1000);
       });
 }
 
@@ -110,7 +107,8 @@ PipelinePanel::Telling ReconstructFlow::telling() const {
 std::string ReconstructFlow::usedText() const {
   if (!isDone_) return {};
   std::ostringstream text;
-  text << run_->time << ' ' << run_->last << '\n' << keptText(run_->options);
+  text << static_cast<std::uint64_t>(run_->made) << ' ' << run_->last << '\n'
+       << keptText(run_->options);
   return text.str();
 }
 
@@ -120,7 +118,9 @@ void ReconstructFlow::setUsed(const std::string& text) {
   std::string line;
   std::getline(in, line);
   Run run;
-  std::istringstream(line) >> run.time >> run.last;
+  std::uint64_t made = 0;
+  std::istringstream(line) >> made >> run.last;
+  run.made = StepId{made};
   run.options = keptOptions({std::istreambuf_iterator<char>(in), {}});
   setRun(std::move(run));
 }
@@ -143,13 +143,12 @@ void ReconstructFlow::setRun(std::optional<Run> run) {
 }
 
 void ReconstructFlow::refreshUsed() {
-  bool isDone = false;
-  for (int i = 0; run_ && i < document_.undoStack().index() && !isDone; ++i)
-    isDone = document_.step(i).time == run_->time;
+  const bool isDone = run_ && document_.isDone(run_->made);
   if (std::exchange(isDone_, isDone) != isDone) emit usedChanged();
 }
 
-void ReconstructFlow::show(const Reconstruction& result, const Step* last, double seconds) {
+void ReconstructFlow::show(const Reconstruction& result, const Step* last,
+                           const PipelineOptions& options, double seconds) {
   const QString time = seconds < 0.1 ? tr("less than 0.1") : numberText(seconds, 1);
   const std::string end = last != nullptr ? last->name : std::string();
   notes_.clear();
@@ -165,12 +164,13 @@ void ReconstructFlow::show(const Reconstruction& result, const Step* last, doubl
     emit done(tr("%1 done in %2 s").arg(shownText(last->label), time), end);
     return;
   }
-  document_.reconstruct(tr("Reconstruct"), *result.skeleton, result.contracted);
+  const StepId made = document_.reconstruct(tr("Reconstruct"), *result.skeleton, result.contracted);
   const std::size_t nodes = document_.skeleton().size();
   emit done((nodes == 1 ? tr("1 node reconstructed in %1 s").arg(time)
                         : tr("%1 nodes reconstructed in %2 s").arg(formatCount(nodes), time)) +
                 said,
             end);
+  if (nodes > 0) setRun(Run{options, end, made});
 }
 
 } // namespace espalier

@@ -1,12 +1,11 @@
 #pragma once
 
 #include "app/window/shared_pipeline.h"
-#include "app/window/window_part.h"
+#include "core/project/history.h"
 #include "ui/panels/pipeline_panel.h"
 
 #include <QString>
 
-#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -55,14 +54,11 @@ private:
   /// One that made a skeleton.
   struct Run {
     PipelineOptions options;
-    std::string last;      // its last step; empty: of all
-    std::int64_t time = 0; // of its step in the history
+    std::string last; // its last step; empty: of all
+    StepId made = {}; // what it is in the history
   };
-  /// @param last  the step to end with; none: the last there is. Before the skeleton, the one there
-  ///              is stays, and has other contracted points.
-  /// @throws Error if there is no scan, or another job is running
-  void start(const Step* last = nullptr);
-  void show(const Reconstruction& result, const Step* last, double seconds);
+  void show(const Reconstruction& result, const Step* last, const PipelineOptions& options,
+            double seconds);
   void setRun(std::optional<Run> run);
   void refreshUsed();
 

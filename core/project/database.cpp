@@ -159,6 +159,22 @@ Database Database::inMemory() {
   return result;
 }
 
+Database Database::copy() const {
+  Database result;
+  result.file_ = file_;
+  sqlite3* made = nullptr;
+  int code = sqlite3_open_v2("", &made, flagsOf(Opening::created), nullptr);
+  result.connection_ = {made, &sqlite3_close};
+  if (code != SQLITE_OK) fail(made, file_, code);
+  sqlite3_backup* backup = sqlite3_backup_init(made, "main", connection_.get(), "main");
+  if (backup == nullptr) fail(made, file_, sqlite3_extended_errcode(made));
+  (void)sqlite3_backup_step(backup, -1); // all pages; what is wrong is said at the end
+  code = sqlite3_backup_finish(backup);
+  if (code != SQLITE_OK) fail(made, file_, code);
+  result.configure();
+  return result;
+}
+
 Statement Database::prepare(std::string_view sql) const {
   return {connection_.get(), file_, sql};
 }

@@ -58,6 +58,8 @@ public:
   /// @throws Error why it cannot be opened
   Database(const std::filesystem::path& path, Opening opening);
   [[nodiscard]] static Database inMemory();
+  /// The same content in a file that has no name and goes with the connection.
+  [[nodiscard]] Database copy() const;
 
   [[nodiscard]] Statement prepare(std::string_view sql) const;
   void execute(std::string_view sql) const;                       // one statement

@@ -11,8 +11,15 @@
 
 namespace espalier {
 
-/// An edit as the journal keeps it.
+/// Names a step: given once, and to no other step. 0 names none, but what was before the first.
+enum class StepId : std::uint64_t {};
+
+/// A step of history: what the undo command holds, the journal keeps and the history shows.
+///
+/// The content of a step never changes. Where a drag goes on, or a scan is replaced, another step
+/// with an id of its own takes the place of the one before.
 struct HistoryStep {
+  StepId id = {};
   std::string text;      // as the history shows it: "Move node 1842"
   std::string author;    // may be empty
   std::int64_t time = 0; // [ms] since 1970-01-01 UTC
@@ -20,6 +27,8 @@ struct HistoryStep {
   /// The points of the scan that it sets aside or brings back. As there are no other states, these
   /// points are their own inverse, and those of two steps are what one of them alone has.
   PointSet points = {};
+  /// Whether it replaced the contracted points, by others (ContractedPoints) or by none.
+  bool replacesContracted = false;
 
   bool operator==(const HistoryStep&) const = default;
 };

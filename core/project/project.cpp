@@ -94,7 +94,12 @@ Project::Project(fs::path path, Access access, std::shared_ptr<ProjectLock> lock
     device_ = status.st_dev;
     inode_ = status.st_ino;
   }
-  if (access == Access::readOnly) return;
+  if (access == Access::readOnly) {
+    if (schema == currentSchema()) return;
+    database_ = database_.copy(); // the file stays as it is
+    upgradeSchema(database_);
+    return;
+  }
   (void)database_.integer("PRAGMA journal_mode = WAL");
   database_.execute(
       "PRAGMA synchronous = FULL"); // an edit that was told as saved survives a power cut

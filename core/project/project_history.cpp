@@ -3,6 +3,7 @@
 #include "core/project/project.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <map>
 #include <utility>
@@ -14,12 +15,14 @@ namespace {
 /// @return the bytes that it takes, of those that ids may follow from
 std::size_t insertStep(const Database& database, std::size_t step, const HistoryStep& content) {
   const std::string delta = bytesOf(content.delta, content.points);
-  database.prepare("INSERT INTO journal VALUES (?, ?, ?, ?, ?)")
+  database.prepare("INSERT INTO journal VALUES (?, ?, ?, ?, ?, ?, ?)")
       .bind(1, static_cast<std::int64_t>(step))
       .bind(2, content.time)
       .bindText(3, content.author)
       .bindText(4, content.text)
       .bindBytes(5, delta)
+      .bind(6, std::bit_cast<std::int64_t>(content.id))
+      .bind(7, std::int64_t{content.replacesContracted})
       .run();
   return delta.size();
 }
@@ -68,17 +71,21 @@ private:
   void read(const Database& database, const std::string& order) {
     try {
       Statement rows = database.prepare(
-          "SELECT step, time, author, text, delta FROM journal ORDER BY step " + order);
+          "SELECT step, time, author, text, delta, coalesce(id, step + 1), contracted "
+          "FROM journal ORDER BY step " +
+          order);
       while (rows.step()) {
         std::optional<StoredDelta> stored = deltaFrom(rows.bytes(4));
         if (stored) idEnd_ = std::max(idEnd_, idEndIn(stored->delta));
         const std::int64_t step = rows.integer(0);
         if (stored && step >= 0 && step < mostSteps)
-          steps.insert_or_assign(step, HistoryStep{.text = rows.text(3),
+          steps.insert_or_assign(step, HistoryStep{.id = std::bit_cast<StepId>(rows.integer(5)),
+                                                   .text = rows.text(3),
                                                    .author = rows.text(2),
                                                    .time = rows.integer(1),
                                                    .delta = std::move(stored->delta),
-                                                   .points = std::move(stored->points)});
+                                                   .points = std::move(stored->points),
+                                                   .replacesContracted = rows.integer(6) != 0});
         else
           isDamaged = true;
       }

@@ -1,6 +1,6 @@
 #include "core/project/project_schema.h"
 
-#include <array>
+#include <cstdint>
 #include <set>
 #include <tuple>
 #include <vector>
@@ -8,33 +8,56 @@
 namespace espalier {
 namespace {
 
-using Statements = std::vector<const char*>;
+/// What leads from a version to the next.
+struct Upgrade {
+  std::vector<const char*> tables;
+  std::vector<const char*> rows = {};
+};
 
-/// What leads from each version to the next. Never change an entry that was released: add one.
-const std::vector<Statements>& upgrades() {
-  static const std::vector<Statements> all = {
+/// Never change an entry that was released: add one.
+const std::vector<Upgrade>& upgrades() {
+  static const std::vector<Upgrade> all = {
       {// 0 to 1
-       "CREATE TABLE snapshot (step INTEGER PRIMARY KEY, nodes BLOB NOT NULL)",
-       "CREATE TABLE journal (step INTEGER PRIMARY KEY, time INTEGER NOT NULL,"
-       " author TEXT NOT NULL, text TEXT NOT NULL, delta BLOB NOT NULL)",
-       "CREATE TABLE position (id INTEGER PRIMARY KEY, step INTEGER NOT NULL)",
-       "CREATE TABLE document (name TEXT PRIMARY KEY, text TEXT NOT NULL) WITHOUT ROWID",
-       "CREATE TABLE piece (name TEXT NOT NULL, part INTEGER NOT NULL, hash INTEGER NOT NULL,"
-       " bytes BLOB NOT NULL, PRIMARY KEY (name, part))",
-       "CREATE TABLE scan (id INTEGER PRIMARY KEY, absolute TEXT NOT NULL, relative TEXT NOT NULL,"
-       " size INTEGER NOT NULL, hash INTEGER NOT NULL, x0 REAL, y0 REAL, z0 REAL,"
-       " x1 REAL, y1 REAL, z1 REAL)"},
+       {"CREATE TABLE snapshot (step INTEGER PRIMARY KEY, nodes BLOB NOT NULL)",
+        "CREATE TABLE journal (step INTEGER PRIMARY KEY, time INTEGER NOT NULL,"
+        " author TEXT NOT NULL, text TEXT NOT NULL, delta BLOB NOT NULL)",
+        "CREATE TABLE position (id INTEGER PRIMARY KEY, step INTEGER NOT NULL)",
+        "CREATE TABLE document (name TEXT PRIMARY KEY, text TEXT NOT NULL) WITHOUT ROWID",
+        "CREATE TABLE piece (name TEXT NOT NULL, part INTEGER NOT NULL, hash INTEGER NOT NULL,"
+        " bytes BLOB NOT NULL, PRIMARY KEY (name, part))",
+        "CREATE TABLE scan (id INTEGER PRIMARY KEY, absolute TEXT NOT NULL, relative TEXT NOT NULL,"
+        " size INTEGER NOT NULL, hash INTEGER NOT NULL, x0 REAL, y0 REAL, z0 REAL,"
+        " x1 REAL, y1 REAL, z1 REAL)"}},
       {}, // 1 to 2: nodes may carry review marks (node_bytes.h); the tables are the same
       {}, // 2 to 3: steps and snapshots may carry points that are set aside; likewise
+      // 3 to 4: steps have ids. Those without one, of older projects, are numbered from 1 on. What
+      // named a step by its place, or by its time, names it by its id.
+      {{"ALTER TABLE journal ADD COLUMN id INTEGER",
+        "ALTER TABLE journal ADD COLUMN contracted INTEGER NOT NULL DEFAULT 0"},
+       {"UPDATE journal SET contracted = 1 WHERE step ="
+        " (SELECT CAST(text AS INTEGER) FROM document WHERE name = 'contracted_step')",
+        "UPDATE document SET name = 'contracted_by', text = CAST(text AS INTEGER) + 1"
+        " WHERE name = 'contracted_step'",
+        "UPDATE document SET text = coalesce((SELECT min(step) + 1 FROM journal"
+        " WHERE time = CAST(document.text AS INTEGER)), 0) || substr(text, instr(text, ' '))"
+        " WHERE name = 'made_with'"}},
   };
   return all;
 }
 
-void upgrade(const Database& database, int from) {
+enum class Content : std::uint8_t { tablesAndRows, tables };
+
+void upgrade(const Database& database, Content content) {
+  const auto from = static_cast<int>(database.integer("PRAGMA user_version"));
   Transaction transaction(database);
-  for (int version = from; version < currentSchema(); ++version)
-    for (const char* statement : upgrades()[static_cast<std::size_t>(version)])
+  for (int version = from; version < currentSchema(); ++version) {
+    const Upgrade& next = upgrades()[static_cast<std::size_t>(version)];
+    for (const char* statement : next.tables)
       database.execute(statement);
+    if (content == Content::tablesAndRows)
+      for (const char* statement : next.rows)
+        database.execute(statement);
+  }
   database.execute("PRAGMA application_id = " + std::to_string(applicationId));
   database.execute("PRAGMA user_version = " + std::to_string(currentSchema()));
   transaction.commit();
@@ -53,7 +76,7 @@ Tables tablesOf(const Database& database) {
 Tables tablesOfVersion(int version) {
   const Database database = Database::inMemory();
   for (int i = 0; i < version; ++i)
-    for (const char* statement : upgrades()[static_cast<std::size_t>(i)])
+    for (const char* statement : upgrades()[static_cast<std::size_t>(i)].tables)
       database.execute(statement);
   return tablesOf(database);
 }
@@ -65,7 +88,11 @@ int currentSchema() {
 }
 
 void upgradeSchema(const Database& database) {
-  upgrade(database, static_cast<int>(database.integer("PRAGMA user_version")));
+  try {
+    upgrade(database, Content::tablesAndRows);
+  } catch (const DamagedFile&) { // without what is damaged, the plant may still be read
+    upgrade(database, Content::tables);
+  }
 }
 
 int checkedSchema(const Database& database, const std::string& file) {

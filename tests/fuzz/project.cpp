@@ -3,6 +3,7 @@
 #include "core/project/project.h"
 
 #include "core/base/error.h"
+#include "core/project/contracted_points.h"
 #include "core/project/point_bytes.h"
 
 #include <cstdint>
@@ -44,10 +45,10 @@ template <class Read> void attempt(const Read& read) {
 
 void readAllOf(const Project& project) {
   attempt([&] { return project.history(); });
-  for (const char* name : {"unit", "name", "file", "mtg", "contracted_step", "view"})
+  for (const char* name : {"unit", "name", "file", "mtg", "made_with", "view"})
     attempt([&] { return project.document(name); });
   attempt([&] { return cloudFrom(project.bytes("cloud")); });
-  attempt([&] { return positionsFrom(project.bytes("contracted")); });
+  attempt([&] { return contractedIn(project); });
   attempt([&] { return project.hasBytes("states"); });
   attempt([&] { return project.scan(); });
   attempt([&] { return project.findScan(); });

@@ -4,6 +4,7 @@
 #include "core/skeleton/edits.h"
 
 #include <QDateTime>
+#include <QRandomGenerator>
 #include <QUndoCommand>
 
 #include <algorithm>
@@ -29,6 +30,11 @@ SkeletonDelta joined(const SkeletonDelta& steps, const Skeleton& now) {
   return result;
 }
 
+/// Drawn from so many that none comes twice, not even in copies of a project.
+StepId newStepId() {
+  return StepId{QRandomGenerator::global()->generate64() >> 1}; // integers of SQLite have a sign
+}
+
 } // namespace
 
 /// The one kind of undo step.
@@ -38,18 +44,14 @@ public:
   EditSkeleton(PlantDocument& document, HistoryStep step, Gesture gesture,
                std::optional<ContractedChange> contracted = std::nullopt)
       : QUndoCommand(QString::fromStdString(step.text)), document_(document),
-        step_(std::move(step)), gesture_(gesture), contracted_(std::move(contracted)),
-        revision_(++document.revisions_) {}
+        step_(std::move(step)), gesture_(gesture), contracted_(std::move(contracted)) {}
 
   [[nodiscard]] int id() const override { return gesture_.id(); }
   [[nodiscard]] const HistoryStep& step() const { return step_; }
-  [[nodiscard]] std::uint64_t revision() const { return revision_; }
-
-  [[nodiscard]] bool hasContracted() const { return contracted_.has_value(); }
 
   void redo() override { // QUndoStack::push calls it once for the edit that was made already
+    if (contracted_) document_.applyContracted(contracted_->after);
     if (!document_.isRestoring_) {
-      if (contracted_) document_.applyContracted(contracted_->after);
       if (isNew_)
         document_.announce(step_.delta);
       else
@@ -60,8 +62,8 @@ public:
   }
 
   void undo() override {
-    if (document_.isRestoring_) return;
     if (contracted_) document_.applyContracted(contracted_->before);
+    if (document_.isRestoring_) return;
     document_.apply(step_.delta.inverse());
     document_.setLeftOut(document_.leftOut_ ^ step_.points);
     if (document_.isCanceling_) setObsolete(true);
@@ -69,18 +71,17 @@ public:
 
   bool mergeWith(const QUndoCommand* next) override { // called for equal ids only
     const HistoryStep& added = static_cast<const EditSkeleton*>(next)->step_;
+    step_.id = added.id; // what it was before is no step any more
     step_.delta = step_.delta.then(added.delta);
     step_.points = step_.points ^ added.points;
-    revision_ = ++document_.revisions_;
     setObsolete(step_.delta.isEmpty() && step_.points.isEmpty()); // dragged back to where it was
     return true;
   }
 
   /// Another scan has come: this step has none of its points any more.
   void forgetPoints() {
-    if (step_.points.isEmpty()) return;
+    step_.id = newStepId();
     step_.points = {};
-    revision_ = ++document_.revisions_;
     setObsolete(step_.delta.isEmpty());
   }
 
@@ -88,8 +89,7 @@ private:
   PlantDocument& document_;
   HistoryStep step_;
   Gesture gesture_;
-  std::optional<ContractedChange> contracted_;
-  std::uint64_t revision_;
+  std::optional<ContractedChange> contracted_; // if the step replaces them
   bool isNew_ = true;
 };
 
@@ -116,11 +116,11 @@ void PlantDocument::leaveOut(const QString& text, const PointSet& points) {
   if (points != leftOut_) push(text, {}, points ^ leftOut_, {}, std::nullopt);
 }
 
-void PlantDocument::reconstruct(const QString& text, const Skeleton& skeleton,
-                                std::shared_ptr<const Eigen::Matrix3Xf> contracted) {
+StepId PlantDocument::reconstruct(const QString& text, const Skeleton& skeleton,
+                                  std::shared_ptr<const Eigen::Matrix3Xf> contracted) {
   SkeletonEditor editor(structure_.skeleton);
   replaceSkeleton(editor, skeleton);
-  push(text, editor.commit(), {}, {}, ContractedChange{contracted_, std::move(contracted)});
+  return push(text, editor.commit(), {}, {}, ContractedChange{contracted_, std::move(contracted)});
 }
 
 void PlantDocument::contract(const QString& text,
@@ -145,10 +145,10 @@ void PlantDocument::goTo(int index) {
   way_.reset();
 }
 
-std::optional<std::size_t> PlantDocument::contractedStep() const {
+StepId PlantDocument::contractedStep() const {
   for (int i = undoStack_.index(); i-- > 0;)
-    if (command(i).hasContracted()) return static_cast<std::size_t>(i);
-  return std::nullopt;
+    if (step(i).replacesContracted) return step(i).id;
+  return {};
 }
 
 PlantScale PlantDocument::scale() const {
@@ -179,9 +179,12 @@ void PlantDocument::replaceScan(std::unique_ptr<const Scan> scan, const QString&
 }
 
 void PlantDocument::forgetPoints() {
-  for (int i = 0; i < undoStack_.count(); ++i)
+  for (int i = 0; i < undoStack_.count(); ++i) {
+    if (step(i).points.isEmpty()) continue;
+    opened_ = std::min(opened_, i);
     // The stack hands its commands out to look at; they are this document's own.
     const_cast<EditSkeleton&>(command(i)).forgetPoints(); // NOLINT
+  }
   setLeftOut({});
 }
 
@@ -224,26 +227,30 @@ void PlantDocument::openStructure(Structure structure, const QString& path) {
   selection_.clear();
   structure_ = std::move(structure);
   filePath_ = path;
+  opened_ = 0;
   undoStack_.clear();
   emit skeletonReplaced();
   emit titleChanged();
 }
 
-void PlantDocument::openHistory(Structure structure, std::vector<HistoryStep> steps,
-                                std::size_t position, const QString& path,
-                                std::optional<std::size_t> contractedStep,
-                                const PointSet& leftOut) {
-  openStructure(std::move(structure), path);
-  setLeftOut(leftOut);
+void PlantDocument::openHistory(History history, std::shared_ptr<const MtgFrame> frame,
+                                const QString& path, const ContractedPoints& contracted) {
+  openStructure({std::move(history.skeleton), std::move(frame)}, path);
+  setLeftOut(history.leftOut);
+  const auto madeBy = [&](StepId step) {
+    return step == contracted.step ? contracted.positions : nullptr;
+  };
   isRestoring_ = true;
-  lastOpened_ = revisions_ + steps.size();
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    std::optional<ContractedChange> contracted;
-    if (i == contractedStep && i < position) contracted = {nullptr, contracted_};
-    undoStack_.push(new EditSkeleton(*this, std::move(steps[i]), {}, std::move(contracted)));
+  const auto before = std::exchange(contracted_, madeBy({}));
+  opened_ = static_cast<int>(history.steps.size());
+  for (HistoryStep& step : history.steps) {
+    std::optional<ContractedChange> change;
+    if (step.replacesContracted) change = {contracted_, madeBy(step.id)};
+    undoStack_.push(new EditSkeleton(*this, std::move(step), {}, std::move(change)));
   }
-  undoStack_.setIndex(static_cast<int>(position));
+  undoStack_.setIndex(static_cast<int>(history.position));
   isRestoring_ = false;
+  if (contracted_ != before) emit contractedChanged();
 }
 
 void PlantDocument::setReadOnly(const QString& why) {
@@ -289,34 +296,34 @@ History PlantDocument::history() const {
   return history;
 }
 
-int PlantDocument::openedSteps() const {
-  int steps = 0;
-  while (steps < undoStack_.count() && revision(steps) <= lastOpened_)
-    ++steps;
-  return steps;
+bool PlantDocument::isDone(StepId id) const {
+  for (int i = 0; i < undoStack_.index(); ++i)
+    if (step(i).id == id) return true;
+  return false;
 }
 
 const HistoryStep& PlantDocument::step(int index) const {
   return command(index).step();
 }
 
-std::uint64_t PlantDocument::revision(int index) const {
-  return command(index).revision();
-}
-
 const PlantDocument::EditSkeleton& PlantDocument::command(int index) const {
   return *static_cast<const EditSkeleton*>(undoStack_.command(index));
 }
 
-void PlantDocument::push(const QString& text, SkeletonDelta delta, PointSet points, Gesture gesture,
-                         std::optional<ContractedChange> contracted) {
-  HistoryStep step{.text = text.toStdString(),
+StepId PlantDocument::push(const QString& text, SkeletonDelta delta, PointSet points,
+                           Gesture gesture, std::optional<ContractedChange> contracted) {
+  const StepId id = newStepId();
+  HistoryStep step{.id = id,
+                   .text = text.toStdString(),
                    .author = author_.toStdString(),
                    .time = QDateTime::currentMSecsSinceEpoch(),
                    .delta = std::move(delta),
-                   .points = std::move(points)};
-  undoStack_.push( // which owns it
+                   .points = std::move(points),
+                   .replacesContracted = contracted.has_value()};
+  opened_ = std::min(opened_, undoStack_.index()); // those undone are dropped
+  undoStack_.push(                                 // which owns it
       new EditSkeleton(*this, std::move(step), gesture, std::move(contracted)));
+  return id;
 }
 
 void PlantDocument::apply(const SkeletonDelta& delta) {
@@ -330,8 +337,8 @@ void PlantDocument::apply(const SkeletonDelta& delta) {
 }
 
 void PlantDocument::applyContracted(const std::shared_ptr<const Eigen::Matrix3Xf>& positions) {
-  if (way_)
-    contracted_ = positions; // told at the end of the way
+  if (way_ || isRestoring_)
+    contracted_ = positions; // announced at the end
   else
     setContracted(positions);
 }

@@ -3,6 +3,7 @@
 #include "core/graph/find_root.h"
 #include "core/mtg/structure.h"
 #include "core/pipeline/option_table.h"
+#include "core/project/contracted_points.h"
 #include "core/project/history.h"
 #include "core/skeleton/skeleton_delta.h"
 #include "ui/document/gesture.h"
@@ -15,6 +16,7 @@
 #include <QString>
 #include <QUndoStack>
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -75,15 +77,15 @@ public:
   void leaveOut(const QString& text, const PointSet& points);
 
   /// Replaces the skeleton and the contracted points it was made from, as one undo step.
-  void reconstruct(const QString& text, const Skeleton& skeleton,
-                   std::shared_ptr<const Eigen::Matrix3Xf> contracted);
+  StepId reconstruct(const QString& text, const Skeleton& skeleton,
+                     std::shared_ptr<const Eigen::Matrix3Xf> contracted);
 
   /// Replaces the contracted points alone, as one undo step.
   /// @throws Error as requireWritable()
   void contract(const QString& text, std::shared_ptr<const Eigen::Matrix3Xf> contracted);
 
-  /// The last step done that changed the contracted points; none if they are of no step.
-  [[nodiscard]] std::optional<std::size_t> contractedStep() const;
+  /// The step done that the contracted points are from; 0 if none replaced them.
+  [[nodiscard]] StepId contractedStep() const;
 
   /// Takes back what the gesture has edited so far, and forgets it.
   void cancel(Gesture gesture);
@@ -106,12 +108,11 @@ public:
   /// Shows another structure, read from `path`. It has no history yet.
   void openStructure(Structure structure, const QString& path);
   void openSkeleton(Skeleton skeleton, const QString& path); // the same without an MTG
-  /// The same with its history: `structure` has the first `position` steps done, the others can be
-  /// redone, and `leftOut` is set aside. The contracted points shown are from `contractedStep`, if
-  /// any: undone, it shows none. pre: each step fits where it stands
-  void openHistory(Structure structure, std::vector<HistoryStep> steps, std::size_t position,
-                   const QString& path, std::optional<std::size_t> contractedStep = std::nullopt,
-                   const PointSet& leftOut = {});
+  /// The same with its history: steps that are not done can be redone. Of the contracted points,
+  /// only `contracted` are at hand: other steps that replaced them show none.
+  /// pre: each step fits where it stands
+  void openHistory(History history, std::shared_ptr<const MtgFrame> frame, const QString& path,
+                   const ContractedPoints& contracted = {});
   /// The skeleton as it is now stands in `path`.
   void markSaved(const QString& path);
   /// Why nothing may be edited, for people; empty: it may.
@@ -137,9 +138,8 @@ public:
   [[nodiscard]] History history() const;
   [[nodiscard]] const HistoryStep& step(int index) const; // pre: 0 <= index < undoStack().count()
   /// How many steps from the first on came with the file, and are still there.
-  [[nodiscard]] int openedSteps() const;
-  /// Differs from all others, and once more when a drag goes on in the same step.
-  [[nodiscard]] std::uint64_t revision(int index) const;
+  [[nodiscard]] int openedSteps() const { return std::min(opened_, undoStack_.count()); }
+  [[nodiscard]] bool isDone(StepId id) const; // O(steps)
 
 signals:
   void skeletonEdited(const espalier::SkeletonDelta& delta);
@@ -165,8 +165,8 @@ private:
     std::shared_ptr<const Eigen::Matrix3Xf> contractedBefore;
   };
   [[nodiscard]] const EditSkeleton& command(int index) const;
-  void push(const QString& text, SkeletonDelta delta, PointSet points, Gesture gesture,
-            std::optional<ContractedChange> contracted);
+  StepId push(const QString& text, SkeletonDelta delta, PointSet points, Gesture gesture,
+              std::optional<ContractedChange> contracted);
   void apply(const SkeletonDelta& delta);
   void replaceScan(std::unique_ptr<const Scan> scan, const QString& path);
   void forgetPoints();
@@ -187,11 +187,10 @@ private:
   QString filePath_;
   QString scanPath_;
   QString author_;
-  QString readOnly_;             // why
-  QString held_;                 // likewise
-  std::uint64_t revisions_ = 0;  // handed out
-  std::optional<Way> way_;       // none: not in goTo()
-  std::uint64_t lastOpened_ = 0; // the last revision that came with the file
+  QString readOnly_;       // why
+  QString held_;           // likewise
+  std::optional<Way> way_; // none: not in goTo()
+  int opened_ = 0;         // steps at the beginning that came with the file, if they are there yet
   Saving saving_ = Saving::byHand;
   bool isCanceling_ = false; // the step undone now is to be forgotten
   bool isRestoring_ = false; // steps of a file become commands: nothing is done to the skeleton

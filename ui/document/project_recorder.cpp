@@ -1,10 +1,10 @@
 #include "ui/document/project_recorder.h"
 
 #include "core/base/error.h"
+#include "core/project/contracted_points.h"
 #include "core/project/point_bytes.h"
 #include "ui/document/plant_document.h"
 
-#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -18,10 +18,6 @@ ProjectRecorder::ProjectRecorder(PlantDocument& document, QObject* parent)
     if (hasNewContracted_) pause_.start();
   });
   keep("unit", [&document] { return symbol(document.unit()).toStdString(); });
-  keep("contracted_step", [&document] {
-    const auto step = document.contractedStep();
-    return step ? std::to_string(*step) : std::string();
-  });
   connect(&document, &PlantDocument::unitChanged, this, &ProjectRecorder::noteChange);
   pause_.setSingleShot(true);
   pause_.setInterval(300); // [ms] without an edit: nobody notices a write now
@@ -41,7 +37,9 @@ void ProjectRecorder::noteChange() {
 
 void ProjectRecorder::start(std::unique_ptr<Project> project) {
   project_ = std::move(project);
-  saved_ = revisionsNow();
+  saved_.clear();
+  for (int i = 0; i < document_.undoStack().count(); ++i)
+    saved_.push_back(document_.step(i).id);
   savedPosition_ = document_.undoStack().index();
   isBehind_ = false;
   hasNewContracted_ = false;
@@ -80,14 +78,16 @@ std::unique_ptr<Project> ProjectRecorder::stop() {
 
 void ProjectRecorder::flush() {
   if (!project_) return;
-  save(revisionsNow());
+  save();
   if (isBehind_) return;
   try { // as in save()
     saveTexts();
     if (std::exchange(hasNewContracted_, false))
-      writeLater("contracted", [points = document_.contracted()] {
-        return points ? bytesOf(*points) : std::string();
-      });
+      writeLater(contractedName,
+                 [this, step = document_.contractedStep(), points = document_.contracted()] {
+                   replaceContracted(*project_, step);
+                   return points ? bytesOf(*points) : std::string();
+                 });
     if (project_->needsSnapshot())
       project_->takeSnapshot(document_.skeleton(), document_.leftOut());
   } catch (const Error& error) {
@@ -97,36 +97,35 @@ void ProjectRecorder::flush() {
 
 void ProjectRecorder::follow() {
   if (!project_) return;
-  const std::vector<std::uint64_t> revisions = revisionsNow();
-  const bool isDrag = !revisions.empty() && revisions.size() == saved_.size() &&
-                      savedPosition_ == document_.undoStack().index() &&
-                      revisions.back() != saved_.back() &&
-                      std::equal(revisions.begin(), revisions.end() - 1, saved_.begin());
+  const QUndoStack& steps = document_.undoStack();
+  const bool isDrag = static_cast<std::size_t>(steps.count()) == saved_.size() &&
+                      steps.index() == savedPosition_ && keptSteps() + 1 == saved_.size();
   pause_.start();
-  if (!isDrag || isBehind_) save(revisions); // a drag has dozens of steps a second: it can wait
+  if (!isDrag || isBehind_) save(); // a drag has dozens of steps a second: it can wait
 }
 
-std::vector<std::uint64_t> ProjectRecorder::revisionsNow() const {
-  const int count = document_.undoStack().count();
-  std::vector<std::uint64_t> revisions;
-  revisions.reserve(static_cast<std::size_t>(count));
-  for (int i = 0; i < count; ++i)
-    revisions.push_back(document_.revision(i));
-  return revisions;
+std::size_t ProjectRecorder::keptSteps() const {
+  const auto most =
+      std::min(saved_.size(), static_cast<std::size_t>(document_.undoStack().count()));
+  std::size_t kept = 0;
+  while (kept < most && document_.step(static_cast<int>(kept)).id == saved_[kept])
+    ++kept;
+  return kept;
 }
 
 // Edits come from everywhere, and none of them may fail because the disk does: so errors end here.
-void ProjectRecorder::save(const std::vector<std::uint64_t>& revisions) {
+void ProjectRecorder::save() {
   const int position = document_.undoStack().index();
-  if (revisions == saved_ && position == savedPosition_) return;
-  const auto kept =
-      static_cast<std::size_t>(std::ranges::mismatch(revisions, saved_).in1 - revisions.begin());
+  const std::size_t kept = keptSteps();
   std::vector<HistoryStep> added;
-  for (std::size_t i = kept; i < revisions.size(); ++i)
-    added.push_back(document_.step(static_cast<int>(i)));
+  for (int i = static_cast<int>(kept); i < document_.undoStack().count(); ++i)
+    added.push_back(document_.step(i));
+  if (added.empty() && kept == saved_.size() && position == savedPosition_) return;
   try {
     project_->record(kept, added, static_cast<std::size_t>(position));
-    saved_ = revisions;
+    saved_.resize(kept);
+    for (const HistoryStep& step : added)
+      saved_.push_back(step.id);
     savedPosition_ = position;
     setBehind(false);
   } catch (const Error& error) {

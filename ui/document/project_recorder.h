@@ -7,7 +7,6 @@
 #include <QString>
 #include <QTimer>
 
-#include <cstdint>
 #include <deque>
 #include <functional>
 #include <map>
@@ -59,16 +58,17 @@ signals:
 
 private:
   void follow();
-  [[nodiscard]] std::vector<std::uint64_t> revisionsNow() const;
+  /// How many steps of the project, from the first on, are those of the document.
+  [[nodiscard]] std::size_t keptSteps() const;
   void setBehind(bool isBehind);
-  void save(const std::vector<std::uint64_t>& revisions);
+  void save();
   void saveTexts();
   void writePiece(); // throws
   void goOn();
 
   PlantDocument& document_;
   std::unique_ptr<Project> project_;
-  std::vector<std::uint64_t> saved_; // revisions of the steps in the project
+  std::vector<StepId> saved_; // the steps in the project
   int savedPosition_ = 0;
   std::map<std::string, std::function<std::string()>> texts_; // by name
   std::map<std::string, std::string> savedTexts_;             // likewise: those in the project

@@ -42,11 +42,13 @@ EditsAtRandom::Act EditsAtRandom::edit(bool isDrag) {
   const std::size_t changes = points.isEmpty() ? 1 + random_.below(4) : 0;
   for (std::size_t i = 0; i < changes; ++i)
     editAtRandom(editor, random_);
-  HistoryStep step{.text = "Edit " + std::to_string(random_.below(1000)),
+  HistoryStep step{.id = StepId{random_.below(1'000'000'000)},
+                   .text = "Edit " + std::to_string(random_.below(1000)),
                    .author = "Anna",
                    .time = static_cast<std::int64_t>(random_.below(1'000'000)),
                    .delta = editor.commit(),
-                   .points = points};
+                   .points = points,
+                   .replacesContracted = random_.below(10) == 0};
   history_.steps.resize(history_.position);
   if (isDrag) {
     step.delta = history_.steps.back().delta.then(step.delta);

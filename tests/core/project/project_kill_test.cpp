@@ -1,8 +1,11 @@
 // A program edits at random and is killed at random moments, over and over on one file. What it
 // had been told is saved must be there each time, with a valid history.
 #include "core/base/random.h"
+#include "core/project/contracted_points.h"
 #include "core/project/project.h"
+#include "core/project/project_schema.h"
 #include "tests/core/project/edits_at_random.h"
+#include "tests/support/older_project.h"
 #include "tests/support/plants.h"
 #include "tests/support/shared_data.h"
 
@@ -98,6 +101,58 @@ TEST(KilledProgram, LosesNoEditThatItWasToldIsSaved) {
   EXPECT_GT(savedInAll, 500);
   RecordProperty("saved", savedInAll);
   RecordProperty("kept_untold", keptUntold);
+}
+
+/// Opens a project in another process, and kills that.
+void openAndKill(const fs::path& file, std::chrono::microseconds after) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const Project project = Project::open(file, Access::readWrite);
+    ::pause();
+  }
+  spin(after);
+  ::kill(child, SIGKILL);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL) << "it ended by itself";
+}
+
+TEST(KilledProgram, UpgradesAProjectOfVersion01WholeOrNotAtAll) {
+  const fs::path folder = test::freshFolder();
+  test::EditsAtRandom edits({.skeleton = test::randomPlant(200, 1)}, 1);
+  for (int i = 0; i < 300; ++i)
+    (void)edits.next();
+  {
+    Project project = Project::create(folder / "today.espalier", edits.history());
+    const StepId step = edits.history().steps[20].id;
+    replaceContracted(project, step);
+    project.setDocument("made_with", std::to_string(static_cast<std::uint64_t>(step)) + " \n{}");
+  }
+  test::writeAsVersion01(folder / "today.espalier", folder / "older.espalier");
+  const fs::path file = folder / "oak.espalier";
+  fs::copy_file(folder / "older.espalier", file);
+  const auto begin = std::chrono::steady_clock::now();
+  const History truth = Project::open(file, Access::readWrite).history().value;
+  const auto whole = std::chrono::duration_cast<std::chrono::microseconds>(
+      std::chrono::steady_clock::now() - begin);
+  Random random(3);
+  int upgraded = 0;
+  constexpr int rounds = 200;
+  for (int round = 0; round < rounds; ++round) {
+    fs::copy_file(folder / "older.espalier", file, fs::copy_options::overwrite_existing);
+    openAndKill(file, whole * random.below(300) / 100);
+    if (Database(file, Opening::readOnly).integer("PRAGMA user_version") == currentSchema())
+      ++upgraded;
+    const Project project = Project::open(file, Access::readWrite);
+    const Imported<History> found = project.history();
+    ASSERT_TRUE(found.notes.empty()) << found.notes[0];
+    ASSERT_EQ(found.value, truth) << "round " << round;
+    EXPECT_EQ(project.document("contracted_by"), "21");
+    EXPECT_EQ(project.document("made_with").substr(0, 3), "21 ");
+  }
+  RecordProperty("upgraded", upgraded);
+  EXPECT_GT(upgraded, 0);
+  EXPECT_LT(upgraded, rounds) << "some were killed before the end";
 }
 
 } // namespace

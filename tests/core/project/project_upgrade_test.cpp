@@ -1,8 +1,14 @@
+#include "core/project/contracted_points.h"
+#include "core/project/point_bytes.h"
 #include "core/project/project.h"
 #include "core/project/project_schema.h"
 #include "core/skeleton/edits.h"
+#include "tests/core/project/edits_at_random.h"
+#include "tests/support/older_project.h"
+#include "tests/support/plants.h"
 #include "tests/support/shared_data.h"
 
+#include <fstream>
 #include <gmock/gmock.h>
 
 namespace espalier {
@@ -59,7 +65,11 @@ TEST(ProjectUpgrade, WritesReviewMarksIntoAProjectOfTheFirstSchema) {
     SkeletonEditor editor(history.skeleton);
     editor.setReview(NodeId{1}, {ReviewState::reviewed, "fine", "Emil"});
     history.steps.resize(2);
-    history.steps.push_back({"Mark node 1 reviewed", "Emil", 5, editor.commit()});
+    history.steps.push_back({.id = StepId{77},
+                             .text = "Mark node 1 reviewed",
+                             .author = "Emil",
+                             .time = 5,
+                             .delta = editor.commit()});
     history.position = 3;
     project.record(2, std::span(history.steps).last(1), 3);
     EXPECT_EQ(project.document("unit"), "m");
@@ -73,6 +83,101 @@ TEST(ProjectUpgrade, KeepsAnOldProgramFromReadingReviewMarksAsDamage) {
   (void)Project::create(file, {});
   EXPECT_GT(Database(file, Opening::frozen).integer("PRAGMA user_version"), 1)
       << "a program that knows schema 1 says that a newer one wrote it";
+}
+
+/// A project of version 0.1, and what it holds; the steps as they are numbered once it is read.
+struct Version01 {
+  fs::path file = test::freshFolder() / "older.espalier";
+  History history;
+  std::size_t contractedAt = 0; // the place of the step that the contracted points are from
+
+  Version01() {
+    test::EditsAtRandom edits({.skeleton = test::randomPlant(30, 4)}, 4);
+    while (edits.history().position < 12)
+      (void)edits.next();
+    history = edits.history();
+    contractedAt = history.position - 2;
+    for (std::size_t i = 0; i < history.steps.size(); ++i)
+      history.steps[i].time = static_cast<std::int64_t>(1'700'000'000'000 + i);
+    const fs::path today = file.parent_path() / "today.espalier";
+    writeToday(today);
+    test::writeAsVersion01(today, file);
+    for (std::size_t i = 0; i < history.steps.size(); ++i) {
+      history.steps[i].id = StepId{i + 1};
+      history.steps[i].replacesContracted = i == contractedAt; // of others it was not noted
+    }
+  }
+
+  void writeToday(const fs::path& path) const {
+    Project project = Project::create(path, history);
+    const StepId step = history.steps[contractedAt].id;
+    replaceContracted(project, step);
+    project.setBytes(contractedName, bytesOf(Eigen::Matrix3Xf(Eigen::Matrix3Xf::Ones(3, 4))));
+    project.setDocument("made_with",
+                        std::to_string(static_cast<std::uint64_t>(step)) + " radius\n{}");
+    project.setDocument("unit", "cm");
+  }
+
+  void expectIn(const Project& project) const {
+    EXPECT_EQ(historyOf(project), history);
+    const ContractedPoints contracted = contractedIn(project);
+    EXPECT_EQ(contracted.step, history.steps[contractedAt].id);
+    EXPECT_EQ(*contracted.positions, Eigen::Matrix3Xf(Eigen::Matrix3Xf::Ones(3, 4)));
+    EXPECT_EQ(project.document("made_with"), std::to_string(contractedAt + 1) + " radius\n{}");
+    EXPECT_EQ(project.document("contracted_step"), "");
+    EXPECT_EQ(project.document("unit"), "cm");
+  }
+};
+
+TEST(ProjectUpgrade, NamesTheStepsOfVersion01ByIds) {
+  const Version01 older;
+  older.expectIn(Project::open(older.file, Access::readWrite));
+  EXPECT_EQ(Database(older.file, Opening::readOnly).integer("PRAGMA user_version"),
+            currentSchema());
+  older.expectIn(Project::open(older.file, Access::readOnly));
+}
+
+TEST(ProjectUpgrade, ReadsAProjectOfVersion01AndLeavesItAlone) {
+  const Version01 older;
+  const auto size = fs::file_size(older.file);
+  older.expectIn(Project::open(older.file, Access::readOnly));
+  EXPECT_EQ(fs::file_size(older.file), size);
+  EXPECT_EQ(Database(older.file, Opening::frozen).integer("PRAGMA user_version"), 3);
+}
+
+TEST(ProjectUpgrade, KeepsTheIdsOfOlderStepsWhereOthersFollow) {
+  const Version01 older;
+  History history = older.history;
+  Project project = Project::open(older.file, Access::readWrite);
+  SkeletonEditor editor(history.skeleton);
+  (void)editor.add({});
+  history.steps.resize(history.position); // those that were undone are dropped
+  history.steps.push_back({.id = StepId{1'000'000}, .text = "Add", .delta = editor.commit()});
+  project.record(history.position, std::span(history.steps).last(1), history.position + 1);
+  ++history.position;
+  EXPECT_EQ(historyOf(project), history);
+}
+
+// Version 0.1 reads the plant of such a file from its last snapshot, and so does this.
+TEST(ProjectUpgrade, SavesThePlantOfADamagedProject) {
+  const Version01 older;
+  std::int64_t page = 0;
+  std::int64_t size = 0;
+  {
+    const Database database(older.file, Opening::readOnly);
+    page = database.integer("SELECT rootpage FROM sqlite_schema WHERE name = 'journal'");
+    size = database.integer("PRAGMA page_size");
+  }
+  std::fstream file(older.file, std::ios::in | std::ios::out | std::ios::binary);
+  file.seekp((page - 1) * size);
+  file << std::string(static_cast<std::size_t>(size), '\xff');
+  file.close();
+  for (const Access access : {Access::readOnly, Access::readWrite}) {
+    const Project project = Project::open(older.file, access);
+    const Imported<History> read = project.history();
+    EXPECT_THAT(read.notes, testing::SizeIs(1));
+    EXPECT_EQ(project.document("unit"), "cm");
+  }
 }
 
 } // namespace

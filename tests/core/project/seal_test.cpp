@@ -22,7 +22,8 @@ struct Work {
   void step(std::int64_t time, const std::function<void(SkeletonEditor&)>& change) {
     SkeletonEditor editor(history.skeleton);
     change(editor);
-    history.steps.push_back({"Edit", "Anna", time, editor.commit()});
+    history.steps.push_back(
+        {.text = "Edit", .author = "Anna", .time = time, .delta = editor.commit()});
     ++history.position;
   }
   void reviewAll(std::int64_t time) {

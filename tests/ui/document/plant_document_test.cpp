@@ -169,15 +169,15 @@ TEST_F(PlantDocumentTest, ContractsThePointsAndKeepsTheSkeleton) {
 TEST_F(PlantDocumentTest, ShowsTheContractedPointsOfTheReconstructionThatIsDone) {
   const auto first = std::make_shared<const Eigen::Matrix3Xf>(Eigen::Matrix3Xf::Zero(3, 2));
   const auto second = std::make_shared<const Eigen::Matrix3Xf>(Eigen::Matrix3Xf::Ones(3, 2));
-  EXPECT_EQ(document.contractedStep(), std::nullopt);
+  EXPECT_EQ(document.contractedStep(), StepId{});
   document.reconstruct("Reconstruct", test::fork(2), first);
   const Skeleton before = document.skeleton();
   document.edit("Thicken", [&](SkeletonEditor& editor) {
     editor.setRadius(editor.skeleton().roots().front(), 1);
   });
-  document.reconstruct("Reconstruct", test::fork(4), second);
+  const StepId last = document.reconstruct("Reconstruct", test::fork(4), second);
   EXPECT_EQ(document.contracted(), second);
-  EXPECT_EQ(document.contractedStep(), document.undoStack().count() - 1U);
+  EXPECT_EQ(document.contractedStep(), last);
   document.undoStack().undo();
   EXPECT_EQ(document.contracted(), first) << "the same, not a copy";
   document.undoStack().undo();
@@ -185,10 +185,36 @@ TEST_F(PlantDocumentTest, ShowsTheContractedPointsOfTheReconstructionThatIsDone)
   EXPECT_EQ(document.skeleton(), before);
   document.undoStack().undo();
   EXPECT_EQ(document.contracted(), nullptr);
-  EXPECT_EQ(document.contractedStep(), std::nullopt);
+  EXPECT_EQ(document.contractedStep(), StepId{});
   while (document.undoStack().canRedo())
     document.undoStack().redo();
   EXPECT_EQ(document.contracted(), second);
+}
+
+TEST_F(PlantDocumentTest, GivesEachStepAnIdThatUndoAndRedoKeep) {
+  document.openSkeleton(test::fork(2), {});
+  const auto setRadius = [this](double radius, Gesture gesture = {}) {
+    document.edit(
+        "Radius", [=](SkeletonEditor& editor) { editor.setRadius(test::forkTop, radius); },
+        gesture);
+    return document.step(document.undoStack().index() - 1).id;
+  };
+  const StepId first = setRadius(1);
+  const StepId second = setRadius(2);
+  EXPECT_NE(first, StepId{});
+  EXPECT_NE(first, second);
+  document.undoStack().undo();
+  EXPECT_TRUE(document.isDone(first));
+  EXPECT_FALSE(document.isDone(second));
+  document.undoStack().redo();
+  EXPECT_EQ(document.step(1).id, second);
+  document.undoStack().undo();
+  const StepId branch = setRadius(2);
+  EXPECT_NE(branch, second) << "another step, though it does the same at the same place";
+  const Gesture drag = Gesture::begin();
+  const StepId begun = setRadius(3, drag);
+  EXPECT_NE(setRadius(4, drag), begun) << "what a step does never changes";
+  EXPECT_EQ(document.undoStack().count(), 3);
 }
 
 TEST_F(PlantDocumentTest, DropsContractedPointsWithTheirScan) {

@@ -84,7 +84,7 @@ TEST_F(ProjectRecorderTest, BringsTheHistoryBackIntoAnotherDocument) {
   document.undoStack().undo();
   const History saved = onDisk();
   PlantDocument other;
-  other.openHistory({.skeleton = saved.skeleton}, saved.steps, saved.position, {});
+  other.openHistory(saved, nullptr, {});
   EXPECT_EQ(other.history(), document.history());
   EXPECT_EQ(other.undoStack().undoText(), "Radius");
   other.undoStack().redo();
@@ -124,35 +124,81 @@ TEST_F(ProjectRecorderTest, KeepsTheContractedPointsOfTheReconstructionThatIsDon
   };
   const auto stored = [this] {
     std::unique_ptr<Project> project = recorder.stop(); // once all is written
-    const std::pair result(project->bytes("contracted").size() / (3 * sizeof(float)),
-                           project->document("contracted_step"));
+    const ContractedPoints contracted = contractedIn(*project);
     recorder.start(std::move(project));
-    return result;
+    return std::pair(contracted.positions ? contracted.positions->cols() : 0, contracted.step);
   };
-  document.reconstruct("Reconstruct", test::fork(2), points(4));
-  EXPECT_EQ(stored(), std::pair(std::size_t{4}, std::string("0")));
+  const StepId first = document.reconstruct("Reconstruct", test::fork(2), points(4));
+  EXPECT_EQ(stored(), std::pair(Eigen::Index{4}, first));
   setRadiusOfRoot();
-  document.reconstruct("Reconstruct", test::fork(4), points(5));
-  EXPECT_EQ(stored(), std::pair(std::size_t{5}, std::string("2")));
+  const StepId second = document.reconstruct("Reconstruct", test::fork(4), points(5));
+  EXPECT_EQ(stored(), std::pair(Eigen::Index{5}, second));
   document.undoStack().undo();
-  EXPECT_EQ(stored(), std::pair(std::size_t{4}, std::string("0")));
+  EXPECT_EQ(stored(), std::pair(Eigen::Index{4}, first));
   document.undoStack().setIndex(0);
-  EXPECT_EQ(stored(), std::pair(std::size_t{0}, std::string()));
+  EXPECT_EQ(stored(), std::pair(Eigen::Index{0}, StepId{}));
+}
+
+// A program may be killed between the writes: the points are then none, never those of another
+// step.
+TEST_F(ProjectRecorderTest, SaysOfNoContractedPointsThatTheyAreFromAnotherStep) {
+  document.reconstruct("Reconstruct", test::fork(2),
+                       std::make_shared<const Eigen::Matrix3Xf>(Eigen::Matrix3Xf::Ones(3, 4)));
+  recorder.start(recorder.stop());
+  document.reconstruct("Reconstruct", test::fork(4),
+                       std::make_shared<const Eigen::Matrix3Xf>(Eigen::Matrix3Xf::Ones(3, 5)));
+  recorder.flush();
+  const Project killed = Project::open(file, Access::readOnly);
+  const ContractedPoints contracted = contractedIn(killed);
+  EXPECT_EQ(contracted.positions->cols(), 4);
+  EXPECT_EQ(contracted.step, killed.history().value.steps[0].id);
 }
 
 TEST_F(ProjectRecorderTest, ShowsNoContractedPointsBeforeTheStepThatAProjectHasThemFrom) {
-  document.reconstruct("Reconstruct", test::fork(2), nullptr);
-  const History saved = onDisk();
+  const StepId step = document.reconstruct("Reconstruct", test::fork(2), nullptr);
   PlantDocument other;
   const auto points = std::make_shared<const Eigen::Matrix3Xf>(Eigen::Matrix3Xf::Ones(3, 4));
-  other.setContracted(points);
-  other.openHistory({.skeleton = saved.skeleton}, saved.steps, saved.position, {}, 0);
+  other.openHistory(onDisk(), nullptr, {}, {step, points});
   EXPECT_EQ(other.contracted(), points);
-  EXPECT_EQ(other.contractedStep(), 0U);
+  EXPECT_EQ(other.contractedStep(), step);
   other.undoStack().undo();
   EXPECT_EQ(other.contracted(), nullptr);
   other.undoStack().redo();
   EXPECT_EQ(other.contracted(), points);
+}
+
+TEST_F(ProjectRecorderTest, ShowsContractedPointsOnlyWithTheStepThatTheyAreFrom) {
+  const auto none = nullptr;
+  const StepId first = document.reconstruct("Reconstruct", test::fork(2), none);
+  document.reconstruct("Reconstruct", test::fork(4), none);
+  const auto points = std::make_shared<const Eigen::Matrix3Xf>(Eigen::Matrix3Xf::Ones(3, 4));
+  PlantDocument other;
+  other.openHistory(onDisk(), nullptr, {}, {first, points});
+  EXPECT_EQ(other.contracted(), nullptr);
+  other.undoStack().undo();
+  EXPECT_EQ(other.contracted(), points);
+  other.openHistory(onDisk(), nullptr, {}, {StepId{}, points});
+  other.undoStack().setIndex(0);
+  EXPECT_EQ(other.contracted(), points) << "they were there before the first step";
+}
+
+TEST_F(ProjectRecorderTest, KeepsWhichStepIsWhichWhenAHistoryBranchesAfterItWasReopened) {
+  setRadius(1);
+  setRadius(2);
+  document.undoStack().undo();
+  auto project = recorder.stop();
+  const History saved = project->history().value;
+  PlantDocument other;
+  other.openHistory(saved, nullptr, {});
+  ProjectRecorder next(other);
+  next.start(std::move(project));
+  other.edit("Other", [](SkeletonEditor& editor) { editor.setRadius(test::forkTop, 5); });
+  const History branched = onDisk();
+  EXPECT_EQ(branched, other.history());
+  ASSERT_EQ(branched.steps.size(), 2U);
+  EXPECT_EQ(branched.steps[0], saved.steps[0]);
+  EXPECT_NE(branched.steps[1].id, saved.steps[1].id);
+  EXPECT_NE(branched.steps[1].id, branched.steps[0].id);
 }
 
 TEST_F(ProjectRecorderTest, KeepsUnitAndContractedPoints) {
@@ -171,10 +217,8 @@ TEST_F(ProjectRecorderTest, WritesWhatIsSetAsideAtOnceAndBringsItBack) {
   document.undoStack().undo();
   EXPECT_EQ(onDisk(), document.history());
   EXPECT_EQ(onDisk().leftOut, PointSet::of({3, 4, 9}));
-  const History saved = onDisk();
   PlantDocument other;
-  other.openHistory({.skeleton = saved.skeleton}, saved.steps, saved.position, {}, std::nullopt,
-                    saved.leftOut);
+  other.openHistory(onDisk(), nullptr, {});
   EXPECT_EQ(other.leftOut(), PointSet::of({3, 4, 9}));
   other.undoStack().redo();
   EXPECT_EQ(other.leftOut(), PointSet::of({3}));

@@ -56,8 +56,7 @@ TEST_F(HistoryModelTest, MarksThePresentStepAndKeepsThoseUndone) {
 TEST_F(HistoryModelTest, ShowsAGapWhereTheFileWasOpened) {
   setRadius(1);
   setRadius(2);
-  const History history = document.history();
-  document.openHistory({history.skeleton}, history.steps, 2, "/plants/plant.espalier");
+  document.openHistory(document.history(), nullptr, "/plants/plant.espalier");
   EXPECT_EQ(document.openedSteps(), 2);
   setRadius(3);
   ASSERT_EQ(model.rowCount(), 5);
@@ -73,8 +72,7 @@ TEST_F(HistoryModelTest, ShowsAGapWhereTheFileWasOpened) {
 TEST_F(HistoryModelTest, MovesTheGapWhenAStepOfTheFileIsDropped) {
   setRadius(1);
   setRadius(2);
-  const History history = document.history();
-  document.openHistory({history.skeleton}, history.steps, 2, "/plants/plant.espalier");
+  document.openHistory(document.history(), nullptr, "/plants/plant.espalier");
   document.undoStack().undo();
   setRadius(3);
   EXPECT_EQ(document.openedSteps(), 1);

@@ -5,8 +5,8 @@
 #include "app/window/two_views_flow.h"
 #include "core/base/error.h"
 #include "core/skeleton/check_options.h"
+#include "core/skeleton/frustum.h"
 #include "core/skeleton/path_edits.h"
-#include "core/skeleton/wood_tube.h"
 #include "ui/document/plant_document.h"
 #include "ui/view/plant_view.h"
 
@@ -41,10 +41,10 @@ NearestWood nearestWood(const Skeleton& skeleton, const std::vector<NodeId>& amo
                         const Eigen::Vector3d& place) {
   NearestWood nearest{among.front(), std::numeric_limits<double>::infinity()};
   for (const NodeId id : among) {
-    const std::optional<WoodTube> tube = tubeOf(skeleton, id);
-    if (!tube) continue;
-    const NearestOfTubes at = nearestOf(*tube, {place, place});
-    const double distance = at.distance - radiusAt(*tube, at.a);
+    const std::optional<Frustum> body = frustumOf(skeleton, id);
+    if (!body) continue;
+    const double share = body->nearestShare(place);
+    const double distance = (body->at(share) - place).norm() - body->radiusAt(share);
     if (distance < nearest.distance) nearest = {id, distance};
   }
   return nearest;

@@ -23,6 +23,21 @@ BoxTree::BoxTree(std::vector<Eigen::AlignedBox3d> boxes, std::vector<std::uint32
     split(part);
 }
 
+std::vector<std::uint32_t> BoxTree::renumber() {
+  const auto sorted = [&](const auto& values) {
+    auto result = values;
+    for (std::size_t k = 0; k < result.size(); ++k)
+      result[k] = values[order_[k]];
+    return result;
+  };
+  boxes_ = sorted(boxes_);
+  groups_ = sorted(groups_);
+  std::vector<std::uint32_t> before(order_.size());
+  std::iota(before.begin(), before.end(), 0U);
+  std::swap(before, order_);
+  return before;
+}
+
 void BoxTree::split(std::uint32_t part) {
   const std::uint32_t begin = parts_[part].begin;
   const std::uint32_t end = parts_[part].end;

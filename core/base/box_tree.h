@@ -12,8 +12,8 @@
 
 namespace espalier {
 
-/// Finds boxes near a place: axis-aligned boxes halved again and again at the median of their
-/// centers.
+/// Finds boxes near a place or along a ray: axis-aligned boxes halved again and again at the median
+/// of their centers.
 ///
 /// Build O(N log N), memory O(N). Queries are const and may run on many threads.
 class BoxTree {
@@ -53,23 +53,46 @@ public:
                                                    const SquaredDistance& squaredDistance) const {
     std::optional<std::size_t> found;
     double least = std::numeric_limits<double>::infinity();
-    if (parts_.empty()) return found;
+    const auto toBox = [&](const Eigen::AlignedBox3d& box) {
+      return box.squaredExteriorDistance(place);
+    };
+    search(toBox, least, [&](std::size_t i) {
+      if (const double distance = squaredDistance(i); distance < least) {
+        least = distance;
+        found = i;
+      }
+      return least;
+    });
+    return found;
+  }
+
+  /// Visits boxes that cost less than a limit, cheaper halves first. cost(box) is at most that of
+  /// any box inside; visit(i) returns the limit from there on.
+  template <class Cost, class Visit>
+  void search(const Cost& cost, double limit, const Visit& visit) const {
+    if (parts_.empty()) return;
     Stack open;
-    for (open.push({0, 0}); !open.isEmpty();) {
-      const Visit next = open.pop();
-      if (next.squaredDistance >= least) continue;
+    for (open.push({0, cost(parts_[0].box)}); !open.isEmpty();) {
+      const Open next = open.pop();
+      if (!(next.cost < limit)) continue;
       const Part& part = parts_[next.part];
-      if (!part.isLeaf()) {
-        pushNearerLast(open, part.left, place);
+      if (part.isLeaf()) {
+        for (std::uint32_t k = part.begin; k < part.end; ++k)
+          limit = visit(order_[k]);
         continue;
       }
-      for (std::uint32_t k = part.begin; k < part.end; ++k)
-        if (const double distance = squaredDistance(order_[k]); distance < least) {
-          least = distance;
-          found = order_[k];
-        }
+      const Open left{part.left, cost(parts_[part.left].box)};
+      const Open right{part.left + 1, cost(parts_[part.left + 1].box)};
+      open.push(left.cost < right.cost ? right : left);
+      open.push(left.cost < right.cost ? left : right);
     }
-    return found;
+  }
+
+  /// Numbers the boxes anew, those of a part side by side. Returns the old number of each.
+  std::vector<std::uint32_t> renumber();
+
+  [[nodiscard]] Eigen::AlignedBox3d bounds() const { // [L]; empty without boxes
+    return parts_.empty() ? Eigen::AlignedBox3d() : parts_.front().box;
   }
 
 private:
@@ -80,26 +103,18 @@ private:
     std::uint32_t group = noGroup; // of all its boxes
     [[nodiscard]] bool isLeaf() const { return left == 0; }
   };
-  struct Visit {
+  struct Open {
     std::uint32_t part;
-    double squaredDistance;
+    double cost;
   };
   /// Parts still to be looked at. Halving 2^32 boxes never leaves more than 64 of them.
   struct Stack {
-    std::array<Visit, 64> visits;
+    std::array<Open, 64> parts;
     std::size_t size = 0;
-    void push(const Visit& visit) { visits[size++] = visit; }
-    Visit pop() { return visits[--size]; }
+    void push(const Open& part) { parts[size++] = part; }
+    Open pop() { return parts[--size]; }
     [[nodiscard]] bool isEmpty() const { return size == 0; }
   };
-
-  void pushNearerLast(Stack& open, std::uint32_t left, const Eigen::Vector3d& place) const {
-    const Visit a{left, parts_[left].box.squaredExteriorDistance(place)};
-    const Visit b{left + 1, parts_[left + 1].box.squaredExteriorDistance(place)};
-    const bool aIsNearer = a.squaredDistance < b.squaredDistance;
-    open.push(aIsNearer ? b : a);
-    open.push(aIsNearer ? a : b);
-  }
 
   void split(std::uint32_t part);
 

@@ -1,9 +1,9 @@
 #include "core/evaluate/agreement_by_place.h"
 
 #include "core/evaluate/comparable.h"
-#include "core/evaluate/edge_index.h"
 #include "core/evaluate/even_samples.h"
 #include "core/skeleton/axes.h"
+#include "core/skeleton/edge_index.h"
 
 #include <algorithm>
 #include <limits>

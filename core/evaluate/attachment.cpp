@@ -1,40 +1,13 @@
 #include "core/evaluate/attachment.h"
 
-#include "core/base/box_tree.h"
-#include "core/evaluate/near_edges.h"
+#include "core/skeleton/edge_index.h"
+#include "core/skeleton/length_along.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace espalier {
-namespace {
-
-Eigen::Vector3d startOf(const Skeleton& skeleton, NodeId id) {
-  const Node& node = skeleton[id];
-  return node.parent ? skeleton[*node.parent].position : node.position;
-}
-
-BoxTree boxesOf(const Skeleton& skeleton, const std::vector<NodeId>& ids) {
-  std::vector<Eigen::AlignedBox3d> boxes;
-  for (const NodeId id : ids) {
-    Eigen::AlignedBox3d box(skeleton[id].position);
-    box.extend(startOf(skeleton, id));
-    boxes.push_back(box);
-  }
-  return BoxTree(std::move(boxes));
-}
-
-/// The place of an edge nearest to another, as a share of the way up.
-double nearestShare(const Eigen::Vector3d& start, const Eigen::Vector3d& end,
-                    const Eigen::Vector3d& place) {
-  const Eigen::Vector3d way = end - start;
-  const double squared = way.squaredNorm();
-  return squared > 0 ? std::clamp(way.dot(place - start) / squared, 0.0, 1.0) : 1;
-}
-
-} // namespace
-
 Attachments::Attachments(const Skeleton& result, const Skeleton& reference,
                          const std::vector<Difference>& kinds, double tolerance)
     : result_(result), reference_(reference), tolerance_(tolerance), slack_(4 * tolerance),
@@ -90,8 +63,7 @@ bool Attachments::leadsTo(const Place& above, const Place& below) const {
 }
 
 void Attachments::placeNodes(const std::vector<Difference>& kinds) {
-  const std::vector<NodeId> edges = reference_.ids();
-  const BoxTree boxes = boxesOf(reference_, edges);
+  const EdgeIndex edges(reference_);
   std::vector<Places> carried(result_.idEnd()); // of the node, or of the next below that stands
   std::vector<NodeId> suspects;
   const auto isAtMatch = [&](NodeId id) {
@@ -103,14 +75,12 @@ void Attachments::placeNodes(const std::vector<Difference>& kinds) {
     const Places* below = node.parent ? &carried[indexOf(*node.parent)] : nullptr;
     Places near;
     if (isAtMatch(id))
-      boxes.within(Eigen::AlignedBox3d(node.position), tolerance_, [&](std::size_t i) {
-        const Eigen::Vector3d start = startOf(reference_, edges[i]);
-        const Eigen::Vector3d end = reference_[edges[i]].position;
-        const double share = nearestShare(start, end, node.position);
-        const Eigen::Vector3d place = start + share * (end - start);
+      edges.within(Eigen::AlignedBox3d(node.position), tolerance_, [&](const EdgeBody& edge) {
+        const double share = edge.body.nearestShare(node.position);
+        const Eigen::Vector3d place = edge.body.at(share);
         if ((place - node.position).norm() > tolerance_) return;
         near.push_back(
-            {edges[i], place, height_[indexOf(edges[i])] - (1 - share) * (end - start).norm()});
+            {edge.node, place, height_[indexOf(edge.node)] - (1 - share) * edge.body.length()});
       });
     std::ranges::sort(near, {}, [&](const Place& place) {
       return std::pair((place.position - node.position).norm(), place.edge);

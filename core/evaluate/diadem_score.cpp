@@ -31,18 +31,18 @@ DiademScore diademScore(const Skeleton& result, const Skeleton& reference,
   const std::vector<Landmark> found = landmarksOf(result);
   const std::vector<Landmark> truth = landmarksOf(reference);
   const Partners partners = partnersOf(found, truth, options.distance);
-  const Partners inverse = inverseOf(partners, truth.size());
+  const Partners back = inverse(partners, truth.size());
 
   DiademScore score{.distance = options.distance, .landmarks = truth.size()};
   const std::vector<WayBelow> foundWays = waysBelow(found, partners);
-  const std::vector<WayBelow> trueWays = waysBelow(truth, inverse);
+  const std::vector<WayBelow> trueWays = waysBelow(truth, back);
   double all = excess(found, partners);
   double right = 0;
   for (std::size_t i = 0; i < truth.size(); ++i) {
     all += truth[i].carried;
-    if (!inverse[i]) continue;
+    if (!back[i]) continue;
     ++score.matched;
-    const WayBelow& there = foundWays[*inverse[i]];
+    const WayBelow& there = foundWays[*back[i]];
     const WayBelow& here = trueWays[i];
     const bool isSame =
         (there.landmark ? partners[*there.landmark] : std::nullopt) == here.landmark;

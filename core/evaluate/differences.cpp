@@ -3,6 +3,7 @@
 #include "core/evaluate/attachment.h"
 #include "core/evaluate/comparable.h"
 #include "core/evaluate/near_edges.h"
+#include "core/skeleton/length_along.h"
 
 #include <algorithm>
 #include <utility>

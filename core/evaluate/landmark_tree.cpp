@@ -67,13 +67,6 @@ Partners partnersOf(const std::vector<Landmark>& result, const std::vector<Landm
   return partners;
 }
 
-Partners inverseOf(const Partners& partners, std::size_t size) {
-  Partners inverse(size);
-  for (std::size_t i = 0; i < partners.size(); ++i)
-    if (partners[i]) inverse[*partners[i]] = i;
-  return inverse;
-}
-
 std::vector<WayBelow> waysBelow(const std::vector<Landmark>& landmarks, const Partners& partners) {
   std::vector<WayBelow> ways;
   for (const Landmark& landmark : landmarks) { // those below come first

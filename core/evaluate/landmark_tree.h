@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/evaluate/segment_matches.h"
 #include "core/skeleton/skeleton.h"
 
 #include <Eigen/Core>
@@ -22,14 +23,10 @@ struct Landmark {
 /// The landmarks of a skeleton, each after the one it stands on.
 [[nodiscard]] std::vector<Landmark> landmarksOf(const Skeleton& skeleton);
 
-/// By landmark of one plant: the one of the other that it belongs to; none if it is alone.
-using Partners = std::vector<std::optional<std::size_t>>;
-
 /// Pairs tips with tips and branchings with branchings, as landmarkPairs(). By landmark of
 /// `result`.
 [[nodiscard]] Partners partnersOf(const std::vector<Landmark>& result,
                                   const std::vector<Landmark>& reference, double distance);
-[[nodiscard]] Partners inverseOf(const Partners& partners, std::size_t size);
 
 /// The way down to the nearest landmark with a partner.
 struct WayBelow {

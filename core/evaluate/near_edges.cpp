@@ -1,7 +1,8 @@
 #include "core/evaluate/near_edges.h"
 
 #include "core/base/parallel.h"
-#include "core/evaluate/edge_index.h"
+#include "core/skeleton/edge_index.h"
+#include "core/skeleton/length_along.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,14 +15,12 @@ constexpr std::size_t none = SIZE_MAX;
 
 /// Share of an edge that is near, from even samples.
 double nearShare(const Skeleton& skeleton, NodeId id, const EdgeIndex& other, double tolerance) {
-  const Node& node = skeleton[id];
-  const Eigen::Vector3d start = node.parent ? skeleton[*node.parent].position : node.position;
-  const double length = (node.position - start).norm();
+  const Frustum edge = centerLine(skeleton, id);
+  const double length = edge.length();
   const double samples = std::clamp(std::ceil(2 * length / tolerance), 1.0, 1e5);
   double near = 0;
   for (double i = 0; i < samples;) {
-    const double distance =
-        other.nearest(start + (i + 0.5) / samples * (node.position - start))->distance;
+    const double distance = other.nearest(edge.at((i + 0.5) / samples))->distance;
     // No distance changes by more than the way: what lies that far on is alike, and not measured.
     const double alike =
         length > 0 ? std::floor(std::abs(distance - tolerance) * samples / length) : 0;
@@ -63,11 +62,6 @@ void setAll(std::vector<bool>& near, const std::vector<NodeId>& stretch, bool fl
 }
 
 } // namespace
-
-double edgeLength(const Skeleton& skeleton, NodeId id) {
-  const Node& node = skeleton[id];
-  return node.parent ? (node.position - skeleton[*node.parent].position).norm() : 0;
-}
 
 std::vector<bool> nearEdges(const Skeleton& skeleton, const Skeleton& other, double tolerance,
                             const Progress& progress) {

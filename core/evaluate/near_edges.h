@@ -25,6 +25,4 @@ namespace espalier {
 [[nodiscard]] std::vector<std::vector<NodeId>>
 stretches(const Skeleton& skeleton, const std::vector<bool>& flags, bool value);
 
-[[nodiscard]] double edgeLength(const Skeleton& skeleton, NodeId id); // [L], 0 for a root
-
 } // namespace espalier

@@ -54,7 +54,7 @@ NetworkAgreement networkAgreement(const Skeleton& result, const Skeleton& refere
   const std::vector<Landmark> found = landmarksOf(result);
   const std::vector<Landmark> truth = landmarksOf(reference);
   const Partners partners = partnersOf(found, truth, options.distance);
-  Partners own = inverseOf(partners, truth.size()); // known by their places in the reference
+  Partners own = inverse(partners, truth.size()); // known by their places in the reference
   for (std::size_t i = 0; i < own.size(); ++i)
     if (own[i]) own[i] = i;
   const Connections there = connectionsOf(found, partners);

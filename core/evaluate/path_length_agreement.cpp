@@ -2,8 +2,8 @@
 
 #include "core/base/random.h"
 #include "core/evaluate/comparable.h"
-#include "core/evaluate/edge_index.h"
 #include "core/evaluate/even_samples.h"
+#include "core/skeleton/edge_index.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/evaluate/edge_index.h"
 #include "core/evaluate/even_samples.h"
+#include "core/skeleton/edge_index.h"
 #include "core/skeleton/skeleton.h"
 
 #include <Eigen/Geometry>

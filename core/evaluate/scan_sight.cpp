@@ -1,7 +1,7 @@
 #include "core/evaluate/scan_sight.h"
 
-#include "core/evaluate/edge_index.h"
 #include "core/radius/arc_coverage.h"
+#include "core/skeleton/edge_index.h"
 
 #include <algorithm>
 #include <cassert>

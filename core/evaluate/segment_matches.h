@@ -9,7 +9,7 @@
 
 namespace espalier {
 
-/// By segment of one skeleton: the segment of the other with which it is matched; none: with none.
+/// By segment or landmark of one skeleton: that of the other with which it is matched, if any.
 using Partners = std::vector<std::optional<std::size_t>>;
 
 [[nodiscard]] Partners inverse(const Partners& partners, std::size_t others);

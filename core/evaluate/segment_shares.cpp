@@ -3,9 +3,9 @@
 #include "core/evaluate/authors_comparison.h"
 #include "core/evaluate/capped_scores.h"
 #include "core/evaluate/comparable.h"
-#include "core/evaluate/edge_index.h"
 #include "core/evaluate/even_samples.h"
 #include "core/evaluate/tolerance_curve.h"
+#include "core/skeleton/edge_index.h"
 
 #include <vector>
 

@@ -1,6 +1,7 @@
 #include "core/evaluate/standing_nodes.h"
 
-#include "core/evaluate/near_edges.h"
+#include "core/skeleton/frustum.h"
+#include "core/skeleton/length_along.h"
 
 #include <algorithm>
 
@@ -12,11 +13,6 @@ std::optional<NodeId> edgeOf(const Differences& found, NodeId node) {
   if (indexOf(node) >= found.standsOn.size()) return std::nullopt;
   const std::vector<NodeId>& edges = found.standsOn[indexOf(node)];
   return edges.empty() ? std::nullopt : std::optional(edges.front());
-}
-
-Eigen::Vector3d startOf(const Skeleton& skeleton, NodeId id) {
-  const Node& node = skeleton[id];
-  return node.parent ? skeleton[*node.parent].position : node.position;
 }
 
 } // namespace
@@ -33,11 +29,7 @@ StandingNodes::StandingNodes(const Skeleton& result, const Differences& found,
 }
 
 double StandingNodes::share(NodeId edge, NodeId node) const {
-  const Eigen::Vector3d start = startOf(reference_, edge);
-  const Eigen::Vector3d way = reference_[edge].position - start;
-  const double squared = way.squaredNorm();
-  if (squared == 0) return 1;
-  return std::clamp(way.dot(result_[node].position - start) / squared, 0.0, 1.0);
+  return centerLine(reference_, edge).nearestShare(result_[node].position);
 }
 
 std::optional<NodeId> StandingNodes::lowestOn(NodeId edge) const {

@@ -1,23 +1,12 @@
 #include "core/evaluate/wood_amounts.h"
 
 #include "core/skeleton/axes.h"
+#include "core/skeleton/frustum.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 namespace espalier {
 namespace {
-
-/// The cone of one edge.
-WoodAmount cone(double length, double below, double above) {
-  const double slant = std::hypot(length, below - above);
-  return {.edges = 1,
-          .length = length,
-          .area = std::numbers::pi * (below + above) * slant,
-          .volume =
-              std::numbers::pi / 3 * length * (below * below + below * above + above * above)};
-}
 
 void add(WoodAmount& to, const WoodAmount& more) {
   to.edges += more.edges;
@@ -44,15 +33,14 @@ WoodAmounts woodAmounts(const Skeleton& skeleton, const std::vector<double>& rad
   amounts.byRadius.resize(radiusLimits.size() + 1);
   const std::vector<int> orderOf = orders(skeleton);
   for (const NodeId id : skeleton.ids()) {
-    const Node& node = skeleton[id];
-    if (!node.parent) continue;
-    const Node& parent = skeleton[*node.parent];
-    const bool isCone = node.edge == EdgeType::successor && parent.radius > 0;
-    const double below = isCone ? parent.radius : node.radius;
-    const WoodAmount edge = cone((node.position - parent.position).norm(), below, node.radius);
+    if (!skeleton[id].parent) continue;
+    const Frustum body = *frustumOf(skeleton, id);
+    const WoodAmount edge{
+        .edges = 1, .length = body.length(), .area = body.lateralArea(), .volume = body.volume()};
     const auto order = static_cast<std::size_t>(orderOf[indexOf(id)]);
     if (order >= amounts.byOrder.size()) amounts.byOrder.resize(order + 1);
-    const auto limit = std::ranges::lower_bound(radiusLimits, (below + node.radius) / 2);
+    const auto limit =
+        std::ranges::lower_bound(radiusLimits, (body.fromRadius + body.toRadius) / 2);
     add(amounts.whole, edge);
     add(amounts.byOrder[order], edge);
     add(amounts.byRadius[static_cast<std::size_t>(limit - radiusLimits.begin())], edge);

@@ -28,11 +28,8 @@ struct WoodAmounts {
 
 /// Length, area and volume by order and by radius.
 ///
-/// Each edge is a truncated cone between the radii of its ends; at the first edge of a branch, and
-/// below a node without a radius, both ends have the radius of the upper one. It counts for the
-/// order of its upper node and for the class of its mean radius; a limit belongs to the class
-/// below it.
-/// Time and memory O(N).
+/// Each edge is its frustum. It counts for the order of its upper node and for the class of its
+/// mean radius; a limit belongs to the class below it. Time and memory O(N).
 [[nodiscard]] WoodAmounts woodAmounts(const Skeleton& skeleton,
                                       const std::vector<double>& radiusLimits);
 

@@ -140,7 +140,7 @@ public:
   }
 
 private:
-  [[nodiscard]] Taper wood(std::uint32_t from, std::uint32_t to) const {
+  [[nodiscard]] Frustum wood(std::uint32_t from, std::uint32_t to) const {
     return {positions_[from], positions_[to], radii_[from], radii_[to]};
   }
 

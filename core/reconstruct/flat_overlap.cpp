@@ -21,7 +21,7 @@ double area(const Polygon& polygon) {
   return twice / 2;
 }
 
-Polygon outline(const Taper& wood, const Eigen::Vector3d& x, const Eigen::Vector3d& y) {
+Polygon outline(const Frustum& wood, const Eigen::Vector3d& x, const Eigen::Vector3d& y) {
   const Eigen::Vector2d from(x.dot(wood.from), y.dot(wood.from));
   const Eigen::Vector2d to(x.dot(wood.to), y.dot(wood.to));
   const Eigen::Vector2d along = (to - from).normalized();
@@ -48,9 +48,9 @@ Polygon clipped(const Polygon& polygon, const Eigen::Vector2d& from, const Eigen
 
 } // namespace
 
-double flatOverlap(const Taper& a, const Taper& b) {
-  const Taper here = {a.from - b.from, a.to - b.from, a.fromRadius, a.toRadius}; // small numbers
-  const Taper there = {Eigen::Vector3d::Zero(), b.to - b.from, b.fromRadius, b.toRadius};
+double flatOverlap(const Frustum& a, const Frustum& b) {
+  const Frustum here = {a.from - b.from, a.to - b.from, a.fromRadius, a.toRadius}; // small numbers
+  const Frustum there = {Eigen::Vector3d::Zero(), b.to - b.from, b.fromRadius, b.toRadius};
   const Eigen::Vector3d along = here.to - here.from;
   if (along.norm() == 0 || there.to.norm() == 0) return 0;
   const Eigen::Vector3d x = along.normalized();

@@ -17,13 +17,9 @@ using std::numbers::pi;
 
 constexpr double degrees = pi / 180;
 
-/// A straight piece of wood that may bear organs.
-struct Stretch {
-  Vector3d from;         // [L]
-  Vector3d to;           // [L]
-  double fromRadius = 0; // [L]
-  double toRadius = 0;   // [L]
-  double wayToApex = 0;  // [L], from its upper end to the farthest apex
+/// Wood that may bear organs.
+struct Stretch : Frustum {
+  double wayToApex = 0; // [L], from its upper end to the farthest apex
 };
 
 void check(const OrganHabit& habit, const char* what) {
@@ -54,9 +50,8 @@ std::vector<Stretch> stretchesOf(const Skeleton& plant) {
   const std::vector<NodeId> ids = plant.ids();
   const std::vector<double> ways = waysToApex(plant, ids);
   std::vector<Stretch> stretches;
-  for (const WoodPiece& piece : woodOf(plant))
-    stretches.push_back(
-        {piece.from, piece.to, piece.fromRadius, piece.toRadius, ways[indexOf(*piece.node)]});
+  for (const EdgeSolid& piece : woodOf(plant))
+    stretches.push_back({piece, ways[indexOf(*piece.node)]});
   return stretches;
 }
 
@@ -195,8 +190,8 @@ Organs organsOf(const Skeleton& plant, const Foliage& foliage, double extent, st
     const Vector3d tip = place.center + (place.radius + place.length) * place.direction;
     organs.shortShoots.push_back({place.center, tip, thinnest, thinnest, {}});
   });
-  for (const WoodPiece& shoot : organs.shortShoots)
-    wood.push_back({shoot.from, shoot.to, shoot.fromRadius, shoot.toRadius, 0});
+  for (const EdgeSolid& shoot : organs.shortShoots)
+    wood.push_back({shoot, 0});
   strewing.over(wood, foliage.blades, [&](const Place& place) {
     organs.blades.push_back(
         {.base = place.center + place.radius * place.outward,

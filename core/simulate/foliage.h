@@ -47,7 +47,7 @@ struct Blade {
 [[nodiscard]] Eigen::AlignedBox3d boundsOf(const Blade& blade); // [L]
 
 struct Organs {
-  std::vector<WoodPiece> shortShoots; // of no node
+  std::vector<EdgeSolid> shortShoots; // of no node
   std::vector<Blade> blades;
 };
 

@@ -64,7 +64,7 @@ std::vector<Vector3d> stationsAround(const Eigen::AlignedBox3d& bounds, double e
   return stations;
 }
 
-std::vector<LeafClump> clumpsIn(const std::vector<WoodPiece>& wood, double extent,
+std::vector<LeafClump> clumpsIn(const std::vector<EdgeSolid>& wood, double extent,
                                 const ScannerOptions& options, Random& random) {
   std::vector<LeafClump> clumps;
   clumps.reserve(static_cast<std::size_t>(options.clumps));
@@ -87,9 +87,9 @@ std::vector<ScanWindow> windowsOf(const std::vector<Vector3d>& stations,
   return windows;
 }
 
-Eigen::AlignedBox3d boundsOfAll(const std::vector<WoodPiece>& wood) {
+Eigen::AlignedBox3d boundsOfAll(const std::vector<EdgeSolid>& wood) {
   Eigen::AlignedBox3d bounds;
-  for (const WoodPiece& piece : wood)
+  for (const EdgeSolid& piece : wood)
     bounds.extend(boundsOf(piece));
   return bounds;
 }
@@ -208,7 +208,7 @@ void addStrays(SimulatedScan& scan, double share, Eigen::AlignedBox3d bounds, Ra
 SimulatedScan scan(const Skeleton& plant, const ScannerOptions& options, std::uint64_t seed,
                    const Progress& progress) {
   check(options);
-  std::vector<WoodPiece> pieces = woodOf(plant);
+  std::vector<EdgeSolid> pieces = woodOf(plant);
   if (pieces.empty()) throw Error("the plant has no edges: nothing to scan");
   Eigen::AlignedBox3d bounds = boundsOfAll(pieces); // of the plant alone: foliage moves no station
   const double extent = bounds.sizes().maxCoeff();

@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/simulate/grown_radii.h"
+#include "core/skeleton/length_along.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -22,10 +23,6 @@ std::optional<NodeId> successor(const Skeleton& plant, NodeId id) {
   const std::vector<NodeId>& children = plant.children(id);
   if (children.empty() || plant[children.front()].edge != EdgeType::successor) return std::nullopt;
   return children.front();
-}
-
-double edgeLength(const Skeleton& plant, NodeId id) { // pre: id has a parent
-  return (plant[id].position - plant[*plant[id].parent].position).norm();
 }
 
 void check(const Skeleton& plant, const PreparationOptions& options) {

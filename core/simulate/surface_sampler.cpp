@@ -23,7 +23,7 @@ struct Sample {
 };
 
 /// A place on the side of a frustum, evenly by area.
-Sample sampleOf(const WoodPiece& piece, Random& random) {
+Sample sampleOf(const EdgeSolid& piece, Random& random) {
   const Vector3d along = piece.to - piece.from;
   const double height = along.norm();
   const Vector3d axis = along / height;
@@ -41,11 +41,11 @@ Sample sampleOf(const WoodPiece& piece, Random& random) {
 }
 
 /// Sums of the areas of the pieces up to each. Edges without length have no side.
-std::vector<double> areaSums(const std::vector<WoodPiece>& wood) {
+std::vector<double> areaSums(const std::vector<EdgeSolid>& wood) {
   std::vector<double> sums;
   double sum = 0;
-  for (const WoodPiece& piece : wood) {
-    if (piece.from != piece.to) sum += lateralArea(piece);
+  for (const EdgeSolid& piece : wood) {
+    if (piece.from != piece.to) sum += piece.lateralArea();
     sums.push_back(sum);
   }
   return sums;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/skeleton/skeleton.h"
+#include "core/skeleton/frustum.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -10,13 +10,9 @@
 
 namespace espalier {
 
-/// The wood around one edge: a frustum between its two nodes, closed by a ball at the upper one.
-struct WoodPiece {
-  Eigen::Vector3d from;       // [L], the parent
-  Eigen::Vector3d to;         // [L], the node
-  double fromRadius = 0;      // [L]
-  double toRadius = 0;        // [L]
-  std::optional<NodeId> node; // whose edge to its parent this is; none: of a short shoot
+/// The solid of one edge: its frustum, closed by a ball at the upper end.
+struct EdgeSolid : Frustum {
+  std::optional<NodeId> node; // the upper end; none: of a short shoot
 };
 
 struct Ray {
@@ -30,23 +26,21 @@ struct WoodHit {
   std::optional<NodeId> node; // whose edge was hit, if any
 };
 
-/// The solid that a skeleton with radii stands for, a piece per edge, parents first.
-///
-/// A successor takes up the radius of its parent; a branch has its own radius from the axis of its
-/// parent on, so that its first piece starts inside the parent's wood. Edges of no length are
+/// The solid that a skeleton with radii stands for, edge by edge, parents first. The first edge of
+/// a branch starts on the axis of its parent, inside the parent's wood. Edges of no length are
 /// balls.
 /// @throws Error if a position is not finite, or a node with a parent has no radius
-[[nodiscard]] std::vector<WoodPiece> woodOf(const Skeleton& plant);
+[[nodiscard]] std::vector<EdgeSolid> woodOf(const Skeleton& plant);
 
-/// Where a ray enters a piece, if it does. The frustum is open at its lower end, which lies in
+/// Where a ray enters a solid, if it does. The frustum is open at its lower end, which lies in
 /// other wood or, at a root, on the ground.
-[[nodiscard]] std::optional<WoodHit> hit(const WoodPiece& piece, const Ray& ray);
+[[nodiscard]] std::optional<WoodHit> hit(const EdgeSolid& solid, const Ray& ray);
 
-/// Distance [L] from a place to the surface of a piece; negative inside.
-[[nodiscard]] double signedDistance(const WoodPiece& piece, const Eigen::Vector3d& place);
+/// Distance [L] from a place to the surface of a solid; negative inside.
+[[nodiscard]] double signedDistance(const EdgeSolid& solid, const Eigen::Vector3d& place);
 
-[[nodiscard]] double lateralArea(const WoodPiece& piece); // [L^2], of the frustum alone
-
-[[nodiscard]] Eigen::AlignedBox3d boundsOf(const WoodPiece& piece); // [L]
+[[nodiscard]] inline Eigen::AlignedBox3d boundsOf(const EdgeSolid& solid) {
+  return solid.box();
+}
 
 } // namespace espalier

@@ -3,6 +3,7 @@
 #include "core/base/box_tree.h"
 #include "core/skeleton/axes.h"
 #include "core/skeleton/crossings.h"
+#include "core/skeleton/length_along.h"
 #include "core/skeleton/path_edits.h"
 
 #include <algorithm>
@@ -13,10 +14,6 @@ namespace espalier {
 namespace {
 
 using Kind = Finding::Kind;
-
-double lengthOfEdge(const Skeleton& skeleton, NodeId id) { // pre: it has a parent
-  return (skeleton[id].position - skeleton[*skeleton[id].parent].position).norm();
-}
 
 std::vector<Finding> separatePieces(const Skeleton& skeleton, const std::vector<NodeId>& ids) {
   const std::vector<NodeId> roots = skeleton.roots();
@@ -63,7 +60,7 @@ std::vector<Finding> edgesWithoutLength(const Skeleton& skeleton, const std::vec
                                         double shortest) {
   std::vector<Finding> findings;
   for (const NodeId id : ids)
-    if (skeleton[id].parent && lengthOfEdge(skeleton, id) <= shortest)
+    if (skeleton[id].parent && edgeLength(skeleton, id) <= shortest)
       findings.push_back({.kind = Kind::noLength, .node = id});
   return findings;
 }
@@ -84,7 +81,7 @@ std::vector<Finding> duplicatedEdges(const Skeleton& skeleton, const std::vector
   std::vector<double> lengths;
   std::vector<Eigen::AlignedBox3d> middles;
   for (const NodeId id : ids) {
-    const double length = skeleton[id].parent ? lengthOfEdge(skeleton, id) : 0;
+    const double length = edgeLength(skeleton, id);
     if (length <= shortest) continue;
     edges.push_back(id);
     lengths.push_back(length);

@@ -57,18 +57,17 @@ Finding clusterFinding(const std::vector<Eigen::Index>& points, const PointDista
   return finding;
 }
 
-/// Whether points are within `reach` [L] of the surface of a tube along half of it at least, looked
-/// for in steps. pre: step > 0
-bool hasPoints(const WoodTube& tube, const PointCloud& cloud, const SpatialIndex& index,
+/// Whether points are within `reach` [L] of the surface of a frustum along half of it at least,
+/// looked for in steps. pre: step > 0
+bool hasPoints(const Frustum& body, const PointCloud& cloud, const SpatialIndex& index,
                double reach, double step) {
-  const Eigen::Vector3d along = tube.to - tube.from;
   constexpr double most = 1000; // steps: one edge across a plant of many points
-  const double steps = std::clamp(std::ceil(along.norm() / step), 1.0, most);
+  const double steps = std::clamp(std::ceil(body.length() / step), 1.0, most);
   double found = 0;
   for (double i = 0; i <= steps; ++i) {
     const double share = i / steps;
-    const Eigen::Vector3f place = (tube.from + share * along - cloud.origin()).cast<float>();
-    const auto radius = static_cast<float>(radiusAt(tube, share) + reach);
+    const Eigen::Vector3f place = (body.at(share) - cloud.origin()).cast<float>();
+    const auto radius = static_cast<float>(body.radiusAt(share) + reach);
     if (index.nearestOne(place, radius)) ++found;
   }
   return 2 * found >= steps + 1;
@@ -109,7 +108,7 @@ std::vector<Finding> edgesWithoutPoints(const Skeleton& skeleton, const PointClo
     const NodeId id = ids[static_cast<std::size_t>(i)];
     if (!skeleton[id].parent) return;
     isEmpty[indexOf(id)] =
-        hasPoints(*tubeOf(skeleton, id), cloud, index, options.emptyReach * spacing, 2 * spacing)
+        hasPoints(*frustumOf(skeleton, id), cloud, index, options.emptyReach * spacing, 2 * spacing)
             ? 0
             : 1;
   };

@@ -2,7 +2,8 @@
 
 #include "core/base/box_tree.h"
 #include "core/skeleton/axes.h"
-#include "core/skeleton/wood_tube.h"
+#include "core/skeleton/frustum.h"
+#include "core/skeleton/length_along.h"
 
 #include <algorithm>
 #include <limits>
@@ -20,14 +21,14 @@ public:
     for (const NodeId id : ids)
       if (const auto parent = skeleton[id].parent) {
         levels_[indexOf(id)] = levels_[indexOf(*parent)] + 1;
-        lengths_[indexOf(id)] = lengths_[indexOf(*parent)] + edge(id);
+        lengths_[indexOf(id)] = lengths_[indexOf(*parent)] + edgeLength(skeleton, id);
       }
   }
 
   /// Between two places, each a share of the way up to a node [L]; infinite between two trees.
   [[nodiscard]] double between(NodeId a, double shareA, NodeId b, double shareB) const {
-    const double toA = lengths_[indexOf(a)] - (1 - shareA) * edge(a);
-    const double toB = lengths_[indexOf(b)] - (1 - shareB) * edge(b);
+    const double toA = lengths_[indexOf(a)] - (1 - shareA) * edgeLength(skeleton_, a);
+    const double toB = lengths_[indexOf(b)] - (1 - shareB) * edgeLength(skeleton_, b);
     const auto joint = commonAncestor(a, b);
     if (!joint) return std::numeric_limits<double>::infinity();
     // Where the one node carries the other, its own place on the edge below is the lower end.
@@ -36,11 +37,6 @@ public:
   }
 
 private:
-  [[nodiscard]] double edge(NodeId id) const {
-    const auto parent = skeleton_[id].parent;
-    return parent ? (skeleton_[id].position - skeleton_[*parent].position).norm() : 0;
-  }
-
   [[nodiscard]] std::optional<NodeId> commonAncestor(NodeId a, NodeId b) const {
     while (a != b) {
       NodeId& higher = levels_[indexOf(a)] >= levels_[indexOf(b)] ? a : b;
@@ -67,29 +63,11 @@ std::vector<std::uint32_t> axisNumbers(const Skeleton& skeleton) {
   return numbers;
 }
 
-struct Edge {
-  NodeId node;
-  WoodTube tube;
-};
-
-std::vector<Edge> edgesOf(const Skeleton& skeleton, const std::vector<NodeId>& ids) {
-  std::vector<Edge> edges;
-  for (const NodeId id : ids)
-    if (const auto tube = tubeOf(skeleton, id)) edges.push_back({id, *tube});
-  return edges;
-}
-
-Eigen::AlignedBox3d boxOf(const Edge& edge) {
-  const Eigen::AlignedBox3d box = edge.tube.centerBox();
-  const Eigen::Vector3d wood = Eigen::Vector3d::Constant(edge.tube.widest());
-  return {box.min() - wood, box.max() + wood};
-}
-
 /// Numbers of the nodes that edges hang on: those of one node meet there, and all their boxes do.
-std::vector<std::uint32_t> parentsOf(const Skeleton& skeleton, const std::vector<Edge>& edges) {
+std::vector<std::uint32_t> parentsOf(const Skeleton& skeleton, const std::vector<EdgeBody>& edges) {
   std::vector<std::uint32_t> parents;
   parents.reserve(edges.size());
-  for (const Edge& edge : edges) {
+  for (const EdgeBody& edge : edges) {
     const std::optional<NodeId> parent = skeleton[edge.node].parent;
     parents.push_back(parent ? static_cast<std::uint32_t>(*parent) : BoxTree::noGroup);
   }
@@ -107,13 +85,13 @@ bool areNeighbors(const Skeleton& skeleton, NodeId a, NodeId b) {
 std::vector<Finding> crossings(const Skeleton& skeleton, double spacing,
                                const CheckOptions& options) {
   const std::vector<NodeId> ids = skeleton.ids();
-  const std::vector<Edge> edges = edgesOf(skeleton, ids);
+  const std::vector<EdgeBody> edges = bodiesOf(skeleton);
   const std::vector<std::uint32_t> axis = axisNumbers(skeleton);
   const Ways ways(skeleton, ids);
   std::vector<Eigen::AlignedBox3d> boxes;
   boxes.reserve(edges.size());
-  for (const Edge& edge : edges)
-    boxes.push_back(boxOf(edge));
+  for (const EdgeBody& edge : edges)
+    boxes.push_back(edge.body.box());
   const std::vector<std::uint32_t> parents = parentsOf(skeleton, edges);
   const BoxTree tree(boxes, parents);
 
@@ -129,8 +107,8 @@ std::vector<Finding> crossings(const Skeleton& skeleton, double spacing,
       const NodeId a = edges[i].node;
       const NodeId b = edges[k].node;
       if (k >= i || axis[indexOf(a)] == axis[indexOf(b)] || areNeighbors(skeleton, a, b)) return;
-      const NearestOfTubes near = nearestOf(edges[i].tube, edges[k].tube);
-      const double wood = radiusAt(edges[i].tube, near.a) + radiusAt(edges[k].tube, near.b);
+      const NearestShares near = nearestShares(edges[i].body, edges[k].body);
+      const double wood = edges[i].body.radiusAt(near.a) + edges[k].body.radiusAt(near.b);
       const double touching = std::max(wood, thin);
       if (near.distance > touching) return;
       if (ways.between(a, near.a, b, near.b) <= options.detour * touching) return;

@@ -16,11 +16,6 @@ std::vector<NodeId> wayTo(const Skeleton& skeleton, NodeId id) {
   return way;
 }
 
-double edgeLength(const Skeleton& skeleton, NodeId id) {
-  const Node& node = skeleton[id];
-  return node.parent ? (node.position - skeleton[*node.parent].position).norm() : 0;
-}
-
 /// From the foot of the edge of `way[first]` to a place on the last edge of the way.
 double lengthOf(const Skeleton& skeleton, const std::vector<NodeId>& way, std::size_t first,
                 const SkeletonPlace& place) {
@@ -31,6 +26,11 @@ double lengthOf(const Skeleton& skeleton, const std::vector<NodeId>& way, std::s
 }
 
 } // namespace
+
+double edgeLength(const Skeleton& skeleton, NodeId id) {
+  const Node& node = skeleton[id];
+  return node.parent ? (node.position - skeleton[*node.parent].position).norm() : 0;
+}
 
 Eigen::Vector3d positionOf(const Skeleton& skeleton, const SkeletonPlace& place) {
   const Node& node = skeleton[place.node];

@@ -6,6 +6,8 @@
 
 namespace espalier {
 
+[[nodiscard]] double edgeLength(const Skeleton& skeleton, NodeId id); // [L], 0 for a root
+
 /// A place on the edge from a node to its parent, or a node itself.
 struct SkeletonPlace {
   NodeId node;

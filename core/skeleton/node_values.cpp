@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace espalier {
 namespace {
@@ -33,9 +32,8 @@ std::vector<Share> shares(const Skeleton& skeleton, const PointDistances& distan
   return result;
 }
 
-std::optional<double> confidence(const Share& share, const WoodTube& tube, double spacing) {
-  const double area =
-      std::numbers::pi * (tube.fromRadius + tube.toRadius) * (tube.to - tube.from).norm();
+std::optional<double> confidence(const Share& share, const Frustum& body, double spacing) {
+  const double area = body.lateralArea();
   if (area <= 0) return std::nullopt;
   return std::min(1.0, share.near * 4 * spacing * spacing / area);
 }
@@ -72,7 +70,8 @@ Values nodeValues(const Skeleton& skeleton, NodeValue value, const PointDistance
       result[i] = radiusToParent(skeleton, node);
       break;
     case NodeValue::confidence:
-      if (const auto tube = tubeOf(skeleton, id)) result[i] = confidence(shared[i], *tube, spacing);
+      if (const auto body = frustumOf(skeleton, id))
+        result[i] = confidence(shared[i], *body, spacing);
       break;
     }
   }

@@ -1,30 +1,22 @@
 #include "core/skeleton/own_points.h"
 
-#include "core/base/box_tree.h"
 #include "core/base/parallel.h"
 #include "core/skeleton/axes.h"
-#include "core/skeleton/wood_tube.h"
+#include "core/skeleton/edge_index.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
 namespace espalier {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// All wood of a skeleton, and what lies beyond a branch.
 class Wood {
 public:
   explicit Wood(const Skeleton& skeleton)
-      : ids_(idsWithTubes(skeleton)), tree_(boxes(skeleton, ids_)), rank_(skeleton.idEnd(), 0),
-        end_(skeleton.idEnd(), 0) {
-    tubes_.reserve(ids_.size());
-    for (const NodeId id : ids_)
-      tubes_.push_back(*tubeOf(skeleton, id));
+      : index_(bodiesOf(skeleton)), rank_(skeleton.idEnd(), 0), end_(skeleton.idEnd(), 0) {
     number(skeleton);
   }
 
@@ -36,44 +28,10 @@ public:
 
   /// From a place to the surface of the nearest wood that `branch` does not carry, 0 inside [L].
   [[nodiscard]] double distanceBeside(NodeId branch, const Eigen::Vector3d& place) const {
-    const auto squaredTo = [&](std::size_t i) {
-      if (carries(branch, ids_[i])) return infinity;
-      const double distance = std::max(0.0, toSurface(tubes_[i], place));
-      return distance * distance;
-    };
-    const std::optional<std::size_t> nearest = tree_.nearest(place, squaredTo);
-    return nearest ? std::sqrt(squaredTo(*nearest)) : infinity;
+    return index_.distanceToSurface(place, [&](NodeId id) { return !carries(branch, id); });
   }
 
 private:
-  static std::vector<NodeId> idsWithTubes(const Skeleton& skeleton) {
-    std::vector<NodeId> ids = skeleton.ids();
-    std::erase_if(ids, [&](NodeId id) { return !tubeOf(skeleton, id); });
-    return ids;
-  }
-
-  static std::vector<Eigen::AlignedBox3d> boxes(const Skeleton& skeleton,
-                                                const std::vector<NodeId>& ids) {
-    std::vector<Eigen::AlignedBox3d> boxes;
-    boxes.reserve(ids.size());
-    for (const NodeId id : ids) {
-      const WoodTube tube = *tubeOf(skeleton, id);
-      Eigen::AlignedBox3d box = tube.centerBox();
-      box.min().array() -= tube.widest();
-      box.max().array() += tube.widest();
-      boxes.push_back(box);
-    }
-    return boxes;
-  }
-
-  static double toSurface(const WoodTube& tube, const Eigen::Vector3d& place) {
-    const Eigen::Vector3d along = tube.to - tube.from;
-    const double squared = along.squaredNorm();
-    const double share =
-        squared > 0 ? std::clamp((place - tube.from).dot(along) / squared, 0.0, 1.0) : 0;
-    return (tube.from + share * along - place).norm() - radiusAt(tube, share);
-  }
-
   /// Ranks in depth-first order, so that what a node carries is one run of them.
   void number(const Skeleton& skeleton) {
     std::vector<NodeId> open = skeleton.roots();
@@ -91,9 +49,7 @@ private:
         end_[indexOf(*parent)] = std::max(end_[indexOf(*parent)], end_[indexOf(*id)]);
   }
 
-  std::vector<NodeId> ids_; // one per tube
-  std::vector<WoodTube> tubes_;
-  BoxTree tree_;
+  EdgeIndex index_;
   std::vector<std::size_t> rank_, end_; // by id
 };
 
@@ -128,15 +84,14 @@ struct Check {
     bool isOver = false;
     for (std::optional<NodeId> at = branch; at && !isOver; at = nextOnAxis(skeleton, *at)) {
       if (*at != branch) finding.others.push_back(*at);
-      const WoodTube tube = *tubeOf(skeleton, *at);
-      const Eigen::Vector3d along = tube.to - tube.from;
+      const Frustum body = *frustumOf(skeleton, *at);
       constexpr double most = 1000; // steps: one edge across a plant of many points
-      const double steps = std::clamp(std::ceil(along.norm() / spacing), 1.0, most);
+      const double steps = std::clamp(std::ceil(body.length() / spacing), 1.0, most);
       for (double i = 1; i <= steps && !isOver; ++i) {
-        const Eigen::Vector3d place = tube.from + i / steps * along;
+        const Eigen::Vector3d place = body.at(i / steps);
         if (isBeside(branch, place)) continue;
-        isOver = hasOwnPoints(branch, place, radiusAt(tube, i / steps));
-        if (!isOver) finding.amount += along.norm() / steps;
+        isOver = hasOwnPoints(branch, place, body.radiusAt(i / steps));
+        if (!isOver) finding.amount += body.length() / steps;
       }
     }
     const bool isTold = finding.amount > options.ownLength * spacing;

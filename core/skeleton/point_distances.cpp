@@ -16,23 +16,9 @@ constexpr Eigen::Index mostInARun = 64;
 constexpr double widestRun =
     16; // point spacings: a run of that many points on a flat surface is 11
 
-double squaredDistance(const WoodTube& tube, const Eigen::Vector3d& place) {
-  const Eigen::Vector3d along = tube.to - tube.from;
-  const double squared = along.squaredNorm();
-  const double share =
-      squared > 0 ? std::clamp(along.dot(place - tube.from) / squared, 0.0, 1.0) : 0;
-  return (tube.from + share * along - place).squaredNorm();
-}
-
-Eigen::AlignedBox3d boxOf(const WoodTube& tube) {
-  const Eigen::AlignedBox3d box = tube.centerBox();
-  const Eigen::Vector3d wood = Eigen::Vector3d::Constant(tube.widest());
-  return {box.min() - wood, box.max() + wood};
-}
-
 } // namespace
 
-/// A tube made ready to be measured from many points.
+/// A frustum made ready to be measured from many points.
 struct PointDistances::Candidate {
   NodeId id;
   Eigen::Vector3d from;
@@ -41,19 +27,21 @@ struct PointDistances::Candidate {
   double fromRadius;
   double wider; // from end to end
 
-  Candidate(NodeId node, const WoodTube& tube)
-      : id(node), from(tube.from), along(tube.to - tube.from),
-        inverse(along.squaredNorm() > 0 ? 1 / along.squaredNorm() : 0), fromRadius(tube.fromRadius),
-        wider(tube.toRadius - tube.fromRadius) {}
+  Candidate(NodeId node, const Frustum& body)
+      : id(node), from(body.from), along(body.to - body.from),
+        inverse(along.squaredNorm() > 0 ? 1 / along.squaredNorm() : 0),
+        fromRadius(inverse > 0 ? body.fromRadius : body.toRadius),
+        wider(body.toRadius - fromRadius) {}
 };
 
 PointDistances::PointDistances(std::shared_ptr<const PointCloud> cloud, double spacing,
                                const Skeleton& skeleton, const Progress& progress)
     : cloud_(std::move(cloud)), toSurface_(static_cast<std::size_t>(cloud_->size())),
-      toAxis_(toSurface_.size()), nearest_(toSurface_.size()), tubes_(skeleton.idEnd()), tree_({}) {
+      toAxis_(toSurface_.size()), nearest_(toSurface_.size()), bodies_(skeleton.idEnd()),
+      index_(std::vector<EdgeBody>()) {
   makeRuns(spacing);
   for (const NodeId id : skeleton.ids())
-    tubes_[indexOf(id)] = tubeHere(skeleton, id);
+    bodies_[indexOf(id)] = bodyHere(skeleton, id);
   plant();
   constexpr Eigen::Index runsAtOnce = 16;
   parallelFor(
@@ -75,13 +63,13 @@ std::vector<Eigen::Index> PointDistances::update(const Skeleton& skeleton,
   }
   std::ranges::sort(touched);
   touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
-  tubes_.resize(skeleton.idEnd());
+  bodies_.resize(skeleton.idEnd());
   isLoose_.resize(skeleton.idEnd(), false);
   std::erase_if(touched, [&](NodeId id) { // a mark, an entity, a comment: nothing to measure
-    std::optional<WoodTube> tube;
-    if (skeleton.contains(id)) tube = tubeHere(skeleton, id);
-    const bool isSame = tube == tubes_[indexOf(id)];
-    tubes_[indexOf(id)] = std::move(tube);
+    std::optional<Frustum> body;
+    if (skeleton.contains(id)) body = bodyHere(skeleton, id);
+    const bool isSame = body == bodies_[indexOf(id)];
+    bodies_[indexOf(id)] = std::move(body);
     return isSame;
   });
   for (const NodeId id : touched)
@@ -123,57 +111,49 @@ void PointDistances::makeRuns(double spacing) {
 }
 
 void PointDistances::plant() {
-  planted_.clear();
-  std::vector<Eigen::AlignedBox3d> boxes;
-  for (std::size_t i = 0; i < tubes_.size(); ++i)
-    if (tubes_[i]) {
-      planted_.push_back(static_cast<NodeId>(i));
-      boxes.push_back(boxOf(*tubes_[i]));
-    }
-  tree_ = BoxTree(std::move(boxes));
-  isLoose_.assign(tubes_.size(), false);
+  std::vector<EdgeBody> edges;
+  for (std::size_t i = 0; i < bodies_.size(); ++i)
+    if (bodies_[i]) edges.push_back({static_cast<NodeId>(i), *bodies_[i]});
+  index_ = EdgeIndex(std::move(edges));
+  isLoose_.assign(bodies_.size(), false);
   loose_.clear();
 }
 
-std::optional<WoodTube> PointDistances::tubeHere(const Skeleton& skeleton, NodeId id) const {
-  std::optional<WoodTube> tube = tubeOf(skeleton, id);
-  if (tube) {
-    tube->from -= cloud_->origin();
-    tube->to -= cloud_->origin();
+std::optional<Frustum> PointDistances::bodyHere(const Skeleton& skeleton, NodeId id) const {
+  std::optional<Frustum> body = frustumOf(skeleton, id);
+  if (body) {
+    body->from -= cloud_->origin();
+    body->to -= cloud_->origin();
   }
-  return tube;
+  return body;
 }
 
 /// All whose axis or surface may be the nearest to a point of the run, the lowest id first.
 std::vector<NodeId> PointDistances::candidates(const Run& run) const {
   const Eigen::Vector3d center = run.box.center();
   const double half = run.box.diagonal().norm() / 2;
-  const auto squared = [&](std::size_t i) {
-    const NodeId id = planted_[i];
-    return isLoose_[indexOf(id)] ? infinite : squaredDistance(*tubes_[indexOf(id)], center);
-  };
-  double nearest = infinite;
-  if (const auto found = tree_.nearest(center, squared)) nearest = squared(*found);
+  const auto isPlanted = [&](NodeId id) { return !isLoose_[indexOf(id)]; };
+  double nearest = index_.distance(center, isPlanted);
   for (const NodeId id : loose_)
-    if (tubes_[indexOf(id)])
-      nearest = std::min(nearest, squaredDistance(*tubes_[indexOf(id)], center));
+    if (const std::optional<Frustum>& body = bodies_[indexOf(id)])
+      nearest = std::min(nearest, (body->at(body->nearestShare(center)) - center).norm());
   // No point of the run is farther than this from some axis, and none has a surface farther away.
-  const double reach = std::sqrt(nearest) + half * (1 + 1e-9);
+  const double reach = nearest + half * (1 + 1e-9);
   std::vector<NodeId> ids;
-  tree_.within(run.box, reach, [&](std::size_t i) {
-    if (!isLoose_[indexOf(planted_[i])]) ids.push_back(planted_[i]);
+  index_.within(run.box, reach, [&](const EdgeBody& edge) {
+    if (isPlanted(edge.node)) ids.push_back(edge.node);
   });
   for (const NodeId id : loose_)
-    if (tubes_[indexOf(id)]) ids.push_back(id);
+    if (bodies_[indexOf(id)]) ids.push_back(id);
   std::ranges::sort(ids);
   return ids;
 }
 
 /// Looks at each point of the run, and at each candidate for it.
 void PointDistances::measure(Run& run) {
-  std::vector<Candidate> tubes;
+  std::vector<Candidate> edges;
   for (const NodeId id : candidates(run))
-    tubes.emplace_back(id, *tubes_[indexOf(id)]);
+    edges.emplace_back(id, *bodies_[indexOf(id)]);
   run.farthestFromAxis = run.farthestFromSurface = -infinite;
   run.owners.clear();
   for (Eigen::Index i = run.begin; i < run.end; ++i) {
@@ -182,13 +162,13 @@ void PointDistances::measure(Run& run) {
     double surface = infinite;
     NodeId axisOf{};
     NodeId surfaceOf{};
-    for (const Candidate& tube : tubes) {
-      const Eigen::Vector3d off = place - tube.from;
-      const double share = std::clamp(off.dot(tube.along) * tube.inverse, 0.0, 1.0);
-      const double squared = (off - share * tube.along).squaredNorm();
-      const double above = std::sqrt(squared) - (tube.fromRadius + share * tube.wider);
-      if (squared < axis) axis = squared, axisOf = tube.id;
-      if (above < surface) surface = above, surfaceOf = tube.id;
+    for (const Candidate& edge : edges) {
+      const Eigen::Vector3d off = place - edge.from;
+      const double share = std::clamp(off.dot(edge.along) * edge.inverse, 0.0, 1.0);
+      const double squared = (off - share * edge.along).squaredNorm();
+      const double above = std::sqrt(squared) - (edge.fromRadius + share * edge.wider);
+      if (squared < axis) axis = squared, axisOf = edge.id;
+      if (above < surface) surface = above, surfaceOf = edge.id;
     }
     const auto k = static_cast<std::size_t>(i);
     toAxis_[k] = static_cast<float>(std::sqrt(axis));
@@ -207,12 +187,13 @@ void PointDistances::measure(Run& run) {
 bool PointDistances::mayChange(const Run& run, const std::vector<NodeId>& touched) const {
   return std::ranges::any_of(touched, [&](NodeId id) {
     if (std::ranges::binary_search(run.owners, id)) return true;
-    const std::optional<WoodTube>& tube = tubes_[indexOf(id)];
-    if (!tube) return false;
-    const double apart = run.box.exteriorDistance(tube->centerBox());
-    const double rounding = 1e-9 * (apart + tube->widest());
+    const std::optional<Frustum>& body = bodies_[indexOf(id)];
+    if (!body) return false;
+    const double apart = run.box.exteriorDistance(body->centerBox());
+    const double widest = std::max(body->fromRadius, body->toRadius);
+    const double rounding = 1e-9 * (apart + widest);
     return apart <= run.farthestFromAxis + rounding ||
-           apart - tube->widest() <= run.farthestFromSurface + rounding;
+           apart - widest <= run.farthestFromSurface + rounding;
   });
 }
 

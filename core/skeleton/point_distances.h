@@ -1,10 +1,9 @@
 #pragma once
 
-#include "core/base/box_tree.h"
 #include "core/base/progress.h"
 #include "core/cloud/point_cloud.h"
+#include "core/skeleton/edge_index.h"
 #include "core/skeleton/skeleton_delta.h"
-#include "core/skeleton/wood_tube.h"
 
 #include <memory>
 #include <optional>
@@ -52,8 +51,8 @@ private:
   struct Candidate;
 
   void makeRuns(double spacing);
-  void plant(); // the tree over all tubes of now
-  [[nodiscard]] std::optional<WoodTube> tubeHere(const Skeleton& skeleton, NodeId id) const;
+  void plant(); // the index of all edges of now
+  [[nodiscard]] std::optional<Frustum> bodyHere(const Skeleton& skeleton, NodeId id) const;
   [[nodiscard]] std::vector<NodeId> candidates(const Run& run) const;
   void measure(Run& run);
   [[nodiscard]] bool mayChange(const Run& run, const std::vector<NodeId>& touched) const;
@@ -64,9 +63,8 @@ private:
   std::vector<float> toAxis_;
   std::vector<NodeId> nearest_;
 
-  std::vector<std::optional<WoodTube>> tubes_; // by id, frame of the cloud
-  std::vector<NodeId> planted_;                // of the boxes of the tree
-  BoxTree tree_;                               // of tubes, as they were when it was planted
+  std::vector<std::optional<Frustum>> bodies_; // by id, frame of the cloud
+  EdgeIndex index_;                            // of them, as they were when it was planted
   std::vector<bool> isLoose_;                  // by id: has changed since
   std::vector<NodeId> loose_;                  // those, lowest first
 };

@@ -1,8 +1,8 @@
 #include "tests/bench/judged_radii.h"
 
 #include "core/base/spatial_index.h"
-#include "core/evaluate/edge_index.h"
 #include "core/radius/arc_coverage.h"
+#include "core/skeleton/edge_index.h"
 
 #include <algorithm>
 #include <cmath>

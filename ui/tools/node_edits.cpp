@@ -43,8 +43,8 @@ std::optional<Eigen::Vector3d> alongThePoints(const PlantDocument& document,
 }
 
 void newChild(PlantDocument& document, const NodeTarget& target) {
-  const Snap snap = [&](const Eigen::Vector3d& place) {
-    return document.scan() ? document.scan()->onPoints(place, snapReach(document)) : place;
+  const auto snap = [&](const Eigen::Vector3d& place) {
+    return document.scan() ? document.scan()->onPoints(place, reach(document)) : place;
   };
   std::vector<NodeId> added;
   editEach(document, target, NodeEditText::tr("New child of %1"),

@@ -54,7 +54,7 @@ TEST(TreeEquations, LeaveAtZeroWhatNobodyAskedFor) {
   EXPECT_EQ(TreeEquations(parents).solved()[1], Eigen::Vector3d::Zero());
 }
 
-Taper bar(const Eigen::Vector3d& to, double radius = 0.1) {
+Frustum bar(const Eigen::Vector3d& to, double radius = 0.1) {
   return {Eigen::Vector3d::Zero(), to, radius, radius};
 }
 
@@ -67,7 +67,7 @@ TEST(FlatOverlap, IsTheShareOfTheSmallerArea) {
 }
 
 TEST(FlatOverlap, TakesTipsAndNothing) {
-  const Taper pointed = {Eigen::Vector3d::Zero(), {1, 0, 0}, 0.1, 0};
+  const Frustum pointed = {Eigen::Vector3d::Zero(), {1, 0, 0}, 0.1, 0};
   EXPECT_NEAR(flatOverlap(pointed, bar({1, 0, 0})), 1, 1e-9);
   EXPECT_EQ(flatOverlap(bar({1, 0, 0}, 0), bar({1, 0, 0})), 0);
   EXPECT_EQ(flatOverlap(bar({0, 0, 0}), bar({1, 0, 0})), 0);

@@ -1,7 +1,7 @@
-#include "core/evaluate/edge_index.h"
 #include "core/reconstruct/centered_line.h"
 #include "core/reconstruct/trace.h"
 #include "core/skeleton/axes.h"
+#include "core/skeleton/edge_index.h"
 #include "tests/support/clouds.h"
 #include "tests/support/simulated.h"
 

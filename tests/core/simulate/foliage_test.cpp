@@ -69,7 +69,7 @@ TEST(Foliage, OfShortShootsIsBorneByThemToo) {
                   .blades = {.spacing = 0.002, .length = 0.01, .width = 0.001, .reach = 1}};
   const Organs organs = organsOf(test::stick(11, 0.1), foliage, 1, 4);
   ASSERT_GT(organs.shortShoots.size(), 8U);
-  for (const WoodPiece& shoot : organs.shortShoots) {
+  for (const EdgeSolid& shoot : organs.shortShoots) {
     EXPECT_FALSE(shoot.node);
     EXPECT_NEAR((shoot.to - shoot.from).norm() - 0.1, 0.1, 0.03 + 1e-12) << "beyond the wood";
   }

@@ -44,9 +44,9 @@ TEST(LaserScanner, PutsPointsOnTheSurfaceIfItMakesNoErrors) {
 TEST(LaserScanner, KnowsWhichEdgeEachPointLiesOn) {
   const Skeleton plant = smallTree();
   const SimulatedScan result = scan(plant, idealScanner(2000), 2);
-  const std::vector<WoodPiece> wood = woodOf(plant);
+  const std::vector<EdgeSolid> wood = woodOf(plant);
   for (std::size_t i = 0; i < result.nodes.size(); ++i) {
-    const auto piece = std::find_if(wood.begin(), wood.end(), [&](const WoodPiece& candidate) {
+    const auto piece = std::find_if(wood.begin(), wood.end(), [&](const EdgeSolid& candidate) {
       return candidate.node == *result.nodes[i];
     });
     ASSERT_NE(piece, wood.end());

@@ -12,14 +12,14 @@ namespace {
 using Eigen::Vector3d;
 
 TEST(WoodIndex, FindsTheSameHitsAsLookingAtAllWood) {
-  const std::vector<WoodPiece> wood = woodOf(test::randomPlant(60, 3));
+  const std::vector<EdgeSolid> wood = woodOf(test::randomPlant(60, 3));
   const WoodIndex index(wood);
   Random random(1);
   int hits = 0;
   for (int i = 0; i < 20000; ++i) {
     const Ray ray{30 * random.direction(), random.direction()};
     std::optional<WoodHit> expected;
-    for (const WoodPiece& piece : wood)
+    for (const EdgeSolid& piece : wood)
       if (const auto next = hit(piece, ray); next && (!expected || next->range < expected->range))
         expected = next;
     const std::optional<WoodHit> found = index.firstHit(ray);
@@ -34,13 +34,13 @@ TEST(WoodIndex, FindsTheSameHitsAsLookingAtAllWood) {
 }
 
 TEST(WoodIndex, FindsTheSameDistancesAsLookingAtAllWood) {
-  const std::vector<WoodPiece> wood = woodOf(test::randomPlant(60, 4));
+  const std::vector<EdgeSolid> wood = woodOf(test::randomPlant(60, 4));
   const WoodIndex index(wood);
   Random random(2);
   for (int i = 0; i < 200; ++i) {
     const Vector3d place = random.uniform(0, 25) * random.direction();
     double expected = 5;
-    for (const WoodPiece& piece : wood)
+    for (const EdgeSolid& piece : wood)
       expected = std::min(expected, signedDistance(piece, place));
     const double found = index.distance(place, 5);
     if (expected > 0)

@@ -109,11 +109,11 @@ TEST_P(EachArchitecture, KeepsTheAxesOutOfOtherWood) {
   const Skeleton plant = growPlant(options(250), 6);
   int inside = 0;
   int looked = 0;
-  const std::vector<WoodPiece> wood = woodOf(plant);
+  const std::vector<EdgeSolid> wood = woodOf(plant);
   for (const NodeId id : plant.ids()) {
     if (!plant.children(id).empty()) continue; // apices are far from where their axes start
     ++looked;
-    const bool stuck = std::any_of(wood.begin(), wood.end(), [&](const WoodPiece& piece) {
+    const bool stuck = std::any_of(wood.begin(), wood.end(), [&](const EdgeSolid& piece) {
       return !plant.isAncestor(*piece.node, id) &&
              signedDistance(piece, plant[id].position) < plant[id].radius;
     });

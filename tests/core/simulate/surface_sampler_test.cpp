@@ -18,12 +18,12 @@ using Eigen::Vector3d;
 
 TEST(SurfaceSampler, PutsEachPointOnTheEdgeItNames) {
   const Skeleton plant = growPlant({.segments = 60}, 3);
-  const std::vector<WoodPiece> wood = woodOf(plant);
+  const std::vector<EdgeSolid> wood = woodOf(plant);
   const SimulatedScan sample = sampleSurface(plant, {.points = 2000}, 1);
   ASSERT_EQ(sample.points.positions.size(), 2000U);
   ASSERT_EQ(sample.nodes.size(), 2000U);
   for (std::size_t i = 0; i < sample.nodes.size(); ++i) {
-    const auto piece = std::find_if(wood.begin(), wood.end(), [&](const WoodPiece& candidate) {
+    const auto piece = std::find_if(wood.begin(), wood.end(), [&](const EdgeSolid& candidate) {
       return candidate.node == *sample.nodes[i];
     });
     ASSERT_NE(piece, wood.end());

@@ -14,8 +14,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-const WoodPiece cylinder{{0, 0, 0}, {0, 0, 2}, 0.5, 0.5, NodeId{7}};
-const WoodPiece cone{{0, 0, 0}, {0, 0, 4}, 2, 1, NodeId{1}};
+const EdgeSolid cylinder{{{0, 0, 0}, {0, 0, 2}, 0.5, 0.5}, NodeId{7}};
+const EdgeSolid cone{{{0, 0, 0}, {0, 0, 4}, 2, 1}, NodeId{1}};
 
 TEST(Wood, IsHitOnTheNearSideOfACylinder) {
   const auto found = hit(cylinder, {{-10, 0, 1}, {1, 0, 0}});
@@ -46,7 +46,7 @@ TEST(Wood, IsMissedBesideBelowAndBehind) {
 }
 
 TEST(Wood, FindsAThinTwigFromFarAway) {
-  const WoodPiece twig{{0, 0, 0}, {0, 0, 1}, 1e-3, 1e-3, {}};
+  const EdgeSolid twig{{{0, 0, 0}, {0, 0, 1}, 1e-3, 1e-3}, {}};
   const auto found = hit(twig, {{-1000, 0, 0.5}, {1, 0, 0}});
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->range, 1000 - 1e-3, 1e-9);
@@ -77,23 +77,6 @@ TEST(Wood, HasNoDistanceWhereARayEntersIt) {
   EXPECT_GT(hits, 500);
 }
 
-// Slant height of a frustum of radii 2 and 1 and height 4 is sqrt(17).
-TEST(Wood, HasTheAreaOfAFrustum) {
-  EXPECT_NEAR(lateralArea(cylinder), 2 * std::numbers::pi, 1e-12);
-  EXPECT_NEAR(lateralArea(cone), 3 * std::numbers::pi * std::sqrt(17.0), 1e-12);
-}
-
-TEST(Wood, TapersAlongAnAxisButStartsABranchWithItsOwnRadius) {
-  Skeleton plant = test::fork(2);
-  plant.setRadius(test::forkTop, 0.3);
-  const std::vector<WoodPiece> wood = woodOf(plant);
-  ASSERT_EQ(wood.size(), 3U);
-  EXPECT_EQ(wood[0].fromRadius, 0.1);
-  EXPECT_EQ(wood[0].toRadius, 0.3);
-  EXPECT_EQ(wood[1].fromRadius, 0.3); // the successor
-  EXPECT_EQ(wood[2].fromRadius, 0.1); // the branch
-}
-
 TEST(Wood, RefusesNodesWithoutRadiusOrPlace) {
   Skeleton plant = test::stick(3);
   plant.setRadius(NodeId{2}, 0);
@@ -104,7 +87,7 @@ TEST(Wood, RefusesNodesWithoutRadiusOrPlace) {
 }
 
 TEST(Wood, OfAnEdgeWithoutLengthIsABall) {
-  const WoodPiece ball{{1, 0, 0}, {1, 0, 0}, 0.5, 0.5, {}};
+  const EdgeSolid ball{{{1, 0, 0}, {1, 0, 0}, 0.5, 0.5}, {}};
   const auto found = hit(ball, {{-10, 0, 0}, {1, 0, 0}});
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->range, 10.5, 1e-12);

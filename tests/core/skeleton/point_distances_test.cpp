@@ -51,6 +51,13 @@ TEST(PointDistances, FollowTheRadiusFromEndToEndOfAnEdge) {
   EXPECT_FLOAT_EQ(surfaceOver({1, 0, 0.5}, cone), 0.8F);
 }
 
+TEST(PointDistances, FollowTheRadiusOfTheNodeWhereItsParentHasNone) {
+  Skeleton stick = test::stick(2);
+  stick.setRadius(NodeId{0}, 0);
+  stick.setRadius(NodeId{1}, 0.2);
+  EXPECT_FLOAT_EQ(surfaceOver({1, 0, 0.5}, stick), 0.8F);
+}
+
 // A thick trunk at a distance of 3 with a surface at 1, a thin twig at a distance of 2.
 TEST(PointDistances, TakeTheNearestSurfaceThoughAnAxisIsNearer) {
   Skeleton plant;
@@ -81,11 +88,11 @@ TEST(PointDistances, AreWhatTryingAllEdgesFinds) {
     double axis = std::numeric_limits<double>::infinity();
     double surface = axis;
     for (const NodeId id : plant.ids()) {
-      const auto tube = tubeOf(plant, id);
-      if (!tube) continue;
-      const NearestOfTubes near = nearestOf(*tube, {cloud->position(i), cloud->position(i), 0, 0});
+      const auto body = frustumOf(plant, id);
+      if (!body) continue;
+      const NearestShares near = nearestShares(*body, {cloud->position(i), cloud->position(i)});
       axis = std::min(axis, near.distance);
-      surface = std::min(surface, near.distance - radiusAt(*tube, near.a));
+      surface = std::min(surface, near.distance - body->radiusAt(near.a));
     }
     const auto k = static_cast<std::size_t>(i);
     ASSERT_NEAR(distances.toAxis()[k], axis, 1e-5);

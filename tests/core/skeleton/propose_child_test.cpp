@@ -8,7 +8,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-const Snap toNothing = [](const Vector3d& place) { return place; };
+const auto toNothing = [](const Vector3d& place) -> Vector3d { return place; };
 
 TEST(ProposeChild, ContinuesTheSegmentOfAnApex) {
   const Skeleton plant = test::stick(3);
@@ -32,13 +32,13 @@ TEST(ProposeChild, KeepsAwayFromTheOtherNeighbors) {
 }
 
 TEST(ProposeChild, SnapsToThePoints) {
-  const Snap aside = [](const Vector3d& place) { return Vector3d(place + Vector3d(0.2, 0, 0)); };
+  const auto aside = [](const Vector3d& place) { return Vector3d(place + Vector3d(0.2, 0, 0)); };
   const Vector3d place = proposeChild(test::stick(3), NodeId{2}, Vector3d::UnitY(), 0.1, aside);
   EXPECT_TRUE(place.isApprox(Vector3d(0.2, 0, 3)));
 }
 
 TEST(ProposeChild, DoesNotSnapBackToItsParent) {
-  const Snap back = [](const Vector3d&) { return Vector3d(0, 0, 2.1); };
+  const auto back = [](const Vector3d&) { return Vector3d(0, 0, 2.1); };
   const Vector3d place = proposeChild(test::stick(3), NodeId{2}, Vector3d::UnitY(), 0.1, back);
   EXPECT_TRUE(place.isApprox(Vector3d(0, 0, 3)));
 }

@@ -1,6 +1,5 @@
 #include "core/base/box_tree.h"
-#include "core/evaluate/edge_index.h"
-#include "tests/core/evaluate/evaluate_plants.h"
+#include "core/skeleton/edge_index.h"
 #include "tests/support/plants.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +30,7 @@ TEST(EdgeIndex, FindsTheTipBeyondAStick) {
 
 TEST(EdgeIndex, FindsALoneRootAndNothingInNothing) {
   EXPECT_EQ(EdgeIndex(test::stick(1)).nearest({0, 0, 2})->distance, 2);
-  EXPECT_FALSE(EdgeIndex({}).nearest({0, 0, 2}));
+  EXPECT_FALSE(EdgeIndex(Skeleton()).nearest({0, 0, 2}));
 }
 
 TEST(EdgeIndex, FindsWhatTryingAllEdgesFinds) {

@@ -22,15 +22,13 @@ public:
 
   [[nodiscard]] int count() const { return count_; }
   [[nodiscard]] Eigen::Vector3d mean() const { return about_ + sum_ / count_; } // pre: count() > 0
-  [[nodiscard]] Eigen::Matrix3d covariance() const {                            // pre: count() > 0
-    const Eigen::Vector3d shift = sum_ / count_;
-    return squares_ / count_ - shift * shift.transpose();
-  }
 
   /// Variances and directions of the principal components, the least first. pre: count() > 0
   [[nodiscard]] Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> components() const {
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-    solver.computeDirect(covariance()); // closed form: four times as fast as by iteration
+    const Eigen::Vector3d shift = sum_ / count_;
+    const Eigen::Matrix3d covariance = squares_ / count_ - shift * shift.transpose();
+    solver.computeDirect(covariance); // closed form: four times as fast as by iteration
     return solver;
   }
 

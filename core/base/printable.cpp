@@ -34,8 +34,7 @@ bool steers(std::uint32_t code) {
   return isControl || breaks || turns;
 }
 
-} // namespace
-
+/// How many bytes of the front of `text` are one sign in UTF-8; 0 if they are none.
 std::size_t utf8Sign(std::string_view text) {
   if (text.empty()) return 0;
   const std::size_t length = lengthBehind(byteAt(text, 0));
@@ -47,6 +46,8 @@ std::size_t utf8Sign(std::string_view text) {
   const bool isHalf = code >= 0xd800 && code < 0xe000; // of a pair in UTF-16
   return isTooLong || isHalf || code > 0x10ffff ? 0 : length;
 }
+
+} // namespace
 
 bool isUtf8(std::string_view text) {
   while (!text.empty()) {

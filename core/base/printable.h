@@ -5,9 +5,6 @@
 
 namespace espalier {
 
-/// How many bytes of the front of `text` are one sign in UTF-8; 0 if they are none.
-[[nodiscard]] std::size_t utf8Sign(std::string_view text);
-
 [[nodiscard]] bool isUtf8(std::string_view text);
 
 /// `text` as a terminal may show it, on one line: whatever breaks the line, steers the terminal or

@@ -5,7 +5,9 @@
 #include <algorithm>
 
 namespace espalier {
+namespace {
 
+/// By its mark, or as every second byte is 0.
 bool isUtf16(std::string_view beginning) {
   if (beginning.starts_with("\xFF\xFE") || beginning.starts_with("\xFE\xFF")) return true;
   constexpr std::size_t few = 8;
@@ -18,6 +20,8 @@ bool isUtf16(std::string_view beginning) {
   };
   return isText(0) || isText(1);
 }
+
+} // namespace
 
 void requireNoUtf16(std::string_view beginning, const std::string& file) {
   if (isUtf16(beginning))

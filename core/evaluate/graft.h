@@ -33,14 +33,14 @@ public:
   void goOnAbove(NodeId id);
   /// Hangs a node where a hold says, along copies of what was missed on the way.
   void hangAlong(NodeId id, const Hold& hold);
-  /// Hangs a node by an edge of that type, and removes what leads to nothing any more. What else
-  /// continued the axis there branches.
-  void hang(NodeId id, NodeId onto, EdgeType edge);
 
   [[nodiscard]] const StandingNodes& standing() const { return standing_; }
   [[nodiscard]] const std::vector<NodeId>& added() const { return added_; }
 
 private:
+  /// Hangs a node by an edge of that type, and removes what leads to nothing any more. What else
+  /// continued the axis there branches.
+  void hang(NodeId id, NodeId onto, EdgeType edge);
   [[nodiscard]] bool carries(NodeId id, std::optional<NodeId> other) const;
   void removeDeadEnd(std::optional<NodeId> end);
 

@@ -22,12 +22,6 @@ std::vector<Eigen::Index> lowestColumns(const Eigen::Matrix3Xf& points, UpAxis u
 
 } // namespace
 
-double plantHeight(const Eigen::Matrix3Xf& points, UpAxis up) {
-  if (points.cols() == 0) return 0;
-  const auto heights = points.row(static_cast<Eigen::Index>(up));
-  return static_cast<double>(heights.maxCoeff()) - static_cast<double>(heights.minCoeff());
-}
-
 Eigen::Index findRoot(const Eigen::Matrix3Xf& points, UpAxis up, const Progress& progress) {
   const std::vector<Eigen::Index> slab = lowestColumns(points, up);
   const Eigen::Matrix3Xf low = points(Eigen::all, slab);

@@ -8,9 +8,6 @@ namespace espalier {
 
 enum class UpAxis { x, y, z };
 
-/// Extent of the points along `up` [L].
-[[nodiscard]] double plantHeight(const Eigen::Matrix3Xf& points, UpAxis up);
-
 /// A point at the foot of the plant: of the patches of linked points within the lowest 2 % of the
 /// height, the one with most points is the foot; of it, the point nearest to its mean.
 ///

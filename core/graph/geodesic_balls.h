@@ -134,37 +134,27 @@ struct BallGroups {
   std::vector<std::size_t> ends;     // of the groups, in `points`
 
   [[nodiscard]] std::size_t size() const { return ends.size(); }
-  [[nodiscard]] std::size_t begin(std::size_t group) const {
-    return group == 0 ? 0 : ends[group - 1];
-  }
-  /// The points of the groups [first, last). pre: first < last
-  [[nodiscard]] std::span<const std::uint32_t> between(std::size_t first, std::size_t last) const {
-    return {points.data() + begin(first), points.data() + ends[last - 1]};
+  [[nodiscard]] std::span<const std::uint32_t> of(std::size_t group) const {
+    return {points.data() + (group == 0 ? 0 : ends[group - 1]), points.data() + ends[group]};
   }
 };
 
 /// Groups all points of the graph with those around them. Deterministic. Time O(N + links).
 [[nodiscard]] BallGroups ballGroups(const NeighborhoodGraph& graph);
 
-/// Finds the points of balls along the links by their length.
-inline constexpr auto findAlongLinks =
-    [](GeodesicBalls& balls, std::span<const std::uint32_t> centers,
-       const GeodesicBalls::Lanes& radii) { balls.find(centers, radii); };
-
-/// Searches the balls of the points of the groups [first, last) on all threads.
+/// Searches the balls of all points on all threads. Groups are the same for any number of them.
 ///
 /// @param radiusOf radiusOf(point): of its ball [L]
 /// @param find     find(balls, centers, radii): calls one of the finds of `balls`
 /// @param visit    visit(balls): reads them, and writes only what belongs to their centers
 /// @throws Cancelled if `progress` asks to stop
 template <class RadiusOf, class Find, class Visit>
-void forEachGeodesicBalls(const BallGroups& groups, std::size_t first, std::size_t last,
-                          const NeighborhoodGraph& graph, const RadiusOf& radiusOf,
+void forEachGeodesicBalls(const NeighborhoodGraph& graph, const RadiusOf& radiusOf,
                           const Find& find, const Visit& visit, const Progress& progress) {
+  const BallGroups groups = ballGroups(graph);
   oneapi::tbb::enumerable_thread_specific<GeodesicBalls> all([&] { return GeodesicBalls(graph); });
   const auto searchGroup = [&](Eigen::Index group) {
-    const std::size_t number = first + static_cast<std::size_t>(group);
-    const std::span<const std::uint32_t> centers = groups.between(number, number + 1);
+    const std::span<const std::uint32_t> centers = groups.of(static_cast<std::size_t>(group));
     GeodesicBalls::Lanes radii = GeodesicBalls::Lanes::Zero();
     for (std::size_t lane = 0; lane < centers.size(); ++lane)
       radii[static_cast<Eigen::Index>(lane)] = static_cast<float>(radiusOf(centers[lane]));
@@ -172,22 +162,18 @@ void forEachGeodesicBalls(const BallGroups& groups, std::size_t first, std::size
     find(balls, centers, radii);
     visit(balls);
   };
-  parallelFor(static_cast<Eigen::Index>(last - first), searchGroup, progress, 2);
-}
-
-/// Searches the balls of all points. Groups are the same for any number of threads.
-template <class RadiusOf, class Find, class Visit>
-void forEachGeodesicBalls(const NeighborhoodGraph& graph, const RadiusOf& radiusOf,
-                          const Find& find, const Visit& visit, const Progress& progress) {
-  const BallGroups groups = ballGroups(graph);
-  forEachGeodesicBalls(groups, 0, groups.size(), graph, radiusOf, find, visit, progress);
+  parallelFor(static_cast<Eigen::Index>(groups.size()), searchGroup, progress, 2);
 }
 
 /// The same, along the links by their length.
 template <class RadiusOf, class Visit>
 void forEachGeodesicBalls(const NeighborhoodGraph& graph, const RadiusOf& radiusOf,
                           const Visit& visit, const Progress& progress) {
-  forEachGeodesicBalls(graph, radiusOf, findAlongLinks, visit, progress);
+  forEachGeodesicBalls(
+      graph, radiusOf,
+      [](GeodesicBalls& balls, std::span<const std::uint32_t> centers,
+         const GeodesicBalls::Lanes& radii) { balls.find(centers, radii); },
+      visit, progress);
 }
 
 } // namespace espalier

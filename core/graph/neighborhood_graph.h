@@ -35,7 +35,6 @@ public:
     const auto i = static_cast<std::size_t>(point);
     return {links_.data() + begin_[i], links_.data() + begin_[i + 1]};
   }
-  [[nodiscard]] std::size_t linkCount() const { return links_.size() / 2; }
 
   /// This graph with more links. pre: none of `edges` is there yet
   [[nodiscard]] NeighborhoodGraph withLinks(const std::vector<Edge>& edges,

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/graph/neighborhood_graph.h"
 
 #include <Eigen/Core>
 
@@ -27,25 +26,9 @@ struct Neighborhoods {
 [[nodiscard]] Neighborhoods joinedLists(const std::vector<std::vector<std::uint32_t>>& lists,
                                         const Progress& progress = {});
 
-// All below list the nearest first, are deterministic, use all threads, and throw Cancelled if
-// `progress` asks to stop.
-
-/// The `count` nearest others in space; all if there are fewer. Time O(N count log N).
+/// The `count` nearest others in space, the nearest first; all if there are fewer. Deterministic,
+/// uses all threads. Time O(N count log N). @throws Cancelled if `progress` asks to stop
 [[nodiscard]] Neighborhoods nearestNeighborhoods(const Eigen::Matrix3Xf& points, int count,
                                                  const Progress& progress = {});
-
-/// Those within `radius` [L] > 0 in space. Time O(N m log m) for m of them.
-[[nodiscard]] Neighborhoods neighborhoodsWithin(const Eigen::Matrix3Xf& points, float radius,
-                                                const Progress& progress = {});
-
-/// The `count` nearest others along the graph; fewer where the component is smaller.
-/// Time O(N m log m) for m links met.
-[[nodiscard]] Neighborhoods geodesicNearest(const NeighborhoodGraph& graph, int count,
-                                            const Progress& progress = {});
-
-/// Those within `radius` [L] along the graph. Time O(N k m / 16) for m of them; no memory to speak
-/// of beside the result.
-[[nodiscard]] Neighborhoods geodesicWithin(const NeighborhoodGraph& graph, float radius,
-                                           const Progress& progress = {});
 
 } // namespace espalier

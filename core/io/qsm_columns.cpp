@@ -103,22 +103,22 @@ bool canBeCylinder(const std::vector<std::string_view>& fields) {
          std::all_of(values.begin() + 8, values.begin() + 13, isCount);
 }
 
-} // namespace
-
-bool QsmColumns::areEnough() const {
-  const auto& self = *this;
-  const bool hasStart = self[startX] && self[startY] && self[startZ];
-  const bool hasAxis = self[length] && self[axisX] && self[axisY] && self[axisZ];
-  const bool hasEnd = self[endX] && self[endY] && self[endZ];
-  return self[radius] && self[parent] && hasStart && (hasAxis || hasEnd);
+/// Whether they tell where cylinders are, how thick, and which hangs on which.
+bool areEnough(const QsmColumns& columns) {
+  const bool hasStart = columns[startX] && columns[startY] && columns[startZ];
+  const bool hasAxis = columns[length] && columns[axisX] && columns[axisY] && columns[axisZ];
+  const bool hasEnd = columns[endX] && columns[endY] && columns[endZ];
+  return columns[radius] && columns[parent] && hasStart && (hasAxis || hasEnd);
 }
+
+} // namespace
 
 std::optional<QsmColumns> qsmColumnsIn(std::string_view beginning) {
   LineReader lines(beginning);
   const auto first = lines.next();
   if (!first || trimmed(*first).empty()) return std::nullopt;
   QsmColumns named = columnsNamed(*first);
-  if (named.areEnough()) return named;
+  if (areEnough(named)) return named;
   const char separator = separatorOf(*first);
   std::optional<QsmColumns> columns;
   LineReader rows(beginning);

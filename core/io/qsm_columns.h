@@ -42,8 +42,6 @@ struct QsmColumns {
   [[nodiscard]] const std::optional<std::size_t>& operator[](QsmField field) const {
     return places[static_cast<std::size_t>(field)];
   }
-  /// Whether they tell where cylinders are, how thick, and which hangs on which.
-  [[nodiscard]] bool areEnough() const;
 };
 
 /// The columns of a table of cylinders, by the rules told at `readQsmTable`; none if it is none.

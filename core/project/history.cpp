@@ -67,8 +67,6 @@ private:
   std::unordered_map<std::uint32_t, bool> marks_; // whether it is known to lead to a root
 };
 
-} // namespace
-
 bool fits(const SkeletonDelta& delta, const Skeleton& skeleton) {
   ChangesById changes;
   changes.reserve(delta.changes.size());
@@ -83,6 +81,8 @@ bool fits(const SkeletonDelta& delta, const Skeleton& skeleton) {
            (!change.after || rooted.holdsFor(change.id));
   });
 }
+
+} // namespace
 
 void growIds(Skeleton& skeleton, std::size_t end) {
   assert(end <= mostIds);

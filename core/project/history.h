@@ -43,10 +43,6 @@ struct History {
   bool operator==(const History&) const = default;
 };
 
-/// Whether `delta` can be applied: its nodes are in `skeleton` as they were before, and what comes
-/// out is a forest. Time O(changes + the paths from them to the root).
-[[nodiscard]] bool fits(const SkeletonDelta& delta, const Skeleton& skeleton);
-
 /// Ids that a file may name: a larger one would take the memory of all below it.
 inline constexpr std::size_t mostIds = std::size_t{1} << 25;
 
@@ -54,7 +50,9 @@ inline constexpr std::size_t mostIds = std::size_t{1} << 25;
 /// pre: end <= mostIds
 void growIds(Skeleton& skeleton, std::size_t end);
 
-/// Applies `delta` if it fits, and returns whether it did. Else nothing has changed.
+/// Applies `delta` if it can be: its nodes are in `skeleton` as they were before, and what comes
+/// out is a forest. Returns whether it did; else nothing has changed. Time O(changes + the paths
+/// from them to the root).
 [[nodiscard]] bool tryToApply(const SkeletonDelta& delta, Skeleton& skeleton);
 
 /// The plant before the first step, and no steps.

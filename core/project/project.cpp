@@ -264,16 +264,6 @@ Project Project::another() const {
   return {path_, access_, lock_};
 }
 
-void Project::copyRest(const Project& from) {
-  Statement texts = from.database_.prepare("SELECT name, text FROM document");
-  while (texts.step())
-    setDocument(texts.text(0), texts.text(1));
-  Statement names = from.database_.prepare("SELECT DISTINCT name FROM piece");
-  while (names.step())
-    setBytes(names.text(0), from.bytes(names.text(0)));
-  setScan(from.scan());
-}
-
 void Project::compact() {
   requireSameFile();
   database_.execute("VACUUM");

@@ -101,9 +101,6 @@ public:
   /// waiting for those of the other. The right to write goes with the last of them.
   [[nodiscard]] Project another() const;
 
-  /// Takes over documents, bytes and the scan of another project.
-  void copyRest(const Project& from);
-
   /// Gives back the room of what is no longer used. Takes a while.
   void compact();
 

@@ -1,5 +1,7 @@
 #include "core/radius/length_pipe_model.h"
 
+#include "core/skeleton/length_along.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -97,16 +99,6 @@ Line leastDistances(const std::vector<Sample>& samples, double tipLength) {
 }
 
 } // namespace
-
-std::vector<double> carriedLengths(const Skeleton& skeleton) {
-  std::vector<double> carried(skeleton.idEnd(), 0);
-  const std::vector<NodeId> ids = skeleton.ids();
-  for (auto id = ids.rbegin(); id != ids.rend(); ++id)
-    if (const auto parent = skeleton[*id].parent)
-      carried[indexOf(*parent)] +=
-          carried[indexOf(*id)] + (skeleton[*id].position - skeleton[*parent].position).norm();
-  return carried;
-}
 
 double LengthPipeModel::radius(double carried) const {
   return scale * std::pow(carried + tipLength, exponent);

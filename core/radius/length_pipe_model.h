@@ -8,9 +8,6 @@
 
 namespace espalier {
 
-/// Length of all wood that each node carries, its own edge not included, by id [L]. Time O(n).
-[[nodiscard]] std::vector<double> carriedLengths(const Skeleton& skeleton);
-
 /// A pipe model by length: r(v) = scale * (length(v) + tipLength)^exponent, where length(v) is what
 /// v carries. Unlike the count of nodes, the length does not depend on how nodes are spaced.
 struct LengthPipeModel {

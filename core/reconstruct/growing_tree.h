@@ -55,7 +55,6 @@ public:
                                                     const Progress& progress = {});
 
   [[nodiscard]] const Eigen::Vector3d& place(std::uint32_t node) const { return places_[node]; }
-  [[nodiscard]] double step(std::uint32_t node) const { return steps_[node]; } // [L]
   [[nodiscard]] double density(std::uint32_t node) const { return densities_[node]; }
   [[nodiscard]] double reach(std::uint32_t node) const { return reach_ * steps_[node]; } // [L]
   /// One node for each, in their order.

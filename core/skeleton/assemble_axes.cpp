@@ -1,5 +1,7 @@
 #include "core/skeleton/assemble_axes.h"
 
+#include "core/skeleton/length_along.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -10,15 +12,11 @@ namespace espalier {
 namespace {
 
 /// Length of the edge to each node and of all that hangs on it, by id [L].
-std::vector<double> carriedLengths(const Skeleton& skeleton, const std::vector<NodeId>& ids) {
-  std::vector<double> carried(skeleton.idEnd(), 0);
-  for (auto id = ids.rbegin(); id != ids.rend(); ++id) {
-    const Node& node = skeleton[*id];
-    if (!node.parent) continue;
-    carried[indexOf(*id)] += (node.position - skeleton[*node.parent].position).norm();
-    carried[indexOf(*node.parent)] += carried[indexOf(*id)];
-  }
-  return carried;
+std::vector<double> lengthsWithEdges(const Skeleton& skeleton, const std::vector<NodeId>& ids) {
+  std::vector<double> lengths = carriedLengths(skeleton);
+  for (const NodeId id : ids)
+    lengths[indexOf(id)] += edgeLength(skeleton, id);
+  return lengths;
 }
 
 /// The child that carries most, of those of a node that has some.
@@ -107,7 +105,7 @@ Skeleton withAssembledAxes(const Skeleton& skeleton, const AxisOptions& options,
                            const std::vector<double>& radii) {
   Skeleton result = skeleton;
   const std::vector<NodeId> ids = skeleton.ids();
-  const std::vector<double> carried = carriedLengths(skeleton, ids);
+  const std::vector<double> carried = lengthsWithEdges(skeleton, ids);
   std::vector<Candidate> candidates;
   for (const NodeId id : ids) {
     const std::vector<NodeId>& children = skeleton.children(id);

@@ -32,6 +32,15 @@ double edgeLength(const Skeleton& skeleton, NodeId id) {
   return node.parent ? (node.position - skeleton[*node.parent].position).norm() : 0;
 }
 
+std::vector<double> carriedLengths(const Skeleton& skeleton) {
+  std::vector<double> carried(skeleton.idEnd(), 0);
+  const std::vector<NodeId> ids = skeleton.ids();
+  for (auto id = ids.rbegin(); id != ids.rend(); ++id)
+    if (const auto parent = skeleton[*id].parent)
+      carried[indexOf(*parent)] += carried[indexOf(*id)] + edgeLength(skeleton, *id);
+  return carried;
+}
+
 Eigen::Vector3d positionOf(const Skeleton& skeleton, const SkeletonPlace& place) {
   const Node& node = skeleton[place.node];
   if (!node.parent) return node.position;

@@ -3,10 +3,14 @@
 #include "core/skeleton/skeleton.h"
 
 #include <optional>
+#include <vector>
 
 namespace espalier {
 
 [[nodiscard]] double edgeLength(const Skeleton& skeleton, NodeId id); // [L], 0 for a root
+
+/// Length of all wood that each node carries, its own edge not included, by id [L]. Time O(n).
+[[nodiscard]] std::vector<double> carriedLengths(const Skeleton& skeleton);
 
 /// A place on the edge from a node to its parent, or a node itself.
 struct SkeletonPlace {

@@ -37,8 +37,7 @@ struct PointDistances::Candidate {
 PointDistances::PointDistances(std::shared_ptr<const PointCloud> cloud, double spacing,
                                const Skeleton& skeleton, const Progress& progress)
     : cloud_(std::move(cloud)), toSurface_(static_cast<std::size_t>(cloud_->size())),
-      toAxis_(toSurface_.size()), nearest_(toSurface_.size()), bodies_(skeleton.idEnd()),
-      index_(std::vector<EdgeBody>()) {
+      nearest_(toSurface_.size()), bodies_(skeleton.idEnd()), index_(std::vector<EdgeBody>()) {
   makeRuns(spacing);
   for (const NodeId id : skeleton.ids())
     bodies_[indexOf(id)] = bodyHere(skeleton, id);
@@ -171,7 +170,6 @@ void PointDistances::measure(Run& run) {
       if (above < surface) surface = above, surfaceOf = edge.id;
     }
     const auto k = static_cast<std::size_t>(i);
-    toAxis_[k] = static_cast<float>(std::sqrt(axis));
     toSurface_[k] = static_cast<float>(surface);
     nearest_[k] = surfaceOf;
     run.farthestFromAxis = std::max(run.farthestFromAxis, std::sqrt(axis));

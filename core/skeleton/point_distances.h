@@ -35,7 +35,6 @@ public:
 
   [[nodiscard]] const std::shared_ptr<const PointCloud>& cloud() const { return cloud_; }
   [[nodiscard]] const std::vector<float>& toSurface() const { return toSurface_; } // [L] per point
-  [[nodiscard]] const std::vector<float>& toAxis() const { return toAxis_; }       // [L] per point
   /// The upper end of the edge whose surface is nearest; of several, the lowest id. Without meaning
   /// where there are no nodes.
   [[nodiscard]] const std::vector<NodeId>& nearest() const { return nearest_; }
@@ -60,7 +59,6 @@ private:
   std::shared_ptr<const PointCloud> cloud_;
   std::vector<Run> runs_;
   std::vector<float> toSurface_;
-  std::vector<float> toAxis_;
   std::vector<NodeId> nearest_;
 
   std::vector<std::optional<Frustum>> bodies_; // by id, frame of the cloud

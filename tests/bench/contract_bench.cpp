@@ -9,6 +9,7 @@
 #include "core/simulate/laser_scanner.h"
 #include "core/simulate/plant_grower.h"
 #include "core/skeleton/assign_points.h"
+#include "tests/support/clouds.h"
 
 #include <benchmark/benchmark.h>
 
@@ -27,7 +28,7 @@ struct Scanned {
 
   explicit Scanned(Eigen::Index points) : truth(growPlant({.segments = 2000}, 1)) {
     cloud = std::make_shared<const PointCloud>(scan(truth, {.points = points}, 1).points);
-    scale = {pointSpacing(cloud->positions()), plantHeight(cloud->positions(), UpAxis::z)};
+    scale = {pointSpacing(cloud->positions()), test::heightOf(cloud->positions(), UpAxis::z)};
   }
 };
 

@@ -175,7 +175,6 @@ void measure(const PointCloud& scan, Eigen::Index count) {
   const RawPoints unsorted = shuffled(raw);
   print("sorting shuffled points", "on import", bestOf([&] { (void)PointCloud(unsorted); }));
 
-  const auto hundredth = static_cast<float>(plantHeight(points, UpAxis::z) / 100);
   print("k nearest", "k 20", bestOf([&] { (void)nearestNeighborhoods(points, 20); }));
   print("graph", "k 16", bestOf([&] { (void)NeighborhoodGraph(points, 16); }));
   const NeighborhoodGraph graph(points, 16);
@@ -183,9 +182,6 @@ void measure(const PointCloud& scan, Eigen::Index count) {
   const NeighborhoodGraph whole = joined(graph, points);
   print("orientation", "of the linked points, k 16",
         bestOf([&] { (void)orientations(points, whole, 0); }));
-  if (count <= 400'000) // a table of as many members as fit in memory
-    print("geodesic neighborhoods", "k 16, within height/100, as a table",
-          bestOf([&] { (void)geodesicWithin(whole, hundredth); }));
   print("shortest paths", "k 16, from the root",
         bestOf([&] { (void)geodesics(whole, {findRoot(points)}); }));
   for (const Row& row : rows)

@@ -52,6 +52,11 @@ Eigen::Matrix3Xf cylinder(const Eigen::Vector3d& from, const Eigen::Vector3d& to
   return points;
 }
 
+double heightOf(const Eigen::Matrix3Xf& points, UpAxis up) {
+  const auto heights = points.row(static_cast<Eigen::Index>(up));
+  return static_cast<double>(heights.maxCoeff()) - static_cast<double>(heights.minCoeff());
+}
+
 Eigen::Matrix3Xf both(const Eigen::Matrix3Xf& a, const Eigen::Matrix3Xf& b) {
   Eigen::Matrix3Xf result(3, a.cols() + b.cols());
   result << a, b;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/graph/find_root.h"
 #include "core/skeleton/skeleton.h"
 
 #include <Eigen/Core>
@@ -15,6 +16,9 @@ namespace espalier::test {
 /// Points about `spacing` apart, jittered, on a cylinder about the line from `from` to `to`.
 [[nodiscard]] Eigen::Matrix3Xf cylinder(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                                         double radius, double spacing, std::uint64_t seed = 1);
+
+/// Extent of the points along `up` [L].
+[[nodiscard]] double heightOf(const Eigen::Matrix3Xf& points, UpAxis up);
 
 [[nodiscard]] Eigen::Matrix3Xf both(const Eigen::Matrix3Xf& a, const Eigen::Matrix3Xf& b);
 

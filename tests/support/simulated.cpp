@@ -2,7 +2,7 @@
 
 #include "core/simulate/laser_scanner.h"
 #include "core/simulate/plant_grower.h"
-#include "core/simulate/surface_sampler.h"
+#include "tests/support/surface_sampler.h"
 
 #include <utility>
 

@@ -57,8 +57,4 @@ bool BlendBar::showsWays() const {
   return ways_->isChecked();
 }
 
-void BlendBar::setShowsWays(bool areShown) {
-  ways_->setChecked(areShown);
-}
-
 } // namespace espalier

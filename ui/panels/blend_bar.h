@@ -19,7 +19,6 @@ public:
   [[nodiscard]] double blend() const; // 0: as scanned; 1: contracted
   void setBlend(double blend);
   [[nodiscard]] bool showsWays() const;
-  void setShowsWays(bool areShown);
 
 signals:
   void changed();

@@ -1,7 +1,6 @@
 #include "core/base/parallel.h"
 #include "core/graph/normals.h"
 #include "core/graph/orientations.h"
-#include "core/graph/principal_curvatures.h"
 #include "tests/support/clouds.h"
 
 #include <gtest/gtest.h>
@@ -99,34 +98,6 @@ TEST(OrientedNormals, LookOutwardsAllOver) {
     if (place.y() > 1) place.y() -= 3;
     EXPECT_GT(found.col(i).dot(outwards(place)), std::cos(0.2F));
   });
-}
-
-TEST(PrincipalCurvatures, OfATrunkAreThatOfItsCircleAndNone) {
-  const Eigen::Matrix3Xf points = trunk();
-  const Neighborhoods near = nearestNeighborhoods(points, 24);
-  Eigen::Matrix3Xf outer(3, points.cols());
-  for (Eigen::Index i = 0; i < points.cols(); ++i)
-    outer.col(i) = outwards(points.col(i));
-  const auto found = principalCurvatures(points, outer, near);
-  std::vector<double> relative;
-  inTheMiddle(points, [&](Eigen::Index i) {
-    const PrincipalCurvatures& one = found[static_cast<std::size_t>(i)];
-    relative.push_back(one.greatest * radius);
-    EXPECT_LT(std::abs(one.least) * radius, 0.1);
-    EXPECT_GT(std::abs(one.leastDirection.x()), 0.98F); // along the trunk
-  });
-  std::ranges::sort(relative);
-  EXPECT_NEAR(relative[relative.size() / 2], 1, 0.1); // a parabola for a circle
-  EXPECT_GT(relative.front(), 0.7);
-  EXPECT_LT(relative.back(), 1.3);
-}
-
-TEST(PrincipalCurvatures, AreNoneOnALine) {
-  Eigen::Matrix3Xf line = Eigen::Matrix3Xf::Zero(3, 20);
-  line.row(0) = Eigen::RowVectorXf::LinSpaced(20, 0, 19);
-  const Eigen::Matrix3Xf up = Eigen::Vector3f::UnitZ().replicate(1, 20);
-  for (const auto& one : principalCurvatures(line, up, nearestNeighborhoods(line, 8)))
-    EXPECT_EQ(one.greatestDirection, Eigen::Vector3f::Zero());
 }
 
 } // namespace

@@ -270,7 +270,7 @@ TEST(HostilePlants, StraysBelowThePlantAreNotItsFoot) {
     const auto cloud = cloudOf(points, {0, 0, 0});
     const Reconstruction result = Pipeline().run(cloud, options);
     EXPECT_LT(rootOf(*result.skeleton).norm(), 0.2) << clean;
-    EXPECT_EQ(result.scale.height, plantHeight(plant, UpAxis::z)) << clean;
+    EXPECT_EQ(result.scale.height, test::heightOf(plant, UpAxis::z)) << clean;
     EXPECT_NEAR(result.scale.spacing, pointSpacing(plant), 1e-3 * spacing) << clean;
   }
 }

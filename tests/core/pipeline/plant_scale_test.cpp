@@ -27,7 +27,7 @@ TEST(PlantScale, IsThatOfAllPointsOfACleanScan) {
   for (Eigen::Index i = 0; i < herb.cols(); ++i)
     sum += std::sqrt(double(index.nearest(herb.col(i), 2).back().squaredDistance));
   EXPECT_NEAR(found.spacing, sum / double(herb.cols()), 1e-9 * found.spacing);
-  EXPECT_EQ(found.height, plantHeight(herb, UpAxis::z));
+  EXPECT_EQ(found.height, test::heightOf(herb, UpAxis::z));
 }
 
 // 5 % of strays. Those nearer than 16 medians count, so 0.8 spacings is the most that they may add;
@@ -54,7 +54,7 @@ TEST(PlantScale, FollowsTheWayUp) {
   Eigen::Matrix3Xf points = test::forkCloud();
   points.row(0).swap(points.row(2));
   Eigen::Vector3f stray(-0.8F, 0.2F, 0);
-  EXPECT_NEAR(scale(test::both(points, stray), UpAxis::x).height, plantHeight(points, UpAxis::x),
+  EXPECT_NEAR(scale(test::both(points, stray), UpAxis::x).height, test::heightOf(points, UpAxis::x),
               1e-4);
 }
 

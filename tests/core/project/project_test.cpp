@@ -259,21 +259,6 @@ TEST(Project, FindsItsScanAfterBothMoved) {
             fs::canonical(folder / "new" / "scans" / "oak.xyz"));
 }
 
-TEST(Project, TakesOverAllButTheHistoryOfAnother) {
-  const fs::path folder = test::freshFolder();
-  write(folder / "oak.xyz", "0 0 0\n");
-  Project from = Project::create(folder / "a.espalier", {});
-  from.setDocument("view", "v");
-  from.setBytes("contracted", "c");
-  from.setScan(ScanReference::of(folder / "oak.xyz", {}));
-  Project to = Project::create(folder / "b.espalier", {.skeleton = test::fork(2)});
-  to.copyRest(from);
-  EXPECT_EQ(to.document("view"), "v");
-  EXPECT_EQ(to.bytes("contracted"), "c");
-  EXPECT_EQ(to.findScan(), fs::canonical(folder / "oak.xyz"));
-  EXPECT_EQ(to.history().value.skeleton, test::fork(2));
-}
-
 TEST(Project, GetsSmallerWhenCompacted) {
   const fs::path file = test::freshFolder() / "oak.espalier";
   const History history = withEdits(30);

@@ -1,4 +1,5 @@
 #include "core/radius/length_pipe_model.h"
+#include "core/skeleton/length_along.h"
 #include "tests/support/plants.h"
 
 #include <gtest/gtest.h>

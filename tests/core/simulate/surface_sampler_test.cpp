@@ -1,8 +1,8 @@
 #include "core/base/error.h"
 #include "core/simulate/piece_tree.h"
 #include "core/simulate/plant_grower.h"
-#include "core/simulate/surface_sampler.h"
 #include "tests/support/plants.h"
+#include "tests/support/surface_sampler.h"
 
 #include <gtest/gtest.h>
 

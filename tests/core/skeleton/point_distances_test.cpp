@@ -31,9 +31,8 @@ float surfaceOver(const Eigen::Vector3d& place, const Skeleton& plant) {
   return PointDistances(cloudOf({place}), 1, plant).toSurface().front();
 }
 
-TEST(PointDistances, GoToTheSurfaceAndToTheAxis) {
+TEST(PointDistances, GoToTheSurface) {
   const PointDistances distances(cloudOf({{3, 4, 1.5}}), 1, test::stick(3)); // radius 0.1
-  EXPECT_FLOAT_EQ(distances.toAxis().front(), 5);
   EXPECT_FLOAT_EQ(distances.toSurface().front(), 4.9F);
   EXPECT_EQ(distances.nearest().front(), NodeId{2});
 }
@@ -66,7 +65,6 @@ TEST(PointDistances, TakeTheNearestSurfaceThoughAnAxisIsNearer) {
   const NodeId twig = plant.add({.position = {5, 0, 0}, .radius = 0});
   plant.add({.position = {5, 0, 9}, .radius = 0, .parent = twig});
   const PointDistances distances(cloudOf({{3, 0, 4}}), 1, plant);
-  EXPECT_FLOAT_EQ(distances.toAxis().front(), 2);
   EXPECT_FLOAT_EQ(distances.toSurface().front(), 1);
 }
 
@@ -85,17 +83,14 @@ TEST(PointDistances, AreWhatTryingAllEdgesFinds) {
   const auto cloud = ballOfPoints(2000, 25, 6);
   const PointDistances distances(cloud, 0.5, plant);
   for (Eigen::Index i = 0; i < cloud->size(); ++i) {
-    double axis = std::numeric_limits<double>::infinity();
-    double surface = axis;
+    double surface = std::numeric_limits<double>::infinity();
     for (const NodeId id : plant.ids()) {
       const auto body = frustumOf(plant, id);
       if (!body) continue;
       const NearestShares near = nearestShares(*body, {cloud->position(i), cloud->position(i)});
-      axis = std::min(axis, near.distance);
       surface = std::min(surface, near.distance - body->radiusAt(near.a));
     }
     const auto k = static_cast<std::size_t>(i);
-    ASSERT_NEAR(distances.toAxis()[k], axis, 1e-5);
     ASSERT_NEAR(distances.toSurface()[k], surface, 1e-5);
   }
 }
@@ -106,7 +101,6 @@ TEST(PointDistances, DoNotDependOnTheSizeOfTheRuns) {
   const PointDistances wide(cloud, 2, plant);
   const PointDistances single(cloud, 0, plant);
   EXPECT_EQ(wide.toSurface(), single.toSurface());
-  EXPECT_EQ(wide.toAxis(), single.toAxis());
   EXPECT_EQ(wide.nearest(), single.nearest());
 }
 
@@ -123,7 +117,6 @@ TEST(PointDistances, AreAfterEachEditWhatTheyAreAnew) {
     if (edit % 3 != 0) continue;
     const PointDistances anew(cloud, 0.1, plant);
     ASSERT_EQ(kept.toSurface(), anew.toSurface()) << "edit " << edit;
-    ASSERT_EQ(kept.toAxis(), anew.toAxis()) << "edit " << edit;
     ASSERT_EQ(kept.nearest(), anew.nearest()) << "edit " << edit;
   }
 }

@@ -1,4 +1,4 @@
-#include "core/simulate/surface_sampler.h"
+#include "tests/support/surface_sampler.h"
 
 #include "core/base/error.h"
 #include "core/base/random.h"

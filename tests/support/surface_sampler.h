@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/simulate/simulated_scan.h"
+#include "core/simulate/laser_scanner.h"
 #include "core/skeleton/skeleton.h"
 
 #include <Eigen/Core>

@@ -5,7 +5,6 @@
 #include "app/window/panel_dock.h"
 #include "core/skeleton/checks.h"
 #include "core/skeleton/checks_of_scan.h"
-#include "core/skeleton/own_points.h"
 #include "core/skeleton/path_edits.h"
 #include "ui/document/plant_document.h"
 #include "ui/panels/findings_panel.h"

@@ -1,7 +1,7 @@
 #include "core/pipeline/shape_methods.h"
 
 #include "core/pipeline/method_parts.h"
-#include "core/radius/measured_radii.h"
+#include "core/radius/assigned_radii.h"
 #include "core/radius/recenter_on_cylinders.h"
 #include "core/skeleton/assemble_axes.h"
 #include "core/skeleton/extend_ends.h"

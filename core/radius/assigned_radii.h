@@ -65,4 +65,14 @@ assignedRadii(const Skeleton& skeleton, const AssignedPoints& points, AssignedMe
 [[nodiscard]] std::vector<double> interpolatedRadii(const Skeleton& skeleton,
                                                     std::vector<double> radii);
 
+/// Mean distance from the points around each node to the skeleton [L], by id; 0 where no point is
+/// nearest to the node.
+///
+/// @param points 3 x N [L], in the frame of the skeleton after adding `origin`
+/// Time O(N log n).
+[[nodiscard]] std::vector<double> meanPointDistances(const Skeleton& skeleton,
+                                                     const Eigen::Matrix3Xf& points,
+                                                     const Eigen::Vector3d& origin,
+                                                     const Progress& progress = {});
+
 } // namespace espalier

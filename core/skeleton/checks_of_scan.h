@@ -31,4 +31,24 @@ namespace espalier {
 edgesWithoutPoints(const Skeleton& skeleton, const PointCloud& cloud, const SpatialIndex& index,
                    double spacing, const CheckOptions& options, const Progress& progress = {});
 
+/// Branches that begin with a stretch along which no points are their own: spurs, and branches that
+/// hang across a gap on wood they do not grow from. Points may lie all about such a stretch, as
+/// long as other wood explains them.
+///
+/// A point is a branch's own if its surface, or that of what it carries, is the nearest there is,
+/// and no other wood is within `ownBeside` spacings. What of a branch is that near to other wood
+/// says nothing of it and is passed over. A branch is told if it begins with over `ownLength`
+/// spacings, or is that much as a whole, that have under `ownCount` own points within reach.
+/// @param distances of the points of the scan to `skeleton`
+/// @param index     of the positions of their cloud
+/// @param spacing   between neighboring points [L]
+/// @return parents before their children; `amount` is the length of the stretch [L], `others` are
+///         the nodes along it behind the first
+/// @throws Cancelled if `progress` asks to stop
+/// Uses all threads, deterministic. Time O(n log n + b p log n): p points about each of b branches.
+[[nodiscard]] std::vector<Finding>
+branchesWithoutOwnPoints(const Skeleton& skeleton, const PointDistances& distances,
+                         const SpatialIndex& index, double spacing, const CheckOptions& options,
+                         const Progress& progress = {});
+
 } // namespace espalier

@@ -5,7 +5,6 @@
 #include "core/skeleton/checks.h"
 #include "core/skeleton/checks_of_scan.h"
 #include "core/skeleton/node_values.h"
-#include "core/skeleton/own_points.h"
 #include "core/skeleton/point_distances.h"
 
 #include <benchmark/benchmark.h>

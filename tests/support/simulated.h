@@ -2,7 +2,6 @@
 
 #include "core/cloud/point_cloud.h"
 #include "core/simulate/laser_scanner.h"
-#include "core/simulate/simulated_scan.h"
 #include "core/skeleton/skeleton.h"
 
 namespace espalier::test {

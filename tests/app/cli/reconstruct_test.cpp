@@ -1,5 +1,5 @@
 #include "core/io/formats.h"
-#include "core/radius/measured_radii.h"
+#include "core/radius/assigned_radii.h"
 #include "core/skeleton/checks.h"
 #include "tests/app/cli/subcommands.h"
 

@@ -1,4 +1,4 @@
-#include "core/radius/measured_radii.h"
+#include "core/radius/assigned_radii.h"
 #include "tests/support/clouds.h"
 #include "tests/support/plants.h"
 

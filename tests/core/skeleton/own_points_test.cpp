@@ -1,6 +1,5 @@
 #include "core/skeleton/checks_of_scan.h"
 #include "core/skeleton/edits.h"
-#include "core/skeleton/own_points.h"
 #include "core/skeleton/skeleton_delta.h"
 #include "tests/support/clouds.h"
 #include "tests/support/plants.h"

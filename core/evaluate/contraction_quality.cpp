@@ -130,9 +130,8 @@ double totalLength(const Skeleton& skeleton) {
 Eigen::Index countUnexplained(const ThinnedPlant& plant, const Eigen::Matrix3Xf& places,
                               const Skeleton& skeleton, const Eigen::Vector3d& origin, double reach,
                               const Progress& progress) {
-  constexpr int tried = 8;
   std::vector<PointOnSkeleton> nearest;
-  if (!skeleton.isEmpty()) nearest = assignPoints(places, origin, skeleton, tried, progress);
+  if (!skeleton.isEmpty()) nearest = assignPoints(places, origin, skeleton, progress);
   Eigen::Index count = 0;
   for (std::size_t cube = 0; cube < plant.points.size(); ++cube) {
     if (plant.isDust[cube]) continue;

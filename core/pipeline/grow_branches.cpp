@@ -97,7 +97,7 @@ private:
   /// their points stand off it for a branch.
   void measure(const Progress& progress) {
     const std::vector<PointOnSkeleton> places =
-        assignPoints(positions_, cloud_.origin(), skeleton_, 8, progress);
+        assignPoints(positions_, cloud_.origin(), skeleton_, progress);
     const auto toWood = [&](Eigen::Index point) {
       const PointOnSkeleton& place = places[static_cast<std::size_t>(point)];
       return place.distance - tubeRadius(skeleton_, place);

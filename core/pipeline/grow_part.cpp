@@ -52,7 +52,7 @@ std::vector<PointByTube> pointsByTube(const Eigen::Matrix3Xf& points, const Eige
                                       const Skeleton& skeleton, const Progress& progress) {
   std::vector<PointByTube> result;
   result.reserve(static_cast<std::size_t>(points.cols()));
-  for (const PointOnSkeleton& place : assignPoints(points, origin, skeleton, 8, progress))
+  for (const PointOnSkeleton& place : assignPoints(points, origin, skeleton, progress))
     result.push_back({place.child, place.distance - tubeRadius(skeleton, place)});
   return result;
 }

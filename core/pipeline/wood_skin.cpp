@@ -39,7 +39,7 @@ std::vector<double> barkReaches(const Skeleton& skeleton, const PointCloud& clou
   }
   std::vector<std::vector<double>> distances(skeleton.idEnd());
   for (const PointOnSkeleton& place :
-       assignPoints(cloud.positions(), cloud.origin(), skeleton, 8, progress)) {
+       assignPoints(cloud.positions(), cloud.origin(), skeleton, progress)) {
     const std::size_t edge = indexOf(place.child);
     if (place.distance <= 1.5 * radii[edge] + tolerance) distances[edge].push_back(place.distance);
   }

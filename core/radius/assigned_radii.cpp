@@ -65,7 +65,7 @@ AssignedPoints::AssignedPoints(const Skeleton& skeleton, const Eigen::Matrix3Xf&
                                const Eigen::Vector3d& origin, const Progress& progress)
     : points_(points), origin_(origin), begin_(skeleton.idEnd() + 1, 0) {
   if (skeleton.isEmpty()) return;
-  const std::vector<PointOnSkeleton> places = assignPoints(points, origin, skeleton, 8, progress);
+  const std::vector<PointOnSkeleton> places = assignPoints(points, origin, skeleton, progress);
   std::vector<NodeId> owners;
   owners.reserve(places.size());
   distances_.reserve(places.size());
@@ -160,7 +160,7 @@ std::vector<double> meanPointDistances(const Skeleton& skeleton, const Eigen::Ma
   std::vector<double> sums(skeleton.idEnd(), 0);
   if (skeleton.isEmpty()) return sums;
   std::vector<double> counts(skeleton.idEnd(), 0);
-  for (const PointOnSkeleton& place : assignPoints(points, origin, skeleton, 8, progress)) {
+  for (const PointOnSkeleton& place : assignPoints(points, origin, skeleton, progress)) {
     const bool isLower = place.fraction < 0.5 && skeleton[place.child].parent;
     const NodeId node = isLower ? *skeleton[place.child].parent : place.child;
     sums[indexOf(node)] += place.distance;

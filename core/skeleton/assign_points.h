@@ -16,14 +16,14 @@ struct PointOnSkeleton {
   double distance; // from the point to the edge [L]
 };
 
-/// The nearest edge for each point, among the edges at the `tried` nearest nodes.
+/// The nearest edge for each point.
 ///
 /// @param points 3 x N [L], in the frame of the skeleton after adding `origin`
 /// pre: the skeleton is not empty
-/// Uses all threads. Time O(N tried log n).
+/// Uses all threads. Time O(N log n).
 [[nodiscard]] std::vector<PointOnSkeleton> assignPoints(const Eigen::Matrix3Xf& points,
                                                         const Eigen::Vector3d& origin,
-                                                        const Skeleton& skeleton, int tried = 8,
+                                                        const Skeleton& skeleton,
                                                         const Progress& progress = {});
 
 } // namespace espalier

@@ -44,7 +44,7 @@ Skeleton withExtendedEnds(const Skeleton& skeleton, const Eigen::Matrix3Xf& poin
                           const Eigen::Vector3d& origin, const Progress& progress) {
   Skeleton result = skeleton;
   if (skeleton.isEmpty() || points.cols() == 0) return result;
-  const std::vector<PointOnSkeleton> places = assignPoints(points, origin, skeleton, 8, progress);
+  const std::vector<PointOnSkeleton> places = assignPoints(points, origin, skeleton, progress);
   std::vector<std::vector<Eigen::Vector3d>> beyond(skeleton.idEnd());
   for (std::size_t i = 0; i < places.size(); ++i)
     if (const auto end = endBelow(skeleton, places[i]))

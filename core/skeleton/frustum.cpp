@@ -30,12 +30,6 @@ Eigen::AlignedBox3d Frustum::centerBox() const {
   return box;
 }
 
-double Frustum::nearestShare(const Eigen::Vector3d& place) const {
-  const Eigen::Vector3d along = to - from;
-  const double squared = along.squaredNorm();
-  return squared > 0 ? std::clamp(along.dot(place - from) / squared, 0.0, 1.0) : 1;
-}
-
 std::optional<Frustum> frustumOf(const Skeleton& skeleton, NodeId id) {
   const Node& node = skeleton[id];
   if (!node.parent && !skeleton.children(id).empty()) return std::nullopt;

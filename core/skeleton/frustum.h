@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -29,7 +30,11 @@ struct Frustum {
     return fromRadius + share * (toRadius - fromRadius);
   }
   /// Of the place of the center line nearest to another; 1 without length.
-  [[nodiscard]] double nearestShare(const Eigen::Vector3d& place) const;
+  [[nodiscard]] double nearestShare(const Eigen::Vector3d& place) const {
+    const Eigen::Vector3d along = to - from;
+    const double squared = along.squaredNorm();
+    return squared > 0 ? std::clamp(along.dot(place - from) / squared, 0.0, 1.0) : 1;
+  }
 
   bool operator==(const Frustum&) const = default;
 };

@@ -113,7 +113,7 @@ Skeleton recentered(const Skeleton& skeleton, const Eigen::Matrix3Xf& points,
     const Progress part = progress.part(static_cast<double>(round) / options.rounds,
                                         static_cast<double>(round + 1) / options.rounds);
     const auto around =
-        pointsAround(result, assignPoints(points, origin, result, 8, part.part(0, 0.7)));
+        pointsAround(result, assignPoints(points, origin, result, part.part(0, 0.7)));
     std::vector<std::optional<Middle>> middles(skeleton.idEnd());
     const auto place = [&](Eigen::Index i) {
       const NodeId id = ids[static_cast<std::size_t>(i)];

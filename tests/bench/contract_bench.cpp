@@ -42,7 +42,7 @@ const Scanned& scanned(const benchmark::State& state) {
 /// Distances to the true axes, in spacings.
 void tellOffAxis(benchmark::State& state, const Scanned& of, const Eigen::Matrix3Xf& places) {
   std::vector<double> off;
-  for (const PointOnSkeleton& one : assignPoints(places, of.cloud->origin(), of.truth, 8, {}))
+  for (const PointOnSkeleton& one : assignPoints(places, of.cloud->origin(), of.truth, {}))
     off.push_back(one.distance / of.scale.spacing);
   std::ranges::sort(off);
   const auto count = static_cast<double>(off.size());

@@ -44,7 +44,7 @@ TEST_F(Subcommands, SimulateAddsFoliageToTheScanAlone) {
     const PointCloud cloud = readPoints(file("a.ply")).value;
     Result result{.truth = readStructure(file("a.mtg")).value.skeleton};
     for (const PointOnSkeleton& place :
-         assignPoints(cloud.positions(), cloud.origin(), result.truth, 8, {}))
+         assignPoints(cloud.positions(), cloud.origin(), result.truth, {}))
       if (place.distance > 0.06) ++result.away;
     return result;
   };

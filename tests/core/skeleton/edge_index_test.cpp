@@ -1,4 +1,5 @@
 #include "core/base/box_tree.h"
+#include "core/base/random.h"
 #include "core/skeleton/edge_index.h"
 #include "tests/support/plants.h"
 

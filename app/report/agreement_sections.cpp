@@ -115,7 +115,7 @@ ReportTable structureTable(const ReportParts& parts) {
     table.add(
         tr("edits: removed, inserted"),
         QStringLiteral("%1, %2").arg(numbers.count(edit->removed), numbers.count(edit->inserted)));
-  return table.table(tr("What hangs on what; places count as found within %1")
+  return table.table(tr("Attachment; places count as found within %1")
                          .arg(numbers.givenLength(comparison.tips.distance)));
 }
 

@@ -180,7 +180,7 @@ std::vector<ReportTerms::Term> nearnessTerms() {
   terms.push_back(
       {tr("Intervals"),
        tr("The segments of the reference are drawn again with replacement; the middle 95 % of the "
-          "scores. They tell how much hangs on which segments this one plant has."),
+          "scores. They show how much depends on which segments this one plant has."),
        QStringLiteral("B. Efron, Bootstrap methods, Annals of Statistics 7, 1979.")});
   return terms;
 }

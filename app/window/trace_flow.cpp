@@ -63,7 +63,7 @@ TraceFlow::TraceFlow(const Parts& parts)
   parts_.actions.beginSection(tr("Tools"));
   QAction* next = parts_.actions.add({.id = "next_way",
                                       .text = tr("Show Another Way"),
-                                      .help = tr("The next way that a trace could take"),
+                                      .help = tr("The next path that a trace could take"),
                                       .keys = Qt::Key_Tab,
                                       .menu = "edit/preview"},
                                      [this] { tool_->showNextWay(); });

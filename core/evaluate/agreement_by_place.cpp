@@ -14,16 +14,17 @@ namespace {
 constexpr std::size_t layers = 10; // of height
 
 /// What of one skeleton lies near the other.
-struct Side {
+struct PlaceSide {
   std::vector<EvenSample> samples;
   std::vector<double> distances; // by sample [L]
   std::vector<int> orderOf;      // by id
   double length = 0;             // each sample stands for [L]
 };
 
-Side sideOf(const Skeleton& skeleton, const Skeleton& other, double step,
-            const Progress& progress) {
-  Side side{.samples = evenSamples(skeleton, step), .distances = {}, .orderOf = orders(skeleton)};
+PlaceSide sideOf(const Skeleton& skeleton, const Skeleton& other, double step,
+                 const Progress& progress) {
+  PlaceSide side{
+      .samples = evenSamples(skeleton, step), .distances = {}, .orderOf = orders(skeleton)};
   side.distances = distancesTo(EdgeIndex(other), side.samples, progress);
   side.length = totalLength(skeleton) / static_cast<double>(side.samples.size());
   return side;
@@ -35,7 +36,7 @@ struct Shares {
   std::vector<std::size_t> near;
 
   template <class PartOf>
-  Shares(const Side& side, std::size_t parts, double distance, const PartOf& partOf)
+  Shares(const PlaceSide& side, std::size_t parts, double distance, const PartOf& partOf)
       : all(parts, 0), near(parts, 0) {
     for (std::size_t i = 0; i < side.samples.size(); ++i) {
       const std::size_t part = partOf(side.samples[i]);
@@ -67,13 +68,13 @@ AgreementByPlace agreementByPlace(const Skeleton& result, const Skeleton& refere
                                   double distance, double step, const Progress& progress) {
   requireComparable(result, "the plant");
   requireComparable(reference, "the reference");
-  const Side found = sideOf(result, reference, step, progress.part(0, 0.5));
-  const Side truth = sideOf(reference, result, step, progress.part(0.5, 1));
+  const PlaceSide found = sideOf(result, reference, step, progress.part(0, 0.5));
+  const PlaceSide truth = sideOf(reference, result, step, progress.part(0.5, 1));
   AgreementByPlace agreed{.distance = distance, .byOrder = {}, .byHeight = {}};
 
   const int mostOrder =
       std::max(*std::ranges::max_element(found.orderOf), *std::ranges::max_element(truth.orderOf));
-  const auto sharesByOrder = [&](const Side& side) {
+  const auto sharesByOrder = [&](const PlaceSide& side) {
     return Shares(side, static_cast<std::size_t>(mostOrder) + 1, distance, [&](const auto& sample) {
       return static_cast<std::size_t>(side.orderOf[indexOf(sample.node)]);
     });
@@ -83,13 +84,13 @@ AgreementByPlace agreementByPlace(const Skeleton& result, const Skeleton& refere
 
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
-  for (const Side* side : {&found, &truth})
+  for (const PlaceSide* side : {&found, &truth})
     for (const EvenSample& sample : side->samples) {
       low = std::min(low, sample.position.z());
       high = std::max(high, sample.position.z());
     }
   const double layer = (high - low) / layers;
-  const auto sharesByHeight = [&](const Side& side) {
+  const auto sharesByHeight = [&](const PlaceSide& side) {
     return Shares(side, layers, distance, [&](const auto& sample) {
       const double place = layer > 0 ? (sample.position.z() - low) / layer : 0;
       return std::min(layers - 1, static_cast<std::size_t>(place));

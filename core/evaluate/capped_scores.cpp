@@ -17,7 +17,7 @@ namespace {
 
 using Candidates = std::vector<std::vector<AssignmentProblem::Candidate>>;
 
-struct Side {
+struct CappedSide {
   std::vector<Segment> segments;
   std::vector<Polyline> places; // by segment, at even steps
 };
@@ -25,10 +25,10 @@ struct Side {
 /// @param step  [L]; a larger one is taken where more places would be needed than any plant has:
 /// one
 ///              node of a damaged file may lie a million times farther than all others
-Side sideOf(const Skeleton& skeleton, double step) {
+CappedSide sideOf(const Skeleton& skeleton, double step) {
   constexpr double mostPlaces = 2e6;
   step = std::max(step, totalLength(skeleton) / mostPlaces);
-  Side side{.segments = unbranchedSegments(skeleton), .places = {}};
+  CappedSide side{.segments = unbranchedSegments(skeleton), .places = {}};
   side.places.reserve(side.segments.size());
   for (const Segment& segment : side.segments)
     side.places.push_back(evenPlaces(segment.polyline, step));
@@ -37,7 +37,7 @@ Side sideOf(const Skeleton& skeleton, double step) {
 
 /// By segment of the result: those of the reference that are at most `farthest` away and nearer
 /// than what leaving them alone costs.
-Candidates candidatesWithin(const Side& result, const Side& reference, double farthest,
+Candidates candidatesWithin(const CappedSide& result, const CappedSide& reference, double farthest,
                             const Progress& progress) {
   const BoxTree boxes = boxTree(reference.segments);
   Candidates candidates(result.segments.size());
@@ -61,7 +61,7 @@ Candidates candidatesWithin(const Side& result, const Side& reference, double fa
   return candidates;
 }
 
-CappedScore scoreOf(const Side& result, const Side& reference, const Partners& partners,
+CappedScore scoreOf(const CappedSide& result, const CappedSide& reference, const Partners& partners,
                     double distance) {
   CappedScore score{.distance = distance, .partners = partners, .isConserved = {}};
   score.isConserved = conserved(result.segments, reference.segments, partners);
@@ -98,8 +98,8 @@ std::vector<CappedScore> cappedScores(const Skeleton& result, const Skeleton& re
   requireComparable(reference, "the reference");
   const std::vector<double> distances = checked(options.distances, reference);
   const double step = options.step > 0 ? options.step : std::ranges::min(distances);
-  const Side found = sideOf(result, step);
-  const Side truth = sideOf(reference, step);
+  const CappedSide found = sideOf(result, step);
+  const CappedSide truth = sideOf(reference, step);
 
   // A hair more than leaving it alone costs: segments without a length are matched, too.
   const double hair =

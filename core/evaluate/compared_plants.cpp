@@ -23,7 +23,7 @@ template <class Part> const Part* partAt(const std::vector<Part>& parts, double 
   return found == parts.end() ? nullptr : &*found;
 }
 
-std::size_t partsOf(const Skeleton& skeleton, EditUnit unit) {
+std::size_t partCount(const Skeleton& skeleton, EditUnit unit) {
   if (unit == EditUnit::node) return skeleton.size();
   if (unit == EditUnit::segment) return unbranchedSegments(skeleton).size();
   return axes(skeleton).size();
@@ -32,7 +32,7 @@ std::size_t partsOf(const Skeleton& skeleton, EditUnit unit) {
 } // namespace
 
 EditedParts editedParts(const ComparedPlants& plants, EditUnit unit) {
-  return {partsOf(plants.result(), unit), partsOf(plants.reference(), unit)};
+  return {partCount(plants.result(), unit), partCount(plants.reference(), unit)};
 }
 
 ScoreOptions resolved(const ScoreOptions& options, const Skeleton& reference) {

@@ -2,6 +2,7 @@
 
 #include "core/base/moments.h"
 #include "core/base/spatial_index.h"
+#include "core/evaluate/comparable.h"
 #include "core/evaluate/thinned_plant.h"
 #include "core/evaluate/webs.h"
 #include "core/graph/geodesic_balls.h"
@@ -117,14 +118,6 @@ Eigen::Matrix3Xf apices(const Skeleton& skeleton, const Eigen::Vector3d& origin)
   for (std::size_t i = 0; i < places.size(); ++i)
     result.col(static_cast<Eigen::Index>(i)) = places[i];
   return result;
-}
-
-double totalLength(const Skeleton& skeleton) {
-  double length = 0;
-  for (const NodeId id : skeleton.ids())
-    if (const auto parent = skeleton[id].parent)
-      length += (skeleton[id].position - skeleton[*parent].position).norm();
-  return length;
 }
 
 Eigen::Index countUnexplained(const ThinnedPlant& plant, const Eigen::Matrix3Xf& places,

@@ -16,14 +16,14 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t mostByMask = 6; // children on the smaller side that are assigned by masks
 
 /// One of the two trees, with the cost of taking it away whole. Vertex 0 carries the roots.
-struct Side {
+struct EditSide {
   std::vector<std::size_t> firstChild; // by vertex, and one past the last; into `children`
   std::vector<std::size_t> children;
   std::vector<double> alone;  // of the vertex
   std::vector<double> tree;   // of it and all it carries
   std::vector<double> forest; // of all it carries
 
-  Side(const ParentList& parents, const std::vector<double>& costs)
+  EditSide(const ParentList& parents, const std::vector<double>& costs)
       : firstChild(parents.size() + 2, 0), children(parents.size()), alone(parents.size() + 1, 0),
         tree(parents.size() + 1, 0), forest(parents.size() + 1, 0) {
     const auto above = [&](std::size_t i) { return parents[i] ? *parents[i] + 1 : 0; };
@@ -55,7 +55,7 @@ struct Path {
 };
 
 /// All paths of 2 to `longest` vertices down from one.
-void addPaths(const Side& side, std::vector<std::size_t>& way, std::size_t longest,
+void addPaths(const EditSide& side, std::vector<std::size_t>& way, std::size_t longest,
               std::vector<Path>& paths) {
   if (way.size() >= longest) return;
   for (const std::size_t child : side.of(way.back())) {
@@ -110,7 +110,7 @@ public:
 private:
   [[nodiscard]] std::size_t at(std::size_t i, std::size_t j) const { return i * b_.size() + j; }
 
-  [[nodiscard]] std::vector<std::vector<Path>> pathsOf(const Side& side) const {
+  [[nodiscard]] std::vector<std::vector<Path>> pathsOf(const EditSide& side) const {
     std::vector<std::vector<Path>> paths(side.size());
     for (std::size_t v = 1; v < side.size(); ++v) {
       std::vector<std::size_t> way{v};
@@ -257,8 +257,8 @@ private:
   }
 
   const EditCosts& costs_;
-  Side a_;
-  Side b_;
+  EditSide a_;
+  EditSide b_;
   std::vector<double> trees_;   // by pair: distance of the subtrees
   std::vector<double> forests_; // by pair: distance of what the two carry
   std::vector<std::vector<Path>> aPaths_;

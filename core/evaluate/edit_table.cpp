@@ -10,10 +10,11 @@ namespace espalier {
 namespace {
 
 using Row = std::vector<std::string>;
-using Parts = std::vector<std::vector<NodeId>>;
+using EditedParts = std::vector<std::vector<NodeId>>;
 
 /// Nodes and place of some parts of one plant: four cells.
-Row cellsOf(const std::vector<std::size_t>& which, const Parts& parts, const Skeleton& skeleton) {
+Row cellsOf(const std::vector<std::size_t>& which, const EditedParts& parts,
+            const Skeleton& skeleton) {
   Row cells(4);
   for (const std::size_t part : which)
     for (const NodeId id : parts[part])

@@ -53,4 +53,11 @@ std::vector<EvenSample> evenSamples(const Skeleton& skeleton, double step, std::
   return samples;
 }
 
+Eigen::Vector3d centroid(const std::vector<EvenSample>& samples) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const EvenSample& sample : samples)
+    sum += sample.position;
+  return sum / static_cast<double>(samples.size());
+}
+
 } // namespace espalier

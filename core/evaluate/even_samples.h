@@ -24,4 +24,7 @@ struct EvenSample {
 [[nodiscard]] std::vector<EvenSample> evenSamples(const Skeleton& skeleton, double step,
                                                   std::size_t most = 500'000);
 
+/// pre: there are some
+[[nodiscard]] Eigen::Vector3d centroid(const std::vector<EvenSample>& samples); // [L]
+
 } // namespace espalier

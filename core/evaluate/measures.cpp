@@ -18,14 +18,15 @@ const std::vector<Measure>& measures() {
        Group::nearness},
       {"Missed, invented, wrongly attached",
        "Stretches without anything of the other within the tolerance; and what lies right but "
-       "hangs on wood that meets its own more than four tolerances farther down.",
+       "is attached to wood that meets its own more than four tolerances farther down.",
        "This program.", Group::nearness},
       {"Distances", "",
        "Chamfer and Hausdorff distances; substantial distances as in tools for neurons.",
        Group::nearness},
       {"G, T and mapping",
        "Unbranched segments are matched one to one at the least sum of Hausdorff distances; G is "
-       "the share of length matched, T that of matches which hang on matches. Both hardly fall "
+       "the share of length matched, T that of matches that are attached to matches. Both hardly "
+       "fall "
        "with noise.",
        "F. Boudon et al., Annals of Botany 114, 2014; C. Preuksakarn, thesis, Montpellier, 2012.",
        Group::segments},
@@ -35,7 +36,8 @@ const std::vector<Measure>& measures() {
        "This program, after the same.", Group::segments},
       {"Landmarks", "", "This program.", Group::landmarks},
       {"DIADEM-like score",
-       "Share of tips and branchings that are found and reached along a way as long, from the next "
+       "Share of tips and branchings that are found and reached along a path as long, from the "
+       "next "
        "one below that is found; invented ones count against it.",
        "T. Gillette, K. Brown, G. Ascoli, Neuroinformatics 9, 2011.", Group::landmarks},
       {"NetMets",
@@ -53,7 +55,7 @@ const std::vector<Measure>& measures() {
        "J. Cohen, Educational and Psychological Measurement 20, 1960.", Group::architecture},
       {"Edit distance",
        "The least that has to be removed and inserted to make one tree of the other, where what "
-       "hangs on what must stay; similarity 1 where nothing is to be done.",
+       "is attached to what must stay; similarity 1 where nothing is to be done.",
        "K. Zhang, Algorithmica 15, 1996; P. Ferraro, C. Godin, Annals of Forest Science 57, 2000.",
        Group::edits},
       {"Radii", "", "This program.", Group::radii},
@@ -61,9 +63,10 @@ const std::vector<Measure>& measures() {
        "Agreement of radii where both plants lie near each other: 1 where all are the same. Unlike "
        "a correlation it falls where all are too large alike.",
        "L. Lin, Biometrics 45, 1989.", Group::radii},
-      {"Breast height, and the way around",
+      {"Breast height, and the circumference",
        "Stems are measured 1.3 m above the foot of the reference. Of 16 sectors about a node of "
-       "the reference, those that hold points of its section tell how much of the way around the "
+       "the reference, those that hold points of its section are the share of the circumference "
+       "the "
        "scanner saw.",
        "P. Raumonen et al., Remote Sensing 5, 2013, for the sectors.", Group::radii}};
   return all;

@@ -15,9 +15,9 @@ namespace espalier {
 namespace {
 
 /// Lengths of ways along a skeleton.
-class Ways {
+class PathsAlong {
 public:
-  explicit Ways(const Skeleton& skeleton)
+  explicit PathsAlong(const Skeleton& skeleton)
       : skeleton_(skeleton), height_(skeleton.idEnd(), 0), level_(skeleton.idEnd(), 0) {
     for (const NodeId id : skeleton.ids()) {
       const Node& node = skeleton[id];
@@ -88,8 +88,8 @@ PathLengthAgreement pathLengthAgreement(const Skeleton& result, const Skeleton& 
   assert(options.distance > 0 && options.step > 0);
   requireComparable(result, "the plant");
   requireComparable(reference, "the reference");
-  const Ways found(result);
-  const Ways truth(reference);
+  const PathsAlong found(result);
+  const PathsAlong truth(reference);
   const EdgeIndex index(result);
   const std::vector<EvenSample> samples = evenSamples(reference, options.step);
   Random random(options.seed);

@@ -14,19 +14,19 @@
 namespace espalier {
 namespace {
 
-using Path = std::vector<std::size_t>;
+using SegmentPath = std::vector<std::size_t>;
 
 /// The segments of one skeleton, and which of them are still free.
-struct Side {
+struct PathSide {
   const std::vector<Segment>* segments;
-  std::vector<Path> children; // by segment
-  std::vector<bool> isTaken;  // by segment
+  std::vector<SegmentPath> children; // by segment
+  std::vector<bool> isTaken;         // by segment
 };
 
-Side sideOf(const std::vector<Segment>& segments) {
-  Side side{.segments = &segments,
-            .children = std::vector<Path>(segments.size()),
-            .isTaken = std::vector<bool>(segments.size(), false)};
+PathSide sideOf(const std::vector<Segment>& segments) {
+  PathSide side{.segments = &segments,
+                .children = std::vector<SegmentPath>(segments.size()),
+                .isTaken = std::vector<bool>(segments.size(), false)};
   for (std::size_t i = 0; i < segments.size(); ++i)
     if (segments[i].parent) side.children[*segments[i].parent].push_back(i);
   return side;
@@ -44,12 +44,12 @@ std::vector<double> squaredToEach(const std::vector<Eigen::Vector3d>& from,
 
 /// A path through a segment, with what its Hausdorff distance to `target` is made of.
 struct Reach {
-  Path path;                  // without the segment it starts at
+  SegmentPath path;           // without the segment it starts at
   double farthest = 0;        // from its vertices to the target's; squared
   std::vector<double> toPath; // from each of the target's vertices; squared
 };
 
-Reach withSegment(Reach reach, const Side& side, std::size_t segment, const Segment& target) {
+Reach withSegment(Reach reach, const PathSide& side, std::size_t segment, const Segment& target) {
   const std::vector<Eigen::Vector3d>& polyline = (*side.segments)[segment].polyline;
   reach.path.push_back(segment);
   reach.farthest =
@@ -61,7 +61,7 @@ Reach withSegment(Reach reach, const Side& side, std::size_t segment, const Segm
 }
 
 /// All ways upward along free segments that stay within sqrt(limit) of the target.
-std::vector<Reach> reachesUp(const Side& side, std::size_t segment, const Segment& target,
+std::vector<Reach> reachesUp(const PathSide& side, std::size_t segment, const Segment& target,
                              double limit) {
   std::vector<Reach> found = {
       {{}, 0, squaredToEach(target.polyline, (*side.segments)[segment].polyline)}};
@@ -77,7 +77,7 @@ std::vector<Reach> reachesUp(const Side& side, std::size_t segment, const Segmen
 }
 
 /// The same downward, where there is one way only.
-std::vector<Reach> reachesDown(const Side& side, std::size_t segment, const Segment& target,
+std::vector<Reach> reachesDown(const PathSide& side, std::size_t segment, const Segment& target,
                                double limit) {
   std::vector<Reach> found = {
       {{}, 0, squaredToEach(target.polyline, (*side.segments)[segment].polyline)}};
@@ -91,12 +91,13 @@ std::vector<Reach> reachesDown(const Side& side, std::size_t segment, const Segm
 }
 
 struct Extension {
-  Path path;     // from the root side; empty: nothing brings the two nearer
-  double cost{}; // [L]
+  SegmentPath path; // from the root side; empty: nothing brings the two nearer
+  double cost{};    // [L]
 };
 
 /// The path of free segments through `segment` that is nearest to `target`.
-Extension bestThrough(const Side& side, std::size_t segment, const Segment& target, double cost) {
+Extension bestThrough(const PathSide& side, std::size_t segment, const Segment& target,
+                      double cost) {
   const double limit = cost * cost;
   const double own =
       std::ranges::max(squaredToEach((*side.segments)[segment].polyline, target.polyline));
@@ -121,7 +122,8 @@ struct Choice {
   bool isOfResult = true; // which side becomes a path
 };
 
-Choice bestFor(const Side& result, const Side& reference, const AuthorsComparison::Match& match) {
+Choice bestFor(const PathSide& result, const PathSide& reference,
+               const AuthorsComparison::Match& match) {
   Choice choice{
       bestThrough(result, match.result, (*reference.segments)[match.reference], match.cost), true};
   Extension other = bestThrough(reference, match.reference, (*result.segments)[match.result],
@@ -132,7 +134,7 @@ Choice bestFor(const Side& result, const Side& reference, const AuthorsCompariso
 
 /// Extends matches, the one that gains most first, as long as what they take in is free.
 void takeBestFirst(PathMatches& paths, std::vector<Choice>& choices,
-                   const AuthorsComparison& comparison, Side& result, Side& reference) {
+                   const AuthorsComparison& comparison, PathSide& result, PathSide& reference) {
   using Gain = std::pair<double, std::size_t>; // by how much the match at this index gets nearer
   const auto less = [](const Gain& a, const Gain& b) { // the lower index of equal gains first
     return a.first < b.first || (a.first == b.first && a.second > b.second);
@@ -149,7 +151,7 @@ void takeBestFirst(PathMatches& paths, std::vector<Choice>& choices,
     open.pop();
     const AuthorsComparison::Match& match = comparison.matches[k];
     const auto& [extension, isOfResult] = choices[k];
-    Side& side = isOfResult ? result : reference;
+    PathSide& side = isOfResult ? result : reference;
     const std::size_t own = isOfResult ? match.result : match.reference;
     const bool isFree = std::ranges::all_of(extension.path, [&](std::size_t segment) {
       return segment == own || !side.isTaken[segment];
@@ -166,9 +168,9 @@ void takeBestFirst(PathMatches& paths, std::vector<Choice>& choices,
   }
 }
 
-void summarize(PathMatches& paths, const AuthorsComparison& comparison, const Side& result,
-               const Side& reference) {
-  const auto covered = [](const Side& side) {
+void summarize(PathMatches& paths, const AuthorsComparison& comparison, const PathSide& result,
+               const PathSide& reference) {
+  const auto covered = [](const PathSide& side) {
     double length = 0;
     for (std::size_t i = 0; i < side.isTaken.size(); ++i)
       if (side.isTaken[i]) length += (*side.segments)[i].length;
@@ -191,8 +193,8 @@ void summarize(PathMatches& paths, const AuthorsComparison& comparison, const Si
 } // namespace
 
 PathMatches pathMatches(const AuthorsComparison& comparison, const Progress& progress) {
-  Side result = sideOf(comparison.resultSegments);
-  Side reference = sideOf(comparison.referenceSegments);
+  PathSide result = sideOf(comparison.resultSegments);
+  PathSide reference = sideOf(comparison.referenceSegments);
   PathMatches paths;
   for (const AuthorsComparison::Match& match : comparison.matches) {
     result.isTaken[match.result] = true;

@@ -26,7 +26,7 @@ Score radiusByArc(std::size_t k) {
           .label = name,
           .help = "Root mean square error of radii where the scan has points on this much of the "
                   "way around the wood",
-          .measure = measureOf("Breast height, and the way around"),
+          .measure = measureOf("Breast height, and the circumference"),
           .unit = Unit::length,
           .better = Better::less,
           .uses = inPanel, // it takes a scan in their frame
@@ -40,7 +40,7 @@ Score radiusByArc(std::size_t k) {
 } // namespace
 
 std::vector<Score> radiusScores() {
-  const Measure* stems = measureOf("Breast height, and the way around");
+  const Measure* stems = measureOf("Breast height, and the circumference");
   std::vector<Score> all = {
       {.key = "concordance",
        .label = "concordance (CCC)",

@@ -13,13 +13,6 @@
 namespace espalier {
 namespace {
 
-Eigen::Vector3d centroid(const std::vector<EvenSample>& samples) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (const EvenSample& sample : samples)
-    sum += sample.position;
-  return sum / static_cast<double>(samples.size());
-}
-
 /// Shifts from which to refine; the first is none.
 std::vector<Eigen::Vector3d> startingShifts(const Skeleton& result, const Skeleton& reference,
                                             const Eigen::Vector3d& centroids, double radius,

@@ -78,7 +78,7 @@ std::vector<Score> landmarkScores() {
            .uses = inStudies | inReport | inNoiseText,
            .compute = [](Plants plants) -> Value { return plants.diadem().score; }},
           {.key = "ways",
-           .label = "ways along the plant as long, up to a tenth",
+           .label = "paths along the plant as long, up to a tenth",
            .symbol = "ways",
            .help = "Share of pairs of places whose path along the plant is as long, up to a tenth",
            .measure = own,

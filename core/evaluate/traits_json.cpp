@@ -66,7 +66,7 @@ Json toJson(const WoodAmount& wood) {
       {"edges", wood.edges}, {"length", wood.length}, {"area", wood.area}, {"volume", wood.volume}};
 }
 
-template <class Part> Json listOf(const std::vector<Part>& parts) {
+template <class Part> Json traitList(const std::vector<Part>& parts) {
   Json list = Json::array();
   for (const Part& part : parts)
     list.push_back(toJson(part));
@@ -86,10 +86,10 @@ nlohmann::ordered_json toJson(const Traits& traits) {
           {"extent", Json::array({traits.extent.x(), traits.extent.y(), traits.extent.z()})},
           {"axes_by_order", traits.axesByOrder},
           {"length_by_order", traits.lengthByOrder},
-          {"axes", listOf(traits.axes)},
+          {"axes", traitList(traits.axes)},
           {"stem", toJson(traits.stem)},
-          {"strahler", listOf(traits.strahler)},
-          {"branching_angles", listOf(traits.angles.byOrder)},
+          {"strahler", traitList(traits.strahler)},
+          {"branching_angles", traitList(traits.angles.byOrder)},
           {"divergence", toJson(traits.angles.divergence)},
           {"divergences", traits.angles.divergences},
           {"crown", toJson(traits.crown)}};
@@ -97,8 +97,8 @@ nlohmann::ordered_json toJson(const Traits& traits) {
 
 nlohmann::ordered_json toJson(const WoodAmounts& wood) {
   return {{"whole", toJson(wood.whole)},
-          {"by_order", listOf(wood.byOrder)},
-          {"by_radius", listOf(wood.byRadius)}};
+          {"by_order", traitList(wood.byOrder)},
+          {"by_radius", traitList(wood.byRadius)}};
 }
 
 nlohmann::ordered_json toJson(const PlantMeasures& measures) {
@@ -129,8 +129,8 @@ std::vector<std::vector<std::string>> tableOf(const nlohmann::ordered_json& json
 nlohmann::ordered_json toJson(const LightInterception& light) {
   return {{"area", light.area},
           {"star", light.star},
-          {"directions", listOf(light.directions)},
-          {"convergence", listOf(light.convergence)}};
+          {"directions", traitList(light.directions)},
+          {"convergence", traitList(light.convergence)}};
 }
 
 } // namespace espalier

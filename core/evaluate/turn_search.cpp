@@ -10,7 +10,7 @@
 namespace espalier {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
+constexpr double inRadians = std::numbers::pi / 180;
 
 /// Every so many of the samples, so that about `wanted` are left.
 std::vector<EvenSample> thinned(const std::vector<EvenSample>& samples, std::size_t wanted) {
@@ -31,13 +31,6 @@ FitPair coarse(const FitPair& pair, std::size_t samples, double reach) {
           reach};
 }
 
-Eigen::Vector3d centroid(const std::vector<EvenSample>& samples) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (const EvenSample& sample : samples)
-    sum += sample.position;
-  return sum / static_cast<double>(samples.size());
-}
-
 /// The angle between two turns about `up` that are tried: half of the length moves by two reaches
 /// at most from one to the next. Pairs pull from far at first, so that is fine enough.
 double angleStep(const FitPair& pair, const Eigen::Vector3d& up) {
@@ -47,7 +40,7 @@ double angleStep(const FitPair& pair, const Eigen::Vector3d& up) {
     distances.push_back((sample.position - middle).cross(up).norm());
   const auto median = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
   std::nth_element(distances.begin(), median, distances.end());
-  return std::clamp(2 * pair.reach / std::max(*median, pair.reach), 3 * degree, 15 * degree);
+  return std::clamp(2 * pair.reach / std::max(*median, pair.reach), 3 * inRadians, 15 * inRadians);
 }
 
 /// A place of the result and one of the reference that may be the same.

@@ -15,9 +15,10 @@ constexpr double shortestWay = 20; // between points that are far apart, in spac
 constexpr double detour = 3;       // likewise, in distances as scanned
 
 /// How many pieces one passes from one to the other, up to `most`.
-class Ways {
+class PathsBetween {
 public:
-  explicit Ways(const PlantPieces& pieces) : pieces_(pieces), seenBy_(pieces.adjacent.size(), 0) {}
+  explicit PathsBetween(const PlantPieces& pieces)
+      : pieces_(pieces), seenBy_(pieces.adjacent.size(), 0) {}
 
   int steps(std::uint32_t from, std::uint32_t to, int most) {
     ++search_;
@@ -115,7 +116,7 @@ private:
 
 Eigen::Index countWebs(const ThinnedPlant& plant, const Eigen::Matrix3Xf& places, double spacing) {
   const PlantPieces pieces = piecesOf(plant, stretch * spacing);
-  Ways ways(pieces);
+  PathsBetween ways(pieces);
   PieceSets sets(pieces.adjacent.size());
   std::vector<bool> isWebbed(pieces.adjacent.size(), false);
   const std::vector<Placed> placed = placedPieces(plant, pieces, places, spacing);

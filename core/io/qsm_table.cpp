@@ -109,7 +109,7 @@ Imported<Skeleton> readQsmTable(std::istream& in, const std::string& file) {
   Qsm qsm{.cylinders = {},
           .hasExtensions = (*columns)[extension].has_value(),
           .hasBranches = (*columns)[branch].has_value(),
-          .hasOrders = (*columns)[order].has_value()};
+          .hasOrders = (*columns)[QsmField::order].has_value()};
   LineReader lines(bytes);
   if (columns->hasHeader) (void)lines.next();
   while (const auto line = lines.next()) {

@@ -79,8 +79,9 @@ Method pointTrackingMethod() {
   table.add(
       angleOption(
           "cone_angle", Shown::tr("Cone angle"), 10, 80,
-          Shown::tr("Opening of the cones in which a node looks for children; less tells narrower "
-                    "forks apart.")),
+          Shown::tr(
+              "Opening of the cones in which a node looks for children; less separates narrower "
+              "forks apart.")),
       &Options::coneAngle);
   table.add(countOption("fewest_points", Shown::tr("Fewest points"), 1, 100,
                         Shown::tr("Cones with fewer points bear no child.")),

@@ -13,7 +13,8 @@
 namespace espalier {
 namespace {
 
-constexpr const char* thesis = "C. Preuksakarn, PhD thesis, Montpellier 2, 2012, section 4.6";
+constexpr const char* thesisSection =
+    "C. Preuksakarn, PhD thesisSection, Montpellier 2, 2012, section 4.6";
 
 Option circlesOption() {
   return flagOption(
@@ -43,7 +44,7 @@ Method geodesicCentroidMethod() {
        .label = Shown::tr("Geodesic centroids"),
        .help = Shown::tr("Moves each point to the mean of the points near it along the plant."),
        .inManual = Shown::tr("all plants; the default"),
-       .source = thesis},
+       .source = thesisSection},
       table,
       [](const auto& points, const Options& options, const auto&, const Progress& progress) {
         return contractedToGeodesicCentroids(points, options, progress);
@@ -141,7 +142,7 @@ Method adaptiveGeodesicMethod() {
        .help = Shown::tr(
            "As geodesic centroids, with a radius that grows with the density of the points."),
        .inManual = Shown::tr("plants with thick and thin wood, scans from few sides"),
-       .source = thesis},
+       .source = thesisSection},
       table,
       [](const auto& points, Options options, const PipelineState& state,
          const Progress& progress) {
@@ -180,7 +181,8 @@ Method adaptiveSectionsMethod() {
        .help = Shown::tr(
            "Moves each point to the middle of the cross-section of the wood that it is on."),
        .inManual = Shown::tr("thick wood, trunks seen from one side"),
-       .source = "section contraction of PlantScan3D, after the thesis of C. Preuksakarn, 2012"},
+       .source =
+           "section contraction of PlantScan3D, after the thesisSection of C. Preuksakarn, 2012"},
       table,
       [](const auto& points, Options options, const PipelineState& state,
          const Progress& progress) {

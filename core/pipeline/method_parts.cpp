@@ -44,7 +44,7 @@ Option thickWoodOption() {
 Option coverageOption() {
   return ratioOption(
       "least_coverage", Shown::tr("Least coverage"), 0.1, 1,
-      Shown::tr("Share of the way around that points must cover before a fit is trusted."));
+      Shown::tr("Share of the circumference that points must cover before a fit is trusted."));
 }
 
 Option cylinderLengthOption() {

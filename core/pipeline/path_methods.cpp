@@ -25,7 +25,7 @@ Method shortestPathMethod() {
   table.add(
       ratioOption(
           "least_share", Shown::tr("Least share"), 0, 1,
-          Shown::tr("Branches go whose longest way is a smaller share of that of their wood.")),
+          Shown::tr("Branches go whose longest path is a smaller share of that of their wood.")),
       &Options::leastShare);
   table.add(spacingOption(), &Options::spacing);
   table.add(angleOption("merge_angle", Shown::tr("Merge angle"), 0, 90,
@@ -40,7 +40,7 @@ Method shortestPathMethod() {
   return {.name = "shortest_paths",
           .label = Shown::tr("Shortest paths"),
           .help = Shown::tr(
-              "Simplifies the tree of shortest ways, by squared length, over all points."),
+              "Simplifies the tree of shortest paths, by squared length, over all points."),
           .inManual = Shown::tr("simplifies the tree of shortest ways over all points"),
           .source = "S. Du et al. (AdTree), Remote Sensing 11(18), 2019",
           .options = table.descriptions(),
@@ -77,7 +77,7 @@ Method branchStructureMethod() {
   return {.name = "branch_structure",
           .label = Shown::tr("Branch structure graph"),
           .help = Shown::tr(
-              "Straightens the tree of shortest ways over all points, and merges what overlaps."),
+              "Straightens the tree of shortest paths over all points, and merges what overlaps."),
           .inManual = Shown::tr("straightens such a tree, and merges what overlaps"),
           .source = "Y. Livny et al., ACM Trans. Graph. 29(6), 2010",
           .options = table.descriptions(),

@@ -14,7 +14,8 @@
 namespace espalier {
 namespace {
 
-constexpr auto thesis = "law of the structures published with the thesis of C. Preuksakarn, 2012";
+constexpr auto thesisLaw =
+    "law of the structures published with the thesisLaw of C. Preuksakarn, 2012";
 
 constexpr auto noRadii = "no radius is measured, so there are no radii: check the scan";
 
@@ -154,9 +155,9 @@ Method fusedMethod() {
   return {
       .name = "fused",
       .label = Shown::tr("Cylinders and pipe model"),
-      .help =
-          Shown::tr("Radii of fitted cylinders where points tell, of a pipe model fitted to them "
-                    "elsewhere, each as far as it can be trusted."),
+      .help = Shown::tr(
+          "Radii of fitted cylinders where points suffice, of a pipe model fitted to them "
+          "elsewhere, each as far as it can be trusted."),
       .source = "pipe model: K. Shinozaki et al., Jpn. J. Ecol. 14, 1964; fusion: least squares "
                 "of logarithms by their deviations",
       .options = table.descriptions(),
@@ -231,7 +232,7 @@ Method nodeCountPipeMethod() {
           .help = Shown::tr(
               "Radii grow with the number of nodes carried, between those measured at the foot "
               "and at the tips."),
-          .source = thesis,
+          .source = thesisLaw,
           .options = {},
           .run = [](PipelineState& state, const Values&, const Progress& progress) {
             state.setSkeleton(withNodeCountPipeRadii(*state.skeleton, pipeEndsOf(state, progress)));
@@ -245,7 +246,7 @@ Method lengthPipeMethod() {
           .help = Shown::tr(
               "Radii grow with the length of the wood carried, between those measured at the "
               "foot and at the tips; node spacing does not matter."),
-          .source = thesis,
+          .source = thesisLaw,
           .options = {},
           .run = [](PipelineState& state, const Values&, const Progress& progress) {
             const NodeCountPipeOptions ends = pipeEndsOf(state, progress);

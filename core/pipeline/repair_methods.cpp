@@ -17,7 +17,7 @@ Method joinMethod() {
       lengthOption(
           "widest", Shown::tr("Longest edge"), 1, 1000,
           Shown::tr("Edges longer than this, and than the wood at their ends is thick, bridge a "
-                    "gap: what they lead to may be hung elsewhere.")),
+                    "gap: what they lead to may be attached elsewhere.")),
       &Options::widest);
   table.add(lengthOption("reach", Shown::tr("Reach"), 1, 10000,
                          Shown::tr("How far across a gap wood is looked for.")),
@@ -140,9 +140,8 @@ struct SmoothingOptions {
 Method smoothMethod() {
   OptionTable<SmoothingOptions> table;
   table.add(
-      ratioOption(
-          "share", Shown::tr("Share"), 0, 1,
-          Shown::tr("Share of the way each node moves to the mean of its neighbors on the axis.")),
+      ratioOption("share", Shown::tr("Share"), 0, 1,
+                  Shown::tr("How far each node moves to the mean of its neighbors on the axis.")),
       &SmoothingOptions::share);
   table.add(countOption("rounds", Shown::tr("Rounds"), 1, 100, Shown::tr("How often.")),
             &SmoothingOptions::rounds);

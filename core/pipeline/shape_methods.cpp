@@ -39,7 +39,7 @@ Option recenterRoundsOption() {
 Option smoothingOption() {
   return ratioOption(
       "smoothing", Shown::tr("Smoothing"), 0, 1,
-      Shown::tr("Share of the way each node moves to the mean of its neighbors on the axis."));
+      Shown::tr("How far each node moves to the mean of its neighbors on the axis."));
 }
 
 void addTurnOptions(OptionTable<AxisOptions>& table) {

@@ -23,7 +23,7 @@ Method geodesicBinsMethod() {
       ratioOption(
           "turn_cost", Shown::tr("Cost of turns"), 0, 100,
           Shown::tr("How much more a link costs across the wood than along it, when twigs touch; 0 "
-                    "takes the shortest way.")),
+                    "takes the shortest path.")),
       &Options::turnCost);
   return {.name = "geodesic_bins",
           .label = Shown::tr("Geodesic bins"),

@@ -137,8 +137,9 @@ Method rotationalSymmetryMethod() {
                         Shown::tr("How often sections and axes are found in turn.")),
             &Options::rounds);
   table.add(
-      countOption("smoothing", Shown::tr("Smoothing"), 0, 50,
-                  Shown::tr("How often places that normals do not tell follow their neighbors.")),
+      countOption(
+          "smoothing", Shown::tr("Smoothing"), 0, 50,
+          Shown::tr("How often places that normals do not determine follow their neighbors.")),
       &Options::smoothing);
   return contractMethod<Options>(
       {.name = "rotational_symmetry",

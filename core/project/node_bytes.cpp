@@ -50,7 +50,7 @@ bool isReadable(const Node& node) {
 
 /// What a reader takes for damage is not written.
 /// @throws Error if a reader would refuse the node, or its id
-void requireReadable(NodeId id, const Node& node) {
+void requireSound(NodeId id, const Node& node) {
   const std::string name = nameOf(id);
   if (!isReadable(node))
     throw Error(name + " has a position or radius that is not finite or too large, which a project "
@@ -108,7 +108,7 @@ public:
   }
   /// @throws Error if it could not be read back
   void node(NodeId id, const Node& node) {
-    requireReadable(id, node);
+    requireSound(id, node);
     number(static_cast<std::uint8_t>(
         (node.parent ? hasParent : 0) | (node.edge == EdgeType::branching ? isBranching : 0) |
         (node.entities.empty() ? 0 : hasEntities) | (node.isMarked ? isMarked : 0) |

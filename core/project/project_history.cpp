@@ -139,7 +139,7 @@ void requireFewIds(const Database& database, std::size_t idEnd, const std::strin
 }
 
 /// @throws Error if what was written would be refused when it is read
-void requireReadable(const IdsAndBytes& written, const std::string& file) {
+void requireAllowed(const IdsAndBytes& written, const std::string& file) {
   if (!written.isAllowed())
     throw Error(file + written.text() +
                 "save the plant as an MTG, and begin a new project with that, which numbers its "
@@ -156,11 +156,11 @@ void insertSteps(const Database& database, std::size_t kept, std::span<const His
   IdsAndBytes written = idsAndBytes(database, 0);
   if (highest > idsFor(0))
     written.bytes = idsAndBytes(database, highest).bytes; // mostly they are few
-  requireReadable(written, file);
+  requireAllowed(written, file);
   for (const HistoryStep& step : steps) {
     written.bytes += insertStep(database, kept++, step);
     written.idEnd = std::max(written.idEnd, idEndIn(step.delta));
-    requireReadable(written, file);
+    requireAllowed(written, file);
   }
 }
 
@@ -305,7 +305,7 @@ void Project::takeSnapshot(const Skeleton& skeleton, const PointSet& leftOut) {
   Transaction transaction(database_);
   const std::int64_t position = database_.integer("SELECT step FROM position");
   insertSnapshot(database_, static_cast<std::size_t>(position), skeleton, leftOut);
-  requireReadable(idsAndBytes(database_, 0), path_.string());
+  requireAllowed(idsAndBytes(database_, 0), path_.string());
   transaction.commit();
 }
 

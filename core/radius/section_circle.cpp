@@ -153,8 +153,8 @@ MeasuredCircle measuredCircle(const CrossSection& section, RadiusMeasure measure
   return *circle;
 }
 
-std::optional<FittedCircle> hullCircle(const Points& points) {
-  const Points hull = planeHull(points);
+std::optional<FittedCircle> hullCircle(const PlanePoints& points) {
+  const PlanePoints hull = planeHull(points);
   if (hull.size() < 3) return std::nullopt;
   double perimeter = 0;
   double area = 0; // twice

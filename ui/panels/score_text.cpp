@@ -35,7 +35,7 @@ QString titleOf(ScoreGroup group) {
   case ScoreGroup::landmarks:
   case ScoreGroup::network:
   case ScoreGroup::architecture:
-    return tr("What hangs on what");
+    return tr("Attachment");
   case ScoreGroup::edits:
     return tr("Edits");
   case ScoreGroup::radii:

@@ -113,7 +113,7 @@ TEST(GeodesicBins, FollowMovingTurningAndScaling) {
   Eigen::Affine3f change = Eigen::Affine3f::Identity();
   change.scale(1000).rotate(Eigen::AngleAxisf(1, Eigen::Vector3f(1, 2, 3).normalized()));
   GeodesicBinOptions scaled = options;
-  scaled.binWidth *= 1000;
+  scaled.binWidth = 1000 * options.binWidth;
   const Skeleton moved = skeletonByGeodesicBins(change * points, 0, scaled);
   ASSERT_EQ(moved.size(), skeleton.size());
   const std::vector<NodeId> ids = skeleton.ids();

@@ -189,7 +189,7 @@ BatchResult resultOf(const Batch& batch, const BatchPlant& plant, const BatchSum
 }
 
 /// @throws Error if a result would replace what is read
-void requireApart(const Batch& batch, const BatchFlags& flags) {
+void requireOtherOutput(const Batch& batch, const BatchFlags& flags) {
   std::error_code isMissing;
   std::set<fs::path> read;
   const auto add = [&](const fs::path& file) {
@@ -224,7 +224,7 @@ Batch batchOf(const BatchFlags& flags) {
   for (const BatchPlant& plant : batch.plants)
     batch.names.push_back(plant.name);
   batch.folder = flags.folder;
-  requireApart(batch, flags);
+  requireOtherOutput(batch, flags);
   std::error_code problem;
   fs::create_directories(batch.folder, problem);
   if (problem || !fs::is_directory(batch.folder))

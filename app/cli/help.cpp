@@ -55,7 +55,7 @@ std::string termOf(const CLI::Option& option) {
   return isFlag(option) ? names : names + ' ' + option.get_type_name();
 }
 
-std::string textOf(const CLI::Option& option) {
+std::string helpTextOf(const CLI::Option& option) {
   const std::string byDefault = option.get_default_str();
   if (byDefault.empty()) return option.get_description();
   std::string note = "(default: " + byDefault + ")";
@@ -88,7 +88,7 @@ std::string argumentsOf(const CLI::App& command) {
   std::vector<Row> options;
   for (const CLI::Option* option : command.get_options())
     (option->get_positional() ? positionals : options)
-        .push_back({termOf(*option), textOf(*option)});
+        .push_back({termOf(*option), helpTextOf(*option)});
   return tableOf("Arguments", positionals) + tableOf("Options", options);
 }
 

@@ -20,7 +20,7 @@ struct MethodsFlags {
   bool isJson = false;
 };
 
-std::string number(double value) {
+std::string plainNumber(double value) {
   std::ostringstream text;
   text << value;
   return text.str();
@@ -28,7 +28,7 @@ std::string number(double value) {
 
 std::string rangeText(const Option& option) {
   if (option.takesWords()) return option.words();
-  const std::string text = number(option.minimum) + " to " + number(option.maximum);
+  const std::string text = plainNumber(option.minimum) + " to " + plainNumber(option.maximum);
   if (option.kind == OptionKind::length) return text + " point spacings";
   return option.kind == OptionKind::angle ? text + " degrees" : text;
 }

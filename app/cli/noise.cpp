@@ -63,14 +63,14 @@ NoiseSeries seriesOf(const std::string& text) {
   return series;
 }
 
-struct Column {
+struct NoiseColumn {
   std::string key; // of a score
   std::string title;
 };
 
 /// The scores that are asked for, or what a reader compares first: all are in the files.
-std::vector<Column> columnsOf(const std::vector<std::string>& asked) {
-  std::vector<Column> columns;
+std::vector<NoiseColumn> columnsOf(const std::vector<std::string>& asked) {
+  std::vector<NoiseColumn> columns;
   for (const std::string& key : asked)
     columns.push_back({key, key});
   if (asked.empty())
@@ -98,7 +98,7 @@ void print(const NoiseStudy& study, const std::vector<NoiseColumn>& columns,
     std::printf("\n");
     for (const NoisePoint& point : curve.points) {
       std::printf("%22.4g", point.level);
-      for (const Column& column : columns)
+      for (const NoiseColumn& column : columns)
         std::printf(" %*.3f", widthOf(column), point.scores.at(column.key).mean);
       std::printf("\n");
     }

@@ -10,13 +10,11 @@
 namespace espalier {
 namespace {
 
-QString tr(const char* text) {
-  return reportText(text);
-}
-
 class SettingsTable {
 public:
-  SettingsTable() { table_.columns = {{tr("setting"), false}, {tr("value"), false}}; }
+  SettingsTable() {
+    table_.columns = {{reportText("setting"), false}, {reportText("value"), false}};
+  }
   void add(const QString& name, const QString& value) { table_.rows.push_back({{name}, {value}}); }
   [[nodiscard]] ReportTable table(const QString& caption) const {
     ReportTable made = table_;
@@ -37,9 +35,9 @@ QString joined(const ReportNumbers& numbers, const std::vector<double>& lengths)
 }
 
 QString turnText(const Registration& lay, const ReportNumbers& numbers) {
-  if (lay.angle() == 0) return tr("none");
+  if (lay.angle() == 0) return reportText("none");
   const Eigen::Vector3d axis = lay.axis();
-  return tr("%1 about (%2, %3, %4) through its middle")
+  return reportText("%1 about (%2, %3, %4) through its middle")
       .arg(numbers.degrees(lay.angle()), numbers.share(axis.x()), numbers.share(axis.y()),
            numbers.share(axis.z()));
 }
@@ -48,21 +46,21 @@ void addRegistration(SettingsTable& table, const ReportParts& parts) {
   const auto& registration = parts.data.comparison.registration;
   const ReportNumbers& numbers = parts.numbers;
   if (!registration) {
-    table.add(tr("registration"), tr("none: compared where they lie"));
+    table.add(reportText("registration"), reportText("none: compared where they lie"));
     return;
   }
   const Eigen::Vector3d& shift = registration->shift;
-  table.add(tr("registration"), tr("the plant was moved to lie on the reference"));
-  table.add(tr("turns tried about"),
+  table.add(reportText("registration"), reportText("the plant was moved to lie on the reference"));
+  table.add(reportText("turns tried about"),
             parts.about.turns ? QString(QLatin1Char("xyz"[static_cast<int>(parts.about.up)]))
-                              : tr("none"));
-  table.add(tr("turn about x, y, z"), turnText(*registration, numbers));
-  table.add(tr("shift x, y, z"), joined(numbers, {shift.x(), shift.y(), shift.z()}));
-  table.add(tr("shift in all"), numbers.length(shift.norm()));
-  table.add(tr("mean distance before, after"),
+                              : reportText("none"));
+  table.add(reportText("turn about x, y, z"), turnText(*registration, numbers));
+  table.add(reportText("shift x, y, z"), joined(numbers, {shift.x(), shift.y(), shift.z()}));
+  table.add(reportText("shift in all"), numbers.length(shift.norm()));
+  table.add(reportText("mean distance before, after"),
             joined(numbers, {registration->residualBefore, registration->residualAfter}));
-  table.add(tr("counted up to"), numbers.length(registration->reach));
-  table.add(tr("length of both within %1").arg(numbers.length(registration->nearDistance)),
+  table.add(reportText("counted up to"), numbers.length(registration->reach));
+  table.add(reportText("length of both within %1").arg(numbers.length(registration->nearDistance)),
             numbers.percent(registration->near));
 }
 
@@ -70,40 +68,44 @@ ReportTable settings(const ReportParts& parts) {
   const Comparison& comparison = parts.data.comparison;
   const ReportNumbers& numbers = parts.numbers;
   SettingsTable table;
-  table.add(tr("unit of lengths"),
-            parts.about.unit.isEmpty() ? tr("that of the files") : parts.about.unit);
-  table.add(tr("scale of the plant"), numbers.given(parts.about.scale));
+  table.add(reportText("unit of lengths"),
+            parts.about.unit.isEmpty() ? reportText("that of the files") : parts.about.unit);
+  table.add(reportText("scale of the plant"), numbers.given(parts.about.scale));
   addRegistration(table, parts);
-  table.add(tr("tolerance"), numbers.givenLength(parts.data.tolerance));
+  table.add(reportText("tolerance"), numbers.givenLength(parts.data.tolerance));
   std::vector<double> distances;
   for (const ToleranceScore& score : comparison.tolerance.scores)
     distances.push_back(score.distance);
-  table.add(tr("distances of the table"), joined(numbers, distances));
-  table.add(tr("step between samples"), numbers.givenLength(comparison.tolerance.step));
-  table.add(tr("segments are candidates up to"),
+  table.add(reportText("distances of the table"), joined(numbers, distances));
+  table.add(reportText("step between samples"), numbers.givenLength(comparison.tolerance.step));
+  table.add(reportText("segments are candidates up to"),
             numbers.givenLength(comparison.authors.boxDistance));
-  table.add(tr("tips and branchings pair up to"), numbers.givenLength(comparison.tips.distance));
-  table.add(tr("by height and order within"), numbers.givenLength(comparison.byPlace.distance));
-  table.add(tr("paths along the plant"),
-            tr("%1 pairs").arg(numbers.count(comparison.pathLengths.pairs)));
-  table.add(tr("draws for the intervals"), tr("%1, seed %2")
-                                               .arg(numbers.count(parts.data.intervals.draws))
-                                               .arg(parts.data.intervals.seed));
+  table.add(reportText("tips and branchings pair up to"),
+            numbers.givenLength(comparison.tips.distance));
+  table.add(reportText("by height and order within"),
+            numbers.givenLength(comparison.byPlace.distance));
+  table.add(reportText("paths along the plant"),
+            reportText("%1 pairs").arg(numbers.count(comparison.pathLengths.pairs)));
+  table.add(reportText("draws for the intervals"),
+            reportText("%1, seed %2")
+                .arg(numbers.count(parts.data.intervals.draws))
+                .arg(parts.data.intervals.seed));
   const EditOptions& edit = parts.about.edit;
-  table.add(tr("edit distance of"),
-            tr("%1, cost %2%3")
+  table.add(reportText("edit distance of"),
+            reportText("%1, cost %2%3")
                 .arg(QString::fromStdString(editUnitNames()[static_cast<std::size_t>(edit.unit)]),
                      QString::fromStdString(editCostNames()[static_cast<std::size_t>(edit.cost)]),
-                     edit.mergesPaths ? tr(", paths merged") : QString()));
-  table.add(tr("up"), QStringLiteral("z"));
-  table.add(tr("version"), tr("Espalier %1, Qt %2").arg(parts.about.version, qVersion()));
-  return table.table(tr("Settings"));
+                     edit.mergesPaths ? reportText(", paths merged") : QString()));
+  table.add(reportText("up"), QStringLiteral("z"));
+  table.add(reportText("version"),
+            reportText("Espalier %1, Qt %2").arg(parts.about.version, qVersion()));
+  return table.table(reportText("Settings"));
 }
 
 ReportTable inputs(const ReportParts& parts) {
-  std::vector<std::pair<QString, ReportedFile>> files = {{tr("plant"), parts.about.result},
-                                                         {tr("reference"), parts.about.reference}};
-  if (parts.about.scan) files.emplace_back(tr("scan"), *parts.about.scan);
+  std::vector<std::pair<QString, ReportedFile>> files = {
+      {reportText("plant"), parts.about.result}, {reportText("reference"), parts.about.reference}};
+  if (parts.about.scan) files.emplace_back(reportText("scan"), *parts.about.scan);
   return inputsTable(files);
 }
 
@@ -178,9 +180,10 @@ std::vector<ReportTerms::Term> termsOf(const std::set<ScoreGroup>& groups) {
 std::vector<ReportTerms::Term> nearnessTerms() {
   std::vector<ReportTerms::Term> terms = termsOf({ScoreGroup::nearness});
   terms.push_back(
-      {tr("Intervals"),
-       tr("The segments of the reference are drawn again with replacement; the middle 95 % of the "
-          "scores. They show how much depends on which segments this one plant has."),
+      {reportText("Intervals"),
+       reportText(
+           "The segments of the reference are drawn again with replacement; the middle 95 % of the "
+           "scores. They show how much depends on which segments this one plant has."),
        QStringLiteral("B. Efron, Bootstrap methods, Annals of Statistics 7, 1979.")});
   return terms;
 }
@@ -201,32 +204,36 @@ std::vector<ReportTerms::Term> plantTerms(bool hasLight) {
 
 std::vector<ReportTerms::Term> traitTerms(bool hasLight) {
   std::vector<ReportTerms::Term> terms = {
-      {tr("Strahler number"),
-       tr("An apex has 1; a node has the greatest number above it, and one more where several have "
-          "that."),
+      {reportText("Strahler number"),
+       reportText("An apex has 1; a node has the greatest number above it, and one more where "
+                  "several have "
+                  "that."),
        QStringLiteral("A. Strahler, GSA Bulletin 63, 1952.")},
-      {tr("Crown and angles"),
-       tr("The crown is all that branches from the trunk, its area that of its convex hull seen "
-          "from above. Divergence is the angle around the axis from one branch to the next."),
-       tr("Quantities as in PlantScan3D.")}};
+      {reportText("Crown and angles"),
+       reportText(
+           "The crown is all that branches from the trunk, its area that of its convex hull seen "
+           "from above. Divergence is the angle around the axis from one branch to the next."),
+       reportText("Quantities as in PlantScan3D.")}};
   if (hasLight)
     terms.push_back(
-        {tr("STAR"),
-         tr("Silhouette to total area of the surface from 46 directions, weighted by the standard "
-            "overcast sky."),
+        {reportText("STAR"),
+         reportText(
+             "Silhouette to total area of the surface from 46 directions, weighted by the standard "
+             "overcast sky."),
          QStringLiteral("H. Sinoquet et al., New Phytologist 175, 2007.")});
   return terms;
 }
 
 ReportTable inputsTable(const std::vector<std::pair<QString, ReportedFile>>& inputs) {
   ReportTable table;
-  table.caption = tr("Inputs");
-  table.columns = {{tr("role"), false}, {tr("file"), false}, {tr("SHA-256"), false}};
+  table.caption = reportText("Inputs");
+  table.columns = {
+      {reportText("role"), false}, {reportText("file"), false}, {reportText("SHA-256"), false}};
   for (const auto& [role, file] : inputs) {
     const QString name =
         file.note.isEmpty() ? file.name : QStringLiteral("%1 (%2)").arg(file.name, file.note);
     table.rows.push_back(
-        {{role}, {name}, {file.fingerprint.isEmpty() ? tr("none") : file.fingerprint}});
+        {{role}, {name}, {file.fingerprint.isEmpty() ? reportText("none") : file.fingerprint}});
   }
   return table;
 }
@@ -241,13 +248,13 @@ QString typedName(const ReportedFile& file) {
 
 std::vector<ReportBlock> exportAdvice(const ReportedFile& file) {
   if (!file.isToExport) return {};
-  return {ReportParagraph{tr("Export the plant as %1 first.").arg(exportedName)}};
+  return {ReportParagraph{reportText("Export the plant as %1 first.").arg(exportedName)}};
 }
 
 ReportSection settingsSection(const ReportParts& parts) {
-  ReportSection section{tr("How it was measured"), {inputs(parts), settings(parts)}};
+  ReportSection section{reportText("How it was measured"), {inputs(parts), settings(parts)}};
   section.blocks.emplace_back(ReportParagraph{
-      tr("All numbers as JSON and CSV; they are the values that this report rounds:")});
+      reportText("All numbers as JSON and CSV; they are the values that this report rounds:")});
   for (const ReportBlock& advice : exportAdvice(parts.about.result))
     section.blocks.push_back(advice);
   section.blocks.emplace_back(ReportParagraph{commandOf(parts), ReportParagraph::Look::code});
@@ -268,7 +275,7 @@ ReportSection methodsSection(const ReportParts& parts) {
        {nearnessTerms(), matchingTerms(),
         plantTerms(comparison.resultLight.has_value() || comparison.referenceLight.has_value())})
     terms.terms.insert(terms.terms.end(), some.begin(), some.end());
-  return {tr("Methods"), {std::move(terms)}};
+  return {reportText("Methods"), {std::move(terms)}};
 }
 
 } // namespace espalier

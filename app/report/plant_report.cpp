@@ -18,10 +18,6 @@
 namespace espalier {
 namespace {
 
-QString tr(const char* text) {
-  return reportText(text);
-}
-
 struct Parts {
   const PlantReportData& data;
   const ReportPictures& pictures;
@@ -53,61 +49,64 @@ QString sentence(const Parts& parts) {
   for (const std::size_t ofOrder : traits.axesByOrder)
     axes += ofOrder;
   const auto counted = [&](std::size_t count, const QString& one, const QString& many) {
-    return count == 1 ? tr("1 %1").arg(one) : tr("%1 %2").arg(numbers.count(count), many);
+    return count == 1 ? reportText("1 %1").arg(one)
+                      : reportText("%1 %2").arg(numbers.count(count), many);
   };
-  return tr("The plant is %1 high. It has %2 of a length of %3 in sum, in %4, with %5 and %6.")
-      .arg(numbers.length(traits.crown.height), counted(axes, tr("axis"), tr("axes")),
-           numbers.length(traits.length),
-           counted(traits.axesByOrder.size(), tr("order"), tr("orders")),
-           counted(traits.tips, tr("tip"), tr("tips")),
-           counted(traits.branchings, tr("branching"), tr("branchings")));
+  return reportText(
+             "The plant is %1 high. It has %2 of a length of %3 in sum, in %4, with %5 and %6.")
+      .arg(numbers.length(traits.crown.height),
+           counted(axes, reportText("axis"), reportText("axes")), numbers.length(traits.length),
+           counted(traits.axesByOrder.size(), reportText("order"), reportText("orders")),
+           counted(traits.tips, reportText("tip"), reportText("tips")),
+           counted(traits.branchings, reportText("branching"), reportText("branchings")));
 }
 
 ReportKeyNumbers keyNumbers(const Parts& parts) {
   const PlantMeasures& measures = parts.data.measures;
   const Traits& traits = measures.traits;
   const ReportNumbers& numbers = parts.numbers;
-  ReportKeyNumbers key{{{numbers.length(traits.crown.height), tr("height"), {}},
-                        {numbers.length(traits.length), tr("length of all axes"), {}},
-                        {numbers.count(traits.axesByOrder.size()), tr("orders"), {}},
-                        {numbers.count(traits.strahler.size()), tr("Strahler number"), {}}}};
+  ReportKeyNumbers key{
+      {{numbers.length(traits.crown.height), reportText("height"), {}},
+       {numbers.length(traits.length), reportText("length of all axes"), {}},
+       {numbers.count(traits.axesByOrder.size()), reportText("orders"), {}},
+       {numbers.count(traits.strahler.size()), reportText("Strahler number"), {}}}};
   if (measures.wood.whole.volume > 0) {
     const QString unit = parts.about.unit;
     const QString volume = numbers.number(measures.wood.whole.volume);
     key.numbers.push_back(
         {unit.isEmpty() ? volume : volume + QChar(0x202f) + unit + QStringLiteral("³"),
-         tr("volume of wood"),
+         reportText("volume of wood"),
          {}});
   }
   if (measures.light)
-    key.numbers.push_back(
-        {numbers.share(measures.light->star), tr("STAR"), tr("under an overcast sky")});
+    key.numbers.push_back({numbers.share(measures.light->star), reportText("STAR"),
+                           reportText("under an overcast sky")});
   return key;
 }
 
 ReportSection summary(const Parts& parts) {
-  ReportSection section{tr("Summary"), {ReportParagraph{sentence(parts)}}};
+  ReportSection section{reportText("Summary"), {ReportParagraph{sentence(parts)}}};
   section.blocks.emplace_back(keyNumbers(parts));
   ReportWarnings warnings;
   for (const std::string& warning : parts.data.measures.warnings)
     warnings.lines.append(QString::fromStdString(warning));
   if (!parts.pictures.problem.isEmpty())
-    warnings.lines.append(tr("there are no pictures: %1").arg(parts.pictures.problem));
+    warnings.lines.append(reportText("there are no pictures: %1").arg(parts.pictures.problem));
   if (!warnings.lines.isEmpty()) section.blocks.emplace_back(std::move(warnings));
   return section;
 }
 
 ReportSection pictures(const Parts& parts) {
-  ReportSection section{tr("The plant"), {}};
+  ReportSection section{reportText("The plant"), {}};
   ReportFigures shown{.across = parts.data.scan ? 3 : 2, .figures = {}};
   const auto add = [&](const QImage& image, const QString& title, const QString& text) {
     if (!image.isNull()) shown.figures.push_back({image, title, text});
   };
-  add(parts.pictures.front, tr("From the front"), parts.about.plant.name);
-  add(parts.pictures.side, tr("From the right"), tr("The same from the side"));
+  add(parts.pictures.front, reportText("From the front"), parts.about.plant.name);
+  add(parts.pictures.side, reportText("From the right"), reportText("The same from the side"));
   if (parts.data.scan)
-    add(parts.pictures.scan, tr("The scan"),
-        scanText(parts.about.scan ? parts.about.scan->name : tr("points of the plant"),
+    add(parts.pictures.scan, reportText("The scan"),
+        scanText(parts.about.scan ? parts.about.scan->name : reportText("points of the plant"),
                  *parts.data.scan, parts.data.up, parts.numbers));
   if (!shown.figures.empty()) section.blocks.emplace_back(std::move(shown));
   return section;
@@ -118,15 +117,15 @@ ReportTable axesTable(const Parts& parts) {
   const ReportNumbers& numbers = parts.numbers;
   ReportTable table;
   table.caption =
-      tr("Axes by order: how many, and their means: along them, straight, where on what "
-         "bears them, and radii");
-  table.columns = {{tr("order"), false},
-                   {tr("axes")},
-                   {numbers.inUnit(tr("length"))},
-                   {numbers.inUnit(tr("chord"))},
-                   {tr("leaves at")},
-                   {numbers.inUnit(tr("at the base"))},
-                   {numbers.inUnit(tr("at the apex"))}};
+      reportText("Axes by order: how many, and their means: along them, straight, where on what "
+                 "bears them, and radii");
+  table.columns = {{reportText("order"), false},
+                   {reportText("axes")},
+                   {numbers.inUnit(reportText("length"))},
+                   {numbers.inUnit(reportText("chord"))},
+                   {reportText("leaves at")},
+                   {numbers.inUnit(reportText("at the base"))},
+                   {numbers.inUnit(reportText("at the apex"))}};
   const std::vector<AxisTraits>& axes = parts.data.measures.traits.axes;
   for (std::size_t order = 0; order < axes.size(); ++order)
     table.rows.push_back({{QString::number(order)},
@@ -141,9 +140,10 @@ ReportTable axesTable(const Parts& parts) {
 
 ReportTable strahlerTable(const Parts& parts) {
   ReportTable table;
-  table.caption = tr("Streams by Strahler number");
-  table.columns = {
-      {tr("number"), false}, {tr("streams")}, {parts.numbers.inUnit(tr("length in all"))}};
+  table.caption = reportText("Streams by Strahler number");
+  table.columns = {{reportText("number"), false},
+                   {reportText("streams")},
+                   {parts.numbers.inUnit(reportText("length in all"))}};
   const std::vector<StrahlerOrder>& orders = parts.data.measures.traits.strahler;
   for (std::size_t k = 0; k < orders.size(); ++k)
     table.rows.push_back({{QString::number(k + 1)},
@@ -153,13 +153,15 @@ ReportTable strahlerTable(const Parts& parts) {
 }
 
 ReportSection architecture(const Parts& parts) {
-  ReportSection section{tr("Architecture"), {}};
+  ReportSection section{reportText("Architecture"), {}};
   ReportTable table;
   for (const TraitRow& row : traitRows(parts.data.measures.traits)) {
-    const QString group = tr(row.group.c_str());
+    const QString group = reportText(row.group.c_str());
     if (table.caption != group) {
       if (!table.rows.empty()) section.blocks.emplace_back(table);
-      table = {.caption = group, .columns = {{tr("trait"), false}, {tr("plant")}}, .rows = {}};
+      table = {.caption = group,
+               .columns = {{reportText("trait"), false}, {reportText("plant")}},
+               .rows = {}};
     }
     table.rows.push_back({{nameOf(row, parts.numbers)}, {valueOf(row, parts.numbers)}});
   }
@@ -174,9 +176,9 @@ ReportTable woodTable(const Parts& parts, const QString& caption, const QString&
   ReportTable table;
   table.caption = caption;
   table.columns = {{what, false},
-                   {numbers.inUnit(tr("length"))},
-                   {numbers.inUnit(tr("area"), 2)},
-                   {numbers.inUnit(tr("volume"), 3)}};
+                   {numbers.inUnit(reportText("length"))},
+                   {numbers.inUnit(reportText("area"), 2)},
+                   {numbers.inUnit(reportText("volume"), 3)}};
   return table;
 }
 
@@ -189,25 +191,28 @@ ReportSection wood(const Parts& parts) {
                           {numbers.number(amount.area)},
                           {numbers.number(amount.volume)}});
   };
-  ReportSection section{tr("Wood"), {}};
+  ReportSection section{reportText("Wood"), {}};
   section.blocks.emplace_back(ReportParagraph{
-      tr("Edges count as truncated cones; those without a radius have a length alone.")});
-  ReportTable byOrder = woodTable(parts, tr("By order"), tr("order"));
+      reportText("Edges count as truncated cones; those without a radius have a length alone.")});
+  ReportTable byOrder = woodTable(parts, reportText("By order"), reportText("order"));
   for (std::size_t k = 0; k < measures.wood.byOrder.size(); ++k)
     add(byOrder, QString::number(k), measures.wood.byOrder[k]);
-  add(byOrder, tr("all"), measures.wood.whole);
+  add(byOrder, reportText("all"), measures.wood.whole);
   section.blocks.emplace_back(std::move(byOrder));
   section.blocks.emplace_back(ReportParagraph{
-      measures.stemDiameter ? tr("Diameter of the stem at breast height, 1.3 m: %1.")
-                                  .arg(numbers.length(*measures.stemDiameter))
-                            : tr("There is no diameter of the stem at breast height, 1.3 m: %1.")
-                                  .arg(QString::fromStdString(measures.stemMissing)),
+      measures.stemDiameter
+          ? reportText("Diameter of the stem at breast height, 1.3 m: %1.")
+                .arg(numbers.length(*measures.stemDiameter))
+          : reportText("There is no diameter of the stem at breast height, 1.3 m: %1.")
+                .arg(QString::fromStdString(measures.stemMissing)),
       ReportParagraph::Look::note});
   if (measures.radiusLimits.empty()) return section;
-  ReportTable byRadius = woodTable(parts, tr("By radius"), numbers.inUnit(tr("up to")));
+  ReportTable byRadius =
+      woodTable(parts, reportText("By radius"), numbers.inUnit(reportText("up to")));
   for (std::size_t k = 0; k < measures.wood.byRadius.size(); ++k)
     add(byRadius,
-        k < measures.radiusLimits.size() ? numbers.given(measures.radiusLimits[k]) : tr("more"),
+        k < measures.radiusLimits.size() ? numbers.given(measures.radiusLimits[k])
+                                         : reportText("more"),
         measures.wood.byRadius[k]);
   section.blocks.emplace_back(std::move(byRadius));
   return section;
@@ -216,24 +221,26 @@ ReportSection wood(const Parts& parts) {
 ReportSection light(const Parts& parts) {
   const LightInterception& light = *parts.data.measures.light;
   const ReportNumbers& numbers = parts.numbers;
-  ReportSection section{tr("Light"), {}};
+  ReportSection section{reportText("Light"), {}};
   section.blocks.emplace_back(ReportParagraph{
-      tr("The plant shows %1 of its surface to an overcast sky (STAR); a sphere shows 0.25.")
+      reportText(
+          "The plant shows %1 of its surface to an overcast sky (STAR); a sphere shows 0.25.")
           .arg(numbers.share(light.star, 5))});
   ReportTable steps;
-  steps.caption = tr("The same from pictures of fewer pixels: how far the number may be trusted");
-  steps.columns = {{tr("pixels")}, {tr("STAR")}};
+  steps.caption =
+      reportText("The same from pictures of fewer pixels: how far the number may be trusted");
+  steps.columns = {{reportText("pixels")}, {reportText("STAR")}};
   for (const StarAtPixels& step : light.convergence)
     steps.rows.push_back(
         {{numbers.count(static_cast<std::size_t>(step.pixels))}, {numbers.share(step.star, 5)}});
   section.blocks.emplace_back(std::move(steps));
   ReportTable directions;
-  directions.caption = tr("From each direction");
-  directions.columns = {{tr("elevation")},
-                        {tr("azimuth")},
-                        {tr("weight")},
-                        {numbers.inUnit(tr("silhouette"), 2)},
-                        {tr("STAR")}};
+  directions.caption = reportText("From each direction");
+  directions.columns = {{reportText("elevation")},
+                        {reportText("azimuth")},
+                        {reportText("weight")},
+                        {numbers.inUnit(reportText("silhouette"), 2)},
+                        {reportText("STAR")}};
   for (const DirectionalStar& each : light.directions)
     directions.rows.push_back({{numbers.degrees(each.elevation)},
                                {numbers.degrees(each.azimuth)},
@@ -257,18 +264,19 @@ QString commandOf(const Parts& parts) {
 }
 
 ReportSection settings(const Parts& parts) {
-  std::vector<std::pair<QString, ReportedFile>> files = {{tr("plant"), parts.about.plant}};
-  if (parts.about.scan) files.emplace_back(tr("scan"), *parts.about.scan);
+  std::vector<std::pair<QString, ReportedFile>> files = {{reportText("plant"), parts.about.plant}};
+  if (parts.about.scan) files.emplace_back(reportText("scan"), *parts.about.scan);
   ReportTable table;
-  table.caption = tr("Settings");
-  table.columns = {{tr("setting"), false}, {tr("value"), false}};
-  table.rows = {{{tr("unit of lengths")},
-                 {parts.about.unit.isEmpty() ? tr("that of the files") : parts.about.unit}},
-                {{tr("up")}, {QString(QChar(axisName(parts.data.up)))}},
-                {{tr("version")}, {tr("Espalier %1, Qt %2").arg(parts.about.version, qVersion())}}};
-  ReportSection section{tr("How it was measured"), {inputsTable(files), std::move(table)}};
+  table.caption = reportText("Settings");
+  table.columns = {{reportText("setting"), false}, {reportText("value"), false}};
+  table.rows = {{{reportText("unit of lengths")},
+                 {parts.about.unit.isEmpty() ? reportText("that of the files") : parts.about.unit}},
+                {{reportText("up")}, {QString(QChar(axisName(parts.data.up)))}},
+                {{reportText("version")},
+                 {reportText("Espalier %1, Qt %2").arg(parts.about.version, qVersion())}}};
+  ReportSection section{reportText("How it was measured"), {inputsTable(files), std::move(table)}};
   section.blocks.emplace_back(ReportParagraph{
-      tr("All numbers as JSON and CSV; they are the values that this report rounds:")});
+      reportText("All numbers as JSON and CSV; they are the values that this report rounds:")});
   for (const ReportBlock& advice : exportAdvice(parts.about.plant))
     section.blocks.push_back(advice);
   section.blocks.emplace_back(ReportParagraph{commandOf(parts), ReportParagraph::Look::code});
@@ -292,15 +300,15 @@ Report plantReport(const PlantReportData& data, const ReportPictures& drawn,
   const Parts parts{data, drawn, about, ReportNumbers(about.unit)};
   Report report;
   report.title = about.plant.name;
-  report.facts = {about.date, tr("Espalier %1").arg(about.version),
-                  about.unit.isEmpty() ? tr("lengths in the unit of the files")
-                                       : tr("lengths in %1").arg(about.unit)};
+  report.facts = {about.date, reportText("Espalier %1").arg(about.version),
+                  about.unit.isEmpty() ? reportText("lengths in the unit of the files")
+                                       : reportText("lengths in %1").arg(about.unit)};
   report.sections = {summary(parts), pictures(parts), architecture(parts), wood(parts)};
   if (data.measures.light) report.sections.push_back(light(parts));
   if (about.handWork) report.sections.push_back(handWorkSection(*about.handWork, parts.numbers));
   report.sections.push_back(settings(parts));
   report.sections.push_back(
-      {tr("Methods"), {ReportTerms{traitTerms(data.measures.light.has_value())}}});
+      {reportText("Methods"), {ReportTerms{traitTerms(data.measures.light.has_value())}}});
   std::erase_if(report.sections, [](const ReportSection& section) {
     return section.blocks.empty(); // no picture could be drawn
   });

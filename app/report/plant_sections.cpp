@@ -6,15 +6,14 @@
 namespace espalier {
 namespace {
 
-QString tr(const char* text) {
-  return reportText(text);
-}
-
 /// Rows of a value of the plant, one of the reference, and how much the first is above.
 class BesideTable {
 public:
   BesideTable(const ReportNumbers& numbers, const QString& what) : numbers_(numbers) {
-    table_.columns = {{what, false}, {tr("plant")}, {tr("reference")}, {tr("difference")}};
+    table_.columns = {{what, false},
+                      {reportText("plant")},
+                      {reportText("reference")},
+                      {reportText("difference")}};
   }
   void add(const QString& name, double found, double expected) {
     table_.rows.push_back({{name},
@@ -67,14 +66,14 @@ void addTraits(BesideTable& table, const ReportParts& parts) {
 ReportTable axesTable(const ReportParts& parts) {
   const Traits& found = parts.data.comparison.resultTraits;
   const Traits& expected = parts.data.comparison.referenceTraits;
-  BesideTable table(parts.numbers, tr("order"));
+  BesideTable table(parts.numbers, reportText("order"));
   const std::size_t orders = std::max(found.axesByOrder.size(), expected.axesByOrder.size());
   const auto at = [](const std::vector<std::size_t>& counts, std::size_t k) {
     return k < counts.size() ? counts[k] : 0;
   };
   for (std::size_t k = 0; k < orders; ++k)
     table.add(QString::number(k), at(found.axesByOrder, k), at(expected.axesByOrder, k));
-  return std::move(table).table(tr("Axes by order"));
+  return std::move(table).table(reportText("Axes by order"));
 }
 
 struct AxisColumn {
@@ -89,10 +88,10 @@ ReportTable axisMeansTable(const ReportParts& parts, const QString& caption,
   const std::vector<AxisTraits>& expected = parts.data.comparison.referenceTraits.axes;
   ReportTable table;
   table.caption = caption;
-  table.columns = {{tr("order"), false}};
+  table.columns = {{reportText("order"), false}};
   for (const AxisColumn& column : columns) {
     table.columns.push_back({column.title});
-    table.columns.push_back({tr("reference")});
+    table.columns.push_back({reportText("reference")});
   }
   for (std::size_t order = 0; order < std::max(found.size(), expected.size()); ++order) {
     table.rows.push_back({{QString::number(order)}});
@@ -111,10 +110,10 @@ ReportTable lightTable(const ReportParts& parts) {
   const auto& reference = parts.data.comparison.referenceLight;
   ReportTable table;
   if (!result && !reference) return table;
-  table.caption = tr("Silhouette to total area (STAR) under an overcast sky");
-  table.columns = {{tr("pixels")}, {tr("plant")}, {tr("reference")}};
+  table.caption = reportText("Silhouette to total area (STAR) under an overcast sky");
+  table.columns = {{reportText("pixels")}, {reportText("plant")}, {reportText("reference")}};
   const auto star = [&](const std::optional<LightInterception>& light, std::size_t k) {
-    return light ? parts.numbers.share(light->convergence[k].star, 5) : tr("none");
+    return light ? parts.numbers.share(light->convergence[k].star, 5) : reportText("none");
   };
   const auto& steps = result ? result->convergence : reference->convergence;
   for (std::size_t k = 0; k < steps.size(); ++k)
@@ -127,7 +126,7 @@ ReportTable lightTable(const ReportParts& parts) {
 } // namespace
 
 QString nameOf(const TraitRow& row, const ReportNumbers& numbers) {
-  const QString name = tr(row.label.c_str());
+  const QString name = reportText(row.label.c_str());
   switch (row.kind) {
   case TraitKind::length:
     return numbers.inUnit(name);
@@ -141,21 +140,21 @@ QString nameOf(const TraitRow& row, const ReportNumbers& numbers) {
 }
 
 ReportSection traitsSection(const ReportParts& parts) {
-  BesideTable table(parts.numbers, tr("trait"));
+  BesideTable table(parts.numbers, reportText("trait"));
   addTraits(table, parts);
-  ReportSection section{tr("Architecture"), {}};
-  section.blocks.emplace_back(std::move(table).table(tr("Each plant by itself")));
+  ReportSection section{reportText("Architecture"), {}};
+  section.blocks.emplace_back(std::move(table).table(reportText("Each plant by itself")));
   section.blocks.emplace_back(axesTable(parts));
   const ReportNumbers& numbers = parts.numbers;
+  section.blocks.emplace_back(axisMeansTable(
+      parts, reportText("Means of axes: along them, straight, and where on what bears them"),
+      {{numbers.inUnit(reportText("length")), &AxisTraits::meanLength},
+       {numbers.inUnit(reportText("chord")), &AxisTraits::meanChord},
+       {reportText("leaves at"), &AxisTraits::meanInsertion}}));
   section.blocks.emplace_back(
-      axisMeansTable(parts, tr("Means of axes: along them, straight, and where on what bears them"),
-                     {{numbers.inUnit(tr("length")), &AxisTraits::meanLength},
-                      {numbers.inUnit(tr("chord")), &AxisTraits::meanChord},
-                      {tr("leaves at"), &AxisTraits::meanInsertion}}));
-  section.blocks.emplace_back(
-      axisMeansTable(parts, tr("Mean radii of axes"),
-                     {{numbers.inUnit(tr("at the base")), &AxisTraits::meanBaseRadius},
-                      {numbers.inUnit(tr("at the apex")), &AxisTraits::meanTopRadius}}));
+      axisMeansTable(parts, reportText("Mean radii of axes"),
+                     {{numbers.inUnit(reportText("at the base")), &AxisTraits::meanBaseRadius},
+                      {numbers.inUnit(reportText("at the apex")), &AxisTraits::meanTopRadius}}));
   ReportTable light = lightTable(parts);
   if (!light.rows.empty()) section.blocks.emplace_back(std::move(light));
   return section;
@@ -164,24 +163,25 @@ ReportSection traitsSection(const ReportParts& parts) {
 ReportSection handWorkSection(const HandWork& work, const ReportNumbers& numbers) {
   const Corrections& done = work.corrections;
   ReportTable table;
-  table.columns = {{tr("correction"), false}, {tr("nodes")}};
+  table.columns = {{reportText("correction"), false}, {reportText("nodes")}};
   const auto add = [&](const QString& name, std::size_t count) {
     table.rows.push_back({{name}, {numbers.count(count)}});
   };
-  add(tr("added"), done.added);
-  add(tr("removed"), done.removed);
-  add(tr("moved"), done.moved);
-  add(tr("attached elsewhere"), done.reparented);
-  add(tr("another type of edge"), done.retyped);
-  add(tr("another radius"), done.radii);
-  const QString edits =
-      done.edits == 1 ? tr("1 edit") : tr("%1 edits").arg(numbers.count(done.edits));
-  const QString text = done.edits == 0
-                           ? tr("Nothing was corrected by hand since the last reconstruction.")
-                           : tr("Since the last reconstruction: %1, %2 of work. Pauses of over 5 "
-                                "minutes do not count.")
-                                 .arg(edits, formatWorkTime(work.time));
-  ReportSection section{tr("Work by hand"), {ReportParagraph{text}}};
+  add(reportText("added"), done.added);
+  add(reportText("removed"), done.removed);
+  add(reportText("moved"), done.moved);
+  add(reportText("attached elsewhere"), done.reparented);
+  add(reportText("another type of edge"), done.retyped);
+  add(reportText("another radius"), done.radii);
+  const QString edits = done.edits == 1 ? reportText("1 edit")
+                                        : reportText("%1 edits").arg(numbers.count(done.edits));
+  const QString text =
+      done.edits == 0
+          ? reportText("Nothing was corrected by hand since the last reconstruction.")
+          : reportText("Since the last reconstruction: %1, %2 of work. Pauses of over 5 "
+                       "minutes do not count.")
+                .arg(edits, formatWorkTime(work.time));
+  ReportSection section{reportText("Work by hand"), {ReportParagraph{text}}};
   if (done.edits > 0) section.blocks.emplace_back(std::move(table));
   return section;
 }

@@ -9,10 +9,6 @@
 namespace espalier {
 namespace {
 
-QString tr(const char* text) {
-  return reportText(text);
-}
-
 struct RankingParts {
   const RankingReportData& data;
   const RankingReportAbout& about;
@@ -23,15 +19,15 @@ QString nameOf(const RankingParts& parts, const RankedResult& result) {
   return parts.about.results.at(result.result).name;
 }
 
-ReportTable scoreTable(const Parts& parts, const QString& caption, ScoreGroup group) {
+ReportTable scoreTable(const RankingParts& parts, const QString& caption, ScoreGroup group) {
   ScoreList scores = leadingFirst(rankedScores());
   std::erase_if(scores, [group](const Score* score) { return score->group != group; });
   ReportTable table;
   table.caption = caption;
-  table.columns = {{tr("rank")}, {tr("structure"), false}};
+  table.columns = {{reportText("rank")}, {reportText("structure"), false}};
   for (const Score* score : scores) {
     table.columns.push_back({symbolOf(*score)});
-    table.columns.push_back({tr("interval"), false});
+    table.columns.push_back({reportText("interval"), false});
   }
   for (const RankedResult& result : parts.data.ranking.results) {
     table.rows.push_back({{parts.numbers.count(table.rows.size() + 1)}, {nameOf(parts, result)}});
@@ -47,11 +43,11 @@ ReportTable scoreTable(const Parts& parts, const QString& caption, ScoreGroup gr
 ReportSection ranks(const RankingParts& parts) {
   const Ranking& ranking = parts.data.ranking;
   ReportTable table;
-  table.columns = {{tr("rank")},
-                   {tr("structure"), false},
+  table.columns = {{reportText("rank")},
+                   {reportText("structure"), false},
                    {symbolOf(scoreOf(ranking.by))},
-                   {tr("interval"), false},
-                   {tr("beats the next")}};
+                   {reportText("interval"), false},
+                   {reportText("beats the next")}};
   for (const RankedResult& result : ranking.results) {
     const ScoreInterval& interval = result.scores.at(ranking.by);
     table.rows.push_back(
@@ -61,34 +57,36 @@ ReportSection ranks(const RankingParts& parts) {
          {parts.numbers.range(interval)},
          {result.aboveNext ? parts.numbers.percent(*result.aboveNext) : QStringLiteral("–")}});
   }
-  ReportSection section{tr("Ranking"), {}};
+  ReportSection section{reportText("Ranking"), {}};
   section.blocks.emplace_back(ReportParagraph{
-      tr("By %1, within %2.")
+      reportText("By %1, within %2.")
           .arg(symbolOf(scoreOf(ranking.by)), parts.numbers.givenLength(ranking.distance))});
   section.blocks.emplace_back(std::move(table));
   section.blocks.emplace_back(ReportParagraph{
-      tr("The segments of the reference were drawn again %1 times, all structures from the same "
-         "draws. "
-         "An interval holds the middle %2 of the scores. \"Beats the next\" is the share of draws "
-         "in "
-         "which a structure is above the one after it: near 50 %, the two cannot be distinguished.")
+      reportText(
+          "The segments of the reference were drawn again %1 times, all structures from the same "
+          "draws. "
+          "An interval holds the middle %2 of the scores. \"Beats the next\" is the share of draws "
+          "in "
+          "which a structure is above the one after it: near 50 %, the two cannot be "
+          "distinguished.")
           .arg(parts.numbers.count(ranking.draws), parts.numbers.percent(ranking.confidence)),
       ReportParagraph::Look::note});
   if (!parts.about.notes.isEmpty()) section.blocks.emplace_back(ReportWarnings{parts.about.notes});
   return section;
 }
 
-ReportSection scoreSection(const Parts& parts) {
-  ReportSection section{tr("Scores"), {}};
+ReportSection scoreSection(const RankingParts& parts) {
+  ReportSection section{reportText("Scores"), {}};
   const std::vector<std::pair<ScoreGroup, QString>> captions = {
-      {ScoreGroup::nearness, tr("What lies near")},
-      {ScoreGroup::segments, tr("As the authors of the method measure")},
-      {ScoreGroup::capped, tr("Matched within the distance only")},
-      {ScoreGroup::landmarks, tr("Tips and branchings")},
-      {ScoreGroup::network, tr("Missed and invented")},
-      {ScoreGroup::architecture, tr("Orders, axes and edges")},
-      {ScoreGroup::edits, tr("Edits")},
-      {ScoreGroup::radii, tr("Radii")}};
+      {ScoreGroup::nearness, reportText("What lies near")},
+      {ScoreGroup::segments, reportText("As the authors of the method measure")},
+      {ScoreGroup::capped, reportText("Matched within the distance only")},
+      {ScoreGroup::landmarks, reportText("Tips and branchings")},
+      {ScoreGroup::network, reportText("Missed and invented")},
+      {ScoreGroup::architecture, reportText("Orders, axes and edges")},
+      {ScoreGroup::edits, reportText("Edits")},
+      {ScoreGroup::radii, reportText("Radii")}};
   for (const auto& [group, caption] : captions)
     if (ReportTable table = scoreTable(parts, caption, group); table.columns.size() > 2)
       section.blocks.emplace_back(std::move(table));
@@ -96,12 +94,12 @@ ReportSection scoreSection(const Parts& parts) {
 }
 
 ReportSection curves(const RankingParts& parts) {
-  ReportSection section{tr("Agreement over the tolerance"), {}};
+  ReportSection section{reportText("Agreement over the tolerance"), {}};
   for (std::size_t i = 0; i < parts.data.curves.size(); ++i) {
     const RankedResult& result = parts.data.ranking.results[i];
     ReportPlot plot;
     plot.size = {380, 230};
-    plot.text = tr("%1. %2: precision, recall and F")
+    plot.text = reportText("%1. %2: precision, recall and F")
                     .arg(parts.numbers.count(i + 1), nameOf(parts, result));
     plot.paint = [curve = TolerancePlot{.curve = parts.data.curves[i],
                                         .chosen = parts.data.chosen[i],
@@ -116,41 +114,43 @@ ReportSection curves(const RankingParts& parts) {
 
 ReportSection origin(const RankingParts& parts) {
   ReportTable inputs;
-  inputs.caption = tr("Inputs");
-  inputs.columns = {{tr("role"), false},
-                    {tr("file"), false},
-                    {parts.numbers.inUnit(tr("shifted by"))},
-                    {tr("turned by")},
-                    {tr("SHA-256"), false}};
+  inputs.caption = reportText("Inputs");
+  inputs.columns = {{reportText("role"), false},
+                    {reportText("file"), false},
+                    {parts.numbers.inUnit(reportText("shifted by"))},
+                    {reportText("turned by")},
+                    {reportText("SHA-256"), false}};
   for (const RankedResult& result : parts.data.ranking.results) {
     const ReportedFile& file = parts.about.results.at(result.result);
     const Registration lay = result.registration.value_or(Registration());
-    inputs.rows.push_back({{tr("structure")},
+    inputs.rows.push_back({{reportText("structure")},
                            {file.name},
                            {parts.numbers.number(lay.shift.norm())},
                            {parts.numbers.degrees(lay.angle())},
                            {file.fingerprint}});
   }
-  inputs.rows.push_back({{tr("reference")},
+  inputs.rows.push_back({{reportText("reference")},
                          {parts.about.reference.name},
                          {QStringLiteral("–")},
                          {QStringLiteral("–")},
                          {parts.about.reference.fingerprint}});
   ReportTable settings;
-  settings.caption = tr("Settings");
-  settings.columns = {{tr("setting"), false}, {tr("value"), false}};
+  settings.caption = reportText("Settings");
+  settings.columns = {{reportText("setting"), false}, {reportText("value"), false}};
   const Ranking& ranking = parts.data.ranking;
   settings.rows = {
-      {{tr("registration")},
+      {{reportText("registration")},
        {parts.data.isRegistered
-            ? tr("each structure was laid on the reference; its row says how far it was turned")
-            : tr("none: compared where they lie")}},
-      {{tr("scale of the structures")}, {parts.numbers.given(parts.about.scale)}},
-      {{tr("tolerance")}, {parts.numbers.givenLength(ranking.distance)}},
-      {{tr("draws for the intervals")},
-       {tr("%1, seed %2").arg(parts.numbers.count(ranking.draws)).arg(ranking.seed)}},
-      {{tr("version")}, {tr("Espalier %1, Qt %2").arg(parts.about.version, qVersion())}}};
-  return {tr("How it was measured"), {std::move(inputs), std::move(settings)}};
+            ? reportText(
+                  "each structure was laid on the reference; its row says how far it was turned")
+            : reportText("none: compared where they lie")}},
+      {{reportText("scale of the structures")}, {parts.numbers.given(parts.about.scale)}},
+      {{reportText("tolerance")}, {parts.numbers.givenLength(ranking.distance)}},
+      {{reportText("draws for the intervals")},
+       {reportText("%1, seed %2").arg(parts.numbers.count(ranking.draws)).arg(ranking.seed)}},
+      {{reportText("version")},
+       {reportText("Espalier %1, Qt %2").arg(parts.about.version, qVersion())}}};
+  return {reportText("How it was measured"), {std::move(inputs), std::move(settings)}};
 }
 
 } // namespace

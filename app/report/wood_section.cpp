@@ -5,23 +5,20 @@
 namespace espalier {
 namespace {
 
-QString tr(const char* text) {
-  return reportText(text);
-}
-
 ReportTable radiusTable(const ReportParts& parts) {
   const RadiusAgreement& radii = parts.data.comparison.radii;
   const ReportNumbers& numbers = parts.numbers;
   ReportTable table;
-  table.caption =
-      tr("Radii where both lie within %1 of each other").arg(numbers.givenLength(radii.distance));
-  table.columns = {{tr("measure"), false}, {tr("value")}};
+  table.caption = reportText("Radii where both lie within %1 of each other")
+                      .arg(numbers.givenLength(radii.distance));
+  table.columns = {{reportText("measure"), false}, {reportText("value")}};
   for (const Score* score : scoresIn(inReport))
     if (score->group == ScoreGroup::radii)
       table.rows.push_back(
           {{nameInUnit(*score, numbers)},
            {valueText(*score, parts.data.comparison.scores.at(score->key), numbers)}});
-  table.rows.push_back({{numbers.inUnit(tr("length compared"))}, {numbers.number(radii.compared)}});
+  table.rows.push_back(
+      {{numbers.inUnit(reportText("length compared"))}, {numbers.number(radii.compared)}});
   return table;
 }
 
@@ -29,16 +26,17 @@ ReportTable radiusTable(const ReportParts& parts) {
 ReportTable arcTable(const ReportParts& parts) {
   const ReportNumbers& numbers = parts.numbers;
   ReportTable table;
-  table.caption = tr("Errors of radii by how much of the circumference has points of the scan");
-  table.columns = {{tr("seen"), false},
-                   {numbers.inUnit(tr("compared"))},
-                   {numbers.inUnit(tr("mean error"))},
-                   {numbers.inUnit(tr("RMS error"))},
-                   {tr("of the radius")}};
+  table.caption =
+      reportText("Errors of radii by how much of the circumference has points of the scan");
+  table.columns = {{reportText("seen"), false},
+                   {numbers.inUnit(reportText("compared"))},
+                   {numbers.inUnit(reportText("mean error"))},
+                   {numbers.inUnit(reportText("RMS error"))},
+                   {reportText("of the radius")}};
   const QString none = QStringLiteral("–");
   for (const RadiusByArc& arc : parts.data.comparison.radii.byArc) {
     const bool isKnown = arc.compared > 0;
-    table.rows.push_back({{tr("%1 to %2 %").arg(100 * arc.from).arg(100 * arc.to)},
+    table.rows.push_back({{reportText("%1 to %2 %").arg(100 * arc.from).arg(100 * arc.to)},
                           {numbers.number(arc.compared)},
                           {isKnown ? numbers.number(arc.meanError) : none},
                           {isKnown ? numbers.number(arc.rootMeanSquare) : none},
@@ -51,17 +49,18 @@ void addStems(ReportSection& section, const ReportParts& parts) {
   const StemDiameters& stems = parts.data.comparison.stems;
   if (!stems.missing.empty()) {
     section.blocks.emplace_back(ReportParagraph{
-        tr("The diameters of the stems at breast height, 1.3 m, are not compared: %1.")
+        reportText("The diameters of the stems at breast height, 1.3 m, are not compared: %1.")
             .arg(QString::fromStdString(stems.missing)),
         ReportParagraph::Look::note});
     return;
   }
   ReportTable table;
-  table.caption = tr("Diameter of the stem at breast height, %1 above the foot of the reference")
-                      .arg(parts.numbers.givenLength(stems.height));
-  table.columns = {{parts.numbers.inUnit(tr("plant"))},
-                   {parts.numbers.inUnit(tr("reference"))},
-                   {tr("difference")}};
+  table.caption =
+      reportText("Diameter of the stem at breast height, %1 above the foot of the reference")
+          .arg(parts.numbers.givenLength(stems.height));
+  table.columns = {{parts.numbers.inUnit(reportText("plant"))},
+                   {parts.numbers.inUnit(reportText("reference"))},
+                   {reportText("difference")}};
   table.rows = {{{parts.numbers.number(*stems.result)},
                  {parts.numbers.number(*stems.reference)},
                  {parts.numbers.difference(*stems.result, *stems.reference)}}};
@@ -74,10 +73,10 @@ ReportTable woodTable(const ReportParts& parts, const QString& caption, const QS
   const ReportNumbers& numbers = parts.numbers;
   ReportTable table;
   table.caption = caption;
-  table.columns = {{what, false}, {numbers.inUnit(tr("length"))},
-                   {tr("more")},  {numbers.inUnit(tr("area"), 2)},
-                   {tr("more")},  {numbers.inUnit(tr("volume"), 3)},
-                   {tr("more")}};
+  table.columns = {{what, false},        {numbers.inUnit(reportText("length"))},
+                   {reportText("more")}, {numbers.inUnit(reportText("area"), 2)},
+                   {reportText("more")}, {numbers.inUnit(reportText("volume"), 3)},
+                   {reportText("more")}};
   const std::size_t count = std::max(result.size(), reference.size());
   for (std::size_t k = 0; k < count; ++k) {
     const WoodAmount found = k < result.size() ? result[k] : WoodAmount();
@@ -97,10 +96,10 @@ ReportTable woodTable(const ReportParts& parts, const QString& caption, const QS
 
 ReportSection woodSection(const ReportParts& parts) {
   const Comparison& comparison = parts.data.comparison;
-  ReportSection section{tr("Wood"), {}};
-  section.blocks.emplace_back(ReportParagraph{
-      tr("Of the plant, and by how much it has more than the reference. Edges count as truncated "
-         "cones; those without a radius have a length alone.")});
+  ReportSection section{reportText("Wood"), {}};
+  section.blocks.emplace_back(ReportParagraph{reportText(
+      "Of the plant, and by how much it has more than the reference. Edges count as truncated "
+      "cones; those without a radius have a length alone.")});
   const std::size_t orders =
       std::max(comparison.resultWood.byOrder.size(), comparison.referenceWood.byOrder.size());
   QStringList names;
@@ -111,9 +110,9 @@ ReportSection woodSection(const ReportParts& parts) {
     rows.push_back(sum);
     return rows;
   };
-  names.append(tr("all"));
+  names.append(reportText("all"));
   section.blocks.emplace_back(
-      woodTable(parts, tr("By order"), tr("order"),
+      woodTable(parts, reportText("By order"), reportText("order"),
                 whole(comparison.resultWood.byOrder, comparison.resultWood.whole),
                 whole(comparison.referenceWood.byOrder, comparison.referenceWood.whole), names));
   addStems(section, parts);
@@ -124,10 +123,10 @@ ReportSection woodSection(const ReportParts& parts) {
   names.clear();
   for (const double limit : comparison.radiusLimits)
     names.append(parts.numbers.given(limit));
-  names.append(tr("more"));
-  section.blocks.emplace_back(woodTable(parts, tr("By radius"), parts.numbers.inUnit(tr("up to")),
-                                        comparison.resultWood.byRadius,
-                                        comparison.referenceWood.byRadius, names));
+  names.append(reportText("more"));
+  section.blocks.emplace_back(
+      woodTable(parts, reportText("By radius"), parts.numbers.inUnit(reportText("up to")),
+                comparison.resultWood.byRadius, comparison.referenceWood.byRadius, names));
   return section;
 }
 

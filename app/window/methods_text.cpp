@@ -10,13 +10,6 @@
 namespace espalier {
 namespace {
 
-[[noreturn]] void refuse() {
-  throw Error(QCoreApplication::translate("MethodsText",
-                                          "the table of methods in this project cannot be read: "
-                                          "add the structures again")
-                  .toStdString());
-}
-
 QJsonObject jsonOf(const ScoreValues& scores) {
   QJsonObject json;
   for (const auto& [key, value] : scores)

@@ -161,7 +161,7 @@ void PresetFlow::save() {
   const QString path = dialog.selectedFiles().front();
   writeAtomically(toPath(path),
                   [this](std::ostream& out) { writePreset(out, parts_.pipeline.options()); });
-  parts_.settings.setValue(folderKey, QFileInfo(path).absolutePath());
+  parts_.settings.setValue(presetFolderKey, QFileInfo(path).absolutePath());
   emit told({.text = tr("Wrote %1").arg(QFileInfo(path).fileName())});
 }
 

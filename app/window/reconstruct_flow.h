@@ -57,6 +57,10 @@ private:
     std::string last; // its last step; empty: of all
     StepId made = {}; // what it is in the history
   };
+  /// @param last  the step to end with; none: the last there is. Before the skeleton, the one there
+  ///              is stays, and has other contracted points.
+  /// @throws Error if there is no scan, or another job is running
+  void start(const Step* last = nullptr);
   void show(const Reconstruction& result, const Step* last, const PipelineOptions& options,
             double seconds);
   void setRun(std::optional<Run> run);

@@ -28,7 +28,7 @@ QString idOf(Snap snap) {
 }
 
 constexpr auto setting = "tools/snap";
-constexpr std::array all = {Snap::nothing, Snap::contracted, Snap::section};
+constexpr std::array snaps = {Snap::nothing, Snap::contracted, Snap::section};
 
 } // namespace
 
@@ -54,7 +54,7 @@ SnapFlow::SnapFlow(PlantDocument& document, ActionSet& actions, const Editing& e
       tr("A node that is dragged lies on the contracted points, unless Ctrl is held"));
   add(Snap::section, tr("Snap to Section Center"),
       tr("A node that is dragged lies in the middle of the wood around it, unless Ctrl is held"));
-  for (const Snap snap : all) // without a scan yet it moves nodes freely
+  for (const Snap snap : snaps) // without a scan yet it moves nodes freely
     if (settings_.value(setting) == idOf(snap)) tool_->setSnap(snap);
   showChoice();
 }

@@ -17,7 +17,7 @@
 namespace espalier {
 namespace {
 
-constexpr std::array<std::pair<UpAxis, const char*>, 3> axes{
+constexpr std::array<std::pair<UpAxis, const char*>, 3> upAxes{
     {{UpAxis::x, "x"}, {UpAxis::y, "y"}, {UpAxis::z, "z"}}};
 
 QString idOf(const char* axis) {
@@ -52,7 +52,7 @@ void StandFlow::addActions() {
       });
   parts_.actions.place("skeleton/stand", {"tool_root", "root_lowest", ""});
   auto* group = new QActionGroup(this);
-  for (const auto& [axis, name] : axes) {
+  for (const auto& [axis, name] : upAxes) {
     const auto choose = [this, up = axis] { parts_.document.setUp(up); };
     group->addAction(parts_.actions.add(
         {.id = idOf(name),
@@ -83,7 +83,7 @@ void StandFlow::noteRoot() {
 
 void StandFlow::refresh() {
   parts_.actions["root_lowest"]->setEnabled(parts_.document.root().has_value());
-  for (const auto& [axis, name] : axes) {
+  for (const auto& [axis, name] : upAxes) {
     parts_.actions[idOf(name)]->setEnabled(!parts_.document.isEmpty());
     parts_.actions[idOf(name)]->setChecked(axis == parts_.document.up());
   }

@@ -112,10 +112,12 @@ bool isSystemDark() {
 
 void applyTheme(bool isDark) {
   const ThemeColors colors = themeColors(isDark);
+  const QString sheet = styleSheetOf(colors, isDark);
+  auto& program = *static_cast<QApplication*>(QCoreApplication::instance());
+  if (program.styleSheet() == sheet) return; // each of these goes over all widgets
   QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
   QApplication::setPalette(paletteOf(colors));
-  static_cast<QApplication*>(QCoreApplication::instance())
-      ->setStyleSheet(styleSheetOf(colors, isDark));
+  program.setStyleSheet(sheet);
 }
 
 } // namespace espalier

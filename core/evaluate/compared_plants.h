@@ -34,8 +34,7 @@ public:
   const PathMatches& paths();
   const ToleranceCurve& tolerance();
   const ToleranceScore* near(); // at the distance; null if it is none of the options'
-  const std::vector<CappedScore>& allCapped(); // by the distances above 0
-  const CappedScore* capped();                 // at the distance; null as above
+  const CappedScore* capped();  // at the distance; null as above
   const std::optional<EditComparison>& edit(); // none between plants of over `mostEditedPairs`
   const LandmarkAgreement& tips();
   const LandmarkAgreement& branchings();
@@ -52,6 +51,8 @@ public:
   void moveTo(Comparison& comparison) &&;
 
 private:
+  const std::vector<CappedScore>& allCapped(); // by the distances above 0
+
   const Skeleton& result_;
   const Skeleton& reference_;
   ComparisonOptions options_;

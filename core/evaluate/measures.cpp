@@ -42,7 +42,7 @@ const std::vector<Measure>& measures() {
        "T. Gillette, K. Brown, G. Ascoli, Neuroinformatics 9, 2011.", Group::landmarks},
       {"NetMets",
        "Shares of length that the other plant lacks, by a Gaussian of the distance; and of the "
-       "ways between tips and branchings that both have, those that only one has.",
+       "paths between tips and branchings that both have, those that only one has.",
        "D. Mayerich et al., BMC Bioinformatics 13, 2012.", Group::network},
       {"Barcodes (TMD)",
        "Each tip is a bar, from where it leaves something longer up to its end, along the plant; 0 "

@@ -25,7 +25,7 @@ Score radiusByArc(std::size_t k) {
   return {.key = "radius_arc_" + std::to_string(k),
           .label = name,
           .help = "Root mean square error of radii where the scan has points on this much of the "
-                  "way around the wood",
+                  "circumference of the wood",
           .measure = measureOf("Breast height, and the circumference"),
           .unit = Unit::length,
           .better = Better::less,

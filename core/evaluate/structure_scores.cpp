@@ -79,7 +79,7 @@ std::vector<Score> landmarkScores() {
            .compute = [](Plants plants) -> Value { return plants.diadem().score; }},
           {.key = "ways",
            .label = "paths along the plant as long, up to a tenth",
-           .symbol = "ways",
+           .symbol = "paths",
            .help = "Share of pairs of places whose path along the plant is as long, up to a tenth",
            .measure = own,
            .uses = inStudies | inReport | inNoiseText,

@@ -1,7 +1,7 @@
 #include "core/io/lzf.h"
 
-#include <limits>
 #include <liblzf/lzf.h>
+#include <limits>
 
 namespace espalier {
 

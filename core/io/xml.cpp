@@ -21,6 +21,12 @@ bool skip(std::string_view& text, std::string_view start, std::string_view end) 
   return true;
 }
 
+std::string withoutControls(std::string text) {
+  std::ranges::replace_if(
+      text, [](char c) { return c >= 0 && c < 0x20; }, ' ');
+  return text;
+}
+
 } // namespace
 
 bool isXml(std::string_view beginning, std::string_view root) {
@@ -95,11 +101,11 @@ void XmlFile::refuseDeepNesting() const {
 }
 
 void addText(pugi::xml_node parent, const std::string& name, const std::string& text) {
-  parent.append_child(name.c_str()).text().set(xmlText(text).c_str());
+  parent.append_child(name.c_str()).text().set(withoutControls(text).c_str());
 }
 
 void addAttribute(pugi::xml_node element, const char* name, const std::string& value) {
-  element.append_attribute(name).set_value(xmlText(value).c_str());
+  element.append_attribute(name).set_value(withoutControls(value).c_str());
 }
 
 void writeXml(std::ostream& out, pugi::xml_document& document) {
@@ -108,12 +114,6 @@ void writeXml(std::ostream& out, pugi::xml_document& document) {
   addAttribute(declaration, "encoding", "UTF-8");
   // Not indented: in a plant, elements are nested thousands deep.
   document.save(out, "", pugi::format_default & ~pugi::format_indent, pugi::encoding_utf8);
-}
-
-std::string xmlText(std::string text) {
-  std::ranges::replace_if(
-      text, [](char c) { return c >= 0 && c < 0x20; }, ' ');
-  return text;
 }
 
 } // namespace espalier

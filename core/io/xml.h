@@ -42,15 +42,13 @@ private:
   pugi::xml_document document_;
 };
 
-/// Adds an element `name` of this text.
+/// Adds an element `name` of this text, with blanks for the control characters, which XML cannot
+/// hold.
 void addText(pugi::xml_node parent, const std::string& name, const std::string& text);
 
 void addAttribute(pugi::xml_node element, const char* name, const std::string& value);
 
 /// Writes a document in UTF-8, an element a line.
 void writeXml(std::ostream& out, pugi::xml_document& document);
-
-/// `text` with blanks for the control characters, which XML cannot hold.
-[[nodiscard]] std::string xmlText(std::string text);
 
 } // namespace espalier

@@ -17,6 +17,11 @@ SeenBall placesOf(const std::vector<Neighbor>& found) {
   return places;
 }
 
+SeenBall ballInSpace(const SeenPoints& seen, const SeenFrom& from) {
+  return placesOf(
+      seen.index.within(seen.positions.col(from.point), static_cast<float>(from.radius)));
+}
+
 } // namespace
 
 SeenBall ballAlongPlant(const SeenPoints& seen, const SeenFrom& from, double along, double across) {
@@ -33,11 +38,6 @@ SeenBall ballAlongPlant(const SeenPoints& seen, const SeenFrom& from, double alo
     places.push_back(member);
   });
   return places;
-}
-
-SeenBall ballInSpace(const SeenPoints& seen, const SeenFrom& from) {
-  return placesOf(
-      seen.index.within(seen.positions.col(from.point), static_cast<float>(from.radius)));
 }
 
 SeenBall sectionOfWood(const SeenPoints& seen, const SeenFrom& from, double halfThickness) {

@@ -11,7 +11,6 @@ using SeenBall = std::vector<std::uint32_t>; // SeenPoints by their place
 /// Along the plant, where squared lengths along and across the wood have these weights.
 [[nodiscard]] SeenBall ballAlongPlant(const SeenPoints& seen, const SeenFrom& from,
                                       double along = 1, double across = 1);
-[[nodiscard]] SeenBall ballInSpace(const SeenPoints& seen, const SeenFrom& from);
 [[nodiscard]] SeenBall sectionOfWood(const SeenPoints& seen, const SeenFrom& from,
                                      double halfThickness);
 [[nodiscard]] SeenBall withLinks(const SeenPoints& seen, std::uint32_t point);

@@ -41,7 +41,7 @@ Method shortestPathMethod() {
           .label = Shown::tr("Shortest paths"),
           .help = Shown::tr(
               "Simplifies the tree of shortest paths, by squared length, over all points."),
-          .inManual = Shown::tr("simplifies the tree of shortest ways over all points"),
+          .inManual = Shown::tr("simplifies the tree of shortest paths over all points"),
           .source = "S. Du et al. (AdTree), Remote Sensing 11(18), 2019",
           .options = table.descriptions(),
           .run = [table](PipelineState& state, const Values& values, const Progress& progress) {

@@ -7,7 +7,8 @@
 namespace espalier {
 
 /// 64 bits that tell contents apart that differ by accident, not those made to deceive.
-/// Source: Y. Collet, "xxHash fast digest algorithm", specification 0.1.1 (XXH64, seed 0, of libxxhash).
+/// Source: Y. Collet, "xxHash fast digest algorithm", specification 0.1.1 (XXH64, seed 0, of
+/// libxxhash).
 [[nodiscard]] std::uint64_t contentHash(std::string_view bytes);
 
 /// The same of what a file holds: as fast as the disk.

@@ -22,8 +22,6 @@ public:
   ///              (0, pi / 2); rings stand at less than a right angle to the heading
   explicit DirectionCones(double angle);
 
-  [[nodiscard]] std::size_t count() const { return axes_.size(); }
-
   /// Their axes as they stand to a heading, unit; the one ahead first.
   [[nodiscard]] std::vector<Eigen::Vector3d> axes(const Heading& heading) const;
 

@@ -28,7 +28,9 @@ const std::map<std::pair<std::string, std::string>, std::string> exceptions = {
     {{"core/graph/tangent_neighbors.h", "voronoiNeighbors"}, "to be a kind of graph"},
     {{"core/mtg/mtg_cells.h", "textOf"}, "a function beside the class calls it"},
     {{"core/pipeline/check_table.h", "checkTable"}, "to be the form of the findings"},
+    {{"core/pipeline/option_table.h", "optionOf"}, "the constants beside it are made of it"},
     {{"core/pipeline/pipeline.h", "runAtScale"}, "to run on parts of a scan"},
+    {{"core/project/piece_writer.h", "fraction"}, "a function beside the class calls it"},
     {{"core/project/node_bytes.h", "storedIdEnd"}, "a step of another, tested by itself"},
     {{"core/simulate/foliage.h", "hit"}, "PieceTree calls it for its argument"},
     {{"core/skeleton/label_index.h", "isDotted"}, "a function beside the class calls it"}};

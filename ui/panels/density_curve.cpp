@@ -13,10 +13,10 @@
 namespace espalier {
 namespace {
 
-constexpr double grip = 10;          // how near the pointer takes a handle [px]
-constexpr double fineness = 0.1;     // of the way of the mouse or a key, with Shift
-constexpr double exponentStep = 1.1; // a key multiplies by it
-constexpr double middle = 0.5;       // density where the curve is bent
+constexpr double curveGrip = 10;      // how near the pointer takes a handle [px]
+constexpr double curveFineness = 0.1; // of the way of the mouse or a key, with Shift
+constexpr double exponentStep = 1.1;  // a key multiplies by it
+constexpr double middle = 0.5;        // density where the curve is bent
 
 QString withUnit(const QString& number, const QString& unit) {
   return unit.isEmpty() ? number : number + QChar(0x202f) + unit;

@@ -2,6 +2,7 @@
 
 #include "ui/document/plant_document.h"
 #include "ui/panels/focus_keys.h"
+#include "ui/panels/label_role.h"
 #include "ui/panels/panel_button.h"
 
 #include <QAction>
@@ -25,15 +26,6 @@ using Kind = Finding::Kind;
 constexpr int numberRole = Qt::UserRole; // of a finding; none for a group
 constexpr int groupRole = Qt::UserRole + 1;
 constexpr int ignoredGroup = findingKinds;
-
-QLabel* makeLabel(const char* name, const char* role) {
-  auto* label = new QLabel;
-  label->setObjectName(name);
-  label->setProperty("role", role);
-  label->setWordWrap(true);
-  label->setMinimumWidth(72);
-  return label;
-}
 
 } // namespace
 
@@ -70,6 +62,10 @@ FindingsPanel::FindingsPanel(const PlantDocument& document, const Actions& actio
       note_(makeLabel("findings_note", "quiet")), list_(new QTreeWidget), walk_(new QWidget) {
   setObjectName("findings_panel");
   walk_->setObjectName("findings_walk");
+  for (QLabel* label : {title_, note_}) {
+    label->setWordWrap(true);
+    label->setMinimumWidth(72);
+  }
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(8, 12, 8, 12);
   column->setSpacing(8);

@@ -10,7 +10,7 @@
 namespace espalier {
 namespace {
 
-QLabel* makeLabel(const QString& text, const char* role, QWidget* parent) {
+QLabel* startLabel(const QString& text, const char* role, QWidget* parent) {
   auto* label = new QLabel(text, parent);
   label->setProperty("role", role);
   label->setAlignment(Qt::AlignCenter);
@@ -47,10 +47,10 @@ StartPage::StartPage(QWidget* parent)
   column->addStretch(3);
   column->addWidget(icon_);
   column->addSpacing(8);
-  column->addWidget(makeLabel(tr("Open a scan, or drop one here"), "headline", this));
+  column->addWidget(startLabel(tr("Open a scan, or drop one here"), "headline", this));
   column->addWidget(
-      makeLabel(tr("PLY, LAS, PCD, XYZ and their kin; a skeleton as MTG opens over its scan"),
-                "quiet", this));
+      startLabel(tr("PLY, LAS, PCD, XYZ and their kin; a skeleton as MTG opens over its scan"),
+                 "quiet", this));
   column->addSpacing(12);
   column->addWidget(open, 0, Qt::AlignCenter);
   column->addSpacing(28);
@@ -85,7 +85,7 @@ void StartPage::fill(QWidget& box, QVBoxLayout& list, const QString& title,
   }
   box.setVisible(!texts.isEmpty());
   if (texts.isEmpty()) return;
-  list.addWidget(makeLabel(title, "section", &box));
+  list.addWidget(startLabel(title, "section", &box));
   for (qsizetype i = 0; i < texts.size(); ++i) {
     auto* file = new QPushButton(texts[i], &box);
     file->setProperty("role", "link");

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int mostOpened = 2000; // rows that are unfolded at once
 
-QLabel* makeLabel(const char* role, QWidget* parent) {
+QLabel* vertexLabel(const char* role, QWidget* parent) {
   auto* label = new QLabel(parent);
   label->setProperty("role", role);
   label->setWordWrap(true);
@@ -27,8 +27,9 @@ QLabel* makeLabel(const char* role, QWidget* parent) {
 } // namespace
 
 VertexPage::VertexPage(QWidget* parent)
-    : QWidget(parent), headline_(makeLabel("headline", this)), advice_(makeLabel("quiet", this)),
-      counts_(makeLabel("", this)), model_(new VertexModel(this)), tree_(new QTreeView(this)) {
+    : QWidget(parent), headline_(vertexLabel("headline", this)),
+      advice_(vertexLabel("quiet", this)), counts_(vertexLabel("", this)),
+      model_(new VertexModel(this)), tree_(new QTreeView(this)) {
   setObjectName("vertex_page");
   setAttribute(Qt::WA_StyledBackground); // a plain widget paints no background of a style sheet
   headline_->setObjectName("vertex_headline");

@@ -44,7 +44,7 @@ std::optional<Eigen::Vector3d> alongThePoints(const PlantDocument& document,
 
 void newChild(PlantDocument& document, const NodeTarget& target) {
   const auto snap = [&](const Eigen::Vector3d& place) {
-    return document.scan() ? document.scan()->onPoints(place, reach(document)) : place;
+    return document.scan() ? document.scan()->onPoints(place, snapReach(document)) : place;
   };
   std::vector<NodeId> added;
   editEach(document, target, NodeEditText::tr("New child of %1"),

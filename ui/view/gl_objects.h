@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/view/clip.h"
+#include "ui/view/palette.h"
 
 #include <Eigen/Core>
 #include <vtkOpenGLRenderWindow.h>

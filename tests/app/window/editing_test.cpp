@@ -59,7 +59,7 @@ protected:
       return tool;
     };
     editing_ = std::make_unique<Editing>(
-        document_, *view_, actions_, nullptr,
+        document_, *view_, actions_,
         std::vector<ToolEntry>{{"other",
                                 "Other",
                                 "Is another",

@@ -10,6 +10,10 @@ SkeletonDelta::Change changed(const Skeleton& plant, NodeId id, Node after) {
   return {id, plant[id], std::move(after)};
 }
 
+bool fits(const SkeletonDelta& delta, Skeleton plant) {
+  return tryToApply(delta, plant);
+}
+
 TEST(Fits, HoldsForWhatAnEditorMade) {
   Skeleton plant = test::fork(3);
   const Skeleton before = plant;

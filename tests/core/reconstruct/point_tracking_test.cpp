@@ -47,9 +47,9 @@ std::ptrdiff_t countTips(const Skeleton& skeleton) {
 }
 
 TEST(DirectionCones, StandAheadAndInRingsBelowARightAngle) {
-  EXPECT_EQ(DirectionCones(60 * degree).count(), 1U + 6U);
-  EXPECT_EQ(DirectionCones(45 * degree).count(), 1U + 8U);
-  EXPECT_EQ(DirectionCones(30 * degree).count(), 1U + 12U + 12U);
+  EXPECT_EQ(DirectionCones(60 * degree).axes({}).size(), 1U + 6U);
+  EXPECT_EQ(DirectionCones(45 * degree).axes({}).size(), 1U + 8U);
+  EXPECT_EQ(DirectionCones(30 * degree).axes({}).size(), 1U + 12U + 12U);
 }
 
 TEST(DirectionCones, GroupWhatTheyHoldAndLeaveOutTheRest) {

@@ -1,5 +1,5 @@
-# The sources of a room are those in its folder. They are compiled in groups, which from nothing takes
-# a third of the time: so names in the unnamed namespaces of one room are unique. With
+# The sources of a room are those in its folder. They are compiled in groups (19 s for 14 files of
+# core/mtg, one by one 34 s): so names in the unnamed namespaces of one room are unique. With
 # -DCMAKE_UNITY_BUILD=OFF each file is compiled by itself, as packaging/lint reads it.
 function(espalier_room target)
   file(GLOB sources CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} *.cpp *.h)

@@ -64,8 +64,7 @@ public:
   [[nodiscard]] std::optional<NodeId> nodeUnder() const;
 
 signals:
-  void pointed();                     // under() was told anew
-  void noted(const QString& message); // nothing has changed
+  void pointed(); // under() was told anew
   void contextMenuRequested(const QPoint& globalPosition);
 
 private:

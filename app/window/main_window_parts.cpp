@@ -73,8 +73,11 @@ void MainWindow::makeParts() {
   joinPipeline();
   joinPreview();
   joinViews();
+  auto& projects = parts_.get<ProjectFlow>();
+  const WindowPart& views = parts_.get<ViewOptions>();
   for (const auto& part : parts_)
-    parts_.get<ProjectFlow>().keep(*part);
+    if (part.get() != &views) projects.keep(*part);
+  projects.keep(views); // shown last: what points up turns the view
 }
 
 void MainWindow::makeFiles(PipelinePanel& pipeline) {

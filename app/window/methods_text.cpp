@@ -20,13 +20,14 @@ QJsonObject jsonOf(const ScoreValues& scores) {
 /// None if one is missing: they are of another version.
 std::optional<ScoreValues> scoresIn(const QJsonObject& json) {
   ScoreValues values;
+  bool isWhole = true;
   for (const Score& score : scores()) {
     const QJsonValue value = json[QString::fromStdString(score.key)];
-    if (value.isUndefined()) return std::nullopt;
-    if (!value.isDouble() && !value.isNull()) refuse();
+    isWhole = isWhole && !value.isUndefined();
+    if (!value.isDouble() && !value.isNull() && !value.isUndefined()) refuse();
     values[score.key] = value.isDouble() ? std::optional(value.toDouble()) : std::nullopt;
   }
-  return values;
+  return isWhole ? std::optional(values) : std::nullopt;
 }
 
 } // namespace

@@ -55,7 +55,6 @@ public:
   void setReviewer(const QString& name);
 
 signals:
-  void noted(const QString& message); // why the walk goes nowhere
   void reviewerChanged(const QString& name);
 
 private:

@@ -62,7 +62,7 @@ TraceFlow::TraceFlow(const Parts& parts)
 
   parts_.actions.beginSection(tr("Tools"));
   QAction* next = parts_.actions.add({.id = "next_way",
-                                      .text = tr("Show Another Way"),
+                                      .text = tr("Show Another Path"),
                                       .help = tr("The next path that a trace could take"),
                                       .keys = Qt::Key_Tab,
                                       .menu = "edit/preview"},

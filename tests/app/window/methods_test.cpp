@@ -83,7 +83,7 @@ TEST_F(MethodsWindowTest, ComparesAnyNumberOfStructuresTheBestFirst) {
   // A trunk of 1 and shoots of sqrt 2: what it has, and the tolerance along each shoot it lacks.
   EXPECT_NEAR(cell(2, "Recall").toDouble(), (1 + std::sqrt(2.0)) / (1 + 3 * std::sqrt(2.0)), 0.2);
   EXPECT_EQ(cell(2, "Nodes"), "3");
-  EXPECT_EQ(cell(0, "Edits"), "0");
+  EXPECT_EQ(cell(0, "Edit distance"), "0");
   table().sortItems(1, Qt::AscendingOrder);
   EXPECT_EQ(cell(0, "Structure"), "method1.mtg");
 }

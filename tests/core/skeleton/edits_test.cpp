@@ -132,7 +132,7 @@ TEST(ReparentNode, RefusesADescendantAndSaysWhy) {
   Skeleton plant = test::fork(3);
   const auto onItsTwig = [](SkeletonEditor& editor) { reparentNode(editor, forkTop, NodeId{2}); };
   EXPECT_THAT([&] { edit(plant, onItsTwig); },
-              testing::ThrowsMessage<Error>(testing::HasSubstr("node 1 on node 2")));
+              testing::ThrowsMessage<Error>(testing::HasSubstr("node 1 to node 2")));
   EXPECT_EQ(plant, test::fork(3));
 }
 

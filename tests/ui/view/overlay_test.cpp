@@ -53,7 +53,7 @@ TEST(Attachments, MarkWhereAPartHangsAndTheWayToWhereItBelongs) {
     const ShownAttachment shown{.wrong = {{0, 0, 0}, {0.5, 0, 0.5}},
                                 .right = {{0, 0, 0}, {-0.5, 0, -0.5}},
                                 .color = purple,
-                                .wrongLabel = "attached here",
+                                .wrongLabel = "wrong here",
                                 .rightLabel = "belongs here"};
     paintAttachment(painter, shown, screen, isDark);
     const auto rimsAbout = [&](const Eigen::Vector3d& place) {

@@ -4,8 +4,8 @@
 #include "app/cli/files.h"
 #include "app/cli/pipeline_flags.h"
 #include "app/cli/terminal.h"
-#include "core/evaluate/edit_comparison.h"
-#include "core/evaluate/ranking.h"
+#include "core/evaluate/match/edit_comparison.h"
+#include "core/evaluate/study/ranking.h"
 
 #include <memory>
 

@@ -2,7 +2,7 @@
 
 #include "app/cli/files.h"
 #include "core/base/coordinates.h"
-#include "core/evaluate/comparable.h"
+#include "core/evaluate/match/comparable.h"
 #include "core/io/csv.h"
 
 #include <ostream>

@@ -3,8 +3,8 @@
 #include "app/cli/evaluate_report.h"
 #include "app/cli/terminal.h"
 #include "core/evaluate/comparison.h"
-#include "core/evaluate/light_interception.h"
-#include "core/evaluate/registration.h"
+#include "core/evaluate/light/light_interception.h"
+#include "core/evaluate/registration/registration.h"
 #include "core/skeleton/skeleton.h"
 
 #include <algorithm>

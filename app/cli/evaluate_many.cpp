@@ -4,7 +4,7 @@
 #include "app/cli/evaluate_text.h"
 #include "app/cli/files.h"
 #include "core/evaluate/comparison_warnings.h"
-#include "core/evaluate/ranking.h"
+#include "core/evaluate/study/ranking.h"
 
 #include <nlohmann/json.hpp>
 

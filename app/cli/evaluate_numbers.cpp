@@ -1,7 +1,7 @@
 #include "app/cli/evaluate_numbers.h"
 
 #include "app/report/comparison_report.h"
-#include "core/evaluate/ranking.h"
+#include "core/evaluate/study/ranking.h"
 #include "core/skeleton/axes.h"
 
 #include <nlohmann/json.hpp>

@@ -2,7 +2,7 @@
 #include "app/cli/evaluate_command.h"
 #include "core/base/coordinates.h"
 #include "core/base/text.h"
-#include "core/evaluate/tolerance_curve.h"
+#include "core/evaluate/match/tolerance_curve.h"
 #include "core/skeleton/bounds.h"
 
 #include <charconv>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/evaluate/comparison.h"
-#include "core/evaluate/ranking.h"
+#include "core/evaluate/study/ranking.h"
 
 #include <string>
 #include <vector>

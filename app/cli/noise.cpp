@@ -4,9 +4,9 @@
 #include "app/cli/pipeline_flags.h"
 #include "app/cli/terminal.h"
 #include "core/base/text.h"
-#include "core/evaluate/comparable.h"
 #include "core/evaluate/comparison_warnings.h"
-#include "core/evaluate/noise_study.h"
+#include "core/evaluate/match/comparable.h"
+#include "core/evaluate/study/noise_study.h"
 #include "core/io/csv.h"
 
 #include <nlohmann/json.hpp>

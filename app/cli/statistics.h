@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/cloud/point_cloud.h"
-#include "core/evaluate/contraction_quality.h"
+#include "core/evaluate/study/contraction_quality.h"
 #include "core/mtg/mtg.h"
 #include "core/pipeline/pipeline.h"
 #include "core/skeleton/skeleton.h"

@@ -7,10 +7,10 @@
 #include "app/cli/statistics.h"
 #include "app/cli/terminal.h"
 #include "core/base/text.h"
-#include "core/evaluate/comparable.h"
 #include "core/evaluate/compared_plants.h"
 #include "core/evaluate/comparison_warnings.h"
-#include "core/evaluate/registration.h"
+#include "core/evaluate/match/comparable.h"
+#include "core/evaluate/registration/registration.h"
 #include "core/io/csv.h"
 #include "core/pipeline/quality_of.h"
 

@@ -7,8 +7,8 @@
 #include "app/cli/terminal.h"
 #include "app/report/plant_report.h"
 #include "app/report/write_report.h"
-#include "core/evaluate/breast_height.h"
 #include "core/evaluate/trait_rows.h"
+#include "core/evaluate/traits/breast_height.h"
 #include "core/evaluate/traits_json.h"
 
 #include <QDate>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/report/comparison_report.h"
-#include "core/evaluate/ranking.h"
+#include "core/evaluate/study/ranking.h"
 
 #include <vector>
 

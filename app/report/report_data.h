@@ -3,8 +3,8 @@
 #include "core/base/progress.h"
 #include "core/cloud/point_cloud.h"
 #include "core/evaluate/comparison.h"
-#include "core/evaluate/differences.h"
-#include "core/evaluate/ranking.h"
+#include "core/evaluate/differences/differences.h"
+#include "core/evaluate/study/ranking.h"
 #include "core/skeleton/skeleton.h"
 
 #include <memory>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/evaluate/ranking.h"
+#include "core/evaluate/study/ranking.h"
 
 #include <QString>
 

@@ -2,7 +2,7 @@
 
 #include "app/report/comparison_colors.h"
 #include "core/base/error.h"
-#include "core/evaluate/registration.h"
+#include "core/evaluate/registration/registration.h"
 #include "core/graph/turn_upright.h"
 #include "ui/view/overlay.h"
 #include "ui/view/picture.h"

@@ -1,10 +1,10 @@
 #include "app/window/edit_flow.h"
 
-#include "app/window/action_set.h"
-#include "app/window/editing.h"
-#include "app/window/preview_flow.h"
-#include "app/window/project_flow.h"
-#include "app/window/shown_flow.h"
+#include "app/window/edit/editing.h"
+#include "app/window/files/project_flow.h"
+#include "app/window/frame/action_set.h"
+#include "app/window/preview/preview_flow.h"
+#include "app/window/view/shown_flow.h"
 #include "ui/document/plant_document.h"
 
 #include <QAction>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/window/window_part.h"
+#include "app/window/frame/window_part.h"
 
 #include <optional>
 

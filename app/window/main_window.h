@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/window/reveal.h"
-#include "app/window/window_parts.h"
+#include "app/window/frame/reveal.h"
+#include "app/window/frame/window_parts.h"
 #include "ui/document/plant_document.h"
 #include "ui/jobs/job_runner.h"
 

@@ -1,7 +1,7 @@
 // The menus and the toolbar: which places they have, in order. What stands at a place, the parts of
 // the window say (ActionSet).
-#include "app/window/action_set.h"
-#include "app/window/icon.h"
+#include "app/window/frame/action_set.h"
+#include "app/window/frame/icon.h"
 #include "app/window/main_window.h"
 #include "ui/tools/registry.h"
 

@@ -1,9 +1,9 @@
 #include "core/evaluate/compared_plants.h"
 
-#include "core/evaluate/barcode.h"
-#include "core/evaluate/comparable.h"
+#include "core/evaluate/match/barcode.h"
+#include "core/evaluate/match/comparable.h"
+#include "core/evaluate/match/segments.h"
 #include "core/evaluate/plant_measures.h"
-#include "core/evaluate/segments.h"
 #include "core/skeleton/axes.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include "core/base/progress.h"
 #include "core/evaluate/comparison.h"
-#include "core/evaluate/differences.h"
+#include "core/evaluate/differences/differences.h"
 #include "core/skeleton/skeleton.h"
 
 #include <optional>

@@ -1,8 +1,8 @@
 #include "core/evaluate/comparison.h"
 
-#include "core/evaluate/comparable.h"
 #include "core/evaluate/compared_plants.h"
 #include "core/evaluate/comparison_warnings.h"
+#include "core/evaluate/match/comparable.h"
 #include "core/evaluate/plant_measures.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/evaluate/registration.h"
-#include "core/evaluate/tolerance_curve.h"
-#include "core/evaluate/traits.h"
+#include "core/evaluate/match/tolerance_curve.h"
+#include "core/evaluate/registration/registration.h"
+#include "core/evaluate/traits/traits.h"
 
 #include <string>
 #include <string_view>

@@ -1,6 +1,6 @@
 #include "core/evaluate/evaluation.h"
 
-#include "core/evaluate/comparable.h"
+#include "core/evaluate/match/comparable.h"
 #include "core/skeleton/bounds.h"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 
 #include "core/base/progress.h"
 #include "core/evaluate/comparison.h"
-#include "core/evaluate/differences.h"
-#include "core/evaluate/registration.h"
+#include "core/evaluate/differences/differences.h"
+#include "core/evaluate/registration/registration.h"
 #include "core/skeleton/skeleton.h"
 
 #include <memory>

@@ -1,9 +1,9 @@
 #include "core/evaluate/plant_measures.h"
 
-#include "core/evaluate/comparable.h"
 #include "core/evaluate/comparison_warnings.h"
-#include "core/evaluate/registration.h"
-#include "core/evaluate/stem_diameter.h"
+#include "core/evaluate/match/comparable.h"
+#include "core/evaluate/registration/registration.h"
+#include "core/evaluate/traits/stem_diameter.h"
 #include "core/graph/turn_upright.h"
 #include "core/surface/generalized_cylinders.h"
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/evaluate/light_interception.h"
-#include "core/evaluate/traits.h"
-#include "core/evaluate/wood_amounts.h"
+#include "core/evaluate/light/light_interception.h"
+#include "core/evaluate/traits/traits.h"
+#include "core/evaluate/traits/wood_amounts.h"
 #include "core/graph/find_root.h"
 #include "core/skeleton/skeleton.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/evaluate/segment_shares.h"
+#include "core/evaluate/match/segment_shares.h"
 
 #include <cstdint>
 #include <functional>

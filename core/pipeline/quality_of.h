@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/evaluate/contraction_quality.h"
+#include "core/evaluate/study/contraction_quality.h"
 #include "core/pipeline/pipeline.h"
 
 namespace espalier {

@@ -1,5 +1,5 @@
 // How the authors' indices fall with noise: figures found by others for the pine of the thesis.
-#include "core/evaluate/noise_study.h"
+#include "core/evaluate/study/noise_study.h"
 #include "core/io/formats.h"
 #include "tests/support/shared_data.h"
 

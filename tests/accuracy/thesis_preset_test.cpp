@@ -1,6 +1,6 @@
 // What the settings of the thesis reach, beside the automatic result that was published with it.
 #include "core/evaluate/comparison.h"
-#include "core/evaluate/wood_amounts.h"
+#include "core/evaluate/traits/wood_amounts.h"
 #include "core/io/formats.h"
 #include "core/pipeline/pipeline.h"
 #include "core/pipeline/presets.h"

@@ -21,7 +21,7 @@ using Names = std::set<std::string>;
 /// Header and function -> why no file but those of its own pair names it.
 const std::map<std::pair<std::string, std::string>, std::string> exceptions = {
     {{"core/base/parallel.h", "inPieces"}, "the templates beside it call it"},
-    {{"core/evaluate/strahler.h", "strahlerNumbers"}, "a step of another, tested by itself"},
+    {{"core/evaluate/traits/strahler.h", "strahlerNumbers"}, "a step of another, tested by itself"},
     {{"core/graph/geodesic_balls.h", "ballGroups"}, "the templates beside it call it"},
     {{"core/graph/geodesic_balls.h", "of"}, "the templates beside it call it"},
     {{"core/graph/tangent_neighbors.h", "angleCriterionNeighbors"}, "to be a kind of graph"},

@@ -1,10 +1,10 @@
 // Times how a skeleton is measured against another: grown plants, one with each twentieth node
 // gone.
-#include "core/evaluate/authors_comparison.h"
 #include "core/evaluate/comparison.h"
-#include "core/evaluate/edit_comparison.h"
-#include "core/evaluate/light_interception.h"
-#include "core/evaluate/registration.h"
+#include "core/evaluate/light/light_interception.h"
+#include "core/evaluate/match/authors_comparison.h"
+#include "core/evaluate/match/edit_comparison.h"
+#include "core/evaluate/registration/registration.h"
 #include "core/io/formats.h"
 #include "core/simulate/plant_grower.h"
 #include "core/surface/generalized_cylinders.h"

@@ -1,6 +1,6 @@
 // Times what one waits for while a knob turns: 20 000 points of a scan of 150 k, contracted and
 // reconstructed, and the numbers that judge them. What is of the whole scan is at hand.
-#include "core/evaluate/contraction_quality.h"
+#include "core/evaluate/study/contraction_quality.h"
 #include "core/pipeline/method_sight.h"
 #include "core/pipeline/pipeline.h"
 #include "core/pipeline/quality_of.h"

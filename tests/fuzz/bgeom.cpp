@@ -1,5 +1,5 @@
 // Fuzz target: whatever the bytes, reading a .bgeom gives points or an Error.
-#include "core/io/bgeom.h"
+#include "core/io/plantgl/bgeom.h"
 
 #include "core/base/error.h"
 

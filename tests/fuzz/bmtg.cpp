@@ -1,5 +1,5 @@
 // Fuzz target: whatever the bytes, reading a .bmtg gives a plant or an Error.
-#include "core/io/bmtg.h"
+#include "core/io/plantgl/bmtg.h"
 
 #include "core/base/error.h"
 

@@ -1,5 +1,5 @@
 // Fuzz target: whatever the bytes, reading a .geom gives points or an Error.
-#include "core/io/geom.h"
+#include "core/io/plantgl/geom.h"
 
 #include "core/base/error.h"
 

@@ -1,5 +1,5 @@
 // Fuzz target: whatever the bytes, reading GraphML gives a skeleton or an Error.
-#include "core/io/graphml.h"
+#include "core/io/structures/graphml.h"
 
 #include "core/base/error.h"
 

@@ -1,6 +1,6 @@
 // Fuzz target: whatever the bytes, reading a LAS file gives points or an Error, and of the points a
 // cloud.
-#include "core/io/las.h"
+#include "core/io/points/las.h"
 
 #include "core/base/error.h"
 #include "tests/fuzz/cloud.h"

@@ -1,5 +1,5 @@
 // Fuzz target: whatever the bytes, reading a node list gives a skeleton or an Error.
-#include "core/io/node_list.h"
+#include "core/io/structures/node_list.h"
 
 #include "core/base/error.h"
 

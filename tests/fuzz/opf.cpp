@@ -1,5 +1,5 @@
 // Fuzz target: whatever the bytes, reading OPF gives a plant or an Error.
-#include "core/io/opf.h"
+#include "core/io/structures/opf.h"
 
 #include "core/base/error.h"
 #include "core/mtg/mtg_skeleton.h"

@@ -1,6 +1,6 @@
 // Fuzz target: whatever the bytes, reading a PCD file gives points or an Error, and of the points a
 // cloud.
-#include "core/io/pcd.h"
+#include "core/io/points/pcd.h"
 
 #include "core/base/error.h"
 #include "tests/fuzz/cloud.h"

@@ -1,6 +1,6 @@
 // Fuzz target: whatever the bytes, reading a PLY file gives points or an Error, and of the points a
 // cloud.
-#include "core/io/ply.h"
+#include "core/io/points/ply.h"
 
 #include "core/base/error.h"
 #include "tests/fuzz/cloud.h"

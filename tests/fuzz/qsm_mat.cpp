@@ -1,5 +1,5 @@
 // Fuzz target: whatever the bytes, reading a model of TreeQSM gives a plant or an Error.
-#include "core/io/qsm_mat.h"
+#include "core/io/qsm/qsm_mat.h"
 
 #include "core/base/error.h"
 

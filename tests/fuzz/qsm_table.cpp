@@ -1,5 +1,5 @@
 // Fuzz target: whatever the bytes, reading a table of cylinders gives a plant or an Error.
-#include "core/io/qsm_table.h"
+#include "core/io/qsm/qsm_table.h"
 
 #include "core/base/error.h"
 

@@ -1,5 +1,5 @@
 // Fuzz target: whatever the bytes, reading RSML gives a skeleton or an Error.
-#include "core/io/rsml.h"
+#include "core/io/structures/rsml.h"
 
 #include "core/base/error.h"
 

@@ -1,5 +1,5 @@
 // Fuzz target: whatever the bytes, reading SWC gives a skeleton or an Error.
-#include "core/io/swc.h"
+#include "core/io/structures/swc.h"
 
 #include "core/base/error.h"
 

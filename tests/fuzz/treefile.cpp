@@ -1,5 +1,5 @@
 // Fuzz target: whatever the bytes, reading a treefile gives a skeleton or an Error.
-#include "core/io/treefile.h"
+#include "core/io/structures/treefile.h"
 
 #include "core/base/error.h"
 

@@ -1,6 +1,6 @@
 // Fuzz target: whatever the bytes, reading points as text gives points or an Error, and of the
 // points a cloud.
-#include "core/io/xyz.h"
+#include "core/io/points/xyz.h"
 
 #include "core/base/error.h"
 #include "tests/fuzz/cloud.h"

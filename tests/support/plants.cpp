@@ -28,6 +28,11 @@ Skeleton fork(int shoots) {
   return plant;
 }
 
+std::ptrdiff_t countTips(const Skeleton& skeleton) {
+  return std::ranges::count_if(skeleton.ids(),
+                               [&](NodeId id) { return skeleton.children(id).empty(); });
+}
+
 Skeleton randomPlant(int nodes, std::uint64_t seed) {
   Random random(seed);
   Skeleton plant;

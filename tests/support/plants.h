@@ -2,6 +2,7 @@
 
 #include "core/skeleton/skeleton.h"
 
+#include <cstddef>
 #include <cstdint>
 
 namespace espalier::test {
@@ -15,6 +16,9 @@ inline constexpr NodeId forkTop{1};
 /// A root at the origin, forkTop one above it, and on that `shoots` single nodes, evenly around at
 /// 45 degrees; the first is a successor, the others branch.
 [[nodiscard]] Skeleton fork(int shoots);
+
+/// How many nodes have no children.
+[[nodiscard]] std::ptrdiff_t countTips(const Skeleton& skeleton);
 
 /// A forest of `nodes` nodes (one to three trees) with arbitrary positions, radii and edges.
 [[nodiscard]] Skeleton randomPlant(int nodes, std::uint64_t seed);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/cloud/point_cloud.h"
-#include "core/evaluate/differences.h"
+#include "core/evaluate/differences/differences.h"
 
 #include <QString>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/evaluate/differences.h"
+#include "core/evaluate/differences/differences.h"
 
 #include <QString>
 #include <QWidget>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/evaluate/tolerance_curve.h"
+#include "core/evaluate/match/tolerance_curve.h"
 #include "ui/plots/plot_axes.h"
 
 #include <QPainter>

@@ -1,4 +1,4 @@
-#include "core/evaluate/registration.h"
+#include "core/evaluate/registration/registration.h"
 #include "core/io/csv.h"
 #include "core/io/formats.h"
 #include "tests/app/cli/program.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/evaluate/registration.h"
+#include "core/evaluate/registration/registration.h"
 #include "core/io/formats.h"
 #include "tests/app/cli/program.h"
 #include "tests/support/shared_data.h"

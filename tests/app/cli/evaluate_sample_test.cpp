@@ -17,15 +17,11 @@ using test::Subcommands;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-json jsonIn(const fs::path& file) {
-  return json::parse(test::bytesOf(file));
-}
-
 TEST_F(Subcommands, EvaluateMeasuresAgainstTheTruth) {
   run({"reconstruct", scan_, "-o", file("a.mtg")});
   EXPECT_THAT(run({"evaluate", file("a.mtg"), truth_, "--json", file("a.json")}),
               HasSubstr("geometric index"));
-  const json numbers = jsonIn(file("a.json"));
+  const json numbers = test::jsonIn(file("a.json"));
   for (const char* key : {"segments", "matched", "mapping", "geometric", "structural"})
     EXPECT_TRUE(numbers["authors"].contains(key)) << key;
   for (const char* key : {"distance", "precision", "recall", "f"})
@@ -40,7 +36,7 @@ TEST_F(Subcommands, EvaluateCountsEditsAsAsked) {
   const std::string told = run({"evaluate", truth_, truth_, "--edit-unit", "axis", "--edit-cost",
                                 "shape", "--merge-paths", "--json", file("a.json")});
   EXPECT_THAT(told, HasSubstr("\nedit distance 0, similarity 1.000: 0 removed, 0 inserted\n"));
-  const json edit = jsonIn(file("a.json"))["edit_distance"];
+  const json edit = test::jsonIn(file("a.json"))["edit_distance"];
   EXPECT_EQ(edit["unit"], "axis");
   EXPECT_EQ(edit["cost"], "shape");
   EXPECT_EQ(edit["merge_paths"], true);
@@ -61,7 +57,7 @@ TEST_F(Subcommands, EvaluateTellsWhereTheTwoAgree) {
   EXPECT_THAT(told, HasSubstr("             order  precision     recall"));
   EXPECT_THAT(told, HasSubstr("            height  precision     recall"));
   EXPECT_THAT(told, HasSubstr("              more          0.0          0.0          0.0\n"));
-  const json numbers = jsonIn(file("a.json"));
+  const json numbers = test::jsonIn(file("a.json"));
   EXPECT_EQ(numbers["by_place"]["by_height"].size(), 10U);
   EXPECT_EQ(numbers["by_place"]["by_order"][0]["recall"], 1);
   EXPECT_EQ(numbers["wood"]["result"], numbers["wood"]["reference"]);
@@ -70,7 +66,7 @@ TEST_F(Subcommands, EvaluateTellsWhereTheTwoAgree) {
 
 TEST_F(Subcommands, EvaluateFindsAStructureEqualToItself) {
   run({"evaluate", truth_, truth_, "--no-register", "--json", file("a.json")});
-  const json numbers = jsonIn(file("a.json"));
+  const json numbers = test::jsonIn(file("a.json"));
   EXPECT_EQ(numbers["authors"]["geometric"], 1);
   EXPECT_EQ(numbers["authors"]["structural"], 1);
   EXPECT_EQ(numbers["tolerance"][0]["f"], 1);

@@ -27,8 +27,8 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
-const std::string scan = test::sample("young_tree.ply");
-const std::string structure = test::sample("young_tree.mtg");
+const std::string sampleScan = test::sample("young_tree.ply");
+const std::string sampleStructure = test::sample("young_tree.mtg");
 
 class HostileFiles : public testing::Test {
 protected:
@@ -50,9 +50,9 @@ TEST_F(HostileFiles, APipeThatNobodyWritesToIsRefusedByAll) {
   for (const test::Arguments& command :
        std::vector<test::Arguments>{{"info", mute},
                                     {"reconstruct", mute, "-o", output},
-                                    {"reconstruct", scan, "-o", output, "--preset", mute},
+                                    {"reconstruct", sampleScan, "-o", output, "--preset", mute},
                                     {"convert", mute, output},
-                                    {"evaluate", structure, mute},
+                                    {"evaluate", sampleStructure, mute},
                                     {"noise", mute},
                                     {"sweep", mute, "contract.radius"},
                                     {"simulate", "--from", mute, "-o", file("x")},
@@ -76,14 +76,14 @@ TEST_F(HostileFiles, APresetMayComeThroughAPipe) {
     }
     ::close(holder);
   });
-  expectRefusal(runProgram({"reconstruct", scan, "-o", file("a.mtg"), "--preset", preset}), 1,
+  expectRefusal(runProgram({"reconstruct", sampleScan, "-o", file("a.mtg"), "--preset", preset}), 1,
                 {preset + ", line 1: ", "magic"});
   closer.join();
 }
 
 TEST_F(HostileFiles, APlantWhoseScanIsADeviceFailsAlone) {
-  test::writeBytes(file("plants.csv"),
-                   "scan,name\n/dev/zero,zero\n" + pipe("mute") + ",mute\n" + scan + ",tree\n");
+  test::writeBytes(file("plants.csv"), "scan,name\n/dev/zero,zero\n" + pipe("mute") + ",mute\n" +
+                                           sampleScan + ",tree\n");
   const auto outcome = runProgram({"batch", file("plants.csv"), "-o", file("results")});
   EXPECT_EQ(outcome.status, 1);
   EXPECT_THAT(outcome.err, HasSubstr("zero: /dev/zero: is a pipe or device"));
@@ -93,7 +93,8 @@ TEST_F(HostileFiles, APlantWhoseScanIsADeviceFailsAlone) {
 
 TEST_F(HostileFiles, ANameThatIsTooLongFailsAloneInEachRun) {
   const std::string vast(300, 'n');
-  test::writeBytes(file("plants.csv"), "scan,name\n" + scan + "," + vast + "\n" + scan + ",tree\n");
+  test::writeBytes(file("plants.csv"),
+                   "scan,name\n" + sampleScan + "," + vast + "\n" + sampleScan + ",tree\n");
   for (const bool isFirst : {true, false}) {
     const auto outcome = runProgram({"batch", file("plants.csv"), "-o", file("results")});
     EXPECT_EQ(outcome.status, 1) << isFirst;
@@ -107,9 +108,9 @@ TEST_F(HostileFiles, ANameThatIsTooLongFailsAloneInEachRun) {
 
 TEST_F(HostileFiles, ANameAsLongAsAFileMayHaveIsWritten) {
   const std::string name = std::string(251, 'n') + ".mtg";
-  EXPECT_EQ(runProgram({"convert", structure, file(name)}).status, 0);
+  EXPECT_EQ(runProgram({"convert", sampleStructure, file(name)}).status, 0);
   EXPECT_THAT(namesIn(folder_), ElementsAre(name));
-  expectRefusal(runProgram({"convert", structure, file("n" + name)}), 1,
+  expectRefusal(runProgram({"convert", sampleStructure, file("n" + name)}), 1,
                 {"File name too long", "choose a shorter name"});
 }
 
@@ -120,7 +121,7 @@ TEST_F(HostileFiles, ResultsGoThroughAPipeBehindStandardOutput) {
     std::ifstream in(out, std::ios::binary);
     text.assign(std::istreambuf_iterator<char>(in), {});
   });
-  const auto outcome = runProgram({"convert", structure, "/dev/stdout"}, out);
+  const auto outcome = runProgram({"convert", sampleStructure, "/dev/stdout"}, out);
   reader.join();
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(text, testing::StartsWith("CODE"));
@@ -128,7 +129,7 @@ TEST_F(HostileFiles, ResultsGoThroughAPipeBehindStandardOutput) {
 
 TEST_F(HostileFiles, ResultsGoIntoAFileBehindStandardOutput) {
   test::writeBytes(file("out.mtg"), "");
-  const auto outcome = runProgram({"convert", structure, "/dev/stdout"}, file("out.mtg"));
+  const auto outcome = runProgram({"convert", sampleStructure, "/dev/stdout"}, file("out.mtg"));
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(test::bytesOf(file("out.mtg")), testing::StartsWith("CODE"));
 }
@@ -140,28 +141,30 @@ TEST_F(HostileFiles, TwoResultsNeverGoToOneFile) {
   const std::vector<std::string> parts = {"two results would be written to"};
   for (const std::string& other : {one, file("inner/../a.mtg"), file("inner/link.mtg")}) {
     SCOPED_TRACE(other);
-    expectRefusal(runProgram({"reconstruct", scan, "-o", one, "--json", other}), 2, parts);
-    expectRefusal(runProgram({"contract", scan, "-o", one, "--json", other}), 2, parts);
-    expectRefusal(runProgram({"sweep", scan, "contract.radius", "--csv", one, "--json", other}), 2,
-                  parts);
-    expectRefusal(runProgram({"noise", structure, "--csv", one, "--json", other}), 2, parts);
-    expectRefusal(runProgram({"traits", structure, "--csv", one, "--json", other}), 2, parts);
+    expectRefusal(runProgram({"reconstruct", sampleScan, "-o", one, "--json", other}), 2, parts);
+    expectRefusal(runProgram({"contract", sampleScan, "-o", one, "--json", other}), 2, parts);
+    expectRefusal(
+        runProgram({"sweep", sampleScan, "contract.radius", "--csv", one, "--json", other}), 2,
+        parts);
+    expectRefusal(runProgram({"noise", sampleStructure, "--csv", one, "--json", other}), 2, parts);
+    expectRefusal(runProgram({"traits", sampleStructure, "--csv", one, "--json", other}), 2, parts);
     for (const char* more : {"--csv", "--json", "--mapping"})
       for (const char* than : {"--csv", "--json", "--mapping"})
         if (std::string(more) != than)
-          expectRefusal(runProgram({"evaluate", structure, structure, more, one, than, other}), 2,
-                        parts);
+          expectRefusal(
+              runProgram({"evaluate", sampleStructure, sampleStructure, more, one, than, other}), 2,
+              parts);
   }
   EXPECT_THAT(namesIn(folder_), ElementsAre("inner"));
   expectRefusal(
-      runProgram({"traits", structure, "--csv", "two_results", "--json", "./two_results"}), 2,
+      runProgram({"traits", sampleStructure, "--csv", "two_results", "--json", "./two_results"}), 2,
       parts);
 }
 
 TEST_F(HostileFiles, NamesNeverSteerTheTerminal) {
   const std::string odd = file("a\nb\33[31mc\u009b\u202e.ply");
   expectRefusal(runProgram({"info", odd}), 1, {"a?b?[31mc??.ply: there is no such file"});
-  fs::copy_file(scan, odd);
+  fs::copy_file(sampleScan, odd);
   const auto outcome = runProgram({"convert", odd, file("x\33]0;y\7.xyz")});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr("x?]0;y?.xyz"));
@@ -173,7 +176,7 @@ TEST_F(HostileFiles, NamesNeverSteerTheTerminal) {
 
 TEST_F(HostileFiles, NamesThatAreNoUtf8AreToldInOneLine) {
   const std::string odd = file("t\xff.ply");
-  fs::copy_file(scan, odd);
+  fs::copy_file(sampleScan, odd);
   const auto told = runProgram({"info", odd, "--json"});
   EXPECT_EQ(told.status, 0) << told.err;
   EXPECT_THAT(told.err, HasSubstr("is no UTF-8, as JSON is"));
@@ -187,8 +190,8 @@ TEST_F(HostileFiles, NamesThatAreNoUtf8AreToldInOneLine) {
 TEST_F(HostileFiles, APresetWithANumberBeyondAllIsRefusedWithItsLine) {
   test::writeBytes(file("vast.json"), "{\"contract\": {\n\"radius\": 1e999}}");
   expectRefusal(
-      runProgram({"reconstruct", scan, "-o", file("a.mtg"), "--preset", file("vast.json")}), 1,
-      {"vast.json, line 2: a number is too large"});
+      runProgram({"reconstruct", sampleScan, "-o", file("a.mtg"), "--preset", file("vast.json")}),
+      1, {"vast.json, line 2: a number is too large"});
 }
 
 TEST_F(HostileFiles, TextsInUtf16AreNamed) {
@@ -213,12 +216,14 @@ TEST_F(HostileFiles, TextsInUtf16AreNamed) {
   test::writeBytes(file("p.csv"), inUtf16("scan\na.ply\n"));
   expectRefusal(runProgram({"batch", file("p.csv"), "-o", file("r")}), 1, {"p.csv", "UTF-16"});
   test::writeBytes(file("p.json"), inUtf16("{}"));
-  expectRefusal(runProgram({"reconstruct", scan, "-o", file("r.mtg"), "--preset", file("p.json")}),
-                1, {"p.json", "UTF-16"});
+  expectRefusal(
+      runProgram({"reconstruct", sampleScan, "-o", file("r.mtg"), "--preset", file("p.json")}), 1,
+      {"p.json", "UTF-16"});
 }
 
 TEST_F(HostileFiles, FormulasOfSpreadsheetsAreNoneInASummary) {
-  test::writeBytes(file("plants.csv"), "scan,name\n" + scan + ",=1+1\n" + scan + ",@SUM(A1)\n");
+  test::writeBytes(file("plants.csv"),
+                   "scan,name\n" + sampleScan + ",=1+1\n" + sampleScan + ",@SUM(A1)\n");
   for (const bool isFirst : {true, false}) {
     const auto outcome = runProgram({"batch", file("plants.csv"), "-o", file("results")});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
@@ -242,7 +247,7 @@ TEST_F(HostileFiles, ANodeBeyondAnyPlantIsRefusedWithItsLine) {
   const std::vector<std::string> parts = {"far.swc, line 2: ", "is beyond 1e12"};
   expectRefusal(runProgram({"info", file("far.swc")}), 1, parts);
   expectRefusal(runProgram({"convert", file("far.swc"), file("a.mtg")}), 1, parts);
-  expectRefusal(runProgram({"evaluate", structure, file("far.swc")}), 1, parts);
+  expectRefusal(runProgram({"evaluate", sampleStructure, file("far.swc")}), 1, parts);
   expectRefusal(runProgram({"picture", file("far.swc"), "-o", file("a.png")}), 1, parts);
   expectRefusal(runProgram({"simulate", "--from", file("far.swc"), "-o", file("a")}), 1, parts);
   test::writeBytes(file("thick.swc"), "1 0 0 0 0 1e13 -1\n2 0 0 0 1 1 1\n");
@@ -258,7 +263,7 @@ TEST_F(HostileFiles, InfoTellsWhatAProjectHolds) {
   {
     Project project = Project::create(file("oak.espalier"), history);
     project.setDocument("unit", "mm");
-    project.setScan(ScanReference::of(scan, {}));
+    project.setScan(ScanReference::of(sampleScan, {}));
   }
   const auto told = runProgram({"info", file("oak.espalier")});
   EXPECT_EQ(told.status, 0) << told.err;
@@ -272,8 +277,8 @@ TEST_F(HostileFiles, InfoTellsWhatAProjectHolds) {
   EXPECT_THAT(told.out, line("edits.done", "1"));
   EXPECT_THAT(told.out, line("edits.authors", "[Ada]"));
   EXPECT_THAT(told.out, line("edits.last", "1970-01-01 00:00 UTC"));
-  EXPECT_THAT(told.out, line("scan.file", scan));
-  EXPECT_THAT(told.out, line("scan.found", scan));
+  EXPECT_THAT(told.out, line("scan.file", sampleScan));
+  EXPECT_THAT(told.out, line("scan.found", sampleScan));
   EXPECT_THAT(told.out, line("nodes_to_do", std::to_string(history.skeleton.size() - 1)));
   EXPECT_THAT(runProgram({"info", file("oak.espalier"), "--json"}).out, HasSubstr("\"review\": {"));
   EXPECT_THAT(namesIn(folder_), ElementsAre("oak.espalier")) << "it is only read";

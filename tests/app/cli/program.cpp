@@ -182,6 +182,10 @@ std::string bytesOf(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
+nlohmann::json jsonIn(const fs::path& file) {
+  return nlohmann::json::parse(bytesOf(file));
+}
+
 void writeBytes(const std::filesystem::path& file, const std::string& bytes) {
   std::ofstream(file, std::ios::binary) << bytes;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <nlohmann/json.hpp>
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -30,6 +32,7 @@ using Arguments = std::vector<std::string>;
 [[nodiscard]] std::string sample(const std::string& name);
 
 [[nodiscard]] std::string bytesOf(const std::filesystem::path& file);
+[[nodiscard]] nlohmann::json jsonIn(const std::filesystem::path& file);
 void writeBytes(const std::filesystem::path& file, const std::string& bytes);
 
 /// The names of all there is in a folder, sorted.

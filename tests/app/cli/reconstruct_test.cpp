@@ -25,10 +25,6 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-json jsonIn(const fs::path& file) {
-  return json::parse(test::bytesOf(file));
-}
-
 Eigen::Vector3d rootOf(const fs::path& structure) {
   const Skeleton plant = readStructure(structure).value.skeleton;
   return plant[plant.roots().front()].position;
@@ -45,7 +41,7 @@ TEST_F(Subcommands, ReconstructFindsOnePlantWithRadii) {
         << describe(finding, plant);
   for (const NodeId id : plant.ids())
     ASSERT_GT(plant[id].radius, 0);
-  const json statistics = jsonIn(file("a.json"));
+  const json statistics = test::jsonIn(file("a.json"));
   EXPECT_EQ(statistics["scan"], scan_);
   EXPECT_EQ(statistics["unit"], "m");
   EXPECT_EQ(statistics["cloud"]["points"], readPoints(scan_).value.size());
@@ -66,11 +62,11 @@ TEST_F(Subcommands, ReconstructUsesWhatIsSet) {
       R"({"contract": {"radius": 0.07, "neighbors": 9}, "prune": {"method": "none"}})");
   run({"reconstruct", scan_, "-o", file("a.mtg"), "--json", file("a.json"), "--preset",
        file("preset.json"), "--set", "contract.radius=0.05", "--set", "axes.sharpest_turn=45"});
-  const json steps = jsonIn(file("a.json"))["steps"];
+  const json steps = test::jsonIn(file("a.json"))["steps"];
   EXPECT_EQ(steps[1]["options"]["radius"], 0.05) << "what is set changes the preset";
   run({"reconstruct", scan_, "-o", file("b.mtg"), "--set", "contract.radius=0.05", "--set",
        "axes.sharpest_turn=45", "--json", file("b.json"), "--preset", file("preset.json")});
-  EXPECT_EQ(jsonIn(file("b.json"))["steps"], steps) << "wherever it stands";
+  EXPECT_EQ(test::jsonIn(file("b.json"))["steps"], steps) << "wherever it stands";
   EXPECT_EQ(steps[1]["options"]["neighbors"], 9);
   const auto named = [&](const std::string& name) {
     return *std::ranges::find_if(steps, [&](const json& step) { return step["step"] == name; });
@@ -149,8 +145,8 @@ TEST_F(Subcommands, ContractPullsPointsTowardsTheAxes) {
 TEST_F(Subcommands, ContractTellsHowGoodItIs) {
   run({"contract", scan_, "-o", file("a.ply"), "--json", file("a.json")});
   run({"contract", scan_, "-o", file("b.ply"), "--json", file("b.json"), "--method", "none"});
-  const json contracted = jsonIn(file("a.json"))["quality"];
-  const json asScanned = jsonIn(file("b.json"))["quality"];
+  const json contracted = test::jsonIn(file("a.json"))["quality"];
+  const json asScanned = test::jsonIn(file("b.json"))["quality"];
   EXPECT_LT(contracted["residual_thickness"], asScanned["residual_thickness"]);
   EXPECT_GT(contracted["share_on_line"], asScanned["share_on_line"]);
   EXPECT_EQ(contracted["tips"], asScanned["tips"]) << "of the scan";
@@ -162,7 +158,7 @@ TEST_F(Subcommands, SweepTriesEachValue) {
       run({"sweep", scan_, "contract.radius", "--values", "0.03,8 spacings", "--reference", truth_,
            "--csv", file("a.csv"), "--json", file("a.json")});
   EXPECT_EQ(std::ranges::count(out, '\n'), 3) << "a head and two rows";
-  const json results = jsonIn(file("a.json"))["results"];
+  const json results = test::jsonIn(file("a.json"))["results"];
   ASSERT_EQ(results.size(), 2U);
   EXPECT_EQ(results[0]["value"], 0.03);
   for (const json& result : results) {
@@ -231,7 +227,7 @@ TEST_F(Subcommands, ReconstructTellsWhatAStepNotes) {
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.err,
               HasSubstr("espalier: note: " + file("crowds.xyz") + ": Radius: " + note + "\n"));
-  const json steps = jsonIn(file("a.json"))["steps"];
+  const json steps = test::jsonIn(file("a.json"))["steps"];
   EXPECT_EQ(steps.back()["notes"], json::array({note}));
   EXPECT_FALSE(steps.front().contains("notes"));
 }

@@ -1,4 +1,4 @@
-#include "app/window/action_set.h"
+#include "app/window/frame/action_set.h"
 #include "core/base/error.h"
 
 #include <QAction>

@@ -1,5 +1,5 @@
 // One key looks closely at what is under the pointer, and another goes back, in the real window.
-#include "app/window/close_look_flow.h"
+#include "app/window/view/close_look_flow.h"
 #include "tests/app/window/window_fixture.h"
 #include "ui/panels/status_line.h"
 

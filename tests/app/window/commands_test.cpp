@@ -1,5 +1,5 @@
 // All commands of the window: where they are found, and where they are described.
-#include "app/window/action_set.h"
+#include "app/window/frame/action_set.h"
 #include "tests/app/window/window_fixture.h"
 #include "tests/support/plants.h"
 #include "tests/support/shared_data.h"

@@ -3,7 +3,7 @@
 // run of the wheel, whether it edits or looks. Mistakes lie where they are seen after a turn of the
 // plant and a zoom: none is behind wood from all sides. Where they lie is known; to find them is
 // the work of the findings list and the review.
-#include "app/window/action_set.h"
+#include "app/window/frame/action_set.h"
 #include "core/base/random.h"
 #include "core/skeleton/edits.h"
 #include "core/skeleton/select.h"
@@ -24,8 +24,6 @@
 
 namespace espalier {
 namespace {
-
-constexpr int patience = 60'000; // ms; a deadline for what would else hang
 
 double distanceTo(const std::vector<Eigen::Vector3d>& line, const Eigen::Vector3d& place) {
   double nearest = std::numeric_limits<double>::infinity();

@@ -1,5 +1,5 @@
-#include "app/window/action_set.h"
-#include "app/window/editing.h"
+#include "app/window/edit/editing.h"
+#include "app/window/frame/action_set.h"
 #include "core/base/error.h"
 #include "tests/support/plants.h"
 #include "ui/view/plant_view.h"

@@ -1,4 +1,4 @@
-#include "core/evaluate/registration.h"
+#include "core/evaluate/registration/registration.h"
 #include "core/simulate/plant_grower.h"
 #include "tests/app/window/evaluation_fixture.h"
 #include "tests/support/shared_data.h"

@@ -1,5 +1,5 @@
-#include "app/window/evaluation_text.h"
-#include "app/window/load_files.h"
+#include "app/window/evaluate/evaluation_text.h"
+#include "app/window/files/load_files.h"
 #include "core/base/error.h"
 #include "tests/app/window/evaluation_fixture.h"
 #include "tests/ui/view/pictures.h"

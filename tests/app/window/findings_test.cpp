@@ -1,4 +1,4 @@
-#include "app/window/load_files.h"
+#include "app/window/files/load_files.h"
 #include "core/io/formats.h"
 #include "tests/app/window/project_fixture.h"
 #include "ui/panels/status_line.h"

@@ -1,4 +1,4 @@
-#include "app/window/findings_text.h"
+#include "app/window/review/findings_text.h"
 #include "core/base/error.h"
 
 #include <gtest/gtest.h>

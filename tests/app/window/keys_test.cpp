@@ -1,5 +1,5 @@
-#include "app/window/action_set.h"
-#include "app/window/key_hints.h"
+#include "app/window/frame/action_set.h"
+#include "app/window/frame/key_hints.h"
 #include "tests/app/window/window_fixture.h"
 #include "tests/support/plants.h"
 #include "ui/dialogs/key_edit.h"

@@ -1,4 +1,4 @@
-#include "app/window/load_files.h"
+#include "app/window/files/load_files.h"
 #include "core/base/error.h"
 #include "core/io/formats.h"
 #include "tests/support/plants.h"

@@ -1,5 +1,5 @@
-#include "app/window/load_files.h"
-#include "app/window/methods_text.h"
+#include "app/window/evaluate/methods_text.h"
+#include "app/window/files/load_files.h"
 #include "core/base/error.h"
 #include "core/io/formats.h"
 #include "core/skeleton/edits.h"

@@ -1,4 +1,4 @@
-#include "app/window/options_text.h"
+#include "app/window/preview/options_text.h"
 #include "core/base/error.h"
 
 #include <gtest/gtest.h>

@@ -10,8 +10,6 @@
 namespace espalier {
 namespace {
 
-constexpr int patience = 60'000; // ms; a deadline for what would else hang
-
 /// Over the scan of a trunk of 2 m with three branches, one of them along +x, seen from the front.
 class PointsTest : public test::ProjectWindowTest {
 protected:

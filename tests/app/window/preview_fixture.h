@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/window/preview_flow.h"
+#include "app/window/preview/preview_flow.h"
 #include "tests/app/window/window_fixture.h"
 #include "ui/panels/pipeline_panel.h"
 #include "ui/panels/step_form.h"
@@ -17,8 +17,6 @@ namespace espalier::test {
 /// Over the scan of a trunk of 2 m with three branches.
 class PreviewTest : public WindowTest {
 protected:
-  static constexpr int patience = 60'000; // ms; a deadline for what would else hang
-
   PreviewTest() {
     open({writeScan("scan.xyz")});
     action("view_front").trigger();

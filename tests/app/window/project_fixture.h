@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/window/load_files.h"
+#include "app/window/files/load_files.h"
 #include "core/project/project.h"
 #include "tests/app/window/window_fixture.h"
 #include "tests/support/plants.h"

@@ -1,5 +1,5 @@
-#include "app/window/action_set.h"
-#include "app/window/sessions.h"
+#include "app/window/files/sessions.h"
+#include "app/window/frame/action_set.h"
 #include "core/base/error.h"
 #include "tests/app/window/project_fixture.h"
 

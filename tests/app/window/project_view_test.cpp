@@ -1,5 +1,5 @@
-#include "app/window/action_set.h"
-#include "app/window/view_text.h"
+#include "app/window/frame/action_set.h"
+#include "app/window/view/view_text.h"
 #include "core/base/error.h"
 #include "tests/app/window/project_fixture.h"
 #include "ui/panels/step_form.h"

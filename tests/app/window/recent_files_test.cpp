@@ -1,4 +1,4 @@
-#include "app/window/recent_files.h"
+#include "app/window/files/recent_files.h"
 
 #include <QFile>
 #include <QSettings>

@@ -1,5 +1,5 @@
-#include "app/window/load_files.h"
-#include "app/window/reference_text.h"
+#include "app/window/evaluate/reference_text.h"
+#include "app/window/files/load_files.h"
 #include "core/base/error.h"
 #include "core/io/formats.h"
 #include "tests/app/window/project_fixture.h"

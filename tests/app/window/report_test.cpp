@@ -1,5 +1,5 @@
 #include "app/report/comparison_report.h"
-#include "app/window/load_files.h"
+#include "app/window/files/load_files.h"
 #include "core/io/formats.h"
 #include "core/skeleton/edits.h"
 #include "tests/app/window/project_fixture.h"

@@ -1,5 +1,5 @@
 // A node is slid along its axis, and snapped, by mouse and keys in the real window.
-#include "app/window/load_files.h"
+#include "app/window/files/load_files.h"
 #include "core/io/formats.h"
 #include "tests/app/window/window_fixture.h"
 

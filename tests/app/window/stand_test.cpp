@@ -1,5 +1,5 @@
 // Root and up axis, chosen before the first reconstruction, in the real window.
-#include "app/window/preview_flow.h"
+#include "app/window/preview/preview_flow.h"
 #include "core/pipeline/presets.h"
 #include "tests/app/window/project_fixture.h"
 #include "ui/panels/status_line.h"

@@ -1,4 +1,4 @@
-#include "app/window/sweep_scores.h"
+#include "app/window/preview/sweep_scores.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-#include "app/window/action_set.h"
-#include "app/window/theme_flow.h"
+#include "app/window/frame/action_set.h"
+#include "app/window/frame/theme_flow.h"
 #include "tests/app/window/window_fixture.h"
 
 #include <QAction>

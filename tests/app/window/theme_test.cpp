@@ -1,4 +1,4 @@
-#include "app/window/theme.h"
+#include "app/window/frame/theme.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Trace, Stroke and Regrow by mouse and keys in the real window.
-#include "app/window/editing.h"
-#include "app/window/load_files.h"
+#include "app/window/edit/editing.h"
+#include "app/window/files/load_files.h"
 #include "core/io/formats.h"
 #include "tests/app/window/window_fixture.h"
 #include "ui/panels/status_line.h"
@@ -14,8 +14,6 @@
 
 namespace espalier {
 namespace {
-
-constexpr int patience = 60'000; // ms; a deadline for what would else hang
 
 /// Over the scan of a trunk of 2 m with three branches, of which the skeleton has none but the
 /// trunk, with a node each 0.25 m.

@@ -1,4 +1,4 @@
-#include "app/window/view_text.h"
+#include "app/window/view/view_text.h"
 #include "core/base/error.h"
 
 #include <gmock/gmock.h>

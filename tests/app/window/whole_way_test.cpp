@@ -1,4 +1,4 @@
-#include "app/window/action_set.h"
+#include "app/window/frame/action_set.h"
 #include "tests/app/window/window_fixture.h"
 #include "ui/panels/message_banner.h"
 #include "ui/panels/status_line.h"

@@ -1,7 +1,7 @@
 #include "tests/app/window/window_fixture.h"
 
-#include "app/window/action_set.h"
-#include "app/window/load_files.h"
+#include "app/window/files/load_files.h"
+#include "app/window/frame/action_set.h"
 #include "core/base/random.h"
 #include "core/io/formats.h"
 #include "tests/support/plants.h"
@@ -20,8 +20,6 @@
 
 namespace espalier::test {
 namespace {
-
-constexpr int patience = 60'000; // ms; a deadline for what would else hang, not a measurement
 
 /// Points on a cylinder, 2000 per meter.
 void addCylinder(std::ostream& out, Random& random, const Eigen::Vector3d& from,

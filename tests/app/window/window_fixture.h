@@ -19,6 +19,9 @@ namespace espalier::test {
 /// The real window, driven by the events that a hand would cause.
 class WindowTest : public testing::Test {
 protected:
+  /// A deadline for what would else run on for ever, not a measurement [ms].
+  static constexpr int patience = 60'000;
+
   WindowTest();
   ~WindowTest() override;
 

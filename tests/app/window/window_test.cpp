@@ -1,4 +1,4 @@
-#include "app/window/action_set.h"
+#include "app/window/frame/action_set.h"
 #include "tests/app/window/window_fixture.h"
 #include "tests/support/plants.h"
 #include "tests/support/shared_data.h"

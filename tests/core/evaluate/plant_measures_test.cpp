@@ -2,7 +2,7 @@
 #include "core/evaluate/comparison.h"
 #include "core/evaluate/comparison_json.h"
 #include "core/evaluate/plant_measures.h"
-#include "core/evaluate/registration.h"
+#include "core/evaluate/registration/registration.h"
 #include "core/evaluate/trait_rows.h"
 #include "core/evaluate/traits_json.h"
 #include "tests/support/plants.h"

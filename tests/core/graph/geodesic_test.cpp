@@ -10,7 +10,7 @@ namespace espalier {
 namespace {
 
 /// Points 1 apart up one stick, over a bar of 3, and down another.
-Eigen::Matrix3Xf arch() {
+Eigen::Matrix3Xf archAlong() {
   Eigen::Matrix3Xf points(3, 24);
   for (int i = 0; i < 11; ++i)
     points.col(i) = Eigen::Vector3f(0, 0, static_cast<float>(i));
@@ -22,12 +22,12 @@ Eigen::Matrix3Xf arch() {
 }
 
 TEST(Geodesics, FollowThePlant) {
-  const Geodesics ways = geodesics(NeighborhoodGraph(arch(), 2), {0});
+  const Geodesics ways = geodesics(NeighborhoodGraph(archAlong(), 2), {0});
   EXPECT_FLOAT_EQ(ways.distance[23], 23); // 3 apart in a straight line
   EXPECT_EQ(ways.predecessor[0], Geodesics::none);
   float length = 0; // of the way back
   for (std::uint32_t at = 23; at != 0; at = ways.predecessor[at])
-    length += (arch().col(at) - arch().col(ways.predecessor[at])).norm();
+    length += (archAlong().col(at) - archAlong().col(ways.predecessor[at])).norm();
   EXPECT_FLOAT_EQ(length, 23);
 }
 
@@ -41,13 +41,13 @@ TEST(Geodesics, WithAPowerShunLeaps) {
 }
 
 TEST(Geodesics, AreInfiniteWhereNoWayLeads) {
-  const Eigen::Matrix3Xf far = arch().colwise() + Eigen::Vector3f(100, 0, 0);
-  const Geodesics ways = geodesics(NeighborhoodGraph(test::both(arch(), far), 2), {0});
+  const Eigen::Matrix3Xf far = archAlong().colwise() + Eigen::Vector3f(100, 0, 0);
+  const Geodesics ways = geodesics(NeighborhoodGraph(test::both(archAlong(), far), 2), {0});
   EXPECT_TRUE(std::isinf(ways.distance[30]));
 }
 
 TEST(GeodesicBall, HoldsWhatIsWithinReachAlongThePlant) {
-  const NeighborhoodGraph graph(arch(), 2);
+  const NeighborhoodGraph graph(archAlong(), 2);
   GeodesicBall ball(graph);
   const auto& members = ball.around(0, 4.5F);
   ASSERT_EQ(members.size(), 5U);

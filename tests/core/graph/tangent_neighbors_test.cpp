@@ -22,7 +22,7 @@ Eigen::Matrix3Xf up(const Eigen::Matrix3Xf& points) {
   return Eigen::Vector3f::UnitZ().replicate(1, points.cols());
 }
 
-std::vector<std::uint32_t> of(const Neighborhoods& neighborhoods, Eigen::Index point) {
+std::vector<std::uint32_t> membersOf(const Neighborhoods& neighborhoods, Eigen::Index point) {
   const auto members = neighborhoods.of(point);
   return {members.begin(), members.end()};
 }
@@ -50,7 +50,7 @@ TEST(VoronoiRing, OfCoincidentPointsIsEmpty) {
       voronoiRing(same, 0, Eigen::Vector3f::UnitZ(), std::vector<std::uint32_t>{1, 2, 3}).empty());
 }
 
-/// Lines of points 0.1 apart that a scanner drew 1 apart: the 8 nearest lie on one line.
+/// Lines membersOf points 0.1 apart that a scanner drew 1 apart: the 8 nearest lie on one line.
 Eigen::Matrix3Xf scanLines() {
   Eigen::Matrix3Xf points(3, 5 * 41);
   for (int line = 0; line < 5; ++line)
@@ -60,12 +60,12 @@ Eigen::Matrix3Xf scanLines() {
   return points;
 }
 
-constexpr Eigen::Index middle = 41 * 2 + 20;
+constexpr Eigen::Index middleOfTwoRows = 41 * 2 + 20;
 
 TEST(VoronoiNeighbors, SurroundAPointOfAScanLine) {
   const Eigen::Matrix3Xf points = scanLines();
-  const auto found =
-      of(voronoiNeighbors(points, up(points), nearestNeighborhoods(points, 40)), middle);
+  const auto found = membersOf(
+      voronoiNeighbors(points, up(points), nearestNeighborhoods(points, 40)), middleOfTwoRows);
   std::set<float> lines;
   for (const std::uint32_t other : found)
     lines.insert(points(1, other));
@@ -75,7 +75,8 @@ TEST(VoronoiNeighbors, SurroundAPointOfAScanLine) {
 TEST(AngleCriterion, ReachesOverToTheNextScanLines) {
   const Eigen::Matrix3Xf points = scanLines();
   const auto near = nearestNeighborhoods(points, 40);
-  const auto found = of(angleCriterionNeighbors(points, up(points), near, 8), middle);
+  const auto found =
+      membersOf(angleCriterionNeighbors(points, up(points), near, 8), middleOfTwoRows);
   EXPECT_EQ(found.size(), 8U);
   std::set<float> lines;
   for (const std::uint32_t other : found)
@@ -86,7 +87,7 @@ TEST(AngleCriterion, ReachesOverToTheNextScanLines) {
 TEST(AngleCriterion, KeepsTheNearestWhereTheySurroundThePoint) {
   const Eigen::Matrix3Xf points = cross();
   const auto near = nearestNeighborhoods(points, 8);
-  const auto found = of(angleCriterionNeighbors(points, up(points), near, 4, 1.6), 0);
+  const auto found = membersOf(angleCriterionNeighbors(points, up(points), near, 4, 1.6), 0);
   EXPECT_EQ(std::set<std::uint32_t>(found.begin(), found.end()),
             (std::set<std::uint32_t>{1, 2, 3, 4}));
 }
@@ -95,7 +96,7 @@ TEST(AngleCriterion, LeavesGapsThatNobodyFills) {
   Eigen::Matrix3Xf line = Eigen::Matrix3Xf::Zero(3, 9);
   line.row(0) = Eigen::RowVectorXf::LinSpaced(9, 0, 8);
   const auto near = nearestNeighborhoods(line, 8);
-  EXPECT_EQ(of(angleCriterionNeighbors(line, up(line), near, 4), 0).size(), 4U);
+  EXPECT_EQ(membersOf(angleCriterionNeighbors(line, up(line), near, 4), 0).size(), 4U);
 }
 
 TEST(TangentNeighbors, StopWhenAsked) {

@@ -1,11 +1,11 @@
 #include "tests/core/io/samples.h"
 
-#include "core/io/graphml.h"
-#include "core/io/node_list.h"
-#include "core/io/opf.h"
-#include "core/io/rsml.h"
-#include "core/io/swc.h"
-#include "core/io/treefile.h"
+#include "core/io/structures/graphml.h"
+#include "core/io/structures/node_list.h"
+#include "core/io/structures/opf.h"
+#include "core/io/structures/rsml.h"
+#include "core/io/structures/swc.h"
+#include "core/io/structures/treefile.h"
 #include "core/mtg/mtg_writer.h"
 #include "tests/support/plants.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "core/io/scalar.h"
+#include "core/io/bytes/scalar.h"
 
 #include <bit>
 #include <cstdint>

@@ -3,7 +3,7 @@
 #include "core/io/atomic_file.h"
 #include "core/io/dropped.h"
 #include "core/io/formats.h"
-#include "core/io/opf.h"
+#include "core/io/structures/opf.h"
 #include "core/mtg/mtg_edits.h"
 #include "core/mtg/mtg_reader.h"
 #include "core/mtg/mtg_writer.h"
@@ -27,7 +27,7 @@ std::string bytesOf(const fs::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-Mtg read(const std::string& text) {
+Mtg importShapeless(const std::string& text) {
   std::istringstream in(text);
   return readMtg(in, "plant.mtg").value;
 }
@@ -94,7 +94,7 @@ TEST_F(Shapeless, IsWrittenAsOpfWithItsScalesEdgesAndFeatures) {
 
 // What is drawn into it is kept beside what was there.
 TEST_F(Shapeless, TakesNodesBesideItsVertices) {
-  const Mtg base = read(shoots());
+  const Mtg base = importShapeless(shoots());
   Skeleton drawn;
   const NodeId foot = drawn.add({.position = {0, 0, 0}});
   drawn.add({.position = {0, 0, 1}, .parent = foot});
@@ -102,7 +102,7 @@ TEST_F(Shapeless, TakesNodesBesideItsVertices) {
   ASSERT_EQ(edited.vertices.size(), base.vertices.size() + 2);
   std::ostringstream out;
   writeMtg(out, edited);
-  const Mtg back = read(out.str());
+  const Mtg back = importShapeless(out.str());
   EXPECT_EQ(back, mtgAsWritten(edited));
   std::size_t placed = 0;
   for (const MtgVertex& vertex : back.vertices)
@@ -125,7 +125,7 @@ TEST(ShapelessSamples, AreAllConvertedToMtgAndOpf) {
     const Structure anew{plant.skeleton,
                          std::make_shared<const MtgFrame>(MtgFrame{plant.frame->mtg, {}})};
     writeStructure(folder / ("anew_" + name), anew);
-    EXPECT_EQ(mtgAsWritten(read(bytesOf(folder / ("anew_" + name)))),
+    EXPECT_EQ(mtgAsWritten(importShapeless(bytesOf(folder / ("anew_" + name)))),
               mtgAsWritten(plant.frame->mtg))
         << name;
     if (!isWithoutPositions(plant)) continue;

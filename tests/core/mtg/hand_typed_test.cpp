@@ -8,6 +8,7 @@
 #include "core/mtg/mtg_values.h"
 #include "core/mtg/mtg_writer.h"
 #include "tests/core/mtg/hand_typed.h"
+#include "tests/core/mtg/mtg_text.h"
 #include "tests/support/shared_data.h"
 
 #include <algorithm>
@@ -27,12 +28,6 @@ Imported<Mtg> imported(const std::string& text) {
 
 Mtg read(const std::string& text) {
   return imported(text).value;
-}
-
-std::string written(const Mtg& mtg) {
-  std::ostringstream out;
-  writeMtg(out, mtg);
-  return out.str();
 }
 
 std::vector<std::string> linesOf(const std::string& text) {
@@ -125,8 +120,8 @@ TEST_P(HandTypedMtg, IsSavedUnchangedIfNothingWasEdited) {
 
 TEST_P(HandTypedMtg, WrittenAnewTellsOfTheSamePlant) {
   const Mtg mtg = read(text());
-  const Mtg back = read(written(mtg));
-  EXPECT_EQ(back, mtgAsWritten(mtg)) << written(mtg);
+  const Mtg back = read(test::written(mtg));
+  EXPECT_EQ(back, mtgAsWritten(mtg)) << test::written(mtg);
   std::multiset<std::string> labels;
   std::multiset<std::string> labelsBack;
   for (const MtgVertex& each : mtg.vertices)

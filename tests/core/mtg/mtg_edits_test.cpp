@@ -37,13 +37,13 @@ Skeleton edited(const Mtg& base, const std::function<void(SkeletonEditor&)>& cha
   return plant;
 }
 
-Skeleton readBack(const Mtg& mtg) {
+Skeleton writtenAndRead(const Mtg& mtg) {
   return skeletonOf(mtg, "plant.mtg").value;
 }
 
 TEST(WithEdits, GivesTheSameMtgIfNothingWasEdited) {
   const Mtg base = twoAxes();
-  EXPECT_EQ(withEdits(base, readBack(base)), base);
+  EXPECT_EQ(withEdits(base, writtenAndRead(base)), base);
 }
 
 TEST(WithEdits, WritesThePositionThatMovedAndNothingElse) {
@@ -175,7 +175,7 @@ TEST(WithEdits, WritesAVertexWithoutPositionThatIsTheLastNode) {
     for (const std::uint32_t id : {4U, 3U, 2U, 0U})
       removeNode(e, NodeId{id});
   });
-  const Skeleton back = readBack(result);
+  const Skeleton back = writtenAndRead(result);
   ASSERT_EQ(back.size(), 1U);
   EXPECT_EQ(back[back.roots().front()].position, Eigen::Vector3d(0, 0, 1));
 }
@@ -243,7 +243,7 @@ TEST(WithEdits, PutsAReconstructionInUnitsOfTheClassesThatTheRootWasIn) {
   for (const MtgVertex& each : result.vertices)
     symbols.push_back(each.symbol);
   EXPECT_EQ(symbols, (std::vector<std::string>{"P", "A", "E", "E", "E"}));
-  EXPECT_EQ(test::canonical(test::withoutEntities(readBack(result))),
+  EXPECT_EQ(test::canonical(test::withoutEntities(writtenAndRead(result))),
             test::canonical(test::stick(3)));
 }
 
@@ -254,7 +254,8 @@ TEST(MtgOf, NumbersPlantsAndAxes) {
     labels.push_back(vertex.symbol + (vertex.index ? vertex.index->text() : ""));
   std::ranges::sort(labels);
   EXPECT_EQ(labels, (std::vector<std::string>{"A1", "A2", "N", "N", "N", "N", "P1"}));
-  EXPECT_EQ(test::canonical(test::withoutEntities(readBack(mtg))), test::canonical(test::fork(2)));
+  EXPECT_EQ(test::canonical(test::withoutEntities(writtenAndRead(mtg))),
+            test::canonical(test::fork(2)));
 }
 
 void editAtRandom(SkeletonEditor& editor, Random& random) {
@@ -354,7 +355,7 @@ Skeleton namesAlone(Skeleton skeleton) {
 /// @return how many vertices stayed as they were
 std::size_t expectEditsComeBack(const Mtg& base, std::uint64_t seed) {
   Random random(seed);
-  const Skeleton start = readBack(base);
+  const Skeleton start = writtenAndRead(base);
   Skeleton plant = start;
   SkeletonDelta all;
   for (int i = 0; i < 40; ++i) {
@@ -363,7 +364,7 @@ std::size_t expectEditsComeBack(const Mtg& base, std::uint64_t seed) {
     all = all.then(editor.commit());
   }
   const Mtg result = withEdits(base, plant);
-  const Skeleton back = readBack(result);
+  const Skeleton back = writtenAndRead(result);
   EXPECT_EQ(test::canonical(test::withoutEntities(back)),
             test::canonical(test::withoutEntities(plant)))
       << seed;

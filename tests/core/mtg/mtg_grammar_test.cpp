@@ -14,14 +14,14 @@ namespace {
 using test::mtgText;
 using test::readMtgRows;
 
-Imported<Mtg> read(const std::string& text, const MtgReadOptions& options = {}) {
+Imported<Mtg> importText(const std::string& text, const MtgReadOptions& options = {}) {
   std::istringstream in(text);
   return readMtg(in, "plant.mtg", options);
 }
 
 std::string refusalOf(const std::string& text, const MtgReadOptions& options = {}) {
   try {
-    (void)read(text, options);
+    (void)importText(text, options);
   } catch (const Error& error) {
     return error.what();
   }
@@ -58,7 +58,7 @@ std::vector<std::string> valuesOf(const Mtg& mtg) {
 
 /// Notes but that on the feature radius, which `mtgText` does not declare.
 std::vector<std::string> notesOf(const std::string& rows, const MtgReadOptions& options = {}) {
-  std::vector<std::string> notes = read(mtgText(rows), options).notes;
+  std::vector<std::string> notes = importText(mtgText(rows), options).notes;
   std::erase_if(notes, [](const std::string& note) { return note.find("'radius'") < note.size(); });
   return notes;
 }
@@ -130,27 +130,27 @@ std::string textWithAlias(const std::string& rows) {
 
 TEST(MtgAliases, BeginCodes) {
   const Mtg mtg =
-      read(textWithAlias("/P1/A1\t\tmain\t3\n(main)/E1<E2+E8\n(main)/E1<E2<E3\n")).value;
+      importText(textWithAlias("/P1/A1\t\tmain\t3\n(main)/E1<E2+E8\n(main)/E1<E2<E3\n")).value;
   EXPECT_EQ(shapeOf(mtg), "P1 A1(P1) E1(A1) E2(A1)<E1 E8(A1)+E2 E3(A1)<E2");
   EXPECT_EQ(mtg.vertices[1].alias, "main");
   EXPECT_THAT(mtg.vertices[1].values, testing::ElementsAre("", "3"));
 }
 
 TEST(MtgAliases, SurviveWriting) {
-  Mtg mtg = read(textWithAlias("/P1/A1\t\tmain\t3\n^/E1\t\tfirst\n")).value;
+  Mtg mtg = importText(textWithAlias("/P1/A1\t\tmain\t3\n^/E1\t\tfirst\n")).value;
   std::ostringstream out;
   writeMtg(out, mtg);
-  EXPECT_EQ(read(out.str()).value, mtg);
+  EXPECT_EQ(importText(out.str()).value, mtg);
   mtg.features.erase(mtg.features.begin()); // of a plant whose file declared none
   mtg.vertices[1].values = {"3"};
   std::ostringstream again;
   writeMtg(again, mtg);
-  EXPECT_EQ(read(again.str()).value, mtgAsWritten(mtg));
-  EXPECT_EQ(read(again.str()).value.vertices[1].alias, "main");
+  EXPECT_EQ(importText(again.str()).value, mtgAsWritten(mtg));
+  EXPECT_EQ(importText(again.str()).value.vertices[1].alias, "main");
 }
 
 TEST(MtgAliases, GivenTwiceAreNoted) {
-  const auto mtg = read(textWithAlias("/P1\t\tx\n/P2\t\tx\n(x)/A1\n"));
+  const auto mtg = importText(textWithAlias("/P1\t\tx\n/P2\t\tx\n(x)/A1\n"));
   EXPECT_EQ(shapeOf(mtg.value), "P1 P2 A1(P2)");
   EXPECT_THAT(mtg.notes, testing::ElementsAre(testing::HasSubstr("line 13, column 3: the alias")));
 }
@@ -167,7 +167,7 @@ TEST(MtgDates, TellMoreOfTheLastVertexOfTheirColumn) {
   EXPECT_THAT(mtg.vertices[3].later, testing::ElementsAre(testing::ElementsAre("6")));
   std::ostringstream out;
   writeMtg(out, mtg);
-  EXPECT_EQ(read(out.str()).value, mtg);
+  EXPECT_EQ(importText(out.str()).value, mtg);
 }
 
 // E1 would have three successors if E4, E5 and E6 hung on the column before.
@@ -194,14 +194,15 @@ TEST(MtgDialects, FollowTheSpecificationWhereThatMakesAPlant) {
 }
 
 TEST(MtgDialects, CanBeAskedFor) {
-  EXPECT_EQ(shapeOf(read(mtgText(shiftedRows), {.dialect = MtgDialect::continuation}).value),
+  EXPECT_EQ(shapeOf(importText(mtgText(shiftedRows), {.dialect = MtgDialect::continuation}).value),
             "P1 A1(P1) E1(A1) E3(A1)+E1 E4(A1)<E3");
-  EXPECT_EQ(shapeOf(read(mtgText(continuedRows), {.dialect = MtgDialect::previousColumn}).value),
-            "P1 A1(P1) E1(A1) E3(A1)+E1 E4(A1)<E1 E5(A1)<E1 E6(A1)<E1");
+  EXPECT_EQ(
+      shapeOf(importText(mtgText(continuedRows), {.dialect = MtgDialect::previousColumn}).value),
+      "P1 A1(P1) E1(A1) E3(A1)+E1 E4(A1)<E1 E5(A1)<E1 E6(A1)<E1");
 }
 
 TEST(MtgDialects, CanBeToldByTheFile) {
-  EXPECT_EQ(shapeOf(read("# dialect: previous column\n" + mtgText(continuedRows)).value),
+  EXPECT_EQ(shapeOf(importText("# dialect: previous column\n" + mtgText(continuedRows)).value),
             "P1 A1(P1) E1(A1) E3(A1)+E1 E4(A1)<E1 E5(A1)<E1 E6(A1)<E1");
 }
 
@@ -215,8 +216,8 @@ TEST(MtgDialects, AgreeInTheFirstColumn) {
 }
 
 TEST(MtgColumns, NeedNotBeAdjacent) {
-  const Mtg mtg = read("CODE: FORM-A\nCLASSES:\nA\t1\nFEATURES:\nx\tINT\ny\tINT\nMTG:\n"
-                       "TOPO\t\ty\t\t\tx\n/A1\t\t2\t\t\t1\n")
+  const Mtg mtg = importText("CODE: FORM-A\nCLASSES:\nA\t1\nFEATURES:\nx\tINT\ny\tINT\nMTG:\n"
+                             "TOPO\t\ty\t\t\tx\n/A1\t\t2\t\t\t1\n")
                       .value;
   EXPECT_THAT(mtg.features, testing::ElementsAre(MtgFeature{"y", "INT"}, MtgFeature{"x", "INT"}));
   EXPECT_THAT(mtg.vertices[0].values, testing::ElementsAre("2", "1"));
@@ -233,23 +234,24 @@ TEST(MtgColumns, LeaveOutValuesAmongTheCodes) {
 }
 
 TEST(MtgSections, MayBeEmptyOrMissing) {
-  const auto mtg = read("CODE :  \tFORM-A\nCLASSES\nSYMBOL\tSCALE\nA 1 FREE\n\nDESCRIPTION:\n\n"
-                        "FEATURES:\nMTG:\n\n\nENTITY-CODE\n/A1\n");
+  const auto mtg =
+      importText("CODE :  \tFORM-A\nCLASSES\nSYMBOL\tSCALE\nA 1 FREE\n\nDESCRIPTION:\n\n"
+                 "FEATURES:\nMTG:\n\n\nENTITY-CODE\n/A1\n");
   EXPECT_EQ(shapeOf(mtg.value), "A1");
   EXPECT_EQ(mtg.value.classes[0].indexation, "FREE");
   EXPECT_THAT(mtg.notes, testing::IsEmpty());
-  EXPECT_EQ(read("CODE: FORM-A\nCLASSES:\nA\t1\nMTG:\nTOPO\tx\n/A1\t5\n").value.features,
+  EXPECT_EQ(importText("CODE: FORM-A\nCLASSES:\nA\t1\nMTG:\nTOPO\tx\n/A1\t5\n").value.features,
             std::vector<MtgFeature>({{"x", "ALPHA"}}));
 }
 
 TEST(MtgSections, KeepFilesAndUnknownTypesOfFeatures) {
-  const Mtg mtg = read("CODE: FORM-A\nCLASSES:\nA\t1\nFEATURES:\ngeom\tGEOMETRY\tgeom1.geom\n"
-                       "alive\tBOOLEAN\nMTG:\nTOPO\tgeom\talive\n/A1\tbox\ttrue\n")
+  const Mtg mtg = importText("CODE: FORM-A\nCLASSES:\nA\t1\nFEATURES:\ngeom\tGEOMETRY\tgeom1.geom\n"
+                             "alive\tBOOLEAN\nMTG:\nTOPO\tgeom\talive\n/A1\tbox\ttrue\n")
                       .value;
   EXPECT_EQ(mtg.features[0], (MtgFeature{"geom", "GEOMETRY", "geom1.geom"}));
   std::ostringstream out;
   writeMtg(out, mtg);
-  EXPECT_EQ(read(out.str()).value, mtg);
+  EXPECT_EQ(importText(out.str()).value, mtg);
 }
 
 // Read as another code, it could give a wrong plant.
@@ -287,7 +289,7 @@ TEST(MtgRepairs, AreCountedBeyondTheFirstTwenty) {
   std::string ranges = "/P1/A1/E9\n";
   for (int i = 0; i < 30; ++i)
     ranges += "^<<E1\n";
-  const auto counted = read(mtgText(ranges)).notes;
+  const auto counted = importText(mtgText(ranges)).notes;
   EXPECT_EQ(counted.size(), 21U);
   EXPECT_THAT(counted.back(), testing::HasSubstr("11 more places were repaired"));
 }
@@ -303,7 +305,7 @@ TEST(MtgLabels, WithoutAnIndexInJuliasWay) {
 }
 
 TEST(MtgLabels, MayHoldDigitsInTheirSymbol) {
-  const Mtg mtg = read("CODE: FORM-A\nCLASSES:\nA1x\t1\nA\t2\nMTG:\nTOPO\n/A1x12/A3\n").value;
+  const Mtg mtg = importText("CODE: FORM-A\nCLASSES:\nA1x\t1\nA\t2\nMTG:\nTOPO\n/A1x12/A3\n").value;
   EXPECT_EQ(shapeOf(mtg), "A1x12 A3(A1x12)");
 }
 
@@ -338,15 +340,15 @@ TEST(MtgEncoding, MayHaveLineEndsOfWindowsOrOfOldMacs) {
     std::string other;
     for (const char c : text)
       other += c == '\n' ? end : std::string(1, c);
-    EXPECT_EQ(read(other).value, read(text).value);
+    EXPECT_EQ(importText(other).value, importText(text).value);
   }
 }
 
 TEST(MtgEncoding, TakesOtherBytesForLatin1) {
-  const auto mtg = read(mtgText("/P1\t\t\t1\t2\t3\tch\xEAne\n"));
+  const auto mtg = importText(mtgText("/P1\t\t\t1\t2\t3\tch\xEAne\n"));
   EXPECT_EQ(mtg.value.vertices[0].values[3], "ch\xC3\xAAne");
-  EXPECT_THAT(mtg.notes, testing::Contains("plant.mtg: is no UTF-8 and is read as Latin-1"));
-  EXPECT_EQ(read(mtgText("/P1\t\t\t1\t2\t3\tch\xC3\xAAne\n")).value, mtg.value);
+  EXPECT_THAT(mtg.notes, testing::Contains("plant.mtg: is no UTF-8 and is importText as Latin-1"));
+  EXPECT_EQ(importText(mtgText("/P1\t\t\t1\t2\t3\tch\xC3\xAAne\n")).value, mtg.value);
 }
 
 /// Reads what takes hours where the cost of reading is not linear.

@@ -1,6 +1,7 @@
 // The MTG files of others: each is read as its programs read it, and survives being written.
 #include "core/mtg/mtg_reader.h"
 #include "core/mtg/mtg_writer.h"
+#include "tests/core/mtg/mtg_text.h"
 #include "tests/support/shared_data.h"
 
 #include <algorithm>
@@ -15,12 +16,6 @@ namespace {
 Imported<Mtg> readSample(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   return readMtg(in, path.filename().string());
-}
-
-std::string written(const Mtg& mtg) {
-  std::ostringstream out;
-  writeMtg(out, mtg);
-  return out.str();
 }
 
 /// "vertices per scale, from the scene on; edges <; edges +", as in the table of counts.
@@ -73,11 +68,11 @@ TEST_P(MtgSample, HasItsVerticesAndEdges) {
 TEST_P(MtgSample, SurvivesReadingAndWriting) {
   ESPALIER_SHARED_FILE(path, "mtg/" + GetParam().file);
   const Mtg mtg = readSample(path).value;
-  const std::string text = written(mtg);
+  const std::string text = test::written(mtg);
   std::istringstream in(text);
   const Mtg back = readMtg(in, "back").value;
   EXPECT_EQ(back, mtgAsWritten(mtg)) << text;
-  EXPECT_EQ(written(back), text);
+  EXPECT_EQ(test::written(back), text);
   EXPECT_EQ(countsOf(back), countsOf(mtg));
 }
 
@@ -114,7 +109,7 @@ TEST(MtgSamples, OfSeveralDatesKeepThem) {
   EXPECT_EQ(trunk.later[0][1], "31/12/2007");
   EXPECT_EQ(trunk.later[1][1], "01/12/2008");
   EXPECT_EQ(trunk.later[1][6], "39.90");
-  EXPECT_THAT(written(mtg), testing::HasSubstr("\n*\t"));
+  EXPECT_THAT(test::written(mtg), testing::HasSubstr("\n*\t"));
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/mtg/mtg_reader.h"
+#include "core/mtg/mtg_writer.h"
 
 #include <sstream>
 #include <string>
@@ -21,6 +22,12 @@ namespace espalier::test {
 [[nodiscard]] inline Imported<Mtg> readMtgRows(const std::string& rows) {
   std::istringstream in(mtgText(rows));
   return readMtg(in, "plant.mtg");
+}
+
+[[nodiscard]] inline std::string written(const Mtg& mtg) {
+  std::ostringstream out;
+  writeMtg(out, mtg);
+  return out.str();
 }
 
 } // namespace espalier::test

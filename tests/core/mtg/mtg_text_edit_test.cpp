@@ -15,7 +15,7 @@ namespace {
 
 using test::mtgText;
 
-Mtg read(const std::string& text, const MtgReadOptions& options = {}) {
+Mtg readWith(const std::string& text, const MtgReadOptions& options = {}) {
   std::istringstream in(text);
   return readMtg(in, "plant.mtg", options).value;
 }
@@ -28,7 +28,7 @@ std::string bytesOf(const std::filesystem::path& path) {
 /// The text after a value of a vertex was set.
 std::string textWithValue(const std::string& text, std::size_t vertex, std::size_t feature,
                           const std::string& value) {
-  Mtg mtg = read(text);
+  Mtg mtg = readWith(text);
   std::vector<std::string>& values = mtg.vertices[vertex].values;
   values.resize(std::max(values.size(), feature + 1));
   values[feature] = value;
@@ -48,7 +48,7 @@ TEST(MtgTextWith, NoChangeIsTheSameText) {
                            "mtg/jl_simple_plant.mtg", "mtg/test7.mtg", "puu1/expert.mtg"}) {
     ESPALIER_SHARED_FILE(path, name);
     const std::string text = bytesOf(path);
-    EXPECT_EQ(mtgTextWith(text, read(text)), text) << name;
+    EXPECT_EQ(mtgTextWith(text, readWith(text)), text) << name;
   }
 }
 
@@ -56,7 +56,7 @@ TEST(MtgTextWith, NoChangeIsTheSameText) {
 TEST(MtgTextWith, AMovedNodeChangesItsPositionAlone) {
   ESPALIER_SHARED_FILE(path, "puu1/expert.mtg");
   const std::string text = bytesOf(path);
-  Mtg mtg = read(text);
+  Mtg mtg = readWith(text);
   ASSERT_EQ(mtg.vertices[2].values[0], "-218.881989"); // the second node
   mtg.vertices[2].values[0] = "-200.5";
   mtg.vertices[2].values[2] = "1600";
@@ -80,7 +80,7 @@ TEST(MtgTextWith, EmptyCellsAreFilledBeforeTheirComments) {
 
 TEST(MtgTextWith, ShortLinesGetTheTabsTheyNeed) {
   const std::string text = mtgText("/P1/A1\n/P2\t\t\t1 # one\n");
-  Mtg mtg = read(text);
+  Mtg mtg = readWith(text);
   mtg.vertices[1].values = {"1", "", "3"};
   EXPECT_EQ(mtgTextWith(text, mtg), replaced(text, "/A1\n", "/A1\t\t\t1\t\t3\n"));
   EXPECT_EQ(textWithValue(text, 2, 2, "3"), replaced(text, "1 # one\n", "1\t\t3 # one\n"));
@@ -88,7 +88,7 @@ TEST(MtgTextWith, ShortLinesGetTheTabsTheyNeed) {
 
 TEST(MtgTextWith, NumbersKeepTheirSpellingIfTheyAreTheSame) {
   const std::string text = mtgText("/P1\t\t\t1.50\t2e+01\tNA\n");
-  Mtg mtg = read(text);
+  Mtg mtg = readWith(text);
   mtg.vertices[0].values = {"1.5", "20", ""};
   EXPECT_EQ(mtgTextWith(text, mtg), text);
   mtg.vertices[0].values = {"1.5", "3e+01", ""};
@@ -97,7 +97,7 @@ TEST(MtgTextWith, NumbersKeepTheirSpellingIfTheyAreTheSame) {
 
 TEST(MtgTextWith, ValuesAtOtherDatesChangeInTheirLine) {
   const std::string text = mtgText("/P1\t\t\t1\n*\t\t\t1\n*\t\t\t1\n");
-  Mtg mtg = read(text);
+  Mtg mtg = readWith(text);
   mtg.vertices[0].later[1][0] = "9";
   EXPECT_EQ(mtgTextWith(text, mtg), mtgText("/P1\t\t\t1\n*\t\t\t1\n*\t\t\t9\n"));
 }
@@ -107,10 +107,10 @@ TEST(MtgTextWith, LineEndsOfWindowsStay) {
   for (const char c : mtgText("/P1/A1\t\t\t1\n"))
     text += c == '\n' ? "\r\n" : std::string(1, c);
   EXPECT_EQ(textWithValue(text, 1, 1, "8"), replaced(text, "\t1\r\n", "\t1\t8\r\n"));
-  Mtg mtg = read(text);
+  Mtg mtg = readWith(text);
   mtg.vertices.pop_back();
   const std::string shorter = mtgTextWith(text, mtg);
-  EXPECT_EQ(read(shorter), mtg);
+  EXPECT_EQ(readWith(shorter), mtg);
   EXPECT_EQ(std::count(shorter.begin(), shorter.end(), '\n'),
             std::count(shorter.begin(), shorter.end(), '\r'));
 }
@@ -124,7 +124,7 @@ TEST(MtgTextWith, Latin1StaysUnlessACharacterIsBeyondIt) {
 
 TEST(MtgTextWith, FeaturesThatThePlantDoesNotKnowStay) {
   const std::string text = mtgText("/P1\t\t\t1\t2\t3\tthick\n");
-  Mtg mtg = read(text);
+  Mtg mtg = readWith(text);
   mtg.features.pop_back();
   mtg.vertices[0].values = {"1", "8", "3"};
   EXPECT_EQ(mtgTextWith(text, mtg), replaced(text, "1\t2\t3", "1\t8\t3"));
@@ -133,7 +133,7 @@ TEST(MtgTextWith, FeaturesThatThePlantDoesNotKnowStay) {
 TEST(MtgTextWith, ANewVertexGetsALineOfItsOwn) {
   const std::string head = "# mine\n" + mtgText("");
   const std::string text = head + "/P1/A1\t\t\t1\n";
-  Mtg mtg = read(text);
+  Mtg mtg = readWith(text);
   mtg.vertices.push_back({.symbol = "E", .index = 7, .scale = 3, .complex = VertexId{1}});
   mtg.vertices.back().values = {"1", "2", "3", "4"};
   EXPECT_EQ(mtgTextWith(text, mtg), head + "/P1/A1\t\t\t1\n^/E7\t\t\t1\t2\t3\t4\n");
@@ -141,7 +141,7 @@ TEST(MtgTextWith, ANewVertexGetsALineOfItsOwn) {
 
 TEST(MtgTextWith, AVertexThatIsPutBetweenTwoGetsTheLineBetween) {
   const std::string text = mtgText("/P1/A1/E1 # foot\n\t+E2\t\t1\n# up\n^<E3 # top\n");
-  Mtg mtg = read(text);
+  Mtg mtg = readWith(text);
   MtgVertex between = mtg.vertices[4]; // E3
   ASSERT_EQ(between.index, 3);
   mtg.vertices[4].parent = VertexId{5};
@@ -155,14 +155,14 @@ TEST(MtgTextWith, AVertexThatIsPutBetweenTwoGetsTheLineBetween) {
 
 TEST(MtgTextWith, ALineThatGoesLeavesItsComment) {
   const std::string text = mtgText("/P1/A1/E1\n\t+E2\t\t1 # dead, cut\n^<E3\n");
-  Mtg mtg = read(text);
+  Mtg mtg = readWith(text);
   mtg.vertices.erase(mtg.vertices.begin() + 3);
   EXPECT_EQ(mtgTextWith(text, mtg), mtgText("/P1/A1/E1\n# at E2: dead, cut\n^<E3\n"));
 }
 
 TEST(MtgTextWith, ALabelChangesWithinACodeOfSeveral) {
   const std::string text = mtgText("/P1 / A1/E1 <E2\t\t\t1\n^<E3\n");
-  Mtg mtg = read(text);
+  Mtg mtg = readWith(text);
   mtg.vertices[1].index = LabelIndex::in("7.1");
   mtg.vertices[2].index = 10;
   EXPECT_EQ(mtgTextWith(text, mtg), mtgText("/P1 / A7.1/E10 <E2\t\t\t1\n^<E3\n"));
@@ -173,7 +173,7 @@ TEST(MtgTextWith, CommentsGoToTheEndWithNewVertices) {
   const std::string text = head +
                            "# base\n/P1/A1\t\t\t1 # dead\t2 ; sure\n\n(# was\ncut #)\n#\t/A2\n"
                            "^/E1\t\t\t1\n#\n# all of it\n";
-  Mtg mtg = read(text);
+  Mtg mtg = readWith(text);
   // It hangs on P1, which stands within a line.
   mtg.vertices.push_back({.symbol = "A", .index = 3, .scale = 2, .complex = VertexId{0}});
   const std::string rows = "/P1\t\t\t\t\t\t\n\t/A1\t\t1\t2\t\t\n\t^/E1\t\t1\t\t\t\n"
@@ -190,7 +190,7 @@ TEST(MtgTextWith, CommentsGoToTheEndWithNewVertices) {
 TEST(MtgTextWith, CommentsOfSectionsThatAreMadeAnewGoToTheEnd) {
   const std::string text =
       "# mine\nCODE: FORM-A\n# kinds\nCLASSES:\nA\t1\nMTG:\nTOPO\n# base\n/A1\n";
-  Mtg mtg = read(text);
+  Mtg mtg = readWith(text);
   mtg.features.push_back({"age", "INT"});
   mtg.vertices[0].values = {"4"};
   const std::string result = mtgTextWith(text, mtg);
@@ -202,7 +202,7 @@ TEST(MtgTextWith, TheOrderOfColumnsStaysWithNewVertices) {
   const std::string head = "CODE: FORM-A\nCLASSES:\nA\t1\nFEATURES:\nx\tINT\ny\tINT\nMTG:\n"
                            "TOPO\t\ty\t\t\tx\n";
   const std::string text = head + "/A1\t\t2\t\t\t1\n";
-  Mtg mtg = read(text);
+  Mtg mtg = readWith(text);
   mtg.vertices.push_back({.symbol = "A", .parent = VertexId{0}, .values = {"4", "3"}});
   EXPECT_EQ(mtgTextWith(text, mtg), head + "/A1\t\t2\t\t\t1\n^<A\t\t4\t\t\t3\n");
 }
@@ -210,32 +210,32 @@ TEST(MtgTextWith, TheOrderOfColumnsStaysWithNewVertices) {
 TEST(MtgTextWith, MoreColumnsAreMadeWhereTheyDoNotSuffice) {
   const std::string head = "CODE: FORM-A\nCLASSES:\nA\t1\nMTG:\n";
   const std::string text = head + "TOPO\tx\n/A1\t2\n^<A\t\n";
-  Mtg mtg = read(text);
+  Mtg mtg = readWith(text);
   mtg.vertices.push_back({.symbol = "A", .parent = VertexId{0}, .edge = EdgeType::branching});
   EXPECT_EQ(mtgTextWith(text, mtg), head + "ENTITY-CODE\t\tx\n/A1\t\t2\n\t+A\t\n^<A\t\t\n");
 }
 
 TEST(MtgTextWith, ABranchAtATipNeedsNoFurtherColumn) {
   const std::string text = "CODE: FORM-A\nCLASSES:\nA\t1\nMTG:\nTOPO\tx\n/A1\t2\n";
-  Mtg mtg = read(text);
+  Mtg mtg = readWith(text);
   mtg.vertices.push_back({.symbol = "A", .parent = VertexId{0}, .edge = EdgeType::branching});
   EXPECT_EQ(mtgTextWith(text, mtg), text + "^+A\t\n");
 }
 
 TEST(MtgTextWith, NewClassesAndFeaturesGetTheirSections) {
   const std::string text = "# mine\n" + mtgText("/P1\n");
-  Mtg mtg = read(text);
+  Mtg mtg = readWith(text);
   mtg.classes.push_back({.symbol = "B", .scale = 4});
   mtg.features.push_back({"age", "INT"});
   mtg.vertices.push_back({.symbol = "B", .scale = 4, .complex = VertexId{0}});
   mtg.vertices.back().values = {"", "", "", "", "5"};
   const std::string result = mtgTextWith(text, mtg);
   EXPECT_THAT(result, testing::StartsWith("# mine\nCODE"));
-  EXPECT_EQ(read(result), mtg);
+  EXPECT_EQ(readWith(result), mtg);
 }
 
 TEST(MtgTextWith, ANewFeatureGetsALineAndAColumnAndLeavesAllElse) {
-  Mtg mtg = read(commented);
+  Mtg mtg = readWith(commented);
   mtg.features.push_back({"age", "REAL"});
   mtg.vertices[0].values = {"2", "5.5"};
   mtg.vertices[1].values = {"", "3"};
@@ -247,29 +247,29 @@ TEST(MtgTextWith, ANewFeatureGetsALineAndAColumnAndLeavesAllElse) {
 }
 
 TEST(MtgTextWith, ANewFeatureWithNewVerticesLeavesTheSections) {
-  Mtg mtg = read(commented);
+  Mtg mtg = readWith(commented);
   mtg.features.push_back({"age", "REAL"});
   mtg.vertices.push_back({.symbol = "A", .parent = VertexId{1}, .values = {"", "7"}});
   const std::string result = mtgTextWith(commented, mtg);
   EXPECT_THAT(result, testing::StartsWith("# mine\nCODE: FORM-A\n# kinds\nCLASSES:\nA\t1\n"
                                           "FEATURES: # few\nNAME\tTYPE\nx\tINT # one\n"
                                           "age\tREAL\n\n# all\nMTG:\nTOPO\t\tx\tage # last\n"));
-  EXPECT_EQ(read(result), mtg);
+  EXPECT_EQ(readWith(result), mtg);
 }
 
 TEST(MtgTextWith, AFirstFeatureMakesTheSectionsAnew) {
   const std::string text = "CODE: FORM-A\nCLASSES:\nA\t1\nMTG:\nTOPO\n/A1\n";
-  Mtg mtg = read(text);
+  Mtg mtg = readWith(text);
   mtg.features.push_back({"age", "INT"});
   mtg.vertices[0].values = {"4"};
-  EXPECT_EQ(read(mtgTextWith(text, mtg)), mtg);
+  EXPECT_EQ(readWith(mtgTextWith(text, mtg)), mtg);
 }
 
 TEST(MtgTextWith, AChangedVertexOfARangeIsWrittenOut) {
   const std::string text = mtgText("/P1/A1/E1<<E3\t\t\t1\n");
   const std::string result = textWithValue(text, 3, 0, "8");
-  EXPECT_EQ(read(result).vertices[3].values, std::vector<std::string>{"8"});
-  EXPECT_EQ(read(result).vertices[4].values, std::vector<std::string>{"1"});
+  EXPECT_EQ(readWith(result).vertices[3].values, std::vector<std::string>{"8"});
+  EXPECT_EQ(readWith(result).vertices[4].values, std::vector<std::string>{"1"});
   EXPECT_EQ(textWithValue(text, 4, 0, "8"), replaced(text, "\t1\n", "\t8\n"));
 }
 
@@ -281,7 +281,7 @@ TEST(MtgTextWith, RefusesValuesThatNoTextCanHold) {
 TEST(MtgTextWith, IsReadByTheDialectOfTheFile) {
   const std::string text = mtgText("/P1/A1/E1\n\t+E3\n\t<E4\n");
   const MtgReadOptions options{.dialect = MtgDialect::continuation};
-  Mtg mtg = read(text, options);
+  Mtg mtg = readWith(text, options);
   mtg.vertices[4].values = {"8"};
   EXPECT_EQ(mtgTextWith(text, mtg, options), replaced(text, "<E4\n", "<E4\t\t8\n"));
 }

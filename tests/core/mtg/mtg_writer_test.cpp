@@ -16,7 +16,7 @@
 namespace espalier {
 namespace {
 
-std::string written(const Skeleton& skeleton) {
+std::string writtenOf(const Skeleton& skeleton) {
   std::ostringstream out;
   writeMtg(out, skeleton);
   return out.str();
@@ -27,9 +27,9 @@ Skeleton readBack(const std::string& text) {
   return skeletonOf(readMtg(in, "plant.mtg").value, "plant.mtg").value;
 }
 
-/// Reading what was written gives the plant back, all its numbers bit for bit.
+/// Reading what was writtenOf gives the plant back, all its numbers bit for bit.
 void expectRoundTrip(const Skeleton& plant) {
-  EXPECT_EQ(test::canonical(test::withoutEntities(readBack(written(plant)))),
+  EXPECT_EQ(test::canonical(test::withoutEntities(readBack(writtenOf(plant)))),
             test::canonical(test::withoutEntities(plant)));
 }
 
@@ -48,7 +48,7 @@ TEST(WriteMtg, WritesPlantsAsPlantScan3DDoes) {
   plant.setPosition(NodeId{2}, {0.25, -1e-7, 3});
   plant.setPosition(NodeId{3}, {100000, 2, 3});
   plant.setRadius(NodeId{3}, 0);
-  EXPECT_THAT(rowsOf(written(plant)),
+  EXPECT_THAT(rowsOf(writtenOf(plant)),
               testing::ElementsAre("/P1\t\t\t\t\t", "^/N\t\t0\t0\t0\t0.1", "^<N\t\t0\t0\t1\t0.1",
                                    "\t+N\t100000\t2\t3\t", "^<N\t\t0.25\t-0.0000001\t3\t0.1"));
 }
@@ -64,20 +64,20 @@ TEST(WriteMtg, KeepsEveryBitOfANumber) {
   Skeleton plant;
   plant.add({.position = {5e-324, -999999999999.99988, 1.0 / 3}, .radius = 1e-300});
   plant.add({.position = {-0.0, 1e12, 123456789.123456789}, .radius = 1e12});
-  const std::string text = written(plant);
+  const std::string text = writtenOf(plant);
   EXPECT_EQ(test::canonical(test::withoutEntities(readBack(text))), test::canonical(plant));
   EXPECT_TRUE(std::signbit(readBack(text)[NodeId{1}].position.x()));
 }
 
 TEST(WriteMtg, WritesAPlantPerRoot) {
-  const std::string text = written(test::randomPlant(3, 1)); // two roots
+  const std::string text = writtenOf(test::randomPlant(3, 1)); // two roots
   EXPECT_THAT(text, testing::HasSubstr("\n/P1\t"));
   EXPECT_THAT(text, testing::HasSubstr("\n/P2\t"));
 }
 
 // Readers of OpenAlea take values apart at these signs, and need all features in adjacent columns.
 TEST(WriteMtg, WritesWhatOpenAleaReads) {
-  const std::string text = written(test::randomPlant(300, 7));
+  const std::string text = writtenOf(test::randomPlant(300, 7));
   const std::string header =
       text.substr(text.find("ENTITY-CODE"), text.find("/P1") - text.find("ENTITY-CODE"));
   const auto columns = std::count(header.begin(), header.end(), '\t');
@@ -100,7 +100,7 @@ TEST(WriteMtg, WritesChainsOfBranchesInFewColumns) {
   for (int i = 0; i < 5000; ++i)
     parent =
         plant.add({.position = {1.0 * i, 0, 0}, .parent = parent, .edge = EdgeType::branching});
-  EXPECT_LT(written(plant).size(), 5000U * 100);
+  EXPECT_LT(writtenOf(plant).size(), 5000U * 100);
   expectRoundTrip(plant);
 }
 
@@ -114,7 +114,7 @@ TEST(WriteMtg, WritesDeeplyNestedBranchesInLinearSpace) {
     plant.add({.position = {1.0 * i, 1, 0}, .parent = base});
     base = plant.add({.position = {1.0 * i, 0, 0}, .parent = base, .edge = EdgeType::branching});
   }
-  EXPECT_LT(written(plant).size(), 2U * depth * 120);
+  EXPECT_LT(writtenOf(plant).size(), 2U * depth * 120);
   expectRoundTrip(plant);
   std::ostringstream out;
   writeMtg(out, mtgOf(plant, MtgStyle::plantAxisNode));

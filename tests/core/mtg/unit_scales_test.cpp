@@ -36,7 +36,7 @@ std::string plantText() {
   return text.insert(text.find("^<N\t\t0\t0\t2.00"), branch);
 }
 
-Mtg readText(const std::string& text) {
+Mtg readUnits(const std::string& text) {
   std::istringstream in(text);
   return readMtg(in, "plant.mtg").value;
 }
@@ -107,7 +107,7 @@ TEST(Marks, AreUndoneWithTheEdit) {
 }
 
 TEST(Marks, AreNeverWritten) {
-  const Mtg base = readText(plantText());
+  const Mtg base = readUnits(plantText());
   Skeleton plant = skeletonOf(base, "plant.mtg").value;
   SkeletonEditor editor(plant);
   toggleMarks(editor, {NodeId{1}});
@@ -131,12 +131,12 @@ TEST(Marks, MoveWithTheirPlaceWhenAnEdgeIsSplitAndANodeRemoved) {
 
 TEST(CommitMarks, MakesAScaleBetweenPlantAndNodesThatIsReadAgain) {
   const std::string text = plantText();
-  const Mtg base = readText(text);
+  const Mtg base = readUnits(text);
   Skeleton plant = skeletonOf(base, "plant.mtg").value;
   const std::vector<NodeId> marks = {nodeAt(plant, {0, 0, 2}), nodeAt(plant, {1, 0, 1.5})};
   EXPECT_EQ(commit(plant, marks, {"S", {}}, &base), 3U);
 
-  const Mtg back = readText(mtgTextWith(text, withEdits(base, plant)));
+  const Mtg back = readUnits(mtgTextWith(text, withEdits(base, plant)));
   EXPECT_EQ(verticesPerScale(back), (std::map<int, int>{{1, 1}, {2, 3}, {3, 6}}));
   EXPECT_EQ(unitsByPlace(back),
             (std::map<std::string, std::string>{// coordinates as they were written
@@ -158,7 +158,7 @@ TEST(CommitMarks, MakesAScaleBetweenPlantAndNodesThatIsReadAgain) {
 }
 
 TEST(CommitMarks, JoinsUnitsAsTheNodesTheyBeginAt) {
-  const Mtg base = readText(plantText());
+  const Mtg base = readUnits(plantText());
   Skeleton plant = skeletonOf(base, "plant.mtg").value;
   commit(plant, {nodeAt(plant, {0, 0, 2}), nodeAt(plant, {1, 0, 1.5})}, {"S", {}}, &base);
   const Mtg mtg = withEdits(base, plant);
@@ -172,7 +172,7 @@ TEST(CommitMarks, JoinsUnitsAsTheNodesTheyBeginAt) {
 }
 
 TEST(CommitMarks, IsUndoneToTheMtgThatWasOpened) {
-  const Mtg base = readText(plantText());
+  const Mtg base = readUnits(plantText());
   Skeleton plant = skeletonOf(base, "plant.mtg").value;
   SkeletonEditor editor(plant);
   toggleMarks(editor, {NodeId{2}});
@@ -219,11 +219,11 @@ TEST(CommitMarks, CutsFinerUnitsWhereACoarserOneBegins) {
 }
 
 TEST(CommitMarks, MayBeDoneTwice) {
-  const Mtg base = readText(plantText());
+  const Mtg base = readUnits(plantText());
   Skeleton plant = skeletonOf(base, "plant.mtg").value;
   commit(plant, {nodeAt(plant, {0, 0, 2})}, {"S", {}}, &base);
   commit(plant, {nodeAt(plant, {0, 0, 1}), nodeAt(plant, {1, 0, 1.5})}, {"U", {}}, &base);
-  const Mtg back = readText(mtgTextWith(plantText(), withEdits(base, plant)));
+  const Mtg back = readUnits(mtgTextWith(plantText(), withEdits(base, plant)));
   EXPECT_EQ(unitsByPlace(back), (std::map<std::string, std::string>{{"0 0.00", "P1 S1 U1"},
                                                                     {"0 1.00", "P1 S1 U2"},
                                                                     {"0 2.00", "P1 S2 U1"},
@@ -239,7 +239,7 @@ TEST(CommitMarks, MakesPlantsOfASkeletonWithoutAny) {
   EXPECT_EQ(verticesPerScale(mtg), (std::map<int, int>{{1, 1}, {2, 2}, {3, 4}}));
   std::ostringstream out;
   writeMtg(out, mtg);
-  EXPECT_EQ(test::canonical(skeletonOf(readText(out.str()), "plant.mtg").value),
+  EXPECT_EQ(test::canonical(skeletonOf(readUnits(out.str()), "plant.mtg").value),
             test::canonical([&] {
               Skeleton all = plant; // nodes that carry nothing are of the class of their parents
               for (const NodeId id : all.ids())
@@ -257,7 +257,7 @@ TEST(CommitMarks, IsRefusedWithoutAnyMark) {
 }
 
 TEST(CommitMarks, IsRefusedForASymbolThatIsTakenOrNone) {
-  const Mtg base = readText(plantText());
+  const Mtg base = readUnits(plantText());
   for (const char* symbol : {"P", "N", "$", "", "S1", "a b"}) {
     Skeleton plant = skeletonOf(base, "plant.mtg").value;
     EXPECT_THROW(commit(plant, {NodeId{1}}, {symbol, {}}, &base), Error) << symbol;

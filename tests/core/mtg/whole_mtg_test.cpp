@@ -14,20 +14,14 @@ namespace {
 
 using test::readMtgRows;
 
-std::string written(const Mtg& mtg) {
-  std::ostringstream out;
-  writeMtg(out, mtg);
-  return out.str();
-}
-
-Mtg readBack(const std::string& text) {
+Mtg mtgFrom(const std::string& text) {
   std::istringstream in(text);
   return readMtg(in, "plant.mtg").value;
 }
 
 /// The lines of the section MTG after that of the columns.
 std::vector<std::string> rowsOf(const Mtg& mtg) {
-  std::istringstream in(written(mtg));
+  std::istringstream in(test::written(mtg));
   std::vector<std::string> rows;
   bool isRow = false;
   for (std::string line; std::getline(in, line);) {
@@ -39,10 +33,10 @@ std::vector<std::string> rowsOf(const Mtg& mtg) {
 
 /// Reading gives the same again but for the order of vertices, writing that the same bytes.
 void expectRoundTrip(const Mtg& mtg) {
-  const std::string text = written(mtg);
-  const Mtg back = readBack(text);
+  const std::string text = test::written(mtg);
+  const Mtg back = mtgFrom(text);
   EXPECT_EQ(back, mtgAsWritten(mtg)) << text;
-  EXPECT_EQ(written(back), text);
+  EXPECT_EQ(test::written(back), text);
 }
 
 std::string refusalOf(const Mtg& mtg) {
@@ -131,7 +125,7 @@ TEST(WriteWholeMtg, RefusesLabelsThatLookLikeOthers) {
 }
 
 TEST(WriteWholeMtg, WritesTheSectionsOfAnEmptyPlant) {
-  const std::string text = written(Mtg{.classes = {{.symbol = "A", .scale = 1}}});
+  const std::string text = test::written(Mtg{.classes = {{.symbol = "A", .scale = 1}}});
   EXPECT_THAT(text, testing::HasSubstr("\nA\t1\tFREE\tFREE\tEXPLICIT\n"));
   EXPECT_THAT(text, testing::EndsWith("MTG :\nENTITY-CODE\t\n"));
 }

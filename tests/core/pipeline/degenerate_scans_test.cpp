@@ -2,7 +2,8 @@
 // a place that is not finite. And what the step Radius says where little can be measured.
 #include "core/base/error.h"
 #include "core/pipeline/pipeline.h"
-#include "tests/core/pipeline/cloud_of.h"
+#include "tests/core/pipeline/every_method.h"
+#include "tests/support/cloud_of.h"
 #include "tests/support/clouds.h"
 
 #include <gtest/gtest.h>
@@ -72,8 +73,7 @@ void expectFinite(const Eigen::Matrix3Xf& points, const PipelineOptions& options
   }
 }
 
-using StepAndMethod = std::pair<std::string, std::string>;
-class DegenerateScans : public testing::TestWithParam<StepAndMethod> {};
+class DegenerateScans : public testing::TestWithParam<test::StepAndMethod> {};
 
 TEST_P(DegenerateScans, GetFiniteRadiiAndPlacesOrAreRefused) {
   const auto& [step, method] = GetParam();
@@ -87,15 +87,7 @@ TEST_P(DegenerateScans, GetFiniteRadiiAndPlacesOrAreRefused) {
     }
 }
 
-std::vector<StepAndMethod> everyMethod() {
-  std::vector<StepAndMethod> all;
-  for (const Step& step : pipelineSteps())
-    for (const Method& method : step.methods)
-      all.emplace_back(step.name, method.name);
-  return all;
-}
-
-INSTANTIATE_TEST_SUITE_P(Methods, DegenerateScans, testing::ValuesIn(everyMethod()),
+INSTANTIATE_TEST_SUITE_P(Methods, DegenerateScans, testing::ValuesIn(test::everyMethod()),
                          [](const auto& each) {
                            return each.param.first + "_" + each.param.second;
                          });

@@ -1,5 +1,5 @@
 #include "core/base/error.h"
-#include "core/evaluate/tolerance_curve.h"
+#include "core/evaluate/match/tolerance_curve.h"
 #include "core/pipeline/grow_branches.h"
 #include "core/simulate/laser_scanner.h"
 #include "core/simulate/plant_grower.h"
@@ -8,6 +8,7 @@
 #include "core/skeleton/select.h"
 #include "tests/support/clouds.h"
 #include "tests/support/course.h"
+#include "tests/support/plants.h"
 #include "tests/support/simulated.h"
 
 #include <gtest/gtest.h>
@@ -66,11 +67,6 @@ Skeleton withoutEveryThirdBranch(const Skeleton& plant) {
   return pruned;
 }
 
-std::ptrdiff_t countTips(const Skeleton& plant) {
-  const std::vector<NodeId> ids = plant.ids();
-  return std::ranges::count_if(ids, [&](NodeId id) { return plant.children(id).empty(); });
-}
-
 double farthestTip(const Skeleton& plant, const Eigen::Vector3d& place) {
   double nearest = 1e9;
   for (const NodeId id : plant.ids())
@@ -103,7 +99,7 @@ TEST(GrownFromUnexplained, HangsEachMissingBranchOnTheNodeItLeaves) {
   EXPECT_NEAR(trunk()[branches[1].on].position.z(), 1.2, 0.25);
   const Skeleton whole = together(trunk(), branches);
   EXPECT_EQ(whole.roots().size(), 1U);
-  EXPECT_EQ(countTips(whole), 3);
+  EXPECT_EQ(test::countTips(whole), 3);
   EXPECT_LT(farthestTip(whole, {0.8, 0, 1.2}), 0.08);
   EXPECT_LT(farthestTip(whole, {-0.8, 0, 1.6}), 0.08);
   for (const GrownBranch& branch : branches)
@@ -120,7 +116,7 @@ TEST(GrownFromUnexplained, HangsAPieceOnTheOneItIsNearestTo) {
       grownFromUnexplained(trunk(), cloud, {.widestJoin = 0.4});
   ASSERT_EQ(branches.size(), 1U);
   const Skeleton whole = together(trunk(), branches);
-  EXPECT_EQ(countTips(whole), 2) << "one branch, in a line";
+  EXPECT_EQ(test::countTips(whole), 2) << "one branch, in a line";
   EXPECT_LT(farthestTip(whole, {1.3, 0, 1}), 0.08);
 }
 
@@ -193,7 +189,7 @@ TEST(GrownFromUnexplained, GrowsNothingOnTheSkinOfThickWood) {
   const std::vector<GrownBranch> branches =
       grownFromUnexplained(plant, cloudOf(test::both(points, branch)));
   const Skeleton whole = together(plant, branches);
-  EXPECT_EQ(countTips(whole), 2);
+  EXPECT_EQ(test::countTips(whole), 2);
   EXPECT_LT(farthestTip(whole, {0.8, 0, 1.3}), 0.08);
 }
 

@@ -2,10 +2,12 @@
 // defaults of the others: a sensible forest comes out, or a clear error.
 #include "core/base/error.h"
 #include "core/base/random.h"
-#include "core/evaluate/comparable.h"
+#include "core/evaluate/match/comparable.h"
 #include "core/pipeline/pipeline.h"
-#include "tests/core/pipeline/cloud_of.h"
+#include "tests/core/pipeline/every_method.h"
+#include "tests/support/cloud_of.h"
 #include "tests/support/clouds.h"
+#include "tests/support/plants.h"
 
 #include <gtest/gtest.h>
 
@@ -182,15 +184,7 @@ TEST_P(EveryMethod, MakesTheSameHoweverOftenEachPointIsThere) {
   }
 }
 
-std::vector<std::pair<std::string, std::string>> everyMethod() {
-  std::vector<std::pair<std::string, std::string>> all;
-  for (const Step& step : pipelineSteps())
-    for (const Method& method : step.methods)
-      all.emplace_back(step.name, method.name);
-  return all;
-}
-
-INSTANTIATE_TEST_SUITE_P(HostilePlants, EveryMethod, testing::ValuesIn(everyMethod()),
+INSTANTIATE_TEST_SUITE_P(HostilePlants, EveryMethod, testing::ValuesIn(test::everyMethod()),
                          [](const auto& each) {
                            return each.param.first + "_" + each.param.second;
                          });
@@ -199,16 +193,9 @@ Skeleton reconstructed(const Points& points) {
   return *Pipeline().run(cloudOf(points, {0, 0, 0})).skeleton;
 }
 
-std::size_t countTips(const Skeleton& skeleton) {
-  std::size_t count = 0;
-  for (const NodeId id : skeleton.ids())
-    count += skeleton.children(id).empty() ? 1 : 0;
-  return count;
-}
-
 TEST(HostilePlants, AStickIsOneAxisOfItsLength) {
   const Skeleton skeleton = reconstructed(stick());
-  EXPECT_EQ(countTips(skeleton), 1U);
+  EXPECT_EQ(test::countTips(skeleton), 1);
   EXPECT_NEAR(totalLength(skeleton), 1, 3 * spacing);
   for (const NodeId id : skeleton.ids())
     EXPECT_LT(skeleton[id].position.head<2>().norm(), spacing) << indexOf(id);
@@ -218,37 +205,37 @@ TEST(HostilePlants, AStickIsOneAxisOfItsLength) {
 TEST(HostilePlants, ARingIsCutIntoTwoArms) {
   const Skeleton skeleton = reconstructed(ring());
   EXPECT_EQ(skeleton.roots().size(), 1U);
-  EXPECT_EQ(countTips(skeleton), 2U);
+  EXPECT_EQ(test::countTips(skeleton), 2);
   EXPECT_NEAR(totalLength(skeleton), 2 * std::numbers::pi * 0.3, 0.3);
 }
 
 TEST(HostilePlants, TwoPlantsAreOneTreeUnlessTheGapIsTooWide) {
   const Skeleton joined = reconstructed(twoPlants());
   EXPECT_EQ(joined.roots().size(), 1U);
-  EXPECT_EQ(countTips(joined), 4U);
+  EXPECT_EQ(test::countTips(joined), 4);
   PipelineOptions options;
   options.set("skeleton.widest_gap=1");
   const Skeleton alone = *Pipeline().run(cloudOf(twoPlants(), {0, 0, 0}), options).skeleton;
   EXPECT_EQ(alone.roots().size(), 1U);
-  EXPECT_EQ(countTips(alone), 2U) << "what cannot be reached from the root is left out";
+  EXPECT_EQ(test::countTips(alone), 2) << "what cannot be reached from the root is left out";
 }
 
 TEST(HostilePlants, StraysMakeNoTwigs) {
   const Skeleton skeleton = reconstructed(withStrays());
-  EXPECT_EQ(countTips(skeleton), 2U);
+  EXPECT_EQ(test::countTips(skeleton), 2);
   EXPECT_LT(test::farthestFromFork(skeleton), 3 * spacing);
 }
 
 TEST(HostilePlants, AHalfScannedTrunkStaysWithinItsWood) {
   const Skeleton skeleton = reconstructed(halfScanned());
-  EXPECT_EQ(countTips(skeleton), 2U);
+  EXPECT_EQ(test::countTips(skeleton), 2);
   EXPECT_LT(test::farthestFromFork(skeleton), 0.04) << "the radius of the wood";
 }
 
 TEST(HostilePlants, AGapOfFiveSpacingsIsBridged) {
   const Skeleton skeleton = reconstructed(withGap());
   EXPECT_EQ(skeleton.roots().size(), 1U);
-  EXPECT_EQ(countTips(skeleton), 1U);
+  EXPECT_EQ(test::countTips(skeleton), 1);
   EXPECT_NEAR(totalLength(skeleton), 2, 4 * spacing);
 }
 

@@ -5,7 +5,7 @@
 #include "core/evaluate/comparison.h"
 #include "core/pipeline/pipeline.h"
 #include "tests/core/evaluate/evaluate_plants.h"
-#include "tests/core/pipeline/cloud_of.h"
+#include "tests/support/cloud_of.h"
 #include "tests/support/clouds.h"
 #include "tests/support/simulated.h"
 
@@ -20,7 +20,7 @@ namespace {
 
 using Points = Eigen::Matrix3Xf;
 
-constexpr double spacing = 0.004; // [L], about that of the herb in m
+constexpr double herbSpacing = 0.004; // [L], about that of the herb in m
 
 /// Small enough to be reconstructed by every method in a moment.
 const Points& herb() {
@@ -46,7 +46,7 @@ struct EveryMethodInvariance : testing::TestWithParam<std::pair<std::string, std
   /// The two agree but for what rounding decides.
   static void expectSame(const Skeleton& result, const Skeleton& truth) {
     const Comparison comparison =
-        compare(result, truth, {.registers = false, .tolerance = {.distances = {2 * spacing}}});
+        compare(result, truth, {.registers = false, .tolerance = {.distances = {2 * herbSpacing}}});
     EXPECT_GT(comparison.tolerance.scores[0].f(), 0.97);
     EXPECT_NEAR(comparison.resultTraits.length / comparison.referenceTraits.length, 1, 0.04);
   }
@@ -100,7 +100,7 @@ TEST_P(EveryMethodInvariance, TheNumberOfThreadsIsNothing) {
   }
 }
 
-std::vector<std::pair<std::string, std::string>> everyMethod() {
+std::vector<std::pair<std::string, std::string>> methodsOnce() {
   std::vector<std::pair<std::string, std::string>> all;
   for (const Step& step : pipelineSteps())
     for (const Method& method : step.methods)
@@ -109,7 +109,7 @@ std::vector<std::pair<std::string, std::string>> everyMethod() {
   return all;
 }
 
-INSTANTIATE_TEST_SUITE_P(Pipeline, EveryMethodInvariance, testing::ValuesIn(everyMethod()),
+INSTANTIATE_TEST_SUITE_P(Pipeline, EveryMethodInvariance, testing::ValuesIn(methodsOnce()),
                          [](const auto& each) {
                            return each.param.first + "_" + each.param.second;
                          });

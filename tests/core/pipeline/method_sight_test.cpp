@@ -1,7 +1,7 @@
 #include "core/pipeline/method_sight.h"
 #include "core/pipeline/pipeline.h"
 #include "core/pipeline/used_densities.h"
-#include "tests/core/pipeline/cloud_of.h"
+#include "tests/support/cloud_of.h"
 #include "tests/support/clouds.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,9 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/pipeline/pipeline.h"
-#include "tests/core/pipeline/cloud_of.h"
+#include "tests/support/cloud_of.h"
 #include "tests/support/clouds.h"
+#include "tests/support/plants.h"
 
 #include <gtest/gtest.h>
 
@@ -13,16 +14,10 @@ namespace {
 
 using test::cloudOf;
 
-std::ptrdiff_t countTips(const Skeleton& skeleton) {
-  const std::vector<NodeId> ids = skeleton.ids();
-  return std::count_if(ids.begin(), ids.end(),
-                       [&](NodeId id) { return skeleton.children(id).empty(); });
-}
-
 TEST(Pipeline, TurnsAScanIntoASkeletonWithRadii) {
   const Reconstruction result = Pipeline().run(cloudOf(test::forkCloud()));
   EXPECT_EQ(result.skeleton->roots().size(), 1U);
-  EXPECT_EQ(countTips(*result.skeleton), 2);
+  EXPECT_EQ(test::countTips(*result.skeleton), 2);
   for (const NodeId id : result.skeleton->ids())
     EXPECT_GT((*result.skeleton)[id].radius, 0);
   const Eigen::Vector3d root = (*result.skeleton)[result.skeleton->roots().front()].position;
@@ -33,7 +28,7 @@ TEST(Pipeline, DoesNotFollowStrayPoints) {
   Eigen::Matrix3Xf strays(3, 3);
   strays << 2, -2, 0, 1, 1, -2, 2, 1, 3;
   const Reconstruction result = Pipeline().run(cloudOf(test::both(test::forkCloud(), strays)));
-  EXPECT_EQ(countTips(*result.skeleton), 2);
+  EXPECT_EQ(test::countTips(*result.skeleton), 2);
 }
 
 // Two parallel trunks stand beside each other; one of them is set aside.
@@ -49,7 +44,7 @@ TEST(Pipeline, SeesNothingOfPointsThatAreSetAside) {
   options.leftOut = PointSet::of(ofOther);
   Pipeline pipeline;
   const Reconstruction alone = pipeline.run(cloud, options);
-  EXPECT_EQ(countTips(*alone.skeleton), 2);
+  EXPECT_EQ(test::countTips(*alone.skeleton), 2);
   EXPECT_LT(test::farthestFromFork(*alone.skeleton), 0.08);
   EXPECT_EQ(alone.contracted->cols(), cloud->size()) << "one for each point, as always";
   EXPECT_GT(test::farthestFromFork(*pipeline.run(cloud, {}).skeleton), 0.2)
@@ -98,7 +93,7 @@ TEST(Pipeline, TakesMillimetersLikeMeters) {
   const Skeleton millimeters =
       *Pipeline().run(cloudOf(1024 * test::forkCloud(), {0, 0, 0})).skeleton; // exact in binary
   EXPECT_NEAR(static_cast<double>(millimeters.size()), static_cast<double>(meters.size()), 2);
-  EXPECT_EQ(countTips(millimeters), countTips(meters));
+  EXPECT_EQ(test::countTips(millimeters), test::countTips(meters));
 }
 
 TEST(Pipeline, IsTheSameOnAnyNumberOfThreads) {

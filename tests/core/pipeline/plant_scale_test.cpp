@@ -3,7 +3,7 @@
 #include "core/pipeline/pipeline.h"
 #include "core/pipeline/plant_scale.h"
 #include "core/pipeline/quality_of.h"
-#include "tests/core/pipeline/cloud_of.h"
+#include "tests/support/cloud_of.h"
 #include "tests/support/clouds.h"
 #include "tests/support/simulated.h"
 
@@ -14,7 +14,7 @@ namespace {
 
 using test::cloudOf;
 
-PlantScale scale(const Eigen::Matrix3Xf& points, UpAxis up = UpAxis::z) {
+PlantScale scaleOf(const Eigen::Matrix3Xf& points, UpAxis up = UpAxis::z) {
   return scaleOf(*cloudOf(points), {}, up);
 }
 
@@ -34,7 +34,7 @@ TEST(PlantScale, IsThatOfAllPointsOfACleanScan) {
 // all around the plant, most are farther off.
 TEST(PlantScale, IsHardlyMovedByStrays) {
   const Eigen::Matrix3Xf plant = test::forkCloud();
-  const PlantScale alone = scale(plant);
+  const PlantScale alone = scaleOf(plant);
   for (const double reach : {0.3, 1.0, 3.0, 10.0, 100.0, 1e5}) {
     Random random(3);
     Eigen::Matrix3Xf strays(3, plant.cols() * 5 / 95);
@@ -43,7 +43,7 @@ TEST(PlantScale, IsHardlyMovedByStrays) {
                                                                             random.uniform(-1, 1),
                                                                             random.uniform(-1, 1)))
                           .cast<float>();
-    const PlantScale found = scale(test::both(plant, strays));
+    const PlantScale found = scaleOf(test::both(plant, strays));
     EXPECT_LT(found.spacing, 1.8 * alone.spacing) << reach;
     EXPECT_NEAR(found.spacing, alone.spacing, (reach < 2 ? 0.4 : 0.02) * alone.spacing) << reach;
     EXPECT_NEAR(found.height, alone.height, 0.1 * alone.height) << reach;
@@ -54,8 +54,8 @@ TEST(PlantScale, FollowsTheWayUp) {
   Eigen::Matrix3Xf points = test::forkCloud();
   points.row(0).swap(points.row(2));
   Eigen::Vector3f stray(-0.8F, 0.2F, 0);
-  EXPECT_NEAR(scale(test::both(points, stray), UpAxis::x).height, test::heightOf(points, UpAxis::x),
-              1e-4);
+  EXPECT_NEAR(scaleOf(test::both(points, stray), UpAxis::x).height,
+              test::heightOf(points, UpAxis::x), 1e-4);
 }
 
 // A tree of nearly all points is set aside: the sapling beside it is all that there is.
@@ -68,7 +68,7 @@ TEST(PlantScale, IsThatOfTheFewPointsThatAreLeft) {
     if (cloud->position(i).x() < 510) ofTree.push_back(i);
   PipelineOptions options;
   options.leftOut = PointSet::of(ofTree);
-  const PlantScale alone = scale(sapling);
+  const PlantScale alone = scaleOf(sapling);
   const PlantScale found = scaleOf(*cloud, options.leftOut, UpAxis::z);
   EXPECT_NEAR(found.spacing, alone.spacing, 0.01 * alone.spacing);
   EXPECT_NEAR(found.height, alone.height, 1e-4);
@@ -89,7 +89,7 @@ TEST(PlantScale, IsThatOfTheFewPointsThatAreLeft) {
 }
 
 TEST(PlantScale, HasNoSpacingAtOnePlace) {
-  EXPECT_EQ(scale(Eigen::Matrix3Xf::Zero(3, 40)).spacing, 0);
+  EXPECT_EQ(scaleOf(Eigen::Matrix3Xf::Zero(3, 40)).spacing, 0);
   EXPECT_EQ(scaleOf(*cloudOf(test::forkCloud()), PointSet::firstOf(1'000'000), UpAxis::z).height,
             0);
 }

@@ -1,7 +1,7 @@
 #include "core/base/error.h"
 #include "core/pipeline/preset.h"
 #include "core/pipeline/presets.h"
-#include "tests/core/pipeline/cloud_of.h"
+#include "tests/support/cloud_of.h"
 #include "tests/support/clouds.h"
 
 #include <gtest/gtest.h>

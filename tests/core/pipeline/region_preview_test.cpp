@@ -2,7 +2,7 @@
 #include "core/base/parallel.h"
 #include "core/pipeline/pipeline.h"
 #include "core/pipeline/region_preview.h"
-#include "tests/core/pipeline/cloud_of.h"
+#include "tests/support/cloud_of.h"
 #include "tests/support/clouds.h"
 
 #include <Eigen/Geometry>

@@ -1,5 +1,5 @@
 #include "core/base/error.h"
-#include "core/evaluate/tolerance_curve.h"
+#include "core/evaluate/match/tolerance_curve.h"
 #include "core/pipeline/regrow.h"
 #include "core/skeleton/assign_points.h"
 #include "core/skeleton/branch_edits.h"

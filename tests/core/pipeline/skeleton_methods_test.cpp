@@ -1,14 +1,15 @@
 // What every method of the step "skeleton" has to stand, each by its default options.
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/evaluate/authors_comparison.h"
-#include "core/evaluate/tolerance_curve.h"
+#include "core/evaluate/match/authors_comparison.h"
+#include "core/evaluate/match/tolerance_curve.h"
 #include "core/pipeline/pipeline.h"
 #include "core/pipeline/regrow.h"
 #include "core/skeleton/branch_edits.h"
 #include "core/skeleton/edits.h"
 #include "core/skeleton/select.h"
 #include "tests/support/clouds.h"
+#include "tests/support/plants.h"
 #include "tests/support/simulated.h"
 
 #include <gtest/gtest.h>
@@ -35,11 +36,6 @@ protected:
   }
   [[nodiscard]] static Skeleton of(const Eigen::Matrix3Xf& points) { return of(points, options()); }
 };
-
-std::ptrdiff_t countTips(const Skeleton& skeleton) {
-  const std::vector<NodeId> ids = skeleton.ids();
-  return std::ranges::count_if(ids, [&](NodeId id) { return skeleton.children(id).empty(); });
-}
 
 /// Tips that a method may have beyond those of the plant in a ring, or where a trunk is many
 /// spacings thick: cones find one or two where the wood begins, or is cut off; branch structure
@@ -77,7 +73,7 @@ void expectFinite(const Skeleton& skeleton) {
 TEST_P(SkeletonMethods, FindTheForkOfAFork) {
   const Skeleton skeleton = of(test::forkCloud());
   EXPECT_EQ(skeleton.roots().size(), 1U);
-  EXPECT_EQ(countTips(skeleton), 2);
+  EXPECT_EQ(test::countTips(skeleton), 2);
   EXPECT_LT(test::farthestFromFork(skeleton), 0.12); // 6 point spacings
   EXPECT_GT(highest(skeleton), 2 + 1.5 * std::cos(35 * std::numbers::pi / 180) - 0.12);
 }
@@ -85,7 +81,7 @@ TEST_P(SkeletonMethods, FindTheForkOfAFork) {
 TEST_P(SkeletonMethods, MakeOneAxisOfAStick) {
   const Skeleton skeleton = of(test::cylinder({0, 0, 0}, {0, 0, 2}, 0.04, 0.02));
   EXPECT_EQ(skeleton.roots().size(), 1U);
-  EXPECT_EQ(countTips(skeleton), 1);
+  EXPECT_EQ(test::countTips(skeleton), 1);
   EXPECT_NEAR(highest(skeleton), 2, 0.1);
   for (const NodeId id : skeleton.ids())
     EXPECT_LT(skeleton[id].position.head<2>().norm(), 0.04);
@@ -95,7 +91,7 @@ TEST_P(SkeletonMethods, LeadAcrossAGapOfFiveSpacings) {
   const Skeleton skeleton = of(test::both(test::cylinder({0, 0, 0}, {0, 0, 1}, 0.04, 0.02),
                                           test::cylinder({0, 0, 1.1}, {0, 0, 2}, 0.04, 0.02)));
   EXPECT_EQ(skeleton.roots().size(), 1U);
-  EXPECT_EQ(countTips(skeleton), 1);
+  EXPECT_EQ(test::countTips(skeleton), 1);
   EXPECT_NEAR(highest(skeleton), 2, 0.1);
 }
 
@@ -106,7 +102,7 @@ TEST_P(SkeletonMethods, LeapOnceOverAGapBelowAFork) {
     if (std::abs(fork(2, i) - 1.8F) > 0.15F) seen.push_back(i);
   const Skeleton skeleton = of(fork(Eigen::all, seen));
   EXPECT_EQ(skeleton.roots().size(), 1U);
-  EXPECT_EQ(countTips(skeleton), 2);
+  EXPECT_EQ(test::countTips(skeleton), 2);
   EXPECT_NEAR(lengthOf(skeleton), 5, 0.3) << "several leaps would be longer";
 }
 
@@ -115,8 +111,8 @@ TEST_P(SkeletonMethods, LeaveNoStrandsOnWoodTenSpacingsThick) {
       of(test::both(test::cylinder({0, 0, 0}, {0, 0, 2}, 0.2, 0.02),
                     test::cylinder({0.2, 0, 1.2}, {1.2, 0, 1.8}, 0.03, 0.02)));
   EXPECT_EQ(skeleton.roots().size(), 1U);
-  EXPECT_GE(countTips(skeleton), 2);
-  EXPECT_LE(countTips(skeleton), 2 + strayTips(GetParam()));
+  EXPECT_GE(test::countTips(skeleton), 2);
+  EXPECT_LE(test::countTips(skeleton), 2 + strayTips(GetParam()));
 }
 
 TEST_P(SkeletonMethods, OpenARingSomewhere) {
@@ -131,7 +127,7 @@ TEST_P(SkeletonMethods, OpenARingSomewhere) {
                                                static_cast<std::uint64_t>(i)));
   const Skeleton skeleton = of(points);
   EXPECT_EQ(skeleton.roots().size(), 1U);
-  EXPECT_LE(countTips(skeleton),
+  EXPECT_LE(test::countTips(skeleton),
             2 + strayTips(GetParam())); // both ways from the root, or all around
   for (const NodeId id : skeleton.ids()) {
     const Eigen::Vector3d place = skeleton[id].position - Eigen::Vector3d(0, 0, 1);
@@ -147,7 +143,7 @@ TEST_P(SkeletonMethods, MakeAForestOrAnErrorOfTwoPlants) {
   try {
     const Skeleton skeleton = of(points);
     expectFinite(skeleton);
-    EXPECT_LE(countTips(skeleton), 4);
+    EXPECT_LE(test::countTips(skeleton), 4);
     EXPECT_GT(highest(skeleton), 1.8);
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("root"), std::string::npos);
@@ -184,8 +180,8 @@ TEST_P(SkeletonMethods, CopeWithFewerPointsThanNeighbors) {
 TEST_P(SkeletonMethods, MakeMuchTheSameOfEveryPointTwice) {
   const Eigen::Matrix3Xf points = test::forkCloud();
   const Skeleton twice = of(test::both(points, points));
-  EXPECT_GE(countTips(twice), 2);
-  EXPECT_LE(countTips(twice), GetParam() == "branch_structure" ? 4 : 2);
+  EXPECT_GE(test::countTips(twice), 2);
+  EXPECT_LE(test::countTips(twice), GetParam() == "branch_structure" ? 4 : 2);
   EXPECT_GT(agreement(twice, of(points), 0.08), 0.99);
 }
 
@@ -205,7 +201,7 @@ TEST_P(SkeletonMethods, FollowTurningAndOtherUnits) {
   Skeleton expected = skeleton;
   for (const NodeId id : expected.ids())
     expected.setPosition(id, change.cast<double>() * expected[id].position);
-  EXPECT_EQ(countTips(moved), countTips(skeleton));
+  EXPECT_EQ(test::countTips(moved), test::countTips(skeleton));
   EXPECT_GT(agreement(moved, expected, 40), 0.97); // 2 spacings; the scale takes boxes along axes
 }
 
@@ -272,14 +268,14 @@ TEST_P(SkeletonMethods, StopWhenAsked) {
   EXPECT_TRUE(state.skeleton->isEmpty());
 }
 
-std::vector<std::string> names() {
+std::vector<std::string> skeletonMethods() {
   std::vector<std::string> result;
   for (const Method& method : stepNamed("skeleton").methods)
     result.push_back(method.name);
   return result;
 }
 
-INSTANTIATE_TEST_SUITE_P(Registered, SkeletonMethods, testing::ValuesIn(names()),
+INSTANTIATE_TEST_SUITE_P(Registered, SkeletonMethods, testing::ValuesIn(skeletonMethods()),
                          [](const auto& each) { return each.param; });
 
 } // namespace

@@ -1,7 +1,7 @@
 // Which steps the pipeline computes after each kind of change.
 #include "core/base/error.h"
 #include "core/pipeline/pipeline.h"
-#include "tests/core/pipeline/cloud_of.h"
+#include "tests/support/cloud_of.h"
 #include "tests/support/clouds.h"
 
 #include <gtest/gtest.h>

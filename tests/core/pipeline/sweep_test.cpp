@@ -1,6 +1,6 @@
 #include "core/base/error.h"
 #include "core/pipeline/sweep.h"
-#include "tests/core/pipeline/cloud_of.h"
+#include "tests/support/cloud_of.h"
 #include "tests/support/clouds.h"
 
 #include <gtest/gtest.h>
@@ -20,45 +20,45 @@ const Option& optionNamed(const std::string& step, const std::string& method,
   throw Error("no option " + name);
 }
 
-constexpr PlantScale scale{.spacing = 2, .height = 1000};
+constexpr PlantScale sweptScale{.spacing = 2, .height = 1000};
 
 TEST(SweepValues, StandAroundTheDefaultByEqualRatios) {
   const Option& radius = optionNamed("contract", "geodesic_centroid", "radius"); // 7.5 spacings
-  EXPECT_THAT(sweepValues(radius, scale, 5),
+  EXPECT_THAT(sweepValues(radius, sweptScale, 5),
               ElementsAre(DoubleNear(3.75, 1e-9), DoubleNear(7.5, 1e-9), DoubleNear(15, 1e-9),
                           DoubleNear(30, 1e-9), DoubleNear(60, 1e-9)));
-  EXPECT_THAT(sweepValues(radius, scale, 1), ElementsAre(DoubleNear(15, 1e-9)));
+  EXPECT_THAT(sweepValues(radius, sweptScale, 1), ElementsAre(DoubleNear(15, 1e-9)));
 }
 
 TEST(SweepValues, StandBetweenTheEndsOneChooses) {
   const Option& radius = optionNamed("contract", "geodesic_centroid", "radius");
-  EXPECT_THAT(sweepValues(radius, scale, 3, std::pair(10.0, 40.0)),
+  EXPECT_THAT(sweepValues(radius, sweptScale, 3, std::pair(10.0, 40.0)),
               ElementsAre(DoubleNear(10, 1e-9), DoubleNear(20, 1e-9), DoubleNear(40, 1e-9)));
-  EXPECT_THAT(sweepValues(radius, scale, 1, std::pair(10.0, 40.0)),
+  EXPECT_THAT(sweepValues(radius, sweptScale, 1, std::pair(10.0, 40.0)),
               ElementsAre(DoubleNear(10, 1e-9)));
   const Option& neighbors = optionNamed("contract", "geodesic_centroid", "neighbors"); // from 3
-  EXPECT_THAT(sweepValues(neighbors, scale, 4, std::pair(1.0, 4.0)), ElementsAre(3, 4));
+  EXPECT_THAT(sweepValues(neighbors, sweptScale, 4, std::pair(1.0, 4.0)), ElementsAre(3, 4));
   const Option& turn = optionNamed("axes", "weighed", "sharpest_turn");
-  EXPECT_THAT(sweepValues(turn, scale, 3, std::pair(10.0, 30.0)), ElementsAre(10, 20, 30));
+  EXPECT_THAT(sweepValues(turn, sweptScale, 3, std::pair(10.0, 30.0)), ElementsAre(10, 20, 30));
 }
 
 TEST(SweepValues, AreWholeForCounts) {
   const Option& neighbors = optionNamed("contract", "geodesic_centroid", "neighbors"); // 7, from 3
-  EXPECT_THAT(sweepValues(neighbors, scale, 3), ElementsAre(3, 9, 28));
+  EXPECT_THAT(sweepValues(neighbors, sweptScale, 3), ElementsAre(3, 9, 28));
   const Option& rounds = optionNamed("recenter", "sections", "rounds"); // 1
-  EXPECT_THAT(sweepValues(rounds, scale, 20), ElementsAre(1, 2, 3, 4)) << "each once";
+  EXPECT_THAT(sweepValues(rounds, sweptScale, 20), ElementsAre(1, 2, 3, 4)) << "each once";
 }
 
 TEST(SweepValues, AreEvenWhereTheDefaultIsZeroAndForAngles) {
   const Option& gap = optionNamed("skeleton", "geodesic_bins", "widest_gap");
-  EXPECT_THAT(sweepValues(gap, scale, 3), ElementsAre(0, 40, 80));
+  EXPECT_THAT(sweepValues(gap, sweptScale, 3), ElementsAre(0, 40, 80));
   const Option& turn = optionNamed("axes", "weighed", "sharpest_turn"); // from 1 to 180
-  EXPECT_THAT(sweepValues(turn, scale, 3), ElementsAre(1, 90.5, 180));
+  EXPECT_THAT(sweepValues(turn, sweptScale, 3), ElementsAre(1, 90.5, 180));
 }
 
 TEST(SweepValues, AreAllWordsThatAnOptionTakes) {
   const Option& circles = optionNamed("contract", "geodesic_centroid", "circles");
-  EXPECT_THAT(sweepValues(circles, scale, 9), ElementsAre(0, 1));
+  EXPECT_THAT(sweepValues(circles, sweptScale, 9), ElementsAre(0, 1));
 }
 
 // Every value that is offered is one that the pipeline takes.
@@ -66,11 +66,11 @@ TEST(SweepValues, AreInRangeForEveryOption) {
   for (const Step& step : pipelineSteps())
     for (const Method& method : step.methods)
       for (const Option& option : method.options)
-        for (const double value : sweepValues(option, scale, 7)) {
+        for (const double value : sweepValues(option, sweptScale, 7)) {
           PipelineOptions options;
           options.methods[step.name] = method.name;
           options.settings[step.name][option.name] = fixedAt(value);
-          EXPECT_NO_THROW((void)resolvedValues(step, method, options, scale))
+          EXPECT_NO_THROW((void)resolvedValues(step, method, options, sweptScale))
               << step.name << '.' << option.name << " = " << value;
         }
 }

@@ -22,7 +22,7 @@ Rule setTo(const std::string& text, double meters = 0) {
   return options.settings.at("prune").at("length");
 }
 
-std::string refusal(const std::string& assignment) {
+std::string refusalOf(const std::string& assignment) {
   return test::errorOf([&] {
     PipelineOptions options;
     options.set(assignment);
@@ -47,7 +47,7 @@ TEST(TypedValue, TurnsMetricLengthsIntoTheUnitOfTheScan) {
 }
 
 TEST(TypedValue, SaysWhatToTypeWhereTheUnitOfTheScanIsNotKnown) {
-  const std::string why = refusal("prune.length=38mm");
+  const std::string why = refusalOf("prune.length=38mm");
   EXPECT_THAT(why, HasSubstr("prune.length=38mm: the unit of the scan is not known"));
   EXPECT_THAT(why, HasSubstr("--unit"));
   EXPECT_THAT(why, HasSubstr("prune.length=38 for a scan in mm"));
@@ -55,12 +55,12 @@ TEST(TypedValue, SaysWhatToTypeWhereTheUnitOfTheScanIsNotKnown) {
 }
 
 TEST(TypedValue, RefusesOtherUnitsWithTheLineToType) {
-  EXPECT_THAT(refusal("prune.length=6 inches"),
+  EXPECT_THAT(refusalOf("prune.length=6 inches"),
               HasSubstr("not '6 inches': write prune.length=6, or prune.length=6sp"));
   for (const char* text :
        {"", "sp", "six spacings", "6 spaces", "1e999", "nan", "inf", "1.2.3", "6 deg", "6sp 7sp"})
-    EXPECT_NE(refusal(std::string("prune.length=") + text), "") << text;
-  EXPECT_THAT(refusal("contract.neighbors=6sp"), HasSubstr("write contract.neighbors=6"));
+    EXPECT_NE(refusalOf(std::string("prune.length=") + text), "") << text;
+  EXPECT_THAT(refusalOf("contract.neighbors=6sp"), HasSubstr("write contract.neighbors=6"));
 }
 
 // Where the unit of the scan is known, a length in mm is one, and never an angle or a share.

@@ -1,5 +1,6 @@
 #include "core/base/random.h"
 #include "core/radius/section_circle.h"
+#include "tests/core/radius/circle_of.h"
 #include "tests/support/clouds.h"
 #include "tests/support/plants.h"
 
@@ -28,13 +29,6 @@ CrossSection sectionAt(const Sections& of, NodeId id) {
   const std::optional<CrossSection> section = of.sections.at(id);
   EXPECT_TRUE(section.has_value());
   return section.value_or(CrossSection{});
-}
-
-FittedCircle circleOf(const CrossSection& section, RadiusMeasure measure) {
-  const MeasuredCircle circle = measuredCircle(section, measure);
-  EXPECT_TRUE(std::holds_alternative<FittedCircle>(circle));
-  return std::holds_alternative<FittedCircle>(circle) ? std::get<FittedCircle>(circle)
-                                                      : FittedCircle{{0, 0}, 0, 0, 0};
 }
 
 /// Nodes 0.1 apart on the line of a cylinder of radius 0.1.
@@ -88,7 +82,7 @@ TEST(CrossSections, LeaveThePointsOfAnotherBranchToIt) {
   const CrossSection section = sectionAt(both, middle);
   for (const Eigen::Vector2d& point : section.points)
     EXPECT_NEAR(point.norm(), 0.1, 1e-6);
-  EXPECT_EQ(circleOf(section, RadiusMeasure::mean).coverage, 1);
+  EXPECT_EQ(test::circleOf(section, RadiusMeasure::mean).coverage, 1);
   EXPECT_GT(section.others.size(), 50U) << "they are shown";
 }
 
@@ -104,9 +98,9 @@ TEST(CrossSections, KeepAStemWholeWhereATwigLeavesIt) {
   const Sections stem(plant, test::both(test::cylinder({0, 0, 0}, {0, 0, 1}, 0.1, 0.01),
                                         test::cylinder({0.1, 0, 0.5}, {0.5, 0, 0.5}, 0.02, 0.01)));
   const CrossSection section = sectionAt(stem, middle);
-  EXPECT_GE(circleOf(section, RadiusMeasure::mean).coverage, 15.0 / 16);
-  EXPECT_NEAR(circleOf(section, RadiusMeasure::circle).radius, 0.1, 0.002);
-  EXPECT_LT(circleOf(section, RadiusMeasure::maximum).radius, 0.13) << "no point of the twig";
+  EXPECT_GE(test::circleOf(section, RadiusMeasure::mean).coverage, 15.0 / 16);
+  EXPECT_NEAR(test::circleOf(section, RadiusMeasure::circle).radius, 0.1, 0.002);
+  EXPECT_LT(test::circleOf(section, RadiusMeasure::maximum).radius, 0.13) << "no point of the twig";
 }
 
 TEST(CrossSections, FindTheWoodWhateverTheRadiusOfTheNode) {
@@ -115,9 +109,9 @@ TEST(CrossSections, FindTheWoodWhateverTheRadiusOfTheNode) {
     Skeleton skeleton = rod({0, 0, 1}, 0.1);
     skeleton.setRadius(middle, radius);
     const Sections one(skeleton, wood);
-    EXPECT_NEAR(circleOf(sectionAt(one, middle), RadiusMeasure::circle).radius, 0.1, 0.001);
+    EXPECT_NEAR(test::circleOf(sectionAt(one, middle), RadiusMeasure::circle).radius, 0.1, 0.001);
     const Sections all(rod({0, 0, 1}, radius), wood);
-    EXPECT_NEAR(circleOf(sectionAt(all, middle), RadiusMeasure::circle).radius, 0.1, 0.001);
+    EXPECT_NEAR(test::circleOf(sectionAt(all, middle), RadiusMeasure::circle).radius, 0.1, 0.001);
   }
 }
 
@@ -126,7 +120,7 @@ TEST(CrossSections, FindTheFarWallFromANodeAtTheNearOne) {
   for (const NodeId id : skeleton.ids())
     skeleton.setPosition(id, skeleton[id].position + Eigen::Vector3d(0.095, 0, 0));
   const Sections beside(skeleton, test::cylinder({0, 0, 0}, {0, 0, 1}, 0.1, 0.01));
-  const FittedCircle circle = circleOf(sectionAt(beside, middle), RadiusMeasure::circle);
+  const FittedCircle circle = test::circleOf(sectionAt(beside, middle), RadiusMeasure::circle);
   EXPECT_NEAR(circle.radius, 0.1, 0.001);
   EXPECT_NEAR(circle.center.x(), -0.095, 0.001);
 }
@@ -135,7 +129,7 @@ TEST(CrossSections, EndAtAWideGap) {
   const Sections stem(rod({0, 0, 1}),
                       test::both(test::cylinder({0, 0, 0}, {0, 0, 1}, 0.1, 0.01),
                                  test::cylinder({0.25, 0, 0}, {0.25, 0, 1}, 0.02, 0.01)));
-  EXPECT_NEAR(circleOf(sectionAt(stem, middle), RadiusMeasure::maximum).radius, 0.1, 1e-6)
+  EXPECT_NEAR(test::circleOf(sectionAt(stem, middle), RadiusMeasure::maximum).radius, 0.1, 1e-6)
       << "a twig of no edge is no wood of this stem";
 }
 
@@ -158,7 +152,7 @@ TEST(CrossSections, AreMovedAndScaledWithThePlant) {
   const Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   const SpatialIndex largeIndex(largeWood);
   const CrossSections scaled(large, {largeWood, origin, largeIndex, 10});
-  EXPECT_NEAR(circleOf(*scaled.at(middle), RadiusMeasure::circle).radius, 100, 0.5);
+  EXPECT_NEAR(test::circleOf(*scaled.at(middle), RadiusMeasure::circle).radius, 100, 0.5);
 }
 
 TEST(CrossSections, AreNoneWithoutADirection) {

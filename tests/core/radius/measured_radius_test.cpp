@@ -11,12 +11,12 @@
 namespace espalier {
 namespace {
 
-const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
+const Eigen::Vector3d middleOfSection = Eigen::Vector3d::Zero();
 constexpr double spacing = 0.02;
 
 std::vector<MeasuredRadius> measured(const Skeleton& skeleton, const Eigen::Matrix3Xf& points,
                                      const Progress& progress = {}) {
-  const AssignedPoints assigned(skeleton, points, zero);
+  const AssignedPoints assigned(skeleton, points, middleOfSection);
   return cylinderRadii(cylindersAbout(skeleton, assigned, {.spacing = spacing}, progress), spacing);
 }
 
@@ -85,8 +85,8 @@ TEST(CylinderRadii, AreNotThickerForTheScatterOfThePoints) {
 TEST(PointError, IsThatAcrossThickWood) {
   const Skeleton stick = test::stick(9, 0.25);
   const auto errorOf = [&](const Eigen::Matrix3Xf& points) {
-    return pointError(
-        cylindersAbout(stick, AssignedPoints(stick, points, zero), {.spacing = spacing}));
+    return pointError(cylindersAbout(stick, AssignedPoints(stick, points, middleOfSection),
+                                     {.spacing = spacing}));
   };
   EXPECT_NEAR(errorOf(scattered(0.1, 0.005, 2000)), 0.005, 0.0005);
   EXPECT_EQ(errorOf(scattered(0.01, 0.005, 2000)), 0) << "no wood is thick enough";
@@ -120,7 +120,7 @@ TEST(ThinRadii, AreDistancesWhereThereIsNoCylinder) {
   const Skeleton stick = test::stick(3);
   Eigen::Matrix3Xf points(3, 4);
   points << 0.05F, -0.05F, 0, 0, 0, 0, 0.05F, -0.05F, 2, 2, 2, 2;
-  const AssignedPoints assigned(stick, points, zero);
+  const AssignedPoints assigned(stick, points, middleOfSection);
   const MeasuredRadius known{.radius = 0.2, .deviation = 0.05};
   const auto radii = withThinRadii(stick, assigned, {known, {}, {}}, 0);
   EXPECT_EQ(radii[0].radius, 0.2) << "what is known stays";
@@ -133,14 +133,14 @@ TEST(ThinRadii, AreDistancesWhereThereIsNoCylinder) {
 // As thick as three errors: mean distances would be 6 % and root mean squares 11 % too long.
 TEST(ThinRadii, AreNotThickerForTheScatterOfThePoints) {
   const Skeleton stick = test::stick(3);
-  const AssignedPoints assigned(stick, scattered(0.03, 0.01, 20'000), zero);
+  const AssignedPoints assigned(stick, scattered(0.03, 0.01, 20'000), middleOfSection);
   for (const MeasuredRadius& each : withThinRadii(stick, assigned, {{}, {}, {}}, 0.01))
     EXPECT_NEAR(each.radius, 0.03, 0.0005);
 }
 
 TEST(ThinRadii, AreNoThinnerThanTheErrorTells) {
   const Skeleton stick = test::stick(3);
-  const AssignedPoints assigned(stick, scattered(0.001, 0, 100), zero);
+  const AssignedPoints assigned(stick, scattered(0.001, 0, 100), middleOfSection);
   for (const MeasuredRadius& each : withThinRadii(stick, assigned, {{}, {}, {}}, 0.01)) {
     EXPECT_GE(each.radius, 0.64 * 0.01);
     EXPECT_LT(each.radius, 0.01);
@@ -153,7 +153,7 @@ TEST(ThinRadii, DoNotCountNeedles) {
   points << 0.05F, -0.05F, 0, 0.3F, 0, 0.4F, //
       0, 0, 0.05F, 0, -0.2F, 0,              //
       2, 2, 2, 2, 2, 2;
-  const AssignedPoints assigned(stick, points, zero);
+  const AssignedPoints assigned(stick, points, middleOfSection);
   EXPECT_NEAR(withThinRadii(stick, assigned, {{}, {}, {}}, 0)[2].radius, 0.05, 1e-6);
 }
 

@@ -29,7 +29,7 @@ std::vector<double> radiiOf(const Skeleton& plant) {
 }
 
 /// A trunk of 30 nodes with a twig of 3 on each from the fifth on: the root carries 105.
-Skeleton twigged() {
+Skeleton twiggedStick() {
   Skeleton plant = test::stick(30);
   for (std::uint32_t i = 5; i < 30; ++i) {
     NodeId below{i};
@@ -44,7 +44,7 @@ Skeleton twigged() {
 constexpr NodeCountPipeOptions law{.rootRadius = 0.4, .apexRadius = 0.05}; // exponent 0.447
 
 Skeleton byLaw() {
-  return withNodeCountPipeRadii(twigged(), law);
+  return withNodeCountPipeRadii(twiggedStick(), law);
 }
 
 TEST(PipeEnds, GiveBackTheLawThatRadiiFollow) {

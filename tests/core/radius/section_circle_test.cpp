@@ -1,5 +1,6 @@
 #include "core/base/random.h"
 #include "core/radius/section_circle.h"
+#include "tests/core/radius/circle_of.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +13,7 @@
 namespace espalier {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+constexpr double std::numbers::pi = std::numbers::pi;
 
 CrossSection sectionOf(std::vector<Eigen::Vector2d> points) {
   return {.center = {0, 0, 0},
@@ -36,13 +37,6 @@ std::vector<Eigen::Vector2d> arc(int count, double angle, double noise = 0,
   return points;
 }
 
-FittedCircle circleOf(const CrossSection& section, RadiusMeasure measure) {
-  const MeasuredCircle circle = measuredCircle(section, measure);
-  EXPECT_TRUE(std::holds_alternative<FittedCircle>(circle));
-  return std::holds_alternative<FittedCircle>(circle) ? std::get<FittedCircle>(circle)
-                                                      : FittedCircle{{0, 0}, 0, 0, 0};
-}
-
 NoRadius refusalOf(const CrossSection& section, RadiusMeasure measure) {
   const MeasuredCircle circle = measuredCircle(section, measure);
   EXPECT_TRUE(std::holds_alternative<NoRadius>(circle));
@@ -51,10 +45,10 @@ NoRadius refusalOf(const CrossSection& section, RadiusMeasure measure) {
 }
 
 TEST(MeasuredCircle, IsTheCircleByAnyMeasureWhenAllIsEven) {
-  const CrossSection section = sectionOf(arc(360, 2 * pi));
+  const CrossSection section = sectionOf(arc(360, 2 * std::numbers::pi));
   for (const RadiusMeasure measure :
        {RadiusMeasure::mean, RadiusMeasure::maximum, RadiusMeasure::hull, RadiusMeasure::circle}) {
-    const FittedCircle circle = circleOf(section, measure);
+    const FittedCircle circle = test::circleOf(section, measure);
     EXPECT_NEAR(circle.radius, 10, 1e-3); // the hull has 360 corners
     EXPECT_LT(circle.center.norm(), 1e-9);
     EXPECT_LT(circle.error, 1e-3);
@@ -64,14 +58,14 @@ TEST(MeasuredCircle, IsTheCircleByAnyMeasureWhenAllIsEven) {
 
 // Seen from a place e off the center, distances run from r - e to r + e.
 TEST(MeasuredCircle, StaysAboutTheNodeForMeanAndMaximum) {
-  const CrossSection section = sectionOf(arc(720, 2 * pi, 0, {4, 0}));
-  EXPECT_NEAR(circleOf(section, RadiusMeasure::maximum).radius, 14, 1e-3);
+  const CrossSection section = sectionOf(arc(720, 2 * std::numbers::pi, 0, {4, 0}));
+  EXPECT_NEAR(test::circleOf(section, RadiusMeasure::maximum).radius, 14, 1e-3);
   // To second order in e / r the mean distance is r + e^2 / 4 r.
-  EXPECT_NEAR(circleOf(section, RadiusMeasure::mean).radius, 10 + 16.0 / 40, 0.02);
-  EXPECT_EQ(circleOf(section, RadiusMeasure::mean).center, Eigen::Vector2d(0, 0));
+  EXPECT_NEAR(test::circleOf(section, RadiusMeasure::mean).radius, 10 + 16.0 / 40, 0.02);
+  EXPECT_EQ(test::circleOf(section, RadiusMeasure::mean).center, Eigen::Vector2d(0, 0));
   for (const RadiusMeasure measure : {RadiusMeasure::hull, RadiusMeasure::circle}) {
-    EXPECT_NEAR(circleOf(section, measure).radius, 10, 1e-3);
-    EXPECT_LT((circleOf(section, measure).center - Eigen::Vector2d(4, 0)).norm(), 1e-6);
+    EXPECT_NEAR(test::circleOf(section, measure).radius, 10, 1e-3);
+    EXPECT_LT((test::circleOf(section, measure).center - Eigen::Vector2d(4, 0)).norm(), 1e-6);
   }
 }
 
@@ -81,14 +75,14 @@ TEST(MeasuredCircle, TakesTheHullOfASquareFromItsPerimeter) {
     for (int j = 0; j < 10; ++j)
       square.emplace_back(5 + i, 2 + j); // 9 by 9, and filled
   const CrossSection section = sectionOf(square);
-  const FittedCircle circle = circleOf(section, RadiusMeasure::hull);
-  EXPECT_NEAR(circle.radius, 36 / (2 * pi), 1e-9);
+  const FittedCircle circle = test::circleOf(section, RadiusMeasure::hull);
+  EXPECT_NEAR(circle.radius, 36 / (2 * std::numbers::pi), 1e-9);
   EXPECT_LT((circle.center - Eigen::Vector2d(9.5, 6.5)).norm(), 1e-9);
 }
 
 TEST(MeasuredCircle, FitsAHalfScannedStemAndRefusesItsHull) {
-  const CrossSection section = sectionOf(arc(200, pi, 0.2));
-  const FittedCircle circle = circleOf(section, RadiusMeasure::circle);
+  const CrossSection section = sectionOf(arc(200, std::numbers::pi, 0.2));
+  const FittedCircle circle = test::circleOf(section, RadiusMeasure::circle);
   EXPECT_NEAR(circle.radius, 10, 0.2);
   EXPECT_LT(circle.center.norm(), 0.3);
   EXPECT_NEAR(circle.error, 0.2, 0.05);
@@ -97,39 +91,41 @@ TEST(MeasuredCircle, FitsAHalfScannedStemAndRefusesItsHull) {
 }
 
 TEST(MeasuredCircle, IsNotPulledByStrayPoints) {
-  std::vector<Eigen::Vector2d> points = arc(120, 2 * pi, 0.1);
+  std::vector<Eigen::Vector2d> points = arc(120, 2 * std::numbers::pi, 0.1);
   Random random(3);
   for (int i = 0; i < 80; ++i) // 40 % of all, in a bunch beside the stem
     points.emplace_back(14 + random.normal(), 5 + random.normal());
-  const FittedCircle circle = circleOf(sectionOf(points), RadiusMeasure::circle);
+  const FittedCircle circle = test::circleOf(sectionOf(points), RadiusMeasure::circle);
   EXPECT_NEAR(circle.radius, 10, 0.1);
   EXPECT_LT(circle.center.norm(), 0.1);
   EXPECT_LT(circle.error, 0.2);
 }
 
 TEST(MeasuredCircle, IsRefusedOnAShortArc) {
-  const CrossSection section = sectionOf(arc(100, pi / 4, 0.01));
+  const CrossSection section = sectionOf(arc(100, std::numbers::pi / 4, 0.01));
   EXPECT_EQ(refusalOf(section, RadiusMeasure::circle), NoRadius::oneSided);
 }
 
 // The wood lies beside the node: its far and near walls are seen within less than half a turn.
 TEST(MeasuredCircle, IsNoMeanOrMaximumFromOutsideTheWood) {
-  const CrossSection section = sectionOf(arc(300, 2 * pi, 0, {15, 0}));
+  const CrossSection section = sectionOf(arc(300, 2 * std::numbers::pi, 0, {15, 0}));
   EXPECT_EQ(refusalOf(section, RadiusMeasure::mean), NoRadius::oneSided);
   EXPECT_EQ(refusalOf(section, RadiusMeasure::maximum), NoRadius::oneSided);
-  EXPECT_NEAR(circleOf(section, RadiusMeasure::circle).radius, 10, 1e-6);
+  EXPECT_NEAR(test::circleOf(section, RadiusMeasure::circle).radius, 10, 1e-6);
 }
 
 TEST(MeasuredCircle, IsTheMeanOfAHalfScannedStem) {
-  EXPECT_NEAR(circleOf(sectionOf(arc(100, pi)), RadiusMeasure::mean).radius, 10, 1e-9);
+  EXPECT_NEAR(test::circleOf(sectionOf(arc(100, std::numbers::pi)), RadiusMeasure::mean).radius, 10,
+              1e-9);
 }
 
 TEST(MeasuredCircle, IsRefusedForFewPoints) {
   EXPECT_EQ(refusalOf(sectionOf({}), RadiusMeasure::mean), NoRadius::fewPoints);
   for (const RadiusMeasure measure :
        {RadiusMeasure::mean, RadiusMeasure::maximum, RadiusMeasure::hull, RadiusMeasure::circle})
-    EXPECT_EQ(refusalOf(sectionOf(arc(7, 2 * pi)), measure), NoRadius::fewPoints);
-  EXPECT_NEAR(circleOf(sectionOf(arc(8, 2 * pi)), RadiusMeasure::circle).radius, 10, 1e-9);
+    EXPECT_EQ(refusalOf(sectionOf(arc(7, 2 * std::numbers::pi)), measure), NoRadius::fewPoints);
+  EXPECT_NEAR(test::circleOf(sectionOf(arc(8, 2 * std::numbers::pi)), RadiusMeasure::circle).radius,
+              10, 1e-9);
 }
 
 TEST(MeasuredCircle, IsRefusedForPointsOnALineOrInOnePlace) {
@@ -145,9 +141,9 @@ TEST(MeasuredCircle, IsRefusedForPointsOnALineOrInOnePlace) {
 }
 
 TEST(MeasuredCircle, IsTheSameEachTime) {
-  const CrossSection section = sectionOf(arc(300, 2 * pi, 1));
-  const FittedCircle first = circleOf(section, RadiusMeasure::circle);
-  const FittedCircle second = circleOf(section, RadiusMeasure::circle);
+  const CrossSection section = sectionOf(arc(300, 2 * std::numbers::pi, 1));
+  const FittedCircle first = test::circleOf(section, RadiusMeasure::circle);
+  const FittedCircle second = test::circleOf(section, RadiusMeasure::circle);
   EXPECT_EQ(first.center, second.center);
   EXPECT_EQ(first.radius, second.radius);
 }

@@ -80,13 +80,13 @@ TEST(FlatOverlap, TurnsWithThePieces) {
   EXPECT_NEAR(flatOverlap(bar(turn * a), bar(turn * b)), flatOverlap(bar(a), bar(b)), 1e-9);
 }
 
-BranchStructureOptions options() {
+BranchStructureOptions branchStructure() {
   return {.radiusShare = 1, .spacing = 0.15};
 }
 
 TEST(BranchStructure, StaysOnTheWoodAndReachesItsTips) {
   const Eigen::Matrix3Xf points = test::forkCloud();
-  const Skeleton skeleton = skeletonByBranchStructure(points, findRoot(points), options());
+  const Skeleton skeleton = skeletonByBranchStructure(points, findRoot(points), branchStructure());
   EXPECT_EQ(skeleton.roots().size(), 1U);
   EXPECT_LT(test::farthestFromFork(skeleton), 0.08);
   double top = 0;
@@ -99,7 +99,7 @@ TEST(BranchStructure, StaysOnTheWoodAndReachesItsTips) {
 TEST(BranchStructure, PullsTheHeavyBranchToTheAxis) {
   const Eigen::Matrix3Xf points = test::cylinder({0, 0, 0}, {0, 0, 3}, 0.04, 0.02);
   const auto bend = [&](int rounds) {
-    BranchStructureOptions with = options();
+    BranchStructureOptions with = branchStructure();
     with.rounds = rounds;
     const Skeleton skeleton = skeletonByBranchStructure(points, findRoot(points), with);
     double length = 0;
@@ -113,7 +113,7 @@ TEST(BranchStructure, PullsTheHeavyBranchToTheAxis) {
 
 TEST(BranchStructure, FiltersShortEdgesAndOverlaps) {
   const Eigen::Matrix3Xf points = test::forkCloud();
-  BranchStructureOptions all = options();
+  BranchStructureOptions all = branchStructure();
   all.leastEdge = 0;
   all.overlap = 1;
   all.spacing = 10;
@@ -128,7 +128,7 @@ TEST(BranchStructure, FiltersShortEdgesAndOverlaps) {
 }
 
 TEST(BranchStructure, RefusesARootThatCarriesLessThanHalf) {
-  BranchStructureOptions strict = options();
+  BranchStructureOptions strict = branchStructure();
   strict.widestGap = 1;
   EXPECT_THROW(
       (void)skeletonByBranchStructure(test::both(test::cylinder({0, 0, 0}, {0, 0, 0.5}, 0.04, 0.02),
@@ -138,8 +138,10 @@ TEST(BranchStructure, RefusesARootThatCarriesLessThanHalf) {
 }
 
 TEST(BranchStructure, CopesWithCoincidentAndSinglePoints) {
-  EXPECT_LE(skeletonByBranchStructure(Eigen::Matrix3Xf::Ones(3, 50), 0, options()).size(), 50U);
-  EXPECT_EQ(skeletonByBranchStructure(Eigen::Matrix3Xf::Ones(3, 1), 0, options()).size(), 1U);
+  EXPECT_LE(skeletonByBranchStructure(Eigen::Matrix3Xf::Ones(3, 50), 0, branchStructure()).size(),
+            50U);
+  EXPECT_EQ(skeletonByBranchStructure(Eigen::Matrix3Xf::Ones(3, 1), 0, branchStructure()).size(),
+            1U);
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "core/graph/find_root.h"
 #include "core/reconstruct/geodesic_bins.h"
 #include "tests/support/clouds.h"
+#include "tests/support/plants.h"
 
 #include <gtest/gtest.h>
 
@@ -12,25 +13,19 @@
 namespace espalier {
 namespace {
 
-constexpr GeodesicBinOptions options{.neighbors = 10, .binWidth = 0.15};
-
-std::ptrdiff_t countTips(const Skeleton& skeleton) {
-  const std::vector<NodeId> ids = skeleton.ids();
-  return std::count_if(ids.begin(), ids.end(),
-                       [&](NodeId id) { return skeleton.children(id).empty(); });
-}
+constexpr GeodesicBinOptions binOptions{.neighbors = 10, .binWidth = 0.15};
 
 Skeleton skeletonOf(const Eigen::Matrix3Xf& points) {
-  return skeletonByGeodesicBins(points, findRoot(points), options);
+  return skeletonByGeodesicBins(points, findRoot(points), binOptions);
 }
 
 TEST(GeodesicBins, FindTheForkOfAFork) {
   const Skeleton skeleton = skeletonOf(test::forkCloud());
   ASSERT_EQ(skeleton.roots().size(), 1U);
-  EXPECT_EQ(countTips(skeleton), 2);
+  EXPECT_EQ(test::countTips(skeleton), 2);
   // The bin of the fork holds both arms where they touch: its node stands up to half a bin between
   // them.
-  EXPECT_LT(test::farthestFromFork(skeleton), options.binWidth / 2 + 0.04);
+  EXPECT_LT(test::farthestFromFork(skeleton), binOptions.binWidth / 2 + 0.04);
   EXPECT_NEAR(static_cast<double>(skeleton.size()), (2 + 1.5 + 1.5) / 0.15, 3);
 }
 
@@ -39,7 +34,7 @@ TEST(GeodesicBins, JoinWhatAGapParts) {
                                              test::cylinder({0, 0, 1.3}, {0, 0, 2}, 0.04, 0.02));
   const Skeleton skeleton = skeletonOf(points);
   EXPECT_EQ(skeleton.roots().size(), 1U);
-  EXPECT_EQ(countTips(skeleton), 1);
+  EXPECT_EQ(test::countTips(skeleton), 1);
 }
 
 /// A trunk, a branch that winds out to (0.9, 0, 0.5) and back to (0.5, 0, 1), from where it rises,
@@ -75,7 +70,7 @@ TEST(GeodesicBins, HangTouchingWoodOnTheWoodItRunsAlongIfTurnsCost) {
   const Eigen::Vector3d tip(0.5, 0, 2);
   const Eigen::Vector3d bend(0.9, 0, 0.5); // the branch; by the twig the way is shorter
   EXPECT_GT(nearestOnWay(skeletonOf(points), tip, bend), 0.5);
-  GeodesicBinOptions turning = options;
+  GeodesicBinOptions turning = binOptions;
   turning.turnCost = 5;
   const Skeleton skeleton = skeletonByGeodesicBins(points, findRoot(points), turning);
   EXPECT_LT(nearestOnWay(skeleton, tip, bend), 0.15);
@@ -84,16 +79,16 @@ TEST(GeodesicBins, HangTouchingWoodOnTheWoodItRunsAlongIfTurnsCost) {
 }
 
 TEST(GeodesicBins, FindTheForkOfAForkIfTurnsCost) {
-  GeodesicBinOptions turning = options;
+  GeodesicBinOptions turning = binOptions;
   turning.turnCost = 5;
   const Eigen::Matrix3Xf points = test::forkCloud();
-  EXPECT_EQ(countTips(skeletonByGeodesicBins(points, findRoot(points), turning)), 2);
+  EXPECT_EQ(test::countTips(skeletonByGeodesicBins(points, findRoot(points), turning)), 2);
 }
 
 TEST(GeodesicBins, KeepOutWhatIsFartherThanTheWidestGap) {
   const Eigen::Matrix3Xf points = test::both(test::cylinder({0, 0, 0}, {0, 0, 2}, 0.04, 0.02),
                                              test::cylinder({1, 0, 1}, {1, 0, 2}, 0.04, 0.02));
-  GeodesicBinOptions strict = options;
+  GeodesicBinOptions strict = binOptions;
   strict.widestGap = 0.3;
   const Skeleton skeleton = skeletonByGeodesicBins(points, findRoot(points), strict);
   EXPECT_NEAR(static_cast<double>(skeleton.size()), 2 / 0.15, 2);
@@ -102,18 +97,18 @@ TEST(GeodesicBins, KeepOutWhatIsFartherThanTheWidestGap) {
 TEST(GeodesicBins, RefuseARootThatCarriesLessThanHalf) {
   const Eigen::Matrix3Xf points = test::both(test::cylinder({0, 0, 0}, {0, 0, 0.5}, 0.04, 0.02),
                                              test::cylinder({9, 0, 0}, {9, 0, 3}, 0.04, 0.02));
-  GeodesicBinOptions strict = options;
+  GeodesicBinOptions strict = binOptions;
   strict.widestGap = 1;
   EXPECT_THROW((void)skeletonByGeodesicBins(points, 0, strict), Error);
 }
 
 TEST(GeodesicBins, FollowMovingTurningAndScaling) {
   const Eigen::Matrix3Xf points = test::forkCloud();
-  const Skeleton skeleton = skeletonByGeodesicBins(points, 0, options);
+  const Skeleton skeleton = skeletonByGeodesicBins(points, 0, binOptions);
   Eigen::Affine3f change = Eigen::Affine3f::Identity();
   change.scale(1000).rotate(Eigen::AngleAxisf(1, Eigen::Vector3f(1, 2, 3).normalized()));
-  GeodesicBinOptions scaled = options;
-  scaled.binWidth = 1000 * options.binWidth;
+  GeodesicBinOptions scaled = binOptions;
+  scaled.binWidth = 1000 * binOptions.binWidth;
   const Skeleton moved = skeletonByGeodesicBins(change * points, 0, scaled);
   ASSERT_EQ(moved.size(), skeleton.size());
   const std::vector<NodeId> ids = skeleton.ids();
@@ -131,13 +126,13 @@ TEST(GeodesicBins, AreTheSameOnAnyNumberOfThreads) {
 TEST(GeodesicBins, CopeWithTwoAndWithCoincidentPoints) {
   Eigen::Matrix3Xf two(3, 2);
   two << 0, 0, 0, 0, 0, 1;
-  EXPECT_EQ(skeletonByGeodesicBins(two, 0, options).size(), 2U);
-  EXPECT_EQ(skeletonByGeodesicBins(Eigen::Matrix3Xf::Ones(3, 100), 0, options).size(), 1U);
+  EXPECT_EQ(skeletonByGeodesicBins(two, 0, binOptions).size(), 2U);
+  EXPECT_EQ(skeletonByGeodesicBins(Eigen::Matrix3Xf::Ones(3, 100), 0, binOptions).size(), 1U);
 }
 
 TEST(GeodesicBins, StopWhenAsked) {
   EXPECT_TRUE(test::stopsWhenAsked([](const Progress& progress) {
-    (void)skeletonByGeodesicBins(test::forkCloud(), 0, options, progress);
+    (void)skeletonByGeodesicBins(test::forkCloud(), 0, binOptions, progress);
   }));
 }
 

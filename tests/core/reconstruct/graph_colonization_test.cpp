@@ -10,7 +10,7 @@
 namespace espalier {
 namespace {
 
-constexpr GraphColonizationOptions options{
+constexpr GraphColonizationOptions colonizationOptions{
     .neighbors = 10, .leastStep = 0.1, .greatestStep = 0.2, .widestGap = 0.3};
 
 /// A line of points upwards, 0.01 apart.
@@ -23,7 +23,7 @@ Eigen::Matrix3Xf line(double from, double to) {
 }
 
 Skeleton skeletonOf(const Eigen::Matrix3Xf& points, float density,
-                    const GraphColonizationOptions& with = options) {
+                    const GraphColonizationOptions& with = colonizationOptions) {
   const std::vector<float> densities(static_cast<std::size_t>(points.cols()), density);
   return skeletonByGraphColonization(points, densities, 0, with);
 }
@@ -39,12 +39,12 @@ TEST(GraphColonization, ChangesItsStepWithTheDensityOnTheWay) {
   const Eigen::Matrix3Xf points = line(0, 1);
   std::vector<float> densities(static_cast<std::size_t>(points.cols()), 1);
   std::fill(densities.begin() + 50, densities.end(), 0.0F);
-  const Skeleton skeleton = skeletonByGraphColonization(points, densities, 0, options);
+  const Skeleton skeleton = skeletonByGraphColonization(points, densities, 0, colonizationOptions);
   EXPECT_NEAR(static_cast<double>(skeleton.size()), 2.5 + 5, 1);
 }
 
 TEST(GraphColonization, PutsNodesBetweenTheMeanAndTheJunctionOfTheirPoints) {
-  GraphColonizationOptions atJunctions = options;
+  GraphColonizationOptions atJunctions = colonizationOptions;
   atJunctions.junctionShare = 1;
   const Skeleton means = skeletonOf(line(0, 1), 0);
   const Skeleton junctions = skeletonOf(line(0, 1), 0, atJunctions);
@@ -59,7 +59,7 @@ TEST(GraphColonization, FindsTheForkOfAFork) {
   const Eigen::Matrix3Xf points = test::forkCloud();
   const std::vector<float> densities(static_cast<std::size_t>(points.cols()), 0.5F);
   const Skeleton skeleton =
-      skeletonByGraphColonization(points, densities, findRoot(points), options);
+      skeletonByGraphColonization(points, densities, findRoot(points), colonizationOptions);
   const std::vector<NodeId> ids = skeleton.ids();
   EXPECT_EQ(std::ranges::count_if(ids, [&](NodeId id) { return skeleton.children(id).empty(); }),
             2);
@@ -91,7 +91,7 @@ TEST(GraphColonization, StopsWhenAsked) {
   const Eigen::Matrix3Xf points = test::forkCloud();
   const std::vector<float> densities(static_cast<std::size_t>(points.cols()), 0.5F);
   EXPECT_TRUE(test::stopsWhenAsked([&](const Progress& progress) {
-    (void)skeletonByGraphColonization(points, densities, 0, options, progress);
+    (void)skeletonByGraphColonization(points, densities, 0, colonizationOptions, progress);
   }));
 }
 

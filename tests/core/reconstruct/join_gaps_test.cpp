@@ -7,7 +7,7 @@
 namespace espalier {
 namespace {
 
-const GapOptions options{.widest = 1.5, .reach = 8};
+const GapOptions gapOptions{.widest = 1.5, .reach = 8};
 
 /// Nodes 1 apart from `from`, in `way`, on `parent`.
 std::vector<NodeId> grow(Skeleton& plant, std::optional<NodeId> parent, const Eigen::Vector3d& from,
@@ -29,7 +29,7 @@ TEST(WithJoinedGaps, HangsWhatGoesOnStraightOnTheWoodBelowIt) {
   const auto beside = grow(plant, second[0], {2, 0, 0}, {0.1, 0, 1}, 16);
   const auto upper = grow(plant, beside[8], {0, 0, 9}, {0, 0, 1}, 6);
   ASSERT_LT((plant[upper[0]].position - plant[beside[8]].position).norm(), 4);
-  const Skeleton joined = withJoinedGaps(plant, options);
+  const Skeleton joined = withJoinedGaps(plant, gapOptions);
   EXPECT_EQ(joined[upper[0]].parent, first.back());
   EXPECT_EQ(joined.size(), plant.size());
   EXPECT_EQ(joined.roots().size(), 1U);
@@ -42,7 +42,7 @@ TEST(WithJoinedGaps, TurnsAFragmentAroundThatGrewFromItsOtherEnd) {
   const auto bridge = grow(plant, first[0], {1, 0, 0}, {1, 0, 0}, 3);
   const auto beside = grow(plant, bridge.back(), {4, 0, 1}, {0, 0, 1}, 14);
   const auto upper = grow(plant, beside.back(), {1, 0, 13.5}, {-0.18, 0, -1}, 6);
-  const Skeleton joined = withJoinedGaps(plant, options);
+  const Skeleton joined = withJoinedGaps(plant, gapOptions);
   EXPECT_EQ(joined[upper.back()].parent, first.back());
   for (std::size_t i = 0; i + 1 < upper.size(); ++i)
     EXPECT_EQ(joined[upper[i]].parent, upper[i + 1]);
@@ -78,9 +78,9 @@ EnteredFromAbove enteredFromAbove() {
 // is farther away.
 TEST(WithJoinedGaps, HangsACrownOnItsFootAsItsBranchesPoint) {
   const EnteredFromAbove scene = enteredFromAbove();
-  EXPECT_EQ(withJoinedGaps(scene.plant, options), scene.plant)
+  EXPECT_EQ(withJoinedGaps(scene.plant, gapOptions), scene.plant)
       << "the nearer end, if they are free";
-  GapOptions told = options;
+  GapOptions told = gapOptions;
   told.backCost = 2;
   const Skeleton joined = withJoinedGaps(scene.plant, told);
   EXPECT_EQ(joined[scene.crown.back()].parent, scene.below);
@@ -98,20 +98,20 @@ TEST(WithJoinedGaps, TakesNoThickWoodForAGap) {
     grow(plant, trunk[3], {5, 0, 3}, {1, 0, 0}, 5);
     return plant;
   };
-  EXPECT_EQ(withJoinedGaps(withTrunk(3), options), withTrunk(3));
-  EXPECT_NE(withJoinedGaps(withTrunk(0.1), options), withTrunk(0.1)) << "this is one";
+  EXPECT_EQ(withJoinedGaps(withTrunk(3), gapOptions), withTrunk(3));
+  EXPECT_NE(withJoinedGaps(withTrunk(0.1), gapOptions), withTrunk(0.1)) << "this is one";
 }
 
 TEST(WithJoinedGaps, LeavesAPlantWithoutGaps) {
   for (const Skeleton& plant : {test::stick(20), test::fork(4), Skeleton(), test::stick(1)})
-    EXPECT_EQ(withJoinedGaps(plant, options), plant);
+    EXPECT_EQ(withJoinedGaps(plant, gapOptions), plant);
 }
 
 TEST(WithJoinedGaps, LeavesOnItsEdgeWhatNothingElseIsInReachOf) {
   Skeleton plant;
   const auto first = grow(plant, std::nullopt, {0, 0, 0}, {0, 0, 1}, 4);
   const auto far = grow(plant, first[1], {50, 0, 0}, {0, 0, 1}, 4);
-  EXPECT_EQ(withJoinedGaps(plant, options), plant);
+  EXPECT_EQ(withJoinedGaps(plant, gapOptions), plant);
   EXPECT_EQ(plant[far[0]].parent, first[1]);
 }
 
@@ -119,7 +119,7 @@ TEST(WithJoinedGaps, KeepsTreesApart) {
   Skeleton plant;
   grow(plant, std::nullopt, {0, 0, 0}, {0, 0, 1}, 4);
   grow(plant, std::nullopt, {0, 0, 6}, {0, 0, 1}, 4);
-  EXPECT_EQ(withJoinedGaps(plant, options), plant);
+  EXPECT_EQ(withJoinedGaps(plant, gapOptions), plant);
 }
 
 TEST(WithJoinedGaps, MakesATreeOfAnyMessOfFragments) {
@@ -133,8 +133,9 @@ TEST(WithJoinedGaps, MakesATreeOfAnyMessOfFragments) {
 }
 
 TEST(WithJoinedGaps, StopsWhenAsked) {
-  EXPECT_TRUE(test::stopsWhenAsked(
-      [](const Progress& progress) { (void)withJoinedGaps(test::stick(5), options, progress); }));
+  EXPECT_TRUE(test::stopsWhenAsked([](const Progress& progress) {
+    (void)withJoinedGaps(test::stick(5), gapOptions, progress);
+  }));
 }
 
 } // namespace

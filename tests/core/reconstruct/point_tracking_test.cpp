@@ -2,6 +2,7 @@
 #include "core/reconstruct/direction_cones.h"
 #include "core/reconstruct/point_tracking.h"
 #include "tests/support/clouds.h"
+#include "tests/support/plants.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -13,12 +14,12 @@ namespace espalier {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr PointTrackingOptions options{.leastStep = 0.1,
-                                       .greatestStep = 0.1,
-                                       .reach = 2,
-                                       .kill = 1.2,
-                                       .widestGap = 0.3,
-                                       .clusterDensity = 1};
+constexpr PointTrackingOptions trackingOptions{.leastStep = 0.1,
+                                               .greatestStep = 0.1,
+                                               .reach = 2,
+                                               .kill = 1.2,
+                                               .widestGap = 0.3,
+                                               .clusterDensity = 1};
 
 Eigen::Vector3d tilted(double angle, double azimuth = 0) {
   return {std::sin(angle) * std::cos(azimuth), std::sin(angle) * std::sin(azimuth),
@@ -26,7 +27,7 @@ Eigen::Vector3d tilted(double angle, double azimuth = 0) {
 }
 
 /// Points 0.01 apart from one place to another.
-Eigen::Matrix3Xf line(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+Eigen::Matrix3Xf lineOfPoints(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
   const auto count = static_cast<Eigen::Index>((to - from).norm() / 0.01 + 1.5);
   Eigen::Matrix3Xf points(3, count);
   for (Eigen::Index i = 0; i < count; ++i)
@@ -36,14 +37,9 @@ Eigen::Matrix3Xf line(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
 }
 
 Skeleton skeletonOf(const Eigen::Matrix3Xf& points, float density = 0.5F,
-                    const PointTrackingOptions& with = options) {
+                    const PointTrackingOptions& with = trackingOptions) {
   const std::vector<float> densities(static_cast<std::size_t>(points.cols()), density);
   return skeletonByPointTracking(points, densities, 0, with);
-}
-
-std::ptrdiff_t countTips(const Skeleton& skeleton) {
-  const std::vector<NodeId> ids = skeleton.ids();
-  return std::ranges::count_if(ids, [&](NodeId id) { return skeleton.children(id).empty(); });
 }
 
 TEST(DirectionCones, StandAheadAndInRingsBelowARightAngle) {
@@ -85,7 +81,7 @@ TEST(Heading, KeepsItsSideAcrossAndTurnsNoMoreThanItMust) {
 
 // The last node kills all within 0.12 of it.
 TEST(PointTracking, ClimbsALineByEvenSteps) {
-  const Skeleton skeleton = skeletonOf(line({0, 0, 0}, {0, 0, 1}));
+  const Skeleton skeleton = skeletonOf(lineOfPoints({0, 0, 0}, {0, 0, 1}));
   const std::vector<NodeId> ids = skeleton.ids();
   EXPECT_EQ(ids.size(), 10U); // at 0, 0.1, ..., 0.9
   for (std::size_t i = 0; i < ids.size(); ++i)
@@ -93,20 +89,20 @@ TEST(PointTracking, ClimbsALineByEvenSteps) {
 }
 
 TEST(PointTracking, StepsByTheDensity) {
-  PointTrackingOptions adaptive = options;
+  PointTrackingOptions adaptive = trackingOptions;
   adaptive.greatestStep = 0.2;
-  EXPECT_EQ(skeletonOf(line({0, 0, 0}, {0, 0, 1}), 0, adaptive).size(), 10U);
-  EXPECT_EQ(skeletonOf(line({0, 0, 0}, {0, 0, 1}), 1, adaptive).size(), 5U);
+  EXPECT_EQ(skeletonOf(lineOfPoints({0, 0, 0}, {0, 0, 1}), 0, adaptive).size(), 10U);
+  EXPECT_EQ(skeletonOf(lineOfPoints({0, 0, 0}, {0, 0, 1}), 1, adaptive).size(), 5U);
 }
 
 TEST(PointTracking, ForksWhereThePointsDo) {
   for (const double angle : {30 * degree, 45 * degree, 60 * degree}) {
     const Eigen::Vector3d fork(0, 0, 1);
-    const Eigen::Matrix3Xf points =
-        test::both(line({0, 0, 0}, fork),
-                   test::both(line(fork, fork + tilted(angle)), line(fork, fork + tilted(-angle))));
+    const Eigen::Matrix3Xf points = test::both(
+        lineOfPoints({0, 0, 0}, fork), test::both(lineOfPoints(fork, fork + tilted(angle)),
+                                                  lineOfPoints(fork, fork + tilted(-angle))));
     const Skeleton skeleton = skeletonOf(points);
-    EXPECT_GE(countTips(skeleton), 2) << angle / degree;
+    EXPECT_GE(test::countTips(skeleton), 2) << angle / degree;
     for (const double side : {-angle, angle}) {
       double nearest = 1;
       for (const NodeId id : skeleton.ids())
@@ -118,7 +114,7 @@ TEST(PointTracking, ForksWhereThePointsDo) {
 
 TEST(PointTracking, FindsASideBranchAtARightAngle) {
   const Eigen::Matrix3Xf points =
-      test::both(line({0, 0, 0}, {0, 0, 2}), line({0, 0, 1.05}, {1, 0, 1.35}));
+      test::both(lineOfPoints({0, 0, 0}, {0, 0, 2}), lineOfPoints({0, 0, 1.05}, {1, 0, 1.35}));
   double farthest = 0;
   const Skeleton skeleton = skeletonOf(points);
   for (const NodeId id : skeleton.ids())
@@ -127,26 +123,28 @@ TEST(PointTracking, FindsASideBranchAtARightAngle) {
 }
 
 TEST(PointTracking, GrowsIntoNoConeOfFewPoints) {
-  Eigen::Matrix3Xf few(3, 2); // in the shell of the node at 0.5, far off the line
+  Eigen::Matrix3Xf few(3, 2); // in the shell of the node at 0.5, far off the lineOfPoints
   few << 0.13F, 0.13F, 0, 0, 0.58F, 0.59F;
-  const Skeleton skeleton = skeletonOf(test::both(line({0, 0, 0}, {0, 0, 1}), few));
-  EXPECT_EQ(countTips(skeleton), 1);
-  PointTrackingOptions any = options;
+  const Skeleton skeleton = skeletonOf(test::both(lineOfPoints({0, 0, 0}, {0, 0, 1}), few));
+  EXPECT_EQ(test::countTips(skeleton), 1);
+  PointTrackingOptions any = trackingOptions;
   any.fewestPoints = 1;
-  EXPECT_GT(countTips(skeletonOf(test::both(line({0, 0, 0}, {0, 0, 1}), few), 0.5F, any)), 1);
+  EXPECT_GT(
+      test::countTips(skeletonOf(test::both(lineOfPoints({0, 0, 0}, {0, 0, 1}), few), 0.5F, any)),
+      1);
 }
 
 TEST(PointTracking, EndsBeforeAGapWiderThanItsReach) {
-  const Skeleton skeleton =
-      skeletonOf(test::both(line({0, 0, 0}, {0, 0, 1}), line({0, 0, 1.4}, {0, 0, 2})));
+  const Skeleton skeleton = skeletonOf(
+      test::both(lineOfPoints({0, 0, 0}, {0, 0, 1}), lineOfPoints({0, 0, 1.4}, {0, 0, 2})));
   for (const NodeId id : skeleton.ids())
     EXPECT_LT(skeleton[id].position.z(), 1.1);
 }
 
 TEST(PointTracking, RefusesARootThatReachesLessThanHalf) {
-  EXPECT_THROW(
-      (void)skeletonOf(test::both(line({0, 0, 0}, {0, 0, 0.5}), line({9, 0, 0}, {9, 0, 3}))),
-      Error);
+  EXPECT_THROW((void)skeletonOf(test::both(lineOfPoints({0, 0, 0}, {0, 0, 0.5}),
+                                           lineOfPoints({9, 0, 0}, {9, 0, 3}))),
+               Error);
 }
 
 TEST(PointTracking, MakesOneNodeOfCoincidentPoints) {

@@ -3,6 +3,7 @@
 #include "core/reconstruct/point_tree.h"
 #include "core/reconstruct/shortest_path_skeleton.h"
 #include "tests/support/clouds.h"
+#include "tests/support/plants.h"
 
 #include <gtest/gtest.h>
 
@@ -12,21 +13,16 @@
 namespace espalier {
 namespace {
 
-constexpr ShortestPathOptions options{.spacing = 0.15, .leastRadius = 0.04};
+constexpr ShortestPathOptions shortestPathOptions{.spacing = 0.15, .leastRadius = 0.04};
 
 /// Points 0.01 apart from one place to another, without the first.
-Eigen::Matrix3Xf line(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+Eigen::Matrix3Xf lineAbove(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
   const auto count = static_cast<Eigen::Index>((to - from).norm() / 0.01 + 0.5);
   Eigen::Matrix3Xf points(3, count);
   for (Eigen::Index i = 0; i < count; ++i)
     points.col(i) = (from + static_cast<double>(i + 1) / static_cast<double>(count) * (to - from))
                         .cast<float>();
   return points;
-}
-
-std::ptrdiff_t countTips(const Skeleton& skeleton) {
-  const std::vector<NodeId> ids = skeleton.ids();
-  return std::ranges::count_if(ids, [&](NodeId id) { return skeleton.children(id).empty(); });
 }
 
 TEST(PointTree, LeadsToEveryPointParentsFirst) {
@@ -82,7 +78,7 @@ TEST(PointTree, GivesNoEdgeLongerThanTheSpacing) {
 
 TEST(ShortestPaths, FindTheForkOfAFork) {
   const Eigen::Matrix3Xf points = test::forkCloud();
-  const Skeleton skeleton = skeletonByShortestPaths(points, findRoot(points), options);
+  const Skeleton skeleton = skeletonByShortestPaths(points, findRoot(points), shortestPathOptions);
   EXPECT_EQ(skeleton.roots().size(), 1U);
   EXPECT_LT(test::farthestFromFork(skeleton), 0.05); // on the wood, or in it
   double top = 0;
@@ -92,19 +88,20 @@ TEST(ShortestPaths, FindTheForkOfAFork) {
 }
 
 TEST(ShortestPaths, MakeOneWayOfALine) {
-  const Skeleton skeleton = skeletonByShortestPaths(line({0, 0, 0}, {0, 0, 3}), 0, options);
-  EXPECT_EQ(countTips(skeleton), 1);
+  const Skeleton skeleton =
+      skeletonByShortestPaths(lineAbove({0, 0, 0}, {0, 0, 3}), 0, shortestPathOptions);
+  EXPECT_EQ(test::countTips(skeleton), 1);
   EXPECT_NEAR(static_cast<double>(skeleton.size()), 3 / 0.15 + 1, 2);
 }
 
 // A branch of 0.05 is 1.7 % of a way of 3, one of 0.1 is 3.3 %.
 TEST(ShortestPaths, PruneSmallSharesOnly) {
-  ShortestPathOptions thin = options;
+  ShortestPathOptions thin = shortestPathOptions;
   thin.leastRadius = 0.005;
-  const Eigen::Matrix3Xf trunk = line({0, 0, 0}, {0, 0, 3});
+  const Eigen::Matrix3Xf trunk = lineAbove({0, 0, 0}, {0, 0, 3});
   const auto tips = [&](double length) {
-    const Eigen::Matrix3Xf branch = line({0, 0, 0.01}, {length, 0, 0.01});
-    return countTips(skeletonByShortestPaths(test::both(trunk, branch), 0, thin));
+    const Eigen::Matrix3Xf branch = lineAbove({0, 0, 0.01}, {length, 0, 0.01});
+    return test::countTips(skeletonByShortestPaths(test::both(trunk, branch), 0, thin));
   };
   EXPECT_EQ(tips(0.05), 1);
   EXPECT_EQ(tips(0.1), 2);
@@ -112,24 +109,27 @@ TEST(ShortestPaths, PruneSmallSharesOnly) {
 
 TEST(ShortestPaths, MergeWhatRunsSideBySideWithinTheWood) {
   const Eigen::Matrix3Xf points =
-      test::both(line({0, 0, 0}, {0.01, 0, 0.3}), line({0, 0, 0}, {-0.01, 0, 0.3}));
-  EXPECT_EQ(countTips(skeletonByShortestPaths(points, 0, options)), 1);
+      test::both(lineAbove({0, 0, 0}, {0.01, 0, 0.3}), lineAbove({0, 0, 0}, {-0.01, 0, 0.3}));
+  EXPECT_EQ(test::countTips(skeletonByShortestPaths(points, 0, shortestPathOptions)), 1);
   const Eigen::Matrix3Xf apart =
-      test::both(line({0, 0, 0}, {0.2, 0, 0.3}), line({0, 0, 0}, {-0.2, 0, 0.3}));
-  EXPECT_EQ(countTips(skeletonByShortestPaths(apart, 0, options)), 2);
+      test::both(lineAbove({0, 0, 0}, {0.2, 0, 0.3}), lineAbove({0, 0, 0}, {-0.2, 0, 0.3}));
+  EXPECT_EQ(test::countTips(skeletonByShortestPaths(apart, 0, shortestPathOptions)), 2);
 }
 
 TEST(ShortestPaths, RefuseARootThatCarriesLessThanHalf) {
-  ShortestPathOptions strict = options;
+  ShortestPathOptions strict = shortestPathOptions;
   strict.widestGap = 1;
   EXPECT_THROW((void)skeletonByShortestPaths(
-                   test::both(line({0, 0, 0}, {0, 0, 0.5}), line({9, 0, 0}, {9, 0, 3})), 0, strict),
+                   test::both(lineAbove({0, 0, 0}, {0, 0, 0.5}), lineAbove({9, 0, 0}, {9, 0, 3})),
+                   0, strict),
                Error);
 }
 
 TEST(ShortestPaths, CopeWithCoincidentAndSinglePoints) {
-  EXPECT_LE(skeletonByShortestPaths(Eigen::Matrix3Xf::Ones(3, 50), 0, options).size(), 2U);
-  EXPECT_EQ(skeletonByShortestPaths(Eigen::Matrix3Xf::Ones(3, 1), 0, options).size(), 1U);
+  EXPECT_LE(skeletonByShortestPaths(Eigen::Matrix3Xf::Ones(3, 50), 0, shortestPathOptions).size(),
+            2U);
+  EXPECT_EQ(skeletonByShortestPaths(Eigen::Matrix3Xf::Ones(3, 1), 0, shortestPathOptions).size(),
+            1U);
 }
 
 } // namespace

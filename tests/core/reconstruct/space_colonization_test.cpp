@@ -13,15 +13,6 @@ namespace {
 constexpr SpaceColonizationOptions options{
     .leastStep = 0.1, .greatestStep = 0.1, .reach = 2.5, .kill = 1.2, .widestGap = 0.3};
 
-/// A line of points upwards, 0.01 apart.
-Eigen::Matrix3Xf line(double from, double to) {
-  const auto count = static_cast<Eigen::Index>((to - from) / 0.01 + 1.5);
-  Eigen::Matrix3Xf points = Eigen::Matrix3Xf::Zero(3, count);
-  points.row(2) =
-      Eigen::RowVectorXf::LinSpaced(count, static_cast<float>(from), static_cast<float>(to));
-  return points;
-}
-
 Skeleton skeletonOf(const Eigen::Matrix3Xf& points, Eigen::Index root, float density = 0.5F,
                     const SpaceColonizationOptions& with = options) {
   const std::vector<float> densities(static_cast<std::size_t>(points.cols()), density);

@@ -1,6 +1,6 @@
 #include "core/skeleton/checks_of_scan.h"
 #include "core/skeleton/select.h"
-#include "tests/support/clouds.h"
+#include "tests/support/cloud_of.h"
 #include "tests/support/plants.h"
 #include "tests/support/simulated.h"
 
@@ -17,13 +17,6 @@ using testing::IsEmpty;
 using testing::SizeIs;
 using Kind = Finding::Kind;
 
-std::shared_ptr<const PointCloud> cloudOf(const Eigen::Matrix3Xf& points) {
-  RawPoints raw;
-  for (Eigen::Index i = 0; i < points.cols(); ++i)
-    raw.positions.emplace_back(points.col(i).cast<double>());
-  return std::make_shared<const PointCloud>(std::move(raw));
-}
-
 std::vector<Finding> clustersIn(const std::shared_ptr<const PointCloud>& cloud,
                                 const Skeleton& skeleton, const CheckOptions& options = {}) {
   const double spacing = pointSpacing(cloud->positions());
@@ -39,7 +32,7 @@ std::vector<Finding> emptyEdges(const PointCloud& cloud, const Skeleton& skeleto
 /// A trunk of radius 0.1 and height 2 with points all over it, and its skeleton.
 const Eigen::Vector3d trunkTop(0, 0, 2);
 std::shared_ptr<const PointCloud> trunkCloud() {
-  return cloudOf(test::cylinder(Eigen::Vector3d::Zero(), trunkTop, 0.1, 0.02));
+  return test::cloudAtOrigin(test::cylinder(Eigen::Vector3d::Zero(), trunkTop, 0.1, 0.02));
 }
 
 /// The plant without what a node carries, itself included.
@@ -98,8 +91,8 @@ TEST(UnexplainedClusters, TellTheirSizeAndPlace) {
   Eigen::Matrix3Xf line(3, 50);
   for (int i = 0; i < 50; ++i)
     line.col(i) << 1.1F, 0, 1 + 0.01F * static_cast<float>(i - 24.5);
-  const auto cloud =
-      cloudOf(test::both(test::cylinder(Eigen::Vector3d::Zero(), trunkTop, 0.1, 0.02), line));
+  const auto cloud = test::cloudAtOrigin(
+      test::both(test::cylinder(Eigen::Vector3d::Zero(), trunkTop, 0.1, 0.02), line));
   const Skeleton trunk = test::stick(3);
   const std::vector<Finding> found = clustersIn(cloud, trunk);
   ASSERT_THAT(found, SizeIs(1));
@@ -123,8 +116,8 @@ TEST(UnexplainedClusters, CountEachPlaceOnce) {
   Eigen::Matrix3Xf line(3, 200);
   for (int i = 0; i < 200; ++i)
     line.col(i) << 1.1F, 0, 1 + 0.01F * static_cast<float>(i / 20);
-  const auto cloud =
-      cloudOf(test::both(test::cylinder(Eigen::Vector3d::Zero(), trunkTop, 0.1, 0.02), line));
+  const auto cloud = test::cloudAtOrigin(
+      test::both(test::cylinder(Eigen::Vector3d::Zero(), trunkTop, 0.1, 0.02), line));
   EXPECT_THAT(clustersIn(cloud, test::stick(3)), IsEmpty());
   EXPECT_THAT(clustersIn(cloud, test::stick(3), {.clusterSize = 10}), SizeIs(1));
 }

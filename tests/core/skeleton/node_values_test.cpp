@@ -1,5 +1,5 @@
 #include "core/skeleton/node_values.h"
-#include "tests/support/clouds.h"
+#include "tests/support/cloud_of.h"
 #include "tests/support/plants.h"
 
 #include <gtest/gtest.h>
@@ -12,13 +12,6 @@ namespace {
 using testing::ElementsAre;
 using testing::Eq;
 using testing::Optional;
-
-std::shared_ptr<const PointCloud> cloudOf(const Eigen::Matrix3Xf& points) {
-  RawPoints raw;
-  for (Eigen::Index i = 0; i < points.cols(); ++i)
-    raw.positions.emplace_back(points.col(i).cast<double>());
-  return std::make_shared<const PointCloud>(std::move(raw));
-}
 
 TEST(NodeValues, AreOrderAndRadius) {
   Skeleton plant = test::fork(2);
@@ -47,7 +40,7 @@ TEST(NodeValues, AreTheMeanDistanceOfThePointsOfAnEdge) {
   Eigen::Matrix3Xf points(3, 2);
   points << 0.3F, 0.5F, 0, 0, 1.5F, 1.5F;
   const Skeleton plant = test::stick(3);
-  const PointDistances distances(cloudOf(points), 0.1, plant);
+  const PointDistances distances(test::cloudAtOrigin(points), 0.1, plant);
   const auto values = nodeValues(plant, NodeValue::distance, &distances, 0.1);
   EXPECT_EQ(values[1], std::nullopt);
   ASSERT_TRUE(values[2].has_value());
@@ -59,7 +52,7 @@ TEST(NodeValues, AreTheShareOfTheSurfaceThatHasPoints) {
   const Eigen::Matrix3Xf points =
       test::cylinder(Eigen::Vector3d::Zero(), Eigen::Vector3d(0, 0, 1), 0.1, 0.02);
   const Skeleton plant = test::stick(3);
-  const auto cloud = cloudOf(points);
+  const auto cloud = test::cloudAtOrigin(points);
   const double spacing = pointSpacing(cloud->positions());
   const PointDistances distances(cloud, spacing, plant);
   const auto values = nodeValues(plant, NodeValue::confidence, &distances, spacing);

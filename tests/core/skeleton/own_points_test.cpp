@@ -1,7 +1,7 @@
 #include "core/skeleton/checks_of_scan.h"
 #include "core/skeleton/edits.h"
 #include "core/skeleton/skeleton_delta.h"
-#include "tests/support/clouds.h"
+#include "tests/support/cloud_of.h"
 #include "tests/support/plants.h"
 #include "tests/support/simulated.h"
 
@@ -21,13 +21,6 @@ constexpr double spacing = 0.02; // [L]
 constexpr double radius = 0.04;  // [L], of all wood here
 
 using Cloud = std::shared_ptr<const PointCloud>;
-
-Cloud cloudOf(const Eigen::Matrix3Xf& points) {
-  RawPoints raw;
-  for (Eigen::Index i = 0; i < points.cols(); ++i)
-    raw.positions.emplace_back(points.col(i).cast<double>());
-  return std::make_shared<const PointCloud>(std::move(raw));
-}
 
 std::vector<Finding> found(const Cloud& cloud, const Skeleton& skeleton,
                            const CheckOptions& options = {}) {
@@ -66,7 +59,7 @@ TEST(OwnPoints, AreNotThoseOfWoodBesideASpur) {
   Skeleton plant = trunks();
   const NodeId spur = addBranch(plant, leftMiddle, {0.1, 0, 0.5});
   const NodeId tip = addBranch(plant, spur, {0.1, 0, 0.7}, EdgeType::successor);
-  const Cloud cloud = cloudOf(trunkPoints());
+  const Cloud cloud = test::cloudAtOrigin(trunkPoints());
   const SpatialIndex index(cloud->positions());
   EXPECT_THAT(edgesWithoutPoints(plant, *cloud, index, spacing, {}), IsEmpty());
   const std::vector<Finding> findings = found(cloud, plant);
@@ -85,8 +78,8 @@ TEST(OwnPoints, AreThoseOfATrueShoot) {
   Skeleton plant = trunks();
   addBranch(plant, leftMiddle, {0, 0.2, 0.6});
   const Eigen::Matrix3Xf shoot = test::cylinder({0, 0, 0.5}, {0, 0.2, 0.6}, 0.01, spacing);
-  EXPECT_THAT(found(cloudOf(test::both(trunkPoints(), shoot)), plant), IsEmpty());
-  EXPECT_THAT(found(cloudOf(trunkPoints()), plant), SizeIs(1)) << "without its points";
+  EXPECT_THAT(found(test::cloudAtOrigin(test::both(trunkPoints(), shoot)), plant), IsEmpty());
+  EXPECT_THAT(found(test::cloudAtOrigin(trunkPoints()), plant), SizeIs(1)) << "without its points";
 }
 
 // Its beginning is at the other trunk, to which it leads across the gap.
@@ -95,7 +88,7 @@ TEST(OwnPoints, BeginLateWhereABranchHangsOnTheWrongWood) {
   const NodeId branch = addBranch(plant, rightMiddle, {0.2, 0.2, 0.5});
   const NodeId tip = addBranch(plant, branch, {0.2, 0.4, 0.5}, EdgeType::successor);
   const Eigen::Matrix3Xf wood = test::cylinder({0.2, 0, 0.5}, {0.2, 0.4, 0.5}, 0.01, spacing);
-  const Cloud cloud = cloudOf(test::both(trunkPoints(), wood));
+  const Cloud cloud = test::cloudAtOrigin(test::both(trunkPoints(), wood));
   EXPECT_THAT(found(cloud, plant), IsEmpty());
   plant.reparent(branch, leftMiddle, EdgeType::branching);
   const std::vector<Finding> findings = found(cloud, plant);
@@ -108,7 +101,7 @@ TEST(OwnPoints, BeginLateWhereABranchHangsOnTheWrongWood) {
 TEST(OwnPoints, AreNotAskedForInsideOtherWood) {
   Skeleton plant = trunks();
   addBranch(plant, leftMiddle, {radius + 2 * spacing - 1e-3, 0, 0.5}); // a bud
-  EXPECT_THAT(found(cloudOf(trunkPoints()), plant), IsEmpty());
+  EXPECT_THAT(found(test::cloudAtOrigin(trunkPoints()), plant), IsEmpty());
 }
 
 TEST(OwnPoints, AreMoreThanStrays) {
@@ -118,7 +111,7 @@ TEST(OwnPoints, AreMoreThanStrays) {
     Eigen::Matrix3Xf points(3, strays); // within reach of all of the branch
     for (int i = 0; i < strays; ++i)
       points.col(i) << 0, 0.13F + 0.001F * static_cast<float>(i), 0.505F;
-    const Cloud cloud = cloudOf(test::both(trunkPoints(), points));
+    const Cloud cloud = test::cloudAtOrigin(test::both(trunkPoints(), points));
     EXPECT_THAT(found(cloud, plant, {.ownLength = 4}), SizeIs(strays < 3 ? 1 : 0)) << strays;
   }
 }
@@ -133,8 +126,8 @@ TEST(OwnPoints, AreFoundAboutAllBranchesOfAPlantThatIsSeenFromAllSides) {
 }
 
 TEST(OwnPoints, AreMissedNowhereWithoutAScanOrBranches) {
-  EXPECT_THAT(found(cloudOf(trunkPoints()), {}), IsEmpty());
-  EXPECT_THAT(found(cloudOf(trunkPoints()), trunks()), IsEmpty());
+  EXPECT_THAT(found(test::cloudAtOrigin(trunkPoints()), {}), IsEmpty());
+  EXPECT_THAT(found(test::cloudAtOrigin(trunkPoints()), trunks()), IsEmpty());
   Skeleton plant = trunks();
   addBranch(plant, leftMiddle, {0, 0.2, 0.5});
   EXPECT_THAT(found(std::make_shared<const PointCloud>(), plant), IsEmpty());
@@ -143,13 +136,13 @@ TEST(OwnPoints, AreMissedNowhereWithoutAScanOrBranches) {
 TEST(OwnPoints, AreMissedAlikeWhereverThePlantStands) {
   Skeleton plant = trunks();
   addBranch(plant, leftMiddle, {0, 0.2, 0.5});
-  const std::vector<Finding> before = found(cloudOf(trunkPoints()), plant);
+  const std::vector<Finding> before = found(test::cloudAtOrigin(trunkPoints()), plant);
   const Eigen::Vector3d away(100, -50, 7);
   Eigen::Matrix3Xf moved = trunkPoints();
   moved.colwise() += away.cast<float>();
   for (const NodeId id : plant.ids())
     plant.setPosition(id, plant[id].position + away);
-  const std::vector<Finding> after = found(cloudOf(moved), plant);
+  const std::vector<Finding> after = found(test::cloudAtOrigin(moved), plant);
   ASSERT_THAT(after, SizeIs(1));
   ASSERT_THAT(before, SizeIs(1));
   EXPECT_EQ(after[0].node, before[0].node);
@@ -159,7 +152,7 @@ TEST(OwnPoints, AreMissedAlikeWhereverThePlantStands) {
 TEST(OwnPoints, AreLookedForUntilOneIsAskedToStop) {
   Skeleton plant = trunks();
   addBranch(plant, leftMiddle, {0, 0.2, 0.5});
-  const Cloud cloud = cloudOf(trunkPoints());
+  const Cloud cloud = test::cloudAtOrigin(trunkPoints());
   const PointDistances distances(cloud, spacing, plant);
   const SpatialIndex index(cloud->positions());
   EXPECT_TRUE(test::stopsWhenAsked([&](const Progress& progress) {

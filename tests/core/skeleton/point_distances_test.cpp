@@ -14,7 +14,7 @@
 namespace espalier {
 namespace {
 
-std::shared_ptr<const PointCloud> cloudOf(std::vector<Eigen::Vector3d> places) {
+std::shared_ptr<const PointCloud> cloudAt(std::vector<Eigen::Vector3d> places) {
   return std::make_shared<const PointCloud>(RawPoints{std::move(places), {}, {}});
 }
 
@@ -24,15 +24,15 @@ std::shared_ptr<const PointCloud> ballOfPoints(int count, double radius, std::ui
   std::vector<Eigen::Vector3d> places;
   for (int i = 0; i < count; ++i)
     places.push_back(random.uniform(0, radius) * random.direction());
-  return cloudOf(std::move(places));
+  return cloudAt(std::move(places));
 }
 
 float surfaceOver(const Eigen::Vector3d& place, const Skeleton& plant) {
-  return PointDistances(cloudOf({place}), 1, plant).toSurface().front();
+  return PointDistances(cloudAt({place}), 1, plant).toSurface().front();
 }
 
 TEST(PointDistances, GoToTheSurface) {
-  const PointDistances distances(cloudOf({{3, 4, 1.5}}), 1, test::stick(3)); // radius 0.1
+  const PointDistances distances(cloudAt({{3, 4, 1.5}}), 1, test::stick(3)); // radius 0.1
   EXPECT_FLOAT_EQ(distances.toSurface().front(), 4.9F);
   EXPECT_EQ(distances.nearest().front(), NodeId{2});
 }
@@ -64,7 +64,7 @@ TEST(PointDistances, TakeTheNearestSurfaceThoughAnAxisIsNearer) {
   plant.add({.position = {0, 0, 9}, .radius = 2, .parent = trunk});
   const NodeId twig = plant.add({.position = {5, 0, 0}, .radius = 0});
   plant.add({.position = {5, 0, 9}, .radius = 0, .parent = twig});
-  const PointDistances distances(cloudOf({{3, 0, 4}}), 1, plant);
+  const PointDistances distances(cloudAt({{3, 0, 4}}), 1, plant);
   EXPECT_FLOAT_EQ(distances.toSurface().front(), 1);
 }
 

@@ -20,7 +20,7 @@ Skeleton reviewedFork() {
   return plant;
 }
 
-SkeletonDelta edit(Skeleton& plant, const std::function<void(SkeletonEditor&)>& change) {
+SkeletonDelta marked(Skeleton& plant, const std::function<void(SkeletonEditor&)>& change) {
   SkeletonEditor editor(plant);
   change(editor);
   return editor.commit();
@@ -29,16 +29,16 @@ SkeletonDelta edit(Skeleton& plant, const std::function<void(SkeletonEditor&)>& 
 TEST(ReviewMark, OfANewNodeIsToDo) {
   Skeleton plant = reviewedFork();
   NodeId added{0};
-  edit(plant, [&](SkeletonEditor& editor) { added = addChild(editor, shoot, {2, 0, 3}); });
+  marked(plant, [&](SkeletonEditor& editor) { added = addChild(editor, shoot, {2, 0, 3}); });
   EXPECT_EQ(plant[added].review, ReviewMark());
   EXPECT_EQ(stateOf(plant, shoot), ReviewState::reviewed) << "its own edge is as it was";
-  edit(plant, [&](SkeletonEditor& editor) { added = editor.add(plant[shoot]); });
+  marked(plant, [&](SkeletonEditor& editor) { added = editor.add(plant[shoot]); });
   EXPECT_EQ(plant[added].review, ReviewMark()) << "a copy was not looked at";
 }
 
 TEST(ReviewMark, IsTakenBackFromANodeThatIsMovedAndKeepsItsComment) {
   Skeleton plant = reviewedFork();
-  const SkeletonDelta delta = edit(plant, [](SkeletonEditor& editor) {
+  const SkeletonDelta delta = marked(plant, [](SkeletonEditor& editor) {
     moveNode(editor, shoot, {5, 5, 5});
   });
   EXPECT_EQ(plant[shoot].review, (ReviewMark{ReviewState::toDo, "looks right", ""}));
@@ -50,15 +50,15 @@ TEST(ReviewMark, IsTakenBackFromANodeThatIsMovedAndKeepsItsComment) {
 
 TEST(ReviewMark, IsTakenBackFromNodesThatHangElsewhere) {
   Skeleton plant = reviewedFork();
-  edit(plant, [](SkeletonEditor& editor) { reparentNode(editor, NodeId{3}, test::forkRoot); });
+  marked(plant, [](SkeletonEditor& editor) { reparentNode(editor, NodeId{3}, test::forkRoot); });
   EXPECT_EQ(stateOf(plant, NodeId{3}), ReviewState::toDo);
   plant = reviewedFork();
   NodeId between{0};
-  edit(plant, [&](SkeletonEditor& editor) { between = splitEdge(editor, shoot, 0.5); });
+  marked(plant, [&](SkeletonEditor& editor) { between = splitEdge(editor, shoot, 0.5); });
   EXPECT_EQ(stateOf(plant, between), ReviewState::toDo);
   EXPECT_EQ(stateOf(plant, shoot), ReviewState::toDo) << "its edge is another one";
   plant = reviewedFork();
-  edit(plant, [](SkeletonEditor& editor) { removeNode(editor, test::forkTop); });
+  marked(plant, [](SkeletonEditor& editor) { removeNode(editor, test::forkTop); });
   for (const NodeId id : {shoot, NodeId{3}, NodeId{4}})
     EXPECT_EQ(stateOf(plant, id), ReviewState::toDo);
   EXPECT_EQ(stateOf(plant, test::forkRoot), ReviewState::reviewed);
@@ -66,7 +66,7 @@ TEST(ReviewMark, IsTakenBackFromNodesThatHangElsewhere) {
 
 TEST(ReviewMark, IsTakenBackFromBothBranchesThatChangePlaces) {
   Skeleton plant = reviewedFork();
-  edit(plant, [](SkeletonEditor& editor) {
+  marked(plant, [](SkeletonEditor& editor) {
     setEdgeType(editor, NodeId{3}, EdgeType::successor); // and so the shoot branches
   });
   EXPECT_EQ(stateOf(plant, NodeId{3}), ReviewState::toDo);
@@ -76,9 +76,9 @@ TEST(ReviewMark, IsTakenBackFromBothBranchesThatChangePlaces) {
 
 TEST(ReviewMark, StaysWhereRadiusOrNothingChanges) {
   Skeleton plant = reviewedFork();
-  edit(plant, [](SkeletonEditor& editor) { editor.setRadius(shoot, 0.3); });
+  marked(plant, [](SkeletonEditor& editor) { editor.setRadius(shoot, 0.3); });
   EXPECT_EQ(stateOf(plant, shoot), ReviewState::reviewed);
-  const SkeletonDelta delta = edit(plant, [&](SkeletonEditor& editor) {
+  const SkeletonDelta delta = marked(plant, [&](SkeletonEditor& editor) {
     moveNode(editor, shoot, {5, 5, 5});
     moveNode(editor, shoot, {1, 0, 2}); // where it was
   });
@@ -88,7 +88,7 @@ TEST(ReviewMark, StaysWhereRadiusOrNothingChanges) {
 TEST(ReviewMark, ThatTheSameEditSetsStays) {
   Skeleton plant = test::fork(3);
   const ReviewMark mark = {ReviewState::reviewed, "moved onto the points", "Anna"};
-  edit(plant, [&](SkeletonEditor& editor) {
+  marked(plant, [&](SkeletonEditor& editor) {
     moveNode(editor, shoot, {1, 0, 2.5});
     editor.setReview(shoot, mark);
   });
@@ -99,7 +99,7 @@ TEST(ReviewMark, OfDoubtOutlivesAMove) {
   Skeleton plant = test::fork(3);
   const ReviewMark doubt = {ReviewState::doubtful, "crosses its neighbor?", "Anna"};
   plant.setReview(shoot, doubt);
-  edit(plant, [](SkeletonEditor& editor) { moveNode(editor, shoot, {1, 0, 2.5}); });
+  marked(plant, [](SkeletonEditor& editor) { moveNode(editor, shoot, {1, 0, 2.5}); });
   EXPECT_EQ(plant[shoot].review, doubt);
 }
 

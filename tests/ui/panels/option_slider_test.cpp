@@ -6,20 +6,20 @@
 namespace espalier {
 namespace {
 
-constexpr int middle = 10; // of the height [px]
+constexpr int middleOfSlider = 10; // of the height [px]
 
-/// A slider of 400 px, shown, its handle in the middle and held there.
+/// A slider of 400 px, shown, its handle in the middleOfSlider and held there.
 class HeldSlider : public testing::Test {
 protected:
   HeldSlider() {
-    slider_.setFixedSize(400, 2 * middle);
+    slider_.setFixedSize(400, 2 * middleOfSlider);
     slider_.setPlace(0.5);
     slider_.show();
-    QTest::mousePress(&slider_, Qt::LeftButton, {}, {200, middle});
+    QTest::mousePress(&slider_, Qt::LeftButton, {}, {200, middleOfSlider});
   }
 
   void moveTo(int x, Qt::KeyboardModifiers keys) {
-    const QPoint place(x, middle);
+    const QPoint place(x, middleOfSlider);
     QMouseEvent move(QEvent::MouseMove, place, slider_.mapToGlobal(place), Qt::NoButton,
                      Qt::LeftButton, keys);
     QCoreApplication::sendEvent(&slider_, &move);

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "app/window/frame/window_part.h"
+
+class QMenu;
+
+namespace espalier {
+
+class ActionSet;
+class Editing;
+class PlantDocument;
+class PointSet;
+class PointStates;
+class SelectPointsTool;
+
+/// What is done with points of the scan: they are selected, set aside and brought back, and shown
+/// alone. To set them aside is a step of the history; what is shown is none.
+class PointsFlow : public WindowPart {
+  Q_OBJECT
+
+public:
+  /// What it works with; all must outlive it.
+  struct Parts {
+    PlantDocument& document;
+    ActionSet& actions;
+    Editing& editing;
+    PointStates& states;
+  };
+  explicit PointsFlow(const Parts& parts);
+
+signals:
+  void changed(); // what is shown alone
+
+private:
+  void fillContextMenu(QMenu& menu) const; // with what may be done to selected points, if any
+  void addActions();
+  void addChoices();
+  void addEdits();
+  void addShown();
+  void setAside();
+  void keepOnly();
+  void bringBack();
+  void isolate();
+  void nextShape();
+  void changeBrush(double factor);
+  void refreshEnabled();
+  [[nodiscard]] const PointSet& chosen() const;
+
+  Parts parts_;
+  SelectPointsTool* tool_;
+};
+
+} // namespace espalier

@@ -1,0 +1,245 @@
+#include "app/window/edit/trace_flow.h"
+
+#include "app/window/edit/editing.h"
+#include "app/window/frame/action_set.h"
+#include "core/base/error.h"
+#include "core/cloud/repeated_points.h"
+#include "core/pipeline/regrow.h"
+#include "ui/document/plant_document.h"
+#include "ui/tools/regrow_tool.h"
+#include "ui/tools/stroke_tool.h"
+#include "ui/tools/trace_tool.h"
+#include "ui/view/plant_view.h"
+
+#include <QAction>
+
+#include <utility>
+
+namespace espalier {
+namespace {
+
+template <class T> T* toolOf(const Editing& editing, const QString& id) {
+  auto* tool = qobject_cast<T*>(&editing.toolNamed(id));
+  Q_ASSERT(tool != nullptr);
+  return tool;
+}
+
+/// Of the points that are not set aside, each place once.
+std::shared_ptr<const TraceGraph> graphOf(std::shared_ptr<const PointCloud> cloud,
+                                          std::shared_ptr<const Eigen::Matrix3Xf> contracted,
+                                          const PointSet& setAside, const Progress& progress) {
+  const PointSet leftOut = setAside | repeatedPoints(*cloud, setAside);
+  if (leftOut.isEmpty())
+    return std::make_shared<const TraceGraph>(std::move(cloud), std::move(contracted), progress);
+  const std::vector<Eigen::Index> kept = others(leftOut, cloud->size());
+  if (kept.empty())
+    throw Error(TraceFlow::tr("all points are set aside: bring some back").toStdString());
+  if (contracted)
+    contracted = std::make_shared<const Eigen::Matrix3Xf>((*contracted)(Eigen::all, kept));
+  return std::make_shared<const TraceGraph>(
+      std::make_shared<const PointCloud>(without(*cloud, leftOut)), contracted, progress);
+}
+
+} // namespace
+
+TraceFlow::TraceFlow(const Parts& parts)
+    : parts_(parts), tool_(toolOf<TraceTool>(parts.editing, "trace")),
+      regrow_(toolOf<RegrowTool>(parts.editing, "regrow")) {
+  connect(tool_, &TraceTool::asked, this, &TraceFlow::ask);
+  connect(toolOf<StrokeTool>(parts.editing, "stroke"), &StrokeTool::asked, this, &TraceFlow::ask);
+  connect(regrow_, &RegrowTool::wanted, this, &TraceFlow::regrow);
+  connect(&traces_, &JobRunner::finished, this, &TraceFlow::work);
+  connect(&traces_, &JobRunner::failed, this, [this](const QString& message) {
+    if (const auto asked = std::exchange(next_, std::nullopt)) asked->answer({});
+    emit failed(message);
+  });
+  connect(&traces_, &JobRunner::progressed, this, [this](double fraction) {
+    if (!graph_) tool_->showReadiness(fraction);
+  });
+  for (auto signal : {&PlantDocument::scanChanged, &PlantDocument::leftOutChanged})
+    connect(&parts_.document, signal, this, &TraceFlow::forget);
+  connect(&parts_.document, &PlantDocument::skeletonReplaced, tool_, &TraceTool::cancel);
+
+  parts_.actions.beginSection(tr("Tools"));
+  QAction* next = parts_.actions.add({.id = "next_way",
+                                      .text = tr("Show Another Path"),
+                                      .help = tr("The next path that a trace could take"),
+                                      .keys = Qt::Key_Tab,
+                                      .menu = "edit/preview"},
+                                     [this] { tool_->showNextWay(); });
+  next->setEnabled(false); // Tab leads from field to field while there is nothing to choose
+  connect(&parts_.editing, &Editing::hintChanged, next, [this, next] {
+    next->setEnabled(parts_.editing.currentTool() == "trace" && tool_->hasPreview() &&
+                     tool_->hasOtherWays());
+  });
+  addGrowing();
+}
+
+void TraceFlow::addGrowing() {
+  QAction* missing = parts_.actions.add(
+      {.id = "regrow_missing",
+       .text = tr("Regrow What Is Missing"),
+       .help = tr("Grows branches from all points that the skeleton does not explain"),
+       .icon = "regrow",
+       .keys = QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N),
+       .menu = "skeleton/make"},
+      [this] { regrowMissing(); });
+  QAction* chosen = parts_.actions.add(
+      {.id = "branch_from_points",
+       .text = tr("New Branch from Points"),
+       .help = tr("Grows a branch from the selected points, on the nearest node"),
+       .keys = QKeySequence(Qt::CTRL | Qt::Key_B),
+       .refusal = Refusal::atPointer},
+      [this] { growFromPoints(); });
+  QAction* fewer = parts_.actions.add(
+      {.id = "fewer_branches",
+       .text = tr("Only Longer Branches"),
+       .help = tr("Leaves the shortest fifth out of the branches that are shown to be added"),
+       .keys = Qt::Key_PageUp,
+       .menu = "edit/preview"},
+      [this] { regrow_->showFewer(); });
+  QAction* more = parts_.actions.add(
+      {.id = "more_branches",
+       .text = tr("Shorter Branches Too"),
+       .help = tr("Shows a fifth more branches to be added, the longest of the others"),
+       .keys = Qt::Key_PageDown,
+       .menu = "edit/preview"},
+      [this] { regrow_->showMore(); });
+  connect(&parts_.editing, &Editing::hintChanged, this, [this, fewer, more] {
+    const bool isShown = parts_.editing.currentTool() == "regrow";
+    fewer->setEnabled(isShown && regrow_->canShowFewer());
+    more->setEnabled(isShown && regrow_->canShowMore());
+  });
+  for (QAction* action : {fewer, more})
+    action->setEnabled(false);
+  const auto refresh = [this, missing, chosen] {
+    const PlantDocument& document = parts_.document;
+    const bool mayGrow = document.scan() != nullptr && !document.skeleton().isEmpty() &&
+                         !document.isReadOnly() && !parts_.jobs.isRunning();
+    missing->setEnabled(mayGrow);
+    chosen->setEnabled(mayGrow); // without selected points it says how to select some
+  };
+  connect(&parts_.document, &PlantDocument::scanChanged, this, refresh);
+  connect(&parts_.editing, &Editing::hintChanged, this, refresh);
+  refresh();
+}
+
+void TraceFlow::ask(const TraceQuestion& question, const TraceAnswer& answer) {
+  next_ = Asked{question, answer};
+  if (!traces_.isRunning()) work();
+}
+
+void TraceFlow::work() {
+  if (!next_) return;
+  if (!graph_) {
+    makeGraph();
+    return;
+  }
+  const Asked asked = *std::exchange(next_, std::nullopt);
+  const auto trace = [graph = graph_, question = asked.question](const Progress& progress) {
+    const std::vector<Eigen::Vector3d>& places = question.places;
+    if (question.isDrawn)
+      return std::vector{graph->through(places, question.startIsFixed, question.options, progress)};
+    return graph->between({places.front(), question.startIsFixed},
+                          {places.back(), question.endIsFixed}, question.options, progress);
+  };
+  traces_.start(tr("Tracing"), trace, [this, answer = asked.answer](std::vector<Trace> traces) {
+    parts_.actions.guarded(
+        [&] {
+          answer(traces);
+          return true;
+        },
+        Refusal::atPointer);
+  });
+}
+
+void TraceFlow::makeGraph() {
+  if (!parts_.document.scan()) {
+    next_.reset();
+    return;
+  }
+  tool_->showReadiness(0);
+  const auto make = [cloud = parts_.document.scan()->cloud(),
+                     contracted = parts_.document.contracted(),
+                     leftOut = parts_.document.leftOut()](const Progress& progress) {
+    return graphOf(cloud, contracted, leftOut, progress);
+  };
+  traces_.start(tr("Reading the points"), make, [this](std::shared_ptr<const TraceGraph> graph) {
+    graph_ = std::move(graph); // the question that waits for it is answered once this is finished
+    tool_->showReadiness(1);
+  });
+}
+
+void TraceFlow::forget() {
+  next_.reset();
+  graph_.reset();
+  traces_.cancel();
+}
+
+void TraceFlow::requireWork() const {
+  if (!parts_.document.scan())
+    throw Error(tr("there are no points to regrow from: open the scan first").toStdString());
+  parts_.document.requireEditable();
+  if (parts_.jobs.isRunning())
+    throw Error(
+        tr("%1 is still running: wait for it, or cancel it").arg(parts_.jobs.name()).toStdString());
+}
+
+PipelineOptions TraceFlow::options() const {
+  PipelineOptions options = parts_.options();
+  options.leftOut = parts_.document.leftOut();
+  return options;
+}
+
+void TraceFlow::regrow(NodeId node) {
+  requireWork();
+  const auto grow = [skeleton = parts_.document.skeleton(), node,
+                     cloud = parts_.document.scan()->cloud(),
+                     options = options()](const Progress& progress) {
+    return regrown(skeleton, node, cloud, {.pipeline = options}, progress);
+  };
+  parts_.jobs.start(tr("Regrowing"), grow, [this, node](const Skeleton& part) {
+    parts_.jobs.afterwards([this, node, part] {
+      parts_.editing.useTool("regrow",
+                             false); // a job drops the preview before, and with it the tool
+      regrow_->show(node, part);
+    });
+  });
+}
+
+void TraceFlow::regrowMissing() {
+  requireWork();
+  const auto grow = [skeleton = parts_.document.skeleton(), cloud = parts_.document.scan()->cloud(),
+                     options = options()](const Progress& progress) {
+    return grownFromUnexplained(skeleton, cloud, {.pipeline = options}, progress);
+  };
+  parts_.jobs.start(tr("Growing what is missing"), grow, [this](std::vector<GrownBranch> grown) {
+    constexpr double least = 20; // point spacings: what is shorter is noise more often than not
+    const Scan* scan = parts_.document.scan();
+    show(std::move(grown), tr("Regrow what is missing"),
+         scan != nullptr ? least * scan->spacing() : 0);
+  });
+}
+
+void TraceFlow::growFromPoints() {
+  requireWork();
+  const PointSet points = parts_.document.pointSelection().points() - parts_.document.leftOut();
+  if (points.isEmpty())
+    throw Error(tr("no point is selected: choose Select Points (C), and paint some").toStdString());
+  const auto grow = [skeleton = parts_.document.skeleton(), cloud = parts_.document.scan()->cloud(),
+                     points, options = options()](const Progress& progress) {
+    return grownBranches(skeleton, cloud, points.points(), {.pipeline = options}, progress);
+  };
+  parts_.jobs.start(tr("Growing a branch"), grow, [this](std::vector<GrownBranch> grown) {
+    show(std::move(grown), tr("New branch from points"), 0);
+  });
+}
+
+void TraceFlow::show(std::vector<GrownBranch> branches, const QString& text, double least) {
+  parts_.jobs.afterwards([this, branches = std::move(branches), text, least] {
+    parts_.editing.useTool("regrow", false);
+    regrow_->show(branches, text, least);
+  });
+}
+
+} // namespace espalier

@@ -1,0 +1,157 @@
+#include "app/window/evaluate/reference_flow.h"
+
+#include "app/window/evaluate/load_reference.h"
+#include "app/window/files/file_filters.h"
+#include "app/window/files/load_files.h"
+#include "app/window/frame/action_set.h"
+#include "core/base/error.h"
+#include "core/base/listed.h"
+#include "core/evaluate/match/comparable.h"
+#include "core/evaluate/registration/registration.h"
+#include "core/io/formats.h"
+#include "core/project/project.h"
+#include "ui/document/plant_document.h"
+#include "ui/jobs/job_runner.h"
+#include "ui/view/plant_view.h"
+
+#include <QAction>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMainWindow>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSettings>
+#include <QTimer>
+
+#include <utility>
+
+namespace espalier {
+namespace {
+
+bool isStructure(const QString& path) {
+  try {
+    return !isProject(toPath(path)) && formatOf(toPath(path)).content == Content::structure;
+  } catch (const Error&) { // who opens it is told why it cannot be read
+    return false;
+  }
+}
+
+} // namespace
+
+ReferenceFlow::ReferenceFlow(const Parts& parts) : parts_(parts) {
+  addActions();
+  keepInProject({.name = "reference",
+                 .text = [this] { return text_; },
+                 .show = [this](const std::string& text) { show(text); }});
+  connect(this, &ReferenceFlow::changed, this, &ReferenceFlow::keptChanged);
+  show({});
+}
+
+void ReferenceFlow::addActions() {
+  parts_.actions.beginSection(tr("Evaluate"));
+  parts_.actions.add({.id = "load_reference",
+                      .text = tr("&Load Reference…"),
+                      .help = tr("Loads the structure that the plant is compared with"),
+                      .keys = QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O),
+                      .menu = "file/reference"},
+                     [this] { choose(); });
+  parts_.actions.add({.id = "remove_reference",
+                      .text = tr("Remove Reference"),
+                      .help = tr("Puts the reference away; its file stays as it is"),
+                      .menu = "file/reference"},
+                     [this] {
+                       const QString file = name();
+                       show({});
+                       emit noted(tr("%1 is no longer the reference").arg(file));
+                     });
+}
+
+QString ReferenceFlow::name() const {
+  return QFileInfo(path_).fileName();
+}
+
+void ReferenceFlow::choose() {
+  const QString path =
+      QFileDialog::getOpenFileName(&parts_.window, tr("Load the reference"),
+                                   parts_.settings.value(folderKey).toString(), structureFilters());
+  if (!path.isEmpty()) load(path);
+}
+
+void ReferenceFlow::load(const QString& path) {
+  if (parts_.jobs.isRunning())
+    throw Error(
+        tr("%1 is still running: wait for it, or cancel it").arg(parts_.jobs.name()).toStdString());
+  parts_.settings.setValue(folderKey, QFileInfo(path).absolutePath());
+  const QString file = QFileInfo(path).fileName();
+  parts_.jobs.start(
+      tr("Reading %1").arg(file),
+      [path, file](const Progress& progress) {
+        Imported<Skeleton> read = readReference(path);
+        progress.update(0.9);
+        requireComparable(read.value, file.toStdString());
+        return read;
+      },
+      [this, path](Imported<Skeleton> read) {
+        set({std::move(read.value), path});
+        QStringList notes = {tr("%1 is the reference now").arg(name())};
+        for (const std::string& note : firstNotes(read.notes))
+          notes.append(QString::fromStdString(note));
+        emit noted(notes.join(QStringLiteral("; ")));
+        emit outdated(); // of one refused
+        emit loaded();
+      });
+}
+
+void ReferenceFlow::lay(const Eigen::Isometry3d& motion) {
+  if (!skeleton_) return;
+  laid_ = moved(*skeleton_, motion);
+  parts_.view.setReference(laid_);
+}
+
+void ReferenceFlow::show(const std::string& text) {
+  set(referenceFrom(text));
+}
+
+void ReferenceFlow::set(Reference reference) {
+  text_ = textOf(reference);
+  path_ = reference.path;
+  skeleton_ = reference.skeleton.isEmpty()
+                  ? nullptr
+                  : std::make_shared<const Skeleton>(std::move(reference.skeleton));
+  laid_ = skeleton_ ? *skeleton_ : Skeleton();
+  parts_.view.setReference(laid_);
+  parts_.actions["remove_reference"]->setEnabled(skeleton_ != nullptr);
+  parts_.actions["layer_reference"]->setVisible(skeleton_ != nullptr);
+  emit changed();
+}
+
+bool ReferenceFlow::takesDropped(const QStringList& paths) {
+  if (parts_.document.skeleton().isEmpty() || paths.size() != 1 || !isStructure(paths.front()))
+    return false;
+  // Later: the program that it was dragged from waits for the drop to end.
+  QTimer::singleShot(0, this, [this, paths] { askAbout(paths); });
+  return true;
+}
+
+void ReferenceFlow::askAbout(const QStringList& paths) {
+  const QString file = QFileInfo(paths.front()).fileName();
+  QMessageBox box(QMessageBox::NoIcon, tr("A structure was dropped"),
+                  tr("<b>Open %1, or compare the plant with it?</b>").arg(file.toHtmlEscaped()),
+                  QMessageBox::NoButton, &parts_.window);
+  box.setInformativeText(tr("Opened, it takes the place of the skeleton; as the reference, it is "
+                            "shown beside it."));
+  const QPushButton* compare = box.addButton(tr("Load as Reference"), QMessageBox::AcceptRole);
+  const QPushButton* open = box.addButton(tr("Open"), QMessageBox::DestructiveRole);
+  box.setEscapeButton(box.addButton(tr("Cancel"), QMessageBox::RejectRole));
+  box.exec();
+  if (box.clickedButton() == open) emit openRequested(paths);
+  if (box.clickedButton() != compare) return;
+  parts_.actions.guarded(
+      [&] {
+        load(paths.front());
+        return true;
+      },
+      Refusal::inBanner);
+}
+
+} // namespace espalier

@@ -1,0 +1,72 @@
+#pragma once
+
+#include "app/window/evaluate/reference_text.h"
+#include "app/window/frame/window_part.h"
+
+#include <Eigen/Geometry>
+#include <QStringList>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+class QMainWindow;
+class QSettings;
+
+namespace espalier {
+
+class ActionSet;
+class JobRunner;
+class PlantDocument;
+class PlantView;
+
+/// The reference: loading and removing it, its layer in the view, and its text in the project.
+class ReferenceFlow : public WindowPart {
+  Q_OBJECT
+
+public:
+  /// What it works with; all must outlive it.
+  struct Parts {
+    PlantDocument& document;
+    PlantView& view;
+    JobRunner& jobs;
+    ActionSet& actions;
+    QSettings& settings;
+    QMainWindow& window;
+  };
+  explicit ReferenceFlow(const Parts& parts);
+
+  /// Null: there is none.
+  [[nodiscard]] const std::shared_ptr<const Skeleton>& skeleton() const { return skeleton_; }
+  [[nodiscard]] QString name() const;                          // of its file, for people
+  [[nodiscard]] const Skeleton& laid() const { return laid_; } // as it is drawn, under its own ids
+
+  /// Reads a structure, or the plant of a project, as a job.
+  /// @throws Error if it is not one, or a job is running
+  void load(const QString& path);
+  /// Draws it moved, until another is loaded.
+  void lay(const Eigen::Isometry3d& motion);
+
+  /// Asks what a structure that is dropped on a plant is to be. False: it is to be opened.
+  [[nodiscard]] bool takesDropped(const QStringList& paths);
+
+signals:
+  void changed();                               // another, or none
+  void loaded();                                // by hand
+  void openRequested(const QStringList& paths); // what was dropped
+
+private:
+  void addActions();
+  void choose();
+  void show(const std::string& text);
+  void set(Reference reference);
+  void askAbout(const QStringList& paths);
+
+  Parts parts_;
+  std::shared_ptr<const Skeleton> skeleton_;
+  Skeleton laid_;
+  QString path_;
+  std::string text_; // once made: projects ask for it often
+};
+
+} // namespace espalier

@@ -1,0 +1,71 @@
+#pragma once
+
+#include "app/report/plant_report.h"
+#include "app/window/evaluate/report_maker.h"
+#include "app/window/frame/panel_dock.h"
+#include "ui/jobs/latest_job.h"
+
+#include <QObject>
+#include <QTimer>
+
+#include <cstdint>
+#include <optional>
+
+namespace espalier {
+
+class JobRunner;
+class PlantDocument;
+class TraitsPanel;
+
+/// The plant by itself: its traits, shown while there is no reference, a moment after each edit;
+/// its light, on demand; and a report of both.
+class TraitsFlow : public QObject {
+  Q_OBJECT
+
+public:
+  /// What it works with; all must outlive it.
+  struct Parts {
+    PlantDocument& document;
+    JobRunner& jobs;
+    PanelDock::Parts window;
+  };
+  explicit TraitsFlow(const Parts& parts);
+
+  [[nodiscard]] TraitsPanel* panel() const { return panel_; } // whose parent owns it
+  void setSeen(bool isSeen);                                  // else nothing is measured
+  void refresh();                                             // what can be done
+
+  /// Measures, draws and writes to a file whose name tells how.
+  /// @throws Error if that cannot be, or a job is running
+  void write(const QString& path);
+
+signals:
+  void noted(const QString& message);
+  void written(const QString& path);
+
+private:
+  void takeEdit();
+  void later();
+  void measure();
+  void show();
+  void forget(const QString& why = {}); // there is nothing to measure
+  void measureLight();
+  void choose();
+  void requireIdle() const;
+  [[nodiscard]] PlantMeasureOptions options() const;
+  [[nodiscard]] PlantReportAbout about() const;
+
+  Parts parts_;
+  TraitsPanel* panel_ = nullptr;
+  ReportMaker maker_;
+  QTimer timer_;
+  LatestJob job_;
+  bool isSeen_ = false;
+  bool isFresh_ = false;
+  std::optional<PlantMeasures> measures_; // without light
+  std::optional<LightInterception> light_;
+  bool isLightFresh_ = false;
+  std::uint64_t revision_ = 0; // grows with all that makes the measures old
+};
+
+} // namespace espalier

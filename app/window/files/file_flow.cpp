@@ -1,0 +1,299 @@
+#include "app/window/files/file_flow.h"
+
+#include "app/window/files/file_filters.h"
+#include "app/window/files/recent_files.h"
+#include "core/base/error.h"
+#include "core/io/atomic_file.h"
+#include "core/io/dropped.h"
+#include "core/io/formats.h"
+#include "core/skeleton/bounds.h"
+#include "core/skeleton/edits.h"
+#include "ui/document/plant_document.h"
+#include "ui/jobs/job_runner.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSettings>
+
+#include <utility>
+
+namespace espalier {
+namespace {
+
+const QString axesKey = QStringLiteral("save_mtg_with_axes");
+
+/// Whether a skeleton saved there can be opened again.
+bool canBeSavedTo(const QString& path) {
+  if (path.isEmpty()) return false;
+  try {
+    return formatToWrite(toPath(path), Content::structure).canRead();
+  } catch (const Error&) { // read from a format that is only read: another name is asked for
+    return false;
+  }
+}
+
+bool isProjectName(const QString& path) {
+  return path.endsWith(".espalier", Qt::CaseInsensitive);
+}
+
+/// Longest side of the box around all nodes [L].
+double extentOf(const Skeleton& skeleton) {
+  return skeleton.isEmpty() ? 0 : bounds(skeleton).sizes().maxCoeff();
+}
+
+QString proposedPath(const PlantDocument& document, const QString& folder) {
+  const QFileInfo file(document.filePath());
+  if (isProjectName(document.filePath()))
+    return file.path() + "/" + file.completeBaseName() + ".mtg";
+  if (!document.filePath().isEmpty()) return document.filePath();
+  const QFileInfo scan(document.scanPath());
+  if (scan.fileName().isEmpty()) return folder + "/plant.mtg";
+  return scan.path() + "/" + scan.completeBaseName() + ".mtg";
+}
+
+} // namespace
+
+FileFlow::FileFlow(const Parts& parts) : parts_(parts) {
+  parts_.projects.setGate([this](const std::function<void()>& show) { showUnlessKept(show); });
+  addActions();
+  addProjectActions();
+}
+
+void FileFlow::chooseAndOpen() {
+  const QStringList paths =
+      QFileDialog::getOpenFileNames(&parts_.window, tr("Open a scan or a skeleton"),
+                                    parts_.settings.value(folderKey).toString(), readableFilters());
+  if (!paths.isEmpty()) open(paths);
+}
+
+void FileFlow::open(const QStringList& paths) {
+  requireNoJob();
+  for (const QString& path : paths) {
+    if (!isProjectName(path) && !isProject(toPath(path))) continue;
+    if (paths.size() > 1) throw Error(tr("%1: open a project alone").arg(path).toStdString());
+    parts_.projects.open(path);
+    return;
+  }
+  bool hasScan = false;
+  bool hasStructure = false;
+  for (const QString& path : paths)
+    (formatOf(toPath(path)).content == Content::points ? hasScan : hasStructure) = true;
+  const bool isAnotherPlant = hasScan && parts_.document.scan() != nullptr;
+  const bool replaces = isAnotherPlant || hasStructure;
+  parts_.settings.setValue(folderKey, QFileInfo(paths.front()).absolutePath());
+  const QString name = QFileInfo(paths.front()).fileName();
+  const auto* scan = parts_.document.scan();
+  const auto cloud = scan == nullptr || isAnotherPlant ? nullptr : scan->cloud();
+  const Skeleton skeleton = isAnotherPlant ? Skeleton() : parts_.document.skeleton();
+  parts_.jobs.start(
+      tr("Reading %1").arg(name),
+      [paths, cloud, skeleton](const Progress& progress) {
+        Read read{.files = loadFiles(paths, progress)};
+        const LoadedFiles& files = read.files;
+        if (const auto& points = files.scan ? files.scan->cloud() : cloud)
+          read.fit = fitOf(files.structure ? files.structure->skeleton : skeleton, *points);
+        return read;
+      },
+      [this, isAnotherPlant, replaces](Read read) {
+        if (!replaces) return show(std::move(read), isAnotherPlant);
+        const auto kept = std::make_shared<Read>(std::move(read));
+        parts_.jobs.afterwards([this, isAnotherPlant, kept] {
+          showUnlessKept([&] { show(std::move(*kept), isAnotherPlant); });
+        });
+      });
+}
+
+void FileFlow::requireNoJob() const {
+  if (parts_.jobs.isRunning())
+    throw Error(
+        tr("%1 is still running: wait for it, or cancel it").arg(parts_.jobs.name()).toStdString());
+}
+
+bool FileFlow::save() {
+  if (parts_.projects.isNamed()) return parts_.projects.confirmSaved();
+  const QString path = parts_.document.filePath();
+  if (!canBeSavedTo(path)) return saveAs();
+  writeTo({path, path == saved_.path ? saved_.style : preferredStyle()});
+  return true;
+}
+
+bool FileFlow::saveAs() {
+  const Target target = chooseTarget(tr("Save the skeleton"));
+  if (target.path.isEmpty()) return false;
+  writeTo(target);
+  return parts_.projects.isNamed() || !parts_.document.isModified();
+}
+
+void FileFlow::exportStructure() {
+  const Target target = chooseTarget(tr("Export the structure"));
+  if (target.path.isEmpty()) return;
+  write(target);
+}
+
+MtgStyle FileFlow::preferredStyle() const {
+  return parts_.settings.value(axesKey).toBool() ? MtgStyle::plantAxisNode : MtgStyle::plantNode;
+}
+
+FileFlow::Target FileFlow::chooseTarget(const QString& title) {
+  const QString folder = parts_.settings.value(folderKey).toString();
+  const bool hasOwnScales = hasScales(parts_.document.structure());
+  QFileDialog dialog(&parts_.window, title);
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  const QStringList filters = writableFilters(hasOwnScales);
+  dialog.setNameFilters(filters);
+  dialog.setDefaultSuffix("mtg");
+  const QFileInfo proposed(proposedPath(parts_.document, folder));
+  dialog.setDirectory(proposed.absolutePath());
+  dialog.selectFile(proposed.fileName());
+  QString filter = filterFor(proposed.fileName(), filters);
+  if (filter == filterOf(MtgStyle::plantNode)) filter = filterOf(preferredStyle());
+  dialog.selectNameFilter(filter);
+  connect(&dialog, &QFileDialog::filterSelected, &dialog,
+          [&dialog, before = filter](const QString& chosen) mutable {
+            const QString name = dialog.selectedFiles().value(0);
+            dialog.selectFile(withExtensionOf(chosen, name, std::exchange(before, chosen)));
+          });
+  if (dialog.exec() != QDialog::Accepted) return {};
+  Target target{dialog.selectedFiles().front(), preferredStyle()};
+  for (const MtgStyle style : {MtgStyle::plantNode, MtgStyle::plantAxisNode})
+    if (dialog.selectedNameFilter() == filterOf(style)) target.style = style;
+  parts_.settings.setValue(axesKey, target.style == MtgStyle::plantAxisNode);
+  return target;
+}
+
+bool FileFlow::mayClose() {
+  if (!mayDiscard()) return false;
+  parts_.jobs.cancel();
+  parts_.projects.leave();
+  return true;
+}
+
+void FileFlow::closePlant() {
+  if (parts_.jobs.isRunning()) parts_.jobs.cancel();
+  if (!mayDiscard()) return;
+  parts_.projects.clear();
+  emit outdated();
+  parts_.projects.offerSessions();
+  emit closed();
+}
+
+bool FileFlow::mayDiscard() {
+  const bool isNamed = parts_.projects.isNamed();
+  if (parts_.projects.keepsWork() || (!isNamed && !parts_.document.isModified())) return true;
+  QMessageBox box(QMessageBox::NoIcon, tr("Unsaved edits"),
+                  tr("<b>Save the edits to this skeleton?</b>"), QMessageBox::NoButton,
+                  &parts_.window);
+  const QString path = parts_.document.filePath();
+  const QStringList dropped =
+      isNamed || !canBeSavedTo(path) ? QStringList() : droppedBySavingTo(path);
+  box.setInformativeText((QStringList(tr("They are lost otherwise")) + dropped).join(".\n") + ".");
+  QPushButton* save = box.addButton(tr("Save"), QMessageBox::AcceptRole);
+  QPushButton* project =
+      dropped.isEmpty() ? nullptr : box.addButton(tr("Save Project As…"), QMessageBox::AcceptRole);
+  QPushButton* discard = box.addButton(tr("Discard"), QMessageBox::DestructiveRole);
+  QPushButton* keep = box.addButton(tr("Keep editing"), QMessageBox::RejectRole);
+  box.setDefaultButton(save);
+  box.setEscapeButton(keep);
+  box.exec();
+  if (box.clickedButton() == save && !isNamed) return this->save();
+  if (box.clickedButton() == save || (project != nullptr && box.clickedButton() == project))
+    return parts_.projects.saveAs() && parts_.projects.keepsWork();
+  return box.clickedButton() == discard;
+}
+
+void FileFlow::showUnlessKept(const std::function<void()>& show) {
+  try {
+    if (mayDiscard()) show();
+  } catch (const Error& error) { // they were to be saved and could not be
+    emit told({.text = QString::fromUtf8(error.what()), .isError = true});
+  }
+}
+
+void FileFlow::show(Read read, bool isAnotherPlant) {
+  LoadedFiles& loaded = read.files;
+  PlantDocument& document = parts_.document;
+  if (isAnotherPlant)
+    parts_.projects.clear();
+  else if (loaded.structure)
+    parts_.projects.leave();
+  if (loaded.scan) {
+    document.setUnit(likelyUnit(loaded.scan->bounds().sizes().maxCoeff()));
+    document.setScan(std::move(loaded.scan), loaded.scanPath);
+    parts_.projects.setScanReference(loaded.scanReference);
+    parts_.recent.add(loaded.scanPath);
+  }
+  if (loaded.structure) {
+    if (document.scan() == nullptr)
+      document.setUnit(likelyUnit(extentOf(loaded.structure->skeleton)));
+    document.openStructure(std::move(*loaded.structure), loaded.structurePath);
+    parts_.recent.add(loaded.structurePath);
+    copied_.clear();
+  }
+  emit opened();
+  if (!tellFit(read.fit, std::move(loaded.notes))) parts_.projects.offerSessions();
+}
+
+bool FileFlow::tellFit(const ScanFit& fit, QStringList notes) {
+  PlantDocument& document = parts_.document;
+  const QString file = QFileInfo(document.filePath()).fileName();
+  const QString structure = file.isEmpty() ? tr("the skeleton") : file;
+  if (fit.shift) {
+    notes.append(offerToMove(structure, *fit.shift, document.unit()));
+    const auto move = [this, shift = *fit.shift] {
+      requireNoJob();
+      parts_.document.edit(tr("Move structure onto the scan"),
+                           [&](SkeletonEditor& editor) { moveAll(editor, shift); });
+      emit movedOntoScan();
+    };
+    emit told({.text = notes.join('\n'), .actions = {{tr("Move"), move}}});
+    return true;
+  }
+  if (fit.misfit)
+    notes.append(describe(*fit.misfit, structure, QFileInfo(document.scanPath()).fileName()));
+  if (!notes.isEmpty()) emit told({.text = notes.join('\n')});
+  return !notes.isEmpty();
+}
+
+void FileFlow::write(const Target& target) {
+  const auto path = toPath(target.path);
+  removeLeftovers(placeOf(path).parent_path());
+  writeStructure(path, parts_.document.structure(), target.style);
+  emit outdated(); // of what kept it from being saved before
+  emit noted(tr("Saved %1").arg(QFileInfo(target.path).fileName()));
+  noteDropped(target.path);
+}
+
+void FileFlow::writeTo(const Target& target) {
+  const QString& path = target.path;
+  // A file of others may hold more than a skeleton: what it held before is kept once, beside it.
+  const bool isOfOthers = path == parts_.document.filePath() && path != copied_;
+  if (isOfOthers && QFileInfo(path).isFile()) {
+    std::error_code ignored; // the folder may allow no second file; saving is what was asked for
+    std::filesystem::copy_file(toPath(path), toPath(path + "~"),
+                               std::filesystem::copy_options::overwrite_existing, ignored);
+  }
+  write(target);
+  saved_ = target;
+  if (!canBeSavedTo(path))
+    return; // lines or a table, as other programs want: the plant is not kept
+  copied_ = path;
+  if (!parts_.projects.isNamed() && !parts_.document.isReadOnly()) parts_.document.markSaved(path);
+  parts_.recent.add(path);
+}
+
+QStringList FileFlow::droppedBySavingTo(const QString& path) const {
+  QStringList sentences;
+  const Format& format = formatToWrite(toPath(path), Content::structure);
+  for (const std::string& sentence : droppedBy(format, parts_.document.structure()))
+    sentences.append(QString::fromStdString(sentence));
+  return sentences;
+}
+
+void FileFlow::noteDropped(const QString& path) {
+  const QStringList notes = droppedBySavingTo(path);
+  if (!notes.isEmpty()) emit told({.text = notes.join('\n')});
+}
+
+} // namespace espalier

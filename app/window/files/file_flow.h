@@ -1,0 +1,99 @@
+#pragma once
+
+#include "app/window/files/load_files.h"
+#include "app/window/files/project_flow.h"
+#include "app/window/files/scan_fit.h"
+#include "app/window/frame/window_part.h"
+#include "core/mtg/mtg_of_skeleton.h"
+
+#include <QStringList>
+
+#include <functional>
+
+class QMenu;
+class QSettings;
+class QWidget;
+
+namespace espalier {
+
+class ActionSet;
+class JobRunner;
+class PlantDocument;
+class RecentFiles;
+
+/// Opening and saving: the dialogs, the jobs, and the question before unsaved work is lost.
+class FileFlow : public WindowPart {
+  Q_OBJECT
+
+public:
+  /// What it works with; all must outlive it.
+  struct Parts {
+    PlantDocument& document;
+    JobRunner& jobs;
+    ActionSet& actions;
+    ProjectFlow& projects;
+    RecentFiles& recent;
+    QSettings& settings;
+    QWidget& window;
+  };
+  explicit FileFlow(const Parts& parts);
+
+  /// A project replaces all; a structure replaces the skeleton; a scan comes under a skeleton that
+  /// has none, else it begins another plant. Reading goes on as a job; only once all is read is it
+  /// asked what to do with unsaved edits that it would replace.
+  /// @throws Error if a file cannot be read or a job is running
+  void open(const QStringList& paths);
+
+  void setPlantShown(bool isShown) override;
+  [[nodiscard]] bool mayClose() override;
+
+signals:
+  void opened();
+  void movedOntoScan(); // the structure, as was offered
+  void closed();
+
+private:
+  void addActions();        // file_actions.cpp
+  void addProjectActions(); // likewise
+  void fillRecent(QMenu& menu);
+  void refreshProject();
+  void chooseAndOpen();
+  void closePlant();
+
+  /// Each returns whether the skeleton is saved now; the user may have left the dialog, or chosen a
+  /// format that cannot be opened again.
+  /// @throws Error why it cannot be written
+  bool save();
+  bool saveAs();
+  /// Writes a copy of the skeleton: the document stays where it is.
+  /// @throws Error why it cannot be written
+  void exportStructure();
+  /// Asks what to do with unsaved edits, if there are any. False: keep editing.
+  /// @throws Error if they are to be saved and cannot be
+  [[nodiscard]] bool mayDiscard();
+  void showUnlessKept(const std::function<void()>& show); // asks about unsaved edits first
+  /// Files as they were read, and how the structure then lies to the scan.
+  struct Read {
+    LoadedFiles files;
+    ScanFit fit;
+  };
+  void show(Read read, bool isAnotherPlant);
+  void requireNoJob() const;
+  bool tellFit(const ScanFit& fit, QStringList notes); // whether there was anything to tell
+  struct Target {
+    QString path; // empty: none was chosen
+    MtgStyle style = MtgStyle::plantNode;
+  };
+  [[nodiscard]] MtgStyle preferredStyle() const; // as chosen last
+  [[nodiscard]] Target chooseTarget(const QString& title);
+  void write(const Target& target);
+  void writeTo(const Target& target); // and counts as saved from then on
+  [[nodiscard]] QStringList droppedBySavingTo(const QString& path) const; // sentences
+  void noteDropped(const QString& path);
+
+  Parts parts_;
+  Target saved_;   // where and how the skeleton was written last
+  QString copied_; // the file of others that a copy was kept of
+};
+
+} // namespace espalier

@@ -1,0 +1,100 @@
+#include "app/window/files/load_project.h"
+
+#include "app/window/files/load_files.h"
+#include "core/base/error.h"
+#include "core/io/formats.h"
+#include "core/mtg/mtg_reader.h"
+#include "core/project/content_hash.h"
+#include "core/project/point_bytes.h"
+
+#include <algorithm>
+#include <functional>
+#include <sstream>
+#include <utility>
+
+namespace espalier {
+namespace {
+
+std::shared_ptr<const MtgFrame> frameOf(const Project& project) {
+  std::string text = project.document("mtg");
+  if (text.empty()) return nullptr;
+  std::istringstream in(text);
+  Mtg mtg = readMtg(in, project.path().string()).value;
+  return std::make_shared<const MtgFrame>(MtgFrame{std::move(mtg), std::move(text)});
+}
+
+QString nameOf(const std::filesystem::path& path) {
+  return QString::fromStdString(path.string());
+}
+
+/// What stands beside the plant must not keep it from being read: what fails is noted.
+void tryTo(LoadedProject& loaded, const std::function<void()>& act) {
+  try {
+    act();
+  } catch (const Error& error) {
+    loaded.notes.append(QString::fromUtf8(error.what()));
+  }
+}
+
+/// The scan that is in the project; null: none.
+std::unique_ptr<const Scan> keptScan(const Project& project, const Progress& progress) {
+  const std::string bytes = project.bytes("cloud");
+  if (bytes.empty()) return nullptr;
+  progress.update(0.3);
+  PointCloud cloud = cloudFrom(bytes);
+  if (cloud.isEmpty())
+    throw Error(project.path().string() + ": the scan in it has no points: keep it there again");
+  progress.update(0.5);
+  return std::make_unique<const Scan>(std::move(cloud));
+}
+
+void addScan(LoadedProject& loaded, const Progress& progress) {
+  const std::optional<ScanReference> reference = loaded.project->scan();
+  if (!reference) return;
+  loaded.scanReference = reference;
+  loaded.scanPath = nameOf(reference->path);
+  tryTo(loaded, [&] { loaded.scan = keptScan(*loaded.project, progress); });
+  loaded.isScanKept = loaded.scan != nullptr;
+  if (!loaded.isScanKept) {
+    const auto found = loaded.project->findScan();
+    if (!found) return;
+    loaded.scan = std::make_unique<const Scan>(readPoints(*found, progress).value);
+    loaded.scanPath = nameOf(*found);
+  }
+  ContractedPoints contracted = contractedIn(*loaded.project);
+  if (!contracted.positions || contracted.positions->cols() != loaded.scan->cloud()->size()) return;
+  loaded.contracted = std::move(contracted);
+  const auto isTheirs = [&](const HistoryStep& step) { return step.id == loaded.contracted.step; };
+  if (loaded.isDamaged && std::ranges::none_of(loaded.history.steps, isTheirs))
+    loaded.contracted.step = {}; // it was before the first that can be read
+}
+
+} // namespace
+
+LoadedProject loadProject(const QString& path, Access access, const Progress& progress) {
+  LoadedProject loaded;
+  loaded.project = std::make_unique<Project>(Project::open(toPath(path), access));
+  Imported<History> history = loaded.project->history();
+  loaded.isDamaged = !history.notes.empty();
+  for (const std::string& note : history.notes)
+    loaded.notes.append(QString::fromStdString(note));
+  loaded.history = std::move(history.value);
+  tryTo(loaded, [&] { loaded.frame = frameOf(*loaded.project); });
+  tryTo(loaded, [&] {
+    loaded.unit = unitOfSymbol(QString::fromStdString(loaded.project->document("unit")));
+    loaded.file = QString::fromStdString(loaded.project->document("file"));
+  });
+  tryTo(loaded, [&] { addScan(loaded, progress.part(0.1, 1)); });
+  return loaded;
+}
+
+std::unique_ptr<const Scan> loadScan(const QString& path, const ScanReference& reference,
+                                     const Progress& progress) {
+  if (contentHashOfFile(toPath(path)) != reference.hash)
+    throw Error(path.toStdString() + ": is not the scan of this project, which was " +
+                reference.path.filename().string() +
+                ": choose that, or open this one as a plant of its own");
+  return std::make_unique<const Scan>(readPoints(toPath(path), progress).value);
+}
+
+} // namespace espalier

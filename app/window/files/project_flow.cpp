@@ -1,0 +1,353 @@
+#include "app/window/files/project_flow.h"
+
+#include "app/window/files/file_filters.h"
+#include "app/window/files/load_files.h"
+#include "app/window/files/recent_files.h"
+#include "core/base/error.h"
+#include "core/io/dropped.h"
+#include "core/mtg/mtg_of_skeleton.h"
+#include "ui/document/plant_document.h"
+#include "ui/jobs/job_runner.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLocale>
+#include <QSettings>
+
+#include <algorithm>
+#include <utility>
+
+namespace espalier {
+namespace {
+
+QString pathOf(const Project& project) {
+  return QString::fromStdString(project.path().string());
+}
+
+/// What people call the plant: its file or its scan.
+QString nameOf(const PlantDocument& document) {
+  const QString path = document.filePath().isEmpty() ? document.scanPath() : document.filePath();
+  return path.isEmpty() ? ProjectFlow::tr("a plant") : QFileInfo(path).completeBaseName();
+}
+
+} // namespace
+
+ProjectFlow::ProjectFlow(const Parts& parts)
+    : parts_(parts), sessions_(parts.settings), recorder_(parts.document) {
+  parts_.document.setAuthor(
+      parts_.settings.value("author", qEnvironmentVariable("USER")).toString());
+  connect(&parts_.jobs, &JobRunner::finished, this, &ProjectFlow::finishKeeping);
+  connect(&recorder_, &ProjectRecorder::failed, this, &ProjectFlow::tellFailure);
+  connect(&recorder_, &ProjectRecorder::behindChanged, this, [this] {
+    if (isNamed())
+      parts_.document.setSaving(recorder_.isBehind() ? PlantDocument::Saving::failing
+                                                     : PlantDocument::Saving::asItHappens);
+  });
+  connect(&parts_.document.undoStack(), &QUndoStack::indexChanged, this,
+          &ProjectFlow::startSession);
+  connect(&parts_.document, &PlantDocument::titleChanged, this, &ProjectFlow::noteFile);
+  for (auto signal : {&PlantDocument::scanChanged, &PlantDocument::skeletonReplaced})
+    connect(&parts_.document, signal, &prepare_, qOverload<>(&QTimer::start));
+  prepare_.setSingleShot(true);
+  prepare_.setInterval(500); // [ms], once the plant is on the screen
+  connect(&prepare_, &QTimer::timeout, this, &ProjectFlow::prepareSession);
+}
+
+void ProjectFlow::endWork() {
+  blockSignals(true); // who would show it is going too
+  release(parts_.document.isModified());
+}
+
+bool ProjectFlow::isNamed() const {
+  return recorder_.project() != nullptr && !sessions_.contains(pathOf(*recorder_.project()));
+}
+
+bool ProjectFlow::keepsWork() {
+  recorder_.flush();
+  if (recorder_.project() == nullptr || recorder_.isBehind()) return false;
+  return isNamed() || parts_.document.filePath().isEmpty();
+}
+
+void ProjectFlow::open(const QString& path) {
+  const QFileInfo file(path);
+  const auto holder = ProjectLock::holder(toPath(path));
+  if (!holder && (file.isWritable() || !file.exists())) return load(path, As::itself);
+  emit told({.text = holder ? tr("%1 is open in another window (%2)")
+                                  .arg(file.fileName(), QString::fromStdString(*holder))
+                            : tr("%1 may only be read").arg(file.fileName()),
+             .isError = true,
+             .actions = {{tr("Open a Copy"), [this, path] { openCopy(path); }},
+                         {tr("Open Read-Only"), [this, path] { openReadOnly(path); }}}});
+}
+
+void ProjectFlow::openCopy(const QString& path) {
+  load(path, As::copy);
+}
+
+void ProjectFlow::openReadOnly(const QString& path) {
+  load(path, As::readOnly);
+}
+
+bool ProjectFlow::saveAs() {
+  QFileDialog dialog(&parts_.window, tr("Save the project"), {},
+                     tr("Espalier projects (*.espalier)"));
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setDefaultSuffix("espalier");
+  const QString scan = parts_.document.scanPath();
+  dialog.setDirectory(scan.isEmpty() ? parts_.settings.value(folderKey).toString()
+                                     : QFileInfo(scan).path());
+  dialog.selectFile(nameOf(parts_.document) + ".espalier");
+  if (dialog.exec() != QDialog::Accepted) return isNamed();
+  saveAs(dialog.selectedFiles().front());
+  return true;
+}
+
+void ProjectFlow::saveAs(const QString& path) {
+  if (isNamed() && !recorder_.isBehind() &&
+      QFileInfo(path) == QFileInfo(pathOf(*recorder_.project()))) {
+    confirmSaved();
+    return;
+  }
+  if (isNamed() && QFileInfo(path).absoluteFilePath() == pathOf(*recorder_.project()))
+    recorder_.stop(); // its file is gone or cannot be written: it is made anew
+  std::unique_ptr<Project> project = makeProject(parts_.document, toPath(path));
+  project->setScan(scan_);
+  release(false); // a session's work is in the named one from here on
+  leave();
+  take(std::move(project));
+  writeRest();
+  recorder_.flush();
+  emit told({.text = tr("Saved %1: from now on, each edit is saved as it happens")
+                         .arg(QFileInfo(path).fileName())});
+}
+
+bool ProjectFlow::confirmSaved() {
+  recorder_.flush();
+  if (!recorder_.isBehind()) {
+    emit told({.text = tr("Everything is saved in %1")
+                           .arg(QFileInfo(pathOf(*recorder_.project())).fileName())});
+    return true;
+  }
+  tellFailure(tr("%1 cannot be written: save it elsewhere")
+                  .arg(QFileInfo(pathOf(*recorder_.project())).fileName()));
+  return false;
+}
+
+void ProjectFlow::compact() {
+  if (!isNamed())
+    throw Error(tr("this plant is in no project yet: save it as one first").toStdString());
+  recorder_.flush();
+  const QString path = pathOf(*recorder_.project());
+  const qint64 before = QFileInfo(path).size();
+  recorder_.project()->compact();
+  const QLocale locale;
+  emit told({.text = tr("%1 is %2 now; it was %3")
+                         .arg(QFileInfo(path).fileName(),
+                              locale.formattedDataSize(QFileInfo(path).size()),
+                              locale.formattedDataSize(before))});
+}
+
+bool ProjectFlow::holdsMoreThanItsFile() const {
+  const QString& path = parts_.document.filePath();
+  if (path.isEmpty() || parts_.document.undoStack().count() == 0) return false;
+  try {
+    const Format& format = formatToWrite(toPath(path), Content::structure);
+    return !droppedBy(format, parts_.document.skeleton()).empty();
+  } catch (const Error&) { // a format that is only read: nothing was saved in it
+    return false;
+  }
+}
+
+void ProjectFlow::leave() {
+  release(parts_.document.isModified() ? keepsWork() : holdsMoreThanItsFile());
+  parts_.document.setSaving(PlantDocument::Saving::byHand);
+  parts_.document.setReadOnly({});
+  hasFailed_ = false;
+}
+
+void ProjectFlow::clear() {
+  leave();
+  isScanKept_ = false;
+  parts_.document.clear();
+  scan_.reset();
+  for (const Kept& beside : beside_)
+    beside.show({});
+}
+
+void ProjectFlow::keep(const WindowPart& part) {
+  for (const Kept& kept : part.kept()) {
+    beside_.push_back(kept);
+    recorder_.keep(kept.name, kept.text);
+  }
+  connect(&part, &WindowPart::keptChanged, this, [this] { recorder_.noteChange(); });
+}
+
+void ProjectFlow::setScanReference(const std::optional<ScanReference>& scan) {
+  scan_ = scan;
+  guarded([this] {
+    if (recorder_.project() != nullptr) recorder_.project()->setScan(scan_);
+  });
+}
+
+void ProjectFlow::offerSessions() {
+  const QList<Session> waiting = sessions_.waiting();
+  emit sessionsChanged();
+  const PlantDocument& document = parts_.document;
+  const bool isAny = document.isEmpty() && !isWithoutPositions(document.structure());
+  const auto found = std::ranges::find_if(
+      waiting, [&](const Session& session) { return isAny || isOfThePlant(session); });
+  if (found == waiting.end()) return;
+  const QString path = found->path;
+  const QString text = isAny ? tr("Continue with %1") : tr("Work on this plant was kept: %1");
+  emit told({.text = text.arg(describe(*found, QDateTime::currentDateTime())),
+             .actions = {{tr("Continue"), [this, path] { emit chosen(path); }},
+                         {tr("Discard"), [this, path] {
+                            Sessions::remove(path);
+                            offerSessions();
+                          }}}});
+}
+
+bool ProjectFlow::isOfThePlant(const Session& session) const {
+  const auto isSame = [](const QString& path, const QString& other) {
+    return !path.isEmpty() && !other.isEmpty() && QFileInfo(path) == QFileInfo(other);
+  };
+  return isSame(parts_.document.scanPath(), session.scan) ||
+         isSame(parts_.document.filePath(), session.file);
+}
+
+void ProjectFlow::requireIdle() const {
+  if (parts_.jobs.isRunning())
+    throw Error(
+        tr("%1 is still running: wait for it, or cancel it").arg(parts_.jobs.name()).toStdString());
+}
+
+void ProjectFlow::load(const QString& path, As as) {
+  requireIdle();
+  parts_.jobs.start(
+      tr("Reading %1").arg(QFileInfo(path).fileName()),
+      [path, as](const Progress& progress) {
+        return loadProject(path, as == As::itself ? Access::readWrite : Access::readOnly, progress);
+      },
+      [this, as](LoadedProject loaded) {
+        const auto kept = std::make_shared<LoadedProject>(std::move(loaded));
+        parts_.jobs.afterwards([this, as, kept] { gate_([&] { show(std::move(*kept), as); }); });
+      });
+}
+
+void ProjectFlow::show(LoadedProject loaded, As as) {
+  PlantDocument& document = parts_.document;
+  leave();
+  const bool isCopy = as == As::copy || loaded.isDamaged;
+  const QString path = pathOf(*loaded.project);
+  const bool isSession = sessions_.contains(path);
+  const bool isScanMissing = loaded.scan == nullptr && !loaded.scanPath.isEmpty();
+  isLoading_ = true;
+  document.clear();
+  document.setUnit(loaded.unit);
+  if (loaded.scan) document.setScan(std::move(loaded.scan), loaded.scanPath);
+  document.openHistory(std::move(loaded.history), loaded.frame, isSession ? loaded.file : QString(),
+                       loaded.contracted);
+  isLoading_ = false;
+  scan_ = loaded.scanReference;
+  isScanKept_ = loaded.isScanKept;
+  emit opened();
+  showBeside(*loaded.project,
+             loaded.notes); // once the scan is there, which gives options their range
+  if (as == As::readOnly) {
+    document.markSaved(path);
+    document.setReadOnly(tr("%1 is open read-only: save it as another project to edit that")
+                             .arg(QFileInfo(path).fileName()));
+  } else if (isCopy)
+    startSession();
+  else
+    take(std::move(loaded.project));
+  if (isScanMissing)
+    emit told(
+        {.text = tr("The scan %1 is not where it was").arg(QFileInfo(loaded.scanPath).fileName()),
+         .isError = true,
+         .actions = {{tr("Find Scan…"), [this] { askForScan(); }}}});
+  if (!loaded.notes.isEmpty()) tellFailure(loaded.notes.join('\n'));
+}
+
+void ProjectFlow::showBeside(const Project& project, QStringList& notes) {
+  for (const Kept& beside : beside_) {
+    try {
+      beside.show(project.document(beside.name));
+    } catch (const Error& error) {
+      notes.append(QString::fromUtf8(error.what()));
+      beside.show({});
+    }
+  }
+}
+
+void ProjectFlow::take(std::unique_ptr<Project> project) {
+  recorder_.start(std::move(project));
+  if (!isNamed()) return;
+  const QString path = pathOf(*recorder_.project());
+  parts_.document.markSaved(path);
+  parts_.document.setSaving(PlantDocument::Saving::asItHappens);
+  parts_.recent.add(path);
+  parts_.settings.setValue(folderKey, QFileInfo(path).absolutePath());
+}
+
+void ProjectFlow::release(bool isSessionKept) {
+  const bool isSession = recorder_.project() != nullptr && !isNamed();
+  const std::unique_ptr<Project> project = recorder_.stop();
+  if (isSession && !isSessionKept) Sessions::remove(pathOf(*project));
+}
+
+void ProjectFlow::startSession() {
+  if (isLoading_ || hasFailed_ || parts_.document.isReadOnly() || recorder_.project() != nullptr ||
+      parts_.document.undoStack().count() == 0)
+    return;
+  hasFailed_ = !guarded([this] { makeSession(); });
+}
+
+void ProjectFlow::makeSession() {
+  auto project = makeProject(parts_.document, toPath(sessions_.newPath()));
+  project->setScan(scan_);
+  project->setDocument("name", nameOf(parts_.document).toStdString());
+  project->setDocument("file", parts_.document.filePath().toStdString());
+  recorder_.start(std::move(project));
+  writeRest();
+}
+
+void ProjectFlow::prepareSession() {
+  if (isLoading_ || hasFailed_ || recorder_.project() != nullptr || parts_.document.isEmpty() ||
+      parts_.document.isReadOnly() || parts_.document.undoStack().count() > 0)
+    return;
+  try {
+    makeSession();
+  } catch (const Error&) { // who only looks need not know; the first edit tells
+  }
+}
+
+void ProjectFlow::noteFile() {
+  Project* project = recorder_.project();
+  if (project == nullptr || isNamed() || recorder_.isBehind()) return;
+  const std::string file = parts_.document.filePath().toStdString();
+  const std::string name = nameOf(parts_.document).toStdString();
+  guarded([&] {
+    if (project->document("file") != file) project->setDocument("file", file);
+    if (project->document("name") != name) project->setDocument("name", name);
+  });
+}
+
+// What follows an edit or the end of a job: an error is told, and takes nothing back.
+bool ProjectFlow::guarded(const std::function<void()>& act) {
+  try {
+    act();
+    return true;
+  } catch (const Error& error) {
+    tellFailure(QString::fromUtf8(error.what()));
+    return false;
+  }
+}
+
+void ProjectFlow::tellFailure(const QString& message) {
+  emit told({.text = message, .isError = true, .actions = {{tr("Save Elsewhere…"), [this] {
+                                                              saveAs();
+                                                            }}}});
+}
+
+} // namespace espalier

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "app/window/frame/window_part.h"
+
+class QSettings;
+class QWidget;
+
+namespace espalier {
+
+class ActionSet;
+class KeyBindings;
+
+/// The ways to find a command: by its name, in the manual, by its key, which can be another.
+class HelpFlow : public WindowPart {
+  Q_OBJECT
+
+public:
+  /// What it works with; all must outlive it.
+  struct Parts {
+    ActionSet& actions; // of all other parts
+    QSettings& settings;
+    QWidget& window;
+  };
+  explicit HelpFlow(const Parts& parts);
+
+private:
+  void addActions();
+  void showPalette();
+  void showAbout();
+
+  Parts parts_;
+  KeyBindings* keys_;
+};
+
+} // namespace espalier

@@ -1,0 +1,42 @@
+#include "app/window/preview/density_flow.h"
+
+#include "core/pipeline/used_densities.h"
+#include "ui/document/plant_document.h"
+#include "ui/panels/pipeline_panel.h"
+
+#include <optional>
+#include <vector>
+
+namespace espalier {
+
+DensityFlow::DensityFlow(PlantDocument& document, PipelinePanel& pipeline)
+    : document_(document), pipeline_(pipeline) {
+  connect(&pipeline_, &PipelinePanel::changed, this, [this](const Step& step) {
+    if (step.result == StepResult::points) refresh();
+  });
+  for (auto signal : {&PlantDocument::scanChanged, &PlantDocument::leftOutChanged})
+    connect(&document_, signal, this, &DensityFlow::refresh);
+}
+
+void DensityFlow::refresh() {
+  const Scan* scan = document_.scan();
+  PipelineOptions options = pipeline_.options();
+  options.leftOut = document_.leftOut();
+  const Step& step = contractionStep();
+  const PlantScale scale = scan != nullptr ? document_.scale() : PlantScale{};
+  const bool isFollowed =
+      scan != nullptr && chosenFor(step, options, scale).probe().density.has_value();
+  if (!isFollowed) {
+    job_.cancel();
+    return pipeline_.setDensities(step.name, {});
+  }
+  job_.start(
+      [cloud = scan->cloud(), options, scale](const Progress& progress) {
+        return densitiesUsed(cloud, options, scale, progress);
+      },
+      [this, name = step.name](const std::optional<std::vector<float>>& densities) {
+        pipeline_.setDensities(name, densities.value_or(std::vector<float>()));
+      });
+}
+
+} // namespace espalier

@@ -1,0 +1,120 @@
+#include "app/window/preview/options_text.h"
+
+#include "core/base/error.h"
+#include "core/pipeline/preset.h"
+#include "ui/document/number_scale.h"
+#include "ui/document/shown_text.h"
+
+#include <QObject>
+#include <QStringList>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <string_view>
+
+namespace espalier {
+namespace {
+
+/// To three digits, without zeros at the end.
+QString shortNumber(double value) {
+  const int decimals =
+      value == 0 ? 0 : std::clamp(2 - int(std::floor(std::log10(std::abs(value)))), 0, 6);
+  QString text = numberText(value, decimals);
+  while (text.contains('.') && (text.endsWith('0') || text.endsWith('.')))
+    text.chop(1);
+  return text;
+}
+
+/// What a step does otherwise, without its name; empty: nothing.
+QString changeOf(const Step& step, const PipelineOptions& before, const PipelineOptions& after,
+                 const PlantScale& scale, const QString& unit) {
+  const Method& method = chosenMethod(step, after);
+  QStringList parts;
+  const bool isOther = method.name != chosenMethod(step, before).name;
+  if (isOther) parts.append(shownText(method.label).toLower());
+  const std::vector<double> now = resolvedValues(step, method, after, scale);
+  const std::vector<double> then =
+      resolvedValues(step, method, isOther ? PipelineOptions() : before, scale);
+  for (std::size_t i = 0; i < now.size(); ++i)
+    if (now[i] != then[i])
+      parts.append(shownText(method.options[i].label).toLower() + ' ' +
+                   valueText(method.options[i], now[i], unit));
+  return parts.join(QStringLiteral(", "));
+}
+
+constexpr std::string_view axisNames = "xyz"; // in the order of UpAxis
+
+UpAxis axisOf(const std::string& name) {
+  const std::size_t axis = name.size() == 1 ? axisNames.find(name) : std::string_view::npos;
+  if (axis == std::string_view::npos) throw Error("\"" + name + "\" is no axis that points up");
+  return static_cast<UpAxis>(axis);
+}
+
+Eigen::Vector3d rootIn(std::istream& in) {
+  Eigen::Vector3d root;
+  if (!(in >> root.x() >> root.y() >> root.z()) || !root.allFinite())
+    throw Error("the root of the plant is no place");
+  return root;
+}
+
+/// How the plant stands otherwise.
+QStringList changesOfScan(const PipelineOptions& before, const PipelineOptions& after) {
+  QStringList parts;
+  if (after.up != before.up)
+    parts.append(QObject::tr("Up: %1").arg(QChar(axisNames[static_cast<std::size_t>(after.up)])));
+  if (after.root != before.root)
+    parts.append(after.root ? QObject::tr("Root: picked") : QObject::tr("Root: lowest point"));
+  return parts;
+}
+
+} // namespace
+
+std::string keptText(const PipelineOptions& options) {
+  std::ostringstream text;
+  if (options.up != UpAxis::z)
+    text << "up " << axisNames[static_cast<std::size_t>(options.up)] << '\n';
+  text.precision(std::numeric_limits<double>::max_digits10);
+  if (options.root) text << "root " << options.root->transpose() << '\n';
+  writePreset(text, options);
+  return text.str();
+}
+
+PipelineOptions keptOptions(const std::string& text) {
+  std::istringstream in(text);
+  PipelineOptions ofScan;
+  for (std::string name; in >> std::ws && in.peek() != '{' && in >> name;) {
+    std::string axis;
+    if (name == "up" && in >> axis)
+      ofScan.up = axisOf(axis);
+    else if (name == "root")
+      ofScan.root = rootIn(in);
+    else
+      throw Error("\"" + name + "\" is no option of a project");
+  }
+  PipelineOptions options = readPreset(in);
+  requireKnown(options);
+  options.up = ofScan.up;
+  options.root = ofScan.root;
+  return options;
+}
+
+QString changeText(const PipelineOptions& before, const PipelineOptions& after,
+                   const PlantScale& scale, const QString& unit) {
+  QStringList steps = changesOfScan(before, after);
+  for (const Step& step : pipelineSteps())
+    if (const QString change = changeOf(step, before, after, scale, unit); !change.isEmpty())
+      steps.append(shownText(step.label) + QStringLiteral(": ") + change);
+  return steps.join(QStringLiteral("; "));
+}
+
+QString valueText(const Option& option, double value, const QString& unit) {
+  if (option.takesWords()) return QString::fromStdString(option.wordFor(value));
+  const bool isLength = option.kind == OptionKind::length && !unit.isEmpty();
+  return shortNumber(value) + (isLength                           ? QChar(0x202f) + unit
+                               : option.kind == OptionKind::angle ? QStringLiteral("°")
+                                                                  : QString());
+}
+
+} // namespace espalier

@@ -1,0 +1,176 @@
+#include "app/window/preview/reconstruct_flow.h"
+
+#include "app/window/frame/action_set.h"
+#include "app/window/preview/options_text.h"
+#include "core/base/error.h"
+#include "ui/document/number_scale.h"
+#include "ui/document/plant_document.h"
+#include "ui/document/shown_text.h"
+#include "ui/jobs/job_runner.h"
+
+#include <QAction>
+#include <QElapsedTimer>
+#include <QUndoStack>
+
+#include <iterator>
+#include <sstream>
+#include <utility>
+
+namespace espalier {
+
+ReconstructFlow::ReconstructFlow(const Parts& parts)
+    : document_(parts.document), jobs_(parts.jobs), actions_(parts.actions), panel_(parts.panel),
+      pipeline_(std::make_shared<SharedPipeline>()) {
+  QAction* action = actions_.add({.id = "reconstruct",
+                                  .text = tr("Re&construct"),
+                                  .help = tr("Makes the skeleton from the scan"),
+                                  .icon = "reconstruct",
+                                  .keys = QKeySequence(Qt::CTRL | Qt::Key_R),
+                                  .menu = "skeleton/make"},
+                                 [this] { start(); });
+  connect(&panel_, &PipelinePanel::reconstructRequested, action, &QAction::trigger);
+  connect(&panel_, &PipelinePanel::runRequested, this, [this](const Step& last) {
+    actions_.guarded(
+        [&] {
+          start(&last);
+          return true;
+        },
+        Refusal::inBanner);
+  });
+  connect(&jobs_, &JobRunner::progressed, this, [this](double, const QString& stage) {
+    if (isRunning_) panel_.showRunning(stage);
+  });
+  connect(&jobs_, &JobRunner::failed, this, [this](const QString& message) {
+    if (isRunning_) panel_.showFailed(message);
+  });
+  connect(&jobs_, &JobRunner::finished, this, [this] { isRunning_ = false; });
+  for (auto signal : {&PlantDocument::scanChanged, &PlantDocument::skeletonReplaced})
+    connect(&document_, signal, this, [this] {
+      notes_.clear();
+      setRun({});
+    });
+  connect(&document_.undoStack(), &QUndoStack::indexChanged, this, &ReconstructFlow::refreshUsed);
+}
+
+void ReconstructFlow::setEnabled(bool isEnabled) {
+  if (isEnabled && jobs_.isCanceled()) panel_.showStopped();
+  setPlantShown(isEnabled);
+}
+
+void ReconstructFlow::setPlantShown(bool /*isShown*/) {
+  const bool canRun = document_.scan() != nullptr && !jobs_.isRunning();
+  panel_.setRunnable(canRun);
+  actions_["reconstruct"]->setEnabled(canRun);
+}
+
+void ReconstructFlow::start(const Step* last) {
+  emit starting();
+  if (document_.scan() == nullptr)
+    throw Error(tr("there is no scan to reconstruct from: open one first").toStdString());
+  document_.requireWritable();
+  if (jobs_.isRunning())
+    throw Error(
+        tr("%1 is still running: wait for it, or cancel it").arg(jobs_.name()).toStdString());
+  PipelineOptions ofKept = panel_.options();
+  ofKept.leftOut = document_.leftOut();
+  isRunning_ = true;
+  QElapsedTimer elapsed;
+  elapsed.start();
+  jobs_.start(
+      tr("Reconstructing"),
+      [pipeline = pipeline_, cloud = document_.scan()->cloud(), options = ofKept,
+       to = last != nullptr ? last->name : std::string()](const Progress& progress) {
+        return pipeline->run(cloud, options, progress, to);
+      },
+      [this, elapsed, last, options = ofKept](const Reconstruction& result) {
+        show(result, last, options, static_cast<double>(elapsed.elapsed()) / 1000);
+      });
+}
+
+PipelinePanel::Telling ReconstructFlow::telling() const {
+  return [costs = pipeline_->costs(), notes = notes_](const Step& step) -> PipelinePanel::Told {
+    const auto cost = costs.find(step.name);
+    if (cost == costs.end()) return {};
+    const auto& [seconds, bytes] = cost->second;
+    const QString time = numberText(seconds, seconds < 0.995 ? 2 : 1);
+    const QString memory = numberText(static_cast<double>(bytes) / 1e6, 0);
+    const PipelinePanel::Told told{
+        .note = seconds < 0.005 ? QString() : tr("%1 s").arg(time),
+        .details = tr("Last run: %1 s, %2 MB more memory at most").arg(time, memory)};
+    const auto note = notes.find(step.name);
+    if (note == notes.end()) return told;
+    return {.note = told.note.isEmpty() ? tr("note") : tr("note, %1").arg(told.note),
+            .details = note->second + QStringLiteral("\n") + told.details};
+  };
+}
+
+std::string ReconstructFlow::usedText() const {
+  if (!isDone_) return {};
+  std::ostringstream text;
+  text << static_cast<std::uint64_t>(run_->made) << ' ' << run_->last << '\n'
+       << keptText(run_->options);
+  return text.str();
+}
+
+void ReconstructFlow::setUsed(const std::string& text) {
+  if (text.empty()) return setRun({});
+  std::istringstream in(text);
+  std::string line;
+  std::getline(in, line);
+  Run run;
+  std::uint64_t made = 0;
+  std::istringstream(line) >> made >> run.last;
+  run.made = StepId{made};
+  run.options = keptOptions({std::istreambuf_iterator<char>(in), {}});
+  setRun(std::move(run));
+}
+
+void ReconstructFlow::showUsed() const {
+  if (isDone_)
+    panel_.showMadeWith(run_->options, telling(), run_->last);
+  else
+    panel_.showIdle();
+}
+
+void ReconstructFlow::showDone(const std::string& last) const {
+  panel_.showDone(telling(), last);
+}
+
+void ReconstructFlow::setRun(std::optional<Run> run) {
+  run_ = std::move(run);
+  isDone_ = false;
+  refreshUsed();
+}
+
+void ReconstructFlow::refreshUsed() {
+  const bool isDone = run_ && document_.isDone(run_->made);
+  if (std::exchange(isDone_, isDone) != isDone) emit usedChanged();
+}
+
+void ReconstructFlow::show(const Reconstruction& result, const Step* last,
+                           const PipelineOptions& options, double seconds) {
+  const QString time = seconds < 0.1 ? tr("less than 0.1") : numberText(seconds, 1);
+  const std::string end = last != nullptr ? last->name : std::string();
+  notes_.clear();
+  for (const StepRecord& record : result.steps)
+    for (const std::string& note : record.notes)
+      notes_[record.step] += (notes_[record.step].isEmpty() ? QString() : QStringLiteral("; ")) +
+                             QString::fromStdString(note);
+  QString said;
+  for (const std::string& note : notesOf(result))
+    said += QStringLiteral("; ") + QString::fromStdString(note);
+  if (last != nullptr && result.skeleton->isEmpty()) {
+    document_.contract(shownText(last->label), result.contracted);
+    emit done(tr("%1 done in %2 s").arg(shownText(last->label), time), end);
+    return;
+  }
+  const StepId made = document_.reconstruct(tr("Reconstruct"), *result.skeleton, result.contracted);
+  const std::size_t nodes = document_.skeleton().size();
+  emit done((nodes == 1 ? tr("1 node reconstructed in %1 s").arg(time)
+                        : tr("%1 nodes reconstructed in %2 s").arg(formatCount(nodes), time)) +
+                said,
+            end);
+  if (nodes > 0) setRun(Run{options, end, made});
+}
+
+} // namespace espalier

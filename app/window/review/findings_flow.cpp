@@ -1,0 +1,335 @@
+#include "app/window/review/findings_flow.h"
+
+#include "app/window/frame/action_set.h"
+#include "app/window/frame/panel_dock.h"
+#include "app/window/review/findings_text.h"
+#include "core/skeleton/checks.h"
+#include "core/skeleton/checks_of_scan.h"
+#include "core/skeleton/path_edits.h"
+#include "ui/document/plant_document.h"
+#include "ui/panels/findings_panel.h"
+#include "ui/view/plant_view.h"
+
+#include <QAction>
+#include <QMenu>
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+#include <utility>
+
+namespace espalier {
+namespace {
+
+bool hasNodes(const Skeleton& skeleton, const Finding& finding) {
+  return std::ranges::all_of(nodesOf(finding), [&](NodeId id) { return skeleton.contains(id); });
+}
+
+} // namespace
+
+FindingsFlow::FindingsFlow(const Parts& parts) : parts_(parts) {
+  addActions();
+  makePanel();
+  keepInProject({.name = "ignored_findings",
+                 .text = [this] { return textOf(ignored_); },
+                 .show = [this](const std::string& text) { show(text); }});
+  connectParts();
+  showAction();
+}
+
+bool FindingsFlow::isBusy() const {
+  return timer_.isActive() || job_.isRunning() || parts_.distances.isBusy();
+}
+
+void FindingsFlow::show(const std::string& text) {
+  ignored_.clear();
+  list();
+  ignored_ = findingsFrom(text);
+  list();
+}
+
+void FindingsFlow::addActions() {
+  parts_.actions.beginSection(tr("Findings"));
+  const auto add = [this](const char* id, const QString& text, const QString& help,
+                          const QKeySequence& keys, const std::function<void()>& act) {
+    return parts_.actions.add({.id = id, .text = text, .help = help, .keys = keys}, act);
+  };
+  add("next_finding", tr("Next Finding"), tr("Goes on to what the checks found next"), Qt::Key_F4,
+      [this] { step(1); });
+  add("previous_finding", tr("Previous Finding"), tr("Goes back to what the checks found before"),
+      QKeySequence(Qt::SHIFT | Qt::Key_F4), [this] { step(-1); });
+  add("ignore_finding", tr("Ignore Finding"),
+      tr("Leaves the finding out of the list, or shows it again"),
+      QKeySequence(Qt::CTRL | Qt::Key_F4), [this] { toggleIgnored(); });
+  add("select_findings", tr("All Findings"), tr("Selects the nodes of all findings of the checks"),
+      {}, [this] { selectAll(); });
+  parts_.actions.place("review/findings", {"next_finding", "previous_finding", "ignore_finding"});
+  parts_.actions.place("select/findings", {"select_findings"});
+}
+
+void FindingsFlow::makePanel() {
+  const auto at = [this](const char* id) { return parts_.actions[id]; };
+  panel_ = new FindingsPanel(parts_.document, {.previous = at("previous_finding"),
+                                               .next = at("next_finding"),
+                                               .ignore = at("ignore_finding")});
+  dock_ = addDock(new PanelDock({parts_.actions, parts_.settings, parts_.window},
+                                {.id = "findings",
+                                 .title = tr("Findings"),
+                                 .text = tr("Findings Panel"),
+                                 .help = tr("Shows or hides what the checks found"),
+                                 .keys = Qt::Key_F8},
+                                besideThePlant, panel_, this));
+}
+
+void FindingsFlow::connectParts() {
+  PlantDocument& document = parts_.document;
+  timer_.setSingleShot(true);
+  timer_.setInterval(50); // [ms]: a drag is checked when it rests
+  connect(&timer_, &QTimer::timeout, this, &FindingsFlow::refresh);
+  connect(&document.selection(), &Selection::changed, this, [this] { awaitedStep_ = 0; });
+  connect(&document, &PlantDocument::skeletonEdited, this, [this] {
+    awaitedStep_ = 0;
+    isScanChecked_ = false;
+    list(); // none may be of a node that is gone
+    later();
+  });
+  connect(&document, &PlantDocument::skeletonReplaced, this, [this] {
+    ofSkeleton_.clear();
+    ofScan_.clear();
+    isScanChecked_ = false;
+    ignored_.clear(); // a project shows its own once its skeleton is there
+    list();
+    later();
+  });
+  connect(&document, &PlantDocument::scanChanged, this, [this] {
+    indexed_.reset();
+    ofScan_.clear();
+    isScanChecked_ = false;
+    list();
+    later();
+  });
+  connect(&document, &PlantDocument::unitChanged, this, &FindingsFlow::list);
+  connect(&parts_.distances, &ScanDistances::changed, this, [this] {
+    isScanChecked_ = false;
+    later();
+  });
+  connect(&job_, &JobRunner::finished, this, [this] {
+    if (std::exchange(isJobOutdated_, false)) startJob();
+    panel_->setChecking(!isAllChecked());
+    answer();
+  });
+  connect(&job_, &JobRunner::failed, this, &FindingsFlow::noted);
+  connect(dock_, &PanelDock::shown, this, [this](bool isShown) {
+    parts_.distances.setWanted(ScanDistances::Use::findings, isShown);
+    isAwaited_ = false;
+    if (isShown) refresh(); // nothing was checked while nobody looked
+  });
+  connect(panel_, &FindingsPanel::chosen, this, &FindingsFlow::goTo);
+  connect(panel_, &FindingsPanel::currentChanged, this, &FindingsFlow::showAction);
+}
+
+void FindingsFlow::later() {
+  if (dock_->isShown()) timer_.start();
+}
+
+void FindingsFlow::refresh() {
+  timer_.stop();
+  constexpr std::size_t most = 4000; // nodes that are checked in a few ms
+  const Skeleton& skeleton = parts_.document.skeleton();
+  isCheckedAtOnce_ = skeleton.size() <= most;
+  if (isCheckedAtOnce_) {
+    ofSkeleton_ = check(skeleton, spacing());
+    list();
+  }
+  startJob();
+}
+
+/// Branches without points of their own, but for those of which it is told already that no points
+/// are near at all.
+std::vector<Finding> FindingsFlow::ownFindings(const Skeleton& skeleton,
+                                               const PointDistances& distances, const Found& found,
+                                               double spacing, const Progress& progress) {
+  std::vector<Finding> own =
+      branchesWithoutOwnPoints(skeleton, distances, found.indexed->index, spacing, {}, progress);
+  std::set<NodeId> told;
+  for (const Finding& finding : found.ofScan)
+    std::ranges::copy(nodesOf(finding), std::inserter(told, told.end()));
+  std::erase_if(own, [&](const Finding& finding) {
+    return std::ranges::any_of(nodesOf(finding), [&](NodeId id) { return told.contains(id); });
+  });
+  return own;
+}
+
+/// What takes longer: large skeletons, and the scan.
+void FindingsFlow::startJob() {
+  const std::shared_ptr<const PointDistances> distances = parts_.distances.now();
+  if (!distances && isCheckedAtOnce_) return; // the distances tell when they are ready
+  if (job_.isRunning()) {
+    isJobOutdated_ = true;
+    job_.cancel();
+    return;
+  }
+  job_.start(
+      tr("Check the plant"),
+      [distances, indexed = indexed_, isCheckedAtOnce = isCheckedAtOnce_, spacing = spacing(),
+       skeleton = parts_.document.skeleton()](const Progress& progress) {
+        Found found{.indexed = indexed};
+        if (!isCheckedAtOnce) found.ofSkeleton = check(skeleton, spacing);
+        if (!distances) return found;
+        const std::shared_ptr<const PointCloud>& cloud = distances->cloud();
+        if (!found.indexed || found.indexed->cloud != cloud)
+          found.indexed =
+              std::make_shared<const Indexed>(Indexed{cloud, SpatialIndex(cloud->positions())});
+        found.ofScan =
+            edgesWithoutPoints(skeleton, *cloud, found.indexed->index, spacing, {}, progress);
+        std::ranges::move(ownFindings(skeleton, *distances, found, spacing, progress),
+                          std::back_inserter(found.ofScan));
+        std::ranges::move(unexplainedClusters(*distances, spacing, {}, progress),
+                          std::back_inserter(found.ofScan));
+        return found;
+      },
+      [this](Found found) { take(std::move(found)); });
+  panel_->setChecking(!isAllChecked());
+}
+
+void FindingsFlow::take(Found found) {
+  if (found.ofSkeleton) ofSkeleton_ = std::move(*found.ofSkeleton);
+  const std::shared_ptr<const PointDistances> now = parts_.distances.now();
+  if (now && found.indexed && now->cloud() == found.indexed->cloud) {
+    ofScan_ = std::move(found.ofScan); // else the points are others, or are measured again
+    indexed_ = std::move(found.indexed);
+    isScanChecked_ = !timer_.isActive(); // else it was edited meanwhile
+  }
+  list();
+}
+
+bool FindingsFlow::isAllChecked() const {
+  if (parts_.document.scan() != nullptr) return isScanChecked_;
+  return isCheckedAtOnce_ || !isBusy();
+}
+
+double FindingsFlow::spacing() const {
+  const Scan* scan = parts_.document.scan();
+  return scan != nullptr ? scan->spacing() : 0;
+}
+
+void FindingsFlow::list() {
+  findings_.clear();
+  shownIgnored_.clear();
+  for (const std::vector<Finding>* found : {&ofSkeleton_, &ofScan_})
+    for (const Finding& finding : *found)
+      if (hasNodes(parts_.document.skeleton(), finding))
+        (isIgnored(finding) ? shownIgnored_ : findings_).push_back(finding);
+  panel_->show(findings_, shownIgnored_);
+  panel_->setChecking(!isAllChecked());
+}
+
+bool FindingsFlow::isIgnored(const Finding& finding) const {
+  return std::ranges::any_of(ignored_,
+                             [&](const Finding& other) { return isSame(other, finding); });
+}
+
+void FindingsFlow::step(int by) {
+  dock_->bringToFront();
+  if (timer_.isActive()) refresh();
+  if (findings_.empty()) {
+    noteNothing();
+    awaitedStep_ = isAwaited_ ? by : 0;
+    return;
+  }
+  const std::optional<Finding> current = panel_->current();
+  const auto at = std::ranges::find_if(
+      findings_, [&](const Finding& finding) { return current && isSame(finding, *current); });
+  const auto count = static_cast<std::ptrdiff_t>(findings_.size());
+  std::ptrdiff_t next = by > 0 ? 0 : count - 1;
+  if (at != findings_.end()) next = (at - findings_.begin() + by + count) % count;
+  const Finding finding = findings_[static_cast<std::size_t>(next)];
+  panel_->setCurrent(finding);
+  goTo(finding);
+}
+
+void FindingsFlow::noteNothing() {
+  const bool hasSkeleton = !parts_.document.skeleton().isEmpty();
+  isAwaited_ = hasSkeleton && !isAllChecked();
+  emit noted(!hasSkeleton ? tr("There is no skeleton to check yet")
+             : isAwaited_ ? tr("Checking against the scan…")
+                          : tr("Nothing to look at: all checks pass"));
+}
+
+/// To who has asked for findings before there were any, and done nothing else since.
+void FindingsFlow::answer() {
+  const int by = findings_.empty() ? 0 : std::exchange(awaitedStep_, 0);
+  if (!isAwaited_ || (by == 0 && !isAllChecked())) return;
+  isAwaited_ = false;
+  if (findings_.empty()) return noteNothing();
+  if (isAllChecked())
+    emit noted(findings_.size() == 1
+                   ? tr("The checks ended: 1 finding")
+                   : tr("The checks ended: %1 findings").arg(formatCount(findings_.size())));
+  if (by != 0) step(by);
+}
+
+/// Selects what takes part, and shows it, with some of what is around it, from its best side.
+void FindingsFlow::goTo(const Finding& finding) {
+  const Skeleton& skeleton = parts_.document.skeleton();
+  if (!hasNodes(skeleton, finding)) return;
+  parts_.document.selection().set(nodesOf(finding));
+  const std::shared_ptr<const PointDistances> now = parts_.distances.now();
+  const bool isOfNow = now && indexed_ && now->cloud() == indexed_->cloud;
+  parts_.document.pointSelection().set(isOfNow ? parts_.distances.inScan(finding.points)
+                                               : PointSet());
+  Sight sight{.nodes = nodesOf(finding)};
+  for (const NodeId id : nodesOf(finding))
+    if (const auto parent = skeleton[id].parent) sight.nodes.push_back(*parent);
+  if (isOfNow)
+    for (const Eigen::Index point : finding.points)
+      sight.places.push_back(now->cloud()->position(point));
+  sight.margin =
+      std::max(boundsOf(finding, skeleton).diagonal().norm() / 2, 2 * meanEdgeLength(skeleton));
+  const Camera camera = parts_.view.cameraToSee(sight);
+  const QString note = parts_.reveal(nodesOf(finding), sight.places, camera);
+  parts_.view.flyTo(camera);
+  if (!note.isEmpty()) emit noted(note);
+}
+
+void FindingsFlow::toggleIgnored() {
+  const std::optional<Finding> current = panel_->current();
+  if (!current) {
+    emit noted(tr("Choose a finding to ignore it"));
+    return;
+  }
+  const auto isOf = [&](const Finding& other) { return isSame(other, *current); };
+  if (isIgnored(*current)) {
+    std::erase_if(ignored_, isOf);
+    list();
+    panel_->setCurrent(*current);
+  } else {
+    const auto at = std::ranges::find_if(findings_, isOf) - findings_.begin();
+    ignored_.push_back(*current);
+    list();
+    if (!findings_.empty()) // the one that takes its place
+      panel_->setCurrent(findings_[std::min(static_cast<std::size_t>(at), findings_.size() - 1)]);
+  }
+  emit keptChanged();
+}
+
+/// The command says what it will do.
+void FindingsFlow::showAction() {
+  const std::optional<Finding> current = panel_->current();
+  QAction* action = parts_.actions["ignore_finding"];
+  action->setText(current && isIgnored(*current) ? tr("Show Finding Again") : tr("Ignore Finding"));
+}
+
+void FindingsFlow::selectAll() {
+  dock_->bringToFront();
+  if (timer_.isActive()) refresh();
+  std::vector<NodeId> nodes;
+  for (const Finding& finding : findings_)
+    std::ranges::copy(nodesOf(finding), std::back_inserter(nodes));
+  std::ranges::sort(nodes);
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  parts_.document.selection().set(std::move(nodes));
+  if (findings_.empty()) noteNothing();
+}
+
+} // namespace espalier

@@ -1,0 +1,109 @@
+#pragma once
+
+#include "app/window/frame/reveal.h"
+#include "app/window/frame/scan_distances.h"
+#include "app/window/frame/window_part.h"
+#include "core/base/spatial_index.h"
+#include "core/skeleton/finding.h"
+
+#include <QString>
+#include <QTimer>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+class QMainWindow;
+class QSettings;
+
+namespace espalier {
+
+class ActionSet;
+class FindingsPanel;
+class PanelDock;
+class PlantDocument;
+class PlantView;
+
+/// The checks of the plant: their findings in a panel, the way to each, and those that are ignored.
+///
+/// The skeleton is checked a moment after an edit, a large one and the scan against it as a job,
+/// which a later edit replaces. Nothing is checked while nobody looks.
+class FindingsFlow : public WindowPart {
+  Q_OBJECT
+
+public:
+  /// What it works with; all must outlive it.
+  struct Parts {
+    PlantDocument& document;
+    PlantView& view;
+    ActionSet& actions;
+    ScanDistances& distances;
+    QSettings& settings;
+    QMainWindow& window;
+    Reveal reveal;
+  };
+  explicit FindingsFlow(const Parts& parts);
+
+  /// Those that are not ignored, as they were last found.
+  [[nodiscard]] const std::vector<Finding>& findings() const { return findings_; }
+  [[nodiscard]] const std::vector<Finding>& ignored() const { return shownIgnored_; }
+  [[nodiscard]] bool isBusy() const override; // the findings are not of the plant as it is
+
+private:
+  struct Indexed { // what finds the points of a scan; the index refers to the cloud
+    std::shared_ptr<const PointCloud> cloud;
+    SpatialIndex index;
+  };
+  struct Found {                                         // by a job
+    std::optional<std::vector<Finding>> ofSkeleton = {}; // none: it is checked at once
+    std::vector<Finding> ofScan = {};
+    std::shared_ptr<const Indexed> indexed; // null: there is no scan
+  };
+  void addActions();
+  void makePanel();
+  /// @param text  what is ignored, as JSON; empty: nothing
+  /// @throws Error if it is no such text; nothing is ignored then
+  void show(const std::string& text);
+  void connectParts();
+
+  void later();
+  void refresh();
+  void startJob();
+  [[nodiscard]] static std::vector<Finding> ownFindings(const Skeleton& skeleton,
+                                                        const PointDistances& distances,
+                                                        const Found& found, double spacing,
+                                                        const Progress& progress);
+  void take(Found found);
+  [[nodiscard]] double spacing() const; // between points [L]; 0: there is no scan
+  [[nodiscard]] bool isAllChecked() const;
+  void list(); // what was found last, without what is gone
+  [[nodiscard]] bool isIgnored(const Finding& finding) const;
+  void step(int by);
+  void noteNothing();
+  void answer();
+  void goTo(const Finding& finding);
+  void toggleIgnored();
+  void showAction();
+  void selectAll();
+
+  Parts parts_;
+  FindingsPanel* panel_ = nullptr;
+  PanelDock* dock_ = nullptr;
+  QTimer timer_;
+  JobRunner job_;
+  bool isJobOutdated_ = false;
+  bool isCheckedAtOnce_ = true;
+  bool isAwaited_ = false;     // one has asked for findings before there were any
+  int awaitedStep_ = 0;        // where to then: as of step(); 0: one only waits to be told
+  bool isScanChecked_ = false; // against the skeleton of now
+  std::shared_ptr<const Indexed> indexed_;
+  std::vector<Finding> ofSkeleton_;
+  std::vector<Finding> ofScan_;
+  std::vector<Finding> findings_;
+  std::vector<Finding> shownIgnored_; // that are still found
+  std::vector<Finding> ignored_;      // all that one has ignored
+};
+
+} // namespace espalier

@@ -1,0 +1,102 @@
+#include "app/window/review/looked_at.h"
+
+#include "app/window/frame/action_set.h"
+#include "core/base/error.h"
+#include "core/skeleton/review_walk.h"
+#include "ui/document/length_unit.h"
+#include "ui/tools/node_edits.h"
+#include "ui/view/plant_view.h"
+
+#include <QAction>
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <optional>
+
+namespace espalier {
+namespace {
+
+struct LookedAtText {
+  Q_DECLARE_TR_FUNCTIONS(LookedAt)
+};
+
+/// "Show All Again (Alt+H)"
+QString nameOf(const QAction& action) {
+  const QString name = QString(action.text()).remove('&');
+  const QString keys = action.shortcut().toString(QKeySequence::NativeText);
+  return keys.isEmpty() ? name : QString("%1 (%2)").arg(name, keys);
+}
+
+/// "node 12", or "3 of the 8 nodes selected"
+QString countOf(std::size_t unseen, const std::vector<NodeId>& nodes) {
+  if (nodes.size() == 1) return nodeName(nodes.front());
+  return LookedAtText::tr("%1 of the %2 nodes selected")
+      .arg(formatCount(unseen), formatCount(nodes.size()));
+}
+
+/// Why a node is not seen.
+enum class Unseen : std::uint8_t { hidden, clipped, offScreen };
+
+/// Why a node is not in a view once its camera has arrived; none: it is.
+std::optional<Unseen> whyUnseen(const Eigen::Vector3d& place, const PlantView& view) {
+  const Camera& camera = view.camera();
+  if (!ClipVolume(view.clip(), view.bounds(), place, camera).contains(Eigen::Vector3f::Zero()))
+    return Unseen::clipped;
+  const auto at = ScreenMap(camera, {view.width(), view.height()}).project(place);
+  if (!at || !QRectF(view.rect()).contains(at->pixel.x(), at->pixel.y())) return Unseen::offScreen;
+  return std::nullopt;
+}
+
+std::optional<Unseen> whyUnseen(NodeId id, const Seen& seen) {
+  if (std::ranges::binary_search(seen.hidden, id)) return Unseen::hidden;
+  std::optional<Unseen> first;
+  for (const PlantView* view : seen.views) {
+    const auto reason = whyUnseen(seen.skeleton[id].position, *view);
+    if (!reason) return std::nullopt;
+    if (!first) first = reason;
+  }
+  return first;
+}
+
+QString whyNot(Unseen reason, const QString& which, const ActionSet& actions) {
+  switch (reason) {
+  case Unseen::hidden:
+    return LookedAtText::tr("nothing is marked, as %1 cannot be seen, being hidden: choose %2")
+        .arg(which, nameOf(*actions["show_all"]));
+  case Unseen::clipped:
+    return LookedAtText::tr(
+               "nothing is marked, as %1 cannot be seen, being clipped away: choose %2")
+        .arg(which, nameOf(*actions["show_all"]));
+  case Unseen::offScreen:
+    return LookedAtText::tr(
+               "nothing is marked, as %1 cannot be seen, being outside the view: choose %2")
+        .arg(which, nameOf(*actions["frame"]));
+  }
+  return {};
+}
+
+} // namespace
+
+void requireLookedAt(const Seen& seen, const std::vector<NodeId>& nodes, const ActionSet& actions) {
+  if (!isOneLook(seen.skeleton, nodes))
+    throw Error(LookedAtText::tr(
+                    "nothing is marked, as %1 nodes are more than one looks at in one go: walk to "
+                    "them by %2, or choose Review > %3")
+                    .arg(formatCount(nodes.size()), nameOf(*actions["next_not_reviewed"]),
+                         nameOf(*actions["mark_all_selected"]))
+                    .toStdString());
+  if (!actions["layer_skeleton"]->isChecked())
+    throw Error(LookedAtText::tr("nothing is marked, as the skeleton is not shown: choose %1")
+                    .arg(nameOf(*actions["layer_skeleton"]))
+                    .toStdString());
+  std::map<Unseen, std::size_t> unseen;
+  for (const NodeId id : nodes)
+    if (const std::optional<Unseen> reason = whyUnseen(id, seen)) ++unseen[*reason];
+  if (unseen.empty()) return;
+  const auto& [reason, count] = *unseen.begin();
+  throw Error(whyNot(reason, countOf(count, nodes), actions).toStdString());
+}
+
+} // namespace espalier

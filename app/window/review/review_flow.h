@@ -1,0 +1,101 @@
+#pragma once
+
+#include "app/window/frame/reveal.h"
+#include "app/window/frame/window_part.h"
+#include "core/skeleton/review_walk.h"
+
+#include <QList>
+#include <QString>
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+class QAction;
+class QMainWindow;
+class QSettings;
+
+namespace espalier {
+
+class ActionSet;
+class Editing;
+class PanelDock;
+class PlantDocument;
+class PlantView;
+class ReviewPanel;
+
+/// The review: the walk along the plant, the marks on what is selected, and the panel for both.
+///
+/// The stretch one is at is what is selected; so it can be changed by any selection before it is
+/// marked. The key that marks it reviewed does so only with what is seen and is looked at in one go
+/// (app/window/review/looked_at.h), and takes no doubt back unasked.
+class ReviewFlow : public WindowPart {
+  Q_OBJECT
+
+public:
+  /// What it works with; all must outlive it.
+  struct Parts {
+    PlantDocument& document;
+    PlantView& view;
+    ActionSet& actions;
+    Editing& editing;
+    QSettings& settings;
+    QMainWindow& window;
+    Reveal reveal;
+    std::function<const std::vector<NodeId>&()> hidden; // in order
+  };
+  /// @param sign  the action that the panel offers at its foot
+  ReviewFlow(const Parts& parts, QAction* sign);
+
+  void setEnabled(bool isEnabled) override;
+  void setInGesture(bool isInGesture); // of a tool: Enter is its own then, and nothing is marked
+
+  [[nodiscard]] ReviewPanel& panel() { return *panel_; }
+  [[nodiscard]] const QString& reviewer() const { return reviewer_; }
+  void setReviewer(const QString& name);
+
+signals:
+  void reviewerChanged(const QString& name);
+
+private:
+  void addWalkActions();
+  void addMarkActions();
+  void makePanel(QAction* sign);
+  void connectParts();
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+  void step(WalkTo to, WalkWay way = WalkWay::forward);
+  void goTo(const std::vector<Stretch>& all, std::size_t index);
+  void frame(const std::vector<NodeId>& nodes);
+  void markReviewed();
+  void markAllSelected();
+  [[nodiscard]] bool isDoubtful() const; // any node that is selected
+  void askForDoubt();
+  void mark(ReviewState state, const std::vector<NodeId>& nodes);
+  void comment(const QString& text);
+  void beginComment();
+  void requireChosen(const QString& why) const;
+  void requireToMark() const;
+  void showPlace();
+  void refreshEnabled();
+
+  Parts parts_;
+  ReviewPanel* panel_ = nullptr;
+  PanelDock* dock_ = nullptr;
+  QList<QAction*> walks_;
+  QList<QAction*> marks_;
+  QString reviewer_;
+  Stretch at_;        // where one is; may hold nodes that are gone
+  QString placeText_; // of at_
+  enum class Doubt : std::uint8_t {
+    old,     // Enter asks whether it is to be taken back
+    isNew,   // Enter leaves it and goes on
+    askedFor // Enter takes it back
+  };
+  Doubt doubt_ = Doubt::old; // of what is selected, if it is doubtful
+  bool isFading_ = false;    // all but at_, while it is what is selected
+  bool isEnabled_ = true;
+  bool isInGesture_ = false;
+};
+
+} // namespace espalier

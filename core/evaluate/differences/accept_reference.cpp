@@ -1,0 +1,141 @@
+#include "core/evaluate/differences/accept_reference.h"
+
+#include "core/base/error.h"
+#include "core/evaluate/differences/graft.h"
+#include "core/skeleton/edits.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace espalier {
+namespace {
+
+void requireThere(const Skeleton& skeleton, const std::vector<NodeId>& nodes) {
+  for (const NodeId id : nodes)
+    if (!skeleton.contains(id))
+      throw Error("this part has been edited since it was compared: wait until it is compared "
+                  "again");
+}
+
+std::size_t carriedNodes(const Skeleton& skeleton, NodeId id) {
+  std::vector<NodeId> nodes = {id};
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    nodes.insert(nodes.end(), skeleton.children(nodes[i]).begin(),
+                 skeleton.children(nodes[i]).end());
+  return nodes.size();
+}
+
+/// A foot that was added is the root of what stood without it: no tree is left beside it.
+void joinToFoot(SkeletonEditor& editor, double tolerance, NodeId foot) {
+  const Skeleton& skeleton = editor.skeleton();
+  std::vector<NodeId> others = skeleton.roots();
+  std::erase(others, foot);
+  if (others.empty()) return;
+  const NodeId rest =
+      *std::ranges::max_element(others, {}, [&](NodeId id) { return carriedNodes(skeleton, id); });
+  const Eigen::Vector3d place = skeleton[rest].position;
+  const NodeId host = nearestIn(skeleton, {foot}, place);
+  editor.reparent(rest, nodeAt(editor, host, place, tolerance), EdgeType::branching);
+}
+
+std::vector<NodeId> copyMissed(SkeletonEditor& editor, const Differences& found,
+                               const Skeleton& reference, const DifferingPart& part) {
+  const Skeleton& skeleton = editor.skeleton();
+  const std::size_t trees = skeleton.roots().size();
+  const bool isFoot = !reference[part.nodes.front()].parent;
+  std::optional<NodeId> host = part.host;
+  if (host)
+    requireThere(skeleton, {*host});
+  else if (!isFoot) // it hangs on an edge so long that none of its nodes stands near
+    host = nearestIn(skeleton, skeleton.roots(), part.place);
+  if (host) host = nodeAt(editor, *host, part.place, found.tolerance);
+  Graft graft(editor, found, reference);
+  for (const NodeId id : part.nodes)
+    graft.copy(id, id == part.nodes.front() ? host : std::nullopt);
+  for (const NodeId id : part.nodes)
+    graft.goOnAbove(id);
+  // A reference of more trees may add one.
+  if (isFoot && skeleton.roots().size() > trees && trees >= reference.roots().size())
+    joinToFoot(editor, found.tolerance, graft.added().front());
+  return graft.added();
+}
+
+/// What of a part does not end on the reference: only the way there is invented.
+std::vector<NodeId> inventedNodes(const Differences& found, const DifferingPart& part) {
+  std::vector<NodeId> invented;
+  for (const NodeId id : part.nodes)
+    if (found.standsOn[indexOf(id)].empty()) invented.push_back(id);
+  return invented;
+}
+
+/// Hangs what an invented part carries where the reference hangs it, unless it has no place there.
+void hangCarried(SkeletonEditor& editor, const Differences& found, const Skeleton& reference,
+                 const std::vector<NodeId>& invented) {
+  const Skeleton& skeleton = editor.skeleton();
+  std::vector<bool> isInvented(skeleton.idEnd(), false);
+  for (const NodeId id : invented)
+    isInvented[indexOf(id)] = true;
+  const auto isLeft = [&](NodeId id) {
+    return indexOf(id) < isInvented.size() && isInvented[indexOf(id)];
+  };
+  std::vector<NodeId> carried;
+  for (const NodeId id : invented)
+    std::ranges::copy_if(skeleton.children(id), std::back_inserter(carried),
+                         [&](NodeId child) { return !isLeft(child); });
+  Graft graft(editor, found, reference);
+  for (const NodeId id : carried)
+    if (const auto hold = graft.standing().below(id, isLeft)) graft.hangAlong(id, *hold);
+}
+
+std::vector<NodeId> removeInvented(SkeletonEditor& editor, const Differences& found,
+                                   const Skeleton& reference, const DifferingPart& part) {
+  const Skeleton& skeleton = editor.skeleton();
+  requireThere(skeleton, part.nodes);
+  const std::size_t trees = skeleton.roots().size();
+  const std::optional<NodeId> below = skeleton[part.nodes.front()].parent;
+  const std::vector<NodeId> invented = inventedNodes(found, part);
+  if (invented.empty())
+    throw Error(
+        "what is attached here is of the reference: accept what was missed beside it, or attach "
+        "it elsewhere");
+  hangCarried(editor, found, reference, invented);
+  for (std::size_t i = invented.size(); i-- > 0;) // children first
+    if (skeleton.contains(invented[i])) removeNode(editor, invented[i]);
+  if (skeleton.roots().size() > std::max<std::size_t>(trees, 1))
+    throw Error("without this the plant would fall into several trees: attach elsewhere what it "
+                "carries, or add what was missed below first");
+  return below && skeleton.contains(*below) ? std::vector{*below} : std::vector<NodeId>();
+}
+
+std::vector<NodeId> hangRight(SkeletonEditor& editor, const Differences& found,
+                              const Skeleton& reference, const DifferingPart& part) {
+  requireThere(editor.skeleton(), {part.hanging, *part.host});
+  const Skeleton& skeleton = editor.skeleton();
+  if (skeleton.isAncestor(part.hanging, *part.host))
+    throw Error("what should bear this is attached to it now: accept that part first");
+  Graft graft(editor, found, reference);
+  Hold right{.host = part.host, .place = part.place, .way = {}, .edge = part.edge};
+  const auto along = graft.standing().below(part.hanging, [](NodeId) { return false; });
+  if (along && along->host && !along->way.empty()) right = *along;
+  graft.hangAlong(part.hanging, right);
+  return {part.hanging};
+}
+
+} // namespace
+
+std::vector<NodeId> acceptReference(SkeletonEditor& editor, const Differences& found,
+                                    const Skeleton& reference, const DifferingPart& part) {
+  switch (part.kind) {
+  case Difference::missed:
+    return copyMissed(editor, found, reference, part);
+  case Difference::invented:
+    return removeInvented(editor, found, reference, part);
+  case Difference::wronglyAttached:
+    return hangRight(editor, found, reference, part);
+  case Difference::matched:
+    break;
+  }
+  return {};
+}
+
+} // namespace espalier

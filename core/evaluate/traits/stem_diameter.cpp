@@ -1,0 +1,25 @@
+#include "core/evaluate/traits/stem_diameter.h"
+
+#include "core/evaluate/traits/axis_traits.h"
+
+#include <cmath>
+
+namespace espalier {
+
+StemDiameter stemDiameterAt(const Skeleton& plant, double z, const std::string& role) {
+  const Axis stem = stemOf(plant);
+  if (stem.empty() || plant[stem.front()].position.z() > z)
+    return {{}, role + " begins above breast height"};
+  for (std::size_t i = 1; i < stem.size(); ++i) {
+    const Node& below = plant[stem[i - 1]];
+    const Node& above = plant[stem[i]];
+    if (above.position.z() < z || above.position.z() <= below.position.z()) continue;
+    if (!(below.radius > 0 && above.radius > 0))
+      return {{}, role + " has no radius at breast height"};
+    const double share = (z - below.position.z()) / (above.position.z() - below.position.z());
+    return {2 * std::lerp(below.radius, above.radius, share), {}};
+  }
+  return {{}, "the stem of " + role + " does not rise to breast height, 1.3 m"};
+}
+
+} // namespace espalier

@@ -1,0 +1,51 @@
+#include "core/evaluate/traits/wood_amounts.h"
+
+#include "core/skeleton/axes.h"
+#include "core/skeleton/frustum.h"
+
+#include <algorithm>
+
+namespace espalier {
+namespace {
+
+void add(WoodAmount& to, const WoodAmount& more) {
+  to.edges += more.edges;
+  to.length += more.length;
+  to.area += more.area;
+  to.volume += more.volume;
+}
+
+} // namespace
+
+std::vector<double> radiusLimits(const Skeleton& skeleton) {
+  double most = 0;
+  for (const NodeId id : skeleton.ids())
+    most = std::max(most, skeleton[id].radius);
+  if (most == 0) return {};
+  std::vector<double> limits;
+  for (const double share : {32.0, 16.0, 8.0, 4.0, 2.0})
+    limits.push_back(most / share);
+  return limits;
+}
+
+WoodAmounts woodAmounts(const Skeleton& skeleton, const std::vector<double>& radiusLimits) {
+  WoodAmounts amounts;
+  amounts.byRadius.resize(radiusLimits.size() + 1);
+  const std::vector<int> orderOf = orders(skeleton);
+  for (const NodeId id : skeleton.ids()) {
+    if (!skeleton[id].parent) continue;
+    const Frustum body = *frustumOf(skeleton, id);
+    const WoodAmount edge{
+        .edges = 1, .length = body.length(), .area = body.lateralArea(), .volume = body.volume()};
+    const auto order = static_cast<std::size_t>(orderOf[indexOf(id)]);
+    if (order >= amounts.byOrder.size()) amounts.byOrder.resize(order + 1);
+    const auto limit =
+        std::ranges::lower_bound(radiusLimits, (body.fromRadius + body.toRadius) / 2);
+    add(amounts.whole, edge);
+    add(amounts.byOrder[order], edge);
+    add(amounts.byRadius[static_cast<std::size_t>(limit - radiusLimits.begin())], edge);
+  }
+  return amounts;
+}
+
+} // namespace espalier

@@ -1,0 +1,181 @@
+#include "core/io/points/pcd.h"
+
+#include "core/base/counted.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/io/points/lzf.h"
+#include "core/io/points/pcd_header.h"
+#include "core/io/points/point_collector.h"
+
+#include <array>
+#include <bit>
+#include <optional>
+#include <utility>
+
+namespace espalier {
+namespace {
+
+/// A field that is wanted, and where it lies.
+struct Column {
+  PointField role = PointField::none;
+  ScalarType type = ScalarType::float32;
+  std::size_t value = 0;  // number of its first value in a line of text
+  std::size_t start = 0;  // in bytes: of the first point
+  std::size_t stride = 0; // in bytes: to the next point
+};
+
+/// A color is packed into the bits of a float, or is an integer.
+double packedColor(double value, ScalarType type) {
+  if (type != ScalarType::float32) return value;
+  return std::bit_cast<std::uint32_t>(static_cast<float>(value));
+}
+
+std::vector<PointField> rolesOf(const PcdHeader& header, const std::string& file) {
+  std::vector<PointField> roles;
+  std::array<bool, PointValues().size()> taken{};
+  for (const PcdField& field : header.fields) {
+    const PointField role = field.count > 0 ? pointFieldNamed(field.name) : PointField::none;
+    roles.push_back(std::exchange(taken[indexOf(role)], true) ? PointField::none : role);
+  }
+  for (const auto& [role, name] : {std::pair{PointField::x, "x"}, std::pair{PointField::y, "y"},
+                                   std::pair{PointField::z, "z"}})
+    if (!taken[indexOf(role)])
+      throw Error(file + ": has no field '" + name + "': export it with x, y and z");
+  return roles;
+}
+
+/// Where the wanted fields lie. Unpacked compressed data has all values of a field together, other
+/// data all fields of a point.
+std::vector<Column> columnsOf(const PcdHeader& header, const std::vector<PointField>& roles) {
+  std::vector<Column> columns;
+  std::size_t start = 0;
+  std::size_t value = 0;
+  for (std::size_t i = 0; i < roles.size(); ++i) {
+    const PcdField& field = header.fields[i];
+    const bool byField = header.data == PcdData::compressed;
+    if (roles[i] != PointField::none)
+      columns.push_back(
+          {roles[i], field.type, value, start, byField ? field.size() : header.pointSize()});
+    start += field.size() * (byField ? header.points : 1);
+    value += field.count;
+  }
+  return columns;
+}
+
+void readAscii(std::string_view text, const PcdHeader& header, const std::vector<Column>& columns,
+               const std::string& file, PointCollector& points, const Progress& progress) {
+  LineReader lines(text);
+  PointValues values{};
+  while (points.size() < header.points) {
+    const auto line = lines.next();
+    if (!line)
+      throw Error(file + ": ends after " + std::to_string(points.size()) + " of " +
+                  std::to_string(header.points) +
+                  " points: it is cut short, copy or export it again");
+    std::string_view rest = *line;
+    if (trimmed(rest).empty()) continue;
+    if (points.size() % 65536 == 0)
+      progress.update(static_cast<double>(lines.offset()) / static_cast<double>(text.size()));
+    std::size_t read = 0;
+    for (const Column& column : columns) {
+      std::string_view word;
+      for (; read <= column.value; ++read)
+        word = nextWord(rest);
+      const auto number = numberIn(word);
+      if (!number)
+        throw Error(place(file, header.lines + lines.number()) + "expected a number as value " +
+                    std::to_string(column.value + 1) + ", found " +
+                    (word.empty() ? "the end of the line" : inQuotes(word)));
+      values[indexOf(column.role)] =
+          column.role == PointField::packedColor ? packedColor(*number, column.type) : *number;
+    }
+    points.add(values);
+  }
+}
+
+void readBinary(std::string_view bytes, const PcdHeader& header, const std::vector<Column>& columns,
+                PointCollector& points, const Progress& progress) {
+  PointValues values{};
+  for (std::uint64_t i = 0; i < header.points; ++i) {
+    if (i % 65536 == 0)
+      progress.update(static_cast<double>(i) / static_cast<double>(header.points));
+    for (const Column& column : columns) {
+      const char* at = bytes.data() + column.start + i * column.stride;
+      // A float that holds a color is never read as a number: a signaling NaN would lose a bit.
+      const bool isPacked = column.role == PointField::packedColor && sizeOf(column.type) == 4;
+      values[indexOf(column.role)] =
+          isPacked ? valueAt<std::uint32_t>(at) : scalarAt(at, column.type);
+    }
+    points.add(values);
+  }
+}
+
+/// Checks what compressed data would fill before memory is taken for it: packed as tightly as no
+/// scan can be, a file of 1 MB would fill gigabytes.
+void refuseBomb(const std::string& file, const PcdHeader& header, std::uint64_t packed,
+                std::uint64_t unpacked) {
+  constexpr std::uint64_t freeBytes = 1 << 26;
+  constexpr std::uint64_t mostBytes = 32; // to a packed byte
+  constexpr std::uint64_t freePoints = 1 << 20;
+  constexpr std::uint64_t mostPoints = 4; // to a packed byte
+  if (unpacked <= freeBytes + mostBytes * packed &&
+      header.points <= freePoints + mostPoints * packed)
+    return;
+  throw Error(file + ": its " + std::to_string(packed) +
+              " bytes of compressed data would unpack to " + std::to_string(unpacked) +
+              " bytes of " + counted(header.points, "point") +
+              ", as of no scan: export it again, not compressed");
+}
+
+/// The data of a compressed file, unpacked: all values of the first field, then of the second ...
+std::string unpacked(std::string_view data, const PcdHeader& header, const std::string& file) {
+  constexpr std::size_t sizes = 8; // two sizes of 32 bits come first
+  if (data.size() < sizes) throw Error(file + ": ends before its data: it is cut short");
+  const auto packedSize = valueAt<std::uint32_t>(data.data());
+  const auto size = valueAt<std::uint32_t>(data.data() + 4);
+  checkPromise(file, header.points, header.pointSize(), size);
+  refuseBomb(file, header, packedSize, size);
+  if (packedSize > data.size() - sizes)
+    throw Error(file + ": its header promises " + std::to_string(packedSize) +
+                " bytes of compressed data, but only " + std::to_string(data.size() - sizes) +
+                " follow: the file is cut short, copy or export it again");
+  auto bytes = unpackedLzf(data.substr(sizes, packedSize), size);
+  if (!bytes) throw Error(file + ": its compressed data is damaged: copy or export it again");
+  return *std::move(bytes);
+}
+
+} // namespace
+
+bool isPcd(std::string_view beginning) {
+  if (beginning.starts_with("# .PCD")) return true;
+  LineReader lines(beginning);
+  while (const auto line = lines.next()) {
+    if (line->starts_with('#') || trimmed(*line).empty()) continue;
+    return (line->starts_with("VERSION") || line->starts_with("FIELDS ")) &&
+           beginning.find("\nDATA ") != std::string_view::npos;
+  }
+  return false;
+}
+
+Imported<RawPoints> readPcd(std::istream& in, const std::string& file, const Progress& progress) {
+  const std::string bytes = readAll(in, progress.part(0, 0.3));
+  const PcdHeader header = readPcdHeader(bytes, file);
+  const std::vector<PointField> roles = rolesOf(header, file);
+  const std::string_view data = std::string_view(bytes).substr(header.dataStart);
+  const Progress reading = progress.part(0.3, 1);
+  if (header.data == PcdData::ascii) {
+    checkPromise(file, header.points, 5, data.size()); // "0 0 0"
+    PointCollector points(roles, header.points);
+    readAscii(data, header, columnsOf(header, roles), file, points, reading);
+    return {std::move(points).finish(true), {}};
+  }
+  const bool isPacked = header.data == PcdData::compressed;
+  const std::string room = isPacked ? unpacked(data, header, file) : std::string();
+  const std::string_view values = isPacked ? std::string_view(room) : data;
+  checkPromise(file, header.points, header.pointSize(), values.size());
+  PointCollector points(roles, header.points);
+  readBinary(values, header, columnsOf(header, roles), points, reading);
+  return {std::move(points).finish(true), {}};
+}
+
+} // namespace espalier

@@ -1,0 +1,229 @@
+#include "core/io/points/ply.h"
+
+#include "core/base/counted.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/io/points/file_order.h"
+#include "core/io/points/ply_header.h"
+#include "core/io/points/point_collector.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <ostream>
+#include <utility>
+
+namespace espalier {
+namespace {
+
+/// Fields by property of `element`.
+std::vector<PointField> fieldsOf(const PlyElement& element, const std::string& file) {
+  std::vector<PointField> fields;
+  std::array<bool, PointValues().size()> taken{};
+  for (const PlyProperty& property : element.properties) {
+    const PointField field = property.countType ? PointField::none : pointFieldNamed(property.name);
+    const bool isTaken = std::exchange(taken[indexOf(field)], true);
+    fields.push_back(isTaken || field == PointField::packedColor ? PointField::none : field);
+  }
+  for (const auto& [field, name] : {std::pair{PointField::x, "x"}, std::pair{PointField::y, "y"},
+                                    std::pair{PointField::z, "z"}})
+    if (!taken[indexOf(field)])
+      throw Error(file + ": its element 'vertex' has no property '" + name +
+                  "': export it with x, y and z");
+  return fields;
+}
+
+/// Whether the colors are of a type in which 1 may stand for full light.
+bool hasFractions(const PlyElement& element, const std::vector<PointField>& fields) {
+  for (std::size_t i = 0; i < fields.size(); ++i)
+    if (fields[i] == PointField::red) return isFloat(element.properties[i].type);
+  return false;
+}
+
+[[noreturn]] void failCutShort(const std::string& file, const PlyElement& element,
+                               std::uint64_t row) {
+  throw Error(file + ": ends within " + element.name + " " + std::to_string(row + 1) + " of " +
+              std::to_string(element.count) +
+              ": the file is cut short or damaged, copy or export it again");
+}
+
+/// The binary rows of a PLY file, one after another.
+class BinaryRows {
+public:
+  BinaryRows(std::string_view bytes, std::endian order, const std::string& file)
+      : rest_(bytes), order_(order), file_(file) {}
+
+  [[nodiscard]] std::size_t left() const { return rest_.size(); }
+
+  /// Reads row `row`; `fields` may be empty: then the row is passed over.
+  void read(const PlyElement& element, std::uint64_t row, const std::vector<PointField>& fields,
+            PointValues& values) {
+    for (std::size_t i = 0; i < element.properties.size(); ++i) {
+      const PlyProperty& property = element.properties[i];
+      if (property.countType) {
+        const double length =
+            scalarAt(take(element, row, sizeOf(*property.countType)), *property.countType, order_);
+        // Compared as double: a damaged length may be negative or beyond any size.
+        if (!(length >= 0 && length <= static_cast<double>(rest_.size())))
+          failCutShort(file_, element, row);
+        take(element, row, static_cast<std::size_t>(length) * sizeOf(property.type));
+        continue;
+      }
+      const char* bytes = take(element, row, sizeOf(property.type));
+      if (!fields.empty() && fields[i] != PointField::none)
+        values[indexOf(fields[i])] = scalarAt(bytes, property.type, order_);
+    }
+  }
+
+  void skip(const PlyElement& element) {
+    PointValues unused{};
+    if (element.hasLists()) {
+      for (std::uint64_t row = 0; row < element.count; ++row)
+        read(element, row, {}, unused);
+    } else if (element.leastSize() > 0) {
+      checkPromise(file_, element.count, element.leastSize(), rest_.size());
+      rest_.remove_prefix(element.count * element.leastSize());
+    }
+  }
+
+private:
+  const char* take(const PlyElement& element, std::uint64_t row, std::size_t size) {
+    if (size > rest_.size()) failCutShort(file_, element, row);
+    const char* bytes = rest_.data();
+    rest_.remove_prefix(size);
+    return bytes;
+  }
+
+  std::string_view rest_;
+  std::endian order_;
+  const std::string& file_;
+};
+
+/// The text rows of a PLY file, a line each.
+class AsciiRows {
+public:
+  AsciiRows(std::string_view text, std::size_t linesBefore, const std::string& file)
+      : lines_(text), left_(text.size()), linesBefore_(linesBefore), file_(file) {}
+
+  [[nodiscard]] std::size_t left() const { return left_ - lines_.offset(); }
+
+  void read(const PlyElement& element, std::uint64_t row, const std::vector<PointField>& fields,
+            PointValues& values) {
+    std::string_view rest = nextLine(element, row);
+    for (std::size_t i = 0; i < element.properties.size(); ++i) {
+      const double number = nextNumber(rest, element, i);
+      if (element.properties[i].countType) {
+        for (double item = 0; item < number && !nextWord(rest).empty();)
+          ++item;
+      } else if (fields[i] != PointField::none) {
+        values[indexOf(fields[i])] = number;
+      }
+    }
+  }
+
+  void skip(const PlyElement& element) {
+    for (std::uint64_t row = 0; row < element.count; ++row)
+      nextLine(element, row);
+  }
+
+private:
+  std::string_view nextLine(const PlyElement& element, std::uint64_t row) {
+    while (const auto line = lines_.next())
+      if (!trimmed(*line).empty()) return *line;
+    failCutShort(file_, element, row);
+  }
+
+  double nextNumber(std::string_view& rest, const PlyElement& element, std::size_t found) {
+    const std::string_view word = nextWord(rest);
+    const auto number = numberIn(word);
+    if (number) return *number;
+    const std::string where = place(file_, linesBefore_ + lines_.number());
+    if (word.empty())
+      throw Error(where + "expected " + std::to_string(element.properties.size()) +
+                  " numbers, found " + std::to_string(found));
+    throw Error(where + "expected a number, found " + inQuotes(word));
+  }
+
+  LineReader lines_;
+  std::size_t left_;
+  std::size_t linesBefore_;
+  const std::string& file_;
+};
+
+/// pre: `rows` stand at the first row of `vertices`
+template <class Rows>
+RawPoints readVertices(Rows& rows, const PlyElement& vertices, std::uint64_t leastSize,
+                       const std::string& file, const Progress& progress) {
+  const std::vector<PointField> fields = fieldsOf(vertices, file);
+  checkPromise(file, vertices.count, leastSize, rows.left());
+  PointCollector points(fields, vertices.count);
+  PointValues values{};
+  for (std::uint64_t row = 0; row < vertices.count; ++row) {
+    if (row % 65536 == 0)
+      progress.update(static_cast<double>(row) / static_cast<double>(vertices.count));
+    rows.read(vertices, row, fields, values);
+    points.add(values);
+  }
+  return std::move(points).finish(hasFractions(vertices, fields));
+}
+
+std::vector<std::string> notesOn(const PlyHeader& header, const std::string& file) {
+  for (const PlyElement& element : header.elements)
+    if (element.name == "face" && element.count > 0)
+      return {file + ": is a mesh: " + counted(element.count, "face") +
+              " left out, its corners are taken as points"};
+  return {};
+}
+
+} // namespace
+
+bool isPly(std::string_view beginning) {
+  return beginning.starts_with("ply\n") || beginning.starts_with("ply\r");
+}
+
+Imported<RawPoints> readPly(std::istream& in, const std::string& file, const Progress& progress) {
+  const std::string bytes = readAll(in, progress.part(0, 0.3));
+  const PlyHeader header = readPlyHeader(bytes, file);
+  const auto vertices = std::ranges::find(header.elements, "vertex", &PlyElement::name);
+  if (vertices == header.elements.end())
+    throw Error(file + ": has no element 'vertex', so no points");
+  const std::string_view data = std::string_view(bytes).substr(header.dataStart);
+  const auto read = [&](auto rows, std::uint64_t leastSize) {
+    std::for_each(header.elements.begin(), vertices, [&](const auto& other) { rows.skip(other); });
+    return readVertices(rows, *vertices, leastSize, file, progress.part(0.3, 1));
+  };
+  // A number in text takes a digit and a blank; the last line may lack its end.
+  return {header.isAscii ? read(AsciiRows(data, header.lines, file),
+                                std::max<std::uint64_t>(2 * vertices->properties.size(), 2) - 1)
+                         : read(BinaryRows(data, header.order, file),
+                                std::max<std::uint64_t>(vertices->leastSize(), 1)),
+          notesOn(header, file)};
+}
+
+void writePly(std::ostream& out, const PointCloud& cloud, const Eigen::Matrix3Xf& positions) {
+  assert(positions.cols() == cloud.size());
+  out << "ply\nformat binary_little_endian 1.0\ncomment made by Espalier\nelement vertex "
+      << cloud.size() << "\nproperty double x\nproperty double y\nproperty double z\n";
+  if (!cloud.colors().empty())
+    out << "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+  if (!cloud.intensities().empty()) out << "property float intensity\n";
+  out << "end_header\n";
+  constexpr std::size_t blockSize = std::size_t{1} << 20;
+  std::string block;
+  for (const Eigen::Index point : pointsInFileOrder(cloud)) {
+    const Eigen::Vector3d position = positions.col(point).cast<double>() + cloud.origin();
+    for (const double coordinate : position)
+      appendValue(block, coordinate);
+    const auto i = static_cast<std::size_t>(point);
+    if (!cloud.colors().empty())
+      for (const std::uint8_t byte : cloud.colors()[i])
+        appendValue(block, byte);
+    if (!cloud.intensities().empty()) appendValue(block, cloud.intensities()[i]);
+    if (block.size() < blockSize) continue;
+    out << block;
+    block.clear();
+  }
+  out << block;
+}
+
+} // namespace espalier

@@ -10,20 +10,20 @@ namespace espalier {
 namespace {
 
 using Row = std::vector<std::string>;
-using EditedParts = std::vector<std::vector<NodeId>>;
+using NodeParts = std::vector<std::vector<NodeId>>;
 
 /// Nodes and place of some parts of one plant: four cells.
-Row cellsOf(const std::vector<std::size_t>& which, const EditedParts& parts,
+Row cellsOf(const std::vector<std::size_t>& which, const NodeParts& parts,
             const Skeleton& skeleton) {
-  Row cells(4);
+  Row four(4);
   for (const std::size_t part : which)
     for (const NodeId id : parts[part])
-      cells[0] += (cells[0].empty() ? "" : " ") + std::to_string(indexOf(id));
-  if (which.empty()) return cells;
+      four[0] += (four[0].empty() ? "" : " ") + std::to_string(indexOf(id));
+  if (which.empty()) return four;
   const Eigen::Vector3d top = skeleton[parts[which.back()].back()].position;
   for (int axis = 0; axis < 3; ++axis)
-    cells[static_cast<std::size_t>(axis) + 1] = plainDecimal(top[axis]);
-  return cells;
+    four[static_cast<std::size_t>(axis) + 1] = plainDecimal(top[axis]);
+  return four;
 }
 
 std::string kindOf(const EditMatch& match) {

@@ -18,7 +18,7 @@
 namespace espalier {
 namespace {
 
-std::shared_ptr<const PointCloud> cloudOf(const Eigen::Matrix3Xf& points) {
+std::shared_ptr<const PointCloud> scanOf(const Eigen::Matrix3Xf& points) {
   RawPoints raw;
   for (Eigen::Index i = 0; i < points.cols(); ++i)
     raw.positions.emplace_back(points.col(i).cast<double>());
@@ -79,12 +79,12 @@ double farthestTip(const Skeleton& plant, const Eigen::Vector3d& place) {
 TEST(GrownFromUnexplained, GrowsNothingOfRoughBark) {
   const Eigen::Matrix3Xf branch = test::cylinder({0.04, 0, 0.8}, {0.8, 0, 1.2}, 0.02, 0.01);
   const Eigen::Matrix3Xf bark = test::cylinder({-0.12, 0, 1.2}, {-0.12, 0, 1.5}, 0.005, 0.005);
-  const auto cloud = cloudOf(test::both(trunkPoints(), test::both(branch, bark)));
+  const auto cloud = scanOf(test::both(trunkPoints(), test::both(branch, bark)));
   const std::vector<GrownBranch> branches =
       grownFromUnexplained(trunk(), cloud, {.tolerance = 0.05});
   ASSERT_EQ(branches.size(), 1U);
   EXPECT_NEAR(trunk()[branches[0].on].position.z(), 0.8, 0.25);
-  const auto barkAlone = cloudOf(test::both(trunkPoints(), bark));
+  const auto barkAlone = scanOf(test::both(trunkPoints(), bark));
   EXPECT_THROW((void)grownFromUnexplained(trunk(), barkAlone, {.tolerance = 0.05}), Error);
 }
 
@@ -92,7 +92,7 @@ TEST(GrownFromUnexplained, GrowsNothingOfRoughBark) {
 TEST(GrownFromUnexplained, HangsEachMissingBranchOnTheNodeItLeaves) {
   const Eigen::Matrix3Xf right = test::cylinder({0.04, 0, 0.8}, {0.8, 0, 1.2}, 0.02, 0.01);
   const Eigen::Matrix3Xf left = test::cylinder({-0.04, 0, 1.2}, {-0.8, 0, 1.6}, 0.02, 0.01);
-  const auto cloud = cloudOf(test::both(trunkPoints(), test::both(right, left)));
+  const auto cloud = scanOf(test::both(trunkPoints(), test::both(right, left)));
   const std::vector<GrownBranch> branches = grownFromUnexplained(trunk(), cloud);
   ASSERT_EQ(branches.size(), 2U);
   EXPECT_NEAR(trunk()[branches[0].on].position.z(), 0.8, 0.25);
@@ -111,7 +111,7 @@ TEST(GrownFromUnexplained, HangsEachMissingBranchOnTheNodeItLeaves) {
 TEST(GrownFromUnexplained, HangsAPieceOnTheOneItIsNearestTo) {
   const Eigen::Matrix3Xf inner = test::cylinder({0.04, 0, 1}, {0.6, 0, 1}, 0.02, 0.01);
   const Eigen::Matrix3Xf outer = test::cylinder({0.75, 0, 1}, {1.3, 0, 1}, 0.02, 0.01);
-  const auto cloud = cloudOf(test::both(trunkPoints(), test::both(inner, outer)));
+  const auto cloud = scanOf(test::both(trunkPoints(), test::both(inner, outer)));
   const std::vector<GrownBranch> branches =
       grownFromUnexplained(trunk(), cloud, {.widestJoin = 0.4});
   ASSERT_EQ(branches.size(), 1U);
@@ -123,7 +123,7 @@ TEST(GrownFromUnexplained, HangsAPieceOnTheOneItIsNearestTo) {
 TEST(GrownFromUnexplained, LeavesWhatIsTooFarOffToBeOfThePlant) {
   const Eigen::Matrix3Xf near = test::cylinder({0.04, 0, 1}, {0.6, 0, 1.2}, 0.02, 0.01);
   const Eigen::Matrix3Xf far = test::cylinder({3, 0, 1}, {3.6, 0, 1}, 0.02, 0.01);
-  const auto cloud = cloudOf(test::both(trunkPoints(), test::both(near, far)));
+  const auto cloud = scanOf(test::both(trunkPoints(), test::both(near, far)));
   const Skeleton whole = together(trunk(), grownFromUnexplained(trunk(), cloud));
   for (const NodeId id : whole.ids())
     EXPECT_LT(whole[id].position.x(), 1);
@@ -132,7 +132,7 @@ TEST(GrownFromUnexplained, LeavesWhatIsTooFarOffToBeOfThePlant) {
 TEST(GrownFromUnexplained, SeesNothingOfPointsThatAreSetAside) {
   const Eigen::Matrix3Xf branch = test::cylinder({0.04, 0, 1}, {0.8, 0, 1.2}, 0.02, 0.01);
   const Eigen::Matrix3Xf trunkAlone = trunkPoints();
-  const auto cloud = cloudOf(test::both(trunkAlone, branch));
+  const auto cloud = scanOf(test::both(trunkAlone, branch));
   std::vector<Eigen::Index> ofBranch;
   for (Eigen::Index i = 0; i < cloud->size(); ++i)
     if (cloud->fileOrder()[static_cast<std::size_t>(i)] >= trunkAlone.cols()) ofBranch.push_back(i);
@@ -184,10 +184,10 @@ TEST(GrownFromUnexplained, GrowsNothingOnTheSkinOfThickWood) {
   std::optional<NodeId> last;
   for (int i = 0; i <= 10; ++i)
     last = plant.add({.position = {0, 0, 0.2 * i}, .radius = 0.1, .parent = last});
-  EXPECT_THROW((void)grownFromUnexplained(plant, cloudOf(points)), Error);
+  EXPECT_THROW((void)grownFromUnexplained(plant, scanOf(points)), Error);
   const Eigen::Matrix3Xf branch = test::cylinder({0.13, 0, 1}, {0.8, 0, 1.3}, 0.02, 0.008);
   const std::vector<GrownBranch> branches =
-      grownFromUnexplained(plant, cloudOf(test::both(points, branch)));
+      grownFromUnexplained(plant, scanOf(test::both(points, branch)));
   const Skeleton whole = together(plant, branches);
   EXPECT_EQ(test::countTips(whole), 2);
   EXPECT_LT(farthestTip(whole, {0.8, 0, 1.3}), 0.08);
@@ -196,7 +196,7 @@ TEST(GrownFromUnexplained, GrowsNothingOnTheSkinOfThickWood) {
 // Thousands of pieces in the air, and a branch of as many nodes: each is tried on each.
 TEST(AttachedGrown, LeavesOutThousandsOfPiecesThatNothingLeadsToSoon) {
   const Eigen::Matrix3Xf branch = test::cylinder({0.04, 0, 1}, {20.05, 0, 1}, 0.02, 0.02);
-  const auto cloud = cloudOf(test::both(trunkPoints(), branch));
+  const auto cloud = scanOf(test::both(trunkPoints(), branch));
   Skeleton grown;
   std::optional<NodeId> last;
   for (int i = 0; i < 2000; ++i)
@@ -218,7 +218,7 @@ TEST(AttachedGrown, LeavesOutThousandsOfPiecesThatNothingLeadsToSoon) {
 // Of the points of a short branch on a trunk, too few stand off the bark.
 TEST(GrownFromUnexplained, GrowsNothingOfAStubOnTheBark) {
   const auto withBranchTo = [](double x) {
-    return cloudOf(
+    return scanOf(
         test::both(trunkPoints(), test::cylinder({0.04, 0, 1}, {x, 0, 1.05}, 0.02, 0.02)));
   };
   EXPECT_THROW((void)grownFromUnexplained(trunk(), withBranchTo(0.12)), Error);
@@ -232,7 +232,7 @@ TEST(GrownFromUnexplained, MakesANodeAmidALongEdge) {
   const NodeId top = plant.add({.position = {0, 0, 2}, .radius = 0.04, .parent = foot});
   const Eigen::Matrix3Xf low = test::cylinder({0.04, 0, 0.6}, {0.8, 0, 0.9}, 0.02, 0.01);
   const Eigen::Matrix3Xf high = test::cylinder({-0.04, 0, 1.4}, {-0.8, 0, 1.7}, 0.02, 0.01);
-  const auto cloud = cloudOf(test::both(trunkPoints(), test::both(low, high)));
+  const auto cloud = scanOf(test::both(trunkPoints(), test::both(low, high)));
   const std::vector<GrownBranch> branches = grownFromUnexplained(plant, cloud);
   ASSERT_EQ(branches.size(), 2U);
   for (const GrownBranch& branch : branches)
@@ -253,7 +253,7 @@ TEST(GrownBranches, MakeABranchOfFewPoints) {
   for (int i = 0; i < 46; ++i) // 0.35 long, bent
     twig.col(i) = Eigen::Vector3f(0.06F + 0.0078F * float(i), 0.005F * float(i % 3),
                                   1 + 0.00015F * float(i * i));
-  const auto cloud = cloudOf(test::both(trunkAlone, twig));
+  const auto cloud = scanOf(test::both(trunkAlone, twig));
   std::vector<Eigen::Index> chosen;
   for (Eigen::Index i = 0; i < cloud->size(); ++i)
     if (cloud->fileOrder()[static_cast<std::size_t>(i)] >= trunkAlone.cols()) chosen.push_back(i);
@@ -271,7 +271,7 @@ TEST(GrownBranches, MakeABranchOfFewPoints) {
 TEST(GrownBranches, GrowFromThePointsChosenAlone) {
   const Eigen::Matrix3Xf right = test::cylinder({0.04, 0, 0.8}, {0.8, 0, 1.2}, 0.02, 0.01);
   const Eigen::Matrix3Xf left = test::cylinder({-0.04, 0, 1.2}, {-0.8, 0, 1.6}, 0.02, 0.01);
-  const auto cloud = cloudOf(test::both(trunkPoints(), test::both(right, left)));
+  const auto cloud = scanOf(test::both(trunkPoints(), test::both(right, left)));
   std::vector<Eigen::Index> chosen;
   for (Eigen::Index i = 0; i < cloud->size(); ++i)
     if (cloud->position(i).x() > 0.1) chosen.push_back(i);
@@ -292,7 +292,7 @@ std::vector<Eigen::Index> inside(const PointCloud& cloud, const Eigen::AlignedBo
 // A lasso about a branch takes bark of the trunk as well: that has its nodes already.
 TEST(GrownBranches, LeaveOutWhatThePlantExplains) {
   const Eigen::Matrix3Xf branch = test::cylinder({0.04, 0, 0.8}, {0.8, 0, 1.2}, 0.02, 0.01);
-  const auto cloud = cloudOf(test::both(trunkPoints(), branch));
+  const auto cloud = scanOf(test::both(trunkPoints(), branch));
   const std::vector<GrownBranch> branches = grownBranches(
       trunk(), cloud, inside(*cloud, {Eigen::Vector3d(-1, -1, 0.4), Eigen::Vector3d(1, 1, 1.4)}));
   ASSERT_EQ(branches.size(), 1U);
@@ -305,7 +305,7 @@ TEST(GrownBranches, LeaveOutWhatThePlantExplains) {
 // The branch begins beside the trunk, nearer to the node above than to the one below, and rises.
 TEST(GrownBranches, BeginForward) {
   const Eigen::Matrix3Xf branch = test::cylinder({0.12, 0, 0.75}, {0.3, 0, 1.6}, 0.02, 0.01);
-  const auto cloud = cloudOf(test::both(trunkPoints(), branch));
+  const auto cloud = scanOf(test::both(trunkPoints(), branch));
   const std::vector<GrownBranch> branches = grownBranches(
       trunk(), cloud, inside(*cloud, {Eigen::Vector3d(0.07, -1, 0), Eigen::Vector3d(1, 1, 2)}));
   ASSERT_EQ(branches.size(), 1U);
@@ -313,7 +313,7 @@ TEST(GrownBranches, BeginForward) {
 }
 
 TEST(GrownBranches, AreRefusedForTooFewPoints) {
-  const auto cloud = cloudOf(trunkPoints());
+  const auto cloud = scanOf(trunkPoints());
   EXPECT_THROW((void)grownBranches(trunk(), cloud, {0, 1, 2}), Error);
   EXPECT_THROW((void)grownBranches(trunk(), cloud, {}), Error);
   EXPECT_THROW((void)grownFromUnexplained(trunk(), cloud, {.tolerance = 0.1}), Error)
@@ -322,7 +322,7 @@ TEST(GrownBranches, AreRefusedForTooFewPoints) {
 
 TEST(GrownBranches, StopWhenAsked) {
   const auto cloud =
-      cloudOf(test::both(trunkPoints(), test::cylinder({0.04, 0, 1}, {0.8, 0, 1.2}, 0.02, 0.01)));
+      scanOf(test::both(trunkPoints(), test::cylinder({0.04, 0, 1}, {0.8, 0, 1.2}, 0.02, 0.01)));
   EXPECT_TRUE(test::stopsWhenAsked(
       [&](const Progress& progress) { (void)grownFromUnexplained(trunk(), cloud, {}, progress); }));
 }

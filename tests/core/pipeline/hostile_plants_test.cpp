@@ -104,7 +104,7 @@ const std::map<std::string, Points>& hostilePlants() {
 }
 
 /// All is finite, and lies where the scan is.
-void expectSensible(const Skeleton& skeleton, const PointCloud& cloud) {
+void expectSensiblePlant(const Skeleton& skeleton, const PointCloud& cloud) {
   EXPECT_FALSE(skeleton.isEmpty());
   Eigen::AlignedBox3d box = cloud.bounds();
   const double margin = 0.25 * box.diagonal().norm();
@@ -130,7 +130,7 @@ TEST_P(EveryMethod, MakesAForestOfAnyScanOrSaysWhyNot) {
     SCOPED_TRACE(name);
     const auto cloud = cloudOf(points);
     try {
-      expectSensible(*Pipeline().run(cloud, options).skeleton, *cloud);
+      expectSensiblePlant(*Pipeline().run(cloud, options).skeleton, *cloud);
     } catch (const Error& error) {
       EXPECT_GT(std::string(error.what()).size(), 20U) << error.what();
       EXPECT_LT(points.cols(), 10) << "a scan of this size has something to find: " << error.what();

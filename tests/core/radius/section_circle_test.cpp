@@ -13,8 +13,6 @@
 namespace espalier {
 namespace {
 
-constexpr double std::numbers::pi = std::numbers::pi;
-
 CrossSection sectionOf(std::vector<Eigen::Vector2d> points) {
   return {.center = {0, 0, 0},
           .right = {1, 0, 0},

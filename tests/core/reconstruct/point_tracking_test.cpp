@@ -13,7 +13,7 @@
 namespace espalier {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
+constexpr double degreeOfTurn = std::numbers::pi / 180;
 constexpr PointTrackingOptions trackingOptions{.leastStep = 0.1,
                                                .greatestStep = 0.1,
                                                .reach = 2,
@@ -36,23 +36,24 @@ Eigen::Matrix3Xf lineOfPoints(const Eigen::Vector3d& from, const Eigen::Vector3d
   return points;
 }
 
-Skeleton skeletonOf(const Eigen::Matrix3Xf& points, float density = 0.5F,
-                    const PointTrackingOptions& with = trackingOptions) {
+Skeleton trackedSkeleton(const Eigen::Matrix3Xf& points, float density = 0.5F,
+                         const PointTrackingOptions& with = trackingOptions) {
   const std::vector<float> densities(static_cast<std::size_t>(points.cols()), density);
   return skeletonByPointTracking(points, densities, 0, with);
 }
 
 TEST(DirectionCones, StandAheadAndInRingsBelowARightAngle) {
-  EXPECT_EQ(DirectionCones(60 * degree).axes({}).size(), 1U + 6U);
-  EXPECT_EQ(DirectionCones(45 * degree).axes({}).size(), 1U + 8U);
-  EXPECT_EQ(DirectionCones(30 * degree).axes({}).size(), 1U + 12U + 12U);
+  EXPECT_EQ(DirectionCones(60 * degreeOfTurn).axes({}).size(), 1U + 6U);
+  EXPECT_EQ(DirectionCones(45 * degreeOfTurn).axes({}).size(), 1U + 8U);
+  EXPECT_EQ(DirectionCones(30 * degreeOfTurn).axes({}).size(), 1U + 12U + 12U);
 }
 
 TEST(DirectionCones, GroupWhatTheyHoldAndLeaveOutTheRest) {
-  const DirectionCones cones(45 * degree);
-  const auto groups = cones.groups({}, {tilted(10 * degree), tilted(45 * degree, 45 * degree),
-                                        tilted(15 * degree, 3), tilted(90 * degree),
-                                        tilted(180 * degree), Eigen::Vector3d::Zero()});
+  const DirectionCones cones(45 * degreeOfTurn);
+  const auto groups =
+      cones.groups({}, {tilted(10 * degreeOfTurn), tilted(45 * degreeOfTurn, 45 * degreeOfTurn),
+                        tilted(15 * degreeOfTurn, 3), tilted(90 * degreeOfTurn),
+                        tilted(180 * degreeOfTurn), Eigen::Vector3d::Zero()});
   ASSERT_EQ(groups.size(), 2U);
   EXPECT_EQ(groups[0], (std::vector<std::size_t>{0, 2})); // ahead
   EXPECT_EQ(groups[1], (std::vector<std::size_t>{1}));
@@ -60,11 +61,11 @@ TEST(DirectionCones, GroupWhatTheyHoldAndLeaveOutTheRest) {
 
 TEST(DirectionCones, TurnWithTheHeading) {
   const Eigen::Quaterniond turn(Eigen::AngleAxisd(1.2, Eigen::Vector3d(1, -2, 0.5).normalized()));
-  const DirectionCones cones(45 * degree);
+  const DirectionCones cones(45 * degreeOfTurn);
   std::vector<Eigen::Vector3d> directions;
   std::vector<Eigen::Vector3d> turned;
   for (int i = 0; i < 60; ++i) {
-    directions.push_back(tilted(i * 3 * degree, i * 37 * degree));
+    directions.push_back(tilted(i * 3 * degreeOfTurn, i * 37 * degreeOfTurn));
     turned.emplace_back(turn * directions.back());
   }
   const Heading heading{turn * Eigen::Vector3d::UnitZ(), turn * Eigen::Vector3d::UnitX()};
@@ -72,7 +73,8 @@ TEST(DirectionCones, TurnWithTheHeading) {
 }
 
 TEST(Heading, KeepsItsSideAcrossAndTurnsNoMoreThanItMust) {
-  const Heading turned = Heading{}.turnedTo(tilted(40 * degree, 90 * degree)); // about the side
+  const Heading turned =
+      Heading{}.turnedTo(tilted(40 * degreeOfTurn, 90 * degreeOfTurn)); // about the side
   EXPECT_LT((turned.side - Eigen::Vector3d::UnitX()).norm(), 1e-12);
   const Heading back = Heading{}.turnedTo(-Eigen::Vector3d::UnitZ());
   EXPECT_NEAR(back.side.dot(back.along), 0, 1e-12);
@@ -81,7 +83,7 @@ TEST(Heading, KeepsItsSideAcrossAndTurnsNoMoreThanItMust) {
 
 // The last node kills all within 0.12 of it.
 TEST(PointTracking, ClimbsALineByEvenSteps) {
-  const Skeleton skeleton = skeletonOf(lineOfPoints({0, 0, 0}, {0, 0, 1}));
+  const Skeleton skeleton = trackedSkeleton(lineOfPoints({0, 0, 0}, {0, 0, 1}));
   const std::vector<NodeId> ids = skeleton.ids();
   EXPECT_EQ(ids.size(), 10U); // at 0, 0.1, ..., 0.9
   for (std::size_t i = 0; i < ids.size(); ++i)
@@ -91,23 +93,23 @@ TEST(PointTracking, ClimbsALineByEvenSteps) {
 TEST(PointTracking, StepsByTheDensity) {
   PointTrackingOptions adaptive = trackingOptions;
   adaptive.greatestStep = 0.2;
-  EXPECT_EQ(skeletonOf(lineOfPoints({0, 0, 0}, {0, 0, 1}), 0, adaptive).size(), 10U);
-  EXPECT_EQ(skeletonOf(lineOfPoints({0, 0, 0}, {0, 0, 1}), 1, adaptive).size(), 5U);
+  EXPECT_EQ(trackedSkeleton(lineOfPoints({0, 0, 0}, {0, 0, 1}), 0, adaptive).size(), 10U);
+  EXPECT_EQ(trackedSkeleton(lineOfPoints({0, 0, 0}, {0, 0, 1}), 1, adaptive).size(), 5U);
 }
 
 TEST(PointTracking, ForksWhereThePointsDo) {
-  for (const double angle : {30 * degree, 45 * degree, 60 * degree}) {
+  for (const double angle : {30 * degreeOfTurn, 45 * degreeOfTurn, 60 * degreeOfTurn}) {
     const Eigen::Vector3d fork(0, 0, 1);
     const Eigen::Matrix3Xf points = test::both(
         lineOfPoints({0, 0, 0}, fork), test::both(lineOfPoints(fork, fork + tilted(angle)),
                                                   lineOfPoints(fork, fork + tilted(-angle))));
-    const Skeleton skeleton = skeletonOf(points);
-    EXPECT_GE(test::countTips(skeleton), 2) << angle / degree;
+    const Skeleton skeleton = trackedSkeleton(points);
+    EXPECT_GE(test::countTips(skeleton), 2) << angle / degreeOfTurn;
     for (const double side : {-angle, angle}) {
       double nearest = 1;
       for (const NodeId id : skeleton.ids())
         nearest = std::min(nearest, (skeleton[id].position - fork - tilted(side)).norm());
-      EXPECT_LT(nearest, 0.2) << angle / degree; // a node kills 0.12 around it, and steps 0.1
+      EXPECT_LT(nearest, 0.2) << angle / degreeOfTurn; // a node kills 0.12 around it, and steps 0.1
     }
   }
 }
@@ -116,7 +118,7 @@ TEST(PointTracking, FindsASideBranchAtARightAngle) {
   const Eigen::Matrix3Xf points =
       test::both(lineOfPoints({0, 0, 0}, {0, 0, 2}), lineOfPoints({0, 0, 1.05}, {1, 0, 1.35}));
   double farthest = 0;
-  const Skeleton skeleton = skeletonOf(points);
+  const Skeleton skeleton = trackedSkeleton(points);
   for (const NodeId id : skeleton.ids())
     farthest = std::max(farthest, skeleton[id].position.x());
   EXPECT_GT(farthest, 0.85);
@@ -125,31 +127,31 @@ TEST(PointTracking, FindsASideBranchAtARightAngle) {
 TEST(PointTracking, GrowsIntoNoConeOfFewPoints) {
   Eigen::Matrix3Xf few(3, 2); // in the shell of the node at 0.5, far off the lineOfPoints
   few << 0.13F, 0.13F, 0, 0, 0.58F, 0.59F;
-  const Skeleton skeleton = skeletonOf(test::both(lineOfPoints({0, 0, 0}, {0, 0, 1}), few));
+  const Skeleton skeleton = trackedSkeleton(test::both(lineOfPoints({0, 0, 0}, {0, 0, 1}), few));
   EXPECT_EQ(test::countTips(skeleton), 1);
   PointTrackingOptions any = trackingOptions;
   any.fewestPoints = 1;
-  EXPECT_GT(
-      test::countTips(skeletonOf(test::both(lineOfPoints({0, 0, 0}, {0, 0, 1}), few), 0.5F, any)),
-      1);
+  EXPECT_GT(test::countTips(
+                trackedSkeleton(test::both(lineOfPoints({0, 0, 0}, {0, 0, 1}), few), 0.5F, any)),
+            1);
 }
 
 TEST(PointTracking, EndsBeforeAGapWiderThanItsReach) {
-  const Skeleton skeleton = skeletonOf(
+  const Skeleton skeleton = trackedSkeleton(
       test::both(lineOfPoints({0, 0, 0}, {0, 0, 1}), lineOfPoints({0, 0, 1.4}, {0, 0, 2})));
   for (const NodeId id : skeleton.ids())
     EXPECT_LT(skeleton[id].position.z(), 1.1);
 }
 
 TEST(PointTracking, RefusesARootThatReachesLessThanHalf) {
-  EXPECT_THROW((void)skeletonOf(test::both(lineOfPoints({0, 0, 0}, {0, 0, 0.5}),
-                                           lineOfPoints({9, 0, 0}, {9, 0, 3}))),
+  EXPECT_THROW((void)trackedSkeleton(test::both(lineOfPoints({0, 0, 0}, {0, 0, 0.5}),
+                                                lineOfPoints({9, 0, 0}, {9, 0, 3}))),
                Error);
 }
 
 TEST(PointTracking, MakesOneNodeOfCoincidentPoints) {
-  EXPECT_EQ(skeletonOf(Eigen::Matrix3Xf::Ones(3, 50)).size(), 1U);
-  EXPECT_EQ(skeletonOf(Eigen::Matrix3Xf::Ones(3, 1)).size(), 1U);
+  EXPECT_EQ(trackedSkeleton(Eigen::Matrix3Xf::Ones(3, 50)).size(), 1U);
+  EXPECT_EQ(trackedSkeleton(Eigen::Matrix3Xf::Ones(3, 1)).size(), 1U);
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "core/skeleton/checks_of_scan.h"
 #include "core/skeleton/select.h"
 #include "tests/support/cloud_of.h"
+#include "tests/support/clouds.h"
 #include "tests/support/plants.h"
 #include "tests/support/simulated.h"
 

@@ -1,5 +1,6 @@
 #include "core/base/error.h"
 #include "core/skeleton/edits.h"
+#include "tests/core/skeleton/edited.h"
 #include "tests/support/plants.h"
 
 #include <gtest/gtest.h>
@@ -10,6 +11,7 @@
 namespace espalier {
 namespace {
 
+using test::edited;
 using test::forkRoot;
 using test::forkTop;
 using testing::ElementsAre;
@@ -18,11 +20,6 @@ SkeletonDelta edit(Skeleton& plant, const std::function<void(SkeletonEditor&)>& 
   SkeletonEditor editor(plant);
   change(editor);
   return editor.commit();
-}
-
-Skeleton edited(Skeleton plant, const std::function<void(SkeletonEditor&)>& change) {
-  (void)edit(plant, change);
-  return plant;
 }
 
 TEST(AddChild, ContinuesAnApexAndBranchesElsewhere) {

@@ -1,5 +1,6 @@
 #include "core/skeleton/node_values.h"
 #include "tests/support/cloud_of.h"
+#include "tests/support/clouds.h"
 #include "tests/support/plants.h"
 
 #include <gtest/gtest.h>

@@ -2,6 +2,7 @@
 #include "core/skeleton/edits.h"
 #include "core/skeleton/skeleton_delta.h"
 #include "tests/support/cloud_of.h"
+#include "tests/support/clouds.h"
 #include "tests/support/plants.h"
 #include "tests/support/simulated.h"
 

@@ -9,8 +9,6 @@
 namespace espalier {
 namespace {
 
-constexpr double std::numbers::pi = std::numbers::pi;
-
 /// A trunk of 3 from radius 2 to 1, on whose top a branch of 4 stands with radius 0.5.
 Skeleton plant() {
   Skeleton skeleton;

@@ -21,20 +21,20 @@ Skeleton plant() {
   return skeleton;
 }
 
-template <class Write> std::string written(const Write& write) {
+template <class Write> std::string writtenLines(const Write& write) {
   std::ostringstream out;
   write(out, plant());
   return out.str();
 }
 
 TEST(WriteObjLines, WritesAVertexPerNodeAndALinePerEdge) {
-  EXPECT_EQ(written(writeObjLines), "# exported by Espalier\n"
+  EXPECT_EQ(writtenLines(writeObjLines), "# exported by Espalier\n"
                                     "v 0 0 0\nv 5 5 5.25\nv 0 0 1\nv 1 0 0\n"
                                     "l 1 3\nl 1 4\n");
 }
 
 TEST(WritePlyLines, WritesVerticesWithRadiiAndEdges) {
-  const std::string text = written(writePlyLines);
+  const std::string text = writtenLines(writePlyLines);
   EXPECT_TRUE(isPly(text));
   EXPECT_EQ(text.substr(text.find("element edge")),
             "element edge 2\nproperty int vertex1\nproperty int vertex2\nproperty uchar branching\n"
@@ -42,7 +42,7 @@ TEST(WritePlyLines, WritesVerticesWithRadiiAndEdges) {
 }
 
 TEST(WritePlyLines, CanBeReadAsPoints) {
-  std::istringstream in(written(writePlyLines));
+  std::istringstream in(writtenLines(writePlyLines));
   const RawPoints points = readPly(in, "lines.ply").value;
   ASSERT_EQ(points.positions.size(), 4U);
   EXPECT_EQ(points.positions[1], Eigen::Vector3d(5, 5, 5.25));

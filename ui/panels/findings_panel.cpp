@@ -1,6 +1,7 @@
 #include "ui/panels/findings_panel.h"
 
 #include "ui/document/plant_document.h"
+#include "ui/panels/check_form.h"
 #include "ui/panels/focus_keys.h"
 #include "ui/panels/label_role.h"
 #include "ui/panels/panel_button.h"
@@ -59,7 +60,8 @@ QString titleOf(Kind kind) {
 
 FindingsPanel::FindingsPanel(const PlantDocument& document, const Actions& actions, QWidget* parent)
     : QWidget(parent), document_(document), title_(makeLabel("findings_title", "title")),
-      note_(makeLabel("findings_note", "quiet")), list_(new QTreeWidget), walk_(new QWidget) {
+      note_(makeLabel("findings_note", "quiet")), list_(new QTreeWidget), walk_(new QWidget),
+      checks_(new CheckForm) {
   setObjectName("findings_panel");
   walk_->setObjectName("findings_walk");
   for (QLabel* label : {title_, note_}) {
@@ -84,7 +86,7 @@ FindingsPanel::FindingsPanel(const PlantDocument& document, const Actions& actio
   list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
   list_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
   onEnter(*list_, [this] { tellChosen(list_->currentItem()); });
-  column->addWidget(list_, 1);
+  column->addWidget(list_, 2);
   auto* walk = new QHBoxLayout(walk_);
   walk->setContentsMargins(0, 0, 0, 0);
   walk->setSpacing(4);
@@ -97,6 +99,7 @@ FindingsPanel::FindingsPanel(const PlantDocument& document, const Actions& actio
   connect(actions.ignore, &QAction::changed, ignore_, enable); // its key tells what is missing
   connect(this, &FindingsPanel::currentChanged, ignore_, enable);
   column->addWidget(ignore_);
+  column->addWidget(checks_, 1);
   connect(list_, &QTreeWidget::itemClicked, this,
           [this](const QTreeWidgetItem* item) { tellChosen(item); });
   connect(list_, &QTreeWidget::currentItemChanged, this, &FindingsPanel::currentChanged);

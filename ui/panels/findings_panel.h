@@ -16,6 +16,7 @@ class QTreeWidgetItem;
 
 namespace espalier {
 
+class CheckForm;
 class PlantDocument;
 
 /// The list of what is worth a second look, grouped by kind, and of what is ignored.
@@ -33,7 +34,8 @@ public:
 
   /// pre: the skeleton has the nodes of the findings
   void show(const std::vector<Finding>& findings, const std::vector<Finding>& ignored);
-  void setChecking(bool isChecking); // the scan: more may follow
+  void setChecking(bool isChecking);                           // the scan: more may follow
+  [[nodiscard]] CheckForm& checks() const { return *checks_; } // from where on they report
   void setCurrent(const Finding& finding);
   [[nodiscard]] std::optional<Finding> current() const; // of either list
 
@@ -58,6 +60,7 @@ private:
   QTreeWidget* list_;
   QWidget* walk_; // from finding to finding; absent where there is none
   QToolButton* ignore_ = nullptr;
+  CheckForm* checks_;
 };
 
 /// "Sharp turns"

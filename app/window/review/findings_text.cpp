@@ -64,4 +64,28 @@ std::vector<Finding> findingsFrom(const std::string& text) {
   });
 }
 
+std::string textOf(const std::map<std::string, double>& limits) {
+  if (limits.empty()) return {};
+  QJsonObject all;
+  for (const auto& [name, value] : limits)
+    all[QString::fromStdString(name)] = value;
+  return QJsonDocument(all).toJson(QJsonDocument::Compact).toStdString();
+}
+
+std::map<std::string, double> limitsFrom(const std::string& text) {
+  if (text.empty()) return {};
+  const QString refusal = QCoreApplication::translate(
+      "FindingsText",
+      "the limits of the checks in this project cannot be read: the usual ones hold");
+  return readKept(refusal, [&] {
+    const QJsonDocument document = QJsonDocument::fromJson(QByteArray::fromStdString(text));
+    if (!document.isObject()) refuse();
+    const QJsonObject all = document.object();
+    std::map<std::string, double> limits;
+    for (auto each = all.begin(); each != all.end(); ++each)
+      limits[each.key().toStdString()] = numberIn(each.value());
+    return limits;
+  });
+}
+
 } // namespace espalier

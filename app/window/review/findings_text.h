@@ -2,6 +2,7 @@
 
 #include "core/skeleton/finding.h"
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -14,5 +15,12 @@ namespace espalier {
 /// Of an empty text, none.
 /// @throws Error if it is no such text
 [[nodiscard]] std::vector<Finding> findingsFrom(const std::string& text);
+
+/// Limits of the checks that were set, as a project keeps them: {"sharp_turn": 60}. Empty: none.
+[[nodiscard]] std::string textOf(const std::map<std::string, double>& limits);
+
+/// Of an empty text, none.
+/// @throws Error if it is no such text
+[[nodiscard]] std::map<std::string, double> limitsFrom(const std::string& text);
 
 } // namespace espalier

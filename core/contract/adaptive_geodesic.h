@@ -3,6 +3,7 @@
 #include "core/base/progress.h"
 #include "core/base/rule.h"
 #include "core/graph/densities.h"
+#include "core/graph/neighborhood_graph.h"
 
 #include <Eigen/Core>
 
@@ -11,7 +12,7 @@
 namespace espalier {
 
 struct AdaptiveGeodesicOptions {
-  int neighbors = 7;                  // links per point, >= 1
+  PointLinks neighbors = 7;           // of each point
   Length densityRadius = spacings(3); // [L] along the plant, > 0: where points are counted
   Length leastRadius = spacings(5);   // [L], > 0: where they lie thinnest
   Length mostRadius = spacings(10);   // [L], >= leastRadius: where they lie densest

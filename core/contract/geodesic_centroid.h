@@ -9,7 +9,7 @@
 namespace espalier {
 
 struct GeodesicCentroidOptions {
-  int neighbors = 7;             // links per point, >= 1
+  PointLinks neighbors = 7;      // of each point
   Length radius = spacings(7.5); // [L] along the plant, > 0
   bool fitsCircles = false;      // for wood seen from one side
 };

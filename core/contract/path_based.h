@@ -1,14 +1,15 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/graph/neighborhood_graph.h"
 
 #include <Eigen/Core>
 
 namespace espalier {
 
 struct PathBasedOptions {
-  int neighbors = 7; // links per point, >= 1
-  int rounds = 3;    // >= 0
+  PointLinks neighbors = 7; // of each point
+  int rounds = 3;           // >= 0
 };
 
 /// Straightens the paths from all points to the root: twigs follow the wood that carries them.

@@ -2,13 +2,14 @@
 
 #include "core/base/progress.h"
 #include "core/base/rule.h"
+#include "core/graph/neighborhood_graph.h"
 
 #include <Eigen/Core>
 
 namespace espalier {
 
 struct RotationalSymmetryOptions {
-  int neighbors = 7;          // links per point, >= 1
+  PointLinks neighbors = 7;   // of each point
   int normalNeighbors = 12;   // points that give a normal, >= 3
   Length width = spacings(2); // [L], > 0: half of the thickness of a section
   Length reach = spacings(8); // [L], > 0: how far it goes across

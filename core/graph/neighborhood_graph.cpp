@@ -3,9 +3,12 @@
 #include "core/base/paced_check.h"
 #include "core/base/parallel.h"
 #include "core/base/spatial_index.h"
+#include "core/graph/normals.h"
+#include "core/graph/tangent_neighbors.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 namespace espalier {
@@ -32,10 +35,46 @@ std::vector<char> oneSidedChoices(const NearestOthers& table, std::size_t count,
   return isOneSided;
 }
 
+/// The neighbors of each point that surround it.
+Neighborhoods inTangentPlane(const Eigen::Matrix3Xf& points, const PointLinks& links,
+                             const Progress& progress) {
+  const Neighborhoods candidates =
+      nearestNeighborhoods(points, 3 * std::max(links.count, 1), progress.part(0, 0.4));
+  const Eigen::Matrix3Xf across = normals(points, candidates, progress.part(0.4, 0.5));
+  const Progress rest = progress.part(0.5, 0.9);
+  if (links.kind == LinkKind::voronoi) return voronoiNeighbors(points, across, candidates, rest);
+  return angleCriterionNeighbors(points, across, candidates, links.count, std::numbers::pi / 2,
+                                 rest);
+}
+
 } // namespace
 
-NeighborhoodGraph::NeighborhoodGraph(const Eigen::Matrix3Xf& points, int neighbors,
+NeighborhoodGraph::NeighborhoodGraph(const Eigen::Matrix3Xf& points, const PointLinks& links,
                                      const Progress& progress) {
+  if (links.kind == LinkKind::nearest) return linkNearest(points, links.count, progress);
+  linkChosen(points, inTangentPlane(points, links, progress));
+  progress.update(1);
+}
+
+void NeighborhoodGraph::linkChosen(const Eigen::Matrix3Xf& points, const Neighborhoods& chosen) {
+  const std::size_t count = chosen.size();
+  std::vector<std::vector<std::uint32_t>> linked(count);
+  for (std::size_t i = 0; i < count; ++i)
+    for (const std::uint32_t to : chosen.of(static_cast<Eigen::Index>(i))) {
+      linked[i].push_back(to);
+      if (std::ranges::find(chosen.of(to), i) == chosen.of(to).end())
+        linked[to].push_back(static_cast<std::uint32_t>(i));
+    }
+  begin_.push_back(0);
+  for (std::size_t i = 0; i < count; ++i) {
+    for (const std::uint32_t to : linked[i])
+      links_.push_back({to, (points.col(static_cast<Eigen::Index>(i)) - points.col(to)).norm()});
+    begin_.push_back(links_.size());
+  }
+}
+
+void NeighborhoodGraph::linkNearest(const Eigen::Matrix3Xf& points, int neighbors,
+                                    const Progress& progress) {
   const auto count = static_cast<std::size_t>(points.cols());
   const NearestOthers table =
       SpatialIndex(points, progress).nearestOthers(std::max(neighbors, 1), progress.part(0, 0.8));

@@ -6,6 +6,7 @@
 #include <utility>
 
 namespace espalier {
+
 Neighborhoods joinedLists(const std::vector<std::vector<std::uint32_t>>& lists,
                           const Progress& progress) {
   Neighborhoods result;

@@ -42,7 +42,7 @@ std::vector<float> placeDensities(const PipelineState& state, const Progress& pr
 Method graphColonizationMethod() {
   using Options = GraphColonizationOptions;
   OptionTable<Options> table;
-  table.add(linksOverGapsOption(), &Options::neighbors);
+  table.add(linksOverGapsOption(), &Options::neighbors, &PointLinks::count);
   table.add(leastStepOption(), &Options::leastStep);
   table.add(greatestStepOption(), &Options::greatestStep);
   table.add(
@@ -52,6 +52,7 @@ Method graphColonizationMethod() {
                     "node before.")),
       &Options::junctionShare);
   table.add(widestGapOption(), &Options::widestGap);
+  table.add(linkKindOption(), &Options::neighbors, &PointLinks::kind);
   return {.name = "graph_colonization",
           .label = Shown::tr("Graph colonization"),
           .help = Shown::tr(

@@ -14,7 +14,7 @@ namespace espalier {
 namespace {
 
 constexpr const char* thesisSection =
-    "C. Preuksakarn, PhD thesisSection, Montpellier 2, 2012, section 4.6";
+    "C. Preuksakarn, PhD thesis, Montpellier 2, 2012, section 4.6";
 
 Option circlesOption() {
   return flagOption(
@@ -31,7 +31,7 @@ std::optional<WoodCircle> circleOfMembers(const std::vector<Eigen::Vector3f>& me
 Method geodesicCentroidMethod() {
   using Options = GeodesicCentroidOptions;
   OptionTable<Options> table;
-  table.add(linksOption(), &Options::neighbors);
+  table.add(linksOption(), &Options::neighbors, &PointLinks::count);
   table.add(
       lengthOption(
           "radius", Shown::tr("Radius"), 1, 60,
@@ -39,6 +39,7 @@ Method geodesicCentroidMethod() {
                     "plant. More than the radius of the thickest wood blurs twigs.")),
       &Options::radius);
   table.add(circlesOption(), &Options::fitsCircles);
+  table.add(linkKindOption(), &Options::neighbors, &PointLinks::kind);
   return contractMethod<Options>(
       {.name = "geodesic_centroid",
        .label = Shown::tr("Geodesic centroids"),
@@ -125,7 +126,7 @@ template <class Options> MethodProbe adaptiveProbe(const Options& options) {
 Method adaptiveGeodesicMethod() {
   using Options = AdaptiveGeodesicOptions;
   OptionTable<Options> table;
-  table.add(linksOption(), &Options::neighbors);
+  table.add(linksOption(), &Options::neighbors, &PointLinks::count);
   addAdaptive(table);
   table.add(ratioOption(
                 "along", Shown::tr("Weight along"), 0, 100,
@@ -136,6 +137,7 @@ Method adaptiveGeodesicMethod() {
                   Shown::tr("Weight of squared lengths across the wood: above 1, balls are rods.")),
       &Options::across);
   table.add(circlesOption(), &Options::fitsCircles);
+  table.add(linkKindOption(), &Options::neighbors, &PointLinks::kind);
   return contractMethod<Options>(
       {.name = "adaptive_geodesic",
        .label = Shown::tr("Adaptive geodesic centroids"),
@@ -169,20 +171,20 @@ std::optional<WoodCircle> circleOfSection(const std::vector<Eigen::Vector3f>& me
 Method adaptiveSectionsMethod() {
   using Options = AdaptiveSectionOptions;
   OptionTable<Options> table;
-  table.add(linksOption(), &Options::neighbors);
+  table.add(linksOption(), &Options::neighbors, &PointLinks::count);
   addAdaptive(table);
   table.add(contractLength("width", Shown::tr("Width"),
                            Shown::tr("Half of the thickness of a section, along the wood.")),
             &Options::width);
   table.add(circlesOption(), &Options::fitsCircles);
+  table.add(linkKindOption(), &Options::neighbors, &PointLinks::kind);
   return contractMethod<Options>(
       {.name = "adaptive_sections",
        .label = Shown::tr("Adaptive sections"),
        .help = Shown::tr(
            "Moves each point to the middle of the cross-section of the wood that it is on."),
        .inManual = Shown::tr("thick wood, trunks seen from one side"),
-       .source =
-           "section contraction of PlantScan3D, after the thesisSection of C. Preuksakarn, 2012"},
+       .source = "section contraction of PlantScan3D, after the thesis of C. Preuksakarn, 2012"},
       table,
       [](const auto& points, Options options, const PipelineState& state,
          const Progress& progress) {

@@ -28,6 +28,18 @@ Option linksOverGapsOption() {
       Shown::tr("Links per point along which distances are measured; more bridge wider gaps."));
 }
 
+Option linkKindOption() {
+  Option option = optionOf<OptionKind::choice>(
+      "links", Shown::tr("Links"), 0, 0,
+      Shown::tr("Which neighbors points are linked to. All around and Voronoi link the lines in "
+                "which a scanner samples a surface, where the nearest points are all of one line; "
+                "they choose of three times as many."));
+  option.choices = {{"nearest", Shown::tr("Nearest")},
+                    {"angles", Shown::tr("All around")},
+                    {"voronoi", Shown::tr("Voronoi")}};
+  return option;
+}
+
 Option widestGapOption() {
   return lengthOption(
       "widest_gap", Shown::tr("Widest gap"), 0, 10000,

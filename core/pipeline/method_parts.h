@@ -18,6 +18,7 @@ using Values = std::vector<double>;
 [[nodiscard]] Option
 linksOption(const char* help = Shown::tr("Links per point along which distances are measured."));
 [[nodiscard]] Option linksOverGapsOption(); // of methods of the skeleton
+[[nodiscard]] Option linkKindOption();
 [[nodiscard]] Option widestGapOption();
 [[nodiscard]] Option thickWoodOption();
 [[nodiscard]] Option coverageOption(); // of cylinder fits

@@ -28,8 +28,8 @@ struct SeenFrom {
 
 /// What densities follow from: core/graph/densities.h.
 struct DensityValues {
-  int neighbors = 0; // links per point
-  double radius = 0; // [L]
+  PointLinks neighbors = 0; // of each point
+  double radius = 0;        // [L]
   bool operator==(const DensityValues&) const = default;
 };
 
@@ -42,7 +42,7 @@ struct ConeProbe {
 /// How a method looks at the plant, with the values of its options: what can be drawn at a point,
 /// and how much of the scan it needs about one. The default sees the point alone.
 struct MethodProbe {
-  int links = 7;    // per point, of the graph that it looks along
+  PointLinks links = 7; // of the graph that it looks along
   double reach = 0; // [L] what lies farther off is not looked at; 0: nearest points, links or none
   std::optional<DensityValues> density = {};        // that its radius follows
   std::function<double(float density)> radius = {}; // [L], normalized density

@@ -17,7 +17,7 @@ Option spacingOption() {
 Method shortestPathMethod() {
   using Options = ShortestPathOptions;
   OptionTable<Options> table;
-  table.add(linksOverGapsOption(), &Options::neighbors);
+  table.add(linksOverGapsOption(), &Options::neighbors, &PointLinks::count);
   table.add(
       ratioOption("power", Shown::tr("Power"), 1, 4,
                   Shown::tr("A link costs its length to this power; more avoids leaps over gaps.")),
@@ -37,6 +37,7 @@ Method shortestPathMethod() {
       &Options::leastRadius);
   table.add(thickWoodOption(), &Options::thickWood);
   table.add(widestGapOption(), &Options::widestGap);
+  table.add(linkKindOption(), &Options::neighbors, &PointLinks::kind);
   return {.name = "shortest_paths",
           .label = Shown::tr("Shortest paths"),
           .help = Shown::tr(
@@ -54,7 +55,7 @@ Method shortestPathMethod() {
 Method branchStructureMethod() {
   using Options = BranchStructureOptions;
   OptionTable<Options> table;
-  table.add(linksOverGapsOption(), &Options::neighbors);
+  table.add(linksOverGapsOption(), &Options::neighbors, &PointLinks::count);
   table.add(countOption("rounds", Shown::tr("Rounds"), 0, 50,
                         Shown::tr("How often branches are made straighter.")),
             &Options::rounds);
@@ -74,6 +75,7 @@ Method branchStructureMethod() {
   table.add(spacingOption(), &Options::spacing);
   table.add(thickWoodOption(), &Options::thickWood);
   table.add(widestGapOption(), &Options::widestGap);
+  table.add(linkKindOption(), &Options::neighbors, &PointLinks::kind);
   return {.name = "branch_structure",
           .label = Shown::tr("Branch structure graph"),
           .help = Shown::tr(

@@ -15,7 +15,7 @@ namespace espalier {
 namespace {
 
 constexpr auto thesisLaw =
-    "law of the structures published with the thesisLaw of C. Preuksakarn, 2012";
+    "law of the structures published with the thesis of C. Preuksakarn, 2012";
 
 constexpr auto noRadii = "no radius is measured, so there are no radii: check the scan";
 

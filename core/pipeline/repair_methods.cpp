@@ -34,7 +34,7 @@ Method joinMethod() {
   return {.name = "by_direction",
           .label = Shown::tr("Across gaps by direction"),
           .help = Shown::tr(
-              "Hangs what lies beyond gaps on the wood that it goes on from, by direction, "
+              "Attaches what lies beyond gaps to the wood that it goes on from, by direction, "
               "radius and distance, for all at once."),
           .source = "choice: R. E. Tarjan, Networks 7, 1977",
           .options = table.descriptions(),
@@ -72,7 +72,7 @@ Method insertionMethod() {
   return {.name = "slide",
           .label = Shown::tr("Slide along the axis"),
           .help = Shown::tr(
-              "Hangs each branch nearer to where its first edges, drawn on backwards, meet the "
+              "Attaches each branch nearer to where its first edges, drawn on backwards, meet the "
               "axis."),
           .source = {},
           .options = table.descriptions(),

@@ -11,7 +11,7 @@ namespace {
 Method geodesicBinsMethod() {
   using Options = GeodesicBinOptions;
   OptionTable<Options> table;
-  table.add(linksOverGapsOption(), &Options::neighbors);
+  table.add(linksOverGapsOption(), &Options::neighbors, &PointLinks::count);
   table.add(
       lengthOption(
           "bin_width", Shown::tr("Bin width"), 1, 100,
@@ -25,6 +25,7 @@ Method geodesicBinsMethod() {
           Shown::tr("How much more a link costs across the wood than along it, when twigs touch; 0 "
                     "takes the shortest path.")),
       &Options::turnCost);
+  table.add(linkKindOption(), &Options::neighbors, &PointLinks::kind);
   return {.name = "geodesic_bins",
           .label = Shown::tr("Geodesic bins"),
           .help = Shown::tr("One node per connected part of each bin of the distance to the root."),

@@ -121,7 +121,7 @@ Method l1MedialMethod() {
 Method rotationalSymmetryMethod() {
   using Options = RotationalSymmetryOptions;
   OptionTable<Options> table;
-  table.add(linksOption(), &Options::neighbors);
+  table.add(linksOption(), &Options::neighbors, &PointLinks::count);
   table.add(countOption(
                 "normal_neighbors", Shown::tr("Points of normals"), 3, 64,
                 Shown::tr("How many of the nearest points the normal of each one is found from.")),
@@ -141,6 +141,7 @@ Method rotationalSymmetryMethod() {
           "smoothing", Shown::tr("Smoothing"), 0, 50,
           Shown::tr("How often places that normals do not determine follow their neighbors.")),
       &Options::smoothing);
+  table.add(linkKindOption(), &Options::neighbors, &PointLinks::kind);
   return contractMethod<Options>(
       {.name = "rotational_symmetry",
        .label = Shown::tr("Rotational symmetry axes"),
@@ -170,10 +171,11 @@ Eigen::Index keptRoot(const PipelineState& state) {
 Method pathBasedMethod() {
   using Options = PathBasedOptions;
   OptionTable<Options> table;
-  table.add(linksOption(), &Options::neighbors);
+  table.add(linksOption(), &Options::neighbors, &PointLinks::count);
   table.add(
       countOption("rounds", Shown::tr("Rounds"), 0, 20, Shown::tr("How often paths are smoothed.")),
       &Options::rounds);
+  table.add(linkKindOption(), &Options::neighbors, &PointLinks::kind);
   Method method = contractMethod<Options>(
       {.name = "path_based",
        .label = Shown::tr("Along paths"),

@@ -2,6 +2,7 @@
 
 #include "core/base/progress.h"
 #include "core/base/rule.h"
+#include "core/graph/neighborhood_graph.h"
 #include "core/skeleton/skeleton.h"
 
 #include <Eigen/Core>
@@ -9,9 +10,9 @@
 namespace espalier {
 
 struct BranchStructureOptions {
-  int neighbors = 7;       // links per point, >= 1
-  int rounds = 3;          // of straightening, >= 0
-  double radiusShare = 1;  // mean radius of the wood, in mean distances of the points from it, > 0
+  PointLinks neighbors = 7; // of each point
+  int rounds = 3;           // of straightening, >= 0
+  double radiusShare = 1;   // mean radius of the wood, in mean distances of the points from it, > 0
   double leastEdge = 0.15; // in [0, 1]: shorter edges go; 0 = the shortest, 1 = the longest of them
   double overlap = 0.5;    // in (0, 1]: share of the wood of an edge inside another that makes
                            // them one

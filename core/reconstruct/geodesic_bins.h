@@ -2,6 +2,7 @@
 
 #include "core/base/progress.h"
 #include "core/base/rule.h"
+#include "core/graph/neighborhood_graph.h"
 #include "core/skeleton/skeleton.h"
 
 #include <Eigen/Core>
@@ -9,7 +10,7 @@
 namespace espalier {
 
 struct GeodesicBinOptions {
-  int neighbors = 12;            // links per point, >= 1; more of them bridge wider gaps
+  PointLinks neighbors = 12;     // of each point; more of them bridge wider gaps
   Length binWidth = spacings(6); // [L] along the plant, > 0
   Length widestGap = 0; // [L] parts of the plant farther apart are not joined; 0 = join all
   double turnCost = 0;  // >= 0; 0: parents follow the shortest ways, else see below

@@ -2,6 +2,7 @@
 
 #include "core/base/progress.h"
 #include "core/base/rule.h"
+#include "core/graph/neighborhood_graph.h"
 #include "core/skeleton/skeleton.h"
 
 #include <Eigen/Core>
@@ -11,7 +12,7 @@
 namespace espalier {
 
 struct GraphColonizationOptions {
-  int neighbors = 12;                // links per point, >= 1; more of them bridge wider gaps
+  PointLinks neighbors = 12;         // of each point; more of them bridge wider gaps
   Length leastStep = spacings(5);    // [L] along the plant where points are sparsest, > 0
   Length greatestStep = spacings(8); // [L] where they are densest, >= leastStep
   double junctionShare = 0; // in [0, 1]: 0 puts a node at the mean of its points, 1 at the mean of

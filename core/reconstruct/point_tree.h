@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/graph/neighborhood_graph.h"
 #include "core/skeleton/skeleton.h"
 
 #include <Eigen/Core>
@@ -32,9 +33,9 @@ struct PointTree {
 };
 
 struct PointTreeOptions {
-  int neighbors = 12;   // links per point, >= 1
-  double power = 1;     // a link costs its length to this power, >= 1
-  double widestGap = 0; // [L] parts farther apart are not joined; 0 = join all
+  PointLinks neighbors = 12; // of each point
+  double power = 1;          // a link costs its length to this power, >= 1
+  double widestGap = 0;      // [L] parts farther apart are not joined; 0 = join all
 };
 
 /// The shortest ways from `root` to all points that links lead to.

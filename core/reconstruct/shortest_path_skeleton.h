@@ -2,6 +2,7 @@
 
 #include "core/base/progress.h"
 #include "core/base/rule.h"
+#include "core/graph/neighborhood_graph.h"
 #include "core/skeleton/skeleton.h"
 
 #include <Eigen/Core>
@@ -11,7 +12,7 @@
 namespace espalier {
 
 struct ShortestPathOptions {
-  int neighbors = 16;           // links per point, >= 1
+  PointLinks neighbors = 16;    // of each point
   double power = 2;             // a link costs its length to this power, in [1, 4]
   double leastShare = 0.019;    // of the longest way down, in [0, 1]: less is pruned
   Length spacing = spacings(6); // [L] between nodes, > 0

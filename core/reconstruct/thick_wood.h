@@ -1,15 +1,16 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/graph/neighborhood_graph.h"
 
 #include <Eigen/Core>
 
 namespace espalier {
 
 struct ThickWoodOptions {
-  int neighbors = 12;   // links per point, >= 1
-  double radius = 0;    // [L] thicker wood is drawn to its axis; 0 = none is
-  double widestGap = 0; // [L] parts of the plant farther apart are not joined; 0 = join all
+  PointLinks neighbors = 12; // of each point
+  double radius = 0;         // [L] thicker wood is drawn to its axis; 0 = none is
+  double widestGap = 0;      // [L] parts of the plant farther apart are not joined; 0 = join all
 };
 
 /// `points` with those of thick wood moved to its axis; the others stay.

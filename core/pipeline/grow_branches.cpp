@@ -100,7 +100,7 @@ private:
         assignPoints(positions_, cloud_.origin(), skeleton_, progress);
     const auto toWood = [&](Eigen::Index point) {
       const PointOnSkeleton& place = places[static_cast<std::size_t>(point)];
-      return place.distance - tubeRadius(skeleton_, place);
+      return place.distance - woodRadius(skeleton_, place);
     };
     for (Part& part : parts_)
       part.foot = *std::ranges::min_element(part.points, {}, toWood);
@@ -179,8 +179,8 @@ private:
 std::vector<Eigen::Index> unexplained(const std::vector<Eigen::Index>& points,
                                       const Skeleton& skeleton, const PointCloud& cloud,
                                       double tolerance, const Progress& progress) {
-  const std::vector<PointByTube> places =
-      pointsByTube(cloud.positions()(Eigen::all, points), cloud.origin(), skeleton, progress);
+  const std::vector<PointByWood> places =
+      pointsByWood(cloud.positions()(Eigen::all, points), cloud.origin(), skeleton, progress);
   std::vector<Eigen::Index> left;
   for (std::size_t i = 0; i < points.size(); ++i)
     if (places[i].distance > tolerance) left.push_back(points[i]);

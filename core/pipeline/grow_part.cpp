@@ -2,8 +2,11 @@
 
 #include "core/base/error.h"
 #include "core/cloud/repeated_points.h"
-#include "core/pipeline/plant_scale.h"
+#include "core/pipeline/method_parts.h"
+#include "core/pipeline/pipeline_start.h"
+#include "core/pipeline/step_graph.h"
 #include "core/reconstruct/trace.h"
+#include "core/skeleton/frustum.h"
 
 #include <algorithm>
 #include <cassert>
@@ -14,24 +17,6 @@
 namespace espalier {
 namespace {
 
-/// The options with each setting that a rule derives for a plant of scale `whole`, as far as it is
-/// in range for one of scale `part`.
-PipelineOptions fixedOptions(const PipelineOptions& options, const PlantScale& whole,
-                             const PlantScale& part) {
-  PipelineOptions result = options;
-  result.leftOut = {}; // columns of another cloud
-  for (const Step& step : pipelineSteps()) {
-    const Method& method = chosenMethod(step, options);
-    const std::vector<double> values = resolvedValues(step, method, options, whole);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const auto [least, most] = method.options[i].range(part);
-      result.settings[step.name][method.options[i].name] =
-          fixedAt(std::clamp(values[i], least, most));
-    }
-  }
-  return result;
-}
-
 PointCloud partOf(const PointCloud& cloud, const std::vector<Eigen::Index>& points) {
   RawPoints raw;
   for (const Eigen::Index point : points)
@@ -41,30 +26,28 @@ PointCloud partOf(const PointCloud& cloud, const std::vector<Eigen::Index>& poin
 
 } // namespace
 
-double tubeRadius(const Skeleton& skeleton, const PointOnSkeleton& place) {
-  const Node& child = skeleton[place.child];
-  if (!child.parent) return child.radius;
-  const double below = skeleton[*child.parent].radius;
-  return below + place.fraction * (child.radius - below);
+double woodRadius(const Skeleton& skeleton, const PointOnSkeleton& place) {
+  const std::optional<Frustum> wood = frustumOf(skeleton, place.child);
+  return wood ? wood->radiusAt(place.fraction) : skeleton[place.child].radius;
 }
 
-std::vector<PointByTube> pointsByTube(const Eigen::Matrix3Xf& points, const Eigen::Vector3d& origin,
+std::vector<PointByWood> pointsByWood(const Eigen::Matrix3Xf& points, const Eigen::Vector3d& origin,
                                       const Skeleton& skeleton, const Progress& progress) {
-  std::vector<PointByTube> result;
+  std::vector<PointByWood> result;
   result.reserve(static_cast<std::size_t>(points.cols()));
   for (const PointOnSkeleton& place : assignPoints(points, origin, skeleton, progress))
-    result.push_back({place.child, place.distance - tubeRadius(skeleton, place)});
+    result.push_back({place.child, place.distance - woodRadius(skeleton, place)});
   return result;
 }
 
 std::vector<Eigen::Index> freePoints(const Skeleton& skeleton, const PointCloud& cloud,
                                      const PointSet& leftOut, double tolerance,
                                      const std::vector<bool>& isAsFree, const Progress& progress) {
-  const std::vector<PointByTube> places =
-      pointsByTube(cloud.positions(), cloud.origin(), skeleton, progress);
+  const std::vector<PointByWood> places =
+      pointsByWood(cloud.positions(), cloud.origin(), skeleton, progress);
   std::vector<Eigen::Index> points;
   for (const Eigen::Index point : others(leftOut | repeatedPoints(cloud, leftOut), cloud.size())) {
-    const PointByTube& place = places[static_cast<std::size_t>(point)];
+    const PointByWood& place = places[static_cast<std::size_t>(point)];
     const bool isOfFree = !isAsFree.empty() && isAsFree[indexOf(place.child)];
     if (isOfFree || place.distance > tolerance) points.push_back(point);
   }
@@ -75,9 +58,16 @@ Skeleton grownPart(const PointCloud& cloud, const std::vector<Eigen::Index>& poi
                    const Eigen::Vector3d& root, const PlantScale& whole,
                    const PipelineOptions& options, const Progress& progress) {
   const auto own = std::make_shared<const PointCloud>(partOf(cloud, points));
-  PipelineOptions fixed = fixedOptions(options, whole, scaleOf(*own, {}, options.up, progress));
-  fixed.root = root;
-  return *Pipeline().run(own, fixed, progress).skeleton;
+  PipelineOptions ofPart = options;
+  ofPart.leftOut = {}; // columns of another cloud
+  ofPart.root = root;
+  requireNearRoot(*own, ofPart);
+  PipelineState state = cleanedState(own, ofPart, whole, progress.part(0, 0.1));
+  requirePlant(keptPoints(state));
+  state.root = rootPoint(state, ofPart, 0);
+  runSteps(stepsBetween(StepResult::cleaned, StepResult::radii, ofPart, whole), state,
+           progress.part(0.1, 1));
+  return *state.skeleton;
 }
 
 Skeleton lineAlong(const PointCloud& cloud, const std::vector<Eigen::Index>& points,

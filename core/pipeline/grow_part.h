@@ -1,13 +1,13 @@
 #pragma once
 
-#include "core/pipeline/pipeline.h"
+#include "core/pipeline/pipeline_options.h"
 #include "core/skeleton/assign_points.h"
 
 #include <vector>
 
 namespace espalier {
 
-// What regrowing a node and growing new branches share: the pipeline, run on a part of a scan.
+// What regrowing a node and growing new branches share: the steps, run on some points of a scan.
 
 inline constexpr std::size_t fewestPoints = 20; // that tell a branch from dust
 inline constexpr int partLinks = 12;            // of a point, to find what hangs together
@@ -22,25 +22,25 @@ inline constexpr int partLinks = 12;            // of a point, to find what hang
 freePoints(const Skeleton& skeleton, const PointCloud& cloud, const PointSet& leftOut,
            double tolerance, const std::vector<bool>& isAsFree = {}, const Progress& progress = {});
 
-/// How far each point is from the nearest tube, and whose edge that is. As assignPoints().
-struct PointByTube {
+/// How far each point is from the nearest wood, and whose edge that is. As assignPoints().
+struct PointByWood {
   NodeId child;
   double distance; // to the surface [L]; negative inside
 };
-[[nodiscard]] std::vector<PointByTube> pointsByTube(const Eigen::Matrix3Xf& points,
+[[nodiscard]] std::vector<PointByWood> pointsByWood(const Eigen::Matrix3Xf& points,
                                                     const Eigen::Vector3d& origin,
                                                     const Skeleton& skeleton,
                                                     const Progress& progress = {});
 
 /// The radius of the wood at a place of an edge [L].
-[[nodiscard]] double tubeRadius(const Skeleton& skeleton, const PointOnSkeleton& place);
+[[nodiscard]] double woodRadius(const Skeleton& skeleton, const PointOnSkeleton& place);
 
-/// All steps of the pipeline on some points of a cloud, with the settings that its rules give for
-/// the whole: so what grows looks like the rest.
+/// All steps on some points of a cloud, with the settings that their rules give for the whole: so
+/// what grows looks like the rest.
 /// @param points  columns, ascending
 /// @param whole   of the cloud
 /// @param root    where it grows from [L], frame of the file
-/// @throws Error     if the pipeline fails
+/// @throws Error     if a step fails
 /// @throws Cancelled if `progress` asks to stop
 [[nodiscard]] Skeleton grownPart(const PointCloud& cloud, const std::vector<Eigen::Index>& points,
                                  const Eigen::Vector3d& root, const PlantScale& whole,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/rule.h"
+#include "core/base/shown.h"
 
 #include <cmath>
 #include <functional>
@@ -55,12 +56,6 @@ struct Option {
 
 /// A rule of one part as text() writes it, or people: "12.5", "7.5 spacings", "0.01 plant heights".
 [[nodiscard]] std::optional<Rule> ruleIn(std::string_view text);
-
-/// Marks English text that users see, for lupdate: core knows no Qt, so the window translates it
-/// (ui/document/shown_text.h).
-struct Shown {
-  [[nodiscard]] static constexpr const char* tr(const char* english) { return english; }
-};
 
 /// An option without its default, which the options struct has.
 template <OptionKind kind>

@@ -5,24 +5,21 @@
 #include "core/pipeline/pipeline_start.h"
 #include "core/pipeline/plant_scale.h"
 #include "core/pipeline/recent.h"
-#include "core/skeleton/finite_node.h"
 
 namespace espalier {
 namespace {
 
 /// What is asked of one step.
-struct ChosenStep {
-  const Step* step;
-  const Method* method;
-  std::vector<double> values;
+struct AskedStep {
+  ChosenStep choice;
   std::optional<Eigen::Index> root = {}; // a point, if the method sees it
-  bool operator==(const ChosenStep&) const = default;
+  bool operator==(const AskedStep&) const = default;
 };
 
 /// All that the result of a step follows from, but the cloud.
 struct Chain {
   std::shared_ptr<const PointSet> leftOut;
-  std::vector<ChosenStep> choices; // of the steps up to it
+  std::vector<AskedStep> choices; // of the steps up to it
   bool operator==(const Chain& other) const {
     return choices == other.choices && (leftOut == other.leftOut || *leftOut == *other.leftOut);
   }
@@ -43,55 +40,25 @@ struct RootKey {
   bool operator==(const RootKey&) const = default;
 };
 
-/// The choices of all steps up to `last`.
+/// All steps up to and including `last` (empty: all), as chosen.
 /// @throws Error if a value is out of range
-std::vector<ChosenStep> choicesUpTo(const std::string& last, const PipelineOptions& options,
-                                    const PlantScale& scale) {
-  std::vector<ChosenStep> choices;
+std::vector<ChosenStep> stepsUpTo(const std::string& last, const PipelineOptions& options,
+                                  const PlantScale& scale) {
+  std::vector<ChosenStep> steps;
   for (const Step& step : pipelineSteps()) {
-    const Method& method = chosenMethod(step, options);
-    choices.push_back({&step, &method, resolvedValues(step, method, options, scale)});
+    steps.push_back({&step, chosenFor(step, options, scale)});
     if (step.name == last) break;
   }
-  return choices;
+  return steps;
 }
 
 StepRecord recordOf(const ChosenStep& choice, bool isNew) {
-  StepRecord record{
-      .step = choice.step->name, .method = choice.method->name, .values = {}, .isNew = isNew};
-  for (std::size_t v = 0; v < choice.values.size(); ++v)
-    record.values.emplace_back(choice.method->options[v].name, choice.values[v]);
+  const Method& method = *choice.method.method;
+  StepRecord record{.step = choice.step->name, .method = method.name, .values = {}, .isNew = isNew};
+  for (std::size_t v = 0; v < choice.method.values.size(); ++v)
+    record.values.emplace_back(method.options[v].name, choice.method.values[v]);
   return record;
 }
-
-/// @throws Error if a step made what no file and no project can keep
-void requireFinite(const Skeleton& skeleton, const ChosenStep& choice) {
-  for (const NodeId id : skeleton.ids())
-    if (!isFinite(skeleton[id]))
-      throw Error("step " + choice.step->name + ", method " + choice.method->name + ": node " +
-                  std::to_string(indexOf(id)) +
-                  " gets a position or radius that is not finite: choose another method, and check "
-                  "the scan for many points at one place");
-}
-
-/// The progress of each step, as a part of that of a run of all.
-class Shares {
-public:
-  explicit Shares(const Progress& whole) : whole_(whole) {
-    for (const Step& step : pipelineSteps())
-      total_ += step.share;
-  }
-  Progress next(const Step& step) {
-    const double from = done_;
-    done_ += step.share / total_;
-    return whole_.part(from, done_, step.label);
-  }
-
-private:
-  const Progress& whole_;
-  double total_ = 0;
-  double done_ = 0;
-};
 
 } // namespace
 
@@ -120,12 +87,8 @@ struct Pipeline::Kept {
   /// The state after the last step of `chain`, computed from that before it.
   const PipelineState& computed(const Chain& chain, PipelineState state, const Progress& progress,
                                 const StepWatch& watch) {
-    const ChosenStep& choice = chain.choices.back();
-    if (watch.began) watch.began(*choice.step);
-    choice.method->run(state, choice.values, progress);
-    requireFinite(*state.skeleton, choice);
+    chain.choices.back().choice.run(state, progress, watch);
     state.index.reset(); // not worth its memory from one run to the next
-    if (watch.ended) watch.ended(*choice.step);
     return states[chain.choices.size() - 1].keep(chain, std::move(state));
   }
 
@@ -154,16 +117,17 @@ struct Pipeline::Kept {
     }
     Reconstruction result;
     result.scale = extent.scale;
-    Shares shares(progress);
+    const std::vector<ChosenStep> steps = stepsUpTo(last, options, extent.scale);
+    StepShares shares(steps, progress);
     Chain chain{std::make_shared<const PointSet>(options.leftOut), {}};
     const PipelineState* state = nullptr;
     Eigen::Index root = 0;
-    for (ChosenStep& choice : choicesUpTo(last, options, extent.scale)) {
-      const Progress part = shares.next(*choice.step);
-      if (choice.method->seesRoot) choice.root = root;
-      chain.choices.push_back(std::move(choice));
+    for (const ChosenStep& step : steps) {
+      const Progress part = shares.next(*step.step);
+      chain.choices.push_back({.choice = step});
+      if (step.method.method->seesRoot) chain.choices.back().root = root;
       const PipelineState* known = states[chain.choices.size() - 1].find(chain);
-      result.steps.push_back(recordOf(chain.choices.back(), known == nullptr));
+      result.steps.push_back(recordOf(step, known == nullptr));
       if (known == nullptr) {
         PipelineState next = state == nullptr ? firstState(cloud, options.leftOut) : *state;
         next.root = root;
@@ -173,7 +137,8 @@ struct Pipeline::Kept {
       }
       state = known;
       result.steps.back().notes = state->notes;
-      if (chain.choices.size() == 1) root = rootOf(chain, *state, options, extent.lowest);
+      if (step.step->makes == StepResult::cleaned)
+        root = rootOf(chain, *state, options, extent.lowest);
     }
     result.contracted = state->contracted;
     result.skeleton = state->skeleton;
@@ -203,14 +168,6 @@ Reconstruction Pipeline::run(const std::shared_ptr<const PointCloud>& cloud,
   std::shared_ptr<const SpatialIndex> index;
   const PlantExtent extent = kept_->measured(options, progress, index);
   return kept_->run(extent, index, options, progress, last, watch);
-}
-
-Reconstruction Pipeline::runAtScale(const std::shared_ptr<const PointCloud>& cloud,
-                                    const PlantScale& scale, const PipelineOptions& options,
-                                    const Progress& progress, const std::string& last,
-                                    const StepWatch& watch) {
-  kept_->take(cloud, options);
-  return kept_->run({.scale = scale}, {}, options, progress, last, watch);
 }
 
 } // namespace espalier

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/pipeline/pipeline_options.h"
+#include "core/pipeline/step_graph.h"
 
 #include <functional>
 #include <memory>
@@ -30,12 +30,6 @@ struct Reconstruction {
 /// The notes of all steps of a run, each behind the label of its step.
 [[nodiscard]] std::vector<std::string> notesOf(const Reconstruction& reconstruction);
 
-/// Told when a step is computed, not when its result is at hand; on the thread of run().
-struct StepWatch {
-  std::function<void(const Step&)> began;
-  std::function<void(const Step&)> ended; // not after a step that failed or was stopped
-};
-
 /// From scan to skeleton with radii, step by step.
 ///
 /// A changed option recomputes only that step and those behind it; a changed root, or way up, only
@@ -59,12 +53,6 @@ public:
                                    const PipelineOptions& options = {},
                                    const Progress& progress = {}, const std::string& last = {},
                                    const StepWatch& watch = {});
-
-  /// The same for a part of a scan: values follow from `scale`, that of the whole.
-  [[nodiscard]] Reconstruction
-  runAtScale(const std::shared_ptr<const PointCloud>& cloud, const PlantScale& scale,
-             const PipelineOptions& options = {}, const Progress& progress = {},
-             const std::string& last = {}, const StepWatch& watch = {});
 
 private:
   struct Kept;

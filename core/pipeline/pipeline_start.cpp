@@ -6,6 +6,7 @@
 #include "core/cloud/repeated_points.h"
 #include "core/pipeline/method_parts.h"
 #include "core/pipeline/plant_scale.h"
+#include "core/pipeline/step_graph.h"
 
 #include <cmath>
 #include <utility>
@@ -25,7 +26,7 @@ PipelineState cleanedState(const std::shared_ptr<const PointCloud>& cloud,
                            const Progress& progress) {
   requireKnown(options);
   PipelineState state = firstState(cloud, options.leftOut);
-  chosenFor(cleaningStep(), options, scale).run(state, progress);
+  runSteps(stepsBetween(StepResult::scan, StepResult::cleaned, options, scale), state, progress);
   return state;
 }
 

@@ -9,6 +9,7 @@
 #include "core/pipeline/plant_scale.h"
 #include "core/pipeline/recent.h"
 #include "core/pipeline/region_skeleton.h"
+#include "core/pipeline/step_graph.h"
 #include "core/pipeline/used_densities.h"
 
 #include <algorithm>
@@ -33,8 +34,9 @@ double marginOf(const ChosenMethod& contraction, const Ball& ball, double spacin
 /// What is computed once, of the whole scan.
 struct RegionPreviewer::Whole {
   using IsLeftOut = std::shared_ptr<const std::vector<bool>>; // by point: set aside, or cleaned
+  using Cleaning = std::vector<ChosenStep>;
   struct DensityKey {
-    ChosenMethod clean;
+    Cleaning cleaning;
     DensityValues values;
     bool operator==(const DensityKey&) const = default;
   };
@@ -45,7 +47,7 @@ struct RegionPreviewer::Whole {
   PipelineOptions start; // its root and way up
   std::mutex mutex;      // of all below
   std::unique_ptr<const SpatialIndex> index;
-  Recent<ChosenMethod, IsLeftOut> cleaned;
+  Recent<Cleaning, IsLeftOut> cleaned;
   Recent<DensityKey, DensityRange> ranges;
   std::shared_ptr<const std::vector<float>> distanceToRoot; // by point; infinite if set aside
 
@@ -59,22 +61,22 @@ struct RegionPreviewer::Whole {
     return *index;
   }
 
-  IsLeftOut leftOutBy(const ChosenMethod& clean, const Progress& progress) {
+  IsLeftOut leftOutBy(const Cleaning& cleaning, const Progress& progress) {
     const std::scoped_lock lock(mutex);
-    if (const IsLeftOut* known = cleaned.find(clean)) return *known;
+    if (const IsLeftOut* known = cleaned.find(cleaning)) return *known;
     PipelineState state = firstState(cloud, leftOut);
-    clean.run(state, progress);
-    return cleaned.keep(clean,
+    runSteps(cleaning, state, progress);
+    return cleaned.keep(cleaning,
                         std::make_shared<const std::vector<bool>>(std::move(state.isLeftOut)));
   }
 
   /// None for methods that do not follow densities.
-  std::optional<DensityRange> densityRange(const ChosenMethod& clean, const IsLeftOut& isLeftOut,
+  std::optional<DensityRange> densityRange(const Cleaning& cleaning, const IsLeftOut& isLeftOut,
                                            const ChosenMethod& contraction,
                                            const Progress& progress) {
     const std::optional<DensityValues> used = contraction.probe().density;
     if (!used) return std::nullopt;
-    const DensityKey key{clean, *used};
+    const DensityKey key{cleaning, *used};
     const std::scoped_lock lock(mutex);
     if (const DensityRange* known = ranges.find(key)) return *known;
     PipelineState state = firstState(cloud, leftOut);
@@ -160,16 +162,18 @@ struct RegionPreviewer::Regions {
   static Region contracted(Whole& whole, const Ball& ball, const PipelineOptions& options,
                            const Progress& progress) {
     requireKnown(options);
-    const ChosenMethod clean = chosenFor(cleaningStep(), options, whole.scale);
+    const Whole::Cleaning cleaning =
+        stepsBetween(StepResult::scan, StepResult::cleaned, options, whole.scale);
     const ChosenMethod contraction = chosenFor(contractionStep(), options, whole.scale);
-    const Whole::IsLeftOut isLeftOut = whole.leftOutBy(clean, progress.part(0, 0.2));
+    const Whole::IsLeftOut isLeftOut = whole.leftOutBy(cleaning, progress.part(0, 0.2));
     Region region =
         around(whole, ball, marginOf(contraction, ball, whole.scale.spacing), *isLeftOut, progress);
     region.state.densityRange =
-        whole.densityRange(clean, isLeftOut, contraction, progress.part(0.2, 0.3));
+        whole.densityRange(cleaning, isLeftOut, contraction, progress.part(0.2, 0.3));
     if (region.columns.size() >= 2) {
       if (contraction.method->seesRoot) region.state.root = nearestToRoot(whole, region, progress);
-      contraction.run(region.state, progress.part(0.3, 1));
+      runSteps(stepsBetween(StepResult::cleaned, StepResult::contracted, options, whole.scale),
+               region.state, progress.part(0.3, 1));
     }
     region.preview.contracted = placesOf(region, *whole.cloud);
     return region;

@@ -4,6 +4,7 @@
 #include "core/base/parallel.h"
 #include "core/graph/neighborhood_graph.h"
 #include "core/pipeline/grow_part.h"
+#include "core/pipeline/step_graph.h"
 
 #include <algorithm>
 #include <exception>
@@ -64,14 +65,6 @@ PipelineState stateOf(const std::vector<Eigen::Index>& points, const PipelineSta
           .radiusSources = {}};
 }
 
-/// Those between the contraction and the radii.
-std::vector<ChosenMethod> partSteps(const PipelineOptions& options, const PlantScale& scale) {
-  std::vector<ChosenMethod> steps;
-  for (const Step& step : pipelineSteps())
-    if (step.result == StepResult::skeleton) steps.push_back(chosenFor(step, options, scale));
-  return steps;
-}
-
 /// Adds what of `part` lies in the ball. Nodes whose parent does not are roots.
 void addInside(const Skeleton& part, const Ball& ball, Skeleton& result) {
   std::vector<std::optional<NodeId>> copies(part.idEnd());
@@ -88,7 +81,8 @@ void addInside(const Skeleton& part, const Ball& ball, Skeleton& result) {
 Skeleton skeletonOfRegion(const PipelineState& region, const std::vector<float>& distanceToRoot,
                           const Ball& ball, const PipelineOptions& options, const PlantScale& scale,
                           const Progress& progress) {
-  const std::vector<ChosenMethod> steps = partSteps(options, scale);
+  const std::vector<ChosenStep> steps =
+      stepsBetween(StepResult::contracted, StepResult::skeleton, options, scale);
   const std::vector<std::vector<Eigen::Index>> parts =
       partsOf(region, scale.spacing, progress.part(0, 0.1));
   std::vector<std::shared_ptr<const Skeleton>> skeletons(parts.size()); // none where one failed
@@ -98,7 +92,7 @@ Skeleton skeletonOfRegion(const PipelineState& region, const std::vector<float>&
     const auto part = static_cast<std::size_t>(i);
     PipelineState state = stateOf(parts[part], region, distanceToRoot);
     try {
-      for (const ChosenMethod& step : steps)
+      for (const ChosenStep& step : steps)
         step.run(state, stop);
       skeletons[part] = state.skeleton;
     } catch (const Error&) { // others may have a skeleton

@@ -52,17 +52,24 @@ struct Method {
       [](const std::vector<double>&) { return MethodProbe(); };
 };
 
-/// What a step gives anew.
-enum class StepResult { points, skeleton, radii };
+/// What steps hand on, in the order in which it comes to be. What was made before stays there.
+enum class StepResult {
+  scan,       // by no step: the points that were not set aside
+  cleaned,    // which of them are of the plant; then it has a root
+  contracted, // where they are drawn to
+  skeleton,   // all of it but the radii
+  radii
+};
 
 /// One step from scan to radii.
 struct Step {
   std::string name;
   std::string label;
   std::string help;
-  StepResult result = StepResult::skeleton;
-  double share = 1;            // of the time of a run, for its progress
-  std::vector<Method> methods; // the first is the default
+  StepResult takes = StepResult::skeleton; // what must be there
+  StepResult makes = StepResult::skeleton; // what it makes, or makes anew
+  double share = 1;                        // of the time of a run, for its progress
+  std::vector<Method> methods;             // the first is the default
 };
 
 /// All steps in their order, each with all its methods.

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cassert>
 #include <limits>
-#include <string>
 #include <utility>
 
 namespace espalier {

@@ -7,6 +7,7 @@
 #include <limits>
 
 namespace espalier {
+
 std::vector<float> countedDensities(const PipelineState& cleaned, const DensityValues& values,
                                     const Progress& progress) {
   const NeighborhoodGraph graph(keptPositions(cleaned), values.neighbors, progress.part(0, 0.6));
@@ -16,6 +17,7 @@ std::vector<float> countedDensities(const PipelineState& cleaned, const DensityV
 std::optional<std::vector<float>> densitiesUsed(const std::shared_ptr<const PointCloud>& cloud,
                                                 const PipelineOptions& options,
                                                 const PlantScale& scale, const Progress& progress) {
+  requireKnown(options);
   const auto used = chosenFor(contractionStep(), options, scale).probe().density;
   if (!used) return std::nullopt;
   const PipelineState state = cleanedState(cloud, options, scale, progress.part(0, 0.4));

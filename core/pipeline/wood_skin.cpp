@@ -1,6 +1,7 @@
 #include "core/pipeline/wood_skin.h"
 
 #include "core/skeleton/assign_points.h"
+#include "core/skeleton/frustum.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,11 +33,8 @@ double reachOf(std::vector<double>& distances, double radius, double tolerance) 
 std::vector<double> barkReaches(const Skeleton& skeleton, const PointCloud& cloud, double tolerance,
                                 const Progress& progress) {
   std::vector<double> radii(skeleton.idEnd(), 0); // of edges, at the thicker end
-  for (const NodeId id : skeleton.ids()) {
-    const Node& node = skeleton[id];
-    radii[indexOf(id)] =
-        node.parent ? std::max(node.radius, skeleton[*node.parent].radius) : node.radius;
-  }
+  for (const auto& [id, wood] : bodiesOf(skeleton))
+    radii[indexOf(id)] = std::max(wood.fromRadius, wood.toRadius);
   std::vector<std::vector<double>> distances(skeleton.idEnd());
   for (const PointOnSkeleton& place :
        assignPoints(cloud.positions(), cloud.origin(), skeleton, progress)) {

@@ -176,12 +176,23 @@ TEST_F(StepsRun, AreToldAsTheyBeginAndEnd) {
   EXPECT_THAT(told, ElementsAre("began prune", "ended prune", "began axes", "ended axes"));
 }
 
-TEST_F(StepsRun, UseTheScaleTheyAreGiven) {
+TEST_F(StepsRun, TakeTheScaleOfTheWholePlant) {
   const PlantScale twice{.spacing = 2 * pipeline.run(cloud, options).scale.spacing, .height = 7};
-  const Reconstruction result = pipeline.runAtScale(cloud, twice, options, {}, "contract");
-  EXPECT_EQ(result.scale.height, 7);
-  EXPECT_DOUBLE_EQ(result.steps.back().values[1].second, 7.5 * twice.spacing);
-  EXPECT_THAT(run(), IsEmpty()) << "the scale of the cloud itself is not forgotten";
+  const std::vector<ChosenStep> steps =
+      stepsBetween(StepResult::cleaned, StepResult::contracted, options, twice);
+  ASSERT_EQ(steps.size(), 1U);
+  EXPECT_EQ(steps.front().step->name, "contract");
+  EXPECT_DOUBLE_EQ(steps.front().method.values[1], 7.5 * twice.spacing);
+}
+
+TEST(StepGraph, TakesWhatAStepBeforeMade) {
+  StepResult made = StepResult::scan;
+  for (const Step& step : pipelineSteps()) {
+    EXPECT_EQ(step.takes, made) << step.name;
+    EXPECT_GE(step.makes, made) << step.name;
+    made = step.makes;
+  }
+  EXPECT_EQ(made, StepResult::radii);
 }
 
 } // namespace

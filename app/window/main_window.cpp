@@ -152,22 +152,22 @@ void MainWindow::connectParts() {
 }
 
 void MainWindow::connectJobs() {
-  connect(&jobs_, &JobRunner::started, this, [this] {
+  connect(&jobs_, &JobSlot::started, this, [this] {
     status_->showJob(jobs_.name());
     for (const auto& part : parts_)
       part->setEnabled(false); // what a job will replace is not to be edited meanwhile
   });
-  connect(&jobs_, &JobRunner::progressed, status_, &StatusLine::showProgress);
-  connect(&jobs_, &JobRunner::failed, this,
+  connect(&jobs_, &JobSlot::progressed, status_, &StatusLine::showProgress);
+  connect(&jobs_, &JobSlot::failed, this,
           [this](const QString& message) { banner_->showError(message); });
-  connect(&jobs_, &JobRunner::finished, this, [this] {
+  connect(&jobs_, &JobSlot::finished, this, [this] {
     status_->hideJob();
     for (const auto& part : parts_)
       part->setEnabled(true);
     if (jobs_.isCanceled()) status_->showNote(tr("Canceled: nothing has changed"));
     refreshEmptiness();
   });
-  connect(status_, &StatusLine::cancelRequested, &jobs_, &JobRunner::cancel);
+  connect(status_, &StatusLine::cancelRequested, &jobs_, &JobSlot::cancel);
 }
 
 void MainWindow::connectMessages() {
@@ -255,7 +255,7 @@ void MainWindow::refreshHint() {
     if (const QString its = part->furtherHint(); !its.isEmpty()) further += "   " + its;
   }
   if (document_.isEmpty()) // while a file is read, that is all there is to say
-    hint = jobs_.isRunning() ? QString() : tr("Open a scan, or drop one here");
+    hint = jobs_.isBusy() ? QString() : tr("Open a scan, or drop one here");
   if (center_->currentWidget() == vertices_)
     hint = withKeys(tr("No positions, so no view   {export_structure} write as MTG or OPF   "
                        "{open} open another file"),

@@ -3,7 +3,7 @@
 #include "app/window/frame/reveal.h"
 #include "app/window/frame/window_parts.h"
 #include "ui/document/plant_document.h"
-#include "ui/jobs/job_runner.h"
+#include "ui/jobs/job_slot.h"
 
 #include <QMainWindow>
 
@@ -41,7 +41,7 @@ public:
   void open(const QStringList& paths);
 
   [[nodiscard]] PlantDocument& document() { return document_; }
-  [[nodiscard]] JobRunner& jobs() { return jobs_; }
+  [[nodiscard]] JobSlot& jobs() { return jobs_; }
   [[nodiscard]] PlantView& view() { return *view_; }
   [[nodiscard]] const ActionSet& actionSet() const { return *actions_; }
   template <class Part> [[nodiscard]] const Part& part() const { return parts_.get<Part>(); }
@@ -98,7 +98,8 @@ private:
 
   QSettings& settings_;
   PlantDocument document_;
-  JobRunner jobs_;
+  JobQueue queue_;
+  JobSlot jobs_{queue_, JobPriority::asked}; // of which the status line shows the progress
   std::unique_ptr<RecentFiles> recent_;
   std::unique_ptr<ActionSet> actions_;
 

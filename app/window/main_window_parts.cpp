@@ -136,13 +136,13 @@ void MainWindow::makePoints(PipelinePanel& pipeline) {
   parts_.make<PointsFlow>(PointsFlow::Parts{document_, *actions_, editing, states});
   parts_.make<SavedViews>(SavedViews::Parts{*view_, parts_.get<ViewOptions>(),
                                             parts_.get<ShownFlow>(), *actions_, *this});
-  auto& distances = parts_.make<ScanDistances>(document_);
-  parts_.make<FindingsFlow>(
-      FindingsFlow::Parts{document_, *view_, *actions_, distances, settings_, *this, reveal()});
+  auto& distances = parts_.make<ScanDistances>(document_, queue_);
+  parts_.make<FindingsFlow>(FindingsFlow::Parts{document_, queue_, *view_, *actions_, distances,
+                                                settings_, *this, reveal()});
   parts_.make<ExplainedFlow>(
       ExplainedFlow::Parts{document_, states, *actions_, distances, settings_, *this});
   parts_.make<PresetFlow>(PresetFlow::Parts{pipeline, *actions_, settings_, *this, document_});
-  parts_.make<HullFlow>(HullFlow::Parts{document_, *view_, *actions_, editing, distances});
+  parts_.make<HullFlow>(HullFlow::Parts{document_, queue_, *view_, *actions_, editing, distances});
 }
 
 void MainWindow::makeViews() {
@@ -172,18 +172,18 @@ void MainWindow::makePreview(PipelinePanel& pipeline) {
   auto& reference = parts_.get<ReferenceFlow>();
   auto& evaluation = parts_.get<EvaluationFlow>();
   auto& preview = parts_.make<PreviewFlow>(
-      PreviewFlow::Parts{document_, *view_, pipeline, *actions_, editing, reconstruct});
-  auto& states =
-      parts_.make<StatesFlow>(StatesFlow::Parts{document_, *view_, *actions_, reconstruct, preview,
-                                                parts_.get<TwoViewsFlow>(), *centralWidget()});
-  parts_.make<DensityFlow>(document_, pipeline);
-  auto& judge = parts_.make<JudgeFlow>(JudgeFlow::Parts{document_, *view_, reconstruct, preview,
-                                                        states, reference, evaluation, window});
-  auto& sweep = parts_.make<SweepFlow>(
-      SweepFlow::Parts{document_, *view_, pipeline, reconstruct, reference, evaluation, window});
+      PreviewFlow::Parts{document_, queue_, *view_, pipeline, *actions_, editing, reconstruct});
+  auto& states = parts_.make<StatesFlow>(
+      StatesFlow::Parts{document_, queue_, *view_, *actions_, reconstruct, preview,
+                        parts_.get<TwoViewsFlow>(), *centralWidget()});
+  parts_.make<DensityFlow>(document_, queue_, pipeline);
+  auto& judge = parts_.make<JudgeFlow>(JudgeFlow::Parts{
+      document_, queue_, *view_, reconstruct, preview, states, reference, evaluation, window});
+  auto& sweep = parts_.make<SweepFlow>(SweepFlow::Parts{
+      document_, queue_, *view_, pipeline, reconstruct, reference, evaluation, window});
   parts_.make<ChoicesFlow>(ChoicesFlow::Parts{*actions_, judge, sweep});
   parts_.make<SightFlow>(
-      SightFlow::Parts{document_, *view_, pipeline, *actions_, editing, preview});
+      SightFlow::Parts{document_, queue_, *view_, pipeline, *actions_, editing, preview});
 }
 
 void MainWindow::joinEdits() {

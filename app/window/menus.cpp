@@ -25,55 +25,52 @@ struct MenuPlaces {
   std::vector<Place> places;
 };
 
-QString tr(const char* text) {
-  return MainWindow::tr(text);
-}
-
 const Place line;
 
 /// In the View menu, and in one of the toolbar.
 Place colorScales() {
   return {"view/color_scales",
-          tr("Color Scales"),
-          {{"view/point_maps", tr("Colors of Points")},
-           {"view/node_maps", tr("Colors of Nodes")},
+          MainWindow::tr("Color Scales"),
+          {{"view/point_maps", MainWindow::tr("Colors of Points")},
+           {"view/node_maps", MainWindow::tr("Colors of Nodes")},
            line,
            {"view/color_ranges"}}};
 }
 
 std::vector<Place> viewPlaces() {
-  return {{"view/layers_title"},
-          {"view/layers"},
-          line,
-          {"view/point_colors", tr("Color Points By")},
-          {"view/node_colors", tr("Color Nodes By")},
-          colorScales(),
-          {"view/points"},
-          {"view/sizes", tr("Point Size")},
-          {"view/projections", tr("Projection")},
-          {"view/directions", tr("Look From")},
-          {"view/frame_all"},
-          {"view/frame"},
-          {"view/look"},
-          {"view/pivot"},
-          line,
-          {"view/more"},
-          {"view/second", tr("Second View")},
-          {"view/saved", tr("Saved Views")},
-          {"view/hide"},
-          {"view/clipping"},
-          {"view/show_all"},
-          line,
-          {"", tr("Panels"), {{"panels"}, {"panels/evaluation"}, line, {"panels/layout"}}},
-          {"view/theme", tr("Theme")}};
+  return {
+      {"view/layers_title"},
+      {"view/layers"},
+      line,
+      {"view/point_colors", MainWindow::tr("Color Points By")},
+      {"view/node_colors", MainWindow::tr("Color Nodes By")},
+      colorScales(),
+      {"view/points"},
+      {"view/sizes", MainWindow::tr("Point Size")},
+      {"view/projections", MainWindow::tr("Projection")},
+      {"view/directions", MainWindow::tr("Look From")},
+      {"view/frame_all"},
+      {"view/frame"},
+      {"view/look"},
+      {"view/pivot"},
+      line,
+      {"view/more"},
+      {"view/second", MainWindow::tr("Second View")},
+      {"view/saved", MainWindow::tr("Saved Views")},
+      {"view/hide"},
+      {"view/clipping"},
+      {"view/show_all"},
+      line,
+      {"", MainWindow::tr("Panels"), {{"panels"}, {"panels/evaluation"}, line, {"panels/layout"}}},
+      {"view/theme", MainWindow::tr("Theme")}};
 }
 
 std::vector<Place> skeletonPlaces() {
   return {{"skeleton/make"},
-          {"skeleton/stand", tr("R&oot and Up")},
-          {"skeleton/settings", tr("Se&ttings of the Steps")},
+          {"skeleton/stand", MainWindow::tr("R&oot and Up")},
+          {"skeleton/settings", MainWindow::tr("Se&ttings of the Steps")},
           {"",
-           tr("Pre&view"),
+           MainWindow::tr("Pre&view"),
            {{"preview/live"},
             line,
             {"preview/kept"},
@@ -86,15 +83,15 @@ std::vector<Place> skeletonPlaces() {
           line,
           {"skeleton/edits"},
           line,
-          {"skeleton/units", tr("&Units")},
+          {"skeleton/units", MainWindow::tr("&Units")},
           {"skeleton/hulls"}};
 }
 
 std::vector<MenuPlaces> menuPlaces() {
-  return {{tr("&File"),
+  return {{MainWindow::tr("&File"),
            {{"file/new"},
             {"file/open"},
-            {"file/recent", tr("Open &Recent")},
+            {"file/recent", MainWindow::tr("Open &Recent")},
             line,
             {"file/reference"},
             line,
@@ -104,7 +101,7 @@ std::vector<MenuPlaces> menuPlaces() {
             {"file/project"},
             line,
             {"file/close"}}},
-          {tr("&Edit"),
+          {MainWindow::tr("&Edit"),
            {{"edit/history"},
             line,
             {"edit/copy"},
@@ -114,16 +111,16 @@ std::vector<MenuPlaces> menuPlaces() {
             line,
             {"edit/tools"},
             line,
-            {"edit/snap", tr("S&nap")}}},
-          {tr("Se&lect"),
+            {"edit/snap", MainWindow::tr("S&nap")}}},
+          {MainWindow::tr("Se&lect"),
            {{"select/all"}, {"select/findings"}, {"select/through"}, line, {"select/nodes"}}},
-          {tr("&View"), viewPlaces()},
-          {tr("&Points"), {{"points"}}},
-          {tr("&Skeleton"), skeletonPlaces()},
-          {tr("R&adius"), {{"radius"}}},
-          {tr("Eval&uate"), {{"evaluate"}}},
-          {tr("&Review"), {{"review/walk"}, line, {"review/findings"}}},
-          {tr("Help"), {{"help"}}}}; // Alt+H is a key of the plant
+          {MainWindow::tr("&View"), viewPlaces()},
+          {MainWindow::tr("&Points"), {{"points"}}},
+          {MainWindow::tr("&Skeleton"), skeletonPlaces()},
+          {MainWindow::tr("R&adius"), {{"radius"}}},
+          {MainWindow::tr("Eval&uate"), {{"evaluate"}}},
+          {MainWindow::tr("&Review"), {{"review/walk"}, line, {"review/findings"}}},
+          {MainWindow::tr("Help"), {{"help"}}}}; // Alt+H is a key of the plant
 }
 
 void fill(QMenu& menu, const ActionSet& actions, const std::vector<Place>& places) {

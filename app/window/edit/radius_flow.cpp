@@ -5,7 +5,7 @@
 #include "core/radius/radius_edits.h"
 #include "core/skeleton/select.h"
 #include "ui/document/plant_document.h"
-#include "ui/jobs/job_runner.h"
+#include "ui/jobs/job_slot.h"
 #include "ui/panels/cross_section_panel.h"
 #include "ui/tools/node_edits.h"
 #include "ui/view/plant_view.h"
@@ -154,9 +154,7 @@ void RadiusFlow::measure(const std::vector<NodeId>& nodes, RadiusMeasure measure
                          const std::function<void(const SectionRadii&)>& act) {
   PlantDocument& document = parts_.document;
   document.requireEditable();
-  if (parts_.jobs.isRunning())
-    throw Error(
-        tr("%1 is still running: wait for it, or cancel it").arg(parts_.jobs.name()).toStdString());
+  parts_.jobs.requireIdle();
   if (document.scan() == nullptr)
     throw Error(tr("there are no points to measure: open the scan first").toStdString());
   const Scan& scan = *document.scan();

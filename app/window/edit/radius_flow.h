@@ -13,7 +13,7 @@ namespace espalier {
 
 class ActionSet;
 class CrossSectionPanel;
-class JobRunner;
+class JobSlot;
 class PlantDocument;
 class PlantView;
 
@@ -24,7 +24,7 @@ class RadiusFlow : public WindowPart {
 public:
   struct Parts {
     PlantDocument& document;
-    JobRunner& jobs;
+    JobSlot& jobs;
     ActionSet& actions;
     PlantView& view;
     CrossSectionPanel& section;

@@ -7,7 +7,6 @@
 
 #include <QAction>
 #include <QActionGroup>
-#include <QMenu>
 #include <QSettings>
 
 #include <array>

@@ -9,7 +9,6 @@
 
 #include <QAction>
 #include <QActionGroup>
-#include <QMenu>
 
 #include <array>
 #include <utility>

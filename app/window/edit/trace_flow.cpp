@@ -48,12 +48,12 @@ TraceFlow::TraceFlow(const Parts& parts)
   connect(tool_, &TraceTool::asked, this, &TraceFlow::ask);
   connect(toolOf<StrokeTool>(parts.editing, "stroke"), &StrokeTool::asked, this, &TraceFlow::ask);
   connect(regrow_, &RegrowTool::wanted, this, &TraceFlow::regrow);
-  connect(&traces_, &JobRunner::finished, this, &TraceFlow::work);
-  connect(&traces_, &JobRunner::failed, this, [this](const QString& message) {
+  connect(&traces_, &JobSlot::finished, this, &TraceFlow::work);
+  connect(&traces_, &JobSlot::failed, this, [this](const QString& message) {
     if (const auto asked = std::exchange(next_, std::nullopt)) asked->answer({});
     emit failed(message);
   });
-  connect(&traces_, &JobRunner::progressed, this, [this](double fraction) {
+  connect(&traces_, &JobSlot::progressed, this, [this](double fraction) {
     if (!graph_) tool_->showReadiness(fraction);
   });
   for (auto signal : {&PlantDocument::scanChanged, &PlantDocument::leftOutChanged})
@@ -115,7 +115,7 @@ void TraceFlow::addGrowing() {
   const auto refresh = [this, missing, chosen] {
     const PlantDocument& document = parts_.document;
     const bool mayGrow = document.scan() != nullptr && !document.skeleton().isEmpty() &&
-                         !document.isReadOnly() && !parts_.jobs.isRunning();
+                         !document.isReadOnly() && !parts_.jobs.isBusy();
     missing->setEnabled(mayGrow);
     chosen->setEnabled(mayGrow); // without selected points it says how to select some
   };
@@ -126,7 +126,7 @@ void TraceFlow::addGrowing() {
 
 void TraceFlow::ask(const TraceQuestion& question, const TraceAnswer& answer) {
   next_ = Asked{question, answer};
-  if (!traces_.isRunning()) work();
+  if (!traces_.isBusy()) work();
 }
 
 void TraceFlow::work() {
@@ -180,9 +180,7 @@ void TraceFlow::requireWork() const {
   if (!parts_.document.scan())
     throw Error(tr("there are no points to regrow from: open the scan first").toStdString());
   parts_.document.requireEditable();
-  if (parts_.jobs.isRunning())
-    throw Error(
-        tr("%1 is still running: wait for it, or cancel it").arg(parts_.jobs.name()).toStdString());
+  parts_.jobs.requireIdle();
 }
 
 PipelineOptions TraceFlow::options() const {

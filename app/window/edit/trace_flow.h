@@ -3,7 +3,7 @@
 #include "app/window/frame/window_part.h"
 #include "core/pipeline/grow_branches.h"
 #include "core/pipeline/pipeline.h"
-#include "ui/jobs/job_runner.h"
+#include "ui/jobs/job_slot.h"
 #include "ui/tools/trace_question.h"
 
 #include <functional>
@@ -34,12 +34,12 @@ public:
     PlantView& view;
     ActionSet& actions;
     Editing& editing;
-    JobRunner& jobs; // for what replaces nodes; traces have their own
+    JobSlot& jobs; // for what replaces nodes; traces have their own
     std::function<PipelineOptions()> options;
   };
   explicit TraceFlow(const Parts& parts);
 
-  [[nodiscard]] bool isBusy() const override { return traces_.isRunning() || next_.has_value(); }
+  [[nodiscard]] bool isBusy() const override { return traces_.isBusy() || next_.has_value(); }
 
 private:
   struct Asked {
@@ -64,7 +64,7 @@ private:
   RegrowTool* regrow_;
   std::shared_ptr<const TraceGraph> graph_; // of the scan shown; null until it is asked for
   std::optional<Asked> next_;
-  JobRunner traces_;
+  JobSlot traces_{parts_.jobs.queue(), JobPriority::hand};
 };
 
 } // namespace espalier

@@ -8,7 +8,7 @@
 #include "core/skeleton/path_edits.h"
 #include "ui/document/difference_look.h"
 #include "ui/document/plant_document.h"
-#include "ui/jobs/job_runner.h"
+#include "ui/jobs/job_slot.h"
 #include "ui/panels/differences_panel.h"
 #include "ui/view/plant_view.h"
 
@@ -202,9 +202,7 @@ DifferingPart ErrorWalk::chosen() const {
 
 void ErrorWalk::accept() {
   const DifferingPart part = chosen();
-  if (parts_.jobs.isRunning())
-    throw Error(
-        tr("%1 is still running: wait for it, or cancel it").arg(parts_.jobs.name()).toStdString());
+  parts_.jobs.requireIdle();
   if (parts_.editing.isPending()) parts_.editing.undo(); // leaves the gesture
   std::vector<NodeId> changed;
   const QString text = stepText(part, formatLength(part.length, parts_.document.unit(), 3));

@@ -15,7 +15,7 @@ namespace espalier {
 class ActionSet;
 class DifferencesPanel;
 class Editing;
-class JobRunner;
+class JobSlot;
 class PlantDocument;
 class PlantView;
 
@@ -29,7 +29,7 @@ public:
   struct Parts {
     PlantDocument& document;
     PlantView& view;
-    JobRunner& jobs;
+    JobSlot& jobs;
     ActionSet& actions;
     Editing& editing;
   };

@@ -54,7 +54,7 @@ EvaluationFlow::EvaluationFlow(const Parts& parts)
       std::make_unique<TraitsFlow>(TraitsFlow::Parts{parts_.document, parts_.jobs, parts_.window});
   makePanel();
   methods_ = std::make_unique<MethodsFlow>(
-      MethodsFlow::Parts{parts_.document, parts_.reference, parts_.window});
+      MethodsFlow::Parts{parts_.document, parts_.jobs.queue(), parts_.reference, parts_.window});
   addDock(&methods_->dock());
   parts_.window.actions.place("evaluate", [this](QMenu& menu) { fillMenu(menu); });
   keepTexts();
@@ -209,10 +209,10 @@ void EvaluationFlow::connectDocument() {
     showColors();
     later();
   });
-  connect(&job_, &JobRunner::progressed, panel_,
+  connect(&job_, &JobSlot::progressed, panel_,
           [this](double fraction) { panel_->showProgress(fraction); });
-  connect(&job_, &JobRunner::failed, panel_, &EvaluationPanel::showRest);
-  connect(&job_, &JobRunner::finished, this, [this] {
+  connect(&job_, &JobSlot::failed, panel_, &EvaluationPanel::showRest);
+  connect(&job_, &JobSlot::finished, this, [this] {
     if (std::exchange(isOutdated_, false)) start();
   });
 }
@@ -307,7 +307,7 @@ EvaluationOptions EvaluationFlow::optionsNow() const {
 void EvaluationFlow::start() {
   timer_.stop();
   if (!isWanted()) return;
-  if (job_.isRunning()) {
+  if (job_.isBusy()) {
     isOutdated_ = true;
     job_.cancel();
     return;

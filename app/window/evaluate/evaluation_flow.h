@@ -9,7 +9,7 @@
 #include "app/window/frame/window_part.h"
 #include "core/evaluate/evaluation.h"
 #include "ui/document/plant_document.h"
-#include "ui/jobs/job_runner.h"
+#include "ui/jobs/job_slot.h"
 
 #include <QTimer>
 
@@ -40,7 +40,7 @@ public:
   struct Parts {
     PlantDocument& document;
     PlantView& view;
-    JobRunner& jobs;
+    JobSlot& jobs;
     Editing& editing;
     ReferenceFlow& reference;
     PanelDock::Parts window;
@@ -109,7 +109,7 @@ private:
   PlotView* plot_ = nullptr;
   PanelDock* dock_ = nullptr;
   QTimer timer_;
-  JobRunner job_;
+  JobSlot job_{parts_.jobs.queue(), JobPriority::asked};
   bool isOutdated_ = false; // while the job runs: it has to begin again
   bool isFresh_ = false;
   std::shared_ptr<const Evaluation> evaluation_;

@@ -44,9 +44,9 @@ MethodsFlow::MethodsFlow(const Parts& parts) : parts_(parts), panel_(new Methods
   connect(&parts_.document, &PlantDocument::unitChanged, this, &MethodsFlow::list);
   connect(parts_.window.actions["show_methods"], &QAction::toggled, this,
           &MethodsFlow::startNext); // nothing is compared while nobody looks
-  connect(&job_, &JobRunner::failed, this,
+  connect(&job_, &JobSlot::failed, this,
           [this](const QString& error) { finish([&](Method& method) { method.error = error; }); });
-  connect(&job_, &JobRunner::finished, this, [this] {
+  connect(&job_, &JobSlot::finished, this, [this] {
     running_.clear();
     list();
     startNext();
@@ -136,7 +136,7 @@ void MethodsFlow::compareAll() {
 }
 
 void MethodsFlow::startNext() {
-  if (job_.isRunning() || !parts_.window.actions["show_methods"]->isChecked()) return;
+  if (job_.isBusy() || !parts_.window.actions["show_methods"]->isChecked()) return;
   const auto next = std::ranges::find(methods_, true, &Method::isWaiting);
   if (next == methods_.end() || parts_.reference.skeleton() == nullptr) return;
   running_ = next->kept.path;
@@ -174,7 +174,7 @@ void MethodsFlow::list() {
   }
   panel_->show(rows, parts_.reference.name(), parts_.document.unit(),
                plant_ ? plant_->tolerance : options_.tolerance);
-  panel_->setBusy(job_.isRunning());
+  panel_->setBusy(job_.isBusy());
 }
 
 void MethodsFlow::copy() {

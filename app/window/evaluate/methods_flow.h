@@ -3,7 +3,7 @@
 #include "app/window/evaluate/methods_text.h"
 #include "app/window/frame/panel_dock.h"
 #include "core/evaluate/evaluation.h"
-#include "ui/jobs/job_runner.h"
+#include "ui/jobs/job_slot.h"
 #include "ui/panels/methods_panel.h"
 
 #include <QObject>
@@ -31,6 +31,7 @@ public:
   /// What it works with; all must outlive it.
   struct Parts {
     PlantDocument& document;
+    JobQueue& queue;
     ReferenceFlow& reference;
     PanelDock::Parts window;
   };
@@ -69,7 +70,7 @@ private:
   Parts parts_;
   MethodsPanel* panel_;
   PanelDock* dock_;
-  JobRunner job_;
+  JobSlot job_{parts_.queue, JobPriority::asked};
   std::vector<Method> methods_;
   std::shared_ptr<const Evaluation> plant_;
   QString running_; // the path of the one that is compared now

@@ -11,7 +11,7 @@
 #include "core/io/formats.h"
 #include "core/project/project.h"
 #include "ui/document/plant_document.h"
-#include "ui/jobs/job_runner.h"
+#include "ui/jobs/job_slot.h"
 #include "ui/view/plant_view.h"
 
 #include <QAction>
@@ -78,9 +78,7 @@ void ReferenceFlow::choose() {
 }
 
 void ReferenceFlow::load(const QString& path) {
-  if (parts_.jobs.isRunning())
-    throw Error(
-        tr("%1 is still running: wait for it, or cancel it").arg(parts_.jobs.name()).toStdString());
+  parts_.jobs.requireIdle();
   parts_.settings.setValue(folderKey, QFileInfo(path).absolutePath());
   const QString file = QFileInfo(path).fileName();
   parts_.jobs.start(

@@ -16,7 +16,7 @@ class QSettings;
 namespace espalier {
 
 class ActionSet;
-class JobRunner;
+class JobSlot;
 class PlantDocument;
 class PlantView;
 
@@ -29,7 +29,7 @@ public:
   struct Parts {
     PlantDocument& document;
     PlantView& view;
-    JobRunner& jobs;
+    JobSlot& jobs;
     ActionSet& actions;
     QSettings& settings;
     QMainWindow& window;

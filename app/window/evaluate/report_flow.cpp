@@ -10,7 +10,7 @@
 #include "core/io/atomic_file.h"
 #include "ui/document/hand_work_text.h"
 #include "ui/document/plant_document.h"
-#include "ui/jobs/job_runner.h"
+#include "ui/jobs/job_slot.h"
 
 #include <QAction>
 #include <QCoreApplication>
@@ -92,10 +92,7 @@ ReportAbout ReportFlow::about() const {
 }
 
 void ReportFlow::write(const QString& path) {
-  if (parts_.jobs.isRunning() || maker_.isBusy())
-    throw Error(tr("%1 is still running: wait for it, or cancel it")
-                    .arg(maker_.isBusy() ? tr("The report") : parts_.jobs.name())
-                    .toStdString());
+  maker_.requireIdle();
   requireReportName(toPath(path));
   requireWritable(toPath(path));
   parts_.jobs.start(

@@ -12,7 +12,7 @@
 
 namespace espalier {
 
-class JobRunner;
+class JobSlot;
 class PlantDocument;
 class ReferenceFlow;
 
@@ -25,7 +25,7 @@ public:
   /// What it works with; all must outlive it.
   struct Parts {
     PlantDocument& document;
-    JobRunner& jobs;
+    JobSlot& jobs;
     ReferenceFlow& reference;
     PanelDock::Parts window;
     std::function<EvaluationOptions()> how; // the plant is compared now

@@ -1,6 +1,7 @@
 #include "app/window/evaluate/report_maker.h"
 
-#include "ui/jobs/job_runner.h"
+#include "core/base/error.h"
+#include "ui/jobs/job_slot.h"
 
 #include <QFileInfo>
 #include <QTimer>
@@ -9,7 +10,13 @@
 
 namespace espalier {
 
-ReportMaker::ReportMaker(JobRunner& jobs, QObject* parent) : QObject(parent), jobs_(jobs) {}
+ReportMaker::ReportMaker(JobSlot& jobs, QObject* parent) : QObject(parent), jobs_(jobs) {}
+
+void ReportMaker::requireIdle() const {
+  if (isBusy())
+    throw Error(tr("The report is still being written: wait for it, or cancel it").toStdString());
+  jobs_.requireIdle();
+}
 
 void ReportMaker::start(const QString& path, std::unique_ptr<PictureSession> pictures,
                         Write write) {
@@ -34,7 +41,7 @@ void ReportMaker::save() {
   const std::unique_ptr<PictureSession> session = std::move(pictures_);
   Write write = std::exchange(write_, nullptr);
   emit busyChanged();
-  if (jobs_.isRunning()) {
+  if (jobs_.isBusy()) {
     emit noted(tr("%1 was not written: another job began; export it again").arg(file));
     return;
   }

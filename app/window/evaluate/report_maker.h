@@ -10,7 +10,7 @@
 
 namespace espalier {
 
-class JobRunner;
+class JobSlot;
 
 /// What comes after the measuring of a report: its pictures are drawn one by one between what else
 /// the window does, and writing is a job.
@@ -20,9 +20,11 @@ class ReportMaker : public QObject {
 public:
   using Write = std::function<void(const ReportPictures&)>; // on the thread of the job; may throw
 
-  explicit ReportMaker(JobRunner& jobs, QObject* parent = nullptr);
+  explicit ReportMaker(JobSlot& jobs, QObject* parent = nullptr);
 
   [[nodiscard]] bool isBusy() const { return write_ != nullptr; }
+  /// @throws Error if this or a job is busy
+  void requireIdle() const;
   /// @param pictures null: there are none to draw
   /// pre: !isBusy(), and no job runs
   void start(const QString& path, std::unique_ptr<PictureSession> pictures, Write write);
@@ -36,7 +38,7 @@ private:
   void drawNext();
   void save();
 
-  JobRunner& jobs_;
+  JobSlot& jobs_;
   QString path_;
   std::unique_ptr<PictureSession> pictures_;
   Write write_;

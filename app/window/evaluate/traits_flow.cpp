@@ -10,7 +10,7 @@
 #include "ui/document/hand_work_text.h"
 #include "ui/document/number_scale.h"
 #include "ui/document/plant_document.h"
-#include "ui/jobs/job_runner.h"
+#include "ui/jobs/job_slot.h"
 #include "ui/panels/traits_panel.h"
 
 #include <QAction>
@@ -56,7 +56,7 @@ TraitsFlow::TraitsFlow(const Parts& parts) : parts_(parts), maker_(parts.jobs) {
   });
   for (auto signal : {&PlantDocument::unitChanged, &PlantDocument::upChanged})
     connect(&document, signal, this, &TraitsFlow::takeEdit);
-  connect(&job_, &LatestJob::failed, this, &TraitsFlow::forget);
+  connect(&job_, &JobSlot::failed, this, &TraitsFlow::forget);
   connect(&maker_, &ReportMaker::busyChanged, this, &TraitsFlow::refresh);
   connect(&maker_, &ReportMaker::noted, this, &TraitsFlow::noted);
   connect(&maker_, &ReportMaker::written, this, &TraitsFlow::written);
@@ -121,15 +121,8 @@ void TraitsFlow::show() {
   panel_->show(shown, !isLightFresh_);
 }
 
-void TraitsFlow::requireIdle() const {
-  if (parts_.jobs.isRunning() || maker_.isBusy())
-    throw Error(tr("%1 is still running: wait for it, or cancel it")
-                    .arg(maker_.isBusy() ? tr("The report") : parts_.jobs.name())
-                    .toStdString());
-}
-
 void TraitsFlow::measureLight() {
-  requireIdle();
+  maker_.requireIdle();
   PlantMeasureOptions how = options();
   how.light = LightOptions();
   parts_.jobs.start(
@@ -180,7 +173,7 @@ PlantReportAbout TraitsFlow::about() const {
 }
 
 void TraitsFlow::write(const QString& path) {
-  requireIdle();
+  maker_.requireIdle();
   requirePlantReportName(toPath(path));
   requireWritable(toPath(path));
   PlantMeasureOptions how = options();

@@ -3,7 +3,7 @@
 #include "app/report/plant_report.h"
 #include "app/window/evaluate/report_maker.h"
 #include "app/window/frame/panel_dock.h"
-#include "ui/jobs/latest_job.h"
+#include "ui/jobs/job_slot.h"
 
 #include <QObject>
 #include <QTimer>
@@ -13,7 +13,7 @@
 
 namespace espalier {
 
-class JobRunner;
+class JobSlot;
 class PlantDocument;
 class TraitsPanel;
 
@@ -26,7 +26,7 @@ public:
   /// What it works with; all must outlive it.
   struct Parts {
     PlantDocument& document;
-    JobRunner& jobs;
+    JobSlot& jobs;
     PanelDock::Parts window;
   };
   explicit TraitsFlow(const Parts& parts);
@@ -51,7 +51,6 @@ private:
   void forget(const QString& why = {}); // there is nothing to measure
   void measureLight();
   void choose();
-  void requireIdle() const;
   [[nodiscard]] PlantMeasureOptions options() const;
   [[nodiscard]] PlantReportAbout about() const;
 
@@ -59,7 +58,7 @@ private:
   TraitsPanel* panel_ = nullptr;
   ReportMaker maker_;
   QTimer timer_;
-  LatestJob job_;
+  JobSlot job_{parts_.jobs.queue(), JobPriority::asked};
   bool isSeen_ = false;
   bool isFresh_ = false;
   std::optional<PlantMeasures> measures_; // without light

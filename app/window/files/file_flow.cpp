@@ -9,7 +9,7 @@
 #include "core/skeleton/bounds.h"
 #include "core/skeleton/edits.h"
 #include "ui/document/plant_document.h"
-#include "ui/jobs/job_runner.h"
+#include "ui/jobs/job_slot.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
@@ -69,7 +69,7 @@ void FileFlow::chooseAndOpen() {
 }
 
 void FileFlow::open(const QStringList& paths) {
-  requireNoJob();
+  parts_.jobs.requireIdle();
   for (const QString& path : paths) {
     if (!isProjectName(path) && !isProject(toPath(path))) continue;
     if (paths.size() > 1) throw Error(tr("%1: open a project alone").arg(path).toStdString());
@@ -103,12 +103,6 @@ void FileFlow::open(const QStringList& paths) {
           showUnlessKept([&] { show(std::move(*kept), isAnotherPlant); });
         });
       });
-}
-
-void FileFlow::requireNoJob() const {
-  if (parts_.jobs.isRunning())
-    throw Error(
-        tr("%1 is still running: wait for it, or cancel it").arg(parts_.jobs.name()).toStdString());
 }
 
 bool FileFlow::save() {
@@ -171,7 +165,7 @@ bool FileFlow::mayClose() {
 }
 
 void FileFlow::closePlant() {
-  if (parts_.jobs.isRunning()) parts_.jobs.cancel();
+  if (parts_.jobs.isBusy()) parts_.jobs.cancel();
   if (!mayDiscard()) return;
   parts_.projects.clear();
   emit outdated();
@@ -242,7 +236,7 @@ bool FileFlow::tellFit(const ScanFit& fit, QStringList notes) {
   if (fit.shift) {
     notes.append(offerToMove(structure, *fit.shift, document.unit()));
     const auto move = [this, shift = *fit.shift] {
-      requireNoJob();
+      parts_.jobs.requireIdle();
       parts_.document.edit(tr("Move structure onto the scan"),
                            [&](SkeletonEditor& editor) { moveAll(editor, shift); });
       emit movedOntoScan();

@@ -17,7 +17,7 @@ class QWidget;
 namespace espalier {
 
 class ActionSet;
-class JobRunner;
+class JobSlot;
 class PlantDocument;
 class RecentFiles;
 
@@ -29,7 +29,7 @@ public:
   /// What it works with; all must outlive it.
   struct Parts {
     PlantDocument& document;
-    JobRunner& jobs;
+    JobSlot& jobs;
     ActionSet& actions;
     ProjectFlow& projects;
     RecentFiles& recent;
@@ -78,7 +78,6 @@ private:
     ScanFit fit;
   };
   void show(Read read, bool isAnotherPlant);
-  void requireNoJob() const;
   bool tellFit(const ScanFit& fit, QStringList notes); // whether there was anything to tell
   struct Target {
     QString path; // empty: none was chosen

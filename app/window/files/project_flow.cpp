@@ -7,7 +7,7 @@
 #include "core/io/dropped.h"
 #include "core/mtg/mtg_of_skeleton.h"
 #include "ui/document/plant_document.h"
-#include "ui/jobs/job_runner.h"
+#include "ui/jobs/job_slot.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
@@ -36,7 +36,7 @@ ProjectFlow::ProjectFlow(const Parts& parts)
     : parts_(parts), sessions_(parts.settings), recorder_(parts.document) {
   parts_.document.setAuthor(
       parts_.settings.value("author", qEnvironmentVariable("USER")).toString());
-  connect(&parts_.jobs, &JobRunner::finished, this, &ProjectFlow::finishKeeping);
+  connect(&parts_.jobs, &JobSlot::finished, this, &ProjectFlow::finishKeeping);
   connect(&recorder_, &ProjectRecorder::failed, this, &ProjectFlow::tellFailure);
   connect(&recorder_, &ProjectRecorder::behindChanged, this, [this] {
     if (isNamed())
@@ -215,14 +215,8 @@ bool ProjectFlow::isOfThePlant(const Session& session) const {
          isSame(parts_.document.filePath(), session.file);
 }
 
-void ProjectFlow::requireIdle() const {
-  if (parts_.jobs.isRunning())
-    throw Error(
-        tr("%1 is still running: wait for it, or cancel it").arg(parts_.jobs.name()).toStdString());
-}
-
 void ProjectFlow::load(const QString& path, As as) {
-  requireIdle();
+  parts_.jobs.requireIdle();
   parts_.jobs.start(
       tr("Reading %1").arg(QFileInfo(path).fileName()),
       [path, as](const Progress& progress) {

@@ -16,7 +16,7 @@ class QWidget;
 
 namespace espalier {
 
-class JobRunner;
+class JobSlot;
 class PlantDocument;
 class RecentFiles;
 
@@ -32,7 +32,7 @@ public:
   /// What it works with; all must outlive it.
   struct Parts {
     PlantDocument& document;
-    JobRunner& jobs;
+    JobSlot& jobs;
     RecentFiles& recent;
     QSettings& settings;
     QWidget& window;
@@ -106,7 +106,6 @@ private:
   void noteFile();
   bool guarded(const std::function<void()>& act); // whether it went well
   void askForScan();
-  void requireIdle() const;
   void finishKeeping();
   void tellFailure(const QString& message);
   [[nodiscard]] bool isOfThePlant(const Session& session) const;

@@ -6,7 +6,7 @@
 #include "core/project/piece_writer.h"
 #include "core/project/point_bytes.h"
 #include "ui/document/plant_document.h"
-#include "ui/jobs/job_runner.h"
+#include "ui/jobs/job_slot.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
@@ -25,7 +25,7 @@ void ProjectFlow::keepScan(bool isKept) {
   if (!isNamed() || parts_.document.scan() == nullptr)
     throw Error(
         tr("there is no scan in a project: save the plant as a project first").toStdString());
-  requireIdle();
+  parts_.jobs.requireIdle();
   recorder_.flush();
   isKeeping_ = isKept;
   auto project = std::make_shared<Project>(recorder_.project()->another());

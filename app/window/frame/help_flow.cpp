@@ -29,7 +29,7 @@ void HelpFlow::addActions() {
               [this] { showPalette(); });
   actions.add({.id = "manual",
                .text = tr("Manual"),
-               .help = tr("Tells how things are done"),
+               .help = tr("How things are done"),
                .icon = "info",
                .keys = QKeySequence(Qt::Key_F1)},
               [this] { (new ManualWindow(":/manual/manual.md", &parts_.window))->show(); });

@@ -7,12 +7,13 @@
 
 namespace espalier {
 
-ScanDistances::ScanDistances(PlantDocument& document) : document_(document) {
+ScanDistances::ScanDistances(PlantDocument& document, JobQueue& queue)
+    : document_(document), job_(queue, JobPriority::background) {
   connect(&document, &PlantDocument::skeletonEdited, this, &ScanDistances::take);
   connect(&document, &PlantDocument::skeletonReplaced, this, &ScanDistances::measureAnew);
   connect(&document, &PlantDocument::scanChanged, this, &ScanDistances::measureAnew);
   connect(&document, &PlantDocument::leftOutChanged, this, &ScanDistances::measureAnew);
-  connect(&job_, &JobRunner::finished, this, [this] {
+  connect(&job_, &JobSlot::finished, this, [this] {
     if (!since_) start();
   });
 }
@@ -22,7 +23,7 @@ void ScanDistances::setWanted(Use use, bool isWanted) {
     uses_.insert(use);
   else
     uses_.erase(use);
-  if (uses_.empty() || (!distances_ && !job_.isRunning())) measureAnew();
+  if (uses_.empty() || (!distances_ && !job_.isBusy())) measureAnew();
 }
 
 std::vector<float> ScanDistances::toSurface() const {
@@ -48,7 +49,7 @@ PointSet ScanDistances::inScan(const std::vector<Eigen::Index>& points) const {
 
 void ScanDistances::take(const SkeletonDelta& delta) {
   if (uses_.empty()) return;
-  if (job_.isRunning()) {
+  if (job_.isBusy()) {
     if (since_) since_ = since_->then(delta);
     return;
   }
@@ -64,7 +65,7 @@ void ScanDistances::take(const SkeletonDelta& delta) {
 void ScanDistances::measureAnew() {
   const bool hadSome = std::exchange(distances_, nullptr) != nullptr;
   since_.reset();
-  if (job_.isRunning())
+  if (job_.isBusy())
     job_.cancel(); // begins again once it is over
   else
     start();

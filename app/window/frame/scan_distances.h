@@ -3,7 +3,7 @@
 #include "app/window/frame/window_part.h"
 #include "core/cloud/point_set.h"
 #include "core/skeleton/point_distances.h"
-#include "ui/jobs/job_runner.h"
+#include "ui/jobs/job_slot.h"
 
 #include <cstdint>
 #include <memory>
@@ -24,7 +24,7 @@ class ScanDistances : public WindowPart {
   Q_OBJECT
 
 public:
-  explicit ScanDistances(PlantDocument& document);
+  ScanDistances(PlantDocument& document, JobQueue& queue);
 
   enum class Use : std::uint8_t { findings, explained, nodeColors, pointColors, hulls };
   void setWanted(Use use, bool isWanted);
@@ -36,7 +36,7 @@ public:
   [[nodiscard]] std::vector<float> toSurface() const;
   /// Points that now() tells of, as they are counted in the scan. pre: as toSurface()
   [[nodiscard]] PointSet inScan(const std::vector<Eigen::Index>& points) const;
-  [[nodiscard]] bool isBusy() const override { return job_.isRunning(); }
+  [[nodiscard]] bool isBusy() const override { return job_.isBusy(); }
 
 signals:
   void changed();
@@ -51,7 +51,7 @@ private:
   std::shared_ptr<PointDistances> distances_;
   PointSet leftOut_;                   // when they were measured
   std::optional<SkeletonDelta> since_; // edits since the job began; none: it has to begin again
-  JobRunner job_;
+  JobSlot job_;
 };
 
 } // namespace espalier

@@ -9,10 +9,10 @@
 
 namespace espalier {
 
-DensityFlow::DensityFlow(PlantDocument& document, PipelinePanel& pipeline)
-    : document_(document), pipeline_(pipeline) {
+DensityFlow::DensityFlow(PlantDocument& document, JobQueue& queue, PipelinePanel& pipeline)
+    : document_(document), pipeline_(pipeline), job_(queue, JobPriority::asked) {
   connect(&pipeline_, &PipelinePanel::changed, this, [this](const Step& step) {
-    if (step.result == StepResult::points) refresh();
+    if (step.makes <= StepResult::contracted) refresh();
   });
   for (auto signal : {&PlantDocument::scanChanged, &PlantDocument::leftOutChanged})
     connect(&document_, signal, this, &DensityFlow::refresh);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/window/frame/window_part.h"
-#include "ui/jobs/latest_job.h"
+#include "ui/jobs/job_slot.h"
 
 namespace espalier {
 
@@ -14,7 +14,7 @@ class DensityFlow : public WindowPart {
 
 public:
   /// Both must outlive it.
-  DensityFlow(PlantDocument& document, PipelinePanel& pipeline);
+  DensityFlow(PlantDocument& document, JobQueue& queue, PipelinePanel& pipeline);
 
   void refresh();
   [[nodiscard]] bool isBusy() const override { return job_.isBusy(); }
@@ -22,7 +22,7 @@ public:
 private:
   PlantDocument& document_;
   PipelinePanel& pipeline_;
-  LatestJob job_;
+  JobSlot job_;
 };
 
 } // namespace espalier

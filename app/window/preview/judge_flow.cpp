@@ -50,7 +50,7 @@ JudgeFlow::JudgeFlow(const Parts& parts) : parts_(parts) {
   timer_.setSingleShot(true);
   timer_.setInterval(300); // [ms]: edits in a row are judged once
   connect(&timer_, &QTimer::timeout, this, &JudgeFlow::judge);
-  connect(&job_, &LatestJob::idled, this, &JudgeFlow::tell);
+  connect(&job_, &JobSlot::finished, this, &JudgeFlow::tell);
   const auto later = [this] { judgeLater(); };
   connect(&parts_.preview, &PreviewFlow::changed, this, later);
   connect(&parts_.states, &StatesFlow::changed, this, later);

@@ -4,7 +4,7 @@
 #include "app/window/frame/panel_dock.h"
 #include "app/window/frame/window_part.h"
 #include "app/window/preview/judged_state.h"
-#include "ui/jobs/latest_job.h"
+#include "ui/jobs/job_slot.h"
 #include "ui/panels/judge_table.h"
 
 #include <QStringList>
@@ -37,6 +37,7 @@ public:
   /// What it works with; all must outlive it.
   struct Parts {
     PlantDocument& document;
+    JobQueue& queue;
     PlantView& view;
     ReconstructFlow& reconstruct;
     PreviewFlow& preview;
@@ -86,7 +87,7 @@ private:
   bool isCurrent_ = false;       // what is shown: of the states as they are
   bool areValuesComing_ = false; // of another kind than was shown
   QTimer timer_;                 // many changes are judged at once
-  LatestJob job_;
+  JobSlot job_{parts_.queue, JobPriority::asked};
 };
 
 } // namespace espalier

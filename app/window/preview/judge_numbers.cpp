@@ -2,6 +2,7 @@
 
 #include "ui/document/length_unit.h"
 #include "ui/document/number_scale.h"
+#include "ui/document/shown_text.h"
 #include "ui/panels/score_text.h"
 
 #include <QCoreApplication>
@@ -30,60 +31,67 @@ int decimalsOf(const QString& unit) {
   return unit == symbol(LengthUnit::meter) ? 2 : unit == symbol(LengthUnit::centimeter) ? 1 : 0;
 }
 
+struct JudgedNumbers {
+  Q_DECLARE_TR_FUNCTIONS(JudgedNumbers)
+};
+
 std::vector<JudgedNumber> numbersOfQuality(const QString& unit) {
-  const auto tr = [](const char* text) {
-    return QCoreApplication::translate("JudgedNumbers", text);
-  };
   using Q = ContractionQuality;
   using Rank = JudgedNumber::Rank;
   return {
-      {tr("Residual thickness"), tr("spacings"),
-       tr("How far contracted points lie from the axis through those near them: the root mean "
-          "square near each place of the plant, and of these the median"),
-       Better::less, 2, ofQuality(&Q::residualThickness), Rank::byItself, tr("Thickness")},
-      {tr("On a line"), tr("%"), tr("Share of points whose contracted neighbors lie on a line"),
-       Better::more, 1, ofQuality(&Q::shareOnLine, 100), Rank::byItself, tr("On a line")},
-      {.name = tr("Ends of the scan"),
+      {JudgedNumbers::tr("Residual thickness"), JudgedNumbers::tr("spacings"),
+       JudgedNumbers::tr(
+           "How far contracted points lie from the axis through those near them: the root mean "
+           "square near each place of the plant, and of these the median"),
+       Better::less, 2, ofQuality(&Q::residualThickness), Rank::byItself,
+       JudgedNumbers::tr("Thickness")},
+      {JudgedNumbers::tr("On a line"), JudgedNumbers::tr("%"),
+       JudgedNumbers::tr("Share of points whose contracted neighbors lie on a line"), Better::more,
+       1, ofQuality(&Q::shareOnLine, 100), Rank::byItself, JudgedNumbers::tr("On a line")},
+      {.name = JudgedNumbers::tr("Ends of the scan"),
        .unit = {},
-       .meaning = tr("Ends of branches, as the points show"),
+       .meaning = JudgedNumbers::tr("Ends of branches, as the points show"),
        .better = Better::neither,
        .decimals = 0,
        .of = ofQuality(&Q::tips)},
-      {tr("Lost ends"),
+      {JudgedNumbers::tr("Lost ends"),
        {},
-       tr("Ends of branches with no tip of the skeleton within 7 spacings, or without a skeleton "
-          "no contracted point"),
+       JudgedNumbers::tr(
+           "Ends of branches with no tip of the skeleton within 7 spacings, or without a skeleton "
+           "no contracted point"),
        Better::less,
        0,
        ofQuality(&Q::lostTips),
        Rank::byItself,
-       tr("Lost ends"),
+       JudgedNumbers::tr("Lost ends"),
        ofQuality(&Q::tips)},
-      {tr("Webbed places"),
+      {JudgedNumbers::tr("Bridged places"),
        {},
-       tr("Places where contracted points lie together that are far apart along the plant"),
+       JudgedNumbers::tr(
+           "Places where contracted points lie together that are far apart along the plant"),
        Better::less,
        0,
        ofQuality(&Q::webbedJunctions),
        Rank::byItself,
-       tr("Webbed")},
-      {tr("Unexplained points"),
+       JudgedNumbers::tr("Bridged")},
+      {JudgedNumbers::tr("Unexplained points"),
        {},
-       tr("Points that are contracted to more than 3 spacings off the wood of the skeleton"),
+       JudgedNumbers::tr(
+           "Points that are contracted to more than 3 spacings off the wood of the skeleton"),
        Better::less,
        0,
        ofSkeleton(&Q::unexplainedPoints),
        Rank::byItself,
-       tr("Unexplained")},
-      {.name = tr("Length of the skeleton"),
+       JudgedNumbers::tr("Unexplained")},
+      {.name = JudgedNumbers::tr("Length of the skeleton"),
        .unit = unit,
-       .meaning = tr("Of all its edges"),
+       .meaning = JudgedNumbers::tr("Of all its edges"),
        .better = Better::neither,
        .decimals = decimalsOf(unit),
        .of = ofSkeleton(&Q::skeletonLength)},
-      {.name = tr("Nodes"),
+      {.name = JudgedNumbers::tr("Nodes"),
        .unit = {},
-       .meaning = tr("Nodes of the skeleton"),
+       .meaning = JudgedNumbers::tr("Nodes of the skeleton"),
        .better = Better::neither,
        .decimals = 0,
        .of = ofSkeleton(&Q::nodes)},
@@ -97,7 +105,7 @@ std::vector<JudgedNumber> numbersOfReference() {
     numbers.push_back(
         {.name = titled(labelOf(*score)),
          .unit = {},
-         .meaning = scoreText(score->help),
+         .meaning = shownText(score->help),
          .better = score->better,
          .decimals = 3,
          .of = [key = score->key](const Judgment& judgment) -> std::optional<double> {
@@ -141,12 +149,10 @@ std::vector<std::pair<QString, QString>> meaningsOf(const std::vector<JudgedNumb
 }
 
 QString paperKey(bool hasContracted) {
-  const auto tr = [](const char* text) {
-    return QCoreApplication::translate("JudgedNumbers", text);
-  };
-  const QString points =
-      hasContracted ? tr("Green: the contracted points.") : tr("Gray: the scanned points.");
-  return points + ' ' + tr("Black: the skeleton, with edges that branch off in vermillion.");
+  const QString points = hasContracted ? JudgedNumbers::tr("Green: the contracted points.")
+                                       : JudgedNumbers::tr("Gray: the scanned points.");
+  return points + ' ' +
+         JudgedNumbers::tr("Black: the skeleton, with edges that branch off in vermillion.");
 }
 
 } // namespace espalier

@@ -25,7 +25,7 @@ constexpr Eigen::Index ballPoints = 20000; // what is shown at once
 constexpr int resting = 250;               // [ms] without a change: the hand rests
 
 bool isOfPoints(const Step& step) {
-  return step.result == StepResult::points;
+  return step.makes <= StepResult::contracted;
 }
 
 Outcome outcomeOf(RegionPreview region, const Ball& ball, const PipelineOptions& options,
@@ -60,17 +60,17 @@ PreviewFlow::PreviewFlow(const Parts& parts) : parts_(parts) {
     isAllOwed_ = job_.isBusy(); // then once it is done
     if (!isAllOwed_) askAll();
   });
-  connect(&job_, &LatestJob::idled, this, [this] {
+  connect(&job_, &JobSlot::finished, this, [this] {
     if (isAllOwed_) askAll();
   });
-  connect(&job_, &LatestJob::failed, this, [this](const QString& message) {
+  connect(&job_, &JobSlot::failed, this, [this](const QString& message) {
     rest_.stop();
     isAll_ = isAllOwed_ = false;
     parts_.pipeline.showFailed(message);
     emit failed(message);
     emit changed();
   });
-  connect(&job_, &LatestJob::progressed, this, [this](double, const QString& stage) {
+  connect(&job_, &JobSlot::progressed, this, [this](double, const QString& stage) {
     if (isAll_) parts_.pipeline.showRunning(stage);
   });
   connect(&parts_.pipeline, &PipelinePanel::changed, this, [this](const Step& step) {

@@ -4,7 +4,7 @@
 #include "app/window/preview/shared_pipeline.h"
 #include "core/cloud/ball.h"
 #include "core/evaluate/study/contraction_quality.h"
-#include "ui/jobs/latest_job.h"
+#include "ui/jobs/job_slot.h"
 #include "ui/view/plant_state.h"
 
 #include <QTimer>
@@ -49,6 +49,7 @@ public:
   /// What it works with; all must outlive it.
   struct Parts {
     PlantDocument& document;
+    JobQueue& queue;
     PlantView& view;
     PipelinePanel& pipeline;
     ActionSet& actions;
@@ -117,7 +118,7 @@ private:
   void forgetScan();
 
   Parts parts_;
-  LatestJob job_;
+  JobSlot job_{parts_.queue, JobPriority::hand};
   QTimer rest_;                                      // of the hand; then comes the whole
   std::shared_ptr<const RegionPreviewer> previewer_; // of the scan; null: not needed yet
   std::optional<Eigen::Vector3d> placed_;            // center of the ball; none: where one looks

@@ -6,7 +6,7 @@
 #include "ui/document/number_scale.h"
 #include "ui/document/plant_document.h"
 #include "ui/document/shown_text.h"
-#include "ui/jobs/job_runner.h"
+#include "ui/jobs/job_slot.h"
 
 #include <QAction>
 #include <QElapsedTimer>
@@ -37,13 +37,13 @@ ReconstructFlow::ReconstructFlow(const Parts& parts)
         },
         Refusal::inBanner);
   });
-  connect(&jobs_, &JobRunner::progressed, this, [this](double, const QString& stage) {
+  connect(&jobs_, &JobSlot::progressed, this, [this](double, const QString& stage) {
     if (isRunning_) panel_.showRunning(stage);
   });
-  connect(&jobs_, &JobRunner::failed, this, [this](const QString& message) {
+  connect(&jobs_, &JobSlot::failed, this, [this](const QString& message) {
     if (isRunning_) panel_.showFailed(message);
   });
-  connect(&jobs_, &JobRunner::finished, this, [this] { isRunning_ = false; });
+  connect(&jobs_, &JobSlot::finished, this, [this] { isRunning_ = false; });
   for (auto signal : {&PlantDocument::scanChanged, &PlantDocument::skeletonReplaced})
     connect(&document_, signal, this, [this] {
       notes_.clear();
@@ -58,7 +58,7 @@ void ReconstructFlow::setEnabled(bool isEnabled) {
 }
 
 void ReconstructFlow::setPlantShown(bool /*isShown*/) {
-  const bool canRun = document_.scan() != nullptr && !jobs_.isRunning();
+  const bool canRun = document_.scan() != nullptr && !jobs_.isBusy();
   panel_.setRunnable(canRun);
   actions_["reconstruct"]->setEnabled(canRun);
 }
@@ -68,9 +68,7 @@ void ReconstructFlow::start(const Step* last) {
   if (document_.scan() == nullptr)
     throw Error(tr("there is no scan to reconstruct from: open one first").toStdString());
   document_.requireWritable();
-  if (jobs_.isRunning())
-    throw Error(
-        tr("%1 is still running: wait for it, or cancel it").arg(jobs_.name()).toStdString());
+  jobs_.requireIdle();
   PipelineOptions ofKept = panel_.options();
   ofKept.leftOut = document_.leftOut();
   isRunning_ = true;

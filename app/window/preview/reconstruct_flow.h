@@ -14,7 +14,7 @@
 namespace espalier {
 
 class ActionSet;
-class JobRunner;
+class JobSlot;
 class PlantDocument;
 
 /// From scan to skeleton as a job, or a part of the way; the result is one undo step.
@@ -25,7 +25,7 @@ public:
   /// What it works with; all must outlive it.
   struct Parts {
     PlantDocument& document;
-    JobRunner& jobs;
+    JobSlot& jobs;
     ActionSet& actions;
     PipelinePanel& panel;
   };
@@ -67,7 +67,7 @@ private:
   void refreshUsed();
 
   PlantDocument& document_;
-  JobRunner& jobs_;
+  JobSlot& jobs_;
   ActionSet& actions_;
   PipelinePanel& panel_;
   std::shared_ptr<SharedPipeline> pipeline_; // keeps the results of steps

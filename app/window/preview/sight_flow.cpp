@@ -70,7 +70,7 @@ SightFlow::SightFlow(const Parts& parts) : parts_(parts) {
   timer_.setSingleShot(true);
   timer_.setInterval(15); // [ms]
   connect(&timer_, &QTimer::timeout, this, &SightFlow::look);
-  connect(&job_, &LatestJob::failed, this, &SightFlow::failed);
+  connect(&job_, &JobSlot::failed, this, &SightFlow::failed);
   connect(&parts_.preview, &PreviewFlow::changed, this, &SightFlow::prepare);
   connect(&parts_.pipeline, &PipelinePanel::changed, this, &SightFlow::prepare);
   connect(&parts_.document, &PlantDocument::contractedChanged, this, &SightFlow::prepare);

@@ -2,7 +2,7 @@
 
 #include "app/window/frame/window_part.h"
 #include "core/pipeline/method_sight.h"
-#include "ui/jobs/latest_job.h"
+#include "ui/jobs/job_slot.h"
 
 #include <QTimer>
 
@@ -29,6 +29,7 @@ public:
   /// What it works with; all must outlive it.
   struct Parts {
     PlantDocument& document;
+    JobQueue& queue;
     PlantView& view;
     PipelinePanel& pipeline;
     ActionSet& actions;
@@ -48,7 +49,7 @@ private:
   std::shared_ptr<const MethodSights> sights_; // null: not ready
   QTimer timer_;                               // many moves of the mouse are one
   std::optional<Eigen::Index> shown_;
-  LatestJob job_;
+  JobSlot job_{parts_.queue, JobPriority::hand};
 };
 
 } // namespace espalier

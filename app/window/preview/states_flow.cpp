@@ -14,7 +14,6 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QGridLayout>
-#include <QMenu>
 
 #include <utility>
 

@@ -2,7 +2,7 @@
 
 #include "app/window/frame/window_part.h"
 #include "app/window/preview/preview_flow.h"
-#include "ui/jobs/latest_job.h"
+#include "ui/jobs/job_slot.h"
 
 #include <cstdint>
 #include <optional>
@@ -30,6 +30,7 @@ public:
   /// What it works with; all must outlive it.
   struct Parts {
     PlantDocument& document;
+    JobQueue& queue;
     PlantView& view;
     ActionSet& actions;
     ReconstructFlow& reconstruct;
@@ -70,7 +71,7 @@ private:
   double divider_ = 0.5;
   std::optional<Outcome> kept_;
   bool areReplaced_ = false; // the points of A, as it is shown
-  LatestJob differences_;
+  JobSlot differences_{parts_.queue, JobPriority::asked};
 };
 
 } // namespace espalier

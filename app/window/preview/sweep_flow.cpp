@@ -58,7 +58,7 @@ SweepFlow::SweepFlow(const Parts& parts) : parts_(parts) {
                      .help = tr("Shows or hides what comes of several values of one option"),
                      .keys = QKeySequence(Qt::SHIFT | Qt::Key_F7)},
                     makePanel(), this));
-  connect(&job_, &LatestJob::failed, this, [this](const QString& message) {
+  connect(&job_, &JobSlot::failed, this, [this](const QString& message) {
     if (next_ >= trials_.size()) return;
     trials_[next_].item.failure = message;
     trials_[next_].item.isPending = false;
@@ -138,7 +138,7 @@ QWidget* SweepFlow::makePanel() {
       start();
   });
   connect(option_, &QComboBox::currentIndexChanged, this, &SweepFlow::proposeRange);
-  connect(&job_, &LatestJob::idled, this, [this] { run_->setText(tr("Run")); });
+  connect(&job_, &JobSlot::finished, this, [this] { run_->setText(tr("Run")); });
   connect(strip_, &SweepStrip::chosen, this, &SweepFlow::take);
   return panel;
 }

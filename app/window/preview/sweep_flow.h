@@ -4,7 +4,7 @@
 #include "app/window/frame/panel_dock.h"
 #include "app/window/frame/window_part.h"
 #include "app/window/preview/judged_state.h"
-#include "ui/jobs/latest_job.h"
+#include "ui/jobs/job_slot.h"
 #include "ui/panels/sweep_card.h"
 
 #include <vector>
@@ -34,6 +34,7 @@ public:
   /// What it works with; all must outlive it.
   struct Parts {
     PlantDocument& document;
+    JobQueue& queue;
     PlantView& view;
     PipelinePanel& pipeline;
     ReconstructFlow& reconstruct;
@@ -91,7 +92,7 @@ private:
   std::size_t next_ = 0;
   QTimer seen_; // until the view rests: then the pictures follow it, one at a time
   std::size_t pictured_ = 0;
-  LatestJob job_;
+  JobSlot job_{parts_.queue, JobPriority::asked};
 };
 
 } // namespace espalier

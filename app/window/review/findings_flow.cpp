@@ -7,11 +7,11 @@
 #include "core/skeleton/checks_of_scan.h"
 #include "core/skeleton/path_edits.h"
 #include "ui/document/plant_document.h"
+#include "ui/panels/check_form.h"
 #include "ui/panels/findings_panel.h"
 #include "ui/view/plant_view.h"
 
 #include <QAction>
-#include <QMenu>
 
 #include <algorithm>
 #include <iterator>
@@ -33,12 +33,15 @@ FindingsFlow::FindingsFlow(const Parts& parts) : parts_(parts) {
   keepInProject({.name = "ignored_findings",
                  .text = [this] { return textOf(ignored_); },
                  .show = [this](const std::string& text) { show(text); }});
+  keepInProject({.name = "check_limits",
+                 .text = [this] { return textOf(panel_->checks().chosen()); },
+                 .show = [this](const std::string& text) { showLimits(text); }});
   connectParts();
   showAction();
 }
 
 bool FindingsFlow::isBusy() const {
-  return timer_.isActive() || job_.isRunning() || parts_.distances.isBusy();
+  return timer_.isActive() || job_.isBusy() || parts_.distances.isBusy();
 }
 
 void FindingsFlow::show(const std::string& text) {
@@ -46,6 +49,17 @@ void FindingsFlow::show(const std::string& text) {
   list();
   ignored_ = findingsFrom(text);
   list();
+}
+
+void FindingsFlow::showLimits(const std::string& text) {
+  panel_->checks().choose({});
+  panel_->checks().choose(limitsFrom(text));
+  checkAnew();
+}
+
+void FindingsFlow::checkAnew() {
+  isScanChecked_ = false;
+  later();
 }
 
 void FindingsFlow::addActions() {
@@ -63,7 +77,14 @@ void FindingsFlow::addActions() {
       QKeySequence(Qt::CTRL | Qt::Key_F4), [this] { toggleIgnored(); });
   add("select_findings", tr("All Findings"), tr("Selects the nodes of all findings of the checks"),
       {}, [this] { selectAll(); });
-  parts_.actions.place("review/findings", {"next_finding", "previous_finding", "ignore_finding"});
+  add("check_limits", tr("Limits of the Checks"),
+      tr("Shows or hides from where on the checks report something"), {}, [this] {
+        const bool isOpen = dock_->isShown() && panel_->checks().isOpen();
+        dock_->bringToFront();
+        panel_->checks().setOpen(!isOpen);
+      });
+  parts_.actions.place("review/findings",
+                       {"next_finding", "previous_finding", "ignore_finding", "check_limits"});
   parts_.actions.place("select/findings", {"select_findings"});
 }
 
@@ -113,12 +134,12 @@ void FindingsFlow::connectParts() {
     isScanChecked_ = false;
     later();
   });
-  connect(&job_, &JobRunner::finished, this, [this] {
+  connect(&job_, &JobSlot::finished, this, [this] {
     if (std::exchange(isJobOutdated_, false)) startJob();
     panel_->setChecking(!isAllChecked());
     answer();
   });
-  connect(&job_, &JobRunner::failed, this, &FindingsFlow::noted);
+  connect(&job_, &JobSlot::failed, this, &FindingsFlow::noted);
   connect(dock_, &PanelDock::shown, this, [this](bool isShown) {
     parts_.distances.setWanted(ScanDistances::Use::findings, isShown);
     isAwaited_ = false;
@@ -126,6 +147,10 @@ void FindingsFlow::connectParts() {
   });
   connect(panel_, &FindingsPanel::chosen, this, &FindingsFlow::goTo);
   connect(panel_, &FindingsPanel::currentChanged, this, &FindingsFlow::showAction);
+  connect(&panel_->checks(), &CheckForm::changed, this, [this] {
+    checkAnew();
+    emit keptChanged();
+  });
 }
 
 void FindingsFlow::later() {
@@ -138,7 +163,7 @@ void FindingsFlow::refresh() {
   const Skeleton& skeleton = parts_.document.skeleton();
   isCheckedAtOnce_ = skeleton.size() <= most;
   if (isCheckedAtOnce_) {
-    ofSkeleton_ = check(skeleton, spacing());
+    ofSkeleton_ = check(skeleton, spacing(), panel_->checks().options());
     list();
   }
   startJob();
@@ -148,9 +173,10 @@ void FindingsFlow::refresh() {
 /// are near at all.
 std::vector<Finding> FindingsFlow::ownFindings(const Skeleton& skeleton,
                                                const PointDistances& distances, const Found& found,
-                                               double spacing, const Progress& progress) {
-  std::vector<Finding> own =
-      branchesWithoutOwnPoints(skeleton, distances, found.indexed->index, spacing, {}, progress);
+                                               double spacing, const CheckOptions& options,
+                                               const Progress& progress) {
+  std::vector<Finding> own = branchesWithoutOwnPoints(skeleton, distances, found.indexed->index,
+                                                      spacing, options, progress);
   std::set<NodeId> told;
   for (const Finding& finding : found.ofScan)
     std::ranges::copy(nodesOf(finding), std::inserter(told, told.end()));
@@ -164,7 +190,7 @@ std::vector<Finding> FindingsFlow::ownFindings(const Skeleton& skeleton,
 void FindingsFlow::startJob() {
   const std::shared_ptr<const PointDistances> distances = parts_.distances.now();
   if (!distances && isCheckedAtOnce_) return; // the distances tell when they are ready
-  if (job_.isRunning()) {
+  if (job_.isBusy()) {
     isJobOutdated_ = true;
     job_.cancel();
     return;
@@ -172,19 +198,20 @@ void FindingsFlow::startJob() {
   job_.start(
       tr("Check the plant"),
       [distances, indexed = indexed_, isCheckedAtOnce = isCheckedAtOnce_, spacing = spacing(),
+       options = panel_->checks().options(),
        skeleton = parts_.document.skeleton()](const Progress& progress) {
         Found found{.indexed = indexed};
-        if (!isCheckedAtOnce) found.ofSkeleton = check(skeleton, spacing);
+        if (!isCheckedAtOnce) found.ofSkeleton = check(skeleton, spacing, options);
         if (!distances) return found;
         const std::shared_ptr<const PointCloud>& cloud = distances->cloud();
         if (!found.indexed || found.indexed->cloud != cloud)
           found.indexed =
               std::make_shared<const Indexed>(Indexed{cloud, SpatialIndex(cloud->positions())});
         found.ofScan =
-            edgesWithoutPoints(skeleton, *cloud, found.indexed->index, spacing, {}, progress);
-        std::ranges::move(ownFindings(skeleton, *distances, found, spacing, progress),
+            edgesWithoutPoints(skeleton, *cloud, found.indexed->index, spacing, options, progress);
+        std::ranges::move(ownFindings(skeleton, *distances, found, spacing, options, progress),
                           std::back_inserter(found.ofScan));
-        std::ranges::move(unexplainedClusters(*distances, spacing, {}, progress),
+        std::ranges::move(unexplainedClusters(*distances, spacing, options, progress),
                           std::back_inserter(found.ofScan));
         return found;
       },

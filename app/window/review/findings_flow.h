@@ -4,6 +4,7 @@
 #include "app/window/frame/scan_distances.h"
 #include "app/window/frame/window_part.h"
 #include "core/base/spatial_index.h"
+#include "core/skeleton/check_options.h"
 #include "core/skeleton/finding.h"
 
 #include <QString>
@@ -37,6 +38,7 @@ public:
   /// What it works with; all must outlive it.
   struct Parts {
     PlantDocument& document;
+    JobQueue& queue;
     PlantView& view;
     ActionSet& actions;
     ScanDistances& distances;
@@ -66,15 +68,16 @@ private:
   /// @param text  what is ignored, as JSON; empty: nothing
   /// @throws Error if it is no such text; nothing is ignored then
   void show(const std::string& text);
+  void showLimits(const std::string& text); // the same of what the user set of the checks
+  void checkAnew();                         // by other limits
   void connectParts();
 
   void later();
   void refresh();
   void startJob();
-  [[nodiscard]] static std::vector<Finding> ownFindings(const Skeleton& skeleton,
-                                                        const PointDistances& distances,
-                                                        const Found& found, double spacing,
-                                                        const Progress& progress);
+  [[nodiscard]] static std::vector<Finding>
+  ownFindings(const Skeleton& skeleton, const PointDistances& distances, const Found& found,
+              double spacing, const CheckOptions& options, const Progress& progress);
   void take(Found found);
   [[nodiscard]] double spacing() const; // between points [L]; 0: there is no scan
   [[nodiscard]] bool isAllChecked() const;
@@ -92,7 +95,7 @@ private:
   FindingsPanel* panel_ = nullptr;
   PanelDock* dock_ = nullptr;
   QTimer timer_;
-  JobRunner job_;
+  JobSlot job_{parts_.queue, JobPriority::background};
   bool isJobOutdated_ = false;
   bool isCheckedAtOnce_ = true;
   bool isAwaited_ = false;     // one has asked for findings before there were any

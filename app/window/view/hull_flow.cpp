@@ -64,8 +64,8 @@ HullFlow::HullFlow(const Parts& parts) : parts_(parts) {
   connect(&document, &PlantDocument::scanChanged, this, anew);
   connect(&document, &PlantDocument::unitChanged, this, &HullFlow::follow);
   connect(&parts_.distances, &ScanDistances::changed, this, &HullFlow::follow);
-  connect(&job_, &JobRunner::failed, this, &HullFlow::noted);
-  connect(&job_, &JobRunner::finished, this, [this] {
+  connect(&job_, &JobSlot::failed, this, &HullFlow::noted);
+  connect(&job_, &JobSlot::finished, this, [this] {
     if (std::exchange(isJobOutdated_, false)) work();
   });
   refreshEnabled();
@@ -124,7 +124,7 @@ void HullFlow::work() {
   for (const NodeId id : asked_)
     if (!std::ranges::binary_search(nodes_, id)) nodes_.push_back(id);
   parts_.distances.setWanted(ScanDistances::Use::hulls, !nodes_.empty());
-  if (job_.isRunning()) {
+  if (job_.isBusy()) {
     isJobOutdated_ = true;
     job_.cancel();
     return;

@@ -26,6 +26,7 @@ public:
   /// What it works with; all must outlive it.
   struct Parts {
     PlantDocument& document;
+    JobQueue& queue;
     PlantView& view;
     ActionSet& actions;
     const Editing& editing;
@@ -51,7 +52,7 @@ private:
   std::vector<NodeId> asked_; // to be given a hull
   std::vector<NodeId> nodes_; // of the hulls that are being made, or shown
   QTimer timer_;
-  JobRunner job_;
+  JobSlot job_{parts_.queue, JobPriority::asked};
   bool isJobOutdated_ = false;
 };
 } // namespace espalier

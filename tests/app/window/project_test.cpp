@@ -188,7 +188,7 @@ TEST_F(ProjectWindowTest, TellsThatAnotherWindowHasTheProjectAndOpensACopy) {
   EXPECT_TRUE(second.banner().text().contains("open in another window"));
   EXPECT_TRUE(second.document().isEmpty());
   second.findChild<QPushButton*>("banner_action")->click();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !second.jobs().isRunning(); }, 60'000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !second.jobs().isBusy(); }, 60'000));
   EXPECT_EQ(second.document().skeleton(), document().skeleton());
   second.document().edit("Radius", [](SkeletonEditor& editor) { editor.setRadius(forkTop, 9); });
   EXPECT_EQ(onDisk(file), document().history()) << "a copy does not touch it";
@@ -203,7 +203,7 @@ TEST_F(ProjectWindowTest, OpensAProjectOfAnotherWindowReadOnly) {
   MainWindow second(settings);
   second.open({file});
   second.findChild<QPushButton*>("banner_other_action")->click();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !second.jobs().isRunning(); }, 60'000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !second.jobs().isBusy(); }, 60'000));
   EXPECT_EQ(second.document().skeleton(), document().skeleton());
   EXPECT_TRUE(second.windowTitle().startsWith("plant.espalier (read-only)"));
   EXPECT_THROW(second.document().edit("Radius",

@@ -101,7 +101,7 @@ TEST_F(RadiusWindowTest, MeasuresManyNodesAsAJobAndOneStep) {
   });
   document().selection().set(document().skeleton().ids());
   action("radius_circle").trigger();
-  EXPECT_TRUE(window().jobs().isRunning());
+  EXPECT_TRUE(window().jobs().isBusy());
   EXPECT_FALSE(action("radius_circle").isEnabled());
   waitForJob();
   EXPECT_EQ(document().undoStack().count(), 2);

@@ -129,7 +129,7 @@ TEST_F(ReferenceWindowTest, AsksWhatADroppedStructureIsToBe) {
   EXPECT_TRUE(action("remove_reference").isEnabled());
   EXPECT_EQ(document().skeleton().size(), 5U);
   answer(press("Cancel"), [this] { drop(path("expert.mtg")); });
-  EXPECT_FALSE(window().jobs().isRunning());
+  EXPECT_FALSE(window().jobs().isBusy());
   answer(press("Open"), [this] { drop(path("expert.mtg")); });
   waitForJob();
   EXPECT_EQ(document().skeleton().size(), 4U);

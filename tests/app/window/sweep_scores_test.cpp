@@ -43,7 +43,7 @@ TEST(SweepScores, MarkTheBestUnlessHalfOfTheValuesShareIt) {
   EXPECT_FALSE(named(scores[0], "Lost ends").isBest);
   EXPECT_EQ(named(scores[0], "On a line").text, QString::fromUtf8("50.0\u202f%"));
   for (const auto& each : scores)
-    EXPECT_FALSE(named(each, "Webbed").isBest) << "two of three are webbed nowhere";
+    EXPECT_FALSE(named(each, "Bridged").isBest) << "two of three are bridged nowhere";
 }
 
 // Wider means thinner: that the widest is thinnest does not make it the best.
@@ -55,7 +55,7 @@ TEST(SweepScores, CrownNoEndByANumberThatLeadsThereByItself) {
   }
   EXPECT_TRUE(named(scores[2], "Thickness").tip.contains("No star"));
   EXPECT_TRUE(named(scores[2], "Thickness").tip.contains("[spacings]"));
-  EXPECT_FALSE(named(scores[2], "Webbed").tip.contains("No star")) << "no best to begin with";
+  EXPECT_FALSE(named(scores[2], "Bridged").tip.contains("No star")) << "no best to begin with";
 }
 
 TEST(SweepScores, CrownAnEndThatAgreesBestWithTheReference) {

@@ -95,7 +95,7 @@ TEST_F(TraitsWindowTest, LightIsMeasuredOnDemand) {
   ASSERT_TRUE(waitFor("Tips", "3"));
   EXPECT_EQ(trait("STAR"), "");
   find<QToolButton>("traits_light").click();
-  EXPECT_TRUE(window().jobs().isRunning()) << "with progress and cancel in the status bar";
+  EXPECT_TRUE(window().jobs().isBusy()) << "with progress and cancel in the status bar";
   waitForJob();
   const QString star = trait("STAR");
   EXPECT_GT(star.toDouble(), 0.1);

@@ -58,7 +58,7 @@ TEST_F(WholeWay, LeadsFromAScanToASkeletonSavedAndFoundAgain) {
   EXPECT_TRUE(window().windowTitle().startsWith("plant.xyz"));
 
   key(Qt::Key_R, Qt::ControlModifier);
-  ASSERT_TRUE(window().jobs().isRunning());
+  ASSERT_TRUE(window().jobs().isBusy());
   clickButton("cancel_job");
   waitForJob();
   EXPECT_TRUE(document().skeleton().isEmpty()) << "a canceled job leaves the plant as it was";

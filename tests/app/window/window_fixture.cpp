@@ -94,7 +94,7 @@ void WindowTest::open(const QStringList& paths) {
 }
 
 void WindowTest::waitForJob() {
-  ASSERT_TRUE(QTest::qWaitFor([this] { return !window_->jobs().isRunning(); }, patience));
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !window_->jobs().isBusy(); }, patience));
 }
 
 void WindowTest::waitForView() {

@@ -50,7 +50,7 @@ TEST_F(MainWindowTest, StartsWithWhatToDoAndNoPanels) {
 
 TEST_F(MainWindowTest, AsksForNoScanWhileOneIsRead) {
   window().open({writeScan("plant.xyz")});
-  ASSERT_TRUE(window().jobs().isRunning());
+  ASSERT_TRUE(window().jobs().isBusy());
   EXPECT_FALSE(window().statusLine().shownText().contains("Open a scan"));
   waitForJob();
   EXPECT_TRUE(window().statusLine().shownText().contains("Drag: turn"));

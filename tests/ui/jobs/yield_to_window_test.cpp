@@ -1,4 +1,4 @@
-#include "ui/jobs/job_runner.h"
+#include "ui/jobs/job_slot.h"
 #include "ui/jobs/yield_to_window.h"
 
 #include <QTest>
@@ -26,12 +26,13 @@ TEST(YieldToWindow, IsInheritedAndLeavesOtherThreadsAsTheyAre) {
 }
 
 TEST(YieldToWindow, IsDoneByJobs) {
-  JobRunner runner;
+  JobQueue queue;
+  JobSlot slot(queue, JobPriority::asked);
   int inJob = niceness();
   const int before = inJob;
-  runner.start(
+  slot.start(
       "Look", [](const Progress&) { return niceness(); }, [&](int nice) { inJob = nice; });
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !runner.isRunning(); }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !slot.isBusy(); }));
   EXPECT_GT(inJob, before);
 }
 

@@ -40,8 +40,8 @@ void addReport(CLI::App& command, ReportFlags& flags) {
       ->type_name("FILE");
   command
       .add_option("--scan", flags.scan,
-                  "Points of the plant: show how radii agree by how far around they were "
-                  "seen, and are shown in the report")
+                  "Points of the plant, which the report shows; radii are compared by how much of "
+                  "the circumference was seen")
       ->type_name("FILE");
 }
 

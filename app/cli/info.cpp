@@ -122,7 +122,7 @@ void info(const InfoFlags& flags) {
 } // namespace
 
 void addInfo(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("info", "Tell what a file holds");
+  CLI::App* command = app.add_subcommand("info", "Show what a file holds");
   const auto flags = std::make_shared<InfoFlags>();
   command
       ->add_option("FILE", flags->file,

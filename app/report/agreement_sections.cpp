@@ -8,7 +8,7 @@ namespace {
 ReportTable distanceTable(const ReportParts& parts) {
   const ReportNumbers& numbers = parts.numbers;
   ReportTable table;
-  table.columns = {{numbers.inUnit(reportText("within")), false}};
+  table.columns = {{numbers.inUnit(ReportText::tr("within")), false}};
   for (const Score* score : scoresByDistance())
     table.columns.push_back({symbolOf(*score)});
   for (const auto& [distance, values] : parts.data.comparison.scoresAt) {
@@ -27,13 +27,13 @@ ReportTable howFar(const ReportParts& parts) {
   const ReportNumbers& numbers = parts.numbers;
   const ToleranceCurve& curve = parts.data.comparison.tolerance;
   ReportTable table;
-  table.caption = reportText("How far from one to the other, over the length");
-  table.columns = {{reportText("from"), false},
-                   {numbers.inUnit(reportText("mean"))},
-                   {numbers.inUnit(reportText("95 % within"))},
-                   {reportText("over %1 off")
+  table.caption = ReportText::tr("How far from one to the other, over the length");
+  table.columns = {{ReportText::tr("from"), false},
+                   {numbers.inUnit(ReportText::tr("mean"))},
+                   {numbers.inUnit(ReportText::tr("95 % within"))},
+                   {ReportText::tr("over %1 off")
                         .arg(numbers.givenLength(defaultTolerances(parts.data.reference).front()))},
-                   {numbers.inUnit(reportText("mean of these"))}};
+                   {numbers.inUnit(ReportText::tr("mean of these"))}};
   const auto row = [&](const QString& from, const DistanceSummary& summary) {
     table.rows.push_back({{from},
                           {numbers.number(summary.mean)},
@@ -41,8 +41,8 @@ ReportTable howFar(const ReportParts& parts) {
                           {numbers.percent(summary.farShare)},
                           {numbers.number(summary.farMean)}});
   };
-  row(reportText("the plant to the reference"), curve.toReference);
-  row(reportText("the reference to the plant"), curve.toResult);
+  row(ReportText::tr("the plant to the reference"), curve.toReference);
+  row(ReportText::tr("the reference to the plant"), curve.toResult);
   return table;
 }
 
@@ -50,8 +50,9 @@ ReportTable howFar(const ReportParts& parts) {
 class IndexTable {
 public:
   explicit IndexTable(const ReportParts& parts) : parts_(parts) {
-    table_.columns = {
-        {reportText("index"), false}, {reportText("value")}, {reportText("95 % interval"), false}};
+    table_.columns = {{ReportText::tr("index"), false},
+                      {ReportText::tr("value")},
+                      {ReportText::tr("95 % interval"), false}};
   }
   void add(const QString& name, const QString& value, const QString& interval = {}) {
     table_.rows.push_back({{name}, {value}, {interval}});
@@ -92,14 +93,15 @@ ReportTable authorsTable(const ReportParts& parts) {
   const ReportNumbers& numbers = parts.numbers;
   IndexTable table(parts);
   table.add(ScoreGroup::segments);
-  table.add(reportText("length precision"), authors.lengthPrecision);
-  table.add(reportText("length recall"), authors.lengthRecall);
-  table.add(reportText("segments matched"), numbers.count(authors.matches.size()));
-  table.add(reportText("segments of the plant"), numbers.count(authors.resultSegments.size()));
-  table.add(reportText("segments of the reference"),
+  table.add(ReportText::tr("length precision"), authors.lengthPrecision);
+  table.add(ReportText::tr("length recall"), authors.lengthRecall);
+  table.add(ReportText::tr("segments matched"), numbers.count(authors.matches.size()));
+  table.add(ReportText::tr("segments of the plant"), numbers.count(authors.resultSegments.size()));
+  table.add(ReportText::tr("segments of the reference"),
             numbers.count(authors.referenceSegments.size()));
-  table.add(numbers.inUnit(reportText("cost of the matching")), numbers.number(authors.cost, 9));
-  return table.table(reportText("As the authors of the method measure"));
+  table.add(numbers.inUnit(ReportText::tr("cost of the matching")),
+            numbers.number(authors.cost, 9));
+  return table.table(ReportText::tr("As the authors of the method measure"));
 }
 
 ReportTable structureTable(const ReportParts& parts) {
@@ -111,9 +113,9 @@ ReportTable structureTable(const ReportParts& parts) {
     table.add(group);
   if (const auto& edit = comparison.edit)
     table.add(
-        reportText("edits: removed, inserted"),
+        ReportText::tr("edits: removed, inserted"),
         QStringLiteral("%1, %2").arg(numbers.count(edit->removed), numbers.count(edit->inserted)));
-  return table.table(reportText("Attachment; places count as found within %1")
+  return table.table(ReportText::tr("Attachment; places count as found within %1")
                          .arg(numbers.givenLength(comparison.tips.distance)));
 }
 
@@ -132,10 +134,10 @@ QString valueText(const Score& score, const std::optional<double>& value,
 }
 
 ReportSection toleranceSection(const ReportParts& parts) {
-  ReportSection section{reportText("Agreement over the tolerance"), {}};
+  ReportSection section{ReportText::tr("Agreement over the tolerance"), {}};
   ReportPlot plot;
   plot.size = {380, 230};
-  plot.text = reportText("Precision, recall and F over the tolerance; marked at %1")
+  plot.text = ReportText::tr("Precision, recall and F over the tolerance; marked at %1")
                   .arg(parts.numbers.givenLength(parts.data.tolerance));
   plot.paint = [curve = TolerancePlot{.curve = parts.data.curve,
                                       .chosen = parts.data.score,
@@ -150,11 +152,11 @@ ReportSection toleranceSection(const ReportParts& parts) {
 }
 
 ReportSection indicesSection(const ReportParts& parts) {
-  ReportSection section{reportText("Indices"), {authorsTable(parts), structureTable(parts)}};
+  ReportSection section{ReportText::tr("Indices"), {authorsTable(parts), structureTable(parts)}};
   IndexTable others(parts);
   for (const ScoreGroup group : {ScoreGroup::nearness, ScoreGroup::capped, ScoreGroup::files})
     others.add(group);
-  if (!others.isEmpty()) section.blocks.emplace_back(others.table(reportText("Others")));
+  if (!others.isEmpty()) section.blocks.emplace_back(others.table(ReportText::tr("Others")));
   return section;
 }
 
@@ -169,10 +171,10 @@ ReportSection placesSection(const ReportParts& parts) {
     ReportTable made;
     made.caption = caption;
     made.columns = {{what, false},
-                    {reportText("precision")},
-                    {reportText("recall")},
-                    {numbers.inUnit(reportText("plant"))},
-                    {numbers.inUnit(reportText("reference"))}};
+                    {ReportText::tr("precision")},
+                    {ReportText::tr("recall")},
+                    {numbers.inUnit(ReportText::tr("plant"))},
+                    {numbers.inUnit(ReportText::tr("reference"))}};
     for (const PartAgreement& part : rows)
       made.rows.push_back({{name(part)},
                            shareOf(part.precision, part.resultLength),
@@ -181,20 +183,20 @@ ReportSection placesSection(const ReportParts& parts) {
                            {numbers.number(part.referenceLength)}});
     return made;
   };
-  ReportSection section{reportText("Where they agree"), {}};
+  ReportSection section{ReportText::tr("Where they agree"), {}};
   section.blocks.emplace_back(ReportParagraph{
-      reportText("Precision and recall within %1, and the length that each plant has there. "
-                 "A dash: it has none.")
+      ReportText::tr("Precision and recall within %1, and the length that each plant has there. "
+                     "A dash: it has none.")
           .arg(numbers.givenLength(agreed.distance))});
   std::vector<PartAgreement> downward(agreed.byHeight.rbegin(), agreed.byHeight.rend());
-  section.blocks.emplace_back(
-      table(reportText("By height, the top first"), numbers.inUnit(reportText("z")), downward,
-            [&](const PartAgreement& part) {
-              return reportText("%1 to %2").arg(numbers.number(part.from), numbers.number(part.to));
-            }));
-  section.blocks.emplace_back(
-      table(reportText("By order, the trunk first; each by its own orders"), reportText("order"),
-            agreed.byOrder, [](const PartAgreement& part) { return QString::number(part.from); }));
+  section.blocks.emplace_back(table(
+      ReportText::tr("By height, the top first"), numbers.inUnit(ReportText::tr("z")), downward,
+      [&](const PartAgreement& part) {
+        return ReportText::tr("%1 to %2").arg(numbers.number(part.from), numbers.number(part.to));
+      }));
+  section.blocks.emplace_back(table(
+      ReportText::tr("By order, the trunk first; each by its own orders"), ReportText::tr("order"),
+      agreed.byOrder, [](const PartAgreement& part) { return QString::number(part.from); }));
   return section;
 }
 

@@ -57,10 +57,10 @@ ChoiceState stateFrom(const QJsonObject& json) {
 /// A row for each number, a column for each state.
 ReportTable tableOf(const ChoiceRecord& record) {
   ReportTable table;
-  table.columns.push_back({reportText("number"), false});
+  table.columns.push_back({ReportText::tr("number"), false});
   for (const ChoiceState& state : record.states)
     table.columns.push_back(
-        {state.isTaken ? reportText("%1 (in use then)").arg(state.name) : state.name});
+        {state.isTaken ? ReportText::tr("%1 (in use then)").arg(state.name) : state.name});
   const auto longest = std::ranges::max_element(
       record.states, {}, [](const ChoiceState& state) { return state.numbers.size(); });
   if (longest == record.states.end()) return table;
@@ -128,10 +128,10 @@ std::vector<ChoiceRecord> readChoices(const std::string& text) {
 }
 
 ReportSection choicesSection(const std::vector<ChoiceRecord>& records) {
-  ReportSection section{.title = reportText("How options were chosen"), .blocks = {}};
+  ReportSection section{.title = ReportText::tr("How options were chosen"), .blocks = {}};
   ReportTerms terms; // those of all records, once
   for (const ChoiceRecord& record : records) {
-    const QString title = reportText("%1, %2.").arg(record.title, record.time);
+    const QString title = ReportText::tr("%1, %2.").arg(record.title, record.time);
     ReportFigures figures{.across = record.states.size() > 2 ? 3 : 2, .figures = {}};
     for (const ChoiceState& state : record.states)
       if (!state.picture.isNull())

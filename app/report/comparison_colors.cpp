@@ -6,10 +6,17 @@
 
 namespace espalier {
 
+namespace {
+struct ComparisonColors {
+  Q_DECLARE_TR_FUNCTIONS(ComparisonColors)
+};
+} // namespace
+
 NodeColors comparisonColors(const std::vector<Difference>& kinds, const QString& with) {
-  const auto tr = [](const char* text) { return QCoreApplication::translate("Differences", text); };
-  const QString other = with.isEmpty() ? tr("the reference") : with;
-  Legend legend{.id = comparisonColorId, .title = tr("Compared with %1").arg(other), .unit = {}};
+  const QString other = with.isEmpty() ? ComparisonColors::tr("the reference") : with;
+  Legend legend{.id = comparisonColorId,
+                .title = ComparisonColors::tr("Compared with %1").arg(other),
+                .unit = {}};
   for (const Difference kind :
        {Difference::matched, Difference::missed, Difference::invented, Difference::wronglyAttached})
     legend.categories.push_back({titleOf(kind), colorOf(kind)});

@@ -29,10 +29,10 @@ Report comparisonReport(const ReportData& data, const ReportPictures& pictures,
                         const ReportAbout& about) {
   const ReportParts parts{data, pictures, about, ReportNumbers(about.unit)};
   Report report;
-  report.title = reportText("%1 compared with %2").arg(about.result.name, about.reference.name);
-  report.facts = {about.date, reportText("Espalier %1").arg(about.version)};
-  report.facts.append(about.unit.isEmpty() ? reportText("lengths in the unit of the files")
-                                           : reportText("lengths in %1").arg(about.unit));
+  report.title = ReportText::tr("%1 compared with %2").arg(about.result.name, about.reference.name);
+  report.facts = {about.date, ReportText::tr("Espalier %1").arg(about.version)};
+  report.facts.append(about.unit.isEmpty() ? ReportText::tr("lengths in the unit of the files")
+                                           : ReportText::tr("lengths in %1").arg(about.unit));
   for (const auto& section : {summarySection, plantsSection, errorsSection, toleranceSection,
                               indicesSection, placesSection, woodSection, traitsSection})
     report.sections.push_back(section(parts));

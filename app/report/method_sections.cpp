@@ -1,4 +1,5 @@
 #include "app/report/report_sections.h"
+#include "ui/document/shown_text.h"
 
 #include <QLocale>
 #include <QRegularExpression>
@@ -13,7 +14,7 @@ namespace {
 class SettingsTable {
 public:
   SettingsTable() {
-    table_.columns = {{reportText("setting"), false}, {reportText("value"), false}};
+    table_.columns = {{ReportText::tr("setting"), false}, {ReportText::tr("value"), false}};
   }
   void add(const QString& name, const QString& value) { table_.rows.push_back({{name}, {value}}); }
   [[nodiscard]] ReportTable table(const QString& caption) const {
@@ -35,9 +36,9 @@ QString joined(const ReportNumbers& numbers, const std::vector<double>& lengths)
 }
 
 QString turnText(const Registration& lay, const ReportNumbers& numbers) {
-  if (lay.angle() == 0) return reportText("none");
+  if (lay.angle() == 0) return ReportText::tr("none");
   const Eigen::Vector3d axis = lay.axis();
-  return reportText("%1 about (%2, %3, %4) through its middle")
+  return ReportText::tr("%1 about (%2, %3, %4) through its middle")
       .arg(numbers.degrees(lay.angle()), numbers.share(axis.x()), numbers.share(axis.y()),
            numbers.share(axis.z()));
 }
@@ -46,66 +47,69 @@ void addRegistration(SettingsTable& table, const ReportParts& parts) {
   const auto& registration = parts.data.comparison.registration;
   const ReportNumbers& numbers = parts.numbers;
   if (!registration) {
-    table.add(reportText("registration"), reportText("none: compared where they lie"));
+    table.add(ReportText::tr("registration"), ReportText::tr("none: compared where they lie"));
     return;
   }
   const Eigen::Vector3d& shift = registration->shift;
-  table.add(reportText("registration"), reportText("the plant was moved to lie on the reference"));
-  table.add(reportText("turns tried about"),
+  table.add(ReportText::tr("registration"),
+            ReportText::tr("the plant was moved to lie on the reference"));
+  table.add(ReportText::tr("turns tried about"),
             parts.about.turns ? QString(QLatin1Char("xyz"[static_cast<int>(parts.about.up)]))
-                              : reportText("none"));
-  table.add(reportText("turn about x, y, z"), turnText(*registration, numbers));
-  table.add(reportText("shift x, y, z"), joined(numbers, {shift.x(), shift.y(), shift.z()}));
-  table.add(reportText("shift in all"), numbers.length(shift.norm()));
-  table.add(reportText("mean distance before, after"),
+                              : ReportText::tr("none"));
+  table.add(ReportText::tr("turn about x, y, z"), turnText(*registration, numbers));
+  table.add(ReportText::tr("shift x, y, z"), joined(numbers, {shift.x(), shift.y(), shift.z()}));
+  table.add(ReportText::tr("shift in all"), numbers.length(shift.norm()));
+  table.add(ReportText::tr("mean distance before, after"),
             joined(numbers, {registration->residualBefore, registration->residualAfter}));
-  table.add(reportText("counted up to"), numbers.length(registration->reach));
-  table.add(reportText("length of both within %1").arg(numbers.length(registration->nearDistance)),
-            numbers.percent(registration->near));
+  table.add(ReportText::tr("counted up to"), numbers.length(registration->reach));
+  table.add(
+      ReportText::tr("length of both within %1").arg(numbers.length(registration->nearDistance)),
+      numbers.percent(registration->near));
 }
 
 ReportTable settings(const ReportParts& parts) {
   const Comparison& comparison = parts.data.comparison;
   const ReportNumbers& numbers = parts.numbers;
   SettingsTable table;
-  table.add(reportText("unit of lengths"),
-            parts.about.unit.isEmpty() ? reportText("that of the files") : parts.about.unit);
-  table.add(reportText("scale of the plant"), numbers.given(parts.about.scale));
+  table.add(ReportText::tr("unit of lengths"),
+            parts.about.unit.isEmpty() ? ReportText::tr("that of the files") : parts.about.unit);
+  table.add(ReportText::tr("scale of the plant"), numbers.given(parts.about.scale));
   addRegistration(table, parts);
-  table.add(reportText("tolerance"), numbers.givenLength(parts.data.tolerance));
+  table.add(ReportText::tr("tolerance"), numbers.givenLength(parts.data.tolerance));
   std::vector<double> distances;
   for (const ToleranceScore& score : comparison.tolerance.scores)
     distances.push_back(score.distance);
-  table.add(reportText("distances of the table"), joined(numbers, distances));
-  table.add(reportText("step between samples"), numbers.givenLength(comparison.tolerance.step));
-  table.add(reportText("segments are candidates up to"),
+  table.add(ReportText::tr("distances of the table"), joined(numbers, distances));
+  table.add(ReportText::tr("step between samples"), numbers.givenLength(comparison.tolerance.step));
+  table.add(ReportText::tr("segments are candidates up to"),
             numbers.givenLength(comparison.authors.boxDistance));
-  table.add(reportText("tips and branchings pair up to"),
+  table.add(ReportText::tr("tips and branchings pair up to"),
             numbers.givenLength(comparison.tips.distance));
-  table.add(reportText("by height and order within"),
+  table.add(ReportText::tr("by height and order within"),
             numbers.givenLength(comparison.byPlace.distance));
-  table.add(reportText("paths along the plant"),
-            reportText("%1 pairs").arg(numbers.count(comparison.pathLengths.pairs)));
-  table.add(reportText("draws for the intervals"),
-            reportText("%1, seed %2")
+  table.add(ReportText::tr("paths along the plant"),
+            ReportText::tr("%1 pairs").arg(numbers.count(comparison.pathLengths.pairs)));
+  table.add(ReportText::tr("draws for the intervals"),
+            ReportText::tr("%1, seed %2")
                 .arg(numbers.count(parts.data.intervals.draws))
                 .arg(parts.data.intervals.seed));
   const EditOptions& edit = parts.about.edit;
-  table.add(reportText("edit distance of"),
-            reportText("%1, cost %2%3")
+  table.add(ReportText::tr("edit distance of"),
+            ReportText::tr("%1, cost %2%3")
                 .arg(QString::fromStdString(editUnitNames()[static_cast<std::size_t>(edit.unit)]),
                      QString::fromStdString(editCostNames()[static_cast<std::size_t>(edit.cost)]),
-                     edit.mergesPaths ? reportText(", paths merged") : QString()));
-  table.add(reportText("up"), QStringLiteral("z"));
-  table.add(reportText("version"),
-            reportText("Espalier %1, Qt %2").arg(parts.about.version, qVersion()));
-  return table.table(reportText("Settings"));
+                     edit.mergesPaths ? ReportText::tr(", paths merged") : QString()));
+  table.add(ReportText::tr("up"), QStringLiteral("z"));
+  table.add(ReportText::tr("version"),
+            ReportText::tr("Espalier %1, Qt %2").arg(parts.about.version, qVersion()));
+  return table.table(ReportText::tr("Settings"));
 }
 
 ReportTable inputs(const ReportParts& parts) {
   std::vector<std::pair<QString, ReportedFile>> files = {
-      {reportText("plant"), parts.about.result}, {reportText("reference"), parts.about.reference}};
-  if (parts.about.scan) files.emplace_back(reportText("scan"), *parts.about.scan);
+      {ReportText::tr("plant"), parts.about.result},
+      {ReportText::tr("reference"), parts.about.reference}};
+  if (parts.about.scan) files.emplace_back(ReportText::tr("scan"), *parts.about.scan);
   return inputsTable(files);
 }
 
@@ -172,16 +176,16 @@ std::vector<ReportTerms::Term> termsOf(const std::set<ScoreGroup>& groups) {
   std::vector<ReportTerms::Term> terms;
   for (const Measure& measure : measures())
     if (groups.contains(measure.group) && !measure.text.empty())
-      terms.push_back(
-          {scoreText(measure.name), scoreText(measure.text), scoreText(measure.source)});
+      terms.push_back({shownText(measure.name), shownText(measure.text),
+                       QString::fromStdString(measure.source)});
   return terms;
 }
 
 std::vector<ReportTerms::Term> nearnessTerms() {
   std::vector<ReportTerms::Term> terms = termsOf({ScoreGroup::nearness});
   terms.push_back(
-      {reportText("Intervals"),
-       reportText(
+      {ReportText::tr("Intervals"),
+       ReportText::tr(
            "The segments of the reference are drawn again with replacement; the middle 95 % of the "
            "scores. They show how much depends on which segments this one plant has."),
        QStringLiteral("B. Efron, Bootstrap methods, Annals of Statistics 7, 1979.")});
@@ -204,20 +208,20 @@ std::vector<ReportTerms::Term> plantTerms(bool hasLight) {
 
 std::vector<ReportTerms::Term> traitTerms(bool hasLight) {
   std::vector<ReportTerms::Term> terms = {
-      {reportText("Strahler number"),
-       reportText("An apex has 1; a node has the greatest number above it, and one more where "
-                  "several have "
-                  "that."),
+      {ReportText::tr("Strahler number"),
+       ReportText::tr("An apex has 1; a node has the greatest number above it, and one more where "
+                      "several have "
+                      "that."),
        QStringLiteral("A. Strahler, GSA Bulletin 63, 1952.")},
-      {reportText("Crown and angles"),
-       reportText(
+      {ReportText::tr("Crown and angles"),
+       ReportText::tr(
            "The crown is all that branches from the trunk, its area that of its convex hull seen "
            "from above. Divergence is the angle around the axis from one branch to the next."),
-       reportText("Quantities as in PlantScan3D.")}};
+       ReportText::tr("Quantities as in PlantScan3D.")}};
   if (hasLight)
     terms.push_back(
-        {reportText("STAR"),
-         reportText(
+        {ReportText::tr("STAR"),
+         ReportText::tr(
              "Silhouette to total area of the surface from 46 directions, weighted by the standard "
              "overcast sky."),
          QStringLiteral("H. Sinoquet et al., New Phytologist 175, 2007.")});
@@ -226,14 +230,15 @@ std::vector<ReportTerms::Term> traitTerms(bool hasLight) {
 
 ReportTable inputsTable(const std::vector<std::pair<QString, ReportedFile>>& inputs) {
   ReportTable table;
-  table.caption = reportText("Inputs");
-  table.columns = {
-      {reportText("role"), false}, {reportText("file"), false}, {reportText("SHA-256"), false}};
+  table.caption = ReportText::tr("Inputs");
+  table.columns = {{ReportText::tr("role"), false},
+                   {ReportText::tr("file"), false},
+                   {ReportText::tr("SHA-256"), false}};
   for (const auto& [role, file] : inputs) {
     const QString name =
         file.note.isEmpty() ? file.name : QStringLiteral("%1 (%2)").arg(file.name, file.note);
     table.rows.push_back(
-        {{role}, {name}, {file.fingerprint.isEmpty() ? reportText("none") : file.fingerprint}});
+        {{role}, {name}, {file.fingerprint.isEmpty() ? ReportText::tr("none") : file.fingerprint}});
   }
   return table;
 }
@@ -248,13 +253,13 @@ QString typedName(const ReportedFile& file) {
 
 std::vector<ReportBlock> exportAdvice(const ReportedFile& file) {
   if (!file.isToExport) return {};
-  return {ReportParagraph{reportText("Export the plant as %1 first.").arg(exportedName)}};
+  return {ReportParagraph{ReportText::tr("Export the plant as %1 first.").arg(exportedName)}};
 }
 
 ReportSection settingsSection(const ReportParts& parts) {
-  ReportSection section{reportText("How it was measured"), {inputs(parts), settings(parts)}};
+  ReportSection section{ReportText::tr("How it was measured"), {inputs(parts), settings(parts)}};
   section.blocks.emplace_back(ReportParagraph{
-      reportText("All numbers as JSON and CSV; they are the values that this report rounds:")});
+      ReportText::tr("All numbers as JSON and CSV; they are the values that this report rounds:")});
   for (const ReportBlock& advice : exportAdvice(parts.about.result))
     section.blocks.push_back(advice);
   section.blocks.emplace_back(ReportParagraph{commandOf(parts), ReportParagraph::Look::code});
@@ -275,7 +280,7 @@ ReportSection methodsSection(const ReportParts& parts) {
        {nearnessTerms(), matchingTerms(),
         plantTerms(comparison.resultLight.has_value() || comparison.referenceLight.has_value())})
     terms.terms.insert(terms.terms.end(), some.begin(), some.end());
-  return {reportText("Methods"), {std::move(terms)}};
+  return {ReportText::tr("Methods"), {std::move(terms)}};
 }
 
 } // namespace espalier

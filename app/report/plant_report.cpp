@@ -49,16 +49,17 @@ QString sentence(const Parts& parts) {
   for (const std::size_t ofOrder : traits.axesByOrder)
     axes += ofOrder;
   const auto counted = [&](std::size_t count, const QString& one, const QString& many) {
-    return count == 1 ? reportText("1 %1").arg(one)
-                      : reportText("%1 %2").arg(numbers.count(count), many);
+    return count == 1 ? ReportText::tr("1 %1").arg(one)
+                      : ReportText::tr("%1 %2").arg(numbers.count(count), many);
   };
-  return reportText(
+  return ReportText::tr(
              "The plant is %1 high. It has %2 of a length of %3 in sum, in %4, with %5 and %6.")
       .arg(numbers.length(traits.crown.height),
-           counted(axes, reportText("axis"), reportText("axes")), numbers.length(traits.length),
-           counted(traits.axesByOrder.size(), reportText("order"), reportText("orders")),
-           counted(traits.tips, reportText("tip"), reportText("tips")),
-           counted(traits.branchings, reportText("branching"), reportText("branchings")));
+           counted(axes, ReportText::tr("axis"), ReportText::tr("axes")),
+           numbers.length(traits.length),
+           counted(traits.axesByOrder.size(), ReportText::tr("order"), ReportText::tr("orders")),
+           counted(traits.tips, ReportText::tr("tip"), ReportText::tr("tips")),
+           counted(traits.branchings, ReportText::tr("branching"), ReportText::tr("branchings")));
 }
 
 ReportKeyNumbers keyNumbers(const Parts& parts) {
@@ -66,47 +67,48 @@ ReportKeyNumbers keyNumbers(const Parts& parts) {
   const Traits& traits = measures.traits;
   const ReportNumbers& numbers = parts.numbers;
   ReportKeyNumbers key{
-      {{numbers.length(traits.crown.height), reportText("height"), {}},
-       {numbers.length(traits.length), reportText("length of all axes"), {}},
-       {numbers.count(traits.axesByOrder.size()), reportText("orders"), {}},
-       {numbers.count(traits.strahler.size()), reportText("Strahler number"), {}}}};
+      {{numbers.length(traits.crown.height), ReportText::tr("height"), {}},
+       {numbers.length(traits.length), ReportText::tr("length of all axes"), {}},
+       {numbers.count(traits.axesByOrder.size()), ReportText::tr("orders"), {}},
+       {numbers.count(traits.strahler.size()), ReportText::tr("Strahler number"), {}}}};
   if (measures.wood.whole.volume > 0) {
     const QString unit = parts.about.unit;
     const QString volume = numbers.number(measures.wood.whole.volume);
     key.numbers.push_back(
         {unit.isEmpty() ? volume : volume + QChar(0x202f) + unit + QStringLiteral("³"),
-         reportText("volume of wood"),
+         ReportText::tr("volume of wood"),
          {}});
   }
   if (measures.light)
-    key.numbers.push_back({numbers.share(measures.light->star), reportText("STAR"),
-                           reportText("under an overcast sky")});
+    key.numbers.push_back({numbers.share(measures.light->star), ReportText::tr("STAR"),
+                           ReportText::tr("under an overcast sky")});
   return key;
 }
 
 ReportSection summary(const Parts& parts) {
-  ReportSection section{reportText("Summary"), {ReportParagraph{sentence(parts)}}};
+  ReportSection section{ReportText::tr("Summary"), {ReportParagraph{sentence(parts)}}};
   section.blocks.emplace_back(keyNumbers(parts));
   ReportWarnings warnings;
   for (const std::string& warning : parts.data.measures.warnings)
     warnings.lines.append(QString::fromStdString(warning));
   if (!parts.pictures.problem.isEmpty())
-    warnings.lines.append(reportText("there are no pictures: %1").arg(parts.pictures.problem));
+    warnings.lines.append(ReportText::tr("there are no pictures: %1").arg(parts.pictures.problem));
   if (!warnings.lines.isEmpty()) section.blocks.emplace_back(std::move(warnings));
   return section;
 }
 
 ReportSection pictures(const Parts& parts) {
-  ReportSection section{reportText("The plant"), {}};
+  ReportSection section{ReportText::tr("The plant"), {}};
   ReportFigures shown{.across = parts.data.scan ? 3 : 2, .figures = {}};
   const auto add = [&](const QImage& image, const QString& title, const QString& text) {
     if (!image.isNull()) shown.figures.push_back({image, title, text});
   };
-  add(parts.pictures.front, reportText("From the front"), parts.about.plant.name);
-  add(parts.pictures.side, reportText("From the right"), reportText("The same from the side"));
+  add(parts.pictures.front, ReportText::tr("From the front"), parts.about.plant.name);
+  add(parts.pictures.side, ReportText::tr("From the right"),
+      ReportText::tr("The same from the side"));
   if (parts.data.scan)
-    add(parts.pictures.scan, reportText("The scan"),
-        scanText(parts.about.scan ? parts.about.scan->name : reportText("points of the plant"),
+    add(parts.pictures.scan, ReportText::tr("The scan"),
+        scanText(parts.about.scan ? parts.about.scan->name : ReportText::tr("points of the plant"),
                  *parts.data.scan, parts.data.up, parts.numbers));
   if (!shown.figures.empty()) section.blocks.emplace_back(std::move(shown));
   return section;
@@ -116,16 +118,16 @@ ReportSection pictures(const Parts& parts) {
 ReportTable axesTable(const Parts& parts) {
   const ReportNumbers& numbers = parts.numbers;
   ReportTable table;
-  table.caption =
-      reportText("Axes by order: how many, and their means: along them, straight, where on what "
-                 "bears them, and radii");
-  table.columns = {{reportText("order"), false},
-                   {reportText("axes")},
-                   {numbers.inUnit(reportText("length"))},
-                   {numbers.inUnit(reportText("chord"))},
-                   {reportText("leaves at")},
-                   {numbers.inUnit(reportText("at the base"))},
-                   {numbers.inUnit(reportText("at the apex"))}};
+  table.caption = ReportText::tr(
+      "Axes by order: how many, and their means: along them, straight, where on what "
+      "bears them, and radii");
+  table.columns = {{ReportText::tr("order"), false},
+                   {ReportText::tr("axes")},
+                   {numbers.inUnit(ReportText::tr("length"))},
+                   {numbers.inUnit(ReportText::tr("chord"))},
+                   {ReportText::tr("leaves at")},
+                   {numbers.inUnit(ReportText::tr("at the base"))},
+                   {numbers.inUnit(ReportText::tr("at the apex"))}};
   const std::vector<AxisTraits>& axes = parts.data.measures.traits.axes;
   for (std::size_t order = 0; order < axes.size(); ++order)
     table.rows.push_back({{QString::number(order)},
@@ -140,10 +142,10 @@ ReportTable axesTable(const Parts& parts) {
 
 ReportTable strahlerTable(const Parts& parts) {
   ReportTable table;
-  table.caption = reportText("Streams by Strahler number");
-  table.columns = {{reportText("number"), false},
-                   {reportText("streams")},
-                   {parts.numbers.inUnit(reportText("length in all"))}};
+  table.caption = ReportText::tr("Streams by Strahler number");
+  table.columns = {{ReportText::tr("number"), false},
+                   {ReportText::tr("streams")},
+                   {parts.numbers.inUnit(ReportText::tr("length in all"))}};
   const std::vector<StrahlerOrder>& orders = parts.data.measures.traits.strahler;
   for (std::size_t k = 0; k < orders.size(); ++k)
     table.rows.push_back({{QString::number(k + 1)},
@@ -153,14 +155,14 @@ ReportTable strahlerTable(const Parts& parts) {
 }
 
 ReportSection architecture(const Parts& parts) {
-  ReportSection section{reportText("Architecture"), {}};
+  ReportSection section{ReportText::tr("Architecture"), {}};
   ReportTable table;
   for (const TraitRow& row : traitRows(parts.data.measures.traits)) {
-    const QString group = reportText(row.group.c_str());
+    const QString group = ReportText::tr(row.group.c_str());
     if (table.caption != group) {
       if (!table.rows.empty()) section.blocks.emplace_back(table);
       table = {.caption = group,
-               .columns = {{reportText("trait"), false}, {reportText("plant")}},
+               .columns = {{ReportText::tr("trait"), false}, {ReportText::tr("plant")}},
                .rows = {}};
     }
     table.rows.push_back({{nameOf(row, parts.numbers)}, {valueOf(row, parts.numbers)}});
@@ -176,9 +178,9 @@ ReportTable woodTable(const Parts& parts, const QString& caption, const QString&
   ReportTable table;
   table.caption = caption;
   table.columns = {{what, false},
-                   {numbers.inUnit(reportText("length"))},
-                   {numbers.inUnit(reportText("area"), 2)},
-                   {numbers.inUnit(reportText("volume"), 3)}};
+                   {numbers.inUnit(ReportText::tr("length"))},
+                   {numbers.inUnit(ReportText::tr("area"), 2)},
+                   {numbers.inUnit(ReportText::tr("volume"), 3)}};
   return table;
 }
 
@@ -191,28 +193,28 @@ ReportSection wood(const Parts& parts) {
                           {numbers.number(amount.area)},
                           {numbers.number(amount.volume)}});
   };
-  ReportSection section{reportText("Wood"), {}};
-  section.blocks.emplace_back(ReportParagraph{
-      reportText("Edges count as truncated cones; those without a radius have a length alone.")});
-  ReportTable byOrder = woodTable(parts, reportText("By order"), reportText("order"));
+  ReportSection section{ReportText::tr("Wood"), {}};
+  section.blocks.emplace_back(ReportParagraph{ReportText::tr(
+      "Edges count as truncated cones; those without a radius have a length alone.")});
+  ReportTable byOrder = woodTable(parts, ReportText::tr("By order"), ReportText::tr("order"));
   for (std::size_t k = 0; k < measures.wood.byOrder.size(); ++k)
     add(byOrder, QString::number(k), measures.wood.byOrder[k]);
-  add(byOrder, reportText("all"), measures.wood.whole);
+  add(byOrder, ReportText::tr("all"), measures.wood.whole);
   section.blocks.emplace_back(std::move(byOrder));
   section.blocks.emplace_back(ReportParagraph{
       measures.stemDiameter
-          ? reportText("Diameter of the stem at breast height, 1.3 m: %1.")
+          ? ReportText::tr("Diameter of the stem at breast height, 1.3 m: %1.")
                 .arg(numbers.length(*measures.stemDiameter))
-          : reportText("There is no diameter of the stem at breast height, 1.3 m: %1.")
+          : ReportText::tr("There is no diameter of the stem at breast height, 1.3 m: %1.")
                 .arg(QString::fromStdString(measures.stemMissing)),
       ReportParagraph::Look::note});
   if (measures.radiusLimits.empty()) return section;
   ReportTable byRadius =
-      woodTable(parts, reportText("By radius"), numbers.inUnit(reportText("up to")));
+      woodTable(parts, ReportText::tr("By radius"), numbers.inUnit(ReportText::tr("up to")));
   for (std::size_t k = 0; k < measures.wood.byRadius.size(); ++k)
     add(byRadius,
         k < measures.radiusLimits.size() ? numbers.given(measures.radiusLimits[k])
-                                         : reportText("more"),
+                                         : ReportText::tr("more"),
         measures.wood.byRadius[k]);
   section.blocks.emplace_back(std::move(byRadius));
   return section;
@@ -221,26 +223,26 @@ ReportSection wood(const Parts& parts) {
 ReportSection light(const Parts& parts) {
   const LightInterception& light = *parts.data.measures.light;
   const ReportNumbers& numbers = parts.numbers;
-  ReportSection section{reportText("Light"), {}};
+  ReportSection section{ReportText::tr("Light"), {}};
   section.blocks.emplace_back(ReportParagraph{
-      reportText(
+      ReportText::tr(
           "The plant shows %1 of its surface to an overcast sky (STAR); a sphere shows 0.25.")
           .arg(numbers.share(light.star, 5))});
   ReportTable steps;
   steps.caption =
-      reportText("The same from pictures of fewer pixels: how far the number may be trusted");
-  steps.columns = {{reportText("pixels")}, {reportText("STAR")}};
+      ReportText::tr("The same from pictures of fewer pixels: how far the number may be trusted");
+  steps.columns = {{ReportText::tr("pixels")}, {ReportText::tr("STAR")}};
   for (const StarAtPixels& step : light.convergence)
     steps.rows.push_back(
         {{numbers.count(static_cast<std::size_t>(step.pixels))}, {numbers.share(step.star, 5)}});
   section.blocks.emplace_back(std::move(steps));
   ReportTable directions;
-  directions.caption = reportText("From each direction");
-  directions.columns = {{reportText("elevation")},
-                        {reportText("azimuth")},
-                        {reportText("weight")},
-                        {numbers.inUnit(reportText("silhouette"), 2)},
-                        {reportText("STAR")}};
+  directions.caption = ReportText::tr("From each direction");
+  directions.columns = {{ReportText::tr("elevation")},
+                        {ReportText::tr("azimuth")},
+                        {ReportText::tr("weight")},
+                        {numbers.inUnit(ReportText::tr("silhouette"), 2)},
+                        {ReportText::tr("STAR")}};
   for (const DirectionalStar& each : light.directions)
     directions.rows.push_back({{numbers.degrees(each.elevation)},
                                {numbers.degrees(each.azimuth)},
@@ -264,19 +266,22 @@ QString commandOf(const Parts& parts) {
 }
 
 ReportSection settings(const Parts& parts) {
-  std::vector<std::pair<QString, ReportedFile>> files = {{reportText("plant"), parts.about.plant}};
-  if (parts.about.scan) files.emplace_back(reportText("scan"), *parts.about.scan);
+  std::vector<std::pair<QString, ReportedFile>> files = {
+      {ReportText::tr("plant"), parts.about.plant}};
+  if (parts.about.scan) files.emplace_back(ReportText::tr("scan"), *parts.about.scan);
   ReportTable table;
-  table.caption = reportText("Settings");
-  table.columns = {{reportText("setting"), false}, {reportText("value"), false}};
-  table.rows = {{{reportText("unit of lengths")},
-                 {parts.about.unit.isEmpty() ? reportText("that of the files") : parts.about.unit}},
-                {{reportText("up")}, {QString(QChar(axisName(parts.data.up)))}},
-                {{reportText("version")},
-                 {reportText("Espalier %1, Qt %2").arg(parts.about.version, qVersion())}}};
-  ReportSection section{reportText("How it was measured"), {inputsTable(files), std::move(table)}};
+  table.caption = ReportText::tr("Settings");
+  table.columns = {{ReportText::tr("setting"), false}, {ReportText::tr("value"), false}};
+  table.rows = {
+      {{ReportText::tr("unit of lengths")},
+       {parts.about.unit.isEmpty() ? ReportText::tr("that of the files") : parts.about.unit}},
+      {{ReportText::tr("up")}, {QString(QChar(axisName(parts.data.up)))}},
+      {{ReportText::tr("version")},
+       {ReportText::tr("Espalier %1, Qt %2").arg(parts.about.version, qVersion())}}};
+  ReportSection section{ReportText::tr("How it was measured"),
+                        {inputsTable(files), std::move(table)}};
   section.blocks.emplace_back(ReportParagraph{
-      reportText("All numbers as JSON and CSV; they are the values that this report rounds:")});
+      ReportText::tr("All numbers as JSON and CSV; they are the values that this report rounds:")});
   for (const ReportBlock& advice : exportAdvice(parts.about.plant))
     section.blocks.push_back(advice);
   section.blocks.emplace_back(ReportParagraph{commandOf(parts), ReportParagraph::Look::code});
@@ -300,15 +305,15 @@ Report plantReport(const PlantReportData& data, const ReportPictures& drawn,
   const Parts parts{data, drawn, about, ReportNumbers(about.unit)};
   Report report;
   report.title = about.plant.name;
-  report.facts = {about.date, reportText("Espalier %1").arg(about.version),
-                  about.unit.isEmpty() ? reportText("lengths in the unit of the files")
-                                       : reportText("lengths in %1").arg(about.unit)};
+  report.facts = {about.date, ReportText::tr("Espalier %1").arg(about.version),
+                  about.unit.isEmpty() ? ReportText::tr("lengths in the unit of the files")
+                                       : ReportText::tr("lengths in %1").arg(about.unit)};
   report.sections = {summary(parts), pictures(parts), architecture(parts), wood(parts)};
   if (data.measures.light) report.sections.push_back(light(parts));
   if (about.handWork) report.sections.push_back(handWorkSection(*about.handWork, parts.numbers));
   report.sections.push_back(settings(parts));
   report.sections.push_back(
-      {reportText("Methods"), {ReportTerms{traitTerms(data.measures.light.has_value())}}});
+      {ReportText::tr("Methods"), {ReportTerms{traitTerms(data.measures.light.has_value())}}});
   std::erase_if(report.sections, [](const ReportSection& section) {
     return section.blocks.empty(); // no picture could be drawn
   });

@@ -11,9 +11,9 @@ class BesideTable {
 public:
   BesideTable(const ReportNumbers& numbers, const QString& what) : numbers_(numbers) {
     table_.columns = {{what, false},
-                      {reportText("plant")},
-                      {reportText("reference")},
-                      {reportText("difference")}};
+                      {ReportText::tr("plant")},
+                      {ReportText::tr("reference")},
+                      {ReportText::tr("difference")}};
   }
   void add(const QString& name, double found, double expected) {
     table_.rows.push_back({{name},
@@ -66,14 +66,14 @@ void addTraits(BesideTable& table, const ReportParts& parts) {
 ReportTable axesTable(const ReportParts& parts) {
   const Traits& found = parts.data.comparison.resultTraits;
   const Traits& expected = parts.data.comparison.referenceTraits;
-  BesideTable table(parts.numbers, reportText("order"));
+  BesideTable table(parts.numbers, ReportText::tr("order"));
   const std::size_t orders = std::max(found.axesByOrder.size(), expected.axesByOrder.size());
   const auto at = [](const std::vector<std::size_t>& counts, std::size_t k) {
     return k < counts.size() ? counts[k] : 0;
   };
   for (std::size_t k = 0; k < orders; ++k)
     table.add(QString::number(k), at(found.axesByOrder, k), at(expected.axesByOrder, k));
-  return std::move(table).table(reportText("Axes by order"));
+  return std::move(table).table(ReportText::tr("Axes by order"));
 }
 
 struct AxisColumn {
@@ -88,10 +88,10 @@ ReportTable axisMeansTable(const ReportParts& parts, const QString& caption,
   const std::vector<AxisTraits>& expected = parts.data.comparison.referenceTraits.axes;
   ReportTable table;
   table.caption = caption;
-  table.columns = {{reportText("order"), false}};
+  table.columns = {{ReportText::tr("order"), false}};
   for (const AxisColumn& column : columns) {
     table.columns.push_back({column.title});
-    table.columns.push_back({reportText("reference")});
+    table.columns.push_back({ReportText::tr("reference")});
   }
   for (std::size_t order = 0; order < std::max(found.size(), expected.size()); ++order) {
     table.rows.push_back({{QString::number(order)}});
@@ -110,10 +110,11 @@ ReportTable lightTable(const ReportParts& parts) {
   const auto& reference = parts.data.comparison.referenceLight;
   ReportTable table;
   if (!result && !reference) return table;
-  table.caption = reportText("Silhouette to total area (STAR) under an overcast sky");
-  table.columns = {{reportText("pixels")}, {reportText("plant")}, {reportText("reference")}};
+  table.caption = ReportText::tr("Silhouette to total area (STAR) under an overcast sky");
+  table.columns = {
+      {ReportText::tr("pixels")}, {ReportText::tr("plant")}, {ReportText::tr("reference")}};
   const auto star = [&](const std::optional<LightInterception>& light, std::size_t k) {
-    return light ? parts.numbers.share(light->convergence[k].star, 5) : reportText("none");
+    return light ? parts.numbers.share(light->convergence[k].star, 5) : ReportText::tr("none");
   };
   const auto& steps = result ? result->convergence : reference->convergence;
   for (std::size_t k = 0; k < steps.size(); ++k)
@@ -126,7 +127,7 @@ ReportTable lightTable(const ReportParts& parts) {
 } // namespace
 
 QString nameOf(const TraitRow& row, const ReportNumbers& numbers) {
-  const QString name = reportText(row.label.c_str());
+  const QString name = ReportText::tr(row.label.c_str());
   switch (row.kind) {
   case TraitKind::length:
     return numbers.inUnit(name);
@@ -140,21 +141,21 @@ QString nameOf(const TraitRow& row, const ReportNumbers& numbers) {
 }
 
 ReportSection traitsSection(const ReportParts& parts) {
-  BesideTable table(parts.numbers, reportText("trait"));
+  BesideTable table(parts.numbers, ReportText::tr("trait"));
   addTraits(table, parts);
-  ReportSection section{reportText("Architecture"), {}};
-  section.blocks.emplace_back(std::move(table).table(reportText("Each plant by itself")));
+  ReportSection section{ReportText::tr("Architecture"), {}};
+  section.blocks.emplace_back(std::move(table).table(ReportText::tr("Each plant by itself")));
   section.blocks.emplace_back(axesTable(parts));
   const ReportNumbers& numbers = parts.numbers;
   section.blocks.emplace_back(axisMeansTable(
-      parts, reportText("Means of axes: along them, straight, and where on what bears them"),
-      {{numbers.inUnit(reportText("length")), &AxisTraits::meanLength},
-       {numbers.inUnit(reportText("chord")), &AxisTraits::meanChord},
-       {reportText("leaves at"), &AxisTraits::meanInsertion}}));
-  section.blocks.emplace_back(
-      axisMeansTable(parts, reportText("Mean radii of axes"),
-                     {{numbers.inUnit(reportText("at the base")), &AxisTraits::meanBaseRadius},
-                      {numbers.inUnit(reportText("at the apex")), &AxisTraits::meanTopRadius}}));
+      parts, ReportText::tr("Means of axes: along them, straight, and where on what bears them"),
+      {{numbers.inUnit(ReportText::tr("length")), &AxisTraits::meanLength},
+       {numbers.inUnit(ReportText::tr("chord")), &AxisTraits::meanChord},
+       {ReportText::tr("leaves at"), &AxisTraits::meanInsertion}}));
+  section.blocks.emplace_back(axisMeansTable(
+      parts, ReportText::tr("Mean radii of axes"),
+      {{numbers.inUnit(ReportText::tr("at the base")), &AxisTraits::meanBaseRadius},
+       {numbers.inUnit(ReportText::tr("at the apex")), &AxisTraits::meanTopRadius}}));
   ReportTable light = lightTable(parts);
   if (!light.rows.empty()) section.blocks.emplace_back(std::move(light));
   return section;
@@ -163,25 +164,25 @@ ReportSection traitsSection(const ReportParts& parts) {
 ReportSection handWorkSection(const HandWork& work, const ReportNumbers& numbers) {
   const Corrections& done = work.corrections;
   ReportTable table;
-  table.columns = {{reportText("correction"), false}, {reportText("nodes")}};
+  table.columns = {{ReportText::tr("correction"), false}, {ReportText::tr("nodes")}};
   const auto add = [&](const QString& name, std::size_t count) {
     table.rows.push_back({{name}, {numbers.count(count)}});
   };
-  add(reportText("added"), done.added);
-  add(reportText("removed"), done.removed);
-  add(reportText("moved"), done.moved);
-  add(reportText("attached elsewhere"), done.reparented);
-  add(reportText("another type of edge"), done.retyped);
-  add(reportText("another radius"), done.radii);
-  const QString edits = done.edits == 1 ? reportText("1 edit")
-                                        : reportText("%1 edits").arg(numbers.count(done.edits));
+  add(ReportText::tr("added"), done.added);
+  add(ReportText::tr("removed"), done.removed);
+  add(ReportText::tr("moved"), done.moved);
+  add(ReportText::tr("attached elsewhere"), done.reparented);
+  add(ReportText::tr("another type of edge"), done.retyped);
+  add(ReportText::tr("another radius"), done.radii);
+  const QString edits = done.edits == 1 ? ReportText::tr("1 edit")
+                                        : ReportText::tr("%1 edits").arg(numbers.count(done.edits));
   const QString text =
       done.edits == 0
-          ? reportText("Nothing was corrected by hand since the last reconstruction.")
-          : reportText("Since the last reconstruction: %1, %2 of work. Pauses of over 5 "
-                       "minutes do not count.")
+          ? ReportText::tr("Nothing was corrected by hand since the last reconstruction.")
+          : ReportText::tr("Since the last reconstruction: %1, %2 of work. Pauses of over 5 "
+                           "minutes do not count.")
                 .arg(edits, formatWorkTime(work.time));
-  ReportSection section{reportText("Work by hand"), {ReportParagraph{text}}};
+  ReportSection section{ReportText::tr("Work by hand"), {ReportParagraph{text}}};
   if (done.edits > 0) section.blocks.emplace_back(std::move(table));
   return section;
 }

@@ -24,10 +24,10 @@ ReportTable scoreTable(const RankingParts& parts, const QString& caption, ScoreG
   std::erase_if(scores, [group](const Score* score) { return score->group != group; });
   ReportTable table;
   table.caption = caption;
-  table.columns = {{reportText("rank")}, {reportText("structure"), false}};
+  table.columns = {{ReportText::tr("rank")}, {ReportText::tr("structure"), false}};
   for (const Score* score : scores) {
     table.columns.push_back({symbolOf(*score)});
-    table.columns.push_back({reportText("interval"), false});
+    table.columns.push_back({ReportText::tr("interval"), false});
   }
   for (const RankedResult& result : parts.data.ranking.results) {
     table.rows.push_back({{parts.numbers.count(table.rows.size() + 1)}, {nameOf(parts, result)}});
@@ -43,11 +43,11 @@ ReportTable scoreTable(const RankingParts& parts, const QString& caption, ScoreG
 ReportSection ranks(const RankingParts& parts) {
   const Ranking& ranking = parts.data.ranking;
   ReportTable table;
-  table.columns = {{reportText("rank")},
-                   {reportText("structure"), false},
+  table.columns = {{ReportText::tr("rank")},
+                   {ReportText::tr("structure"), false},
                    {symbolOf(scoreOf(ranking.by))},
-                   {reportText("interval"), false},
-                   {reportText("beats the next")}};
+                   {ReportText::tr("interval"), false},
+                   {ReportText::tr("beats the next")}};
   for (const RankedResult& result : ranking.results) {
     const ScoreInterval& interval = result.scores.at(ranking.by);
     table.rows.push_back(
@@ -57,13 +57,13 @@ ReportSection ranks(const RankingParts& parts) {
          {parts.numbers.range(interval)},
          {result.aboveNext ? parts.numbers.percent(*result.aboveNext) : QStringLiteral("–")}});
   }
-  ReportSection section{reportText("Ranking"), {}};
+  ReportSection section{ReportText::tr("Ranking"), {}};
   section.blocks.emplace_back(ReportParagraph{
-      reportText("By %1, within %2.")
+      ReportText::tr("By %1, within %2.")
           .arg(symbolOf(scoreOf(ranking.by)), parts.numbers.givenLength(ranking.distance))});
   section.blocks.emplace_back(std::move(table));
   section.blocks.emplace_back(ReportParagraph{
-      reportText(
+      ReportText::tr(
           "The segments of the reference were drawn again %1 times, all structures from the same "
           "draws. "
           "An interval holds the middle %2 of the scores. \"Beats the next\" is the share of draws "
@@ -77,16 +77,16 @@ ReportSection ranks(const RankingParts& parts) {
 }
 
 ReportSection scoreSection(const RankingParts& parts) {
-  ReportSection section{reportText("Scores"), {}};
+  ReportSection section{ReportText::tr("Scores"), {}};
   const std::vector<std::pair<ScoreGroup, QString>> captions = {
-      {ScoreGroup::nearness, reportText("What lies near")},
-      {ScoreGroup::segments, reportText("As the authors of the method measure")},
-      {ScoreGroup::capped, reportText("Matched within the distance only")},
-      {ScoreGroup::landmarks, reportText("Tips and branchings")},
-      {ScoreGroup::network, reportText("Missed and invented")},
-      {ScoreGroup::architecture, reportText("Orders, axes and edges")},
-      {ScoreGroup::edits, reportText("Edits")},
-      {ScoreGroup::radii, reportText("Radii")}};
+      {ScoreGroup::nearness, ReportText::tr("What lies near")},
+      {ScoreGroup::segments, ReportText::tr("As the authors of the method measure")},
+      {ScoreGroup::capped, ReportText::tr("Matched within the distance only")},
+      {ScoreGroup::landmarks, ReportText::tr("Tips and branchings")},
+      {ScoreGroup::network, ReportText::tr("Missed and invented")},
+      {ScoreGroup::architecture, ReportText::tr("Orders, axes and edges")},
+      {ScoreGroup::edits, ReportText::tr("Edits")},
+      {ScoreGroup::radii, ReportText::tr("Radii")}};
   for (const auto& [group, caption] : captions)
     if (ReportTable table = scoreTable(parts, caption, group); table.columns.size() > 2)
       section.blocks.emplace_back(std::move(table));
@@ -94,12 +94,12 @@ ReportSection scoreSection(const RankingParts& parts) {
 }
 
 ReportSection curves(const RankingParts& parts) {
-  ReportSection section{reportText("Agreement over the tolerance"), {}};
+  ReportSection section{ReportText::tr("Agreement over the tolerance"), {}};
   for (std::size_t i = 0; i < parts.data.curves.size(); ++i) {
     const RankedResult& result = parts.data.ranking.results[i];
     ReportPlot plot;
     plot.size = {380, 230};
-    plot.text = reportText("%1. %2: precision, recall and F")
+    plot.text = ReportText::tr("%1. %2: precision, recall and F")
                     .arg(parts.numbers.count(i + 1), nameOf(parts, result));
     plot.paint = [curve = TolerancePlot{.curve = parts.data.curves[i],
                                         .chosen = parts.data.chosen[i],
@@ -114,43 +114,43 @@ ReportSection curves(const RankingParts& parts) {
 
 ReportSection origin(const RankingParts& parts) {
   ReportTable inputs;
-  inputs.caption = reportText("Inputs");
-  inputs.columns = {{reportText("role"), false},
-                    {reportText("file"), false},
-                    {parts.numbers.inUnit(reportText("shifted by"))},
-                    {reportText("turned by")},
-                    {reportText("SHA-256"), false}};
+  inputs.caption = ReportText::tr("Inputs");
+  inputs.columns = {{ReportText::tr("role"), false},
+                    {ReportText::tr("file"), false},
+                    {parts.numbers.inUnit(ReportText::tr("shifted by"))},
+                    {ReportText::tr("turned by")},
+                    {ReportText::tr("SHA-256"), false}};
   for (const RankedResult& result : parts.data.ranking.results) {
     const ReportedFile& file = parts.about.results.at(result.result);
     const Registration lay = result.registration.value_or(Registration());
-    inputs.rows.push_back({{reportText("structure")},
+    inputs.rows.push_back({{ReportText::tr("structure")},
                            {file.name},
                            {parts.numbers.number(lay.shift.norm())},
                            {parts.numbers.degrees(lay.angle())},
                            {file.fingerprint}});
   }
-  inputs.rows.push_back({{reportText("reference")},
+  inputs.rows.push_back({{ReportText::tr("reference")},
                          {parts.about.reference.name},
                          {QStringLiteral("–")},
                          {QStringLiteral("–")},
                          {parts.about.reference.fingerprint}});
   ReportTable settings;
-  settings.caption = reportText("Settings");
-  settings.columns = {{reportText("setting"), false}, {reportText("value"), false}};
+  settings.caption = ReportText::tr("Settings");
+  settings.columns = {{ReportText::tr("setting"), false}, {ReportText::tr("value"), false}};
   const Ranking& ranking = parts.data.ranking;
   settings.rows = {
-      {{reportText("registration")},
+      {{ReportText::tr("registration")},
        {parts.data.isRegistered
-            ? reportText(
+            ? ReportText::tr(
                   "each structure was laid on the reference; its row says how far it was turned")
-            : reportText("none: compared where they lie")}},
-      {{reportText("scale of the structures")}, {parts.numbers.given(parts.about.scale)}},
-      {{reportText("tolerance")}, {parts.numbers.givenLength(ranking.distance)}},
-      {{reportText("draws for the intervals")},
-       {reportText("%1, seed %2").arg(parts.numbers.count(ranking.draws)).arg(ranking.seed)}},
-      {{reportText("version")},
-       {reportText("Espalier %1, Qt %2").arg(parts.about.version, qVersion())}}};
-  return {reportText("How it was measured"), {std::move(inputs), std::move(settings)}};
+            : ReportText::tr("none: compared where they lie")}},
+      {{ReportText::tr("scale of the structures")}, {parts.numbers.given(parts.about.scale)}},
+      {{ReportText::tr("tolerance")}, {parts.numbers.givenLength(ranking.distance)}},
+      {{ReportText::tr("draws for the intervals")},
+       {ReportText::tr("%1, seed %2").arg(parts.numbers.count(ranking.draws)).arg(ranking.seed)}},
+      {{ReportText::tr("version")},
+       {ReportText::tr("Espalier %1, Qt %2").arg(parts.about.version, qVersion())}}};
+  return {ReportText::tr("How it was measured"), {std::move(inputs), std::move(settings)}};
 }
 
 } // namespace
@@ -179,16 +179,16 @@ RankingReportData rankingReportData(Ranking ranking, const std::vector<Skeleton>
 Report rankingReport(const RankingReportData& data, const RankingReportAbout& about) {
   const RankingParts parts{data, about, ReportNumbers(about.unit)};
   Report report;
-  report.title = reportText("%1 structures compared with %2")
+  report.title = ReportText::tr("%1 structures compared with %2")
                      .arg(parts.numbers.count(about.results.size()), about.reference.name);
-  report.facts = {about.date, reportText("Espalier %1").arg(about.version),
-                  about.unit.isEmpty() ? reportText("lengths in the unit of the files")
-                                       : reportText("lengths in %1").arg(about.unit)};
+  report.facts = {about.date, ReportText::tr("Espalier %1").arg(about.version),
+                  about.unit.isEmpty() ? ReportText::tr("lengths in the unit of the files")
+                                       : ReportText::tr("lengths in %1").arg(about.unit)};
   report.sections = {ranks(parts),
                      scoreSection(parts),
                      curves(parts),
                      origin(parts),
-                     {reportText("Methods"), {scoreTerms()}}};
+                     {ReportText::tr("Methods"), {scoreTerms()}}};
   return report;
 }
 

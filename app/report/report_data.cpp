@@ -75,8 +75,10 @@ ReportData reportData(Comparison comparison, const Skeleton& result, const Skele
   data.scan = std::move(scan);
   data.tolerance = orDefault(tolerance, reference);
   data.score = scoreAt(data.comparison.tolerance, data.tolerance);
-  data.differences = differences(data.result, reference, data.tolerance,
-                                 progress.part(0, 0.3, "Finding differences"));
+  data.differences = data.comparison.differences.tolerance == data.tolerance
+                         ? std::move(data.comparison.differences)
+                         : differences(data.result, reference, data.tolerance,
+                                       progress.part(0, 0.3, "Finding differences"));
   data.curve = toleranceCurve(data.result, reference,
                               {.distances = curveDistances(data.tolerance,
                                                            defaultTolerances(reference).back()),

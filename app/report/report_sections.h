@@ -54,9 +54,9 @@ struct ReportParts {
 /// What the scores of a ranking mean.
 [[nodiscard]] ReportTerms scoreTerms();
 
-/// The text in the language of the reader.
-[[nodiscard]] inline QString reportText(const char* text) {
-  return QCoreApplication::translate("Report", text);
-}
+/// Gives texts in the language of the reader.
+struct ReportText {
+  Q_DECLARE_TR_FUNCTIONS(Report)
+};
 
 } // namespace espalier

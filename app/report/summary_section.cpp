@@ -23,15 +23,16 @@ Counts countsOf(const Differences& differences) {
 }
 
 QString places(const ReportNumbers& numbers, std::size_t count) {
-  return count == 1 ? reportText("1 place") : reportText("%1 places").arg(numbers.count(count));
+  return count == 1 ? ReportText::tr("1 place")
+                    : ReportText::tr("%1 places").arg(numbers.count(count));
 }
 
 QString whatIsNear(const ReportParts& parts) {
   const ReportNumbers& numbers = parts.numbers;
   const ToleranceScore& score = parts.data.score;
-  return reportText("The plant has %1 of the length of the reference within %2, and %3 of its "
-                    "own "
-                    "length lies that near to the reference: F is %4.")
+  return ReportText::tr("The plant has %1 of the length of the reference within %2, and %3 of its "
+                        "own "
+                        "length lies that near to the reference: F is %4.")
       .arg(numbers.percent(score.recall), numbers.givenLength(score.distance),
            numbers.percent(score.precision), numbers.share(score.f()));
 }
@@ -40,14 +41,14 @@ QString whatDiffers(const ReportParts& parts) {
   const Differences& found = parts.data.differences;
   const ReportNumbers& numbers = parts.numbers;
   if (found.parts.empty())
-    return reportText("No part of either is missed, invented or wrongly attached.");
+    return ReportText::tr("No part of either is missed, invented or wrongly attached.");
   const Counts counts = countsOf(found);
   const QString attached =
-      counts.wronglyAttached == 0   ? reportText("nothing is attached to the wrong wood")
-      : counts.wronglyAttached == 1 ? reportText("1 part is attached to the wrong wood")
-                                    : reportText("%1 parts are attached to the wrong wood")
+      counts.wronglyAttached == 0   ? ReportText::tr("nothing is attached to the wrong wood")
+      : counts.wronglyAttached == 1 ? ReportText::tr("1 part is attached to the wrong wood")
+                                    : ReportText::tr("%1 parts are attached to the wrong wood")
                                           .arg(numbers.count(counts.wronglyAttached));
-  return reportText("%1 are missed in %2 and %3 invented in %4; %5.")
+  return ReportText::tr("%1 are missed in %2 and %3 invented in %4; %5.")
       .arg(numbers.length(found.missed), places(numbers, counts.missed),
            numbers.length(found.invented), places(numbers, counts.invented), attached);
 }
@@ -56,14 +57,14 @@ QString whatDiffers(const ReportParts& parts) {
 QString shiftText(const Registration& lay, const ReportNumbers& numbers) {
   const Eigen::Vector3d& shift = lay.shift;
   const QString by =
-      reportText("(%1, %2, %3)")
+      ReportText::tr("(%1, %2, %3)")
           .arg(numbers.length(shift.x()), numbers.length(shift.y()), numbers.length(shift.z()));
   const QString off = numbers.length(shift.norm());
   if (lay.angle() == 0)
-    return reportText("the plant lay %1 off the reference: it was moved by %2 to lie on it")
+    return ReportText::tr("the plant lay %1 off the reference: it was moved by %2 to lie on it")
         .arg(off, by);
   const Eigen::Vector3d axis = lay.axis();
-  return reportText(
+  return ReportText::tr(
              "the plant lay %1 off the reference: it was turned by %2 about (%3, %4, %5) and moved "
              "by %6 to lie on it")
       .arg(off, numbers.degrees(lay.angle()), numbers.share(axis.x()), numbers.share(axis.y()),
@@ -86,7 +87,7 @@ QString whereItDiffers(const ReportParts& parts) {
   if (large.size() < 2) return {};
   const auto [worst, best] = std::ranges::minmax_element(large, {}, f);
   if (f(*best) - f(*worst) < 0.01) return {};
-  return reportText("Within %1 it agrees best in order %2 (F %3) and least in order %4 (F %5).")
+  return ReportText::tr("Within %1 it agrees best in order %2 (F %3) and least in order %4 (F %5).")
       .arg(parts.numbers.givenLength(byPlace.distance), QString::number(best->from),
            parts.numbers.share(f(*best)), QString::number(worst->from),
            parts.numbers.share(f(*worst)));
@@ -98,7 +99,7 @@ QString remarkOf(const Score& score, const ReportParts& parts) {
   const auto interval = intervals.find(score.key);
   if (interval != intervals.end()) return parts.numbers.range(interval->second);
   if (score.group != ScoreGroup::landmarks) return {};
-  return reportText("within %1")
+  return ReportText::tr("within %1")
       .arg(parts.numbers.givenLength(parts.data.comparison.tips.distance));
 }
 
@@ -108,7 +109,8 @@ ReportKeyNumbers keyNumbers(const ReportParts& parts) {
     const auto& value = parts.data.comparison.scores.at(score->key);
     QString name = labelOf(*score);
     if (score->key == leadingScore)
-      name = reportText("%1 within %2").arg(name, parts.numbers.givenLength(parts.data.tolerance));
+      name =
+          ReportText::tr("%1 within %2").arg(name, parts.numbers.givenLength(parts.data.tolerance));
     shown.numbers.push_back(
         {value ? parts.numbers.share(*value) : QStringLiteral("–"), name, remarkOf(*score, parts)});
   }
@@ -120,12 +122,12 @@ ReportTable errorTable(const ReportParts& parts, const QString& caption,
   const ReportNumbers& numbers = parts.numbers;
   ReportTable table;
   table.caption = caption;
-  table.columns = {{reportText("no."), false},
-                   {reportText("kind"), false},
-                   {numbers.inUnit(reportText("length"))},
-                   {numbers.inUnit(reportText("x"))},
-                   {numbers.inUnit(reportText("y"))},
-                   {numbers.inUnit(reportText("z"))}};
+  table.columns = {{ReportText::tr("no."), false},
+                   {ReportText::tr("kind"), false},
+                   {numbers.inUnit(ReportText::tr("length"))},
+                   {numbers.inUnit(ReportText::tr("x"))},
+                   {numbers.inUnit(ReportText::tr("y"))},
+                   {numbers.inUnit(ReportText::tr("z"))}};
   for (const std::size_t i : errors) {
     const DifferingPart& part = parts.data.differences.parts[i];
     table.rows.push_back({{numbers.count(table.rows.size() + 1)},
@@ -144,23 +146,23 @@ QString scanText(const QString& name, const PointCloud& scan, UpAxis up,
                  const ReportNumbers& numbers) {
   const std::optional<Legend> heights = pointLegend(scan, PointColor::height, up);
   const QString colors =
-      heights ? reportText("colored by height, from %1 (violet) to %2 (green)")
+      heights ? ReportText::tr("colored by height, from %1 (violet) to %2 (green)")
                     .arg(numbers.length(heights->from, 3), numbers.length(heights->to, 3))
-              : reportText("all at one height");
+              : ReportText::tr("all at one height");
   const auto points = static_cast<std::size_t>(scan.size());
-  return points == 1 ? reportText("%1, 1 point, %2").arg(name, colors)
-                     : reportText("%1, %2 points, %3").arg(name, numbers.count(points), colors);
+  return points == 1 ? ReportText::tr("%1, 1 point, %2").arg(name, colors)
+                     : ReportText::tr("%1, %2 points, %3").arg(name, numbers.count(points), colors);
 }
 
 ReportSection summarySection(const ReportParts& parts) {
   QStringList sentences = {whatIsNear(parts), whatDiffers(parts), whereItDiffers(parts)};
   sentences.removeAll(QString());
-  ReportSection section{reportText("Summary"), {ReportParagraph{sentences.join(' ')}}};
+  ReportSection section{ReportText::tr("Summary"), {ReportParagraph{sentences.join(' ')}}};
   section.blocks.emplace_back(keyNumbers(parts));
   section.blocks.emplace_back(ReportParagraph{
-      reportText("Under each score, its 95 % interval: the segments of the reference were "
-                 "drawn again %1 times, "
-                 "and the middle 95 % of the scores so found lie there.")
+      ReportText::tr("Under each score, its 95 % interval: the segments of the reference were "
+                     "drawn again %1 times, "
+                     "and the middle 95 % of the scores so found lie there.")
           .arg(parts.numbers.count(parts.data.intervals.draws)),
       ReportParagraph::Look::note});
   ReportWarnings warnings;
@@ -170,10 +172,10 @@ ReportSection summarySection(const ReportParts& parts) {
                               ? shiftText(*comparison.registration, parts.numbers)
                               : QString::fromStdString(warning));
   if (parts.about.scale != 1)
-    warnings.lines.append(reportText("the plant was multiplied by %1 first")
+    warnings.lines.append(ReportText::tr("the plant was multiplied by %1 first")
                               .arg(parts.numbers.given(parts.about.scale)));
   if (!parts.pictures.problem.isEmpty())
-    warnings.lines.append(reportText("there are no pictures: %1").arg(parts.pictures.problem));
+    warnings.lines.append(ReportText::tr("there are no pictures: %1").arg(parts.pictures.problem));
   if (!warnings.lines.isEmpty()) section.blocks.emplace_back(std::move(warnings));
   return section;
 }
@@ -186,17 +188,17 @@ ReportSection plantsSection(const ReportParts& parts) {
     const Color color = colorOf(kind);
     return ReportLegend::Entry{titleOf(kind), QColor(color[0], color[1], color[2]), text};
   };
-  ReportSection section{reportText("Both plants"), {}};
-  section.blocks.emplace_back(
-      ReportLegend{{entry(Difference::matched,
-                          reportText("%1 of the plant").arg(numbers.length(found.matchedInResult))),
-                    entry(Difference::missed,
-                          reportText("%1 of the reference, dotted; %2")
-                              .arg(numbers.length(found.missed), places(numbers, counts.missed))),
-                    entry(Difference::invented, reportText("%1 of the plant; %2")
-                                                    .arg(numbers.length(found.invented),
-                                                         places(numbers, counts.invented))),
-                    entry(Difference::wronglyAttached, places(numbers, counts.wronglyAttached))}});
+  ReportSection section{ReportText::tr("Both plants"), {}};
+  section.blocks.emplace_back(ReportLegend{
+      {entry(Difference::matched,
+             ReportText::tr("%1 of the plant").arg(numbers.length(found.matchedInResult))),
+       entry(Difference::missed,
+             ReportText::tr("%1 of the reference, dotted; %2")
+                 .arg(numbers.length(found.missed), places(numbers, counts.missed))),
+       entry(Difference::invented,
+             ReportText::tr("%1 of the plant; %2")
+                 .arg(numbers.length(found.invented), places(numbers, counts.invented))),
+       entry(Difference::wronglyAttached, places(numbers, counts.wronglyAttached))}});
   const auto add = [&](int across, const std::vector<ReportFigures::Figure>& figures) {
     ReportFigures shown{.across = across, .figures = {}};
     for (const auto& figure : figures)
@@ -204,14 +206,14 @@ ReportSection plantsSection(const ReportParts& parts) {
     if (!shown.figures.empty()) section.blocks.emplace_back(std::move(shown));
   };
   const ReportPictures& pictures = parts.pictures;
-  add(2, {{pictures.front, reportText("What differs, from the front"),
-           reportText("The plant, and what it misses of the reference")},
-          {pictures.side, reportText("What differs, from the right"),
-           reportText("The same from the side")}});
+  add(2, {{pictures.front, ReportText::tr("What differs, from the front"),
+           ReportText::tr("The plant, and what it misses of the reference")},
+          {pictures.side, ReportText::tr("What differs, from the right"),
+           ReportText::tr("The same from the side")}});
   add(parts.data.scan ? 3 : 2,
-      {{pictures.result, reportText("The plant"), parts.about.result.name},
-       {pictures.reference, reportText("The reference"), parts.about.reference.name},
-       {pictures.scan, reportText("The scan"),
+      {{pictures.result, ReportText::tr("The plant"), parts.about.result.name},
+       {pictures.reference, ReportText::tr("The reference"), parts.about.reference.name},
+       {pictures.scan, ReportText::tr("The scan"),
         parts.about.scan
             ? scanText(parts.about.scan->name, *parts.data.scan, parts.about.up, numbers)
             : QString()}});
@@ -223,35 +225,38 @@ ReportSection errorsSection(const ReportParts& parts) {
   const ReportNumbers& numbers = parts.numbers;
   const std::vector<std::size_t> shown = shownErrors(parts.data);
   const std::vector<std::size_t>& ignored = parts.data.ignored;
-  ReportSection section{reportText("Largest errors"), {}};
+  ReportSection section{ReportText::tr("Largest errors"), {}};
   if (all.empty()) {
-    section.blocks.emplace_back(ReportParagraph{reportText("There are none at this tolerance.")});
+    section.blocks.emplace_back(
+        ReportParagraph{ReportText::tr("There are none at this tolerance.")});
     return section;
   }
   if (!shown.empty())
     section.blocks.emplace_back(ReportParagraph{
-        reportText(
+        ReportText::tr(
             "%1 of %2: the longest of each kind. Of what is wrongly attached, all that it carries "
             "counts. Rings: where it begins; dashed, where the reference attaches it.")
             .arg(numbers.count(shown.size()), numbers.count(all.size() - ignored.size()))});
   ReportFigures figures{.across = 3, .figures = {}};
   for (std::size_t i = 0; i < std::min(shown.size(), parts.pictures.errors.size()); ++i) {
     const DifferingPart& part = all[shown[i]];
-    figures.figures.push_back({parts.pictures.errors[i],
-                               reportText("%1. %2").arg(numbers.count(i + 1), titleOf(part.kind)),
-                               reportText("%1 long").arg(numbers.length(part.length))});
+    figures.figures.push_back(
+        {parts.pictures.errors[i],
+         ReportText::tr("%1. %2").arg(numbers.count(i + 1), titleOf(part.kind)),
+         ReportText::tr("%1 long").arg(numbers.length(part.length))});
   }
   if (!figures.figures.empty()) section.blocks.emplace_back(std::move(figures));
   if (!shown.empty())
-    section.blocks.emplace_back(
-        errorTable(parts, reportText("Where they begin, in the frame of the reference"), shown));
+    section.blocks.emplace_back(errorTable(
+        parts, ReportText::tr("Where they begin, in the frame of the reference"), shown));
   if (ignored.empty()) return section;
   section.blocks.emplace_back(ReportParagraph{
       ignored.size() == 1
-          ? reportText("1 more was looked at and is ignored. All scores and lengths count it.")
-          : reportText("%1 more were looked at and are ignored. All scores and lengths count them.")
+          ? ReportText::tr("1 more was looked at and is ignored. All scores and lengths count it.")
+          : ReportText::tr(
+                "%1 more were looked at and are ignored. All scores and lengths count them.")
                 .arg(numbers.count(ignored.size()))});
-  section.blocks.emplace_back(errorTable(parts, reportText("Ignored"), ignored));
+  section.blocks.emplace_back(errorTable(parts, ReportText::tr("Ignored"), ignored));
   return section;
 }
 

@@ -9,16 +9,16 @@ ReportTable radiusTable(const ReportParts& parts) {
   const RadiusAgreement& radii = parts.data.comparison.radii;
   const ReportNumbers& numbers = parts.numbers;
   ReportTable table;
-  table.caption = reportText("Radii where both lie within %1 of each other")
+  table.caption = ReportText::tr("Radii where both lie within %1 of each other")
                       .arg(numbers.givenLength(radii.distance));
-  table.columns = {{reportText("measure"), false}, {reportText("value")}};
+  table.columns = {{ReportText::tr("measure"), false}, {ReportText::tr("value")}};
   for (const Score* score : scoresIn(inReport))
     if (score->group == ScoreGroup::radii)
       table.rows.push_back(
           {{nameInUnit(*score, numbers)},
            {valueText(*score, parts.data.comparison.scores.at(score->key), numbers)}});
   table.rows.push_back(
-      {{numbers.inUnit(reportText("length compared"))}, {numbers.number(radii.compared)}});
+      {{numbers.inUnit(ReportText::tr("length compared"))}, {numbers.number(radii.compared)}});
   return table;
 }
 
@@ -27,16 +27,16 @@ ReportTable arcTable(const ReportParts& parts) {
   const ReportNumbers& numbers = parts.numbers;
   ReportTable table;
   table.caption =
-      reportText("Errors of radii by how much of the circumference has points of the scan");
-  table.columns = {{reportText("seen"), false},
-                   {numbers.inUnit(reportText("compared"))},
-                   {numbers.inUnit(reportText("mean error"))},
-                   {numbers.inUnit(reportText("RMS error"))},
-                   {reportText("of the radius")}};
+      ReportText::tr("Errors of radii by how much of the circumference has points of the scan");
+  table.columns = {{ReportText::tr("seen"), false},
+                   {numbers.inUnit(ReportText::tr("compared"))},
+                   {numbers.inUnit(ReportText::tr("mean error"))},
+                   {numbers.inUnit(ReportText::tr("RMS error"))},
+                   {ReportText::tr("of the radius")}};
   const QString none = QStringLiteral("–");
   for (const RadiusByArc& arc : parts.data.comparison.radii.byArc) {
     const bool isKnown = arc.compared > 0;
-    table.rows.push_back({{reportText("%1 to %2 %").arg(100 * arc.from).arg(100 * arc.to)},
+    table.rows.push_back({{ReportText::tr("%1 to %2 %").arg(100 * arc.from).arg(100 * arc.to)},
                           {numbers.number(arc.compared)},
                           {isKnown ? numbers.number(arc.meanError) : none},
                           {isKnown ? numbers.number(arc.rootMeanSquare) : none},
@@ -49,18 +49,18 @@ void addStems(ReportSection& section, const ReportParts& parts) {
   const StemDiameters& stems = parts.data.comparison.stems;
   if (!stems.missing.empty()) {
     section.blocks.emplace_back(ReportParagraph{
-        reportText("The diameters of the stems at breast height, 1.3 m, are not compared: %1.")
+        ReportText::tr("The diameters of the stems at breast height, 1.3 m, are not compared: %1.")
             .arg(QString::fromStdString(stems.missing)),
         ReportParagraph::Look::note});
     return;
   }
   ReportTable table;
   table.caption =
-      reportText("Diameter of the stem at breast height, %1 above the foot of the reference")
+      ReportText::tr("Diameter of the stem at breast height, %1 above the foot of the reference")
           .arg(parts.numbers.givenLength(stems.height));
-  table.columns = {{parts.numbers.inUnit(reportText("plant"))},
-                   {parts.numbers.inUnit(reportText("reference"))},
-                   {reportText("difference")}};
+  table.columns = {{parts.numbers.inUnit(ReportText::tr("plant"))},
+                   {parts.numbers.inUnit(ReportText::tr("reference"))},
+                   {ReportText::tr("difference")}};
   table.rows = {{{parts.numbers.number(*stems.result)},
                  {parts.numbers.number(*stems.reference)},
                  {parts.numbers.difference(*stems.result, *stems.reference)}}};
@@ -73,10 +73,13 @@ ReportTable woodTable(const ReportParts& parts, const QString& caption, const QS
   const ReportNumbers& numbers = parts.numbers;
   ReportTable table;
   table.caption = caption;
-  table.columns = {{what, false},        {numbers.inUnit(reportText("length"))},
-                   {reportText("more")}, {numbers.inUnit(reportText("area"), 2)},
-                   {reportText("more")}, {numbers.inUnit(reportText("volume"), 3)},
-                   {reportText("more")}};
+  table.columns = {{what, false},
+                   {numbers.inUnit(ReportText::tr("length"))},
+                   {ReportText::tr("more")},
+                   {numbers.inUnit(ReportText::tr("area"), 2)},
+                   {ReportText::tr("more")},
+                   {numbers.inUnit(ReportText::tr("volume"), 3)},
+                   {ReportText::tr("more")}};
   const std::size_t count = std::max(result.size(), reference.size());
   for (std::size_t k = 0; k < count; ++k) {
     const WoodAmount found = k < result.size() ? result[k] : WoodAmount();
@@ -96,8 +99,8 @@ ReportTable woodTable(const ReportParts& parts, const QString& caption, const QS
 
 ReportSection woodSection(const ReportParts& parts) {
   const Comparison& comparison = parts.data.comparison;
-  ReportSection section{reportText("Wood"), {}};
-  section.blocks.emplace_back(ReportParagraph{reportText(
+  ReportSection section{ReportText::tr("Wood"), {}};
+  section.blocks.emplace_back(ReportParagraph{ReportText::tr(
       "Of the plant, and by how much it has more than the reference. Edges count as truncated "
       "cones; those without a radius have a length alone.")});
   const std::size_t orders =
@@ -110,9 +113,9 @@ ReportSection woodSection(const ReportParts& parts) {
     rows.push_back(sum);
     return rows;
   };
-  names.append(reportText("all"));
+  names.append(ReportText::tr("all"));
   section.blocks.emplace_back(
-      woodTable(parts, reportText("By order"), reportText("order"),
+      woodTable(parts, ReportText::tr("By order"), ReportText::tr("order"),
                 whole(comparison.resultWood.byOrder, comparison.resultWood.whole),
                 whole(comparison.referenceWood.byOrder, comparison.referenceWood.whole), names));
   addStems(section, parts);
@@ -123,9 +126,9 @@ ReportSection woodSection(const ReportParts& parts) {
   names.clear();
   for (const double limit : comparison.radiusLimits)
     names.append(parts.numbers.given(limit));
-  names.append(reportText("more"));
+  names.append(ReportText::tr("more"));
   section.blocks.emplace_back(
-      woodTable(parts, reportText("By radius"), parts.numbers.inUnit(reportText("up to")),
+      woodTable(parts, ReportText::tr("By radius"), parts.numbers.inUnit(ReportText::tr("up to")),
                 comparison.resultWood.byRadius, comparison.referenceWood.byRadius, names));
   return section;
 }

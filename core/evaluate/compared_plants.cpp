@@ -59,9 +59,9 @@ std::map<std::string, double> studyScores(const Skeleton& result, const Skeleton
 ComparedPlants::ComparedPlants(const Skeleton& result, const Skeleton& reference,
                                const ComparisonOptions& options, const Progress& progress)
     : result_(result), reference_(reference), options_(options), progress_(progress),
-      distance_(options.placeDistance > 0 ? options.placeDistance : usualTolerance(reference)),
-      landmarkDistance_(options.landmarkDistance > 0 ? options.landmarkDistance
-                                                     : medianEdgeLength(reference)),
+      distance_(resolved({options.placeDistance, options.landmarkDistance}, reference).distance),
+      landmarkDistance_(
+          resolved({options.placeDistance, options.landmarkDistance}, reference).landmarkDistance),
       step_(options.tolerance.step > 0 ? options.tolerance.step
                                        : defaultTolerances(reference).front()) {}
 
@@ -187,6 +187,7 @@ void ComparedPlants::moveTo(Comparison& comparison) && {
   comparison.diadem = diadem();
   comparison.pathLengths = pathLengths();
   comparison.barcodeDistance = barcodeDistance();
+  comparison.differences = differences();
   static_cast<void>(paths()); // these read parts that are moved
   static_cast<void>(architecture());
   static_cast<void>(allCapped());

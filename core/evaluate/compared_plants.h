@@ -19,7 +19,8 @@ public:
 
   /// The progress of what is made next.
   ComparedPlants& with(const Progress& progress);
-  /// Goes on at another of the distances of the options.
+  /// Goes on at another of the distances of the options: near() and capped() follow it, network()
+  /// and differences() stay those of the first.
   void goTo(double distance) { distance_ = distance; }
 
   [[nodiscard]] const Skeleton& result() const { return result_; }

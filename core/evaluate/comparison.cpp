@@ -39,11 +39,10 @@ void warnOfShift(Comparison& comparison, double unit) {
 }
 
 /// Little lies near once the plant is laid on the reference, or nothing does.
-void warnOfMisfit(Comparison& comparison) {
+void warnOfMisfit(Comparison& comparison, const ToleranceCurve& curve) {
   const auto& lay = comparison.registration;
   const std::string ofFit = lay ? warningOfFit(*lay) : std::string();
-  warn(comparison,
-       ofFit.empty() ? warningOfDistance(comparison.tolerance, lay.has_value()) : ofFit);
+  warn(comparison, ofFit.empty() ? warningOfDistance(curve, lay.has_value()) : ofFit);
 }
 
 /// Light on the surface of a plant; none, with a warning, of one without radii.
@@ -74,10 +73,15 @@ void measureEach(Comparison& comparison, const Skeleton& result, const Skeleton&
 }
 
 /// All scores where they lie, and those that take a distance at each of the curve's.
-void score(Comparison& comparison, ComparedPlants& plants) {
+void score(Comparison& comparison, ComparedPlants& plants, const Progress& progress) {
   const double near = plants.distance();
-  for (const Score& each : scores())
+  const auto share = 1 / static_cast<double>(scores().size());
+  double done = 0;
+  for (const Score& each : scores()) {
+    plants.with(progress.part(done, done + share));
     comparison.scores[each.key] = each.compute(plants);
+    done += share;
+  }
   for (const ToleranceScore& at : plants.tolerance().scores) {
     plants.goTo(at.distance);
     comparison.scoresAt.push_back({at.distance, valuesOf(scoresByDistance(), plants)});
@@ -130,10 +134,8 @@ Comparison compare(const Skeleton& result, const Skeleton& reference,
   plants.with(progress.part(0.63, 0.68, "Counting edits"));
   warnOfEdits(comparison, plants, options.edit.unit);
   plants.with(progress.part(0.68, 0.8, "Measuring distances"));
-  comparison.tolerance = plants.tolerance();
-  if (ofSize.empty()) warnOfMisfit(comparison);
-  plants.with(progress.part(0.8, 0.95));
-  score(comparison, plants);
+  if (ofSize.empty()) warnOfMisfit(comparison, plants.tolerance());
+  score(comparison, plants, progress.part(0.8, 0.95));
   const double near = plants.distance();
   std::move(plants).moveTo(comparison);
   const Skeleton uprightLaid = standing(laid, up);

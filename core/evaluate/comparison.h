@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/evaluate/differences/differences.h"
 #include "core/evaluate/light/light_interception.h"
 #include "core/evaluate/match/agreement_by_place.h"
 #include "core/evaluate/match/architecture_agreement.h"
@@ -28,8 +29,6 @@
 #include <vector>
 
 namespace espalier {
-
-struct Differences;
 
 struct ComparisonOptions {
   bool registers = true;            // lays the result on the reference before anything is measured
@@ -77,6 +76,7 @@ struct Comparison {
   StemDiameters stems;
   ArchitectureAgreement architecture;
   AgreementByPlace byPlace;
+  Differences differences; // at the distance of `byPlace`
   Traits resultTraits;
   Traits referenceTraits;
   WoodAmounts resultWood;

@@ -1,3 +1,4 @@
+#include "core/base/shown.h"
 #include "core/evaluate/compared_plants.h"
 #include "core/evaluate/score_table.h"
 
@@ -24,8 +25,9 @@ Score radiusByArc(std::size_t k) {
       "RMS, " + std::to_string(25 * k) + "–" + std::to_string(25 * (k + 1)) + " % seen";
   return {.key = "radius_arc_" + std::to_string(k),
           .label = name,
-          .help = "Root mean square error of radii where the scan has points on this much of the "
-                  "circumference of the wood",
+          .help = Shown::tr(
+              "Root mean square error of radii where the scan has points on this much of the "
+              "circumference of the wood"),
           .measure = measureOf("Breast height, and the circumference"),
           .unit = Unit::length,
           .better = Better::less,
@@ -43,27 +45,29 @@ std::vector<Score> radiusScores() {
   const Measure* stems = measureOf("Breast height, and the circumference");
   std::vector<Score> all = {
       {.key = "concordance",
-       .label = "concordance (CCC)",
-       .symbol = "concordance",
-       .help = "Agreement of radii where both lie near each other: 1 where all are the same (CCC, "
-               "Lin)",
+       .label = Shown::tr("concordance (CCC)"),
+       .symbol = Shown::tr("concordance"),
+       .help = Shown::tr(
+           "Agreement of radii where both lie near each other: 1 where all are the same (CCC, "
+           "Lin)"),
        .measure = measureOf("Concordance"),
        .uses = inWindow | inStudies | inReport,
        .compute = ofRadii(&RadiusAgreement::concordance)},
       {.key = "radius_mean_error",
-       .label = "mean error",
-       .symbol = "radius, mean error",
-       .help = "Of the radii: above 0, the plant's are larger",
+       .label = Shown::tr("mean error"),
+       .symbol = Shown::tr("radius, mean error"),
+       .help = Shown::tr("Of the radii: above 0, the plant's are larger"),
        .measure = measureOf("Radii"),
        .unit = Unit::length,
        .better = Better::neither,
        .uses = inWindow | inStudies | inReport,
        .compute = ofRadii(&RadiusAgreement::meanError)},
       {.key = "radius_root_mean_square",
-       .label = "root mean square error",
-       .symbol = "radius, RMS error",
-       .help = "Root mean square error of the radii, over the length where both lie near each "
-               "other",
+       .label = Shown::tr("root mean square error"),
+       .symbol = Shown::tr("radius, RMS error"),
+       .help = Shown::tr(
+           "Root mean square error of the radii, over the length where both lie near each "
+           "other"),
        .measure = measureOf("Radii"),
        .unit = Unit::length,
        .better = Better::less,
@@ -71,18 +75,19 @@ std::vector<Score> radiusScores() {
        .compute = ofRadii(&RadiusAgreement::rootMeanSquare)}};
   for (std::size_t k = 0; k < 4; ++k)
     all.push_back(radiusByArc(k));
-  all.push_back({.key = "dbh",
-                 .label = "diameter at 1.3 m",
-                 .help = "Of the plant's stem, 1.3 m above the foot of the reference (DBH)",
-                 .measure = stems,
-                 .unit = Unit::length,
-                 .better = Better::neither,
-                 .uses = inWindow,
-                 .compute = [](Plants plants) { return plants.stems().result; }});
+  all.push_back(
+      {.key = "dbh",
+       .label = Shown::tr("diameter at 1.3 m"),
+       .help = Shown::tr("Of the plant's stem, 1.3 m above the foot of the reference (DBH)"),
+       .measure = stems,
+       .unit = Unit::length,
+       .better = Better::neither,
+       .uses = inWindow,
+       .compute = [](Plants plants) { return plants.stems().result; }});
   all.push_back({.key = "dbh_error",
-                 .label = "error of the diameter",
-                 .symbol = "diameter, error",
-                 .help = "The diameter of the plant at 1.3 m less that of the reference",
+                 .label = Shown::tr("error of the diameter"),
+                 .symbol = Shown::tr("diameter, error"),
+                 .help = Shown::tr("The diameter of the plant at 1.3 m less that of the reference"),
                  .measure = stems,
                  .unit = Unit::length,
                  .better = Better::neither,
@@ -94,8 +99,8 @@ std::vector<Score> radiusScores() {
 std::vector<Score> fileScores() {
   const Measure* registration = measureOf("Registration");
   return {{.key = "shift",
-           .label = "shift",
-           .help = "How far apart both were before they were aligned",
+           .label = Shown::tr("shift"),
+           .help = Shown::tr("How far apart both were before they were aligned"),
            .measure = registration,
            .unit = Unit::length,
            .better = Better::neither,
@@ -104,9 +109,9 @@ std::vector<Score> fileScores() {
              return plants.registration() ? plants.registration()->shift.norm() : 0;
            }},
           {.key = "turn",
-           .label = "turn",
-           .symbol = "turn, °",
-           .help = "By how many degrees the plant was turned to lie on the reference",
+           .label = Shown::tr("turn"),
+           .symbol = Shown::tr("turn, °"),
+           .help = Shown::tr("By how many degrees the plant was turned to lie on the reference"),
            .measure = registration,
            .unit = Unit::degrees,
            .better = Better::neither,
@@ -116,8 +121,8 @@ std::vector<Score> fileScores() {
              return std::round(plants.registration()->angle() * 1800 / std::numbers::pi) / 10;
            }},
           {.key = "nodes",
-           .label = "nodes",
-           .help = "Nodes it has",
+           .label = Shown::tr("nodes"),
+           .help = Shown::tr("Nodes it has"),
            .measure = measureOf("Landmarks"),
            .unit = Unit::count,
            .better = Better::neither,

@@ -39,7 +39,7 @@ enum ScoreUse : unsigned {
   inStudies = 4,      // files of the noise study and of sweeps
   inReport = 8,       // tables of the report; there are others for scores that take a distance
   inText = 16,        // `evaluate` prints a line of its own; off for those in its sentences
-  everywhere = 31,    //
+  everywhere = inPanel | inMethods | inStudies | inReport | inText,
   inNoiseText = 32,   // what `noise` prints unless asked for others
   inRankingText = 64, // what a ranking prints beside the score that it ranks by
   inBrief = 128,      // a few numbers of many plants: `batch`, `sweep`, preview in numbers

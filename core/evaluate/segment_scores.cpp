@@ -1,3 +1,4 @@
+#include "core/base/shown.h"
 #include "core/evaluate/compared_plants.h"
 #include "core/evaluate/score_table.h"
 
@@ -61,15 +62,15 @@ std::vector<Score> segmentScores() {
   const Measure* authors = measureOf("G, T and mapping");
   const Measure* more = measureOf("Capped, over all, one to many");
   return {{.key = "mapping",
-           .label = "mapping",
-           .help = "Share of the segments of both that are matched (authors)",
+           .label = Shown::tr("mapping"),
+           .help = Shown::tr("Share of the segments of both that are matched (authors)"),
            .measure = authors,
            .uses = inWindow | inStudies | inReport,
            .compute = [](Plants plants) -> Value { return plants.authors().mapping; }},
           {.key = "geometric",
-           .label = "geometric index G",
-           .symbol = "G",
-           .help = "Share of the length of both that is matched (authors)",
+           .label = Shown::tr("geometric index G"),
+           .symbol = Shown::tr("G"),
+           .help = Shown::tr("Share of the length of both that is matched (authors)"),
            .measure = authors,
            .uses = inWindow | inStudies | inReport | inNoiseText | inRankingText | inBrief |
                    inKeyNumbers,
@@ -79,9 +80,9 @@ std::vector<Score> segmentScores() {
                  return lengthShare(sums, Share::matchedResult, Share::matchedReference);
                }},
           {.key = "structural",
-           .label = "structural index T",
-           .symbol = "T",
-           .help = "Share of the matches whose bearers are matched, too (authors)",
+           .label = Shown::tr("structural index T"),
+           .symbol = Shown::tr("T"),
+           .help = Shown::tr("Share of the matches whose bearers are matched, too (authors)"),
            .measure = authors,
            .uses = inWindow | inStudies | inReport | inNoiseText | inBrief | inKeyNumbers | onCards,
            .compute = [](Plants plants) -> Value { return plants.authors().structural; },
@@ -90,9 +91,9 @@ std::vector<Score> segmentScores() {
                  return ratio(of(sums, Share::conserved), of(sums, Share::matches));
                }},
           {.key = "structural_of_all",
-           .label = "T over all segments of the reference",
-           .symbol = "T of all",
-           .help = "The same as a share of all segments of the reference",
+           .label = Shown::tr("T over all segments of the reference"),
+           .symbol = Shown::tr("T of all"),
+           .help = Shown::tr("The same as a share of all segments of the reference"),
            .measure = more,
            .uses = inWindow | inStudies | inReport | inNoiseText | inRankingText,
            .compute = [](Plants plants) -> Value { return plants.authors().structuralOfAll; },
@@ -101,8 +102,9 @@ std::vector<Score> segmentScores() {
                  return ratio(of(sums, Share::conserved), of(sums, Share::segments));
                }},
           {.key = "one_to_many",
-           .label = "G, one to many",
-           .help = "The same as G, where a branch may match all the pieces that spurs cut it into",
+           .label = Shown::tr("G, one to many"),
+           .help = Shown::tr(
+               "The same as G, where a branch may match all the pieces that spurs cut it into"),
            .measure = more,
            .uses = inStudies | inReport,
            .compute = [](Plants plants) -> Value { return plants.paths().geometric; }}};
@@ -110,57 +112,58 @@ std::vector<Score> segmentScores() {
 
 std::vector<Score> cappedSegmentScores() {
   const Measure* more = measureOf("Capped, over all, one to many");
-  return {{.key = "capped_geometric",
-           .label = "capped G",
-           .help = "The same as G, matched only where they lie within the tolerance",
-           .measure = more,
-           .uses = inWindow | inStudies | inNoiseText | inRankingText,
-           .compute = [](Plants plants) -> Value {
-             const CappedScore* capped = plants.capped();
-             return capped != nullptr ? Value(capped->geometric) : Value();
-           },
-           .takesDistance = true,
-           .ofShares =
-               [](const ShareSums& sums) {
-                 return lengthShare(sums, Share::cappedResult, Share::cappedReference);
-               }},
-          {.key = "capped_structural",
-           .label = "capped T",
-           .help = "The same as T of all, matched only where they lie within the tolerance",
-           .measure = more,
-           .uses = inStudies,
-           .compute = [](Plants plants) -> Value {
-             const CappedScore* capped = plants.capped();
-             return capped != nullptr ? Value(capped->structuralOfAll) : Value();
-           },
-           .takesDistance = true,
-           .ofShares =
-               [](const ShareSums& sums) {
-                 return ratio(of(sums, Share::cappedConserved), of(sums, Share::segments));
-               }}};
+  return {
+      {.key = "capped_geometric",
+       .label = Shown::tr("capped G"),
+       .help = Shown::tr("The same as G, matched only where they lie within the tolerance"),
+       .measure = more,
+       .uses = inWindow | inStudies | inNoiseText | inRankingText,
+       .compute = [](Plants plants) -> Value {
+         const CappedScore* capped = plants.capped();
+         return capped != nullptr ? Value(capped->geometric) : Value();
+       },
+       .takesDistance = true,
+       .ofShares =
+           [](const ShareSums& sums) {
+             return lengthShare(sums, Share::cappedResult, Share::cappedReference);
+           }},
+      {.key = "capped_structural",
+       .label = Shown::tr("capped T"),
+       .help = Shown::tr("The same as T of all, matched only where they lie within the tolerance"),
+       .measure = more,
+       .uses = inStudies,
+       .compute = [](Plants plants) -> Value {
+         const CappedScore* capped = plants.capped();
+         return capped != nullptr ? Value(capped->structuralOfAll) : Value();
+       },
+       .takesDistance = true,
+       .ofShares =
+           [](const ShareSums& sums) {
+             return ratio(of(sums, Share::cappedConserved), of(sums, Share::segments));
+           }}};
 }
 
 std::vector<Score> nearnessScores() {
   const Measure* nearness = measureOf("Precision, recall, F");
   return {{.key = "precision",
-           .label = "precision",
-           .help = "Share of the plant's length near the reference",
+           .label = Shown::tr("precision"),
+           .help = Shown::tr("Share of the plant's length near the reference"),
            .measure = nearness,
            .uses = inWindow | inStudies | inKeyNumbers,
            .compute = near(&ToleranceScore::precision),
            .takesDistance = true,
            .ofShares = precisionOf},
           {.key = "recall",
-           .label = "recall",
-           .help = "Share of the reference's length near the plant",
+           .label = Shown::tr("recall"),
+           .help = Shown::tr("Share of the reference's length near the plant"),
            .measure = nearness,
            .uses = inWindow | inStudies | inKeyNumbers,
            .compute = near(&ToleranceScore::recall),
            .takesDistance = true,
            .ofShares = recallOf},
           {.key = "f",
-           .label = "F",
-           .help = "Harmonic mean of precision and recall",
+           .label = Shown::tr("F"),
+           .help = Shown::tr("Harmonic mean of precision and recall"),
            .measure = nearness,
            .uses = inWindow | inStudies | inNoiseText | inRankingText | inBrief | inKeyNumbers |
                    onCards,
@@ -174,25 +177,27 @@ std::vector<Score> nearnessScores() {
 std::vector<Score> distanceScores() {
   using Curve = ToleranceCurve;
   using Summary = DistanceSummary;
-  return {distanceScore("to_reference", "to the reference",
-                        "Mean distance from the plant to the reference", &Curve::toReference,
-                        &Summary::mean),
-          distanceScore("to_result", "from the reference",
-                        "Mean distance from the reference to the plant", &Curve::toResult,
-                        &Summary::mean),
-          distanceScore("far_plant", "far, of the plant",
-                        "Share of the plant's length that is farther from the reference than the "
-                        "finest tolerance",
-                        &Curve::toReference, &Summary::farShare),
-          distanceScore("substantial_to_reference", "substantial distance",
-                        "Mean distance of that length from the reference", &Curve::toReference,
-                        &Summary::farMean),
-          distanceScore("far_reference", "far, of the reference",
-                        "Share of the reference's length that is farther from the plant than the "
-                        "finest tolerance",
-                        &Curve::toResult, &Summary::farShare),
-          distanceScore("substantial_to_result", "substantial, back",
-                        "Mean distance of that length from the plant", &Curve::toResult,
+  return {distanceScore("to_reference", Shown::tr("to the reference"),
+                        Shown::tr("Mean distance from the plant to the reference"),
+                        &Curve::toReference, &Summary::mean),
+          distanceScore("to_result", Shown::tr("from the reference"),
+                        Shown::tr("Mean distance from the reference to the plant"),
+                        &Curve::toResult, &Summary::mean),
+          distanceScore(
+              "far_plant", Shown::tr("far, of the plant"),
+              Shown::tr("Share of the plant's length that is farther from the reference than the "
+                        "finest tolerance"),
+              &Curve::toReference, &Summary::farShare),
+          distanceScore("substantial_to_reference", Shown::tr("substantial distance"),
+                        Shown::tr("Mean distance of that length from the reference"),
+                        &Curve::toReference, &Summary::farMean),
+          distanceScore(
+              "far_reference", Shown::tr("far, of the reference"),
+              Shown::tr("Share of the reference's length that is farther from the plant than the "
+                        "finest tolerance"),
+              &Curve::toResult, &Summary::farShare),
+          distanceScore("substantial_to_result", Shown::tr("substantial, back"),
+                        Shown::tr("Mean distance of that length from the plant"), &Curve::toResult,
                         &Summary::farMean)};
 }
 

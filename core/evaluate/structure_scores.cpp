@@ -1,3 +1,4 @@
+#include "core/base/shown.h"
 #include "core/evaluate/compared_plants.h"
 #include "core/evaluate/score_table.h"
 
@@ -59,28 +60,30 @@ auto editDistance(bool ofLength) {
 std::vector<Score> landmarkScores() {
   const Measure* own = measureOf("Landmarks");
   return {{.key = "tips",
-           .label = "tips, F",
-           .help = "Ends that lie within a median edge of each other",
+           .label = Shown::tr("tips, F"),
+           .help = Shown::tr("Ends that lie within a median edge of each other"),
            .measure = own,
            .uses = inWindow | inStudies | inReport | inKeyNumbers,
            .compute = [](Plants plants) -> Value { return plants.tips().f(); }},
           {.key = "branchings",
-           .label = "branchings, F",
-           .help = "Branchings that lie within a median edge of each other",
+           .label = Shown::tr("branchings, F"),
+           .help = Shown::tr("Branchings that lie within a median edge of each other"),
            .measure = own,
            .uses = inWindow | inStudies | inReport,
            .compute = [](Plants plants) -> Value { return plants.branchings().f(); }},
           {.key = "diadem",
-           .label = "DIADEM-like score",
-           .symbol = "DIADEM",
-           .help = "Share of tips and branchings that are found and reached along a path as long",
+           .label = Shown::tr("DIADEM-like score"),
+           .symbol = Shown::tr("DIADEM"),
+           .help = Shown::tr(
+               "Share of tips and branchings that are found and reached along a path as long"),
            .measure = measureOf("DIADEM-like score"),
            .uses = inStudies | inReport | inNoiseText,
            .compute = [](Plants plants) -> Value { return plants.diadem().score; }},
           {.key = "ways",
-           .label = "paths along the plant as long, up to a tenth",
-           .symbol = "paths",
-           .help = "Share of pairs of places whose path along the plant is as long, up to a tenth",
+           .label = Shown::tr("paths along the plant as long, up to a tenth"),
+           .symbol = Shown::tr("paths"),
+           .help = Shown::tr(
+               "Share of pairs of places whose path along the plant is as long, up to a tenth"),
            .measure = own,
            .uses = inStudies | inReport | inNoiseText,
            .compute = [](Plants plants) -> Value { return plants.pathLengths().withinTenth; }}};
@@ -90,36 +93,39 @@ std::vector<Score> architectureScores() {
   const Measure* own = measureOf("Orders, axes, edges");
   return {
       {.key = "order",
-       .label = "length of the same order",
-       .symbol = "same order",
-       .help = "Share of the reference's length near the plant that has the same order there",
+       .label = Shown::tr("length of the same order"),
+       .symbol = Shown::tr("same order"),
+       .help = Shown::tr(
+           "Share of the reference's length near the plant that has the same order there"),
        .measure = own,
        .uses = inStudies | inReport,
        .compute = ofArchitecture(&ArchitectureAgreement::sameOrder)},
       {.key = "axis",
-       .label = "length on the same axis",
-       .symbol = "same axis",
-       .help = "Share of the reference's length near the plant that lies on the same axis there",
+       .label = Shown::tr("length on the same axis"),
+       .symbol = Shown::tr("same axis"),
+       .help = Shown::tr(
+           "Share of the reference's length near the plant that lies on the same axis there"),
        .measure = own,
        .uses = inStudies | inReport,
        .compute = ofArchitecture(&ArchitectureAgreement::sameAxis)},
       {.key = "edge",
-       .label = "edge types, share that agrees",
-       .symbol = "same edge type",
-       .help = "Share of matched segments that begin with the same type of edge",
+       .label = Shown::tr("edge types, share that agrees"),
+       .symbol = Shown::tr("same edge type"),
+       .help = Shown::tr("Share of matched segments that begin with the same type of edge"),
        .measure = own,
        .uses = inStudies | inReport,
        .compute = ofTypes(&TypeAgreement::observed)},
       {.key = "edge_kappa",
-       .label = "edge types, kappa",
-       .symbol = "edge types, κ",
-       .help = "Agreement on what continues an axis and what branches, beyond chance (Cohen)",
+       .label = Shown::tr("edge types, kappa"),
+       .symbol = Shown::tr("edge types, κ"),
+       .help = Shown::tr(
+           "Agreement on what continues an axis and what branches, beyond chance (Cohen)"),
        .measure = measureOf("Kappa"),
        .uses = inWindow | inReport,
        .compute = ofTypes(&TypeAgreement::kappa)},
       {.key = "wrong",
-       .label = "wrong attachments",
-       .help = "Parts of the plant that are attached to something else in the reference",
+       .label = Shown::tr("wrong attachments"),
+       .help = Shown::tr("Parts of the plant that are attached to something else in the reference"),
        .measure = measureOf("Missed, invented, wrongly attached"),
        .unit = Unit::count,
        .better = Better::less,
@@ -132,76 +138,85 @@ std::vector<Score> architectureScores() {
 
 std::vector<Score> networkScores() {
   using Network = NetworkAgreement;
-  return {networkScore("missed_length", "NetMets, length missed", "length missed",
-                       "Share of the reference's length that the plant lacks, by a Gaussian of the "
-                       "distance (NetMets)",
-                       &Network::missedLength),
-          networkScore("invented_length", "NetMets, length invented", "length invented",
-                       "Share of the plant's length that the reference lacks, by a Gaussian of the "
-                       "distance (NetMets)",
-                       &Network::inventedLength),
-          networkScore("missed_connections", "NetMets, connections missed", "connections missed",
-                       "Of the paths between tips and branchings that both have, the share of the "
-                       "reference's that the plant lacks (NetMets)",
-                       &Network::missedConnections),
-          networkScore("invented_connections", "NetMets, connections invented",
-                       "connections invented",
-                       "Of the paths between tips and branchings that both have, the share of the "
-                       "plant's that the reference lacks (NetMets)",
-                       &Network::inventedConnections),
-          {.key = "barcode",
-           .label = "distance of the barcodes (TMD)",
-           .symbol = "barcodes apart",
-           .help = "How far the two differ in where along them their branches begin and end: 0 not "
-                   "at all, 1 wholly (TMD)",
-           .measure = measureOf("Barcodes (TMD)"),
-           .better = Better::less,
-           .uses = inWindow | inStudies | inReport,
-           .compute = [](Plants plants) -> Value { return plants.barcodeDistance(); }}};
+  return {
+      networkScore(
+          "missed_length", Shown::tr("NetMets, length missed"), Shown::tr("length missed"),
+          Shown::tr("Share of the reference's length that the plant lacks, by a Gaussian of the "
+                    "distance (NetMets)"),
+          &Network::missedLength),
+      networkScore(
+          "invented_length", Shown::tr("NetMets, length invented"), Shown::tr("length invented"),
+          Shown::tr("Share of the plant's length that the reference lacks, by a Gaussian of the "
+                    "distance (NetMets)"),
+          &Network::inventedLength),
+      networkScore(
+          "missed_connections", Shown::tr("NetMets, connections missed"),
+          Shown::tr("connections missed"),
+          Shown::tr("Of the paths between tips and branchings that both have, the share of the "
+                    "reference's that the plant lacks (NetMets)"),
+          &Network::missedConnections),
+      networkScore(
+          "invented_connections", Shown::tr("NetMets, connections invented"),
+          Shown::tr("connections invented"),
+          Shown::tr("Of the paths between tips and branchings that both have, the share of the "
+                    "plant's that the reference lacks (NetMets)"),
+          &Network::inventedConnections),
+      {.key = "barcode",
+       .label = Shown::tr("distance of the barcodes (TMD)"),
+       .symbol = Shown::tr("barcodes apart"),
+       .help = Shown::tr(
+           "How far the two differ in where along them their branches begin and end: 0 not "
+           "at all, 1 wholly (TMD)"),
+       .measure = measureOf("Barcodes (TMD)"),
+       .better = Better::less,
+       .uses = inWindow | inStudies | inReport,
+       .compute = [](Plants plants) -> Value { return plants.barcodeDistance(); }}};
 }
 
 std::vector<Score> editScores() {
   const Measure* edit = measureOf("Edit distance");
   return {
       {.key = "edits",
-       .label = "edit distance",
-       .help = "The least that has to be removed, inserted and changed to make one of the "
-               "other, in parts: for the costs topology and attributes",
+       .label = Shown::tr("edit distance"),
+       .help =
+           Shown::tr("The least that has to be removed, inserted and changed to make one of the "
+                     "other, in parts: for the costs topology and attributes"),
        .measure = edit,
        .unit = Unit::count,
        .better = Better::less,
        .uses = inWindow | inReport,
        .compute = editDistance(false)},
       {.key = "edit_length",
-       .label = "edit distance",
-       .symbol = "edits, in length",
-       .help = "The least that has to be removed, inserted and changed to make one of the "
-               "other: for the costs length, place and shape",
+       .label = Shown::tr("edit distance"),
+       .symbol = Shown::tr("edits, in length"),
+       .help =
+           Shown::tr("The least that has to be removed, inserted and changed to make one of the "
+                     "other: for the costs length, place and shape"),
        .measure = edit,
        .unit = Unit::length,
        .better = Better::less,
        .uses = inWindow | inReport,
        .compute = editDistance(true)},
       {.key = "edit_similarity",
-       .label = "edit similarity",
-       .symbol = "edits, similarity",
-       .help = "1 where nothing is to be edited, 0 where nothing of the plant is of use",
+       .label = Shown::tr("edit similarity"),
+       .symbol = Shown::tr("edits, similarity"),
+       .help = Shown::tr("1 where nothing is to be edited, 0 where nothing of the plant is of use"),
        .measure = edit,
        .uses = inWindow | inReport,
        .compute = ofEdit([](const EditComparison& each) { return each.distance.similarity(); })},
       {.key = "edits_removed",
-       .label = "edits: removed",
-       .symbol = "to remove",
-       .help = "Parts of the plant that stand for nothing of the reference",
+       .label = Shown::tr("edits: removed"),
+       .symbol = Shown::tr("to remove"),
+       .help = Shown::tr("Parts of the plant that stand for nothing of the reference"),
        .measure = edit,
        .unit = Unit::count,
        .better = Better::less,
        .uses = inPanel,
        .compute = ofEdit(&EditComparison::removed)},
       {.key = "edits_inserted",
-       .label = "edits: inserted",
-       .symbol = "to insert",
-       .help = "Parts of the reference that nothing of the plant stands for",
+       .label = Shown::tr("edits: inserted"),
+       .symbol = Shown::tr("to insert"),
+       .help = Shown::tr("Parts of the reference that nothing of the plant stands for"),
        .measure = edit,
        .unit = Unit::count,
        .better = Better::less,

@@ -252,7 +252,7 @@ public:
 
 private:
   std::string_view rest_; // not read yet
-  std::uint8_t written_;  // bytesVersion
+  std::uint8_t written_;  // the version it was written in
 };
 
 constexpr std::size_t leastNode = 33; // bytes: flags, position, radius

@@ -11,8 +11,8 @@ inline constexpr int applicationId = 0x4573706C; // "Espl", at byte 68 of the fi
 /// The version that this program writes.
 [[nodiscard]] int currentSchema();
 
-/// Brings the tables of a database, empty or of any older version, to the current one; all or
-/// nothing.
+/// Brings the tables of a database, empty or of any older version, to the current one: all or
+/// nothing of the tables; rows that are damaged are left out.
 /// @throws Error why it cannot be written
 void upgradeSchema(const Database& database);
 

@@ -11,7 +11,7 @@
 namespace espalier {
 namespace {
 
-constexpr std::size_t fewestPoints = 3; // points
+constexpr std::size_t fewestPoints = 3;
 
 NodeId ownerOf(const Skeleton& skeleton, const PointOnSkeleton& place) {
   const Node& child = skeleton[place.child];
@@ -161,6 +161,7 @@ std::vector<double> meanPointDistances(const Skeleton& skeleton, const Eigen::Ma
   if (skeleton.isEmpty()) return sums;
   std::vector<double> counts(skeleton.idEnd(), 0);
   for (const PointOnSkeleton& place : assignPoints(points, origin, skeleton, progress)) {
+    // Unlike ownerOf(): the lower half of a branch's first edge is of the wood that bears it, too.
     const bool isLower = place.fraction < 0.5 && skeleton[place.child].parent;
     const NodeId node = isLower ? *skeleton[place.child].parent : place.child;
     sums[indexOf(node)] += place.distance;

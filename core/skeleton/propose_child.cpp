@@ -29,9 +29,7 @@ double distanceToNearest(const std::vector<Vector3d>& places, const Vector3d& fr
   return least;
 }
 
-using PlaceOfPlace = std::function<Vector3d(const Vector3d&)>;
-
-Vector3d snapped(const Vector3d& place, const Vector3d& parent, const PlaceOfPlace& snap) {
+Vector3d snapped(const Vector3d& place, const Vector3d& parent, const SnapToPoints& snap) {
   const Vector3d onPoints = snap(place);
   const bool leadsBack = (onPoints - parent).norm() < 0.25 * (place - parent).norm();
   return leadsBack ? place : onPoints;
@@ -40,7 +38,7 @@ Vector3d snapped(const Vector3d& place, const Vector3d& parent, const PlaceOfPla
 } // namespace
 
 Vector3d proposeChild(const Skeleton& skeleton, NodeId parent, const Vector3d& viewDirection,
-                      double step, const PlaceOfPlace& snap) {
+                      double step, const SnapToPoints& snap) {
   assert(step > 0);
   const Vector3d here = skeleton[parent].position;
   const std::vector<Vector3d> places = neighbors(skeleton, parent);

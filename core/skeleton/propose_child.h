@@ -8,6 +8,9 @@
 
 namespace espalier {
 
+/// Gives the place on the points near a place [L], or itself where there are none.
+using SnapToPoints = std::function<Eigen::Vector3d(const Eigen::Vector3d&)>;
+
 /// Where a new child of `parent` is likely to belong [L].
 ///
 /// A node without children continues its own segment; another one tries ten directions turned about
@@ -15,10 +18,10 @@ namespace espalier {
 /// unless that would lead back to the parent. A node that has no neighbor grows upward by `step`.
 /// @param viewDirection into the screen, not zero
 /// @param step length to grow a lone root by [L], > 0
-/// @param snap gives the place on the points near a place [L], or itself where there are none
 /// Source: PlantScan3D's "New child".
-[[nodiscard]] Eigen::Vector3d proposeChild(
-    const Skeleton& skeleton, NodeId parent, const Eigen::Vector3d& viewDirection, double step,
-    const std::function<Eigen::Vector3d(const Eigen::Vector3d&)>& snap); // pre: contains(parent)
+/// pre: contains(parent)
+[[nodiscard]] Eigen::Vector3d proposeChild(const Skeleton& skeleton, NodeId parent,
+                                           const Eigen::Vector3d& viewDirection, double step,
+                                           const SnapToPoints& snap);
 
 } // namespace espalier

@@ -3,7 +3,6 @@
 #include "core/base/coordinates.h"
 
 #include <cassert>
-#include <string>
 #include <unordered_map>
 #include <utility>
 
@@ -20,7 +19,6 @@ bool looksAlike(const Node& a, const Node& b) {
   return a.position == b.position && a.parent == b.parent && (!a.parent || a.edge == b.edge);
 }
 
-/// For the start of a message.
 /// What became of the nodes noted; those that ended as they were are left out.
 SkeletonDelta deltaOf(std::vector<SkeletonDelta::Change> noted, const Skeleton& skeleton) {
   for (SkeletonDelta::Change& change : noted)

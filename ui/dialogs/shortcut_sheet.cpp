@@ -34,21 +34,20 @@ struct Section {
 };
 
 Section mouseSection() {
-  const auto tr = [](const char* text) { return ShortcutSheet::tr(text); };
-  return {tr("Mouse"),
-          {{tr("Drag"), tr("Turn")},
-           {tr("Right drag"), tr("Pan")},
-           {tr("Middle drag, wheel"), tr("Zoom")},
-           {tr("Ctrl+drag"), tr("Turn, over nodes too")},
-           {tr("Ctrl+wheel"), tr("Radius of the selected nodes")},
-           {tr("Click"), tr("Select a node")},
-           {tr("Shift+click"), tr("Add or remove a node")},
-           {tr("Shift+drag"), tr("Select in a box")},
-           {tr("Alt+drag"), tr("Select in a lasso")},
-           {tr("Drag a node"), tr("Move it")},
-           {tr("Double click"), tr("Turn around this place")},
-           {tr("Right click"), tr("Menu of the node")},
-           {tr("Esc"), tr("Leave a gesture")}}};
+  return {ShortcutSheet::tr("Mouse"),
+          {{ShortcutSheet::tr("Drag"), ShortcutSheet::tr("Turn")},
+           {ShortcutSheet::tr("Right drag"), ShortcutSheet::tr("Pan")},
+           {ShortcutSheet::tr("Middle drag, wheel"), ShortcutSheet::tr("Zoom")},
+           {ShortcutSheet::tr("Ctrl+drag"), ShortcutSheet::tr("Turn, over nodes too")},
+           {ShortcutSheet::tr("Ctrl+wheel"), ShortcutSheet::tr("Radius of the selected nodes")},
+           {ShortcutSheet::tr("Click"), ShortcutSheet::tr("Select a node")},
+           {ShortcutSheet::tr("Shift+click"), ShortcutSheet::tr("Add or remove a node")},
+           {ShortcutSheet::tr("Shift+drag"), ShortcutSheet::tr("Select in a box")},
+           {ShortcutSheet::tr("Alt+drag"), ShortcutSheet::tr("Select in a lasso")},
+           {ShortcutSheet::tr("Drag a node"), ShortcutSheet::tr("Move it")},
+           {ShortcutSheet::tr("Double click"), ShortcutSheet::tr("Turn around this place")},
+           {ShortcutSheet::tr("Right click"), ShortcutSheet::tr("Menu of the node")},
+           {ShortcutSheet::tr("Esc"), ShortcutSheet::tr("Leave a gesture")}}};
 }
 
 std::vector<Section> sectionsOf(const QList<QAction*>& actions) {

@@ -26,11 +26,15 @@ QString amountText(const ReviewCoverage& seen, ReviewState state, LengthUnit uni
   return formatLength(seen.length[at], unit, 3);
 }
 
+namespace {
+struct CoverageText {
+  Q_DECLARE_TR_FUNCTIONS(CoverageText)
+};
+} // namespace
+
 QString nodesText(std::size_t nodes) {
-  const auto tr = [](const char* text) {
-    return QCoreApplication::translate("espalier::ReviewPanel", text);
-  };
-  return nodes == 1 ? tr("1 node") : tr("%1 nodes").arg(formatCount(nodes));
+  return nodes == 1 ? CoverageText::tr("1 node")
+                    : CoverageText::tr("%1 nodes").arg(formatCount(nodes));
 }
 
 } // namespace espalier

@@ -52,8 +52,8 @@ void EvaluationScores::addScores(QGridLayout& grid) {
   QString group;
   for (const Score* score : shown) {
     if (const QString title = titleOf(score->group); title != group) {
-      const bool isMoreThanHalf = 2 * place.row + rowsOf[title] > rows;
-      if (place.column == 0 && isMoreThanHalf) place = {.row = 0, .column = 1};
+      const bool isHalf = 2 * place.row + rowsOf[title] >= rows; // with half of this group
+      if (place.column == 0 && isHalf) place = {.row = 0, .column = 1};
       addGroup(grid, place, group = title);
     }
     values_[score->key] = addValue(grid, place, titled(symbolOf(*score)), tipOf(*score),

@@ -1,23 +1,27 @@
 #include "ui/panels/score_text.h"
 
 #include "ui/document/number_scale.h"
+#include "ui/document/shown_text.h"
 
 #include <QCoreApplication>
 
 #include <cmath>
 
 namespace espalier {
+namespace {
 
-QString scoreText(const std::string& text) {
-  return QCoreApplication::translate("Scores", text.c_str());
-}
+struct Titles {
+  Q_DECLARE_TR_FUNCTIONS(ScoreGroups)
+};
+
+} // namespace
 
 QString labelOf(const Score& score) {
-  return scoreText(score.label);
+  return shownText(score.label);
 }
 
 QString symbolOf(const Score& score) {
-  return scoreText(score.symbol);
+  return shownText(score.symbol);
 }
 
 QString titled(const QString& text) {
@@ -25,29 +29,28 @@ QString titled(const QString& text) {
 }
 
 QString titleOf(ScoreGroup group) {
-  const auto tr = [](const char* text) { return QCoreApplication::translate("Scores", text); };
   switch (group) {
   case ScoreGroup::nearness:
-    return tr("Near each other");
+    return Titles::tr("Near each other");
   case ScoreGroup::segments:
   case ScoreGroup::capped:
-    return tr("Segments");
+    return Titles::tr("Segments");
   case ScoreGroup::landmarks:
   case ScoreGroup::network:
   case ScoreGroup::architecture:
-    return tr("Attachment");
+    return Titles::tr("Attachment");
   case ScoreGroup::edits:
-    return tr("Edits");
+    return Titles::tr("Edits");
   case ScoreGroup::radii:
-    return tr("Radii");
+    return Titles::tr("Radii");
   case ScoreGroup::files:
-    return tr("As they were");
+    return Titles::tr("As they were");
   }
   return {};
 }
 
 QString tipOf(const Score& score) {
-  return QStringLiteral("%1: %2").arg(titled(labelOf(score)), scoreText(score.help));
+  return QStringLiteral("%1: %2").arg(titled(labelOf(score)), shownText(score.help));
 }
 
 QString textOf(const std::optional<double>& value, ScoreUnit counted, LengthUnit unit) {

@@ -6,12 +6,10 @@
 #include <QString>
 
 #include <optional>
-#include <string>
 
 namespace espalier {
 
-/// A text of the table of scores or measures in the language of the reader.
-[[nodiscard]] QString scoreText(const std::string& text);
+// Texts of the table of scores in the language of the reader.
 [[nodiscard]] QString labelOf(const Score& score);
 [[nodiscard]] QString symbolOf(const Score& score);
 

@@ -131,7 +131,7 @@ std::vector<NodeEdit> treeEdits() {
        cut, menu},
       {"join", StructureEditText::tr("Join"),
        StructureEditText::tr(
-           "Hangs the tree of the node on the nearest other one, or on the last node selected"),
+           "Attaches the tree of the node to the nearest other one, or to the last node selected"),
        "join", Qt::Key_J, join, menu},
       {"swap_continuation", StructureEditText::tr("Swap Continuation"),
        StructureEditText::tr("Another child continues the axis of the node"), "", Qt::Key_W,

@@ -72,16 +72,20 @@ struct KeyRow {
   bool isDashed = false;
 };
 
+struct SightKey {
+  Q_DECLARE_TR_FUNCTIONS(SightKey)
+};
+
 std::vector<KeyRow> keyOf(const ShownSight& sight, const Palette& colors) {
-  const auto tr = [](const char* text) { return QCoreApplication::translate("SightKey", text); };
   std::vector<KeyRow> rows = {
-      {tr("Points its new place is from"), colors.selected, true},
-      {tr("Where it goes"), colors.contracted},
-      {sight.circle ? tr("Neighbors, and the circle through them") : tr("Neighbors"),
+      {SightKey::tr("Points its new place is from"), colors.selected, true},
+      {SightKey::tr("Where it goes"), colors.contracted},
+      {sight.circle ? SightKey::tr("Neighbors, and the circle through them")
+                    : SightKey::tr("Neighbors"),
        colors.reference},
-      {tr("Direction of the wood"), colors.text},
-      {.name = tr("Normal"), .color = colors.normal, .isDashed = true}};
-  if (!sight.cones.empty()) rows.push_back({tr("Cones of the search"), colors.branching});
+      {SightKey::tr("Direction of the wood"), colors.text},
+      {.name = SightKey::tr("Normal"), .color = colors.normal, .isDashed = true}};
+  if (!sight.cones.empty()) rows.push_back({SightKey::tr("Cones of the search"), colors.branching});
   return rows;
 }
 

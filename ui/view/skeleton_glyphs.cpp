@@ -146,9 +146,10 @@ void SkeletonGlyphs::drawEdge(const Skeleton& skeleton, NodeId id) {
   const NodeGlyph& child = nodes_[indexOf(id)];
   const NodeGlyph& parent = nodes_[indexOf(*skeleton[id].parent)];
   edge.parent = parent.position;
-  // A twig is as thick as itself where it leaves the trunk, not as the trunk.
-  const bool leaves = skeleton[id].edge == EdgeType::branching;
-  edge.parentRadius = leaves ? child.radius : parent.radius;
+  // A twig is as thick as itself where it leaves the trunk, not as the trunk
+  // (core/skeleton/frustum.h); by the radii that are shown.
+  const bool isCylinder = skeleton[id].edge == EdgeType::branching || parent.radius == 0;
+  edge.parentRadius = isCylinder ? child.radius : parent.radius;
   edge.child = child.position;
   edge.childRadius = child.radius;
   edge.mark = hoveredEdge_ == id ? Mark::hovered : Mark::none;

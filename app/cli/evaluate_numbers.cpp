@@ -28,7 +28,7 @@ Json errorsOf(const ReportData& data) {
   Json parts = Json::array();
   for (const DifferingPart& part : found.parts) {
     const NodeId node =
-        part.kind == Difference::wronglyAttached ? part.hanging : part.nodes.front();
+        part.kind == Difference::wronglyAttached ? part.attached : part.nodes.front();
     const std::vector<int>& order = part.kind == Difference::missed ? ofReference : ofResult;
     parts.push_back({{"kind", nameOf(part.kind)},
                      {"length", part.length},

@@ -148,7 +148,7 @@ Json statistics(const ContractionQuality& quality, bool hasSkeleton) {
                {"share_on_line", quality.shareOnLine},
                {"tips", quality.tips},
                {"lost_tips", quality.lostTips},
-               {"webbed_junctions", quality.webbedJunctions}};
+               {"webbed_junctions", quality.bridgedJunctions}};
   if (!hasSkeleton) return json;
   json["skeleton_length"] = quality.skeletonLength;
   json["unexplained_points"] = quality.unexplainedPoints;

@@ -7,8 +7,8 @@
 namespace espalier {
 
 /// Files that a user names are asked for here, so that one that is missing, a folder, a pipe or
-/// device, or not to be read is told of in the same words everywhere. Opens nothing: to open a pipe
-/// that nobody writes to would wait for ever.
+/// device, or not to be read is reported in the same words everywhere. Opens nothing: to open a
+/// pipe that nobody writes to would wait for ever.
 /// @throws Error which file, why it cannot be read, and what to try
 void requireReadable(const std::filesystem::path& path);
 

@@ -11,7 +11,7 @@ class PacedCheck {
 public:
   explicit PacedCheck(const Progress& progress) : progress_(progress) {}
 
-  /// Tells that `steps` of some ns each were done.
+  /// Notes that `steps` of some ns each were done.
   /// @throws Cancelled if a stop was asked for, and about a million steps were done since it was
   /// looked at last
   void after(std::size_t steps) {

@@ -21,12 +21,12 @@ namespace espalier {
 class PartedTree {
 public:
   /// @param points 3 x N, finite; they are copied: 16 bytes each
-  /// @throws Cancelled if `progress` asks to stop; it is told of no progress
+  /// @throws Cancelled if `progress` asks to stop; it reports no progress
   explicit PartedTree(const Eigen::Matrix3Xf& points, const Progress& progress = {});
 
   [[nodiscard]] std::size_t size() const { return places_.size(); }
 
-  /// Tells `result` of the points near `place`, as a search of nanoflann's does. May run on many
+  /// Adds the points near `place` to `result`, as a search of nanoflann's does. May run on many
   /// threads, each with a result of its own.
   template <class Result> void search(const Eigen::Vector3f& place, Result& result) const {
     if (size() > 0) searchIn(parts_.front(), place, result);
@@ -83,7 +83,7 @@ private:
     std::unique_ptr<Tree> tree = {}; // of nanoflann's, unless it is divided
   };
 
-  /// Tells a result of the points of a part by their columns.
+  /// Adds the points of a part to a result, by their columns.
   template <class Result> struct OfPart {
     Result& result;
     const Place* first;

@@ -11,13 +11,13 @@ namespace espalier {
 /// Thrown by Progress when a stop was asked for. Not a std::exception: stopping is no error.
 struct Cancelled {};
 
-/// How a long computation tells how far it is, and learns that it should stop.
+/// How a long computation reports how far it is, and learns that it should stop.
 ///
 /// Cheap to copy; a default one reports to nobody and never stops. Safe to use from many threads:
 /// reports are serialized, rise only, and come at most a few hundred times a run.
 class Progress {
 public:
-  /// Told the fraction done, in [0, 1], and the name of the stage.
+  /// Takes the fraction done, in [0, 1], and the name of the stage.
   using Report = std::function<void(double fraction, std::string_view stage)>;
 
   Progress() = default;

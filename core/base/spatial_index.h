@@ -33,7 +33,7 @@ struct NearestOthers {
 class SpatialIndex {
 public:
   /// @param points 3 x N, finite; must outlive the index
-  /// @throws Cancelled if `progress` asks to stop; it is told of no progress
+  /// @throws Cancelled if `progress` asks to stop; it reports no progress
   explicit SpatialIndex(const Eigen::Matrix3Xf& points, const Progress& progress = {});
   explicit SpatialIndex(Eigen::Matrix3Xf&& points, const Progress& progress = {}) = delete;
   ~SpatialIndex();
@@ -42,8 +42,8 @@ public:
 
   [[nodiscard]] Eigen::Index size() const; // points, those that are passed over too
 
-  /// The same index, which passes over exactly the points told: one entry per point, true for those
-  /// that are not to be found. Time and memory O(N) bits: the tree is shared.
+  /// The same index, which passes over exactly the given points: one entry per point, true for
+  /// those that are not to be found. Time and memory O(N) bits: the tree is shared.
   [[nodiscard]] SpatialIndex passingOver(std::vector<bool> points) const;
 
   /// The `count` points nearest to `place`, nearest first; all of them if there are fewer.

@@ -90,7 +90,7 @@ std::string inQuotes(std::string_view text) {
 std::string readAll(std::istream& in, const Progress& progress) {
   constexpr std::size_t block = std::size_t{1} << 24;
   const std::istream::pos_type start = in.tellg();
-  std::size_t expected = 0; // a pipe cannot tell
+  std::size_t expected = 0; // a pipe does not know
   if (start != std::istream::pos_type(-1) && in.seekg(0, std::ios::end)) {
     expected = static_cast<std::size_t>(in.tellg() - start);
     in.seekg(start);

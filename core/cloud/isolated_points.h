@@ -16,7 +16,7 @@ struct IsolatedPointOptions {
       usualDistance); // [L] a point is isolated if these are farther away than this in the mean
 };
 
-/// Tells for each point whether it stands alone, as dust, rain and split laser beams do.
+/// Returns for each point whether it stands alone, as dust, rain and split laser beams do.
 ///
 /// @return one entry per point; none is isolated where there are no more points than neighbors
 /// @throws Cancelled if `progress` asks to stop

@@ -29,7 +29,7 @@ struct AdaptiveGeodesicOptions {
 ///
 /// With weights other than 1 the ball about a point is stretched: a link costs
 /// sqrt(along a^2 + across b^2), a along the direction of the plant at that point, b across. More
-/// weight along makes it a slice of the wood, more across a piece of a tube.
+/// weight along makes it a slice of the wood, more across a piece of a cylinder.
 /// Where circles are fitted, the center of one takes the place of the mean if the points run along
 /// a line and cover an arc of it (core/contract/circle_center.h).
 ///

@@ -35,7 +35,7 @@ std::vector<Eigen::Index> drawn(Eigen::Index count, const L1MedialOptions& optio
   return all;
 }
 
-/// The samples on their way.
+/// The samples as they move.
 class MedialFlow {
 public:
   MedialFlow(const Eigen::Matrix3Xf& points, const L1MedialOptions& options,
@@ -90,7 +90,7 @@ private:
     return lines;
   }
 
-  /// @return the mean way that a sample went
+  /// @return the mean distance that a sample moved
   double moveOnce(double radius, const Progress& progress) {
     const SpatialIndex samples(places_, progress);
     Eigen::Matrix3Xf moved = places_;
@@ -104,9 +104,9 @@ private:
     };
     parallelFor(places_.cols(), move, progress, 32);
     const auto free = std::ranges::count(isDone_, false);
-    const double way = static_cast<double>((moved - places_).colwise().norm().sum());
+    const double total = static_cast<double>((moved - places_).colwise().norm().sum());
     places_ = std::move(moved);
-    return free > 0 ? way / static_cast<double>(free) : 0;
+    return free > 0 ? total / static_cast<double>(free) : 0;
   }
 
   /// The line that the samples about one form, and how much they spread along it.
@@ -124,7 +124,7 @@ private:
     return {.direction = solver.eigenvectors().col(2), .share = solver.eigenvalues()[2] / sum};
   }
 
-  /// One step of Weiszfeld's way to the median of the points about a sample.
+  /// One step of Weiszfeld's method towards the median of the points about a sample.
   [[nodiscard]] Eigen::Vector3d median(Eigen::Index sample, double radius) const {
     const double nearest = 1e-3 * radius; // what is nearer is as good as there
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();

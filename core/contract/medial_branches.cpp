@@ -49,8 +49,8 @@ private:
     std::optional<Neighbor> best;
     for (const Neighbor& other : index_.within(places_.col(at), static_cast<float>(radius_))) {
       if (isMet[static_cast<std::size_t>(other.index)] || !isDirected(other.index)) continue;
-      const Eigen::Vector3d way = (places_.col(other.index) - places_.col(at)).cast<double>();
-      if (!(way.dot(direction) > leastCosine * way.norm())) continue;
+      const Eigen::Vector3d toOther = (places_.col(other.index) - places_.col(at)).cast<double>();
+      if (!(toOther.dot(direction) > leastCosine * toOther.norm())) continue;
       if (!best || other.squaredDistance < best->squaredDistance ||
           (other.squaredDistance == best->squaredDistance && other.index < best->index))
         best = other;

@@ -19,7 +19,7 @@ struct SampleLine {
 /// From the most directed sample that is free, rows go on to both sides to the nearest free sample
 /// within `radius` that is directed, too, and turns by less than 25 degrees; five samples and more
 /// are a branch. @param lines of the free samples @param isDone by sample, added to
-/// @throws Cancelled if `progress` asks to stop; it is told of no progress
+/// @throws Cancelled if `progress` asks to stop; it reports no progress
 void markBranches(const Eigen::Matrix3Xf& places, const std::vector<SampleLine>& lines,
                   double radius, double leastShare, std::vector<bool>& isDone,
                   const Progress& progress = {});

@@ -11,16 +11,16 @@ namespace {
 
 using Vectors = std::vector<Eigen::Vector3d>;
 
-/// A tree of all points by shortest ways. Points are named by their place in `order`.
+/// A tree of all points by shortest paths. Points are named by their place in `order`.
 struct PathTree {
   std::vector<std::uint32_t> order;  // columns of the cloud, parents before their children
   std::vector<std::uint32_t> parent; // 0 for the root, which is the first
 
-  PathTree(const Geodesics& ways, Eigen::Index root) {
-    const std::size_t count = ways.predecessor.size();
+  PathTree(const Geodesics& paths, Eigen::Index root) {
+    const std::size_t count = paths.predecessor.size();
     std::vector<std::vector<std::uint32_t>> children(count);
     for (std::uint32_t i = 0; i < count; ++i)
-      if (ways.predecessor[i] != Geodesics::none) children[ways.predecessor[i]].push_back(i);
+      if (paths.predecessor[i] != Geodesics::none) children[paths.predecessor[i]].push_back(i);
     order.push_back(static_cast<std::uint32_t>(root));
     parent.push_back(0);
     for (std::uint32_t next = 0; next < order.size(); ++next)
@@ -48,7 +48,7 @@ std::vector<double> weights(const PathTree& tree, const Vectors& places) {
 
 /// The x that minimize the sum, over the links from a point to its parent p, of
 /// a |x + x_p - sum|^2 + b |x - x_p - step|^2 + c |x - own|^2, given x of the root; all weights by
-/// the point. Eliminates from the tips to the root, then puts in on the way back.
+/// the point. Eliminates from the tips to the root, then puts in on the path back.
 struct TreeEquations {
   std::vector<double> a, b, c;
   Vectors sum, step, own;

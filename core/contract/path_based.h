@@ -14,12 +14,13 @@ struct PathBasedOptions {
 
 /// Straightens the paths from all points to the root: twigs follow the wood that carries them.
 ///
-/// Shortest ways along the plant make a tree of all points. A point weighs as much as the length of
-/// what it carries. Each round finds, by least squares over the whole tree, first directions that
-/// agree with the links and, the more the heavier the wood, with those of the parents; then places
-/// that keep the middles of the links and give them these directions. Both systems are solved
-/// exactly, from the tips to the root and back.
-/// Makes wiggling twigs smooth and moves little that is thick: all ways around a trunk stay.
+/// Shortest paths along the plant make a tree of all points. A point weighs as much as the length
+/// of what it carries. Each round finds, by least squares over the whole tree, first directions
+/// that agree with the links and, the more the heavier the wood, with those of the parents; then
+/// places that keep the middles of the links and give them these directions. Both systems are
+/// solved exactly, from the tips to the root and back.
+/// Makes wiggling twigs smooth and moves little that is thick: the paths on all sides of a trunk
+/// stay.
 ///
 /// @param points 3 x N, finite [L]
 /// @param root   column of a point at the foot of the trunk, in [0, N)

@@ -14,7 +14,7 @@
 namespace espalier {
 namespace {
 
-/// Of the angle at `tip` between the ways to a and b.
+/// Of the angle at `tip` between the directions to a and b.
 double cotangent(const Eigen::Vector3d& tip, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   const double across = (a - tip).cross(b - tip).norm();
   const double along = (a - tip).dot(b - tip);

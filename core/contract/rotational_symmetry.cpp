@@ -63,7 +63,7 @@ std::optional<Eigen::Vector3d> meetingPlace(const Eigen::Matrix3Xf& points,
   return about + place;
 }
 
-/// Sections of all points, and what they tell.
+/// Sections of all points, and what follows from them.
 class SymmetrySearch {
 public:
   SymmetrySearch(const Eigen::Matrix3Xf& points, const NeighborhoodGraph& graph,
@@ -93,14 +93,14 @@ public:
     return smooth;
   }
 
-  /// @param isTold  set by point: whether the normals tell the place
-  [[nodiscard]] Eigen::Matrix3Xf places(const Eigen::Matrix3Xf& axes, std::vector<char>& isTold,
+  /// @param isKnown  set by point: whether the normals give the place
+  [[nodiscard]] Eigen::Matrix3Xf places(const Eigen::Matrix3Xf& axes, std::vector<char>& isKnown,
                                         const Progress& progress) {
     Eigen::Matrix3Xf result(3, points_.cols());
     const auto put = [&](Eigen::Index i) {
       const Members& members = section(i, axes);
       const auto place = meetingPlace(points_, normals_, members, options_.reach);
-      isTold[static_cast<std::size_t>(i)] = place ? 1 : 0;
+      isKnown[static_cast<std::size_t>(i)] = place ? 1 : 0;
       if (place) {
         result.col(i) = place->cast<float>();
         return;
@@ -136,12 +136,12 @@ private:
   oneapi::tbb::enumerable_thread_specific<SectionGrower> growers_;
 };
 
-/// Moves places that nothing tells to the mean of those of linked points.
-Eigen::Matrix3Xf followed(const Eigen::Matrix3Xf& places, const std::vector<char>& isTold,
+/// Moves places that are not known to the mean of those of linked points.
+Eigen::Matrix3Xf followed(const Eigen::Matrix3Xf& places, const std::vector<char>& isKnown,
                           const NeighborhoodGraph& graph, const Progress& progress) {
   Eigen::Matrix3Xf result = places;
   const auto follow = [&](Eigen::Index i) {
-    if (isTold[static_cast<std::size_t>(i)] != 0 || graph.links(i).empty()) return;
+    if (isKnown[static_cast<std::size_t>(i)] != 0 || graph.links(i).empty()) return;
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (const NeighborhoodGraph::Link& link : graph.links(i))
       sum += places.col(link.to).cast<double>();
@@ -167,10 +167,10 @@ Eigen::Matrix3Xf contractedToSymmetryAxes(const Eigen::Matrix3Xf& points,
   for (int round = 0; round < options.rounds; ++round)
     axes = search.betterAxes(axes, progress.part(0.35 + 0.4 * round / options.rounds,
                                                  0.35 + 0.4 * (round + 1) / options.rounds));
-  std::vector<char> isTold(static_cast<std::size_t>(points.cols()), 0);
-  Eigen::Matrix3Xf places = search.places(axes, isTold, progress.part(0.75, 0.95));
+  std::vector<char> isKnown(static_cast<std::size_t>(points.cols()), 0);
+  Eigen::Matrix3Xf places = search.places(axes, isKnown, progress.part(0.75, 0.95));
   for (int round = 0; round < options.smoothing; ++round)
-    places = followed(places, isTold, graph, progress.part(0.95, 1));
+    places = followed(places, isKnown, graph, progress.part(0.95, 1));
   progress.update(1);
   return places;
 }

@@ -14,7 +14,7 @@ struct RotationalSymmetryOptions {
   Length width = spacings(2); // [L], > 0: half of the thickness of a section
   Length reach = spacings(8); // [L], > 0: how far it goes across
   int rounds = 3;             // >= 1: how often axes are found
-  int smoothing = 5;          // >= 0: how often places that nothing tells follow their neighbors
+  int smoothing = 5;          // >= 0: how often unknown places follow their neighbors
 };
 
 /// Contracts a cloud to its rotational symmetry axes, for wood of which parts are not seen.

@@ -89,7 +89,7 @@ struct ScoreOptions {
 [[nodiscard]] ScoreOptions resolved(const ScoreOptions& options, const Skeleton& reference);
 
 /// By key, the scores that studies and sweeps write of a result where it lies; 0 for those that
-/// cannot be told.
+/// cannot be computed.
 ///
 /// @throws Error     if one of the two has no nodes, no length, or a position that is no number
 /// @throws Cancelled if `progress` asks to stop

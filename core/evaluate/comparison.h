@@ -45,7 +45,7 @@ struct ComparisonOptions {
   std::shared_ptr<const std::vector<double>> coverages;
   /// Found before, at `placeDistance`; outlive the comparison; null: they are found.
   const Differences* differences = nullptr;
-  /// How the result was laid on the reference before: told as its shift and turn.
+  /// How the result was laid on the reference before: reported as its shift and turn.
   std::optional<Registration> laidBefore = {};
 };
 
@@ -55,7 +55,7 @@ struct ScoresAt {
   ScoreValues values;
 };
 
-/// All that tells how a result agrees with its reference.
+/// All that says how a result agrees with its reference.
 struct Comparison {
   std::optional<Registration> registration; // none if it was not asked for
   ScoreValues scores;                       // all, at the distance of `byPlace`
@@ -85,10 +85,10 @@ struct Comparison {
   std::optional<LightInterception> referenceLight; // or if no node has a radius
   std::vector<double> radiusLimits;  // of the classes of both [L]: those of the reference
   std::vector<std::string> warnings; // a line each: what makes the numbers doubtful
-  std::string shiftWarning; // the one of them that tells of the shift; empty if there is none
+  std::string shiftWarning;          // the one of them about the shift; empty if there is none
 };
 
-/// Pairs of parts of both plants up to which compare() tells the edit distance: a few seconds.
+/// Pairs of parts of both plants up to which compare() computes the edit distance: a few seconds.
 inline constexpr std::size_t mostEditedPairs = 25'000'000;
 
 /// Compares a result with its reference: registration, then all scores and what they come from on

@@ -40,7 +40,7 @@ namespace espalier {
 ///                root_mean_square,relative_root_mean_square}, empty without a scan, the last three
 ///                null where nothing could be compared
 ///   breast_height height, diameter.{result,reference}, error, relative_error, missing; null where
-///                there is none, and `missing` tells why
+///                there is none, and `missing` says why
 ///   architecture distance, compared, same_order, same_axis, by_order[].{length,same}, edges,
 ///                same_edge
 ///   by_place     distance, {by_order,by_height}[].{from,to,result_length,reference_length,
@@ -49,10 +49,10 @@ namespace espalier {
 ///                area,volume}
 ///   light        {result,reference}.{area,star,directions[].{elevation,azimuth,weight,silhouette,
 ///                star},convergence[].{pixels,star}}; null unless asked for
-///   scores       KEY: each of scores(), at the distance of by_place; null where it cannot be told
+///   scores       KEY: each of scores(), at the distance of by_place; null where it is not known
 ///   warnings[]   a line each
 ///
-/// The command line adds result, reference, and what app/cli/evaluate_numbers.h tells.
+/// The command line adds result, reference, and what app/cli/evaluate_numbers.h states.
 [[nodiscard]] nlohmann::ordered_json toJson(const Comparison& comparison);
 
 } // namespace espalier

@@ -9,7 +9,7 @@
 
 namespace espalier {
 
-// Each tells in a line what makes the numbers of a comparison doubtful; empty if nothing does.
+// Each says in a line what makes the numbers of a comparison doubtful; empty if nothing does.
 
 /// Several trees in one structure. `role` is what the user calls it: "the result".
 [[nodiscard]] std::string warningOfTrees(const Traits& traits, std::string_view role);

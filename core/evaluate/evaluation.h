@@ -35,7 +35,7 @@ struct Evaluation {
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity(); // of the reference
   Eigen::Vector3d shift = Eigen::Vector3d::Zero(); // of the middle of the reference under it [L]
   bool isShiftLarge = false;                       // it is more than the finest default tolerance
-  /// Of the result on the reference, as reports tell it; none if the two are compared as they lie.
+  /// Of the result on the reference, as reports show it; none if the two are compared as they lie.
   std::optional<Registration> registration;
   Skeleton reference;                // moved, under its own ids
   double tolerance = 0;              // [L], as used

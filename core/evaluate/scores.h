@@ -66,7 +66,7 @@ struct Score {
   ScoreUnit unit = ScoreUnit::share;
   Better better = Better::more;
   unsigned uses = everywhere;
-  /// None: it cannot be told of these two.
+  /// None: it cannot be computed for these two.
   std::function<std::optional<double>(ComparedPlants&)> compute = {};
   bool takesDistance = false; // what is near counts: tables show it at several distances
   /// From sums over the segments of the reference, which can be drawn again; null: it is no such.
@@ -90,7 +90,7 @@ using ScoreList = std::vector<const Score*>;
 [[nodiscard]] ScoreList leadingFirst(ScoreList scores); // then by groups: as people read them
 [[nodiscard]] std::vector<std::string> keysOf(const ScoreList& scores);
 
-using ScoreValues = std::map<std::string, std::optional<double>>; // by key; none: cannot be told
+using ScoreValues = std::map<std::string, std::optional<double>>; // by key; none: not known
 
 [[nodiscard]] ScoreValues valuesOf(const ScoreList& scores, ComparedPlants& plants);
 

@@ -50,8 +50,8 @@ template <class Member> auto ofEdit(Member member) {
 auto editDistance(bool ofLength) {
   return [ofLength](Plants plants) -> Value {
     const std::optional<EditComparison>& edit = plants.edit();
-    const bool isTold = edit && countsLength(edit->options.cost) == ofLength;
-    return isTold ? Value(edit->distance.distance) : Value();
+    const bool isKnown = edit && countsLength(edit->options.cost) == ofLength;
+    return isKnown ? Value(edit->distance.distance) : Value();
   };
 }
 

@@ -70,7 +70,7 @@ private:
   std::vector<Entry> entries_;
 };
 
-/// Which places are drawn together into one, with a way back.
+/// Which places are drawn together into one; this can be undone.
 class Groups {
 public:
   explicit Groups(std::uint32_t count) : parent_(count), size_(count, 1) {
@@ -142,7 +142,7 @@ private:
     std::vector<std::uint32_t> path;
     while (seen_[at] == unseen) {
       const int least = heap_[at];
-      if (least == LinkHeaps::empty) { // no way leads here
+      if (least == LinkHeaps::empty) { // no path leads here
         path.push_back(at);
         seen_[at] = static_cast<int>(start);
         break;
@@ -195,7 +195,7 @@ private:
     for (auto cycle = cycles_.rbegin(); cycle != cycles_.rend(); ++cycle) {
       const int entry = chosen_[cycle->place];
       groups_.rewind(cycle->time);
-      if (entry < 0) continue; // no way leads here
+      if (entry < 0) continue; // no path leads here
       for (const int link : cycle->links)
         chosen_[groups_.find(links_[static_cast<std::size_t>(link)].to)] = link;
       if (entry >= 0) chosen_[groups_.find(links_[static_cast<std::size_t>(entry)].to)] = entry;
@@ -211,7 +211,7 @@ private:
   std::vector<Cycle> cycles_;
 };
 
-/// Drops links that hang on places that no way leads to from the root.
+/// Drops links that start at places that no path leads to from the root.
 void keepReached(std::uint32_t root, const std::vector<DirectedLink>& links,
                  std::vector<int>& chosen) {
   std::vector<std::vector<std::uint32_t>> carried(chosen.size());

@@ -11,7 +11,7 @@ enum class UpAxis { x, y, z };
 /// A point at the foot of the plant: of the patches of linked points within the lowest 2 % of the
 /// height, the one with most points is the foot; of it, the point nearest to its mean.
 ///
-/// Stray points below the plant and single twigs that hang low do not deceive it.
+/// Stray points below the plant and single twigs that reach low do not deceive it.
 /// @param points 3 x N [L], N > 0
 /// @return a column of `points`
 /// Time O(N log N).

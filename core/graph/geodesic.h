@@ -8,15 +8,15 @@
 
 namespace espalier {
 
-/// Shortest ways along a graph from a set of points to all others.
+/// Shortest paths along a graph from a set of points to all others.
 struct Geodesics {
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-  std::vector<float> distance;            // [L]; infinite where no way leads
-  std::vector<std::uint32_t> predecessor; // next point on the way back; none at a source
+  std::vector<float> distance;            // [L]; infinite where no path leads
+  std::vector<std::uint32_t> predecessor; // next point on the path back; none at a source
 };
 
-/// Dijkstra's shortest ways from `sources`.
+/// Dijkstra's shortest paths from `sources`.
 ///
 /// @param power  each link costs length^power; > 1 prefers many short links to a leap over a gap.
 ///               `distance` is the sum of these costs.

@@ -18,7 +18,7 @@ namespace espalier {
 ///
 /// The balls of near centers hold much the same points. They are searched together: each link is
 /// followed for all centers in one go, which a processor does with a few instructions. A point is
-/// looked at again when a shorter way to it is found, which spares the queue by distance of
+/// looked at again when a shorter path to it is found, which spares the queue by distance of
 /// Dijkstra; the distances are the same to the last bit.
 class GeodesicBalls {
 public:

@@ -17,7 +17,7 @@ namespace espalier {
 void writeAtomically(const std::filesystem::path& path,
                      const std::function<void(std::ostream&)>& write);
 
-/// Tells before a long computation what writeAtomically would say after it: that the folder is
+/// Reports before a long computation what writeAtomically would report after it: that the folder is
 /// missing, that a folder has this name, or that writing there is not allowed. It writes nothing,
 /// so a full disk shows only later.
 /// @throws Error as writeAtomically

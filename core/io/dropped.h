@@ -8,7 +8,7 @@
 namespace espalier {
 
 /// What a file of this format would not keep of this skeleton, a plain sentence each: "SWC keeps no
-/// edge types: ...". None if it keeps all. What none of them keeps, as review marks, is told of,
+/// edge types: ...". None if it keeps all. What none of them keeps, as review marks, is listed,
 /// too. pre: format.content is Content::structure Time O(N).
 [[nodiscard]] std::vector<std::string> droppedBy(const Format& format, const Skeleton& skeleton);
 

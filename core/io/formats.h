@@ -19,7 +19,7 @@ namespace espalier {
 /// What a file holds.
 enum class Content : std::uint8_t { points, structure };
 
-/// What a structure format keeps of a skeleton, beside positions and which node hangs on which.
+/// What a structure format keeps of a skeleton, beside positions and the parent of each node.
 struct Carried {
   bool radii = false;
   bool edgeTypes = false;    // which child continues an axis
@@ -66,12 +66,12 @@ struct Format {
 /// are
 [[nodiscard]] const Format& formatOf(const std::filesystem::path& path);
 
-/// The format to write a file of this name in, told by its extension. A device or pipe without one,
-/// as /dev/stdout, gets the first format there is for this content.
+/// The format to write a file of this name in, known by its extension. A device or pipe without
+/// one, as /dev/stdout, gets the first format there is for this content.
 /// @throws Error if there is none for this content; the message lists those there are
 [[nodiscard]] const Format& formatToWrite(const std::filesystem::path& path, Content content);
 
-/// Points of any format; the notes tell what was left out.
+/// Points of any format; the notes say what was left out.
 /// @throws Error    which file, where in it, what is wrong: also if the file holds a structure, or
 /// no
 ///                  finite point
@@ -83,8 +83,8 @@ struct Format {
 /// @throws Error as readPoints; also if the file holds points
 [[nodiscard]] Imported<Structure> readStructure(const std::filesystem::path& path);
 
-/// The same of a structure that may be a plant without its shape (isWithoutPositions), told of by a
-/// note: for what needs no positions.
+/// The same of a structure that may be a plant without its shape (isWithoutPositions), reported by
+/// a note: for what needs no positions.
 [[nodiscard]] Imported<Structure> readAnyStructure(const std::filesystem::path& path);
 
 /// Writes points in the format of the extension, in the order of the file they came from. The file

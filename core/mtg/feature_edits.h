@@ -10,7 +10,7 @@
 namespace espalier {
 
 // Edits of features: what is typed is taken as it is, or refused by an Error of one sentence.
-// `base` is the MTG that the skeleton is a view of, none for one that was made here; it tells the
+// `base` is the MTG that the skeleton is a view of, none for one that was made here; it states the
 // types of features. pre, of all: nodes are contained, and some node carries entities.
 
 /// Features added by hand, which `base` does not declare, in the order of nodes. Their values carry

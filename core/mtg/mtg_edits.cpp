@@ -191,7 +191,7 @@ void Edit::placeNodes() {
     nodes_[indexOf(id)] = wasNode(id) ? view_.vertices[indexOf(id)] : addVertex(ownEntity(id));
 }
 
-/// Whether a vertex without position stays although its complex goes: what it hung on stays.
+/// Whether a vertex without position stays although its complex goes: its parent stays.
 bool Edit::staysWithoutComplex(const MtgVertex& vertex) const {
   if (vertex.scale != view_.scale || !vertex.parent || isGone(*vertex.parent)) return false;
   return base_.vertices[indexOf(*vertex.parent)].complex == vertex.complex;
@@ -245,16 +245,16 @@ void Edit::joinUnit(std::size_t unit, std::optional<std::size_t> firstBefore) {
   const auto parent = unitAfter(after_.below(edited_, now.start, now.scale));
   const EdgeType edge = parent ? edited_[now.start].edge : EdgeType::successor;
   bool hasMoved = true;
-  bool hangsElsewhere = true;
+  bool hasOtherParent = true;
   if (firstBefore) {
     const UnitTable::Unit& then = before_.units()[*firstBefore];
     hasMoved = !isInSameUnits(now.start, then.start, now.scale);
-    hangsElsewhere = parent != unitBefore(before_.below(view_.skeleton, then.start, then.scale)) ||
+    hasOtherParent = parent != unitBefore(before_.below(view_.skeleton, then.start, then.scale)) ||
                      (parent && edge != view_.skeleton[then.start].edge) ||
                      (joined.parent && isGone(*joined.parent));
   }
   if (hasMoved) joined.complex = complexAfter(now.start, now.scale);
-  if (!hangsElsewhere) return;
+  if (!hasOtherParent) return;
   joined.parent = parent;
   joined.edge = edge;
 }
@@ -266,10 +266,10 @@ void Edit::joinNodes() {
     const bool isOld = wasNode(id);
     if (!isOld || !isInSameUnits(id, id, scales_.size()))
       joined.complex = complexAfter(id, scales_.size());
-    const bool hangsAsBefore = isOld && view_.skeleton[id].parent == node.parent &&
+    const bool hasSameParent = isOld && view_.skeleton[id].parent == node.parent &&
                                (!node.parent || view_.skeleton[id].edge == node.edge) &&
                                !(joined.parent && isGone(*joined.parent));
-    if (hangsAsBefore) continue;
+    if (hasSameParent) continue;
     joined.parent = node.parent ? nodes_[indexOf(*node.parent)] : std::nullopt;
     joined.edge = node.parent ? node.edge : EdgeType::successor;
   }
@@ -305,11 +305,11 @@ void Edit::joinFineParts(const std::vector<MaybeVertex>& nodeOf) {
     const MtgVertex& was = base_.vertices[i];
     if (was.scale <= view_.scale || gone_[i] || !nodeOf[i] || !was.parent) continue;
     const MaybeVertex below = nodeOf[indexOf(*was.parent)];
-    const MaybeVertex hangsOn = vertex(*nodeOf[i]).parent;
-    if (below == nodeOf[i] || (below && below == hangsOn)) continue;
-    if (base_.vertices[indexOf(*nodeOf[i])].parent == hangsOn && !isGone(*was.parent)) continue;
+    const MaybeVertex bearer = vertex(*nodeOf[i]).parent;
+    if (below == nodeOf[i] || (below && below == bearer)) continue;
+    if (base_.vertices[indexOf(*nodeOf[i])].parent == bearer && !isGone(*was.parent)) continue;
     MtgVertex& part = mtg_.vertices[i];
-    const auto found = hangsOn ? last.find({*hangsOn, was.scale}) : last.end();
+    const auto found = bearer ? last.find({*bearer, was.scale}) : last.end();
     part.parent = found == last.end() ? std::nullopt : std::optional(found->second);
     part.edge = part.parent ? vertex(*nodeOf[i]).edge : EdgeType::successor;
   }
@@ -364,7 +364,7 @@ void Edit::writeNodes() {
   }
 }
 
-/// Writes the positions of vertices without one that their neighbors no longer tell, or all.
+/// Writes the positions of vertices without one that no longer follow from their neighbors, or all.
 /// @return whether there were such
 bool Edit::writeInterpolated(bool all) {
   const Mtg now = assembled();
@@ -406,7 +406,7 @@ std::vector<VertexId> Edit::order() {
       const VertexId id = stack.back();
       State& state = states[indexOf(id)];
       MtgVertex& each = vertex(id);
-      // Units of a strange file, in many parts, may come to hang on each other: one is let go.
+      // Units of a strange file, in many parts, may come to be attached in a cycle: one is let go.
       if (each.parent && states[indexOf(*each.parent)] == State::waiting) each.parent.reset();
       const std::size_t height = stack.size();
       if (state == State::open || state == State::waiting) {

@@ -15,8 +15,8 @@ namespace espalier {
 ///   vertex has its own: in radius, or twice in Diameter, else in whichever of them there is.
 /// - A removed node leaves. Coarser vertices that have lost their last node leave, and with a
 /// vertex
-///   all its parts of finer scales. A vertex without position that hung on a removed one hangs on
-///   its nearest ancestor that stays.
+///   all its parts of finer scales. A vertex without position that was attached to a removed one is
+///   attached to its nearest ancestor that stays.
 /// - A new node is of the class that it carries, else of its parent's, right after its parent; it
 ///   gets the next free index among the parts of its complex if its class has indices here.
 /// - Complexes follow Node::entities; a unit keeps its vertex while its start, or a node that was

@@ -23,7 +23,7 @@ using MaybeVertex = std::optional<VertexId>;
 struct Item {
   const MtgLine* line = nullptr; // null: new
   std::size_t column = 0;        // of its code
-  VertexId vertex{};             // edited: what a code of a further column hangs on
+  VertexId vertex{};             // edited: what a code of a further column is attached to
   std::string text = {};         // of a new one
 };
 
@@ -133,7 +133,7 @@ bool LineEdits::keepLine(const MtgLine& line, std::size_t firstMade) {
 }
 
 /// Other labels in the code of a line, which made the vertices from `firstMade` on; none if they
-/// cannot be told apart from what else it says.
+/// cannot be separated from what else it says.
 std::optional<std::vector<MtgReplacement>> LineEdits::labelChanges(const MtgLine& line,
                                                                    std::size_t firstMade) const {
   const std::string_view text = file_.source.text;
@@ -165,10 +165,10 @@ Items::iterator LineEdits::behind(Items::iterator item, std::size_t column) {
 bool LineEdits::addLines() {
   const MtgRows rows = mtgRows(edited_);
   std::vector<MaybeVertex> lastOf;              // by column
-  std::map<MaybeVertex, MaybeVertex> lastChild; // by what it hangs on
+  std::map<MaybeVertex, MaybeVertex> lastChild; // by what it is attached to
   for (const MtgRow& row : rows.rows) {
-    const std::size_t hangsOn = row.continues ? row.column + 1 : row.column;
-    const MaybeVertex bearer = hangsOn == 0 ? std::nullopt : lastOf[hangsOn - 1];
+    const std::size_t bearerColumn = row.continues ? row.column + 1 : row.column;
+    const MaybeVertex bearer = bearerColumn == 0 ? std::nullopt : lastOf[bearerColumn - 1];
     const MaybeVertex before = std::exchange(lastChild[bearer], row.vertex);
     lastOf.resize(row.column);
     lastOf.emplace_back(row.vertex);

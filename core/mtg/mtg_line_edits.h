@@ -13,11 +13,12 @@ namespace espalier {
 ///
 /// Vertices of both are matched in order, by what is said of them. A line that makes several
 /// vertices stays or goes as a whole. A new vertex gets a line of its own behind the line of what
-/// it hangs on, or behind all that hangs there before it.
+/// it is attached to, or behind all that is attached there before it.
 ///
 /// pre: edited is as `mtgNormalized` gives, with the features of the file first, in their order
-/// None if lines cannot tell of it: a new class, a vertex that hangs within a line, no column left.
-/// The result is to be read and compared: what hangs elsewhere than before is not looked at.
+/// None if lines cannot hold it: a new class, a vertex that is attached within a line, no column
+/// left.
+/// The result is to be read and compared: what is attached elsewhere than before is not looked at.
 /// Time O((size of both) times vertices that differ).
 [[nodiscard]] std::optional<std::string> withOtherLines(const ParsedMtg& file, const Mtg& edited);
 

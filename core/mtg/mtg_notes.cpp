@@ -18,13 +18,13 @@ void MtgNotes::repaired(const std::string& where, const std::string& what) {
   if (++repairs_ <= mostRepairs) notes_.push_back(where + what);
 }
 
-void MtgNotes::tell(const std::string& what) {
+void MtgNotes::add(const std::string& what) {
   notes_.push_back(file_ + ": " + what);
 }
 
 std::vector<std::string> MtgNotes::take() {
   if (repairs_ > mostRepairs)
-    tell(std::to_string(repairs_ - mostRepairs) + " more places were repaired");
+    add(std::to_string(repairs_ - mostRepairs) + " more places were repaired");
   return std::exchange(notes_, {});
 }
 

@@ -16,7 +16,7 @@ public:
   /// @throws Error with this text if nothing is to be repaired
   void repaired(const std::string& where, const std::string& what);
 
-  void tell(const std::string& what); // of the whole file
+  void add(const std::string& what); // of the whole file
 
   [[nodiscard]] std::vector<std::string> take(); // all, in order
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t mostSharedBytes = 100'000'000;
 
-/// The columns as told by a line, ENTITY-CODE ...; features are put into their order.
+/// The columns as listed by a line, ENTITY-CODE ...; features are put into their order.
 ///
 /// So the cost of a vertex is bounded by the length of its line, whatever the section FEATURES
 /// says.
@@ -99,14 +99,14 @@ public:
       if (readLine(*line, lines.number(), row)) parsed_.lines.push_back(row);
     }
     if (nameless_ > 0)
-      notes_.tell(std::to_string(nameless_) +
-                  " values stand in columns without a name and are left out");
+      notes_.add(std::to_string(nameless_) +
+                 " values stand in columns without a name and are left out");
   }
 
   [[nodiscard]] const MtgTopology& topology() const { return topology_; }
 
 private:
-  /// @return whether it tells of a vertex
+  /// @return whether it holds a vertex
   bool readLine(std::string_view line, std::size_t number, MtgLine& row) {
     const std::vector<std::string_view> fields = mtgFields(line);
     const auto column = codeColumn(fields, number);
@@ -213,13 +213,13 @@ bool isLegal(const Mtg& mtg, const std::vector<VertexId>& disputed) {
   });
 }
 
-void tellOfDispute(const MtgTopology& topology, bool continues, MtgNotes& notes) {
+void noteDispute(const MtgTopology& topology, bool continues, MtgNotes& notes) {
   if (topology.disputed().empty()) return;
-  const std::string hang = continues ? "follow the vertex above them, as OpenAlea reads"
+  const std::string rule = continues ? "follow the vertex above them, as OpenAlea reads"
                                      : "follow the column before, as the specification says";
-  notes.tell(std::to_string(topology.disputed().size()) +
-             " codes with < but no ^ stand below others of their column, the first in line " +
-             std::to_string(topology.firstDispute().line) + ": they " + hang);
+  notes.add(std::to_string(topology.disputed().size()) +
+            " codes with < but no ^ stand below others of their column, the first in line " +
+            std::to_string(topology.firstDispute().line) + ": they " + rule);
 }
 
 /// Reads the body by the dialect that is asked for, or by the one that makes a plant of it.
@@ -236,7 +236,7 @@ void readBody(ParsedMtg& parsed, MtgNotes& notes, const LineReader& lines, MtgDi
     try {
       body.read(lines);
       if (!canChoose || isLegal(parsed.mtg, body.topology().disputed())) {
-        tellOfDispute(body.topology(), continues, notes);
+        noteDispute(body.topology(), continues, notes);
         return;
       }
     } catch (const Error&) {
@@ -248,7 +248,7 @@ void readBody(ParsedMtg& parsed, MtgNotes& notes, const LineReader& lines, MtgDi
   notes = notesOnHead;
   Body body(parsed, notes, true);
   body.read(lines);
-  tellOfDispute(body.topology(), true, notes);
+  noteDispute(body.topology(), true, notes);
 }
 
 } // namespace
@@ -259,7 +259,7 @@ ParsedMtg parseMtg(std::string bytes, const std::string& file, const MtgReadOpti
   ParsedMtg parsed{.source = mtgSource(std::move(bytes))};
   MtgNotes notes(file, options.isStrict);
   for (const std::string& note : parsed.source.notes)
-    notes.tell(note);
+    notes.add(note);
   LineReader lines = mtgCodeIn(parsed.source.text).value_or(LineReader(parsed.source.text));
   parsed.mtg = readMtgSections(lines, notes);
   parsed.columns = readColumns(lines, notes, parsed.mtg, parsed.columnsStart);

@@ -16,7 +16,7 @@ struct MtgColumns {
   std::size_t firstFeature = 0;                     // the columns before it hold codes
 };
 
-/// A line of the section MTG that tells of vertices.
+/// A line of the section MTG that holds vertices.
 struct MtgLine {
   std::size_t start = 0; // byte in the text
   std::size_t end = 0;   // behind its last byte, before its line end

@@ -9,8 +9,8 @@
 
 namespace espalier {
 
-/// What a code such as "<U2" without ^ hangs on where others stand above it in its column (but the
-/// first).
+/// What a code such as "<U2" without ^ is attached to where others stand above it in its column
+/// (but the first).
 enum class MtgDialect {
   automatic,    // the mark `# dialect: previous column` if there is one; else the previous column,
                 // unless a vertex then has two successors, or one of these none to follow
@@ -33,7 +33,7 @@ struct MtgReadOptions {
 /// missing. Features come in the order of their columns, which need not be contiguous, then those
 /// without one. See `MtgTopology` for the codes, `mtgSource` for comments and encodings.
 /// Repaired, with a note: classes and types that are not declared, features listed twice, edges to
-/// nothing, ranges that do not count up, values in columns without a name. The notes also tell
+/// nothing, ranges that do not count up, values in columns without a name. The notes also say
 /// which dialect was taken, if the file asks for one. The code FORM-B is refused: its source names
 /// it as older and more limited, and does not say what it is.
 ///

@@ -14,7 +14,7 @@ constexpr std::size_t mostColumns = 64; // no plant has more
 
 using MaybeVertex = std::optional<VertexId>;
 
-/// What each vertex hangs on in the text.
+/// What each vertex is attached to in the text.
 class Bearers {
 public:
   explicit Bearers(const Mtg& mtg) : mtg_(mtg), firstParts_(mtg.vertices.size()) {
@@ -27,7 +27,7 @@ public:
     }
   }
 
-  /// The vertex that `id` hangs on, none for the scene; by which sign.
+  /// The vertex that `id` is attached to, none for the scene; by which sign.
   [[nodiscard]] std::pair<MaybeVertex, char> of(VertexId id) const {
     const MtgVertex& vertex = at(id);
     if (!vertex.parent) return {vertex.complex, '/'};
@@ -59,7 +59,7 @@ private:
   }
 
   /// From which vertex `id` is reached: its parent, or the part of it that the first part of `id`
-  /// hangs on.
+  /// is attached to.
   [[nodiscard]] VertexId entryOf(VertexId id) const {
     VertexId entry = *at(id).parent;
     for (MaybeVertex part = firstParts_[indexOf(id)]; part; part = firstParts_[indexOf(*part)])
@@ -76,7 +76,7 @@ private:
   }
 
   const Mtg& mtg_;
-  std::vector<MaybeVertex> firstParts_; // by complex: its part that hangs on a part of another
+  std::vector<MaybeVertex> firstParts_; // by complex: its part attached to a part of another
 };
 
 struct Child {
@@ -89,7 +89,7 @@ struct Child {
 ///
 /// Beyond `mostColumns` it is the one that carries most, so that there are no more columns than
 /// these and the logarithm of the vertices: else nested branches make a text of square size.
-/// @param weights  by vertex: how many lines it takes, with all that hangs on it
+/// @param weights  by vertex: how many lines it takes, with all that is attached to it
 std::size_t continuing(const std::vector<Child>& children, const std::vector<std::size_t>& weights,
                        std::size_t column) {
   const bool hasParts = std::ranges::find(children, '/', &Child::edge) != children.end();

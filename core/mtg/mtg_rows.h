@@ -6,16 +6,16 @@
 
 namespace espalier {
 
-/// How a line of MTG text tells of a vertex: "\t^<U3" is in column 1, continues it, by edge <.
+/// How a line of MTG text writes a vertex: "\t^<U3" is in column 1, continues it, by edge <.
 struct MtgRow {
   VertexId vertex{};
   std::size_t column = 0;
-  bool continues = false; // hangs on what stood last in its own column (^), else in that before it
+  bool continues = false; // is attached to the last of its own column (^), else of that before it
   char edge = '/';
 };
 
-/// All vertices in the order of their lines: each after what it hangs on, and directly after all
-/// that branches off before it.
+/// All vertices in the order of their lines: each after what it is attached to, and directly after
+/// all that branches off before it.
 struct MtgRows {
   std::vector<MtgRow> rows;
   std::size_t columns = 1;
@@ -28,11 +28,11 @@ struct MtgRows {
 ///
 /// What has a successor continues its column with it; other children open the next column. Beyond
 /// 64 columns what carries most continues, so that there are at most log2(vertices) more. A vertex
-/// that begins parts of its own hangs on the finest vertex that its first part hangs on, as in
-/// "/U1/E1<E2+U1/E1". Children keep the order of their ids, but for: successors that open a column
-/// first, the one that continues it last.
-/// @throws Error if a vertex hangs where no text can hang it: its parent is of another complex,
-///         which its own complex does not hang on by the same edge
+/// that begins parts of its own is attached to the finest vertex that its first part is attached
+/// to, as in "/U1/E1<E2+U1/E1". Children keep the order of their ids, but for: successors that open
+/// a column first, the one that continues it last.
+/// @throws Error if a vertex is attached where no text can attach it: its parent is of another
+///         complex, to which its own complex is not attached by the same edge
 /// Time O(vertices times scales, and their sorting).
 [[nodiscard]] MtgRows mtgRows(const Mtg& mtg);
 

@@ -11,7 +11,7 @@ namespace {
 
 using AllowedLink = std::tuple<std::string, std::string, std::string>; // left, right, edge
 
-/// All links that rules tell of: a right side may name several classes.
+/// All links that rules list: a right side may name several classes.
 std::set<AllowedLink> linksOf(const std::vector<MtgRule>& rules) {
   std::set<AllowedLink> links;
   for (const MtgRule& rule : rules)

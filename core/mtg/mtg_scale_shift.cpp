@@ -11,7 +11,7 @@ namespace {
 
 constexpr int mostAdded = 32; // scales; no edit makes more
 
-/// By how much the scale of the nodes has risen; 0 if nothing tells.
+/// By how much the scale of the nodes has risen; 0 if nothing shows it.
 int riseOfNodes(int nodeScale, const Skeleton& edited) {
   int own = nodeScale;
   for (const NodeId id : edited.ids())

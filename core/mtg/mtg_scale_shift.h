@@ -11,8 +11,8 @@ namespace espalier {
 /// Where the scales of an MTG are in a skeleton that got scales in between by hand.
 ///
 /// By how much the scale of the nodes rose is read off their own entities. Which coarser scales
-/// rose with it is told by the classes: the order of scales stays, and most entities keep their
-/// class. Where nothing tells, a scale stays.
+/// rose with it is shown by the classes: the order of scales stays, and most entities keep their
+/// class. Where nothing shows it, a scale stays.
 class ScaleShift {
 public:
   /// @param nodeScale  of the vertices of `base` that are nodes

@@ -11,7 +11,7 @@
 namespace espalier {
 
 /// A comment before the sections: a code such as <N without ^ that stands below another of its
-/// column hangs on the column before, whatever other programs take it for.
+/// column is attached to the column before, whatever other programs take it for.
 inline constexpr std::string_view previousColumnMark = "# dialect: previous column";
 
 /// The fields of a line of an MTG file, parted by tabs, without blanks around them.

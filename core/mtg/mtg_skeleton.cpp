@@ -62,7 +62,7 @@ struct Positions {
   }
 };
 
-/// What hangs on a vertex hangs on this node, by this edge unless its own is branching.
+/// What is attached to a vertex is attached to this node, by this edge unless its own is branching.
 struct Link {
   std::optional<NodeId> node;
   EdgeType edge = EdgeType::successor;

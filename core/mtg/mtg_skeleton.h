@@ -28,8 +28,8 @@ struct MtgView {
 /// Positions are the features XX YY ZZ or X Y Z; radii the feature radius, or half of diameter; the
 /// case of names does not matter. A vertex of this scale without a finite position, but with an
 /// ancestor and, along its axis, a successor that have one, stands evenly between these; others are
-/// passed over: what hangs on them hangs on the nearest ancestor that has one. Notes tell of both.
-/// Node ids follow the order of the vertices.
+/// passed over: what is attached to them goes to the nearest ancestor that has one. Notes report
+/// both. Node ids follow the order of the vertices.
 ///
 /// Node::entities are its own vertex, with all values but position and radius, and before it the
 /// coarser vertices it is a part of and its parent is not. A vertex in several separate parts is

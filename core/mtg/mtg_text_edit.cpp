@@ -21,7 +21,7 @@
 namespace espalier {
 namespace {
 
-/// Behind the last line of the section FEATURES that tells something; none without the section.
+/// Behind the last line of the section FEATURES that holds something; none without the section.
 std::optional<std::size_t> endOfFeatures(const ParsedMtg& file) {
   const std::string_view text(file.source.text);
   std::string_view section;
@@ -206,7 +206,7 @@ std::string belowFirstComments(const ParsedMtg& file, const Mtg& mtg) {
 }
 
 /// Whether `text` is read as `edited`.
-bool tellsOf(const std::string& text, const Mtg& edited, const MtgReadOptions& options) {
+bool readsAs(const std::string& text, const Mtg& edited, const MtgReadOptions& options) {
   try {
     return isSame(parseMtg(text, resultName, options).mtg, edited);
   } catch (const Error&) {
@@ -214,17 +214,17 @@ bool tellsOf(const std::string& text, const Mtg& edited, const MtgReadOptions& o
   }
 }
 
-/// Whether `text` is read as `edited`, but for the order of the vertices, which its lines tell.
-bool tellsOfAll(const std::string& text, const Mtg& edited, const MtgReadOptions& options) {
+/// Whether `text` is read as `edited`, but for the order of the vertices, which its lines set.
+bool readsAsAll(const std::string& text, const Mtg& edited, const MtgReadOptions& options) {
   return isSame(mtgAsWritten(parseMtg(text, resultName, options).mtg), mtgAsWritten(edited));
 }
 
-/// The text with other lines, if lines can tell of the edited plant.
+/// The text with other lines, if lines can hold the edited plant.
 std::optional<std::string> withLinesOf(const ParsedMtg& file, const Mtg& edited,
                                        const MtgReadOptions& options) {
   try {
     const auto text = withOtherLines(file, mtgNormalized(withFeaturesLike(file.mtg, edited)));
-    return text && tellsOfAll(*text, edited, options) ? text : std::nullopt;
+    return text && readsAsAll(*text, edited, options) ? text : std::nullopt;
   } catch (const Error&) { // all is written anew, or refused there
     return std::nullopt;
   }
@@ -253,7 +253,7 @@ std::string mtgTextWith(const std::string& original, const Mtg& edited,
   const bool isLatin1 = file.source.isLatin1;
   const auto withSections = [&]() -> std::optional<std::string> {
     auto text = withOtherCells(file, edited);
-    if (text && tellsOf(*text, edited, options)) return text;
+    if (text && readsAs(*text, edited, options)) return text;
     return withLinesOf(file, edited, options);
   };
   if (const auto text = withSections()) return encoded(*text, isLatin1);
@@ -263,10 +263,10 @@ std::string mtgTextWith(const std::string& original, const Mtg& edited,
       if (const auto text = withSections()) return encoded(*text, isLatin1);
     }
   const Mtg written = mtgAsWritten(withFeaturesLike(file.mtg, edited));
-  const std::string anew = belowFirstComments(file, written); // checks that it can be told
+  const std::string anew = belowFirstComments(file, written); // checks that it can be written
   const bool hasAll = missingFeatures(file.mtg, written).empty();
   const std::string kept = hasAll ? belowSections(file, written) : anew;
-  return encoded(tellsOf(kept, written, options) ? kept : anew, isLatin1);
+  return encoded(readsAs(kept, written, options) ? kept : anew, isLatin1);
 }
 
 } // namespace espalier

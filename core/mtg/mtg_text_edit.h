@@ -21,11 +21,11 @@ namespace espalier {
 /// behind the others, if it has both.
 ///
 /// Where vertices came, went, or got other labels, their lines alone change (withOtherLines), if
-/// lines can tell of it.
+/// lines can hold it.
 ///
-/// Otherwise (vertices that hang elsewhere, a new value within a range, a value that would be read
-/// as a comment) the vertices are written anew, laid out as by `writeMtg`. All before them stays,
-/// but for the line of columns where it has too few of them; if the sections cannot tell of the
+/// Otherwise (vertices that are attached elsewhere, a new value within a range, a value that would
+/// be read as a comment) the vertices are written anew, laid out as by `writeMtg`. All before them
+/// stays, but for the line of columns where it has too few of them; if the sections cannot hold the
 /// plant any more, or lack a feature, they are written anew too, and only what stands before CODE
 /// stays. Line ends and the order of features stay. Comments of what is written anew go to the end,
 /// as by `mtgCommentLines`.

@@ -85,7 +85,7 @@ MtgSpan MtgTopology::add(std::string_view code, MtgPlace place) {
     if (disputed_.empty()) firstDispute_ = place;
     disputed_.push_back(VertexId{static_cast<std::uint32_t>(first)});
   }
-  columns_.resize(std::min(columns_.size(), place.column)); // what hung there is complete
+  columns_.resize(std::min(columns_.size(), place.column)); // what was attached there is complete
   columns_.push_back(std::move(path.own));
   return path.span;
 }

@@ -28,15 +28,15 @@ struct MtgSpan {
 
 /// Adds vertices to an MTG from the codes of its text, such as "^<N", "/P1/A1" or "+B2/U1".
 ///
-/// - A code without ^ hangs on the last vertex of the column before its own, one with ^ on the last
-///   vertex of its own column.
+/// - A code without ^ is attached to the last vertex of the column before its own, one with ^ to
+///   the last vertex of its own column.
 /// - In the first column, a code that begins with / and a class of the coarsest scale is a full
-///   name: it hangs on the scene, and its first vertices may be ones read before. So may those of a
-///   code that begins with a name of a vertex: "(A1)/U1<U2". Only vertices with an index are found
-///   again, and the last of a code is always new. Other codes continue the first column.
-/// - A code of a coarser scale than what it hangs on hangs on what that is a part of, and its own
-///   first part hangs where the coarser one was reached from. A + leaves the vertex open for more
-///   codes with ^.
+///   name: it is attached to the scene, and its first vertices may be ones read before. So may
+///   those of a code that begins with a name of a vertex: "(A1)/U1<U2". Only vertices with an index
+///   are found again, and the last of a code is always new. Other codes continue the first column.
+/// - A code of a coarser scale than what it is attached to is attached to what that is a part of,
+///   and its own first part is attached where the coarser one was reached from. A + leaves the
+///   vertex open for more codes with ^.
 /// - An index is a number, or numbers parted by dots: S16.1 is the first of those at place 16.
 /// - "<<" and "++" stand for all vertices between two indices; so do "<.<" and "+.+", to which the
 ///   values of the line belong alike. Of indices with a dot the last number counts up.
@@ -48,17 +48,17 @@ public:
   MtgTopology(Mtg& mtg, MtgNotes& notes, bool continuesColumns);
 
   /// Adds the vertices of a code.
-  /// @throws Error if the code is malformed, or hangs on nothing
+  /// @throws Error if the code is malformed, or attached to nothing
   MtgSpan add(std::string_view code, MtgPlace place);
 
-  /// The last vertex of a column, which a line "*" tells more of.
+  /// The last vertex of a column, to which a line "*" adds.
   /// @throws Error if there is none
   [[nodiscard]] VertexId lastOf(MtgPlace place) const;
 
   /// Lets codes begin with "(alias)" for this vertex.
   void name(const std::string& alias, VertexId vertex, MtgPlace place);
 
-  /// Those of the first vertices of codes that programs hang differently: <X without ^ below
+  /// Those of the first vertices of codes that programs attach differently: <X without ^ below
   /// others.
   [[nodiscard]] const std::vector<VertexId>& disputed() const { return disputed_; }
   [[nodiscard]] MtgPlace firstDispute() const { return firstDispute_; }
@@ -69,8 +69,8 @@ private:
     int scale = 1;
     std::optional<LabelIndex> index;
   };
-  struct Entry { // from which vertex, and how, a coarser one was reached: its first part hangs
-                 // there
+  /// From which vertex, and how, a coarser one was reached: its first part is attached there.
+  struct Entry {
     VertexId vertex;
     EdgeType edge;
   };
@@ -92,7 +92,7 @@ private:
     bool hasSpan = false;
     MtgSpan span; // of the last step, if that made vertices
   };
-  /// What a vertex was told after, and how: the same again means the same vertex, in full names.
+  /// What a vertex was written after, and how: the same again means the same vertex, in full names.
   using Name = std::tuple<std::optional<VertexId>, char, std::string_view, std::vector<int>>;
 
   [[nodiscard]] std::string cell(MtgPlace place) const;

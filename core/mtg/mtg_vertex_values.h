@@ -9,7 +9,7 @@
 
 namespace espalier {
 
-/// The features that tell position and radius of this vertex.
+/// The features that hold position and radius of this vertex.
 [[nodiscard]] std::vector<std::size_t> geometricFeatures(const Mtg& mtg, const MtgVertex& vertex);
 
 /// Gives a vertex the label and values of an entity; features in `kept` keep their values. Classes

@@ -9,15 +9,15 @@ namespace espalier {
 
 /// Writes a whole MTG as text: all classes, rules, features, vertices, aliases and dates.
 ///
-/// A line per vertex, laid out as `mtgRows` tells, then a line "*" per later date; columns are
+/// A line per vertex, laid out as `mtgRows` says, then a line "*" per later date; columns are
 /// parted by tabs, those of features are adjacent. Numbers of type REAL and INT lose their
 /// exponents, which OpenAlea takes for edges, and keep their value; other values are written as
 /// they are. A feature Alias is added if vertices have aliases and none is declared. OpenAlea,
 /// PlantScan3D and MultiScaleTreeGraph.jl read the result, but for what `openAleaLimits` lists.
 /// Reading the text gives `mtgAsWritten(mtg)`; writing that again gives the same bytes.
-/// @throws Error if something cannot be told in MTG text: a value with a tab, a line end or a
+/// @throws Error if something cannot be written in MTG text: a value with a tab, a line end or a
 ///         comment sign, a symbol whose class is not listed, labels that look like others, a
-///         vertex as told at `mtgRows`. Nothing is written then: the text is read back before
+///         vertex as stated at `mtgRows`. Nothing is written then: the text is read back before
 /// Time O(size of the text).
 void writeMtg(std::ostream& out, const Mtg& mtg);
 
@@ -29,7 +29,7 @@ void writeMtg(std::ostream& out, const Mtg& mtg);
 /// exponents, no empty values at the end.
 [[nodiscard]] Mtg mtgAsWritten(const Mtg& mtg);
 
-/// Writes mtgOf(skeleton), by default in PlantScan3D's way: a plant P of scale 1 per root, its
+/// Writes mtgOf(skeleton), by default as PlantScan3D does: a plant P of scale 1 per root, its
 /// nodes N of scale 2, features XX YY ZZ radius.
 ///
 /// A branching node opens the next column, a successor continues its own ("^<N"); of two successors

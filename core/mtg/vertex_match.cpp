@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t mostDifferences = 1000;
 
-/// What is said of a vertex, as a text: what hangs where is not, but for the label it hangs on.
+/// What is said of a vertex, as a text: not where it is attached, but for the label there.
 std::string keyOf(const Mtg& mtg, const MtgVertex& vertex, bool withParent) {
   std::string key = std::to_string(vertex.scale) + mtgLabel(vertex) + '\t' + vertex.alias + '\t';
   if (vertex.parent && withParent)
@@ -71,7 +71,7 @@ private:
     match_.before[b] = VertexId{static_cast<std::uint32_t>(a)};
   }
 
-  /// As many vertices in both were changed; else some are the same but for what they hang on.
+  /// As many vertices in both were changed; else some are the same but for their parents.
   void joinBetween(std::size_t a, std::size_t aEnd, std::size_t b, std::size_t bEnd) {
     if (aEnd - a == bEnd - b) {
       for (; a < aEnd; ++a, ++b)
@@ -92,7 +92,7 @@ private:
   const Mtg& file_;
   const Mtg& edited_;
   Keys whole_;
-  Keys own_; // without what a vertex hangs on
+  Keys own_; // without what a vertex is attached to
   VertexMatch match_;
 };
 

@@ -14,8 +14,9 @@ struct VertexMatch {
 };
 
 /// Matches the vertices of two plants in order: those of which the same is said, then those between
-/// them, as far as these are as many or are the same but for what they hang on. None if too many
-/// differ. pre: the features of `file` come first in `edited`, in their order
+/// them, as far as these are as many or are the same but for what they are attached to. None if too
+/// many differ.
+/// pre: the features of `file` come first in `edited`, in their order
 /// Time O((size of both) times vertices that differ).
 [[nodiscard]] std::optional<VertexMatch> matchVertices(const Mtg& file, const Mtg& edited);
 

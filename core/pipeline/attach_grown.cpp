@@ -92,7 +92,7 @@ double cosine(const Vector3d& a, const Vector3d& b) {
   return lengths > 0 ? a.dot(b) / lengths : 1;
 }
 
-/// A node of what grew; its links lead either way until it is attached.
+/// A node of what grew; its links lead in both directions until it is attached.
 struct Loose {
   Node node; // without parent
   std::vector<std::uint32_t> links;

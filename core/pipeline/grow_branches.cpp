@@ -26,7 +26,7 @@ PlantScale scaleOf(const PointCloud& cloud, const GrowOptions& options, const Pr
   return espalier::scaleOf(cloud, options.pipeline.leftOut, options.pipeline.up, progress);
 }
 
-/// Points that hang together.
+/// Connected points.
 struct Part {
   std::vector<Eigen::Index> points; // among those asked for, ascending
   Eigen::Index foot = 0;            // its point that is nearest to the plant
@@ -100,7 +100,7 @@ private:
         assignPoints(positions_, cloud_.origin(), skeleton_, progress);
     const auto toWood = [&](Eigen::Index point) {
       const PointOnSkeleton& place = places[static_cast<std::size_t>(point)];
-      return place.distance - woodRadius(skeleton_, place);
+      return place.distance - frustumRadius(skeleton_, place);
     };
     for (Part& part : parts_)
       part.foot = *std::ranges::min_element(part.points, {}, toWood);
@@ -179,8 +179,8 @@ private:
 std::vector<Eigen::Index> unexplained(const std::vector<Eigen::Index>& points,
                                       const Skeleton& skeleton, const PointCloud& cloud,
                                       double tolerance, const Progress& progress) {
-  const std::vector<PointByWood> places =
-      pointsByWood(cloud.positions()(Eigen::all, points), cloud.origin(), skeleton, progress);
+  const std::vector<PointByFrustum> places =
+      pointsByFrustum(cloud.positions()(Eigen::all, points), cloud.origin(), skeleton, progress);
   std::vector<Eigen::Index> left;
   for (std::size_t i = 0; i < points.size(); ++i)
     if (places[i].distance > tolerance) left.push_back(points[i]);

@@ -26,28 +26,29 @@ PointCloud partOf(const PointCloud& cloud, const std::vector<Eigen::Index>& poin
 
 } // namespace
 
-double woodRadius(const Skeleton& skeleton, const PointOnSkeleton& place) {
+double frustumRadius(const Skeleton& skeleton, const PointOnSkeleton& place) {
   const std::optional<Frustum> wood = frustumOf(skeleton, place.child);
   return wood ? wood->radiusAt(place.fraction) : skeleton[place.child].radius;
 }
 
-std::vector<PointByWood> pointsByWood(const Eigen::Matrix3Xf& points, const Eigen::Vector3d& origin,
-                                      const Skeleton& skeleton, const Progress& progress) {
-  std::vector<PointByWood> result;
+std::vector<PointByFrustum> pointsByFrustum(const Eigen::Matrix3Xf& points,
+                                            const Eigen::Vector3d& origin, const Skeleton& skeleton,
+                                            const Progress& progress) {
+  std::vector<PointByFrustum> result;
   result.reserve(static_cast<std::size_t>(points.cols()));
   for (const PointOnSkeleton& place : assignPoints(points, origin, skeleton, progress))
-    result.push_back({place.child, place.distance - woodRadius(skeleton, place)});
+    result.push_back({place.child, place.distance - frustumRadius(skeleton, place)});
   return result;
 }
 
 std::vector<Eigen::Index> freePoints(const Skeleton& skeleton, const PointCloud& cloud,
                                      const PointSet& leftOut, double tolerance,
                                      const std::vector<bool>& isAsFree, const Progress& progress) {
-  const std::vector<PointByWood> places =
-      pointsByWood(cloud.positions(), cloud.origin(), skeleton, progress);
+  const std::vector<PointByFrustum> places =
+      pointsByFrustum(cloud.positions(), cloud.origin(), skeleton, progress);
   std::vector<Eigen::Index> points;
   for (const Eigen::Index point : others(leftOut | repeatedPoints(cloud, leftOut), cloud.size())) {
-    const PointByWood& place = places[static_cast<std::size_t>(point)];
+    const PointByFrustum& place = places[static_cast<std::size_t>(point)];
     const bool isOfFree = !isAsFree.empty() && isAsFree[indexOf(place.child)];
     if (isOfFree || place.distance > tolerance) points.push_back(point);
   }

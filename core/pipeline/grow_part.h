@@ -9,12 +9,12 @@ namespace espalier {
 
 // What regrowing a node and growing new branches share: the steps, run on some points of a scan.
 
-inline constexpr std::size_t fewestPoints = 20; // that tell a branch from dust
-inline constexpr int partLinks = 12;            // of a point, to find what hangs together
+inline constexpr std::size_t fewestPoints = 20; // that distinguish a branch from dust
+inline constexpr int partLinks = 12;            // of a point, to find what is connected
 
 /// The points that no edge of a skeleton explains: they lie farther than `tolerance` [L] from the
-/// tube of the edge they are nearest to. Points set aside are none of them, and each place counts
-/// once.
+/// frustum of the edge they are nearest to. Points set aside are none of them, and each place
+/// counts once.
 /// @param isAsFree  by id: points nearest to the edge of such a node are free as well; may be empty
 /// pre: the skeleton is not empty. @throws Cancelled if `progress` asks to stop
 /// Uses all threads. Time O(N log n).
@@ -22,18 +22,18 @@ inline constexpr int partLinks = 12;            // of a point, to find what hang
 freePoints(const Skeleton& skeleton, const PointCloud& cloud, const PointSet& leftOut,
            double tolerance, const std::vector<bool>& isAsFree = {}, const Progress& progress = {});
 
-/// How far each point is from the nearest wood, and whose edge that is. As assignPoints().
-struct PointByWood {
+/// How far each point is from the nearest frustum, and whose edge that is. As assignPoints().
+struct PointByFrustum {
   NodeId child;
   double distance; // to the surface [L]; negative inside
 };
-[[nodiscard]] std::vector<PointByWood> pointsByWood(const Eigen::Matrix3Xf& points,
-                                                    const Eigen::Vector3d& origin,
-                                                    const Skeleton& skeleton,
-                                                    const Progress& progress = {});
+[[nodiscard]] std::vector<PointByFrustum> pointsByFrustum(const Eigen::Matrix3Xf& points,
+                                                          const Eigen::Vector3d& origin,
+                                                          const Skeleton& skeleton,
+                                                          const Progress& progress = {});
 
 /// The radius of the wood at a place of an edge [L].
-[[nodiscard]] double woodRadius(const Skeleton& skeleton, const PointOnSkeleton& place);
+[[nodiscard]] double frustumRadius(const Skeleton& skeleton, const PointOnSkeleton& place);
 
 /// All steps on some points of a cloud, with the settings that their rules give for the whole: so
 /// what grows looks like the rest.
@@ -46,7 +46,7 @@ struct PointByWood {
                                  const Eigen::Vector3d& root, const PlantScale& whole,
                                  const PipelineOptions& options, const Progress& progress = {});
 
-/// A line of nodes along some points of a cloud, from end to end of what hangs together about one
+/// A line of nodes along some points of a cloud, from end to end of what is connected about one
 /// of them, for points that are too few for the pipeline.
 /// @param points  columns, ascending; not empty
 /// @param start   [L], frame of the file: where the points are meant

@@ -28,7 +28,7 @@ linksOption(const char* help = Shown::tr("Links per point along which distances 
 [[nodiscard]] std::vector<Eigen::Index> keptPoints(const PipelineState& state);
 
 /// The same, of those at one place the first alone: where files of a scan overlap, points lie
-/// twice. Told where they follow each other, as they do in a cloud.
+/// twice. Recognized where they follow each other, as they do in a cloud.
 [[nodiscard]] std::vector<Eigen::Index> keptPlaces(const PipelineState& state);
 
 /// Where the points that were kept are in the scan, about the origin of the cloud [L].

@@ -34,7 +34,7 @@ struct MethodSight {
   std::vector<SightCone> cones; // at the nearest node, of the skeleton method that tracks points
 };
 
-/// Tells what the chosen methods see at any point.
+/// Shows what the chosen methods see at any point.
 class MethodSights {
 public:
   /// Prepares what is of the whole scan: which points cleaning keeps, links between them, how dense

@@ -4,7 +4,7 @@
 
 namespace espalier {
 
-// Methods of the step "skeleton" that simplify a tree of shortest ways over the points.
+// Methods of the step "skeleton" that simplify a tree of shortest paths over the points.
 
 [[nodiscard]] Method shortestPathMethod();
 [[nodiscard]] Method branchStructureMethod();

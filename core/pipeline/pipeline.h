@@ -32,7 +32,7 @@ struct Reconstruction {
 
 /// From scan to skeleton with radii, step by step.
 ///
-/// A changed option recomputes only that step and those behind it; a changed root, or way up, only
+/// A changed option recomputes only that step and those behind it; a changed root, or up axis, only
 /// what sees it. Of each step the results of the last 4 different choices are kept, where a choice
 /// is that of all steps up to it and of the points set aside: going back to one computes nothing.
 /// For each of the 4 that is 12 bytes a point (the contracted places), a few bits a point and step,

@@ -20,7 +20,7 @@ namespace espalier {
                                          const Progress& progress);
 
 /// The foot of the plant among the points that cleaning kept: the one nearest to the root that was
-/// chosen, or else the one that the points tell. 0 if none is left.
+/// chosen, or else the one that the points show. 0 if none is left.
 /// @param lowest  of the plant (PlantExtent)
 [[nodiscard]] Eigen::Index rootPoint(const PipelineState& cleaned, const PipelineOptions& options,
                                      float lowest);

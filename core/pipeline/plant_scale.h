@@ -11,7 +11,7 @@ namespace espalier {
 /// How large a plant is, and where it begins.
 struct PlantExtent {
   PlantScale scale;
-  /// Of the points that count, along the way up, about the origin of the cloud [L].
+  /// Of the points that count, along the up axis, about the origin of the cloud [L].
   float lowest = -std::numeric_limits<float>::infinity();
 };
 

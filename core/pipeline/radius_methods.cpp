@@ -112,7 +112,7 @@ Method cylinderMethod() {
       }};
 }
 
-/// Cylinders where points tell of them, distances elsewhere, by id.
+/// Cylinders where points show them, distances elsewhere, by id.
 std::vector<MeasuredRadius> woodRadii(const Skeleton& skeleton, const AssignedPoints& points,
                                       const CylinderOptions& options, const Progress& progress) {
   const auto fitted = cylindersAbout(skeleton, points, options, progress);

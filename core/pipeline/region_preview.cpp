@@ -44,7 +44,7 @@ struct RegionPreviewer::Whole {
   std::shared_ptr<const PointCloud> cloud;
   PointSet leftOut;
   PlantScale scale;
-  PipelineOptions start; // its root and way up
+  PipelineOptions start; // its root and up axis
   std::mutex mutex;      // of all below
   std::unique_ptr<const SpatialIndex> index;
   Recent<Cleaning, IsLeftOut> cleaned;
@@ -99,10 +99,10 @@ struct RegionPreviewer::Whole {
       const PlantExtent extent = plantExtent(*cloud, indexedHere(progress), leftOut, start.up);
       const Eigen::Index root = rootPoint(all, start, extent.lowest);
       const auto place = std::ranges::lower_bound(kept, root) - kept.begin();
-      const Geodesics ways = geodesics(
+      const Geodesics paths = geodesics(
           joined(parts, points, std::numeric_limits<float>::max(), progress), {place}, 1, progress);
       for (std::size_t i = 0; i < kept.size(); ++i)
-        result[static_cast<std::size_t>(kept[i])] = ways.distance[i];
+        result[static_cast<std::size_t>(kept[i])] = paths.distance[i];
     }
     return distanceToRoot = std::make_shared<const std::vector<float>>(std::move(result));
   }
@@ -110,7 +110,7 @@ struct RegionPreviewer::Whole {
 
 namespace {
 
-/// A part of the scan on its way through the steps.
+/// A part of the scan as it goes through the steps.
 struct Region {
   std::vector<Eigen::Index> columns; // of its cloud in that of the whole: those that are kept
   PipelineState state;

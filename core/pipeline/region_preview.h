@@ -49,7 +49,7 @@ public:
 
   /// The same, and what the skeleton would become there: all steps before the radii.
   ///
-  /// Each part of the points that hangs together by links of at most 8 point spacings is
+  /// Each part of the points that is connected by links of at most 8 point spacings is
   /// reconstructed by itself, from the point of it that is nearest to the root along the plant;
   /// no part is joined to another. Parts of fewer than 20 points are left out.
   [[nodiscard]] RegionPreview reconstructed(const Ball& ball, const PipelineOptions& options,

@@ -32,7 +32,7 @@ std::vector<Eigen::Index> partFrom(Eigen::Index first, const NeighborhoodGraph& 
   return part;
 }
 
-/// The points of each part that hangs together and is no crumb.
+/// The points of each connected part that is no crumb.
 std::vector<std::vector<Eigen::Index>> partsOf(const PipelineState& region, double spacing,
                                                const Progress& progress) {
   const NeighborhoodGraph graph(region.cloud->positions(), linksPerPoint, progress);
@@ -87,7 +87,7 @@ Skeleton skeletonOfRegion(const PipelineState& region, const std::vector<float>&
       partsOf(region, scale.spacing, progress.part(0, 0.1));
   std::vector<std::shared_ptr<const Skeleton>> skeletons(parts.size()); // none where one failed
   std::vector<std::exception_ptr> failures(parts.size());
-  const Progress stop = progress.part(0.1, 0.1); // the steps of parts tell when to stop alone
+  const Progress stop = progress.part(0.1, 0.1); // the steps of parts report only when to stop
   const auto reconstruct = [&](Eigen::Index i) {
     const auto part = static_cast<std::size_t>(i);
     PipelineState state = stateOf(parts[part], region, distanceToRoot);

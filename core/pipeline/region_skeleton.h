@@ -8,7 +8,7 @@
 namespace espalier {
 
 /// What the skeleton of a part of a scan would be: all steps after the contraction and before the
-/// radii, run on each part of it that hangs together.
+/// radii, run on each connected part of it.
 ///
 /// @param region          contracted; none of its points is left out
 /// @param distanceToRoot  by point of it, along the plant [L]

@@ -63,7 +63,7 @@ std::vector<Eigen::Index> reached(const NeighborhoodGraph& graph, Eigen::Index f
   return points;
 }
 
-/// Those of the points that hang together with the one nearest to the node.
+/// Those of the points that are connected with the one nearest to the node.
 /// @throws Error if there is none near it, or they are too few
 std::vector<Eigen::Index> pointsAt(const Skeleton& skeleton, NodeId node, const PointCloud& cloud,
                                    const std::vector<Eigen::Index>& points, double widestGap,
@@ -105,17 +105,19 @@ Skeleton regrown(const Skeleton& skeleton, NodeId node,
   const double mean = meanEdgeLength(isChain ? before : skeleton);
   const double edge = mean > 0 ? mean : 9 * whole.spacing;
   const Eigen::Vector3d& foot = skeleton[node].position;
-  std::vector<Skeleton> ways = {
+  std::vector<Skeleton> candidates = {
       grownOrLine(*cloud, points, foot, whole, options.pipeline, edge, progress.part(0.5, 0.9))};
-  if (isChain) ways.push_back(lineAlong(*cloud, points, foot, edge, progress.part(0.9, 0.95)));
+  if (isChain)
+    candidates.push_back(lineAlong(*cloud, points, foot, edge, progress.part(0.9, 0.95)));
   const AttachOptions attach{.spacing = whole.spacing,
                              .widestGap = widestGap,
                              .widestJoin = widestGap + meanEdgeLength(skeleton)};
   Skeleton best;
   double least = unbounded;
-  for (const Skeleton& way : ways) {
-    if (way.isEmpty()) continue;
-    const auto branches = attached(skeleton, {node}, way, *cloud, attach, progress.part(0.95, 1));
+  for (const Skeleton& candidate : candidates) {
+    if (candidate.isEmpty()) continue;
+    const auto branches =
+        attached(skeleton, {node}, candidate, *cloud, attach, progress.part(0.95, 1));
     const double distance =
         branches.empty() ? unbounded : meanDistance(*cloud, points, branches.front().part);
     if (distance >= least) continue;

@@ -8,7 +8,7 @@ namespace espalier {
 
 struct RegrowOptions {
   PipelineOptions pipeline; // methods and settings; its root is not used
-  double tolerance = 0;     // [L] a point farther than this from the tube of every edge is not
+  double tolerance = 0;     // [L] a point farther than this from the frustum of every edge is not
                             // explained; 0 = 3 point spacings
   double widestGap = 0;     // [L] points farther off are another part; 0 = 8 point spacings
 };
@@ -16,7 +16,7 @@ struct RegrowOptions {
 /// What a node carries, reconstructed again from the points that the rest of the plant leaves.
 ///
 /// These are the points nearest to an edge of what it carries now, and those that no edge explains,
-/// as far as they hang together with the points at the node. All steps of the pipeline run on them,
+/// as far as they are connected with the points at the node. All steps of the pipeline run on them,
 /// with the settings that its rules give for the whole scan, so that what grows looks like the
 /// rest; or a line is made along them, where that follows them better, with edges as long as there
 /// were. No new node is thicker than `node`, if that has a radius, and none turns back sharply.

@@ -169,23 +169,24 @@ std::vector<Method> joinMethods() {
   // spacings wide, and most of what is beyond them is nearer to something else.
   //
   // From 8 spacings on instead of 10, grown plants gain 0.004 more, but puu1 loses 0.007; a reach
-  // of 70 loses 0.03 of leafy structures, where one large crown hangs wrong. A cost of links to the
-  // sides of wood gains nothing. Nor does it to hang branches anew that leave a node straight
-  // across it from one another, as where twigs touch (T of bare grown plants 0.862 as without, of
-  // structures 0.882 to 0.888 instead of 0.892), or that point back from the axis (0.851 to 0.858,
-  // and 0.891 to 0.893).
+  // of 70 loses 0.03 of leafy structures, where one large crown is wrongly attached. A cost of
+  // links to the sides of wood gains nothing. Nor does it to attach branches anew that leave a node
+  // straight across it from one another, as where twigs touch (T of bare grown plants 0.862 as
+  // without, of structures 0.882 to 0.888 instead of 0.892), or that point back from the axis
+  // (0.851 to 0.858, and 0.891 to 0.893).
   return {joinMethod(), noMethod(Shown::tr("Keeps the shortest bridges."))};
 }
 
 std::vector<Method> insertionMethods() {
-  // Without it, branches hang a median 3.0 spacings too far up grown plants (2.4 beyond 60 degrees,
-  // 3.8 at 30 to 45) and 1.4 up structures; slid all the way (node_weight 0), 0.2 too far up grown
-  // ones, but 1.0 too far down structures, whose middle half then spreads over 4.9 spacings instead
-  // of 2.7: their branches bend near the foot. T of 32 grown plants and 9 scans of structures, each
-  // bare and leafy: 0.846, 0.811, 0.884, 0.823 without; 0.861, 0.824, 0.901, 0.847 all the way;
-  // 0.861, 0.829, 0.904, 0.856 with node_weight 0.3; 0.856, 0.820, 0.899, 0.850 with 1.
+  // Without it, branches are attached a median 3.0 spacings too far up grown plants (2.4 beyond 60
+  // degrees, 3.8 at 30 to 45) and 1.4 up structures; slid all the way (node_weight 0), 0.2 too far
+  // up grown ones, but 1.0 too far down structures, whose middle half then spreads over 4.9
+  // spacings instead of 2.7: their branches bend near the foot. T of 32 grown plants and 9 scans of
+  // structures, each bare and leafy: 0.846, 0.811, 0.884, 0.823 without; 0.861, 0.824, 0.901, 0.847
+  // all the way; 0.861, 0.829, 0.904, 0.856 with node_weight 0.3; 0.856, 0.820, 0.899, 0.850
+  // with 1.
   //
-  // Those who made structures of real scans by hand hung branches where their points part: the
+  // Those who made structures of real scans by hand attached branches where their points part: the
   // default without it is a median 0.0 spacings (A3B4) and -0.5 (puu1) off them, all the way -2.7
   // and -2.9. T of the two, 0.900 and 0.843 without, is 0.847 and 0.798 all the way, 0.912 and
   // 0.832 with 0.3, 0.912 and 0.844 with 1: so 1, of which none loses.

@@ -181,10 +181,10 @@ std::vector<Method> pruneMethods() {
   // Simulated scans have fewer stray ends than a pine with its needles, so not the least that is
   // best for them. The first structure of puu1 draws a third fewer ends than its revision.
   //
-  // What else tells true short ends from stray ones adds little to their length: with points per
-  // length, angle and straightness too the area under the curve is 0.78 to 0.90 instead of 0.78 to
-  // 0.88, and 0.86 instead of 0.85 on puu1. Were all of them told right, T of puu1 would be 0.882
-  // and that of leafy structures 0.036 more; that of grown plants stays.
+  // What else distinguishes true short ends from stray ones adds little to their length: with
+  // points per length, angle and straightness too the area under the curve is 0.78 to 0.90 instead
+  // of 0.78 to 0.88, and 0.86 instead of 0.85 on puu1. Were all of them recognized, T of puu1 would
+  // be 0.882 and that of leafy structures 0.036 more; that of grown plants stays.
   return {spurMethod(), noMethod(Shown::tr("Keeps all branches."))};
 }
 

@@ -4,8 +4,8 @@
 
 namespace espalier {
 
-/// All methods of the step "skeleton", which finds nodes and what hangs on what; the first is the
-/// default.
+/// All methods of the step "skeleton", which finds nodes and what is attached to what; the first is
+/// the default.
 [[nodiscard]] std::vector<Method> skeletonMethods();
 
 } // namespace espalier

@@ -32,8 +32,8 @@ struct SweepResult {
 };
 
 /// Runs the steps up to `last` (empty: all) for each value of an option of the method that is
-/// chosen for `step`, and tells each result as it comes. A value that the steps fail with is told,
-/// too.
+/// chosen for `step`, and reports each result as it comes, as well as each value that the
+/// steps fail with.
 ///
 /// What lies before the step is computed once; a Pipeline that has run before has it at hand.
 /// @throws Error     if the step or option is unknown, or a value out of range, before any run

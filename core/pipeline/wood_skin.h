@@ -18,7 +18,7 @@ namespace espalier {
 /// most is twice the tolerance over 1.25 medians or radii: new branches that begin there are no
 /// bark.
 ///
-/// @param tolerance [L], from the surface of a tube: nearer points are explained by it
+/// @param tolerance [L], from the surface of a frustum: nearer points are explained by it
 /// pre: the skeleton is not empty
 /// @throws Cancelled if `progress` asks to stop
 /// Uses all threads, deterministic. Time O(N log n).

@@ -6,7 +6,7 @@
 
 namespace espalier {
 
-/// 64 bits that tell contents apart that differ by accident, not those made to deceive.
+/// 64 bits that separate contents that differ by accident, not those made to deceive.
 /// Source: Y. Collet, "xxHash fast digest algorithm", specification 0.1.1 (XXH64, seed 0, of
 /// libxxhash).
 [[nodiscard]] std::uint64_t contentHash(std::string_view bytes);

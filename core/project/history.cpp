@@ -22,7 +22,7 @@ bool isAsBefore(const Change& change, const Skeleton& skeleton) {
   return skeleton.contains(change.id) && skeleton[change.id] == *change.before;
 }
 
-/// Whether no node that stays hangs on a removed one.
+/// Whether no node that stays is attached to a removed one.
 bool takesAllAbove(const Change& change, const Skeleton& skeleton, const ChangesById& changes) {
   if (change.after) return true;
   return std::ranges::all_of(skeleton.children(change.id),
@@ -36,21 +36,21 @@ public:
       : skeleton_(skeleton), changes_(changes) {}
 
   bool holdsFor(NodeId from) {
-    std::vector<std::uint32_t> way;
+    std::vector<std::uint32_t> path;
     std::optional<NodeId> at = from;
     bool isRooted = true;
     while (at) {
       const auto [mark, isNew] = marks_.emplace(number(*at), false);
       if (!isNew) {
-        isRooted = mark->second; // false: a cycle leads back to the way
+        isRooted = mark->second; // false: a cycle leads back to the path
         break;
       }
-      way.push_back(number(*at));
+      path.push_back(number(*at));
       const Node* node = nodeAfter(*at);
       if (node == nullptr) return false; // the parent is missing
       at = node->parent;
     }
-    for (const std::uint32_t id : way)
+    for (const std::uint32_t id : path)
       marks_[id] = isRooted;
     return isRooted;
   }

@@ -70,7 +70,7 @@ bool isTheScan(const fs::path& path, const ScanReference& scan) {
 } // namespace
 
 ScanReference ScanReference::of(const fs::path& path, const Eigen::AlignedBox3d& bounds) {
-  const std::uint64_t hash = contentHashOfFile(path); // tells if it cannot be read
+  const std::uint64_t hash = contentHashOfFile(path); // throws if it cannot be read
   return {.path = whole(path), .size = fs::file_size(path), .hash = hash, .bounds = bounds};
 }
 
@@ -102,7 +102,7 @@ Project::Project(fs::path path, Access access, std::shared_ptr<ProjectLock> lock
   }
   (void)database_.integer("PRAGMA journal_mode = WAL");
   database_.execute(
-      "PRAGMA synchronous = FULL"); // an edit that was told as saved survives a power cut
+      "PRAGMA synchronous = FULL"); // an edit that was reported as saved survives a power cut
   if (schema < currentSchema()) upgradeSchema(database_);
 }
 

@@ -19,7 +19,7 @@ namespace espalier {
 
 enum class Access : std::uint8_t { readOnly, readWrite };
 
-/// Where a scan is, and how to tell that it is the same.
+/// Where a scan is, and how to know that it is the same.
 struct ScanReference {
   std::filesystem::path path; // absolute, when it was last found
   std::uint64_t size = 0;     // bytes

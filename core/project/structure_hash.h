@@ -7,11 +7,12 @@
 
 namespace espalier {
 
-/// 64 bits that tell a reviewed structure from any other: ids, positions, radii, links, what MTGs
-/// say of the nodes, and the states of the review; not its comments, its reviewers, unit marks.
+/// 64 bits that distinguish a reviewed structure from any other: ids, positions, radii, links, what
+/// MTGs say of the nodes, and the states of the review; not its comments, its reviewers,
+/// unit marks.
 ///
 /// The sum of a hash per node, so that an edit costs what it changes and undo comes back to the
-/// same value. Tells structures apart that differ by accident, not those made to deceive.
+/// same value. Separates structures that differ by accident, not those made to deceive.
 class StructureHash {
 public:
   explicit StructureHash(const Skeleton& skeleton); // O(N)

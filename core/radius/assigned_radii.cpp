@@ -123,8 +123,8 @@ void interpolate(const Skeleton& skeleton, const Axis& axis, std::vector<double>
     const std::size_t below = next < known.size() && known[next] == i ? i
                               : next > 0                              ? known[next - 1]
                                                                       : above;
-    const double way = along[above] - along[below];
-    const double share = way > 0 ? std::clamp((along[i] - along[below]) / way, 0.0, 1.0) : 0;
+    const double gap = along[above] - along[below];
+    const double share = gap > 0 ? std::clamp((along[i] - along[below]) / gap, 0.0, 1.0) : 0;
     radii[indexOf(axis[i])] =
         (1 - share) * radii[indexOf(axis[below])] + share * radii[indexOf(axis[above])];
   }

@@ -80,15 +80,17 @@ double CrossSections::radiusAbout(NodeId id) const {
   return known[(known.size() - 1) / 2];
 }
 
-/// The direction of the wood at a node, towards its tip, over about `way` on either side.
-std::optional<Eigen::Vector3d> CrossSections::axisAt(NodeId id, double way) const {
+/// The direction of the wood at a node, towards its tip, over about `reach` on either side.
+std::optional<Eigen::Vector3d> CrossSections::axisAt(NodeId id, double reach) const {
   const Eigen::Vector3d& center = skeleton_[id].position;
-  const auto isFar = [&](NodeId node) { return (skeleton_[node].position - center).norm() >= way; };
+  const auto isFar = [&](NodeId node) {
+    return (skeleton_[node].position - center).norm() >= reach;
+  };
   NodeId below = id;
   while (skeleton_[below].parent && (below == id || !isFar(below))) {
     const bool ends = axisOf_[indexOf(*skeleton_[below].parent)] != axisOf_[indexOf(id)];
     below = *skeleton_[below].parent;
-    if (ends) break; // on the axis that this one hangs on
+    if (ends) break; // on the axis that bears this one
   }
   NodeId above = id;
   for (auto next = nextOnAxis(skeleton_, id); next && (above == id || !isFar(above));

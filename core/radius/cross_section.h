@@ -36,7 +36,7 @@ struct IndexedPoints {
 /// Takes cross-sections of a skeleton over its scan.
 ///
 /// A section is a slab across the axis, as thick as half a radius but at least 5 point spacings.
-/// The axis runs from the wood below to that above, over a way of a radius, so that it does not
+/// The axis runs from the wood below to that above, over a length of a radius, so that it does not
 /// turn with each short edge. A point belongs to the branch whose edges are nearest, in radii: half
 /// of a thick stem would else go to a twig that leaves it. From the node outwards, points count up
 /// to the first wide gap.
@@ -61,7 +61,7 @@ private:
   struct Sighting;
   [[nodiscard]] std::vector<Edge> edgesAbout(NodeId id, double radius, double reach) const;
   [[nodiscard]] double radiusAbout(NodeId id) const;
-  [[nodiscard]] std::optional<Eigen::Vector3d> axisAt(NodeId id, double way) const;
+  [[nodiscard]] std::optional<Eigen::Vector3d> axisAt(NodeId id, double reach) const;
   [[nodiscard]] std::vector<Sighting> look(const CrossSection& frame, NodeId id, double radius,
                                            double reach) const;
 

@@ -78,7 +78,7 @@ Eigen::Matrix<double, 5, 1> stepFrom(const std::vector<Sight>& sights, double li
     normal.noalias() += weight * slope * slope.transpose();
     right.noalias() -= weight * sight.off * slope;
   }
-  constexpr double damping = 1e-6; // holds what the points do not tell, as on a short arc
+  constexpr double damping = 1e-6; // holds what the points do not fix, as on a short arc
   normal.diagonal() *= 1 + damping;
   return normal.ldlt().solve(right);
 }

@@ -23,7 +23,7 @@ struct FittedCylinder {
 ///
 /// Gauss-Newton over axis and radius from `start`, whose point, direction and radius are used.
 /// After each step points are weighted by Tukey's function of their distance; those farther off
-/// than 4.7 standard deviations, which the median distance tells, do not count.
+/// than 4.7 standard deviations, which follow from the median distance, do not count.
 ///
 /// @param start  the radius > 0, the direction within about 30 degrees of that of the wood
 /// @return none for under 8 points, or if the steps lead away from the points or to no radius

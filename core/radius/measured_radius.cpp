@@ -80,7 +80,7 @@ private:
   CylinderOptions options_;
 };
 
-/// The cylinder of a stretch, if its points tell of one.
+/// The cylinder of a stretch, if its points show one.
 std::optional<FittedCylinder> cylinderOf(const Stretch& stretch, const CylinderOptions& options) {
   if (!(stretch.start.radius > 0)) return std::nullopt;
   std::optional<FittedCylinder> fit = fitCylinder(stretch.points, stretch.start);

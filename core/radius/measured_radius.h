@@ -22,7 +22,7 @@ struct CylinderOptions {
   double spacing = 0;         // [L] between neighboring points, >= 0
 };
 
-/// Cylinders fitted to the wood about each node, by id; none where points do not tell.
+/// Cylinders fitted to the wood about each node, by id; none where points do not show one.
 ///
 /// Each node that has points looks at those of the nodes next to it on its axis, too, as far as
 /// options.length asks and until there are 24. A fit counts if its points cover enough of the way

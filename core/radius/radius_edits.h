@@ -10,11 +10,11 @@ namespace espalier {
 // Edits of radii, as steps of the history. None of them moves a node. pre, of all: the nodes given
 // are contained. A radius of 0 is one that is not known.
 
-/// Moves each radius half of the way to what its neighbors on the axis tell for its place.
+/// Moves each radius halfway to what its neighbors on the axis give for its place.
 ///
-/// Between two neighbors the radius is read off a straight line, so an even taper stays as it is,
+/// Between two neighbors the radius is read off a straight line, so an even slope stays as it is,
 /// however the nodes are spaced. The ends of axes and unknown radii stay. All are read from before.
-/// Source: after PlantScan3D's "Average radius", which shrinks tapers and mixes axes.
+/// Source: after PlantScan3D's "Average radius", which flattens slopes and mixes axes.
 void smoothRadii(SkeletonEditor& editor, const std::vector<NodeId>& nodes);
 
 /// Makes no radius greater than that of the nearest node below it whose radius is known; from the

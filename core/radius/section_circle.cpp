@@ -59,7 +59,7 @@ double medianDistance(const PlanePoints& points, const Eigen::Vector2d& center, 
 /// The circle with the least median distance among circles through three of the points.
 std::optional<FittedCircle> leastMedianCircle(const PlanePoints& points) {
   constexpr int draws = 150;          // half stray: all of them bad once in 10^9
-  constexpr std::size_t judged = 128; // points are enough to tell circles apart
+  constexpr std::size_t judged = 128; // points are enough to compare circles
   PlanePoints some;
   const std::size_t step = std::max<std::size_t>(1, points.size() / judged);
   for (std::size_t i = 0; i < points.size(); i += step)

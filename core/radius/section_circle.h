@@ -40,7 +40,7 @@ using MeasuredCircle = std::variant<FittedCircle, NoRadius>;
 /// of about 110 degrees.
 [[nodiscard]] double leastCoverage(RadiusMeasure measure);
 
-/// The circle that the points of a section tell of.
+/// The circle that the points of a section show.
 ///
 /// RadiusMeasure::circle: of circles through three points drawn at random, the one with the least
 /// median distance to all, then Taubin's circle through the points within 2.5 standard deviations

@@ -95,10 +95,10 @@ private:
       before = at;
       at = *widest;
     }
-    const Vector3d way = skeleton_[at].position - skeleton_[id].position;
-    const double length = way.norm();
+    const Vector3d span = skeleton_[at].position - skeleton_[id].position;
+    const double length = span.norm();
     const std::size_t nodes = std::min(reach, nodesBeyond(id, first));
-    return {first, length > 0 ? Vector3d(way / length) : Vector3d::Zero(),
+    return {first, length > 0 ? Vector3d(span / length) : Vector3d::Zero(),
             static_cast<double>(nodes) / static_cast<double>(reach)};
   }
 

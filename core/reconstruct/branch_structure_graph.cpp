@@ -102,7 +102,7 @@ std::vector<double> radiiOf(const std::vector<double>& weights, double mean) {
   return radii;
 }
 
-/// Takes away the nodes at the end of short edges; what they carry hangs on the node below.
+/// Takes away the nodes at the end of short edges; what they carry is attached to the node below.
 void removeShortEdges(PointTree& tree, double share) {
   if (tree.size() < 3) return;
   std::vector<double> lengths;

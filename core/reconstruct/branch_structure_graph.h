@@ -23,7 +23,7 @@ struct BranchStructureOptions {
 
 /// Skeleton of a plant by a branch structure graph: a tree over all points, made smooth and simple.
 ///
-/// A tree of shortest ways leads to all points. Each of its edges weighs what it carries. In
+/// A tree of shortest paths leads to all points. Each of its edges weighs what it carries. In
 /// each round, directions are found that agree with the edges and with each other along the tree,
 /// then positions that agree with these directions and with the middles of the edges as they were:
 /// heavy branches get straight, and stay in place. Then the tree is filtered: edges that are short

@@ -110,10 +110,10 @@ Line smoothedLine(const Line& line, double share, int rounds) {
 
 std::optional<Vector3d> directionAt(const Line& line, std::size_t at) {
   assert(at < line.size());
-  const Vector3d way = line[std::min(at + 1, line.size() - 1)] - line[at > 0 ? at - 1 : 0];
-  const double length = way.norm();
+  const Vector3d along = line[std::min(at + 1, line.size() - 1)] - line[at > 0 ? at - 1 : 0];
+  const double length = along.norm();
   if (length == 0) return std::nullopt;
-  return way / length;
+  return along / length;
 }
 
 std::optional<WoodSection> sectionAt(const Vector3d& place, const Vector3d& axis,

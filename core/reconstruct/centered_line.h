@@ -15,7 +15,7 @@ namespace espalier {
 [[nodiscard]] double distanceToLine(const Eigen::Vector3d& place,
                                     const std::vector<Eigen::Vector3d>& line);
 
-/// The same way from end to end by places that are evenly spaced along it, as near to `step` as
+/// The same line from end to end by places that are evenly spaced along it, as near to `step` as
 /// their number allows; at least its two ends. pre: two places or more, step > 0
 /// Time O(places + length / step).
 [[nodiscard]] std::vector<Eigen::Vector3d> spacedEvenly(const std::vector<Eigen::Vector3d>& line,

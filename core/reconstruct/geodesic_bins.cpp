@@ -17,7 +17,7 @@ namespace {
 
 using Groups = GeodesicGroups;
 
-/// A tree of the shortest ways over the centroids.
+/// A tree of the shortest paths over the centroids.
 Skeleton shortestTreeOf(const Groups& groups) {
   const std::size_t count = groups.centroids.size();
   std::vector<double> distance(count, std::numeric_limits<double>::infinity());
@@ -47,7 +47,7 @@ Skeleton shortestTreeOf(const Groups& groups) {
   return skeleton;
 }
 
-/// What it costs to hang a group on another.
+/// What it costs to attach a group to another.
 double costOf(const Groups& groups, std::uint32_t from, std::uint32_t to, double turnCost) {
   const Eigen::Vector3d link = groups.centroids[to] - groups.centroids[from];
   const double length = link.norm();

@@ -13,18 +13,18 @@ struct GeodesicBinOptions {
   PointLinks neighbors = 12;     // of each point; more of them bridge wider gaps
   Length binWidth = spacings(6); // [L] along the plant, > 0
   Length widestGap = 0; // [L] parts of the plant farther apart are not joined; 0 = join all
-  double turnCost = 0;  // >= 0; 0: parents follow the shortest ways, else see below
+  double turnCost = 0;  // >= 0; 0: parents follow the shortest paths, else see below
 };
 
 /// Skeleton of a plant by binning the geodesic distance of its points to the root.
 ///
 /// Links each point to its nearest neighbors, joins what falls apart by the shortest bridges,
 /// measures along these links how far each point is from `root`, and makes one node per connected
-/// part of each bin, at the centroid of its points. Parents follow the shortest ways over the
+/// part of each bin, at the centroid of its points. Parents follow the shortest paths over the
 /// nodes, or, with a cost of turns, are chosen for all nodes at once: of all trees over neighboring
 /// parts that with the least sum of link length * (1 + turnCost * linearity * sin^2 of the angle
 /// between the link and the points of the upper part). So a twig that touches another is not taken
-/// over by it: the link across costs more than that along, however short the way over it is.
+/// over by it: the link across costs more than that along, however short the path over it is.
 ///
 /// @param points   3 x N, a column per point [L], finite
 /// @param root     column of a point at the foot of the trunk, in [0, N)

@@ -11,15 +11,15 @@
 namespace espalier {
 namespace {
 
-std::vector<std::uint32_t> binsOf(const Geodesics& ways, double binWidth) {
-  std::vector<std::uint32_t> bins(ways.distance.size(), noGroup);
+std::vector<std::uint32_t> binsOf(const Geodesics& paths, double binWidth) {
+  std::vector<std::uint32_t> bins(paths.distance.size(), noGroup);
   for (std::size_t i = 0; i < bins.size(); ++i)
-    if (std::isfinite(ways.distance[i]))
-      bins[i] = static_cast<std::uint32_t>(static_cast<double>(ways.distance[i]) / binWidth);
+    if (std::isfinite(paths.distance[i]))
+      bins[i] = static_cast<std::uint32_t>(static_cast<double>(paths.distance[i]) / binWidth);
   return bins;
 }
 
-/// Numbers the connected parts of each bin, and tells which touch each other.
+/// Numbers the connected parts of each bin, and lists which touch each other.
 void group(GeodesicGroups& groups, const NeighborhoodGraph& graph,
            const std::vector<std::uint32_t>& bins) {
   groups.ofPoint.assign(bins.size(), noGroup);
@@ -94,13 +94,13 @@ void measure(GeodesicGroups& groups, const Eigen::Matrix3Xf& points, std::size_t
 
 GeodesicGroups geodesicGroups(const NeighborhoodGraph& graph, const Eigen::Matrix3Xf& points,
                               Eigen::Index root, double binWidth, const Progress& progress) {
-  Geodesics ways = geodesics(graph, {root}, 1, progress);
-  const auto reached = std::count_if(ways.distance.begin(), ways.distance.end(),
+  Geodesics paths = geodesics(graph, {root}, 1, progress);
+  const auto reached = std::count_if(paths.distance.begin(), paths.distance.end(),
                                      [](float d) { return std::isfinite(d); });
   requireHalf(reached, points.cols());
   GeodesicGroups groups;
-  group(groups, graph, binsOf(ways, binWidth));
-  groups.distances = std::move(ways.distance);
+  group(groups, graph, binsOf(paths, binWidth));
+  groups.distances = std::move(paths.distance);
   groups.root = groups.ofPoint[static_cast<std::size_t>(root)];
   measure(groups, points, groups.bins.size());
   return groups;

@@ -40,9 +40,9 @@ struct Seed {
 class Colony {
 public:
   Colony(const Eigen::Matrix3Xf& points, const std::vector<float>& densities,
-         const NeighborhoodGraph& graph, const Geodesics& ways,
+         const NeighborhoodGraph& graph, const Geodesics& paths,
          const GraphColonizationOptions& options)
-      : points_(points), densities_(densities), graph_(graph), ways_(ways), options_(options),
+      : points_(points), densities_(densities), graph_(graph), paths_(paths), options_(options),
         groupOf_(densities.size(), ungrouped) {}
 
   Skeleton grow(Eigen::Index root, const Progress& progress) {
@@ -63,7 +63,7 @@ private:
     return options_.leastStep + density * (options_.greatestStep - options_.leastStep);
   }
   [[nodiscard]] double distance(std::uint32_t point) const {
-    return static_cast<double>(ways_.distance[point]);
+    return static_cast<double>(paths_.distance[point]);
   }
 
   /// The points without a group next to `group`, by their number.
@@ -99,7 +99,7 @@ private:
     if (std::isfinite(later)) buds_.push({later, bud.number});
   }
 
-  /// Takes all points up to `end` that hang together with `first` and have no group for a new one.
+  /// Takes all points up to `end` that are connected with `first` and have no group for a new one.
   /// @return those of `seeds` that are among them
   std::vector<Seed> seedsWith(std::uint32_t first, const std::vector<Seed>& seeds, double end) {
     const auto number = static_cast<std::uint32_t>(groups_.size());
@@ -152,7 +152,7 @@ private:
   const Eigen::Matrix3Xf& points_;
   const std::vector<float>& densities_;
   const NeighborhoodGraph& graph_;
-  const Geodesics& ways_;
+  const Geodesics& paths_;
   const GraphColonizationOptions& options_;
   std::vector<std::uint32_t> groupOf_;             // by point
   std::vector<std::vector<std::uint32_t>> groups_; // their points
@@ -173,10 +173,10 @@ Skeleton skeletonByGraphColonization(const Eigen::Matrix3Xf& points,
   const float widestGap = options.widestGap > 0 ? static_cast<float>(options.widestGap)
                                                 : std::numeric_limits<float>::max();
   const NeighborhoodGraph graph = joined(parts, points, widestGap, progress.part(0.4, 0.6));
-  const Geodesics ways = geodesics(graph, {root}, 1, progress.part(0.6, 0.8));
-  requireHalf(std::ranges::count_if(ways.distance, [](float d) { return std::isfinite(d); }),
+  const Geodesics paths = geodesics(graph, {root}, 1, progress.part(0.6, 0.8));
+  requireHalf(std::ranges::count_if(paths.distance, [](float d) { return std::isfinite(d); }),
               points.cols());
-  Colony colony(points, densities, graph, ways, options);
+  Colony colony(points, densities, graph, paths, options);
   return colony.grow(root, progress.part(0.8, 1));
 }
 

@@ -25,8 +25,8 @@ struct GraphColonizationOptions {
 /// As in skeletonByGeodesicBins, nodes are connected groups of points of a range of geodesic
 /// distance to the root. But each group decides how far the groups behind it reach, by the density
 /// of the points at its end: far in thick wood, which is seen from near, less in twigs. The group
-/// that ends nearest to the root grows first, and takes all points within its reach that hang
-/// together with it: no other group can take them then. Where the next points lie beyond the
+/// that ends nearest to the root grows first, and takes all points within its reach that are
+/// connected with it: no other group can take them then. Where the next points lie beyond the
 /// reach, across a gap, a group sleeps, as a latent bud does, until the others have come as far.
 ///
 /// @param points    3 x N, a column per point [L], finite

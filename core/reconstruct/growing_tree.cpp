@@ -151,7 +151,7 @@ std::vector<GrowingTree::Gap> GrowingTree::onePerClump(const std::vector<Gap>& g
 
 std::vector<GrowingTree::Shoot> GrowingTree::shootsAcrossGaps(double widestGap,
                                                               const Progress& progress) {
-  constexpr std::size_t fewest = 3; // points that tell a twig from dust
+  constexpr std::size_t fewest = 3; // points that distinguish a twig from dust
   updateGaps(progress);
   const double widest = widestGap > 0 ? widestGap : std::numeric_limits<double>::infinity();
   isDust_.resize(attractors_.size(), false);

@@ -45,7 +45,7 @@ public:
   [[nodiscard]] std::optional<Shoot> shootTowards(std::uint32_t node,
                                                   const std::vector<std::uint32_t>& pulling) const;
 
-  /// Where growth goes on when it has ended: at points that no node is in reach of, hung on the
+  /// Where growth goes on when it has ended: at points that no node is in reach of, attached to the
   /// nodes nearest to them. Nearest first; once for all points that lie together, each in reach of
   /// another, and not for those that stand alone. What lies much farther off than the nearest waits
   /// until that has grown.

@@ -91,7 +91,7 @@ private:
     return result;
   }
 
-  /// The way on from an end of a fragment; 0 where that is a single node.
+  /// The direction outwards from an end of a fragment; 0 where that is a single node.
   [[nodiscard]] Vector3d outwardsFrom(const Fragments& fragments, NodeId end) const {
     constexpr int edges = 4; // single ones stray
     NodeId before = end;
@@ -103,14 +103,14 @@ private:
       before = at;
       at = *on;
     }
-    const Vector3d way = skeleton_[end].position - skeleton_[at].position;
-    const double length = way.norm();
-    return length > 0 ? Vector3d(way / length) : Vector3d::Zero();
+    const Vector3d span = skeleton_[end].position - skeleton_[at].position;
+    const double length = span.norm();
+    return length > 0 ? Vector3d(span / length) : Vector3d::Zero();
   }
 
   /// 0 for straight on, more the more it turns; between the two where there is no direction.
-  [[nodiscard]] double turn(const Vector3d& way, const Vector3d& direction) const {
-    return options_.turnCost * (1 - way.dot(direction)) / 2;
+  [[nodiscard]] double turn(const Vector3d& outwards, const Vector3d& direction) const {
+    return options_.turnCost * (1 - outwards.dot(direction)) / 2;
   }
 
   const Skeleton& skeleton_;
@@ -154,15 +154,15 @@ bridgesOf(const Skeleton& skeleton, const Fragments& fragments, const GapOptions
   return bridges;
 }
 
-/// Hangs a fragment, turned around where need be, on a node of another.
-void hang(Skeleton& skeleton, const Bridge& bridge, NodeId entry) {
-  std::vector<NodeId> way = {bridge.to}; // down to where it was entered
-  while (way.back() != entry)
-    way.push_back(*skeleton[way.back()].parent);
-  for (const NodeId id : way)
+/// Attaches a fragment, turned around where need be, to a node of another.
+void attach(Skeleton& skeleton, const Bridge& bridge, NodeId entry) {
+  std::vector<NodeId> path = {bridge.to}; // down to where it was entered
+  while (path.back() != entry)
+    path.push_back(*skeleton[path.back()].parent);
+  for (const NodeId id : path)
     skeleton.makeRoot(id);
-  for (std::size_t i = 1; i < way.size(); ++i)
-    skeleton.reparent(way[i], way[i - 1], EdgeType::successor);
+  for (std::size_t i = 1; i < path.size(); ++i)
+    skeleton.reparent(path[i], path[i - 1], EdgeType::successor);
   skeleton.reparent(bridge.to, bridge.from, EdgeType::successor);
 }
 
@@ -185,7 +185,7 @@ Skeleton withJoinedGaps(const Skeleton& skeleton, const GapOptions& options,
   const std::vector<int> chosen = minimumArborescence(count, 0, links);
   for (std::uint32_t fragment = 0; fragment < count; ++fragment)
     if (chosen[fragment] >= 0) result.makeRoot(fragments.entries[fragment]);
-  // From the root's fragment up, so that nothing is hung on what it carries.
+  // From the root's fragment up, so that nothing is attached to what it carries.
   std::vector<std::vector<std::uint32_t>> carried(count);
   for (std::uint32_t fragment = 0; fragment < count; ++fragment)
     if (chosen[fragment] >= 0)
@@ -193,8 +193,8 @@ Skeleton withJoinedGaps(const Skeleton& skeleton, const GapOptions& options,
   std::vector<std::uint32_t> open = {0};
   for (std::size_t i = 0; i < open.size(); ++i)
     for (const std::uint32_t fragment : carried[open[i]]) {
-      hang(result, bridges[static_cast<std::size_t>(chosen[fragment])],
-           fragments.entries[fragment]);
+      attach(result, bridges[static_cast<std::size_t>(chosen[fragment])],
+             fragments.entries[fragment]);
       open.push_back(fragment);
     }
   progress.update(1);

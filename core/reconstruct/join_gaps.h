@@ -14,7 +14,7 @@ struct GapOptions {
   Length backCost = spacings(20); // [L] what it costs that a branch points back, >= 0
 };
 
-/// `skeleton` with the gaps in it bridged by direction: a long edge is the shortest way to wood
+/// `skeleton` with the gaps in it bridged by direction: a long edge is the shortest path to wood
 /// that no scanner saw the foot of, but often not the one it grew.
 ///
 /// Long edges are cut, which leaves fragments; what two nodes stand for, twice their radii, is no
@@ -22,14 +22,14 @@ struct GapOptions {
 /// in reach. A link costs its length, times what the turns at both its ends add, times 1 + half the
 /// difference of the logarithms of radii where it joins two tips; and, by `backCost`, the branches
 /// that point back in a fragment entered there (see backwardBranches): whole crowns that were
-/// entered from above hang on their feet again. Of all ways to hang the fragments on each other and
-/// at last on that of the root, the one with the least sum of costs is taken; fragments are turned
-/// around where that enters them elsewhere.
+/// entered from above are attached to their feet again. Of all ways to attach the fragments to each
+/// other and at last to that of the root, the one with the least sum of costs is taken; fragments
+/// are turned around where that enters them elsewhere.
 ///
 /// What no link in reach leads to stays on its long edge. Trees beside the first keep to
 /// themselves.
 /// pre: radii are finite: what the points of a node lie off it, or 0
-/// @return all edges are successors again where they were re-hung (see withAssembledAxes)
+/// @return all edges are successors again where they were re-attached (see withAssembledAxes)
 /// @throws Cancelled if `progress` asks to stop
 /// Deterministic. Time O(n log n + ends * nodes in reach).
 /// Source of the choice: core/graph/arborescence.h. The costs follow the rule of plants that wood

@@ -69,7 +69,7 @@ private:
                                       : Eigen::Vector3d(along.unitOrthogonal())};
   }
 
-  /// By clusters where points are dense enough to tell them, by cones elsewhere.
+  /// By clusters where points are dense enough to find them, by cones elsewhere.
   [[nodiscard]] std::vector<std::vector<std::size_t>> groupsOf(std::uint32_t node,
                                                                const View& view) const {
     const bool areEnough = view.points.size() >= fewestForClusters;

@@ -37,8 +37,8 @@ PointTree shortestPathTree(const Eigen::Matrix3Xf& points, Eigen::Index root,
   const float widestGap = options.widestGap > 0 ? static_cast<float>(options.widestGap)
                                                 : std::numeric_limits<float>::max();
   const NeighborhoodGraph graph = joined(parts, points, widestGap, progress.part(0.5, 0.7));
-  const Geodesics ways = geodesics(graph, {root}, options.power, progress.part(0.7, 1));
-  requireHalf(std::ranges::count_if(ways.distance, [](float d) { return std::isfinite(d); }),
+  const Geodesics paths = geodesics(graph, {root}, options.power, progress.part(0.7, 1));
+  requireHalf(std::ranges::count_if(paths.distance, [](float d) { return std::isfinite(d); }),
               points.cols());
   // The root comes first: it and the point that was first change places.
   const auto swapped = [&](std::size_t point) {
@@ -50,8 +50,8 @@ PointTree shortestPathTree(const Eigen::Matrix3Xf& points, Eigen::Index root,
   for (std::size_t i = 0; i < positions.size(); ++i) {
     const std::size_t number = swapped(i);
     positions[number] = points.col(static_cast<Eigen::Index>(i)).cast<double>();
-    if (ways.predecessor[i] != Geodesics::none)
-      children[swapped(ways.predecessor[i])].push_back(static_cast<std::uint32_t>(number));
+    if (paths.predecessor[i] != Geodesics::none)
+      children[swapped(paths.predecessor[i])].push_back(static_cast<std::uint32_t>(number));
   }
   return renumbered(positions, children);
 }

@@ -26,7 +26,7 @@ struct PointTree {
   [[nodiscard]] Eigen::Vector3d edge(std::size_t node) const { // from the parent; pre: not the root
     return positions[node] - positions[parents[node]];
   }
-  /// Length of the longest way down from each node [L].
+  /// Length of the longest path down from each node [L].
   [[nodiscard]] std::vector<double> longestDown() const;
   /// Length of all edges that each node carries [L].
   [[nodiscard]] std::vector<double> lengthCarried() const;
@@ -38,11 +38,11 @@ struct PointTreeOptions {
   double widestGap = 0;      // [L] parts farther apart are not joined; 0 = join all
 };
 
-/// The shortest ways from `root` to all points that links lead to.
+/// The shortest paths from `root` to all points that links lead to.
 ///
 /// Points are linked to their nearest neighbors, and what falls apart is joined by the shortest
-/// bridges. With power 2 the ways are nearly those of the links of a Delaunay triangulation, and of
-/// all links there can be: a link pays only if no point lies in the sphere over it.
+/// bridges. With power 2 the paths are nearly those of the links of a Delaunay triangulation, and
+/// of all links there can be: a link pays only if no point lies in the sphere over it.
 /// @param points 3 x N [L], finite
 /// @throws Error     if under half of the points can be reached
 /// @throws Cancelled if `progress` asks to stop
@@ -51,7 +51,7 @@ struct PointTreeOptions {
                                          const PointTreeOptions& options,
                                          const Progress& progress = {});
 
-/// The nodes that hang on node 0 by `children`, numbered anew.
+/// The nodes that are attached to node 0 by `children`, numbered anew.
 [[nodiscard]] PointTree renumbered(const std::vector<Eigen::Vector3d>& positions,
                                    const PointTree::Children& children);
 

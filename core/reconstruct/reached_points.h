@@ -7,7 +7,7 @@
 
 namespace espalier {
 
-/// @throws Error if under half of the points hang together with the root
+/// @throws Error if under half of the points are connected with the root
 void requireHalf(Eigen::Index reached, Eigen::Index all);
 
 /// `skeleton` with the mean distance from each node to the points nearest to it as its radius [L];

@@ -16,16 +16,16 @@ namespace {
 using Children = PointTree::Children;
 
 constexpr int mostRounds = 10;
-constexpr double allometry = 1.1; // of the radius, by the longest way down
+constexpr double allometry = 1.1; // of the radius, by the longest path down
 
 /// Mean distance of the lowest twentieth of the plant from its axis.
 double radiusAtFoot(const PointTree& tree) {
   const double part = tree.longestDown().front() / 20;
-  std::vector<double> way(tree.size(), 0);
+  std::vector<double> fromRoot(tree.size(), 0);
   std::vector<Eigen::Vector3d> foot = {tree.positions.front()};
   for (std::size_t i = 1; i < tree.size(); ++i) {
-    way[i] = way[tree.parents[i]] + tree.edge(i).norm();
-    if (way[i] <= part) foot.push_back(tree.positions[i]);
+    fromRoot[i] = fromRoot[tree.parents[i]] + tree.edge(i).norm();
+    if (fromRoot[i] <= part) foot.push_back(tree.positions[i]);
   }
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& position : foot)
@@ -70,7 +70,7 @@ public:
   }
 
 private:
-  /// [L] of the wood around a node, from which the longest way down is `down`.
+  /// [L] of the wood around a node, from which the longest path down is `down`.
   [[nodiscard]] double radius(double down) const {
     const double share = height_ > 0 ? down / height_ : 0;
     return std::max<double>(options_.leastRadius, footRadius_ * std::pow(share, allometry));
@@ -83,9 +83,9 @@ private:
     for (std::size_t node = 0; node < tree_.size(); ++node) {
       const std::uint32_t longest = longestChild(children[node], down);
       std::erase_if(children[node], [&](std::uint32_t child) {
-        const double way = down[child] + tree_.edge(child).norm();
+        const double length = down[child] + tree_.edge(child).norm();
         return child != longest &&
-               (way < options_.leastShare * down[node] || way < radius(down[node]));
+               (length < options_.leastShare * down[node] || length < radius(down[node]));
       });
     }
     tree_ = renumbered(tree_.positions, children);
@@ -96,8 +96,8 @@ private:
     std::uint32_t best = PointTree::none;
     double most = -1;
     for (const std::uint32_t child : children)
-      if (const double way = down[child] + tree_.edge(child).norm(); way > most) {
-        most = way;
+      if (const double length = down[child] + tree_.edge(child).norm(); length > most) {
+        most = length;
         best = child;
       }
     return best;
@@ -133,10 +133,10 @@ private:
           if (areOne(order[next], here[a], here[b], down[order[next]])) {
             mergeInto(here[a], here[b], down, children);
           } else if (runsPast(order[next], here[a], here[b], down[order[next]])) {
-            hangOn(order[next], here[a], here[b], down, children);
+            attachTo(order[next], here[a], here[b], down, children);
           } else if (runsPast(order[next], here[b], here[a], down[order[next]])) {
             std::swap(here[a], here[b]);
-            hangOn(order[next], here[a], here[b], down, children);
+            attachTo(order[next], here[a], here[b], down, children);
           } else {
             ++b;
             continue;
@@ -175,8 +175,8 @@ private:
   }
 
   /// `far` goes on from `near`, which moves to between itself and the edge past it.
-  void hangOn(std::uint32_t parent, std::uint32_t near, std::uint32_t far,
-              std::vector<double>& down, Children& children) {
+  void attachTo(std::uint32_t parent, std::uint32_t near, std::uint32_t far,
+                std::vector<double>& down, Children& children) {
     const Eigen::Vector3d& from = tree_.positions[parent];
     const Eigen::Vector3d along = tree_.positions[far] - from;
     const Eigen::Vector3d past =

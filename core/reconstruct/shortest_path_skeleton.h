@@ -14,7 +14,7 @@ namespace espalier {
 struct ShortestPathOptions {
   PointLinks neighbors = 16;    // of each point
   double power = 2;             // a link costs its length to this power, in [1, 4]
-  double leastShare = 0.019;    // of the longest way down, in [0, 1]: less is pruned
+  double leastShare = 0.019;    // of the longest path down, in [0, 1]: less is pruned
   Length spacing = spacings(6); // [L] between nodes, > 0
   double mergeAngle = 25 * std::numbers::pi / 180; // [rad] siblings closer than this may be one
   Length leastRadius = spacings(2); // [L] > 0: how far points lie off the axis even of a twig
@@ -22,15 +22,15 @@ struct ShortestPathOptions {
   Length widestGap = 0; // [L] parts of the plant farther apart are not joined; 0 = join all
 };
 
-/// Skeleton of a plant from the shortest ways over its points, made simpler, as AdTree does.
+/// Skeleton of a plant from the shortest paths over its points, made simpler, as AdTree does.
 ///
-/// A tree of shortest ways from the root to all points, where many short links are preferred to
-/// a leap. Of it go the branches whose longest way is a small share of that of the wood they stand
+/// A tree of shortest paths from the root to all points, where many short links are preferred to
+/// a leap. Of it go the branches whose longest path is a small share of that of the wood they stand
 /// on, and those that end inside this wood. Then, as long as anything changes: siblings that run
 /// beside each other within the wood become one, at their mean, weighted by what they carry; where
-/// one is shorter, the longer goes on from it; and nodes on a way without branches go that lie
+/// one is shorter, the longer goes on from it; and nodes on a path without branches go that lie
 /// within the wood about the line past them. The radius of the wood is measured at the foot and
-/// shrinks with the longest way down, to the power 1.1.
+/// shrinks with the longest path down, to the power 1.1.
 ///
 /// @param points 3 x N, a column per point [L], finite; best contracted
 /// @param root   column of a point at the foot of the trunk, in [0, N)

@@ -16,8 +16,8 @@ struct ThickWoodOptions {
 /// `points` with those of thick wood moved to its axis; the others stay.
 ///
 /// Methods that follow points leave strands on wood so thick that contraction left its points a
-/// tube. Its axis goes through the middles of the pieces that bins of the distance to the root cut
-/// it into, six times as wide as `radius`, and in a second round, of what is thinner than three
+/// cylinder. Its axis goes through the middles of the pieces that bins of the distance to the root
+/// cut it into, six times as wide as `radius`, and in a second round, of what is thinner than three
 /// times that, three times as wide. Wood is as thick as the mean distance of the points of a piece
 /// to the axis there.
 ///

@@ -39,8 +39,8 @@ std::shared_ptr<const Eigen::Matrix3Xf> contract(const PointCloud& cloud, double
       cloud.positions(), {.neighbors = 7, .radius = radius * spacing}, progress));
 }
 
-/// Is a fifth of the way, and more than one place of it, away from all of the others?
-bool isOtherWay(const Trace& trace, const std::vector<Trace>& others, double apart) {
+/// Is a fifth of the path, and more than one place of it, away from all of the others?
+bool isOtherPath(const Trace& trace, const std::vector<Trace>& others, double apart) {
   std::size_t away = 0;
   for (const Eigen::Vector3d& place : trace.places)
     if (std::ranges::all_of(others, [&](const Trace& other) {
@@ -76,7 +76,7 @@ std::vector<double> filled(std::vector<double> radii) {
 } // namespace
 
 /// Points from the start to the end.
-struct TraceGraph::Way {
+struct TraceGraph::PointPath {
   std::vector<std::uint32_t> points;
 };
 
@@ -107,13 +107,13 @@ std::vector<Trace> TraceGraph::between(const TraceEnd& from, const TraceEnd& to,
   std::vector<bool> isExpensive(static_cast<std::size_t>(cloud_->size()), false);
   std::vector<Trace> traces;
   for (int tried = 0; tried <= options.alternatives; ++tried) {
-    const Way way = wayBetween(first, last, isExpensive, progress);
-    Trace trace = traceOf(way.points, from, to, options.step);
+    const PointPath path = pointPath(first, last, isExpensive, progress);
+    Trace trace = traceOf(path.points, from, to, options.step);
     const bool isFirst = traces.empty();
     if (!isFirst && trace.length() > 3 * traces.front().length()) break;
-    if (isFirst || isOtherWay(trace, traces, std::max(options.step, 4 * spacing_)))
+    if (isFirst || isOtherPath(trace, traces, std::max(options.step, 4 * spacing_)))
       traces.push_back(std::move(trace));
-    for (const std::uint32_t point : woodAlong(way.points, reach / 2))
+    for (const std::uint32_t point : woodAlong(path.points, reach / 2))
       isExpensive[point] = true;
   }
   return traces;
@@ -131,9 +131,9 @@ Trace TraceGraph::through(const std::vector<Eigen::Vector3d>& places, bool start
 }
 
 Eigen::Vector3d TraceGraph::farthestFrom(const Eigen::Vector3d& place) const {
-  const std::vector<float> ways =
+  const std::vector<float> distances =
       geodesics(graph_, {static_cast<Eigen::Index>(pointAt({place, false}))}).distance;
-  return cloud_->position(std::ranges::max_element(ways) - ways.begin());
+  return cloud_->position(std::ranges::max_element(distances) - distances.begin());
 }
 
 Eigen::Vector3f TraceGraph::local(const Eigen::Vector3d& place) const {
@@ -146,11 +146,11 @@ std::uint32_t TraceGraph::pointAt(const TraceEnd& end) const {
   return static_cast<std::uint32_t>(nearestPoint(points, local(end.place)));
 }
 
-TraceGraph::Way TraceGraph::wayBetween(std::uint32_t from, std::uint32_t to,
-                                       const std::vector<bool>& isExpensive,
-                                       const Progress& progress) const {
+TraceGraph::PointPath TraceGraph::pointPath(std::uint32_t from, std::uint32_t to,
+                                            const std::vector<bool>& isExpensive,
+                                            const Progress& progress) const {
   constexpr float widestLink = 4; // in spacings: one of this length costs twice its length
-  constexpr float bark = 0.1F;    // share of the way over the bark that counts
+  constexpr float bark = 0.1F;    // share of the path over the bark that counts
   constexpr float expense = 6;
   const Eigen::Matrix3Xf& places = *contracted_;
   const auto spacing = static_cast<float>(spacing_ > 0 ? spacing_ : 1);
@@ -163,7 +163,7 @@ TraceGraph::Way TraceGraph::wayBetween(std::uint32_t from, std::uint32_t to,
         ((places.col(point) - places.col(link.to)).norm() + bark * link.length) * (1 + leap * leap);
     return isExpensive[point] && isExpensive[link.to] ? expense * cost : cost;
   };
-  // No way is shorter than the straight one: the search goes towards the end (A*).
+  // No path is shorter than the straight one: the search goes towards the end (A*).
   const auto left = [&](std::uint32_t point) {
     return (places.col(point) - places.col(to)).norm();
   };
@@ -185,11 +185,11 @@ TraceGraph::Way TraceGraph::wayBetween(std::uint32_t from, std::uint32_t to,
       queue.push({cost + left(link.to), link.to});
     }
   }
-  Way way;
+  PointPath path;
   for (std::uint32_t point = to; point != noPoint; point = before[point])
-    way.points.push_back(point);
-  std::ranges::reverse(way.points);
-  return way;
+    path.points.push_back(point);
+  std::ranges::reverse(path.points);
+  return path;
 }
 
 std::vector<std::uint32_t> TraceGraph::woodAlong(const std::vector<std::uint32_t>& points,
@@ -223,7 +223,7 @@ std::vector<Eigen::Vector3d> TraceGraph::slabAround(std::uint32_t seed,
                                                     const Eigen::Vector3d& place,
                                                     const Eigen::Vector3d& axis,
                                                     double step) const {
-  constexpr float widestLink = 4; // in spacings: what hangs by more is other wood
+  constexpr float widestLink = 4; // in spacings: what is linked by more is other wood
   const double widest = std::max(3 * step, 8 * spacing_); // off the place
   std::vector<std::uint32_t> met = {seed};
   std::unordered_set<std::uint32_t> isMet = {seed};

@@ -20,7 +20,7 @@ struct TraceEnd {
   bool isFixed = false;  // the trace ends exactly there; else in the middle of the wood there
 };
 
-/// A way along the wood, with an entry per node to be made.
+/// A path along the wood, with an entry per node to be made.
 struct Trace {
   std::vector<Eigen::Vector3d> places; // from end to end [L], frame of the file; two or more
   /// Of the wood at each place [L]; even between places where it is known, 0 before and behind
@@ -32,15 +32,15 @@ struct Trace {
 
 struct TraceOptions {
   double step = 0;      // [L] between places, > 0; they are spaced evenly, as near to it as may be
-  int alternatives = 2; // how many other ways are looked for, >= 0
+  int alternatives = 2; // how many other paths are looked for, >= 0
 };
 
 /// What all traces through one scan share: made once, then asked again and again, by any threads.
 ///
 /// The points are linked to their nearest neighbors, and parts that fall apart by shortest bridges.
-/// A way from point to point costs the distance between the places that the two contract to, so it
-/// is the length of the axis that counts and not how the way winds over the bark; a leap over a gap
-/// costs more the wider it is.
+/// A path from point to point costs the distance between the places that the two contract to, so it
+/// is the length of the axis that counts and not how the path winds over the bark; a leap over a
+/// gap costs more the wider it is.
 ///
 /// Places of a trace lie within 1.5 spacings of the points beside the wood, or amid thick wood; so
 /// none is in a gap. Ends that are fixed are where they are.
@@ -57,34 +57,34 @@ public:
   [[nodiscard]] const std::shared_ptr<const PointCloud>& cloud() const { return cloud_; }
   [[nodiscard]] double spacing() const { return spacing_; } // between neighboring points [L]
 
-  /// The shortest way from one place to another, then ways that clearly differ from it, best first.
+  /// The shortest path from one place to another, then others that clearly differ, best first.
   ///
-  /// Other ways are found by making the wood of those before expensive; one that runs along them
-  /// for most of its length, or is thrice as long as the first, is no other way.
+  /// Other paths are found by making the wood of those before expensive; one that runs along them
+  /// for most of its length, or is thrice as long as the first, is no other path.
   /// @return at least one
   /// @throws Cancelled if `progress` asks to stop
-  /// Deterministic. Time O(m log m) for m points nearer than the end (A*), per way.
+  /// Deterministic. Time O(m log m) for m points nearer than the end (A*), per path.
   [[nodiscard]] std::vector<Trace> between(const TraceEnd& from, const TraceEnd& to,
                                            const TraceOptions& options,
                                            const Progress& progress = {}) const;
 
-  /// A way through given places, as by a hand that drew along the points: its ends are as told, all
-  /// places between move to the middle of the wood.
+  /// A path through given places, as by a hand that drew along the points: its ends are as given,
+  /// all places between move to the middle of the wood.
   /// @param places two or more, in order [L]
   [[nodiscard]] Trace through(const std::vector<Eigen::Vector3d>& places, bool startIsFixed,
                               const TraceOptions& options, const Progress& progress = {}) const;
 
-  /// The point to which the way over the points is longest, from the one nearest to a place [L].
+  /// The point to which the path over the points is longest, from the one nearest to a place [L].
   /// Time O(N log N).
   [[nodiscard]] Eigen::Vector3d farthestFrom(const Eigen::Vector3d& place) const;
 
 private:
-  struct Way;
+  struct PointPath;
   [[nodiscard]] Eigen::Vector3f local(const Eigen::Vector3d& place) const;
   [[nodiscard]] std::uint32_t pointAt(const TraceEnd& end) const;
-  [[nodiscard]] Way wayBetween(std::uint32_t from, std::uint32_t to,
-                               const std::vector<bool>& isExpensive,
-                               const Progress& progress) const;
+  [[nodiscard]] PointPath pointPath(std::uint32_t from, std::uint32_t to,
+                                    const std::vector<bool>& isExpensive,
+                                    const Progress& progress) const;
   [[nodiscard]] std::vector<std::uint32_t> woodAlong(const std::vector<std::uint32_t>& points,
                                                      float reach) const;
   [[nodiscard]] std::vector<Eigen::Vector3d> slabAround(std::uint32_t seed,

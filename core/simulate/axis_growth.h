@@ -32,7 +32,7 @@ struct AxisSeed {
   double apexRadius = 0;
 };
 
-/// The way an axis took: positions[0] is its base. Frames move along without twisting.
+/// The course that an axis took: positions[0] is its base. Frames move along without twisting.
 struct Course {
   std::vector<Eigen::Vector3d> positions;
   std::vector<Eigen::Vector3d> directions; // unit, one per position

@@ -19,7 +19,7 @@ constexpr double degrees = pi / 180;
 
 /// Wood that may bear organs.
 struct Stretch : Frustum {
-  double wayToApex = 0; // [L], from its upper end to the farthest apex
+  double lengthToApex = 0; // [L], from its upper end to the farthest apex
 };
 
 void check(const OrganHabit& habit, const char* what) {
@@ -34,24 +34,25 @@ void check(const OrganHabit& habit, const char* what) {
 }
 
 /// By id [L].
-std::vector<double> waysToApex(const Skeleton& plant, const std::vector<NodeId>& ids) {
-  std::vector<double> ways(plant.idEnd(), 0);
+std::vector<double> lengthsToApex(const Skeleton& plant, const std::vector<NodeId>& ids) {
+  std::vector<double> lengths(plant.idEnd(), 0);
   for (std::size_t i = ids.size(); i-- > 0;) { // children first
     const NodeId id = ids[i];
     const auto parent = plant[id].parent;
     if (!parent) continue;
-    const double way = ways[indexOf(id)] + (plant[id].position - plant[*parent].position).norm();
-    ways[indexOf(*parent)] = std::max(ways[indexOf(*parent)], way);
+    const double above =
+        lengths[indexOf(id)] + (plant[id].position - plant[*parent].position).norm();
+    lengths[indexOf(*parent)] = std::max(lengths[indexOf(*parent)], above);
   }
-  return ways;
+  return lengths;
 }
 
 std::vector<Stretch> stretchesOf(const Skeleton& plant) {
   const std::vector<NodeId> ids = plant.ids();
-  const std::vector<double> ways = waysToApex(plant, ids);
+  const std::vector<double> lengths = lengthsToApex(plant, ids);
   std::vector<Stretch> stretches;
   for (const EdgeSolid& piece : woodOf(plant))
-    stretches.push_back({piece, ways[indexOf(*piece.node)]});
+    stretches.push_back({piece, lengths[indexOf(*piece.node)]});
   return stretches;
 }
 
@@ -78,7 +79,7 @@ public:
       const double length = axis.norm();
       if (!(length > 0)) continue;
       for (double at = gap(habit); at < length; at += gap(habit)) {
-        if (stretch.wayToApex + length - at > habit.reach * extent_) continue;
+        if (stretch.lengthToApex + length - at > habit.reach * extent_) continue;
         if (++count_ > mostOrgans)
           throw Error("foliage: over 10 million organs; ask for a greater spacing");
         grow(placeAt(stretch, axis / length, at / length, habit));

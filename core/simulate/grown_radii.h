@@ -17,10 +17,10 @@ struct GrownRadiusOptions {
 /// The plant with radii that follow from what each node carries.
 ///
 /// r = apexRadius w^k, where w = 1 at an apex and grows by all that joins: the sum over the
-/// children plus a part for the length of wood on the way, so that axes taper between branchings
-/// too. The exponent k follows from the two radii given. With even node spacing this is the
-/// node-count pipe model that fits published expert structures to rounding. On it, each axis is by
-/// chance thicker or thinner, as real ones are, but nowhere thicker than the node that bears it.
+/// children plus a part for the length of wood on the path, so that axes become thinner between
+/// branchings too. The exponent k follows from the two radii given. With even node spacing this is
+/// the node-count pipe model that fits published expert structures to rounding. On it, each axis is
+/// by chance thicker or thinner, as real ones are, but nowhere thicker than the node that bears it.
 ///
 /// @throws Error if the radii are not positive and ordered
 /// Deterministic. Time and memory O(N).

@@ -24,12 +24,12 @@ struct GrowthOptions {
 /// A plant that no one measured, with everything about it known.
 ///
 /// Axes are grown one by one, the longest first, so that a plant of few segments is the same kind
-/// of plant without its twigs. An axis strays, turns to the sky or hangs, gives way to the wood
+/// of plant without its twigs. An axis strays, turns to the sky or droops, gives way to the wood
 /// around it, and ends where it would run into some. It bears branches by the phyllotaxy of its
 /// habit, their length and angle following from where on the axis they stand; some rival the axis
 /// and push it aside. Radii follow from what each node carries.
 ///
-/// @return one tree, its root at the origin, z up: the longest stem first, each branch hanging from
+/// @return one tree, its root at the origin, z up: the longest stem first, each branch attached to
 ///         the node of its parent's axis that it starts at
 /// @throws Error     if an option is out of its range, or there is no room for so many segments
 /// @throws Cancelled if `progress` asks to stop

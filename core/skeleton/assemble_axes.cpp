@@ -11,7 +11,7 @@
 namespace espalier {
 namespace {
 
-/// Length of the edge to each node and of all that hangs on it, by id [L].
+/// Length of the edge to each node and of all that is attached to it, by id [L].
 std::vector<double> lengthsWithEdges(const Skeleton& skeleton, const std::vector<NodeId>& ids) {
   std::vector<double> lengths = carriedLengths(skeleton);
   for (const NodeId id : ids)
@@ -29,29 +29,30 @@ NodeId heaviestChild(const std::vector<NodeId>& children, const std::vector<doub
 }
 
 /// The nodes from a child on, along what carries most, `reach` edges at most.
-std::vector<NodeId> wayOn(const Skeleton& skeleton, NodeId child,
-                          const std::vector<double>& carried, int reach) {
-  std::vector<NodeId> way = {child};
-  for (int i = 1; i < reach && !skeleton.children(way.back()).empty(); ++i)
-    way.push_back(heaviestChild(skeleton.children(way.back()), carried));
-  return way;
+std::vector<NodeId> pathOn(const Skeleton& skeleton, NodeId child,
+                           const std::vector<double>& carried, int reach) {
+  std::vector<NodeId> path = {child};
+  for (int i = 1; i < reach && !skeleton.children(path.back()).empty(); ++i)
+    path.push_back(heaviestChild(skeleton.children(path.back()), carried));
+  return path;
 }
 
-/// Angle between the ways into a node and out of it to the last of `way`, over some edges [rad].
-double turn(const Skeleton& skeleton, const std::vector<NodeId>& way, int reach) {
-  const NodeId node = *skeleton[way.front()].parent;
+/// Angle between the directions into a node and out of it to the last of `path`, each over several
+/// edges [rad].
+double turn(const Skeleton& skeleton, const std::vector<NodeId>& path, int reach) {
+  const NodeId node = *skeleton[path.front()].parent;
   NodeId before = node;
   for (int i = 0; i < reach && skeleton[before].parent; ++i)
     before = *skeleton[before].parent;
   const Eigen::Vector3d in = skeleton[node].position - skeleton[before].position;
-  const Eigen::Vector3d out = skeleton[way.back()].position - skeleton[node].position;
+  const Eigen::Vector3d out = skeleton[path.back()].position - skeleton[node].position;
   return std::atan2(in.cross(out).norm(), in.dot(out)); // 0 at a root
 }
 
-/// The middle one of the radii along `way` that are known; 0 if none is.
-double radiusAlong(const std::vector<NodeId>& way, const std::vector<double>& radii) {
+/// The middle one of the radii along `path` that are known; 0 if none is.
+double radiusAlong(const std::vector<NodeId>& path, const std::vector<double>& radii) {
   std::vector<double> known;
-  for (const NodeId id : way)
+  for (const NodeId id : path)
     if (!radii.empty() && radii[indexOf(id)] > 0) known.push_back(radii[indexOf(id)]);
   if (known.empty()) return 0;
   const auto middle = known.begin() + static_cast<std::ptrdiff_t>(known.size() / 2);
@@ -112,11 +113,11 @@ Skeleton withAssembledAxes(const Skeleton& skeleton, const AxisOptions& options,
     if (children.empty()) continue;
     candidates.clear();
     for (const NodeId child : children) {
-      const std::vector<NodeId> way = wayOn(skeleton, child, carried, options.reach);
+      const std::vector<NodeId> path = pathOn(skeleton, child, carried, options.reach);
       candidates.push_back({.child = child,
                             .carried = carried[indexOf(child)],
-                            .turn = turn(skeleton, way, options.reach),
-                            .radius = radiusAlong(way, radii)});
+                            .turn = turn(skeleton, path, options.reach),
+                            .radius = radiusAlong(path, radii)});
     }
     const std::optional<NodeId> successor = successorAmong(candidates, options);
     for (const NodeId child : children) {

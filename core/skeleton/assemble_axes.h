@@ -24,9 +24,9 @@ inline constexpr AxisOptions weighedAxes{.straightness = 6, .thickness = 1};
 /// carries, how much it turns and how thick it is, unless it turns off too sharply; all others
 /// branch. Where there is one child only, the axis goes on: no expert lets one begin there.
 ///
-/// What a child carries is the length of all that hangs on it, so node spacing does not decide.
-/// Turn and radius are measured over several edges, since single ones are short and stray. A child
-/// whose radius is not known is as thick as its thickest sibling.
+/// What a child carries is the length of all that is attached to it, so node spacing does not
+/// decide. Turn and radius are measured over several edges, since single ones are short and stray.
+/// A child whose radius is not known is as thick as its thickest sibling.
 ///
 /// @param radii by id [L], 0 where none is known; empty: `thickness` has no say
 /// Deterministic. Time O(n reach). Source: PlantScan3D counts nodes and looks at single edges, and

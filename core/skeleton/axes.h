@@ -16,7 +16,7 @@ using Axis = std::vector<NodeId>;
 /// The order of one node. Time O(depth).
 [[nodiscard]] int order(const Skeleton& skeleton, NodeId id); // pre: contains(id)
 
-/// The axes of a skeleton; each comes after the one it hangs on. Where a node has several
+/// The axes of a skeleton; each comes after the one that bears it. Where a node has several
 /// successors, the one with the lowest id continues the axis and the others begin their own. O(N).
 [[nodiscard]] std::vector<Axis> axes(const Skeleton& skeleton);
 
@@ -26,7 +26,7 @@ using Axis = std::vector<NodeId>;
 /// The axis that a node is part of. pre: contains(id). Time O(length of the axis).
 [[nodiscard]] Axis axisThrough(const Skeleton& skeleton, NodeId id);
 
-/// Length of an axis along its nodes [L], with the edge to the node it hangs on.
+/// Length of an axis along its nodes [L], with the edge to the node that bears it.
 [[nodiscard]] double length(const Skeleton& skeleton, const Axis& axis);
 
 } // namespace espalier

@@ -13,7 +13,7 @@ namespace espalier {
 // node than it found, and is refused before it changes anything. pre, of all: each id given is
 // contained.
 
-/// Hangs a chain of new nodes on `parent`, or makes a tree of its own of it.
+/// Attaches a chain of new nodes to `parent`, or makes a tree of its own of it.
 ///
 /// It continues the axis of `parent` if that has no successor, else it branches. No new node is
 /// thicker than `parent`, if that has a radius; one without radius has that of the one before.
@@ -23,21 +23,20 @@ namespace espalier {
 NodeId addBranch(SkeletonEditor& editor, std::optional<NodeId> parent,
                  const std::vector<Eigen::Vector3d>& places, const std::vector<double>& radii);
 
-/// Removes all that `id` carries, and hangs there what the root of `part` carries: that root stands
-/// for `id`, which stays as it is. Edges keep their types.
-/// pre: `part` has one root
+/// Removes all that `id` carries, and attaches there what the root of `part` carries: that root
+/// stands for `id`, which stays as it is. Edges keep their types. pre: `part` has one root
 void replaceCarried(SkeletonEditor& editor, NodeId id, const Skeleton& part);
 
-/// Hangs on `id` what the root of `part` carries: that root stands for `id`, which stays as it is.
-/// The first goes on with the axis of `id` if nothing does, the others branch; edges above keep
+/// Attaches to `id` what the root of `part` carries: that root stands for `id`, which stays as it
+/// is. The first goes on with the axis of `id` if nothing does, the others branch; edges above keep
 /// their types. pre: `part` has one root
 /// @return the first new nodes
 std::vector<NodeId> addCarried(SkeletonEditor& editor, NodeId id, const Skeleton& part);
 
 /// Lets two branches that cross exchange what lies beyond the crossing: `a`, with all it carries,
-/// hangs where `b` did and `b` where `a` did, by the same types of edges. Units that start at one
-/// go with it; for scales where none does, it joins those of its new parent.
-/// @throws Error if one is a root, both hang on one node, or one carries the other
+/// goes to where `b` was attached and `b` to where `a` was, by the same types of edges. Units that
+/// start at one go with it; for scales where none does, it joins those of its new parent.
+/// @throws Error if one is a root, both are attached to one node, or one carries the other
 void exchangeArms(SkeletonEditor& editor, NodeId a, NodeId b);
 
 } // namespace espalier

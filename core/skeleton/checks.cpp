@@ -129,7 +129,7 @@ public:
 
   /// How far a branch turns from what bears it: its first edge from the edge below, and its first
   /// few edges from a few below. The less of the two: edges that begin amid wood stray, and a
-  /// branch may hang over from its first edge on.
+  /// branch may droop from its first edge on.
   [[nodiscard]] double off(NodeId branch) const {
     constexpr int reach = 4; // edges
     const NodeId foot = *skeleton_[branch].parent;

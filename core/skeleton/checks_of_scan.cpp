@@ -40,7 +40,7 @@ std::vector<std::vector<Eigen::Index>> clusters(const Eigen::Matrix3Xf& points, 
   return result;
 }
 
-/// What is told of a cluster of points of a cloud.
+/// What is reported of a cluster of points of a cloud.
 Finding clusterFinding(const std::vector<Eigen::Index>& points, const PointDistances& distances) {
   const PointCloud& cloud = *distances.cloud();
   Finding finding{.kind = Kind::unexplainedPoints,
@@ -143,7 +143,7 @@ struct Check {
     return index.nearestIf((place - cloud.origin()).cast<float>(), reach, isEnough).has_value();
   }
 
-  /// The stretch at the beginning of a branch, if it is worth telling.
+  /// The stretch at the beginning of a branch, if it is worth reporting.
   [[nodiscard]] std::optional<Finding> look(NodeId branch) const {
     Finding finding{.kind = Finding::Kind::noOwnPoints, .node = branch};
     bool isOver = false;
@@ -159,8 +159,8 @@ struct Check {
         if (!isOver) finding.amount += body.length() / steps;
       }
     }
-    const bool isTold = finding.amount > options.ownLength * spacing;
-    return isTold ? std::optional(std::move(finding)) : std::nullopt;
+    const bool isReported = finding.amount > options.ownLength * spacing;
+    return isReported ? std::optional(std::move(finding)) : std::nullopt;
   }
 };
 

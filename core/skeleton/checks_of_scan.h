@@ -22,7 +22,7 @@ namespace espalier {
                                                        const Progress& progress = {});
 
 /// Edges that no point is near to along more than half of them: what the skeleton has too much, or
-/// nobody saw. Those that hang on each other are one finding, at the lowest of them.
+/// nobody saw. Those that are connected are one finding, at the lowest of them.
 /// @param index   of the positions of `cloud`
 /// @param spacing between neighboring points [L]
 /// @throws Cancelled if `progress` asks to stop
@@ -32,12 +32,12 @@ edgesWithoutPoints(const Skeleton& skeleton, const PointCloud& cloud, const Spat
                    double spacing, const CheckOptions& options, const Progress& progress = {});
 
 /// Branches that begin with a stretch along which no points are their own: spurs, and branches that
-/// hang across a gap on wood they do not grow from. Points may lie all about such a stretch, as
-/// long as other wood explains them.
+/// are attached across a gap to wood they do not grow from. Points may lie all about such a
+/// stretch, as long as other wood explains them.
 ///
 /// A point is a branch's own if its surface, or that of what it carries, is the nearest there is,
 /// and no other wood is within `ownBeside` spacings. What of a branch is that near to other wood
-/// says nothing of it and is passed over. A branch is told if it begins with over `ownLength`
+/// says nothing of it and is passed over. A branch is reported if it begins with over `ownLength`
 /// spacings, or is that much as a whole, that have under `ownCount` own points within reach.
 /// @param distances of the points of the scan to `skeleton`
 /// @param index     of the positions of their cloud

@@ -13,10 +13,10 @@
 namespace espalier {
 namespace {
 
-/// Ways along a plant: how far its nodes are from their roots.
-class Ways {
+/// Path lengths along a plant: how far its nodes are from their roots.
+class PathLengths {
 public:
-  Ways(const Skeleton& skeleton, const std::vector<NodeId>& ids)
+  PathLengths(const Skeleton& skeleton, const std::vector<NodeId>& ids)
       : skeleton_(skeleton), levels_(skeleton.idEnd()), lengths_(skeleton.idEnd()) {
     for (const NodeId id : ids)
       if (const auto parent = skeleton[id].parent) {
@@ -25,7 +25,7 @@ public:
       }
   }
 
-  /// Between two places, each a share of the way up to a node [L]; infinite between two trees.
+  /// Between two places, each a share of the edge up to a node [L]; infinite between two trees.
   [[nodiscard]] double between(NodeId a, double shareA, NodeId b, double shareB) const {
     const double toA = lengths_[indexOf(a)] - (1 - shareA) * edgeLength(skeleton_, a);
     const double toB = lengths_[indexOf(b)] - (1 - shareB) * edgeLength(skeleton_, b);
@@ -63,7 +63,7 @@ std::vector<std::uint32_t> axisNumbers(const Skeleton& skeleton) {
   return numbers;
 }
 
-/// Numbers of the nodes that edges hang on: those of one node meet there, and all their boxes do.
+/// Numbers of the nodes that bear edges: those of one node meet there, and all their boxes do.
 std::vector<std::uint32_t> parentsOf(const Skeleton& skeleton, const std::vector<EdgeBody>& edges) {
   std::vector<std::uint32_t> parents;
   parents.reserve(edges.size());
@@ -87,7 +87,7 @@ std::vector<Finding> crossings(const Skeleton& skeleton, double spacing,
   const std::vector<NodeId> ids = skeleton.ids();
   const std::vector<EdgeBody> edges = bodiesOf(skeleton);
   const std::vector<std::uint32_t> axis = axisNumbers(skeleton);
-  const Ways ways(skeleton, ids);
+  const PathLengths lengths(skeleton, ids);
   std::vector<Eigen::AlignedBox3d> boxes;
   boxes.reserve(edges.size());
   for (const EdgeBody& edge : edges)
@@ -111,7 +111,7 @@ std::vector<Finding> crossings(const Skeleton& skeleton, double spacing,
       const double wood = edges[i].body.radiusAt(near.a) + edges[k].body.radiusAt(near.b);
       const double touching = std::max(wood, thin);
       if (near.distance > touching) return;
-      if (ways.between(a, near.a, b, near.b) <= options.detour * touching) return;
+      if (lengths.between(a, near.a, b, near.b) <= options.detour * touching) return;
       Touch& touch = touches[std::minmax(axis[indexOf(a)], axis[indexOf(b)])];
       const double gap = near.distance - wood;
       if (gap > touch.gap || (gap == touch.gap && i > touch.edge)) return;

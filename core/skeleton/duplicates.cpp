@@ -30,7 +30,7 @@ struct Samples {
   std::vector<std::size_t> axes;
 };
 
-/// At most `spacing` [L] apart, its nodes included; without the node that an axis hangs on.
+/// At most `spacing` [L] apart, its nodes included; without the node that bears an axis.
 Samples sampled(const Skeleton& skeleton, const std::vector<Axis>& axes, double spacing) {
   Samples samples;
   const auto add = [&](const Eigen::Vector3d& place, std::size_t axis) {
@@ -41,11 +41,11 @@ Samples sampled(const Skeleton& skeleton, const std::vector<Axis>& axes, double 
     add(skeleton[axes[i].front()].position, i);
     for (std::size_t k = 1; k < axes[i].size(); ++k) {
       const Eigen::Vector3d& from = skeleton[axes[i][k - 1]].position;
-      const Eigen::Vector3d way = skeleton[axes[i][k]].position - from;
+      const Eigen::Vector3d edge = skeleton[axes[i][k]].position - from;
       constexpr double most = 1000; // one edge across a plant of tiny ones
-      const double parts = std::min(std::ceil(way.norm() / spacing), most);
+      const double parts = std::min(std::ceil(edge.norm() / spacing), most);
       for (double part = 1; part <= parts; ++part)
-        add(from + part / parts * way, i);
+        add(from + part / parts * edge, i);
     }
   }
   return samples;

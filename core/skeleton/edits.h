@@ -24,17 +24,17 @@ void moveNode(SkeletonEditor& editor, NodeId id, const Eigen::Vector3d& position
 /// Moves all nodes by `shift` [L].
 void moveAll(SkeletonEditor& editor, const Eigen::Vector3d& shift);
 
-/// Hangs a new node on `parent`, with the radius of `parent`. It continues the axis if `parent` has
-/// no successor, else it branches. It joins the units of `parent`.
+/// Attaches a new node to `parent`, with the radius of `parent`. It continues the axis if `parent`
+/// has no successor, else it branches. It joins the units of `parent`.
 NodeId addChild(SkeletonEditor& editor, NodeId parent, const Eigen::Vector3d& position);
 
-/// Puts a new node on the edge of `id` to its parent, `fraction` of the way from the parent, in
+/// Puts a new node on the edge of `id` to its parent, at `fraction` of it from the parent, in
 /// [0, 1]. It takes over the type of the edge and `id` follows it; its radius is interpolated.
 /// Units that started at `id` start at it; a mark moves to it.
 /// @throws Error if `id` is a root
 NodeId splitEdge(SkeletonEditor& editor, NodeId id, double fraction);
 
-/// Removes a node; its children hang on its parent from then on.
+/// Removes a node; its children are attached to its parent from then on.
 ///
 /// Its successor takes over its edge, so an axis stays one axis; its other children branch. When a
 /// root goes, its successor or only child becomes the root and carries the others; with several
@@ -46,9 +46,9 @@ void removeNode(SkeletonEditor& editor, NodeId id);
 /// Removes a node with all it carries. Any depth.
 void removeSubtree(SkeletonEditor& editor, NodeId id);
 
-/// Hangs `id`, with all it carries, on `parent`: as its successor if it has none, else branching.
-/// Nothing changes if it hangs there already. Units that start at `id` go with it; for scales where
-/// none does, it and what it carries join those of `parent`.
+/// Attaches `id`, with all it carries, to `parent`: as its successor if it has none, else
+/// branching. Nothing changes if it is attached there already. Units that start at `id` go with it;
+/// for scales where none does, it and what it carries join those of `parent`.
 /// @throws Error if `parent` is `id` or a descendant of it
 void reparentNode(SkeletonEditor& editor, NodeId id, NodeId parent);
 

@@ -9,9 +9,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int stretches = 6;        // that a step is gone in
-constexpr std::size_t fewest = 3;   // points that are more than dust
-constexpr double pull = 0.5;        // share of the way to the middle of the points, each stretch
+constexpr int stretches = 6;      // that a step is gone in
+constexpr std::size_t fewest = 3; // points that are more than dust
+constexpr double pull = 0.5;      // share of the distance to the middle of the points, each stretch
 constexpr double persistence = 0.5; // share of the old direction in the new one
 
 /// The middle of the points around `center` that lie ahead of `from`; none if they are too few.
@@ -50,10 +50,10 @@ std::optional<Vector3d> extendAlong(const SpatialIndex& index, const Eigen::Matr
     if (!middle) break;
     const Vector3d off = *middle - next;
     const Vector3d aside = pull * (off - off.dot(ahead) * ahead);
-    const Vector3d way = (next + aside - place).normalized();
-    place += stretch * way;
+    const Vector3d onward = (next + aside - place).normalized();
+    place += stretch * onward;
     gone += stretch;
-    ahead = (persistence * ahead + (1 - persistence) * way).normalized();
+    ahead = (persistence * ahead + (1 - persistence) * onward).normalized();
   }
   if (gone < options.step / 4) return std::nullopt;
   return place;

@@ -10,7 +10,7 @@ namespace espalier {
 
 struct ExtendOptions {
   double step = 0;  // [L] how far to go, > 0
-  double reach = 0; // [L] points within this of the way belong to the same wood, > 0; a sixth of
+  double reach = 0; // [L] points within this of the path belong to the same wood, > 0; a sixth of
                     // the step if that is more
 };
 

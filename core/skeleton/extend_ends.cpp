@@ -10,7 +10,7 @@
 namespace espalier {
 namespace {
 
-/// An end of the skeleton and the way out of it.
+/// An end of the skeleton and the direction out of it.
 struct End {
   NodeId node;
   Eigen::Vector3d outwards; // as long as the last edge

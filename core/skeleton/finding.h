@@ -21,8 +21,8 @@ struct Finding {
     noLength,           // the edge to the parent has no length
     duplicatedEdge,     // the edge to the parent lies on another one
     sharpTurn,          // the axis turns back at the node, or the branch that begins there
-    crossing,           // touches a branch that it does not hang on
-    radiusAboveParent,  // thicker than what the node hangs on
+    crossing,           // touches a branch that does not bear it
+    radiusAboveParent,  // thicker than what bears the node
     edgesWithoutPoints, // nothing of the scan is near
     noOwnPoints,        // a branch begins where all points are of other wood
     unexplainedPoints   // points of the scan that no edge is near

@@ -11,7 +11,7 @@
 
 namespace espalier {
 
-/// A tapered edge as a body: the radius goes evenly from one end to the other.
+/// An edge as a body: the radius goes evenly from one end to the other.
 struct Frustum {
   Eigen::Vector3d from;  // [L], at the parent
   Eigen::Vector3d to;    // [L]

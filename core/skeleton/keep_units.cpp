@@ -81,8 +81,8 @@ void passOnUnits(SkeletonEditor& editor, const std::vector<Entity>& entities,
   }
 }
 
-void hangInItsUnits(SkeletonEditor& editor, NodeId id, std::optional<NodeId> parent,
-                    EdgeType edge) {
+void attachInItsUnits(SkeletonEditor& editor, NodeId id, std::optional<NodeId> parent,
+                      EdgeType edge) {
   const std::vector<Start> before = inheritedUnits(editor.skeleton(), id);
   if (parent)
     editor.reparent(id, *parent, edge);

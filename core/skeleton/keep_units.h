@@ -11,15 +11,15 @@ namespace espalier {
 // the nodes given are contained.
 
 /// Lets the coarser units of a removed node start at those of its children that were part of them.
-/// pre: the children hang where they will
+/// pre: the children are attached where they will be
 void passOnUnits(SkeletonEditor& editor, const std::vector<Entity>& entities,
                  const std::vector<NodeId>& children);
 
-/// Hangs `id`, with all it carries, on `parent`, or makes it a root, and leaves it in its units:
+/// Attaches `id`, with all it carries, to `parent`, or makes it a root, and leaves it in its units:
 /// where it came to them through its old parent, further parts of them start at it. Time O(depth).
 /// @throws Error if `parent` is `id` or a descendant of it
-void hangInItsUnits(SkeletonEditor& editor, NodeId id, std::optional<NodeId> parent,
-                    EdgeType edge = EdgeType::successor);
+void attachInItsUnits(SkeletonEditor& editor, NodeId id, std::optional<NodeId> parent,
+                      EdgeType edge = EdgeType::successor);
 
 /// Joins parts of units that start at `id` and say nothing but their name to those of the same name
 /// that its parent is part of: what was cut is one again. Units without index are left.

@@ -8,21 +8,21 @@ namespace espalier {
 namespace {
 
 /// From the root to the node.
-std::vector<NodeId> wayTo(const Skeleton& skeleton, NodeId id) {
-  std::vector<NodeId> way;
+std::vector<NodeId> pathTo(const Skeleton& skeleton, NodeId id) {
+  std::vector<NodeId> path;
   for (std::optional<NodeId> at = id; at; at = skeleton[*at].parent)
-    way.push_back(*at);
-  std::ranges::reverse(way);
-  return way;
+    path.push_back(*at);
+  std::ranges::reverse(path);
+  return path;
 }
 
-/// From the foot of the edge of `way[first]` to a place on the last edge of the way.
-double lengthOf(const Skeleton& skeleton, const std::vector<NodeId>& way, std::size_t first,
+/// From the foot of the edge of `path[first]` to a place on the last edge of the path.
+double lengthOf(const Skeleton& skeleton, const std::vector<NodeId>& path, std::size_t first,
                 const SkeletonPlace& place) {
   double length = 0;
-  for (std::size_t i = first; i + 1 < way.size(); ++i)
-    length += edgeLength(skeleton, way[i]);
-  return length + place.fraction * edgeLength(skeleton, way.back());
+  for (std::size_t i = first; i + 1 < path.size(); ++i)
+    length += edgeLength(skeleton, path[i]);
+  return length + place.fraction * edgeLength(skeleton, path.back());
 }
 
 } // namespace
@@ -50,16 +50,16 @@ Eigen::Vector3d positionOf(const Skeleton& skeleton, const SkeletonPlace& place)
 
 std::optional<double> lengthAlong(const Skeleton& skeleton, const SkeletonPlace& from,
                                   const SkeletonPlace& to) {
-  const std::vector<NodeId> a = wayTo(skeleton, from.node);
-  const std::vector<NodeId> b = wayTo(skeleton, to.node);
+  const std::vector<NodeId> a = pathTo(skeleton, from.node);
+  const std::vector<NodeId> b = pathTo(skeleton, to.node);
   if (a.front() != b.front()) return std::nullopt;
   const auto shared = static_cast<std::size_t>(std::ranges::mismatch(a, b).in1 - a.begin()); // >= 1
-  // One on the way to the other: both are measured from the foot of the last edge they share.
-  const bool isOnTheWay = shared == a.size() || shared == b.size();
-  const std::size_t first = isOnTheWay ? shared - 1 : shared;
+  // One on the path to the other: both are measured from the foot of the last edge they share.
+  const bool isOnPath = shared == a.size() || shared == b.size();
+  const std::size_t first = isOnPath ? shared - 1 : shared;
   const double lengthA = lengthOf(skeleton, a, first, from);
   const double lengthB = lengthOf(skeleton, b, first, to);
-  return isOnTheWay ? std::abs(lengthA - lengthB) : lengthA + lengthB;
+  return isOnPath ? std::abs(lengthA - lengthB) : lengthA + lengthB;
 }
 
 } // namespace espalier

@@ -21,7 +21,7 @@ struct SkeletonPlace {
 /// Where a place is [L]. pre: the skeleton has its node
 [[nodiscard]] Eigen::Vector3d positionOf(const Skeleton& skeleton, const SkeletonPlace& place);
 
-/// The length of the way along edges from one place to another [L]; none if they are in different
+/// The length of the path along edges from one place to another [L]; none if they are in different
 /// trees. Time O(depth). pre: the skeleton has both nodes
 [[nodiscard]] std::optional<double> lengthAlong(const Skeleton& skeleton, const SkeletonPlace& from,
                                                 const SkeletonPlace& to);

@@ -120,7 +120,7 @@ void space(SkeletonEditor& editor, const CutStretch& stretch) {
   }
 }
 
-/// The nodes of an axis, after the one it hangs on.
+/// The nodes of an axis, after the one that bears it.
 std::vector<NodeId> withBearer(const Skeleton& skeleton, const Axis& axis) {
   std::vector<NodeId> result;
   if (skeleton[axis.front()].parent) result.push_back(*skeleton[axis.front()].parent);

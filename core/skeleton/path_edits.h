@@ -6,7 +6,7 @@
 
 namespace espalier {
 
-// Edits of many nodes along a path at once. A path is a way along edges (pathBetween, pathOf), and
+// Edits of many nodes along a path at once. A path leads along edges (pathBetween, pathOf), and
 // its two ends stay as they are. Each leaves a valid forest with at most one successor more per
 // node than it found, and is refused before it changes anything. pre, of all: the nodes are
 // contained.
@@ -24,7 +24,7 @@ void straighten(SkeletonEditor& editor, const std::vector<NodeId>& path);
 void interpolateRadii(SkeletonEditor& editor, const std::vector<NodeId>& path);
 
 /// Removes the nodes between the ends that only continue an axis: branching nodes, those that units
-/// of an MTG start at, and marked ones stay, so what hangs on what is the same.
+/// of an MTG start at, and marked ones stay, so what is attached to what is the same.
 /// @throws Error if there is none
 void thinOut(SkeletonEditor& editor, const std::vector<NodeId>& path);
 

@@ -17,8 +17,8 @@ namespace espalier {
 /// the radius there: negative inside the wood. Without nodes all distances are infinite.
 ///
 /// Points are taken in runs that lie close together, and the edges that may be nearest to any of a
-/// run are found once for all of it. What is told of a run follows from the skeleton alone, so that
-/// update() gives, bit for bit, what is computed anew.
+/// run are found once for all of it. What is computed of a run follows from the skeleton alone, so
+/// that update() gives, bit for bit, what is computed anew.
 class PointDistances {
 public:
   /// @param spacing between neighboring points [L]: sets the size of a run, not the result

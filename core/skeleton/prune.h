@@ -16,7 +16,7 @@ struct SpurOptions {
 /// leave on it. Shortest first; when one is gone, what it sat on may be longer than it seemed, and
 /// stay.
 ///
-/// The foot of a spur is the branching node it hangs on; its length runs from there to its tip.
+/// The foot of a spur is the branching node that bears it; its length runs from there to its tip.
 /// An unbranched plant is never pruned, and the longest end of each branching stays.
 /// Time O(n log n).
 [[nodiscard]] Skeleton withoutSpurs(const Skeleton& skeleton, const SpurOptions& options,

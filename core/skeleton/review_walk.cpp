@@ -106,9 +106,10 @@ std::optional<std::size_t> stretchOf(const std::vector<Stretch>& stretches, Node
 }
 
 std::optional<std::size_t> walk(const Skeleton& skeleton, const std::vector<Stretch>& stretches,
-                                std::optional<std::size_t> from, WalkTo to, WalkWay way) {
+                                std::optional<std::size_t> from, WalkTo to,
+                                WalkDirection direction) {
   const std::size_t count = stretches.size();
-  const bool isForward = way == WalkWay::forward;
+  const bool isForward = direction == WalkDirection::forward;
   std::size_t at = from.value_or(isForward ? count - 1 : 0);
   for (std::size_t tried = 0; tried < count; ++tried) {
     at = (at + (isForward ? 1 : count - 1)) % count;

@@ -12,9 +12,9 @@ namespace espalier {
 /// What a reviewer looks at in one go: neighboring nodes of one axis, from the root outward.
 using Stretch = std::vector<NodeId>; // not empty
 
-/// The axes in the order in which one walks along them: the trunk, then each axis that hangs on it,
-/// from its foot to its tip, followed by what that carries. So a branch is done, twigs and all,
-/// before the next begins. O(N).
+/// The axes in the order in which one walks along them: the trunk, then each axis that is attached
+/// to it, from its foot to its tip, followed by what that carries. So a branch is done, twigs and
+/// all, before the next begins. O(N).
 [[nodiscard]] std::vector<Axis> axesInWalkOrder(const Skeleton& skeleton);
 
 /// The stretches of all axes in that order: each node is in one. A stretch ends at a node with
@@ -39,14 +39,14 @@ enum class WalkTo : std::uint8_t {
   openEnd,     // an apex that is not reviewed
   branching    // a node with several children that is not reviewed
 };
-enum class WalkWay : std::uint8_t { forward, backward };
+enum class WalkDirection : std::uint8_t { forward, backward };
 
 /// The next stretch of this kind after `from`, and from the other end on once the walk is through;
 /// `from` itself comes last. None: there is none of the kind. O(N).
-/// @param from  none: before the first, or behind the last if the way is backward
+/// @param from  none: before the first, or behind the last if the direction is backward
 [[nodiscard]] std::optional<std::size_t> walk(const Skeleton& skeleton,
                                               const std::vector<Stretch>& stretches,
                                               std::optional<std::size_t> from, WalkTo to,
-                                              WalkWay way = WalkWay::forward);
+                                              WalkDirection direction = WalkDirection::forward);
 
 } // namespace espalier

@@ -147,7 +147,7 @@ std::vector<NodeId> pathBetween(const Skeleton& skeleton, NodeId from, NodeId to
     down.pop_back();
   }
   if (up.size() > 1 && down.size() == 1) return up; // `to` carries `from`
-  up.pop_back();                                    // the node where the ways meet is in `down`
+  up.pop_back();                                    // the node where the paths meet is in `down`
   up.insert(up.end(), down.rbegin(), down.rend());
   return up;
 }

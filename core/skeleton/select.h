@@ -49,7 +49,7 @@ namespace espalier {
 /// All nodes that are to do or doubtful.
 [[nodiscard]] std::vector<NodeId> notReviewed(const Skeleton& skeleton);
 
-/// The way along edges from one node to another, both included. Time O(depth).
+/// The path along edges from one node to another, both included. Time O(depth).
 /// @throws Error if they belong to different trees
 [[nodiscard]] std::vector<NodeId> pathBetween(const Skeleton& skeleton, NodeId from, NodeId to);
 

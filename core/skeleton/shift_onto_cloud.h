@@ -22,7 +22,7 @@ namespace espalier {
 [[nodiscard]] std::optional<Eigen::Vector3d> shiftOntoCloud(const Skeleton& skeleton,
                                                             const PointCloud& cloud);
 
-/// What tells that a structure is not one of a scan.
+/// What shows that a structure is not one of a scan.
 struct Misfit {
   double size = 1;           // extent of the structure over that of the scan
   bool isOfOtherSize = true; // else it is as large, but lies outside of the scan

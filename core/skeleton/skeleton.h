@@ -56,7 +56,7 @@ public:
   void setMarked(NodeId id, bool isMarked);                     // pre: contains(id)
   void setReview(NodeId id, ReviewMark review);                 // pre: contains(id)
 
-  /// Hangs `id`, with all it carries, on `parent`.
+  /// Attaches `id`, with all it carries, to `parent`.
   /// @throws Error if `parent` is `id` or a descendant of it
   void reparent(NodeId id, NodeId parent, EdgeType edge);
   void makeRoot(NodeId id); // pre: contains(id); keeps what it carries

@@ -37,7 +37,7 @@ struct SkeletonDelta {
 ///
 /// Unless committed, destruction takes the whole edit back: an edit that throws leaves no trace.
 ///
-/// A node that is moved, hangs elsewhere, or has another type of edge is no longer as it was
+/// A node that is moved, is attached elsewhere, or has another type of edge is no longer as it was
 /// reviewed: unless the same edit changes its mark, it is to do again, as every new node is; its
 /// comment stays. Radii are fitted late and for the whole plant: they leave marks as they are.
 class SkeletonEditor {

@@ -21,18 +21,18 @@ struct Station {
 /// Branches that leave an axis at one place.
 struct Insertion {
   double along = 0;  // of the axis [L]
-  double weight = 0; // how sharply their lines tell the place
+  double weight = 0; // how sharply their lines give the place
   std::vector<NodeId> branches;
 };
 
-/// The way back from a branch: from its first node, against its direction.
-struct WayBack {
+/// The line back from a branch: from its first node, against its direction.
+struct LineBack {
   Vector3d start;
   Vector3d direction; // unit
   double length = 0;  // how far it is followed [L]
 };
 
-std::optional<WayBack> wayBackFrom(const Skeleton& skeleton, NodeId branch) {
+std::optional<LineBack> lineBackFrom(const Skeleton& skeleton, NodeId branch) {
   constexpr int edges = 3; // single ones stray
   NodeId far = branch;
   for (int i = 0; i < edges; ++i) {
@@ -45,30 +45,30 @@ std::optional<WayBack> wayBackFrom(const Skeleton& skeleton, NodeId branch) {
   const double length = back.norm();
   if (!(length > 0)) return std::nullopt;
   const double gap = (start - skeleton[*skeleton[branch].parent].position).norm();
-  return WayBack{start, back / length, 2 * gap};
+  return LineBack{start, back / length, 2 * gap};
 }
 
-/// Where a way back comes nearest to an edge, and how near.
+/// Where a line back comes nearest to an edge, and how near.
 struct Approach {
   double share = 0; // of the edge, from its lower end
   double distance = std::numeric_limits<double>::infinity();
   double sharpness = 0; // squared sine of the angle between the two
 };
 
-Approach nearestOn(const Vector3d& lower, const Vector3d& upper, const WayBack& way) {
+Approach nearestOn(const Vector3d& lower, const Vector3d& upper, const LineBack& line) {
   const Vector3d along = upper - lower;
-  const Vector3d between = way.start - lower;
+  const Vector3d between = line.start - lower;
   const double a = along.squaredNorm();
   if (a == 0) return {};
-  const double b = along.dot(way.direction);
+  const double b = along.dot(line.direction);
   const double parallel = a - b * b; // of unit directions: sin^2, times a
   double t = parallel > 1e-9 * a
-                 ? (b * along.dot(between) - a * way.direction.dot(between)) / parallel
+                 ? (b * along.dot(between) - a * line.direction.dot(between)) / parallel
                  : 0;
-  t = std::clamp(t, 0.0, way.length);
-  const double share = std::clamp(along.dot(between + t * way.direction) / a, 0.0, 1.0);
-  t = std::clamp(way.direction.dot(lower + share * along - way.start), 0.0, way.length);
-  return {share, (between + t * way.direction - share * along).norm(), parallel / a};
+  t = std::clamp(t, 0.0, line.length);
+  const double share = std::clamp(along.dot(between + t * line.direction) / a, 0.0, 1.0);
+  t = std::clamp(line.direction.dot(lower + share * along - line.start), 0.0, line.length);
+  return {share, (between + t * line.direction - share * along).norm(), parallel / a};
 }
 
 std::vector<Station> stationsOf(const Skeleton& skeleton, const Axis& axis) {
@@ -87,20 +87,20 @@ Insertion insertionOf(const Skeleton& skeleton, const std::vector<Station>& stat
   constexpr double leastWeight = 0.01;
   const auto reach = static_cast<std::size_t>(options.reach);
   Insertion stays{stations[at].along, leastWeight, {branch}};
-  const std::optional<WayBack> way = wayBackFrom(skeleton, branch);
-  if (!way) return stays;
+  const std::optional<LineBack> line = lineBackFrom(skeleton, branch);
+  if (!line) return stays;
   Approach best;
   Insertion result = stays;
   for (std::size_t i = at > reach ? at - reach : 0; i + 1 < stations.size() && i < at + reach;
        ++i) {
     const Approach found = nearestOn(skeleton[stations[i].node].position,
-                                     skeleton[stations[i + 1].node].position, *way);
+                                     skeleton[stations[i + 1].node].position, *line);
     if (found.distance >= best.distance) continue;
     best = found;
     result.along = (1 - found.share) * stations[i].along + found.share * stations[i + 1].along;
     result.weight = std::max(leastWeight, found.sharpness);
   }
-  const double now = (way->start - skeleton[stations[at].node].position).norm();
+  const double now = (line->start - skeleton[stations[at].node].position).norm();
   if (best.distance >= 0.7 * now) return stays; // the line leads past the axis
   const double share = result.weight / (result.weight + options.nodeWeight);
   result.along = stays.along + share * (result.along - stays.along);
@@ -155,7 +155,7 @@ Skeleton withSlidInsertions(const Skeleton& skeleton, const InsertionOptions& op
   for (const Axis& axis : axes(skeleton)) {
     std::vector<Station> stations = stationsOf(skeleton, axis);
     std::vector<Insertion> insertions;
-    // What hangs on the end of an axis stays: without it the end would be a tip of its own.
+    // What is attached to the end of an axis stays: without it the end would be a tip of its own.
     for (std::size_t at = 0; at + 1 < axis.size(); ++at)
       for (const NodeId child : skeleton.children(axis[at]))
         if (skeleton[child].edge == EdgeType::branching)

@@ -15,7 +15,8 @@ NodeId rootOf(const Skeleton& skeleton, NodeId id) {
   return upstream(skeleton, {id}).back();
 }
 
-/// The type of the edge by which a node of a path hangs on the one above it, once it is reversed.
+/// The type of the edge by which a node of a path is attached to the one above it, once
+/// it is reversed.
 EdgeType reversedEdge(const Skeleton& skeleton, EdgeType before, NodeId newParent) {
   if (edgeOfNewChild(skeleton, newParent) == EdgeType::branching) return EdgeType::branching;
   return skeleton.children(newParent).empty() ? EdgeType::successor : before;
@@ -63,7 +64,7 @@ void swapSuccessor(SkeletonEditor& editor, NodeId id) {
 void cutOff(SkeletonEditor& editor, NodeId id) {
   if (!editor.skeleton()[id].parent)
     throw Error(nameOf(id) + " is a root already: choose a node above it");
-  hangInItsUnits(editor, id, std::nullopt);
+  attachInItsUnits(editor, id, std::nullopt);
 }
 
 void joinTree(SkeletonEditor& editor, NodeId id, NodeId onto) {
@@ -108,7 +109,7 @@ void reversePath(SkeletonEditor& editor, NodeId top, NodeId bottom) {
   std::vector<EdgeType> edges; // to the node before, of all but the first
   for (std::size_t i = 1; i < path.size(); ++i) {
     edges.push_back(skeleton[path[i]].edge);
-    editor.makeRoot(path[i]); // all in pieces first: no order of hanging them can make a cycle
+    editor.makeRoot(path[i]); // all in pieces first: no order of attaching them can make a cycle
   }
   if (first.parent) editor.makeRoot(top);
   for (std::size_t i = 0; i + 1 < path.size(); ++i)
@@ -139,7 +140,7 @@ NodeId mergeNodes(SkeletonEditor& editor, const std::vector<NodeId>& nodes) {
   }
   const NodeId kept = highest.front();
   for (const NodeId id : highest)
-    if (id != kept) hangInItsUnits(editor, id, kept, edgeOfNewChild(skeleton, kept));
+    if (id != kept) attachInItsUnits(editor, id, kept, edgeOfNewChild(skeleton, kept));
   for (const NodeId id : all)
     if (id != kept) removeNode(editor, id);
   editor.setPosition(kept, sum / static_cast<double>(all.size()));

@@ -6,9 +6,10 @@
 
 namespace espalier {
 
-// Edits by hand of what hangs on what. Each leaves a valid forest with at most one successor more
-// per node than it found, is refused before it changes anything, and leaves nodes in the units of
-// an MTG that they are part of unless it says otherwise. pre, of all: each id given is contained.
+// Edits by hand of what is attached to what. Each leaves a valid forest with at most one successor
+// more per node than it found, is refused before it changes anything, and leaves nodes in the units
+// of an MTG that they are part of unless it says otherwise.
+// pre, of all: each id given is contained.
 
 /// Lets the next of the children of a node continue its axis, in the order of their ids; the one
 /// that did branches. With two children: the other one.
@@ -20,7 +21,7 @@ void swapSuccessor(SkeletonEditor& editor, NodeId id);
 /// @throws Error if `id` is a root
 void cutOff(SkeletonEditor& editor, NodeId id);
 
-/// Hangs the tree of `id` on `onto` of another tree, by `id`: it is re-rooted there first. Units
+/// Attaches the tree of `id` to `onto` of another tree, by `id`: it is re-rooted there first. Units
 /// that start at `id` go with it; parts of a unit that were cut are one again.
 /// @throws Error if both belong to one tree
 void joinTree(SkeletonEditor& editor, NodeId id, NodeId onto);
@@ -29,24 +30,24 @@ void joinTree(SkeletonEditor& editor, NodeId id, NodeId onto);
 /// @throws Error if there is no other tree
 [[nodiscard]] NodeId nearestInOtherTree(const Skeleton& skeleton, NodeId id);
 
-/// Makes `id` the root of its tree: the edges on the way to the old root lead the other way.
+/// Makes `id` the root of its tree: the edges on the path to the old root lead the other way.
 ///
-/// An edge keeps its type where it can: a node that had a successor off the way keeps that one, and
-/// what hung below it branches. Nothing changes for a root.
+/// An edge keeps its type where it can: a node that had a successor off the path keeps that one,
+/// and what was attached below it branches. Nothing changes for a root.
 void reroot(SkeletonEditor& editor, NodeId id);
 
 /// Turns a path around: `bottom` takes the place of `top` on the parent of `top`, and the edges
-/// between lead the other way, with types as in reroot(). All else hangs where it did.
+/// between lead the other way, with types as in reroot(). All else stays where it is attached.
 /// @throws Error if `top` does not carry `bottom`, or is it
 void reversePath(SkeletonEditor& editor, NodeId top, NodeId bottom);
 
 /// Makes one node of several: in their middle, with the mean of their radii as far as known. The
 /// one nearest to the root stays and carries what they carried.
 ///
-/// They must hang together by edges, or start from one parent. Their entities go as in
+/// They must be connected by edges, or start from one parent. Their entities go as in
 /// removeNode().
 /// @return the node that stays
-/// @throws Error if there are under two, or they do not hang together
+/// @throws Error if there are under two, or they are not connected
 NodeId mergeNodes(SkeletonEditor& editor, const std::vector<NodeId>& nodes);
 
 } // namespace espalier

@@ -35,8 +35,8 @@ double angleBetween(const Vector3d& a, const Vector3d& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-/// Nodes of the axis one after another, each apart from the one before. An axis that hangs on a
-/// node begins there.
+/// Nodes of the axis one after another, each apart from the one before. An axis that is attached to
+/// a node begins there.
 std::vector<Knot> knotsOf(const Skeleton& skeleton, const Axis& axis,
                           const std::vector<double>& radii) {
   std::vector<Knot> knots;
@@ -53,8 +53,9 @@ std::vector<Knot> knotsOf(const Skeleton& skeleton, const Axis& axis,
   return knots;
 }
 
-/// The way the axis that `axis` hangs on passes there; zero for a root, or where it turns back.
-Vector3d wayOfBearer(const Skeleton& skeleton, const Axis& axis) {
+/// The direction in which the axis that bears `axis` passes there; zero for a root, or where
+/// it turns back.
+Vector3d directionOfBearer(const Skeleton& skeleton, const Axis& axis) {
   const auto bearer = skeleton[axis.front()].parent;
   if (!bearer) return Vector3d::Zero();
   const Node& node = skeleton[*bearer];
@@ -76,7 +77,7 @@ Vector3d slopeBetween(const Vector3d& before, const Vector3d& here, const Vector
   return (here - before) / back - (after - before) / (back + ahead) + (after - here) / ahead;
 }
 
-std::vector<Piece> piecesOf(const std::vector<Knot>& knots, const Vector3d& wayBefore) {
+std::vector<Piece> piecesOf(const std::vector<Knot>& knots, const Vector3d& directionBefore) {
   const std::size_t n = knots.size();
   std::vector<Vector3d> slopes(n); // by a parameter that grows by sqrt(distance)
   for (std::size_t i = 1; i + 1 < n; ++i)
@@ -89,8 +90,8 @@ std::vector<Piece> piecesOf(const std::vector<Knot>& knots, const Vector3d& wayB
     slopes[n - 1] = 1.5 * slopes[n - 1] - 0.5 * slopes[n - 2];
     slopes[0] = 1.5 * slopes[0] - 0.5 * slopes[1];
   }
-  if (first.dot(wayBefore) > 0)
-    slopes[0] = (first.normalized() + wayBefore).normalized() * std::sqrt(first.norm());
+  if (first.dot(directionBefore) > 0)
+    slopes[0] = (first.normalized() + directionBefore).normalized() * std::sqrt(first.norm());
   std::vector<Piece> pieces;
   for (std::size_t i = 0; i + 1 < n; ++i) {
     const double step = std::sqrt((knots[i + 1].position - knots[i].position).norm());
@@ -123,8 +124,8 @@ Vector3d carried(const Section& from, const Vector3d& center, const Vector3d& no
   };
   const Vector3d along = center - from.center;
   const Vector3d forward = mirrored(from.forward, along);
-  const Vector3d way = mirrored(from.normal, along);
-  const Vector3d result = mirrored(forward, normal - way);
+  const Vector3d across = mirrored(from.normal, along);
+  const Vector3d result = mirrored(forward, normal - across);
   return (result - result.dot(normal) * normal).normalized(); // against rounding, over long axes
 }
 
@@ -140,7 +141,7 @@ std::vector<Section> sectionsOf(const Skeleton& skeleton, const Axis& axis,
                                 const std::vector<double>& radii, double turn) {
   const std::vector<Knot> knots = knotsOf(skeleton, axis, radii);
   if (knots.size() < 2) return {};
-  const std::vector<Piece> pieces = piecesOf(knots, wayOfBearer(skeleton, axis));
+  const std::vector<Piece> pieces = piecesOf(knots, directionOfBearer(skeleton, axis));
   std::vector<Section> sections;
   const Vector3d start = pieces.front().startSlope.normalized();
   sections.push_back({knots[0].position, knots[0].radius, start, acrossTo(start)});

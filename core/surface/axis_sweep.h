@@ -13,17 +13,17 @@ namespace espalier {
 struct Section {
   Eigen::Vector3d center;
   double radius;           // [L], > 0
-  Eigen::Vector3d normal;  // unit, the way the axis grows
+  Eigen::Vector3d normal;  // unit, the direction in which the axis grows
   Eigen::Vector3d forward; // unit, in the plane of the circle: where its first corner lies
 };
 
 /// The circles through which the surface of an axis goes.
 ///
 /// A smooth curve passes through the nodes (centripetal Catmull-Rom); radii change evenly along it.
-/// An axis that branches begins at the node it hangs on, on the way of that one's axis, no thicker
-/// than it, and so leaves it without a corner. An edge that turns gets more sections, so that no
-/// two turn by more than `turn`. The circles do not twist about the axis (rotation-minimizing
-/// frames).
+/// An axis that branches begins at the node that bears it, in the direction of that one's axis, no
+/// thicker than it, and so leaves it without a corner. An edge that turns gets more sections, so
+/// that no two turn by more than `turn`. The circles do not twist about the axis
+/// (rotation-minimizing frames).
 ///
 /// @param radii  of all nodes by id, [L], > 0
 /// @param turn   [rad], > 0

@@ -49,7 +49,7 @@ std::vector<double> filledRadii(const Skeleton& skeleton, const std::vector<Axis
     known += skeleton[id].radius > 0 ? 1 : 0;
   }
   if (known == 0) throw Error("no node has a radius: estimate radii first");
-  for (const Axis& axis : all) { // each after the one it hangs on
+  for (const Axis& axis : all) { // each after the one that bears it
     if (fillAlong(skeleton, axis, radii)) continue;
     const auto bearer = skeleton[axis.front()].parent;
     for (const NodeId id : axis)

@@ -14,10 +14,10 @@ struct SurfaceOptions {
 /// Surface of a plant: a generalized cylinder along each axis.
 ///
 /// Circles are swept along the axes (see sectionsOf) and closed by flat caps: each axis is a
-/// watertight piece of its own, which begins within the axis it hangs on. A section is a regular
+/// watertight piece of its own, which begins within the axis that bears it. A section is a regular
 /// polygon of the area of its circle, so that volumes are those of truncated cones. An axis without
 /// length has no surface. A node without radius gets that of the nearest node with one on its axis
-/// (of two, the mean, weighted by distance), else that of the axis it hangs on.
+/// (of two, the mean, weighted by distance), else that of the axis that bears it.
 ///
 /// @throws Error     if no node has a radius
 /// @throws Cancelled if `progress` asks to stop

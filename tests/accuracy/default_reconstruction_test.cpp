@@ -73,7 +73,7 @@ TEST(DefaultReconstruction, FindsOneTreeInThreeFormats) {
   ESPALIER_SHARED_FILE(txt, "las/tree.txt");
   expectSoundPlant(las);
   // The three round coordinates differently, by up to 1 mm at points 27 mm apart. Where twigs
-  // touch, that decides which one a branch hangs on: a tenth of the length may lie elsewhere, not
+  // touch, that decides which one bears a branch: a tenth of the length may lie elsewhere, not
   // more.
   const Skeleton reference = reconstructed(las);
   for (const auto& other : {ply, txt}) {

@@ -55,7 +55,7 @@ TEST(NoiseStudy, FindsTheKnownFiguresOfNoiseOnPositions) {
                                        {3, 0.989, 0.232}});
 }
 
-TEST(NoiseStudy, FindsTheKnownFiguresOfSegmentsHungElsewhere) {
+TEST(NoiseStudy, FindsTheKnownFiguresOfSegmentsAttachedElsewhere) {
   expectKnown(Perturbation::reparent, {{0.02, 0.997, 0.998},
                                        {0.05, 0.995, 0.994},
                                        {0.1, 0.992, 0.985},

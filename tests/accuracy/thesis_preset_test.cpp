@@ -85,7 +85,7 @@ TEST(ThesisPreset, TapersASimulatedTreeAsItsTruth) {
 // branchings, 0.07. Radii fall by 14.2 times from foot to tips, those published by 16.0: 1.5 times
 // either way is what the foot and the tips may each be off by a fifth. Over the wood that both have
 // they are 1.3 mm too thick in the mean, concordance .66; half of the point spacing is what a scan
-// tells, and one radius for all nodes has concordance 0.
+// shows, and one radius for all nodes has concordance 0.
 TEST(ThesisPreset, OfThePineAgreesWithThePublishedAutomaticResult) {
   ESPALIER_SHARED_FILE(scan, "puu1/scan.ply");
   ESPALIER_SHARED_FILE(automatic, "puu1/thesis_automatic.mtg");
@@ -97,9 +97,9 @@ TEST(ThesisPreset, OfThePineAgreesWithThePublishedAutomaticResult) {
   EXPECT_GE(comparison.authors.geometric, 0.85);
   EXPECT_GE(comparison.authors.structural, 0.60);
   EXPECT_GE(comparison.tolerance.scores.front().f(), 0.84);
-  const double taper = footToTip(*result.skeleton) / footToTip(published);
-  EXPECT_GT(taper, 1 / 1.5);
-  EXPECT_LT(taper, 1.5);
+  const double ratio = footToTip(*result.skeleton) / footToTip(published);
+  EXPECT_GT(ratio, 1 / 1.5);
+  EXPECT_LT(ratio, 1.5);
   EXPECT_GT(comparison.radii.compared, 0.9 * comparison.resultWood.whole.length);
   EXPECT_LT(std::abs(comparison.radii.meanError), result.scale.spacing / 2);
   EXPECT_GT(comparison.radii.concordance, 0.5);

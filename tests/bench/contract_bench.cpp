@@ -1,5 +1,5 @@
-// Times every contraction with its defaults on simulated scans of one broadleaf tree, and tells how
-// far it leaves the points from the true axes: the table of contractions. Run it with
+// Times every contraction with its defaults on simulated scans of one broadleaf tree, and reports
+// how far it leaves the points from the true axes: the table of contractions. Run it with
 // --benchmark_filter=contract/
 #include "core/cloud/point_cloud.h"
 #include "core/graph/densities.h"
@@ -40,7 +40,7 @@ const Scanned& scanned(const benchmark::State& state) {
 }
 
 /// Distances to the true axes, in spacings.
-void tellOffAxis(benchmark::State& state, const Scanned& of, const Eigen::Matrix3Xf& places) {
+void reportOffAxis(benchmark::State& state, const Scanned& of, const Eigen::Matrix3Xf& places) {
   std::vector<double> off;
   for (const PointOnSkeleton& one : assignPoints(places, of.cloud->origin(), of.truth, {}))
     off.push_back(one.distance / of.scale.spacing);
@@ -64,7 +64,7 @@ void contract(benchmark::State& state, const Step& step, const Method& method) {
             .skeleton = {}};
     method.run(done, values, {});
   }
-  tellOffAxis(state, of, *done.contracted);
+  reportOffAxis(state, of, *done.contracted);
 }
 
 void characterize(benchmark::State& state, void (*step)(const Scanned&, const NeighborhoodGraph&)) {

@@ -70,11 +70,11 @@ void dragFrame(benchmark::State& state) {
   const NodeId node = document.skeleton().ids()[document.skeleton().size() / 2];
   const Eigen::Vector3d start = document.skeleton()[node].position;
   const Gesture gesture = Gesture::begin();
-  double way = 0;
+  double distance = 0;
   for (auto round : state) {
-    way += 0.001;
+    distance += 0.001;
     document.edit(
-        "Move", [&](SkeletonEditor& editor) { moveNode(editor, node, start.array() + way); },
+        "Move", [&](SkeletonEditor& editor) { moveNode(editor, node, start.array() + distance); },
         gesture);
     renderer.draw(frame);
     benchmark::DoNotOptimize(renderer.image()); // waits for what was drawn

@@ -33,7 +33,7 @@ NodeId deepest() {
   return found;
 }
 
-/// A node that about half of the plant hangs on.
+/// A node that carries about half of the plant.
 NodeId middle() {
   static const NodeId found = [] {
     NodeId best = root();

@@ -56,7 +56,7 @@ void authorsIndices(benchmark::State& state) {
 }
 BENCHMARK(authorsIndices)->Arg(1000)->Arg(4000)->Unit(benchmark::kMillisecond);
 
-/// All that `evaluate` tells: to be under 15 s and 2 GB for 20 000 segments a side.
+/// All that `evaluate` reports: to be under 15 s and 2 GB for 20 000 segments a side.
 void wholeComparisons(benchmark::State& state) {
   const Pair pair = pairOf(static_cast<int>(state.range(0)));
   std::size_t segments = 0;

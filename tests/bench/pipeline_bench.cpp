@@ -87,7 +87,7 @@ void joinComponents(benchmark::State& state) {
   const NeighborhoodGraph parts(workpiece(state).positions(), 12);
   time(state, [&](const Workpiece& piece) { return joined(parts, piece.positions()); });
 }
-void shortestWays(benchmark::State& state) {
+void shortestPaths(benchmark::State& state) {
   const NeighborhoodGraph parts(workpiece(state).positions(), 12);
   time(state,
        [&](const Workpiece& piece) { return geodesics(parts, {findRoot(piece.positions())}); });
@@ -171,7 +171,7 @@ BENCHMARK(spacing)->Apply(sizes);
 BENCHMARK(clean)->Apply(sizes);
 BENCHMARK(graph12)->Apply(sizes);
 BENCHMARK(joinComponents)->Apply(sizes);
-BENCHMARK(shortestWays)->Apply(sizes);
+BENCHMARK(shortestPaths)->Apply(sizes);
 BENCHMARK(contractToCentroids)->Apply(sizes);
 BENCHMARK(geodesicBins)->Apply(sizes);
 BENCHMARK(prune)->Apply(sizes);

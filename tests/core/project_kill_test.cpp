@@ -1,5 +1,5 @@
 // A program edits at random and is killed at random moments, over and over on one file. What it
-// had been told is saved must be there each time, with a valid history.
+// had reported as saved must be there each time, with a valid history.
 #include "core/base/random.h"
 #include "core/project/contracted_points.h"
 #include "core/project/project.h"
@@ -56,7 +56,7 @@ int readBytes(int pipe, int most) {
 }
 
 /// Runs the program until it has saved `acts` and a moment longer.
-/// @return how many acts it was told are saved
+/// @return how many acts it reported as saved
 int runAndKill(const fs::path& file, std::uint64_t seed, int acts,
                std::chrono::microseconds longer) {
   int saved[2];
@@ -75,13 +75,13 @@ int runAndKill(const fs::path& file, std::uint64_t seed, int acts,
   return count;
 }
 
-TEST(KilledProgram, LosesNoEditThatItWasToldIsSaved) {
+TEST(KilledProgram, LosesNoEditThatItReportedAsSaved) {
   const fs::path file = test::freshFolder() / "oak.espalier";
   Random random(20);
   History truth{.skeleton = test::randomPlant(200, 1)};
   (void)Project::create(file, truth);
   int savedInAll = 0;
-  int keptUntold = 0;
+  int keptUnreported = 0;
   for (std::uint64_t round = 0; round < 250; ++round) {
     const int acts = static_cast<int>(random.below(8)); // 0: perhaps while it opens
     const int saved = runAndKill(file, round, acts, std::chrono::microseconds(random.below(6000)));
@@ -91,16 +91,16 @@ TEST(KilledProgram, LosesNoEditThatItWasToldIsSaved) {
       (void)edits.next();
     const Imported<History> found = Project::open(file, Access::readWrite).history();
     ASSERT_TRUE(found.notes.empty()) << found.notes[0];
-    if (found.value != edits.history()) { // one more was saved, and nobody told of it any more
+    if (found.value != edits.history()) { // one more was saved, and not reported any more
       (void)edits.next();
-      ++keptUntold;
+      ++keptUnreported;
     }
     ASSERT_EQ(found.value, edits.history()) << "round " << round << ", " << saved << " saved";
     truth = found.value;
   }
   EXPECT_GT(savedInAll, 500);
   RecordProperty("saved", savedInAll);
-  RecordProperty("kept_untold", keptUntold);
+  RecordProperty("kept_unreported", keptUnreported);
 }
 
 /// Opens a project in another process, and kills that.

@@ -23,7 +23,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 namespace espalier::test {
 namespace {
 
-constexpr std::size_t largestSeed = std::size_t{1} << 16; // larger files take longer, tell no more
+constexpr std::size_t largestSeed = std::size_t{1} << 16; // larger files take longer, show no more
 constexpr std::chrono::seconds longestRun{10}; // under sanitizers too; a healthy one takes ms
 
 std::string bytesOf(const std::filesystem::path& path) {

@@ -9,7 +9,7 @@ namespace espalier::test {
 
 using Triangles = std::vector<std::array<int, 3>>; // corners
 
-/// How triangles hang together.
+/// How triangles are connected.
 struct MeshTopology {
   int pieces = 0;
   int boundaryLoops = 0;

@@ -6,7 +6,7 @@
 namespace espalier::test {
 
 /// The file of this name among the shared scans and references, if they are at hand: in the folder
-/// of the environment variable ESPALIER_SHARED_DATA, or where the build was told.
+/// of the environment variable ESPALIER_SHARED_DATA, or where the build was set to.
 [[nodiscard]] std::optional<std::filesystem::path> sharedFile(const std::filesystem::path& name);
 
 /// A folder of its own for the running test, empty at first.

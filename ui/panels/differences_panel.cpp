@@ -83,7 +83,7 @@ QString placeOf(const DifferingPart& part) {
   if (part.kind == Difference::missed)
     return part.host ? DifferencesPanel::tr("on node %1").arg(indexOf(*part.host))
                      : DifferencesPanel::tr("beside the plant");
-  const NodeId node = part.kind == Difference::wronglyAttached ? part.hanging : part.nodes.front();
+  const NodeId node = part.kind == Difference::wronglyAttached ? part.attached : part.nodes.front();
   return DifferencesPanel::tr("node %1").arg(indexOf(node));
 }
 

@@ -4,7 +4,7 @@
 #include "app/window/frame/action_set.h"
 #include "core/base/error.h"
 #include "core/evaluate/differences/accept_reference.h"
-#include "core/evaluate/differences/reference_way.h"
+#include "core/evaluate/differences/reference_path.h"
 #include "core/skeleton/path_edits.h"
 #include "ui/document/difference_look.h"
 #include "ui/document/plant_document.h"
@@ -59,7 +59,7 @@ QString stepText(const DifferingPart& part, const QString& length) {
   case Difference::invented:
     return ErrorWalk::tr("Remove %1 that the reference lacks").arg(length);
   case Difference::wronglyAttached:
-    return ErrorWalk::tr("Attach node %1 as the reference").arg(indexOf(part.hanging));
+    return ErrorWalk::tr("Attach node %1 as the reference").arg(indexOf(part.attached));
   case Difference::matched:
     break;
   }
@@ -114,18 +114,18 @@ void ErrorWalk::show(std::shared_ptr<const Evaluation> evaluation) {
 void ErrorWalk::mark(const std::optional<DifferingPart>& part) {
   const Skeleton& plant = parts_.document.skeleton();
   if (!evaluation_ || !part || part->kind != Difference::wronglyAttached ||
-      !plant.contains(part->hanging))
+      !plant.contains(part->attached))
     return parts_.view.showAttachment(std::nullopt);
   ShownAttachment shown{.wrong = {},
-                        .right = {plant[part->hanging].position},
+                        .right = {plant[part->attached].position},
                         .color = colorOf(part->kind),
                         .wrongLabel = tr("attached here"),
                         .rightLabel = tr("belongs here")};
-  for (std::optional<NodeId> id = part->hanging; id; id = plant[*id].parent) {
+  for (std::optional<NodeId> id = part->attached; id; id = plant[*id].parent) {
     shown.wrong.push_back(plant[*id].position);
     if (std::ranges::find(part->nodes, *id) == part->nodes.end()) break; // what it hangs on
   }
-  for (const NodeId id : referenceWay(evaluation_->differences, evaluation_->reference, *part))
+  for (const NodeId id : referencePath(evaluation_->differences, evaluation_->reference, *part))
     if (const auto parent = evaluation_->reference[id].parent)
       shown.right.push_back(evaluation_->reference[*parent].position);
   if (shown.right.size() > 1) shown.right.back() = part->place;
@@ -184,7 +184,7 @@ void ErrorWalk::goTo(const DifferingPart& part) {
   parts_.view.setReferenceSelection(
       select(reference, isOfReference ? part.nodes : std::vector<NodeId>()));
   static_cast<void>( // seen, but not selected: the plant is what is edited
-      select(reference, referenceWay(evaluation_->differences, reference, part)));
+      select(reference, referencePath(evaluation_->differences, reference, part)));
   mark(part);
   const double margin =
       std::max(0.5 * box.diagonal().norm(), 2 * meanEdgeLength(evaluation_->reference));

@@ -71,7 +71,7 @@ std::vector<JudgedNumber> numbersOfQuality(const QString& unit) {
            "Places where contracted points lie together that are far apart along the plant"),
        Better::less,
        0,
-       ofQuality(&Q::webbedJunctions),
+       ofQuality(&Q::bridgedJunctions),
        Rank::byItself,
        JudgedNumbers::tr("Bridged")},
       {JudgedNumbers::tr("Unexplained points"),

@@ -81,7 +81,8 @@ void ReviewFlow::setReviewer(const QString& name) {
 
 void ReviewFlow::addWalkActions() {
   const auto add = [this](const char* id, const QString& text, const QString& help,
-                          const QKeySequence& keys, WalkTo to, WalkWay way = WalkWay::forward) {
+                          const QKeySequence& keys, WalkTo to,
+                          WalkDirection way = WalkDirection::forward) {
     walks_.append(parts_.actions.add({.id = id, .text = text, .help = help, .keys = keys},
                                      [this, to, way] { step(to, way); }));
   };
@@ -89,7 +90,7 @@ void ReviewFlow::addWalkActions() {
       tr("Walks on: along the trunk, then branch by branch with its twigs"), Qt::Key_Period,
       WalkTo::anyStretch);
   add("previous_stretch", tr("Previous Stretch"), tr("Walks back"), Qt::Key_Comma,
-      WalkTo::anyStretch, WalkWay::backward);
+      WalkTo::anyStretch, WalkDirection::backward);
   add("next_not_reviewed", tr("Next Not Reviewed"), tr("Walks on to what is to do or doubtful"),
       QKeySequence(Qt::CTRL | Qt::Key_Period), WalkTo::notReviewed);
   add("next_open_end", tr("Next Open End"), tr("Walks on to an apex that is not reviewed"),
@@ -185,7 +186,7 @@ bool ReviewFlow::eventFilter(QObject* watched, QEvent* event) {
   return true;
 }
 
-void ReviewFlow::step(WalkTo to, WalkWay way) {
+void ReviewFlow::step(WalkTo to, WalkDirection way) {
   dock_->bringToFront();
   const Skeleton& skeleton = parts_.document.skeleton();
   const std::vector<Stretch> all = stretches(skeleton, longestStretch(skeleton));

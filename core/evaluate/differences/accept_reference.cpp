@@ -46,7 +46,7 @@ std::vector<NodeId> copyMissed(SkeletonEditor& editor, const Differences& found,
   std::optional<NodeId> host = part.host;
   if (host)
     requireThere(skeleton, {*host});
-  else if (!isFoot) // it hangs on an edge so long that none of its nodes stands near
+  else if (!isFoot) // it is attached to an edge so long that none of its nodes stands near
     host = nearestIn(skeleton, skeleton.roots(), part.place);
   if (host) host = nodeAt(editor, *host, part.place, found.tolerance);
   Graft graft(editor, found, reference);
@@ -60,7 +60,7 @@ std::vector<NodeId> copyMissed(SkeletonEditor& editor, const Differences& found,
   return graft.added();
 }
 
-/// What of a part does not end on the reference: only the way there is invented.
+/// What of a part does not end on the reference: only the path there is invented.
 std::vector<NodeId> inventedNodes(const Differences& found, const DifferingPart& part) {
   std::vector<NodeId> invented;
   for (const NodeId id : part.nodes)
@@ -68,9 +68,9 @@ std::vector<NodeId> inventedNodes(const Differences& found, const DifferingPart&
   return invented;
 }
 
-/// Hangs what an invented part carries where the reference hangs it, unless it has no place there.
-void hangCarried(SkeletonEditor& editor, const Differences& found, const Skeleton& reference,
-                 const std::vector<NodeId>& invented) {
+/// Attaches what an invented part carries where the reference has it, if that has a place for it.
+void attachCarried(SkeletonEditor& editor, const Differences& found, const Skeleton& reference,
+                   const std::vector<NodeId>& invented) {
   const Skeleton& skeleton = editor.skeleton();
   std::vector<bool> isInvented(skeleton.idEnd(), false);
   for (const NodeId id : invented)
@@ -84,7 +84,7 @@ void hangCarried(SkeletonEditor& editor, const Differences& found, const Skeleto
                          [&](NodeId child) { return !isLeft(child); });
   Graft graft(editor, found, reference);
   for (const NodeId id : carried)
-    if (const auto hold = graft.standing().below(id, isLeft)) graft.hangAlong(id, *hold);
+    if (const auto hold = graft.standing().below(id, isLeft)) graft.attachAlong(id, *hold);
 }
 
 std::vector<NodeId> removeInvented(SkeletonEditor& editor, const Differences& found,
@@ -98,7 +98,7 @@ std::vector<NodeId> removeInvented(SkeletonEditor& editor, const Differences& fo
     throw Error(
         "what is attached here is of the reference: accept what was missed beside it, or attach "
         "it elsewhere");
-  hangCarried(editor, found, reference, invented);
+  attachCarried(editor, found, reference, invented);
   for (std::size_t i = invented.size(); i-- > 0;) // children first
     if (skeleton.contains(invented[i])) removeNode(editor, invented[i]);
   if (skeleton.roots().size() > std::max<std::size_t>(trees, 1))
@@ -107,18 +107,18 @@ std::vector<NodeId> removeInvented(SkeletonEditor& editor, const Differences& fo
   return below && skeleton.contains(*below) ? std::vector{*below} : std::vector<NodeId>();
 }
 
-std::vector<NodeId> hangRight(SkeletonEditor& editor, const Differences& found,
-                              const Skeleton& reference, const DifferingPart& part) {
-  requireThere(editor.skeleton(), {part.hanging, *part.host});
+std::vector<NodeId> attachRight(SkeletonEditor& editor, const Differences& found,
+                                const Skeleton& reference, const DifferingPart& part) {
+  requireThere(editor.skeleton(), {part.attached, *part.host});
   const Skeleton& skeleton = editor.skeleton();
-  if (skeleton.isAncestor(part.hanging, *part.host))
+  if (skeleton.isAncestor(part.attached, *part.host))
     throw Error("what should bear this is attached to it now: accept that part first");
   Graft graft(editor, found, reference);
-  Hold right{.host = part.host, .place = part.place, .way = {}, .edge = part.edge};
-  const auto along = graft.standing().below(part.hanging, [](NodeId) { return false; });
-  if (along && along->host && !along->way.empty()) right = *along;
-  graft.hangAlong(part.hanging, right);
-  return {part.hanging};
+  Hold right{.host = part.host, .place = part.place, .path = {}, .edge = part.edge};
+  const auto along = graft.standing().below(part.attached, [](NodeId) { return false; });
+  if (along && along->host && !along->path.empty()) right = *along;
+  graft.attachAlong(part.attached, right);
+  return {part.attached};
 }
 
 } // namespace
@@ -131,7 +131,7 @@ std::vector<NodeId> acceptReference(SkeletonEditor& editor, const Differences& f
   case Difference::invented:
     return removeInvented(editor, found, reference, part);
   case Difference::wronglyAttached:
-    return hangRight(editor, found, reference, part);
+    return attachRight(editor, found, reference, part);
   case Difference::matched:
     break;
   }

@@ -9,11 +9,11 @@ namespace espalier {
 
 /// Makes one part of a result as the reference has it.
 ///
-/// What was missed is copied, with its radii, and hung where it belongs: on a node there, or on a
-/// new one on an edge. What the reference goes on with above it is hung on the copy, and what led
-/// there instead is removed; a missed foot becomes the root of what stood without it. What was
+/// What was missed is copied, with its radii, and attached where it belongs: to a node there, or to
+/// a new one on an edge. What the reference goes on with above it is attached to the copy, and what
+/// led there instead is removed; a missed foot becomes the root of what stood without it. What was
 /// invented is removed but for nodes on the reference; what it carries, and what is wrongly
-/// attached, is hung where the reference hangs it, along copies of what was missed on the way
+/// attached, goes to where the reference has it, along copies of what was missed on the path
 /// there. Edges made get the type that they have there; what else continued the axis then branches.
 /// There are no more trees afterwards, unless the reference has more, too.
 ///

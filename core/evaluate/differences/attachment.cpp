@@ -106,7 +106,7 @@ void Attachments::placeNodes(const std::vector<Difference>& kinds) {
   findWrong(suspects);
 }
 
-/// Does the result have what is next below a node in the reference, which hangs far lower instead?
+/// Does the result have what is next below a node in the reference, yet bears the node far lower?
 bool Attachments::leapsOver(NodeId id, const Attachment& right) const {
   std::optional<NodeId> below = result_[id].parent;
   while (below && places_[indexOf(*below)].empty())
@@ -117,12 +117,12 @@ bool Attachments::leapsOver(NodeId id, const Attachment& right) const {
   for (const Place& each : places_[indexOf(*below)])
     if (each.height <= place.height && isAncestor(each.edge, place.edge))
       height = std::max(height, each.height);
-  if (std::isinf(height)) return false; // it stands beside the way down, as near as is allowed
+  if (std::isinf(height)) return false; // it stands beside the path down, as near as is allowed
   return right.height - height > slack_ + 2 * reference_[place.edge].radius;
 }
 
-/// Of those that keep no place of what is below them, these hang wrong: those for which there is
-/// something else to hang on.
+/// Of those that keep no place of what is below them, these are wrongly attached: those for which
+/// there is something else to be attached to.
 void Attachments::findWrong(const std::vector<NodeId>& suspects) {
   for (const NodeId id : suspects) {
     const Attachment right = below(places_[indexOf(id)].front(), id);
@@ -135,9 +135,9 @@ void Attachments::findWrong(const std::vector<NodeId>& suspects) {
   }
 }
 
-/// What of the result stands next below a place of the reference, other than what `hanging`
+/// What of the result stands next below a place of the reference, other than what `attached`
 /// carries.
-Attachment Attachments::below(const Place& place, NodeId hanging) const {
+Attachment Attachments::below(const Place& place, NodeId attached) const {
   Attachment found{
       .host = std::nullopt, .place = place.position, .edge = reference_[place.edge].edge};
   for (std::optional<NodeId> edge = place.edge; edge; edge = reference_[*edge].parent) {
@@ -145,7 +145,7 @@ Attachment Attachments::below(const Place& place, NodeId hanging) const {
     for (const Standing& standing : standing_[indexOf(*edge)])
       if (standing.height <= place.height &&
           (highest == nullptr || standing.height > highest->height) &&
-          !result_.isAncestor(hanging, standing.node))
+          !result_.isAncestor(attached, standing.node))
         highest = &standing;
     const auto parent = reference_[*edge].parent;
     if (highest != nullptr) {

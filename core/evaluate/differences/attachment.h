@@ -10,7 +10,7 @@
 
 namespace espalier {
 
-/// Where something hangs according to a reference.
+/// Where something is attached according to a reference.
 struct Attachment {
   std::optional<NodeId> host;                      // of the result; none: it has nothing there
   Eigen::Vector3d place = Eigen::Vector3d::Zero(); // on the reference [L]
@@ -19,12 +19,12 @@ struct Attachment {
 };
 
 struct WrongAttachment {
-  NodeId node; // of the result: it hangs on what the reference does not hang it on
+  NodeId node; // of the result: attached to what does not bear it in the reference
   Attachment right;
 };
 
-/// Which places of a reference the nodes of a result stand on, so that what hangs on what can be
-/// compared: see differences(). Both skeletons must outlive it.
+/// Which places of a reference the nodes of a result stand on, so that what is attached to what can
+/// be compared: see differences(). Both skeletons must outlive it.
 class Attachments {
 public:
   /// @param kinds of the edges of the result, by id; nodes at none that is matched stand on nothing
@@ -48,9 +48,9 @@ private:
   void findWrong(const std::vector<NodeId>& suspects);
   [[nodiscard]] bool leapsOver(NodeId id, const Attachment& right) const;
   [[nodiscard]] bool isAncestor(NodeId ancestor, NodeId of) const; // in the reference
-  /// Does the way down from `above` in the reference meet `below`, or what is about it?
+  /// Does the path down from `above` in the reference meet `below`, or what is about it?
   [[nodiscard]] bool leadsTo(const Place& above, const Place& below) const;
-  [[nodiscard]] Attachment below(const Place& place, NodeId hanging) const;
+  [[nodiscard]] Attachment below(const Place& place, NodeId attached) const;
 
   const Skeleton& result_;
   const Skeleton& reference_;

@@ -19,7 +19,7 @@ std::vector<Difference> kindsOf(const std::vector<bool>& near, Difference otherw
   return kinds;
 }
 
-/// What hangs from a node on, up to its first branching or to what is not near.
+/// What is attached from a node on, up to its first branching or to what is not near.
 std::vector<NodeId> axisFrom(const Skeleton& result, const std::vector<Difference>& kinds,
                              NodeId id) {
   std::vector<NodeId> nodes = {id};
@@ -64,7 +64,7 @@ void addWronglyAttached(Differences& found, const Skeleton& result,
                        .nodes = bridgeTo(result, found.ofResult, each.node),
                        .length = carriedLength(result, each.node),
                        .at = result[each.node].position,
-                       .hanging = each.node,
+                       .attached = each.node,
                        .host = each.right.host,
                        .place = each.right.place,
                        .edge = each.right.edge};
@@ -111,7 +111,7 @@ Differences differences(const Skeleton& result, const Skeleton& reference, doubl
   for (DifferingPart& part : found.parts) {
     if (part.kind != Difference::missed) continue;
     const auto below = reference[part.nodes.front()].parent;
-    if (!below) continue; // a root hangs on nothing
+    if (!below) continue; // a root is attached to nothing
     const Attachment right = attachments.on(*below);
     part.host = right.host;
     part.place = reference[*below].position;

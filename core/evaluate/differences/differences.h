@@ -17,24 +17,24 @@ enum class Difference : std::uint8_t {
   matched,        // near the other
   missed,         // of the reference, with nothing of the result near
   invented,       // of the result, with nothing of the reference near
-  wronglyAttached // of the result: what hangs there hangs on something else in the reference
+  wronglyAttached // of the result: attached to something else in the reference
 };
 
 /// A stretch of one skeleton in which the two differ.
 struct DifferingPart {
   Difference kind = Difference::missed; // never matched
   /// Connected, parents before their children; of the reference if missed, else of the result. If
-  /// wrongly attached: what leads there though nothing of the reference does, then what hangs, up
-  /// to its first branching.
+  /// wrongly attached: what leads there though nothing of the reference does, then what is
+  /// attached, up to its first branching.
   std::vector<NodeId> nodes;
-  double length = 0; // [L], of these edges; if wrongly attached, of all that hangs there
-  Eigen::Vector3d at = Eigen::Vector3d::Zero(); // where it begins: of the first node, or `hanging`
+  double length = 0; // [L], of these edges; if wrongly attached, of all that is attached there
+  Eigen::Vector3d at = Eigen::Vector3d::Zero(); // where it begins: of the first node, or `attached`
 
   // Where the reference attaches the part; not for what is invented.
-  NodeId hanging{};           // if wrongly attached: the first of what hangs, of the result
+  NodeId attached{};          // if wrongly attached: the first node of it, of the result
   std::optional<NodeId> host; // of the result; none: on nothing that the result has
   Eigen::Vector3d place = Eigen::Vector3d::Zero(); // of that, in the reference [L]
-  EdgeType edge = EdgeType::branching;             // by which it hangs there
+  EdgeType edge = EdgeType::branching;             // by which it is attached there
 
   bool operator==(const DifferingPart&) const = default;
 };
@@ -62,11 +62,12 @@ struct Differences {
 /// less than three tolerances between two stretches that are not, as where two twigs cross, is not.
 ///
 /// From the root up, each node of the result keeps those places of the reference within the
-/// tolerance that lie on the way up from the places of its parent. A node that keeps none although
+/// tolerance that lie on the path up from the places of its parent. A node that keeps none although
 /// some are near is wrongly attached: its own place and that of its parent belong to branches that
 /// meet more than four tolerances, and what the wood there is thick, below the parent. So is a tree
-/// on its own where the reference goes on down along something that the result has, and what hangs
-/// by an edge that is not near that much farther down than on what the reference has it.
+/// on its own where the reference goes on down along something that the result has, and what is
+/// attached by an edge that is not near that much farther down than where the reference attaches
+/// it.
 ///
 /// @param result    laid on the reference before, or the other way round: nothing is registered
 /// @param tolerance [L], > 0

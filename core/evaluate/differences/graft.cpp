@@ -11,7 +11,7 @@ namespace {
 /// A place on the edge to a node.
 struct Spot {
   NodeId node;
-  double share;    // of the way up to it
+  double share;    // of the edge, from below
   double distance; // from the place looked for [L]
 };
 
@@ -19,10 +19,10 @@ Spot spotOn(const Skeleton& skeleton, NodeId id, const Eigen::Vector3d& place) {
   const Node& node = skeleton[id];
   if (!node.parent) return {id, 1, (node.position - place).norm()};
   const Eigen::Vector3d start = skeleton[*node.parent].position;
-  const Eigen::Vector3d way = node.position - start;
-  const double squared = way.squaredNorm();
-  const double share = squared > 0 ? std::clamp(way.dot(place - start) / squared, 0.0, 1.0) : 1;
-  return {id, share, (start + share * way - place).norm()};
+  const Eigen::Vector3d edge = node.position - start;
+  const double squared = edge.squaredNorm();
+  const double share = squared > 0 ? std::clamp(edge.dot(place - start) / squared, 0.0, 1.0) : 1;
+  return {id, share, (start + share * edge - place).norm()};
 }
 
 /// Gives an edge the type of the reference. What else continued the axis there branches.
@@ -34,11 +34,11 @@ void setType(SkeletonEditor& editor, NodeId id, EdgeType wanted) {
 } // namespace
 
 NodeId nodeAt(SkeletonEditor& editor, NodeId host, const Eigen::Vector3d& place, double tolerance,
-              std::optional<NodeId> hanging) {
+              std::optional<NodeId> attached) {
   const Skeleton& skeleton = editor.skeleton();
   Spot best = spotOn(skeleton, host, place);
   for (const NodeId child : skeleton.children(host)) {
-    if (hanging && skeleton.isAncestor(child, *hanging)) continue; // the way that is to be left
+    if (attached && skeleton.isAncestor(child, *attached)) continue; // the path that is to be left
     if (const Spot spot = spotOn(skeleton, child, place); spot.distance < best.distance)
       best = spot;
   }
@@ -83,7 +83,7 @@ void Graft::removeDeadEnd(std::optional<NodeId> end) {
   }
 }
 
-void Graft::hang(NodeId id, NodeId onto, EdgeType edge) {
+void Graft::attach(NodeId id, NodeId onto, EdgeType edge) {
   const std::optional<NodeId> before = editor_.skeleton()[id].parent;
   if (before == onto) return;
   editor_.reparent(id, onto, EdgeType::branching);
@@ -97,7 +97,7 @@ void Graft::copy(NodeId id, std::optional<NodeId> host) {
   const std::optional<NodeId> there = standing_.lowestOn(id);
   if (there && !carries(*there, host) &&
       (editor_.skeleton()[*there].position - node.position).norm() <= found_.tolerance) {
-    if (host) hang(*there, *host, node.edge);
+    if (host) attach(*there, *host, node.edge);
     copies_[indexOf(id)] = there;
     return;
   }
@@ -114,14 +114,14 @@ void Graft::goOnAbove(NodeId id) {
   for (const NodeId above : reference_.children(id)) {
     if (copies_[indexOf(above)]) continue;
     for (const NodeId next : standing_.nextAbove(above))
-      if (!carries(next, copied)) hang(next, copied, reference_[above].edge);
+      if (!carries(next, copied)) attach(next, copied, reference_[above].edge);
   }
 }
 
-void Graft::hangAlong(NodeId id, const Hold& hold) {
+void Graft::attachAlong(NodeId id, const Hold& hold) {
   std::optional<NodeId> onto;
   if (hold.host) onto = nodeAt(editor_, *hold.host, hold.place, found_.tolerance, id);
-  for (const NodeId missed : hold.way) {
+  for (const NodeId missed : hold.path) {
     if (!copies_[indexOf(missed)]) {
       added_.push_back(editor_.add({.position = reference_[missed].position,
                                     .radius = reference_[missed].radius,
@@ -132,7 +132,7 @@ void Graft::hangAlong(NodeId id, const Hold& hold) {
     }
     onto = copies_[indexOf(missed)];
   }
-  if (onto) hang(id, *onto, hold.edge);
+  if (onto) attach(id, *onto, hold.edge);
 }
 
 } // namespace espalier

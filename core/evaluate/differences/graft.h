@@ -12,35 +12,35 @@
 namespace espalier {
 
 /// A node at the place nearest to `place` on the edges that meet at `host`: one that is there
-/// within the tolerance [L], else a new one on its edge. Not on what `hanging` carries.
+/// within the tolerance [L], else a new one on its edge. Not on what `attached` carries.
 NodeId nodeAt(SkeletonEditor& editor, NodeId host, const Eigen::Vector3d& place, double tolerance,
-              std::optional<NodeId> hanging = std::nullopt);
+              std::optional<NodeId> attached = std::nullopt);
 
 /// The node above the place nearest to `place` in the trees of `roots`. pre: there are some
 [[nodiscard]] NodeId nearestIn(const Skeleton& skeleton, const std::vector<NodeId>& roots,
                                const Eigen::Vector3d& place);
 
-/// Puts parts of a reference into a result that is edited, and hangs on them what it has already.
-/// All must outlive it.
+/// Puts parts of a reference into a result that is edited, and attaches to them what it has
+/// already. All must outlive it.
 class Graft {
 public:
   Graft(SkeletonEditor& editor, const Differences& found, const Skeleton& reference);
 
-  /// Copies a node with its radius, or takes the one of the result that stands there. It hangs on
-  /// `host`, or else on the copy of its parent, or is a root.
+  /// Copies a node with its radius, or takes the one of the result that stands there. It is
+  /// attached to `host`, or else to the copy of its parent, or is a root.
   void copy(NodeId id, std::optional<NodeId> host = std::nullopt);
-  /// Hangs what the reference goes on with above a copied node on its copy.
+  /// Attaches what the reference goes on with above a copied node to its copy.
   void goOnAbove(NodeId id);
-  /// Hangs a node where a hold says, along copies of what was missed on the way.
-  void hangAlong(NodeId id, const Hold& hold);
+  /// Attaches a node where a hold says, along copies of what was missed on the path.
+  void attachAlong(NodeId id, const Hold& hold);
 
   [[nodiscard]] const StandingNodes& standing() const { return standing_; }
   [[nodiscard]] const std::vector<NodeId>& added() const { return added_; }
 
 private:
-  /// Hangs a node by an edge of that type, and removes what leads to nothing any more. What else
+  /// Attaches a node by an edge of that type, and removes what leads to nothing any more. What else
   /// continued the axis there branches.
-  void hang(NodeId id, NodeId onto, EdgeType edge);
+  void attach(NodeId id, NodeId onto, EdgeType edge);
   [[nodiscard]] bool carries(NodeId id, std::optional<NodeId> other) const;
   void removeDeadEnd(std::optional<NodeId> end);
 

@@ -21,7 +21,8 @@ double nearShare(const Skeleton& skeleton, NodeId id, const EdgeIndex& other, do
   double near = 0;
   for (double i = 0; i < samples;) {
     const double distance = other.nearest(edge.at((i + 0.5) / samples))->distance;
-    // No distance changes by more than the way: what lies that far on is alike, and not measured.
+    // No distance changes by more than the path length: what lies that far on is alike,
+    // and not measured.
     const double alike =
         length > 0 ? std::floor(std::abs(distance - tolerance) * samples / length) : 0;
     const double next = std::min(i + std::max(1.0, alike), samples);

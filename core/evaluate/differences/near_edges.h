@@ -19,7 +19,7 @@ namespace espalier {
                                           double tolerance, const Progress& progress = {});
 
 /// Stretches of edges that all are, or all are not, marked in `flags`, cut out of a skeleton: each
-/// hangs together along its edges, parents before their children, in the order of the first nodes.
+/// is connected along its edges, parents before their children, in the order of the first nodes.
 /// Only those whose flag is `value`. Twigs that only leave the same node are stretches of their
 /// own.
 [[nodiscard]] std::vector<std::vector<NodeId>>

@@ -63,9 +63,9 @@ std::optional<NodeId> StandingNodes::firstStanding(NodeId node) const {
   return std::nullopt;
 }
 
-std::optional<Hold> StandingNodes::below(NodeId hanging,
+std::optional<Hold> StandingNodes::below(NodeId attached,
                                          const std::function<bool(NodeId)>& leftOut) const {
-  const std::optional<NodeId> first = firstStanding(hanging);
+  const std::optional<NodeId> first = firstStanding(attached);
   if (!first) return std::nullopt;
   const NodeId lowest = *edgeOf(found_, *first);
   const double from = share(lowest, *first);
@@ -74,7 +74,7 @@ std::optional<Hold> StandingNodes::below(NodeId hanging,
     const std::vector<NodeId>& nodes = standing_[indexOf(*edge)];
     for (auto at = nodes.rbegin(); at != nodes.rend() && !hold.host; ++at) {
       const bool isAbove = *edge == lowest && share(*edge, *at) > from;
-      if (!isAbove && isThere(*at) && !leftOut(*at) && !result_.isAncestor(hanging, *at))
+      if (!isAbove && isThere(*at) && !leftOut(*at) && !result_.isAncestor(attached, *at))
         hold.host = *at;
     }
     if (hold.host && *edge == lowest) {
@@ -87,10 +87,10 @@ std::optional<Hold> StandingNodes::below(NodeId hanging,
     }
     if (hold.host) break; // else it leaves this edge at its upper end
     if (*edge != lowest && found_.ofReference[indexOf(*edge)] == Difference::missed)
-      hold.way.push_back(*edge);
+      hold.path.push_back(*edge);
     if (const auto parent = reference_[*edge].parent) hold.place = reference_[*parent].position;
   }
-  std::ranges::reverse(hold.way);
+  std::ranges::reverse(hold.path);
   return hold;
 }
 

@@ -23,7 +23,7 @@ struct ArchitectureAgreement {
   double sameOrder = 1;                // in [0, 1]: share of that; 1 if nothing is near
   double sameAxis = 1;                 // likewise
   std::vector<OrderAgreement> byOrder; // of the reference, order 0 first
-  TypeAgreement types;                 // of the edges that matched segments hang by
+  TypeAgreement types;                 // of the edges by which matched segments are attached
 };
 
 /// Compares orders and axes at even samples of the reference with those of the nearest place of the

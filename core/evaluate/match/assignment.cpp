@@ -84,7 +84,7 @@ private:
     for (;;) {
       const auto [distance, column] = open_.top();
       open_.pop();
-      if (distance != distance_[column]) continue; // a nearer way was found since
+      if (distance != distance_[column]) continue; // a shorter path was found since
       settled_.push_back(column);
       return column;
     }
@@ -114,7 +114,7 @@ private:
   std::vector<double> rowPotential_, columnPotential_;
   std::vector<std::size_t> rowOf_, columnOf_;
 
-  // Of the search under way:
+  // Of the search that runs:
   std::vector<double> distance_;     // by column
   std::vector<std::size_t> before_;  // by column: the row from which it was reached
   std::vector<std::size_t> reached_; // columns whose distance is not `unreached`

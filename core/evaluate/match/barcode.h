@@ -6,7 +6,7 @@
 
 namespace espalier {
 
-/// What a tip adds to a plant: the way along the plant from where it leaves something longer, or
+/// What a tip adds to a plant: the path along the plant from where it leaves something longer, or
 /// from the root, up to the tip. Both ends are counted from the root [L].
 struct Bar {
   double from = 0;
@@ -17,7 +17,7 @@ struct Bar {
 /// The bars of all tips: the shape of a plant whatever its place and the order of its branches.
 /// Where several leave together, the one that reaches farthest goes on. Time O(N).
 /// Source: L. Kanari et al., "A topological representation of branching neuronal morphologies",
-/// Neuroinformatics 16, 2018, with the way along the plant as the filtration.
+/// Neuroinformatics 16, 2018, with the path length along the plant as the filtration.
 [[nodiscard]] std::vector<Bar> barcode(const Skeleton& skeleton);
 
 /// How far two barcodes differ, in [0, 1]: 0 where they are the same, 1 where no bar has anything

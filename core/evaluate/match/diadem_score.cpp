@@ -34,16 +34,16 @@ DiademScore diademScore(const Skeleton& result, const Skeleton& reference,
   const Partners back = inverse(partners, truth.size());
 
   DiademScore score{.distance = options.distance, .landmarks = truth.size()};
-  const std::vector<WayBelow> foundWays = waysBelow(found, partners);
-  const std::vector<WayBelow> trueWays = waysBelow(truth, back);
+  const std::vector<PathBelow> foundPaths = pathsBelow(found, partners);
+  const std::vector<PathBelow> truePaths = pathsBelow(truth, back);
   double all = excess(found, partners);
   double right = 0;
   for (std::size_t i = 0; i < truth.size(); ++i) {
     all += truth[i].carried;
     if (!back[i]) continue;
     ++score.matched;
-    const WayBelow& there = foundWays[*back[i]];
-    const WayBelow& here = trueWays[i];
+    const PathBelow& there = foundPaths[*back[i]];
+    const PathBelow& here = truePaths[i];
     const bool isSame =
         (there.landmark ? partners[*there.landmark] : std::nullopt) == here.landmark;
     const double slack = options.distance + options.lengthShare * here.length;

@@ -11,23 +11,23 @@ struct DiademOptions {
   double lengthShare = 0.1; // of a path, by which its length may differ beyond `distance`; >= 0
 };
 
-/// How well tips and branchings agree together with the ways that lead to them.
+/// How well tips and branchings agree together with the paths that lead to them.
 struct DiademScore {
   double distance = 0;       // [L], as asked for
   std::size_t landmarks = 0; // tips and branchings of the reference
   std::size_t matched = 0;   // of these: a landmark of the result lies near
-  std::size_t connected = 0; // of these: the way there is the same
+  std::size_t connected = 0; // of these: the path there is the same
   double score = 1;          // in [0, 1]: 1 where all is found and nothing invented
 };
 
 /// A score like DIADEM's: for each tip and branching of the reference there should be one of the
-/// result near, reached along the same way.
+/// result near, reached along the same path.
 ///
 /// Tips are paired with tips and branchings with branchings, one to one (see landmarkPairs()). A
 /// pair is connected if the nearest paired landmarks below the two are a pair themselves, and the
-/// ways from these are equally long up to `distance` and a share; or if there is none below either.
-/// A landmark of the reference weighs as many tips as it carries, a tip one. The score is the
-/// weight of the connected ones in that of all and of what is invented: unpaired tips of the
+/// paths from these are equally long up to `distance` and a share; or if there is none below
+/// either. A landmark of the reference weighs as many tips as it carries, a tip one. The score is
+/// the weight of the connected ones in that of all and of what is invented: unpaired tips of the
 /// result weigh one, unpaired branchings as many unpaired tips as they carry.
 ///
 /// A reference without branchings or tips, a single node, has the score 1 with nothing invented.

@@ -88,7 +88,7 @@ Part merged(const Parts& plant, std::span<const std::size_t> path) {
   Part whole;
   for (const std::size_t p : path) {
     const Part& part = plant.parts[p];
-    // From the second on, a polyline begins where the part hangs: on the one before.
+    // From the second on, a polyline begins where the part is attached: on the one before.
     const bool isFirst = p == path.front();
     whole.polyline.insert(whole.polyline.end(), part.polyline.begin() + (isFirst ? 0 : 1),
                           part.polyline.end());

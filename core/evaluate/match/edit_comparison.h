@@ -15,7 +15,7 @@ enum class EditUnit { node, segment, axis };
 
 /// What it costs to take one part for another. Each part counts one, or its length.
 enum class EditCost {
-  topology,   // 1 to remove or insert; nothing to substitute: only what hangs on what counts
+  topology,   // 1 to remove or insert; nothing to substitute: only what is attached to what counts
   attributes, // as `topology`, but parts differ by length, radius, order and direction
   length,     // its length to remove or insert; the difference of the lengths to substitute
   place,      // as `length`, and the distance of the centers in addition

@@ -55,17 +55,17 @@ struct Path {
 };
 
 /// All paths of 2 to `longest` vertices down from one.
-void addPaths(const EditSide& side, std::vector<std::size_t>& way, std::size_t longest,
+void addPaths(const EditSide& side, std::vector<std::size_t>& path, std::size_t longest,
               std::vector<Path>& paths) {
-  if (way.size() >= longest) return;
-  for (const std::size_t child : side.of(way.back())) {
-    way.push_back(child);
-    double beside = side.tree[way.front()] - side.forest[child];
-    for (const std::size_t vertex : way)
+  if (path.size() >= longest) return;
+  for (const std::size_t child : side.of(path.back())) {
+    path.push_back(child);
+    double beside = side.tree[path.front()] - side.forest[child];
+    for (const std::size_t vertex : path)
       beside -= side.alone[vertex];
-    paths.push_back({way, beside});
-    addPaths(side, way, longest, paths);
-    way.pop_back();
+    paths.push_back({path, beside});
+    addPaths(side, path, longest, paths);
+    path.pop_back();
   }
 }
 
@@ -113,8 +113,8 @@ private:
   [[nodiscard]] std::vector<std::vector<Path>> pathsOf(const EditSide& side) const {
     std::vector<std::vector<Path>> paths(side.size());
     for (std::size_t v = 1; v < side.size(); ++v) {
-      std::vector<std::size_t> way{v};
-      addPaths(side, way, costs_.longestPath, paths[v]);
+      std::vector<std::size_t> path{v};
+      addPaths(side, path, costs_.longestPath, paths[v]);
     }
     return paths;
   }

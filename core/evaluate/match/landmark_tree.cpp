@@ -34,24 +34,24 @@ std::vector<Landmark> landmarksOf(const Skeleton& skeleton) {
   std::vector<Landmark> found;
   std::vector<std::optional<std::size_t>> last(
       skeleton.idEnd());                           // by node: the landmark at it, or else below it
-  std::vector<double> length(skeleton.idEnd(), 0); // by node: of the way from there
+  std::vector<double> length(skeleton.idEnd(), 0); // by node: of the path from there
   for (const NodeId id : skeleton.ids()) {
     const Node& node = skeleton[id];
     const std::size_t children = skeleton.children(id).size();
     std::optional<std::size_t> below;
-    double way = 0;
+    double pathLength = 0;
     if (node.parent) {
       const std::size_t parent = indexOf(*node.parent);
       below = last[parent];
-      way = length[parent] + (node.position - skeleton[*node.parent].position).norm();
+      pathLength = length[parent] + (node.position - skeleton[*node.parent].position).norm();
     }
     const bool isTip = node.parent && children == 0;
     if (isTip || children > 1) {
       last[indexOf(id)] = found.size();
-      found.push_back({node.position, isTip, below, way, isTip ? 1.0 : 0.0});
+      found.push_back({node.position, isTip, below, pathLength, isTip ? 1.0 : 0.0});
     } else {
       last[indexOf(id)] = below;
-      length[indexOf(id)] = way;
+      length[indexOf(id)] = pathLength;
     }
   }
   for (std::size_t i = found.size(); i-- > 0;)
@@ -67,17 +67,18 @@ Partners partnersOf(const std::vector<Landmark>& result, const std::vector<Landm
   return partners;
 }
 
-std::vector<WayBelow> waysBelow(const std::vector<Landmark>& landmarks, const Partners& partners) {
-  std::vector<WayBelow> ways;
+std::vector<PathBelow> pathsBelow(const std::vector<Landmark>& landmarks,
+                                  const Partners& partners) {
+  std::vector<PathBelow> paths;
   for (const Landmark& landmark : landmarks) { // those below come first
-    WayBelow way{landmark.below, landmark.length};
+    PathBelow path{landmark.below, landmark.length};
     if (landmark.below && !partners[*landmark.below]) {
-      way = ways[*landmark.below];
-      way.length += landmark.length;
+      path = paths[*landmark.below];
+      path.length += landmark.length;
     }
-    ways.push_back(way);
+    paths.push_back(path);
   }
-  return ways;
+  return paths;
 }
 
 } // namespace espalier

@@ -16,7 +16,7 @@ struct Landmark {
   Eigen::Vector3d position; // [L]
   bool isTip;
   std::optional<std::size_t> below; // the landmark it stands on, if any
-  double length;                    // of the way from there, or from the root [L]
+  double length;                    // of the path from there, or from the root [L]
   double carried = 0;               // tips at or above it
 };
 
@@ -28,12 +28,12 @@ struct Landmark {
 [[nodiscard]] Partners partnersOf(const std::vector<Landmark>& result,
                                   const std::vector<Landmark>& reference, double distance);
 
-/// The way down to the nearest landmark with a partner.
-struct WayBelow {
+/// The path down to the nearest landmark with a partner.
+struct PathBelow {
   std::optional<std::size_t> landmark; // none: there is none below
   double length;                       // [L]
 };
-[[nodiscard]] std::vector<WayBelow> waysBelow(const std::vector<Landmark>& landmarks,
-                                              const Partners& partners);
+[[nodiscard]] std::vector<PathBelow> pathsBelow(const std::vector<Landmark>& landmarks,
+                                                const Partners& partners);
 
 } // namespace espalier

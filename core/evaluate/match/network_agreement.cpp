@@ -30,9 +30,9 @@ using Connections = std::set<std::pair<std::size_t, std::size_t>>;
 /// @param names of the landmarks, by which both plants know them; none: the other lacks it
 Connections connectionsOf(const std::vector<Landmark>& landmarks, const Partners& names) {
   Connections found;
-  const std::vector<WayBelow> ways = waysBelow(landmarks, names);
+  const std::vector<PathBelow> paths = pathsBelow(landmarks, names);
   for (std::size_t i = 0; i < landmarks.size(); ++i)
-    if (const auto& below = ways[i].landmark; names[i] && below)
+    if (const auto& below = paths[i].landmark; names[i] && below)
       found.insert(std::minmax({*names[i], *names[*below]}));
   return found;
 }

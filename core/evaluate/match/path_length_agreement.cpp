@@ -14,7 +14,7 @@
 namespace espalier {
 namespace {
 
-/// Lengths of ways along a skeleton.
+/// Lengths of paths along a skeleton.
 class PathsAlong {
 public:
   explicit PathsAlong(const Skeleton& skeleton)
@@ -104,15 +104,15 @@ PathLengthAgreement pathLengthAgreement(const Skeleton& result, const Skeleton& 
     if (k % 64 == 0) progress.update(static_cast<double>(k) / static_cast<double>(options.pairs));
     const EvenSample& from = samples[random.below(samples.size())];
     const EvenSample& to = samples[random.below(samples.size())];
-    const auto way = truth.between(from, to);
-    if (!way || *way < options.distance) continue;
+    const auto trueLength = truth.between(from, to);
+    if (!trueLength || *trueLength < options.distance) continue;
     ++agreed.pairs;
     const auto foundFrom = near(from);
     const auto foundTo = near(to);
     if (!foundFrom || !foundTo) continue;
     ++agreed.found;
-    if (const auto foundWay = found.between(*foundFrom, *foundTo))
-      errors.push_back(std::abs(*foundWay / *way - 1));
+    if (const auto foundLength = found.between(*foundFrom, *foundTo))
+      errors.push_back(std::abs(*foundLength / *trueLength - 1));
   }
   summarize(agreed, std::move(errors));
   return agreed;

@@ -60,7 +60,7 @@ Reach withSegment(Reach reach, const PathSide& side, std::size_t segment, const 
   return reach;
 }
 
-/// All ways upward along free segments that stay within sqrt(limit) of the target.
+/// All paths upward along free segments that stay within sqrt(limit) of the target.
 std::vector<Reach> reachesUp(const PathSide& side, std::size_t segment, const Segment& target,
                              double limit) {
   std::vector<Reach> found = {
@@ -76,7 +76,7 @@ std::vector<Reach> reachesUp(const PathSide& side, std::size_t segment, const Se
   return found;
 }
 
-/// The same downward, where there is one way only.
+/// The same downward, where there is one path only.
 std::vector<Reach> reachesDown(const PathSide& side, std::size_t segment, const Segment& target,
                                double limit) {
   std::vector<Reach> found = {

@@ -12,11 +12,12 @@ double squaredDistanceTo(const Polyline& polyline, const Eigen::Vector3d& place)
   double nearest = std::numeric_limits<double>::infinity();
   if (polyline.size() == 1) nearest = (place - polyline.front()).squaredNorm();
   for (std::size_t i = 1; i < polyline.size(); ++i) {
-    const Eigen::Vector3d way = polyline[i] - polyline[i - 1];
+    const Eigen::Vector3d along = polyline[i] - polyline[i - 1];
     const Eigen::Vector3d arm = place - polyline[i - 1];
-    const double squaredLength = way.squaredNorm();
-    const double share = squaredLength > 0 ? std::clamp(arm.dot(way) / squaredLength, 0.0, 1.0) : 0;
-    nearest = std::min(nearest, (arm - share * way).squaredNorm());
+    const double squaredLength = along.squaredNorm();
+    const double share =
+        squaredLength > 0 ? std::clamp(arm.dot(along) / squaredLength, 0.0, 1.0) : 0;
+    nearest = std::min(nearest, (arm - share * along).squaredNorm());
   }
   return nearest;
 }
@@ -33,12 +34,12 @@ Polyline evenPlaces(const Polyline& polyline, double step) {
   Polyline places = {polyline.front()};
   double passed = 0;
   for (std::size_t i = 1; i < polyline.size(); ++i) {
-    const Eigen::Vector3d way = polyline[i] - polyline[i - 1];
-    const double edge = way.norm();
+    const Eigen::Vector3d along = polyline[i] - polyline[i - 1];
+    const double edge = along.norm();
     for (;;) {
       const double at = static_cast<double>(places.size()) * length / parts - passed;
       if (at >= edge || static_cast<double>(places.size()) >= parts) break;
-      places.push_back(polyline[i - 1] + at / edge * way);
+      places.push_back(polyline[i - 1] + at / edge * along);
     }
     passed += edge;
   }

@@ -39,10 +39,10 @@ std::vector<std::size_t> segmentOfEach(const Skeleton& skeleton,
 Eigen::Vector3d middleOf(const Segment& segment) {
   double left = segment.length / 2;
   for (std::size_t i = 1; i < segment.polyline.size(); ++i) {
-    const Eigen::Vector3d way = segment.polyline[i] - segment.polyline[i - 1];
-    if (way.norm() >= left && way.norm() > 0)
-      return segment.polyline[i - 1] + left / way.norm() * way;
-    left -= way.norm();
+    const Eigen::Vector3d edge = segment.polyline[i] - segment.polyline[i - 1];
+    if (edge.norm() >= left && edge.norm() > 0)
+      return segment.polyline[i - 1] + left / edge.norm() * edge;
+    left -= edge.norm();
   }
   return segment.polyline.back();
 }

@@ -45,8 +45,8 @@ struct ToleranceCurve {
 /// The pine of the thesis has a median edge of 44.4 mm, hence 5, 10, 20 and 50 mm.
 [[nodiscard]] std::vector<double> defaultTolerances(const Skeleton& reference);
 
-/// The tolerance that scores go by unless told otherwise: the second of defaultTolerances(), 10 mm
-/// for the pine. Finer, noise decides; coarser, twigs beside each other are taken for one.
+/// The tolerance that scores go by unless another is given: the second of defaultTolerances(), 10
+/// mm for the pine. Finer, noise decides; coarser, twigs beside each other are taken for one.
 [[nodiscard]] double usualTolerance(const Skeleton& reference); // [L]
 
 /// Distance from each sample to the nearest place of a skeleton [L].

@@ -23,7 +23,7 @@ struct TypeAgreement {
   [[nodiscard]] double kappa() const;
 };
 
-/// Over the matched segments of a comparison, by the edges that their first nodes hang on; roots
+/// Over the matched segments of a comparison, by the edges that attach their first nodes; roots
 /// do not count. pre: `comparison` is of these two
 [[nodiscard]] TypeAgreement typeAgreement(const AuthorsComparison& comparison,
                                           const Skeleton& result, const Skeleton& reference);

@@ -47,7 +47,7 @@ Eigen::Isometry3d roughShift(const Skeleton& result, const Skeleton& reference, 
   return best.motion;
 }
 
-/// The two as they lie, with few samples for a search and with many for what is told.
+/// The two as they lie, with few samples for a search and with many for what is reported.
 struct Both {
   EdgeIndex resultIndex;
   EdgeIndex referenceIndex;

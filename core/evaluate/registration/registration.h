@@ -32,11 +32,12 @@ struct Registration {
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();         // of the result, where it lay [L]
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();          // of that middle under motion [L]
   bool isGiven = false;                                     // the motion was known before
-  double reach = 0;          // [L], distances above it count as this: they are no pairs
-  double residualBefore = 0; // [L], mean distance between the two both ways, each up to reach
-  double residualAfter = 0;  // [L], the same after the motion; if found, not above residualBefore
-  double nearDistance = 0;   // [L], a fourth of the reach
-  double near = 0;           // share of the length within that of the other, of both: harmonic mean
+  double reach = 0; // [L], distances above it count as this: they are no pairs
+  /// [L], mean distance between the two in both directions, each up to reach
+  double residualBefore = 0;
+  double residualAfter = 0; // [L], the same after the motion; if found, not above residualBefore
+  double nearDistance = 0;  // [L], a fourth of the reach
+  double near = 0;          // share of the length within that of the other, of both: harmonic mean
 
   [[nodiscard]] double angle() const;         // by which it is turned [rad], in [0, pi]
   [[nodiscard]] Eigen::Vector3d axis() const; // that it is turned about, length 1; zero: it is not

@@ -32,7 +32,7 @@ struct FitPair {
 /// A motion of the result, and how well it lays it on the reference.
 struct RigidFit {
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
-  double residual = 0; // [L], mean distance both ways, each up to reach
+  double residual = 0; // [L], mean distance in both directions, each up to reach
   double near = 0;     // share of the length of both within a fourth of that: harmonic mean
 };
 

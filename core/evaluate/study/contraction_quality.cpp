@@ -3,8 +3,8 @@
 #include "core/base/moments.h"
 #include "core/base/spatial_index.h"
 #include "core/evaluate/match/comparable.h"
+#include "core/evaluate/study/bridges.h"
 #include "core/evaluate/study/thinned_plant.h"
-#include "core/evaluate/study/webs.h"
 #include "core/graph/geodesic_balls.h"
 #include "core/skeleton/assign_points.h"
 
@@ -158,7 +158,7 @@ Judged judged(const Eigen::Matrix3Xf& points, const Eigen::Matrix3Xf& contracted
   measureThickness(result.plant, axes, contracted, spacing, result.quality);
   result.ends = endsOf(result.plant, shortestBranch * spacing);
   result.quality.tips = static_cast<Eigen::Index>(result.ends.size());
-  result.quality.webbedJunctions = countWebs(result.plant, result.places, spacing);
+  result.quality.bridgedJunctions = countBridges(result.plant, result.places, spacing);
   return result;
 }
 

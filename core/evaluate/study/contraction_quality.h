@@ -12,22 +12,22 @@ namespace espalier {
 
 struct ContractionQualityOptions {
   double spacing = 0; // between neighboring points of the whole scan [L], > 0
-  /// [L], frame of the points. Ends of each part that hangs together are sought from the point of
-  /// it that is nearest to the root; without one, from the point farthest from its mean.
+  /// [L], frame of the points. Ends of each connected part are sought from the point of it that
+  /// is nearest to the root; without one, from the point farthest from its mean.
   std::optional<Eigen::Vector3f> root = {};
 };
 
 /// Numbers by which a contraction, and a skeleton made from it, are judged without a reference.
 ///
 /// The plant is seen through one point per cube of 2 spacings, linked to its 8 nearest within 5
-/// spacings; what hangs together by fewer than 10 such links is dust and does not count. "Near a
+/// spacings; what is connected by fewer than 10 such links is dust and does not count. "Near a
 /// point" is within 10 spacings of it along these links, where it was scanned: so a neighboring
 /// twig does not count as thickness. An end is that of a branch longer than 14 spacings, a little
 /// more than what pruning leaves by default.
 struct ContractionQuality {
   /// How thick what was contracted still is [spacings]: the median over the plant of the root mean
   /// square distance of the contracted points near a point from the line through them, their local
-  /// axis (its principal component). 0 for lines; its radius for a tube that was not contracted.
+  /// axis (its principal component). 0 for lines; its radius for an uncontracted cylinder.
   double residualThickness = 0;
   /// Share of the points near which the contracted ones lie on a line: more than 0.9 of their
   /// variance is along it (the share at which H. Huang et al., ACM Trans. Graph. 32(4), 2013, stop
@@ -40,10 +40,10 @@ struct ContractionQuality {
   Eigen::Index lostTips = 0;
   /// Places where contracted points lie within a spacing of each other, though along the plant they
   /// are over 20 spacings apart and over 3 times as far as straight through space.
-  Eigen::Index webbedJunctions = 0;
+  Eigen::Index bridgedJunctions = 0;
   double skeletonLength = 0; // [L]; 0 without a skeleton, as the next two
   /// Points whose contracted place is more than 3 spacings off all edges, where these have their
-  /// radius. Told by one point per cube for all points in it.
+  /// radius. Found by one point per cube for all points in it.
   Eigen::Index unexplainedPoints = 0;
   Eigen::Index nodes = 0;
   // By point [spacings]; not a number for dust:
@@ -61,7 +61,7 @@ struct ContractionQuality {
                                                     const ContractionQualityOptions& options,
                                                     const Progress& progress = {});
 
-/// The same with what is told of a skeleton.
+/// The same with the numbers of a skeleton.
 /// @param origin of the points, in the frame of the skeleton [L]
 [[nodiscard]] ContractionQuality
 contractionQuality(const Eigen::Matrix3Xf& points, const Eigen::Matrix3Xf& contracted,

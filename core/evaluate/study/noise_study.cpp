@@ -93,7 +93,7 @@ NoiseStudy noiseStudy(const Skeleton& reference, const NoiseOptions& options,
 
   std::vector<PlantScores> scores(runs.size());
   const Progress whole = progress.part(0, 1, "Comparing plants");
-  const Progress stopOnly = whole.part(0, 0); // plants come at once: none tells how far all are
+  const Progress stopOnly = whole.part(0, 0); // plants come at once: none knows how far all are
   parallelFor(
       static_cast<Eigen::Index>(runs.size()),
       [&](Eigen::Index i) {

@@ -56,7 +56,7 @@ struct NoiseStudy {
 /// How fast each score falls as a reference is made worse and compared with itself.
 ///
 /// A score that stays high where much is wrong hides it; one that falls where nothing is, as where
-/// nodes are merely respaced, tells of something else than the plant.
+/// nodes are merely respaced, measures something else than the plant.
 /// @throws Error     if the reference has no nodes, no length, or a position that is no number; if
 ///                   a level is outside its range, or leaves nothing to compare
 /// @throws Cancelled if `progress` asks to stop

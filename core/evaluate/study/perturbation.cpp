@@ -73,7 +73,7 @@ Skeleton withHeadsMoved(Skeleton plant, double share, Random& random) {
   return plant;
 }
 
-/// The segments that carry nothing and hang on something.
+/// The segments that carry nothing and are attached to something.
 std::vector<Segment> terminalSegments(const Skeleton& plant) {
   std::vector<Segment> segments = unbranchedSegments(plant);
   std::erase_if(segments, [&](const Segment& segment) {
@@ -119,13 +119,13 @@ Skeleton withSpurs(Skeleton plant, double perNode, double length, Random& random
   for (long long i = 0; i < count; ++i) {
     const NodeId foot = ids[random.below(ids.size())];
     const Node& node = plant[foot];
-    Vector3d way = random.direction();
+    Vector3d direction = random.direction();
     if (node.parent) { // sideways, so that it is no second axis along the first
       const Vector3d along = (node.position - plant[*node.parent].position).normalized();
-      const Vector3d across = way - way.dot(along) * along;
-      if (across.norm() > 1e-6) way = across.normalized();
+      const Vector3d across = direction - direction.dot(along) * along;
+      if (across.norm() > 1e-6) direction = across.normalized();
     }
-    plant.add({.position = node.position + length * way,
+    plant.add({.position = node.position + length * direction,
                .radius = node.radius,
                .parent = foot,
                .edge = EdgeType::branching});
@@ -150,13 +150,13 @@ Skeleton resampled(const Skeleton& plant, double step) {
   std::vector<NodeId> newOf(plant.idEnd());
   for (const std::vector<NodeId>& stretch : stretches(plant)) {
     const Node& first = plant[stretch.front()];
-    std::vector<Node> way; // the nodes that the new ones lie between
-    if (first.parent) way.push_back(plant[*first.parent]);
+    std::vector<Node> path; // the nodes that the new ones lie between
+    if (first.parent) path.push_back(plant[*first.parent]);
     for (const NodeId id : stretch)
-      way.push_back(plant[id]);
+      path.push_back(plant[id]);
     double length = 0;
-    for (std::size_t i = 1; i < way.size(); ++i)
-      length += (way[i].position - way[i - 1].position).norm();
+    for (std::size_t i = 1; i < path.size(); ++i)
+      length += (path[i].position - path[i - 1].position).norm();
 
     std::optional<NodeId> parent;
     if (first.parent) parent = newOf[indexOf(*first.parent)];
@@ -169,16 +169,16 @@ Skeleton resampled(const Skeleton& plant, double step) {
     const double parts = std::max(1.0, std::round(length / step));
     double passed = 0;
     double next = 1; // of the new nodes
-    for (std::size_t i = 1; i < way.size(); ++i) {
-      const Vector3d edgeWay = way[i].position - way[i - 1].position;
-      for (; next < parts && next * length / parts < passed + edgeWay.norm(); ++next) {
-        const double share = (next * length / parts - passed) / edgeWay.norm();
-        add(way[i - 1].position + share * edgeWay,
-            way[i - 1].radius + share * (way[i].radius - way[i - 1].radius));
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      const Vector3d edgeVector = path[i].position - path[i - 1].position;
+      for (; next < parts && next * length / parts < passed + edgeVector.norm(); ++next) {
+        const double share = (next * length / parts - passed) / edgeVector.norm();
+        add(path[i - 1].position + share * edgeVector,
+            path[i - 1].radius + share * (path[i].radius - path[i - 1].radius));
       }
-      passed += edgeWay.norm();
+      passed += edgeVector.norm();
     }
-    if (way.size() > 1) add(way.back().position, way.back().radius);
+    if (path.size() > 1) add(path.back().position, path.back().radius);
     newOf[indexOf(stretch.back())] = *parent;
   }
   return result;

@@ -11,7 +11,7 @@ namespace espalier {
 /// Ways in which a skeleton is made worse, each by some level from 0, not at all.
 enum class Perturbation {
   position, // standard deviation of each coordinate of each node, in median edges
-  reparent, // share of the segments hung on the nearest node they neither carry nor stand on
+  reparent, // share of the segments attached to the nearest node they neither carry nor stand on
   prune,    // share of the terminal segments cut off
   shorten,  // share of its length that each terminal segment loses
   spurs,    // spurs of a median edge, sideways, per node
@@ -24,14 +24,14 @@ enum class Perturbation {
 struct PerturbationEntry {
   std::string name;           // "position"
   std::string unit;           // "median edges"
-  std::vector<double> levels; // that a study takes unless told otherwise; rising
+  std::vector<double> levels; // that a study takes unless others are given; rising
   double least;               // level but for 0, which changes nothing
   double most;                // likewise
 };
 
 [[nodiscard]] const std::vector<PerturbationEntry>& perturbations(); // in the order of the enum
 
-/// @throws Error that tells the range, if the level is neither 0 nor in that of its entry
+/// @throws Error that states the range, if the level is neither 0 nor in that of its entry
 void requireLevel(Perturbation kind, double level);
 
 /// `skeleton` made worse. Ids stay, but for nodes that go or are added.

@@ -49,11 +49,11 @@ struct Ranking {
   std::vector<RankedResult> results; // the best first; equal ones in the order given
 };
 
-/// Ranks results by how well they agree with one reference, and tells how sure that is.
+/// Ranks results by how well they agree with one reference, and states how sure that is.
 ///
 /// The segments of the reference are drawn again with replacement, all results from the same draws:
 /// each segment brings what is matched with it, and what of the result lies nearest to it. The
-/// interval holds the middle share of the scores so found. It tells how much the ranking hangs on
+/// interval holds the middle share of the scores so found. It shows how much the ranking depends on
 /// which segments this one plant happens to have, and nothing of other plants or experts.
 ///
 /// @throws Error     if one has no nodes, no length, or a position that is no number; the message

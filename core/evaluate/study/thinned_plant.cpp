@@ -32,7 +32,7 @@ std::vector<std::uint32_t> cubesOf(const Eigen::Matrix3Xf& points, double side,
   return cubes;
 }
 
-/// The cubes of each part that hangs together.
+/// The cubes of each connected part.
 std::vector<std::vector<std::uint32_t>> partsOf(const ThinnedPlant& plant) {
   std::vector<bool> isMet(plant.points.size(), false);
   std::vector<std::vector<std::uint32_t>> parts;
@@ -65,7 +65,7 @@ std::uint32_t footOf(const std::vector<std::uint32_t>& part, const Eigen::Matrix
   });
 }
 
-/// Shortest ways from the feet, along links that hold.
+/// Shortest paths from the feet, along links that hold.
 std::vector<float> distancesFrom(const std::vector<std::uint32_t>& feet, const ThinnedPlant& plant,
                                  const Progress& progress) {
   using Item = std::pair<float, std::uint32_t>;

@@ -16,7 +16,7 @@ struct ThinnedPlant {
   static constexpr double cubeSide = 2;    // these two in point spacings
   static constexpr double longestLink = 5; // wider gaps are not bridged
   static constexpr int linksPerPoint = 8;
-  static constexpr std::size_t dust = 10; // fewer points that hang together
+  static constexpr std::size_t dust = 10; // fewer connected points
 
   std::vector<std::uint32_t> cubeOf; // by point of the scan
   float longest = 0;                 // link [L]
@@ -48,7 +48,7 @@ struct ThinnedPlant {
 /// Geom. 28, 2002.
 [[nodiscard]] std::vector<std::uint32_t> endsOf(const ThinnedPlant& plant, double shortest);
 
-/// The plant in pieces: what hangs together of each stretch of distance from the foot.
+/// The plant in pieces: what is connected of each stretch of distance from the foot.
 struct PlantPieces {
   static constexpr std::uint32_t none = 0xffffffff;
   std::vector<std::uint32_t> ofCube;                // none for dust

@@ -7,18 +7,18 @@
 namespace espalier {
 namespace {
 
-/// How far along its axis each node is, by id, with the edge that the axis hangs on [L].
-std::vector<double> waysAlong(const Skeleton& skeleton, const std::vector<Axis>& all) {
-  std::vector<double> ways(skeleton.idEnd(), 0);
+/// How far along its axis each node is, by id, with the edge that attaches the axis [L].
+std::vector<double> lengthsAlong(const Skeleton& skeleton, const std::vector<Axis>& all) {
+  std::vector<double> along(skeleton.idEnd(), 0);
   for (const Axis& axis : all) {
-    double way = 0;
+    double passed = 0;
     for (const NodeId id : axis) {
       if (const auto parent = skeleton[id].parent)
-        way += (skeleton[id].position - skeleton[*parent].position).norm();
-      ways[indexOf(id)] = way;
+        passed += (skeleton[id].position - skeleton[*parent].position).norm();
+      along[indexOf(id)] = passed;
     }
   }
-  return ways;
+  return along;
 }
 
 /// A mean that grows.
@@ -69,11 +69,11 @@ AxisTraits traitsOf(AxisSums sums) {
 std::vector<AxisTraits> axisTraits(const Skeleton& skeleton) {
   const std::vector<Axis> all = axes(skeleton);
   const std::vector<int> orderOf = orders(skeleton);
-  const std::vector<double> ways = waysAlong(skeleton, all);
+  const std::vector<double> along = lengthsAlong(skeleton, all);
   std::vector<double> lengths(skeleton.idEnd(), 0); // of the axis of each node
   for (const Axis& axis : all)
     for (const NodeId id : axis)
-      lengths[indexOf(id)] = ways[indexOf(axis.back())];
+      lengths[indexOf(id)] = along[indexOf(axis.back())];
   std::vector<AxisSums> sums;
   for (const Axis& axis : all) {
     const auto order = static_cast<std::size_t>(orderOf[indexOf(axis.front())]);
@@ -82,12 +82,12 @@ std::vector<AxisTraits> axisTraits(const Skeleton& skeleton) {
     const Node& first = skeleton[axis.front()];
     const Node& last = skeleton[axis.back()];
     const Eigen::Vector3d& foot = first.parent ? skeleton[*first.parent].position : first.position;
-    of.lengths.push_back(ways[indexOf(axis.back())]);
+    of.lengths.push_back(along[indexOf(axis.back())]);
     of.chord.add((last.position - foot).norm());
     if (first.radius > 0) of.baseRadius.add(first.radius);
     if (last.radius > 0) of.topRadius.add(last.radius);
     if (!first.parent || !(lengths[indexOf(*first.parent)] > 0)) continue;
-    of.insertion.add(ways[indexOf(*first.parent)] / lengths[indexOf(*first.parent)]);
+    of.insertion.add(along[indexOf(*first.parent)] / lengths[indexOf(*first.parent)]);
   }
   std::vector<AxisTraits> traits;
   traits.reserve(sums.size());

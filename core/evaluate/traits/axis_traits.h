@@ -11,10 +11,10 @@ namespace espalier {
 /// Sizes of the axes of one order; means over them.
 struct AxisTraits {
   std::size_t count = 0;
-  double meanLength = 0;      // along the axis, with the edge it hangs on [L]
+  double meanLength = 0;      // along the axis, with the edge that attaches it [L]
   double lengthDeviation = 0; // standard deviation of the same; 0 of a single one [L]
   double medianLength = 0;    // [L]
-  double meanChord = 0;       // straight from what it hangs on to its apex [L]
+  double meanChord = 0;       // straight from where it is attached to its apex [L]
   double meanInsertion = 0;   // where it leaves: share of the length of what bears it, in [0, 1];
                               // 0 of roots
   double meanBaseRadius = 0;  // of the first nodes that have one [L]; 0: none has

@@ -14,7 +14,7 @@ struct CrownDimensions {
   double spread = 0;     // greatest horizontal distance between two nodes of branches [L]
 };
 
-/// Branches are the nodes of order 1 and above, with the nodes they hang on. A plant without any
+/// Branches are the nodes of order 1 and above, with the nodes that bear them. A plant without any
 /// has a height alone, an empty one nothing. Time O(N log N).
 [[nodiscard]] CrownDimensions crownDimensions(const Skeleton& skeleton);
 

@@ -65,21 +65,21 @@ Frame carried(const Frame& frame, const Vector3d& along) {
 /// Direction of the axis at its node `i`; that of `before` where nodes coincide.
 Vector3d directionAt(const Skeleton& skeleton, const Axis& axis, std::size_t i,
                      const Vector3d& before) {
-  Vector3d way = internode(skeleton, axis[i]);
-  if (i + 1 < axis.size()) way += internode(skeleton, axis[i + 1]);
-  return way.isZero(0) ? before : way.normalized();
+  Vector3d direction = internode(skeleton, axis[i]);
+  if (i + 1 < axis.size()) direction += internode(skeleton, axis[i + 1]);
+  return direction.isZero(0) ? before : direction.normalized();
 }
 
 /// Sets azimuth, divergence and spacing of what branches off an axis.
 void measureBranches(const Skeleton& skeleton, const Axis& axis, std::vector<Internode>& result) {
   Frame frame = firstFrame(directionAt(skeleton, axis, 0, Vector3d::UnitZ()));
-  double way = 0;                    // along the axis
-  std::optional<double> wayBefore;   // at the branch before
-  std::optional<double> angleBefore; // of it
+  double passed = 0;                  // along the axis
+  std::optional<double> passedBefore; // at the branch before
+  std::optional<double> angleBefore;  // of it
   for (std::size_t i = 0; i < axis.size(); ++i) {
     if (i > 0) {
       frame = carried(frame, directionAt(skeleton, axis, i, frame.along));
-      way += result[indexOf(axis[i])].length;
+      passed += result[indexOf(axis[i])].length;
     }
     for (const NodeId child : skeleton.children(axis[i])) {
       if (i + 1 < axis.size() && child == axis[i + 1]) continue;
@@ -87,8 +87,8 @@ void measureBranches(const Skeleton& skeleton, const Axis& axis, std::vector<Int
       branch.azimuth = frame.azimuth(internode(skeleton, child));
       if (branch.azimuth && angleBefore)
         branch.divergence = wrapped(*branch.azimuth - *angleBefore);
-      if (wayBefore) branch.spacing = way - *wayBefore;
-      wayBefore = way;
+      if (passedBefore) branch.spacing = passed - *passedBefore;
+      passedBefore = passed;
       angleBefore = branch.azimuth;
     }
   }
@@ -101,11 +101,11 @@ std::vector<Internode> internodes(const Skeleton& skeleton) {
   for (const NodeId id : skeleton.ids()) {
     const Node& node = skeleton[id];
     if (!node.parent) continue;
-    const Vector3d way = internode(skeleton, id);
+    const Vector3d edge = internode(skeleton, id);
     Internode& entry = result[indexOf(id)];
-    entry.length = way.norm();
-    entry.inclination = angleBetween(way, Vector3d::UnitZ());
-    entry.turn = angleBetween(internode(skeleton, *node.parent), way);
+    entry.length = edge.norm();
+    entry.inclination = angleBetween(edge, Vector3d::UnitZ());
+    entry.turn = angleBetween(internode(skeleton, *node.parent), edge);
   }
   for (const Axis& axis : axes(skeleton))
     measureBranches(skeleton, axis, result);

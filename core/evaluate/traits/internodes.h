@@ -17,7 +17,7 @@ struct Internode {
   // Where a branch begins on another axis, in the order of the branches along it:
   std::optional<double> azimuth;    // around the axis [rad], in [0, 2 pi)
   std::optional<double> divergence; // azimuth less that of the branch before [rad], in [0, 2 pi)
-  std::optional<double> spacing;    // along the axis, from where the branch before hangs [L]
+  std::optional<double> spacing;    // along the axis, from where the branch before is attached [L]
 };
 
 /// The internodes by the nodes they lead to; empty ones for roots and where there is no node.

@@ -7,7 +7,7 @@
 
 namespace espalier {
 
-/// How thick a stem is at some height, or why that cannot be told.
+/// How thick a stem is at some height, or why that is not known.
 struct StemDiameter {
   std::optional<double> value; // [L]
   std::string missing;         // empty if there is a value

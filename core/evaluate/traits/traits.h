@@ -24,7 +24,7 @@ struct Traits {
   double medianEdge = 0;                            // of the edges that have a length [L]
   Eigen::Vector3d extent = Eigen::Vector3d::Zero(); // sides of the bounding box [L]
   std::vector<std::size_t> axesByOrder;             // order 0 first
-  std::vector<double> lengthByOrder; // of these axes, with the edges they hang on [L]
+  std::vector<double> lengthByOrder; // of these axes, with the edges that attach them [L]
   std::vector<AxisTraits> axes;      // of these orders
   StemTraits stem;
   std::vector<StrahlerOrder>

@@ -24,7 +24,7 @@ namespace espalier {
 ///                   nested deeper than 64 objects, holds an object of unknown size, or repeats
 ///                   shared points more than 16 times
 /// @throws Cancelled if `progress` asks to stop
-/// Time and memory O(N). No unit is told.
+/// Time and memory O(N). No unit is stated.
 /// Source: PlantGL's codec (scne_binaryparser, binaryprinter), versions 1.0 to 2.5; checked against
 /// files of 2.3 and 2.4, which turn nothing.
 [[nodiscard]] Imported<RawPoints> readBgeom(std::istream& in, const std::string& file,

@@ -24,14 +24,14 @@ namespace espalier {
 ///   parent has no other, else branching;
 /// - a symbol used on several scales is doubled on the finer ones, since a class has one scale;
 /// - values of other kinds, as lists, or not finite, are left out.
-/// Notes tell too of vertices with several successors and of nodes at the place of their parent;
+/// Notes also report vertices with several successors and nodes at the place of their parent;
 /// both are kept.
 ///
 /// @param file  its name, for messages
 /// @throws Error if the pickle asks for anything but plain data and the classes MTG and Vector3, if
 ///         its tables are not those of an MTG, or a vertex is among its own ancestors
 /// Time O(N log N), memory O(N) for a file of N bytes.
-/// Source: openalea.mtg, mtg.py and tree.py, and PlantScan3D's released files. No unit is told.
+/// Source: openalea.mtg, mtg.py and tree.py, and PlantScan3D's released files. No unit is stated.
 [[nodiscard]] Imported<Mtg> readBmtg(std::istream& in, const std::string& file);
 
 } // namespace espalier

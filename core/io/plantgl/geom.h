@@ -21,7 +21,7 @@ namespace espalier {
 ///                   or defines macros, names an object that does not come before, nests objects
 ///                   deeper than 64, or repeats shared points more than 16 times
 /// @throws Cancelled if `progress` asks to stop
-/// Time and memory O(size of the file). No unit is told.
+/// Time and memory O(size of the file). No unit is stated.
 /// Source: PlantGL's grammar (scne_scanner, scne_parser); angles are in degrees.
 [[nodiscard]] Imported<RawPoints> readGeom(std::istream& in, const std::string& file,
                                            const Progress& progress = {});

@@ -25,7 +25,7 @@ struct Placing {
   std::map<std::string_view, double> angles = {
       {"Angle", 0}, {"Azimuth", 0}, {"Elevation", 0}, {"Roll", 0}}; // [degrees]
 
-  /// None if it is not told how.
+  /// None if it is not stated how.
   [[nodiscard]] std::optional<Eigen::Matrix3d> linearOf(std::string_view type) const {
     const auto radians = [&](std::string_view name) {
       return angles.at(name) * std::numbers::pi / 180;
@@ -165,8 +165,8 @@ SceneObject GeomReader::readPlaced(std::string_view type, int depth) {
   while (const auto field = nextField()) {
     if (*field == "Geometry")
       readPart(object, depth);
-    else if (const auto told = placing.vectors.find(*field); told != placing.vectors.end())
-      told->second = in_.takeVector();
+    else if (const auto vector = placing.vectors.find(*field); vector != placing.vectors.end())
+      vector->second = in_.takeVector();
     else if (const auto angle = placing.angles.find(*field); angle != placing.angles.end())
       angle->second = in_.takeNumber();
     else

@@ -46,7 +46,7 @@ public:
   bool takeIf(char sign); // whether it came
   /// @throws Error if another comes
   void require(char sign);
-  /// @throws Error if no word comes; `what` tells which was expected
+  /// @throws Error if no word comes; `what` says which was expected
   std::string_view takeWord(std::string_view what);
   /// A number, its sign before it; "nan" and "inf" are some.
   /// @throws Error if none comes

@@ -25,7 +25,7 @@ struct NumberedVertex {
   std::int64_t number = 0;
   int scale = 1;
   std::optional<std::int64_t> parent;
-  std::optional<std::int64_t> complex; // told; else its parent's
+  std::optional<std::int64_t> complex; // as stated; else its parent's
 };
 
 class Topology {

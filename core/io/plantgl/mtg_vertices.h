@@ -16,10 +16,10 @@ struct TableVertices {
   std::vector<std::string> notes;
 };
 
-/// Vertices, classes and edges by the rules told at `readBmtg`. Vertices keep the order of their
+/// Vertices, classes and edges by the rules stated at `readBmtg`. Vertices keep the order of their
 /// numbers as far as parents and complexes can come first.
-/// @throws Error if a vertex hangs on one that is missing or of a scale that does not fit, or is
-///         among its own ancestors
+/// @throws Error if a vertex is attached to one that is missing or of a scale that does not fit,
+///         or is among its own ancestors
 /// Time O(N log N).
 [[nodiscard]] TableVertices verticesOf(const Pickle& pickle, const MtgTables& tables,
                                        const std::string& file);

@@ -70,8 +70,8 @@ struct Pickle {
 ///
 /// @param file  its name, for messages
 /// @throws Error naming the byte, the opcode and, where it asks for one, the name
-/// Time and memory O(bytes): nothing is taken by a size told in the file before that is there, and
-/// values lie flat, so that depth costs no stack.
+/// Time and memory O(bytes): nothing is taken by a size stated in the file before that is there,
+/// and values lie flat, so that depth costs no stack.
 /// Specification: Python's Lib/pickletools.py, which defines the opcodes of all protocols.
 [[nodiscard]] Pickle readPickle(std::string_view bytes, std::span<const PickleGlobal> allowed,
                                 const std::string& file);

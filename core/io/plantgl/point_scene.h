@@ -40,7 +40,7 @@ struct PointScene {
   /// Adds an object whose total and height are not known yet, and returns its place.
   std::uint32_t add(SceneObject object);
   /// Takes the parts off an object that they cannot be placed by. Of their number no more than
-  /// `most` is told.
+  /// `most` is reported.
   void leaveOutParts(SceneObject& object, std::uint64_t most);
 };
 

@@ -26,7 +26,7 @@ using PointValues = std::array<double, 9>;
 
 /// Gathers the points of a file, whatever its format.
 ///
-/// Colors may be bytes, words of 16 bits, or fractions of 1: which of them is told by the largest.
+/// Colors may be bytes, words of 16 bits, or fractions of 1: the largest decides which.
 class PointCollector {
 public:
   /// @param fields    what the file has of each point; x, y and z are taken for granted

@@ -26,7 +26,7 @@ namespace espalier {
 /// - A line with nothing but a whole number, before the points or between them, is a count, as in
 /// PTS.
 ///
-/// @param file  its name, for messages; a PTS file is told by its extension
+/// @param file  its name, for messages; a PTS file is recognized by its extension
 /// @throws Error naming the line that is no point
 /// Time and memory O(size of the file).
 [[nodiscard]] Imported<RawPoints> readXyz(std::istream& in, const std::string& file,

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t sampledLines = 1000;
 
-/// The lines that the layout is told from.
+/// The lines that the layout is derived from.
 struct Sample {
   std::vector<std::string_view> data;
   std::vector<std::string_view> comments; // before the data

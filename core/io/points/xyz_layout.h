@@ -17,7 +17,7 @@ struct XyzLayout {
   std::vector<PointField> columns;
   std::size_t needed = 3;             // columns up to the last that is wanted
   std::size_t headerLine = 0;         // number of a line of names, 0 if there is none
-  std::optional<std::uint64_t> count; // of points, where the first line tells it, as in PTS
+  std::optional<std::uint64_t> count; // of points, where the first line states it, as in PTS
 };
 
 /// Whether a line is empty or a comment: it begins with #, //, %, ! or ;.
@@ -29,7 +29,7 @@ struct XyzLayout {
 /// The number in `field`, whose decimal sign may be a comma.
 [[nodiscard]] std::optional<double> numberInField(std::string_view field, bool hasDecimalComma);
 
-/// Finds out the layout from the first 1000 lines, by the rules told at `readXyz`.
+/// Finds out the layout from the first 1000 lines, by the rules stated at `readXyz`.
 /// @param isPts  whether columns are by default in the order of Leica: intensity before color
 [[nodiscard]] XyzLayout xyzLayoutOf(std::string_view text, bool isPts);
 

@@ -77,7 +77,7 @@ public:
   explicit Inflater(std::string_view packed) {
     // zlib does not write to its input.
     stream_.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));
-    stream_.avail_in = static_cast<uInt>(packed.size()); // told by 32 bits in the file
+    stream_.avail_in = static_cast<uInt>(packed.size()); // 32 bits in the file
     isReady_ = inflateInit(&stream_) == Z_OK;
   }
   ~Inflater() {
@@ -86,7 +86,7 @@ public:
   Inflater(const Inflater&) = delete;
   Inflater& operator=(const Inflater&) = delete;
 
-  /// All of it; none if it is damaged, cut short or longer than `most`, which `isTooLong` tells.
+  /// All of it; none if it is damaged, cut short or longer than `most`, which `isTooLong` says.
   std::optional<std::string> all(std::size_t most) {
     std::string bytes;
     isTooLong = false;

@@ -39,7 +39,7 @@ public:
   bool next(std::string& unpacked);
 
   /// What a variable or a field is; the values of numbers are read too.
-  /// @throws Error if it is cut short, has another number of values than its size tells, or over
+  /// @throws Error if it is cut short, has another number of values than its size states, or over
   ///         2^22 of them
   /// Time and memory O(size of the array).
   [[nodiscard]] MatArray array(std::string_view matrix) const;

@@ -19,7 +19,7 @@ struct QsmCylinder {
   std::uint32_t extension = 0;                     // the cylinder that continues it; 0: none
   std::uint32_t branch = 0;                        // which one it is a part of
   std::uint32_t order = 0;                         // of that branch; 0: the stem
-  std::optional<double> startRadius;               // [L], where there is more than TreeQSM tells
+  std::optional<double> startRadius;               // [L], where there is more than TreeQSM writes
   std::size_t line = 0;                            // in the file, for messages; 0: it has none
 };
 
@@ -36,15 +36,15 @@ struct Qsm {
                                      double length);
 
 /// The skeleton along the axes of the cylinders: a node at the end of each, with its radius, that
-/// hangs on the node of its parent cylinder. Where a cylinder has no parent, a root is made at its
-/// start; those that start at the very same place share it. One of no length without a
+/// is attached to the node of its parent cylinder. Where a cylinder has no parent, a root is made
+/// at its start; those that start at the very same place share it. One of no length without a
 /// `startRadius` is such a root itself.
 ///
 /// The extension of a cylinder is the successor of its node, all others on it branch. Without
 /// extensions it is the one of the same branch, without branches the first in the file, with a
 /// note. At a shared root, those of order 0 are successors, without orders the first. A cylinder
-/// that begins beside or along its parent hangs on the parent's end nevertheless; those that begin
-/// farther from it than the parent's radius are counted in a note.
+/// that begins beside or along its parent is attached to the parent's end nevertheless; those that
+/// begin farther from it than the parent's radius are counted in a note.
 ///
 /// @param file  its name, for messages
 /// @throws Error if there is no cylinder, a value is not finite, a radius negative, or a parent is

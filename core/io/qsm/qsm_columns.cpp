@@ -103,7 +103,7 @@ bool canBeCylinder(const std::vector<std::string_view>& fields) {
          std::all_of(values.begin() + 8, values.begin() + 13, isCount);
 }
 
-/// Whether they tell where cylinders are, how thick, and which hangs on which.
+/// Whether they say where cylinders are, how thick, and which is attached to which.
 bool areEnough(const QsmColumns& columns) {
   const bool hasStart = columns[startX] && columns[startY] && columns[startZ];
   const bool hasAxis = columns[length] && columns[axisX] && columns[axisY] && columns[axisZ];

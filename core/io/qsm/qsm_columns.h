@@ -44,7 +44,7 @@ struct QsmColumns {
   }
 };
 
-/// The columns of a table of cylinders, by the rules told at `readQsmTable`; none if it is none.
+/// The columns of a table of cylinders, by the rules stated at `readQsmTable`; none if it is none.
 [[nodiscard]] std::optional<QsmColumns> qsmColumnsIn(std::string_view beginning);
 
 /// The fields of a line, without quotes and blanks around them.

@@ -16,7 +16,7 @@ namespace {
 
 using enum QsmField;
 
-constexpr std::size_t headSize = 4096; // bytes by which columns are told
+constexpr std::size_t headSize = 4096; // bytes by which columns are recognized
 
 /// A line of the table.
 class Row {

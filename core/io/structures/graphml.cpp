@@ -52,7 +52,7 @@ public:
   Imported<Skeleton> read() {
     Imported<Skeleton> result;
     leaveOutSynapses(result.notes);
-    hangRows();
+    attachRows();
     result.value =
         skeletonOfRows(rows_, [this](const NodeRow& row) { return xml_.where(nodes_[row.place]); });
     if (!hasTypes_ && !edges_.empty()) {
@@ -156,7 +156,7 @@ private:
     return std::nullopt;
   }
 
-  void hangRows() {
+  void attachRows() {
     const bool isDirected = edges_.empty() || edges_.front().isDirected;
     auto parent = isDirected ? &Edge::source : &Edge::target;
     auto child = isDirected ? &Edge::target : &Edge::source;

@@ -19,9 +19,9 @@ namespace espalier {
 /// parent to its child, or all lead the other way; undirected ones, as CATMAID exports, from a
 /// child to its parent, if each node has one then. Where some edges are undirected and some are
 /// not, the directed ones, synapses, are left out. Data of edges under a key named type, edge_type
-/// or edgetype tells + or branching, else the edge is a successor; where no edge has any, the child
-/// that carries most continues an axis, as `withAssembledAxes` chooses. Other data, hyperedges and
-/// graphs within nodes are left out; the notes name the keys.
+/// or edgetype states + or branching, else the edge is a successor; where no edge has any, the
+/// child that carries most continues an axis, as `withAssembledAxes` chooses. Other data,
+/// hyperedges and graphs within nodes are left out; the notes name the keys.
 ///
 /// @param file  its name, for messages
 /// @throws Error naming the line of a node without a position, of an edge between nodes that do not

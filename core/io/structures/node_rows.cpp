@@ -13,7 +13,7 @@ namespace {
 
 using Where = std::function<std::string(const NodeRow&)>;
 
-/// Rows that hang on each row, roots under the number of rows.
+/// Rows that are attached to each row, roots under the number of rows.
 std::vector<std::vector<std::size_t>> childrenOf(const std::vector<NodeRow>& rows,
                                                  const Where& where) {
   std::unordered_map<std::string_view, std::size_t> index; // rows by id

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t mostRoom = 10'000'000; // for values, those that are empty too
 constexpr std::array<const char*, 3> coordinates = {"XX", "YY", "ZZ"};
 
-/// From which vertex, and how, a coarser one was reached: its first part hangs there.
+/// From which vertex, and how, a coarser one was reached: its first part is attached there.
 struct Entry {
   VertexId vertex;
   EdgeType edge;
@@ -102,7 +102,7 @@ private:
     const std::string_view link = element.name();
     if (link == "follow" || link == "branch") {
       vertex.edge = link == "branch" ? EdgeType::branching : EdgeType::successor;
-      hang(element, vertex, id, outer);
+      attach(element, vertex, id, outer);
     } else if (outer) {
       becomePart(element, vertex, *outer);
     }
@@ -116,7 +116,8 @@ private:
           {.symbol = vertex.symbol, .scale = vertex.scale, .definition = "EXPLICIT"});
   }
 
-  void hang(pugi::xml_node element, MtgVertex& vertex, VertexId id, std::optional<VertexId> outer) {
+  void attach(pugi::xml_node element, MtgVertex& vertex, VertexId id,
+              std::optional<VertexId> outer) {
     const std::optional<VertexId> bearer = outer ? upTo(*outer, vertex.scale) : std::nullopt;
     if (!bearer)
       throw Error(xml_.where(element) + "this vertex of scale " + std::to_string(vertex.scale) +
@@ -140,7 +141,7 @@ private:
     }
     if (vertex.scale < mtg_.vertices[indexOf(entry->second.vertex)].scale)
       entries_.emplace(VertexId{static_cast<std::uint32_t>(mtg_.vertices.size())}, entry->second);
-    entries_.erase(outer); // only its first part hangs there
+    entries_.erase(outer); // only its first part is attached there
   }
 
   /// The vertex itself, or what it is a part of at a coarser scale.

@@ -17,7 +17,7 @@ namespace espalier {
 /// A root within another branches off the node that its property parent-node numbers, from 0 along
 /// the polyline of the other, else off the nearest node; where its first point lies on that node,
 /// it stands for it. Points have two coordinates or three (z is 0 then); they stay in the unit of
-/// the file, which the notes tell. Radii are half of the function diameter over the polyline.
+/// the file, which the notes state. Radii are half of the function diameter over the polyline.
 /// Other functions, properties, annotations and roots without a polyline are left out, with a note.
 ///
 /// @param file  its name, for messages

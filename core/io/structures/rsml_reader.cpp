@@ -67,7 +67,7 @@ private:
     }
   }
 
-  /// @return what roots within this one hang on
+  /// @return what roots within this one are attached to
   std::optional<std::size_t> readRoot(const Step& step) {
     const std::vector<Eigen::Vector3d> points = pointsOf(step.element);
     if (points.empty()) {
@@ -105,7 +105,7 @@ private:
     return points;
   }
 
-  /// By point; empty if they are not told.
+  /// By point; empty if they are not stated.
   std::vector<double> radiiOf(pugi::xml_node root) {
     std::vector<double> radii;
     for (const pugi::xml_node function : root.child("functions").children("function")) {

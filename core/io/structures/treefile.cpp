@@ -28,7 +28,7 @@ std::vector<std::string_view> fieldsOf(std::string_view line) {
   return fields;
 }
 
-/// The fields of a segment, as the line of names tells them.
+/// The fields of a segment, as the line of names lists them.
 struct Fields {
   std::size_t count = 0;
   std::optional<std::size_t> parent; // place of parent_id

@@ -15,7 +15,7 @@ Judgment judgment(double thickness, Eigen::Index lost, Eigen::Index webbed) {
   quality.shareOnLine = 0.5;
   quality.tips = 1093;
   quality.lostTips = lost;
-  quality.webbedJunctions = webbed;
+  quality.bridgedJunctions = webbed;
   quality.nodes = 5;
   return {.quality = std::make_shared<const ContractionQuality>(quality), .scores = std::nullopt};
 }

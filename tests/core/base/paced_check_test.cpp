@@ -12,7 +12,7 @@ TEST(PacedCheck, LooksAtOnce) {
   EXPECT_TRUE(test::stopsWhenAsked([](const Progress& p) { PacedCheck(p).after(1); }));
 }
 
-// However few are told at a time, and also of many at once.
+// However few are counted at a time, and also of many at once.
 TEST(PacedCheck, LooksAgainAfterAMillionSteps) {
   for (const std::size_t atATime : {1, 1000, 5'000'000}) {
     std::stop_source stop;
@@ -20,15 +20,15 @@ TEST(PacedCheck, LooksAgainAfterAMillionSteps) {
     PacedCheck check(progress);
     check.after(atATime);
     stop.request_stop();
-    std::size_t told = 0;
+    std::size_t done = 0;
     EXPECT_THROW(
-        while (told < 10'000'000) {
-          told += atATime;
+        while (done < 10'000'000) {
+          done += atATime;
           check.after(atATime);
         },
         Cancelled)
         << atATime;
-    EXPECT_LT(told, 5'000'001) << atATime;
+    EXPECT_LT(done, 5'000'001) << atATime;
   }
 }
 

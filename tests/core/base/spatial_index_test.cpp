@@ -166,7 +166,7 @@ TEST(SpatialIndex, ListsTheOthersThatASearchFromEachPointFinds) {
   }
 }
 
-TEST(SpatialIndex, TellsHowFarTheOthersReach) {
+TEST(SpatialIndex, ReturnsHowFarTheOthersReach) {
   for (const Eigen::Matrix3Xf& points :
        {sorted(gridPoints(20'000, 7)), randomPoints(5, 7), randomPoints(1, 7)}) {
     const SpatialIndex index(points);

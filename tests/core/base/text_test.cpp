@@ -59,7 +59,7 @@ TEST(InQuotes, KeepsMessagesOnOneLineAndShort) {
   EXPECT_LT(inQuotes(std::string(1000, 'x')).size(), 60U);
 }
 
-TEST(ReadAll, TellsHowFarItIsAndStops) {
+TEST(ReadAll, ReportsHowFarItIsAndStops) {
   std::string text;
   text.resize(50'000'000, 'x');
   std::istringstream in(text);

@@ -205,8 +205,8 @@ protected:
   }
 };
 
-TEST_P(EveryContraction, BringsABentTubeToItsAxis) {
-  expectOnAxis(test::bentTube(), GetParam().bent);
+TEST_P(EveryContraction, BringsABentCylinderToItsAxis) {
+  expectOnAxis(test::bentCylinder(), GetParam().bent);
 }
 TEST_P(EveryContraction, BringsAForkToItsAxes) {
   expectOnAxis(test::knownFork(), GetParam().fork);
@@ -214,8 +214,8 @@ TEST_P(EveryContraction, BringsAForkToItsAxes) {
 TEST_P(EveryContraction, BringsANoisyConeToItsAxis) {
   expectOnAxis(test::noisyCone(), GetParam().cone);
 }
-TEST_P(EveryContraction, BringsATubeSeenFromOneSideToItsAxis) {
-  expectOnAxis(test::halfTube(), GetParam().half);
+TEST_P(EveryContraction, BringsACylinderSeenFromOneSideToItsAxis) {
+  expectOnAxis(test::halfCylinder(), GetParam().half);
 }
 
 TEST_P(EveryContraction, FollowsMovingAndTurning) {
@@ -241,7 +241,7 @@ TEST_P(EveryContraction, KnowsNoOrderOfPoints) {
 }
 
 TEST_P(EveryContraction, BearsEveryPointTwice) {
-  const test::KnownPlant plant = test::bentTube();
+  const test::KnownPlant plant = test::bentCylinder();
   const test::OffAxis off =
       test::offAxis(plant, contracted(test::both(plant.points, plant.points)));
   EXPECT_LT(off.mean, test::offAxis(plant, plant.points).mean);
@@ -288,7 +288,7 @@ TEST_P(EveryContraction, StopsWhenAskedBeforeItStarts) {
   }));
 }
 
-TEST_P(EveryContraction, TellsHowFarItIs) {
+TEST_P(EveryContraction, ReportsHowFarItIs) {
   double last = 0;
   const Progress progress({}, [&](double fraction, std::string_view) {
     EXPECT_GE(fraction, last);

@@ -78,11 +78,11 @@ double KnownPlant::offAxis(const Eigen::Vector3d& place) const {
   return least;
 }
 
-KnownPlant bentTube() {
+KnownPlant bentCylinder() {
   return sampled(arc());
 }
 
-KnownPlant halfTube() {
+KnownPlant halfCylinder() {
   Wood wood = arc();
   wood.turn = std::numbers::pi;
   return sampled(wood);

@@ -20,9 +20,9 @@ struct KnownPlant {
 inline constexpr double knownSpacing = 0.01; // of all below [L]
 
 /// A quarter of a circle of radius 1, of wood 0.04 thick.
-[[nodiscard]] KnownPlant bentTube();
+[[nodiscard]] KnownPlant bentCylinder();
 /// The same, seen from one side: half of each section.
-[[nodiscard]] KnownPlant halfTube();
+[[nodiscard]] KnownPlant halfCylinder();
 /// A trunk that forks into two arms 35 degrees off; wood 0.08 thick, points twice as far apart.
 [[nodiscard]] KnownPlant knownFork();
 /// Straight wood from 0.1 to 0.02 thick, points with noise of a third of a spacing.

@@ -222,7 +222,7 @@ struct SeenStick {
 };
 
 // Half is seen all around, half by half; an edge between two nodes of both counts as both.
-TEST(Comparison, TellsRadiiByTheArcWhereverThePlantLay) {
+TEST(Comparison, ListsRadiiByTheArcWhereverThePlantLay) {
   const SeenStick seen;
   Skeleton thicker = seen.plant;
   for (const NodeId id : thicker.ids())
@@ -259,7 +259,7 @@ TEST(Comparison, DoesNotCountPointsThatAreLeftOut) {
       << "as they were found before";
 }
 
-TEST(ComparisonJson, TellsStemsOrWhyNot) {
+TEST(ComparisonJson, StatesStemsOrWhyNot) {
   const SeenStick seen;
   const auto known = toJson(
       compare(seen.plant, seen.plant, {.registers = false, .breastHeight = breastHeightIn("m")}));
@@ -291,7 +291,7 @@ TEST(ComparisonJson, HasTheKeysThatScriptsRead) {
   EXPECT_EQ(json["traits"]["matched_tips"]["recall"], 2.0 / 3);
 }
 
-TEST(ComparisonJson, TellsTheShiftThatWasFound) {
+TEST(ComparisonJson, StatesTheShiftThatWasFound) {
   const auto json = toJson(compare(test::shifted(test::bush(), {0, 0, 0.25}), test::bush()));
   EXPECT_NEAR(json["shift"][2].get<double>(), -0.25, 1e-6);
   EXPECT_NEAR(json["registration"]["residual_after"].get<double>(), 0, 1e-6);

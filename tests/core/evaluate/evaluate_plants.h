@@ -52,11 +52,11 @@ template <class Place> [[nodiscard]] Skeleton placed(Skeleton plant, const Place
 [[nodiscard]] inline Skeleton bush() {
   Random random(5);
   Skeleton plant;
-  const auto grow = [&](NodeId from, const Eigen::Vector3d& way, int nodes) {
+  const auto grow = [&](NodeId from, const Eigen::Vector3d& advance, int nodes) {
     std::vector<NodeId> shoot = {from};
     for (int i = 0; i < nodes; ++i)
       shoot.push_back(plant.add(
-          {.position = plant[shoot.back()].position + way + 0.1 * random.direction(),
+          {.position = plant[shoot.back()].position + advance + 0.1 * random.direction(),
            .parent = shoot.back(),
            .edge = i == 0 && from != NodeId{0} ? EdgeType::branching : EdgeType::successor}));
     return shoot;

@@ -58,7 +58,7 @@ TEST(Scores, OfAComparisonAreThoseOfPlantsComparedOnDemand) {
     EXPECT_EQ(comparison.scores.at(key).value_or(0), value) << key;
 }
 
-TEST(Scores, ThatTakeADistanceAreToldAtEach) {
+TEST(Scores, ThatTakeADistanceAreGivenAtEach) {
   const Skeleton reference = test::bush();
   const Comparison comparison =
       compare(test::jittered(reference, 0.05), reference,

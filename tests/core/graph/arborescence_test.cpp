@@ -63,8 +63,8 @@ TEST(MinimumArborescence, EntersACycleWhereThatCostsLeast) {
   EXPECT_THAT(minimumArborescence(4, 0, links), ElementsAre(-1, 2, 4, 1));
 }
 
-// A long way of cheap links goes before a short way with a dear one.
-TEST(MinimumArborescence, DoesNotMindHowLongTheWayIs) {
+// A long path of cheap links goes before a short path with a dear one.
+TEST(MinimumArborescence, DoesNotMindHowLongThePathIs) {
   const Links links = {{0, 1, 1}, {1, 2, 1}, {2, 3, 1}, {0, 3, 1.5}};
   EXPECT_THAT(minimumArborescence(4, 0, links), ElementsAre(-1, 0, 1, 2));
 }
@@ -88,7 +88,7 @@ TEST(MinimumArborescence, CostsNoMoreThanAnyOtherTree) {
   EXPECT_GT(compared, 50);
 }
 
-TEST(MinimumArborescence, LeavesOutWhatNoWayLeadsTo) {
+TEST(MinimumArborescence, LeavesOutWhatNoPathLeadsTo) {
   const Links links = {{0, 1, 1}, {2, 3, 1}, {3, 2, 1}, {3, 4, 1}, {2, 0, 1}};
   EXPECT_THAT(minimumArborescence(5, 0, links), ElementsAre(-1, 0, -1, -1, -1));
   EXPECT_THAT(minimumArborescence(1, 0, {}), ElementsAre(-1));

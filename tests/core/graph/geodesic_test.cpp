@@ -22,12 +22,12 @@ Eigen::Matrix3Xf archAlong() {
 }
 
 TEST(Geodesics, FollowThePlant) {
-  const Geodesics ways = geodesics(NeighborhoodGraph(archAlong(), 2), {0});
-  EXPECT_FLOAT_EQ(ways.distance[23], 23); // 3 apart in a straight line
-  EXPECT_EQ(ways.predecessor[0], Geodesics::none);
-  float length = 0; // of the way back
-  for (std::uint32_t at = 23; at != 0; at = ways.predecessor[at])
-    length += (archAlong().col(at) - archAlong().col(ways.predecessor[at])).norm();
+  const Geodesics paths = geodesics(NeighborhoodGraph(archAlong(), 2), {0});
+  EXPECT_FLOAT_EQ(paths.distance[23], 23); // 3 apart in a straight line
+  EXPECT_EQ(paths.predecessor[0], Geodesics::none);
+  float length = 0; // of the path back
+  for (std::uint32_t at = 23; at != 0; at = paths.predecessor[at])
+    length += (archAlong().col(at) - archAlong().col(paths.predecessor[at])).norm();
   EXPECT_FLOAT_EQ(length, 23);
 }
 
@@ -40,10 +40,10 @@ TEST(Geodesics, WithAPowerShunLeaps) {
   EXPECT_FLOAT_EQ(geodesics(graph, {0}, 2).distance[3], 6.25F);
 }
 
-TEST(Geodesics, AreInfiniteWhereNoWayLeads) {
+TEST(Geodesics, AreInfiniteWhereNoPathLeads) {
   const Eigen::Matrix3Xf far = archAlong().colwise() + Eigen::Vector3f(100, 0, 0);
-  const Geodesics ways = geodesics(NeighborhoodGraph(test::both(archAlong(), far), 2), {0});
-  EXPECT_TRUE(std::isinf(ways.distance[30]));
+  const Geodesics paths = geodesics(NeighborhoodGraph(test::both(archAlong(), far), 2), {0});
+  EXPECT_TRUE(std::isinf(paths.distance[30]));
 }
 
 TEST(GeodesicBall, HoldsWhatIsWithinReachAlongThePlant) {
@@ -55,18 +55,18 @@ TEST(GeodesicBall, HoldsWhatIsWithinReachAlongThePlant) {
     EXPECT_EQ(members[i].point, i);
 }
 
-TEST(GeodesicBall, AgreesWithTheWaysFromItsCenter) {
+TEST(GeodesicBall, AgreesWithThePathsFromItsCenter) {
   const Eigen::Matrix3Xf points = test::forkCloud();
   const NeighborhoodGraph graph(points, 7);
   GeodesicBall ball(graph);
   for (Eigen::Index center = 0; center < points.cols(); center += 97) {
-    const Geodesics ways = geodesics(graph, {center});
+    const Geodesics paths = geodesics(graph, {center});
     const auto& members = ball.around(center, 0.3F);
-    const auto within = std::count_if(ways.distance.begin(), ways.distance.end(),
+    const auto within = std::count_if(paths.distance.begin(), paths.distance.end(),
                                       [](float d) { return d <= 0.3F; });
     EXPECT_EQ(static_cast<std::ptrdiff_t>(members.size()), within);
     for (const GeodesicBall::Member& member : members)
-      EXPECT_FLOAT_EQ(member.distance, ways.distance[member.point]);
+      EXPECT_FLOAT_EQ(member.distance, paths.distance[member.point]);
   }
 }
 

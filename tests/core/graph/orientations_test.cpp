@@ -39,7 +39,7 @@ TEST(Orientations, RunAlongAThinTrunk) {
   });
 }
 
-TEST(Orientations, TellWhereTheBallIsTooSmallForTheWood) {
+TEST(Orientations, ShowWhereTheBallIsTooSmallForTheWood) {
   const Eigen::Matrix3Xf points = test::cylinder({-1, 0, 0}, {1, 0, 0}, 0.5, 0.02);
   const auto found = orientations(points, NeighborhoodGraph(points, 7), 0.1F);
   double sum = 0;

@@ -37,7 +37,7 @@ TEST(VoronoiRing, HoldsThoseWhoseCellsTouch) {
     EXPECT_EQ(cross().col(ring[i]).dot(cross().col(ring[(i + 1) % 4])), 0);
 }
 
-TEST(VoronoiRing, TellsWhereTheSurfaceEnds) {
+TEST(VoronoiRing, ShowsWhereTheSurfaceEnds) {
   const std::vector<std::uint32_t> half = {1, 2, 4}; // none at -x
   const auto ring = voronoiRing(cross(), 0, Eigen::Vector3f::UnitZ(), half);
   EXPECT_EQ(ring.size(), 4U);

@@ -56,7 +56,7 @@ TEST(WriteAtomically, LeavesTheOldFileIfWritingFails) {
   EXPECT_EQ(filesIn(file.parent_path()), 1) << "no temporary file is left";
 }
 
-TEST(WriteAtomically, TellsThatTheDiskIsFull) {
+TEST(WriteAtomically, ReportsThatTheDiskIsFull) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full here";
   for (const std::size_t size : {std::size_t{1}, std::size_t{3'000'000}}) {
     const std::string error = test::errorOf([&] {
@@ -73,7 +73,7 @@ TEST(WriteAtomically, WritesThroughDevices) {
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
 
-TEST(WriteAtomically, TellsWhatStandsInTheWay) {
+TEST(WriteAtomically, NamesWhatStandsInTheWay) {
   const fs::path folder = test::freshFolder();
   const auto errorFor = [](const fs::path& path) {
     return test::errorOf([&] {
@@ -88,7 +88,7 @@ TEST(WriteAtomically, TellsWhatStandsInTheWay) {
   EXPECT_EQ(filesIn(folder), 1);
 }
 
-TEST(WriteAtomically, TellsThatAFolderIsReadOnly) {
+TEST(WriteAtomically, ReportsThatAFolderIsReadOnly) {
   if (::geteuid() == 0) GTEST_SKIP() << "root may write anywhere";
   const fs::path folder = test::freshFolder();
   fs::permissions(folder, fs::perms::owner_read | fs::perms::owner_exec);

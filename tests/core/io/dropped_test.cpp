@@ -36,7 +36,7 @@ TEST(DroppedBy, IsNothingWhereAllIsKept) {
   EXPECT_THAT(droppedBy(format, oneWithEverything()), IsEmpty());
 }
 
-TEST(DroppedBy, TellsEachThingThatIsThereAndNotKept) {
+TEST(DroppedBy, ListsEachThingThatIsThereAndNotKept) {
   const Format format{.name = "X", .content = Content::structure};
   EXPECT_THAT(
       droppedBy(format, oneWithEverything()),

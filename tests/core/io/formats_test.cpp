@@ -67,19 +67,19 @@ TEST(Formats, AreReadByContentWhateverTheExtension) {
   EXPECT_EQ(formatOf(fileOf("points.geom", test::geomFile())).name, "GEOM");
 }
 
-TEST(Formats, TellWhetherAFileHoldsPointsOrAStructure) {
+TEST(Formats, ShowWhetherAFileHoldsPointsOrAStructure) {
   EXPECT_EQ(formatOf(fileOf("a.ply", test::asciiPlyFile())).content, Content::points);
   EXPECT_EQ(formatOf(fileOf("a.txt", test::nodeListFile())).content, Content::structure);
 }
 
-TEST(Formats, TellApartPointsAndStructures) {
+TEST(Formats, SeparatePointsFromStructures) {
   EXPECT_EQ(errorOfPoints(fileOf("oak.mtg", test::mtgFile())),
             "oak.mtg: holds a structure (MTG), not points: choose a scan");
   EXPECT_EQ(errorOfStructure(fileOf("oak.ply", test::asciiPlyFile())),
             "oak.ply: holds points (PLY), not a structure: choose an MTG or a node list");
 }
 
-TEST(Formats, TellWhatCanBeReadInstead) {
+TEST(Formats, ListWhatCanBeReadInstead) {
   EXPECT_THAT(errorOfPoints(fileOf("oak.docx", "PK")), HasSubstr("PLY (.ply), XYZ (.xyz .asc"));
   EXPECT_THAT(errorOfPoints(fileOf("oak.laz", test::lasFile({.formatBits = 0x80}))),
               HasSubstr("laszip"));
@@ -87,7 +87,7 @@ TEST(Formats, TellWhatCanBeReadInstead) {
   EXPECT_THAT(errorOfPoints(fileOf("oak.e57", "ASTM-E57")), HasSubstr("CloudCompare"));
 }
 
-TEST(Formats, TellWhyAFileCannotBeOpened) {
+TEST(Formats, ReportWhyAFileCannotBeOpened) {
   const fs::path folder = test::freshFolder();
   EXPECT_EQ(errorOfPoints(folder), folder.string() + ": is a folder, choose a file in it");
   EXPECT_THAT(errorOfPoints(folder / "missing.ply"), HasSubstr("there is no such file"));
@@ -98,7 +98,7 @@ TEST(Formats, TellWhyAFileCannotBeOpened) {
             "empty.mtg: is empty: copy or export it again");
 }
 
-TEST(Formats, TellThatAFileMayNotBeRead) {
+TEST(Formats, ReportThatAFileMayNotBeRead) {
   if (::geteuid() == 0) GTEST_SKIP() << "root may read anything";
   const fs::path path = fileOf("oak.xyz", "1 2 3\n");
   fs::permissions(path, fs::perms::none);
@@ -174,7 +174,7 @@ TEST(WritePoints, AndReadingGivesTheSameCloudInEachFormat) {
 }
 
 /// Writes a plant in each format that can be read again, and expects the same plant back, but for
-/// what an MTG says of it. Its axes must be assembled, as readers do where a format does not tell
+/// what an MTG says of it. Its axes must be assembled, as readers do where a format does not keep
 /// them.
 void expectSameInEachFormat(const Skeleton& plant) {
   const Skeleton expected = test::canonical(test::withoutEntities(plant));
@@ -223,7 +223,7 @@ TEST(WriteStructure, ChangesTheMovedPositionInTheTextOfAnMtgAlone) {
                           "^<E2\t\t0\t1.50\t0.25\tD\n");
 }
 
-TEST(WriteStructure, TellsThatTheDiskIsFull) {
+TEST(WriteStructure, ReportsThatTheDiskIsFull) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full here";
   EXPECT_THAT(test::errorOf([] {
                 writeStructure("/dev/full", test::stick(3));

@@ -27,7 +27,7 @@ struct LasSample {
   std::size_t extraBytes = 0;  // at the end of each record
   int withheld = -1;           // the point that is flagged
   int colorUnit = 256;         // colors are 10, 20 and 30 of these, and one more per point
-  std::uint64_t promised = 0;  // points told in the header, 0: as many as there are
+  std::uint64_t promised = 0;  // points stated in the header, 0: as many as there are
   std::uint8_t formatBits = 0; // set in the byte of the format
 };
 

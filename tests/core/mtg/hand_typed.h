@@ -6,7 +6,7 @@
 
 namespace espalier::test {
 
-/// A text as a botanist types it, and what it tells.
+/// A text as a botanist types it, and what it means.
 struct HandTyped {
   const char* kind;   // of texts, as a name of a test
   std::string text;   // bytes of the file

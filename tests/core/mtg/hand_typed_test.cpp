@@ -64,7 +64,7 @@ class HandTypedMtg : public testing::TestWithParam<test::HandTyped> {
 protected:
   [[nodiscard]] static const std::string& text() { return GetParam().text; }
 
-  /// The last vertex that hangs on another, carries none and has a line for itself.
+  /// The last vertex that is attached to another, carries none and has a line for itself.
   [[nodiscard]] static std::optional<std::size_t> apexOf(const Mtg& mtg) {
     std::set<std::size_t> alone;
     std::size_t made = 0; // vertices of the lines before
@@ -118,7 +118,7 @@ TEST_P(HandTypedMtg, IsSavedUnchangedIfNothingWasEdited) {
   EXPECT_EQ(std::string(std::istreambuf_iterator<char>(in), {}), text());
 }
 
-TEST_P(HandTypedMtg, WrittenAnewTellsOfTheSamePlant) {
+TEST_P(HandTypedMtg, WrittenAnewIsReadAsTheSamePlant) {
   const Mtg mtg = read(text());
   const Mtg back = read(test::written(mtg));
   EXPECT_EQ(back, mtgAsWritten(mtg)) << test::written(mtg);

@@ -191,8 +191,8 @@ TEST(WithEdits, WritesAVertexWithoutPositionWhereItsNeighborMovedAlone) {
             expected);
 }
 
-// F3 goes with E3; F4, part of E4 which hangs on E2 then, hangs on F2.
-TEST(WithEdits, HangsFinerPartsWhereTheirNodesHang) {
+// F3 goes with E3; F4, part of E4 which is attached to E2 then, is attached to F2.
+TEST(WithEdits, AttachesFinerPartsWhereTheirNodesAre) {
   const Mtg result = afterEdit(fourScales(), [](SkeletonEditor& e) { removeNode(e, NodeId{2}); });
   ASSERT_EQ(result.vertices.size(), 10U);
   const auto labeled = [&](const std::string& symbol, int index) {
@@ -304,7 +304,7 @@ void editAtRandom(SkeletonEditor& editor, Random& random) {
   }
 }
 
-/// What a vertex says of itself, whatever it hangs on and is a part of.
+/// What a vertex says of itself, whatever it is attached to and is a part of.
 MtgVertex alone(MtgVertex vertex) {
   vertex.parent.reset();
   vertex.complex.reset();

@@ -32,7 +32,7 @@ std::string labelOf(const MtgVertex& vertex) {
   return vertex.symbol + (vertex.index ? vertex.index->text() : "");
 }
 
-/// Each vertex with what it is a part of and what it hangs on: "E2(A1)<E1".
+/// Each vertex with what it is a part of and what it is attached to: "E2(A1)<E1".
 std::string shapeOf(const Mtg& mtg) {
   std::string text;
   for (const MtgVertex& vertex : mtg.vertices) {
@@ -73,7 +73,7 @@ TEST(MtgRanges, BranchWithTwoPlusSigns) {
   EXPECT_EQ(shapeOfRows("/P1/A1/E7++E9\n"), "P1 A1(P1) E7(A1) E8(A1)+E7 E9(A1)+E8");
 }
 
-TEST(MtgRanges, ShareTheValuesOfTheirLineIfToldSo) {
+TEST(MtgRanges, ShareTheValuesOfTheirLineIfAskedTo) {
   EXPECT_THAT(valuesOf(readMtgRows("/P1/A1/E7<<E9\t\t\t1\n").value),
               testing::ElementsAre("", "", "", "", "1"));
   EXPECT_THAT(valuesOf(readMtgRows("/P1/A1/E7<.<E9\t\t\t1\n").value),
@@ -155,7 +155,7 @@ TEST(MtgAliases, GivenTwiceAreNoted) {
   EXPECT_THAT(mtg.notes, testing::ElementsAre(testing::HasSubstr("line 13, column 3: the alias")));
 }
 
-TEST(MtgDates, TellMoreOfTheLastVertexOfTheirColumn) {
+TEST(MtgDates, SayMoreOfTheLastVertexOfTheirColumn) {
   const Mtg mtg =
       readMtgRows("/P1/A1\t\t\t1\n*\t\t\t2\t7\n^*\t\t\t\t8\n^/E1\n\t+E2\t\t5\n\t*\t\t6\n"
                   "^<E3\n")
@@ -170,7 +170,7 @@ TEST(MtgDates, TellMoreOfTheLastVertexOfTheirColumn) {
   EXPECT_EQ(importText(out.str()).value, mtg);
 }
 
-// E1 would have three successors if E4, E5 and E6 hung on the column before.
+// E1 would have three successors if E4, E5 and E6 were attached to the column before.
 const std::string continuedRows = "/P1/A1/E1\n\t+E3\n\t<E4\n\t<E5\n^<E6\n";
 const std::string continuedShape = "P1 A1(P1) E1(A1) E3(A1)+E1 E4(A1)<E3 E5(A1)<E4 E6(A1)<E1";
 
@@ -182,7 +182,7 @@ TEST(MtgDialects, TakeTheOneThatMakesAPlant) {
                                    "them, as OpenAlea reads"));
 }
 
-// A successor told after what branches off, as the manual of AMAPmod does.
+// A successor written after what branches off, as the manual of AMAPmod does.
 const std::string shiftedRows = "/P1/A1/E1\n\t+E3\n\t<E4\n";
 
 TEST(MtgDialects, FollowTheSpecificationWhereThatMakesAPlant) {
@@ -201,12 +201,12 @@ TEST(MtgDialects, CanBeAskedFor) {
       "P1 A1(P1) E1(A1) E3(A1)+E1 E4(A1)<E1 E5(A1)<E1 E6(A1)<E1");
 }
 
-TEST(MtgDialects, CanBeToldByTheFile) {
+TEST(MtgDialects, CanBeNamedByTheFile) {
   EXPECT_EQ(shapeOf(importText("# dialect: previous column\n" + mtgText(continuedRows)).value),
             "P1 A1(P1) E1(A1) E3(A1)+E1 E4(A1)<E1 E5(A1)<E1 E6(A1)<E1");
 }
 
-TEST(MtgDialects, AreNotToldOfWhereTheyAgree) {
+TEST(MtgDialects, AreNotNotedWhereTheyAgree) {
   EXPECT_THAT(notesOf("/P1/A1/E1\n\t+E3\n\t^<E4\n\t+E8\n\t\t<E9\n^<E6\n"), testing::IsEmpty());
 }
 
@@ -300,7 +300,7 @@ TEST(MtgScene, IsAVertexWhereTheFileNamesIt) {
   EXPECT_EQ(mtg.vertices[0].scale, 0);
 }
 
-TEST(MtgLabels, WithoutAnIndexInJuliasWay) {
+TEST(MtgLabels, WithoutAnIndexAsJuliaWritesThem) {
   EXPECT_EQ(shapeOfRows("/P-9999\n"), "P");
 }
 

@@ -37,7 +37,7 @@ TEST(ReadMtg, KeepsClassesRulesAndFeatures) {
   EXPECT_EQ(mtg.features[3], (MtgFeature{"radius", "ALPHA"})) << "it is not declared";
 }
 
-TEST(ReadMtg, HangsCodesByColumnAndCaret) {
+TEST(ReadMtg, AttachesCodesByColumnAndCaret) {
   const Mtg mtg = readMtgRows("/P1/A1\n^/E1\n^<E2\n\t+E3\n\t^<E4\n^<E5\n").value;
   ASSERT_EQ(mtg.vertices.size(), 7U);
   EXPECT_EQ(mtg.vertices[1].complex, vertex(0));
@@ -52,7 +52,7 @@ TEST(ReadMtg, HangsCodesByColumnAndCaret) {
   EXPECT_EQ(mtg.vertices[6].index, 5);
 }
 
-TEST(ReadMtg, HangsTheFirstPartWhereItsWholeBranches) {
+TEST(ReadMtg, AttachesTheFirstPartWhereItsWholeBranches) {
   const Mtg mtg = readMtgRows("/P1/A1/E1<E2+A2/E3\n").value;
   ASSERT_EQ(mtg.vertices.size(), 6U);
   EXPECT_EQ(mtg.vertices[4].parent, vertex(1)) << "A2 branches from A1";
@@ -79,7 +79,7 @@ TEST(ReadMtg, NotesValuesWithoutAColumn) {
   EXPECT_THAT(mtg.notes, testing::Contains(testing::HasSubstr("1 values stand in columns")));
 }
 
-TEST(ReadMtg, TellsTheCellThatIsWrong) {
+TEST(ReadMtg, NamesTheCellThatIsWrong) {
   const auto refusalOf = [](const std::string& rows) { return messageOf(mtgText(rows)); };
   EXPECT_EQ(refusalOf("/P1\n^<?1\n"),
             "plant.mtg, line 22, column 1: '?1' begins with no symbol of the section CLASSES "

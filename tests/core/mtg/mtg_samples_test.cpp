@@ -81,8 +81,8 @@ TEST_P(MtgSample, SurvivesReadingAndWriting) {
 // its comment lines hold codes. mtg_fig32: F is of scale 5; OpenAlea puts all 12 at scale 3. S is
 // not declared; OpenAlea passes both over. Of the edges, 3 + 3 follow (A92, U2); 13 A branch, as do
 // the first parts of five of them that stand at the scale of what bears them (U1 twice, S1 twice,
-// I10). Five U branch from units that hold no other U, so these hang on nothing. The files jl_ were
-// not measured; these are the vertices and edges of their lines.
+// I10). Five U branch from units that hold no other U, so these are attached to nothing. The files
+// jl_ were not measured; these are the vertices and edges of their lines.
 INSTANTIATE_TEST_SUITE_P(
     All, MtgSample,
     testing::Values(Sample{"code_file.mtg", "1,1,0,34\t27\t1", 5}, Sample{"code_file2.mtg"},

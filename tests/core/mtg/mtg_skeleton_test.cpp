@@ -55,7 +55,7 @@ TEST(SkeletonOf, PutsVerticesWithoutPositionBetweenTheirNeighbors) {
                                                 "evenly between neighbors"));
 }
 
-// E2 bears E3 but has no position, nor a successor: E3 comes to hang on E1.
+// E2 bears E3 but has no position, nor a successor: E3 comes to be attached to E1.
 TEST(SkeletonOf, PassesOverVerticesWithoutPosition) {
   const Imported<Skeleton> plant =
       skeletonOfRows("/P1/A1/E1\t\t\t0\t0\t0\n\t+E2\t\t1\tnan\t1\n\t^+E3\t\t2\t2\t2\n");
@@ -86,7 +86,7 @@ TEST(SkeletonOf, RefusesAPlantWithoutPositions) {
 }
 
 // A1 begins at E1, A2 at E3; XX is no value of a node, but one of a coarser vertex.
-TEST(SkeletonOf, TellsWhichUnitsBeginAtANode) {
+TEST(SkeletonOf, ListsWhichUnitsBeginAtANode) {
   const Skeleton plant = skeletonOfRows("/P1\n^/A1\t\t\t9\t9\t9\n^/E1\t\t\t1\t2\t3\t0.5\n"
                                         "^<E2\t\t\t4\t5\t6\t\n\t+A2/E3\t\t7\t8\t9\n")
                              .value;

@@ -174,7 +174,7 @@ TEST(MtgTextWith, CommentsGoToTheEndWithNewVertices) {
                            "# base\n/P1/A1\t\t\t1 # dead\t2 ; sure\n\n(# was\ncut #)\n#\t/A2\n"
                            "^/E1\t\t\t1\n#\n# all of it\n";
   Mtg mtg = readWith(text);
-  // It hangs on P1, which stands within a line.
+  // It is attached to P1, which stands within a line.
   mtg.vertices.push_back({.symbol = "A", .index = 3, .scale = 2, .complex = VertexId{0}});
   const std::string rows = "/P1\t\t\t\t\t\t\n\t/A1\t\t1\t2\t\t\n\t^/E1\t\t1\t\t\t\n"
                            "^/A3\t\t\t\t\t\t\n";

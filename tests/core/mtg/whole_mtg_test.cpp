@@ -132,7 +132,7 @@ TEST(WriteWholeMtg, WritesTheSectionsOfAnEmptyPlant) {
 
 TEST(WriteWholeMtg, RefusesAParentInAnUnrelatedUnit) {
   Mtg mtg = readMtgRows("/P1/A1/E1\n/P2/A2/E2\n").value;
-  mtg.vertices[5].parent = VertexId{2}; // E2 on E1, while A2 does not hang on A1
+  mtg.vertices[5].parent = VertexId{2}; // E2 on E1, while A2 is not attached to A1
   EXPECT_THAT(refusalOf(mtg), testing::HasSubstr("E2 of scale 3 is attached to E1"));
 }
 

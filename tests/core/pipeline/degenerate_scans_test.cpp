@@ -92,7 +92,7 @@ INSTANTIATE_TEST_SUITE_P(Methods, DegenerateScans, testing::ValuesIn(test::every
                            return each.param.first + "_" + each.param.second;
                          });
 
-// Two places tell of no radius: what the models give them is a guess, and is called one.
+// Two places show no radius: what the models give them is a guess, and is called one.
 TEST(RadiusNote, SaysThatRadiiAreAGuess) {
   for (const char* method : {"node_count_pipe", "length_pipe"}) {
     PipelineOptions options;

@@ -89,7 +89,7 @@ TEST(GrownFromUnexplained, GrowsNothingOfRoughBark) {
 }
 
 // Two branches leave the trunk, at z = 0.8 to the right and at z = 1.2 to the left.
-TEST(GrownFromUnexplained, HangsEachMissingBranchOnTheNodeItLeaves) {
+TEST(GrownFromUnexplained, AttachesEachMissingBranchToTheNodeItLeaves) {
   const Eigen::Matrix3Xf right = test::cylinder({0.04, 0, 0.8}, {0.8, 0, 1.2}, 0.02, 0.01);
   const Eigen::Matrix3Xf left = test::cylinder({-0.04, 0, 1.2}, {-0.8, 0, 1.6}, 0.02, 0.01);
   const auto cloud = scanOf(test::both(trunkPoints(), test::both(right, left)));
@@ -108,7 +108,7 @@ TEST(GrownFromUnexplained, HangsEachMissingBranchOnTheNodeItLeaves) {
 }
 
 // The second piece begins 0.3 beyond the first: nearer to it than to the trunk.
-TEST(GrownFromUnexplained, HangsAPieceOnTheOneItIsNearestTo) {
+TEST(GrownFromUnexplained, AttachesAPieceToTheOneItIsNearestTo) {
   const Eigen::Matrix3Xf inner = test::cylinder({0.04, 0, 1}, {0.6, 0, 1}, 0.02, 0.01);
   const Eigen::Matrix3Xf outer = test::cylinder({0.75, 0, 1}, {1.3, 0, 1}, 0.02, 0.01);
   const auto cloud = scanOf(test::both(trunkPoints(), test::both(inner, outer)));

@@ -28,7 +28,7 @@ Points stick() {
   return test::cylinder({0, 0, 0}, {0, 0, 1}, 0.03, spacing);
 }
 
-/// A tube bent to a circle of radius 0.3 that stands on its rim.
+/// A cylinder bent to a circle of radius 0.3 that stands on its rim.
 Points ring() {
   Points points = test::cylinder({0, 0, 0}, {0, 0, 2 * std::numbers::pi * 0.3}, 0.03, spacing);
   for (Eigen::Index i = 0; i < points.cols(); ++i) {

@@ -28,7 +28,7 @@ struct Sights : testing::Test {
       sum += cloud->position(point);
     return sum / static_cast<double>(points.size());
   }
-  /// Of some points, where the contraction moved them is the mean of what is told, unless a circle
+  /// Of some points, where the contraction moved them is the mean of what is shown, unless a circle
   /// is.
   void expectMovedToMeans() {
     const MethodSights all = sights();
@@ -97,7 +97,7 @@ TEST_F(Sights, KnowHowThePlantRuns) {
   EXPECT_TRUE(sight.cones.empty()) << "no points are tracked";
 }
 
-TEST_F(Sights, TellTheDensityAndRadiusOfAdaptiveMethods) {
+TEST_F(Sights, ShowTheDensityAndRadiusOfAdaptiveMethods) {
   options.methods["contract"] = "adaptive_geodesic";
   options.set("contract.least_radius=0.05");
   options.set("contract.most_radius=0.15");

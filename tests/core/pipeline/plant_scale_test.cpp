@@ -50,7 +50,7 @@ TEST(PlantScale, IsHardlyMovedByStrays) {
   }
 }
 
-TEST(PlantScale, FollowsTheWayUp) {
+TEST(PlantScale, FollowsTheUpAxis) {
   Eigen::Matrix3Xf points = test::forkCloud();
   points.row(0).swap(points.row(2));
   Eigen::Vector3f stray(-0.8F, 0.2F, 0);

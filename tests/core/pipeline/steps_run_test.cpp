@@ -98,7 +98,7 @@ TEST_F(StepsRun, AreAllAfterPointsAreSetAside) {
 }
 
 // The height of the plant changes, which no default of these methods follows from but the root.
-TEST_F(StepsRun, AreThoseThatSeeTheRootOrTheHeightWithAnotherWayUp) {
+TEST_F(StepsRun, AreThoseThatSeeTheRootOrTheHeightWithAnotherUpAxis) {
   options.up = UpAxis::x;
   EXPECT_EQ(run(), from("skeleton"));
   options.methods["contract"] = "adaptive_sections";
@@ -107,7 +107,7 @@ TEST_F(StepsRun, AreThoseThatSeeTheRootOrTheHeightWithAnotherWayUp) {
   EXPECT_EQ(run(), from("contract")) << "its radii follow from the height";
 }
 
-TEST_F(StepsRun, AreNoneOnTheWayBackToOneOfFourChoices) {
+TEST_F(StepsRun, AreNoneOnGoingBackToOneOfFourChoices) {
   const Skeleton first = *pipeline.run(cloud, options).skeleton;
   for (const char* radius : {"0.11", "0.12", "0.13"}) {
     options.set(std::string("contract.radius=") + radius);
@@ -167,13 +167,14 @@ TEST_F(StepsRun, OfARunThatFailedAreKeptAsFarAsItCame) {
   EXPECT_EQ(run(), from("skeleton"));
 }
 
-TEST_F(StepsRun, AreToldAsTheyBeginAndEnd) {
+TEST_F(StepsRun, AreReportedAsTheyBeginAndEnd) {
   options.set("prune.length=0.1");
-  Names told;
-  const StepWatch watch{.began = [&](const Step& step) { told.push_back("began " + step.name); },
-                        .ended = [&](const Step& step) { told.push_back("ended " + step.name); }};
+  Names reported;
+  const StepWatch watch{
+      .began = [&](const Step& step) { reported.push_back("began " + step.name); },
+      .ended = [&](const Step& step) { reported.push_back("ended " + step.name); }};
   (void)pipeline.run(cloud, options, {}, "axes", watch);
-  EXPECT_THAT(told, ElementsAre("began prune", "ended prune", "began axes", "ended axes"));
+  EXPECT_THAT(reported, ElementsAre("began prune", "ended prune", "began axes", "ended axes"));
 }
 
 TEST_F(StepsRun, TakeTheScaleOfTheWholePlant) {

@@ -107,7 +107,7 @@ TEST_F(Sweeps, EndWithTheStepThatIsAskedFor) {
 }
 
 // Of two plants, that of the root has a third of the points: no skeleton but over the gap.
-TEST_F(Sweeps, TellValuesThatFail) {
+TEST_F(Sweeps, ReportValuesThatFail) {
   cloud = test::cloudOf(test::both(test::forkCloud(), (test::forkCloud(2).array() + 5).matrix()),
                         {0, 0, 0});
   std::vector<Eigen::Index> halfOfOne;

@@ -83,7 +83,7 @@ TEST(TypedValue, IsALengthForLengthsAlone) {
               HasSubstr("pine.json, line 1: skeleton.power must be a number, not '500mm'"));
 }
 
-TEST(TypedValue, TellsWhatIsOnlyBegun) {
+TEST(TypedValue, RecognizesWhatIsOnlyBegun) {
   for (const char* text : {"", "-", "6e", "6 s", "6 spac", "3c", "3 point sp"})
     EXPECT_EQ(typedValue(text).state, State::begun) << text;
   for (const char* text : {"6 k", "x", "6 spx", "--6"})

@@ -54,7 +54,7 @@ TEST(Fits, FailsIfANodeWouldLoseItsParent) {
   const Skeleton plant = test::stick(3);
   SkeletonDelta delta;
   delta.changes = {{NodeId{1}, plant[NodeId{1}], std::nullopt}};
-  EXPECT_FALSE(fits(delta, plant)) << "node 2 hangs on it";
+  EXPECT_FALSE(fits(delta, plant)) << "node 2 is attached to it";
   Node lost = plant[NodeId{2}];
   lost.parent = NodeId{8};
   delta.changes = {changed(plant, NodeId{2}, lost)};

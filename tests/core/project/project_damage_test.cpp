@@ -91,7 +91,7 @@ TEST(DamagedProject, WithoutAnySnapshotIsAnError) {
   EXPECT_THAT(messageOnOpening(file), HasSubstr("nothing of its plant can be read"));
 }
 
-// The bytes are whole, but tell of a node that is not as they say.
+// The bytes are whole, but describe a node that is not as they say.
 TEST(DamagedProject, DoesNotApplyAStepThatDoesNotFit) {
   const fs::path file = projectOfTenMoves();
   const Database database(file, Opening::readWrite);
@@ -118,7 +118,7 @@ TEST(DamagedProject, OfOddNumbersDoesNoHarm) {
   }
 }
 
-TEST(DamagedProject, BytesThatChangedAreToldApart) {
+TEST(DamagedProject, BytesThatChangedAreRecognized) {
   const fs::path file = projectOfTenMoves();
   Project project = Project::open(file, Access::readWrite);
   project.setBytes("contracted", "abcdef");

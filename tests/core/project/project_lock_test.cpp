@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-TEST(ProjectLock, TellsASecondWindowWhoHoldsTheProject) {
+TEST(ProjectLock, ShowsASecondWindowWhoHoldsTheProject) {
   const fs::path file = test::freshFolder() / "oak.espalier";
   const Project first = Project::create(file, {.skeleton = test::fork(2)});
   EXPECT_THROW((void)Project::open(file, Access::readWrite), ProjectInUse);

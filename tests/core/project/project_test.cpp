@@ -314,7 +314,7 @@ TEST(Project, OfReadOnlyAccessIsNotWritten) {
               HasSubstr("read only"));
 }
 
-TEST(Project, TellsThatItWasRemovedReplacedOrMadeReadOnly) {
+TEST(Project, ReportsThatItWasRemovedReplacedOrMadeReadOnly) {
   const fs::path file = test::freshFolder() / "oak.espalier";
   const History history = withEdits(5);
   const auto messageAfter = [&](const auto& mishap) {

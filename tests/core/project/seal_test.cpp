@@ -15,7 +15,7 @@ using testing::HasSubstr;
 
 constexpr std::int64_t minute = 60'000; // [ms]
 
-/// A history that is made edit by edit, at times that are told.
+/// A history that is made edit by edit, at given times.
 struct Work {
   History history = {.skeleton = test::fork(3)};
 
@@ -83,7 +83,7 @@ TEST(HandWork, LeavesOutLongPausesAndAClockThatWasSetBack) {
   EXPECT_EQ(handWork({}, Skeleton()), HandWork());
 }
 
-TEST(Seal, TellsWhoWhenAndWhatWasDone) {
+TEST(Seal, StatesWhoWhenAndWhatWasDone) {
   Work work;
   work.step(10 * minute, [](SkeletonEditor& editor) { moveNode(editor, NodeId{2}, {1, 0, 2.5}); });
   work.reviewAll(12 * minute);

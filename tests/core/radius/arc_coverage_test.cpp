@@ -40,7 +40,7 @@ std::vector<double> coverages(const Skeleton& plant, const Eigen::Matrix3Xf& poi
   return arcCoverages(plant, {points, origin, index, 0.1}, progress);
 }
 
-TEST(ArcCoverages, TellHowMuchOfTheWayAroundHasPoints) {
+TEST(ArcCoverages, AreTheSharesOfTheArcThatHavePoints) {
   for (const int sectors : {1, 4, 7, 16}) {
     const std::vector<double> seen = coverages(thickStick(), shell(sectors));
     ASSERT_EQ(seen.size(), 11U);

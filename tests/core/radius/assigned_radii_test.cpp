@@ -64,7 +64,7 @@ TEST(AssignedPoints, OfTheFootOfABranchAreTheBranchs) {
   const Skeleton fork = test::fork(2); // node 2 continues the axis, node 3 branches
   ASSERT_EQ(fork[NodeId{3}].edge, EdgeType::branching);
   Eigen::Matrix3Xf points(3, 2);
-  for (Eigen::Index i = 0; i < 2; ++i) { // a quarter of the way up each shoot
+  for (Eigen::Index i = 0; i < 2; ++i) { // a quarter of each shoot up
     const Eigen::Vector3d& top = fork[test::forkTop].position;
     const Eigen::Vector3d& tip = fork[NodeId{static_cast<std::uint32_t>(2 + i)}].position;
     points.col(i) = (0.75 * top + 0.25 * tip).cast<float>();
@@ -75,7 +75,7 @@ TEST(AssignedPoints, OfTheFootOfABranchAreTheBranchs) {
   EXPECT_THAT(assigned.of(NodeId{3}), ElementsAre(1));
 }
 
-TEST(AssignedPoints, AreNotFoundOnceToldToStop) {
+TEST(AssignedPoints, AreNotFoundOnceAskedToStop) {
   const Skeleton stick = test::stick(2);
   const Eigen::Matrix3Xf points = test::cylinder({0, 0, 0}, {0, 0, 1}, 0.1, 0.02);
   EXPECT_TRUE(test::stopsWhenAsked(

@@ -62,7 +62,7 @@ TEST(CrossSections, HaveUpUpAndTheTipTowardsTheEye) {
   EXPECT_TRUE(sectionAt(upright, middle).right.isApprox(Eigen::Vector3d(1, 0, 0)));
 }
 
-TEST(CrossSections, TellWhereAPlaceOfThemIs) {
+TEST(CrossSections, ReturnWhereAPlaceOfThemIs) {
   const Sections upright(rod({0, 0, 1}), test::cylinder({0, 0, 0}, {0, 0, 1}, 0.1, 0.01));
   EXPECT_TRUE(
       sectionAt(upright, middle).place({0.2, 0.3}).isApprox(Eigen::Vector3d(0.2, 0.3, 0.5)));

@@ -1,4 +1,4 @@
-// Points that tell of no wood: at one place, on a line, in two far clusters of equal points.
+// Points that show no wood: at one place, on a line, in two far clusters of equal points.
 #include "core/base/circle_fit.h"
 #include "core/radius/cylinder_fit.h"
 #include "core/radius/fused_radii.h"

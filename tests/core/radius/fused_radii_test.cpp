@@ -35,7 +35,7 @@ TEST(FusedRadii, AreTheModelWhereNothingIsMeasured) {
   EXPECT_THAT(result.sources, Each(RadiusSource::modeled));
 }
 
-TEST(FusedRadii, CarryAMeasurementAlongItsAxisAndTellWhereTheyAreFrom) {
+TEST(FusedRadii, CarryAMeasurementAlongItsAxisAndStateWhereTheyAreFrom) {
   const Skeleton stick = test::stick(60);
   std::vector<MeasuredRadius> measured = unmeasured(stick);
   measured[0] = {.radius = 2, .deviation = 0.01};

@@ -22,7 +22,7 @@ std::vector<MeasuredRadius> measuredBy(const Skeleton& plant, const LengthPipeMo
   return measured;
 }
 
-TEST(CarriedLengths, AddUpAllThatHangsOnANode) {
+TEST(CarriedLengths, AddUpAllThatANodeCarries) {
   EXPECT_THAT(carriedLengths(test::fork(2)),
               ElementsAre(DoubleNear(1 + 2 * shoot, 1e-12), DoubleNear(2 * shoot, 1e-12), 0, 0));
   EXPECT_TRUE(carriedLengths({}).empty());

@@ -51,14 +51,15 @@ TEST(CylinderRadii, AreNoneWhereThereAreNoPoints) {
   EXPECT_EQ(measured(test::stick(1), Eigen::Matrix3Xf(3, 0))[0].radius, 0);
 }
 
-TEST(CylinderRadii, AreNotFoundOnceToldToStop) {
+TEST(CylinderRadii, AreNotFoundOnceAskedToStop) {
   const Skeleton stick = test::stick(9, 0.25);
   const Eigen::Matrix3Xf points = test::cylinder({0, 0, 0}, {0, 0, 2}, 0.1, spacing);
   EXPECT_TRUE(test::stopsWhenAsked(
       [&](const Progress& progress) { (void)measured(stick, points, progress); }));
 }
 
-/// `count` points on an upright cylinder of length 2, scattered by `error` both ways across it.
+/// `count` points on an upright cylinder of length 2, scattered by `error` in both directions
+/// across it.
 Eigen::Matrix3Xf scattered(double radius, double error, Eigen::Index count) {
   Random random(3);
   Eigen::Matrix3Xf points(3, count);
@@ -138,7 +139,7 @@ TEST(ThinRadii, AreNotThickerForTheScatterOfThePoints) {
     EXPECT_NEAR(each.radius, 0.03, 0.0005);
 }
 
-TEST(ThinRadii, AreNoThinnerThanTheErrorTells) {
+TEST(ThinRadii, AreNoThinnerThanTheErrorAllows) {
   const Skeleton stick = test::stick(3);
   const AssignedPoints assigned(stick, scattered(0.001, 0, 100), middleOfSection);
   for (const MeasuredRadius& each : withThinRadii(stick, assigned, {{}, {}, {}}, 0.01)) {

@@ -28,7 +28,7 @@ TEST(NodeCountPipeModel, GivesNoRadiiWithoutAnApexRadius) {
     EXPECT_EQ(plant[id].radius, 0);
 }
 
-TEST(CarriedNodes, CountEachNodeAndAllThatHangsOnIt) {
+TEST(CarriedNodes, CountEachNodeAndAllThatItCarries) {
   EXPECT_EQ(carriedNodes(test::fork(2)), (std::vector<double>{4, 3, 1, 1}));
   EXPECT_TRUE(carriedNodes({}).empty());
 }

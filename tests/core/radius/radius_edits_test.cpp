@@ -44,15 +44,15 @@ TEST(SmoothRadii, HalvesABump) {
   EXPECT_EQ(radiusAt(smoothed, 4), 4);
 }
 
-TEST(SmoothRadii, KeepsAnEvenTaperOfUnevenNodes) {
-  Skeleton taper = test::stick(4);
+TEST(SmoothRadii, KeepsAnEvenSlopeOfUnevenNodes) {
+  Skeleton narrowing = test::stick(4);
   for (const auto& [id, height] : {std::pair(0U, 0.0), {1U, 1.0}, {2U, 1.5}, {3U, 5.0}}) {
-    taper.setPosition(NodeId{id}, {0, 0, height});
-    taper.setRadius(NodeId{id}, 10 - height);
+    narrowing.setPosition(NodeId{id}, {0, 0, height});
+    narrowing.setRadius(NodeId{id}, 10 - height);
   }
-  const Skeleton smoothed = edited(taper, smoothAll);
-  for (const NodeId id : taper.ids())
-    EXPECT_NEAR(smoothed[id].radius, taper[id].radius, 1e-12);
+  const Skeleton smoothed = edited(narrowing, smoothAll);
+  for (const NodeId id : narrowing.ids())
+    EXPECT_NEAR(smoothed[id].radius, narrowing[id].radius, 1e-12);
 }
 
 TEST(SmoothRadii, KeepsAxesApartAndUnknownRadiiUnknown) {

@@ -14,10 +14,10 @@ std::vector<bool> noCuts(const Skeleton& plant) {
   return std::vector<bool>(plant.idEnd(), false);
 }
 
-/// `count` nodes from `parent` on, each by `way`.
-void grow(Skeleton& plant, NodeId parent, const Eigen::Vector3d& way, int count) {
+/// `count` nodes from `parent` on, each by `step`.
+void grow(Skeleton& plant, NodeId parent, const Eigen::Vector3d& step, int count) {
   for (int i = 0; i < count; ++i)
-    parent = plant.add({.position = plant[parent].position + way, .parent = parent});
+    parent = plant.add({.position = plant[parent].position + step, .parent = parent});
 }
 
 /// A stick of 11 nodes, with a branch of 5 nodes at 45 degrees from its middle.
@@ -54,22 +54,22 @@ TEST(BackwardBranches, CountLessIfTheyAreShort) {
   EXPECT_NEAR(backwardBranches(plant, noCuts(plant))[10], half / 4, 1e-12);
 }
 
-// Whatever node a plant hangs from, each way to enter it costs the same.
+// Whatever node a plant is rooted at, each way to enter it costs the same.
 TEST(BackwardBranches, DoNotDependOnWhereTheEdgesLeadNow) {
   Skeleton plant = test::randomPlant(60, 3);
   const std::vector<double> before = backwardBranches(plant, noCuts(plant));
   NodeId top = plant.roots().front();
   while (!plant.children(top).empty())
     top = plant.children(top).front();
-  std::vector<NodeId> way = {top};
-  while (const auto parent = plant[way.back()].parent)
-    way.push_back(*parent);
-  for (const NodeId id : way)
+  std::vector<NodeId> path = {top};
+  while (const auto parent = plant[path.back()].parent)
+    path.push_back(*parent);
+  for (const NodeId id : path)
     plant.makeRoot(id);
-  for (std::size_t i = 1; i < way.size(); ++i)
-    plant.reparent(way[i], way[i - 1], EdgeType::successor);
+  for (std::size_t i = 1; i < path.size(); ++i)
+    plant.reparent(path[i], path[i - 1], EdgeType::successor);
   const std::vector<double> after = backwardBranches(plant, noCuts(plant));
-  ASSERT_GT(way.size(), 2U);
+  ASSERT_GT(path.size(), 2U);
   for (const NodeId id : plant.ids())
     EXPECT_NEAR(after[indexOf(id)], before[indexOf(id)], 1e-9);
 }

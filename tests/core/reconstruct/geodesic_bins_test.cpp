@@ -50,9 +50,9 @@ Eigen::Matrix3Xf touchingWood() {
   return test::both(points, wood({0, 0, 1}, {0.5, 0, 1}));
 }
 
-/// How near the way from the node nearest to `from` down to the root comes to `place`.
-double nearestOnWay(const Skeleton& skeleton, const Eigen::Vector3d& from,
-                    const Eigen::Vector3d& place) {
+/// How near the path from the node nearest to `from` down to the root comes to `place`.
+double nearestOnPath(const Skeleton& skeleton, const Eigen::Vector3d& from,
+                     const Eigen::Vector3d& place) {
   const std::vector<NodeId> ids = skeleton.ids();
   const auto distance = [&](NodeId id, const Eigen::Vector3d& to) {
     return (skeleton[id].position - to).norm();
@@ -65,17 +65,17 @@ double nearestOnWay(const Skeleton& skeleton, const Eigen::Vector3d& from,
   return nearest;
 }
 
-TEST(GeodesicBins, HangTouchingWoodOnTheWoodItRunsAlongIfTurnsCost) {
+TEST(GeodesicBins, AttachTouchingWoodToTheWoodItRunsAlongIfTurnsCost) {
   const Eigen::Matrix3Xf points = touchingWood();
   const Eigen::Vector3d tip(0.5, 0, 2);
-  const Eigen::Vector3d bend(0.9, 0, 0.5); // the branch; by the twig the way is shorter
-  EXPECT_GT(nearestOnWay(skeletonOf(points), tip, bend), 0.5);
+  const Eigen::Vector3d bend(0.9, 0, 0.5); // the branch; by the twig the path is shorter
+  EXPECT_GT(nearestOnPath(skeletonOf(points), tip, bend), 0.5);
   GeodesicBinOptions turning = binOptions;
   turning.turnCost = 5;
   const Skeleton skeleton = skeletonByGeodesicBins(points, findRoot(points), turning);
-  EXPECT_LT(nearestOnWay(skeleton, tip, bend), 0.15);
+  EXPECT_LT(nearestOnPath(skeleton, tip, bend), 0.15);
   EXPECT_EQ(skeleton.roots().size(), 1U);
-  EXPECT_EQ(skeleton.size(), skeletonOf(points).size()) << "the same nodes, hung otherwise";
+  EXPECT_EQ(skeleton.size(), skeletonOf(points).size()) << "the same nodes, attached otherwise";
 }
 
 TEST(GeodesicBins, FindTheForkOfAForkIfTurnsCost) {

@@ -35,7 +35,7 @@ TEST(GraphColonization, StepsFartherWherePointsAreDense) {
 }
 
 // Dense below, sparse above: half of 1 / 0.2 and half of 1 / 0.1.
-TEST(GraphColonization, ChangesItsStepWithTheDensityOnTheWay) {
+TEST(GraphColonization, ChangesItsStepWithTheDensityOnThePath) {
   const Eigen::Matrix3Xf points = line(0, 1);
   std::vector<float> densities(static_cast<std::size_t>(points.cols()), 1);
   std::fill(densities.begin() + 50, densities.end(), 0.0F);

@@ -9,20 +9,20 @@ namespace {
 
 const GapOptions gapOptions{.widest = 1.5, .reach = 8};
 
-/// Nodes 1 apart from `from`, in `way`, on `parent`.
+/// Nodes 1 apart from `from`, by `step`, on `parent`.
 std::vector<NodeId> grow(Skeleton& plant, std::optional<NodeId> parent, const Eigen::Vector3d& from,
-                         const Eigen::Vector3d& way, int nodes) {
+                         const Eigen::Vector3d& step, int nodes) {
   std::vector<NodeId> ids;
   for (int i = 0; i < nodes; ++i) {
-    parent = plant.add({.position = from + i * way, .radius = 0.1, .parent = parent});
+    parent = plant.add({.position = from + i * step, .radius = 0.1, .parent = parent});
     ids.push_back(*parent);
   }
   return ids;
 }
 
-// Two upright axes 3 apart; the upper part of the first, beyond a gap of 4, was hung on the second,
-// which is nearer.
-TEST(WithJoinedGaps, HangsWhatGoesOnStraightOnTheWoodBelowIt) {
+// Two upright axes 3 apart; the upper part of the first, beyond a gap of 4, was attached to the
+// second, which is nearer.
+TEST(WithJoinedGaps, AttachesWhatGoesOnStraightToTheWoodBelowIt) {
   Skeleton plant;
   const auto first = grow(plant, std::nullopt, {0, 0, 0}, {0, 0, 1}, 6);
   const auto second = grow(plant, first[0], {1, 0, 0}, {0, 0, 1}, 1);
@@ -76,13 +76,13 @@ EnteredFromAbove enteredFromAbove() {
 
 // Three branches at 45 degrees point back: 2.1 times the cost of one, of 2, is more than the foot
 // is farther away.
-TEST(WithJoinedGaps, HangsACrownOnItsFootAsItsBranchesPoint) {
+TEST(WithJoinedGaps, AttachesACrownToItsFootAsItsBranchesPoint) {
   const EnteredFromAbove scene = enteredFromAbove();
   EXPECT_EQ(withJoinedGaps(scene.plant, gapOptions), scene.plant)
       << "the nearer end, if they are free";
-  GapOptions told = gapOptions;
-  told.backCost = 2;
-  const Skeleton joined = withJoinedGaps(scene.plant, told);
+  GapOptions costly = gapOptions;
+  costly.backCost = 2;
+  const Skeleton joined = withJoinedGaps(scene.plant, costly);
   EXPECT_EQ(joined[scene.crown.back()].parent, scene.below);
   EXPECT_EQ(joined[scene.crown.front()].parent, scene.crown[1]);
 }
@@ -127,7 +127,7 @@ TEST(WithJoinedGaps, MakesATreeOfAnyMessOfFragments) {
     const Skeleton plant = test::randomPlant(120, seed);
     const Skeleton joined = withJoinedGaps(plant, {.widest = 1, .reach = 1000});
     EXPECT_EQ(joined.size(), plant.size());
-    EXPECT_EQ(joined.ids().size(), plant.size()) << "each node hangs on a root";
+    EXPECT_EQ(joined.ids().size(), plant.size()) << "each node is carried by a root";
     EXPECT_EQ(joined.roots(), plant.roots());
   }
 }

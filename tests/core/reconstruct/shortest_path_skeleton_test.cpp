@@ -87,14 +87,14 @@ TEST(ShortestPaths, FindTheForkOfAFork) {
   EXPECT_GT(top, 2 + 1.5 * 0.819 - 0.1);
 }
 
-TEST(ShortestPaths, MakeOneWayOfALine) {
+TEST(ShortestPaths, MakeOnePathOfALine) {
   const Skeleton skeleton =
       skeletonByShortestPaths(lineAbove({0, 0, 0}, {0, 0, 3}), 0, shortestPathOptions);
   EXPECT_EQ(test::countTips(skeleton), 1);
   EXPECT_NEAR(static_cast<double>(skeleton.size()), 3 / 0.15 + 1, 2);
 }
 
-// A branch of 0.05 is 1.7 % of a way of 3, one of 0.1 is 3.3 %.
+// A branch of 0.05 is 1.7 % of a path of 3, one of 0.1 is 3.3 %.
 TEST(ShortestPaths, PruneSmallSharesOnly) {
   ShortestPathOptions thin = shortestPathOptions;
   thin.leastRadius = 0.005;

@@ -40,7 +40,7 @@ TEST(ThickWood, LeavesThinWoodToTheBit) {
   EXPECT_GT(same, plant.twig.cols() * 17 / 20) << "all but 0.15 that share a bin with the trunk";
 }
 
-TEST(ThickWood, IsNoneThatIsThinnerThanTold) {
+TEST(ThickWood, IsNoneThatIsThinnerThanAskedFor) {
   const TrunkAndTwig plant;
   EXPECT_EQ(plant.moved(0.5), plant.points);
   EXPECT_EQ(plant.moved(0), plant.points);
@@ -53,7 +53,7 @@ TEST(ThickWood, IsTheSameOnAnyNumberOfThreads) {
   EXPECT_EQ(plant.moved(0.05), onMany);
 }
 
-TEST(ThickWood, RefusesARootThatHalfOfThePointsDoNotHangOn) {
+TEST(ThickWood, RefusesARootThatHalfOfThePointsAreNotConnectedTo) {
   const Eigen::Matrix3Xf points = test::both(test::cylinder({0, 0, 0}, {0, 0, 0.2}, 0.05, 0.02),
                                              test::cylinder({5, 0, 0}, {5, 0, 2}, 0.05, 0.02));
   EXPECT_THROW((void)withThickWoodAsLines(points, 0, {.radius = 0.05, .widestGap = 1}), Error);

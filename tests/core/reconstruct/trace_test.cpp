@@ -28,7 +28,7 @@ Eigen::Matrix3Xf pole() {
   return test::cylinder({0, 0, 0}, {0, 0, 2}, 0.1, 0.02);
 }
 
-/// Two ways from the origin to (2, 0, 0): straight, and by (0, 0, 0.4), (2, 0, 0.4).
+/// Two paths from the origin to (2, 0, 0): straight, and by (0, 0, 0.4), (2, 0, 0.4).
 Eigen::Matrix3Xf frame() {
   const auto bar = [](const Vector3d& from, const Vector3d& to) {
     return test::cylinder(from, to, 0.03, 0.015);
@@ -102,7 +102,7 @@ TEST(Trace, FollowsTheArmsOfAForkAndNotTheAirBetween) {
 }
 
 /// The largest share of the wood's radius that a place of the trace is off the true axis, where
-/// the wood is thick enough for the scan to tell; elsewhere it is taken as `finest` thick.
+/// the wood is thick enough for the scan to show; elsewhere it is taken as `finest` thick.
 double farthestOff(const Trace& trace, const Skeleton& truth, double finest) {
   const EdgeIndex index(truth);
   double farthest = 0;
@@ -138,7 +138,7 @@ TEST(Trace, StaysWithinTheWoodOfASimulatedHerb) {
 TEST(Trace, StaysWithinTheWoodOfAScannedTree) {
   const test::SimulatedPlant& tree = test::simulatedTree();
   const TraceGraph graph(std::make_shared<const PointCloud>(tree.cloud));
-  Axis axis = longestAxis(tree.truth); // as far as the points can tell its wood
+  Axis axis = longestAxis(tree.truth); // as far as the points can show its wood
   while (tree.truth[axis.back()].radius < 1.5 * graph.spacing())
     axis.pop_back();
   const Vector3d from = tree.truth[axis.front()].position;
@@ -148,7 +148,7 @@ TEST(Trace, StaysWithinTheWoodOfAScannedTree) {
   EXPECT_LT(farthestOff(trace, tree.truth, 0), 1);
 }
 
-TEST(Trace, OffersAnotherWayWhereThereIsOne) {
+TEST(Trace, OffersAnotherPathWhereThereIsOne) {
   const TraceGraph graph(cloudOf(frame()));
   const std::vector<Trace> traces =
       graph.between({{0, 0, 0}, true}, {{2, 0, 0}, true}, {.step = 0.1});
@@ -157,7 +157,7 @@ TEST(Trace, OffersAnotherWayWhereThereIsOne) {
   EXPECT_NEAR(highest(traces[1]), 0.4, 0.05);
 }
 
-TEST(Trace, OffersNoOtherWayAlongASinglePole) {
+TEST(Trace, OffersNoOtherPathAlongASinglePole) {
   const TraceGraph graph(cloudOf(pole()));
   EXPECT_EQ(graph.between({{0, 0, 0.1}, true}, {{0, 0, 1.9}, true}, {.step = 0.1}).size(), 1U);
 }

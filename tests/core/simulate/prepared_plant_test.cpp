@@ -130,7 +130,7 @@ TEST(PreparedPlant, KeepsTheRadiusOfABranchDownToTheAxisThatBearsIt) {
     }
 }
 
-TEST(PreparedPlant, ExtendsApicesByHalfAnEdgeUnlessToldOtherwise) {
+TEST(PreparedPlant, ExtendsApicesByHalfAnEdgeUnlessSetOtherwise) {
   const auto top = [](const PreparationOptions& options) {
     const Skeleton plant = preparedPlant(test::stick(5), options);
     double highest = 0;

@@ -51,14 +51,14 @@ TEST(AssembleAxes, LooksPastAKinkOfOneEdge) {
   EXPECT_EQ(withAssembledAxes(plant, {.reach = 1})[NodeId{6}].edge, EdgeType::branching);
 }
 
-/// A stem along z to (0, 0, 2), and there two ways on: 0.9 long straight up, 1 long at 45 degrees.
-struct TwoWaysOn {
+/// A stem along z to (0, 0, 2), and there two paths on: 0.9 long straight up, 1 long at 45 degrees.
+struct TwoPathsOn {
   Skeleton plant = test::stick(3);
   NodeId straight = plant.add({.position = {0, 0, 2.9}, .parent = NodeId{2}});
   NodeId aside =
       plant.add({.position = {std::sqrt(0.5), 0, 2 + std::sqrt(0.5)}, .parent = NodeId{2}});
 
-  /// Whether the straight way continues the axis, by weights and by how thick the ways are.
+  /// Whether the straight path continues the axis, by weights and by how thick the paths are.
   bool goesStraight(const AxisOptions& options, double straightRadius = 0, double asideRadius = 0) {
     const Skeleton result =
         withAssembledAxes(plant, options, {0.1, 0.1, 0.1, straightRadius, asideRadius});
@@ -68,26 +68,26 @@ struct TwoWaysOn {
 };
 
 TEST(AssembleAxes, WeighsWhatAChildCarriesAgainstItsTurn) {
-  TwoWaysOn ways;
-  EXPECT_FALSE(ways.goesStraight({}));
+  TwoPathsOn paths;
+  EXPECT_FALSE(paths.goesStraight({}));
   // The straight one carries 0.15 halvings less; the other turns by 0.75 times 60 degrees.
-  EXPECT_FALSE(ways.goesStraight({.straightness = 0.19}));
-  EXPECT_TRUE(ways.goesStraight({.straightness = 0.22}));
-  EXPECT_FALSE(ways.goesStraight({.carried = 2, .straightness = 0.22}));
+  EXPECT_FALSE(paths.goesStraight({.straightness = 0.19}));
+  EXPECT_TRUE(paths.goesStraight({.straightness = 0.22}));
+  EXPECT_FALSE(paths.goesStraight({.carried = 2, .straightness = 0.22}));
 }
 
 TEST(AssembleAxes, WeighsHowThickAChildIs) {
-  TwoWaysOn ways;
-  EXPECT_TRUE(ways.goesStraight({.thickness = 0.2}, 0.08, 0.04)) << "half as thick";
-  EXPECT_FALSE(ways.goesStraight({.thickness = 0.1}, 0.08, 0.04));
-  EXPECT_FALSE(ways.goesStraight({.thickness = 0.2}, 0.04, 0.08));
-  EXPECT_FALSE(ways.goesStraight({.thickness = 9}, 0.08, 0)) << "not known: as thick";
+  TwoPathsOn paths;
+  EXPECT_TRUE(paths.goesStraight({.thickness = 0.2}, 0.08, 0.04)) << "half as thick";
+  EXPECT_FALSE(paths.goesStraight({.thickness = 0.1}, 0.08, 0.04));
+  EXPECT_FALSE(paths.goesStraight({.thickness = 0.2}, 0.04, 0.08));
+  EXPECT_FALSE(paths.goesStraight({.thickness = 9}, 0.08, 0)) << "not known: as thick";
 }
 
 TEST(AssembleAxes, PrefersAnythingToAChildThatCarriesNothing) {
-  TwoWaysOn ways;
-  ways.plant.setPosition(ways.straight, {0, 0, 2});
-  EXPECT_FALSE(ways.goesStraight({.straightness = 6}));
+  TwoPathsOn paths;
+  paths.plant.setPosition(paths.straight, {0, 0, 2});
+  EXPECT_FALSE(paths.goesStraight({.straightness = 6}));
 }
 
 TEST(AssembleAxes, GivesEachNodeAtMostOneSuccessor) {

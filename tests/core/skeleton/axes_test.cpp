@@ -48,7 +48,7 @@ TEST(Axes, PartAtASecondSuccessor) {
   EXPECT_THAT(axes(plant), ElementsAre(Axis{NodeId{0}, NodeId{1}, NodeId{2}}, Axis{NodeId{3}}));
 }
 
-TEST(Axes, AreAsLongAsTheirEdgesAndTheOneTheyHangBy) {
+TEST(Axes, AreAsLongAsTheirEdgesAndTheOneTheyAreAttachedBy) {
   const Skeleton plant = threeOrders();
   EXPECT_DOUBLE_EQ(length(plant, axes(plant)[0]), 2);
   EXPECT_DOUBLE_EQ(length(plant, axes(plant)[1]), 3);

@@ -29,7 +29,7 @@ TEST(AddBranch, ContinuesAnAxisAtItsApex) {
   EXPECT_EQ(plant[NodeId{2}].parent, NodeId{1});
   EXPECT_EQ(plant[NodeId{3}].position, places[1]);
   EXPECT_EQ(plant[NodeId{2}].radius, 0.05);
-  EXPECT_EQ(plant[NodeId{3}].radius, 0.1); // not thicker than what it hangs on
+  EXPECT_EQ(plant[NodeId{3}].radius, 0.1); // not thicker than what bears it
 }
 
 TEST(AddBranch, BranchesWhereTheAxisGoesOn) {
@@ -71,7 +71,7 @@ Skeleton twoStems() {
   return plant;
 }
 
-TEST(AddCarried, HangsAllOfAPartBesideWhatIsThere) {
+TEST(AddCarried, AttachesAllOfAPartBesideWhatIsThere) {
   Skeleton plant = test::fork(2); // its top carries a successor and a branch
   const Skeleton before = plant;
   SkeletonEditor editor(plant);

@@ -65,7 +65,7 @@ TEST(ChecksOfScan, FindNothingWhereAllIsExplained) {
   EXPECT_THAT(emptyEdges(*cloud, herb.truth), IsEmpty());
 }
 
-// Its scan has errors and strays. (What no station saw has no points, and is told.)
+// Its scan has errors and strays. (What no station saw has no points, and is reported.)
 TEST(ChecksOfScan, FindNoUnexplainedPointsInTheScanOfATree) {
   const test::SimulatedPlant& tree = test::simulatedTree();
   EXPECT_THAT(clustersIn(std::make_shared<const PointCloud>(tree.cloud), tree.truth), IsEmpty());
@@ -88,7 +88,7 @@ TEST(UnexplainedClusters, AreWhereABranchIsMissing) {
 }
 
 // 50 points on a line, 1 to the right of the trunk's surface; gaps of 0.01.
-TEST(UnexplainedClusters, TellTheirSizeAndPlace) {
+TEST(UnexplainedClusters, StateTheirSizeAndPlace) {
   Eigen::Matrix3Xf line(3, 50);
   for (int i = 0; i < 50; ++i)
     line.col(i) << 1.1F, 0, 1 + 0.01F * static_cast<float>(i - 24.5);

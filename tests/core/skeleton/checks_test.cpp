@@ -15,7 +15,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using Kind = Finding::Kind;
 
-/// A finding of `kind` at `node`, whatever else it tells.
+/// A finding of `kind` at `node`, whatever else it says.
 MATCHER_P2(IsAt, kind, node, "") {
   return arg.kind == kind && arg.node == node;
 }
@@ -216,7 +216,7 @@ TEST(Check, FindsBranchesNearerThanASpacingHoweverThin) {
   EXPECT_THAT(check(plant, 0.2), IsEmpty());
 }
 
-TEST(Check, TellsTwoAxesThatTouchInManyPlacesOnce) {
+TEST(Check, ReportsTwoAxesThatTouchInManyPlacesOnce) {
   Skeleton plant = test::stick(9);
   NodeId last = plant.add(
       {.position = {3, 0, 0}, .radius = 0.1, .parent = NodeId{0}, .edge = EdgeType::branching});

@@ -44,10 +44,10 @@ TEST(EdgeIndex, FindsWhatTryingAllEdgesFinds) {
     for (const NodeId id : plant.ids()) {
       const Eigen::Vector3d end = plant[id].position;
       const Eigen::Vector3d start = plant[id].parent ? plant[*plant[id].parent].position : end;
-      const Eigen::Vector3d way = end - start;
+      const Eigen::Vector3d edge = end - start;
       const double share =
-          plant[id].parent ? std::clamp(way.dot(place - start) / way.squaredNorm(), 0.0, 1.0) : 0;
-      least = std::min(least, (start + share * way - place).norm());
+          plant[id].parent ? std::clamp(edge.dot(place - start) / edge.squaredNorm(), 0.0, 1.0) : 0;
+      least = std::min(least, (start + share * edge - place).norm());
     }
     EXPECT_NEAR(index.nearest(place)->distance, least, 1e-12);
   }

@@ -118,7 +118,7 @@ TEST(ReparentNode, ContinuesAnApexAndBranchesElsewhere) {
   EXPECT_EQ(plant[NodeId{2}].edge, EdgeType::branching);
 }
 
-TEST(ReparentNode, ChangesNothingWhereItHangsAlready) {
+TEST(ReparentNode, ChangesNothingWhereItIsAttachedAlready) {
   Skeleton plant = test::fork(3);
   EXPECT_TRUE(edit(plant, [](SkeletonEditor& editor) {
                 reparentNode(editor, NodeId{3}, forkTop);
@@ -195,7 +195,7 @@ TEST(Units, GoOnInEachPartThatARemovedNodeJoined) {
       edited(twoUnits(), [](SkeletonEditor& editor) { removeNode(editor, NodeId{3}); });
   EXPECT_EQ(result[NodeId{4}].entities, (std::vector{unitNamed(2, "green"), ownNamed(4)}));
   EXPECT_EQ(result[NodeId{5}].entities, (std::vector{unitNamed(2), ownNamed(5)}))
-      << "values are told once";
+      << "values are stated once";
   EXPECT_EQ(result[NodeId{2}].entities, twoUnits()[NodeId{2}].entities);
 }
 

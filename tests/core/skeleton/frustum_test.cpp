@@ -43,7 +43,7 @@ TEST(Frustum, IsACylinderAboveANodeWithoutRadius) {
   stick.setRadius(NodeId{0}, 0);
   stick.setRadius(NodeId{2}, 0);
   EXPECT_EQ(frustumOf(stick, NodeId{1})->fromRadius, 0.1);
-  EXPECT_EQ(frustumOf(stick, NodeId{2})->fromRadius, 0.1); // and below one it tapers to nothing
+  EXPECT_EQ(frustumOf(stick, NodeId{2})->fromRadius, 0.1); // and below one it narrows to nothing
   EXPECT_EQ(frustumOf(stick, NodeId{2})->toRadius, 0);
 }
 

@@ -55,7 +55,7 @@ NodeId addBranch(Skeleton& plant, NodeId parent, const Eigen::Vector3d& to,
   return plant.add({.position = to, .radius = 0.01, .parent = parent, .edge = edge});
 }
 
-// Half way to the other trunk: everywhere are points within 4 spacings, and all belong to trunks.
+// Halfway to the other trunk: everywhere are points within 4 spacings, and all belong to trunks.
 TEST(OwnPoints, AreNotThoseOfWoodBesideASpur) {
   Skeleton plant = trunks();
   const NodeId spur = addBranch(plant, leftMiddle, {0.1, 0, 0.5});
@@ -84,7 +84,7 @@ TEST(OwnPoints, AreThoseOfATrueShoot) {
 }
 
 // Its beginning is at the other trunk, to which it leads across the gap.
-TEST(OwnPoints, BeginLateWhereABranchHangsOnTheWrongWood) {
+TEST(OwnPoints, BeginLateWhereABranchIsAttachedToTheWrongWood) {
   Skeleton plant = trunks();
   const NodeId branch = addBranch(plant, rightMiddle, {0.2, 0.2, 0.5});
   const NodeId tip = addBranch(plant, branch, {0.2, 0.4, 0.5}, EdgeType::successor);

@@ -37,7 +37,7 @@ TEST(MeanEdgeLength, IsThatOfAllEdges) {
 }
 
 TEST(Straighten, KeepsTheSharesOfTheLength) {
-  // Two steps of 5 and one of 10: at a quarter and at a half of the way.
+  // Two steps of 5 and one of 10: at a quarter and at a half of the length.
   Skeleton plant = stickThrough({{0, 0, 0}, {3, 0, 4}, {0, 0, 8}, {0, 0, 18}});
   plant = edited(plant, [&](SkeletonEditor& editor) { straighten(editor, pathUp(plant)); });
   EXPECT_TRUE(plant[NodeId{1}].position.isApprox(Vector3d(0, 0, 4.5)));
@@ -64,7 +64,7 @@ TEST(InterpolateRadii, GoesByTheLengthAlongThePath) {
   plant.setRadius(NodeId{0}, 0.5);
   plant.setRadius(NodeId{1}, 9);
   plant = edited(plant, [&](SkeletonEditor& editor) { interpolateRadii(editor, pathUp(plant)); });
-  EXPECT_DOUBLE_EQ(plant[NodeId{1}].radius, 0.4); // a quarter of the way from 0.5 to 0.1
+  EXPECT_DOUBLE_EQ(plant[NodeId{1}].radius, 0.4); // a quarter of the difference from 0.5 to 0.1
   EXPECT_DOUBLE_EQ(plant[NodeId{0}].radius, 0.5);
 }
 

@@ -121,7 +121,7 @@ TEST(PointDistances, AreAfterEachEditWhatTheyAreAnew) {
   }
 }
 
-TEST(PointDistances, TellAllPointsThatAnEditChanged) {
+TEST(PointDistances, ListAllPointsThatAnEditChanged) {
   const test::SimulatedPlant& tree = test::simulatedTree();
   const auto cloud = std::make_shared<const PointCloud>(tree.cloud);
   Skeleton plant = tree.truth;
@@ -130,13 +130,13 @@ TEST(PointDistances, TellAllPointsThatAnEditChanged) {
   SkeletonEditor editor(plant);
   const NodeId apex = plant.ids().back();
   editor.setPosition(apex, plant[apex].position + Eigen::Vector3d(0.05, 0, 0));
-  const std::vector<Eigen::Index> told = kept.update(plant, editor.commit());
-  EXPECT_TRUE(std::ranges::is_sorted(told));
-  EXPECT_LT(told.size(), before.size() / 10); // a twig is no reason to look at the whole plant
+  const std::vector<Eigen::Index> changed = kept.update(plant, editor.commit());
+  EXPECT_TRUE(std::ranges::is_sorted(changed));
+  EXPECT_LT(changed.size(), before.size() / 10); // a twig is no reason to look at the whole plant
   for (Eigen::Index i = 0; i < cloud->size(); ++i) {
     const auto k = static_cast<std::size_t>(i);
     if (before[k] != kept.toSurface()[k]) {
-      EXPECT_TRUE(std::ranges::binary_search(told, i));
+      EXPECT_TRUE(std::ranges::binary_search(changed, i));
     }
   }
 }

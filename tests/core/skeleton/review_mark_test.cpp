@@ -48,7 +48,7 @@ TEST(ReviewMark, IsTakenBackFromANodeThatIsMovedAndKeepsItsComment) {
   EXPECT_EQ(plant, reviewedFork()) << "undo brings the mark back";
 }
 
-TEST(ReviewMark, IsTakenBackFromNodesThatHangElsewhere) {
+TEST(ReviewMark, IsTakenBackFromNodesThatAreAttachedElsewhere) {
   Skeleton plant = reviewedFork();
   marked(plant, [](SkeletonEditor& editor) { reparentNode(editor, NodeId{3}, test::forkRoot); });
   EXPECT_EQ(stateOf(plant, NodeId{3}), ReviewState::toDo);

@@ -90,8 +90,8 @@ TEST(ReviewWalk, GoesOnAndBackAndBeginsAnewAtTheEnd) {
   EXPECT_EQ(walk(plant, parts, std::nullopt, WalkTo::anyStretch), 0U);
   EXPECT_EQ(walk(plant, parts, 0, WalkTo::anyStretch), 1U);
   EXPECT_EQ(walk(plant, parts, 6, WalkTo::anyStretch), 0U);
-  EXPECT_EQ(walk(plant, parts, 0, WalkTo::anyStretch, WalkWay::backward), 6U);
-  EXPECT_EQ(walk(plant, parts, std::nullopt, WalkTo::anyStretch, WalkWay::backward), 6U);
+  EXPECT_EQ(walk(plant, parts, 0, WalkTo::anyStretch, WalkDirection::backward), 6U);
+  EXPECT_EQ(walk(plant, parts, std::nullopt, WalkTo::anyStretch, WalkDirection::backward), 6U);
   EXPECT_EQ(stretchOf(parts, NodeId{5}), 4U);
   EXPECT_EQ(stretchOf(parts, NodeId{99}), std::nullopt);
 }

@@ -109,12 +109,12 @@ TEST(Inverted, IsAllTheRest) {
   EXPECT_THAT(inverted(Skeleton(), {}), IsEmpty());
 }
 
-TEST(PathBetween, LeadsOverTheNodeWhereTheWaysMeet) {
+TEST(PathBetween, LeadsOverTheNodeWhereThePathsMeet) {
   EXPECT_THAT(pathBetween(smallForest(), NodeId{3}, NodeId{6}),
               ElementsAre(NodeId{3}, NodeId{2}, NodeId{1}, NodeId{4}, NodeId{6}));
 }
 
-TEST(PathBetween, LeadsUpAndDownTheSameWay) {
+TEST(PathBetween, LeadsUpAndDownTheSamePath) {
   EXPECT_THAT(pathBetween(smallForest(), NodeId{0}, NodeId{4}),
               ElementsAre(NodeId{0}, NodeId{1}, NodeId{4}));
   EXPECT_THAT(pathBetween(smallForest(), NodeId{4}, NodeId{0}),

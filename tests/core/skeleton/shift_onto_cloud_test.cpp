@@ -86,7 +86,7 @@ TEST(ShiftOntoCloud, IsNoneForAStructureThatFitsInNeitherFrame) {
   EXPECT_FALSE(shiftOntoCloud(test::randomPlant(60, 1), tree.cloud));
 }
 
-TEST(ShiftOntoCloud, IsNoneWhereThereIsTooLittleToTell) {
+TEST(ShiftOntoCloud, IsNoneWhereThereIsTooLittleToMeasure) {
   const test::SimulatedPlant& tree = test::simulatedTree();
   const PointCloud far = placed(tree.cloud, 1, {30, 0, 0});
   Skeleton one;
@@ -98,7 +98,7 @@ TEST(ShiftOntoCloud, IsNoneWhereThereIsTooLittleToTell) {
   EXPECT_FALSE(misfitOf(tree.truth, PointCloud()));
 }
 
-TEST(MisfitOf, TellsHowMuchLargerOrSmallerAStructureIs) {
+TEST(MisfitOf, ReportsHowMuchLargerOrSmallerAStructureIs) {
   const test::SimulatedPlant& tree = test::simulatedTree();
   const double size = misfitOf(scaled(tree.truth, 1000), tree.cloud).value().size;
   EXPECT_NEAR(size, 1000, 100); // the truth reaches as far as its scan, about
@@ -108,7 +108,7 @@ TEST(MisfitOf, TellsHowMuchLargerOrSmallerAStructureIs) {
   EXPECT_NEAR(small->size, size / 1'000'000, 1e-9);
 }
 
-TEST(MisfitOf, TellsThatAStructureOfTheSameSizeLiesOutsideOfTheScan) {
+TEST(MisfitOf, ReportsThatAStructureOfTheSameSizeLiesOutsideOfTheScan) {
   const test::SimulatedPlant& tree = test::simulatedTree();
   const auto misfit = misfitOf(moved(tree.truth, {30, 0, 0}), tree.cloud);
   ASSERT_TRUE(misfit);

@@ -45,7 +45,7 @@ TEST(WithSimpleAxes, StaysWithinTheToleranceOnABend) {
     }
 }
 
-TEST(WithSimpleAxes, KeepsWhatHangsOnWhat) {
+TEST(WithSimpleAxes, KeepsWhatIsAttachedToWhat) {
   Skeleton plant = test::stick(9);
   const NodeId foot =
       plant.add({.position = {1, 0, 4}, .parent = NodeId{4}, .edge = EdgeType::branching});

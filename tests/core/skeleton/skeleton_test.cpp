@@ -34,7 +34,7 @@ TEST(Skeleton, RefusesAMissingParent) {
   EXPECT_EQ(plant, test::stick(2));
 }
 
-TEST(Skeleton, RefusesToHangABranchOnItself) {
+TEST(Skeleton, RefusesToAttachABranchToItself) {
   Skeleton plant = test::fork(2);
   EXPECT_THROW(plant.reparent(forkRoot, NodeId{2}, EdgeType::successor), Error);
   EXPECT_THROW(plant.reparent(forkTop, forkTop, EdgeType::successor), Error);
@@ -63,7 +63,7 @@ TEST(Skeleton, CarriesABranchToItsNewParent) {
   EXPECT_THAT(plant.children(forkRoot), ElementsAre(NodeId{1}, NodeId{3}));
 }
 
-TEST(Skeleton, HangsABranchOnASiblingOrOnItsGrandparent) {
+TEST(Skeleton, AttachesABranchToASiblingOrToItsGrandparent) {
   Skeleton plant = test::fork(2);
   plant.reparent(NodeId{3}, NodeId{2}, EdgeType::successor);
   EXPECT_THAT(plant.children(NodeId{2}), ElementsAre(NodeId{3}));

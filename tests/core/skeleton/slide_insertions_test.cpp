@@ -10,7 +10,7 @@ namespace {
 constexpr InsertionOptions allTheWay{.nodeWeight = 0};
 
 /// An upright stick of 10 nodes 1 apart, and a branch of 4 nodes at 45 degrees that leaves it at
-/// `height` and begins 1 to the side; it hangs on node `parent`.
+/// `height` and begins 1 to the side; it is attached to node `parent`.
 Skeleton withBranch(double height, std::uint32_t parent) {
   Skeleton plant = test::stick(10);
   NodeId below{parent};
@@ -24,7 +24,7 @@ Skeleton withBranch(double height, std::uint32_t parent) {
 
 constexpr NodeId branch{10};
 
-TEST(WithSlidInsertions, HangsABranchOnTheNodeItComesFrom) {
+TEST(WithSlidInsertions, AttachesABranchToTheNodeItComesFrom) {
   const Skeleton plant = withSlidInsertions(withBranch(4, 5), allTheWay);
   EXPECT_EQ(plant[branch].parent, NodeId{4});
   EXPECT_EQ(plant[branch].edge, EdgeType::branching);
@@ -45,7 +45,7 @@ TEST(WithSlidInsertions, MakesANodeBetweenTwoForIt) {
 }
 
 // The line meets the stick at 45 degrees, at 4.2: it has half the weight of one at right angles.
-TEST(WithSlidInsertions, GoesPartOfTheWayByTheWeightOfTheNode) {
+TEST(WithSlidInsertions, GoesPartOfTheDistanceByTheWeightOfTheNode) {
   const auto heightWith = [](double weight) {
     const Skeleton plant =
         withSlidInsertions(withBranch(4.2, 6), {.nearNode = 0, .nodeWeight = weight});
@@ -71,7 +71,7 @@ TEST(WithSlidInsertions, LeavesABranchWhoseLineLeadsPastTheAxis) {
   EXPECT_EQ(withSlidInsertions(plant, allTheWay), plant);
 }
 
-TEST(WithSlidInsertions, LooksNoFartherThanItIsTold) {
+TEST(WithSlidInsertions, LooksNoFartherThanItsReach) {
   const Skeleton plant = withSlidInsertions(withBranch(4, 8), {.reach = 2, .nodeWeight = 0});
   EXPECT_NE(plant[branch].parent, NodeId{4});
 }
@@ -97,11 +97,11 @@ TEST(WithSlidInsertions, GathersBranchesOfOneWhorl) {
   const Skeleton whorl = withSlidInsertions(withTwoBranches(), {.nodeWeight = 0, .gather = 0.3});
   EXPECT_EQ(whorl[branch].parent, whorl[second].parent);
   EXPECT_NEAR(whorl[*whorl[branch].parent].position.z(), 4.5, 1e-9)
-      << "between, as both tell alike";
+      << "between, as both weigh alike";
   EXPECT_EQ(axes(whorl).size(), 3U);
 }
 
-TEST(WithSlidInsertions, LeavesWhatHangsOnTheEndOfAnAxis) {
+TEST(WithSlidInsertions, LeavesWhatIsAttachedToTheEndOfAnAxis) {
   const Skeleton plant = withBranch(7, 9);
   EXPECT_EQ(withSlidInsertions(plant, allTheWay), plant);
 }

@@ -64,7 +64,7 @@ TEST(CutOff, RefusesARoot) {
                 [](SkeletonEditor& editor) { cutOff(editor, forkRoot); });
 }
 
-TEST(JoinTree, HangsARootWhereItContinues) {
+TEST(JoinTree, AttachesARootWhereItContinues) {
   const Skeleton plant = edited(
       twoSticks(2, 2), [](SkeletonEditor& editor) { joinTree(editor, NodeId{2}, NodeId{1}); });
   EXPECT_EQ(plant, test::stick(4));
@@ -78,7 +78,7 @@ TEST(JoinTree, TakesBackACut) {
   EXPECT_EQ(plant, test::stick(4));
 }
 
-TEST(JoinTree, TurnsAFragmentAroundThatIsHungByItsTip) {
+TEST(JoinTree, TurnsAFragmentAroundThatIsAttachedByItsTip) {
   const Skeleton plant = edited(
       twoSticks(2, 3), [](SkeletonEditor& editor) { joinTree(editor, NodeId{4}, NodeId{0}); });
   EXPECT_THAT(plant.roots(), ElementsAre(NodeId{0}));
@@ -108,7 +108,7 @@ TEST(Reroot, LetsAStickGrowTheOtherWay) {
     EXPECT_EQ(edge(plant, id), EdgeType::successor);
 }
 
-TEST(Reroot, KeepsTheSuccessorsOffTheWay) { // 3 is the true foot: 1 < 2 goes on as it was
+TEST(Reroot, KeepsTheSuccessorsOffThePath) { // 3 is the true foot: 1 < 2 goes on as it was
   const Skeleton plant =
       edited(test::fork(2), [](SkeletonEditor& editor) { reroot(editor, NodeId{3}); });
   EXPECT_THAT(plant.roots(), ElementsAre(NodeId{3}));
@@ -126,7 +126,7 @@ TEST(Reroot, ComesBackOnAStickAndChangesNothingAtARoot) {
   EXPECT_EQ(plant, test::stick(4));
 }
 
-TEST(ReversePath, TurnsABranchThatHangsByItsTip) {
+TEST(ReversePath, TurnsABranchThatIsAttachedByItsTip) {
   Skeleton plant = test::stick(2);
   plant.add({.position = {3, 0, 0}, .parent = NodeId{1}, .edge = EdgeType::branching});
   plant.add({.position = {2, 0, 0}, .parent = NodeId{2}});
@@ -190,7 +190,7 @@ TEST(MergeNodes, JoinsTwoThatStartFromOneNode) { // a branch that was found twic
   EXPECT_EQ(edge(plant, 5), EdgeType::branching);
 }
 
-TEST(MergeNodes, RefusesNodesThatDoNotHangTogether) {
+TEST(MergeNodes, RefusesNodesThatAreNotConnected) {
   const auto merge = [](const std::vector<NodeId>& nodes) {
     return [nodes](SkeletonEditor& editor) { mergeNodes(editor, nodes); };
   };

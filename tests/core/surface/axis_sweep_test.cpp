@@ -75,7 +75,7 @@ TEST(AxisSweep, FramesDoNotTwistInAPlane) {
   }
 }
 
-TEST(AxisSweep, ABranchBeginsAtItsBearerAndLeavesOnItsWay) {
+TEST(AxisSweep, ABranchBeginsAtItsBearerAndLeavesInItsDirection) {
   const Skeleton plant = test::fork(2); // on forkTop, one up and one to the side, at 45 degrees
   const std::vector<Section> branch = sectionsOfAxis(plant, 1);
   EXPECT_EQ(branch.front().center, plant[test::forkTop].position);

@@ -94,7 +94,7 @@ TEST(GeneralizedCylinders, RadiiThatAreNotKnownLieBetweenThoseThatAre) {
               volume(surfaceByGeneralizedCylinders(known)), 1e-12);
 }
 
-TEST(GeneralizedCylinders, AnAxisWithoutRadiiHasThatOfTheOneItHangsOn) {
+TEST(GeneralizedCylinders, AnAxisWithoutRadiiHasThatOfTheOneItIsAttachedTo) {
   Skeleton plant = test::fork(2);
   const Axis branch = axes(plant)[1];
   for (const NodeId id : branch)

@@ -49,7 +49,7 @@ TEST(AcceptReference, PutsANodeWhereABranchLeavesAnEdge) {
   EXPECT_TRUE(check(made).empty());
 }
 
-TEST(AcceptReference, HangsWhatGoesOnAboveAGapOnTheCopy) {
+TEST(AcceptReference, AttachesWhatGoesOnAboveAGapToTheCopy) {
   const auto [plant, trunk, branch] = test::trunkAndBranch();
   // From 2 to 4 high nothing; what is above is a tree of its own.
   Skeleton result = plant;
@@ -64,7 +64,7 @@ TEST(AcceptReference, HangsWhatGoesOnAboveAGapOnTheCopy) {
   EXPECT_EQ(test::canonical(made), test::canonical(plant));
 }
 
-TEST(AcceptReference, TakesTheWayOfTheReferenceInsteadOfAnother) {
+TEST(AcceptReference, TakesThePathOfTheReferenceInsteadOfAnother) {
   const auto [plant, trunk, branch] = test::trunkAndBranch();
   Skeleton result = plant;
   result.setPosition(trunk[2], {1, 0, 2});
@@ -80,7 +80,7 @@ TEST(AcceptReference, TakesTheWayOfTheReferenceInsteadOfAnother) {
 TEST(AcceptReference, KeepsTheEndOfAnInventedEdgeThatIsOfTheReference) {
   const auto [plant, trunk, branch] = test::trunkAndBranch();
   const Skeleton result = test::edited(plant, [&, &nodes = trunk](SkeletonEditor& editor) {
-    for (const std::size_t i : {7, 6, 4}) // the reference goes on by another way
+    for (const std::size_t i : {7, 6, 4}) // the reference goes on by another path
       removeNode(editor, nodes[i]);
     editor.setPosition(nodes[5], {3, 3, 6});
   });
@@ -101,7 +101,7 @@ TEST(AcceptReference, RemovesWhatIsInvented) {
   EXPECT_EQ(test::canonical(accepted(plant, reference)), test::canonical(reference));
 }
 
-TEST(AcceptReference, HangsABranchWhereTheReferenceDoes) {
+TEST(AcceptReference, AttachesABranchWhereTheReferenceDoes) {
   const auto [plant, trunk, branch] = test::trunkAndBranch();
   Skeleton result = plant;
   const NodeId between =
@@ -186,9 +186,9 @@ TEST(AcceptReference, MakesAMissedFootTheRootOfThePlant) {
   EXPECT_EQ(made[made.roots()[0]].position, plant[trunk[0]].position);
 }
 
-TEST(AcceptReference, HangsWhatAnInventedTrunkCarriesAsTheReference) {
+TEST(AcceptReference, AttachesWhatAnInventedTrunkCarriesAsTheReference) {
   const auto [plant, trunk, branch] = test::trunkAndBranch();
-  Skeleton result = plant; // the trunk is off below, and the branch hangs on it by itself
+  Skeleton result = plant; // the trunk is off below, and the branch is attached to it by itself
   for (const std::size_t i : {0, 1, 2, 3})
     result.setPosition(trunk[i], {2, 0, double(i)});
   result.reparent(branch[0], trunk[3], EdgeType::branching);
@@ -199,7 +199,7 @@ TEST(AcceptReference, HangsWhatAnInventedTrunkCarriesAsTheReference) {
     EXPECT_FALSE(made.contains(trunk[i]));
 }
 
-TEST(AcceptReference, HangsWhatAnInventedWayCarriesAlongTheMissedOne) {
+TEST(AcceptReference, AttachesWhatAnInventedPathCarriesAlongTheMissedOne) {
   const auto [plant, trunk, branch] = test::trunkAndBranch();
   Skeleton result = plant;
   for (const std::size_t i : {2, 3})

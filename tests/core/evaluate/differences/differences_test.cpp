@@ -38,7 +38,7 @@ TEST(Differences, FindsNoneInThePlantItself) {
   EXPECT_NEAR(found.matchedInResult, found.matchedInReference, 1e-9);
 }
 
-TEST(Differences, TellsWhatIsMissedAndWhereItBelongs) {
+TEST(Differences, ListsWhatIsMissedAndWhereItBelongs) {
   const auto [plant, trunk, branch] = test::trunkAndBranch();
   const Skeleton result = test::edited(
       plant, [&, first = branch[0]](SkeletonEditor& editor) { removeSubtree(editor, first); });
@@ -58,7 +58,7 @@ TEST(Differences, TellsWhatIsMissedAndWhereItBelongs) {
   EXPECT_EQ(found.ofReference[indexOf(trunk[2])], Difference::matched);
 }
 
-TEST(Differences, TellsWhatIsInvented) {
+TEST(Differences, ListsWhatIsInvented) {
   const auto [plant, trunk, branch] = test::trunkAndBranch();
   const Skeleton reference = test::edited(
       plant, [&, first = branch[0]](SkeletonEditor& editor) { removeSubtree(editor, first); });
@@ -69,7 +69,7 @@ TEST(Differences, TellsWhatIsInvented) {
   EXPECT_DOUBLE_EQ(found.invented, 4);
 }
 
-TEST(Differences, TellsTwigsOfOneNodeApartAndTheLongestFirst) {
+TEST(Differences, ListsTwigsOfOneNodeEachByItselfTheLongestFirst) {
   auto [plant, trunk, branch] = test::trunkAndBranch();
   const NodeId twig =
       plant.add({.position = {0, 2, 5}, .parent = trunk[5], .edge = EdgeType::branching});
@@ -81,7 +81,7 @@ TEST(Differences, TellsTwigsOfOneNodeApartAndTheLongestFirst) {
   EXPECT_THAT(found.parts[1].nodes, ElementsAre(twig));
 }
 
-TEST(Differences, TellsABranchThatHangsElsewhere) {
+TEST(Differences, ListsABranchThatIsAttachedElsewhere) {
   const auto [plant, trunk, branch] = test::trunkAndBranch();
   const Skeleton result =
       test::edited(plant, [&, first = branch[0], top = trunk[8]](SkeletonEditor& editor) {
@@ -92,7 +92,7 @@ TEST(Differences, TellsABranchThatHangsElsewhere) {
   EXPECT_EQ(count(found, Difference::invented), 0U) << "its first edge belongs to it";
   const DifferingPart& part = found.parts[0];
   EXPECT_EQ(part.kind, Difference::wronglyAttached);
-  EXPECT_EQ(part.hanging, branch[0]);
+  EXPECT_EQ(part.attached, branch[0]);
   EXPECT_THAT(part.nodes, ElementsAreArray(branch));
   EXPECT_NEAR(part.length, 3 + std::sqrt(10.0), 1e-9) << "with the edge that leads there";
   EXPECT_EQ(part.host, trunk[5]);
@@ -118,8 +118,8 @@ TEST(Differences, CountTheNearShareOfALongEdge) {
   EXPECT_EQ(differences(pole, comb, 4).ofResult[2], Difference::matched);
 }
 
-// Its new place is on the way down in the reference, too, but the trunk between is there.
-TEST(Differences, TellsABranchThatHangsFartherDown) {
+// Its new place is on the path down in the reference, too, but the trunk between is there.
+TEST(Differences, ListsABranchThatIsAttachedFartherDown) {
   const auto [plant, trunk, branch] = test::trunkAndBranch();
   const Skeleton result =
       test::edited(plant, [&, first = branch[0], low = trunk[2]](SkeletonEditor& editor) {
@@ -128,7 +128,7 @@ TEST(Differences, TellsABranchThatHangsFartherDown) {
   const Differences found = differences(result, plant, tolerance);
   EXPECT_EQ(count(found, Difference::invented), 0U);
   ASSERT_EQ(found.parts[0].kind, Difference::wronglyAttached);
-  EXPECT_EQ(found.parts[0].hanging, branch[0]);
+  EXPECT_EQ(found.parts[0].attached, branch[0]);
   EXPECT_EQ(found.parts[0].host, trunk[5]);
 }
 
@@ -140,27 +140,27 @@ TEST(Differences, CountsWhatLeadsToAWrongAttachmentAsPartOfIt) {
   const Differences found = differences(result, plant, tolerance);
   ASSERT_EQ(count(found, Difference::wronglyAttached), 1U);
   EXPECT_EQ(found.parts[0].nodes.front(), between);
-  EXPECT_EQ(found.parts[0].hanging, branch[0]);
+  EXPECT_EQ(found.parts[0].attached, branch[0]);
   EXPECT_EQ(count(found, Difference::invented), 0U);
 }
 
-TEST(Differences, TellsArmsThatWereExchangedWhereTheyCross) {
+TEST(Differences, ListsArmsThatWereExchangedWhereTheyCross) {
   const auto [plant, x, y] = test::crossingArms();
   const Skeleton result = test::edited(
       plant, [&, a = x[3], b = y[3]](SkeletonEditor& editor) { exchangeArms(editor, a, b); });
   EXPECT_TRUE(differences(plant, plant, tolerance).parts.empty());
   const Differences found = differences(result, plant, tolerance);
   ASSERT_EQ(found.parts.size(), 2U);
-  const bool isXFirst = found.parts[0].hanging == x[3];
+  const bool isXFirst = found.parts[0].attached == x[3];
   const DifferingPart& ofX = found.parts[isXFirst ? 0 : 1];
   const DifferingPart& ofY = found.parts[isXFirst ? 1 : 0];
-  EXPECT_EQ(ofX.hanging, x[3]);
+  EXPECT_EQ(ofX.attached, x[3]);
   EXPECT_EQ(ofX.host, x[2]);
-  EXPECT_EQ(ofY.hanging, y[3]);
+  EXPECT_EQ(ofY.attached, y[3]);
   EXPECT_EQ(ofY.host, y[2]);
 }
 
-TEST(Differences, TellsATreeThatIsAPartOfThePlant) {
+TEST(Differences, ListsATreeThatIsAPartOfThePlant) {
   const auto [plant, trunk, branch] = test::trunkAndBranch();
   const Skeleton result = test::edited(
       plant, [&, first = branch[0]](SkeletonEditor& editor) { cutOff(editor, first); });
@@ -168,7 +168,7 @@ TEST(Differences, TellsATreeThatIsAPartOfThePlant) {
   ASSERT_EQ(count(found, Difference::wronglyAttached), 1U);
   const auto part =
       std::ranges::find(found.parts, Difference::wronglyAttached, &DifferingPart::kind);
-  EXPECT_EQ(part->hanging, branch[0]);
+  EXPECT_EQ(part->attached, branch[0]);
   EXPECT_EQ(part->host, trunk[5]);
 }
 
@@ -212,7 +212,7 @@ TEST(Differences, GrowWithNoiseAndAreNoneBelowTheTolerance) {
   }
 }
 
-TEST(Differences, TellsTwoPlantsThatAreApartAsTwo) {
+TEST(Differences, ListsTwoPlantsThatAreApartAsTwo) {
   const Skeleton bush = test::bush();
   const Differences found = differences(test::shifted(bush, {100, 0, 0}), bush, tolerance);
   EXPECT_EQ(found.parts.size(), 2U);

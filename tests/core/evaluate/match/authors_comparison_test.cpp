@@ -59,8 +59,8 @@ TEST(AuthorsComparison, LosesHalfAStickToASpur) {
   EXPECT_NEAR(comparison.geometric, (2 + 4) / 8.1, 1e-12);
 }
 
-// Two shoots with three and two arms. One arm, as near to the other shoot, is hung on that one.
-TEST(AuthorsComparison, SeesAnArmThatHangsOnAnotherSegment) {
+// Two shoots with three and two arms. One arm, as near to the other shoot, is attached to that one.
+TEST(AuthorsComparison, SeesAnArmThatIsAttachedToAnotherSegment) {
   Skeleton plant = test::fork(2);
   const NodeId right{2};
   const NodeId left{3};

@@ -19,7 +19,7 @@ TEST(Barcode, OfAStickIsOneBarAlongIt) {
   EXPECT_THAT(barcode({}), ElementsAre());
 }
 
-// A trunk of 4 with a twig of 1 at 1 and one of 5 at 2: the longer way up goes on.
+// A trunk of 4 with a twig of 1 at 1 and one of 5 at 2: the longer path up goes on.
 TEST(Barcode, EndsWhatIsShorterWhereItLeaves) {
   Skeleton plant = test::stick(5);
   plant.add({.position = {1, 0, 1}, .parent = NodeId{1}, .edge = EdgeType::branching});

@@ -34,8 +34,8 @@ TEST(DiademScore, CountsWhatIsInvented) {
   EXPECT_DOUBLE_EQ(diademScore(spurred, test::stick(5), {.distance = 0.1}).score, 1.0 / 3);
 }
 
-// Two shoots with three arms and two: one arm is found where it is, but hangs on the other shoot.
-TEST(DiademScore, SeesATipThatHangsOnAnotherBranching) {
+// Two shoots with three arms and two: one arm is found where it is, but on the other shoot.
+TEST(DiademScore, SeesATipThatIsAttachedToAnotherBranching) {
   Skeleton plant = test::fork(2);
   for (const double z : {1.0, 3.0}) {
     plant.add({.position = {2, 0, z}, .parent = NodeId{2}, .edge = EdgeType::branching});
@@ -63,7 +63,7 @@ TEST(DiademScore, SeesATipThatIsReachedByADetour) {
 }
 
 TEST(DiademScore, PassesOverALandmarkThatIsNotFound) {
-  Skeleton reference = test::stick(5); // a twig at 2 is missed: the way from 1 to the tip goes on
+  Skeleton reference = test::stick(5); // a twig at 2 is missed: the path from 1 to the tip goes on
   for (const std::uint32_t foot : {1U, 2U})
     reference.add({.position = {1, 0, static_cast<double>(foot)},
                    .parent = NodeId{foot},

@@ -202,8 +202,8 @@ TEST(EditDistance, MergesAPathIntoOneAndSplitsOneIntoAPath) {
   EXPECT_EQ(split.matches[0], (EditMatch{{0}, {0, 1}, 0.25}));
 }
 
-// A spur on the way is removed when the path around it is merged.
-TEST(EditDistance, MergingPaysForWhatHangsBeside) {
+// A spur on the path is removed when the path around it is merged.
+TEST(EditDistance, MergingPaysForWhatIsAttachedBeside) {
   const ParentList spurred = {{}, 0, 0, 2, 2}; // piece, spur, piece, and two shoots
   const ParentList whole = {{}, 0, 0};
   EditCosts costs = unitCosts(spurred.size(), whole.size());

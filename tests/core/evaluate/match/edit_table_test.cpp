@@ -20,7 +20,7 @@ std::vector<std::vector<std::string>> table(const Skeleton& result, const Skelet
   return editTable(editComparison(result, reference, options), result, reference);
 }
 
-TEST(EditTable, TellsWhatIsMatchedAndWhatIsRemoved) {
+TEST(EditTable, ListsWhatIsMatchedAndWhatIsRemoved) {
   const auto rows = table(spurred(), test::stick(5), {.unit = EditUnit::node});
   ASSERT_EQ(rows.size(), 7U); // the heading, 5 nodes and the spur
   EXPECT_THAT(rows[0],
@@ -36,7 +36,7 @@ TEST(EditTable, TellsWhatIsMatchedAndWhatIsRemoved) {
   EXPECT_THAT(back[6], ElementsAre("inserted", "", "", "", "", "5", "0.1", "0", "2", ""));
 }
 
-TEST(EditTable, TellsOfMergedAndSplitPaths) {
+TEST(EditTable, ListsMergedAndSplitPaths) {
   const EditOptions options{.cost = EditCost::length, .mergesPaths = true};
   const auto merged = table(spurred(), test::stick(5), options);
   ASSERT_EQ(merged.size(), 3U);

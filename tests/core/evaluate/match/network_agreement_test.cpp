@@ -32,7 +32,7 @@ TEST(NetworkAgreement, WeighsADistanceByAGaussian) {
 }
 
 // A twig of 9 on a stick of 10 is missed: near its foot, by the half of a Gaussian, it is found.
-TEST(NetworkAgreement, TellsMissedFromInvented) {
+TEST(NetworkAgreement, SeparatesMissedFromInvented) {
   Skeleton twig = test::stick(11);
   twig.add({.position = {9, 0, 5}, .parent = NodeId{5}, .edge = EdgeType::branching});
   const double near = options.deviation * std::sqrt(M_PI / 2);
@@ -56,7 +56,7 @@ struct TwoForks {
   }
 };
 
-// Seven landmarks make six connections; one arm hangs on the other fork.
+// Seven landmarks make six connections; one arm is attached to the other fork.
 TEST(NetworkAgreement, SeesWhatIsConnectedOtherwise) {
   const TwoForks forks;
   Skeleton wrong = forks.plant;

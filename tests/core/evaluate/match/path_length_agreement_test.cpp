@@ -24,7 +24,7 @@ TEST(PathLengthAgreement, OfAPlantWithItselfIsPerfect) {
 }
 
 // Two posts that are joined at the foot in truth, and at the top in the result. All is covered, and
-// only ways that stay on one post are as long.
+// only paths that stay on one post are as long.
 TEST(PathLengthAgreement, SeesWhereTheConnectionIsWrong) {
   const auto posts = [](bool isJoinedAtTop) {
     Skeleton plant = test::stick(5);
@@ -48,7 +48,7 @@ TEST(PathLengthAgreement, SeesWhereTheConnectionIsWrong) {
   EXPECT_GT(agreed.meanError, 0.1);
 }
 
-TEST(PathLengthAgreement, CountsWaysThatABrokenEdgeCuts) {
+TEST(PathLengthAgreement, CountsPathsThatABrokenEdgeCuts) {
   Skeleton broken = test::stick(5);
   broken.makeRoot(NodeId{3}); // the edge from 2 to 3 is gone
   const auto agreed = pathLengthAgreement(broken, test::stick(5), {.distance = 0.6, .step = 0.1});

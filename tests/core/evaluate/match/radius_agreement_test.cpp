@@ -71,7 +71,7 @@ TEST(RadiusAgreement, ComparesOnlyWhatLiesNearAndHasARadius) {
 }
 
 // Of ten edges the one in the middle goes evenly from a tenth seen to nine tenths.
-TEST(RadiusAgreement, IsToldByHowMuchOfTheWayAroundWasSeen) {
+TEST(RadiusAgreement, IsGivenByTheArcThatWasSeen) {
   const auto sized = [](double radius) { return tapered([=](double) { return radius; }); };
   std::vector<double> coverages(11, 0.1);
   std::fill(coverages.begin() + 6, coverages.end(), 0.9);

@@ -48,7 +48,7 @@ TEST(EvenSamples, DoNotMoveWhenNodesAreAdded) {
 }
 
 // A stick of 10 that leaves the other by 0.3 in its upper half: edges are 1, 0.1 is the finest.
-TEST(ToleranceCurve, TellsHowMuchIsFarOffAndHowFar) {
+TEST(ToleranceCurve, ReturnsHowMuchIsFarOffAndHowFar) {
   Skeleton bent = test::stick(11);
   const NodeId side = bent.add({.position = {0.3, 0, 5}, .parent = NodeId{5}});
   bent.reparent(NodeId{6}, side, EdgeType::successor);

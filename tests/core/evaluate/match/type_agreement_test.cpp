@@ -16,15 +16,15 @@ TEST(TypeAgreement, IsCorrectedForChance) {
   EXPECT_NEAR(agreement.kappa(), 0.4, 1e-12); // chance: 0.5 * 0.6 + 0.5 * 0.4
 }
 
-TEST(TypeAgreement, IsOneForThePlantItselfAndWhereThereIsNothingToTell) {
+TEST(TypeAgreement, IsOneForThePlantItselfAndWhereThereIsNothingToCompare) {
   const Skeleton bush = test::bush();
   EXPECT_DOUBLE_EQ(typeAgreement(authorsComparison(bush, bush), bush, bush).kappa(), 1);
   EXPECT_DOUBLE_EQ(TypeAgreement().kappa(), 1);
   EXPECT_DOUBLE_EQ(TypeAgreement{.bothBranch = 3}.kappa(), 1);
 }
 
-// Two segments hang on the fork: the upper trunk, which continues, and the branch.
-TEST(TypeAgreement, TellsWhenTheBranchIsTakenForTheAxis) {
+// Two segments are attached to the fork: the upper trunk, which continues, and the branch.
+TEST(TypeAgreement, SeesWhenTheBranchIsTakenForTheAxis) {
   const auto [plant, trunk, branch] = test::trunkAndBranch();
   const Skeleton swapped = test::edited(plant, [first = branch[0]](SkeletonEditor& editor) {
     setEdgeType(editor, first, EdgeType::successor);

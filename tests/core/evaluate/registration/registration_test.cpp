@@ -141,15 +141,15 @@ TEST(Registration, TurnsAboutTheAxisThatPointsUp) {
   expectBack(other, other, turnOf(other, 120, Eigen::Vector3d::UnitY()), 1e-4, {.up = UpAxis::y});
 }
 
-TEST(Registration, TellsTheTurnAndTheShiftOfTheMiddle) {
+TEST(Registration, ReturnsTheTurnAndTheShiftOfTheMiddle) {
   const Skeleton bush = test::bush();
   const Registration found = registration(moved(bush, turnOf(bush, -40, up, {0.2, 0, 0})), bush);
   EXPECT_NEAR(found.angle(), 40 * degree, 1e-4);
   expectNear(found.axis(), up, 1e-4);
-  const Eigen::Isometry3d asTold = Eigen::Translation3d(found.middle + found.shift) *
-                                   Eigen::AngleAxisd(found.angle(), found.axis()) *
-                                   Eigen::Translation3d(-found.middle);
-  EXPECT_TRUE(asTold.isApprox(found.motion, 1e-9));
+  const Eigen::Isometry3d asReported = Eigen::Translation3d(found.middle + found.shift) *
+                                       Eigen::AngleAxisd(found.angle(), found.axis()) *
+                                       Eigen::Translation3d(-found.middle);
+  EXPECT_TRUE(asReported.isApprox(found.motion, 1e-9));
   EXPECT_NEAR(found.near, 1, 1e-9);
 }
 
@@ -159,7 +159,7 @@ TEST(Registration, ShiftsOnlyWhereTurnsAreRefused) {
   EXPECT_EQ(found.motion.linear(), Eigen::Matrix3d::Identity());
   EXPECT_EQ(found.angle(), 0);
   EXPECT_EQ(found.axis(), Eigen::Vector3d(0, 0, 0));
-  EXPECT_LT(found.near, poorFit) << "which is to be told";
+  EXPECT_LT(found.near, poorFit) << "which is to be reported";
 }
 
 TEST(Registration, TurnsNoPlantToFitItsNoiseAndErrors) {
@@ -209,7 +209,7 @@ TEST(Registration, TurnsAnAlmostSymmetricPlantToTheBetterSide) {
   EXPECT_NEAR(found.residualAfter, 0, 1e-4);
 }
 
-TEST(Registration, TellsThatAnotherPlantFitsPoorly) {
+TEST(Registration, ReportsThatAnotherPlantFitsPoorly) {
   const Skeleton tree = growPlant({.segments = 60}, 1);
   EXPECT_LT(registration(growPlant({.segments = 60}, 2), tree).near, poorFit);
   Skeleton pruned = perturbed(tree, Perturbation::prune, 0.4, 1);

@@ -21,8 +21,8 @@ Eigen::Matrix3Xf line(const Eigen::Vector3f& from, const Eigen::Vector3f& to) {
   return points;
 }
 
-/// Points 1 apart on a tube along z.
-Eigen::Matrix3Xf tube(double radius, int length) {
+/// Points 1 apart on a cylinder along z.
+Eigen::Matrix3Xf uprightCylinder(double radius, int length) {
   const auto around = static_cast<int>(std::lround(2 * std::numbers::pi * radius));
   Eigen::Matrix3Xf points(3, around * length);
   for (int z = 0; z < length; ++z)
@@ -52,23 +52,23 @@ TEST(ContractionQuality, OfALineIsPerfect) {
   EXPECT_EQ(quality.shareOnLine, 1);
   EXPECT_EQ(quality.tips, 1);
   EXPECT_EQ(quality.lostTips, 0);
-  EXPECT_EQ(quality.webbedJunctions, 0);
+  EXPECT_EQ(quality.bridgedJunctions, 0);
   ASSERT_EQ(quality.residuals.size(), 101U);
   for (const float residual : quality.residuals)
     EXPECT_NEAR(residual, 0, 1e-5);
 }
 
-TEST(ContractionQuality, TellsTheRadiusOfATubeThatWasNotContracted) {
-  const Eigen::Matrix3Xf points = tube(3, 100);
+TEST(ContractionQuality, IsTheRadiusOfACylinderThatWasNotContracted) {
+  const Eigen::Matrix3Xf points = uprightCylinder(3, 100);
   const ContractionQuality asScanned = qualityOf(points, points);
   EXPECT_NEAR(asScanned.residualThickness, 3, 0.15);
   EXPECT_LT(asScanned.shareOnLine, 0.1);
   EXPECT_EQ(asScanned.tips, 1);
-  EXPECT_EQ(asScanned.webbedJunctions, 0);
+  EXPECT_EQ(asScanned.bridgedJunctions, 0);
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
     if (points(2, i) < 15 || points(2, i) > 85) continue; // the axis of an end is askew
     EXPECT_NEAR(asScanned.residuals[static_cast<std::size_t>(i)], 3, 1)
-        << "what is near reaches farther on this side than around the tube";
+        << "what is near reaches farther on this side than around the cylinder";
     EXPECT_NEAR(asScanned.thicknesses[static_cast<std::size_t>(i)], 3, 0.15);
   }
   const ContractionQuality drawn = qualityOf(points, onAxis(points));
@@ -78,7 +78,7 @@ TEST(ContractionQuality, TellsTheRadiusOfATubeThatWasNotContracted) {
 
 // A point alone is nearer to the axis, or farther from it, than those near it are on the mean.
 TEST(ContractionQuality, IsTheMedianOfWhatIsNearThePointsNotOfTheirDistances) {
-  Eigen::Matrix3Xf points = tube(3, 100);
+  Eigen::Matrix3Xf points = uprightCylinder(3, 100);
   Eigen::Matrix3Xf flat = points;
   flat.row(1).setZero(); // a band, in which points lie up to 3 off the axis
   const ContractionQuality quality = qualityOf(points, flat);
@@ -94,9 +94,9 @@ TEST(ContractionQuality, IsTheMedianOfWhatIsNearThePointsNotOfTheirDistances) {
   EXPECT_GT(quality.residualThickness - *std::ranges::min_element(quality.residuals), 2);
 }
 
-// Half way to the axis, half of the radius is left.
+// Halfway to the axis, half of the radius is left.
 TEST(ContractionQuality, FallsInProportionToTheThickness) {
-  const Eigen::Matrix3Xf points = tube(3, 100);
+  const Eigen::Matrix3Xf points = uprightCylinder(3, 100);
   const Eigen::Matrix3Xf half = (points + onAxis(points)) / 2;
   EXPECT_NEAR(qualityOf(points, half).residualThickness,
               qualityOf(points, points).residualThickness / 2, 0.1);
@@ -112,22 +112,22 @@ Eigen::Matrix3Xf twoTwigs() {
 
 TEST(ContractionQuality, FindsTwigsThatWereDrawnTogether) {
   const Eigen::Matrix3Xf points = twoTwigs();
-  EXPECT_EQ(qualityOf(points, points).webbedJunctions, 0);
+  EXPECT_EQ(qualityOf(points, points).bridgedJunctions, 0);
   EXPECT_EQ(qualityOf(points, points).tips, 2);
   Eigen::Matrix3Xf ends = points;
   for (Eigen::Index i = 0; i < ends.cols(); ++i)
     if (ends(2, i) > 50) ends(0, i) = 0;
-  EXPECT_EQ(qualityOf(points, ends).webbedJunctions, 1) << "all along is one place";
+  EXPECT_EQ(qualityOf(points, ends).bridgedJunctions, 1) << "all along is one place";
   for (Eigen::Index i = 0; i < ends.cols(); ++i)
     if (points(2, i) > 58 && points(2, i) < 66) ends(0, i) = points(0, i);
-  EXPECT_EQ(qualityOf(points, ends).webbedJunctions, 2);
+  EXPECT_EQ(qualityOf(points, ends).bridgedJunctions, 2);
 }
 
-TEST(ContractionQuality, TakesNoForkForAWeb) {
+TEST(ContractionQuality, TakesNoForkForABridge) {
   const Eigen::Matrix3Xf points =
       test::both(line({0, 0, 0}, {0, 0, 40}),
                  test::both(line({0, 0, 40}, {30, 0, 70}), line({0, 0, 40}, {-30, 0, 70})));
-  EXPECT_EQ(qualityOf(points, contractedToBallMeans(points, 5)).webbedJunctions, 0);
+  EXPECT_EQ(qualityOf(points, contractedToBallMeans(points, 5)).bridgedJunctions, 0);
 }
 
 TEST(ContractionQuality, CountsTipsThatWereEaten) {

@@ -37,7 +37,7 @@ TEST(NoiseStudy, FindsThatErrorsRiseWithNoise) {
 }
 
 // Pruning invents nothing, and spurs miss nothing.
-TEST(NoiseStudy, TellsWhatIsMissedFromWhatIsInvented) {
+TEST(NoiseStudy, SeparatesWhatIsMissedFromWhatIsInvented) {
   const NoiseStudy study = noiseStudy(
       thickBush(),
       {.series = {{Perturbation::prune, {0.5}}, {Perturbation::spurs, {0.5}}}, .repeats = 2});
@@ -90,7 +90,7 @@ TEST(NoiseStudy, IsTheSameOnAnyNumberOfThreads) {
   EXPECT_EQ(toTable(noiseStudy(test::bush(), options)), many);
 }
 
-TEST(NoiseStudy, TellsTheScatterOfThePlants) {
+TEST(NoiseStudy, ReturnsTheScatterOfThePlants) {
   const NoiseStudy study =
       noiseStudy(test::bush(), {.series = {{Perturbation::prune, {0.5}}}, .repeats = 3, .seed = 8});
   std::vector<double> single;

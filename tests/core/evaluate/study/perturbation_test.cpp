@@ -50,8 +50,8 @@ TEST(Perturbation, OfPositionScattersByMedianEdges) {
   EXPECT_NEAR(sigma / (0.5 * medianEdgeLength(plant)), 1, 0.06); // 3 deviations of 1299 draws
 }
 
-TEST(Perturbation, OfReparentingHangsSegmentsOnTheNearestOtherNode) {
-  // The arms of the fork are alone: each hangs itself on a tip of another arm, or on the root.
+TEST(Perturbation, OfReparentingAttachesSegmentsToTheNearestOtherNode) {
+  // The arms of the fork are alone: each is attached to a tip of another arm, or to the root.
   const Skeleton plant = test::fork(2);
   const Skeleton half = perturbed(plant, Perturbation::reparent, 0.5, 1);
   std::size_t moved = 0;
@@ -90,11 +90,11 @@ TEST(Perturbation, OfSpursAddsTwigsSideways) {
   for (const NodeId id : spurred.ids()) {
     if (plant.contains(id)) continue;
     const Node& spur = spurred[id];
-    const Eigen::Vector3d way = spur.position - spurred[*spur.parent].position;
-    EXPECT_NEAR(way.norm(), 2, 1e-12);
+    const Eigen::Vector3d offset = spur.position - spurred[*spur.parent].position;
+    EXPECT_NEAR(offset.norm(), 2, 1e-12);
     EXPECT_EQ(spur.edge, EdgeType::branching);
     if (spurred[*spur.parent].parent) {
-      EXPECT_NEAR(way.z(), 0, 1e-12);
+      EXPECT_NEAR(offset.z(), 0, 1e-12);
     }
   }
 }

@@ -78,7 +78,7 @@ TEST(Ranking, OfTwoEqualResultsIsTheOrderGivenAndUndecided) {
   EXPECT_EQ(*found.results[0].aboveNext, 0.5);
 }
 
-TEST(Ranking, TellsTheShiftOfEachResult) {
+TEST(Ranking, ReturnsTheShiftOfEachResult) {
   const Ranking found =
       ranking({test::shifted(test::bush(), {0.5, 0, 0})}, test::bush(), {.draws = 10});
   EXPECT_NEAR(found.results[0].registration->shift.x(), -0.5, 1e-4);

@@ -14,8 +14,8 @@ Skeleton tree() {
   Skeleton plant = test::stick(11);
   for (const NodeId id : plant.ids())
     plant.setRadius(id, 2 - plant[id].position.z() / 10);
-  const auto branch = [&](NodeId on, const Eigen::Vector3d& way, double radius) {
-    return plant.add({.position = plant[on].position + way,
+  const auto branch = [&](NodeId on, const Eigen::Vector3d& offset, double radius) {
+    return plant.add({.position = plant[on].position + offset,
                       .radius = radius,
                       .parent = on,
                       .edge = EdgeType::branching});
@@ -59,7 +59,7 @@ TEST(AxisTraits, TakeTheMeanOfTheTwoInTheMiddleForTheMedian) {
   EXPECT_TRUE(axisTraits({}).empty());
 }
 
-TEST(StemTraits, TellItsLengthAndWhereItBearsBranches) {
+TEST(StemTraits, AreItsLengthAndWhereItBearsBranches) {
   const StemTraits found = stemTraits(tree());
   EXPECT_NEAR(found.length, 10, 1e-12);
   EXPECT_NEAR(found.lowestBranch, 2, 1e-12);

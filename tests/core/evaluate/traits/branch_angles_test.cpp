@@ -19,10 +19,11 @@ Skeleton spiral(int branches, double step, double angle) {
   Skeleton plant = test::stick(branches + 2);
   for (int k = 0; k < branches; ++k) {
     const NodeId foot{static_cast<std::uint32_t>(k + 1)};
-    const Eigen::Vector3d way(std::sin(angle) * std::cos(k * step),
-                              std::sin(angle) * std::sin(k * step), std::cos(angle));
-    plant.add(
-        {.position = plant[foot].position + 2 * way, .parent = foot, .edge = EdgeType::branching});
+    const Eigen::Vector3d direction(std::sin(angle) * std::cos(k * step),
+                                    std::sin(angle) * std::sin(k * step), std::cos(angle));
+    plant.add({.position = plant[foot].position + 2 * direction,
+               .parent = foot,
+               .edge = EdgeType::branching});
   }
   return plant;
 }

@@ -111,7 +111,7 @@ Eigen::Vector3d turned(char type, const std::string& fields) {
   return points.size() == 1 ? points[0] : Eigen::Vector3d::Constant(NAN);
 }
 
-// Bits of the first byte tell which fields are left at their defaults: about z, by nothing.
+// Bits of the first byte say which fields are left at their defaults: about z, by nothing.
 TEST(ReadBgeom, TurnsPointsAboutAnAxis) {
   const BgeomWriter out;
   const auto about = [&](const std::string& fields) {

@@ -97,7 +97,7 @@ TEST(ReadBmtg, TakesAnUnclearEdgeAsSuccessorIfThereIsNoOther) {
   EXPECT_THAT(plant.notes, ElementsAre(HasSubstr("2 edges are neither < nor +")));
 }
 
-TEST(ReadBmtg, TellsOfSeveralSuccessorsAndOfNodesAtOnePlace) {
+TEST(ReadBmtg, NotesSeveralSuccessorsAndNodesAtOnePlace) {
   test::PickledMtg mtg = test::pickledPlant();
   mtg.edges[5] = "<";
   mtg.positions[5] = mtg.positions[3];

@@ -29,7 +29,7 @@ struct PickledMtg {
 /// As PlantScan3D writes it.
 [[nodiscard]] std::string pickled(const PickledMtg& mtg);
 
-/// A plant P1 with a stem of three nodes, on whose second a branch of one hangs.
+/// A plant P1 with a stem of three nodes, whose second bears a branch of one.
 [[nodiscard]] PickledMtg pickledPlant();
 [[nodiscard]] std::string bmtgFile(); // of that
 

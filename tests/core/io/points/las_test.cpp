@@ -88,7 +88,7 @@ TEST(ReadLas, TakesColorsThatAreAllBlackAsNone) {
   EXPECT_TRUE(importLas(lasFile({.format = 2, .colorUnit = 0})).value.colors.empty());
 }
 
-TEST(ReadLas, RefusesCompressedFilesAndTellsHowToUnpack) {
+TEST(ReadLas, RefusesCompressedFilesAndSaysHowToUnpack) {
   for (const std::uint8_t bits : {std::uint8_t{0x80}, std::uint8_t{0x40}}) {
     const std::string bytes = lasFile({.formatBits = bits});
     EXPECT_TRUE(isLaz(bytes));

@@ -59,7 +59,7 @@ TEST_P(ReadPcdOfAnyKind, DoesNotTrustItsHeader) {
 INSTANTIATE_TEST_SUITE_P(All, ReadPcdOfAnyKind,
                          testing::Values(PcdKind::ascii, PcdKind::binary, PcdKind::compressed));
 
-TEST(ReadPcd, TellsTheLineThatIsWrong) {
+TEST(ReadPcd, NamesTheLineThatIsWrong) {
   EXPECT_THAT(refusalOfPcd(withLine("SIZE", "SIZE 4 4 4")), HasSubstr("line 4: expected 6 values"));
   EXPECT_THAT(refusalOfPcd(withLine("TYPE", "TYPE F F F F F F")),
               HasSubstr("line 5: a field of type"));
@@ -74,7 +74,7 @@ TEST(ReadPcd, TellsTheLineThatIsWrong) {
   EXPECT_THAT(refusalOfPcd(bytes), HasSubstr("line 13: expected a number as value 2, found 'two'"));
 }
 
-TEST(ReadPcd, CountsByWidthAndHeightIfPointsAreNotTold) {
+TEST(ReadPcd, CountsByWidthAndHeightIfPointsAreNotGiven) {
   EXPECT_EQ(importPcd(withLine("POINTS", "")).value.positions.size(), 3U);
 }
 

@@ -133,7 +133,7 @@ TEST(ReadPly, TakesTextWithListsAndFractionsAsColors) {
   EXPECT_THAT(points.colors, ElementsAre(Color{0, 128, 255}, Color{0, 0, 0}, Color{255, 255, 255}));
 }
 
-TEST(ReadPly, TellsTheLineOfTextThatIsWrong) {
+TEST(ReadPly, NamesTheLineOfTextThatIsWrong) {
   const std::string header = "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\n"
                              "property float y\nproperty float z\nend_header\n";
   EXPECT_EQ(refusalOfPly(header + "1 2 3\n4 5\n      "),
@@ -144,7 +144,7 @@ TEST(ReadPly, TellsTheLineOfTextThatIsWrong) {
               HasSubstr("within vertex 2 of 2"));
 }
 
-TEST(ReadPly, TellsTheLineOfTheHeaderThatIsWrong) {
+TEST(ReadPly, NamesTheLineOfTheHeaderThatIsWrong) {
   EXPECT_THAT(refusalOfPly(""), HasSubstr("first line is not 'ply'"));
   EXPECT_THAT(refusalOfPly("ply\nformat ascii 1.0\n"), HasSubstr("no line 'end_header'"));
   EXPECT_THAT(refusalOfPly("ply\nend_header\n"),

@@ -63,7 +63,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Spelling{"a byte order mark", "\xEF\xBB\xBF"
                                                   "1.5 -2 3\n4 5 6.25\n"}));
 
-TEST(ReadXyz, TellsColumnsByWhatTheyHold) {
+TEST(ReadXyz, RecognizesColumnsByWhatTheyHold) {
   const RawPoints intensity = importXyz("1 2 3 0.5\n4 5 6 0.75\n").value;
   EXPECT_THAT(intensity.intensities, ElementsAre(0.5F, 0.75F));
 
@@ -80,7 +80,7 @@ TEST(ReadXyz, TellsColumnsByWhatTheyHold) {
   EXPECT_THAT(colorFirst.intensities, ElementsAre(0.5F, 0.75F));
 }
 
-TEST(ReadXyz, TellsAmbiguousColumnsByTheExtension) {
+TEST(ReadXyz, RecognizesAmbiguousColumnsByTheExtension) {
   const std::string text = "1 2 3 10 20 30 40\n4 5 6 50 60 70 80\n";
   EXPECT_THAT(importXyz(text, "oak.pts").value.colors,
               ElementsAre(Color{20, 30, 40}, Color{60, 70, 80}));
@@ -113,7 +113,7 @@ TEST(ReadXyz, NotesACountThatDoesNotHold) {
   EXPECT_EQ(importXyz("1000000000000\n1 2 3\n", "oak.pts").value.positions.size(), 1U);
 }
 
-TEST(ReadXyz, TellsTheLineThatIsNoPoint) {
+TEST(ReadXyz, NamesTheLineThatIsNoPoint) {
   EXPECT_EQ(refusalOfXyz("1 2 3\n4 5\n"), "oak.xyz, line 2: expected 3 numbers, found 2");
   EXPECT_EQ(refusalOfXyz("1 2 3\n\n4 five 6\n"),
             "oak.xyz, line 3: expected a number, found 'five'");

@@ -81,7 +81,7 @@ TEST(ReadQsmTable, TakesTheBranchOrElseTheFirstWithoutExtensions) {
   EXPECT_THAT(byOrder.notes, ElementsAre(HasSubstr("does not say which cylinder continues")));
 }
 
-TEST(ReadQsmTable, TellsOfCylindersThatBeginElsewhereAndOfFalseExtensions) {
+TEST(ReadQsmTable, NotesCylindersThatBeginElsewhereAndFalseExtensions) {
   const Imported<Skeleton> tree =
       importQsmTable("radius,length,start_x,start_y,start_z,axis_x,axis_y,axis_z,parent,extension\n"
                      "0.1,4,0,0,0,0,0,1,0,1\n"

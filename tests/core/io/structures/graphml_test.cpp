@@ -121,7 +121,7 @@ TEST(ReadGraphml, TakesIdsOfAnyCharacters) {
             1U);
 }
 
-TEST(ReadGraphml, TellsTheLineThatIsWrong) {
+TEST(ReadGraphml, NamesTheLineThatIsWrong) {
   const std::string a = node("a", "0");
   const std::string b = node("b", "1");
   const std::string c = node("c", "2");

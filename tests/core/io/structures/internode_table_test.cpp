@@ -26,7 +26,7 @@ std::vector<std::vector<std::string>> rowsOf(const Skeleton& skeleton) {
 }
 
 // A trunk along z with a branch to x from its second node and one to y from its third.
-TEST(InternodeTable, TellsLengthsAndAnglesInDegrees) {
+TEST(InternodeTable, WritesLengthsAndAnglesInDegrees) {
   Skeleton plant = test::stick(4, 0.5);
   plant.add({.position = {2, 0, 0.5}, .parent = NodeId{1}, .edge = EdgeType::branching});
   plant.add({.position = {0, 2, 1}, .parent = NodeId{2}, .edge = EdgeType::branching});

@@ -33,7 +33,7 @@ TEST(ReadNodeList, TakesWhatPlantScan3DExports) {
             (Node{.position = {3, 3, 3}, .parent = NodeId{1}, .edge = EdgeType::branching}));
 }
 
-TEST(ReadNodeList, TellsTheLineThatIsWrong) {
+TEST(ReadNodeList, NamesTheLineThatIsWrong) {
   const std::string header = "# vid parentid edgetype XX YY ZZ Radius\n";
   EXPECT_THAT(refusalOfNodeList(header), HasSubstr("holds no nodes"));
   EXPECT_THAT(refusalOfNodeList(header + "1\t\t/\t1\t2\n"),

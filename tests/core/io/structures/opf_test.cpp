@@ -76,7 +76,7 @@ TEST(ReadOpf, TakesPartsSuccessorsAndBranches) {
 
 // An axis that branches off an internode: its parent is the axis of that, and its own first
 // internode branches off the internode itself.
-TEST(ReadOpf, HangsTheFirstPartOfACoarserVertexOnTheFinerOneItBranchesOff) {
+TEST(ReadOpf, AttachesTheFirstPartOfACoarserVertexToTheFinerOneItBranchesOff) {
   const Mtg mtg = importOpf("<decomp class=\"A\" scale=\"1\" id=\"2\">"
                             "<decomp class=\"N\" scale=\"2\" id=\"3\">"
                             "<branch class=\"A\" scale=\"1\" id=\"4\">"
@@ -129,7 +129,7 @@ TEST(ReadOpf, PrefersCoordinatesToShapes) {
   EXPECT_EQ(plant[NodeId{0}], (Node{.position = {1, 2, 3}, .radius = 0.5}));
 }
 
-TEST(ReadOpf, TellsTheLineThatIsWrong) {
+TEST(ReadOpf, NamesTheLineThatIsWrong) {
   EXPECT_EQ(refusalOfOpf(""), "oak.opf: holds no vertices");
   EXPECT_EQ(test::errorOf([] { return importedOpfFile("<opf/>"); }), "oak.opf: holds no topology");
   EXPECT_EQ(refusalOfOpf("<decomp class=\"P\" scale=\"one\"/>"),
@@ -166,7 +166,7 @@ TEST(ReadOpf, RefusesFeaturesThatWouldFillTheMemory) {
             "oak.opf: has more features, on more vertices, than fit into memory");
 }
 
-TEST(WriteOpf, NestsWhatHangsOnANode) {
+TEST(WriteOpf, NestsWhatIsAttachedToANode) {
   Skeleton plant;
   plant.add(
       {.position = {0, 0, 1}, .radius = 0.5, .parent = plant.add({}), .edge = EdgeType::branching});

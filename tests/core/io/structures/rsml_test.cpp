@@ -65,14 +65,14 @@ TEST(ReadRsml, TakesARootAsAnAxis) {
 }
 
 // The first point of the lateral lies on point 1 of the root that bears it: it is no node twice.
-TEST(ReadRsml, LetsALateralBranchOffThePointThatItTells) {
+TEST(ReadRsml, LetsALateralBranchOffThePointThatItNames) {
   const Skeleton plant = importRsml(root({0, 1, 2}, root({1, 9}, parentNode("1"))));
   ASSERT_EQ(plant.size(), 4U);
   EXPECT_EQ(plant[NodeId{3}],
             (Node{.position = {9, 0, 0}, .parent = NodeId{1}, .edge = EdgeType::branching}));
 }
 
-TEST(ReadRsml, LetsALateralBranchOffTheNearestPointIfItTellsNone) {
+TEST(ReadRsml, LetsALateralBranchOffTheNearestPointIfItNamesNone) {
   const Skeleton plant = importRsml(root({0, 1, 2}, root({1.75, 3}, "", 5)));
   ASSERT_EQ(plant.size(), 5U);
   EXPECT_EQ(plant[NodeId{3}].position, Eigen::Vector3d(1.75, 5, 0));
@@ -112,7 +112,7 @@ TEST(ReadRsml, NotesWhatIsLeftOut) {
   EXPECT_THAT(plant.notes, Contains(HasSubstr("1 root names a parent-node that is not there")));
 }
 
-TEST(ReadRsml, TellsTheLineThatIsWrong) {
+TEST(ReadRsml, NamesTheLineThatIsWrong) {
   EXPECT_EQ(refusalOfRsml(""), "beet.rsml: holds no polylines of roots");
   const auto withPoint = [](const std::string& point) {
     return "<root><geometry><polyline>\n" + point + "</polyline></geometry></root>";

@@ -55,7 +55,7 @@ TEST(ReadSwc, TakesRadiiThatAreNotAboveZeroAsNotEstimated) {
     EXPECT_EQ(plant[id].radius, 0);
 }
 
-TEST(ReadSwc, TellsTheLineThatIsWrong) {
+TEST(ReadSwc, NamesTheLineThatIsWrong) {
   EXPECT_EQ(refusalOfSwc("# nothing\n"), "oak.swc: holds no nodes");
   EXPECT_EQ(refusalOfSwc("#\n1 0 0 0 0 1\n"),
             "oak.swc, line 2: expected 7 numbers (id type x y z radius parent), found 6");
@@ -83,7 +83,7 @@ TEST(ReadSwc, IsNotSlowedDownByANodeOfManyChildren) {
   EXPECT_EQ(plant.children(NodeId{0}).size(), std::size_t{children});
 }
 
-TEST(IsSwc, TellsItFromPoints) {
+TEST(IsSwc, IsNotTrueOfPoints) {
   EXPECT_TRUE(isSwc("1 0 0 0 0 1 -1\n2 0 0 0 1 1 1\n3 0 0"));
   EXPECT_FALSE(isSwc("1 2 3 255 255 0 17\n4 5 6 255 0 0 19\n"));
   EXPECT_FALSE(isSwc("1.5 0 0 0 0 1 -1\n"));

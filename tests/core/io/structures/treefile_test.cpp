@@ -64,7 +64,7 @@ TEST(ReadTreefile, LetsTheChildThatCarriesMostContinueTheAxis) {
               plant[id].position.x() > 0 ? EdgeType::branching : EdgeType::successor);
 }
 
-TEST(ReadTreefile, TellsTheLineAndSegmentThatIsWrong) {
+TEST(ReadTreefile, NamesTheLineAndSegmentThatIsWrong) {
   EXPECT_EQ(refusalOfTreefile(header), "oak.txt: holds no trees");
   EXPECT_THAT(refusalOfTreefile("#\n1,2,3,4\n"), HasSubstr("oak.txt, line 2: expected the names"));
   EXPECT_EQ(refusalOfTreefile(header + "0,0,0,1\n"),
@@ -87,7 +87,7 @@ TEST(ReadTreefile, TellsTheLineAndSegmentThatIsWrong) {
               HasSubstr("no parent_id to join them"));
 }
 
-TEST(IsTreefile, TellsItFromPoints) {
+TEST(IsTreefile, IsNotTrueOfPoints) {
   EXPECT_FALSE(isTreefile("x,y,z,radius\n1,2,3,4\n"));
   EXPECT_FALSE(isTreefile("x,y,z,intensity\n1,2,3,4\n"));
   EXPECT_FALSE(isTreefile("# x,y,z,radius,parent_id\n1,2,3,4\n"));

@@ -23,7 +23,7 @@ std::string nested(int depth) {
   return text + "</oak>";
 }
 
-TEST(XmlFile, TellsTheLineWhereItIsBroken) {
+TEST(XmlFile, NamesTheLineWhereItIsBroken) {
   EXPECT_THAT(refusalOfXml("<oak>\n<a>\n</b>\n</oak>"),
               StartsWith("oak.xml, line 3: the XML is broken"));
   EXPECT_THAT(refusalOfXml("<oak>\n<a>\n"), HasSubstr("the XML is broken"));
@@ -31,7 +31,7 @@ TEST(XmlFile, TellsTheLineWhereItIsBroken) {
   EXPECT_EQ(refusalOfXml("\n<elm/>"), "oak.xml, line 2: expected an element 'oak', found 'elm'");
 }
 
-TEST(XmlFile, TellsTheLineOfAnElement) {
+TEST(XmlFile, ReturnsTheLineOfAnElement) {
   const XmlFile xml("<?xml version=\"1.0\"?>\n<oak>\n\n  <a/></oak>", "oak.xml", "oak");
   EXPECT_EQ(xml.where(xml.root().child("a")), "oak.xml, line 4: ");
 }

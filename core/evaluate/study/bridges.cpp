@@ -1,4 +1,4 @@
-#include "core/evaluate/study/webs.h"
+#include "core/evaluate/study/bridges.h"
 
 #include <algorithm>
 #include <array>
@@ -10,9 +10,9 @@
 namespace espalier {
 namespace {
 
-constexpr double stretch = 4;      // of a piece, in spacings
-constexpr double shortestWay = 20; // between points that are far apart, in spacings
-constexpr double detour = 3;       // likewise, in distances as scanned
+constexpr double stretch = 4;       // of a piece, in spacings
+constexpr double shortestPath = 20; // between points that are far apart, in spacings
+constexpr double detour = 3;        // likewise, in distances as scanned
 
 /// How many pieces one passes from one to the other, up to `most`.
 class PathsBetween {
@@ -114,24 +114,25 @@ private:
 
 } // namespace
 
-Eigen::Index countWebs(const ThinnedPlant& plant, const Eigen::Matrix3Xf& places, double spacing) {
+Eigen::Index countBridges(const ThinnedPlant& plant, const Eigen::Matrix3Xf& places,
+                          double spacing) {
   const PlantPieces pieces = piecesOf(plant, stretch * spacing);
-  PathsBetween ways(pieces);
+  PathsBetween paths(pieces);
   PieceSets sets(pieces.adjacent.size());
-  std::vector<bool> isWebbed(pieces.adjacent.size(), false);
+  std::vector<bool> isBridged(pieces.adjacent.size(), false);
   const std::vector<Placed> placed = placedPieces(plant, pieces, places, spacing);
   for (const auto& [pair, apart] : meetings(plant, placed, spacing)) {
-    const int far = static_cast<int>(std::ceil(std::max(shortestWay, detour * apart) / stretch));
-    if (ways.steps(pair.first, pair.second, far + 1) <= far) continue;
-    isWebbed[pair.first] = isWebbed[pair.second] = true;
+    const int far = static_cast<int>(std::ceil(std::max(shortestPath, detour * apart) / stretch));
+    if (paths.steps(pair.first, pair.second, far + 1) <= far) continue;
+    isBridged[pair.first] = isBridged[pair.second] = true;
     sets.join(pair.first, pair.second);
   }
-  for (std::uint32_t piece = 0; piece < isWebbed.size(); ++piece)
+  for (std::uint32_t piece = 0; piece < isBridged.size(); ++piece)
     for (const std::uint32_t other : pieces.adjacent[piece])
-      if (isWebbed[piece] && isWebbed[other]) sets.join(piece, other);
+      if (isBridged[piece] && isBridged[other]) sets.join(piece, other);
   Eigen::Index count = 0;
-  for (std::uint32_t piece = 0; piece < isWebbed.size(); ++piece)
-    if (isWebbed[piece] && sets.find(piece) == piece) ++count;
+  for (std::uint32_t piece = 0; piece < isBridged.size(); ++piece)
+    if (isBridged[piece] && sets.find(piece) == piece) ++count;
   return count;
 }
 

@@ -1,18 +1,18 @@
-#include "core/evaluate/differences/reference_way.h"
+#include "core/evaluate/differences/reference_path.h"
 
 #include <cmath>
 #include <optional>
 
 namespace espalier {
 
-std::vector<NodeId> referenceWay(const Differences& found, const Skeleton& reference,
-                                 const DifferingPart& part) {
+std::vector<NodeId> referencePath(const Differences& found, const Skeleton& reference,
+                                  const DifferingPart& part) {
   if (part.kind != Difference::wronglyAttached) return {};
-  const std::vector<NodeId>& edges = found.standsOn[indexOf(part.hanging)];
+  const std::vector<NodeId>& edges = found.standsOn[indexOf(part.attached)];
   if (edges.empty()) return {};
-  std::vector<NodeId> way;
+  std::vector<NodeId> path;
   for (std::optional<NodeId> edge = edges.front(); edge; edge = reference[*edge].parent) {
-    way.push_back(*edge);
+    path.push_back(*edge);
     const auto& parent = reference[*edge].parent;
     if (!parent) break;
     const Eigen::Vector3d& start = reference[*parent].position;
@@ -21,7 +21,7 @@ std::vector<NodeId> referenceWay(const Differences& found, const Skeleton& refer
                         (part.place - reference[*edge].position).norm();
     if (std::abs(rest) <= 1e-9 * (along.norm() + start.norm())) break; // the place is on the edge
   }
-  return way;
+  return path;
 }
 
 } // namespace espalier

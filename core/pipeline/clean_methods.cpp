@@ -1,8 +1,7 @@
-#include "core/pipeline/clean_methods.h"
-
 #include "core/cloud/far_points.h"
 #include "core/cloud/isolated_points.h"
 #include "core/pipeline/method_parts.h"
+#include "core/pipeline/methods.h"
 
 namespace espalier {
 namespace {

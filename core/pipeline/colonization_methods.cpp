@@ -1,6 +1,5 @@
-#include "core/pipeline/colonization_methods.h"
-
 #include "core/pipeline/method_parts.h"
+#include "core/pipeline/methods.h"
 #include "core/reconstruct/graph_colonization.h"
 #include "core/reconstruct/point_tracking.h"
 #include "core/reconstruct/space_colonization.h"

@@ -1,5 +1,3 @@
-#include "core/pipeline/contract_methods.h"
-
 #include "core/contract/adaptive_geodesic.h"
 #include "core/contract/adaptive_sections.h"
 #include "core/contract/ball_centers.h"
@@ -7,6 +5,7 @@
 #include "core/contract/euclidean_ball.h"
 #include "core/contract/geodesic_centroid.h"
 #include "core/pipeline/contract_parts.h"
+#include "core/pipeline/methods.h"
 
 #include <algorithm>
 

@@ -30,7 +30,4 @@ template <class Options, class Contract, class Probe>
   return described;
 }
 
-/// Those after the geodesic ones: by equations, along paths, and by sampling.
-[[nodiscard]] std::vector<Method> surfaceContractMethods();
-
 } // namespace espalier

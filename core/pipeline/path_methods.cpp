@@ -1,6 +1,5 @@
-#include "core/pipeline/path_methods.h"
-
 #include "core/pipeline/method_parts.h"
+#include "core/pipeline/methods.h"
 #include "core/reconstruct/branch_structure_graph.h"
 #include "core/reconstruct/shortest_path_skeleton.h"
 

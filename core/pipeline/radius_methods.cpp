@@ -1,6 +1,5 @@
-#include "core/pipeline/radius_methods.h"
-
 #include "core/pipeline/method_parts.h"
+#include "core/pipeline/methods.h"
 #include "core/radius/assigned_radii.h"
 #include "core/radius/length_pipe_model.h"
 #include "core/radius/measured_radius.h"

@@ -1,12 +1,7 @@
 #include "core/pipeline/registry.h"
 
 #include "core/base/error.h"
-#include "core/pipeline/clean_methods.h"
-#include "core/pipeline/contract_methods.h"
-#include "core/pipeline/radius_methods.h"
-#include "core/pipeline/repair_methods.h"
-#include "core/pipeline/shape_methods.h"
-#include "core/pipeline/skeleton_methods.h"
+#include "core/pipeline/methods.h"
 
 namespace espalier {
 

@@ -1,6 +1,5 @@
-#include "core/pipeline/repair_methods.h"
-
 #include "core/pipeline/method_parts.h"
+#include "core/pipeline/methods.h"
 #include "core/reconstruct/join_gaps.h"
 #include "core/skeleton/path_edits.h"
 #include "core/skeleton/simplify_axes.h"

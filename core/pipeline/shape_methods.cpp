@@ -1,6 +1,5 @@
-#include "core/pipeline/shape_methods.h"
-
 #include "core/pipeline/method_parts.h"
+#include "core/pipeline/methods.h"
 #include "core/radius/assigned_radii.h"
 #include "core/radius/recenter_on_cylinders.h"
 #include "core/skeleton/assemble_axes.h"

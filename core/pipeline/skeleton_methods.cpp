@@ -1,8 +1,5 @@
-#include "core/pipeline/skeleton_methods.h"
-
-#include "core/pipeline/colonization_methods.h"
 #include "core/pipeline/method_parts.h"
-#include "core/pipeline/path_methods.h"
+#include "core/pipeline/methods.h"
 #include "core/reconstruct/geodesic_bins.h"
 
 namespace espalier {

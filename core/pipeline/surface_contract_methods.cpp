@@ -4,6 +4,7 @@
 #include "core/contract/path_based.h"
 #include "core/contract/rotational_symmetry.h"
 #include "core/pipeline/contract_parts.h"
+#include "core/pipeline/methods.h"
 
 #include <algorithm>
 

@@ -4,6 +4,7 @@
 #include "ui/panels/status_line.h"
 
 #include <QDockWidget>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QTest>
 #include <QTreeWidget>
@@ -264,6 +265,24 @@ TEST_F(FindingsWindowTest, AProjectRemembersWhatIsIgnored) {
   open({writeFork("other.mtg")});
   setRadiusOf(shoot(0), 0.2);
   EXPECT_TRUE(waitForTitle("1 finding")) << "another plant";
+}
+
+TEST_F(FindingsWindowTest, ReportsByTheLimitsThatAreSetAndAProjectRemembersThem) {
+  openFork();
+  action("check_limits").trigger();
+  auto& turn = find<QDoubleSpinBox>("branch_turn");
+  EXPECT_TRUE(turn.isVisible());
+  EXPECT_EQ(title(), allIsWell);
+  turn.setValue(20); // each shoot leaves at 45 degrees
+  EXPECT_TRUE(waitForTitle("2 findings")) << "all but the one that continues the axis";
+  EXPECT_EQ(countOf("Sharp turns"), "2");
+  const QString file = saveProject("limits.espalier");
+  open({writeFork("other.mtg")});
+  EXPECT_TRUE(waitForTitle(allIsWell)) << "they are of that plant";
+  EXPECT_EQ(find<QDoubleSpinBox>("branch_turn").value(), 120);
+  open({file});
+  EXPECT_TRUE(waitForTitle("2 findings"));
+  EXPECT_EQ(find<QDoubleSpinBox>("branch_turn").value(), 20);
 }
 
 TEST_F(FindingsWindowTest, AFindingOfANodeThatIsRemovedGoesWithIt) {

@@ -51,8 +51,10 @@ Neighborhoods inTangentPlane(const Eigen::Matrix3Xf& points, const PointLinks& l
 
 NeighborhoodGraph::NeighborhoodGraph(const Eigen::Matrix3Xf& points, const PointLinks& links,
                                      const Progress& progress) {
-  if (links.kind == LinkKind::nearest) return linkNearest(points, links.count, progress);
-  linkChosen(points, inTangentPlane(points, links, progress));
+  if (links.kind == LinkKind::nearest)
+    linkNearest(points, links.count, progress);
+  else
+    linkChosen(points, inTangentPlane(points, links, progress));
   progress.update(1);
 }
 
@@ -104,7 +106,6 @@ void NeighborhoodGraph::linkNearest(const Eigen::Matrix3Xf& points, int neighbor
       links_[next[table.indices[place]]++] = {static_cast<std::uint32_t>(place / perPoint),
                                               lengthAt(place)};
   }
-  progress.update(1);
 }
 
 NeighborhoodGraph NeighborhoodGraph::withLinks(const std::vector<Edge>& edges,

@@ -21,7 +21,7 @@ public:
 
 /// Ctrl+C was pressed when some results had been written: exit status 130, as for Cancelled.
 struct StoppedBetween {
-  std::string told; // what there is, and how to go on
+  std::string message; // what there is, and how to go on
 };
 
 /// "X,Y,Z" as numbers; none if it is not three of them.

@@ -33,7 +33,7 @@ struct BatchFlags {
   PipelineFlags pipeline;
 };
 
-/// A batch under way.
+/// A batch that runs.
 struct Batch {
   std::vector<BatchPlant> plants;
   std::vector<std::string> names;
@@ -54,7 +54,7 @@ std::string shortNumber(double value, const char* format = "%.6g") {
   return text;
 }
 
-/// Tells apart all that a result depends on.
+/// All that a result depends on, as a text that differs when any of it differs.
 std::string inputsOf(const Batch& batch, const BatchPlant& plant) {
   std::ostringstream text;
   text << ESPALIER_VERSION << '\n' << contentHashOfFile(plant.scan) << '\n';
@@ -236,9 +236,9 @@ std::string count(std::size_t number, const std::string& what) {
   return std::to_string(number) + ' ' + what;
 }
 
-/// Tells what came of all plants. @throws Error if some failed
-void tell(const std::vector<BatchResult>& failures, std::size_t skipped, std::size_t all,
-          const fs::path& summary) {
+/// Reports what came of all plants. @throws Error if some failed
+void reportAll(const std::vector<BatchResult>& failures, std::size_t skipped, std::size_t all,
+               const fs::path& summary) {
   std::string text = summary.string() + ": " + count(all, all == 1 ? "plant" : "plants");
   if (skipped > 0) text += ", " + count(skipped, "of them done before");
   printWritten(text);
@@ -284,7 +284,7 @@ void run(const BatchFlags& flags) {
   }
   terminal.clear();
   printNotes(notes);
-  tell(failures, skipped, batch.plants.size(), summary.file());
+  reportAll(failures, skipped, batch.plants.size(), summary.file());
 }
 
 } // namespace

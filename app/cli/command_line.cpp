@@ -78,7 +78,7 @@ std::string mismatchMessage(const std::string& what) {
   return name + " is given " + given + " times: give it once";
 }
 
-/// What is wrong with the arguments, with the name of the subcommand that tells more.
+/// What is wrong with the arguments, with the name of the subcommand whose help says more.
 std::string usageMessage(const CLI::App& app, const CLI::ParseError& problem) {
   std::string what = problem.what();
   if (dynamic_cast<const CLI::ExtrasError*>(&problem) != nullptr)
@@ -104,7 +104,7 @@ int run(CLI::App& app, int argc, char** argv) {
   } catch (const WrongUsage& problem) {
     return fail(wrongUsage, problem.what() + helpHint(app));
   } catch (const StoppedBetween& stop) {
-    return fail(stopped, stop.told);
+    return fail(stopped, stop.message);
   } catch (const Cancelled&) {
     return fail(stopped, "stopped; nothing was written");
   } catch (const std::bad_alloc&) {

@@ -2,7 +2,7 @@
 
 namespace espalier {
 
-/// Tells whether these arguments are for the command line rather than for the editor.
+/// Returns whether these arguments are for the command line rather than for the editor.
 [[nodiscard]] bool isForCommandLine(int argc, char** argv);
 
 /// Runs a subcommand without a display.

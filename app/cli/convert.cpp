@@ -51,7 +51,7 @@ void convert(const ConvertFlags& flags) {
     printNotes(points.notes);
     terminal.check();
     terminal.clear();
-    writeAndTell(flags.output, points.value, points.value.positions());
+    writeAndReport(flags.output, points.value, points.value.positions());
   } else {
     auto structure = readAnyStructure(flags.input);
     printNotes(structure.notes);
@@ -62,7 +62,7 @@ void convert(const ConvertFlags& flags) {
       for (const std::string& limit : openAleaLimits(structure.value.frame->mtg))
         printNotes({"OpenAlea: " + limit});
     }
-    writeAndTell(flags.output, structure.value, flags.mtgStyle);
+    writeAndReport(flags.output, structure.value, flags.mtgStyle);
   }
 }
 

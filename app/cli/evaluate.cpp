@@ -130,9 +130,9 @@ void addEvaluate(CLI::App& app) {
       ->default_str("2/9 of the median edge");
   addEdits(*command, *flags);
   command->add_flag("--where", flags->where,
-                    "Show by order, height and radius where the two agree");
+                    "Report by order, height and radius where the two agree");
   command->add_flag("--traits", flags->traits,
-                    "Show sizes, Strahler numbers, branching angles and crown of both");
+                    "Report sizes, Strahler numbers, branching angles and crown of both");
   addLight(*command, flags->light, flags->pixels,
            "Measure how much of its surface each shows to an overcast sky (STAR)");
   addRanking(*command, *flags);

@@ -25,7 +25,7 @@ Skeleton skeletonIn(const std::string& file, double scale) {
 }
 
 void writeTable(const std::string& file, const std::vector<std::vector<std::string>>& rows) {
-  writeAndTell(file, [&](std::ostream& out) {
+  writeAndReport(file, [&](std::ostream& out) {
     for (const std::vector<std::string>& row : rows)
       out << csvLine(row);
   });

@@ -67,7 +67,7 @@ void evaluateOne(const EvaluateFlags& flags, const TerminalProgress& terminal);
 /// Ranks the results.
 void evaluateMany(const EvaluateFlags& flags, const TerminalProgress& terminal);
 
-/// A structure that can be compared, scaled. Tells on standard error what was noted of it.
+/// A structure that can be compared, scaled. Reports on standard error what was noted of it.
 [[nodiscard]] Skeleton skeletonIn(const std::string& file, double scale = 1);
 void writeTable(const std::string& file, const std::vector<std::vector<std::string>>& rows);
 

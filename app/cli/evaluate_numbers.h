@@ -9,7 +9,7 @@
 
 namespace espalier {
 
-/// Adds what a report tells beyond a comparison:
+/// Adds what a report shows beyond a comparison:
 ///
 ///   curve[]    distance, precision, recall, f: at even distances from 0 on
 ///   errors     distance, missed, invented, parts[].{kind,length,order,place}: the longest first;

@@ -50,7 +50,7 @@ void evaluateOne(const EvaluateFlags& flags, const TerminalProgress& terminal) {
   Comparison comparison = compare(result, reference, options, whole.part(0.1, 0.4));
   if (flags.noRegister) warnOfPlace(comparison, result, reference, flags, whole.part(0.4, 0.45));
   std::vector<std::string> notes = comparison.warnings;
-  std::erase(notes, comparison.shiftWarning); // what is printed tells of the shift
+  std::erase(notes, comparison.shiftWarning); // what is printed names the shift
   printNotes(notes);
   terminal.clear();
   print(comparison, options.edit, flags.unit);

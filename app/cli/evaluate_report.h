@@ -43,7 +43,7 @@ struct ReportSubject {
   EditOptions edit;
 };
 
-/// Draws and writes the report. Tells on standard error what was written.
+/// Draws and writes the report. Reports on standard error what was written.
 void writeReport(const ReportFlags& flags, const ReportData& data, const ReportSubject& subject,
                  const Progress& progress);
 

@@ -72,7 +72,8 @@ void printRadii(const Comparison& comparison, const std::string& unit) {
   printStems(comparison.stems, unit);
 }
 
-/// How far each is from the other, and what hangs on what within the distance of the landmarks.
+/// How far each is from the other, and what is attached to what within the distance of the
+/// landmarks.
 void printConnections(const Comparison& comparison, const std::string& unit) {
   const DistanceSummary& there = comparison.tolerance.toReference;
   const DistanceSummary& back = comparison.tolerance.toResult;
@@ -81,13 +82,13 @@ void printConnections(const Comparison& comparison, const std::string& unit) {
               withUnit(there.mean, unit).c_str(), withUnit(back.mean, unit).c_str(),
               withUnit(there.percentile95, unit).c_str(),
               withUnit(back.percentile95, unit).c_str());
-  const PathLengthAgreement& ways = comparison.pathLengths;
+  const PathLengthAgreement& paths = comparison.pathLengths;
   const ArchitectureAgreement& architecture = comparison.architecture;
   std::printf("within %s of each other: tips F %.3f, branchings F %.3f, DIADEM-like score %.3f\n",
               withUnit(comparison.diadem.distance, unit).c_str(), comparison.tips.f(),
               comparison.branchings.f(), comparison.diadem.score);
   std::printf("  %5.1f%% of paths along the plant are as long, up to a tenth\n",
-              percent(ways.withinTenth));
+              percent(paths.withinTenth));
   if (architecture.compared > 0)
     std::printf("  %5.1f%% of the length is of the same order, %.1f%% on the same axis\n",
                 percent(architecture.sameOrder), percent(architecture.sameAxis));
@@ -108,7 +109,7 @@ std::string textOf(double value, ScoreUnit counted, const std::string& unit) {
   return text.data();
 }
 
-/// The scores that no sentence above tells, a line each.
+/// The scores that no sentence above names, a line each.
 void printOthers(const Comparison& comparison, const std::string& unit) {
   for (const Score* score : leadingFirst(scoresIn(inText)))
     if (const auto& value = comparison.scores.at(score->key))
@@ -175,7 +176,7 @@ void print(const Comparison& comparison, const EditOptions& edit, const std::str
 
 void printWhere(const Comparison& comparison, const std::string& unit) {
   const AgreementByPlace& agreed = comparison.byPlace;
-  const auto tell = [](const char* name, const PartAgreement& part) {
+  const auto printPart = [](const char* name, const PartAgreement& part) {
     const auto share = [](double value, double length) { // none of no length
       std::array<char, 16> text{'-'};
       if (length > 0) std::snprintf(text.data(), text.size(), "%.3f", value);
@@ -192,12 +193,12 @@ void printWhere(const Comparison& comparison, const std::string& unit) {
   std::printf("\nwithin %s, with the lengths there are:", withUnit(agreed.distance, unit).c_str());
   head("order");
   for (const PartAgreement& part : agreed.byOrder)
-    tell(std::to_string(static_cast<int>(part.from)).c_str(), part);
+    printPart(std::to_string(static_cast<int>(part.from)).c_str(), part);
   head(inUnit("height", unit));
   for (const PartAgreement& part : agreed.byHeight) {
     std::array<char, 40> range{};
     std::snprintf(range.data(), range.size(), "%.4g to %.4g", part.from, part.to);
-    tell(range.data(), part);
+    printPart(range.data(), part);
   }
   std::printf("\n%18s %12s %12s %12s\n", inUnit("radius up to", unit).c_str(), "length +%",
               "area +%", "volume +%");

@@ -43,8 +43,8 @@ void requireOutput(const std::string& path, Content content,
   requireOutput(path, inputs);
 }
 
-void writeAndTell(const std::string& path, const std::function<void(std::ostream&)>& write,
-                  const std::string& what) {
+void writeAndReport(const std::string& path, const std::function<void(std::ostream&)>& write,
+                    const std::string& what) {
   if (path.empty()) return;
   std::fflush(stdout); // what is printed stands before what is written to /dev/stdout
   writeAtomically(path, write);
@@ -65,11 +65,11 @@ std::string textOf(const nlohmann::ordered_json& json) {
 void writeJson(const std::string& path, const nlohmann::ordered_json& json) {
   if (path.empty()) return;
   const std::string text = textOf(json);
-  writeAndTell(path, [&](std::ostream& out) { out << text; });
+  writeAndReport(path, [&](std::ostream& out) { out << text; });
 }
 
-void writeAndTell(const std::string& path, const Structure& structure, MtgStyle style,
-                  const std::string& unit) {
+void writeAndReport(const std::string& path, const Structure& structure, MtgStyle style,
+                    const std::string& unit) {
   writeStructure(path, structure, style);
   const Format& format = formatToWrite(path, Content::structure);
   if (isWithoutPositions(structure)) {
@@ -89,8 +89,8 @@ void writeAndTell(const std::string& path, const Structure& structure, MtgStyle 
   printNotes(droppedBy(format, structure.skeleton));
 }
 
-void writeAndTell(const std::string& path, const PointCloud& cloud,
-                  const Eigen::Matrix3Xf& positions) {
+void writeAndReport(const std::string& path, const PointCloud& cloud,
+                    const Eigen::Matrix3Xf& positions) {
   writePoints(path, cloud, positions);
   printWritten(path + ": " + counted(static_cast<std::size_t>(cloud.size()), "point"));
 }

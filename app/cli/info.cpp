@@ -70,7 +70,7 @@ void printLines(const Json& json, const std::string& prefix = {}) {
   }
 }
 
-/// An MTG is told as it is, with all its scales; its skeleton only if it has one.
+/// An MTG is reported as it is, with all its scales; its skeleton only if it has one.
 Json infoOnMtg(const std::string& file, const Format& format) {
   const std::string name = std::filesystem::path(file).filename().string();
   std::ifstream in = openForReading(file);

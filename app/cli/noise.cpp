@@ -106,7 +106,7 @@ void print(const NoiseStudy& study, const std::vector<NoiseColumn>& columns,
 }
 
 void writeFiles(const NoiseFlags& flags, const NoiseStudy& study) {
-  writeAndTell(flags.csv, [&](std::ostream& out) {
+  writeAndReport(flags.csv, [&](std::ostream& out) {
     for (const std::vector<std::string>& row : toTable(study))
       out << csvLine(row);
   });

@@ -101,7 +101,7 @@ void drawPicture(const PictureFlags& flags) {
   const QImage image = picture(scene, camera, {.unit = QString::fromStdString(flags.unit)}, size);
   const QByteArray bytes = pngOf(image);
   terminal.check();
-  writeAndTell(
+  writeAndReport(
       flags.output,
       [&](std::ostream& out) {
         out.write(bytes.constData(), static_cast<std::streamsize>(bytes.size()));

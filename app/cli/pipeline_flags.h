@@ -34,7 +34,7 @@ struct PipelineFlags {
   /// Adds --root.
   void addRootTo(CLI::App& command);
 
-  /// Adds those that tell how a plant is reconstructed, whichever it is, and --unit.
+  /// Adds those that set how a plant is reconstructed, whichever it is, and --unit.
   void addOptionsTo(CLI::App& command);
 
   [[nodiscard]] double meters() const; // in the unit of the scan; 0: not known

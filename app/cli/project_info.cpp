@@ -58,7 +58,7 @@ Json reviewOf(const ReviewCoverage& review) {
           {"to_do", review.share(ReviewState::toDo)}};
 }
 
-/// A seal that cannot be read must not keep the rest from being told.
+/// A seal that cannot be read must not keep the rest from being reported.
 Json signerOf(const Project& project) {
   const std::string text = project.document("seal");
   if (text.empty()) return nullptr;

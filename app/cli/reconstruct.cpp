@@ -67,9 +67,9 @@ void run(const PipelineFlags& flags, const Task& task) {
     for (std::string& note : notes)
       note = flags.scan + ": " + note;
     printNotes(notes);
-    writeAndTell(flags.output, {.skeleton = *result.skeleton}, flags.mtgStyle, flags.unit);
+    writeAndReport(flags.output, {.skeleton = *result.skeleton}, flags.mtgStyle, flags.unit);
   } else {
-    writeAndTell(flags.output, *cloud, *result.contracted);
+    writeAndReport(flags.output, *cloud, *result.contracted);
   }
   writeStatistics(flags, *cloud, options, result, terminal);
 }

@@ -64,8 +64,8 @@ void simulate(const SimulateFlags& flags) {
   SimulatedScan result = flags.from.empty() ? scanned() : about(flags.from, scanned);
   const PointCloud cloud(std::move(result.points));
   terminal.check();
-  writeAndTell(scanFile, cloud, cloud.positions());
-  writeAndTell(truthFile, Structure{.skeleton = truth}, MtgStyle::plantNode);
+  writeAndReport(scanFile, cloud, cloud.positions());
+  writeAndReport(truthFile, Structure{.skeleton = truth}, MtgStyle::plantNode);
 }
 
 constexpr double infinity = std::numeric_limits<double>::infinity();

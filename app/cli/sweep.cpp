@@ -134,7 +134,7 @@ void writeTable(const std::string& file, const std::vector<Json>& rows) {
   for (const Json& row : rows)
     for (const auto& [name, value] : fieldsOf(row))
       if (std::ranges::find(names, name) == names.end()) names.push_back(name);
-  writeAndTell(file, [&](std::ostream& out) {
+  writeAndReport(file, [&](std::ostream& out) {
     out << csvLine(names);
     for (const Json& row : rows) {
       std::vector<std::string> line(names.size());

@@ -26,10 +26,10 @@ public:
   /// @throws Cancelled
   void check() const { progress_.check(); }
 
-  /// What is told before the stage: of many plants, which one. pre: no work is under way
+  /// What is shown before the stage: of many plants, which one. pre: no work is under way
   void setSubject(std::string subject) { subject_ = std::move(subject); }
 
-  /// Takes the bar away: for just before something else is told. Later progress shows it again.
+  /// Takes the bar away: for just before something else is printed. Later progress shows it again.
   void clear() const;
 
   /// Seconds spent in each stage so far, in their order; nameless stages count to the one before.
@@ -49,7 +49,7 @@ private:
 /// Prints a message on its line of standard error, whatever the names in it hold.
 void printLine(const std::string& message);
 
-/// Tells on standard error what was written: "wrote pine.mtg: 1204 nodes".
+/// Reports on standard error what was written: "wrote pine.mtg: 1204 nodes".
 void printWritten(const std::string& what);
 
 /// Prints the notes a reader or writer had, each on its line of standard error: the first of them,

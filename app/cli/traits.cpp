@@ -102,11 +102,12 @@ void measure(const TraitsFlags& flags) {
   printNotes(data.measures.warnings);
   terminal.clear();
   print(data.measures, flags.unit);
-  const PlantReportAbout told = aboutOf(flags);
-  const nlohmann::ordered_json json = numbersOf(data, told);
+  const PlantReportAbout reportAbout = aboutOf(flags);
+  const nlohmann::ordered_json json = numbersOf(data, reportAbout);
   if (!flags.csv.empty()) writeTable(flags.csv, tableOf(json));
   writeJson(flags.json, json);
-  if (!flags.report.file.empty()) writeReport(flags, data, told, whole.part(0.7, 1, "Drawing"));
+  if (!flags.report.file.empty())
+    writeReport(flags, data, reportAbout, whole.part(0.7, 1, "Drawing"));
 }
 
 } // namespace

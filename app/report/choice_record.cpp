@@ -76,7 +76,7 @@ ReportTable tableOf(const ChoiceRecord& record) {
   return table;
 }
 
-/// What the numbers of a table mean, unless it is told already.
+/// What the numbers of a table mean, unless it is said already.
 void addTerms(ReportTerms& terms, const ChoiceRecord& record, const ReportTable& table) {
   for (const auto& [name, meaning] : record.meanings) {
     const bool isUsed = std::ranges::any_of(

@@ -14,7 +14,7 @@ namespace espalier {
 /// One of the states of a plant that were looked at when options were chosen.
 struct ChoiceState {
   QString name;    // "A", "Preview", or the value of a sweep
-  QString options; // under its picture: what was chosen otherwise than usual; empty: the name tells
+  QString options; // under its picture: choices other than usual; empty: the name says them
   QImage picture;  // may be null
   std::vector<std::pair<QString, QString>> numbers; // name with its unit, value
   bool isTaken = false;
@@ -36,7 +36,7 @@ struct ChoiceRecord {
 /// @throws Error if it is something else
 [[nodiscard]] std::vector<ChoiceRecord> readChoices(const std::string& text);
 
-/// What a report tells of them. pre: there are some
+/// What a report shows of them. pre: there are some
 [[nodiscard]] ReportSection choicesSection(const std::vector<ChoiceRecord>& records);
 
 } // namespace espalier

@@ -12,7 +12,7 @@ inline constexpr auto comparisonColorId = "node_color_comparison";
 
 /// Colors a skeleton by what differs; one legend for both skeletons of a comparison.
 /// @param kinds by node id
-/// @param with what it is compared with, as the legend tells it; empty: the reference
+/// @param with what it is compared with, as the legend names it; empty: the reference
 [[nodiscard]] NodeColors comparisonColors(const std::vector<Difference>& kinds,
                                           const QString& with = {});
 

@@ -14,7 +14,7 @@
 
 namespace espalier {
 
-/// What was compared, as a reader of the report can tell it from anything else.
+/// What was compared, so that a reader of the report cannot mistake it for anything else.
 struct ReportedFile {
   QString name;            // for people
   QString fingerprint;     // SHA-256 of its bytes; empty: it is no file as it lies
@@ -29,7 +29,7 @@ struct ReportedFile {
 [[nodiscard]] ReportedFile reportedFile(const std::filesystem::path& path,
                                         const Progress& progress = {});
 
-/// What a report tells beside its numbers.
+/// What a report states beside its numbers.
 struct ReportAbout {
   ReportedFile result;
   ReportedFile reference;

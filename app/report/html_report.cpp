@@ -89,7 +89,7 @@ void HtmlWriter::operator()(const ReportLegend& legend) {
   add(QStringLiteral("</ul>\n"));
 }
 
-/// @param isNamed whether each cell tells the title of its column, too
+/// @param isNamed whether each cell states the title of its column, too
 void HtmlWriter::addRow(const ReportTable& table, const std::vector<ReportCell>& row,
                         bool isNamed) {
   add(QStringLiteral("<tr>"));

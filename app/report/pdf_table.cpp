@@ -41,7 +41,7 @@ struct Layout {
   }
 };
 
-/// As wide as the widest cell; columns of words give way where that is too much in all.
+/// As wide as the widest cell; columns of words get narrower where that is too wide in all.
 std::vector<double> widthsOf(const PdfPages& pages, const ReportTable& table) {
   std::vector<double> widths;
   double words = 0;

@@ -18,7 +18,7 @@ struct PlantReportData {
   std::shared_ptr<const PointCloud> scan = nullptr; // null: there is none
 };
 
-/// What it tells beside its numbers.
+/// What it states beside its numbers.
 struct PlantReportAbout {
   ReportedFile plant;
   std::optional<ReportedFile> scan;
@@ -42,7 +42,7 @@ struct PlantReportAbout {
 /// @throws Error if the name ends otherwise, or it cannot be written
 void writePlantReport(const std::filesystem::path& path, const PlantReportData& data,
                       const ReportPictures& pictures, const PlantReportAbout& about);
-/// @throws Error that tells how a name may end
+/// @throws Error that says how a name may end
 void requirePlantReportName(const std::filesystem::path& path);
 /// Is it a report, which has pictures?
 [[nodiscard]] bool hasPictures(const std::filesystem::path& path);

@@ -16,7 +16,7 @@ QString svgOf(const ReportPlot& plot) {
   QPainter painter(&generator);
   plot.paint(painter, QRectF(QPointF(), QSizeF(plot.size)), plotColors(false));
   painter.end();
-  // Its head tells a file of its own: what is drawn begins at the definitions.
+  // Its head is that of a file of its own: what is drawn begins at the definitions.
   const QString whole = QString::fromUtf8(buffer.data());
   return QStringLiteral("<svg viewBox=\"0 0 %1 %2\" role=\"img\" aria-label=\"%3\">\n")
              .arg(plot.size.width())

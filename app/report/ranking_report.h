@@ -24,7 +24,7 @@ struct RankingReportData {
                                                   const Skeleton& reference, bool isRegistered,
                                                   const Progress& progress = {});
 
-/// What the report tells beside its numbers.
+/// What the report states beside its numbers.
 struct RankingReportAbout {
   std::vector<ReportedFile> results; // as they were given
   ReportedFile reference;

@@ -17,7 +17,7 @@
 namespace espalier {
 
 // What a report says, in the order in which it says it. The writers of HTML and PDF read this and
-// add nothing: so both tell the same.
+// add nothing: so both say the same.
 
 struct ReportParagraph {
   enum class Look {

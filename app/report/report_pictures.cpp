@@ -34,7 +34,7 @@ QSize sizeOf(double aspect) {
                     : QSize(static_cast<int>(std::lround(longSide * aspect)), longSide);
 }
 
-/// What has to be seen of an error: its edges, and where the reference hangs it.
+/// What has to be seen of an error: its edges, and where the reference attaches it.
 std::vector<Eigen::Vector3d> placesOf(const ReportData& data, const DifferingPart& part) {
   const Skeleton& skeleton = part.kind == Difference::missed ? data.reference : data.result;
   std::vector<Eigen::Vector3d> places = {part.at};
@@ -57,7 +57,7 @@ Eigen::AlignedBox3d around(const std::vector<Eigen::Vector3d>& places, double le
   return {box.min().array() - margin, box.max().array() + margin};
 }
 
-/// Looks across the way in which the places spread most, so that they lie along the screen.
+/// Looks across the direction in which the places spread most, so that they lie along the screen.
 double yawAcross(const std::vector<Eigen::Vector3d>& places, UpAxis up) {
   Eigen::Matrix2Xd level(2, static_cast<Eigen::Index>(places.size()));
   for (std::size_t i = 0; i < places.size(); ++i)
@@ -70,7 +70,7 @@ double yawAcross(const std::vector<Eigen::Vector3d>& places, UpAxis up) {
   return std::atan2(right.y(), right.x());
 }
 
-/// What is missed, with the nodes that it hangs on.
+/// What is missed, with the nodes that it is attached to.
 Skeleton missedOf(const Skeleton& reference, const std::vector<Difference>& kinds) {
   Skeleton missed;
   for (const NodeId id : reference.ids()) {

@@ -39,7 +39,7 @@ public:
   PictureSession(const PictureSession&) = delete; // what it draws is within it
   PictureSession& operator=(const PictureSession&) = delete;
 
-  /// Draws the next one. False: all are drawn, or there is no OpenGL, which `pictures` then tells.
+  /// Draws the next one. False: all are drawn, or there is no OpenGL, which `pictures` then says.
   bool drawNext();
   [[nodiscard]] double done() const; // in [0, 1]
   [[nodiscard]] const ReportPictures& pictures() const { return pictures_; }

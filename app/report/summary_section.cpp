@@ -75,7 +75,7 @@ double f(const PartAgreement& part) {
   return harmonicMean(part.precision, part.recall);
 }
 
-/// Where it is best and where worst; empty where that would tell nothing.
+/// Where it is best and where worst; empty where that would say nothing.
 QString whereItDiffers(const ReportParts& parts) {
   const AgreementByPlace& byPlace = parts.data.comparison.byPlace;
   double whole = 0;

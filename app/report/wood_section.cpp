@@ -22,7 +22,7 @@ ReportTable radiusTable(const ReportParts& parts) {
   return table;
 }
 
-/// What the errors of radii are where the scanner saw how much of the way around.
+/// What the errors of radii are, by how much of the circumference the scanner saw.
 ReportTable arcTable(const ReportParts& parts) {
   const ReportNumbers& numbers = parts.numbers;
   ReportTable table;

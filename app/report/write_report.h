@@ -7,7 +7,7 @@
 
 namespace espalier {
 
-/// Checks that the name of a file tells how a report is written.
+/// Checks that the name of a file says how a report is written.
 /// @throws Error which names there may be
 void requireReportName(const std::filesystem::path& path);
 

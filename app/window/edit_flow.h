@@ -13,7 +13,7 @@ class PreviewFlow;
 class ProjectFlow;
 class ShownFlow;
 
-/// What is edited by no tool: undo and redo, all that can be selected, and the way out.
+/// What is edited by no tool: undo and redo, all that can be selected, and Escape.
 class EditFlow : public WindowPart {
   Q_OBJECT
 

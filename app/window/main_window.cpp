@@ -144,7 +144,7 @@ void MainWindow::connectParts() {
     connect(part, &WindowPart::noted, status_, &StatusLine::showNote);
     connect(part, &WindowPart::failed, banner_,
             [this](const QString& message) { banner_->showError(message); });
-    connect(part, &WindowPart::told, this, &MainWindow::tell);
+    connect(part, &WindowPart::reported, this, &MainWindow::showNotice);
     connect(part, &WindowPart::outdated, banner_, &QWidget::hide);
     connect(part, &WindowPart::hintChanged, this, &MainWindow::refreshHint);
     connect(part, &WindowPart::countChanged, this, &MainWindow::refreshCounts);
@@ -179,7 +179,7 @@ void MainWindow::connectMessages() {
   connect(&document_, &PlantDocument::skeletonEdited, this, &MainWindow::refreshCounts);
   connect(&document_, &PlantDocument::leftOutChanged, this, &MainWindow::refreshCounts);
   connect(&document_.undoStack(), &QUndoStack::indexChanged, this, [this] {
-    if (banner_->leavesByItself()) banner_->hide(); // it told of the step before
+    if (banner_->leavesByItself()) banner_->hide(); // it was about the step before
   });
   connect(actions_.get(), &ActionSet::refused, this, &MainWindow::showRefusal);
   connect(actions_.get(), &ActionSet::acted, this, [this] { // why the last one was not is history
@@ -192,7 +192,7 @@ void MainWindow::connectMessages() {
   start_->setRecentFiles(recent_->paths());
 }
 
-void MainWindow::tell(const Notice& notice) {
+void MainWindow::showNotice(const Notice& notice) {
   if (notice.isStep)
     return banner_->showResult(notice.text, tr("Undo"), [this] { (*actions_)["undo"]->trigger(); });
   MessageBanner::Actions actions;

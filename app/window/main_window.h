@@ -85,7 +85,7 @@ private:
   void connectParts();
   void connectJobs();
   void connectMessages();
-  void tell(const Notice& notice);
+  void showNotice(const Notice& notice);
   void refreshDocks();
   void refreshTitle();
   void refreshCounts();
@@ -109,7 +109,7 @@ private:
   VertexPage* vertices_; // of a plant without positions
   QStackedWidget* center_;
   MessageBanner* banner_;
-  QString refusal_; // the last one told in the banner
+  QString refusal_; // the last one shown in the banner
   StatusLine* status_;
 
   std::unique_ptr<ViewSync> sync_;

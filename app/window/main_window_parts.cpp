@@ -262,7 +262,7 @@ void MainWindow::joinPipeline() {
   connect(&reconstruct, &ReconstructFlow::done, this,
           [this, &reconstruct](const QString& message, const std::string& last) {
             reconstruct.showDone(last);
-            tell({.text = message, .isStep = true});
+            showNotice({.text = message, .isStep = true});
           });
   connect(&reconstruct, &ReconstructFlow::usedChanged, &reconstruct, &ReconstructFlow::showUsed);
   connect(&parts_.get<PipelineFlow>(), &PipelineFlow::shown, &preview, &PreviewFlow::keepChoices);

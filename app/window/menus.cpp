@@ -151,7 +151,7 @@ QToolButton* makeMenuButton(const QString& text, const QString& icon, QMenu* men
   button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   button->setPopupMode(QToolButton::InstantPopup);
   button->setMenu(menu);
-  // It is told nothing of the pointer while the menu is open, and would stay lit.
+  // It gets no events of the pointer while the menu is open, and would stay lit.
   QObject::connect(menu, &QMenu::aboutToHide, button, [button] {
     button->setAttribute(Qt::WA_UnderMouse, false);
     button->update();

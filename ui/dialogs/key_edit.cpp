@@ -17,7 +17,7 @@ bool isModifier(int key) {
   return std::find(modifiers.begin(), modifiers.end(), key) != modifiers.end();
 }
 
-/// What one sees on the key: Shift+/ is ? on many keyboards, and is told as ? alone.
+/// What one sees on the key: Shift+/ is ? on many keyboards, and is named ? alone.
 QKeySequence keysOf(const QKeyEvent& event) {
   Qt::KeyboardModifiers modifiers =
       event.modifiers() & ~(Qt::KeypadModifier | Qt::GroupSwitchModifier);

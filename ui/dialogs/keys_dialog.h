@@ -13,7 +13,7 @@ namespace espalier {
 class KeyBindings;
 class KeyEdit;
 
-/// Where keys are changed: choose a command, press its new keys. Keys of another command are told,
+/// Where keys are changed: choose a command, press its new keys. Keys of another command are named,
 /// and moved if one says so.
 class KeysDialog : public QDialog {
   Q_OBJECT

@@ -10,7 +10,7 @@ namespace espalier {
 /// "Matched", "Missed", "Invented", "Wrongly attached"
 [[nodiscard]] QString titleOf(Difference difference);
 
-/// Grey, blue, vermillion and purple: told apart by the color-blind, on dark and on light.
+/// Grey, blue, vermillion and purple: distinct to the color-blind, on dark and on light.
 [[nodiscard]] Color colorOf(Difference difference);
 
 } // namespace espalier

@@ -140,9 +140,9 @@ void PlantDocument::cancel(Gesture gesture) {
 void PlantDocument::goTo(int index) {
   if (index == undoStack_.index()) return;
   requireEditable();
-  way_ = Way{std::abs(index - undoStack_.index()), {}, contracted_};
+  jump_ = Jump{std::abs(index - undoStack_.index()), {}, contracted_};
   undoStack_.setIndex(index);
-  way_.reset();
+  jump_.reset();
 }
 
 StepId PlantDocument::contractedStep() const {
@@ -328,16 +328,16 @@ StepId PlantDocument::push(const QString& text, SkeletonDelta delta, PointSet po
 
 void PlantDocument::apply(const SkeletonDelta& delta) {
   delta.apply(structure_.skeleton);
-  if (!way_) return announce(delta);
-  std::ranges::copy(delta.changes, std::back_inserter(way_->changes.changes));
-  if (--way_->left > 0) return;
-  if (contracted_ != way_->contractedBefore) emit contractedChanged();
-  const SkeletonDelta all = joined(way_->changes, structure_.skeleton);
+  if (!jump_) return announce(delta);
+  std::ranges::copy(delta.changes, std::back_inserter(jump_->changes.changes));
+  if (--jump_->left > 0) return;
+  if (contracted_ != jump_->contractedBefore) emit contractedChanged();
+  const SkeletonDelta all = joined(jump_->changes, structure_.skeleton);
   if (!all.isEmpty()) announce(all);
 }
 
 void PlantDocument::applyContracted(const std::shared_ptr<const Eigen::Matrix3Xf>& positions) {
-  if (way_ || isRestoring_)
+  if (jump_ || isRestoring_)
     contracted_ = positions; // announced at the end
   else
     setContracted(positions);

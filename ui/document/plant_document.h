@@ -90,8 +90,8 @@ public:
   /// Takes back what the gesture has edited so far, and forgets it.
   void cancel(Gesture gesture);
 
-  /// Undoes or redoes until the first `index` steps are done. Views are told of it as one change,
-  /// however many steps that are. Time O(changes of these steps). pre: 0 <= index <= steps
+  /// Undoes or redoes until the first `index` steps are done. Views are notified of it as one
+  /// change, however many steps that are. Time O(changes of these steps). pre: 0 <= index <= steps
   /// @throws Error as requireEditable()
   void goTo(int index);
 
@@ -159,7 +159,7 @@ private:
     std::shared_ptr<const Eigen::Matrix3Xf> before;
     std::shared_ptr<const Eigen::Matrix3Xf> after;
   };
-  struct Way {             // of goTo()
+  struct Jump {            // of goTo()
     int left = 0;          // steps to go
     SkeletonDelta changes; // of those behind, one after the other
     std::shared_ptr<const Eigen::Matrix3Xf> contractedBefore;
@@ -187,10 +187,10 @@ private:
   QString filePath_;
   QString scanPath_;
   QString author_;
-  QString readOnly_;       // why
-  QString held_;           // likewise
-  std::optional<Way> way_; // none: not in goTo()
-  int opened_ = 0;         // steps at the beginning that came with the file, if they are there yet
+  QString readOnly_;         // why
+  QString held_;             // likewise
+  std::optional<Jump> jump_; // none: not in goTo()
+  int opened_ = 0; // steps at the beginning that came with the file, if they are there yet
   Saving saving_ = Saving::byHand;
   bool isCanceling_ = false; // the step undone now is to be forgotten
   bool isRestoring_ = false; // steps of a file become commands: nothing is done to the skeleton

@@ -153,7 +153,7 @@ void ProjectRecorder::goOn() {
   try {
     if (!pause_.isActive() && !isBehind_) writePiece();
     piece_.start();
-  } catch (const Error& error) { // told once: they can be made again
+  } catch (const Error& error) { // reported once: they can be made again
     writer_.reset();
     later_.clear();
     emit failed(QString::fromUtf8(error.what()));

@@ -22,7 +22,7 @@ class PlantDocument;
 /// Writes every edit, undo and redo of a document into its project as it happens.
 ///
 /// An edit is on the disk when PlantDocument::edit returns; a drag when it began and a moment after
-/// each pause. What cannot be written is told once, and tried again with the next edit: the
+/// each pause. What cannot be written is reported once, and tried again with the next edit: the
 /// document goes on in memory, and nothing is lost as long as the program runs.
 class ProjectRecorder : public QObject {
   Q_OBJECT

@@ -10,7 +10,7 @@
 
 namespace espalier {
 
-/// The chosen nodes of a document, each once, in the order they were chosen. Telling whether a node
+/// The chosen nodes of a document, each once, in the order they were chosen. To find whether a node
 /// is one of them takes constant time, changing them time linear in their number.
 class Selection : public QObject {
   Q_OBJECT

@@ -27,7 +27,7 @@ struct Pick {
   bool isOfOther = false;               // the point: contracted by another state than the plant
 };
 
-/// One act of the mouse in the 3D view, in terms of the plant: all that an editing tool is told.
+/// One act of the mouse in the 3D view, in terms of the plant: all that an editing tool is given.
 struct ToolInput {
   enum class Phase { hover, press, drag, release, doubleClick, cancel };
 

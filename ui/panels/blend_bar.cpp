@@ -10,7 +10,7 @@
 namespace espalier {
 
 BlendBar::BlendBar(QWidget* parent)
-    : QFrame(parent), slider_(new OptionSlider), ways_(new QToolButton) {
+    : QFrame(parent), slider_(new OptionSlider), displacements_(new QToolButton) {
   setObjectName("blend_bar");
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(12, 4, 4, 4);
@@ -26,12 +26,12 @@ BlendBar::BlendBar(QWidget* parent)
   slider_->setPlace(1);
   row->addWidget(slider_);
   row->addWidget(new QLabel(tr("Contracted")));
-  ways_->setObjectName("blend_ways");
-  ways_->setProperty("role", "panel");
-  ways_->setText(tr("Ways"));
-  ways_->setToolTip(tr("Shows a line from where a point was scanned to where it is now"));
-  ways_->setCheckable(true);
-  row->addWidget(ways_);
+  displacements_->setObjectName("blend_ways");
+  displacements_->setProperty("role", "panel");
+  displacements_->setText(tr("Ways"));
+  displacements_->setToolTip(tr("Shows a line from where a point was scanned to where it is now"));
+  displacements_->setCheckable(true);
+  row->addWidget(displacements_);
   auto* close = new QPushButton(QStringLiteral("✕"));
   close->setObjectName("blend_close");
   close->setAccessibleName(tr("Close"));
@@ -41,7 +41,7 @@ BlendBar::BlendBar(QWidget* parent)
   row->addWidget(close);
   connect(slider_, &QSlider::valueChanged, this, &BlendBar::changed);
   connect(slider_, &OptionSlider::defaultRequested, this, [this] { slider_->setPlace(1); });
-  connect(ways_, &QToolButton::toggled, this, &BlendBar::changed);
+  connect(displacements_, &QToolButton::toggled, this, &BlendBar::changed);
   connect(close, &QPushButton::clicked, this, &BlendBar::closeRequested);
 }
 
@@ -53,8 +53,8 @@ void BlendBar::setBlend(double blend) {
   slider_->setPlace(blend);
 }
 
-bool BlendBar::showsWays() const {
-  return ways_->isChecked();
+bool BlendBar::showsDisplacements() const {
+  return displacements_->isChecked();
 }
 
 } // namespace espalier

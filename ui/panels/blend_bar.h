@@ -9,7 +9,7 @@ namespace espalier {
 class OptionSlider;
 
 /// A bar over the view that moves points between where they were scanned and where contraction put
-/// them, and shows the ways between.
+/// them, and shows a line for each from the one to the other.
 class BlendBar : public QFrame {
   Q_OBJECT
 
@@ -18,7 +18,7 @@ public:
 
   [[nodiscard]] double blend() const; // 0: as scanned; 1: contracted
   void setBlend(double blend);
-  [[nodiscard]] bool showsWays() const;
+  [[nodiscard]] bool showsDisplacements() const;
 
 signals:
   void changed();
@@ -26,7 +26,7 @@ signals:
 
 private:
   OptionSlider* slider_;
-  QToolButton* ways_;
+  QToolButton* displacements_;
 };
 
 } // namespace espalier

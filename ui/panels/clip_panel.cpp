@@ -66,10 +66,10 @@ void ClipPanel::addBox(QGridLayout& grid) {
     const QString name(QChar('x' + axis));
     const int row = grid.rowCount();
     grid.addWidget(new QLabel(name), row, 0);
-    const auto add = [&](const QString& end, const QString& told, int column) {
+    const auto add = [&](const QString& end, const QString& spokenName, int column) {
       auto* field = new NumberBox;
       field->setObjectName("clip_" + name + end);
-      field->setAccessibleName(told.arg(name));
+      field->setAccessibleName(spokenName.arg(name));
       field->setButtonSymbols(QAbstractSpinBox::NoButtons);
       field->setKeyboardTracking(false);
       field->setDecimals(3);
@@ -102,7 +102,7 @@ QSlider* ClipPanel::addSlider(QGridLayout& grid, const QString& name, const QStr
   return slider;
 }
 
-/// The slab keeps some thickness: the other side gives way.
+/// The slab keeps some thickness: the other side moves with it.
 void ClipPanel::keepApart(const QSlider* moved) {
   constexpr int least = 2;
   if (farthest_->value() - nearest_->value() >= least) return;
@@ -127,7 +127,7 @@ void ClipPanel::setBounds(const Eigen::AlignedBox3d& bounds) {
   if (bounds.isEmpty()) return;
   const double size = std::max(bounds.sizes().maxCoeff(), 1e-6);
   const int digits = std::clamp(3 - static_cast<int>(std::floor(std::log10(size))), 0, 6);
-  const double unit = std::pow(10, -digits); // what the fields can tell: the box cuts nothing
+  const double unit = std::pow(10, -digits); // what the fields can show: the box cuts nothing
   bounds_ = {(bounds.min() / unit).array().floor().matrix() * unit,
              (bounds.max() / unit).array().ceil().matrix() * unit};
   for (int axis = 0; axis < 3; ++axis)

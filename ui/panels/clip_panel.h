@@ -32,7 +32,7 @@ public:
   /// What the fields range over, and what a box is at first [L]; empty: there is no plant.
   void setBounds(const Eigen::AlignedBox3d& bounds);
   void setUnit(const QString& unit);
-  void setValues(const Values& values); // tells nobody
+  void setValues(const Values& values); // notifies nobody
   [[nodiscard]] Values values() const;
 
 signals:

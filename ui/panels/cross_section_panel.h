@@ -25,7 +25,7 @@ class PlantDocument;
 [[nodiscard]] QString reasonOf(NoRadius reason);
 
 /// The cross-section of the chosen node, and the circles that can be measured in it. Absent unless
-/// one node is chosen, over a scan. What is dragged or applied is told as a signal: the window
+/// one node is chosen, over a scan. What is dragged or applied is reported as a signal: the window
 /// makes the edit.
 class CrossSectionPanel : public QWidget {
   Q_OBJECT

@@ -204,19 +204,19 @@ void CrossSectionView::keyPressEvent(QKeyEvent* event) {
     return;
   }
   const bool isFine = event->modifiers().testFlag(Qt::ShiftModifier);
-  const double way = (isFine ? 1 : 5) / scale_; // pixels
+  const double shift = (isFine ? 1 : 5) / scale_; // pixels
   const double growth = isFine ? 1.005 : 1.02;
   const QPointF center(width() / 2.0, height() / 2.0);
   const bool isRepeated = event->isAutoRepeat();
   switch (event->key()) {
   case Qt::Key_Left:
-    return step({-way, 0}, 1, isRepeated);
+    return step({-shift, 0}, 1, isRepeated);
   case Qt::Key_Right:
-    return step({way, 0}, 1, isRepeated);
+    return step({shift, 0}, 1, isRepeated);
   case Qt::Key_Up:
-    return step({0, way}, 1, isRepeated);
+    return step({0, shift}, 1, isRepeated);
   case Qt::Key_Down:
-    return step({0, -way}, 1, isRepeated);
+    return step({0, -shift}, 1, isRepeated);
   case Qt::Key_PageUp:
     return step({0, 0}, growth, isRepeated);
   case Qt::Key_PageDown:

@@ -14,7 +14,7 @@ namespace espalier {
 namespace {
 
 constexpr double curveGrip = 10;      // how near the pointer takes a handle [px]
-constexpr double curveFineness = 0.1; // of the way of the mouse or a key, with Shift
+constexpr double curveFineness = 0.1; // of a move of the mouse or a key, with Shift
 constexpr double exponentStep = 1.1;  // a key multiplies by it
 constexpr double middle = 0.5;        // density where the curve is bent
 
@@ -162,15 +162,15 @@ void DensityCurve::setExponent(double exponent) {
   set(curve);
 }
 
-void DensityCurve::step(Handle handle, int way, bool isFine) {
+void DensityCurve::step(Handle handle, int direction, bool isFine) {
   const double size = isFine ? curveFineness : 1;
   if (handle == Handle::bend) {
-    setExponent(curve_.exponent * std::pow(exponentStep, -way * size)); // up: more radius
+    setExponent(curve_.exponent * std::pow(exponentStep, -direction * size)); // up: more radius
     return;
   }
   const double radius = handle == Handle::least ? curve_.least : curve_.most;
   const double unit = size * radiusStep();
-  setRadius(handle, std::round(radius / unit + way) * unit);
+  setRadius(handle, std::round(radius / unit + direction) * unit);
 }
 
 void DensityCurve::set(const Curve& curve) {

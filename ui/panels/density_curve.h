@@ -80,7 +80,7 @@ private:
   void moveTo(Handle handle, double y, bool isFine);
   void setRadius(Handle handle, double radius);
   void setExponent(double exponent);
-  void step(Handle handle, int way, bool isFine);
+  void step(Handle handle, int direction, bool isFine);
   void set(const Curve& curve);
   void refreshScale();
   void describe();

@@ -108,7 +108,7 @@ void DensityCurve::paintCurve(QPainter& painter) const {
   painter.restore();
 }
 
-/// The handle that is dragged, or moved by keys, tells its value.
+/// The handle that is dragged, or moved by keys, shows its value.
 void DensityCurve::paintHandles(QPainter& painter) const {
   for (const Handle handle : handles) {
     const bool isCurrent = handle == current_ && (drag_ || hasFocus());

@@ -130,12 +130,12 @@ DifferencesPanel::DifferencesPanel(const PlantDocument& document, const Actions&
   list_->header()->setSectionResizeMode(partKind, QHeaderView::Stretch);
   list_->header()->setSectionResizeMode(partLength, QHeaderView::ResizeToContents);
   list_->header()->setSectionResizeMode(partPlace, QHeaderView::ResizeToContents);
-  onEnter(*list_, [this] { tellChosen(list_->currentItem()); });
+  onEnter(*list_, [this] { reportChosen(list_->currentItem()); });
   list_->installEventFilter(this);
   column->addWidget(list_, 1);
   column->addStretch();
   connect(list_, &QTreeWidget::itemClicked, this,
-          [this](const QTreeWidgetItem* item) { tellChosen(item); });
+          [this](const QTreeWidgetItem* item) { reportChosen(item); });
   connect(list_, &QTreeWidget::currentItemChanged, this, [this](const QTreeWidgetItem* item) {
     if (item != nullptr) gone_ = -1;
     emit currentChanged();
@@ -251,11 +251,11 @@ bool DifferencesPanel::eventFilter(QObject* watched, QEvent* event) {
   const std::array keys = {Qt::Key_Up,       Qt::Key_Down, Qt::Key_PageUp,
                            Qt::Key_PageDown, Qt::Key_Home, Qt::Key_End};
   if (std::ranges::find(keys, release->key()) != keys.end() && !release->isAutoRepeat())
-    tellChosen(list_->currentItem());
+    reportChosen(list_->currentItem());
   return false;
 }
 
-void DifferencesPanel::tellChosen(const QTreeWidgetItem* item) {
+void DifferencesPanel::reportChosen(const QTreeWidgetItem* item) {
   if (item == nullptr) return;
   const DifferingPart part = listed_[item->data(0, partRole).toULongLong()];
   emit chosen(part);

@@ -55,7 +55,7 @@ private:
   void restoreCurrent(const std::optional<DifferingPart>& part, double tolerance);
   void refreshTitle();
   void endBetweenRows();
-  void tellChosen(const QTreeWidgetItem* item);
+  void reportChosen(const QTreeWidgetItem* item);
 
   const PlantDocument& document_;
   std::vector<DifferingPart> listed_; // by the number that its item keeps

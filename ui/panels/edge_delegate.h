@@ -4,7 +4,7 @@
 
 namespace espalier {
 
-/// Chooses the type of an edge in a table. The model is told "<" or "+".
+/// Chooses the type of an edge in a table. The model is given "<" or "+".
 class EdgeDelegate : public QStyledItemDelegate {
   Q_OBJECT
 

@@ -43,7 +43,7 @@ private:
   const PlantDocument& document_;
   QWidget* scores_;
   std::map<std::string, QLabel*> values_; // by key of the score
-  QLabel* stems_;                         // why their diameters are not told
+  QLabel* stems_;                         // why their diameters are not shown
   QLabel* work_;
 };
 

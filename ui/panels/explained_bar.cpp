@@ -18,7 +18,7 @@ namespace {
 constexpr double usual = 4;   // spacings
 constexpr double widest = 64; // spacings, at the end of the slider
 
-/// Small distances get most of the way.
+/// Small distances get most of the slider.
 double placeOf(double spacings) {
   return std::sqrt(std::clamp(spacings / widest, 0.0, 1.0));
 }

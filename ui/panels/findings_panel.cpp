@@ -85,7 +85,7 @@ FindingsPanel::FindingsPanel(const PlantDocument& document, const Actions& actio
   list_->header()->setStretchLastSection(false);
   list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
   list_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
-  onEnter(*list_, [this] { tellChosen(list_->currentItem()); });
+  onEnter(*list_, [this] { reportChosen(list_->currentItem()); });
   column->addWidget(list_, 2);
   auto* walk = new QHBoxLayout(walk_);
   walk->setContentsMargins(0, 0, 0, 0);
@@ -96,12 +96,12 @@ FindingsPanel::FindingsPanel(const PlantDocument& document, const Actions& actio
   ignore_ = sharingButton(*actions.ignore);
   ignore_->setObjectName("findings_ignore");
   const auto enable = [this] { ignore_->setEnabled(current().has_value()); };
-  connect(actions.ignore, &QAction::changed, ignore_, enable); // its key tells what is missing
+  connect(actions.ignore, &QAction::changed, ignore_, enable); // its key says what is missing
   connect(this, &FindingsPanel::currentChanged, ignore_, enable);
   column->addWidget(ignore_);
   column->addWidget(checks_, 1);
   connect(list_, &QTreeWidget::itemClicked, this,
-          [this](const QTreeWidgetItem* item) { tellChosen(item); });
+          [this](const QTreeWidgetItem* item) { reportChosen(item); });
   connect(list_, &QTreeWidget::currentItemChanged, this, &FindingsPanel::currentChanged);
   show({}, {});
   setChecking(false);
@@ -201,7 +201,7 @@ void FindingsPanel::restoreCurrent(const std::optional<Finding>& finding) {
     }
 }
 
-void FindingsPanel::tellChosen(const QTreeWidgetItem* item) {
+void FindingsPanel::reportChosen(const QTreeWidgetItem* item) {
   if (item == nullptr || !item->data(0, numberRole).isValid()) return;
   const Finding finding = listed_[item->data(0, numberRole).toULongLong()];
   emit chosen(finding);

@@ -48,7 +48,7 @@ private:
                 bool isIgnored);
   void refreshTexts();
   void restoreCurrent(const std::optional<Finding>& finding);
-  void tellChosen(const QTreeWidgetItem* item);
+  void reportChosen(const QTreeWidgetItem* item);
   [[nodiscard]] QString textOf(const Finding& finding) const;
 
   const PlantDocument& document_;

@@ -20,7 +20,7 @@ class PlantDocument;
 class UnitsForm;
 struct UnitPart;
 
-/// The properties of the chosen node, or how many are chosen. What can be typed is told as a
+/// The properties of the chosen node, or how many are chosen. What can be typed is reported as a
 /// signal: the window makes the edit.
 class InspectorPanel : public QWidget {
   Q_OBJECT

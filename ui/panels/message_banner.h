@@ -20,9 +20,9 @@ struct BannerAction {
   std::function<void()> act;
 };
 
-/// A line over its parent that tells what went wrong or what was done, until it is dismissed or the
-/// next one comes; what was done leaves by itself. Never in the way of work: it lies over the foot
-/// of the parent, or where it covers less.
+/// A line over its parent that says what went wrong or what was done, until it is dismissed or the
+/// next one comes; what was done leaves by itself. It hides as little as it can: it lies over the
+/// foot of the parent, or where it covers less.
 class MessageBanner : public QFrame {
   Q_OBJECT
 

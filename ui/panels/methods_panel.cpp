@@ -20,7 +20,7 @@ const ScoreList& columnScores() {
   return scores;
 }
 
-/// Sorts by number; what has none comes after all others, whichever way.
+/// Sorts by number; what has none comes after all others, up or down.
 class Cell : public QTableWidgetItem {
 public:
   using QTableWidgetItem::QTableWidgetItem;

@@ -12,7 +12,7 @@ namespace espalier {
 
 class PlantDocument;
 
-/// What a table tells about a node.
+/// What a table shows of a node.
 enum class NodeColumn : std::uint8_t {
   node,
   parent,

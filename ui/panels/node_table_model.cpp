@@ -143,7 +143,7 @@ void NodeTableModel::list() {
   endResetModel();
 }
 
-/// Equal cells in order of the nodes; empty ones last, whichever the way.
+/// Equal cells in order of the nodes; empty ones last, up or down.
 void NodeTableModel::sortRows(std::vector<NodeId>& rows) const {
   std::ranges::sort(rows);
   if (sortColumn_ == NodeColumn::node) {

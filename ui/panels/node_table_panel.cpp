@@ -168,7 +168,7 @@ void NodeTablePanel::connectParts() {
 }
 
 void NodeTablePanel::useFilter() {
-  try { // what is wrong is told beside it: half a condition is no error of a command
+  try { // what is wrong is shown beside it: half a condition is no error of a command
     model_->setFilter(NodeFilter(filter_->text()));
     wrong_->hide();
   } catch (const Error& error) {

@@ -18,7 +18,7 @@ class NodeTableModel;
 class PlantDocument;
 
 /// All nodes of a plant, or the selected ones, as a table. Its rows are selected as the nodes are,
-/// both ways. While it is hidden it costs nothing.
+/// and the nodes as its rows. While it is hidden it costs nothing.
 class NodeTablePanel : public QWidget {
   Q_OBJECT
 

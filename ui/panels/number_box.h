@@ -14,7 +14,7 @@ namespace espalier {
 /// plant has a scale, "6 sp" becomes the length that 6 spacings are.
 ///
 /// What is beyond the range becomes its nearest end once the typing is over. A letter that no
-/// number has is not taken, and a tip below the field tells what is.
+/// number has is not taken, and a tip below the field says what is.
 class NumberBox : public QDoubleSpinBox {
   Q_OBJECT
 

@@ -16,7 +16,7 @@
 namespace espalier {
 namespace {
 
-/// Digits after the point that tell values of this size apart.
+/// Digits after the point that distinguish values of this size.
 int decimalsFor(const Option& option, double size) {
   if (option.kind == OptionKind::count) return 0;
   if (option.kind == OptionKind::angle) return 1;

@@ -13,7 +13,7 @@ class QToolButton;
 
 namespace espalier {
 
-/// One option of a method in a form: its name, what it is set with, and the way back to the
+/// One option of a method in a form: its name, what it is set with, and a button back to the
 /// default. All of it is made from the option table.
 class OptionField : public QObject {
   Q_OBJECT

@@ -12,7 +12,7 @@ namespace espalier {
 namespace {
 
 constexpr int steps = 1000;
-constexpr double fineness = 0.1; // of the mouse's way, with Shift
+constexpr double fineness = 0.1; // of a move of the mouse, with Shift
 
 } // namespace
 

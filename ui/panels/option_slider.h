@@ -7,7 +7,7 @@
 namespace espalier {
 
 /// A slider from 0 to 1 whose track shows where the default is. A double click goes there; with
-/// Shift the handle moves a tenth of the way of the mouse.
+/// Shift the handle moves a tenth as far as the mouse.
 class OptionSlider : public QSlider {
   Q_OBJECT
 

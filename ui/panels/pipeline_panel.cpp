@@ -124,21 +124,21 @@ void PipelinePanel::showRunning(const QString& stage) {
   }
 }
 
-void PipelinePanel::showDone(const Telling& tell, const std::string& last) {
+void PipelinePanel::showDone(const StepTexts& texts, const std::string& last) {
   bool isBehind = false;
   for (StepForm* form : steps_) {
-    const Told told = tell && !isBehind ? tell(form->step()) : Told();
+    const StepText text = texts && !isBehind ? texts(form->step()) : StepText();
     if (!isBehind)
-      form->setState(StepForm::State::done, told.note, told.details);
+      form->setState(StepForm::State::done, text.note, text.details);
     else if (form->state() != StepForm::State::idle)
       form->setState(StepForm::State::stale);
     isBehind = isBehind || form->step().name == last;
   }
 }
 
-void PipelinePanel::showMadeWith(const PipelineOptions& made, const Telling& tell,
+void PipelinePanel::showMadeWith(const PipelineOptions& made, const StepTexts& texts,
                                  const std::string& last) {
-  showDone(tell, last);
+  showDone(texts, last);
   const PipelineOptions now = options();
   if (now.up != made.up) markStale(steps_.front());
   if (now.root != made.root) markStale(firstFromRoot());

@@ -30,19 +30,19 @@ public:
   void setOptions(const PipelineOptions& options);
   [[nodiscard]] const std::vector<StepForm*>& steps() const { return steps_; }
 
-  /// What is to be told of a step that is up to date.
-  struct Told {
+  /// What is to be shown of a step that is up to date.
+  struct StepText {
     QString note;    // short: the time that it took
     QString details; // a sentence
   };
-  using Telling = std::function<Told(const Step&)>;
+  using StepTexts = std::function<StepText(const Step&)>;
 
   /// Marks the step of this label as running, and those before it as done.
   void showRunning(const QString& stage);
   /// Marks all steps up to the one of this name (empty: all) as up to date.
-  void showDone(const Telling& tell = {}, const std::string& last = {});
+  void showDone(const StepTexts& texts = {}, const std::string& last = {});
   /// The same of those whose choices, and those before, are the ones that the plant was made with.
-  void showMadeWith(const PipelineOptions& made, const Telling& tell, const std::string& last);
+  void showMadeWith(const PipelineOptions& made, const StepTexts& texts, const std::string& last);
   /// Marks the step that is running as failed, and those behind it as not run.
   void showFailed(const QString& why);
   /// Forgets how steps went.

@@ -21,7 +21,7 @@ class CoverageBar;
 class PlantDocument;
 
 /// How far the review is, what is said of the chosen nodes, and the list of axes. What is typed is
-/// told as a signal: the window makes the edit.
+/// reported as a signal: the window makes the edit.
 class ReviewPanel : public QScrollArea {
   Q_OBJECT
 

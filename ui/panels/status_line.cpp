@@ -13,7 +13,7 @@ StatusLine::StatusLine(QWidget* parent)
     : QWidget(parent), text_(new QLabel(this)), job_(new QWidget(this)), jobName_(new QLabel(job_)),
       bar_(new QProgressBar(job_)), timeLeft_(new QLabel(job_)), counts_(new QLabel(this)) {
   setObjectName("status_line");
-  text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // gives way to the job
+  text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // makes room for the job
   text_->setTextFormat(Qt::PlainText);
   text_->setObjectName("hint");
   counts_->setObjectName("counts");
@@ -35,7 +35,7 @@ StatusLine::StatusLine(QWidget* parent)
   row->setSpacing(24);
   row->addWidget(text_, 1);
   row->addWidget(counts_);
-  row->addWidget(job_); // at the end, so that Cancel does not move with what is told
+  row->addWidget(job_); // at the end, so that Cancel does not move with the text
   setFixedHeight(32);
   job_->hide();
   noteEnds_.setSingleShot(true);

@@ -110,8 +110,8 @@ void StepForm::setState(State state, const QString& note, const QString& details
   state_->setAccessibleName(shown.name);
   header_->setAccessibleDescription(shown.name);
   const QString help = shownText(step_.help);
-  const QString told = details.isEmpty() ? shown.name : details;
-  header_->setToolTip(told.isEmpty() ? help : help + QStringLiteral("\n") + told);
+  const QString stateLine = details.isEmpty() ? shown.name : details;
+  header_->setToolTip(stateLine.isEmpty() ? help : help + QStringLiteral("\n") + stateLine);
 }
 
 void StepForm::setRunnable(bool isRunnable) {

@@ -41,7 +41,7 @@ public:
 
   /// Adds what the user has chosen here to `options`.
   void addTo(PipelineOptions& options) const;
-  /// Shows what `options` say of this step; the rest is as the rules say. Tells nobody.
+  /// Shows what `options` say of this step; the rest is as the rules say. Notifies nobody.
   void choose(const PipelineOptions& options);
 
 signals:

@@ -8,7 +8,7 @@
 namespace espalier {
 
 std::optional<double> secondsLeft(double elapsed, double fraction) {
-  if (elapsed < 1 || fraction < 0.02) return std::nullopt; // too early to tell
+  if (elapsed < 1 || fraction < 0.02) return std::nullopt; // too early to estimate
   return elapsed * (1 - fraction) / fraction;
 }
 

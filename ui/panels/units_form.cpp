@@ -61,7 +61,7 @@ void UnitsForm::makeFields() {
       field->setObjectName({});
     }
     body_->hide();
-    body_->deleteLater(); // one of its fields may be telling of an edit
+    body_->deleteLater(); // one of its fields may be reporting an edit
   }
   body_ = new QWidget(this);
   auto* form = new QFormLayout(body_);
@@ -122,10 +122,10 @@ void UnitsForm::beginOrEnd(QCheckBox& begins) {
   const auto found = std::ranges::find_if(
       parts_, [&](const UnitPart& part) { return begins.objectName() == "begins_" + part.id; });
   if (found == parts_.end()) return;
-  const UnitPart told = *found; // telling it replaces the parts
+  const UnitPart edited = *found; // reporting it replaces the parts
   const int shownBefore = shown_;
-  emit typed(told.step, told.beginOrEnd, &begins);
-  if (shown_ == shownBefore) begins.setChecked(told.begins); // it was refused
+  emit typed(edited.step, edited.beginOrEnd, &begins);
+  if (shown_ == shownBefore) begins.setChecked(edited.begins); // it was refused
 }
 
 void UnitsForm::addRow(const UnitRow& row, QFormLayout& to) {
@@ -151,16 +151,16 @@ void UnitsForm::addRow(const UnitRow& row, QFormLayout& to) {
 /// @return whether it stands now
 bool UnitsForm::take(QLineEdit& field) {
   const QString text = field.text();
-  if (field.property("refused") == text) return false; // told already
+  if (field.property("refused") == text) return false; // reported already
   for (const UnitPart& part : parts_)
     for (const UnitRow& row : part.rows) {
       if (row.id != field.objectName() || row.text == text) continue;
-      const UnitRow told = row; // telling it replaces the rows
+      const UnitRow edited = row; // reporting it replaces the rows
       field.setProperty("refused", text);
       const int shownBefore = shown_;
       emit typed(
-          told.step,
-          [change = told.change, typedText = text.toStdString()](SkeletonEditor& editor) {
+          edited.step,
+          [change = edited.change, typedText = text.toStdString()](SkeletonEditor& editor) {
             change(editor, typedText);
           },
           &field);

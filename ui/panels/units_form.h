@@ -20,7 +20,7 @@ namespace espalier {
 class PlantDocument;
 
 /// What an MTG says of a node and of the units it belongs to, finest first: class, index, features.
-/// What is typed is told as an edit, which the window makes: a wrong text is refused by it.
+/// What is typed is reported as an edit, which the window makes: a wrong text is refused by it.
 class UnitsForm : public QWidget {
   Q_OBJECT
 

@@ -18,7 +18,7 @@ struct HistogramPlot {
     double to = 0;
     std::size_t count = 0; // of values between
   };
-  /// A number of the whole that is told elsewhere, too.
+  /// A number of the whole that is shown elsewhere, too.
   struct Mark {
     double value = 0;
     QString text; // "median 1.13"
@@ -47,7 +47,7 @@ struct HistogramPlot {
   /// The numbers of the marked range: "3.1 – 7.4 mm · 12 345 (23 %)". pre: brush
   [[nodiscard]] QString brushText() const;
   [[nodiscard]] QString emptyText() const; // in place of bars
-  /// A value with as many digits as tell bins apart, without the unit.
+  /// A value with as many digits as distinguish bins, without the unit.
   [[nodiscard]] QString numberOf(double value) const;
 };
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double grip = 5;       // how near the pointer takes an end of the brush [px]
 constexpr double leastDrag = 3;  // less is a click [px]
-constexpr double fineness = 0.1; // of the way of the mouse or a key, with Shift
+constexpr double fineness = 0.1; // of a move of the mouse or a key, with Shift
 
 std::size_t countBetween(const std::vector<float>& values, double from, double to) {
   std::size_t count = 0;
@@ -127,7 +127,7 @@ void HistogramView::mouseMoveEvent(QMouseEvent* event) {
   drag_->hasMoved = true;
   const double value = plot_.valueAt(drag_->at, rect());
   mark(std::min(value, drag_->anchor), std::max(value, drag_->anchor));
-  tellMarked(false);
+  reportMarked(false);
 }
 
 void HistogramView::mouseReleaseEvent(QMouseEvent* event) {
@@ -135,7 +135,7 @@ void HistogramView::mouseReleaseEvent(QMouseEvent* event) {
   const bool hasMoved = drag_->hasMoved;
   drag_.reset();
   if (hasMoved)
-    tellMarked(true);
+    reportMarked(true);
   else
     clear();
 }
@@ -150,10 +150,10 @@ void HistogramView::keyPressEvent(QKeyEvent* event) {
     return;
   }
   if (drag_) return;
-  const double way = event->modifiers().testFlag(Qt::ShiftModifier) ? fineness : 1;
+  const double binsPerKey = event->modifiers().testFlag(Qt::ShiftModifier) ? fineness : 1;
   const bool isMove = event->key() == Qt::Key_Left || event->key() == Qt::Key_Right;
   const bool isMore = event->key() == Qt::Key_Right || event->key() == Qt::Key_Up;
-  const double amount = (isMore ? way : -way) * plot_.bins.width();
+  const double amount = (isMore ? binsPerKey : -binsPerKey) * plot_.bins.width();
   isKeyHeld_ = event->isAutoRepeat();
   step(isMove ? amount : 0, isMove ? 0 : amount);
 }
@@ -161,7 +161,7 @@ void HistogramView::keyPressEvent(QKeyEvent* event) {
 void HistogramView::keyReleaseEvent(QKeyEvent* event) {
   if (isKeyHeld_ && !event->isAutoRepeat() && plot_.brush) {
     isKeyHeld_ = false;
-    tellMarked(true);
+    reportMarked(true);
     return;
   }
   QWidget::keyReleaseEvent(event);
@@ -181,7 +181,7 @@ void HistogramView::step(double move, double widen) {
     const double half = std::max(widen, (from - to) / 2 + fineness * bins.width() / 2);
     mark(std::max(from + shift - half, least), std::min(to + shift + half, greatest));
   }
-  tellMarked(!isKeyHeld_);
+  reportMarked(!isKeyHeld_);
 }
 
 void HistogramView::mark(double from, double to) {
@@ -206,10 +206,10 @@ void HistogramView::cancelDrag() {
   if (!drag.hasMoved) return;
   if (!drag.before) return clear();
   mark(drag.before->from, drag.before->to);
-  tellMarked(true);
+  reportMarked(true);
 }
 
-void HistogramView::tellMarked(bool isFinal) {
+void HistogramView::reportMarked(bool isFinal) {
   emit brushed(plot_.brush->from, plot_.brush->to, isFinal);
 }
 

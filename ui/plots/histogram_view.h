@@ -67,7 +67,7 @@ private:
   void clear();
   void cancelDrag();
   void step(double move, double widen);
-  void tellMarked(bool isFinal);
+  void reportMarked(bool isFinal);
   void describe();
 
   std::vector<float> values_;

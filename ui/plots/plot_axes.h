@@ -11,7 +11,7 @@ namespace espalier {
 struct PlotColors {
   QColor text;  // of numbers and names
   QColor grid;  // of axes and lines behind
-  QColor first; // of lines, told apart by the color-blind, and by their dashes
+  QColor first; // of lines, distinct to the color-blind, and by their dashes
   QColor second;
   QColor third;
   QColor chosen; // what the user has marked

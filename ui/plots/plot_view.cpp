@@ -50,10 +50,11 @@ void PlotView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void PlotView::keyPressEvent(QKeyEvent* event) {
-  const int way = event->key() == Qt::Key_Right ? 1 : event->key() == Qt::Key_Left ? -1 : 0;
-  if (way == 0 || plot_.curve.size() < 2 || !plot_.chosen) return QWidget::keyPressEvent(event);
+  const int direction = event->key() == Qt::Key_Right ? 1 : event->key() == Qt::Key_Left ? -1 : 0;
+  if (direction == 0 || plot_.curve.size() < 2 || !plot_.chosen)
+    return QWidget::keyPressEvent(event);
   const double step = plot_.curve[1].distance - plot_.curve[0].distance;
-  const double chosen = plot_.chosen->distance + way * step;
+  const double chosen = plot_.chosen->distance + direction * step;
   if (chosen <= 0 || chosen > plot_.curve.back().distance) return;
   plot_.chosen = plot_.scoreAt(chosen); // until it is measured
   update();

@@ -43,7 +43,7 @@ bool AddNodeTool::act(const ToolInput& input) {
     camera_.reset();
     return wasMine;
   }
-  case ToolInput::Phase::hover: // a release elsewhere is not told, as after a change of windows
+  case ToolInput::Phase::hover: // a release elsewhere is not sent, as after a change of windows
     if (pull_ && pull_->isCanceled) pull_.reset();
     return false;
   default:

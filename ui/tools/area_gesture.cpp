@@ -17,21 +17,21 @@ std::optional<AreaGesture::Shape> AreaGesture::shapeOf(const ToolInput& press) {
 
 void AreaGesture::begin(Shape shape, const ToolInput& press) {
   shape_ = shape;
-  way_ = QPolygonF({press.screen});
+  pointerPath_ = QPolygonF({press.screen});
   area_.clear();
   hasMoved_ = isCanceled_ = false;
 }
 
 void AreaGesture::drag(const ToolInput& input) {
   if (!shape_ || isCanceled_) return;
-  hasMoved_ = hasMoved_ || isDragged(way_.first(), input.screen);
+  hasMoved_ = hasMoved_ || isDragged(pointerPath_.first(), input.screen);
   if (!hasMoved_) return;
-  if (way_.last() != input.screen) way_.append(input.screen);
+  if (pointerPath_.last() != input.screen) pointerPath_.append(input.screen);
   if (*shape_ == Shape::box) {
-    area_ = QPolygonF(QRectF(way_.first(), input.screen).normalized());
+    area_ = QPolygonF(QRectF(pointerPath_.first(), input.screen).normalized());
   } else {
-    area_ = way_;
-    area_.append(way_.first());
+    area_ = pointerPath_;
+    area_.append(pointerPath_.first());
   }
   canvas_.showBand(area_);
 }

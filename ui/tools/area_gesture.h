@@ -32,7 +32,7 @@ private:
   Canvas& canvas_;
   std::optional<Shape> shape_; // while the button is down
   QPolygonF area_;             // closed
-  QPolygonF way_;              // of the pointer
+  QPolygonF pointerPath_;      // of the pointer
   bool hasMoved_ = false;
   bool isCanceled_ = false;
 };

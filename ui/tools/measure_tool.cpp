@@ -12,7 +12,7 @@
 namespace espalier {
 namespace {
 
-/// Between the ways from `at` to the others [degrees].
+/// Between the directions from `at` to the others [degrees].
 double angle(const Eigen::Vector3d& a, const Eigen::Vector3d& at, const Eigen::Vector3d& b) {
   const Eigen::Vector3d u = a - at;
   const Eigen::Vector3d v = b - at;
@@ -92,7 +92,7 @@ void MeasureTool::follow() {
   show();
 }
 
-/// The way to what is under the pointer is shown before it is clicked.
+/// The path to what is under the pointer is shown before it is clicked.
 void MeasureTool::show() {
   std::vector<Mark> shown = marks_;
   if (marks_.size() == 1 && next_) shown.push_back(*next_);

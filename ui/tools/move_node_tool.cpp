@@ -118,7 +118,7 @@ bool MoveNodeTool::act(const ToolInput& input) {
     camera_.reset();
     return wasMine;
   }
-  case ToolInput::Phase::hover: // a release elsewhere is not told, as after a change of windows
+  case ToolInput::Phase::hover: // a release elsewhere is not sent, as after a change of windows
     if (drag_ && drag_->isCanceled) drag_.reset();
     return false;
   default:
@@ -209,7 +209,7 @@ QString MoveNodeTool::editText() const {
              : tr("Move %n nodes", nullptr, static_cast<int>(drag_->start.size()));
 }
 
-void MoveNodeTool::move(SkeletonEditor& editor, const Eigen::Vector3d& way,
+void MoveNodeTool::move(SkeletonEditor& editor, const Eigen::Vector3d& shift,
                         const ToolInput& input) {
   const auto& [first, start] = drag_->start.front();
   const bool isAlone = drag_->start.size() == 1;
@@ -222,7 +222,7 @@ void MoveNodeTool::move(SkeletonEditor& editor, const Eigen::Vector3d& way,
     slid = slidAlongAxis(editor.skeleton(), first, start,
                          {input.ray.origin() + start - drag_->grip, input.ray.direction()});
   for (const auto& [id, from] : drag_->start)
-    moveNode(editor, id, slid.value_or(from + way));
+    moveNode(editor, id, slid.value_or(from + shift));
 }
 
 void MoveNodeTool::snapMore(SkeletonEditor& editor) {

@@ -62,7 +62,7 @@ private:
   bool press(const ToolInput& input);
   void drag(const ToolInput& input);
   void release();
-  void move(SkeletonEditor& editor, const Eigen::Vector3d& way, const ToolInput& input);
+  void move(SkeletonEditor& editor, const Eigen::Vector3d& shift, const ToolInput& input);
   void snapMore(SkeletonEditor& editor); // of what was moved
   void snapResting();                    // the same, while the pointer rests
   void snapAll();                        // what is let go

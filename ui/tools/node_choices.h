@@ -11,7 +11,7 @@
 
 namespace espalier {
 
-/// A way to choose nodes by how the plant is built, which a key or a menu takes at once.
+/// A choice of nodes by how the plant is built, which a key or a menu makes at once.
 struct NodeChoice {
   QString id;   // never translated: settings and tests know it by this
   QString text; // in menus

@@ -23,7 +23,7 @@ void addTo(Preview& preview, const Skeleton& part) {
   }
 }
 
-/// The longest way along the edges from the root to a tip [L].
+/// The longest path along the edges from the root to a tip [L].
 double lengthOf(const Skeleton& part) {
   std::vector<double> along(part.idEnd(), 0);
   double longest = 0;

@@ -60,7 +60,7 @@ bool ReparentNodeTool::press(const ToolInput& input) {
   if (input.button != Qt::LeftButton || input.modifiers.testFlag(Qt::ControlModifier)) return false;
   const bool isTarget = !moving_.empty() && !isMoving(input.pick);
   if (isTarget && (input.pick.node || input.pick.edge)) {
-    hangOn(input.pick);
+    attachTo(input.pick);
     return true;
   }
   if (!input.pick.node) return false;
@@ -76,7 +76,7 @@ bool ReparentNodeTool::release(const ToolInput& input) {
   if (isMoving(input.pick) || (!input.pick.node && !input.pick.edge))
     end(); // dropped on nothing
   else
-    hangOn(input.pick);
+    attachTo(input.pick);
   return true;
 }
 
@@ -86,7 +86,7 @@ void ReparentNodeTool::take(const std::vector<NodeId>& nodes) {
   emit hintChanged();
 }
 
-void ReparentNodeTool::hangOn(const Pick& target) {
+void ReparentNodeTool::attachTo(const Pick& target) {
   const Skeleton& skeleton = document().skeleton();
   const auto carries = [&](NodeId id) { return skeleton.isAncestor(id, target.edge->child); };
   if (target.edge && std::ranges::any_of(moving_, carries))

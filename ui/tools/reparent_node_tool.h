@@ -6,7 +6,7 @@
 
 namespace espalier {
 
-/// Hangs nodes, with all they carry, elsewhere: a node is dragged onto its new parent, or clicked
+/// Attaches nodes, with all they bear, elsewhere: a node is dragged onto its new parent, or clicked
 /// and then its parent. A place on an edge is a parent too: it gets a node of its own.
 ///
 /// Started from nodes by a key it ends when that is done; chosen as a tool it goes on with the next
@@ -27,7 +27,7 @@ private:
   bool press(const ToolInput& input);
   bool release(const ToolInput& input);
   void take(const std::vector<NodeId>& nodes);
-  void hangOn(const Pick& target);
+  void attachTo(const Pick& target);
   [[nodiscard]] bool isMoving(const Pick& pick) const;
   void preview(const ToolInput& input);
   void end();

@@ -15,8 +15,8 @@ constexpr double widest = 300;
 /// What a disc covers that is drawn from one place to another, closed.
 QPolygonF sweep(const QPointF& from, const QPointF& to, double radius) {
   constexpr int half = 16; // corners of half a disc
-  const QLineF way(from, to);
-  const double turn = way.length() > 0 ? std::atan2(way.dy(), way.dx()) : 0;
+  const QLineF line(from, to);
+  const double turn = line.length() > 0 ? std::atan2(line.dy(), line.dx()) : 0;
   QPolygonF area;
   for (int i = 0; i <= 2 * half + 1; ++i) {
     const bool isAtEnd = i <= half;
@@ -71,7 +71,7 @@ void SelectPointsTool::setBrushSize(double radius) {
 bool SelectPointsTool::act(const ToolInput& input) {
   switch (input.phase) {
   case ToolInput::Phase::hover:
-    if (isBusy()) reset(); // canceled: the release is not told
+    if (isBusy()) reset(); // canceled: the release is not sent
     pointer_ = input.screen;
     showBrush();
     return false;

@@ -68,7 +68,7 @@ QString StrokeTool::hint() const {
 void StrokeTool::cancel() {
   isCanceled_ = isDrawing_;
   isWaiting_ = false;
-  ++question_; // an answer on its way is not wanted any more
+  ++question_; // an answer that is still to come is not wanted any more
   reset();
 }
 
@@ -138,7 +138,7 @@ void StrokeTool::drag(const ToolInput& input) {
 /// Through a gap between points one sees others far behind: wood goes not that steeply into depth.
 bool StrokeTool::goesOn(const Eigen::Vector3d& point, const ToolInput& input) const {
   if (places_.empty()) return true;
-  constexpr double steepest = 4; // in depth, of the way across the screen
+  constexpr double steepest = 4; // in depth, per length across the screen
   const double spacing = document().scan() != nullptr ? document().scan()->spacing() : 0;
   double slack = 4 * spacing;
   if (places_.size() == 1 && startNode_ && document().skeleton().contains(*startNode_))

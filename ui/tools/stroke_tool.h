@@ -14,7 +14,7 @@ namespace espalier {
 /// Draws edits with one stroke: across edges it cuts them, along points it makes a branch, and
 /// around or over a crossing of two branches it exchanges their arms.
 ///
-/// What it would do is told while it is drawn. Shift only cuts, Alt only exchanges, both together
+/// What it would do is shown while it is drawn. Shift only cuts, Alt only exchanges, both together
 /// only make a branch. A branch waits for who listens to asked() to find the middle of the wood.
 class StrokeTool : public Tool {
   Q_OBJECT

@@ -42,8 +42,8 @@ void join(PlantDocument& document, const NodeTarget& target) {
   const auto change = [&](SkeletonEditor& editor) {
     bool isOneJoined = false;
     for (const NodeId id : joining) {
-      const bool hangsThere = rootOf(editor.skeleton(), id) == rootOf(editor.skeleton(), onto);
-      if (hangsThere && isOneJoined) continue; // it came with another one
+      const bool isInThatTree = rootOf(editor.skeleton(), id) == rootOf(editor.skeleton(), onto);
+      if (isInThatTree && isOneJoined) continue; // it came with another one
       joinTree(editor, id, onto);
       isOneJoined = true;
     }
@@ -131,7 +131,7 @@ std::vector<NodeEdit> treeEdits() {
        cut, menu},
       {"join", StructureEditText::tr("Join"),
        StructureEditText::tr(
-           "Attaches the tree of the node to the nearest other one, or to the last node selected"),
+           "Attaches the tree of the node to the nearest other, or to the last node selected"),
        "join", Qt::Key_J, join, menu},
       {"swap_continuation", StructureEditText::tr("Swap Continuation"),
        StructureEditText::tr("Another child continues the axis of the node"), "", Qt::Key_W,

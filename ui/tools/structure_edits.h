@@ -6,7 +6,7 @@
 
 namespace espalier {
 
-/// Edits of what hangs on what, for a menu of their own.
+/// Edits of what is attached to what, for a menu of their own.
 [[nodiscard]] std::vector<NodeEdit> treeEdits();
 
 /// Edits of the nodes along a path: between the first and the last of those chosen; of one alone,

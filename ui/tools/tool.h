@@ -13,7 +13,7 @@ namespace espalier {
 
 /// What the left button means in the 3D view: turns acts of the mouse into edits of the document.
 ///
-/// It is told every act, also of gestures it did not take: the camera moves by those, and a tool
+/// It is given every act, also of gestures it did not take: the camera moves by those, and a tool
 /// may still act on their release if the pointer has not moved (a click).
 class Tool : public QObject {
   Q_OBJECT

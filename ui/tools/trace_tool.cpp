@@ -30,7 +30,7 @@ QString TraceTool::hint() const {
     return tr("A branch cannot end in its own tree: end it on a point   Esc: drop");
   if (!isHeld_ && hasPreview())
     return tr("Click: end it here   Enter accepts, Esc drops   Drag: turn");
-  if (hasOtherWays())
+  if (hasOtherPaths())
     return tr("Path %1 of %2   Tab: next path   Enter accepts, Esc drops")
         .arg(shown_ + 1)
         .arg(traces_.size());
@@ -42,14 +42,14 @@ void TraceTool::cancel() {
   start_.reset();
   end_.reset();
   isHeld_ = false;
-  ++question_; // an answer on its way is not wanted any more
+  ++question_; // an answer that is still to come is not wanted any more
   traces_.clear();
   pressed_.reset();
   canvas().showPreview({});
 }
 
-void TraceTool::showNextWay() {
-  if (!hasOtherWays()) return;
+void TraceTool::showNextPath() {
+  if (!hasOtherPaths()) return;
   shown_ = (shown_ + 1) % traces_.size();
   show();
 }
@@ -139,7 +139,7 @@ void TraceTool::show() {
   const Trace& trace = traces_[shown_];
   Preview preview{.lines = {trace.places}, .nodes = trace.places, .label = {}};
   if (start_->node || start_->edge) preview.nodes.erase(preview.nodes.begin());
-  if (hasOtherWays()) preview.label = tr("%1 of %2", "path").arg(shown_ + 1).arg(traces_.size());
+  if (hasOtherPaths()) preview.label = tr("%1 of %2", "path").arg(shown_ + 1).arg(traces_.size());
   canvas().showPreview(preview);
   emit hintChanged();
 }
@@ -179,7 +179,7 @@ void TraceTool::apply(SkeletonEditor& editor, const Trace& trace) {
   std::optional<NodeId> parent = start_->node;
   std::optional<NodeId> joined = shownEnd_.node;
   if (start_->edge) parent = splitEdge(editor, start_->edge->child, start_->edge->fraction);
-  if (!parent && joined) { // from the points to a node: it hangs there
+  if (!parent && joined) { // from the points to a node: it is attached there
     std::ranges::reverse(places);
     std::ranges::reverse(radii);
     parent = std::exchange(joined, std::nullopt);

@@ -9,11 +9,11 @@ namespace espalier {
 
 /// Finds a branch along the points between two places that are clicked, and makes it once accepted.
 ///
-/// The way to the place under the pointer is shown as it moves; a click holds it there and finds
-/// other ways. It hangs on the node or edge it starts at; started on points, it is a tree of its
-/// own, or hangs on the node it ends at. A tree whose node it ends at is joined to it.
+/// The path to the place under the pointer is shown as it moves; a click holds it there and finds
+/// other paths. It is attached to the node or edge it starts at; started on points, it is a tree of
+/// its own, or attached to the node it ends at. A tree whose node it ends at is joined to it.
 ///
-/// The ways are found elsewhere, by who listens to asked(): the mouse never waits for them.
+/// The paths are found elsewhere, by who listens to asked(): the mouse never waits for them.
 class TraceTool : public Tool {
   Q_OBJECT
 
@@ -26,8 +26,8 @@ public:
   void accept() override;
   void cancel() override;
 
-  [[nodiscard]] bool hasOtherWays() const { return traces_.size() > 1; }
-  void showNextWay();
+  [[nodiscard]] bool hasOtherPaths() const { return traces_.size() > 1; }
+  void showNextPath();
   /// How far the points have been made ready for questions, in [0, 1].
   void showReadiness(double fraction);
 

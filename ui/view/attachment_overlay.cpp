@@ -17,10 +17,10 @@ constexpr double ring = 8;           // radius
 constexpr double arrow = 6;          // long
 constexpr double betweenArrows = 36; // of arrows
 
-/// The part of a way that is before the eye.
-QPolygonF seen(const std::vector<Eigen::Vector3d>& way, const ScreenMap& screen) {
+/// The part of a path that is before the eye.
+QPolygonF seen(const std::vector<Eigen::Vector3d>& path, const ScreenMap& screen) {
   QPolygonF line;
-  for (const Eigen::Vector3d& place : way)
+  for (const Eigen::Vector3d& place : path)
     if (const auto at = screen.project(place)) line.append(QPointF(at->pixel.x(), at->pixel.y()));
   return line;
 }

@@ -11,17 +11,17 @@
 
 namespace espalier {
 
-/// What hangs wrong: where it hangs, and the way to where it belongs. Places in the frame of the
-/// file [L].
+/// What is wrongly attached: where it is, and the path to where it belongs. Places in the frame of
+/// the file [L].
 struct ShownAttachment {
-  std::vector<Eigen::Vector3d> wrong; // from what hangs down to what it hangs on
-  std::vector<Eigen::Vector3d> right; // from what hangs down to what it belongs on
+  std::vector<Eigen::Vector3d> wrong; // from the part down to what it is attached to
+  std::vector<Eigen::Vector3d> right; // from the part down to what it belongs to
   Color color{};
   QString wrongLabel;
   QString rightLabel;
 };
 
-/// Paints it over the plant: a cross where it hangs, arrows along the way, and a ring at its end.
+/// Paints it over the plant: a cross where it is, arrows along the path, and a ring at its end.
 void paintAttachment(QPainter& painter, const ShownAttachment& attachment, const ScreenMap& screen,
                      bool dark);
 

@@ -176,7 +176,7 @@ DepthRange Camera::depthsOf(const Eigen::AlignedBox3d& box) const {
     nearest = std::min(nearest, depth);
     farthest = std::max(farthest, depth);
   }
-  const double slack = 0.05 * (farthest - nearest) + 0.01 * distance; // for spheres and tubes
+  const double slack = 0.05 * (farthest - nearest) + 0.01 * distance; // for spheres and frusta
   nearest -= slack;
   farthest += slack;
   if (projection == Projection::perspective) {

@@ -70,7 +70,7 @@ struct Camera {
   bool operator==(const Camera&) const = default;
 };
 
-/// The camera between two others, for `part` in [0, 1]; turns the short way round.
+/// The camera between two others, for `part` in [0, 1]; turns by the smaller angle.
 [[nodiscard]] Camera between(const Camera& from, const Camera& to, double part);
 
 /// Where places are on a screen of `size` logical pixels, y downward, and back.

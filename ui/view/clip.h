@@ -41,7 +41,7 @@ public:
            (place.array() <= high_.array()).all();
   }
 
-  // What the shaders are told.
+  // What the shaders are given.
   [[nodiscard]] const Eigen::Vector2f& depths() const { return depths_; } // [L], from the eye
   [[nodiscard]] const Eigen::Vector3f& low() const { return low_; }
   [[nodiscard]] const Eigen::Vector3f& high() const { return high_; }

@@ -62,7 +62,7 @@ double depthOn(const QRectF& gauge, double place) {
   return (gauge.bottom() - place) / gauge.height();
 }
 
-/// Where along its way a pointer holds a handle: [L] along the axis, or a part of the depth.
+/// Where along its line a pointer holds a handle: [L] along the axis, or a part of the depth.
 double heldAt(const ClipHandles::Sight& sight, const Clip& clip, const Handle& handle,
               const QPointF& place) {
   if (!isFace(handle.part)) return depthOn(gaugeOf(sight.screen), place.y());
@@ -126,9 +126,11 @@ std::vector<ClipHandles::Grip> ClipHandles::grips(const Sight& sight) {
       const auto beyond = pixelOf(sight.screen, middle + outward * Eigen::Vector3d::Unit(axis));
       if (!found || !beyond) continue;
       const QPointF place(found->pixel.x(), found->pixel.y());
-      const QLineF way(place, *beyond);
-      if (way.length() * sight.screen.pixelSize(found->depth) < leastForeshortened * step) continue;
-      grips.push_back({handle, place, (way.p2() - way.p1()) / way.length()});
+      const QLineF outwardLine(place, *beyond);
+      if (outwardLine.length() * sight.screen.pixelSize(found->depth) < leastForeshortened * step)
+        continue;
+      grips.push_back(
+          {handle, place, (outwardLine.p2() - outwardLine.p1()) / outwardLine.length()});
     }
   return grips;
 }
@@ -221,7 +223,7 @@ void ClipHandles::paint(QPainter& painter, const Sight& sight, bool dark) const 
     const QPointF across(-grip.direction.y(), grip.direction.x());
     painter.setPen(QPen(toQt(colors.outline), 1.5));
     painter.setBrush(toQt(isLit ? colors.hovered : colors.contracted));
-    if (isFace(grip.handle.part)) { // an arrow head beside the disc: which way it goes
+    if (isFace(grip.handle.part)) { // an arrow head beside the disc: where it goes
       const QPointF tip = grip.place + 22 * grip.direction;
       const QPointF foot = grip.place + 10 * grip.direction;
       painter.drawPolygon(QPolygonF({tip, foot + 7 * across, foot - 7 * across}));

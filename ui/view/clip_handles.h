@@ -54,7 +54,7 @@ private:
   struct Drag {
     Handle handle;
     Clip before;
-    double pressed; // where along its way the handle was pressed: [L], or part of the depth
+    double pressed; // where along its line the handle was pressed: [L], or part of the depth
   };
   [[nodiscard]] static std::vector<Grip> grips(const Sight& sight);
   static void paintBox(QPainter& painter, const Sight& sight, const QColor& color);

@@ -109,9 +109,9 @@ private:
   void aim(Camera& camera) const {
     std::vector<Eigen::Vector3d> places;
     for (const Eigen::Vector3d& place : outline_)
-      for (const double way : {-margin_, margin_}) {
-        places.emplace_back(place + way * camera.right());
-        places.emplace_back(place + way * camera.up());
+      for (const double offset : {-margin_, margin_}) {
+        places.emplace_back(place + offset * camera.right());
+        places.emplace_back(place + offset * camera.up());
       }
     camera.frame(places, size_.x() / size_.y());
   }

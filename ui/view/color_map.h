@@ -37,7 +37,7 @@ struct Histogram {
 /// @param values those that are no numbers do not count
 [[nodiscard]] Histogram histogramOf(const std::vector<double>& values, const ValueRange& usual);
 
-/// What the colors of points or nodes stand for, and so what a color bar tells.
+/// What the colors of points or nodes stand for, and so what a color bar shows.
 struct Legend {
   struct Category {
     QString name;

@@ -41,7 +41,7 @@ bool has(const std::multimap<int, int>& edges, int from, int to) {
   return std::any_of(begin, end, [&](const auto& edge) { return edge.second == to; });
 }
 
-/// The rim of the near side: its edges that are no edge of it the other way round.
+/// The rim of the near side: its edges that are no edge of it when reversed.
 QPolygonF outlineOf(const std::multimap<int, int>& edges, const std::vector<QPointF>& pixels) {
   std::map<int, int> rim;
   for (const auto& [from, to] : edges)

@@ -19,7 +19,7 @@ constexpr int besideAxes = 92;
 constexpr int minimapMargin = 12;
 constexpr double slack = 2; // that a plant may reach beyond what the view shows of it
 
-constexpr std::size_t mostEdges = 5000; // more are not told apart, and take their time
+constexpr std::size_t mostEdges = 5000; // more cannot be distinguished, and take their time
 
 } // namespace
 

@@ -136,7 +136,7 @@ bool isSeen(const Scene& scene, const SeenSides& seen, bool (*what)(const OtherS
                              [&](Side side) { return seen.has(side) && what(scene.other(side)); });
 }
 
-/// Contracted points that are shown in place of the others have one color, but on their way.
+/// Contracted points that are shown in place of the others have one color, except while they move.
 bool areColorsOfPointsSeen(const Scene& scene, const SeenSides& seen) {
   return scene.blend || scene.pointValues || isSeen(scene, seen, [](const OtherState& other) {
            return showsPlantBeside(other) || !other.replacesPoints;

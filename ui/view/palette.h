@@ -4,7 +4,7 @@
 
 namespace espalier {
 
-/// The colors of the view; those of the skeleton are told apart by the color-blind
+/// The colors of the view; those of the skeleton are distinct to the color-blind
 /// (M. Okabe, K. Ito, "Color universal design", 2008).
 struct Palette {
   Color backgroundTop;

@@ -31,7 +31,7 @@ SurfaceClient PlantView::Parts::client() {
               },
           .drawn =
               [this](const PlantRenderer::Result& result, double milliseconds) {
-                // Relief alone tells nothing of other frames.
+                // Relief alone says nothing of other frames.
                 if (!result.reliefDrawn) budget().measured(result.pointsDrawn, milliseconds);
                 complete = result.complete;
                 // Later, so that what the user does comes first.

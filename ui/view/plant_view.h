@@ -64,14 +64,14 @@ public:
   /// Where this view is divided, as part of its width. 1, as at first: all of it is the left side.
   void setDivider(double across);
   [[nodiscard]] double divider() const;
-  /// Draws contracted points on their way from where they were scanned, 0, to where they are, 1,
+  /// Draws contracted points between where they were scanned, 0, and where they are, 1,
   /// in place of the points; none: both layers where they are.
   void setBlend(std::optional<double> blend);
-  void setDisplacementsShown(bool areShown); // a line for each way, of some 30 000 at most
+  void setDisplacementsShown(bool areShown);              // a line for each, of some 30 000 at most
   void showSight(const std::optional<ShownSight>& sight); // over the plant; none: nothing
   [[nodiscard]] const std::optional<ShownSight>& sightShown() const;
   void setHovered(const Pick& pick);
-  void hoverAgain(); // tells the handler what lies under the resting pointer now
+  void hoverAgain(); // gives the handler what lies under the resting pointer now
 
   /// How nodes look, each with the edge to its parent, until setSkeleton(): as SkeletonGlyphs.
   void setHiddenNodes(const std::vector<NodeId>& nodes); // nor picked, nor in an area
@@ -100,7 +100,7 @@ public:
   void setLayerVisible(Layer layer, bool visible);
   void setPointColor(PointColor color);
   void setPointSize(int pixels);               // 1 to 10
-  void setShowRadii(bool trueRadii);           // edges as tubes of their radius instead of lines
+  void setShowRadii(bool trueRadii);           // edges as frusta of their radius instead of lines
   void setHulls(std::vector<ShownHull> hulls); // painted over the plant
   /// Likewise, with the layer of the reference, until setReference(); none: nothing.
   void showAttachment(const std::optional<ShownAttachment>& attachment);
@@ -129,9 +129,9 @@ public:
   [[nodiscard]] bool isStill() const;
 
   /// Returns true for what it took: a taken press keeps the camera still until the release or a
-  /// cancel (Escape, or the keyboard goes elsewhere). It is told the drags and the release of
+  /// cancel (Escape, or the keyboard goes elsewhere). It is given the drags and the release of
   /// gestures it did not take as well, while they move the camera, since one that has not moved is
-  /// a click; but nothing with Ctrl alone. Such drags, and the hover that is told when the pointer
+  /// a click; but nothing with Ctrl alone. Such drags, and the hover that is sent when the pointer
   /// leaves the view, have an empty pick.
   using InputHandler = std::function<bool(const ToolInput&)>;
   void setInputHandler(InputHandler handler);
@@ -165,7 +165,7 @@ public:
 signals:
   void cameraMoved(const espalier::Camera& camera); // to where it is now
   void dividerMoved(double across);                 // by hand
-  // Told by the first view of a plant:
+  // Emitted by the first view of a plant:
   void clipChanged();        // or how far the back steps back
   void colorScalesChanged(); // by hand
 

@@ -160,7 +160,7 @@ ToolInput PointerInput::input(ToolInput::Phase phase, const Pointer& pointer,
           .screen = pointer.position};
 }
 
-bool PointerInput::tell(ToolInput::Phase phase, const Pointer& pointer, const Pick& pick) {
+bool PointerInput::notify(ToolInput::Phase phase, const Pointer& pointer, const Pick& pick) {
   return handler_ && handler_(input(phase, pointer, pick));
 }
 
@@ -177,8 +177,8 @@ void PointerInput::press(const QMouseEvent& event) {
   dragged_ = false;
   cameraOnly_ = isForCamera(event.modifiers());
   const Pick under = pick(position);
-  taken_ =
-      !cameraOnly_ && tell(ToolInput::Phase::press, {position, button_, event.modifiers()}, under);
+  taken_ = !cameraOnly_ &&
+           notify(ToolInput::Phase::press, {position, button_, event.modifiers()}, under);
   navigator_.setExtent(extentOf(scene_));
   if (!taken_) navigator_.begin(gestureOf(button_), position, zoomAnchor(position, under));
 }
@@ -189,10 +189,10 @@ void PointerInput::move(const QMouseEvent& event) {
   last_ = position;
   isInside_ = true;
   if (!isBusy()) {
-    tell(ToolInput::Phase::hover, pointer, pick(position));
+    notify(ToolInput::Phase::hover, pointer, pick(position));
     return;
   }
-  if (!cameraOnly_) tell(ToolInput::Phase::drag, pointer, taken_ ? pick(position) : Pick());
+  if (!cameraOnly_) notify(ToolInput::Phase::drag, pointer, taken_ ? pick(position) : Pick());
   dragged_ = dragged_ || QLineF(pressed_, position).length() > clickReach;
   if (!taken_ && dragged_) navigator_.drag(position);
 }
@@ -201,14 +201,14 @@ void PointerInput::release(const QMouseEvent& event) {
   if (event.button() != button_ || !isBusy()) return;
   const Pointer pointer{event.position(), std::exchange(button_, Qt::NoButton), event.modifiers()};
   navigator_.end();
-  if (!cameraOnly_) tell(ToolInput::Phase::release, pointer, pick(event.position()));
+  if (!cameraOnly_) notify(ToolInput::Phase::release, pointer, pick(event.position()));
 }
 
 std::optional<Eigen::Vector3d> PointerInput::doubleClick(const QMouseEvent& event) {
   const Pick under = pick(event.position());
   const Pointer pointer{event.position(), event.button(), event.modifiers()};
   const bool cameraOnly = isForCamera(event.modifiers());
-  if (!cameraOnly && tell(ToolInput::Phase::doubleClick, pointer, under)) return std::nullopt;
+  if (!cameraOnly && notify(ToolInput::Phase::doubleClick, pointer, under)) return std::nullopt;
   if (event.button() != Qt::LeftButton) return std::nullopt;
   return placeOf(under, scene_.skeleton);
 }
@@ -221,19 +221,19 @@ void PointerInput::wheel(const QWheelEvent& event) {
 
 void PointerInput::leave() {
   isInside_ = false;
-  if (!isBusy()) tell(ToolInput::Phase::hover, {last_, Qt::NoButton, Qt::NoModifier}, {});
+  if (!isBusy()) notify(ToolInput::Phase::hover, {last_, Qt::NoButton, Qt::NoModifier}, {});
 }
 
 void PointerInput::hoverAgain() {
   if (!isBusy() && isInside_)
-    tell(ToolInput::Phase::hover, {last_, Qt::NoButton, Qt::NoModifier}, pick(last_));
+    notify(ToolInput::Phase::hover, {last_, Qt::NoButton, Qt::NoModifier}, pick(last_));
 }
 
 void PointerInput::cancel() {
   if (!isBusy()) return;
   const Pointer pointer{last_, std::exchange(button_, Qt::NoButton), Qt::NoModifier};
   navigator_.end();
-  if (!cameraOnly_) tell(ToolInput::Phase::cancel, pointer, {});
+  if (!cameraOnly_) notify(ToolInput::Phase::cancel, pointer, {});
 }
 
 } // namespace espalier

@@ -12,7 +12,7 @@
 
 namespace espalier {
 
-/// Tells the mouse over a scene to the tools and, where they do not want it, to the camera.
+/// Passes the mouse over a scene to the tools and, where they do not want it, to the camera.
 class PointerInput {
 public:
   using Handler = std::function<bool(const ToolInput&)>;
@@ -54,7 +54,7 @@ private:
   [[nodiscard]] Pick ofPlant(const Pick& pick, const QPointF& position) const;
   [[nodiscard]] ToolInput input(ToolInput::Phase phase, const Pointer& pointer,
                                 const Pick& pick) const;
-  bool tell(ToolInput::Phase phase, const Pointer& pointer, const Pick& pick);
+  bool notify(ToolInput::Phase phase, const Pointer& pointer, const Pick& pick);
   [[nodiscard]] Eigen::Vector3d zoomAnchor(const QPointF& position, const Pick& pick) const;
 
   const Scene& scene_;
@@ -65,7 +65,7 @@ private:
   QSizeF size_{1, 1};
   Qt::MouseButton button_ = Qt::NoButton; // which started the gesture that goes on
   bool taken_ = false;                    // by the handler
-  bool cameraOnly_ = false;               // the handler is told nothing
+  bool cameraOnly_ = false;               // the handler is given nothing
   bool dragged_ = false;                  // farther than a click
   QPointF pressed_;                       // where
   QPointF last_;

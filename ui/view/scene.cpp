@@ -78,7 +78,7 @@ void Scene::setOther(Side side, const std::optional<PlantState>& state) {
   shown.contracted.set(moved);
   shown.skeleton.rebuild(state ? state->skeleton : Skeleton(), origin());
   if (state) shown.skeleton.setColors(state->colors);
-  recolorNodes(shown); // no others: this is on the way from a knob to the eye
+  recolorNodes(shown); // no others: the user waits for this after each turn of a knob
 }
 
 bool Scene::showsPlant(const Eigen::Vector3d& place, double across, double divider) const {

@@ -8,7 +8,7 @@
 
 namespace espalier {
 
-/// A part of the screen, to tell fast which of many places are in it. Places are about an origin.
+/// A part of the screen, to find fast which of many places are in it. Places are about an origin.
 class ScreenPart {
 public:
   /// @param part [logical pixels]; what of it is off the screen is left out

@@ -134,15 +134,15 @@ void paintSightKey(QPainter& painter, const ShownSight& sight, bool dark) {
   const std::vector<KeyRow> rows = keyOf(sight, colors);
   const QFontMetricsF font(painter.font(), painter.device());
   double width = 0;
-  for (const QString& line : sight.told)
+  for (const QString& line : sight.lines)
     width = std::max(width, font.horizontalAdvance(line));
   for (const KeyRow& each : rows)
     width = std::max(width, swatch + 8 + font.horizontalAdvance(each.name));
-  const double height = row * static_cast<double>(sight.told.size() + std::ssize(rows));
+  const double height = row * static_cast<double>(sight.lines.size() + std::ssize(rows));
   paintVeil(painter, QRectF(8, 8, width + 16, height + 12), colors.backgroundTop);
   QRectF line(16, 14, width, row);
-  for (const QString& told : sight.told) {
-    drawText(painter, line, Qt::AlignLeft | Qt::AlignVCenter, told, colors);
+  for (const QString& text : sight.lines) {
+    drawText(painter, line, Qt::AlignLeft | Qt::AlignVCenter, text, colors);
     line.translate(0, row);
   }
   for (const KeyRow& each : rows) {

@@ -33,13 +33,13 @@ struct ShownSight {
   double reach = 0;                                    // of the lines for these
   std::optional<Circle> circle;
   std::vector<Cone> cones;
-  QStringList told; // beside the key, a line each
+  QStringList lines; // beside the key, a line each
 };
 
 /// Paints it over the plant.
 void paintSight(QPainter& painter, const ShownSight& sight, const ScreenMap& screen, bool dark);
 
-/// Paints what is told of it, and what its colors stand for, at the top left of a view.
+/// Paints the lines about it, and what its colors stand for, at the top left of a view.
 void paintSightKey(QPainter& painter, const ShownSight& sight, bool dark);
 
 } // namespace espalier

@@ -105,10 +105,10 @@ void SkeletonPass::setCommon(vtkShaderProgram& program, const DrawSettings& sett
 
 void SkeletonPass::drawEdges(const DrawSettings& settings, const std::optional<Ball>& hole) {
   using namespace shaders;
-  const bool tubes = scene_.showRadii && !isReference_; // dots would not be seen on them
-  vtkShaderProgram& program = readyProgram(*settings.window, tubes ? tubeVertex : lineVertex,
-                                           tubes ? tubeFragment : lineFragment);
-  setCommon(program, settings, hole, tubes);
+  const bool areFrusta = scene_.showRadii && !isReference_; // dots would not be seen on them
+  vtkShaderProgram& program = readyProgram(*settings.window, areFrusta ? frustumVertex : lineVertex,
+                                           areFrusta ? frustumFragment : lineFragment);
+  setCommon(program, settings, hole, areFrusta);
   if (edgeArray_ == 0) glGenVertexArrays(1, &edgeArray_);
   glBindVertexArray(edgeArray_);
   buffers().edges.bind();

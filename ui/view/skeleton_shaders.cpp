@@ -123,7 +123,7 @@ void main() {
   fragment = vec4(mix(outlineColor, color, line), alpha);
 })";
 
-const char* const tubeVertex = ESPALIER_GLYPH_HEAD ESPALIER_CLIP ESPALIER_EDGE_CLIP R"(
+const char* const frustumVertex = ESPALIER_GLYPH_HEAD ESPALIER_CLIP ESPALIER_EDGE_CLIP R"(
 layout(location = 0) in vec4 parent;
 layout(location = 1) in vec4 child;
 layout(location = 2) in vec4 look;
@@ -160,7 +160,7 @@ void main() {
   gl_Position = toClip * vec4(place + sideways / size * across * radius, 1.0);
 })";
 
-const char* const tubeFragment = R"(#version 330 core
+const char* const frustumFragment = R"(#version 330 core
 uniform mat4 toClip;
 in vec3 place;
 in float radius;

@@ -23,7 +23,7 @@ QSize devicePixels(const QWidget& widget) {
   return (QSizeF(widget.size()) * widget.devicePixelRatioF()).toSize().expandedTo({1, 1});
 }
 
-/// Draws a frame and tells the client what it took.
+/// Draws a frame and notifies the client how long it took.
 template <class Renderer>
 void drawFrame(Renderer& renderer, const SurfaceClient& client, const QWidget& widget) {
   const PlantRenderer::Frame frame =

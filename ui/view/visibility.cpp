@@ -26,7 +26,7 @@ Visibility::Visibility(const Scene& scene, const ScreenMap& screen, const QRectF
       depths_(std::size_t(columns_) * std::size_t(rows_), std::numeric_limits<float>::infinity()) {
   if (depths_.empty()) return;
   if (scene.points.visible) addPoints(scene.points);
-  if (scene.skeletonVisible && scene.showRadii) addTubes(scene.skeleton);
+  if (scene.skeletonVisible && scene.showRadii) addFrusta(scene.skeleton);
 }
 
 void Visibility::add(const ScreenPart::Place& at, int half) {
@@ -70,16 +70,16 @@ void Visibility::addPoints(const PointLayer& layer) {
       [&](const Eigen::AlignedBox3f& box) { return part_.mayMeet(box, float(wide)); }, act);
 }
 
-void Visibility::addTubes(const SkeletonGlyphs& glyphs) {
+void Visibility::addFrusta(const SkeletonGlyphs& glyphs) {
   for (const EdgeGlyph& edge : glyphs.edges()) {
     if (edge.shape == EdgeShape::none) continue;
     Eigen::AlignedBox3f box(Eigen::Vector3f(edge.parent.data()));
     box.extend(Eigen::Vector3f(edge.child.data()));
-    if (part_.mayMeet(box, std::max(edge.parentRadius, edge.childRadius))) addTube(edge);
+    if (part_.mayMeet(box, std::max(edge.parentRadius, edge.childRadius))) addFrustum(edge);
   }
 }
 
-void Visibility::addTube(const EdgeGlyph& edge) {
+void Visibility::addFrustum(const EdgeGlyph& edge) {
   const Eigen::Vector3f from(edge.parent.data());
   const Eigen::Vector3f to(edge.child.data());
   const ScreenPart::Place begin = part_.place(from);

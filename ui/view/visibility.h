@@ -10,7 +10,7 @@
 
 namespace espalier {
 
-/// Tells what is hidden behind wood in a part of the screen: behind the points of the scan, and
+/// Finds what is hidden behind wood in a part of the screen: behind the points of the scan, and
 /// behind the edges where these are drawn with their radius.
 ///
 /// A node lies inside its own wood, whose front is nearer to the eye than the node: what is within
@@ -31,8 +31,8 @@ public:
 
 private:
   void addPoints(const PointLayer& layer);
-  void addTubes(const SkeletonGlyphs& glyphs);
-  void addTube(const EdgeGlyph& edge);
+  void addFrusta(const SkeletonGlyphs& glyphs);
+  void addFrustum(const EdgeGlyph& edge);
   void add(const ScreenPart::Place& at, int half); // covers 2 half + 1 cells each way
   [[nodiscard]] double nearest(const Eigen::Vector2d& pixel) const;
   [[nodiscard]] bool hides(const ScreenMap::Place& at, double reach) const;

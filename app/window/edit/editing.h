@@ -57,14 +57,14 @@ public:
   void
   escape(); // leaves the gesture or drops the preview, else leaves the tool, else the selection
 
-  [[nodiscard]] const Pick& under() const { return under_; } // the pointer, as it was told last
+  [[nodiscard]] const Pick& under() const { return under_; } // the pointer, as last reported
   [[nodiscard]] std::optional<QPointF> pointer() const; // in the active view; none once it left
   [[nodiscard]] PlantView& activeView() const { return canvas_.view(); } // the pointer was in last
   /// The node under the pointer, or the one that the edge there leads to.
   [[nodiscard]] std::optional<NodeId> nodeUnder() const;
 
 signals:
-  void pointed(); // under() was told anew
+  void pointed(); // under() was set anew
   void contextMenuRequested(const QPoint& globalPosition);
 
 private:
@@ -106,7 +106,7 @@ private:
   QObject* wheel_ = nullptr;  // filters the events of each view
   bool isEnabled_ = true;
   Pick under_;
-  QPointF pointer_;                  // in the active view, as it was told last
+  QPointF pointer_;                  // in the active view, as last reported
   std::optional<QPointF> menuPress_; // where the right button went down, until it is a drag
   Eigen::Vector3d viewDirection_ = Eigen::Vector3d::UnitY();
 };

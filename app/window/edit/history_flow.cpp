@@ -34,7 +34,7 @@ void HistoryFlow::goTo(int position) {
   const int before = parts_.document.undoStack().index();
   parts_.document.goTo(position);
   const int steps = std::abs(position - before);
-  if (steps < 2) return; // is told by its name
+  if (steps < 2) return; // one step is noted by its name
   emit noted(position < before ? tr("Undone: %n steps", nullptr, steps)
                                : tr("Redone: %n steps", nullptr, steps));
 }

@@ -25,7 +25,7 @@ PointStates::PointStates(PlantDocument& document, PlantView& view)
 
 void PointStates::setExplained(std::shared_ptr<const std::vector<PointState>> states) {
   explained_ = std::move(states);
-  show(); // who tells has waited already
+  show(); // who sets them has waited already
 }
 
 void PointStates::showAside(bool areShown) {

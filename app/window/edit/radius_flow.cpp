@@ -201,12 +201,12 @@ void RadiusFlow::setMeasured(RadiusMeasure by) {
     });
     const std::size_t refused = refusedCount(radii);
     if (refused > 0)
-      emit told(
+      emit reported(
           {.text = tr("Radius by %1: %2 set, %3 as before (%4)")
                        .arg(measureName, nodeNames(set), formatCount(refused), refusals(radii)),
            .isStep = true});
     else if (set.size() > atOnce)
-      emit told(
+      emit reported(
           {.text = tr("Radius by %1: %2 set").arg(measureName, nodeNames(set)), .isStep = true});
   });
 }
@@ -230,9 +230,9 @@ void RadiusFlow::pipeModelAroundMeasured() {
                                for (const NodeId id : nodes)
                                  pipeModelFrom(editor, id, kept);
                              });
-        emit told({.text = tr("Pipe model: %1 kept their radius, which the points confirm")
-                               .arg(nodeNames(kept)),
-                   .isStep = true});
+        emit reported({.text = tr("Pipe model: %1 kept their radius, which the points confirm")
+                                   .arg(nodeNames(kept)),
+                       .isStep = true});
       });
 }
 

@@ -19,7 +19,7 @@ bool RadiusWheel::eventFilter(QObject* watched, QEvent* event) {
   if (wheel.modifiers() != Qt::ControlModifier) return false;
   const std::vector<NodeId> nodes = nodes_();
   if (nodes.empty()) return false;
-  constexpr double notch = 120; // as Qt tells the angle
+  constexpr double notch = 120; // as Qt gives the angle
   turn(nodes, wheel.angleDelta().y() / notch);
   return true;
 }

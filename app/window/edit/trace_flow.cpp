@@ -66,11 +66,11 @@ TraceFlow::TraceFlow(const Parts& parts)
                                       .help = tr("The next path that a trace could take"),
                                       .keys = Qt::Key_Tab,
                                       .menu = "edit/preview"},
-                                     [this] { tool_->showNextWay(); });
+                                     [this] { tool_->showNextPath(); });
   next->setEnabled(false); // Tab leads from field to field while there is nothing to choose
   connect(&parts_.editing, &Editing::hintChanged, next, [this, next] {
     next->setEnabled(parts_.editing.currentTool() == "trace" && tool_->hasPreview() &&
-                     tool_->hasOtherWays());
+                     tool_->hasOtherPaths());
   });
   addGrowing();
 }

@@ -110,7 +110,7 @@ void ErrorWalk::show(std::shared_ptr<const Evaluation> evaluation) {
   mark(panel_->current());
 }
 
-/// Where what hangs wrong belongs.
+/// Shows where a part that is wrongly attached belongs.
 void ErrorWalk::mark(const std::optional<DifferingPart>& part) {
   const Skeleton& plant = parts_.document.skeleton();
   if (!evaluation_ || !part || part->kind != Difference::wronglyAttached ||
@@ -123,7 +123,7 @@ void ErrorWalk::mark(const std::optional<DifferingPart>& part) {
                         .rightLabel = tr("belongs here")};
   for (std::optional<NodeId> id = part->attached; id; id = plant[*id].parent) {
     shown.wrong.push_back(plant[*id].position);
-    if (std::ranges::find(part->nodes, *id) == part->nodes.end()) break; // what it hangs on
+    if (std::ranges::find(part->nodes, *id) == part->nodes.end()) break; // what it is attached to
   }
   for (const NodeId id : referencePath(evaluation_->differences, evaluation_->reference, *part))
     if (const auto parent = evaluation_->reference[id].parent)

@@ -19,7 +19,7 @@ class JobSlot;
 class PlantDocument;
 class PlantView;
 
-/// The way from error to error of a comparison: flies to each, ignores it, or makes the plant there
+/// Walks from error to error of a comparison: flies to each, ignores it, or makes the plant there
 /// what the reference is.
 class ErrorWalk : public QObject {
   Q_OBJECT

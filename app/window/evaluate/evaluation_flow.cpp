@@ -126,11 +126,11 @@ void EvaluationFlow::keepTexts() {
 
 void EvaluationFlow::offerToOpen(const QString& path) {
   const QString file = QFileInfo(path).fileName();
-  emit told({.text = tr("Wrote %1").arg(file),
-             .actions = {{tr("Open"), [this, path, file] { // it took a while
-                            if (!QDesktopServices::openUrl(QUrl::fromLocalFile(path)))
-                              emit failed(tr("No program opens %1 from here").arg(file));
-                          }}}});
+  emit reported({.text = tr("Wrote %1").arg(file),
+                 .actions = {{tr("Open"), [this, path, file] { // it took a while
+                                if (!QDesktopServices::openUrl(QUrl::fromLocalFile(path)))
+                                  emit failed(tr("No program opens %1 from here").arg(file));
+                              }}}});
 }
 
 void EvaluationFlow::setChoices(std::vector<ChoiceRecord> records) {
@@ -186,7 +186,7 @@ void EvaluationFlow::connectDocument() {
   });
   connect(&document, &PlantDocument::unitChanged, this, [this] {
     if (evaluation_) show(Evaluation(*evaluation_)); // all lengths, at once
-    setOptions();                                    // which tell where breast height is
+    setOptions();                                    // which say where breast height is
     setFresh(false);
     later();
   });

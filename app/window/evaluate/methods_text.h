@@ -21,7 +21,7 @@ struct KeptMethod {
 };
 
 /// As a project keeps them: [{"path": "...", "written": ms, "scores": {"f": 0.9, ...}}, ...], null
-/// for what cannot be told. Empty without any.
+/// for what is not known. Empty without any.
 [[nodiscard]] std::string textOf(const std::vector<KeptMethod>& methods);
 
 /// Scores that this version does not know are left out; of a structure that lacks one which it does

@@ -31,7 +31,7 @@ namespace {
 bool isStructure(const QString& path) {
   try {
     return !isProject(toPath(path)) && formatOf(toPath(path)).content == Content::structure;
-  } catch (const Error&) { // who opens it is told why it cannot be read
+  } catch (const Error&) { // opening it reports why it cannot be read
     return false;
   }
 }

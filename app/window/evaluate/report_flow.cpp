@@ -26,7 +26,7 @@ namespace {
 
 using Made = std::pair<ReportAbout, ReportData>;
 
-/// The plant lies as in the panels, so that both tell the same.
+/// The plant lies as in the panels, so that both say the same.
 ComparisonOptions comparedAs(const EvaluationOptions& how, const Skeleton& result,
                              const Skeleton& reference, const Progress& progress) {
   ComparisonOptions options;
@@ -98,7 +98,7 @@ void ReportFlow::write(const QString& path) {
   parts_.jobs.start(
       tr("Measuring for the report"),
       [result = parts_.document.skeleton(), reference = parts_.reference.skeleton(),
-       how = parts_.how(), ignored = ignored_, told = about(),
+       how = parts_.how(), ignored = ignored_, description = about(),
        scan = toPath(parts_.document.scanPath())](const Progress& progress) mutable {
         Comparison comparison =
             compare(result, *reference, comparedAs(how, result, *reference, progress.part(0, 0.2)),
@@ -106,8 +106,8 @@ void ReportFlow::write(const QString& path) {
         ReportData data = reportData(std::move(comparison), result, *reference, how.scan.cloud,
                                      how.tolerance, progress.part(0.6, 1));
         ignore(data, ignored);
-        identifyScan(told.scan, scan, progress);
-        return std::make_shared<const Made>(std::move(told), std::move(data));
+        identifyScan(description.scan, scan, progress);
+        return std::make_shared<const Made>(std::move(description), std::move(data));
       },
       [this, path](const std::shared_ptr<const Made>& made) {
         parts_.jobs.afterwards([this, path, made] {

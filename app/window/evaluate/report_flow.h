@@ -36,7 +36,7 @@ public:
   void setChoices(std::vector<ChoiceRecord> records) { choices_ = std::move(records); }
   void refresh(); // whether there is anything to report
 
-  /// Measures, draws and writes to a file whose name tells how.
+  /// Measures, draws and writes to a file whose name says how.
   /// @throws Error if that cannot be, or a job is running
   void write(const QString& path);
 

@@ -19,7 +19,7 @@ class PlantDocument;
 /// The scan by its name; none if there is none.
 [[nodiscard]] std::optional<ReportedFile> reportedScan(const PlantDocument& document);
 
-/// Tells the file that the points came from, as it lies now, if it can still be read.
+/// Identifies the file that the points came from, as it lies now, if it can still be read.
 /// @throws Cancelled if `progress` asks to stop
 void identifyScan(std::optional<ReportedFile>& scan, const std::filesystem::path& path,
                   const Progress& progress);

@@ -186,18 +186,18 @@ void TraitsFlow::write(const QString& path) {
                        .scan = scan != nullptr ? scan->cloud() : nullptr};
   parts_.jobs.start(
       tr("Measuring for the report"),
-      [data = std::move(data), how, told = about(),
+      [data = std::move(data), how, description = about(),
        file = toPath(parts_.document.scanPath())](const Progress& progress) mutable {
         data.measures = plantMeasures(data.plant, how, progress.part(0, 0.95));
-        identifyScan(told.scan, file, progress.part(0.95, 1));
-        return std::make_shared<const MadeTraits>(std::move(told), std::move(data));
+        identifyScan(description.scan, file, progress.part(0.95, 1));
+        return std::make_shared<const MadeTraits>(std::move(description), std::move(data));
       },
       [this, path](const std::shared_ptr<const MadeTraits>& made) {
         parts_.jobs.afterwards([this, path, made] {
-          const auto& [told, measured] = *made;
+          const auto& [description, measured] = *made;
           auto pictures = hasPictures(toPath(path))
                               ? std::make_unique<PictureSession>(measured.plant, measured.scan,
-                                                                 measured.up, told.unit)
+                                                                 measured.up, description.unit)
                               : nullptr;
           maker_.start(path, std::move(pictures), [path, made](const ReportPictures& drawn) {
             writePlantReport(toPath(path), made->second, drawn, made->first);

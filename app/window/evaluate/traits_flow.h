@@ -35,7 +35,7 @@ public:
   void setSeen(bool isSeen);                                  // else nothing is measured
   void refresh();                                             // what can be done
 
-  /// Measures, draws and writes to a file whose name tells how.
+  /// Measures, draws and writes to a file whose name says how.
   /// @throws Error if that cannot be, or a job is running
   void write(const QString& path);
 

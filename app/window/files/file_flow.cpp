@@ -201,7 +201,7 @@ void FileFlow::showUnlessKept(const std::function<void()>& show) {
   try {
     if (mayDiscard()) show();
   } catch (const Error& error) { // they were to be saved and could not be
-    emit told({.text = QString::fromUtf8(error.what()), .isError = true});
+    emit reported({.text = QString::fromUtf8(error.what()), .isError = true});
   }
 }
 
@@ -226,10 +226,10 @@ void FileFlow::show(Read read, bool isAnotherPlant) {
     copied_.clear();
   }
   emit opened();
-  if (!tellFit(read.fit, std::move(loaded.notes))) parts_.projects.offerSessions();
+  if (!reportFit(read.fit, std::move(loaded.notes))) parts_.projects.offerSessions();
 }
 
-bool FileFlow::tellFit(const ScanFit& fit, QStringList notes) {
+bool FileFlow::reportFit(const ScanFit& fit, QStringList notes) {
   PlantDocument& document = parts_.document;
   const QString file = QFileInfo(document.filePath()).fileName();
   const QString structure = file.isEmpty() ? tr("the skeleton") : file;
@@ -241,12 +241,12 @@ bool FileFlow::tellFit(const ScanFit& fit, QStringList notes) {
                            [&](SkeletonEditor& editor) { moveAll(editor, shift); });
       emit movedOntoScan();
     };
-    emit told({.text = notes.join('\n'), .actions = {{tr("Move"), move}}});
+    emit reported({.text = notes.join('\n'), .actions = {{tr("Move"), move}}});
     return true;
   }
   if (fit.misfit)
     notes.append(describe(*fit.misfit, structure, QFileInfo(document.scanPath()).fileName()));
-  if (!notes.isEmpty()) emit told({.text = notes.join('\n')});
+  if (!notes.isEmpty()) emit reported({.text = notes.join('\n')});
   return !notes.isEmpty();
 }
 
@@ -287,7 +287,7 @@ QStringList FileFlow::droppedBySavingTo(const QString& path) const {
 
 void FileFlow::noteDropped(const QString& path) {
   const QStringList notes = droppedBySavingTo(path);
-  if (!notes.isEmpty()) emit told({.text = notes.join('\n')});
+  if (!notes.isEmpty()) emit reported({.text = notes.join('\n')});
 }
 
 } // namespace espalier

@@ -78,7 +78,7 @@ private:
     ScanFit fit;
   };
   void show(Read read, bool isAnotherPlant);
-  bool tellFit(const ScanFit& fit, QStringList notes); // whether there was anything to tell
+  bool reportFit(const ScanFit& fit, QStringList notes); // whether there was anything to report
   struct Target {
     QString path; // empty: none was chosen
     MtgStyle style = MtgStyle::plantNode;

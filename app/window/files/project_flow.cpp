@@ -37,7 +37,7 @@ ProjectFlow::ProjectFlow(const Parts& parts)
   parts_.document.setAuthor(
       parts_.settings.value("author", qEnvironmentVariable("USER")).toString());
   connect(&parts_.jobs, &JobSlot::finished, this, &ProjectFlow::finishKeeping);
-  connect(&recorder_, &ProjectRecorder::failed, this, &ProjectFlow::tellFailure);
+  connect(&recorder_, &ProjectRecorder::failed, this, &ProjectFlow::reportFailure);
   connect(&recorder_, &ProjectRecorder::behindChanged, this, [this] {
     if (isNamed())
       parts_.document.setSaving(recorder_.isBehind() ? PlantDocument::Saving::failing
@@ -72,12 +72,12 @@ void ProjectFlow::open(const QString& path) {
   const QFileInfo file(path);
   const auto holder = ProjectLock::holder(toPath(path));
   if (!holder && (file.isWritable() || !file.exists())) return load(path, As::itself);
-  emit told({.text = holder ? tr("%1 is open in another window (%2)")
-                                  .arg(file.fileName(), QString::fromStdString(*holder))
-                            : tr("%1 may only be read").arg(file.fileName()),
-             .isError = true,
-             .actions = {{tr("Open a Copy"), [this, path] { openCopy(path); }},
-                         {tr("Open Read-Only"), [this, path] { openReadOnly(path); }}}});
+  emit reported({.text = holder ? tr("%1 is open in another window (%2)")
+                                      .arg(file.fileName(), QString::fromStdString(*holder))
+                                : tr("%1 may only be read").arg(file.fileName()),
+                 .isError = true,
+                 .actions = {{tr("Open a Copy"), [this, path] { openCopy(path); }},
+                             {tr("Open Read-Only"), [this, path] { openReadOnly(path); }}}});
 }
 
 void ProjectFlow::openCopy(const QString& path) {
@@ -117,19 +117,19 @@ void ProjectFlow::saveAs(const QString& path) {
   take(std::move(project));
   writeRest();
   recorder_.flush();
-  emit told({.text = tr("Saved %1: from now on, each edit is saved as it happens")
-                         .arg(QFileInfo(path).fileName())});
+  emit reported({.text = tr("Saved %1: from now on, each edit is saved as it happens")
+                             .arg(QFileInfo(path).fileName())});
 }
 
 bool ProjectFlow::confirmSaved() {
   recorder_.flush();
   if (!recorder_.isBehind()) {
-    emit told({.text = tr("Everything is saved in %1")
-                           .arg(QFileInfo(pathOf(*recorder_.project())).fileName())});
+    emit reported({.text = tr("Everything is saved in %1")
+                               .arg(QFileInfo(pathOf(*recorder_.project())).fileName())});
     return true;
   }
-  tellFailure(tr("%1 cannot be written: save it elsewhere")
-                  .arg(QFileInfo(pathOf(*recorder_.project())).fileName()));
+  reportFailure(tr("%1 cannot be written: save it elsewhere")
+                    .arg(QFileInfo(pathOf(*recorder_.project())).fileName()));
   return false;
 }
 
@@ -141,10 +141,10 @@ void ProjectFlow::compact() {
   const qint64 before = QFileInfo(path).size();
   recorder_.project()->compact();
   const QLocale locale;
-  emit told({.text = tr("%1 is %2 now; it was %3")
-                         .arg(QFileInfo(path).fileName(),
-                              locale.formattedDataSize(QFileInfo(path).size()),
-                              locale.formattedDataSize(before))});
+  emit reported({.text = tr("%1 is %2 now; it was %3")
+                             .arg(QFileInfo(path).fileName(),
+                                  locale.formattedDataSize(QFileInfo(path).size()),
+                                  locale.formattedDataSize(before))});
 }
 
 bool ProjectFlow::holdsMoreThanItsFile() const {
@@ -199,12 +199,12 @@ void ProjectFlow::offerSessions() {
   if (found == waiting.end()) return;
   const QString path = found->path;
   const QString text = isAny ? tr("Continue with %1") : tr("Work on this plant was kept: %1");
-  emit told({.text = text.arg(describe(*found, QDateTime::currentDateTime())),
-             .actions = {{tr("Continue"), [this, path] { emit chosen(path); }},
-                         {tr("Discard"), [this, path] {
-                            Sessions::remove(path);
-                            offerSessions();
-                          }}}});
+  emit reported({.text = text.arg(describe(*found, QDateTime::currentDateTime())),
+                 .actions = {{tr("Continue"), [this, path] { emit chosen(path); }},
+                             {tr("Discard"), [this, path] {
+                                Sessions::remove(path);
+                                offerSessions();
+                              }}}});
 }
 
 bool ProjectFlow::isOfThePlant(const Session& session) const {
@@ -256,11 +256,11 @@ void ProjectFlow::show(LoadedProject loaded, As as) {
   else
     take(std::move(loaded.project));
   if (isScanMissing)
-    emit told(
+    emit reported(
         {.text = tr("The scan %1 is not where it was").arg(QFileInfo(loaded.scanPath).fileName()),
          .isError = true,
          .actions = {{tr("Find Scan…"), [this] { askForScan(); }}}});
-  if (!loaded.notes.isEmpty()) tellFailure(loaded.notes.join('\n'));
+  if (!loaded.notes.isEmpty()) reportFailure(loaded.notes.join('\n'));
 }
 
 void ProjectFlow::showBeside(const Project& project, QStringList& notes) {
@@ -312,7 +312,7 @@ void ProjectFlow::prepareSession() {
     return;
   try {
     makeSession();
-  } catch (const Error&) { // who only looks need not know; the first edit tells
+  } catch (const Error&) { // who only looks need not know; the first edit reports it
   }
 }
 
@@ -327,21 +327,21 @@ void ProjectFlow::noteFile() {
   });
 }
 
-// What follows an edit or the end of a job: an error is told, and takes nothing back.
+// What follows an edit or the end of a job: an error is reported, and takes nothing back.
 bool ProjectFlow::guarded(const std::function<void()>& act) {
   try {
     act();
     return true;
   } catch (const Error& error) {
-    tellFailure(QString::fromUtf8(error.what()));
+    reportFailure(QString::fromUtf8(error.what()));
     return false;
   }
 }
 
-void ProjectFlow::tellFailure(const QString& message) {
-  emit told({.text = message, .isError = true, .actions = {{tr("Save Elsewhere…"), [this] {
-                                                              saveAs();
-                                                            }}}});
+void ProjectFlow::reportFailure(const QString& message) {
+  emit reported({.text = message, .isError = true, .actions = {{tr("Save Elsewhere…"), [this] {
+                                                                  saveAs();
+                                                                }}}});
 }
 
 } // namespace espalier

@@ -60,11 +60,11 @@ public:
   /// @throws Error why it cannot be written
   bool saveAs();
   void saveAs(const QString& path);
-  /// Tells that all is saved, or why it is not. Returns which. pre: isNamed()
+  /// Reports that all is saved, or why it is not. Returns which. pre: isNamed()
   bool confirmSaved();
   void compact();
 
-  /// Keeps what a part wants kept beside the plant. What is thrown as an Error is told.
+  /// Keeps what a part wants kept beside the plant. What is thrown as an Error is reported.
   void keep(const WindowPart& part);
 
   /// Keeps the scan in the project itself, or no longer; as a job. It is not taken out of there
@@ -85,7 +85,7 @@ public:
   void offerSessions();
 
 signals:
-  void opened();    // where it is seen from is told by what is kept beside it
+  void opened();    // where it is seen from is kept beside it
   void scanFound(); // of the project that is open
   void sessionsChanged();
   void chosen(const QString& path); // a session to go on with
@@ -107,7 +107,7 @@ private:
   bool guarded(const std::function<void()>& act); // whether it went well
   void askForScan();
   void finishKeeping();
-  void tellFailure(const QString& message);
+  void reportFailure(const QString& message);
   [[nodiscard]] bool isOfThePlant(const Session& session) const;
 
   Parts parts_;
@@ -120,7 +120,7 @@ private:
   bool isScanKept_ = false; // in the project, or to be kept in the next one
   bool isKeeping_ = false;  // a job writes it
   bool isLoading_ = false;
-  bool hasFailed_ = false; // no session could be made: told once
+  bool hasFailed_ = false; // no session could be made: reported once
 };
 
 } // namespace espalier

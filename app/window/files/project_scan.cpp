@@ -33,7 +33,7 @@ void ProjectFlow::keepScan(bool isKept) {
   const auto done = [this, isKept, name](bool) {
     isScanKept_ = isKept;
     if (!isKept && !guarded([this] { recorder_.project()->setBytes(cloudName, {}); })) return;
-    emit told(
+    emit reported(
         {.text = isKept
                      ? tr("%1 holds the scan now").arg(name)
                      : tr("%1 no longer holds the scan: compact it to make it smaller").arg(name)});

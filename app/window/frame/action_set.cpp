@@ -49,7 +49,7 @@ QAction* ActionSet::add(const Command& command, std::function<void()> act) {
   action->setCheckable(command.isCheckable);
   action->setStatusTip(command.help);
   const QString name = QString(command.text).remove('&').remove(QChar(0x2026));
-  action->setProperty("name", name); // for lists: its text may tell of what it acts on now
+  action->setProperty("name", name); // for lists: its text may name what it acts on now
   refreshToolTip(*action);
   connect(action, &QAction::changed, action, [action] { refreshToolTip(*action); });
   if (act)

@@ -18,8 +18,8 @@ class QWidget;
 
 namespace espalier {
 
-/// Where the reason is told if a command is refused: at the pointer for what one does there, at the
-/// field for what one types.
+/// Where the reason is shown if a command is refused: at the pointer for what one does there, at
+/// the field for what one types.
 enum class Refusal { inBanner, atPointer, atField };
 
 /// A command of the window, as it is listed once for menu, toolbar, palette and shortcut sheet.
@@ -35,7 +35,7 @@ struct Command {
 };
 
 /// All actions of the window, in sections, and their places in the menus. What an action throws as
-/// an Error is told as `refused`: this is where errors of commands are caught.
+/// an Error is reported as `refused`: this is where errors of commands are caught.
 class ActionSet : public QObject {
   Q_OBJECT
 
@@ -58,7 +58,8 @@ public:
   [[nodiscard]] QAction* operator[](const QString& id) const; // pre: it was added
   [[nodiscard]] const QList<QAction*>& all() const { return all_; }
 
-  /// Runs `act`, and tells an Error as `refused`. Returns what it returned, `otherwise` if refused.
+  /// Runs `act`, and reports an Error as `refused`. Returns what it returned, `otherwise` if
+  /// refused.
   bool guarded(const std::function<bool()>& act, Refusal refusal, bool otherwise = false);
 
   /// Where the text stands that is typed, for Refusal::atField; null: nowhere, or it is gone.

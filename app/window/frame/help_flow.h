@@ -10,7 +10,7 @@ namespace espalier {
 class ActionSet;
 class KeyBindings;
 
-/// The ways to find a command: by its name, in the manual, by its key, which can be another.
+/// Where a command is found: by its name, in the manual, by its key, which can be another.
 class HelpFlow : public WindowPart {
   Q_OBJECT
 

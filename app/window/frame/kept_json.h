@@ -13,7 +13,7 @@ namespace espalier {
 
 // Reads what a project keeps of the window, as JSON.
 
-/// Thrown where it is not as it was written; readKept() tells the user.
+/// Thrown where it is not as it was written; readKept() warns the user.
 struct NotAsWritten {};
 
 [[noreturn]] inline void refuse() {

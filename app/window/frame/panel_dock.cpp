@@ -157,7 +157,7 @@ void PanelDock::refresh() {
     if (!isSizeChosen && isAlone()) takeSize();
     dock_->raise();
   }
-  if (std::exchange(isTold_, isShown) != isShown) emit shown(isShown);
+  if (std::exchange(wasShown_, isShown) != isShown) emit shown(isShown);
 }
 
 } // namespace espalier

@@ -70,7 +70,7 @@ private:
   QString action_; // its id
   QDockWidget* dock_;
   bool isPlantShown_ = false;
-  bool isTold_ = false; // to be shown
+  bool wasShown_ = false; // as shown() reported last
 };
 
 /// At the right. The side docks together take under a third of the width of a small screen.

@@ -34,7 +34,7 @@ public:
   /// The distances to the surface [L], one per point of the scan; not a number: set aside.
   /// pre: now() is not null. O(points)
   [[nodiscard]] std::vector<float> toSurface() const;
-  /// Points that now() tells of, as they are counted in the scan. pre: as toSurface()
+  /// Points that now() holds, by their number in the scan. pre: as toSurface()
   [[nodiscard]] PointSet inScan(const std::vector<Eigen::Index>& points) const;
   [[nodiscard]] bool isBusy() const override { return job_.isBusy(); }
 

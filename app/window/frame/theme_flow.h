@@ -21,7 +21,7 @@ public:
   struct Parts {
     ActionSet& actions;
     QSettings& settings;
-    QWidget& window; // which is told when the system changes
+    QWidget& window; // is notified when the system changes
     std::function<bool()> isSystemDark = espalier::isSystemDark;
   };
   explicit ThemeFlow(const Parts& parts);

@@ -64,7 +64,7 @@ public:
 signals:
   void noted(const QString& message);  // in the status line
   void failed(const QString& message); // an error, in the banner
-  void told(const espalier::Notice& notice);
+  void reported(const espalier::Notice& notice);
   void outdated(); // what the banner says
   void hintChanged();
   void countChanged();

@@ -8,7 +8,7 @@ namespace espalier {
 class PipelinePanel;
 class PlantDocument;
 
-/// Tells the panel of the pipeline how dense the points of the scan lie, where radii follow it.
+/// Shows in the panel of the pipeline how dense the points of the scan lie, where radii follow it.
 class DensityFlow : public WindowPart {
   Q_OBJECT
 

@@ -50,7 +50,7 @@ JudgeFlow::JudgeFlow(const Parts& parts) : parts_(parts) {
   timer_.setSingleShot(true);
   timer_.setInterval(300); // [ms]: edits in a row are judged once
   connect(&timer_, &QTimer::timeout, this, &JudgeFlow::judge);
-  connect(&job_, &JobSlot::finished, this, &JudgeFlow::tell);
+  connect(&job_, &JobSlot::finished, this, &JudgeFlow::showLegend);
   const auto later = [this] { judgeLater(); };
   connect(&parts_.preview, &PreviewFlow::changed, this, later);
   connect(&parts_.states, &StatesFlow::changed, this, later);
@@ -125,7 +125,7 @@ std::vector<JudgeFlow::State> JudgeFlow::states() const {
   return states;
 }
 
-/// A preview that is gone is told no longer, at once; what is new once it is judged.
+/// A preview that is gone is taken away at once; what is new is shown once it is judged.
 void JudgeFlow::judgeLater() {
   timer_.start();
   isCurrent_ = false;
@@ -135,7 +135,7 @@ void JudgeFlow::judgeLater() {
     std::ranges::reverse(shown_); // as states() has them
     return show();
   }
-  tell();
+  showLegend();
 }
 
 /// Its name is there at once, its values once they are computed.
@@ -277,7 +277,7 @@ void JudgeFlow::showHistogram() {
   histogram_->show(plotted);
   histogram_->addSecond(hasTwo ? shown_.front().values : std::vector<float>(),
                         hasTwo ? shown_.front().name : QString());
-  tell();
+  showLegend();
 }
 
 /// Does the histogram show what a number of the table is the median of?
@@ -285,7 +285,7 @@ bool JudgeFlow::hasMedian() const {
   return kind() == Distributed::thicknesses && !shown_.empty() && shown_.back().judgment.quality;
 }
 
-void JudgeFlow::tell() {
+void JudgeFlow::showLegend() {
   if (shown_.empty())
     return note_->setText(tr("Turn on Live Preview, or reconstruct, to judge what comes of it"));
   QStringList parts;

@@ -70,7 +70,7 @@ private:
   void show();
   void showAllRows(); // as far as there is room
   void showHistogram();
-  void tell(); // below the histogram what it shows
+  void showLegend(); // below the histogram: what it shows
   [[nodiscard]] bool hasMedian() const;
   void brush(double from, double to);
   [[nodiscard]] std::vector<State> states() const;

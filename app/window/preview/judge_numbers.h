@@ -14,7 +14,7 @@
 
 namespace espalier {
 
-/// A number that a state of the plant is judged by, and how it is told.
+/// A number that a state of the plant is judged by, and how it is shown.
 struct JudgedNumber {
   /// Whether it says which of several values of an option is best.
   enum class Rank : std::uint8_t {
@@ -36,7 +36,7 @@ struct JudgedNumber {
   [[nodiscard]] QString nameInUnit() const;
 };
 
-/// Those that tell of the contraction and the skeleton and, with a reference, its scores.
+/// Those of the contraction and the skeleton and, with a reference, its scores.
 /// @param unit of lengths; may be empty
 [[nodiscard]] std::vector<JudgedNumber> judgedNumbers(const QString& unit, bool hasReference);
 

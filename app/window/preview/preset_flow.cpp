@@ -123,7 +123,7 @@ void PresetFlow::keep() {
   else
     all.push_back({.name = name, .text = text.str()});
   setOwn(all);
-  emit told({.text = tr("Kept these settings as %1").arg(name)});
+  emit reported({.text = tr("Kept these settings as %1").arg(name)});
 }
 
 void PresetFlow::forget(const QString& name) {
@@ -162,7 +162,7 @@ void PresetFlow::save() {
   writeAtomically(toPath(path),
                   [this](std::ostream& out) { writePreset(out, parts_.pipeline.options()); });
   parts_.settings.setValue(presetFolderKey, QFileInfo(path).absolutePath());
-  emit told({.text = tr("Wrote %1").arg(QFileInfo(path).fileName())});
+  emit reported({.text = tr("Wrote %1").arg(QFileInfo(path).fileName())});
 }
 
 } // namespace espalier

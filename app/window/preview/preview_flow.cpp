@@ -245,7 +245,7 @@ void PreviewFlow::askAll() {
       },
       [this](const Outcome& outcome) {
         isAll_ = false;
-        parts_.pipeline.showDone(parts_.reconstruct.telling());
+        parts_.pipeline.showDone(parts_.reconstruct.stepTexts());
         show(outcome);
       });
 }

@@ -85,20 +85,20 @@ void ReconstructFlow::start(const Step* last) {
       });
 }
 
-PipelinePanel::Telling ReconstructFlow::telling() const {
-  return [costs = pipeline_->costs(), notes = notes_](const Step& step) -> PipelinePanel::Told {
+PipelinePanel::StepTexts ReconstructFlow::stepTexts() const {
+  return [costs = pipeline_->costs(), notes = notes_](const Step& step) -> PipelinePanel::StepText {
     const auto cost = costs.find(step.name);
     if (cost == costs.end()) return {};
     const auto& [seconds, bytes] = cost->second;
     const QString time = numberText(seconds, seconds < 0.995 ? 2 : 1);
     const QString memory = numberText(static_cast<double>(bytes) / 1e6, 0);
-    const PipelinePanel::Told told{
+    const PipelinePanel::StepText text{
         .note = seconds < 0.005 ? QString() : tr("%1 s").arg(time),
         .details = tr("Last run: %1 s, %2 MB more memory at most").arg(time, memory)};
     const auto note = notes.find(step.name);
-    if (note == notes.end()) return told;
-    return {.note = told.note.isEmpty() ? tr("note") : tr("note, %1").arg(told.note),
-            .details = note->second + QStringLiteral("\n") + told.details};
+    if (note == notes.end()) return text;
+    return {.note = text.note.isEmpty() ? tr("note") : tr("note, %1").arg(text.note),
+            .details = note->second + QStringLiteral("\n") + text.details};
   };
 }
 
@@ -125,13 +125,13 @@ void ReconstructFlow::setUsed(const std::string& text) {
 
 void ReconstructFlow::showUsed() const {
   if (isDone_)
-    panel_.showMadeWith(run_->options, telling(), run_->last);
+    panel_.showMadeWith(run_->options, stepTexts(), run_->last);
   else
     panel_.showIdle();
 }
 
 void ReconstructFlow::showDone(const std::string& last) const {
-  panel_.showDone(telling(), last);
+  panel_.showDone(stepTexts(), last);
 }
 
 void ReconstructFlow::setRun(std::optional<Run> run) {

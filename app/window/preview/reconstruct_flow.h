@@ -17,7 +17,7 @@ class ActionSet;
 class JobSlot;
 class PlantDocument;
 
-/// From scan to skeleton as a job, or a part of the way; the result is one undo step.
+/// From scan to skeleton as a job, or a part of its steps; the result is one undo step.
 class ReconstructFlow : public WindowPart {
   Q_OBJECT
 
@@ -39,7 +39,7 @@ public:
   /// The same, and which run it was, as a text; empty if it is not known.
   [[nodiscard]] std::string usedText() const;
   /// How long steps took, and what they said of their results, for the panel of the pipeline.
-  [[nodiscard]] PipelinePanel::Telling telling() const;
+  [[nodiscard]] PipelinePanel::StepTexts stepTexts() const;
   void showUsed() const; // in the panel, at the steps that it is of; none if it is not known
   void showDone(const std::string& last) const; // likewise, of a run that ends now
   /// @throws Error if it is no such text

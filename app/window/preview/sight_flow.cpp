@@ -24,7 +24,7 @@ std::vector<Eigen::Vector3d> placesOf(const std::vector<Eigen::Index>& points,
   return places;
 }
 
-QStringList toldOf(const MethodSight& sight, LengthUnit unit) {
+QStringList linesOf(const MethodSight& sight, LengthUnit unit) {
   const QString points = sight.ball.size() == 1
                              ? SightFlow::tr("1 point")
                              : SightFlow::tr("%1 points").arg(formatCount(sight.ball.size()));
@@ -46,7 +46,7 @@ ShownSight shownOf(const MethodSight& sight, const PointCloud& cloud, const Scan
                    .reach = sight.radius > 0 ? sight.radius : 6 * scan.spacing(),
                    .circle = std::nullopt,
                    .cones = {},
-                   .told = toldOf(sight, unit)};
+                   .lines = linesOf(sight, unit)};
   if (sight.circle)
     shown.circle = {sight.circle->center, sight.circle->normal, sight.circle->radius};
   for (const SightCone& cone : sight.cones)
@@ -131,7 +131,7 @@ void SightFlow::look() {
   const std::optional<Eigen::Vector3d>& under = parts_.editing.under().point;
   if (!under) {
     shown_.reset();
-    return parts_.view.showSight(ShownSight{.told = {tr("Point at the plant")}});
+    return parts_.view.showSight(ShownSight{.lines = {tr("Point at the plant")}});
   }
   const Scan& scan = *parts_.document.scan();
   const Eigen::Index point = pointAt((*under - scan.cloud()->origin()).cast<float>());

@@ -127,7 +127,7 @@ void StatesFlow::blend() {
   bar_->setVisible(isOn && isPlantShown_);
   bar_->raise();
   parts_.view.setBlend(isOn ? std::optional(bar_->blend()) : std::nullopt);
-  parts_.view.setDisplacementsShown(isOn && bar_->showsWays());
+  parts_.view.setDisplacementsShown(isOn && bar_->showsDisplacements());
 }
 
 Outcome StatesFlow::plant() const {

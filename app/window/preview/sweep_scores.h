@@ -7,7 +7,7 @@
 
 namespace espalier {
 
-/// What each card of a sweep tells of its value, from the least value to the greatest.
+/// What each card of a sweep says of its value, from the least value to the greatest.
 ///
 /// The best is marked, unless half of the values share it. What is judged without a reference is
 /// not marked at the ends: the more is contracted, the thinner it is, and the fewer points are left

@@ -169,7 +169,7 @@ void FindingsFlow::refresh() {
   startJob();
 }
 
-/// Branches without points of their own, but for those of which it is told already that no points
+/// Branches without points of their own, but for those that are reported already because no points
 /// are near at all.
 std::vector<Finding> FindingsFlow::ownFindings(const Skeleton& skeleton,
                                                const PointDistances& distances, const Found& found,
@@ -177,11 +177,12 @@ std::vector<Finding> FindingsFlow::ownFindings(const Skeleton& skeleton,
                                                const Progress& progress) {
   std::vector<Finding> own = branchesWithoutOwnPoints(skeleton, distances, found.indexed->index,
                                                       spacing, options, progress);
-  std::set<NodeId> told;
+  std::set<NodeId> reportedNodes;
   for (const Finding& finding : found.ofScan)
-    std::ranges::copy(nodesOf(finding), std::inserter(told, told.end()));
+    std::ranges::copy(nodesOf(finding), std::inserter(reportedNodes, reportedNodes.end()));
   std::erase_if(own, [&](const Finding& finding) {
-    return std::ranges::any_of(nodesOf(finding), [&](NodeId id) { return told.contains(id); });
+    return std::ranges::any_of(nodesOf(finding),
+                               [&](NodeId id) { return reportedNodes.contains(id); });
   });
   return own;
 }
@@ -189,7 +190,7 @@ std::vector<Finding> FindingsFlow::ownFindings(const Skeleton& skeleton,
 /// What takes longer: large skeletons, and the scan.
 void FindingsFlow::startJob() {
   const std::shared_ptr<const PointDistances> distances = parts_.distances.now();
-  if (!distances && isCheckedAtOnce_) return; // the distances tell when they are ready
+  if (!distances && isCheckedAtOnce_) return; // changed() follows when they are ready
   if (job_.isBusy()) {
     isJobOutdated_ = true;
     job_.cancel();

@@ -27,7 +27,7 @@ class PanelDock;
 class PlantDocument;
 class PlantView;
 
-/// The checks of the plant: their findings in a panel, the way to each, and those that are ignored.
+/// The checks of the plant: their findings in a panel, the walk to each, and the ignored ones.
 ///
 /// The skeleton is checked a moment after an edit, a large one and the scan against it as a job,
 /// which a later edit replaces. Nothing is checked while nobody looks.
@@ -99,7 +99,7 @@ private:
   bool isJobOutdated_ = false;
   bool isCheckedAtOnce_ = true;
   bool isAwaited_ = false;     // one has asked for findings before there were any
-  int awaitedStep_ = 0;        // where to then: as of step(); 0: one only waits to be told
+  int awaitedStep_ = 0;        // where to then: as of step(); 0: one only waits for the result
   bool isScanChecked_ = false; // against the skeleton of now
   std::shared_ptr<const Indexed> indexed_;
   std::vector<Finding> ofSkeleton_;

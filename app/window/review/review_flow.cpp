@@ -82,9 +82,9 @@ void ReviewFlow::setReviewer(const QString& name) {
 void ReviewFlow::addWalkActions() {
   const auto add = [this](const char* id, const QString& text, const QString& help,
                           const QKeySequence& keys, WalkTo to,
-                          WalkDirection way = WalkDirection::forward) {
+                          WalkDirection direction = WalkDirection::forward) {
     walks_.append(parts_.actions.add({.id = id, .text = text, .help = help, .keys = keys},
-                                     [this, to, way] { step(to, way); }));
+                                     [this, to, direction] { step(to, direction); }));
   };
   add("next_stretch", tr("Next Stretch"),
       tr("Walks on: along the trunk, then branch by branch with its twigs"), Qt::Key_Period,
@@ -186,7 +186,7 @@ bool ReviewFlow::eventFilter(QObject* watched, QEvent* event) {
   return true;
 }
 
-void ReviewFlow::step(WalkTo to, WalkDirection way) {
+void ReviewFlow::step(WalkTo to, WalkDirection direction) {
   dock_->bringToFront();
   const Skeleton& skeleton = parts_.document.skeleton();
   const std::vector<Stretch> all = stretches(skeleton, longestStretch(skeleton));
@@ -198,8 +198,9 @@ void ReviewFlow::step(WalkTo to, WalkDirection way) {
   else if (left != at_.end())
     from = stretchOf(all, *left);
   const bool isElsewhere = !chosen.empty() && chosen != at_; // one has clicked: begin there
-  const std::optional<std::size_t> next =
-      isElsewhere && from && to == WalkTo::anyStretch ? from : walk(skeleton, all, from, to, way);
+  const std::optional<std::size_t> next = isElsewhere && from && to == WalkTo::anyStretch
+                                              ? from
+                                              : walk(skeleton, all, from, to, direction);
   if (next)
     goTo(all, *next);
   else if (to == WalkTo::notReviewed)

@@ -64,7 +64,7 @@ private:
   void connectParts();
   bool eventFilter(QObject* watched, QEvent* event) override;
 
-  void step(WalkTo to, WalkDirection way = WalkDirection::forward);
+  void step(WalkTo to, WalkDirection direction = WalkDirection::forward);
   void goTo(const std::vector<Stretch>& all, std::size_t index);
   void frame(const std::vector<NodeId>& nodes);
   void markReviewed();

@@ -120,17 +120,17 @@ void SealFlow::set(std::optional<Seal> seal) {
   hash_.reset();
   if (seal_) hash_.emplace(parts_.document.skeleton());
   wasIntact_ = isIntact();
-  hadWay_ = signedStep().has_value();
-  told_.clear();
+  couldReturn_ = signedStep().has_value();
+  warning_.clear();
   refresh();
 }
 
 void SealFlow::follow() {
   const bool hasBroken = std::exchange(wasIntact_, isIntact()) && !isIntact();
-  const bool isTold = !told_.isEmpty() && parts_.banner.text() == told_;
-  if (isTold && (isIntact() || !signedStep())) parts_.banner.hide();
-  const bool isLost = std::exchange(hadWay_, signedStep().has_value()) && !hadWay_;
-  if (hasBroken) tellBroken();
+  const bool isWarning = !warning_.isEmpty() && parts_.banner.text() == warning_;
+  if (isWarning && (isIntact() || !signedStep())) parts_.banner.hide();
+  const bool isLost = std::exchange(couldReturn_, signedStep().has_value()) && !couldReturn_;
+  if (hasBroken) warnOfBreak();
   if (isLost)
     parts_.banner.showOffer(tr("The seal of %1 is lost: what was signed can no longer be redone")
                                 .arg(signature(*seal_)),
@@ -138,18 +138,18 @@ void SealFlow::follow() {
   refresh();
 }
 
-void SealFlow::tellBroken() {
+void SealFlow::warnOfBreak() {
   const bool isBefore = isBeforeSigned();
-  told_ = (isBefore ? tr("This goes back to before the seal of %1. An edit from here loses it")
-                    : tr("This breaks the seal of %1"))
-              .arg(signature(*seal_));
-  parts_.banner.showOffer(told_, {{isBefore ? tr("Redo") : tr("Undo"), [this] {
-                                     const auto go = [this] {
-                                       goToSigned();
-                                       return true;
-                                     };
-                                     parts_.actions.guarded(go, Refusal::inBanner);
-                                   }}});
+  warning_ = (isBefore ? tr("This goes back to before the seal of %1. An edit from here loses it")
+                       : tr("This breaks the seal of %1"))
+                 .arg(signature(*seal_));
+  parts_.banner.showOffer(warning_, {{isBefore ? tr("Redo") : tr("Undo"), [this] {
+                                        const auto go = [this] {
+                                          goToSigned();
+                                          return true;
+                                        };
+                                        parts_.actions.guarded(go, Refusal::inBanner);
+                                      }}});
 }
 
 void SealFlow::goToSigned() {

@@ -17,7 +17,7 @@ class MessageBanner;
 class PlantDocument;
 class ProjectFlow;
 
-/// The seal of a structure: signing it, keeping it in the project, and telling when it breaks.
+/// The seal of a structure: signing it, keeping it in the project, and warning when it breaks.
 ///
 /// Whether it holds is a matter of the structure alone: undo or redo to what was signed mends it.
 class SealFlow : public WindowPart {
@@ -38,7 +38,7 @@ public:
   void setSigner(const QString& name) { signer_ = name; }
   [[nodiscard]] bool isSigned() const { return seal_.has_value(); }
   [[nodiscard]] bool isIntact() const { return seal_ && hash_->value() == seal_->hash; }
-  [[nodiscard]] QString text() const; // what the panel tells of it
+  [[nodiscard]] QString text() const; // what the panel says of it
 
 signals:
   void changed();                          // text() has
@@ -49,7 +49,7 @@ private:
   void exportSeal();
   void set(std::optional<Seal> seal);
   void follow(); // a step was done or undone
-  void tellBroken();
+  void warnOfBreak();
   void goToSigned();
   /// How many steps are done where the structure is what was signed; none: no more of them leads
   /// there. Time O(changes of all steps).
@@ -61,9 +61,9 @@ private:
   QString signer_;
   std::optional<Seal> seal_;
   std::optional<StructureHash> hash_; // of the skeleton now, once there is a seal
-  bool hadWay_ = false;               // undo or redo led to what was signed
+  bool couldReturn_ = false;          // undo or redo led to what was signed
   bool wasIntact_ = false;
-  QString told_; // in the banner, that it broke
+  QString warning_; // in the banner, that it broke
   bool isEnabled_ = true;
 };
 

@@ -50,7 +50,7 @@ NearestWood nearestWood(const Skeleton& skeleton, const std::vector<NodeId>& amo
   return nearest;
 }
 
-/// A point that no wood explains, with all that hang together with it up to the wood, and that
+/// A point that no wood explains, with all that are connected with it up to the wood, and that
 /// wood: a branch that is missing.
 void addMissing(Sight& sight, const Skeleton& skeleton, const Scan& scan) {
   constexpr std::size_t most = 2000; // points

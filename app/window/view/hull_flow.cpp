@@ -71,8 +71,8 @@ HullFlow::HullFlow(const Parts& parts) : parts_(parts) {
   refreshEnabled();
 }
 
-/// The node under the pointer if nothing is selected; of those selected, the ones that others hang
-/// on: a branch that is selected as a whole has one hull.
+/// The node under the pointer if nothing is selected; of those selected, the ones that bear the
+/// others: a branch that is selected as a whole has one hull.
 std::vector<NodeId> HullFlow::chosen() const {
   const Selection& selection = parts_.document.selection();
   std::vector<NodeId> nodes = selection.nodes();
@@ -130,7 +130,7 @@ void HullFlow::work() {
     return;
   }
   const std::shared_ptr<const PointDistances> distances = parts_.distances.now();
-  if (nodes_.empty() || !distances) { // the distances tell when they are ready
+  if (nodes_.empty() || !distances) { // changed() follows when they are ready
     show({});
     return;
   }

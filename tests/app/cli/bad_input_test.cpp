@@ -112,7 +112,7 @@ TEST_P(BadScans, AreNotContracted) {
   expectRefused({"contract"}, "result.ply");
 }
 
-TEST_P(BadScans, AreNeitherDrawnNorToldAbout) {
+TEST_P(BadScans, AreNeitherDrawnNorWarnedOf) {
   if (!GetParam().canBeRead) {
     expectRefused({"picture"}, "result.png");
     expectRefusal(runProgram({"info", scan_}), 1, {GetParam().file, GetParam().advice});

@@ -1,4 +1,4 @@
-// What cannot be written is told before the work where that can be known, and leaves nothing.
+// What cannot be written is reported before the work where that can be known, and leaves nothing.
 #include "tests/app/cli/program.h"
 #include "tests/support/shared_data.h"
 
@@ -33,7 +33,7 @@ std::vector<test::Arguments> commandsWriting(const std::string& stem) {
           {"picture", "missing.ply", "-o", stem + ".png"}};
 }
 
-TEST(BadOutput, AMissingFolderIsToldBeforeTheWork) {
+TEST(BadOutput, AMissingFolderIsReportedBeforeTheWork) {
   const fs::path folder = test::freshFolder();
   for (const auto& command : commandsWriting((folder / "nowhere" / "result").string())) {
     SCOPED_TRACE(command.front());
@@ -45,7 +45,7 @@ TEST(BadOutput, AMissingFolderIsToldBeforeTheWork) {
   EXPECT_THAT(namesIn(folder), IsEmpty());
 }
 
-TEST(BadOutput, AFolderOfThatNameIsToldBeforeTheWork) {
+TEST(BadOutput, AFolderOfThatNameIsReportedBeforeTheWork) {
   const fs::path folder = test::freshFolder();
   for (const char* extension : {".mtg", ".json", ".html", ".ply", ".png"})
     fs::create_directory(folder / ("taken" + std::string(extension)));
@@ -55,7 +55,7 @@ TEST(BadOutput, AFolderOfThatNameIsToldBeforeTheWork) {
   }
 }
 
-TEST(BadOutput, AFolderOneMayNotWriteToIsToldBeforeTheWork) {
+TEST(BadOutput, AFolderOneMayNotWriteToIsReportedBeforeTheWork) {
   if (::geteuid() == 0) GTEST_SKIP() << "root may write anywhere";
   const fs::path folder = test::freshFolder();
   fs::permissions(folder, fs::perms::owner_read | fs::perms::owner_exec);
@@ -66,7 +66,7 @@ TEST(BadOutput, AFolderOneMayNotWriteToIsToldBeforeTheWork) {
   fs::permissions(folder, fs::perms::owner_all);
 }
 
-TEST(BadOutput, AnExtensionNobodyKnowsIsToldBeforeTheWork) {
+TEST(BadOutput, AnExtensionNobodyKnowsIsReportedBeforeTheWork) {
   const fs::path folder = test::freshFolder();
   const auto file = [&](const char* name) { return (folder / name).string(); };
   expectRefusal(runProgram({"reconstruct", "missing.ply", "-o", file("a.las")}), 1,
@@ -84,7 +84,7 @@ TEST(BadOutput, AnExtensionNobodyKnowsIsToldBeforeTheWork) {
   EXPECT_THAT(namesIn(folder), IsEmpty());
 }
 
-TEST(BadOutput, AFullDiskIsTold) {
+TEST(BadOutput, AFullDiskIsReported) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full here";
   const std::vector<std::string> parts = {"/dev/full: cannot be written", "No space left",
                                           "free some room"};
@@ -95,7 +95,7 @@ TEST(BadOutput, AFullDiskIsTold) {
   expectRefusal(runProgram({"picture", structure, "-o", "/dev/full"}), 1, parts);
 }
 
-TEST(BadOutput, AFullDiskBehindStandardOutputIsTold) {
+TEST(BadOutput, AFullDiskBehindStandardOutputIsReported) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full here";
   const std::vector<std::string> parts = {"standard output cannot be written", "free some room"};
   expectRefusal(runProgram({"info", structure}, "/dev/full"), 1, parts);

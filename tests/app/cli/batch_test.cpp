@@ -53,7 +53,7 @@ protected:
   }
 
   /// What the summary says of a plant in a column.
-  [[nodiscard]] std::string told(const std::string& plant, const std::string& column) const {
+  [[nodiscard]] std::string cell(const std::string& plant, const std::string& column) const {
     const CsvTable table = readCsv(test::bytesOf(results_ / "summary.csv"), "summary.csv");
     for (const CsvTable::Row& row : table.rows)
       if (row.fields[*table.column("name")] == plant) return row.fields[*table.column(column)];
@@ -73,21 +73,21 @@ protected:
   fs::path results_ = folder_ / "out" / "results";
 };
 
-TEST_F(Batch, ReconstructsEachPlantAndTellsOfItInALine) {
+TEST_F(Batch, ReconstructsEachPlantAndReportsItInALine) {
   writeManifest("scan,name,reference\nstick.xyz,,\ntree.ply,my tree,truth.mtg\n");
   const Outcome outcome = run();
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.err, "espalier: wrote " + (results_ / "summary.csv").string() + ": 2 plants\n");
   EXPECT_THAT(namesIn(results_), ElementsAre("my tree.mtg", "stick.mtg", "summary.csv"));
   const Skeleton stick = readStructure(results_ / "stick.mtg").value.skeleton;
-  EXPECT_EQ(told("stick", "status"), "done");
-  EXPECT_EQ(told("stick", "points"), "400");
-  EXPECT_EQ(told("stick", "nodes"), std::to_string(stick.size()));
-  EXPECT_EQ(told("stick", "tips"), "1");
-  EXPECT_EQ(told("stick", "height"), "399");
-  EXPECT_EQ(told("stick", "geometric"), "") << "there is no reference";
-  EXPECT_GT(std::stod(told("my tree", "geometric")), 0.8);
-  EXPECT_GT(std::stod(told("my tree", "f")), 0.8);
+  EXPECT_EQ(cell("stick", "status"), "done");
+  EXPECT_EQ(cell("stick", "points"), "400");
+  EXPECT_EQ(cell("stick", "nodes"), std::to_string(stick.size()));
+  EXPECT_EQ(cell("stick", "tips"), "1");
+  EXPECT_EQ(cell("stick", "height"), "399");
+  EXPECT_EQ(cell("stick", "geometric"), "") << "there is no reference";
+  EXPECT_GT(std::stod(cell("my tree", "geometric")), 0.8);
+  EXPECT_GT(std::stod(cell("my tree", "f")), 0.8);
 }
 
 TEST_F(Batch, NotesWhatIsOddAboutAScan) {
@@ -109,12 +109,12 @@ TEST_F(Batch, TurnsAPlantOntoItsReferenceAndSaysSo) {
   turn(Eigen::Vector3d::UnitZ(), 90);
   writeManifest("scan,reference\ntree.ply,truth.mtg\n");
   EXPECT_THAT(run().err, HasSubstr("note: tree: the plant lay "));
-  const double turned = std::stod(told("tree", "geometric"));
+  const double turned = std::stod(cell("tree", "geometric"));
   EXPECT_GT(turned, 0.8);
   const Outcome kept = run({"--no-rotate"});
   EXPECT_THAT(kept.err, Not(HasSubstr("of them done before")));
   EXPECT_THAT(kept.err, HasSubstr("note: tree: the two fit poorly"));
-  EXPECT_LT(std::stod(told("tree", "geometric")), turned - 0.1);
+  EXPECT_LT(std::stod(cell("tree", "geometric")), turned - 0.1);
   EXPECT_THAT(run({"--no-rotate"}).err, HasSubstr("1 of them done before"));
 }
 
@@ -134,10 +134,10 @@ TEST_F(Batch, TurnsAPlantAboutTheAxisThatPointsUp) {
                  moved(readStructure(folder_ / "truth.mtg").value.skeleton, lie));
   writeManifest("scan,reference\nlying.xyz,lying.mtg\n");
   EXPECT_EQ(run({"--up", "x"}).status, 0);
-  EXPECT_GT(std::stod(told("lying", "geometric")), 0.8);
+  EXPECT_GT(std::stod(cell("lying", "geometric")), 0.8);
 }
 
-TEST_F(Batch, TellsOfColumnsThatItDoesNotKnow) {
+TEST_F(Batch, ReportsColumnsThatItDoesNotKnow) {
   writeManifest("scan,refrence,Species\nstick.xyz,truth.mtg,pine\n");
   const Outcome outcome = run();
   EXPECT_EQ(outcome.status, 0);
@@ -167,10 +167,10 @@ TEST_F(Batch, GoesOnAfterABadPlantAndNamesItInTheEnd) {
   EXPECT_THAT(outcome.err, HasSubstr("\nespalier: missing: "));
   EXPECT_THAT(outcome.err, HasSubstr("\nespalier: 2 of 3 plants failed: "));
   EXPECT_THAT(namesIn(results_), ElementsAre("stick.mtg", "summary.csv"));
-  EXPECT_EQ(told("stick", "status"), "done");
-  EXPECT_EQ(told("bad", "status"), "failed");
-  EXPECT_THAT(told("bad", "problem"), HasSubstr("bad.xyz, line 2"));
-  EXPECT_THAT(told("missing", "problem"), HasSubstr("missing.ply"));
+  EXPECT_EQ(cell("stick", "status"), "done");
+  EXPECT_EQ(cell("bad", "status"), "failed");
+  EXPECT_THAT(cell("bad", "problem"), HasSubstr("bad.xyz, line 2"));
+  EXPECT_THAT(cell("missing", "problem"), HasSubstr("missing.ply"));
 }
 
 TEST_F(Batch, TakesAPlantWhoseLineIsWrongForAFailedOne) {
@@ -183,11 +183,11 @@ TEST_F(Batch, TakesAPlantWhoseLineIsWrongForAFailedOne) {
                                      "Z\n"));
   EXPECT_THAT(outcome.err, HasSubstr("\nespalier: 4 of 5 plants failed: "));
   EXPECT_THAT(namesIn(results_), ElementsAre("d.mtg", "summary.csv"));
-  EXPECT_EQ(told("d", "status"), "done");
-  EXPECT_EQ(told("a", "status"), "failed");
-  EXPECT_THAT(told("b", "problem"), HasSubstr("line 3: no scan is named"));
-  EXPECT_THAT(told("line 4", "problem"), HasSubstr("line 4: the name '../c' is none for a file"));
-  EXPECT_THAT(told("line 6", "problem"), HasSubstr("line 6: the name 'd' comes twice"));
+  EXPECT_EQ(cell("d", "status"), "done");
+  EXPECT_EQ(cell("a", "status"), "failed");
+  EXPECT_THAT(cell("b", "problem"), HasSubstr("line 3: no scan is named"));
+  EXPECT_THAT(cell("line 4", "problem"), HasSubstr("line 4: the name '../c' is none for a file"));
+  EXPECT_THAT(cell("line 6", "problem"), HasSubstr("line 6: the name 'd' comes twice"));
 }
 
 TEST_F(Batch, DropsAFailureThatLeftTheManifest) {
@@ -195,8 +195,8 @@ TEST_F(Batch, DropsAFailureThatLeftTheManifest) {
   ASSERT_EQ(run().status, 1);
   writeManifest("scan\nstick.xyz\n");
   ASSERT_EQ(run().status, 0);
-  EXPECT_EQ(told("missing", "status"), "not listed");
-  EXPECT_EQ(told("line 3", "status"), "not listed");
+  EXPECT_EQ(cell("missing", "status"), "not listed");
+  EXPECT_EQ(cell("line 3", "status"), "not listed");
 }
 
 TEST_F(Batch, PassesOverWhatIsDoneAndTriesTheRestAgain) {
@@ -204,15 +204,15 @@ TEST_F(Batch, PassesOverWhatIsDoneAndTriesTheRestAgain) {
   ASSERT_EQ(run().status, 1);
   age("stick.mtg");
   const auto before = timeOf("stick.mtg");
-  const std::string seconds = told("stick", "seconds");
+  const std::string seconds = cell("stick", "seconds");
   fs::copy_file(folder_ / "stick.xyz", folder_ / "late.xyz");
   const Outcome outcome = run();
   EXPECT_EQ(outcome.status, 0);
   EXPECT_THAT(outcome.err, HasSubstr("2 plants, 1 of them done before\n"));
   EXPECT_EQ(timeOf("stick.mtg"), before);
-  EXPECT_EQ(told("stick", "seconds"), seconds);
-  EXPECT_EQ(told("late", "status"), "done");
-  EXPECT_EQ(told("late", "problem"), "");
+  EXPECT_EQ(cell("stick", "seconds"), seconds);
+  EXPECT_EQ(cell("late", "status"), "done");
+  EXPECT_EQ(cell("late", "problem"), "");
 }
 
 TEST_F(Batch, DoesAgainWhatChangedInAnyWay) {
@@ -265,17 +265,17 @@ TEST_F(Batch, KeepsALineOfPlantsThatLeftTheManifest) {
 TEST_F(Batch, StoppedLeavesAWholeSummaryAndCanGoOn) {
   writeManifest("scan\nstick.xyz\ntree.ply\n");
   const test::Arguments slow = {"--threads", "1", "--set", "contract.neighbors=64"};
-  // The bar of the second plant tells that the first is written.
+  // The bar of the second plant shows that the first is written.
   const Outcome stopped = runAndSignal(arguments(slow), "2 of 2, tree: Contract", SIGINT);
   EXPECT_EQ(stopped.status, 130);
   EXPECT_THAT(stopped.err, HasSubstr("espalier: stopped after 1 of 2 plants; start again"));
   EXPECT_THAT(namesIn(results_), ElementsAre("stick.mtg", "summary.csv"));
-  EXPECT_EQ(told("stick", "status"), "done");
-  EXPECT_EQ(told("tree", "status"), "not listed");
+  EXPECT_EQ(cell("stick", "status"), "done");
+  EXPECT_EQ(cell("tree", "status"), "not listed");
   const Outcome rest = run(slow);
   EXPECT_EQ(rest.status, 0);
   EXPECT_THAT(rest.err, HasSubstr("1 of them done before"));
-  EXPECT_EQ(told("tree", "status"), "done");
+  EXPECT_EQ(cell("tree", "status"), "done");
 }
 
 TEST_F(Batch, RefusesABadManifestBeforeAnythingIsDone) {

@@ -33,9 +33,9 @@ TEST_F(Subcommands, EvaluateMeasuresAgainstTheTruth) {
 }
 
 TEST_F(Subcommands, EvaluateCountsEditsAsAsked) {
-  const std::string told = run({"evaluate", truth_, truth_, "--edit-unit", "axis", "--edit-cost",
-                                "shape", "--merge-paths", "--json", file("a.json")});
-  EXPECT_THAT(told, HasSubstr("\nedit distance 0, similarity 1.000: 0 removed, 0 inserted\n"));
+  const std::string printed = run({"evaluate", truth_, truth_, "--edit-unit", "axis", "--edit-cost",
+                                   "shape", "--merge-paths", "--json", file("a.json")});
+  EXPECT_THAT(printed, HasSubstr("\nedit distance 0, similarity 1.000: 0 removed, 0 inserted\n"));
   const json edit = test::jsonIn(file("a.json"))["edit_distance"];
   EXPECT_EQ(edit["unit"], "axis");
   EXPECT_EQ(edit["cost"], "shape");
@@ -52,11 +52,12 @@ TEST_F(Subcommands, EvaluateCountsEditsAsAsked) {
   EXPECT_THAT(wrong.err, HasSubstr("choose one of topology, attributes, length, place, shape"));
 }
 
-TEST_F(Subcommands, EvaluateTellsWhereTheTwoAgree) {
-  const std::string told = run({"evaluate", truth_, truth_, "--where", "--json", file("a.json")});
-  EXPECT_THAT(told, HasSubstr("             order  precision     recall"));
-  EXPECT_THAT(told, HasSubstr("            height  precision     recall"));
-  EXPECT_THAT(told, HasSubstr("              more          0.0          0.0          0.0\n"));
+TEST_F(Subcommands, EvaluateReportsWhereTheTwoAgree) {
+  const std::string printed =
+      run({"evaluate", truth_, truth_, "--where", "--json", file("a.json")});
+  EXPECT_THAT(printed, HasSubstr("             order  precision     recall"));
+  EXPECT_THAT(printed, HasSubstr("            height  precision     recall"));
+  EXPECT_THAT(printed, HasSubstr("              more          0.0          0.0          0.0\n"));
   const json numbers = test::jsonIn(file("a.json"));
   EXPECT_EQ(numbers["by_place"]["by_height"].size(), 10U);
   EXPECT_EQ(numbers["by_place"]["by_order"][0]["recall"], 1);
@@ -74,7 +75,7 @@ TEST_F(Subcommands, EvaluateFindsAStructureEqualToItself) {
   EXPECT_EQ(numbers["shift"], json({0, 0, 0}));
 }
 
-TEST_F(Subcommands, EvaluateTellsAShiftOnceAndNamesTheUnit) {
+TEST_F(Subcommands, EvaluateReportsAShiftOnceAndNamesTheUnit) {
   std::string moved;
   for (int i = 0; i < 11; ++i) // a stick of 10 m, and the same 0.5 m beside it
     moved += std::to_string(i + 1) + '\t' + (i == 0 ? "" : std::to_string(i)) + "\t<\tAT\t0\t" +

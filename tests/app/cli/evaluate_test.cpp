@@ -21,11 +21,12 @@ using testing::IsEmpty;
 
 class Evaluate : public test::EvaluateFiles {};
 
-TEST_F(Evaluate, TellsWhatTheAuthorsIndicesHide) {
-  const std::string told = runProgram({"evaluate", truth_, truth_, "--json", file("a.json")}).out;
-  EXPECT_THAT(told, HasSubstr("over all segments of the reference, structural index 1.000; "
-                              "one to many, geometric index 1.000\n"));
-  EXPECT_THAT(told, HasSubstr(" precision     recall          F   capped G   capped T\n"));
+TEST_F(Evaluate, ReportsWhatTheAuthorsIndicesHide) {
+  const std::string printed =
+      runProgram({"evaluate", truth_, truth_, "--json", file("a.json")}).out;
+  EXPECT_THAT(printed, HasSubstr("over all segments of the reference, structural index 1.000; "
+                                 "one to many, geometric index 1.000\n"));
+  EXPECT_THAT(printed, HasSubstr(" precision     recall          F   capped G   capped T\n"));
   const json numbers = json::parse(test::bytesOf(file("a.json")));
   EXPECT_EQ(numbers["authors"]["structural_of_all"], 1);
   EXPECT_EQ(numbers["authors"]["one_to_many"]["geometric"], 1);
@@ -37,14 +38,14 @@ TEST_F(Evaluate, TellsWhatTheAuthorsIndicesHide) {
   }
 }
 
-TEST_F(Evaluate, TellsNoAgreementOfPlantsThatAreNowhereNear) {
+TEST_F(Evaluate, ReportsNoAgreementOfPlantsThatAreNowhereNear) {
   std::ofstream(file("far.swc")) << "1 0 1e4 0 0 1 -1\n2 0 1e4 0 1 1 1\n3 0 1e4 0 2 1 2\n";
-  const std::string told = runProgram({"evaluate", file("far.swc"), truth_, "--no-register",
-                                       "--where", "--json", file("a.json")})
-                               .out;
-  EXPECT_THAT(told, HasSubstr("nothing lies near the reference"));
-  EXPECT_THAT(told, testing::Not(HasSubstr("100.0%")));
-  EXPECT_THAT(told, HasSubstr("\n                 1          -      0.000            0"))
+  const std::string printed = runProgram({"evaluate", file("far.swc"), truth_, "--no-register",
+                                          "--where", "--json", file("a.json")})
+                                  .out;
+  EXPECT_THAT(printed, HasSubstr("nothing lies near the reference"));
+  EXPECT_THAT(printed, testing::Not(HasSubstr("100.0%")));
+  EXPECT_THAT(printed, HasSubstr("\n                 1          -      0.000            0"))
       << "of the result there is no order 1";
   const json numbers = json::parse(test::bytesOf(file("a.json")));
   EXPECT_TRUE(numbers["architecture"]["same_axis"].is_null());
@@ -59,10 +60,11 @@ TEST_F(Evaluate, WritesNothingIfTheScanOfTheReportIsMissing) {
   EXPECT_FALSE(std::filesystem::exists(file("a.json")));
 }
 
-TEST_F(Evaluate, TellsWhatHangsOnWhat) {
-  const std::string told = runProgram({"evaluate", truth_, truth_, "--json", file("a.json")}).out;
-  EXPECT_THAT(told, HasSubstr("DIADEM-like score 1.000\n  100.0% of paths along the plant"));
-  EXPECT_THAT(told,
+TEST_F(Evaluate, ReportsWhatIsAttachedToWhat) {
+  const std::string printed =
+      runProgram({"evaluate", truth_, truth_, "--json", file("a.json")}).out;
+  EXPECT_THAT(printed, HasSubstr("DIADEM-like score 1.000\n  100.0% of paths along the plant"));
+  EXPECT_THAT(printed,
               HasSubstr("100.0% of the length is of the same order, 100.0% on the same axis"));
   const json numbers = json::parse(test::bytesOf(file("a.json")));
   EXPECT_EQ(numbers["diadem"]["score"], 1);
@@ -75,13 +77,13 @@ TEST_F(Evaluate, TellsWhatHangsOnWhat) {
 TEST_F(Evaluate, RanksSeveralResultsTheBestFirst) {
   ASSERT_EQ(runProgram({"reconstruct", test::sample("young_tree.ply"), "-o", file("a.mtg")}).status,
             0);
-  const Outcome told = runProgram({"evaluate", file("a.mtg"), truth_, truth_, "--draws", "200",
-                                   "--csv", file("r.csv"), "--json", file("r.json")});
-  ASSERT_EQ(told.status, 0) << told.err;
-  EXPECT_THAT(told.out, HasSubstr("ranked by f within "));
-  EXPECT_THAT(told.out, HasSubstr("\n   1  " + truth_));
-  EXPECT_THAT(told.out, HasSubstr("  1.000 (1.000-1.000)"));
-  EXPECT_THAT(told.out, HasSubstr("\n   2  " + file("a.mtg")));
+  const Outcome outcome = runProgram({"evaluate", file("a.mtg"), truth_, truth_, "--draws", "200",
+                                      "--csv", file("r.csv"), "--json", file("r.json")});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("ranked by f within "));
+  EXPECT_THAT(outcome.out, HasSubstr("\n   1  " + truth_));
+  EXPECT_THAT(outcome.out, HasSubstr("  1.000 (1.000-1.000)"));
+  EXPECT_THAT(outcome.out, HasSubstr("\n   2  " + file("a.mtg")));
   const json numbers = json::parse(test::bytesOf(file("r.json")));
   EXPECT_EQ(numbers["reference"], truth_);
   EXPECT_EQ(numbers["results"][0]["result"], truth_);
@@ -98,9 +100,9 @@ TEST_F(Evaluate, TakesOneDistanceForAllThatIsNear) {
   const std::vector<std::string> at = {"--distance", "0.0625", "--no-register"};
   const auto run = [&](std::vector<std::string> arguments) {
     arguments.insert(arguments.end(), at.begin(), at.end());
-    const Outcome told = runProgram(arguments);
-    EXPECT_EQ(told.status, 0) << told.err;
-    return told.out;
+    const Outcome outcome = runProgram(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return outcome.out;
   };
   EXPECT_THAT(run({"evaluate", truth_, truth_, "--where", "--json", file("d.json")}),
               HasSubstr("\nwithin 0.0625"));
@@ -119,10 +121,10 @@ TEST_F(Evaluate, TakesOneDistanceForAllThatIsNear) {
 }
 
 TEST_F(Evaluate, RanksOneResultIfAsked) {
-  const Outcome told = runProgram({"evaluate", truth_, truth_, "--ranking", "--rank-by",
-                                   "geometric", "--draws", "20", "--no-register"});
-  EXPECT_EQ(told.status, 0);
-  EXPECT_THAT(told.out, HasSubstr("ranked by geometric within "));
+  const Outcome outcome = runProgram({"evaluate", truth_, truth_, "--ranking", "--rank-by",
+                                      "geometric", "--draws", "20", "--no-register"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(outcome.out, HasSubstr("ranked by geometric within "));
 }
 
 TEST_F(Evaluate, ShowsTheScoreThatItRanksBy) {
@@ -152,7 +154,7 @@ TEST_F(Evaluate, WritesTheNumbersOfAPairAsATable) {
   EXPECT_THAT(test::bytesOf(file("a.csv")), HasSubstr("\ntolerance.0.f,1.0\n"));
 }
 
-TEST_F(Evaluate, WritesAllThatAReportTells) {
+TEST_F(Evaluate, WritesAllThatAReportShows) {
   const std::string pair = fork("a.txt");
   ASSERT_EQ(runProgram({"evaluate", pair, fork("b.txt", 1.2), "--no-register", "--unit", "cm",
                         "--distance", "0.05", "--json", file("a.json"), "--csv", file("a.csv")})
@@ -191,10 +193,10 @@ TEST_F(Evaluate, WritesAllThatAReportTells) {
 
 TEST_F(Evaluate, WritesAReportOfARanking) {
   const std::string worse = fork("worse.txt", 1.5);
-  const Outcome told =
+  const Outcome outcome =
       runProgram({"evaluate", worse, fork("same.txt"), fork("true.txt"), "--no-register", "--draws",
                   "50", "--unit", "m", "--distance", "0.1", "--report", file("r.html")});
-  ASSERT_EQ(told.status, 0) << told.err;
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
   const std::string page = test::bytesOf(file("r.html"));
   EXPECT_THAT(page, HasSubstr("2 structures compared with true.txt"));
   EXPECT_LT(page.find("same.txt"), page.find("worse.txt")) << "the best first";
@@ -212,7 +214,7 @@ TEST_F(Evaluate, WritesAReportOfARanking) {
                 2, {"--scan is of one plant"});
 }
 
-TEST_F(Evaluate, RefusesWhatARankingDoesNotTell) {
+TEST_F(Evaluate, RefusesWhatARankingDoesNotShow) {
   expectRefusal(runProgram({"evaluate", truth_, truth_, truth_, "--where"}), 2,
                 {"--where, --traits, --light, --merge-paths and --mapping are for one plant"});
   expectRefusal(runProgram({"evaluate", truth_, truth_, "--rank-by", "beauty"}), 2,
@@ -228,13 +230,13 @@ TEST_F(Evaluate, RefusesWhatARankingDoesNotTell) {
                 {"would be replaced"});
 }
 
-TEST_F(Evaluate, TellsTheTraitsOfBoth) {
-  const std::string told = runProgram({"evaluate", fork("a.txt"), fork("b.txt", 2), "--no-register",
-                                       "--traits", "--json", file("a.json")})
-                               .out;
-  EXPECT_THAT(told, HasSubstr("               traits        plant    reference   difference\n"));
-  EXPECT_THAT(told, HasSubstr("               height            2            4       -50.0%\n"));
-  EXPECT_THAT(told, HasSubstr("      Strahler number            2            2         0.0%\n"));
+TEST_F(Evaluate, ReportsTheTraitsOfBoth) {
+  const std::string printed = runProgram({"evaluate", fork("a.txt"), fork("b.txt", 2),
+                                          "--no-register", "--traits", "--json", file("a.json")})
+                                  .out;
+  EXPECT_THAT(printed, HasSubstr("               traits        plant    reference   difference\n"));
+  EXPECT_THAT(printed, HasSubstr("               height            2            4       -50.0%\n"));
+  EXPECT_THAT(printed, HasSubstr("      Strahler number            2            2         0.0%\n"));
   const json traits = json::parse(test::bytesOf(file("a.json")))["traits"]["result"];
   EXPECT_EQ(traits["crown"]["height"], 2);
   EXPECT_EQ(traits["crown"]["base_height"], 1);
@@ -243,16 +245,16 @@ TEST_F(Evaluate, TellsTheTraitsOfBoth) {
 }
 
 TEST_F(Evaluate, NamesTheUnitOfEveryLength) {
-  const std::string told =
+  const std::string printed =
       runProgram({"evaluate", fork("a.txt"), fork("b.txt", 2), "--no-register", "--unit", "cm",
                   "--where", "--traits", "--edit-cost", "length"})
           .out;
   for (const char* part : {"mean (Chamfer) distance to the reference ", " cm, from it ",
                            " cm of each other: tips F ", ", branchings F ", "distance/cm",
                            "height/cm", "radius up to/cm", "reference/cm", "crown area/cm^2"})
-    EXPECT_THAT(told, HasSubstr(part));
-  EXPECT_THAT(told, testing::ContainsRegex("edit distance [0-9.]+ cm, similarity"));
-  EXPECT_THAT(told, testing::ContainsRegex("divergence/deg +0 +0 +-\n")) << "of one branch";
+    EXPECT_THAT(printed, HasSubstr(part));
+  EXPECT_THAT(printed, testing::ContainsRegex("edit distance [0-9.]+ cm, similarity"));
+  EXPECT_THAT(printed, testing::ContainsRegex("divergence/deg +0 +0 +-\n")) << "of one branch";
 }
 
 TEST_F(Evaluate, SaysWhenAShiftThatIsLeftDecides) {
@@ -310,11 +312,11 @@ TEST_F(Evaluate, SaysWhereMergedPathsChangeNothing) {
   EXPECT_THAT(runProgram({"evaluate", truth_, truth_, "--merge-paths"}).err, IsEmpty());
 }
 
-TEST_F(Evaluate, TellsTheLightOfBoth) {
-  const Outcome told = runProgram({"evaluate", truth_, fork("f.txt"), "--no-register", "--light",
-                                   "--pixels", "256", "--json", file("a.json")});
-  ASSERT_EQ(told.status, 0) << told.err;
-  EXPECT_THAT(told.out, HasSubstr("silhouette to total area (STAR), overcast sky"));
+TEST_F(Evaluate, ReportsTheLightOfBoth) {
+  const Outcome outcome = runProgram({"evaluate", truth_, fork("f.txt"), "--no-register", "--light",
+                                      "--pixels", "256", "--json", file("a.json")});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("silhouette to total area (STAR), overcast sky"));
   const json light = json::parse(test::bytesOf(file("a.json")))["light"];
   EXPECT_EQ(light["result"]["directions"].size(), 46U);
   EXPECT_EQ(light["reference"]["convergence"][3]["pixels"], 256);

@@ -17,13 +17,13 @@ using testing::HasSubstr;
 
 class EvaluateTurns : public test::EvaluateFiles {};
 
-TEST_F(EvaluateTurns, FindsAndTellsATurn) {
+TEST_F(EvaluateTurns, FindsAndReportsATurn) {
   const std::string turned = turnedSample("turned.mtg", 30, Eigen::Vector3d::UnitZ());
-  const Outcome told = runProgram({"evaluate", turned, truth_, "--json", file("a.json")});
-  ASSERT_EQ(told.status, 0) << told.err;
-  EXPECT_THAT(told.out, HasSubstr("geometric index 1.000  structural index 1.000"));
-  EXPECT_THAT(told.out, HasSubstr("turned by 30 degrees about"));
-  EXPECT_THAT(told.err, testing::Not(HasSubstr("fit poorly")));
+  const Outcome outcome = runProgram({"evaluate", turned, truth_, "--json", file("a.json")});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("geometric index 1.000  structural index 1.000"));
+  EXPECT_THAT(outcome.out, HasSubstr("turned by 30 degrees about"));
+  EXPECT_THAT(outcome.err, testing::Not(HasSubstr("fit poorly")));
   const json found = json::parse(test::bytesOf(file("a.json")))["registration"];
   EXPECT_NEAR(found["rotation"], 30, 1e-3);
   EXPECT_NEAR(found["axis"][2], -1, 1e-3);
@@ -75,15 +75,15 @@ TEST_F(EvaluateTurns, TurnsThePlantAsGiven) {
   expectRefusal(refusal({"--turn", "0,0,1,9", "--no-rotate"}), 2, {"exclude each other"});
 }
 
-TEST_F(EvaluateTurns, RanksTurnedPlantsAndTellsWhichFitPoorly) {
+TEST_F(EvaluateTurns, RanksTurnedPlantsAndSaysWhichFitPoorly) {
   const std::string turned = turnedSample("turned.mtg", 120, Eigen::Vector3d::UnitZ());
   ASSERT_EQ(runProgram({"simulate", "-o", file("other"), "--seed", "9"}).status, 0);
   const std::string other = file("other.mtg");
-  const Outcome told =
+  const Outcome outcome =
       runProgram({"evaluate", other, turned, truth_, "--draws", "20", "--json", file("r.json")});
-  ASSERT_EQ(told.status, 0) << told.err;
-  EXPECT_THAT(told.err, HasSubstr(other + ": the two fit poorly"));
-  EXPECT_THAT(told.err, testing::Not(HasSubstr(turned + ": ")));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr(other + ": the two fit poorly"));
+  EXPECT_THAT(outcome.err, testing::Not(HasSubstr(turned + ": ")));
   const json best = json::parse(test::bytesOf(file("r.json")))["results"][0];
   EXPECT_EQ(best["result"], turned);
   EXPECT_NEAR(best["rotation"], 120, 1e-3);
@@ -122,11 +122,11 @@ TEST_F(EvaluateTurns, ScoresTheTurnedExpertOfThePineAsUnturned) {
   const auto scoresWith = [&](double degrees, const Eigen::Vector3d& axis) {
     const Eigen::Isometry3d turn(Eigen::AngleAxisd(degrees * std::numbers::pi / 180, axis));
     writeStructure(file("turned.mtg"), moved(pine, turn));
-    const Outcome told = runProgram({"evaluate", expert.string(), file("turned.mtg"), "--unit",
-                                     "mm", "--json", file("a.json")});
-    EXPECT_EQ(told.status, 0) << told.err;
-    EXPECT_THAT(told.out, HasSubstr("turned by " + std::to_string(static_cast<int>(degrees)) +
-                                    " degrees about"));
+    const Outcome outcome = runProgram({"evaluate", expert.string(), file("turned.mtg"), "--unit",
+                                        "mm", "--json", file("a.json")});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("turned by " + std::to_string(static_cast<int>(degrees)) +
+                                       " degrees about"));
     return json::parse(test::bytesOf(file("a.json")))["authors"];
   };
   for (const json& authors :

@@ -51,7 +51,7 @@ TEST(Help, OfEachSubcommandFitsThePage) {
   }
 }
 
-TEST(Help, TellsWhatMustBeGivenAndWhatOptionsAreByDefault) {
+TEST(Help, SaysWhatMustBeGivenAndWhatOptionsAreByDefault) {
   const std::string help = runProgram({"simulate", "--help"}).out;
   EXPECT_THAT(help, HasSubstr("Usage: espalier simulate -o PREFIX [OPTION]...\n"));
   EXPECT_THAT(help, HasSubstr("(default: 100000)"));
@@ -62,7 +62,7 @@ TEST(Help, TellsWhatMustBeGivenAndWhatOptionsAreByDefault) {
               HasSubstr("Usage: espalier picture FILE... -o FILE [OPTION]...\n"));
 }
 
-TEST(Help, TellsTheVersion) {
+TEST(Help, SaysTheVersion) {
   EXPECT_THAT(runProgram({"--version"}).out, testing::MatchesRegex("espalier [0-9.]+\n"));
 }
 

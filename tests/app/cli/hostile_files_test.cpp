@@ -168,19 +168,19 @@ TEST_F(HostileFiles, NamesNeverSteerTheTerminal) {
   const auto outcome = runProgram({"convert", odd, file("x\33]0;y\7.xyz")});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr("x?]0;y?.xyz"));
-  const auto told = runProgram({"info", odd});
-  for (const std::string& text : {outcome.err, told.out, told.err})
+  const auto info = runProgram({"info", odd});
+  for (const std::string& text : {outcome.err, info.out, info.err})
     EXPECT_EQ(text.find('\33'), std::string::npos) << text;
-  EXPECT_THAT(told.out, HasSubstr("a?b?[31mc"));
+  EXPECT_THAT(info.out, HasSubstr("a?b?[31mc"));
 }
 
-TEST_F(HostileFiles, NamesThatAreNoUtf8AreToldInOneLine) {
+TEST_F(HostileFiles, NamesThatAreNoUtf8AreReportedInOneLine) {
   const std::string odd = file("t\xff.ply");
   fs::copy_file(sampleScan, odd);
-  const auto told = runProgram({"info", odd, "--json"});
-  EXPECT_EQ(told.status, 0) << told.err;
-  EXPECT_THAT(told.err, HasSubstr("is no UTF-8, as JSON is"));
-  EXPECT_THAT(told.out, HasSubstr("t\uFFFD.ply"));
+  const auto info = runProgram({"info", odd, "--json"});
+  EXPECT_EQ(info.status, 0) << info.err;
+  EXPECT_THAT(info.err, HasSubstr("is no UTF-8, as JSON is"));
+  EXPECT_THAT(info.out, HasSubstr("t\uFFFD.ply"));
   const auto outcome = runProgram({"contract", odd, "-o", file("a.ply"), "--json", file("a.json")});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr("is no UTF-8, as JSON is"));
@@ -254,7 +254,7 @@ TEST_F(HostileFiles, ANodeBeyondAnyPlantIsRefusedWithItsLine) {
   expectRefusal(runProgram({"info", file("thick.swc")}), 1, {"thick.swc, line 1: "});
 }
 
-TEST_F(HostileFiles, InfoTellsWhatAProjectHolds) {
+TEST_F(HostileFiles, InfoShowsWhatAProjectHolds) {
   History history{.skeleton = test::fork(2)};
   SkeletonEditor editor(history.skeleton);
   editor.setReview(NodeId{0}, {.state = ReviewState::reviewed, .reviewer = "Ada"});
@@ -265,21 +265,21 @@ TEST_F(HostileFiles, InfoTellsWhatAProjectHolds) {
     project.setDocument("unit", "mm");
     project.setScan(ScanReference::of(sampleScan, {}));
   }
-  const auto told = runProgram({"info", file("oak.espalier")});
-  EXPECT_EQ(told.status, 0) << told.err;
+  const auto info = runProgram({"info", file("oak.espalier")});
+  EXPECT_EQ(info.status, 0) << info.err;
   const auto line = [](const std::string& key, const std::string& value) {
     return HasSubstr("\n" + key + std::string(24 - key.size(), ' ') + value + "\n");
   };
-  EXPECT_THAT(told.out, line("format", "Espalier project"));
-  EXPECT_THAT(told.out, line("plant", "oak"));
-  EXPECT_THAT(told.out, line("unit", "mm"));
-  EXPECT_THAT(told.out, line("nodes", std::to_string(history.skeleton.size())));
-  EXPECT_THAT(told.out, line("edits.done", "1"));
-  EXPECT_THAT(told.out, line("edits.authors", "[Ada]"));
-  EXPECT_THAT(told.out, line("edits.last", "1970-01-01 00:00 UTC"));
-  EXPECT_THAT(told.out, line("scan.file", sampleScan));
-  EXPECT_THAT(told.out, line("scan.found", sampleScan));
-  EXPECT_THAT(told.out, line("nodes_to_do", std::to_string(history.skeleton.size() - 1)));
+  EXPECT_THAT(info.out, line("format", "Espalier project"));
+  EXPECT_THAT(info.out, line("plant", "oak"));
+  EXPECT_THAT(info.out, line("unit", "mm"));
+  EXPECT_THAT(info.out, line("nodes", std::to_string(history.skeleton.size())));
+  EXPECT_THAT(info.out, line("edits.done", "1"));
+  EXPECT_THAT(info.out, line("edits.authors", "[Ada]"));
+  EXPECT_THAT(info.out, line("edits.last", "1970-01-01 00:00 UTC"));
+  EXPECT_THAT(info.out, line("scan.file", sampleScan));
+  EXPECT_THAT(info.out, line("scan.found", sampleScan));
+  EXPECT_THAT(info.out, line("nodes_to_do", std::to_string(history.skeleton.size() - 1)));
   EXPECT_THAT(runProgram({"info", file("oak.espalier"), "--json"}).out, HasSubstr("\"review\": {"));
   EXPECT_THAT(namesIn(folder_), ElementsAre("oak.espalier")) << "it is only read";
 }

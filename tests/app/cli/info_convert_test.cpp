@@ -28,12 +28,12 @@ constexpr const char* typedMtg =
     "\t^<S2\t\t4\n";
 
 TEST_F(Subcommands, InfoCountsPoints) {
-  const json told = json::parse(run({"info", scan_, "--json"}));
+  const json info = json::parse(run({"info", scan_, "--json"}));
   const PointCloud cloud = readPoints(scan_).value;
-  EXPECT_EQ(told["format"], "PLY");
-  EXPECT_EQ(told["points"], cloud.size());
-  EXPECT_NEAR(told["bounds"]["maximum"][2], cloud.bounds().max().z(), 1e-9);
-  EXPECT_GT(told["spacing"], 0);
+  EXPECT_EQ(info["format"], "PLY");
+  EXPECT_EQ(info["points"], cloud.size());
+  EXPECT_NEAR(info["bounds"]["maximum"][2], cloud.bounds().max().z(), 1e-9);
+  EXPECT_GT(info["spacing"], 0);
   const std::string text = run({"info", scan_});
   EXPECT_THAT(text, HasSubstr("points                  " + std::to_string(cloud.size()) + "\n"));
   EXPECT_THAT(text, HasSubstr("\nbounds.minimum          [-"));
@@ -48,11 +48,11 @@ TEST_F(Subcommands, InfoCountsFarAndRepeatedPoints) {
   text << "1000000 4.77 10.78\n";
   test::writeBytes(file("odd.xyz"), text.str());
   const Outcome outcome = runProgram({"info", file("odd.xyz"), "--json"});
-  const json told = json::parse(outcome.out);
-  EXPECT_EQ(told["far_points"], 1);
-  EXPECT_EQ(told["repeated_points"], 8 * cloud.size());
-  EXPECT_NEAR(told["bounds"]["maximum"][0], 1e6, 1) << "of all";
-  EXPECT_NEAR(told["spacing"], json::parse(run({"info", scan_, "--json"}))["spacing"], 1e-5);
+  const json info = json::parse(outcome.out);
+  EXPECT_EQ(info["far_points"], 1);
+  EXPECT_EQ(info["repeated_points"], 8 * cloud.size());
+  EXPECT_NEAR(info["bounds"]["maximum"][0], 1e6, 1) << "of all";
+  EXPECT_NEAR(info["spacing"], json::parse(run({"info", scan_, "--json"}))["spacing"], 1e-5);
   EXPECT_THAT(outcome.err, HasSubstr("far from all others"));
 }
 
@@ -76,7 +76,7 @@ TEST_F(Subcommands, ConvertNotesWhatTheFormatDoesNotKeep) {
   EXPECT_THAT(notes("y.lines.obj"), HasSubstr("note: OBJ lines keeps no radii"));
 }
 
-TEST_F(Subcommands, ConvertAndContractTellHowManyPointsWereWritten) {
+TEST_F(Subcommands, ConvertAndContractReportHowManyPointsWereWritten) {
   const std::string wrote = ": " + std::to_string(readPoints(scan_).value.size()) + " points\n";
   EXPECT_EQ(runProgram({"convert", scan_, file("a.xyz")}).err,
             "espalier: wrote " + file("a.xyz") + wrote);
@@ -109,22 +109,22 @@ TEST_F(Subcommands, InfoCountsNodesAndAxes) {
                                   "3\t2\t<\t0\t0\t2\t0.1\n4\t2\t+\t0\t1\t1\t0.1\n");
   run({"convert", file("y.txt"), file("y.mtg")});
   for (const char* name : {"y.txt", "y.mtg"}) {
-    const json told = json::parse(run({"info", file(name), "--json"}));
-    EXPECT_EQ(told["nodes"], 4);
-    EXPECT_EQ(told["roots"], 1);
-    EXPECT_EQ(told["tips"], 2);
-    EXPECT_EQ(told["successor_edges"], 2);
-    EXPECT_EQ(told["branching_edges"], 1);
-    EXPECT_EQ(told["length"], 3);
-    EXPECT_EQ(told["axes_per_order"], json({1, 1}));
-    EXPECT_EQ(told["largest_radius"], 0.2);
-    EXPECT_THAT(told["findings"], IsEmpty());
+    const json info = json::parse(run({"info", file(name), "--json"}));
+    EXPECT_EQ(info["nodes"], 4);
+    EXPECT_EQ(info["roots"], 1);
+    EXPECT_EQ(info["tips"], 2);
+    EXPECT_EQ(info["successor_edges"], 2);
+    EXPECT_EQ(info["branching_edges"], 1);
+    EXPECT_EQ(info["length"], 3);
+    EXPECT_EQ(info["axes_per_order"], json({1, 1}));
+    EXPECT_EQ(info["largest_radius"], 0.2);
+    EXPECT_THAT(info["findings"], IsEmpty());
   }
-  const json told = json::parse(run({"info", file("y.mtg"), "--json"}));
-  EXPECT_EQ(told["vertices_per_scale"], json({1, 1, 4})) << "scene, plant, nodes";
+  const json info = json::parse(run({"info", file("y.mtg"), "--json"}));
+  EXPECT_EQ(info["vertices_per_scale"], json({1, 1, 4})) << "scene, plant, nodes";
 }
 
-TEST_F(Subcommands, InfoTellsOfAnMtgWithoutPositions) {
+TEST_F(Subcommands, InfoReportsAnMtgWithoutPositions) {
   test::writeBytes(file("a.mtg"),
                    "CODE:\tFORM-A\n\nCLASSES:\nSYMBOL\tSCALE\tDECOMPOSITION\tINDEXATION\tDEFINITION"
                    "\n$\t0\tFREE\tFREE\tIMPLICIT\nP\t1\tFREE\tFREE\tEXPLICIT\nU\t2\tFREE\tFREE"
@@ -134,20 +134,20 @@ TEST_F(Subcommands, InfoTellsOfAnMtgWithoutPositions) {
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.err,
             "espalier: note: a.mtg: has no positions, so there is no skeleton to measure\n");
-  const json told = json::parse(outcome.out);
-  EXPECT_EQ(told["vertices_per_scale"], json({1, 1, 4}));
-  EXPECT_EQ(told["successor_edges"], 2);
-  EXPECT_EQ(told["branching_edges"], 1);
-  EXPECT_EQ(told["nodes"], 0);
+  const json info = json::parse(outcome.out);
+  EXPECT_EQ(info["vertices_per_scale"], json({1, 1, 4}));
+  EXPECT_EQ(info["successor_edges"], 2);
+  EXPECT_EQ(info["branching_edges"], 1);
+  EXPECT_EQ(info["nodes"], 0);
 }
 
 TEST_F(Subcommands, InfoListsClassesAndFeaturesOfAnMtg) {
   test::writeBytes(file("a.mtg"), typedMtg);
-  const json told = json::parse(runProgram({"info", file("a.mtg"), "--json"}).out);
-  EXPECT_EQ(told["classes"], json::parse(R"([{"symbol": "P", "scale": 1, "vertices": 1},
+  const json info = json::parse(runProgram({"info", file("a.mtg"), "--json"}).out);
+  EXPECT_EQ(info["classes"], json::parse(R"([{"symbol": "P", "scale": 1, "vertices": 1},
                                              {"symbol": "S", "scale": 2, "vertices": 3}])"));
-  EXPECT_EQ(told["features"], json::parse(R"([{"name": "Length", "type": "REAL"}])"));
-  EXPECT_EQ(told["has_positions"], false);
+  EXPECT_EQ(info["features"], json::parse(R"([{"name": "Length", "type": "REAL"}])"));
+  EXPECT_EQ(info["has_positions"], false);
   EXPECT_THAT(runProgram({"info", file("a.mtg")}).out,
               HasSubstr("[P (scale 1, vertices 1), S (scale 2, vertices 3)]\n"));
 }
@@ -211,10 +211,10 @@ TEST_F(Subcommands, InfoCountsWhatOpenAleaCounts) {
     if (name == "code_file.mtg" || name == "mtg_fig32.mtg") continue;
     const Outcome outcome = runProgram({"info", (counts.parent_path() / name).string(), "--json"});
     ASSERT_EQ(outcome.status, 0) << outcome.err;
-    const json told = json::parse(outcome.out);
-    EXPECT_EQ(told["vertices_per_scale"], json::parse('[' + scales + ']')) << name;
-    EXPECT_EQ(told["successor_edges"], successors) << name;
-    EXPECT_EQ(told["branching_edges"], branchings) << name;
+    const json info = json::parse(outcome.out);
+    EXPECT_EQ(info["vertices_per_scale"], json::parse('[' + scales + ']')) << name;
+    EXPECT_EQ(info["successor_edges"], successors) << name;
+    EXPECT_EQ(info["branching_edges"], branchings) << name;
     ++compared;
   }
   EXPECT_EQ(compared, 13);

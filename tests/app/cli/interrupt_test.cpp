@@ -18,7 +18,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 /// A run that would take minutes, stopped once the progress bar shows that it works. One thread, so
-/// that the one that is told is the one that works.
+/// that the one that gets the signal is the one that works.
 Outcome stoppedRun(const fs::path& folder, int signal) {
   return runAndSignal({"reconstruct", test::sample("young_tree.ply"), "-o",
                        (folder / "result.mtg").string(), "--json", (folder / "a.json").string(),

@@ -33,7 +33,7 @@ TEST_F(Subcommands, MethodsDescribesEveryOption) {
   }
 }
 
-TEST_F(Subcommands, MethodsTellsOfOneStep) {
+TEST_F(Subcommands, MethodsListsThoseOfOneStep) {
   const json methods = json::parse(run({"methods", "contract", "--json"}));
   ASSERT_GE(methods.size(), 1U);
   for (const json& method : methods)

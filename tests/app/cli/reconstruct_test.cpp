@@ -142,7 +142,7 @@ TEST_F(Subcommands, ContractPullsPointsTowardsTheAxes) {
   EXPECT_LT(meanDistance(after), 0.8 * meanDistance(before));
 }
 
-TEST_F(Subcommands, ContractTellsHowGoodItIs) {
+TEST_F(Subcommands, ContractReportsHowGoodItIs) {
   run({"contract", scan_, "-o", file("a.ply"), "--json", file("a.json")});
   run({"contract", scan_, "-o", file("b.ply"), "--json", file("b.json"), "--method", "none"});
   const json contracted = test::jsonIn(file("a.json"))["quality"];
@@ -187,21 +187,21 @@ TEST_F(Subcommands, SweepRefusesWhatItCannotTry) {
       2, {"skeleton.merge_angle must be a number, not '30mm'"});
 }
 
-TEST_F(Subcommands, ReconstructWritesAxesIfAskedAndTellsTheLengthInItsUnit) {
+TEST_F(Subcommands, ReconstructWritesAxesIfAskedAndReportsTheLengthInItsUnit) {
   const Outcome outcome = runProgram({"reconstruct", scan_, "-o", file("a.mtg"), "--unit", "m",
                                       "--mtg-scales", "plant-axis-node"});
-  const json told = json::parse(run({"info", file("a.mtg"), "--json"}));
-  ASSERT_EQ(told["vertices_per_scale"].size(), 4U);
-  EXPECT_EQ(told["vertices_per_scale"][2], told["branching_edges"].get<int>() / 2 + 1)
-      << "an axis for the root and each branching node; its edges are told at both scales";
+  const json info = json::parse(run({"info", file("a.mtg"), "--json"}));
+  ASSERT_EQ(info["vertices_per_scale"].size(), 4U);
+  EXPECT_EQ(info["vertices_per_scale"][2], info["branching_edges"].get<int>() / 2 + 1)
+      << "an axis for the root and each branching node; its edges are named at both scales";
   std::ostringstream wrote;
   wrote.precision(6);
-  wrote << "espalier: wrote " << file("a.mtg") << ": " << told["nodes"] << " nodes, length "
-        << told["length"].get<double>() << " m\n";
+  wrote << "espalier: wrote " << file("a.mtg") << ": " << info["nodes"] << " nodes, length "
+        << info["length"].get<double>() << " m\n";
   EXPECT_EQ(outcome.err, wrote.str());
 }
 
-TEST_F(Subcommands, ReconstructTellsThatItFoundNoBranch) {
+TEST_F(Subcommands, ReconstructReportsThatItFoundNoBranch) {
   std::ofstream(file("two.xyz")) << "0 0 0\n0 0 1\n";
   const Outcome outcome = runProgram({"reconstruct", file("two.xyz"), "-o", file("two.mtg")});
   EXPECT_EQ(outcome.status, 0);
@@ -212,7 +212,7 @@ TEST_F(Subcommands, ReconstructTellsThatItFoundNoBranch) {
 }
 
 // Nothing is measured about so few places.
-TEST_F(Subcommands, ReconstructTellsWhatAStepNotes) {
+TEST_F(Subcommands, ReconstructReportsWhatAStepNotes) {
   std::ofstream scan(file("crowds.xyz"));
   for (int i = 0; i < 9; ++i)
     scan << "0 0 0\n0 0 3\n";

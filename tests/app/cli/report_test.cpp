@@ -33,11 +33,11 @@ protected:
 
 TEST_F(EvaluateReport, HoldsTheNumbersOfTheJson) {
   ASSERT_EQ(runProgram({"reconstruct", scan_, "-o", file("a.mtg")}).status, 0);
-  const test::Outcome told =
+  const test::Outcome outcome =
       runProgram({"evaluate", file("a.mtg"), truth_, "--scan", scan_, "--unit", "m", "--json",
                   file("a.json"), "--report", file("a.html")});
-  ASSERT_EQ(told.status, 0) << told.err;
-  EXPECT_THAT(told.err, HasSubstr("wrote " + file("a.html")));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("wrote " + file("a.html")));
   const std::string html = bytesOf(file("a.html"));
   EXPECT_THAT(html, HasSubstr("<h1>a.mtg compared with young_tree.mtg</h1>"));
   EXPECT_THAT(html, HasSubstr("young_tree.ply"));
@@ -53,11 +53,11 @@ TEST_F(EvaluateReport, HoldsTheNumbersOfTheJson) {
   EXPECT_THAT(html, HasSubstr("data:image/png;base64,"));
 }
 
-TEST_F(EvaluateReport, NeedNotBeWrittenForTheScanToTellOfRadii) {
-  const test::Outcome told = runProgram({"evaluate", truth_, truth_, "--scan", scan_, "--unit", "m",
-                                         "--json", file("a.json"), "--csv", file("a.csv")});
-  ASSERT_EQ(told.status, 0) << told.err;
-  EXPECT_THAT(told.out, HasSubstr("75 to 100% of the circumference seen: over "));
+TEST_F(EvaluateReport, IsNotNeededToReportRadiiByTheScan) {
+  const test::Outcome outcome = runProgram({"evaluate", truth_, truth_, "--scan", scan_, "--unit",
+                                            "m", "--json", file("a.json"), "--csv", file("a.csv")});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("75 to 100% of the circumference seen: over "));
   const json radii = json::parse(bytesOf(file("a.json")))["radius"];
   const json& arcs = radii["by_arc"];
   ASSERT_EQ(arcs.size(), 4U);
@@ -72,14 +72,14 @@ TEST_F(EvaluateReport, NeedNotBeWrittenForTheScanToTellOfRadii) {
                 {"is what is read, and would be replaced"});
 }
 
-TEST_F(EvaluateReport, TellsStemsAtBreastHeightOrWhyNot) {
+TEST_F(EvaluateReport, ReportsStemsAtBreastHeightOrWhyNot) {
   const auto numbers = [&](const std::vector<std::string>& flags) {
     std::vector<std::string> words = {"evaluate",      file("thick.txt"), file("thin.txt"),
                                       "--no-register", "--json",          file("a.json")};
     words.insert(words.end(), flags.begin(), flags.end());
-    const test::Outcome told = runProgram(words);
-    EXPECT_EQ(told.status, 0) << told.err;
-    return std::pair(told.out, json::parse(bytesOf(file("a.json")))["breast_height"]);
+    const test::Outcome outcome = runProgram(words);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return std::pair(outcome.out, json::parse(bytesOf(file("a.json")))["breast_height"]);
   };
   const auto stem = [](const char* radius) {
     return std::string("# vid parentid edgetype XX YY ZZ Radius\n2\n1\t\t/\t0\t0\t0\t") + radius +
@@ -87,12 +87,12 @@ TEST_F(EvaluateReport, TellsStemsAtBreastHeightOrWhyNot) {
   };
   test::writeBytes(file("thick.txt"), stem("0.12"));
   test::writeBytes(file("thin.txt"), stem("0.1"));
-  const auto [text, told] = numbers({"--unit", "m"});
+  const auto [text, stems] = numbers({"--unit", "m"});
   EXPECT_THAT(text, HasSubstr("(DBH) 0.24 m, of the reference 0.2 m: +20.0%"));
-  EXPECT_EQ(told["height"], 1.3);
-  EXPECT_NEAR(told["error"].get<double>(), 0.04, 1e-12);
-  EXPECT_NEAR(told["relative_error"].get<double>(), 0.2, 1e-12);
-  EXPECT_TRUE(told["missing"].is_null());
+  EXPECT_EQ(stems["height"], 1.3);
+  EXPECT_NEAR(stems["error"].get<double>(), 0.04, 1e-12);
+  EXPECT_NEAR(stems["relative_error"].get<double>(), 0.2, 1e-12);
+  EXPECT_TRUE(stems["missing"].is_null());
   const auto [unknown, none] = numbers({});
   EXPECT_THAT(unknown,
               HasSubstr("not compared: the unit of the lengths is not known, which --unit sets"));
@@ -104,8 +104,8 @@ TEST_F(EvaluateReport, TellsStemsAtBreastHeightOrWhyNot) {
 }
 
 TEST_F(EvaluateReport, IsWrittenAsPdfToo) {
-  const test::Outcome told = runProgram({"evaluate", truth_, truth_, "--report", file("a.pdf")});
-  ASSERT_EQ(told.status, 0) << told.err;
+  const test::Outcome outcome = runProgram({"evaluate", truth_, truth_, "--report", file("a.pdf")});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(bytesOf(file("a.pdf")), StartsWith("%PDF-"));
 }
 
@@ -113,10 +113,11 @@ TEST_F(EvaluateReport, DoesWithoutPicturesWhereThereIsNoOpenGl) {
   // Neither Mesa's drivers nor those of a vendor are found then.
   ::setenv("__EGL_VENDOR_LIBRARY_FILENAMES", "/dev/null", 1);
   ::setenv("LIBGL_DRIVERS_PATH", "/dev/null", 1);
-  const test::Outcome told = runProgram({"evaluate", truth_, truth_, "--report", file("a.html")});
+  const test::Outcome outcome =
+      runProgram({"evaluate", truth_, truth_, "--report", file("a.html")});
   ::unsetenv("__EGL_VENDOR_LIBRARY_FILENAMES");
   ::unsetenv("LIBGL_DRIVERS_PATH");
-  ASSERT_EQ(told.status, 0) << told.err;
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
   const std::string html = bytesOf(file("a.html"));
   EXPECT_THAT(html, HasSubstr("there are no pictures: OpenGL: "));
   EXPECT_THAT(html, HasSubstr("Agreement over the tolerance"));
@@ -140,10 +141,10 @@ TEST_F(EvaluateReport, TakesNoInputForItsOutput) {
 
 TEST_F(EvaluateReport, LeavesNothingBehindIfTheScanCannotBeRead) {
   test::writeBytes(file("scan.ply"), "no points");
-  const test::Outcome told = runProgram(
+  const test::Outcome outcome = runProgram(
       {"evaluate", truth_, truth_, "--scan", file("scan.ply"), "--report", file("a.html")});
-  EXPECT_EQ(told.status, 1);
-  EXPECT_THAT(told.err, HasSubstr("scan.ply"));
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("scan.ply"));
   EXPECT_EQ(test::namesIn(folder_), std::vector<std::string>{"scan.ply"});
 }
 

@@ -23,8 +23,8 @@ protected:
   static std::string run(const Arguments& arguments) {
     const Outcome outcome = runProgram(arguments);
     EXPECT_EQ(outcome.status, 0);
-    std::istringstream told(outcome.err);
-    for (std::string line; std::getline(told, line);)
+    std::istringstream errorLines(outcome.err);
+    for (std::string line; std::getline(errorLines, line);)
       EXPECT_THAT(line, testing::StartsWith("espalier: wrote "));
     return outcome.out;
   }

@@ -15,7 +15,7 @@ using testing::Not;
 
 struct Traits : test::Subcommands {};
 
-TEST_F(Traits, AreThoseThatEvaluateTells) {
+TEST_F(Traits, AreThoseThatEvaluateReports) {
   run({"traits", truth_, "--light", "--pixels", "64", "--unit", "m", "--json", file("a.json"),
        "--csv", file("a.csv")});
   run({"evaluate", truth_, truth_, "--light", "--pixels", "64", "--unit", "m", "--json",
@@ -33,11 +33,11 @@ TEST_F(Traits, AreThoseThatEvaluateTells) {
 }
 
 TEST_F(Traits, ArePrintedWithTheirUnits) {
-  const std::string told = run({"traits", truth_, "--unit", "m"});
+  const std::string printed = run({"traits", truth_, "--unit", "m"});
   for (const char* part :
        {"Size\n", "\nCrown\n", "\nWood\n", "Strahler number", " m^3\n", "leaves at"})
-    EXPECT_THAT(told, HasSubstr(part));
-  EXPECT_THAT(told, Not(HasSubstr("STAR"))) << "it takes a while, and was not asked for";
+    EXPECT_THAT(printed, HasSubstr(part));
+  EXPECT_THAT(printed, Not(HasSubstr("STAR"))) << "it takes a while, and was not asked for";
 }
 
 TEST_F(Traits, GoIntoAReport) {

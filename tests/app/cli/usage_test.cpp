@@ -1,5 +1,5 @@
-// Wrong usage is told in one line that names what is wrong and where help is; exit status 2. Names
-// and values of options that no scan is needed to judge are refused before the scan is read.
+// Wrong usage is reported in one line that names what is wrong and where help is; exit status 2.
+// Names and values of options that no scan is needed to judge are refused before the scan is read.
 #include "tests/app/cli/program.h"
 #include "tests/support/shared_data.h"
 
@@ -51,7 +51,7 @@ TEST(Usage, PointsAreNotColoredByWhatTheyDoNotHave) {
                 2, {"have no colors", "choose another --color"});
 }
 
-TEST(Usage, AMistypedOptionIsToldWithTheOneThatWasMeant) {
+TEST(Usage, AMistypedOptionIsReportedWithTheOneThatWasMeant) {
   expectRefusal(runProgram({"reconstruct", "a.ply", "--ouptut", "a.mtg"}), 2,
                 {"--ouptut is no option: did you mean --output?", "espalier reconstruct --help"});
   expectRefusal(runProgram({"reconstruct", "a.ply", "-o", "a.mtg", "--seet", "contract.radius=1"}),
@@ -62,12 +62,12 @@ TEST(Usage, AMistypedOptionIsToldWithTheOneThatWasMeant) {
                 {"--foo is no option; see"}); // --root is far off
 }
 
-TEST(Usage, ADisplayThatNobodyServesIsTold) {
+TEST(Usage, ADisplayThatNobodyServesIsReported) {
   expectRefusal(test::runOnDisplay(":987", {}), 1,
                 {"cannot open the display :987", "use a subcommand"});
 }
 
-TEST(Usage, AValueOutOfRangeIsToldWithTheRange) {
+TEST(Usage, AValueOutOfRangeIsReportedWithTheRange) {
   const auto expect = [](const test::Arguments& arguments, const std::string& advice) {
     SCOPED_TRACE(advice);
     expectRefusal(runProgram(arguments), 2, {advice, "--help"});

@@ -21,7 +21,7 @@ std::vector<ChoiceRecord> someRecords() {
   return {{.title = "A and Preview",
            .time = "22.11.26 05:00",
            .seen = "Green: the points.",
-           .meanings = {{"Nodes", "Nodes of the skeleton"}, {"Webbed", "Told of no state"}},
+           .meanings = {{"Nodes", "Nodes of the skeleton"}, {"Webbed", "Of no state"}},
            .states = {a, preview}}};
 }
 
@@ -55,7 +55,7 @@ TEST(ChoiceRecord, IsTheTableAndThePicturesOfAReport) {
   const auto& figures = std::get<ReportFigures>(section.blocks[1]);
   ASSERT_EQ(figures.figures.size(), 1U) << "one has no picture";
   EXPECT_EQ(figures.figures[0].title, "A");
-  EXPECT_EQ(figures.figures[0].text, "") << "its name tells";
+  EXPECT_EQ(figures.figures[0].text, "") << "its name says it";
   const auto& table = std::get<ReportTable>(section.blocks[2]);
   ASSERT_EQ(table.columns.size(), 3U);
   EXPECT_EQ(table.columns[2].title, "Preview (in use then)");

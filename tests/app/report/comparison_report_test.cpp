@@ -66,7 +66,7 @@ TEST(ComparisonReport, HoldsTheNumbersOfTheJson) {
   EXPECT_EQ(cellOf(sectionOf(report, "Agreement over the tolerance"), "0.02", 1), "1.000");
 }
 
-TEST(ComparisonReport, TellsWhereTheLengthIsByHeightAndByOrder) {
+TEST(ComparisonReport, ShowsWhereTheLengthIsByHeightAndByOrder) {
   const ReportSection section = sectionOf(reportOfTrunk(), "Where they agree");
   EXPECT_EQ(cellOf(section, "0", 4), "2.000"); // of the reference in order 0
   EXPECT_EQ(cellOf(section, "0", 2), "1.000");
@@ -84,7 +84,7 @@ TEST(ComparisonReport, PutsTheTraitsOfBothBesideEachOther) {
   EXPECT_EQ(cellOf(section, "Strahler number", 2), "2");
 }
 
-TEST(ComparisonReport, TellsWhatTheColorsOfTheScanMean) {
+TEST(ComparisonReport, SaysWhatTheColorsOfTheScanMean) {
   ReportData data = reported(test::stick(21, 0.1), branched(), near);
   RawPoints raw;
   raw.positions = {{0, 0, -0.5}, {0, 0, 1}, {0, 0, 2}};
@@ -145,7 +145,7 @@ TEST(ComparisonReport, ListsWhatIsIgnoredApart) {
   EXPECT_EQ(cellOf(section, "1", 1), "Missed");
 }
 
-TEST(ComparisonReport, TellsStemsAndRadiiByTheArcThatWasSeen) {
+TEST(ComparisonReport, ShowsStemsAndRadiiByTheArcThatWasSeen) {
   const ReportSection without = sectionOf(reportOfTrunk(), "Wood");
   EXPECT_TRUE(textOf(without).contains("breast height, 1.3 m, are not compared: the unit"))
       << qPrintable(textOf(without));
@@ -183,7 +183,7 @@ TEST(HtmlReport, LetsPagesPartLongTablesAlone) {
   EXPECT_TRUE(pageOf(11).contains("<table class=\"long\">"));
 }
 
-TEST(ComparisonReport, TellsTheSettingsAndTheFilesByTheirHashes) {
+TEST(ComparisonReport, NamesTheSettingsAndTheFilesByTheirHashes) {
   const ReportSection section = sectionOf(reportOfTrunk(), "How it was measured");
   EXPECT_EQ(cellOf(section, "plant", 1), "oak.mtg");
   EXPECT_EQ(cellOf(section, "plant", 2), QString(64, 'a'));
@@ -193,7 +193,7 @@ TEST(ComparisonReport, TellsTheSettingsAndTheFilesByTheirHashes) {
   EXPECT_TRUE(cellOf(section, "version", 1).startsWith("Espalier 9.8.7, Qt "));
 }
 
-TEST(ComparisonReport, TellsWhatToTypeForTheSameNumbers) {
+TEST(ComparisonReport, SaysWhatToTypeForTheSameNumbers) {
   ReportAbout about = aboutPlants();
   about.scale = 0.001;
   about.edit.unit = EditUnit::axis;
@@ -202,7 +202,7 @@ TEST(ComparisonReport, TellsWhatToTypeForTheSameNumbers) {
                             "--unit m --edit-unit axis --json numbers.json --csv numbers.csv"));
 }
 
-TEST(ComparisonReport, TellsToExportAPlantThatNoCommandCanRead) {
+TEST(ComparisonReport, SaysToExportAPlantThatNoCommandCanRead) {
   ReportAbout about = aboutPlants();
   about.result.isToExport = true;
   const QString text = textOf(sectionOf(reportOfTrunk(about), "How it was measured"));
@@ -227,8 +227,8 @@ TEST(ComparisonReport, SaysWhatMakesTheNumbersDoubtful) {
   EXPECT_TRUE(text.contains("there are no pictures: OpenGL: no context")) << qPrintable(text);
 }
 
-// As the panel and the command line tell it, with the unit.
-TEST(ComparisonReport, TellsTheShiftOfThePlantThatIsGiven) {
+// As the panel and the command line state it, with the unit.
+TEST(ComparisonReport, StatesTheShiftOfThePlantThatIsGiven) {
   const Skeleton plant = branched();
   ComparisonOptions options;
   options.registration.motion = Eigen::Isometry3d(Eigen::Translation3d(0.5, 0, -0.25));
@@ -244,7 +244,7 @@ TEST(ComparisonReport, TellsTheShiftOfThePlantThatIsGiven) {
   EXPECT_TRUE(textOf(how).contains(" --shift=0.5,0,-0.25 ")) << qPrintable(textOf(how));
 }
 
-TEST(ComparisonReport, TellsTheWorkByHandOfWhatHasAHistory) {
+TEST(ComparisonReport, StatesTheWorkByHandOfWhatHasAHistory) {
   ReportAbout about = aboutPlants();
   about.handWork = HandWork{.corrections = {.edits = 3, .added = 2, .moved = 7},
                             .time = std::int64_t{12} * 60'000};

@@ -41,7 +41,7 @@ std::string contentOf(const std::filesystem::path& file) {
   return text.str();
 }
 
-TEST(PlantReport, TellsAllOfOnePlant) {
+TEST(PlantReport, ShowsAllOfOnePlant) {
   const Report report = plantReport(data(), {}, about());
   EXPECT_EQ(report.title, "oak.mtg");
   const QString summary = textOf(sectionOf(report, "Summary"));

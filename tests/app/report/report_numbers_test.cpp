@@ -27,7 +27,7 @@ TEST(ReportNumbers, WritesWhatWasGivenWithoutZerosAtTheEnd) {
   EXPECT_EQ(ReportNumbers("").givenLength(20), "20");
 }
 
-TEST(ReportNumbers, TellsByHowMuchOneIsAboveTheOther) {
+TEST(ReportNumbers, SaysByHowMuchOneIsAboveTheOther) {
   const ReportNumbers numbers("m");
   EXPECT_EQ(numbers.difference(3, 2), QString("+50.0") + thin + "%");
   EXPECT_EQ(numbers.difference(1, 2), QChar(0x2212) + QString("50.0") + thin + "%");

@@ -125,11 +125,11 @@ TEST(HtmlReport, WritesATableThatIsTooWideForAPhoneRowBelowRow) {
   EXPECT_FALSE(narrow.contains("data-name="));
   const QByteArray wide = htmlOf(tableOf(6)); // 6 x 8
   EXPECT_TRUE(wide.contains("<table class=\"cards\">"));
-  EXPECT_EQ(wide.count("data-name=\"share\""), 6) << "each cell tells what it is";
+  EXPECT_EQ(wide.count("data-name=\"share\""), 6) << "each cell says what it is";
   static_cast<void>(parse(wide));
 }
 
-TEST(HtmlReport, TellsPicturesToThoseWhoDoNotSeeThem) {
+TEST(HtmlReport, DescribesPicturesToThoseWhoDoNotSeeThem) {
   Report report = sample();
   QImage image(2, 2, QImage::Format_RGB32);
   image.fill(Qt::white);
@@ -148,7 +148,7 @@ TEST(PdfReport, HasSeveralPagesOfA4) {
   EXPECT_TRUE(text.contains(QRegularExpression("/MediaBox \\[0 0 59[45][.0-9]* 84[12][.0-9]*\\]")));
 }
 
-/// A table of which each row tells its number.
+/// A table of which each row states its number.
 Report longTable(int rows) {
   ReportTable table;
   table.columns = {{"row", false}, {"share"}};

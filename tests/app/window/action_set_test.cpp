@@ -20,7 +20,7 @@ struct ActionSetTest : testing::Test {
   }
 };
 
-TEST_F(ActionSetTest, TellsWhyACommandIsRefused) {
+TEST_F(ActionSetTest, SaysWhyACommandIsRefused) {
   actions.add({.id = "fail", .text = "Fail", .help = "Fails"}, [] { throw Error("no way"); });
   actions["fail"]->trigger();
   EXPECT_EQ(reason, "no way");

@@ -41,7 +41,7 @@ using test::forkTop;
 
 using MainWindowTest = test::WindowTest;
 
-TEST_F(MainWindowTest, TheSheetOfShortcutsTellsOfBoxesAndLassos) {
+TEST_F(MainWindowTest, TheSheetOfShortcutsListsBoxesAndLassos) {
   action("shortcuts").trigger();
   auto& sheet = find<QDialog>("shortcut_sheet");
   QStringList texts;
@@ -143,7 +143,7 @@ TEST_F(MainWindowTest, HasALineInTheManualForEveryAction) {
       QString::fromStdString((test::sourceFolder() / "resources/manual/manual.md").string()));
   ASSERT_TRUE(file.open(QIODevice::ReadOnly));
   const QString manual = QString::fromUtf8(file.readAll());
-  const QRegularExpression pointSize("^\\d+ px$"); // one line tells of all
+  const QRegularExpression pointSize("^\\d+ px$"); // one line is for all
   for (const QAction* each : window().actionSet().all()) {
     const QString name = each->text().remove('&');
     if (!pointSize.match(name).hasMatch()) {

@@ -184,7 +184,7 @@ TEST_F(PreviewTest, RecordsAChoiceInTheProjectAndTakesItBack) {
         return action("forget_choice").isEnabled();
       },
       patience));
-  EXPECT_FALSE(window().banner().isVisible()) << "what it told is mended";
+  EXPECT_FALSE(window().banner().isVisible()) << "what it reported is mended";
   answer(chooseFile(path("plant.espalier")), [&] { action("save_project_as").trigger(); });
   waitForJob();
   restart();

@@ -28,16 +28,16 @@ namespace {
 double distanceTo(const std::vector<Eigen::Vector3d>& line, const Eigen::Vector3d& place) {
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < line.size(); ++i) {
-    const Eigen::Vector3d way = line[i] - line[i - 1];
-    const double along = std::clamp((place - line[i - 1]).dot(way) / way.squaredNorm(), 0.0, 1.0);
-    nearest = std::min(nearest, (line[i - 1] + along * way - place).norm());
+    const Eigen::Vector3d step = line[i] - line[i - 1];
+    const double along = std::clamp((place - line[i - 1]).dot(step) / step.squaredNorm(), 0.0, 1.0);
+    nearest = std::min(nearest, (line[i - 1] + along * step - place).norm());
   }
   return nearest;
 }
 
 class CorrectionTest : public test::WindowTest {
 protected:
-  /// A branch that hangs, or hung, on `parent`.
+  /// A branch that is, or was, attached to `parent`.
   struct Mistake {
     NodeId branch;
     NodeId parent;                       // where it belongs
@@ -188,21 +188,22 @@ protected:
                         Qt::ShiftModifier | Qt::AltModifier);
       QApplication::sendEvent(&view(), &event);
     };
-    std::vector<QPoint> way;
+    std::vector<QPoint> pixels;
     for (const Eigen::Vector3d& at : places)
-      way.push_back(view().project(at)->toPoint());
-    hover(way.front());
-    send(QEvent::MouseButtonPress, way.front(), Qt::LeftButton);
-    for (std::size_t i = 1; i < way.size(); ++i)
+      pixels.push_back(view().project(at)->toPoint());
+    hover(pixels.front());
+    send(QEvent::MouseButtonPress, pixels.front(), Qt::LeftButton);
+    for (std::size_t i = 1; i < pixels.size(); ++i)
       for (int step = 1; step <= 6; ++step)
-        send(QEvent::MouseMove, way[i - 1] + (way[i] - way[i - 1]) * step / 6, Qt::LeftButton);
-    send(QEvent::MouseButtonRelease, way.back(), Qt::NoButton);
+        send(QEvent::MouseMove, pixels[i - 1] + (pixels[i] - pixels[i - 1]) * step / 6,
+             Qt::LeftButton);
+    send(QEvent::MouseButtonRelease, pixels.back(), Qt::NoButton);
   }
 
   [[nodiscard]] Eigen::Vector3d place(NodeId id) { return document().skeleton()[id].position; }
 
-  /// Hangs a branch on a node of another axis nearby; none if there is none.
-  std::optional<Mistake> hangWrong(NodeId branch) {
+  /// Attaches a branch to a node of another axis nearby; none if there is none.
+  std::optional<Mistake> attachWrongly(NodeId branch) {
     const Skeleton& plant = document().skeleton();
     const Node node = plant[branch];
     if (!node.parent || node.edge != EdgeType::branching) return {};
@@ -290,11 +291,11 @@ protected:
                      }};
     const auto isSeen = [&] { return seen(mistake.parent) && seen(places.back(), 25); };
     ASSERT_TRUE(lookClosely(points, isSeen));
-    std::vector<Eigen::Vector3d> way = {place(mistake.parent)};
-    way.insert(way.end(), places.begin(), places.end());
+    std::vector<Eigen::Vector3d> branchPath = {place(mistake.parent)};
+    branchPath.insert(branchPath.end(), places.begin(), places.end());
     const std::size_t before = document().skeleton().size();
     const std::size_t firstNew = document().skeleton().idEnd();
-    stroke(way);
+    stroke(branchPath);
     did("stroke a branch (Shift+Alt+drag)");
     const auto isThere = [&] { return document().skeleton().size() > before; };
     ASSERT_TRUE(QTest::qWaitFor(isThere, patience));
@@ -358,7 +359,7 @@ TEST_F(CorrectionTest, MendsTwentyMistakesInAnExpertsStructure) {
     const int steps = document().undoStack().count();
     bool isSeen = false;
     if (wrong.size() < 10) {
-      if (const auto mistake = hangWrong(id)) {
+      if (const auto mistake = attachWrongly(id)) {
         const Eigen::Vector3d middle = (place(id) + place(mistake->parent)) / 2;
         const double size = (place(id) - place(mistake->parent)).norm();
         isSeen =

@@ -69,8 +69,8 @@ TEST_F(EvaluationWindowTest, ScoresTheTurnedExpertOfThePineAsUnturned) {
 TEST_F(EvaluationWindowTest, WarnsAboveTheScoresOfAnotherPlant) {
   open({write("plant.mtg", growPlant({.segments = 60}, 1))});
   load(write("other.mtg", growPlant({.segments = 60}, 2)));
-  const QString told = find<QLabel>("evaluation_warnings").text();
-  EXPECT_TRUE(told.contains("the two fit poorly")) << told.toStdString();
+  const QString warnings = find<QLabel>("evaluation_warnings").text();
+  EXPECT_TRUE(warnings.contains("the two fit poorly")) << warnings.toStdString();
 }
 
 TEST_F(EvaluationWindowTest, CountsEditsAsIsChosen) {

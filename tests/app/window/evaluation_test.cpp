@@ -70,7 +70,7 @@ TEST_F(EvaluationWindowTest, SaysThatThereIsNoErrorToAcceptOrIgnore) {
   }
 }
 
-TEST_F(EvaluationWindowTest, TellsWhatIsMissedAndFarInGroups) {
+TEST_F(EvaluationWindowTest, ListsWhatIsMissedAndFarInGroups) {
   compare([](SkeletonEditor& editor) { removeSubtree(editor, shoot(2)); });
   EXPECT_GT(score("missed_length").toDouble(), 0.1);
   EXPECT_EQ(score("invented_length"), "0.000");
@@ -89,7 +89,7 @@ TEST_F(EvaluationWindowTest, TellsWhatIsMissedAndFarInGroups) {
   }
 }
 
-TEST_F(EvaluationWindowTest, TellsDiametersAtBreastHeightOnceTheUnitIsKnown) {
+TEST_F(EvaluationWindowTest, ShowsDiametersAtBreastHeightOnceTheUnitIsKnown) {
   compare([](SkeletonEditor& editor) {
     for (const NodeId id : editor.skeleton().ids())
       editor.setRadius(id, 0.015);
@@ -229,7 +229,7 @@ TEST_F(EvaluationWindowTest, FliesToWhatTheArrowKeysComeTo) {
   EXPECT_TRUE(document().selection().isEmpty()) << "it is of the reference";
 }
 
-TEST_F(EvaluationWindowTest, DrawsWhereTheReferenceAttachesWhatHangsWrong) {
+TEST_F(EvaluationWindowTest, DrawsWhereTheReferenceAttachesWhatIsWronglyAttached) {
   compare([](SkeletonEditor& editor) { reparentNode(editor, shoot(1), NodeId{3}); });
   ASSERT_TRUE(waitForErrors(1));
   EXPECT_EQ(kind(0), "Wrongly attached");
@@ -241,7 +241,7 @@ TEST_F(EvaluationWindowTest, DrawsWhereTheReferenceAttachesWhatHangsWrong) {
   };
   const int before = marked();
   key(Qt::Key_6, Qt::ControlModifier);
-  EXPECT_GT(before, marked() + 300) << "cross, way, arrows and ring, beside the plant itself";
+  EXPECT_GT(before, marked() + 300) << "cross, path, arrows and ring, beside the plant itself";
 }
 
 TEST_F(EvaluationWindowTest, FindsTheShiftAgainAsThePlantIsMovedPieceByPiece) {

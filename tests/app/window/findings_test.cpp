@@ -100,13 +100,13 @@ TEST_F(FindingsWindowTest, TheKeyOfTheNextBringsTheListToTheFront) {
   EXPECT_TRUE(isInFront());
 }
 
-TEST_F(FindingsWindowTest, TellsHowTheChecksEndedToWhoHasAskedBefore) {
+TEST_F(FindingsWindowTest, SaysHowTheChecksEndedToWhoHasAskedBefore) {
   openForkAndScan();
-  const auto told = [&] { return window().statusLine().shownText(); };
+  const auto statusText = [&] { return window().statusLine().shownText(); };
   key(Qt::Key_F4);
-  ASSERT_EQ(told(), QString::fromUtf8("Checking against the scan…"));
+  ASSERT_EQ(statusText(), QString::fromUtf8("Checking against the scan…"));
   ASSERT_TRUE(QTest::qWaitFor([&] { return !find<QLabel>("findings_note").isVisible(); }));
-  EXPECT_EQ(told(), "The checks ended: " + title());
+  EXPECT_EQ(statusText(), "The checks ended: " + title());
 }
 
 TEST_F(FindingsWindowTest, FliesToTheFirstFindingOnceThereIsOne) {

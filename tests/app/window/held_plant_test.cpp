@@ -26,7 +26,7 @@ struct HeldPlantTest : test::PreviewTest {
   }
 };
 
-TEST_F(HeldPlantTest, KeysTellThatItIsBehindAPreviewAndEditNothing) {
+TEST_F(HeldPlantTest, KeysWarnThatItIsBehindAPreviewAndEditNothing) {
   showPreview();
   const Skeleton before = document().skeleton();
   for (const bool isSelected : {false, true}) {

@@ -72,7 +72,7 @@ TEST_F(KeysWindowTest, HintsNameTheNewKey) {
       << window().statusLine().shownText().toStdString();
 }
 
-// What was measured stays told, wherever the pointer is: the hint itself follows the keys.
+// What was measured stays shown, wherever the pointer is: the hint itself follows the keys.
 TEST_F(KeysWindowTest, AHintThatIsShownFollowsTheKeys) {
   open({writeFork("fork.mtg")});
   key(Qt::Key_I);
@@ -86,7 +86,7 @@ TEST_F(KeysWindowTest, AHintThatIsShownFollowsTheKeys) {
       << window().statusLine().shownText().toStdString();
 }
 
-TEST_F(KeysWindowTest, KeysOfAnotherCommandAreToldAndMoved) {
+TEST_F(KeysWindowTest, KeysOfAnotherCommandAreNamedAndMoved) {
   change("new_child");
   press(Qt::Key_T);
   EXPECT_EQ(note(), "T is used for “Stick to Points”, which would lose it");
@@ -107,7 +107,7 @@ TEST_F(KeysWindowTest, EscapeStaysWithItsCommand) {
   EXPECT_FALSE(find<QPushButton>("clear_keys").isEnabled());
 }
 
-TEST_F(KeysWindowTest, ShiftAloneIsNoKeyAndASignIsToldAsItself) {
+TEST_F(KeysWindowTest, ShiftAloneIsNoKeyAndASignIsNamedAsItself) {
   change("new_child");
   press(Qt::Key_Shift, Qt::ShiftModifier);
   EXPECT_FALSE(find<QPushButton>("set_keys").isEnabled());
@@ -176,7 +176,7 @@ TEST_F(KeysWindowTest, TheListIsFilteredByNameAndByKey) {
 }
 
 // Hints and the manual say Enter, whichever of the two it is.
-TEST_F(KeysWindowTest, BothEntersAreToldAsEnter) {
+TEST_F(KeysWindowTest, BothEntersAreNamedEnter) {
   action("shortcuts").trigger();
   EXPECT_EQ(sheet().findChild<QPushButton*>("keys_of_accept")->text(), "Enter");
   EXPECT_EQ(sheet().findChild<QPushButton*>("keys_of_mark_doubtful")->text(), "Shift+Enter");

@@ -20,13 +20,13 @@ struct MeasureWindowTest : test::WindowTest {
     click(placeOf(forkRoot));
     click(placeOf(forkTop));
   }
-  QString told() { return window().statusLine().shownText(); }
+  QString statusText() { return window().statusLine().shownText(); }
 };
 
-TEST_F(MeasureWindowTest, TwoClicksTellTheLengthInTheStatusLine) {
+TEST_F(MeasureWindowTest, TwoClicksShowTheLengthInTheStatusLine) {
   measureTrunk();
-  EXPECT_TRUE(told().startsWith("straight 1.000\u202fm   along the plant 1.000\u202fm"))
-      << told().toStdString();
+  EXPECT_TRUE(statusText().startsWith("straight 1.000\u202fm   along the plant 1.000\u202fm"))
+      << statusText().toStdString();
   EXPECT_TRUE(document().selection().isEmpty()) << "to measure selects nothing";
 }
 
@@ -41,7 +41,7 @@ TEST_F(MeasureWindowTest, CtrlCCopiesIt) {
 TEST_F(MeasureWindowTest, EscapeClearsItAndThenLeavesTheTool) {
   measureTrunk();
   key(Qt::Key_Escape);
-  EXPECT_TRUE(told().startsWith("Click two nodes")) << told().toStdString();
+  EXPECT_TRUE(statusText().startsWith("Click two nodes")) << statusText().toStdString();
   EXPECT_TRUE(action("tool_measure").isChecked());
   key(Qt::Key_Escape);
   EXPECT_TRUE(action("tool_move").isChecked());
@@ -50,12 +50,13 @@ TEST_F(MeasureWindowTest, EscapeClearsItAndThenLeavesTheTool) {
 TEST_F(MeasureWindowTest, AnotherToolClearsItAndUndoStillUndoes) {
   measureTrunk();
   edit();
-  EXPECT_TRUE(told().contains("straight") || told() == "Move") << told().toStdString();
+  EXPECT_TRUE(statusText().contains("straight") || statusText() == "Move")
+      << statusText().toStdString();
   key(Qt::Key_Z, Qt::ControlModifier);
   EXPECT_EQ(document().undoStack().index(), 0);
   key(Qt::Key_S);
   key(Qt::Key_I);
-  EXPECT_FALSE(told().contains("straight")) << told().toStdString();
+  EXPECT_FALSE(statusText().contains("straight")) << statusText().toStdString();
 }
 
 } // namespace

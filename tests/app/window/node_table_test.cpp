@@ -199,7 +199,7 @@ TEST_F(NodeTableWindowTest, ARadiusIsTypedInPlaceAsOneStep) {
   EXPECT_NEAR(document().skeleton()[forkTop].radius, 0.1, 1e-9);
 }
 
-TEST_F(NodeTableWindowTest, WhatIsNoRadiusIsToldAndChangesNothing) {
+TEST_F(NodeTableWindowTest, WhatIsNoRadiusIsReportedAndChangesNothing) {
   openTable();
   auto* field = edit<QLineEdit>(forkTop, NodeColumn::radius);
   ASSERT_NE(field, nullptr);

@@ -15,7 +15,7 @@ PipelineOptions with(const std::vector<std::string>& settings) {
   return options;
 }
 
-TEST(OptionsText, TellsOnlyWhatIsOtherwise) {
+TEST(OptionsText, SaysOnlyWhatIsOtherwise) {
   EXPECT_EQ(changeText({}, {}, scale, "mm"), "");
   EXPECT_EQ(changeText({}, with({"contract.radius=12.5"}), scale, "mm"),
             QString("Contract: radius 12.5%1mm").arg(QChar(0x202f)));
@@ -33,7 +33,7 @@ TEST(OptionsText, NamesTheMethodAndEachStep) {
             "Contract: fit circles yes; Prune: none");
 }
 
-TEST(OptionsText, TellsOfRootAndUp) {
+TEST(OptionsText, NamesRootAndUp) {
   PipelineOptions options = with({"contract.radius=12.5"});
   options.up = UpAxis::y;
   options.root = Eigen::Vector3d(1, 2, 3);

@@ -53,11 +53,11 @@ protected:
   }
   /// The polygon about the branch along +x, away from the trunk.
   std::vector<QPoint> aroundTheBranch() {
-    std::vector<QPoint> way;
+    std::vector<QPoint> corners;
     for (const Eigen::Vector3d& place :
          {Eigen::Vector3d(0.15, 0, 0.9), {1, 0, 1.4}, {1, 0, 1.9}, {0.15, 0, 1.3}})
-      way.push_back(pixel(place).toPoint());
-    return way;
+      corners.push_back(pixel(place).toPoint());
+    return corners;
   }
   void waitForStates() { QTest::qWait(30); } // what is shown follows in the next round of events
 

@@ -42,18 +42,18 @@ TEST_F(PreviewTest, ThePlantIsDrawnUntilSomethingIsDoneOtherwise) {
   type("contract", "radius", 0.1);
   key(Qt::Key_R, Qt::ControlModifier);
   waitForJob();
-  const auto tells = [&] { return window().statusLine().shownText().startsWith("Preview"); };
+  const auto saysPreview = [&] { return window().statusLine().shownText().startsWith("Preview"); };
   const QImage before = view().picture({300, 200});
   turnOn();
   EXPECT_EQ(view().picture({300, 200}), before);
   type("contract", "radius", 0.2);
   waitForPreview();
   EXPECT_NE(view().picture({300, 200}), before);
-  EXPECT_TRUE(QTest::qWaitFor(tells, patience)) << "once it has told of the step";
+  EXPECT_TRUE(QTest::qWaitFor(saysPreview, patience)) << "once it has reported the step";
   type("contract", "radius", 0.1);
   waitForPreview();
   EXPECT_EQ(view().picture({300, 200}), before);
-  EXPECT_FALSE(tells());
+  EXPECT_FALSE(saysPreview());
   view().setFocus();
   key(Qt::Key_Z, Qt::ControlModifier);
   EXPECT_TRUE(document().skeleton().isEmpty());
@@ -184,7 +184,7 @@ TEST_F(PreviewTest, ShowsOnlyTheLastOfManyTurnsOfAKnob) {
   EXPECT_LE(seen.size(), 8U) << "what is out of date is dropped, never queued";
 }
 
-TEST_F(PreviewTest, TellsWhyAStepFails) {
+TEST_F(PreviewTest, SaysWhyAStepFails) {
   auto* method = step("contract").findChild<QComboBox*>();
   method->setCurrentIndex(method->findData("adaptive_geodesic"));
   emit method->activated(method->currentIndex());
@@ -198,7 +198,7 @@ TEST_F(PreviewTest, TellsWhyAStepFails) {
   EXPECT_TRUE(document().skeleton().isEmpty());
 }
 
-TEST_F(PreviewTest, StepsTellHowTheyStand) {
+TEST_F(PreviewTest, StepsShowHowTheyStand) {
   using State = StepForm::State;
   EXPECT_EQ(step("prune").state(), State::idle);
   key(Qt::Key_R, Qt::ControlModifier);
@@ -337,8 +337,8 @@ TEST_F(RegionPreviewTest, ShowsTheBallWhereThePointerPutIt) {
   EXPECT_LT((ball->center - place).norm(), 0.1);
 }
 
-/// How long the window does not answer while knobs are turned; told, not judged: machines differ.
-/// Its event loop runs as ever, so that no wait of a test counts.
+/// How long the window does not answer while knobs are turned; printed, not judged: machines
+/// differ. Its event loop runs as ever, so that no wait of a test counts.
 TEST_F(PreviewTest, AnswersWhileKnobsAreTurned) {
   ESPALIER_SHARED_FILE(scan, "puu1/scan.ply");
   open({QString::fromStdString(scan.string())});

@@ -177,7 +177,7 @@ TEST_F(ProjectWindowTest, AsksBeforeAProjectReplacesUnsavedEdits) {
   EXPECT_TRUE(sessionFiles().isEmpty()) << "what is discarded is not offered again";
 }
 
-TEST_F(ProjectWindowTest, TellsThatAnotherWindowHasTheProjectAndOpensACopy) {
+TEST_F(ProjectWindowTest, SaysThatAnotherWindowHasTheProjectAndOpensACopy) {
   open({writeFork("fork.mtg")});
   const QString file = saveProject("plant.espalier");
   QSettings settings(path("other.ini"), QSettings::IniFormat);

@@ -36,7 +36,7 @@ TEST_F(ProjectWindowTest, KeepsTheOptionsOfThePipeline) {
   EXPECT_EQ(options(), PipelineOptions()) << "another plant";
 }
 
-TEST_F(ProjectWindowTest, TellsWhichStepsThePlantWasMadeWithWhenItIsOpenedAgain) {
+TEST_F(ProjectWindowTest, ShowsWhichStepsThePlantWasMadeWithWhenItIsOpenedAgain) {
   using State = StepForm::State;
   const auto state = [this](const char* step) {
     return dynamic_cast<StepForm&>(find<QWidget>(step)).state();
@@ -172,11 +172,11 @@ TEST_F(ProjectWindowTest, KeepsWhatIsClipped) {
 TEST_F(ProjectWindowTest, AsksForColorsBeforeTheirRangeIsTyped) {
   open({writeScan("plant.xyz")});
   action("color_uniform").trigger();
-  QString told;
+  QString refusal;
   QObject::connect(&window().actionSet(), &ActionSet::refused, &window(),
-                   [&](const QString& reason) { told = reason; });
+                   [&](const QString& reason) { refusal = reason; });
   action("color_range").trigger();
-  EXPECT_TRUE(told.contains("color points", Qt::CaseInsensitive)) << told.toStdString();
+  EXPECT_TRUE(refusal.contains("color points", Qt::CaseInsensitive)) << refusal.toStdString();
 }
 
 TEST_F(ProjectWindowTest, ShowsAllOfAPlantWhoseViewCannotBeRead) {

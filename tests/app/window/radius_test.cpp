@@ -62,7 +62,7 @@ TEST_F(RadiusWindowTest, EscapeInADragOfTheCenterRestoresThePlant) {
   EXPECT_EQ(document().selection().nodes().size(), 1U) << "Escape left the drag alone";
 }
 
-TEST_F(RadiusWindowTest, SetsTheRadiusOfASelectionAndTellsWhatItCouldNot) {
+TEST_F(RadiusWindowTest, SetsTheRadiusOfASelectionAndReportsWhatItCouldNot) {
   document().selection().set({node(1), node(2), node(3), node(last)});
   action("radius_circle").trigger();
   for (const int i : {1, 2, 3})
@@ -86,7 +86,7 @@ TEST_F(RadiusWindowTest, MeasuresByEachMeasure) {
   }
 }
 
-TEST_F(RadiusWindowTest, TellsWhenNothingCouldBeMeasured) {
+TEST_F(RadiusWindowTest, SaysWhenNothingCouldBeMeasured) {
   document().selection().set({node(last)});
   action("radius_circle").trigger();
   EXPECT_EQ(document().undoStack().count(), 0);
@@ -125,7 +125,7 @@ TEST_F(RadiusWindowTest, ModelsSmoothsAndLimits) {
   EXPECT_EQ(document().undoStack().count(), steps) << "there is nothing left to limit";
 }
 
-// The trunk is 0.05 thick: node 3 was measured, the others are far from what the points tell.
+// The trunk is 0.05 thick: node 3 was measured, the others are far from what the points show.
 TEST_F(RadiusWindowTest, KeepsConfirmedRadiiInAPipeModel) {
   document().edit("Prepare", [&](SkeletonEditor& editor) {
     editor.setRadius(node(0), 0.2);

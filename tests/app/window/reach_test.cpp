@@ -1,4 +1,4 @@
-// Whether all of the window can be reached by the keyboard, is told to a screen reader, and has a
+// Whether all of the window can be reached by the keyboard, is named to a screen reader, and has a
 // menu of its own.
 #include "tests/app/window/window_fixture.h"
 #include "tests/support/plants.h"
@@ -67,9 +67,9 @@ TEST_F(ReachTest, EverythingWithTheKeyboardHasAName) {
   const QList<QWidget*> all = stops();
   EXPECT_GT(all.size(), 30);
   for (QWidget* widget : all) {
-    const QAccessibleInterface* told = QAccessible::queryAccessibleInterface(widget);
-    ASSERT_NE(told, nullptr) << nameOf(widget);
-    EXPECT_FALSE(told->text(QAccessible::Name).isEmpty()) << nameOf(widget);
+    const QAccessibleInterface* accessible = QAccessible::queryAccessibleInterface(widget);
+    ASSERT_NE(accessible, nullptr) << nameOf(widget);
+    EXPECT_FALSE(accessible->text(QAccessible::Name).isEmpty()) << nameOf(widget);
   }
 }
 

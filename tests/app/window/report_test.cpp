@@ -89,15 +89,15 @@ TEST_F(ReportWindowTest, IsOfferedTheNameOfTheScanIfThePlantHasNone) {
 }
 
 // Found again, the shift would be another, though too small a one to move the reference.
-TEST_F(ReportWindowTest, TellsOfThePlantWhereThePanelLaysIt) {
+TEST_F(ReportWindowTest, ReportsThePlantWhereThePanelLaysIt) {
   open({write("plant.mtg", test::stick(21, 0.1))});
   answer(chooseFile(write("expert.mtg", test::stick(21, 0.1))),
          [this] { action("load_reference").trigger(); });
   waitForJob();
-  const auto isTold = [this](const QString& text) {
+  const auto isShown = [this](const QString& text) {
     return QTest::qWaitFor([&] { return find<QLabel>("evaluation_shift").text() == text; }, 60'000);
   };
-  ASSERT_TRUE(isTold(QStringLiteral("moved by 0\u202fm")))
+  ASSERT_TRUE(isShown(QStringLiteral("moved by 0\u202fm")))
       << qPrintable(find<QLabel>("evaluation_shift").text());
   document().edit("Move all", [](SkeletonEditor& editor) { moveAll(editor, {0.001, 0, 0}); });
   answer(chooseFile(path("plant.html")), [this] { action("export_report").trigger(); });
@@ -105,7 +105,7 @@ TEST_F(ReportWindowTest, TellsOfThePlantWhereThePanelLaysIt) {
   const QString html = QString::fromUtf8(bytesOf(path("plant.html")));
   EXPECT_TRUE(html.contains("the plant was moved to lie on the reference"));
   EXPECT_TRUE(html.contains("--shift=0,0,0")) << "and so does the command";
-  EXPECT_TRUE(isTold(QStringLiteral("moved by 0\u202fm")));
+  EXPECT_TRUE(isShown(QStringLiteral("moved by 0\u202fm")));
 }
 
 TEST_F(ReportWindowTest, NamesTheScanAndItsHashWhileTheFileIsThere) {

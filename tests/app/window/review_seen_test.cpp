@@ -1,4 +1,4 @@
-// What a review marks: only what is seen, never much at once, and no doubt by the way.
+// What a review marks: only what is seen, never much at once, and no doubt in passing.
 #include "tests/app/window/review_fixture.h"
 #include "ui/panels/coverage_bar.h"
 #include "ui/panels/message_banner.h"

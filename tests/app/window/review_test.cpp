@@ -24,7 +24,7 @@ namespace {
 
 using test::ReviewWindowTest;
 
-TEST_F(ReviewWindowTest, TellsWhyNothingIsMarkedUntilSomethingIsDone) {
+TEST_F(ReviewWindowTest, SaysWhyNothingIsMarkedUntilSomethingIsDone) {
   openFork();
   action("show_review").setChecked(true);
   document().selection().clear();
@@ -157,7 +157,7 @@ TEST_F(ReviewWindowTest, EnterMarksAStretchAndGoesOnUntilAllIsReviewed) {
     EXPECT_EQ(markOf(id), ReviewMark());
 }
 
-TEST_F(ReviewWindowTest, ThePanelTellsWhatIsLeftEvenIfItHasNoLength) {
+TEST_F(ReviewWindowTest, ThePanelShowsWhatIsLeftEvenIfItHasNoLength) {
   openFork();
   action("show_review").setChecked(true);
   const NodeId root = document().skeleton().roots().front();

@@ -37,7 +37,7 @@ struct SaveStyleTest : test::WindowTest {
   const std::map<int, int> plantAxisNode = {{1, 1}, {2, 3}, {3, 5}};
 };
 
-TEST_F(SaveStyleTest, TheTypeOfFileTellsWhetherThereAreAxes) {
+TEST_F(SaveStyleTest, TheTypeOfFileSetsWhetherThereAreAxes) {
   open({writeFork("fork.txt")});
   answer(chooseAs("as PlantScan3D", path("nodes.mtg")), [this] { action("save_as").trigger(); });
   EXPECT_EQ(verticesPerScale("nodes.mtg"), plantNode);

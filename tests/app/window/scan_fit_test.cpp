@@ -93,7 +93,7 @@ TEST_F(ScanFitTest, LooksAtThePlantOnceItLiesOnTheScan) {
   EXPECT_LT(view().camera().distance, before) << "nothing lies apart any more";
 }
 
-TEST_F(ScanFitTest, LeavesAStructureWhereItIsIfToldSo) {
+TEST_F(ScanFitTest, LeavesAStructureWhereItIsIfAsked) {
   open({path("tree.xyz"), writeTree(1, -mean)});
   const Skeleton before = document().skeleton();
   clickButton("dismiss");

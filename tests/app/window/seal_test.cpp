@@ -59,7 +59,7 @@ TEST_F(SealWindowTest, BreaksByAnEditOnceAndIsMendedByUndo) {
   clickButton("dismiss");
   document().selection().set({nodeAt({0, 0, 1})});
   key(Qt::Key_A); // a thicker trunk
-  EXPECT_FALSE(window().banner().isVisible()) << "it is told once";
+  EXPECT_FALSE(window().banner().isVisible()) << "it is reported once";
   key(Qt::Key_Z, Qt::ControlModifier);
   EXPECT_TRUE(isBroken());
   key(Qt::Key_Z, Qt::ControlModifier);
@@ -131,7 +131,7 @@ TEST_F(SealWindowTest, RedoLeadsBackToItFromBeforeItWasSigned) {
   EXPECT_EQ(seal(), before);
 }
 
-TEST_F(SealWindowTest, AnEditBeforeItLeavesNoWayBack) {
+TEST_F(SealWindowTest, AfterAnEditBeforeItNothingLeadsBack) {
   openAndReview();
   saveProject("fork.espalier");
   sign();
@@ -146,7 +146,7 @@ TEST_F(SealWindowTest, AnEditBeforeItLeavesNoWayBack) {
     EXPECT_TRUE(button->isHidden() || button->text() == "Dismiss") << "nothing leads back";
   clickButton("dismiss");
   key(Qt::Key_A);
-  EXPECT_FALSE(window().banner().isVisible()) << "it is told once";
+  EXPECT_FALSE(window().banner().isVisible()) << "it is reported once";
 }
 
 TEST_F(SealWindowTest, IsKeptInTheProject) {
@@ -169,7 +169,7 @@ TEST_F(SealWindowTest, IsKeptInTheProject) {
   EXPECT_FALSE(isIntact());
 }
 
-TEST_F(SealWindowTest, TellsWhoWhenAndWhatWasCorrected) {
+TEST_F(SealWindowTest, SaysWhoWhenAndWhatWasCorrected) {
   open({writeFork("fork.mtg")});
   dragTheShoot();
   key(Qt::Key_Period);
@@ -207,7 +207,7 @@ TEST_F(SealWindowTest, IsExportedAsAFileBesideTheStructure) {
   EXPECT_FALSE(action("export_seal").isEnabled()) << "a broken seal says nothing";
 }
 
-TEST_F(SealWindowTest, ThatCannotBeReadIsToldAndLeftAlone) {
+TEST_F(SealWindowTest, ThatCannotBeReadIsReportedAndLeftAlone) {
   openAndReview();
   const QString file = saveProject("fork.espalier");
   action("close_plant").trigger();

@@ -33,10 +33,10 @@ protected:
   }
 
   [[nodiscard]] Eigen::Vector3d place() { return document().skeleton()[node_].position; }
-  /// From the node by this way in the plane of the screen [L].
-  void dragBy(const Eigen::Vector3d& way, Qt::KeyboardModifiers modifiers) {
+  /// From the node, by this shift in the plane of the screen [L].
+  void dragBy(const Eigen::Vector3d& shift, Qt::KeyboardModifiers modifiers) {
     const QPoint from = placeOf(node_);
-    const QPoint to = view().project(start_ + way)->toPoint();
+    const QPoint to = view().project(start_ + shift)->toPoint();
     hover(from);
     send(QEvent::MouseButtonPress, from, Qt::LeftButton, Qt::NoModifier);
     send(QEvent::MouseMove, (from + to) / 2, Qt::NoButton, modifiers);

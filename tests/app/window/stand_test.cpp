@@ -59,7 +59,7 @@ TEST_F(StandTest, TheRootIsPickedByAClickBeforeTheFirstReconstruction) {
   EXPECT_LT((*document().root() - Eigen::Vector3d(0.8, 0, 1.6)).norm(), 0.1);
   EXPECT_TRUE(action("tool_move").isChecked()) << "the tool before";
   EXPECT_EQ(find<QComboBox>("root").currentIndex(), 2) << "at that place";
-  EXPECT_TRUE(find<QComboBox>("root").currentText().startsWith("at ")) << "and tells it";
+  EXPECT_TRUE(find<QComboBox>("root").currentText().startsWith("at ")) << "and says so";
   reconstruct();
   EXPECT_LT((rootOfPlant() - *document().root()).norm(), 0.1);
 }

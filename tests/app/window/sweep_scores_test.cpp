@@ -64,7 +64,7 @@ TEST(SweepScores, CrownAnEndThatAgreesBestWithTheReference) {
   EXPECT_EQ(named(scores[2], "F").text, "0.700");
 }
 
-TEST(SweepScores, TellNothingOfWhatIsNotKnown) {
+TEST(SweepScores, SayNothingOfWhatIsNotKnown) {
   const auto scores = sweepScores({Judgment(), judgment(1, 2, 3)});
   EXPECT_TRUE(scores[0].empty());
   EXPECT_EQ(scores[1].size(), 5U) << "there is no reference";

@@ -22,7 +22,7 @@ struct ThemeFlowTest : testing::Test {
   ~ThemeFlowTest() override { applyTheme(false); }
   void changeSystem(bool isDark) {
     isSystemDark = isDark;
-    window.show(); // makes the window of the desktop, which is told
+    window.show(); // makes the window of the desktop, which is notified
     QEvent change(QEvent::ThemeChange);
     QApplication::sendEvent(window.windowHandle(), &change);
   }

@@ -233,13 +233,13 @@ TEST_F(TraceWindowTest, DropsWhatGrewOnEscape) {
   EXPECT_EQ(document().skeleton(), before_);
 }
 
-TEST_F(TraceWindowTest, OffersTabOnlyWhereThereIsAnotherWay) {
+TEST_F(TraceWindowTest, OffersTabOnlyWhereThereIsAnotherPath) {
   EXPECT_FALSE(action("next_way").isEnabled());
   key(Qt::Key_L);
   click(atNode(1));
   hover(at({0.4, 0, 1.3}));
   ASSERT_TRUE(waitForPreview());
-  EXPECT_FALSE(action("next_way").isEnabled()) << "one way is shown while the pointer moves";
+  EXPECT_FALSE(action("next_way").isEnabled()) << "one path is shown while the pointer moves";
 }
 
 } // namespace

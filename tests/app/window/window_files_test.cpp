@@ -24,7 +24,7 @@ using test::forkTop;
 
 using WindowFilesTest = test::WindowTest;
 
-TEST_F(WindowFilesTest, TellsWhatIsWrongWithAFileInOneLine) {
+TEST_F(WindowFilesTest, SaysWhatIsWrongWithAFileInOneLine) {
   QFile file(path("broken.xyz"));
   ASSERT_TRUE(file.open(QIODevice::WriteOnly));
   file.write("no numbers here\n");
@@ -98,7 +98,7 @@ TEST_F(WindowFilesTest, OffersAProjectForWhatTheFileCannotHold) {
   EXPECT_EQ(document().skeleton()[nodeAt({0, 0, 1})].review.comment, "dead");
 }
 
-TEST_F(WindowFilesTest, SavesBeforeItClosesIfToldSo) {
+TEST_F(WindowFilesTest, SavesBeforeItClosesIfAsked) {
   open({writeFork("fork.mtg")});
   edit();
   const Eigen::Vector3d place = document().skeleton()[forkTop].position;
@@ -237,7 +237,7 @@ TEST_F(WindowFilesTest, RemovesWhatAKilledRunLeftUnfinishedWhereItSaves) {
   EXPECT_FALSE(QFile::exists(path(left)));
 }
 
-TEST_F(WindowFilesTest, TellsWhatTheFormatOfAFileDoesNotKeep) {
+TEST_F(WindowFilesTest, SaysWhatTheFormatOfAFileDoesNotKeep) {
   open({writeFork("fork.mtg")});
   edit();
   answer(chooseFile(path("fork.swc")), [this] { action("save_as").trigger(); });
@@ -247,7 +247,7 @@ TEST_F(WindowFilesTest, TellsWhatTheFormatOfAFileDoesNotKeep) {
   EXPECT_TRUE(window().banner().text().contains("SWC keeps no edge types"));
 }
 
-TEST_F(WindowFilesTest, TellsThatAnMtgKeepsNoReview) {
+TEST_F(WindowFilesTest, SaysThatAnMtgKeepsNoReview) {
   open({writeFork("fork.mtg")});
   document().edit(
       "Comment", [](SkeletonEditor& editor) { editor.setReview(forkTop, {.comment = "a spur?"}); });

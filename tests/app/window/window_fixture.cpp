@@ -116,7 +116,7 @@ QPoint WindowTest::placeOf(NodeId id) {
   return place.value_or(QPointF()).toPoint();
 }
 
-// Sent at once: QTest would move the real pointer, of which an X server tells when it likes.
+// Sent at once: QTest would move the real pointer, which an X server reports when it likes.
 void WindowTest::hover(const QPoint& place) {
   QMouseEvent move(QEvent::MouseMove, QPointF(place), QPointF(view().mapToGlobal(place)),
                    Qt::NoButton, Qt::NoButton, Qt::NoModifier);

@@ -274,7 +274,7 @@ TEST_F(MainWindowTest, ACommandTakesTheNumberThatIsBeingTyped) {
   EXPECT_FALSE(document().isModified()) << "it was saved without the number";
 }
 
-TEST_F(MainWindowTest, TellsThatTheRadiiOfTheChosenNodesDiffer) {
+TEST_F(MainWindowTest, ShowsThatTheRadiiOfTheChosenNodesDiffer) {
   open({writeFork("fork.mtg")});
   document().selection().set(document().skeleton().ids());
   const auto names = [this] {
@@ -309,7 +309,7 @@ TEST_F(MainWindowTest, SaysThatAKeyHasNothingToActOn) {
   EXPECT_FALSE(document().isModified());
 }
 
-TEST_F(MainWindowTest, TellsWhatWasUndone) {
+TEST_F(MainWindowTest, SaysWhatWasUndone) {
   open({writeFork("fork.mtg")});
   hover(placeOf(nodeAt({1, 0, 2})));
   key(Qt::Key_Delete);

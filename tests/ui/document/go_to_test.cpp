@@ -20,24 +20,24 @@ struct GoToTest : testing::Test {
   }
 };
 
-TEST_F(GoToTest, TakesManyStepsBackAndTellsOneChange) {
+TEST_F(GoToTest, TakesManyStepsBackAndReportsOneChange) {
   for (int i = 1; i <= 1000; ++i)
     setRadius(i);
-  std::vector<SkeletonDelta> told;
+  std::vector<SkeletonDelta> deltas;
   QObject::connect(&document, &PlantDocument::skeletonEdited,
-                   [&](const SkeletonDelta& delta) { told.push_back(delta); });
+                   [&](const SkeletonDelta& delta) { deltas.push_back(delta); });
   const QSignalSpy indices(&document.undoStack(), &QUndoStack::indexChanged);
   document.goTo(0);
   EXPECT_EQ(document.skeleton(), test::stick(3));
   EXPECT_EQ(document.undoStack().index(), 0);
-  ASSERT_EQ(told.size(), 1U);
-  ASSERT_EQ(told[0].changes.size(), 1U);
-  EXPECT_EQ(told[0].changes[0].before->radius, 1000);
-  EXPECT_EQ(told[0].changes[0].after->radius, 0.1) << "as it was at first";
+  ASSERT_EQ(deltas.size(), 1U);
+  ASSERT_EQ(deltas[0].changes.size(), 1U);
+  EXPECT_EQ(deltas[0].changes[0].before->radius, 1000);
+  EXPECT_EQ(deltas[0].changes[0].after->radius, 0.1) << "as it was at first";
   EXPECT_EQ(indices.size(), 1);
   document.goTo(700);
   EXPECT_EQ(document.skeleton()[NodeId{1}].radius, 700);
-  EXPECT_EQ(told.size(), 2U);
+  EXPECT_EQ(deltas.size(), 2U);
 }
 
 TEST_F(GoToTest, BringsRemovedNodesBackAndForgetsAddedOnes) {
@@ -48,23 +48,23 @@ TEST_F(GoToTest, BringsRemovedNodesBackAndForgetsAddedOnes) {
     added = addChild(editor, NodeId{2}, {1, 1, 1});
   });
   const Skeleton end = document.skeleton();
-  std::vector<SkeletonDelta> told;
+  std::vector<SkeletonDelta> deltas;
   QObject::connect(&document, &PlantDocument::skeletonEdited,
-                   [&](const SkeletonDelta& delta) { told.push_back(delta); });
+                   [&](const SkeletonDelta& delta) { deltas.push_back(delta); });
   document.selection().set({added});
   document.goTo(0);
   EXPECT_EQ(document.skeleton(), start);
   EXPECT_TRUE(document.selection().isEmpty());
-  Skeleton mirrored = document.skeleton(); // as a view that is told of what follows
+  Skeleton mirrored = document.skeleton(); // as a view that follows by deltas
   document.goTo(2);
   EXPECT_EQ(document.skeleton(), end);
-  ASSERT_EQ(told.size(), 2U);
-  EXPECT_EQ(told[0].inverse().changes.size(), told[1].changes.size());
-  told[1].apply(mirrored);
+  ASSERT_EQ(deltas.size(), 2U);
+  EXPECT_EQ(deltas[0].inverse().changes.size(), deltas[1].changes.size());
+  deltas[1].apply(mirrored);
   EXPECT_EQ(mirrored, end);
 }
 
-TEST_F(GoToTest, TellsNothingOfStepsThatCancelEachOther) {
+TEST_F(GoToTest, ReportsNothingOfStepsThatCancelEachOther) {
   setRadius(2);
   setRadius(0.1); // as it was
   const QSignalSpy edits(&document, &PlantDocument::skeletonEdited);
@@ -73,7 +73,7 @@ TEST_F(GoToTest, TellsNothingOfStepsThatCancelEachOther) {
   EXPECT_EQ(document.undoStack().index(), 0);
 }
 
-TEST_F(GoToTest, TellsTheContractedPointsOnce) {
+TEST_F(GoToTest, ReportsTheContractedPointsOnce) {
   const auto points = [](float at) {
     return std::make_shared<const Eigen::Matrix3Xf>(Eigen::Matrix3Xf::Constant(3, 2, at));
   };

@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::int64_t minute = 60'000; // [ms]
 
-TEST(HandWorkText, TellsTimeInMinutesAndHours) {
+TEST(HandWorkText, NamesTimeInMinutesAndHours) {
   EXPECT_EQ(formatWorkTime(0), "under a minute");
   EXPECT_EQ(formatWorkTime(minute - 1), "under a minute");
   EXPECT_EQ(formatWorkTime(minute), "1 min");

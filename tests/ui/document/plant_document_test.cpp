@@ -98,17 +98,17 @@ TEST_F(PlantDocumentTest, TakesBackAnEditThatThrows) {
   EXPECT_EQ(document.undoStack().count(), 0);
 }
 
-TEST_F(PlantDocumentTest, TellsTheDeltaOfEveryEditUndoAndRedo) {
-  std::vector<SkeletonDelta> told;
+TEST_F(PlantDocumentTest, ReportsTheDeltaOfEveryEditUndoAndRedo) {
+  std::vector<SkeletonDelta> deltas;
   QObject::connect(&document, &PlantDocument::skeletonEdited,
-                   [&](const SkeletonDelta& delta) { told.push_back(delta); });
+                   [&](const SkeletonDelta& delta) { deltas.push_back(delta); });
   moveTo(document, 5);
   document.undoStack().undo();
   document.undoStack().redo();
-  ASSERT_EQ(told.size(), 3U);
-  EXPECT_EQ(told[0].changes.at(0).id, NodeId{2});
-  EXPECT_EQ(told[1], told[0].inverse());
-  EXPECT_EQ(told[2], told[0]);
+  ASSERT_EQ(deltas.size(), 3U);
+  EXPECT_EQ(deltas[0].changes.at(0).id, NodeId{2});
+  EXPECT_EQ(deltas[1], deltas[0].inverse());
+  EXPECT_EQ(deltas[2], deltas[0]);
 }
 
 TEST_F(PlantDocumentTest, IsModifiedFromAnEditUntilItIsSavedOrUndone) {

@@ -95,7 +95,7 @@ TEST_F(ProjectRecorderTest, BringsTheHistoryBackIntoAnotherDocument) {
   EXPECT_FALSE(other.undoStack().canUndo());
 }
 
-TEST_F(ProjectRecorderTest, GoesOnInMemoryWhenTheFileIsGoneAndTellsItOnce) {
+TEST_F(ProjectRecorderTest, GoesOnInMemoryWhenTheFileIsGoneAndReportsItOnce) {
   fs::remove(file);
   setRadius(1);
   setRadius(2);

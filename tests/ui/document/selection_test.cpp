@@ -22,7 +22,7 @@ TEST(Selection, TogglesNodesAndKeepsTheLastAsCurrent) {
   EXPECT_FALSE(selection.current());
 }
 
-TEST(Selection, TellsOnlyOfChanges) {
+TEST(Selection, ReportsOnlyChanges) {
   Selection selection;
   const QSignalSpy changes(&selection, &Selection::changed);
   selection.clear();

@@ -13,10 +13,10 @@ namespace {
 TEST(BlendBar, BeginsWhereContractionPutsThePoints) {
   const BlendBar bar;
   EXPECT_EQ(bar.blend(), 1);
-  EXPECT_FALSE(bar.showsWays());
+  EXPECT_FALSE(bar.showsDisplacements());
 }
 
-TEST(BlendBar, TellsWhereTheHandPutsThem) {
+TEST(BlendBar, ReportsWhereTheHandPutsThem) {
   BlendBar bar;
   QSignalSpy changed(&bar, &BlendBar::changed);
   auto* slider = bar.findChild<QSlider*>("blend_slider");
@@ -27,7 +27,7 @@ TEST(BlendBar, TellsWhereTheHandPutsThem) {
   QTest::mouseDClick(slider, Qt::LeftButton, {}, slider->rect().center());
   EXPECT_EQ(bar.blend(), 1) << "a double click gives the usual place back";
   QTest::mouseClick(bar.findChild<QToolButton*>("blend_ways"), Qt::LeftButton);
-  EXPECT_TRUE(bar.showsWays());
+  EXPECT_TRUE(bar.showsDisplacements());
   EXPECT_EQ(changed.count(), 4);
 }
 

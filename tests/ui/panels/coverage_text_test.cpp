@@ -30,7 +30,7 @@ TEST(CoverageText, IsNeverAboveTheShare) {
   EXPECT_EQ(percentText(coverageOf({5, 0, 5}, {50, 0, 50}), reviewed, 1), "50.0");
 }
 
-TEST(CoverageText, TellsNodesWhereTheirLengthDoesNotCount) {
+TEST(CoverageText, NamesNodesWhereTheirLengthDoesNotCount) {
   const auto left = [](double length, std::size_t nodes) {
     return amountText(coverageOf({length, 0, 10 - length}, {nodes, 0, 100 - nodes}), toDo,
                       LengthUnit::meter);

@@ -192,13 +192,13 @@ TEST_F(CrossSectionPanelTest, MovesAndGrowsByKeys) {
   EXPECT_EQ(document.undoStack().count(), 4);
 }
 
-TEST_F(CrossSectionPanelTest, TellsHowGoodACircleIs) {
+TEST_F(CrossSectionPanelTest, SaysHowGoodACircleIs) {
   EXPECT_TRUE(words().contains("all around (100")) << words().toStdString();
   EXPECT_TRUE(words().endsWith("clean")) << words().toStdString();
   EXPECT_TRUE(view->accessibleDescription().contains(words()));
 }
 
-TEST_F(CrossSectionPanelTest, TellsWhyThereIsNoCircle) {
+TEST_F(CrossSectionPanelTest, SaysWhyThereIsNoCircle) {
   document.setScan(scanOf(test::cylinder({0, 0, 0}, {0, 0, 0.2}, wood, 0.01)), "stump.ply");
   EXPECT_EQ(words(), "No circle: too few points here (0).");
   EXPECT_FALSE(panel.findChild<QPushButton*>("apply_section")->isEnabled());

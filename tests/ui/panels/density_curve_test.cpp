@@ -91,7 +91,7 @@ TEST_F(ShownCurve, IsAsBeforeAfterEscapeInADrag) {
   EXPECT_GT(curve_.curve().most, 10);
   QTest::keyClick(&curve_, Qt::Key_Escape);
   EXPECT_EQ(curve_.curve().most, 10);
-  EXPECT_EQ(changed_.size(), 2) << "and who follows it is told";
+  EXPECT_EQ(changed_.size(), 2) << "and who follows it is notified";
 }
 
 TEST_F(ShownCurve, GoesBackToTheDefaultByADoubleClick) {
@@ -104,7 +104,7 @@ TEST_F(ShownCurve, GoesBackToTheDefaultByADoubleClick) {
   EXPECT_EQ(curve_.curve(), (Curve{.least = 4, .most = 10, .exponent = 1}));
 }
 
-TEST_F(ShownCurve, TellsNobodyOfWhatItIsGiven) {
+TEST_F(ShownCurve, NotifiesNobodyOfWhatItIsGiven) {
   curve_.setCurve({.least = 5, .most = 9, .exponent = 2});
   EXPECT_EQ(changed_.size(), 0);
 }
@@ -128,7 +128,7 @@ TEST_F(ShownCurve, IsSetByKeysFromHandleToHandle) {
   EXPECT_EQ(changed_.size(), 5);
 }
 
-TEST_F(ShownCurve, TellsThoseWhoDoNotSeeItWhatTheyMove) {
+TEST_F(ShownCurve, NamesWhatMovesToThoseWhoDoNotSeeIt) {
   EXPECT_TRUE(curve_.accessibleDescription().startsWith("Least 4.00"));
   EXPECT_TRUE(curve_.accessibleDescription().contains("mm = 2.00 spacings"));
   QTest::keyClick(&curve_, Qt::Key_Up);

@@ -61,7 +61,7 @@ TEST_F(ExplainedBarTest, AChosenDistanceStaysInAnotherUnitAndIsForgottenWithTheP
   EXPECT_NEAR(number.value(), 0.04, 1e-12);
 }
 
-TEST_F(ExplainedBarTest, TellsWhetherToHide) {
+TEST_F(ExplainedBarTest, ReportsWhetherToHide) {
   EXPECT_FALSE(bar.isHiding());
   QTest::mouseClick(bar.findChild<QToolButton*>("explained_hide"), Qt::LeftButton);
   EXPECT_TRUE(bar.isHiding());

@@ -25,7 +25,7 @@ protected:
   JudgeTable table_;
 };
 
-TEST_F(ShownTable, TellsTheDifferenceToTheFirstStateAndWhetherItIsBetter) {
+TEST_F(ShownTable, ShowsTheDifferenceToTheFirstStateAndWhetherItIsBetter) {
   EXPECT_EQ(difference(0), "−3 ✓") << "less is better";
   EXPECT_EQ(difference(1), "+0.25 ✗") << "more is worse";
   EXPECT_EQ(difference(2), "+1.0") << "nobody knows";
@@ -43,7 +43,7 @@ TEST_F(ShownTable, ComparesNothingThatIsOfOtherPoints) {
   EXPECT_EQ(difference(0), "");
 }
 
-TEST_F(ShownTable, TellsTheDifferenceOfWhatIsWritten) {
+TEST_F(ShownTable, ShowsTheDifferenceOfWhatIsWritten) {
   table_.show({"Plant", "A"}, {{"Length", "m", {}, Better::less, 0, {32.4, 30.6}}});
   EXPECT_EQ(difference(0), "−1 ✓") << "from 32 to 31";
 }

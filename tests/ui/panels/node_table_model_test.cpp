@@ -42,7 +42,7 @@ struct NodeTableModelTest : testing::Test {
   }
 };
 
-TEST_F(NodeTableModelTest, TellsWhatANodeIs) {
+TEST_F(NodeTableModelTest, ShowsWhatANodeIs) {
   document.setUnit(LengthUnit::millimeter);
   EXPECT_EQ(text(2, NodeColumn::node), "2");
   EXPECT_EQ(text(2, NodeColumn::parent), "1");
@@ -104,7 +104,7 @@ TEST_F(NodeTableModelTest, KeepsItsRowsWhileOnlyCellsChange) {
   EXPECT_EQ(text(1, NodeColumn::radius), "11.000");
 }
 
-TEST_F(NodeTableModelTest, TellsWhatIsTyped) {
+TEST_F(NodeTableModelTest, ReportsWhatIsTyped) {
   double radius = 0;
   QObject::connect(&model, &NodeTableModel::radiusTyped,
                    [&](NodeId id, double typed) { radius = id == NodeId{1} ? typed : -1; });
@@ -133,7 +133,7 @@ TEST_F(NodeTableModelTest, LetsOnlyRadiiAndEdgesBeChanged) {
   };
   EXPECT_TRUE(isEditable(1, NodeColumn::radius));
   EXPECT_TRUE(isEditable(1, NodeColumn::edge));
-  EXPECT_FALSE(isEditable(0, NodeColumn::edge)) << "a root hangs on nothing";
+  EXPECT_FALSE(isEditable(0, NodeColumn::edge)) << "a root is attached to nothing";
   EXPECT_FALSE(isEditable(1, NodeColumn::x));
   document.setReadOnly("it is another window's");
   EXPECT_FALSE(isEditable(1, NodeColumn::radius));

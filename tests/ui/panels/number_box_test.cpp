@@ -43,7 +43,7 @@ TEST_F(NumberBoxTest, TakesLengthsInOtherUnits) {
   EXPECT_DOUBLE_EQ(typed("4.5"), 4.5);
 }
 
-TEST_F(NumberBoxTest, TellsAValueOnceItIsTyped) {
+TEST_F(NumberBoxTest, ReportsAValueOnceItIsTyped) {
   const QSignalSpy changed(&box_, &QDoubleSpinBox::valueChanged);
   typed("30 mm");
   ASSERT_EQ(changed.count(), 1);
@@ -62,7 +62,7 @@ TEST_F(NumberBoxTest, KeepsItsValueIfWhatIsTypedIsNotComplete) {
   EXPECT_DOUBLE_EQ(typed(" cm"), 0.25);
 }
 
-TEST_F(NumberBoxTest, TellsWhatItTakesWhereALetterIsNone) {
+TEST_F(NumberBoxTest, SaysWhatItTakesWhereALetterIsNone) {
   EXPECT_DOUBLE_EQ(typed("0.1 km"), 0.1) << "k is left out";
   EXPECT_TRUE(QToolTip::text().contains("mm, cm or m")) << QToolTip::text().toStdString();
   QToolTip::hideText();

@@ -30,10 +30,10 @@ protected:
 
 TEST_F(HeldSlider, FollowsTheMouse) {
   moveTo(300, Qt::NoModifier);
-  EXPECT_NEAR(slider_.place(), 0.75, 0.03); // the handle's own width is not part of the way
+  EXPECT_NEAR(slider_.place(), 0.75, 0.03); // the handle's own width is not part of its range
 }
 
-TEST_F(HeldSlider, MovesATenthOfTheWayWithShift) {
+TEST_F(HeldSlider, MovesATenthAsFarWithShift) {
   moveTo(200, Qt::ShiftModifier);
   moveTo(300, Qt::ShiftModifier);
   EXPECT_NEAR(slider_.place(), 0.525, 0.003);

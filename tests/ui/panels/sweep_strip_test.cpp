@@ -75,7 +75,7 @@ TEST_F(ShownStrip, IsWalkedByTheArrowKeysAndScrollsAlong) {
   EXPECT_TRUE(strip_.cards()[0]->hasFocus());
 }
 
-TEST_F(ShownStrip, TellsWhichCardIsUnderThePointer) {
+TEST_F(ShownStrip, ReportsWhichCardIsUnderThePointer) {
   std::vector<std::optional<std::size_t>> seen;
   QObject::connect(&strip_, &SweepStrip::hovered,
                    [&](std::optional<std::size_t> index) { seen.push_back(index); });
@@ -88,7 +88,7 @@ TEST_F(ShownStrip, TellsWhichCardIsUnderThePointer) {
   EXPECT_FALSE(seen[1]);
 }
 
-TEST_F(ShownStrip, TellsThoseWhoDoNotSeeItValueAndScores) {
+TEST_F(ShownStrip, NamesValueAndScoresToThoseWhoDoNotSeeIt) {
   EXPECT_EQ(strip_.cards()[0]->accessibleName(), "0 mm; Lost tips 0, best; Length 4 m");
   EXPECT_EQ(strip_.cards()[2]->accessibleName(), "20 mm; in use; Lost tips 2; Length 4 m");
 }

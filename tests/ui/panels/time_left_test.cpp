@@ -15,7 +15,7 @@ TEST(TimeLeft, IsNotGuessedTooEarly) {
   EXPECT_FALSE(secondsLeft(10, 0));
 }
 
-TEST(TimeLeft, IsToldInWholeSecondsOrMinutes) {
+TEST(TimeLeft, IsShownInWholeSecondsOrMinutes) {
   EXPECT_EQ(describeTimeLeft(11.2), "about 12 s left");
   EXPECT_EQ(describeTimeLeft(0), "about 1 s left");
   EXPECT_EQ(describeTimeLeft(200), "about 3 min left");

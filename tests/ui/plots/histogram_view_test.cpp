@@ -130,7 +130,7 @@ TEST_F(ShownHistogram, IsMarkedByKeysAlone) {
   EXPECT_TRUE(view_.accessibleDescription().contains("334"));
 }
 
-TEST_F(ShownHistogram, TellsOfABrushThatAHeldKeyMovesThatItIsNotFinal) {
+TEST_F(ShownHistogram, ReportsABrushThatAHeldKeyMovesAsNotFinal) {
   QTest::keyPress(&view_, Qt::Key_Right);
   QKeyEvent held(QEvent::KeyPress, Qt::Key_Right, Qt::NoModifier, {}, true);
   QCoreApplication::sendEvent(&view_, &held);
@@ -184,7 +184,7 @@ TEST_F(ShownHistogram, DrawsASecondSetOfAnotherSizeAsHighAsItsShare) {
   EXPECT_FALSE(plot.second);
 }
 
-TEST_F(ShownHistogram, MarksANumberThatIsToldElsewhere) {
+TEST_F(ShownHistogram, MarksANumberThatIsShownElsewhere) {
   const PlottedValues plain{.values = thousand(), .title = "Residual", .unit = "mm", .range = {}};
   const auto dark = [&](double value) {
     const QImage image = view_.grab().toImage();

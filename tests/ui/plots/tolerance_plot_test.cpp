@@ -54,7 +54,7 @@ TEST(TolerancePlot, DrawsSharesAtTheirHeightOnBothThemes) {
   }
 }
 
-TEST(TolerancePlot, TellsTheToleranceUnderThePointerWithinItsRange) {
+TEST(TolerancePlot, ReturnsTheToleranceUnderThePointerWithinItsRange) {
   const TolerancePlot made = plot();
   double before = -1;
   for (const double x : {-50.0, 100.0, 200.0, 300.0}) {
@@ -67,7 +67,7 @@ TEST(TolerancePlot, TellsTheToleranceUnderThePointerWithinItsRange) {
   EXPECT_FALSE(TolerancePlot().toleranceAt({100, 100}, box));
 }
 
-TEST(TolerancePlot, TellsScoresBetweenThoseOfTheCurve) {
+TEST(TolerancePlot, ReturnsScoresBetweenThoseOfTheCurve) {
   const TolerancePlot made{.curve = {{0, 0, 0.2}, {10, 1, 0.4}}, .chosen = {}, .unit = {}};
   EXPECT_DOUBLE_EQ(made.scoreAt(2.5).precision, 0.25);
   EXPECT_DOUBLE_EQ(made.scoreAt(2.5).recall, 0.25);

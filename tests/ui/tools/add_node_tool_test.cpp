@@ -110,7 +110,7 @@ TEST_F(AddNodeToolTest, TakesThePullBackOnEscape) {
   EXPECT_EQ(document.undoStack().count(), 0);
 }
 
-TEST_F(AddNodeToolTest, IsFreeAfterAPullWhoseReleaseIsNotTold) {
+TEST_F(AddNodeToolTest, IsFreeAfterAPullWhoseReleaseIsNotSent) {
   mouse.press(onNode(NodeId{1}), {0, 1});
   mouse.drag({0.5, 1});
   mouse.escape();

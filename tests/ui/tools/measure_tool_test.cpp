@@ -32,7 +32,7 @@ struct MeasureToolTest : testing::Test {
 
 constexpr auto nothing = "";
 
-TEST_F(MeasureToolTest, TellsTheLengthStraightAndAlongThePlant) {
+TEST_F(MeasureToolTest, ShowsTheLengthStraightAndAlongThePlant) {
   click(onNode(shoots[0]));
   EXPECT_EQ(tool.result(), nothing);
   click(onNode(shoots[1]));
@@ -43,7 +43,7 @@ TEST_F(MeasureToolTest, TellsTheLengthStraightAndAlongThePlant) {
   EXPECT_EQ(canvas.preview.label, "straight 2.000\u202fm · along the plant 2.828\u202fm");
 }
 
-TEST_F(MeasureToolTest, TellsTheAngleAtTheSecondOfThree) {
+TEST_F(MeasureToolTest, ShowsTheAngleAtTheSecondOfThree) {
   click(onNode(shoots[0]));
   click(onNode(forkTop));
   click(onNode(shoots[1]));
@@ -67,7 +67,7 @@ TEST_F(MeasureToolTest, MeasuresStraightToPoints) {
   EXPECT_EQ(tool.result(), "straight 3.000\u202fm");
 }
 
-TEST_F(MeasureToolTest, SaysThatThereIsNoWayToAnotherTree) {
+TEST_F(MeasureToolTest, SaysThatThereIsNoPathToAnotherTree) {
   NodeId other{};
   document.edit("Add", [&](SkeletonEditor& editor) {
     other = editor.add({.position = {0, 0, 5}});
@@ -77,7 +77,7 @@ TEST_F(MeasureToolTest, SaysThatThereIsNoWayToAnotherTree) {
   EXPECT_EQ(tool.result(), "straight 4.000\u202fm   in different trees");
 }
 
-TEST_F(MeasureToolTest, ShowsTheWayToThePointerBeforeTheSecondClick) {
+TEST_F(MeasureToolTest, ShowsThePathToThePointerBeforeTheSecondClick) {
   click(onNode(forkRoot));
   mouse.hover(onNode(forkTop), {0, 1});
   EXPECT_TRUE(canvas.preview.label.startsWith("straight 1.000"));

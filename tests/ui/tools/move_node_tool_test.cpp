@@ -136,7 +136,7 @@ TEST_F(MoveNodeToolTest, PutsTheNodeBackOnEscape) {
   EXPECT_EQ(document.undoStack().count(), 0);
 }
 
-TEST_F(MoveNodeToolTest, IsFreeAfterADragWhoseReleaseIsNotTold) {
+TEST_F(MoveNodeToolTest, IsFreeAfterADragWhoseReleaseIsNotSent) {
   mouse.press(onNode(NodeId{2}), {1, 2});
   mouse.drag({2, 2});
   mouse.escape();

@@ -67,9 +67,10 @@ TEST_F(NodeEditsTest, LetANewChildTurnWithThePoints) {
                                Eigen::Vector3d(0.05 * std::cos(i), 0.05 * std::sin(i), 0));
   document.setScan(std::make_unique<Scan>(PointCloud(raw)), "scan.ply");
   apply("new_child", {NodeId{2}});
-  const Eigen::Vector3d way = document.skeleton()[NodeId{5}].position - foot;
-  EXPECT_LT((way - way.dot(along) * along).norm(), 0.1) << "0.4 off if it had gone straight on";
-  EXPECT_NEAR(way.norm(), 1.31, 0.1) << "as far as edges are long in the mean";
+  const Eigen::Vector3d newEdge = document.skeleton()[NodeId{5}].position - foot;
+  EXPECT_LT((newEdge - newEdge.dot(along) * along).norm(), 0.1)
+      << "0.4 off if it had gone straight on";
+  EXPECT_NEAR(newEdge.norm(), 1.31, 0.1) << "as far as edges are long in the mean";
 }
 
 TEST_F(NodeEditsTest, MarkUnitStartsAndTakeTheMarksOffAgain) {

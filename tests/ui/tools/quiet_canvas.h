@@ -4,8 +4,8 @@
 
 namespace espalier::test {
 
-/// A view that shows nothing: notes what a tool draws over it, and finds in an area what it is told
-/// to. Pixels are those of Mouse.
+/// A view that shows nothing: notes what a tool draws over it, and finds in an area what it is set
+/// to find. Pixels are those of Mouse.
 class QuietCanvas : public Canvas {
 public:
   std::vector<NodeId> nodes;        // found in any area

@@ -23,7 +23,7 @@ struct ReparentNodeToolTest : testing::Test {
   void SetUp() override { document.openSkeleton(test::fork(3), "fork.mtg"); }
 };
 
-TEST_F(ReparentNodeToolTest, HangsTheNodeOnTheOneClicked) {
+TEST_F(ReparentNodeToolTest, AttachesTheNodeToTheOneClicked) {
   const QSignalSpy finished(&tool, &Tool::finished);
   tool.startWith({NodeId{3}});
   EXPECT_TRUE(mouse.click(onNode(NodeId{4}), {0, 2}));
@@ -41,7 +41,7 @@ TEST_F(ReparentNodeToolTest, ChoosesTheNodeFirstWithoutOne) {
   EXPECT_EQ(document.skeleton()[NodeId{3}].parent, NodeId{2});
 }
 
-TEST_F(ReparentNodeToolTest, HangsSeveralNodesAtOnce) {
+TEST_F(ReparentNodeToolTest, AttachesSeveralNodesAtOnce) {
   tool.startWith({NodeId{3}, NodeId{4}});
   mouse.click(onNode(NodeId{2}), {1, 2});
   EXPECT_EQ(document.skeleton().children(NodeId{2}).size(), 2U);
@@ -71,7 +71,7 @@ TEST_F(ReparentNodeToolTest, EndsWithNothingChangedOnEscape) {
   EXPECT_EQ(document.skeleton(), test::fork(3));
 }
 
-TEST_F(ReparentNodeToolTest, HangsANodeOnTheOneItIsDraggedOnto) {
+TEST_F(ReparentNodeToolTest, AttachesANodeToTheOneItIsDraggedOnto) {
   EXPECT_TRUE(mouse.press(onNode(NodeId{3}), {0, 2}));
   EXPECT_TRUE(mouse.drag({0.5, 2}));
   EXPECT_EQ(document.skeleton(), test::fork(3)) << "changed before it was dropped";
@@ -112,7 +112,7 @@ TEST_F(ReparentNodeToolTest, PutsBackOnEscapeInMidDrag) {
   EXPECT_EQ(document.skeleton(), test::fork(3));
 }
 
-TEST_F(ReparentNodeToolTest, GivesTheEdgeItIsHungOnANode) {
+TEST_F(ReparentNodeToolTest, GivesTheEdgeItIsAttachedToANode) {
   tool.startWith({NodeId{3}});
   const Pick half = test::onEdge(document.skeleton(), NodeId{4}, 0.5);
   const Eigen::Vector3d place = half.edge->position;

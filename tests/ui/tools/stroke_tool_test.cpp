@@ -38,9 +38,9 @@ struct StrokeToolTest : testing::Test {
     before = plant;
     canvas.nodes = plant.ids(); // all are seen
     QObject::connect(&tool, &StrokeTool::asked, &document,
-                     [this](const TraceQuestion& question, const TraceAnswer& told) {
+                     [this](const TraceQuestion& question, const TraceAnswer& callback) {
                        questions.push_back(question);
-                       answer = told;
+                       answer = callback;
                      });
   }
   void draw(const std::vector<Eigen::Vector2d>& places,
@@ -202,8 +202,8 @@ TEST_F(StrokeToolTest, LeavesPointsOutThatAreFarBehindTheOthers) {
 
 TEST_F(StrokeToolTest, FollowsABranchThatLeadsAwayFromTheEye) {
   open(test::fork(3));
-  const std::vector<Eigen::Vector3d> way = {{0.1, 0.3, 1}, {0.2, 0.6, 1}, {0.3, 0.9, 1}};
-  drawBranch(way);
+  const std::vector<Eigen::Vector3d> branchPath = {{0.1, 0.3, 1}, {0.2, 0.6, 1}, {0.3, 0.9, 1}};
+  drawBranch(branchPath);
   ASSERT_EQ(questions.size(), 1U);
   EXPECT_EQ(questions.back().places.size(), 4U);
 }

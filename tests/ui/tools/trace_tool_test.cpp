@@ -15,7 +15,7 @@ using test::onEdge;
 using test::onNode;
 using test::onPoint;
 
-/// Over the fork; who answers is told what it asks, and answers with straight ways.
+/// Over the fork; who answers is given what it asks, and answers with straight paths.
 struct TraceToolTest : testing::Test {
   PlantDocument document;
   test::QuietCanvas canvas;
@@ -29,18 +29,18 @@ struct TraceToolTest : testing::Test {
     document.openSkeleton(test::fork(3), "fork.mtg");
     document.setScan(test::lineScan(), "scan.ply");
     QObject::connect(&tool, &TraceTool::asked, &document,
-                     [this](const TraceQuestion& question, const TraceAnswer& told) {
+                     [this](const TraceQuestion& question, const TraceAnswer& callback) {
                        questions.push_back(question);
-                       answer = told;
+                       answer = callback;
                      });
     before = document.skeleton();
   }
-  /// By the middle between the ends; of several ways each is 1 higher than the one before.
-  void reply(int ways = 1) {
+  /// By the middle between the ends; of several paths each is 1 higher than the one before.
+  void reply(int paths = 1) {
     const Eigen::Vector3d from = questions.back().places.front();
     const Eigen::Vector3d to = questions.back().places.back();
     std::vector<Trace> traces;
-    for (int i = 0; i < ways; ++i)
+    for (int i = 0; i < paths; ++i)
       traces.push_back({{from, (from + to) / 2 + i * Eigen::Vector3d::UnitZ(), to}, {0, 0.05, 0}});
     answer(traces);
   }
@@ -51,7 +51,7 @@ struct TraceToolTest : testing::Test {
   }
 };
 
-TEST_F(TraceToolTest, ShowsTheWayToWhatIsUnderThePointer) {
+TEST_F(TraceToolTest, ShowsThePathToWhatIsUnderThePointer) {
   mouse.click(onNode(test::forkTop), {0, 1});
   mouse.hover(onPoint({2, 0, 3}), {2, 3});
   ASSERT_EQ(questions.size(), 1U);
@@ -64,7 +64,7 @@ TEST_F(TraceToolTest, ShowsTheWayToWhatIsUnderThePointer) {
   EXPECT_EQ(document.skeleton(), before) << "changed before it was accepted";
 }
 
-TEST_F(TraceToolTest, HangsTheBranchOnItsStart) {
+TEST_F(TraceToolTest, AttachesTheBranchToItsStart) {
   mouse.click(onNode(test::forkTop), {0, 1});
   mouse.click(onPoint({2, 0, 3}), {2, 3});
   EXPECT_EQ(questions.back().options.alternatives, 2);
@@ -104,7 +104,7 @@ TEST_F(TraceToolTest, MakesATreeOfItsOwnAwayFromNodes) {
   expectUndone();
 }
 
-TEST_F(TraceToolTest, HangsOnTheNodeThatItEndsAt) {
+TEST_F(TraceToolTest, IsAttachedToTheNodeThatItEndsAt) {
   mouse.click(onPoint({1, 0, 3}), {1, 3});
   mouse.click(onNode(NodeId{2}), {1, 2});
   reply();
@@ -137,13 +137,13 @@ TEST_F(TraceToolTest, RefusesALoop) {
   EXPECT_EQ(document.skeleton(), before);
 }
 
-TEST_F(TraceToolTest, ShowsTheOtherWaysOneAfterTheOther) {
+TEST_F(TraceToolTest, ShowsTheOtherPathsOneAfterTheOther) {
   mouse.click(onNode(test::forkTop), {0, 1});
   mouse.click(onPoint({2, 0, 3}), {2, 3});
   reply(2);
-  ASSERT_TRUE(tool.hasOtherWays());
+  ASSERT_TRUE(tool.hasOtherPaths());
   EXPECT_EQ(canvas.preview.lines.front()[1].z(), 2);
-  tool.showNextWay();
+  tool.showNextPath();
   EXPECT_EQ(canvas.preview.lines.front()[1].z(), 3);
   tool.accept();
   const NodeId tip = document.skeleton().ids().back();

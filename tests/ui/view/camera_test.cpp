@@ -120,7 +120,7 @@ TEST(Camera, SeesNothingBehindItsEye) {
   EXPECT_FALSE(map.project({0, -2, 0}));
 }
 
-TEST(Camera, FliesTheShortWayRound) {
+TEST(Camera, TurnsByTheSmallerAngle) {
   Camera from;
   Camera to;
   from.yaw = 3.0;

@@ -122,10 +122,10 @@ TEST_F(CanvasTest, PicksThroughWoodOnlyWhenAsked) {
   EXPECT_EQ(view_.pick(pixelOf(NodeId{2})).node, NodeId{2});
 }
 
-TEST_F(CanvasTest, TellsToolsWhatAnAreaTakes) {
-  std::vector<Depth> told;
+TEST_F(CanvasTest, GivesToolsWhatAnAreaTakes) {
+  std::vector<Depth> depths;
   view_.setInputHandler([&](const ToolInput& input) {
-    if (input.phase == ToolInput::Phase::press) told.push_back(input.depth);
+    if (input.phase == ToolInput::Phase::press) depths.push_back(input.depth);
     return true;
   });
   QTest::mouseClick(&view_, Qt::LeftButton, Qt::ShiftModifier, {50, 50});
@@ -133,7 +133,7 @@ TEST_F(CanvasTest, TellsToolsWhatAnAreaTakes) {
   QTest::mouseClick(&view_, Qt::LeftButton, Qt::ControlModifier, {50, 50}); // the camera's
   view_.setDepth(Depth::through);
   QTest::mouseClick(&view_, Qt::LeftButton, Qt::NoModifier, {50, 50});
-  EXPECT_THAT(told, testing::ElementsAre(Depth::front, Depth::through, Depth::through));
+  EXPECT_THAT(depths, testing::ElementsAre(Depth::front, Depth::through, Depth::through));
 }
 
 } // namespace

@@ -153,7 +153,7 @@ TEST_F(ClipTest, PicksAndFindsOnlyWhatIsInTheBox) {
   EXPECT_EQ(view_.pointsInside(everything_, Depth::front).size(), 2U);
 }
 
-TEST_F(ClipTest, CutsTubesAndSpheresToo) {
+TEST_F(ClipTest, CutsFrustaAndSpheresToo) {
   view_.setShowRadii(true);
   const QImage whole = view_.picture({400, 300});
   clipHeight();

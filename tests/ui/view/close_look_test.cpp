@@ -14,11 +14,11 @@ namespace {
 constexpr double quarterTurn = std::numbers::pi / 2;
 const QSizeF screenSize(800, 600); // [logical pixels]
 
-/// A shoot of 1 along `way`, from the origin.
-Skeleton shoot(const Eigen::Vector3d& way) {
+/// A shoot from the origin to `tip`, of length 1.
+Skeleton shoot(const Eigen::Vector3d& tip) {
   Skeleton plant;
   const NodeId root = plant.add({.position = {0, 0, 0}, .radius = 0.01});
-  plant.add({.position = way, .radius = 0.01, .parent = root});
+  plant.add({.position = tip, .radius = 0.01, .parent = root});
   return plant;
 }
 
@@ -28,7 +28,7 @@ struct CloseLookTest : testing::Test {
   Scene scene;
   Camera front; // looks along y
 
-  void setWall(double y) { // of points, across the way of the eye at y
+  void setWall(double y) { // of points, across the line of sight at y
     RawPoints raw;
     for (int i = -150; i <= 150; ++i)
       for (int k = -150; k <= 150; ++k)

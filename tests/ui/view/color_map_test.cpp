@@ -75,7 +75,7 @@ TEST(LegendColors, KeepTheNeutralColorAtTheMiddleOfADivergingMap) {
   };
   const Color neutral = at(0, 2, 1);
   EXPECT_EQ(at(-5, 1.5, 1), neutral);
-  EXPECT_EQ(at(-5, 1.5, -2), at(0, 2, 0.5)) << "half of the way to the end";
+  EXPECT_EQ(at(-5, 1.5, -2), at(0, 2, 0.5)) << "half as far as the end";
   EXPECT_EQ(at(1, 3, 1), neutral);
   EXPECT_EQ(at(-1, 1, 1), neutral);
   EXPECT_EQ(at(2, 3, 3), at(0, 2, 2));

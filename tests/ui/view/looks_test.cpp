@@ -261,7 +261,7 @@ Skeleton besideIt() {
 TEST_F(LooksTest, DrawsTheReferenceDottedWithoutNodesAndPicksNothingOfIt) {
   const Color reference = palette(false).reference;
   view_.setReference(besideIt());
-  int dots = 0; // changes between line and gap on the way up an edge
+  int dots = 0; // changes between line and gap from the foot of an edge to its top
   bool wasLine = false;
   const QImage picture = view_.picture(view_.size());
   for (double z = 0.1; z < 0.9; z += 0.01) {
@@ -291,7 +291,7 @@ TEST_F(LooksTest, ColorsTheReferenceWithTheSkeletonByOneLegend) {
   EXPECT_GT(count({1, 0, 0.5}, blue), 0);
   EXPECT_GT(count({0, 0, 0.5}, red), 0);
   EXPECT_EQ(test::countPixels(view_.picture({400, 300}).copy(corner), red, 10), once)
-      << "the legend is not told twice";
+      << "the legend is not drawn twice";
   view_.setReferenceColors(std::nullopt);
   EXPECT_EQ(count({1, 0, 0.5}, blue), 0);
 }

@@ -40,7 +40,7 @@ int contrastWith(const Color& accent, const QColor& color) {
          std::abs(color.blue() - accent[2]);
 }
 
-TEST(Attachments, MarkWhereAPartHangsAndTheWayToWhereItBelongs) {
+TEST(Attachments, MarkWhereAPartIsAttachedAndThePathToWhereItBelongs) {
   constexpr Color purple{0xcc, 0x79, 0xa7};
   for (const bool isDark : {false, true}) {
     const Palette colors = palette(isDark);
@@ -69,7 +69,7 @@ TEST(Attachments, MarkWhereAPartHangsAndTheWayToWhereItBelongs) {
     };
     EXPECT_GT(rimsAbout({0.5, 0, 0.5}), 20) << "the cross";
     EXPECT_GT(rimsAbout({-0.5, 0, -0.5}), 20) << "the ring";
-    EXPECT_GT(rimsAbout({-0.25, 0, -0.25}), 20) << "the way";
+    EXPECT_GT(rimsAbout({-0.25, 0, -0.25}), 20) << "the path";
     EXPECT_EQ(rimsAbout({-0.5, 0, 0.5}), 0);
   }
 }
@@ -121,14 +121,14 @@ TEST_F(LegendsOfStates, AreThoseOfColorsThatAreSeen) {
   EXPECT_EQ(titles(0), QStringList()) << "contracted points have one color";
   EXPECT_EQ(titles(0.5), height);
   scene_.blend = 0.5;
-  EXPECT_EQ(titles(0), height) << "on their way they keep theirs";
+  EXPECT_EQ(titles(0), height) << "while they move they keep theirs";
   scene_.blend.reset();
   state_.within = Ball{{0, 0, 0}, 0.1};
   scene_.setOther(Side::right, state_);
   EXPECT_EQ(titles(0), height) << "of what lies around the ball";
 }
 
-TEST_F(LegendsOfStates, TellWhatColorsOfItsNodesStandFor) {
+TEST_F(LegendsOfStates, SayWhatColorsOfItsNodesStandFor) {
   state_.skeleton = test::stick(2);
   state_.colors =
       NodeColors{.values = {0, 1, 0},
@@ -164,7 +164,7 @@ TEST(SightKey, NamesTheColorsAtTheTopLeft) {
     return image;
   };
   ShownSight sight;
-  sight.told = {"Point at the plant"};
+  sight.lines = {"Point at the plant"};
   const QImage image = painted(sight);
   const Color link = palette(false).reference;
   const Color cone = palette(false).branching;

@@ -41,7 +41,7 @@ Eigen::Vector3d labOf(const Color& color, const Eigen::Matrix3d& eye) {
 }
 
 // A just noticeable difference is about 2.3.
-TEST(Palette, TellsWhatTheMethodSeesApartWithoutAConeToo) {
+TEST(Palette, DistinguishesWhatTheMethodSeesWithoutAConeToo) {
   for (const bool dark : {false, true}) {
     const Palette colors = palette(dark);
     const std::array others = {colors.reference, colors.selected, colors.contracted,

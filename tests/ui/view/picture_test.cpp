@@ -84,7 +84,7 @@ TEST(Picture, ShowsContractedPointsInTheAccent) {
     EXPECT_EQ(countPixels(image, pixelOf(camera, {x, 0, 0}), 3, palette(false).contracted, 2), 4);
 }
 
-TEST(Picture, ShowsTheSkeletonThroughThePointsButTubesAmongThem) {
+TEST(Picture, ShowsTheSkeletonThroughThePointsButFrustaAmongThem) {
   Scene scene;
   scene.setCloud(block({0, 0, 0}));
   scene.pointSize = 10; // closed walls

@@ -44,7 +44,7 @@ protected:
     QTest::mouseRelease(&view_, button, modifiers, to);
   }
 
-  // QTest::mouseMove tells no buttons.
+  // QTest::mouseMove sends no buttons.
   void move(const QPoint& to, Qt::MouseButton button, Qt::KeyboardModifiers modifiers = {}) {
     QMouseEvent event(QEvent::MouseMove, to, view_.mapToGlobal(to), Qt::NoButton, button,
                       modifiers);
@@ -60,20 +60,20 @@ protected:
   /// Takes what `takes` says, and notes all.
   void listen(bool takes) {
     view_.setInputHandler([this, takes](const ToolInput& input) {
-      told_.push_back(input);
+      inputs_.push_back(input);
       return takes;
     });
   }
   [[nodiscard]] std::vector<Phase> phases() const {
     std::vector<Phase> phases;
-    for (const ToolInput& input : told_)
+    for (const ToolInput& input : inputs_)
       phases.push_back(input.phase);
     return phases;
   }
 
   Skeleton plant_;
   PlantView view_;
-  std::vector<ToolInput> told_;
+  std::vector<ToolInput> inputs_;
 };
 
 constexpr NodeId middle{2};
@@ -192,12 +192,12 @@ TEST_F(PlantViewTest, LeavesTakenGesturesToTheHandler) {
   EXPECT_THAT(phases(),
               testing::ElementsAre(Phase::press, Phase::drag, Phase::drag, Phase::release));
   EXPECT_EQ(pixelOf(middle), at);
-  EXPECT_EQ(told_.front().pick.node, middle);
-  EXPECT_EQ(told_.front().button, Qt::LeftButton);
-  EXPECT_LT(told_.front().ray.distance(plant_[middle].position), 0.05);
+  EXPECT_EQ(inputs_.front().pick.node, middle);
+  EXPECT_EQ(inputs_.front().button, Qt::LeftButton);
+  EXPECT_LT(inputs_.front().ray.distance(plant_[middle].position), 0.05);
 }
 
-TEST_F(PlantViewTest, TellsTheHandlerOfGesturesItDidNotTakeWhileTheCameraMoves) {
+TEST_F(PlantViewTest, GivesTheHandlerGesturesItDidNotTakeWhileTheCameraMoves) {
   listen(false);
   const QPoint before = pixelOf(middle);
   drag(Qt::RightButton, aside, aside + QPoint(30, 0));
@@ -210,7 +210,7 @@ TEST_F(PlantViewTest, KeepsCtrlForTheCamera) {
   listen(true);
   const QPoint before = pixelOf(Eigen::Vector3d(1, 0, 0));
   drag(Qt::LeftButton, pixelOf(middle), pixelOf(middle) + QPoint(40, 0), Qt::ControlModifier);
-  EXPECT_TRUE(told_.empty());
+  EXPECT_TRUE(inputs_.empty());
   EXPECT_NE(pixelOf(Eigen::Vector3d(1, 0, 0)), before);
 }
 
@@ -218,10 +218,10 @@ TEST_F(PlantViewTest, CancelsTheGestureOnEscape) {
   listen(true);
   QTest::mousePress(&view_, Qt::LeftButton, {}, pixelOf(middle));
   QTest::keyClick(&view_, Qt::Key_Escape);
-  EXPECT_EQ(told_.back().phase, Phase::cancel);
-  told_.clear();
+  EXPECT_EQ(inputs_.back().phase, Phase::cancel);
+  inputs_.clear();
   QTest::mouseRelease(&view_, Qt::LeftButton, {}, pixelOf(middle));
-  EXPECT_TRUE(told_.empty());
+  EXPECT_TRUE(inputs_.empty());
 }
 
 TEST_F(PlantViewTest, CancelsTheGestureWhenTheKeyboardGoesElsewhere) {
@@ -229,19 +229,19 @@ TEST_F(PlantViewTest, CancelsTheGestureWhenTheKeyboardGoesElsewhere) {
   QTest::mousePress(&view_, Qt::LeftButton, {}, pixelOf(middle));
   QFocusEvent event(QEvent::FocusOut);
   QCoreApplication::sendEvent(&view_, &event);
-  EXPECT_EQ(told_.back().phase, Phase::cancel);
+  EXPECT_EQ(inputs_.back().phase, Phase::cancel);
 }
 
-TEST_F(PlantViewTest, TellsHoversAndThatThePointerHasLeft) {
+TEST_F(PlantViewTest, ReportsHoversAndThatThePointerHasLeft) {
   listen(false);
   move(pixelOf(middle), Qt::NoButton);
-  ASSERT_FALSE(told_.empty());
-  EXPECT_EQ(told_.back().phase, Phase::hover);
-  EXPECT_EQ(told_.back().pick.node, middle);
+  ASSERT_FALSE(inputs_.empty());
+  EXPECT_EQ(inputs_.back().phase, Phase::hover);
+  EXPECT_EQ(inputs_.back().pick.node, middle);
   QEvent leave(QEvent::Leave);
   QCoreApplication::sendEvent(&view_, &leave);
-  EXPECT_EQ(told_.back().phase, Phase::hover);
-  EXPECT_FALSE(told_.back().pick.node);
+  EXPECT_EQ(inputs_.back().phase, Phase::hover);
+  EXPECT_FALSE(inputs_.back().pick.node);
 }
 
 TEST_F(PlantViewTest, FliesToAStandardViewAndArrives) {

@@ -78,7 +78,7 @@ TEST(PointHierarchy, EnclosesAllPoints) {
   EXPECT_TRUE(box.max().isApprox(cloud.positions().rowwise().maxCoeff()));
 }
 
-TEST(PointHierarchy, TellsTheDistanceToTheNearestPoint) {
+TEST(PointHierarchy, ReturnsTheDistanceToTheNearestPoint) {
   const PointCloud cloud = blob(3000);
   const PointHierarchy boxes(cloud.positions());
   Random random(5);

@@ -73,7 +73,7 @@ TEST_F(SecondViewTest, TakesNoMoreOfTheGraphicsCard) {
       << "and shows the points all the same";
 }
 
-TEST_F(SecondViewTest, FollowsEditsThatAreToldToTheFirst) {
+TEST_F(SecondViewTest, FollowsEditsThatAreReportedToTheFirst) {
   ASSERT_GT(count(*second_, {0, 0, 3.5}, black), 3);
   Skeleton edited = plant_;
   SkeletonEditor editor(edited);

@@ -35,7 +35,7 @@ TEST(SkeletonGlyphs, AreTheSameUpdatedAsRebuilt) {
   }
 }
 
-TEST(SkeletonGlyphs, TellTheNodesThatAreMarked) {
+TEST(SkeletonGlyphs, ReportTheNodesThatAreMarked) {
   Skeleton plant = test::stick(3);
   SkeletonGlyphs glyphs = glyphsOf(plant);
   SkeletonEditor editor(plant);
@@ -62,7 +62,7 @@ TEST(SkeletonGlyphs, ChangeOnlyTheSlotsOfTheNodeAndItsChildren) {
   EXPECT_TRUE(glyphs.takeChangedNodes().isEmpty());
 }
 
-TEST(SkeletonGlyphs, TellRootApexAndBranchingNodesApart) {
+TEST(SkeletonGlyphs, DistinguishRootApexAndBranchingNodes) {
   const Skeleton plant = test::fork(2);
   const SkeletonGlyphs glyphs = glyphsOf(plant);
   EXPECT_EQ(glyphs.nodes()[0].shape, NodeShape::root);

@@ -92,8 +92,8 @@ TEST_F(StatesTest, MovesTheDividerByMouseAndKeys) {
   view_.setState(Side::right, state_);
   EXPECT_EQ(view_.findChild<QWidget*>("divider"), nullptr) << "nothing is divided";
   view_.setDivider(0.5);
-  std::vector<double> told;
-  QObject::connect(&view_, &PlantView::dividerMoved, [&](double at) { told.push_back(at); });
+  std::vector<double> moves;
+  QObject::connect(&view_, &PlantView::dividerMoved, [&](double at) { moves.push_back(at); });
   auto* divider = view_.findChild<QWidget*>("divider");
   ASSERT_TRUE(divider != nullptr && divider->isVisible());
   const QPoint grip = divider->rect().center();
@@ -105,7 +105,7 @@ TEST_F(StatesTest, MovesTheDividerByMouseAndKeys) {
   EXPECT_NEAR(view_.divider(), 0.25, 0.01);
   press(Qt::Key_Right);
   EXPECT_NEAR(view_.divider(), 0.27, 0.01);
-  EXPECT_EQ(told.size(), 2U);
+  EXPECT_EQ(moves.size(), 2U);
   view_.setDivider(0);
   EXPECT_FALSE(divider->isVisible());
 }
@@ -139,7 +139,7 @@ protected:
   std::shared_ptr<const PointCloud> cloud_;
 };
 
-TEST_F(BlendTest, DrawsPointsOnTheirWay) {
+TEST_F(BlendTest, DrawsPointsBetweenTheirEnds) {
   view_.setLayerVisible(Layer::contracted, false);
   const Color grey = palette(false).point;
   view_.setBlend(0);
@@ -238,7 +238,7 @@ TEST_F(BlendTest, IsOnPaperWithoutWhatOnlyTheScreenNeeds) {
       << "not by height, for which there is no key";
 }
 
-TEST_F(BlendTest, DrawsTheWays) {
+TEST_F(BlendTest, DrawsTheDisplacements) {
   view_.setLayerVisible(Layer::points, false);
   view_.setLayerVisible(Layer::contracted, false);
   EXPECT_EQ(countAt(1, lines), 0);
@@ -248,7 +248,7 @@ TEST_F(BlendTest, DrawsTheWays) {
   EXPECT_EQ(countAt(1, lines), 0);
 }
 
-TEST_F(BlendTest, DrawsAPartOnItsWay) {
+TEST_F(BlendTest, DrawsAPartBetweenItsEnds) {
   PlantState state;
   state.scanned = std::make_shared<const Eigen::Matrix3Xf>(cloud_->positions().leftCols(20000));
   auto up = std::make_shared<Eigen::Matrix3Xf>(*state.scanned);

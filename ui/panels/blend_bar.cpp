@@ -28,7 +28,7 @@ BlendBar::BlendBar(QWidget* parent)
   row->addWidget(new QLabel(tr("Contracted")));
   displacements_->setObjectName("blend_ways");
   displacements_->setProperty("role", "panel");
-  displacements_->setText(tr("Ways"));
+  displacements_->setText(tr("Displacements"));
   displacements_->setToolTip(tr("Shows a line from where a point was scanned to where it is now"));
   displacements_->setCheckable(true);
   row->addWidget(displacements_);

@@ -151,7 +151,7 @@ int widthOf(const Score& score) {
 }
 
 void printHead(const std::string& name, bool hasReference) {
-  std::printf("%20s %9s %7s %9s %5s %10s %11s %6s", name.c_str(), "thickness", "on line",
+  std::printf("%20s %9s %7s %9s %7s %10s %11s %6s", name.c_str(), "thickness", "on line",
               "lost tips", "bridges", "length", "unexplained", "nodes");
   if (hasReference)
     for (const Score* score : scoresIn(inBrief))

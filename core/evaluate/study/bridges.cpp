@@ -10,7 +10,7 @@
 namespace espalier {
 namespace {
 
-constexpr double stretch = 4;       // of a piece, in spacings
+constexpr double pieceLength = 4;   // in spacings
 constexpr double shortestPath = 20; // between points that are far apart, in spacings
 constexpr double detour = 3;        // likewise, in distances as scanned
 
@@ -116,13 +116,14 @@ private:
 
 Eigen::Index countBridges(const ThinnedPlant& plant, const Eigen::Matrix3Xf& places,
                           double spacing) {
-  const PlantPieces pieces = piecesOf(plant, stretch * spacing);
+  const PlantPieces pieces = piecesOf(plant, pieceLength * spacing);
   PathsBetween paths(pieces);
   PieceSets sets(pieces.adjacent.size());
   std::vector<bool> isBridged(pieces.adjacent.size(), false);
   const std::vector<Placed> placed = placedPieces(plant, pieces, places, spacing);
   for (const auto& [pair, apart] : meetings(plant, placed, spacing)) {
-    const int far = static_cast<int>(std::ceil(std::max(shortestPath, detour * apart) / stretch));
+    const int far =
+        static_cast<int>(std::ceil(std::max(shortestPath, detour * apart) / pieceLength));
     if (paths.steps(pair.first, pair.second, far + 1) <= far) continue;
     isBridged[pair.first] = isBridged[pair.second] = true;
     sets.join(pair.first, pair.second);

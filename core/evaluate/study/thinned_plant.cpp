@@ -166,11 +166,11 @@ std::vector<std::uint32_t> endsOf(const ThinnedPlant& plant, double shortest) {
   return ends;
 }
 
-PlantPieces piecesOf(const ThinnedPlant& plant, double stretch) {
+PlantPieces piecesOf(const ThinnedPlant& plant, double pieceLength) {
   PlantPieces pieces;
   pieces.ofCube.assign(plant.points.size(), PlantPieces::none);
   const auto stretchOf = [&](std::uint32_t cube) {
-    return std::floor(static_cast<double>(plant.distance[cube]) / stretch);
+    return std::floor(static_cast<double>(plant.distance[cube]) / pieceLength);
   };
   std::uint32_t count = 0;
   std::vector<std::uint32_t> stack;

@@ -26,23 +26,23 @@ class CameraIn : public testing::TestWithParam<Projection> {};
 INSTANTIATE_TEST_SUITE_P(Projections, CameraIn,
                          testing::Values(Projection::perspective, Projection::parallel));
 
-Eigen::Vector2d pixelOf(const Camera& camera, const Eigen::Vector3d& place) {
+Eigen::Vector2d pixelAt(const Camera& camera, const Eigen::Vector3d& place) {
   return ScreenMap(camera, screen).project(place).value().pixel;
 }
 
 TEST_P(CameraIn, KeepsThePivotWhereItIsOnTheScreenWhenItTurns) {
   Camera camera = aCamera(GetParam());
   camera.pivot = somewhere;
-  const Eigen::Vector2d before = pixelOf(camera, somewhere);
+  const Eigen::Vector2d before = pixelAt(camera, somewhere);
   camera.turn(1.3, -0.8);
-  EXPECT_LT((pixelOf(camera, somewhere) - before).norm(), 1e-9);
+  EXPECT_LT((pixelAt(camera, somewhere) - before).norm(), 1e-9);
 }
 
 TEST_P(CameraIn, KeepsTheAnchorWhereItIsOnTheScreenWhenItZooms) {
   Camera camera = aCamera(GetParam());
-  const Eigen::Vector2d before = pixelOf(camera, somewhere);
+  const Eigen::Vector2d before = pixelAt(camera, somewhere);
   camera.zoom(2.5, somewhere);
-  EXPECT_LT((pixelOf(camera, somewhere) - before).norm(), 1e-9);
+  EXPECT_LT((pixelAt(camera, somewhere) - before).norm(), 1e-9);
 }
 
 TEST_P(CameraIn, ShiftsTheFocusWithThePointerWhenItPans) {
@@ -50,14 +50,14 @@ TEST_P(CameraIn, ShiftsTheFocusWithThePointerWhenItPans) {
   const Eigen::Vector3d held = camera.focus;
   const double pixel = camera.halfHeight() / 300;
   camera.pan(30 * pixel, -20 * pixel);
-  EXPECT_LT((pixelOf(camera, held) - Eigen::Vector2d(430, 320)).norm(), 1e-9);
+  EXPECT_LT((pixelAt(camera, held) - Eigen::Vector2d(430, 320)).norm(), 1e-9);
 }
 
 TEST_P(CameraIn, ShowsAllOfAFramedBoxAndFillsTheScreenWithIt) {
   const Camera camera = aCamera(GetParam());
   Eigen::AlignedBox2d seen;
   for (int i = 0; i < 8; ++i)
-    seen.extend(pixelOf(camera, box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i))));
+    seen.extend(pixelAt(camera, box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i))));
   EXPECT_TRUE(Eigen::AlignedBox2d(Eigen::Vector2d(0, 0), screen).contains(seen));
   EXPECT_GT(seen.sizes().y(), 0.75 * screen.y());
 }
@@ -79,7 +79,7 @@ TEST_P(CameraIn, DrawsWhereThePointerFinds) {
                                Eigen::Vector3d(somewhere - origin).homogeneous();
   const Eigen::Vector2d pixel((1 + clip.x() / clip.w()) * screen.x() / 2,
                               (1 - clip.y() / clip.w()) * screen.y() / 2);
-  EXPECT_LT((pixel - pixelOf(camera, somewhere)).norm(), 1e-9);
+  EXPECT_LT((pixel - pixelAt(camera, somewhere)).norm(), 1e-9);
 }
 
 TEST_P(CameraIn, EnclosesABoxBetweenItsDepths) {

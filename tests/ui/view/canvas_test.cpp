@@ -23,8 +23,6 @@ protected:
   [[nodiscard]] QImage seen() { return view_.grab().toImage(); }
 };
 
-const Color accent = palette(false).contracted;
-
 TEST_F(CanvasTest, FindsTheNodesInABox) {
   EXPECT_THAT(view_.nodesInside(around(NodeId{1}, NodeId{3}), Depth::through),
               testing::ElementsAre(NodeId{1}, NodeId{2}, NodeId{3}));
@@ -72,9 +70,9 @@ TEST_F(CanvasTest, DrawsABandAsOutlineAndFaintFill) {
   const QImage before = seen();
   view_.showBand({QRectF(20, 20, 60, 60)});
   const QImage during = seen();
-  EXPECT_GT(test::countPixels(during, QPointF(20, 50), 2, accent), 3);
+  EXPECT_GT(test::countPixels(during, QPointF(20, 50), 2, test::accent), 3);
   EXPECT_NE(during.pixel(50, 50), before.pixel(50, 50));
-  EXPECT_EQ(test::countPixels(during, QPointF(50, 50), 8, accent), 0);
+  EXPECT_EQ(test::countPixels(during, QPointF(50, 50), 8, test::accent), 0);
   view_.showBand({});
   EXPECT_EQ(test::countDifferences(before, seen()), 0);
 }
@@ -83,7 +81,7 @@ TEST_F(CanvasTest, DrawsAnOpenBandAsALine) {
   const QImage before = seen();
   view_.showBand(QPolygonF({QPointF(20, 20), QPointF(80, 20), QPointF(80, 80)}));
   const QImage during = seen();
-  EXPECT_GT(test::countPixels(during, QPointF(50, 20), 2, accent), 3);
+  EXPECT_GT(test::countPixels(during, QPointF(50, 20), 2, test::accent), 3);
   EXPECT_EQ(during.pixel(70, 40), before.pixel(70, 40));
 }
 
@@ -95,8 +93,8 @@ TEST_F(CanvasTest, DrawsAPreviewOverThePlantWithItsLabel) {
   const QImage plain = seen();
   const QPointF node = view_.project({-1, 0, 2}).value();
   const QPointF line = view_.project({-1, 0, 2.5}).value();
-  EXPECT_GT(test::countPixels(plain, node, 4, accent), 10);
-  EXPECT_GT(test::countPixels(plain, line, 2, accent, 90), 5);
+  EXPECT_GT(test::countPixels(plain, node, 4, test::accent), 10);
+  EXPECT_GT(test::countPixels(plain, line, 2, test::accent, 90), 5);
   preview.label = "Trace of 3 nodes";
   view_.showPreview(preview);
   EXPECT_GT(test::countDifferences(plain, seen()), 50);

@@ -124,20 +124,17 @@ protected:
   const QPolygonF everything_{QRectF(0, 0, 400, 300)};
 };
 
-const Color black = palette(false).successor;
-const Color plain = palette(false).point;
-
 TEST_F(ClipTest, DrawsOnlyWhatIsInTheBox) {
   clipHeight();
   for (int z = 0; z < 5; ++z) {
     const bool isInside = z == 1 || z == 2;
-    EXPECT_EQ(count({1, 0, double(z)}, plain) > 5, isInside) << "the point at " << z;
-    EXPECT_EQ(count({0, 0, double(z)}, black) > 5, isInside) << "the node at " << z;
+    EXPECT_EQ(count({1, 0, double(z)}, test::plain) > 5, isInside) << "the point at " << z;
+    EXPECT_EQ(count({0, 0, double(z)}, test::black) > 5, isInside) << "the node at " << z;
   }
-  EXPECT_GT(count({0, 0, 0.75}, black), 0) << "the edge is cut, not left out";
-  EXPECT_EQ(count({0, 0, 0.25}, black), 0);
+  EXPECT_GT(count({0, 0, 0.75}, test::black), 0) << "the edge is cut, not left out";
+  EXPECT_EQ(count({0, 0, 0.25}, test::black), 0);
   view_.setClip({});
-  EXPECT_GT(count({0, 0, 4}, black), 5);
+  EXPECT_GT(count({0, 0, 4}, test::black), 5);
 }
 
 TEST_F(ClipTest, PicksAndFindsOnlyWhatIsInTheBox) {
@@ -177,12 +174,12 @@ TEST_F(ClipTest, HidesNothingBehindWhatIsCutAway) {
 
 TEST_F(ClipTest, FadesWhatIsFarther) {
   view_.setCloud(test::cloudOf({{1, -2, 2}, {-1, 2, 2}}));
-  EXPECT_GT(count({-1, 2, 2}, plain), 5);
+  EXPECT_GT(count({-1, 2, 2}, test::plain), 5);
   view_.setDepthFade(1);
-  EXPECT_GT(count({1, -2, 2}, plain), 5);
-  EXPECT_EQ(count({-1, 2, 2}, plain), 0);
+  EXPECT_GT(count({1, -2, 2}, test::plain), 5);
+  EXPECT_EQ(count({-1, 2, 2}, test::plain), 0);
   view_.setDepthFade(0);
-  EXPECT_GT(count({-1, 2, 2}, plain), 5);
+  EXPECT_GT(count({-1, 2, 2}, test::plain), 5);
 }
 
 } // namespace

@@ -29,7 +29,6 @@ protected:
   }
 };
 
-const Color black = palette(false).successor;
 constexpr Color red{200, 30, 30};
 constexpr Color blue{30, 30, 200};
 
@@ -41,16 +40,16 @@ NodeColors colors(std::vector<float> values) {
 
 TEST_F(LooksTest, DrawsAndPicksNoHiddenNodeNorItsEdges) {
   view_.setHiddenNodes({NodeId{2}});
-  EXPECT_EQ(count(NodeId{2}, black), 0);
-  EXPECT_EQ(count({0, 0, 1.5}, black), 0) << "the edge to its parent";
-  EXPECT_EQ(count({0, 0, 2.5}, black), 0) << "the edge to its child";
-  EXPECT_GT(count({0, 0, 0.5}, black), 0);
+  EXPECT_EQ(count(NodeId{2}, test::black), 0);
+  EXPECT_EQ(count({0, 0, 1.5}, test::black), 0) << "the edge to its parent";
+  EXPECT_EQ(count({0, 0, 2.5}, test::black), 0) << "the edge to its child";
+  EXPECT_GT(count({0, 0, 0.5}, test::black), 0);
   EXPECT_FALSE(view_.pick(pixelOf(NodeId{2})).node);
   EXPECT_FALSE(view_.pick(pixelOf({0, 0, 1.5})).edge);
   EXPECT_THAT(allInside(), testing::ElementsAre(NodeId{0}, NodeId{1}, NodeId{3}, NodeId{4}));
   view_.setHiddenNodes({});
   EXPECT_EQ(allInside().size(), 5U);
-  EXPECT_GT(count({0, 0, 1.5}, black), 0);
+  EXPECT_GT(count({0, 0, 1.5}, test::black), 0);
 }
 
 TEST_F(LooksTest, KeepsANodeHiddenWhileItIsEdited) {
@@ -62,7 +61,7 @@ TEST_F(LooksTest, KeepsANodeHiddenWhileItIsEdited) {
   view_.updateSkeleton(plant_, delta);
   EXPECT_FALSE(view_.pick(pixelOf(NodeId{2})).node);
   EXPECT_EQ(view_.pick(pixelOf(NodeId{3})).node, NodeId{3});
-  EXPECT_EQ(count({0.5, 0, 2.5}, black), 0) << "its edges";
+  EXPECT_EQ(count({0.5, 0, 2.5}, test::black), 0) << "its edges";
 }
 
 TEST_F(LooksTest, ShowsAnotherSkeletonWhole) {
@@ -85,7 +84,7 @@ TEST_F(LooksTest, ColorsNodesAndEdgesByCategory) {
   view_.setNodeColors(colors({none, 0, 1, 1}));
   EXPECT_GT(count({0, 0, 0.5}, red), 0) << "the edge to node 1";
   EXPECT_GT(count({0, 0, 1.5}, blue), 0);
-  EXPECT_GT(count({0, 0, 3.5}, black), 0) << "node 4 has no value";
+  EXPECT_GT(count({0, 0, 3.5}, test::black), 0) << "node 4 has no value";
   view_.setNodeColors(std::nullopt);
   EXPECT_EQ(count({0, 0, 0.5}, red), 0);
 }
@@ -120,11 +119,11 @@ TEST_F(LooksTest, ShowsALegendWhileNodesAreColored) {
 
 TEST_F(LooksTest, FadesAllButSome) {
   view_.setFaded(std::vector<NodeId>{NodeId{1}});
-  EXPECT_GT(count({0, 0, 0.5}, black), 0);
-  EXPECT_EQ(count({0, 0, 2.5}, black), 0);
+  EXPECT_GT(count({0, 0, 0.5}, test::black), 0);
+  EXPECT_EQ(count({0, 0, 2.5}, test::black), 0);
   EXPECT_EQ(view_.pick(pixelOf(NodeId{3})).node, NodeId{3}) << "it can still be picked";
   view_.setFaded(std::nullopt);
-  EXPECT_GT(count({0, 0, 2.5}, black), 0);
+  EXPECT_GT(count({0, 0, 2.5}, test::black), 0);
 }
 
 TEST_F(LooksTest, FadesNoChildAddedToWhatIsNotFaded) {
@@ -134,8 +133,8 @@ TEST_F(LooksTest, FadesNoChildAddedToWhatIsNotFaded) {
   editor.add({.position = {1, 0, 0}, .radius = 0.1, .parent = NodeId{0}});
   const SkeletonDelta delta = editor.commit();
   view_.updateSkeleton(plant_, delta);
-  EXPECT_GT(count({0.5, 0, 4}, black), 0);
-  EXPECT_EQ(count({0.5, 0, 0}, black), 0);
+  EXPECT_GT(count({0.5, 0, 4}, test::black), 0);
+  EXPECT_EQ(count({0.5, 0, 0}, test::black), 0);
 }
 
 /// Two points beside the stick: their columns, the left one first.
@@ -160,28 +159,26 @@ protected:
   std::size_t leftColumn_ = 0;
 };
 
-const Color plain = palette(false).point;
-
 TEST_F(PointLooksTest, DrawsAndPicksNoHiddenPoint) {
-  ASSERT_GT(count(left_, plain), 5);
+  ASSERT_GT(count(left_, test::plain), 5);
   view_.setPointStates(leftIs(PointState::hidden));
-  EXPECT_EQ(count(left_, plain), 0);
-  EXPECT_GT(count(right_, plain), 5);
+  EXPECT_EQ(count(left_, test::plain), 0);
+  EXPECT_GT(count(right_, test::plain), 5);
   EXPECT_FALSE(view_.pick(pixelOf(left_)).point);
   EXPECT_TRUE(view_.pick(pixelOf(right_)).point);
   EXPECT_THAT(view_.pointsInside(QPolygonF(QRectF(0, 0, 400, 300)), Depth::through),
               testing::ElementsAre(Eigen::Index(1 - leftColumn_)));
   view_.setPointStates(nullptr);
-  EXPECT_GT(count(left_, plain), 5);
+  EXPECT_GT(count(left_, test::plain), 5);
 }
 
 TEST_F(PointLooksTest, DrawsSelectedPointsAmberAndDimOnesPale) {
   view_.setPointStates(leftIs(PointState::selected));
   EXPECT_GT(count(left_, palette(false).selected), 5);
-  EXPECT_EQ(count(right_, plain), 0) << "the others step back";
+  EXPECT_EQ(count(right_, test::plain), 0) << "the others step back";
   view_.setPointStates(leftIs(PointState::dim));
-  EXPECT_EQ(count(left_, plain), 0);
-  EXPECT_GT(count(right_, plain), 5);
+  EXPECT_EQ(count(left_, test::plain), 0);
+  EXPECT_GT(count(right_, test::plain), 5);
   EXPECT_TRUE(view_.pick(pixelOf(left_)).point) << "it is there";
 }
 
@@ -213,9 +210,9 @@ TEST_F(PointLooksTest, ColorsPointsByValues) {
       std::make_shared<const std::vector<float>>(values),
       {.title = "Distance", .unit = "mm", .map = ColorMap::cividis, .to = 10, .categories = {}}});
   EXPECT_GT(count(left_, colorOf(ColorMap::cividis, 1, false)), 5);
-  EXPECT_GT(count(right_, plain), 5) << "it has no value";
+  EXPECT_GT(count(right_, test::plain), 5) << "it has no value";
   view_.setPointValues(std::nullopt);
-  EXPECT_GT(count(left_, plain), 5);
+  EXPECT_GT(count(left_, test::plain), 5);
 }
 
 TEST_F(PointLooksTest, ColorsAPartOfThePointsInAnotherStateByTheirValues) {
@@ -247,7 +244,7 @@ TEST_F(PointLooksTest, ColorsAPartOfThePointsInAnotherStateByTheirValues) {
 TEST_F(PointLooksTest, ForgetsLooksWithTheCloud) {
   view_.setPointStates(leftIs(PointState::hidden));
   view_.setCloud(test::cloudOf({left_, right_, {0, 0, 5}})); // states would not fit
-  EXPECT_GT(count(left_, plain), 5);
+  EXPECT_GT(count(left_, test::plain), 5);
 }
 
 /// A stick beside that of the view.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/cloud/point_cloud.h"
+#include "ui/view/palette.h"
 
 #include <Eigen/Core>
 #include <QImage>
@@ -10,6 +11,11 @@
 #include <vector>
 
 namespace espalier::test {
+
+// Colors of the light palette.
+inline const Color black = palette(false).successor;
+inline const Color plain = palette(false).point;
+inline const Color accent = palette(false).contracted;
 
 /// How many pixels of a picture, at most `reach` from a place, are about of this color.
 [[nodiscard]] int countPixels(const QImage& picture, const QPointF& place, int reach,

@@ -7,7 +7,7 @@
 namespace espalier {
 namespace {
 
-constexpr Color plain{1, 2, 3};
+constexpr Color plainColor{1, 2, 3};
 
 /// Points 0 to 100 high, as bright as they are high but for one that is very bright.
 PointCloud column() {
@@ -26,7 +26,7 @@ TEST(PointColors, RunThroughTheMapWithHeight) {
   ASSERT_TRUE(scale);
   EXPECT_DOUBLE_EQ(scale->from, 500'000);
   EXPECT_DOUBLE_EQ(scale->to, 500'100);
-  const auto colors = pointColors(cloud, PointColor::height, scale, true, plain);
+  const auto colors = pointColors(cloud, PointColor::height, scale, true, plainColor);
   for (std::size_t i = 0; i < colors.size(); ++i) {
     const double height = cloud.position(static_cast<Eigen::Index>(i)).z() - 500'000;
     const Color expected = colorOf(ColorMap::viridis, height / 100, true);
@@ -46,7 +46,7 @@ TEST(PointColors, RunAlongTheAxisThatIsUp) {
   EXPECT_EQ(scale->title, "Height y");
   EXPECT_DOUBLE_EQ(scale->from, 700);
   EXPECT_DOUBLE_EQ(scale->to, 710);
-  const auto colors = pointColors(cloud, PointColor::height, scale, true, plain, UpAxis::y);
+  const auto colors = pointColors(cloud, PointColor::height, scale, true, plainColor, UpAxis::y);
   EXPECT_NE(colors.front(), colors.back());
 }
 
@@ -71,7 +71,7 @@ TEST(PointColors, AreNotSpoiledByAPointFarAway) {
 
 TEST(PointColors, AreThoseOfTheScannerOnRequest) {
   const PointCloud cloud = column();
-  EXPECT_EQ(pointColors(cloud, PointColor::rgb, std::nullopt, true, plain), cloud.colors());
+  EXPECT_EQ(pointColors(cloud, PointColor::rgb, std::nullopt, true, plainColor), cloud.colors());
 }
 
 TEST(PointColors, ArePlainForWantOfWhatTheyStandFor) {
@@ -81,9 +81,10 @@ TEST(PointColors, ArePlainForWantOfWhatTheyStandFor) {
   for (const PointColor by :
        {PointColor::uniform, PointColor::height, PointColor::intensity, PointColor::rgb}) {
     EXPECT_FALSE(pointLegend(cloud, by)); // all as high as each other
-    EXPECT_THAT(pointColors(cloud, by, std::nullopt, false, plain), testing::Each(plain));
+    EXPECT_THAT(pointColors(cloud, by, std::nullopt, false, plainColor), testing::Each(plainColor));
   }
-  EXPECT_TRUE(pointColors(PointCloud(), PointColor::height, std::nullopt, false, plain).empty());
+  EXPECT_TRUE(
+      pointColors(PointCloud(), PointColor::height, std::nullopt, false, plainColor).empty());
 }
 
 } // namespace

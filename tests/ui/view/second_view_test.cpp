@@ -51,15 +51,14 @@ protected:
   std::size_t bytesOfOne_ = 0;
 };
 
-const Color black = palette(false).successor;
 const Eigen::Vector3d onStick{0, 0, 1.5};
 
 TEST_F(SecondViewTest, ShowsThePlantFromACameraOfItsOwn) {
   second_->look(StandardView::right);
   waitFor(*second_);
   EXPECT_EQ(first_->camera().yaw, 0);
-  EXPECT_GT(count(*first_, onStick, black), 3);
-  EXPECT_GT(count(*second_, onStick, black), 3);
+  EXPECT_GT(count(*first_, onStick, test::black), 3);
+  EXPECT_GT(count(*second_, onStick, test::black), 3);
   EXPECT_NE(first_->project({1.5, 0, 2})->x(), second_->project({1.5, 0, 2})->x());
 }
 
@@ -74,14 +73,14 @@ TEST_F(SecondViewTest, TakesNoMoreOfTheGraphicsCard) {
 }
 
 TEST_F(SecondViewTest, FollowsEditsThatAreReportedToTheFirst) {
-  ASSERT_GT(count(*second_, {0, 0, 3.5}, black), 3);
+  ASSERT_GT(count(*second_, {0, 0, 3.5}, test::black), 3);
   Skeleton edited = plant_;
   SkeletonEditor editor(edited);
   editor.setPosition(NodeId{4}, {-1, 0, 3});
   first_->updateSkeleton(edited, editor.commit());
-  EXPECT_GT(count(*first_, {-0.5, 0, 3}, black), 3);
-  EXPECT_GT(count(*second_, {-0.5, 0, 3}, black), 3);
-  EXPECT_EQ(count(*second_, {0, 0, 3.6}, black), 0);
+  EXPECT_GT(count(*first_, {-0.5, 0, 3}, test::black), 3);
+  EXPECT_GT(count(*second_, {-0.5, 0, 3}, test::black), 3);
+  EXPECT_EQ(count(*second_, {0, 0, 3.6}, test::black), 0);
 }
 
 TEST_F(SecondViewTest, IsClippedAndHiddenAsTheFirst) {
@@ -89,8 +88,8 @@ TEST_F(SecondViewTest, IsClippedAndHiddenAsTheFirst) {
       {.slab = {},
        .box = Eigen::AlignedBox3d(Eigen::Vector3d(-1, -1, 2.2), Eigen::Vector3d(1, 1, 5))});
   EXPECT_EQ(first_->clip(), second_->clip());
-  EXPECT_EQ(count(*first_, onStick, black), 0);
-  EXPECT_EQ(count(*second_, onStick, black), 0);
+  EXPECT_EQ(count(*first_, onStick, test::black), 0);
+  EXPECT_EQ(count(*second_, onStick, test::black), 0);
   EXPECT_FALSE(second_->pick(second_->project({0, 0, 1}).value()).node);
 }
 

@@ -6,7 +6,7 @@
 namespace espalier {
 namespace {
 
-const Eigen::Vector2d screen(800, 600);
+const Eigen::Vector2d pickedScreen(800, 600);
 constexpr double reach = 10;
 
 /// Looks along y at a plant whose middle is `focus`.
@@ -15,7 +15,7 @@ ScreenMap lookAt(const Eigen::Vector3d& focus, Projection projection = Projectio
   camera.focus = focus;
   camera.distance = 12;
   camera.projection = projection;
-  return {camera, screen};
+  return {camera, pickedScreen};
 }
 
 Pick pickAt(const Skeleton& plant, const ScreenMap& map, const Eigen::Vector2d& pixel) {

@@ -9,8 +9,6 @@
 namespace espalier {
 namespace {
 
-const Color black = palette(false).successor;
-const Color accent = palette(false).contracted;
 const Color lines = palette(false).reference;
 
 /// The stick, and another state of it one to the right.
@@ -45,13 +43,13 @@ protected:
 
 TEST_F(StatesTest, ShowsAnotherStateInPlaceOfThePlant) {
   view_.setState(Side::right, state_);
-  EXPECT_GT(count({0, 0, 1.5}, black), 0) << "at first, all is the left side";
-  EXPECT_EQ(count({1, 0, 1.5}, accent), 0);
+  EXPECT_GT(count({0, 0, 1.5}, test::black), 0) << "at first, all is the left side";
+  EXPECT_EQ(count({1, 0, 1.5}, test::accent), 0);
   view_.setDivider(0);
-  EXPECT_EQ(count({0, 0, 1.5}, black), 0);
-  EXPECT_GT(count({1, 0, 1.5}, accent), 0);
+  EXPECT_EQ(count({0, 0, 1.5}, test::black), 0);
+  EXPECT_GT(count({1, 0, 1.5}, test::accent), 0);
   view_.setState(Side::right, std::nullopt);
-  EXPECT_GT(count({0, 0, 1.5}, black), 0) << "the plant itself is on the right now";
+  EXPECT_GT(count({0, 0, 1.5}, test::black), 0) << "the plant itself is on the right now";
 }
 
 TEST_F(StatesTest, DividesTheViewBetweenTwoStates) {
@@ -59,18 +57,18 @@ TEST_F(StatesTest, DividesTheViewBetweenTwoStates) {
   view_.setState(Side::right, state_);
   const double x = pixelOf(NodeId{2}).x() / view_.width();
   view_.setDivider(x - 0.1);
-  EXPECT_GT(count({0, 0, 1.5}, accent), 0);
+  EXPECT_GT(count({0, 0, 1.5}, test::accent), 0);
   view_.setDivider(x + 0.1);
-  EXPECT_EQ(count({0, 0, 1.5}, accent), 0);
-  EXPECT_GT(count({0, 0, 1.5}, black), 0);
+  EXPECT_EQ(count({0, 0, 1.5}, test::accent), 0);
+  EXPECT_GT(count({0, 0, 1.5}, test::black), 0);
 }
 
 TEST_F(StatesTest, ShowsAStateInABallAndThePlantAroundIt) {
   state_.within = Ball{{0.5, 0, 4}, 1.2};
   view_.setState(Side::left, state_);
-  EXPECT_EQ(count({0, 0, 3.7}, black), 0) << "in the ball";
-  EXPECT_GT(count({1, 0, 3.7}, accent), 0);
-  EXPECT_GT(count({0, 0, 0.5}, black), 0) << "outside of it";
+  EXPECT_EQ(count({0, 0, 3.7}, test::black), 0) << "in the ball";
+  EXPECT_GT(count({1, 0, 3.7}, test::accent), 0);
+  EXPECT_GT(count({0, 0, 0.5}, test::black), 0) << "outside of it";
 }
 
 TEST_F(StatesTest, PicksNothingThatItDoesNotShow) {
@@ -165,17 +163,17 @@ TEST_F(BlendTest, ShowsContractedPointsInPlaceOfThoseScanned) {
   state.contracted = up;
   view_.setState(Side::left, state);
   EXPECT_GT(countAt(0, grey), 50) << "of which nothing is shown: its layer is hidden";
-  EXPECT_EQ(countAt(2, accent), 0);
+  EXPECT_EQ(countAt(2, test::accent), 0);
   state.replacesPoints = true;
   view_.setState(Side::left, state);
   EXPECT_EQ(countAt(0, grey), 0);
-  EXPECT_GT(countAt(2, accent), 50);
+  EXPECT_GT(countAt(2, test::accent), 50);
   state.within = Ball{{0, 0, 0}, 0.3};
   view_.setState(Side::left, state);
-  EXPECT_GT(countAt(2, accent), 50);
+  EXPECT_GT(countAt(2, test::accent), 50);
   view_.setDivider(0);
   EXPECT_GT(countAt(0, grey), 50) << "on the other side all is as usual";
-  EXPECT_EQ(countAt(2, accent), 0);
+  EXPECT_EQ(countAt(2, test::accent), 0);
 }
 
 TEST_F(BlendTest, PicksPointsWhereTheyAreDrawn) {
@@ -212,7 +210,7 @@ TEST_F(BlendTest, ShowsSelectedPointsInPreviews) {
   state.replacesPoints = true;
   view_.setState(Side::left, state);
   EXPECT_GT(countAt(2, amber), 50);
-  EXPECT_EQ(countAt(2, accent), 0);
+  EXPECT_EQ(countAt(2, test::accent), 0);
   state.scanned = std::make_shared<const Eigen::Matrix3Xf>(cloud_->positions().leftCols(30000));
   state.contracted = std::make_shared<const Eigen::Matrix3Xf>(up->leftCols(30000));
   for (Eigen::Index i = 0; i < 30000; ++i)
@@ -231,7 +229,7 @@ TEST_F(BlendTest, IsOnPaperWithoutWhatOnlyTheScreenNeeds) {
   state.contracted = std::make_shared<const Eigen::Matrix3Xf>(cloud_->positions());
   const QImage paper = view_.paperOf(state, {200, 200}, PlantView::Framing::whole);
   EXPECT_GT(qGray(paper.pixel(3, 3)), 220) << "light ground";
-  EXPECT_GT(test::countPixels(paper, accent, 40), 500);
+  EXPECT_GT(test::countPixels(paper, test::accent, 40), 500);
   state.contracted = nullptr;
   const QImage scanned = view_.paperOf(state, {200, 200}, PlantView::Framing::whole);
   EXPECT_GT(test::countPixels(scanned, palette(false).point, 60), 500)
@@ -257,10 +255,10 @@ TEST_F(BlendTest, DrawsAPartBetweenItsEnds) {
   view_.setState(Side::left, state);
   view_.setLayerVisible(Layer::points, false);
   view_.setBlend(0);
-  EXPECT_GT(countAt(0, accent), 50);
-  EXPECT_EQ(countAt(1, accent), 0);
+  EXPECT_GT(countAt(0, test::accent), 50);
+  EXPECT_EQ(countAt(1, test::accent), 0);
   view_.setBlend(1);
-  EXPECT_GT(countAt(1, accent), 50);
+  EXPECT_GT(countAt(1, test::accent), 50);
 }
 
 } // namespace

@@ -14,14 +14,14 @@ namespace {
 
 using Places = std::vector<Eigen::Vector3d>;
 
-const Eigen::Vector2d size(800, 600);
+const Eigen::Vector2d screenSize(800, 600);
 
 /// An eye at (0, -12, 0) that looks along y: about 80 pixels a unit in the plane y = 0.
-ScreenMap screen(Projection projection = Projection::perspective, double distance = 12) {
+ScreenMap screenMap(Projection projection = Projection::perspective, double distance = 12) {
   Camera camera;
   camera.distance = distance;
   camera.projection = projection;
-  return {camera, size};
+  return {camera, screenSize};
 }
 
 /// Points 0.02 apart on a wall across the line of sight.
@@ -60,14 +60,14 @@ Scene sceneOf(const Places& points, const Skeleton& plant) {
 
 const QPolygonF everything{QRectF(0, 0, 800, 600)};
 
-std::vector<NodeId> seenNodes(const Scene& scene, const ScreenMap& map = screen()) {
+std::vector<NodeId> seenNodes(const Scene& scene, const ScreenMap& map = screenMap()) {
   return nodesInside(scene, map, everything, Depth::front);
 }
 
 TEST(Visibility, HidesNodesBehindAWallAndNoneBeforeIt) {
   const Scene scene = sceneOf(wall(0, 1), chain({{0, -1, 0}, {0, 1, 0}, {3, 1, 0}}, 0.05));
   for (const Projection projection : {Projection::perspective, Projection::parallel}) {
-    const ScreenMap map = screen(projection);
+    const ScreenMap map = screenMap(projection);
     EXPECT_THAT(seenNodes(scene, map), testing::ElementsAre(NodeId{0}, NodeId{2}));
     EXPECT_EQ(nodesInside(scene, map, everything, Depth::through).size(), 3U);
   }
@@ -111,7 +111,7 @@ TEST(Visibility, HidesNothingBehindASingleStrayPointOrAThinTwig) {
 // From close by the points of the wall are 12 pixels apart.
 TEST(Visibility, SeesNoHolesInAWallFromCloseBy) {
   const Scene scene = sceneOf(wall(0, 1), chain({{0.01, 0.4, 0.01}}, 0.01));
-  EXPECT_THAT(seenNodes(scene, screen(Projection::perspective, 1.5)), testing::IsEmpty());
+  EXPECT_THAT(seenNodes(scene, screenMap(Projection::perspective, 1.5)), testing::IsEmpty());
 }
 
 TEST(Visibility, HidesBehindNothingThatIsNotDrawn) {
@@ -136,8 +136,8 @@ TEST(Visibility, TakesThePointsInFront) {
     points.push_back(place);
   const Scene scene = sceneOf(points, {});
   const QPolygonF middle{QRectF(390, 290, 20, 20)}; // both walls are larger
-  const auto front = pointsInside(scene, screen(), middle, Depth::front);
-  const auto all = pointsInside(scene, screen(), middle, Depth::through);
+  const auto front = pointsInside(scene, screenMap(), middle, Depth::front);
+  const auto all = pointsInside(scene, screenMap(), middle, Depth::through);
   ASSERT_FALSE(front.empty());
   for (const Eigen::Index i : front)
     EXPECT_NEAR(scene.cloud->position(i).y(), 0, 1e-6);
@@ -145,7 +145,7 @@ TEST(Visibility, TakesThePointsInFront) {
   EXPECT_EQ(std::ranges::count_if(
                 all, [&](Eigen::Index i) { return scene.cloud->position(i).y() < 0.5; }),
             std::ptrdiff_t(front.size()));
-  EXPECT_EQ(pointsInside(scene, screen(), everything, Depth::front).size(), inFront);
+  EXPECT_EQ(pointsInside(scene, screenMap(), everything, Depth::front).size(), inFront);
 }
 
 } // namespace

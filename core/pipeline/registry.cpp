@@ -89,10 +89,6 @@ const Named& findNamed(const std::vector<Named>& all, std::string_view name,
 
 } // namespace
 
-const Step& cleaningStep() {
-  return pipelineSteps()[0];
-}
-
 const Step& contractionStep() {
   return pipelineSteps()[1];
 }

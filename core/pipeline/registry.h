@@ -75,7 +75,6 @@ struct Step {
 /// All steps in their order, each with all its methods.
 [[nodiscard]] const std::vector<Step>& pipelineSteps();
 
-[[nodiscard]] const Step& cleaningStep();
 [[nodiscard]] const Step& contractionStep();
 [[nodiscard]] const Step& skeletonStep(); // makes it of points; others mend it
 

@@ -25,7 +25,6 @@ const std::map<std::pair<std::string, std::string>, std::string> exceptions = {
     {{"core/graph/geodesic_balls.h", "ballGroups"}, "the templates beside it call it"},
     {{"core/graph/geodesic_balls.h", "of"}, "the templates beside it call it"},
     {{"core/mtg/mtg_cells.h", "textOf"}, "a function beside the class calls it"},
-    {{"core/pipeline/option_table.h", "optionOf"}, "the constants beside it are made of it"},
     {{"core/project/piece_writer.h", "fraction"}, "a function beside the class calls it"},
     {{"core/project/node_bytes.h", "storedIdEnd"}, "a step of another, tested by itself"},
     {{"core/simulate/foliage.h", "hit"}, "PieceTree calls it for its argument"},

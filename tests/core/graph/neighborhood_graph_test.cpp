@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::array allKinds = {LinkKind::nearest, LinkKind::angles, LinkKind::voronoi};
 
-/// A trunk that a scanner sampled in 12 lines along it, in which points lie five times as dense as
-/// the lines.
+/// A trunk that a scanner sampled in 12 lines along it, in which points lie nine times as
+/// dense as the lines.
 Eigen::Matrix3Xf sampledInLines() {
   constexpr int lines = 12;
   constexpr int perLine = 60;
@@ -23,7 +23,7 @@ Eigen::Matrix3Xf sampledInLines() {
     const double angle = 2 * std::numbers::pi * line / lines;
     for (int i = 0; i < perLine; ++i)
       points.col(line * perLine + i) =
-          Eigen::Vector3d(0.05 * std::cos(angle), 0.05 * std::sin(angle), 0.005 * i).cast<float>();
+          Eigen::Vector3d(0.05 * std::cos(angle), 0.05 * std::sin(angle), 0.003 * i).cast<float>();
   }
   return points;
 }

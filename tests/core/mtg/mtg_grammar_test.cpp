@@ -347,7 +347,7 @@ TEST(MtgEncoding, MayHaveLineEndsOfWindowsOrOfOldMacs) {
 TEST(MtgEncoding, TakesOtherBytesForLatin1) {
   const auto mtg = importText(mtgText("/P1\t\t\t1\t2\t3\tch\xEAne\n"));
   EXPECT_EQ(mtg.value.vertices[0].values[3], "ch\xC3\xAAne");
-  EXPECT_THAT(mtg.notes, testing::Contains("plant.mtg: is no UTF-8 and is importText as Latin-1"));
+  EXPECT_THAT(mtg.notes, testing::Contains("plant.mtg: is no UTF-8 and is read as Latin-1"));
   EXPECT_EQ(importText(mtgText("/P1\t\t\t1\t2\t3\tch\xC3\xAAne\n")).value, mtg.value);
 }
 

@@ -61,7 +61,6 @@ TEST(Registry, ReachesAsFarAsTheLongestLengthOfAContraction) {
 }
 
 TEST(Registry, KnowsItsStepsByWhatTheyDo) {
-  EXPECT_EQ(cleaningStep().name, "clean");
   EXPECT_EQ(contractionStep().name, "contract");
   EXPECT_EQ(skeletonStep().name, "skeleton");
 }

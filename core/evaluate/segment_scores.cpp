@@ -82,7 +82,8 @@ std::vector<Score> segmentScores() {
           {.key = "structural",
            .label = Shown::tr("structural index T"),
            .symbol = Shown::tr("T"),
-           .help = Shown::tr("Share of the matches whose bearers are matched, too (authors)"),
+           .help = Shown::tr("Share of the matches whose nearest matched segments below are "
+                             "matched to each other (authors)"),
            .measure = authors,
            .uses = inWindow | inStudies | inReport | inNoiseText | inBrief | inKeyNumbers | onCards,
            .compute = [](Plants plants) -> Value { return plants.authors().structural; },

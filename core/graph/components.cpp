@@ -68,6 +68,20 @@ Components connectedComponents(const NeighborhoodGraph& graph) {
   return result;
 }
 
+std::vector<Eigen::Index> pointsLinkedTo(const NeighborhoodGraph& graph, Eigen::Index first,
+                                         float longest, std::vector<bool>& isMet) {
+  std::vector<Eigen::Index> points = {first};
+  isMet[static_cast<std::size_t>(first)] = true;
+  for (std::size_t next = 0; next < points.size(); ++next)
+    for (const NeighborhoodGraph::Link& link : graph.links(points[next])) {
+      if (link.length > longest || isMet[link.to]) continue;
+      isMet[link.to] = true;
+      points.push_back(link.to);
+    }
+  std::ranges::sort(points);
+  return points;
+}
+
 NeighborhoodGraph joined(const NeighborhoodGraph& graph, const Eigen::Matrix3Xf& points,
                          float widestGap, const Progress& progress) {
   Components components = connectedComponents(graph);

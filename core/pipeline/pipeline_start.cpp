@@ -13,6 +13,16 @@
 
 namespace espalier {
 
+std::shared_ptr<const PointCloud> someOf(const PointCloud& cloud,
+                                         const std::vector<Eigen::Index>& points) {
+  return std::make_shared<const PointCloud>(
+      StoredPoints{.positions = cloud.positions()(Eigen::all, points),
+                   .origin = cloud.origin(),
+                   .colors = {},
+                   .intensities = {},
+                   .fileOrder = std::vector<std::uint32_t>(points.size())});
+}
+
 PipelineState firstState(const std::shared_ptr<const PointCloud>& cloud, const PointSet& leftOut) {
   return {.cloud = cloud,
           .isLeftOut = notCounted(*cloud, leftOut),

@@ -3,10 +3,15 @@
 #include "core/pipeline/pipeline_options.h"
 
 #include <memory>
+#include <vector>
 
 namespace espalier {
 
 // What the steps of the pipeline start from.
+
+/// Some columns of a cloud as a cloud about the same origin, without colors.
+[[nodiscard]] std::shared_ptr<const PointCloud> someOf(const PointCloud& cloud,
+                                                       const std::vector<Eigen::Index>& points);
 
 /// Nothing computed yet: all points where they are, but for those that were set aside, and those at
 /// the place of one that was not: each place counts once (core/cloud/repeated_points.h).

@@ -117,17 +117,6 @@ struct Region {
   RegionPreview preview;
 };
 
-/// Some columns of a cloud as a cloud.
-std::shared_ptr<const PointCloud> someOf(const PointCloud& cloud,
-                                         const std::vector<Eigen::Index>& points) {
-  return std::make_shared<const PointCloud>(
-      StoredPoints{.positions = cloud.positions()(Eigen::all, points),
-                   .origin = cloud.origin(),
-                   .colors = {},
-                   .intensities = {},
-                   .fileOrder = std::vector<std::uint32_t>(points.size())});
-}
-
 std::vector<float> atColumns(const std::vector<float>& values,
                              const std::vector<Eigen::Index>& columns) {
   std::vector<float> result;

@@ -2,8 +2,9 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/graph/neighborhood_graph.h"
+#include "core/graph/components.h"
 #include "core/pipeline/grow_part.h"
+#include "core/pipeline/pipeline_start.h"
 #include "core/pipeline/step_graph.h"
 
 #include <algorithm>
@@ -17,21 +18,6 @@ namespace {
 constexpr double longestLink = 8; // in point spacings
 constexpr int linksPerPoint = 6;
 
-/// The points that links of at most `longest` lead to from `first`, ascending; they are marked.
-std::vector<Eigen::Index> partFrom(Eigen::Index first, const NeighborhoodGraph& graph,
-                                   float longest, std::vector<bool>& isMet) {
-  std::vector<Eigen::Index> part = {first};
-  isMet[static_cast<std::size_t>(first)] = true;
-  for (std::size_t next = 0; next < part.size(); ++next)
-    for (const NeighborhoodGraph::Link& link : graph.links(part[next])) {
-      if (link.length > longest || isMet[link.to]) continue;
-      isMet[link.to] = true;
-      part.push_back(link.to);
-    }
-  std::ranges::sort(part);
-  return part;
-}
-
 /// The points of each connected part that is no crumb.
 std::vector<std::vector<Eigen::Index>> partsOf(const PipelineState& region, double spacing,
                                                const Progress& progress) {
@@ -40,7 +26,7 @@ std::vector<std::vector<Eigen::Index>> partsOf(const PipelineState& region, doub
   std::vector<std::vector<Eigen::Index>> parts;
   for (Eigen::Index i = 0; i < graph.size(); ++i) {
     if (isMet[static_cast<std::size_t>(i)]) continue;
-    parts.push_back(partFrom(i, graph, static_cast<float>(longestLink * spacing), isMet));
+    parts.push_back(pointsLinkedTo(graph, i, static_cast<float>(longestLink * spacing), isMet));
     if (parts.back().size() < fewestPoints) parts.pop_back();
   }
   return parts;
@@ -49,15 +35,10 @@ std::vector<std::vector<Eigen::Index>> partsOf(const PipelineState& region, doub
 /// Some of the points of a region, as contracted there, with the nearest to the root as root.
 PipelineState stateOf(const std::vector<Eigen::Index>& points, const PipelineState& region,
                       const std::vector<float>& distanceToRoot) {
-  StoredPoints stored{.positions = region.cloud->positions()(Eigen::all, points),
-                      .origin = region.cloud->origin(),
-                      .colors = {},
-                      .intensities = {},
-                      .fileOrder = std::vector<std::uint32_t>(points.size())};
   const auto nearest = std::ranges::min_element(points, {}, [&](Eigen::Index point) {
     return distanceToRoot[static_cast<std::size_t>(point)];
   });
-  return {.cloud = std::make_shared<const PointCloud>(std::move(stored)),
+  return {.cloud = someOf(*region.cloud, points),
           .isLeftOut = std::vector<bool>(points.size(), false),
           .contracted =
               std::make_shared<const Eigen::Matrix3Xf>((*region.contracted)(Eigen::all, points)),
@@ -92,8 +73,7 @@ Skeleton skeletonOfRegion(const PipelineState& region, const std::vector<float>&
     const auto part = static_cast<std::size_t>(i);
     PipelineState state = stateOf(parts[part], region, distanceToRoot);
     try {
-      for (const ChosenStep& step : steps)
-        step.run(state, stop);
+      runSteps(steps, state, stop);
       skeletons[part] = state.skeleton;
     } catch (const Error&) { // others may have a skeleton
       failures[part] = std::current_exception();

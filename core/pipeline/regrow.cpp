@@ -46,23 +46,6 @@ bool isUnbranched(const Skeleton& skeleton) {
                              [&](NodeId id) { return skeleton.children(id).size() <= 1; });
 }
 
-/// The points that links of at most `longest` lead to, in order. (The nearest neighbors of points
-/// that stand alone are far off.)
-std::vector<Eigen::Index> reached(const NeighborhoodGraph& graph, Eigen::Index first,
-                                  float longest) {
-  std::vector<bool> isMet(static_cast<std::size_t>(graph.size()), false);
-  std::vector<Eigen::Index> points = {first};
-  isMet[static_cast<std::size_t>(first)] = true;
-  for (std::size_t next = 0; next < points.size(); ++next)
-    for (const NeighborhoodGraph::Link& link : graph.links(points[next])) {
-      if (link.length > longest || isMet[link.to]) continue;
-      isMet[link.to] = true;
-      points.push_back(link.to);
-    }
-  std::ranges::sort(points);
-  return points;
-}
-
 /// Those of the points that are connected with the one nearest to the node.
 /// @throws Error if there is none near it, or they are too few
 std::vector<Eigen::Index> pointsAt(const Skeleton& skeleton, NodeId node, const PointCloud& cloud,
@@ -79,8 +62,9 @@ std::vector<Eigen::Index> pointsAt(const Skeleton& skeleton, NodeId node, const 
   const NeighborhoodGraph parts(positions, partLinks, progress.part(0, 0.7));
   const auto gap = static_cast<float>(widestGap);
   std::vector<Eigen::Index> together;
+  std::vector<bool> isMet(points.size(), false);
   for (const Eigen::Index found :
-       reached(joined(parts, positions, gap, progress.part(0.7, 1)), first, gap))
+       pointsLinkedTo(joined(parts, positions, gap, progress.part(0.7, 1)), first, gap, isMet))
     together.push_back(points[static_cast<std::size_t>(found)]);
   if (together.size() < fewestPoints) throw Error(nothing);
   return together;

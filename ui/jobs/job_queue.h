@@ -12,7 +12,7 @@ class JobSlot;
 /// How soon a job begins while others run.
 enum class JobPriority {
   hand,      // follows the mouse and the keys: at once
-  asked,     // the user asked for it and may do something else meanwhile
+  asked,     // the user asked for it and can wait
   background // nobody asked
 };
 

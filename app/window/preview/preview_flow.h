@@ -65,7 +65,7 @@ public:
   [[nodiscard]] const std::optional<Outcome>& shown() const { return shown_; }
   /// What it does otherwise than the plant was made, as it is written over it. pre: shown()
   [[nodiscard]] QString name() const;
-  /// Does it do anything otherwise than the plant was made? If not, the plant itself is drawn.
+  /// Whether a run with these options would make another plant. If not, the plant itself is drawn.
   /// pre: shown()
   [[nodiscard]] bool isOther() const;
   /// Whether contracted points are shown in place of those scanned: they are what changes.

@@ -30,7 +30,7 @@ public:
 
   /// Runs `work(progress)` on a worker thread once the queue lets it, then `done(result)` on the
   /// GUI thread. What runs is stopped for it, and its result dropped. `done` must not throw; after
-  /// cancel() returns it is not called. `finished` always comes last. `work` owns its inputs:
+  /// cancel() returns it is not called. `finished` comes after it. `work` owns its inputs:
   /// nothing it reads may change.
   template <class Work, class Done> void start(const QString& name, Work work, Done done) {
     ask(name, std::move(work), std::move(done));

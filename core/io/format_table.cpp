@@ -2,9 +2,11 @@
 #include "core/io/plantgl/bgeom.h"
 #include "core/io/plantgl/bmtg.h"
 #include "core/io/plantgl/geom.h"
+#include "core/io/points/e57.h"
 #include "core/io/points/las.h"
 #include "core/io/points/pcd.h"
 #include "core/io/points/ply.h"
+#include "core/io/points/ptx.h"
 #include "core/io/points/xyz.h"
 #include "core/io/qsm/qsm_mat.h"
 #include "core/io/qsm/qsm_table.h"
@@ -24,10 +26,6 @@
 
 namespace espalier {
 namespace {
-
-bool isE57(std::string_view beginning) {
-  return beginning.starts_with("ASTM-E57");
-}
 
 std::vector<Format> makeFormats() {
   std::vector<Format> table;
@@ -71,7 +69,12 @@ std::vector<Format> makeFormats() {
                    .description = "E57 scans",
                    .extensions = {"e57"},
                    .recognizes = isE57,
-                   .advice = "convert it to PLY first, as with CloudCompare"});
+                   .readPoints = readE57});
+  table.push_back({.name = "PTX",
+                   .description = "PTX scans",
+                   .extensions = {"ptx"},
+                   .recognizes = isPtx,
+                   .readPoints = readPtx});
   table.push_back({.name = "MTG",
                    .description = "MTG structure",
                    .extensions = {"mtg"},

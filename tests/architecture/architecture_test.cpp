@@ -156,7 +156,7 @@ TEST(Architecture, LibrariesAreNamedInTheirRoomsOnly) {
   const std::vector<std::pair<std::string, std::vector<std::string>>> rules = {
       {"nanoflann", {"core/base/"}},
       {"OpenMesh/", {}}, // for checks in tests
-      {"pugixml", {"core/io/structures/"}},
+      {"pugixml", {"core/io/bytes/xml."}},
       {"zlib", {"core/io/qsm/mat_file."}},
       {"sqlite3", {"core/project/"}},
       {"vtk", {"ui/view/"}},

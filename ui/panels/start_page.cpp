@@ -49,7 +49,7 @@ StartPage::StartPage(QWidget* parent)
   column->addSpacing(8);
   column->addWidget(startLabel(tr("Open a scan, or drop one here"), "headline", this));
   column->addWidget(
-      startLabel(tr("PLY, LAS, PCD, XYZ and their kin; a skeleton as MTG opens over its scan"),
+      startLabel(tr("PLY, LAS, E57, PCD, XYZ and their kin; a skeleton as MTG opens over its scan"),
                  "quiet", this));
   column->addSpacing(12);
   column->addWidget(open, 0, Qt::AlignCenter);

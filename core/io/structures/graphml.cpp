@@ -4,8 +4,8 @@
 #include "core/base/error.h"
 #include "core/base/listed.h"
 #include "core/base/text.h"
+#include "core/io/bytes/xml.h"
 #include "core/io/structures/node_rows.h"
-#include "core/io/structures/xml.h"
 #include "core/skeleton/assemble_axes.h"
 
 #include <algorithm>

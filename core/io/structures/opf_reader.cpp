@@ -1,7 +1,7 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/io/bytes/xml.h"
 #include "core/io/structures/opf.h"
-#include "core/io/structures/xml.h"
 
 #include <algorithm>
 #include <array>

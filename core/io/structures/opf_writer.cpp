@@ -1,6 +1,6 @@
 #include "core/base/text.h"
+#include "core/io/bytes/xml.h"
 #include "core/io/structures/opf.h"
-#include "core/io/structures/xml.h"
 #include "core/mtg/mtg_rows.h"
 #include "core/mtg/mtg_values.h"
 

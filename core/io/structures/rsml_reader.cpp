@@ -2,8 +2,8 @@
 #include "core/base/error.h"
 #include "core/base/listed.h"
 #include "core/base/text.h"
+#include "core/io/bytes/xml.h"
 #include "core/io/structures/rsml.h"
-#include "core/io/structures/xml.h"
 
 #include <algorithm>
 #include <set>

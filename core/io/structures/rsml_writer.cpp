@@ -1,6 +1,6 @@
 #include "core/base/text.h"
+#include "core/io/bytes/xml.h"
 #include "core/io/structures/rsml.h"
-#include "core/io/structures/xml.h"
 #include "core/skeleton/axes.h"
 
 #include <algorithm>

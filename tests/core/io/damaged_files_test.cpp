@@ -1,12 +1,15 @@
 #include "core/base/error.h"
 #include "core/base/random.h"
+#include "core/base/text.h"
 #include "core/io/formats.h"
 #include "core/io/plantgl/bgeom.h"
 #include "core/io/plantgl/bmtg.h"
 #include "core/io/plantgl/geom.h"
+#include "core/io/points/e57.h"
 #include "core/io/points/las.h"
 #include "core/io/points/pcd.h"
 #include "core/io/points/ply.h"
+#include "core/io/points/ptx.h"
 #include "core/io/points/xyz.h"
 #include "core/io/qsm/qsm_mat.h"
 #include "core/io/qsm/qsm_table.h"
@@ -20,6 +23,7 @@
 #include "core/mtg/mtg_skeleton.h"
 #include "tests/core/io/plantgl/bgeom_writer.h"
 #include "tests/core/io/plantgl/pickle_writer.h"
+#include "tests/core/io/points/e57_writer.h"
 #include "tests/core/io/qsm/mat_writer.h"
 #include "tests/core/io/qsm/qsm_samples.h"
 #include "tests/core/io/samples.h"
@@ -124,6 +128,12 @@ INSTANTIATE_TEST_SUITE_P(
         Reader{"PCD compressed", [] { return test::pcdFile(test::PcdKind::compressed); },
                readCloud<readPcd>},
         Reader{"XYZ", test::xyzFile, readCloud<readXyz>},
+        Reader{"PTX", test::ptxFile, readCloud<readPtx>},
+        Reader{"E57 with checksums that fit", test::e57SampleFile,
+               [](std::istream& in) {
+                 std::istringstream healed(test::healedE57(readAll(in)));
+                 readCloud<readE57>(healed);
+               }},
         Reader{"MTG", test::mtgFile,
                [](std::istream& in) {
                  (void)skeletonOf(readMtg(in, "damaged").value, "damaged").value.ids();

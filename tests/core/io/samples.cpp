@@ -183,6 +183,15 @@ std::string xyzFile() {
          "# a remark\n7 8 9 1.5 70 80 90\n";
 }
 
+std::string ptxFile() {
+  const std::string scanner = "2\n2\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+  return scanner +
+         "0 1 0 0\n-1 0 0 0\n0 0 1 0\n10 20 30 1\n1 0 0 0.5 10 20 30\n0 1 0 0.25 1 2 3\n"
+         "0 0 0 0.5 0 0 0\n0 0 1 1 255 0 0\n" +
+         scanner +
+         "1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n1 2 3 0.5\n4 5 6 0.25\n7 8 9 0\n1e-3 0 0 1\n";
+}
+
 std::string geomFile() {
   return R"(# -Geom File-
 (# of a test,

@@ -52,6 +52,9 @@ enum class PcdKind : std::uint8_t { ascii, binary, compressed };
 /// A text of points with intensity and color, named in a first line.
 [[nodiscard]] std::string xyzFile();
 
+/// Two blocks of 2 x 2 directions, the first with colors; one direction has no return.
+[[nodiscard]] std::string ptxFile();
+
 /// The scene of bgeomFile() as text.
 [[nodiscard]] std::string geomFile();
 

@@ -1,4 +1,4 @@
-#include "core/io/structures/xml.h"
+#include "core/io/bytes/xml.h"
 #include "tests/core/io/samples.h"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-#include "core/io/structures/xml.h"
+#include "core/io/bytes/xml.h"
 
 #include "core/base/error.h"
 #include "core/base/text.h"

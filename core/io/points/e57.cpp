@@ -1,0 +1,149 @@
+#include "core/io/points/e57.h"
+
+#include "core/base/counted.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/io/points/e57_packets.h"
+#include "core/io/points/e57_pages.h"
+#include "core/io/points/e57_scans.h"
+#include "core/io/points/point_collector.h"
+#include "core/io/points/station_points.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace espalier {
+namespace {
+
+/// The values of a record by role; those of roles that it lacks are 0.
+using E57Values = std::array<double, indexOf(E57Role::count)>;
+
+bool hasRole(const E57Scan& scan, E57Role role) {
+  return std::ranges::find(scan.fields, role, &E57Field::role) != scan.fields.end();
+}
+
+std::vector<PointField> pointFieldsOf(const E57Scan& scan) {
+  std::vector<PointField> fields;
+  for (const auto& [role, field] :
+       {std::pair{E57Role::intensity, PointField::intensity},
+        std::pair{E57Role::red, PointField::red}, std::pair{E57Role::green, PointField::green},
+        std::pair{E57Role::blue, PointField::blue}})
+    if (hasRole(scan, role)) fields.push_back(field);
+  return fields;
+}
+
+/// Azimuth is counted from x to y, elevation from their plane to z.
+Eigen::Vector3d fromSpherical(double range, double azimuth, double elevation) {
+  return {range * std::cos(elevation) * std::cos(azimuth),
+          range * std::cos(elevation) * std::sin(azimuth), range * std::sin(elevation)};
+}
+
+/// Where limits are known, from 0 to 255 for bytes. Of 16 bits, 256 v and 257 v both stand for v.
+double colorOf(double value, const E57Scan& scan, std::size_t channel) {
+  if (!scan.colorLimits) return value;
+  const E57Limits& limits = (*scan.colorLimits)[channel];
+  const double range = limits.most - limits.least;
+  const double byte = range < 255 ? std::round(255 * (value - limits.least) / range)
+                                  : std::floor(256 * (value - limits.least) / (range + 1));
+  return std::clamp(byte, 0.0, 255.0);
+}
+
+PointValues pointOf(const E57Values& values, const E57Scan& scan, bool isSpherical) {
+  const auto value = [&](E57Role role) { return values[indexOf(role)]; };
+  const Eigen::Vector3d measured =
+      isSpherical
+          ? fromSpherical(value(E57Role::range), value(E57Role::azimuth), value(E57Role::elevation))
+          : Eigen::Vector3d(value(E57Role::x), value(E57Role::y), value(E57Role::z));
+  const Eigen::Vector3d position = scan.pose * measured;
+  PointValues point{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    point[indexOf(PointField::x) + axis] = position[static_cast<Eigen::Index>(axis)];
+  if (value(E57Role::invalidIntensity) == 0)
+    point[indexOf(PointField::intensity)] = value(E57Role::intensity);
+  if (value(E57Role::invalidColor) == 0)
+    for (std::size_t channel = 0; channel < 3; ++channel)
+      point[indexOf(PointField::red) + channel] =
+          colorOf(values[indexOf(E57Role::red) + channel], scan, channel);
+  return point;
+}
+
+/// The points of a scan whose position was measured.
+RawPoints pointsOf(const E57Scan& scan, std::vector<E57Stream> streams, const Progress& progress) {
+  const bool isSpherical = hasRole(scan, E57Role::range);
+  PointCollector points(pointFieldsOf(scan), scan.records);
+  std::vector<std::pair<std::size_t, E57Stream*>> used; // by the place of their value
+  for (std::size_t i = 0; i < streams.size(); ++i)
+    if (scan.fields[i].role != E57Role::none)
+      used.emplace_back(indexOf(scan.fields[i].role), &streams[i]);
+  E57Values values{};
+  for (std::uint64_t record = 0; record < scan.records; ++record) {
+    if (record % 65536 == 0)
+      progress.update(static_cast<double>(record) / static_cast<double>(scan.records));
+    for (const auto& [place, stream] : used)
+      values[place] = stream->next();
+    if (values[indexOf(E57Role::invalidPosition)] == 0)
+      points.add(pointOf(values, scan, isSpherical));
+  }
+  return std::move(points).finish(!scan.colorLimits);
+}
+
+/// Checks the promised numbers of points before memory is taken for them: points of no bits, as
+/// where all values of a field are the same, would fill any memory.
+/// @return how many there are in all
+std::uint64_t checkedRecords(const std::vector<E57Scan>& scans, const E57Pages& pages) {
+  constexpr std::uint64_t freePoints = 1 << 20;
+  constexpr std::uint64_t mostPoints = 4; // to a byte
+  std::uint64_t all = 0;
+  for (const E57Scan& scan : scans) {
+    std::uint64_t bits = 0;
+    for (const E57Field& field : scan.fields)
+      bits += field.bits;
+    if (bits >= 8) checkPromise(pages.file(), scan.records, bits / 8, pages.size());
+    const std::uint64_t most = freePoints + mostPoints * pages.size();
+    if (scan.records > most || all + scan.records > most)
+      throw Error(pages.file() + ": promises " + counted(scan.records, "point") +
+                  " of hardly any bits, as of no scan: the file is damaged, export it again");
+    all += scan.records;
+  }
+  checkPromise(pages.file(), all, 1, all);
+  return all;
+}
+
+} // namespace
+
+bool isE57(std::string_view beginning) {
+  return beginning.starts_with("ASTM-E57");
+}
+
+Imported<RawPoints> readE57(std::istream& in, const std::string& file, const Progress& progress) {
+  const E57Pages pages(readAll(in, progress.part(0, 0.2)), file, progress.part(0.2, 0.3));
+  const XmlFile xml(std::string(pages.xml()), file + ", XML", "e57Root");
+  const Imported<std::vector<E57Scan>> scans = e57ScansOf(xml);
+  const std::uint64_t promised = checkedRecords(scans.value, pages);
+  const Progress reading = progress.part(0.3, 1);
+  E57Packets packets(pages);
+  StationPoints stations;
+  std::uint64_t read = 0;
+  std::uint64_t kept = 0;
+  for (const E57Scan& scan : scans.value) {
+    const auto done = [&](std::uint64_t count) {
+      return static_cast<double>(count) / static_cast<double>(promised);
+    };
+    const Progress part = reading.part(done(read), done(read + scan.records));
+    RawPoints points = pointsOf(scan, packets.streamsOf(scan, part), part);
+    read += scan.records;
+    kept += points.positions.size();
+    stations.add(std::move(points));
+  }
+  Imported<RawPoints> result = std::move(stations).finish(file);
+  if (kept < read)
+    result.notes.push_back(file + ": " + std::to_string(read - kept) + " of " +
+                           counted(read, "point") +
+                           " are marked as having no position and are left out");
+  result.notes.insert(result.notes.end(), scans.notes.begin(), scans.notes.end());
+  return result;
+}
+
+} // namespace espalier

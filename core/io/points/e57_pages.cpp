@@ -1,0 +1,135 @@
+#include "core/io/points/e57_pages.h"
+
+#include "core/base/counted.h"
+#include "core/base/error.h"
+#include "core/io/bytes/scalar.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstring>
+#include <utility>
+
+namespace espalier {
+namespace {
+
+constexpr std::string_view e57Signature = "ASTM-E57";
+constexpr std::size_t e57HeaderSize = 48;
+constexpr std::size_t pageSize = 1024;
+constexpr std::size_t pageContent = pageSize - 4;
+
+using CrcTables = std::array<std::array<std::uint32_t, 256>, 8>;
+
+/// What a byte adds to a CRC-32C, by how many bytes follow it among eight.
+constexpr CrcTables crcTables = [] {
+  constexpr std::uint32_t polynomial = 0x82f63b78; // of Castagnoli, its lowest power first
+  CrcTables tables{};
+  for (std::uint32_t byte = 0; byte < 256; ++byte) {
+    std::uint32_t crc = byte;
+    for (int bit = 0; bit < 8; ++bit)
+      crc = (crc >> 1) ^ ((crc & 1) != 0 ? polynomial : 0);
+    tables[0][byte] = crc;
+  }
+  for (std::size_t after = 1; after < tables.size(); ++after)
+    for (std::size_t byte = 0; byte < 256; ++byte) {
+      const std::uint32_t before = tables[after - 1][byte];
+      tables[after][byte] = (before >> 8) ^ tables[0][before & 255];
+    }
+  return tables;
+}();
+
+/// The CRC-32C of the content of a page, eight bytes at a time and then the last four.
+std::uint32_t checksumOf(const char* content) {
+  static_assert(pageContent % 8 == 4);
+  std::uint32_t crc = ~std::uint32_t{0};
+  const auto sum = [](std::uint32_t four, std::size_t after) {
+    return crcTables[after + 3][four & 255] ^ crcTables[after + 2][four >> 8 & 255] ^
+           crcTables[after + 1][four >> 16 & 255] ^ crcTables[after][four >> 24];
+  };
+  std::size_t at = 0;
+  for (; at + 8 <= pageContent; at += 8)
+    crc = sum(valueAt<std::uint32_t>(content + at) ^ crc, 4) ^
+          sum(valueAt<std::uint32_t>(content + at + 4), 0);
+  return ~sum(valueAt<std::uint32_t>(content + at) ^ crc, 0);
+}
+
+} // namespace
+
+E57Pages::E57Pages(std::string bytes, std::string file, const Progress& progress)
+    : content_(std::move(bytes)), file_(std::move(file)) {
+  readHeader(content_.size());
+  dropChecksums(progress);
+}
+
+void E57Pages::readHeader(std::size_t fileSize) {
+  if (!content_.starts_with(e57Signature))
+    throw Error(file_ + ": is no E57 file, it does not begin with " + std::string(e57Signature));
+  if (fileSize < e57HeaderSize)
+    throw Error(file_ + ": ends within its header: the file is cut short, copy or export it again");
+  const char* header = content_.data();
+  const auto major = valueAt<std::uint32_t>(header + 8);
+  const auto size = valueAt<std::uint64_t>(header + 16);
+  const auto pages = valueAt<std::uint64_t>(header + 40);
+  if (major != 1)
+    throw Error(file_ + ", byte 8: is E57 " + std::to_string(major) + "." +
+                std::to_string(valueAt<std::uint32_t>(header + 12)) +
+                ", and version 1 can be read: export it as that");
+  if (pages != pageSize)
+    throw Error(file_ + ", byte 40: has pages of " + std::to_string(pages) + " bytes, not of " +
+                std::to_string(pageSize) + ": the header is damaged, copy or export it again");
+  if (size > fileSize)
+    throw Error(file_ + ": its header promises " + counted(size, "byte") + ", but it has " +
+                std::to_string(fileSize) + ": the file is cut short, copy or export it again");
+  if (size == 0 || size % pageSize != 0)
+    throw Error(file_ + ", byte 16: says it has " + counted(size, "byte") +
+                ", which are no whole pages: the header is damaged, copy or export it again");
+  xmlStart_ = valueAt<std::uint64_t>(header + 24);
+  xmlSize_ = valueAt<std::uint64_t>(header + 32);
+  content_.resize(size);
+}
+
+void E57Pages::dropChecksums(const Progress& progress) {
+  const std::size_t pages = content_.size() / pageSize;
+  char* const bytes = content_.data();
+  for (std::size_t page = 0; page < pages; ++page) {
+    if (page % 1024 == 0) progress.update(static_cast<double>(page) / static_cast<double>(pages));
+    const char* const start = bytes + page * pageSize;
+    // Unlike all else in the file, its first byte is the highest.
+    if (checksumOf(start) != valueAt<std::uint32_t>(start + pageContent, std::endian::big))
+      throw Error(file_ + ", byte " + std::to_string(page * pageSize) + ": page " +
+                  std::to_string(page + 1) + " of " + std::to_string(pages) +
+                  " does not fit its checksum: the file is damaged, copy or export it again");
+    std::memmove(bytes + page * pageContent, start, pageContent);
+  }
+  content_.resize(pages * pageContent);
+}
+
+std::string_view E57Pages::xml() const {
+  return bytesAt(placeOf(xmlStart_, "the XML"), xmlSize_, "the XML");
+}
+
+std::size_t E57Pages::placeOf(std::uint64_t inFile, std::string_view what) const {
+  const std::uint64_t page = inFile / pageSize;
+  const std::uint64_t inPage = inFile % pageSize;
+  if (page >= content_.size() / pageContent || inPage >= pageContent)
+    throw Error(file_ + ": says that " + std::string(what) + " starts at byte " +
+                std::to_string(inFile) +
+                ", where none can be: the file is damaged, copy or export it again");
+  return static_cast<std::size_t>(page * pageContent + inPage);
+}
+
+std::string_view E57Pages::bytesAt(std::size_t place, std::uint64_t size,
+                                   std::string_view what) const {
+  const std::size_t left = content_.size() - std::min(place, content_.size());
+  if (size > left)
+    fail(place, std::string(what) + " of " + counted(size, "byte") + " starts here, but only " +
+                    std::to_string(left) + " follow: the file is damaged, copy or export it again");
+  return std::string_view(content_).substr(place, static_cast<std::size_t>(size));
+}
+
+void E57Pages::fail(std::size_t place, const std::string& what) const {
+  const std::size_t inFile = place / pageContent * pageSize + place % pageContent;
+  throw Error(file_ + ", byte " + std::to_string(inFile) + ": " + what);
+}
+
+} // namespace espalier

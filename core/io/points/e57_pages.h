@@ -1,0 +1,53 @@
+#pragma once
+
+#include "core/base/progress.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace espalier {
+
+/// The content of an E57 file: its pages without the checksums that end them.
+///
+/// A file is a row of pages of 1024 bytes; the last 4 are the CRC-32C of the others. Places in the
+/// file count all bytes; places in the content leave the checksums out.
+class E57Pages {
+public:
+  /// Checks the first bytes of the file and the checksum of each page.
+  /// @param file  its name, for messages
+  /// @throws Error if the file is no E57 file, is cut short, or a page is damaged: the message
+  ///               names the page
+  E57Pages(std::string bytes, std::string file, const Progress& progress);
+
+  [[nodiscard]] const std::string& file() const { return file_; }
+  [[nodiscard]] std::size_t size() const { return content_.size(); }
+
+  /// The section of XML, which describes the rest.
+  /// @throws Error if it is not within the file
+  [[nodiscard]] std::string_view xml() const;
+
+  /// The place in the content of byte `inFile` of the file.
+  /// @param what  stands there, for the message: "the XML"
+  /// @throws Error if there is none
+  [[nodiscard]] std::size_t placeOf(std::uint64_t inFile, std::string_view what) const;
+
+  /// @param place  in the content
+  /// @throws Error if so many bytes do not follow
+  [[nodiscard]] std::string_view bytesAt(std::size_t place, std::uint64_t size,
+                                         std::string_view what) const;
+
+  /// @param place  in the content; the message has its place in the file: "oak.e57, byte 1030: ..."
+  [[noreturn]] void fail(std::size_t place, const std::string& what) const;
+
+private:
+  void readHeader(std::size_t fileSize);
+  void dropChecksums(const Progress& progress);
+
+  std::string content_;
+  std::string file_;
+  std::uint64_t xmlStart_ = 0; // in the file
+  std::uint64_t xmlSize_ = 0;  // without checksums
+};
+
+} // namespace espalier

@@ -1,0 +1,214 @@
+#include "core/io/points/ptx.h"
+
+#include "core/base/counted.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/io/points/point_collector.h"
+#include "core/io/points/station_points.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace espalier {
+namespace {
+
+constexpr std::array<std::size_t, 10> numbersOfHeader = {1, 1, 3, 3, 3, 3, 4, 4, 4, 4}; // by line
+constexpr std::size_t matrixStart = 6;                                                  // its line
+
+/// What stands before the points of a block.
+struct PtxHeader {
+  std::uint64_t points = 0;
+  Eigen::Matrix3d turn;
+  Eigen::Vector3d shift;
+};
+
+struct PtxCounts {
+  std::uint64_t listed = 0;
+  std::uint64_t empty = 0; // of those, directions without a return
+};
+
+std::vector<PointField> fieldsOfLine(std::size_t numbers) {
+  using enum PointField;
+  switch (numbers) {
+  case 3:
+    return {x, y, z};
+  case 4:
+    return {x, y, z, intensity};
+  case 6:
+    return {x, y, z, red, green, blue};
+  case 7:
+    return {x, y, z, intensity, red, green, blue};
+  default:
+    return {};
+  }
+}
+
+/// Reads the blocks of a PTX file one after another.
+class PtxReader {
+public:
+  PtxReader(std::string_view text, const std::string& file, const Progress& progress)
+      : lines_(text), size_(text.size()), file_(file), progress_(progress) {}
+
+  /// Moves on to the next line that is not blank; whether there is one.
+  bool advance() {
+    do {
+      if (lines_.number() % 65536 == 0)
+        progress_.update(static_cast<double>(lines_.offset()) /
+                         static_cast<double>(std::max<std::size_t>(size_, 1)));
+      const auto line = lines_.next();
+      if (!line) return false;
+      line_ = *line;
+    } while (trimmed(line_).empty());
+    return true;
+  }
+
+  /// pre: advance() found the first line of a block
+  RawPoints readBlock();
+
+  [[nodiscard]] const PtxCounts& counts() const { return counts_; }
+
+private:
+  PtxHeader readHeader();
+  void addPoint(const PtxHeader& header, std::uint64_t left);
+  std::uint64_t sizeIn(double number) const;
+  void readNumbers(std::size_t least, std::size_t most);
+  [[noreturn]] void fail(const std::string& what) const {
+    throw Error(place(file_, lines_.number()) + what);
+  }
+
+  LineReader lines_;
+  std::size_t size_;
+  const std::string& file_;
+  const Progress& progress_;
+  std::string_view line_;
+  std::vector<double> numbers_;          // of this line
+  std::vector<PointField> fields_;       // of this block, by its first return:
+  std::optional<PointCollector> points_; // lines without a return may be shorter
+  PtxCounts counts_;
+};
+
+/// Takes the numbers of this line, up to `most` of them.
+void PtxReader::readNumbers(std::size_t least, std::size_t most) {
+  numbers_.clear();
+  std::string_view rest = line_;
+  while (numbers_.size() < most) {
+    const std::string_view word = nextWord(rest);
+    if (word.empty()) break;
+    const auto number = numberIn(word);
+    if (!number) fail("expected a number, found " + inQuotes(word));
+    numbers_.push_back(*number);
+  }
+  if (numbers_.size() < least)
+    fail("expected " + counted(least, "number") + ", found " + std::to_string(numbers_.size()));
+}
+
+std::uint64_t PtxReader::sizeIn(double number) const {
+  if (!(number >= 0 && number <= std::numeric_limits<std::uint32_t>::max() &&
+        std::floor(number) == number))
+    fail("expected a whole number of columns or rows, found " + inQuotes(trimmed(line_)));
+  return static_cast<std::uint64_t>(number);
+}
+
+PtxHeader PtxReader::readHeader() {
+  std::array<std::uint64_t, 2> sizes{};
+  Eigen::Matrix<double, 4, 3> matrix;
+  for (std::size_t i = 0; i < numbersOfHeader.size(); ++i) {
+    if (i > 0 && !advance())
+      throw Error(file_ + ": ends within the header of a block: it is cut short, copy or export it "
+                          "again");
+    readNumbers(numbersOfHeader[i], numbersOfHeader[i]);
+    if (i < sizes.size()) sizes[i] = sizeIn(numbers_[0]);
+    if (i >= matrixStart)
+      matrix.row(static_cast<Eigen::Index>(i - matrixStart)) =
+          Eigen::RowVector3d(numbers_[0], numbers_[1], numbers_[2]);
+  }
+  const PtxHeader header{sizes[0] * sizes[1], matrix.topRows<3>().transpose(),
+                         matrix.row(3).transpose()};
+  const double volume = std::abs(header.turn.determinant());
+  if (!(volume > 0) || !matrix.allFinite())
+    fail("the matrix that ends here makes all points flat: the header is damaged, export it again");
+  return header;
+}
+
+RawPoints PtxReader::readBlock() {
+  const PtxHeader header = readHeader();
+  constexpr std::size_t shortestLine = 5; // "0 0 0", of the last line
+  constexpr std::size_t most = 7;
+  checkPromise(file_ + ", line " + std::to_string(lines_.number()), header.points, shortestLine,
+               size_ - lines_.offset());
+  points_.reset();
+  for (std::uint64_t i = 0; i < header.points; ++i) {
+    if (!advance())
+      throw Error(file_ + ": ends after " + std::to_string(i) + " of " +
+                  counted(header.points, "point") +
+                  " of its last block: it is cut short, copy or export it again");
+    readNumbers(3, most);
+    if (numbers_[0] == 0 && numbers_[1] == 0 && numbers_[2] == 0)
+      ++counts_.empty;
+    else
+      addPoint(header, header.points - i);
+  }
+  counts_.listed += header.points;
+  return points_ ? std::move(*points_).finish(true) : RawPoints{};
+}
+
+void PtxReader::addPoint(const PtxHeader& header, std::uint64_t left) {
+  if (!points_) {
+    fields_ = fieldsOfLine(numbers_.size());
+    if (fields_.empty())
+      fail("expected x y z, intensity and red green blue, 4 or 7 numbers, found " +
+           std::to_string(numbers_.size()));
+    points_.emplace(fields_, left);
+  }
+  if (numbers_.size() != fields_.size())
+    fail("expected " + counted(fields_.size(), "number") + " as in the lines before, found " +
+         std::to_string(numbers_.size()));
+  const Eigen::Vector3d position =
+      header.turn * Eigen::Vector3d(numbers_[0], numbers_[1], numbers_[2]) + header.shift;
+  std::copy_n(position.data(), 3, numbers_.begin());
+  PointValues values{};
+  for (std::size_t i = 0; i < fields_.size(); ++i)
+    values[indexOf(fields_[i])] = numbers_[i];
+  points_->add(values);
+}
+
+/// Whether a line holds so many numbers and nothing else.
+bool holdsNumbers(std::string_view line, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i)
+    if (!numberIn(nextWord(line))) return false;
+  return nextWord(line).empty();
+}
+
+} // namespace
+
+bool isPtx(std::string_view beginning) {
+  LineReader lines(beginning);
+  return std::ranges::all_of(numbersOfHeader, [&](std::size_t count) {
+    const auto line = lines.next();
+    return line && holdsNumbers(*line, count);
+  });
+}
+
+Imported<RawPoints> readPtx(std::istream& in, const std::string& file, const Progress& progress) {
+  const std::string text = readAll(in, progress.part(0, 0.3));
+  const Progress reading = progress.part(0.3, 1);
+  PtxReader reader(text, file, reading);
+  StationPoints stations;
+  while (reader.advance())
+    stations.add(reader.readBlock());
+  Imported<RawPoints> result = std::move(stations).finish(file);
+  if (const PtxCounts& counts = reader.counts(); counts.empty > 0)
+    result.notes.push_back(file + ": " + std::to_string(counts.empty) + " of " +
+                           counted(counts.listed, "point") +
+                           " have no return (0 0 0) and are left out");
+  return result;
+}
+
+} // namespace espalier

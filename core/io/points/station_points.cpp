@@ -1,0 +1,65 @@
+#include "core/io/points/station_points.h"
+
+#include "core/base/counted.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace espalier {
+namespace {
+
+/// Appends the values of a station, or as many empty ones as it has points; both lists may be
+/// empty: then nothing is known so far.
+template <class Value>
+void appendOrFill(std::vector<Value>& all, const std::vector<Value>& values, std::size_t before,
+                  std::size_t points) {
+  if (all.empty() && values.empty()) return;
+  all.resize(before); // those of stations that had none
+  all.insert(all.end(), values.begin(), values.end());
+  all.resize(before + points);
+}
+
+std::string lackNote(const std::string& file, std::size_t lacking, std::size_t stations,
+                     const char* what) {
+  return file + ": no " + what + " in " + std::to_string(lacking) + " of " +
+         counted(stations, "station");
+}
+
+} // namespace
+
+void StationPoints::add(RawPoints points) {
+  ++stations_;
+  const std::size_t count = points.positions.size();
+  if (count == 0) return;
+  if (points.colors.empty()) ++uncolored_;
+  if (points.intensities.empty()) ++unintense_;
+  if (all_.positions.empty()) { // mostly there is one station: nothing is copied
+    all_ = std::move(points);
+    return;
+  }
+  const std::size_t before = all_.positions.size();
+  appendOrFill(all_.colors, points.colors, before, count);
+  appendOrFill(all_.intensities, points.intensities, before, count);
+  all_.positions.insert(all_.positions.end(), points.positions.begin(), points.positions.end());
+}
+
+Imported<RawPoints> StationPoints::finish(const std::string& file) && {
+  Imported<RawPoints> result{std::move(all_), {}};
+  RawPoints& points = result.value;
+  if (std::ranges::all_of(points.intensities, [](float value) { return value == 0; }))
+    points.intensities.clear();
+  if (std::ranges::all_of(points.colors, [](const Color& color) { return color == Color{}; }))
+    points.colors.clear();
+  if (stations_ > 1)
+    result.notes.push_back(file + ": holds " + counted(stations_, "station") +
+                           ", which are joined into one set of points");
+  if (uncolored_ > 0 && !points.colors.empty())
+    result.notes.push_back(lackNote(file, uncolored_, stations_, "colors") +
+                           ": points there are black");
+  if (unintense_ > 0 && !points.intensities.empty())
+    result.notes.push_back(lackNote(file, unintense_, stations_, "intensities") +
+                           ": those of points there are 0");
+  return result;
+}
+
+} // namespace espalier

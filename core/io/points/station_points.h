@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/base/imported.h"
+#include "core/cloud/point_cloud.h"
+
+#include <string>
+
+namespace espalier {
+
+/// Joins the points that a scanner measured from several places, its stations.
+class StationPoints {
+public:
+  /// Adds the points of the next station, in the frame that all share.
+  void add(RawPoints points);
+
+  /// All points, station after station. Colors and intensities that some stations lack are black
+  /// and 0 there; those that no station has, or that are 0 everywhere, are left out.
+  /// @return with notes on how many stations there were, and on what some of them lack
+  [[nodiscard]] Imported<RawPoints> finish(const std::string& file) &&;
+
+private:
+  RawPoints all_;
+  std::size_t stations_ = 0;
+  std::size_t uncolored_ = 0; // stations with points, but without colors
+  std::size_t unintense_ = 0; // the same, of intensities
+};
+
+} // namespace espalier

@@ -4,6 +4,7 @@
 #include "ui/panels/option_field.h"
 
 #include <QGridLayout>
+#include <QLabel>
 #include <QScrollArea>
 #include <QSignalBlocker>
 #include <QToolButton>
@@ -18,8 +19,9 @@ CheckForm::CheckForm(QWidget* parent)
     : QWidget(parent), header_(new QToolButton), body_(new QScrollArea) {
   setObjectName("check_form");
   header_->setObjectName("check_form_header");
+  header_->setProperty("role", "step");
   header_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  header_->setAutoRaise(true);
+  header_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   header_->setCheckable(true);
   header_->setToolTip(tr("From where on the checks report something"));
   auto* form = new QWidget;
@@ -33,6 +35,9 @@ CheckForm::CheckForm(QWidget* parent)
       emit changed();
     });
   }
+  grid->setColumnStretch(0, 1);
+  for (QLabel* label : form->findChildren<QLabel*>())
+    label->setWordWrap(true); // panels are narrow
   body_->setObjectName("check_form_body");
   body_->setWidget(form);
   body_->setWidgetResizable(true);

@@ -4,6 +4,7 @@
 #include "core/io/plantgl/geom.h"
 #include "core/io/points/e57.h"
 #include "core/io/points/las.h"
+#include "core/io/points/laz.h"
 #include "core/io/points/pcd.h"
 #include "core/io/points/ply.h"
 #include "core/io/points/ptx.h"
@@ -44,8 +45,7 @@ std::vector<Format> makeFormats() {
                    .description = "Compressed LAS points",
                    .extensions = {"laz"},
                    .recognizes = isLaz,
-                   .advice = "unpack it to LAS first, as by 'laszip -i a.laz -o a.las' or "
-                             "'pdal translate a.laz a.las'"});
+                   .readPoints = readLaz});
   table.push_back({.name = "LAS",
                    .description = "LAS points",
                    .extensions = {"las"},

@@ -48,9 +48,9 @@ StartPage::StartPage(QWidget* parent)
   column->addWidget(icon_);
   column->addSpacing(8);
   column->addWidget(startLabel(tr("Open a scan, or drop one here"), "headline", this));
-  column->addWidget(
-      startLabel(tr("PLY, LAS, E57, PCD, XYZ and their kin; a skeleton as MTG opens over its scan"),
-                 "quiet", this));
+  column->addWidget(startLabel(
+      tr("PLY, LAS, LAZ, E57, PCD, XYZ and their kin; a skeleton as MTG opens over its scan"),
+      "quiet", this));
   column->addSpacing(12);
   column->addWidget(open, 0, Qt::AlignCenter);
   column->addSpacing(28);

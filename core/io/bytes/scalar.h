@@ -70,15 +70,21 @@ template <class T>
   return valueAt<double>(bytes, order);
 }
 
-/// Appends `value` to `bytes`.
-template <class T>
-void appendValue(std::string& bytes, T value, std::endian order = std::endian::little) {
+/// Writes `value` over the bytes at `bytes`, aligned or not. pre: sizeof(T) bytes are there
+template <class T> void setValueAt(char* bytes, T value, std::endian order = std::endian::little) {
   std::array<char, sizeof(T)> raw{};
   std::memcpy(raw.data(), &value, sizeof(T));
   if (order != std::endian::native)
     for (std::size_t i = 0; i < sizeof(T) / 2; ++i)
       std::swap(raw[i], raw[sizeof(T) - 1 - i]);
-  bytes.append(raw.data(), raw.size());
+  std::memcpy(bytes, raw.data(), sizeof(T));
+}
+
+/// Appends `value` to `bytes`.
+template <class T>
+void appendValue(std::string& bytes, T value, std::endian order = std::endian::little) {
+  bytes.resize(bytes.size() + sizeof(T));
+  setValueAt(bytes.data() + bytes.size() - sizeof(T), value, order);
 }
 
 } // namespace espalier

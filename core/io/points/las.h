@@ -3,16 +3,12 @@
 #include "core/base/imported.h"
 #include "core/base/progress.h"
 #include "core/cloud/point_cloud.h"
+#include "core/io/points/las_header.h" // isLas
 
 #include <iosfwd>
 #include <string>
-#include <string_view>
 
 namespace espalier {
-
-/// Whether a file that begins so is LAS, compressed (LAZ) or not; `beginning` should be 105 bytes.
-[[nodiscard]] bool isLas(std::string_view beginning);
-[[nodiscard]] bool isLaz(std::string_view beginning);
 
 /// Points of a LAS file of version 1.0 to 1.4, point formats 0 to 10.
 ///
@@ -21,9 +17,9 @@ namespace espalier {
 /// with a note. Waveforms, times, returns and classes are passed over.
 ///
 /// @param file  its name, for messages
-/// @throws Error if it is no LAS file, is compressed, of a later version, or cut short
-/// Time and memory O(N).
-/// Specification: ASPRS, "LAS Specification 1.4 - R15", 2019, and those of 1.0 to 1.3.
+/// @throws Error if it is no LAS file, is compressed (see readLaz), of a later version, or cut
+/// short Time and memory O(N). Specification: ASPRS, "LAS Specification 1.4 - R15", 2019, and those
+/// of 1.0 to 1.3.
 [[nodiscard]] Imported<RawPoints> readLas(std::istream& in, const std::string& file,
                                           const Progress& progress = {});
 

@@ -111,6 +111,10 @@ void checkPromise(const std::string& file, std::uint64_t count, std::uint64_t si
     throw Error(file + ": its header promises " + counted(count, "point") + " of at least " +
                 counted(size, "byte") + ", but only " + counted(available, "byte") +
                 " follow: the file is cut short or damaged, copy or export it again");
+  checkPointCount(file, count);
+}
+
+void checkPointCount(const std::string& file, std::uint64_t count) {
   if (count > std::numeric_limits<std::uint32_t>::max())
     throw Error(file + ": holds " + std::to_string(count) +
                 " points, more than can be worked on at once: thin or split it");

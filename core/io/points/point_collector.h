@@ -57,4 +57,7 @@ private:
 void checkPromise(const std::string& file, std::uint64_t count, std::uint64_t size,
                   std::uint64_t available);
 
+/// @throws Error if a PointCloud cannot hold so many points
+void checkPointCount(const std::string& file, std::uint64_t count);
+
 } // namespace espalier

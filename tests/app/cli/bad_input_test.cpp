@@ -75,7 +75,8 @@ std::vector<BadScan> badScans() {
        "promises 1000000000000 points"},
       {"PcdOfTooManyPoints", "vast.pcd", pcdPromising("1000000000000"),
        "promises 1000000000000 points"},
-      {"Compressed", "oak.laz", test::lasFile({.formatBits = 0x80}), "laszip"},
+      {"LazWithoutItsRecord", "oak.laz", test::lasFile({.formatBits = 0x80}),
+       "copy or export it again"},
       {"UnknownKind", "oak.docx", "PK\3\4", "can be read: PLY (.ply)"},
       {"OnePoint", "one.xyz", "1 2 3\n", "at least 2 points: check the scan", true},
       {"AllPointsEqual", "same.xyz", coincident, "at the same place: check the scan", true}};

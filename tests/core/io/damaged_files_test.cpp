@@ -7,6 +7,7 @@
 #include "core/io/plantgl/geom.h"
 #include "core/io/points/e57.h"
 #include "core/io/points/las.h"
+#include "core/io/points/laz.h"
 #include "core/io/points/pcd.h"
 #include "core/io/points/ply.h"
 #include "core/io/points/ptx.h"
@@ -24,6 +25,7 @@
 #include "tests/core/io/plantgl/bgeom_writer.h"
 #include "tests/core/io/plantgl/pickle_writer.h"
 #include "tests/core/io/points/e57_writer.h"
+#include "tests/core/io/points/laz_writer.h"
 #include "tests/core/io/qsm/mat_writer.h"
 #include "tests/core/io/qsm/qsm_samples.h"
 #include "tests/core/io/samples.h"
@@ -123,6 +125,14 @@ INSTANTIATE_TEST_SUITE_P(
         Reader{"LAS 1.2", [] { return test::lasFile({.format = 3}); }, readCloud<readLas>},
         Reader{"LAS 1.4", [] { return test::lasFile({.minorVersion = 4, .format = 7}); },
                readCloud<readLas>},
+        Reader{"LAZ 1.2", [] { return test::lazFile(test::lasFile({.format = 3, .points = 20})); },
+               readCloud<readLaz>},
+        Reader{"LAZ 1.4",
+               [] {
+                 return test::lazFile(test::lasFile({.minorVersion = 4, .format = 7, .points = 20}),
+                                      {.chunkSize = 6, .hasChunksOfAnySize = true});
+               },
+               readCloud<readLaz>},
         Reader{"PCD", [] { return test::pcdFile(test::PcdKind::binary); }, readCloud<readPcd>},
         Reader{"PCD text", [] { return test::pcdFile(test::PcdKind::ascii); }, readCloud<readPcd>},
         Reader{"PCD compressed", [] { return test::pcdFile(test::PcdKind::compressed); },

@@ -1,0 +1,97 @@
+#include "core/io/points/las_header.h"
+
+#include "core/base/error.h"
+#include "core/io/bytes/scalar.h"
+
+#include <array>
+
+namespace espalier {
+namespace {
+
+constexpr std::size_t smallestHeader = 227; // of versions 1.0 to 1.2
+constexpr std::size_t formatOffset = 104;
+constexpr std::uint8_t compressedBits = 0xc0; // set by LASzip in the point format
+
+struct PointFormat {
+  std::uint16_t length;     // bytes of a point without extra bytes
+  std::uint16_t colorStart; // where red, green and blue lie; 0: nowhere
+};
+
+constexpr std::array<PointFormat, 11> pointFormats = {{{20, 0},
+                                                       {28, 0},
+                                                       {26, 20},
+                                                       {34, 28},
+                                                       {57, 0},
+                                                       {63, 28},
+                                                       {30, 0},
+                                                       {36, 30},
+                                                       {38, 30},
+                                                       {59, 0},
+                                                       {67, 30}}};
+
+Eigen::Vector3d vectorAt(const char* bytes) {
+  return {valueAt<double>(bytes), valueAt<double>(bytes + 8), valueAt<double>(bytes + 16)};
+}
+
+std::uint64_t pointCount(std::string_view bytes, int minorVersion) {
+  const std::uint64_t legacy = valueAt<std::uint32_t>(bytes.data() + 107);
+  constexpr std::size_t countEnd = 255; // of the 64 bit count of version 1.4
+  if (minorVersion < 4 || bytes.size() < countEnd) return legacy;
+  const auto count = valueAt<std::uint64_t>(bytes.data() + 247);
+  return count != 0 ? count : legacy;
+}
+
+void check(const LasHeader& header, std::string_view bytes, const std::string& file) {
+  if (header.format >= pointFormats.size())
+    throw Error(file + ": has points of format " + std::to_string(header.format) +
+                ", which LAS 1.4 does not define: convert it to one of 0 to 10");
+  if (header.pointLength < pointFormats[header.format].length)
+    throw Error(file + ": says its points of format " + std::to_string(header.format) + " have " +
+                std::to_string(header.pointLength) + " bytes, fewer than the " +
+                std::to_string(pointFormats[header.format].length) +
+                " of this format: the header is damaged, export it again");
+  if (header.pointStart < smallestHeader || header.pointStart > bytes.size())
+    throw Error(file + ": says its points start at byte " + std::to_string(header.pointStart) +
+                " of " + std::to_string(bytes.size()) +
+                ": the file is cut short or damaged, copy or export it again");
+}
+
+} // namespace
+
+bool isLas(std::string_view beginning) {
+  return beginning.starts_with("LASF");
+}
+
+bool isLaz(std::string_view beginning) {
+  return isLas(beginning) && beginning.size() > formatOffset &&
+         (static_cast<std::uint8_t>(beginning[formatOffset]) & compressedBits) != 0;
+}
+
+std::size_t LasHeader::colorStart() const {
+  return pointFormats[format].colorStart;
+}
+
+LasHeader readLasHeader(std::string_view bytes, const std::string& file) {
+  if (!isLas(bytes)) throw Error(file + ": is no LAS file, it does not begin with LASF");
+  if (bytes.size() < smallestHeader)
+    throw Error(file + ": ends within its header: the file is cut short, copy or export it again");
+  const int major = valueAt<std::uint8_t>(bytes.data() + 24);
+  const int minor = valueAt<std::uint8_t>(bytes.data() + 25);
+  if (major != 1 || minor > 4)
+    throw Error(file + ": is LAS " + std::to_string(major) + "." + std::to_string(minor) +
+                ", and versions 1.0 to 1.4 can be read: convert it to 1.4");
+  LasHeader header;
+  header.minorVersion = minor;
+  header.size = valueAt<std::uint16_t>(bytes.data() + 94);
+  header.pointStart = valueAt<std::uint32_t>(bytes.data() + 96);
+  header.recordCount = valueAt<std::uint32_t>(bytes.data() + 100);
+  header.format = valueAt<std::uint8_t>(bytes.data() + formatOffset) & ~std::size_t{compressedBits};
+  header.pointLength = valueAt<std::uint16_t>(bytes.data() + 105);
+  header.count = pointCount(bytes, minor);
+  header.scale = vectorAt(bytes.data() + 131);
+  header.offset = vectorAt(bytes.data() + 155);
+  check(header, bytes, file);
+  return header;
+}
+
+} // namespace espalier

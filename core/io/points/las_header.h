@@ -1,0 +1,36 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace espalier {
+
+/// Whether a file that begins so is LAS, compressed (LAZ) or not; `beginning` should be 105 bytes.
+[[nodiscard]] bool isLas(std::string_view beginning);
+[[nodiscard]] bool isLaz(std::string_view beginning);
+
+/// What the header of a LAS file says, compressed (LAZ) or not.
+struct LasHeader {
+  int minorVersion = 0;
+  std::uint64_t size = 0;        // bytes of the header; variable length records follow
+  std::uint64_t pointStart = 0;  // within the file
+  std::uint32_t recordCount = 0; // variable length records
+  std::size_t format = 0;        // of the points, 0 to 10
+  std::size_t pointLength = 0;   // bytes of a point, at least those of its format
+  std::uint64_t count = 0;       // points; not checked against the bytes that follow
+  Eigen::Vector3d scale;
+  Eigen::Vector3d offset;
+
+  /// Where red, green and blue lie in a point; 0: nowhere.
+  [[nodiscard]] std::size_t colorStart() const;
+};
+
+/// @param bytes  the file
+/// @param file   its name, for messages
+/// @throws Error if it is no LAS file, is of a later version, or its header is damaged
+[[nodiscard]] LasHeader readLasHeader(std::string_view bytes, const std::string& file);
+
+} // namespace espalier

@@ -35,10 +35,10 @@ enum class ScoreGroup : std::uint8_t {
 /// Where a score is shown. Those of `everywhere` show any number of scores, the others a choice.
 enum ScoreUse : unsigned {
   inPanel = 1,
-  inMethods = 2,      // the table of methods
-  inStudies = 4,      // files of the noise study and of sweeps
-  inReport = 8,       // tables of the report; there are others for scores that take a distance
-  inText = 16,        // `evaluate` prints a line of its own; off for those in its sentences
+  inMethods = 2, // the table of methods
+  inStudies = 4, // files of the noise study and of sweeps
+  inReport = 8,  // tables of the report; there are others for scores that take a distance
+  inText = 16,   // `evaluate` prints a line of its own; off for those in its sentences
   everywhere = inPanel | inMethods | inStudies | inReport | inText,
   inNoiseText = 32,   // what `noise` prints unless asked for others
   inRankingText = 64, // what a ranking prints beside the score that it ranks by

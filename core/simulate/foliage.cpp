@@ -74,14 +74,14 @@ public:
   template <class Grow>
   void over(const std::vector<Stretch>& stretches, const OrganHabit& habit, const Grow& grow) {
     if (!(habit.spacing > 0)) return;
+    requireFew(count_ + expectedOn(stretches, habit) / 1.01); // at once, not after 10 million
     for (const Stretch& stretch : stretches) {
       const Vector3d axis = stretch.to - stretch.from;
       const double length = axis.norm();
       if (!(length > 0)) continue;
       for (double at = gap(habit); at < length; at += gap(habit)) {
         if (stretch.lengthToApex + length - at > habit.reach * extent_) continue;
-        if (++count_ > mostOrgans)
-          throw Error("foliage: over 10 million organs; ask for a greater spacing");
+        requireFew(++count_);
         grow(placeAt(stretch, axis / length, at / length, habit));
       }
     }
@@ -96,6 +96,20 @@ public:
 
 private:
   static constexpr int mostOrgans = 10'000'000;
+
+  static void requireFew(double organs) {
+    if (organs > mostOrgans)
+      throw Error("foliage: over 10 million organs; ask for a greater spacing");
+  }
+
+  /// How many organs there will be in the mean.
+  [[nodiscard]] double expectedOn(const std::vector<Stretch>& stretches,
+                                  const OrganHabit& habit) const {
+    double length = 0; // within reach of an apex
+    for (const Stretch& stretch : stretches)
+      length += std::clamp(habit.reach * extent_ - stretch.lengthToApex, 0.0, stretch.length());
+    return length / (habit.spacing * extent_);
+  }
 
   [[nodiscard]] double gap(const OrganHabit& habit) { // of a Poisson process
     return -habit.spacing * extent_ * std::log(1 - random_.uniform());

@@ -29,8 +29,8 @@ template <class Write> std::string writtenLines(const Write& write) {
 
 TEST(WriteObjLines, WritesAVertexPerNodeAndALinePerEdge) {
   EXPECT_EQ(writtenLines(writeObjLines), "# exported by Espalier\n"
-                                    "v 0 0 0\nv 5 5 5.25\nv 0 0 1\nv 1 0 0\n"
-                                    "l 1 3\nl 1 4\n");
+                                         "v 0 0 0\nv 5 5 5.25\nv 0 0 1\nv 1 0 0\n"
+                                         "l 1 3\nl 1 4\n");
 }
 
 TEST(WritePlyLines, WritesVerticesWithRadiiAndEdges) {

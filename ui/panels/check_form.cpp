@@ -81,6 +81,7 @@ void CheckForm::choose(const std::map<std::string, double>& chosen) {
 void CheckForm::setOpen(bool isOpen) {
   header_->setChecked(isOpen);
   body_->setVisible(isOpen);
+  setSizePolicy(QSizePolicy::Preferred, isOpen ? QSizePolicy::Expanding : QSizePolicy::Maximum);
   refreshHeader();
 }
 

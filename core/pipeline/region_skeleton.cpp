@@ -43,6 +43,7 @@ PipelineState stateOf(const std::vector<Eigen::Index>& points, const PipelineSta
           .contracted =
               std::make_shared<const Eigen::Matrix3Xf>((*region.contracted)(Eigen::all, points)),
           .root = nearest - points.begin(),
+          .made = StepResult::contracted,
           .radiusSources = {}};
 }
 

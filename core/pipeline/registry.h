@@ -18,12 +18,22 @@
 
 namespace espalier {
 
+/// What steps hand on, in the order in which it comes to be. What was made before stays there.
+enum class StepResult {
+  scan,       // by no step: the points that were not set aside
+  cleaned,    // which of them are of the plant; then it has a root
+  contracted, // where they are drawn to
+  skeleton,   // all of it but the radii
+  radii
+};
+
 /// What the steps of the pipeline hand on to each other.
 struct PipelineState {
   std::shared_ptr<const PointCloud> cloud;
   std::vector<bool> isLeftOut;                        // by point: set aside, then cleaned
   std::shared_ptr<const Eigen::Matrix3Xf> contracted; // by point, about the origin of the cloud
   Eigen::Index root = 0;                              // a point
+  StepResult made = StepResult::scan;                 // the last that is there
   /// In the frame of the file; states share it.
   std::shared_ptr<const Skeleton> skeleton = std::make_shared<const Skeleton>();
   std::vector<RadiusSource> radiusSources = {}; // by id, once there are radii
@@ -34,7 +44,9 @@ struct PipelineState {
   /// What the last step has to say of its result: sentences without a full stop.
   std::vector<std::string> notes = {};
 
-  void setSkeleton(Skeleton made) { skeleton = std::make_shared<const Skeleton>(std::move(made)); }
+  void setSkeleton(Skeleton found) {
+    skeleton = std::make_shared<const Skeleton>(std::move(found));
+  }
 };
 
 /// One way to do a step.
@@ -50,15 +62,6 @@ struct Method {
   std::function<void(PipelineState&, const std::vector<double>& values, const Progress&)> run;
   std::function<MethodProbe(const std::vector<double>& values)> probe =
       [](const std::vector<double>&) { return MethodProbe(); };
-};
-
-/// What steps hand on, in the order in which it comes to be. What was made before stays there.
-enum class StepResult {
-  scan,       // by no step: the points that were not set aside
-  cleaned,    // which of them are of the plant; then it has a root
-  contracted, // where they are drawn to
-  skeleton,   // all of it but the radii
-  radii
 };
 
 /// One step from scan to radii.

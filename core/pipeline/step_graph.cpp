@@ -3,6 +3,8 @@
 #include "core/base/error.h"
 #include "core/skeleton/finite_node.h"
 
+#include <cassert>
+
 namespace espalier {
 namespace {
 
@@ -19,8 +21,10 @@ void requireFinite(const Skeleton& skeleton, const ChosenStep& choice) {
 } // namespace
 
 void ChosenStep::run(PipelineState& state, const Progress& progress, const StepWatch& watch) const {
+  assert(state.made >= step->takes);
   if (watch.began) watch.began(*step);
   method.run(state, progress);
+  state.made = step->makes;
   requireFinite(*state.skeleton, *this);
   if (watch.ended) watch.ended(*step);
 }

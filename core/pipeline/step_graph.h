@@ -21,6 +21,7 @@ struct ChosenStep {
   const Step* step = nullptr;
   ChosenMethod method;
 
+  /// pre: the state has what the step takes
   /// @throws Error     if the method does, or makes nodes that are not finite
   /// @throws Cancelled if `progress` asks to stop
   void run(PipelineState& state, const Progress& progress, const StepWatch& watch = {}) const;

@@ -18,8 +18,8 @@ enum class JobPriority {
 
 /// The jobs of a window, each of which has a place here (JobSlot). A job of the hand begins at
 /// once, one that was asked for beside at most three others, one in the background beside at most
-/// one; the others wait, those of the higher priority before, and of one priority in the order in
-/// which they were asked for. All jobs run below the priority of the window itself
+/// one; the others wait: those of the hand first, those of the background last, and of one priority
+/// in the order in which they were asked for. All jobs run below the priority of the window itself
 /// (yield_to_window.h).
 class JobQueue : public QObject {
   Q_OBJECT

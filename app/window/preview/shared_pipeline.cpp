@@ -4,12 +4,21 @@
 
 #include <QElapsedTimer>
 
+#include <chrono>
+
 namespace espalier {
+
+std::unique_lock<std::timed_mutex> SharedPipeline::atWork(const Progress& progress) {
+  std::unique_lock lock(working_, std::defer_lock);
+  while (!lock.try_lock_for(std::chrono::milliseconds(20)))
+    progress.check();
+  return lock;
+}
 
 Reconstruction SharedPipeline::run(const std::shared_ptr<const PointCloud>& cloud,
                                    const PipelineOptions& options, const Progress& progress,
                                    const std::string& last) {
-  const std::scoped_lock lock(working_);
+  const std::unique_lock lock = atWork(progress);
   QElapsedTimer elapsed;
   std::size_t before = 0;
   const StepWatch watch{.began =

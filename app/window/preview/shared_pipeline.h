@@ -17,7 +17,8 @@ struct StepCost {
 };
 
 /// The pipeline of a plant, for jobs on any thread: one works with it at a time, others wait for
-/// that one. So what a preview computed is at hand when the plant is reconstructed.
+/// that one, unless they are asked to stop. So what a preview computed is at hand when the plant is
+/// reconstructed.
 class SharedPipeline {
 public:
   /// As Pipeline::run().
@@ -29,7 +30,10 @@ public:
   [[nodiscard]] std::map<std::string, StepCost> costs() const;
 
 private:
-  std::mutex working_;
+  /// The right to work; @throws Cancelled if `progress` asks to stop before
+  std::unique_lock<std::timed_mutex> atWork(const Progress& progress);
+
+  std::timed_mutex working_;
   Pipeline pipeline_;
   mutable std::mutex noting_;
   std::map<std::string, StepCost> costs_;

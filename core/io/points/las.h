@@ -17,9 +17,11 @@ namespace espalier {
 /// with a note. Waveforms, times, returns and classes are passed over.
 ///
 /// @param file  its name, for messages
-/// @throws Error if it is no LAS file, is compressed (see readLaz), of a later version, or cut
-/// short Time and memory O(N). Specification: ASPRS, "LAS Specification 1.4 - R15", 2019, and those
-/// of 1.0 to 1.3.
+/// @throws Error     if it is no LAS file, is compressed (see readLaz), of a later version, or cut
+///                   short
+/// @throws Cancelled if `progress` asks to stop
+/// Time and memory O(N).
+/// Specification: ASPRS, "LAS Specification 1.4 - R15", 2019, and those of 1.0 to 1.3.
 [[nodiscard]] Imported<RawPoints> readLas(std::istream& in, const std::string& file,
                                           const Progress& progress = {});
 

@@ -2,7 +2,6 @@
 
 #include "core/io/bytes/scalar.h"
 
-#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -31,14 +30,6 @@ PointValues valuesOf(const LasPoint& point, const LasHeader& header) {
   }
   values[indexOf(PointField::intensity)] = point.intensity;
   return values;
-}
-
-/// Scanners without a camera or a radiometer fill in zeros.
-void dropEmptyColumns(RawPoints& points) {
-  if (std::ranges::all_of(points.intensities, [](float value) { return value == 0; }))
-    points.intensities.clear();
-  if (std::ranges::all_of(points.colors, [](const Color& color) { return color == Color{}; }))
-    points.colors.clear();
 }
 
 } // namespace

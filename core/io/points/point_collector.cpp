@@ -105,6 +105,13 @@ RawPoints PointCollector::finish(bool mayBeFractions) && {
   return std::move(points_);
 }
 
+void dropEmptyColumns(RawPoints& points) {
+  if (std::ranges::all_of(points.intensities, [](float value) { return value == 0; }))
+    points.intensities.clear();
+  if (std::ranges::all_of(points.colors, [](const Color& color) { return color == Color{}; }))
+    points.colors.clear();
+}
+
 void checkPromise(const std::string& file, std::uint64_t count, std::uint64_t size,
                   std::uint64_t available) {
   if (count > available / size)

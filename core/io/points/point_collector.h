@@ -47,6 +47,10 @@ private:
   bool hasIntensities_ = false;
 };
 
+/// Drops intensities and colors that are 0 everywhere: scanners without a radiometer or a camera
+/// fill in zeros.
+void dropEmptyColumns(RawPoints& points);
+
 /// Checks the count in a header against the bytes that are there, before memory is taken for it.
 ///
 /// @param file      name for the message

@@ -1,8 +1,8 @@
 #include "core/io/points/station_points.h"
 
 #include "core/base/counted.h"
+#include "core/io/points/point_collector.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace espalier {
@@ -45,11 +45,8 @@ void StationPoints::add(RawPoints points) {
 
 Imported<RawPoints> StationPoints::finish(const std::string& file) && {
   Imported<RawPoints> result{std::move(all_), {}};
-  RawPoints& points = result.value;
-  if (std::ranges::all_of(points.intensities, [](float value) { return value == 0; }))
-    points.intensities.clear();
-  if (std::ranges::all_of(points.colors, [](const Color& color) { return color == Color{}; }))
-    points.colors.clear();
+  const RawPoints& points = result.value;
+  dropEmptyColumns(result.value);
   if (stations_ > 1)
     result.notes.push_back(file + ": holds " + counted(stations_, "station") +
                            ", which are joined into one set of points");

@@ -1,5 +1,6 @@
 // The parts of the window: here they are made, each with what it works with, and joined where one
 // needs what another does. Actions are listed, and panels lie side by side, in this order.
+#include "app/window/edit/clean_flow.h"
 #include "app/window/edit/editing.h"
 #include "app/window/edit/history_flow.h"
 #include "app/window/edit/inspector_flow.h"
@@ -133,7 +134,9 @@ Reveal MainWindow::reveal() {
 void MainWindow::makePoints(PipelinePanel& pipeline) {
   auto& editing = parts_.get<Editing>();
   auto& states = parts_.make<PointStates>(document_, *view_);
-  parts_.make<PointsFlow>(PointsFlow::Parts{document_, *actions_, editing, states});
+  auto& points = parts_.make<PointsFlow>(PointsFlow::Parts{document_, *actions_, editing, states});
+  parts_.make<CleanFlow>(
+      CleanFlow::Parts{document_, queue_, points, {*actions_, settings_, *this}});
   parts_.make<SavedViews>(SavedViews::Parts{*view_, parts_.get<ViewOptions>(),
                                             parts_.get<ShownFlow>(), *actions_, *this});
   auto& distances = parts_.make<ScanDistances>(document_, queue_);

@@ -1,9 +1,8 @@
 #include "ui/panels/step_form.h"
 
 #include "ui/document/shown_text.h"
-#include "ui/panels/density_curve.h"
-#include "ui/panels/density_fields.h"
 #include "ui/panels/focus_keys.h"
+#include "ui/panels/method_form.h"
 #include "ui/panels/option_field.h"
 
 #include <QComboBox>
@@ -74,14 +73,12 @@ StepForm::StepForm(const Step& step, int number, QWidget* parent)
 void StepForm::setScale(const PlantScale& scale, const QString& unit) {
   scale_ = scale;
   unit_ = unit;
-  for (OptionField* field : fields_)
-    field->setScale(scale, unit);
-  if (curveFields_ != nullptr) curveFields_->setScale(scale, unit);
+  form_->setScale(scale, unit);
 }
 
 void StepForm::setDensities(std::vector<float> densities) {
   densities_ = std::move(densities);
-  if (curve_ != nullptr) curve_->setDensities(densities_);
+  form_->setDensities(densities_);
 }
 
 void StepForm::setState(State state, const QString& note, const QString& details) {
@@ -126,12 +123,9 @@ void StepForm::setOpen(bool isOpen) {
 }
 
 void StepForm::addTo(PipelineOptions& options) const {
-  const auto index = static_cast<std::size_t>(method_->currentIndex());
-  const Method& method = step_.methods[index];
-  if (index != 0) options.methods[step_.name] = method.name;
-  for (std::size_t i = 0; i < fields_.size(); ++i)
-    if (fields_[i]->chosen())
-      options.settings[step_.name][method.options[i].name] = *fields_[i]->chosen();
+  if (method_->currentIndex() != 0) options.methods[step_.name] = form_->method().name;
+  for (const OptionField* field : form_->fields())
+    if (field->chosen()) options.settings[step_.name][field->option().name] = *field->chosen();
 }
 
 void StepForm::choose(const PipelineOptions& options) {
@@ -144,56 +138,19 @@ void StepForm::choose(const PipelineOptions& options) {
   const auto settings = options.settings.find(step_.name);
   if (settings == options.settings.end()) return;
   const QSignalBlocker quiet(this);
-  const auto& described = step_.methods[static_cast<std::size_t>(method_->currentIndex())].options;
-  for (std::size_t i = 0; i < fields_.size(); ++i)
-    if (const auto value = settings->second.find(described[i].name);
+  for (OptionField* field : form_->fields())
+    if (const auto value = settings->second.find(field->option().name);
         value != settings->second.end())
-      fields_[i]->choose(value->second);
+      field->choose(value->second);
 }
 
 void StepForm::showMethod() {
-  delete options_;
-  fields_.clear();
-  curve_ = nullptr;
-  curveFields_ = nullptr;
-  options_ = new QWidget(body_);
-  auto* grid = new QGridLayout(options_);
-  grid->setContentsMargins(0, 0, 0, 0);
-  grid->setHorizontalSpacing(8);
-  grid->setVerticalSpacing(2);
-  grid->setColumnStretch(0, 1);
-  const Method& method = step_.methods[static_cast<std::size_t>(method_->currentIndex())];
-  auto* help = new QLabel(shownText(method.help), options_);
-  help->setWordWrap(true);
-  help->setProperty("role", "quiet");
-  if (!method.source.empty()) help->setToolTip(tr("Source: %1").arg(method.source.c_str()));
-  grid->addWidget(help, 0, 0, 1, 2);
-  const std::vector<Option>& options = method.options;
-  for (std::size_t i = 0; i < options.size(); ++i) {
-    if (i + 2 < options.size() && options[i + 2].kind == OptionKind::curve) addCurve(*grid);
-    addField(options[i], *grid);
-    if (options[i].kind == OptionKind::curve) tieCurve();
-  }
-  column_->addWidget(options_);
-}
-
-void StepForm::addField(const Option& option, QGridLayout& grid) {
-  fields_.push_back(OptionField::make(option, grid, *options_));
-  fields_.back()->setScale(scale_, unit_);
-  connect(fields_.back(), &OptionField::changed, this, &StepForm::changed);
-}
-
-void StepForm::addCurve(QGridLayout& grid) {
-  curve_ = new DensityCurve(options_);
-  curve_->setDensities(densities_);
-  grid.addWidget(curve_, grid.rowCount(), 0, 1, 2);
-}
-
-/// The last field is that of the exponent, those before it of the two ends.
-void StepForm::tieCurve() {
-  const auto exponent = fields_.end() - 1;
-  curveFields_ = new DensityFields(*curve_, **(exponent - 2), **(exponent - 1), **exponent);
-  curveFields_->setScale(scale_, unit_);
+  delete form_;
+  form_ = new MethodForm(step_.methods[static_cast<std::size_t>(method_->currentIndex())], body_);
+  form_->setScale(scale_, unit_);
+  form_->setDensities(densities_);
+  connect(form_, &MethodForm::changed, this, &StepForm::changed);
+  column_->addWidget(form_);
 }
 
 } // namespace espalier

@@ -7,16 +7,13 @@
 #include <vector>
 
 class QComboBox;
-class QGridLayout;
 class QLabel;
 class QToolButton;
 class QVBoxLayout;
 
 namespace espalier {
 
-class DensityCurve;
-class DensityFields;
-class OptionField;
+class MethodForm;
 
 /// One step of the pipeline: its name, how it went, its method and that method's options. Made from
 /// the registry of methods.
@@ -51,9 +48,6 @@ signals:
 
 private:
   void showMethod();
-  void addField(const Option& option, QGridLayout& grid);
-  void addCurve(QGridLayout& grid);
-  void tieCurve();
 
   const Step& step_;
   PlantScale scale_{.spacing = 1, .height = 100};
@@ -66,10 +60,7 @@ private:
   QWidget* body_;
   QVBoxLayout* column_;
   QComboBox* method_;
-  QWidget* options_ = nullptr; // of the method chosen
-  std::vector<OptionField*> fields_;
-  DensityCurve* curve_ = nullptr; // of the method chosen, if it has one
-  DensityFields* curveFields_ = nullptr;
+  MethodForm* form_ = nullptr; // of the method chosen
   std::vector<float> densities_;
 };
 

@@ -33,27 +33,51 @@ QPolygonF sweep(const QPointF& from, const QPointF& to, double radius) {
 QString SelectPointsTool::hint() const {
   if (isCanceled_) return tr("As before. Release the button");
   if (!document().scan()) return tr("There are no points to select: open the scan first");
-  if (isBusy())
+  if (how_)
     return shape_ == Shape::brush ? tr("Release: select the points painted   Esc: leave it")
                                   : tr("Release: select the points inside   Esc: leave it");
-  const QString verb = shape_ == Shape::brush ? tr("Drag: paint points")
-                       : shape_ == Shape::box ? tr("Drag: box about points")
-                                              : tr("Drag: lasso about points");
-  QString hint = tr("%1   Shift: add   Alt: take away   Ctrl: only turn view   {points_shape} %2")
-                     .arg(verb, shape_ == Shape::brush ? tr("box")
-                                : shape_ == Shape::box ? tr("lasso")
-                                                       : tr("brush"));
-  if (shape_ == Shape::brush) hint += tr("   {brush_larger} larger   {brush_smaller} smaller");
+  if (clicks_.isBegun()) return clicks_.hint();
+  QString hint = hintOfShape();
   if (!document().pointSelection().isEmpty())
     hint += tr("   {remove} set aside   {remove_subtree} keep only");
   return hint;
 }
 
+QString SelectPointsTool::hintOfShape() const {
+  const QString how = tr("%1   Shift: add   Alt: take away   Ctrl: only turn view   "
+                         "{points_shape} %2");
+  switch (shape_) {
+  case Shape::brush:
+    return how.arg(tr("Drag: paint points"), tr("box")) +
+           tr("   {brush_larger} larger   {brush_smaller} smaller");
+  case Shape::box:
+    return how.arg(tr("Drag: box about points"), tr("lasso"));
+  case Shape::lasso:
+    return how.arg(tr("Drag: lasso about points"), tr("brush"));
+  case Shape::thing:
+    break;
+  }
+  return tr("%1   Shift: add   Alt: take away   Drag: turn   {points_shape} brush")
+      .arg(clicks_.hint());
+}
+
 void SelectPointsTool::cancel() {
   area_.cancel();
-  if (!isBusy() || isCanceled_) return;
+  clicks_.cancel();
+  emit hintChanged();
+  if (!how_ || isCanceled_) return;
   document().pointSelection().set(before_);
   isCanceled_ = true;
+}
+
+void SelectPointsTool::leave() {
+  clicks_.cancel();
+}
+
+void SelectPointsTool::setThing(PointQuestion::Thing thing) {
+  setShape(Shape::thing);
+  clicks_.begin(thing);
+  emit hintChanged();
 }
 
 void SelectPointsTool::setShape(Shape shape) {
@@ -69,6 +93,7 @@ void SelectPointsTool::setBrushSize(double radius) {
 }
 
 bool SelectPointsTool::act(const ToolInput& input) {
+  if (shape_ == Shape::thing) return click(input);
   switch (input.phase) {
   case ToolInput::Phase::hover:
     if (isBusy()) reset(); // canceled: the release is not sent
@@ -96,10 +121,32 @@ bool SelectPointsTool::act(const ToolInput& input) {
   }
 }
 
+/// A drag is the camera's.
+bool SelectPointsTool::click(const ToolInput& input) {
+  const bool isLeft = input.button == Qt::LeftButton && document().scan() != nullptr &&
+                      !input.modifiers.testFlag(Qt::ControlModifier);
+  if (input.phase == ToolInput::Phase::hover)
+    clicks_.hover(input);
+  else if (input.phase == ToolInput::Phase::press && isLeft)
+    clicks_.press(input);
+  else if (input.phase == ToolInput::Phase::drag)
+    clicks_.drag(input);
+  else if (input.phase == ToolInput::Phase::release)
+    if (const std::optional<PointQuestion> question = clicks_.release(input))
+      emit asked(*question, [this, how = howBy(input.modifiers)](const PointSet& points) {
+        PointSelection& selection = document().pointSelection();
+        selection.set(joined(selection.points(), points, how));
+      });
+  return false;
+}
+
+SelectPointsTool::How SelectPointsTool::howBy(Qt::KeyboardModifiers modifiers) {
+  if (modifiers.testFlag(Qt::AltModifier)) return How::takeAway;
+  return modifiers.testFlag(Qt::ShiftModifier) ? How::add : How::replace;
+}
+
 void SelectPointsTool::press(const ToolInput& input) {
-  how_ = How::replace;
-  if (input.modifiers.testFlag(Qt::ShiftModifier)) how_ = How::add;
-  if (input.modifiers.testFlag(Qt::AltModifier)) how_ = How::takeAway;
+  how_ = howBy(input.modifiers);
   before_ = document().pointSelection().points();
   painted_ = {};
   pointer_ = input.screen;
@@ -129,9 +176,11 @@ void SelectPointsTool::endArea(const ToolInput& input) {
 }
 
 void SelectPointsTool::choose(const PointSet& points) {
-  document().pointSelection().set(*how_ == How::replace ? points
-                                  : *how_ == How::add   ? before_ | points
-                                                        : before_ - points);
+  document().pointSelection().set(joined(before_, points, *how_));
+}
+
+PointSet SelectPointsTool::joined(const PointSet& before, const PointSet& points, How how) {
+  return how == How::replace ? points : how == How::add ? before | points : before - points;
 }
 
 void SelectPointsTool::showBrush() {

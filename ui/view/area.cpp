@@ -93,4 +93,13 @@ std::vector<Eigen::Index> pointsInside(const Scene& scene, const ScreenMap& scre
   return found;
 }
 
+std::vector<Eigen::Index> pointsShown(const Scene& scene, const Camera& camera) {
+  std::vector<Eigen::Index> shown;
+  if (!scene.points.visible) return shown;
+  const ClipVolume clip = scene.clipVolume(camera);
+  for (Eigen::Index i = 0; i < scene.points.size(); ++i)
+    if (scene.isPointShown(i) && clip.contains(scene.points.positions->col(i))) shown.push_back(i);
+  return shown;
+}
+
 } // namespace espalier

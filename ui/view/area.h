@@ -16,4 +16,7 @@ namespace espalier {
 [[nodiscard]] std::vector<Eigen::Index> pointsInside(const Scene& scene, const ScreenMap& screen,
                                                      const QPolygonF& area, Depth depth);
 
+/// All points that are shown, on the screen or not: not hidden, and in the clip. O(points).
+[[nodiscard]] std::vector<Eigen::Index> pointsShown(const Scene& scene, const Camera& camera);
+
 } // namespace espalier

@@ -234,6 +234,10 @@ std::vector<Eigen::Index> PlantView::pointsInside(const QPolygonF& area, Depth d
   return espalier::pointsInside(parts_->scene, parts_->pointer.screen(), area, depth);
 }
 
+std::vector<Eigen::Index> PlantView::pointsShown() const {
+  return espalier::pointsShown(parts_->scene, parts_->pointer.screen().camera());
+}
+
 void PlantView::showBand(const QPolygonF& band) {
   if (band == parts_->overlay.band) return;
   parts_->overlay.band = band;

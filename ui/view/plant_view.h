@@ -143,6 +143,8 @@ public:
   [[nodiscard]] std::vector<NodeId> nodesInside(const QPolygonF& area, Depth depth) const override;
   [[nodiscard]] std::vector<Eigen::Index> pointsInside(const QPolygonF& area,
                                                        Depth depth) const override;
+  /// All points that are shown, on the screen or not: not hidden, and in the clip. O(points).
+  [[nodiscard]] std::vector<Eigen::Index> pointsShown() const;
   /// How many of some thousand places all over the plant are drawn in a part of the view.
   [[nodiscard]] int coveredBy(const QRect& part) const;
   [[nodiscard]] std::optional<QPointF> project(const Eigen::Vector3d& place) const override;

@@ -41,10 +41,27 @@ void PointsFlow::addActions() {
   addChoices();
   addEdits();
   addShown();
-  parts_.actions.place("points", {"tool_points", "points_shape", "brush_larger", "brush_smaller",
-                                  "invert_points", "deselect_points", "", "set_points_aside",
-                                  "keep_points", "bring_points_back", "", "branch_from_points", "",
-                                  "isolate_points", "show_set_aside"});
+  parts_.actions.place("points", {"show_cleaning",
+                                  "",
+                                  "tool_points",
+                                  "points_shape",
+                                  "brush_larger",
+                                  "brush_smaller",
+                                  "points_pole",
+                                  "points_wire",
+                                  "points_plant",
+                                  "select_shown_points",
+                                  "invert_points",
+                                  "deselect_points",
+                                  "",
+                                  "set_points_aside",
+                                  "keep_points",
+                                  "bring_points_back",
+                                  "",
+                                  "branch_from_points",
+                                  "",
+                                  "isolate_points",
+                                  "show_set_aside"});
   parts_.actions.place("context/points", [this](QMenu& menu) { fillContextMenu(menu); });
 }
 
@@ -66,6 +83,7 @@ void PointsFlow::addChoices() {
                .help = tr("The brush that selects points shrinks by a fifth"),
                .keys = Qt::Key_BracketLeft},
               [this] { changeBrush(1 / step); });
+  addThings();
   actions.add({.id = "invert_points",
                .text = tr("Invert Selected Points"),
                .help = tr("Selects all other points that are not set aside")},
@@ -82,12 +100,36 @@ void PointsFlow::addChoices() {
               [this] { parts_.document.pointSelection().clear(); });
 }
 
+void PointsFlow::addThings() {
+  using Thing = PointQuestion::Thing;
+  const auto add = [this](const Command& command, Thing thing) {
+    QAction* action = parts_.actions.add(command, [this, thing] {
+      parts_.editing.useTool(toolId);
+      tool_->setThing(thing);
+    });
+    action->setCheckable(true);
+    things_.emplace_back(action, thing);
+  };
+  add({.id = "points_pole",
+       .text = tr("Select Pole"),
+       .help = tr("Click a pole, a stake or a pipe: all its points are selected")},
+      Thing::pole);
+  add({.id = "points_wire",
+       .text = tr("Select Wire"),
+       .help = tr("Click a wire or a rope at two places: its points between them are selected")},
+      Thing::wire);
+  add({.id = "points_plant",
+       .text = tr("Select Plant"),
+       .help = tr("Click a plant: all points that belong to its stem are selected")},
+      Thing::plant);
+}
+
 void PointsFlow::addEdits() {
   ActionSet& actions = parts_.actions;
   actions.add({.id = "set_points_aside",
                .text = tr("Set Points Aside"),
                .help = tr("The selected points take part in nothing until they are brought back")},
-              [this] { setAside(); });
+              [this] { setAside({}); });
   actions.add({.id = "keep_points",
                .text = tr("Keep Only These Points"),
                .help = tr("Sets all points aside but the selected ones")},
@@ -122,9 +164,10 @@ const PointSet& PointsFlow::chosen() const {
   return points;
 }
 
-void PointsFlow::setAside() {
+void PointsFlow::setAside(const QString& what) {
   const PointSet points = chosen() - parts_.document.leftOut();
-  parts_.document.leaveOut(tr("Set %1 aside").arg(pointsText(points.size())),
+  const QString text = tr("Set %1 aside").arg(pointsText(points.size()));
+  parts_.document.leaveOut(what.isEmpty() ? text : tr("%1: %2").arg(what, text),
                            parts_.document.leftOut() | points);
   parts_.document.pointSelection().clear();
 }
@@ -184,6 +227,10 @@ void PointsFlow::refreshEnabled() {
   enable("deselect_points", hasChosen);
   enable("invert_points", hasScan);
   enable("points_shape", hasScan && isIdle);
+  for (const auto& [action, thing] : things_) {
+    action->setEnabled(hasScan && isIdle);
+    action->setChecked(isTool && tool_->thing() == thing);
+  }
   for (const char* id : {"brush_larger", "brush_smaller"})
     enable(id, isTool && tool_->shape() == SelectPointsTool::Shape::brush);
 }

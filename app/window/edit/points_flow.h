@@ -1,7 +1,12 @@
 #pragma once
 
 #include "app/window/frame/window_part.h"
+#include "ui/tools/point_question.h"
 
+#include <utility>
+#include <vector>
+
+class QAction;
 class QMenu;
 
 namespace espalier {
@@ -28,6 +33,11 @@ public:
   };
   explicit PointsFlow(const Parts& parts);
 
+  [[nodiscard]] SelectPointsTool& tool() const { return *tool_; }
+  /// Sets the selected points aside, as one step. @param what they are; empty: not known
+  /// @throws Error if none is selected, or nothing may be edited
+  void setAside(const QString& what);
+
 signals:
   void changed(); // what is shown alone
 
@@ -35,9 +45,9 @@ private:
   void fillContextMenu(QMenu& menu) const; // with what may be done to selected points, if any
   void addActions();
   void addChoices();
+  void addThings();
   void addEdits();
   void addShown();
-  void setAside();
   void keepOnly();
   void bringBack();
   void isolate();
@@ -48,6 +58,7 @@ private:
 
   Parts parts_;
   SelectPointsTool* tool_;
+  std::vector<std::pair<QAction*, PointQuestion::Thing>> things_; // to be clicked
 };
 
 } // namespace espalier

@@ -58,6 +58,11 @@ void ShownFlow::addActions() {
                 .keys = QKeySequence(Qt::ALT | Qt::Key_H),
                 .menu = "view/show_all"},
                [this] { showAll(); });
+  actions_.add({.id = "select_shown_points",
+                .text = tr("Select Points Shown"),
+                .help = tr("Selects all points that are not hidden, in the slab and the box of "
+                           "Clipping")},
+               [this] { selectShownPoints(); });
   actions_.place("context/shown", {"", "hide", "isolate", "show_all"});
 }
 
@@ -182,8 +187,15 @@ void ShownFlow::refreshPanel() {
                      .fade = view_.depthFade()});
 }
 
+void ShownFlow::selectShownPoints() {
+  document_.pointSelection().set(PointSet::of(view_.pointsShown()));
+  const std::size_t count = document_.pointSelection().points().size();
+  emit noted(count == 0 ? tr("No point is shown")
+                        : tr("%1 points selected").arg(formatCount(count)));
+}
+
 void ShownFlow::setPlantShown(bool isShown) {
-  for (const char* id : {"hide", "isolate", "show_clipping"})
+  for (const char* id : {"hide", "isolate", "show_clipping", "select_shown_points"})
     actions_[id]->setEnabled(isShown);
 }
 

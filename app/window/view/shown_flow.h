@@ -54,6 +54,7 @@ private:
   void makePanel();
   void hide();
   void isolate();
+  void selectShownPoints();
   /// The chosen nodes, else the axis of the node under the pointer.
   /// @throws Error if there is neither
   [[nodiscard]] std::vector<NodeId> meant() const;

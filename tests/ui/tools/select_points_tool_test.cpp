@@ -1,3 +1,4 @@
+#include "core/base/error.h"
 #include "tests/ui/tools/line_scan.h"
 #include "tests/ui/tools/mouse.h"
 #include "tests/ui/tools/quiet_canvas.h"
@@ -139,6 +140,88 @@ TEST_F(SelectPointsToolTest, SaysWhatTheMouseAndKeysDo) {
   EXPECT_FALSE(tool.hint().contains("Del"));
   stroke({1});
   EXPECT_TRUE(tool.hint().contains("{remove} set aside"));
+}
+
+/// What is asked of the points when things are clicked, and the answers.
+struct ClickedThings : SelectPointsToolTest {
+  void SetUp() override {
+    SelectPointsToolTest::SetUp();
+    QObject::connect(&tool, &SelectPointsTool::asked,
+                     [this](const PointQuestion& question, const PointAnswer& answer) {
+                       questions.push_back(question);
+                       if (isAnswered) answer(found);
+                     });
+  }
+
+  std::vector<PointQuestion> questions;
+  PointSet found = PointSet::of({2, 3});
+  bool isAnswered = true;
+};
+
+const Eigen::Vector3d here(0.2, 0, 3);
+const Eigen::Vector3d there(0.8, 0, 3);
+
+TEST_F(ClickedThings, AreAskedForAndSelected) {
+  tool.setThing(PointQuestion::Thing::pole);
+  EXPECT_TRUE(tool.hint().startsWith("Click a pole")) << tool.hint().toStdString();
+  mouse.click(test::onPoint(here), {0.2, 3});
+  ASSERT_EQ(questions.size(), 1);
+  EXPECT_EQ(questions[0].thing, PointQuestion::Thing::pole);
+  EXPECT_EQ(questions[0].places, std::vector{here});
+  EXPECT_EQ(chosen(), found);
+  found = PointSet::of({7});
+  mouse.click(test::onPoint(there), {0.8, 3}, Qt::ShiftModifier);
+  EXPECT_EQ(chosen(), PointSet::of({2, 3, 7}));
+  mouse.click(test::onPoint(there), {0.8, 3}, Qt::AltModifier);
+  EXPECT_EQ(chosen(), PointSet::of({2, 3}));
+}
+
+TEST_F(ClickedThings, NeedTwoClicksForAWire) {
+  tool.setThing(PointQuestion::Thing::wire);
+  mouse.click(test::onPoint(here), {0.2, 3});
+  EXPECT_TRUE(questions.empty());
+  EXPECT_TRUE(tool.isBusy());
+  mouse.hover(test::onPoint(there), {0.8, 3});
+  ASSERT_EQ(canvas.preview.lines.size(), 1);
+  EXPECT_EQ(canvas.preview.lines[0], (std::vector{here, there})) << "what it would be";
+  mouse.click(test::onPoint(there), {0.8, 3});
+  ASSERT_EQ(questions.size(), 1);
+  EXPECT_EQ(questions[0].places, (std::vector{here, there}));
+  EXPECT_FALSE(tool.isBusy());
+  EXPECT_TRUE(canvas.preview.isEmpty());
+}
+
+TEST_F(ClickedThings, AreLeftByEscape) {
+  tool.setThing(PointQuestion::Thing::wire);
+  mouse.click(test::onPoint(here), {0.2, 3});
+  tool.cancel();
+  EXPECT_FALSE(tool.isBusy());
+  EXPECT_TRUE(canvas.preview.isEmpty());
+  mouse.click(test::onPoint(there), {0.8, 3});
+  EXPECT_TRUE(questions.empty()) << "it begins anew";
+}
+
+TEST_F(ClickedThings, AreNoneBesideAllPointsOrAfterADrag) {
+  tool.setThing(PointQuestion::Thing::plant);
+  EXPECT_THROW(mouse.click({}, {0.2, 3}), Error);
+  mouse.press(test::onPoint(here), {0.2, 3});
+  EXPECT_FALSE(mouse.drag({2, 3})) << "the camera's";
+  mouse.release(test::onPoint(there));
+  EXPECT_TRUE(questions.empty());
+  EXPECT_TRUE(chosen().isEmpty());
+}
+
+TEST_F(ClickedThings, JoinTheSelectionAsItIsWhenTheyAreFound) {
+  PointAnswer later;
+  isAnswered = false;
+  QObject::connect(&tool, &SelectPointsTool::asked,
+                   [&later](const PointQuestion&, const PointAnswer& answer) { later = answer; });
+  tool.setThing(PointQuestion::Thing::plant);
+  mouse.click(test::onPoint(here), {0.2, 3}, Qt::ShiftModifier);
+  tool.setShape(Shape::brush);
+  stroke({5});
+  later(found);
+  EXPECT_EQ(chosen(), PointSet::of({2, 3, 5}));
 }
 
 } // namespace

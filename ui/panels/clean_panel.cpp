@@ -1,0 +1,158 @@
+#include "ui/panels/clean_panel.h"
+
+#include "ui/document/shown_text.h"
+#include "ui/panels/focus_keys.h"
+#include "ui/panels/label_role.h"
+#include "ui/panels/method_form.h"
+#include "ui/panels/panel_button.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+namespace espalier {
+namespace {
+
+QHBoxLayout* makeRow(QVBoxLayout& column) {
+  auto* row = new QHBoxLayout;
+  row->setSpacing(4);
+  column.addLayout(row);
+  return row;
+}
+
+QLabel* makeLine(const char* name, const char* role) {
+  QLabel* label = makeLabel(name, role);
+  label->setWordWrap(true);
+  label->setMinimumWidth(72);
+  return label;
+}
+
+} // namespace
+
+CleanPanel::CleanPanel(const Actions& actions, QWidget* parent)
+    : QWidget(parent), methods_(cleaningMethods()), chosen_(new QComboBox), body_(new QWidget),
+      result_(makeLine("clean_result", "quiet")), cancel_(new QPushButton(tr("Cancel"))),
+      setAside_(new QPushButton(tr("Set Aside"))), aside_(makeLine("clean_aside", "quiet")) {
+  setObjectName("clean_panel");
+  auto* page = new QWidget;
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(12, 12, 8, 12);
+  column->setSpacing(8);
+  addChoice(*column);
+  addResult(*column, actions);
+  column->addStretch(1);
+  auto* area = new QScrollArea;
+  area->setWidget(page);
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area->setAccessibleName(tr("Cleaning"));
+  auto* whole = new QVBoxLayout(this);
+  whole->setContentsMargins(0, 0, 0, 0);
+  whole->addWidget(area);
+}
+
+void CleanPanel::addChoice(QVBoxLayout& column) {
+  chosen_->setObjectName("clean_method");
+  chosen_->setAccessibleName(tr("What to find"));
+  chosen_->setPlaceholderText(tr("Choose what to find…"));
+  chosen_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  chosen_->setMinimumContentsLength(8);
+  opensOnEnter(*chosen_);
+  const Step* step = nullptr;
+  for (std::size_t i = 0; i < methods_.size(); ++i) {
+    if (step != nullptr && step != methods_[i].step) chosen_->insertSeparator(chosen_->count());
+    step = methods_[i].step;
+    chosen_->addItem(shownText(methods_[i].method->label), static_cast<int>(i));
+    chosen_->setItemData(chosen_->count() - 1, shownText(methods_[i].method->help),
+                         Qt::ToolTipRole);
+  }
+  chosen_->setCurrentIndex(-1);
+  connect(chosen_, &QComboBox::activated, this, [this] {
+    showMethod();
+    emit changed();
+  });
+  auto* body = new QVBoxLayout(body_);
+  body->setContentsMargins(0, 0, 0, 0);
+  column.addWidget(chosen_);
+  column.addWidget(body_);
+}
+
+void CleanPanel::addResult(QVBoxLayout& column, const Actions& actions) {
+  column.addWidget(result_);
+  setAside_->setObjectName("clean_set_aside");
+  setAside_->setProperty("role", "primary");
+  setAside_->setToolTip(tr("The selected points take part in nothing until they are brought back"));
+  setAside_->setEnabled(false);
+  connect(setAside_, &QPushButton::clicked, this, &CleanPanel::setAsideRequested);
+  column.addWidget(setAside_);
+  cancel_->setObjectName("clean_cancel");
+  cancel_->hide();
+  connect(cancel_, &QPushButton::clicked, this, &CleanPanel::cancelRequested);
+  column.addWidget(cancel_);
+  QHBoxLayout* other = makeRow(column);
+  other->addWidget(sharingButton(*actions.keepOnly, tr("Keep Only")));
+  other->addWidget(sharingButton(*actions.invert, tr("Invert")));
+  column.addSpacing(8);
+  auto* byClick = new QLabel(tr("Find by clicks"));
+  column.addWidget(byClick);
+  QHBoxLayout* clicks = makeRow(column);
+  for (const auto& [action, text] : actions.byClick)
+    clicks->addWidget(sharingButton(*action, text));
+  column.addSpacing(8);
+  column.addWidget(aside_);
+  QHBoxLayout* back = makeRow(column);
+  back->addWidget(sharingButton(*actions.showAside, tr("Show")));
+  back->addWidget(sharingButton(*actions.bringBack, tr("Bring Back")));
+}
+
+void CleanPanel::setScale(const PlantScale& scale, const QString& unit) {
+  scale_ = scale;
+  unit_ = unit;
+  if (form_ != nullptr) form_->setScale(scale, unit);
+}
+
+std::optional<CleanPanel::Choice> CleanPanel::choice() const {
+  if (form_ == nullptr) return std::nullopt;
+  return Choice{methods_[static_cast<std::size_t>(chosen_->currentData().toInt())],
+                form_->values()};
+}
+
+void CleanPanel::forgetChoice() {
+  chosen_->setCurrentIndex(-1);
+  showMethod();
+}
+
+void CleanPanel::showMethod() {
+  delete form_;
+  form_ = nullptr;
+  if (chosen_->currentIndex() < 0) return;
+  form_ = new MethodForm(*methods_[static_cast<std::size_t>(chosen_->currentData().toInt())].method,
+                         body_);
+  form_->setScale(scale_, unit_);
+  connect(form_, &MethodForm::changed, this, &CleanPanel::changed);
+  body_->layout()->addWidget(form_);
+}
+
+void CleanPanel::showFinding(double fraction) {
+  result_->setText(tr("Looking for them… %1 %").arg(static_cast<int>(100 * fraction)));
+  setAside_->hide();
+  cancel_->show();
+}
+
+void CleanPanel::showSelected(const QString& text, bool mayBeSetAside) {
+  result_->setText(text);
+  cancel_->hide();
+  setAside_->show();
+  setAside_->setEnabled(mayBeSetAside);
+}
+
+void CleanPanel::showAside(const QString& text) {
+  aside_->setText(text);
+}
+
+} // namespace espalier

@@ -1,0 +1,146 @@
+#include "core/base/parallel.h"
+#include "core/base/quantile.h"
+#include "core/clean/pole.h"
+#include "core/clean/voxels.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace espalier {
+namespace {
+
+/// Whether a cube and those beside it hold most of the points at their height.
+bool standsFree(const Voxels& voxels, std::size_t cube) {
+  constexpr std::size_t asMany = 4;
+  const Voxels::Place center = voxels.place(cube);
+  std::size_t block = 0;
+  std::size_t ring = 0;
+  for (int dy = -3; dy <= 3; ++dy)
+    for (int dx = -3; dx <= 3; ++dx) {
+      const auto found = voxels.find(center + Voxels::Place(dx, dy, 0));
+      if (!found) continue;
+      const bool isNear = std::abs(dx) <= 1 && std::abs(dy) <= 1;
+      (isNear ? block : ring) += voxels.members(*found).size();
+    }
+  return asMany * ring <= block;
+}
+
+/// The cubes that stand free and touch each other, from `first` on.
+std::vector<std::size_t> columnFrom(std::size_t first, const Voxels& voxels,
+                                    std::vector<char>& isFree) {
+  std::vector<std::size_t> column = {first};
+  isFree[first] = 0;
+  for (std::size_t next = 0; next < column.size(); ++next) {
+    const Voxels::Place at = voxels.place(column[next]);
+    for (int dz = -1; dz <= 1; ++dz)
+      for (int dy = -1; dy <= 1; ++dy)
+        for (int dx = -1; dx <= 1; ++dx) {
+          const auto found = voxels.find(at + Voxels::Place(dx, dy, dz));
+          if (!found || !isFree[*found]) continue;
+          isFree[*found] = 0;
+          column.push_back(*found);
+        }
+  }
+  return column;
+}
+
+/// The mean of the points in the middle third of a column; none if it is lower than `least`.
+std::optional<Eigen::Vector3d> middleOf(const std::vector<std::size_t>& column,
+                                        const Voxels& voxels, const Eigen::Matrix3Xf& points,
+                                        double least) {
+  int low = voxels.place(column.front()).z();
+  int high = low;
+  for (const std::size_t cube : column) {
+    low = std::min(low, voxels.place(cube).z());
+    high = std::max(high, voxels.place(cube).z());
+  }
+  if ((high - low + 1) * voxels.edge() < least) return std::nullopt;
+  const int middle = (low + high) / 2;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double count = 0;
+  for (const std::size_t cube : column) {
+    if (std::abs(voxels.place(cube).z() - middle) > (high - low) / 12) continue;
+    for (const std::uint32_t member : voxels.members(cube)) {
+      sum += points.col(member).cast<double>();
+      ++count;
+    }
+  }
+  if (count == 0) return std::nullopt;
+  return sum / count;
+}
+
+double distanceToAxis(const Pole& pole, const Eigen::Vector3d& point) {
+  const Eigen::Vector3d direction = (pole.top - pole.foot).normalized();
+  const Eigen::Vector3d d = point - pole.foot;
+  return (d - d.dot(direction) * direction).norm();
+}
+
+/// As thick above as below.
+bool isEven(const Pole& pole, const Eigen::Matrix3Xf& points, const PoleOptions& options) {
+  const Eigen::Vector3d direction = (pole.top - pole.foot).normalized();
+  const double length = (pole.top - pole.foot).norm();
+  std::vector<double> below;
+  std::vector<double> above;
+  for (const Eigen::Index column : pole.points) {
+    const Eigen::Vector3d point = points.col(column).cast<double>();
+    const double share = (point - pole.foot).dot(direction) / length;
+    if (share < 0.35 && share > 0.05) below.push_back(distanceToAxis(pole, point));
+    if (share > 0.65 && share < 0.95) above.push_back(distanceToAxis(pole, point));
+  }
+  const auto low = quantile(std::move(below), 0.5);
+  const auto high = quantile(std::move(above), 0.5);
+  return low && high &&
+         std::abs(*low - *high) <= std::max(0.12 * pole.radius, 0.15 * options.tolerance);
+}
+
+/// Nothing goes on beyond its top.
+bool endsFree(const Pole& pole, const Eigen::Matrix3Xf& points, const PoleOptions& options) {
+  constexpr double beyond = 0.2;  // of its length
+  constexpr double allowed = 0.3; // of the points that as much of the pole has
+  const Eigen::Vector3d direction = (pole.top - pole.foot).normalized();
+  const double length = (pole.top - pole.foot).norm();
+  const double wide = 2 * pole.radius + 4 * options.tolerance;
+  double count = 0;
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    const Eigen::Vector3d d = points.col(i).cast<double>() - pole.top;
+    if (d.squaredNorm() > beyond * beyond * length * length + wide * wide) continue;
+    const double t = d.dot(direction);
+    if (t > 2 * options.tolerance && t <= beyond * length && (d - t * direction).norm() <= wide)
+      ++count;
+  }
+  return count < allowed * beyond * static_cast<double>(pole.points.size());
+}
+
+} // namespace
+
+std::vector<Pole> polesIn(const Eigen::Matrix3Xf& points, const PoleOptions& options,
+                          const Progress& progress) {
+  std::vector<Pole> poles;
+  if (points.cols() == 0) return poles;
+  const double edge = std::max<double>(options.mostRadius, 4 * options.tolerance);
+  const Voxels voxels(points, edge, progress.part(0, 0.3));
+  std::vector<char> isFree(voxels.count(), 0);
+  parallelFor(
+      static_cast<Eigen::Index>(voxels.count()),
+      [&](Eigen::Index i) {
+        isFree[static_cast<std::size_t>(i)] =
+            standsFree(voxels, static_cast<std::size_t>(i)) ? 1 : 0;
+      },
+      progress.part(0.3, 0.5), 256);
+  for (std::size_t cube = 0; cube < voxels.count(); ++cube) {
+    if (!isFree[cube]) continue;
+    progress.update(0.5 + 0.5 * static_cast<double>(cube) / static_cast<double>(voxels.count()));
+    const auto place =
+        middleOf(columnFrom(cube, voxels, isFree), voxels, points, 0.4 * options.leastLength);
+    if (!place) continue;
+    std::optional<Pole> pole = poleAt(points, *place, options, progress.part(0.5, 0.5));
+    if (!pole || (pole->top - pole->foot).norm() < options.leastLength) continue;
+    if (isEven(*pole, points, options) && endsFree(*pole, points, options))
+      poles.push_back(std::move(*pole));
+  }
+  std::ranges::stable_sort(poles, std::greater<>(),
+                           [](const Pole& pole) { return pole.points.size(); });
+  return poles;
+}
+
+} // namespace espalier

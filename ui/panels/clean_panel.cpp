@@ -83,6 +83,8 @@ void CleanPanel::addChoice(QVBoxLayout& column) {
 }
 
 void CleanPanel::addResult(QVBoxLayout& column, const Actions& actions) {
+  result_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  result_->setMinimumHeight(3 * result_->fontMetrics().lineSpacing()); // buttons keep their place
   column.addWidget(result_);
   setAside_->setObjectName("clean_set_aside");
   setAside_->setProperty("role", "primary");

@@ -2,7 +2,9 @@
 
 #include "app/window/edit/points_flow.h"
 #include "app/window/frame/action_set.h"
-#include "core/base/error.h"
+#include "core/clean/plants.h"
+#include "core/clean/pole.h"
+#include "core/clean/wire.h"
 #include "core/pipeline/cleaning.h"
 #include "ui/document/plant_document.h"
 #include "ui/document/shown_text.h"
@@ -38,13 +40,42 @@ QString nameOf(PointQuestion::Thing thing) {
   return {};
 }
 
-PointSet thingAt(const PointQuestion& question, const std::shared_ptr<const PointCloud>& cloud,
-                 const PointSet& leftOut, UpAxis up, const Progress& progress) {
-  (void)question;
-  (void)cloud;
-  (void)leftOut;
-  (void)up;
-  (void)progress;
+/// What a question is asked of.
+struct Asked {
+  std::shared_ptr<const PointCloud> cloud;
+  PointSet leftOut;
+  UpAxis up;
+  PlantScale scale;
+};
+
+PointSet plantAt(const Eigen::Vector3d& place, const Asked& asked, const Progress& progress) {
+  const PointCloud& cloud = *asked.cloud;
+  const PlantParts plants = plantsOf(cloud, asked.leftOut, asked.up, asked.scale, {}, {}, progress);
+  const Eigen::Vector3f at = (place - cloud.origin()).cast<float>();
+  const auto plantOf = [&](Eigen::Index point) {
+    return plants.ofPoint[static_cast<std::size_t>(point)];
+  };
+  const std::uint32_t plant = plantOf(nearestPoint(cloud.positions(), at));
+  std::vector<Eigen::Index> points;
+  for (Eigen::Index i = 0; plant != 0 && i < cloud.size(); ++i)
+    if (plantOf(i) == plant) points.push_back(i);
+  return PointSet::of(points);
+}
+
+/// Who clicks a pole knows that it is no stem: it may be thick.
+const PoleOptions clickedPole{.mostRadius = heights(0.06), .reach = heights(0.15)};
+
+PointSet thingAt(const PointQuestion& question, const Asked& asked, const Progress& progress) {
+  const auto& [cloud, leftOut, up, scale] = asked;
+  switch (question.thing) {
+  case PointQuestion::Thing::pole:
+    return polePointsAt(*cloud, leftOut, up, scale, question.places[0], clickedPole, progress);
+  case PointQuestion::Thing::wire:
+    return wirePointsBetween(*cloud, leftOut, up, scale, question.places[0], question.places[1], {},
+                             progress);
+  case PointQuestion::Thing::plant:
+    return plantAt(question.places[0], asked, progress);
+  }
   return {};
 }
 
@@ -130,12 +161,11 @@ void CleanFlow::answer(const PointQuestion& question, const PointAnswer& answer)
   if (parts_.document.scan() == nullptr) return;
   failure_.clear();
   panel_->showFinding(0);
+  const Asked asked{parts_.document.scan()->cloud(), parts_.document.leftOut(),
+                    parts_.document.up(), parts_.document.scale()};
   job_.start(
       tr("Finding points"),
-      [question, cloud = parts_.document.scan()->cloud(), leftOut = parts_.document.leftOut(),
-       up = parts_.document.up()](const Progress& progress) {
-        return thingAt(question, cloud, leftOut, up, progress);
-      },
+      [question, asked](const Progress& progress) { return thingAt(question, asked, progress); },
       [this, name = nameOf(question.thing), answer](const PointSet& found) {
         if (found.isEmpty())
           failure_ = tr("%1: none was found there").arg(name);
@@ -165,8 +195,9 @@ void CleanFlow::refreshSelected() {
   const PlantDocument& document = parts_.document;
   const PointSet& chosen = parts_.document.pointSelection().points();
   const bool isFound = !foundName_.isEmpty() && chosen == found_;
+  const bool mayBeSetAside = !chosen.isEmpty() && !document.isReadOnly();
   if (!failure_.isEmpty())
-    panel_->showSelected(failure_, false);
+    panel_->showSelected(failure_, mayBeSetAside);
   else if (document.scan() == nullptr || (chosen.isEmpty() && !isFound))
     panel_->showSelected(tr("What is found is selected: mend it with the brush before you set it "
                             "aside."),
@@ -175,7 +206,7 @@ void CleanFlow::refreshSelected() {
     panel_->showSelected(tr("%1: nothing found").arg(foundName_), false);
   else
     panel_->showSelected(tr("Selected: %1").arg(sharesText(chosen.size(), countOf(document))),
-                         !document.isReadOnly());
+                         mayBeSetAside);
 }
 
 void CleanFlow::refreshAside() {

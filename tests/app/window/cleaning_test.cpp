@@ -10,6 +10,9 @@
 #include <QTest>
 #include <QTextStream>
 
+#include <cmath>
+#include <utility>
+
 namespace espalier {
 namespace {
 
@@ -104,6 +107,74 @@ TEST_F(CleaningTest, SelectsWhatTheClipShows) {
   const PointCloud& cloud = *document().scan()->cloud();
   for (Eigen::Index point = 0; point < cloud.size(); ++point)
     EXPECT_EQ(chosen().contains(point), box.contains(cloud.position(point)));
+}
+
+/// Beside the plant stands a pole, and a wire hangs from it.
+class CleaningByClicks : public CleaningTest {
+protected:
+  void SetUp() override {
+    QFile file(writeScan("scan.xyz"));
+    ASSERT_TRUE(file.open(QIODevice::Append));
+    QTextStream text(&file);
+    for (int i = 0; i < 3000; ++i) { // 2 m high, 5 cm wide, evenly around
+      const double turn = 2.399963 * i;
+      text << 2 + 0.05 * std::cos(turn) << ' ' << 0.05 * std::sin(turn) << ' ' << i / 1500.0
+           << '\n';
+    }
+    for (int i = 0; i < 1000; ++i) { // 2 m long
+      const double along = i / 500.0;
+      text << 2.1 + along << " 0 " << 1.6 + 0.1 * (along - 1) * (along - 1) << '\n';
+    }
+    file.close();
+    open({path("scan.xyz")});
+    action("show_cleaning").trigger();
+    action("view_front").trigger();
+    waitForView();
+  }
+
+  void clickOn(const Eigen::Vector3d& place, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+    click(view().project(place).value().toPoint(), modifiers);
+    waitUntilFound();
+  }
+  /// How many of the chosen points lie between these x, and how many beside them.
+  std::pair<int, int> chosenBetween(double least, double most) {
+    std::pair<int, int> counts;
+    for (const Eigen::Index point : chosen().points()) {
+      const double x = document().scan()->cloud()->position(point).x();
+      ++(x >= least && x <= most ? counts.first : counts.second);
+    }
+    return counts;
+  }
+};
+
+TEST_F(CleaningByClicks, SelectAPole) {
+  action("points_pole").trigger();
+  EXPECT_TRUE(action("points_pole").isChecked());
+  clickOn({2, -0.05, 1});
+  const auto [onPole, beside] = chosenBetween(1.9, 2.1);
+  EXPECT_GT(onPole, 2950);
+  EXPECT_LT(beside, 30);
+  clickButton("clean_set_aside");
+  EXPECT_TRUE(document().undoStack().undoText().startsWith("Pole: Set "));
+  action("undo").trigger();
+  EXPECT_TRUE(document().leftOut().isEmpty());
+}
+
+TEST_F(CleaningByClicks, SelectAWireByItsEnds) {
+  action("points_wire").trigger();
+  clickOn({2.4, 0, 1.6 + 0.1 * 0.49});
+  EXPECT_TRUE(chosen().isEmpty()) << "the other end is missing";
+  clickOn({3.6, 0, 1.6 + 0.1 * 0.25});
+  const auto [onWire, beside] = chosenBetween(2.06, 4.2);
+  EXPECT_GT(onWire, 950);
+  EXPECT_LT(beside, 30);
+}
+
+TEST_F(CleaningByClicks, SayThatThereIsNone) {
+  action("points_pole").trigger();
+  clickOn({3.1, 0, 1.6});
+  EXPECT_TRUE(chosen().isEmpty());
+  EXPECT_EQ(result(), "Pole: none was found there");
 }
 
 } // namespace

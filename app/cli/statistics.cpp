@@ -42,9 +42,11 @@ Json classesOf(const Mtg& mtg) {
 } // namespace
 
 Json statistics(const PointCloud& cloud) {
+  const PlantScale scale = scaleOf(cloud, {}, UpAxis::z);
   return {{"points", cloud.size()},
           {"bounds", toJson(cloud.bounds())},
-          {"spacing", scaleOf(cloud, {}, UpAxis::z).spacing},
+          {"spacing", scale.spacing},
+          {"thickness", scale.thickness},
           {"far_points", farPoints(cloud).size()},
           {"repeated_points", repeatedPoints(cloud).size()},
           {"has_colors", !cloud.colors().empty()},
@@ -137,7 +139,9 @@ Json statistics(const Reconstruction& reconstruction,
   for (const auto& [stage, spent] : stageSeconds)
     seconds[stage] = spent;
   return {{"scale",
-           {{"spacing", reconstruction.scale.spacing}, {"height", reconstruction.scale.height}}},
+           {{"spacing", reconstruction.scale.spacing},
+            {"height", reconstruction.scale.height},
+            {"thickness", reconstruction.scale.thickness}}},
           {"steps", std::move(steps)},
           {"radius_sources", std::move(sources)},
           {"seconds", std::move(seconds)}};

@@ -13,6 +13,7 @@ std::string Rule::text() const {
   };
   append(spacings, spacings == 1 ? " point spacing" : " point spacings");
   append(heights, heights == 1 ? " plant height" : " plant heights");
+  append(thicknesses, thicknesses == 1 ? " thickness of thin wood" : " thicknesses of thin wood");
   append(fixed, "");
   return text.tellp() > 0 ? text.str() : "0";
 }

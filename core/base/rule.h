@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <string>
 
 namespace espalier {
@@ -8,18 +10,26 @@ namespace espalier {
 struct PlantScale {
   double spacing = 0; // mean distance between neighboring points [L]
   double height = 0;  // extent along the up axis [L]
+  /// How thick the thin wood is, as its points show (core/cloud/thin_wood.h) [L]; if that is not
+  /// known, as thick as need be.
+  double thickness = std::numeric_limits<double>::infinity();
 };
+
+/// [spacings] Where the thin wood is as thick as this, thicker wood needs no longer lengths.
+inline constexpr double enoughThickness = 2.5;
 
 /// How a value follows from the plant: the sum of its parts.
 struct Rule {
-  double fixed = 0;    // for counts and ratios
-  double spacings = 0; // in point spacings
-  double heights = 0;  // in plant heights
+  double fixed = 0;       // for counts and ratios
+  double spacings = 0;    // in point spacings
+  double heights = 0;     // in plant heights
+  double thicknesses = 0; // of the thin wood, each at most enoughThickness
 
   [[nodiscard]] double value(const PlantScale& scale) const {
-    return fixed + spacings * scale.spacing + heights * scale.height;
+    return fixed + spacings * scale.spacing + heights * scale.height +
+           thicknesses * std::min(scale.thickness, enoughThickness * scale.spacing);
   }
-  [[nodiscard]] bool isFixed() const { return spacings == 0 && heights == 0; }
+  [[nodiscard]] bool isFixed() const { return spacings == 0 && heights == 0 && thicknesses == 0; }
   [[nodiscard]] std::string text() const; // "7.5 point spacings"
   bool operator==(const Rule&) const = default;
 };
@@ -32,6 +42,16 @@ struct Rule {
 }
 [[nodiscard]] constexpr Rule heights(double count) {
   return {.heights = count};
+}
+
+[[nodiscard]] constexpr Rule thicknesses(double count) {
+  return {.thicknesses = count};
+}
+[[nodiscard]] constexpr Rule operator+(const Rule& a, const Rule& b) {
+  return {.fixed = a.fixed + b.fixed,
+          .spacings = a.spacings + b.spacings,
+          .heights = a.heights + b.heights,
+          .thicknesses = a.thicknesses + b.thicknesses};
 }
 
 /// A length in an options struct [L], whose default may be a rule. The option table of a method

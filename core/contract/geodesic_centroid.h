@@ -10,7 +10,7 @@ namespace espalier {
 
 struct GeodesicCentroidOptions {
   PointLinks neighbors = 7;      // of each point
-  Length radius = spacings(7.5); // [L] along the plant, > 0
+  Length radius = spacings(1.5) + thicknesses(2.4); // [L] along the plant, > 0
   bool fitsCircles = false;      // for wood seen from one side
 };
 

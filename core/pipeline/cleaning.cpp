@@ -1,6 +1,7 @@
 #include "core/pipeline/cleaning.h"
 
 #include "core/cloud/repeated_points.h"
+#include "core/pipeline/method_parts.h"
 #include "core/pipeline/pipeline_start.h"
 
 namespace espalier {
@@ -10,7 +11,7 @@ std::vector<CleaningMethod> cleaningMethods() {
   for (const Step& step : pipelineSteps())
     if (step.makes == StepResult::cleaned)
       for (const Method& method : step.methods)
-        if (method.name != "none") all.push_back({&step, &method});
+        if (!isNoMethod(method)) all.push_back({&step, &method});
   return all;
 }
 

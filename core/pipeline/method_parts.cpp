@@ -19,6 +19,10 @@ Method noMethod(std::string help) {
           .run = [](PipelineState&, const Values&, const Progress&) {}};
 }
 
+bool isNoMethod(const Method& method) {
+  return method.name == noMethod({}).name;
+}
+
 Option linksOption(const char* help) {
   return countOption("neighbors", Shown::tr("Neighbors"), 3, 64, help);
 }

@@ -13,6 +13,7 @@ using Values = std::vector<double>;
 
 /// The method "none" of a step that may be left out.
 [[nodiscard]] Method noMethod(std::string help);
+[[nodiscard]] bool isNoMethod(const Method& method); // it is that one
 
 // Options that several methods have.
 [[nodiscard]] Option

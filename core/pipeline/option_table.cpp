@@ -19,6 +19,7 @@ std::optional<Rule> ruleIn(std::string_view text) {
   if (typed.unit == ValueUnit::none) return fixedAt(typed.amount);
   if (typed.unit == ValueUnit::spacings) return spacings(typed.amount);
   if (typed.unit == ValueUnit::heights) return heights(typed.amount);
+  if (typed.unit == ValueUnit::thicknesses) return thicknesses(typed.amount);
   return std::nullopt;
 }
 

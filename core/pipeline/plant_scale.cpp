@@ -4,6 +4,7 @@
 #include "core/cloud/isolated_points.h"
 #include "core/cloud/repeated_points.h"
 #include "core/cloud/spacing_of_places.h"
+#include "core/cloud/thin_wood.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +18,8 @@ struct Places {
   const Eigen::Matrix3Xf& positions;
   const SpatialIndex& index; // finds these places alone, and far points
   std::vector<Eigen::Index> points;
-  double spacing; // [L]
+  double spacing;   // [L]
+  double thickness; // of thin wood [L]
 
   [[nodiscard]] float height(Eigen::Index point, UpAxis up) const {
     return positions(static_cast<Eigen::Index>(up), point);
@@ -55,8 +57,9 @@ auto onPlaces(const PointCloud& cloud, const SpatialIndex& index, const PointSet
   const PointSet without = passed | PointSet::of(farPoints(cloud, leftOut));
   const Eigen::Matrix3Xf& positions = cloud.positions();
   const auto measured = [&](const SpatialIndex& found) {
-    Places places{positions, found, others(without, cloud.size()), 0};
+    Places places{positions, found, others(without, cloud.size()), 0, 0};
     places.spacing = spacingOfPlaces(positions, found, places.points);
+    places.thickness = thinWood(positions, found, places.points, places.spacing);
     return measure(places);
   };
   return passed.isEmpty() ? measured(index)
@@ -68,7 +71,8 @@ PlantExtent extentOf(const Places& places, UpAxis up) {
   const float lowest = places.lowest(up, 1);
   const float highest = places.lowest(up, -1);
   return {.scale = {.spacing = places.spacing,
-                    .height = static_cast<double>(highest) - static_cast<double>(lowest)},
+                    .height = static_cast<double>(highest) - static_cast<double>(lowest),
+                    .thickness = places.thickness},
           .lowest = lowest};
 }
 
@@ -82,7 +86,7 @@ PlantExtent plantExtent(const PointCloud& cloud, const SpatialIndex& index, cons
 
 PlantSides plantSides(const PointCloud& cloud, const SpatialIndex& index, const PointSet& leftOut) {
   return onPlaces(cloud, index, leftOut, [](const Places& places) {
-    PlantSides sides{.spacing = places.spacing};
+    PlantSides sides{.spacing = places.spacing, .thickness = places.thickness};
     for (const UpAxis up : {UpAxis::x, UpAxis::y, UpAxis::z})
       sides.heights[static_cast<Eigen::Index>(up)] = extentOf(places, up).scale.height;
     return sides;

@@ -27,6 +27,7 @@ struct PlantExtent {
 /// How large a plant is along each axis of the file.
 struct PlantSides {
   double spacing = 0;                                // [L]
+  double thickness = 0;                              // of thin wood (core/cloud/thin_wood.h) [L]
   Eigen::Vector3d heights = Eigen::Vector3d::Zero(); // as plantExtent() has it along each axis [L]
 };
 

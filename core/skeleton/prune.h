@@ -7,7 +7,7 @@
 namespace espalier {
 
 struct SpurOptions {
-  Length length = spacings(11); // [L] spurs shorter than this go
+  Length length = spacings(7.25) + thicknesses(1.5); // [L] spurs shorter than this go
   double radiusShare =
       0; // and those shorter than length + radiusShare * radius at their foot, >= 0
 };

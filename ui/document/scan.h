@@ -30,6 +30,7 @@ public:
     return sides_.heights[static_cast<Eigen::Index>(up)];
   }
   [[nodiscard]] double spacing() const { return sides_.spacing; } // likewise (plant_scale.h) [L]
+  [[nodiscard]] double thickness() const { return sides_.thickness; } // of thin wood, likewise [L]
   /// Of all points but the few far ones (plantBounds) [L], frame of the file.
   [[nodiscard]] const Eigen::AlignedBox3d& bounds() const { return bounds_; }
 

@@ -19,6 +19,8 @@ std::optional<double> NumberBox::factorOf(ValueUnit unit) const {
   if (unit == ValueUnit::degrees) return suffix() == "°" ? std::optional(1.0) : std::nullopt;
   if (unit == ValueUnit::spacings) return scale_ ? std::optional(scale_->spacing) : std::nullopt;
   if (unit == ValueUnit::heights) return scale_ ? std::optional(scale_->height) : std::nullopt;
+  if (unit == ValueUnit::thicknesses)
+    return scale_ ? std::optional(thicknesses(1).value(*scale_)) : std::nullopt;
   const LengthUnit own = unitOfSymbol(suffix().trimmed());
   if (own == LengthUnit::unknown) return std::nullopt;
   return metersIn(unit) / metersIn(own);

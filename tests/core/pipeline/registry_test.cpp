@@ -112,7 +112,21 @@ TEST(Rule, SaysInWordsWhatItIs) {
   EXPECT_EQ(spacings(7.5).text(), "7.5 point spacings");
   EXPECT_EQ((Rule{.fixed = 0, .spacings = 1, .heights = 0.01}.text()),
             "1 point spacing + 0.01 plant heights");
+  EXPECT_EQ((spacings(1.5) + thicknesses(2.4)).text(),
+            "1.5 point spacings + 2.4 thicknesses of thin wood");
   EXPECT_EQ(fixedAt(0).text(), "0");
+}
+
+TEST(Rule, FollowsTheThinWoodUntilItIsThickEnough) {
+  const Rule rule = spacings(1.5) + thicknesses(2.4);
+  const auto at = [&](double thickness) {
+    return rule.value({.spacing = 2, .height = 100, .thickness = thickness});
+  };
+  EXPECT_DOUBLE_EQ(at(1), 3 + 2.4);
+  EXPECT_DOUBLE_EQ(at(enoughThickness * 2), 15);
+  EXPECT_DOUBLE_EQ(at(60), 15);
+  EXPECT_DOUBLE_EQ(rule.value({.spacing = 2, .height = 100}), 15) << "not known: thick enough";
+  EXPECT_FALSE(rule.isFixed());
 }
 
 } // namespace

@@ -36,6 +36,8 @@ TEST(TypedValue, TakesUnitsWithABlankAndWithout) {
     EXPECT_EQ(setTo(text), spacings(6)) << text;
   for (const char* text : {"0.02 heights", "0.02heights", "0.02h", "0,02 plant heights"})
     EXPECT_EQ(setTo(text), Rule{.heights = 0.02}) << text;
+  for (const char* text : {"3 thicknesses", "3th", "3 thickness of thin wood"})
+    EXPECT_EQ(setTo(text), thicknesses(3)) << text;
   EXPECT_EQ(setTo("12.5"), fixedAt(12.5));
 }
 

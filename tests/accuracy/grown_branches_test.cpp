@@ -53,6 +53,9 @@ TEST_F(GrownOnWalnut, WhatIsMissingTurnsBackNowhereAndKeepsToThePoints) {
 }
 
 TEST_F(GrownOnWalnut, EachClusterOfUnexplainedPointsMakesABranch) {
+  PipelineOptions cutting; // so that branches are missing
+  cutting.set("prune.length=30 spacings");
+  plant_ = *Pipeline().run(cloud_, cutting).skeleton;
   const PointDistances distances(cloud_, spacing_, plant_);
   const std::vector<Finding> clusters = unexplainedClusters(distances, spacing_, {});
   ASSERT_FALSE(clusters.empty());

@@ -285,26 +285,33 @@ GroundSurface groundBelow(const Eigen::Matrix3Xf& points, const GroundOptions& o
                           const Progress& progress) {
   GroundSurface ground;
   if (points.cols() == 0) return ground;
-  const GroundCells cells(points, options.cell, progress.part(0, 0.3));
-  ground.cell = cells.cell;
-  ground.corner = cells.corner.array() + cells.cell / 2; // nodes are in the middle of cells
-  Eigen::MatrixXd lowest = lowestOf(cells, progress.part(0.3, 0.4));
-  if ((lowest.array() == unsupported).all())
-    lowest.setConstant(static_cast<double>(points.row(2).minCoeff()));
-  const Eigen::Vector3d plane = trendOf(lowest, cells.cell, progress.part(0.4, 0.5));
-  const auto trend = [&](Eigen::Index i, Eigen::Index j) {
-    return plane[0] + plane[1] * static_cast<double>(i) + plane[2] * static_cast<double>(j);
+  const auto lowestIn = [](const GroundCells& cells, const Progress& part) {
+    Eigen::MatrixXd lowest = lowestOf(cells, part);
+    if ((lowest.array() == unsupported).all())
+      lowest.setConstant(static_cast<double>(*std::ranges::min_element(cells.heights)));
+    return lowest;
   };
-  for (Eigen::Index j = 0; j < lowest.cols(); ++j)
-    for (Eigen::Index i = 0; i < lowest.rows(); ++i)
-      if (lowest(i, j) != unsupported) lowest(i, j) = trend(i, j) - lowest(i, j); // turned over
+  const GroundCells rough(points, options.cell, progress.part(0, 0.2));
+  const Eigen::Vector3d plane =
+      trendOf(lowestIn(rough, progress.part(0.2, 0.25)), rough.cell, progress.part(0.25, 0.3));
+  const Eigen::Vector2d rise = plane.tail<2>() / rough.cell;
+  Eigen::Matrix3Xf level = points; // the lowest of a cell is not that at its lower side
+  level.row(2) -= (rise.transpose() * (points.topRows<2>().cast<double>().colwise() - rough.corner))
+                      .cast<float>();
+  const GroundCells cells(level, options.cell, progress.part(0.3, 0.5));
+  Eigen::MatrixXd lowest = -lowestIn(cells, progress.part(0.5, 0.55)); // turned over
+  for (double& height : lowest.reshaped())
+    if (height == -unsupported) height = unsupported;
   fillFromNearest(lowest);
   Cloth cloth(lowest, cells.cell, options);
-  cloth.fall(progress.part(0.5, 1));
-  ground.heights.resize(lowest.rows(), lowest.cols());
+  cloth.fall(progress.part(0.55, 1));
+  ground.cell = cells.cell;
+  ground.corner = cells.corner.array() + cells.cell / 2; // nodes are in the middle of cells
+  ground.heights = -cloth.heights();
   for (Eigen::Index j = 0; j < lowest.cols(); ++j)
     for (Eigen::Index i = 0; i < lowest.rows(); ++i)
-      ground.heights(i, j) = trend(i, j) - cloth.heights()(i, j);
+      ground.heights(i, j) += rise.dot(
+          Eigen::Vector2d(static_cast<double>(i) + 0.5, static_cast<double>(j) + 0.5) * cells.cell);
   return ground;
 }
 

@@ -1,7 +1,5 @@
 #include "core/clean/plants.h"
 
-#include "core/base/error.h"
-#include "core/base/text.h"
 #include "core/clean/voxels.h"
 #include "core/graph/components.h"
 #include "core/graph/geodesic.h"
@@ -81,10 +79,16 @@ std::vector<Stem> stemsIn(const Eigen::Matrix3Xf& places, const std::vector<floa
       slab.push_back(static_cast<Eigen::Index>(i));
   if (slab.empty()) return {};
   std::vector<Stem> stems;
+  std::size_t most = 0;
   for (SlabPart& part : partsOfSlab(places, slab, heights, 3 * edge, progress))
     if (static_cast<double>(part.lowest) <= from + margin * (to - from) &&
-        static_cast<double>(part.highest) >= to - margin * (to - from))
+        static_cast<double>(part.highest) >= to - margin * (to - from)) {
+      most = std::max(most, part.stem.places.size());
       stems.push_back(std::move(part.stem));
+    }
+  std::erase_if(stems, [&](const Stem& stem) {
+    return static_cast<double>(stem.places.size()) < options.leastStem * static_cast<double>(most);
+  });
   return joinedStems(std::move(stems), options.together);
 }
 
@@ -174,7 +178,7 @@ PlantParts plantsAmong(const Eigen::Matrix3Xf& points, const std::vector<float>&
   std::vector<Eigen::Index> above;
   for (std::size_t i = 0; i < heights.size(); ++i)
     if (heights[i] >= 0) above.push_back(static_cast<Eigen::Index>(i));
-  if (above.empty()) throw Error("no point lies above the ground: no plant is found");
+  if (above.empty()) return {.ofPoint = std::vector<std::uint32_t>(heights.size(), 0)};
   const Eigen::Matrix3Xf standing = points(Eigen::all, above);
   const Voxels voxels(standing, options.voxel, progress.part(0, 0.2));
   const Eigen::Matrix3Xf places = voxels.means(standing);
@@ -188,10 +192,7 @@ PlantParts plantsAmong(const Eigen::Matrix3Xf& points, const std::vector<float>&
   const std::vector<Stem> stems =
       bases.empty() ? stemsIn(places, placeHeights, options, voxels.edge(), progress.part(0.2, 0.3))
                     : stemsAt(bases, places);
-  if (stems.empty())
-    throw Error("no stem is found from " + plainDecimal(options.slabFrom) + " to " +
-                plainDecimal(options.slabTo) +
-                " above the ground: choose other heights, or leave out less before");
+  if (stems.empty()) return {.ofPoint = std::vector<std::uint32_t>(heights.size(), 0)};
   const std::vector<std::uint32_t> stemOf =
       nearestStems(places, stems, options, progress.part(0.3, 1));
   std::vector<std::uint32_t> ofPoint(heights.size(), 0);

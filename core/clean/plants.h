@@ -20,6 +20,7 @@ struct PlantsOptions {
   Length voxel = spacings(2);       // [L] places that paths lead over
   int neighbors = 8;                // links per place, >= 1
   double power = 1.5;               // a link costs its length to this, in [1, 4]
+  double leastStem = 0.15;          // of the places of the thickest stem; thinner ones are twigs
   double leastShare = 0.02;         // of the points of the greatest; smaller ones are none
   GroundOptions ground;             // what the slab is measured from
 };
@@ -36,15 +37,14 @@ struct PlantParts {
 /// Cuts a plot into plants: each point goes to the stem base that it is nearest to along the
 /// plants.
 ///
-/// Stems are the parts of a slab above the ground that reach from its lower to its upper side. From
-/// them shortest paths lead over the means of cubes of points, along the links of the nearest and
-/// over gaps.
+/// Stems are the parts of a slab above the ground that reach from its lower to its upper side,
+/// twigs that hang into it left out. From them shortest paths lead over the means of cubes of
+/// points, along the links of the nearest and over gaps.
 ///
 /// @param points  3 x N, z up, of plants alone [L]
 /// @param heights of the points above the ground [L]; those below zero are of no plant
 /// @param bases   where plants stand [L]; none: they are looked for
-/// @return plants by size, the largest first
-/// @throws Error     if no stem is found: choose another slab, or give bases
+/// @return plants by size, the largest first; none if no stem is found
 /// @throws Cancelled if `progress` asks to stop
 /// Deterministic. Time O(N log N).
 /// Source: S. Tao et al., "Segmenting tree crowns from terrestrial and mobile LiDAR data by

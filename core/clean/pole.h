@@ -13,8 +13,9 @@
 namespace espalier {
 
 struct PoleOptions {
-  Length tolerance = spacings(1.5);  // [L] how far from its wall a point is of it still
-  Length mostRadius = heights(0.02); // [L]
+  Length tolerance =
+      Rule{.spacings = 0.75, .heights = 0.0018}; // [L] how far from its wall a point is of it still
+  Length mostRadius = heights(0.02);             // [L]
   Length reach = heights(0.06);      // [L] around the place, in which the cylinder is sought
   Length gap = heights(0.04);        // [L] it goes on over gaps up to this
   double mostLean = 0.35;            // from upright [rad]
@@ -63,8 +64,8 @@ struct Pole {
 /// All poles of a scan, the one of most points first.
 ///
 /// Sought where points stand above each other with nothing around them over 40 % of `leastLength`.
-/// A pole is at least `leastLength` long, straight, as thick above as below and ends free at its
-/// top: so trunks, which taper and go on, are none.
+/// A pole is at least `leastLength` long, straight, as thick above as below and ends free at
+/// both ends: so trunks, which taper and go on, are none.
 /// @param points  3 x N, z up [L]
 /// @throws Cancelled if `progress` asks to stop
 /// Deterministic. Time O(N log N).

@@ -93,22 +93,60 @@ bool isEven(const Pole& pole, const Eigen::Matrix3Xf& points, const PoleOptions&
          std::abs(*low - *high) <= std::max(0.12 * pole.radius, 0.15 * options.tolerance);
 }
 
-/// Nothing goes on beyond its top.
-bool endsFree(const Pole& pole, const Eigen::Matrix3Xf& points, const PoleOptions& options) {
-  constexpr double beyond = 0.2;  // of its length
-  constexpr double allowed = 0.3; // of the points that as much of the pole has
+/// Most of its length has points on the wall, and few beside it.
+bool isBareWall(const Pole& pole, const Eigen::Matrix3Xf& points, const PoleOptions& options) {
+  constexpr double wanted = 0.75; // share of slices
   const Eigen::Vector3d direction = (pole.top - pole.foot).normalized();
   const double length = (pole.top - pole.foot).norm();
-  const double wide = 2 * pole.radius + 4 * options.tolerance;
-  double count = 0;
+  const double slice = std::max(2 * options.tolerance, length / 100);
+  const auto slices = static_cast<std::size_t>(length / slice) + 1;
+  std::vector<double> onWall(slices, 0);
+  std::vector<double> beside(slices, 0);
+  const double wide = 2 * pole.radius + 6 * options.tolerance;
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
-    const Eigen::Vector3d d = points.col(i).cast<double>() - pole.top;
-    if (d.squaredNorm() > beyond * beyond * length * length + wide * wide) continue;
+    const Eigen::Vector3d d = points.col(i).cast<double>() - pole.foot;
     const double t = d.dot(direction);
-    if (t > 2 * options.tolerance && t <= beyond * length && (d - t * direction).norm() <= wide)
-      ++count;
+    if (t < 0 || t > length) continue;
+    const double away = (d - t * direction).norm();
+    if (away > wide) continue;
+    (away <= pole.radius + options.tolerance ? onWall
+                                             : beside)[static_cast<std::size_t>(t / slice)] += 1;
   }
-  return count < allowed * beyond * static_cast<double>(pole.points.size());
+  const double usual = *quantile(onWall, 0.5);
+  std::size_t bare = 0;
+  for (std::size_t i = 0; i < slices; ++i)
+    if (onWall[i] > 0.15 * usual && 4 * beside[i] <= onWall[i]) ++bare;
+  return static_cast<double>(bare) >= wanted * static_cast<double>(slices);
+}
+
+/// Nothing goes on beyond an end: what is there ends soon, as does a wire that is fixed to it.
+bool endsFree(const Eigen::Vector3d& end, const Eigen::Vector3d& away, const Pole& pole,
+              const Eigen::Matrix3Xf& points, const PoleOptions& options) {
+  constexpr double beyond = 0.2;  // of its length
+  constexpr double allowed = 0.4; // of that
+  constexpr double opening = 0.5; // branches of a fork go on within such a cone
+  const double length = beyond * (pole.top - pole.foot).norm();
+  const double wide = 2 * pole.radius + 4 * options.tolerance;
+  const double slice = 2 * options.tolerance;
+  std::vector<char> isHeld(static_cast<std::size_t>(std::ceil(length / slice)) + 1, 0);
+  const double most = std::hypot(length, wide + opening * length);
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    const Eigen::Vector3d d = points.col(i).cast<double>() - end;
+    if (d.squaredNorm() > most * most) continue;
+    const double t = d.dot(away);
+    if (t > slice && t <= length && (d - t * away).norm() <= wide + opening * t)
+      isHeld[static_cast<std::size_t>(t / slice)] = 1;
+  }
+  std::size_t last = 1; // slice that holds points, with no two empty ones before it
+  while (last + 2 < isHeld.size() && (isHeld[last + 1] || isHeld[last + 2]))
+    last += isHeld[last + 1] ? 1 : 2;
+  return static_cast<double>(last) < allowed * static_cast<double>(isHeld.size());
+}
+
+bool endsFree(const Pole& pole, const Eigen::Matrix3Xf& points, const PoleOptions& options) {
+  const Eigen::Vector3d up = (pole.top - pole.foot).normalized();
+  return endsFree(pole.top, up, pole, points, options) &&
+         endsFree(pole.foot, -up, pole, points, options);
 }
 
 } // namespace
@@ -135,7 +173,8 @@ std::vector<Pole> polesIn(const Eigen::Matrix3Xf& points, const PoleOptions& opt
     if (!place) continue;
     std::optional<Pole> pole = poleAt(points, *place, options, progress.part(0.5, 0.5));
     if (!pole || (pole->top - pole->foot).norm() < options.leastLength) continue;
-    if (isEven(*pole, points, options) && endsFree(*pole, points, options))
+    if (isEven(*pole, points, options) && isBareWall(*pole, points, options) &&
+        endsFree(*pole, points, options))
       poles.push_back(std::move(*pole));
   }
   std::ranges::stable_sort(poles, std::greater<>(),

@@ -12,10 +12,11 @@
 namespace espalier {
 
 struct WireOptions {
-  Length tolerance = spacings(2);    // [L] how far from its curve a point is of it still
-  Length gap = heights(0.1);         // [L] it goes on over gaps up to this
-  double mostSag = 0.2;              // of the span, in [0, 1]
-  Length leastLength = heights(0.4); // [L] of those that are searched for
+  Length tolerance =
+      Rule{.spacings = 1, .heights = 0.0025}; // [L] how far from its curve a point is of it still
+  Length gap = heights(0.1);                  // [L] it goes on over gaps up to this
+  double mostSag = 0.2;                       // of the span, in [0, 1]
+  Length leastLength = heights(0.5);          // [L] of those that are searched for
 };
 
 /// Lengths by rules become those for a plant of this scale.
@@ -61,7 +62,7 @@ struct Wire {
 /// All wires of a scan, the one of most points first.
 ///
 /// Starts from places whose surroundings are a thin line, joined where they go on straight; each
-/// such line is fitted and followed. A wire is at least `leastLength` long, has points on over half
+/// such line is fitted and followed. A wire is at least `leastLength` long, has points on over 70 %
 /// of it, and hangs free over half of it: so branches, which thicken and fork, are none.
 /// @param points  3 x N, z up [L]
 /// @throws Cancelled if `progress` asks to stop

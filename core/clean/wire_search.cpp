@@ -32,7 +32,7 @@ bool isSparse(const Voxels& coarse, std::size_t cube) {
 /// The direction of the line around a place, if it is one that does not stand upright.
 std::optional<Eigen::Vector3f> lineAround(const SpatialIndex& index, const Eigen::Matrix3Xf& places,
                                           Eigen::Index place, double radius) {
-  constexpr double thin = 0.03; // greatest variance across it, of that along it
+  constexpr double thin = 0.04; // greatest variance across it, of that along it
   constexpr float steepest = 0.85F;
   const std::vector<Neighbor> near = index.within(places.col(place), static_cast<float>(radius));
   if (near.size() < 4) return std::nullopt;
@@ -160,7 +160,7 @@ std::vector<Wire> wiresIn(const Eigen::Matrix3Xf& points, const WireOptions& opt
     if (isTaken(wires, spans[i], options.tolerance)) continue;
     const auto found =
         wireBetween(places, spans[i].first, spans[i].second, options, progress.part(0.75, 0.75));
-    if (!found || (found->to - found->from).norm() < options.leastLength || found->filled < 0.5 ||
+    if (!found || (found->to - found->from).norm() < options.leastLength || found->filled < 0.7 ||
         !hangsFree(*found, index, places, options))
       continue;
     if (auto whole =

@@ -4,6 +4,7 @@
 #include "core/base/spatial_index.h"
 #include "core/graph/components.h"
 #include "core/pipeline/grow_part.h"
+#include "core/pipeline/pipeline_start.h"
 #include "core/pipeline/plant_scale.h"
 #include "core/pipeline/wood_skin.h"
 #include "core/skeleton/assign_points.h"
@@ -206,8 +207,10 @@ std::vector<GrownBranch> grown(const Skeleton& skeleton, const PointCloud& cloud
 std::vector<GrownBranch> grownBranches(const Skeleton& skeleton,
                                        const std::shared_ptr<const PointCloud>& cloud,
                                        const std::vector<Eigen::Index>& points,
-                                       const GrowOptions& options, const Progress& progress) {
+                                       const GrowOptions& wanted, const Progress& progress) {
   assert(!skeleton.isEmpty());
+  GrowOptions options = wanted;
+  options.pipeline = withScanCleaned(cloud, wanted.pipeline, progress.part(0, 0));
   const PlantScale whole = scaleOf(*cloud, options, progress);
   const std::vector<Eigen::Index> left =
       unexplained(points, skeleton, *cloud, toleranceOf(options, whole), progress.part(0, 0.1));
@@ -216,8 +219,9 @@ std::vector<GrownBranch> grownBranches(const Skeleton& skeleton,
 
 std::vector<GrownBranch> grownFromUnexplained(const Skeleton& skeleton,
                                               const std::shared_ptr<const PointCloud>& cloud,
-                                              const GrowOptions& options,
-                                              const Progress& progress) {
+                                              const GrowOptions& wanted, const Progress& progress) {
+  GrowOptions options = wanted;
+  options.pipeline = withScanCleaned(cloud, wanted.pipeline, progress.part(0, 0));
   const PlantScale whole = scaleOf(*cloud, options, progress);
   const double tolerance = toleranceOf(options, whole);
   const std::vector<Eigen::Index> points =

@@ -135,8 +135,9 @@ MethodSights::MethodSights(std::shared_ptr<const PointCloud> cloud,
                            const PipelineOptions& options, const PlantScale& scale,
                            const Progress& progress) {
   const PipelineState cleaned = cleanedState(cloud, options, scale, progress.part(0, 0.2));
-  prepared_ = std::make_unique<const Prepared>(std::move(cloud), std::move(contracted), cleaned,
-                                               options, scale, progress.part(0.2, 1));
+  prepared_ =
+      std::make_unique<const Prepared>(std::move(cloud), std::move(contracted), cleaned, options,
+                                       cleaned.extent.scale, progress.part(0.2, 1));
 }
 MethodSights::~MethodSights() = default;
 MethodSights::MethodSights(MethodSights&&) noexcept = default;

@@ -8,6 +8,13 @@ namespace espalier {
 
 // The methods of each step, which registry.cpp lists. The first of each is the default.
 
+[[nodiscard]] std::vector<Method> cropMethods();      // crop_methods.cpp
+[[nodiscard]] std::vector<Method> valueMethods();     // crop_methods.cpp
+[[nodiscard]] std::vector<Method> groundMethods();    // surroundings_methods.cpp
+[[nodiscard]] std::vector<Method> poleMethods();      // surroundings_methods.cpp
+[[nodiscard]] std::vector<Method> wireMethods();      // surroundings_methods.cpp
+[[nodiscard]] std::vector<Method> plantMethods();     // surroundings_methods.cpp
+[[nodiscard]] std::vector<Method> thinMethods();      // thin_methods.cpp
 [[nodiscard]] std::vector<Method> cleanMethods();     // clean_methods.cpp
 [[nodiscard]] std::vector<Method> contractMethods();  // contract_methods.cpp
 [[nodiscard]] std::vector<Method> skeletonMethods();  // skeleton_methods.cpp

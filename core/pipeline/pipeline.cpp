@@ -12,7 +12,9 @@ namespace {
 /// What is asked of one step.
 struct AskedStep {
   ChosenStep choice;
-  std::optional<Eigen::Index> root = {}; // a point, if the method sees it
+  std::optional<Eigen::Index> root = {};          // a point, if the method sees it
+  std::optional<UpAxis> up = {};                  // likewise
+  std::optional<Eigen::Vector3d> chosenRoot = {}; // of methods that clean, which see no other
   bool operator==(const AskedStep&) const = default;
 };
 
@@ -40,16 +42,36 @@ struct RootKey {
   bool operator==(const RootKey&) const = default;
 };
 
-/// All steps up to and including `last` (empty: all), as chosen.
-/// @throws Error if a value is out of range
-std::vector<ChosenStep> stepsUpTo(const std::string& last, const PipelineOptions& options,
-                                  const PlantScale& scale) {
-  std::vector<ChosenStep> steps;
+/// All steps up to and including `last` (empty: all) that are on.
+std::vector<const Step*> stepsUpTo(const std::string& last, const PipelineOptions& options) {
+  std::vector<const Step*> steps;
   for (const Step& step : pipelineSteps()) {
-    steps.push_back({&step, chosenFor(step, options, scale)});
+    if (step.name == last || !isOff(step, options)) steps.push_back(&step);
     if (step.name == last) break;
   }
   return steps;
+}
+
+/// Before anything is run, of the steps whose scale is known.
+/// @throws Error if a value is out of range
+void requireInRange(const std::vector<const Step*>& steps, const PipelineOptions& options,
+                    const PlantScale& scale) {
+  for (const Step* step : steps)
+    if (chosenFor(*step, options, scale).method->changesScale) return;
+}
+
+/// What is asked of a step, where the plant has its root at this point.
+AskedStep askedOf(const Step& step, const PipelineOptions& options, const PlantScale& scale,
+                  Eigen::Index root) {
+  AskedStep asked{.choice = {&step, chosenFor(step, options, scale)}};
+  const Method& method = *asked.choice.method.method;
+  if (method.seesUp || method.changesScale) asked.up = options.up;
+  if (!method.seesRoot) return asked;
+  if (step.makes == StepResult::cleaned)
+    asked.chosenRoot = options.root;
+  else
+    asked.root = root;
+  return asked;
 }
 
 StepRecord recordOf(const ChosenStep& choice, bool isNew) {
@@ -117,29 +139,39 @@ struct Pipeline::Kept {
     }
     Reconstruction result;
     result.scale = extent.scale;
-    const std::vector<ChosenStep> steps = stepsUpTo(last, options, extent.scale);
+    const std::vector<const Step*> steps = stepsUpTo(last, options);
+    requireInRange(steps, options, extent.scale);
+    PlantExtent now = extent;
     StepShares shares(steps, progress);
     Chain chain{std::make_shared<const PointSet>(options.leftOut), {}};
     const PipelineState* state = nullptr;
     Eigen::Index root = 0;
-    for (const ChosenStep& step : steps) {
-      const Progress part = shares.next(*step.step);
-      chain.choices.push_back({.choice = step});
-      if (step.method.method->seesRoot) chain.choices.back().root = root;
+    for (const Step* step : steps) {
+      const Progress part = shares.next(*step);
+      chain.choices.push_back(askedOf(*step, options, now.scale, root));
+      const ChosenStep& choice = chain.choices.back().choice;
       const PipelineState* known = states[chain.choices.size() - 1].find(chain);
-      result.steps.push_back(recordOf(step, known == nullptr));
+      result.steps.push_back(recordOf(choice, known == nullptr));
+      result.steps.back().scale = now.scale;
       if (known == nullptr) {
         PipelineState next = state == nullptr ? firstState(cloud, options.leftOut) : *state;
         next.root = root;
+        next.up = options.up;
+        next.chosenRoot = options.root;
+        next.extent = now;
         next.index = index;
         next.notes.clear();
         known = &computed(chain, std::move(next), part, watch);
       }
       state = known;
       result.steps.back().notes = state->notes;
-      if (step.step->makes == StepResult::cleaned)
-        root = rootOf(chain, *state, options, extent.lowest);
+      result.steps.back().leftOut = state->newlyLeftOut;
+      if (choice.method.method->changesScale) now = state->extent;
+      if (step->makes == StepResult::cleaned && (step == &cleaningStep() || step == steps.back()))
+        root = rootOf(chain, *state, options, now.lowest);
     }
+    result.scale = now.scale;
+    result.apart = state->apart;
     result.contracted = state->contracted;
     result.skeleton = state->skeleton;
     result.radiusSources = state->radiusSources;

@@ -16,6 +16,8 @@ struct StepRecord {
   std::vector<std::pair<std::string, double>> values; // option -> value used
   bool isNew = true;                                  // false: the result was at hand
   std::vector<std::string> notes = {};                // what is to be said of its result
+  PlantScale scale = {};                              // that its rules follow from
+  Eigen::Index leftOut = 0;                           // points it left out, of those that count
 };
 
 struct Reconstruction {
@@ -23,8 +25,11 @@ struct Reconstruction {
   /// In the frame of the file; the pipeline keeps it, too.
   std::shared_ptr<const Skeleton> skeleton = std::make_shared<const Skeleton>();
   std::vector<RadiusSource> radiusSources; // by id; empty without the last step
-  PlantScale scale;
-  std::vector<StepRecord> steps;
+  PlantScale scale;                        // of what is left, if cleaning changed it
+  /// Points that cleaning took for no part of the plant, where more than strays: they stay where
+  /// they are. Null: none.
+  std::shared_ptr<const PointSet> apart;
+  std::vector<StepRecord> steps; // those that are on
 };
 
 /// The notes of all steps of a run, each behind the label of its step.

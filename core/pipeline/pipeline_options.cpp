@@ -150,6 +150,10 @@ const Method& chosenMethod(const Step& step, const PipelineOptions& options) {
   return choice == options.methods.end() ? step.methods.front() : methodNamed(step, choice->second);
 }
 
+bool isOff(const Step& step, const PipelineOptions& options) {
+  return step.isOptional && &chosenMethod(step, options) == &step.methods.front();
+}
+
 ChosenMethod chosenFor(const Step& step, const PipelineOptions& options, const PlantScale& scale) {
   const Method& method = chosenMethod(step, options);
   return {&method, resolvedValues(step, method, options, scale)};

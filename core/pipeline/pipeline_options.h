@@ -42,6 +42,9 @@ void requireKnown(const PipelineOptions& options);
 /// @throws Error naming what there is
 [[nodiscard]] const Method& chosenMethod(const Step& step, const PipelineOptions& options);
 
+/// Whether a step is optional, and does nothing.
+[[nodiscard]] bool isOff(const Step& step, const PipelineOptions& options);
+
 /// The method of a step with its values.
 struct ChosenMethod {
   const Method* method = nullptr;

@@ -36,8 +36,28 @@ PipelineState cleanedState(const std::shared_ptr<const PointCloud>& cloud,
                            const Progress& progress) {
   requireKnown(options);
   PipelineState state = firstState(cloud, options.leftOut);
-  runSteps(stepsBetween(StepResult::scan, StepResult::cleaned, options, scale), state, progress);
+  state.up = options.up;
+  state.chosenRoot = options.root;
+  state.extent.scale = scale;
+  runCleaning(state, options, progress);
   return state;
+}
+
+PipelineOptions withScanCleaned(const std::shared_ptr<const PointCloud>& cloud,
+                                const PipelineOptions& options, const Progress& progress) {
+  std::vector<const Step*> changing;
+  for (const Step& step : pipelineSteps())
+    if (chosenMethod(step, options).changesScale) changing.push_back(&step);
+  if (changing.empty()) return options;
+  PipelineOptions cleaned = options;
+  const PlantScale scale = scaleOf(*cloud, options.leftOut, options.up, progress);
+  const PipelineState state = cleanedState(cloud, options, scale, progress);
+  if (state.apart) cleaned.leftOut = options.leftOut | *state.apart;
+  for (const Step* step : changing) {
+    cleaned.methods[step->name] = "none";
+    cleaned.settings.erase(step->name);
+  }
+  return cleaned;
 }
 
 Eigen::Index rootPoint(const PipelineState& cleaned, const PipelineOptions& options, float lowest) {

@@ -18,11 +18,19 @@ namespace espalier {
 [[nodiscard]] PipelineState firstState(const std::shared_ptr<const PointCloud>& cloud,
                                        const PointSet& leftOut);
 
-/// The same once the step Clean has run.
+/// The same once the steps that clean have run; `extent` has the scale for what comes behind.
 /// @throws Error if an option of any step is unknown, or one of this step out of range
 [[nodiscard]] PipelineState cleanedState(const std::shared_ptr<const PointCloud>& cloud,
                                          const PipelineOptions& options, const PlantScale& scale,
                                          const Progress& progress);
+
+/// The same options once what is no part of the plant is set aside: what steps that clean leave out
+/// of the whole scan, other than strays, is in `leftOut`, and these steps are off. For those who
+/// run the steps on a part of a scan, where they would find something else.
+/// @throws as cleanedState()
+[[nodiscard]] PipelineOptions withScanCleaned(const std::shared_ptr<const PointCloud>& cloud,
+                                              const PipelineOptions& options,
+                                              const Progress& progress);
 
 /// The foot of the plant among the points that cleaning kept: the one nearest to the root that was
 /// chosen, or else the one that the points show. 0 if none is left.

@@ -35,6 +35,15 @@ PipelineOptions thesis() {
   return options;
 }
 
+/// What stands around plants is left out, and one of them is taken; all else by default.
+PipelineOptions plot() {
+  PipelineOptions options;
+  for (const char* setting : {"ground.method=cloth", "poles.method=cylinders",
+                              "wires.method=catenaries", "plant.method=geodesic"})
+    options.set(setting);
+  return options;
+}
+
 } // namespace
 
 const std::vector<NamedPreset>& presets() {
@@ -47,7 +56,10 @@ const std::vector<NamedPreset>& presets() {
       {"thesis", Shown::tr("As in the Thesis"),
        Shown::tr("Adaptive contraction, point tracking and pipe model, with the settings of the "
                  "thesis."),
-       "C. Preuksakarn, PhD thesis, Montpellier 2, 2012, sections 4.5 to 4.8", thesis()}};
+       "C. Preuksakarn, PhD thesis, Montpellier 2, 2012, sections 4.5 to 4.8", thesis()},
+      {"plot", Shown::tr("From a Plot"),
+       Shown::tr("Leaves out ground, poles, wires and other plants; all else as by default."), "",
+       plot()}};
   return all;
 }
 

@@ -12,7 +12,8 @@ namespace espalier {
 ContractionQuality qualityOf(const PointCloud& cloud, const Reconstruction& result,
                              const PipelineOptions& options, const Progress& progress) {
   const PointSet far = PointSet::of(farPoints(cloud, options.leftOut)); // no part of the plant
-  const std::vector<Eigen::Index> kept = others(options.leftOut | far, cloud.size());
+  const PointSet leftOut = result.apart ? options.leftOut | *result.apart : options.leftOut;
+  const std::vector<Eigen::Index> kept = others(leftOut | far, cloud.size());
   if (kept.empty()) return {};
   const Eigen::Matrix3Xf points = cloud.positions()(Eigen::all, kept);
   const Eigen::Matrix3Xf contracted = (*result.contracted)(Eigen::all, kept);
@@ -21,9 +22,8 @@ ContractionQuality qualityOf(const PointCloud& cloud, const Reconstruction& resu
     root = (*options.root - cloud.origin()).cast<float>();
   } else {
     const SpatialIndex index(cloud.positions(), progress);
-    const PlantExtent extent = plantExtent(cloud, index, options.leftOut, options.up);
-    root =
-        cloud.positions().col(footAmong(kept, cloud, options.leftOut, options.up, extent.lowest));
+    const PlantExtent extent = plantExtent(cloud, index, leftOut, options.up);
+    root = cloud.positions().col(footAmong(kept, cloud, leftOut, options.up, extent.lowest));
   }
   const ContractionQualityOptions how{.spacing = result.scale.spacing, .root = root};
   ContractionQuality quality =

@@ -34,7 +34,11 @@ double marginOf(const ChosenMethod& contraction, const Ball& ball, double spacin
 /// What is computed once, of the whole scan.
 struct RegionPreviewer::Whole {
   using IsLeftOut = std::shared_ptr<const std::vector<bool>>; // by point: set aside, or cleaned
-  using Cleaning = std::vector<ChosenStep>;
+  using Cleaning = PipelineOptions;                           // of the steps that clean alone
+  struct Cleaned {
+    IsLeftOut isLeftOut;
+    PlantScale scale; // of what is left
+  };
   struct DensityKey {
     Cleaning cleaning;
     DensityValues values;
@@ -47,7 +51,7 @@ struct RegionPreviewer::Whole {
   PipelineOptions start; // its root and up axis
   std::mutex mutex;      // of all below
   std::unique_ptr<const SpatialIndex> index;
-  Recent<Cleaning, IsLeftOut> cleaned;
+  Recent<Cleaning, Cleaned> cleaned;
   Recent<DensityKey, DensityRange> ranges;
   std::shared_ptr<const std::vector<float>> distanceToRoot; // by point; infinite if set aside
 
@@ -61,13 +65,26 @@ struct RegionPreviewer::Whole {
     return *index;
   }
 
-  IsLeftOut leftOutBy(const Cleaning& cleaning, const Progress& progress) {
+  /// What of these options is of the steps that clean.
+  [[nodiscard]] Cleaning cleaningOf(const PipelineOptions& options) const {
+    Cleaning cleaning = start;
+    for (const Step& step : pipelineSteps()) {
+      if (step.makes != StepResult::cleaned) continue;
+      if (const auto method = options.methods.find(step.name); method != options.methods.end())
+        cleaning.methods.insert(*method);
+      if (const auto set = options.settings.find(step.name); set != options.settings.end())
+        cleaning.settings.insert(*set);
+    }
+    return cleaning;
+  }
+
+  Cleaned cleanedBy(const Cleaning& cleaning, const Progress& progress) {
     const std::scoped_lock lock(mutex);
-    if (const IsLeftOut* known = cleaned.find(cleaning)) return *known;
-    PipelineState state = firstState(cloud, leftOut);
-    runSteps(cleaning, state, progress);
+    if (const Cleaned* known = cleaned.find(cleaning)) return *known;
+    PipelineState state = cleanedState(cloud, cleaning, scale, progress);
     return cleaned.keep(cleaning,
-                        std::make_shared<const std::vector<bool>>(std::move(state.isLeftOut)));
+                        {std::make_shared<const std::vector<bool>>(std::move(state.isLeftOut)),
+                         state.extent.scale});
   }
 
   /// None for methods that do not follow densities.
@@ -115,6 +132,7 @@ struct Region {
   std::vector<Eigen::Index> columns; // of its cloud in that of the whole: those that are kept
   PipelineState state;
   RegionPreview preview;
+  PlantScale scale; // of what cleaning leaves
 };
 
 std::vector<float> atColumns(const std::vector<float>& values,
@@ -151,17 +169,17 @@ struct RegionPreviewer::Regions {
   static Region contracted(Whole& whole, const Ball& ball, const PipelineOptions& options,
                            const Progress& progress) {
     requireKnown(options);
-    const Whole::Cleaning cleaning =
-        stepsBetween(StepResult::scan, StepResult::cleaned, options, whole.scale);
-    const ChosenMethod contraction = chosenFor(contractionStep(), options, whole.scale);
-    const Whole::IsLeftOut isLeftOut = whole.leftOutBy(cleaning, progress.part(0, 0.2));
+    const Whole::Cleaning cleaning = whole.cleaningOf(options);
+    const auto [isLeftOut, scale] = whole.cleanedBy(cleaning, progress.part(0, 0.2));
+    const ChosenMethod contraction = chosenFor(contractionStep(), options, scale);
     Region region =
-        around(whole, ball, marginOf(contraction, ball, whole.scale.spacing), *isLeftOut, progress);
+        around(whole, ball, marginOf(contraction, ball, scale.spacing), *isLeftOut, progress);
+    region.scale = scale;
     region.state.densityRange =
         whole.densityRange(cleaning, isLeftOut, contraction, progress.part(0.2, 0.3));
     if (region.columns.size() >= 2) {
       if (contraction.method->seesRoot) region.state.root = nearestToRoot(whole, region, progress);
-      runSteps(stepsBetween(StepResult::cleaned, StepResult::contracted, options, whole.scale),
+      runSteps(stepsBetween(StepResult::cleaned, StepResult::contracted, options, scale),
                region.state, progress.part(0.3, 1));
     }
     region.preview.contracted = placesOf(region, *whole.cloud);
@@ -219,7 +237,7 @@ RegionPreview RegionPreviewer::reconstructed(const Ball& ball, const PipelineOpt
   if (region.columns.size() >= 2)
     region.preview.skeleton =
         skeletonOfRegion(region.state, atColumns(*whole_->distances(progress), region.columns),
-                         ball, options, whole_->scale, progress.part(0.5, 1));
+                         ball, options, region.scale, progress.part(0.5, 1));
   return std::move(region.preview);
 }
 

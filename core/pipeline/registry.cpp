@@ -3,10 +3,45 @@
 #include "core/base/error.h"
 #include "core/pipeline/methods.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace espalier {
+
+namespace {
+
+/// One that is off by default. What lies around the plants goes first, the largest first, so that
+/// what comes behind has less to look at and plants stand apart; then one plant is chosen of what
+/// is left, thinned, and what stands alone in it goes last.
+Step cleaningStep(const char* name, const char* label, const char* help,
+                  std::vector<Method> methods) {
+  return {.name = name,
+          .label = label,
+          .help = help,
+          .takes = StepResult::scan,
+          .makes = StepResult::cleaned,
+          .isOptional = true,
+          .share = 0.02,
+          .methods = std::move(methods)};
+}
+
+} // namespace
 
 const std::vector<Step>& pipelineSteps() {
   static const std::vector<Step> steps = {
+      cleaningStep("crop", Shown::tr("Crop"), Shown::tr("Keeps a part of the scan."),
+                   cropMethods()),
+      cleaningStep("values", Shown::tr("Values"),
+                   Shown::tr("Keeps points by their intensity or color."), valueMethods()),
+      cleaningStep("ground", Shown::tr("Ground"), Shown::tr("Leaves out the ground."),
+                   groundMethods()),
+      cleaningStep("poles", Shown::tr("Poles"), Shown::tr("Leaves out poles and stakes."),
+                   poleMethods()),
+      cleaningStep("wires", Shown::tr("Wires"), Shown::tr("Leaves out wires and ropes."),
+                   wireMethods()),
+      cleaningStep("plant", Shown::tr("Plant"), Shown::tr("Keeps one of several plants."),
+                   plantMethods()),
+      cleaningStep("thin", Shown::tr("Thin"), Shown::tr("Keeps fewer points."), thinMethods()),
       {.name = "clean",
        .label = Shown::tr("Clean"),
        .help = Shown::tr("Leaves out points that are no plant."),
@@ -90,11 +125,17 @@ const Named& findNamed(const std::vector<Named>& all, std::string_view name,
 } // namespace
 
 const Step& contractionStep() {
-  return pipelineSteps()[1];
+  static const Step& step =
+      *std::ranges::find(pipelineSteps(), StepResult::contracted, &Step::makes);
+  return step;
+}
+
+const Step& cleaningStep() {
+  return *(&contractionStep() - 1);
 }
 
 const Step& skeletonStep() {
-  return pipelineSteps()[2];
+  return *(&contractionStep() + 1);
 }
 
 const Step& stepNamed(std::string_view name) {

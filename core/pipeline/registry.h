@@ -6,6 +6,7 @@
 #include "core/graph/find_root.h"
 #include "core/pipeline/method_probe.h"
 #include "core/pipeline/option_table.h"
+#include "core/pipeline/plant_scale.h"
 #include "core/radius/fused_radii.h"
 #include "core/skeleton/skeleton.h"
 
@@ -43,6 +44,13 @@ struct PipelineState {
   std::optional<DensityRange> densityRange = {};
   /// What the last step has to say of its result: sentences without a full stop.
   std::vector<std::string> notes = {};
+  Eigen::Index newlyLeftOut = 0; // points that the last step left out
+  UpAxis up = UpAxis::z;
+  std::optional<Eigen::Vector3d> chosenRoot = {}; // [L], frame of the file; by the user
+  /// What the rules of the next steps follow from: of the whole scan, and of what is left from a
+  /// method on that changes the scale.
+  PlantExtent extent = {};
+  std::shared_ptr<const PointSet> apart = {}; // left out by such methods; null: nothing
 
   void setSkeleton(Skeleton found) {
     skeleton = std::make_shared<const Skeleton>(std::move(found));
@@ -58,6 +66,11 @@ struct Method {
   std::string source;
   std::vector<Option> options;
   bool seesRoot = true; // false: its result is the same wherever the plant has its root
+  bool seesUp = false;  // true: not only by the height of the plant
+  /// True: what it leaves out is no stray of the plant, so that the rules of steps behind it follow
+  /// from what is left.
+  bool changesScale = false;
+  bool cutsPlot = false; // true: it finds all plants, and keeps one (cleaned_scan.h)
   /// `values`: one per option, in order.
   std::function<void(PipelineState&, const std::vector<double>& values, const Progress&)> run;
   std::function<MethodProbe(const std::vector<double>& values)> probe =
@@ -71,6 +84,7 @@ struct Step {
   std::string help;
   StepResult takes = StepResult::skeleton; // what must be there
   StepResult makes = StepResult::skeleton; // what it makes, or makes anew
+  bool isOptional = false;                 // off by default: where it is, nobody runs or reports it
   double share = 1;                        // of the time of a run, for its progress
   std::vector<Method> methods;             // the first is the default
 };
@@ -78,6 +92,7 @@ struct Step {
 /// All steps in their order, each with all its methods.
 [[nodiscard]] const std::vector<Step>& pipelineSteps();
 
+[[nodiscard]] const Step& cleaningStep(); // the last of those that clean
 [[nodiscard]] const Step& contractionStep();
 [[nodiscard]] const Step& skeletonStep(); // makes it of points; others mend it
 

@@ -4,6 +4,7 @@
 #include "core/graph/components.h"
 #include "core/pipeline/attach_grown.h"
 #include "core/pipeline/grow_part.h"
+#include "core/pipeline/pipeline_start.h"
 #include "core/pipeline/plant_scale.h"
 #include "core/skeleton/path_edits.h"
 #include "core/skeleton/select.h"
@@ -73,9 +74,11 @@ std::vector<Eigen::Index> pointsAt(const Skeleton& skeleton, NodeId node, const 
 } // namespace
 
 Skeleton regrown(const Skeleton& skeleton, NodeId node,
-                 const std::shared_ptr<const PointCloud>& cloud, const RegrowOptions& options,
+                 const std::shared_ptr<const PointCloud>& cloud, const RegrowOptions& wanted,
                  const Progress& progress) {
   assert(skeleton.contains(node));
+  RegrowOptions options = wanted;
+  options.pipeline = withScanCleaned(cloud, wanted.pipeline, progress.part(0, 0));
   const PlantScale whole = scaleOf(*cloud, options.pipeline.leftOut, options.pipeline.up, progress);
   const double tolerance = options.tolerance > 0 ? options.tolerance : 3 * whole.spacing;
   const double widestGap = options.widestGap > 0 ? options.widestGap : 8 * whole.spacing;

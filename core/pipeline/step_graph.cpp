@@ -1,8 +1,11 @@
 #include "core/pipeline/step_graph.h"
 
 #include "core/base/error.h"
+#include "core/pipeline/method_parts.h"
+#include "core/pipeline/pipeline_start.h"
 #include "core/skeleton/finite_node.h"
 
+#include <algorithm>
 #include <cassert>
 
 namespace espalier {
@@ -18,12 +21,27 @@ void requireFinite(const Skeleton& skeleton, const ChosenStep& choice) {
                   "the scan for many points at one place");
 }
 
+/// After a step that left out more than strays.
+void measureAgain(PipelineState& state, const std::vector<bool>& before, const Progress& progress) {
+  std::vector<Eigen::Index> newly;
+  for (std::size_t i = 0; i < before.size(); ++i)
+    if (state.isLeftOut[i] && !before[i]) newly.push_back(static_cast<Eigen::Index>(i));
+  const PointSet apart = PointSet::of(newly);
+  state.apart = std::make_shared<const PointSet>(state.apart ? *state.apart | apart : apart);
+  measure(state, progress);
+}
+
 } // namespace
 
 void ChosenStep::run(PipelineState& state, const Progress& progress, const StepWatch& watch) const {
   assert(state.made >= step->takes);
   if (watch.began) watch.began(*step);
+  const bool cleans = step->makes == StepResult::cleaned;
+  const std::vector<bool> before = cleans ? state.isLeftOut : std::vector<bool>();
   method.run(state, progress);
+  state.newlyLeftOut = std::ranges::count(state.isLeftOut, true) - std::ranges::count(before, true);
+  if (!cleans) state.newlyLeftOut = 0;
+  if (state.newlyLeftOut > 0 && method.method->changesScale) measureAgain(state, before, progress);
   state.made = step->makes;
   requireFinite(*state.skeleton, *this);
   if (watch.ended) watch.ended(*step);
@@ -33,22 +51,53 @@ std::vector<ChosenStep> stepsBetween(StepResult from, StepResult to, const Pipel
                                      const PlantScale& scale) {
   std::vector<ChosenStep> steps;
   for (const Step& step : pipelineSteps())
-    if (step.makes > from && step.makes <= to)
+    if (step.makes > from && step.makes <= to && !isOff(step, options))
       steps.push_back({&step, chosenFor(step, options, scale)});
   return steps;
 }
 
+void runCleaning(const std::vector<const Step*>& steps, PipelineState& state,
+                 const PipelineOptions& options, const Progress& progress,
+                 const std::function<void(const ChosenStep&)>& done) {
+  StepShares shares(steps, progress);
+  for (const Step* step : steps) {
+    const ChosenStep chosen{step, chosenFor(*step, options, state.extent.scale)};
+    chosen.run(state, shares.next(*step));
+    if (done) done(chosen);
+  }
+}
+
+void runCleaning(PipelineState& state, const PipelineOptions& options, const Progress& progress) {
+  std::vector<const Step*> steps;
+  for (const Step& step : pipelineSteps())
+    if (step.makes == StepResult::cleaned && !isOff(step, options)) steps.push_back(&step);
+  runCleaning(steps, state, options, progress);
+}
+
+void measure(PipelineState& state, const Progress& progress) {
+  const std::vector<Eigen::Index> kept = keptPoints(state);
+  requirePlant(kept);
+  const auto left = someOf(*state.cloud, kept);
+  state.extent =
+      plantExtent(*left, SpatialIndex(left->positions(), progress.part(1, 1)), {}, state.up);
+  if (state.extent.scale.spacing == 0)
+    throw Error("all points that are left after cleaning are at the same place: clean less");
+}
+
 void runSteps(const std::vector<ChosenStep>& steps, PipelineState& state,
               const Progress& progress) {
-  StepShares shares(steps, progress);
+  std::vector<const Step*> chosen;
+  for (const ChosenStep& each : steps)
+    chosen.push_back(each.step);
+  StepShares shares(chosen, progress);
   for (const ChosenStep& each : steps)
     each.run(state, shares.next(*each.step));
 }
 
-StepShares::StepShares(const std::vector<ChosenStep>& steps, const Progress& whole)
+StepShares::StepShares(const std::vector<const Step*>& steps, const Progress& whole)
     : whole_(whole) {
-  for (const ChosenStep& each : steps)
-    total_ += each.step->share;
+  for (const Step* each : steps)
+    total_ += each->share;
 }
 
 Progress StepShares::next(const Step& step) {

@@ -21,6 +21,7 @@ struct ChosenStep {
   const Step* step = nullptr;
   ChosenMethod method;
 
+  /// Measures again what is left, after a method that changes the scale.
   /// pre: the state has what the step takes
   /// @throws Error     if the method does, or makes nodes that are not finite
   /// @throws Cancelled if `progress` asks to stop
@@ -28,12 +29,26 @@ struct ChosenStep {
   bool operator==(const ChosenStep&) const = default;
 };
 
-/// The steps that are still to be run, in order, where `from` is there and `to` is wanted.
+/// The steps that are still to be run, in order, where `from` is there and `to` is wanted; of those
+/// that clean, runCleaning() knows better, as each may change the scale.
 /// @param scale  of the whole plant, whatever part of it they run on
 /// @throws Error if a method or option is unknown, or a setting is out of range
 [[nodiscard]] std::vector<ChosenStep> stepsBetween(StepResult from, StepResult to,
                                                    const PipelineOptions& options,
                                                    const PlantScale& scale);
+
+/// Cleans: runs steps that do, each by the rules of what is left, from state.extent on.
+/// @param done  is called after each
+/// @throws Error as stepsBetween() and ChosenStep::run()
+void runCleaning(const std::vector<const Step*>& steps, PipelineState& state,
+                 const PipelineOptions& options, const Progress& progress,
+                 const std::function<void(const ChosenStep&)>& done = {});
+/// The same of all that are on.
+void runCleaning(PipelineState& state, const PipelineOptions& options, const Progress& progress);
+
+/// Measures the points that are kept: what rules follow from is of them from then on.
+/// @throws Error if they are too few for a plant
+void measure(PipelineState& state, const Progress& progress);
 
 /// Runs all of them. @throws as ChosenStep::run()
 void runSteps(const std::vector<ChosenStep>& steps, PipelineState& state, const Progress& progress);
@@ -42,7 +57,7 @@ void runSteps(const std::vector<ChosenStep>& steps, PipelineState& state, const 
 class StepShares {
 public:
   /// @param steps all that may run
-  StepShares(const std::vector<ChosenStep>& steps, const Progress& whole);
+  StepShares(const std::vector<const Step*>& steps, const Progress& whole);
   [[nodiscard]] Progress next(const Step& step);
 
 private:

@@ -76,12 +76,21 @@ const Option& optionOfChosen(const PipelineOptions& options, const std::string& 
               "\": " + (names.empty() ? "it has none" : "choose one of " + names));
 }
 
+PlantScale scaleAt(const Step& step, Pipeline& pipeline,
+                   const std::shared_ptr<const PointCloud>& cloud, const PipelineOptions& options,
+                   const Progress& progress) {
+  const bool cleans = step.makes == StepResult::cleaned;
+  const Reconstruction cleaned =
+      pipeline.run(cloud, options, progress, (cleans ? step : cleaningStep()).name);
+  return cleans ? cleaned.steps.back().scale : cleaned.scale;
+}
+
 void runSweep(Pipeline& pipeline, const std::shared_ptr<const PointCloud>& cloud,
               const PipelineOptions& options, const std::string& step, const std::string& option,
               const std::vector<double>& values, const std::string& last, const Progress& progress,
               const std::function<void(const SweepResult&)>& each) {
   (void)optionOfChosen(options, step, option);
-  const PlantScale scale = pipeline.run(cloud, options, progress.part(0, 0), "clean").scale;
+  const PlantScale scale = scaleAt(stepNamed(step), pipeline, cloud, options, progress.part(0, 0));
   PipelineOptions with = options;
   for (const double value : values) {
     with.settings[step][option] = fixedAt(value);

@@ -24,6 +24,12 @@ namespace espalier {
 sweepValues(const Option& option, const PlantScale& scale, int count,
             const std::optional<std::pair<double, double>>& between = {});
 
+/// The scale that the values of a step follow from, in a run with these options: cleaning, which
+/// may change it, is run for that. @throws as Pipeline::run()
+[[nodiscard]] PlantScale scaleAt(const Step& step, Pipeline& pipeline,
+                                 const std::shared_ptr<const PointCloud>& cloud,
+                                 const PipelineOptions& options, const Progress& progress = {});
+
 /// What one value gave.
 struct SweepResult {
   double value = 0;

@@ -18,9 +18,9 @@ std::optional<std::vector<float>> densitiesUsed(const std::shared_ptr<const Poin
                                                 const PipelineOptions& options,
                                                 const PlantScale& scale, const Progress& progress) {
   requireKnown(options);
-  const auto used = chosenFor(contractionStep(), options, scale).probe().density;
-  if (!used) return std::nullopt;
+  if (!chosenFor(contractionStep(), options, scale).probe().density) return std::nullopt;
   const PipelineState state = cleanedState(cloud, options, scale, progress.part(0, 0.4));
+  const auto used = chosenFor(contractionStep(), options, state.extent.scale).probe().density;
   const std::vector<float> densities =
       normalizedDensities(countedDensities(state, *used, progress.part(0.4, 1)));
   std::vector<float> byPoint(static_cast<std::size_t>(cloud->size()),

@@ -1,71 +1,221 @@
-#include "core/pipeline/cleaning.h"
+// The steps that clean: in the pipeline, and cutting a plot.
+#include "core/base/error.h"
+#include "core/pipeline/cleaned_scan.h"
+#include "core/pipeline/pipeline.h"
+#include "core/pipeline/pipeline_start.h"
+#include "core/pipeline/presets.h"
+#include "core/pipeline/region_preview.h"
+#include "core/simulate/plot.h"
+#include "tests/support/cloud_of.h"
+#include "tests/support/clouds.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <gmock/gmock.h>
 
 namespace espalier {
 namespace {
 
-using Eigen::Vector3d;
+using testing::ElementsAre;
+using testing::HasSubstr;
 
-/// A row of 200 points 1 apart, one point 40 beside it, which was scanned twice, and one beyond.
-std::shared_ptr<const PointCloud> rowWithStrays() {
-  RawPoints raw;
-  for (int i = 0; i < 200; ++i)
-    raw.positions.emplace_back(i, 0, 0);
-  raw.positions.emplace_back(100, 40, 0);
-  raw.positions.emplace_back(100, 40, 0);
-  raw.positions.emplace_back(20, -30, 0);
-  return std::make_shared<const PointCloud>(std::move(raw));
+struct Plot {
+  SimulatedPlot simulated;
+  std::shared_ptr<const PointCloud> cloud;
+
+  explicit Plot(std::uint64_t seed, Eigen::Index points = 80'000) {
+    PlotOptions options;
+    options.growth.segments = 150;
+    options.scanner.points = points;
+    simulated = simulatePlot(options, seed);
+    cloud = std::make_shared<const PointCloud>(RawPoints(simulated.points));
+  }
+  [[nodiscard]] const PlotPoint& truth(Eigen::Index point) const {
+    return simulated.truth[cloud->fileOrder()[static_cast<std::size_t>(point)]];
+  }
+};
+
+const Plot& plot() {
+  static const Plot made(101);
+  return made;
 }
 
-const Method& isolatedPoints() {
-  static const Method method = [] {
-    for (const CleaningMethod& cleaning : cleaningMethods())
-      if (cleaning.method->name == "isolated_points") return *cleaning.method;
-    return Method();
-  }();
-  return method;
+const PipelineOptions& plotPreset() {
+  return presetNamed("plot")->options;
 }
 
-const std::vector<double> near10 = {2, 10}; // neighbors, distance
-
-std::vector<Vector3d> placesOf(const PointSet& points, const PointCloud& cloud) {
-  std::vector<Vector3d> places;
-  for (const Eigen::Index point : points.points())
-    places.push_back(cloud.position(point));
-  std::ranges::sort(places, {}, [](const Vector3d& place) { return place.y(); });
-  return places;
+/// Of the wood: the share that is in a plant which stands where its own does. Of the rest: the
+/// share that is in none.
+std::pair<double, double> sharesRight(const Plot& plot, const CutPlot& cut) {
+  double wood = 0;
+  double right = 0;
+  double rest = 0;
+  double kept = 0;
+  std::vector<std::uint32_t> plantOf(static_cast<std::size_t>(plot.cloud->size()), 0);
+  for (const CutPlant& plant : cut.plants) {
+    const auto nearest =
+        std::ranges::min_element(plot.simulated.bases, {}, [&](const Eigen::Vector3d& base) {
+          return (base - plant.root).norm();
+        });
+    for (const Eigen::Index point : plant.points)
+      plantOf[static_cast<std::size_t>(point)] =
+          static_cast<std::uint32_t>(nearest - plot.simulated.bases.begin() + 1);
+  }
+  for (Eigen::Index i = 0; i < plot.cloud->size(); ++i) {
+    const PlotPoint& truth = plot.truth(i);
+    const std::uint32_t found = plantOf[static_cast<std::size_t>(i)];
+    const bool isWood = truth.part == PlotPart::plant;
+    ++(isWood ? wood : rest);
+    if (isWood && found == truth.plant) ++right;
+    if (!isWood && found != 0) ++kept;
+  }
+  return {right / wood, 1 - kept / rest};
 }
 
-TEST(Cleaning, ListsAllMethodsThatLeaveSomethingOut) {
-  ASSERT_FALSE(cleaningMethods().empty());
-  for (const CleaningMethod& cleaning : cleaningMethods()) {
-    EXPECT_EQ(cleaning.step->makes, StepResult::cleaned);
-    EXPECT_NE(cleaning.method->name, "none");
+TEST(Cleaning, OfAPlotByOnePresetCutsItIntoItsPlants) {
+  const CutPlot cut = cutPlot(plot().cloud, {}, plotPreset());
+  EXPECT_EQ(cut.plants.size(), 3U);
+  const auto [wood, rest] = sharesRight(plot(), cut);
+  EXPECT_GE(wood, 0.99);
+  EXPECT_GE(rest, 0.99);
+  for (const CutPlant& plant : cut.plants) {
+    double nearest = 1e9;
+    for (const Eigen::Vector3d& base : plot().simulated.bases)
+      nearest = std::min(nearest, (base - plant.root).norm());
+    EXPECT_LT(nearest, 0.3) << "at its foot";
   }
 }
 
-TEST(Cleaning, FindsWhatAMethodLeavesOutWithThoseAtItsPlace) {
-  const auto cloud = rowWithStrays();
-  const PointSet found = leftOutBy(isolatedPoints(), near10, cloud, {});
-  EXPECT_EQ(placesOf(found, *cloud),
-            (std::vector{Vector3d(20, -30, 0), Vector3d(100, 40, 0), Vector3d(100, 40, 0)}));
+TEST(Cleaning, KeepsThePlantAtTheRootThatWasChosen) {
+  Pipeline pipeline;
+  for (std::size_t i = 0; i < 3; ++i) {
+    PipelineOptions options = plotPreset();
+    options.root = plot().simulated.bases[i];
+    const Reconstruction result = pipeline.run(plot().cloud, options, {}, "clean");
+    ASSERT_TRUE(result.apart);
+    double own = 0;
+    double others = 0;
+    for (Eigen::Index k = 0; k < plot().cloud->size(); ++k)
+      if (plot().truth(k).part == PlotPart::plant && !result.apart->contains(k))
+        ++(plot().truth(k).plant == i + 1 ? own : others);
+    EXPECT_GT(own, 100 * others) << i;
+  }
 }
 
-TEST(Cleaning, FindsNothingAmongWhatIsSetAside) {
-  const auto cloud = rowWithStrays();
-  const PointSet found = leftOutBy(isolatedPoints(), near10, cloud, {});
-  EXPECT_TRUE(leftOutBy(isolatedPoints(), near10, cloud, found).isEmpty());
+TEST(Cleaning, GivesRulesBehindItTheScaleOfWhatIsLeft) {
+  const Reconstruction result = Pipeline().run(plot().cloud, plotPreset(), {}, "clean");
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index i = 0; i < plot().cloud->size(); ++i)
+    if (!result.apart->contains(i)) kept.push_back(i);
+  const PlantScale left = scaleOf(*someOf(*plot().cloud, kept), {}, UpAxis::z);
+  EXPECT_EQ(result.scale.spacing, left.spacing);
+  EXPECT_EQ(result.scale.height, left.height);
+  const PlantScale whole = scaleOf(*plot().cloud, {}, UpAxis::z);
+  EXPECT_EQ(result.steps.front().scale.height, whole.height);
+  EXPECT_NE(result.scale.height, whole.height);
+  const Reconstruction thin = [] {
+    PipelineOptions options;
+    options.set("thin.method=spacing");
+    options.set("thin.spacing=5 spacings");
+    return Pipeline().run(plot().cloud, options, {}, "clean");
+  }();
+  EXPECT_GE(thin.scale.spacing, 5 * whole.spacing);
 }
 
-TEST(Cleaning, CanBeStopped) {
-  std::stop_source stop;
-  stop.request_stop();
-  EXPECT_THROW((void)leftOutBy(isolatedPoints(), near10, rowWithStrays(), {},
-                               Progress(stop.get_token(), {})),
-               Cancelled);
+TEST(Cleaning, RunsOnlyWhatIsOn) {
+  const auto namesOf = [](const Reconstruction& result) {
+    std::vector<std::string> names;
+    for (const StepRecord& step : result.steps)
+      names.push_back(step.step);
+    return names;
+  };
+  const auto fork = test::cloudAtOrigin(test::forkCloud());
+  EXPECT_THAT(namesOf(Pipeline().run(fork, {}, {}, "contract")), ElementsAre("clean", "contract"));
+  PipelineOptions options;
+  options.set("thin.method=random");
+  EXPECT_THAT(namesOf(Pipeline().run(fork, options, {}, "contract")),
+              ElementsAre("thin", "clean", "contract"));
+  EXPECT_THAT(namesOf(Pipeline().run(fork, {}, {}, "crop")), ElementsAre("crop"));
+}
+
+TEST(Cleaning, IsComputedAgainForAnotherUpAxisOrRoot) {
+  const auto fork = test::cloudAtOrigin(test::forkCloud());
+  Pipeline pipeline;
+  PipelineOptions options;
+  options.set("crop.method=distance");
+  options.set("crop.distance=0.2");
+  options.root = Eigen::Vector3d(0, 0, 0);
+  const auto left = [&] { return pipeline.run(fork, options, {}, "clean").apart->size(); };
+  const std::size_t atFoot = left();
+  options.root = Eigen::Vector3d(0.8, 0, 3.2);
+  EXPECT_NE(left(), atFoot);
+  options.root = Eigen::Vector3d(0, 0, 0);
+  EXPECT_EQ(left(), atFoot);
+  options.up = UpAxis::x;
+  EXPECT_NE(left(), atFoot);
+}
+
+TEST(Cleaning, OfARegionIsThatOfTheWhole) {
+  const PlantScale scale = scaleOf(*plot().cloud, {}, UpAxis::z);
+  PipelineOptions options = plotPreset();
+  options.root = plot().simulated.bases[0];
+  const Reconstruction whole = Pipeline().run(plot().cloud, options, {}, "contract");
+  const RegionPreviewer previewer(plot().cloud, {}, scale, UpAxis::z, options.root);
+  const Ball ball{*options.root + Eigen::Vector3d(0, 0, 1), 0.4};
+  const RegionPreview region = previewer.contracted(ball, options);
+  std::size_t near = 0;
+  for (std::size_t i = 0; i < region.points.size(); ++i)
+    if ((region.contracted.col(static_cast<Eigen::Index>(i)) -
+         whole.contracted->col(region.points[i]))
+            .norm() < 1e-4F)
+      ++near;
+  EXPECT_GT(region.points.size(), 50U);
+  EXPECT_GT(near, region.points.size() * 98 / 100);
+}
+
+TEST(Cleaning, SaysWhatEachStepLeftOut) {
+  const CleanedScan cleaned = cleanedScan(plot().cloud, plotPreset());
+  Eigen::Index sum = 0;
+  for (const CleaningRecord& record : cleaned.steps)
+    sum += record.leftOut;
+  EXPECT_EQ(sum, static_cast<Eigen::Index>(cleaned.leftOut.size())) << "no place is there twice";
+  const auto poles = std::ranges::find(
+      cleaned.steps, "poles", [](const CleaningRecord& record) { return record.step->name; });
+  ASSERT_NE(poles, cleaned.steps.end());
+  EXPECT_THAT(poles->notes, ElementsAre("1 pole left out"));
+}
+
+TEST(Cleaning, ReportsWhatCannotBeDone) {
+  const auto fork = test::cloudAtOrigin(test::forkCloud());
+  PipelineOptions all;
+  all.set("crop.method=slab");
+  all.set("crop.from=100 heights");
+  all.set("crop.to=101 heights");
+  for (const auto& work : std::vector<std::function<void()>>{
+           [&] { (void)Pipeline().run(fork, all); }, [&] { (void)cleanedScan(fork, all); }}) {
+    try {
+      work();
+      FAIL() << "nothing is left";
+    } catch (const Error& error) {
+      EXPECT_THAT(error.what(), HasSubstr("fewer than 2 points are left"));
+    }
+  }
+  PipelineOptions high;
+  high.set("plant.slab_from=100 heights");
+  high.set("plant.slab_to=101 heights");
+  high.methods["plant"] = "geodesic";
+  try {
+    (void)cutPlot(fork, {}, high);
+    FAIL() << "no stem";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("no stem is found"));
+  }
+}
+
+TEST(Cleaning, StopsWhenAsked) {
+  EXPECT_TRUE(test::stopsWhenAsked(
+      [](const Progress& progress) { (void)cutPlot(plot().cloud, {}, plotPreset(), progress); }));
 }
 
 } // namespace

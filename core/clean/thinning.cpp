@@ -1,0 +1,86 @@
+#include "core/clean/thinning.h"
+
+#include "core/base/paced_check.h"
+#include "core/base/random.h"
+#include "core/clean/voxels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace espalier {
+namespace {
+
+/// All numbers below `count`, shuffled.
+std::vector<std::uint32_t> shuffled(std::size_t count, int seed) {
+  std::vector<std::uint32_t> order(count);
+  std::iota(order.begin(), order.end(), 0U);
+  Random random(static_cast<std::uint64_t>(seed));
+  for (std::size_t i = count; i > 1; --i)
+    std::swap(order[i - 1], order[random.below(i)]);
+  return order;
+}
+
+} // namespace
+
+std::vector<bool> thinnedByChance(Eigen::Index count, const RandomThinningOptions& options) {
+  const auto all = static_cast<std::size_t>(count);
+  std::vector<bool> isLeftOut(all, true);
+  const std::vector<std::uint32_t> order = shuffled(all, options.seed);
+  const auto staying =
+      std::min(all, static_cast<std::size_t>(std::ceil(options.share * static_cast<double>(all))));
+  for (std::size_t i = 0; i < staying; ++i)
+    isLeftOut[order[i]] = false;
+  return isLeftOut;
+}
+
+std::vector<bool> thinnedByVoxels(const Eigen::Matrix3Xf& points,
+                                  const VoxelThinningOptions& options, const Progress& progress) {
+  std::vector<bool> isLeftOut(static_cast<std::size_t>(points.cols()), false);
+  if (options.edge <= 0 || points.cols() == 0) return isLeftOut;
+  isLeftOut.assign(isLeftOut.size(), true);
+  const Voxels voxels(points, options.edge, progress.part(0, 0.7));
+  const Eigen::Matrix3Xf means = voxels.means(points);
+  for (std::size_t cube = 0; cube < voxels.count(); ++cube) {
+    const Eigen::Vector3f mean = means.col(static_cast<Eigen::Index>(cube));
+    const std::uint32_t nearest =
+        *std::ranges::min_element(voxels.members(cube), {}, [&](std::uint32_t point) {
+          return (points.col(point) - mean).squaredNorm();
+        });
+    isLeftOut[nearest] = false;
+  }
+  progress.update(1);
+  return isLeftOut;
+}
+
+std::vector<bool> thinnedBySpacing(const Eigen::Matrix3Xf& points,
+                                   const SpacingThinningOptions& options,
+                                   const Progress& progress) {
+  std::vector<bool> isLeftOut(static_cast<std::size_t>(points.cols()), false);
+  if (options.spacing <= 0 || points.cols() == 0) return isLeftOut;
+  isLeftOut.assign(isLeftOut.size(), true);
+  const Voxels voxels(points, options.spacing, progress.part(0, 0.4));
+  const std::vector<std::uint32_t> cubeOf = voxels.ofPoints();
+  const auto nearest = static_cast<float>(options.spacing * options.spacing);
+  const auto isNearOne = [&](std::uint32_t point, std::size_t cube) {
+    return std::ranges::any_of(voxels.members(cube), [&](std::uint32_t other) {
+      return !isLeftOut[other] && (points.col(point) - points.col(other)).squaredNorm() < nearest;
+    });
+  };
+  PacedCheck check(progress);
+  for (const std::uint32_t point : shuffled(isLeftOut.size(), options.seed)) {
+    check.after(5000);
+    const Voxels::Place at = voxels.place(cubeOf[point]);
+    bool isNear = isNearOne(point, cubeOf[point]);
+    for (int i = 0; i < 27 && !isNear; ++i) {
+      const auto cube = voxels.find(at + Voxels::Place(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1));
+      isNear = cube && isNearOne(point, *cube);
+    }
+    if (!isNear) isLeftOut[point] = false;
+  }
+  progress.update(1);
+  return isLeftOut;
+}
+
+} // namespace espalier

@@ -1,0 +1,148 @@
+#include "core/pipeline/cleaned_scan.h"
+
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/cloud/repeated_points.h"
+#include "core/pipeline/clean_parts.h"
+#include "core/pipeline/pipeline_start.h"
+#include "core/pipeline/plants_of_state.h"
+#include "core/pipeline/step_graph.h"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+
+namespace espalier {
+namespace {
+
+const Step& plantStep() {
+  return *std::ranges::find_if(pipelineSteps(), [](const Step& step) {
+    return std::ranges::any_of(step.methods, [](const Method& method) { return method.cutsPlot; });
+  });
+}
+
+/// The only method of the step that can.
+const Method& cutting() {
+  return *std::ranges::find_if(plantStep().methods,
+                               [](const Method& method) { return method.cutsPlot; });
+}
+
+std::vector<const Step*> cleaningSteps(const PipelineOptions& options,
+                                       const std::function<bool(const Step&)>& isWanted) {
+  std::vector<const Step*> steps;
+  for (const Step& step : pipelineSteps())
+    if (step.makes == StepResult::cleaned && !isOff(step, options) && isWanted(step))
+      steps.push_back(&step);
+  return steps;
+}
+
+std::vector<CleaningRecord> runAll(const std::vector<const Step*>& steps, PipelineState& state,
+                                   const PipelineOptions& options, const Progress& progress) {
+  std::vector<CleaningRecord> records;
+  runCleaning(steps, state, options, progress, [&](const ChosenStep& step) {
+    records.push_back({step.step, step.method.method, state.newlyLeftOut, state.notes});
+    state.notes.clear();
+  });
+  return records;
+}
+
+PipelineState startOf(const std::shared_ptr<const PointCloud>& cloud,
+                      const PipelineOptions& options, const Progress& progress) {
+  requireKnown(options);
+  if (cloud->size() < 2) throw Error("a plant needs at least 2 points: check the scan");
+  requireNearRoot(*cloud, options);
+  PipelineState state = firstState(cloud, options.leftOut);
+  state.up = options.up;
+  state.chosenRoot = options.root;
+  state.extent.scale = scaleOf(*cloud, options.leftOut, options.up, progress);
+  if (state.extent.scale.spacing == 0)
+    throw Error("all points of the scan are at the same place: check the scan");
+  return state;
+}
+
+/// For each point whether it is kept, those at the place of a kept one with it.
+std::vector<bool> keptWithRepeated(const PipelineState& state, const PointSet& setAside) {
+  std::vector<bool> isKept(state.isLeftOut);
+  isKept.flip();
+  const auto counts = [&](Eigen::Index point) { return isKept[static_cast<std::size_t>(point)]; };
+  forEachRepeated(*state.cloud, counts, [&](Eigen::Index point, Eigen::Index before) {
+    if (!setAside.contains(point))
+      isKept[static_cast<std::size_t>(point)] = isKept[static_cast<std::size_t>(before)];
+  });
+  return isKept;
+}
+
+std::vector<Eigen::Index> whereSet(const std::vector<bool>& isSet, bool wanted) {
+  std::vector<Eigen::Index> points;
+  for (std::size_t i = 0; i < isSet.size(); ++i)
+    if (isSet[i] == wanted) points.push_back(static_cast<Eigen::Index>(i));
+  return points;
+}
+
+/// The lowest point of a plant that is as near to its base as its stem may lean.
+Eigen::Vector3d lowestAt(const Eigen::Vector3d& base, const StandingPoints& plant, double reach) {
+  Eigen::Index best = 0;
+  auto lowest = std::numeric_limits<float>::infinity();
+  for (Eigen::Index i = 0; i < plant.positions.cols(); ++i) {
+    const Eigen::Vector3f place = plant.positions.col(i);
+    if ((place.cast<double>() - base).head<2>().norm() > reach || place.z() >= lowest) continue;
+    lowest = place.z();
+    best = i;
+  }
+  return plant.toFile(plant.positions.col(best).cast<double>());
+}
+
+} // namespace
+
+CleanedScan cleanedScan(const std::shared_ptr<const PointCloud>& cloud,
+                        const PipelineOptions& options, const Progress& progress) {
+  CleanedScan result{.state = startOf(cloud, options, progress.part(0, 0.1))};
+  result.steps = runAll(cleaningSteps(options, [](const Step&) { return true; }), result.state,
+                        options, progress.part(0.1, 1));
+  requirePlant(keptPoints(result.state));
+  result.leftOut = PointSet::of(whereSet(keptWithRepeated(result.state, options.leftOut), false));
+  return result;
+}
+
+CutPlot cutPlot(const std::shared_ptr<const PointCloud>& cloud,
+                const std::vector<Eigen::Vector3d>& bases, const PipelineOptions& options,
+                const Progress& progress) {
+  const Step& cut = plantStep();
+  PipelineState state = startOf(cloud, options, progress.part(0, 0.1));
+  CutPlot result;
+  result.steps = runAll(cleaningSteps(options, [&](const Step& step) { return &step < &cut; }),
+                        state, options, progress.part(0.1, 0.5));
+  const PlantsOptions how =
+      plantsOptionsOf(resolvedValues(cut, cutting(), options, state.extent.scale));
+  const StandingPoints standing = standingOf(state);
+  const PlantParts parts = plantsOfState(state, bases, how, progress.part(0.5, 0.8));
+  if (parts.sizes.empty())
+    throw Error("no stem is found from " + plainDecimal(how.slabFrom) + " to " +
+                plainDecimal(how.slabTo) +
+                " above the ground: choose other heights by plant.slab_from and plant.slab_to, or "
+                "say where plants stand");
+  const auto behind = cleaningSteps(options, [&](const Step& step) { return &step > &cut; });
+  for (std::size_t i = 0; i < parts.sizes.size(); ++i) {
+    PipelineState own = state;
+    own.isLeftOut.assign(own.isLeftOut.size(), true);
+    std::vector<Eigen::Index> points;
+    for (std::size_t k = 0; k < parts.ofPoint.size(); ++k)
+      if (parts.ofPoint[k] == i + 1) points.push_back(standing.columns[k]);
+    if (points.size() < 2) continue;
+    for (const Eigen::Index point : points)
+      own.isLeftOut[static_cast<std::size_t>(point)] = false;
+    measure(own, progress);
+    const auto all = static_cast<double>(parts.sizes.size());
+    (void)runAll(behind, own, options,
+                 progress.part(0.8 + 0.2 * static_cast<double>(i) / all,
+                               0.8 + 0.2 * static_cast<double>(i + 1) / all));
+    CutPlant plant{.points = whereSet(keptWithRepeated(own, options.leftOut), true)};
+    if (plant.points.empty()) continue;
+    plant.root = lowestAt(parts.bases[i], standingPoints(*cloud, plant.points, options.up),
+                          how.together / 2);
+    result.plants.push_back(std::move(plant));
+  }
+  return result;
+}
+
+} // namespace espalier

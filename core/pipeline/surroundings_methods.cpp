@@ -1,0 +1,271 @@
+#include "core/clean/ground.h"
+#include "core/clean/plants.h"
+#include "core/clean/pole.h"
+#include "core/clean/wire.h"
+#include "core/pipeline/clean_parts.h"
+#include "core/pipeline/methods.h"
+#include "core/pipeline/plants_of_state.h"
+
+#include <algorithm>
+
+namespace espalier {
+namespace {
+
+template <class Options, class... Path>
+void addClothOptions(OptionTable<Options>& table, Path... path) {
+  table.add(lengthOption("cell", Shown::tr("Cell"), 1, 100000,
+                         Shown::tr("Between the particles of the cloth; smaller ones follow "
+                                   "rougher ground.")),
+            path..., &GroundOptions::cell);
+  table.add(lengthOption("tolerance", Shown::tr("Tolerance"), 0, 100000,
+                         Shown::tr("Points up to this above the cloth are of the ground.")),
+            path..., &GroundOptions::tolerance);
+  table.add(countOption("rigidness", Shown::tr("Rigidness"), 1, 10,
+                        Shown::tr("1 follows steep ground, 3 spans wide gaps below crowns.")),
+            path..., &GroundOptions::rigidness);
+}
+
+Method groundMethod() {
+  using Options = GroundOptions;
+  OptionTable<Options> table;
+  addClothOptions(table);
+  table.add(countOption("iterations", Shown::tr("Iterations"), 1, 10000,
+                        Shown::tr("Steps that the cloth falls at most.")),
+            &Options::iterations);
+  table.add(flagOption("follow_slopes", Shown::tr("Follow slopes"),
+                       Shown::tr("Pulls the cloth onto ground near it where it is steep.")),
+            &Options::followSlopes);
+  return {.name = "cloth",
+          .label = Shown::tr("Cloth"),
+          .help = Shown::tr("Lays a cloth on the scan from below and leaves out what it touches."),
+          .source = "W. Zhang et al., Remote Sensing 8(6), 2016",
+          .options = table.descriptions(),
+          .seesRoot = false,
+          .seesUp = true,
+          .changesScale = true,
+          .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
+            leaveOutFarPoints(state);
+            const StandingPoints standing = standingOf(state);
+            const Options options = table.with(values);
+            const std::vector<float> heights = heightsAbove(
+                groundBelow(standing.positions, options, progress), standing.positions);
+            for (std::size_t i = 0; i < heights.size(); ++i)
+              if (static_cast<double>(heights[i]) <= options.tolerance)
+                state.isLeftOut[static_cast<std::size_t>(standing.columns[i])] = true;
+          }};
+}
+
+/// Leaves out the points of all that were found, and says how many there are. What is nearly all of
+/// a scan is the plant itself.
+template <class Found>
+void leaveOutAll(PipelineState& state, const StandingPoints& standing,
+                 const std::vector<Found>& found, const char* one, const char* many) {
+  constexpr double most = 0.9; // of the points
+  std::size_t points = 0;
+  for (const Found& each : found)
+    points += each.points.size();
+  if (found.empty() ||
+      static_cast<double>(points) > most * static_cast<double>(standing.columns.size())) {
+    state.notes.push_back(std::string("no ") + one + " was found");
+    return;
+  }
+  for (const Found& each : found)
+    for (const Eigen::Index point : each.points)
+      state.isLeftOut[static_cast<std::size_t>(standing.columns[static_cast<std::size_t>(point)])] =
+          true;
+  state.notes.push_back(std::to_string(found.size()) + " " + (found.size() == 1 ? one : many) +
+                        " left out");
+}
+
+Method poleMethod() {
+  using Options = PoleOptions;
+  OptionTable<Options> table;
+  table.add(lengthOption("tolerance", Shown::tr("Tolerance"), 0.1, 1000,
+                         Shown::tr("Points this near to the wall of a pole are of it.")),
+            &Options::tolerance);
+  table.add(lengthOption("most_radius", Shown::tr("Most radius"), 0.1, 100000,
+                         Shown::tr("Thicker cylinders are no poles.")),
+            &Options::mostRadius);
+  table.add(lengthOption("least_length", Shown::tr("Least length"), 1, 1e6,
+                         Shown::tr("Shorter cylinders are no poles.")),
+            &Options::leastLength);
+  table.add(lengthOption("reach", Shown::tr("Reach"), 1, 1e6,
+                         Shown::tr("How far around its middle a cylinder is sought.")),
+            &Options::reach);
+  table.add(lengthOption("gap", Shown::tr("Gap"), 0.1, 1e6,
+                         Shown::tr("A pole goes on over gaps up to this.")),
+            &Options::gap);
+  table.add(angleOption("most_lean", Shown::tr("Most lean"), 0, 80,
+                        Shown::tr("Cylinders that lean more are no poles.")),
+            &Options::mostLean);
+  table.add(countOption("trials", Shown::tr("Trials"), 10, 100000,
+                        Shown::tr("Cylinders that are tried at each place.")),
+            &Options::trials);
+  return {.name = "cylinders",
+          .label = Shown::tr("Cylinders"),
+          .help = Shown::tr("Leaves out straight cylinders that stand by themselves, are as thick "
+                            "above as below, and end free."),
+          .source = "R. Schnabel, R. Wahl, R. Klein, Computer Graphics Forum 26, 2007",
+          .options = table.descriptions(),
+          .seesRoot = false,
+          .seesUp = true,
+          .changesScale = true,
+          .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
+            leaveOutFarPoints(state);
+            const StandingPoints standing = standingOf(state);
+            leaveOutAll(state, standing, polesIn(standing.positions, table.with(values), progress),
+                        "pole", "poles");
+          }};
+}
+
+Method wireMethod() {
+  using Options = WireOptions;
+  OptionTable<Options> table;
+  table.add(lengthOption("tolerance", Shown::tr("Tolerance"), 0.1, 1000,
+                         Shown::tr("Points this near to the curve of a wire are of it.")),
+            &Options::tolerance);
+  table.add(lengthOption("least_length", Shown::tr("Least length"), 1, 1e6,
+                         Shown::tr("Shorter curves are no wires.")),
+            &Options::leastLength);
+  table.add(lengthOption("gap", Shown::tr("Gap"), 0.1, 1e6,
+                         Shown::tr("A wire goes on over gaps up to this.")),
+            &Options::gap);
+  table.add(ratioOption("most_sag", Shown::tr("Most sag"), 0, 1,
+                        Shown::tr("How deep a wire may hang, by its span.")),
+            &Options::mostSag);
+  return {.name = "catenaries",
+          .label = Shown::tr("Catenaries"),
+          .help = Shown::tr("Leaves out thin curves that hang free between two ends."),
+          .source = "Y. Jwa, G. Sohn, Photogrammetric Engineering & Remote Sensing 78, 2012",
+          .options = table.descriptions(),
+          .seesRoot = false,
+          .seesUp = true,
+          .changesScale = true,
+          .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
+            leaveOutFarPoints(state);
+            const StandingPoints standing = standingOf(state);
+            leaveOutAll(state, standing, wiresIn(standing.positions, table.with(values), progress),
+                        "wire", "wires");
+          }};
+}
+
+struct PlantOptions {
+  PlantsOptions plants;
+  int number = 0; // 0: the rooted one
+};
+
+/// The plant of the point nearest to the root that was chosen; without one, the largest.
+std::uint32_t rootedPlant(const PipelineState& state, const StandingPoints& standing,
+                          const PlantParts& parts) {
+  if (!state.chosenRoot) return 1;
+  const Eigen::Vector3d root = standing.fromFile(*state.chosenRoot);
+  const auto nearest = std::ranges::min_element(
+      parts.bases, {}, [&](const Eigen::Vector3d& base) { return (base - root).squaredNorm(); });
+  return static_cast<std::uint32_t>(nearest - parts.bases.begin() + 1);
+}
+
+OptionTable<PlantOptions> plantTable() {
+  using Options = PlantOptions;
+  constexpr auto plants = &PlantOptions::plants;
+  OptionTable<Options> table;
+  table.add(countOption("number", Shown::tr("Number"), 0, 100000,
+                        Shown::tr("Which plant stays, by size: 1 is the largest; 0 is the one at "
+                                  "the root that was chosen, without one the largest.")),
+            &Options::number);
+  table.add(lengthOption("slab_from", Shown::tr("Stems from"), 0, 1e6,
+                         Shown::tr("Stems are looked for from this height above the ground on.")),
+            plants, &PlantsOptions::slabFrom);
+  table.add(lengthOption("slab_to", Shown::tr("Stems to"), 0, 1e6,
+                         Shown::tr("Stems are looked for up to this height above the ground.")),
+            plants, &PlantsOptions::slabTo);
+  table.add(ratioOption("least_stem", Shown::tr("Least stem"), 0, 1,
+                        Shown::tr("What crosses these heights with fewer places than this share of "
+                                  "the thickest stem is a twig.")),
+            plants, &PlantsOptions::leastStem);
+  table.add(lengthOption("together", Shown::tr("Together"), 0, 1e6,
+                         Shown::tr("Stems nearer to each other than this are of one plant.")),
+            plants, &PlantsOptions::together);
+  table.add(lengthOption("widest_gap", Shown::tr("Widest gap"), 0, 1e6,
+                         Shown::tr("Parts farther off than this from all plants are of none.")),
+            plants, &PlantsOptions::widestGap);
+  table.add(lengthOption("voxel", Shown::tr("Cube"), 0.1, 1e4,
+                         Shown::tr("Paths lead over the means of cubes of this size.")),
+            plants, &PlantsOptions::voxel);
+  table.add(linksOption(), plants, &PlantsOptions::neighbors);
+  table.add(ratioOption("power", Shown::tr("Power"), 1, 4,
+                        Shown::tr("A link counts as its length to this: more shuns gaps.")),
+            plants, &PlantsOptions::power);
+  table.add(ratioOption("least_share", Shown::tr("Least share"), 0, 1,
+                        Shown::tr("Plants with less of the points of the largest are none.")),
+            plants, &PlantsOptions::leastShare);
+  addClothOptions(table, plants, &PlantsOptions::ground);
+  return table;
+}
+
+Method plantMethod() {
+  const OptionTable<PlantOptions> table = plantTable();
+  return {.name = "geodesic",
+          .label = Shown::tr("Nearest stem"),
+          .help = Shown::tr("Keeps one plant: what is nearer to its stem, along the plants, than "
+                            "to those of others."),
+          .source = "S. Tao et al., ISPRS J. Photogramm. 110, 2015",
+          .options = table.descriptions(),
+          .seesRoot = true,
+          .seesUp = true,
+          .changesScale = true,
+          .cutsPlot = true,
+          .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
+            const PlantOptions options = table.with(values);
+            leaveOutFarPoints(state);
+            const StandingPoints standing = standingOf(state);
+            const PlantParts parts = plantsOfState(state, {}, options.plants, progress);
+            const auto count = static_cast<std::uint32_t>(parts.sizes.size());
+            if (count == 0) {
+              state.notes.emplace_back("no stem was found, so all points are kept");
+              return;
+            }
+            const std::uint32_t number =
+                options.number == 0 ? rootedPlant(state, standing, parts)
+                                    : std::min(static_cast<std::uint32_t>(options.number), count);
+            for (std::size_t i = 0; i < parts.ofPoint.size(); ++i)
+              if (parts.ofPoint[i] != number)
+                state.isLeftOut[static_cast<std::size_t>(standing.columns[i])] = true;
+            state.notes.push_back("plant " + std::to_string(number) + " of " +
+                                  std::to_string(count) + " kept");
+          }};
+}
+
+} // namespace
+
+PlantParts plantsOfState(const PipelineState& state, const std::vector<Eigen::Vector3d>& bases,
+                         const PlantsOptions& options, const Progress& progress) {
+  const GroundSurface ground =
+      groundBelow(allStandingOf(state).positions, options.ground, progress.part(0, 0.3));
+  const StandingPoints standing = standingOf(state);
+  std::vector<Eigen::Vector3d> upright;
+  for (const Eigen::Vector3d& base : bases)
+    upright.push_back(standing.fromFile(base));
+  return plantsAbove(ground, standing.positions, upright, options, progress.part(0.3, 1));
+}
+
+PlantsOptions plantsOptionsOf(const std::vector<double>& values) {
+  return plantTable().with(values).plants;
+}
+
+std::vector<Method> groundMethods() {
+  return {noMethod(Shown::tr("Keeps the ground.")), groundMethod()};
+}
+
+std::vector<Method> poleMethods() {
+  return {noMethod(Shown::tr("Keeps poles.")), poleMethod()};
+}
+
+std::vector<Method> wireMethods() {
+  return {noMethod(Shown::tr("Keeps wires.")), wireMethod()};
+}
+
+std::vector<Method> plantMethods() {
+  return {noMethod(Shown::tr("Takes all points for one plant.")), plantMethod()};
+}
+
+} // namespace espalier

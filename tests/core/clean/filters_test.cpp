@@ -1,0 +1,200 @@
+// The simpler filters, each on points of which the answer is known.
+#include "core/clean/crop.h"
+#include "core/clean/outliers.h"
+#include "core/clean/parts.h"
+#include "core/clean/plants.h"
+#include "core/clean/thinning.h"
+#include "core/clean/value_ranges.h"
+#include "core/clean/voxels.h"
+#include "tests/support/clouds.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numbers>
+
+namespace espalier {
+namespace {
+
+std::ptrdiff_t countOf(const std::vector<bool>& marks) {
+  return std::ranges::count(marks, true);
+}
+
+Eigen::Matrix3Xf movedBy(Eigen::Matrix3Xf points, float x) {
+  points.row(0).array() += x;
+  return points;
+}
+
+TEST(Outliers, AreThoseFarFromTheirNeighbors) {
+  Eigen::Matrix3Xf points = test::forkCloud();
+  const Eigen::Index plant = points.cols();
+  points = test::both(points, Eigen::Vector3f(2, 0, 1));
+  const SpatialIndex index(points);
+  const std::vector<bool> found = statisticalOutliers(index, {.neighbors = 8, .deviations = 6});
+  EXPECT_TRUE(found[static_cast<std::size_t>(plant)]);
+  EXPECT_LT(countOf(found), 5);
+  EXPECT_EQ(countOf(statisticalOutliers(index, {.neighbors = 100000})), 0) << "too few points";
+}
+
+TEST(SparsePoints, AreTheShareAskedForTheThinnestFirst) {
+  const Eigen::Matrix3Xf points =
+      test::both(test::forkCloud(), movedBy(2 * test::forkCloud(), 10)); // half as dense
+  const SpatialIndex index(points);
+  const std::vector<bool> found = sparsestPoints(index, {.neighbors = 8, .share = 0.25});
+  EXPECT_NEAR(static_cast<double>(countOf(found)), 0.25 * static_cast<double>(points.cols()), 2);
+  EXPECT_LT(std::count(found.begin(), found.begin() + points.cols() / 2, true), 10);
+  EXPECT_EQ(countOf(sparsestPoints(index, {.share = 0})), 0);
+}
+
+TEST(Parts, AreKeptByTheirSizeOrTheirRoot) {
+  const Eigen::Matrix3Xf small = test::cylinder({5, 0, 0}, {5, 0, 0.5}, 0.04, 0.02);
+  const Eigen::Matrix3Xf points = test::both(test::forkCloud(), small);
+  const auto plant = points.cols() - small.cols();
+  const auto left = [&](KeptParts keep, const std::optional<Eigen::Vector3f>& root, int least) {
+    return outsideParts(points, root, {.keep = keep, .widestGap = 0.2, .leastPoints = least});
+  };
+  EXPECT_EQ(countOf(left(KeptParts::largest, {}, 1)), small.cols());
+  EXPECT_EQ(countOf(left(KeptParts::rooted, Eigen::Vector3f(5, 0, 0), 1)), plant);
+  EXPECT_EQ(countOf(left(KeptParts::rooted, {}, 1)), small.cols()) << "no root: the largest";
+  EXPECT_EQ(countOf(left(KeptParts::large, {}, 50)), 0);
+  EXPECT_EQ(countOf(left(KeptParts::large, {}, static_cast<int>(small.cols()) + 1)), small.cols());
+  EXPECT_TRUE(outsideParts(Eigen::Matrix3Xf(3, 0), {}, {}).empty());
+}
+
+TEST(Parts, AreOneOverGapsThatAreNotTooWide) {
+  const Eigen::Matrix3Xf points = test::both(test::cylinder({0, 0, 0}, {0, 0, 1}, 0.04, 0.02),
+                                             test::cylinder({0, 0, 1.3}, {0, 0, 2}, 0.04, 0.02));
+  const auto lost = [&](double gap) {
+    return countOf(outsideParts(points, {}, {.keep = KeptParts::largest, .widestGap = gap}));
+  };
+  EXPECT_EQ(lost(0.35), 0);
+  EXPECT_GT(lost(0.25), 100);
+}
+
+TEST(Thinning, ByChanceKeepsExactlyItsShare) {
+  const std::vector<bool> one = thinnedByChance(1000, {.share = 0.3});
+  EXPECT_EQ(countOf(one), 700);
+  EXPECT_EQ(thinnedByChance(1000, {.share = 0.3}), one);
+  EXPECT_NE(thinnedByChance(1000, {.share = 0.3, .seed = 2}), one);
+  EXPECT_TRUE(thinnedByChance(0, {}).empty());
+}
+
+TEST(Thinning, ByVoxelsKeepsOneOfEach) {
+  const Eigen::Matrix3Xf points = test::forkCloud();
+  const std::vector<bool> leftOut = thinnedByVoxels(points, {.edge = 0.1});
+  const Voxels voxels(points, 0.1);
+  EXPECT_EQ(points.cols() - countOf(leftOut), std::ssize(voxels.means(points).row(0)));
+  for (std::size_t cube = 0; cube < voxels.count(); ++cube)
+    EXPECT_EQ(std::ranges::count_if(voxels.members(cube), [&](auto i) { return !leftOut[i]; }), 1);
+}
+
+TEST(Thinning, BySpacingKeepsPointsApartAndAllOthersNearOne) {
+  const Eigen::Matrix3Xf points = test::forkCloud();
+  constexpr float spacing = 0.06F;
+  const std::vector<bool> leftOut = thinnedBySpacing(points, {.spacing = 0.06});
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index i = 0; i < points.cols(); ++i)
+    if (!leftOut[static_cast<std::size_t>(i)]) kept.push_back(i);
+  const Eigen::Matrix3Xf staying = points(Eigen::all, kept);
+  const SpatialIndex index(staying);
+  for (Eigen::Index i = 0; i < staying.cols(); ++i)
+    EXPECT_GE(index.nearest(staying.col(i), 2).back().squaredDistance, spacing * spacing);
+  for (Eigen::Index i = 0; i < points.cols(); ++i)
+    EXPECT_TRUE(index.nearestOne(points.col(i), spacing));
+}
+
+TEST(Voxels, FindTheirNeighborsAndTakeAnyWidth) {
+  Eigen::Matrix3Xf points(3, 3);
+  points << 0, 1.5F, 1e7F, 0, 0, 0, 0, 0, 0;
+  const Voxels fine(points.leftCols(2), 1);
+  ASSERT_EQ(fine.count(), 2U);
+  EXPECT_EQ(fine.find(fine.place(0) + Voxels::Place(1, 0, 0)), 1U);
+  EXPECT_FALSE(fine.find(fine.place(0) - Voxels::Place(1, 0, 0)));
+  EXPECT_EQ(Voxels(points, 1e-6).edge(), 1e7 / 999999) << "so that a place fits its key";
+  EXPECT_EQ(Voxels(Eigen::Matrix3Xf(3, 0), 1).count(), 0U);
+}
+
+TEST(ValueRanges, KeepWhatIsBetweenBothEnds) {
+  EXPECT_EQ(outsideIntensities({10, 20, 30}, {.least = 0.25, .most = 0.75}),
+            (std::vector{true, false, true}));
+  EXPECT_EQ(outsideIntensities({7, 7}, {.least = 0.25, .most = 0.75}), (std::vector{false, false}));
+  EXPECT_TRUE(outsideIntensities({}, {}).empty());
+  const std::vector<Color> colors = {{255, 0, 0}, {0, 200, 0}, {90, 90, 90}, {120, 70, 20}};
+  EXPECT_EQ(outsideColors(colors, {.leastRed = 100, .mostGreen = 60}),
+            (std::vector{false, true, true, true}));
+  EXPECT_EQ(outsideGreenness(colors, {.most = 0.1}), (std::vector{false, true, false, false}));
+}
+
+TEST(ValueRanges, KnowHues) {
+  const std::vector<Color> colors = {{255, 0, 0}, {0, 200, 0}, {90, 90, 90}, {255, 0, 40}};
+  constexpr double degree = std::numbers::pi / 180;
+  EXPECT_EQ(outsideHues(colors, {.from = 90 * degree, .to = 150 * degree}),
+            (std::vector{true, false, true, true}));
+  EXPECT_EQ(outsideHues(colors, {.from = 340 * degree, .to = 20 * degree, .leastSaturation = 0.5}),
+            (std::vector{false, true, true, false}))
+      << "by way of red, without grays";
+}
+
+TEST(Crop, KeepsWhatIsInside) {
+  Eigen::Matrix3Xf points(3, 4);
+  points << 0, 1, 3, 0, 0, 0, 0, 2, 5, 6, 7, 9;
+  const Eigen::Vector3f foot(0, 0, 5);
+  EXPECT_EQ(outsideSlab(points, {.from = 1, .to = 2}), (std::vector{true, false, false, true}));
+  EXPECT_EQ(outsideDistance(points, foot, {.distance = 2}),
+            (std::vector{false, false, true, false}));
+  EXPECT_EQ(outsideBox(points, foot, {.width = 2, .depth = 3, .height = 3}),
+            (std::vector{false, false, true, true}));
+}
+
+const PlantsOptions plotOptions{.slabFrom = 0.1,
+                                .slabTo = 0.3,
+                                .together = 0.3,
+                                .widestGap = 0.3,
+                                .voxel = 0.04,
+                                .leastShare = 0.01,
+                                .ground = {.cell = 0.1, .tolerance = 0.02}};
+
+TEST(Plants, AreCutWhereTheyTouch) {
+  const Eigen::Matrix3Xf fork = test::forkCloud();
+  const Eigen::Matrix3Xf points = test::both(fork, movedBy(fork, 1.75F)); // arms meet at their tips
+  std::vector<float> heights;
+  for (Eigen::Index i = 0; i < points.cols(); ++i)
+    heights.push_back(points(2, i));
+  const PlantParts parts = plantsAmong(points, heights, {}, plotOptions);
+  ASSERT_EQ(parts.sizes.size(), 2U);
+  Eigen::Index right = 0;
+  const std::uint32_t first = parts.bases[0].x() < 0.5 ? 1 : 2;
+  for (Eigen::Index i = 0; i < points.cols(); ++i)
+    if ((parts.ofPoint[static_cast<std::size_t>(i)] == first) == (i < fork.cols())) ++right;
+  EXPECT_GT(static_cast<double>(right), 0.99 * static_cast<double>(points.cols()));
+  EXPECT_EQ(parts.sizes[0] + parts.sizes[1], points.cols());
+}
+
+TEST(Plants, StandWhereTheUserSays) {
+  const Eigen::Matrix3Xf points = test::forkCloud();
+  const std::vector<float> heights(static_cast<std::size_t>(points.cols()), 1);
+  EXPECT_TRUE(plantsAmong(points, heights, {}, plotOptions).sizes.empty()) << "nothing in the slab";
+  const PlantParts parts = plantsAmong(points, heights, {{0, 0, 0}, {0, 0, 2}}, plotOptions);
+  ASSERT_EQ(parts.sizes.size(), 2U) << "cut across the trunk";
+  EXPECT_TRUE(plantsAmong(Eigen::Matrix3Xf(3, 0), {}, {}, plotOptions).sizes.empty());
+}
+
+TEST(Plants, StopWhenAsked) {
+  const Eigen::Matrix3Xf points = test::forkCloud();
+  const std::vector<float> heights(static_cast<std::size_t>(points.cols()), 1);
+  for (const auto& work : std::vector<std::function<void(const Progress&)>>{
+           [&](const Progress& progress) {
+             (void)plantsAmong(points, heights, {{0, 0, 0}}, plotOptions, progress);
+           },
+           [&](const Progress& progress) { (void)outsideParts(points, {}, {}, progress); },
+           [&](const Progress& progress) {
+             (void)thinnedBySpacing(points, {.spacing = 0.05}, progress);
+           },
+           [&](const Progress& progress) {
+             (void)thinnedByVoxels(points, {.edge = 0.05}, progress);
+           }})
+    EXPECT_TRUE(test::stopsWhenAsked(work));
+}
+
+} // namespace
+} // namespace espalier

@@ -34,6 +34,8 @@ void addAll(CLI::App& app) {
   addReconstruct(app);
   addBatch(app);
   addContract(app);
+  addClean(app);
+  addPlants(app);
   addSweep(app);
   addEvaluate(app);
   addTraits(app);

@@ -3,15 +3,18 @@
 #include "app/cli/files.h"
 #include "app/cli/pipeline_flags.h"
 #include "app/cli/terminal.h"
+#include "core/io/csv.h"
 #include "core/simulate/foliage.h"
 #include "core/simulate/laser_scanner.h"
 #include "core/simulate/plant_grower.h"
+#include "core/simulate/plot.h"
 #include "core/simulate/prepared_plant.h"
 
 #include <cstdint>
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <ostream>
 #include <string>
 
 namespace espalier {
@@ -28,6 +31,8 @@ struct SimulateFlags {
   double foliageLength = 0; // in extents; 0: of the kind
   double foliageAngle = -1; // [degrees]; < 0: of the kind
   int threads = 0;
+  PlotOptions plot;
+  bool isPlot = false;
 };
 
 Foliage foliageOf(const SimulateFlags& flags) {
@@ -38,9 +43,67 @@ Foliage foliageOf(const SimulateFlags& flags) {
   return foliage;
 }
 
+std::string nameOf(PlotPart part) {
+  switch (part) {
+  case PlotPart::plant:
+    return "plant";
+  case PlotPart::ground:
+    return "ground";
+  case PlotPart::pole:
+    return "pole";
+  case PlotPart::wire:
+    return "wire";
+  case PlotPart::stray:
+    break;
+  }
+  return "stray";
+}
+
+/// The plants of a plot as one structure.
+Skeleton allOf(const std::vector<Skeleton>& plants) {
+  Skeleton all;
+  for (const Skeleton& plant : plants) {
+    std::vector<NodeId> copies(plant.idEnd());
+    for (const NodeId id : plant.ids()) {
+      Node node = plant[id];
+      if (node.parent) node.parent = copies[indexOf(*node.parent)];
+      copies[indexOf(id)] = all.add(node);
+    }
+  }
+  return all;
+}
+
+/// A plot: PREFIX.ply, PREFIX.mtg of its plants, and PREFIX.csv, what each point of the scan is of.
+void simulatePlotOf(const SimulateFlags& flags) {
+  const std::string scanFile = flags.prefix + ".ply";
+  const std::string truthFile = flags.prefix + ".mtg";
+  const std::string partsFile = flags.prefix + ".csv";
+  if (!flags.from.empty()) throw WrongUsage("--from and --plants: a plot is grown, not read");
+  requireApart({scanFile, truthFile, partsFile});
+  for (const std::string& file : {scanFile, truthFile, partsFile})
+    requireOutput(file, {});
+  const TerminalProgress terminal;
+  PlotOptions options = flags.plot;
+  options.growth = flags.growth;
+  options.scanner = flags.scanner;
+  if (flags.noise >= 0) options.scanner.rangeNoise = flags.noise;
+  options.scanner.foliage = foliageOf(flags);
+  SimulatedPlot plot = simulatePlot(options, flags.seed, terminal.progress());
+  const PointCloud cloud(std::move(plot.points));
+  terminal.check();
+  writeAndReport(scanFile, cloud, cloud.positions());
+  writeAndReport(truthFile, Structure{.skeleton = allOf(plot.plants)}, MtgStyle::plantNode);
+  writeAndReport(partsFile, [&](std::ostream& out) {
+    out << csvLine({"part", "plant"});
+    for (const PlotPoint& point : plot.truth)
+      out << csvLine({nameOf(point.part), std::to_string(point.plant)});
+  });
+}
+
 /// Scan and truth next to each other: PREFIX.ply and PREFIX.mtg.
 void simulate(const SimulateFlags& flags) {
   const Threads threads(flags.threads);
+  if (flags.isPlot) return simulatePlotOf(flags);
   const std::string scanFile = flags.prefix + ".ply";
   const std::string truthFile = flags.prefix + ".mtg";
   requireApart({scanFile, truthFile});
@@ -66,6 +129,44 @@ void simulate(const SimulateFlags& flags) {
   terminal.check();
   writeAndReport(scanFile, cloud, cloud.positions());
   writeAndReport(truthFile, Structure{.skeleton = truth}, MtgStyle::plantNode);
+}
+
+void addPlot(CLI::App& command, SimulateFlags& flags) {
+  PlotOptions& plot = flags.plot;
+  command
+      .add_option_function<int>(
+          "--plants",
+          [&flags](int count) {
+            flags.plot.plants = count;
+            flags.isPlot = true;
+          },
+          "Grow a plot of so many plants, 1 to 1000, on ground with poles and wires; PREFIX.csv "
+          "then has what each point is of")
+      ->type_name("N")
+      ->check(wholeNumber(1, 1000));
+  command.add_option("--plant-spacing", plot.spacing, "Between plants of a plot, in heights")
+      ->type_name("SHARE")
+      ->check(number(0.05, 100))
+      ->capture_default_str();
+  command
+      .add_option_function<double>(
+          "--slope", [&plot](double degrees) { plot.slope = degrees * std::numbers::pi / 180; },
+          "Of the ground of a plot, 0 to 57")
+      ->type_name("DEGREES")
+      ->check(number(0, 57))
+      ->default_str("11.5");
+  command.add_option("--ground", plot.groundShare, "Share of the points of a plot on its ground")
+      ->type_name("SHARE")
+      ->check(number(0, 0.95))
+      ->capture_default_str();
+  command.add_option("--poles", plot.poles, "Poles in a plot, 0 to 100")
+      ->type_name("N")
+      ->check(wholeNumber(0, 100))
+      ->capture_default_str();
+  command.add_option("--wires", plot.wires, "Wires over a plot, 0 to 100")
+      ->type_name("N")
+      ->check(wholeNumber(0, 100))
+      ->capture_default_str();
 }
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -154,6 +255,7 @@ void addSimulate(CLI::App& app) {
   addGrowth(*command, flags->growth);
   addScanner(*command, flags->scanner);
   addFoliage(*command, *flags);
+  addPlot(*command, *flags);
   command
       ->add_option("--noise", flags->noise,
                    "Standard deviation of the range, in the unit of the plant")
@@ -164,7 +266,8 @@ void addSimulate(CLI::App& app) {
   command->callback([flags] { simulate(*flags); });
   command->footer("Examples:\n"
                   "  espalier simulate -o maple --seed 7 --points 200000\n"
-                  "  espalier simulate -o pine_again --from pine.mtg");
+                  "  espalier simulate -o pine_again --from pine.mtg\n"
+                  "  espalier simulate -o orchard --plants 6 --points 1000000");
 }
 
 } // namespace espalier

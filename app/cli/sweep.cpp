@@ -232,7 +232,8 @@ void run(const SweepFlags& flags) {
   std::vector<Json> rows;
   Pipeline pipeline;
   const PlantScale scale = about(flags.pipeline.scan, [&] {
-    return pipeline.run(cloud, options, terminal.progress().part(0.1, 0.1), "clean").scale;
+    return scaleAt(stepNamed(swept.step), pipeline, cloud, options,
+                   terminal.progress().part(0.1, 0.1));
   });
   const std::vector<double> values = flags.values.empty()
                                          ? sweepValues(*option, scale, flags.count)

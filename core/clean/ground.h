@@ -20,15 +20,14 @@ struct GroundOptions {
 
 [[nodiscard]] GroundOptions resolved(GroundOptions options, const PlantScale& scale);
 
-/// The height of the ground, on an even grid.
+/// The height of the ground, on an even grid; without nodes if there were no points.
 struct GroundSurface {
   Eigen::Vector2d corner = Eigen::Vector2d::Zero(); // [L], of the first node
   double cell = 1;                                  // [L]
   Eigen::MatrixXd heights;                          // [L], node (i, j) at corner + cell (i, j)
 
-  /// Between nodes linear; beyond the grid as at its edge.
+  /// Between nodes linear; beyond the grid as at its edge. pre: it has nodes
   [[nodiscard]] double at(double x, double y) const;
-  [[nodiscard]] bool isEmpty() const { return heights.size() == 0; }
 };
 
 /// The ground below plants by a cloth that is laid on the points from below.

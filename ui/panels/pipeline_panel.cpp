@@ -10,6 +10,7 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QTimer>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -48,8 +49,9 @@ PipelinePanel::PipelinePanel(PlantDocument& document, QWidget* parent)
   list->setContentsMargins(0, 0, 0, 8);
   list->setSpacing(0);
   int number = 0;
+  list->addWidget(makeFold(page));
   for (const Step& step : pipelineSteps()) {
-    steps_.push_back(new StepForm(step, ++number, page));
+    steps_.push_back(new StepForm(step, step.isOptional ? 0 : ++number, page));
     steps_.back()->setOpen(&step == &contractionStep());
     list->addWidget(steps_.back());
     connect(steps_.back(), &StepForm::changed, this, [this, form = steps_.back()] {
@@ -94,6 +96,30 @@ PipelinePanel::PipelinePanel(PlantDocument& document, QWidget* parent)
   connect(&document_, &PlantDocument::upChanged, this, &PipelinePanel::takeUp);
   connect(&document_, &PlantDocument::skeletonReplaced, this, &PipelinePanel::showIdle);
   refreshScale();
+  showOptional();
+}
+
+/// Steps that few plants need: one line, until they are asked for or on.
+QWidget* PipelinePanel::makeFold(QWidget* page) {
+  fold_ = new QToolButton(page);
+  fold_->setObjectName("more_cleaning");
+  fold_->setProperty("role", "step");
+  fold_->setText(tr("More cleaning"));
+  fold_->setToolTip(tr("Steps for scans that hold more than one plant: crop, ground, poles, wires, "
+                       "other plants, fewer points"));
+  fold_->setCheckable(true);
+  fold_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  fold_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  connect(fold_, &QToolButton::toggled, this, &PipelinePanel::showOptional);
+  return fold_;
+}
+
+/// Those that are on are shown always.
+void PipelinePanel::showOptional() {
+  fold_->setArrowType(fold_->isChecked() ? Qt::DownArrow : Qt::RightArrow);
+  const PipelineOptions now = options();
+  for (StepForm* form : steps_)
+    if (form->step().isOptional) form->setVisible(fold_->isChecked() || !isOff(form->step(), now));
 }
 
 PipelineOptions PipelinePanel::options() const {
@@ -106,6 +132,7 @@ PipelineOptions PipelinePanel::options() const {
 void PipelinePanel::setOptions(const PipelineOptions& options) {
   for (StepForm* step : steps_)
     step->choose(options);
+  showOptional();
   markStale(steps_.front());
 }
 
@@ -147,9 +174,14 @@ void PipelinePanel::showMadeWith(const PipelineOptions& made, const StepTexts& t
   if (changed != steps_.end()) markStale(*changed);
 }
 
-/// Cleaning looks for no root; what comes behind it may.
+/// Most methods that clean look for no root; what comes behind them may.
 const StepForm* PipelinePanel::firstFromRoot() const {
-  return steps_[1];
+  const PipelineOptions now = options();
+  return *std::ranges::find_if(steps_, [&](const StepForm* form) {
+    const Step& step = form->step();
+    return step.makes > StepResult::cleaned ||
+           (!isOff(step, now) && chosenMethod(step, now).seesRoot);
+  });
 }
 
 void PipelinePanel::takeRoot() {

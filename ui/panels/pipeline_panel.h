@@ -11,6 +11,7 @@
 class QCheckBox;
 class QPushButton;
 class QScrollArea;
+class QToolButton;
 
 namespace espalier {
 
@@ -64,6 +65,8 @@ signals:
   void liveToggled(bool isLive);
 
 private:
+  [[nodiscard]] QWidget* makeFold(QWidget* page);
+  void showOptional();
   void scrollTo(const StepForm& form);
   void refreshScale();
   void showScale();
@@ -75,6 +78,7 @@ private:
   PlantDocument& document_;
   QScrollArea* scroll_;
   std::vector<StepForm*> steps_;
+  QToolButton* fold_ = nullptr; // shows the steps that are off by default
   QCheckBox* live_;
   QPushButton* run_;
 };

@@ -23,7 +23,8 @@ StepForm::StepForm(const Step& step, int number, QWidget* parent)
       state_(new QLabel(this)), run_(new QToolButton(this)), body_(new QWidget(this)),
       column_(new QVBoxLayout(body_)), method_(new QComboBox(body_)) {
   setObjectName("step_" + QString::fromStdString(step.name));
-  header_->setText(QStringLiteral("%1  %2").arg(number).arg(shownText(step.label)));
+  header_->setText(number == 0 ? shownText(step.label)
+                               : QStringLiteral("%1  %2").arg(number).arg(shownText(step.label)));
   header_->setToolTip(shownText(step.help));
   header_->setProperty("role", "step");
   header_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);

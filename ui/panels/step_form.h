@@ -24,6 +24,7 @@ public:
   /// Stale: there is a result, but of other choices.
   enum class State { idle, stale, running, done, failed };
 
+  /// @param number  0: none is shown
   StepForm(const Step& step, int number, QWidget* parent = nullptr);
 
   void setScale(const PlantScale& scale, const QString& unit);

@@ -163,7 +163,7 @@ TEST(BadInput, APresetThatIsNoneIsNamed) {
   const std::string output = (folder / "result.mtg").string();
   expectRefusal(runProgram({"reconstruct", test::sample("young_tree.ply"), "-o", output, "--preset",
                             "thessis"}),
-                1, {"thessis: there is no such preset or file", "default, thesis"});
+                1, {"thessis: there is no such preset or file", "default, thesis, plot"});
   EXPECT_THAT(namesIn(folder), IsEmpty());
 }
 

@@ -99,7 +99,7 @@ TEST(Settings, ThatNameNothingAreRefusedBeforeTheScanIsRead) {
                   2, parts);
   };
   expect("contract", {"\"contract\" sets nothing", "STEP.OPTION=VALUE"});
-  expect("bend.radius=1", {"no step \"bend\"", "choose one of clean, contract"});
+  expect("bend.radius=1", {"no step \"bend\"", "choose one of crop, values"});
   expect("contract.bend=1", {"no option \"bend\"", "choose one of neighbors, radius"});
   expect("contract.radius=wide", {"contract.radius must be a number", "not 'wide'"});
   expect("contract.method=bend", {"no method \"bend\" for step contract", "geodesic_centroid"});

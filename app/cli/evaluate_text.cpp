@@ -102,7 +102,7 @@ void printConnections(const Comparison& comparison, const std::string& unit) {
 }
 
 /// "0.912", "12.4 mm" or "17"
-std::string textOf(double value, ScoreUnit counted, const std::string& unit) {
+std::string scoreText(double value, ScoreUnit counted, const std::string& unit) {
   if (counted == ScoreUnit::length) return withUnit(value, unit);
   std::array<char, 40> text{};
   std::snprintf(text.data(), text.size(), counted == ScoreUnit::share ? "%.3f" : "%.6g", value);
@@ -113,7 +113,7 @@ std::string textOf(double value, ScoreUnit counted, const std::string& unit) {
 void printOthers(const Comparison& comparison, const std::string& unit) {
   for (const Score* score : leadingFirst(scoresIn(inText)))
     if (const auto& value = comparison.scores.at(score->key))
-      std::printf("%s %s\n", score->label.c_str(), textOf(*value, score->unit, unit).c_str());
+      std::printf("%s %s\n", score->label.c_str(), scoreText(*value, score->unit, unit).c_str());
 }
 
 void printByDistance(const Comparison& comparison, const std::string& unit) {
@@ -125,7 +125,7 @@ void printByDistance(const Comparison& comparison, const std::string& unit) {
     std::printf("%12.4g", distance);
     for (const Score* score : scoresByDistance()) {
       const auto& value = values.at(score->key);
-      std::printf(" %10s", value ? textOf(*value, score->unit, unit).c_str() : "-");
+      std::printf(" %10s", value ? scoreText(*value, score->unit, unit).c_str() : "-");
     }
     std::printf("\n");
   }

@@ -16,9 +16,11 @@ std::vector<CleaningMethod> cleaningMethods() {
 }
 
 PointSet leftOutBy(const Method& method, const std::vector<double>& values,
-                   const std::shared_ptr<const PointCloud>& cloud, const PointSet& leftOut,
+                   const std::shared_ptr<const PointCloud>& cloud, const PipelineOptions& options,
                    const Progress& progress) {
-  PipelineState state = firstState(cloud, leftOut);
+  PipelineState state = firstState(cloud, options.leftOut);
+  state.up = options.up;
+  state.chosenRoot = options.root;
   const std::vector<bool> before = state.isLeftOut;
   method.run(state, values, progress);
   std::vector<bool> isFound(before.size());
@@ -32,7 +34,7 @@ PointSet leftOutBy(const Method& method, const std::vector<double>& values,
   std::vector<Eigen::Index> found;
   for (std::size_t i = 0; i < isFound.size(); ++i)
     if (isFound[i]) found.push_back(static_cast<Eigen::Index>(i));
-  return PointSet::of(found) - leftOut;
+  return PointSet::of(found) - options.leftOut;
 }
 
 } // namespace espalier

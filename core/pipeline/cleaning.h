@@ -1,7 +1,6 @@
 #pragma once
 
-#include "core/cloud/point_set.h"
-#include "core/pipeline/registry.h"
+#include "core/pipeline/pipeline_options.h"
 
 #include <memory>
 #include <vector>
@@ -20,11 +19,11 @@ struct CleaningMethod {
 /// The points that a method would leave out, among those not yet set aside; with each those
 /// repeated at its place.
 /// @param values   one per option of the method, in order
-/// @param leftOut  what was set aside; none of it is returned
+/// @param options  up, the root, and what was set aside; none of that is returned
 /// @throws Error     if the method does
 /// @throws Cancelled if `progress` asks to stop
 [[nodiscard]] PointSet leftOutBy(const Method& method, const std::vector<double>& values,
                                  const std::shared_ptr<const PointCloud>& cloud,
-                                 const PointSet& leftOut, const Progress& progress = {});
+                                 const PipelineOptions& options, const Progress& progress = {});
 
 } // namespace espalier

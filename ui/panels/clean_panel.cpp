@@ -67,7 +67,8 @@ void CleanPanel::addChoice(QVBoxLayout& column) {
   for (std::size_t i = 0; i < methods_.size(); ++i) {
     if (step != nullptr && step != methods_[i].step) chosen_->insertSeparator(chosen_->count());
     step = methods_[i].step;
-    chosen_->addItem(shownText(methods_[i].method->label), static_cast<int>(i));
+    chosen_->addItem(tr("%1: %2").arg(shownText(step->label), shownText(methods_[i].method->label)),
+                     static_cast<int>(i));
     chosen_->setItemData(chosen_->count() - 1, shownText(methods_[i].method->help),
                          Qt::ToolTipRole);
   }

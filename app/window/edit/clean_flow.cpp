@@ -146,10 +146,13 @@ void CleanFlow::find() {
   if (!choice || parts_.document.scan() == nullptr) return;
   failure_.clear();
   panel_->showFinding(0);
-  const auto work = [choice = *choice, cloud = parts_.document.scan()->cloud(),
-                     leftOut = parts_.document.leftOut()](const Progress& progress) {
-    return leftOutBy(*choice.cleaning.method, choice.values, cloud, leftOut, progress);
-  };
+  const auto work =
+      [choice = *choice, cloud = parts_.document.scan()->cloud(),
+       options = PipelineOptions{.root = parts_.document.root(),
+                                 .up = parts_.document.up(),
+                                 .leftOut = parts_.document.leftOut()}](const Progress& progress) {
+        return leftOutBy(*choice.cleaning.method, choice.values, cloud, options, progress);
+      };
   job_.start(tr("Finding points"), work,
              [this, name = shownText(choice->cleaning.step->label)](const PointSet& found) {
                parts_.document.pointSelection().set(found);

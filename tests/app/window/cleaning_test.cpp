@@ -40,7 +40,7 @@ protected:
     ASSERT_TRUE(QTest::qWaitFor([this] { return !find<QPushButton>("clean_cancel").isVisible(); },
                                 patience));
   }
-  void findIsolated() { choose("Leave out isolated points"); }
+  void findIsolated() { choose("Clean: Leave out isolated points"); }
 };
 
 TEST_F(CleaningTest, SelectsWhatIsFound) {

@@ -57,7 +57,7 @@ TEST(CleaningMethods, FindsWhatAMethodLeavesOutWithThoseAtItsPlace) {
 TEST(CleaningMethods, FindsNothingAmongWhatIsSetAside) {
   const auto cloud = rowWithStrays();
   const PointSet found = leftOutBy(isolatedPoints(), near10, cloud, {});
-  EXPECT_TRUE(leftOutBy(isolatedPoints(), near10, cloud, found).isEmpty());
+  EXPECT_TRUE(leftOutBy(isolatedPoints(), near10, cloud, {.leftOut = found}).isEmpty());
 }
 
 TEST(CleaningMethods, CanBeStopped) {

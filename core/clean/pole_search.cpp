@@ -153,6 +153,7 @@ bool endsFree(const Pole& pole, const Eigen::Matrix3Xf& points, const PoleOption
 
 std::vector<Pole> polesIn(const Eigen::Matrix3Xf& points, const PoleOptions& options,
                           const Progress& progress) {
+  constexpr double mostError = 0.35; // of the radius
   std::vector<Pole> poles;
   if (points.cols() == 0) return poles;
   const double edge = std::max<double>(options.mostRadius, 4 * options.tolerance);
@@ -173,6 +174,7 @@ std::vector<Pole> polesIn(const Eigen::Matrix3Xf& points, const PoleOptions& opt
     if (!place) continue;
     std::optional<Pole> pole = poleAt(points, *place, options, progress.part(0.5, 0.5));
     if (!pole || (pole->top - pole->foot).norm() < options.leastLength) continue;
+    if (pole->error > mostError * pole->radius) continue; // a branch, not a wall
     if (isEven(*pole, points, options) && isBareWall(*pole, points, options) &&
         endsFree(*pole, points, options))
       poles.push_back(std::move(*pole));

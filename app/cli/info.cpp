@@ -1,11 +1,13 @@
 #include "app/cli/commands.h"
 #include "app/cli/files.h"
 #include "app/cli/project_info.h"
+#include "app/cli/scan_info.h"
 #include "app/cli/statistics.h"
 #include "app/cli/terminal.h"
 #include "core/base/open_for_reading.h"
 #include "core/base/printable.h"
 #include "core/io/formats.h"
+#include "core/io/glance.h"
 #include "core/mtg/mtg_skeleton.h"
 #include "core/project/project.h"
 
@@ -26,6 +28,7 @@ using Json = nlohmann::ordered_json;
 struct InfoFlags {
   std::string file;
   bool isJson = false;
+  bool isHeaderOnly = false; // of a scan: its points are not read
 };
 
 /// Numbers with as many digits as a person reads; arrays as "[1, 2, 3]".
@@ -89,17 +92,28 @@ Json infoOnMtg(const std::string& file, const Format& format) {
   return json;
 }
 
-Json infoOn(const std::string& file, const Format& format) {
+/// What a scan says of itself, and what its points do.
+Json infoOnScan(const std::string& file, bool isHeaderOnly) {
+  Json json = scanInfo(glanceAt(file));
+  if (isHeaderOnly) return json;
+  const TerminalProgress terminal;
+  const auto points = readPoints(file, terminal.progress());
+  printNotes(points.notes);
+  json.erase("points_estimated");
+  json.erase("bounds_of_sample");
+  json.update(statistics(points.value));
+  return json;
+}
+
+Json infoOn(const InfoFlags& flags, const Format& format) {
+  const std::string& file = flags.file;
   if (format.readMtg != nullptr) return infoOnMtg(file, format);
   if (format.content == Content::structure) {
     const auto structure = readStructure(file);
     printNotes(structure.notes);
     return statistics(structure.value.skeleton);
   }
-  const TerminalProgress terminal;
-  const auto points = readPoints(file, terminal.progress());
-  printNotes(points.notes);
-  return statistics(points.value);
+  return infoOnScan(file, flags.isHeaderOnly);
 }
 
 void info(const InfoFlags& flags) {
@@ -111,7 +125,7 @@ void info(const InfoFlags& flags) {
   } else {
     const Format& format = formatOf(flags.file);
     json["format"] = std::string(format.name);
-    json.update(infoOn(flags.file, format));
+    json.update(infoOn(flags, format));
   }
   if (flags.isJson)
     std::cout << textOf(json);
@@ -129,6 +143,9 @@ void addInfo(CLI::App& app) {
                    "Points or a structure, of any format that can be read, or a project")
       ->required();
   command->add_flag("--json", flags->isJson, "Print JSON instead of text");
+  command->add_flag("--header", flags->isHeaderOnly,
+                    "Of a scan, show only what its header and a few places of it tell: at once, "
+                    "however large it is");
   command->callback([flags] { info(*flags); });
   command->footer("Lengths are in the unit of the file.");
 }

@@ -129,7 +129,7 @@ std::string plain(const Json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
-void writeTable(const std::string& file, const std::vector<Json>& rows) {
+void writeSweepTable(const std::string& file, const std::vector<Json>& rows) {
   std::vector<std::string> names;
   for (const Json& row : rows)
     for (const auto& [name, value] : fieldsOf(row))
@@ -181,7 +181,7 @@ void printRow(const Json& row) {
 }
 
 void writeResults(const SweepFlags& flags, const std::vector<Json>& rows) {
-  writeTable(flags.csv, rows);
+  writeSweepTable(flags.csv, rows);
   writeJson(flags.pipeline.json,
             {{"scan", flags.pipeline.scan},
              {"option", flags.name},

@@ -7,6 +7,7 @@
 #include "core/io/points/laz.h"
 #include "core/io/points/pcd.h"
 #include "core/io/points/ply.h"
+#include "core/io/points/point_glances.h"
 #include "core/io/points/ptx.h"
 #include "core/io/points/xyz.h"
 #include "core/io/qsm/qsm_mat.h"
@@ -35,27 +36,32 @@ std::vector<Format> makeFormats() {
                    .extensions = {"ply"},
                    .recognizes = isPly,
                    .readPoints = readPly,
+                   .glance = glanceAtPly,
                    .writePoints = writePly});
   table.push_back({.name = "XYZ",
                    .description = "Points as text",
                    .extensions = {"xyz", "asc", "txt", "csv", "pts"},
                    .readPoints = readXyz,
+                   .glance = glanceAtXyz,
                    .writePoints = writeXyz});
   table.push_back({.name = "LAZ",
                    .description = "Compressed LAS points",
                    .extensions = {"laz"},
                    .recognizes = isLaz,
-                   .readPoints = readLaz});
+                   .readPoints = readLaz,
+                   .glance = glanceAtLas});
   table.push_back({.name = "LAS",
                    .description = "LAS points",
                    .extensions = {"las"},
                    .recognizes = isLas,
-                   .readPoints = readLas});
+                   .readPoints = readLas,
+                   .glance = glanceAtLas});
   table.push_back({.name = "PCD",
                    .description = "PCD points",
                    .extensions = {"pcd"},
                    .recognizes = isPcd,
-                   .readPoints = readPcd});
+                   .readPoints = readPcd,
+                   .glance = glanceAtPcd});
   table.push_back({.name = "BGEOM",
                    .description = "Binary points of PlantScan3D",
                    .extensions = {"bgeom"},
@@ -69,12 +75,14 @@ std::vector<Format> makeFormats() {
                    .description = "E57 scans",
                    .extensions = {"e57"},
                    .recognizes = isE57,
-                   .readPoints = readE57});
+                   .readPoints = readE57,
+                   .glance = glanceAtE57});
   table.push_back({.name = "PTX",
                    .description = "PTX scans",
                    .extensions = {"ptx"},
                    .recognizes = isPtx,
-                   .readPoints = readPtx});
+                   .readPoints = readPtx,
+                   .glance = glanceAtPtx});
   table.push_back({.name = "MTG",
                    .description = "MTG structure",
                    .extensions = {"mtg"},

@@ -3,6 +3,8 @@
 #include "core/base/imported.h"
 #include "core/base/progress.h"
 #include "core/cloud/point_cloud.h"
+#include "core/io/bytes/byte_source.h"
+#include "core/io/points/point_glance.h"
 #include "core/mtg/mtg_of_skeleton.h"
 #include "core/mtg/structure.h"
 
@@ -43,6 +45,7 @@ struct Format {
   // Those that apply; none for a format that is recognized only to say what to do instead.
   Imported<RawPoints> (*readPoints)(std::istream&, const std::string& file,
                                     const Progress&) = nullptr;
+  PointGlance (*glance)(ByteSource&, const std::string& file) = nullptr; // none: by reading it
   Imported<Mtg> (*readMtg)(std::istream&, const std::string& file) = nullptr;
   Imported<Skeleton> (*readStructure)(std::istream&, const std::string& file) = nullptr;
   void (*writePoints)(std::ostream&, const PointCloud&,

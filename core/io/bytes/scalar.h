@@ -31,6 +31,13 @@ enum class ScalarType : std::uint8_t {
   return type == ScalarType::float32 || type == ScalarType::float64;
 }
 
+/// "int8", ..., "float", "double".
+[[nodiscard]] constexpr const char* nameOf(ScalarType type) {
+  constexpr std::array<const char*, 10> names = {"int8",   "uint8", "int16",  "uint16", "int32",
+                                                 "uint32", "int64", "uint64", "float",  "double"};
+  return names[static_cast<std::size_t>(type)];
+}
+
 /// The value at `bytes`, aligned or not. pre: sizeof(T) bytes are there
 template <class T>
 [[nodiscard]] T valueAt(const char* bytes, std::endian order = std::endian::little) {

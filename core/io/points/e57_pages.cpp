@@ -53,55 +53,82 @@ std::uint32_t checksumOf(const char* content) {
   return ~sum(valueAt<std::uint32_t>(content + at) ^ crc, 0);
 }
 
-} // namespace
-
-E57Pages::E57Pages(std::string bytes, std::string file, const Progress& progress)
-    : content_(std::move(bytes)), file_(std::move(file)) {
-  readHeader(content_.size());
-  dropChecksums(progress);
-}
-
-void E57Pages::readHeader(std::size_t fileSize) {
-  if (!content_.starts_with(e57Signature))
-    throw Error(file_ + ": is no E57 file, it does not begin with " + std::string(e57Signature));
-  if (fileSize < e57HeaderSize)
-    throw Error(file_ + ": ends within its header: the file is cut short, copy or export it again");
-  const char* header = content_.data();
-  const auto major = valueAt<std::uint32_t>(header + 8);
-  const auto size = valueAt<std::uint64_t>(header + 16);
-  const auto pages = valueAt<std::uint64_t>(header + 40);
-  if (major != 1)
-    throw Error(file_ + ", byte 8: is E57 " + std::to_string(major) + "." +
-                std::to_string(valueAt<std::uint32_t>(header + 12)) +
-                ", and version 1 can be read: export it as that");
-  if (pages != pageSize)
-    throw Error(file_ + ", byte 40: has pages of " + std::to_string(pages) + " bytes, not of " +
-                std::to_string(pageSize) + ": the header is damaged, copy or export it again");
-  if (size > fileSize)
-    throw Error(file_ + ": its header promises " + counted(size, "byte") + ", but it has " +
-                std::to_string(fileSize) + ": the file is cut short, copy or export it again");
-  if (size == 0 || size % pageSize != 0)
-    throw Error(file_ + ", byte 16: says it has " + counted(size, "byte") +
-                ", which are no whole pages: the header is damaged, copy or export it again");
-  xmlStart_ = valueAt<std::uint64_t>(header + 24);
-  xmlSize_ = valueAt<std::uint64_t>(header + 32);
-  content_.resize(size);
-}
-
-void E57Pages::dropChecksums(const Progress& progress) {
-  const std::size_t pages = content_.size() / pageSize;
-  char* const bytes = content_.data();
-  for (std::size_t page = 0; page < pages; ++page) {
-    if (page % 1024 == 0) progress.update(static_cast<double>(page) / static_cast<double>(pages));
+/// Checks whole pages, and leaves their content without the checksums.
+/// @param first  the number of the first of them, of `all`, from 0
+void takeChecksums(std::string& pages, std::size_t first, std::uint64_t all,
+                   const std::string& file, const Progress& progress) {
+  const std::size_t count = pages.size() / pageSize;
+  char* const bytes = pages.data();
+  for (std::size_t page = 0; page < count; ++page) {
+    if (page % 1024 == 0) progress.update(static_cast<double>(page) / static_cast<double>(count));
     const char* const start = bytes + page * pageSize;
     // Unlike all else in the file, its first byte is the highest.
     if (checksumOf(start) != valueAt<std::uint32_t>(start + pageContent, std::endian::big))
-      throw Error(file_ + ", byte " + std::to_string(page * pageSize) + ": page " +
-                  std::to_string(page + 1) + " of " + std::to_string(pages) +
+      throw Error(file + ", byte " + std::to_string((first + page) * pageSize) + ": page " +
+                  std::to_string(first + page + 1) + " of " + std::to_string(all) +
                   " does not fit its checksum: the file is damaged, copy or export it again");
     std::memmove(bytes + page * pageContent, start, pageContent);
   }
-  content_.resize(pages * pageContent);
+  pages.resize(count * pageContent);
+}
+
+} // namespace
+
+E57Header readE57Header(std::string_view bytes, std::uint64_t fileSize, const std::string& file) {
+  if (!bytes.starts_with(e57Signature))
+    throw Error(file + ": is no E57 file, it does not begin with " + std::string(e57Signature));
+  if (bytes.size() < e57HeaderSize)
+    throw Error(file + ": ends within its header: the file is cut short, copy or export it again");
+  const char* header = bytes.data();
+  const auto major = valueAt<std::uint32_t>(header + 8);
+  const auto pages = valueAt<std::uint64_t>(header + 40);
+  E57Header result;
+  result.minorVersion = valueAt<std::uint32_t>(header + 12);
+  result.size = valueAt<std::uint64_t>(header + 16);
+  result.xmlStart = valueAt<std::uint64_t>(header + 24);
+  result.xmlSize = valueAt<std::uint64_t>(header + 32);
+  if (major != 1)
+    throw Error(file + ", byte 8: is E57 " + std::to_string(major) + "." +
+                std::to_string(result.minorVersion) +
+                ", and version 1 can be read: export it as that");
+  if (pages != pageSize)
+    throw Error(file + ", byte 40: has pages of " + std::to_string(pages) + " bytes, not of " +
+                std::to_string(pageSize) + ": the header is damaged, copy or export it again");
+  if (result.size > fileSize)
+    throw Error(file + ": its header promises " + counted(result.size, "byte") + ", but it has " +
+                std::to_string(fileSize) + ": the file is cut short, copy or export it again");
+  if (result.size == 0 || result.size % pageSize != 0)
+    throw Error(file + ", byte 16: says it has " + counted(result.size, "byte") +
+                ", which are no whole pages: the header is damaged, copy or export it again");
+  return result;
+}
+
+std::string e57XmlOf(ByteSource& source, const std::string& file) {
+  const E57Header header = readE57Header(source.read(0, e57HeaderSize), source.size(), file);
+  const auto fail = [&] {
+    throw Error(file + ": says that the XML of " + counted(header.xmlSize, "byte") +
+                " starts at byte " + std::to_string(header.xmlStart) +
+                ", where none can be: the file is damaged, copy or export it again");
+  };
+  if (header.xmlStart >= header.size || header.xmlStart % pageSize >= pageContent ||
+      header.xmlSize > header.size)
+    fail();
+  const std::uint64_t inPage = header.xmlStart % pageSize;
+  const std::uint64_t first = header.xmlStart / pageSize;
+  const std::uint64_t count = (inPage + header.xmlSize + pageContent - 1) / pageContent;
+  if (first + count > header.size / pageSize) fail();
+  std::string content = source.read(first * pageSize, count * pageSize);
+  takeChecksums(content, static_cast<std::size_t>(first), header.size / pageSize, file, {});
+  return content.substr(static_cast<std::size_t>(inPage), static_cast<std::size_t>(header.xmlSize));
+}
+
+E57Pages::E57Pages(std::string bytes, std::string file, const Progress& progress)
+    : content_(std::move(bytes)), file_(std::move(file)) {
+  const E57Header header = readE57Header(content_, content_.size(), file_);
+  xmlStart_ = header.xmlStart;
+  xmlSize_ = header.xmlSize;
+  content_.resize(header.size);
+  takeChecksums(content_, 0, header.size / pageSize, file_, progress);
 }
 
 std::string_view E57Pages::xml() const {

@@ -1,12 +1,31 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/io/bytes/byte_source.h"
 
 #include <cstdint>
 #include <string>
 #include <string_view>
 
 namespace espalier {
+
+/// What the first 48 bytes of an E57 file say.
+struct E57Header {
+  std::uint32_t minorVersion = 0;
+  std::uint64_t size = 0; // of the file, whole pages
+  std::uint64_t xmlStart = 0;
+  std::uint64_t xmlSize = 0; // without checksums
+};
+
+/// @param bytes     the first 48, or more
+/// @param fileSize  bytes there are
+/// @throws Error if it is no E57 file that can be read, or is cut short
+[[nodiscard]] E57Header readE57Header(std::string_view bytes, std::uint64_t fileSize,
+                                      const std::string& file);
+
+/// The section of XML, of whose pages alone the checksums are checked.
+/// @throws Error as E57Pages
+[[nodiscard]] std::string e57XmlOf(ByteSource& source, const std::string& file);
 
 /// The content of an E57 file: its pages without the checksums that end them.
 ///
@@ -41,9 +60,6 @@ public:
   [[noreturn]] void fail(std::size_t place, const std::string& what) const;
 
 private:
-  void readHeader(std::size_t fileSize);
-  void dropChecksums(const Progress& progress);
-
   std::string content_;
   std::string file_;
   std::uint64_t xmlStart_ = 0; // in the file

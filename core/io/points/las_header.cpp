@@ -41,7 +41,7 @@ std::uint64_t pointCount(std::string_view bytes, int minorVersion) {
   return count != 0 ? count : legacy;
 }
 
-void check(const LasHeader& header, std::string_view bytes, const std::string& file) {
+void check(const LasHeader& header, std::uint64_t fileSize, const std::string& file) {
   if (header.format >= pointFormats.size())
     throw Error(file + ": has points of format " + std::to_string(header.format) +
                 ", which LAS 1.4 does not define: convert it to one of 0 to 10");
@@ -50,9 +50,9 @@ void check(const LasHeader& header, std::string_view bytes, const std::string& f
                 std::to_string(header.pointLength) + " bytes, fewer than the " +
                 std::to_string(pointFormats[header.format].length) +
                 " of this format: the header is damaged, export it again");
-  if (header.pointStart < smallestHeader || header.pointStart > bytes.size())
+  if (header.pointStart < smallestHeader || header.pointStart > fileSize)
     throw Error(file + ": says its points start at byte " + std::to_string(header.pointStart) +
-                " of " + std::to_string(bytes.size()) +
+                " of " + std::to_string(fileSize) +
                 ": the file is cut short or damaged, copy or export it again");
 }
 
@@ -72,6 +72,10 @@ std::size_t LasHeader::colorStart() const {
 }
 
 LasHeader readLasHeader(std::string_view bytes, const std::string& file) {
+  return readLasHeader(bytes, bytes.size(), file);
+}
+
+LasHeader readLasHeader(std::string_view bytes, std::uint64_t fileSize, const std::string& file) {
   if (!isLas(bytes)) throw Error(file + ": is no LAS file, it does not begin with LASF");
   if (bytes.size() < smallestHeader)
     throw Error(file + ": ends within its header: the file is cut short, copy or export it again");
@@ -90,7 +94,7 @@ LasHeader readLasHeader(std::string_view bytes, const std::string& file) {
   header.count = pointCount(bytes, minor);
   header.scale = vectorAt(bytes.data() + 131);
   header.offset = vectorAt(bytes.data() + 155);
-  check(header, bytes, file);
+  check(header, fileSize, file);
   return header;
 }
 

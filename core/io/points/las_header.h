@@ -33,4 +33,8 @@ struct LasHeader {
 /// @throws Error if it is no LAS file, is of a later version, or its header is damaged
 [[nodiscard]] LasHeader readLasHeader(std::string_view bytes, const std::string& file);
 
+/// The same of the first bytes of a file of `fileSize`: 375, or as many as it has.
+[[nodiscard]] LasHeader readLasHeader(std::string_view beginning, std::uint64_t fileSize,
+                                      const std::string& file);
+
 } // namespace espalier

@@ -39,6 +39,25 @@ TEST_F(Subcommands, InfoCountsPoints) {
   EXPECT_THAT(text, HasSubstr("\nbounds.minimum          [-"));
 }
 
+TEST_F(Subcommands, InfoShowsTheHeaderWithoutReadingPoints) {
+  const json info = json::parse(run({"info", scan_, "--header", "--json"}));
+  const PointCloud cloud = readPoints(scan_).value;
+  EXPECT_EQ(info["points"], cloud.size());
+  EXPECT_EQ(info["version"], "binary, little endian");
+  EXPECT_EQ(info["columns"][2]["name"], "z");
+  EXPECT_EQ(info["stations"], 1);
+  EXPECT_EQ(info["unit"], "m");
+  EXPECT_EQ(info["unit_stated"], false);
+  EXPECT_THAT(info["unit_reason"].get<std::string>(), HasSubstr("in mm it would be"));
+  EXPECT_EQ(info["up"], "z");
+  EXPECT_NEAR(info["size_in_meters"][2], cloud.bounds().sizes().z(), 0.5);
+  EXPECT_FALSE(info.contains("spacing")) << "that takes the points";
+  const json whole = json::parse(run({"info", scan_, "--json"}));
+  EXPECT_EQ(whole["columns"], info["columns"]);
+  EXPECT_TRUE(whole.contains("spacing"));
+  EXPECT_THAT(run({"info", scan_, "--header"}), HasSubstr("\nup_reason "));
+}
+
 TEST_F(Subcommands, InfoCountsFarAndRepeatedPoints) {
   const PointCloud cloud = readPoints(scan_).value;
   std::ostringstream text;

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "core/graph/find_root.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <vector>
+
+namespace espalier {
+
+/// The axis that a plant seems to stand along: the one at whose low end its points stand close
+/// together, as those of a foot do.
+///
+/// At each low end are looked at the two slabs of a twelfth of the extent: how far their points lie
+/// about the middle of each, by the median, against all points about theirs. A foot is where both
+/// are under a fifth; one of x or y counts only where z has none that is as much as 2.5 times as
+/// wide.
+///
+/// @param points  a sample of a scan [L], from all parts of it
+/// @return none if no foot is seen, as where the ground was scanned too
+/// Deterministic. Time O(N).
+[[nodiscard]] std::optional<UpAxis> likelyUp(const std::vector<Eigen::Vector3d>& points);
+
+} // namespace espalier

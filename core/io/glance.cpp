@@ -1,0 +1,98 @@
+#include "core/io/glance.h"
+
+#include "core/base/coordinates.h"
+#include "core/base/error.h"
+#include "core/base/open_for_reading.h"
+#include "core/base/text.h"
+#include "core/graph/likely_up.h"
+#include "core/io/formats.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+namespace espalier {
+namespace {
+
+constexpr std::size_t mostSampled = 20'000;
+
+/// Of formats that say nothing of themselves.
+PointGlance glanceByReading(const std::filesystem::path& path) {
+  const PointCloud cloud = readPoints(path).value;
+  PointGlance glance;
+  glance.isReadWhole = true;
+  glance.points = static_cast<std::uint64_t>(cloud.size());
+  glance.bounds = cloud.bounds();
+  for (const char* name : {"x", "y", "z"})
+    glance.columns.push_back({name, "", true});
+  if (!cloud.intensities().empty()) glance.columns.push_back({"intensity", "", true});
+  if (!cloud.colors().empty())
+    for (const char* name : {"red", "green", "blue"})
+      glance.columns.push_back({name, "", true});
+  const Eigen::Index step = cloud.size() / static_cast<Eigen::Index>(mostSampled) + 1;
+  for (Eigen::Index point = 0; point < cloud.size(); point += step)
+    glance.sample.push_back(cloud.position(point));
+  return glance;
+}
+
+/// The bounds of the sample, where the file states none.
+void addBounds(PointGlance& glance) {
+  if (!glance.bounds.isEmpty()) return;
+  for (const Eigen::Vector3d& place : glance.sample)
+    if (isInRange(place)) glance.bounds.extend(place);
+  glance.areBoundsOfSample =
+      glance.arePointsEstimated || glance.sample.size() < static_cast<std::size_t>(glance.points);
+}
+
+/// The unit that makes a plant of this extent [L] between a hand and a tall tree high.
+std::string unitOfExtent(double extent) {
+  if (extent > 100) return "mm"; // no tree is 100 m high
+  return extent > 0.05 ? "m" : "";
+}
+
+std::string roundedText(double value) {
+  return plainDecimal(value < 100 ? std::round(value * 10) / 10 : std::round(value));
+}
+
+/// Whether places are those of a map rather than of a scanner: far from 0, 0 for their size.
+bool areOfAMap(const Eigen::AlignedBox3d& bounds) {
+  constexpr double farAway = 1e5;
+  return bounds.center().head<2>().norm() > std::max(farAway, 100 * bounds.sizes().maxCoeff());
+}
+
+GlanceGuess guessedUnit(const Eigen::AlignedBox3d& bounds) {
+  const double extent = bounds.isEmpty() ? 0 : bounds.sizes().maxCoeff();
+  if (!bounds.isEmpty() && areOfAMap(bounds))
+    return {"m", "coordinates so far from 0 are those of a map", false};
+  const std::string unit = unitOfExtent(extent);
+  if (unit.empty()) return {"", "the size does not tell", false};
+  const std::string size = roundedText(extent);
+  if (unit == "mm") return {unit, "in m it would be " + size + " m large, as no plant is", false};
+  return {unit, "in mm it would be " + size + " mm large, as few plants are", false};
+}
+
+GlanceGuess guessedUp(const std::vector<Eigen::Vector3d>& sample) {
+  const auto up = likelyUp(sample);
+  if (!up) return {"z", "as most scans have it; no foot of a plant is seen", false};
+  const std::string axis(1, "xyz"[static_cast<int>(*up)]);
+  return {axis, "at the low end of " + axis + " points stand together, as at a foot", false};
+}
+
+} // namespace
+
+PointGlance glanceAt(const std::filesystem::path& path) {
+  const Format& format = formatOf(path);
+  const std::string name = path.filename().string();
+  if (format.content != Content::points)
+    throw Error(name + ": holds a structure (" + std::string(format.name) +
+                "), not points: choose a scan");
+  std::ifstream in = openForReading(path);
+  ByteSource source(in);
+  PointGlance glance = format.glance ? format.glance(source, name) : glanceByReading(path);
+  addBounds(glance);
+  if (!glance.unit.isStated) glance.unit = guessedUnit(glance.bounds);
+  if (!glance.up.isStated) glance.up = guessedUp(glance.sample);
+  return glance;
+}
+
+} // namespace espalier

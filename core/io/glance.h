@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/io/points/point_glance.h"
+
+#include <filesystem>
+#include <string>
+
+namespace espalier {
+
+/// What a file of points holds, found out without reading it all, in a fraction of a second
+/// whatever its size; formats that tell nothing otherwise (scenes of PlantGL) are read whole, and
+/// the glance says so. Unit and up axis that the file does not state are guessed: the unit from the
+/// size, as makes a plant between a hand and a tall tree high, the axis from where a foot is
+/// (likelyUp).
+/// @throws Error as readPoints, if the header is damaged or the file holds a structure
+[[nodiscard]] PointGlance glanceAt(const std::filesystem::path& path);
+
+} // namespace espalier

@@ -1,0 +1,117 @@
+// What LAS and LAZ files say of themselves.
+#include "core/base/text.h"
+#include "core/io/bytes/scalar.h"
+#include "core/io/points/las_header.h"
+#include "core/io/points/point_glances.h"
+
+#include <algorithm>
+
+namespace espalier {
+namespace {
+
+constexpr std::size_t longestLasHeader = 375; // of version 1.4
+constexpr std::size_t lasRecordHeader = 54;
+constexpr std::uint64_t mostRecordBytes = std::uint64_t{1} << 24; // of all, that are looked at
+
+/// The content of a variable length record of this owner and number; empty: there is none.
+std::string_view lasRecord(std::string_view head, const LasHeader& header, std::string_view owner,
+                           std::uint16_t number) {
+  std::string_view rest = head.substr(std::min<std::size_t>(header.size, head.size()));
+  for (std::uint32_t i = 0; i < header.recordCount && rest.size() >= lasRecordHeader; ++i) {
+    const bool isIt =
+        rest.substr(2, 16).starts_with(owner) && valueAt<std::uint16_t>(rest.data() + 18) == number;
+    const std::size_t size = valueAt<std::uint16_t>(rest.data() + 20);
+    rest.remove_prefix(lasRecordHeader);
+    if (isIt) return rest.substr(0, size);
+    rest.remove_prefix(std::min(size, rest.size()));
+  }
+  return {};
+}
+
+/// The unit that a GeoTIFF code stands for, as a sentence ends with it.
+GlanceGuess unitOfCode(std::uint16_t code) {
+  switch (code) {
+  case 9001:
+    return {"m", "its map projection is in meters", true};
+  case 9002:
+  case 9003:
+    return {"", "its map projection is in feet, which have no name here", true};
+  default:
+    return {};
+  }
+}
+
+GlanceGuess unitOfKeys(std::string_view keys) {
+  constexpr std::uint16_t linearUnits = 3076; // ProjLinearUnitsGeoKey
+  constexpr std::size_t keySize = 8;
+  for (std::size_t at = keySize; at + keySize <= keys.size(); at += keySize)
+    if (valueAt<std::uint16_t>(keys.data() + at) == linearUnits)
+      return unitOfCode(valueAt<std::uint16_t>(keys.data() + at + 6));
+  return {};
+}
+
+GlanceGuess unitOfWkt(std::string_view wkt) {
+  const std::string text = lowerCase(wkt);
+  if (!text.starts_with("proj") && !text.starts_with("compd")) return {}; // degrees
+  for (const char* name : {"unit[\"metre\"", "unit[\"meter\"", "unit[\"m\""})
+    if (text.find(name) != std::string::npos) return unitOfCode(9001);
+  return text.find("foot") != std::string::npos ? unitOfCode(9002) : GlanceGuess{};
+}
+
+GlanceGuess unitOfLas(std::string_view head, const LasHeader& header) {
+  const GlanceGuess byKeys = unitOfKeys(lasRecord(head, header, "LASF_Projection", 34735));
+  return byKeys.isStated ? byKeys : unitOfWkt(lasRecord(head, header, "LASF_Projection", 2112));
+}
+
+Eigen::AlignedBox3d boundsOfLas(std::string_view head) {
+  constexpr std::size_t boundsStart = 179; // greatest and least x, then y, then z
+  Eigen::AlignedBox3d box;
+  Eigen::Vector3d least;
+  Eigen::Vector3d most;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const char* at = head.data() + boundsStart + 16 * axis;
+    most[static_cast<Eigen::Index>(axis)] = valueAt<double>(at);
+    least[static_cast<Eigen::Index>(axis)] = valueAt<double>(at + 8);
+  }
+  if (least.isZero(0) && most.isZero(0)) return box; // never filled in
+  if (!least.allFinite() || !most.allFinite() || (least.array() > most.array()).any()) return box;
+  return {least, most};
+}
+
+std::vector<GlanceColumn> columnsOfLas(const LasHeader& header) {
+  std::vector<GlanceColumn> columns;
+  for (const char* name : {"x", "y", "z"})
+    columns.push_back({name, "scaled int32", true});
+  columns.push_back({"intensity", "uint16", true});
+  columns.push_back({"returns, flags, class, angle", "bits", false});
+  const std::size_t format = header.format;
+  if (format != 0 && format != 2) columns.push_back({"gps_time", "double", false});
+  if (header.colorStart() > 0)
+    for (const char* name : {"red", "green", "blue"})
+      columns.push_back({name, "uint16", true});
+  if (format == 8 || format == 10) columns.push_back({"near_infrared", "uint16", false});
+  if (format == 4 || format == 5 || format >= 9) columns.push_back({"waveform", "bytes", false});
+  return columns;
+}
+
+} // namespace
+
+PointGlance glanceAtLas(ByteSource& source, const std::string& file) {
+  std::string head = source.read(0, longestLasHeader);
+  const LasHeader header = readLasHeader(head, source.size(), file);
+  head = source.read(0, std::min(header.pointStart, mostRecordBytes));
+  PointGlance glance;
+  glance.isCompressed = isLaz(head);
+  const bool isCopc = !lasRecord(head, header, "copc", 1).empty();
+  glance.version = std::string(isCopc ? "COPC, LAS " : "LAS ") + "1." +
+                   std::to_string(header.minorVersion) + ", point format " +
+                   std::to_string(header.format);
+  glance.points = header.count;
+  glance.columns = columnsOfLas(header);
+  if (header.count > 0) glance.bounds = boundsOfLas(head);
+  glance.unit = unitOfLas(head, header);
+  glance.up = {"z", "LAS has heights along z", true};
+  return glance;
+}
+
+} // namespace espalier

@@ -1,0 +1,61 @@
+// What text files of points hold.
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/io/points/point_glances.h"
+#include "core/io/points/point_samples.h"
+#include "core/io/points/xyz_layout.h"
+
+#include <algorithm>
+#include <array>
+
+namespace espalier {
+namespace {
+
+constexpr std::uint64_t layoutBytes = std::uint64_t{1} << 20; // in which the layout is found out
+
+constexpr std::array<const char*, 9> fieldNames = {"",    "x",     "y",    "z",    "intensity",
+                                                   "red", "green", "blue", "color"};
+
+std::string separatorName(const XyzLayout& layout) {
+  std::string name = layout.separator == ','   ? "parted by commas"
+                     : layout.separator == ';' ? "parted by semicolons"
+                                               : "parted by blanks";
+  return layout.hasDecimalComma ? name + ", decimal commas" : name;
+}
+
+} // namespace
+
+PointGlance glanceAtXyz(ByteSource& source, const std::string& file) {
+  std::string head = source.read(0, layoutBytes);
+  if (head.size() < source.size()) head.resize(std::min(head.rfind('\n'), head.size() - 1) + 1);
+  const XyzLayout layout = xyzLayoutOf(head, lowerCase(file).ends_with(".pts"));
+  if (layout.columns.empty())
+    throw Error(file + ": holds no points, a line each of at least 3 numbers");
+  PointGlance glance;
+  glance.version = separatorName(layout);
+  for (std::size_t i = 0; i < layout.columns.size(); ++i) {
+    const PointField field = layout.columns[i];
+    const bool isTaken = field != PointField::none;
+    glance.columns.push_back(
+        {isTaken ? fieldNames[indexOf(field)] : "column " + std::to_string(i + 1), "text",
+         isTaken});
+  }
+  const LineSample lines = sampleLines(source, 0, [&](std::string_view line) {
+    if (isComment(line)) return false;
+    Eigen::Vector3d position;
+    for (std::size_t i = 0; i < layout.needed; ++i) {
+      const auto number = numberInField(nextField(line, layout.separator), layout.hasDecimalComma);
+      const std::size_t axis = indexOf(layout.columns[i]) - indexOf(PointField::x);
+      if (axis > 2) continue;
+      if (!number) return false;
+      position[static_cast<Eigen::Index>(axis)] = *number;
+    }
+    glance.sample.push_back(position);
+    return true;
+  });
+  glance.points = lines.linesIn(source.size());
+  glance.arePointsEstimated = !lines.isAll;
+  return glance;
+}
+
+} // namespace espalier

@@ -1,0 +1,48 @@
+#include "core/base/random.h"
+#include "core/graph/likely_up.h"
+#include "tests/support/clouds.h"
+
+#include <gtest/gtest.h>
+
+namespace espalier {
+namespace {
+
+/// A stem that bears a ball of leaves, upright.
+std::vector<Eigen::Vector3d> tree() {
+  std::vector<Eigen::Vector3d> points;
+  const Eigen::Matrix3Xf stem = test::cylinder({0, 0, 0}, {0, 0, 1.5}, 0.05, 0.03);
+  for (const auto& place : stem.colwise())
+    points.emplace_back(place.cast<double>());
+  for (int i = 0; i < 4000; ++i) { // evenly over a ball about the top of the stem
+    const double height = 2 * (i + 0.5) / 4000 - 1;
+    const double angle = 2.399963 * i;
+    const double radius = std::sqrt(1 - height * height);
+    points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 2 + height);
+  }
+  return points;
+}
+
+TEST(LikelyUp, IsTheAxisThatTheFootIsAtTheLowEndOf) {
+  std::vector<Eigen::Vector3d> points = tree();
+  EXPECT_EQ(likelyUp(points), UpAxis::z);
+  for (Eigen::Vector3d& point : points)
+    point = {point.y(), point.z(), point.x()};
+  EXPECT_EQ(likelyUp(points), UpAxis::y);
+  for (Eigen::Vector3d& point : points)
+    point = 1000 * Eigen::Vector3d(point.y() - 7, point.z(), point.x());
+  EXPECT_EQ(likelyUp(points), UpAxis::x);
+}
+
+TEST(LikelyUp, IsNotGuessedWhereThereIsNoFoot) {
+  std::vector<Eigen::Vector3d> points = tree();
+  for (int i = 0; i < 6400; ++i) // ground
+    points.emplace_back(0.05 * (i % 80) - 2, 0.05 * (i / 80) - 2, -0.01);
+  EXPECT_EQ(likelyUp(points), std::nullopt);
+  EXPECT_EQ(likelyUp({}), std::nullopt);
+  EXPECT_EQ(likelyUp(std::vector<Eigen::Vector3d>(100, {1, 2, 3})), std::nullopt);
+  EXPECT_EQ(likelyUp(std::vector<Eigen::Vector3d>(100, Eigen::Vector3d::Constant(NAN))),
+            std::nullopt);
+}
+
+} // namespace
+} // namespace espalier

@@ -39,6 +39,21 @@ Json classesOf(const Mtg& mtg) {
   return classes;
 }
 
+/// Their names, how many points each has, and where its scanner stood, if that is known.
+Json stationsIn(const PointCloud& cloud) {
+  std::vector<std::size_t> points(cloud.stations().size());
+  if (!points.empty())
+    for (Eigen::Index i = 0; i < cloud.size(); ++i)
+      ++points[cloud.stationOf(i)];
+  auto stations = Json::array();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Station& station = cloud.stations()[i];
+    stations.push_back({{"name", station.name}, {"points", points[i]}});
+    if (station.scanner) stations.back()["scanner"] = toJson(*station.scanner);
+  }
+  return stations;
+}
+
 } // namespace
 
 Json statistics(const PointCloud& cloud) {
@@ -50,7 +65,8 @@ Json statistics(const PointCloud& cloud) {
           {"far_points", farPoints(cloud).size()},
           {"repeated_points", repeatedPoints(cloud).size()},
           {"has_colors", !cloud.colors().empty()},
-          {"has_intensities", !cloud.intensities().empty()}};
+          {"has_intensities", !cloud.intensities().empty()},
+          {"stations", stationsIn(cloud)}};
 }
 
 Json statistics(const Mtg& mtg) {

@@ -14,8 +14,8 @@
 namespace espalier {
 
 /// Keys: points, bounds.{minimum,maximum}, spacing, far_points, repeated_points, has_colors,
-/// has_intensities. The bounds are of all points; far and repeated ones do not count for the
-/// spacing.
+/// has_intensities, stations. The bounds are of all points; far and repeated ones do not count for
+/// the spacing.
 [[nodiscard]] nlohmann::ordered_json statistics(const PointCloud& cloud);
 
 /// Keys: vertices_per_scale, coarsest first, the scene of scale 0 included; successor_edges and

@@ -8,7 +8,9 @@
 #include "core/cloud/spacing_of_places.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <utility>
 
 namespace espalier {
 namespace {
@@ -58,6 +60,14 @@ Eigen::AlignedBox3d withoutFar(const Eigen::AlignedBox3d& bounds, const std::vec
   return plant;
 }
 
+/// Whether each point has a station of the list, where there are several.
+bool haveStations(const std::vector<StationIndex>& stationOf, std::size_t points,
+                  const std::vector<Station>& stations) {
+  if (stations.size() <= 1) return stationOf.empty();
+  const auto isListed = [&](StationIndex station) { return station < stations.size(); };
+  return stationOf.size() == points && std::ranges::all_of(stationOf, isListed);
+}
+
 } // namespace
 
 PointCloud::PointCloud(RawPoints raw, const Progress& progress) {
@@ -95,12 +105,16 @@ PointCloud::PointCloud(RawPoints raw, const Progress& progress) {
   fileOrder_.resize(count);
   if (!raw.colors.empty()) colors_.resize(count);
   if (!raw.intensities.empty()) intensities_.resize(count);
+  if (!raw.stationOf.empty()) stationOf_.resize(count);
+  assert(haveStations(raw.stationOf, raw.positions.size(), raw.stations));
+  stations_ = std::move(raw.stations);
   for (std::size_t i = 0; i < count; ++i) {
     const std::uint32_t from = places[i].index;
     positions_.col(static_cast<Eigen::Index>(i)) = (raw.positions[from] - origin_).cast<float>();
     fileOrder_[i] = from;
     if (!colors_.empty()) colors_[i] = raw.colors[from];
     if (!intensities_.empty()) intensities_[i] = raw.intensities[from];
+    if (!stationOf_.empty()) stationOf_[i] = raw.stationOf[from];
   }
   progress.update(1);
 }
@@ -109,18 +123,24 @@ PointCloud::PointCloud(StoredPoints stored) {
   const auto count = static_cast<std::size_t>(stored.positions.cols());
   const auto isNoneOr = [&](std::size_t size) { return size == 0 || size == count; };
   if (stored.fileOrder.size() != count || !isNoneOr(stored.colors.size()) ||
-      !isNoneOr(stored.intensities.size()))
+      !isNoneOr(stored.intensities.size()) ||
+      !haveStations(stored.stationOf, count, stored.stations))
     throw Error("stored points are not complete: open the scan again");
   // About an origin at the other end of all that is in range, a place is twice as far.
   constexpr auto farthest = static_cast<float>(2 * largestCoordinate);
   const bool areInRange = (stored.positions.array().abs() <= farthest).all();
-  if (!areInRange || !isInRange(stored.origin))
+  const bool areStationsInRange = std::ranges::all_of(stored.stations, [](const Station& station) {
+    return !station.scanner || isInRange(*station.scanner);
+  });
+  if (!areInRange || !isInRange(stored.origin) || !areStationsInRange)
     throw Error("stored points are not all finite, or beyond any plant: open the scan again");
   positions_ = std::move(stored.positions);
   origin_ = stored.origin;
   colors_ = std::move(stored.colors);
   intensities_ = std::move(stored.intensities);
   fileOrder_ = std::move(stored.fileOrder);
+  stations_ = std::move(stored.stations);
+  stationOf_ = std::move(stored.stationOf);
 }
 
 Eigen::AlignedBox3d PointCloud::bounds() const {

@@ -8,17 +8,34 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace espalier {
 
 using Color = std::array<std::uint8_t, 3>; // red, green, blue
 
+/// A place that a scanner measured from.
+struct Station {
+  std::string name;                       // of people's choice
+  std::optional<Eigen::Vector3d> scanner; // where it stood [L], frame of the file; none: not known
+
+  bool operator==(const Station&) const = default;
+};
+
+/// A place in a list of stations.
+using StationIndex = std::uint16_t;
+inline constexpr std::size_t mostStations = std::size_t{1} << 16;
+
 /// Points as a file lists them, before they become a PointCloud.
 struct RawPoints {
   std::vector<Eigen::Vector3d> positions; // [L], in the frame of the file
   std::vector<Color> colors;              // one per point, or none
   std::vector<float> intensities;         // one per point, or none
+  std::vector<Station> stations = {};     // none: not known
+  /// Which of the stations each point is from, one per point; none if there is one station or none.
+  std::vector<StationIndex> stationOf = {};
 };
 
 /// What a PointCloud holds, as it was when it was stored.
@@ -28,12 +45,15 @@ struct StoredPoints {
   std::vector<Color> colors;                        // N, or none
   std::vector<float> intensities;                   // N, or none
   std::vector<std::uint32_t> fileOrder;             // N
+  std::vector<Station> stations = {};
+  std::vector<StationIndex> stationOf = {}; // N, or none if there is one station or none
 };
 
 /// The samples of a laser scanner. Immutable once made; shared as shared_ptr<const PointCloud>.
 ///
 /// Invariants: all positions are finite; colors() and intensities() are empty or have one entry per
-/// point. Points are sorted along a space-filling curve, so that near points are near in memory.
+/// point, and so has stationOf(), which is empty unless there are two stations and more. Points are
+/// sorted along a space-filling curve, so that near points are near in memory.
 class PointCloud {
 public:
   PointCloud() = default;
@@ -55,6 +75,14 @@ public:
   [[nodiscard]] const std::vector<Color>& colors() const { return colors_; }
   [[nodiscard]] const std::vector<float>& intensities() const { return intensities_; }
 
+  /// The stations that the points were measured from; empty if none are known.
+  [[nodiscard]] const std::vector<Station>& stations() const { return stations_; }
+  [[nodiscard]] const std::vector<StationIndex>& stationOf() const { return stationOf_; }
+  /// The place in stations() of that which a point is from. pre: there are stations
+  [[nodiscard]] std::size_t stationOf(Eigen::Index point) const {
+    return stationOf_.empty() ? 0 : stationOf_[static_cast<std::size_t>(point)];
+  }
+
   /// Where each point stood in the file.
   [[nodiscard]] const std::vector<std::uint32_t>& fileOrder() const { return fileOrder_; }
 
@@ -70,6 +98,8 @@ private:
   std::vector<Color> colors_;
   std::vector<float> intensities_;
   std::vector<std::uint32_t> fileOrder_;
+  std::vector<Station> stations_;
+  std::vector<StationIndex> stationOf_;
 };
 
 /// Mean distance from a place to the nearest other [L], without strays (spacing_of_places.h): the

@@ -130,7 +130,9 @@ PointCloud without(const PointCloud& cloud, const PointSet& points) {
                                  .origin = cloud.origin(),
                                  .colors = picked(cloud.colors(), kept),
                                  .intensities = picked(cloud.intensities(), kept),
-                                 .fileOrder = picked(cloud.fileOrder(), kept)});
+                                 .fileOrder = picked(cloud.fileOrder(), kept),
+                                 .stations = cloud.stations(),
+                                 .stationOf = picked(cloud.stationOf(), kept)});
 }
 
 } // namespace espalier

@@ -33,6 +33,36 @@ template <class T> std::vector<T> taken(std::string_view& bytes, std::uint64_t c
   return values;
 }
 
+/// Their names and where scanners stood, then the station of each point.
+void appendStations(std::string& bytes, const PointCloud& cloud) {
+  const std::uint64_t sizes[] = {cloud.stations().size(), cloud.stationOf().size()};
+  append(bytes, std::span<const std::uint64_t>(sizes));
+  for (const Station& station : cloud.stations()) {
+    const std::uint64_t head[] = {station.name.size(), station.scanner.has_value() ? 1U : 0U};
+    append(bytes, std::span<const std::uint64_t>(head));
+    bytes += station.name;
+    if (station.scanner) append(bytes, std::span<const double>(station.scanner->data(), 3));
+  }
+  append(bytes, std::span<const StationIndex>(cloud.stationOf()));
+}
+
+void takeStations(std::string_view& bytes, StoredPoints& stored) {
+  const std::vector<std::uint64_t> sizes = taken<std::uint64_t>(bytes, 2);
+  if (sizes[0] > mostStations)
+    throw Error("stored points have too many stations: open the scan again");
+  for (std::uint64_t i = 0; i < sizes[0]; ++i) {
+    const std::vector<std::uint64_t> head = taken<std::uint64_t>(bytes, 2);
+    const std::vector<char> name = taken<char>(bytes, head[0]);
+    Station station{.name = {name.begin(), name.end()}, .scanner = {}};
+    if (head[1] != 0) {
+      station.scanner.emplace();
+      take(bytes, std::span<double>(station.scanner->data(), 3));
+    }
+    stored.stations.push_back(std::move(station));
+  }
+  stored.stationOf = taken<StationIndex>(bytes, sizes[1]);
+}
+
 std::span<const float> coordinatesOf(const Eigen::Matrix3Xf& positions) {
   return {positions.data(), static_cast<std::size_t>(positions.size())};
 }
@@ -61,6 +91,7 @@ std::string bytesOf(const PointCloud& cloud) {
   append(bytes, std::span<const std::uint32_t>(cloud.fileOrder()));
   append(bytes, std::span<const Color>(cloud.colors()));
   append(bytes, std::span<const float>(cloud.intensities()));
+  if (!cloud.stations().empty()) appendStations(bytes, cloud);
   return bytes;
 }
 
@@ -72,6 +103,7 @@ PointCloud cloudFrom(std::string_view bytes) {
   stored.fileOrder = taken<std::uint32_t>(bytes, sizes[0]);
   stored.colors = taken<Color>(bytes, sizes[1]);
   stored.intensities = taken<float>(bytes, sizes[2]);
+  if (!bytes.empty()) takeStations(bytes, stored); // clouds of before have none
   requireEnd(bytes);
   return PointCloud(std::move(stored));
 }

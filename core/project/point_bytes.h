@@ -7,7 +7,8 @@
 
 namespace espalier {
 
-/// A cloud as bytes of a project, about 23 for a point: the size of each part, then the parts.
+/// A cloud as bytes of a project, about 23 for a point: the size of each part, then the parts;
+/// stations, where there are any, come last, with 2 for a point.
 /// Numbers are little-endian. Project::setBytes guards them against damage.
 [[nodiscard]] std::string bytesOf(const PointCloud& cloud);
 /// @throws Error if the bytes are none of a cloud

@@ -3,6 +3,7 @@
 #include "core/base/counted.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/cloud/spherical.h"
 #include "core/io/points/e57_packets.h"
 #include "core/io/points/e57_pages.h"
 #include "core/io/points/e57_scans.h"
@@ -34,12 +35,6 @@ std::vector<PointField> pointFieldsOf(const E57Scan& scan) {
   return fields;
 }
 
-/// Azimuth is counted from x to y, elevation from their plane to z.
-Eigen::Vector3d fromSpherical(double range, double azimuth, double elevation) {
-  return {range * std::cos(elevation) * std::cos(azimuth),
-          range * std::cos(elevation) * std::sin(azimuth), range * std::sin(elevation)};
-}
-
 /// Where limits are known, from 0 to 255 for bytes. Of 16 bits, 256 v and 257 v both stand for v.
 double colorOf(double value, const E57Scan& scan, std::size_t channel) {
   if (!scan.colorLimits) return value;
@@ -67,6 +62,14 @@ PointValues pointOf(const E57Values& values, const E57Scan& scan, bool isSpheric
       point[indexOf(PointField::red) + channel] =
           colorOf(values[indexOf(E57Role::red) + channel], scan, channel);
   return point;
+}
+
+/// Its scanner stood where its own frame begins. Positions x y z without a pose may be in any
+/// frame.
+Station stationOf(const E57Scan& scan) {
+  Station station{.name = scan.name, .scanner = {}};
+  if (scan.hasPose || hasRole(scan, E57Role::range)) station.scanner = scan.pose.translation();
+  return station;
 }
 
 /// The points of a scan whose position was measured.
@@ -135,7 +138,7 @@ Imported<RawPoints> readE57(std::istream& in, const std::string& file, const Pro
     RawPoints points = pointsOf(scan, packets.streamsOf(scan, part), part);
     read += scan.records;
     kept += points.positions.size();
-    stations.add(std::move(points));
+    stations.add(std::move(points), stationOf(scan));
   }
   Imported<RawPoints> result = std::move(stations).finish(file);
   if (kept < read)

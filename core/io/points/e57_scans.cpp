@@ -95,6 +95,8 @@ E57Scan scanOf(const XmlFile& xml, pugi::xml_node node, pugi::xml_node points) {
   scan.records = countIn(xml, points, "recordCount");
   scan.colorLimits = colorLimitsOf(xml, node, scan.fields);
   scan.pose.translation() = translationOf(xml, node.child("pose"));
+  scan.name = trimmed(node.child("name").text().get());
+  scan.hasPose = !node.child("pose").empty();
   return scan;
 }
 

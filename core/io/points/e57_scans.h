@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace espalier {
@@ -19,6 +20,8 @@ struct E57Scan {
   std::uint64_t start = 0;                                // of its section, a place in the file
   std::uint64_t records = 0;                              // > 0
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity(); // from the scanner to the frame of all
+  std::string name;                                       // empty: none
+  bool hasPose = false;                                   // else the frame may be any
   std::optional<std::array<E57Limits, 3>> colorLimits;    // of red, green and blue, where known
 };
 

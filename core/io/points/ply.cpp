@@ -3,9 +3,10 @@
 #include "core/base/counted.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
-#include "core/io/points/file_order.h"
+#include "core/cloud/file_order.h"
 #include "core/io/points/ply_header.h"
 #include "core/io/points/point_collector.h"
+#include "core/io/points/station_comment.h"
 
 #include <algorithm>
 #include <array>
@@ -152,8 +153,8 @@ private:
 
 /// pre: `rows` stand at the first row of `vertices`
 template <class Rows>
-RawPoints readVertices(Rows& rows, const PlyElement& vertices, std::uint64_t leastSize,
-                       const std::string& file, const Progress& progress) {
+RawPoints readVertices(Rows& rows, const PlyElement& vertices, std::vector<Station> stations,
+                       std::uint64_t leastSize, const std::string& file, const Progress& progress) {
   const std::vector<PointField> fields = fieldsOf(vertices, file);
   checkPromise(file, vertices.count, leastSize, rows.left());
   PointCollector points(fields, vertices.count);
@@ -164,7 +165,7 @@ RawPoints readVertices(Rows& rows, const PlyElement& vertices, std::uint64_t lea
     rows.read(vertices, row, fields, values);
     points.add(values);
   }
-  return std::move(points).finish(hasFractions(vertices, fields));
+  return std::move(points).finish(hasFractions(vertices, fields), std::move(stations));
 }
 
 std::vector<std::string> notesOn(const PlyHeader& header, const std::string& file) {
@@ -190,7 +191,8 @@ Imported<RawPoints> readPly(std::istream& in, const std::string& file, const Pro
   const std::string_view data = std::string_view(bytes).substr(header.dataStart);
   const auto read = [&](auto rows, std::uint64_t leastSize) {
     std::for_each(header.elements.begin(), vertices, [&](const auto& other) { rows.skip(other); });
-    return readVertices(rows, *vertices, leastSize, file, progress.part(0.3, 1));
+    return readVertices(rows, *vertices, stationsIn(header.comments), leastSize, file,
+                        progress.part(0.3, 1));
   };
   // A number in text takes a digit and a blank; the last line may lack its end.
   return {header.isAscii ? read(AsciiRows(data, header.lines, file),
@@ -202,11 +204,15 @@ Imported<RawPoints> readPly(std::istream& in, const std::string& file, const Pro
 
 void writePly(std::ostream& out, const PointCloud& cloud, const Eigen::Matrix3Xf& positions) {
   assert(positions.cols() == cloud.size());
-  out << "ply\nformat binary_little_endian 1.0\ncomment made by Espalier\nelement vertex "
-      << cloud.size() << "\nproperty double x\nproperty double y\nproperty double z\n";
+  out << "ply\nformat binary_little_endian 1.0\ncomment made by Espalier\n";
+  for (std::size_t i = 0; i < cloud.stations().size(); ++i)
+    out << "comment " << stationComment(i, cloud.stations()[i]) << '\n';
+  out << "element vertex " << cloud.size()
+      << "\nproperty double x\nproperty double y\nproperty double z\n";
   if (!cloud.colors().empty())
     out << "property uchar red\nproperty uchar green\nproperty uchar blue\n";
   if (!cloud.intensities().empty()) out << "property float intensity\n";
+  if (!cloud.stationOf().empty()) out << "property ushort station\n";
   out << "end_header\n";
   constexpr std::size_t blockSize = std::size_t{1} << 20;
   std::string block;
@@ -219,6 +225,7 @@ void writePly(std::ostream& out, const PointCloud& cloud, const Eigen::Matrix3Xf
       for (const std::uint8_t byte : cloud.colors()[i])
         appendValue(block, byte);
     if (!cloud.intensities().empty()) appendValue(block, cloud.intensities()[i]);
+    if (!cloud.stationOf().empty()) appendValue(block, cloud.stationOf()[i]);
     if (block.size() < blockSize) continue;
     out << block;
     block.clear();

@@ -16,8 +16,9 @@ namespace espalier {
 /// Points of a PLY file, ascii or binary of either byte order: its element `vertex`.
 ///
 /// Properties may be of any scalar type: x y z; red green blue (also `diffuse_`; 8 bits, 16 bits or
-/// fractions of 1); intensity, scalar_Intensity or reflectance. Other properties and elements,
-/// lists too, are passed over; faces left out are noted.
+/// fractions of 1); intensity, scalar_Intensity or reflectance; station, a number, with comments as
+/// writePly() makes them that name it and say where the scanner stood. Other properties and
+/// elements, lists too, are passed over; faces left out are noted.
 ///
 /// @param file  its name, for messages
 /// @throws Error naming the line of the header or of the text, or how many bytes are missing
@@ -27,7 +28,8 @@ namespace espalier {
                                           const Progress& progress = {});
 
 /// Writes binary little endian: x y z as doubles, then what the cloud has of red green blue (uchar)
-/// and intensity (float). Points are in the order of the file they came from.
+/// intensity (float) and station (ushort), which comments name (station_comment.h). Points are in
+/// the order of the file they came from.
 /// @param positions  3 x cloud.size() about cloud.origin() [L]: those of the cloud, or moved ones
 void writePly(std::ostream& out, const PointCloud& cloud, const Eigen::Matrix3Xf& positions);
 

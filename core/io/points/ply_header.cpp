@@ -107,7 +107,9 @@ PlyHeader readPlyHeader(std::string_view bytes, const std::string& file) {
       header.dataStart = lines.offset();
       header.lines = lines.number();
       return header;
-    } else if (!keyword.empty() && keyword != "comment" && keyword != "obj_info") {
+    } else if (keyword == "comment") {
+      header.comments.push_back(trimmed(rest));
+    } else if (!keyword.empty() && keyword != "obj_info") {
       throw Error(where + inQuotes(keyword) + " is unknown in the header of a PLY file");
     }
   }

@@ -30,8 +30,9 @@ struct PlyHeader {
   bool isAscii = false;
   std::endian order = std::endian::little; // of a binary file
   std::vector<PlyElement> elements;
-  std::size_t dataStart = 0; // in bytes
-  std::size_t lines = 0;     // of the header
+  std::vector<std::string_view> comments; // what follows the word, of the bytes read
+  std::size_t dataStart = 0;              // in bytes
+  std::size_t lines = 0;                  // of the header
 };
 
 /// The header at the beginning of a PLY file.

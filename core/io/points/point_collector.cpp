@@ -40,6 +40,8 @@ constexpr auto namedFields = std::to_array<NamedField>({
     {"diffuse_blue", PointField::blue},
     {"rgb", PointField::packedColor},
     {"rgba", PointField::packedColor},
+    {"station", PointField::station},
+    {"scalar_station", PointField::station},
 });
 
 /// By what colors of this size are multiplied to become bytes.
@@ -67,9 +69,11 @@ PointCollector::PointCollector(const std::vector<PointField>& fields, std::size_
   hasColors_ =
       hasPackedColors_ || (has(PointField::red) && has(PointField::green) && has(PointField::blue));
   hasIntensities_ = has(PointField::intensity);
+  hasStations_ = has(PointField::station);
   points_.positions.reserve(expected);
   if (hasColors_) colors_.reserve(expected);
   if (hasIntensities_) points_.intensities.reserve(expected);
+  if (hasStations_) points_.stationOf.reserve(expected);
 }
 
 void PointCollector::add(const PointValues& values) {
@@ -77,6 +81,11 @@ void PointCollector::add(const PointValues& values) {
   points_.positions.emplace_back(value(PointField::x), value(PointField::y), value(PointField::z));
   if (hasIntensities_)
     points_.intensities.push_back(static_cast<float>(value(PointField::intensity)));
+  if (hasStations_) {
+    const double number = value(PointField::station);
+    hasStations_ = number >= 0 && number < mostStations && std::floor(number) == number;
+    points_.stationOf.push_back(hasStations_ ? static_cast<StationIndex>(number) : 0);
+  }
   if (hasPackedColors_) {
     const double number = value(PointField::packedColor);
     const bool isPacked = number >= 0 && number <= 0xffffffff;
@@ -90,7 +99,33 @@ void PointCollector::add(const PointValues& values) {
   }
 }
 
-RawPoints PointCollector::finish(bool mayBeFractions) && {
+void PointCollector::nameStations(std::vector<Station> stations) {
+  std::vector<StationIndex>& stationOf = points_.stationOf;
+  if (!hasStations_) {
+    stationOf.clear();
+    if (stations.size() == 1) points_.stations = std::move(stations);
+    return;
+  }
+  if (stationOf.empty()) return;
+  if (*std::ranges::max_element(stationOf) >= stations.size()) {
+    std::vector<StationIndex> numbers(stationOf);
+    std::ranges::sort(numbers);
+    numbers.erase(std::ranges::unique(numbers).begin(), numbers.end());
+    std::vector<StationIndex> places(std::size_t{numbers.back()} + 1);
+    stations.clear();
+    for (const StationIndex number : numbers) {
+      places[number] = static_cast<StationIndex>(stations.size());
+      stations.push_back({.name = "station " + std::to_string(number), .scanner = {}});
+    }
+    for (StationIndex& station : stationOf)
+      station = places[station];
+  }
+  if (stations.size() == 1) stationOf.clear();
+  points_.stations = std::move(stations);
+}
+
+RawPoints PointCollector::finish(bool mayBeFractions, std::vector<Station> stations) && {
+  nameStations(std::move(stations));
   float largest = 0;
   for (const auto& color : colors_)
     for (const float value : color)

@@ -20,13 +20,15 @@ namespace espalier {
 namespace {
 
 constexpr std::array<std::size_t, 10> numbersOfHeader = {1, 1, 3, 3, 3, 3, 4, 4, 4, 4}; // by line
-constexpr std::size_t matrixStart = 6;                                                  // its line
+constexpr std::size_t scannerLine = 2;
+constexpr std::size_t matrixStart = 6; // its line
 
 /// What stands before the points of a block.
 struct PtxHeader {
   std::uint64_t points = 0;
   Eigen::Matrix3d turn;
   Eigen::Vector3d shift;
+  Eigen::Vector3d scanner; // where it stood
 };
 
 struct PtxCounts {
@@ -71,6 +73,7 @@ public:
 
   /// pre: advance() found the first line of a block
   RawPoints readBlock();
+  [[nodiscard]] Station station() const { return {.name = {}, .scanner = scanner_}; } // of the last
 
   [[nodiscard]] const PtxCounts& counts() const { return counts_; }
 
@@ -88,9 +91,10 @@ private:
   const std::string& file_;
   const Progress& progress_;
   std::string_view line_;
-  std::vector<double> numbers_;          // of this line
-  std::vector<PointField> fields_;       // of this block, by its first return:
-  std::optional<PointCollector> points_; // lines without a return may be shorter
+  std::vector<double> numbers_;                       // of this line
+  std::vector<PointField> fields_;                    // of this block, by its first return:
+  std::optional<PointCollector> points_;              // lines without a return may be shorter
+  Eigen::Vector3d scanner_ = Eigen::Vector3d::Zero(); // of this block
   PtxCounts counts_;
 };
 
@@ -118,6 +122,7 @@ std::uint64_t PtxReader::sizeIn(double number) const {
 
 PtxHeader PtxReader::readHeader() {
   std::array<std::uint64_t, 2> sizes{};
+  Eigen::Vector3d scanner;
   Eigen::Matrix<double, 4, 3> matrix;
   for (std::size_t i = 0; i < numbersOfHeader.size(); ++i) {
     if (i > 0 && !advance())
@@ -125,12 +130,15 @@ PtxHeader PtxReader::readHeader() {
                           "again");
     readNumbers(numbersOfHeader[i], numbersOfHeader[i]);
     if (i < sizes.size()) sizes[i] = sizeIn(numbers_[0]);
+    if (i == scannerLine) scanner = {numbers_[0], numbers_[1], numbers_[2]};
     if (i >= matrixStart)
       matrix.row(static_cast<Eigen::Index>(i - matrixStart)) =
           Eigen::RowVector3d(numbers_[0], numbers_[1], numbers_[2]);
   }
   const PtxHeader header{sizes[0] * sizes[1], matrix.topRows<3>().transpose(),
-                         matrix.row(3).transpose()};
+                         matrix.row(3).transpose(),
+                         // Some writers leave it 0 and say it by the matrix alone.
+                         scanner.isZero(0) ? Eigen::Vector3d(matrix.row(3).transpose()) : scanner};
   const double volume = std::abs(header.turn.determinant());
   if (!(volume > 0) || !matrix.allFinite())
     fail("the matrix that ends here makes all points flat: the header is damaged, export it again");
@@ -139,6 +147,7 @@ PtxHeader PtxReader::readHeader() {
 
 RawPoints PtxReader::readBlock() {
   const PtxHeader header = readHeader();
+  scanner_ = header.scanner;
   constexpr std::size_t shortestLine = 5; // "0 0 0", of the last line
   constexpr std::size_t most = 7;
   checkPromise(file_ + ", line " + std::to_string(lines_.number()), header.points, shortestLine,
@@ -201,8 +210,10 @@ Imported<RawPoints> readPtx(std::istream& in, const std::string& file, const Pro
   const Progress reading = progress.part(0.3, 1);
   PtxReader reader(text, file, reading);
   StationPoints stations;
-  while (reader.advance())
-    stations.add(reader.readBlock());
+  while (reader.advance()) {
+    RawPoints points = reader.readBlock();
+    stations.add(std::move(points), reader.station());
+  }
   Imported<RawPoints> result = std::move(stations).finish(file);
   if (const PtxCounts& counts = reader.counts(); counts.empty > 0)
     result.notes.push_back(file + ": " + std::to_string(counts.empty) + " of " +

@@ -1,8 +1,10 @@
 #include "core/io/points/station_points.h"
 
+#include "core/base/coordinates.h"
 #include "core/base/counted.h"
 #include "core/io/points/point_collector.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace espalier {
@@ -27,10 +29,13 @@ std::string lackNote(const std::string& file, std::size_t lacking, std::size_t s
 
 } // namespace
 
-void StationPoints::add(RawPoints points) {
+void StationPoints::add(RawPoints points, Station station) {
   ++stations_;
   const std::size_t count = points.positions.size();
   if (count == 0) return;
+  if (station.name.empty()) station.name = "station " + std::to_string(stations_);
+  if (station.scanner && !isInRange(*station.scanner)) station.scanner.reset();
+  named_.push_back(std::move(station));
   if (points.colors.empty()) ++uncolored_;
   if (points.intensities.empty()) ++unintense_;
   if (all_.positions.empty()) { // mostly there is one station: nothing is copied
@@ -40,6 +45,9 @@ void StationPoints::add(RawPoints points) {
   const std::size_t before = all_.positions.size();
   appendOrFill(all_.colors, points.colors, before, count);
   appendOrFill(all_.intensities, points.intensities, before, count);
+  all_.stationOf.resize(before); // those of the first
+  all_.stationOf.resize(before + count,
+                        static_cast<StationIndex>(std::min(named_.size(), mostStations) - 1));
   all_.positions.insert(all_.positions.end(), points.positions.begin(), points.positions.end());
 }
 
@@ -47,6 +55,10 @@ Imported<RawPoints> StationPoints::finish(const std::string& file) && {
   Imported<RawPoints> result{std::move(all_), {}};
   const RawPoints& points = result.value;
   dropEmptyColumns(result.value);
+  if (named_.size() <= mostStations)
+    result.value.stations = std::move(named_);
+  else
+    result.value.stationOf.clear();
   if (stations_ > 1)
     result.notes.push_back(file + ": holds " + counted(stations_, "station") +
                            ", which are joined into one set of points");

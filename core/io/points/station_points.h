@@ -4,6 +4,7 @@
 #include "core/cloud/point_cloud.h"
 
 #include <string>
+#include <vector>
 
 namespace espalier {
 
@@ -11,15 +12,18 @@ namespace espalier {
 class StationPoints {
 public:
   /// Adds the points of the next station, in the frame that all share.
-  void add(RawPoints points);
+  /// @param station  where the scanner stood in that frame; without a name it is numbered
+  void add(RawPoints points, Station station);
 
   /// All points, station after station. Colors and intensities that some stations lack are black
-  /// and 0 there; those that no station has, or that are 0 everywhere, are left out.
+  /// and 0 there; those that no station has, or that are 0 everywhere, are left out. Stations
+  /// without points are not listed; over 65536 are not kept apart.
   /// @return with notes on how many stations there were, and on what some of them lack
   [[nodiscard]] Imported<RawPoints> finish(const std::string& file) &&;
 
 private:
   RawPoints all_;
+  std::vector<Station> named_; // those with points
   std::size_t stations_ = 0;
   std::size_t uncolored_ = 0; // stations with points, but without colors
   std::size_t unintense_ = 0; // the same, of intensities

@@ -3,7 +3,7 @@
 #include "core/base/counted.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
-#include "core/io/points/file_order.h"
+#include "core/cloud/file_order.h"
 #include "core/io/points/xyz_layout.h"
 
 #include <algorithm>

@@ -32,6 +32,24 @@ TEST(PointBytes, OfACloudReadBackToTheSame) {
   expectSame(cloudFrom(bytesOf(PointCloud())), PointCloud());
 }
 
+TEST(PointBytes, KeepStations) {
+  RawPoints raw;
+  for (int i = 0; i < 50; ++i) {
+    raw.positions.emplace_back(i, i * i % 7, 0);
+    raw.stationOf.push_back(static_cast<StationIndex>(i % 2));
+  }
+  raw.stations = {{"north", Eigen::Vector3d(1, 2, 3)}, {"", {}}};
+  const PointCloud cloud(std::move(raw));
+  const std::string bytes = bytesOf(cloud);
+  const PointCloud read = cloudFrom(bytes);
+  expectSame(read, cloud);
+  EXPECT_EQ(read.stations(), cloud.stations());
+  EXPECT_EQ(read.stationOf(), cloud.stationOf());
+  const std::size_t before = 3 * 8 + 3 * 8 + 50 * (12 + 4);
+  for (std::size_t size = before + 1; size < bytes.size(); ++size)
+    ASSERT_THROW((void)cloudFrom(bytes.substr(0, size)), Error) << size;
+}
+
 TEST(PointBytes, OfPositionsReadBackToTheSame) {
   const Eigen::Matrix3Xf positions = coloredCloud().positions();
   EXPECT_EQ(positionsFrom(bytesOf(positions)), positions);

@@ -121,6 +121,9 @@ TEST(ReadE57, TurnsAndMovesEachStationByItsPose) {
   EXPECT_LT((points.value.positions[0] - Eigen::Vector3d(10, 21, 30)).norm(), 1e-12);
   EXPECT_LT((points.value.positions[1] - Eigen::Vector3d(9, 20, 30)).norm(), 1e-12);
   EXPECT_EQ(points.value.positions[2], Eigen::Vector3d(1, 0, 0));
+  EXPECT_THAT(points.value.stationOf, ElementsAre(0, 0, 1, 1));
+  EXPECT_THAT(points.value.stations, ElementsAre(Station{"station 1", Eigen::Vector3d(10, 20, 30)},
+                                                 Station{"station 2", std::nullopt}));
   EXPECT_THAT(points.notes, ElementsAre("tree.e57: holds 2 stations, which are joined into one set "
                                         "of points"));
 }

@@ -34,6 +34,40 @@ std::string binary(const std::string& header, const std::string& data) {
   return "ply\nformat binary_little_endian 1.0\n" + header + "end_header\n" + data;
 }
 
+RawPoints threeStations() {
+  RawPoints raw;
+  for (int i = 0; i < 6; ++i) {
+    raw.positions.emplace_back(i, 0, 0);
+    raw.stationOf.push_back(static_cast<StationIndex>(i % 3));
+  }
+  raw.stations = {{"from the\nnorth", Eigen::Vector3d(500'000.125, -2, 1e-3)}, {"", {}}, {"c", {}}};
+  return raw;
+}
+
+TEST(WritePly, KeepsStationsAndWhereScannersStood) {
+  const PointCloud cloud(threeStations());
+  std::ostringstream out;
+  writePly(out, cloud, cloud.positions());
+  const RawPoints points = importPly(out.str()).value;
+  EXPECT_THAT(points.stationOf, ElementsAre(0, 1, 2, 0, 1, 2));
+  EXPECT_THAT(points.stations,
+              ElementsAre(Station{"from the north", Eigen::Vector3d(500'000.125, -2, 1e-3)},
+                          Station{"", {}}, Station{"c", {}}));
+}
+
+TEST(ReadPly, NamesStationsByTheirNumbersWithoutComments) {
+  const std::string header = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+                             "property float y\nproperty float z\nproperty float scalar_station\n"
+                             "end_header\n";
+  const RawPoints points = importPly(header + "0 0 0 7\n1 0 0 300\n2 0 0 7\n").value;
+  EXPECT_THAT(points.stationOf, ElementsAre(0, 1, 0));
+  EXPECT_THAT(points.stations, ElementsAre(Station{"station 7", {}}, Station{"station 300", {}}));
+  EXPECT_TRUE(importPly(header + "0 0 0 7\n1 0 0 0.5\n2 0 0 7\n").value.stations.empty());
+  EXPECT_TRUE(importPly(header + "0 0 0 7\n1 0 0 -1\n2 0 0 7\n").value.stationOf.empty());
+  EXPECT_THAT(importPly(header + "0 0 0 7\n1 0 0 7\n2 0 0 7\n").value.stationOf,
+              testing::IsEmpty());
+}
+
 class ReadPlyOfEitherOrder : public testing::TestWithParam<std::endian> {};
 
 TEST_P(ReadPlyOfEitherOrder, TakesAnyTypesAndPassesOverTheRest) {

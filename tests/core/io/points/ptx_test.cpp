@@ -43,6 +43,22 @@ TEST(ReadPtx, MultipliesPointsAsRowsByTheMatrixOfTheirBlock) {
                           "tree.ptx: 1 of 8 points have no return (0 0 0) and are left out"));
 }
 
+TEST(ReadPtx, KeepsWhichPointIsFromWhichStation) {
+  const RawPoints points = importPtx(test::ptxFile()).value;
+  EXPECT_THAT(points.stationOf, ElementsAre(0, 0, 0, 1, 1, 1, 1));
+  ASSERT_THAT(points.stations, SizeIs(2));
+  EXPECT_EQ(points.stations[0], (Station{"station 1", Eigen::Vector3d(10, 20, 30)}));
+  EXPECT_EQ(points.stations[1], (Station{"station 2", Eigen::Vector3d(0, 0, 0)}));
+}
+
+TEST(ReadPtx, TakesThePlaceOfTheScannerFromItsLine) {
+  std::string text = blockOf(1, "1 2 3 4\n");
+  text.replace(text.find("0 0 0"), 5, "7 8 9");
+  const RawPoints points = importPtx(text).value;
+  EXPECT_THAT(points.stations, ElementsAre(Station{"station 1", Eigen::Vector3d(7, 8, 9)}));
+  EXPECT_THAT(points.stationOf, IsEmpty());
+}
+
 // The example by which LAStools shows what a matrix does, with the result it prints.
 TEST(ReadPtx, AgreesWithLastools) {
   std::string text = "1\n2\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n-0.955179 0.296021 -0.002106 0\n"

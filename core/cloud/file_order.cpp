@@ -1,4 +1,4 @@
-#include "core/io/points/file_order.h"
+#include "core/cloud/file_order.h"
 
 #include <algorithm>
 #include <numeric>

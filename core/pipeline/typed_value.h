@@ -7,7 +7,16 @@
 namespace espalier {
 
 /// What a number that people type is counted in.
-enum class ValueUnit { none, spacings, heights, thicknesses, millimeters, centimeters, meters, degrees };
+enum class ValueUnit {
+  none,
+  spacings,
+  heights,
+  thicknesses,
+  millimeters,
+  centimeters,
+  meters,
+  degrees
+};
 
 [[nodiscard]] bool isMetric(ValueUnit unit);   // millimeters, centimeters, meters
 [[nodiscard]] double metersIn(ValueUnit unit); // pre: isMetric(unit)
@@ -25,9 +34,9 @@ struct TypedValue {
   std::string_view letters; // what stands behind it, without blanks around
 };
 
-/// Reads "12.5", "6 spacings", "6sp", "0.02 heights", "3 thicknesses", "38mm", "3 cm", "30 deg": the form in the
-/// window and the command line take the same. Blanks, capital letters and a comma for the point are
-/// fine.
+/// Reads "12.5", "6 spacings", "6sp", "0.02 heights", "3 thicknesses", "38mm", "3 cm", "30 deg":
+/// the form in the window and the command line take the same. Blanks, capital letters and a comma
+/// for the point are fine.
 /// @return views of `text`
 [[nodiscard]] TypedValue typedValue(std::string_view text);
 

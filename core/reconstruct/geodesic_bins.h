@@ -10,7 +10,7 @@
 namespace espalier {
 
 struct GeodesicBinOptions {
-  PointLinks neighbors = 12;     // of each point; more of them bridge wider gaps
+  PointLinks neighbors = 12;                        // of each point; more of them bridge wider gaps
   Length binWidth = spacings(2) + thicknesses(1.6); // [L] along the plant, > 0
   Length widestGap = 0; // [L] parts of the plant farther apart are not joined; 0 = join all
   double turnCost = 0;  // >= 0; 0: parents follow the shortest paths, else see below

@@ -152,9 +152,8 @@ StepId PlantDocument::contractedStep() const {
 }
 
 PlantScale PlantDocument::scale() const {
-  return {.spacing = scan_->spacing(),
-          .height = scan_->height(up_),
-          .thickness = scan_->thickness()};
+  return {
+      .spacing = scan_->spacing(), .height = scan_->height(up_), .thickness = scan_->thickness()};
 }
 
 void PlantDocument::setScan(std::unique_ptr<const Scan> scan, const QString& path) {

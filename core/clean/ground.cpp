@@ -328,18 +328,4 @@ std::vector<float> heightsAbove(const GroundSurface& ground, const Eigen::Matrix
   return heights;
 }
 
-PointSet groundPoints(const PointCloud& cloud, const PointSet& leftOut, UpAxis up,
-                      const PlantScale& scale, const GroundOptions& options,
-                      const Progress& progress) {
-  const StandingPoints standing = standingPoints(cloud, leftOut, up);
-  const GroundOptions exact = resolved(options, scale);
-  const std::vector<float> heights =
-      heightsAbove(groundBelow(standing.positions, exact, progress), standing.positions);
-  std::vector<Eigen::Index> found;
-  for (std::size_t i = 0; i < heights.size(); ++i)
-    if (static_cast<double>(heights[i]) <= exact.tolerance)
-      found.push_back(static_cast<Eigen::Index>(i));
-  return standing.inCloud(found);
-}
-
 } // namespace espalier

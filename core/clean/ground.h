@@ -52,11 +52,4 @@ struct GroundSurface {
 [[nodiscard]] std::vector<float> heightsAbove(const GroundSurface& ground,
                                               const Eigen::Matrix3Xf& points);
 
-/// The points of the ground in a scan: not higher above it than the tolerance.
-/// @param leftOut  are not looked at
-/// @param scale    that lengths by rules follow from
-[[nodiscard]] PointSet groundPoints(const PointCloud& cloud, const PointSet& leftOut, UpAxis up,
-                                    const PlantScale& scale, const GroundOptions& options = {},
-                                    const Progress& progress = {});
-
 } // namespace espalier

@@ -21,14 +21,10 @@ using Names = std::set<std::string>;
 /// Header and function -> why no file but those of its own pair names it.
 const std::map<std::pair<std::string, std::string>, std::string> exceptions = {
     {{"core/base/parallel.h", "inPieces"}, "the templates beside it call it"},
-    {{"core/clean/ground.h", "groundPoints"}, "for the tool of the window"},
     {{"core/clean/plants.h", "plantsAmong"}, "a step of another, tested by itself"},
-    {{"core/clean/plants.h", "plantsOf"}, "for the tool of the window"},
     {{"core/clean/plants.h", "resolved"}, "a function beside it calls it"},
     {{"core/clean/pole.h", "resolved"}, "a function beside it calls it"},
     {{"core/clean/wire.h", "resolved"}, "a function beside it calls it"},
-    {{"core/clean/pole.h", "polePointsAt"}, "for the tool of the window"},
-    {{"core/clean/wire.h", "wirePointsBetween"}, "for the tool of the window"},
     {{"core/evaluate/traits/strahler.h", "strahlerNumbers"}, "a step of another, tested by itself"},
     {{"core/graph/geodesic_balls.h", "ballGroups"}, "the templates beside it call it"},
     {{"core/graph/geodesic_balls.h", "of"}, "the templates beside it call it"},

@@ -64,7 +64,8 @@ PLOT_BENCHMARK(cutPlotByPreset);
 
 void clothOnGround(benchmark::State& state) {
   time(state, [](const BenchPlot& plot) {
-    return groundPoints(*plot.cloud, {}, UpAxis::z, plot.scale).size();
+    return groundBelow(plot.cloud->positions(), resolved(GroundOptions{}, plot.scale))
+        .heights.size();
   });
 }
 PLOT_BENCHMARK(clothOnGround);

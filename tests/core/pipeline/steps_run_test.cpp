@@ -189,7 +189,8 @@ TEST_F(StepsRun, TakeTheScaleOfTheWholePlant) {
 TEST(StepGraph, TakesWhatAStepBeforeMade) {
   StepResult made = StepResult::scan;
   for (const Step& step : pipelineSteps()) {
-    EXPECT_EQ(step.takes, made) << step.name;
+    // Steps that clean take the scan: those before them may be off.
+    EXPECT_EQ(step.takes, step.makes == StepResult::cleaned ? StepResult::scan : made) << step.name;
     EXPECT_GE(step.makes, made) << step.name;
     made = step.makes;
   }

@@ -16,4 +16,7 @@ struct SurfaceMesh {
 /// Area of all triangles [L^2]. O(triangles).
 [[nodiscard]] double area(const SurfaceMesh& mesh);
 
+/// What a closed surface holds [L^3]; of pieces that overlap, each. O(triangles).
+[[nodiscard]] double volume(const SurfaceMesh& mesh);
+
 } // namespace espalier

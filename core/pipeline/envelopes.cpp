@@ -1,0 +1,254 @@
+#include "core/pipeline/envelopes.h"
+
+#include "core/base/error.h"
+#include "core/evaluate/match/comparable.h"
+#include "core/graph/turn_upright.h"
+#include "core/pipeline/pipeline_options.h"
+#include "core/surface/envelopes/alpha_hull.h"
+#include "core/surface/envelopes/asymmetric_hull.h"
+#include "core/surface/envelopes/box_envelope.h"
+#include "core/surface/envelopes/convex_envelope.h"
+#include "core/surface/envelopes/enclosing_ball.h"
+#include "core/surface/envelopes/enclosing_ellipsoid.h"
+#include "core/surface/envelopes/extruded_hull.h"
+#include "core/surface/envelopes/skinned_hull.h"
+#include "core/surface/envelopes/solids_of_revolution.h"
+
+#include <algorithm>
+
+namespace espalier {
+namespace {
+
+/// The first option of each kind, whose value the crown is made by.
+Option withinOption() {
+  Option option = ratioOption(
+      "within", Shown::tr("Share within"), 0.8, 1,
+      Shown::tr("Share of the points that the crown is made of: the outermost are left out."));
+  option.rule = fixedAt(1);
+  return option;
+}
+
+/// A kind without options of its own.
+EnvelopeKind kindOf(Method form, Envelope (*fit)(const Crown&, const Progress&)) {
+  form.options = {withinOption()};
+  form.seesRoot = false;
+  return {.form = std::move(form),
+          .fit = [fit](const Crown& crown, const std::vector<double>&, const Progress& progress) {
+            return fit(crown, progress);
+          }};
+}
+
+template <class Options>
+EnvelopeKind kindOf(Method form, const OptionTable<Options>& table,
+                    Envelope (*fit)(const Crown&, const Options&, const Progress&)) {
+  form.options = {withinOption()};
+  form.options.insert(form.options.end(), table.descriptions().begin(), table.descriptions().end());
+  form.seesRoot = false;
+  return {.form = std::move(form),
+          .fit = [table, fit](const Crown& crown, const std::vector<double>& values,
+                              const Progress& progress) {
+            return fit(crown, table.with({values.begin() + 1, values.end()}), progress);
+          }};
+}
+
+EnvelopeKind byFormula(EnvelopeKind kind) {
+  kind.hasFormula = true;
+  return kind;
+}
+
+std::vector<EnvelopeKind> solidKinds() {
+  return {
+      byFormula(kindOf({.name = "ball",
+                        .label = Shown::tr("Ball"),
+                        .help = Shown::tr("The smallest ball about all."),
+                        .source = "E. Welzl, 1991"},
+                       ballEnvelope)),
+      byFormula(kindOf({.name = "ellipsoid",
+                        .label = Shown::tr("Ellipsoid"),
+                        .help = Shown::tr("The smallest ellipsoid about all; it may lean."),
+                        .source = "M. J. Todd, E. A. Yildirim, 2007"},
+                       ellipsoidEnvelope)),
+      byFormula(kindOf({.name = "cylinder",
+                        .label = Shown::tr("Cylinder"),
+                        .help = Shown::tr("The smallest upright cylinder about all."),
+                        .source = "smallest circle: E. Welzl, 1991"},
+                       cylinderEnvelope)),
+      byFormula(kindOf({.name = "cone",
+                        .label = Shown::tr("Cone"),
+                        .help = Shown::tr("The smallest upright cone about all, its tip up."),
+                        .source = "least volume over all axes and slopes"},
+                       coneEnvelope)),
+      byFormula(kindOf({.name = "frustum",
+                        .label = Shown::tr("Frustum"),
+                        .help = Shown::tr("The smallest upright truncated cone about all; it may "
+                                          "be wider above."),
+                        .source = "least volume over all axes and slopes"},
+                       frustumEnvelope)),
+      byFormula(kindOf({.name = "paraboloid",
+                        .label = Shown::tr("Paraboloid"),
+                        .help = Shown::tr("The smallest upright paraboloid about all, round above "
+                                          "and flat below."),
+                        .source = "least volume over all axes and slopes"},
+                       paraboloidEnvelope)),
+      byFormula(kindOf({.name = "box",
+                        .label = Shown::tr("Box"),
+                        .help = Shown::tr("The smallest upright box about all."),
+                        .source = "H. Freeman, R. Shapira, 1975"},
+                       [](const Crown& crown, const Progress&) { return boxEnvelope(crown); }))};
+}
+
+EnvelopeKind extrudedKind() {
+  using Options = ExtrudedHullOptions;
+  OptionTable<Options> table;
+  table.add(flagOption("across", Shown::tr("Seen lengthwise"),
+                       Shown::tr("Take the side profile along the length of the crown as seen from "
+                                 "above, not across it.")),
+            &Options::isAcross);
+  return kindOf({.name = "extruded",
+                 .label = Shown::tr("Extruded hull"),
+                 .help = Shown::tr("The outline from above, moved along the outline from the side "
+                                   "and scaled to it."),
+                 .source = "P. Birnbaum, 1997; F. Boudon, thesis, 2004, 2.1"},
+                table, extrudedHull);
+}
+
+EnvelopeKind skinnedKind() {
+  using Options = SkinnedHullOptions;
+  OptionTable<Options> table;
+  table.add(countOption("profiles", Shown::tr("Profiles"), 3, 72,
+                        Shown::tr("How many upright profiles there are around the axis.")),
+            &Options::profiles);
+  return kindOf({.name = "skinned",
+                 .label = Shown::tr("Skinned hull"),
+                 .help = Shown::tr("Upright profiles around an axis, with a skin drawn over them."),
+                 .source = "F. Boudon, thesis, 2004, 2.1"},
+                table, skinnedHull);
+}
+
+EnvelopeKind alphaKind() {
+  using Options = AlphaHullOptions;
+  OptionTable<Options> table;
+  table
+      .add(lengthOption("radius", Shown::tr("Ball radius"), 0.5, 100'000,
+                        Shown::tr("Radius of a ball that is rolled around the points: gaps that it "
+                                  "goes into stay outside.")),
+           &Options::radius)
+      .add(flagOption("fill", Shown::tr("Fill hollows"),
+                      Shown::tr("Hollows that no way leads into from outside count as inside.")),
+           &Options::fillsHollows);
+  return kindOf({.name = "alpha",
+                 .label = Shown::tr("Alpha hull"),
+                 .help = Shown::tr("What a ball cannot reach that is rolled around and among the "
+                                   "points."),
+                 .source = "H. Edelsbrunner, E. P. Muecke, 1994"},
+                table, alphaHull);
+}
+
+std::vector<EnvelopeKind> hullKinds() {
+  return {
+      byFormula(kindOf({.name = "asymmetric",
+                        .label = Shown::tr("Asymmetric hull"),
+                        .help = Shown::tr("A crown by its top, its bottom, its widest places to "
+                                          "four sides and an exponent above and below."),
+                        .source = "A. Cescatti, 1997; F. Boudon, thesis, 2004, 2.1"},
+                       asymmetricEnvelope)),
+      extrudedKind(), skinnedKind(),
+      kindOf({.name = "convex",
+              .label = Shown::tr("Convex hull"),
+              .help = Shown::tr("The smallest body about all that is hollow nowhere."),
+              .source = "C. B. Barber, D. P. Dobkin, H. Huhdanpaa, 1996 (Qhull)"},
+             [](const Crown& crown, const Progress&) { return convexEnvelope(crown); }),
+      alphaKind()};
+}
+
+} // namespace
+
+const std::vector<EnvelopeKind>& envelopeKinds() {
+  static const std::vector<EnvelopeKind> kinds = [] {
+    std::vector<EnvelopeKind> all = solidKinds();
+    for (EnvelopeKind& kind : hullKinds())
+      all.push_back(std::move(kind));
+    return all;
+  }();
+  return kinds;
+}
+
+const EnvelopeKind& envelopeKindNamed(std::string_view name) {
+  std::string names;
+  for (const EnvelopeKind& kind : envelopeKinds()) {
+    if (kind.form.name == name) return kind;
+    names += (names.empty() ? "" : ", ") + kind.form.name;
+  }
+  throw Error("there is no envelope \"" + std::string(name) + "\": choose one of " + names);
+}
+
+const Step& envelopeStep() {
+  static const Step step = [] {
+    Step made{.name = "envelope",
+              .label = Shown::tr("Envelope"),
+              .help = Shown::tr("Draws a closed surface about the crown.")};
+    for (const EnvelopeKind& kind : envelopeKinds())
+      made.methods.push_back(kind.form);
+    return made;
+  }();
+  return step;
+}
+
+Envelope envelopeAbout(const Eigen::Matrix3Xd& points, UpAxis up, const EnvelopeKind& kind,
+                       const std::vector<double>& values, const Progress& progress) {
+  const Eigen::Matrix3d turn = turnUpright(up);
+  // Far origins cost digits; without points crownOf() says what is missing.
+  const Eigen::Vector3d middle =
+      points.cols() > 0 ? Eigen::Vector3d(points.rowwise().mean()) : Eigen::Vector3d::Zero();
+  const Crown crown =
+      crownOf(turn * (points.colwise() - middle), values.front(), progress.part(0, 0.3));
+  Envelope envelope = kind.fit(crown, values, progress.part(0.3, 1));
+  for (Eigen::Vector3d& corner : envelope.mesh.corners)
+    corner = turn.transpose() * corner + middle;
+  movePlaces(envelope.parameters, turn.transpose(), middle);
+  return envelope;
+}
+
+Eigen::Matrix3Xd placesOf(const PointCloud& cloud, const PointSet& leftOut) {
+  const std::vector<Eigen::Index> kept = others(leftOut, cloud.size());
+  return cloud.positions()(Eigen::all, kept).cast<double>().colwise() + cloud.origin();
+}
+
+Eigen::Matrix3Xd placesOf(const Skeleton& skeleton) {
+  const std::vector<NodeId> ids = skeleton.ids();
+  Eigen::Matrix3Xd places(3, static_cast<Eigen::Index>(ids.size()));
+  for (std::size_t i = 0; i < ids.size(); ++i)
+    places.col(static_cast<Eigen::Index>(i)) = skeleton[ids[i]].position;
+  return places;
+}
+
+PlantScale scaleOf(const Skeleton& skeleton, UpAxis up) {
+  const Eigen::Matrix3Xd places = placesOf(skeleton);
+  if (places.cols() == 0) return {};
+  const auto along = places.row(static_cast<Eigen::Index>(up));
+  return {.spacing = medianEdgeLength(skeleton), .height = along.maxCoeff() - along.minCoeff()};
+}
+
+std::vector<double> envelopeValues(const EnvelopeKind& kind,
+                                   const std::vector<std::string>& settings,
+                                   const PlantScale& scale, double meters) {
+  PipelineOptions options;
+  const Step& step = envelopeStep();
+  options.methods[step.name] = kind.form.name;
+  std::string names;
+  for (const Option& option : kind.form.options)
+    names += (names.empty() ? "" : ", ") + option.name;
+  for (const std::string& setting : settings) {
+    const std::size_t equals = setting.find('=');
+    if (equals == std::string::npos)
+      throw Error("\"" + setting + "\" sets nothing: write OPTION=VALUE, with one of " + names);
+    const std::string name = setting.substr(0, equals);
+    if (std::ranges::find(kind.form.options, name, &Option::name) == kind.form.options.end())
+      throw Error("envelope " + kind.form.name + " has no option \"" + name + "\": choose one of " +
+                  names);
+    options.setText(step, name, setting.substr(equals + 1), meters);
+  }
+  return chosenFor(step, options, scale).values;
+}
+
+} // namespace espalier

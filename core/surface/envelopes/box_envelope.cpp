@@ -1,0 +1,41 @@
+#include "core/surface/envelopes/box_envelope.h"
+
+#include "core/surface/envelopes/outline.h"
+#include "core/surface/envelopes/rings.h"
+
+#include <numbers>
+
+namespace espalier {
+
+Envelope boxEnvelope(const Crown& crown) {
+  const OutlineBox box = boxAround(outlineOf(crown));
+  const double bottom = bottomOf(crown);
+  const double top = topOf(crown);
+  const Eigen::Vector2d across(-box.along.y(), box.along.x());
+  const auto ringAt = [&](double z) {
+    Ring ring;
+    for (const auto& [a, b] : {std::pair(-0.5, -0.5), {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}) {
+      const Eigen::Vector2d at =
+          box.middle + a * box.sides.x() * box.along + b * box.sides.y() * across;
+      ring.emplace_back(at.x(), at.y(), z);
+    }
+    return ring;
+  };
+  const auto end = [&](double z) { return Eigen::Vector3d(box.middle.x(), box.middle.y(), z); };
+  Envelope envelope = envelopeOf(meshOfRings(end(bottom), {ringAt(bottom), ringAt(top)}, end(top)));
+  double azimuth = std::atan2(box.along.y(), box.along.x());
+  if (azimuth <= -std::numbers::pi / 2) azimuth += std::numbers::pi;
+  if (azimuth > std::numbers::pi / 2) azimuth -= std::numbers::pi;
+  std::vector<EnvelopeParameter>& parameters = envelope.parameters;
+  parameters.push_back({.name = "length", .label = "length", .value = box.sides.x()});
+  parameters.push_back({.name = "width", .label = "width", .value = box.sides.y()});
+  parameters.push_back({.name = "height", .label = "height", .value = top - bottom});
+  addPlace(parameters, "center", "center", end((bottom + top) / 2));
+  parameters.push_back({.name = "azimuth",
+                        .label = "azimuth",
+                        .kind = EnvelopeParameter::Kind::angle,
+                        .value = azimuth});
+  return envelope;
+}
+
+} // namespace espalier

@@ -1,0 +1,177 @@
+#include "core/surface/envelopes/skinned_hull.h"
+
+#include "core/base/paced_check.h"
+#include "core/base/plane_hull.h"
+#include "core/surface/envelopes/outline.h"
+#include "core/surface/envelopes/rings.h"
+
+#include <limits>
+#include <numbers>
+
+namespace espalier {
+namespace {
+
+constexpr double fullTurn = 2 * std::numbers::pi;
+
+using Profile = std::vector<Eigen::Vector2d>; // share of the reach, and z
+
+double turnOf(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+/// Where an upright line goes through the convex hull: from, to.
+std::pair<double, double> through(const ConvexHull& hull, const Eigen::Vector2d& at) {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const std::array<int, 3>& triangle : hull.triangles) {
+    const auto corner = [&](std::size_t i) { return hull.corners.col(triangle[i % 3]); };
+    std::array<double, 3> sides{};
+    double sum = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      sides[i] = turnOf(corner(i + 1).head<2>() - at, corner(i + 2).head<2>() - at);
+      sum += sides[i];
+    }
+    if (sum == 0) continue;
+    double z = 0;
+    bool isOver = true;
+    for (std::size_t i = 0; i < 3; ++i) {
+      isOver = isOver && sides[i] / sum >= -1e-9;
+      z += sides[i] / sum * corner(i).z();
+    }
+    if (!isOver) continue;
+    low = std::min(low, z);
+    high = std::max(high, z);
+  }
+  return {low, high};
+}
+
+/// What the sectors around the axis hold.
+class Sectors {
+public:
+  Sectors(const Crown& crown, int count, const Progress& progress)
+      : outline_(outlineOf(crown)), reach_(outline_, outline_.middle),
+        axis_(through(crown.hull, outline_.middle)),
+        first_(std::atan2(outline_.along.y(), outline_.along.x())),
+        places_(static_cast<std::size_t>(count)) {
+    PacedCheck check(progress);
+    for (const auto& point : crown.points.colwise()) {
+      check.after(100);
+      const Eigen::Vector2d from = point.head<2>() - outline_.middle;
+      const double azimuth = std::atan2(from.y(), from.x());
+      places_[nearest(azimuth)].emplace_back(from.norm() / reach_.at(azimuth), point.z());
+    }
+  }
+
+  [[nodiscard]] const Eigen::Vector2d& middle() const { return outline_.middle; }
+  [[nodiscard]] const std::pair<double, double>& axis() const { return axis_; }
+  [[nodiscard]] double reachAt(double azimuth) const { return reach_.at(azimuth); }
+  [[nodiscard]] std::size_t count() const { return places_.size(); }
+
+  /// Of a sector, with as many beside it as it takes to have some points.
+  [[nodiscard]] Profile profile(std::size_t sector) const {
+    Profile places = {{0, axis_.first}, {0, axis_.second}};
+    for (std::size_t beside = 0; places.size() < 5 && beside <= count() / 2; ++beside) {
+      add(places, (sector + beside) % count());
+      if (beside > 0) add(places, (sector + count() - beside) % count());
+    }
+    return planeHull(places);
+  }
+
+  /// Azimuths that the surface is drawn at: even, and where the outline has corners.
+  [[nodiscard]] std::vector<double> azimuths() const {
+    std::vector<double> all = reach_.cornerAzimuths();
+    for (int i = 0; i < ringCorners; ++i)
+      all.push_back(std::remainder(first_ + fullTurn * i / ringCorners, fullTurn));
+    std::ranges::sort(all);
+    std::vector<double> apart;
+    for (const double azimuth : all)
+      if (apart.empty() || azimuth - apart.back() > 1e-3) apart.push_back(azimuth);
+    if (apart.front() + fullTurn - apart.back() < 1e-3) apart.pop_back();
+    return apart;
+  }
+
+  /// In sectors, from the middle of the first: in [0, count).
+  [[nodiscard]] double sectorsTo(double azimuth) const {
+    const double turns = (azimuth - first_) / fullTurn;
+    const double within = (turns - std::floor(turns)) * static_cast<double>(count());
+    return within < static_cast<double>(count()) ? within : 0;
+  }
+
+private:
+  [[nodiscard]] std::size_t nearest(double azimuth) const {
+    return static_cast<std::size_t>(sectorsTo(azimuth) + 0.5) % count();
+  }
+  void add(Profile& places, std::size_t sector) const {
+    places.insert(places.end(), places_[sector].begin(), places_[sector].end());
+  }
+
+  Outline outline_;
+  OutlineReach reach_;
+  std::pair<double, double> axis_;
+  double first_; // azimuth of the middle of the first sector
+  std::vector<Profile> places_;
+};
+
+/// Where rays leave a profile that start halfway up the axis, from straight down to straight up.
+Profile sampled(const Profile& profile, const std::pair<double, double>& axis) {
+  const Eigen::Vector2d start(0, (axis.first + axis.second) / 2);
+  const double half = (axis.second - axis.first) / 2;
+  Profile samples;
+  for (int level = 1; level < ringLevels; ++level) {
+    const double angle = std::numbers::pi * (static_cast<double>(level) / ringLevels - 0.5);
+    const Eigen::Vector2d along(std::cos(angle), half * std::sin(angle));
+    Eigen::Vector2d farthest = start;
+    for (std::size_t i = 0; i < profile.size(); ++i) {
+      const Eigen::Vector2d a = profile[i] - start;
+      const Eigen::Vector2d b = profile[(i + 1) % profile.size()] - start;
+      const double left = turnOf(along, a);
+      const double right = turnOf(along, b);
+      if (left > 0 || right < 0 || left == right) continue;
+      const Eigen::Vector2d at = a + (b - a) * (left / (left - right));
+      if (at.dot(along) > (farthest - start).dot(along)) farthest = start + at;
+    }
+    samples.push_back(farthest);
+  }
+  return samples;
+}
+
+} // namespace
+
+Envelope skinnedHull(const Crown& crown, const SkinnedHullOptions& options,
+                     const Progress& progress) {
+  const Sectors sectors(crown, options.profiles, progress);
+  std::vector<Profile> profiles;
+  for (std::size_t i = 0; i < sectors.count(); ++i) {
+    progress.update(0.5 + 0.3 * static_cast<double>(i) / static_cast<double>(sectors.count()));
+    profiles.push_back(sampled(sectors.profile(i), sectors.axis()));
+  }
+  std::vector<Ring> rings(ringLevels - 1);
+  for (const double azimuth : sectors.azimuths()) {
+    const double at = sectors.sectorsTo(azimuth);
+    const auto before = static_cast<std::size_t>(at);
+    const double share = at - std::floor(at);
+    const double reach = sectors.reachAt(azimuth);
+    for (std::size_t level = 0; level < rings.size(); ++level) {
+      const Eigen::Vector2d place = (1 - share) * profiles[before][level] +
+                                    share * profiles[(before + 1) % profiles.size()][level];
+      rings[level].emplace_back(sectors.middle().x() + place.x() * reach * std::cos(azimuth),
+                                sectors.middle().y() + place.x() * reach * std::sin(azimuth),
+                                place.y());
+    }
+  }
+  const auto end = [&](double z) {
+    return Eigen::Vector3d(sectors.middle().x(), sectors.middle().y(), z);
+  };
+  const auto [bottom, top] = sectors.axis();
+  Envelope envelope = envelopeOf(meshOfRings(end(bottom), rings, end(top)));
+  using Kind = EnvelopeParameter::Kind;
+  envelope.parameters = {
+      {"profiles", "profiles", Kind::number, static_cast<double>(options.profiles)},
+      {"inside", "share of the points inside", Kind::number,
+       shareInside(envelope.mesh, crown.points, progress.part(0.8, 1))}};
+  addPlace(envelope.parameters, "axis_bottom", "lower end of the axis", end(bottom));
+  addPlace(envelope.parameters, "axis_top", "upper end of the axis", end(top));
+  return envelope;
+}
+
+} // namespace espalier

@@ -39,6 +39,7 @@ void addAll(CLI::App& app) {
   addSweep(app);
   addEvaluate(app);
   addTraits(app);
+  addEnvelope(app);
   addNoise(app);
   addConvert(app);
   addInfo(app);

@@ -17,6 +17,7 @@ void addPlants(CLI::App& app);
 void addSweep(CLI::App& app);
 void addEvaluate(CLI::App& app);
 void addTraits(CLI::App& app);
+void addEnvelope(CLI::App& app);
 void addNoise(CLI::App& app);
 void addConvert(CLI::App& app);
 void addInfo(CLI::App& app);

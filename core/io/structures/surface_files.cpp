@@ -20,7 +20,14 @@ SurfaceMesh surfaceOf(const Skeleton& skeleton) {
 } // namespace
 
 void writeObjSurface(std::ostream& out, const Skeleton& skeleton) {
-  const SurfaceMesh mesh = surfaceOf(skeleton);
+  writeObjSurface(out, surfaceOf(skeleton));
+}
+
+void writePlySurface(std::ostream& out, const Skeleton& skeleton) {
+  writePlySurface(out, surfaceOf(skeleton));
+}
+
+void writeObjSurface(std::ostream& out, const SurfaceMesh& mesh) {
   out << "# exported by Espalier\n";
   for (const Eigen::Vector3d& place : mesh.corners)
     out << "v " << plainDecimal(place.x()) << ' ' << plainDecimal(place.y()) << ' '
@@ -29,8 +36,7 @@ void writeObjSurface(std::ostream& out, const Skeleton& skeleton) {
     out << "f " << a + 1 << ' ' << b + 1 << ' ' << c + 1 << '\n';
 }
 
-void writePlySurface(std::ostream& out, const Skeleton& skeleton) {
-  const SurfaceMesh mesh = surfaceOf(skeleton);
+void writePlySurface(std::ostream& out, const SurfaceMesh& mesh) {
   out << "ply\nformat binary_little_endian 1.0\ncomment exported by Espalier\nelement vertex "
       << mesh.corners.size()
       << "\nproperty double x\nproperty double y\nproperty double z\nelement face "

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/skeleton/skeleton.h"
+#include "core/surface/surface_mesh.h"
 
 #include <iosfwd>
 
@@ -18,5 +19,9 @@ void writeObjSurface(std::ostream& out, const Skeleton& skeleton);
 /// @throws Error if no node has a radius
 /// Source of the format: G. Turk, "The PLY Polygon File Format", Stanford University, 1994.
 void writePlySurface(std::ostream& out, const Skeleton& skeleton);
+
+/// The same of any surface.
+void writeObjSurface(std::ostream& out, const SurfaceMesh& mesh);
+void writePlySurface(std::ostream& out, const SurfaceMesh& mesh);
 
 } // namespace espalier

@@ -1,0 +1,230 @@
+#include "app/cli/arguments.h"
+#include "app/cli/commands.h"
+#include "app/cli/files.h"
+#include "app/cli/pipeline_flags.h"
+#include "app/cli/terminal.h"
+#include "core/base/text.h"
+#include "core/io/structures/surface_files.h"
+#include "core/pipeline/envelopes.h"
+#include "core/pipeline/plant_scale.h"
+#include "core/project/point_bytes.h"
+#include "core/project/project.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <numbers>
+
+namespace espalier {
+namespace {
+
+enum class EnvelopeOf { plant, points, skeleton };
+
+struct EnvelopeFlags {
+  std::string plant;
+  std::string output;
+  std::string kind = "convex";
+  EnvelopeOf of = EnvelopeOf::plant;
+  std::vector<std::string> settings;
+  UpAxis up = UpAxis::z;
+  std::string unit;
+  std::string json;
+  int threads = 0;
+};
+
+/// What the envelope is made about.
+struct EnvelopedPlant {
+  Eigen::Matrix3Xd places;
+  PlantScale scale;
+  std::string of; // "points" or "skeleton"
+};
+
+EnvelopedPlant ofPoints(const PointCloud& cloud, const PointSet& leftOut, UpAxis up,
+                        const Progress& progress) {
+  return {.places = placesOf(cloud, leftOut),
+          .scale = scaleOf(cloud, leftOut, up, progress),
+          .of = "points"};
+}
+
+EnvelopedPlant ofSkeleton(const Skeleton& skeleton, UpAxis up) {
+  return {.places = placesOf(skeleton), .scale = scaleOf(skeleton, up), .of = "skeleton"};
+}
+
+/// The scan that a project holds, or that lies where it says.
+std::optional<PointCloud> scanOfProject(const Project& project, const Progress& progress) {
+  if (project.hasBytes("cloud")) return cloudFrom(project.bytes("cloud"));
+  const auto found = project.findScan();
+  if (!found) return std::nullopt;
+  auto points = readPoints(found->string(), progress);
+  printNotes(points.notes);
+  return std::move(points.value);
+}
+
+EnvelopedPlant plantInProject(const EnvelopeFlags& flags, const Progress& progress) {
+  const Project project = Project::open(flags.plant, Access::readOnly);
+  const Imported<History> history = project.history();
+  printNotes(history.notes);
+  if (flags.of != EnvelopeOf::skeleton)
+    if (const std::optional<PointCloud> scan = scanOfProject(project, progress))
+      return ofPoints(*scan, history.value.leftOut, flags.up, progress);
+  if (flags.of == EnvelopeOf::points)
+    throw Error(flags.plant + ": its scan is not found: put the file beside it, or take --of "
+                              "skeleton");
+  return ofSkeleton(history.value.skeleton, flags.up);
+}
+
+EnvelopedPlant plantIn(const EnvelopeFlags& flags, const Progress& progress) {
+  if (isProject(flags.plant)) return plantInProject(flags, progress);
+  if (formatOf(flags.plant).content == Content::points) {
+    if (flags.of == EnvelopeOf::skeleton)
+      throw WrongUsage(flags.plant + " holds points: leave out --of skeleton");
+    auto points = readPoints(flags.plant, progress);
+    printNotes(points.notes);
+    return ofPoints(points.value, {}, flags.up, progress);
+  }
+  if (flags.of == EnvelopeOf::points)
+    throw WrongUsage(flags.plant + " holds a structure: leave out --of points");
+  const auto structure = readStructure(flags.plant);
+  printNotes(structure.notes);
+  return ofSkeleton(structure.value.skeleton, flags.up);
+}
+
+std::string meshExtension(const std::string& path) {
+  const std::string extension = lowerCase(std::filesystem::path(path).extension().string());
+  if (extension != ".ply" && extension != ".obj")
+    throw WrongUsage(path + ": envelopes are written as PLY or OBJ: choose a name that ends in "
+                            ".ply or .obj");
+  return extension;
+}
+
+nlohmann::ordered_json numbersOf(const Envelope& envelope, const EnvelopedPlant& plant,
+                                 const EnvelopeFlags& flags) {
+  nlohmann::ordered_json parameters = nlohmann::ordered_json::object();
+  for (const EnvelopeParameter& parameter : envelope.parameters)
+    parameters[parameter.name] = parameter.kind == EnvelopeParameter::Kind::angle
+                                     ? parameter.value * 180 / std::numbers::pi
+                                     : parameter.value;
+  using Json = nlohmann::ordered_json;
+  return {{"kind", flags.kind},
+          {"of", plant.of},
+          {"unit", flags.unit.empty() ? Json() : Json(flags.unit)},
+          {"points", plant.places.cols()},
+          {"volume", envelope.volume},
+          {"area", envelope.area},
+          {"height", envelope.height},
+          {"diameter", envelope.diameter},
+          {"parameters", std::move(parameters)},
+          {"mesh",
+           {{"corners", envelope.mesh.corners.size()},
+            {"triangles", envelope.mesh.triangles.size()},
+            {"volume", volume(envelope.mesh)},
+            {"area", area(envelope.mesh)}}}};
+}
+
+void print(const Envelope& envelope, const std::string& unit) {
+  const auto line = [&](const std::string& label, double value, const char* power) {
+    const std::string in = unit.empty() ? "" : " " + unit + power;
+    std::printf("%-28s %12.7g%s\n", label.c_str(), value, in.c_str());
+  };
+  line("volume", envelope.volume, "^3");
+  line("area", envelope.area, "^2");
+  line("height", envelope.height, "");
+  line("crown diameter", envelope.diameter, "");
+  using Kind = EnvelopeParameter::Kind;
+  for (const EnvelopeParameter& each : envelope.parameters) {
+    if (each.kind == Kind::angle)
+      std::printf("%-28s %12.7g deg\n", each.label.c_str(), each.value * 180 / std::numbers::pi);
+    else if (each.kind == Kind::number)
+      std::printf("%-28s %12.7g\n", each.label.c_str(), each.value);
+    else
+      line(each.label, each.value, "");
+  }
+}
+
+void drawEnvelope(const EnvelopeFlags& flags) {
+  const EnvelopeKind& kind = envelopeKindNamed(flags.kind);
+  requireApart({flags.output, flags.json});
+  std::string extension;
+  if (!flags.output.empty()) extension = meshExtension(flags.output);
+  for (const std::string& file : {flags.output, flags.json})
+    requireOutput(file, {flags.plant});
+  const Threads threads(flags.threads);
+  const TerminalProgress terminal;
+  const Progress& whole = terminal.progress();
+  const EnvelopedPlant plant = plantIn(flags, whole.part(0, 0.3, "Reading"));
+  const double meters = flags.unit == "mm"   ? 0.001
+                        : flags.unit == "cm" ? 0.01
+                        : flags.unit == "m"  ? 1.0
+                                             : 0.0;
+  const Envelope envelope = about(flags.plant, [&] {
+    return envelopeAbout(plant.places, flags.up, kind,
+                         envelopeValues(kind, flags.settings, plant.scale, meters),
+                         whole.part(0.3, 1, "Envelope"));
+  });
+  terminal.check();
+  terminal.clear();
+  print(envelope, flags.unit);
+  writeAndReport(
+      flags.output,
+      [&](std::ostream& out) {
+        extension == ".ply" ? writePlySurface(out, envelope.mesh)
+                            : writeObjSurface(out, envelope.mesh);
+      },
+      std::to_string(envelope.mesh.triangles.size()) + " triangles");
+  writeJson(flags.json, numbersOf(envelope, plant, flags));
+}
+
+/// Kinds and their options, for the help.
+std::string listOfKinds() {
+  std::string text = "Kinds, with their options for --set:\n";
+  for (const EnvelopeKind& kind : envelopeKinds()) {
+    std::string names;
+    for (const Option& option : kind.form.options)
+      names += (names.empty() ? "" : ", ") + option.name + "=" + option.ruleText();
+    text += "  " + kind.form.name + ": " + kind.form.help + "\n      " + names + "\n";
+  }
+  return text;
+}
+
+} // namespace
+
+void addEnvelope(CLI::App& app) {
+  CLI::App* command = app.add_subcommand(
+      "envelope", "Draw a closed surface about a crown, and measure its volume and area");
+  const auto flags = std::make_shared<EnvelopeFlags>();
+  command->add_option("PLANT", flags->plant, "A scan, a structure or a project")->required();
+  command->add_option("-o,--output", flags->output, "Surface to write, as .ply or .obj");
+  std::vector<std::string> names;
+  std::string list;
+  for (const EnvelopeKind& kind : envelopeKinds()) {
+    names.push_back(kind.form.name);
+    list += (list.empty() ? ": " : ", ") + kind.form.name;
+  }
+  command->add_option("--kind", flags->kind, "What to draw" + list)
+      ->type_name("NAME")
+      ->capture_default_str()
+      ->check(oneOf(names));
+  addChoice(*command, "--of", flags->of,
+            "What it is about; a plant has its points, where it has some",
+            {{"plant", EnvelopeOf::plant},
+             {"points", EnvelopeOf::points},
+             {"skeleton", EnvelopeOf::skeleton}});
+  command->add_option("--set", flags->settings, "Set an option of the kind: OPTION=VALUE")
+      ->type_name("OPTION=VALUE")
+      ->allow_extra_args(false);
+  addChoice(*command, "--up", flags->up, "Axis that points up",
+            {{"x", UpAxis::x}, {"y", UpAxis::y}, {"z", UpAxis::z}});
+  addUnit(*command, flags->unit, "Unit of the plant, to be named with the numbers");
+  command->add_option("--json", flags->json, "File for all numbers");
+  addThreads(*command, flags->threads);
+  command->callback([flags] { drawEnvelope(*flags); });
+  command->footer(listOfKinds() +
+                  "\nExamples:\n"
+                  "  espalier envelope pine.ply --kind alpha --set radius=0.3 -o crown.ply\n"
+                  "  espalier envelope pine.mtg --kind asymmetric --json crown.json\n"
+                  "  espalier envelope pine.espalier --of skeleton --kind cone --unit m");
+}
+
+} // namespace espalier

@@ -182,18 +182,6 @@ const EnvelopeKind& envelopeKindNamed(std::string_view name) {
   throw Error("there is no envelope \"" + std::string(name) + "\": choose one of " + names);
 }
 
-const Step& envelopeStep() {
-  static const Step step = [] {
-    Step made{.name = "envelope",
-              .label = Shown::tr("Envelope"),
-              .help = Shown::tr("Draws a closed surface about the crown.")};
-    for (const EnvelopeKind& kind : envelopeKinds())
-      made.methods.push_back(kind.form);
-    return made;
-  }();
-  return step;
-}
-
 Envelope envelopeAbout(const Eigen::Matrix3Xd& points, UpAxis up, const EnvelopeKind& kind,
                        const std::vector<double>& values, const Progress& progress) {
   const Eigen::Matrix3d turn = turnUpright(up);
@@ -228,6 +216,23 @@ PlantScale scaleOf(const Skeleton& skeleton, UpAxis up) {
   const auto along = places.row(static_cast<Eigen::Index>(up));
   return {.spacing = medianEdgeLength(skeleton), .height = along.maxCoeff() - along.minCoeff()};
 }
+
+namespace {
+
+/// The kinds as if they were methods of a step, so that options are read and checked as theirs are.
+const Step& envelopeStep() {
+  static const Step step = [] {
+    Step made{.name = "envelope",
+              .label = Shown::tr("Envelope"),
+              .help = Shown::tr("Draws a closed surface about the crown.")};
+    for (const EnvelopeKind& kind : envelopeKinds())
+      made.methods.push_back(kind.form);
+    return made;
+  }();
+  return step;
+}
+
+} // namespace
 
 std::vector<double> envelopeValues(const EnvelopeKind& kind,
                                    const std::vector<std::string>& settings,

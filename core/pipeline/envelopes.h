@@ -27,9 +27,6 @@ struct EnvelopeKind {
 /// @throws Error that lists the names there are
 [[nodiscard]] const EnvelopeKind& envelopeKindNamed(std::string_view name);
 
-/// The kinds as if they were methods of a step, so that options are read and checked as theirs are.
-[[nodiscard]] const Step& envelopeStep();
-
 /// The envelope of some points.
 /// @param points 3 x N [L]
 /// @return in the frame of the points, but for its azimuths: around `up`, from where x is once the

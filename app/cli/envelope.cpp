@@ -176,6 +176,24 @@ void drawEnvelope(const EnvelopeFlags& flags) {
   writeJson(flags.json, numbersOf(envelope, plant, flags));
 }
 
+/// Words in lines of at most 80 columns, each begun by six blanks.
+std::string inLines(const std::string& text) {
+  constexpr std::size_t widest = 80;
+  const std::string begin(6, ' ');
+  std::istringstream words(text);
+  std::string lines;
+  std::string line = begin;
+  for (std::string word; words >> word; line += word) {
+    if (line.size() + 1 + word.size() > widest) {
+      lines += line + "\n";
+      line = begin;
+    } else if (line != begin) {
+      line += " ";
+    }
+  }
+  return lines + line + "\n";
+}
+
 /// Kinds and their options, for the help.
 std::string listOfKinds() {
   std::string text = "Kinds, with their options for --set:\n";
@@ -183,7 +201,7 @@ std::string listOfKinds() {
     std::string names;
     for (const Option& option : kind.form.options)
       names += (names.empty() ? "" : ", ") + option.name + "=" + option.ruleText();
-    text += "  " + kind.form.name + ": " + kind.form.help + "\n      " + names + "\n";
+    text += "  " + kind.form.name + ":\n" + inLines(kind.form.help) + inLines(names);
   }
   return text;
 }

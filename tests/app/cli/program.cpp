@@ -182,7 +182,7 @@ std::string bytesOf(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-nlohmann::json jsonIn(const fs::path& file) {
+nlohmann::json jsonIn(const std::filesystem::path& file) {
   return nlohmann::json::parse(bytesOf(file));
 }
 

@@ -24,12 +24,6 @@ int closedPieces(const SurfaceMesh& mesh) {
   return topology.pieces;
 }
 
-double volume(const SurfaceMesh& mesh) {
-  const Eigen::Map<const Eigen::Matrix3Xd> corners(mesh.corners.front().data(), 3,
-                                                   std::ssize(mesh.corners));
-  return test::volumeOf(corners, mesh.triangles);
-}
-
 TEST(GeneralizedCylinders, AStickHasTheVolumeOfItsCylinder) {
   const SurfaceMesh mesh = surfaceByGeneralizedCylinders(test::stick(5, 0.5)); // radius 0.1, 2 high
   EXPECT_NEAR(volume(mesh), pi * 0.01 * 2, 1e-12);

@@ -144,7 +144,7 @@ void addInfo(CLI::App& app) {
       ->required();
   command->add_flag("--json", flags->isJson, "Print JSON instead of text");
   command->add_flag("--header", flags->isHeaderOnly,
-                    "Of a scan, show only what its header and a few places of it tell: at once, "
+                    "Of a scan, show only what its header and a few places of it say: at once, "
                     "however large it is");
   command->callback([flags] { info(*flags); });
   command->footer("Lengths are in the unit of the file.");

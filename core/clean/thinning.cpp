@@ -1,33 +1,51 @@
 #include "core/clean/thinning.h"
 
+#include "core/base/counted_random.h"
 #include "core/base/paced_check.h"
-#include "core/base/random.h"
+#include "core/base/parallel.h"
 #include "core/clean/voxels.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
 namespace espalier {
 namespace {
 
-/// All numbers below `count`, shuffled.
-std::vector<std::uint32_t> shuffled(std::size_t count, int seed) {
-  std::vector<std::uint32_t> order(count);
+/// Columns in an order that is drawn by chance. What is drawn for a point follows from how far it
+/// is from the middle of all: so the same points come first however the plant stands, and in
+/// whatever order they are.
+std::vector<std::uint32_t> drawn(const Eigen::Matrix3Xf& points, int seed) {
+  constexpr double step = 1e-5; // of the mean distance: rounding hardly leads to another
+  const Eigen::Vector3d middle = points.cast<double>().rowwise().mean();
+  const Eigen::VectorXd distances =
+      (points.cast<double>().colwise() - middle).colwise().norm().transpose();
+  const double width = std::max(step * distances.mean(), std::numeric_limits<double>::min());
+  std::vector<double> draws(static_cast<std::size_t>(points.cols()));
+  for (std::size_t i = 0; i < draws.size(); ++i) {
+    const double steps = std::round(distances[static_cast<Eigen::Index>(i)] / width);
+    draws[i] = CountedRandom(static_cast<std::uint64_t>(seed), static_cast<std::uint64_t>(steps))
+                   .uniform();
+  }
+  std::vector<std::uint32_t> order(draws.size());
   std::iota(order.begin(), order.end(), 0U);
-  Random random(static_cast<std::uint64_t>(seed));
-  for (std::size_t i = count; i > 1; --i)
-    std::swap(order[i - 1], order[random.below(i)]);
+  parallelSort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return draws[a] != draws[b] ? draws[a] < draws[b] : a < b;
+  });
   return order;
 }
 
 } // namespace
 
-std::vector<bool> thinnedByChance(Eigen::Index count, const RandomThinningOptions& options) {
-  const auto all = static_cast<std::size_t>(count);
+std::vector<bool> thinnedByChance(const Eigen::Matrix3Xf& points,
+                                  const RandomThinningOptions& options, const Progress& progress) {
+  const auto all = static_cast<std::size_t>(points.cols());
   std::vector<bool> isLeftOut(all, true);
-  const std::vector<std::uint32_t> order = shuffled(all, options.seed);
+  if (all == 0) return isLeftOut;
+  progress.check();
+  const std::vector<std::uint32_t> order = drawn(points, options.seed);
   const auto staying =
       std::min(all, static_cast<std::size_t>(std::ceil(options.share * static_cast<double>(all))));
   for (std::size_t i = 0; i < staying; ++i)
@@ -69,7 +87,7 @@ std::vector<bool> thinnedBySpacing(const Eigen::Matrix3Xf& points,
     });
   };
   PacedCheck check(progress);
-  for (const std::uint32_t point : shuffled(isLeftOut.size(), options.seed)) {
+  for (const std::uint32_t point : drawn(points, options.seed)) {
     check.after(5000);
     const Voxels::Place at = voxels.place(cubeOf[point]);
     bool isNear = isNearOne(point, cubeOf[point]);

@@ -11,16 +11,18 @@
 namespace espalier {
 
 // Which points are left out so that fewer are left. The points that stay are points of the scan.
-// Deterministic for a seed. @throws Cancelled if `progress` asks to stop
+// Deterministic for a seed, and but for rounding the same wherever the plant stands, however it is
+// turned, and in whatever order its points are. @throws Cancelled if `progress` asks to stop
 
 struct RandomThinningOptions {
   double share = 0.5; // of the points that stays, in (0, 1]
   int seed = 1;
 };
 
-/// Leaves out points by chance, so that exactly the share stays (rounded up). O(N).
-[[nodiscard]] std::vector<bool> thinnedByChance(Eigen::Index count,
-                                                const RandomThinningOptions& options);
+/// Leaves out points by chance, so that exactly the share stays (rounded up). O(N log N).
+[[nodiscard]] std::vector<bool> thinnedByChance(const Eigen::Matrix3Xf& points,
+                                                const RandomThinningOptions& options,
+                                                const Progress& progress = {});
 
 struct VoxelThinningOptions {
   Length edge = spacings(2); // [L] of the cubes

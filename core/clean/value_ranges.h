@@ -25,7 +25,7 @@ struct ColorRange { // of 0 to 255 each
 
 struct HueRange {
   double from = 0;               // [rad], 0 is red, 120 degrees green; in [0, 2 pi]
-  double to = 6.283185307179586; // less than `from`: by way of red
+  double to = 6.283185307179586; // less than `from`: through red
   double leastSaturation = 0;    // in [0, 1]; grays have no hue
 };
 /// Source: A. R. Smith, "Color gamut transform pairs", SIGGRAPH 1978 (HSV).

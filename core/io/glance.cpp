@@ -65,7 +65,7 @@ GlanceGuess guessedUnit(const Eigen::AlignedBox3d& bounds) {
   if (!bounds.isEmpty() && areOfAMap(bounds))
     return {"m", "coordinates so far from 0 are those of a map", false};
   const std::string unit = unitOfExtent(extent);
-  if (unit.empty()) return {"", "the size does not tell", false};
+  if (unit.empty()) return {"", "the size does not show it", false};
   const std::string size = roundedText(extent);
   if (unit == "mm") return {unit, "in m it would be " + size + " m large, as no plant is", false};
   return {unit, "in mm it would be " + size + " mm large, as few plants are", false};

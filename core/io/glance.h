@@ -8,7 +8,7 @@
 namespace espalier {
 
 /// What a file of points holds, found out without reading it all, in a fraction of a second
-/// whatever its size; formats that tell nothing otherwise (scenes of PlantGL) are read whole, and
+/// whatever its size; formats that say nothing otherwise (scenes of PlantGL) are read whole, and
 /// the glance says so. Unit and up axis that the file does not state are guessed: the unit from the
 /// size, as makes a plant between a hand and a tall tree high, the axis from where a foot is
 /// (likelyUp).

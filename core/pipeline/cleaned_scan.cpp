@@ -27,15 +27,6 @@ const Method& cutting() {
                                [](const Method& method) { return method.cutsPlot; });
 }
 
-std::vector<const Step*> cleaningSteps(const PipelineOptions& options,
-                                       const std::function<bool(const Step&)>& isWanted) {
-  std::vector<const Step*> steps;
-  for (const Step& step : pipelineSteps())
-    if (step.makes == StepResult::cleaned && !isOff(step, options) && isWanted(step))
-      steps.push_back(&step);
-  return steps;
-}
-
 std::vector<CleaningRecord> runAll(const std::vector<const Step*>& steps, PipelineState& state,
                                    const PipelineOptions& options, const Progress& progress) {
   std::vector<CleaningRecord> records;
@@ -97,8 +88,7 @@ Eigen::Vector3d lowestAt(const Eigen::Vector3d& base, const StandingPoints& plan
 CleanedScan cleanedScan(const std::shared_ptr<const PointCloud>& cloud,
                         const PipelineOptions& options, const Progress& progress) {
   CleanedScan result{.state = startOf(cloud, options, progress.part(0, 0.1))};
-  result.steps = runAll(cleaningSteps(options, [](const Step&) { return true; }), result.state,
-                        options, progress.part(0.1, 1));
+  result.steps = runAll(cleaningSteps(options), result.state, options, progress.part(0.1, 1));
   requirePlant(keptPoints(result.state));
   result.leftOut = PointSet::of(whereSet(keptWithRepeated(result.state, options.leftOut), false));
   return result;
@@ -110,8 +100,11 @@ CutPlot cutPlot(const std::shared_ptr<const PointCloud>& cloud,
   const Step& cut = plantStep();
   PipelineState state = startOf(cloud, options, progress.part(0, 0.1));
   CutPlot result;
-  result.steps = runAll(cleaningSteps(options, [&](const Step& step) { return &step < &cut; }),
-                        state, options, progress.part(0.1, 0.5));
+  std::vector<const Step*> before = cleaningSteps(options);
+  std::vector<const Step*> behind = before;
+  std::erase_if(before, [&](const Step* step) { return step >= &cut; });
+  std::erase_if(behind, [&](const Step* step) { return step <= &cut; });
+  result.steps = runAll(before, state, options, progress.part(0.1, 0.5));
   const PlantsOptions how =
       plantsOptionsOf(resolvedValues(cut, cutting(), options, state.extent.scale));
   const StandingPoints standing = standingOf(state);
@@ -121,7 +114,6 @@ CutPlot cutPlot(const std::shared_ptr<const PointCloud>& cloud,
                 plainDecimal(how.slabTo) +
                 " above the ground: choose other heights by plant.slab_from and plant.slab_to, or "
                 "say where plants stand");
-  const auto behind = cleaningSteps(options, [&](const Step& step) { return &step > &cut; });
   for (std::size_t i = 0; i < parts.sizes.size(); ++i) {
     PipelineState own = state;
     own.isLeftOut.assign(own.isLeftOut.size(), true);

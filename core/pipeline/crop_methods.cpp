@@ -156,7 +156,7 @@ Method hueMethod() {
                                   "240 blue.")),
             &Options::from);
   table.add(angleOption("to", Shown::tr("To"), 0, 360,
-                        Shown::tr("Hues up to here are kept; less than From goes by way of "
+                        Shown::tr("Hues up to here are kept; less than From leads through "
                                   "red.")),
             &Options::to);
   table.add(ratioOption("least_saturation", Shown::tr("Least saturation"), 0, 1,

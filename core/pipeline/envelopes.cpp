@@ -134,7 +134,7 @@ EnvelopeKind alphaKind() {
                                   "goes into stay outside.")),
            &Options::radius)
       .add(flagOption("fill", Shown::tr("Fill hollows"),
-                      Shown::tr("Hollows that no way leads into from outside count as inside.")),
+                      Shown::tr("Hollows that no path leads into from outside count as inside.")),
            &Options::fillsHollows);
   return kindOf({.name = "alpha",
                  .label = Shown::tr("Alpha hull"),

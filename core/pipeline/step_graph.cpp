@@ -56,6 +56,13 @@ std::vector<ChosenStep> stepsBetween(StepResult from, StepResult to, const Pipel
   return steps;
 }
 
+std::vector<const Step*> cleaningSteps(const PipelineOptions& options) {
+  std::vector<const Step*> steps;
+  for (const Step& step : pipelineSteps())
+    if (step.makes == StepResult::cleaned && !isOff(step, options)) steps.push_back(&step);
+  return steps;
+}
+
 void runCleaning(const std::vector<const Step*>& steps, PipelineState& state,
                  const PipelineOptions& options, const Progress& progress,
                  const std::function<void(const ChosenStep&)>& done) {
@@ -68,10 +75,7 @@ void runCleaning(const std::vector<const Step*>& steps, PipelineState& state,
 }
 
 void runCleaning(PipelineState& state, const PipelineOptions& options, const Progress& progress) {
-  std::vector<const Step*> steps;
-  for (const Step& step : pipelineSteps())
-    if (step.makes == StepResult::cleaned && !isOff(step, options)) steps.push_back(&step);
-  runCleaning(steps, state, options, progress);
+  runCleaning(cleaningSteps(options), state, options, progress);
 }
 
 void measure(PipelineState& state, const Progress& progress) {

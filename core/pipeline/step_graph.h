@@ -37,6 +37,9 @@ struct ChosenStep {
                                                    const PipelineOptions& options,
                                                    const PlantScale& scale);
 
+/// Those that clean, and are on.
+[[nodiscard]] std::vector<const Step*> cleaningSteps(const PipelineOptions& options);
+
 /// Cleans: runs steps that do, each by the rules of what is left, from state.extent on.
 /// @param done  is called after each
 /// @throws Error as stepsBetween() and ChosenStep::run()

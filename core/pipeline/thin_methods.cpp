@@ -40,9 +40,7 @@ Method chanceMethod() {
   table.add(seedOption(), &Options::seed);
   return thinMethod("random", Shown::tr("By chance"),
                     Shown::tr("Keeps a share of the points, drawn by chance."), "", table,
-                    [](const Eigen::Matrix3Xf& points, const Options& options, const Progress&) {
-                      return thinnedByChance(points.cols(), options);
-                    });
+                    thinnedByChance);
 }
 
 Method cubeMethod() {

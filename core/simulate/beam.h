@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/simulate/counted_random.h"
+#include "core/base/counted_random.h"
 #include "core/simulate/foliage.h"
 #include "core/simulate/laser_scanner.h"
 #include "core/simulate/piece_tree.h"

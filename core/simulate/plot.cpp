@@ -1,9 +1,9 @@
 #include "core/simulate/plot.h"
 
+#include "core/base/counted_random.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/base/random.h"
-#include "core/simulate/counted_random.h"
 #include "core/simulate/piece_tree.h"
 
 #include <algorithm>
@@ -225,9 +225,9 @@ void addGround(SimulatedPlot& plot, const PlotForest& forest, const PlotGround& 
           const double y = station.y() + away * std::sin(angle);
           if (std::abs(x) > halfSide || std::abs(y) > halfSide) return;
           const Vector3d place(x, y, ground.at(x, y));
-          const Vector3d way = place - station;
-          const double range = way.norm();
-          if (range == 0 || wood.firstHit({station, way / range}, range)) return;
+          const Vector3d beam = place - station;
+          const double range = beam.norm();
+          if (range == 0 || wood.firstHit({station, beam / range}, range)) return;
           seen[static_cast<std::size_t>(i)] = place + Vector3d(0, 0, noise * random.normal());
         },
         progress);

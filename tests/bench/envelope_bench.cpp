@@ -15,7 +15,8 @@ namespace {
 const PointCloud& cloudOf(std::int64_t points) {
   static std::map<std::int64_t, PointCloud> all;
   PointCloud& cloud = all[points];
-  if (cloud.isEmpty()) cloud = scan(growPlant({.segments = 2000}, 1), {.points = points}, 1).points;
+  if (cloud.isEmpty())
+    cloud = PointCloud(scan(growPlant({.segments = 2000}, 1), {.points = points}, 1).points);
   return cloud;
 }
 

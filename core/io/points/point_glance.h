@@ -34,7 +34,7 @@ struct PointGlance {
   Eigen::AlignedBox3d bounds;       // [L], frame of the file; empty: not known
   bool areBoundsOfSample = false;   // so that the points may reach a little farther
   std::uint64_t stations = 1;       // 0: not known
-  bool isReadWhole = false;         // nothing less told
+  bool isReadWhole = false;         // nothing less shows it
   GlanceGuess unit;
   GlanceGuess up;
   std::vector<Eigen::Vector3d> sample; // places of some points from all parts of the file [L]

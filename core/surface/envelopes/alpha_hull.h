@@ -7,7 +7,7 @@ namespace espalier {
 
 struct AlphaHullOptions {
   Length radius = heights(0.1); // [L] of the ball that is rolled around the crown
-  bool fillsHollows = true;     // that no way leads into from outside
+  bool fillsHollows = true;     // that no path leads into from outside
 };
 
 /// What a ball cannot reach that is rolled around and among the points: the tetrahedra of their

@@ -143,7 +143,7 @@ std::vector<Eigen::Vector3d> outerPoints(const Crown& crown, const AsymmetricHul
 
 /// A point as seen from one end, straight out to the widest line.
 struct SeenFromEnd {
-  double out = 0;        // share of the way to the line
+  double out = 0;        // share of the path to the line
   std::size_t along = 0; // the places between which it meets the line
   std::size_t across = 1;
   double alongShare = 0; // of the height of the first
@@ -157,20 +157,20 @@ SeenFromEnd seenFrom(const Eigen::Vector3d& end, const Eigen::Vector3d& point,
                      const AsymmetricHull& hull) {
   const LevelAxes axes = axesOf(hull);
   const Eigen::Vector2d from = axes(end.head<2>());
-  const Eigen::Vector2d way = axes(point.head<2>()) - from;
+  const Eigen::Vector2d shift = axes(point.head<2>()) - from;
   SeenFromEnd seen;
   double reach = 0;
   for (const auto& [along, across] :
        {std::pair<std::size_t, std::size_t>{0, 1}, {2, 1}, {2, 3}, {0, 3}}) {
     const Eigen::Array2d radii(hull.radii[along], hull.radii[across]);
     const Eigen::Array2d start = from.array() / radii;
-    const Eigen::Array2d step = way.array() / radii;
+    const Eigen::Array2d step = shift.array() / radii;
     const double a = step.square().sum();
     const double b = (start * step).sum();
     const double c = start.square().sum() - 1;
     if (a <= 0 || b * b < a * c) continue;
     const double share = (std::sqrt(b * b - a * c) - b) / a;
-    const Eigen::Vector2d at = from + share * way;
+    const Eigen::Vector2d at = from + share * shift;
     const bool isAhead = along == 0 ? at.x() >= -1e-9 * radii[0] : at.x() <= 1e-9 * radii[0];
     const bool isLeft = across == 1 ? at.y() >= -1e-9 * radii[1] : at.y() <= 1e-9 * radii[1];
     if (!isAhead || !isLeft || share <= reach) continue;

@@ -94,7 +94,7 @@ private:
     return z > place.z() + tolerance_ ? -1 : 0;
   }
 
-  /// Twice the area to the left of an edge; the same edge the other way has exactly its negative,
+  /// Twice the area to the left of an edge; the same edge turned round has exactly its negative,
   /// and 0 counts as left of the edge that goes up, so that each place is over one triangle.
   static double sideOf(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                        const Eigen::Vector3d& place) {

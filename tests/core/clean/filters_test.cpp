@@ -72,11 +72,28 @@ TEST(Parts, AreOneOverGapsThatAreNotTooWide) {
 }
 
 TEST(Thinning, ByChanceKeepsExactlyItsShare) {
-  const std::vector<bool> one = thinnedByChance(1000, {.share = 0.3});
-  EXPECT_EQ(countOf(one), 700);
-  EXPECT_EQ(thinnedByChance(1000, {.share = 0.3}), one);
-  EXPECT_NE(thinnedByChance(1000, {.share = 0.3, .seed = 2}), one);
-  EXPECT_TRUE(thinnedByChance(0, {}).empty());
+  const Eigen::Matrix3Xf points = test::forkCloud();
+  const Eigen::Index leaving = points.cols() - (3 * points.cols() + 9) / 10;
+  const std::vector<bool> one = thinnedByChance(points, {.share = 0.3});
+  EXPECT_EQ(countOf(one), leaving);
+  EXPECT_EQ(thinnedByChance(points, {.share = 0.3}), one);
+  EXPECT_NE(thinnedByChance(points, {.share = 0.3, .seed = 2}), one);
+  EXPECT_TRUE(thinnedByChance(Eigen::Matrix3Xf(3, 0), {}).empty());
+}
+
+TEST(Thinning, DrawsTheSamePointsHoweverThePlantStands) {
+  const Eigen::Matrix3Xf points = test::forkCloud();
+  const Eigen::Matrix3f turn =
+      Eigen::AngleAxisf(1.1F, Eigen::Vector3f(1, 2, 3).normalized()).toRotationMatrix();
+  const Eigen::Matrix3Xf turned =
+      ((1000 * turn * points).colwise() + Eigen::Vector3f(20, -40, 300)).rowwise().reverse();
+  const std::vector<bool> one = thinnedByChance(points, {.share = 0.5});
+  std::vector<bool> other = thinnedByChance(turned, {.share = 0.5});
+  std::reverse(other.begin(), other.end());
+  std::ptrdiff_t differing = 0;
+  for (std::size_t i = 0; i < one.size(); ++i)
+    if (one[i] != other[i]) ++differing;
+  EXPECT_LE(40 * differing, std::ssize(one)) << "but for those that rounding decides";
 }
 
 TEST(Thinning, ByVoxelsKeepsOneOfEach) {
@@ -132,7 +149,7 @@ TEST(ValueRanges, KnowHues) {
             (std::vector{true, false, true, true}));
   EXPECT_EQ(outsideHues(colors, {.from = 340 * degree, .to = 20 * degree, .leastSaturation = 0.5}),
             (std::vector{false, true, true, false}))
-      << "by way of red, without grays";
+      << "through red, without grays";
 }
 
 TEST(Crop, KeepsWhatIsInside) {

@@ -45,12 +45,10 @@ struct EveryMethodInvariance : testing::TestWithParam<std::pair<std::string, std
   }
   /// The two agree but for what rounding decides.
   static void expectSame(const Skeleton& result, const Skeleton& truth) {
-    // Thinning draws other points of the scan, so that a result is as near as that of two scans.
-    const double lengths = GetParam().first == "thin" ? 0.08 : 0.04;
     const Comparison comparison =
         compare(result, truth, {.registers = false, .tolerance = {.distances = {2 * herbSpacing}}});
     EXPECT_GT(comparison.tolerance.scores[0].f(), 0.97);
-    EXPECT_NEAR(comparison.resultTraits.length / comparison.referenceTraits.length, 1, lengths);
+    EXPECT_NEAR(comparison.resultTraits.length / comparison.referenceTraits.length, 1, 0.04);
   }
 
 private:

@@ -6,8 +6,8 @@
 
 namespace espalier {
 
-/// Random numbers that depend on a seed and a number: the same for a beam, whichever thread casts
-/// it, and cheap to begin, which Random is not.
+/// Random numbers that depend on a seed and a number: the same for a beam or a point,
+/// whichever thread asks for it, and cheap to begin, which Random is not.
 ///
 /// Source: G. L. Steele et al., "Fast splittable pseudorandom number generators", OOPSLA 2014
 /// (SplitMix64).

@@ -126,6 +126,33 @@ Json statistics(const Skeleton& skeleton) {
           {"findings", std::move(findings)}};
 }
 
+namespace {
+
+/// Ends between these probabilities are listed: an expert may look at them first.
+constexpr double leastDoubtful = 0.2;
+constexpr double mostDoubtful = 0.8;
+
+Json toJson(const std::vector<EndDecision>& ends) {
+  auto doubtful = Json::array();
+  int removed = 0;
+  double expected = 0; // wrong ones
+  for (const EndDecision& end : ends) {
+    removed += !end.stays;
+    expected += end.stays ? 1 - end.probability : end.probability;
+    if (end.probability < leastDoubtful || end.probability > mostDoubtful) continue;
+    doubtful.push_back({{"probability", end.probability},
+                        {"stays", end.stays},
+                        {"foot", toJson(end.path.front())},
+                        {"tip", toJson(end.path.back())}});
+  }
+  return {{"asked", ends.size()},
+          {"removed", removed},
+          {"expected_wrong", expected},
+          {"doubtful", std::move(doubtful)}};
+}
+
+} // namespace
+
 Json statistics(const Reconstruction& reconstruction,
                 const std::vector<std::pair<std::string, double>>& stageSeconds) {
   auto steps = Json::array();
@@ -151,6 +178,7 @@ Json statistics(const Reconstruction& reconstruction,
                                                         : "modeled";
     sources[name] = sources[name].get<int>() + 1;
   }
+  Json ends = reconstruction.ends ? toJson(*reconstruction.ends) : Json(nullptr);
   auto seconds = Json::object();
   for (const auto& [stage, spent] : stageSeconds)
     seconds[stage] = spent;
@@ -160,6 +188,7 @@ Json statistics(const Reconstruction& reconstruction,
             {"thickness", reconstruction.scale.thickness}}},
           {"steps", std::move(steps)},
           {"radius_sources", std::move(sources)},
+          {"ends", std::move(ends)},
           {"seconds", std::move(seconds)}};
 }
 

@@ -175,6 +175,7 @@ struct Pipeline::Kept {
     result.contracted = state->contracted;
     result.skeleton = state->skeleton;
     result.radiusSources = state->radiusSources;
+    result.ends = state->ends;
     progress.update(1);
     return result;
   }

@@ -2,6 +2,7 @@
 
 #include "core/base/progress.h"
 #include "core/cloud/point_cloud.h"
+#include "core/decide/decide_ends.h"
 #include "core/graph/densities.h"
 #include "core/graph/find_root.h"
 #include "core/pipeline/method_probe.h"
@@ -37,7 +38,8 @@ struct PipelineState {
   StepResult made = StepResult::scan;                 // the last that is there
   /// In the frame of the file; states share it.
   std::shared_ptr<const Skeleton> skeleton = std::make_shared<const Skeleton>();
-  std::vector<RadiusSource> radiusSources = {}; // by id, once there are radii
+  std::vector<RadiusSource> radiusSources = {};              // by id, once there are radii
+  std::shared_ptr<const std::vector<EndDecision>> ends = {}; // as they were decided; null: not
   /// Of all points of the cloud, if it is at hand: see scannedIndex.
   std::shared_ptr<const SpatialIndex> index = {};
   /// Of the whole scan, if this is a part of one: for contractions that follow densities.

@@ -1,3 +1,4 @@
+#include "core/decide/decide_ends.h"
 #include "core/pipeline/method_parts.h"
 #include "core/pipeline/methods.h"
 #include "core/radius/assigned_radii.h"
@@ -9,6 +10,32 @@
 
 namespace espalier {
 namespace {
+
+Method oddsMethod() {
+  using Options = EndOptions;
+  OptionTable<Options> table;
+  table.add(ratioOption("least_odds", Shown::tr("Least probability"), 0, 1,
+                        Shown::tr("Ends that are less probably shoots are removed; 0 keeps all "
+                                  "that are long enough.")),
+            &Options::leastProbability);
+  table.add(lengthOption("length", Shown::tr("Length"), 0, 200,
+                         Shown::tr("Unbranched ends shorter than this are removed.")),
+            &Options::length);
+  return {
+      .name = "odds",
+      .label = Shown::tr("By probability"),
+      .help = Shown::tr("Removes ends that are probably no shoots, by how far they stand out, what "
+                        "bears them, and the points that only they explain."),
+      .source = "logistic regression: D. R. Cox, J. R. Stat. Soc. B 20, 1958",
+      .options = table.descriptions(),
+      .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
+        DecidedEnds decided =
+            withDecidedEnds(*state.skeleton, keptPositions(state), state.cloud->origin(),
+                            state.extent.scale.spacing, table.with(values), progress);
+        state.setSkeleton(std::move(decided.skeleton));
+        state.ends = std::make_shared<const std::vector<EndDecision>>(std::move(decided.decisions));
+      }};
+}
 
 Method spurMethod() {
   using Options = SpurOptions;
@@ -184,7 +211,7 @@ std::vector<Method> pruneMethods() {
   // points per length, angle and straightness too the area under the curve is 0.78 to 0.90 instead
   // of 0.78 to 0.88, and 0.86 instead of 0.85 on puu1. Were all of them recognized, T of puu1 would
   // be 0.882 and that of leafy structures 0.036 more; that of grown plants stays.
-  return {spurMethod(), noMethod(Shown::tr("Keeps all branches."))};
+  return {spurMethod(), oddsMethod(), noMethod(Shown::tr("Keeps all branches."))};
 }
 
 std::vector<Method> axesMethods() {

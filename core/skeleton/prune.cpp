@@ -1,38 +1,34 @@
 #include "core/skeleton/prune.h"
 
+#include "core/skeleton/branch_end.h"
+
 #include <queue>
 
 #include <optional>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace espalier {
 namespace {
 
-/// An unbranched end of the plant.
+/// An end, and whether it goes.
 struct Spur {
+  BranchEnd end;
   double excess; // of its length over what a spur may have; negative: it goes
-  double length; // [L]
-  NodeId tip;
-  NodeId foot;
 
   bool operator>(const Spur& other) const {
-    return std::tuple(length, tip) > std::tuple(other.length, other.tip);
+    return std::tuple(end.length, end.nodes.front()) >
+           std::tuple(other.end.length, other.end.nodes.front());
   }
 };
 
 std::optional<Spur> spurAt(const Skeleton& skeleton, NodeId tip, const SpurOptions& options) {
-  double length = 0;
-  NodeId at = tip;
-  while (skeleton[at].parent) {
-    const NodeId parent = *skeleton[at].parent;
-    length += (skeleton[at].position - skeleton[parent].position).norm();
-    at = parent;
-    if (skeleton.children(at).size() > 1)
-      return Spur{length - options.length - options.radiusShare * skeleton[at].radius, length, tip,
-                  at};
-  }
-  return std::nullopt; // unbranched down to the root
+  auto end = branchEndAt(skeleton, tip);
+  if (!end) return std::nullopt;
+  const double excess =
+      end->length - options.length - options.radiusShare * skeleton[end->foot].radius;
+  return Spur{std::move(*end), excess};
 }
 
 } // namespace
@@ -43,24 +39,20 @@ Skeleton withoutSpurs(const Skeleton& skeleton, const SpurOptions& options,
   std::priority_queue<Spur, std::vector<Spur>, std::greater<>> queue;
   for (const NodeId id : result.ids())
     if (result.children(id).empty())
-      if (const auto spur = spurAt(result, id, options); spur && spur->excess < 0)
-        queue.push(*spur);
+      if (auto spur = spurAt(result, id, options); spur && spur->excess < 0)
+        queue.push(std::move(*spur));
   while (!queue.empty()) {
     progress.check();
     const Spur spur = queue.top();
     queue.pop();
-    const auto now = spurAt(result, spur.tip, options);
+    auto now = spurAt(result, spur.end.nodes.front(), options);
     if (!now || now->excess >= 0) continue;
-    if (now->length > spur.length) { // its foot went: it takes its turn again
-      queue.push(*now);
+    if (now->end.length > spur.end.length) { // its foot went: it takes its turn again
+      queue.push(std::move(*now));
       continue;
     }
-    NodeId at = spur.tip;
-    while (at != now->foot) {
-      const NodeId parent = *result[at].parent;
-      result.erase(at);
-      at = parent;
-    }
+    for (const NodeId id : now->end.nodes)
+      result.erase(id);
   }
   progress.update(1);
   return result;

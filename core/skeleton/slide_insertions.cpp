@@ -13,7 +13,7 @@ namespace {
 using Eigen::Vector3d;
 
 /// A node of an axis, and how far along the axis it is [L].
-struct Station {
+struct NodeAlong {
   double along = 0;
   NodeId node{};
 };
@@ -71,36 +71,35 @@ Approach nearestOn(const Vector3d& lower, const Vector3d& upper, const LineBack&
   return {share, (between + t * line.direction - share * along).norm(), parallel / a};
 }
 
-std::vector<Station> stationsOf(const Skeleton& skeleton, const Axis& axis) {
-  std::vector<Station> stations;
+std::vector<NodeAlong> nodesAlong(const Skeleton& skeleton, const Axis& axis) {
+  std::vector<NodeAlong> nodes;
   double along = 0;
   for (std::size_t i = 0; i < axis.size(); ++i) {
     if (i > 0) along += (skeleton[axis[i]].position - skeleton[axis[i - 1]].position).norm();
-    stations.push_back({along, axis[i]});
+    nodes.push_back({along, axis[i]});
   }
-  return stations;
+  return nodes;
 }
 
 /// Where a branch of station `at` leaves the axis.
-Insertion insertionOf(const Skeleton& skeleton, const std::vector<Station>& stations,
-                      std::size_t at, NodeId branch, const InsertionOptions& options) {
+Insertion insertionOf(const Skeleton& skeleton, const std::vector<NodeAlong>& nodes, std::size_t at,
+                      NodeId branch, const InsertionOptions& options) {
   constexpr double leastWeight = 0.01;
   const auto reach = static_cast<std::size_t>(options.reach);
-  Insertion stays{stations[at].along, leastWeight, {branch}};
+  Insertion stays{nodes[at].along, leastWeight, {branch}};
   const std::optional<LineBack> line = lineBackFrom(skeleton, branch);
   if (!line) return stays;
   Approach best;
   Insertion result = stays;
-  for (std::size_t i = at > reach ? at - reach : 0; i + 1 < stations.size() && i < at + reach;
-       ++i) {
-    const Approach found = nearestOn(skeleton[stations[i].node].position,
-                                     skeleton[stations[i + 1].node].position, *line);
+  for (std::size_t i = at > reach ? at - reach : 0; i + 1 < nodes.size() && i < at + reach; ++i) {
+    const Approach found =
+        nearestOn(skeleton[nodes[i].node].position, skeleton[nodes[i + 1].node].position, *line);
     if (found.distance >= best.distance) continue;
     best = found;
-    result.along = (1 - found.share) * stations[i].along + found.share * stations[i + 1].along;
+    result.along = (1 - found.share) * nodes[i].along + found.share * nodes[i + 1].along;
     result.weight = std::max(leastWeight, found.sharpness);
   }
-  const double now = (line->start - skeleton[stations[at].node].position).norm();
+  const double now = (line->start - skeleton[nodes[at].node].position).norm();
   if (best.distance >= 0.7 * now) return stays; // the line leads past the axis
   const double share = result.weight / (result.weight + options.nodeWeight);
   result.along = stays.along + share * (result.along - stays.along);
@@ -127,11 +126,11 @@ void gather(std::vector<Insertion>& insertions, double apart) {
 }
 
 /// The node at a place of an axis; a new one if none is near.
-NodeId nodeAt(Skeleton& skeleton, std::vector<Station>& stations, double along, double nearNode) {
-  const auto upper = std::ranges::upper_bound(stations, along, {}, &Station::along);
-  if (upper == stations.begin()) return stations.front().node;
-  const Station lower = *(upper - 1);
-  if (upper == stations.end()) return lower.node;
+NodeId nodeAt(Skeleton& skeleton, std::vector<NodeAlong>& nodes, double along, double nearNode) {
+  const auto upper = std::ranges::upper_bound(nodes, along, {}, &NodeAlong::along);
+  if (upper == nodes.begin()) return nodes.front().node;
+  const NodeAlong lower = *(upper - 1);
+  if (upper == nodes.end()) return lower.node;
   const double share = (along - lower.along) / (upper->along - lower.along);
   if (share <= nearNode) return lower.node;
   if (share >= 1 - nearNode) return upper->node;
@@ -144,7 +143,7 @@ NodeId nodeAt(Skeleton& skeleton, std::vector<Station>& stations, double along, 
   node.edge = above.edge;
   const NodeId added = skeleton.add(node);
   skeleton.reparent(upper->node, added, EdgeType::successor);
-  stations.insert(upper, {along, added});
+  nodes.insert(upper, {along, added});
   return added;
 }
 
@@ -153,16 +152,16 @@ NodeId nodeAt(Skeleton& skeleton, std::vector<Station>& stations, double along, 
 Skeleton withSlidInsertions(const Skeleton& skeleton, const InsertionOptions& options) {
   Skeleton result = skeleton;
   for (const Axis& axis : axes(skeleton)) {
-    std::vector<Station> stations = stationsOf(skeleton, axis);
+    std::vector<NodeAlong> nodes = nodesAlong(skeleton, axis);
     std::vector<Insertion> insertions;
     // What is attached to the end of an axis stays: without it the end would be a tip of its own.
     for (std::size_t at = 0; at + 1 < axis.size(); ++at)
       for (const NodeId child : skeleton.children(axis[at]))
         if (skeleton[child].edge == EdgeType::branching)
-          insertions.push_back(insertionOf(skeleton, stations, at, child, options));
+          insertions.push_back(insertionOf(skeleton, nodes, at, child, options));
     gather(insertions, options.gather);
     for (const Insertion& insertion : insertions) {
-      const NodeId at = nodeAt(result, stations, insertion.along, options.nearNode);
+      const NodeId at = nodeAt(result, nodes, insertion.along, options.nearNode);
       for (const NodeId branch : insertion.branches)
         if (result[branch].parent != at) result.reparent(branch, at, EdgeType::branching);
     }

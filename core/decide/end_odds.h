@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/decide/end_evidence.h"
+#include "core/decide/logistic.h"
+
+#include <array>
+
+namespace espalier {
+
+/// What the probability of an end follows from: its lengths and counts by their logarithms.
+[[nodiscard]] std::array<double, 8> featuresOf(const EndEvidence& evidence);
+
+using EndOdds = Logistic<8>;
+
+/// The odds that are fitted: by espalier_fit_odds (tests/bench/fit_odds.cpp) on simulated scans.
+[[nodiscard]] const EndOdds& fittedEndOdds();
+
+/// How probable it is that an end is a shoot, in (0, 1): that the measure of the method's authors
+/// (core/evaluate/match/authors_comparison.h) finds it in the plant, too.
+[[nodiscard]] double probabilityOfShoot(const EndEvidence& evidence,
+                                        const EndOdds& odds = fittedEndOdds());
+
+} // namespace espalier

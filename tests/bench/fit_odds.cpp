@@ -1,0 +1,218 @@
+// Fits the odds of ends, the numbers in core/decide/end_odds.cpp, on simulated scans, and shows on
+// others how often ends are shoots of which the odds say so.
+//
+//   espalier_fit_odds [--plants N] [--others M] [--rounds R]
+//
+// N plants, 120 if it is not said, are fitted on, the next M, 60, are judged by. An end is labelled
+// a shoot if the measure of the method's authors matches its segment to one of the truth. Examples
+// are the ends of skeletons before any are taken away, and in later rounds (3) also those that are
+// there after they were taken away by the odds of the round before: what is asked in between.
+// Each plant weighs as the root of its examples.
+#include "core/decide/decide_ends.h"
+#include "core/evaluate/match/authors_comparison.h"
+#include "core/pipeline/cleaned_scan.h"
+#include "core/pipeline/method_parts.h"
+#include "core/pipeline/pipeline.h"
+#include "tests/bench/simulated_scans.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace espalier {
+namespace {
+
+constexpr Eigen::Index features = 8;
+constexpr Eigen::Index terms = 1 + 2 * features;
+
+struct Example {
+  EndEvidence evidence;
+  bool isShoot = false;
+  double weight = 1;
+};
+
+/// What is there to decide on.
+struct Case {
+  ScannedPlant plant;
+  Skeleton skeleton;
+  Eigen::Matrix3Xf points;
+  double spacing = 0;
+};
+
+std::optional<Case> caseOf(std::uint64_t number) try {
+  Case found{.plant = scannedPlant(number)};
+  const Reconstruction result = Pipeline().run(found.plant.cloud, {}, {}, "join");
+  found.skeleton = *result.skeleton;
+  found.spacing = result.scale.spacing;
+  found.points = keptPositions(cleanedScan(found.plant.cloud, {}).state);
+  return found;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "%d: %s\n", static_cast<int>(number), error.what());
+  return std::nullopt;
+}
+
+/// The ends that stay, with their labels.
+std::vector<Example> examplesOf(const Case& of, double leastProbability, const EndOdds& odds) {
+  const DecidedEnds decided =
+      withDecidedEnds(of.skeleton, of.points, of.plant.cloud->origin(), of.spacing,
+                      {.leastProbability = leastProbability,
+                       .length = Length(EndOptions().length.rule().value({of.spacing, 0, 0}))},
+                      {}, odds);
+  const AuthorsComparison comparison = authorsComparison(decided.skeleton, of.plant.truth);
+  std::set<NodeId> matched;
+  for (const auto& match : comparison.matches)
+    matched.insert(comparison.resultSegments[match.result].nodes.back());
+  std::vector<Example> examples;
+  for (const EndDecision& decision : decided.decisions)
+    if (decision.stays) examples.push_back({decision.evidence, matched.contains(decision.tip)});
+  return examples;
+}
+
+void append(std::vector<Example>& all, std::vector<Example> some) {
+  for (Example& example : some) {
+    example.weight = 1 / std::sqrt(static_cast<double>(some.size()));
+    all.push_back(example);
+  }
+}
+
+Eigen::VectorXd termsOf(const EndEvidence& evidence) {
+  Eigen::VectorXd row(terms);
+  row[0] = 1;
+  const auto values = featuresOf(evidence);
+  for (Eigen::Index i = 0; i < features; ++i) {
+    row[1 + i] = values[static_cast<std::size_t>(i)];
+    row[1 + features + i] = row[1 + i] * row[1 + i];
+  }
+  return row;
+}
+
+/// Maximum likelihood by Newton's method, with a ridge of a thousandth on scaled terms.
+EndOdds fitted(const std::vector<Example>& examples) {
+  const auto count = static_cast<Eigen::Index>(examples.size());
+  Eigen::MatrixXd rows(count, terms);
+  Eigen::VectorXd labels(count), weights(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Example& example = examples[static_cast<std::size_t>(i)];
+    rows.row(i) = termsOf(example.evidence);
+    labels[i] = example.isShoot;
+    weights[i] = example.weight;
+  }
+  weights /= weights.mean();
+  Eigen::VectorXd scales = (rows.cwiseAbs2().colwise().mean()).cwiseSqrt().transpose();
+  rows = rows * scales.cwiseInverse().asDiagonal();
+  Eigen::VectorXd found = Eigen::VectorXd::Zero(terms);
+  const double ridge = 1e-4 * static_cast<double>(count);
+  for (int step = 0; step < 100; ++step) {
+    const Eigen::VectorXd odds = 1 / (1 + (-(rows * found)).array().exp());
+    const Eigen::VectorXd slope =
+        rows.transpose() * (weights.array() * (labels - odds).array()).matrix() - ridge * found;
+    const Eigen::VectorXd spread = weights.array() * odds.array() * (1 - odds.array());
+    Eigen::MatrixXd curvature = rows.transpose() * spread.asDiagonal() * rows;
+    curvature.diagonal().array() += ridge;
+    const Eigen::VectorXd change = curvature.ldlt().solve(slope);
+    found += change;
+    if (change.cwiseAbs().maxCoeff() < 1e-10) break;
+  }
+  found = found.cwiseQuotient(scales);
+  EndOdds odds{.constant = found[0]};
+  for (Eigen::Index i = 0; i < features; ++i) {
+    odds.weights[static_cast<std::size_t>(i)] = found[1 + i];
+    odds.squareWeights[static_cast<std::size_t>(i)] = found[1 + features + i];
+  }
+  return odds;
+}
+
+void print(const EndOdds& odds) {
+  const auto list = [](const char* name, const auto& values) {
+    std::printf("      .%s = {", name);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      std::printf("%s%.4f", i ? ", " : "", values[i]);
+    std::printf("},\n");
+  };
+  std::printf("      .constant = %.4f,\n", odds.constant);
+  list("weights", odds.weights);
+  list("squareWeights", odds.squareWeights);
+}
+
+/// A reliability diagram as a table, and the expected calibration error.
+void printReliability(const std::vector<Example>& examples, const EndOdds& odds) {
+  struct Bin {
+    double weight = 0, said = 0, were = 0;
+    int count = 0;
+  };
+  std::array<Bin, 10> bins;
+  double all = 0, wrong = 0;
+  for (const Example& example : examples) {
+    const double probability = probabilityOfShoot(example.evidence, odds);
+    Bin& bin = bins[std::min<std::size_t>(9, static_cast<std::size_t>(10 * probability))];
+    bin.weight += example.weight;
+    bin.said += example.weight * probability;
+    bin.were += example.weight * example.isShoot;
+    ++bin.count;
+    all += example.weight;
+    wrong += example.weight * ((probability >= 0.5) != example.isShoot);
+  }
+  double error = 0;
+  std::printf("  ends  said  were\n");
+  for (const Bin& bin : bins) {
+    if (bin.count == 0) continue;
+    std::printf("%6d  %.3f %.3f\n", bin.count, bin.said / bin.weight, bin.were / bin.weight);
+    error += std::abs(bin.said - bin.were) / all;
+  }
+  std::printf("expected calibration error %.3f, wrong at one half %.3f\n", error, wrong / all);
+}
+
+std::vector<Case> casesOf(std::uint64_t from, std::uint64_t to) {
+  std::vector<Case> cases;
+  for (std::uint64_t number = from; number < to; ++number)
+    if (auto found = caseOf(number)) cases.push_back(std::move(*found));
+  return cases;
+}
+
+int fitOdds(int plants, int others, int rounds) {
+  const auto count = static_cast<std::uint64_t>(plants);
+  const std::vector<Case> cases = casesOf(1, count + 1);
+  std::vector<Example> examples;
+  for (const Case& one : cases)
+    append(examples, examplesOf(one, 0, {}));
+  EndOdds odds = fitted(examples);
+  for (int round = 1; round < rounds; ++round) {
+    for (const Case& one : cases)
+      for (const double least : {0.2, 0.5})
+        append(examples, examplesOf(one, least, odds));
+    odds = fitted(examples);
+  }
+  std::printf("%zu examples of %zu plants\n", examples.size(), cases.size());
+  print(odds);
+  std::printf("of these plants, all examples:\n");
+  printReliability(examples, odds);
+  std::vector<Example> before, after;
+  for (const Case& one : casesOf(count + 1, count + 1 + static_cast<std::uint64_t>(others))) {
+    append(before, examplesOf(one, 0, odds));
+    append(after, examplesOf(one, 0.5, odds));
+  }
+  std::printf("of others, before any is taken away:\n");
+  printReliability(before, odds);
+  std::printf("of others, that stay:\n");
+  printReliability(after, odds);
+  return 0;
+}
+
+} // namespace
+} // namespace espalier
+
+int main(int argc, char** argv) {
+  int plants = 120, others = 60, rounds = 3;
+  for (int i = 1; i + 1 < argc; i += 2) {
+    const std::string name = argv[i];
+    int& value = name == "--plants" ? plants : name == "--others" ? others : rounds;
+    value = std::atoi(argv[i + 1]);
+  }
+  return espalier::fitOdds(plants, others, rounds);
+}

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/cloud/point_cloud.h"
+#include "core/skeleton/skeleton.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+namespace espalier {
+
+/// A simulated scan and the plant that it is of.
+struct ScannedPlant {
+  std::string name;
+  Skeleton truth;
+  std::shared_ptr<const PointCloud> cloud;
+  double pointsPerSegment = 0; // of the truth
+  double foliage = 0;          // 1 is as dense as the kind of plant bears it
+};
+
+/// A plant of any kind, scanned in any way: 8 to 600 points a segment, from 1 to 8 stations, with
+/// noise up to 1 / 500 of its extent, with foliage or without, whole or behind leaves. Two in six
+/// are structures that people measured, where the shared data has them, the others grown.
+///
+/// The same for the same number and data.
+[[nodiscard]] ScannedPlant scannedPlant(std::uint64_t number);
+
+} // namespace espalier

@@ -5,8 +5,12 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
+#include <limits>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 namespace espalier {
@@ -36,17 +40,16 @@ public:
     box_ = {whole.min().head<2>(), whole.max().head<2>()};
     tolerance_ = 1e-9 * whole.sizes().norm();
     side_ = std::max(1, static_cast<int>(std::sqrt(static_cast<double>(mesh.triangles.size()))));
-    cells_.resize(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_));
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-      add(i);
+    index();
   }
 
   /// Whether as many walls as make it inside lie above a place.
   [[nodiscard]] bool isInside(const Eigen::Vector3d& place) const {
     if (!box_.contains(Eigen::Vector2d(place.head<2>()))) return false;
     int walls = 0;
-    for (const std::size_t triangle : cells_[cellAt(column(place, 0), column(place, 1))])
-      walls += wallAbove(triangle, place);
+    const std::size_t cell = cellAt(cellOf(along(place, 0)), cellOf(along(place, 1)));
+    for (std::size_t i = begins_[cell]; i < begins_[cell + 1]; ++i)
+      walls += wallAbove(triangles_[i], place);
     return walls != 0;
   }
 
@@ -55,10 +58,14 @@ private:
     return mesh_.corners[static_cast<std::size_t>(mesh_.triangles[triangle][i])];
   }
 
-  [[nodiscard]] int column(const Eigen::Vector3d& place, int axis) const {
+  /// Where a place is across the grid, in cells.
+  [[nodiscard]] double along(const Eigen::Vector3d& place, int axis) const {
     const double size = std::max(box_.sizes()[axis], 1e-300);
-    const double share = (place[axis] - box_.min()[axis]) / size;
-    return std::clamp(static_cast<int>(share * side_), 0, side_ - 1);
+    return (place[axis] - box_.min()[axis]) / size * side_;
+  }
+
+  [[nodiscard]] int cellOf(double along) const {
+    return static_cast<int>(std::clamp(along, 0.0, side_ - 1.0));
   }
 
   [[nodiscard]] std::size_t cellAt(int x, int y) const {
@@ -66,13 +73,60 @@ private:
            static_cast<std::size_t>(x);
   }
 
-  void add(std::size_t triangle) {
-    Eigen::AlignedBox3d over;
-    for (std::size_t i = 0; i < 3; ++i)
-      over.extend(corner(triangle, i));
-    for (int y = column(over.min(), 1); y <= column(over.max(), 1); ++y)
-      for (int x = column(over.min(), 0); x <= column(over.max(), 0); ++x)
-        cells_[cellAt(x, y)].push_back(triangle);
+  /// Counts what lies over each cell, then fills one list of all.
+  void index() {
+    begins_.assign(cellAt(0, side_) + 1, 0);
+    for (std::size_t i = 0; i < mesh_.triangles.size(); ++i)
+      forCellsUnder(i, [&](std::size_t cell) { ++begins_[cell + 1]; });
+    std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
+    triangles_.resize(begins_.back());
+    std::vector<std::size_t> next(begins_.begin(), begins_.end() - 1);
+    for (std::size_t i = 0; i < mesh_.triangles.size(); ++i)
+      forCellsUnder(i, [&](std::size_t cell) { triangles_[next[cell]++] = i; });
+  }
+
+  /// Row by row, as long as the triangle is wide there: of a sliver of a fan, which crosses half
+  /// of the grid, its bounding box would be nearly all cells.
+  template <class Visit> void forCellsUnder(std::size_t triangle, const Visit& visit) const {
+    std::array<Eigen::Vector2d, 3> corners;
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (std::size_t i = 0; i < 3; ++i) {
+      corners[i] = {along(corner(triangle, i), 0), along(corner(triangle, i), 1)};
+      low = std::min(low, corners[i].y());
+      high = std::max(high, corners[i].y());
+    }
+    for (int y = cellOf(low - slack); y <= cellOf(high + slack); ++y) {
+      const auto [from, to] = widthAt(corners, y - slack, y + 1 + slack);
+      for (int x = cellOf(from - slack); x <= cellOf(to + slack) && from <= to; ++x)
+        visit(cellAt(x, y));
+    }
+  }
+
+  /// From where to where a triangle reaches between two heights; nowhere: the first is greater.
+  static std::pair<double, double> widthAt(const std::array<Eigen::Vector2d, 3>& corners,
+                                           double low, double high) {
+    double least = std::numeric_limits<double>::infinity();
+    double most = -least;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Eigen::Vector2d& a = corners[i];
+      const Eigen::Vector2d step = corners[(i + 1) % 3] - a;
+      const auto reachAt = [&](double height) {
+        const double share = std::clamp((height - a.y()) / step.y(), 0.0, 1.0);
+        least = std::min(least, a.x() + share * step.x());
+        most = std::max(most, a.x() + share * step.x());
+      };
+      if (std::max(a.y(), a.y() + step.y()) < low || std::min(a.y(), a.y() + step.y()) > high)
+        continue;
+      if (step.y() == 0) {
+        least = std::min({least, a.x(), a.x() + step.x()});
+        most = std::max({most, a.x(), a.x() + step.x()});
+      } else {
+        reachAt(low);
+        reachAt(high);
+      }
+    }
+    return {least, most};
   }
 
   /// 1 for a wall above that turns up, -1 for one that turns down, 0 for none.
@@ -107,11 +161,14 @@ private:
     return isTurned ? -side : side;
   }
 
+  static constexpr double slack = 1e-6; // of a cell, for rounding
+
   const SurfaceMesh& mesh_;
   Eigen::AlignedBox2d box_;
   double tolerance_ = 0;
   int side_ = 1;
-  std::vector<std::vector<std::size_t>> cells_;
+  std::vector<std::size_t> begins_;    // of each cell in the list, and its end
+  std::vector<std::size_t> triangles_; // of all cells
 };
 
 } // namespace

@@ -40,7 +40,7 @@ void movePlaces(std::vector<EnvelopeParameter>& parameters, const Eigen::Matrix3
 
 /// Which share of the points lies inside a closed mesh, in [0, 1]: by rays straight up.
 /// @throws Cancelled if `progress` asks to stop
-/// Time O(N sqrt(triangles)).
+/// Time and memory O((N + triangles) sqrt(triangles)) at most.
 [[nodiscard]] double shareInside(const SurfaceMesh& mesh, const Eigen::Matrix3Xd& points,
                                  const Progress& progress = {});
 

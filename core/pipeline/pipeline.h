@@ -27,7 +27,7 @@ struct Reconstruction {
   std::vector<RadiusSource> radiusSources; // by id; empty without the last step
   /// What was asked of the ends of the skeleton (core/decide/decide_ends.h). Null: nothing.
   std::shared_ptr<const std::vector<EndDecision>> ends;
-  PlantScale scale;                        // of what is left, if cleaning changed it
+  PlantScale scale; // of what is left, if cleaning changed it
   /// Points that cleaning took for no part of the plant, where more than strays: they stay where
   /// they are. Null: none.
   std::shared_ptr<const PointSet> apart;

@@ -1,5 +1,6 @@
 #include "core/io/formats.h"
 #include "core/radius/assigned_radii.h"
+#include "core/skeleton/branch_end.h"
 #include "core/skeleton/checks.h"
 #include "tests/app/cli/subcommands.h"
 
@@ -54,6 +55,24 @@ TEST_F(Subcommands, ReconstructFindsOnePlantWithRadii) {
   EXPECT_EQ(statistics["steps"][1]["method"], "geodesic_centroid");
   EXPECT_TRUE(statistics["seconds"].contains("Contract"));
   EXPECT_THAT(namesIn(folder_), ElementsAre("a.json", "a.mtg"));
+}
+
+TEST_F(Subcommands, ReconstructListsDoubtfulEndsWhereTheyAreDecidedByOdds) {
+  run({"reconstruct", scan_, "-o", file("a.mtg"), "--json", file("a.json"), "--set",
+       "prune.method=odds"});
+  const json ends = test::jsonIn(file("a.json"))["ends"];
+  const Skeleton plant = readStructure(file("a.mtg")).value.skeleton;
+  EXPECT_EQ(ends["asked"].get<std::size_t>() - ends["removed"].get<std::size_t>(),
+            branchEnds(plant).size());
+  EXPECT_GT(ends["expected_wrong"], 0);
+  EXPECT_LT(ends["expected_wrong"], ends["asked"]);
+  for (const json& end : ends["doubtful"]) {
+    EXPECT_GE(end["probability"], 0.2);
+    EXPECT_LE(end["probability"], 0.8);
+    EXPECT_NE(end["foot"], end["tip"]);
+  }
+  run({"reconstruct", scan_, "-o", file("b.mtg"), "--json", file("b.json")});
+  EXPECT_TRUE(test::jsonIn(file("b.json"))["ends"].is_null()) << "nothing is asked";
 }
 
 TEST_F(Subcommands, ReconstructUsesWhatIsSet) {

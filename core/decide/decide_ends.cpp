@@ -1,7 +1,5 @@
 #include "core/decide/decide_ends.h"
 
-#include "core/skeleton/prune.h"
-
 #include <algorithm>
 #include <map>
 #include <tuple>
@@ -48,12 +46,12 @@ std::vector<std::size_t> improbable(const std::vector<End>& ends,
 } // namespace
 
 DecidedEnds withDecidedEnds(const Skeleton& skeleton, const Eigen::Matrix3Xf& points,
-                            const Eigen::Vector3d& origin, double spacing,
+                            const Eigen::Vector3d& origin, const PlantScale& scale,
                             const EndOptions& options, const Progress& progress,
                             const EndOdds& odds) {
   DecidedEnds result{withoutSpurs(skeleton, {.length = options.length}), {}};
   if (result.skeleton.isEmpty() || points.cols() == 0) return result;
-  EndsOfSkeleton ends(std::move(result.skeleton), points, origin, spacing, progress.part(0, 0.7));
+  EndsOfSkeleton ends(std::move(result.skeleton), points, origin, scale, progress.part(0, 0.7));
   std::vector<double> probabilities = probabilitiesOf(ends.ends(), odds);
   for (double done = 0.7;; done += (1 - done) / 2) {
     const auto gone = improbable(ends.ends(), probabilities, options.leastProbability);

@@ -3,6 +3,7 @@
 #include "core/base/progress.h"
 #include "core/base/rule.h"
 #include "core/decide/end_odds.h"
+#include "core/skeleton/prune.h"
 
 #include <Eigen/Core>
 
@@ -11,8 +12,8 @@
 namespace espalier {
 
 struct EndOptions {
-  double leastProbability = 0.5; // in [0, 1]: less probable ends go
-  Length length = spacings(2.5); // [L] shorter ends go in any case
+  double leastProbability = 0.1;        // in [0, 1]: less probable ends go
+  Length length = SpurOptions().length; // [L] shorter ends go in any case
 };
 
 /// An end of which it was asked whether it is a shoot.
@@ -37,11 +38,11 @@ struct DecidedEnds {
 /// least one end.
 ///
 /// @param points  that were scanned, 3 x N [L], in the frame of the skeleton after adding `origin`
-/// @param spacing of the points [L]
+/// @param scale   of the plant, spacing and height
 /// Uses all threads, deterministic. Time O(N log n).
 /// @throws Cancelled if `progress` asks to stop
 [[nodiscard]] DecidedEnds withDecidedEnds(const Skeleton& skeleton, const Eigen::Matrix3Xf& points,
-                                          const Eigen::Vector3d& origin, double spacing,
+                                          const Eigen::Vector3d& origin, const PlantScale& scale,
                                           const EndOptions& options, const Progress& progress = {},
                                           const EndOdds& odds = fittedEndOdds());
 

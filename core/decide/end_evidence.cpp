@@ -43,9 +43,9 @@ bool isSame(const BranchEnd& a, const BranchEnd& b) {
 } // namespace
 
 EndsOfSkeleton::EndsOfSkeleton(Skeleton skeleton, const Eigen::Matrix3Xf& points,
-                               const Eigen::Vector3d& origin, double spacing,
+                               const Eigen::Vector3d& origin, const PlantScale& scale,
                                const Progress& progress)
-    : skeleton_(std::move(skeleton)), points_(&points), origin_(origin), spacing_(spacing),
+    : skeleton_(std::move(skeleton)), points_(&points), origin_(origin), scale_(scale),
       index_(skeleton_) {
   shareOut(progress.part(0, 0.5));
   list();
@@ -56,10 +56,15 @@ EndsOfSkeleton::EndsOfSkeleton(Skeleton skeleton, const Eigen::Matrix3Xf& points
   keepScatterOfAll();
 }
 
-/// How far points are from the ends there are now, on the average.
+/// How far points are from the ends there are now: the lower median.
 void EndsOfSkeleton::keepScatterOfAll() {
+  if (ends_.empty()) return;
+  std::vector<double> scatter;
   for (const End& end : ends_)
-    scatterOfAll_ += end.evidence.scatter / static_cast<double>(ends_.size());
+    scatter.push_back(end.evidence.scatter);
+  const auto middle = scatter.begin() + static_cast<std::ptrdiff_t>((scatter.size() - 1) / 2);
+  std::ranges::nth_element(scatter, middle);
+  scatterOfAll_ = *middle;
   for (End& end : ends_)
     end.evidence.others = scatterOfAll_;
 }
@@ -151,7 +156,7 @@ EndsOfSkeleton::End EndsOfSkeleton::lookedAt(std::size_t place) const {
     bearingPoints += static_cast<double>(pointsOf(id).size());
   }
   const double bearer = bearingPoints > 0 ? bearing / bearingPoints : 0;
-  const double explained = 2 * bearer + spacing_;
+  const double explained = 2 * bearer + scale_.spacing;
   double scatter = 0;
   for (const NodeId id : end.nodes)
     for (const std::uint32_t point : pointsOf(id)) {
@@ -163,11 +168,12 @@ EndsOfSkeleton::End EndsOfSkeleton::lookedAt(std::size_t place) const {
     }
   const double protrusion = toRest(skeleton_[end.nodes.front()].position, place);
   found.seen = widened(found.seen, std::max(protrusion, explained));
-  evidence.length = end.length / spacing_;
-  evidence.protrusion = protrusion / spacing_;
-  evidence.bearer = bearer / spacing_;
-  evidence.scatter = evidence.points > 0 ? scatter / evidence.points / spacing_ : 0;
+  evidence.length = end.length / scale_.spacing;
+  evidence.protrusion = protrusion / scale_.spacing;
+  evidence.bearer = bearer / scale_.spacing;
+  evidence.scatter = evidence.points > 0 ? scatter / evidence.points / scale_.spacing : 0;
   evidence.turn = turnOf(skeleton_, end);
+  evidence.share = scale_.height > 0 ? end.length / scale_.height : 0;
   evidence.others = scatterOfAll_;
   return found;
 }

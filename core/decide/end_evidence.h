@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/base/rule.h"
 #include "core/skeleton/branch_end.h"
 #include "core/skeleton/edge_index.h"
 
@@ -26,7 +27,8 @@ struct EndEvidence {
   double points = 0;     // nearest to it
   double scatter = 0;    // how far those are from it, mean
   double turn = 0;       // cosine between it and the wood below it
-  double others = 0; // mean of the scatter of all ends there were at first: of what stands around
+  double share = 0;      // length, in heights of the plant
+  double others = 0; // median of the scatter of all ends there were at first: of what stands around
                      // thin wood in this scan, needles and leaves the most
 };
 
@@ -40,12 +42,12 @@ public:
   };
 
   /// @param points  3 x N [L], in the frame of the skeleton after adding `origin`
-  /// @param spacing of the points [L]
-  /// pre: the skeleton is not empty; `points` and `spacing` are of now and later, too
+  /// @param scale   of the plant, spacing and height
+  /// pre: the skeleton is not empty; `points` are those of now and later, too
   /// Uses all threads, deterministic. Time O(N log n), n: nodes; memory O(N).
   /// @throws Cancelled if `progress` asks to stop
   EndsOfSkeleton(Skeleton skeleton, const Eigen::Matrix3Xf& points, const Eigen::Vector3d& origin,
-                 double spacing, const Progress& progress = {});
+                 const PlantScale& scale, const Progress& progress = {});
 
   [[nodiscard]] const Skeleton& skeleton() const { return skeleton_; }
   [[nodiscard]] const std::vector<End>& ends() const { return ends_; }
@@ -68,8 +70,8 @@ private:
   Skeleton skeleton_;
   const Eigen::Matrix3Xf* points_;
   Eigen::Vector3d origin_;
-  double spacing_;
-  double scatterOfAll_ = 0; // in spacings: of the ends there were at first, mean
+  PlantScale scale_;
+  double scatterOfAll_ = 0; // in spacings: of the ends there were at first, median
   EdgeIndex index_;         // of the skeleton as it was at first
   std::vector<std::uint32_t> begins_;
   std::vector<std::uint32_t> order_; // points by the node whose edge is nearest; see begins_

@@ -8,9 +8,9 @@
 namespace espalier {
 
 /// What the probability of an end follows from: its lengths and counts by their logarithms.
-[[nodiscard]] std::array<double, 8> featuresOf(const EndEvidence& evidence);
+[[nodiscard]] std::array<double, 10> featuresOf(const EndEvidence& evidence);
 
-using EndOdds = Logistic<8>;
+using EndOdds = Logistic<10>;
 
 /// The odds that are fitted: by espalier_fit_odds (tests/bench/fit_odds.cpp) on simulated scans.
 [[nodiscard]] const EndOdds& fittedEndOdds();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -12,12 +13,16 @@ template <std::size_t Features> struct Logistic {
   double constant = 0;
   std::array<double, Features> weights = {};       // of the features
   std::array<double, Features> squareWeights = {}; // of their squares
+  std::array<double, Features> least = {};         // each feature is taken within these bounds:
+  std::array<double, Features> most = {};          // what was fitted says nothing beyond them
 
   /// In (0, 1).
   [[nodiscard]] double probability(const std::array<double, Features>& features) const {
     double sum = constant;
-    for (std::size_t i = 0; i < Features; ++i)
-      sum += features[i] * (weights[i] + features[i] * squareWeights[i]);
+    for (std::size_t i = 0; i < Features; ++i) {
+      const double feature = std::clamp(features[i], least[i], most[i]);
+      sum += feature * (weights[i] + feature * squareWeights[i]);
+    }
     return 1 / (1 + std::exp(-sum));
   }
 };

@@ -35,6 +35,16 @@ PipelineOptions thesis() {
   return options;
 }
 
+/// Leaves have more ends by far than the plant has: only what is more probably a shoot than not
+/// stays, however short.
+PipelineOptions leaves() {
+  PipelineOptions options;
+  for (const char* setting :
+       {"prune.method=odds", "prune.least_odds=0.6", "prune.length=2.5 spacings"})
+    options.set(setting);
+  return options;
+}
+
 /// What stands around plants is left out, and one of them is taken; all else by default.
 PipelineOptions plot() {
   PipelineOptions options;
@@ -57,6 +67,10 @@ const std::vector<NamedPreset>& presets() {
        Shown::tr("Adaptive contraction, point tracking and pipe model, with the settings of the "
                  "thesis."),
        "C. Preuksakarn, PhD thesis, Montpellier 2, 2012, sections 4.5 to 4.8", thesis()},
+      {"leaves", Shown::tr("Leaves"),
+       Shown::tr("For herbs, seedlings and grasses with large leaves: only ends that are more "
+                 "probably shoots or midribs than not; all else as by default."),
+       "", leaves()},
       {"plot", Shown::tr("From a Plot"),
        Shown::tr("Leaves out ground, poles, wires and other plants; all else as by default."), "",
        plot()}};

@@ -132,7 +132,6 @@ struct Region {
   std::vector<Eigen::Index> columns; // of its cloud in that of the whole: those that are kept
   PipelineState state;
   RegionPreview preview;
-  PlantScale scale; // of what cleaning leaves
 };
 
 std::vector<float> atColumns(const std::vector<float>& values,
@@ -174,7 +173,7 @@ struct RegionPreviewer::Regions {
     const ChosenMethod contraction = chosenFor(contractionStep(), options, scale);
     Region region =
         around(whole, ball, marginOf(contraction, ball, scale.spacing), *isLeftOut, progress);
-    region.scale = scale;
+    region.state.extent.scale = scale; // of what cleaning leaves
     region.state.densityRange =
         whole.densityRange(cleaning, isLeftOut, contraction, progress.part(0.2, 0.3));
     if (region.columns.size() >= 2) {
@@ -237,7 +236,7 @@ RegionPreview RegionPreviewer::reconstructed(const Ball& ball, const PipelineOpt
   if (region.columns.size() >= 2)
     region.preview.skeleton =
         skeletonOfRegion(region.state, atColumns(*whole_->distances(progress), region.columns),
-                         ball, options, region.scale, progress.part(0.5, 1));
+                         ball, options, progress.part(0.5, 1));
   return std::move(region.preview);
 }
 

@@ -44,7 +44,8 @@ PipelineState stateOf(const std::vector<Eigen::Index>& points, const PipelineSta
               std::make_shared<const Eigen::Matrix3Xf>((*region.contracted)(Eigen::all, points)),
           .root = nearest - points.begin(),
           .made = StepResult::contracted,
-          .radiusSources = {}};
+          .radiusSources = {},
+          .extent = region.extent};
 }
 
 /// Adds what of `part` lies in the ball. Nodes whose parent does not are roots.
@@ -61,8 +62,9 @@ void addInside(const Skeleton& part, const Ball& ball, Skeleton& result) {
 } // namespace
 
 Skeleton skeletonOfRegion(const PipelineState& region, const std::vector<float>& distanceToRoot,
-                          const Ball& ball, const PipelineOptions& options, const PlantScale& scale,
+                          const Ball& ball, const PipelineOptions& options,
                           const Progress& progress) {
+  const PlantScale& scale = region.extent.scale;
   const std::vector<ChosenStep> steps =
       stepsBetween(StepResult::contracted, StepResult::skeleton, options, scale);
   const std::vector<std::vector<Eigen::Index>> parts =

@@ -10,7 +10,7 @@ namespace espalier {
 /// What the skeleton of a part of a scan would be: all steps after the contraction and before the
 /// radii, run on each connected part of it.
 ///
-/// @param region          contracted; none of its points is left out
+/// @param region          contracted, none of its points left out; its scale is of the whole
 /// @param distanceToRoot  by point of it, along the plant [L]
 /// @param ball            what lies outside of it is cut off
 /// @throws Error     if no part can be reconstructed, and one fails
@@ -18,7 +18,7 @@ namespace espalier {
 /// See RegionPreviewer::reconstructed().
 [[nodiscard]] Skeleton skeletonOfRegion(const PipelineState& region,
                                         const std::vector<float>& distanceToRoot, const Ball& ball,
-                                        const PipelineOptions& options, const PlantScale& scale,
+                                        const PipelineOptions& options,
                                         const Progress& progress = {});
 
 } // namespace espalier

@@ -218,6 +218,7 @@ SimulatedScan scan(const Skeleton& plant, const ScannerOptions& options, std::ui
   Organs organs = organsOf(plant, options.foliage, extent, seed + 3);
   pieces.insert(pieces.end(), organs.shortShoots.begin(), organs.shortShoots.end());
   const WoodIndex wood(std::move(pieces));
+  result.blades = organs.blades;
   const PieceTree<Blade> blades(std::move(organs.blades));
   const ScanScene scene{.wood = wood,
                         .blades = blades,

@@ -20,6 +20,7 @@ struct SimulatedScan {
   std::vector<std::optional<NodeId>> nodes;
   std::vector<Eigen::Vector3d> stations; // [L], where the scanner stood; none if it did not
   double angularStep = 0;                // between beams [rad], 0 without stations
+  std::vector<Blade> blades;             // the needles and leaves there were
 };
 
 /// Extent below: the larger of height and width of the plant.

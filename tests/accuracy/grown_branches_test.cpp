@@ -54,6 +54,7 @@ TEST_F(GrownOnWalnut, WhatIsMissingTurnsBackNowhereAndKeepsToThePoints) {
 
 TEST_F(GrownOnWalnut, EachClusterOfUnexplainedPointsMakesABranch) {
   PipelineOptions cutting; // so that branches are missing
+  cutting.set("prune.method=spurs");
   cutting.set("prune.length=30 spacings");
   plant_ = *Pipeline().run(cloud_, cutting).skeleton;
   const PointDistances distances(cloud_, spacing_, plant_);

@@ -15,6 +15,7 @@
 #include "core/pipeline/pipeline.h"
 #include "tests/bench/simulated_scans.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -23,13 +24,15 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace espalier {
 namespace {
 
-constexpr Eigen::Index features = 8;
+constexpr auto features = static_cast<Eigen::Index>(EndOdds().weights.size());
 constexpr Eigen::Index terms = 1 + 2 * features;
+constexpr double shortest = 2.5; // [spacings] shorter ends are not asked about
 
 struct Example {
   EndEvidence evidence;
@@ -42,14 +45,14 @@ struct Case {
   ScannedPlant plant;
   Skeleton skeleton;
   Eigen::Matrix3Xf points;
-  double spacing = 0;
+  PlantScale scale;
 };
 
 std::optional<Case> caseOf(std::uint64_t number) try {
   Case found{.plant = scannedPlant(number)};
   const Reconstruction result = Pipeline().run(found.plant.cloud, {}, {}, "join");
   found.skeleton = *result.skeleton;
-  found.spacing = result.scale.spacing;
+  found.scale = result.scale;
   found.points = keptPositions(cleanedScan(found.plant.cloud, {}).state);
   return found;
 } catch (const std::exception& error) {
@@ -59,11 +62,10 @@ std::optional<Case> caseOf(std::uint64_t number) try {
 
 /// The ends that stay, with their labels.
 std::vector<Example> examplesOf(const Case& of, double leastProbability, const EndOdds& odds) {
-  const DecidedEnds decided =
-      withDecidedEnds(of.skeleton, of.points, of.plant.cloud->origin(), of.spacing,
-                      {.leastProbability = leastProbability,
-                       .length = Length(EndOptions().length.rule().value({of.spacing, 0, 0}))},
-                      {}, odds);
+  const DecidedEnds decided = withDecidedEnds(
+      of.skeleton, of.points, of.plant.cloud->origin(), of.scale,
+      {.leastProbability = leastProbability, .length = Length(shortest * of.scale.spacing)}, {},
+      odds);
   const AuthorsComparison comparison = authorsComparison(decided.skeleton, of.plant.truth);
   std::set<NodeId> matched;
   for (const auto& match : comparison.matches)
@@ -81,25 +83,49 @@ void append(std::vector<Example>& all, std::vector<Example> some) {
   }
 }
 
-Eigen::VectorXd termsOf(const EndEvidence& evidence) {
+Eigen::VectorXd termsOf(const EndEvidence& evidence, const EndOdds& bounds) {
   Eigen::VectorXd row(terms);
   row[0] = 1;
   const auto values = featuresOf(evidence);
   for (Eigen::Index i = 0; i < features; ++i) {
-    row[1 + i] = values[static_cast<std::size_t>(i)];
+    const auto k = static_cast<std::size_t>(i);
+    row[1 + i] = std::clamp(values[k], bounds.least[k], bounds.most[k]);
     row[1 + features + i] = row[1 + i] * row[1 + i];
   }
   return row;
 }
 
+/// Between which all but two in a hundred examples lie, by weight.
+EndOdds boundsOf(const std::vector<Example>& examples) {
+  EndOdds bounds;
+  double all = 0;
+  for (const Example& example : examples)
+    all += example.weight;
+  std::vector<std::pair<double, double>> values(examples.size()); // with their weights
+  for (std::size_t i = 0; i < bounds.least.size(); ++i) {
+    std::ranges::transform(examples, values.begin(), [&](const Example& example) {
+      return std::pair(featuresOf(example.evidence)[i], example.weight);
+    });
+    std::ranges::sort(values);
+    double below = 0;
+    for (const auto& [value, weight] : values) {
+      if (below <= 0.01 * all) bounds.least[i] = value;
+      if (below <= 0.99 * all) bounds.most[i] = value;
+      below += weight;
+    }
+  }
+  return bounds;
+}
+
 /// Maximum likelihood by Newton's method, with a ridge of a thousandth on scaled terms.
 EndOdds fitted(const std::vector<Example>& examples) {
   const auto count = static_cast<Eigen::Index>(examples.size());
+  EndOdds odds = boundsOf(examples);
   Eigen::MatrixXd rows(count, terms);
   Eigen::VectorXd labels(count), weights(count);
   for (Eigen::Index i = 0; i < count; ++i) {
     const Example& example = examples[static_cast<std::size_t>(i)];
-    rows.row(i) = termsOf(example.evidence);
+    rows.row(i) = termsOf(example.evidence, odds);
     labels[i] = example.isShoot;
     weights[i] = example.weight;
   }
@@ -109,10 +135,10 @@ EndOdds fitted(const std::vector<Example>& examples) {
   Eigen::VectorXd found = Eigen::VectorXd::Zero(terms);
   const double ridge = 1e-4 * static_cast<double>(count);
   for (int step = 0; step < 100; ++step) {
-    const Eigen::VectorXd odds = 1 / (1 + (-(rows * found)).array().exp());
+    const Eigen::VectorXd shoots = 1 / (1 + (-(rows * found)).array().exp());
     const Eigen::VectorXd slope =
-        rows.transpose() * (weights.array() * (labels - odds).array()).matrix() - ridge * found;
-    const Eigen::VectorXd spread = weights.array() * odds.array() * (1 - odds.array());
+        rows.transpose() * (weights.array() * (labels - shoots).array()).matrix() - ridge * found;
+    const Eigen::VectorXd spread = weights.array() * shoots.array() * (1 - shoots.array());
     Eigen::MatrixXd curvature = rows.transpose() * spread.asDiagonal() * rows;
     curvature.diagonal().array() += ridge;
     const Eigen::VectorXd change = curvature.ldlt().solve(slope);
@@ -120,7 +146,7 @@ EndOdds fitted(const std::vector<Example>& examples) {
     if (change.cwiseAbs().maxCoeff() < 1e-10) break;
   }
   found = found.cwiseQuotient(scales);
-  EndOdds odds{.constant = found[0]};
+  odds.constant = found[0];
   for (Eigen::Index i = 0; i < features; ++i) {
     odds.weights[static_cast<std::size_t>(i)] = found[1 + i];
     odds.squareWeights[static_cast<std::size_t>(i)] = found[1 + features + i];
@@ -138,6 +164,8 @@ void print(const EndOdds& odds) {
   std::printf("      .constant = %.4f,\n", odds.constant);
   list("weights", odds.weights);
   list("squareWeights", odds.squareWeights);
+  list("least", odds.least);
+  list("most", odds.most);
 }
 
 /// A reliability diagram as a table, and the expected calibration error.

@@ -19,6 +19,7 @@ struct Kind {
   const char* name;
   Architecture architecture;
   const char* file = nullptr; // of a structure; null: grown
+  bool isLeafy = false;       // its leaves are large, and axes of its structure
 };
 
 constexpr Kind kinds[] = {{"broadleaf", Architecture::broadleaf},
@@ -32,7 +33,9 @@ constexpr Kind kinds[] = {{"broadleaf", Architecture::broadleaf},
                           {"puu3", Architecture::conifer, "puu3"},
                           {"shrub", Architecture::shrub},
                           {"herb", Architecture::herb},
-                          {"arabidopsis", Architecture::herb, "arabidopsis"}};
+                          {"arabidopsis", Architecture::herb, "arabidopsis"},
+                          {"leafy herb", Architecture::herb, nullptr, true},
+                          {"leafy herb", Architecture::herb, nullptr, true}};
 
 double between(CountedRandom& random, double least, double most) {
   return least + (most - least) * random.uniform();
@@ -47,10 +50,39 @@ Skeleton plantOf(const Kind& kind, CountedRandom& random, std::uint64_t number) 
     if (const auto file =
             test::sharedFile(std::string("structures/") + kind.file + "_reference.mtg"))
       return preparedPlant(readStructure(*file).value.skeleton);
-  const int segments = kind.architecture == Architecture::herb
+  const int segments = kind.isLeafy ? static_cast<int>(evenlyInLog(random, 2, 12))
+                       : kind.architecture == Architecture::herb
                            ? static_cast<int>(evenlyInLog(random, 10, 60))
                            : static_cast<int>(evenlyInLog(random, 60, 500));
   return growPlant({.architecture = kind.architecture, .height = 4, .segments = segments}, number);
+}
+
+/// Few large leaves: seedlings, maize, tobacco.
+Foliage largeLeaves(CountedRandom& random, const Skeleton& plant, double extent) {
+  double length = 0;
+  for (const NodeId id : plant.ids())
+    if (const auto parent = plant[id].parent)
+      length += (plant[id].position - plant[*parent].position).norm();
+  OrganHabit leaves;
+  leaves.spacing = std::min(1.0, length / extent / evenlyInLog(random, 3, 20));
+  leaves.length = evenlyInLog(random, 0.12, 0.6);
+  leaves.width = leaves.length * evenlyInLog(random, 0.08, 0.7);
+  leaves.angle = between(random, 0.4, 1.4);
+  leaves.reach = 10;
+  return {.blades = leaves};
+}
+
+/// A plant with the midribs of its leaves.
+Skeleton withMidribs(const Skeleton& plant, const std::vector<Blade>& blades) {
+  Skeleton all = plant;
+  const std::vector<NodeId> ids = plant.ids();
+  for (const Blade& blade : blades) {
+    NodeId at = *std::ranges::min_element(
+        ids, {}, [&](NodeId id) { return (plant[id].position - blade.base).squaredNorm(); });
+    for (const double share : {0.25, 0.5, 0.75, 1.0})
+      at = all.add(Node{.position = blade.base + share * blade.along, .parent = at});
+  }
+  return all;
 }
 
 std::size_t segmentsOf(const Skeleton& plant) {
@@ -65,9 +97,11 @@ std::size_t segmentsOf(const Skeleton& plant) {
 ScannedPlant scannedPlant(std::uint64_t number) {
   const Kind& kind = kinds[number % std::size(kinds)];
   CountedRandom random(number, 0);
-  ScannedPlant plant{.name = std::string(kind.name) + " " + std::to_string(number)};
+  ScannedPlant plant{.name = std::string(kind.name) + " " + std::to_string(number),
+                     .isLeafy = kind.isLeafy};
   plant.truth = plantOf(kind, random, number);
-  plant.pointsPerSegment = evenlyInLog(random, 8, 600);
+  const bool isHerb = kind.architecture == Architecture::herb;
+  plant.pointsPerSegment = evenlyInLog(random, 8, isHerb ? 10'000 : 600);
   Eigen::AlignedBox3d box;
   for (const NodeId id : plant.truth.ids())
     box.extend(plant.truth[id].position);
@@ -80,8 +114,14 @@ ScannedPlant scannedPlant(std::uint64_t number) {
   scanner.misalignment = std::min(*scanner.rangeNoise, box.sizes().maxCoeff() / 2500);
   scanner.clumps = random.uniform() < 0.5 ? 10 : 0;
   plant.foliage = random.uniform() < 0.6 ? 0 : between(random, 0.3, 2);
-  scanner.foliage = foliageOf(kind.architecture, plant.foliage);
-  plant.cloud = std::make_shared<const PointCloud>(scan(plant.truth, scanner, number).points);
+  scanner.foliage = kind.isLeafy ? largeLeaves(random, plant.truth, box.sizes().maxCoeff())
+                                 : foliageOf(kind.architecture, plant.foliage);
+  const SimulatedScan scanned = scan(plant.truth, scanner, number);
+  plant.cloud = std::make_shared<const PointCloud>(scanned.points);
+  if (!kind.isLeafy) return plant;
+  plant.truth = withMidribs(plant.truth, scanned.blades);
+  plant.pointsPerSegment =
+      static_cast<double>(plant.cloud->size()) / static_cast<double>(segmentsOf(plant.truth));
   return plant;
 }
 

@@ -13,11 +13,11 @@
 namespace espalier {
 namespace {
 
-constexpr double spacing = 0.01; // of simulatedTree() [m], about
+constexpr PlantScale scale{.spacing = 0.01, .height = 4}; // of simulatedTree() [m], about
 
 DecidedEnds decided(const Skeleton& skeleton, const EndOptions& options) {
   const test::SimulatedPlant& tree = test::simulatedTree();
-  return withDecidedEnds(skeleton, tree.cloud.positions(), tree.cloud.origin(), spacing, options);
+  return withDecidedEnds(skeleton, tree.cloud.positions(), tree.cloud.origin(), scale, options);
 }
 
 std::set<NodeId> tipsOf(const Skeleton& skeleton) {
@@ -33,7 +33,8 @@ TEST(DecideEnds, TellsShootsFromSpurs) {
   const Skeleton plant = perturbed(truth, Perturbation::spurs, 0.1, 1);
   const std::set<NodeId> shoots = tipsOf(truth);
   const std::set<NodeId> before = tipsOf(plant);
-  const std::set<NodeId> after = tipsOf(decided(plant, {.length = 0}).skeleton);
+  const std::set<NodeId> after =
+      tipsOf(decided(plant, {.leastProbability = 0.5, .length = 0}).skeleton);
   double spurs = 0, spursLeft = 0, shootsThere = 0, shootsLeft = 0;
   for (const NodeId tip : before) { // a shoot with a spur at its tip is longer, no end of its own
     shootsThere += shoots.contains(tip);
@@ -80,16 +81,18 @@ TEST(DecideEnds, KeepsOneEndOfEachBranching) {
 
 TEST(DecideEnds, NeverCutsAnUnbranchedPlant) {
   const Eigen::Matrix3Xf points = test::forkCloud();
-  EXPECT_EQ(withDecidedEnds(test::stick(5), points, Eigen::Vector3d::Zero(), 0.02, {.length = 100})
-                .skeleton,
-            test::stick(5));
-  EXPECT_TRUE(withDecidedEnds({}, points, Eigen::Vector3d::Zero(), 0.02, {}).skeleton.isEmpty());
+  EXPECT_EQ(
+      withDecidedEnds(test::stick(5), points, Eigen::Vector3d::Zero(), {0.02, 5}, {.length = 100})
+          .skeleton,
+      test::stick(5));
+  EXPECT_TRUE(
+      withDecidedEnds({}, points, Eigen::Vector3d::Zero(), {0.02, 5}, {}).skeleton.isEmpty());
 }
 
 TEST(DecideEnds, StopsWhenAsked) {
   EXPECT_TRUE(test::stopsWhenAsked([](const Progress& progress) {
     const test::SimulatedPlant& tree = test::simulatedTree();
-    (void)withDecidedEnds(tree.truth, tree.cloud.positions(), tree.cloud.origin(), spacing, {},
+    (void)withDecidedEnds(tree.truth, tree.cloud.positions(), tree.cloud.origin(), scale, {},
                           progress);
   }));
 }

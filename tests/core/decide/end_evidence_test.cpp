@@ -40,7 +40,7 @@ const EndsOfSkeleton::End& endWith(const EndsOfSkeleton& ends, NodeId tip) {
 
 TEST(EndEvidence, IsInSpacings) {
   const Eigen::Matrix3Xf points = pointsOnBoth();
-  const EndsOfSkeleton ends(withLateral(), points, Eigen::Vector3d::Zero(), 0.5);
+  const EndsOfSkeleton ends(withLateral(), points, Eigen::Vector3d::Zero(), {0.5, 10});
   ASSERT_EQ(ends.ends().size(), 2U);
   const EndEvidence found = endWith(ends, NodeId{13}).evidence;
   EXPECT_DOUBLE_EQ(found.length, 6);
@@ -50,15 +50,15 @@ TEST(EndEvidence, IsInSpacings) {
   EXPECT_EQ(found.alone, 5); // all more than 0.9 from the stem
   EXPECT_NEAR(found.scatter, 0.2, 1e-6);
   EXPECT_NEAR(found.turn, 0, 1e-12);
-  const double onStem = endWith(ends, NodeId{10}).evidence.scatter;
-  EXPECT_DOUBLE_EQ(found.others, (found.scatter + onStem) / 2);
+  EXPECT_DOUBLE_EQ(found.share, 0.3);
+  EXPECT_DOUBLE_EQ(found.others, found.scatter); // the lower median: points of the stem are farther
 }
 
 TEST(EndEvidence, CountsNoPointThatTheBearerExplains) {
   Eigen::Matrix3Xf points = pointsOnBoth();
   for (Eigen::Index i = 42; i < points.cols(); ++i)
     points(0, i) = 0.6F; // nearer to the lateral than to the stem, but within 0.9 of it
-  const EndsOfSkeleton ends(withLateral(), points, Eigen::Vector3d::Zero(), 0.5);
+  const EndsOfSkeleton ends(withLateral(), points, Eigen::Vector3d::Zero(), {0.5, 10});
   const EndEvidence found = endWith(ends, NodeId{13}).evidence;
   EXPECT_EQ(found.points, 5);
   EXPECT_EQ(found.alone, 0);
@@ -70,9 +70,9 @@ TEST(EndEvidence, IsTheSameInAnotherUnitAndPlace) {
   Skeleton moved = withLateral();
   for (const NodeId id : moved.ids())
     moved.setPosition(id, 1000 * moved[id].position + origin);
-  const EndsOfSkeleton here(withLateral(), points, Eigen::Vector3d::Zero(), 0.5);
+  const EndsOfSkeleton here(withLateral(), points, Eigen::Vector3d::Zero(), {0.5, 10});
   const Eigen::Matrix3Xf larger = 1000 * points;
-  const EndsOfSkeleton there(moved, larger, origin, 500);
+  const EndsOfSkeleton there(moved, larger, origin, {500, 10000});
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_NEAR(here.ends()[i].evidence.protrusion, there.ends()[i].evidence.protrusion, 1e-5);
     EXPECT_NEAR(here.ends()[i].evidence.scatter, there.ends()[i].evidence.scatter, 1e-5);
@@ -85,7 +85,7 @@ TEST(EndEvidence, FollowsWhatIsTakenAway) {
   const test::SimulatedPlant& tree = test::simulatedTree();
   const Skeleton plant = perturbed(tree.truth, Perturbation::spurs, 0.3, 1);
   const Eigen::Vector3d& origin = tree.cloud.origin();
-  EndsOfSkeleton ends(plant, tree.cloud.positions(), origin, 0.01);
+  EndsOfSkeleton ends(plant, tree.cloud.positions(), origin, {0.01, 4});
   std::vector<std::size_t> gone;
   std::set<NodeId> feet;
   for (std::size_t i = 0; i < ends.ends().size(); i += 3)
@@ -102,7 +102,7 @@ TEST(EndEvidence, FollowsWhatIsTakenAway) {
     if (!taken.contains(index.nearest(tree.cloud.positions().col(i).cast<double>() + origin)->node))
       others.push_back(i);
   const Eigen::Matrix3Xf points = tree.cloud.positions()(Eigen::all, others);
-  const EndsOfSkeleton fresh(ends.skeleton(), points, origin, 0.01);
+  const EndsOfSkeleton fresh(ends.skeleton(), points, origin, {0.01, 4});
   ASSERT_EQ(fresh.ends().size(), ends.ends().size());
   for (std::size_t i = 0; i < fresh.ends().size(); ++i) {
     const EndEvidence& a = fresh.ends()[i].evidence;
@@ -119,7 +119,7 @@ TEST(EndEvidence, FollowsWhatIsTakenAway) {
 TEST(EndEvidence, StopsWhenAsked) {
   const Eigen::Matrix3Xf points = pointsOnBoth();
   EXPECT_TRUE(test::stopsWhenAsked([&](const Progress& progress) {
-    (void)EndsOfSkeleton(withLateral(), points, Eigen::Vector3d::Zero(), 0.5, progress);
+    (void)EndsOfSkeleton(withLateral(), points, Eigen::Vector3d::Zero(), {0.5, 10}, progress);
   }));
 }
 

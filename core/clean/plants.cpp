@@ -1,6 +1,6 @@
 #include "core/clean/plants.h"
 
-#include "core/clean/voxels.h"
+#include "core/cloud/voxels.h"
 #include "core/graph/components.h"
 #include "core/graph/geodesic.h"
 

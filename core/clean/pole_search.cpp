@@ -1,7 +1,7 @@
 #include "core/base/parallel.h"
 #include "core/base/quantile.h"
 #include "core/clean/pole.h"
-#include "core/clean/voxels.h"
+#include "core/cloud/voxels.h"
 
 #include <algorithm>
 #include <cmath>

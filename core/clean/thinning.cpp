@@ -3,7 +3,7 @@
 #include "core/base/counted_random.h"
 #include "core/base/paced_check.h"
 #include "core/base/parallel.h"
-#include "core/clean/voxels.h"
+#include "core/cloud/voxels.h"
 
 #include <algorithm>
 #include <cmath>

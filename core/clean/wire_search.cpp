@@ -1,7 +1,7 @@
 #include "core/base/parallel.h"
 #include "core/base/spatial_index.h"
-#include "core/clean/voxels.h"
 #include "core/clean/wire.h"
+#include "core/cloud/voxels.h"
 
 #include <Eigen/Dense>
 

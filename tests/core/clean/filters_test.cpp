@@ -5,7 +5,7 @@
 #include "core/clean/plants.h"
 #include "core/clean/thinning.h"
 #include "core/clean/value_ranges.h"
-#include "core/clean/voxels.h"
+#include "core/cloud/voxels.h"
 #include "tests/support/clouds.h"
 
 #include <gtest/gtest.h>

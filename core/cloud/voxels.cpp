@@ -1,4 +1,4 @@
-#include "core/clean/voxels.h"
+#include "core/cloud/voxels.h"
 
 #include "core/base/parallel.h"
 

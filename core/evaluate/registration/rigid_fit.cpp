@@ -1,10 +1,9 @@
 #include "core/evaluate/registration/rigid_fit.h"
 
+#include "core/base/motion_step.h"
 #include "core/base/parallel.h"
 #include "core/evaluate/match/comparable.h"
 #include "core/evaluate/match/tolerance_curve.h"
-
-#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cmath>
@@ -12,9 +11,6 @@
 
 namespace espalier {
 namespace {
-
-using Vector6d = Eigen::Matrix<double, 6, 1>;
-using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
 /// A place of the result under the motion so far, and the place of the reference it belongs to.
 struct Match {
@@ -70,38 +66,18 @@ double fadingDistance(std::vector<Match> matches, double reach) {
   return std::clamp(2 * middle->distance, reach / 50, reach);
 }
 
-/// The small motion about the center that brings the matches together: one Gauss-Newton step.
-Eigen::Isometry3d stepOf(const std::vector<Match>& matches, const FitPair& pair, double fading,
-                         bool turns) {
-  Matrix6d normal = Matrix6d::Zero();
-  Vector6d right = Vector6d::Zero();
+/// The small motion about the center that brings the matches together.
+MotionStep stepOf(const std::vector<Match>& matches, const FitPair& pair, double fading) {
+  MotionStep step(pair.center, pair.size);
   for (const Match& match : matches) {
     const double root = 1 / (1 + match.distance * match.distance / (fading * fading));
     const double weight = root * root;
     // Sliding along an edge is free, but for a little that keeps the step definite.
-    const Eigen::Matrix3d across =
-        weight * (Eigen::Matrix3d::Identity() - 0.999 * match.along * match.along.transpose());
-    // Turns in units of the shifts.
-    const Eigen::Vector3d arm = (match.moving - pair.center) / pair.size;
-    Eigen::Matrix<double, 3, 6> jacobian;
-    jacobian << Eigen::Matrix3d::Identity(),
-        (Eigen::Matrix3d() << 0, arm.z(), -arm.y(), -arm.z(), 0, arm.x(), arm.y(), -arm.x(), 0)
-            .finished();
-    normal += jacobian.transpose() * across * jacobian;
-    right += jacobian.transpose() * (across * (match.target - match.moving));
+    step.add(match.moving, match.target,
+             weight *
+                 (Eigen::Matrix3d::Identity() - 0.999 * match.along * match.along.transpose()));
   }
-  Vector6d step = Vector6d::Zero();
-  if (turns) {
-    normal.diagonal().array() += 1e-9 * normal.trace();
-    step = normal.ldlt().solve(right);
-  } else {
-    step.head<3>() = normal.topLeftCorner<3, 3>().ldlt().solve(right.head<3>());
-  }
-  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
-  const double angle = step.tail<3>().norm() / pair.size;
-  if (angle > 0) motion.rotate(Eigen::AngleAxisd(angle, step.tail<3>().normalized()));
-  motion.translation() = pair.center + step.head<3>() - motion.linear() * pair.center;
-  return motion;
+  return step;
 }
 
 } // namespace
@@ -125,11 +101,10 @@ RigidFit refined(const Eigen::Isometry3d& start, const FitPair& pair, const FitS
     if (fit.residual < best.residual) best = fit;
     if (fit.residual == 0) break;
     const double fading = std::max(width, fadingDistance(matches, pair.reach));
-    const Eigen::Isometry3d step = stepOf(matches, pair, fading, steps.turns);
-    motion = step * motion;
-    const double moves = (step * pair.center - pair.center).norm() +
-                         (step.linear() - Eigen::Matrix3d::Identity()).norm() * pair.size;
-    if (width <= pair.reach && moves < 1e-9 * pair.size) break;
+    const MotionStep step = stepOf(matches, pair, fading);
+    const Eigen::Isometry3d next = step.motion(steps.turns);
+    motion = next * motion;
+    if (width <= pair.reach && step.lengthOf(next) < 1e-9 * pair.size) break;
     width *= 0.7;
   }
   return best;

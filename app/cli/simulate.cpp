@@ -1,3 +1,4 @@
+#include "app/cli/apart_stations.h"
 #include "app/cli/arguments.h"
 #include "app/cli/commands.h"
 #include "app/cli/files.h"
@@ -16,6 +17,8 @@
 #include <numbers>
 #include <ostream>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace espalier {
 namespace {
@@ -33,6 +36,7 @@ struct SimulateFlags {
   int threads = 0;
   PlotOptions plot;
   bool isPlot = false;
+  std::string apart; // how far the stations are displaced; empty: they are joined
 };
 
 Foliage foliageOf(const SimulateFlags& flags) {
@@ -79,6 +83,7 @@ void simulatePlotOf(const SimulateFlags& flags) {
   const std::string truthFile = flags.prefix + ".mtg";
   const std::string partsFile = flags.prefix + ".csv";
   if (!flags.from.empty()) throw WrongUsage("--from and --plants: a plot is grown, not read");
+  if (!flags.apart.empty()) throw WrongUsage("--apart and --plants: a plot is saved as one scan");
   requireApart({scanFile, truthFile, partsFile});
   for (const std::string& file : {scanFile, truthFile, partsFile})
     requireOutput(file, {});
@@ -104,11 +109,18 @@ void simulatePlotOf(const SimulateFlags& flags) {
 void simulate(const SimulateFlags& flags) {
   const Threads threads(flags.threads);
   if (flags.isPlot) return simulatePlotOf(flags);
-  const std::string scanFile = flags.prefix + ".ply";
+  const bool isApart = !flags.apart.empty();
+  const Displacement displacement = isApart ? displacementIn(flags.apart) : Displacement();
+  if (isApart && flags.scanner.stations < 2)
+    throw WrongUsage("--apart needs --stations 2 or more: one station is one scan anyway");
   const std::string truthFile = flags.prefix + ".mtg";
-  requireApart({scanFile, truthFile});
-  requireOutput(scanFile, {flags.from});
-  requireOutput(truthFile, {flags.from});
+  const auto stations = static_cast<std::size_t>(flags.scanner.stations);
+  std::vector<std::string> files = isApart ? filesApart(flags.prefix, stations)
+                                           : std::vector<std::string>{flags.prefix + ".ply"};
+  files.push_back(truthFile);
+  requireApart(files);
+  for (const std::string& file : files)
+    requireOutput(file, {flags.from});
   const TerminalProgress terminal;
   Skeleton truth;
   if (flags.from.empty()) {
@@ -125,9 +137,13 @@ void simulate(const SimulateFlags& flags) {
     return scan(truth, scanner, flags.seed, terminal.progress().part(0.3, 0.95, "Scan"));
   };
   SimulatedScan result = flags.from.empty() ? scanned() : about(flags.from, scanned);
-  const PointCloud cloud(std::move(result.points));
   terminal.check();
-  writeAndReport(scanFile, cloud, cloud.positions());
+  if (isApart) {
+    writeApart(flags.prefix, result, displacement);
+  } else {
+    const PointCloud cloud(std::move(result.points));
+    writeAndReport(files.front(), cloud, cloud.positions());
+  }
   writeAndReport(truthFile, Structure{.skeleton = truth}, MtgStyle::plantNode);
 }
 
@@ -262,12 +278,19 @@ void addSimulate(CLI::App& app) {
       ->type_name("LENGTH")
       ->check(number(0, infinity))
       ->default_str("extent / 2500");
+  command
+      ->add_option("--apart", flags->apart,
+                   "Save each station by itself, PREFIX_1.ply and on: the second and all behind it "
+                   "are turned about the upright axis and shifted; PREFIX_pairs.csv has targets "
+                   "for register")
+      ->type_name("SHIFT,DEGREES");
   addThreads(*command, flags->threads);
   command->callback([flags] { simulate(*flags); });
   command->footer("Examples:\n"
                   "  espalier simulate -o maple --seed 7 --points 200000\n"
                   "  espalier simulate -o pine_again --from pine.mtg\n"
-                  "  espalier simulate -o orchard --plants 6 --points 1000000");
+                  "  espalier simulate -o orchard --plants 6 --points 1000000\n"
+                  "  espalier simulate -o maple --stations 3 --apart 0.3,10");
 }
 
 } // namespace espalier

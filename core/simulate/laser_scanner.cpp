@@ -154,9 +154,14 @@ double angularStep(const ScanScene& scene, const std::vector<ScanWindow>& window
   return step;
 }
 
+struct StationEcho {
+  Echo echo;
+  StationIndex station;
+};
+
 /// All echoes in the order of stations, rows and columns.
-std::vector<Echo> echoesOf(const ScanScene& scene, const std::vector<ScanWindow>& windows,
-                           double step, std::uint64_t seed, const Progress& progress) {
+std::vector<StationEcho> echoesOf(const ScanScene& scene, const std::vector<ScanWindow>& windows,
+                                  double step, std::uint64_t seed, const Progress& progress) {
   std::vector<std::pair<std::size_t, Index>> rows; // window, row
   std::vector<Sweep> sweeps;
   for (std::size_t w = 0; w < windows.size(); ++w) {
@@ -164,7 +169,7 @@ std::vector<Echo> echoesOf(const ScanScene& scene, const std::vector<ScanWindow>
     for (Index row = 0; row < sweeps[w].rows; ++row)
       rows.emplace_back(w, row);
   }
-  std::vector<std::vector<Echo>> found(rows.size());
+  std::vector<std::vector<StationEcho>> found(rows.size());
   parallelFor(
       static_cast<Index>(rows.size()),
       [&](Index i) {
@@ -178,12 +183,13 @@ std::vector<Echo> echoesOf(const ScanScene& scene, const std::vector<ScanWindow>
           if (const auto echo = echoOf(scene, window.station, azimuth, elevation, step,
                                        CountedRandom(seed, number)))
             found[static_cast<std::size_t>(i)].push_back(
-                {echo->position + window.shift, echo->intensity, echo->node});
+                {{echo->position + window.shift, echo->intensity, echo->node},
+                 static_cast<StationIndex>(w)});
         }
       },
       progress, 4);
-  std::vector<Echo> echoes;
-  for (const std::vector<Echo>& row : found)
+  std::vector<StationEcho> echoes;
+  for (const std::vector<StationEcho>& row : found)
     echoes.insert(echoes.end(), row.begin(), row.end());
   return echoes;
 }
@@ -200,6 +206,8 @@ void addStrays(SimulatedScan& scan, double share, Eigen::AlignedBox3d bounds, Ra
     scan.points.positions.push_back(place);
     scan.points.intensities.push_back(static_cast<float>(0.3 * random.uniform()));
     scan.nodes.emplace_back();
+    scan.stationOf.push_back(
+        static_cast<StationIndex>(scan.stationOf.size() % scan.stations.size())); // in turn
   }
 }
 
@@ -230,15 +238,29 @@ SimulatedScan scan(const Skeleton& plant, const ScannerOptions& options, std::ui
   const std::vector<ScanWindow> windows =
       windowsOf(result.stations, bounds, options.misalignment.value_or(extent / 2500), random);
   result.angularStep = angularStep(scene, windows, seed + 1, progress.part(0, 0.15, "aim"));
-  for (const Echo& echo :
+  for (const auto& [echo, station] :
        echoesOf(scene, windows, result.angularStep, seed + 2, progress.part(0.15, 0.95, "scan"))) {
     result.points.positions.push_back(echo.position);
     result.points.intensities.push_back(echo.intensity);
     result.nodes.push_back(echo.node);
+    result.stationOf.push_back(station);
   }
   addStrays(result, options.strayShare, bounds, random);
   progress.update(1);
   return result;
+}
+
+std::vector<RawPoints> pointsByStation(const SimulatedScan& scan) {
+  std::vector<RawPoints> stations(scan.stations.size());
+  for (std::size_t i = 0; i < stations.size(); ++i)
+    stations[i].stations = {
+        {.name = "station " + std::to_string(i + 1), .scanner = scan.stations[i]}};
+  for (std::size_t i = 0; i < scan.stationOf.size(); ++i) {
+    RawPoints& its = stations[scan.stationOf[i]];
+    its.positions.push_back(scan.points.positions[i]);
+    its.intensities.push_back(scan.points.intensities[i]);
+  }
+  return stations;
 }
 
 } // namespace espalier

@@ -19,6 +19,7 @@ struct SimulatedScan {
   /// Per point: whose edge it lies on; none if that is foliage, or if it is stray.
   std::vector<std::optional<NodeId>> nodes;
   std::vector<Eigen::Vector3d> stations; // [L], where the scanner stood; none if it did not
+  std::vector<StationIndex> stationOf;   // per point: from which of them; none without stations
   double angularStep = 0;                // between beams [rad], 0 without stations
   std::vector<Blade> blades;             // the needles and leaves there were
 };
@@ -62,5 +63,8 @@ struct ScannerOptions {
 /// about a tenth of what is scanned, so that B is about ten times the number of points.
 [[nodiscard]] SimulatedScan scan(const Skeleton& plant, const ScannerOptions& options,
                                  std::uint64_t seed, const Progress& progress = {});
+
+/// The points of each station by themselves, in the frame of the plant, each with its station.
+[[nodiscard]] std::vector<RawPoints> pointsByStation(const SimulatedScan& scan);
 
 } // namespace espalier

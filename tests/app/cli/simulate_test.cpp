@@ -1,4 +1,6 @@
 #include "core/base/spatial_index.h"
+#include "core/base/text.h"
+#include "core/io/csv.h"
 #include "core/io/formats.h"
 #include "core/skeleton/assign_points.h"
 #include "tests/app/cli/subcommands.h"
@@ -81,6 +83,52 @@ TEST_F(Subcommands, SimulateScansAnyStructure) {
   const PointCloud cloud = readPoints(file("a.ply")).value;
   const Eigen::AlignedBox3d wanted = readPoints(scan_).value.bounds();
   EXPECT_LT((cloud.bounds().sizes() - wanted.sizes()).norm(), 0.2 * wanted.sizes().norm());
+}
+
+// A turn by 10 degrees about the upright axis, then 0.3 along x: heights stay, and so does what
+// lies between any two points.
+TEST_F(Subcommands, SimulateSavesStationsApart) {
+  const Outcome outcome = runProgram({"simulate", "-o", file("a"), "--stations", "3", "--points",
+                                      "6000", "--segments", "40", "--apart", "0.3,10"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(test::namesIn(folder_),
+            (std::vector<std::string>{"a.mtg", "a_1.ply", "a_2.ply", "a_3.ply", "a_pairs.csv"}));
+  Eigen::Index points = 0;
+  for (const char* name : {"a_1.ply", "a_2.ply", "a_3.ply"}) {
+    const PointCloud cloud = readPoints(file(name)).value;
+    points += cloud.size();
+    ASSERT_EQ(cloud.stations().size(), 1U) << name;
+    EXPECT_TRUE(cloud.stations()[0].scanner) << name;
+    EXPECT_FALSE(cloud.intensities().empty()) << name;
+  }
+  EXPECT_NEAR(static_cast<double>(points), 6000, 900);
+  const CsvTable pairs = readCsv(test::bytesOf(file("a_pairs.csv")), "a_pairs.csv");
+  ASSERT_EQ(pairs.rows.size(), 8U) << "four for either of two";
+  EXPECT_EQ(pairs.rows[0].fields[0], "a_2.ply");
+  std::vector<Eigen::Vector3d> moved;
+  std::vector<Eigen::Vector3d> fixed;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto number = [&](std::size_t k) { return *numberIn(pairs.rows[i].fields[k]); };
+    moved.emplace_back(number(1), number(2), number(3));
+    fixed.emplace_back(number(4), number(5), number(6));
+    EXPECT_NEAR(moved[i].z(), fixed[i].z(), 1e-9);
+    EXPECT_NEAR((moved[i] - moved[0]).norm(), (fixed[i] - fixed[0]).norm(), 1e-9);
+  }
+  const Eigen::Vector3d shift =
+      (moved[0] + moved[1] + moved[2] + moved[3] - fixed[0] - fixed[1] - fixed[2] - fixed[3]) / 4;
+  EXPECT_LT((shift - Eigen::Vector3d(0.3, 0, 0)).norm(), 1e-9);
+}
+
+TEST_F(Subcommands, SimulateRefusesStationsThatCannotBeApart) {
+  const auto with = [&](test::Arguments more) {
+    more.insert(more.begin(), {"simulate", "-o", file("a"), "--apart"});
+    return runProgram(more);
+  };
+  test::expectRefusal(with({"0.3"}), 2, {"--apart"});
+  test::expectRefusal(with({"0.3,x"}), 2, {"--apart"});
+  test::expectRefusal(with({"0.3,nan"}), 2, {"--apart"});
+  test::expectRefusal(with({"0.3,10", "--stations", "1"}), 2, {"--stations 2"});
+  test::expectRefusal(with({"0.3,10", "--plants", "2"}), 2, {"--plants"});
 }
 
 } // namespace

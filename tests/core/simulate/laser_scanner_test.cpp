@@ -113,6 +113,24 @@ TEST(LaserScanner, SeesOneSideOnlyFromOneStation) {
   EXPECT_EQ(behind, 0);
 }
 
+// A stick about the z axis: each station sees the side that is turned to it, and of the ends more.
+TEST(LaserScanner, KnowsFromWhichStationEachPointIs) {
+  ScannerOptions options = idealScanner(2000);
+  options.at = {Vector3d(10, 0, 1), Vector3d(-10, 0, 1)};
+  const SimulatedScan result = scan(test::stick(4), options, 1);
+  const std::vector<RawPoints> stations = pointsByStation(result);
+  ASSERT_EQ(stations.size(), 2U);
+  EXPECT_EQ(stations[0].positions.size() + stations[1].positions.size(), result.nodes.size());
+  for (const double side : {1.0, -1.0}) {
+    const RawPoints& its = stations[side > 0 ? 0 : 1];
+    EXPECT_EQ(its.stations[0].scanner, Vector3d(10 * side, 0, 1));
+    EXPECT_EQ(its.intensities.size(), its.positions.size());
+    EXPECT_GT(its.positions.size(), 500U);
+    for (const Vector3d& position : its.positions)
+      EXPECT_TRUE(position.z() <= 0 || position.z() >= 3 || side * position.x() > -0.01);
+  }
+}
+
 TEST(LaserScanner, ReturnsAboutAsManyPointsAsAskedFor) {
   const Skeleton plant = smallTree();
   for (const Eigen::Index asked : {500, 20000}) {

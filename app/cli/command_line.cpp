@@ -36,6 +36,7 @@ void addAll(CLI::App& app) {
   addContract(app);
   addClean(app);
   addPlants(app);
+  addRegister(app);
   addSweep(app);
   addEvaluate(app);
   addTraits(app);

@@ -14,6 +14,7 @@ void addBatch(CLI::App& app);
 void addContract(CLI::App& app);
 void addClean(CLI::App& app);
 void addPlants(CLI::App& app);
+void addRegister(CLI::App& app);
 void addSweep(CLI::App& app);
 void addEvaluate(CLI::App& app);
 void addTraits(CLI::App& app);

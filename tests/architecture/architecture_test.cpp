@@ -48,6 +48,7 @@ const Rooms roomsOfCore = {
     {"base", {}},
     {"cloud", {"base"}},
     {"graph", {"cloud"}},
+    {"align", {"cloud"}},
     {"contract", {"graph"}},
     {"skeleton", {"graph"}},
     {"reconstruct", {"contract", "skeleton"}},

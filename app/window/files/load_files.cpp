@@ -30,7 +30,9 @@ LoadedFiles loadFiles(const QStringList& paths, const Progress& progress) {
     if (formatOf(path).content == Content::points) {
       if (loaded.scan)
         throw twoOfAKind(paths[i],
-                         QT_TRANSLATE_NOOP("LoadFiles", "%1: a second scan: open one at a time"));
+                         QT_TRANSLATE_NOOP("LoadFiles",
+                                           "%1: a second scan: open one at a time, or join them "
+                                           "first with \"espalier register\""));
       Imported<PointCloud> points = readPoints(path, part.part(0, 0.9));
       part.update(0.9);
       loaded.scanReference = ScanReference::of(path, points.value.bounds());

@@ -47,17 +47,20 @@ TEST_F(HostileFiles, APipeThatNobodyWritesToIsRefusedByAll) {
   const std::string mute = pipe("mute");
   const std::vector<std::string> parts = {mute, "is a pipe"};
   const std::string output = file("result.mtg");
-  for (const test::Arguments& command :
-       std::vector<test::Arguments>{{"info", mute},
-                                    {"reconstruct", mute, "-o", output},
-                                    {"reconstruct", sampleScan, "-o", output, "--preset", mute},
-                                    {"convert", mute, output},
-                                    {"evaluate", sampleStructure, mute},
-                                    {"noise", mute},
-                                    {"sweep", mute, "contract.radius"},
-                                    {"simulate", "--from", mute, "-o", file("x")},
-                                    {"picture", mute, "-o", file("x.png")},
-                                    {"batch", mute, "-o", file("results")}}) {
+  for (const test::Arguments& command : std::vector<test::Arguments>{
+           {"info", mute},
+           {"reconstruct", mute, "-o", output},
+           {"reconstruct", sampleScan, "-o", output, "--preset", mute},
+           {"convert", mute, output},
+           {"register", mute, sampleScan, "-o", file("x.ply")},
+           {"register", sampleScan, mute, "-o", file("x.ply")},
+           {"register", sampleScan, sampleScan, "-o", file("x.ply"), "--pairs", mute},
+           {"evaluate", sampleStructure, mute},
+           {"noise", mute},
+           {"sweep", mute, "contract.radius"},
+           {"simulate", "--from", mute, "-o", file("x")},
+           {"picture", mute, "-o", file("x.png")},
+           {"batch", mute, "-o", file("results")}}) {
     SCOPED_TRACE(command.front());
     expectRefusal(runProgram(command), 1, parts);
   }

@@ -1,0 +1,76 @@
+#include "core/align/pair_fit.h"
+
+#include "core/base/coordinates.h"
+#include "core/base/counted.h"
+#include "core/base/error.h"
+
+#include <Eigen/SVD>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace espalier {
+namespace {
+
+/// How far places spread along the directions that they spread most along, the most first [L].
+Eigen::Vector3d spreadOf(const Eigen::Matrix3Xd& places) {
+  const Eigen::Matrix3Xd about = places.colwise() - places.rowwise().mean();
+  return about.jacobiSvd().singularValues().head<3>() /
+         std::sqrt(static_cast<double>(places.cols()));
+}
+
+void requirePlane(const Eigen::Vector3d& spread, const std::string& which) {
+  if (!(spread[0] > 0))
+    throw Error("the targets of the " + which + " scan lie at one place: pick them far apart");
+  if (spread[1] < 0.01 * spread[0])
+    throw Error("the targets of the " + which +
+                " scan lie on a line, about which it could turn: pick another beside it");
+}
+
+} // namespace
+
+PairFit fitPairs(const std::vector<TargetPair>& pairs) {
+  const auto count = static_cast<Eigen::Index>(pairs.size());
+  if (count < 3)
+    throw Error(counted(pairs.size(), "pair") +
+                " of targets leave open how the scan lies: pick three or more");
+  Eigen::Matrix3Xd moved(3, count);
+  Eigen::Matrix3Xd fixed(3, count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const TargetPair& pair = pairs[static_cast<std::size_t>(i)];
+    if (!isInRange(pair.moved) || !isInRange(pair.fixed))
+      throw Error("pair " + std::to_string(i + 1) +
+                  ": a coordinate is no number, or beyond 1e12: correct or remove it");
+    moved.col(i) = pair.moved;
+    fixed.col(i) = pair.fixed;
+  }
+  const Eigen::Vector3d ofMoved = spreadOf(moved);
+  const Eigen::Vector3d ofFixed = spreadOf(fixed);
+  requirePlane(ofMoved, "moved");
+  requirePlane(ofFixed, "fixed");
+  if (ofMoved.norm() > 2 * ofFixed.norm() || ofFixed.norm() > 2 * ofMoved.norm())
+    throw Error("the targets of one scan are over twice as far apart as those of the other: check "
+                "the pairs, and that both scans are in one unit");
+
+  const Eigen::Vector3d from = moved.rowwise().mean();
+  const Eigen::Vector3d to = fixed.rowwise().mean();
+  const Eigen::Matrix3d products = (fixed.colwise() - to) * (moved.colwise() - from).transpose();
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(products, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Eigen::Vector3d signs = Eigen::Vector3d::Ones(); // no mirror image
+  signs[2] = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
+  PairFit fit;
+  fit.motion.linear() = svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
+  fit.motion.translation() = to - fit.motion.linear() * from;
+  double squares = 0;
+  for (Eigen::Index i = 0; i < count; ++i) {
+    // About the middles: coordinates of maps are large.
+    const Eigen::Vector3d off = fit.motion.linear() * (moved.col(i) - from) - (fixed.col(i) - to);
+    fit.residuals.push_back(off.norm());
+    squares += off.squaredNorm();
+  }
+  fit.rms = std::sqrt(squares / static_cast<double>(count));
+  return fit;
+}
+
+} // namespace espalier

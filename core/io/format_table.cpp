@@ -5,6 +5,7 @@
 #include "core/io/points/e57.h"
 #include "core/io/points/las.h"
 #include "core/io/points/laz.h"
+#include "core/io/points/part_chooser.h"
 #include "core/io/points/pcd.h"
 #include "core/io/points/ply.h"
 #include "core/io/points/point_glances.h"
@@ -24,10 +25,21 @@
 #include "core/mtg/mtg_reader.h"
 #include "core/mtg/mtg_writer.h"
 
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace espalier {
 namespace {
+
+/// Of formats that are read whole, whatever is asked for.
+template <auto readWhole>
+ImportedPoints readByWhole(std::istream& in, const std::string& file, const ReadOptions& options,
+                           const Progress& progress) {
+  Imported<RawPoints> whole = readWhole(in, file, progress);
+  const std::uint64_t listed = whole.value.positions.size();
+  return {{partOf(std::move(whole.value), options), std::move(whole.notes)}, listed};
+}
 
 std::vector<Format> makeFormats() {
   std::vector<Format> table;
@@ -42,7 +54,7 @@ std::vector<Format> makeFormats() {
                    .description = "Points as text",
                    .extensions = {"xyz", "asc", "txt", "csv", "pts"},
                    .readPoints = readXyz,
-                   .glance = glanceAtXyz,
+                   .glanceByColumns = glanceAtXyz,
                    .writePoints = writeXyz});
   table.push_back({.name = "LAZ",
                    .description = "Compressed LAS points",
@@ -66,11 +78,11 @@ std::vector<Format> makeFormats() {
                    .description = "Binary points of PlantScan3D",
                    .extensions = {"bgeom"},
                    .recognizes = isBgeom,
-                   .readPoints = readBgeom});
+                   .readPoints = readByWhole<readBgeom>});
   table.push_back({.name = "GEOM",
                    .description = "Text points of PlantGL",
                    .extensions = {"geom"},
-                   .readPoints = readGeom});
+                   .readPoints = readByWhole<readGeom>});
   table.push_back({.name = "E57",
                    .description = "E57 scans",
                    .extensions = {"e57"},

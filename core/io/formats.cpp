@@ -7,6 +7,7 @@
 #include "core/base/text.h"
 #include "core/base/utf16.h"
 #include "core/io/atomic_file.h"
+#include "core/io/glance.h"
 #include "core/io/scan_notes.h"
 #include "core/io/structures/graphml.h"
 #include "core/io/structures/opf.h"
@@ -102,6 +103,35 @@ const Format& readableFormat(std::istream& in, const std::filesystem::path& path
   return format;
 }
 
+/// "1, 2, 3", with as many digits as a person reads.
+std::string textOf(const Eigen::Vector3d& place) {
+  std::ostringstream text;
+  text.precision(9); // millimeters of coordinates in the hundreds of kilometers
+  text << place.x() << ", " << place.y() << ", " << place.z();
+  return text.str();
+}
+
+Error nothingIn(const Eigen::AlignedBox3d& box, const std::filesystem::path& path,
+                std::uint64_t listed) {
+  const Eigen::AlignedBox3d bounds = glanceAt(path).bounds;
+  return Error{nameOf(path) + ": none of its " + counted(listed, "point") +
+               " lies in the box from " + textOf(box.min()) + " to " + textOf(box.max()) +
+               (bounds.isEmpty()
+                    ? ": choose another"
+                    : ": they lie from " + textOf(bounds.min()) + " to " + textOf(bounds.max()))};
+}
+
+std::string partNote(const ImportedCloud& part, const ReadOptions& options,
+                     const std::string& file) {
+  const bool isSample =
+      options.most > 0 && static_cast<std::uint64_t>(part.value.size()) >= options.most;
+  return file + ": " + std::to_string(part.value.size()) + " of " + counted(part.listed, "point") +
+         " are read, " +
+         (!options.box ? "a sample of all"
+          : isSample   ? "a sample of those in the box"
+                       : "those in the box");
+}
+
 /// Whatever the format: readers that know the line name it before.
 void requireInRange(const Skeleton& skeleton, const std::string& file) {
   for (const NodeId id : skeleton.ids()) {
@@ -159,21 +189,36 @@ const Format& formatToWrite(const std::filesystem::path& path, Content content) 
 }
 
 Imported<PointCloud> readPoints(const std::filesystem::path& path, const Progress& progress) {
+  return readPoints(path, ReadOptions(), progress);
+}
+
+void requireColumnsFit(const std::filesystem::path& path, const Format& format,
+                       const std::vector<PointField>& columns) {
+  if (!columns.empty() && format.glanceByColumns == nullptr)
+    throw Error(nameOf(path) + ": is " + std::string(format.name) +
+                ", which says itself what its columns hold: name columns of text files alone");
+}
+
+ImportedCloud readPoints(const std::filesystem::path& path, const ReadOptions& options,
+                         const Progress& progress) {
   std::ifstream in = openForReading(path);
   const Format& format = readableFormat(in, path, Content::points);
-  Imported<RawPoints> raw = format.readPoints(in, nameOf(path), progress.part(0, 0.6));
-  const std::size_t listed = raw.value.positions.size();
-  Imported<PointCloud> result{PointCloud(std::move(raw.value), progress.part(0.6, 1)),
-                              std::move(raw.notes)};
-  const auto kept = static_cast<std::size_t>(result.value.size());
-  if (listed == 0) throw Error(nameOf(path) + ": holds no points: export it again");
-  if (kept == 0)
-    throw Error(nameOf(path) + ": holds " + counted(listed, "point") +
+  requireColumnsFit(path, format, options.columns);
+  ImportedPoints raw = format.readPoints(in, nameOf(path), options, progress.part(0, 0.6));
+  const std::size_t kept = raw.value.positions.size();
+  if (kept == 0 && raw.listed > 0 && options.box) throw nothingIn(*options.box, path, raw.listed);
+  ImportedCloud result{
+      {PointCloud(std::move(raw.value), progress.part(0.6, 1)), std::move(raw.notes)}, raw.listed};
+  const auto finite = static_cast<std::size_t>(result.value.size());
+  if (kept == 0) throw Error(nameOf(path) + ": holds no points: export it again");
+  if (finite == 0)
+    throw Error(nameOf(path) + ": holds " + counted(kept, "point") +
                 ", none of them finite: export it again");
-  if (kept < listed)
-    result.notes.push_back(nameOf(path) + ": " + std::to_string(listed - kept) + " of " +
-                           std::to_string(listed) +
+  if (finite < kept)
+    result.notes.push_back(nameOf(path) + ": " + std::to_string(kept - finite) + " of " +
+                           std::to_string(kept) +
                            " points are not finite, or beyond any plant, and are left out");
+  if (result.isPart(options)) result.notes.push_back(partNote(result, options, nameOf(path)));
   for (std::string& note : scanNotes(result.value, nameOf(path)))
     result.notes.push_back(std::move(note));
   return result;

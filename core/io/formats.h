@@ -5,6 +5,7 @@
 #include "core/cloud/point_cloud.h"
 #include "core/io/bytes/byte_source.h"
 #include "core/io/points/point_glance.h"
+#include "core/io/points/read_options.h"
 #include "core/mtg/mtg_of_skeleton.h"
 #include "core/mtg/structure.h"
 
@@ -43,9 +44,12 @@ struct Format {
   bool (*recognizes)(std::string_view beginning) = nullptr; // by content; none: by extension only
 
   // Those that apply; none for a format that is recognized only to say what to do instead.
-  Imported<RawPoints> (*readPoints)(std::istream&, const std::string& file,
-                                    const Progress&) = nullptr;
+  ImportedPoints (*readPoints)(std::istream&, const std::string& file, const ReadOptions&,
+                               const Progress&) = nullptr;
   PointGlance (*glance)(ByteSource&, const std::string& file) = nullptr; // none: by reading it
+  // Of a format that does not say itself what its columns hold; none there: found out.
+  PointGlance (*glanceByColumns)(ByteSource&, const std::string& file,
+                                 const std::vector<PointField>& columns) = nullptr;
   Imported<Mtg> (*readMtg)(std::istream&, const std::string& file) = nullptr;
   Imported<Skeleton> (*readStructure)(std::istream&, const std::string& file) = nullptr;
   void (*writePoints)(std::ostream&, const PointCloud&,
@@ -81,6 +85,26 @@ struct Format {
 /// @throws Cancelled if `progress` asks to stop
 [[nodiscard]] Imported<PointCloud> readPoints(const std::filesystem::path& path,
                                               const Progress& progress = {});
+
+/// Points of a file, and of how many they are.
+struct ImportedCloud : Imported<PointCloud> {
+  std::uint64_t listed = 0; // in the file
+
+  [[nodiscard]] bool isPart(const ReadOptions& options) const {
+    return options.isPart() && static_cast<std::uint64_t>(value.size()) < listed;
+  }
+};
+
+/// @throws Error if columns are named of a file of a format that says itself what they hold
+void requireColumnsFit(const std::filesystem::path& path, const Format& format,
+                       const std::vector<PointField>& columns);
+
+/// The points of a file that are asked for; a note says how many of how many they are. Memory
+/// follows what is kept, but of compressed PCD and of scenes of PlantGL, which are read whole.
+/// @throws Error as above; also if no point lies in the box, or if columns are named of a format
+///               that names its own
+[[nodiscard]] ImportedCloud readPoints(const std::filesystem::path& path,
+                                       const ReadOptions& options, const Progress& progress = {});
 
 /// A skeleton of any structure format, with the MTG that it is a view of if it came from one.
 /// @throws Error as readPoints; also if the file holds points

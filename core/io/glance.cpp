@@ -80,7 +80,7 @@ GlanceGuess guessedUp(const std::vector<Eigen::Vector3d>& sample) {
 
 } // namespace
 
-PointGlance glanceAt(const std::filesystem::path& path) {
+PointGlance glanceAt(const std::filesystem::path& path, const std::vector<PointField>& columns) {
   const Format& format = formatOf(path);
   const std::string name = path.filename().string();
   if (format.content != Content::points)
@@ -88,7 +88,10 @@ PointGlance glanceAt(const std::filesystem::path& path) {
                 "), not points: choose a scan");
   std::ifstream in = openForReading(path);
   ByteSource source(in);
-  PointGlance glance = format.glance ? format.glance(source, name) : glanceByReading(path);
+  requireColumnsFit(path, format, columns);
+  PointGlance glance = format.glanceByColumns ? format.glanceByColumns(source, name, columns)
+                       : format.glance        ? format.glance(source, name)
+                                              : glanceByReading(path);
   addBounds(glance);
   if (!glance.unit.isStated) glance.unit = guessedUnit(glance.bounds);
   if (!glance.up.isStated) glance.up = guessedUp(glance.sample);

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "core/io/points/point_field.h"
 #include "core/io/points/point_glance.h"
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace espalier {
 
@@ -13,6 +15,8 @@ namespace espalier {
 /// size, as makes a plant between a hand and a tall tree high, the axis from where a foot is
 /// (likelyUp).
 /// @throws Error as readPoints, if the header is damaged or the file holds a structure
-[[nodiscard]] PointGlance glanceAt(const std::filesystem::path& path);
+/// @param columns  of a text file, as a user names them; none: found out
+[[nodiscard]] PointGlance glanceAt(const std::filesystem::path& path,
+                                   const std::vector<PointField>& columns = {});
 
 } // namespace espalier

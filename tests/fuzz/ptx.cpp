@@ -2,18 +2,13 @@
 // cloud.
 #include "core/io/points/ptx.h"
 
-#include "core/base/error.h"
 #include "tests/fuzz/cloud.h"
 
 #include <cstdint>
-#include <sstream>
 #include <string>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  std::istringstream in(std::string(reinterpret_cast<const char*>(data), size));
-  try {
-    espalier::test::requireCloud(espalier::readPtx(in, "fuzz.ptx").value);
-  } catch (const espalier::Error&) { // what a broken file deserves
-  }
+  espalier::test::requireReads<espalier::readPtx>(
+      std::string(reinterpret_cast<const char*>(data), size), "fuzz.ptx");
   return 0;
 }

@@ -72,24 +72,38 @@ Station stationOf(const E57Scan& scan) {
   return station;
 }
 
-/// The points of a scan whose position was measured.
-RawPoints pointsOf(const E57Scan& scan, std::vector<E57Stream> streams, const Progress& progress) {
+/// Adds the points of a scan whose position was measured.
+/// @return how many there are, whether they are kept or not
+std::uint64_t addPoints(const E57Scan& scan, E57Packets& packets, PartChooser& chooser,
+                        StationPoints& stations, const Progress& progress) {
   const bool isSpherical = hasRole(scan, E57Role::range);
-  PointCollector points(pointFieldsOf(scan), scan.records);
+  std::vector<E57Stream> streams = packets.begin(scan);
+  PointCollector points(pointFieldsOf(scan), scan.records, chooser);
   std::vector<std::pair<std::size_t, E57Stream*>> used; // by the place of their value
   for (std::size_t i = 0; i < streams.size(); ++i)
     if (scan.fields[i].role != E57Role::none)
       used.emplace_back(indexOf(scan.fields[i].role), &streams[i]);
   E57Values values{};
+  std::uint64_t measured = 0;
+  std::uint64_t ready = 0;
   for (std::uint64_t record = 0; record < scan.records; ++record) {
     if (record % 65536 == 0)
       progress.update(static_cast<double>(record) / static_cast<double>(scan.records));
+    if (ready == 0) ready = packets.readOn(streams, progress);
+    --ready;
     for (const auto& [place, stream] : used)
       values[place] = stream->next();
-    if (values[indexOf(E57Role::invalidPosition)] == 0)
+    if (values[indexOf(E57Role::invalidPosition)] == 0) {
       points.add(pointOf(values, scan, isSpherical));
+      ++measured;
+    } else {
+      chooser.pass();
+    }
   }
-  return std::move(points).finish(!scan.colorLimits);
+  points.reduce();
+  const std::vector<std::uint64_t> ranks = points.ranks();
+  stations.add(std::move(points).finish(!scan.colorLimits), ranks, stationOf(scan));
+  return measured;
 }
 
 /// Checks the promised numbers of points before memory is taken for them: points of no bits, as
@@ -120,29 +134,29 @@ bool isE57(std::string_view beginning) {
   return beginning.starts_with("ASTM-E57");
 }
 
-Imported<RawPoints> readE57(std::istream& in, const std::string& file, const Progress& progress) {
-  const E57Pages pages(readAll(in, progress.part(0, 0.2)), file, progress.part(0.2, 0.3));
-  const XmlFile xml(std::string(pages.xml()), file + ", XML", "e57Root");
+ImportedPoints readE57(std::istream& in, const std::string& file, const ReadOptions& options,
+                       const Progress& progress) {
+  ByteSource source(in);
+  const XmlFile xml(e57XmlOf(source, file), file + ", XML", "e57Root");
   const Imported<std::vector<E57Scan>> scans = e57ScansOf(xml);
+  E57Pages pages(source, file);
   const std::uint64_t promised = checkedRecords(scans.value, pages);
-  const Progress reading = progress.part(0.3, 1);
+  PartChooser chooser(options);
   E57Packets packets(pages);
-  StationPoints stations;
+  StationPoints stations(chooser);
   std::uint64_t read = 0;
-  std::uint64_t kept = 0;
+  std::uint64_t measured = 0;
   for (const E57Scan& scan : scans.value) {
     const auto done = [&](std::uint64_t count) {
       return static_cast<double>(count) / static_cast<double>(promised);
     };
-    const Progress part = reading.part(done(read), done(read + scan.records));
-    RawPoints points = pointsOf(scan, packets.streamsOf(scan, part), part);
+    measured += addPoints(scan, packets, chooser, stations,
+                          progress.part(done(read), done(read + scan.records)));
     read += scan.records;
-    kept += points.positions.size();
-    stations.add(std::move(points), stationOf(scan));
   }
-  Imported<RawPoints> result = std::move(stations).finish(file);
-  if (kept < read)
-    result.notes.push_back(file + ": " + std::to_string(read - kept) + " of " +
+  ImportedPoints result{std::move(stations).finish(file), read};
+  if (measured < read)
+    result.notes.push_back(file + ": " + std::to_string(read - measured) + " of " +
                            counted(read, "point") +
                            " are marked as having no position and are left out");
   result.notes.insert(result.notes.end(), scans.notes.begin(), scans.notes.end());

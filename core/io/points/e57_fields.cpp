@@ -180,9 +180,17 @@ std::vector<E57Field> e57FieldsOf(const XmlFile& xml, pugi::xml_node prototype) 
 }
 
 void E57Stream::add(std::string_view piece) {
-  if (piece.empty()) return;
-  pieces_.push_back(piece);
+  if (const std::size_t read = bit_ / 8; 2 * read > bytes_.size()) { // seldom, if much is unread
+    bytes_.erase(0, read);
+    bit_ %= 8;
+  }
+  bytes_ += piece;
   bits_ += 8 * piece.size();
+}
+
+std::uint64_t E57Stream::ready() const {
+  if (field_.bits == 0) return std::numeric_limits<std::uint64_t>::max();
+  return (8 * bytes_.size() - bit_) / field_.bits;
 }
 
 double E57Stream::next() {
@@ -198,27 +206,22 @@ double E57Stream::next() {
 std::uint64_t E57Stream::take(unsigned bits) {
   constexpr std::size_t longest = 9; // bytes that a value of 64 bits may touch
   if (bits == 0) return 0;
-  const std::string_view piece = pieces_[piece_];
   const std::size_t byte = bit_ / 8;
-  if (byte + longest > piece.size()) return takeAcrossPieces(bits);
+  if (byte + longest > bytes_.size()) return takeBytewise(bits);
   const std::size_t shift = bit_ % 8;
-  std::uint64_t value = valueAt<std::uint64_t>(piece.data() + byte) >> shift;
+  std::uint64_t value = valueAt<std::uint64_t>(bytes_.data() + byte) >> shift;
   if (shift > 0)
-    value |= std::uint64_t{valueAt<std::uint8_t>(piece.data() + byte + 8)} << (64 - shift);
+    value |= std::uint64_t{valueAt<std::uint8_t>(bytes_.data() + byte + 8)} << (64 - shift);
   bit_ += bits;
   return bits == 64 ? value : value & ((std::uint64_t{1} << bits) - 1);
 }
 
-std::uint64_t E57Stream::takeAcrossPieces(unsigned bits) {
+std::uint64_t E57Stream::takeBytewise(unsigned bits) {
   std::uint64_t value = 0;
   for (unsigned taken = 0; taken < bits;) {
-    if (bit_ == 8 * pieces_[piece_].size()) {
-      ++piece_;
-      bit_ = 0;
-    }
     const auto shift = static_cast<unsigned>(bit_ % 8);
     const unsigned count = std::min(8 - shift, bits - taken);
-    const unsigned byte = valueAt<std::uint8_t>(pieces_[piece_].data() + bit_ / 8);
+    const unsigned byte = valueAt<std::uint8_t>(bytes_.data() + bit_ / 8);
     value |= std::uint64_t{(byte >> shift) & ((1U << count) - 1)} << taken;
     taken += count;
     bit_ += count;

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -67,28 +68,25 @@ class E57Stream {
 public:
   explicit E57Stream(const E57Field& field) : field_(field) {}
 
-  /// @param piece  must outlive the stream
+  /// Takes a copy of the next piece; what was read of those before is given up.
   void add(std::string_view piece);
 
-  /// Whether so many values were added.
-  [[nodiscard]] bool has(std::uint64_t values) const {
-    return field_.bits == 0 || bits_ / field_.bits >= values;
-  }
+  /// How many values can be read now; of fields without bits as many as one likes.
+  [[nodiscard]] std::uint64_t ready() const;
   /// How many values were added; pre: they have bits
   [[nodiscard]] std::uint64_t values() const { return bits_ / field_.bits; }
 
-  /// pre: it was added
+  /// pre: ready() > 0
   [[nodiscard]] double next();
 
 private:
   [[nodiscard]] std::uint64_t take(unsigned bits);
-  [[nodiscard]] std::uint64_t takeAcrossPieces(unsigned bits);
+  [[nodiscard]] std::uint64_t takeBytewise(unsigned bits);
 
   E57Field field_;
-  std::vector<std::string_view> pieces_; // none is empty
-  std::uint64_t bits_ = 0;               // in all of them
-  std::size_t piece_ = 0;                // where the next value begins,
-  std::size_t bit_ = 0;                  // and at which bit of it
+  std::string bytes_;
+  std::uint64_t bits_ = 0; // in all pieces that were added
+  std::size_t bit_ = 0;    // of `bytes_`, where the next value begins
 };
 
 } // namespace espalier

@@ -15,26 +15,31 @@ namespace espalier {
 /// than their file is long.
 class E57Packets {
 public:
-  explicit E57Packets(const E57Pages& pages) : pages_(pages), left_(pages.size()) {}
+  /// @param pages  must outlive the packets
+  explicit E57Packets(E57Pages& pages) : pages_(pages), left_(pages.size()) {}
 
-  /// A stream for each field of the scan; those without a role stay empty, all others have a value
-  /// for each record. Packets of an index and empty ones are passed over.
+  /// Begins with a scan, which must be there until the next begins.
+  /// @return a stream for each field, still empty; those without a role stay so
+  /// @throws Error naming the byte where its section is damaged
+  [[nodiscard]] std::vector<E57Stream> begin(const E57Scan& scan);
+
+  /// Adds packets to the streams until a record can be read of all of them. Packets of an index and
+  /// empty ones are passed over.
+  /// @return how many records can be read
   /// @throws Error naming the byte of the packet that is damaged, or if values are missing
-  [[nodiscard]] std::vector<E57Stream> streamsOf(const E57Scan& scan, const Progress& progress);
+  [[nodiscard]] std::uint64_t readOn(std::vector<E57Stream>& streams, const Progress& progress);
 
 private:
-  struct Section {
-    std::size_t packets = 0; // where they begin
-    std::size_t end = 0;
-  };
-  [[nodiscard]] Section sectionOf(const E57Scan& scan);
-  void addPacket(std::string_view packet, std::size_t place, const E57Scan& scan,
-                 std::vector<E57Stream>& streams) const;
-  void requireAll(const E57Scan& scan, const std::vector<E57Stream>& streams,
-                  std::size_t end) const;
+  void enterSection();
+  void addPacket(std::string_view packet, std::vector<E57Stream>& streams) const;
+  [[nodiscard]] std::uint64_t readyIn(const std::vector<E57Stream>& streams) const;
+  [[noreturn]] void failAtEnd(const std::vector<E57Stream>& streams) const;
 
-  const E57Pages& pages_;
+  E57Pages& pages_;
   std::uint64_t left_; // bytes of sections that may still be read
+  const E57Scan* scan_ = nullptr;
+  std::uint64_t place_ = 0; // of the next packet of its section, in the content
+  std::uint64_t end_ = 0;   // of this section
 };
 
 } // namespace espalier

@@ -3,6 +3,7 @@
 #include "core/base/counted.h"
 #include "core/base/error.h"
 #include "core/io/bytes/scalar.h"
+#include "core/io/points/point_collector.h"
 
 #include <algorithm>
 #include <array>
@@ -122,40 +123,46 @@ std::string e57XmlOf(ByteSource& source, const std::string& file) {
   return content.substr(static_cast<std::size_t>(inPage), static_cast<std::size_t>(header.xmlSize));
 }
 
-E57Pages::E57Pages(std::string bytes, std::string file, const Progress& progress)
-    : content_(std::move(bytes)), file_(std::move(file)) {
-  const E57Header header = readE57Header(content_, content_.size(), file_);
-  xmlStart_ = header.xmlStart;
-  xmlSize_ = header.xmlSize;
-  content_.resize(header.size);
-  takeChecksums(content_, 0, header.size / pageSize, file_, progress);
+E57Pages::E57Pages(ByteSource& source, std::string file) : source_(source), file_(std::move(file)) {
+  const E57Header header = readE57Header(source_.read(0, e57HeaderSize), source_.size(), file_);
+  pages_ = header.size / pageSize;
+  size_ = pages_ * pageContent;
 }
 
-std::string_view E57Pages::xml() const {
-  return bytesAt(placeOf(xmlStart_, "the XML"), xmlSize_, "the XML");
-}
-
-std::size_t E57Pages::placeOf(std::uint64_t inFile, std::string_view what) const {
+std::uint64_t E57Pages::placeOf(std::uint64_t inFile, std::string_view what) const {
   const std::uint64_t page = inFile / pageSize;
   const std::uint64_t inPage = inFile % pageSize;
-  if (page >= content_.size() / pageContent || inPage >= pageContent)
+  if (page >= pages_ || inPage >= pageContent)
     throw Error(file_ + ": says that " + std::string(what) + " starts at byte " +
                 std::to_string(inFile) +
                 ", where none can be: the file is damaged, copy or export it again");
-  return static_cast<std::size_t>(page * pageContent + inPage);
+  return page * pageContent + inPage;
 }
 
-std::string_view E57Pages::bytesAt(std::size_t place, std::uint64_t size,
-                                   std::string_view what) const {
-  const std::size_t left = content_.size() - std::min(place, content_.size());
+void E57Pages::require(std::uint64_t place, std::uint64_t size, std::string_view what) const {
+  const std::uint64_t left = size_ - std::min(place, size_);
   if (size > left)
     fail(place, std::string(what) + " of " + counted(size, "byte") + " starts here, but only " +
                     std::to_string(left) + " follow: the file is damaged, copy or export it again");
-  return std::string_view(content_).substr(place, static_cast<std::size_t>(size));
 }
 
-void E57Pages::fail(std::size_t place, const std::string& what) const {
-  const std::size_t inFile = place / pageContent * pageSize + place % pageContent;
+std::string_view E57Pages::bytesAt(std::uint64_t place, std::size_t size, std::string_view what) {
+  constexpr std::uint64_t windowPages = 1024;
+  require(place, size, what);
+  if (place < windowStart_ || place + size > windowStart_ + window_.size()) {
+    const std::uint64_t first = place / pageContent;
+    const std::uint64_t needed = (place + size + pageContent - 1) / pageContent - first;
+    const std::uint64_t count = std::min(std::max(needed, windowPages), pages_ - first);
+    window_ = source_.read(first * pageSize, count * pageSize);
+    windowStart_ = first * pageContent;
+    if (window_.size() < count * pageSize) throw becameShorter(file_);
+    takeChecksums(window_, static_cast<std::size_t>(first), pages_, file_, {});
+  }
+  return std::string_view(window_).substr(static_cast<std::size_t>(place - windowStart_), size);
+}
+
+void E57Pages::fail(std::uint64_t place, const std::string& what) const {
+  const std::uint64_t inFile = place / pageContent * pageSize + place % pageContent;
   throw Error(file_ + ", byte " + std::to_string(inFile) + ": " + what);
 }
 

@@ -30,40 +30,43 @@ struct E57Header {
 /// The content of an E57 file: its pages without the checksums that end them.
 ///
 /// A file is a row of pages of 1024 bytes; the last 4 are the CRC-32C of the others. Places in the
-/// file count all bytes; places in the content leave the checksums out.
+/// file count all bytes; places in the content leave the checksums out. Pages are read, and their
+/// checksums checked, where they are asked for; about 1 MB of them is in memory at a time.
 class E57Pages {
 public:
-  /// Checks the first bytes of the file and the checksum of each page.
-  /// @param file  its name, for messages
-  /// @throws Error if the file is no E57 file, is cut short, or a page is damaged: the message
-  ///               names the page
-  E57Pages(std::string bytes, std::string file, const Progress& progress);
+  /// Checks the first bytes of the file.
+  /// @param source  must outlive the pages
+  /// @param file    its name, for messages
+  /// @throws Error if the file is no E57 file or is cut short
+  E57Pages(ByteSource& source, std::string file);
 
   [[nodiscard]] const std::string& file() const { return file_; }
-  [[nodiscard]] std::size_t size() const { return content_.size(); }
-
-  /// The section of XML, which describes the rest.
-  /// @throws Error if it is not within the file
-  [[nodiscard]] std::string_view xml() const;
+  [[nodiscard]] std::uint64_t size() const { return size_; } // of the content
 
   /// The place in the content of byte `inFile` of the file.
   /// @param what  stands there, for the message: "the XML"
   /// @throws Error if there is none
-  [[nodiscard]] std::size_t placeOf(std::uint64_t inFile, std::string_view what) const;
+  [[nodiscard]] std::uint64_t placeOf(std::uint64_t inFile, std::string_view what) const;
 
   /// @param place  in the content
   /// @throws Error if so many bytes do not follow
-  [[nodiscard]] std::string_view bytesAt(std::size_t place, std::uint64_t size,
-                                         std::string_view what) const;
+  void require(std::uint64_t place, std::uint64_t size, std::string_view what) const;
+
+  /// The bytes from a place in the content on, which are there until the next call.
+  /// @throws Error if so many do not follow, or a page is damaged: the message names the page
+  [[nodiscard]] std::string_view bytesAt(std::uint64_t place, std::size_t size,
+                                         std::string_view what);
 
   /// @param place  in the content; the message has its place in the file: "oak.e57, byte 1030: ..."
-  [[noreturn]] void fail(std::size_t place, const std::string& what) const;
+  [[noreturn]] void fail(std::uint64_t place, const std::string& what) const;
 
 private:
-  std::string content_;
+  ByteSource& source_;
   std::string file_;
-  std::uint64_t xmlStart_ = 0; // in the file
-  std::uint64_t xmlSize_ = 0;  // without checksums
+  std::uint64_t pages_ = 0; // of the file
+  std::uint64_t size_ = 0;
+  std::string window_; // content of some pages
+  std::uint64_t windowStart_ = 0;
 };
 
 } // namespace espalier

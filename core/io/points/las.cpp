@@ -1,7 +1,7 @@
 #include "core/io/points/las.h"
 
 #include "core/base/error.h"
-#include "core/base/text.h"
+#include "core/io/bytes/byte_stream.h"
 #include "core/io/points/las_points.h"
 #include "core/io/points/point_collector.h"
 
@@ -9,16 +9,20 @@
 
 namespace espalier {
 
-Imported<RawPoints> readLas(std::istream& in, const std::string& file, const Progress& progress) {
-  const std::string bytes = readAll(in, progress.part(0, 0.3));
-  const LasHeader header = readLasHeader(bytes, file);
-  if (isLaz(bytes)) throw Error(file + ": is compressed (LAZ), not LAS: name it so, as a.laz");
-  checkPromise(file, header.count, header.pointLength, bytes.size() - header.pointStart);
-  LasPoints points(header, header.count);
-  const char* point = bytes.data() + header.pointStart;
-  for (std::uint64_t i = 0; i < header.count; ++i, point += header.pointLength) {
-    if (i % 65536 == 0)
-      progress.update(0.3 + 0.7 * static_cast<double>(i) / static_cast<double>(header.count));
+ImportedPoints readLas(std::istream& in, const std::string& file, const ReadOptions& options,
+                       const Progress& progress) {
+  ByteSource source(in);
+  const std::string head = source.read(0, longestLasHeader);
+  const LasHeader header = readLasHeader(head, source.size(), file);
+  if (isLaz(head)) throw Error(file + ": is compressed (LAZ), not LAS: name it so, as a.laz");
+  checkPromise(file, header.count, header.pointLength, source.size() - header.pointStart);
+  PartChooser chooser(options);
+  LasPoints points(header, header.count, chooser);
+  ByteStream bytes(source, header.pointStart);
+  for (std::uint64_t i = 0; i < header.count; ++i) {
+    if (i % 65536 == 0) progress.update(static_cast<double>(i) / static_cast<double>(header.count));
+    const char* point = bytes.take(header.pointLength);
+    if (point == nullptr) throw becameShorter(file);
     points.add(lasPointAt(point, header));
   }
   return std::move(points).finish(file);

@@ -9,24 +9,7 @@
 namespace espalier {
 namespace {
 
-constexpr std::size_t longestLasHeader = 375; // of version 1.4
-constexpr std::size_t lasRecordHeader = 54;
 constexpr std::uint64_t mostRecordBytes = std::uint64_t{1} << 24; // of all, that are looked at
-
-/// The content of a variable length record of this owner and number; empty: there is none.
-std::string_view lasRecord(std::string_view head, const LasHeader& header, std::string_view owner,
-                           std::uint16_t number) {
-  std::string_view rest = head.substr(std::min<std::size_t>(header.size, head.size()));
-  for (std::uint32_t i = 0; i < header.recordCount && rest.size() >= lasRecordHeader; ++i) {
-    const bool isIt =
-        rest.substr(2, 16).starts_with(owner) && valueAt<std::uint16_t>(rest.data() + 18) == number;
-    const std::size_t size = valueAt<std::uint16_t>(rest.data() + 20);
-    rest.remove_prefix(lasRecordHeader);
-    if (isIt) return rest.substr(0, size);
-    rest.remove_prefix(std::min(size, rest.size()));
-  }
-  return {};
-}
 
 /// The unit that a GeoTIFF code stands for, as a sentence ends with it.
 GlanceGuess unitOfCode(std::uint16_t code) {

@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/io/bytes/scalar.h"
 
+#include <algorithm>
 #include <array>
 
 namespace espalier {
@@ -96,6 +97,21 @@ LasHeader readLasHeader(std::string_view bytes, std::uint64_t fileSize, const st
   header.offset = vectorAt(bytes.data() + 155);
   check(header, fileSize, file);
   return header;
+}
+
+std::string_view lasRecord(std::string_view head, const LasHeader& header, std::string_view owner,
+                           std::uint16_t number) {
+  constexpr std::size_t lasRecordHeader = 54;
+  std::string_view rest = head.substr(std::min<std::size_t>(header.size, head.size()));
+  for (std::uint32_t i = 0; i < header.recordCount && rest.size() >= lasRecordHeader; ++i) {
+    const bool isIt =
+        rest.substr(2, 16).starts_with(owner) && valueAt<std::uint16_t>(rest.data() + 18) == number;
+    const std::size_t size = valueAt<std::uint16_t>(rest.data() + 20);
+    rest.remove_prefix(lasRecordHeader);
+    if (isIt) return rest.substr(0, size);
+    rest.remove_prefix(std::min(size, rest.size()));
+  }
+  return {};
 }
 
 } // namespace espalier

@@ -12,6 +12,8 @@ namespace espalier {
 [[nodiscard]] bool isLas(std::string_view beginning);
 [[nodiscard]] bool isLaz(std::string_view beginning);
 
+inline constexpr std::size_t longestLasHeader = 375; // of version 1.4
+
 /// What the header of a LAS file says, compressed (LAZ) or not.
 struct LasHeader {
   int minorVersion = 0;
@@ -33,8 +35,14 @@ struct LasHeader {
 /// @throws Error if it is no LAS file, is of a later version, or its header is damaged
 [[nodiscard]] LasHeader readLasHeader(std::string_view bytes, const std::string& file);
 
-/// The same of the first bytes of a file of `fileSize`: 375, or as many as it has.
+/// The same of the first bytes of a file of `fileSize`: longestLasHeader, or as many as it has.
 [[nodiscard]] LasHeader readLasHeader(std::string_view beginning, std::uint64_t fileSize,
                                       const std::string& file);
+
+/// The content of the variable length record of this owner and number; data() is null if there is
+/// none.
+/// @param head  the file up to its points, or less of it
+[[nodiscard]] std::string_view lasRecord(std::string_view head, const LasHeader& header,
+                                         std::string_view owner, std::uint16_t number);
 
 } // namespace espalier

@@ -46,18 +46,17 @@ LasPoint lasPointAt(const char* bytes, const LasHeader& header) {
   return point;
 }
 
-LasPoints::LasPoints(const LasHeader& header, std::size_t expected)
-    : header_(header), points_(fieldsOf(header), expected) {}
+LasPoints::LasPoints(const LasHeader& header, std::uint64_t expected, PartChooser& chooser)
+    : header_(header), chooser_(&chooser), points_(fieldsOf(header), expected, chooser) {}
 
 void LasPoints::add(const LasPoint& point) {
-  if (point.isWithheld)
-    ++withheld_;
-  else
-    points_.add(valuesOf(point, header_));
+  if (!point.isWithheld) return points_.add(valuesOf(point, header_));
+  ++withheld_;
+  chooser_->pass();
 }
 
-Imported<RawPoints> LasPoints::finish(const std::string& file) && {
-  Imported<RawPoints> result{std::move(points_).finish(false), {}};
+ImportedPoints LasPoints::finish(const std::string& file) && {
+  ImportedPoints result{{std::move(points_).finish(false), {}}, header_.count};
   dropEmptyColumns(result.value);
   if (withheld_ > 0)
     result.notes.push_back(file + ": " + std::to_string(withheld_) + " of " +

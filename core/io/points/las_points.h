@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/base/imported.h"
 #include "core/io/points/las_header.h"
 #include "core/io/points/point_collector.h"
+#include "core/io/points/read_options.h"
 
 #include <array>
 #include <cstddef>
@@ -26,15 +26,18 @@ struct LasPoint {
 class LasPoints {
 public:
   /// @param expected  how many points will come, as far as the bytes of the file can hold them
-  LasPoints(const LasHeader& header, std::size_t expected);
+  /// @param chooser   says which are kept; must outlive this
+  LasPoints(const LasHeader& header, std::uint64_t expected, PartChooser& chooser);
 
   void add(const LasPoint& point);
+  [[nodiscard]] std::size_t size() const { return points_.size(); } // kept so far
 
   /// Without intensities or colors that are all 0. Withheld points are left out, with a note.
-  [[nodiscard]] Imported<RawPoints> finish(const std::string& file) &&;
+  [[nodiscard]] ImportedPoints finish(const std::string& file) &&;
 
 private:
   LasHeader header_;
+  PartChooser* chooser_;
   PointCollector points_;
   std::uint64_t withheld_ = 0;
 };

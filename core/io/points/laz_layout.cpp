@@ -34,24 +34,6 @@ Error unreadableLaz(const std::string& file, const std::string& what) {
                " -o unpacked.las'"};
 }
 
-/// The content of LASzip's variable length record.
-std::string_view lazRecordBytes(std::string_view bytes, const LasHeader& header,
-                                const std::string& file) {
-  constexpr std::size_t recordHeader = 54;
-  constexpr std::uint16_t lazRecordId = 22204;
-  std::string_view rest = bytes.substr(0, header.pointStart);
-  rest.remove_prefix(std::min<std::size_t>(header.size, rest.size()));
-  for (std::uint32_t i = 0; i < header.recordCount && rest.size() >= recordHeader; ++i) {
-    const bool isOurs = rest.substr(2).starts_with("laszip encoded") &&
-                        valueAt<std::uint16_t>(rest.data() + 18) == lazRecordId;
-    const std::size_t size = valueAt<std::uint16_t>(rest.data() + 20);
-    rest.remove_prefix(recordHeader);
-    if (isOurs) return rest.substr(0, size);
-    rest.remove_prefix(std::min(size, rest.size()));
-  }
-  throw damagedLaz(file, "has no record of LASzip on how its points are compressed");
-}
-
 LazRecord lazRecordOf(std::string_view bytes, const std::string& file) {
   constexpr std::size_t itemsStart = 34;
   constexpr std::size_t itemSize = 6;
@@ -164,18 +146,22 @@ void checkRecord(const LazRecord& record, const LasHeader& header, const std::st
                                ", which is for other formats");
 }
 
+constexpr std::size_t tableHeader = 8; // version, and how many chunks are listed
+
 /// Where the table of chunks lies: before the first chunk, else, where its writer could not go back
 /// in the file, at the end.
-std::uint64_t chunkTableStart(std::string_view bytes, const LasHeader& header,
+std::uint64_t chunkTableStart(ByteSource& source, const LasHeader& header,
                               const std::string& file) {
   constexpr std::size_t offsetSize = 8;
-  constexpr std::size_t tableHeader = 8;
   const std::uint64_t least = header.pointStart + offsetSize;
-  if (bytes.size() < least) throw damagedLaz(file, "ends before its first point");
-  auto start = valueAt<std::uint64_t>(bytes.data() + header.pointStart);
-  if (start == ~std::uint64_t{0})
-    start = valueAt<std::uint64_t>(bytes.data() + bytes.size() - offsetSize);
-  if (start < least || start > bytes.size() || bytes.size() - start < tableHeader)
+  const auto placeAt = [&](std::uint64_t start) {
+    const std::string bytes = source.read(start, offsetSize);
+    if (bytes.size() < offsetSize) throw damagedLaz(file, "ends before its first point");
+    return valueAt<std::uint64_t>(bytes.data());
+  };
+  auto start = placeAt(header.pointStart);
+  if (start == ~std::uint64_t{0}) start = placeAt(source.size() - offsetSize);
+  if (start < least || start > source.size() || source.size() - start < tableHeader)
     throw damagedLaz(file, "has no table of its chunks of points where it should be");
   return start;
 }
@@ -203,13 +189,19 @@ private:
 };
 
 /// The chunks that the table at `tableStart` lists, as many as the points need.
-std::vector<LazChunk> tabledChunks(std::string_view bytes, std::uint64_t tableStart,
+std::vector<LazChunk> tabledChunks(ByteSource& source, std::uint64_t tableStart,
                                    const LasHeader& header, std::uint32_t pointsPerChunk) {
+  constexpr std::uint64_t mostPerChunk = 32; // bytes of two packed numbers, at their longest
+  constexpr std::uint64_t decoderBytes = 64; // that it reads ahead
   std::vector<LazChunk> chunks;
   std::uint64_t start = header.pointStart + 8;
   std::uint64_t left = header.count;
-  const auto listed = valueAt<std::uint32_t>(bytes.data() + tableStart + 4);
-  ChunkTableReader table(bytes.substr(tableStart + 8));
+  const std::string head = source.read(tableStart, tableHeader);
+  if (head.size() < tableHeader) throw DamagedStream{};
+  const auto listed = valueAt<std::uint32_t>(head.data() + 4);
+  const std::string bytes =
+      source.read(tableStart + tableHeader, decoderBytes + mostPerChunk * listed);
+  ChunkTableReader table(bytes);
   for (std::uint32_t i = 0; i < listed && left > 0; ++i) {
     LazChunk chunk = table.next(pointsPerChunk);
     if (chunk.size > tableStart - start) throw DamagedStream{};
@@ -225,14 +217,14 @@ std::vector<LazChunk> tabledChunks(std::string_view bytes, std::uint64_t tableSt
   return chunks;
 }
 
-std::vector<LazChunk> chunksOf(std::string_view bytes, const LazRecord& record,
-                               const LasHeader& header, const std::string& file) {
+std::vector<LazChunk> chunksOf(ByteSource& source, const LazRecord& record, const LasHeader& header,
+                               const std::string& file) {
   if (header.count == 0) return {};
   if (record.compressor == pointwise) // all in one
-    return {{header.pointStart, bytes.size() - header.pointStart, header.count}};
-  const std::uint64_t tableStart = chunkTableStart(bytes, header, file);
+    return {{header.pointStart, source.size() - header.pointStart, header.count}};
+  const std::uint64_t tableStart = chunkTableStart(source, header, file);
   try {
-    return tabledChunks(bytes, tableStart, header, record.chunkSize);
+    return tabledChunks(source, tableStart, header, record.chunkSize);
   } catch (const DamagedStream&) {
     throw damagedLaz(file, "has a table of chunks that does not fit its " +
                                std::to_string(header.count) + " points");
@@ -241,13 +233,18 @@ std::vector<LazChunk> chunksOf(std::string_view bytes, const LazRecord& record,
 
 } // namespace
 
-LazLayout readLazLayout(std::string_view bytes, const LasHeader& header, const std::string& file) {
-  const LazRecord record = lazRecordOf(lazRecordBytes(bytes, header, file), file);
+LazLayout readLazLayout(ByteSource& source, const LasHeader& header, const std::string& file) {
+  constexpr std::uint16_t lazRecordId = 22204;
+  const std::string head = source.read(0, header.pointStart);
+  const auto bytes = lasRecord(head, header, "laszip encoded", lazRecordId);
+  if (bytes.data() == nullptr)
+    throw damagedLaz(file, "has no record of LASzip on how its points are compressed");
+  const LazRecord record = lazRecordOf(bytes, file);
   checkRecord(record, header, file);
   LazLayout layout;
   layout.isLayered = record.compressor == layeredChunked;
   layout.items = record.items;
-  layout.chunks = chunksOf(bytes, record, header, file);
+  layout.chunks = chunksOf(source, record, header, file);
   return layout;
 }
 

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "core/io/bytes/byte_source.h"
 #include "core/io/points/las_header.h"
 
 #include <cstdint>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace espalier {
@@ -43,11 +43,11 @@ struct LazLayout {
   std::vector<LazChunk> chunks; // of header.count points; each lies within the file
 };
 
-/// @param bytes   the file
+/// @param source  the file, of which its head and its table of chunks are read
 /// @param header  its header
 /// @param file    its name, for messages
 /// @throws Error if it is damaged, or compressed in a form that cannot be read
-[[nodiscard]] LazLayout readLazLayout(std::string_view bytes, const LasHeader& header,
+[[nodiscard]] LazLayout readLazLayout(ByteSource& source, const LasHeader& header,
                                       const std::string& file);
 
 } // namespace espalier

@@ -3,6 +3,8 @@
 #include "core/base/counted.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/io/bytes/byte_stream.h"
+#include "core/io/bytes/line_stream.h"
 #include "core/io/points/lzf.h"
 #include "core/io/points/pcd_header.h"
 #include "core/io/points/point_collector.h"
@@ -21,7 +23,7 @@ struct Column {
   ScalarType type = ScalarType::float32;
   std::size_t value = 0;  // number of its first value in a line of text
   std::size_t start = 0;  // in bytes: of the first point
-  std::size_t stride = 0; // in bytes: to the next point
+  std::size_t stride = 0; // in bytes: to the next point, if all are there; 0: they come by and by
 };
 
 /// A color is packed into the bits of a float, or is an integer.
@@ -54,28 +56,26 @@ std::vector<Column> columnsOf(const PcdHeader& header, const std::vector<PointFi
     const PcdField& field = header.fields[i];
     const bool byField = header.data == PcdData::compressed;
     if (roles[i] != PointField::none)
-      columns.push_back(
-          {roles[i], field.type, value, start, byField ? field.size() : header.pointSize()});
+      columns.push_back({roles[i], field.type, value, start, byField ? field.size() : 0});
     start += field.size() * (byField ? header.points : 1);
     value += field.count;
   }
   return columns;
 }
 
-void readAscii(std::string_view text, const PcdHeader& header, const std::vector<Column>& columns,
+void readAscii(LineStream lines, const PcdHeader& header, const std::vector<Column>& columns,
                const std::string& file, PointCollector& points, const Progress& progress) {
-  LineReader lines(text);
   PointValues values{};
-  while (points.size() < header.points) {
+  for (std::uint64_t row = 0; row < header.points;) {
     const auto line = lines.next();
     if (!line)
-      throw Error(file + ": ends after " + std::to_string(points.size()) + " of " +
+      throw Error(file + ": ends after " + std::to_string(row) + " of " +
                   std::to_string(header.points) +
                   " points: it is cut short, copy or export it again");
     std::string_view rest = *line;
     if (trimmed(rest).empty()) continue;
-    if (points.size() % 65536 == 0)
-      progress.update(static_cast<double>(lines.offset()) / static_cast<double>(text.size()));
+    if (row++ % 65536 == 0)
+      progress.update(static_cast<double>(lines.offset()) / static_cast<double>(lines.size()));
     std::size_t read = 0;
     for (const Column& column : columns) {
       std::string_view word;
@@ -93,14 +93,17 @@ void readAscii(std::string_view text, const PcdHeader& header, const std::vector
   }
 }
 
-void readBinary(std::string_view bytes, const PcdHeader& header, const std::vector<Column>& columns,
+/// @param pointAt  gives the bytes of a point, from where the starts of columns count
+template <class PointAt>
+void readBinary(const PointAt& pointAt, const PcdHeader& header, const std::vector<Column>& columns,
                 PointCollector& points, const Progress& progress) {
   PointValues values{};
   for (std::uint64_t i = 0; i < header.points; ++i) {
     if (i % 65536 == 0)
       progress.update(static_cast<double>(i) / static_cast<double>(header.points));
+    const char* bytes = pointAt();
     for (const Column& column : columns) {
-      const char* at = bytes.data() + column.start + i * column.stride;
+      const char* at = bytes + column.start + i * column.stride;
       // A float that holds a color is never read as a number: a signaling NaN would lose a bit.
       const bool isPacked = column.role == PointField::packedColor && sizeOf(column.type) == 4;
       values[indexOf(column.role)] =
@@ -157,25 +160,42 @@ bool isPcd(std::string_view beginning) {
   return false;
 }
 
-Imported<RawPoints> readPcd(std::istream& in, const std::string& file, const Progress& progress) {
-  const std::string bytes = readAll(in, progress.part(0, 0.3));
-  const PcdHeader header = readPcdHeader(bytes, file);
+ImportedPoints readPcd(std::istream& in, const std::string& file, const ReadOptions& options,
+                       const Progress& progress) {
+  constexpr std::uint64_t longestHeader = std::uint64_t{1} << 24;
+  ByteSource source(in);
+  const PcdHeader header = readPcdHeader(source.read(0, longestHeader), file);
   const std::vector<PointField> roles = rolesOf(header, file);
-  const std::string_view data = std::string_view(bytes).substr(header.dataStart);
-  const Progress reading = progress.part(0.3, 1);
+  const std::vector<Column> columns = columnsOf(header, roles);
+  PartChooser chooser(options);
+  const auto collector = [&](std::uint64_t pointSize, std::uint64_t available) {
+    checkPromise(file, header.points, pointSize, available);
+    return PointCollector(roles, header.points, chooser);
+  };
+  const auto finished = [&](PointCollector points) {
+    return ImportedPoints{{std::move(points).finish(true), {}}, header.points};
+  };
+  const std::uint64_t size = source.size() - header.dataStart;
   if (header.data == PcdData::ascii) {
-    checkPromise(file, header.points, 5, data.size()); // "0 0 0"
-    PointCollector points(roles, header.points);
-    readAscii(data, header, columnsOf(header, roles), file, points, reading);
-    return {std::move(points).finish(true), {}};
+    PointCollector points = collector(5, size); // "0 0 0"
+    readAscii(LineStream(source, header.dataStart), header, columns, file, points, progress);
+    return finished(std::move(points));
   }
-  const bool isPacked = header.data == PcdData::compressed;
-  const std::string room = isPacked ? unpacked(data, header, file) : std::string();
-  const std::string_view values = isPacked ? std::string_view(room) : data;
-  checkPromise(file, header.points, header.pointSize(), values.size());
-  PointCollector points(roles, header.points);
-  readBinary(values, header, columnsOf(header, roles), points, reading);
-  return {std::move(points).finish(true), {}};
+  if (header.data == PcdData::compressed) { // each field by itself: there is no reading in pieces
+    const std::string room = unpacked(source.read(header.dataStart, size), header, file);
+    PointCollector points = collector(header.pointSize(), room.size());
+    readBinary([&] { return room.data(); }, header, columns, points, progress.part(0.3, 1));
+    return finished(std::move(points));
+  }
+  PointCollector points = collector(header.pointSize(), size);
+  ByteStream bytes(source, header.dataStart);
+  const auto next = [&] {
+    const char* point = bytes.take(header.pointSize());
+    if (point == nullptr) throw becameShorter(file);
+    return point;
+  };
+  readBinary(next, header, columns, points, progress);
+  return finished(std::move(points));
 }
 
 } // namespace espalier

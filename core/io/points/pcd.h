@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/base/imported.h"
 #include "core/base/progress.h"
 #include "core/cloud/point_cloud.h"
+#include "core/io/points/read_options.h"
 
 #include <iosfwd>
 #include <string>
@@ -19,11 +19,14 @@ namespace espalier {
 /// a float or an integer. Other fields are passed over. (Organized clouds mark missing points with
 /// NaN.)
 ///
-/// @param file  its name, for messages
+/// @param file     its name, for messages
+/// @param options  which of them are kept
 /// @throws Error naming the line of the header or of the text, or how many bytes are missing
-/// Time and memory O(size of the data).
+/// Time O(size of the data), memory O(points that are kept); of compressed data O(size of the
+/// data), as it cannot be unpacked in pieces.
 /// Specification: "The PCD (Point Cloud Data) file format", version 0.7, Point Cloud Library.
-[[nodiscard]] Imported<RawPoints> readPcd(std::istream& in, const std::string& file,
-                                          const Progress& progress = {});
+[[nodiscard]] ImportedPoints readPcd(std::istream& in, const std::string& file,
+                                     const ReadOptions& options = {},
+                                     const Progress& progress = {});
 
 } // namespace espalier

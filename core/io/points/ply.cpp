@@ -4,6 +4,8 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/cloud/file_order.h"
+#include "core/io/bytes/byte_stream.h"
+#include "core/io/bytes/line_stream.h"
 #include "core/io/points/ply_header.h"
 #include "core/io/points/point_collector.h"
 #include "core/io/points/station_comment.h"
@@ -51,10 +53,10 @@ bool hasFractions(const PlyElement& element, const std::vector<PointField>& fiel
 /// The binary rows of a PLY file, one after another.
 class BinaryRows {
 public:
-  BinaryRows(std::string_view bytes, std::endian order, const std::string& file)
-      : rest_(bytes), order_(order), file_(file) {}
+  BinaryRows(ByteStream bytes, std::endian order, const std::string& file)
+      : bytes_(std::move(bytes)), order_(order), file_(file) {}
 
-  [[nodiscard]] std::size_t left() const { return rest_.size(); }
+  [[nodiscard]] std::uint64_t left() const { return bytes_.left(); }
 
   /// Reads row `row`; `fields` may be empty: then the row is passed over.
   void read(const PlyElement& element, std::uint64_t row, const std::vector<PointField>& fields,
@@ -65,9 +67,10 @@ public:
         const double length =
             scalarAt(take(element, row, sizeOf(*property.countType)), *property.countType, order_);
         // Compared as double: a damaged length may be negative or beyond any size.
-        if (!(length >= 0 && length <= static_cast<double>(rest_.size())))
+        if (!(length >= 0 && length * static_cast<double>(sizeOf(property.type)) <=
+                                 static_cast<double>(bytes_.left())))
           failCutShort(file_, element, row);
-        take(element, row, static_cast<std::size_t>(length) * sizeOf(property.type));
+        bytes_.skip(static_cast<std::uint64_t>(length) * sizeOf(property.type));
         continue;
       }
       const char* bytes = take(element, row, sizeOf(property.type));
@@ -82,20 +85,19 @@ public:
       for (std::uint64_t row = 0; row < element.count; ++row)
         read(element, row, {}, unused);
     } else if (element.leastSize() > 0) {
-      checkPromise(file_, element.count, element.leastSize(), rest_.size());
-      rest_.remove_prefix(element.count * element.leastSize());
+      checkPromise(file_, element.count, element.leastSize(), bytes_.left());
+      bytes_.skip(element.count * element.leastSize());
     }
   }
 
 private:
   const char* take(const PlyElement& element, std::uint64_t row, std::size_t size) {
-    if (size > rest_.size()) failCutShort(file_, element, row);
-    const char* bytes = rest_.data();
-    rest_.remove_prefix(size);
+    const char* bytes = size > bytes_.left() ? nullptr : bytes_.take(size);
+    if (bytes == nullptr) failCutShort(file_, element, row);
     return bytes;
   }
 
-  std::string_view rest_;
+  ByteStream bytes_;
   std::endian order_;
   const std::string& file_;
 };
@@ -103,10 +105,10 @@ private:
 /// The text rows of a PLY file, a line each.
 class AsciiRows {
 public:
-  AsciiRows(std::string_view text, std::size_t linesBefore, const std::string& file)
-      : lines_(text), left_(text.size()), linesBefore_(linesBefore), file_(file) {}
+  AsciiRows(LineStream lines, std::size_t linesBefore, const std::string& file)
+      : lines_(std::move(lines)), linesBefore_(linesBefore), file_(file) {}
 
-  [[nodiscard]] std::size_t left() const { return left_ - lines_.offset(); }
+  [[nodiscard]] std::uint64_t left() const { return lines_.size() - lines_.offset(); }
 
   void read(const PlyElement& element, std::uint64_t row, const std::vector<PointField>& fields,
             PointValues& values) {
@@ -145,8 +147,7 @@ private:
     throw Error(where + "expected a number, found " + inQuotes(word));
   }
 
-  LineReader lines_;
-  std::size_t left_;
+  LineStream lines_;
   std::size_t linesBefore_;
   const std::string& file_;
 };
@@ -154,10 +155,12 @@ private:
 /// pre: `rows` stand at the first row of `vertices`
 template <class Rows>
 RawPoints readVertices(Rows& rows, const PlyElement& vertices, std::vector<Station> stations,
-                       std::uint64_t leastSize, const std::string& file, const Progress& progress) {
+                       std::uint64_t leastSize, const std::string& file, const ReadOptions& options,
+                       const Progress& progress) {
   const std::vector<PointField> fields = fieldsOf(vertices, file);
   checkPromise(file, vertices.count, leastSize, rows.left());
-  PointCollector points(fields, vertices.count);
+  PartChooser chooser(options);
+  PointCollector points(fields, vertices.count, chooser);
   PointValues values{};
   for (std::uint64_t row = 0; row < vertices.count; ++row) {
     if (row % 65536 == 0)
@@ -182,24 +185,28 @@ bool isPly(std::string_view beginning) {
   return beginning.starts_with("ply\n") || beginning.starts_with("ply\r");
 }
 
-Imported<RawPoints> readPly(std::istream& in, const std::string& file, const Progress& progress) {
-  const std::string bytes = readAll(in, progress.part(0, 0.3));
-  const PlyHeader header = readPlyHeader(bytes, file);
+ImportedPoints readPly(std::istream& in, const std::string& file, const ReadOptions& options,
+                       const Progress& progress) {
+  constexpr std::uint64_t longestHeader = std::uint64_t{1} << 24;
+  ByteSource source(in);
+  const std::string head = source.read(0, longestHeader);
+  const PlyHeader header = readPlyHeader(head, file);
   const auto vertices = std::ranges::find(header.elements, "vertex", &PlyElement::name);
   if (vertices == header.elements.end())
     throw Error(file + ": has no element 'vertex', so no points");
-  const std::string_view data = std::string_view(bytes).substr(header.dataStart);
   const auto read = [&](auto rows, std::uint64_t leastSize) {
     std::for_each(header.elements.begin(), vertices, [&](const auto& other) { rows.skip(other); });
-    return readVertices(rows, *vertices, stationsIn(header.comments), leastSize, file,
-                        progress.part(0.3, 1));
+    return readVertices(rows, *vertices, stationsIn(header.comments), leastSize, file, options,
+                        progress);
   };
   // A number in text takes a digit and a blank; the last line may lack its end.
-  return {header.isAscii ? read(AsciiRows(data, header.lines, file),
-                                std::max<std::uint64_t>(2 * vertices->properties.size(), 2) - 1)
-                         : read(BinaryRows(data, header.order, file),
-                                std::max<std::uint64_t>(vertices->leastSize(), 1)),
-          notesOn(header, file)};
+  const auto leastText = std::max<std::uint64_t>(2 * vertices->properties.size(), 2) - 1;
+  const auto leastBinary = std::max<std::uint64_t>(vertices->leastSize(), 1);
+  RawPoints points =
+      header.isAscii
+          ? read(AsciiRows(LineStream(source, header.dataStart), header.lines, file), leastText)
+          : read(BinaryRows(ByteStream(source, header.dataStart), header.order, file), leastBinary);
+  return {{std::move(points), notesOn(header, file)}, vertices->count};
 }
 
 void writePly(std::ostream& out, const PointCloud& cloud, const Eigen::Matrix3Xf& positions) {

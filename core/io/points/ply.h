@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/base/imported.h"
 #include "core/base/progress.h"
 #include "core/cloud/point_cloud.h"
+#include "core/io/points/read_options.h"
 
 #include <iosfwd>
 #include <string>
@@ -20,12 +20,14 @@ namespace espalier {
 /// writePly() makes them that name it and say where the scanner stood. Other properties and
 /// elements, lists too, are passed over; faces left out are noted.
 ///
-/// @param file  its name, for messages
+/// @param file     its name, for messages
+/// @param options  which of them are kept
 /// @throws Error naming the line of the header or of the text, or how many bytes are missing
-/// Time and memory O(size of the file).
+/// Time O(size of the file), memory O(points that are kept).
 /// Specification: G. Turk, "The PLY Polygon File Format", 1994.
-[[nodiscard]] Imported<RawPoints> readPly(std::istream& in, const std::string& file,
-                                          const Progress& progress = {});
+[[nodiscard]] ImportedPoints readPly(std::istream& in, const std::string& file,
+                                     const ReadOptions& options = {},
+                                     const Progress& progress = {});
 
 /// Writes binary little endian: x y z as doubles, then what the cloud has of red green blue (uchar)
 /// intensity (float) and station (ushort), which comments name (station_comment.h). Points are in

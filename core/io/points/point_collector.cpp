@@ -1,8 +1,6 @@
 #include "core/io/points/point_collector.h"
 
 #include "core/base/counted.h"
-#include "core/base/error.h"
-#include "core/base/text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,38 +9,6 @@
 
 namespace espalier {
 namespace {
-
-struct NamedField {
-  std::string_view name;
-  PointField field;
-};
-
-constexpr auto namedFields = std::to_array<NamedField>({
-    {"x", PointField::x},
-    {"y", PointField::y},
-    {"z", PointField::z},
-    {"xx", PointField::x},
-    {"yy", PointField::y},
-    {"zz", PointField::z},
-    {"intensity", PointField::intensity},
-    {"i", PointField::intensity},
-    {"scalar_intensity", PointField::intensity},
-    {"reflectance", PointField::intensity},
-    {"scalar_reflectance", PointField::intensity},
-    {"red", PointField::red},
-    {"green", PointField::green},
-    {"blue", PointField::blue},
-    {"r", PointField::red},
-    {"g", PointField::green},
-    {"b", PointField::blue},
-    {"diffuse_red", PointField::red},
-    {"diffuse_green", PointField::green},
-    {"diffuse_blue", PointField::blue},
-    {"rgb", PointField::packedColor},
-    {"rgba", PointField::packedColor},
-    {"station", PointField::station},
-    {"scalar_station", PointField::station},
-});
 
 /// By what colors of this size are multiplied to become bytes.
 double colorScale(float largest, bool mayBeFractions) {
@@ -57,46 +23,63 @@ std::uint8_t byteOf(double value) {
 
 } // namespace
 
-PointField pointFieldNamed(std::string_view name) {
-  const std::string key = lowerCase(name);
-  const auto* found = std::ranges::find(namedFields, key, &NamedField::name);
-  return found == namedFields.end() ? PointField::none : found->field;
-}
-
-PointCollector::PointCollector(const std::vector<PointField>& fields, std::size_t expected) {
+PointCollector::PointCollector(const std::vector<PointField>& fields, std::uint64_t expected,
+                               PartChooser& chooser)
+    : chooser_(&chooser) {
   const auto has = [&](PointField field) { return std::ranges::count(fields, field) > 0; };
   hasPackedColors_ = has(PointField::packedColor);
   hasColors_ =
       hasPackedColors_ || (has(PointField::red) && has(PointField::green) && has(PointField::blue));
   hasIntensities_ = has(PointField::intensity);
   hasStations_ = has(PointField::station);
-  points_.positions.reserve(expected);
-  if (hasColors_) colors_.reserve(expected);
-  if (hasIntensities_) points_.intensities.reserve(expected);
-  if (hasStations_) points_.stationOf.reserve(expected);
+  const std::size_t room = chooser.roomFor(expected);
+  points_.positions.reserve(room);
+  if (chooser.isLimited()) ranks_.reserve(room);
+  if (hasColors_) colors_.reserve(room);
+  if (hasIntensities_) points_.intensities.reserve(room);
+  if (hasStations_) points_.stationOf.reserve(room);
 }
 
 void PointCollector::add(const PointValues& values) {
   const auto value = [&](PointField field) { return values[indexOf(field)]; };
-  points_.positions.emplace_back(value(PointField::x), value(PointField::y), value(PointField::z));
+  if (hasColors_ && !hasPackedColors_)
+    for (const PointField field : {PointField::red, PointField::green, PointField::blue})
+      largestColor_ = std::max(largestColor_, static_cast<float>(value(field)));
+  const double number = value(PointField::station);
+  if (hasStations_)
+    hasStations_ = number >= 0 && number < mostStations && std::floor(number) == number;
+  const Eigen::Vector3d position(value(PointField::x), value(PointField::y), value(PointField::z));
+  const auto rank = chooser_->offer(position);
+  if (!rank) return;
+  points_.positions.push_back(position);
+  if (chooser_->isLimited()) ranks_.push_back(*rank);
   if (hasIntensities_)
     points_.intensities.push_back(static_cast<float>(value(PointField::intensity)));
-  if (hasStations_) {
-    const double number = value(PointField::station);
-    hasStations_ = number >= 0 && number < mostStations && std::floor(number) == number;
-    points_.stationOf.push_back(hasStations_ ? static_cast<StationIndex>(number) : 0);
+  if (hasStations_) points_.stationOf.push_back(static_cast<StationIndex>(number));
+  if (hasColors_) addColor(values);
+  if (chooser_->areMany(size())) reduce();
+}
+
+void PointCollector::addColor(const PointValues& values) {
+  if (!hasPackedColors_) {
+    colors_.push_back({static_cast<float>(values[indexOf(PointField::red)]),
+                       static_cast<float>(values[indexOf(PointField::green)]),
+                       static_cast<float>(values[indexOf(PointField::blue)])});
+    return;
   }
-  if (hasPackedColors_) {
-    const double number = value(PointField::packedColor);
-    const bool isPacked = number >= 0 && number <= 0xffffffff;
-    const std::uint32_t packed = isPacked ? static_cast<std::uint32_t>(number) : 0;
-    colors_.push_back({static_cast<float>(packed >> 16 & 255),
-                       static_cast<float>(packed >> 8 & 255), static_cast<float>(packed & 255)});
-  } else if (hasColors_) {
-    colors_.push_back({static_cast<float>(value(PointField::red)),
-                       static_cast<float>(value(PointField::green)),
-                       static_cast<float>(value(PointField::blue))});
-  }
+  const double number = values[indexOf(PointField::packedColor)];
+  const bool isPacked = number >= 0 && number <= 0xffffffff;
+  const std::uint32_t packed = isPacked ? static_cast<std::uint32_t>(number) : 0;
+  colors_.push_back({static_cast<float>(packed >> 16 & 255), static_cast<float>(packed >> 8 & 255),
+                     static_cast<float>(packed & 255)});
+}
+
+void PointCollector::reduce() {
+  if (!chooser_->isLimited()) return;
+  chooser_->learn(ranks_);
+  if (!hasStations_) points_.stationOf.clear(); // of some points alone
+  keepThoseThatStay(colors_, ranks_, *chooser_);
+  keepThoseThatStay(points_, ranks_, *chooser_);
 }
 
 void PointCollector::nameStations(std::vector<Station> stations) {
@@ -122,15 +105,13 @@ void PointCollector::nameStations(std::vector<Station> stations) {
   }
   if (stations.size() == 1) stationOf.clear();
   points_.stations = std::move(stations);
+  if (chooser_->isPart()) dropEmptyStations(points_);
 }
 
 RawPoints PointCollector::finish(bool mayBeFractions, std::vector<Station> stations) && {
+  reduce();
   nameStations(std::move(stations));
-  float largest = 0;
-  for (const auto& color : colors_)
-    for (const float value : color)
-      largest = std::max(largest, value);
-  const double scale = colorScale(largest, mayBeFractions && !hasPackedColors_);
+  const double scale = hasPackedColors_ ? 1 : colorScale(largestColor_, mayBeFractions);
   const double rounding = scale > 1 ? 0.5 : 0;
   points_.colors.reserve(colors_.size());
   for (const auto& color : colors_)
@@ -154,6 +135,11 @@ void checkPromise(const std::string& file, std::uint64_t count, std::uint64_t si
                 counted(size, "byte") + ", but only " + counted(available, "byte") +
                 " follow: the file is cut short or damaged, copy or export it again");
   checkPointCount(file, count);
+}
+
+Error becameShorter(const std::string& file) {
+  return Error{file +
+               ": became shorter while it was read: wait until it is complete, and try again"};
 }
 
 void checkPointCount(const std::string& file, std::uint64_t count) {

@@ -1,52 +1,42 @@
 #pragma once
 
+#include "core/base/error.h"
 #include "core/cloud/point_cloud.h"
+#include "core/io/points/part_chooser.h"
+#include "core/io/points/point_field.h"
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace espalier {
 
-/// What a column of a point file holds.
-enum class PointField : std::uint8_t {
-  none,
-  x,
-  y,
-  z,
-  intensity,
-  red,
-  green,
-  blue,
-  packedColor,
-  station
-};
-
-/// The field that a column of this name holds in the files of scanners and of other programs:
-/// "x", "Intensity", "scalar_Intensity", "diffuse_red", "R" ... Case does not matter.
-[[nodiscard]] PointField pointFieldNamed(std::string_view name);
-
 /// The values of one point by field; those of `none` mean nothing.
 using PointValues = std::array<double, 10>;
 
-[[nodiscard]] constexpr std::size_t indexOf(PointField field) {
-  return static_cast<std::size_t>(field);
-}
-
-/// Gathers the points of a file, whatever its format.
+/// Gathers the points of a file that are kept of it, whatever its format.
 ///
-/// Colors may be bytes, words of 16 bits, or fractions of 1: the largest decides which. Numbers of
-/// stations that are not all whole and from 0 to 65535 mean something else and are passed over.
+/// Colors may be bytes, words of 16 bits, or fractions of 1: the largest decides which, be it of a
+/// point that is kept or not. Numbers of stations that are not all whole and from 0 to 65535 mean
+/// something else and are passed over.
 class PointCollector {
 public:
   /// @param fields    what the file has of each point; x, y and z are taken for granted
   /// @param expected  how many points will come, as far as the file was found to be long enough
-  PointCollector(const std::vector<PointField>& fields, std::size_t expected);
+  /// @param chooser   says which are kept; must outlive the collector
+  PointCollector(const std::vector<PointField>& fields, std::uint64_t expected,
+                 PartChooser& chooser);
 
+  /// Adds the next point of the file, if it is to be kept.
   void add(const PointValues& values);
-  [[nodiscard]] std::size_t size() const { return points_.positions.size(); }
+  [[nodiscard]] std::size_t size() const { return points_.positions.size(); } // kept so far
+
+  /// Leaves out those that points behind them made too many.
+  void reduce();
+  /// By point; none if there is no limit to their number.
+  [[nodiscard]] const std::vector<std::uint64_t>& ranks() const { return ranks_; }
 
   /// @param mayBeFractions  whether colors that are nowhere above 1 are fractions of 1
   /// @param stations  those that numbers of stations count in; too short a list counts for none:
@@ -56,8 +46,13 @@ public:
 private:
   void nameStations(std::vector<Station> stations);
 
+  void addColor(const PointValues& values);
+
+  PartChooser* chooser_;
   RawPoints points_;
+  std::vector<std::uint64_t> ranks_;
   std::vector<std::array<float, 3>> colors_;
+  float largestColor_ = 0;
   bool hasColors_ = false;
   bool hasPackedColors_ = false;
   bool hasIntensities_ = false;
@@ -77,6 +72,9 @@ void dropEmptyColumns(RawPoints& points);
 /// @throws Error if they do not fit, or are more than a PointCloud can hold
 void checkPromise(const std::string& file, std::uint64_t count, std::uint64_t size,
                   std::uint64_t available);
+
+/// What to say of a file that ends before its size when it was opened.
+[[nodiscard]] Error becameShorter(const std::string& file);
 
 /// @throws Error if a PointCloud cannot hold so many points
 void checkPointCount(const std::string& file, std::uint64_t count);

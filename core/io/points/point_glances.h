@@ -1,9 +1,11 @@
 #pragma once
 
 #include "core/io/bytes/byte_source.h"
+#include "core/io/points/point_field.h"
 #include "core/io/points/point_glance.h"
 
 #include <string>
+#include <vector>
 
 namespace espalier {
 
@@ -15,7 +17,8 @@ namespace espalier {
 [[nodiscard]] PointGlance glanceAtLas(ByteSource& source, const std::string& file); // and LAZ
 [[nodiscard]] PointGlance glanceAtPly(ByteSource& source, const std::string& file);
 [[nodiscard]] PointGlance glanceAtPcd(ByteSource& source, const std::string& file);
-[[nodiscard]] PointGlance glanceAtXyz(ByteSource& source, const std::string& file);
+[[nodiscard]] PointGlance glanceAtXyz(ByteSource& source, const std::string& file,
+                                      const std::vector<PointField>& columns = {});
 [[nodiscard]] PointGlance glanceAtPtx(ByteSource& source, const std::string& file);
 [[nodiscard]] PointGlance glanceAtE57(ByteSource& source, const std::string& file);
 

@@ -3,6 +3,7 @@
 #include "core/base/counted.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/io/bytes/line_stream.h"
 #include "core/io/points/point_collector.h"
 #include "core/io/points/station_points.h"
 
@@ -55,15 +56,16 @@ std::vector<PointField> fieldsOfLine(std::size_t numbers) {
 /// Reads the blocks of a PTX file one after another.
 class PtxReader {
 public:
-  PtxReader(std::string_view text, const std::string& file, const Progress& progress)
-      : lines_(text), size_(text.size()), file_(file), progress_(progress) {}
+  PtxReader(ByteSource& source, const std::string& file, PartChooser& chooser,
+            const Progress& progress)
+      : lines_(source), file_(file), chooser_(chooser), progress_(progress) {}
 
   /// Moves on to the next line that is not blank; whether there is one.
   bool advance() {
     do {
       if (lines_.number() % 65536 == 0)
         progress_.update(static_cast<double>(lines_.offset()) /
-                         static_cast<double>(std::max<std::size_t>(size_, 1)));
+                         static_cast<double>(std::max<std::uint64_t>(lines_.size(), 1)));
       const auto line = lines_.next();
       if (!line) return false;
       line_ = *line;
@@ -71,10 +73,8 @@ public:
     return true;
   }
 
-  /// pre: advance() found the first line of a block
-  RawPoints readBlock();
-  [[nodiscard]] Station station() const { return {.name = {}, .scanner = scanner_}; } // of the last
-
+  /// Adds the points of a block. pre: advance() found its first line
+  void readBlock(StationPoints& stations);
   [[nodiscard]] const PtxCounts& counts() const { return counts_; }
 
 private:
@@ -86,15 +86,14 @@ private:
     throw Error(place(file_, lines_.number()) + what);
   }
 
-  LineReader lines_;
-  std::size_t size_;
+  LineStream lines_;
   const std::string& file_;
+  PartChooser& chooser_;
   const Progress& progress_;
   std::string_view line_;
-  std::vector<double> numbers_;                       // of this line
-  std::vector<PointField> fields_;                    // of this block, by its first return:
-  std::optional<PointCollector> points_;              // lines without a return may be shorter
-  Eigen::Vector3d scanner_ = Eigen::Vector3d::Zero(); // of this block
+  std::vector<double> numbers_;          // of this line
+  std::vector<PointField> fields_;       // of this block, by its first return:
+  std::optional<PointCollector> points_; // lines without a return may be shorter
   PtxCounts counts_;
 };
 
@@ -145,13 +144,12 @@ PtxHeader PtxReader::readHeader() {
   return header;
 }
 
-RawPoints PtxReader::readBlock() {
+void PtxReader::readBlock(StationPoints& stations) {
   const PtxHeader header = readHeader();
-  scanner_ = header.scanner;
   constexpr std::size_t shortestLine = 5; // "0 0 0", of the last line
   constexpr std::size_t most = 7;
   checkPromise(file_ + ", line " + std::to_string(lines_.number()), header.points, shortestLine,
-               size_ - lines_.offset());
+               lines_.size() - lines_.offset());
   points_.reset();
   for (std::uint64_t i = 0; i < header.points; ++i) {
     if (!advance())
@@ -159,13 +157,19 @@ RawPoints PtxReader::readBlock() {
                   counted(header.points, "point") +
                   " of its last block: it is cut short, copy or export it again");
     readNumbers(3, most);
-    if (numbers_[0] == 0 && numbers_[1] == 0 && numbers_[2] == 0)
+    if (numbers_[0] == 0 && numbers_[1] == 0 && numbers_[2] == 0) {
       ++counts_.empty;
-    else
+      chooser_.pass();
+    } else {
       addPoint(header, header.points - i);
+    }
   }
   counts_.listed += header.points;
-  return points_ ? std::move(*points_).finish(true) : RawPoints{};
+  const Station station{.name = {}, .scanner = header.scanner};
+  if (!points_) return stations.add({}, {}, station);
+  points_->reduce();
+  const std::vector<std::uint64_t> ranks = points_->ranks();
+  stations.add(std::move(*points_).finish(true), ranks, station);
 }
 
 void PtxReader::addPoint(const PtxHeader& header, std::uint64_t left) {
@@ -174,7 +178,7 @@ void PtxReader::addPoint(const PtxHeader& header, std::uint64_t left) {
     if (fields_.empty())
       fail("expected x y z, intensity and red green blue, 4 or 7 numbers, found " +
            std::to_string(numbers_.size()));
-    points_.emplace(fields_, left);
+    points_.emplace(fields_, left, chooser_);
   }
   if (numbers_.size() != fields_.size())
     fail("expected " + counted(fields_.size(), "number") + " as in the lines before, found " +
@@ -205,16 +209,15 @@ bool isPtx(std::string_view beginning) {
   });
 }
 
-Imported<RawPoints> readPtx(std::istream& in, const std::string& file, const Progress& progress) {
-  const std::string text = readAll(in, progress.part(0, 0.3));
-  const Progress reading = progress.part(0.3, 1);
-  PtxReader reader(text, file, reading);
-  StationPoints stations;
-  while (reader.advance()) {
-    RawPoints points = reader.readBlock();
-    stations.add(std::move(points), reader.station());
-  }
-  Imported<RawPoints> result = std::move(stations).finish(file);
+ImportedPoints readPtx(std::istream& in, const std::string& file, const ReadOptions& options,
+                       const Progress& progress) {
+  ByteSource source(in);
+  PartChooser chooser(options);
+  PtxReader reader(source, file, chooser, progress);
+  StationPoints stations(chooser);
+  while (reader.advance())
+    reader.readBlock(stations);
+  ImportedPoints result{std::move(stations).finish(file), reader.counts().listed};
   if (const PtxCounts& counts = reader.counts(); counts.empty > 0)
     result.notes.push_back(file + ": " + std::to_string(counts.empty) + " of " +
                            counted(counts.listed, "point") +

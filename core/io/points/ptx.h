@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/base/imported.h"
 #include "core/base/progress.h"
 #include "core/cloud/point_cloud.h"
+#include "core/io/points/read_options.h"
 
 #include <iosfwd>
 #include <string>
@@ -21,11 +21,13 @@ namespace espalier {
 /// (0 to 255, or fractions of 1). "0 0 0" is a direction without a return: it is left out, and
 /// noted.
 ///
-/// @param file  its name, for messages
+/// @param file     its name, for messages
+/// @param options  which of them are kept
 /// @throws Error naming the line that is wrong, or how many points are missing
-/// Time and memory O(size of the file).
+/// Time O(size of the file), memory O(points that are kept).
 /// Source: Leica Geosystems, as P. Bourke describes the format at paulbourke.net/dataformats/ptx.
-[[nodiscard]] Imported<RawPoints> readPtx(std::istream& in, const std::string& file,
-                                          const Progress& progress = {});
+[[nodiscard]] ImportedPoints readPtx(std::istream& in, const std::string& file,
+                                     const ReadOptions& options = {},
+                                     const Progress& progress = {});
 
 } // namespace espalier

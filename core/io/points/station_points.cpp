@@ -29,7 +29,8 @@ std::string lackNote(const std::string& file, std::size_t lacking, std::size_t s
 
 } // namespace
 
-void StationPoints::add(RawPoints points, Station station) {
+void StationPoints::add(RawPoints points, const std::vector<std::uint64_t>& ranks,
+                        Station station) {
   ++stations_;
   const std::size_t count = points.positions.size();
   if (count == 0) return;
@@ -38,6 +39,7 @@ void StationPoints::add(RawPoints points, Station station) {
   named_.push_back(std::move(station));
   if (points.colors.empty()) ++uncolored_;
   if (points.intensities.empty()) ++unintense_;
+  ranks_.insert(ranks_.end(), ranks.begin(), ranks.end());
   if (all_.positions.empty()) { // mostly there is one station: nothing is copied
     all_ = std::move(points);
     return;
@@ -49,9 +51,17 @@ void StationPoints::add(RawPoints points, Station station) {
   all_.stationOf.resize(before + count,
                         static_cast<StationIndex>(std::min(named_.size(), mostStations) - 1));
   all_.positions.insert(all_.positions.end(), points.positions.begin(), points.positions.end());
+  if (chooser_.areMany(all_.positions.size())) reduce();
+}
+
+void StationPoints::reduce() {
+  if (!chooser_.isLimited()) return;
+  chooser_.learn(ranks_);
+  keepThoseThatStay(all_, ranks_, chooser_);
 }
 
 Imported<RawPoints> StationPoints::finish(const std::string& file) && {
+  reduce();
   Imported<RawPoints> result{std::move(all_), {}};
   const RawPoints& points = result.value;
   dropEmptyColumns(result.value);
@@ -59,6 +69,7 @@ Imported<RawPoints> StationPoints::finish(const std::string& file) && {
     result.value.stations = std::move(named_);
   else
     result.value.stationOf.clear();
+  if (chooser_.isPart()) dropEmptyStations(result.value);
   if (stations_ > 1)
     result.notes.push_back(file + ": holds " + counted(stations_, "station") +
                            ", which are joined into one set of points");

@@ -4,6 +4,8 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/cloud/file_order.h"
+#include "core/io/bytes/line_stream.h"
+#include "core/io/points/point_collector.h"
 #include "core/io/points/xyz_layout.h"
 
 #include <algorithm>
@@ -39,11 +41,11 @@ bool readRow(std::string_view line, const XyzLayout& layout, const std::string& 
   return true;
 }
 
-std::vector<std::string> notesOn(const XyzLayout& layout, std::size_t points,
+std::vector<std::string> notesOn(const XyzLayout& layout, bool areNamed, std::uint64_t points,
                                  const std::string& file) {
   std::vector<std::string> notes;
   const auto leftOut = std::ranges::count(layout.columns, PointField::none);
-  if (leftOut > 0)
+  if (leftOut > 0 && !areNamed)
     notes.push_back(file + ": " + std::to_string(leftOut) + " of " +
                     std::to_string(layout.columns.size()) +
                     " columns are left out; a first line as 'x y z intensity r g b' names columns");
@@ -110,9 +112,10 @@ void writeNames(const PointCloud& cloud, BlockWriter& writer) {
 
 } // namespace
 
-Imported<RawPoints> readXyz(std::istream& in, const std::string& file, const Progress& progress) {
-  const std::string bytes = readAll(in, progress.part(0, 0.3));
-  const XyzLayout layout = xyzLayoutOf(bytes, lowerCase(file).ends_with(".pts"));
+ImportedPoints readXyz(std::istream& in, const std::string& file, const ReadOptions& options,
+                       const Progress& progress) {
+  ByteSource source(in);
+  const XyzLayout layout = xyzLayoutOf(source, file, options.columns);
   if (layout.columns.empty()) {
     if (layout.headerLine > 0)
       throw Error(place(file, layout.headerLine) +
@@ -120,19 +123,19 @@ Imported<RawPoints> readXyz(std::istream& in, const std::string& file, const Pro
     throw Error(file + ": holds no points, a line each of at least 3 numbers");
   }
   constexpr std::size_t shortestLine = 6; // "0 0 0\n"
-  PointCollector points(layout.columns,
-                        std::min<std::size_t>(bytes.size() / shortestLine + 1, 1U << 20));
-  const Progress reading = progress.part(0.3, 1);
-  LineReader lines(bytes);
+  PartChooser chooser(options);
+  PointCollector points(
+      layout.columns, std::min<std::uint64_t>(source.size() / shortestLine + 1, 1U << 20), chooser);
+  LineStream lines(source);
   PointValues values{};
   while (const auto line = lines.next()) {
     if (lines.number() % 65536 == 0)
-      reading.update(static_cast<double>(lines.offset()) / static_cast<double>(bytes.size()));
+      progress.update(static_cast<double>(lines.offset()) / static_cast<double>(lines.size()));
     if (isComment(*line) || lines.number() == layout.headerLine) continue;
     if (readRow(*line, layout, file, lines.number(), values)) points.add(values);
   }
-  Imported<RawPoints> result{std::move(points).finish(true), {}};
-  result.notes = notesOn(layout, result.value.positions.size(), file);
+  ImportedPoints result{{std::move(points).finish(true), {}}, chooser.met()};
+  result.notes = notesOn(layout, !options.columns.empty(), result.listed, file);
   return result;
 }
 

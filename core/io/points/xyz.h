@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/base/imported.h"
 #include "core/base/progress.h"
 #include "core/cloud/point_cloud.h"
+#include "core/io/points/read_options.h"
 
 #include <iosfwd>
 #include <string>
@@ -27,10 +27,12 @@ namespace espalier {
 /// PTS.
 ///
 /// @param file  its name, for messages; a PTS file is recognized by its extension
+/// @param options  its columns, if there are any, are those of the file instead
 /// @throws Error naming the line that is no point
-/// Time and memory O(size of the file).
-[[nodiscard]] Imported<RawPoints> readXyz(std::istream& in, const std::string& file,
-                                          const Progress& progress = {});
+/// Time O(size of the file), memory O(points that are kept).
+[[nodiscard]] ImportedPoints readXyz(std::istream& in, const std::string& file,
+                                     const ReadOptions& options = {},
+                                     const Progress& progress = {});
 
 /// Writes `x y z [intensity] [r g b]`, parted by blanks, points in the order of the file they came
 /// from; more than x y z are named in a first line of comment ("//X Y Z ..."). Coordinates have the

@@ -11,8 +11,6 @@
 namespace espalier {
 namespace {
 
-constexpr std::uint64_t layoutBytes = std::uint64_t{1} << 20; // in which the layout is found out
-
 constexpr std::array<const char*, 9> fieldNames = {"",    "x",     "y",    "z",    "intensity",
                                                    "red", "green", "blue", "color"};
 
@@ -25,10 +23,9 @@ std::string separatorName(const XyzLayout& layout) {
 
 } // namespace
 
-PointGlance glanceAtXyz(ByteSource& source, const std::string& file) {
-  std::string head = source.read(0, layoutBytes);
-  if (head.size() < source.size()) head.resize(std::min(head.rfind('\n'), head.size() - 1) + 1);
-  const XyzLayout layout = xyzLayoutOf(head, lowerCase(file).ends_with(".pts"));
+PointGlance glanceAtXyz(ByteSource& source, const std::string& file,
+                        const std::vector<PointField>& columns) {
+  const XyzLayout layout = xyzLayoutOf(source, file, columns);
   if (layout.columns.empty())
     throw Error(file + ": holds no points, a line each of at least 3 numbers");
   PointGlance glance;

@@ -1,6 +1,9 @@
 #include "core/io/points/xyz_layout.h"
 
+#include "core/base/counted.h"
+#include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/io/points/point_collector.h"
 
 #include <algorithm>
 #include <array>
@@ -148,6 +151,31 @@ std::vector<std::vector<double>> numbersOf(const Sample& sample, const XyzLayout
   return rows;
 }
 
+/// Whole lines from the beginning of a text: 1000 and more, or all of it.
+std::string headOf(ByteSource& source) {
+  for (std::uint64_t size = std::uint64_t{1} << 20;; size *= 8) {
+    std::string head = source.read(0, size);
+    if (size >= source.size()) return head;
+    head.resize(head.rfind('\n') + 1); // 0: there is none
+    if (sampleOf(head).data.size() >= sampledLines) return head;
+  }
+}
+
+std::vector<PointField> foundColumns(const Sample& sample, const XyzLayout& layout,
+                                     std::size_t count, bool isPts) {
+  std::vector<PointField> columns = namedColumns(sample.header, layout.separator, count);
+  for (const std::string_view comment : sample.comments)
+    if (columns.empty()) columns = namedColumns(comment, layout.separator, count);
+  return columns.empty() ? guessedColumns(numbersOf(sample, layout), isPts) : columns;
+}
+
+void requireNumberOfColumns(std::size_t named, std::size_t count, const std::string& file) {
+  if (named != count)
+    throw Error(file + ": " + counted(named, "column is", "columns are") +
+                " named, but its first line of points has " + std::to_string(count) +
+                ": name each, with - for those to leave out");
+}
+
 } // namespace
 
 bool isComment(std::string_view line) {
@@ -174,18 +202,20 @@ std::optional<double> numberInField(std::string_view field, bool hasDecimalComma
   return numberIn({buffer.data(), field.size()});
 }
 
-XyzLayout xyzLayoutOf(std::string_view text, bool isPts) {
-  const Sample sample = sampleOf(text);
+XyzLayout xyzLayoutOf(ByteSource& source, const std::string& file,
+                      const std::vector<PointField>& columns) {
+  const std::string head = headOf(source);
+  const Sample sample = sampleOf(head);
   XyzLayout layout;
   layout.headerLine = sample.headerLine;
   layout.count = sample.count;
   if (sample.data.empty()) return layout;
   findSeparator(sample, layout);
   const std::size_t count = fieldsOf(sample.data.front(), layout.separator).size();
-  layout.columns = namedColumns(sample.header, layout.separator, count);
-  for (const std::string_view comment : sample.comments)
-    if (layout.columns.empty()) layout.columns = namedColumns(comment, layout.separator, count);
-  if (layout.columns.empty()) layout.columns = guessedColumns(numbersOf(sample, layout), isPts);
+  if (!columns.empty()) requireNumberOfColumns(columns.size(), count, file);
+  layout.columns = columns.empty()
+                       ? foundColumns(sample, layout, count, lowerCase(file).ends_with(".pts"))
+                       : columns;
   const auto last =
       std::ranges::find_if(layout.columns.rbegin(), layout.columns.rend(),
                            [](PointField field) { return field != PointField::none; });

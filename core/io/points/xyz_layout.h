@@ -1,6 +1,7 @@
 #pragma once
 
-#include "core/io/points/point_collector.h"
+#include "core/io/bytes/byte_source.h"
+#include "core/io/points/point_field.h"
 
 #include <cstdint>
 #include <optional>
@@ -29,8 +30,13 @@ struct XyzLayout {
 /// The number in `field`, whose decimal sign may be a comma.
 [[nodiscard]] std::optional<double> numberInField(std::string_view field, bool hasDecimalComma);
 
-/// Finds out the layout from the first 1000 lines, by the rules stated at `readXyz`.
-/// @param isPts  whether columns are by default in the order of Leica: intensity before color
-[[nodiscard]] XyzLayout xyzLayoutOf(std::string_view text, bool isPts);
+/// Finds out the layout from the first 1000 lines, by the rules stated at `readXyz`; without
+/// columns if there are no points.
+/// @param file     its name, for messages; in .pts columns are in the order of Leica, intensity
+///                 before color, unless something else is seen
+/// @param columns  what the columns hold, as a user says; none: found out
+/// @throws Error if `columns` are not those of the first line of points
+[[nodiscard]] XyzLayout xyzLayoutOf(ByteSource& source, const std::string& file,
+                                    const std::vector<PointField>& columns = {});
 
 } // namespace espalier

@@ -83,8 +83,12 @@ void PrintTo(const Reader& reader, std::ostream* out) {
   *out << reader.name;
 }
 
-template <Imported<RawPoints> (*read)(std::istream&, const std::string&, const Progress&)>
-void readCloud(std::istream& in) {
+template <auto read> void readCloud(std::istream& in) {
+  const PointCloud cloud(read(in, "damaged", {}, {}).value);
+  ASSERT_TRUE(cloud.positions().allFinite());
+}
+
+template <auto read> void readWhole(std::istream& in) {
   const PointCloud cloud(read(in, "damaged", {}).value);
   ASSERT_TRUE(cloud.positions().allFinite());
 }
@@ -157,8 +161,8 @@ INSTANTIATE_TEST_SUITE_P(
                  (void)skeletonOf(readOpf(in, "damaged").value, "damaged").value.ids();
                }},
         Reader{"RSML", test::rsmlFile, readSkeleton<readRsml>},
-        Reader{"BGEOM", test::bgeomFile, readCloud<readBgeom>},
-        Reader{"GEOM", test::geomFile, readCloud<readGeom>},
+        Reader{"BGEOM", test::bgeomFile, readWhole<readBgeom>},
+        Reader{"GEOM", test::geomFile, readWhole<readGeom>},
         Reader{"BMTG", test::bmtgFile,
                [](std::istream& in) {
                  (void)skeletonOf(readBmtg(in, "damaged").value, "damaged").value.ids();

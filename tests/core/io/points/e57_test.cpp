@@ -239,7 +239,8 @@ TEST(ReadE57, NamesWhatIsWrongInTheHeader) {
   EXPECT_THAT(refusalOfE57(withByte(8, 2)), HasSubstr("byte 8: is E57 2.0"));
   EXPECT_THAT(refusalOfE57(withByte(41, 8)), HasSubstr("byte 40: has pages of 2048 bytes"));
   EXPECT_THAT(refusalOfE57(withByte(17, 1)), HasSubstr("no whole pages"));
-  EXPECT_THAT(refusalOfE57(withByte(30, 1)), HasSubstr("says that the XML starts at byte"));
+  EXPECT_THAT(refusalOfE57(withByte(30, 1)),
+              HasSubstr("says that the XML of 388 bytes starts at byte"));
   EXPECT_THAT(refusalOfE57(withByte(38, 1)), HasSubstr("the XML of"));
 }
 
@@ -325,7 +326,7 @@ TEST(ReadE57, StopsWhenAsked) {
   std::stop_source stop;
   stop.request_stop();
   std::istringstream in(test::e57SampleFile());
-  EXPECT_THROW((void)readE57(in, "tree.e57", Progress(stop.get_token(), {})), Cancelled);
+  EXPECT_THROW((void)readE57(in, "tree.e57", {}, Progress(stop.get_token(), {})), Cancelled);
 }
 
 TEST(ReadE57, StopsInTheMidstOfPoints) {
@@ -334,7 +335,7 @@ TEST(ReadE57, StopsInTheMidstOfPoints) {
     if (done >= 0.3) stop.request_stop();
   });
   std::istringstream in(e57File({plainSample(), plainSample()}));
-  EXPECT_THROW((void)readE57(in, "tree.e57", progress), Cancelled);
+  EXPECT_THROW((void)readE57(in, "tree.e57", {}, progress), Cancelled);
 }
 
 RawPoints sharedPoints(const std::filesystem::path& path) {

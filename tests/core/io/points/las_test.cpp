@@ -119,7 +119,7 @@ TEST(ReadLas, StopsWhenAsked) {
   std::stop_source stop;
   stop.request_stop();
   std::istringstream in(lasFile({}));
-  EXPECT_THROW((void)readLas(in, "tree.las", Progress(stop.get_token(), {})), Cancelled);
+  EXPECT_THROW((void)readLas(in, "tree.las", {}, Progress(stop.get_token(), {})), Cancelled);
 }
 
 } // namespace

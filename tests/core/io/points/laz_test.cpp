@@ -123,7 +123,7 @@ TEST(ReadLaz, StopsWhenAsked) {
       if (fraction >= 0.1) stop.request_stop();
     };
     std::istringstream in(bytes);
-    EXPECT_THROW((void)readLaz(in, "tree.laz", Progress(stop.get_token(), stopInTheMiddle)),
+    EXPECT_THROW((void)readLaz(in, "tree.laz", {}, Progress(stop.get_token(), stopInTheMiddle)),
                  Cancelled);
   }
 }

@@ -129,7 +129,7 @@ TEST(ReadPtx, StopsWhenAsked) {
   std::stop_source stop;
   stop.request_stop();
   std::istringstream in(test::ptxFile());
-  EXPECT_THROW((void)readPtx(in, "tree.ptx", Progress(stop.get_token(), {})), Cancelled);
+  EXPECT_THROW((void)readPtx(in, "tree.ptx", {}, Progress(stop.get_token(), {})), Cancelled);
 }
 
 } // namespace

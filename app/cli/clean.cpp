@@ -25,7 +25,8 @@ std::string recordText(const CleaningRecord& record) {
          counted(static_cast<std::size_t>(record.leftOut), "point") + " left out";
 }
 
-void writeRecords(const CleanFlags& flags, const PointCloud& cloud, const CleanedScan& cleaned) {
+void writeRecords(const CleanFlags& flags, const PointCloud& cloud,
+                  const nlohmann::ordered_json& part, const CleanedScan& cleaned) {
   if (flags.pipeline.json.empty()) return;
   nlohmann::ordered_json steps = nlohmann::ordered_json::array();
   for (const CleaningRecord& record : cleaned.steps)
@@ -35,6 +36,7 @@ void writeRecords(const CleanFlags& flags, const PointCloud& cloud, const Cleane
                      {"notes", record.notes}});
   writeJson(flags.pipeline.json,
             {{"scan", flags.pipeline.scan},
+             {"part", part},
              {"points", cloud.size()},
              {"kept", cloud.size() - static_cast<Eigen::Index>(cleaned.leftOut.size())},
              {"spacing", cleaned.state.extent.scale.spacing},
@@ -46,14 +48,16 @@ void clean(const CleanFlags& flags) {
   const PipelineFlags& pipeline = flags.pipeline;
   const Threads threads(pipeline.threads);
   const PipelineOptions options = pipeline.options("clean");
+  const ReadOptions reading = pipeline.read.options();
   requireApart({pipeline.output, flags.leftOut, pipeline.json});
   requireOutput(pipeline.output, Content::points, {pipeline.scan, pipeline.preset});
   if (!flags.leftOut.empty())
     requireOutput(flags.leftOut, Content::points, {pipeline.scan, pipeline.preset});
   requireOutput(pipeline.json, {pipeline.scan, pipeline.preset});
   const TerminalProgress terminal;
-  auto scan = readPoints(pipeline.scan, terminal.progress().part(0, 0.3, "Read"));
+  auto scan = readPoints(pipeline.scan, reading, terminal.progress().part(0, 0.3, "Read"));
   printNotes(scan.notes);
+  const nlohmann::ordered_json part = partInfo(reading, scan);
   const auto cloud = std::make_shared<const PointCloud>(std::move(scan.value));
   const CleanedScan cleaned = about(
       pipeline.scan, [&] { return cleanedScan(cloud, options, terminal.progress().part(0.3, 1)); });
@@ -72,7 +76,7 @@ void clean(const CleanFlags& flags) {
     else
       writeAndReport(flags.leftOut, rest, rest.positions());
   }
-  writeRecords(flags, *cloud, cleaned);
+  writeRecords(flags, *cloud, part, cleaned);
 }
 
 } // namespace
@@ -90,7 +94,8 @@ void addClean(CLI::App& app) {
                   "  espalier clean plot.las -o plants.ply --preset plot --left-out rest.ply\n"
                   "  espalier clean pine.las -o pine.ply --set ground.method=cloth\n"
                   "  espalier clean pine.las -o thin.ply --set thin.method=spacing \\\n"
-                  "    --set thin.spacing=5mm --unit m");
+                  "    --set thin.spacing=5mm --unit m\n"
+                  "  espalier clean plot.laz -o tree.ply --box 12,30,0,18,36,25");
 }
 
 } // namespace espalier

@@ -1,6 +1,7 @@
 #include "app/cli/arguments.h"
 #include "app/cli/commands.h"
 #include "app/cli/files.h"
+#include "app/cli/read_flags.h"
 #include "app/cli/terminal.h"
 #include "core/mtg/openalea_limits.h"
 
@@ -13,6 +14,7 @@ namespace {
 struct ConvertFlags {
   std::string input;
   std::string output;
+  ReadFlags read; // which points
   MtgStyle mtgStyle = MtgStyle::plantNode;
   bool rewrites = false;
 };
@@ -45,9 +47,10 @@ void convert(const ConvertFlags& flags) {
   const Content content = formatOf(flags.input).content;
   requireOutput(flags.output, content, {flags.input});
   if (flags.rewrites && content == Content::points) throw nothingToRewrite(flags);
+  if (content != Content::points) requireNoneOf(flags.read, flags.input, "a structure");
   const TerminalProgress terminal;
   if (content == Content::points) {
-    const auto points = readPoints(flags.input, terminal.progress());
+    const auto points = readPoints(flags.input, flags.read.options(), terminal.progress());
     printNotes(points.notes);
     terminal.check();
     terminal.clear();
@@ -79,6 +82,7 @@ void addConvert(CLI::App& app) {
                        extensionsToWrite(Content::points) + ", a structure as " +
                        extensionsToWrite(Content::structure))
       ->required();
+  flags->read.addTo(*command);
   addMtgStyle(*command, flags->mtgStyle);
   command->add_flag("--rewrite", flags->rewrites,
                     "Write an MTG anew: a vertex per line, columns and sections as other programs "
@@ -86,6 +90,7 @@ void addConvert(CLI::App& app) {
   command->callback([flags] { convert(*flags); });
   command->footer("Examples:\n"
                   "  espalier convert pine.las pine.ply\n"
+                  "  espalier convert plot.laz sample.ply --most 5000000\n"
                   "  espalier convert pine.mtg pine.swc\n"
                   "  espalier convert typed.mtg clean.mtg --rewrite\n"
                   "  espalier convert pine.swc pine.mtg --mtg-scales plant-axis-node\n"

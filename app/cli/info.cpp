@@ -1,6 +1,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/files.h"
 #include "app/cli/project_info.h"
+#include "app/cli/read_flags.h"
 #include "app/cli/scan_info.h"
 #include "app/cli/statistics.h"
 #include "app/cli/terminal.h"
@@ -29,6 +30,7 @@ struct InfoFlags {
   std::string file;
   bool isJson = false;
   bool isHeaderOnly = false; // of a scan: its points are not read
+  ReadFlags read;            // which of them are
 };
 
 /// Numbers with as many digits as a person reads; arrays as "[1, 2, 3]".
@@ -93,33 +95,37 @@ Json infoOnMtg(const std::string& file, const Format& format) {
 }
 
 /// What a scan says of itself, and what its points do.
-Json infoOnScan(const std::string& file, bool isHeaderOnly) {
-  Json json = scanInfo(glanceAt(file));
-  if (isHeaderOnly) return json;
+Json infoOnScan(const InfoFlags& flags) {
+  const ReadOptions reading = flags.read.options();
+  Json json = scanInfo(glanceAt(flags.file, reading.columns));
+  if (flags.isHeaderOnly) return json;
   const TerminalProgress terminal;
-  const auto points = readPoints(file, terminal.progress());
+  const auto points = readPoints(flags.file, reading, terminal.progress());
   printNotes(points.notes);
   json.erase("points_estimated");
   json.erase("bounds_of_sample");
   json.update(statistics(points.value));
+  if (points.isPart(reading)) json["part"] = partInfo(reading, points);
   return json;
 }
 
 Json infoOn(const InfoFlags& flags, const Format& format) {
   const std::string& file = flags.file;
+  if (format.content != Content::points) requireNoneOf(flags.read, file, "a structure");
   if (format.readMtg != nullptr) return infoOnMtg(file, format);
   if (format.content == Content::structure) {
     const auto structure = readStructure(file);
     printNotes(structure.notes);
     return statistics(structure.value.skeleton);
   }
-  return infoOnScan(file, flags.isHeaderOnly);
+  return infoOnScan(flags);
 }
 
 void info(const InfoFlags& flags) {
   requireReadable(flags.file);
   Json json = {{"file", flags.file}};
   if (isProject(flags.file)) {
+    requireNoneOf(flags.read, flags.file, "a project");
     json["format"] = "Espalier project";
     json.update(infoOnProject(flags.file));
   } else {
@@ -143,9 +149,13 @@ void addInfo(CLI::App& app) {
                    "Points or a structure, of any format that can be read, or a project")
       ->required();
   command->add_flag("--json", flags->isJson, "Print JSON instead of text");
-  command->add_flag("--header", flags->isHeaderOnly,
-                    "Of a scan, show only what its header and a few places of it say: at once, "
-                    "however large it is");
+  CLI::Option* header =
+      command->add_flag("--header", flags->isHeaderOnly,
+                        "Of a scan, show only what its header and a few places of it say: at "
+                        "once, however large it is");
+  flags->read.addTo(*command);
+  for (const char* name : {"--most", "--box"})
+    header->excludes(command->get_option(name));
   command->callback([flags] { info(*flags); });
   command->footer("Lengths are in the unit of the file.");
 }

@@ -42,6 +42,7 @@ void PipelineFlags::addTo(CLI::App& command, const std::string& result) {
       .add_option("SCAN", scan, "Points of one plant, in any format that is read, as PLY or LAS")
       ->required();
   addOutput(command, output, result);
+  read.addTo(command);
   addOptionsTo(command);
   addRootTo(command);
   command.add_option("--json", json, "File to write statistics and the options used to")

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/cli/read_flags.h"
 #include "core/mtg/mtg_of_skeleton.h"
 #include "core/pipeline/pipeline.h"
 
@@ -17,6 +18,7 @@ namespace espalier {
 /// The flags that reconstruct, contract and batch share.
 struct PipelineFlags {
   std::string scan;
+  ReadFlags read; // which of its points, but for batch
   std::string output;
   std::string method;
   std::vector<std::string> settings; // STEP.OPTION=VALUE

@@ -117,9 +117,10 @@ void plants(PlantsFlags flags) {
   if (flags.pipeline.preset.empty()) flags.pipeline.preset = "plot";
   const Threads threads(flags.pipeline.threads);
   const PipelineOptions options = flags.pipeline.options("plant");
+  const ReadOptions reading = flags.pipeline.read.options();
   const std::vector<Eigen::Vector3d> bases = basesIn(flags);
   const TerminalProgress terminal;
-  auto scan = readPoints(flags.pipeline.scan, terminal.progress().part(0, 0.2, "Read"));
+  auto scan = readPoints(flags.pipeline.scan, reading, terminal.progress().part(0, 0.2, "Read"));
   printNotes(scan.notes);
   const auto cloud = std::make_shared<const PointCloud>(std::move(scan.value));
   const CutPlot cut = about(flags.pipeline.scan, [&] {
@@ -171,6 +172,7 @@ void addPlants(CLI::App& app) {
                    "looked for")
       ->type_name("PLACE")
       ->allow_extra_args(false);
+  flags->pipeline.read.addTo(*command);
   flags->pipeline.addOptionsTo(*command);
   command->callback([flags] { plants(*flags); });
   command->footer("Without --preset, the preset plot is used: it leaves out ground, poles, wires\n"

@@ -26,11 +26,12 @@ struct Task {
 };
 
 void writeStatistics(const PipelineFlags& flags, const PointCloud& cloud,
-                     const PipelineOptions& options, const Reconstruction& result,
-                     const TerminalProgress& terminal) {
+                     const nlohmann::ordered_json& part, const PipelineOptions& options,
+                     const Reconstruction& result, const TerminalProgress& terminal) {
   if (flags.json.empty()) return;
   nlohmann::ordered_json json = {
       {"scan", flags.scan},
+      {"part", part},
       {"unit", flags.unit.empty() ? nlohmann::json(nullptr) : nlohmann::json(flags.unit)},
       {"cloud", statistics(cloud)}};
   if (!result.skeleton->isEmpty()) json["skeleton"] = statistics(*result.skeleton);
@@ -49,12 +50,14 @@ void noteIfBare(const Skeleton& skeleton, const std::string& scan) {
 void run(const PipelineFlags& flags, const Task& task) {
   const Threads threads(flags.threads);
   const PipelineOptions options = flags.options(task.mainStep);
+  const ReadOptions reading = flags.read.options();
   requireApart({flags.output, flags.json});
   requireOutput(flags.output, task.content, {flags.scan, flags.preset});
   requireOutput(flags.json, {flags.scan, flags.preset});
   const TerminalProgress terminal;
-  auto scan = readPoints(flags.scan, terminal.progress().part(0, 0.2, "Read"));
+  auto scan = readPoints(flags.scan, reading, terminal.progress().part(0, 0.2, "Read"));
   printNotes(scan.notes);
+  const nlohmann::ordered_json part = partInfo(reading, scan);
   const auto cloud = std::make_shared<const PointCloud>(std::move(scan.value));
   const Reconstruction result = about(flags.scan, [&] {
     return Pipeline().run(cloud, options, terminal.progress().part(0.2, 1), task.lastStep);
@@ -71,7 +74,7 @@ void run(const PipelineFlags& flags, const Task& task) {
   } else {
     writeAndReport(flags.output, *cloud, *result.contracted);
   }
-  writeStatistics(flags, *cloud, options, result, terminal);
+  writeStatistics(flags, *cloud, part, options, result, terminal);
 }
 
 CLI::App* add(CLI::App& app, const std::string& name, const std::string& help, const Task& task) {

@@ -213,6 +213,7 @@ void run(const SweepFlags& flags) {
   const Threads threads(flags.pipeline.threads);
   const Swept swept = parsed(flags.name);
   const PipelineOptions options = flags.pipeline.options(swept.step);
+  const ReadOptions reading = flags.pipeline.read.options();
   const Option* option = nullptr;
   try {
     option = &optionOfChosen(options, swept.step, swept.option);
@@ -226,7 +227,7 @@ void run(const SweepFlags& flags) {
   requireOutput(flags.pipeline.json, inputs);
   const TerminalProgress terminal;
   const std::optional<Reference> reference = referenceIn(flags);
-  auto scan = readPoints(flags.pipeline.scan, terminal.progress().part(0, 0.1, "Read"));
+  auto scan = readPoints(flags.pipeline.scan, reading, terminal.progress().part(0, 0.1, "Read"));
   printNotes(scan.notes);
   const auto cloud = std::make_shared<const PointCloud>(std::move(scan.value));
   std::vector<Json> rows;
@@ -284,6 +285,7 @@ void addSweep(CLI::App& app) {
                    "Structure to score the results against, in any format that is read")
       ->type_name("FILE");
   addNoRotate(*command, flags->noRotate);
+  flags->pipeline.read.addTo(*command);
   flags->pipeline.addOptionsTo(*command);
   flags->pipeline.addRootTo(*command);
   command->add_option("--csv", flags->csv, "File to write a table to, a row per value")

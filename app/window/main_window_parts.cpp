@@ -84,8 +84,8 @@ void MainWindow::makeParts() {
 void MainWindow::makeFiles(PipelinePanel& pipeline) {
   auto& projects =
       parts_.make<ProjectFlow>(ProjectFlow::Parts{document_, jobs_, *recent_, settings_, *this});
-  parts_.make<FileFlow>(
-      FileFlow::Parts{document_, jobs_, *actions_, projects, *recent_, settings_, *this});
+  parts_.make<FileFlow>(FileFlow::Parts{document_, jobs_, *actions_, projects, *recent_, settings_,
+                                        *this, [this] { return view_->clip().box; }});
   parts_.make<EditFlow>(document_, *actions_);
   parts_.make<ReconstructFlow>(ReconstructFlow::Parts{document_, jobs_, *actions_, pipeline});
 }

@@ -21,6 +21,13 @@ void FileFlow::addActions() {
                .keys = QKeySequence::Open,
                .menu = "file/open"},
               [this] { chooseAndOpen(); });
+  actions.add({.id = "read_region",
+               .text = tr("Read the Re&gion in Full"),
+               .help = tr("Of a scan that is shown in part, reads all points that lie in the box "
+                          "the view is clipped to, as a plant of its own"),
+               .menu = "file/open"},
+              [this] { openRegion(); });
+  actions["read_region"]->setEnabled(false);
   actions.place("file/recent", [this](QMenu& menu) {
     connect(&menu, &QMenu::aboutToShow, this, [this, &menu] { fillRecent(menu); });
   });

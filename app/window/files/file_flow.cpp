@@ -2,6 +2,7 @@
 
 #include "app/window/files/file_filters.h"
 #include "app/window/files/recent_files.h"
+#include "app/window/frame/action_set.h"
 #include "core/base/error.h"
 #include "core/io/atomic_file.h"
 #include "core/io/dropped.h"
@@ -11,6 +12,7 @@
 #include "ui/document/plant_document.h"
 #include "ui/jobs/job_slot.h"
 
+#include <QAction>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
@@ -22,6 +24,7 @@
 namespace espalier {
 namespace {
 
+const QString mostPointsKey = QStringLiteral("most_points_at_once");
 const QString axesKey = QStringLiteral("save_mtg_with_axes");
 
 /// Whether a skeleton saved there can be opened again.
@@ -59,6 +62,29 @@ FileFlow::FileFlow(const Parts& parts) : parts_(parts) {
   parts_.projects.setGate([this](const std::function<void()>& show) { showUnlessKept(show); });
   addActions();
   addProjectActions();
+  keepInProject({scanPartName, [this] { return textOf(part_); },
+                 [this](const std::string& text) { setPart(scanPartIn(text)); }});
+}
+
+void FileFlow::setPart(const ScanPart& part) {
+  part_ = part;
+  parts_.actions["read_region"]->setEnabled(part_.isPart());
+  emit countChanged();
+}
+
+QString FileFlow::count() const {
+  if (!part_.isPart()) return {};
+  return tr("part of %1").arg(formatCount(static_cast<std::size_t>(part_.listed)));
+}
+
+void FileFlow::openRegion() {
+  const std::optional<Eigen::AlignedBox3d> box = parts_.clipBox();
+  if (!part_.isPart()) throw Error(tr("all points of the scan are open").toStdString());
+  if (!box)
+    throw Error(tr("no region is chosen: clip the view to a box around it first, by Clipping in "
+                   "the View menu")
+                    .toStdString());
+  read({parts_.document.scanPath()}, box);
 }
 
 void FileFlow::chooseAndOpen() {
@@ -76,6 +102,11 @@ void FileFlow::open(const QStringList& paths) {
     parts_.projects.open(path);
     return;
   }
+  read(paths, std::nullopt);
+}
+
+void FileFlow::read(const QStringList& paths, const std::optional<Eigen::AlignedBox3d>& box) {
+  parts_.jobs.requireIdle();
   bool hasScan = false;
   bool hasStructure = false;
   for (const QString& path : paths)
@@ -87,10 +118,12 @@ void FileFlow::open(const QStringList& paths) {
   const auto* scan = parts_.document.scan();
   const auto cloud = scan == nullptr || isAnotherPlant ? nullptr : scan->cloud();
   const Skeleton skeleton = isAnotherPlant ? Skeleton() : parts_.document.skeleton();
+  const ScanRequest request{
+      box, parts_.settings.value(mostPointsKey, qulonglong{mostPointsAtOnce}).toULongLong()};
   parts_.jobs.start(
       tr("Reading %1").arg(name),
-      [paths, cloud, skeleton](const Progress& progress) {
-        Read read{.files = loadFiles(paths, progress)};
+      [paths, cloud, skeleton, request](const Progress& progress) {
+        Read read{.files = loadFiles(paths, request, progress)};
         const LoadedFiles& files = read.files;
         if (const auto& points = files.scan ? files.scan->cloud() : cloud)
           read.fit = fitOf(files.structure ? files.structure->skeleton : skeleton, *points);
@@ -216,6 +249,8 @@ void FileFlow::show(Read read, bool isAnotherPlant) {
     document.setUnit(likelyUnit(loaded.scan->bounds().sizes().maxCoeff()));
     document.setScan(std::move(loaded.scan), loaded.scanPath);
     parts_.projects.setScanReference(loaded.scanReference);
+    setPart(loaded.part);
+    emit keptChanged();
     parts_.recent.add(loaded.scanPath);
   }
   if (loaded.structure) {
@@ -246,8 +281,13 @@ bool FileFlow::reportFit(const ScanFit& fit, QStringList notes) {
   }
   if (fit.misfit)
     notes.append(describe(*fit.misfit, structure, QFileInfo(document.scanPath()).fileName()));
-  if (!notes.isEmpty()) emit reported({.text = notes.join('\n')});
-  return !notes.isEmpty();
+  if (notes.isEmpty()) return false;
+  std::vector<BannerAction> actions;
+  if (part_.isPart())
+    actions.push_back(
+        {tr("Read the Region in Full"), [this] { parts_.actions["read_region"]->trigger(); }});
+  emit reported({.text = notes.join('\n'), .actions = std::move(actions)});
+  return true;
 }
 
 void FileFlow::write(const Target& target) {

@@ -9,6 +9,7 @@
 #include <QStringList>
 
 #include <functional>
+#include <optional>
 
 class QMenu;
 class QSettings;
@@ -35,6 +36,7 @@ public:
     RecentFiles& recent;
     QSettings& settings;
     QWidget& window;
+    std::function<std::optional<Eigen::AlignedBox3d>()> clipBox; // of the view [L]; none: all
   };
   explicit FileFlow(const Parts& parts);
 
@@ -44,6 +46,11 @@ public:
   /// @throws Error if a file cannot be read or a job is running
   void open(const QStringList& paths);
 
+  /// Opens what of the scan lies in the clip's box, all of its points, as another plant.
+  /// @throws Error if the scan is shown whole, or the view is not clipped to a box
+  void openRegion();
+
+  [[nodiscard]] QString count() const override; // of how many points the scan shows a part
   void setPlantShown(bool isShown) override;
   [[nodiscard]] bool mayClose() override;
 
@@ -58,6 +65,8 @@ private:
   void fillRecent(QMenu& menu);
   void refreshProject();
   void chooseAndOpen();
+  void read(const QStringList& paths, const std::optional<Eigen::AlignedBox3d>& box);
+  void setPart(const ScanPart& part);
   void closePlant();
 
   /// Each returns whether the skeleton is saved now; the user may have left the dialog, or chosen a
@@ -92,6 +101,7 @@ private:
 
   Parts parts_;
   Target saved_;   // where and how the skeleton was written last
+  ScanPart part_;  // what of its file the scan is
   QString copied_; // the file of others that a copy was kept of
 };
 

@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/base/listed.h"
 #include "core/io/formats.h"
+#include "core/io/glance.h"
 
 #include <QCoreApplication>
 
@@ -18,9 +19,29 @@ void addNotes(LoadedFiles& loaded, const std::vector<std::string>& notes) {
     loaded.notes.append(QString::fromStdString(note));
 }
 
+/// A file that says nothing before it is read whole is read whole.
+bool hasMorePoints(const std::filesystem::path& path, std::uint64_t most) {
+  const Format& format = formatOf(path);
+  const bool isKnown = format.glance != nullptr || format.glanceByColumns != nullptr;
+  return isKnown && glanceAt(path).points > most;
+}
+
+void loadScan(LoadedFiles& loaded, const std::filesystem::path& path, const ScanRequest& request,
+              const Progress& progress) {
+  ReadOptions reading{.box = request.box};
+  if (hasMorePoints(path, request.mostAtOnce)) reading.most = request.mostAtOnce;
+  ImportedCloud points = readPoints(path, reading, progress.part(0, 0.9));
+  progress.update(0.9);
+  if (points.isPart(reading)) loaded.part = {reading, points.listed};
+  loaded.scanReference = ScanReference::of(path, points.value.bounds());
+  loaded.scan = std::make_unique<const Scan>(std::move(points.value));
+  addNotes(loaded, points.notes);
+}
+
 } // namespace
 
-LoadedFiles loadFiles(const QStringList& paths, const Progress& progress) {
+LoadedFiles loadFiles(const QStringList& paths, const ScanRequest& request,
+                      const Progress& progress) {
   LoadedFiles loaded;
   const double share = 1.0 / static_cast<double>(paths.size());
   for (qsizetype i = 0; i < paths.size(); ++i) {
@@ -33,12 +54,8 @@ LoadedFiles loadFiles(const QStringList& paths, const Progress& progress) {
                          QT_TRANSLATE_NOOP("LoadFiles",
                                            "%1: a second scan: open one at a time, or join them "
                                            "first with \"espalier register\""));
-      Imported<PointCloud> points = readPoints(path, part.part(0, 0.9));
-      part.update(0.9);
-      loaded.scanReference = ScanReference::of(path, points.value.bounds());
-      loaded.scan = std::make_unique<const Scan>(std::move(points.value));
+      loadScan(loaded, path, request, part);
       loaded.scanPath = paths[i];
-      addNotes(loaded, points.notes);
     } else {
       if (loaded.structure)
         throw twoOfAKind(

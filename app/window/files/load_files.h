@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/window/files/scan_part.h"
 #include "core/base/progress.h"
 #include "core/mtg/structure.h"
 #include "core/project/project.h"
@@ -19,16 +20,24 @@ namespace espalier {
 struct LoadedFiles {
   std::unique_ptr<const Scan> scan; // null: none
   QString scanPath;
+  ScanPart part;                              // of the file that the scan is
   std::optional<ScanReference> scanReference; // to find it again
   std::optional<Structure> structure;
   QString structurePath;
   QStringList notes; // what their user should know of how they were read
 };
 
+/// What of a scan is wanted.
+struct ScanRequest {
+  std::optional<Eigen::AlignedBox3d> box; // all that lies in it [L], frame of the file; none: all
+  std::uint64_t mostAtOnce = mostPointsAtOnce; // of a file with more, a sample of as many
+};
+
 /// Reads the files, each for what its content shows.
 /// @throws Error     which file, where in it, what is wrong; or if there are two of a kind
 /// @throws Cancelled if `progress` asks to stop
-[[nodiscard]] LoadedFiles loadFiles(const QStringList& paths, const Progress& progress = {});
+[[nodiscard]] LoadedFiles loadFiles(const QStringList& paths, const ScanRequest& request = {},
+                                    const Progress& progress = {});
 
 /// The unit that makes a plant of this extent [L] between a hand and a tall tree high.
 [[nodiscard]] LengthUnit likelyUnit(double extent);

@@ -1,6 +1,7 @@
 #include "app/window/files/load_project.h"
 
 #include "app/window/files/load_files.h"
+#include "app/window/files/scan_part.h"
 #include "core/base/error.h"
 #include "core/io/formats.h"
 #include "core/mtg/mtg_reader.h"
@@ -53,12 +54,13 @@ void addScan(LoadedProject& loaded, const Progress& progress) {
   if (!reference) return;
   loaded.scanReference = reference;
   loaded.scanPath = nameOf(reference->path);
+  loaded.reading = scanPartIn(loaded.project->document(scanPartName)).reading;
   tryTo(loaded, [&] { loaded.scan = keptScan(*loaded.project, progress); });
   loaded.isScanKept = loaded.scan != nullptr;
   if (!loaded.isScanKept) {
     const auto found = loaded.project->findScan();
     if (!found) return;
-    loaded.scan = std::make_unique<const Scan>(readPoints(*found, progress).value);
+    loaded.scan = std::make_unique<const Scan>(readPoints(*found, loaded.reading, progress).value);
     loaded.scanPath = nameOf(*found);
   }
   ContractedPoints contracted = contractedIn(*loaded.project);
@@ -89,12 +91,12 @@ LoadedProject loadProject(const QString& path, Access access, const Progress& pr
 }
 
 std::unique_ptr<const Scan> loadScan(const QString& path, const ScanReference& reference,
-                                     const Progress& progress) {
+                                     const ReadOptions& reading, const Progress& progress) {
   if (contentHashOfFile(toPath(path)) != reference.hash)
     throw Error(path.toStdString() + ": is not the scan of this project, which was " +
                 reference.path.filename().string() +
                 ": choose that, or open this one as a plant of its own");
-  return std::make_unique<const Scan>(readPoints(toPath(path), progress).value);
+  return std::make_unique<const Scan>(readPoints(toPath(path), reading, progress).value);
 }
 
 } // namespace espalier

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/io/points/read_options.h"
 #include "core/mtg/structure.h"
 #include "core/project/contracted_points.h"
 #include "core/project/project.h"
@@ -22,6 +23,7 @@ struct LoadedProject {
   std::unique_ptr<const Scan> scan; // null: none, or not found
   QString scanPath;                 // where it is, or was
   bool isScanKept = false;          // read from the project itself
+  ReadOptions reading;              // of the scan in its file
   ContractedPoints contracted;
   std::optional<ScanReference> scanReference;
   LengthUnit unit = LengthUnit::unknown;
@@ -36,8 +38,11 @@ struct LoadedProject {
                                         const Progress& progress = {});
 
 /// The scan of a project, at another place than it knows.
+/// @param reading  what of the file it is
 /// @throws Error if it is another scan
-[[nodiscard]] std::unique_ptr<const Scan>
-loadScan(const QString& path, const ScanReference& reference, const Progress& progress = {});
+[[nodiscard]] std::unique_ptr<const Scan> loadScan(const QString& path,
+                                                   const ScanReference& reference,
+                                                   const ReadOptions& reading,
+                                                   const Progress& progress = {});
 
 } // namespace espalier

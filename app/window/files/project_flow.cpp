@@ -243,6 +243,7 @@ void ProjectFlow::show(LoadedProject loaded, As as) {
                        loaded.contracted);
   isLoading_ = false;
   scan_ = loaded.scanReference;
+  reading_ = loaded.reading;
   isScanKept_ = loaded.isScanKept;
   emit opened();
   showBeside(*loaded.project,

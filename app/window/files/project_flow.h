@@ -117,6 +117,7 @@ private:
   std::vector<Kept> beside_;
   QTimer prepare_;
   std::optional<ScanReference> scan_;
+  ReadOptions reading_;     // of the scan of the project that was opened
   bool isScanKept_ = false; // in the project, or to be kept in the next one
   bool isKeeping_ = false;  // a job writes it
   bool isLoading_ = false;

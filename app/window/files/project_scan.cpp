@@ -81,7 +81,9 @@ void ProjectFlow::askForScan() {
   if (path.isEmpty() || !scan_) return;
   parts_.jobs.start(
       tr("Reading %1").arg(QFileInfo(path).fileName()),
-      [path, scan = *scan_](const Progress& progress) { return loadScan(path, scan, progress); },
+      [path, scan = *scan_, reading = reading_](const Progress& progress) {
+        return loadScan(path, scan, reading, progress);
+      },
       [this, path](std::unique_ptr<const Scan> scan) {
         ScanReference found = *scan_;
         found.path = toPath(QFileInfo(path).absoluteFilePath());

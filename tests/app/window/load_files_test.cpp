@@ -40,7 +40,7 @@ TEST(LoadFiles, StopsWhenAsked) {
   std::stop_source stop;
   stop.request_stop();
   const Progress progress(stop.get_token(), {});
-  EXPECT_THROW((void)loadFiles({writeScan(folder / "a.xyz")}, progress), Cancelled);
+  EXPECT_THROW((void)loadFiles({writeScan(folder / "a.xyz")}, {}, progress), Cancelled);
 }
 
 TEST(LikelyUnit, MakesNoTreeAHundredMetersHigh) {

@@ -35,6 +35,7 @@ void addAll(CLI::App& app) {
   addBatch(app);
   addContract(app);
   addClean(app);
+  addSmooth(app);
   addPlants(app);
   addRegister(app);
   addSweep(app);

@@ -13,6 +13,7 @@ void addReconstruct(CLI::App& app);
 void addBatch(CLI::App& app);
 void addContract(CLI::App& app);
 void addClean(CLI::App& app);
+void addSmooth(CLI::App& app);
 void addPlants(CLI::App& app);
 void addRegister(CLI::App& app);
 void addSweep(CLI::App& app);

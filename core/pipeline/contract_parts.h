@@ -8,9 +8,9 @@
 namespace espalier {
 
 /// The method `described`, with the options of `table`, whose work is `contract(points, options,
-/// state, progress)`: the new places of the points that cleaning kept; those at the place of one go
-/// with it, the others stay. It is taken to see no root. `probe(options)` is how it looks at the
-/// plant.
+/// state, progress)`: the new places of the points that cleaning kept, from where they are by now;
+/// those at the place of one go with it, the others stay. It is taken to see no root.
+/// `probe(options)` is how it looks at the plant.
 template <class Options, class Contract, class Probe>
 [[nodiscard]] Method contractMethod(Method described, const OptionTable<Options>& table,
                                     const Contract& contract, const Probe& probe) {
@@ -21,7 +21,7 @@ template <class Options, class Contract, class Probe>
                                     const Progress& progress) {
     const std::vector<Eigen::Index> kept = keptPoints(state);
     requirePlant(kept);
-    Eigen::Matrix3Xf positions = state.cloud->positions();
+    Eigen::Matrix3Xf positions = *state.contracted;
     const Eigen::Matrix3Xf points = positions(Eigen::all, kept);
     positions(Eigen::all, kept) = contract(points, table.with(values), state, progress);
     followKept(positions, state);

@@ -7,6 +7,7 @@
 #include "core/pipeline/contract_probes.h"
 #include "core/pipeline/method_parts.h"
 #include "core/pipeline/pipeline_start.h"
+#include "core/pipeline/step_graph.h"
 #include "core/reconstruct/direction_cones.h"
 
 #include <algorithm>
@@ -42,16 +43,18 @@ struct MethodSights::Prepared {
   std::vector<float> coneDensities; // likewise; empty without cones
 
   Prepared(std::shared_ptr<const PointCloud> itsCloud,
-           std::shared_ptr<const Eigen::Matrix3Xf> itsContracted, const PipelineState& cleaned,
+           std::shared_ptr<const Eigen::Matrix3Xf> itsContracted, const PipelineState& smoothed,
            const PipelineOptions& options, const PlantScale& scale, const Progress& progress)
       : cloud(std::move(itsCloud)), contracted(std::move(itsContracted)),
         contraction(chosenFor(contractionStep(), options, scale).probe()),
         cones(chosenFor(skeletonStep(), options, scale).probe().cones),
-        columns(keptPoints(cleaned)), points(cloud->positions()(Eigen::all, columns)),
+        columns(keptPoints(smoothed)), points((*smoothed.contracted)(Eigen::all, columns)),
         graph(points, contraction.links, progress.part(0, 0.4)), index(points, progress) {
     if (columns.empty()) return;
     const std::optional<DensityValues>& followed = contraction.density;
-    if (cones || !followed) densities = scannedDensities(index, progress.part(0.4, 0.7));
+    if (cones || !followed)
+      densities =
+          scannedDensities(*scannedIndex(smoothed, columns, progress), progress.part(0.4, 0.7));
     if (cones) coneDensities = densities;
     if (followed)
       densities = normalizedDensities(
@@ -134,10 +137,12 @@ MethodSights::MethodSights(std::shared_ptr<const PointCloud> cloud,
                            std::shared_ptr<const Eigen::Matrix3Xf> contracted,
                            const PipelineOptions& options, const PlantScale& scale,
                            const Progress& progress) {
-  const PipelineState cleaned = cleanedState(cloud, options, scale, progress.part(0, 0.2));
-  prepared_ =
-      std::make_unique<const Prepared>(std::move(cloud), std::move(contracted), cleaned, options,
-                                       cleaned.extent.scale, progress.part(0.2, 1));
+  PipelineState state = cleanedState(cloud, options, scale, progress.part(0, 0.1));
+  const PlantScale left = state.extent.scale;
+  runSteps(stepsBetween(StepResult::cleaned, StepResult::smoothed, options, left), state,
+           progress.part(0.1, 0.2));
+  prepared_ = std::make_unique<const Prepared>(std::move(cloud), std::move(contracted), state,
+                                               options, left, progress.part(0.2, 1));
 }
 MethodSights::~MethodSights() = default;
 MethodSights::MethodSights(MethodSights&&) noexcept = default;
@@ -152,7 +157,8 @@ MethodSight MethodSights::at(Eigen::Index point, const Skeleton& skeleton) const
       std::ranges::upper_bound(all.columns, point); // of its place, the first counts
   if (behind == all.columns.begin()) return sight;
   const auto own = static_cast<std::uint32_t>(behind - all.columns.begin() - 1);
-  if (all.points.col(own) != all.cloud->positions().col(point)) return sight;
+  if (all.cloud->positions().col(all.columns[own]) != all.cloud->positions().col(point))
+    return sight;
   const SeenFrom from = all.from(own);
   const SeenBall ball =
       all.contraction.ball ? all.contraction.ball(all.seen(), from) : SeenBall{own};

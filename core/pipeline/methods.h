@@ -16,6 +16,7 @@ namespace espalier {
 [[nodiscard]] std::vector<Method> plantMethods();     // surroundings_methods.cpp
 [[nodiscard]] std::vector<Method> thinMethods();      // thin_methods.cpp
 [[nodiscard]] std::vector<Method> cleanMethods();     // clean_methods.cpp
+[[nodiscard]] std::vector<Method> smoothMethods();    // smooth_methods.cpp
 [[nodiscard]] std::vector<Method> contractMethods();  // contract_methods.cpp
 [[nodiscard]] std::vector<Method> skeletonMethods();  // skeleton_methods.cpp
 [[nodiscard]] std::vector<Method> joinMethods();      // repair_methods.cpp

@@ -22,11 +22,12 @@ namespace espalier {
 namespace {
 
 /// How far around the ball points are looked at [L].
-double marginOf(const ChosenMethod& contraction, const Ball& ball, double spacing) {
+/// @param reach  of all that moves points, together
+double marginOf(double reach, const Ball& ball, double spacing) {
   constexpr double least = 8; // in point spacings: for those that look at nearest points
   constexpr double alwaysAllowed = 20;
   const double most = std::max(ball.radius / 2, alwaysAllowed * spacing);
-  return std::clamp(2 * contraction.probe().reach, least * spacing, most);
+  return std::clamp(2 * reach, least * spacing, most);
 }
 
 } // namespace
@@ -35,12 +36,13 @@ double marginOf(const ChosenMethod& contraction, const Ball& ball, double spacin
 struct RegionPreviewer::Whole {
   using IsLeftOut = std::shared_ptr<const std::vector<bool>>; // by point: set aside, or cleaned
   using Cleaning = PipelineOptions;                           // of the steps that clean alone
+  using Smoothing = PipelineOptions;                          // of these, and those that smooth
   struct Cleaned {
     IsLeftOut isLeftOut;
     PlantScale scale; // of what is left
   };
   struct DensityKey {
-    Cleaning cleaning;
+    Smoothing smoothing;
     DensityValues values;
     bool operator==(const DensityKey&) const = default;
   };
@@ -65,17 +67,17 @@ struct RegionPreviewer::Whole {
     return *index;
   }
 
-  /// What of these options is of the steps that clean.
-  [[nodiscard]] Cleaning cleaningOf(const PipelineOptions& options) const {
-    Cleaning cleaning = start;
+  /// What of these options is of the steps up to those that make `last`.
+  [[nodiscard]] PipelineOptions upTo(StepResult last, const PipelineOptions& options) const {
+    PipelineOptions result = start;
     for (const Step& step : pipelineSteps()) {
-      if (step.makes != StepResult::cleaned) continue;
+      if (step.makes > last) continue;
       if (const auto method = options.methods.find(step.name); method != options.methods.end())
-        cleaning.methods.insert(*method);
+        result.methods.insert(*method);
       if (const auto set = options.settings.find(step.name); set != options.settings.end())
-        cleaning.settings.insert(*set);
+        result.settings.insert(*set);
     }
-    return cleaning;
+    return result;
   }
 
   Cleaned cleanedBy(const Cleaning& cleaning, const Progress& progress) {
@@ -88,17 +90,20 @@ struct RegionPreviewer::Whole {
   }
 
   /// None for methods that do not follow densities.
-  std::optional<DensityRange> densityRange(const Cleaning& cleaning, const IsLeftOut& isLeftOut,
+  std::optional<DensityRange> densityRange(const Smoothing& smoothing, const Cleaned& left,
                                            const ChosenMethod& contraction,
                                            const Progress& progress) {
     const std::optional<DensityValues> used = contraction.probe().density;
     if (!used) return std::nullopt;
-    const DensityKey key{cleaning, *used};
+    const DensityKey key{smoothing, *used};
     const std::scoped_lock lock(mutex);
     if (const DensityRange* known = ranges.find(key)) return *known;
     PipelineState state = firstState(cloud, leftOut);
-    state.isLeftOut = *isLeftOut;
-    return ranges.keep(key, rangeOf(countedDensities(state, *used, progress)));
+    state.isLeftOut = *left.isLeftOut;
+    state.made = StepResult::cleaned;
+    runSteps(stepsBetween(StepResult::cleaned, StepResult::smoothed, smoothing, left.scale), state,
+             progress.part(0, 0.5));
+    return ranges.keep(key, rangeOf(countedDensities(state, *used, progress.part(0.5, 1))));
   }
 
   /// Along links between the points that were not set aside, over the shortest of the gaps.
@@ -168,18 +173,23 @@ struct RegionPreviewer::Regions {
   static Region contracted(Whole& whole, const Ball& ball, const PipelineOptions& options,
                            const Progress& progress) {
     requireKnown(options);
-    const Whole::Cleaning cleaning = whole.cleaningOf(options);
-    const auto [isLeftOut, scale] = whole.cleanedBy(cleaning, progress.part(0, 0.2));
+    const Whole::Cleaned left =
+        whole.cleanedBy(whole.upTo(StepResult::cleaned, options), progress.part(0, 0.2));
+    const PlantScale& scale = left.scale;
     const ChosenMethod contraction = chosenFor(contractionStep(), options, scale);
+    const std::vector<ChosenStep> moving =
+        stepsBetween(StepResult::cleaned, StepResult::contracted, options, scale);
+    double reach = 0;
+    for (const ChosenStep& step : moving)
+      reach += step.method.probe().reach;
     Region region =
-        around(whole, ball, marginOf(contraction, ball, scale.spacing), *isLeftOut, progress);
+        around(whole, ball, marginOf(reach, ball, scale.spacing), *left.isLeftOut, progress);
     region.state.extent.scale = scale; // of what cleaning leaves
-    region.state.densityRange =
-        whole.densityRange(cleaning, isLeftOut, contraction, progress.part(0.2, 0.3));
+    region.state.densityRange = whole.densityRange(whole.upTo(StepResult::smoothed, options), left,
+                                                   contraction, progress.part(0.2, 0.3));
     if (region.columns.size() >= 2) {
       if (contraction.method->seesRoot) region.state.root = nearestToRoot(whole, region, progress);
-      runSteps(stepsBetween(StepResult::cleaned, StepResult::contracted, options, scale),
-               region.state, progress.part(0.3, 1));
+      runSteps(moving, region.state, progress.part(0.3, 1));
     }
     region.preview.contracted = placesOf(region, *whole.cloud);
     return region;

@@ -20,12 +20,13 @@ struct RegionPreview {
 /// Shows at once, for a part of a scan, what other options of the steps would make of it.
 ///
 /// Values are those that the rules give for the whole scan. The steps see a margin of points around
-/// the ball: twice the greatest length among the options of the contraction, but no more than half
-/// the radius of the ball, or 20 point spacings if that is more. So contractions that look no
-/// farther give the same places as in a run on the whole scan: geodesic centroids, adaptive
-/// geodesic centroids, sections, and means of balls; one Laplacian step and symmetry axes nearly
-/// so. Those that solve for all points at once, follow paths to the root or draw samples
-/// (implicit Laplacian, along paths, L1 medial) give what they would for that part alone.
+/// the ball: twice the greatest length among the options of the contraction, and twice as far as
+/// smoothing looks, but no more than half the radius of the ball, or 20 point spacings if that is
+/// more. So contractions that look no farther give the same places as in a run on the whole scan:
+/// geodesic centroids, adaptive geodesic centroids, sections, and means of balls; one Laplacian
+/// step and symmetry axes nearly so. Those that solve for all points at once, follow paths to the
+/// root or draw samples (implicit Laplacian, along paths, L1 medial) give what they would for that
+/// part alone.
 ///
 /// What is expensive and of the whole scan is computed when it is first needed, and kept: an index
 /// of its points, those that cleaning leaves out (for the last few choices), how dense they lie,

@@ -4,6 +4,7 @@
 #include "core/pipeline/methods.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace espalier {
@@ -49,6 +50,14 @@ const std::vector<Step>& pipelineSteps() {
        .makes = StepResult::cleaned,
        .share = 0.1,
        .methods = cleanMethods()},
+      {.name = "smooth",
+       .label = Shown::tr("Smooth"),
+       .help = Shown::tr("Moves the points to the surface of the wood that they sample."),
+       .takes = StepResult::cleaned,
+       .makes = StepResult::smoothed,
+       .isOptional = true,
+       .share = 0.2,
+       .methods = smoothMethods()},
       {.name = "contract",
        .label = Shown::tr("Contract"),
        .help = Shown::tr("Pulls the points towards the axes of the plant."),
@@ -131,7 +140,9 @@ const Step& contractionStep() {
 }
 
 const Step& cleaningStep() {
-  return *(&contractionStep() - 1);
+  static const Step& step = *std::prev(std::ranges::find_if_not(
+      pipelineSteps(), [](StepResult made) { return made == StepResult::cleaned; }, &Step::makes));
+  return step;
 }
 
 const Step& skeletonStep() {

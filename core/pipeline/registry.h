@@ -24,6 +24,7 @@ namespace espalier {
 enum class StepResult {
   scan,       // by no step: the points that were not set aside
   cleaned,    // which of them are of the plant; then it has a root
+  smoothed,   // where the surface is that they sample; without this step, where they were scanned
   contracted, // where they are drawn to
   skeleton,   // all of it but the radii
   radii
@@ -32,10 +33,12 @@ enum class StepResult {
 /// What the steps of the pipeline hand on to each other.
 struct PipelineState {
   std::shared_ptr<const PointCloud> cloud;
-  std::vector<bool> isLeftOut;                        // by point: set aside, then cleaned
-  std::shared_ptr<const Eigen::Matrix3Xf> contracted; // by point, about the origin of the cloud
-  Eigen::Index root = 0;                              // a point
-  StepResult made = StepResult::scan;                 // the last that is there
+  std::vector<bool> isLeftOut; // by point: set aside, then cleaned
+  /// Where the points are by now: scanned, smoothed, then contracted. By point, about the origin of
+  /// the cloud.
+  std::shared_ptr<const Eigen::Matrix3Xf> contracted;
+  Eigen::Index root = 0;              // a point
+  StepResult made = StepResult::scan; // the last that is there
   /// In the frame of the file; states share it.
   std::shared_ptr<const Skeleton> skeleton = std::make_shared<const Skeleton>();
   std::vector<RadiusSource> radiusSources = {};              // by id, once there are radii

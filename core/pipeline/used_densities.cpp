@@ -3,14 +3,16 @@
 #include "core/cloud/repeated_points.h"
 #include "core/pipeline/method_parts.h"
 #include "core/pipeline/pipeline_start.h"
+#include "core/pipeline/step_graph.h"
 
 #include <limits>
 
 namespace espalier {
 
-std::vector<float> countedDensities(const PipelineState& cleaned, const DensityValues& values,
+std::vector<float> countedDensities(const PipelineState& smoothed, const DensityValues& values,
                                     const Progress& progress) {
-  const NeighborhoodGraph graph(keptPositions(cleaned), values.neighbors, progress.part(0, 0.6));
+  const NeighborhoodGraph graph((*smoothed.contracted)(Eigen::all, keptPoints(smoothed)),
+                                values.neighbors, progress.part(0, 0.6));
   return radiusDensities(graph, static_cast<float>(values.radius), progress.part(0.6, 1));
 }
 
@@ -19,7 +21,9 @@ std::optional<std::vector<float>> densitiesUsed(const std::shared_ptr<const Poin
                                                 const PlantScale& scale, const Progress& progress) {
   requireKnown(options);
   if (!chosenFor(contractionStep(), options, scale).probe().density) return std::nullopt;
-  const PipelineState state = cleanedState(cloud, options, scale, progress.part(0, 0.4));
+  PipelineState state = cleanedState(cloud, options, scale, progress.part(0, 0.3));
+  runSteps(stepsBetween(StepResult::cleaned, StepResult::smoothed, options, state.extent.scale),
+           state, progress.part(0.3, 0.4));
   const auto used = chosenFor(contractionStep(), options, state.extent.scale).probe().density;
   const std::vector<float> densities =
       normalizedDensities(countedDensities(state, *used, progress.part(0.4, 1)));

@@ -10,9 +10,10 @@ namespace espalier {
 
 // The densities that an adaptive contraction follows: those that its curve turns into radii.
 
-/// Of the points that cleaning kept, in their order, as counted: core/graph/densities.h.
+/// Of the points that cleaning kept, in their order, where smoothing left them, as counted:
+/// core/graph/densities.h.
 /// @throws Cancelled if `progress` asks to stop
-[[nodiscard]] std::vector<float> countedDensities(const PipelineState& cleaned,
+[[nodiscard]] std::vector<float> countedDensities(const PipelineState& smoothed,
                                                   const DensityValues& values,
                                                   const Progress& progress = {});
 

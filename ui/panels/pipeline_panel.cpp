@@ -104,9 +104,9 @@ QWidget* PipelinePanel::makeFold(QWidget* page) {
   fold_ = new QToolButton(page);
   fold_->setObjectName("more_cleaning");
   fold_->setProperty("role", "step");
-  fold_->setText(tr("More cleaning"));
+  fold_->setText(tr("More steps"));
   fold_->setToolTip(tr("Steps for scans that hold more than one plant: crop, ground, poles, wires, "
-                       "other plants, fewer points"));
+                       "other plants, fewer points; and one that smooths thick wood"));
   fold_->setCheckable(true);
   fold_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   fold_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);

@@ -3,6 +3,7 @@
 #include "app/cli/files.h"
 #include "app/cli/pipeline_flags.h"
 #include "app/cli/terminal.h"
+#include "app/report/envelope_numbers.h"
 #include "core/base/text.h"
 #include "core/io/structures/surface_files.h"
 #include "core/pipeline/envelopes.h"
@@ -101,26 +102,13 @@ std::string meshExtension(const std::string& path) {
 
 nlohmann::ordered_json numbersOf(const Envelope& envelope, const EnvelopedPlant& plant,
                                  const EnvelopeFlags& flags) {
-  nlohmann::ordered_json parameters = nlohmann::ordered_json::object();
-  for (const EnvelopeParameter& parameter : envelope.parameters)
-    parameters[parameter.name] = parameter.kind == EnvelopeParameter::Kind::angle
-                                     ? parameter.value * 180 / std::numbers::pi
-                                     : parameter.value;
   using Json = nlohmann::ordered_json;
-  return {{"kind", flags.kind},
-          {"of", plant.of},
-          {"unit", flags.unit.empty() ? Json() : Json(flags.unit)},
-          {"points", plant.places.cols()},
-          {"volume", envelope.volume},
-          {"area", envelope.area},
-          {"height", envelope.height},
-          {"diameter", envelope.diameter},
-          {"parameters", std::move(parameters)},
-          {"mesh",
-           {{"corners", envelope.mesh.corners.size()},
-            {"triangles", envelope.mesh.triangles.size()},
-            {"volume", volume(envelope.mesh)},
-            {"area", area(envelope.mesh)}}}};
+  Json json = {{"kind", flags.kind},
+               {"of", plant.of},
+               {"unit", flags.unit.empty() ? Json() : Json(flags.unit)},
+               {"points", plant.places.cols()}};
+  json.update(numbersOf(envelope));
+  return json;
 }
 
 void print(const Envelope& envelope, const std::string& unit) {

@@ -7,6 +7,7 @@
 #include "core/evaluate/traits_json.h"
 #include "core/io/atomic_file.h"
 #include "core/io/csv.h"
+#include "ui/document/shown_text.h"
 
 #include <nlohmann/json.hpp>
 
@@ -220,6 +221,43 @@ ReportSection wood(const Parts& parts) {
   return section;
 }
 
+/// A parameter with its unit, as in the first column of a table.
+QString nameOf(const EnvelopeParameter& parameter, const ReportNumbers& numbers) {
+  using Kind = EnvelopeParameter::Kind;
+  const QString label = QString::fromStdString(parameter.label);
+  return parameter.kind == Kind::length || parameter.kind == Kind::coordinate
+             ? numbers.inUnit(label)
+             : label;
+}
+
+ReportSection envelope(const Parts& parts) {
+  const ReportedEnvelope& drawn = *parts.data.envelope;
+  const Envelope& body = drawn.envelope;
+  const ReportNumbers& numbers = parts.numbers;
+  const QString about =
+      drawn.isOfSkeleton ? ReportText::tr("the skeleton") : ReportText::tr("the points");
+  const QString how = drawn.isByHand
+                          ? ReportText::tr("%1 about %2; handles of it were dragged by hand.")
+                          : ReportText::tr("%1 about %2.");
+  ReportSection section{ReportText::tr("Crown envelope"),
+                        {ReportParagraph{how.arg(shownText(drawn.label), about)}}};
+  ReportTable table;
+  table.columns = {{ReportText::tr("number"), false}, {ReportText::tr("envelope")}};
+  const auto add = [&](const QString& name, const QString& value) {
+    table.rows.push_back({{name}, {value}});
+  };
+  add(numbers.inUnit(ReportText::tr("volume"), 3), numbers.number(body.volume));
+  add(numbers.inUnit(ReportText::tr("area"), 2), numbers.number(body.area));
+  add(numbers.inUnit(ReportText::tr("height")), numbers.number(body.height));
+  add(numbers.inUnit(ReportText::tr("crown diameter")), numbers.number(body.diameter));
+  for (const EnvelopeParameter& parameter : body.parameters)
+    add(nameOf(parameter, numbers), parameter.kind == EnvelopeParameter::Kind::angle
+                                        ? numbers.degrees(parameter.value)
+                                        : numbers.number(parameter.value));
+  section.blocks.emplace_back(std::move(table));
+  return section;
+}
+
 ReportSection light(const Parts& parts) {
   const LightInterception& light = *parts.data.measures.light;
   const ReportNumbers& numbers = parts.numbers;
@@ -309,6 +347,7 @@ Report plantReport(const PlantReportData& data, const ReportPictures& drawn,
                   about.unit.isEmpty() ? ReportText::tr("lengths in the unit of the files")
                                        : ReportText::tr("lengths in %1").arg(about.unit)};
   report.sections = {summary(parts), pictures(parts), architecture(parts), wood(parts)};
+  if (data.envelope) report.sections.push_back(envelope(parts));
   if (data.measures.light) report.sections.push_back(light(parts));
   if (about.handWork) report.sections.push_back(handWorkSection(*about.handWork, parts.numbers));
   report.sections.push_back(settings(parts));
@@ -335,6 +374,7 @@ nlohmann::ordered_json numbersOf(const PlantReportData& data, const PlantReportA
                                  {"inputs", {{"plant", fileJson(about.plant)}}}};
   if (about.scan) json["inputs"]["scan"] = fileJson(*about.scan);
   json.update(toJson(data.measures));
+  if (data.envelope) json["envelope"] = numbersOf(*data.envelope);
   return json;
 }
 

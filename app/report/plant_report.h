@@ -1,11 +1,13 @@
 #pragma once
 
 #include "app/report/comparison_report.h"
+#include "app/report/envelope_numbers.h"
 #include "core/evaluate/plant_measures.h"
 
 #include <nlohmann/json_fwd.hpp>
 
 #include <memory>
+#include <optional>
 
 namespace espalier {
 
@@ -16,6 +18,7 @@ struct PlantReportData {
   PlantMeasures measures;                           // the very numbers that JSON and CSV hold
   int pixels = 0;                                   // of the pictures for light
   std::shared_ptr<const PointCloud> scan = nullptr; // null: there is none
+  std::optional<ReportedEnvelope> envelope = {};    // about its crown; none: none is drawn
 };
 
 /// What it states beside its numbers.
@@ -33,7 +36,7 @@ struct PlantReportAbout {
                                  const PlantReportAbout& about);
 
 /// All its numbers, with what they are of: `file`, `scan`, `unit`, `up`, `version`, then as
-/// toJson(PlantMeasures).
+/// toJson(PlantMeasures), and `envelope` where one is drawn (envelope_numbers.h).
 [[nodiscard]] nlohmann::ordered_json numbersOf(const PlantReportData& data,
                                                const PlantReportAbout& about);
 

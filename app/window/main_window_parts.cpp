@@ -13,6 +13,7 @@
 #include "app/window/edit/trace_flow.h"
 #include "app/window/edit/unit_flow.h"
 #include "app/window/edit_flow.h"
+#include "app/window/evaluate/envelope_flow.h"
 #include "app/window/evaluate/evaluation_flow.h"
 #include "app/window/evaluate/reference_flow.h"
 #include "app/window/files/file_flow.h"
@@ -166,6 +167,7 @@ void MainWindow::makeEvaluation() {
       ReferenceFlow::Parts{document_, *view_, jobs_, *actions_, settings_, *this});
   parts_.make<EvaluationFlow>(
       EvaluationFlow::Parts{document_, *view_, jobs_, parts_.get<Editing>(), reference, window});
+  parts_.make<EnvelopeFlow>(EnvelopeFlow::Parts{document_, *view_, queue_, window});
 }
 
 void MainWindow::makePreview(PipelinePanel& pipeline) {
@@ -295,6 +297,9 @@ void MainWindow::joinPreview() {
 }
 
 void MainWindow::joinViews() {
+  auto& envelope = parts_.get<EnvelopeFlow>();
+  connect(&envelope, &EnvelopeFlow::changed, &parts_.get<EvaluationFlow>(),
+          [this, &envelope] { parts_.get<EvaluationFlow>().setEnvelope(envelope.reported()); });
   auto& theme = parts_.get<ThemeFlow>();
   connect(&theme, &ThemeFlow::changed, view_, &PlantView::setDark);
   connect(&theme, &ThemeFlow::changed, &parts_.get<EvaluationFlow>(), &EvaluationFlow::setDark);

@@ -144,21 +144,26 @@ EnvelopeKind alphaKind() {
                 table, alphaHull);
 }
 
+EnvelopeKind withHandlesToDrag(EnvelopeKind kind) {
+  kind.hasHandles = true;
+  return kind;
+}
+
 std::vector<EnvelopeKind> hullKinds() {
-  return {
-      byFormula(kindOf({.name = "asymmetric",
-                        .label = Shown::tr("Asymmetric hull"),
-                        .help = Shown::tr("A crown by its top, its bottom, its widest places to "
-                                          "four sides and an exponent above and below."),
-                        .source = "A. Cescatti, 1997; F. Boudon, thesis, 2004, 2.1"},
-                       asymmetricEnvelope)),
-      extrudedKind(), skinnedKind(),
-      kindOf({.name = "convex",
-              .label = Shown::tr("Convex hull"),
-              .help = Shown::tr("The smallest body about all that is hollow nowhere."),
-              .source = "C. B. Barber, D. P. Dobkin, H. Huhdanpaa, 1996 (Qhull)"},
-             [](const Crown& crown, const Progress&) { return convexEnvelope(crown); }),
-      alphaKind()};
+  return {withHandlesToDrag(byFormula(
+              kindOf({.name = "asymmetric",
+                      .label = Shown::tr("Asymmetric hull"),
+                      .help = Shown::tr("A crown by its top, its bottom, its widest places to "
+                                        "four sides and an exponent above and below."),
+                      .source = "A. Cescatti, 1997; F. Boudon, thesis, 2004, 2.1"},
+                     asymmetricEnvelope))),
+          extrudedKind(), skinnedKind(),
+          kindOf({.name = "convex",
+                  .label = Shown::tr("Convex hull"),
+                  .help = Shown::tr("The smallest body about all that is hollow nowhere."),
+                  .source = "C. B. Barber, D. P. Dobkin, H. Huhdanpaa, 1996 (Qhull)"},
+                 [](const Crown& crown, const Progress&) { return convexEnvelope(crown); }),
+          alphaKind()};
 }
 
 } // namespace
@@ -194,6 +199,42 @@ Envelope envelopeAbout(const Eigen::Matrix3Xd& points, UpAxis up, const Envelope
   for (Eigen::Vector3d& corner : envelope.mesh.corners)
     corner = turn.transpose() * corner + middle;
   movePlaces(envelope.parameters, turn.transpose(), middle);
+  return envelope;
+}
+
+namespace {
+
+AsymmetricHull uprightHull(const Envelope& envelope, UpAxis up) {
+  std::vector<EnvelopeParameter> parameters = envelope.parameters;
+  movePlaces(parameters, turnUpright(up), Eigen::Vector3d::Zero());
+  return asymmetricHullOf(parameters);
+}
+
+} // namespace
+
+std::vector<EnvelopeHandle> envelopeHandles(const Envelope& envelope, UpAxis up,
+                                            const EnvelopeKind& kind) {
+  if (!kind.hasHandles) return {};
+  const Eigen::Matrix3d back = turnUpright(up).transpose();
+  std::vector<EnvelopeHandle> handles = handlesOf(uprightHull(envelope, up));
+  for (EnvelopeHandle& handle : handles) {
+    handle.place = back * handle.place;
+    handle.outward = back * handle.outward;
+  }
+  return handles;
+}
+
+HandlePlace draggedTo(const Envelope& envelope, UpAxis up, const std::string& handle,
+                      const Eigen::Vector3d& place) {
+  return draggedTo(uprightHull(envelope, up), handle, turnUpright(up) * place);
+}
+
+Envelope draggedEnvelope(const Envelope& fitted, UpAxis up, const HandlePlaces& places) {
+  const Eigen::Matrix3d back = turnUpright(up).transpose();
+  Envelope envelope = envelopeOf(withHandles(uprightHull(fitted, up), places));
+  for (Eigen::Vector3d& corner : envelope.mesh.corners)
+    corner = back * corner;
+  movePlaces(envelope.parameters, back, Eigen::Vector3d::Zero());
   return envelope;
 }
 

@@ -4,6 +4,7 @@
 #include "core/graph/find_root.h"
 #include "core/pipeline/registry.h"
 #include "core/surface/envelopes/envelope.h"
+#include "core/surface/envelopes/envelope_handles.h"
 
 #include <functional>
 #include <string_view>
@@ -18,6 +19,7 @@ struct EnvelopeKind {
   /// `values`: one per option of the form, in order.
   std::function<Envelope(const Crown&, const std::vector<double>& values, const Progress&)> fit;
   bool hasFormula = false; // for its volume
+  bool hasHandles = false; // to drag: it is an asymmetric hull
 };
 
 /// All of them: solids, then hulls of more and more freedom. Of each the first option is which
@@ -36,6 +38,22 @@ struct EnvelopeKind {
 [[nodiscard]] Envelope envelopeAbout(const Eigen::Matrix3Xd& points, UpAxis up,
                                      const EnvelopeKind& kind, const std::vector<double>& values,
                                      const Progress& progress = {});
+
+/// What of an envelope can be dragged, in the frame of the points; nothing of kinds without
+/// handles.
+/// @param envelope  as envelopeAbout() or draggedEnvelope() gave it
+[[nodiscard]] std::vector<EnvelopeHandle> envelopeHandles(const Envelope& envelope, UpAxis up,
+                                                          const EnvelopeKind& kind);
+
+/// Where a handle comes to stand that is dragged to `place`; its level is along `up`.
+[[nodiscard]] HandlePlace draggedTo(const Envelope& envelope, UpAxis up, const std::string& handle,
+                                    const Eigen::Vector3d& place);
+
+/// The envelope with handles where they were dragged to. Of the share of points inside it says
+/// nothing: that was of the fitted one.
+/// pre: its kind has handles
+[[nodiscard]] Envelope draggedEnvelope(const Envelope& fitted, UpAxis up,
+                                       const HandlePlaces& places);
 
 /// What envelopes are made about [L], frame of the file: points that were not set aside, or nodes.
 [[nodiscard]] Eigen::Matrix3Xd placesOf(const PointCloud& cloud, const PointSet& leftOut);

@@ -22,7 +22,6 @@ using Names = std::set<std::string>;
 const std::map<std::pair<std::string, std::string>, std::string> exceptions = {
     {{"core/base/parallel.h", "inPieces"}, "the templates beside it call it"},
     {{"core/surface/envelopes/asymmetric_hull.h", "meshOf"}, "of the hull that a fit finds"},
-    {{"core/surface/envelopes/asymmetric_hull.h", "volume"}, "of the hull that a fit finds"},
     {{"core/clean/plants.h", "plantsAmong"}, "a step of another, tested by itself"},
     {{"core/clean/plants.h", "resolved"}, "a function beside it calls it"},
     {{"core/clean/pole.h", "resolved"}, "a function beside it calls it"},

@@ -177,6 +177,7 @@ void Overlay::paint(QPainter& painter, const Scene& scene, const Camera& camera,
   const ScreenMap screen(camera, {size.width(), size.height()});
   for (const ShownHull& hull : hulls)
     paintHull(painter, hull, screen, scene.dark);
+  if (envelope) glass.paint(painter, *envelope, screen, scene.dark);
   if (sight) paintSight(painter, *sight, screen, scene.dark);
   if (attachment && scene.referenceVisible)
     paintAttachment(painter, *attachment, screen, scene.dark);

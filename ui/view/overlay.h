@@ -3,6 +3,7 @@
 #include "ui/document/canvas.h"
 #include "ui/view/attachment_overlay.h"
 #include "ui/view/camera.h"
+#include "ui/view/envelope_overlay.h"
 #include "ui/view/hull_overlay.h"
 #include "ui/view/scene.h"
 #include "ui/view/sight_overlay.h"
@@ -43,6 +44,8 @@ struct Overlay {
   double divider = 1;                        // of the view, as PlantView::setDivider
   SeenSides seen = SeenSides::of(1);         // that legends are for
   std::vector<ShownHull> hulls;              // as PlantView::setHulls
+  std::optional<ShownEnvelope> envelope;     // as PlantView::setEnvelope
+  mutable EnvelopeGlass glass;               // of it
   std::optional<ShownSight> sight;           // as PlantView::showSight
   std::optional<ShownAttachment> attachment; // as PlantView::showAttachment
   std::optional<Eigen::Vector3d> rootMark;   // as PlantView::setRootMark

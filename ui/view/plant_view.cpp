@@ -48,6 +48,7 @@ double PlantView::Parts::seenViews() const {
 void PlantView::Parts::paintOverlay(QPainter& painter) {
   overlay.unit = shared->unit;
   overlay.hulls = shared->hulls;
+  overlay.envelope = shared->envelope;
   overlay.attachment = shared->attachment;
   overlay.rootMark = shared->rootMark;
   overlay.hasLegends = isFirst();
@@ -57,6 +58,8 @@ void PlantView::Parts::paintOverlay(QPainter& painter) {
   painter.setRenderHint(QPainter::Antialiasing);
   clipHandles.paint(painter, sight(), scene.dark); // under the legends
   overlay.paint(painter, scene, navigator.camera(), overlayWidget->size());
+  if (shared->envelope)
+    envelopeHandles.paint(painter, shared->envelope->handles, pointer.screen(), scene.dark);
 }
 
 PlantView::PlantView(QWidget* parent) : PlantView(std::make_shared<Shared>(), parent) {}
@@ -254,6 +257,7 @@ QImage PlantView::picture(const QSize& size) {
   Overlay overlay;
   overlay.unit = parts_->shared->unit;
   overlay.hulls = parts_->shared->hulls;
+  overlay.envelope = parts_->shared->envelope;
   overlay.attachment = parts_->shared->attachment;
   overlay.divider = parts_->divider;
   overlay.seen = SeenSides::of(parts_->divider);
@@ -266,7 +270,7 @@ std::size_t PlantView::graphicsBytes() const {
 
 bool PlantView::isInGesture() const {
   return parts_->pointer.isBusy() || parts_->clipHandles.isDragging() ||
-         parts_->draggedColorBar() != nullptr ||
+         parts_->envelopeHandles.dragged().has_value() || parts_->draggedColorBar() != nullptr ||
          (parts_->minimap != nullptr && parts_->minimap->isDragging());
 }
 
@@ -290,16 +294,17 @@ void PlantView::resizeEvent(QResizeEvent* /*event*/) {
 
 void PlantView::mousePressEvent(QMouseEvent* event) {
   if (parts_->clipHandles.isDragging() || pressClip(*event)) return;
+  if (parts_->envelopeHandles.dragged() || pressEnvelope(*event)) return;
   parts_->pointer.press(*event);
 }
 
 void PlantView::mouseMoveEvent(QMouseEvent* event) {
-  if (moveClip(*event)) return;
+  if (moveClip(*event) || moveEnvelope(*event)) return;
   parts_->pointer.move(*event);
 }
 
 void PlantView::mouseReleaseEvent(QMouseEvent* event) {
-  if (releaseClip(*event)) return;
+  if (releaseClip(*event) || releaseEnvelope(*event)) return;
   parts_->pointer.release(*event);
   parts_->redrawThis(); // the pivot is no longer shown
 }
@@ -321,6 +326,8 @@ void PlantView::keyPressEvent(QKeyEvent* event) {
     parts_->minimap->cancel();
   else if (event->key() == Qt::Key_Escape && parts_->clipHandles.isDragging())
     setClip(parts_->clipHandles.cancel());
+  else if (event->key() == Qt::Key_Escape && parts_->envelopeHandles.dragged())
+    parts_->giveBackEnvelope();
   else if (event->key() == Qt::Key_Escape && parts_->pointer.isBusy())
     parts_->pointer.cancel();
   else
@@ -329,6 +336,7 @@ void PlantView::keyPressEvent(QKeyEvent* event) {
 
 void PlantView::focusOutEvent(QFocusEvent* event) {
   if (parts_->clipHandles.isDragging()) setClip(parts_->clipHandles.cancel());
+  parts_->giveBackEnvelope();
   parts_->pointer.cancel();
   QWidget::focusOutEvent(event);
 }
@@ -342,6 +350,7 @@ void PlantView::enterEvent(QEnterEvent* event) {
 
 void PlantView::leaveEvent(QEvent* event) {
   if (!parts_->clipHandles.isDragging()) parts_->hoverClip(std::nullopt);
+  if (!parts_->envelopeHandles.dragged()) parts_->hoverEnvelope(std::nullopt);
   parts_->pointer.leave();
   QWidget::leaveEvent(event);
 }

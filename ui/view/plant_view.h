@@ -9,6 +9,7 @@
 #include "ui/view/camera.h"
 #include "ui/view/clip.h"
 #include "ui/view/close_look.h"
+#include "ui/view/envelope_overlay.h"
 #include "ui/view/hull_overlay.h"
 #include "ui/view/node_look.h"
 #include "ui/view/plant_state.h"
@@ -102,6 +103,8 @@ public:
   void setPointSize(int pixels);               // 1 to 10
   void setShowRadii(bool trueRadii);           // edges as frusta of their radius instead of lines
   void setHulls(std::vector<ShownHull> hulls); // painted over the plant
+  /// Painted over the plant, as glass; its handles can be dragged. None: nothing.
+  void setEnvelope(std::optional<ShownEnvelope> envelope);
   /// Likewise, with the layer of the reference, until setReference(); none: nothing.
   void showAttachment(const std::optional<ShownAttachment>& attachment);
   void setProjection(Projection projection);
@@ -170,6 +173,10 @@ signals:
   // Emitted by the first view of a plant:
   void clipChanged();        // or how far the back steps back
   void colorScalesChanged(); // by hand
+  void envelopePressed();    // one of its handles
+  void envelopeDragged(std::size_t handle, const Eigen::Vector3d& to); // [L]
+  void envelopeReleased();
+  void envelopeGivenBack(); // Escape, or the keyboard goes elsewhere, in mid-drag
 
 protected:
   bool event(QEvent* event) override;
@@ -190,6 +197,10 @@ private:
   bool pressClip(const QMouseEvent& event);
   bool moveClip(const QMouseEvent& event);
   bool releaseClip(const QMouseEvent& event);
+  // Whether the handles of the envelope did; plant_view_envelope.cpp
+  bool pressEnvelope(const QMouseEvent& event);
+  bool moveEnvelope(const QMouseEvent& event);
+  bool releaseEnvelope(const QMouseEvent& event);
 
   struct Shared;
   struct Parts;

@@ -27,6 +27,7 @@ struct PlantView::Shared {
   std::shared_ptr<SceneBuffers> buffers = makeSceneBuffers();
   QString unit; // of lengths; empty: not known
   std::vector<ShownHull> hulls;
+  std::optional<ShownEnvelope> envelope;
   std::optional<ShownAttachment> attachment;
   std::optional<Eigen::Vector3d> rootMark; // as PlantView::setRootMark
   std::vector<Parts*> views;
@@ -89,6 +90,9 @@ struct PlantView::Parts {
     return {scene.clip, scene.bounds(), pointer.screen()};
   }
   void hoverClip(std::optional<ClipHandles::Handle> handle); // plant_view_clip.cpp
+  // plant_view_envelope.cpp
+  void hoverEnvelope(std::optional<std::size_t> handle);
+  void giveBackEnvelope(); // what is dragged goes back to where it was
   /// How long drawing may take, but for so many points at least.
   struct Pace {
     double frame; // [ms]
@@ -137,6 +141,7 @@ struct PlantView::Parts {
   PointerInput pointer;
   Overlay overlay;
   ClipHandles clipHandles;
+  EnvelopeHandles envelopeHandles;
   DetailBudget sampleBudget; // a still picture, put together from steps, costs more
   DetailBudget pictureBudget;
   [[nodiscard]] DetailBudget& budget() { return moving ? sampleBudget : pictureBudget; }

@@ -137,6 +137,10 @@ void EvaluationFlow::setChoices(std::vector<ChoiceRecord> records) {
   report_->setChoices(std::move(records));
 }
 
+void EvaluationFlow::setEnvelope(std::optional<ReportedEnvelope> envelope) {
+  traits_->setEnvelope(std::move(envelope));
+}
+
 void EvaluationFlow::setDark(bool isDark) {
   plot_->setDark(isDark);
 }

@@ -49,7 +49,8 @@ public:
   ~EvaluationFlow() override;
 
   void setPlantShown(bool isShown) override;
-  void setChoices(std::vector<ChoiceRecord> records); // for the report
+  void setChoices(std::vector<ChoiceRecord> records);         // for the report
+  void setEnvelope(std::optional<ReportedEnvelope> envelope); // for the report of the plant
   void setDark(bool isDark);
 
   /// Null: nothing has been compared. Of the plant as it is, if isUpToDate().

@@ -68,6 +68,10 @@ void TraitsFlow::setSeen(bool isSeen) {
   later();
 }
 
+void TraitsFlow::setEnvelope(std::optional<ReportedEnvelope> envelope) {
+  envelope_ = std::move(envelope);
+}
+
 void TraitsFlow::refresh() {
   const bool hasPlant = !parts_.document.skeleton().isEmpty();
   parts_.window.actions["measure_light"]->setEnabled(hasPlant);
@@ -183,7 +187,8 @@ void TraitsFlow::write(const QString& path) {
                        .up = how.up,
                        .measures = {},
                        .pixels = how.light->pixels,
-                       .scan = scan != nullptr ? scan->cloud() : nullptr};
+                       .scan = scan != nullptr ? scan->cloud() : nullptr,
+                       .envelope = envelope_};
   parts_.jobs.start(
       tr("Measuring for the report"),
       [data = std::move(data), how, description = about(),

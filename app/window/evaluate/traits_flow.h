@@ -34,6 +34,7 @@ public:
   [[nodiscard]] TraitsPanel* panel() const { return panel_; } // whose parent owns it
   void setSeen(bool isSeen);                                  // else nothing is measured
   void refresh();                                             // what can be done
+  void setEnvelope(std::optional<ReportedEnvelope> envelope); // for the report; none: none is drawn
 
   /// Measures, draws and writes to a file whose name says how.
   /// @throws Error if that cannot be, or a job is running
@@ -64,6 +65,7 @@ private:
   std::optional<PlantMeasures> measures_; // without light
   std::optional<LightInterception> light_;
   bool isLightFresh_ = false;
+  std::optional<ReportedEnvelope> envelope_;
   std::uint64_t revision_ = 0; // grows with all that makes the measures old
 };
 

@@ -118,11 +118,15 @@ SurfaceMesh meshOf(const AsymmetricHull& hull) {
   return meshOfRings(hull.bottom, rings, hull.top);
 }
 
-Envelope asymmetricEnvelope(const Crown& crown, const Progress& progress) {
-  const AsymmetricHull hull = fitAsymmetricHull(crown, progress.part(0, 0.8));
+Envelope envelopeOf(const AsymmetricHull& hull) {
   Envelope envelope = envelopeOf(meshOf(hull));
   envelope.volume = volume(hull);
   addParameters(envelope.parameters, hull);
+  return envelope;
+}
+
+Envelope asymmetricEnvelope(const Crown& crown, const Progress& progress) {
+  Envelope envelope = envelopeOf(fitAsymmetricHull(crown, progress.part(0, 0.8)));
   envelope.parameters.push_back({"inside", "share of the points inside",
                                  EnvelopeParameter::Kind::number,
                                  shareInside(envelope.mesh, crown.points, progress.part(0.8, 1))});

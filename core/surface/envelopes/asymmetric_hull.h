@@ -43,6 +43,9 @@ struct AsymmetricHull {
 /// 2.1.
 [[nodiscard]] AsymmetricHull fitAsymmetricHull(const Crown& crown, const Progress& progress = {});
 
+/// The same as an envelope, with its numbers and parameters.
+[[nodiscard]] Envelope envelopeOf(const AsymmetricHull& hull);
+
 [[nodiscard]] Envelope asymmetricEnvelope(const Crown& crown, const Progress& progress = {});
 
 } // namespace espalier

@@ -1,0 +1,363 @@
+#include "app/window/evaluate/envelope_flow.h"
+
+#include "app/window/files/file_filters.h"
+#include "app/window/files/load_files.h"
+#include "app/window/frame/action_set.h"
+#include "app/window/frame/kept_json.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/io/atomic_file.h"
+#include "core/io/structures/surface_files.h"
+#include "ui/document/number_scale.h"
+#include "ui/document/plant_document.h"
+#include "ui/document/shown_text.h"
+#include "ui/panels/trait_text.h"
+#include "ui/view/plant_view.h"
+
+#include <QAction>
+#include <QFileDialog>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QMainWindow>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace espalier {
+namespace {
+
+/// What a fit needs, as it is when it begins.
+struct Fit {
+  std::shared_ptr<const PointCloud> cloud; // null: it is about the skeleton
+  PointSet leftOut;
+  Skeleton skeleton;
+  UpAxis up = UpAxis::z;
+  PlantScale scale;
+  EnvelopeChoice choice;
+
+  [[nodiscard]] Envelope run(const Progress& progress) const {
+    const std::vector<double> values =
+        envelopeValues(*choice.kind, choice.settings(), scale, 0); // lengths are in its unit
+    return envelopeAbout(cloud ? placesOf(*cloud, leftOut) : placesOf(skeleton), up, *choice.kind,
+                         values, progress);
+  }
+};
+
+QString parameterText(const EnvelopeParameter& parameter, LengthUnit unit) {
+  using Kind = EnvelopeParameter::Kind;
+  if (parameter.kind == Kind::length) return formatLength(parameter.value, unit);
+  if (parameter.kind == Kind::angle)
+    return textOf({.kind = TraitKind::angle, .value = parameter.value}, unit);
+  return parameter.value == std::floor(parameter.value) // a count
+             ? formatCount(static_cast<std::size_t>(parameter.value))
+             : numberText(parameter.value, 3);
+}
+
+QJsonObject jsonOfPlaces(const HandlePlaces& places) {
+  QJsonObject json;
+  for (const auto& [name, place] : places)
+    json[QString::fromStdString(name)] = QJsonArray{place.out, place.level};
+  return json;
+}
+
+HandlePlaces placesIn(const QJsonObject& json, const EnvelopeKind& kind) {
+  if (!kind.hasHandles && !json.isEmpty()) refuse();
+  const std::vector<EnvelopeHandle> known = handlesOf(AsymmetricHull());
+  HandlePlaces places;
+  for (auto it = json.begin(); it != json.end(); ++it) {
+    const std::string name = it.key().toStdString();
+    if (std::ranges::find(known, name, &EnvelopeHandle::name) == known.end()) refuse();
+    const HandlePlace place{numberIn(it.value().toArray().at(0)),
+                            numberIn(it.value().toArray().at(1))};
+    if (place.out < 0) refuse();
+    places[name] = place;
+  }
+  return places;
+}
+
+std::map<std::string, Rule> optionsIn(const QJsonObject& json, const EnvelopeKind& kind) {
+  std::map<std::string, Rule> options;
+  for (auto it = json.begin(); it != json.end(); ++it) {
+    const std::string name = it.key().toStdString();
+    const auto rule = ruleIn(it.value().toString().toStdString());
+    if (!rule ||
+        std::ranges::find(kind.form.options, name, &Option::name) == kind.form.options.end())
+      refuse();
+    options[name] = *rule;
+  }
+  return options;
+}
+
+} // namespace
+
+EnvelopeFlow::EnvelopeFlow(const Parts& parts) : parts_(parts) {
+  ActionSet& actions = parts_.window.actions;
+  actions.beginSection(tr("Evaluation"));
+  actions.add({.id = "write_envelope",
+               .text = tr("Export Envelope…"),
+               .help = tr("Writes the surface about the crown as a mesh, PLY or OBJ"),
+               .menu = "evaluate"},
+              [this] { chooseFile(); });
+  panel_ = new EnvelopePanel(*actions["write_envelope"]);
+  dock_ = addDock(new PanelDock(
+      parts_.window,
+      {.id = "crown_envelope",
+       .title = tr("Crown Envelope"),
+       .text = tr("Crown Envelope…"),
+       .help = tr("Draws a closed surface about the crown, and measures its volume and area"),
+       .keys = {},
+       .menu = "evaluate"},
+      besideThePlant, panel_, this));
+  timer_.setSingleShot(true);
+  timer_.setInterval(250); // [ms]: a drag is followed when it rests
+  connect(&timer_, &QTimer::timeout, this, &EnvelopeFlow::fit);
+  connect(dock_, &PanelDock::shown, this, [this] {
+    if (drawn_) parts_.view.setEnvelope(shown());
+  });
+  connect(panel_, &EnvelopePanel::changed, this, &EnvelopeFlow::takeChoice);
+  connect(panel_, &EnvelopePanel::fitRequested, this, [this] {
+    places_.clear();
+    show();
+    emit keptChanged();
+  });
+  PlantDocument& document = parts_.document;
+  for (auto signal :
+       {&PlantDocument::skeletonReplaced, &PlantDocument::scanChanged, &PlantDocument::unitChanged,
+        &PlantDocument::upChanged, &PlantDocument::leftOutChanged})
+    connect(&document, signal, this, &EnvelopeFlow::takePlant);
+  connect(&document, &PlantDocument::skeletonEdited, this, [this] {
+    if (isOfSkeleton()) takePlant();
+  });
+  connect(&job_, &JobSlot::failed, this, &EnvelopeFlow::forget);
+  PlantView& view = parts_.view;
+  connect(&view, &PlantView::envelopePressed, this, [this] { placesBefore_ = places_; });
+  connect(&view, &PlantView::envelopeDragged, this, &EnvelopeFlow::drag);
+  connect(&view, &PlantView::envelopeReleased, this, [this] { endDrag(true); });
+  connect(&view, &PlantView::envelopeGivenBack, this, [this] { endDrag(false); });
+  keepInProject({.name = "envelope",
+                 .text = [this] { return text(); },
+                 .show = [this](const std::string& text) { showText(text); }});
+  refreshPanel();
+  forget();
+}
+
+void EnvelopeFlow::stop() {
+  timer_.stop();
+  job_.cancel();
+}
+
+void EnvelopeFlow::setPlantShown(bool isShown) {
+  parts_.window.actions["write_envelope"]->setEnabled(isShown && drawn_.has_value());
+}
+
+bool EnvelopeFlow::isOfSkeleton() const {
+  return choice_.isOfSkeleton || parts_.document.scan() == nullptr;
+}
+
+bool EnvelopeFlow::isByHand() const {
+  return choice_.kind != nullptr && choice_.kind->hasHandles && !places_.empty();
+}
+
+void EnvelopeFlow::takeChoice() {
+  const EnvelopeChoice before = std::exchange(choice_, panel_->choice());
+  if (before.kind != choice_.kind) places_.clear();
+  emit keptChanged();
+  if (choice_.kind == nullptr) return forget();
+  isFresh_ = false;
+  panel_->setStale(true);
+  refreshPanel(); // another kind has fields of its own
+  timer_.start();
+}
+
+void EnvelopeFlow::takePlant() {
+  refreshPanel();
+  if (choice_.kind == nullptr) return;
+  isFresh_ = false;
+  emit changed();
+  panel_->setStale(true);
+  timer_.start();
+}
+
+void EnvelopeFlow::refreshPanel() {
+  const PlantDocument& document = parts_.document;
+  panel_->setHasPoints(document.scan() != nullptr);
+  panel_->setScale(isOfSkeleton() ? scaleOf(document.skeleton(), document.up()) : document.scale(),
+                   symbol(document.unit()));
+}
+
+void EnvelopeFlow::fit() {
+  const PlantDocument& document = parts_.document;
+  if (choice_.kind == nullptr) return;
+  if (isOfSkeleton() && document.skeleton().isEmpty())
+    return forget(document.scan() == nullptr ? tr("There is no plant to draw it about.")
+                                             : tr("There is no skeleton to draw it about."));
+  Fit asked{.cloud = isOfSkeleton() ? nullptr : document.scan()->cloud(),
+            .leftOut = document.leftOut(),
+            .skeleton = isOfSkeleton() ? document.skeleton() : Skeleton(),
+            .up = document.up(),
+            .scale =
+                isOfSkeleton() ? scaleOf(document.skeleton(), document.up()) : document.scale(),
+            .choice = choice_};
+  job_.start(
+      tr("Crown envelope"),
+      [asked = std::move(asked)](const Progress& progress) { return asked.run(progress); },
+      [this](Envelope fitted) { take(std::move(fitted)); });
+}
+
+void EnvelopeFlow::take(Envelope fitted) {
+  fitted_ = std::move(fitted);
+  isFresh_ = true;
+  show();
+}
+
+void EnvelopeFlow::forget(const QString& words) {
+  stop();
+  fitted_.reset();
+  drawn_.reset();
+  isFresh_ = false;
+  parts_.view.setEnvelope(std::nullopt);
+  if (choice_.kind != nullptr || words.isEmpty())
+    panel_->showWords(choice_.kind == nullptr
+                          ? tr("Choose a shape: it is drawn about the crown, and measured.")
+                          : words);
+  parts_.window.actions["write_envelope"]->setEnabled(false);
+  emit changed();
+}
+
+void EnvelopeFlow::show() {
+  if (!fitted_) return;
+  drawn_ = isByHand() ? draggedEnvelope(*fitted_, parts_.document.up(), places_) : *fitted_;
+  parts_.view.setEnvelope(shown());
+  panel_->showNumbers(numbers(), isByHand());
+  parts_.window.actions["write_envelope"]->setEnabled(true);
+  emit changed();
+}
+
+ShownEnvelope EnvelopeFlow::shown() const {
+  ShownEnvelope result{.mesh = std::make_shared<const SurfaceMesh>(drawn_->mesh),
+                       .label = formatVolume(drawn_->volume, parts_.document.unit())};
+  if (!dock_->isShown()) return result;
+  const UpAxis up = parts_.document.up();
+  const Eigen::Vector3d along = Eigen::Vector3d::Unit(static_cast<Eigen::Index>(up));
+  for (const EnvelopeHandle& handle : envelopeHandles(*drawn_, up, *choice_.kind))
+    result.handles.push_back({.label = tr(handle.label.c_str()),
+                              .place = handle.place,
+                              .up = along,
+                              .outward = handle.outward});
+  return result;
+}
+
+std::vector<EnvelopePanel::Number> EnvelopeFlow::numbers() const {
+  const LengthUnit unit = parts_.document.unit();
+  const auto area = [&](double value) {
+    return textOf({.kind = TraitKind::area, .value = value}, unit);
+  };
+  std::vector<EnvelopePanel::Number> result = {
+      {tr("Volume"), formatVolume(drawn_->volume, unit)},
+      {tr("Area"), area(drawn_->area)},
+      {tr("Height"), formatLength(drawn_->height, unit)},
+      {tr("Crown diameter"), formatLength(drawn_->diameter, unit),
+       tr("Of a circle as large as its convex outline from above")}};
+  using Kind = EnvelopeParameter::Kind;
+  for (const EnvelopeParameter& each : drawn_->parameters) {
+    if (each.kind == Kind::coordinate) continue; // the file of numbers has them
+    QString label = tr(each.label.c_str());
+    label[0] = label[0].toUpper();
+    result.push_back({label, parameterText(each, unit)});
+  }
+  return result;
+}
+
+void EnvelopeFlow::drag(std::size_t handle, const Eigen::Vector3d& to) {
+  const UpAxis up = parts_.document.up();
+  const std::vector<EnvelopeHandle> handles = envelopeHandles(*drawn_, up, *choice_.kind);
+  places_[handles[handle].name] = draggedTo(*drawn_, up, handles[handle].name, to);
+  show();
+}
+
+void EnvelopeFlow::endDrag(bool isKept) {
+  if (!isKept) {
+    places_ = placesBefore_;
+    show();
+  } else if (places_ != placesBefore_) {
+    emit keptChanged();
+    emit noted(
+        tr("The envelope holds %1 now").arg(formatVolume(drawn_->volume, parts_.document.unit())));
+  }
+}
+
+std::optional<ReportedEnvelope> EnvelopeFlow::reported() const {
+  if (!drawn_ || !isFresh_) return std::nullopt;
+  return ReportedEnvelope{.kind = choice_.kind->form.name,
+                          .label = choice_.kind->form.label,
+                          .isOfSkeleton = isOfSkeleton(),
+                          .isByHand = isByHand(),
+                          .envelope = *drawn_};
+}
+
+void EnvelopeFlow::chooseFile() {
+  QFileDialog dialog(&parts_.window.window, tr("Export the envelope"), {},
+                     tr("PLY surface (*.ply);;OBJ surface (*.obj)"));
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setDefaultSuffix("ply");
+  connect(&dialog, &QFileDialog::filterSelected, &dialog, [&dialog](const QString& filter) {
+    dialog.setDefaultSuffix(filter.contains("obj") ? "obj" : "ply");
+  });
+  proposeBeside(dialog, parts_.document, ".envelope.ply");
+  if (dialog.exec() == QDialog::Accepted) write(dialog.selectedFiles().front());
+}
+
+void EnvelopeFlow::write(const QString& path) {
+  if (!drawn_) throw Error(tr("there is no envelope: choose a shape first").toStdString());
+  const std::string extension = lowerCase(toPath(path).extension().string());
+  if (extension != ".ply" && extension != ".obj")
+    throw Error(tr("%1: envelopes are written as PLY or OBJ: choose a name that ends in .ply or "
+                   ".obj")
+                    .arg(path)
+                    .toStdString());
+  writeAtomically(toPath(path), [&](std::ostream& out) {
+    extension == ".ply" ? writePlySurface(out, drawn_->mesh) : writeObjSurface(out, drawn_->mesh);
+  });
+  emit noted(tr("Wrote %1: %2 triangles").arg(path, formatCount(drawn_->mesh.triangles.size())));
+}
+
+std::string EnvelopeFlow::text() const {
+  if (choice_.kind == nullptr) return {};
+  QJsonObject options;
+  for (const auto& [name, rule] : choice_.options)
+    options[QString::fromStdString(name)] = QString::fromStdString(rule.text());
+  const QJsonObject json{{"kind", QString::fromStdString(choice_.kind->form.name)},
+                         {"of", choice_.isOfSkeleton ? "skeleton" : "points"},
+                         {"options", options},
+                         {"places", jsonOfPlaces(places_)}};
+  return QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString();
+}
+
+void EnvelopeFlow::showText(const std::string& text) {
+  choice_ = {};
+  places_.clear();
+  panel_->setChoice(choice_);
+  forget();
+  if (text.empty()) return;
+  const QString refusal = tr("the crown envelope of this project cannot be read: choose it again");
+  readKept(refusal, [&] {
+    const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(text)).object();
+    const std::string name = json["kind"].toString().toStdString();
+    const auto& kinds = envelopeKinds();
+    const auto kind = std::ranges::find(
+        kinds, name, [](const EnvelopeKind& each) -> const std::string& { return each.form.name; });
+    if (kind == kinds.end()) refuse();
+    EnvelopeChoice choice{.kind = &*kind,
+                          .isOfSkeleton = json["of"].toString() == "skeleton",
+                          .options = optionsIn(json["options"].toObject(), *kind)};
+    places_ = placesIn(json["places"].toObject(), *kind);
+    choice_ = std::move(choice);
+    return true;
+  });
+  panel_->setChoice(choice_);
+  takePlant();
+}
+
+} // namespace espalier

@@ -1,0 +1,81 @@
+#pragma once
+
+#include "app/report/envelope_numbers.h"
+#include "app/window/frame/panel_dock.h"
+#include "app/window/frame/window_part.h"
+#include "ui/jobs/job_slot.h"
+#include "ui/panels/envelope_panel.h"
+#include "ui/view/envelope_overlay.h"
+
+#include <QTimer>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace espalier {
+
+class PlantDocument;
+class PlantView;
+
+/// The envelope about the crown: it is fitted as a job, a moment after each change of the plant or
+/// of what is chosen, drawn over the plant and measured. Its handles, where it has some, are shown
+/// while the panel is.
+class EnvelopeFlow : public WindowPart {
+  Q_OBJECT
+
+public:
+  /// What it works with; all must outlive it.
+  struct Parts {
+    PlantDocument& document;
+    PlantView& view;
+    JobQueue& queue;
+    PanelDock::Parts window;
+  };
+  explicit EnvelopeFlow(const Parts& parts);
+
+  [[nodiscard]] bool isBusy() const override { return job_.isBusy(); }
+  void stop() override;
+  void setPlantShown(bool isShown) override;
+
+  /// As it is shown; none: it is not, or not of the plant as it is.
+  [[nodiscard]] std::optional<ReportedEnvelope> reported() const;
+  /// Writes the surface, as the name says: PLY or OBJ.
+  /// @throws Error if that cannot be
+  void write(const QString& path);
+
+signals:
+  void changed(); // what is reported
+
+private:
+  void takeChoice();
+  void takePlant();
+  void fit();
+  void take(Envelope fitted);
+  void forget(const QString& words = {});
+  void show();
+  void drag(std::size_t handle, const Eigen::Vector3d& to);
+  void endDrag(bool isKept);
+  void chooseFile();
+  void refreshPanel();
+  [[nodiscard]] bool isOfSkeleton() const;
+  [[nodiscard]] bool isByHand() const;
+  [[nodiscard]] std::vector<EnvelopePanel::Number> numbers() const;
+  [[nodiscard]] ShownEnvelope shown() const;
+  [[nodiscard]] std::string text() const;
+  void showText(const std::string& text);
+
+  Parts parts_;
+  EnvelopePanel* panel_ = nullptr;
+  PanelDock* dock_ = nullptr;
+  QTimer timer_;
+  JobSlot job_{parts_.queue, JobPriority::asked};
+  EnvelopeChoice choice_;
+  HandlePlaces places_;       // that were dragged
+  HandlePlaces placesBefore_; // the drag
+  std::optional<Envelope> fitted_;
+  std::optional<Envelope> drawn_; // the same with handles where they were dragged to
+  bool isFresh_ = false;          // of the plant and choice as they are
+};
+
+} // namespace espalier

@@ -1,0 +1,226 @@
+// The envelope about the crown, in the real window.
+#include "core/pipeline/envelopes.h"
+#include "tests/app/window/project_fixture.h"
+#include "ui/panels/status_line.h"
+
+#include <QComboBox>
+#include <QFile>
+#include <QFileDialog>
+#include <QLabel>
+#include <QPushButton>
+#include <QTest>
+#include <QToolButton>
+#include <nlohmann/json.hpp>
+
+namespace espalier {
+namespace {
+
+/// A scan of a trunk with three branches, in m.
+struct EnvelopeTest : test::ProjectWindowTest {
+  void openScan() {
+    open({writeScan("plant.xyz")});
+    document().setUnit(LengthUnit::meter);
+    action("show_crown_envelope").trigger();
+  }
+  void choose(const QString& kind) {
+    auto& kinds = find<QComboBox>("envelope_kind");
+    kinds.setCurrentIndex(kinds.findData(kind));
+  }
+  /// A number of the panel; empty: it is not there.
+  [[nodiscard]] QString number(const QString& name) {
+    for (const QLabel* value : window().findChildren<QLabel*>("envelope_value"))
+      if (value->accessibleName() == name && value->isVisible()) return value->text();
+    return {};
+  }
+  [[nodiscard]] bool waitFor(const QString& volume) {
+    return QTest::qWaitFor([&] { return number("Volume") == volume; }, patience);
+  }
+  /// As the window is to fit it.
+  [[nodiscard]] Envelope fitted(const std::string& kind) {
+    const EnvelopeKind& how = envelopeKindNamed(kind);
+    return envelopeAbout(placesOf(*document().scan()->cloud(), document().leftOut()), UpAxis::z,
+                         how, envelopeValues(how, {}, document().scale(), 1));
+  }
+  [[nodiscard]] static QString volumeOf(const Envelope& envelope) {
+    return formatVolume(envelope.volume, LengthUnit::meter);
+  }
+  [[nodiscard]] QPoint handle(const Envelope& envelope, const std::string& name) {
+    for (const EnvelopeHandle& each :
+         envelopeHandles(envelope, UpAxis::z, envelopeKindNamed("asymmetric")))
+      if (each.name == name) return view().project(each.place).value_or(QPointF()).toPoint();
+    return {};
+  }
+  void showAsymmetric() {
+    openScan();
+    choose("asymmetric");
+    ASSERT_TRUE(waitFor(volumeOf(fitted("asymmetric")))) << number("Volume").toStdString();
+    waitForView();
+  }
+  /// Presses a handle and pulls it, without letting go.
+  void pull(const QPoint& from, const QPoint& by) {
+    hover(from);
+    QTest::mousePress(&view(), Qt::LeftButton, Qt::NoModifier, from);
+    for (int step = 1; step <= 5; ++step)
+      QTest::mouseMove(&view(), from + by * step / 5);
+  }
+  static int difference(const QImage& a, const QImage& b) {
+    int count = 0;
+    for (int y = 0; y < a.height(); ++y)
+      for (int x = 0; x < a.width(); ++x)
+        if (a.pixel(x, y) != b.pixel(x, y)) ++count;
+    return count;
+  }
+};
+
+TEST_F(EnvelopeTest, OfEachKindIsDrawnAndMeasured) {
+  openScan();
+  const QImage before = view().picture({400, 400});
+  for (const EnvelopeKind& kind : envelopeKinds()) {
+    SCOPED_TRACE(kind.form.name);
+    choose(QString::fromStdString(kind.form.name));
+    EXPECT_TRUE(waitFor(volumeOf(fitted(kind.form.name)))) << number("Volume").toStdString();
+    EXPECT_TRUE(number("Area").endsWith("m²")) << number("Area").toStdString();
+    EXPECT_TRUE(number("Height").endsWith("m"));
+  }
+  EXPECT_GT(difference(before, view().picture({400, 400})), 2000) << "it is to be seen";
+  find<QComboBox>("envelope_kind").setCurrentIndex(0);
+  EXPECT_EQ(view().picture({400, 400}), before);
+  EXPECT_EQ(number("Volume"), "");
+}
+
+TEST_F(EnvelopeTest, FollowsItsOptionsAndThePlant) {
+  openScan();
+  choose("ball");
+  ASSERT_TRUE(waitFor(volumeOf(fitted("ball"))));
+  document().setUnit(LengthUnit::millimeter);
+  EXPECT_TRUE(waitFor(formatVolume(fitted("ball").volume, LengthUnit::millimeter)));
+  document().setUnit(LengthUnit::meter);
+  const QString whole = volumeOf(fitted("ball"));
+  ASSERT_TRUE(waitFor(whole));
+  std::vector<Eigen::Index> upper;
+  for (Eigen::Index i = 0; i < document().scan()->cloud()->size(); ++i)
+    if (document().scan()->cloud()->position(i).z() > 1) upper.push_back(i);
+  document().leaveOut("Set aside", PointSet::of(upper));
+  EXPECT_TRUE(waitFor(volumeOf(fitted("ball"))));
+  EXPECT_NE(volumeOf(fitted("ball")), whole);
+}
+
+TEST_F(EnvelopeTest, IsAboutTheSkeletonWhereThereAreNoPoints) {
+  open({writeFork("fork.mtg")});
+  document().setUnit(LengthUnit::meter);
+  action("show_crown_envelope").trigger();
+  choose("ball");
+  const EnvelopeKind& ball = envelopeKindNamed("ball");
+  const Envelope expected = envelopeAbout(placesOf(document().skeleton()), UpAxis::z, ball,
+                                          envelopeValues(ball, {}, {.spacing = 1, .height = 2}, 1));
+  EXPECT_TRUE(waitFor(volumeOf(expected))) << number("Volume").toStdString();
+  EXPECT_FALSE(find<QComboBox>("envelope_about").isEnabled());
+}
+
+TEST_F(EnvelopeTest, SaysWhyItCannotBe) {
+  open({writeFork("fork.mtg")});
+  const std::vector<NodeId> shoots = document().skeleton().children(test::forkTop);
+  document().edit("Remove", [&](SkeletonEditor& editor) {
+    for (const NodeId shoot : shoots)
+      editor.erase(shoot);
+  });
+  action("show_crown_envelope").trigger();
+  choose("convex");
+  auto& words = find<QLabel>("envelope_words");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return words.text().contains("envelope"); }, patience))
+      << words.text().toStdString();
+  EXPECT_TRUE(words.isVisible());
+  EXPECT_FALSE(action("write_envelope").isEnabled());
+}
+
+TEST_F(EnvelopeTest, HasATopToDrag) {
+  showAsymmetric();
+  const Envelope before = fitted("asymmetric");
+  const QPoint top = handle(before, "top");
+  drag(top, top - QPoint(0, 60));
+  EXPECT_NE(number("Volume"), volumeOf(before));
+  EXPECT_TRUE(window().statusLine().shownText().startsWith("The envelope holds"))
+      << window().statusLine().shownText().toStdString();
+  EXPECT_TRUE(find<QPushButton>("envelope_fit").isVisible());
+  clickButton("envelope_fit");
+  EXPECT_EQ(number("Volume"), volumeOf(before));
+  EXPECT_FALSE(find<QPushButton>("envelope_fit").isVisible());
+}
+
+TEST_F(EnvelopeTest, HasSidesToDrag) {
+  showAsymmetric();
+  const Envelope before = fitted("asymmetric");
+  const QString radius = number("Radius ahead");
+  const QPoint side = handle(before, "ahead");
+  const QPoint middle = (handle(before, "top") + handle(before, "bottom")) / 2;
+  drag(side, side + QPoint(side.x() > middle.x() ? 40 : -40, 0));
+  EXPECT_NE(number("Volume"), volumeOf(before));
+  EXPECT_NE(number("Radius ahead"), radius);
+}
+
+TEST_F(EnvelopeTest, IsGivenBackByEscapeInMidDrag) {
+  showAsymmetric();
+  const Envelope before = fitted("asymmetric");
+  const Camera camera = view().camera();
+  pull(handle(before, "top"), {0, -60});
+  EXPECT_NE(number("Volume"), volumeOf(before));
+  QTest::keyClick(&view(), Qt::Key_Escape);
+  EXPECT_EQ(number("Volume"), volumeOf(before));
+  EXPECT_FALSE(find<QPushButton>("envelope_fit").isVisible());
+  EXPECT_EQ(view().camera(), camera) << "a drag of a handle turns nothing";
+  QTest::mouseRelease(&view(), Qt::LeftButton, Qt::NoModifier, handle(before, "top"));
+  EXPECT_EQ(number("Volume"), volumeOf(before));
+}
+
+TEST_F(EnvelopeTest, IsKeptInTheProjectWithWhatWasDragged) {
+  showAsymmetric();
+  const QPoint top = handle(fitted("asymmetric"), "top");
+  drag(top, top - QPoint(0, 60));
+  const QString dragged = number("Volume");
+  const QString file = saveProject("plant.espalier");
+  action("new_plant").trigger();
+  waitForJob();
+  EXPECT_EQ(find<QComboBox>("envelope_kind").currentIndex(), 0) << "the next plant has none";
+  open({file});
+  EXPECT_TRUE(waitFor(dragged)) << number("Volume").toStdString();
+  EXPECT_EQ(find<QComboBox>("envelope_kind").currentData(), "asymmetric");
+}
+
+TEST_F(EnvelopeTest, IsWrittenAsAMesh) {
+  openScan();
+  choose("convex");
+  ASSERT_TRUE(waitFor(volumeOf(fitted("convex"))));
+  for (const QString name : {"crown.ply", "crown.obj"}) {
+    answer(chooseFile(path(name)), [this] { action("write_envelope").trigger(); });
+    EXPECT_TRUE(window().statusLine().shownText().startsWith("Wrote"));
+    QFile written(path(name));
+    ASSERT_TRUE(written.open(QIODevice::ReadOnly));
+    const QByteArray begin = name.endsWith("ply") ? QByteArray("ply") : QByteArray("v ");
+    EXPECT_TRUE(written.readAll().contains(begin)) << name.toStdString();
+  }
+}
+
+TEST_F(EnvelopeTest, StandsInTheReportOfThePlant) {
+  open({writeScan("plant.xyz"), writeFork("fork.mtg")});
+  document().setUnit(LengthUnit::meter);
+  action("show_crown_envelope").trigger();
+  choose("cylinder");
+  const Envelope expected = fitted("cylinder");
+  ASSERT_TRUE(waitFor(volumeOf(expected)));
+  for (const QString name : {"report.json", "report.html"}) {
+    answer(chooseFile(path(name)), [this] { action("export_plant_report").trigger(); });
+    ASSERT_TRUE(QTest::qWaitFor([&] { return QFile::exists(path(name)); }, patience));
+  }
+  QFile json(path("report.json"));
+  ASSERT_TRUE(json.open(QIODevice::ReadOnly));
+  const auto numbers = nlohmann::json::parse(json.readAll().toStdString())["envelope"];
+  EXPECT_EQ(numbers["kind"], "cylinder");
+  EXPECT_EQ(numbers["of"], "points");
+  EXPECT_NEAR(numbers["volume"].get<double>(), expected.volume, 1e-9);
+  QFile html(path("report.html"));
+  ASSERT_TRUE(html.open(QIODevice::ReadOnly));
+  EXPECT_TRUE(html.readAll().contains("Crown envelope"));
+}
+
+} // namespace
+} // namespace espalier

@@ -7,6 +7,7 @@
 #include "app/cli/terminal.h"
 #include "app/report/plant_report.h"
 #include "app/report/write_report.h"
+#include "core/evaluate/compartments.h"
 #include "core/evaluate/trait_rows.h"
 #include "core/evaluate/traits/breast_height.h"
 #include "core/evaluate/traits_json.h"
@@ -14,6 +15,7 @@
 #include <QDate>
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <cstdio>
 #include <memory>
 #include <numbers>
@@ -27,6 +29,7 @@ struct TraitsFlags {
   bool light = false;
   int pixels = LightOptions().pixels;
   std::string unit;
+  double density = 0; // of the wood [kg / m^3]; 0: not known
   std::string csv;
   std::string json;
   ReportFlags report;
@@ -46,6 +49,46 @@ std::string unitOf(TraitKind kind, const std::string& unit) {
   return ' ' + unit + (kind == TraitKind::area ? "^2" : kind == TraitKind::volume ? "^3" : "");
 }
 
+/// The least and the greatest of a class of diameters.
+std::string rangeOf(const Compartment& row) {
+  std::array<char, 64> text{};
+  if (!row.upTo)
+    std::snprintf(text.data(), text.size(), "over %.4g", *row.from);
+  else
+    std::snprintf(text.data(), text.size(), "%.4g to %.4g", row.from.value_or(0), *row.upTo);
+  return text.data();
+}
+
+std::string titleOf(const CompartmentTable& table) {
+  switch (table.kind) {
+  case CompartmentTable::Kind::order:
+    return "order";
+  case CompartmentTable::Kind::diameter:
+    return "diameter";
+  case CompartmentTable::Kind::mtgClass:
+    return "class, scale " + std::to_string(table.scale);
+  }
+  return {};
+}
+
+void printCompartments(const PlantMeasures& measures, const std::string& unit) {
+  const bool hasBiomass = measures.density.isKnown();
+  const std::string length = "length" + (unit.empty() ? "" : " " + unit);
+  const std::string volume = "volume" + (unit.empty() ? "" : " " + unit + "^3");
+  for (const CompartmentTable& table : compartments(measures)) {
+    std::printf("\n%22s %8s %12s %12s", titleOf(table).c_str(), "edges", length.c_str(),
+                volume.c_str());
+    std::printf("%s\n", hasBiomass ? "   biomass kg" : "");
+    for (const Compartment& row : table.rows) {
+      const std::string name = row.name.empty() ? rangeOf(row) : row.name;
+      std::printf("%22s %8zu %12.7g %12.7g", name.c_str(), row.wood.edges, row.wood.length,
+                  row.wood.volume);
+      if (row.biomass) std::printf(" %12.7g", *row.biomass);
+      std::printf("\n");
+    }
+  }
+}
+
 void print(const PlantMeasures& measures, const std::string& unit) {
   std::string group;
   for (const TraitRow& row : traitRows(measures)) {
@@ -61,6 +104,17 @@ void print(const PlantMeasures& measures, const std::string& unit) {
   for (std::size_t order = 0; order < axes.size(); ++order)
     std::printf("%7zu %8zu %12.7g %12.7g %12.4f\n", order, axes[order].count,
                 axes[order].meanLength, axes[order].meanChord, axes[order].meanInsertion);
+  printCompartments(measures, unit);
+}
+
+/// @throws WrongUsage if nobody can say how much a volume is
+WoodDensity densityOf(const TraitsFlags& flags) {
+  if (flags.density == 0) return {};
+  if (flags.unit.empty())
+    throw WrongUsage("--density is in kg per cubic meter: say what unit the structure is in by "
+                     "--unit");
+  const double meters = flags.unit == "mm" ? 0.001 : flags.unit == "cm" ? 0.01 : 1.0;
+  return {.perCubicMeter = flags.density, .meters = meters};
 }
 
 PlantReportAbout aboutOf(const TraitsFlags& flags) {
@@ -85,6 +139,7 @@ void writeReport(const TraitsFlags& flags, const PlantReportData& data,
 }
 
 void measure(const TraitsFlags& flags) {
+  const WoodDensity density = densityOf(flags);
   requireOutputs(flags);
   const Threads threads(flags.threads);
   const TerminalProgress terminal;
@@ -94,8 +149,10 @@ void measure(const TraitsFlags& flags) {
                        .measures = {},
                        .pixels = flags.pixels,
                        .scan = scanFor(flags.report, whole.part(0, 0.1, "Reading"))};
-  PlantMeasureOptions options{
-      .up = flags.up, .breastHeight = breastHeightIn(flags.unit), .light = std::nullopt};
+  PlantMeasureOptions options{.up = flags.up,
+                              .breastHeight = breastHeightIn(flags.unit),
+                              .light = std::nullopt,
+                              .density = density};
   if (flags.light) options.light = LightOptions{.pixels = flags.pixels};
   data.measures =
       about(flags.file, [&] { return plantMeasures(data.plant, options, whole.part(0.1, 0.7)); });
@@ -123,6 +180,11 @@ void addTraits(CLI::App& app) {
             {{"x", UpAxis::x}, {"y", UpAxis::y}, {"z", UpAxis::z}});
   addUnit(*command, flags->unit,
           "Unit of the structure: named with the numbers, and sets where breast height is");
+  command
+      ->add_option("--density", flags->density,
+                   "Dry mass of the wood in kg per cubic meter, for biomass; needs --unit")
+      ->type_name("KG")
+      ->check(number(1, 2000));
   addNumberFiles(*command, flags->csv, flags->json);
   addReport(*command, flags->report);
   addThreads(*command, flags->threads);
@@ -130,7 +192,7 @@ void addTraits(CLI::App& app) {
   command->footer("Lengths are in the unit of the structure. Beside a reference: espalier "
                   "evaluate.\n\n"
                   "Examples:\n"
-                  "  espalier traits pine.mtg --unit m\n"
+                  "  espalier traits pine.mtg --unit m --density 420\n"
                   "  espalier traits pine.mtg --light --json numbers.json --csv numbers.csv\n"
                   "  espalier traits pine.mtg --light --scan pine.ply --report pine.html");
 }

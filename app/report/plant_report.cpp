@@ -4,6 +4,7 @@
 #include "app/report/write_report.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/evaluate/compartments.h"
 #include "core/evaluate/traits_json.h"
 #include "core/io/atomic_file.h"
 #include "core/io/csv.h"
@@ -174,50 +175,71 @@ ReportSection architecture(const Parts& parts) {
   return section;
 }
 
-ReportTable woodTable(const Parts& parts, const QString& caption, const QString& what) {
+ReportTable woodTable(const Parts& parts, const CompartmentTable& of) {
   const ReportNumbers& numbers = parts.numbers;
   ReportTable table;
-  table.caption = caption;
-  table.columns = {{what, false},
-                   {numbers.inUnit(ReportText::tr("length"))},
-                   {numbers.inUnit(ReportText::tr("area"), 2)},
-                   {numbers.inUnit(ReportText::tr("volume"), 3)}};
+  switch (of.kind) {
+  case CompartmentTable::Kind::order:
+    table = {.caption = ReportText::tr("By order"), .columns = {{ReportText::tr("order"), false}}};
+    break;
+  case CompartmentTable::Kind::diameter:
+    table = {.caption = ReportText::tr("By diameter"),
+             .columns = {{numbers.inUnit(ReportText::tr("up to")), false}}};
+    break;
+  case CompartmentTable::Kind::mtgClass:
+    table = {.caption = ReportText::tr("By class, scale %1").arg(of.scale),
+             .columns = {{ReportText::tr("class"), false}}};
+  }
+  table.columns.push_back({numbers.inUnit(ReportText::tr("length"))});
+  table.columns.push_back({numbers.inUnit(ReportText::tr("area"), 2)});
+  table.columns.push_back({numbers.inUnit(ReportText::tr("volume"), 3)});
+  if (parts.data.measures.density.isKnown())
+    table.columns.push_back({ReportText::tr("biomass [kg]")});
   return table;
+}
+
+void addCompartment(ReportTable& table, const QString& name, const Compartment& row,
+                    const ReportNumbers& numbers) {
+  table.rows.push_back({{name},
+                        {numbers.number(row.wood.length)},
+                        {numbers.number(row.wood.area)},
+                        {numbers.number(row.wood.volume)}});
+  if (row.biomass) table.rows.back().push_back({numbers.number(*row.biomass)});
 }
 
 ReportSection wood(const Parts& parts) {
   const PlantMeasures& measures = parts.data.measures;
   const ReportNumbers& numbers = parts.numbers;
-  const auto add = [&](ReportTable& table, const QString& name, const WoodAmount& amount) {
-    table.rows.push_back({{name},
-                          {numbers.number(amount.length)},
-                          {numbers.number(amount.area)},
-                          {numbers.number(amount.volume)}});
-  };
   ReportSection section{ReportText::tr("Wood"), {}};
   section.blocks.emplace_back(ReportParagraph{ReportText::tr(
       "Edges count as truncated cones; those without a radius have a length alone.")});
-  ReportTable byOrder = woodTable(parts, ReportText::tr("By order"), ReportText::tr("order"));
-  for (std::size_t k = 0; k < measures.wood.byOrder.size(); ++k)
-    add(byOrder, QString::number(k), measures.wood.byOrder[k]);
-  add(byOrder, ReportText::tr("all"), measures.wood.whole);
-  section.blocks.emplace_back(std::move(byOrder));
-  section.blocks.emplace_back(ReportParagraph{
-      measures.stemDiameter
-          ? ReportText::tr("Diameter of the stem at breast height, 1.3 m: %1.")
-                .arg(numbers.length(*measures.stemDiameter))
-          : ReportText::tr("There is no diameter of the stem at breast height, 1.3 m: %1.")
-                .arg(QString::fromStdString(measures.stemMissing)),
-      ReportParagraph::Look::note});
-  if (measures.radiusLimits.empty()) return section;
-  ReportTable byRadius =
-      woodTable(parts, ReportText::tr("By radius"), numbers.inUnit(ReportText::tr("up to")));
-  for (std::size_t k = 0; k < measures.wood.byRadius.size(); ++k)
-    add(byRadius,
-        k < measures.radiusLimits.size() ? numbers.given(measures.radiusLimits[k])
-                                         : ReportText::tr("more"),
-        measures.wood.byRadius[k]);
-  section.blocks.emplace_back(std::move(byRadius));
+  if (measures.density.isKnown())
+    section.blocks.emplace_back(ReportParagraph{
+        ReportText::tr("Biomass is the volume times a density of %1 kg/m³, which was given.")
+            .arg(numbers.given(measures.density.perCubicMeter))});
+  for (const CompartmentTable& of : compartments(measures)) {
+    ReportTable table = woodTable(parts, of);
+    for (const Compartment& row : of.rows)
+      addCompartment(table,
+                     of.kind != CompartmentTable::Kind::diameter ? QString::fromStdString(row.name)
+                     : row.upTo                                  ? numbers.given(*row.upTo)
+                                                                 : ReportText::tr("more"),
+                     row, numbers);
+    if (of.kind == CompartmentTable::Kind::order) {
+      Compartment all{.name = {}, .wood = measures.wood.whole};
+      if (measures.density.isKnown()) all.biomass = measures.density.biomass(all.wood);
+      addCompartment(table, ReportText::tr("all"), all, numbers);
+    }
+    section.blocks.emplace_back(std::move(table));
+    if (of.kind == CompartmentTable::Kind::order)
+      section.blocks.emplace_back(ReportParagraph{
+          measures.stemDiameter
+              ? ReportText::tr("Diameter of the stem at breast height, 1.3 m: %1.")
+                    .arg(numbers.length(*measures.stemDiameter))
+              : ReportText::tr("There is no diameter of the stem at breast height, 1.3 m: %1.")
+                    .arg(QString::fromStdString(measures.stemMissing)),
+          ReportParagraph::Look::note});
+  }
   return section;
 }
 
@@ -297,6 +319,8 @@ QString commandOf(const Parts& parts) {
   if (parts.data.measures.light)
     words.append(QStringLiteral("--light --pixels %1").arg(parts.data.pixels));
   if (!parts.about.unit.isEmpty()) words.append(QStringLiteral("--unit ") + parts.about.unit);
+  if (parts.data.measures.density.isKnown())
+    words.append(QStringLiteral("--density %1").arg(parts.data.measures.density.perCubicMeter));
   if (parts.data.up != UpAxis::z)
     words.append(QStringLiteral("--up ") + QChar(axisName(parts.data.up)));
   words.append(QStringLiteral("--json numbers.json --csv numbers.csv"));

@@ -45,8 +45,8 @@ namespace espalier {
 ///                same_edge
 ///   by_place     distance, {by_order,by_height}[].{from,to,result_length,reference_length,
 ///                precision,recall}
-///   wood         radius_limits, {result,reference}.{whole,by_order[],by_radius[]}.{edges,length,
-///                area,volume}
+///   wood         radius_limits, {result,reference}.{whole,by_order[],by_radius[],by_class[]}.
+///                {edges,length,area,volume}; by_class[] has scale and class, too
 ///   light        {result,reference}.{area,star,directions[].{elevation,azimuth,weight,silhouette,
 ///                star},convergence[].{pixels,star}}; null unless asked for
 ///   scores       KEY: each of scores(), at the distance of by_place; null where it is not known

@@ -13,10 +13,23 @@
 
 namespace espalier {
 
+/// How heavy the wood is. Nobody knows it but the user.
+struct WoodDensity {
+  double perCubicMeter = 0; // dry mass [kg / m^3]; 0: not known
+  double meters = 0;        // in the unit of length; 0: not known
+
+  [[nodiscard]] bool isKnown() const { return perCubicMeter > 0 && meters > 0; }
+  /// Of so much wood [kg]. pre: isKnown()
+  [[nodiscard]] double biomass(const WoodAmount& wood) const {
+    return wood.volume * meters * meters * meters * perCubicMeter;
+  }
+};
+
 struct PlantMeasureOptions {
   UpAxis up = UpAxis::z;             // that the plant stands along
   double breastHeight = 0;           // [L], as breastHeightIn(); 0: no diameter is measured there
   std::optional<LightOptions> light; // none: it is not measured
+  WoodDensity density = {};          // for its biomass
 };
 
 /// What is measured on one plant by itself: no reference is needed.
@@ -24,6 +37,7 @@ struct PlantMeasures {
   Traits traits;
   WoodAmounts wood;
   std::vector<double> radiusLimits;       // of the classes of `wood` [L]
+  WoodDensity density;                    // as asked
   std::optional<double> stemDiameter;     // at breast height [L]; none: see below
   std::string stemMissing;                // why there is none; empty: there is one
   std::optional<LightInterception> light; // none if not asked for, or if no node has a radius

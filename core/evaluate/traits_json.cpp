@@ -66,6 +66,30 @@ Json toJson(const WoodAmount& wood) {
       {"edges", wood.edges}, {"length", wood.length}, {"area", wood.area}, {"volume", wood.volume}};
 }
 
+Json toJson(const ClassAmount& each) {
+  Json json = {{"scale", each.scale}, {"class", each.symbol}};
+  json.update(toJson(each.wood));
+  return json;
+}
+
+Json biomassJson(const PlantMeasures& measures) {
+  if (!measures.density.isKnown()) return {};
+  const auto listOf = [&](const std::vector<WoodAmount>& amounts) {
+    Json list = Json::array();
+    for (const WoodAmount& wood : amounts)
+      list.push_back(measures.density.biomass(wood));
+    return list;
+  };
+  Json byClass = Json::array();
+  for (const ClassAmount& each : measures.wood.byClass)
+    byClass.push_back(measures.density.biomass(each.wood));
+  return {{"density", measures.density.perCubicMeter},
+          {"whole", measures.density.biomass(measures.wood.whole)},
+          {"by_order", listOf(measures.wood.byOrder)},
+          {"by_radius", listOf(measures.wood.byRadius)},
+          {"by_class", std::move(byClass)}};
+}
+
 template <class Part> Json traitList(const std::vector<Part>& parts) {
   Json list = Json::array();
   for (const Part& part : parts)
@@ -98,7 +122,8 @@ nlohmann::ordered_json toJson(const Traits& traits) {
 nlohmann::ordered_json toJson(const WoodAmounts& wood) {
   return {{"whole", toJson(wood.whole)},
           {"by_order", traitList(wood.byOrder)},
-          {"by_radius", traitList(wood.byRadius)}};
+          {"by_radius", traitList(wood.byRadius)},
+          {"by_class", traitList(wood.byClass)}};
 }
 
 nlohmann::ordered_json toJson(const PlantMeasures& measures) {
@@ -111,6 +136,7 @@ nlohmann::ordered_json toJson(const PlantMeasures& measures) {
            {{"diameter", diameter ? Json(*diameter) : Json()},
             {"missing", missing.empty() ? Json() : Json(missing)}}},
           {"wood", std::move(wood)},
+          {"biomass", biomassJson(measures)},
           {"light", measures.light ? toJson(*measures.light) : Json()},
           {"warnings", measures.warnings}};
 }

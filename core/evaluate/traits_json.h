@@ -15,7 +15,8 @@ namespace espalier {
 [[nodiscard]] nlohmann::ordered_json toJson(const WoodAmounts& wood);
 
 /// All that is measured on one plant: traits, wood and light, as there of one of the two;
-/// breast_height.{diameter,missing}; warnings[].
+/// breast_height.{diameter,missing}; biomass.{density,whole,by_order[],by_radius[],by_class[]} in
+/// kg, null where the density of the wood is not known; warnings[].
 [[nodiscard]] nlohmann::ordered_json toJson(const PlantMeasures& measures);
 
 /// The same numbers as a table, a line each: "traits.length,12.5".

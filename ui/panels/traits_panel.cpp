@@ -6,11 +6,13 @@
 #include "ui/panels/trait_text.h"
 
 #include <QAction>
+#include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -41,7 +43,8 @@ QGridLayout* gridIn(QWidget& group, const QString& name, int across) {
 } // namespace
 
 TraitsPanel::TraitsPanel(const PlantDocument& document, const Parts& parts, QWidget* parent)
-    : QWidget(parent), document_(document), hint_(makeLabel("evaluation_hint", "quiet")),
+    : QWidget(parent), document_(document), density_(new QDoubleSpinBox),
+      hint_(makeLabel("evaluation_hint", "quiet")),
       warnings_(makeLabel("traits_warnings", "warning")), area_(new QScrollArea) {
   setObjectName("traits_panel");
   auto* page = new QVBoxLayout(this);
@@ -70,6 +73,19 @@ QWidget* TraitsPanel::makeHead(const Parts& parts) {
   title_->setText(tr("The plant by itself"));
   row->addWidget(title_);
   row->addStretch();
+  density_->setObjectName("wood_density");
+  density_->setAccessibleName(tr("Density of the wood"));
+  density_->setPrefix(tr("Wood "));
+  density_->setSuffix(QStringLiteral(" kg/m³"));
+  density_->setToolTip(tr("Dry mass of a cubic meter of wood, for biomass; none is assumed. The "
+                          "unit of the plant must be known"));
+  density_->setRange(leastDensity - 1, mostDensity);
+  density_->setDecimals(0);
+  density_->setSingleStep(10);
+  density_->setKeyboardTracking(false);
+  density_->setSpecialValueText(tr("Wood: no density"));
+  connect(density_, &QDoubleSpinBox::valueChanged, this, &TraitsPanel::densityChosen);
+  row->addWidget(density_);
   QToolButton* light = panelButton(*parts.light, tr("Measure Light"));
   light->setObjectName("traits_light");
   row->addWidget(light);
@@ -108,6 +124,11 @@ void TraitsPanel::forget(const QString& why) {
   hint_->show();
 }
 
+void TraitsPanel::setDensity(double density) {
+  const QSignalBlocker blocker(density_);
+  density_->setValue(density);
+}
+
 void TraitsPanel::setStale(bool isStale) {
   for (QLabel* value : values_)
     setRole(*value, isStale ? "quiet" : "value");
@@ -141,6 +162,8 @@ QWidget* TraitsPanel::makePage(const PlantMeasures& measures, bool isLightStale)
   }
   auto* last = new QVBoxLayout;
   last->addWidget(makeAxes(measures.traits));
+  for (const CompartmentTable& table : compartments(measures))
+    last->addWidget(makeCompartments(table, measures.density.isKnown()));
   last->addStretch();
   across->addLayout(last);
   across->addStretch();
@@ -199,6 +222,49 @@ QWidget* TraitsPanel::makeAxes(const Traits& traits) {
         hasAngle
             ? textOf({.kind = TraitKind::angle, .value = angles[order - 1].mean}, document_.unit())
             : none);
+  }
+  return group;
+}
+
+QString TraitsPanel::nameOf(const Compartment& row) const {
+  if (!row.name.empty()) return QString::fromStdString(row.name);
+  if (!row.upTo) return tr("over %1").arg(formatLength(*row.from, document_.unit(), 3));
+  return tr("to %1").arg(formatLength(*row.upTo, document_.unit(), 3));
+}
+
+/// A line for each class of organs.
+QWidget* TraitsPanel::makeCompartments(const CompartmentTable& table, bool hasBiomass) {
+  auto* group = new QWidget;
+  group->setObjectName("compartments");
+  using Kind = CompartmentTable::Kind;
+  const QString what = table.kind == Kind::order      ? tr("Order")
+                       : table.kind == Kind::diameter ? tr("Diameter")
+                                                      : tr("Class");
+  const QString title = table.kind == Kind::order ? tr("Wood by order")
+                        : table.kind == Kind::diameter
+                            ? tr("Wood by diameter")
+                            : tr("Wood by class, scale %1").arg(table.scale);
+  QStringList titles = {what, tr("Length"), tr("Volume")};
+  if (hasBiomass) titles.append(tr("Biomass"));
+  QGridLayout* grid = gridIn(*group, title, static_cast<int>(titles.size()));
+  for (int column = 0; column < titles.size(); ++column) {
+    auto* label = new QLabel(titles[column]);
+    label->setAlignment(Qt::AlignRight);
+    grid->addWidget(label, 1, column);
+  }
+  int line = 2;
+  for (const Compartment& row : table.rows) {
+    const QString name = nameOf(row);
+    const auto add = [&](int column, const QString& text) {
+      grid->addWidget(
+          makeValue(tr("%1, %2 %3").arg(titles[column], what.toLower(), name), text, {}), line,
+          column);
+    };
+    add(0, name);
+    add(1, formatLength(row.wood.length, document_.unit(), 3));
+    add(2, formatVolume(row.wood.volume, document_.unit()));
+    if (row.biomass) add(3, formatLength(*row.biomass, LengthUnit::unknown, 3) + tr(" kg"));
+    ++line;
   }
   return group;
 }

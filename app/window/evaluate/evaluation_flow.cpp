@@ -122,6 +122,10 @@ void EvaluationFlow::keepTexts() {
                  .text = [this] { return methods_->text(); },
                  .show = [this](const std::string& text) { methods_->show(text); }});
   connect(methods_.get(), &MethodsFlow::changed, this, &EvaluationFlow::keptChanged);
+  keepInProject({.name = "wood_density",
+                 .text = [this] { return traits_->densityText(); },
+                 .show = [this](const std::string& text) { traits_->showDensity(text); }});
+  connect(traits_.get(), &TraitsFlow::densityChanged, this, &EvaluationFlow::keptChanged);
 }
 
 void EvaluationFlow::offerToOpen(const QString& path) {

@@ -5,6 +5,7 @@
 #include "app/window/files/load_files.h"
 #include "app/window/frame/action_set.h"
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/evaluate/traits/breast_height.h"
 #include "core/io/atomic_file.h"
 #include "ui/document/hand_work_text.h"
@@ -45,6 +46,11 @@ TraitsFlow::TraitsFlow(const Parts& parts) : parts_(parts), maker_(parts.jobs) {
   panel_ = new TraitsPanel(parts_.document, {.load = actions["load_reference"],
                                              .light = actions["measure_light"],
                                              .report = actions["export_plant_report"]});
+  connect(panel_, &TraitsPanel::densityChosen, this, [this](double density) {
+    density_ = density;
+    takeEdit();
+    emit densityChanged();
+  });
   timer_.setSingleShot(true);
   timer_.setInterval(250); // [ms]: a drag is measured when it rests
   connect(&timer_, &QTimer::timeout, this, &TraitsFlow::measure);
@@ -105,7 +111,29 @@ void TraitsFlow::forget(const QString& why) {
 PlantMeasureOptions TraitsFlow::options() const {
   return {.up = parts_.document.up(),
           .breastHeight = breastHeightIn(symbol(parts_.document.unit()).toStdString()),
-          .light = std::nullopt};
+          .light = std::nullopt,
+          .density = {.perCubicMeter = density_,
+                      .meters = parts_.document.unit() == LengthUnit::unknown
+                                    ? 0
+                                    : metersIn(parts_.document.unit())}};
+}
+
+std::string TraitsFlow::densityText() const {
+  return density_ > 0 ? plainDecimal(density_) : std::string();
+}
+
+void TraitsFlow::showDensity(const std::string& text) {
+  density_ = 0;
+  panel_->setDensity(density_);
+  if (!text.empty()) {
+    const std::optional<double> density = numberIn(text);
+    if (!density || *density < TraitsPanel::leastDensity || *density > TraitsPanel::mostDensity)
+      throw Error(tr("the density of the wood in this project cannot be read: type it again")
+                      .toStdString());
+    density_ = *density;
+    panel_->setDensity(density_);
+  }
+  takeEdit();
 }
 
 void TraitsFlow::measure() {

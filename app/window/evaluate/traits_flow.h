@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 namespace espalier {
 
@@ -36,11 +37,18 @@ public:
   void refresh();                                             // what can be done
   void setEnvelope(std::optional<ReportedEnvelope> envelope); // for the report; none: none is drawn
 
+  /// The density of the wood that the user gave, in kg/m³, as a project keeps it, and back; empty:
+  /// none was given.
+  /// @throws Error if it is no such text; none is given then
+  [[nodiscard]] std::string densityText() const;
+  void showDensity(const std::string& text);
+
   /// Measures, draws and writes to a file whose name says how.
   /// @throws Error if that cannot be, or a job is running
   void write(const QString& path);
 
 signals:
+  void densityChanged(); // by hand
   void noted(const QString& message);
   void written(const QString& path);
 
@@ -66,6 +74,7 @@ private:
   std::optional<LightInterception> light_;
   bool isLightFresh_ = false;
   std::optional<ReportedEnvelope> envelope_;
+  double density_ = 0;         // of the wood [kg/m³]; 0: not known
   std::uint64_t revision_ = 0; // grows with all that makes the measures old
 };
 

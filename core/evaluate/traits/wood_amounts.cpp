@@ -4,6 +4,9 @@
 #include "core/skeleton/frustum.h"
 
 #include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
 
 namespace espalier {
 namespace {
@@ -13,6 +16,22 @@ void add(WoodAmount& to, const WoodAmount& more) {
   to.length += more.length;
   to.area += more.area;
   to.volume += more.volume;
+}
+
+/// The class of the vertex that a node belongs to, by scale.
+using ClassesOfNode = std::map<int, std::string>;
+
+/// Of the nodes, by id: the vertices that start at each, and others of its parent.
+std::vector<ClassesOfNode> classesOf(const Skeleton& skeleton, const std::vector<NodeId>& ids) {
+  std::vector<ClassesOfNode> classes(skeleton.idEnd());
+  for (const NodeId id : ids) { // parents before their children
+    const Node& node = skeleton[id];
+    ClassesOfNode& own = classes[indexOf(id)];
+    if (node.parent) own = classes[indexOf(*node.parent)];
+    for (const Entity& entity : node.entities)
+      own[entity.scale] = entity.symbol;
+  }
+  return classes;
 }
 
 } // namespace
@@ -32,7 +51,10 @@ WoodAmounts woodAmounts(const Skeleton& skeleton, const std::vector<double>& rad
   WoodAmounts amounts;
   amounts.byRadius.resize(radiusLimits.size() + 1);
   const std::vector<int> orderOf = orders(skeleton);
-  for (const NodeId id : skeleton.ids()) {
+  const std::vector<NodeId> ids = skeleton.ids();
+  const std::vector<ClassesOfNode> classes = classesOf(skeleton, ids);
+  std::map<std::pair<int, std::string>, WoodAmount> byClass;
+  for (const NodeId id : ids) {
     if (!skeleton[id].parent) continue;
     const Frustum body = *frustumOf(skeleton, id);
     const WoodAmount edge{
@@ -42,9 +64,13 @@ WoodAmounts woodAmounts(const Skeleton& skeleton, const std::vector<double>& rad
     const auto limit =
         std::ranges::lower_bound(radiusLimits, (body.fromRadius + body.toRadius) / 2);
     add(amounts.whole, edge);
+    for (const auto& scaleAndSymbol : classes[indexOf(id)])
+      add(byClass[scaleAndSymbol], edge);
     add(amounts.byOrder[order], edge);
     add(amounts.byRadius[static_cast<std::size_t>(limit - radiusLimits.begin())], edge);
   }
+  for (const auto& [scaleAndSymbol, wood] : byClass)
+    amounts.byClass.push_back({scaleAndSymbol.first, scaleAndSymbol.second, wood});
   return amounts;
 }
 

@@ -3,6 +3,7 @@
 #include "core/skeleton/skeleton.h"
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace espalier {
@@ -15,21 +16,33 @@ struct WoodAmount {
   double volume = 0; // [L^3]
 };
 
+/// The wood of the vertices of one class of an MTG.
+struct ClassAmount {
+  int scale = 1;      // of the MTG; larger is finer
+  std::string symbol; // of the class, as "U"
+  WoodAmount wood;
+};
+
 /// The wood of a plant, as a whole and in classes.
 struct WoodAmounts {
   WoodAmount whole;
   std::vector<WoodAmount> byOrder;  // order 0 first
   std::vector<WoodAmount> byRadius; // by the limits asked for, and above the last
+  /// Of each scale that classes of vertices are known of, the coarsest first, then by symbol; all
+  /// of the wood once per scale, but for what is of no vertex of it.
+  std::vector<ClassAmount> byClass;
 };
 
 /// Limits of radius classes, ascending [L]: the greatest radius of a skeleton halved five times
 /// down to half of it, so that six classes come of them; empty if no node has a radius.
 [[nodiscard]] std::vector<double> radiusLimits(const Skeleton& skeleton);
 
-/// Length, area and volume by order and by radius.
+/// Length, area and volume by order, by radius and by class of an MTG.
 ///
-/// Each edge is its frustum. It counts for the order of its upper node and for the class of its
-/// mean radius; a limit belongs to the class below it. Time and memory O(N).
+/// Each edge is its frustum. It counts for the order of its upper node, for the class of its mean
+/// radius, where a limit belongs to the class below it, and at each scale for the vertex that its
+/// upper node belongs to: the one that starts there, or else that of its parent. Time and memory
+/// O(N scales).
 [[nodiscard]] WoodAmounts woodAmounts(const Skeleton& skeleton,
                                       const std::vector<double>& radiusLimits);
 

@@ -40,6 +40,20 @@ TEST_F(Traits, ArePrintedWithTheirUnits) {
   EXPECT_THAT(printed, Not(HasSubstr("STAR"))) << "it takes a while, and was not asked for";
 }
 
+TEST_F(Traits, HaveCompartmentsWithBiomassWhereADensityIsGiven) {
+  const std::string printed = run({"traits", truth_, "--unit", "m", "--density", "500", "--json",
+                                   file("a.json"), "--csv", file("a.csv")});
+  EXPECT_THAT(printed, HasSubstr("order    edges     length m   volume m^3   biomass kg\n"));
+  EXPECT_THAT(printed, HasSubstr("diameter    edges"));
+  const json numbers = json::parse(bytesOf(file("a.json")));
+  EXPECT_NEAR(numbers["biomass"]["whole"].get<double>(),
+              500 * numbers["wood"]["whole"]["volume"].get<double>(), 1e-9);
+  EXPECT_THAT(bytesOf(file("a.csv")), HasSubstr("\nbiomass.density,500"));
+  EXPECT_THAT(run({"traits", truth_, "--unit", "m"}), Not(HasSubstr("biomass")));
+  expectRefusal(runProgram({"traits", truth_, "--density", "500"}), 2, {"--density", "--unit"});
+  EXPECT_EQ(runProgram({"traits", truth_, "--unit", "m", "--density", "0"}).status, 2);
+}
+
 TEST_F(Traits, GoIntoAReport) {
   run({"traits", truth_, "--light", "--pixels", "64", "--scan", scan_, "--report",
        file("tree.html")});

@@ -1,9 +1,11 @@
 // The plant by itself, without a reference, in the real window.
+#include "core/evaluate/plant_measures.h"
 #include "core/skeleton/bounds.h"
 #include "tests/app/window/evaluation_fixture.h"
 #include "ui/panels/message_banner.h"
 #include "ui/panels/status_line.h"
 
+#include <QDoubleSpinBox>
 #include <QFile>
 #include <QFileDialog>
 #include <QGridLayout>
@@ -67,6 +69,21 @@ TEST_F(TraitsWindowTest, FollowEachEdit) {
   EXPECT_TRUE(waitFor("Tips", "3"));
   document().setUnit(LengthUnit::millimeter);
   EXPECT_TRUE(waitFor("Height", QString("2.00%1mm").arg(narrowBlank)));
+}
+
+TEST_F(TraitsWindowTest, HaveCompartmentsWithBiomassOnceADensityIsTyped) {
+  show();
+  ASSERT_TRUE(waitFor("Tips", "3"));
+  EXPECT_NE(trait("Volume, order 0"), "");
+  EXPECT_EQ(trait("Biomass, order 0"), "") << "no density is assumed";
+  auto& density = find<QDoubleSpinBox>("wood_density");
+  EXPECT_TRUE(density.isVisible());
+  density.setValue(500);
+  const double volume = plantMeasures(plant()).wood.byOrder.front().volume;
+  const QString biomass = formatLength(500 * volume, LengthUnit::unknown, 3) + " kg";
+  EXPECT_TRUE(waitFor("Biomass, order 0", biomass)) << trait("Biomass, order 0").toStdString();
+  document().setUnit(LengthUnit::unknown);
+  EXPECT_TRUE(waitFor("Biomass, order 0", "")) << "nobody knows how much a volume is";
 }
 
 TEST_F(TraitsWindowTest, FollowTheAxisThatPointsUp) {

@@ -2,15 +2,22 @@
 
 #include "ui/document/number_scale.h"
 
+#include <cmath>
 #include <numbers>
 
 namespace espalier {
 namespace {
 
+/// In mm², cm² or m², as volumes are, or without a unit if that is not known.
 QString areaText(double area, LengthUnit unit) {
-  const QString number = formatLength(area, LengthUnit::unknown, 3);
-  return unit == LengthUnit::unknown ? number
-                                     : number + QChar(0x202f) + symbol(unit) + QStringLiteral("²");
+  const auto written = [](double value, const char* name) {
+    return formatLength(value, LengthUnit::unknown, 3) + QString::fromUtf8(name);
+  };
+  if (unit == LengthUnit::unknown) return written(area, "");
+  const double squareMeters = std::pow(metersIn(unit), 2) * area;
+  if (squareMeters >= 0.1) return written(squareMeters, "\u202fm²");
+  if (squareMeters >= 1e-4) return written(1e4 * squareMeters, "\u202fcm²");
+  return written(1e6 * squareMeters, "\u202fmm²");
 }
 
 } // namespace

@@ -89,7 +89,7 @@ PreviewFlow::PreviewFlow(const Parts& parts) : parts_(parts) {
     connect(&parts_.document, signal, this, [this] {
       forgetScan();
       QTimer::singleShot(0, this, [this] { // once one looks at it
-        if (isLive() && !shown_ && !isBusy()) askFirst();
+        if (isLive() && !shown_ && !isComing()) askFirst();
       });
     });
   keepChoices();
@@ -323,8 +323,12 @@ QString PreviewFlow::hint() const {
                   parts_.actions);
 }
 
+bool PreviewFlow::isComing() const {
+  return rest_.isActive() || (job_.isBusy() && !job_.isCanceled());
+}
+
 void PreviewFlow::goOn() {
-  if (isLive() && shown_ && shown_->within && !isBusy()) askAll();
+  if (isLive() && shown_ && shown_->within && !isComing()) askAll();
 }
 
 void PreviewFlow::stop() {

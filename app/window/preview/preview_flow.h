@@ -90,6 +90,9 @@ signals:
 private:
   enum class Kind : std::uint8_t { contracted, reconstructed, whole }; // the first two of a ball
   void addActions();
+  /// Whether something was asked for: a job that was stopped is busy until it ends, and makes
+  /// nothing.
+  [[nodiscard]] bool isComing() const;
   void goOn(); // after stop(), until the preview is of the whole scan
   void turn(bool isOn);
   /// @param movesPoints whether the change is one of the contraction, or of what comes before it

@@ -25,6 +25,8 @@ struct Pick {
   std::optional<EdgePick> edge;
   std::optional<Eigen::Vector3d> point; // nearest visible scan point, where it is drawn [L]
   bool isOfOther = false;               // the point: contracted by another state than the plant
+  /// Likewise, of another scan that is laid over the plant: its column.
+  std::optional<Eigen::Index> movedPoint = {};
 };
 
 /// One act of the mouse in the 3D view, in terms of the plant: all that an editing tool is given.

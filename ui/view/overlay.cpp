@@ -5,6 +5,7 @@
 #include "ui/view/overlay_of_tools.h"
 #include "ui/view/overlay_text.h"
 #include "ui/view/palette.h"
+#include "ui/view/target_overlay.h"
 
 #include <QCoreApplication>
 
@@ -150,7 +151,9 @@ std::vector<Legend> legendsOf(const Scene& scene, const QString& unit, const See
   const auto add = [&](const std::optional<Legend>& legend) { // what several share, once
     if (legend && !std::ranges::count(legends, *legend)) legends.push_back(*legend);
   };
-  if (scene.points.visible && areColorsOfPointsSeen(scene, seen)) {
+  if (scene.moved.isShown()) { // which has the open scan in one color
+    add(scene.movedLegend());
+  } else if (scene.points.visible && areColorsOfPointsSeen(scene, seen)) {
     add(scene.pointLegend());
     const bool isHeight = !scene.pointValues && scene.pointColor == PointColor::height;
     if (isHeight && !legends.empty()) legends.back().unit = unit;
@@ -182,6 +185,7 @@ void Overlay::paint(QPainter& painter, const Scene& scene, const Camera& camera,
   if (attachment && scene.referenceVisible)
     paintAttachment(painter, *attachment, screen, scene.dark);
   paintBalls(painter, scene, divider, screen);
+  if (scene.moved.isShown()) paintTargets(painter, scene.moved.shown, screen, scene.dark);
   if (rootMark) paintRootMark(painter, *rootMark, screen, scene.dark);
   paintPreview(painter, preview, screen, scene.dark);
   paintBand(painter, band, scene.dark);

@@ -14,6 +14,8 @@ struct Palette {
   Color contracted; // the accent
   Color successor;
   Color reference; // the structure that the skeleton is compared with
+  Color fixedScan; // the scan of the plant, where another is laid over it
+  Color movedScan; // that other
   Color branching{0xd5, 0x5e, 0x00};
   Color selected{0xe6, 0x9f, 0x00};
   Color hovered{0x56, 0xb4, 0xe9};
@@ -32,6 +34,8 @@ struct Palette {
             .contracted = {0x5c, 0xc4, 0x8d},
             .successor = {0xf4, 0xf4, 0xf0},
             .reference = {0x3d, 0x9d, 0xdc},
+            .fixedScan = {0x4a, 0xa3, 0xdf},
+            .movedScan = {0xf0, 0xa8, 0x2c},
             .outline = {0x10, 0x12, 0x14},
             .relief = 1.4F,
             .solid = {0xc9, 0xbe, 0xae}};
@@ -42,6 +46,8 @@ struct Palette {
           .contracted = {0x2f, 0x8f, 0x5b},
           .successor = {0x16, 0x18, 0x1a},
           .reference = {0x00, 0x72, 0xb2},
+          .fixedScan = {0x00, 0x72, 0xb2},
+          .movedScan = {0xd9, 0x7b, 0x00},
           .outline = {0xff, 0xff, 0xff},
           .relief = 0.8F, // dark points would swallow the dark skeleton
           .solid = {0xa8, 0x9c, 0x8a}};

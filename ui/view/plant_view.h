@@ -15,6 +15,7 @@
 #include "ui/view/plant_state.h"
 #include "ui/view/point_colors.h"
 #include "ui/view/point_look.h"
+#include "ui/view/shown_scan.h"
 #include "ui/view/sight_overlay.h"
 
 #include <QImage>
@@ -65,6 +66,8 @@ public:
   /// Where this view is divided, as part of its width. 1, as at first: all of it is the left side.
   void setDivider(double across);
   [[nodiscard]] double divider() const;
+  /// Draws another scan over the cloud, each in a color of its own; none: the cloud as ever.
+  void setMovedScan(const std::optional<ShownScan>& scan);
   /// Draws contracted points between where they were scanned, 0, and where they are, 1,
   /// in place of the points; none: both layers where they are.
   void setBlend(std::optional<double> blend);

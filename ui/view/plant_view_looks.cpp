@@ -22,6 +22,12 @@ void PlantView::setReference(const Skeleton& reference) {
   parts_->redraw();
 }
 
+void PlantView::setMovedScan(const std::optional<ShownScan>& scan) {
+  if (!scan && !parts_->scene.moved.isShown()) return;
+  parts_->scene.setMovedScan(scan);
+  parts_->redraw();
+}
+
 void PlantView::setReferenceColors(std::optional<NodeColors> colors) {
   parts_->scene.setReferenceColors(std::move(colors));
   parts_->redraw();

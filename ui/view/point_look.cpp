@@ -59,6 +59,18 @@ std::vector<std::array<std::uint8_t, 4>> pointLooks(const Scene& scene) {
   return looksOf(scene, colorsOf(scene));
 }
 
+std::vector<std::array<std::uint8_t, 4>> movedLooks(const Scene& scene) {
+  const LegendColors map(*scene.movedLegend(), scene.dark);
+  const Color& plain = palette(scene.dark).movedScan;
+  std::vector<std::array<std::uint8_t, 4>> looks;
+  looks.reserve(scene.moved.shown.values->values->size());
+  for (const float value : *scene.moved.shown.values->values) {
+    const Color color = std::isnan(value) ? plain : map(value);
+    looks.push_back({color[0], color[1], color[2], 255});
+  }
+  return looks;
+}
+
 std::vector<std::array<std::uint8_t, 4>> contractedLooks(const Scene& scene) {
   return looksOf(scene, std::vector<Color>(static_cast<std::size_t>(scene.cloud->size()),
                                            palette(scene.dark).contracted));

@@ -24,6 +24,9 @@ struct PointValues {
 /// Red, green, blue and whether it is drawn (255) or not (0), of each point of a scene's cloud.
 [[nodiscard]] std::vector<std::array<std::uint8_t, 4>> pointLooks(const Scene& scene);
 
+/// Likewise, of the other scan that lies over it. pre: it is colored by value
+[[nodiscard]] std::vector<std::array<std::uint8_t, 4>> movedLooks(const Scene& scene);
+
 /// The same points where they are contracted: all in the accent, but hidden, dim, ... as they are.
 [[nodiscard]] std::vector<std::array<std::uint8_t, 4>> contractedLooks(const Scene& scene);
 

@@ -15,6 +15,8 @@ layout(location = 0) in vec3 position;
 layout(location = 1) in vec4 color; // alpha 0: hidden
 layout(location = 2) in vec3 scanned;
 uniform float blend;          // how far from there to the position
+uniform mat4 placement;       // to the frame of the scene
+uniform vec4 tint;            // a color, and how much of it there is in that of each point
 uniform mat4 toClip;
 uniform vec4 toDepth;
 uniform vec2 depths;          // of the plant, nearest and farthest
@@ -22,12 +24,12 @@ uniform float depthFade;
 uniform vec3 backgroundColor;
 flat out vec3 pointColor;
 void main() {
-  vec3 place = mix(scanned, position, blend);
+  vec3 place = (placement * vec4(mix(scanned, position, blend), 1.0)).xyz;
   float depth = dot(toDepth, vec4(place, 1.0));
   gl_Position = color.a < 0.5 || isClipped(place, depth) ? vec4(2.0, 2.0, 2.0, 1.0)
                                                          : toClip * vec4(place, 1.0);
   float part = clamp((depth - depths.x) / (depths.y - depths.x), 0.0, 1.0);
-  pointColor = mix(color.rgb, backgroundColor, 0.92 * depthFade * part);
+  pointColor = mix(mix(color.rgb, tint.rgb, tint.a), backgroundColor, 0.92 * depthFade * part);
 })";
 
 constexpr const char* squareShader = R"(#version 330 core
@@ -67,6 +69,10 @@ void setPointColor(const Color& color) {
   glVertexAttrib4Nub(1, color[0], color[1], color[2], 255);
 }
 
+Eigen::Vector3f unitColor(const Color& color) {
+  return Eigen::Vector3f(color[0], color[1], color[2]) / 255.0F;
+}
+
 double partOf(Eigen::Index all, Eigen::Index atMost) {
   return all > atMost ? static_cast<double>(atMost) / static_cast<double>(all) : 1;
 }
@@ -90,7 +96,9 @@ PointPass::Key PointPass::keyOf(const DrawSettings& settings, float pointSize) c
            scene_.points.visible ? 1U : 0U, scene_.contracted.visible ? 1U : 0U,
            scene_.other(Side::left).contracted.revision, shown(scene_.other(Side::left)),
            scene_.other(Side::right).contracted.revision, shown(scene_.other(Side::right)),
-           scene_.displacementsShown ? 1U : 0U},
+           scene_.displacementsShown ? 1U : 0U, scene_.moved.revision, scene_.moved.colorRevision,
+           static_cast<std::uint64_t>(scene_.moved.shown.foreground)},
+          scene_.moved.shown.motion.matrix(),
           settings.clip,
           settings.depthFade,
           settings.divider,
@@ -98,7 +106,7 @@ PointPass::Key PointPass::keyOf(const DrawSettings& settings, float pointSize) c
 }
 
 Eigen::Index PointPass::total(const DrawSettings& settings) const {
-  Eigen::Index count = scene_.points.visible ? scene_.points.size() : 0;
+  Eigen::Index count = scene_.moved.size() + (scene_.points.visible ? scene_.points.size() : 0);
   const bool areContracted = scene_.contracted.visible || scene_.blend;
   for (const StatePart& part : stateParts(scene_, settings.divider)) {
     const OtherState* other = part.other ? &scene_.other(*part.other) : nullptr;
@@ -161,11 +169,33 @@ void PointPass::drawLayers(const DrawSettings& settings, float pointSize, double
   }
   for (const StatePart& part : stateParts(scene_, settings.divider))
     drawPart(settings, part, pointSize, until);
+  if (scene_.moved.isShown()) drawMoved(settings, pointSize, until);
+}
+
+void PointPass::drawMoved(const DrawSettings& settings, float pointSize, double until) {
+  const SceneBuffers::Points& buffers = buffers_.moved();
+  const bool isByValue = buffers.colors.size() > 0;
+  Drawn drawn{.points = scene_.moved,
+              .buffers = buffers,
+              .colors = isByValue ? &buffers.colors : nullptr,
+              .hole = {},
+              .color = {},
+              .isBehind = scene_.moved.isBehind(),
+              .placement = scene_.movedPlacement()};
+  if (!isByValue) drawn.color = palette(scene_.dark).movedScan;
+  drawLayer(settings, drawn, pointSize, until);
 }
 
 PointPass::Drawn PointPass::pointsOf(const std::optional<Ball>& hole) const {
   const SceneBuffers::Points& cloud = buffers_.cloud();
-  return {.points = scene_.points, .buffers = cloud, .colors = &cloud.colors, .hole = hole};
+  Drawn drawn{.points = scene_.points,
+              .buffers = cloud,
+              .colors = &cloud.colors,
+              .hole = hole,
+              .color = {},
+              .isBehind = scene_.moved.isShown() && scene_.moved.hidesFixed()};
+  if (scene_.moved.isShown()) drawn.color = palette(scene_.dark).fixedScan;
+  return drawn;
 }
 
 void PointPass::drawPart(const DrawSettings& settings, const StatePart& part, float pointSize,
@@ -194,7 +224,8 @@ void PointPass::drawPart(const DrawSettings& settings, const StatePart& part, fl
                     .buffers = buffers,
                     .scanned = own == nullptr && isWhole ? &buffers_.cloud().positions : own,
                     .colors = looks,
-                    .hole = part.hole};
+                    .hole = part.hole,
+                    .color = {}};
   const bool isShown = scene_.contracted.visible || replacesPoints;
   if (isShown) drawLayer(settings, drawn, pointSize, until);
   if (scene_.displacementsShown && drawn_ == 0) drawDisplacements(settings, drawn);
@@ -216,9 +247,19 @@ void PointPass::prepare(const DrawSettings& settings, const Drawn& layer, float 
   const bool travels = scene_.blend && layer.scanned != nullptr;
   program.SetUniformf("blend", travels ? static_cast<float>(*scene_.blend) : 1);
   const Color& background = palette(scene_.dark).backgroundBottom;
-  const Eigen::Vector3f faded =
-      Eigen::Vector3f(background[0], background[1], background[2]) / 255.0F;
+  const Eigen::Vector3f faded = unitColor(background);
   program.SetUniform3f("backgroundColor", faded.data());
+  const Eigen::Matrix4f placement =
+      layer.placement.value_or(Eigen::Isometry3d::Identity()).matrix().cast<float>();
+  program.SetUniformMatrix4x4("placement", const_cast<float*>(placement.data()));
+  Eigen::Vector4f tint = Eigen::Vector4f::Zero();
+  constexpr float paleness = 0.78F; // of what is behind
+  if (layer.color) tint << unitColor(*layer.color), 1;
+  if (layer.isBehind) {
+    const Eigen::Vector3f own = layer.color ? unitColor(*layer.color) : faded;
+    tint << (1 - paleness) * own + paleness * faded, layer.color ? 1 : paleness;
+  }
+  program.SetUniform4f("tint", tint.data());
   if (vertexArray_ == 0) glGenVertexArrays(1, &vertexArray_);
   glBindVertexArray(vertexArray_);
 }
@@ -240,14 +281,18 @@ void PointPass::drawLayer(const DrawSettings& settings, const Drawn& layer, floa
     setPointColor(palette(scene_.dark).contracted);
   }
   glPointSize(pointSize);
+  constexpr double back = 0.99; // of the depth that there is
+  if (layer.isBehind) glDepthRange(back, 1);
   glDrawArrays(GL_POINTS, first, last - first);
+  if (layer.isBehind) glDepthRange(0, 1);
   glBindVertexArray(0);
 }
 
 void PointPass::drawDisplacements(const DrawSettings& settings, const Drawn& layer) {
   const GlBuffer& lines = layer.buffers.displacements;
   if (lines.size() == 0) return;
-  prepare(settings, {.points = layer.points, .buffers = layer.buffers, .hole = layer.hole}, 1);
+  prepare(settings,
+          {.points = layer.points, .buffers = layer.buffers, .hole = layer.hole, .color = {}}, 1);
   readPlaces(0, lines);
   readPlaces(2, lines);
   setPointColor(palette(scene_.dark).reference);

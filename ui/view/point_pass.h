@@ -39,7 +39,8 @@ private:
     Eigen::Matrix4f matrix;
     Eigen::Vector2f size;
     float pointSize;
-    std::array<std::uint64_t, 10> states;
+    std::array<std::uint64_t, 13> states;
+    Eigen::Matrix4d placement; // of the other scan
     ClipVolume clip;
     float depthFade;
     double divider;
@@ -61,9 +62,13 @@ private:
     const GlBuffer* scanned = nullptr; // where the points come from; null: nothing moves
     const GlBuffer* colors = nullptr;  // null: the accent
     std::optional<Ball> hole;
+    std::optional<Color> color; // of all of them; none: as `colors` say
+    bool isBehind = false;      // all others, and paler
+    std::optional<Eigen::Isometry3d> placement = std::nullopt; // to those of the cloud
   };
   [[nodiscard]] Drawn pointsOf(const std::optional<Ball>& hole) const; // of the cloud
   void drawLayer(const DrawSettings& settings, const Drawn& layer, float pointSize, double until);
+  void drawMoved(const DrawSettings& settings, float pointSize, double until);
   /// What contracted points show in a part of the screen.
   void drawPart(const DrawSettings& settings, const StatePart& part, float pointSize, double until);
   void drawDisplacements(const DrawSettings& settings, const Drawn& layer);

@@ -46,23 +46,31 @@ struct Pickable {
   std::function<bool(Eigen::Index)> isShown;
 };
 
-/// The point under a pixel, in the frame of the file.
-std::optional<Eigen::Vector3d> pointUnder(const Pickable& layer, const Eigen::Vector3d& origin,
-                                          const ScreenMap& map, const Eigen::Vector2d& pixel) {
+/// The point under a pixel: its column.
+/// @param toFile from the points of the layer to the frame of the file
+std::optional<Eigen::Index> columnUnder(const Pickable& layer, const Eigen::Isometry3d& toFile,
+                                        const ScreenMap& map, const Eigen::Vector2d& pixel) {
   if (layer.points.size() == 0) return std::nullopt;
-  const auto ray = map.ray(pixel);
+  Eigen::ParametrizedLine<double, 3> ray = map.ray(pixel);
+  ray = {toFile.inverse() * ray.origin(), toFile.linear().transpose() * ray.direction()};
   const double slope = pointReach * (map.pixelSize(2) - map.pixelSize(1)); // 0 if parallel
   const double radius = pointReach * map.pixelSize(0);
   // In parallel projection, what is behind the plane of the eye is drawn as well.
   const auto box = layer.boxes.bounds();
-  const double back =
-      map.isPerspective()
-          ? 0
-          : (box.center().cast<double>() + origin - ray.origin()).norm() + box.diagonal().norm();
-  const Eigen::Vector3d apex = ray.pointAt(-back) - origin;
+  const double back = map.isPerspective() ? 0
+                                          : (box.center().cast<double>() - ray.origin()).norm() +
+                                                box.diagonal().norm();
+  const Eigen::Vector3d apex = ray.pointAt(-back);
   const ViewCone cone{apex.cast<float>(), ray.direction().cast<float>(), static_cast<float>(radius),
                       static_cast<float>(slope)};
-  const auto found = layer.boxes.pick(*layer.points.positions, cone, layer.isShown);
+  return layer.boxes.pick(*layer.points.positions, cone, layer.isShown);
+}
+
+/// Where it is, in the frame of the file.
+std::optional<Eigen::Vector3d> pointUnder(const Pickable& layer, const Eigen::Vector3d& origin,
+                                          const ScreenMap& map, const Eigen::Vector2d& pixel) {
+  const Eigen::Isometry3d toFile(Eigen::Translation3d{origin});
+  const auto found = columnUnder(layer, toFile, map, pixel);
   if (!found) return std::nullopt;
   return layer.points.positions->col(*found).cast<double>() + origin;
 }
@@ -128,6 +136,16 @@ void PointerInput::pickPoint(Pick& pick, const ScreenMap& map, const Eigen::Vect
                                       scene_.showsPlant(placeIn(contracted, i), across, divider_);
                              }},
                             origin, map, pixel);
+  if (scene_.moved.isShown()) {
+    const Eigen::Isometry3d placement = scene_.movedPlacement();
+    pick.movedPoint = columnUnder({scene_.moved, scene_.moved.boxes,
+                                   [&](Eigen::Index i) {
+                                     const Eigen::Vector3d at =
+                                         placement * scene_.moved.positions->col(i).cast<double>();
+                                     return clip.contains(at.cast<float>());
+                                   }},
+                                  Eigen::Translation3d(origin) * placement, map, pixel);
+  }
   const OtherState& other = scene_.other(across < divider_ ? Side::left : Side::right);
   if (pick.point || !other.isShown || !(other.replacesPoints || contracted.visible)) return;
   pick.point =

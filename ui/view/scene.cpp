@@ -72,10 +72,10 @@ void Scene::setOther(Side side, const std::optional<PlantState>& state) {
   shown.within = state ? state->within : std::nullopt;
   shown.scanned = state ? state->scanned : nullptr;
   shown.points = state ? state->points : std::vector<Eigen::Index>();
-  const auto moved = state ? state->contracted : nullptr;
-  if (moved != shown.contracted.positions)
-    shown.boxes = moved ? PointHierarchy(*moved) : PointHierarchy();
-  shown.contracted.set(moved);
+  const auto travelled = state ? state->contracted : nullptr;
+  if (travelled != shown.contracted.positions)
+    shown.boxes = travelled ? PointHierarchy(*travelled) : PointHierarchy();
+  shown.contracted.set(travelled);
   shown.skeleton.rebuild(state ? state->skeleton : Skeleton(), origin());
   if (state) shown.skeleton.setColors(state->colors);
   recolorNodes(shown); // no others: the user waits for this after each turn of a knob
@@ -89,6 +89,22 @@ bool Scene::showsPlant(const Eigen::Vector3d& place, double across, double divid
 bool Scene::showsScanned(const Eigen::Vector3d& place, double across, double divider) const {
   const OtherState& shown = other(across < divider ? Side::left : Side::right);
   return !shown.replacesPoints || showsPlant(place, across, divider);
+}
+
+void Scene::setMovedScan(const std::optional<ShownScan>& scan) {
+  const auto other = scan ? scan->cloud : nullptr;
+  const bool isAnother = other != moved.shown.cloud;
+  moved.shown = scan.value_or(ShownScan());
+  ++moved.colorRevision;
+  if (!isAnother) return;
+  moved.set(other ? std::shared_ptr<const Eigen::Matrix3Xf>(other, &other->positions()) : nullptr);
+  moved.boxes = other ? PointHierarchy(other->positions()) : PointHierarchy();
+  moved.box = other ? plantBounds(*other) : Eigen::AlignedBox3d();
+}
+
+Eigen::Isometry3d Scene::movedPlacement() const {
+  return Eigen::Translation3d(-origin()) * moved.shown.motion *
+         Eigen::Translation3d(moved.shown.cloud->origin());
 }
 
 void Scene::setPointColor(PointColor color) {
@@ -154,6 +170,11 @@ std::optional<Legend> Scene::pointLegend() const {
   return colorLegend ? std::optional(colorScales.ofPoints(*colorLegend)) : std::nullopt;
 }
 
+std::optional<Legend> Scene::movedLegend() const {
+  const std::optional<PointValues>& values = moved.shown.values;
+  return values ? std::optional(colorScales.ofPoints(values->legend)) : std::nullopt;
+}
+
 std::optional<Legend> Scene::nodeLegend() const {
   const Legend* given = skeleton.legend();
   return given != nullptr ? std::optional(colorScales.ofNodes(*given)) : std::nullopt;
@@ -198,6 +219,9 @@ Eigen::AlignedBox3d Scene::boundsWithin(const Eigen::AlignedBox3d& within) const
     if (!within.isEmpty()) ofLayer = ofLayer.intersection(within);
     if (!ofLayer.isEmpty()) box.extend(ofLayer);
   }
+  if (moved.isShown()) {
+    box.extend(moved.box.transformed(moved.shown.motion));
+  }
   return box;
 }
 
@@ -212,6 +236,9 @@ std::vector<Eigen::Vector3d> Scene::outline() const {
       const Eigen::Vector3d place = layer->positions->col(i).cast<double>() + origin();
       if (plantBox.isEmpty() || plantBox.contains(place)) places.push_back(place);
     }
+  if (moved.isShown())
+    for (Eigen::Index i = 0; i < moved.size(); i += 1 + moved.size() / sample)
+      places.emplace_back(moved.shown.motion * moved.shown.cloud->position(i));
   return places;
 }
 

@@ -6,6 +6,7 @@
 #include "ui/view/point_colors.h"
 #include "ui/view/point_hierarchy.h"
 #include "ui/view/point_look.h"
+#include "ui/view/shown_scan.h"
 #include "ui/view/skeleton_glyphs.h"
 
 #include <Eigen/Core>
@@ -50,6 +51,18 @@ struct OtherState {
   std::optional<Ball> within;
 };
 
+/// A ShownScan as it is drawn.
+struct MovedScan : DrawnPoints { // about the origin of its own cloud
+  ShownScan shown;               // without a cloud: none
+  PointHierarchy boxes;
+  Eigen::AlignedBox3d box;         // of the cloud without far points [L], its own frame
+  std::uint64_t colorRevision = 0; // grows when its points are to be colored anew
+
+  [[nodiscard]] bool isShown() const { return positions != nullptr; }
+  [[nodiscard]] bool isBehind() const { return shown.foreground == Foreground::fixed; }
+  [[nodiscard]] bool hidesFixed() const { return shown.foreground == Foreground::moved; }
+};
+
 /// What the view shows. Read by the renderer, the overlay and the picker; knows none of them.
 struct Scene {
   std::shared_ptr<const PointCloud> cloud; // null: none
@@ -58,6 +71,7 @@ struct Scene {
   PointLayer contracted;
   SkeletonGlyphs skeleton;
   SkeletonGlyphs reference; // what it is compared with; drawn, never picked
+  MovedScan moved;          // over the cloud
   bool skeletonVisible = true;
   bool referenceVisible = true;
   std::array<OtherState, 2> others; // in place of the plant, by the side of the divider
@@ -84,6 +98,7 @@ struct Scene {
   void setSkeleton(const Skeleton& replacement);
   void setReference(const Skeleton& replacement);                   // empty: none
   void setOther(Side side, const std::optional<PlantState>& state); // none: the plant itself
+  void setMovedScan(const std::optional<ShownScan>& scan);          // none: nothing
   void setPointColor(PointColor color);
   void setPointStates(std::shared_ptr<const std::vector<PointState>> states);
   void setPointValues(std::optional<PointValues> values);
@@ -95,6 +110,7 @@ struct Scene {
 
   /// What points and nodes are colored by, on the scale that is chosen; none: not by value.
   [[nodiscard]] std::optional<Legend> pointLegend() const;
+  [[nodiscard]] std::optional<Legend> movedLegend() const; // of the points of the other scan
   [[nodiscard]] std::optional<Legend> nodeLegend() const;
   [[nodiscard]] std::optional<Legend> referenceLegend() const;
   [[nodiscard]] std::optional<Legend> legendOf(const OtherState& other) const; // its nodes'
@@ -121,6 +137,9 @@ struct Scene {
   [[nodiscard]] bool isContractedShown(Eigen::Index point) const {
     return contracted.size() != points.size() || isPointShown(point);
   }
+
+  /// From the points of the other scan, as they are kept, to those of the cloud. pre: it is shown
+  [[nodiscard]] Eigen::Isometry3d movedPlacement() const;
 
   /// What is shown from a camera.
   [[nodiscard]] ClipVolume clipVolume(const Camera& camera) const;

@@ -132,6 +132,15 @@ void uploadLooksOf(const OtherState& other, SceneBuffers::Points& buffers, const
   buffers.colorRevision = scene.colorRevision;
 }
 
+/// The colors of the points of the other scan, if it is colored by value.
+void uploadMovedLooks(SceneBuffers::Points& buffers, const Scene& scene) {
+  if (!scene.moved.shown.values) return buffers.colors.release();
+  const std::uint64_t revision = scene.moved.colorRevision + scene.colorRevision; // both only grow
+  if (buffers.colors.size() > 0 && buffers.colorRevision == revision) return;
+  uploadLooks(buffers.colors, movedLooks(scene));
+  buffers.colorRevision = revision;
+}
+
 } // namespace
 
 void SceneBuffers::uploadPoints(const Scene& scene) {
@@ -146,6 +155,10 @@ void SceneBuffers::uploadPoints(const Scene& scene) {
   }
   cloud_.revision = scene.points.revision;
   cloud_.colorRevision = scene.colorRevision;
+  if (moved_.revision != scene.moved.revision && scene.moved.positions)
+    uploadPositions(moved_.positions, *scene.moved.positions);
+  moved_.revision = scene.moved.revision;
+  uploadMovedLooks(moved_, scene);
   for (const Side side : {Side::left, Side::right})
     uploadLooksOf(scene.other(side), others_[static_cast<std::size_t>(side)].contracted, scene);
   uploadContracted(contracted_, scene.contracted, scene.points.positions.get(), scene);
@@ -187,7 +200,8 @@ const GlBuffer& SceneBuffers::quads(std::size_t count) {
 
 std::vector<GlBuffer*> SceneBuffers::all() {
   std::vector<GlBuffer*> buffers{&quads_};
-  for (Points* points : {&cloud_, &contracted_, &others_[0].contracted, &others_[1].contracted})
+  for (Points* points :
+       {&cloud_, &contracted_, &moved_, &others_[0].contracted, &others_[1].contracted})
     buffers.insert(buffers.end(),
                    {&points->positions, &points->scanned, &points->colors, &points->displacements});
   for (Glyphs* glyphs : {&skeleton_, &reference_, &others_[0].skeleton, &others_[1].skeleton})

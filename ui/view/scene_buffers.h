@@ -40,6 +40,7 @@ public:
   [[nodiscard]] const Points& contracted(std::optional<Side> other = {}) const {
     return other ? others_[static_cast<std::size_t>(*other)].contracted : contracted_;
   }
+  [[nodiscard]] const Points& moved() const { return moved_; } // of the other scan
   [[nodiscard]] const Glyphs& skeleton() const { return skeleton_; }
   [[nodiscard]] const Glyphs& reference() const { return reference_; }
   [[nodiscard]] const Glyphs& skeleton(Side side) const {
@@ -63,6 +64,7 @@ private:
 
   Points cloud_;
   Points contracted_;
+  Points moved_;
   Glyphs skeleton_;
   Glyphs reference_;
   std::array<Other, 2> others_;

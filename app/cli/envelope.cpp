@@ -5,6 +5,7 @@
 #include "app/cli/terminal.h"
 #include "app/report/envelope_numbers.h"
 #include "core/base/text.h"
+#include "core/cloud/file_order.h"
 #include "core/io/structures/surface_files.h"
 #include "core/pipeline/envelopes.h"
 #include "core/pipeline/plant_scale.h"
@@ -55,12 +56,12 @@ EnvelopedPlant ofSkeleton(const Skeleton& skeleton, UpAxis up) {
 
 /// The scan that a project holds, or that lies where it says.
 std::optional<PointCloud> scanOfProject(const Project& project, const Progress& progress) {
-  if (project.hasBytes("cloud")) return cloudFrom(project.bytes("cloud"));
+  if (project.hasBytes(keptCloudName)) return cloudFrom(project.bytes(keptCloudName));
   const auto found = project.findScan();
   if (!found) return std::nullopt;
   auto points = readPoints(found->string(), progress);
   printNotes(points.notes);
-  return std::move(points.value);
+  return project.scan()->isByFile ? sortedAsInFile(points.value) : std::move(points.value);
 }
 
 EnvelopedPlant plantInProject(const EnvelopeFlags& flags, const Progress& progress) {

@@ -49,7 +49,7 @@ Json scanOf(const Project& project) {
   const auto found = project.findScan();
   return {{"file", scan->path.string()},
           {"found", found ? Json(found->string()) : Json(nullptr)},
-          {"is_kept", project.hasBytes("cloud")}};
+          {"is_kept", project.hasBytes(keptCloudName)}};
 }
 
 Json reviewOf(const ReviewCoverage& review) {

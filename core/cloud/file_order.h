@@ -9,4 +9,8 @@ namespace espalier {
 /// The points of a cloud in the order of the file they came from, each once. Time O(N log N).
 [[nodiscard]] std::vector<Eigen::Index> pointsInFileOrder(const PointCloud& cloud);
 
+/// The same points, of which each column is now where it stands in its file: sets of points keep
+/// their meaning as long as the file lists the same points first. Time O(N log N).
+[[nodiscard]] PointCloud sortedAsInFile(const PointCloud& cloud);
+
 } // namespace espalier

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cassert>
 #include <fstream>
 #include <sys/stat.h>
 #include <system_error>
@@ -215,27 +216,41 @@ void Project::setScan(const std::optional<ScanReference>& scan) {
   requireSameFile();
   Transaction transaction(database_);
   database_.execute("DELETE FROM scan");
-  if (scan) {
-    Statement row = database_.prepare("INSERT INTO scan VALUES (0, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
-    row.bindText(1, scan->path.string())
-        .bindText(2, scan->path.lexically_relative(path_.parent_path()).string())
-        .bind(3, std::bit_cast<std::int64_t>(scan->size))
-        .bind(4, std::bit_cast<std::int64_t>(scan->hash));
-    for (int i = 0; i < 3; ++i)
-      row.bind(5 + i, scan->bounds.min()[i]).bind(8 + i, scan->bounds.max()[i]);
-    row.run();
-  }
+  if (scan) insertScan(*scan);
+  transaction.commit();
+}
+
+void Project::insertScan(const ScanReference& scan) const {
+  Statement row =
+      database_.prepare("INSERT OR REPLACE INTO scan VALUES (0, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  row.bindText(1, scan.path.string())
+      .bindText(2, scan.path.lexically_relative(path_.parent_path()).string())
+      .bind(3, std::bit_cast<std::int64_t>(scan.size))
+      .bind(4, std::bit_cast<std::int64_t>(scan.hash));
+  for (int i = 0; i < 3; ++i)
+    row.bind(5 + i, scan.bounds.min()[i]).bind(8 + i, scan.bounds.max()[i]);
+  row.bind(11, std::int64_t{scan.isByFile}).run();
+}
+
+void Project::growScan(const ScanReference& scan, const PointSet& added) {
+  assert(scan.isByFile);
+  requireSameFile();
+  Transaction transaction(database_);
+  insertScan(scan);
+  database_.prepare("DELETE FROM piece WHERE name = ?").bindText(1, keptCloudName).run();
+  setAsideInSnapshots(database_, added);
   transaction.commit();
 }
 
 std::optional<ScanReference> Project::scan() const {
   Statement row =
-      database_.prepare("SELECT absolute, size, hash, x0, y0, z0, x1, y1, z1 FROM scan");
+      database_.prepare("SELECT absolute, size, hash, x0, y0, z0, x1, y1, z1, by_file FROM scan");
   if (!row.step()) return std::nullopt;
   ScanReference scan{.path = row.text(0),
                      .size = std::bit_cast<std::uint64_t>(row.integer(1)),
                      .hash = std::bit_cast<std::uint64_t>(row.integer(2)),
-                     .bounds = {}};
+                     .bounds = {},
+                     .isByFile = row.integer(9) != 0};
   for (int i = 0; i < 3; ++i) {
     scan.bounds.min()[i] = row.real(3 + i);
     scan.bounds.max()[i] = row.real(6 + i);

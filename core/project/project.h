@@ -25,10 +25,15 @@ struct ScanReference {
   std::uint64_t size = 0;     // bytes
   std::uint64_t hash = 0;     // contentHash of the file
   Eigen::AlignedBox3d bounds; // of its points [L], frame of the file
+  /// Its columns are the points in the order of the file (sortedAsInFile): scans were joined in it.
+  bool isByFile = false;
 
   [[nodiscard]] static ScanReference of(const std::filesystem::path& path,
                                         const Eigen::AlignedBox3d& bounds); // reads it all
 };
+
+/// The points of the scan among the bytes of a project, if they are kept there.
+inline constexpr const char* keptCloudName = "cloud";
 
 /// Whether a file begins as a project does, whatever its name.
 [[nodiscard]] bool isProject(const std::filesystem::path& path);
@@ -92,6 +97,10 @@ public:
 
   void setScan(const std::optional<ScanReference>& scan);
   [[nodiscard]] std::optional<ScanReference> scan() const;
+  /// A scan that lists the points of the one before, and behind these others, which are set aside
+  /// in every state of the plant. All at once: the steps keep their points.
+  /// A scan that is kept in the project is dropped. pre: scan.isByFile
+  void growScan(const ScanReference& scan, const PointSet& added);
 
   /// Where the scan is now: at its old place, as seen from the project, or in its folder under any
   /// name; none if nowhere. A file counts if its size and hash do.
@@ -107,7 +116,9 @@ public:
 private:
   Project(std::filesystem::path path, Access access, std::shared_ptr<ProjectLock> lock);
   void requireSameFile() const;
+  void insertScan(const ScanReference& scan) const;
   static void insertHistory(const Database& database, const History& history);
+  static void setAsideInSnapshots(const Database& database, const PointSet& points);
 
   std::filesystem::path path_;
   Access access_;

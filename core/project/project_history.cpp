@@ -294,6 +294,14 @@ void Project::insertHistory(const Database& database, const History& history) {
   setPosition(database, history.position);
 }
 
+void Project::setAsideInSnapshots(const Database& database, const PointSet& points) {
+  bool isDamaged = false;
+  for (const std::int64_t step : snapshotSteps(database, isDamaged))
+    if (const std::optional<StoredPlant> plant = snapshotAt(database, step))
+      insertSnapshot(database, static_cast<std::size_t>(step), plant->skeleton,
+                     plant->leftOut | points);
+}
+
 bool Project::needsSnapshot() const {
   return database_.integer("SELECT coalesce(sum(length(delta)), 0) >"
                            "  (SELECT length(nodes) FROM snapshot ORDER BY step DESC LIMIT 1) "

@@ -41,6 +41,8 @@ const std::vector<Upgrade>& upgrades() {
         "UPDATE document SET text = coalesce((SELECT min(step) + 1 FROM journal"
         " WHERE time = CAST(document.text AS INTEGER)), 0) || substr(text, instr(text, ' '))"
         " WHERE name = 'made_with'"}},
+      // 4 to 5: the columns of a scan may be its points in the order of the file
+      {{"ALTER TABLE scan ADD COLUMN by_file INTEGER NOT NULL DEFAULT 0"}},
   };
   return all;
 }

@@ -26,7 +26,9 @@ void writeAsVersion01(const std::filesystem::path& project, const std::filesyste
         "INSERT INTO snapshot SELECT * FROM today.snapshot",
         "INSERT INTO journal SELECT step, time, author, text, delta FROM today.journal",
         "INSERT INTO position SELECT * FROM today.position",
-        "INSERT INTO piece SELECT * FROM today.piece", "INSERT INTO scan SELECT * FROM today.scan",
+        "INSERT INTO piece SELECT * FROM today.piece",
+        "INSERT INTO scan SELECT id, absolute, relative, size, hash, x0, y0, z0, x1, y1, z1"
+        " FROM today.scan",
         "INSERT INTO document SELECT * FROM today.document WHERE name <> 'contracted_by'",
         "INSERT INTO document SELECT 'contracted_step', step FROM today.journal WHERE id ="
         " (SELECT CAST(text AS INTEGER) FROM today.document WHERE name = 'contracted_by')",

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iterator>
+#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 
@@ -29,6 +30,31 @@ SkeletonDelta joined(const SkeletonDelta& steps, const Skeleton& now) {
   }
   return result;
 }
+
+/// Contracted points of a scan as those of one that has grown: see PlantDocument::growScan(). Steps
+/// that shared theirs do so still.
+class GrownContracted {
+public:
+  using Positions = std::shared_ptr<const Eigen::Matrix3Xf>;
+
+  GrownContracted(const PointCloud& before, const PointCloud& now)
+      : shift_((before.origin() - now.origin()).cast<float>()), now_(now) {}
+
+  [[nodiscard]] Positions of(const Positions& before) {
+    if (!before) return nullptr;
+    Positions& grown = made_[before.get()];
+    if (grown) return grown;
+    auto made = std::make_shared<Eigen::Matrix3Xf>(now_.positions());
+    made->leftCols(before->cols()) = before->colwise() + shift_;
+    grown = std::move(made);
+    return grown;
+  }
+
+private:
+  Eigen::Vector3f shift_; // of what places are counted from
+  const PointCloud& now_;
+  std::unordered_map<const Eigen::Matrix3Xf*, Positions> made_;
+};
 
 /// Drawn from so many that none comes twice, not even in copies of a project.
 StepId newStepId() {
@@ -76,6 +102,10 @@ public:
     step_.points = step_.points ^ added.points;
     setObsolete(step_.delta.isEmpty() && step_.points.isEmpty()); // dragged back to where it was
     return true;
+  }
+
+  void growContracted(GrownContracted& grown) {
+    if (contracted_) contracted_ = {grown.of(contracted_->before), grown.of(contracted_->after)};
   }
 
   /// Another scan has come: this step has none of its points any more.
@@ -165,6 +195,22 @@ void PlantDocument::setScan(std::unique_ptr<const Scan> scan, const QString& pat
 
 void PlantDocument::setFoundScan(std::unique_ptr<const Scan> scan, const QString& path) {
   replaceScan(std::move(scan), path);
+}
+
+void PlantDocument::growScan(std::unique_ptr<const Scan> scan, const QString& path) {
+  const std::shared_ptr<const PointCloud> before = scan_->cloud();
+  GrownContracted grown(*before, *scan->cloud());
+  for (int i = 0; i < undoStack_.count(); ++i)                   // as in forgetPoints()
+    const_cast<EditSkeleton&>(command(i)).growContracted(grown); // NOLINT
+  contracted_ = grown.of(contracted_);
+  leftOut_ =
+      leftOut_ | (PointSet::firstOf(scan->cloud()->size()) - PointSet::firstOf(before->size()));
+  scan_ = std::make_unique<const Scan>(scan->leavingOut(leftOut_));
+  scanPath_ = path;
+  emit scanChanged();
+  emit leftOutChanged();
+  emit contractedChanged();
+  emit titleChanged();
 }
 
 void PlantDocument::replaceScan(std::unique_ptr<const Scan> scan, const QString& path) {

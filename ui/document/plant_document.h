@@ -100,6 +100,10 @@ public:
   void setScan(std::unique_ptr<const Scan> scan, const QString& path);
   /// The scan that the steps are of, which was not at hand: what was set aside stays so.
   void setFoundScan(std::unique_ptr<const Scan> scan, const QString& path);
+  /// A scan that has the points of the one before in their columns, and behind them others, which
+  /// are set aside before the first step and in all. Contracted points, of all steps, get those
+  /// others where they were scanned. pre: there is a scan
+  void growScan(std::unique_ptr<const Scan> scan, const QString& path);
   void setContracted(std::shared_ptr<const Eigen::Matrix3Xf> positions);
   void setUnit(LengthUnit unit);
   void setUp(UpAxis up);

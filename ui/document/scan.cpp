@@ -68,4 +68,8 @@ std::optional<Eigen::Vector3d> Scan::along(const Eigen::Vector3d& place,
   return *local + cloud_->origin();
 }
 
+SpatialIndex freeIndex(const Scan& scan) {
+  return scan.index().passingOver(notCounted(*scan.cloud(), scan.leftOut()));
+}
+
 } // namespace espalier

@@ -60,4 +60,7 @@ private:
   Eigen::AlignedBox3d bounds_;
 };
 
+/// The index of a scan for a job, which may outlive the scan. Time O(N).
+[[nodiscard]] SpatialIndex freeIndex(const Scan& scan);
+
 } // namespace espalier

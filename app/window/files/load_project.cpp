@@ -3,6 +3,7 @@
 #include "app/window/files/load_files.h"
 #include "app/window/files/scan_part.h"
 #include "core/base/error.h"
+#include "core/cloud/file_order.h"
 #include "core/io/formats.h"
 #include "core/mtg/mtg_reader.h"
 #include "core/project/content_hash.h"
@@ -39,7 +40,7 @@ void tryTo(LoadedProject& loaded, const std::function<void()>& act) {
 
 /// The scan that is in the project; null: none.
 std::unique_ptr<const Scan> keptScan(const Project& project, const Progress& progress) {
-  const std::string bytes = project.bytes("cloud");
+  const std::string bytes = project.bytes(keptCloudName);
   if (bytes.empty()) return nullptr;
   progress.update(0.3);
   PointCloud cloud = cloudFrom(bytes);
@@ -47,6 +48,15 @@ std::unique_ptr<const Scan> keptScan(const Project& project, const Progress& pro
     throw Error(project.path().string() + ": the scan in it has no points: keep it there again");
   progress.update(0.5);
   return std::make_unique<const Scan>(std::move(cloud));
+}
+
+/// The scan of a project, whose file is found.
+std::unique_ptr<const Scan> scanIn(const std::filesystem::path& path,
+                                   const ScanReference& reference, const ReadOptions& reading,
+                                   const Progress& progress) {
+  PointCloud cloud = readPoints(path, reading, progress).value;
+  return std::make_unique<const Scan>(reference.isByFile ? sortedAsInFile(cloud)
+                                                         : std::move(cloud));
 }
 
 void addScan(LoadedProject& loaded, const Progress& progress) {
@@ -60,7 +70,7 @@ void addScan(LoadedProject& loaded, const Progress& progress) {
   if (!loaded.isScanKept) {
     const auto found = loaded.project->findScan();
     if (!found) return;
-    loaded.scan = std::make_unique<const Scan>(readPoints(*found, loaded.reading, progress).value);
+    loaded.scan = scanIn(*found, *reference, loaded.reading, progress);
     loaded.scanPath = nameOf(*found);
   }
   ContractedPoints contracted = contractedIn(*loaded.project);
@@ -96,7 +106,7 @@ std::unique_ptr<const Scan> loadScan(const QString& path, const ScanReference& r
     throw Error(path.toStdString() + ": is not the scan of this project, which was " +
                 reference.path.filename().string() +
                 ": choose that, or open this one as a plant of its own");
-  return std::make_unique<const Scan>(readPoints(toPath(path), reading, progress).value);
+  return scanIn(toPath(path), reference, reading, progress);
 }
 
 } // namespace espalier

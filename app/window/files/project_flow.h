@@ -6,6 +6,7 @@
 #include "ui/document/project_recorder.h"
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -19,6 +20,13 @@ namespace espalier {
 class JobSlot;
 class PlantDocument;
 class RecentFiles;
+
+/// A scan that was joined with another one, as its file is opened again.
+struct GrownScan {
+  std::unique_ptr<const Scan> scan;
+  QString path;
+  ScanReference reference;
+};
 
 /// Projects: opening and naming them, and the sessions that keep work which has no name yet.
 ///
@@ -77,6 +85,11 @@ public:
   void leave();
   /// The same, and empties the document.
   void clear();
+  /// Takes a scan that lists the points of the open one first (PlantDocument::growScan), and brings
+  /// the others in as one step named `text`. The project has the scan before the step: stopped in
+  /// between, it opens with those points set aside.
+  /// @throws Error if the project cannot be written, or nothing may be edited; nothing has changed
+  void growScan(const QString& text, GrownScan grown);
   /// The scan of the document, for the project. None: it has none.
   void setScanReference(const std::optional<ScanReference>& scan);
 
@@ -87,6 +100,7 @@ public:
 signals:
   void opened();    // where it is seen from is kept beside it
   void scanFound(); // of the project that is open
+  void scanGrown();
   void sessionsChanged();
   void chosen(const QString& path); // a session to go on with
 

@@ -2,6 +2,7 @@
 #include "app/window/files/file_filters.h"
 #include "app/window/files/load_files.h"
 #include "app/window/files/project_flow.h"
+#include "app/window/files/recent_files.h"
 #include "core/base/error.h"
 #include "core/project/piece_writer.h"
 #include "core/project/point_bytes.h"
@@ -17,7 +18,7 @@
 namespace espalier {
 namespace {
 
-const std::string cloudName = "cloud"; // of the scan, in a project
+const std::string cloudName = keptCloudName; // of the scan, in a project
 
 } // namespace
 
@@ -72,6 +73,27 @@ void ProjectFlow::writeRest() {
   if (isScanKept_ && parts_.document.scan() != nullptr)
     recorder_.writeLater(cloudName,
                          [cloud = parts_.document.scan()->cloud()] { return bytesOf(*cloud); });
+}
+
+void ProjectFlow::growScan(const QString& text, GrownScan grown) {
+  PlantDocument& document = parts_.document;
+  document.requireWritable();
+  recorder_.flush();
+  const PointSet added = PointSet::firstOf(grown.scan->cloud()->size()) -
+                         PointSet::firstOf(document.scan()->cloud()->size());
+  if (recorder_.project() != nullptr) {
+    if (recorder_.isBehind())
+      throw Error(
+          tr("the last edits could not be written: save the plant elsewhere first").toStdString());
+    recorder_.project()->growScan(grown.reference, added);
+  }
+  scan_ = grown.reference;
+  document.growScan(std::move(grown.scan), grown.path);
+  document.leaveOut(text, document.leftOut() - added);
+  if (isScanKept_ && recorder_.project() != nullptr)
+    recorder_.writeLater(cloudName, [cloud = document.scan()->cloud()] { return bytesOf(*cloud); });
+  parts_.recent.add(grown.path);
+  emit scanGrown();
 }
 
 void ProjectFlow::askForScan() {

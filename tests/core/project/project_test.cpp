@@ -44,6 +44,27 @@ TEST(Project, KeepsAPlantAndItsHistory) {
   EXPECT_EQ(readBack(file), history);
 }
 
+// The points of the scan before come first, so that all steps keep theirs.
+TEST(Project, GrowsItsScanBySetAsidePointsInEveryState) {
+  const fs::path file = test::freshFolder() / "oak.espalier";
+  History history{.skeleton = test::fork(3), .leftOut = PointSet::of({1, 5, 7})};
+  history.steps = {{.text = "Set points aside", .delta = {}, .points = PointSet::of({2, 7})}};
+  history.position = 1;
+  const PointSet added = *PointSet::ofRuns({{10, 30}});
+  Project project = Project::create(file, history);
+  project.setBytes(keptCloudName, "points of the scan before");
+  project.setScan(ScanReference{.path = "/a/north.ply", .size = 1, .hash = 2, .bounds = {}});
+  project.growScan({.path = "/a/both.ply", .size = 3, .hash = 4, .bounds = {}, .isByFile = true},
+                   added);
+  EXPECT_EQ(project.scan()->path, "/a/both.ply");
+  EXPECT_TRUE(project.scan()->isByFile);
+  EXPECT_FALSE(project.hasBytes(keptCloudName));
+  History grown = history;
+  grown.leftOut = history.leftOut | added;
+  EXPECT_EQ(readBack(file), grown);
+  EXPECT_EQ(beginningOf(readBack(file)).leftOut, PointSet::of({1, 2, 5}) | added);
+}
+
 TEST(Project, KeepsEachActAsItHappens) {
   const fs::path file = test::freshFolder() / "oak.espalier";
   test::EditsAtRandom edits({.skeleton = test::randomPlant(30, 2)}, 2);

@@ -1,4 +1,5 @@
 #include "core/base/error.h"
+#include "core/cloud/file_order.h"
 #include "core/skeleton/edits.h"
 #include "tests/support/plants.h"
 #include "ui/document/plant_document.h"
@@ -298,6 +299,36 @@ TEST_F(PlantDocumentTest, KeepsWhatWasSetAsideUntilAnotherScanComes) {
     document.undoStack().setIndex(index);
   EXPECT_TRUE(document.leftOut().isEmpty()) << "no step sets points of another scan aside";
   EXPECT_EQ(height(document), 5);
+}
+
+// A scan that lists the points of the one before first, and others behind them.
+TEST_F(PlantDocumentTest, GrowsItsScanByPointsThatAreSetAsideInAllSteps) {
+  document.setScan(rowOfPoints(), "row.xyz");
+  const Eigen::Index points = document.scan()->cloud()->size();
+  document.leaveOut("One", PointSet::of({1}));
+  document.contract("Contract", std::make_shared<const Eigen::Matrix3Xf>(
+                                    document.scan()->cloud()->positions() * 0.5F));
+  const Eigen::Vector3d contracted =
+      document.contracted()->col(2).cast<double>() + document.scan()->cloud()->origin();
+  RawPoints raw;
+  for (Eigen::Index i = 0; i < points; ++i)
+    raw.positions.push_back(document.scan()->cloud()->position(i));
+  for (int i = 0; i < 5; ++i)
+    raw.positions.emplace_back(100 + i, 0, 0);
+  document.growScan(std::make_unique<const Scan>(sortedAsInFile(PointCloud(std::move(raw)))),
+                    "both.ply");
+  const PointSet added = PointSet::firstOf(points + 5) - PointSet::firstOf(points);
+  EXPECT_EQ(document.leftOut(), PointSet::of({1}) | added);
+  EXPECT_EQ(document.scan()->leftOut(), document.leftOut());
+  ASSERT_EQ(document.contracted()->cols(), points + 5);
+  const Eigen::Vector3d now =
+      document.contracted()->col(2).cast<double>() + document.scan()->cloud()->origin();
+  EXPECT_LT((now - contracted).norm(), 1e-4);
+  document.undoStack().setIndex(0);
+  EXPECT_EQ(document.leftOut(), added);
+  EXPECT_EQ(document.contracted(), nullptr);
+  document.undoStack().setIndex(2);
+  EXPECT_EQ(document.contracted()->cols(), points + 5);
 }
 
 TEST_F(PlantDocumentTest, ItsSkeletonIsNotEditedWhileItIsHeld) {

@@ -1,5 +1,6 @@
 #include "app/window/edit_flow.h"
 
+#include "app/window/align/registration_flow.h"
 #include "app/window/edit/editing.h"
 #include "app/window/files/project_flow.h"
 #include "app/window/frame/action_set.h"
@@ -33,6 +34,7 @@ EditFlow::EditFlow(PlantDocument& document, ActionSet& actions)
 
 void EditFlow::join(const Later& later) {
   later_.emplace(later);
+  connect(&later.registration, &RegistrationFlow::changed, this, &EditFlow::refreshHistory);
   connect(&document_.undoStack(), &QUndoStack::indexChanged, this, &EditFlow::noteStep);
 }
 
@@ -55,8 +57,8 @@ void EditFlow::addHistory() {
   redo->setShortcuts({redo->shortcut(), QKeySequence(Qt::CTRL | Qt::Key_Y)});
   undo->setEnabled(false);
   redo->setEnabled(false);
-  connect(&stack, &QUndoStack::canUndoChanged, undo, &QAction::setEnabled);
-  connect(&stack, &QUndoStack::canRedoChanged, redo, &QAction::setEnabled);
+  for (auto signal : {&QUndoStack::canUndoChanged, &QUndoStack::canRedoChanged})
+    connect(&stack, signal, this, &EditFlow::refreshHistory);
   connect(&stack, &QUndoStack::undoTextChanged, undo, [undo](const QString& step) {
     undo->setText(step.isEmpty() ? tr("&Undo") : tr("&Undo: %1").arg(step));
   });
@@ -65,7 +67,15 @@ void EditFlow::addHistory() {
   });
 }
 
+void EditFlow::refreshHistory() {
+  const QUndoStack& stack = document_.undoStack();
+  const bool isRegistering = later_ && later_->registration.isActive();
+  actions_["undo"]->setEnabled(isRegistering ? later_->registration.hasPlaces() : stack.canUndo());
+  actions_["redo"]->setEnabled(!isRegistering && stack.canRedo());
+}
+
 void EditFlow::undo() {
+  if (later_->registration.isActive()) return later_->registration.removeLast();
   Editing& editing = later_->editing;
   if (editing.isPending() || !endsPreview(document_.undoStack().index() - 1)) editing.undo();
 }
@@ -83,6 +93,7 @@ bool EditFlow::endsPreview(int step) {
 }
 
 void EditFlow::leave() {
+  if (later_->registration.isActive()) return later_->registration.escape();
   if (later_->editing.isPending() || !later_->preview.drop()) later_->editing.escape();
 }
 

@@ -11,6 +11,7 @@ class Editing;
 class PlantDocument;
 class PreviewFlow;
 class ProjectFlow;
+class RegistrationFlow;
 class ShownFlow;
 
 /// What is edited by no tool: undo and redo, all that can be selected, and Escape.
@@ -26,11 +27,13 @@ public:
     PreviewFlow& preview;
     const ShownFlow& shown;
     const ProjectFlow& projects;
+    RegistrationFlow& registration;
   };
   void join(const Later& later);
 
 private:
   void addHistory();
+  void refreshHistory();
   void undo();
   void redo();
   void leave();

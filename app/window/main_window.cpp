@@ -1,5 +1,6 @@
 #include "app/window/main_window.h"
 
+#include "app/window/align/registration_flow.h"
 #include "app/window/files/recent_files.h"
 #include "app/window/frame/action_set.h"
 #include "app/window/frame/icon.h"
@@ -154,16 +155,14 @@ void MainWindow::connectParts() {
 void MainWindow::connectJobs() {
   connect(&jobs_, &JobSlot::started, this, [this] {
     status_->showJob(jobs_.name());
-    for (const auto& part : parts_)
-      part->setEnabled(false); // what a job will replace is not to be edited meanwhile
+    refreshEnabled();
   });
   connect(&jobs_, &JobSlot::progressed, status_, &StatusLine::showProgress);
   connect(&jobs_, &JobSlot::failed, this,
           [this](const QString& message) { banner_->showError(message); });
   connect(&jobs_, &JobSlot::finished, this, [this] {
     status_->hideJob();
-    for (const auto& part : parts_)
-      part->setEnabled(true);
+    refreshEnabled();
     if (jobs_.isCanceled()) status_->showNote(tr("Canceled: nothing has changed"));
     refreshEmptiness();
   });
@@ -213,6 +212,14 @@ void MainWindow::refreshDocks() {
       dock->setPlantShown(hasPlant);
     part->setPlantShown(hasPlant);
   }
+}
+
+/// What a job will replace is not to be edited meanwhile, nor the plant while a scan is registered.
+void MainWindow::refreshEnabled() {
+  const WindowPart& registration = parts_.get<RegistrationFlow>();
+  const bool isRegistering = parts_.get<RegistrationFlow>().isActive();
+  for (const auto& part : parts_)
+    part->setEnabled(!jobs_.isBusy() && (!isRegistering || part.get() == &registration));
 }
 
 void MainWindow::refreshTitle() {

@@ -91,6 +91,7 @@ private:
   void refreshCounts();
   void refreshHint();
   void refreshEmptiness();
+  void refreshEnabled(); // of all parts
   void addLayoutAction();
   void resetLayout();
   void showRefusal(const QString& reason, Refusal where);

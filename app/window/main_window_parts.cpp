@@ -1,5 +1,6 @@
 // The parts of the window: here they are made, each with what it works with, and joined where one
 // needs what another does. Actions are listed, and panels lie side by side, in this order.
+#include "app/window/align/registration_flow.h"
 #include "app/window/edit/clean_flow.h"
 #include "app/window/edit/editing.h"
 #include "app/window/edit/history_flow.h"
@@ -168,6 +169,10 @@ void MainWindow::makeEvaluation() {
   parts_.make<EvaluationFlow>(
       EvaluationFlow::Parts{document_, *view_, jobs_, parts_.get<Editing>(), reference, window});
   parts_.make<EnvelopeFlow>(EnvelopeFlow::Parts{document_, *view_, queue_, window});
+  const auto& files = parts_.get<FileFlow>();
+  parts_.make<RegistrationFlow>(RegistrationFlow::Parts{
+      document_, *view_, jobs_, parts_.get<Editing>(), parts_.get<ProjectFlow>(),
+      [&files] { return files.showsPart(); }, window});
 }
 
 void MainWindow::makePreview(PipelinePanel& pipeline) {
@@ -195,10 +200,13 @@ void MainWindow::joinEdits() {
   auto& editing = parts_.get<Editing>();
   auto& points = parts_.get<PointsFlow>();
   auto& shown = parts_.get<ShownFlow>();
+  auto& registration = parts_.get<RegistrationFlow>();
   parts_.get<EditFlow>().join(
-      {editing, parts_.get<PreviewFlow>(), shown, parts_.get<ProjectFlow>()});
+      {editing, parts_.get<PreviewFlow>(), shown, parts_.get<ProjectFlow>(), registration});
   connect(&points, &PointsFlow::changed, &shown,
           [this, &shown] { shown.setPointsIsolated(parts_.get<PointStates>().isIsolated()); });
+  connect(&registration, &RegistrationFlow::begun, this, &MainWindow::refreshEnabled);
+  connect(&registration, &RegistrationFlow::ended, this, &MainWindow::refreshEnabled);
   connect(&editing, &Editing::contextMenuRequested, this, &MainWindow::showContextMenu);
 }
 
@@ -220,6 +228,10 @@ void MainWindow::joinFiles() {
   connect(&projects, &ProjectFlow::scanFound, this, [this, showPlant] {
     showPlant();
     if (document_.skeleton().isEmpty()) view_->faceAll(); // there was nothing to look at
+  });
+  connect(&projects, &ProjectFlow::scanGrown, this, showPlant);
+  connect(&files, &FileFlow::registrationAsked, this, [this](const QString& path) {
+    guarded([&] { parts_.get<RegistrationFlow>().begin(path); });
   });
   connect(&files, &FileFlow::movedOntoScan, view_, &PlantView::frameAll);
   connect(&projects, &ProjectFlow::chosen, this, [this](const QString& path) { open({path}); });

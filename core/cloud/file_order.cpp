@@ -47,4 +47,14 @@ PointCloud sortedAsInFile(const PointCloud& cloud) {
                                  .stationOf = inOrder(cloud.stationOf(), order)});
 }
 
+PointCloud listedByColumn(const PointCloud& cloud) {
+  return PointCloud(StoredPoints{.positions = cloud.positions(),
+                                 .origin = cloud.origin(),
+                                 .colors = cloud.colors(),
+                                 .intensities = cloud.intensities(),
+                                 .fileOrder = countedUp(cloud.size()),
+                                 .stations = cloud.stations(),
+                                 .stationOf = cloud.stationOf()});
+}
+
 } // namespace espalier

@@ -13,4 +13,7 @@ namespace espalier {
 /// their meaning as long as the file lists the same points first. Time O(N log N).
 [[nodiscard]] PointCloud sortedAsInFile(const PointCloud& cloud);
 
+/// The same points in the same columns, as if a file had listed them so. Time O(N).
+[[nodiscard]] PointCloud listedByColumn(const PointCloud& cloud);
+
 } // namespace espalier

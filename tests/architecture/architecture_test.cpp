@@ -79,11 +79,12 @@ const Rooms roomsOfCore = {
 const Rooms roomsOfWindow = {{"frame", {}},
                              {"files", {"frame"}},
                              {"edit", {"frame"}},
+                             {"align", {"files", "edit"}},
                              {"view", {"edit"}},
                              {"evaluate", {"files", "edit"}},
                              {"review", {"files", "edit"}},
                              {"preview", {"view", "evaluate"}},
-                             {"", {"preview", "review"}}};
+                             {"", {"preview", "review", "align"}}};
 
 /// The folder of a file, from `top` on: "graph" of "core/graph/geodesic.h".
 std::string room(const std::string& file, const std::string& top) {

@@ -311,6 +311,7 @@ bool Editing::handle(PlantView& view, const ToolInput& input) {
   pointer_ = input.screen;
   viewDirection_ = input.viewDirection;
   emit pointed();
+  if (borrower_) return borrower_(input);
   if (input.phase == ToolInput::Phase::hover) view.setHovered(isEnabled_ ? input.pick : Pick{});
   if (!isEnabled_) return false;
   if (isMenuClick(input)) {

@@ -8,9 +8,11 @@
 
 #include <QList>
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 
 class QAction;
 class QActionGroup;
@@ -30,6 +32,10 @@ public:
   Editing(PlantDocument& document, PlantView& view, ActionSet& actions,
           std::vector<ToolEntry> entries = tools());
   ~Editing() override;
+
+  /// While a part has the mouse, no tool hears it. Empty: the tools have it again.
+  using Borrower = std::function<bool(const ToolInput&)>;
+  void borrow(Borrower handler) { borrower_ = std::move(handler); }
 
   /// Another view of the plant, in which tools and keys work as in the first.
   void addView(PlantView& view);
@@ -104,6 +110,7 @@ private:
   QList<QAction*> edits_;     // off while there is no skeleton, or it may not be edited
   QList<QAction*> choices_;   // of nodes: off while there is no skeleton
   QObject* wheel_ = nullptr;  // filters the events of each view
+  Borrower borrower_;         // of the mouse; empty: none
   bool isEnabled_ = true;
   Pick under_;
   QPointF pointer_;                  // in the active view, as last reported

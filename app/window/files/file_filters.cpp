@@ -1,7 +1,6 @@
 #include "app/window/files/file_filters.h"
 
 #include "app/window/files/file_flow.h"
-#include "core/io/formats.h"
 #include "ui/document/plant_document.h"
 
 #include <QFileDialog>
@@ -59,6 +58,15 @@ QString readableFilters() {
   filters.prepend(FileFlow::tr("Projects, scans and skeletons (%1)").arg(all.join(' ')));
   filters.append(FileFlow::tr("All files (*)"));
   return filters.join(";;");
+}
+
+QString filtersOf(Content content) {
+  QStringList all;
+  for (const Format& format : formats())
+    if (format.content == content && format.canRead()) all.append(patternsOf(format));
+  const QString name =
+      content == Content::points ? FileFlow::tr("Scans (%1)") : FileFlow::tr("Skeletons (%1)");
+  return name.arg(all.join(' ')) + ";;" + FileFlow::tr("All files (*)");
 }
 
 QString structureFilters() {

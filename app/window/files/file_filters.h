@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/io/formats.h"
 #include "core/mtg/mtg_of_skeleton.h"
 
 #include <QString>
@@ -18,6 +19,9 @@ inline const QString folderKey = QStringLiteral("last_folder");
 
 /// All that can be opened, in one text.
 [[nodiscard]] QString readableFilters();
+
+/// All that has points, or a structure, and is no project, in one text.
+[[nodiscard]] QString filtersOf(Content content);
 
 /// All that has a skeleton, projects too, in one text.
 [[nodiscard]] QString structureFilters();

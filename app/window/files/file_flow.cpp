@@ -24,7 +24,6 @@
 namespace espalier {
 namespace {
 
-const QString mostPointsKey = QStringLiteral("most_points_at_once");
 const QString axesKey = QStringLiteral("save_mtg_with_axes");
 
 /// Whether a skeleton saved there can be opened again.
@@ -102,10 +101,48 @@ void FileFlow::open(const QStringList& paths) {
     parts_.projects.open(path);
     return;
   }
-  read(paths, std::nullopt);
+  QStringList scans;
+  QStringList others;
+  for (const QString& path : paths)
+    (formatOf(toPath(path)).content == Content::points ? scans : others).append(path);
+  openScans(scans, others);
 }
 
-void FileFlow::read(const QStringList& paths, const std::optional<Eigen::AlignedBox3d>& box) {
+void FileFlow::openScans(const QStringList& scans, const QStringList& structures) {
+  const bool hasScan = parts_.document.scan() != nullptr;
+  const bool areTwo = scans.size() == 2;
+  if (scans.size() > 2 || scans.isEmpty() || (!areTwo && !hasScan))
+    return read(scans + structures, std::nullopt);
+  const QString first = areTwo ? scans.front() : parts_.document.scanPath();
+  const Second answer = askAbout(scans.back(), first);
+  if (answer == Second::left) return;
+  if (answer == Second::opened) return read(QStringList(scans.back()) + structures, std::nullopt);
+  if (areTwo) return read(QStringList(first) + structures, std::nullopt, scans.back());
+  emit registrationAsked(scans.back());
+}
+
+FileFlow::Second FileFlow::askAbout(const QString& second, const QString& first) {
+  const QString name = QFileInfo(second).fileName();
+  const QString open = QFileInfo(first).fileName();
+  QMessageBox box(QMessageBox::NoIcon, tr("Two scans"),
+                  tr("<b>Is %1 another scan of the same plant?</b>").arg(name),
+                  QMessageBox::NoButton, &parts_.window);
+  box.setInformativeText(
+      tr("Then register it: it is laid on %1, and the two can be joined. Or open %2 alone, as a "
+         "plant of its own.")
+          .arg(open, name));
+  QPushButton* registers = box.addButton(tr("Register"), QMessageBox::AcceptRole);
+  QPushButton* opens = box.addButton(tr("Open Alone"), QMessageBox::AcceptRole);
+  QPushButton* leaves = box.addButton(tr("Cancel"), QMessageBox::RejectRole);
+  box.setDefaultButton(registers);
+  box.setEscapeButton(leaves);
+  box.exec();
+  if (box.clickedButton() == registers) return Second::registered;
+  return box.clickedButton() == opens ? Second::opened : Second::left;
+}
+
+void FileFlow::read(const QStringList& paths, const std::optional<Eigen::AlignedBox3d>& box,
+                    const QString& toRegister) {
   parts_.jobs.requireIdle();
   bool hasScan = false;
   bool hasStructure = false;
@@ -118,8 +155,7 @@ void FileFlow::read(const QStringList& paths, const std::optional<Eigen::Aligned
   const auto* scan = parts_.document.scan();
   const auto cloud = scan == nullptr || isAnotherPlant ? nullptr : scan->cloud();
   const Skeleton skeleton = isAnotherPlant ? Skeleton() : parts_.document.skeleton();
-  const ScanRequest request{
-      box, parts_.settings.value(mostPointsKey, qulonglong{mostPointsAtOnce}).toULongLong()};
+  const ScanRequest request = scanRequest(parts_.settings, box);
   parts_.jobs.start(
       tr("Reading %1").arg(name),
       [paths, cloud, skeleton, request](const Progress& progress) {
@@ -129,11 +165,14 @@ void FileFlow::read(const QStringList& paths, const std::optional<Eigen::Aligned
           read.fit = fitOf(files.structure ? files.structure->skeleton : skeleton, *points);
         return read;
       },
-      [this, isAnotherPlant, replaces](Read read) {
-        if (!replaces) return show(std::move(read), isAnotherPlant);
+      [this, isAnotherPlant, replaces, toRegister](Read read) {
+        if (!replaces && toRegister.isEmpty()) return show(std::move(read), isAnotherPlant);
         const auto kept = std::make_shared<Read>(std::move(read));
-        parts_.jobs.afterwards([this, isAnotherPlant, kept] {
-          showUnlessKept([&] { show(std::move(*kept), isAnotherPlant); });
+        parts_.jobs.afterwards([this, isAnotherPlant, kept, toRegister] {
+          showUnlessKept([&] {
+            show(std::move(*kept), isAnotherPlant);
+            if (!toRegister.isEmpty()) emit registrationAsked(toRegister);
+          });
         });
       });
 }

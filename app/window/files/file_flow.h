@@ -41,8 +41,9 @@ public:
   explicit FileFlow(const Parts& parts);
 
   /// A project replaces all; a structure replaces the skeleton; a scan comes under a skeleton that
-  /// has none, else it begins another plant. Reading goes on as a job; only once all is read is it
-  /// asked what to do with unsaved edits that it would replace.
+  /// has none. Where there is a scan already, or two are opened, it is asked whether the other is
+  /// to be registered to it; else it begins another plant. Reading goes on as a job; only once all
+  /// is read is it asked what to do with unsaved edits that it would replace.
   /// @throws Error if a file cannot be read or a job is running
   void open(const QStringList& paths);
 
@@ -50,13 +51,15 @@ public:
   /// @throws Error if the scan is shown whole, or the view is not clipped to a box
   void openRegion();
 
+  [[nodiscard]] bool showsPart() const { return part_.isPart(); } // of the file of the scan
   [[nodiscard]] QString count() const override; // of how many points the scan shows a part
   void setPlantShown(bool isShown) override;
   [[nodiscard]] bool mayClose() override;
 
 signals:
   void opened();
-  void movedOntoScan(); // the structure, as was offered
+  void registrationAsked(const QString& scan); // of another scan to the one that is open
+  void movedOntoScan();                        // the structure, as was offered
   void closed();
 
 private:
@@ -65,7 +68,12 @@ private:
   void fillRecent(QMenu& menu);
   void refreshProject();
   void chooseAndOpen();
-  void read(const QStringList& paths, const std::optional<Eigen::AlignedBox3d>& box);
+  /// What is to be done with a second scan; empty: nothing, the user went back.
+  enum class Second : std::uint8_t { opened, registered, left };
+  [[nodiscard]] Second askAbout(const QString& second, const QString& first);
+  void openScans(const QStringList& scans, const QStringList& structures);
+  void read(const QStringList& paths, const std::optional<Eigen::AlignedBox3d>& box,
+            const QString& toRegister = {}); // a scan, once these are shown
   void setPart(const ScanPart& part);
   void closePlant();
 

@@ -6,6 +6,7 @@
 #include "core/io/glance.h"
 
 #include <QCoreApplication>
+#include <QSettings>
 
 namespace espalier {
 namespace {
@@ -40,6 +41,10 @@ void loadScan(LoadedFiles& loaded, const std::filesystem::path& path, const Scan
 
 } // namespace
 
+ScanRequest scanRequest(const QSettings& settings, const std::optional<Eigen::AlignedBox3d>& box) {
+  return {box, settings.value("most_points_at_once", qulonglong{mostPointsAtOnce}).toULongLong()};
+}
+
 LoadedFiles loadFiles(const QStringList& paths, const ScanRequest& request,
                       const Progress& progress) {
   LoadedFiles loaded;
@@ -52,8 +57,8 @@ LoadedFiles loadFiles(const QStringList& paths, const ScanRequest& request,
       if (loaded.scan)
         throw twoOfAKind(paths[i],
                          QT_TRANSLATE_NOOP("LoadFiles",
-                                           "%1: a second scan: open one at a time, or join them "
-                                           "first with \"espalier register\""));
+                                           "%1: one scan too many: open two at most, to register "
+                                           "one to the other"));
       loadScan(loaded, path, request, part);
       loaded.scanPath = paths[i];
     } else {

@@ -14,6 +14,8 @@
 #include <memory>
 #include <optional>
 
+class QSettings;
+
 namespace espalier {
 
 /// What a set of files holds: at most one scan and one structure.
@@ -32,6 +34,10 @@ struct ScanRequest {
   std::optional<Eigen::AlignedBox3d> box; // all that lies in it [L], frame of the file; none: all
   std::uint64_t mostAtOnce = mostPointsAtOnce; // of a file with more, a sample of as many
 };
+
+/// As the settings have it.
+[[nodiscard]] ScanRequest scanRequest(const QSettings& settings,
+                                      const std::optional<Eigen::AlignedBox3d>& box = {});
 
 /// Reads the files, each for what its content shows.
 /// @throws Error     which file, where in it, what is wrong; or if there are two of a kind

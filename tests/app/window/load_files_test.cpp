@@ -32,7 +32,7 @@ TEST(LoadFiles, RefusesTwoScans) {
   const std::filesystem::path folder = test::freshFolder();
   const QStringList paths = {writeScan(folder / "a.xyz"), writeScan(folder / "b.xyz")};
   EXPECT_THAT([&] { (void)loadFiles(paths); },
-              testing::ThrowsMessage<Error>(testing::HasSubstr("b.xyz: a second scan")));
+              testing::ThrowsMessage<Error>(testing::HasSubstr("b.xyz: one scan too many")));
 }
 
 TEST(LoadFiles, StopsWhenAsked) {

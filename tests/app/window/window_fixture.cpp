@@ -88,7 +88,15 @@ QAction& WindowTest::action(const QString& id) {
 }
 
 void WindowTest::open(const QStringList& paths) {
+  QTimer alone; // where it is asked whether a scan is another one of the same plant
+  QObject::connect(&alone, &QTimer::timeout, [] {
+    auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+    if (dialog != nullptr && dialog->windowTitle() == "Two scans") press("Open Alone")(*dialog);
+  });
+  alone.start(0);
   window_->open(paths);
+  alone.stop();
+  if (window_->isVisible()) QApplication::setActiveWindow(window_.get()); // as in answer()
   waitForJob();
   if (view().isVisible()) waitForView();
 }

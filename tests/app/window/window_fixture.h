@@ -45,7 +45,8 @@ protected:
     return *widget;
   }
 
-  void open(const QStringList& paths); // and waits until it is there
+  /// And waits until it is there; a scan in place of another is a plant of its own.
+  void open(const QStringList& paths);
   void waitForJob();
   void waitForView(); // until the camera rests
   void key(int key, Qt::KeyboardModifiers modifiers = Qt::NoModifier);

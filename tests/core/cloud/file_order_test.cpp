@@ -36,5 +36,15 @@ TEST(FileOrder, SortsThePointsWithAllTheyHaveAsTheFileListsThem) {
   }
 }
 
+TEST(FileOrder, ListsPointsByTheirColumn) {
+  const PointCloud cloud = scattered();
+  const PointCloud listed = listedByColumn(cloud);
+  EXPECT_EQ(listed.positions(), cloud.positions());
+  EXPECT_EQ(listed.colors(), cloud.colors());
+  EXPECT_NE(listed.fileOrder(), cloud.fileOrder());
+  EXPECT_EQ(pointsInFileOrder(listed).front(), 0);
+  EXPECT_EQ(sortedAsInFile(listed).positions(), cloud.positions());
+}
+
 } // namespace
 } // namespace espalier

@@ -1,0 +1,77 @@
+#include "app/window/align/scan_registration.h"
+
+#include "core/base/error.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace espalier {
+namespace {
+
+constexpr std::size_t fewestPairs = 3;
+constexpr std::size_t fewestToJudge = 4; // three lie on three nearly always
+
+} // namespace
+
+void ScanRegistration::addMoved(const Eigen::Vector3d& place) {
+  assert(pending_);
+  pairs_.push_back({.moved = place, .fixed = *pending_});
+  pending_.reset();
+  fit();
+}
+
+void ScanRegistration::removeLast() {
+  assert(hasPlaces());
+  if (pending_)
+    pending_.reset();
+  else
+    removePair(pairs_.size() - 1);
+}
+
+void ScanRegistration::removePair(std::size_t pair) {
+  pairs_.erase(pairs_.begin() + static_cast<std::ptrdiff_t>(pair));
+  fit();
+}
+
+void ScanRegistration::fit() {
+  byPairs_.reset();
+  refusal_.clear();
+  if (pairs_.size() < fewestPairs) return;
+  try {
+    byPairs_ = fitPairs(pairs_);
+    byPoints_.reset();
+  } catch (const Error& error) { // as for targets on a line: another pair may mend it
+    refusal_ = error.what();
+  }
+}
+
+Eigen::Isometry3d ScanRegistration::motion() const {
+  if (byPoints_) return byPoints_->motion;
+  return byPairs_ ? byPairs_->motion : start_;
+}
+
+std::vector<double> ScanRegistration::residuals() const {
+  std::vector<double> result;
+  if (!isPlaced()) return result;
+  const Eigen::Isometry3d motion = this->motion();
+  for (const TargetPair& pair : pairs_)
+    result.push_back((motion * pair.moved - pair.fixed).norm());
+  return result;
+}
+
+double ScanRegistration::rms() const {
+  const std::vector<double> all = residuals();
+  double sum = 0;
+  for (const double residual : all)
+    sum += residual * residual;
+  return all.empty() ? 0 : std::sqrt(sum / static_cast<double>(all.size()));
+}
+
+std::optional<std::size_t> ScanRegistration::worst() const {
+  const std::vector<double> all = residuals();
+  if (all.size() < fewestToJudge) return std::nullopt;
+  return static_cast<std::size_t>(std::ranges::max_element(all) - all.begin());
+}
+
+} // namespace espalier

@@ -182,6 +182,7 @@ StepId PlantDocument::contractedStep() const {
 }
 
 PlantScale PlantDocument::scale() const {
+  if (!scan_) return {};
   return {
       .spacing = scan_->spacing(), .height = scan_->height(up_), .thickness = scan_->thickness()};
 }

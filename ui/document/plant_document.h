@@ -39,7 +39,7 @@ public:
   ~PlantDocument() override;
 
   [[nodiscard]] const Scan* scan() const { return scan_.get(); } // null: none
-  [[nodiscard]] PlantScale scale() const; // what rules of options follow from. pre: scan()
+  [[nodiscard]] PlantScale scale() const; // that rules of options follow; no scan: PlantScale()
   [[nodiscard]] const std::shared_ptr<const Eigen::Matrix3Xf>& contracted() const {
     return contracted_; // null: none; 3 x N, as the positions of the scan
   }

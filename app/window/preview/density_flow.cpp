@@ -23,7 +23,7 @@ void DensityFlow::refresh() {
   PipelineOptions options = pipeline_.options();
   options.leftOut = document_.leftOut();
   const Step& step = contractionStep();
-  const PlantScale scale = scan != nullptr ? document_.scale() : PlantScale{};
+  const PlantScale scale = document_.scale();
   const bool isFollowed =
       scan != nullptr && chosenFor(step, options, scale).probe().density.has_value();
   if (!isFollowed) {

@@ -107,6 +107,17 @@ TEST_F(PreviewTest, GoesOnWithAnotherScan) {
   EXPECT_TRUE(panel().isLive());
 }
 
+TEST_F(PreviewTest, OfAReconstructedPlantGoesWhenAnotherScanIsOpened) {
+  key(Qt::Key_R, Qt::ControlModifier);
+  waitForJob();
+  turnOn();
+  ASSERT_TRUE(shown());
+  open({writeScan("other.xyz")});
+  waitForPreview();
+  EXPECT_TRUE(document().skeleton().isEmpty());
+  EXPECT_TRUE(shown());
+}
+
 TEST_F(PreviewTest, PanelsStayWithinTheSmallestWindowAndShowAllScoresInALargerOne) {
   window().resize(window().minimumSize());
   key(Qt::Key_F7, Qt::ShiftModifier);

@@ -45,6 +45,11 @@ TEST_F(PlantDocumentTest, MakesNoStepOfAnEditThatChangesNothing) {
   EXPECT_FALSE(document.isModified());
 }
 
+TEST_F(PlantDocumentTest, KnowsNoScaleWithoutAScan) {
+  EXPECT_EQ(document.scale().spacing, 0);
+  EXPECT_EQ(document.scale().height, 0);
+}
+
 TEST_F(PlantDocumentTest, MakesOneStepOfADrag) {
   const Gesture drag = Gesture::begin();
   for (const double z : {3.0, 4.0, 5.0})

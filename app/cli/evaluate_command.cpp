@@ -17,7 +17,7 @@ Skeleton skeletonIn(const std::string& file, double scale) {
   if (scale != 1)
     for (const NodeId id : skeleton.ids()) {
       skeleton.setPosition(id, scale * skeleton[id].position);
-      skeleton.setRadius(id, scale * skeleton[id].radius);
+      skeleton.setRadius(id, scale * skeleton[id].radius, skeleton[id].origin);
       if (!isInRange(skeleton[id].position, skeleton[id].radius))
         throw outOfRange(file + ", scaled: node " + std::to_string(indexOf(id)) + ": ");
     }

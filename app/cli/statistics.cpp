@@ -151,6 +151,19 @@ Json toJson(const std::vector<EndDecision>& ends) {
           {"doubtful", std::move(doubtful)}};
 }
 
+/// How many radii are from where.
+Json radiusSources(const Skeleton& skeleton) {
+  int measured = 0;
+  int corrected = 0;
+  int extrapolated = 0;
+  for (const NodeId id : skeleton.ids()) {
+    measured += skeleton[id].origin.source == RadiusSource::measured;
+    corrected += skeleton[id].origin.source == RadiusSource::corrected;
+    extrapolated += skeleton[id].origin.source == RadiusSource::extrapolated;
+  }
+  return {{"measured", measured}, {"corrected", corrected}, {"extrapolated", extrapolated}};
+}
+
 } // namespace
 
 Json statistics(const Reconstruction& reconstruction,
@@ -169,15 +182,6 @@ Json statistics(const Reconstruction& reconstruction,
     if (!record.notes.empty()) step["notes"] = record.notes;
     steps.push_back(std::move(step));
   }
-  Json sources = {{"measured", 0}, {"fused", 0}, {"modeled", 0}};
-  for (const NodeId id : reconstruction.skeleton->ids()) {
-    if (indexOf(id) >= reconstruction.radiusSources.size()) break;
-    const RadiusSource source = reconstruction.radiusSources[indexOf(id)];
-    const char* name = source == RadiusSource::measured ? "measured"
-                       : source == RadiusSource::fused  ? "fused"
-                                                        : "modeled";
-    sources[name] = sources[name].get<int>() + 1;
-  }
   Json ends = reconstruction.ends ? toJson(*reconstruction.ends) : Json(nullptr);
   auto seconds = Json::object();
   for (const auto& [stage, spent] : stageSeconds)
@@ -187,7 +191,7 @@ Json statistics(const Reconstruction& reconstruction,
             {"height", reconstruction.scale.height},
             {"thickness", reconstruction.scale.thickness}}},
           {"steps", std::move(steps)},
-          {"radius_sources", std::move(sources)},
+          {"radius_sources", radiusSources(*reconstruction.skeleton)},
           {"ends", std::move(ends)},
           {"seconds", std::move(seconds)}};
 }

@@ -26,8 +26,8 @@ namespace espalier {
 /// bounds.{minimum,maximum}, largest_radius, findings.
 [[nodiscard]] nlohmann::ordered_json statistics(const Skeleton& skeleton);
 
-/// Keys: scale.{spacing,height}, steps[].{step,method,options}, radius_sources.{measured,fused,
-/// modeled}: how many nodes have each, seconds.
+/// Keys: scale.{spacing,height}, steps[].{step,method,options}, radius_sources.{measured,
+/// corrected,extrapolated}: how many nodes have each, seconds.
 [[nodiscard]] nlohmann::ordered_json
 statistics(const Reconstruction& reconstruction,
            const std::vector<std::pair<std::string, double>>& stageSeconds);

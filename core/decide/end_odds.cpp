@@ -34,7 +34,7 @@ const EndOdds& fittedEndOdds() {
 }
 
 double probabilityOfShoot(const EndEvidence& evidence, const EndOdds& odds) {
-  return odds.probability(featuresOf(evidence));
+  return 1 / (1 + std::exp(-odds.value(featuresOf(evidence))));
 }
 
 } // namespace espalier

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/base/quadratic.h"
 #include "core/decide/end_evidence.h"
-#include "core/decide/logistic.h"
 
 #include <array>
 
@@ -10,7 +10,9 @@ namespace espalier {
 /// What the probability of an end follows from: its lengths and counts by their logarithms.
 [[nodiscard]] std::array<double, 10> featuresOf(const EndEvidence& evidence);
 
-using EndOdds = Logistic<10>;
+/// Whose value is the logarithm of the odds, of a logistic regression.
+/// Source: D. R. Cox, "The regression analysis of binary sequences", J. R. Stat. Soc. B 20, 1958.
+using EndOdds = Quadratic<10>;
 
 /// The odds that are fitted: by espalier_fit_odds (tests/bench/fit_odds.cpp) on simulated scans.
 [[nodiscard]] const EndOdds& fittedEndOdds();

@@ -93,6 +93,12 @@ std::vector<TraitRow> traitRows(const PlantMeasures& measures) {
   rows.begin("Wood");
   rows.add(TraitKind::volume, "volume", measures.wood.whole.volume,
            "Edges count as truncated cones");
+  if (measures.volume) {
+    rows.add(TraitKind::volume, "volume, at least", measures.volume->least,
+             "With a probability of 95 %, as far as the radii err; missing wood does not count");
+    rows.add(TraitKind::volume, "volume, at most", measures.volume->most,
+             "With a probability of 95 %, as far as the radii err; missing wood does not count");
+  }
   rows.add(TraitKind::area, "bark area", measures.wood.whole.area, "Of the same");
   if (measures.stemDiameter)
     rows.add(TraitKind::length, "diameter at 1.3 m", *measures.stemDiameter,

@@ -131,6 +131,9 @@ nlohmann::ordered_json toJson(const PlantMeasures& measures) {
   const std::string& missing = measures.stemMissing;
   Json wood = {{"radius_limits", measures.radiusLimits}};
   wood.update(toJson(measures.wood));
+  const std::optional<VolumeInterval>& volume = measures.volume;
+  wood["volume_interval"] =
+      volume ? Json{{"least", volume->least}, {"most", volume->most}} : Json();
   return {{"traits", toJson(measures.traits)},
           {"breast_height",
            {{"diameter", diameter ? Json(*diameter) : Json()},

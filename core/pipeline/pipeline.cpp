@@ -174,7 +174,6 @@ struct Pipeline::Kept {
     result.apart = state->apart;
     result.contracted = state->contracted;
     result.skeleton = state->skeleton;
-    result.radiusSources = state->radiusSources;
     result.ends = state->ends;
     progress.update(1);
     return result;

@@ -24,7 +24,6 @@ struct Reconstruction {
   std::shared_ptr<const Eigen::Matrix3Xf> contracted; // by point, about the origin of the cloud
   /// In the frame of the file; the pipeline keeps it, too.
   std::shared_ptr<const Skeleton> skeleton = std::make_shared<const Skeleton>();
-  std::vector<RadiusSource> radiusSources; // by id; empty without the last step
   /// What was asked of the ends of the skeleton (core/decide/decide_ends.h). Null: nothing.
   std::shared_ptr<const std::vector<EndDecision>> ends;
   PlantScale scale; // of what is left, if cleaning changed it

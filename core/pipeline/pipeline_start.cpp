@@ -27,8 +27,7 @@ PipelineState firstState(const std::shared_ptr<const PointCloud>& cloud, const P
   return {.cloud = cloud,
           .isLeftOut = notCounted(*cloud, leftOut),
           .contracted = {cloud, &cloud->positions()}, // of the cloud: no copy
-          .root = 0,
-          .radiusSources = {}};
+          .root = 0};
 }
 
 PipelineState cleanedState(const std::shared_ptr<const PointCloud>& cloud,

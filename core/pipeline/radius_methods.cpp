@@ -4,6 +4,7 @@
 #include "core/radius/length_pipe_model.h"
 #include "core/radius/measured_radius.h"
 #include "core/radius/pipe_ends.h"
+#include "core/radius/wood_radii.h"
 
 #include <algorithm>
 #include <iomanip>
@@ -28,27 +29,41 @@ Option branchLimitOption() {
       Shown::tr("A branch is at most this share as thick as the wood that bears it."));
 }
 
-/// Gives the nodes these radii [L], by id, none thicker than its parent.
-void setRadii(PipelineState& state, std::vector<double> radii, std::vector<RadiusSource> sources,
-              double branchShare = 1) {
-  radii = limitedRadii(*state.skeleton, std::move(radii), branchShare);
+/// Gives the nodes these radii, by id, none thicker than its parent.
+void setRadii(PipelineState& state, std::vector<KnownRadius> radii, double branchShare = 1) {
+  std::vector<double> free;
+  free.reserve(radii.size());
+  for (const KnownRadius& each : radii)
+    free.push_back(each.radius);
+  const std::vector<double> limited = limitedRadii(*state.skeleton, free, branchShare);
   Skeleton skeleton = *state.skeleton;
-  for (const NodeId id : skeleton.ids())
-    skeleton.setRadius(id, radii[indexOf(id)]);
+  for (const NodeId id : skeleton.ids()) {
+    const std::size_t i = indexOf(id);
+    RadiusOrigin& origin = radii[i].origin;
+    if (limited[i] > 0) { // the interval is where it was, if the limit is not below all of it
+      origin.least = std::min(1.0F, origin.least * static_cast<float>(free[i] / limited[i]));
+      origin.most *= static_cast<float>(free[i] / limited[i]);
+    }
+    skeleton.setRadius(id, limited[i], origin);
+  }
   state.setSkeleton(std::move(skeleton));
-  state.radiusSources = std::move(sources);
 }
 
-std::vector<RadiusSource> allModeled(const PipelineState& state) {
-  return std::vector<RadiusSource>(state.skeleton->idEnd(), RadiusSource::modeled);
+/// Radii without an interval, from what the nodes carry, by id.
+std::vector<KnownRadius> extrapolated(const std::vector<double>& radii) {
+  std::vector<KnownRadius> known;
+  known.reserve(radii.size());
+  for (const double radius : radii)
+    known.push_back({radius, {.source = RadiusSource::extrapolated}});
+  return known;
 }
 
 /// Radii of nodes that are measured; the others follow from those next to them.
 void setMeasured(PipelineState& state, const std::vector<double>& radii, double branchShare) {
-  std::vector<RadiusSource> sources = allModeled(state);
+  std::vector<KnownRadius> known = extrapolated(interpolatedRadii(*state.skeleton, radii));
   for (std::size_t i = 0; i < radii.size(); ++i)
-    if (radii[i] > 0) sources[i] = RadiusSource::measured;
-  setRadii(state, interpolatedRadii(*state.skeleton, radii), std::move(sources), branchShare);
+    if (radii[i] > 0) known[i].origin.source = RadiusSource::measured;
+  setRadii(state, std::move(known), branchShare);
 }
 
 Method assignedMethod(std::string name, std::string label, std::string help,
@@ -111,34 +126,6 @@ Method cylinderMethod() {
       }};
 }
 
-/// Cylinders where points show them, distances elsewhere, by id.
-std::vector<MeasuredRadius> woodRadii(const Skeleton& skeleton, const AssignedPoints& points,
-                                      const CylinderOptions& options, const Progress& progress) {
-  const auto fitted = cylindersAbout(skeleton, points, options, progress);
-  const double error = pointError(fitted);
-  return withThinRadii(skeleton, points,
-                       cylinderRadii(withoutScattered(fitted, error), options.spacing), error);
-}
-
-/// The model that measurements are fused with: fitted to them, or, where they are too few, the mean
-/// distances of the points.
-std::vector<double> modelOf(const Skeleton& skeleton, const AssignedPoints& points,
-                            const std::vector<MeasuredRadius>& measured, double spacing,
-                            double& spread) {
-  constexpr double least = 0.08;
-  constexpr double most = 0.5;
-  if (const auto model = fittedLengthPipe(skeleton, measured)) {
-    spread = std::clamp(model->spread, least, most);
-    return radiiOf(skeleton, *model);
-  }
-  spread = most;
-  std::vector<double> radii =
-      interpolatedRadii(skeleton, assignedRadii(skeleton, points, AssignedMeasure::mean));
-  for (double& radius : radii)
-    if (!(radius > 0)) radius = spacing / 2; // no node has points
-  return radii;
-}
-
 Method fusedMethod() {
   using Options = CylinderMethodOptions;
   OptionTable<Options> table = cylinderTable();
@@ -151,31 +138,32 @@ Method fusedMethod() {
   table.add(ratioOption("branch_step", Shown::tr("Step to a branch"), 0.001, 10,
                         Shown::tr("The same from an axis to a branch.")),
             &Options::fusion, &FusionOptions::branchStep);
-  return {
-      .name = "fused",
-      .label = Shown::tr("Cylinders and pipe model"),
-      .help = Shown::tr(
-          "Radii of fitted cylinders where points suffice, of a pipe model fitted to them "
-          "elsewhere, each as far as it can be trusted."),
-      .source = "pipe model: K. Shinozaki et al., Jpn. J. Ecol. 14, 1964; fusion: least squares "
-                "of logarithms by their deviations",
-      .options = table.descriptions(),
-      .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
-        Options options = table.with(values);
-        const Eigen::Matrix3Xf kept = keptPositions(state);
-        options.cylinders.spacing = pointSpacing(kept, progress);
-        const AssignedPoints points(*state.skeleton, kept, state.cloud->origin(),
-                                    progress.part(0, 0.5));
-        const std::vector<MeasuredRadius> measured =
-            woodRadii(*state.skeleton, points, options.cylinders, progress.part(0.5, 1));
-        const std::vector<double> model =
-            modelOf(*state.skeleton, points, measured, options.cylinders.spacing,
-                    options.fusion.modelSpread);
-        if (std::ranges::all_of(model, [](double radius) { return radius == 0; }))
-          state.notes.emplace_back(noRadii);
-        SourcedRadii result = fusedRadii(*state.skeleton, measured, model, options.fusion);
-        setRadii(state, std::move(result.radii), std::move(result.sources), options.branchShare);
-      }};
+  return {.name = "fused",
+          .label = Shown::tr("Cylinders and pipe model"),
+          .help = Shown::tr(
+              "Radii of fitted cylinders where points suffice, of a pipe model fitted to them "
+              "elsewhere, each as far as it can be trusted."),
+          .source =
+              "pipe model: K. Shinozaki et al., Jpn. J. Ecol. 14, 1964; fusion: least squares "
+              "of logarithms by their deviations",
+          .options = table.descriptions(),
+          .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
+            Options options = table.with(values);
+            const Eigen::Matrix3Xf kept = keptPositions(state);
+            const double spacing = pointSpacing(kept, progress);
+            if (!(spacing > 0)) { // all points are in one place
+              state.notes.emplace_back(noRadii);
+              return setRadii(state, std::vector<KnownRadius>(state.skeleton->idEnd()));
+            }
+            options.cylinders.spacing = spacing;
+            const AssignedPoints points(*state.skeleton, kept, state.cloud->origin(),
+                                        progress.part(0, 0.5));
+            const WoodMeasurements measured =
+                measuredWood(*state.skeleton, points, options.cylinders, progress.part(0.5, 1));
+            const std::vector<RadiusEvidence> evidence =
+                fusedWood(*state.skeleton, points, measured, spacing, options.fusion);
+            setRadii(state, knownRadii(*state.skeleton, evidence, spacing), options.branchShare);
+          }};
 }
 
 /// What is to be said of ends that were not both measured; empty if they were.
@@ -218,9 +206,9 @@ NodeCountPipeOptions pipeEndsOf(PipelineState& state, const Progress& progress) 
   const AssignedPoints points(*state.skeleton, kept, origin, progress.part(0.1, 0.5));
   const std::vector<double> lowest =
       lowestWoodRadii(*state.skeleton, {kept, origin, index, spacing}, progress.part(0.5, 0.6));
-  const std::vector<MeasuredRadius> wood =
-      woodRadii(*state.skeleton, points, {.spacing = spacing}, progress.part(0.6, 1));
-  const PipeEnds ends = pipeEnds(*state.skeleton, lowest, wood, spacing / 2);
+  const WoodMeasurements wood =
+      measuredWood(*state.skeleton, points, {.spacing = spacing}, progress.part(0.6, 1));
+  const PipeEnds ends = pipeEnds(*state.skeleton, lowest, wood.radii, spacing / 2);
   if (std::string note = noteOf(ends); !note.empty()) state.notes.push_back(std::move(note));
   return ends.radii;
 }
@@ -235,7 +223,6 @@ Method nodeCountPipeMethod() {
           .options = {},
           .run = [](PipelineState& state, const Values&, const Progress& progress) {
             state.setSkeleton(withNodeCountPipeRadii(*state.skeleton, pipeEndsOf(state, progress)));
-            state.radiusSources = allModeled(state);
           }};
 }
 
@@ -251,7 +238,7 @@ Method lengthPipeMethod() {
             const NodeCountPipeOptions ends = pipeEndsOf(state, progress);
             const LengthPipeModel model =
                 lengthPipeThrough(*state.skeleton, ends.rootRadius, ends.apexRadius);
-            setRadii(state, radiiOf(*state.skeleton, model), allModeled(state));
+            setRadii(state, extrapolated(radiiOf(*state.skeleton, model)));
           }};
 }
 
@@ -278,8 +265,8 @@ Method averagePipeMethod() {
             for (Eigen::Index i = 0; i < kept.cols(); ++i)
               sum += points.distance(static_cast<std::uint32_t>(i));
             const double mean = sum / static_cast<double>(kept.cols());
-            setRadii(state, averagePipeRadii(*state.skeleton, mean, table.with(values).exponent),
-                     allModeled(state));
+            setRadii(state, extrapolated(averagePipeRadii(*state.skeleton, mean,
+                                                          table.with(values).exponent)));
           }};
 }
 

@@ -44,7 +44,6 @@ PipelineState stateOf(const std::vector<Eigen::Index>& points, const PipelineSta
               std::make_shared<const Eigen::Matrix3Xf>((*region.contracted)(Eigen::all, points)),
           .root = nearest - points.begin(),
           .made = StepResult::contracted,
-          .radiusSources = {},
           .extent = region.extent};
 }
 

@@ -8,7 +8,6 @@
 #include "core/pipeline/method_probe.h"
 #include "core/pipeline/option_table.h"
 #include "core/pipeline/plant_scale.h"
-#include "core/radius/fused_radii.h"
 #include "core/skeleton/skeleton.h"
 
 #include <functional>
@@ -41,7 +40,6 @@ struct PipelineState {
   StepResult made = StepResult::scan; // the last that is there
   /// In the frame of the file; states share it.
   std::shared_ptr<const Skeleton> skeleton = std::make_shared<const Skeleton>();
-  std::vector<RadiusSource> radiusSources = {};              // by id, once there are radii
   std::shared_ptr<const std::vector<EndDecision>> ends = {}; // as they were decided; null: not
   /// Of all points of the cloud, if it is at hand: see scannedIndex.
   std::shared_ptr<const SpatialIndex> index = {};

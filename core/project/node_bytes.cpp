@@ -17,10 +17,11 @@
 namespace espalier {
 namespace {
 
-/// 4 has indices that are texts; where there are none, 3 is written, which older programs read. 2
-/// had no points, 1 no reviews either; else all are the same.
-constexpr std::uint8_t bytesVersion = 4;
-constexpr std::uint8_t versionOfPlainIndices = 3;
+/// 5 has origins of radii, 4 indices that are texts; where there are none, the version before is
+/// written, which older programs read. 2 had no points, 1 no reviews either; else all are the same.
+constexpr std::uint8_t bytesVersion = 5;
+constexpr std::uint8_t versionOfTextIndices = 4;
+constexpr std::uint8_t leastVersion = 3; // that is written
 constexpr std::size_t hashSize = 8;
 
 enum NodeFlag : std::uint8_t {
@@ -28,7 +29,8 @@ enum NodeFlag : std::uint8_t {
   isBranching = 2,
   hasEntities = 4,
   isMarked = 8,
-  hasReview = 16
+  hasReview = 16,
+  hasOrigin = 32
 };
 enum ChangeFlag : std::uint8_t { hasBefore = 1, hasAfter = 2 };
 
@@ -45,7 +47,7 @@ bool isTyped(const Entity& entity) {
 
 /// Whether a node that is read is no damage.
 bool isReadable(const Node& node) {
-  return isFinite(node) && isInRange(node.position, node.radius);
+  return isFinite(node) && isInRange(node.position, node.radius) && node.origin.isSound();
 }
 
 /// What a reader takes for damage is not written.
@@ -69,7 +71,7 @@ struct Malformed {};
 
 class Writer {
 public:
-  Writer() { number(versionOfPlainIndices); }
+  Writer() { number(leastVersion); }
 
   template <std::unsigned_integral Number> void number(Number value) {
     for (std::size_t i = 0; i < sizeof(Number); ++i)
@@ -97,7 +99,7 @@ public:
     number(static_cast<std::uint8_t>(indexFlag(entity) | (withTypes ? hasTypes : 0)));
     if (indexFlag(entity) == hasIndex) number(static_cast<std::uint32_t>(entity.index->number()));
     if (indexFlag(entity) == hasIndexText) {
-      bytes_.front() = static_cast<char>(bytesVersion);
+      needs(versionOfTextIndices);
       text(entity.index->text());
     }
     text(entity.alias);
@@ -112,7 +114,8 @@ public:
     number(static_cast<std::uint8_t>(
         (node.parent ? hasParent : 0) | (node.edge == EdgeType::branching ? isBranching : 0) |
         (node.entities.empty() ? 0 : hasEntities) | (node.isMarked ? isMarked : 0) |
-        (node.review == ReviewMark() ? 0 : hasReview)));
+        (node.review == ReviewMark() ? 0 : hasReview) |
+        (node.origin == RadiusOrigin() ? 0 : hasOrigin)));
     for (int i = 0; i < 3; ++i)
       real(node.position[i]);
     real(node.radius);
@@ -120,10 +123,8 @@ public:
     if (!node.entities.empty()) size(node.entities.size());
     for (const Entity& one : node.entities)
       entity(one);
-    if (node.review == ReviewMark()) return;
-    number(static_cast<std::uint8_t>(node.review.state));
-    text(node.review.comment);
-    text(node.review.reviewer);
+    if (node.review != ReviewMark()) review(node.review);
+    if (node.origin != RadiusOrigin()) origin(node.origin);
   }
 
   void points(const PointSet& points) {
@@ -140,6 +141,22 @@ public:
   }
 
 private:
+  void needs(std::uint8_t version) {
+    bytes_.front() =
+        static_cast<char>(std::max(static_cast<std::uint8_t>(bytes_.front()), version));
+  }
+  void review(const ReviewMark& review) {
+    number(static_cast<std::uint8_t>(review.state));
+    text(review.comment);
+    text(review.reviewer);
+  }
+  void origin(const RadiusOrigin& origin) {
+    needs(bytesVersion);
+    number(static_cast<std::uint8_t>(origin.source));
+    number(std::bit_cast<std::uint32_t>(origin.least));
+    number(std::bit_cast<std::uint32_t>(origin.most));
+  }
+
   std::string bytes_;
 };
 
@@ -224,6 +241,7 @@ public:
       for (std::size_t left = count(21); left > 0; --left)
         result.entities.push_back(entity());
     if ((flags & hasReview) != 0) result.review = review();
+    if ((flags & hasOrigin) != 0) result.origin = origin();
     return result;
   }
   ReviewMark review() {
@@ -233,6 +251,16 @@ public:
     result.state = static_cast<ReviewState>(state);
     result.comment = text();
     result.reviewer = text();
+    return result;
+  }
+  RadiusOrigin origin() {
+    RadiusOrigin result;
+    const auto source = number<std::uint8_t>();
+    if (source > static_cast<std::uint8_t>(RadiusSource::byHand)) throw Malformed{};
+    result.source = static_cast<RadiusSource>(source);
+    result.least = std::bit_cast<float>(number<std::uint32_t>());
+    result.most = std::bit_cast<float>(number<std::uint32_t>());
+    if (!result.isSound()) throw Malformed{};
     return result;
   }
   PointSet points() {

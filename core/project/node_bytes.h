@@ -14,13 +14,13 @@ namespace espalier {
 ///
 /// A version byte, the nodes, the runs of points, and the contentHash of all. Numbers are
 /// little-endian, doubles IEEE 754, so that files move between machines and nothing is rounded. A
-/// node is its flags (1 parent, 2 branching, 4 entities, 8 marked, 16 review), position, radius,
-/// and what the flags announce. Version 4 is for indices of entities that are texts; version 3,
-/// without them, is written where there are none. Version 2, without points, and version 1, without
-/// reviews too, are read as well. Reading gives none for bytes that were cut, changed, or are of a
-/// later version; memory stays within a small multiple of the bytes, but for the table by id (see
-/// mostIds). Writing throws an Error for what reading would refuse: a place or radius that is not
-/// finite, a radius below 0, an id past mostIds.
+/// node is its flags (1 parent, 2 branching, 4 entities, 8 marked, 16 review, 32 origin of the
+/// radius), position, radius, and what the flags announce. Version 5 is for origins of radii, 4 for
+/// indices of entities that are texts; 3 is written where there is neither. Version 2, without
+/// points, and version 1, without reviews too, are read as well. Reading gives none for bytes that
+/// were cut, changed, or are of a later version; memory stays within a small multiple of the bytes,
+/// but for the table by id (see mostIds). Writing throws an Error for what reading would refuse: a
+/// place or radius that is not finite, a radius below 0, an id past mostIds.
 
 /// What a step changes, of the nodes and of the points (HistoryStep).
 struct StoredDelta {

@@ -27,16 +27,14 @@ struct TreeSystem {
   /// By id. @param ids parents first
   [[nodiscard]] std::vector<double> solved(const Skeleton& skeleton,
                                            const std::vector<NodeId>& ids) const {
-    std::vector<double> sum = weight; // once the nodes that each carries are eliminated
+    const std::vector<double> sum = eliminated(skeleton, ids);
     std::vector<double> right = pull;
-    for (auto id = ids.rbegin(); id != ids.rend(); ++id) {
-      const auto parent = skeleton[*id].parent;
-      if (!parent) continue;
-      const std::size_t i = indexOf(*id);
-      const double share = tie[i] / (sum[i] + tie[i]);
-      sum[indexOf(*parent)] += share * sum[i];
-      right[indexOf(*parent)] += share * (right[i] + sum[i] * surplus[i]);
-    }
+    for (auto id = ids.rbegin(); id != ids.rend(); ++id)
+      if (const auto parent = skeleton[*id].parent) {
+        const std::size_t i = indexOf(*id);
+        const double share = tie[i] / (sum[i] + tie[i]);
+        right[indexOf(*parent)] += share * (right[i] + sum[i] * surplus[i]);
+      }
     std::vector<double> values(weight.size(), 0);
     for (const NodeId id : ids) {
       const std::size_t i = indexOf(id);
@@ -46,6 +44,37 @@ struct TreeSystem {
                  : right[i] / sum[i];
     }
     return values;
+  }
+
+  /// Standard deviations of the values, by id. @param ids parents first
+  [[nodiscard]] std::vector<double> deviations(const Skeleton& skeleton,
+                                               const std::vector<NodeId>& ids) const {
+    const std::vector<double> sum = eliminated(skeleton, ids);
+    std::vector<double> variances(weight.size(), 0);
+    for (const NodeId id : ids) {
+      const std::size_t i = indexOf(id);
+      const auto parent = skeleton[id].parent;
+      const double share = parent ? tie[i] / (sum[i] + tie[i]) : 0;
+      variances[i] =
+          parent ? 1 / (sum[i] + tie[i]) + share * share * variances[indexOf(*parent)] : 1 / sum[i];
+    }
+    for (double& variance : variances)
+      variance = std::sqrt(variance);
+    return variances;
+  }
+
+private:
+  /// The weights, by id, of the pulls to own values once the nodes that each carries are
+  /// eliminated.
+  [[nodiscard]] std::vector<double> eliminated(const Skeleton& skeleton,
+                                               const std::vector<NodeId>& ids) const {
+    std::vector<double> sum = weight;
+    for (auto id = ids.rbegin(); id != ids.rend(); ++id)
+      if (const auto parent = skeleton[*id].parent) {
+        const std::size_t i = indexOf(*id);
+        sum[indexOf(*parent)] += tie[i] / (sum[i] + tie[i]) * sum[i];
+      }
+    return sum;
   }
 };
 
@@ -102,11 +131,6 @@ std::vector<double> sharesOf(TreeSystem system, const Skeleton& skeleton,
   return system.solved(skeleton, ids);
 }
 
-RadiusSource sourceOf(double share) {
-  if (share < 0.25) return RadiusSource::modeled;
-  return share > 0.75 ? RadiusSource::measured : RadiusSource::fused;
-}
-
 /// `model` without zeros, of which there is no logarithm; none if no radius is known.
 std::optional<std::vector<double>> withoutZeros(std::vector<double> model,
                                                 const std::vector<NodeId>& ids,
@@ -124,12 +148,18 @@ std::optional<std::vector<double>> withoutZeros(std::vector<double> model,
 
 } // namespace
 
-SourcedRadii fusedRadii(const Skeleton& skeleton, const std::vector<MeasuredRadius>& measured,
-                        const std::vector<double>& given, const FusionOptions& options) {
+RadiusSource sourceOf(double share) {
+  if (share < 0.25) return RadiusSource::extrapolated;
+  return share > 0.75 ? RadiusSource::measured : RadiusSource::corrected;
+}
+
+FusedRadii fusedRadii(const Skeleton& skeleton, const std::vector<MeasuredRadius>& measured,
+                      const std::vector<double>& given, const FusionOptions& options) {
   const std::vector<NodeId> ids = skeleton.ids();
-  SourcedRadii result{.radii = std::vector<double>(skeleton.idEnd(), 0),
-                      .sources =
-                          std::vector<RadiusSource>(skeleton.idEnd(), RadiusSource::modeled)};
+  const std::size_t size = skeleton.idEnd();
+  FusedRadii result{.radii = std::vector<double>(size, 0),
+                    .shares = std::vector<double>(size, 0),
+                    .deviations = std::vector<double>(size, 0)};
   const std::optional<std::vector<double>> known = withoutZeros(given, ids, measured);
   if (!known) return result;
   const std::vector<double>& model = *known;
@@ -139,11 +169,10 @@ SourcedRadii fusedRadii(const Skeleton& skeleton, const std::vector<MeasuredRadi
   constexpr int rounds = 8;
   for (int i = 0; i < rounds && holdToParents(system, skeleton, ids, model, values, isTied); ++i)
     values = system.solved(skeleton, ids);
-  const std::vector<double> shares = sharesOf(system, skeleton, ids, options.modelSpread);
-  for (const NodeId id : ids) {
+  result.shares = sharesOf(system, skeleton, ids, options.modelSpread);
+  result.deviations = system.deviations(skeleton, ids);
+  for (const NodeId id : ids)
     result.radii[indexOf(id)] = model[indexOf(id)] * std::exp(values[indexOf(id)]);
-    result.sources[indexOf(id)] = sourceOf(shares[indexOf(id)]);
-  }
   result.radii = limitedRadii(skeleton, std::move(result.radii));
   return result;
 }

@@ -3,23 +3,21 @@
 #include "core/radius/measured_radius.h"
 #include "core/skeleton/skeleton.h"
 
-#include <cstdint>
 #include <vector>
 
 namespace espalier {
 
-/// Where a radius came from.
-enum class RadiusSource : std::uint8_t {
-  modeled, // from what the node carries; points have a share of under a quarter in it
-  fused,   // from both
-  measured // from points, of the node or others on its axis; a share of over three quarters
+/// Radii by measurements and a model, by id.
+struct FusedRadii {
+  std::vector<double> radii;      // [L]
+  std::vector<double> shares;     // of measurements in the radius, in [0, 1]
+  std::vector<double> deviations; // standard ones of the logarithms, if those that went in and the
+                                  // steps along the tree are true and independent: far too small
 };
 
-/// Radii of which each has its source.
-struct SourcedRadii {
-  std::vector<double> radii;         // by id [L]
-  std::vector<RadiusSource> sources; // by id
-};
+/// From points, of the node or others on its axis, if they have a share of over three quarters in
+/// the radius; from what the node carries if they have under a quarter.
+[[nodiscard]] RadiusSource sourceOf(double share);
 
 struct FusionOptions {
   double modelSpread = 0.2; // standard deviation of the logarithm of radii about the model, > 0
@@ -42,10 +40,10 @@ struct FusionOptions {
 /// Deterministic. Time O(n): the tree is eliminated from its tips, a few times over.
 /// Source: D. Rose, "Triangulated graphs and the elimination process", J. Math. Anal. Appl. 32,
 /// 1970, for trees.
-[[nodiscard]] SourcedRadii fusedRadii(const Skeleton& skeleton,
-                                      const std::vector<MeasuredRadius>& measured,
-                                      const std::vector<double>& model,
-                                      const FusionOptions& options = {});
+[[nodiscard]] FusedRadii fusedRadii(const Skeleton& skeleton,
+                                    const std::vector<MeasuredRadius>& measured,
+                                    const std::vector<double>& model,
+                                    const FusionOptions& options = {});
 
 /// `radii` [L] by id, none greater than its parent's on an axis, or than `branchShare` of it on a
 /// branch, which is in (0, 1]. From the root up. Time O(n).

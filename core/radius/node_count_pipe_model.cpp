@@ -24,7 +24,8 @@ Skeleton withNodeCountPipeRadii(const Skeleton& skeleton, const NodeCountPipeOpt
           : 0;
   for (const NodeId id : skeleton.ids())
     result.setRadius(id,
-                     isKnown ? options.apexRadius * std::pow(carried[indexOf(id)], exponent) : 0);
+                     isKnown ? options.apexRadius * std::pow(carried[indexOf(id)], exponent) : 0,
+                     {.source = RadiusSource::extrapolated});
   return result;
 }
 

@@ -15,12 +15,6 @@ double distance(const Skeleton& skeleton, NodeId a, NodeId b) {
   return (skeleton[a].position - skeleton[b].position).norm();
 }
 
-/// The node before this one on its axis.
-std::optional<NodeId> previousOnAxis(const Skeleton& skeleton, NodeId id) {
-  const std::optional<NodeId>& parent = skeleton[id].parent;
-  return parent && nextOnAxis(skeleton, *parent) == id ? parent : std::nullopt;
-}
-
 /// A pipe from a node whose radius stands: radius = foot * (carried / carriedByFoot)^exponent.
 struct Pipe {
   double foot;          // radius [L]
@@ -90,7 +84,7 @@ void smoothRadii(SkeletonEditor& editor, const std::vector<NodeId>& nodes) {
     smoothed.emplace_back(id, (radius + start + share * (end - start)) / 2);
   }
   for (const auto& [id, radius] : smoothed)
-    editor.setRadius(id, radius);
+    editor.setRadius(id, radius, {.source = RadiusSource::extrapolated});
 }
 
 void limitRadii(SkeletonEditor& editor, const std::vector<NodeId>& nodes) {
@@ -104,7 +98,7 @@ void limitRadii(SkeletonEditor& editor, const std::vector<NodeId>& nodes) {
     const double limit = parent ? known[indexOf(*parent)] : 0;
     const double radius = skeleton[id].radius;
     const bool isOver = isChosen[indexOf(id)] && limit > 0 && radius > limit;
-    if (isOver) editor.setRadius(id, limit);
+    if (isOver) editor.setRadius(id, limit, {.source = RadiusSource::extrapolated});
     known[indexOf(id)] = isOver || radius == 0 ? limit : radius;
   }
 }
@@ -133,7 +127,7 @@ void pipeModelFrom(SkeletonEditor& editor, NodeId from, const std::vector<NodeId
     radii.emplace_back(id, pipe->radius(carried[indexOf(id)]));
   }
   for (const auto& [id, radius] : radii)
-    editor.setRadius(id, radius);
+    editor.setRadius(id, radius, {.source = RadiusSource::extrapolated});
 }
 
 std::vector<NodeId> confirmedNodes(const Skeleton& skeleton,

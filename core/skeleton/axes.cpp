@@ -43,6 +43,11 @@ std::optional<NodeId> nextOnAxis(const Skeleton& skeleton, NodeId id) {
   return children[0];
 }
 
+std::optional<NodeId> previousOnAxis(const Skeleton& skeleton, NodeId id) {
+  const std::optional<NodeId>& parent = skeleton[id].parent;
+  return parent && nextOnAxis(skeleton, *parent) == id ? parent : std::nullopt;
+}
+
 Axis axisThrough(const Skeleton& skeleton, NodeId id) {
   NodeId first = id;
   for (std::optional<NodeId> below = skeleton[id].parent;

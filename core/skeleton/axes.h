@@ -23,6 +23,9 @@ using Axis = std::vector<NodeId>;
 /// The node that continues the axis of `id`, if any. pre: contains(id)
 [[nodiscard]] std::optional<NodeId> nextOnAxis(const Skeleton& skeleton, NodeId id);
 
+/// The node before this one on its axis, if any. pre: contains(id)
+[[nodiscard]] std::optional<NodeId> previousOnAxis(const Skeleton& skeleton, NodeId id);
+
 /// The axis that a node is part of. pre: contains(id). Time O(length of the axis).
 [[nodiscard]] Axis axisThrough(const Skeleton& skeleton, NodeId id);
 

@@ -32,7 +32,12 @@ NodeId addBranch(SkeletonEditor& editor, std::optional<NodeId> parent,
   for (std::size_t i = 0; i < places.size(); ++i) {
     if (radii[i] > 0) radius = thickest > 0 ? std::min(radii[i], thickest) : radii[i];
     const EdgeType edge = last ? edgeOfNewChild(editor.skeleton(), *last) : EdgeType::successor;
-    last = editor.add({.position = places[i], .radius = radius, .parent = last, .edge = edge});
+    const RadiusSource source = radii[i] > 0 ? RadiusSource::measured : RadiusSource::extrapolated;
+    last = editor.add({.position = places[i],
+                       .radius = radius,
+                       .parent = last,
+                       .edge = edge,
+                       .origin = {.source = source}});
   }
   return *last;
 }

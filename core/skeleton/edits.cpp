@@ -64,7 +64,8 @@ NodeId splitEdge(SkeletonEditor& editor, NodeId id, double fraction) {
       editor.add({.position = below.position + fraction * (above.position - below.position),
                   .radius = below.radius + fraction * (above.radius - below.radius),
                   .parent = above.parent,
-                  .edge = above.edge});
+                  .edge = above.edge,
+                  .origin = above.origin});
   editor.reparent(id, between, EdgeType::successor);
   if (above.isMarked) {
     editor.setMarked(between, true);

@@ -69,6 +69,9 @@ Values nodeValues(const Skeleton& skeleton, NodeValue value, const PointDistance
     case NodeValue::radiusToParent:
       result[i] = radiusToParent(skeleton, node);
       break;
+    case NodeValue::radiusSpread:
+      if (node.origin.hasInterval()) result[i] = (node.origin.most - node.origin.least) / 2;
+      break;
     case NodeValue::confidence:
       if (const auto body = frustumOf(skeleton, id))
         result[i] = confidence(shared[i], *body, spacing);

@@ -16,6 +16,8 @@ enum class NodeValue : std::uint8_t {
   order,          // branching edges from the root
   radius,         // [L]
   radiusToParent, // its radius as a share of its parent's
+  radiusSpread,   // half the width of the interval its radius lies in (RadiusOrigin), as a share of
+                  // the radius
   confidence      // how well its radius can be known: the points on its surface as a share of those
              // that would lie there if all of the surface were scanned as the rest is, at most 1
 };

@@ -35,6 +35,7 @@ void requireBetween(const std::vector<NodeId>& path) {
 struct Place {
   Eigen::Vector3d position; // [L]
   double radius;            // [L]
+  RadiusOrigin origin;
 };
 
 /// The place and radius on a polyline at a length from its start.
@@ -51,7 +52,7 @@ struct Line {
     const Place& from = places[next - 1];
     const Place& to = places[next];
     return {from.position + share * (to.position - from.position),
-            from.radius + share * (to.radius - from.radius)};
+            from.radius + share * (to.radius - from.radius), to.origin};
   }
 };
 
@@ -87,7 +88,8 @@ std::vector<CutStretch> stretchesOf(const Skeleton& skeleton, const std::vector<
     path.push_back(id);
     stretch.line.at = lengths(skeleton, path);
     for (const NodeId each : path)
-      stretch.line.places.push_back({skeleton[each].position, skeleton[each].radius});
+      stretch.line.places.push_back(
+          {skeleton[each].position, skeleton[each].radius, skeleton[each].origin});
     const double edges = std::round(stretch.line.at.back() / step);
     constexpr double most = 1e6;
     if (edges > most)
@@ -116,7 +118,7 @@ void space(SkeletonEditor& editor, const CutStretch& stretch) {
     const double share = static_cast<double>(i + 1) / static_cast<double>(stretch.count + 1);
     const Place place = stretch.line.place(share * total);
     editor.setPosition(kept[i], place.position);
-    editor.setRadius(kept[i], place.radius);
+    editor.setRadius(kept[i], place.radius, place.origin);
   }
 }
 
@@ -181,7 +183,7 @@ void interpolateRadii(SkeletonEditor& editor, const std::vector<NodeId>& path) {
   const double to = editor.skeleton()[path.back()].radius;
   for (std::size_t i = 1; i + 1 < path.size(); ++i) {
     const double share = at.back() > 0 ? at[i] / at.back() : 0;
-    editor.setRadius(path[i], from + share * (to - from));
+    editor.setRadius(path[i], from + share * (to - from), {.source = RadiusSource::extrapolated});
   }
 }
 

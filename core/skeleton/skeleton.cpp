@@ -71,9 +71,10 @@ void Skeleton::setPosition(NodeId id, const Eigen::Vector3d& position) {
   nodes_[indexOf(id)]->position = position;
 }
 
-void Skeleton::setRadius(NodeId id, double radius) {
+void Skeleton::setRadius(NodeId id, double radius, const RadiusOrigin& origin) {
   assert(contains(id) && radius >= 0);
   nodes_[indexOf(id)]->radius = radius;
+  nodes_[indexOf(id)]->origin = origin;
 }
 
 void Skeleton::setEdge(NodeId id, EdgeType edge) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/skeleton/entity.h"
+#include "core/skeleton/radius_origin.h"
 #include "core/skeleton/review_mark.h"
 
 #include <Eigen/Core>
@@ -23,6 +24,7 @@ struct Node {
   std::vector<Entity> entities = {}; // of an MTG, that start here: coarsest first, its own last
   bool isMarked = false; // by hand: a unit is to start here (core/mtg/unit_edits.h). Never exported
   ReviewMark review = {};
+  RadiusOrigin origin = {}; // of the radius
 
   bool operator==(const Node&) const = default;
 };
@@ -50,11 +52,12 @@ public:
   /// @throws Error if the parent is missing
   NodeId add(const Node& node);
   void setPosition(NodeId id, const Eigen::Vector3d& position); // pre: contains(id)
-  void setRadius(NodeId id, double radius);                     // pre: contains(id), radius >= 0
-  void setEdge(NodeId id, EdgeType edge);                       // pre: contains(id)
-  void setEntities(NodeId id, std::vector<Entity> entities);    // pre: contains(id)
-  void setMarked(NodeId id, bool isMarked);                     // pre: contains(id)
-  void setReview(NodeId id, ReviewMark review);                 // pre: contains(id)
+  /// pre: contains(id), radius >= 0
+  void setRadius(NodeId id, double radius, const RadiusOrigin& origin = {});
+  void setEdge(NodeId id, EdgeType edge);                    // pre: contains(id)
+  void setEntities(NodeId id, std::vector<Entity> entities); // pre: contains(id)
+  void setMarked(NodeId id, bool isMarked);                  // pre: contains(id)
+  void setReview(NodeId id, ReviewMark review);              // pre: contains(id)
 
   /// Attaches `id`, with all it carries, to `parent`.
   /// @throws Error if `parent` is `id` or a descendant of it

@@ -73,7 +73,7 @@ void SkeletonDelta::apply(Skeleton& skeleton) const {
   for (const Change& change : changes) {
     if (!change.after) continue;
     skeleton.setPosition(change.id, change.after->position);
-    skeleton.setRadius(change.id, change.after->radius);
+    skeleton.setRadius(change.id, change.after->radius, change.after->origin);
     skeleton.setEntities(change.id, change.after->entities);
     skeleton.setMarked(change.id, change.after->isMarked);
     skeleton.setReview(change.id, change.after->review);
@@ -103,10 +103,10 @@ void SkeletonEditor::setPosition(NodeId id, const Eigen::Vector3d& position) {
   skeleton_.setPosition(id, position);
 }
 
-void SkeletonEditor::setRadius(NodeId id, double radius) {
+void SkeletonEditor::setRadius(NodeId id, double radius, const RadiusOrigin& origin) {
   if (!(radius <= largestCoordinate)) throw outOfRange(nameOf(id) + ": ");
   note(id);
-  skeleton_.setRadius(id, radius);
+  skeleton_.setRadius(id, radius, origin);
 }
 
 void SkeletonEditor::setEdge(NodeId id, EdgeType edge) {

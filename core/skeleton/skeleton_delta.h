@@ -42,6 +42,8 @@ struct SkeletonDelta {
 /// comment stays. Radii are fitted late and for the whole plant: they leave marks as they are.
 class SkeletonEditor {
 public:
+  static constexpr RadiusOrigin byHand = {.source = RadiusSource::byHand};
+
   explicit SkeletonEditor(Skeleton& skeleton) : skeleton_(skeleton) {}
   ~SkeletonEditor();
   SkeletonEditor(const SkeletonEditor&) = delete;
@@ -53,7 +55,7 @@ public:
   // come into a plant that a project could not be read with.
   NodeId add(const Node& node);
   void setPosition(NodeId id, const Eigen::Vector3d& position);
-  void setRadius(NodeId id, double radius);
+  void setRadius(NodeId id, double radius, const RadiusOrigin& origin = byHand);
   void setEdge(NodeId id, EdgeType edge);
   void setEntities(NodeId id, std::vector<Entity> entities);
   void setMarked(NodeId id, bool isMarked);

@@ -141,6 +141,7 @@ NodeId nodeAt(Skeleton& skeleton, std::vector<NodeAlong>& nodes, double along, d
   node.radius = (1 - share) * below.radius + share * above.radius;
   node.parent = lower.node;
   node.edge = above.edge;
+  node.origin = above.origin;
   const NodeId added = skeleton.add(node);
   skeleton.reparent(upper->node, added, EdgeType::successor);
   nodes.insert(upper, {along, added});

@@ -144,7 +144,7 @@ NodeId mergeNodes(SkeletonEditor& editor, const std::vector<NodeId>& nodes) {
   for (const NodeId id : all)
     if (id != kept) removeNode(editor, id);
   editor.setPosition(kept, sum / static_cast<double>(all.size()));
-  if (known > 0) editor.setRadius(kept, radii / known);
+  if (known > 0) editor.setRadius(kept, radii / known, {.source = RadiusSource::extrapolated});
   return kept;
 }
 

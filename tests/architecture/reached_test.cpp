@@ -28,6 +28,8 @@ const std::map<std::pair<std::string, std::string>, std::string> exceptions = {
     {{"core/clean/wire.h", "resolved"}, "a function beside it calls it"},
     {{"core/decide/end_odds.h", "featuresOf"},
      "a function beside it and the fit of the odds call it"},
+    {{"core/radius/radius_evidence.h", "featuresOf"},
+     "a function beside it and the fit of the errors call it"},
     {{"core/evaluate/traits/strahler.h", "strahlerNumbers"}, "a step of another, tested by itself"},
     {{"core/graph/geodesic_balls.h", "ballGroups"}, "the templates beside it call it"},
     {{"core/graph/geodesic_balls.h", "of"}, "the templates beside it call it"},

@@ -1,5 +1,6 @@
 #include "tests/bench/judged_radii.h"
 
+#include "core/base/quantile.h"
 #include "core/base/spatial_index.h"
 #include "core/radius/arc_coverage.h"
 #include "core/skeleton/edge_index.h"
@@ -12,13 +13,6 @@
 namespace espalier {
 namespace {
 
-double medianOf(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 void print(const RadiusErrors& errors) {
   std::printf("%6zu nodes, median error %.3f, signed %.3f\n", errors.count, errors.median,
               errors.signedMedian);
@@ -26,13 +20,10 @@ void print(const RadiusErrors& errors) {
 
 } // namespace
 
-std::vector<JudgedRadius> judgedRadii(const Skeleton& result, const Skeleton& truth,
-                                      const PointCloud& scan, double spacing) {
+std::vector<std::optional<TrueWood>> trueWood(const Skeleton& result, const Skeleton& truth,
+                                              double spacing) {
   const EdgeIndex edges(truth);
-  const SpatialIndex points(scan.positions());
-  const std::vector<double> seen =
-      arcCoverages(truth, {scan.positions(), scan.origin(), points, spacing});
-  std::vector<JudgedRadius> judged;
+  std::vector<std::optional<TrueWood>> wood(result.idEnd());
   for (const NodeId id : result.ids()) {
     const auto place = edges.nearest(result[id].position);
     if (!place) continue;
@@ -44,10 +35,22 @@ std::vector<JudgedRadius> judgedRadii(const Skeleton& result, const Skeleton& tr
       const double share = length > 0 ? (upper.position - place->position).norm() / length : 0;
       radius = (1 - share) * upper.radius + share * lower.radius;
     }
-    if (place->distance <= radius + spacing)
-      judged.push_back(
-          {radius / spacing, seen[indexOf(place->node)], result[id].radius / radius - 1});
+    if (radius > 0 && place->distance <= radius + spacing)
+      wood[indexOf(id)] = TrueWood{place->node, radius};
   }
+  return wood;
+}
+
+std::vector<JudgedRadius> judgedRadii(const Skeleton& result, const Skeleton& truth,
+                                      const PointCloud& scan, double spacing) {
+  const SpatialIndex points(scan.positions());
+  const std::vector<double> seen =
+      arcCoverages(truth, {scan.positions(), scan.origin(), points, spacing});
+  const auto wood = trueWood(result, truth, spacing);
+  std::vector<JudgedRadius> judged;
+  for (const NodeId id : result.ids())
+    if (const auto& [node, radius] = wood[indexOf(id)].value_or(TrueWood{}); radius > 0)
+      judged.push_back({radius / spacing, seen[indexOf(node)], result[id].radius / radius - 1});
   return judged;
 }
 
@@ -57,10 +60,10 @@ RadiusErrors errorsOf(const std::vector<JudgedRadius>& judged, const WoodRange& 
     if (each.thickness >= wood.thinnest && each.thickness < wood.thickest &&
         each.seen >= wood.leastSeen && each.seen < wood.mostSeen)
       errors.push_back(each.error);
-  RadiusErrors result{.count = errors.size(), .signedMedian = medianOf(errors)};
+  RadiusErrors result{.count = errors.size(), .signedMedian = quantile(errors, 0.5).value_or(0)};
   for (double& error : errors)
     error = std::abs(error);
-  result.median = medianOf(std::move(errors));
+  result.median = quantile(std::move(errors), 0.5).value_or(0);
   return result;
 }
 

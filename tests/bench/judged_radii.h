@@ -5,9 +5,22 @@
 
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace espalier {
+
+/// What a node lies in.
+struct TrueWood {
+  NodeId node;       // of the truth, at the upper end of the edge
+  double radius = 0; // there [L], > 0
+};
+
+/// The true wood of the nodes, by id; none where there is none within its radius and a spacing, or
+/// where it has no thickness, as a midrib.
+/// @param spacing of the points [L], > 0
+[[nodiscard]] std::vector<std::optional<TrueWood>> trueWood(const Skeleton& result,
+                                                            const Skeleton& truth, double spacing);
 
 /// The radius of a node that lies within the true wood or near it.
 struct JudgedRadius {

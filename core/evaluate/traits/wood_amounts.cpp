@@ -4,6 +4,7 @@
 #include "core/skeleton/frustum.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <string>
 #include <utility>
@@ -34,7 +35,43 @@ std::vector<ClassesOfNode> classesOf(const Skeleton& skeleton, const std::vector
   return classes;
 }
 
+double volumeOf(const Skeleton& skeleton, NodeId id) {
+  const auto body = frustumOf(skeleton, id);
+  return body ? body->volume() : 0;
+}
+
+/// The plant with radii at a bound of their intervals; by hand and unknown, as they are.
+double volumeAt(Skeleton plant, float RadiusOrigin::*bound) {
+  double sum = 0;
+  for (const NodeId id : plant.ids()) { // parents first: they are at their bound already
+    const Node& node = plant[id];
+    if (node.origin.hasInterval()) plant.setRadius(id, node.origin.*bound * node.radius);
+    sum += volumeOf(plant, id);
+  }
+  return sum;
+}
+
 } // namespace
+
+std::optional<VolumeInterval> volumeInterval(const Skeleton& skeleton) {
+  constexpr double leastKnown = 0.9; // of the volume
+  constexpr double together = 0.8;   // of the logarithms
+  double volume = 0;
+  double known = 0;
+  bool hasInterval = false;
+  for (const NodeId id : skeleton.ids()) {
+    const RadiusOrigin& origin = skeleton[id].origin;
+    const double own = volumeOf(skeleton, id);
+    volume += own;
+    if (origin.hasInterval() || origin.source == RadiusSource::byHand) known += own;
+    hasInterval = hasInterval || origin.hasInterval();
+  }
+  if (!hasInterval || !(volume > 0) || known < leastKnown * volume) return std::nullopt;
+  const auto bound = [&](float RadiusOrigin::*which) {
+    return volume * std::pow(volumeAt(skeleton, which) / volume, together);
+  };
+  return VolumeInterval{bound(&RadiusOrigin::least), bound(&RadiusOrigin::most)};
+}
 
 std::vector<double> radiusLimits(const Skeleton& skeleton) {
   double most = 0;

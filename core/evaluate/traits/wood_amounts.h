@@ -3,6 +3,7 @@
 #include "core/skeleton/skeleton.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,5 +46,20 @@ struct WoodAmounts {
 /// O(N scales).
 [[nodiscard]] WoodAmounts woodAmounts(const Skeleton& skeleton,
                                       const std::vector<double>& radiusLimits);
+
+/// Where the volume of the wood lies.
+struct VolumeInterval {
+  double least = 0; // [L^3]
+  double most = 0;
+};
+
+/// Between which the volume lies with a probability of 90 %, as far as the radii of this skeleton
+/// err; wood that it lacks is not told of. None where under nine tenths of the volume are of radii
+/// with an interval (RadiusOrigin) or set by hand.
+///
+/// Radii of one plant err together, but not wholly: the logarithms of the bounds are 0.8 of those
+/// that volumes have whose radii are all at their bounds. Of 60 simulated plants of any kind,
+/// 90 % had the volume of their wood within (espalier_fit_radii). Time and memory O(N).
+[[nodiscard]] std::optional<VolumeInterval> volumeInterval(const Skeleton& skeleton);
 
 } // namespace espalier

@@ -49,8 +49,8 @@ TEST_F(Subcommands, ReconstructFindsOnePlantWithRadii) {
   EXPECT_EQ(statistics["skeleton"]["nodes"], plant.size());
   EXPECT_EQ(statistics["steps"].size(), 11U);
   const json sources = statistics["radius_sources"];
-  EXPECT_EQ(sources["measured"].get<std::size_t>() + sources["fused"].get<std::size_t>() +
-                sources["modeled"].get<std::size_t>(),
+  EXPECT_EQ(sources["measured"].get<std::size_t>() + sources["corrected"].get<std::size_t>() +
+                sources["extrapolated"].get<std::size_t>(),
             statistics["skeleton"]["nodes"].get<std::size_t>());
   EXPECT_EQ(statistics["steps"][1]["method"], "geodesic_centroid");
   EXPECT_TRUE(statistics["seconds"].contains("Contract"));

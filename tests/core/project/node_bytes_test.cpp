@@ -125,8 +125,36 @@ TEST(NodeBytes, AreOfVersionFourWhereAnIndexIsAText) {
   EXPECT_EQ(plantFrom(bytesOf(plant))->skeleton, plant);
   std::string later = bytesOf(plant);
   later.resize(later.size() - 8);
-  later.front() = 5;
+  later.front() = 6;
   EXPECT_FALSE(plantFrom(later + littleEndian(contentHash(later))));
+}
+
+TEST(NodeBytes, AreOfVersionFiveWhereRadiiHaveAnOrigin) {
+  Skeleton plant = test::stick(3);
+  EXPECT_EQ(bytesOf(plant).front(), 3);
+  plant.setRadius(NodeId{1}, 0.2, {RadiusSource::corrected, 0.5F, 2.25F});
+  plant.setRadius(NodeId{2}, 0.1, {.source = RadiusSource::byHand});
+  EXPECT_EQ(bytesOf(plant).front(), 5);
+  EXPECT_EQ(plantFrom(bytesOf(plant))->skeleton, plant);
+}
+
+TEST(NodeBytes, OfOriginsThatAreNoneAreNone) {
+  Skeleton plant = test::stick(1);
+  plant.setRadius(NodeId{0}, 0.2, {RadiusSource::corrected, 0.5F, 2.25F});
+  std::string whole = bytesOf(plant);
+  whole.resize(whole.size() - 8);
+  const std::size_t source = whole.size() - 13; // before two bounds and the number of runs
+  const auto with = [&](std::size_t place, char instead) {
+    std::string bytes = whole;
+    bytes[place] = instead;
+    return plantFrom(bytes + littleEndian(contentHash(bytes)));
+  };
+  EXPECT_TRUE(with(source, 3));
+  EXPECT_FALSE(with(source, 5)) << "no such source";
+  EXPECT_FALSE(with(source + 8, '\0')) << "the upper bound below the lower one";
+  EXPECT_FALSE(with(source + 4, '\xff')) << "a lower bound below 0";
+  plant.setRadius(NodeId{0}, 0.2, {RadiusSource::measured, 2, 1});
+  EXPECT_THROW((void)bytesOf(plant), Error) << "nor is it written";
 }
 
 TEST(NodeBytes, NameErasedIdsOnlyAsFarAsAnyFileMay) {

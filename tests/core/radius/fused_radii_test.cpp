@@ -30,23 +30,24 @@ TEST(FusedRadii, WeighByInverseVariance) {
 
 TEST(FusedRadii, AreTheModelWhereNothingIsMeasured) {
   const Skeleton plant = test::fork(3);
-  const SourcedRadii result = fusedRadii(plant, unmeasured(plant), {5, 4, 1, 1, 1});
+  const FusedRadii result = fusedRadii(plant, unmeasured(plant), {5, 4, 1, 1, 1});
   EXPECT_THAT(result.radii, ElementsAre(5, 4, 1, 1, 1));
-  EXPECT_THAT(result.sources, Each(RadiusSource::modeled));
+  EXPECT_THAT(result.shares, Each(0));
 }
 
 TEST(FusedRadii, CarryAMeasurementAlongItsAxisAndStateWhereTheyAreFrom) {
   const Skeleton stick = test::stick(60);
   std::vector<MeasuredRadius> measured = unmeasured(stick);
   measured[0] = {.radius = 2, .deviation = 0.01};
-  const SourcedRadii result = fusedRadii(stick, measured, std::vector<double>(60, 1));
+  const FusedRadii result = fusedRadii(stick, measured, std::vector<double>(60, 1));
   EXPECT_NEAR(result.radii[0], 2, 0.02);
   for (std::size_t i = 1; i < 60; ++i)
     EXPECT_LT(result.radii[i], result.radii[i - 1]);
   EXPECT_NEAR(result.radii[59], 1, 0.01);
-  EXPECT_EQ(result.sources[0], RadiusSource::measured);
-  EXPECT_EQ(result.sources[59], RadiusSource::modeled);
-  EXPECT_TRUE(std::ranges::count(result.sources, RadiusSource::fused) > 0);
+  EXPECT_EQ(sourceOf(result.shares[0]), RadiusSource::measured);
+  EXPECT_EQ(sourceOf(result.shares[59]), RadiusSource::extrapolated);
+  EXPECT_TRUE(std::ranges::any_of(
+      result.shares, [](double share) { return sourceOf(share) == RadiusSource::corrected; }));
 }
 
 // What the sum of squares asks for at two nodes on paper: weights 25 of the model (spread 0.2), 100
@@ -56,7 +57,7 @@ TEST(FusedRadii, SolveTheSumOfSquares) {
   const Skeleton stick = test::stick(2);
   std::vector<MeasuredRadius> measured = unmeasured(stick);
   measured[0] = {.radius = 2, .deviation = 0.1};
-  const SourcedRadii result =
+  const FusedRadii result =
       fusedRadii(stick, measured, {1, 1}, {.modelSpread = 0.2, .axisStep = 0.05});
   const double y0 = 100 * std::log(2) / (525 - 400.0 * 400 / 425);
   EXPECT_NEAR(std::log(result.radii[0]), y0, 1e-9);
@@ -69,7 +70,7 @@ TEST(FusedRadii, NeverWidenTowardsTheTips) {
   std::vector<double> model(plant.idEnd(), 1);
   for (std::size_t i = 0; i < measured.size(); i += 3)
     measured[i] = {.radius = 0.5 + static_cast<double>(i % 7), .deviation = 0.1};
-  const SourcedRadii result = fusedRadii(plant, measured, model);
+  const FusedRadii result = fusedRadii(plant, measured, model);
   for (const NodeId id : plant.ids()) {
     EXPECT_GT(result.radii[indexOf(id)], 0);
     if (const auto parent = plant[id].parent) {

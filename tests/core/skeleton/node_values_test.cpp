@@ -25,6 +25,13 @@ TEST(NodeValues, AreOrderAndRadius) {
               ElementsAre(Eq(std::nullopt), Optional(1), Optional(1), Optional(0.5)));
 }
 
+TEST(NodeValues, AreHalfTheWidthOfTheIntervalOfARadius) {
+  Skeleton plant = test::stick(2);
+  plant.setRadius(NodeId{1}, 3, {RadiusSource::measured, 0.75F, 1.75F});
+  EXPECT_THAT(nodeValues(plant, NodeValue::radiusSpread, nullptr, 0),
+              ElementsAre(Eq(std::nullopt), Optional(0.5)));
+}
+
 TEST(NodeValues, AreNoneWhereNothingIsKnown) {
   Skeleton plant = test::stick(3);
   plant.setRadius(NodeId{1}, 0);

@@ -1,4 +1,5 @@
 #include "core/base/error.h"
+#include "core/skeleton/edits.h"
 #include "core/skeleton/skeleton_delta.h"
 #include "tests/support/plants.h"
 #include "tests/support/random_edits.h"
@@ -65,6 +66,19 @@ TEST(SkeletonDelta, CostsAsMuchAsTheEdit) {
   SkeletonEditor editor(plant);
   editor.setRadius(NodeId{500}, 1);
   EXPECT_EQ(editor.commit().changes.size(), 1U);
+}
+
+TEST(SkeletonEditor, SaysThatARadiusIsSetByHand) {
+  Skeleton plant = test::stick(3);
+  const RadiusOrigin measured{RadiusSource::measured, 0.5F, 2};
+  plant.setRadius(NodeId{1}, 0.2, measured);
+  SkeletonEditor editor(plant);
+  editor.setRadius(NodeId{1}, 0.3);
+  EXPECT_EQ(plant[NodeId{1}].origin.source, RadiusSource::byHand);
+  editor.commit().inverse().apply(plant);
+  EXPECT_EQ(plant[NodeId{1}].origin, measured);
+  const NodeId between = splitEdge(editor, NodeId{1}, 0.5);
+  EXPECT_EQ(plant[between].origin, measured);
 }
 
 TEST(SkeletonEditor, TakesBackAnEditThatThrows) {

@@ -28,6 +28,32 @@ TEST(WoodAmounts, AreThoseOfTruncatedCones) {
                    std::numbers::pi * 3 * std::sqrt(10.0) + 2 * std::numbers::pi * 0.5 * 4);
 }
 
+TEST(WoodAmounts, HaveAnIntervalWhereRadiiHave) {
+  Skeleton wood = plant();
+  EXPECT_FALSE(volumeInterval(wood)) << "of radii nothing is known of";
+  for (const NodeId id : wood.ids())
+    wood.setRadius(id, wood[id].radius, {RadiusSource::measured, 0.5F, 2});
+  const double volume = woodAmounts(wood, {}).whole.volume;
+  const auto interval = volumeInterval(wood);
+  ASSERT_TRUE(interval);
+  EXPECT_NEAR(interval->least, volume * std::pow(0.25, 0.8), 1e-9);
+  EXPECT_NEAR(interval->most, volume * std::pow(4, 0.8), 1e-9);
+}
+
+TEST(WoodAmounts, TakeRadiiSetByHandAsTheyAre) {
+  Skeleton wood = plant();
+  wood.setRadius(NodeId{2}, 0.5, {RadiusSource::measured, 0.5F, 2});
+  EXPECT_FALSE(volumeInterval(wood)) << "most of the wood is of unknown radii";
+  for (const NodeId id : {NodeId{0}, NodeId{1}})
+    wood.setRadius(id, wood[id].radius, {.source = RadiusSource::byHand});
+  const auto interval = volumeInterval(wood);
+  ASSERT_TRUE(interval);
+  const double trunk = std::numbers::pi / 3 * 3 * (4 + 2 + 1);
+  const double volume = woodAmounts(wood, {}).whole.volume;
+  EXPECT_NEAR(interval->least,
+              volume * std::pow((trunk + std::numbers::pi * 0.0625 * 4) / volume, 0.8), 1e-9);
+}
+
 TEST(WoodAmounts, CountByOrderAndByRadius) {
   const WoodAmounts amounts = woodAmounts(plant(), {0.5, 1});
   ASSERT_EQ(amounts.byOrder.size(), 2U);

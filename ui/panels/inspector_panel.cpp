@@ -6,6 +6,7 @@
 #include "ui/panels/cross_section_panel.h"
 #include "ui/panels/focus_keys.h"
 #include "ui/panels/number_box.h"
+#include "ui/panels/radius_text.h"
 #include "ui/panels/units_form.h"
 
 #include <QComboBox>
@@ -48,7 +49,8 @@ InspectorPanel::InspectorPanel(PlantDocument& document, QWidget* parent)
       body_(new QWidget(this)), form_(new QFormLayout(body_)), order_(makeValue(body_)),
       edge_(new QComboBox(body_)), parent_(new QPushButton(body_)), children_(makeValue(body_)),
       position_(makeValue(body_)), length_(makeValue(body_)), radius_(new NumberBox(body_)),
-      section_(new CrossSectionPanel(document, this)), units_(new UnitsForm(document)) {
+      origin_(makeValue(body_)), section_(new CrossSectionPanel(document, this)),
+      units_(new UnitsForm(document)) {
   makeForm();
   auto* page = new QWidget;
   page->setObjectName("inspector_page");
@@ -108,11 +110,16 @@ void InspectorPanel::makeForm() {
   radius_->setObjectName("node_radius");
   radius_->setButtonSymbols(QAbstractSpinBox::NoButtons); // keys A and Q step it
   radius_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+  origin_->setObjectName("radius_origin");
+  origin_->setWordWrap(true);
+  origin_->setToolTip(tr("Where the radius is from. The true one lies between these bounds with a "
+                         "probability of 90 %, if they are known."));
   // What a node has to show must not widen the panel: the view would shift under the pointer.
-  for (QWidget* field : {static_cast<QWidget*>(title_), static_cast<QWidget*>(radius_),
-                         static_cast<QWidget*>(edge_), static_cast<QWidget*>(order_),
-                         static_cast<QWidget*>(parent_), static_cast<QWidget*>(children_),
-                         static_cast<QWidget*>(length_), static_cast<QWidget*>(position_)}) {
+  for (QWidget* field :
+       {static_cast<QWidget*>(title_), static_cast<QWidget*>(radius_),
+        static_cast<QWidget*>(origin_), static_cast<QWidget*>(edge_), static_cast<QWidget*>(order_),
+        static_cast<QWidget*>(parent_), static_cast<QWidget*>(children_),
+        static_cast<QWidget*>(length_), static_cast<QWidget*>(position_)}) {
     field->setMinimumWidth(72);
     field->setSizePolicy(QSizePolicy::Ignored, field->sizePolicy().verticalPolicy());
   }
@@ -122,6 +129,7 @@ void InspectorPanel::makeForm() {
   form_->setVerticalSpacing(8);
   form_->setLabelAlignment(Qt::AlignLeft | Qt::AlignTop);
   form_->addRow(tr("Radius"), radius_);
+  form_->addRow(tr("From"), origin_);
   form_->addRow(tr("Edge"), edge_);
   form_->addRow(tr("Order"), order_);
   form_->addRow(tr("Parent"), parent_);
@@ -167,6 +175,7 @@ void InspectorPanel::showNode(NodeId id) {
   const Node& node = skeleton[id];
   title_->setText(tr("Node %1").arg(indexOf(id)));
   showRadius(node.radius, tr("Radius"), {});
+  showOrigin(originText(node, document_.unit()));
   order_->setText(QString::number(order(skeleton, id)));
   children_->setText(QString::number(skeleton.children(id).size()));
   position_->setText(describe(node.position));
@@ -191,6 +200,7 @@ void InspectorPanel::showNodes() {
     isCommon = isCommon && radius == first;
   }
   title_->setText(tr("%1 nodes").arg(formatCount(nodes.size())));
+  showOrigin({});
   if (isCommon)
     showRadius(first, tr("Radius"), {});
   else
@@ -205,6 +215,11 @@ void InspectorPanel::showRadius(double radius, const QString& name, const QStrin
   radius_->setToolTip(help);
   radius_->setDecimals(decimalsFor(radius));
   radius_->setValue(radius);
+}
+
+void InspectorPanel::showOrigin(const QString& text) {
+  origin_->setText(text);
+  form_->setRowVisible(origin_, !text.isEmpty());
 }
 
 } // namespace espalier

@@ -47,6 +47,7 @@ private:
   void showNode(NodeId id);
   void showNodes();
   void showRadius(double radius, const QString& name, const QString& help);
+  void showOrigin(const QString& text);
 
   PlantDocument& document_;
   QLabel* title_;
@@ -60,6 +61,7 @@ private:
   QLabel* position_;
   QLabel* length_;
   QDoubleSpinBox* radius_;
+  QLabel* origin_; // of the radius
   CrossSectionPanel* section_;
   UnitsForm* units_;
 };

@@ -2,6 +2,7 @@
 
 #include "core/skeleton/review_walk.h"
 #include "ui/document/plant_document.h"
+#include "ui/panels/radius_text.h"
 
 #include <QCoreApplication>
 
@@ -33,7 +34,10 @@ constexpr std::array<Name, nodeColumns> names = {
      {"index", QT_TRANSLATE_NOOP("NodeTable", "Index")},
      {"mark", QT_TRANSLATE_NOOP("NodeTable", "Mark")},
      {"review", QT_TRANSLATE_NOOP("NodeTable", "Review")},
-     {"comment", QT_TRANSLATE_NOOP("NodeTable", "Comment")}}};
+     {"comment", QT_TRANSLATE_NOOP("NodeTable", "Comment")},
+     {"radius_source", QT_TRANSLATE_NOOP("NodeTable", "Radius from")},
+     {"radius_least", QT_TRANSLATE_NOOP("NodeTable", "At least")},
+     {"radius_most", QT_TRANSLATE_NOOP("NodeTable", "At most")}}};
 
 QString nameOf(ReviewState state) {
   switch (state) {
@@ -62,12 +66,14 @@ QString keyOf(NodeColumn column) {
 }
 
 bool isLength(NodeColumn column) {
-  return column >= NodeColumn::x && column <= NodeColumn::length;
+  return (column >= NodeColumn::x && column <= NodeColumn::length) || column == NodeColumn::least ||
+         column == NodeColumn::most;
 }
 
 bool isNumber(NodeColumn column) {
   switch (column) {
   case NodeColumn::edge:
+  case NodeColumn::source:
   case NodeColumn::unit:
   case NodeColumn::mark:
   case NodeColumn::review:
@@ -108,6 +114,12 @@ std::optional<double> NodeFacts::number(NodeId id, NodeColumn column) const {
     return node.position[static_cast<int>(column) - static_cast<int>(NodeColumn::x)];
   case NodeColumn::radius:
     return node.radius;
+  case NodeColumn::least:
+    if (!node.origin.hasInterval()) return std::nullopt;
+    return node.origin.least * node.radius;
+  case NodeColumn::most:
+    if (!node.origin.hasInterval()) return std::nullopt;
+    return node.origin.most * node.radius;
   case NodeColumn::length:
     if (!node.parent) return std::nullopt;
     return (node.position - document_.skeleton()[*node.parent].position).norm();
@@ -125,6 +137,8 @@ QString NodeFacts::text(NodeId id, NodeColumn column) const {
   case NodeColumn::edge:
     if (!node.parent) return {};
     return QString(QLatin1Char(static_cast<char>(node.edge)));
+  case NodeColumn::source:
+    return nameOf(node.origin.source);
   case NodeColumn::unit:
     return node.entities.empty() ? QString() : QString::fromStdString(node.entities.back().symbol);
   case NodeColumn::index:

@@ -28,9 +28,12 @@ enum class NodeColumn : std::uint8_t {
   index,  // likewise
   mark,   // a unit is to start here
   review,
-  comment
+  comment,
+  source, // of the radius
+  least,  // bounds of its interval
+  most
 };
-inline constexpr int nodeColumns = static_cast<int>(NodeColumn::comment) + 1;
+inline constexpr int nodeColumns = static_cast<int>(NodeColumn::most) + 1;
 
 /// "Radius"
 [[nodiscard]] QString nameOf(NodeColumn column);

@@ -101,7 +101,7 @@ void NodeTablePanel::makeTable() {
   QHeaderView* header = table_->horizontalHeader();
   header->setHighlightSections(false);
   header->setDefaultSectionSize(76);
-  header->setStretchLastSection(true); // in a window of 1280 x 800 the comments have the rest
+  header->setStretchLastSection(true);
   header->setSortIndicator(static_cast<int>(NodeColumn::node), Qt::AscendingOrder);
   for (const NodeColumn narrow :
        {NodeColumn::edge, NodeColumn::order, NodeColumn::axis, NodeColumn::index})
@@ -112,6 +112,8 @@ void NodeTablePanel::makeTable() {
     header->resizeSection(static_cast<int>(wide), 90);
   for (const NodeColumn text : {NodeColumn::mark, NodeColumn::review})
     header->resizeSection(static_cast<int>(text), 68);
+  for (const NodeColumn text : {NodeColumn::comment, NodeColumn::source}) // in a window of 1280 x
+    header->resizeSection(static_cast<int>(text), 109);                   // 800, up to the comment
   table_->setSortingEnabled(true);
   table_->installEventFilter(this);
 }

@@ -197,7 +197,7 @@ void RadiusFlow::setMeasured(RadiusMeasure by) {
     const QString name = tr("Set the radius of %1 by %2").arg(nodeNames(set), measureName);
     parts_.document.edit(name, [&](SkeletonEditor& editor) {
       for (const auto& [id, radius] : radii.radii)
-        editor.setRadius(id, radius);
+        editor.setRadius(id, radius, {.source = RadiusSource::measured});
     });
     const std::size_t refused = refusedCount(radii);
     if (refused > 0)

@@ -27,6 +27,7 @@ const std::map<QString, NodeValue>& valuesById() {
       {"node_color_order", NodeValue::order},
       {"node_color_radius", NodeValue::radius},
       {"node_color_radius_to_parent", NodeValue::radiusToParent},
+      {"node_color_radius_spread", NodeValue::radiusSpread},
       {"node_color_confidence", NodeValue::confidence},
   };
   return values;
@@ -108,7 +109,9 @@ void ValueColors::colorNodes() {
                                  scan != nullptr ? scan->spacing() : 0);
   if (std::ranges::none_of(values, [](const auto& each) { return each.has_value(); }))
     return parts_.view.setNodeColors(std::nullopt);
-  const double unit = value->second == NodeValue::confidence ? 100 : 1; // percent
+  const bool isShare =
+      value->second == NodeValue::confidence || value->second == NodeValue::radiusSpread;
+  const double unit = isShare ? 100 : 1; // percent
   NodeColors colors;
   std::vector<double> known;
   for (const std::optional<double>& each : values) {
@@ -207,6 +210,8 @@ Legend ValueColors::legendOf(const QString& id, std::vector<double> known) const
             .categories = {}};
   if (id == "node_color_confidence")
     return {.title = tr("Scanned"), .unit = "%", .to = 100, .categories = {}};
+  if (id == "node_color_radius_spread")
+    return {.title = tr("Radius ±"), .unit = "%", .to = 100, .categories = {}};
   const QString title = id == "node_color_radius" ? tr("Radius") : tr("To its points");
   return {.title = title, .unit = unit, .to = nearlyLargest(std::move(known)), .categories = {}};
 }

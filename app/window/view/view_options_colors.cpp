@@ -49,6 +49,8 @@ void ViewOptions::addNodeColors() {
   add("node_color_radius", tr("Radius"), tr("Colors nodes by their radius"));
   add("node_color_radius_to_parent", tr("Radius against Parent's"),
       tr("Colors nodes by their radius as a share of their parent's"));
+  add("node_color_radius_spread", tr("Uncertainty of Radius"),
+      tr("Colors nodes by how wide the interval is in which their radius lies"));
   add("node_color_confidence", tr("Confidence"),
       tr("Colors nodes by how much of their surface has points"));
   add("node_color_review", tr("Review State"), tr("Colors nodes by what the review says"));

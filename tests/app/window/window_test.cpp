@@ -250,6 +250,9 @@ TEST_F(MainWindowTest, ShowsAndSetsThePropertiesOfTheChosenNode) {
   QTest::keyClick(&radius, Qt::Key_Return);
   EXPECT_NEAR(document().skeleton()[apex].radius, 0.25, 1e-9);
   EXPECT_EQ(document().undoStack().count(), 1) << "one edit, when the number is complete";
+  EXPECT_EQ(find<QLabel>("radius_origin").text(), "by hand");
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_FALSE(find<QLabel>("radius_origin").isVisible()) << "a file does not say";
 }
 
 TEST_F(MainWindowTest, EnterInTheRadiusGivesTheKeysBackToThePlant) {

@@ -52,6 +52,8 @@ TEST_F(NodeTableModelTest, ShowsWhatANodeIs) {
   EXPECT_EQ(text(2, NodeColumn::z), "2.0000");
   EXPECT_EQ(text(2, NodeColumn::radius), "2.5000");
   EXPECT_EQ(text(2, NodeColumn::length), "1.0000");
+  EXPECT_EQ(text(2, NodeColumn::source), "by hand");
+  EXPECT_EQ(text(2, NodeColumn::most), "");
   EXPECT_EQ(text(2, NodeColumn::review), "to do");
   EXPECT_EQ(text(0, NodeColumn::parent), "") << "a root has none";
   EXPECT_EQ(text(0, NodeColumn::length), "");
@@ -150,9 +152,11 @@ TEST_F(NodeTableModelTest, WritesATableThatASpreadsheetReads) {
   QLocale::setDefault(before);
   ASSERT_EQ(lines.size(), 4) << "each line ends";
   EXPECT_EQ(lines[0], "node\tparent\tedge\torder\taxis\tx [m]\ty [m]\tz [m]\tradius [m]\t"
-                      "length [m]\tclass\tindex\tmark\treview\tcomment");
-  EXPECT_EQ(lines[1], "2\t1\t<\t0\t1\t0\t0\t2\t2.5\t1\t\t\t\treviewed\ttwo cells, two lines");
-  EXPECT_EQ(lines[2], "0\t\t\t0\t1\t0\t0\t0\t4\t\t\t\t\tto do\t");
+                      "length [m]\tclass\tindex\tmark\treview\tcomment\t"
+                      "radius_source\tradius_least [m]\tradius_most [m]");
+  EXPECT_EQ(lines[1],
+            "2\t1\t<\t0\t1\t0\t0\t2\t2.5\t1\t\t\t\treviewed\ttwo cells, two lines\tby hand\t\t");
+  EXPECT_EQ(lines[2], "0\t\t\t0\t1\t0\t0\t0\t4\t\t\t\t\tto do\t\tby hand\t\t");
 }
 
 } // namespace

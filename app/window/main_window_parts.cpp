@@ -18,6 +18,7 @@
 #include "app/window/evaluate/evaluation_flow.h"
 #include "app/window/evaluate/reference_flow.h"
 #include "app/window/files/file_flow.h"
+#include "app/window/files/picture_flow.h"
 #include "app/window/files/project_flow.h"
 #include "app/window/files/recent_files.h"
 #include "app/window/frame/action_set.h"
@@ -147,6 +148,7 @@ void MainWindow::makePoints(PipelinePanel& pipeline) {
   parts_.make<ExplainedFlow>(
       ExplainedFlow::Parts{document_, states, *actions_, distances, settings_, *this});
   parts_.make<PresetFlow>(PresetFlow::Parts{pipeline, *actions_, settings_, *this, document_});
+  parts_.make<PictureFlow>(PictureFlow::Parts{document_, *view_, *actions_, *this});
   parts_.make<HullFlow>(HullFlow::Parts{document_, queue_, *view_, *actions_, editing, distances});
 }
 

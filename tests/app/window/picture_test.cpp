@@ -1,0 +1,46 @@
+// Pictures of the view, saved by keys in the real window.
+#include "tests/app/window/window_fixture.h"
+#include "ui/view/plant_view.h"
+
+#include <QFileDialog>
+#include <QImage>
+#include <gtest/gtest.h>
+
+namespace espalier {
+namespace {
+
+class PictureTest : public test::WindowTest {
+protected:
+  void save(const QString& file) {
+    answer(
+        [&](QDialog& dialog) {
+          proposed_ = dynamic_cast<QFileDialog&>(dialog).selectedFiles();
+          chooseFile(file)(dialog);
+        },
+        [this] { key(Qt::Key_P, Qt::ControlModifier | Qt::AltModifier); });
+  }
+
+  QStringList proposed_;
+};
+
+TEST_F(PictureTest, IsWhatTheViewShows) {
+  EXPECT_FALSE(action("save_picture").isEnabled()) << "there is nothing to see";
+  open({writeFork("fork.mtg")});
+  save(path("seen.png"));
+  EXPECT_EQ(proposed_, QStringList(path("fork.png")));
+  const QImage picture(path("seen.png"));
+  const QSize size = 2 * view().size() * view().devicePixelRatio();
+  EXPECT_EQ(picture.size(), size);
+  EXPECT_EQ(picture.convertToFormat(QImage::Format_RGB32),
+            view().picture(size).convertToFormat(QImage::Format_RGB32));
+}
+
+TEST_F(PictureTest, OfAnotherFormatIsRefused) {
+  open({writeFork("fork.mtg")});
+  save(path("seen.gif"));
+  EXPECT_FALSE(QFile::exists(path("seen.gif")));
+  EXPECT_TRUE(window().banner().text().contains("choose a name that ends in .png"));
+}
+
+} // namespace
+} // namespace espalier

@@ -19,13 +19,14 @@ std::uint64_t contentHash(std::string_view bytes) {
   return XXH64(bytes.data(), bytes.size(), seed);
 }
 
-std::uint64_t contentHashOfFile(const std::filesystem::path& path) {
+std::uint64_t contentHashOfFile(const std::filesystem::path& path, const Progress& progress) {
   std::ifstream in = openForReading(path);
   std::vector<char> buffer(std::size_t{1} << 20);
   const std::unique_ptr<XXH64_state_t, decltype(&XXH64_freeState)> state(XXH64_createState(),
                                                                          &XXH64_freeState);
   XXH64_reset(state.get(), seed);
   while (in) {
+    progress.check();
     in.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
     XXH64_update(state.get(), buffer.data(), static_cast<std::size_t>(in.gcount()));
   }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/base/progress.h"
+
 #include <cstdint>
 #include <filesystem>
 #include <string_view>
@@ -12,7 +14,9 @@ namespace espalier {
 [[nodiscard]] std::uint64_t contentHash(std::string_view bytes);
 
 /// The same of what a file holds: as fast as the disk.
-/// @throws Error if it cannot be read
-[[nodiscard]] std::uint64_t contentHashOfFile(const std::filesystem::path& path);
+/// @throws Error     if it cannot be read
+/// @throws Cancelled if `progress` asks to stop
+[[nodiscard]] std::uint64_t contentHashOfFile(const std::filesystem::path& path,
+                                              const Progress& progress = {});
 
 } // namespace espalier

@@ -70,8 +70,9 @@ bool isTheScan(const fs::path& path, const ScanReference& scan) {
 
 } // namespace
 
-ScanReference ScanReference::of(const fs::path& path, const Eigen::AlignedBox3d& bounds) {
-  const std::uint64_t hash = contentHashOfFile(path); // throws if it cannot be read
+ScanReference ScanReference::of(const fs::path& path, const Eigen::AlignedBox3d& bounds,
+                                const Progress& progress) {
+  const std::uint64_t hash = contentHashOfFile(path, progress); // throws if it cannot be read
   return {.path = whole(path), .size = fs::file_size(path), .hash = hash, .bounds = bounds};
 }
 
@@ -230,16 +231,6 @@ void Project::insertScan(const ScanReference& scan) const {
   for (int i = 0; i < 3; ++i)
     row.bind(5 + i, scan.bounds.min()[i]).bind(8 + i, scan.bounds.max()[i]);
   row.bind(11, std::int64_t{scan.isByFile}).run();
-}
-
-void Project::growScan(const ScanReference& scan, const PointSet& added) {
-  assert(scan.isByFile);
-  requireSameFile();
-  Transaction transaction(database_);
-  insertScan(scan);
-  database_.prepare("DELETE FROM piece WHERE name = ?").bindText(1, keptCloudName).run();
-  setAsideInSnapshots(database_, added);
-  transaction.commit();
 }
 
 std::optional<ScanReference> Project::scan() const {

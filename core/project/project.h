@@ -28,8 +28,16 @@ struct ScanReference {
   /// Its columns are the points in the order of the file (sortedAsInFile): scans were joined in it.
   bool isByFile = false;
 
+  /// Reads it all. @throws Cancelled if `progress` asks to stop
   [[nodiscard]] static ScanReference of(const std::filesystem::path& path,
-                                        const Eigen::AlignedBox3d& bounds); // reads it all
+                                        const Eigen::AlignedBox3d& bounds,
+                                        const Progress& progress = {});
+};
+
+/// A scan that lists the points of the one before, and behind these others.
+struct GrownReference {
+  ScanReference scan; // isByFile
+  PointSet added;     // the others
 };
 
 /// The points of the scan among the bytes of a project, if they are kept there.
@@ -69,8 +77,12 @@ public:
 
   /// Changes the history: its first `kept` steps stay, `added` follow, `position` are done.
   /// Time O(changes of `added`), one sync of the disk.
+  /// @param grown  the scan of the project from then on, whose new points are set aside in each
+  ///               state before `added`; a scan that is kept in the project is dropped. All at
+  ///               once: killed in between, the project has neither the scan nor the steps
   /// pre: kept <= steps so far, position <= kept + added.size(), each step fits where it stands
-  void record(std::size_t kept, std::span<const HistoryStep> added, std::size_t position);
+  void record(std::size_t kept, std::span<const HistoryStep> added, std::size_t position,
+              const std::optional<GrownReference>& grown = {});
 
   /// Another skeleton without a history.
   void reset(const Skeleton& skeleton);
@@ -97,10 +109,6 @@ public:
 
   void setScan(const std::optional<ScanReference>& scan);
   [[nodiscard]] std::optional<ScanReference> scan() const;
-  /// A scan that lists the points of the one before, and behind these others, which are set aside
-  /// in every state of the plant. All at once: the steps keep their points.
-  /// A scan that is kept in the project is dropped. pre: scan.isByFile
-  void growScan(const ScanReference& scan, const PointSet& added);
 
   /// Where the scan is now: at its old place, as seen from the project, or in its folder under any
   /// name; none if nowhere. A file counts if its size and hash do.
@@ -118,7 +126,7 @@ private:
   void requireSameFile() const;
   void insertScan(const ScanReference& scan) const;
   static void insertHistory(const Database& database, const History& history);
-  static void setAsideInSnapshots(const Database& database, const PointSet& points);
+  void growScan(const GrownReference& grown) const; // within a transaction
 
   std::filesystem::path path_;
   Access access_;

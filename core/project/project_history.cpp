@@ -273,13 +273,15 @@ Imported<History> Project::history() const {
   return result;
 }
 
-void Project::record(std::size_t kept, std::span<const HistoryStep> added, std::size_t position) {
+void Project::record(std::size_t kept, std::span<const HistoryStep> added, std::size_t position,
+                     const std::optional<GrownReference>& grown) {
   assert(position <= kept + added.size());
   requireSameFile();
   const auto end = static_cast<std::int64_t>(kept);
   Transaction transaction(database_);
   database_.prepare("DELETE FROM journal WHERE step >= ?").bind(1, end).run();
   database_.prepare("DELETE FROM snapshot WHERE step > ?").bind(1, end).run();
+  if (grown) growScan(*grown);
   insertSteps(database_, kept, added, path_.string());
   setPosition(database_, position);
   transaction.commit();
@@ -294,12 +296,15 @@ void Project::insertHistory(const Database& database, const History& history) {
   setPosition(database, history.position);
 }
 
-void Project::setAsideInSnapshots(const Database& database, const PointSet& points) {
+void Project::growScan(const GrownReference& grown) const {
+  assert(grown.scan.isByFile);
+  insertScan(grown.scan);
+  database_.prepare("DELETE FROM piece WHERE name = ?").bindText(1, keptCloudName).run();
   bool isDamaged = false;
-  for (const std::int64_t step : snapshotSteps(database, isDamaged))
-    if (const std::optional<StoredPlant> plant = snapshotAt(database, step))
-      insertSnapshot(database, static_cast<std::size_t>(step), plant->skeleton,
-                     plant->leftOut | points);
+  for (const std::int64_t step : snapshotSteps(database_, isDamaged))
+    if (const std::optional<StoredPlant> plant = snapshotAt(database_, step))
+      insertSnapshot(database_, static_cast<std::size_t>(step), plant->skeleton,
+                     plant->leftOut | grown.added);
 }
 
 bool Project::needsSnapshot() const {

@@ -13,6 +13,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <functional>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -55,14 +56,37 @@ int readBytes(int pipe, int most) {
   return count;
 }
 
-/// Runs the program until it has saved `acts` and a moment longer.
+/// A scan of so many points.
+ScanReference scanOf(std::size_t points) {
+  return {.path = "/a/" + std::to_string(points) + ".ply", .size = points, .isByFile = true};
+}
+
+/// The same of a program that joins scans of one point each to that of the project.
+[[noreturn]] void joinUntilKilled(const fs::path& file, int saved) {
+  try {
+    Project project = Project::open(file, Access::readWrite);
+    for (std::size_t points = project.history().value.steps.size();; ++points) {
+      const PointSet added = PointSet::of({static_cast<std::uint32_t>(points)});
+      const HistoryStep step{
+          .id = StepId{points + 1}, .text = "Join", .delta = {}, .points = added};
+      project.record(points, {&step, 1}, points + 1, GrownReference{scanOf(points + 1), added});
+      if (::write(saved, "s", 1) != 1) ::_exit(3);
+    }
+  } catch (const std::exception& error) {
+    (void)!::write(STDERR_FILENO, error.what(), std::string_view(error.what()).size());
+    ::_exit(4);
+  }
+}
+
+/// Runs a program until it has saved `acts` and a moment longer.
+/// @param program  reports each act to a pipe
 /// @return how many acts it reported as saved
-int runAndKill(const fs::path& file, std::uint64_t seed, int acts,
+int runAndKill(const std::function<void(int saved)>& program, int acts,
                std::chrono::microseconds longer) {
   int saved[2];
   EXPECT_EQ(::pipe(saved), 0);
   const pid_t child = ::fork();
-  if (child == 0) editUntilKilled(file, seed, saved[1]);
+  if (child == 0) program(saved[1]);
   ::close(saved[1]);
   int count = readBytes(saved[0], acts);
   spin(longer);
@@ -84,7 +108,8 @@ TEST(KilledProgram, LosesNoEditThatItReportedAsSaved) {
   int keptUnreported = 0;
   for (std::uint64_t round = 0; round < 250; ++round) {
     const int acts = static_cast<int>(random.below(8)); // 0: perhaps while it opens
-    const int saved = runAndKill(file, round, acts, std::chrono::microseconds(random.below(6000)));
+    const int saved = runAndKill([&](int pipe) { editUntilKilled(file, round, pipe); }, acts,
+                                 std::chrono::microseconds(random.below(6000)));
     savedInAll += saved;
     test::EditsAtRandom edits(std::move(truth), round);
     for (int i = 0; i < saved; ++i)
@@ -101,6 +126,30 @@ TEST(KilledProgram, LosesNoEditThatItReportedAsSaved) {
   EXPECT_GT(savedInAll, 500);
   RecordProperty("saved", savedInAll);
   RecordProperty("kept_unreported", keptUnreported);
+}
+
+TEST(KilledProgram, HasAScanThatGrewWithItsStepOrNeither) {
+  const fs::path file = test::freshFolder() / "oak.espalier";
+  Project::create(file, {.skeleton = test::fork(3)}).setScan(scanOf(0));
+  Random random(4);
+  std::size_t joined = 0;
+  for (int round = 0; round < 100; ++round) {
+    const int acts = static_cast<int>(random.below(6));
+    joined +=
+        static_cast<std::size_t>(runAndKill([&](int pipe) { joinUntilKilled(file, pipe); }, acts,
+                                            std::chrono::microseconds(random.below(6000))));
+    const Project project = Project::open(file, Access::readWrite);
+    const Imported<History> found = project.history();
+    ASSERT_TRUE(found.notes.empty()) << found.notes[0];
+    const std::size_t steps = found.value.steps.size();
+    ASSERT_GE(steps, joined) << "round " << round;
+    joined = steps; // one more was saved, and not reported any more
+    ASSERT_EQ(project.scan()->size, steps) << "round " << round;
+    ASSERT_TRUE(found.value.leftOut.isEmpty());
+    ASSERT_EQ(beginningOf(found.value).leftOut,
+              PointSet::firstOf(static_cast<Eigen::Index>(steps)));
+  }
+  EXPECT_GT(joined, 200U);
 }
 
 /// Opens a project in another process, and kills that.

@@ -41,6 +41,7 @@ void ProjectRecorder::start(std::unique_ptr<Project> project) {
   for (int i = 0; i < document_.undoStack().count(); ++i)
     saved_.push_back(document_.step(i).id);
   savedPosition_ = document_.undoStack().index();
+  grown_.reset();
   isBehind_ = false;
   hasNewContracted_ = false;
   for (const auto& [name, textOf] : texts_) // what could not be read stays until it is changed
@@ -50,6 +51,11 @@ void ProjectRecorder::start(std::unique_ptr<Project> project) {
 void ProjectRecorder::writeRest() {
   hasNewContracted_ = document_.contracted() != nullptr;
   pause_.start();
+}
+
+void ProjectRecorder::growScan(const GrownReference& grown) {
+  if (!project_) return;
+  grown_ = {grown.scan, grown_ ? grown_->added | grown.added : grown.added};
 }
 
 void ProjectRecorder::writeLater(const std::string& name, std::function<std::string()> bytes) {
@@ -122,7 +128,8 @@ void ProjectRecorder::save() {
     added.push_back(document_.step(i));
   if (added.empty() && kept == saved_.size() && position == savedPosition_) return;
   try {
-    project_->record(kept, added, static_cast<std::size_t>(position));
+    project_->record(kept, added, static_cast<std::size_t>(position), grown_);
+    grown_.reset();
     saved_.resize(kept);
     for (const HistoryStep& step : added)
       saved_.push_back(step.id);

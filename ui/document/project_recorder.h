@@ -40,6 +40,8 @@ public:
   void start(std::unique_ptr<Project> project);
   /// Nothing but the history is in the project yet: the rest follows when there is a pause.
   void writeRest();
+  /// A scan that the plant has from the next step on: it is written with that, all at once.
+  void growScan(const GrownReference& grown);
   /// Bytes that are written in pieces, whenever there is a pause.
   void writeLater(const std::string& name, std::function<std::string()> bytes);
   /// Writes what waits, and lets go of the project.
@@ -72,6 +74,7 @@ private:
   int savedPosition_ = 0;
   std::map<std::string, std::function<std::string()>> texts_; // by name
   std::map<std::string, std::string> savedTexts_;             // likewise: those in the project
+  std::optional<GrownReference> grown_;                       // that is not in the project yet
   bool isBehind_ = false;
   bool hasNewContracted_ = false;
   struct Later {

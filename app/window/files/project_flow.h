@@ -86,9 +86,8 @@ public:
   /// The same, and empties the document.
   void clear();
   /// Takes a scan that lists the points of the open one first (PlantDocument::growScan), and brings
-  /// the others in as one step named `text`. The project has the scan before the step: stopped in
-  /// between, it opens with those points set aside.
-  /// @throws Error if the project cannot be written, or nothing may be edited; nothing has changed
+  /// the others in as one step named `text`, with which the project has the scan.
+  /// @throws Error if nothing may be edited; nothing has changed
   void growScan(const QString& text, GrownScan grown);
   /// The scan of the document, for the project. None: it has none.
   void setScanReference(const std::optional<ScanReference>& scan);

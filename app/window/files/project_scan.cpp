@@ -78,15 +78,9 @@ void ProjectFlow::writeRest() {
 void ProjectFlow::growScan(const QString& text, GrownScan grown) {
   PlantDocument& document = parts_.document;
   document.requireWritable();
-  recorder_.flush();
   const PointSet added = PointSet::firstOf(grown.scan->cloud()->size()) -
                          PointSet::firstOf(document.scan()->cloud()->size());
-  if (recorder_.project() != nullptr) {
-    if (recorder_.isBehind())
-      throw Error(
-          tr("the last edits could not be written: save the plant elsewhere first").toStdString());
-    recorder_.project()->growScan(grown.reference, added);
-  }
+  recorder_.growScan({grown.reference, added});
   scan_ = grown.reference;
   document.growScan(std::move(grown.scan), grown.path);
   document.leaveOut(text, document.leftOut() - added);

@@ -54,8 +54,11 @@ TEST(Project, GrowsItsScanBySetAsidePointsInEveryState) {
   Project project = Project::create(file, history);
   project.setBytes(keptCloudName, "points of the scan before");
   project.setScan(ScanReference{.path = "/a/north.ply", .size = 1, .hash = 2, .bounds = {}});
-  project.growScan({.path = "/a/both.ply", .size = 3, .hash = 4, .bounds = {}, .isByFile = true},
-                   added);
+  project.record(
+      1, {}, 1,
+      GrownReference{
+          .scan = {.path = "/a/both.ply", .size = 3, .hash = 4, .bounds = {}, .isByFile = true},
+          .added = added});
   EXPECT_EQ(project.scan()->path, "/a/both.ply");
   EXPECT_TRUE(project.scan()->isByFile);
   EXPECT_FALSE(project.hasBytes(keptCloudName));

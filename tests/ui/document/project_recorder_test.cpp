@@ -209,6 +209,34 @@ TEST_F(ProjectRecorderTest, KeepsUnitAndContractedPoints) {
   EXPECT_EQ(project->bytes("contracted").size(), 3U * 4U * sizeof(float));
 }
 
+// A scan of three points is joined with one of two.
+TEST_F(ProjectRecorderTest, WritesAScanThatGrewWithItsStepOnceItCan) {
+  const auto scanOf = [](int points) {
+    RawPoints raw;
+    for (int i = 0; i < points; ++i)
+      raw.positions.emplace_back(i, 0, 0);
+    return std::make_unique<const Scan>(PointCloud(std::move(raw)));
+  };
+  const PointSet added = PointSet::of({3, 4});
+  document.setScan(scanOf(3), "north.ply");
+  recorder.project()->setScan(ScanReference{.path = "/a/north.ply"});
+  setRadius(1);
+  fs::permissions(file, fs::perms::owner_read);
+  recorder.growScan({.scan = {.path = "/a/both.ply", .isByFile = true}, .added = added});
+  document.growScan(scanOf(5), "both.ply");
+  document.leaveOut("Join", {});
+  EXPECT_TRUE(recorder.isBehind());
+  EXPECT_EQ(Project::open(file, Access::readOnly).scan()->path, "/a/north.ply");
+  EXPECT_EQ(onDisk().steps.size(), 1U);
+  EXPECT_TRUE(onDisk().leftOut.isEmpty());
+  fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);
+  setRadius(2);
+  EXPECT_FALSE(recorder.isBehind());
+  EXPECT_EQ(Project::open(file, Access::readOnly).scan()->path, "/a/both.ply");
+  EXPECT_EQ(onDisk(), document.history());
+  EXPECT_EQ(beginningOf(onDisk()).leftOut, added);
+}
+
 TEST_F(ProjectRecorderTest, WritesWhatIsSetAsideAtOnceAndBringsItBack) {
   document.leaveOut("Set aside", PointSet::of({3, 4, 9}));
   EXPECT_EQ(onDisk(), document.history());

@@ -74,7 +74,7 @@ std::vector<std::string> filesApart(const std::string& prefix, std::size_t stati
 }
 
 void writeApart(const std::string& prefix, const SimulatedScan& scan,
-                const Displacement& displacement) {
+                const Displacement& displacement, const Progress& progress) {
   Eigen::AlignedBox3d bounds;
   for (const Eigen::Vector3d& position : scan.points.positions)
     bounds.extend(position);
@@ -90,7 +90,7 @@ void writeApart(const std::string& prefix, const SimulatedScan& scan,
                               .name = {}}}));
   }
   for (std::size_t i = 0; i < clouds.size(); ++i)
-    writeAndReport(stationFile(prefix, i), clouds[i], clouds[i].positions());
+    writeAndReport(stationFile(prefix, i), clouds[i], clouds[i].positions(), progress);
   writeAndReport(targetsFile(prefix), [&](std::ostream& out) {
     writeTargets(out, prefix, clouds.size(), bounds, motion);
   });

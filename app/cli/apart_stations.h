@@ -21,8 +21,9 @@ struct Displacement {
 
 /// Writes the points of each station as a scan of its own, the first in the frame of the plant, the
 /// others displaced, and four true pairs of targets for each of these.
-/// @throws Error if a station has no point, or a file cannot be written
+/// @throws Error     if a station has no point, or a file cannot be written
+/// @throws Cancelled if `progress` asks to stop
 void writeApart(const std::string& prefix, const SimulatedScan& scan,
-                const Displacement& displacement);
+                const Displacement& displacement, const Progress& progress);
 
 } // namespace espalier

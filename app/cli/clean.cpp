@@ -68,13 +68,13 @@ void clean(const CleanFlags& flags) {
     printNotes(record.notes);
   }
   const PointCloud kept = without(*cloud, cleaned.leftOut);
-  writeAndReport(pipeline.output, kept, kept.positions());
+  writeAndReport(pipeline.output, kept, kept.positions(), terminal.progress());
   if (!flags.leftOut.empty()) {
     const PointCloud rest = without(*cloud, PointSet::firstOf(cloud->size()) - cleaned.leftOut);
     if (rest.isEmpty())
       printNotes({flags.leftOut + ": not written, as no point was left out"});
     else
-      writeAndReport(flags.leftOut, rest, rest.positions());
+      writeAndReport(flags.leftOut, rest, rest.positions(), terminal.progress());
   }
   writeRecords(flags, *cloud, part, cleaned);
 }

@@ -50,11 +50,13 @@ void convert(const ConvertFlags& flags) {
   if (content != Content::points) requireNoneOf(flags.read, flags.input, "a structure");
   const TerminalProgress terminal;
   if (content == Content::points) {
-    const auto points = readPoints(flags.input, flags.read.options(), terminal.progress());
+    const auto points =
+        readPoints(flags.input, flags.read.options(), terminal.progress().part(0, 0.5));
     printNotes(points.notes);
     terminal.check();
     terminal.clear();
-    writeAndReport(flags.output, points.value, points.value.positions());
+    writeAndReport(flags.output, points.value, points.value.positions(),
+                   terminal.progress().part(0.5, 1));
   } else {
     auto structure = readAnyStructure(flags.input);
     printNotes(structure.notes);

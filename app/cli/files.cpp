@@ -90,8 +90,8 @@ void writeAndReport(const std::string& path, const Structure& structure, MtgStyl
 }
 
 void writeAndReport(const std::string& path, const PointCloud& cloud,
-                    const Eigen::Matrix3Xf& positions) {
-  writePoints(path, cloud, positions);
+                    const Eigen::Matrix3Xf& positions, const Progress& progress) {
+  writePoints(path, cloud, positions, progress);
   printWritten(path + ": " + counted(static_cast<std::size_t>(cloud.size()), "point"));
 }
 

@@ -50,8 +50,9 @@ void writeAndReport(const std::string& path, const Structure& structure, MtgStyl
                     const std::string& unit = {});
 
 /// The same of points.
+/// @throws Cancelled if `progress` asks to stop
 void writeAndReport(const std::string& path, const PointCloud& cloud,
-                    const Eigen::Matrix3Xf& positions);
+                    const Eigen::Matrix3Xf& positions, const Progress& progress);
 
 /// What `work` returns; an Error of it is said to be about `file`.
 template <class Work> auto about(const std::string& file, const Work& work) {

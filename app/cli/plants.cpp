@@ -91,10 +91,10 @@ std::string placeText(const Eigen::Vector3d& place) {
 
 /// The scan of a plant and the project it is in.
 void writePlant(StagedFiles& files, const fs::path& folder, const std::string& name,
-                const PointCloud& plant, const PlantsFlags& flags) {
+                const PointCloud& plant, const PlantsFlags& flags, const Progress& progress) {
   const fs::path scan = files.add(name + ".ply");
-  writePoints(scan, plant);
-  ScanReference reference = ScanReference::of(scan, plant.bounds());
+  writePoints(scan, plant, progress);
+  ScanReference reference = ScanReference::of(scan, plant.bounds(), progress);
   std::error_code problem;
   reference.path = fs::absolute(folder / (name + ".ply"), problem).lexically_normal();
   Project project = Project::create(files.add(name + ".espalier"), {});
@@ -131,12 +131,13 @@ void plants(PlantsFlags flags) {
   std::string manifest = csvLine({"name", "scan", "root"});
   std::vector<std::string> written;
   for (std::size_t i = 0; i < cut.plants.size(); ++i) {
-    terminal.progress().part(0.9, 1).update(static_cast<double>(i) /
-                                            static_cast<double>(cut.plants.size()));
+    const double share = 1 / static_cast<double>(cut.plants.size());
+    const Progress writing = terminal.progress().part(0.9, 1).part(
+        static_cast<double>(i) * share, static_cast<double>(i + 1) * share);
     const std::string name = nameOf(flags.pipeline.scan, i + 1, cut.plants.size());
     const PointCloud plant =
         without(*cloud, PointSet::firstOf(cloud->size()) - PointSet::of(cut.plants[i].points));
-    writePlant(files, folder, name, plant, flags);
+    writePlant(files, folder, name, plant, flags, writing);
     manifest += csvLine({name, name + ".ply", placeText(cut.plants[i].root)});
     written.push_back((folder / (name + ".espalier")).string() + ": " +
                       counted(static_cast<std::size_t>(plant.size()), "point"));

@@ -72,7 +72,7 @@ void run(const PipelineFlags& flags, const Task& task) {
     printNotes(notes);
     writeAndReport(flags.output, {.skeleton = *result.skeleton}, flags.mtgStyle, flags.unit);
   } else {
-    writeAndReport(flags.output, *cloud, *result.contracted);
+    writeAndReport(flags.output, *cloud, *result.contracted, terminal.progress());
   }
   writeStatistics(flags, *cloud, part, options, result, terminal);
 }

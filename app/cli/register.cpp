@@ -222,7 +222,7 @@ void registerScans(const RegisterFlags& flags) {
   }
   terminal.check();
   terminal.clear();
-  writeAndReport(flags.output, *soFar, soFar->positions());
+  writeAndReport(flags.output, *soFar, soFar->positions(), terminal.progress());
   if (structure) {
     structure->skeleton = moved(std::move(structure->skeleton), placed[1].motion);
     writeAndReport(flags.structure[1], *structure, MtgStyle::plantNode, flags.unit);

@@ -96,7 +96,7 @@ void simulatePlotOf(const SimulateFlags& flags) {
   SimulatedPlot plot = simulatePlot(options, flags.seed, terminal.progress());
   const PointCloud cloud(std::move(plot.points));
   terminal.check();
-  writeAndReport(scanFile, cloud, cloud.positions());
+  writeAndReport(scanFile, cloud, cloud.positions(), terminal.progress());
   writeAndReport(truthFile, Structure{.skeleton = allOf(plot.plants)}, MtgStyle::plantNode);
   writeAndReport(partsFile, [&](std::ostream& out) {
     out << csvLine({"part", "plant"});
@@ -139,10 +139,10 @@ void simulate(const SimulateFlags& flags) {
   SimulatedScan result = flags.from.empty() ? scanned() : about(flags.from, scanned);
   terminal.check();
   if (isApart) {
-    writeApart(flags.prefix, result, displacement);
+    writeApart(flags.prefix, result, displacement, terminal.progress());
   } else {
     const PointCloud cloud(std::move(result.points));
-    writeAndReport(files.front(), cloud, cloud.positions());
+    writeAndReport(files.front(), cloud, cloud.positions(), terminal.progress());
   }
   writeAndReport(truthFile, Structure{.skeleton = truth}, MtgStyle::plantNode);
 }

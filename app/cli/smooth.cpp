@@ -83,7 +83,8 @@ void smooth(const SmoothFlags& flags) {
   printLine("moved by " + inShort(smoothed.moved) + unit + " in the mean");
   if (widest)
     printLine(counted(static_cast<std::size_t>(smoothed.added), "new point") + " in holes");
-  writeAndReport(pipeline.output, smoothed.points, smoothed.points.positions());
+  writeAndReport(pipeline.output, smoothed.points, smoothed.points.positions(),
+                 terminal.progress());
   if (pipeline.json.empty()) return;
   writeJson(pipeline.json, {{"scan", pipeline.scan},
                             {"points", cloud->size()},

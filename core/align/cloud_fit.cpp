@@ -167,7 +167,7 @@ CloudFit fitClouds(const PointCloud& fixed, const PointCloud& moved, const Isome
     const SampledCloud ofMoved = sampled(moved, edge, mostSamples, here.part(0.3, 0.5));
     const bool isTooCoarse = std::min(ofFixed.points.cols(), ofMoved.points.cols()) < fewestPoints;
     if (scale > 1 && isTooCoarse) continue;
-    const CloudMatching matching(ofFixed, ofMoved);
+    const CloudMatching matching(ofFixed, ofMoved, here);
     const double agreement =
         scale > 2 ? 0 : agreementOf(matching, fit.motion, std::max(reach, 3 * edge), here);
     fit = stepped(fit, matching, options, edge, std::max(reach, 3 * edge), agreement, lengths.size,

@@ -20,16 +20,23 @@ constexpr int neighbors = 12; // that show what the points about one sample
 /// Which points of a cloud are one per cube: that nearest to the mean of the others.
 std::vector<Index> onePerCube(const Eigen::Matrix3Xf& points, double edge,
                               const Progress& progress) {
-  const Voxels voxels(points, edge, progress);
+  const Voxels voxels(points, edge, progress.part(0, 0.5));
   const Eigen::Matrix3Xf means = voxels.means(points);
   std::vector<Index> chosen(voxels.count());
-  for (std::size_t cube = 0; cube < voxels.count(); ++cube) {
-    const auto off = [&](std::uint32_t point) {
-      return (points.col(point) - means.col(static_cast<Index>(cube))).squaredNorm();
-    };
-    chosen[cube] = *std::ranges::min_element(voxels.members(cube), {}, off);
-  }
-  std::ranges::sort(chosen);
+  parallelFor(
+      static_cast<Index>(voxels.count()),
+      [&](Index cube) {
+        const auto off = [&](std::uint32_t point) {
+          return (points.col(point) - means.col(cube)).squaredNorm();
+        };
+        const auto at = static_cast<std::size_t>(cube);
+        chosen[at] = *std::ranges::min_element(voxels.members(at), {}, off);
+      },
+      progress.part(0.5, 1));
+  parallelSort(chosen.begin(), chosen.end(), [&](Index a, Index b) {
+    progress.check();
+    return a < b;
+  });
   return chosen;
 }
 

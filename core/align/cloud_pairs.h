@@ -46,8 +46,9 @@ struct CloudPair {
 /// Two clouds of one scale, laid on each other about the origin of the fixed one.
 class CloudMatching {
 public:
-  CloudMatching(const SampledCloud& fixed, const SampledCloud& moved) // both outlive it
-      : fixed_(fixed), moved_(moved), index_(fixed.points) {}
+  /// Both outlive it. @throws Cancelled if `progress` asks to stop
+  CloudMatching(const SampledCloud& fixed, const SampledCloud& moved, const Progress& progress = {})
+      : fixed_(fixed), moved_(moved), index_(fixed.points, progress) {}
 
   /// A pair for each moved point, in their order: with the nearest fixed one within reach that does
   /// not face away from it. Where it is known how both face, distance matters along the middle of

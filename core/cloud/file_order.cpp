@@ -27,17 +27,22 @@ std::vector<Value> inOrder(const std::vector<Value>& values,
 
 } // namespace
 
-std::vector<Eigen::Index> pointsInFileOrder(const PointCloud& cloud) {
+std::vector<Eigen::Index> pointsInFileOrder(const PointCloud& cloud, const Progress& progress) {
   std::vector<Eigen::Index> order(static_cast<std::size_t>(cloud.size()));
   std::iota(order.begin(), order.end(), Eigen::Index{0});
-  std::ranges::sort(order, {}, [&](Eigen::Index point) {
+  const auto placeOf = [&](Eigen::Index point) {
     return cloud.fileOrder()[static_cast<std::size_t>(point)];
+  };
+  std::size_t looks = 0;
+  std::ranges::sort(order, [&](Eigen::Index a, Eigen::Index b) {
+    if (++looks % 65536 == 0) progress.check();
+    return placeOf(a) < placeOf(b);
   });
   return order;
 }
 
-PointCloud sortedAsInFile(const PointCloud& cloud) {
-  const std::vector<Eigen::Index> order = pointsInFileOrder(cloud);
+PointCloud sortedAsInFile(const PointCloud& cloud, const Progress& progress) {
+  const std::vector<Eigen::Index> order = pointsInFileOrder(cloud, progress);
   return PointCloud(StoredPoints{.positions = cloud.positions()(Eigen::all, order),
                                  .origin = cloud.origin(),
                                  .colors = inOrder(cloud.colors(), order),

@@ -19,9 +19,11 @@ std::vector<Station> stationsOf(const PlacedCloud& placed) {
   return stations;
 }
 
-void append(RawPoints& all, const PlacedCloud& placed, std::size_t firstStation) {
+void append(RawPoints& all, const PlacedCloud& placed, std::size_t firstStation,
+            const Progress& progress) {
   const PointCloud& cloud = *placed.cloud;
-  for (const Eigen::Index point : pointsInFileOrder(cloud)) {
+  for (const Eigen::Index point : pointsInFileOrder(cloud, progress)) {
+    if (all.positions.size() % 65536 == 0) progress.check();
     const auto i = static_cast<std::size_t>(point);
     all.positions.push_back(placed.motion * cloud.position(point));
     if (!cloud.colors().empty()) all.colors.push_back(cloud.colors()[i]);
@@ -46,8 +48,10 @@ PointCloud joined(const std::vector<PlacedCloud>& clouds, const Progress& progre
       all.stations.push_back(std::move(station));
     if (all.stations.size() > mostStations)
       throw Error("the scans have over 65536 stations together: join fewer of them");
-    append(all, clouds[i], firstStation);
-    progress.update(0.4 * static_cast<double>(i + 1) / static_cast<double>(clouds.size()));
+    const auto share = [&](std::size_t cloud) {
+      return 0.4 * static_cast<double>(cloud) / static_cast<double>(clouds.size());
+    };
+    append(all, clouds[i], firstStation, progress.part(share(i), share(i + 1)));
   }
   if (all.colors.size() != points) all.colors.clear();
   if (all.intensities.size() != points) all.intensities.clear();

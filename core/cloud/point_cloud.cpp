@@ -74,7 +74,9 @@ PointCloud::PointCloud(RawPoints raw, const Progress& progress) {
   Eigen::AlignedBox3d bounds;
   std::vector<Place> places;
   places.reserve(raw.positions.size());
+  constexpr std::size_t often = 65536; // points between two looks at the progress
   for (std::size_t i = 0; i < raw.positions.size(); ++i) {
+    if (i % often == 0) progress.check();
     if (!isInRange(raw.positions[i])) continue;
     bounds.extend(raw.positions[i]);
     places.push_back({0, static_cast<std::uint32_t>(i)});
@@ -90,6 +92,7 @@ PointCloud::PointCloud(RawPoints raw, const Progress& progress) {
       progress.part(0, 0.3), 4096);
   // Ties are broken by position, so that the order in the file does not decide.
   parallelSort(places.begin(), places.end(), [&](const Place& a, const Place& b) {
+    progress.check();
     if (a.code != b.code) return a.code < b.code;
     const Eigen::Vector3d& p = raw.positions[a.index];
     const Eigen::Vector3d& q = raw.positions[b.index];
@@ -109,6 +112,7 @@ PointCloud::PointCloud(RawPoints raw, const Progress& progress) {
   assert(haveStations(raw.stationOf, raw.positions.size(), raw.stations));
   stations_ = std::move(raw.stations);
   for (std::size_t i = 0; i < count; ++i) {
+    if (i % often == 0) progress.check();
     const std::uint32_t from = places[i].index;
     positions_.col(static_cast<Eigen::Index>(i)) = (raw.positions[from] - origin_).cast<float>();
     fileOrder_[i] = from;

@@ -42,7 +42,8 @@ Voxels::Voxels(const Eigen::Matrix3Xf& points, double edge, const Progress& prog
         all[static_cast<std::size_t>(i)] = {keyOf(at), static_cast<std::uint32_t>(i)};
       },
       progress.part(0, 0.2), 4096);
-  parallelSort(all.begin(), all.end(), [](const Keyed& a, const Keyed& b) {
+  parallelSort(all.begin(), all.end(), [&](const Keyed& a, const Keyed& b) {
+    progress.check();
     return a.key != b.key ? a.key < b.key : a.point < b.point;
   });
   progress.update(0.9);

@@ -253,14 +253,16 @@ Imported<Structure> readAnyStructure(const std::filesystem::path& path) {
   return {{std::move(skeleton.value), std::move(frame)}, std::move(mtg.notes)};
 }
 
-void writePoints(const std::filesystem::path& path, const PointCloud& cloud) {
-  writePoints(path, cloud, cloud.positions());
+void writePoints(const std::filesystem::path& path, const PointCloud& cloud,
+                 const Progress& progress) {
+  writePoints(path, cloud, cloud.positions(), progress);
 }
 
 void writePoints(const std::filesystem::path& path, const PointCloud& cloud,
-                 const Eigen::Matrix3Xf& positions) {
+                 const Eigen::Matrix3Xf& positions, const Progress& progress) {
   const Format& format = formatToWrite(path, Content::points);
-  writeAtomically(path, [&](std::ostream& out) { format.writePoints(out, cloud, positions); });
+  writeAtomically(path,
+                  [&](std::ostream& out) { format.writePoints(out, cloud, positions, progress); });
 }
 
 void writeStructure(const std::filesystem::path& path, const Skeleton& skeleton) {

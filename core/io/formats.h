@@ -52,8 +52,8 @@ struct Format {
                                  const std::vector<PointField>& columns) = nullptr;
   Imported<Mtg> (*readMtg)(std::istream&, const std::string& file) = nullptr;
   Imported<Skeleton> (*readStructure)(std::istream&, const std::string& file) = nullptr;
-  void (*writePoints)(std::ostream&, const PointCloud&,
-                      const Eigen::Matrix3Xf& positions) = nullptr;
+  void (*writePoints)(std::ostream&, const PointCloud&, const Eigen::Matrix3Xf& positions,
+                      const Progress&) = nullptr;
   void (*writeStructure)(std::ostream&, const Skeleton&) = nullptr;
   void (*writeMtg)(std::ostream&, const Mtg&) = nullptr; // of a plant without positions
   Carried carried = {};                                  // by what writeStructure writes
@@ -116,13 +116,15 @@ void requireColumnsFit(const std::filesystem::path& path, const Format& format,
 
 /// Writes points in the format of the extension, in the order of the file they came from. The file
 /// is complete or as it was before.
-/// @throws Error why it cannot be written
-void writePoints(const std::filesystem::path& path, const PointCloud& cloud);
+/// @throws Error     why it cannot be written
+/// @throws Cancelled if `progress` asks to stop
+void writePoints(const std::filesystem::path& path, const PointCloud& cloud,
+                 const Progress& progress = {});
 
 /// The same with other positions for the points of the cloud, as contraction yields.
 /// @param positions  3 x cloud.size() about cloud.origin() [L]
 void writePoints(const std::filesystem::path& path, const PointCloud& cloud,
-                 const Eigen::Matrix3Xf& positions);
+                 const Eigen::Matrix3Xf& positions, const Progress& progress = {});
 
 /// Writes a skeleton in the format of the extension. The file is complete or as it was before.
 /// @throws Error why it cannot be written

@@ -15,6 +15,7 @@ namespace {
 
 /// Points of a cloud and how far apart they lie.
 struct Places {
+  const Progress& progress; // of what is measured
   const Eigen::Matrix3Xf& positions;
   const SpatialIndex& index; // finds these places alone, and far points
   std::vector<Eigen::Index> points;
@@ -28,6 +29,7 @@ struct Places {
   /// The lowest that does not stand alone, of heights times `sign`; the lowest if many do.
   [[nodiscard]] float lowest(UpAxis up, float sign) const {
     const auto isHigher = [&](Eigen::Index a, Eigen::Index b) {
+      progress.check();
       return sign * height(a, up) > sign * height(b, up);
     };
     const Eigen::Index first = *std::ranges::max_element(points, isHigher);
@@ -52,13 +54,15 @@ struct Places {
 /// Those that count: without what is set aside, repeated or far. Calls measure(places).
 template <class Measure>
 auto onPlaces(const PointCloud& cloud, const SpatialIndex& index, const PointSet& leftOut,
-              const Measure& measure) {
+              const Progress& progress, const Measure& measure) {
   const PointSet passed = leftOut | repeatedPoints(cloud, leftOut);
   const PointSet without = passed | PointSet::of(farPoints(cloud, leftOut));
   const Eigen::Matrix3Xf& positions = cloud.positions();
   const auto measured = [&](const SpatialIndex& found) {
-    Places places{positions, found, others(without, cloud.size()), 0, 0};
+    Places places{progress, positions, found, others(without, cloud.size()), 0, 0};
+    progress.check();
     places.spacing = spacingOfPlaces(positions, found, places.points);
+    progress.check();
     places.thickness = thinWood(positions, found, places.points, places.spacing);
     return measure(places);
   };
@@ -80,12 +84,13 @@ PlantExtent extentOf(const Places& places, UpAxis up) {
 
 PlantExtent plantExtent(const PointCloud& cloud, const SpatialIndex& index, const PointSet& leftOut,
                         UpAxis up) {
-  return onPlaces(cloud, index, leftOut,
+  return onPlaces(cloud, index, leftOut, {},
                   [up](const Places& places) { return extentOf(places, up); });
 }
 
-PlantSides plantSides(const PointCloud& cloud, const SpatialIndex& index, const PointSet& leftOut) {
-  return onPlaces(cloud, index, leftOut, [](const Places& places) {
+PlantSides plantSides(const PointCloud& cloud, const SpatialIndex& index, const PointSet& leftOut,
+                      const Progress& progress) {
+  return onPlaces(cloud, index, leftOut, progress, [](const Places& places) {
     PlantSides sides{.spacing = places.spacing, .thickness = places.thickness};
     for (const UpAxis up : {UpAxis::x, UpAxis::y, UpAxis::z})
       sides.heights[static_cast<Eigen::Index>(up)] = extentOf(places, up).scale.height;

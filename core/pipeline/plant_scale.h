@@ -32,8 +32,9 @@ struct PlantSides {
 };
 
 /// The same along all axes, for the time of one.
+/// @throws Cancelled if `progress` asks to stop
 [[nodiscard]] PlantSides plantSides(const PointCloud& cloud, const SpatialIndex& index,
-                                    const PointSet& leftOut);
+                                    const PointSet& leftOut, const Progress& progress = {});
 
 /// The same, where there is no index of the points. Time O(N log N).
 /// @throws Cancelled if `progress` asks to stop

@@ -12,17 +12,19 @@ namespace {
 
 /// Of the points that are not set aside; `otherwise` if they have none.
 PlantSides measured(const PointCloud& cloud, const SpatialIndex& index, const PointSet& leftOut,
-                    const PlantSides& otherwise) {
-  const PlantSides sides = plantSides(cloud, index, leftOut);
+                    const PlantSides& otherwise, const Progress& progress = {}) {
+  const PlantSides sides = plantSides(cloud, index, leftOut, progress);
   return sides.spacing > 0 ? sides : otherwise;
 }
 
 } // namespace
 
-Scan::Scan(PointCloud cloud)
-    : cloud_(std::make_shared<const PointCloud>(std::move(cloud))), index_(cloud_->positions()),
-      sides_(measured(*cloud_, index_, {}, {})), bounds_(plantBounds(*cloud_)) {
+Scan::Scan(PointCloud cloud, const Progress& progress)
+    : cloud_(std::make_shared<const PointCloud>(std::move(cloud))),
+      index_(cloud_->positions(), progress), sides_(measured(*cloud_, index_, {}, {}, progress)),
+      bounds_(plantBounds(*cloud_)) {
   assert(!cloud_->isEmpty());
+  progress.check();
   if (!repeatedPoints(*cloud_).isEmpty()) index_ = index_.passingOver(notCounted(*cloud_));
 }
 

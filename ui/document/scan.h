@@ -17,7 +17,8 @@ namespace espalier {
 class Scan {
 public:
   /// Time O(N log N): made by the job that reads the file. pre: not empty
-  explicit Scan(PointCloud cloud);
+  /// @throws Cancelled if `progress` asks to stop
+  explicit Scan(PointCloud cloud, const Progress& progress = {});
 
   /// The same scan with exactly these points set aside. O(N): the cloud is shared.
   [[nodiscard]] Scan leavingOut(const PointSet& points) const;

@@ -34,8 +34,8 @@ void loadScan(LoadedFiles& loaded, const std::filesystem::path& path, const Scan
   ImportedCloud points = readPoints(path, reading, progress.part(0, 0.9));
   progress.update(0.9);
   if (points.isPart(reading)) loaded.part = {reading, points.listed};
-  loaded.scanReference = ScanReference::of(path, points.value.bounds());
-  loaded.scan = std::make_unique<const Scan>(std::move(points.value));
+  loaded.scanReference = ScanReference::of(path, points.value.bounds(), progress);
+  loaded.scan = std::make_unique<const Scan>(std::move(points.value), progress);
   addNotes(loaded, points.notes);
 }
 

@@ -47,16 +47,16 @@ std::unique_ptr<const Scan> keptScan(const Project& project, const Progress& pro
   if (cloud.isEmpty())
     throw Error(project.path().string() + ": the scan in it has no points: keep it there again");
   progress.update(0.5);
-  return std::make_unique<const Scan>(std::move(cloud));
+  return std::make_unique<const Scan>(std::move(cloud), progress);
 }
 
 /// The scan of a project, whose file is found.
 std::unique_ptr<const Scan> scanIn(const std::filesystem::path& path,
                                    const ScanReference& reference, const ReadOptions& reading,
                                    const Progress& progress) {
-  PointCloud cloud = readPoints(path, reading, progress).value;
-  return std::make_unique<const Scan>(reference.isByFile ? sortedAsInFile(cloud)
-                                                         : std::move(cloud));
+  PointCloud cloud = readPoints(path, reading, progress.part(0, 0.8)).value;
+  if (reference.isByFile) cloud = sortedAsInFile(cloud, progress.part(0.8, 0.9));
+  return std::make_unique<const Scan>(std::move(cloud), progress);
 }
 
 void addScan(LoadedProject& loaded, const Progress& progress) {
@@ -102,7 +102,7 @@ LoadedProject loadProject(const QString& path, Access access, const Progress& pr
 
 std::unique_ptr<const Scan> loadScan(const QString& path, const ScanReference& reference,
                                      const ReadOptions& reading, const Progress& progress) {
-  if (contentHashOfFile(toPath(path)) != reference.hash)
+  if (contentHashOfFile(toPath(path), progress) != reference.hash)
     throw Error(path.toStdString() + ": is not the scan of this project, which was " +
                 reference.path.filename().string() +
                 ": choose that, or open this one as a plant of its own");

@@ -209,7 +209,8 @@ ImportedPoints readPly(std::istream& in, const std::string& file, const ReadOpti
   return {{std::move(points), notesOn(header, file)}, vertices->count};
 }
 
-void writePly(std::ostream& out, const PointCloud& cloud, const Eigen::Matrix3Xf& positions) {
+void writePly(std::ostream& out, const PointCloud& cloud, const Eigen::Matrix3Xf& positions,
+              const Progress& progress) {
   assert(positions.cols() == cloud.size());
   out << "ply\nformat binary_little_endian 1.0\ncomment made by Espalier\n";
   for (std::size_t i = 0; i < cloud.stations().size(); ++i)
@@ -223,7 +224,10 @@ void writePly(std::ostream& out, const PointCloud& cloud, const Eigen::Matrix3Xf
   out << "end_header\n";
   constexpr std::size_t blockSize = std::size_t{1} << 20;
   std::string block;
-  for (const Eigen::Index point : pointsInFileOrder(cloud)) {
+  const std::vector<Eigen::Index> order = pointsInFileOrder(cloud, progress.part(0, 0.2));
+  const Progress writing = progress.part(0.2, 1);
+  std::size_t written = 0;
+  for (const Eigen::Index point : order) {
     const Eigen::Vector3d position = positions.col(point).cast<double>() + cloud.origin();
     for (const double coordinate : position)
       appendValue(block, coordinate);
@@ -233,11 +237,14 @@ void writePly(std::ostream& out, const PointCloud& cloud, const Eigen::Matrix3Xf
         appendValue(block, byte);
     if (!cloud.intensities().empty()) appendValue(block, cloud.intensities()[i]);
     if (!cloud.stationOf().empty()) appendValue(block, cloud.stationOf()[i]);
+    ++written;
     if (block.size() < blockSize) continue;
     out << block;
     block.clear();
+    writing.update(static_cast<double>(written) / static_cast<double>(order.size()));
   }
   out << block;
+  writing.update(1);
 }
 
 } // namespace espalier

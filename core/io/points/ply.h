@@ -33,6 +33,8 @@ namespace espalier {
 /// intensity (float) and station (ushort), which comments name (station_comment.h). Points are in
 /// the order of the file they came from.
 /// @param positions  3 x cloud.size() about cloud.origin() [L]: those of the cloud, or moved ones
-void writePly(std::ostream& out, const PointCloud& cloud, const Eigen::Matrix3Xf& positions);
+/// @throws Cancelled if `progress` asks to stop
+void writePly(std::ostream& out, const PointCloud& cloud, const Eigen::Matrix3Xf& positions,
+              const Progress& progress = {});
 
 } // namespace espalier

@@ -139,11 +139,18 @@ ImportedPoints readXyz(std::istream& in, const std::string& file, const ReadOpti
   return result;
 }
 
-void writeXyz(std::ostream& out, const PointCloud& cloud, const Eigen::Matrix3Xf& positions) {
+void writeXyz(std::ostream& out, const PointCloud& cloud, const Eigen::Matrix3Xf& positions,
+              const Progress& progress) {
   assert(positions.cols() == cloud.size());
   BlockWriter writer(out);
   writeNames(cloud, writer);
-  for (const Eigen::Index point : pointsInFileOrder(cloud)) {
+  const std::vector<Eigen::Index> order = pointsInFileOrder(cloud, progress.part(0, 0.2));
+  const Progress writing = progress.part(0.2, 1);
+  std::size_t written = 0;
+  for (const Eigen::Index point : order) {
+    constexpr std::size_t often = 8192; // points
+    if (written++ % often == 0)
+      writing.update(static_cast<double>(written) / static_cast<double>(order.size()));
     for (int axis = 0; axis < 3; ++axis) {
       if (axis > 0) writer.text(" ");
       writer.coordinate(positions(axis, point), cloud.origin()[axis]);
@@ -162,6 +169,7 @@ void writeXyz(std::ostream& out, const PointCloud& cloud, const Eigen::Matrix3Xf
     writer.flush(std::size_t{1} << 20);
   }
   writer.flush();
+  writing.update(1);
 }
 
 } // namespace espalier

@@ -38,6 +38,8 @@ namespace espalier {
 /// from; more than x y z are named in a first line of comment ("//X Y Z ..."). Coordinates have the
 /// fewest decimals that read back as the same position.
 /// @param positions  3 x cloud.size() about cloud.origin() [L]: those of the cloud, or moved ones
-void writeXyz(std::ostream& out, const PointCloud& cloud, const Eigen::Matrix3Xf& positions);
+/// @throws Cancelled if `progress` asks to stop
+void writeXyz(std::ostream& out, const PointCloud& cloud, const Eigen::Matrix3Xf& positions,
+              const Progress& progress = {});
 
 } // namespace espalier

@@ -36,6 +36,16 @@ TEST(FileOrder, SortsThePointsWithAllTheyHaveAsTheFileListsThem) {
   }
 }
 
+TEST(FileOrder, StopsWhenAsked) {
+  RawPoints raw;
+  for (int i = 0; i < 50'000; ++i)
+    raw.positions.emplace_back((i * 17) % 41, (i * 7) % 43, (i * 29) % 47);
+  const PointCloud cloud(std::move(raw));
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_THROW((void)pointsInFileOrder(cloud, Progress(stop.get_token(), {})), Cancelled);
+}
+
 TEST(FileOrder, ListsPointsByTheirColumn) {
   const PointCloud cloud = scattered();
   const PointCloud listed = listedByColumn(cloud);

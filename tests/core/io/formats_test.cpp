@@ -182,6 +182,30 @@ TEST(WritePoints, AndReadingGivesTheSameCloudInEachFormat) {
   }
 }
 
+// Asked while points are written: once a first part of them is.
+TEST(WritePoints, StopsWhenAskedAndLeavesTheOldFile) {
+  const std::string old = "1 2 3\n";
+  RawPoints raw;
+  for (int i = 0; i < 200'000; ++i)
+    raw.positions.emplace_back(i, 0.1 * i, 0.01 * i);
+  const PointCloud cloud(std::move(raw));
+  for (const Format& format : formats()) {
+    if (format.writePoints == nullptr) continue;
+    const fs::path path = fileOf("oak." + std::string(format.extensions.front()), old);
+    std::stop_source stop;
+    double reached = 0;
+    const Progress progress(stop.get_token(), [&](double fraction, std::string_view) {
+      reached = fraction;
+      if (fraction > 0.5) stop.request_stop();
+    });
+    EXPECT_THROW(writePoints(path, cloud, progress), Cancelled) << path;
+    EXPECT_GT(reached, 0.5);
+    EXPECT_LT(reached, 0.9) << format.name;
+    EXPECT_EQ(fs::file_size(path), old.size());
+    EXPECT_EQ(std::distance(fs::directory_iterator(path.parent_path()), {}), 1);
+  }
+}
+
 /// Writes a plant in each format that can be read again, and expects the same plant back, but for
 /// what an MTG says of it. Its axes must be assembled, as readers do where a format does not keep
 /// them.

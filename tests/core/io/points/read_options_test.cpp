@@ -53,10 +53,11 @@ PointCloud sampleCloud() {
   return PointCloud(std::move(raw));
 }
 
-std::string written(void (*write)(std::ostream&, const PointCloud&, const Eigen::Matrix3Xf&)) {
+std::string written(void (*write)(std::ostream&, const PointCloud&, const Eigen::Matrix3Xf&,
+                                  const Progress&)) {
   const PointCloud cloud = sampleCloud();
   std::ostringstream out;
-  write(out, cloud, cloud.positions());
+  write(out, cloud, cloud.positions(), {});
   return std::move(out).str();
 }
 

@@ -195,38 +195,6 @@ bool isReleased(const fs::path& file) {
   return isFree;
 }
 
-/// A temporary file beside the one it will replace; removed unless it did.
-class TemporaryFile {
-public:
-  explicit TemporaryFile(const fs::path& path) {
-    constexpr int mostTries = 10000;
-    for (int i = 0; i < mostTries && descriptor_ < 0; ++i) {
-      path_ = path;
-      path_.replace_filename(temporaryName(path.filename().string(), ::getpid(), i));
-      descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-      if (descriptor_ < 0 && errno != EEXIST) fail(path, errno);
-    }
-    if (descriptor_ < 0) fail(path, EEXIST);
-    (void)::flock(descriptor_, LOCK_EX | LOCK_NB); // see isReleased
-  }
-  ~TemporaryFile() {
-    if (!path_.empty()) ::unlink(path_.c_str());
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-
-  [[nodiscard]] int descriptor() const { return descriptor_; } // the taker closes it
-
-  void replace(const fs::path& path) {
-    if (::rename(path_.c_str(), path.c_str()) != 0) fail(path, errno);
-    path_.clear();
-  }
-
-private:
-  fs::path path_;
-  int descriptor_ = -1;
-};
-
 /// Puts on the disk that a file of this folder has a new name. Some file systems cannot: then the
 /// order in which they write must do.
 void syncFolder(const fs::path& folder) {
@@ -247,23 +215,73 @@ void writeThrough(FileBuffer& buffer, const std::function<void(std::ostream&)>& 
 
 } // namespace
 
-void writeAtomically(const fs::path& path, const std::function<void(std::ostream&)>& write) {
-  if (isStream(path)) {
-    FileBuffer buffer(openStream(path), path);
-    writeThrough(buffer, write, false);
-    return;
+/// A temporary file beside the one it will replace; removed unless it did.
+class StagedFile::Temporary {
+public:
+  explicit Temporary(const fs::path& path) {
+    constexpr int mostTries = 10000;
+    for (int i = 0; i < mostTries && descriptor_ < 0; ++i) {
+      path_ = path;
+      path_.replace_filename(temporaryName(path.filename().string(), ::getpid(), i));
+      descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+      if (descriptor_ < 0 && errno != EEXIST) fail(path, errno);
+    }
+    if (descriptor_ < 0) fail(path, EEXIST);
+    (void)::flock(descriptor_, LOCK_EX | LOCK_NB); // see isReleased
   }
-  const fs::path file = target(path);
+  ~Temporary() {
+    if (!path_.empty()) ::unlink(path_.c_str());
+    ::close(descriptor_);
+  }
+  Temporary(const Temporary&) = delete;
+  Temporary& operator=(const Temporary&) = delete;
+
+  [[nodiscard]] const fs::path& path() const { return path_; }
+  /// Another descriptor, to be closed once it is written: it stays locked until it has its place.
+  [[nodiscard]] int descriptor() const { return ::fcntl(descriptor_, F_DUPFD_CLOEXEC, 0); }
+
+  void replace(const fs::path& path) {
+    if (::rename(path_.c_str(), path.c_str()) != 0) fail(path, errno);
+    path_.clear();
+  }
+
+private:
+  fs::path path_;
+  int descriptor_ = -1;
+};
+
+StagedFile::StagedFile(const fs::path& path, const std::function<void(std::ostream&)>& write)
+    : path_(target(path)) {
   struct stat old {};
-  const bool exists = ::stat(file.c_str(), &old) == 0;
+  const bool exists = ::stat(path_.c_str(), &old) == 0;
   if (exists && S_ISDIR(old.st_mode)) fail(path, EISDIR);
-  TemporaryFile temporary(file);
-  FileBuffer buffer(temporary.descriptor(), path);
+  temporary_ = std::make_unique<Temporary>(path_);
+  FileBuffer buffer(temporary_->descriptor(), path);
   constexpr mode_t permissionBits = 07777;
   if (exists) buffer.setPermissions(old.st_mode & permissionBits);
   writeThrough(buffer, write, true);
-  temporary.replace(file);
-  syncFolder(file.parent_path());
+}
+
+StagedFile::~StagedFile() = default;
+StagedFile::StagedFile(StagedFile&&) noexcept = default;
+StagedFile& StagedFile::operator=(StagedFile&&) noexcept = default;
+
+const fs::path& StagedFile::written() const {
+  return temporary_->path();
+}
+
+void StagedFile::show() {
+  temporary_->replace(path_);
+  temporary_.reset();
+  syncFolder(path_.parent_path());
+}
+
+void writeAtomically(const fs::path& path, const std::function<void(std::ostream&)>& write) {
+  if (isStream(path)) {
+    FileBuffer buffer(openStream(path), path);
+    return writeThrough(buffer, write, false);
+  }
+  StagedFile(path, write).show();
 }
 
 void requireWritable(const fs::path& path) {

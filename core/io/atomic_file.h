@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <iosfwd>
+#include <memory>
 
 namespace espalier {
 
@@ -16,6 +17,26 @@ namespace espalier {
 ///         then untouched and nothing else is left behind.
 void writeAtomically(const std::filesystem::path& path,
                      const std::function<void(std::ostream&)>& write);
+
+/// The same in two steps: what is written is on the disk, and can be read, before it takes the
+/// place of `path`. Removed unless it does.
+class StagedFile {
+public:
+  /// @throws as writeAtomically. pre: !isStream(path)
+  StagedFile(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write);
+  ~StagedFile();
+  StagedFile(StagedFile&&) noexcept;
+  StagedFile& operator=(StagedFile&&) noexcept;
+
+  [[nodiscard]] const std::filesystem::path& written() const; // pre: it is not shown yet
+  /// @throws Error why it cannot take its place; the file of old is then untouched
+  void show();
+
+private:
+  class Temporary;
+  std::unique_ptr<Temporary> temporary_; // null: shown
+  std::filesystem::path path_;
+};
 
 /// Reports before a long computation what writeAtomically would report after it: that the folder is
 /// missing, that a folder has this name, or that writing there is not allowed. It writes nothing,

@@ -7,7 +7,9 @@
 #include "core/cloud/file_order.h"
 #include "core/cloud/joined_clouds.h"
 #include "core/evaluate/registration/registration.h"
+#include "core/io/atomic_file.h"
 #include "core/io/formats.h"
+#include "core/io/points/ply.h"
 #include "core/skeleton/edits.h"
 #include "ui/document/plant_document.h"
 
@@ -30,38 +32,46 @@ struct Joining {
   QString path;
 };
 
-/// Reads the file back as it will be opened again: what it holds is what the plant gets.
-GrownScan readJoined(const QString& path, Eigen::Index points, const Progress& progress) {
-  PointCloud cloud = sortedAsInFile(readPoints(toPath(path), progress.part(0, 0.7)).value);
-  if (cloud.size() != points)
-    throw Error(path.toStdString() + ": does not hold all points of the two scans: move the scans "
-                                     "nearer to the zero of their coordinates");
-  GrownScan grown{
-      .scan = nullptr, .path = path, .reference = ScanReference::of(toPath(path), cloud.bounds())};
+/// Reads what was written as it will be opened again: what it holds is what the plant gets.
+/// @param written  the file, before it has its name
+GrownScan readJoined(const std::filesystem::path& written, const Joining& asked,
+                     const Progress& progress) {
+  PointCloud cloud =
+      sortedAsInFile(readPoints(written, progress.part(0, 0.6)).value, progress.part(0.6, 0.7));
+  if (cloud.size() != asked.fixed->size() + asked.moved->size())
+    throw Error(asked.path.toStdString() +
+                ": would not hold all points of the two scans: move the scans nearer to the zero "
+                "of their coordinates");
+  GrownScan grown{.scan = nullptr,
+                  .path = asked.path,
+                  .reference = ScanReference::of(written, cloud.bounds(), progress)};
+  grown.reference.path = placeOf(toPath(asked.path));
   grown.reference.isByFile = true;
   progress.update(0.8);
-  grown.scan = std::make_unique<const Scan>(std::move(cloud));
+  grown.scan = std::make_unique<const Scan>(std::move(cloud), progress);
   progress.update(1);
   return grown;
 }
 
+/// What comes of it: the file is shown once the plant takes the scan.
+struct Joined {
+  StagedFile file;
+  GrownScan grown;
+};
+
 /// The points of the open scan come first, in their columns: all that names them goes on to.
-GrownScan joinedIn(const Joining& asked, const Progress& progress) {
+Joined joinedIn(const Joining& asked, const Progress& progress) {
   const PlacedCloud fixed{.cloud = std::make_shared<const PointCloud>(listedByColumn(*asked.fixed)),
                           .motion = Eigen::Isometry3d::Identity(),
                           .name = asked.fixedName.toStdString()};
   const PlacedCloud moved{
       .cloud = asked.moved, .motion = asked.motion, .name = asked.movedName.toStdString()};
   const PointCloud all = joined({fixed, moved}, progress.part(0, 0.4));
-  progress.update(0.4);
-  writePoints(toPath(asked.path), all);
-  try {
-    return readJoined(asked.path, asked.fixed->size() + asked.moved->size(), progress.part(0.5, 1));
-  } catch (...) { // stopped, or not as it should be: nothing is left
-    std::error_code ignored;
-    std::filesystem::remove(toPath(asked.path), ignored);
-    throw;
-  }
+  StagedFile file(toPath(asked.path), [&](std::ostream& out) {
+    writePly(out, all, all.positions(), progress.part(0.4, 0.6));
+  });
+  GrownScan grown = readJoined(file.written(), asked, progress.part(0.6, 1));
+  return {std::move(file), std::move(grown)};
 }
 
 /// What of a scan the joined one has not, as the other scan has it not; empty: all of it.
@@ -100,12 +110,14 @@ void RegistrationFlow::join(const QString& path) {
   parts_.jobs.start(
       tr("Joining %1").arg(name()),
       [asked](const Progress& progress) { return joinedIn(asked, progress); },
-      [this, asked, dropped](GrownScan grown) {
-        const auto kept = std::make_shared<GrownScan>(std::move(grown));
+      [this, asked, dropped](Joined joined) {
+        const auto kept = std::make_shared<Joined>(std::move(joined));
         parts_.jobs.afterwards([this, asked, dropped, kept] {
           parts_.window.actions.guarded(
               [&] {
-                parts_.projects.growScan(tr("Join %1").arg(asked.movedName), std::move(*kept));
+                kept->file.show();
+                parts_.projects.growScan(tr("Join %1").arg(asked.movedName),
+                                         std::move(kept->grown));
                 lastMotion_ = asked.motion;
                 refreshActions();
                 QString text = tr("Joined %1: the scan of the plant is %2 now")

@@ -4,12 +4,14 @@
 #include "core/io/formats.h"
 #include "core/skeleton/bounds.h"
 #include "tests/app/window/project_fixture.h"
+#include "ui/jobs/job_slot.h"
 #include "ui/panels/status_line.h"
 
 #include <QAction>
 #include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QMessageBox>
 #include <QTableWidget>
 #include <QTest>
 #include <QToolButton>
@@ -309,6 +311,35 @@ TEST_F(RegisterTest, TwoScansAreOpenedOneToBeRegisteredToTheOther) {
   answer(press("Register"), [this] { window().open({north_, south_}); });
   EXPECT_TRUE(QTest::qWaitFor([this] { return action("fit_scan").isEnabled(); }, patience));
   EXPECT_EQ(document().scanPath(), north_);
+}
+
+// The old file of that name, and nothing beside it, is what a stopped join leaves.
+TEST_F(RegisterTest, AJoinThatIsCanceledLeavesEachFileAsItWas) {
+  begin();
+  fit();
+  const QString file = path("both.ply");
+  ASSERT_TRUE(QFile::copy(south_, file));
+  const auto files = [this] { return QDir(path("")).entryList(QDir::Files | QDir::Hidden); };
+  const QStringList before = files();
+  const auto bytes = QFileInfo(file).size();
+  const Eigen::Index points = cloud().size();
+  const auto meta =
+      QObject::connect(&window().jobs(), &JobSlot::progressed, &window(), [this](double fraction) {
+        if (fraction > 0.5) window().jobs().cancel();
+      });
+  QTimer agrees; // to replace the file
+  QObject::connect(&agrees, &QTimer::timeout, &agrees, [] {
+    auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    if (question != nullptr) press("Yes")(*question);
+  });
+  agrees.start(0);
+  join("both.ply");
+  QObject::disconnect(meta);
+  EXPECT_EQ(files(), before);
+  EXPECT_EQ(QFileInfo(file).size(), bytes);
+  EXPECT_EQ(cloud().size(), points);
+  EXPECT_EQ(document().undoStack().count(), 0);
+  EXPECT_TRUE(action("join_scans").isEnabled());
 }
 
 TEST_F(RegisterTest, AScanThatIsShownInPartIsNotJoined) {

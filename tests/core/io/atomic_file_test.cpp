@@ -56,6 +56,23 @@ TEST(WriteAtomically, LeavesTheOldFileIfWritingFails) {
   EXPECT_EQ(filesIn(file.parent_path()), 1) << "no temporary file is left";
 }
 
+TEST(StagedFile, CanBeReadBeforeItTakesItsPlaceAndIsRemovedIfItDoesNot) {
+  const fs::path file = test::freshFolder() / "oak.mtg";
+  writeText(file, "old");
+  const auto write = [](std::ostream& out) { out << "new"; };
+  {
+    const StagedFile staged(file, write);
+    EXPECT_EQ(textOf(staged.written()), "new");
+    EXPECT_EQ(filesIn(file.parent_path()), 2);
+  }
+  EXPECT_EQ(textOf(file), "old");
+  EXPECT_EQ(filesIn(file.parent_path()), 1);
+  StagedFile staged(file, write);
+  staged.show();
+  EXPECT_EQ(textOf(file), "new");
+  EXPECT_EQ(filesIn(file.parent_path()), 1);
+}
+
 TEST(WriteAtomically, ReportsThatTheDiskIsFull) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full here";
   for (const std::size_t size : {std::size_t{1}, std::size_t{3'000'000}}) {

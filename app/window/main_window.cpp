@@ -27,6 +27,7 @@
 #include <QToolTip>
 
 #include <algorithm>
+#include <ranges>
 
 /// Icons, manual and style live in a static library, which the linker else leaves out. Not in a
 /// namespace, as the macro asks.
@@ -88,8 +89,9 @@ void MainWindow::open(const QStringList& paths) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  const auto mayClose = [this] {
-    return std::ranges::all_of(parts_, [](const auto& part) { return part->mayClose(); });
+  const auto mayClose = [this] { // files come first in the list: they let go of the plant
+    return std::ranges::all_of(std::views::reverse(parts_),
+                               [](const auto& part) { return part->mayClose(); });
   };
   if (!actions_->guarded(mayClose, Refusal::inBanner)) {
     event->ignore();

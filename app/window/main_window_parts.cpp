@@ -55,6 +55,7 @@
 #include "ui/view/plant_view.h"
 
 #include <QDateTime>
+#include <QTimer>
 
 namespace espalier {
 
@@ -87,8 +88,10 @@ void MainWindow::makeParts() {
 void MainWindow::makeFiles(PipelinePanel& pipeline) {
   auto& projects =
       parts_.make<ProjectFlow>(ProjectFlow::Parts{document_, jobs_, *recent_, settings_, *this});
-  parts_.make<FileFlow>(FileFlow::Parts{document_, jobs_, *actions_, projects, *recent_, settings_,
-                                        *this, [this] { return view_->clip().box; }});
+  parts_.make<FileFlow>(
+      FileFlow::Parts{document_, jobs_, *actions_, projects, *recent_, settings_, *this,
+                      [this] { return view_->clip().box; },
+                      [this] { return parts_.get<RegistrationFlow>().mayLose(); }});
   parts_.make<EditFlow>(document_, *actions_);
   parts_.make<ReconstructFlow>(ReconstructFlow::Parts{document_, jobs_, *actions_, pipeline});
 }
@@ -250,7 +253,9 @@ void MainWindow::joinFiles() {
           [this, &files](const QStringList& paths) { guarded([&] { files.open(paths); }); });
   connect(&reference, &ReferenceFlow::openRequested, this, &MainWindow::open);
   connect(this, &MainWindow::dropped, &reference, [this, &reference](const QStringList& paths) {
-    if (!reference.takesDropped(paths)) open(paths);
+    if (reference.takesDropped(paths)) return;
+    // Later, as it may ask: the program that they were dragged from waits for the drop to end.
+    QTimer::singleShot(0, this, [this, paths] { open(paths); });
   });
 }
 

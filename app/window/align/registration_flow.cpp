@@ -110,10 +110,6 @@ QString RegistrationFlow::hint() const {
                                parts_.window.actions);
 }
 
-bool RegistrationFlow::mayClose() {
-  return mayLose();
-}
-
 /// A click picks; drags turn the view.
 bool RegistrationFlow::handle(const ToolInput& input) {
   using Phase = ToolInput::Phase;
@@ -278,6 +274,9 @@ QString RegistrationFlow::nextText() const {
 
 QString RegistrationFlow::warning() const {
   if (!registration_.refusal().empty()) return QString::fromStdString(registration_.refusal());
+  constexpr double far = 0.02; // of the plant: clicks are nearer than that
+  if (registration_.rms() > far * parts_.document.scan()->bounds().sizes().maxCoeff())
+    return tr("The pairs do not fit together: one of them is not the same target in both.");
   const auto& fit = registration_.byPoints();
   if (fit && !fit->converged)
     return tr("It still moved when it was stopped: pick more targets, and fit again.");

@@ -59,7 +59,8 @@ public:
   void setEnabled(bool isEnabled) override;
   void setPlantShown(bool isShown) override;
   [[nodiscard]] QString hint() const override;
-  [[nodiscard]] bool mayClose() override;
+  [[nodiscard]] bool mayClose() override { return mayLose(); }
+  [[nodiscard]] bool mayLose(); // asks, if there are targets or a fit that are not joined yet
 
 signals:
   void begun();
@@ -81,7 +82,6 @@ private:
   void colorByDistance();
   void change(const std::function<void()>& act); // of the registration; shows it
   void leave();                                  // asks if there is work to lose
-  [[nodiscard]] bool mayLose();
   void end();
   void show();
   void refreshActions();

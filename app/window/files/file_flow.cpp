@@ -58,7 +58,8 @@ QString proposedPath(const PlantDocument& document, const QString& folder) {
 } // namespace
 
 FileFlow::FileFlow(const Parts& parts) : parts_(parts) {
-  parts_.projects.setGate([this](const std::function<void()>& show) { showUnlessKept(show); });
+  parts_.projects.setGate(
+      [this](const std::function<void()>& show) { showUnlessKept(show, true); });
   addActions();
   addProjectActions();
   keepInProject({scanPartName, [this] { return textOf(part_); },
@@ -114,14 +115,15 @@ void FileFlow::openScans(const QStringList& scans, const QStringList& structures
   if (scans.size() > 2 || scans.isEmpty() || (!areTwo && !hasScan))
     return read(scans + structures, std::nullopt);
   const QString first = areTwo ? scans.front() : parts_.document.scanPath();
-  const Second answer = askAbout(scans.back(), first);
+  const Second answer = askAbout(scans.back(), first, scans.front());
   if (answer == Second::left) return;
-  if (answer == Second::opened) return read(QStringList(scans.back()) + structures, std::nullopt);
+  if (answer == Second::opened) return read(QStringList(scans.front()) + structures, std::nullopt);
   if (areTwo) return read(QStringList(first) + structures, std::nullopt, scans.back());
   emit registrationAsked(scans.back());
 }
 
-FileFlow::Second FileFlow::askAbout(const QString& second, const QString& first) {
+FileFlow::Second FileFlow::askAbout(const QString& second, const QString& first,
+                                    const QString& alone) {
   const QString name = QFileInfo(second).fileName();
   const QString open = QFileInfo(first).fileName();
   QMessageBox box(QMessageBox::NoIcon, tr("Two scans"),
@@ -130,7 +132,7 @@ FileFlow::Second FileFlow::askAbout(const QString& second, const QString& first)
   box.setInformativeText(
       tr("Then register it: it is laid on %1, and the two can be joined. Or open %2 alone, as a "
          "plant of its own.")
-          .arg(open, name));
+          .arg(open, QFileInfo(alone).fileName()));
   QPushButton* registers = box.addButton(tr("Register"), QMessageBox::AcceptRole);
   QPushButton* opens = box.addButton(tr("Open Alone"), QMessageBox::AcceptRole);
   QPushButton* leaves = box.addButton(tr("Cancel"), QMessageBox::RejectRole);
@@ -169,10 +171,12 @@ void FileFlow::read(const QStringList& paths, const std::optional<Eigen::Aligned
         if (!replaces && toRegister.isEmpty()) return show(std::move(read), isAnotherPlant);
         const auto kept = std::make_shared<Read>(std::move(read));
         parts_.jobs.afterwards([this, isAnotherPlant, kept, toRegister] {
-          showUnlessKept([&] {
-            show(std::move(*kept), isAnotherPlant);
-            if (!toRegister.isEmpty()) emit registrationAsked(toRegister);
-          });
+          showUnlessKept(
+              [&] {
+                show(std::move(*kept), isAnotherPlant);
+                if (!toRegister.isEmpty()) emit registrationAsked(toRegister);
+              },
+              isAnotherPlant);
         });
       });
 }
@@ -238,7 +242,7 @@ bool FileFlow::mayClose() {
 
 void FileFlow::closePlant() {
   if (parts_.jobs.isBusy()) parts_.jobs.cancel();
-  if (!mayDiscard()) return;
+  if (!parts_.mayLeaveScan() || !mayDiscard()) return;
   parts_.projects.clear();
   emit outdated();
   parts_.projects.offerSessions();
@@ -269,9 +273,9 @@ bool FileFlow::mayDiscard() {
   return box.clickedButton() == discard;
 }
 
-void FileFlow::showUnlessKept(const std::function<void()>& show) {
+void FileFlow::showUnlessKept(const std::function<void()>& show, bool isAnotherPlant) {
   try {
-    if (mayDiscard()) show();
+    if ((!isAnotherPlant || parts_.mayLeaveScan()) && mayDiscard()) show();
   } catch (const Error& error) { // they were to be saved and could not be
     emit reported({.text = QString::fromUtf8(error.what()), .isError = true});
   }

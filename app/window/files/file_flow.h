@@ -37,6 +37,7 @@ public:
     QSettings& settings;
     QWidget& window;
     std::function<std::optional<Eigen::AlignedBox3d>()> clipBox; // of the view [L]; none: all
+    std::function<bool()> mayLeaveScan; // asks about work on it that no project keeps
   };
   explicit FileFlow(const Parts& parts);
 
@@ -70,7 +71,7 @@ private:
   void chooseAndOpen();
   /// What is to be done with a second scan; empty: nothing, the user went back.
   enum class Second : std::uint8_t { opened, registered, left };
-  [[nodiscard]] Second askAbout(const QString& second, const QString& first);
+  [[nodiscard]] Second askAbout(const QString& second, const QString& first, const QString& alone);
   void openScans(const QStringList& scans, const QStringList& structures);
   void read(const QStringList& paths, const std::optional<Eigen::AlignedBox3d>& box,
             const QString& toRegister = {}); // a scan, once these are shown
@@ -88,7 +89,8 @@ private:
   /// Asks what to do with unsaved edits, if there are any. False: keep editing.
   /// @throws Error if they are to be saved and cannot be
   [[nodiscard]] bool mayDiscard();
-  void showUnlessKept(const std::function<void()>& show); // asks about unsaved edits first
+  /// Asks first about the work that would be lost.
+  void showUnlessKept(const std::function<void()>& show, bool isAnotherPlant);
   /// Files as they were read, and how the structure then lies to the scan.
   struct Read {
     LoadedFiles files;

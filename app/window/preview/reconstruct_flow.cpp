@@ -54,11 +54,12 @@ ReconstructFlow::ReconstructFlow(const Parts& parts)
 
 void ReconstructFlow::setEnabled(bool isEnabled) {
   if (isEnabled && jobs_.isCanceled()) panel_.showStopped();
+  isEnabled_ = isEnabled;
   setPlantShown(isEnabled);
 }
 
 void ReconstructFlow::setPlantShown(bool /*isShown*/) {
-  const bool canRun = document_.scan() != nullptr && !jobs_.isBusy();
+  const bool canRun = document_.scan() != nullptr && isEnabled_;
   panel_.setRunnable(canRun);
   actions_["reconstruct"]->setEnabled(canRun);
 }

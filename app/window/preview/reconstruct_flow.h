@@ -75,6 +75,7 @@ private:
   std::map<std::string, QString> notes_;     // of its steps, by name
   bool isDone_ = false;                      // it is not undone
   bool isRunning_ = false;
+  bool isEnabled_ = true;
 };
 
 } // namespace espalier

@@ -10,8 +10,10 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QDoubleSpinBox>
+#include <QDropEvent>
 #include <QLabel>
 #include <QMessageBox>
+#include <QMimeData>
 #include <QTableWidget>
 #include <QTest>
 #include <QToolButton>
@@ -307,10 +309,117 @@ TEST_F(RegisterTest, AnotherScanIsOfferedToBeRegistered) {
   EXPECT_EQ(document().scanPath(), south_);
 }
 
+// Another scan, a project, a recent file, a new plant, and the window's close.
+TEST_F(RegisterTest, WhatTakesThePlantAwayAsksForTheTargetsFirst) {
+  const QString other = writeScan("other.xyz");
+  open({other});
+  const QString project = saveProject("other.espalier");
+  begin();
+  pickPair(0);
+  const auto openOther = [&](const QString& answered) {
+    answer(press("Open Alone"), [&] { window().open({other}); });
+    answer(press(answered), [this] { waitForJob(); });
+  };
+  const auto openProject = [&](const QString& answered) {
+    answer(press(answered), [&] {
+      window().open({project});
+      waitForJob();
+    });
+  };
+  openOther("Go On");
+  openProject("Go On");
+  answer(press("Go On"), [this] { action("new_plant").trigger(); });
+  answer(press("Go On"), [this] { window().close(); });
+  EXPECT_TRUE(window().isVisible());
+  EXPECT_EQ(document().scanPath(), north_);
+  EXPECT_EQ(pairs().rowCount(), 1);
+  openOther("Leave");
+  EXPECT_EQ(document().scanPath(), other);
+  EXPECT_FALSE(action("fit_scan").isEnabled());
+  begin();
+  pickPair(0);
+  openProject("Leave");
+  EXPECT_EQ(document().filePath(), project);
+  begin();
+  pickPair(0);
+  answer(press("Leave"), [this] { action("new_plant").trigger(); });
+  EXPECT_EQ(document().scan(), nullptr);
+}
+
+// Who goes on with the registration goes on in the same project.
+TEST_F(RegisterTest, AWindowThatStaysOpenKeepsItsProject) {
+  open({north_});
+  const QString file = saveProject("plant.espalier");
+  beginAgain();
+  pickPair(0);
+  answer(press("Go On"), [this] { window().close(); });
+  document().leaveOut("Set points aside", PointSet::of({1}));
+  EXPECT_EQ(onDisk(file).steps.size(), 1U);
+}
+
+// A step would change what is being registered, and be in the way of taking targets back.
+TEST_F(RegisterTest, NothingIsReconstructedMeanwhile) {
+  begin();
+  fit();
+  EXPECT_FALSE(action("reconstruct").isEnabled());
+  answer(press("Leave"), [this] { action("leave_registration").trigger(); });
+  EXPECT_TRUE(action("reconstruct").isEnabled());
+}
+
+TEST_F(RegisterTest, WarnsOfPairsThatDoNotFitTogether) {
+  begin();
+  auto& warning = find<QLabel>("registration_warning");
+  pickThree();
+  EXPECT_EQ(warning.text(), "");
+  key(Qt::Key_Backspace);
+  clickPlace(targets_[2]);
+  clickPlace(truth_.inverse() * targets_[3]);
+  ASSERT_EQ(pairs().rowCount(), 3);
+  EXPECT_THAT(warning.text().toStdString(), HasSubstr("The pairs do not fit together"));
+}
+
+// A structure comes under the same scan.
+TEST_F(RegisterTest, AStructureIsOpenedWhileItGoesOn) {
+  begin();
+  pickPair(0);
+  const QString fork = writeFork("fork.mtg");
+  expectNoDialog([&] { open({fork}); });
+  EXPECT_FALSE(document().skeleton().isEmpty());
+  EXPECT_EQ(pairs().rowCount(), 1);
+}
+
+TEST_F(RegisterTest, AScanThatIsDroppedOnAnotherIsOfferedToBeRegistered) {
+  open({north_});
+  QMimeData data;
+  data.setUrls({QUrl::fromLocalFile(south_)});
+  QDragEnterEvent enter(QPoint(600, 400), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&window(), &enter);
+  QDropEvent drop(QPointF(600, 400), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  expectNoDialog([&] { QApplication::sendEvent(&window(), &drop); }); // not before it has ended
+  answer(press("Register"), [] { QApplication::processEvents(); });
+  EXPECT_TRUE(QTest::qWaitFor([this] { return action("fit_scan").isEnabled(); }, patience));
+  EXPECT_EQ(document().scanPath(), north_);
+}
+
 TEST_F(RegisterTest, TwoScansAreOpenedOneToBeRegisteredToTheOther) {
   answer(press("Register"), [this] { window().open({north_, south_}); });
   EXPECT_TRUE(QTest::qWaitFor([this] { return action("fit_scan").isEnabled(); }, patience));
   EXPECT_EQ(document().scanPath(), north_);
+}
+
+TEST_F(RegisterTest, OfTwoScansTheFirstIsOpenedAlone) {
+  answer(
+      [](QDialog& dialog) {
+        EXPECT_THAT(dynamic_cast<QMessageBox&>(dialog).informativeText().toStdString(),
+                    HasSubstr("Or open north.xyz alone"));
+        press("Open Alone")(dialog);
+      },
+      [this] {
+        window().open({north_, south_});
+      });
+  waitForJob();
+  EXPECT_EQ(document().scanPath(), north_);
+  EXPECT_FALSE(action("fit_scan").isEnabled());
 }
 
 // The old file of that name, and nothing beside it, is what a stopped join leaves.

@@ -274,8 +274,7 @@ TEST_F(WindowFilesTest, OpensFilesThatAreDropped) {
   EXPECT_TRUE(enter.isAccepted());
   QDropEvent drop(QPointF(600, 400), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
   QApplication::sendEvent(&window(), &drop);
-  waitForJob();
-  EXPECT_EQ(document().skeleton().size(), 5U);
+  EXPECT_TRUE(QTest::qWaitFor([this] { return document().skeleton().size() == 5; }, patience));
 }
 
 TEST_F(WindowFilesTest, PutsASkeletonOverItsScanAndAnotherScanInPlaceOfBoth) {

@@ -56,45 +56,62 @@ EnvelopeKind byFormula(EnvelopeKind kind) {
   return kind;
 }
 
+EnvelopeKind withHandles(EnvelopeKind kind, const std::vector<EnvelopeHandle>& handles) {
+  for (const EnvelopeHandle& handle : handles)
+    kind.handles.push_back(handle.name);
+  return kind;
+}
+
+EnvelopeKind asSolid(SimpleSolid::Kind solid, EnvelopeKind kind) {
+  kind.solid = solid;
+  return withHandles(byFormula(std::move(kind)), handlesOf(SimpleSolid{.kind = solid}));
+}
+
 std::vector<EnvelopeKind> solidKinds() {
+  using Kind = SimpleSolid::Kind;
   return {
-      byFormula(kindOf({.name = "ball",
-                        .label = Shown::tr("Ball"),
-                        .help = Shown::tr("The smallest ball about all."),
-                        .source = "E. Welzl, 1991"},
-                       ballEnvelope)),
-      byFormula(kindOf({.name = "ellipsoid",
-                        .label = Shown::tr("Ellipsoid"),
-                        .help = Shown::tr("The smallest ellipsoid about all; it may lean."),
-                        .source = "M. J. Todd, E. A. Yildirim, 2007"},
-                       ellipsoidEnvelope)),
-      byFormula(kindOf({.name = "cylinder",
-                        .label = Shown::tr("Cylinder"),
-                        .help = Shown::tr("The smallest upright cylinder about all."),
-                        .source = "smallest circle: E. Welzl, 1991"},
-                       cylinderEnvelope)),
-      byFormula(kindOf({.name = "cone",
-                        .label = Shown::tr("Cone"),
-                        .help = Shown::tr("The smallest upright cone about all, its tip up."),
-                        .source = "least volume over all axes and slopes"},
-                       coneEnvelope)),
-      byFormula(kindOf({.name = "frustum",
-                        .label = Shown::tr("Frustum"),
-                        .help = Shown::tr("The smallest upright truncated cone about all; it may "
-                                          "be wider above."),
-                        .source = "least volume over all axes and slopes"},
-                       frustumEnvelope)),
-      byFormula(kindOf({.name = "paraboloid",
-                        .label = Shown::tr("Paraboloid"),
-                        .help = Shown::tr("The smallest upright paraboloid about all, round above "
-                                          "and flat below."),
-                        .source = "least volume over all axes and slopes"},
-                       paraboloidEnvelope)),
-      byFormula(kindOf({.name = "box",
-                        .label = Shown::tr("Box"),
-                        .help = Shown::tr("The smallest upright box about all."),
-                        .source = "H. Freeman, R. Shapira, 1975"},
-                       [](const Crown& crown, const Progress&) { return boxEnvelope(crown); }))};
+      asSolid(Kind::ball, kindOf({.name = "ball",
+                                  .label = Shown::tr("Ball"),
+                                  .help = Shown::tr("The smallest ball about all."),
+                                  .source = "E. Welzl, 1991"},
+                                 ballEnvelope)),
+      asSolid(Kind::ellipsoid,
+              kindOf({.name = "ellipsoid",
+                      .label = Shown::tr("Ellipsoid"),
+                      .help = Shown::tr("The smallest ellipsoid about all; it may lean."),
+                      .source = "M. J. Todd, E. A. Yildirim, 2007"},
+                     ellipsoidEnvelope)),
+      asSolid(Kind::cylinder, kindOf({.name = "cylinder",
+                                      .label = Shown::tr("Cylinder"),
+                                      .help = Shown::tr("The smallest upright cylinder about all."),
+                                      .source = "smallest circle: E. Welzl, 1991"},
+                                     cylinderEnvelope)),
+      asSolid(Kind::cone,
+              kindOf({.name = "cone",
+                      .label = Shown::tr("Cone"),
+                      .help = Shown::tr("The smallest upright cone about all, its tip up."),
+                      .source = "least volume over all axes and slopes"},
+                     coneEnvelope)),
+      asSolid(Kind::frustum,
+              kindOf({.name = "frustum",
+                      .label = Shown::tr("Frustum"),
+                      .help = Shown::tr("The smallest upright truncated cone about all; it may "
+                                        "be wider above."),
+                      .source = "least volume over all axes and slopes"},
+                     frustumEnvelope)),
+      asSolid(Kind::paraboloid,
+              kindOf({.name = "paraboloid",
+                      .label = Shown::tr("Paraboloid"),
+                      .help = Shown::tr("The smallest upright paraboloid about all, round above "
+                                        "and flat below."),
+                      .source = "least volume over all axes and slopes"},
+                     paraboloidEnvelope)),
+      asSolid(Kind::box,
+              kindOf({.name = "box",
+                      .label = Shown::tr("Box"),
+                      .help = Shown::tr("The smallest upright box about all."),
+                      .source = "H. Freeman, R. Shapira, 1975"},
+                     [](const Crown& crown, const Progress&) { return boxEnvelope(crown); }))};
 }
 
 EnvelopeKind extrudedKind() {
@@ -144,19 +161,15 @@ EnvelopeKind alphaKind() {
                 table, alphaHull);
 }
 
-EnvelopeKind withHandlesToDrag(EnvelopeKind kind) {
-  kind.hasHandles = true;
-  return kind;
-}
-
 std::vector<EnvelopeKind> hullKinds() {
-  return {withHandlesToDrag(byFormula(
-              kindOf({.name = "asymmetric",
-                      .label = Shown::tr("Asymmetric hull"),
-                      .help = Shown::tr("A crown by its top, its bottom, its widest places to "
-                                        "four sides and an exponent above and below."),
-                      .source = "A. Cescatti, 1997; F. Boudon, thesis, 2004, 2.1"},
-                     asymmetricEnvelope))),
+  return {withHandles(byFormula(kindOf(
+                          {.name = "asymmetric",
+                           .label = Shown::tr("Asymmetric hull"),
+                           .help = Shown::tr("A crown by its top, its bottom, its widest places to "
+                                             "four sides and an exponent above and below."),
+                           .source = "A. Cescatti, 1997; F. Boudon, thesis, 2004, 2.1"},
+                          asymmetricEnvelope)),
+                      handlesOf(AsymmetricHull())),
           extrudedKind(), skinnedKind(),
           kindOf({.name = "convex",
                   .label = Shown::tr("Convex hull"),
@@ -199,42 +212,57 @@ Envelope envelopeAbout(const Eigen::Matrix3Xd& points, UpAxis up, const Envelope
   for (Eigen::Vector3d& corner : envelope.mesh.corners)
     corner = turn.transpose() * corner + middle;
   movePlaces(envelope.parameters, turn.transpose(), middle);
+  envelope.directions = turn.transpose() * envelope.directions;
   return envelope;
 }
 
 namespace {
 
-AsymmetricHull uprightHull(const Envelope& envelope, UpAxis up) {
-  std::vector<EnvelopeParameter> parameters = envelope.parameters;
-  movePlaces(parameters, turnUpright(up), Eigen::Vector3d::Zero());
-  return asymmetricHullOf(parameters);
+/// The same with its numbers as of a plant that stands along z; its mesh is left out.
+Envelope upright(const Envelope& envelope, UpAxis up) {
+  Envelope turned{.mesh = {}, .parameters = envelope.parameters};
+  movePlaces(turned.parameters, turnUpright(up), Eigen::Vector3d::Zero());
+  turned.directions = turnUpright(up) * envelope.directions;
+  return turned;
 }
 
 } // namespace
 
 std::vector<EnvelopeHandle> envelopeHandles(const Envelope& envelope, UpAxis up,
                                             const EnvelopeKind& kind) {
-  if (!kind.hasHandles) return {};
+  if (!kind.hasHandles()) return {};
   const Eigen::Matrix3d back = turnUpright(up).transpose();
-  std::vector<EnvelopeHandle> handles = handlesOf(uprightHull(envelope, up));
+  const Envelope standing = upright(envelope, up);
+  std::vector<EnvelopeHandle> handles = kind.solid
+                                            ? handlesOf(simpleSolidOf(*kind.solid, standing))
+                                            : handlesOf(asymmetricHullOf(standing.parameters));
   for (EnvelopeHandle& handle : handles) {
     handle.place = back * handle.place;
+    handle.up = back * handle.up;
     handle.outward = back * handle.outward;
   }
   return handles;
 }
 
-HandlePlace draggedTo(const Envelope& envelope, UpAxis up, const std::string& handle,
-                      const Eigen::Vector3d& place) {
-  return draggedTo(uprightHull(envelope, up), handle, turnUpright(up) * place);
+HandlePlace draggedTo(const Envelope& envelope, UpAxis up, const EnvelopeKind& kind,
+                      const std::string& handle, const Eigen::Vector3d& place) {
+  const Envelope standing = upright(envelope, up);
+  const Eigen::Vector3d turned = turnUpright(up) * place;
+  return kind.solid ? draggedTo(simpleSolidOf(*kind.solid, standing), handle, turned)
+                    : draggedTo(asymmetricHullOf(standing.parameters), handle, turned);
 }
 
-Envelope draggedEnvelope(const Envelope& fitted, UpAxis up, const HandlePlaces& places) {
+Envelope draggedEnvelope(const Envelope& fitted, UpAxis up, const EnvelopeKind& kind,
+                         const HandlePlaces& places) {
   const Eigen::Matrix3d back = turnUpright(up).transpose();
-  Envelope envelope = envelopeOf(withHandles(uprightHull(fitted, up), places));
+  const Envelope standing = upright(fitted, up);
+  Envelope envelope = kind.solid
+                          ? envelopeOf(withHandles(simpleSolidOf(*kind.solid, standing), places))
+                          : envelopeOf(withHandles(asymmetricHullOf(standing.parameters), places));
   for (Eigen::Vector3d& corner : envelope.mesh.corners)
     corner = back * corner;
   movePlaces(envelope.parameters, back, Eigen::Vector3d::Zero());
+  envelope.directions = back * envelope.directions;
   return envelope;
 }
 

@@ -4,9 +4,11 @@
 #include "core/graph/find_root.h"
 #include "core/pipeline/registry.h"
 #include "core/surface/envelopes/envelope.h"
-#include "core/surface/envelopes/envelope_handles.h"
+#include "core/surface/envelopes/simple_solid.h"
 
 #include <functional>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -19,7 +21,11 @@ struct EnvelopeKind {
   /// `values`: one per option of the form, in order.
   std::function<Envelope(const Crown&, const std::vector<double>& values, const Progress&)> fit;
   bool hasFormula = false; // for its volume
-  bool hasHandles = false; // to drag: it is an asymmetric hull
+  /// The solid that it is, to drag its handles; none: an asymmetric hull, or it has none.
+  std::optional<SimpleSolid::Kind> solid = {};
+  std::vector<std::string> handles = {}; // the names of what can be dragged
+
+  [[nodiscard]] bool hasHandles() const { return !handles.empty(); }
 };
 
 /// All of them: solids, then hulls of more and more freedom. Of each the first option is which
@@ -45,14 +51,15 @@ struct EnvelopeKind {
 [[nodiscard]] std::vector<EnvelopeHandle> envelopeHandles(const Envelope& envelope, UpAxis up,
                                                           const EnvelopeKind& kind);
 
-/// Where a handle comes to stand that is dragged to `place`; its level is along `up`.
-[[nodiscard]] HandlePlace draggedTo(const Envelope& envelope, UpAxis up, const std::string& handle,
-                                    const Eigen::Vector3d& place);
+/// Where a handle comes to stand that is dragged to `place`, once the plant is turned upright.
+/// pre: the kind has such a handle
+[[nodiscard]] HandlePlace draggedTo(const Envelope& envelope, UpAxis up, const EnvelopeKind& kind,
+                                    const std::string& handle, const Eigen::Vector3d& place);
 
 /// The envelope with handles where they were dragged to. Of the share of points inside it says
 /// nothing: that was of the fitted one.
-/// pre: its kind has handles
-[[nodiscard]] Envelope draggedEnvelope(const Envelope& fitted, UpAxis up,
+/// pre: the kind has handles
+[[nodiscard]] Envelope draggedEnvelope(const Envelope& fitted, UpAxis up, const EnvelopeKind& kind,
                                        const HandlePlaces& places);
 
 /// What envelopes are made about [L], frame of the file: points that were not set aside, or nodes.

@@ -59,7 +59,7 @@ EnvelopePanel::EnvelopePanel(QAction& write, QWidget* parent)
       about_(makeCombo("envelope_about", tr("What the envelope is about"))), body_(new QWidget),
       formPlace_(new QVBoxLayout), numbersPlace_(new QVBoxLayout),
       words_(makeWrapped("envelope_words", "quiet")),
-      byHand_(makeWrapped("envelope_by_hand", "quiet")), fit_(new QPushButton(tr("Fit Again"))),
+      handles_(makeWrapped("envelope_handles", "quiet")), fit_(new QPushButton(tr("Fit Again"))),
       write_(panelButton(write)) {
   setObjectName("envelope_panel");
   kind_->addItem(tr("None"));
@@ -71,7 +71,6 @@ EnvelopePanel::EnvelopePanel(QAction& write, QWidget* parent)
   about_->addItem(tr("About the skeleton"));
   fit_->setObjectName("envelope_fit");
   fit_->setToolTip(tr("Forgets what was dragged: all follows from the plant"));
-  byHand_->setText(tr("Handles were dragged."));
   write_->setObjectName("envelope_write");
   auto* body = new QVBoxLayout(body_);
   body->setContentsMargins(0, 0, 0, 0);
@@ -86,7 +85,7 @@ EnvelopePanel::EnvelopePanel(QAction& write, QWidget* parent)
   column->addWidget(body_);
   column->addWidget(words_);
   column->addLayout(numbersPlace_);
-  column->addWidget(byHand_);
+  column->addWidget(handles_);
   column->addWidget(fit_);
   column->addWidget(write_);
   column->addStretch(1);
@@ -187,7 +186,8 @@ void EnvelopePanel::makeNumbers(const std::vector<Number>& numbers) {
   numbers_->show(); // now, not once the layout comes to it
 }
 
-void EnvelopePanel::showNumbers(const std::vector<Number>& numbers, bool isByHand) {
+void EnvelopePanel::showNumbers(const std::vector<Number>& numbers, const QString& handles,
+                                bool isByHand) {
   const bool areThere =
       std::ranges::equal(numbers, values_, [](const Number& number, const QLabel* value) {
         return number.label == value->accessibleName();
@@ -198,7 +198,8 @@ void EnvelopePanel::showNumbers(const std::vector<Number>& numbers, bool isByHan
     setRole(*values_[i], "value");
   }
   words_->hide();
-  byHand_->setVisible(isByHand);
+  handles_->setText(handles);
+  handles_->show();
   fit_->setVisible(isByHand);
   write_->setVisible(true);
   refresh();
@@ -210,7 +211,7 @@ void EnvelopePanel::showWords(const QString& words) {
   values_.clear();
   words_->setText(words);
   words_->setVisible(!words.isEmpty());
-  byHand_->hide();
+  handles_->hide();
   fit_->hide();
   write_->hide();
   refresh();

@@ -48,7 +48,8 @@ public:
   void setScale(const PlantScale& scale, const QString& unit);
   void setHasPoints(bool hasPoints); // else it is about the skeleton, whatever is chosen
 
-  void showNumbers(const std::vector<Number>& numbers, bool isByHand);
+  /// @param handles  what it says of the handles
+  void showNumbers(const std::vector<Number>& numbers, const QString& handles, bool isByHand);
   void showWords(const QString& words); // in place of numbers: what to do, or why there are none
   void setStale(bool isStale);          // it is being drawn anew
 
@@ -70,7 +71,7 @@ private:
   std::vector<QLabel*> values_; // of them
   QVBoxLayout* numbersPlace_;
   QLabel* words_;
-  QLabel* byHand_;
+  QLabel* handles_;
   QPushButton* fit_;
   QWidget* write_;
   PlantScale scale_{.spacing = 1, .height = 100};

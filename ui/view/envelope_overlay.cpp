@@ -168,6 +168,8 @@ Eigen::Vector3d EnvelopeHandles::drag(const Handles& handles, const ScreenMap& s
   const ShownHandle& handle = handles[*dragged_];
   const QPointF to = place + grip_;
   const auto ray = screen.ray({to.x(), to.y()});
+  if (handle.isFree) // in the plane that faces the eye
+    return screen.place({to.x(), to.y()}, screen.project(handle.place)->depth);
   // In the plane that it moves in; where that is seen edge on, in one that faces the eye.
   constexpr double edgeOn = 0.2;
   Eigen::Vector3d normal = handle.up.cross(handle.outward);

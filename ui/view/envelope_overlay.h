@@ -19,6 +19,7 @@ struct ShownHandle {
   Eigen::Vector3d place = Eigen::Vector3d::Zero();
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();     // of length 1: it moves along this
   Eigen::Vector3d outward = Eigen::Vector3d::Zero(); // and this, if it is not zero; level
+  bool isFree = false;                               // it moves as the pointer does
 };
 
 /// A closed surface about the crown, what is written at its top, and what of it can be dragged.

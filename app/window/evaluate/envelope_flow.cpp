@@ -58,21 +58,19 @@ QString parameterText(const EnvelopeParameter& parameter, LengthUnit unit) {
 QJsonObject jsonOfPlaces(const HandlePlaces& places) {
   QJsonObject json;
   for (const auto& [name, place] : places)
-    json[QString::fromStdString(name)] = QJsonArray{place.out, place.level};
+    json[QString::fromStdString(name)] = QJsonArray{place.out, place.level, place.across};
   return json;
 }
 
 HandlePlaces placesIn(const QJsonObject& json, const EnvelopeKind& kind) {
-  if (!kind.hasHandles && !json.isEmpty()) refuse();
-  const std::vector<EnvelopeHandle> known = handlesOf(AsymmetricHull());
   HandlePlaces places;
   for (auto it = json.begin(); it != json.end(); ++it) {
     const std::string name = it.key().toStdString();
-    if (std::ranges::find(known, name, &EnvelopeHandle::name) == known.end()) refuse();
-    const HandlePlace place{numberIn(it.value().toArray().at(0)),
-                            numberIn(it.value().toArray().at(1))};
-    if (place.out < 0) refuse();
-    places[name] = place;
+    if (std::ranges::find(kind.handles, name) == kind.handles.end()) refuse();
+    const QJsonArray numbers = it.value().toArray(); // projects of before have two
+    places[name] = {.out = numberIn(numbers.at(0)),
+                    .level = numberIn(numbers.at(1)),
+                    .across = numbers.size() > 2 ? numberIn(numbers.at(2)) : 0};
   }
   return places;
 }
@@ -157,7 +155,7 @@ bool EnvelopeFlow::isOfSkeleton() const {
 }
 
 bool EnvelopeFlow::isByHand() const {
-  return choice_.kind != nullptr && choice_.kind->hasHandles && !places_.empty();
+  return choice_.kind != nullptr && !places_.empty();
 }
 
 void EnvelopeFlow::takeChoice() {
@@ -228,9 +226,10 @@ void EnvelopeFlow::forget(const QString& words) {
 
 void EnvelopeFlow::show() {
   if (!fitted_) return;
-  drawn_ = isByHand() ? draggedEnvelope(*fitted_, parts_.document.up(), places_) : *fitted_;
+  drawn_ = isByHand() ? draggedEnvelope(*fitted_, parts_.document.up(), *choice_.kind, places_)
+                      : *fitted_;
   parts_.view.setEnvelope(shown());
-  panel_->showNumbers(numbers(), isByHand());
+  panel_->showNumbers(numbers(), handleText(), isByHand());
   parts_.window.actions["write_envelope"]->setEnabled(true);
   emit changed();
 }
@@ -240,13 +239,20 @@ ShownEnvelope EnvelopeFlow::shown() const {
                        .label = formatVolume(drawn_->volume, parts_.document.unit())};
   if (!dock_->isShown()) return result;
   const UpAxis up = parts_.document.up();
-  const Eigen::Vector3d along = Eigen::Vector3d::Unit(static_cast<Eigen::Index>(up));
   for (const EnvelopeHandle& handle : envelopeHandles(*drawn_, up, *choice_.kind))
     result.handles.push_back({.label = tr(handle.label.c_str()),
                               .place = handle.place,
-                              .up = along,
-                              .outward = handle.outward});
+                              .up = handle.up,
+                              .outward = handle.outward,
+                              .isFree = handle.isFree});
   return result;
+}
+
+QString EnvelopeFlow::handleText() const {
+  if (!choice_.kind->hasHandles())
+    return tr("It follows from the plant alone: it has no handles to drag.");
+  return isByHand() ? tr("By hand: handles were dragged.")
+                    : tr("Drag its handles to set it by hand.");
 }
 
 std::vector<EnvelopePanel::Number> EnvelopeFlow::numbers() const {
@@ -273,7 +279,8 @@ std::vector<EnvelopePanel::Number> EnvelopeFlow::numbers() const {
 void EnvelopeFlow::drag(std::size_t handle, const Eigen::Vector3d& to) {
   const UpAxis up = parts_.document.up();
   const std::vector<EnvelopeHandle> handles = envelopeHandles(*drawn_, up, *choice_.kind);
-  places_[handles[handle].name] = draggedTo(*drawn_, up, handles[handle].name, to);
+  const std::string& name = handles[handle].name;
+  places_[name] = draggedTo(*drawn_, up, *choice_.kind, name, to);
   show();
 }
 

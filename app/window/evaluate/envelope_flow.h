@@ -60,6 +60,7 @@ private:
   void refreshPanel();
   [[nodiscard]] bool isOfSkeleton() const;
   [[nodiscard]] bool isByHand() const;
+  [[nodiscard]] QString handleText() const;
   [[nodiscard]] std::vector<EnvelopePanel::Number> numbers() const;
   [[nodiscard]] ShownEnvelope shown() const;
   [[nodiscard]] std::string text() const;

@@ -1,16 +1,12 @@
 #include "core/surface/envelopes/box_envelope.h"
 
-#include "core/surface/envelopes/outline.h"
 #include "core/surface/envelopes/rings.h"
 
 #include <numbers>
 
 namespace espalier {
 
-Envelope boxEnvelope(const Crown& crown) {
-  const OutlineBox box = boxAround(outlineOf(crown));
-  const double bottom = bottomOf(crown);
-  const double top = topOf(crown);
+Envelope boxOf(const OutlineBox& box, double bottom, double top) {
   const Eigen::Vector2d across(-box.along.y(), box.along.x());
   const auto ringAt = [&](double z) {
     Ring ring;
@@ -36,6 +32,10 @@ Envelope boxEnvelope(const Crown& crown) {
                         .kind = EnvelopeParameter::Kind::angle,
                         .value = azimuth});
   return envelope;
+}
+
+Envelope boxEnvelope(const Crown& crown) {
+  return boxOf(boxAround(outlineOf(crown)), bottomOf(crown), topOf(crown));
 }
 
 } // namespace espalier

@@ -62,8 +62,8 @@ Ball3 enclosingBall(const Eigen::Matrix3Xd& points, const Progress& progress) {
   return GrowingBall(places, progress).over(places.size());
 }
 
-Envelope ballEnvelope(const Crown& crown, const Progress& progress) {
-  const auto [center, radius] = enclosingBall(crown.hull.corners, progress);
+Envelope ballOf(const Ball3& ball) {
+  const auto& [center, radius] = ball;
   std::vector<Eigen::Vector2d> profile;
   for (int i = 0; i <= ringLevels; ++i) {
     const double angle = std::numbers::pi * i / ringLevels;
@@ -78,6 +78,10 @@ Envelope ballEnvelope(const Crown& crown, const Progress& progress) {
   envelope.area = 4 * std::numbers::pi * radius * radius;
   envelope.diameter = 2 * radius;
   return envelope;
+}
+
+Envelope ballEnvelope(const Crown& crown, const Progress& progress) {
+  return ballOf(enclosingBall(crown.hull.corners, progress));
 }
 
 } // namespace espalier

@@ -16,6 +16,8 @@ struct Ball3 {
 /// Source: E. Welzl, "Smallest enclosing disks (balls and ellipsoids)", LNCS 555, 1991.
 [[nodiscard]] Ball3 enclosingBall(const Eigen::Matrix3Xd& points, const Progress& progress = {});
 
+[[nodiscard]] Envelope ballOf(const Ball3& ball);
+
 /// The smallest ball about a crown.
 [[nodiscard]] Envelope ballEnvelope(const Crown& crown, const Progress& progress = {});
 

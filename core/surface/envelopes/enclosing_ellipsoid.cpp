@@ -52,12 +52,11 @@ EllipsoidShape leastAbout(const Eigen::Matrix3Xd& points, const Progress& progre
 
 } // namespace
 
-Envelope ellipsoidEnvelope(const Crown& crown, const Progress& progress) {
-  const auto [center, shape] = leastAbout(crown.hull.corners, progress);
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(shape);
-  const Eigen::Vector3d axes = solver.eigenvalues().cwiseSqrt(); // shortest first
-  Eigen::Matrix3d turn = solver.eigenvectors();
+Envelope ellipsoidOf(const Eigen::Vector3d& center, const Eigen::Vector3d& semiAxes,
+                     const Eigen::Matrix3d& directions) {
+  Eigen::Matrix3d turn = directions.rowwise().reverse(); // the poles are on the first
   if (turn.determinant() < 0) turn.col(0) = -turn.col(0);
+  const Eigen::Vector3d axes = semiAxes.reverse();
   std::vector<Ring> rings;
   const auto place = [&](double level, double around) -> Eigen::Vector3d {
     const Eigen::Vector3d on(std::sin(level) * std::cos(around), std::sin(level) * std::sin(around),
@@ -71,12 +70,11 @@ Envelope ellipsoidEnvelope(const Crown& crown, const Progress& progress) {
           place(std::numbers::pi * level / ringLevels, 2 * std::numbers::pi * i / ringCorners));
   }
   Envelope envelope = envelopeOf(meshOfRings(place(0, 0), rings, place(std::numbers::pi, 0)));
-  for (int i = 2; i >= 0; --i) {
-    const std::string name = std::string("semi_axis_") + static_cast<char>('a' + 2 - i);
-    envelope.parameters.push_back(
-        {.name = name,
-         .label = std::string("semi-axis ") + static_cast<char>('a' + 2 - i),
-         .value = axes[i]});
+  for (int i = 0; i < 3; ++i) {
+    const auto letter = static_cast<char>('a' + i);
+    envelope.parameters.push_back({.name = std::string("semi_axis_") + letter,
+                                   .label = std::string("semi-axis ") + letter,
+                                   .value = semiAxes[i]});
   }
   addPlace(envelope.parameters, "center", "center", center);
   envelope.parameters.push_back(
@@ -84,9 +82,17 @@ Envelope ellipsoidEnvelope(const Crown& crown, const Progress& progress) {
        .label = "lean",
        .kind = EnvelopeParameter::Kind::angle,
        .value = std::acos(std::min(1.0, turn.row(2).cwiseAbs().maxCoeff()))});
-  envelope.volume = 4 * std::numbers::pi / 3 * axes.prod();
-  envelope.height = 2 * std::sqrt(shape(2, 2));
+  envelope.volume = 4 * std::numbers::pi / 3 * semiAxes.prod();
+  envelope.height = 2 * semiAxes.cwiseProduct(directions.row(2).transpose()).norm();
+  envelope.directions = directions;
   return envelope;
+}
+
+Envelope ellipsoidEnvelope(const Crown& crown, const Progress& progress) {
+  const auto [center, shape] = leastAbout(crown.hull.corners, progress);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(shape); // shortest first
+  return ellipsoidOf(center, solver.eigenvalues().cwiseSqrt().reverse(),
+                     solver.eigenvectors().rowwise().reverse());
 }
 
 } // namespace espalier

@@ -4,9 +4,13 @@
 
 namespace espalier {
 
-/// The smallest ellipsoid about a crown, which may lean.
+/// An ellipsoid by its three semi-axes [L] and where to they lie, a column of length 1 for each.
+/// Parameters: the semi-axes; center; lean of the axis that is nearest to upright.
+[[nodiscard]] Envelope ellipsoidOf(const Eigen::Vector3d& center, const Eigen::Vector3d& semiAxes,
+                                   const Eigen::Matrix3d& directions);
+
+/// The smallest ellipsoid about a crown, which may lean: its longest semi-axis is the first.
 ///
-/// Parameters: the semi-axes, longest first; center; lean of the axis that is nearest to upright.
 /// @throws Cancelled if `progress` asks to stop
 /// Deterministic. Volume within 3e-4 of the least. Time O(steps corners) for the corners of the
 /// convex hull.

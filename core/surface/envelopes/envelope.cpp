@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cassert>
 #include <limits>
 #include <numbers>
 #include <numeric>
@@ -185,6 +186,17 @@ Envelope envelopeOf(SurfaceMesh mesh, std::vector<EnvelopeParameter> parameters)
   envelope.mesh = std::move(mesh);
   envelope.parameters = std::move(parameters);
   return envelope;
+}
+
+double valueOf(const std::vector<EnvelopeParameter>& parameters, const std::string& name) {
+  const auto found = std::ranges::find(parameters, name, &EnvelopeParameter::name);
+  assert(found != parameters.end());
+  return found->value;
+}
+
+Eigen::Vector3d placeOf(const std::vector<EnvelopeParameter>& parameters, const std::string& name) {
+  return {valueOf(parameters, name + "_x"), valueOf(parameters, name + "_y"),
+          valueOf(parameters, name + "_z")};
 }
 
 void addPlace(std::vector<EnvelopeParameter>& parameters, const std::string& name,

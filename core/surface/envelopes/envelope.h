@@ -25,6 +25,8 @@ struct Envelope {
   double area = 0;                           // [L^2], likewise
   double height = 0;                         // [L]
   double diameter = 0; // of a circle as large as its convex outline from above [L]
+  /// Of an ellipsoid, where to its semi-axes lie: a column of length 1 for each.
+  Eigen::Matrix3d directions = Eigen::Matrix3d::Identity();
 };
 
 /// Envelope with the numbers of its mesh.
@@ -33,6 +35,12 @@ struct Envelope {
 /// A place by its three coordinates: name_x, name_y and name_z.
 void addPlace(std::vector<EnvelopeParameter>& parameters, const std::string& name,
               const std::string& label, const Eigen::Vector3d& place);
+
+/// One of the parameters, and the place of three of them. pre: they are there
+[[nodiscard]] double valueOf(const std::vector<EnvelopeParameter>& parameters,
+                             const std::string& name);
+[[nodiscard]] Eigen::Vector3d placeOf(const std::vector<EnvelopeParameter>& parameters,
+                                      const std::string& name);
 
 /// Turns and moves the places among parameters.
 void movePlaces(std::vector<EnvelopeParameter>& parameters, const Eigen::Matrix3d& turn,

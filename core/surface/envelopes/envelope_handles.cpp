@@ -33,6 +33,11 @@ double lowestSide(const AsymmetricHull& hull) {
   return *std::ranges::min_element(hull.heights);
 }
 
+/// Less than this is no radius.
+double thinnest(const AsymmetricHull& hull) {
+  return 1e-3 * (hull.top.z() - hull.bottom.z());
+}
+
 /// How far out a side stands at least, so that an end is within the two quarters beside it.
 double leastRadius(const AsymmetricHull& hull, std::size_t side, const Eigen::Vector3d& end) {
   constexpr double within = 1.001;
@@ -49,36 +54,38 @@ double leastRadius(const AsymmetricHull& hull, std::size_t side, const Eigen::Ve
 } // namespace
 
 std::vector<EnvelopeHandle> handlesOf(const AsymmetricHull& hull) {
-  std::vector<EnvelopeHandle> handles = {{topName, "top", hull.top},
-                                         {bottomName, "bottom", hull.bottom}};
+  std::vector<EnvelopeHandle> handles = {
+      {.name = topName, .label = "top", .place = hull.top},
+      {.name = bottomName, .label = "bottom", .place = hull.bottom}};
   for (std::size_t side = 0; side < sideNames.size(); ++side) {
     const Eigen::Vector3d outward = outwardOf(hull, side);
     Eigen::Vector3d place = hull.radii[side] * outward;
     place.head<2>() += hull.center;
     place.z() = hull.heights[side];
-    handles.push_back({sideNames[side], sideNames[side], place, outward});
+    handles.push_back(
+        {.name = sideNames[side], .label = sideNames[side], .place = place, .outward = outward});
   }
   return handles;
 }
 
 HandlePlace draggedTo(const AsymmetricHull& hull, const std::string& name,
                       const Eigen::Vector3d& place) {
-  if (name == topName) return {0, std::max(place.z(), highestSide(hull))};
-  if (name == bottomName) return {0, std::min(place.z(), lowestSide(hull))};
+  if (name == topName) return {.level = std::max(place.z(), highestSide(hull))};
+  if (name == bottomName) return {.level = std::min(place.z(), lowestSide(hull))};
   const std::optional<std::size_t> side = sideNamed(name);
   assert(side);
   const double out =
       (Eigen::Vector2d(place.head<2>()) - hull.center).dot(outwardOf(hull, *side).head<2>());
-  const double thin = 1e-3 * (hull.top.z() - hull.bottom.z());
-  return {std::max({out, thin, leastRadius(hull, *side, hull.top),
-                    leastRadius(hull, *side, hull.bottom)}),
-          std::clamp(place.z(), hull.bottom.z(), hull.top.z())};
+  return {.out = std::max({out, thinnest(hull), leastRadius(hull, *side, hull.top),
+                           leastRadius(hull, *side, hull.bottom)}),
+          .level = std::clamp(place.z(), hull.bottom.z(), hull.top.z())};
 }
 
 AsymmetricHull withHandles(AsymmetricHull hull, const HandlePlaces& places) {
+  const double thin = thinnest(hull);
   for (const auto& [name, place] : places)
     if (const std::optional<std::size_t> side = sideNamed(name)) {
-      hull.radii[*side] = place.out;
+      hull.radii[*side] = std::max(place.out, thin);
       hull.heights[*side] = place.level;
     }
   if (const auto top = places.find(topName); top != places.end()) hull.top.z() = top->second.level;
@@ -93,25 +100,18 @@ AsymmetricHull withHandles(AsymmetricHull hull, const HandlePlaces& places) {
 }
 
 AsymmetricHull asymmetricHullOf(const std::vector<EnvelopeParameter>& parameters) {
-  const auto value = [&](const std::string& name) {
-    const auto found = std::ranges::find(parameters, name, &EnvelopeParameter::name);
-    assert(found != parameters.end());
-    return found->value;
-  };
-  const auto placeOf = [&](const std::string& name) {
-    return Eigen::Vector3d(value(name + "_x"), value(name + "_y"), value(name + "_z"));
-  };
   AsymmetricHull hull;
-  hull.center = placeOf("center").head<2>();
-  hull.azimuth = value("azimuth");
-  hull.top = placeOf(topName);
-  hull.bottom = placeOf(bottomName);
+  hull.center = placeOf(parameters, "center").head<2>();
+  hull.azimuth = valueOf(parameters, "azimuth");
+  hull.top = placeOf(parameters, topName);
+  hull.bottom = placeOf(parameters, bottomName);
   for (std::size_t side = 0; side < sideNames.size(); ++side) {
-    hull.radii[side] = value(std::string("radius_") + sideNames[side]);
-    hull.heights[side] = hull.bottom.z() + value(std::string("height_") + sideNames[side]);
+    hull.radii[side] = valueOf(parameters, std::string("radius_") + sideNames[side]);
+    hull.heights[side] =
+        hull.bottom.z() + valueOf(parameters, std::string("height_") + sideNames[side]);
   }
-  hull.topShape = value("top_shape");
-  hull.bottomShape = value("bottom_shape");
+  hull.topShape = valueOf(parameters, "top_shape");
+  hull.bottomShape = valueOf(parameters, "bottom_shape");
   return hull;
 }
 

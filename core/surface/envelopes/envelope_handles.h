@@ -8,11 +8,12 @@
 
 namespace espalier {
 
-/// Where a place of an envelope stands: how far out from the upright line through the middle of the
-/// widest line, and how high [L].
+/// Where a place of an envelope stands: how far out from its middle, and how high [L]. Of a center,
+/// out and across are x and y.
 struct HandlePlace {
   double out = 0;
   double level = 0;
+  double across = 0;
 
   bool operator==(const HandlePlace&) const = default;
 };
@@ -25,8 +26,10 @@ struct EnvelopeHandle {
   std::string name;                                // in files: "top", "ahead"
   std::string label;                               // to people
   Eigen::Vector3d place = Eigen::Vector3d::Zero(); // [L]
-  /// Level, of length 1: it moves along this, too. Zero: it moves up and down alone.
+  Eigen::Vector3d up = Eigen::Vector3d::UnitZ();   // of length 1: it moves along this
+  /// Level, of length 1: it moves along this, too, if it is not zero.
   Eigen::Vector3d outward = Eigen::Vector3d::Zero();
+  bool isFree = false; // it moves anywhere
 };
 
 /// Of an asymmetric hull: its top and bottom, and its four widest places.

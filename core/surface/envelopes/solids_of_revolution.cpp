@@ -163,54 +163,65 @@ Envelope frustumBody(double bottomRadius, double topRadius, double height,
 
 } // namespace
 
-Envelope cylinderEnvelope(const Crown& crown, const Progress& progress) {
-  const Ball3 circle = circleAbove(crown, progress);
-  const double height = topOf(crown) - bottomOf(crown);
-  const Eigen::Vector3d base(circle.center.x(), circle.center.y(), bottomOf(crown));
-  Envelope envelope = frustumBody(circle.radius, circle.radius, height, base);
-  addSizes(envelope, {{"radius", circle.radius}}, height, base);
+Envelope cylinderOf(double radius, double height, const Eigen::Vector3d& base) {
+  Envelope envelope = frustumBody(radius, radius, height, base);
+  addSizes(envelope, {{"radius", radius}}, height, base);
   return envelope;
 }
 
-Envelope coneEnvelope(const Crown& crown, const Progress& progress) {
-  const auto [axis, wall] = leastTurned(
-      crown, 1, [](const auto& side) { return pointedWall(side, 1); }, progress);
-  const Eigen::Vector3d base(axis.x(), axis.y(), bottomOf(crown));
-  const double height = wall.foot / wall.slope;
-  Envelope envelope = frustumBody(wall.foot, 0, height, base);
-  addSizes(envelope, {{"radius", wall.foot}}, height, base);
+Envelope coneOf(double radius, double height, const Eigen::Vector3d& base) {
+  Envelope envelope = frustumBody(radius, 0, height, base);
+  addSizes(envelope, {{"radius", radius}}, height, base);
   return envelope;
 }
 
-Envelope frustumEnvelope(const Crown& crown, const Progress& progress) {
-  const double height = topOf(crown) - bottomOf(crown);
-  const auto [axis, wall] = leastTurned(
-      crown, 1, [&](const auto& side) { return frustumWall(side, height); }, progress);
-  const Eigen::Vector3d base(axis.x(), axis.y(), bottomOf(crown));
-  const double top = std::max(0.0, wall.foot - wall.slope * height);
-  Envelope envelope = frustumBody(wall.foot, top, height, base);
-  addSizes(envelope, {{"bottom_radius", wall.foot}, {"top_radius", top}}, height, base);
+Envelope frustumOf(double bottomRadius, double topRadius, double height,
+                   const Eigen::Vector3d& base) {
+  Envelope envelope = frustumBody(bottomRadius, topRadius, height, base);
+  addSizes(envelope, {{"bottom_radius", bottomRadius}, {"top_radius", topRadius}}, height, base);
   return envelope;
 }
 
-Envelope paraboloidEnvelope(const Crown& crown, const Progress& progress) {
-  const auto [axis, wall] = leastTurned(
-      crown, 2, [](const auto& side) { return pointedWall(side, 2); }, progress);
-  const Eigen::Vector3d base(axis.x(), axis.y(), bottomOf(crown));
-  const double height = wall.foot / wall.slope;
-  const double radius = std::sqrt(wall.foot);
+Envelope paraboloidOf(double radius, double height, const Eigen::Vector3d& base) {
   std::vector<Eigen::Vector2d> profile = {{0, base.z()}};
   for (int i = 0; i <= ringLevels; ++i) { // even in r, so that its top is round
     const double share = 1 - static_cast<double>(i) / ringLevels;
     profile.emplace_back(radius * share, base.z() + height * (1 - share * share));
   }
-  Envelope envelope = envelopeOf(meshOfTurned(profile, axis));
+  Envelope envelope = envelopeOf(meshOfTurned(profile, base.head<2>()));
   envelope.volume = pi * radius * radius * height / 2;
   const double focal = radius * radius + 4 * height * height;
   envelope.area = pi * radius * radius + pi * radius / (6 * height * height) *
                                              (std::pow(focal, 1.5) - std::pow(radius, 3));
   addSizes(envelope, {{"radius", radius}}, height, base);
   return envelope;
+}
+
+Envelope cylinderEnvelope(const Crown& crown, const Progress& progress) {
+  const Ball3 circle = circleAbove(crown, progress);
+  return cylinderOf(circle.radius, topOf(crown) - bottomOf(crown),
+                    {circle.center.x(), circle.center.y(), bottomOf(crown)});
+}
+
+Envelope coneEnvelope(const Crown& crown, const Progress& progress) {
+  const auto [axis, wall] = leastTurned(
+      crown, 1, [](const auto& side) { return pointedWall(side, 1); }, progress);
+  return coneOf(wall.foot, wall.foot / wall.slope, {axis.x(), axis.y(), bottomOf(crown)});
+}
+
+Envelope frustumEnvelope(const Crown& crown, const Progress& progress) {
+  const double height = topOf(crown) - bottomOf(crown);
+  const auto [axis, wall] = leastTurned(
+      crown, 1, [&](const auto& side) { return frustumWall(side, height); }, progress);
+  return frustumOf(wall.foot, std::max(0.0, wall.foot - wall.slope * height), height,
+                   {axis.x(), axis.y(), bottomOf(crown)});
+}
+
+Envelope paraboloidEnvelope(const Crown& crown, const Progress& progress) {
+  const auto [axis, wall] = leastTurned(
+      crown, 2, [](const auto& side) { return pointedWall(side, 2); }, progress);
+  return paraboloidOf(std::sqrt(wall.foot), wall.foot / wall.slope,
+                      {axis.x(), axis.y(), bottomOf(crown)});
 }
 
 } // namespace espalier

@@ -25,7 +25,9 @@ struct EnvelopeTest : test::ProjectWindowTest {
   void choose(const QString& kind) {
     auto& kinds = find<QComboBox>("envelope_kind");
     kinds.setCurrentIndex(kinds.findData(kind));
+    choice_ = kind;
   }
+  [[nodiscard]] QString handleText() { return find<QLabel>("envelope_handles").text(); }
   /// A number of the panel; empty: it is not there.
   [[nodiscard]] QString number(const QString& name) {
     for (const QLabel* value : window().findChildren<QLabel*>("envelope_value"))
@@ -45,16 +47,19 @@ struct EnvelopeTest : test::ProjectWindowTest {
     return formatVolume(envelope.volume, LengthUnit::meter);
   }
   [[nodiscard]] QPoint handle(const Envelope& envelope, const std::string& name) {
-    for (const EnvelopeHandle& each :
-         envelopeHandles(envelope, UpAxis::z, envelopeKindNamed("asymmetric")))
+    const std::string kind = choice_.toStdString();
+    for (const EnvelopeHandle& each : envelopeHandles(envelope, UpAxis::z, envelopeKindNamed(kind)))
       if (each.name == name) return view().project(each.place).value_or(QPointF()).toPoint();
     return {};
   }
+  void showFitted(const QString& kind) {
+    choose(kind);
+    ASSERT_TRUE(waitFor(volumeOf(fitted(kind.toStdString())))) << number("Volume").toStdString();
+    waitForView();
+  }
   void showAsymmetric() {
     openScan();
-    choose("asymmetric");
-    ASSERT_TRUE(waitFor(volumeOf(fitted("asymmetric")))) << number("Volume").toStdString();
-    waitForView();
+    showFitted("asymmetric");
   }
   /// Presses a handle and pulls it, without letting go.
   void pull(const QPoint& from, const QPoint& by) {
@@ -70,6 +75,9 @@ struct EnvelopeTest : test::ProjectWindowTest {
         if (a.pixel(x, y) != b.pixel(x, y)) ++count;
     return count;
   }
+
+private:
+  QString choice_; // the kind that is chosen
 };
 
 TEST_F(EnvelopeTest, OfEachKindIsDrawnAndMeasured) {
@@ -158,6 +166,54 @@ TEST_F(EnvelopeTest, HasSidesToDrag) {
   EXPECT_NE(number("Radius ahead"), radius);
 }
 
+// All but the center, which moves the solid as it is.
+TEST_F(EnvelopeTest, OfEachSolidIsSetByItsHandles) {
+  openScan();
+  int dragged = 0;
+  for (const EnvelopeKind& kind : envelopeKinds()) {
+    if (!kind.solid) continue;
+    showFitted(QString::fromStdString(kind.form.name));
+    const Envelope before = fitted(kind.form.name);
+    EXPECT_EQ(handleText(), "Drag its handles to set it by hand.");
+    for (const std::string& name : kind.handles) {
+      SCOPED_TRACE(kind.form.name + ": " + name);
+      const QPoint from = handle(before, name);
+      const QPoint middle = handle(before, "center");
+      const QPoint outward = from - middle;
+      if (outward.manhattanLength() < 80) continue; // its center, or an axis along the sight
+      ++dragged;
+      drag(from, from + outward / 4);
+      EXPECT_NE(number("Volume"), volumeOf(before));
+      EXPECT_EQ(handleText(), "By hand: handles were dragged.");
+      clickButton("envelope_fit");
+      EXPECT_EQ(number("Volume"), volumeOf(before));
+      EXPECT_FALSE(find<QPushButton>("envelope_fit").isVisible());
+    }
+  }
+  EXPECT_GE(dragged, 12);
+}
+
+TEST_F(EnvelopeTest, MovesWithItsCenter) {
+  openScan();
+  showFitted("ball");
+  const Envelope before = fitted("ball");
+  const QPoint center = handle(before, "center");
+  const QPoint rim = handle(before, "radius");
+  drag(center, center + QPoint(40, 30));
+  EXPECT_EQ(number("Volume"), volumeOf(before)) << "as large, elsewhere";
+  drag(rim + QPoint(40, 30), rim + QPoint(80, 30));
+  EXPECT_NE(number("Volume"), volumeOf(before));
+}
+
+TEST_F(EnvelopeTest, ThatFollowsThePointsSaysThatItHasNoHandles) {
+  openScan();
+  for (const char* kind : {"convex", "alpha"}) {
+    showFitted(kind);
+    EXPECT_EQ(handleText(), "It follows from the plant alone: it has no handles to drag.");
+    EXPECT_FALSE(find<QPushButton>("envelope_fit").isVisible());
+  }
+}
+
 TEST_F(EnvelopeTest, IsGivenBackByEscapeInMidDrag) {
   showAsymmetric();
   const Envelope before = fitted("asymmetric");
@@ -184,6 +240,22 @@ TEST_F(EnvelopeTest, IsKeptInTheProjectWithWhatWasDragged) {
   open({file});
   EXPECT_TRUE(waitFor(dragged)) << number("Volume").toStdString();
   EXPECT_EQ(find<QComboBox>("envelope_kind").currentData(), "asymmetric");
+}
+
+TEST_F(EnvelopeTest, OfAProjectKeepsWhereItsCenterWasDraggedTo) {
+  openScan();
+  showFitted("cylinder");
+  const QPoint center = handle(fitted("cylinder"), "center");
+  drag(center, center - QPoint(60, 0));
+  EXPECT_EQ(handleText(), "By hand: handles were dragged.");
+  const QString file = saveProject("plant.espalier");
+  const QImage dragged = view().picture({300, 300});
+  action("new_plant").trigger();
+  waitForJob();
+  open({file});
+  ASSERT_TRUE(waitFor(volumeOf(fitted("cylinder"))));
+  EXPECT_EQ(handleText(), "By hand: handles were dragged.");
+  EXPECT_LT(difference(view().picture({300, 300}), dragged), 900);
 }
 
 TEST_F(EnvelopeTest, IsWrittenAsAMesh) {

@@ -69,8 +69,9 @@ TEST(EnvelopeHandles, KeepBottomSidesAndTopAboveEachOther) {
 
 // Places that were dragged on one plant stand on another, too.
 TEST(EnvelopeHandles, GiveWayWhereTheHullIsAnother) {
-  const AsymmetricHull hull =
-      withHandles(unitBall(), {{"top", {0, -3}}, {"ahead", {1, 5}}, {"left", {1e-9, 0}}});
+  const AsymmetricHull hull = withHandles(
+      unitBall(),
+      {{"top", {.level = -3}}, {"ahead", {.out = 1, .level = 5}}, {"left", {.out = -1}}});
   EXPECT_GE(hull.top.z(), *std::ranges::max_element(hull.heights));
   EXPECT_LE(hull.bottom.z(), *std::ranges::min_element(hull.heights));
   EXPECT_GT(volume(hull), 0);
@@ -113,11 +114,11 @@ TEST(EnvelopeHandles, FollowTheAxisThatPointsUp) {
   for (std::size_t i = 0; i < handles.size(); ++i)
     EXPECT_LT((turn * turned[i].place - handles[i].place).norm(), 1e-3);
   const Eigen::Vector3d higher = turned[0].place + 2 * Eigen::Vector3d::UnitX();
-  const HandlePlaces places = {{"top", draggedTo(laid, UpAxis::x, "top", higher)}};
-  const Envelope dragged = draggedEnvelope(laid, UpAxis::x, places);
+  const HandlePlaces places = {{"top", draggedTo(laid, UpAxis::x, kind, "top", higher)}};
+  const Envelope dragged = draggedEnvelope(laid, UpAxis::x, kind, places);
   EXPECT_LT((envelopeHandles(dragged, UpAxis::x, kind)[0].place - higher).norm(), 1e-9);
   EXPECT_GT(dragged.volume, 1.5 * laid.volume) << "the upper half is three times as high";
-  EXPECT_TRUE(envelopeHandles(laid, UpAxis::x, envelopeKindNamed("ball")).empty());
+  EXPECT_TRUE(envelopeHandles(laid, UpAxis::x, envelopeKindNamed("convex")).empty());
 }
 
 } // namespace

@@ -11,7 +11,13 @@ namespace {
 constexpr double slabShare = 1.0 / 12; // of the extent
 constexpr double footWidth = 0.2;      // of the plant's, at most
 constexpr double clearly = 2.5;        // times as wide
+constexpr double leastShare = 0.015;   // of all points in a slab
 constexpr std::size_t fewest = 10;     // points of a slab
+
+struct Foot {
+  double width = std::numeric_limits<double>::infinity(); // as a share of that of all points
+  double share = 0;                                       // of all points in the emptier slab
+};
 
 double quantileOf(std::vector<double>& values, double share) {
   const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
@@ -36,8 +42,8 @@ double widthOf(const std::vector<const Eigen::Vector3d*>& points, int axis) {
   return quantileOf(values, 0.5);
 }
 
-/// How wide the foot at the low end of `axis` is, as a share of the width of all points.
-double footAt(const std::vector<Eigen::Vector3d>& points, int axis) {
+/// What might be the foot, at the low end of `axis`.
+Foot footAt(const std::vector<Eigen::Vector3d>& points, int axis) {
   std::vector<double> heights(points.size());
   std::ranges::transform(points, heights.begin(), [&](const auto& point) { return point[axis]; });
   const double low = quantileOf(heights, 0.002); // strays lie below
@@ -50,8 +56,10 @@ double footAt(const std::vector<Eigen::Vector3d>& points, int axis) {
     if (above >= 0 && above < 2 * slab) slabs[above < slab ? 0 : 1].push_back(&point);
   }
   const double width = widthOf(all, axis);
-  if (!(width > 0)) return std::numeric_limits<double>::infinity();
-  return std::max(widthOf(slabs[0], axis), widthOf(slabs[1], axis)) / width;
+  if (!(width > 0)) return {};
+  const std::size_t fewer = std::min(slabs[0].size(), slabs[1].size());
+  return {std::max(widthOf(slabs[0], axis), widthOf(slabs[1], axis)) / width,
+          static_cast<double>(fewer) / static_cast<double>(points.size())};
 }
 
 } // namespace
@@ -61,12 +69,14 @@ std::optional<UpAxis> likelyUp(const std::vector<Eigen::Vector3d>& points) {
   std::ranges::copy_if(points, std::back_inserter(finite),
                        [](const Eigen::Vector3d& point) { return point.allFinite(); });
   if (finite.size() < fewest) return std::nullopt;
-  std::array<double, 3> feet{};
+  std::array<Foot, 3> feet;
   for (int axis = 0; axis < 3; ++axis)
     feet[static_cast<std::size_t>(axis)] = footAt(finite, axis);
-  const auto best = static_cast<std::size_t>(std::ranges::min_element(feet) - feet.begin());
-  if (feet[2] <= footWidth && feet[2] <= clearly * feet[best]) return UpAxis::z;
-  if (feet[best] <= footWidth && feet[2] > clearly * feet[best]) return static_cast<UpAxis>(best);
+  const auto* best = std::ranges::min_element(feet, {}, &Foot::width);
+  const bool isClear = feet[2].width > clearly * best->width;
+  if (feet[2].width <= footWidth && !isClear) return UpAxis::z;
+  if (best->width <= footWidth && best->share >= leastShare && isClear)
+    return static_cast<UpAxis>(best - feet.begin());
   return std::nullopt;
 }
 

@@ -1,5 +1,7 @@
 #include "core/base/random.h"
 #include "core/graph/likely_up.h"
+#include "core/simulate/laser_scanner.h"
+#include "core/simulate/plant_grower.h"
 #include "tests/support/clouds.h"
 
 #include <gtest/gtest.h>
@@ -31,6 +33,30 @@ TEST(LikelyUp, IsTheAxisThatTheFootIsAtTheLowEndOf) {
   for (Eigen::Vector3d& point : points)
     point = 1000 * Eigen::Vector3d(point.y() - 7, point.z(), point.x());
   EXPECT_EQ(likelyUp(points), UpAxis::x);
+}
+
+/// As in a file whose y axis points up.
+std::vector<Eigen::Vector3d> lyingOnItsSide(const SimulatedScan& scan) {
+  std::vector<Eigen::Vector3d> points;
+  for (const Eigen::Vector3d& point : scan.points.positions)
+    points.emplace_back(point.y(), point.z(), point.x());
+  return points;
+}
+
+TEST(LikelyUp, IsFoundOfSimulatedTreesHoweverTheyLie) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const SimulatedScan tree =
+        scan(growPlant({.segments = 250}, seed), {.points = 15'000, .stations = 1}, seed);
+    EXPECT_EQ(likelyUp(tree.points.positions), UpAxis::z) << "seed " << seed;
+    EXPECT_EQ(likelyUp(lyingOnItsSide(tree)), UpAxis::y) << "seed " << seed;
+  }
+}
+
+// The foot of this shrub is wide, and one of its twigs reaches far out along x.
+TEST(LikelyUp, IsNoTwigThatStandsOutAtASide) {
+  const Skeleton shrub = growPlant({.architecture = Architecture::shrub, .segments = 250}, 1);
+  const SimulatedScan seen = scan(shrub, {.points = 15'000, .stations = 1, .clumps = 30}, 1);
+  EXPECT_EQ(likelyUp(seen.points.positions), std::nullopt);
 }
 
 TEST(LikelyUp, IsNotGuessedWhereThereIsNoFoot) {

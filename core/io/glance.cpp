@@ -78,14 +78,18 @@ GlanceGuess guessedUp(const std::vector<Eigen::Vector3d>& sample) {
   return {axis, "at the low end of " + axis + " points stand together, as at a foot", false};
 }
 
+void requirePoints(const Format& format, const std::string& name) {
+  if (format.content != Content::points)
+    throw Error(name + ": holds a structure (" + std::string(format.name) +
+                "), not points: choose a scan");
+}
+
 } // namespace
 
 PointGlance glanceAt(const std::filesystem::path& path, const std::vector<PointField>& columns) {
   const Format& format = formatOf(path);
   const std::string name = path.filename().string();
-  if (format.content != Content::points)
-    throw Error(name + ": holds a structure (" + std::string(format.name) +
-                "), not points: choose a scan");
+  requirePoints(format, name);
   std::ifstream in = openForReading(path);
   ByteSource source(in);
   requireColumnsFit(path, format, columns);
@@ -96,6 +100,16 @@ PointGlance glanceAt(const std::filesystem::path& path, const std::vector<PointF
   if (!glance.unit.isStated) glance.unit = guessedUnit(glance.bounds);
   if (!glance.up.isStated) glance.up = guessedUp(glance.sample);
   return glance;
+}
+
+std::optional<FirstLines> firstLinesAt(const std::filesystem::path& path) {
+  const Format& format = formatOf(path);
+  const std::string name = path.filename().string();
+  requirePoints(format, name);
+  if (format.glanceByColumns == nullptr) return std::nullopt;
+  std::ifstream in = openForReading(path);
+  ByteSource source(in);
+  return firstLinesOf(source, name);
 }
 
 } // namespace espalier

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "core/io/points/point_field.h"
+#include "core/io/points/first_lines.h"
 #include "core/io/points/point_glance.h"
 
 #include <filesystem>
-#include <string>
+#include <optional>
 #include <vector>
 
 namespace espalier {
@@ -18,5 +18,9 @@ namespace espalier {
 /// @param columns  of a text file, as a user names them; none: found out
 [[nodiscard]] PointGlance glanceAt(const std::filesystem::path& path,
                                    const std::vector<PointField>& columns = {});
+
+/// How a text file of points begins; none of a file that says itself what its columns hold.
+/// @throws Error as glanceAt; also if it has fewer than 3 columns
+[[nodiscard]] std::optional<FirstLines> firstLinesAt(const std::filesystem::path& path);
 
 } // namespace espalier

@@ -20,7 +20,14 @@ void FileFlow::addActions() {
                .icon = "open",
                .keys = QKeySequence::Open,
                .menu = "file/open"},
-              [this] { chooseAndOpen(); });
+              [this] { chooseAndOpen(Asking::ifUnclear); });
+  actions.add({.id = "open_with_choices",
+               .text = tr("Open &With Choices…"),
+               .help = tr("Shows what is in a scan before it is read, and lets you choose columns, "
+                          "unit, up axis and how much of it to read"),
+               .keys = QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_O),
+               .menu = "file/open"},
+              [this] { chooseAndOpen(Asking::always); });
   actions.add({.id = "read_region",
                .text = tr("Read the Re&gion in Full"),
                .help = tr("Of a scan that is shown in part, reads all points that lie in the box "

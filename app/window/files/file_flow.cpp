@@ -84,17 +84,31 @@ void FileFlow::openRegion() {
     throw Error(tr("no region is chosen: clip the view to a box around it first, by Clipping in "
                    "the View menu")
                     .toStdString());
-  read({parts_.document.scanPath()}, box);
+  Opening opening{.paths = {parts_.document.scanPath()},
+                  .request = scanRequest(parts_.settings, box),
+                  .asking = Asking::never,
+                  .unit = parts_.document.unit(),
+                  .up = parts_.document.up()};
+  opening.request.columns = part_.reading.columns;
+  read(opening);
 }
 
-void FileFlow::chooseAndOpen() {
+void FileFlow::chooseAndOpen(Asking asking) {
   const QStringList paths =
       QFileDialog::getOpenFileNames(&parts_.window, tr("Open a scan or a skeleton"),
                                     parts_.settings.value(folderKey).toString(), readableFilters());
-  if (!paths.isEmpty()) open(paths);
+  if (!paths.isEmpty()) open(paths, asking);
 }
 
 void FileFlow::open(const QStringList& paths) {
+  open(paths, Asking::ifUnclear);
+}
+
+void FileFlow::openWithChoices(const QStringList& paths) {
+  open(paths, Asking::always);
+}
+
+void FileFlow::open(const QStringList& paths, Asking asking) {
   parts_.jobs.requireIdle();
   for (const QString& path : paths) {
     if (!isProjectName(path) && !isProject(toPath(path))) continue;
@@ -106,75 +120,55 @@ void FileFlow::open(const QStringList& paths) {
   QStringList others;
   for (const QString& path : paths)
     (formatOf(toPath(path)).content == Content::points ? scans : others).append(path);
-  openScans(scans, others);
+  openScans(scans, others, asking);
 }
 
-void FileFlow::openScans(const QStringList& scans, const QStringList& structures) {
-  const bool hasScan = parts_.document.scan() != nullptr;
+void FileFlow::openScans(const QStringList& scans, const QStringList& structures, Asking asking) {
+  const bool hasScan = parts_.document.scan() != nullptr && asking != Asking::always;
   const bool areTwo = scans.size() == 2;
-  if (scans.size() > 2 || scans.isEmpty() || (!areTwo && !hasScan))
-    return read(scans + structures, std::nullopt);
+  Opening opening{
+      .paths = scans + structures, .request = scanRequest(parts_.settings), .asking = asking};
+  if (scans.size() > 2 || scans.isEmpty() || (!areTwo && !hasScan)) return read(opening);
   const QString first = areTwo ? scans.front() : parts_.document.scanPath();
   const Second answer = askAbout(scans.back(), first, scans.front());
   if (answer == Second::left) return;
-  if (answer == Second::opened) return read(QStringList(scans.front()) + structures, std::nullopt);
-  if (areTwo) return read(QStringList(first) + structures, std::nullopt, scans.back());
-  emit registrationAsked(scans.back());
+  if (answer == Second::registered && !areTwo) return emit registrationAsked(scans.back());
+  opening.paths = QStringList(scans.front()) + structures;
+  if (answer == Second::registered) opening.toRegister = scans.back();
+  read(opening);
 }
 
-FileFlow::Second FileFlow::askAbout(const QString& second, const QString& first,
-                                    const QString& alone) {
-  const QString name = QFileInfo(second).fileName();
-  const QString open = QFileInfo(first).fileName();
-  QMessageBox box(QMessageBox::NoIcon, tr("Two scans"),
-                  tr("<b>Is %1 another scan of the same plant?</b>").arg(name),
-                  QMessageBox::NoButton, &parts_.window);
-  box.setInformativeText(
-      tr("Then register it: it is laid on %1, and the two can be joined. Or open %2 alone, as a "
-         "plant of its own.")
-          .arg(open, QFileInfo(alone).fileName()));
-  QPushButton* registers = box.addButton(tr("Register"), QMessageBox::AcceptRole);
-  QPushButton* opens = box.addButton(tr("Open Alone"), QMessageBox::AcceptRole);
-  QPushButton* leaves = box.addButton(tr("Cancel"), QMessageBox::RejectRole);
-  box.setDefaultButton(registers);
-  box.setEscapeButton(leaves);
-  box.exec();
-  if (box.clickedButton() == registers) return Second::registered;
-  return box.clickedButton() == opens ? Second::opened : Second::left;
-}
-
-void FileFlow::read(const QStringList& paths, const std::optional<Eigen::AlignedBox3d>& box,
-                    const QString& toRegister) {
+void FileFlow::read(const Opening& opening) {
   parts_.jobs.requireIdle();
   bool hasScan = false;
   bool hasStructure = false;
-  for (const QString& path : paths)
+  for (const QString& path : opening.paths)
     (formatOf(toPath(path)).content == Content::points ? hasScan : hasStructure) = true;
   const bool isAnotherPlant = hasScan && parts_.document.scan() != nullptr;
-  const bool replaces = isAnotherPlant || hasStructure;
-  parts_.settings.setValue(folderKey, QFileInfo(paths.front()).absolutePath());
-  const QString name = QFileInfo(paths.front()).fileName();
+  const bool isAtOnce = !isAnotherPlant && !hasStructure && opening.toRegister.isEmpty();
+  const QFileInfo file(opening.paths.front());
+  parts_.settings.setValue(folderKey, file.absolutePath());
   const auto* scan = parts_.document.scan();
   const auto cloud = scan == nullptr || isAnotherPlant ? nullptr : scan->cloud();
   const Skeleton skeleton = isAnotherPlant ? Skeleton() : parts_.document.skeleton();
-  const ScanRequest request = scanRequest(parts_.settings, box);
   parts_.jobs.start(
-      tr("Reading %1").arg(name),
-      [paths, cloud, skeleton, request](const Progress& progress) {
-        Read read{.files = loadFiles(paths, request, progress)};
+      tr("Reading %1").arg(file.fileName()),
+      [opening, cloud, skeleton, known = named_](const Progress& progress) {
+        Read read = readOrAsk(opening, known, progress);
         const LoadedFiles& files = read.files;
         if (const auto& points = files.scan ? files.scan->cloud() : cloud)
           read.fit = fitOf(files.structure ? files.structure->skeleton : skeleton, *points);
         return read;
       },
-      [this, isAnotherPlant, replaces, toRegister](Read read) {
-        if (!replaces && toRegister.isEmpty()) return show(std::move(read), isAnotherPlant);
+      [this, opening, isAnotherPlant, isAtOnce](Read read) {
+        if (isAtOnce && !read.look) return show(std::move(read), isAnotherPlant);
         const auto kept = std::make_shared<Read>(std::move(read));
-        parts_.jobs.afterwards([this, isAnotherPlant, kept, toRegister] {
+        parts_.jobs.afterwards([this, opening, isAnotherPlant, kept] {
+          if (kept->look) return ask(opening, *kept->look);
           showUnlessKept(
               [&] {
                 show(std::move(*kept), isAnotherPlant);
-                if (!toRegister.isEmpty()) emit registrationAsked(toRegister);
+                if (!opening.toRegister.isEmpty()) emit registrationAsked(opening.toRegister);
               },
               isAnotherPlant);
         });
@@ -289,8 +283,9 @@ void FileFlow::show(Read read, bool isAnotherPlant) {
   else if (loaded.structure)
     parts_.projects.leave();
   if (loaded.scan) {
-    document.setUnit(likelyUnit(loaded.scan->bounds().sizes().maxCoeff()));
+    document.setUnit(read.unit.value_or(likelyUnit(loaded.scan->bounds().sizes().maxCoeff())));
     document.setScan(std::move(loaded.scan), loaded.scanPath);
+    if (read.up) document.setUp(*read.up);
     parts_.projects.setScanReference(loaded.scanReference);
     setPart(loaded.part);
     emit keptChanged();

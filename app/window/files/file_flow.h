@@ -3,6 +3,7 @@
 #include "app/window/files/load_files.h"
 #include "app/window/files/project_flow.h"
 #include "app/window/files/scan_fit.h"
+#include "app/window/files/scan_question.h"
 #include "app/window/frame/window_part.h"
 #include "core/mtg/mtg_of_skeleton.h"
 
@@ -43,10 +44,13 @@ public:
 
   /// A project replaces all; a structure replaces the skeleton; a scan comes under a skeleton that
   /// has none. Where there is a scan already, or two are opened, it is asked whether the other is
-  /// to be registered to it; else it begins another plant. Reading goes on as a job; only once all
-  /// is read is it asked what to do with unsaved edits that it would replace.
+  /// to be registered to it; else it begins another plant. Where something has to be decided of a
+  /// scan before it is read, that is asked first. Reading goes on as a job; only once all is read
+  /// is it asked what to do with unsaved edits that it would replace.
   /// @throws Error if a file cannot be read or a job is running
   void open(const QStringList& paths);
+  /// The same, but how a scan is read is asked first, in any case.
+  void openWithChoices(const QStringList& paths);
 
   /// Opens what of the scan lies in the clip's box, all of its points, as another plant.
   /// @throws Error if the scan is shown whole, or the view is not clipped to a box
@@ -68,13 +72,24 @@ private:
   void addProjectActions(); // likewise
   void fillRecent(QMenu& menu);
   void refreshProject();
-  void chooseAndOpen();
-  /// What is to be done with a second scan; empty: nothing, the user went back.
+  /// Files that are to be opened, and how.
+  struct Opening {
+    QStringList paths;
+    ScanRequest request;
+    Asking asking = Asking::ifUnclear;
+    QString toRegister = {};             // a scan, once these are shown
+    std::optional<LengthUnit> unit = {}; // of the scan; none: as it seems
+    std::optional<UpAxis> up = {};       // likewise
+  };
+  void chooseAndOpen(Asking asking);
+  void open(const QStringList& paths, Asking asking);
+  void openScans(const QStringList& scans, const QStringList& structures, Asking asking);
+  void read(const Opening& opening);
+  /// What is to be done with a second scan; left: nothing, the user went back.
   enum class Second : std::uint8_t { opened, registered, left };
-  [[nodiscard]] Second askAbout(const QString& second, const QString& first, const QString& alone);
-  void openScans(const QStringList& scans, const QStringList& structures);
-  void read(const QStringList& paths, const std::optional<Eigen::AlignedBox3d>& box,
-            const QString& toRegister = {}); // a scan, once these are shown
+  [[nodiscard]] Second askAbout(const QString& second, const QString& first,
+                                const QString& alone); // file_questions.cpp
+  void ask(Opening opening, const ScanLook& look);     // likewise
   void setPart(const ScanPart& part);
   void closePlant();
 
@@ -93,9 +108,13 @@ private:
   void showUnlessKept(const std::function<void()>& show, bool isAnotherPlant);
   /// Files as they were read, and how the structure then lies to the scan.
   struct Read {
+    std::optional<ScanLook> look; // at a scan to ask about: nothing is read before the answer
     LoadedFiles files;
     ScanFit fit;
+    std::optional<LengthUnit> unit; // of the scan, if it is known
+    std::optional<UpAxis> up;       // likewise
   };
+  static Read readOrAsk(Opening opening, const NamedColumns& known, const Progress& progress);
   void show(Read read, bool isAnotherPlant);
   bool reportFit(const ScanFit& fit, QStringList notes); // whether there was anything to report
   struct Target {
@@ -110,9 +129,10 @@ private:
   void noteDropped(const QString& path);
 
   Parts parts_;
-  Target saved_;   // where and how the skeleton was written last
-  ScanPart part_;  // what of its file the scan is
-  QString copied_; // the file of others that a copy was kept of
+  Target saved_;       // where and how the skeleton was written last
+  ScanPart part_;      // what of its file the scan is
+  QString copied_;     // the file of others that a copy was kept of
+  NamedColumns named_; // by hand, since the window opened
 };
 
 } // namespace espalier

@@ -11,6 +11,8 @@
 namespace espalier {
 namespace {
 
+const QString mostPointsKey = QStringLiteral("most_points_at_once");
+
 Error twoOfAKind(const QString& path, const char* message) {
   return Error(QCoreApplication::translate("LoadFiles", message).arg(path).toStdString());
 }
@@ -21,19 +23,25 @@ void addNotes(LoadedFiles& loaded, const std::vector<std::string>& notes) {
 }
 
 /// A file that says nothing before it is read whole is read whole.
-bool hasMorePoints(const std::filesystem::path& path, std::uint64_t most) {
+bool hasMorePoints(const std::filesystem::path& path, const ScanRequest& request) {
   const Format& format = formatOf(path);
   const bool isKnown = format.glance != nullptr || format.glanceByColumns != nullptr;
-  return isKnown && glanceAt(path).points > most;
+  if (!isKnown) return false;
+  const PointGlance glance = glanceAt(path, request.columns);
+  const std::uint64_t error = glance.arePointsEstimated ? glance.points / 10 : 0; // at most
+  return glance.points + error > request.mostAtOnce;
 }
 
 void loadScan(LoadedFiles& loaded, const std::filesystem::path& path, const ScanRequest& request,
               const Progress& progress) {
-  ReadOptions reading{.box = request.box};
-  if (hasMorePoints(path, request.mostAtOnce)) reading.most = request.mostAtOnce;
+  ReadOptions reading{.box = request.box, .columns = request.columns};
+  if (hasMorePoints(path, request)) reading.most = request.mostAtOnce;
   ImportedCloud points = readPoints(path, reading, progress.part(0, 0.9));
   progress.update(0.9);
-  if (points.isPart(reading)) loaded.part = {reading, points.listed};
+  if (points.isPart(reading))
+    loaded.part = {reading, points.listed};
+  else
+    loaded.part.reading.columns = reading.columns;
   loaded.scanReference = ScanReference::of(path, points.value.bounds(), progress);
   loaded.scan = std::make_unique<const Scan>(std::move(points.value), progress);
   addNotes(loaded, points.notes);
@@ -42,7 +50,11 @@ void loadScan(LoadedFiles& loaded, const std::filesystem::path& path, const Scan
 } // namespace
 
 ScanRequest scanRequest(const QSettings& settings, const std::optional<Eigen::AlignedBox3d>& box) {
-  return {box, settings.value("most_points_at_once", qulonglong{mostPointsAtOnce}).toULongLong()};
+  return {box, settings.value(mostPointsKey, qulonglong{mostPointsAtOnce}).toULongLong()};
+}
+
+void keepMostAtOnce(QSettings& settings, std::uint64_t most) {
+  settings.setValue(mostPointsKey, qulonglong{most});
 }
 
 LoadedFiles loadFiles(const QStringList& paths, const ScanRequest& request,

@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <vector>
 
 class QSettings;
 
@@ -33,11 +34,13 @@ struct LoadedFiles {
 struct ScanRequest {
   std::optional<Eigen::AlignedBox3d> box; // all that lies in it [L], frame of the file; none: all
   std::uint64_t mostAtOnce = mostPointsAtOnce; // of a file with more, a sample of as many
+  std::vector<PointField> columns = {};        // of a text file; empty: found out
 };
 
 /// As the settings have it.
 [[nodiscard]] ScanRequest scanRequest(const QSettings& settings,
                                       const std::optional<Eigen::AlignedBox3d>& box = {});
+void keepMostAtOnce(QSettings& settings, std::uint64_t most); // for scans from then on
 
 /// Reads the files, each for what its content shows.
 /// @throws Error     which file, where in it, what is wrong; or if there are two of a kind

@@ -41,7 +41,15 @@ constexpr auto namedFields = std::to_array<NamedField>({
     {"scalar_station", PointField::station},
 });
 
+/// In the order of PointField.
+constexpr auto shownNames = std::to_array<std::string_view>(
+    {"-", "x", "y", "z", "intensity", "red", "green", "blue", "rgb", "station"});
+
 } // namespace
+
+std::string_view nameOf(PointField field) {
+  return shownNames[indexOf(field)];
+}
 
 PointField pointFieldNamed(std::string_view name) {
   const std::string key = lowerCase(name);

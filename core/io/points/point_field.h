@@ -24,6 +24,10 @@ enum class PointField : std::uint8_t {
 /// "x", "Intensity", "scalar_Intensity", "diffuse_red", "R" ... Case does not matter.
 [[nodiscard]] PointField pointFieldNamed(std::string_view name);
 
+/// The name it has in messages and on the command line, which pointFieldNamed() knows; "-" of a
+/// column that is left out.
+[[nodiscard]] std::string_view nameOf(PointField field);
+
 [[nodiscard]] constexpr std::size_t indexOf(PointField field) {
   return static_cast<std::size_t>(field);
 }

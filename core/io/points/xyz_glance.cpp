@@ -5,14 +5,10 @@
 #include "core/io/points/point_samples.h"
 #include "core/io/points/xyz_layout.h"
 
-#include <algorithm>
-#include <array>
+#include <string>
 
 namespace espalier {
 namespace {
-
-constexpr std::array<const char*, 9> fieldNames = {"",    "x",     "y",    "z",    "intensity",
-                                                   "red", "green", "blue", "color"};
 
 std::string separatorName(const XyzLayout& layout) {
   std::string name = layout.separator == ','   ? "parted by commas"
@@ -34,7 +30,7 @@ PointGlance glanceAtXyz(ByteSource& source, const std::string& file,
     const PointField field = layout.columns[i];
     const bool isTaken = field != PointField::none;
     glance.columns.push_back(
-        {isTaken ? fieldNames[indexOf(field)] : "column " + std::to_string(i + 1), "text",
+        {isTaken ? std::string(nameOf(field)) : "column " + std::to_string(i + 1), "text",
          isTaken});
   }
   const LineSample lines = sampleLines(source, 0, [&](std::string_view line) {

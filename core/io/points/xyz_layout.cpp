@@ -121,15 +121,18 @@ bool areColors(const std::vector<std::vector<double>>& rows, std::size_t first) 
 }
 
 /// Columns by their number and what they hold.
-std::vector<PointField> guessedColumns(const std::vector<std::vector<double>>& rows, bool isPts) {
+std::vector<PointField> guessedColumns(const std::vector<std::vector<double>>& rows, bool isPts,
+                                       ColumnDoubt& doubt) {
   using enum PointField;
-  const std::size_t count = rows.front().size();
+  const std::vector<double>& first = rows.front();
+  const std::size_t count = first.size();
   std::vector<PointField> columns = {x, y, z};
   const auto append = [&](std::initializer_list<PointField> more) {
     columns.insert(columns.end(), more);
   };
   const bool colorsFirst = areColors(rows, 3);
-  if (areColors(rows, 4) && (isPts || !colorsFirst)) {
+  const bool colorsBehind = areColors(rows, 4);
+  if (colorsBehind && (isPts || !colorsFirst)) {
     append({intensity, red, green, blue});
   } else if (colorsFirst) {
     append({red, green, blue});
@@ -137,6 +140,11 @@ std::vector<PointField> guessedColumns(const std::vector<std::vector<double>>& r
   } else if (count == 4 || count == 5) {
     append({intensity});
   }
+  if (count > columns.size()) doubt = ColumnDoubt::withoutName;
+  if (colorsFirst && colorsBehind && !isPts) doubt = ColumnDoubt::twoPlaces;
+  if (std::any_of(first.begin(), first.begin() + std::ptrdiff_t(std::min<std::size_t>(count, 3)),
+                  [](double value) { return std::isnan(value); }))
+    doubt = ColumnDoubt::notNumbers;
   columns.resize(std::max<std::size_t>(count, 3), none);
   return columns;
 }
@@ -161,12 +169,37 @@ std::string headOf(ByteSource& source) {
   }
 }
 
-std::vector<PointField> foundColumns(const Sample& sample, const XyzLayout& layout,
-                                     std::size_t count, bool isPts) {
-  std::vector<PointField> columns = namedColumns(sample.header, layout.separator, count);
-  for (const std::string_view comment : sample.comments)
-    if (columns.empty()) columns = namedColumns(comment, layout.separator, count);
-  return columns.empty() ? guessedColumns(numbersOf(sample, layout), isPts) : columns;
+void findColumns(const Sample& sample, std::size_t count, bool isPts, XyzLayout& layout) {
+  std::vector<std::string_view> lines = {sample.header};
+  lines.insert(lines.end(), sample.comments.begin(), sample.comments.end());
+  for (const std::string_view line : lines) {
+    layout.columns = namedColumns(line, layout.separator, count);
+    if (layout.columns.empty()) continue;
+    layout.names = line;
+    return;
+  }
+  layout.columns = guessedColumns(numbersOf(sample, layout), isPts, layout.doubt);
+  if (layout.doubt == ColumnDoubt::notNumbers ||
+      fieldsOf(sample.header, layout.separator).size() != count)
+    return;
+  layout.doubt = ColumnDoubt::otherNames;
+  layout.names = sample.header;
+}
+
+/// Whether a line that was taken for a title is the first point, whose columns a user has named.
+bool isFirstPoint(std::string_view line, const XyzLayout& layout) {
+  if (line.empty()) return false;
+  for (const PointField field : layout.columns) {
+    const std::string_view text = nextField(line, layout.separator);
+    if (field != PointField::none && !numberInField(text, layout.hasDecimalComma)) return false;
+  }
+  return true;
+}
+
+void requireText(std::string_view head, const std::string& file) {
+  if (head.find('\0') != std::string_view::npos)
+    throw Error(file + ": is no plain text, though its name says so: export it as text, or give it "
+                       "the extension of its format");
 }
 
 void requireNumberOfColumns(std::size_t named, std::size_t count, const std::string& file) {
@@ -205,6 +238,7 @@ std::optional<double> numberInField(std::string_view field, bool hasDecimalComma
 XyzLayout xyzLayoutOf(ByteSource& source, const std::string& file,
                       const std::vector<PointField>& columns) {
   const std::string head = headOf(source);
+  requireText(head, file);
   const Sample sample = sampleOf(head);
   XyzLayout layout;
   layout.headerLine = sample.headerLine;
@@ -213,9 +247,12 @@ XyzLayout xyzLayoutOf(ByteSource& source, const std::string& file,
   findSeparator(sample, layout);
   const std::size_t count = fieldsOf(sample.data.front(), layout.separator).size();
   if (!columns.empty()) requireNumberOfColumns(columns.size(), count, file);
-  layout.columns = columns.empty()
-                       ? foundColumns(sample, layout, count, lowerCase(file).ends_with(".pts"))
-                       : columns;
+  if (columns.empty()) {
+    findColumns(sample, count, lowerCase(file).ends_with(".pts"), layout);
+  } else {
+    layout.columns = columns;
+    if (isFirstPoint(sample.header, layout)) layout.headerLine = 0;
+  }
   const auto last =
       std::ranges::find_if(layout.columns.rbegin(), layout.columns.rend(),
                            [](PointField field) { return field != PointField::none; });

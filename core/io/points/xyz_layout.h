@@ -11,13 +11,24 @@
 
 namespace espalier {
 
+/// Why the columns of a text file may hold something else than what was found out.
+enum class ColumnDoubt : std::uint8_t {
+  none,
+  notNumbers,  // a coordinate of the first point is none
+  otherNames,  // a first line names as many columns, but not x, y and z
+  twoPlaces,   // colors may be in columns 4 to 6 or 5 to 7
+  withoutName, // there are more columns than could be told apart
+};
+
 /// How the points of a text file are laid out.
 struct XyzLayout {
   char separator = ' '; // ' ' stands for any blanks and tabs
   bool hasDecimalComma = false;
   std::vector<PointField> columns;
-  std::size_t needed = 3;             // columns up to the last that is wanted
-  std::size_t headerLine = 0;         // number of a line of names, 0 if there is none
+  std::size_t needed = 3;     // columns up to the last that is wanted
+  std::size_t headerLine = 0; // number of a line of names, 0 if there is none
+  std::string names;          // that line, or the comment, that the columns were named by
+  ColumnDoubt doubt = ColumnDoubt::none;
   std::optional<std::uint64_t> count; // of points, where the first line states it, as in PTS
 };
 
@@ -35,7 +46,7 @@ struct XyzLayout {
 /// @param file     its name, for messages; in .pts columns are in the order of Leica, intensity
 ///                 before color, unless something else is seen
 /// @param columns  what the columns hold, as a user says; none: found out
-/// @throws Error if `columns` are not those of the first line of points
+/// @throws Error if `columns` are not those of the first line of points, or if it is no text
 [[nodiscard]] XyzLayout xyzLayoutOf(ByteSource& source, const std::string& file,
                                     const std::vector<PointField>& columns = {});
 

@@ -453,7 +453,9 @@ TEST_F(RegisterTest, AJoinThatIsCanceledLeavesEachFileAsItWas) {
 
 TEST_F(RegisterTest, AScanThatIsShownInPartIsNotJoined) {
   QSettings(path("settings.ini"), QSettings::IniFormat).setValue("most_points_at_once", 300);
-  begin();
+  answer(press("Open"), [this] { open({north_}); });
+  waitForJob();
+  beginAgain();
   fit();
   join("both.ply");
   EXPECT_THAT(message().toStdString(), HasSubstr("is shown in part"));

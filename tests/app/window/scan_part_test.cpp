@@ -20,6 +20,15 @@ struct ScanPartTest : test::ProjectWindowTest {
     QSettings(path("settings.ini"), QSettings::IniFormat).setValue("most_points_at_once", 300);
   }
 
+  /// Of a scan with more points than are read at once, a sample of as many, as is proposed.
+  void openSample() { open({scan_}, press("Open")); }
+  using WindowTest::open;
+  void open(const QStringList& paths, const std::function<void(QDialog&)>& reply) {
+    answer(reply, [&] { open(paths); });
+    waitForJob();
+    waitForView();
+  }
+
   [[nodiscard]] const PointCloud& cloud() { return *document().scan()->cloud(); }
   /// The lower half of the plant.
   [[nodiscard]] Eigen::AlignedBox3d lowerHalf() const {
@@ -37,7 +46,7 @@ struct ScanPartTest : test::ProjectWindowTest {
 };
 
 TEST_F(ScanPartTest, OpensASampleOfALargeScanAndSaysSo) {
-  open({scan_});
+  openSample();
   EXPECT_EQ(cloud().size(), 300);
   EXPECT_THAT(message().toStdString(),
               testing::HasSubstr("300 of " + std::to_string(whole_.size()) + " points are read"));
@@ -57,7 +66,8 @@ TEST_F(ScanPartTest, OpensOtherScansWholeWithoutAWord) {
 
 TEST_F(ScanPartTest, ReadsWhatIsInTheClippedBoxInFull) {
   QSettings(path("settings.ini"), QSettings::IniFormat).setValue("most_points_at_once", 3000);
-  open({scan_});
+  openSample();
+  document().setUnit(LengthUnit::centimeter);
   const Eigen::AlignedBox3d box = lowerHalf();
   ASSERT_LT(pointsIn(box), 3000);
   ASSERT_GT(whole_.size(), 3000);
@@ -66,18 +76,19 @@ TEST_F(ScanPartTest, ReadsWhatIsInTheClippedBoxInFull) {
   waitForJob();
   EXPECT_EQ(cloud().size(), pointsIn(box));
   EXPECT_LE(cloud().bounds().max().z(), box.max().z());
+  EXPECT_EQ(document().unit(), LengthUnit::centimeter) << "as it was for the sample";
   EXPECT_THAT(message().toStdString(), testing::HasSubstr("those in the box"));
 }
 
 TEST_F(ScanPartTest, AsksForAClippedBoxFirst) {
-  open({scan_});
+  openSample();
   clickButton("banner_action");
   EXPECT_THAT(message().toStdString(), testing::HasSubstr("clip the view to a box"));
   EXPECT_EQ(cloud().size(), 300) << "nothing was read";
 }
 
 TEST_F(ScanPartTest, AProjectFindsTheSamePointsAgain) {
-  open({scan_});
+  openSample();
   const Eigen::Matrix3Xf points = cloud().positions();
   const QString file = saveProject("plot.espalier");
   window().close();
@@ -91,7 +102,7 @@ TEST_F(ScanPartTest, AProjectFindsTheSamePointsAgain) {
 }
 
 TEST_F(ScanPartTest, AScanThatMovedGivesTheSamePointsAgain) {
-  open({scan_});
+  openSample();
   const Eigen::Matrix3Xf points = cloud().positions();
   const QString file = saveProject("plot.espalier");
   window().close();
@@ -117,10 +128,22 @@ TEST(ScanPartText, ReadsAsItWasWritten) {
   EXPECT_FALSE(scanPartIn("").isPart());
 }
 
+TEST(ScanPartText, HoldsColumnsThatWereNamed) {
+  using enum PointField;
+  const std::vector<PointField> columns = {none, y, x, z, intensity, red, green, blue, station};
+  const ScanPart whole{{.columns = columns}, 0};
+  EXPECT_EQ(scanPartIn(textOf(whole)).reading.columns, columns);
+  EXPECT_FALSE(scanPartIn(textOf(whole)).isPart());
+  const ScanPart part{{.most = 5, .columns = columns}, 9};
+  EXPECT_EQ(scanPartIn(textOf(part)).reading.columns, columns);
+  EXPECT_EQ(scanPartIn(textOf(part)).listed, 9U);
+}
+
 TEST(ScanPartText, RefusesWhatIsNotAsItWasWritten) {
   for (const char* text :
        {"{", "{}", "{\"points_in_file\":0}", "{\"points_in_file\":9,\"most\":-1}",
-        "{\"points_in_file\":9,\"box\":[[1,2,3]]}"})
+        "{\"points_in_file\":9,\"box\":[[1,2,3]]}", "{\"columns\":[]}",
+        "{\"columns\":[\"x\",\"leaf\"]}"})
     EXPECT_THROW((void)scanPartIn(text), Error) << text;
 }
 

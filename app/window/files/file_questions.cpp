@@ -1,0 +1,88 @@
+// What is asked of a scan before it is read.
+#include "app/window/files/file_flow.h"
+#include "app/window/frame/action_set.h"
+#include "core/io/glance.h"
+#include "ui/dialogs/scan_dialog.h"
+#include "ui/jobs/job_slot.h"
+
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QPushButton>
+
+#include <limits>
+#include <utility>
+
+namespace espalier {
+
+FileFlow::Second FileFlow::askAbout(const QString& second, const QString& first,
+                                    const QString& alone) {
+  const QString name = QFileInfo(second).fileName();
+  const QString open = QFileInfo(first).fileName();
+  QMessageBox box(QMessageBox::NoIcon, tr("Two scans"),
+                  tr("<b>Is %1 another scan of the same plant?</b>").arg(name),
+                  QMessageBox::NoButton, &parts_.window);
+  box.setInformativeText(
+      tr("Then register it: it is laid on %1, and the two can be joined. Or open %2 alone, as a "
+         "plant of its own.")
+          .arg(open, QFileInfo(alone).fileName()));
+  QPushButton* registers = box.addButton(tr("Register"), QMessageBox::AcceptRole);
+  QPushButton* opens = box.addButton(tr("Open Alone"), QMessageBox::AcceptRole);
+  QPushButton* leaves = box.addButton(tr("Cancel"), QMessageBox::RejectRole);
+  box.setDefaultButton(registers);
+  box.setEscapeButton(leaves);
+  box.exec();
+  if (box.clickedButton() == registers) return Second::registered;
+  return box.clickedButton() == opens ? Second::opened : Second::left;
+}
+
+FileFlow::Read FileFlow::readOrAsk(Opening opening, const NamedColumns& known,
+                                   const Progress& progress) {
+  Read read{.unit = opening.unit, .up = opening.up};
+  bool isByMemory = false;
+  if (std::optional<ScanLook> look = lookAtScan(opening.paths, opening.asking, known)) {
+    if (opening.asking == Asking::always ||
+        !questionsOf(*look, opening.request.mostAtOnce).isEmpty()) {
+      read.look = std::move(look);
+      return read;
+    }
+    opening.request.columns = look->columns;
+    isByMemory = !look->columns.empty() && look->columns != look->text->columns;
+    if (look->glance.unit.isStated)
+      read.unit = unitOfSymbol(QString::fromStdString(look->glance.unit.value));
+  }
+  read.files = loadFiles(opening.paths, opening.request, progress);
+  if (isByMemory)
+    read.files.notes.append(
+        tr("The columns are read as you named them before, of a file that begins alike"));
+  return read;
+}
+
+void FileFlow::ask(Opening opening, const ScanLook& look) {
+  ScanDialog dialog(look, opening.request.mostAtOnce, &parts_.window);
+  JobSlot looks(parts_.jobs.queue(), JobPriority::asked);
+  connect(&looks, &JobSlot::failed, &dialog, &ScanDialog::showProblem);
+  connect(&dialog, &ScanDialog::columnsChosen, this, [&](const std::vector<PointField>& columns) {
+    looks.start(
+        [path = toPath(look.path), columns](const Progress&) { return glanceAt(path, columns); },
+        [&dialog](const PointGlance& glance) { dialog.setGlance(glance); });
+  });
+  if (dialog.exec() != QDialog::Accepted) return emit noted(tr("Canceled: nothing has changed"));
+  keepMostAtOnce(parts_.settings, dialog.mostAtOnce());
+  const ScanChoices choices = dialog.choices();
+  if (look.text)
+    if (const QString key = columnsKey(*look.text); !key.isEmpty()) named_[key] = dialog.columns();
+  const ReadOptions& reading = choices.reading;
+  const std::uint64_t all = std::numeric_limits<std::uint64_t>::max();
+  opening.request = {reading.box, reading.most > 0 ? reading.most : all, reading.columns};
+  opening.asking = Asking::never;
+  opening.unit = choices.unit;
+  opening.up = choices.up;
+  parts_.actions.guarded(
+      [&] {
+        read(opening);
+        return true;
+      },
+      Refusal::inBanner);
+}
+
+} // namespace espalier

@@ -197,6 +197,18 @@ std::string noteOf(const PipeEnds& ends) {
   return text.str();
 }
 
+/// What is measured, as it would be if all was known that the fusion knows: thin wood is thinner.
+std::vector<MeasuredRadius> correctedWood(const Skeleton& skeleton, const AssignedPoints& points,
+                                          const WoodMeasurements& wood, double spacing) {
+  std::vector<MeasuredRadius> radii = wood.radii;
+  if (!(spacing > 0)) return radii; // all points are in one place
+  const std::vector<KnownRadius> known =
+      knownRadii(skeleton, fusedWood(skeleton, points, wood, spacing), spacing);
+  for (std::size_t i = 0; i < radii.size(); ++i)
+    if (radii[i].radius > 0) radii[i].radius = known[i].radius;
+  return radii;
+}
+
 /// The ends of a pipe model of the plant; says so if they were not both measured.
 NodeCountPipeOptions pipeEndsOf(PipelineState& state, const Progress& progress) {
   const Eigen::Matrix3Xf kept = keptPositions(state);
@@ -208,7 +220,8 @@ NodeCountPipeOptions pipeEndsOf(PipelineState& state, const Progress& progress) 
       lowestWoodRadii(*state.skeleton, {kept, origin, index, spacing}, progress.part(0.5, 0.6));
   const WoodMeasurements wood =
       measuredWood(*state.skeleton, points, {.spacing = spacing}, progress.part(0.6, 1));
-  const PipeEnds ends = pipeEnds(*state.skeleton, lowest, wood.radii, spacing / 2);
+  const PipeEnds ends = pipeEnds(
+      *state.skeleton, lowest, correctedWood(*state.skeleton, points, wood, spacing), spacing / 2);
   if (std::string note = noteOf(ends); !note.empty()) state.notes.push_back(std::move(note));
   return ends.radii;
 }

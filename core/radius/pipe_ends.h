@@ -58,7 +58,8 @@ inline constexpr double publishedPipe = 2.9;
 /// Chosen on 12 grown plants and 3 structures, each bare and in leaf: with the settings of the
 /// thesis, the means of the median errors of radii are 0.11, 0.20, 0.10 and 0.30; with a tenth
 /// instead of a twentieth 0.17, 0.30, 0.18, 0.42, with the exponent of published structures alone
-/// 0.28, 0.29, 0.34, 0.38.
+/// 0.28, 0.29, 0.34, 0.38. Thin radii that are corrected first (knownRadii) bring the medians of
+/// espalier_accuracy from 0.098 to 0.092, 0.167 to 0.151 and, of bare structures, 0.056 to 0.049.
 [[nodiscard]] PipeEnds pipeEnds(const Skeleton& skeleton, const std::vector<double>& lowest,
                                 const std::vector<MeasuredRadius>& wood, double otherwise);
 

@@ -45,4 +45,10 @@ Skeleton withoutEntities(Skeleton skeleton) {
   return skeleton;
 }
 
+Skeleton withoutOrigins(Skeleton skeleton) {
+  for (const NodeId id : skeleton.ids())
+    skeleton.setRadius(id, skeleton[id].radius);
+  return skeleton;
+}
+
 } // namespace espalier::test

@@ -12,4 +12,7 @@ namespace espalier::test {
 /// The same nodes without what an MTG says of them.
 [[nodiscard]] Skeleton withoutEntities(Skeleton skeleton);
 
+/// The same nodes without where their radii are from, which files of others do not say.
+[[nodiscard]] Skeleton withoutOrigins(Skeleton skeleton);
+
 } // namespace espalier::test

@@ -41,8 +41,9 @@ void setRadii(PipelineState& state, std::vector<KnownRadius> radii, double branc
     const std::size_t i = indexOf(id);
     RadiusOrigin& origin = radii[i].origin;
     if (limited[i] > 0) { // the interval is where it was, if the limit is not below all of it
-      origin.least = std::min(1.0F, origin.least * static_cast<float>(free[i] / limited[i]));
-      origin.most *= static_cast<float>(free[i] / limited[i]);
+      const double share = free[i] / limited[i];
+      origin.least = static_cast<float>(std::min(1.0, share * origin.least));
+      origin.most = static_cast<float>(std::min(1e6, share * origin.most));
     }
     skeleton.setRadius(id, limited[i], origin);
   }

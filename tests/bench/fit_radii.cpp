@@ -4,7 +4,7 @@
 //
 //   espalier_fit_radii [--plants N] [--others M]
 //
-// N plants, 120 if it is not said, are fitted on, the next M, 60, are judged by. Judged are nodes
+// N plants, 120 if it is not said, are fitted on, the next M, 120, are judged by. Judged are nodes
 // within the true wood or a spacing off it. Each plant weighs as the root of its nodes.
 #include "core/base/quantile.h"
 #include "core/cloud/spacing_of_places.h"
@@ -296,7 +296,7 @@ int fitRadii(int plants, int others) {
 } // namespace espalier
 
 int main(int argc, char** argv) {
-  int plants = 120, others = 60;
+  int plants = 120, others = 120;
   for (int i = 1; i + 1 < argc; i += 2)
     (std::string(argv[i]) == "--plants" ? plants : others) = std::atoi(argv[i + 1]);
   return espalier::fitRadii(plants, others);

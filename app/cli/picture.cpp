@@ -8,8 +8,6 @@
 #include "core/base/text.h"
 #include "core/io/atomic_file.h"
 
-#include <QBuffer>
-
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -79,14 +77,6 @@ void requirePng(const std::string& path) {
   if (extension == ".png") return;
   if (!isStream(path) || !extension.empty())
     throw Error(path + ": pictures are written as PNG: choose a name that ends in .png");
-}
-
-QByteArray pngOf(const QImage& image) {
-  QByteArray bytes;
-  QBuffer buffer(&bytes);
-  buffer.open(QIODevice::WriteOnly);
-  image.save(&buffer, "PNG");
-  return bytes;
 }
 
 void drawPicture(const PictureFlags& flags) {

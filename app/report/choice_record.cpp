@@ -2,8 +2,8 @@
 
 #include "app/report/report_sections.h"
 #include "core/base/error.h"
+#include "ui/view/picture.h"
 
-#include <QBuffer>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -15,10 +15,7 @@ namespace {
 
 QString encoded(const QImage& picture) {
   if (picture.isNull()) return {};
-  QByteArray bytes;
-  QBuffer buffer(&bytes);
-  picture.save(&buffer, "PNG");
-  return QString::fromLatin1(bytes.toBase64());
+  return QString::fromLatin1(pngOf(picture).toBase64());
 }
 
 using Pairs = std::vector<std::pair<QString, QString>>;

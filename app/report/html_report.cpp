@@ -2,8 +2,8 @@
 
 #include "app/report/html_style.h"
 #include "app/report/plot_svg.h"
+#include "ui/view/picture.h"
 
-#include <QBuffer>
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -134,15 +134,11 @@ void HtmlWriter::operator()(const ReportFigures& figures) {
   add(QStringLiteral("<div class=\"figures%1\">\n")
           .arg(figures.across > 2 ? QStringLiteral(" three") : QString()));
   for (const auto& figure : figures.figures) {
-    QByteArray png;
-    QBuffer buffer(&png);
-    buffer.open(QIODevice::WriteOnly);
-    figure.image.save(&buffer, "PNG");
     add(QStringLiteral("<figure><img width=\"%1\" height=\"%2\" alt=\"%3\" "
                        "src=\"data:image/png;base64,%4\"/>")
             .arg(QString::number(figure.image.width()), QString::number(figure.image.height()),
                  escaped(figure.text.isEmpty() ? figure.title : figure.title + ": " + figure.text),
-                 QString::fromLatin1(png.toBase64())));
+                 QString::fromLatin1(pngOf(figure.image).toBase64())));
     add(QStringLiteral("<figcaption><b>%1</b> %2</figcaption></figure>\n")
             .arg(escaped(figure.title), escaped(figure.text)));
   }

@@ -76,10 +76,14 @@ ReportKeyNumbers keyNumbers(const Parts& parts) {
   if (measures.wood.whole.volume > 0) {
     const QString unit = parts.about.unit;
     const QString volume = numbers.number(measures.wood.whole.volume);
+    const QString interval = measures.volume
+                                 ? ReportText::tr("%1 to %2 in 90 of 100 cases, as radii err")
+                                       .arg(numbers.number(measures.volume->least, 3),
+                                            numbers.number(measures.volume->most, 3))
+                                 : QString();
     key.numbers.push_back(
         {unit.isEmpty() ? volume : volume + QChar(0x202f) + unit + QStringLiteral("³"),
-         ReportText::tr("volume of wood"),
-         {}});
+         ReportText::tr("volume of wood"), interval});
   }
   if (measures.light)
     key.numbers.push_back({numbers.share(measures.light->star), ReportText::tr("STAR"),

@@ -36,7 +36,7 @@ struct PlantMeasureOptions {
 struct PlantMeasures {
   Traits traits;
   WoodAmounts wood;
-  std::optional<VolumeInterval> volume;   // of the whole wood; none if its radii tell of none
+  std::optional<VolumeInterval> volume;   // of the whole wood; none if radii have no intervals
   std::vector<double> radiusLimits;       // of the classes of `wood` [L]
   WoodDensity density;                    // as asked
   std::optional<double> stemDiameter;     // at breast height [L]; none: see below

@@ -2,9 +2,19 @@
 
 #include "ui/view/offscreen_renderer.h"
 
+#include <QBuffer>
+
 #include <limits>
 
 namespace espalier {
+
+QByteArray pngOf(const QImage& image) {
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  buffer.open(QIODevice::WriteOnly);
+  image.save(&buffer, "PNG");
+  return bytes;
+}
 
 QImage picture(const Scene& scene, const Camera& camera, const Overlay& overlay, const QSize& size,
                double pixelRatio) {

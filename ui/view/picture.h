@@ -4,6 +4,7 @@
 #include "ui/view/overlay.h"
 #include "ui/view/scene.h"
 
+#include <QByteArray>
 #include <QImage>
 #include <QSize>
 
@@ -16,6 +17,8 @@ namespace espalier {
 /// @throws Error if there is no OpenGL
 [[nodiscard]] QImage picture(const Scene& scene, const Camera& camera, const Overlay& overlay,
                              const QSize& size, double pixelRatio = 1);
+
+[[nodiscard]] QByteArray pngOf(const QImage& image); // as a PNG file holds it
 
 /// The camera that shows all of a scene from one side.
 /// @param aspect width of the picture over its height

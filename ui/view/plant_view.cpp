@@ -253,7 +253,7 @@ void PlantView::showPreview(const Preview& preview) {
   parts_->overlayWidget->update();
 }
 
-QImage PlantView::picture(const QSize& size) {
+QImage PlantView::picture(const QSize& size, double pixelRatio) {
   Overlay overlay;
   overlay.unit = parts_->shared->unit;
   overlay.hulls = parts_->shared->hulls;
@@ -261,7 +261,8 @@ QImage PlantView::picture(const QSize& size) {
   overlay.attachment = parts_->shared->attachment;
   overlay.divider = parts_->divider;
   overlay.seen = SeenSides::of(parts_->divider);
-  return espalier::picture(parts_->scene, parts_->navigator.destination(), overlay, size);
+  return espalier::picture(parts_->scene, parts_->navigator.destination(), overlay, size,
+                           pixelRatio);
 }
 
 std::size_t PlantView::graphicsBytes() const {

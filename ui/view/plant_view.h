@@ -158,7 +158,8 @@ public:
   void showPreview(const Preview& preview) override;
 
   /// The view as it would be drawn at `size`, all points, no pointer, no band and no preview.
-  [[nodiscard]] QImage picture(const QSize& size);
+  /// @param pixelRatio as of espalier::picture()
+  [[nodiscard]] QImage picture(const QSize& size, double pixelRatio = 1);
   enum class Framing : std::uint8_t {
     whole,
     asSeen

@@ -5,10 +5,10 @@
 #include "app/window/frame/action_set.h"
 #include "core/base/error.h"
 #include "core/io/atomic_file.h"
+#include "ui/view/picture.h"
 #include "ui/view/plant_view.h"
 
 #include <QAction>
-#include <QBuffer>
 #include <QFileDialog>
 #include <QFileInfo>
 
@@ -43,12 +43,11 @@ void PictureFlow::write(const QString& path) {
     throw Error(tr("%1: pictures are written as PNG: choose a name that ends in .png")
                     .arg(path)
                     .toStdString());
-  const QSize size = 2 * parts_.view.size() * parts_.view.devicePixelRatio();
-  QByteArray bytes;
-  QBuffer buffer(&bytes);
-  buffer.open(QIODevice::WriteOnly);
-  parts_.view.picture(size).save(&buffer, "PNG");
-  writeAtomically(toPath(path), [&](std::ostream& out) { out.write(bytes.data(), bytes.size()); });
+  const double pixelRatio = 2 * parts_.view.devicePixelRatio();
+  const QSize size = parts_.view.size() * pixelRatio;
+  const QByteArray bytes = pngOf(parts_.view.picture(size, pixelRatio));
+  writeAtomically(toPath(path),
+                  [&](std::ostream& out) { out.write(bytes.constData(), bytes.size()); });
   emit reported({.text = tr("Wrote %1, %2 × %3 pixels")
                              .arg(QFileInfo(path).fileName())
                              .arg(size.width())

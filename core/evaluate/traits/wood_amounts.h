@@ -54,7 +54,7 @@ struct VolumeInterval {
 };
 
 /// Between which the volume lies with a probability of 90 %, as far as the radii of this skeleton
-/// err; wood that it lacks is not told of. None where under nine tenths of the volume are of radii
+/// err; wood that it lacks does not count. None where under nine tenths of the volume are of radii
 /// with an interval (RadiusOrigin) or set by hand.
 ///
 /// Radii of one plant err together, but not wholly: the logarithms of the bounds are 0.8 of those

@@ -17,7 +17,7 @@ enum class ColumnDoubt : std::uint8_t {
   notNumbers,  // a coordinate of the first point is none
   otherNames,  // a first line names as many columns, but not x, y and z
   twoPlaces,   // colors may be in columns 4 to 6 or 5 to 7
-  withoutName, // there are more columns than could be told apart
+  withoutName, // there are more columns than could be named
 };
 
 /// How the points of a text file are laid out.

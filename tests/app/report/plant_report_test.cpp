@@ -55,6 +55,14 @@ TEST(PlantReport, ShowsAllOfOnePlant) {
   EXPECT_TRUE(textOf(sectionOf(report, "Wood")).contains("1.3 m"));
 }
 
+TEST(PlantReport, SaysBetweenWhichBoundsTheVolumeLies) {
+  PlantReportData made = data();
+  EXPECT_FALSE(htmlOf(plantReport(made, {}, about())).contains("in 90 of 100 cases"));
+  made.measures.volume = VolumeInterval{0.0123, 0.0456};
+  EXPECT_TRUE(htmlOf(plantReport(made, {}, about()))
+                  .contains("0.0123 to 0.0456 in 90 of 100 cases, as radii err"));
+}
+
 TEST(PlantReport, HoldsTheNumbersOfTheJson) {
   const PlantReportData made = data();
   const Report report = plantReport(made, {}, about());

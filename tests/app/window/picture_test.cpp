@@ -29,10 +29,20 @@ TEST_F(PictureTest, IsWhatTheViewShows) {
   save(path("seen.png"));
   EXPECT_EQ(proposed_, QStringList(path("fork.png")));
   const QImage picture(path("seen.png"));
-  const QSize size = 2 * view().size() * view().devicePixelRatio();
+  const double pixelRatio = 2 * view().devicePixelRatio();
+  const QSize size = view().size() * pixelRatio;
   EXPECT_EQ(picture.size(), size);
   EXPECT_EQ(picture.convertToFormat(QImage::Format_RGB32),
-            view().picture(size).convertToFormat(QImage::Format_RGB32));
+            view().picture(size, pixelRatio).convertToFormat(QImage::Format_RGB32));
+}
+
+TEST_F(PictureTest, HasTextsAsLargeAsTheViewHas) {
+  open({writeFork("fork.mtg")});
+  save(path("seen.png"));
+  const QSize size = view().size() * 2 * view().devicePixelRatio();
+  EXPECT_NE(QImage(path("seen.png")).convertToFormat(QImage::Format_RGB32),
+            view().picture(size).convertToFormat(QImage::Format_RGB32))
+      << "drawn for a screen of that many pixels, all is half as large";
 }
 
 TEST_F(PictureTest, OfAnotherFormatIsRefused) {

@@ -30,7 +30,8 @@ Eigen::Matrix3Xf contractedAdaptively(const Eigen::Matrix3Xf& points,
                                                  .least = options.leastRadius,
                                                  .most = options.mostRadius,
                                                  .curve = options.curve,
-                                                 .range = options.densityRange},
+                                                 .measure = options.densityMeasure,
+                                                 .levels = options.densityLevels},
                                                 progress.part(0.2, 0.3));
   const bool isStretched = options.along != 1 || options.across != 1;
   std::vector<Orientation> directions;

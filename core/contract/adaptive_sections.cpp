@@ -21,7 +21,8 @@ Eigen::Matrix3Xf contractedToSections(const Eigen::Matrix3Xf& points,
                                                  .least = options.leastRadius,
                                                  .most = options.mostRadius,
                                                  .curve = options.curve,
-                                                 .range = options.densityRange},
+                                                 .measure = options.densityMeasure,
+                                                 .levels = options.densityLevels},
                                                 progress.part(0.2, 0.3));
   const std::vector<Orientation> directions = orientations(
       points, graph, static_cast<float>(options.orientationRadius), progress.part(0.3, 0.6));

@@ -21,7 +21,8 @@ struct AdaptiveSectionOptions {
   Length width = spacings(1.6);             // [L], > 0: half of the thickness of a section
   Length orientationRadius = heights(0.01); // [L] along the plant: where its direction is measured
   bool fitsCircles = true;                  // for wood seen from one side
-  std::optional<DensityRange> densityRange = {}; // of the scan that the points are a part of
+  DensityMeasure densityMeasure = DensityMeasure::range;
+  std::optional<DensityLevels> densityLevels = {}; // of the scan that the points are a part of
 };
 
 /// Contracts a cloud towards the axes of the plant: each point moves to the middle of the

@@ -13,8 +13,8 @@ std::vector<float> densityRadii(const NeighborhoodGraph& graph, const DensityRad
                                 const Progress& progress) {
   const std::vector<float> densities =
       radiusDensities(graph, static_cast<float>(options.densityRadius), progress);
-  std::vector<float> radii = options.range ? normalizedDensities(densities, *options.range)
-                                           : normalizedDensities(densities);
+  std::vector<float> radii = options.levels ? normalizedDensities(densities, *options.levels)
+                                            : normalizedDensities(densities, options.measure);
   for (float& value : radii)
     value = static_cast<float>(radiusOfDensity(value, options));
   return radii;

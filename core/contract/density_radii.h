@@ -11,11 +11,12 @@ namespace espalier {
 
 /// How wide a contraction looks at each point.
 struct DensityRadiusOptions {
-  double densityRadius = 0;               // [L] along the plant, > 0: where points are counted
-  double least = 0;                       // [L], > 0: where they lie thinnest
-  double most = 0;                        // [L], >= least: where they lie densest
-  double curve = 1;                       // exponent of the normalized density between the two, > 0
-  std::optional<DensityRange> range = {}; // of the scan that these points are a part of
+  double densityRadius = 0; // [L] along the plant, > 0: where points are counted
+  double least = 0;         // [L], > 0: where they lie thinnest
+  double most = 0;          // [L], >= least: where they lie densest
+  double curve = 1;         // exponent of the normalized density between the two, > 0
+  DensityMeasure measure = DensityMeasure::range;
+  std::optional<DensityLevels> levels = {}; // of the scan that these points are a part of
 };
 
 /// The radius for one normalized density [L].

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cstddef>
+#include <iterator>
 
 namespace espalier {
 
@@ -38,28 +40,58 @@ std::vector<float> nearestDensities(const SpatialIndex& points, int count,
   return densities;
 }
 
-DensityRange rangeOf(const std::vector<float>& densities) {
-  assert(!densities.empty());
-  std::vector<float> partly = densities; // sorted
-  const auto rest = static_cast<std::ptrdiff_t>((densities.size() - 1) / 100);
-  const auto most = partly.end() - 1 - rest;
-  std::ranges::nth_element(partly, most);
-  std::nth_element(partly.begin(), partly.begin() + rest, most);
-  return {.least = partly[static_cast<std::size_t>(rest)], .most = *most};
+namespace {
+
+/// Between two of them, by steps of which there are `steps` from the first to the last.
+float densityAt(const std::vector<float>& sorted, std::size_t step, std::size_t steps) {
+  const std::size_t last = sorted.size() - 1;
+  const std::size_t place = step * last / steps;
+  const auto rest = static_cast<float>(step * last % steps) / static_cast<float>(steps);
+  return rest > 0 ? sorted[place] + rest * (sorted[place + 1] - sorted[place]) : sorted[place];
 }
 
-std::vector<float> normalizedDensities(const std::vector<float>& densities,
-                                       const DensityRange& range) {
-  std::vector<float> result(densities.size(), 0.5F);
-  if (!(range.most > range.least)) return result;
-  for (std::size_t i = 0; i < result.size(); ++i)
-    result[i] = std::clamp((densities[i] - range.least) / (range.most - range.least), 0.0F, 1.0F);
+/// In [0, 1]; the middle of levels that are the same.
+float placeAmong(const std::vector<float>& levels, float density) {
+  const auto [from, to] = std::ranges::equal_range(levels, density);
+  const auto before = static_cast<float>(from - levels.begin());
+  const auto last = static_cast<float>(levels.size() - 1);
+  if (from != to) return (before + static_cast<float>(to - from - 1) / 2) / last;
+  if (from == levels.begin()) return 0;
+  if (from == levels.end()) return 1;
+  const float lower = *std::prev(from);
+  return (before - 1 + (density - lower) / (*from - lower)) / last;
+}
+
+} // namespace
+
+DensityLevels levelsOf(const std::vector<float>& densities, DensityMeasure measure) {
+  assert(!densities.empty());
+  std::vector<float> sorted = densities;
+  std::ranges::sort(sorted);
+  if (measure == DensityMeasure::range) {
+    const std::size_t rest = (sorted.size() - 1) / 100;
+    return {{sorted[rest], sorted[sorted.size() - 1 - rest]}};
+  }
+  constexpr std::size_t steps = 256;
+  DensityLevels result;
+  for (std::size_t step = 0; step <= steps; ++step)
+    result.levels.push_back(densityAt(sorted, step, steps));
   return result;
 }
 
-std::vector<float> normalizedDensities(const std::vector<float>& densities) {
+std::vector<float> normalizedDensities(const std::vector<float>& densities,
+                                       const DensityLevels& levels) {
+  std::vector<float> result(densities.size(), 0.5F);
+  if (!(levels.levels.back() > levels.levels.front())) return result;
+  for (std::size_t i = 0; i < result.size(); ++i)
+    result[i] = placeAmong(levels.levels, densities[i]);
+  return result;
+}
+
+std::vector<float> normalizedDensities(const std::vector<float>& densities,
+                                       DensityMeasure measure) {
   if (densities.empty()) return {};
-  return normalizedDensities(densities, rangeOf(densities));
+  return normalizedDensities(densities, levelsOf(densities, measure));
 }
 
 } // namespace espalier

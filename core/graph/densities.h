@@ -23,20 +23,27 @@ namespace espalier {
 [[nodiscard]] std::vector<float> nearestDensities(const SpatialIndex& points, int count,
                                                   const Progress& progress = {});
 
-/// What counts as thin and as dense.
-struct DensityRange {
-  float least = 0;
-  float most = 0;
+/// How densities are normalized.
+enum class DensityMeasure {
+  range, // by their place between the first percentile, 0, and the last, 1: single dense spots
+         // squeeze nobody
+  rank   // by the share of the points that lie thinner: half of them are below 0.5
 };
 
-/// From the first percentile to the last: single dense spots squeeze nobody. pre: not empty
-[[nodiscard]] DensityRange rangeOf(const std::vector<float>& densities);
+/// Densities that count as 0, as 1, and evenly between, ascending; two and more.
+struct DensityLevels {
+  std::vector<float> levels;
+};
 
-/// Densities from 0, at the start of the range and below, to 1, at its end and above. 0.5
-/// everywhere if these are the same.
+/// pre: not empty. Time O(N log N)
+[[nodiscard]] DensityLevels levelsOf(const std::vector<float>& densities, DensityMeasure measure);
+
+/// Densities from 0, at the first level and below, to 1, at the last and above. 0.5 everywhere if
+/// these are the same.
 [[nodiscard]] std::vector<float> normalizedDensities(const std::vector<float>& densities,
-                                                     const DensityRange& range);
-/// The same in their own range.
-[[nodiscard]] std::vector<float> normalizedDensities(const std::vector<float>& densities);
+                                                     const DensityLevels& levels);
+/// The same by their own levels.
+[[nodiscard]] std::vector<float> normalizedDensities(const std::vector<float>& densities,
+                                                     DensityMeasure measure);
 
 } // namespace espalier

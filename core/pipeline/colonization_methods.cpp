@@ -31,19 +31,36 @@ Option killOption() {
                 "spurs."));
 }
 
+Option clusteredOption() {
+  Option option = optionOf<OptionKind::choice>(
+      "clustered", Shown::tr("What is clustered"), 0, 0,
+      Shown::tr("Directions lead from the node to its points; orientations are how the wood runs "
+                "at each of these, as in the thesis."));
+  option.choices = {{"directions", Shown::tr("Directions")},
+                    {"orientations", Shown::tr("Orientations")}};
+  return option;
+}
+
+/// Options of a method whose steps follow the density.
+template <class Options> struct ByDensity : Options {
+  DensityMeasure measure = DensityMeasure::range;
+};
+
 /// Those of the places that a skeleton is made of.
-std::vector<float> placeDensities(const PipelineState& state, const Progress& progress) {
-  return scannedDensities(*scannedIndex(state, keptPlaces(state), progress), progress);
+std::vector<float> placeDensities(const PipelineState& state, DensityMeasure measure,
+                                  const Progress& progress) {
+  return scannedDensities(*scannedIndex(state, keptPlaces(state), progress), measure, progress);
 }
 
 } // namespace
 
 Method graphColonizationMethod() {
-  using Options = GraphColonizationOptions;
+  using Options = ByDensity<GraphColonizationOptions>;
   OptionTable<Options> table;
   table.add(linksOverGapsOption(), &Options::neighbors, &PointLinks::count);
   table.add(leastStepOption(), &Options::leastStep);
   table.add(greatestStepOption(), &Options::greatestStep);
+  table.add(densityMeasureOption(), &Options::measure);
   table.add(
       ratioOption(
           "junction_share", Shown::tr("Junction share"), 0, 1,
@@ -61,19 +78,22 @@ Method graphColonizationMethod() {
           .source = "PlantScan3D, after C. Preuksakarn, PhD thesis, Montpellier 2, 2012",
           .options = table.descriptions(),
           .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
-            const std::vector<float> densities = placeDensities(state, progress.part(0, 0.2));
+            const Options options = table.with(values);
+            const std::vector<float> densities =
+                placeDensities(state, options.measure, progress.part(0, 0.2));
             reconstructKept(state, [&](const Eigen::Matrix3Xf& points, Eigen::Index root) {
-              return skeletonByGraphColonization(points, densities, root, table.with(values),
+              return skeletonByGraphColonization(points, densities, root, options,
                                                  progress.part(0.2, 1));
             });
           }};
 }
 
 Method pointTrackingMethod() {
-  using Options = PointTrackingOptions;
+  using Options = ByDensity<PointTrackingOptions>;
   OptionTable<Options> table;
   table.add(leastStepOption(), &Options::leastStep);
   table.add(greatestStepOption(), &Options::greatestStep);
+  table.add(densityMeasureOption(), &Options::measure);
   table.add(reachOption(), &Options::reach);
   table.add(killOption(), &Options::kill);
   table.add(
@@ -91,6 +111,7 @@ Method pointTrackingMethod() {
                 Shown::tr("Where points are denser than this share of the densest, directions are "
                           "clustered instead of sorted by cones; 1 is nowhere.")),
             &Options::clusterDensity);
+  table.add(clusteredOption(), &Options::clustered);
   table.add(thickWoodOption(), &Options::thickWood);
   table.add(widestGapOption(), &Options::widestGap);
   return {
@@ -103,30 +124,36 @@ Method pointTrackingMethod() {
       .options = table.descriptions(),
       .run =
           [table](PipelineState& state, const Values& values, const Progress& progress) {
-            const std::vector<float> densities = placeDensities(state, progress.part(0, 0.2));
+            const Options options = table.with(values);
+            const std::vector<float> densities =
+                placeDensities(state, options.measure, progress.part(0, 0.2));
             reconstructKept(state, [&](const Eigen::Matrix3Xf& points, Eigen::Index root) {
-              return skeletonByPointTracking(points, densities, root, table.with(values),
+              return skeletonByPointTracking(points, densities, root, options,
                                              progress.part(0.2, 1));
             });
           },
       .probe =
           [table](const Values& values) {
             const Options options = table.with(values);
-            return MethodProbe{
-                .cones = ConeProbe{.angle = options.coneAngle, .length = [options](double density) {
-                                     const double step =
-                                         options.leastStep +
-                                         density * (options.greatestStep - options.leastStep);
-                                     return options.reach * step;
-                                   }}};
+            return MethodProbe{.cones = ConeProbe{.angle = options.coneAngle,
+                                                  .length =
+                                                      [options](double density) {
+                                                        const double step =
+                                                            options.leastStep +
+                                                            density * (options.greatestStep -
+                                                                       options.leastStep);
+                                                        return options.reach * step;
+                                                      },
+                                                  .measure = options.measure}};
           }};
 }
 
 Method spaceColonizationMethod() {
-  using Options = SpaceColonizationOptions;
+  using Options = ByDensity<SpaceColonizationOptions>;
   OptionTable<Options> table;
   table.add(leastStepOption(), &Options::leastStep);
   table.add(greatestStepOption(), &Options::greatestStep);
+  table.add(densityMeasureOption(), &Options::measure);
   table.add(reachOption(), &Options::reach);
   table.add(killOption(), &Options::kill);
   table.add(thickWoodOption(), &Options::thickWood);
@@ -140,10 +167,12 @@ Method spaceColonizationMethod() {
           .options = table.descriptions(),
           .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
             const auto scanned = scannedIndex(state, keptPlaces(state), progress);
-            const std::vector<float> densities = scannedDensities(*scanned, progress.part(0, 0.2));
+            const Options options = table.with(values);
+            const std::vector<float> densities =
+                scannedDensities(*scanned, options.measure, progress.part(0, 0.2));
             const bool isAsScanned = state.contracted.get() == &state.cloud->positions();
             reconstructKept(state, [&](const Eigen::Matrix3Xf& points, Eigen::Index root) {
-              return skeletonBySpaceColonization(points, densities, root, table.with(values),
+              return skeletonBySpaceColonization(points, densities, root, options,
                                                  progress.part(0.2, 1),
                                                  isAsScanned ? scanned.get() : nullptr);
             });

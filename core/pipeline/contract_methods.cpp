@@ -105,6 +105,7 @@ template <class Options> void addAdaptive(OptionTable<Options>& table) {
                         Shown::tr("Exponent of the density between the two radii: above 1, only "
                                   "the densest wood gets a great one.")),
             &Options::curve);
+  table.add(densityMeasureOption(), &Options::densityMeasure);
   table.add(contractLength("orientation_radius", Shown::tr("Orientation radius"),
                            Shown::tr("Distance along the plant within which its direction is "
                                      "measured; about three radii of the wood.")),
@@ -117,7 +118,8 @@ template <class Options> MethodProbe adaptiveProbe(const Options& options) {
   return {.links = options.neighbors,
           .reach = std::max<double>({options.densityRadius, options.leastRadius, options.mostRadius,
                                      options.orientationRadius}),
-          .density = DensityValues{options.neighbors, options.densityRadius},
+          .density =
+              DensityValues{options.neighbors, options.densityRadius, options.densityMeasure},
           .radius = [radii](float density) { return radiusOfDensity(density, radii); },
           .orientationRadius = options.orientationRadius};
 }
@@ -147,7 +149,7 @@ Method adaptiveGeodesicMethod() {
       table,
       [](const auto& points, Options options, const PipelineState& state,
          const Progress& progress) {
-        options.densityRange = state.densityRange;
+        options.densityLevels = state.densityLevels;
         return contractedAdaptively(points, options, progress);
       },
       [](const Options& options) {
@@ -187,7 +189,7 @@ Method adaptiveSectionsMethod() {
       table,
       [](const auto& points, Options options, const PipelineState& state,
          const Progress& progress) {
-        options.densityRange = state.densityRange;
+        options.densityLevels = state.densityLevels;
         return contractedToSections(points, options, progress);
       },
       [](const Options& options) {

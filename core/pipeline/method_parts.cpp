@@ -44,6 +44,17 @@ Option linkKindOption() {
   return option;
 }
 
+Option densityMeasureOption() {
+  Option option = optionOf<OptionKind::choice>(
+      "densities", Shown::tr("Densities"), 0, 0,
+      Shown::tr(
+          "By range, a density counts by its place between the thinnest and the densest; by "
+          "rank, by the share of the points that lie thinner, so that few dense places do not "
+          "make all others thin."));
+  option.choices = {{"range", Shown::tr("By range")}, {"rank", Shown::tr("By rank")}};
+  return option;
+}
+
 Option widestGapOption() {
   return lengthOption(
       "widest_gap", Shown::tr("Widest gap"), 0, 10000,
@@ -116,9 +127,10 @@ void reconstructKept(
   state.setSkeleton(std::move(local));
 }
 
-std::vector<float> scannedDensities(const SpatialIndex& scanned, const Progress& progress) {
+std::vector<float> scannedDensities(const SpatialIndex& scanned, DensityMeasure measure,
+                                    const Progress& progress) {
   constexpr int nearest = 16; // as PlantScan3D has it
-  return normalizedDensities(nearestDensities(scanned, nearest, progress));
+  return normalizedDensities(nearestDensities(scanned, nearest, progress), measure);
 }
 
 std::shared_ptr<const SpatialIndex> scannedIndex(const PipelineState& state,

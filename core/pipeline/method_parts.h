@@ -20,6 +20,7 @@ using Values = std::vector<double>;
 linksOption(const char* help = Shown::tr("Links per point along which distances are measured."));
 [[nodiscard]] Option linksOverGapsOption(); // of methods of the skeleton
 [[nodiscard]] Option linkKindOption();
+[[nodiscard]] Option densityMeasureOption();
 [[nodiscard]] Option widestGapOption();
 [[nodiscard]] Option thickWoodOption();
 [[nodiscard]] Option coverageOption(); // of cylinder fits
@@ -51,7 +52,7 @@ void reconstructKept(
 /// Normalized densities of points as they were scanned, in [0, 1]: contraction, which heaps points
 /// up, does not count.
 [[nodiscard]] std::vector<float> scannedDensities(const SpatialIndex& scanned,
-                                                  const Progress& progress);
+                                                  DensityMeasure measure, const Progress& progress);
 
 /// An index of these points as they were scanned: that of the whole scan, if it is at hand and they
 /// are all of it.

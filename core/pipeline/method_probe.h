@@ -2,6 +2,7 @@
 
 #include "core/base/spatial_index.h"
 #include "core/contract/circle_center.h"
+#include "core/graph/densities.h"
 #include "core/graph/neighborhood_graph.h"
 #include "core/graph/orientations.h"
 
@@ -30,6 +31,7 @@ struct SeenFrom {
 struct DensityValues {
   PointLinks neighbors = 0; // of each point
   double radius = 0;        // [L]
+  DensityMeasure measure = DensityMeasure::range;
   bool operator==(const DensityValues&) const = default;
 };
 
@@ -37,6 +39,7 @@ struct DensityValues {
 struct ConeProbe {
   double angle = 0;                             // full opening [rad]
   std::function<double(double density)> length; // [L], at a normalized density
+  DensityMeasure measure = DensityMeasure::range;
 };
 
 /// How a method looks at the plant, with the values of its options: what can be drawn at a point,

@@ -54,11 +54,13 @@ struct MethodSights::Prepared {
     const std::optional<DensityValues>& followed = contraction.density;
     if (cones || !followed)
       densities =
-          scannedDensities(*scannedIndex(smoothed, columns, progress), progress.part(0.4, 0.7));
+          scannedDensities(*scannedIndex(smoothed, columns, progress),
+                           cones ? cones->measure : DensityMeasure::range, progress.part(0.4, 0.7));
     if (cones) coneDensities = densities;
     if (followed)
       densities = normalizedDensities(
-          radiusDensities(graph, static_cast<float>(followed->radius), progress.part(0.7, 1)));
+          radiusDensities(graph, static_cast<float>(followed->radius), progress.part(0.7, 1)),
+          followed->measure);
   }
 
   [[nodiscard]] SeenPoints seen() const { return {points, graph, index}; }

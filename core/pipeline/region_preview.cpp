@@ -54,7 +54,7 @@ struct RegionPreviewer::Whole {
   std::mutex mutex;      // of all below
   std::unique_ptr<const SpatialIndex> index;
   Recent<Cleaning, Cleaned> cleaned;
-  Recent<DensityKey, DensityRange> ranges;
+  Recent<DensityKey, DensityLevels> levels;
   std::shared_ptr<const std::vector<float>> distanceToRoot; // by point; infinite if set aside
 
   const SpatialIndex& indexed(const Progress& progress) {
@@ -90,20 +90,21 @@ struct RegionPreviewer::Whole {
   }
 
   /// None for methods that do not follow densities.
-  std::optional<DensityRange> densityRange(const Smoothing& smoothing, const Cleaned& left,
-                                           const ChosenMethod& contraction,
-                                           const Progress& progress) {
+  std::optional<DensityLevels> densityLevels(const Smoothing& smoothing, const Cleaned& left,
+                                             const ChosenMethod& contraction,
+                                             const Progress& progress) {
     const std::optional<DensityValues> used = contraction.probe().density;
     if (!used) return std::nullopt;
     const DensityKey key{smoothing, *used};
     const std::scoped_lock lock(mutex);
-    if (const DensityRange* known = ranges.find(key)) return *known;
+    if (const DensityLevels* known = levels.find(key)) return *known;
     PipelineState state = firstState(cloud, leftOut);
     state.isLeftOut = *left.isLeftOut;
     state.made = StepResult::cleaned;
     runSteps(stepsBetween(StepResult::cleaned, StepResult::smoothed, smoothing, left.scale), state,
              progress.part(0, 0.5));
-    return ranges.keep(key, rangeOf(countedDensities(state, *used, progress.part(0.5, 1))));
+    return levels.keep(
+        key, levelsOf(countedDensities(state, *used, progress.part(0.5, 1)), used->measure));
   }
 
   /// Along links between the points that were not set aside, over the shortest of the gaps.
@@ -185,8 +186,8 @@ struct RegionPreviewer::Regions {
     Region region =
         around(whole, ball, marginOf(reach, ball, scale.spacing), *left.isLeftOut, progress);
     region.state.extent.scale = scale; // of what cleaning leaves
-    region.state.densityRange = whole.densityRange(whole.upTo(StepResult::smoothed, options), left,
-                                                   contraction, progress.part(0.2, 0.3));
+    region.state.densityLevels = whole.densityLevels(whole.upTo(StepResult::smoothed, options),
+                                                     left, contraction, progress.part(0.2, 0.3));
     if (region.columns.size() >= 2) {
       if (contraction.method->seesRoot) region.state.root = nearestToRoot(whole, region, progress);
       runSteps(moving, region.state, progress.part(0.3, 1));

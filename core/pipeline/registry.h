@@ -44,7 +44,7 @@ struct PipelineState {
   /// Of all points of the cloud, if it is at hand: see scannedIndex.
   std::shared_ptr<const SpatialIndex> index = {};
   /// Of the whole scan, if this is a part of one: for contractions that follow densities.
-  std::optional<DensityRange> densityRange = {};
+  std::optional<DensityLevels> densityLevels = {};
   /// What the last step has to say of its result: sentences without a full stop.
   std::vector<std::string> notes = {};
   Eigen::Index newlyLeftOut = 0; // points that the last step left out

@@ -26,7 +26,7 @@ std::optional<std::vector<float>> densitiesUsed(const std::shared_ptr<const Poin
            state, progress.part(0.3, 0.4));
   const auto used = chosenFor(contractionStep(), options, state.extent.scale).probe().density;
   const std::vector<float> densities =
-      normalizedDensities(countedDensities(state, *used, progress.part(0.4, 1)));
+      normalizedDensities(countedDensities(state, *used, progress.part(0.4, 1)), used->measure);
   std::vector<float> byPoint(static_cast<std::size_t>(cloud->size()),
                              std::numeric_limits<float>::quiet_NaN());
   std::size_t next = 0;

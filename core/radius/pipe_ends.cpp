@@ -54,7 +54,7 @@ Skeleton alone(const Skeleton& skeleton, const std::vector<Place>& chain) {
 std::optional<double> tipRadius(const Skeleton& skeleton, const std::vector<double>& carried,
                                 const std::vector<MeasuredRadius>& wood) {
   constexpr double mostCarried = 3;
-  constexpr double share = 0.05;
+  constexpr double share = 0.01;
   std::vector<double> radii;
   for (const NodeId id : skeleton.ids())
     if (carried[indexOf(id)] <= mostCarried && wood[indexOf(id)].radius > 0)

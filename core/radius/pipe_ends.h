@@ -41,9 +41,9 @@ inline constexpr double publishedPipe = 2.9;
 
 /// The radii at both ends of a node-count pipe model, over many nodes each.
 ///
-/// Tip: the radius that a twentieth of the outermost wood, of nodes that carry at most 3, is
-/// thinner than. A skeleton beside the axis, needles and leaves only add to what thin wood
-/// measures.
+/// Tip: the radius that a hundredth of the outermost wood, of nodes that carry at most 3, is
+/// thinner than. A skeleton beside the axis, needles, leaves and twigs that were not found only add
+/// to what thin wood measures.
 /// Foot: what the median of the exponents leads to that go through the tip and each radius of the
 /// lowest wood. An exponent of under 1/5 or over 1 is of no plant: it is 0.33 to 0.37 in published
 /// structures, 0.25 to 0.53 in grown plants, and from 1/3 to 1/2 by Murray's law and da Vinci's
@@ -55,11 +55,10 @@ inline constexpr double publishedPipe = 2.9;
 /// @param otherwise radius of the tips if nothing is known [L], >= 0
 /// @return finite radii, that of the apex at most that of the root
 /// Deterministic. Time O(n).
-/// Chosen on 12 grown plants and 3 structures, each bare and in leaf: with the settings of the
-/// thesis, the means of the median errors of radii are 0.11, 0.20, 0.10 and 0.30; with a tenth
-/// instead of a twentieth 0.17, 0.30, 0.18, 0.42, with the exponent of published structures alone
-/// 0.28, 0.29, 0.34, 0.38. Thin radii that are corrected first (knownRadii) bring the medians of
-/// espalier_accuracy from 0.098 to 0.092, 0.167 to 0.151 and, of bare structures, 0.056 to 0.049.
+/// Chosen on grown plants (12) and structures (9), each bare and in leaf: with the settings of the
+/// thesis, the means of the median errors of radii are 0.131, 0.153, 0.117 and 0.146, all else by
+/// default 0.089, 0.125, 0.111 and 0.123; with a twentieth instead of a hundredth 0.133, 0.190,
+/// 0.084 and 0.199, and 0.091, 0.138, 0.077 and 0.154. Thin radii are corrected first (knownRadii).
 [[nodiscard]] PipeEnds pipeEnds(const Skeleton& skeleton, const std::vector<double>& lowest,
                                 const std::vector<MeasuredRadius>& wood, double otherwise);
 

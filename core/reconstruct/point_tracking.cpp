@@ -1,6 +1,8 @@
 #include "core/reconstruct/point_tracking.h"
 
 #include "core/base/parallel.h"
+#include "core/graph/neighborhood_graph.h"
+#include "core/graph/orientations.h"
 #include "core/reconstruct/attractors.h"
 #include "core/reconstruct/direction_clusters.h"
 #include "core/reconstruct/direction_cones.h"
@@ -23,8 +25,10 @@ struct View {
 
 class Tracker {
 public:
-  Tracker(Attractors& attractors, const PointTrackingOptions& options)
-      : attractors_(attractors), options_(options), cones_(options.coneAngle),
+  /// @param wood  how it runs, by point; empty: directions to the points are clustered
+  Tracker(Attractors& attractors, const std::vector<Orientation>& wood,
+          const PointTrackingOptions& options)
+      : attractors_(attractors), wood_(wood), options_(options), cones_(options.coneAngle),
         tree_(attractors, {options.leastStep, options.greatestStep}, options.kill, options.reach) {}
 
   Skeleton grow(const Eigen::Vector3d& root, Eigen::Index points, const Progress& progress) {
@@ -74,12 +78,21 @@ private:
                                                                const View& view) const {
     const bool areEnough = view.points.size() >= fewestForClusters;
     if (areEnough && tree_.density(node) > options_.clusterDensity) {
-      std::vector<Eigen::Vector3d> ahead = view.directions; // as the cones look ahead only
-      for (Eigen::Vector3d& direction : ahead)
-        if (direction.dot(headings_[node].along) <= 0) direction.setZero();
+      std::vector<Eigen::Vector3d> ahead(view.points.size()); // as the cones look ahead only
+      for (std::size_t i = 0; i < ahead.size(); ++i)
+        ahead[i] = view.directions[i].dot(headings_[node].along) > 0 ? clusteredOf(view, i)
+                                                                     : Eigen::Vector3d::Zero();
       return directionClusters(ahead);
     }
     return cones_.groups(headings_[node], view.directions);
+  }
+
+  /// The wood at a point runs away from the node.
+  [[nodiscard]] Eigen::Vector3d clusteredOf(const View& view, std::size_t i) const {
+    const Eigen::Vector3d& direction = view.directions[i];
+    if (wood_.empty()) return direction;
+    const Eigen::Vector3d along = wood_[view.points[i]].direction.cast<double>();
+    return along.dot(direction) < 0 ? Eigen::Vector3d(-along) : along;
   }
 
   [[nodiscard]] std::vector<GrowingTree::Shoot> shootsOf(std::uint32_t node) const {
@@ -111,11 +124,20 @@ private:
   }
 
   Attractors& attractors_;
+  const std::vector<Orientation>& wood_;
   const PointTrackingOptions& options_;
   DirectionCones cones_;
   GrowingTree tree_;
   std::vector<Heading> headings_; // by node
 };
+
+std::vector<Orientation> woodAt(const Eigen::Matrix3Xf& points, const PointTrackingOptions& options,
+                                const Progress& progress) {
+  if (options.clustered == ClusteredDirections::toPoints) return {};
+  constexpr int neighbors = 7; // as contractions have it
+  const NeighborhoodGraph graph(points, neighbors, progress.part(0, 0.5));
+  return orientations(points, graph, static_cast<float>(options.leastStep), progress.part(0.5, 1));
+}
 
 } // namespace
 
@@ -127,9 +149,10 @@ Skeleton skeletonByPointTracking(const Eigen::Matrix3Xf& points,
       progress.part(0, 0.2));
   const SpatialIndex index(drawn, progress);
   Attractors attractors(drawn, index, densities);
-  Tracker tracker(attractors, options);
+  const std::vector<Orientation> wood = woodAt(drawn, options, progress.part(0.2, 0.3));
+  Tracker tracker(attractors, wood, options);
   Skeleton skeleton =
-      tracker.grow(drawn.col(root).cast<double>(), drawn.cols(), progress.part(0.2, 0.9));
+      tracker.grow(drawn.col(root).cast<double>(), drawn.cols(), progress.part(0.3, 0.9));
   requireHalf(attractors.reached(), drawn.cols());
   return withMeanDistances(std::move(skeleton), points, progress.part(0.9, 1));
 }

@@ -11,6 +11,10 @@
 
 namespace espalier {
 
+/// What is clustered where points are dense: directions from a node to its points, or how the wood
+/// runs at each of these (core/graph/orientations.h), within the least step along the plant.
+enum class ClusteredDirections { toPoints, ofWood };
+
 struct PointTrackingOptions {
   Length leastStep = spacings(5);          // [L] between nodes where points are sparsest, > 0
   Length greatestStep = spacings(6);       // [L] where they are densest, >= leastStep
@@ -22,6 +26,7 @@ struct PointTrackingOptions {
   Length widestGap = 0;        // [L] parts of the plant farther apart are not joined; 0 = join all
   double clusterDensity = 0.5; // in [0, 1]: where points are denser, directions are clustered; 1 =
                                // nowhere
+  ClusteredDirections clustered = ClusteredDirections::toPoints;
 };
 
 /// Skeleton of a plant by tracking its points from the root up, as the thesis does.

@@ -75,7 +75,8 @@ std::vector<float> distribution(Distributed kind, const Outcome& outcome, const 
   case Distributed::densities: {
     const NeighborhoodGraph graph(points, links, progress);
     return normalizedDensities(
-        radiusDensities(graph, static_cast<float>(densityReach * spacing), progress));
+        radiusDensities(graph, static_cast<float>(densityReach * spacing), progress),
+        DensityMeasure::range);
   }
   case Distributed::directions: {
     const NeighborhoodGraph graph(points, links, progress);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 #include <numeric>
 
@@ -54,15 +55,40 @@ TEST(NormalizedDensities, RunFromZeroToOneWhateverTheExtremesAre) {
   std::vector<float> densities(1000);
   std::iota(densities.begin(), densities.end(), 0.0F);
   densities.back() = 1e9F; // one outlier
-  const std::vector<float> normalized = normalizedDensities(densities);
+  const std::vector<float> normalized = normalizedDensities(densities, DensityMeasure::range);
   EXPECT_EQ(normalized.front(), 0);
   EXPECT_EQ(normalized.back(), 1);
   EXPECT_NEAR(normalized[500], 0.5, 0.01);
 }
 
+TEST(NormalizedDensities, ByRankAreTheShareOfThePointsThatLieThinner) {
+  constexpr std::size_t count = 2001;
+  std::vector<float> densities(count);
+  for (std::size_t i = 0; i < count; ++i)
+    densities[i] = std::exp(0.01F * static_cast<float>(i)); // few are dense, most thin
+  EXPECT_LT(normalizedDensities(densities, DensityMeasure::range)[count / 2], 0.001F);
+  const std::vector<float> ranks = normalizedDensities(densities, DensityMeasure::rank);
+  for (std::size_t i = 0; i < count; ++i)
+    EXPECT_NEAR(ranks[i], static_cast<float>(i) / (count - 1), 0.002) << i;
+}
+
+TEST(NormalizedDensities, OfAPartAreThoseItHasInTheWhole) {
+  std::vector<float> densities(1000);
+  std::iota(densities.begin(), densities.end(), 0.0F);
+  const std::vector<float> part(densities.begin() + 700, densities.begin() + 800);
+  for (const DensityMeasure measure : {DensityMeasure::range, DensityMeasure::rank}) {
+    const std::vector<float> whole = normalizedDensities(densities, measure);
+    EXPECT_EQ(normalizedDensities(part, levelsOf(densities, measure)),
+              (std::vector<float>(whole.begin() + 700, whole.begin() + 800)));
+  }
+}
+
 TEST(NormalizedDensities, AreAHalfWhereAllAreTheSame) {
-  EXPECT_EQ(normalizedDensities({3, 3, 3}), (std::vector<float>{0.5F, 0.5F, 0.5F}));
-  EXPECT_TRUE(normalizedDensities({}).empty());
+  for (const DensityMeasure measure : {DensityMeasure::range, DensityMeasure::rank}) {
+    EXPECT_EQ(normalizedDensities({3, 3, 3}, measure), (std::vector<float>{0.5F, 0.5F, 0.5F}));
+    EXPECT_TRUE(normalizedDensities({}, measure).empty());
+  }
+  EXPECT_EQ(normalizedDensities({1, 2, 2, 2, 3}, DensityMeasure::rank)[2], 0.5F);
 }
 
 TEST(Densities, StopWhenAsked) {

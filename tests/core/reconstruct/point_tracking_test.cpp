@@ -124,6 +124,21 @@ TEST(PointTracking, FindsASideBranchAtARightAngle) {
   EXPECT_GT(farthest, 0.85);
 }
 
+// From the root, four upright rods lie in four directions; their wood runs in one.
+TEST(PointTracking, ClustersDirectionsToPointsOrThoseOfTheWood) {
+  Eigen::Matrix3Xf rods = Eigen::Vector3f::Zero(); // the root
+  for (const Eigen::Vector3d& side : {Eigen::Vector3d(0.1, 0, 0), Eigen::Vector3d(-0.1, 0, 0),
+                                      Eigen::Vector3d(0, 0.1, 0), Eigen::Vector3d(0, -0.1, 0)})
+    rods = test::both(rods, lineOfPoints(side, side + Eigen::Vector3d(0, 0, 1)));
+  PointTrackingOptions options = trackingOptions;
+  options.clusterDensity = 0;
+  const Skeleton toPoints = trackedSkeleton(rods, 0.5F, options);
+  EXPECT_EQ(toPoints.children(toPoints.roots().front()).size(), 4U);
+  options.clustered = ClusteredDirections::ofWood;
+  const Skeleton ofWood = trackedSkeleton(rods, 0.5F, options);
+  EXPECT_EQ(ofWood.children(ofWood.roots().front()).size(), 1U);
+}
+
 TEST(PointTracking, GrowsIntoNoConeOfFewPoints) {
   Eigen::Matrix3Xf few(3, 2); // in the shell of the node at 0.5, far off the lineOfPoints
   few << 0.13F, 0.13F, 0, 0, 0.58F, 0.59F;

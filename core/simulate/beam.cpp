@@ -110,7 +110,7 @@ std::optional<Echo> echoOf(const ScanScene& scene, const Vector3d& station, doub
   const double fall = options.distance * scene.extent / (options.distance * scene.extent + range);
   const double intensity = 2.5 * facing * fall * fall * (1 + 0.05 * random.normal());
   return Echo{station + range * ray.direction, static_cast<float>(std::clamp(intensity, 0.0, 1.0)),
-              found->node};
+              found->node, found->organ};
 }
 
 } // namespace espalier

@@ -45,6 +45,7 @@ struct Echo {
   Eigen::Vector3d position;   // [L]
   float intensity = 0;        // in [0, 1]
   std::optional<NodeId> node; // whose edge it lies on; none: foliage
+  Organ organ = Organ::wood;
 };
 
 /// What comes back of the beam sent to this azimuth and elevation, if anything does.

@@ -16,6 +16,7 @@ using Eigen::Vector3d;
 using std::numbers::pi;
 
 constexpr double degrees = pi / 180;
+constexpr double petioleShare = 0.7; // of the radius of the thinnest wood
 
 /// Wood that may bear organs.
 struct Stretch : Frustum {
@@ -31,6 +32,15 @@ void check(const OrganHabit& habit, const char* what) {
   require(habit.width >= 0 && habit.width <= 1, "a width of 0 to 1 extent of the plant");
   require(habit.angle >= 0 && habit.angle <= pi, "an angle of 0 to 180 degrees");
   require(habit.reach >= 0 && habit.reach <= 1e300, "a reach of 0 or more");
+}
+
+void checkLeaves(const Foliage& foliage) {
+  if (!(foliage.petiole >= 0 && foliage.petiole <= 10))
+    throw Error("petioles: expected a length of 0 to 10 blades");
+  if (foliage.leaflets < 0 || foliage.leaflets > 100)
+    throw Error("leaflets: expected 0 to 100 pairs");
+  if (!(foliage.droop >= 0 && foliage.droop <= 4))
+    throw Error("leaves: expected a droop of 0 to 4");
 }
 
 /// By id [L].
@@ -131,6 +141,61 @@ private:
   int count_ = 0;
 };
 
+/// A leaf as it grows out of wood.
+struct Leaf {
+  Vector3d base;      // [L]
+  Vector3d direction; // unit
+  Vector3d side;      // unit, across
+  double length = 0;  // [L], of its blade
+  double half = 0;    // [L], of its width
+};
+
+/// A blade of one flat piece, or of pieces that bend to the ground.
+void addBlade(Organs& organs, const Leaf& leaf, double droop, Organ organ) {
+  if (!(droop > 0)) {
+    organs.blades.push_back({.base = leaf.base,
+                             .along = leaf.length * leaf.direction,
+                             .half = leaf.half * leaf.side,
+                             .organ = organ});
+    return;
+  }
+  constexpr int pieces = 8;
+  const Vector3d side = leaf.direction.cross(Vector3d::UnitZ()).norm() > 1e-6
+                            ? Vector3d(leaf.direction.cross(Vector3d::UnitZ()).normalized())
+                            : leaf.side;
+  Vector3d base = leaf.base;
+  for (int i = 0; i < pieces; ++i) {
+    const double turned =
+        std::min(droop * (i + 0.5) / pieces, std::acos(std::clamp(-leaf.direction.z(), -1.0, 1.0)));
+    const Vector3d along =
+        leaf.length / pieces * (Eigen::AngleAxisd(-turned, side) * leaf.direction);
+    organs.blades.push_back({.base = base,
+                             .along = along,
+                             .half = leaf.half * side,
+                             .atBase = i == 0 ? 0.5 : 1,
+                             .atTip = i + 1 == pieces ? 0.0 : 1.0,
+                             .organ = organ});
+    base += along;
+  }
+}
+
+/// Pairs of leaflets along a petiole, and one at its end.
+void addLeaflets(Organs& organs, const Leaf& leaf, double stalk, const Foliage& foliage) {
+  const Vector3d normal = leaf.direction.cross(leaf.side);
+  for (int i = 1; i <= foliage.leaflets; ++i)
+    for (const double sign : {-1.0, 1.0}) {
+      const Vector3d direction = (0.5 * leaf.direction + sign * leaf.side).normalized();
+      addBlade(organs,
+               {.base = leaf.base - stalk * (1 - static_cast<double>(i) / (foliage.leaflets + 1)) *
+                                        leaf.direction,
+                .direction = direction,
+                .side = normal.cross(direction),
+                .length = 0.7 * leaf.length,
+                .half = 0.7 * leaf.half},
+               foliage.droop, Organ::blade);
+    }
+}
+
 double thinnestOf(const std::vector<Stretch>& wood) {
   double thinnest = std::numeric_limits<double>::infinity();
   for (const Stretch& stretch : wood)
@@ -150,7 +215,8 @@ Foliage foliageOf(Architecture architecture, double density) {
                        .length = 0.011,
                        .width = 0.0005,
                        .angle = 45 * degrees,
-                       .reach = 0.12}};
+                       .reach = 0.12},
+            .areNeedles = true};
   case Architecture::broadleaf:
   case Architecture::shrub:
     return {.shortShoots = {.spacing = every(0.015),
@@ -181,8 +247,10 @@ std::optional<WoodHit> hit(const Blade& blade, const Ray& ray) {
   const Vector3d place = ray.origin + range * ray.direction - blade.base;
   const double along = place.dot(blade.along) / blade.along.squaredNorm();
   const double across = std::abs(place.dot(blade.half)) / blade.half.squaredNorm();
-  if (across > 1 - std::abs(2 * along - 1)) return std::nullopt;
-  return WoodHit{range, facing < 0 ? normal : Vector3d(-normal), {}};
+  if (along < 0 || along > 1) return std::nullopt;
+  const double end = along < 0.5 ? blade.atBase : blade.atTip;
+  if (across > 1 - (1 - end) * std::abs(2 * along - 1)) return std::nullopt;
+  return WoodHit{range, facing < 0 ? normal : Vector3d(-normal), {}, blade.organ};
 }
 
 Eigen::AlignedBox3d boundsOf(const Blade& blade) {
@@ -191,27 +259,42 @@ Eigen::AlignedBox3d boundsOf(const Blade& blade) {
   box.extend(blade.base + blade.along);
   box.extend(middle + blade.half);
   box.extend(middle - blade.half);
+  for (const double sign : {-1.0, 1.0}) {
+    box.extend(blade.base + sign * blade.atBase * blade.half);
+    box.extend(blade.base + blade.along + sign * blade.atTip * blade.half);
+  }
   return box;
 }
 
 Organs organsOf(const Skeleton& plant, const Foliage& foliage, double extent, std::uint64_t seed) {
   check(foliage.shortShoots, "short shoots");
   check(foliage.blades, "needles and leaves");
+  checkLeaves(foliage);
   std::vector<Stretch> wood = stretchesOf(plant);
   const double thinnest = thinnestOf(wood);
   Strewing strewing(extent, seed);
   Organs organs;
   strewing.over(wood, foliage.shortShoots, [&](const Place& place) {
     const Vector3d tip = place.center + (place.radius + place.length) * place.direction;
-    organs.shortShoots.push_back({place.center, tip, thinnest, thinnest, {}});
+    organs.shortShoots.push_back({place.center, tip, thinnest, thinnest, {}, Organ::wood});
   });
   for (const EdgeSolid& shoot : organs.shortShoots)
     wood.push_back({shoot, 0});
   strewing.over(wood, foliage.blades, [&](const Place& place) {
-    organs.blades.push_back(
-        {.base = place.center + place.radius * place.outward,
-         .along = place.length * place.direction,
-         .half = 0.5 * foliage.blades.width * extent * strewing.across(place.direction)});
+    Leaf leaf{.base = place.center + place.radius * place.outward,
+              .direction = place.direction,
+              .side = strewing.across(place.direction),
+              .length = place.length,
+              .half = 0.5 * foliage.blades.width * extent};
+    const double stalk = foliage.petiole * place.length;
+    if (stalk > 0) {
+      const Vector3d end = leaf.base + stalk * leaf.direction;
+      const double radius = petioleShare * thinnest;
+      organs.petioles.push_back({leaf.base, end, radius, radius, {}, Organ::petiole});
+      leaf.base = end;
+      addLeaflets(organs, leaf, stalk, foliage);
+    }
+    addBlade(organs, leaf, foliage.droop, foliage.areNeedles ? Organ::needle : Organ::blade);
   });
   return organs;
 }

@@ -25,8 +25,12 @@ struct OrganHabit {
 
 /// What stands on the shoots of a plant and is in its scan, but no part of its structure.
 struct Foliage {
-  OrganHabit shortShoots = {}; // rods, as thick as the thinnest wood; they bear blades, too
+  OrganHabit shortShoots = {}; // rods, as thick as the thinnest wood; they bear leaves, too
   OrganHabit blades = {};      // needles and leaves, flat
+  bool areNeedles = false;
+  double petiole = 0; // of a leaf, in lengths of its blade, in [0, 10]; 0: its blade stands on wood
+  int leaflets = 0;   // pairs along the petiole of a compound leaf, in [0, 100]
+  double droop = 0;   // how far a long blade bends to the ground along its length [rad], in [0, 4]
 };
 
 /// Foliage as a kind of plant bears it: needles on conifers; on trees and shrubs short shoots and
@@ -34,11 +38,14 @@ struct Foliage {
 /// @param density  times as many organs, >= 0; 0: none
 [[nodiscard]] Foliage foliageOf(Architecture architecture, double density = 1);
 
-/// A needle or a leaf: a flat lozenge.
+/// A needle or a leaf, or a part of a long one: flat, widest at the middle of its length.
 struct Blade {
-  Eigen::Vector3d base;  // [L], on the wood
+  Eigen::Vector3d base;  // [L], on what bears it
   Eigen::Vector3d along; // [L], from there to its tip
   Eigen::Vector3d half;  // [L], across, from its middle line to its edge where it is widest
+  double atBase = 0;     // how wide it is there, of its widest; a leaf by itself is a lozenge
+  double atTip = 0;
+  Organ organ = Organ::blade;
 };
 
 /// Where a ray meets a blade, from either side.
@@ -48,6 +55,7 @@ struct Blade {
 
 struct Organs {
   std::vector<EdgeSolid> shortShoots; // of no node
+  std::vector<EdgeSolid> petioles;    // likewise
   std::vector<Blade> blades;
 };
 

@@ -183,7 +183,7 @@ std::vector<StationEcho> echoesOf(const ScanScene& scene, const std::vector<Scan
           if (const auto echo = echoOf(scene, window.station, azimuth, elevation, step,
                                        CountedRandom(seed, number)))
             found[static_cast<std::size_t>(i)].push_back(
-                {{echo->position + window.shift, echo->intensity, echo->node},
+                {{echo->position + window.shift, echo->intensity, echo->node, echo->organ},
                  static_cast<StationIndex>(w)});
         }
       },
@@ -206,6 +206,7 @@ void addStrays(SimulatedScan& scan, double share, Eigen::AlignedBox3d bounds, Ra
     scan.points.positions.push_back(place);
     scan.points.intensities.push_back(static_cast<float>(0.3 * random.uniform()));
     scan.nodes.emplace_back();
+    scan.organs.push_back(Organ::wood);
     scan.stationOf.push_back(
         static_cast<StationIndex>(scan.stationOf.size() % scan.stations.size())); // in turn
   }
@@ -225,6 +226,7 @@ SimulatedScan scan(const Skeleton& plant, const ScannerOptions& options, std::ui
   std::vector<LeafClump> clumps = clumpsIn(pieces, extent, options, random);
   Organs organs = organsOf(plant, options.foliage, extent, seed + 3);
   pieces.insert(pieces.end(), organs.shortShoots.begin(), organs.shortShoots.end());
+  pieces.insert(pieces.end(), organs.petioles.begin(), organs.petioles.end());
   const WoodIndex wood(std::move(pieces));
   result.blades = organs.blades;
   const PieceTree<Blade> blades(std::move(organs.blades));
@@ -243,6 +245,7 @@ SimulatedScan scan(const Skeleton& plant, const ScannerOptions& options, std::ui
     result.points.positions.push_back(echo.position);
     result.points.intensities.push_back(echo.intensity);
     result.nodes.push_back(echo.node);
+    result.organs.push_back(echo.organ);
     result.stationOf.push_back(station);
   }
   addStrays(result, options.strayShare, bounds, random);

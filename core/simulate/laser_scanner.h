@@ -18,6 +18,7 @@ struct SimulatedScan {
   RawPoints points; // frame of the plant; intensities in [0, 1]
   /// Per point: whose edge it lies on; none if that is foliage, or if it is stray.
   std::vector<std::optional<NodeId>> nodes;
+  std::vector<Organ> organs;             // per point; that of a stray one means nothing
   std::vector<Eigen::Vector3d> stations; // [L], where the scanner stood; none if it did not
   std::vector<StationIndex> stationOf;   // per point: from which of them; none without stations
   double angularStep = 0;                // between beams [rad], 0 without stations

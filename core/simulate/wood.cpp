@@ -51,7 +51,7 @@ std::optional<WoodHit> hitFrustum(const EdgeSolid& solid, const Ray& ray) {
     if (result && result->range <= range) continue;
     const Eigen::Vector3d across = start + t * ray.direction - height * stance.axis;
     const Eigen::Vector3d normal = normalAt(stance, across);
-    if (normal.dot(ray.direction) < 0) result = WoodHit{range, normal, solid.node};
+    if (normal.dot(ray.direction) < 0) result = WoodHit{range, normal, solid.node, solid.organ};
   }
   return result;
 }
@@ -64,7 +64,7 @@ std::optional<WoodHit> hitBall(const EdgeSolid& solid, const Ray& ray) {
   const double depth = std::sqrt(inside);
   const double range = nearest - depth;
   if (!(range > 0)) return std::nullopt;
-  return WoodHit{range, (across - depth * ray.direction).normalized(), solid.node};
+  return WoodHit{range, (across - depth * ray.direction).normalized(), solid.node, solid.organ};
 }
 
 [[noreturn]] void refuse(NodeId id, const char* what) {
@@ -81,7 +81,7 @@ std::vector<EdgeSolid> woodOf(const Skeleton& plant) {
     if (!node.parent) continue;
     if (!(node.radius > 0) || !std::isfinite(node.radius))
       refuse(id, "it has no radius; give the plant radii first");
-    wood.push_back({*frustumOf(plant, id), id});
+    wood.push_back({*frustumOf(plant, id), id, Organ::wood});
   }
   return wood;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/cloud/organ.h"
 #include "core/skeleton/frustum.h"
 
 #include <Eigen/Core>
@@ -12,7 +13,8 @@ namespace espalier {
 
 /// The solid of one edge: its frustum, closed by a ball at the upper end.
 struct EdgeSolid : Frustum {
-  std::optional<NodeId> node; // the upper end; none: of a short shoot
+  std::optional<NodeId> node; // the upper end; none: of a short shoot or a petiole
+  Organ organ = Organ::wood;
 };
 
 struct Ray {
@@ -24,6 +26,7 @@ struct WoodHit {
   double range = 0;           // [L] along the ray, > 0
   Eigen::Vector3d normal;     // unit, out of the wood
   std::optional<NodeId> node; // whose edge was hit, if any
+  Organ organ = Organ::wood;
 };
 
 /// The solid that a skeleton with radii stands for, edge by edge, parents first. The first edge of

@@ -120,6 +120,81 @@ TEST(Foliage, OfOptionsOutOfRangeIsRefused) {
   EXPECT_THROW(grow({.spacing = 1e-9}), Error);
 }
 
+TEST(Foliage, OnPetiolesStandsAwayFromTheWood) {
+  Foliage foliage{.blades = {.spacing = 0.05, .length = 0.02, .width = 0.01, .reach = 1}};
+  foliage.petiole = 2;
+  const Organs organs = organsOf(test::stick(11, 0.1), foliage, 1, 8);
+  ASSERT_FALSE(organs.blades.empty());
+  ASSERT_EQ(organs.petioles.size(), organs.blades.size());
+  for (std::size_t i = 0; i < organs.blades.size(); ++i) {
+    EXPECT_EQ(organs.blades[i].base, organs.petioles[i].to);
+    EXPECT_NEAR(organs.petioles[i].length(), 2 * organs.blades[i].along.norm(), 1e-12);
+    EXPECT_EQ(organs.petioles[i].organ, Organ::petiole);
+    EXPECT_FALSE(organs.petioles[i].node);
+  }
+}
+
+TEST(Foliage, OfCompoundLeavesHasPairsOfLeafletsAlongThePetiole) {
+  Foliage foliage{.blades = {.spacing = 0.2, .length = 0.02, .width = 0.01, .reach = 1}};
+  foliage.petiole = 3;
+  foliage.leaflets = 2;
+  const Organs organs = organsOf(test::stick(11, 0.1), foliage, 1, 8);
+  ASSERT_FALSE(organs.petioles.empty());
+  ASSERT_EQ(organs.blades.size(), 5 * organs.petioles.size());
+  for (std::size_t i = 0; i < organs.blades.size(); ++i) {
+    const EdgeSolid& stalk = organs.petioles[i / 5];
+    const double along =
+        (organs.blades[i].base - stalk.from).dot((stalk.to - stalk.from).normalized());
+    const std::size_t pair = i % 5 / 2 + 1; // of 3 places along it, the last at its end
+    EXPECT_NEAR(along / stalk.length(), static_cast<double>(pair) / 3, 1e-9);
+  }
+}
+
+TEST(Foliage, ThatDroopsBendsToTheGroundInPiecesThatMeet) {
+  Foliage foliage{.blades = {.spacing = 0.5, .length = 0.5, .width = 0.02, .reach = 1}};
+  foliage.droop = 1.5;
+  const Organs organs = organsOf(test::stick(11, 0.1), foliage, 1, 9);
+  ASSERT_FALSE(organs.blades.empty());
+  int bent = 0;
+  for (std::size_t i = 1; i < organs.blades.size(); ++i) {
+    const Blade& before = organs.blades[i - 1];
+    if (before.atTip == 0) continue; // the last of a leaf
+    EXPECT_LT((before.base + before.along - organs.blades[i].base).norm(), 1e-12);
+    EXPECT_LT(organs.blades[i].along.normalized().z(), before.along.normalized().z() + 1e-12);
+    ++bent;
+  }
+  EXPECT_GE(bent, 7);
+}
+
+TEST(Foliage, OfLeavesOutOfRangeIsRefused) {
+  const auto grow = [](double petiole, int leaflets, double droop) {
+    Foliage foliage{.blades = {.spacing = 0.1}};
+    foliage.petiole = petiole;
+    foliage.leaflets = leaflets;
+    foliage.droop = droop;
+    static_cast<void>(organsOf(test::stick(3), foliage, 1, 1));
+  };
+  EXPECT_NO_THROW(grow(1, 2, 1));
+  EXPECT_THROW(grow(-1, 0, 0), Error);
+  EXPECT_THROW(grow(std::nan(""), 0, 0), Error);
+  EXPECT_THROW(grow(1, -1, 0), Error);
+  EXPECT_THROW(grow(1, 101, 0), Error);
+  EXPECT_THROW(grow(1, 0, 5), Error);
+}
+
+// A strip 2 long and 1 wide.
+TEST(Blade, MayBeAsWideAtItsEndsAsAtItsMiddle) {
+  const Blade strip{
+      .base = {0, 0, 0}, .along = {2, 0, 0}, .half = {0, 0.5, 0}, .atBase = 1, .atTip = 1};
+  EXPECT_TRUE(hit(strip, {{0.05, 0.4, 3}, -Vector3d::UnitZ()}));
+  EXPECT_TRUE(hit(strip, {{1.95, -0.4, 3}, -Vector3d::UnitZ()}));
+  EXPECT_FALSE(hit(strip, {{1, 0.6, 3}, -Vector3d::UnitZ()}));
+  EXPECT_FALSE(hit(strip, {{-0.01, 0, 3}, -Vector3d::UnitZ()}));
+  EXPECT_FALSE(hit(strip, {{2.01, 0, 3}, -Vector3d::UnitZ()}));
+  EXPECT_TRUE(boundsOf(strip).contains(Vector3d(0, 0.5, 0)));
+  EXPECT_TRUE(boundsOf(strip).contains(Vector3d(2, -0.5, 0)));
+}
+
 // A lozenge in the plane z = 0, 2 long and 1 wide.
 TEST(Blade, IsHitFromBothSidesWhereItIs) {
   const Blade blade{.base = {0, 0, 0}, .along = {2, 0, 0}, .half = {0, 0.5, 0}};
@@ -160,6 +235,16 @@ TEST(LaserScanner, SeesFoliageAroundTheWoodThatBearsIt) {
   const double extent = 4; // and somewhat over it: 1.3 needles on a short shoot of 1.3 lengths
   EXPECT_LT(*std::max_element(distances.begin(), distances.end()), 1.3 * 0.016 * 1.1 * extent);
   EXPECT_GT(*std::max_element(distances.begin(), distances.end()), 0.5 * 0.011 * extent);
+}
+
+TEST(LaserScanner, SaysWhatEachPointLiesOn) {
+  ScannerOptions options = idealScanner(10'000);
+  options.foliage = foliageOf(Architecture::conifer);
+  options.foliage.shortShoots.spacing = 0;
+  const SimulatedScan result = scan(pine(), options, 1);
+  ASSERT_EQ(result.organs.size(), result.points.positions.size());
+  for (std::size_t i = 0; i < result.organs.size(); ++i)
+    EXPECT_EQ(result.organs[i], result.nodes[i] ? Organ::wood : Organ::needle);
 }
 
 TEST(LaserScanner, SeesNoFoliageUnlessAskedTo) {

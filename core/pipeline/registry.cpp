@@ -43,6 +43,8 @@ const std::vector<Step>& pipelineSteps() {
       cleaningStep("plant", Shown::tr("Plant"), Shown::tr("Keeps one of several plants."),
                    plantMethods()),
       cleaningStep("thin", Shown::tr("Thin"), Shown::tr("Keeps fewer points."), thinMethods()),
+      cleaningStep("leaves", Shown::tr("Leaves"), Shown::tr("Leaves out leaves and needles."),
+                   leafMethods()),
       {.name = "clean",
        .label = Shown::tr("Clean"),
        .help = Shown::tr("Leaves out points that are no plant."),

@@ -1,0 +1,110 @@
+#include "core/clean/organs.h"
+#include "core/pipeline/clean_parts.h"
+#include "core/pipeline/methods.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace espalier {
+namespace {
+
+/// What is left out: the place of a choice.
+enum class LeftOutOrgans : std::uint8_t { foliage, blades, needles, all };
+
+struct LeafOptions {
+  LeftOutOrgans leaveOut = LeftOutOrgans::foliage;
+};
+
+bool isAmong(Organ organ, LeftOutOrgans organs) {
+  switch (organs) {
+  case LeftOutOrgans::foliage:
+    return organ == Organ::blade || organ == Organ::needle;
+  case LeftOutOrgans::blades:
+    return organ == Organ::blade;
+  case LeftOutOrgans::needles:
+    return organ == Organ::needle;
+  case LeftOutOrgans::all:
+    return organ != Organ::wood;
+  }
+  return false;
+}
+
+/// "of 1000 points, 62 % are of wood, 3 % of petioles, 35 % of blades".
+std::string sharesText(const std::vector<Organ>& organs) {
+  constexpr std::array names = {"wood", "petioles", "blades", "needles"};
+  std::string text = "of " + std::to_string(organs.size()) + " points";
+  const char* separator = ", ";
+  const char* verb = " % are of ";
+  for (const Organ organ : allOrgans) {
+    const double share = 100 * static_cast<double>(std::ranges::count(organs, organ)) /
+                         static_cast<double>(organs.size());
+    if (share < 0.5) continue;
+    text += separator + std::to_string(std::lround(share)) + verb +
+            names[static_cast<std::size_t>(organ)];
+    verb = " % of ";
+  }
+  return text;
+}
+
+std::optional<Eigen::Index> chosenRootAmong(const PipelineState& state,
+                                            const StandingPoints& standing) {
+  if (!state.chosenRoot) return std::nullopt;
+  return nearestPoint(standing.positions, standing.fromFile(*state.chosenRoot).cast<float>());
+}
+
+void leaveOutLeaves(PipelineState& state, LeftOutOrgans which, const Progress& progress) {
+  leaveOutFarPoints(state);
+  const StandingPoints standing = standingOf(state);
+  if (standing.columns.empty()) return;
+  const double spacing = pointSpacing(standing.positions, progress); // of these points alone
+  if (!(spacing > 0)) return;
+  const std::vector<Organ> organs =
+      organsAmong(standing.positions, chosenRootAmong(state, standing), spacing, progress).ofPoint;
+  state.notes.push_back(sharesText(organs));
+  std::vector<bool> isOut(organs.size());
+  for (std::size_t i = 0; i < organs.size(); ++i)
+    isOut[i] = isAmong(organs[i], which);
+  constexpr std::ptrdiff_t fewest = 20; // points that may still be a plant
+  if (std::ranges::count(isOut, false) < fewest) {
+    state.notes.emplace_back("no wood would be left: nothing is left out");
+    return;
+  }
+  leaveOut(state, standing.columns, isOut);
+}
+
+Method shapesMethod() {
+  OptionTable<LeafOptions> table;
+  Option which = optionOf<OptionKind::choice>(
+      "leave_out", Shown::tr("Leave out"), 0, 0,
+      Shown::tr("Which organs are left out. Stems of herbs and grasses count as wood."));
+  which.choices = {{"foliage", Shown::tr("Blades and needles")},
+                   {"blades", Shown::tr("Blades")},
+                   {"needles", Shown::tr("Needles")},
+                   {"all", Shown::tr("All but wood")}};
+  table.add(std::move(which), &LeafOptions::leaveOut);
+  return {.name = "shapes",
+          .label = Shown::tr("By shape"),
+          .help = Shown::tr(
+              "Classifies points as wood, petioles, blades and needles by the shapes around "
+              "each point and by the paths to the root, and leaves out leaves."),
+          .source = "shapes and paths as in M. B. Vicari et al., Methods Ecol. Evol. 10, 2019",
+          .options = table.descriptions(),
+          .seesRoot = true,
+          .seesUp = true,
+          .changesScale = true,
+          .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
+            leaveOutLeaves(state, table.with(values).leaveOut, progress);
+          }};
+}
+
+} // namespace
+
+std::vector<Method> leafMethods() {
+  return {noMethod(Shown::tr("Keeps leaves and needles.")), shapesMethod()};
+}
+
+} // namespace espalier

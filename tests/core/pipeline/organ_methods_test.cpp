@@ -1,0 +1,85 @@
+#include "core/base/random.h"
+#include "core/pipeline/cleaned_scan.h"
+#include "core/pipeline/cleaning.h"
+#include "core/pipeline/pipeline.h"
+#include "tests/support/leafy_plants.h"
+
+#include <gtest/gtest.h>
+
+#include <gmock/gmock.h>
+#include <memory>
+
+namespace espalier {
+namespace {
+
+using testing::HasSubstr;
+
+PipelineOptions withoutLeaves(const char* which) {
+  PipelineOptions options;
+  options.set("leaves.method=shapes");
+  options.set(std::string("leaves.leave_out=") + which);
+  return options;
+}
+
+/// Share of the points of an organ that the step leaves out.
+double shareLeftOut(const test::LabeledCloud& scan, const CleanedScan& cleaned, Organ organ) {
+  double all = 0, out = 0;
+  for (std::size_t i = 0; i < scan.organs.size(); ++i)
+    if (scan.organs[i] == organ) {
+      ++all;
+      out += cleaned.leftOut.contains(static_cast<Eigen::Index>(i));
+    }
+  return out / all;
+}
+
+TEST(LeavesStep, LeavesOutBladesAndKeepsStems) {
+  const test::LabeledCloud& herb = test::leafyHerb();
+  const auto cloud = std::make_shared<const PointCloud>(herb.cloud);
+  const CleanedScan without = cleanedScan(cloud, withoutLeaves("foliage"));
+  EXPECT_GT(shareLeftOut(herb, without, Organ::blade), 0.9);
+  EXPECT_LT(shareLeftOut(herb, without, Organ::wood), 0.1);
+  const CleanedScan needles = cleanedScan(cloud, withoutLeaves("needles"));
+  EXPECT_LT(shareLeftOut(herb, needles, Organ::blade), 0.1);
+}
+
+/// As the panel that cleans asks for it.
+TEST(LeavesStep, FindsTheSameByItself) {
+  const auto cloud = std::make_shared<const PointCloud>(test::leafyHerb().cloud);
+  const Step& step = stepNamed("leaves");
+  const PointSet found = leftOutBy(methodNamed(step, "shapes"), {0}, cloud, {});
+  PipelineOptions alone = withoutLeaves("foliage");
+  alone.set("clean.method=none");
+  EXPECT_EQ(found, cleanedScan(cloud, alone).leftOut);
+  EXPECT_GT(found.size(), 1000U);
+}
+
+TEST(LeavesStep, IsOffByDefault) {
+  const auto cloud = std::make_shared<const PointCloud>(test::leafyHerb().cloud);
+  for (const CleaningRecord& record : cleanedScan(cloud, {}).steps)
+    EXPECT_NE(record.step->name, "leaves");
+}
+
+TEST(LeavesStep, GivesTheSkeletonItsRootOnWood) {
+  const auto cloud = std::make_shared<const PointCloud>(test::hangingLeaf());
+  const Reconstruction result = Pipeline().run(cloud, withoutLeaves("foliage"));
+  const std::vector<NodeId> ids = result.skeleton->ids();
+  ASSERT_FALSE(ids.empty());
+  const Eigen::Vector3d root = (*result.skeleton)[ids.front()].position;
+  EXPECT_LT(root.head<2>().norm(), 0.03) << root.transpose();
+  EXPECT_LT(root.z(), 0.1);
+  EXPECT_GT(root.z(), -0.05);
+}
+
+TEST(LeavesStep, KeepsAllWhereItFindsNoWood) {
+  Random random(6);
+  RawPoints sheet; // one blade and nothing else
+  for (int i = 0; i < 4000; ++i)
+    sheet.positions.emplace_back(random.uniform(), random.uniform(), 0);
+  const auto cloud = std::make_shared<const PointCloud>(std::move(sheet));
+  const CleanedScan cleaned = cleanedScan(cloud, withoutLeaves("all"));
+  EXPECT_THAT(cleaned.steps.front().notes, testing::Contains(HasSubstr("nothing is left out")));
+  EXPECT_EQ(cleaned.steps.front().leftOut, 0);
+}
+
+} // namespace
+} // namespace espalier

@@ -10,8 +10,9 @@
 #include "core/surface/envelopes/convex_envelope.h"
 #include "core/surface/envelopes/enclosing_ball.h"
 #include "core/surface/envelopes/enclosing_ellipsoid.h"
-#include "core/surface/envelopes/extruded_hull.h"
-#include "core/surface/envelopes/skinned_hull.h"
+#include "core/surface/envelopes/extruded_handles.h"
+#include "core/surface/envelopes/simple_solid.h"
+#include "core/surface/envelopes/skinned_handles.h"
 #include "core/surface/envelopes/solids_of_revolution.h"
 
 #include <algorithm>
@@ -56,15 +57,36 @@ EnvelopeKind byFormula(EnvelopeKind kind) {
   return kind;
 }
 
-EnvelopeKind withHandles(EnvelopeKind kind, const std::vector<EnvelopeHandle>& handles) {
-  for (const EnvelopeHandle& handle : handles)
-    kind.handles.push_back(handle.name);
+/// A kind whose envelopes are solids or hulls that have handles.
+/// @param solidOf  the solid or hull that an envelope is
+template <class SolidOf>
+EnvelopeKind withHandles(EnvelopeKind kind, std::vector<std::string> names,
+                         const SolidOf& solidOf) {
+  kind.handles = std::move(names);
+  kind.handling = {
+      .handles = [solidOf](const Envelope& envelope) { return handlesOf(solidOf(envelope)); },
+      .draggedTo =
+          [solidOf](const Envelope& envelope, const std::string& handle,
+                    const Eigen::Vector3d& place) {
+            return draggedTo(solidOf(envelope), handle, place);
+          },
+      .dragged =
+          [solidOf](const Envelope& envelope, const HandlePlaces& places) {
+            return envelopeOf(withHandles(solidOf(envelope), places));
+          }};
   return kind;
 }
 
+std::vector<std::string> namesOf(const std::vector<EnvelopeHandle>& handles) {
+  std::vector<std::string> names;
+  for (const EnvelopeHandle& handle : handles)
+    names.push_back(handle.name);
+  return names;
+}
+
 EnvelopeKind asSolid(SimpleSolid::Kind solid, EnvelopeKind kind) {
-  kind.solid = solid;
-  return withHandles(byFormula(std::move(kind)), handlesOf(SimpleSolid{.kind = solid}));
+  return withHandles(byFormula(std::move(kind)), namesOf(handlesOf(SimpleSolid{.kind = solid})),
+                     [solid](const Envelope& envelope) { return simpleSolidOf(solid, envelope); });
 }
 
 std::vector<EnvelopeKind> solidKinds() {
@@ -121,12 +143,14 @@ EnvelopeKind extrudedKind() {
                        Shown::tr("Take the side profile along the length of the crown as seen from "
                                  "above, not across it.")),
             &Options::isAcross);
-  return kindOf({.name = "extruded",
-                 .label = Shown::tr("Extruded hull"),
-                 .help = Shown::tr("The outline from above, moved along the outline from the side "
-                                   "and scaled to it."),
-                 .source = "P. Birnbaum, 1997; F. Boudon, thesis, 2004, 2.1"},
-                table, extrudedHull);
+  return withHandles(
+      kindOf({.name = "extruded",
+              .label = Shown::tr("Extruded hull"),
+              .help = Shown::tr("The outline from above, moved along the outline from the side "
+                                "and scaled to it."),
+              .source = "P. Birnbaum, 1997; F. Boudon, thesis, 2004, 2.1"},
+             table, extrudedHull),
+      extrudedHandleNames(), extrudedHullOf);
 }
 
 EnvelopeKind skinnedKind() {
@@ -135,11 +159,13 @@ EnvelopeKind skinnedKind() {
   table.add(countOption("profiles", Shown::tr("Profiles"), 3, 72,
                         Shown::tr("How many upright profiles there are around the axis.")),
             &Options::profiles);
-  return kindOf({.name = "skinned",
-                 .label = Shown::tr("Skinned hull"),
-                 .help = Shown::tr("Upright profiles around an axis, with a skin drawn over them."),
-                 .source = "F. Boudon, thesis, 2004, 2.1"},
-                table, skinnedHull);
+  return withHandles(
+      kindOf({.name = "skinned",
+              .label = Shown::tr("Skinned hull"),
+              .help = Shown::tr("Upright profiles around an axis, with a skin drawn over them."),
+              .source = "F. Boudon, thesis, 2004, 2.1"},
+             table, skinnedHull),
+      skinnedHandleNames(), skinnedHullOf);
 }
 
 EnvelopeKind alphaKind() {
@@ -162,21 +188,23 @@ EnvelopeKind alphaKind() {
 }
 
 std::vector<EnvelopeKind> hullKinds() {
-  return {withHandles(byFormula(kindOf(
-                          {.name = "asymmetric",
-                           .label = Shown::tr("Asymmetric hull"),
-                           .help = Shown::tr("A crown by its top, its bottom, its widest places to "
-                                             "four sides and an exponent above and below."),
-                           .source = "A. Cescatti, 1997; F. Boudon, thesis, 2004, 2.1"},
-                          asymmetricEnvelope)),
-                      handlesOf(AsymmetricHull())),
-          extrudedKind(), skinnedKind(),
-          kindOf({.name = "convex",
-                  .label = Shown::tr("Convex hull"),
-                  .help = Shown::tr("The smallest body about all that is hollow nowhere."),
-                  .source = "C. B. Barber, D. P. Dobkin, H. Huhdanpaa, 1996 (Qhull)"},
-                 [](const Crown& crown, const Progress&) { return convexEnvelope(crown); }),
-          alphaKind()};
+  return {
+      withHandles(byFormula(kindOf(
+                      {.name = "asymmetric",
+                       .label = Shown::tr("Asymmetric hull"),
+                       .help = Shown::tr("A crown by its top, its bottom, its widest places to "
+                                         "four sides and an exponent above and below."),
+                       .source = "A. Cescatti, 1997; F. Boudon, thesis, 2004, 2.1"},
+                      asymmetricEnvelope)),
+                  namesOf(handlesOf(AsymmetricHull())),
+                  [](const Envelope& envelope) { return asymmetricHullOf(envelope.parameters); }),
+      extrudedKind(), skinnedKind(),
+      kindOf({.name = "convex",
+              .label = Shown::tr("Convex hull"),
+              .help = Shown::tr("The smallest body about all that is hollow nowhere."),
+              .source = "C. B. Barber, D. P. Dobkin, H. Huhdanpaa, 1996 (Qhull)"},
+             [](const Crown& crown, const Progress&) { return convexEnvelope(crown); }),
+      alphaKind()};
 }
 
 } // namespace
@@ -209,10 +237,7 @@ Envelope envelopeAbout(const Eigen::Matrix3Xd& points, UpAxis up, const Envelope
   const Crown crown =
       crownOf(turn * (points.colwise() - middle), values.front(), progress.part(0, 0.3));
   Envelope envelope = kind.fit(crown, values, progress.part(0.3, 1));
-  for (Eigen::Vector3d& corner : envelope.mesh.corners)
-    corner = turn.transpose() * corner + middle;
-  movePlaces(envelope.parameters, turn.transpose(), middle);
-  envelope.directions = turn.transpose() * envelope.directions;
+  moveEnvelope(envelope, turn.transpose(), middle);
   return envelope;
 }
 
@@ -220,9 +245,11 @@ namespace {
 
 /// The same with its numbers as of a plant that stands along z; its mesh is left out.
 Envelope upright(const Envelope& envelope, UpAxis up) {
-  Envelope turned{.mesh = {}, .parameters = envelope.parameters};
-  movePlaces(turned.parameters, turnUpright(up), Eigen::Vector3d::Zero());
-  turned.directions = turnUpright(up) * envelope.directions;
+  Envelope turned{.mesh = {},
+                  .parameters = envelope.parameters,
+                  .directions = envelope.directions,
+                  .profiles = envelope.profiles};
+  moveEnvelope(turned, turnUpright(up), Eigen::Vector3d::Zero());
   return turned;
 }
 
@@ -232,10 +259,7 @@ std::vector<EnvelopeHandle> envelopeHandles(const Envelope& envelope, UpAxis up,
                                             const EnvelopeKind& kind) {
   if (!kind.hasHandles()) return {};
   const Eigen::Matrix3d back = turnUpright(up).transpose();
-  const Envelope standing = upright(envelope, up);
-  std::vector<EnvelopeHandle> handles = kind.solid
-                                            ? handlesOf(simpleSolidOf(*kind.solid, standing))
-                                            : handlesOf(asymmetricHullOf(standing.parameters));
+  std::vector<EnvelopeHandle> handles = kind.handling.handles(upright(envelope, up));
   for (EnvelopeHandle& handle : handles) {
     handle.place = back * handle.place;
     handle.up = back * handle.up;
@@ -246,23 +270,13 @@ std::vector<EnvelopeHandle> envelopeHandles(const Envelope& envelope, UpAxis up,
 
 HandlePlace draggedTo(const Envelope& envelope, UpAxis up, const EnvelopeKind& kind,
                       const std::string& handle, const Eigen::Vector3d& place) {
-  const Envelope standing = upright(envelope, up);
-  const Eigen::Vector3d turned = turnUpright(up) * place;
-  return kind.solid ? draggedTo(simpleSolidOf(*kind.solid, standing), handle, turned)
-                    : draggedTo(asymmetricHullOf(standing.parameters), handle, turned);
+  return kind.handling.draggedTo(upright(envelope, up), handle, turnUpright(up) * place);
 }
 
 Envelope draggedEnvelope(const Envelope& fitted, UpAxis up, const EnvelopeKind& kind,
                          const HandlePlaces& places) {
-  const Eigen::Matrix3d back = turnUpright(up).transpose();
-  const Envelope standing = upright(fitted, up);
-  Envelope envelope = kind.solid
-                          ? envelopeOf(withHandles(simpleSolidOf(*kind.solid, standing), places))
-                          : envelopeOf(withHandles(asymmetricHullOf(standing.parameters), places));
-  for (Eigen::Vector3d& corner : envelope.mesh.corners)
-    corner = back * corner;
-  movePlaces(envelope.parameters, back, Eigen::Vector3d::Zero());
-  envelope.directions = back * envelope.directions;
+  Envelope envelope = kind.handling.dragged(upright(fitted, up), places);
+  moveEnvelope(envelope, turnUpright(up).transpose(), Eigen::Vector3d::Zero());
   return envelope;
 }
 

@@ -4,15 +4,23 @@
 #include "core/graph/find_root.h"
 #include "core/pipeline/registry.h"
 #include "core/surface/envelopes/envelope.h"
-#include "core/surface/envelopes/simple_solid.h"
+#include "core/surface/envelopes/envelope_handles.h"
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace espalier {
+
+/// How an envelope that stands along z is set by its handles: see handlesOf(), draggedTo() and
+/// withHandles() of the solid or hull that it is.
+struct EnvelopeHandling {
+  std::function<std::vector<EnvelopeHandle>(const Envelope&)> handles;
+  std::function<HandlePlace(const Envelope&, const std::string& handle, const Eigen::Vector3d&)>
+      draggedTo;
+  std::function<Envelope(const Envelope&, const HandlePlaces&)> dragged;
+};
 
 /// One kind of crown envelope.
 struct EnvelopeKind {
@@ -20,10 +28,9 @@ struct EnvelopeKind {
   Method form;
   /// `values`: one per option of the form, in order.
   std::function<Envelope(const Crown&, const std::vector<double>& values, const Progress&)> fit;
-  bool hasFormula = false; // for its volume
-  /// The solid that it is, to drag its handles; none: an asymmetric hull, or it has none.
-  std::optional<SimpleSolid::Kind> solid = {};
+  bool hasFormula = false;               // for its volume
   std::vector<std::string> handles = {}; // the names of what can be dragged
+  EnvelopeHandling handling = {};        // of a kind that has handles
 
   [[nodiscard]] bool hasHandles() const { return !handles.empty(); }
 };

@@ -211,6 +211,8 @@ void addPlace(std::vector<EnvelopeParameter>& parameters, const std::string& nam
   }
 }
 
+namespace {
+
 void movePlaces(std::vector<EnvelopeParameter>& parameters, const Eigen::Matrix3d& turn,
                 const Eigen::Vector3d& move) {
   for (std::size_t i = 0; i + 2 < parameters.size(); ++i) {
@@ -222,6 +224,20 @@ void movePlaces(std::vector<EnvelopeParameter>& parameters, const Eigen::Matrix3
       parameters[i + axis].value = moved[static_cast<Eigen::Index>(axis)];
     i += 2;
   }
+}
+
+} // namespace
+
+void moveEnvelope(Envelope& envelope, const Eigen::Matrix3d& turn, const Eigen::Vector3d& move) {
+  const auto moveAll = [&](std::vector<Eigen::Vector3d>& corners) {
+    for (Eigen::Vector3d& corner : corners)
+      corner = turn * corner + move;
+  };
+  moveAll(envelope.mesh.corners);
+  for (std::vector<Eigen::Vector3d>& profile : envelope.profiles)
+    moveAll(profile);
+  movePlaces(envelope.parameters, turn, move);
+  envelope.directions = turn * envelope.directions;
 }
 
 double shareInside(const SurfaceMesh& mesh, const Eigen::Matrix3Xd& points,

@@ -27,6 +27,8 @@ struct Envelope {
   double diameter = 0; // of a circle as large as its convex outline from above [L]
   /// Of an ellipsoid, where to its semi-axes lie: a column of length 1 for each.
   Eigen::Matrix3d directions = Eigen::Matrix3d::Identity();
+  /// Of an extruded or skinned hull, the lines that it is drawn by: corners in a row [L].
+  std::vector<std::vector<Eigen::Vector3d>> profiles = {};
 };
 
 /// Envelope with the numbers of its mesh.
@@ -42,9 +44,9 @@ void addPlace(std::vector<EnvelopeParameter>& parameters, const std::string& nam
 [[nodiscard]] Eigen::Vector3d placeOf(const std::vector<EnvelopeParameter>& parameters,
                                       const std::string& name);
 
-/// Turns and moves the places among parameters.
-void movePlaces(std::vector<EnvelopeParameter>& parameters, const Eigen::Matrix3d& turn,
-                const Eigen::Vector3d& move);
+/// Turns and moves the surface with its profiles, its directions and the places among its
+/// parameters; azimuths stay those of a plant that stands.
+void moveEnvelope(Envelope& envelope, const Eigen::Matrix3d& turn, const Eigen::Vector3d& move);
 
 /// Which share of the points lies inside a closed mesh, in [0, 1]: by rays straight up.
 /// @throws Cancelled if `progress` asks to stop

@@ -4,104 +4,146 @@
 #include "core/surface/envelopes/outline.h"
 #include "core/surface/envelopes/rings.h"
 
-#include <numbers>
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <set>
 
 namespace espalier {
 namespace {
 
-/// The crown from the side: from where to where it reaches along a level direction, by height.
-class SideProfile {
-public:
-  SideProfile(const Crown& crown, const Eigen::Vector2d& along) {
-    std::vector<Eigen::Vector2d> seen;
-    for (const auto& corner : crown.hull.corners.colwise())
-      seen.emplace_back(along.dot(corner.head<2>()), corner.z());
-    corners_ = planeHull(seen);
+double widthOf(const ProfileSection& section) {
+  return section.to - section.from;
+}
+
+/// From the left side of a convex outline to the right one, at a height it has.
+ProfileSection sectionAt(const std::vector<Eigen::Vector2d>& corners, double z) {
+  ProfileSection section{.z = z,
+                         .from = std::numeric_limits<double>::infinity(),
+                         .to = -std::numeric_limits<double>::infinity()};
+  const auto reach = [&](double x) {
+    section.from = std::min(section.from, x);
+    section.to = std::max(section.to, x);
+  };
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Eigen::Vector2d& a = corners[i];
+    const Eigen::Vector2d& b = corners[(i + 1) % corners.size()];
+    if (z < std::min(a.y(), b.y()) || z > std::max(a.y(), b.y())) continue;
+    const double share = a.y() == b.y() ? 0 : (z - a.y()) / (b.y() - a.y());
+    reach(a.x() + share * (b.x() - a.x()));
+    if (a.y() == b.y()) reach(b.x());
   }
+  return section;
+}
 
-  [[nodiscard]] const std::vector<Eigen::Vector2d>& corners() const { return corners_; }
+/// The crown from the side: from where to where it reaches along a level direction, wherever its
+/// convex outline bends.
+std::vector<ProfileSection> sideOf(const Crown& crown, const Eigen::Vector2d& along) {
+  std::vector<Eigen::Vector2d> seen;
+  for (const auto& corner : crown.hull.corners.colwise())
+    seen.emplace_back(along.dot(corner.head<2>()), corner.z());
+  const std::vector<Eigen::Vector2d> corners = planeHull(seen);
+  std::set<double> heights;
+  for (const Eigen::Vector2d& corner : corners)
+    heights.insert(corner.y());
+  std::vector<ProfileSection> sections;
+  for (const double z : heights)
+    sections.push_back(sectionAt(corners, z));
+  return sections;
+}
 
-  /// Ascending: where its sides bend.
-  [[nodiscard]] std::vector<double> heights() const {
-    std::set<double> all;
-    for (const Eigen::Vector2d& corner : corners_)
-      all.insert(corner.y());
-    return {all.begin(), all.end()};
+SurfaceMesh meshOf(const ExtrudedHull& hull) {
+  std::vector<Ring> rings;
+  for (const ProfileSection& section : hull.side) {
+    if (widthOf(section) <= 1e-9 * (hull.ahead + hull.behind)) continue;
+    Ring& ring = rings.emplace_back();
+    for (const Eigen::Vector2d& corner : hull.outline)
+      ring.push_back(placedIn(hull, section, corner));
   }
-
-  /// From the left side to the right one at a height it has.
-  [[nodiscard]] std::pair<double, double> at(double z) const {
-    double left = std::numeric_limits<double>::infinity();
-    double right = -left;
-    for (std::size_t i = 0; i < corners_.size(); ++i) {
-      const Eigen::Vector2d& a = corners_[i];
-      const Eigen::Vector2d& b = corners_[(i + 1) % corners_.size()];
-      if (z < std::min(a.y(), b.y()) || z > std::max(a.y(), b.y())) continue;
-      const double share = a.y() == b.y() ? 0 : (z - a.y()) / (b.y() - a.y());
-      for (const double x : {a.x() + share * (b.x() - a.x()),
-                             a.y() == b.y() ? b.x() : a.x() + share * (b.x() - a.x())}) {
-        left = std::min(left, x);
-        right = std::max(right, x);
-      }
-    }
-    return {left, right};
-  }
-
-private:
-  std::vector<Eigen::Vector2d> corners_; // along, z
-};
+  return meshOfRings(placedIn(hull, hull.side.front(), hull.middle), rings,
+                     placedIn(hull, hull.side.back(), hull.middle));
+}
 
 } // namespace
+
+Eigen::Vector3d placedIn(const ExtrudedHull& hull, const ProfileSection& section,
+                         const Eigen::Vector2d& place) {
+  const double scale = widthOf(section) / (hull.ahead + hull.behind);
+  const Eigen::Vector2d from = place - hull.middle;
+  const double ahead = hull.along.dot(from);
+  const Eigen::Vector2d across = from - ahead * hull.along;
+  const Eigen::Vector2d still = hull.middle - hull.along.dot(hull.middle) * hull.along;
+  const Eigen::Vector2d at =
+      still + scale * across + (section.from + scale * (ahead + hull.behind)) * hull.along;
+  return {at.x(), at.y(), section.z};
+}
+
+const ProfileSection& widestSection(const ExtrudedHull& hull) {
+  return *std::ranges::max_element(hull.side, {}, widthOf);
+}
+
+Envelope envelopeOf(const ExtrudedHull& hull) {
+  Envelope envelope = envelopeOf(meshOf(hull));
+  using Kind = EnvelopeParameter::Kind;
+  const auto count = [](std::size_t number) { return static_cast<double>(number); };
+  envelope.parameters = {
+      {"azimuth", "azimuth of the side profile", Kind::angle,
+       std::atan2(hull.along.y(), hull.along.x())},
+      {"outline_ahead", "outline ahead of its middle", Kind::length, hull.ahead},
+      {"outline_behind", "outline behind its middle", Kind::length, hull.behind},
+      {"outline_corners", "corners of the outline", Kind::number, count(hull.outline.size())},
+      {"profile_corners", "corners of the side profile", Kind::number,
+       count(2 * hull.side.size())}};
+  const double level = widestSection(hull).z;
+  addPlace(envelope.parameters, "outline_middle", "middle of the outline",
+           {hull.middle.x(), hull.middle.y(), level});
+  envelope.profiles.resize(2);
+  for (const Eigen::Vector2d& corner : hull.outline)
+    envelope.profiles[0].emplace_back(corner.x(), corner.y(), level);
+  const Eigen::Vector2d still = hull.middle - hull.along.dot(hull.middle) * hull.along;
+  for (const ProfileSection& section : hull.side)
+    for (const double x : {section.from, section.to}) {
+      const Eigen::Vector2d at = still + x * hull.along;
+      envelope.profiles[1].emplace_back(at.x(), at.y(), section.z);
+    }
+  return envelope;
+}
+
+ExtrudedHull extrudedHullOf(const Envelope& envelope) {
+  const double azimuth = valueOf(envelope.parameters, "azimuth");
+  ExtrudedHull hull{.along = {std::cos(azimuth), std::sin(azimuth)},
+                    .middle = placeOf(envelope.parameters, "outline_middle").head<2>(),
+                    .ahead = valueOf(envelope.parameters, "outline_ahead"),
+                    .behind = valueOf(envelope.parameters, "outline_behind")};
+  for (const Eigen::Vector3d& corner : envelope.profiles[0])
+    hull.outline.emplace_back(corner.head<2>());
+  const std::vector<Eigen::Vector3d>& side = envelope.profiles[1];
+  for (std::size_t i = 0; i + 1 < side.size(); i += 2)
+    hull.side.push_back({.z = side[i].z(),
+                         .from = hull.along.dot(side[i].head<2>()),
+                         .to = hull.along.dot(side[i + 1].head<2>())});
+  return hull;
+}
 
 Envelope extrudedHull(const Crown& crown, const ExtrudedHullOptions& options,
                       const Progress& progress) {
   const Outline outline = outlineOf(crown);
   Eigen::Vector2d along = boxAround(outline).along;
   if (options.isAcross) along = Eigen::Vector2d(-along.y(), along.x());
-  const SideProfile side(crown, along);
-  double left = std::numeric_limits<double>::infinity();
-  double right = -left;
+  ExtrudedHull hull{.along = along,
+                    .middle = outline.middle,
+                    .outline = outline.corners,
+                    .side = sideOf(crown, along)};
   for (const Eigen::Vector2d& corner : outline.corners) {
-    left = std::min(left, along.dot(corner));
-    right = std::max(right, along.dot(corner));
+    const double ahead = along.dot(corner - outline.middle);
+    hull.ahead = std::max(hull.ahead, ahead);
+    hull.behind = std::max(hull.behind, -ahead);
   }
-  // Level lines that the outline is moved along, so that its ends lie on the side profile.
-  const auto placed = [&](const Eigen::Vector2d& corner, double from, double to) {
-    const double scale = (to - from) / (right - left);
-    const Eigen::Vector2d across =
-        corner - along.dot(corner) * along - (outline.middle - along.dot(outline.middle) * along);
-    const Eigen::Vector2d still = outline.middle - along.dot(outline.middle) * along;
-    return Eigen::Vector2d(still + scale * across +
-                           (from + scale * (along.dot(corner) - left)) * along);
-  };
-  const std::vector<double> heights = side.heights();
-  std::vector<Ring> rings;
-  for (const double z : heights) {
-    progress.check();
-    const auto [from, to] = side.at(z);
-    if (to - from <= 1e-9 * (right - left)) continue;
-    Ring& ring = rings.emplace_back();
-    for (const Eigen::Vector2d& corner : outline.corners) {
-      const Eigen::Vector2d at = placed(corner, from, to);
-      ring.emplace_back(at.x(), at.y(), z);
-    }
-  }
-  const auto end = [&](double z) {
-    const auto [from, to] = side.at(z);
-    const Eigen::Vector2d at = placed(outline.middle, from, to);
-    return Eigen::Vector3d(at.x(), at.y(), z);
-  };
-  Envelope envelope = envelopeOf(meshOfRings(end(heights.front()), rings, end(heights.back())));
-  using Kind = EnvelopeParameter::Kind;
-  const auto count = [](std::size_t corners) { return static_cast<double>(corners); };
-  envelope.parameters = {
-      {"azimuth", "azimuth of the side profile", Kind::angle, std::atan2(along.y(), along.x())},
-      {"outline_corners", "corners of the outline", Kind::number, count(outline.corners.size())},
-      {"profile_corners", "corners of the side profile", Kind::number,
-       count(side.corners().size())},
-      {"inside", "share of the points inside", Kind::number,
-       shareInside(envelope.mesh, crown.points, progress)}};
+  progress.check();
+  Envelope envelope = envelopeOf(hull);
+  envelope.parameters.push_back({"inside", "share of the points inside",
+                                 EnvelopeParameter::Kind::number,
+                                 shareInside(envelope.mesh, crown.points, progress)});
   return envelope;
 }
 

@@ -13,7 +13,8 @@ namespace {
 
 constexpr double fullTurn = 2 * std::numbers::pi;
 
-using Profile = std::vector<Eigen::Vector2d>; // share of the reach, and z
+using Profile = SkinnedHull::Profile;
+static_assert(skinnedLevels == ringLevels - 1);
 
 double turnOf(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
@@ -45,6 +46,13 @@ std::pair<double, double> through(const ConvexHull& hull, const Eigen::Vector2d&
   return {low, high};
 }
 
+/// How many sectors there are from the middle of the first to an azimuth: in [0, count).
+double sectorsTo(double azimuth, double first, std::size_t count) {
+  const double turns = (azimuth - first) / fullTurn;
+  const double within = (turns - std::floor(turns)) * static_cast<double>(count);
+  return within < static_cast<double>(count) ? within : 0;
+}
+
 /// What the sectors around the axis hold.
 class Sectors {
 public:
@@ -62,9 +70,14 @@ public:
     }
   }
 
-  [[nodiscard]] const Eigen::Vector2d& middle() const { return outline_.middle; }
-  [[nodiscard]] const std::pair<double, double>& axis() const { return axis_; }
-  [[nodiscard]] double reachAt(double azimuth) const { return reach_.at(azimuth); }
+  /// What is drawn over profiles of these, none of which is there yet.
+  [[nodiscard]] SkinnedHull bare() const {
+    return {.middle = outline_.middle,
+            .axis = axis_,
+            .azimuth = first_,
+            .outline = outline_.corners,
+            .profiles = {}};
+  }
   [[nodiscard]] std::size_t count() const { return places_.size(); }
 
   /// Of a sector, with as many beside it as it takes to have some points.
@@ -77,29 +90,9 @@ public:
     return planeHull(places);
   }
 
-  /// Azimuths that the surface is drawn at: even, and where the outline has corners.
-  [[nodiscard]] std::vector<double> azimuths() const {
-    std::vector<double> all = reach_.cornerAzimuths();
-    for (int i = 0; i < ringCorners; ++i)
-      all.push_back(std::remainder(first_ + fullTurn * i / ringCorners, fullTurn));
-    std::ranges::sort(all);
-    std::vector<double> apart;
-    for (const double azimuth : all)
-      if (apart.empty() || azimuth - apart.back() > 1e-3) apart.push_back(azimuth);
-    if (apart.front() + fullTurn - apart.back() < 1e-3) apart.pop_back();
-    return apart;
-  }
-
-  /// In sectors, from the middle of the first: in [0, count).
-  [[nodiscard]] double sectorsTo(double azimuth) const {
-    const double turns = (azimuth - first_) / fullTurn;
-    const double within = (turns - std::floor(turns)) * static_cast<double>(count());
-    return within < static_cast<double>(count()) ? within : 0;
-  }
-
 private:
   [[nodiscard]] std::size_t nearest(double azimuth) const {
-    return static_cast<std::size_t>(sectorsTo(azimuth) + 0.5) % count();
+    return static_cast<std::size_t>(sectorsTo(azimuth, first_, count()) + 0.5) % count();
   }
   void add(Profile& places, std::size_t sector) const {
     places.insert(places.end(), places_[sector].begin(), places_[sector].end());
@@ -135,42 +128,110 @@ Profile sampled(const Profile& profile, const std::pair<double, double>& axis) {
   return samples;
 }
 
+/// Azimuths that the surface is drawn at: even, and where the outline has corners.
+std::vector<double> drawnAzimuths(const OutlineReach& reach, double first) {
+  std::vector<double> all = reach.cornerAzimuths();
+  for (int i = 0; i < ringCorners; ++i)
+    all.push_back(std::remainder(first + fullTurn * i / ringCorners, fullTurn));
+  std::ranges::sort(all);
+  std::vector<double> apart;
+  for (const double azimuth : all)
+    if (apart.empty() || azimuth - apart.back() > 1e-3) apart.push_back(azimuth);
+  if (apart.front() + fullTurn - apart.back() < 1e-3) apart.pop_back();
+  return apart;
+}
+
+OutlineReach reachOf(const SkinnedHull& hull) {
+  return {{.corners = hull.outline}, hull.middle};
+}
+
+Eigen::Vector3d onAxis(const SkinnedHull& hull, double z) {
+  return {hull.middle.x(), hull.middle.y(), z};
+}
+
+Eigen::Vector3d beside(const SkinnedHull& hull, double azimuth, double out, double z) {
+  return onAxis(hull, z) + out * Eigen::Vector3d(std::cos(azimuth), std::sin(azimuth), 0);
+}
+
+SurfaceMesh meshOf(const SkinnedHull& hull) {
+  const OutlineReach outline = reachOf(hull);
+  const std::size_t count = hull.profiles.size();
+  std::vector<Ring> rings(hull.profiles.front().size());
+  for (const double azimuth : drawnAzimuths(outline, hull.azimuth)) {
+    const double at = sectorsTo(azimuth, hull.azimuth, count);
+    const auto before = static_cast<std::size_t>(at);
+    const double share = at - std::floor(at);
+    const double reach = outline.at(azimuth);
+    for (std::size_t level = 0; level < rings.size(); ++level) {
+      const Eigen::Vector2d place = (1 - share) * hull.profiles[before][level] +
+                                    share * hull.profiles[(before + 1) % count][level];
+      rings[level].push_back(beside(hull, azimuth, place.x() * reach, place.y()));
+    }
+  }
+  return meshOfRings(onAxis(hull, hull.axis.first), rings, onAxis(hull, hull.axis.second));
+}
+
 } // namespace
+
+double azimuthOf(const SkinnedHull& hull, std::size_t profile) {
+  const auto share = static_cast<double>(profile) / static_cast<double>(hull.profiles.size());
+  return hull.azimuth + fullTurn * share;
+}
+
+double reachTo(const SkinnedHull& hull, std::size_t profile) {
+  return reachOf(hull).at(azimuthOf(hull, profile));
+}
+
+Envelope envelopeOf(const SkinnedHull& hull) {
+  Envelope envelope = envelopeOf(meshOf(hull));
+  using Kind = EnvelopeParameter::Kind;
+  const std::size_t count = hull.profiles.size();
+  envelope.parameters = {{"profiles", "profiles", Kind::number, static_cast<double>(count)},
+                         {"azimuth", "azimuth of the first profile", Kind::angle, hull.azimuth}};
+  addPlace(envelope.parameters, "axis_bottom", "lower end of the axis",
+           onAxis(hull, hull.axis.first));
+  addPlace(envelope.parameters, "axis_top", "upper end of the axis",
+           onAxis(hull, hull.axis.second));
+  envelope.profiles.resize(1 + count); // the first is the outline
+  for (const Eigen::Vector2d& corner : hull.outline)
+    envelope.profiles[0].emplace_back(corner.x(), corner.y(), hull.axis.first);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double reach = reachTo(hull, i);
+    for (const Eigen::Vector2d& place : hull.profiles[i])
+      envelope.profiles[1 + i].push_back(
+          beside(hull, azimuthOf(hull, i), place.x() * reach, place.y()));
+  }
+  return envelope;
+}
+
+SkinnedHull skinnedHullOf(const Envelope& envelope) {
+  const Eigen::Vector3d bottom = placeOf(envelope.parameters, "axis_bottom");
+  SkinnedHull hull{.middle = bottom.head<2>(),
+                   .axis = {bottom.z(), placeOf(envelope.parameters, "axis_top").z()},
+                   .azimuth = valueOf(envelope.parameters, "azimuth")};
+  for (const Eigen::Vector3d& corner : envelope.profiles.front())
+    hull.outline.emplace_back(corner.head<2>());
+  hull.profiles.resize(envelope.profiles.size() - 1);
+  for (std::size_t i = 0; i < hull.profiles.size(); ++i) {
+    const double reach = reachTo(hull, i);
+    for (const Eigen::Vector3d& place : envelope.profiles[1 + i])
+      hull.profiles[i].emplace_back((place.head<2>() - hull.middle).norm() / reach, place.z());
+  }
+  return hull;
+}
 
 Envelope skinnedHull(const Crown& crown, const SkinnedHullOptions& options,
                      const Progress& progress) {
   const Sectors sectors(crown, options.profiles, progress);
-  std::vector<Profile> profiles;
+  SkinnedHull hull = sectors.bare();
   for (std::size_t i = 0; i < sectors.count(); ++i) {
     progress.update(0.5 + 0.3 * static_cast<double>(i) / static_cast<double>(sectors.count()));
-    profiles.push_back(sampled(sectors.profile(i), sectors.axis()));
+    hull.profiles.push_back(sampled(sectors.profile(i), hull.axis));
   }
-  std::vector<Ring> rings(ringLevels - 1);
-  for (const double azimuth : sectors.azimuths()) {
-    const double at = sectors.sectorsTo(azimuth);
-    const auto before = static_cast<std::size_t>(at);
-    const double share = at - std::floor(at);
-    const double reach = sectors.reachAt(azimuth);
-    for (std::size_t level = 0; level < rings.size(); ++level) {
-      const Eigen::Vector2d place = (1 - share) * profiles[before][level] +
-                                    share * profiles[(before + 1) % profiles.size()][level];
-      rings[level].emplace_back(sectors.middle().x() + place.x() * reach * std::cos(azimuth),
-                                sectors.middle().y() + place.x() * reach * std::sin(azimuth),
-                                place.y());
-    }
-  }
-  const auto end = [&](double z) {
-    return Eigen::Vector3d(sectors.middle().x(), sectors.middle().y(), z);
-  };
-  const auto [bottom, top] = sectors.axis();
-  Envelope envelope = envelopeOf(meshOfRings(end(bottom), rings, end(top)));
-  using Kind = EnvelopeParameter::Kind;
-  envelope.parameters = {
-      {"profiles", "profiles", Kind::number, static_cast<double>(options.profiles)},
-      {"inside", "share of the points inside", Kind::number,
-       shareInside(envelope.mesh, crown.points, progress.part(0.8, 1))}};
-  addPlace(envelope.parameters, "axis_bottom", "lower end of the axis", end(bottom));
-  addPlace(envelope.parameters, "axis_top", "upper end of the axis", end(top));
+  Envelope envelope = envelopeOf(hull);
+  envelope.parameters.push_back({"inside", "share of the points inside",
+                                 EnvelopeParameter::Kind::number,
+                                 shareInside(envelope.mesh, crown.points, progress.part(0.8, 1))});
   return envelope;
 }
 

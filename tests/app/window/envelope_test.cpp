@@ -52,6 +52,24 @@ struct EnvelopeTest : test::ProjectWindowTest {
       if (each.name == name) return view().project(each.place).value_or(QPointF()).toPoint();
     return {};
   }
+  /// How far a handle moves on the screen that is pulled out by a tenth of the height.
+  [[nodiscard]] QPoint step(const Envelope& envelope, const std::string& name) {
+    const std::string kind = choice_.toStdString();
+    for (const EnvelopeHandle& each : envelopeHandles(envelope, UpAxis::z, envelopeKindNamed(kind)))
+      if (each.name == name)
+        return (view().project(each.place + 0.1 * envelope.height * each.up).value_or(QPointF()) -
+                view().project(each.place).value_or(QPointF()))
+            .toPoint();
+    return {};
+  }
+  /// Whether the mouse might take another one.
+  [[nodiscard]] bool nearOthers(const Envelope& envelope, const std::string& name) {
+    const QPoint place = handle(envelope, name);
+    return std::ranges::any_of(
+        envelopeKindNamed(choice_.toStdString()).handles, [&](const std::string& other) {
+          return other != name && (handle(envelope, other) - place).manhattanLength() < 25;
+        });
+  }
   void showFitted(const QString& kind) {
     choose(kind);
     ASSERT_TRUE(waitFor(volumeOf(fitted(kind.toStdString())))) << number("Volume").toStdString();
@@ -171,7 +189,7 @@ TEST_F(EnvelopeTest, OfEachSolidIsSetByItsHandles) {
   openScan();
   int dragged = 0;
   for (const EnvelopeKind& kind : envelopeKinds()) {
-    if (!kind.solid) continue;
+    if (std::ranges::find(kind.handles, "center") == kind.handles.end()) continue;
     showFitted(QString::fromStdString(kind.form.name));
     const Envelope before = fitted(kind.form.name);
     EXPECT_EQ(handleText(), "Drag its handles to set it by hand.");
@@ -256,6 +274,29 @@ TEST_F(EnvelopeTest, OfAProjectKeepsWhereItsCenterWasDraggedTo) {
   ASSERT_TRUE(waitFor(volumeOf(fitted("cylinder"))));
   EXPECT_EQ(handleText(), "By hand: handles were dragged.");
   EXPECT_LT(difference(view().picture({300, 300}), dragged), 900);
+}
+
+TEST_F(EnvelopeTest, HullsHaveTheirProfilesToDrag) {
+  openScan();
+  for (const char* kind : {"extruded", "skinned"}) {
+    showFitted(kind);
+    const Envelope before = fitted(kind);
+    int dragged = 0;
+    for (const std::string& name : envelopeKindNamed(kind).handles) {
+      SCOPED_TRACE(std::string(kind) + ": " + name);
+      const QPoint from = handle(before, name);
+      const QPoint outward = step(before, name);
+      if (outward.manhattanLength() < 30) continue; // along the sight
+      if (nearOthers(before, name)) continue;
+      ++dragged;
+      drag(from, from + outward);
+      EXPECT_NE(number("Volume"), volumeOf(before));
+      EXPECT_EQ(handleText(), "By hand: handles were dragged.");
+      clickButton("envelope_fit");
+      EXPECT_EQ(number("Volume"), volumeOf(before));
+    }
+    EXPECT_GE(dragged, 5) << kind;
+  }
 }
 
 TEST_F(EnvelopeTest, IsWrittenAsAMesh) {

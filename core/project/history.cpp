@@ -101,6 +101,14 @@ bool tryToApply(const SkeletonDelta& delta, Skeleton& skeleton) {
   return true;
 }
 
+std::optional<std::string> envelopeAfter(const History& history) {
+  for (std::size_t i = history.position; i-- > 0;)
+    if (history.steps[i].envelope) return history.steps[i].envelope->after;
+  for (std::size_t i = history.position; i < history.steps.size(); ++i)
+    if (history.steps[i].envelope) return history.steps[i].envelope->before;
+  return std::nullopt;
+}
+
 History beginningOf(const History& history) {
   History beginning{.skeleton = history.skeleton, .leftOut = history.leftOut};
   for (std::size_t i = history.position; i-- > 0;) {

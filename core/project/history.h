@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,15 @@ namespace espalier {
 
 /// Names a step: given once, and to no other step. 0 names none, but what was before the first.
 enum class StepId : std::uint64_t {};
+
+/// The crown envelope before a step and after it, each as the text that the window keeps of it; an
+/// empty one: none was chosen.
+struct EnvelopeChange {
+  std::string before;
+  std::string after;
+
+  bool operator==(const EnvelopeChange&) const = default;
+};
 
 /// A step of history: what the undo command holds, the journal keeps and the history shows.
 ///
@@ -29,6 +39,7 @@ struct HistoryStep {
   PointSet points = {};
   /// Whether it replaced the contracted points, by others (ContractedPoints) or by none.
   bool replacesContracted = false;
+  std::optional<EnvelopeChange> envelope = {}; // none: the step left it as it was
 
   bool operator==(const HistoryStep&) const = default;
 };
@@ -54,6 +65,9 @@ void growIds(Skeleton& skeleton, std::size_t end);
 /// out is a forest. Returns whether it did; else nothing has changed. Time O(changes + the paths
 /// from them to the root).
 [[nodiscard]] bool tryToApply(const SkeletonDelta& delta, Skeleton& skeleton);
+
+/// The crown envelope after the steps that are done; none: no step changed it.
+[[nodiscard]] std::optional<std::string> envelopeAfter(const History& history);
 
 /// The plant before the first step, and no steps.
 /// pre: each step fits where it stands

@@ -15,15 +15,17 @@ namespace {
 /// @return the bytes that it takes, of those that ids may follow from
 std::size_t insertStep(const Database& database, std::size_t step, const HistoryStep& content) {
   const std::string delta = bytesOf(content.delta, content.points);
-  database.prepare("INSERT INTO journal VALUES (?, ?, ?, ?, ?, ?, ?)")
-      .bind(1, static_cast<std::int64_t>(step))
+  Statement row = database.prepare("INSERT INTO journal VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  row.bind(1, static_cast<std::int64_t>(step))
       .bind(2, content.time)
       .bindText(3, content.author)
       .bindText(4, content.text)
       .bindBytes(5, delta)
       .bind(6, std::bit_cast<std::int64_t>(content.id))
-      .bind(7, std::int64_t{content.replacesContracted})
-      .run();
+      .bind(7, std::int64_t{content.replacesContracted});
+  if (content.envelope)
+    row.bindText(8, content.envelope->before).bindText(9, content.envelope->after);
+  row.run();
   return delta.size();
 }
 
@@ -52,6 +54,12 @@ void setPosition(const Database& database, std::size_t position) {
 
 constexpr std::int64_t mostSteps = std::int64_t{1} << 31;
 
+/// How the step of a row changed the envelope. pre: it is a row of Journal
+std::optional<EnvelopeChange> envelopeIn(const Statement& row) {
+  if (row.integer(7) == 0) return std::nullopt;
+  return EnvelopeChange{.before = row.text(8), .after = row.text(9)};
+}
+
 /// What of the journal can be read, by place. A damaged page hides what is behind it, so the other
 /// end is read too.
 struct Journal {
@@ -71,7 +79,8 @@ private:
   void read(const Database& database, const std::string& order) {
     try {
       Statement rows = database.prepare(
-          "SELECT step, time, author, text, delta, coalesce(id, step + 1), contracted "
+          "SELECT step, time, author, text, delta, coalesce(id, step + 1), contracted, "
+          "envelope_after IS NOT NULL, coalesce(envelope_before, ''), coalesce(envelope_after, '') "
           "FROM journal ORDER BY step " +
           order);
       while (rows.step()) {
@@ -85,7 +94,8 @@ private:
                                                    .time = rows.integer(1),
                                                    .delta = std::move(stored->delta),
                                                    .points = std::move(stored->points),
-                                                   .replacesContracted = rows.integer(6) != 0});
+                                                   .replacesContracted = rows.integer(6) != 0,
+                                                   .envelope = envelopeIn(rows)});
         else
           isDamaged = true;
       }

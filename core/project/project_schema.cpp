@@ -43,6 +43,9 @@ const std::vector<Upgrade>& upgrades() {
         " WHERE name = 'made_with'"}},
       // 4 to 5: the columns of a scan may be its points in the order of the file
       {{"ALTER TABLE scan ADD COLUMN by_file INTEGER NOT NULL DEFAULT 0"}},
+      // 5 to 6: steps may change the crown envelope
+      {{"ALTER TABLE journal ADD COLUMN envelope_before TEXT",
+        "ALTER TABLE journal ADD COLUMN envelope_after TEXT"}},
   };
   return all;
 }

@@ -40,4 +40,12 @@ void writeAsVersion01(const std::filesystem::path& project, const std::filesyste
   database.execute("PRAGMA application_id = " + std::to_string(applicationId));
 }
 
+void writeAsSchema5(const std::filesystem::path& project) {
+  const Database database(project, Opening::readWrite);
+  for (const char* statement :
+       {"ALTER TABLE journal DROP COLUMN envelope_after",
+        "ALTER TABLE journal DROP COLUMN envelope_before", "PRAGMA user_version = 5"})
+    database.execute(statement);
+}
+
 } // namespace espalier::test

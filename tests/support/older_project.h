@@ -8,4 +8,7 @@ namespace espalier::test {
 /// points name theirs by its place, and what the plant was made with by its time.
 void writeAsVersion01(const std::filesystem::path& project, const std::filesystem::path& older);
 
+/// Makes a project one of schema 5: its steps say nothing of the crown envelope.
+void writeAsSchema5(const std::filesystem::path& project);
+
 } // namespace espalier::test

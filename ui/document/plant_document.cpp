@@ -77,6 +77,7 @@ public:
 
   void redo() override { // QUndoStack::push calls it once for the edit that was made already
     if (contracted_) document_.applyContracted(contracted_->after);
+    if (step_.envelope) document_.applyEnvelope(step_.envelope->after);
     if (!document_.isRestoring_) {
       if (isNew_)
         document_.announce(step_.delta);
@@ -89,6 +90,7 @@ public:
 
   void undo() override {
     if (contracted_) document_.applyContracted(contracted_->before);
+    if (step_.envelope) document_.applyEnvelope(step_.envelope->before);
     if (document_.isRestoring_) return;
     document_.apply(step_.delta.inverse());
     document_.setLeftOut(document_.leftOut_ ^ step_.points);
@@ -100,7 +102,8 @@ public:
     step_.id = added.id; // what it was before is no step any more
     step_.delta = step_.delta.then(added.delta);
     step_.points = step_.points ^ added.points;
-    setObsolete(step_.delta.isEmpty() && step_.points.isEmpty()); // dragged back to where it was
+    if (added.envelope) goOnTo(added);
+    setObsolete(isNothing()); // dragged back to where it was
     return true;
   }
 
@@ -112,10 +115,21 @@ public:
   void forgetPoints() {
     step_.id = newStepId();
     step_.points = {};
-    setObsolete(step_.delta.isEmpty());
+    setObsolete(isNothing());
   }
 
 private:
+  [[nodiscard]] bool isNothing() const {
+    return step_.delta.isEmpty() && step_.points.isEmpty() && !step_.envelope;
+  }
+  /// The envelope is chosen further, and named by what it is last.
+  void goOnTo(const HistoryStep& next) {
+    step_.envelope->after = next.envelope->after;
+    if (step_.envelope->after == step_.envelope->before) step_.envelope.reset();
+    step_.text = next.text;
+    setText(QString::fromStdString(next.text));
+  }
+
   PlantDocument& document_;
   HistoryStep step_;
   Gesture gesture_;
@@ -138,25 +152,38 @@ void PlantDocument::edit(const QString& text, const std::function<void(SkeletonE
   change(editor); // if it throws, the editor rolls back
   SkeletonDelta delta = editor.commit();
   if (delta.isEmpty()) return; // a click that moved nothing is no step
-  push(text, std::move(delta), {}, gesture, std::nullopt);
+  push(text, {.delta = std::move(delta)}, gesture);
 }
 
 void PlantDocument::leaveOut(const QString& text, const PointSet& points) {
   requireWritable();
-  if (points != leftOut_) push(text, {}, points ^ leftOut_, {}, std::nullopt);
+  if (points != leftOut_) push(text, {.points = points ^ leftOut_});
 }
 
 StepId PlantDocument::reconstruct(const QString& text, const Skeleton& skeleton,
                                   std::shared_ptr<const Eigen::Matrix3Xf> contracted) {
   SkeletonEditor editor(structure_.skeleton);
   replaceSkeleton(editor, skeleton);
-  return push(text, editor.commit(), {}, {}, ContractedChange{contracted_, std::move(contracted)});
+  return push(text, {.delta = editor.commit(),
+                     .contracted = ContractedChange{contracted_, std::move(contracted)}});
 }
 
 void PlantDocument::contract(const QString& text,
                              std::shared_ptr<const Eigen::Matrix3Xf> contracted) {
   requireWritable();
-  push(text, {}, {}, {}, ContractedChange{contracted_, std::move(contracted)});
+  push(text, {.contracted = ContractedChange{contracted_, std::move(contracted)}});
+}
+
+void PlantDocument::setEnvelope(const QString& text, const std::string& envelope, Gesture gesture) {
+  if (envelope == envelope_) return;
+  if (isReadOnly()) return applyEnvelope(envelope);
+  push(text, {.envelope = EnvelopeChange{.before = envelope_, .after = envelope}}, gesture);
+}
+
+void PlantDocument::openEnvelope(const std::string& envelope) {
+  for (int i = 0; i < undoStack_.count(); ++i)
+    if (step(i).envelope) return;
+  applyEnvelope(envelope);
 }
 
 void PlantDocument::cancel(Gesture gesture) {
@@ -170,7 +197,7 @@ void PlantDocument::cancel(Gesture gesture) {
 void PlantDocument::goTo(int index) {
   if (index == undoStack_.index()) return;
   requireEditable();
-  jump_ = Jump{std::abs(index - undoStack_.index()), {}, contracted_};
+  jump_ = Jump{std::abs(index - undoStack_.index()), {}, contracted_, envelope_};
   undoStack_.setIndex(index);
   jump_.reset();
 }
@@ -290,6 +317,8 @@ void PlantDocument::openHistory(History history, std::shared_ptr<const MtgFrame>
   };
   isRestoring_ = true;
   const auto before = std::exchange(contracted_, madeBy({}));
+  const std::string envelopeBefore = envelope_;
+  const std::optional<std::string> envelope = envelopeAfter(history);
   opened_ = static_cast<int>(history.steps.size());
   for (HistoryStep& step : history.steps) {
     std::optional<ContractedChange> change;
@@ -299,6 +328,8 @@ void PlantDocument::openHistory(History history, std::shared_ptr<const MtgFrame>
   undoStack_.setIndex(static_cast<int>(history.position));
   isRestoring_ = false;
   if (contracted_ != before) emit contractedChanged();
+  envelope_ = envelope.value_or(envelopeBefore);
+  if (envelope_ != envelopeBefore) emit envelopeChanged();
 }
 
 void PlantDocument::setReadOnly(const QString& why) {
@@ -358,19 +389,19 @@ const PlantDocument::EditSkeleton& PlantDocument::command(int index) const {
   return *static_cast<const EditSkeleton*>(undoStack_.command(index));
 }
 
-StepId PlantDocument::push(const QString& text, SkeletonDelta delta, PointSet points,
-                           Gesture gesture, std::optional<ContractedChange> contracted) {
+StepId PlantDocument::push(const QString& text, StepContent content, Gesture gesture) {
   const StepId id = newStepId();
   HistoryStep step{.id = id,
                    .text = text.toStdString(),
                    .author = author_.toStdString(),
                    .time = QDateTime::currentMSecsSinceEpoch(),
-                   .delta = std::move(delta),
-                   .points = std::move(points),
-                   .replacesContracted = contracted.has_value()};
+                   .delta = std::move(content.delta),
+                   .points = std::move(content.points),
+                   .replacesContracted = content.contracted.has_value(),
+                   .envelope = std::move(content.envelope)};
   opened_ = std::min(opened_, undoStack_.index()); // those undone are dropped
   undoStack_.push(                                 // which owns it
-      new EditSkeleton(*this, std::move(step), gesture, std::move(contracted)));
+      new EditSkeleton(*this, std::move(step), gesture, std::move(content.contracted)));
   return id;
 }
 
@@ -380,6 +411,7 @@ void PlantDocument::apply(const SkeletonDelta& delta) {
   std::ranges::copy(delta.changes, std::back_inserter(jump_->changes.changes));
   if (--jump_->left > 0) return;
   if (contracted_ != jump_->contractedBefore) emit contractedChanged();
+  if (envelope_ != jump_->envelopeBefore) emit envelopeChanged();
   const SkeletonDelta all = joined(jump_->changes, structure_.skeleton);
   if (!all.isEmpty()) announce(all);
 }
@@ -389,6 +421,12 @@ void PlantDocument::applyContracted(const std::shared_ptr<const Eigen::Matrix3Xf
     contracted_ = positions; // announced at the end
   else
     setContracted(positions);
+}
+
+void PlantDocument::applyEnvelope(const std::string& envelope) {
+  if (envelope == envelope_) return;
+  envelope_ = envelope;
+  if (!jump_ && !isRestoring_) emit envelopeChanged(); // else at the end
 }
 
 void PlantDocument::announce(const SkeletonDelta& delta) {

@@ -21,6 +21,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace espalier {
@@ -87,6 +88,14 @@ public:
   /// The step done that the contracted points are from; 0 if none replaced them.
   [[nodiscard]] StepId contractedStep() const;
 
+  /// The crown envelope, as a text of the window; empty: none is chosen.
+  [[nodiscard]] const std::string& envelope() const { return envelope_; }
+  /// Replaces it, as one undo step named `text`; no step if it is that already. Of a plant that is
+  /// read-only it is another to look at, without a step.
+  void setEnvelope(const QString& text, const std::string& envelope, Gesture gesture = {});
+  /// The one that is kept beside the plant: where steps changed it, it follows from these.
+  void openEnvelope(const std::string& envelope);
+
   /// Takes back what the gesture has edited so far, and forgets it.
   void cancel(Gesture gesture);
 
@@ -151,6 +160,7 @@ signals:
   void scanChanged();
   void leftOutChanged(); // which points are set aside
   void contractedChanged();
+  void envelopeChanged();
   void unitChanged();
   void upChanged();
   void rootChanged(); // the place that is chosen for it
@@ -167,21 +177,29 @@ private:
     int left = 0;          // steps to go
     SkeletonDelta changes; // of those behind, one after the other
     std::shared_ptr<const Eigen::Matrix3Xf> contractedBefore;
+    std::string envelopeBefore;
+  };
+  struct StepContent { // what one step changes
+    SkeletonDelta delta = {};
+    PointSet points = {};
+    std::optional<ContractedChange> contracted = {};
+    std::optional<EnvelopeChange> envelope = {};
   };
   [[nodiscard]] const EditSkeleton& command(int index) const;
-  StepId push(const QString& text, SkeletonDelta delta, PointSet points, Gesture gesture,
-              std::optional<ContractedChange> contracted);
+  StepId push(const QString& text, StepContent content, Gesture gesture = {});
   void apply(const SkeletonDelta& delta);
   void replaceScan(std::unique_ptr<const Scan> scan, const QString& path);
   void forgetPoints();
   void setLeftOut(const PointSet& points);
   void announce(const SkeletonDelta& delta);
   void applyContracted(const std::shared_ptr<const Eigen::Matrix3Xf>& positions);
+  void applyEnvelope(const std::string& envelope);
 
   std::unique_ptr<const Scan> scan_;
   std::shared_ptr<const Eigen::Matrix3Xf> contracted_;
   Structure structure_;
   PointSet leftOut_;
+  std::string envelope_;
   Selection selection_;
   PointSelection pointSelection_;
   QUndoStack undoStack_;

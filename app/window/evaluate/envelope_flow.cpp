@@ -88,6 +88,20 @@ std::map<std::string, Rule> optionsIn(const QJsonObject& json, const EnvelopeKin
   return options;
 }
 
+/// What a text of a project says. Refuses what is not as it was written.
+std::pair<EnvelopeChoice, HandlePlaces> stateIn(const std::string& text) {
+  const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(text)).object();
+  const std::string name = json["kind"].toString().toStdString();
+  const auto& kinds = envelopeKinds();
+  const auto kind = std::ranges::find(
+      kinds, name, [](const EnvelopeKind& each) -> const std::string& { return each.form.name; });
+  if (kind == kinds.end()) refuse();
+  return {{.kind = &*kind,
+           .isOfSkeleton = json["of"].toString() == "skeleton",
+           .options = optionsIn(json["options"].toObject(), *kind)},
+          placesIn(json["places"].toObject(), *kind)};
+}
+
 } // namespace
 
 EnvelopeFlow::EnvelopeFlow(const Parts& parts) : parts_(parts) {
@@ -118,7 +132,7 @@ EnvelopeFlow::EnvelopeFlow(const Parts& parts) : parts_(parts) {
   connect(panel_, &EnvelopePanel::fitRequested, this, [this] {
     places_.clear();
     show();
-    emit keptChanged();
+    record(tr("Crown envelope: fit again"));
   });
   PlantDocument& document = parts_.document;
   for (auto signal :
@@ -128,21 +142,26 @@ EnvelopeFlow::EnvelopeFlow(const Parts& parts) : parts_(parts) {
   connect(&document, &PlantDocument::skeletonEdited, this, [this] {
     if (isOfSkeleton()) takePlant();
   });
+  connect(&document, &PlantDocument::envelopeChanged, this, &EnvelopeFlow::takeStep);
   connect(&job_, &JobSlot::failed, this, &EnvelopeFlow::forget);
   PlantView& view = parts_.view;
-  connect(&view, &PlantView::envelopePressed, this, [this] { placesBefore_ = places_; });
   connect(&view, &PlantView::envelopeDragged, this, &EnvelopeFlow::drag);
   connect(&view, &PlantView::envelopeReleased, this, [this] { endDrag(true); });
   connect(&view, &PlantView::envelopeGivenBack, this, [this] { endDrag(false); });
   keepInProject({.name = "envelope",
-                 .text = [this] { return text(); },
-                 .show = [this](const std::string& text) { showText(text); }});
+                 .text = [this] { return parts_.document.envelope(); },
+                 .show =
+                     [this](const std::string& text) {
+                       parts_.document.openEnvelope(text);
+                       showText(parts_.document.envelope());
+                     }});
   refreshPanel();
   forget();
 }
 
 void EnvelopeFlow::stop() {
   timer_.stop();
+  choosing_ = {};
   job_.cancel();
 }
 
@@ -158,15 +177,55 @@ bool EnvelopeFlow::isByHand() const {
   return choice_.kind != nullptr && !places_.empty();
 }
 
+/// What was chosen last, for the history.
+QString EnvelopeFlow::choiceText(const EnvelopeChoice& before) const {
+  if (choice_.kind == nullptr) return tr("Crown envelope: none");
+  const QString kind = shownText(choice_.kind->form.label);
+  if (before.kind != choice_.kind) return tr("Crown envelope: %1").arg(kind);
+  if (before.isOfSkeleton != choice_.isOfSkeleton)
+    return choice_.isOfSkeleton ? tr("Crown envelope: about the skeleton")
+                                : tr("Crown envelope: about the points");
+  for (const Option& option : choice_.kind->form.options) {
+    const auto was = before.options.find(option.name);
+    const auto is = choice_.options.find(option.name);
+    const bool wasSet = was != before.options.end();
+    const bool isSet = is != choice_.options.end();
+    if (wasSet != isSet || (isSet && was->second != is->second))
+      return tr("Crown envelope: %1, %2").arg(kind, shownText(option.label));
+  }
+  return tr("Crown envelope: %1").arg(kind);
+}
+
 void EnvelopeFlow::takeChoice() {
   const EnvelopeChoice before = std::exchange(choice_, panel_->choice());
   if (before.kind != choice_.kind) places_.clear();
-  emit keptChanged();
+  if (choosing_.isNone()) choosing_ = Gesture::begin();
+  record(choiceText(before), choosing_);
+  takeNew();
+}
+
+/// Draws another choice once it rests.
+void EnvelopeFlow::takeNew() {
   if (choice_.kind == nullptr) return forget();
   isFresh_ = false;
   panel_->setStale(true);
   refreshPanel(); // another kind has fields of its own
   timer_.start();
+}
+
+void EnvelopeFlow::record(const QString& step, Gesture gesture) {
+  parts_.document.setEnvelope(step, text(), gesture);
+}
+
+/// Undo and redo lead here; of a step made here, all is shown already.
+void EnvelopeFlow::takeStep() {
+  emit keptChanged();
+  if (parts_.document.envelope() == text()) return;
+  try {
+    showText(parts_.document.envelope());
+  } catch (const Error& error) {
+    emit failed(QString::fromUtf8(error.what()));
+  }
 }
 
 void EnvelopeFlow::takePlant() {
@@ -187,6 +246,7 @@ void EnvelopeFlow::refreshPanel() {
 
 void EnvelopeFlow::fit() {
   const PlantDocument& document = parts_.document;
+  choosing_ = {};
   if (choice_.kind == nullptr) return;
   if (isOfSkeleton() && document.skeleton().isEmpty())
     return forget(document.scan() == nullptr ? tr("There is no plant to draw it about.")
@@ -280,16 +340,17 @@ void EnvelopeFlow::drag(std::size_t handle, const Eigen::Vector3d& to) {
   const UpAxis up = parts_.document.up();
   const std::vector<EnvelopeHandle> handles = envelopeHandles(*drawn_, up, *choice_.kind);
   const std::string& name = handles[handle].name;
+  dragged_ = tr(handles[handle].label.c_str());
   places_[name] = draggedTo(*drawn_, up, *choice_.kind, name, to);
   show();
 }
 
 void EnvelopeFlow::endDrag(bool isKept) {
+  if (parts_.document.envelope() == text()) return;
   if (!isKept) {
-    places_ = placesBefore_;
-    show();
-  } else if (places_ != placesBefore_) {
-    emit keptChanged();
+    showText(parts_.document.envelope());
+  } else {
+    record(tr("Crown envelope: drag %1").arg(dragged_));
     emit noted(
         tr("The envelope holds %1 now").arg(formatVolume(drawn_->volume, parts_.document.unit())));
   }
@@ -343,27 +404,25 @@ std::string EnvelopeFlow::text() const {
 }
 
 void EnvelopeFlow::showText(const std::string& text) {
-  choice_ = {};
-  places_.clear();
+  if (text.empty()) return showState({}, {});
+  const QString refusal = tr("the crown envelope of this project cannot be read: choose it again");
+  try {
+    const auto [choice, places] = readKept(refusal, [&] { return stateIn(text); });
+    showState(choice, places);
+  } catch (const Error&) {
+    showState({}, {});
+    throw;
+  }
+}
+
+/// Where only handles stand elsewhere, all is there to draw it at once.
+void EnvelopeFlow::showState(const EnvelopeChoice& choice, const HandlePlaces& places) {
+  const bool isDrawn = fitted_ && isFresh_ && choice == choice_;
+  choice_ = choice;
+  places_ = places;
+  if (isDrawn) return show();
   panel_->setChoice(choice_);
   forget();
-  if (text.empty()) return;
-  const QString refusal = tr("the crown envelope of this project cannot be read: choose it again");
-  readKept(refusal, [&] {
-    const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(text)).object();
-    const std::string name = json["kind"].toString().toStdString();
-    const auto& kinds = envelopeKinds();
-    const auto kind = std::ranges::find(
-        kinds, name, [](const EnvelopeKind& each) -> const std::string& { return each.form.name; });
-    if (kind == kinds.end()) refuse();
-    EnvelopeChoice choice{.kind = &*kind,
-                          .isOfSkeleton = json["of"].toString() == "skeleton",
-                          .options = optionsIn(json["options"].toObject(), *kind)};
-    places_ = placesIn(json["places"].toObject(), *kind);
-    choice_ = std::move(choice);
-    return true;
-  });
-  panel_->setChoice(choice_);
   takePlant();
 }
 

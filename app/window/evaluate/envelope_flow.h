@@ -3,6 +3,7 @@
 #include "app/report/envelope_numbers.h"
 #include "app/window/frame/panel_dock.h"
 #include "app/window/frame/window_part.h"
+#include "ui/document/gesture.h"
 #include "ui/jobs/job_slot.h"
 #include "ui/panels/envelope_panel.h"
 #include "ui/view/envelope_overlay.h"
@@ -20,7 +21,7 @@ class PlantView;
 
 /// The envelope about the crown: it is fitted as a job, a moment after each change of the plant or
 /// of what is chosen, drawn over the plant and measured. Its handles, where it has some, are shown
-/// while the panel is.
+/// while the panel is. What is chosen and dragged is a step of the document.
 class EnvelopeFlow : public WindowPart {
   Q_OBJECT
 
@@ -49,7 +50,10 @@ signals:
 
 private:
   void takeChoice();
+  void takeNew();
   void takePlant();
+  void takeStep();
+  void record(const QString& step, Gesture gesture = {});
   void fit();
   void take(Envelope fitted);
   void forget(const QString& words = {});
@@ -61,10 +65,12 @@ private:
   [[nodiscard]] bool isOfSkeleton() const;
   [[nodiscard]] bool isByHand() const;
   [[nodiscard]] QString handleText() const;
+  [[nodiscard]] QString choiceText(const EnvelopeChoice& before) const;
   [[nodiscard]] std::vector<EnvelopePanel::Number> numbers() const;
   [[nodiscard]] ShownEnvelope shown() const;
   [[nodiscard]] std::string text() const;
   void showText(const std::string& text);
+  void showState(const EnvelopeChoice& choice, const HandlePlaces& places);
 
   Parts parts_;
   EnvelopePanel* panel_ = nullptr;
@@ -72,8 +78,9 @@ private:
   QTimer timer_;
   JobSlot job_{parts_.queue, JobPriority::asked};
   EnvelopeChoice choice_;
-  HandlePlaces places_;       // that were dragged
-  HandlePlaces placesBefore_; // the drag
+  HandlePlaces places_; // that were dragged
+  QString dragged_;     // the handle that was last
+  Gesture choosing_;    // until what was chosen is drawn
   std::optional<Envelope> fitted_;
   std::optional<Envelope> drawn_; // the same with handles where they were dragged to
   bool isFresh_ = false;          // of the plant and choice as they are

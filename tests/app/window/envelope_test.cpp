@@ -276,6 +276,79 @@ TEST_F(EnvelopeTest, OfAProjectKeepsWhereItsCenterWasDraggedTo) {
   EXPECT_LT(difference(view().picture({300, 300}), dragged), 900);
 }
 
+TEST_F(EnvelopeTest, ADragIsAStepOfTheHistory) {
+  showAsymmetric();
+  const QString before = number("Volume");
+  const int steps = document().undoStack().count();
+  const QPoint top = handle(fitted("asymmetric"), "top");
+  drag(top, top - QPoint(0, 60));
+  const QString dragged = number("Volume");
+  ASSERT_NE(dragged, before);
+  ASSERT_EQ(document().undoStack().count(), steps + 1) << "one step, however far";
+  EXPECT_EQ(document().step(steps).text, "Crown envelope: drag top");
+  action("undo").trigger();
+  EXPECT_EQ(number("Volume"), before);
+  EXPECT_EQ(handleText(), "Drag its handles to set it by hand.");
+  action("redo").trigger();
+  EXPECT_EQ(number("Volume"), dragged);
+  clickButton("envelope_fit");
+  EXPECT_EQ(number("Volume"), before);
+  action("undo").trigger();
+  EXPECT_EQ(number("Volume"), dragged) << "what was dragged is not lost";
+}
+
+TEST_F(EnvelopeTest, AnotherKindIsAStepThatBringsBackWhatWasDragged) {
+  showAsymmetric();
+  const QPoint top = handle(fitted("asymmetric"), "top");
+  drag(top, top - QPoint(0, 60));
+  const QString dragged = number("Volume");
+  showFitted("ball");
+  EXPECT_EQ(document().step(document().undoStack().index() - 1).text, "Crown envelope: Ball");
+  action("undo").trigger();
+  EXPECT_EQ(find<QComboBox>("envelope_kind").currentData(), "asymmetric");
+  EXPECT_TRUE(waitFor(dragged)) << number("Volume").toStdString();
+  action("redo").trigger();
+  EXPECT_EQ(find<QComboBox>("envelope_kind").currentData(), "ball");
+  EXPECT_TRUE(waitFor(volumeOf(fitted("ball"))));
+  document().goTo(0);
+  EXPECT_EQ(find<QComboBox>("envelope_kind").currentIndex(), 0);
+  EXPECT_EQ(number("Volume"), "");
+}
+
+TEST_F(EnvelopeTest, ADragThatIsGivenBackIsNoStep) {
+  showAsymmetric();
+  const int steps = document().undoStack().count();
+  pull(handle(fitted("asymmetric"), "top"), {0, -60});
+  QTest::keyClick(&view(), Qt::Key_Escape);
+  EXPECT_EQ(document().undoStack().count(), steps);
+}
+
+// As the disk is at once, so it is after a kill.
+TEST_F(EnvelopeTest, ADragIsInTheProjectAtOnceWithItsUndo) {
+  showAsymmetric();
+  const QString file = saveProject("plant.espalier");
+  const QString before = number("Volume");
+  const QPoint top = handle(fitted("asymmetric"), "top");
+  drag(top, top - QPoint(0, 60));
+  const QString dragged = number("Volume");
+  for (const char* ending : {"", "-wal"})
+    QFile::copy(file + ending, path("killed.espalier") + ending);
+  open({path("killed.espalier")});
+  EXPECT_TRUE(waitFor(dragged)) << number("Volume").toStdString();
+  action("undo").trigger();
+  EXPECT_TRUE(waitFor(before)) << number("Volume").toStdString();
+  action("redo").trigger();
+  EXPECT_TRUE(waitFor(dragged)) << number("Volume").toStdString();
+}
+
+TEST_F(EnvelopeTest, AStepThatCannotBeReadShowsNoneAndSaysSo) {
+  openScan();
+  document().setEnvelope("Crown envelope: egg", R"({"kind":"egg"})");
+  EXPECT_EQ(find<QComboBox>("envelope_kind").currentIndex(), 0);
+  EXPECT_TRUE(message().contains("cannot be read")) << message().toStdString();
+  showFitted("ball");
+}
+
 TEST_F(EnvelopeTest, HullsHaveTheirProfilesToDrag) {
   openScan();
   for (const char* kind : {"extruded", "skinned"}) {
@@ -292,7 +365,7 @@ TEST_F(EnvelopeTest, HullsHaveTheirProfilesToDrag) {
       drag(from, from + outward);
       EXPECT_NE(number("Volume"), volumeOf(before));
       EXPECT_EQ(handleText(), "By hand: handles were dragged.");
-      clickButton("envelope_fit");
+      action("undo").trigger();
       EXPECT_EQ(number("Volume"), volumeOf(before));
     }
     EXPECT_GE(dragged, 5) << kind;

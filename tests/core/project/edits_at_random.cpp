@@ -35,6 +35,15 @@ PointSet EditsAtRandom::pointsAtRandom() {
   return PointSet::of(points);
 }
 
+/// Seldom another; at times none.
+std::optional<EnvelopeChange> EditsAtRandom::envelopeAtRandom() {
+  if (random_.below(5) > 0) return std::nullopt;
+  const std::string before = envelopeAfter(history_).value_or("");
+  return EnvelopeChange{
+      .before = before,
+      .after = random_.below(3) == 0 ? "" : "envelope " + std::to_string(random_.below(1000))};
+}
+
 EditsAtRandom::Act EditsAtRandom::edit(bool isDrag) {
   SkeletonEditor editor(history_.skeleton);
   const PointSet points = pointsAtRandom();
@@ -48,11 +57,13 @@ EditsAtRandom::Act EditsAtRandom::edit(bool isDrag) {
                    .time = static_cast<std::int64_t>(random_.below(1'000'000)),
                    .delta = editor.commit(),
                    .points = points,
-                   .replacesContracted = random_.below(10) == 0};
+                   .replacesContracted = random_.below(10) == 0,
+                   .envelope = envelopeAtRandom()};
   history_.steps.resize(history_.position);
   if (isDrag) {
     step.delta = history_.steps.back().delta.then(step.delta);
     step.points = history_.steps.back().points ^ step.points;
+    step.envelope = history_.steps.back().envelope;
     history_.steps.pop_back();
   }
   const std::size_t kept = history_.steps.size();

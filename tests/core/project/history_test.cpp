@@ -88,5 +88,20 @@ TEST(TryToApply, AddsNodesUnderIdsOfTheirOwn) {
   EXPECT_EQ(plant[NodeId{40}].radius, 0.5);
 }
 
+TEST(EnvelopeAfter, IsThatOfTheLastStepDoneThatChangedIt) {
+  History history;
+  EXPECT_EQ(envelopeAfter(history), std::nullopt) << "no step changed it";
+  history.steps.push_back({.text = "Move"});
+  history.steps.push_back({.text = "Ball", .envelope = EnvelopeChange{"cone", "ball"}});
+  history.steps.push_back({.text = "Move"});
+  EXPECT_EQ(envelopeAfter(history), "cone") << "before the first that is undone";
+  history.position = 3;
+  EXPECT_EQ(envelopeAfter(history), "ball");
+  history.steps.push_back({.text = "None", .envelope = EnvelopeChange{"ball", ""}});
+  EXPECT_EQ(envelopeAfter(history), "ball");
+  history.position = 4;
+  EXPECT_EQ(envelopeAfter(history), "");
+}
+
 } // namespace
 } // namespace espalier

@@ -105,6 +105,7 @@ struct Version01 {
     for (std::size_t i = 0; i < history.steps.size(); ++i) {
       history.steps[i].id = StepId{i + 1};
       history.steps[i].replacesContracted = i == contractedAt; // of others it was not noted
+      history.steps[i].envelope.reset();                       // it was no step
     }
   }
 
@@ -155,6 +156,33 @@ TEST(ProjectUpgrade, KeepsTheIdsOfOlderStepsWhereOthersFollow) {
   history.steps.push_back({.id = StepId{1'000'000}, .text = "Add", .delta = editor.commit()});
   project.record(history.position, std::span(history.steps).last(1), history.position + 1);
   ++history.position;
+  EXPECT_EQ(historyOf(project), history);
+}
+
+// Before steps could change the crown envelope.
+TEST(ProjectUpgrade, KeepsEnvelopesInTheStepsThatFollowThoseOfSchema5) {
+  const fs::path file = test::freshFolder() / "older.espalier";
+  test::EditsAtRandom edits({.skeleton = test::randomPlant(30, 4)}, 5);
+  while (edits.history().position < 12)
+    (void)edits.next();
+  History history = edits.history();
+  for (HistoryStep& step : history.steps)
+    step.envelope.reset();
+  (void)Project::create(file, history);
+  test::writeAsSchema5(file);
+  EXPECT_EQ(historyOf(Project::open(file, Access::readOnly)), history);
+  EXPECT_EQ(Database(file, Opening::readOnly).integer("PRAGMA user_version"), 5) << "left alone";
+  Project project = Project::open(file, Access::readWrite);
+  EXPECT_EQ(historyOf(project), history);
+  history.steps.resize(history.position);
+  history.steps.push_back({.id = StepId{77},
+                           .text = "Crown envelope: ball",
+                           .envelope = EnvelopeChange{.before = "", .after = "ball"}});
+  history.steps.push_back({.id = StepId{78},
+                           .text = "Crown envelope: none",
+                           .envelope = EnvelopeChange{.before = "ball", .after = ""}});
+  project.record(history.position, std::span(history.steps).last(2), history.position + 2);
+  history.position += 2;
   EXPECT_EQ(historyOf(project), history);
 }
 

@@ -336,6 +336,66 @@ TEST_F(PlantDocumentTest, GrowsItsScanByPointsThatAreSetAsideInAllSteps) {
   EXPECT_EQ(document.contracted()->cols(), points + 5);
 }
 
+TEST_F(PlantDocumentTest, TakesAnEnvelopeBackAndMakesItAgain) {
+  int changes = 0;
+  QObject::connect(&document, &PlantDocument::envelopeChanged, [&] { ++changes; });
+  document.setEnvelope("Ball", "ball");
+  document.setEnvelope("Cone", "cone");
+  document.setEnvelope("Cone", "cone");
+  ASSERT_EQ(document.undoStack().count(), 2) << "one that is there already is no step";
+  EXPECT_EQ(document.step(1).envelope, (EnvelopeChange{"ball", "cone"}));
+  document.undoStack().undo();
+  EXPECT_EQ(document.envelope(), "ball");
+  document.undoStack().undo();
+  EXPECT_EQ(document.envelope(), "");
+  document.undoStack().redo();
+  EXPECT_EQ(document.envelope(), "ball");
+  EXPECT_EQ(changes, 5);
+  document.goTo(2);
+  EXPECT_EQ(document.envelope(), "cone");
+  changes = 0;
+  document.goTo(0);
+  EXPECT_EQ(document.envelope(), "");
+  EXPECT_EQ(changes, 1) << "several steps are one change";
+}
+
+TEST_F(PlantDocumentTest, MakesOneStepOfAnEnvelopeThatIsChosenFurther) {
+  const Gesture choosing = Gesture::begin();
+  document.setEnvelope("Ball", "ball", choosing);
+  document.setEnvelope("Cone", "cone", choosing);
+  ASSERT_EQ(document.undoStack().count(), 1);
+  EXPECT_EQ(document.step(0).text, "Cone");
+  EXPECT_EQ(document.undoStack().text(0), "Cone");
+  EXPECT_EQ(document.step(0).envelope, (EnvelopeChange{"", "cone"}));
+  document.setEnvelope("None", "", choosing);
+  EXPECT_EQ(document.undoStack().count(), 0) << "as it was";
+}
+
+TEST_F(PlantDocumentTest, OpensTheEnvelopeThatItsStepsLeadTo) {
+  document.setEnvelope("Ball", "ball");
+  document.setEnvelope("Cone", "cone");
+  document.undoStack().undo();
+  const History history = document.history();
+  PlantDocument opened;
+  opened.openEnvelope("of another plant");
+  opened.openHistory(history, nullptr, {});
+  EXPECT_EQ(opened.envelope(), "ball");
+  opened.openEnvelope("cone");
+  EXPECT_EQ(opened.envelope(), "ball") << "what is beside the plant was written before";
+  opened.undoStack().redo();
+  EXPECT_EQ(opened.envelope(), "cone");
+  opened.openSkeleton({}, {});
+  opened.openEnvelope("box");
+  EXPECT_EQ(opened.envelope(), "box") << "no step changed it";
+}
+
+TEST_F(PlantDocumentTest, ShowsAnotherEnvelopeOfAReadOnlyPlantWithoutAStep) {
+  document.setReadOnly("read-only");
+  document.setEnvelope("Ball", "ball");
+  EXPECT_EQ(document.envelope(), "ball");
+  EXPECT_EQ(document.undoStack().count(), 0);
+}
+
 TEST_F(PlantDocumentTest, ItsSkeletonIsNotEditedWhileItIsHeld) {
   document.setScan(rowOfPoints(), "row.xyz");
   document.reconstruct("Reconstruct", test::fork(2), nullptr);

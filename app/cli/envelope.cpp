@@ -57,7 +57,7 @@ EnvelopedPlant ofSkeleton(const Skeleton& skeleton, UpAxis up) {
 /// The scan that a project holds, or that lies where it says.
 std::optional<PointCloud> scanOfProject(const Project& project, const Progress& progress) {
   if (project.hasBytes(keptCloudName)) return cloudFrom(project.bytes(keptCloudName));
-  const auto found = project.findScan();
+  const auto found = project.findScan(progress);
   if (!found) return std::nullopt;
   auto points = readPoints(found->string(), progress);
   printNotes(points.notes);

@@ -102,7 +102,7 @@ Lengths lengthsOf(const PointCloud& fixed, const PointCloud& moved, double reach
                                   pointSpacing(moved.positions(), progress.part(0.5, 1)));
   if (!(spacing > 0))
     throw Error("the points of a scan all lie at one place: check that it is the right one");
-  const double diagonal = plantBounds(fixed).diagonal().norm();
+  const double diagonal = plantBounds(fixed, {}, progress).diagonal().norm();
   return {.spacing = spacing, .size = diagonal / 2, .reach = reach > 0 ? reach : 0.1 * diagonal};
 }
 

@@ -21,7 +21,7 @@ constexpr int neighbors = 12; // that show what the points about one sample
 std::vector<Index> onePerCube(const Eigen::Matrix3Xf& points, double edge,
                               const Progress& progress) {
   const Voxels voxels(points, edge, progress.part(0, 0.5));
-  const Eigen::Matrix3Xf means = voxels.means(points);
+  const Eigen::Matrix3Xf means = voxels.means(points, progress);
   std::vector<Index> chosen(voxels.count());
   parallelFor(
       static_cast<Index>(voxels.count()),
@@ -108,7 +108,7 @@ SampledCloud sampled(const PointCloud& cloud, double edge, Index most, const Pro
 std::vector<CloudPair> CloudMatching::pairs(const Isometry3d& motion, double reach,
                                             double agreement, const Progress& progress) const {
   std::vector<CloudPair> all(moved_.surfaces.size());
-  parallelFor(static_cast<Index>(all.size()), [&](Index i) {
+  const auto pair = [&](Index i) {
     const auto k = static_cast<std::size_t>(i);
     const Vector3d place = motion * moved_.points.col(i).cast<double>();
     const SampledSurface& its = moved_.surfaces[k];
@@ -124,8 +124,8 @@ std::vector<CloudPair> CloudMatching::pairs(const Isometry3d& motion, double rea
               .target = target,
               .across = acrossBoth(facing, other),
               .squared = (target - place).squaredNorm()};
-  });
-  progress.check();
+  };
+  parallelFor(static_cast<Index>(all.size()), pair, progress.part(0, 0), 64);
   return all;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/paced_check.h"
 #include "core/base/progress.h"
 
 #include <Eigen/Core>
@@ -24,7 +25,7 @@ public:
   /// @throws Cancelled if `progress` asks to stop; it reports no progress
   explicit PartedTree(const Eigen::Matrix3Xf& points, const Progress& progress = {});
 
-  [[nodiscard]] std::size_t size() const { return places_.size(); }
+  [[nodiscard]] std::size_t size() const { return size_; }
 
   /// Adds the points near `place` to `result`, as a search of nanoflann's does. May run on many
   /// threads, each with a result of its own.
@@ -113,14 +114,15 @@ private:
     if (other.box.squaredDistance(place) <= result.worstDist()) searchIn(other, place, result);
   }
 
-  [[nodiscard]] Box boxOf(std::size_t begin, std::size_t end) const; // of places
+  [[nodiscard]] Box boxOf(std::size_t begin, std::size_t end, PacedCheck& check) const; // of places
   /// Divides the points of a part in two as nanoflann does.
   [[nodiscard]] std::array<Part, 2> halves(Part& part, const Progress& progress);
   void buildParts(const Progress& progress);
   void sortAsIn(Tree& tree, std::size_t begin); // a search reads what lies next to each other
 
-  std::vector<Place> places_; // those of a part next to each other
-  std::vector<Part> parts_;   // the whole first, each before its halves
+  std::size_t size_;
+  std::unique_ptr<Place[]> places_; // those of a part next to each other
+  std::vector<Part> parts_;         // the whole first, each before its halves
 };
 
 } // namespace espalier

@@ -173,9 +173,13 @@ std::vector<Eigen::Index> farPoints(const PointCloud& cloud,
   return far;
 }
 
-std::vector<Eigen::Index> farPoints(const PointCloud& cloud, const PointSet& leftOut) {
+std::vector<Eigen::Index> farPoints(const PointCloud& cloud, const PointSet& leftOut,
+                                    const Progress& progress) {
+  progress.check();
   const std::vector<bool> isNotCounted = notCounted(cloud, leftOut);
+  progress.check();
   const std::vector<Eigen::Index> far = farPoints(cloud, isNotCounted);
+  progress.check();
   if (far.empty()) return {};
   std::vector<bool> isFar(isNotCounted.size(), false);
   for (const Eigen::Index point : far)
@@ -192,8 +196,9 @@ std::vector<Eigen::Index> farPoints(const PointCloud& cloud, const PointSet& lef
   return all;
 }
 
-Eigen::AlignedBox3d plantBounds(const PointCloud& cloud, const PointSet& leftOut) {
-  const PointSet without = leftOut | PointSet::of(farPoints(cloud, leftOut));
+Eigen::AlignedBox3d plantBounds(const PointCloud& cloud, const PointSet& leftOut,
+                                const Progress& progress) {
+  const PointSet without = leftOut | PointSet::of(farPoints(cloud, leftOut, progress));
   if (without.isEmpty()) return cloud.bounds();
   Eigen::AlignedBox3d box;
   for (const Eigen::Index point : others(without, cloud.size()))

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/progress.h"
 #include "core/cloud/point_cloud.h"
 #include "core/cloud/point_set.h"
 
@@ -31,15 +32,17 @@ farPoints(Eigen::Index count, const std::function<Eigen::Vector3d(Eigen::Index)>
 /// The same of a cloud, among the points that count: those of `leftOut` are none of it, and each
 /// place counts once. Mostly it has none. @return with each point those repeated at its place.
 /// O(N).
-[[nodiscard]] std::vector<Eigen::Index> farPoints(const PointCloud& cloud,
-                                                  const PointSet& leftOut = {});
+/// @throws Cancelled if `progress` asks to stop, which it is asked alone
+[[nodiscard]] std::vector<Eigen::Index>
+farPoints(const PointCloud& cloud, const PointSet& leftOut = {}, const Progress& progress = {});
 /// The same, where it is known which points do not count (notCounted()); none of these.
 [[nodiscard]] std::vector<Eigen::Index> farPoints(const PointCloud& cloud,
                                                   const std::vector<bool>& isNotCounted);
 
 /// Bounds of a cloud but for its far points and those of `leftOut` [L], frame of the file; empty
 /// without points. O(N).
-[[nodiscard]] Eigen::AlignedBox3d plantBounds(const PointCloud& cloud,
-                                              const PointSet& leftOut = {});
+/// @throws Cancelled if `progress` asks to stop, which it is asked alone
+[[nodiscard]] Eigen::AlignedBox3d plantBounds(const PointCloud& cloud, const PointSet& leftOut = {},
+                                              const Progress& progress = {});
 
 } // namespace espalier

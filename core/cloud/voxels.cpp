@@ -1,5 +1,6 @@
 #include "core/cloud/voxels.h"
 
+#include "core/base/paced_check.h"
 #include "core/base/parallel.h"
 
 #include <algorithm>
@@ -48,12 +49,14 @@ Voxels::Voxels(const Eigen::Matrix3Xf& points, double edge, const Progress& prog
   });
   progress.update(0.9);
   members_.reserve(all.size());
+  PacedCheck check(progress);
   for (const Keyed& one : all) {
     if (keys_.empty() || keys_.back() != one.key) {
       keys_.push_back(one.key);
       begin_.push_back(members_.size());
     }
     members_.push_back(one.point);
+    check.after(4);
   }
   begin_.push_back(members_.size());
 }
@@ -82,12 +85,14 @@ std::vector<std::uint32_t> Voxels::ofPoints() const {
   return result;
 }
 
-Eigen::Matrix3Xf Voxels::means(const Eigen::Matrix3Xf& points) const {
+Eigen::Matrix3Xf Voxels::means(const Eigen::Matrix3Xf& points, const Progress& progress) const {
+  PacedCheck check(progress);
   Eigen::Matrix3Xf result(3, static_cast<Eigen::Index>(count()));
   for (std::size_t cube = 0; cube < count(); ++cube) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (const std::uint32_t point : members(cube))
       sum += points.col(point).cast<double>();
+    check.after(10 * members(cube).size());
     result.col(static_cast<Eigen::Index>(cube)) =
         (sum / static_cast<double>(members(cube).size())).cast<float>();
   }

@@ -33,7 +33,9 @@ public:
   /// The cube of each point.
   [[nodiscard]] std::vector<std::uint32_t> ofPoints() const;
   /// The mean of the points in each cube [L].
-  [[nodiscard]] Eigen::Matrix3Xf means(const Eigen::Matrix3Xf& points) const;
+  /// @throws Cancelled if `progress` asks to stop, which it is asked alone
+  [[nodiscard]] Eigen::Matrix3Xf means(const Eigen::Matrix3Xf& points,
+                                       const Progress& progress = {}) const;
 
 private:
   double edge_;

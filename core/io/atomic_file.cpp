@@ -57,8 +57,10 @@ std::string adviceFor(int code) {
 class FileBuffer : public std::streambuf {
 public:
   /// @param name  of the file in messages
-  FileBuffer(int descriptor, fs::path name)
-      : descriptor_(descriptor), name_(std::move(name)), buffer_(std::size_t{1} << 18) {
+  /// @param toDisk  what is written is on the disk once it is finished
+  FileBuffer(int descriptor, fs::path name, bool toDisk)
+      : descriptor_(descriptor), name_(std::move(name)), toDisk_(toDisk),
+        buffer_(std::size_t{1} << 18) {
     setp(buffer_.data(), buffer_.data() + buffer_.size());
   }
   ~FileBuffer() override {
@@ -67,9 +69,9 @@ public:
   FileBuffer(const FileBuffer&) = delete;
   FileBuffer& operator=(const FileBuffer&) = delete;
 
-  void finish(bool toDisk) {
+  void finish() {
     sync();
-    if (toDisk && ::fsync(descriptor_) != 0) fail(name_, errno);
+    if (toDisk_ && ::fsync(descriptor_) != 0) fail(name_, errno);
     if (::close(std::exchange(descriptor_, -1)) != 0) fail(name_, errno);
   }
 
@@ -91,13 +93,32 @@ protected:
       const ssize_t written = ::write(descriptor_, left.data(), left.size());
       if (written < 0 && errno != EINTR) fail(name_, errno);
       left.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
+      written_ += std::max<ssize_t>(written, 0);
     }
+    if (toDisk_) keepUp();
     return 0;
   }
 
 private:
+  /// The disk begins with what was written, and is waited for while it is far behind: nothing can
+  /// stop the wait in the end. Where it cannot be asked to, the end takes longer.
+  void keepUp() {
+    constexpr off_t piece = off_t{4} << 20;
+    if (written_ - begun_ < piece) return;
+    (void)::sync_file_range(descriptor_, begun_, written_ - begun_, SYNC_FILE_RANGE_WRITE);
+    const unsigned wait =
+        SYNC_FILE_RANGE_WAIT_BEFORE | SYNC_FILE_RANGE_WRITE | SYNC_FILE_RANGE_WAIT_AFTER;
+    if (begun_ > awaited_) (void)::sync_file_range(descriptor_, awaited_, begun_ - awaited_, wait);
+    awaited_ = begun_;
+    begun_ = written_;
+  }
+
   int descriptor_;
   fs::path name_;
+  bool toDisk_;
+  off_t written_ = 0; // bytes
+  off_t begun_ = 0;   // of these, the disk is at
+  off_t awaited_ = 0; // of these, it has
   std::vector<char> buffer_;
 };
 
@@ -205,12 +226,11 @@ void syncFolder(const fs::path& folder) {
   ::close(descriptor);
 }
 
-void writeThrough(FileBuffer& buffer, const std::function<void(std::ostream&)>& write,
-                  bool toDisk) {
+void writeThrough(FileBuffer& buffer, const std::function<void(std::ostream&)>& write) {
   std::ostream out(&buffer);
   out.exceptions(std::ios::badbit); // passes on what the buffer throws
   write(out);
-  buffer.finish(toDisk);
+  buffer.finish();
 }
 
 } // namespace
@@ -256,10 +276,10 @@ StagedFile::StagedFile(const fs::path& path, const std::function<void(std::ostre
   const bool exists = ::stat(path_.c_str(), &old) == 0;
   if (exists && S_ISDIR(old.st_mode)) fail(path, EISDIR);
   temporary_ = std::make_unique<Temporary>(path_);
-  FileBuffer buffer(temporary_->descriptor(), path);
+  FileBuffer buffer(temporary_->descriptor(), path, true);
   constexpr mode_t permissionBits = 07777;
   if (exists) buffer.setPermissions(old.st_mode & permissionBits);
-  writeThrough(buffer, write, true);
+  writeThrough(buffer, write);
 }
 
 StagedFile::~StagedFile() = default;
@@ -278,8 +298,8 @@ void StagedFile::show() {
 
 void writeAtomically(const fs::path& path, const std::function<void(std::ostream&)>& write) {
   if (isStream(path)) {
-    FileBuffer buffer(openStream(path), path);
-    return writeThrough(buffer, write, false);
+    FileBuffer buffer(openStream(path), path, false);
+    return writeThrough(buffer, write);
   }
   StagedFile(path, write).show();
 }

@@ -56,7 +56,7 @@ template <class Measure>
 auto onPlaces(const PointCloud& cloud, const SpatialIndex& index, const PointSet& leftOut,
               const Progress& progress, const Measure& measure) {
   const PointSet passed = leftOut | repeatedPoints(cloud, leftOut);
-  const PointSet without = passed | PointSet::of(farPoints(cloud, leftOut));
+  const PointSet without = passed | PointSet::of(farPoints(cloud, leftOut, progress));
   const Eigen::Matrix3Xf& positions = cloud.positions();
   const auto measured = [&](const SpatialIndex& found) {
     Places places{progress, positions, found, others(without, cloud.size()), 0, 0};

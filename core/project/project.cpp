@@ -58,11 +58,11 @@ void insertPiece(const Database& database, std::string_view name, std::int64_t p
       .run();
 }
 
-bool isTheScan(const fs::path& path, const ScanReference& scan) {
+bool isTheScan(const fs::path& path, const ScanReference& scan, const Progress& progress) {
   std::error_code failed;
   if (!fs::is_regular_file(path, failed) || fs::file_size(path, failed) != scan.size) return false;
   try {
-    return contentHashOfFile(path) == scan.hash;
+    return contentHashOfFile(path, progress) == scan.hash;
   } catch (const Error&) { // it may not be read
     return false;
   }
@@ -249,7 +249,7 @@ std::optional<ScanReference> Project::scan() const {
   return scan;
 }
 
-std::optional<fs::path> Project::findScan() const {
+std::optional<fs::path> Project::findScan(const Progress& progress) const {
   const std::optional<ScanReference> reference = scan();
   if (!reference) return std::nullopt;
   const fs::path folder = path_.parent_path();
@@ -261,7 +261,7 @@ std::optional<fs::path> Project::findScan() const {
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, unreadable))
     places.push_back(entry.path());
   const auto found = std::ranges::find_if(
-      places, [&](const fs::path& place) { return isTheScan(place, *reference); });
+      places, [&](const fs::path& place) { return isTheScan(place, *reference, progress); });
   if (found == places.end()) return std::nullopt;
   return found->lexically_normal();
 }

@@ -112,7 +112,8 @@ public:
 
   /// Where the scan is now: at its old place, as seen from the project, or in its folder under any
   /// name; none if nowhere. A file counts if its size and hash do.
-  [[nodiscard]] std::optional<std::filesystem::path> findScan() const;
+  /// @throws Cancelled if `progress` asks to stop, which it is asked alone
+  [[nodiscard]] std::optional<std::filesystem::path> findScan(const Progress& progress = {}) const;
 
   /// The same file by a connection of its own, for one other thread: both may write, each call
   /// waiting for those of the other. The right to write goes with the last of them.

@@ -68,7 +68,7 @@ void addScan(LoadedProject& loaded, const Progress& progress) {
   tryTo(loaded, [&] { loaded.scan = keptScan(*loaded.project, progress); });
   loaded.isScanKept = loaded.scan != nullptr;
   if (!loaded.isScanKept) {
-    const auto found = loaded.project->findScan();
+    const auto found = loaded.project->findScan(progress);
     if (!found) return;
     loaded.scan = scanIn(*found, *reference, loaded.reading, progress);
     loaded.scanPath = nameOf(*found);

@@ -50,8 +50,8 @@ void ProjectFlow::keepScan(bool isKept) {
   else
     parts_.jobs.start(
         tr("Looking for the scan"),
-        [project](const Progress&) {
-          if (!project->findScan())
+        [project](const Progress& progress) {
+          if (!project->findScan(progress))
             throw Error(project->path().string() +
                         ": holds the only copy of its scan that is "
                         "found: put the file of the scan beside it first");

@@ -5,6 +5,7 @@
 #include "ui/panels/label_role.h"
 #include "ui/panels/method_form.h"
 #include "ui/panels/panel_button.h"
+#include "ui/panels/wide_enough.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -50,6 +51,7 @@ CleanPanel::CleanPanel(const Actions& actions, QWidget* parent)
   area->setWidgetResizable(true);
   area->setFrameShape(QFrame::NoFrame);
   area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  keepWideEnough(*area);
   area->setAccessibleName(tr("Cleaning"));
   auto* whole = new QVBoxLayout(this);
   whole->setContentsMargins(0, 0, 0, 0);

@@ -6,6 +6,7 @@
 #include "ui/panels/method_form.h"
 #include "ui/panels/option_field.h"
 #include "ui/panels/panel_button.h"
+#include "ui/panels/wide_enough.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -95,6 +96,7 @@ EnvelopePanel::EnvelopePanel(QAction& write, QWidget* parent)
   area->setWidgetResizable(true);
   area->setFrameShape(QFrame::NoFrame);
   area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  keepWideEnough(*area);
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(0, 0, 0, 0);
   all->addWidget(area);

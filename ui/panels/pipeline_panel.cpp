@@ -3,9 +3,9 @@
 #include "ui/document/plant_document.h"
 #include "ui/panels/scan_form.h"
 #include "ui/panels/step_form.h"
+#include "ui/panels/wide_enough.h"
 
 #include <QCheckBox>
-#include <QEvent>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -16,26 +16,6 @@
 #include <algorithm>
 
 namespace espalier {
-namespace {
-
-/// Keeps a scroll area as wide as what is in it needs: nothing is cut off at its right.
-class WideEnough : public QObject {
-public:
-  explicit WideEnough(QScrollArea& area) : QObject(&area), area_(area) {}
-
-  bool eventFilter(QObject* page, QEvent* event) override {
-    if (event->type() == QEvent::LayoutRequest)
-      area_.setMinimumWidth(area_.widget()->minimumSizeHint().width() +
-                            area_.verticalScrollBar()->sizeHint().width());
-    return QObject::eventFilter(page, event);
-  }
-
-private:
-  QScrollArea& area_;
-};
-
-} // namespace
-
 PipelinePanel::PipelinePanel(PlantDocument& document, QWidget* parent)
     : QWidget(parent), document_(document), scroll_(new QScrollArea(this)),
       live_(new QCheckBox(tr("Live preview"), this)),
@@ -70,7 +50,7 @@ PipelinePanel::PipelinePanel(PlantDocument& document, QWidget* parent)
   scroll_->setWidgetResizable(true);
   scroll_->setFrameShape(QFrame::NoFrame);
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  page->installEventFilter(new WideEnough(*scroll_));
+  keepWideEnough(*scroll_);
   auto* scan = new ScanForm(document, this);
   scan->setContentsMargins(12, 12, 12, 12);
   auto* foot = new QVBoxLayout;

@@ -3,6 +3,7 @@
 #include "ui/panels/label_role.h"
 #include "ui/panels/number_box.h"
 #include "ui/panels/panel_button.h"
+#include "ui/panels/wide_enough.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -131,6 +132,7 @@ RegistrationPanel::RegistrationPanel(const Actions& actions, QWidget* parent)
   area->setWidgetResizable(true);
   area->setFrameShape(QFrame::NoFrame);
   area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  keepWideEnough(*area);
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(0, 0, 0, 0);
   all->addWidget(area);

@@ -2,6 +2,7 @@
 #include "tests/app/window/project_fixture.h"
 #include "ui/panels/clean_panel.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFile>
@@ -51,6 +52,19 @@ TEST_F(CleaningTest, SelectsWhatIsFound) {
   EXPECT_TRUE(result().startsWith("Selected: 3 of ")) << result().toStdString();
   EXPECT_TRUE(find<QPushButton>("clean_set_aside").isEnabled());
   EXPECT_EQ(document().undoStack().count(), 0) << "to find is no edit";
+}
+
+TEST_F(CleaningTest, IsNotCutOffInASmallWindow) {
+  window().resize(1280, 800);
+  choose("Ground: Cloth");
+  auto& page = find<QWidget>("clean_panel");
+  QApplication::processEvents();
+  for (const QWidget* part : page.findChildren<QWidget*>()) {
+    if (!part->isVisible()) continue;
+    const int left = part->mapTo(&page, QPoint(0, 0)).x();
+    EXPECT_GE(left, 0) << part->objectName().toStdString();
+    EXPECT_LE(left + part->width(), page.width()) << part->objectName().toStdString();
+  }
 }
 
 TEST_F(CleaningTest, FollowsItsOptions) {

@@ -174,10 +174,9 @@ void MainWindow::makeEvaluation() {
   parts_.make<EvaluationFlow>(
       EvaluationFlow::Parts{document_, *view_, jobs_, parts_.get<Editing>(), reference, window});
   parts_.make<EnvelopeFlow>(EnvelopeFlow::Parts{document_, *view_, queue_, window});
-  const auto& files = parts_.get<FileFlow>();
-  parts_.make<RegistrationFlow>(RegistrationFlow::Parts{
-      document_, *view_, jobs_, parts_.get<Editing>(), parts_.get<ProjectFlow>(),
-      [&files] { return files.showsPart(); }, window});
+  parts_.make<RegistrationFlow>(
+      RegistrationFlow::Parts{document_, *view_, jobs_, parts_.get<Editing>(),
+                              parts_.get<ProjectFlow>(), parts_.get<FileFlow>(), window});
 }
 
 void MainWindow::makePreview(PipelinePanel& pipeline) {

@@ -130,6 +130,18 @@ void PartForm::choose(ReadOptions& options) const {
   if (isBoxed_->isChecked()) options.box = box();
 }
 
+void PartForm::show(const ReadOptions& options) {
+  if (options.most > 0) most_->setCount(options.most);
+  (options.most > 0 ? some_ : all_)->setChecked(true);
+  isBoxed_->setChecked(options.box.has_value());
+  if (!options.box) return;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto& ends = ends_[static_cast<std::size_t>(axis)];
+    ends[0]->setValue(options.box->min()[axis]);
+    ends[1]->setValue(options.box->max()[axis]);
+  }
+}
+
 QString PartForm::problem() const {
   if (isBoxed_->isChecked())
     for (int axis = 0; axis < 3; ++axis)

@@ -28,6 +28,7 @@ public:
 
   void setGlance(const PointGlance& glance); // found out anew, of other columns
   void choose(ReadOptions& options) const;
+  void show(const ReadOptions& options); // as choose() gave them
   [[nodiscard]] QString problem() const; // in a sentence; empty: none
 
 signals:

@@ -4,6 +4,7 @@
 #include "ui/dialogs/count_box.h"
 #include "ui/dialogs/part_form.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFileInfo>
@@ -44,6 +45,7 @@ ScanDialog::ScanDialog(ScanLook look, std::uint64_t mostAtOnce, QWidget* parent)
       bounds_(wrappedLabel("scan_bounds")), size_(wrappedLabel("scan_size")), unit_(new QComboBox),
       unitReason_(wrappedLabel("unit_reason", "quiet")), up_(new QComboBox),
       upReason_(wrappedLabel("up_reason", "quiet")), part_(new PartForm(look_.glance, mostAtOnce)),
+      remembers_(new QCheckBox(tr("Read files that begin alike so, too"), this)),
       limit_(new CountBox), problem_(wrappedLabel("scan_problem", "warning")) {
   setObjectName("open_scan");
   setWindowTitle(tr("Open a Scan"));
@@ -68,6 +70,23 @@ ScanDialog::ScanDialog(ScanLook look, std::uint64_t mostAtOnce, QWidget* parent)
   if (table_ != nullptr)
     connect(table_, &ColumnTable::fieldsChanged, this, &ScanDialog::refreshColumns);
   refresh();
+  showChosen();
+}
+
+/// What was chosen before, and why that could not be read: another try may do.
+void ScanDialog::showChosen() {
+  if (const std::optional<ScanChoices>& chosen = look_.chosen) {
+    unit_->setCurrentIndex(unit_->findData(symbol(chosen->unit)));
+    up_->setCurrentIndex(static_cast<int>(chosen->up));
+    isUnitChosen_ = true;
+    isUpChosen_ = true;
+    part_->show(chosen->reading);
+  }
+  unit_->setEnabled(!look_.unit);
+  up_->setEnabled(!look_.up);
+  if (look_.failure.isEmpty()) return;
+  problem_->setText(look_.failure);
+  problem_->show();
 }
 
 QVBoxLayout* ScanDialog::makeHead() {
@@ -129,10 +148,16 @@ void ScanDialog::makeTable(QVBoxLayout& page) {
   title->setProperty("role", "section");
   page.addWidget(title);
   page.addWidget(table_, 1);
+  page.addWidget(remembers_);
 }
 
 void ScanDialog::makeEnd(QVBoxLayout& page) {
   page.addWidget(problem_);
+  remembers_->setObjectName("remember_columns");
+  remembers_->setToolTip(tr("Columns as they are named here are taken for such files without "
+                            "asking, also after the program is closed"));
+  remembers_->setChecked(true);
+  remembers_->setVisible(!look_.alike.isEmpty());
   limit_->setObjectName("most_at_once");
   limit_->setCount(asked_);
   auto* label = new QLabel(tr("Points of a scan that are read without asking, at most"));
@@ -163,7 +188,7 @@ void ScanDialog::orderTabs() {
     order.push_back(part_->findChild<QWidget*>(QString::fromLatin1(name)));
   if (table_ != nullptr) {
     order.insert(order.end(), table_->lists().begin(), table_->lists().end());
-    order.push_back(table_);
+    order.insert(order.end(), {table_, remembers_});
   }
   order.insert(order.end(), {limit_, open_, cancel_});
   for (std::size_t i = 1; i < order.size(); ++i)
@@ -173,7 +198,7 @@ void ScanDialog::orderTabs() {
 }
 
 void ScanDialog::showGlance() {
-  const PointGlance& glance = look_.glance;
+  const PointGlance glance = glanceOf(look_);
   points_->setText(contentText(glance));
   columns_->setText(columnsText(glance));
   bounds_->setText(boundsText(glance));
@@ -220,6 +245,10 @@ ScanChoices ScanDialog::choices() const {
   part_->choose(choices.reading);
   if (look_.text && columns() != look_.text->columns) choices.reading.columns = columns();
   return choices;
+}
+
+bool ScanDialog::remembersColumns() const {
+  return remembers_->isChecked();
 }
 
 std::uint64_t ScanDialog::mostAtOnce() const {

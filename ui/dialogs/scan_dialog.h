@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+class QCheckBox;
 class QComboBox;
 class QFormLayout;
 class QLabel;
@@ -31,9 +32,11 @@ public:
   [[nodiscard]] ScanChoices choices() const;
   [[nodiscard]] std::vector<PointField> columns() const; // of a text file; empty: of another
   [[nodiscard]] std::uint64_t mostAtOnce() const;
+  [[nodiscard]] bool remembersColumns() const; // for files that begin alike
 
   /// What was found out with the columns that were chosen last.
   void setGlance(const PointGlance& glance);
+  [[nodiscard]] const PointGlance& glance() const { return look_.glance; }
   void showProblem(const QString& problem); // why that failed
 
 signals:
@@ -45,6 +48,7 @@ private:
   void makeTable(QVBoxLayout& page);
   void makeEnd(QVBoxLayout& page);
   void orderTabs();
+  void showChosen();
   void showGlance();
   void refreshColumns();
   void refresh();
@@ -62,6 +66,7 @@ private:
   QLabel* upReason_;
   PartForm* part_;
   ColumnTable* table_ = nullptr; // null: no text file
+  QCheckBox* remembers_;
   CountBox* limit_;
   QLabel* problem_;
   QPushButton* open_ = nullptr;

@@ -65,6 +65,14 @@ QString sides(const Eigen::Vector3d& lengths, LengthUnit unit) {
 
 } // namespace
 
+PointGlance glanceOf(const ScanLook& look) {
+  PointGlance glance = look.glance;
+  const std::string reason = LookText::tr("as the open scan").toStdString();
+  if (look.unit) glance.unit = {symbol(*look.unit).toStdString(), reason, true};
+  if (look.up) glance.up = {std::string(1, "xyz"[static_cast<int>(*look.up)]), reason, true};
+  return glance;
+}
+
 QString columnsQuestion(const ScanLook& look) {
   if (!look.text) return {};
   const FirstLines& text = *look.text;
@@ -85,7 +93,7 @@ QStringList questionsOf(const ScanLook& look, std::uint64_t mostAtOnce) {
     questions.append(
         LookText::tr("It has %1 points, more than are read without asking: choose below how many.")
             .arg(pointsText(look.glance.points, look.glance.arePointsEstimated)));
-  if (look.glance.unit.value.empty() && !look.glance.bounds.isEmpty())
+  if (!look.unit && look.glance.unit.value.empty() && !look.glance.bounds.isEmpty())
     questions.append(LookText::tr("Its unit is not known: choose it below."));
   return questions;
 }

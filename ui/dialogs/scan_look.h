@@ -15,6 +15,13 @@
 
 namespace espalier {
 
+/// How a scan is to be read and shown, as its user says.
+struct ScanChoices {
+  ReadOptions reading;
+  LengthUnit unit = LengthUnit::unknown;
+  UpAxis up = UpAxis::z;
+};
+
 /// What is known of a scan before it is read.
 struct ScanLook {
   QString path;
@@ -22,14 +29,16 @@ struct ScanLook {
   PointGlance glance;
   std::optional<FirstLines> text;       // of a text file
   std::vector<PointField> columns = {}; // that a user named of such a file; empty: found out
+  QString alike = {};   // what such files have in common that begin alike; empty: nothing
+  QString failure = {}; // why it could not be read, the last time it was tried
+  std::optional<ScanChoices> chosen = {}; // by which that was tried
+  /// Of another scan of a plant, which is laid on the first: it has the unit and the up axis of it.
+  std::optional<LengthUnit> unit = {};
+  std::optional<UpAxis> up = {};
 };
 
-/// How a scan is to be read and shown, as its user says.
-struct ScanChoices {
-  ReadOptions reading;
-  LengthUnit unit = LengthUnit::unknown;
-  UpAxis up = UpAxis::z;
-};
+/// What was found out of it, with the unit and the up axis that are known.
+[[nodiscard]] PointGlance glanceOf(const ScanLook& look);
 
 /// Why the columns of a text file are to be looked at, in a sentence; empty: they are clear.
 [[nodiscard]] QString columnsQuestion(const ScanLook& look);

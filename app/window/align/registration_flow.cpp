@@ -1,10 +1,12 @@
 #include "app/window/align/registration_flow.h"
 
 #include "app/window/edit/editing.h"
+#include "app/window/files/file_flow.h"
 #include "app/window/frame/action_set.h"
 #include "app/window/frame/key_hints.h"
 #include "core/align/target_sphere.h"
 #include "core/base/error.h"
+#include "core/io/formats.h"
 #include "ui/document/plant_document.h"
 #include "ui/panels/registration_panel.h"
 #include "ui/tools/screen_plane.h"
@@ -52,19 +54,9 @@ void RegistrationFlow::begin(const QString& path) {
   if (parts_.document.scan() == nullptr)
     throw Error(tr("there is no scan to register another one to: open one first").toStdString());
   if (!mayLose()) return;
-  const ScanRequest request = scanRequest(parts_.window.settings);
-  parts_.jobs.start(
-      tr("Reading %1").arg(QFileInfo(path).fileName()),
-      [path, request](const Progress& progress) {
-        LoadedFiles files = loadFiles({path}, request, progress);
-        if (!files.scan)
-          throw Error(path.toStdString() + ": holds no points: choose another scan of this plant");
-        return files;
-      },
-      [this](LoadedFiles files) {
-        const auto kept = std::make_shared<LoadedFiles>(std::move(files));
-        parts_.jobs.afterwards([this, kept] { takeScan(std::move(*kept)); });
-      });
+  if (formatOf(toPath(path)).content != Content::points)
+    throw Error(path.toStdString() + ": holds no points: choose another scan of this plant");
+  parts_.files.readOther(path, [this](LoadedFiles files) { takeScan(std::move(files)); });
 }
 
 void RegistrationFlow::takeScan(LoadedFiles files) {

@@ -17,6 +17,7 @@
 namespace espalier {
 
 class Editing;
+class FileFlow;
 class PlantDocument;
 class PlantView;
 class ProjectFlow;
@@ -36,7 +37,7 @@ public:
     JobSlot& jobs;
     Editing& editing;
     ProjectFlow& projects;
-    std::function<bool()> isPartOpen; // of its file, the open scan is only a part
+    FileFlow& files;
     PanelDock::Parts window;
   };
   explicit RegistrationFlow(const Parts& parts);

@@ -1,6 +1,7 @@
 // What becomes of a registration: one scan of two, and structures that move with theirs.
 #include "app/window/align/registration_flow.h"
 #include "app/window/files/file_filters.h"
+#include "app/window/files/file_flow.h"
 #include "app/window/files/project_flow.h"
 #include "app/window/frame/action_set.h"
 #include "core/base/error.h"
@@ -88,7 +89,7 @@ QString droppedByJoining(const PointCloud& one, const PointCloud& other) {
 
 void RegistrationFlow::join(const QString& path) {
   parts_.document.requireWritable();
-  if (parts_.isPartOpen() || isPart_)
+  if (parts_.files.showsPart() || isPart_)
     throw Error(tr("%1 is shown in part, and what is joined would be that part: join the files by "
                    "\"espalier register\"")
                     .arg(isPart_ ? name() : QFileInfo(parts_.document.scanPath()).fileName())

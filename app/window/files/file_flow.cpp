@@ -57,7 +57,7 @@ QString proposedPath(const PlantDocument& document, const QString& folder) {
 
 } // namespace
 
-FileFlow::FileFlow(const Parts& parts) : parts_(parts) {
+FileFlow::FileFlow(const Parts& parts) : parts_(parts), named_(namedColumns(parts.settings)) {
   parts_.projects.setGate(
       [this](const std::function<void()>& show) { showUnlessKept(show, true); });
   addActions();
@@ -138,14 +138,23 @@ void FileFlow::openScans(const QStringList& scans, const QStringList& structures
   read(opening);
 }
 
+void FileFlow::readOther(const QString& path, const std::function<void(LoadedFiles)>& take) {
+  read({.paths = {path},
+        .request = scanRequest(parts_.settings),
+        .unit = parts_.document.unit(),
+        .up = parts_.document.up(),
+        .take = take});
+}
+
 void FileFlow::read(const Opening& opening) {
   parts_.jobs.requireIdle();
   bool hasScan = false;
   bool hasStructure = false;
   for (const QString& path : opening.paths)
     (formatOf(toPath(path)).content == Content::points ? hasScan : hasStructure) = true;
-  const bool isAnotherPlant = hasScan && parts_.document.scan() != nullptr;
-  const bool isAtOnce = !isAnotherPlant && !hasStructure && opening.toRegister.isEmpty();
+  const bool isAnotherPlant = hasScan && !opening.take && parts_.document.scan() != nullptr;
+  const bool isAtOnce =
+      !isAnotherPlant && !hasStructure && !opening.take && opening.toRegister.isEmpty();
   const QFileInfo file(opening.paths.front());
   parts_.settings.setValue(folderKey, file.absolutePath());
   const auto* scan = parts_.document.scan();
@@ -156,6 +165,7 @@ void FileFlow::read(const Opening& opening) {
       [opening, cloud, skeleton, known = named_](const Progress& progress) {
         Read read = readOrAsk(opening, known, progress);
         const LoadedFiles& files = read.files;
+        if (opening.take) return read;
         if (const auto& points = files.scan ? files.scan->cloud() : cloud)
           read.fit = fitOf(files.structure ? files.structure->skeleton : skeleton, *points);
         return read;
@@ -164,15 +174,20 @@ void FileFlow::read(const Opening& opening) {
         if (isAtOnce && !read.look) return show(std::move(read), isAnotherPlant);
         const auto kept = std::make_shared<Read>(std::move(read));
         parts_.jobs.afterwards([this, opening, isAnotherPlant, kept] {
-          if (kept->look) return ask(opening, *kept->look);
-          showUnlessKept(
-              [&] {
-                show(std::move(*kept), isAnotherPlant);
-                if (!opening.toRegister.isEmpty()) emit registrationAsked(opening.toRegister);
-              },
-              isAnotherPlant);
+          finish(opening, std::move(*kept), isAnotherPlant);
         });
       });
+}
+
+void FileFlow::finish(const Opening& opening, Read read, bool isAnotherPlant) {
+  if (read.look) return ask(opening, *read.look);
+  if (opening.take) return opening.take(std::move(read.files));
+  showUnlessKept(
+      [&] {
+        show(std::move(read), isAnotherPlant);
+        if (!opening.toRegister.isEmpty()) emit registrationAsked(opening.toRegister);
+      },
+      isAnotherPlant);
 }
 
 bool FileFlow::save() {

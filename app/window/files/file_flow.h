@@ -52,6 +52,11 @@ public:
   /// The same, but how a scan is read is asked first, in any case.
   void openWithChoices(const QStringList& paths);
 
+  /// Reads another scan of the plant, as a job, and hands it out; how it is to be read is asked
+  /// where that is in doubt.
+  /// @throws Error if a job is running
+  void readOther(const QString& path, const std::function<void(LoadedFiles)>& take);
+
   /// Opens what of the scan lies in the clip's box, all of its points, as another plant.
   /// @throws Error if the scan is shown whole, or the view is not clipped to a box
   void openRegion();
@@ -80,6 +85,10 @@ private:
     QString toRegister = {};             // a scan, once these are shown
     std::optional<LengthUnit> unit = {}; // of the scan; none: as it seems
     std::optional<UpAxis> up = {};       // likewise
+    /// Takes another scan of the plant; none: it is opened.
+    std::function<void(LoadedFiles)> take = {};
+    std::optional<ScanLook> look = {};      // at the scan, if it was asked about
+    std::optional<ScanChoices> chosen = {}; // what was answered
   };
   void chooseAndOpen(Asking asking);
   void open(const QStringList& paths, Asking asking);
@@ -115,6 +124,9 @@ private:
     std::optional<UpAxis> up;       // likewise
   };
   static Read readOrAsk(Opening opening, const NamedColumns& known, const Progress& progress);
+  static std::optional<ScanLook> lookAt(const Opening& opening, const NamedColumns& known);
+  void finish(const Opening& opening, Read read, bool isAnotherPlant);
+  void remember(const QString& alike, const std::vector<PointField>& columns);
   void show(Read read, bool isAnotherPlant);
   bool reportFit(const ScanFit& fit, QStringList notes); // whether there was anything to report
   struct Target {
@@ -132,7 +144,7 @@ private:
   Target saved_;       // where and how the skeleton was written last
   ScanPart part_;      // what of its file the scan is
   QString copied_;     // the file of others that a copy was kept of
-  NamedColumns named_; // by hand, since the window opened
+  NamedColumns named_; // by hand
 };
 
 } // namespace espalier

@@ -35,26 +35,56 @@ FileFlow::Second FileFlow::askAbout(const QString& second, const QString& first,
   return box.clickedButton() == opens ? Second::opened : Second::left;
 }
 
+/// None where there is nothing to ask about.
+std::optional<ScanLook> FileFlow::lookAt(const Opening& opening, const NamedColumns& known) {
+  if (opening.look) return opening.look;
+  std::optional<ScanLook> look = lookAtScan(opening.paths, opening.asking, known);
+  if (look && opening.take) {
+    look->unit = opening.unit;
+    look->up = opening.up;
+  }
+  return look;
+}
+
 FileFlow::Read FileFlow::readOrAsk(Opening opening, const NamedColumns& known,
                                    const Progress& progress) {
   Read read{.unit = opening.unit, .up = opening.up};
   bool isByMemory = false;
-  if (std::optional<ScanLook> look = lookAtScan(opening.paths, opening.asking, known)) {
-    if (opening.asking == Asking::always ||
+  std::optional<ScanLook> look = lookAt(opening, known);
+  if (look && !opening.chosen) {
+    if (opening.asking == Asking::always || !look->failure.isEmpty() ||
         !questionsOf(*look, opening.request.mostAtOnce).isEmpty()) {
       read.look = std::move(look);
       return read;
     }
     opening.request.columns = look->columns;
     isByMemory = !look->columns.empty() && look->columns != look->text->columns;
-    if (look->glance.unit.isStated)
+    if (!read.unit && look->glance.unit.isStated)
       read.unit = unitOfSymbol(QString::fromStdString(look->glance.unit.value));
   }
-  read.files = loadFiles(opening.paths, opening.request, progress);
+  try {
+    read.files = loadFiles(opening.paths, opening.request, progress);
+  } catch (const Error& error) {
+    const bool isForThePage = look && opening.paths.size() == 1 && (look->text || opening.chosen);
+    if (!isForThePage) throw;
+    look->failure = QString::fromUtf8(error.what());
+    look->chosen = opening.chosen;
+    read.look = std::move(look);
+    return read;
+  }
   if (isByMemory)
     read.files.notes.append(
         tr("The columns are read as you named them before, of a file that begins alike"));
   return read;
+}
+
+void FileFlow::remember(const QString& alike, const std::vector<PointField>& columns) {
+  if (alike.isEmpty()) return;
+  if (columns.empty())
+    named_.remove(alike);
+  else
+    named_[alike] = columns;
+  keepNamedColumns(parts_.settings, named_);
 }
 
 void FileFlow::ask(Opening opening, const ScanLook& look) {
@@ -68,15 +98,18 @@ void FileFlow::ask(Opening opening, const ScanLook& look) {
   });
   if (dialog.exec() != QDialog::Accepted) return emit noted(tr("Canceled: nothing has changed"));
   keepMostAtOnce(parts_.settings, dialog.mostAtOnce());
+  remember(look.alike, dialog.remembersColumns() ? dialog.columns() : std::vector<PointField>());
   const ScanChoices choices = dialog.choices();
-  if (look.text)
-    if (const QString key = columnsKey(*look.text); !key.isEmpty()) named_[key] = dialog.columns();
   const ReadOptions& reading = choices.reading;
   const std::uint64_t all = std::numeric_limits<std::uint64_t>::max();
   opening.request = {reading.box, reading.most > 0 ? reading.most : all, reading.columns};
   opening.asking = Asking::never;
   opening.unit = choices.unit;
   opening.up = choices.up;
+  opening.look = look;
+  opening.look->columns = dialog.columns();
+  opening.look->glance = dialog.glance();
+  opening.chosen = choices;
   parts_.actions.guarded(
       [&] {
         read(opening);

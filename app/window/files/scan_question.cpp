@@ -5,7 +5,12 @@
 #include "core/io/formats.h"
 #include "core/io/glance.h"
 
-#include <QCoreApplication>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QSettings>
+
+#include <string>
+#include <string_view>
 
 namespace espalier {
 namespace {
@@ -21,6 +26,24 @@ std::optional<QString> onlyScan(const QStringList& paths) {
   return scan;
 }
 
+const char* const namedKey = "files/named_columns";
+
+QString textOf(const std::vector<PointField>& columns) {
+  QStringList names;
+  for (const PointField column : columns) {
+    const std::string_view name = nameOf(column);
+    names.append(QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())));
+  }
+  return names.join(' ');
+}
+
+std::vector<PointField> columnsIn(const QString& text) {
+  std::vector<PointField> columns;
+  for (const QString& name : text.split(' ', Qt::SkipEmptyParts))
+    columns.push_back(pointFieldNamed(name.toStdString()));
+  return columns;
+}
+
 bool showsItself(const Format& format) {
   return format.glance != nullptr || format.glanceByColumns != nullptr;
 }
@@ -33,6 +56,23 @@ QString columnsKey(const FirstLines& text) {
   return QStringLiteral("%1/%2").arg(text.columns.size()).arg(static_cast<int>(text.doubt));
 }
 
+NamedColumns namedColumns(const QSettings& settings) {
+  NamedColumns named;
+  const QJsonObject kept =
+      QJsonDocument::fromJson(settings.value(namedKey).toString().toUtf8()).object();
+  for (auto it = kept.begin(); it != kept.end(); ++it)
+    named[it.key()] = columnsIn(it.value().toString());
+  return named;
+}
+
+void keepNamedColumns(QSettings& settings, const NamedColumns& named) {
+  QJsonObject kept;
+  for (auto it = named.begin(); it != named.end(); ++it)
+    kept[it.key()] = textOf(it.value());
+  settings.setValue(namedKey,
+                    QString::fromUtf8(QJsonDocument(kept).toJson(QJsonDocument::Compact)));
+}
+
 std::optional<ScanLook> lookAtScan(const QStringList& paths, Asking asking,
                                    const NamedColumns& known) {
   const std::optional<QString> path = onlyScan(paths);
@@ -42,10 +82,16 @@ std::optional<ScanLook> lookAtScan(const QStringList& paths, Asking asking,
   const QString name = QString::fromUtf8(format.name.data(), qsizetype(format.name.size()));
   ScanLook look{.path = *path, .format = name, .glance = {}, .text = firstLinesAt(toPath(*path))};
   if (look.text) {
-    look.columns = known.value(columnsKey(*look.text));
+    look.alike = columnsKey(*look.text);
+    look.columns = known.value(look.alike);
     if (look.columns.size() != look.text->columns.size()) look.columns.clear();
   }
-  look.glance = glanceAt(toPath(*path), look.columns);
+  try {
+    look.glance = glanceAt(toPath(*path), look.columns);
+  } catch (const Error& error) {
+    if (!look.text || look.text->columns.empty()) throw;
+    look.failure = QString::fromUtf8(error.what());
+  }
   return look;
 }
 

@@ -12,8 +12,10 @@
 #include <QDoubleSpinBox>
 #include <QFile>
 #include <QLabel>
+#include <QPointer>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QSettings>
 #include <QTableWidget>
 #include <QTest>
 #include <QTimer>
@@ -64,6 +66,12 @@ struct ImportTest : test::ProjectWindowTest {
     waitForJob();
     EXPECT_TRUE(isAnswered_) << "it was not asked";
   }
+  /// Answers the page that is shown after another dialog.
+  void next(const Reply& reply) {
+    tries_ = 0;
+    const QPointer<QWidget> before = QApplication::activeModalWidget();
+    QTimer::singleShot(0, &window(), [this, before, reply] { answerAfter(before, reply); });
+  }
   static QString textOfLabel(const QDialog& dialog, const char* name) {
     const auto* label = dialog.findChild<QLabel*>(name);
     EXPECT_NE(label, nullptr) << name;
@@ -95,6 +103,15 @@ private:
     }
     isAnswered_ = true;
     reply(*dialog);
+  }
+  void answerAfter(const QPointer<QWidget>& before, const Reply& reply) {
+    auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+    if (dialog != nullptr && dialog != before && dialog->objectName() == "open_scan")
+      return reply(*dialog);
+    if (++tries_ < 5000)
+      QTimer::singleShot(2, &window(), [this, before, reply] { answerAfter(before, reply); });
+    else
+      ADD_FAILURE() << "no page was shown";
   }
   bool isAnswered_ = false;
   int tries_ = 0;
@@ -201,6 +218,96 @@ TEST_F(ImportTest, FilesWithTheSameFirstLineAreReadAlike) {
   EXPECT_NEAR(cloud().bounds().max().z(), 1.99, 1e-4);
 }
 
+TEST_F(ImportTest, ColumnsThatWereNamedAreKnownToTheNextSessionUntilTheyAreDropped) {
+  const auto name = [](QDialog& dialog) {
+    choose(dialog, "column_1", "z");
+    choose(dialog, "column_3", "x");
+    choose(dialog, "column_4", "left out");
+    QTest::mouseClick(&openButton(dialog), Qt::LeftButton);
+  };
+  const QString file = writeField("field.txt");
+  openAnd(file, name);
+  ASSERT_NE(document().scan(), nullptr);
+  window().close();
+  restart();
+  expectNoDialog([&] { open({file}); });
+  EXPECT_THAT(message().toStdString(), HasSubstr("read as you named them before"));
+  EXPECT_NEAR(cloud().bounds().max().z(), 1.99, 1e-4);
+  openWithChoices(file, [](QDialog& dialog) {
+    EXPECT_EQ(list(dialog, "column_1").currentText(), "z") << "as they were named";
+    auto& remembers = *dialog.findChild<QCheckBox*>("remember_columns");
+    EXPECT_TRUE(remembers.isChecked());
+    remembers.setChecked(false);
+    QTest::mouseClick(&openButton(dialog), Qt::LeftButton);
+  });
+  window().close();
+  restart();
+  openAnd(file, [](QDialog& dialog) {
+    EXPECT_THAT(textOfLabel(dialog, "scan_questions").toStdString(), HasSubstr("none x, y and z"));
+    dialog.reject();
+  });
+}
+
+TEST_F(ImportTest, WhatSettingsHoldThatAreNoColumnsIsPassedOver) {
+  for (const char* kept : {"{", "[1, 2]", R"({"height north east leaf": "x y"})",
+                           R"({"height north east leaf": 7})"}) {
+    QSettings(path("settings.ini"), QSettings::IniFormat).setValue("files/named_columns", kept);
+    restart();
+    openAnd(writeField("field.txt"), [](QDialog& dialog) {
+      EXPECT_THAT(textOfLabel(dialog, "scan_questions").toStdString(),
+                  HasSubstr("none x, y and z"));
+      dialog.reject();
+    });
+  }
+}
+
+// Beyond the lines that the page shows.
+TEST_F(ImportTest, ALineThatCannotBeReadIsShownInThePageWithWhatWasChosen) {
+  std::string text = "height north east leaf\n";
+  for (int i = 0; i < 200; ++i)
+    text += i == 150 ? "0.5 0.2\n" : std::to_string(0.01 * i) + " 0.2 0.1 5\n";
+  const QString file = write("long.txt", text);
+  openAnd(file, [&](QDialog& first) {
+    choose(first, "column_1", "z");
+    choose(first, "column_3", "x");
+    choose(first, "column_4", "left out");
+    choose(first, "scan_unit", "cm");
+    choose(first, "scan_up", "y");
+    next([&](QDialog& again) {
+      EXPECT_THAT(textOfLabel(again, "scan_problem").toStdString(),
+                  HasSubstr("long.txt, line 152"));
+      EXPECT_EQ(list(again, "column_1").currentText(), "z");
+      EXPECT_EQ(list(again, "column_4").currentText(), "left out");
+      EXPECT_EQ(list(again, "scan_unit").currentText(), "cm");
+      EXPECT_EQ(list(again, "scan_up").currentText(), "y");
+      EXPECT_TRUE(openButton(again).isEnabled()) << "the file may be mended meanwhile";
+      text.replace(text.find("0.5 0.2\n"), 8, "0.5 0.2 0.1 5\n");
+      write("long.txt", text);
+      QTest::mouseClick(&openButton(again), Qt::LeftButton);
+    });
+    QTest::mouseClick(&openButton(first), Qt::LeftButton);
+  });
+  ASSERT_NE(document().scan(), nullptr);
+  EXPECT_EQ(cloud().size(), 200);
+  EXPECT_EQ(document().unit(), LengthUnit::centimeter);
+  EXPECT_EQ(document().up(), UpAxis::y);
+}
+
+TEST_F(ImportTest, ATextThatIsOpenedUnaskedAndCannotBeReadShowsWhyInThePage) {
+  open({writeScan("plant.xyz")});
+  const auto before = document().scan()->cloud();
+  std::string text = "x y z\n";
+  for (int i = 0; i < 60; ++i)
+    text += i == 50 ? "1 2 none\n" : "1 2 " + std::to_string(0.01 * i) + "\n";
+  const QString file = write("bad.xyz", text);
+  next([&](QDialog& page) {
+    EXPECT_THAT(textOfLabel(page, "scan_problem").toStdString(), HasSubstr("bad.xyz, line 52"));
+    page.reject();
+  });
+  openAnd(file, press("Open Alone"));
+  EXPECT_EQ(document().scan()->cloud(), before) << "nothing has changed";
+}
+
 TEST_F(ImportTest, AProjectKnowsTheColumns) {
   openAnd(writeField("field.txt"), [](QDialog& dialog) {
     choose(dialog, "column_1", "z");
@@ -301,9 +408,10 @@ TEST_F(ImportTest, TheKeysGoDownThePageAndAlongTheColumns) {
       names.append(QApplication::focusWidget()->objectName());
       QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
     }
-    const QStringList expected = {"scan_unit", "scan_up",  "read_all",     "read_most",
-                                  "read_box",  "column_1", "column_2",     "column_3",
-                                  "column_4",  "columns",  "most_at_once", "open_chosen"};
+    const QStringList expected = {"scan_unit",  "scan_up",  "read_all",         "read_most",
+                                  "read_box",   "column_1", "column_2",         "column_3",
+                                  "column_4",   "columns",  "remember_columns", "most_at_once",
+                                  "open_chosen"};
     EXPECT_EQ(names.mid(0, expected.size()), expected) << names.join(' ').toStdString();
     dialog.reject();
   });

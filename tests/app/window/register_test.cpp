@@ -9,6 +9,7 @@
 
 #include <QAction>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QDropEvent>
 #include <QLabel>
@@ -460,6 +461,49 @@ TEST_F(RegisterTest, AScanThatIsShownInPartIsNotJoined) {
   join("both.ply");
   EXPECT_THAT(message().toStdString(), HasSubstr("is shown in part"));
   EXPECT_FALSE(QFile::exists(path("both.ply")));
+}
+
+TEST_F(RegisterTest, HowTheOtherScanIsReadIsAskedWhereItIsInDoubt) {
+  begin();
+  const PointCloud south = readPoints(toPath(south_)).value;
+  std::ofstream text(path("south.txt").toStdString());
+  text << "height north east\n";
+  for (Eigen::Index i = 0; i < south.size(); ++i) {
+    const Vector3d place = south.position(i);
+    text << place.z() << ' ' << place.y() << ' ' << place.x() << '\n';
+  }
+  text.close();
+  answer(chooseFile(path("south.txt")), [this] { action("register_scan").trigger(); });
+  answer(
+      [](QDialog& page) {
+        EXPECT_EQ(page.objectName(), "open_scan");
+        EXPECT_FALSE(page.findChild<QComboBox*>("scan_unit")->isEnabled()) << "as the open scan";
+        EXPECT_EQ(page.findChild<QComboBox*>("scan_unit")->currentText(), "m");
+        const auto choose = [&](const char* column, const char* field) {
+          auto& list = *page.findChild<QComboBox*>(column);
+          list.setCurrentIndex(list.findText(field));
+        };
+        choose("column_1", "z");
+        choose("column_2", "y");
+        choose("column_3", "x");
+        press("Open")(page);
+      },
+      [this] { waitForJob(); });
+  waitForJob();
+  waitForView();
+  ASSERT_TRUE(action("fit_scan").isEnabled()) << message().toStdString();
+  fit();
+  join("both.ply");
+  EXPECT_LT(farthestOff(), 0.02);
+}
+
+TEST_F(RegisterTest, ThePageOfTheOtherScanCanBeLeft) {
+  open({north_});
+  std::ofstream(path("south.txt").toStdString()) << "height north east\n1 2 3\n";
+  answer(chooseFile(path("south.txt")), [this] { action("register_scan").trigger(); });
+  answer([](QDialog& page) { page.reject(); }, [this] { waitForJob(); });
+  EXPECT_FALSE(action("fit_scan").isEnabled());
+  EXPECT_EQ(document().scanPath(), north_);
 }
 
 TEST_F(RegisterTest, AStructureMovesWithItsScan) {

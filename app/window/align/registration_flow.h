@@ -88,6 +88,7 @@ private:
   void refreshActions();
   [[nodiscard]] QString nextText() const;
   [[nodiscard]] QString warning() const;
+  [[nodiscard]] QString partsText() const;
   [[nodiscard]] Foreground foreground() const;
   [[nodiscard]] QString name() const; // of the file of the other scan
   void openMoved(const QString& path, const Structure& structure);

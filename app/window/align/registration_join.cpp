@@ -87,13 +87,17 @@ QString droppedByJoining(const PointCloud& one, const PointCloud& other) {
 
 } // namespace
 
+/// Which scans are joined in part, behind a sentence; empty: both are whole.
+QString RegistrationFlow::partsText() const {
+  QStringList parts;
+  if (parts_.files.showsPart()) parts.append(QFileInfo(parts_.document.scanPath()).fileName());
+  if (isPart_) parts.append(name());
+  if (parts.isEmpty()) return {};
+  return tr(". Of %1, it holds the part that was read").arg(parts.join(tr(" and of ")));
+}
+
 void RegistrationFlow::join(const QString& path) {
   parts_.document.requireWritable();
-  if (parts_.files.showsPart() || isPart_)
-    throw Error(tr("%1 is shown in part, and what is joined would be that part: join the files by "
-                   "\"espalier register\"")
-                    .arg(isPart_ ? name() : QFileInfo(parts_.document.scanPath()).fileName())
-                    .toStdString());
   if (QFileInfo(path).suffix().toLower() != "ply")
     throw Error(
         tr("%1: scans are joined as PLY: choose a name that ends in .ply").arg(path).toStdString());
@@ -102,6 +106,7 @@ void RegistrationFlow::join(const QString& path) {
       throw Error(tr("%1 is one of the two scans: choose another name").arg(path).toStdString());
   const PointCloud& fixed = *parts_.document.scan()->cloud();
   const QString dropped = droppedByJoining(fixed, *other_->cloud());
+  const QString parts = partsText();
   const Joining asked{.fixed = parts_.document.scan()->cloud(),
                       .fixedName = QFileInfo(parts_.document.scanPath()).fileName(),
                       .moved = other_->cloud(),
@@ -111,9 +116,9 @@ void RegistrationFlow::join(const QString& path) {
   parts_.jobs.start(
       tr("Joining %1").arg(name()),
       [asked](const Progress& progress) { return joinedIn(asked, progress); },
-      [this, asked, dropped](Joined joined) {
+      [this, asked, dropped, parts](Joined joined) {
         const auto kept = std::make_shared<Joined>(std::move(joined));
-        parts_.jobs.afterwards([this, asked, dropped, kept] {
+        parts_.jobs.afterwards([this, asked, dropped, parts, kept] {
           parts_.window.actions.guarded(
               [&] {
                 kept->file.show();
@@ -125,7 +130,7 @@ void RegistrationFlow::join(const QString& path) {
                                    .arg(asked.movedName, QFileInfo(asked.path).fileName());
                 if (!dropped.isEmpty())
                   text += tr(", without %1, which only one of the two has").arg(dropped);
-                emit reported({.text = text, .isStep = true});
+                emit reported({.text = text + parts, .isStep = true});
                 return true;
               },
               Refusal::inBanner);

@@ -60,6 +60,10 @@ QString proposedPath(const PlantDocument& document, const QString& folder) {
 FileFlow::FileFlow(const Parts& parts) : parts_(parts), named_(namedColumns(parts.settings)) {
   parts_.projects.setGate(
       [this](const std::function<void()>& show) { showUnlessKept(show, true); });
+  connect(&parts_.projects, &ProjectFlow::scanGrown, this, [this] {
+    setPart({}); // the file of scans that were joined is read whole
+    emit keptChanged();
+  });
   addActions();
   addProjectActions();
   keepInProject({scanPartName, [this] { return textOf(part_); },

@@ -64,7 +64,8 @@ void addScan(LoadedProject& loaded, const Progress& progress) {
   if (!reference) return;
   loaded.scanReference = reference;
   loaded.scanPath = nameOf(reference->path);
-  loaded.reading = scanPartIn(loaded.project->document(scanPartName)).reading;
+  if (!reference->isByFile) // scans that were joined in a file are read whole
+    loaded.reading = scanPartIn(loaded.project->document(scanPartName)).reading;
   tryTo(loaded, [&] { loaded.scan = keptScan(*loaded.project, progress); });
   loaded.isScanKept = loaded.scan != nullptr;
   if (!loaded.isScanKept) {

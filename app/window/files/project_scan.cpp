@@ -82,6 +82,7 @@ void ProjectFlow::growScan(const QString& text, GrownScan grown) {
                          PointSet::firstOf(document.scan()->cloud()->size());
   recorder_.growScan({grown.reference, added});
   scan_ = grown.reference;
+  reading_ = {};
   document.growScan(std::move(grown.scan), grown.path);
   document.leaveOut(text, document.leftOut() - added);
   if (isScanKept_ && recorder_.project() != nullptr)

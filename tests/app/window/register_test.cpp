@@ -452,15 +452,33 @@ TEST_F(RegisterTest, AJoinThatIsCanceledLeavesEachFileAsItWas) {
   EXPECT_TRUE(action("join_scans").isEnabled());
 }
 
-TEST_F(RegisterTest, AScanThatIsShownInPartIsNotJoined) {
+TEST_F(RegisterTest, TheOpenPartOfAScanIsJoined) {
   QSettings(path("settings.ini"), QSettings::IniFormat).setValue("most_points_at_once", 300);
   answer(press("Open"), [this] { open({north_}); });
   waitForJob();
+  ASSERT_EQ(cloud().size(), 300);
+  QSettings(path("settings.ini"), QSettings::IniFormat).setValue("most_points_at_once", 1'000'000);
+  document().leaveOut("Set aside", PointSet::of({3, 4}));
   beginAgain();
   fit();
+  const Eigen::Index both = 300 + readPoints(toPath(south_)).value.size();
   join("both.ply");
-  EXPECT_THAT(message().toStdString(), HasSubstr("is shown in part"));
-  EXPECT_FALSE(QFile::exists(path("both.ply")));
+  EXPECT_THAT(message().toStdString(), HasSubstr("Of north.xyz, it holds the part that was read"));
+  EXPECT_EQ(cloud().size(), both);
+  EXPECT_EQ(document().leftOut(), PointSet::of({3, 4})) << "what was set aside stays so";
+  EXPECT_FALSE(action("read_region").isEnabled()) << "the joined file is read whole";
+  document().undoStack().undo();
+  EXPECT_EQ(document().leftOut().size(), both - 300 + 2);
+  document().undoStack().redo();
+  const QString file = saveProject("both.espalier");
+  const Eigen::Matrix3Xf points = cloud().positions();
+  window().close();
+  restart();
+  open({file});
+  ASSERT_NE(document().scan(), nullptr);
+  EXPECT_EQ(cloud().positions(), points);
+  EXPECT_EQ(document().leftOut(), PointSet::of({3, 4}));
+  EXPECT_FALSE(action("read_region").isEnabled());
 }
 
 TEST_F(RegisterTest, HowTheOtherScanIsReadIsAskedWhereItIsInDoubt) {

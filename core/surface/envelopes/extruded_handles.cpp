@@ -175,6 +175,7 @@ struct TurnAndReach {
 /// The corners of the outline, and a place at each eighth of a turn.
 std::vector<TurnAndReach> cornersAround(const ExtrudedHull& hull) {
   std::vector<TurnAndReach> corners;
+  corners.reserve(8 + hull.outline.size());
   for (int i = 0; i < 8; ++i)
     corners.push_back({eighth * i, reachOf(hull, directionAt(hull, eighth * i))});
   const Eigen::Vector2d left(-hull.along.y(), hull.along.x());

@@ -79,6 +79,7 @@ EnvelopeKind withHandles(EnvelopeKind kind, std::vector<std::string> names,
 
 std::vector<std::string> namesOf(const std::vector<EnvelopeHandle>& handles) {
   std::vector<std::string> names;
+  names.reserve(handles.size());
   for (const EnvelopeHandle& handle : handles)
     names.push_back(handle.name);
   return names;

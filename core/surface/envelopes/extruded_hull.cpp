@@ -47,6 +47,7 @@ std::vector<ProfileSection> sideOf(const Crown& crown, const Eigen::Vector2d& al
   for (const Eigen::Vector2d& corner : corners)
     heights.insert(corner.y());
   std::vector<ProfileSection> sections;
+  sections.reserve(heights.size());
   for (const double z : heights)
     sections.push_back(sectionAt(corners, z));
   return sections;

@@ -92,7 +92,7 @@ public:
 
 private:
   [[nodiscard]] std::size_t nearest(double azimuth) const {
-    return static_cast<std::size_t>(sectorsTo(azimuth, first_, count()) + 0.5) % count();
+    return static_cast<std::size_t>(std::lround(sectorsTo(azimuth, first_, count()))) % count();
   }
   void add(Profile& places, std::size_t sector) const {
     places.insert(places.end(), places_[sector].begin(), places_[sector].end());

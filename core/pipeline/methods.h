@@ -16,6 +16,7 @@ namespace espalier {
 [[nodiscard]] std::vector<Method> plantMethods();     // surroundings_methods.cpp
 [[nodiscard]] std::vector<Method> thinMethods();      // thin_methods.cpp
 [[nodiscard]] std::vector<Method> leafMethods();      // organ_methods.cpp
+[[nodiscard]] std::vector<Method> bladeMethods();     // organ_methods.cpp
 [[nodiscard]] std::vector<Method> cleanMethods();     // clean_methods.cpp
 [[nodiscard]] std::vector<Method> smoothMethods();    // smooth_methods.cpp
 [[nodiscard]] std::vector<Method> contractMethods();  // contract_methods.cpp

@@ -1,13 +1,17 @@
 #include "core/clean/organs.h"
 #include "core/pipeline/clean_parts.h"
 #include "core/pipeline/methods.h"
+#include "core/reconstruct/blade_midlines.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace espalier {
 namespace {
@@ -74,6 +78,10 @@ void leaveOutLeaves(PipelineState& state, LeftOutOrgans which, const Progress& p
     return;
   }
   leaveOut(state, standing.columns, isOut);
+  std::vector<Eigen::Index> blades;
+  for (std::size_t i = 0; i < organs.size(); ++i)
+    if (isOut[i] && organs[i] == Organ::blade) blades.push_back(standing.columns[i]);
+  state.blades = std::make_shared<const std::vector<Eigen::Index>>(std::move(blades));
 }
 
 Method shapesMethod() {
@@ -101,7 +109,50 @@ Method shapesMethod() {
           }};
 }
 
+void addMidlines(PipelineState& state, const MidlineOptions& options, const Progress& progress) {
+  if (!state.blades) {
+    state.notes.emplace_back("no blades are known: turn on the step Leaves");
+    return;
+  }
+  Eigen::Matrix3Xd blades(3, std::ssize(*state.blades));
+  for (Eigen::Index i = 0; i < blades.cols(); ++i)
+    blades.col(i) = state.cloud->position((*state.blades)[static_cast<std::size_t>(i)]);
+  state.setSkeleton(withMidlines(*state.skeleton, blades, options, progress));
+}
+
+Method midlineMethod() {
+  using Options = MidlineOptions;
+  OptionTable<Options> table;
+  table.add(ratioOption("link", Shown::tr("Link"), 1, 100,
+                        Shown::tr("Points of blades farther apart than this are of two blades, in "
+                                  "point spacings of the blades.")),
+            &Options::link);
+  table.add(ratioOption("step", Shown::tr("Step"), 1, 100,
+                        Shown::tr("Distance between the nodes of an axis, in point spacings of the "
+                                  "blades.")),
+            &Options::step);
+  table.add(lengthOption("least_length", Shown::tr("Least length"), 1, 100000,
+                         Shown::tr("Shorter pieces of blades get no axis.")),
+            &Options::leastLength);
+  table.add(lengthOption("widest_gap", Shown::tr("Widest gap"), 0, 100000,
+                         Shown::tr("Blades farther from the wood than this get no axis.")),
+            &Options::widestGap);
+  return {.name = "midlines",
+          .label = Shown::tr("Midlines"),
+          .help = Shown::tr("Gives each blade that the step Leaves left out one axis, along its "
+                            "midline."),
+          .source = "level sets as in A. Verroust, F. Lazarus, The Visual Computer 16, 2000",
+          .options = table.descriptions(),
+          .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
+            addMidlines(state, table.with(values), progress);
+          }};
+}
+
 } // namespace
+
+std::vector<Method> bladeMethods() {
+  return {noMethod(Shown::tr("Gives blades no axes.")), midlineMethod()};
+}
 
 std::vector<Method> leafMethods() {
   return {noMethod(Shown::tr("Keeps leaves and needles.")), shapesMethod()};

@@ -54,6 +54,8 @@ struct PipelineState {
   /// method on that changes the scale.
   PlantExtent extent = {};
   std::shared_ptr<const PointSet> apart = {}; // left out by such methods; null: nothing
+  /// Points of blades that were left out; null: none were looked for.
+  std::shared_ptr<const std::vector<Eigen::Index>> blades = {};
 
   void setSkeleton(Skeleton found) {
     skeleton = std::make_shared<const Skeleton>(std::move(found));

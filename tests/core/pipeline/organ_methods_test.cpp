@@ -70,6 +70,29 @@ TEST(LeavesStep, GivesTheSkeletonItsRootOnWood) {
   EXPECT_GT(root.z(), -0.05);
 }
 
+TEST(BladesStep, GivesALeafItsMidline) {
+  const auto cloud = std::make_shared<const PointCloud>(test::hangingLeaf());
+  const Eigen::Vector3d tip(0.31, 0, -0.1);
+  const auto nearestEnd = [&](const PipelineOptions& options) {
+    const Reconstruction result = Pipeline().run(cloud, options);
+    double nearest = 1;
+    for (const NodeId id : result.skeleton->ids())
+      nearest = std::min(nearest, ((*result.skeleton)[id].position - tip).norm());
+    return nearest;
+  };
+  PipelineOptions options = withoutLeaves("foliage");
+  EXPECT_GT(nearestEnd(options), 0.2);
+  options.set("blades.method=midlines");
+  EXPECT_LT(nearestEnd(options), 0.1) << "half of the width of the blade";
+}
+
+TEST(BladesStep, SaysThatItNeedsLeaves) {
+  const auto cloud = std::make_shared<const PointCloud>(test::hangingLeaf());
+  PipelineOptions options;
+  options.set("blades.method=midlines");
+  EXPECT_THAT(notesOf(Pipeline().run(cloud, options)), testing::Contains(HasSubstr("step Leaves")));
+}
+
 TEST(LeavesStep, KeepsAllWhereItFindsNoWood) {
   Random random(6);
   RawPoints sheet; // one blade and nothing else

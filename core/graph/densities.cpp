@@ -52,7 +52,7 @@ float densityAt(const std::vector<float>& sorted, std::size_t step, std::size_t 
 
 /// In [0, 1]; the middle of levels that are the same.
 float placeAmong(const std::vector<float>& levels, float density) {
-  const auto [from, to] = std::ranges::equal_range(levels, density);
+  const auto [from, to] = std::equal_range(levels.begin(), levels.end(), density);
   const auto before = static_cast<float>(from - levels.begin());
   const auto last = static_cast<float>(levels.size() - 1);
   if (from != to) return (before + static_cast<float>(to - from - 1) / 2) / last;

@@ -62,7 +62,7 @@ std::vector<Stretch> stretchesOf(const Skeleton& plant) {
   const std::vector<double> lengths = lengthsToApex(plant, ids);
   std::vector<Stretch> stretches;
   for (const EdgeSolid& piece : woodOf(plant))
-    stretches.push_back({piece, lengths[indexOf(*piece.node)]});
+    stretches.push_back({static_cast<const Frustum&>(piece), lengths[indexOf(*piece.node)]});
   return stretches;
 }
 
@@ -276,10 +276,10 @@ Organs organsOf(const Skeleton& plant, const Foliage& foliage, double extent, st
   Organs organs;
   strewing.over(wood, foliage.shortShoots, [&](const Place& place) {
     const Vector3d tip = place.center + (place.radius + place.length) * place.direction;
-    organs.shortShoots.push_back({place.center, tip, thinnest, thinnest, {}, Organ::wood});
+    organs.shortShoots.push_back({{place.center, tip, thinnest, thinnest}, {}, Organ::wood});
   });
   for (const EdgeSolid& shoot : organs.shortShoots)
-    wood.push_back({shoot, 0});
+    wood.push_back({static_cast<const Frustum&>(shoot), 0});
   strewing.over(wood, foliage.blades, [&](const Place& place) {
     Leaf leaf{.base = place.center + place.radius * place.outward,
               .direction = place.direction,
@@ -290,7 +290,7 @@ Organs organsOf(const Skeleton& plant, const Foliage& foliage, double extent, st
     if (stalk > 0) {
       const Vector3d end = leaf.base + stalk * leaf.direction;
       const double radius = petioleShare * thinnest;
-      organs.petioles.push_back({leaf.base, end, radius, radius, {}, Organ::petiole});
+      organs.petioles.push_back({{leaf.base, end, radius, radius}, {}, Organ::petiole});
       leaf.base = end;
       addLeaflets(organs, leaf, stalk, foliage);
     }

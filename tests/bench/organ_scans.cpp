@@ -1,8 +1,8 @@
 #include "tests/bench/organ_scans.h"
 
-#include "core/base/counted_random.h"
 #include "core/simulate/laser_scanner.h"
 #include "core/simulate/plant_grower.h"
+#include "tests/bench/scan_draws.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,27 +31,11 @@ constexpr Kind kinds[] = {{"bare tree", Architecture::broadleaf, Leaves::none},
                           {"grass", Architecture::herb, Leaves::grass},
                           {"bare shrub", Architecture::shrub, Leaves::none}};
 
-double uniformIn(CountedRandom& random, double least, double most) {
-  return least + (most - least) * random.uniform();
-}
-
-double logUniformIn(CountedRandom& random, double least, double most) {
-  return std::exp(uniformIn(random, std::log(least), std::log(most)));
-}
-
-double lengthOf(const Skeleton& plant) {
-  double length = 0;
-  for (const NodeId id : plant.ids())
-    if (const auto parent = plant[id].parent)
-      length += (plant[id].position - plant[*parent].position).norm();
-  return length;
-}
-
 Foliage needlesOf(CountedRandom& random) { // dense as a pine's or as a thin larch's
-  Foliage foliage = foliageOf(Architecture::conifer, logUniformIn(random, 0.7, 5));
-  foliage.blades.length = logUniformIn(random, 0.005, 0.03);
-  foliage.blades.width = foliage.blades.length * uniformIn(random, 0.03, 0.08);
-  foliage.blades.reach = uniformIn(random, 0.06, 0.3);
+  Foliage foliage = foliageOf(Architecture::conifer, evenlyInLog(random, 0.7, 5));
+  foliage.blades.length = evenlyInLog(random, 0.005, 0.03);
+  foliage.blades.width = foliage.blades.length * between(random, 0.03, 0.08);
+  foliage.blades.reach = between(random, 0.06, 0.3);
   return foliage;
 }
 
@@ -59,30 +43,30 @@ Foliage needlesOf(CountedRandom& random) { // dense as a pine's or as a thin lar
 Foliage leavesOf(CountedRandom& random, Leaves kind, double length, double leaves) {
   Foliage foliage;
   OrganHabit& blades = foliage.blades;
-  blades.angle = uniformIn(random, 0.4, 1.4);
-  blades.reach = kind == Leaves::simple ? uniformIn(random, 0.1, 0.3) : 10;
+  blades.angle = between(random, 0.4, 1.4);
+  blades.reach = kind == Leaves::simple ? between(random, 0.1, 0.3) : 10;
   blades.spacing = std::min(1.0, length / leaves);
   if (kind == Leaves::simple) {
-    blades.spacing = logUniformIn(random, 0.004, 0.03);
-    blades.length = logUniformIn(random, 0.012, 0.05);
-    blades.width = blades.length * uniformIn(random, 0.3, 0.8);
-    foliage.petiole = uniformIn(random, 0.1, 0.5);
+    blades.spacing = evenlyInLog(random, 0.004, 0.03);
+    blades.length = evenlyInLog(random, 0.012, 0.05);
+    blades.width = blades.length * between(random, 0.3, 0.8);
+    foliage.petiole = between(random, 0.1, 0.5);
   } else if (kind == Leaves::herb) {
-    blades.length = logUniformIn(random, 0.08, 0.35);
-    blades.width = blades.length * uniformIn(random, 0.25, 0.9);
-    foliage.petiole = uniformIn(random, 0.2, 1.2);
-    foliage.droop = random.uniform() < 0.5 ? 0 : uniformIn(random, 0.3, 1.5);
+    blades.length = evenlyInLog(random, 0.08, 0.35);
+    blades.width = blades.length * between(random, 0.25, 0.9);
+    foliage.petiole = between(random, 0.2, 1.2);
+    foliage.droop = random.uniform() < 0.5 ? 0 : between(random, 0.3, 1.5);
   } else if (kind == Leaves::compound) {
-    blades.length = logUniformIn(random, 0.06, 0.15);
-    blades.width = blades.length * uniformIn(random, 0.4, 0.8);
-    foliage.petiole = uniformIn(random, 1.5, 4);
+    blades.length = evenlyInLog(random, 0.06, 0.15);
+    blades.width = blades.length * between(random, 0.4, 0.8);
+    foliage.petiole = between(random, 1.5, 4);
     foliage.leaflets = 1 + static_cast<int>(3.99 * random.uniform());
-    foliage.droop = uniformIn(random, 0.2, 1);
+    foliage.droop = between(random, 0.2, 1);
   } else {
-    blades.length = logUniformIn(random, 0.25, 0.9);
-    blades.width = blades.length * uniformIn(random, 0.04, 0.15);
-    blades.angle = uniformIn(random, 0.3, 0.9);
-    foliage.droop = uniformIn(random, 0.3, 2.2);
+    blades.length = evenlyInLog(random, 0.25, 0.9);
+    blades.width = blades.length * between(random, 0.04, 0.15);
+    blades.angle = between(random, 0.3, 0.9);
+    foliage.droop = between(random, 0.3, 2.2);
   }
   return foliage;
 }
@@ -90,20 +74,13 @@ Foliage leavesOf(CountedRandom& random, Leaves kind, double length, double leave
 Foliage foliageFor(CountedRandom& random, Leaves kind, double length) {
   if (kind == Leaves::none) return {};
   if (kind == Leaves::needles) return needlesOf(random);
-  return leavesOf(random, kind, length, logUniformIn(random, 4, 25));
+  return leavesOf(random, kind, length, evenlyInLog(random, 4, 25));
 }
 
 int segmentsWanted(CountedRandom& random, const Kind& kind) {
-  if (kind.leaves == Leaves::grass) return static_cast<int>(logUniformIn(random, 1, 4));
-  if (kind.architecture == Architecture::herb) return static_cast<int>(logUniformIn(random, 1, 12));
-  return static_cast<int>(logUniformIn(random, 60, 400));
-}
-
-std::size_t woodSegmentsOf(const Skeleton& plant) {
-  std::size_t ends = 0;
-  for (const NodeId id : plant.ids())
-    ends += plant.children(id).size() != 1;
-  return ends;
+  if (kind.leaves == Leaves::grass) return static_cast<int>(evenlyInLog(random, 1, 4));
+  if (kind.architecture == Architecture::herb) return static_cast<int>(evenlyInLog(random, 1, 12));
+  return static_cast<int>(evenlyInLog(random, 60, 400));
 }
 
 } // namespace
@@ -114,19 +91,19 @@ OrganScan organScan(std::uint64_t number) {
   const bool isHerb = kind.architecture == Architecture::herb;
   GrowthOptions growth{
       .architecture = kind.architecture, .height = 4, .segments = segmentsWanted(random, kind)};
-  if (isHerb) growth.baseRadius = growth.height * logUniformIn(random, 0.004, 0.02);
+  if (isHerb) growth.baseRadius = growth.height * evenlyInLog(random, 0.004, 0.02);
   const Skeleton plant = growPlant(growth, number);
   Eigen::AlignedBox3d box;
   for (const NodeId id : plant.ids())
     box.extend(plant[id].position);
   const double extent = box.sizes().maxCoeff();
-  const auto segments = static_cast<double>(woodSegmentsOf(plant));
+  const auto segments = static_cast<double>(segmentsOf(plant));
   constexpr int stations[] = {1, 2, 4, 4, 8};
   ScannerOptions scanner;
-  scanner.stations = stations[static_cast<std::size_t>(uniformIn(random, 0, std::size(stations)))];
+  scanner.stations = stations[static_cast<std::size_t>(between(random, 0, std::size(stations)))];
   scanner.points = static_cast<Eigen::Index>(
-      isHerb ? logUniformIn(random, 5'000, 120'000)
-             : std::clamp(segments * logUniformIn(random, 20, 600), 3'000.0, 120'000.0));
+      isHerb ? evenlyInLog(random, 5'000, 120'000)
+             : std::clamp(segments * evenlyInLog(random, 20, 600), 3'000.0, 120'000.0));
   scanner.rangeNoise = std::pow(random.uniform(), 2) / 500 * extent;
   scanner.misalignment = std::min(*scanner.rangeNoise, extent / 2500);
   scanner.foliage = foliageFor(random, kind.leaves, lengthOf(plant) / extent);

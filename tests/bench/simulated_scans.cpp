@@ -1,10 +1,10 @@
 #include "tests/bench/simulated_scans.h"
 
-#include "core/base/counted_random.h"
 #include "core/io/formats.h"
 #include "core/simulate/laser_scanner.h"
 #include "core/simulate/plant_grower.h"
 #include "core/simulate/prepared_plant.h"
+#include "tests/bench/scan_draws.h"
 #include "tests/support/shared_data.h"
 
 #include <algorithm>
@@ -37,14 +37,6 @@ constexpr Kind kinds[] = {{"broadleaf", Architecture::broadleaf},
                           {"leafy herb", Architecture::herb, nullptr, true},
                           {"leafy herb", Architecture::herb, nullptr, true}};
 
-double between(CountedRandom& random, double least, double most) {
-  return least + (most - least) * random.uniform();
-}
-
-double evenlyInLog(CountedRandom& random, double least, double most) {
-  return std::exp(between(random, std::log(least), std::log(most)));
-}
-
 Skeleton plantOf(const Kind& kind, CountedRandom& random, std::uint64_t number) {
   if (kind.file)
     if (const auto file =
@@ -59,12 +51,8 @@ Skeleton plantOf(const Kind& kind, CountedRandom& random, std::uint64_t number) 
 
 /// Few large leaves: seedlings, maize, tobacco.
 Foliage largeLeaves(CountedRandom& random, const Skeleton& plant, double extent) {
-  double length = 0;
-  for (const NodeId id : plant.ids())
-    if (const auto parent = plant[id].parent)
-      length += (plant[id].position - plant[*parent].position).norm();
   OrganHabit leaves;
-  leaves.spacing = std::min(1.0, length / extent / evenlyInLog(random, 3, 20));
+  leaves.spacing = std::min(1.0, lengthOf(plant) / extent / evenlyInLog(random, 3, 20));
   leaves.length = evenlyInLog(random, 0.12, 0.6);
   leaves.width = leaves.length * evenlyInLog(random, 0.08, 0.7);
   leaves.angle = between(random, 0.4, 1.4);
@@ -83,13 +71,6 @@ Skeleton withMidribs(const Skeleton& plant, const std::vector<Blade>& blades) {
       at = all.add(Node{.position = blade.base + share * blade.along, .parent = at});
   }
   return all;
-}
-
-std::size_t segmentsOf(const Skeleton& plant) {
-  std::size_t ends = 0;
-  for (const NodeId id : plant.ids())
-    ends += plant.children(id).size() != 1;
-  return ends;
 }
 
 } // namespace

@@ -25,6 +25,8 @@ struct Pick {
   std::optional<EdgePick> edge;
   std::optional<Eigen::Vector3d> point; // nearest visible scan point, where it is drawn [L]
   bool isOfOther = false;               // the point: contracted by another state than the plant
+  /// Likewise, behind strays that float before it: of a pole, a wire, a plant.
+  std::optional<Eigen::Vector3d> pointOfThing = {};
   /// Likewise, of another scan that is laid over the plant: its column.
   std::optional<Eigen::Index> movedPoint = {};
 };

@@ -33,7 +33,7 @@ std::size_t ThingGesture::clicks() const {
 
 void ThingGesture::hover(const ToolInput& input) {
   press_.reset();
-  show(input.pick.point);
+  show(input.pick.pointOfThing);
 }
 
 void ThingGesture::press(const ToolInput& input) {
@@ -46,9 +46,9 @@ void ThingGesture::drag(const ToolInput& input) {
 
 std::optional<PointQuestion> ThingGesture::release(const ToolInput& input) {
   if (!std::exchange(press_, std::nullopt)) return std::nullopt;
-  if (!input.pick.point)
+  if (!input.pick.pointOfThing)
     throw Error(tr("there is no point here: click one of the thing to select").toStdString());
-  question_.places.push_back(*input.pick.point);
+  question_.places.push_back(*input.pick.pointOfThing);
   if (question_.places.size() < clicks()) {
     show(std::nullopt);
     return std::nullopt;

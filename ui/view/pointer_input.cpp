@@ -1,5 +1,6 @@
 #include "ui/view/pointer_input.h"
 
+#include "core/cloud/isolated_points.h"
 #include "ui/view/skeleton_picker.h"
 #include "ui/view/visibility.h"
 
@@ -46,6 +47,25 @@ struct Pickable {
   std::function<bool(Eigen::Index)> isShown;
 };
 
+/// Does a point float free: are fewer than five others near it?
+bool isStray(const Pickable& layer, Eigen::Index point, double spacing) {
+  constexpr int company = 5;
+  const auto& positions = *layer.points.positions;
+  const Eigen::Vector3f place = positions.col(point);
+  const double reach = IsolatedPointOptions::usualDistance * spacing;
+  const auto most = static_cast<float>(reach * reach);
+  int near = 0; // with the point itself
+  layer.boxes.forEachRun(
+      [&](const auto& box) {
+        return near <= company && box.squaredExteriorDistance(place) <= most;
+      },
+      [&](Eigen::Index begin, Eigen::Index end) {
+        for (Eigen::Index i = begin; i < end; ++i)
+          near += (positions.col(i) - place).squaredNorm() <= most ? 1 : 0;
+      });
+  return near <= company;
+}
+
 /// The point under a pixel: its column.
 /// @param toFile from the points of the layer to the frame of the file
 std::optional<Eigen::Index> columnUnder(const Pickable& layer, const Eigen::Isometry3d& toFile,
@@ -73,6 +93,17 @@ std::optional<Eigen::Vector3d> pointUnder(const Pickable& layer, const Eigen::Ve
   const auto found = columnUnder(layer, toFile, map, pixel);
   if (!found) return std::nullopt;
   return layer.points.positions->col(*found).cast<double>() + origin;
+}
+
+/// The same, but of what is behind where strays float before it.
+std::optional<Eigen::Vector3d> pointOfThing(const Pickable& layer, double spacing,
+                                            const Eigen::Vector3d& origin, const ScreenMap& map,
+                                            const Eigen::Vector2d& pixel) {
+  const Pickable things{layer.points, layer.boxes, [&](Eigen::Index i) {
+                          return layer.isShown(i) && !isStray(layer, i, spacing);
+                        }};
+  const auto place = pointUnder(things, origin, map, pixel);
+  return place ? place : pointUnder(layer, origin, map, pixel);
 }
 
 /// Where a pick is; a node or edge before a point.
@@ -107,6 +138,7 @@ Pick PointerInput::pick(const QPointF& position) const {
   }
   pick = ofPlant(pick, position);
   pickPoint(pick, map, pixel);
+  if (!pick.pointOfThing) pick.pointOfThing = pick.point;
   return pick;
 }
 
@@ -119,14 +151,15 @@ void PointerInput::pickPoint(Pick& pick, const ScreenMap& map, const Eigen::Vect
     return Eigen::Vector3d(points.positions->col(i).cast<double>() + origin);
   };
   const PointLayer& points = scene_.points;
-  if (points.visible)
-    pick.point = pointUnder({points, points.boxes,
-                             [&](Eigen::Index i) {
-                               return scene_.isPointShown(i) &&
-                                      clip.contains(points.positions->col(i)) &&
-                                      scene_.showsScanned(placeIn(points, i), across, divider_);
-                             }},
-                            origin, map, pixel);
+  if (points.visible) {
+    const Pickable scanned{points, points.boxes, [&](Eigen::Index i) {
+                             return scene_.isPointShown(i) &&
+                                    clip.contains(points.positions->col(i)) &&
+                                    scene_.showsScanned(placeIn(points, i), across, divider_);
+                           }};
+    pick.point = pointUnder(scanned, origin, map, pixel);
+    if (pick.point) pick.pointOfThing = pointOfThing(scanned, points.spacing, origin, map, pixel);
+  }
   const PointLayer& contracted = scene_.contracted;
   if (!pick.point && contracted.visible)
     pick.point = pointUnder({contracted, contracted.boxes,

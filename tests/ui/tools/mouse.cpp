@@ -55,7 +55,7 @@ Pick onEdge(const Skeleton& plant, NodeId child, double fraction) {
 }
 
 Pick onPoint(const Eigen::Vector3d& place) {
-  return {.point = place};
+  return {.point = place, .pointOfThing = place};
 }
 
 } // namespace espalier::test

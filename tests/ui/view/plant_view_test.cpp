@@ -119,6 +119,28 @@ TEST_F(PlantViewTest, ShowsInMotionWhatItShowsAtRest) {
   }
 }
 
+TEST_F(PlantViewTest, PicksAThingBehindStrays) {
+  const Eigen::Vector3d stray(1, -1, 2);
+  std::vector<Eigen::Vector3d> places = {stray, stray + Eigen::Vector3d(0.01, 0, 0)};
+  for (int i = 0; i < 1000; ++i) // a wall behind them
+    places.emplace_back(0.8 + 0.02 * (i % 50), 1, 1.8 + 0.02 * (i / 50));
+  view_.setCloud(test::cloudOf(places));
+  rest();
+  const Pick before = view_.pick(pixelOf(stray));
+  ASSERT_TRUE(before.point && before.pointOfThing);
+  EXPECT_LT(before.point->y(), -0.9) << "as it is drawn";
+  EXPECT_FLOAT_EQ(static_cast<float>(before.pointOfThing->y()), 1);
+}
+
+TEST_F(PlantViewTest, PicksStraysAsAThingWhereNothingElseIs) {
+  const Eigen::Vector3d stray(1, -1, 2);
+  view_.setCloud(test::cloudOf({stray, {0.5, 1, 0}, {0.52, 1, 0}, {0.54, 1, 0}}));
+  rest();
+  const auto alone = view_.pick(pixelOf(stray)).pointOfThing;
+  ASSERT_TRUE(alone);
+  EXPECT_LT((*alone - stray).norm(), 1e-6);
+}
+
 // Zoomed in, the front of the plant is behind the plane of the eye, and drawn all the same.
 TEST_F(PlantViewTest, PicksInParallelProjectionWhateverIsDrawn) {
   const Eigen::Vector3d place(0.1, -1, 2);

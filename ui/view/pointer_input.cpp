@@ -13,6 +13,7 @@ namespace {
 
 constexpr double skeletonReach = 10; // [logical pixels]
 constexpr double pointReach = 6;
+constexpr double thingReach = 2; // about what a point is drawn with
 constexpr double clickReach = 3; // a press that moves less is a click
 
 Navigator::Gesture gestureOf(Qt::MouseButton button) {
@@ -68,13 +69,15 @@ bool isStray(const Pickable& layer, Eigen::Index point, double spacing) {
 
 /// The point under a pixel: its column.
 /// @param toFile from the points of the layer to the frame of the file
+/// @param reach  around it [logical pixels]
 std::optional<Eigen::Index> columnUnder(const Pickable& layer, const Eigen::Isometry3d& toFile,
-                                        const ScreenMap& map, const Eigen::Vector2d& pixel) {
+                                        const ScreenMap& map, const Eigen::Vector2d& pixel,
+                                        double reach = pointReach) {
   if (layer.points.size() == 0) return std::nullopt;
   Eigen::ParametrizedLine<double, 3> ray = map.ray(pixel);
   ray = {toFile.inverse() * ray.origin(), toFile.linear().transpose() * ray.direction()};
-  const double slope = pointReach * (map.pixelSize(2) - map.pixelSize(1)); // 0 if parallel
-  const double radius = pointReach * map.pixelSize(0);
+  const double slope = reach * (map.pixelSize(2) - map.pixelSize(1)); // 0 if parallel
+  const double radius = reach * map.pixelSize(0);
   // In parallel projection, what is behind the plane of the eye is drawn as well.
   const auto box = layer.boxes.bounds();
   const double back = map.isPerspective() ? 0
@@ -88,21 +91,24 @@ std::optional<Eigen::Index> columnUnder(const Pickable& layer, const Eigen::Isom
 
 /// Where it is, in the frame of the file.
 std::optional<Eigen::Vector3d> pointUnder(const Pickable& layer, const Eigen::Vector3d& origin,
-                                          const ScreenMap& map, const Eigen::Vector2d& pixel) {
+                                          const ScreenMap& map, const Eigen::Vector2d& pixel,
+                                          double reach = pointReach) {
   const Eigen::Isometry3d toFile(Eigen::Translation3d{origin});
-  const auto found = columnUnder(layer, toFile, map, pixel);
+  const auto found = columnUnder(layer, toFile, map, pixel, reach);
   if (!found) return std::nullopt;
   return layer.points.positions->col(*found).cast<double>() + origin;
 }
 
-/// The same, but of what is behind where strays float before it.
+/// The same, but of what the pointer is on rather than of what is near it and before it, and of
+/// what is behind where strays float before it.
 std::optional<Eigen::Vector3d> pointOfThing(const Pickable& layer, double spacing,
                                             const Eigen::Vector3d& origin, const ScreenMap& map,
                                             const Eigen::Vector2d& pixel) {
   const Pickable things{layer.points, layer.boxes, [&](Eigen::Index i) {
                           return layer.isShown(i) && !isStray(layer, i, spacing);
                         }};
-  const auto place = pointUnder(things, origin, map, pixel);
+  auto place = pointUnder(things, origin, map, pixel, thingReach);
+  if (!place) place = pointUnder(things, origin, map, pixel);
   return place ? place : pointUnder(layer, origin, map, pixel);
 }
 

@@ -132,6 +132,21 @@ TEST_F(PlantViewTest, PicksAThingBehindStrays) {
   EXPECT_FLOAT_EQ(static_cast<float>(before.pointOfThing->y()), 1);
 }
 
+TEST_F(PlantViewTest, PicksTheThingUnderThePointerBehindOneBesideIt) {
+  std::vector<Eigen::Vector3d> places;
+  for (int i = 0; i < 400; ++i) // a pole, and a twig that is nearer
+    places.insert(places.end(), {{1, 1, 0.01 * i}, {0.8 + 0.001 * i, -1, 2}});
+  view_.setCloud(test::cloudOf(places));
+  rest();
+  const QPointF onTwig = pixelOf({1, -1, 2});
+  QPointF onPole = pixelOf({1, 1, 2});
+  onPole.setY(onTwig.y() + 4);
+  const Pick pick = view_.pick(onPole);
+  ASSERT_TRUE(pick.point && pick.pointOfThing);
+  EXPECT_FLOAT_EQ(static_cast<float>(pick.point->y()), -1);
+  EXPECT_FLOAT_EQ(static_cast<float>(pick.pointOfThing->y()), 1);
+}
+
 TEST_F(PlantViewTest, PicksStraysAsAThingWhereNothingElseIs) {
   const Eigen::Vector3d stray(1, -1, 2);
   view_.setCloud(test::cloudOf({stray, {0.5, 1, 0}, {0.52, 1, 0}, {0.54, 1, 0}}));

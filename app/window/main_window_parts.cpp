@@ -19,6 +19,7 @@
 #include "app/window/evaluate/reference_flow.h"
 #include "app/window/files/file_flow.h"
 #include "app/window/files/picture_flow.h"
+#include "app/window/files/plot_flow.h"
 #include "app/window/files/project_flow.h"
 #include "app/window/files/recent_files.h"
 #include "app/window/frame/action_set.h"
@@ -143,6 +144,10 @@ void MainWindow::makePoints(PipelinePanel& pipeline) {
   auto& points = parts_.make<PointsFlow>(PointsFlow::Parts{document_, *actions_, editing, states});
   parts_.make<CleanFlow>(
       CleanFlow::Parts{document_, queue_, points, {*actions_, settings_, *this}});
+  parts_.make<PlotFlow>(
+      PlotFlow::Parts{document_, queue_, {*actions_, settings_, *this}, [&pipeline] {
+                        return pipeline.options();
+                      }});
   parts_.make<SavedViews>(SavedViews::Parts{*view_, parts_.get<ViewOptions>(),
                                             parts_.get<ShownFlow>(), *actions_, *this});
   auto& distances = parts_.make<ScanDistances>(document_, queue_);

@@ -42,6 +42,7 @@ void PointsFlow::addActions() {
   addEdits();
   addShown();
   parts_.actions.place("points", {"show_cleaning",
+                                  "show_plot",
                                   "",
                                   "tool_points",
                                   "points_shape",

@@ -2,14 +2,20 @@
 // others how often ends are shoots of which the odds say so.
 //
 //   espalier_fit_odds [--plants N] [--others M] [--rounds R]
+//   espalier_fit_odds --judge SCAN REFERENCE [SCAN REFERENCE ...]
 //
 // N plants, 120 if it is not said, are fitted on, the next M, 60, are judged by. An end is labelled
 // a shoot if the measure of the method's authors matches its segment to one of the truth. Examples
 // are the ends of skeletons before any are taken away, and in later rounds (3) also those that are
 // there after they were taken away by the odds of the round before: what is asked in between.
 // Each plant weighs as the root of its examples.
+//
+// --judge fits nothing: it shows how often the odds that are in use are right on real scans, whose
+// references are laid on what is found; of each pair alone.
 #include "core/decide/decide_ends.h"
 #include "core/evaluate/match/authors_comparison.h"
+#include "core/evaluate/registration/registration.h"
+#include "core/io/formats.h"
 #include "core/pipeline/cleaned_scan.h"
 #include "core/pipeline/method_parts.h"
 #include "core/pipeline/pipeline.h"
@@ -21,6 +27,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -196,6 +203,33 @@ void printReliability(const std::vector<Example>& examples, const EndOdds& odds)
   std::printf("expected calibration error %.3f, wrong at one half %.3f\n", error, wrong / all);
 }
 
+/// A real scan, with the structure that an expert made of it.
+Case caseOf(const std::string& scan, const std::string& reference) {
+  Case found;
+  found.plant.cloud = std::make_shared<const PointCloud>(readPoints(scan).value);
+  const Reconstruction result = Pipeline().run(found.plant.cloud, {}, {}, "join");
+  found.skeleton = *result.skeleton;
+  found.scale = result.scale;
+  found.points = keptPositions(cleanedScan(found.plant.cloud, {}).state);
+  Skeleton truth = readStructure(reference).value.skeleton;
+  const Registration lies = registration(found.skeleton, truth);
+  found.plant.truth = moved(std::move(truth), lies.motion.inverse());
+  return found;
+}
+
+void judge(const std::string& scan, const std::string& reference) {
+  const Case one = caseOf(scan, reference);
+  const auto show = [&](const char* which, double least) {
+    std::vector<Example> examples;
+    append(examples, examplesOf(one, least, fittedEndOdds()));
+    std::printf("%s, %s:\n", scan.c_str(), which);
+    printReliability(examples, fittedEndOdds());
+  };
+  show("before any is taken away", 0);
+  show("that stay by default", EndOptions().leastProbability);
+  show("that stay at 0.5", 0.5);
+}
+
 std::vector<Case> casesOf(std::uint64_t from, std::uint64_t to) {
   std::vector<Case> cases;
   for (std::uint64_t number = from; number < to; ++number)
@@ -235,7 +269,12 @@ int fitOdds(int plants, int others, int rounds) {
 } // namespace
 } // namespace espalier
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
+  if (argc > 1 && std::string(argv[1]) == "--judge") {
+    for (int i = 2; i + 1 < argc; i += 2)
+      espalier::judge(argv[i], argv[i + 1]);
+    return 0;
+  }
   int plants = 120, others = 60, rounds = 3;
   for (int i = 1; i + 1 < argc; i += 2) {
     const std::string name = argv[i];
@@ -243,4 +282,7 @@ int main(int argc, char** argv) {
     value = std::atoi(argv[i + 1]);
   }
   return espalier::fitOdds(plants, others, rounds);
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "%s\n", error.what());
+  return 1;
 }

@@ -151,6 +151,24 @@ Json toJson(const std::vector<EndDecision>& ends) {
           {"doubtful", std::move(doubtful)}};
 }
 
+Json toJson(const std::vector<GapDecision>& gaps) {
+  auto doubtful = Json::array();
+  double expected = 0; // wrong ones
+  for (const GapDecision& gap : gaps) {
+    const double probability = gap.alternatives[gap.chosen].probability;
+    expected += 1 - probability;
+    if (probability > mostDoubtful) continue;
+    auto alternatives = Json::array();
+    for (const GapAlternative& link : gap.alternatives)
+      alternatives.push_back({{"probability", link.probability},
+                              {"from", toJson(link.from)},
+                              {"to", toJson(link.to)}});
+    doubtful.push_back(
+        {{"chosen", gap.chosen}, {"nodes", gap.nodes}, {"alternatives", std::move(alternatives)}});
+  }
+  return {{"asked", gaps.size()}, {"expected_wrong", expected}, {"doubtful", std::move(doubtful)}};
+}
+
 /// How many radii are from where.
 Json radiusSources(const Skeleton& skeleton) {
   int measured = 0;
@@ -183,6 +201,7 @@ Json statistics(const Reconstruction& reconstruction,
     steps.push_back(std::move(step));
   }
   Json ends = reconstruction.ends ? toJson(*reconstruction.ends) : Json(nullptr);
+  Json gaps = reconstruction.gaps ? toJson(*reconstruction.gaps) : Json(nullptr);
   auto seconds = Json::object();
   for (const auto& [stage, spent] : stageSeconds)
     seconds[stage] = spent;
@@ -193,6 +212,7 @@ Json statistics(const Reconstruction& reconstruction,
           {"steps", std::move(steps)},
           {"radius_sources", radiusSources(*reconstruction.skeleton)},
           {"ends", std::move(ends)},
+          {"gaps", std::move(gaps)},
           {"seconds", std::move(seconds)}};
 }
 

@@ -175,6 +175,7 @@ struct Pipeline::Kept {
     result.contracted = state->contracted;
     result.skeleton = state->skeleton;
     result.ends = state->ends;
+    result.gaps = state->gaps;
     progress.update(1);
     return result;
   }

@@ -26,6 +26,8 @@ struct Reconstruction {
   std::shared_ptr<const Skeleton> skeleton = std::make_shared<const Skeleton>();
   /// What was asked of the ends of the skeleton (core/decide/decide_ends.h). Null: nothing.
   std::shared_ptr<const std::vector<EndDecision>> ends;
+  /// What was asked of the gaps in it (core/decide/decide_gaps.h). Null: nothing.
+  std::shared_ptr<const std::vector<GapDecision>> gaps;
   PlantScale scale; // of what is left, if cleaning changed it
   /// Points that cleaning took for no part of the plant, where more than strays: they stay where
   /// they are. Null: none.

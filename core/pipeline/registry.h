@@ -3,6 +3,7 @@
 #include "core/base/progress.h"
 #include "core/cloud/point_cloud.h"
 #include "core/decide/decide_ends.h"
+#include "core/decide/decide_gaps.h"
 #include "core/graph/densities.h"
 #include "core/graph/find_root.h"
 #include "core/pipeline/method_probe.h"
@@ -41,6 +42,7 @@ struct PipelineState {
   /// In the frame of the file; states share it.
   std::shared_ptr<const Skeleton> skeleton = std::make_shared<const Skeleton>();
   std::shared_ptr<const std::vector<EndDecision>> ends = {}; // as they were decided; null: not
+  std::shared_ptr<const std::vector<GapDecision>> gaps = {}; // likewise
   /// Of all points of the cloud, if it is at hand: see scannedIndex.
   std::shared_ptr<const SpatialIndex> index = {};
   /// Of the whole scan, if this is a part of one: for contractions that follow densities.

@@ -1,18 +1,9 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/base/rule.h"
-#include "core/skeleton/skeleton.h"
+#include "core/reconstruct/gap_links.h"
 
 namespace espalier {
-
-struct GapOptions {
-  Length widest =
-      spacings(10); // [L] edges this much longer than the wood is thick bridge a gap, > 0
-  Length reach = spacings(50); // [L] how far across a gap wood is looked for, >= widest
-  double turnCost = 4; // how much more a link costs that turns back than one straight on, >= 0
-  Length backCost = spacings(20); // [L] what it costs that a branch points back, >= 0
-};
 
 /// `skeleton` with the gaps in it bridged by direction: a long edge is the shortest path to wood
 /// that no scanner saw the foot of, but often not the one it grew.

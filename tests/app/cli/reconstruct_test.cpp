@@ -75,6 +75,22 @@ TEST_F(Subcommands, ReconstructListsDoubtfulEndsWhereTheyAreDecidedByOdds) {
   EXPECT_TRUE(test::jsonIn(file("b.json"))["ends"].is_null()) << "nothing is asked";
 }
 
+TEST_F(Subcommands, ReconstructListsDoubtfulGapsWithTheirAlternatives) {
+  run({"simulate", "-o", file("sparse"), "--points", "4000", "--segments", "150", "--seed", "3"});
+  run({"reconstruct", file("sparse.ply"), "-o", file("a.mtg"), "--json", file("a.json")});
+  const json gaps = test::jsonIn(file("a.json"))["gaps"];
+  ASSERT_GT(gaps["asked"], 0);
+  EXPECT_LE(gaps["doubtful"].size(), gaps["asked"].get<std::size_t>());
+  for (const json& gap : gaps["doubtful"]) {
+    const json& chosen = gap["alternatives"][gap["chosen"].get<std::size_t>()];
+    EXPECT_LE(chosen["probability"], 0.8);
+    EXPECT_GE(gap["nodes"], 1);
+  }
+  run({"reconstruct", file("sparse.ply"), "-o", file("b.mtg"), "--json", file("b.json"), "--set",
+       "join.method=by_direction"});
+  EXPECT_TRUE(test::jsonIn(file("b.json"))["gaps"].is_null()) << "nothing is asked";
+}
+
 TEST_F(Subcommands, ReconstructUsesWhatIsSet) {
   test::writeBytes(
       file("preset.json"),

@@ -1,0 +1,60 @@
+#include "core/decide/decide_gaps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <utility>
+
+namespace espalier {
+namespace {
+
+constexpr std::size_t mostAlternatives = 4;
+
+GapAlternative alternativeOf(const Skeleton& skeleton, const GapLink& link, double probability) {
+  return {skeleton[link.from].position, skeleton[link.to].position, probability};
+}
+
+/// @param places  of the links of one fragment
+GapDecision decisionOf(const Skeleton& skeleton, const Gaps& gaps, std::vector<std::size_t> places,
+                       const std::vector<double>& probabilities, std::size_t chosen) {
+  std::ranges::stable_sort(places, std::greater(),
+                           [&](std::size_t place) { return probabilities[place]; });
+  GapDecision decision;
+  for (const std::size_t place : places) {
+    const bool isChosen = place == chosen;
+    if (!isChosen && decision.alternatives.size() >= mostAlternatives) continue;
+    if (isChosen) decision.chosen = decision.alternatives.size();
+    decision.alternatives.push_back(
+        alternativeOf(skeleton, gaps.links[place], probabilities[place]));
+  }
+  return decision;
+}
+
+} // namespace
+
+DecidedGaps withDecidedGaps(const Skeleton& skeleton, double spacing, const Eigen::Vector3d& up,
+                            const GapOptions& options, const Progress& progress,
+                            const GapOdds& odds) {
+  const Gaps gaps = gapsIn(skeleton, options, progress);
+  const std::vector<double> probabilities = probabilitiesOf(gaps, spacing, up, odds);
+  std::vector<double> costs;
+  std::vector<std::vector<std::size_t>> ofFragment(gaps.entries.size());
+  for (std::size_t i = 0; i < gaps.links.size(); ++i) {
+    costs.push_back(-std::log(std::max(probabilities[i], std::numeric_limits<double>::min())));
+    ofFragment[gaps.links[i].borne].push_back(i);
+  }
+  LinkedFragments linked = linkedBy(skeleton, gaps, costs);
+  DecidedGaps result{std::move(linked.skeleton), {}};
+  for (std::size_t fragment = 0; fragment < ofFragment.size(); ++fragment) {
+    if (linked.chosen[fragment] < 0) continue;
+    result.decisions.push_back(decisionOf(skeleton, gaps, std::move(ofFragment[fragment]),
+                                          probabilities,
+                                          static_cast<std::size_t>(linked.chosen[fragment])));
+    result.decisions.back().nodes = gaps.nodes[fragment];
+  }
+  progress.update(1);
+  return result;
+}
+
+} // namespace espalier

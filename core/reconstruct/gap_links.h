@@ -1,0 +1,72 @@
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/base/rule.h"
+#include "core/skeleton/skeleton.h"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace espalier {
+
+struct GapOptions {
+  Length widest =
+      spacings(10); // [L] edges this much longer than the wood is thick bridge a gap, > 0
+  Length reach = spacings(50); // [L] how far across a gap wood is looked for, >= widest
+  double turnCost = 4; // how much more a link costs that turns back than one straight on, >= 0
+  Length backCost = spacings(20); // [L] what it costs that a branch points back, >= 0
+};
+
+/// What speaks for a link over a gap.
+struct GapEvidence {
+  double length = 0;      // [L]
+  double cost = 0;        // [L], as withJoinedGaps() has it
+  double goesOn = 0;      // cosine between the wood that is borne, at its end, and the link: 1 is
+                          // straight on; 0 where it has no direction
+  bool isFromTip = false; // of what bears it
+  double goesOnBelow = 0; // likewise, at that tip
+  double radii = 0;       // difference of the logarithms of the radii at two tips, >= 0
+  bool isThere = false;   // the long edge itself
+  std::size_t nodes = 0;  // of the fragment that bears it
+  double backward = 0;    // branches that point back, see backwardBranches()
+  Eigen::Vector3d direction = Eigen::Vector3d::Zero(); // of the link, length 1; 0 if it has none
+};
+
+/// A link from a node of one fragment to one of another, which it would bear.
+struct GapLink {
+  NodeId from;
+  NodeId to;
+  std::uint32_t bearer = 0; // fragments
+  std::uint32_t borne = 0;
+  GapEvidence evidence;
+};
+
+/// The fragments of a skeleton between its long edges, and the links by which they may hang on each
+/// other.
+struct Gaps {
+  std::vector<NodeId> entries;    // of each fragment: its lowest node, as it is entered now
+  std::vector<std::size_t> nodes; // in each
+  std::vector<GapLink> links; // of each two fragments in reach the cheapest, by bearer and borne
+};
+
+/// @throws Cancelled if `progress` asks to stop
+/// Deterministic. Time O(n log n + ends * nodes in reach).
+[[nodiscard]] Gaps gapsIn(const Skeleton& skeleton, const GapOptions& options,
+                          const Progress& progress = {});
+
+/// A skeleton whose fragments hang on each other by other links.
+struct LinkedFragments {
+  Skeleton skeleton;
+  std::vector<int> chosen; // by fragment: its link, a place in Gaps::links; -1: as it was
+};
+
+/// Attaches the fragments to each other and at last to that of the root by the links with the least
+/// sum of costs; fragments are turned around where that enters them elsewhere.
+/// @param costs  one per link, finite
+[[nodiscard]] LinkedFragments linkedBy(const Skeleton& skeleton, const Gaps& gaps,
+                                       const std::vector<double>& costs);
+
+} // namespace espalier

@@ -229,6 +229,7 @@ SimulatedScan scan(const Skeleton& plant, const ScannerOptions& options, std::ui
   pieces.insert(pieces.end(), organs.petioles.begin(), organs.petioles.end());
   const WoodIndex wood(std::move(pieces));
   result.blades = organs.blades;
+  result.petioles = organs.petioles;
   const PieceTree<Blade> blades(std::move(organs.blades));
   const ScanScene scene{.wood = wood,
                         .blades = blades,

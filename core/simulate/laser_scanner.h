@@ -23,6 +23,7 @@ struct SimulatedScan {
   std::vector<StationIndex> stationOf;   // per point: from which of them; none without stations
   double angularStep = 0;                // between beams [rad], 0 without stations
   std::vector<Blade> blades;             // the needles and leaves there were
+  std::vector<EdgeSolid> petioles;       // likewise
 };
 
 /// Extent below: the larger of height and width of the plant.

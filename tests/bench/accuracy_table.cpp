@@ -1,8 +1,8 @@
 // What each method reaches on simulated scans, a row each: the presets first, then every other
 // method with all else as it is by default.
 //
-//   espalier_accuracy [--plants grown|structures|all|grid|any] [--seeds N] [--foliage DENSITY]
-//                     [--worst] [--radii] [ROW ...]
+//   espalier_accuracy [--plants grown|structures|all|grid|any|organs] [--seeds N] [--first I]
+//                     [--foliage DENSITY] [--worst] [--radii] [ROW ...]
 //
 // A ROW is NAME:STEP.OPTION=VALUE,...; "6 spacings" is a length in point spacings. With rows,
 // only they are printed. --worst prints each plant, too, --radii the errors of radii by how thick
@@ -11,7 +11,8 @@
 // grown plants: each at three densities (points a segment), with three noises (in extents), bare
 // and with foliage. "any" is 14 N plants of any kind, scanned in any way (simulated_scans.h), which
 // espalier_fit_odds has not seen; a row each for sparse, middle and dense scans, bare, with
-// foliage, and of herbs with large leaves.
+// foliage, and of herbs with large leaves. "organs" is 11 N plants from number I on, 1001 if it is
+// not said, which espalier_fit_organs has not seen (organ_scans.h); a row each for their kinds.
 //
 // Columns: the authors' indices G and T; precision, recall and F within 4 spacings, and F within
 // 2.5; segments found per true one; the share of the length on the same axis; median error of the
@@ -24,6 +25,7 @@
 #include "core/simulate/plant_grower.h"
 #include "core/simulate/prepared_plant.h"
 #include "tests/bench/judged_radii.h"
+#include "tests/bench/organ_scans.h"
 #include "tests/bench/simulated_scans.h"
 #include "tests/support/shared_data.h"
 
@@ -76,6 +78,7 @@ struct Choice {
   std::string plants = "grown";
   int seeds = 3;
   double foliage = 0;
+  std::uint64_t first = 1001;
 };
 
 Plant scanned(std::string name, Skeleton truth, const ScannerOptions& scanner, std::uint64_t seed) {
@@ -282,6 +285,21 @@ void printAny(const std::vector<Row>& rows, int seeds, const Details& details) {
     }
 }
 
+/// Each row over plants of each kind, with leaves or without.
+void printOrgans(const std::vector<Row>& rows, const Choice& choice, const Details& details) {
+  std::map<std::string, std::vector<Plant>> kinds;
+  for (std::uint64_t i = 0; i < 11 * static_cast<std::uint64_t>(choice.seeds); ++i) {
+    OrganScan plant = organScan(choice.first + i);
+    kinds[plant.kind].push_back({plant.kind + " " + std::to_string(choice.first + i),
+                                 std::move(plant.truth), std::move(plant.cloud)});
+  }
+  for (const auto& [kind, plants] : kinds)
+    for (Row row : rows) {
+      row.name += " " + kind + " (" + std::to_string(plants.size()) + ")";
+      printRow(row, plants, details);
+    }
+}
+
 void run(const std::vector<std::string>& arguments) {
   Choice choice;
   Details details;
@@ -291,6 +309,8 @@ void run(const std::vector<std::string>& arguments) {
       choice.plants = arguments.at(++i);
     else if (arguments[i] == "--seeds")
       choice.seeds = std::stoi(arguments.at(++i));
+    else if (arguments[i] == "--first")
+      choice.first = std::stoull(arguments.at(++i));
     else if (arguments[i] == "--foliage")
       choice.foliage = std::stod(arguments.at(++i));
     else if (arguments[i] == "--worst")
@@ -309,6 +329,10 @@ void run(const std::vector<std::string>& arguments) {
   }
   if (choice.plants == "any") {
     printAny(rows, choice.seeds, details);
+    return;
+  }
+  if (choice.plants == "organs") {
+    printOrgans(rows, choice, details);
     return;
   }
   std::vector<Plant> plants;

@@ -83,6 +83,27 @@ int segmentsWanted(CountedRandom& random, const Kind& kind) {
   return static_cast<int>(evenlyInLog(random, 60, 400));
 }
 
+/// Adds nodes from the one of `plant` that is nearest to `from`, evenly up to `to`.
+void addLine(Skeleton& plant, const Eigen::Vector3d& from, const Eigen::Vector3d& to, int nodes) {
+  const std::vector<NodeId> ids = plant.ids();
+  NodeId at = *std::ranges::min_element(
+      ids, {}, [&](NodeId id) { return (plant[id].position - from).squaredNorm(); });
+  for (int i = 1; i <= nodes; ++i)
+    at = plant.add(
+        Node{.position = from + static_cast<double>(i) / nodes * (to - from), .parent = at});
+}
+
+/// A plant with its petioles and the midribs of its leaves: each begins at the end of what bears
+/// it, and parts of a long leaf at the part before.
+Skeleton withLeafAxes(const Skeleton& plant, const SimulatedScan& scanned, int leaflets) {
+  Skeleton all = plant;
+  for (const EdgeSolid& petiole : scanned.petioles)
+    addLine(all, petiole.from, petiole.to, leaflets + 1);
+  for (const Blade& blade : scanned.blades)
+    addLine(all, blade.base, blade.base + blade.along, 4);
+  return all;
+}
+
 } // namespace
 
 OrganScan organScan(std::uint64_t number) {
@@ -111,7 +132,9 @@ OrganScan organScan(std::uint64_t number) {
   OrganScan result{.kind = kind.name,
                    .cloud = std::make_shared<const PointCloud>(scanned.points),
                    .organs = {},
-                   .pointsPerSegment = static_cast<double>(scanned.organs.size()) / segments};
+                   .pointsPerSegment = static_cast<double>(scanned.organs.size()) / segments,
+                   .truth =
+                       isHerb ? withLeafAxes(plant, scanned, scanner.foliage.leaflets) : plant};
   for (Eigen::Index i = 0; i < result.cloud->size(); ++i)
     result.organs.push_back(scanned.organs[result.cloud->fileOrder()[static_cast<std::size_t>(i)]]);
   return result;

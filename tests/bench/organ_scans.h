@@ -2,6 +2,7 @@
 
 #include "core/cloud/organ.h"
 #include "core/cloud/point_cloud.h"
+#include "core/skeleton/skeleton.h"
 
 #include <cstdint>
 #include <memory>
@@ -16,6 +17,7 @@ struct OrganScan {
   std::shared_ptr<const PointCloud> cloud;
   std::vector<Organ> organs;   // by point of the cloud
   double pointsPerSegment = 0; // of its wood
+  Skeleton truth;              // of herbs and grasses with petioles and the midribs of leaves
 };
 
 /// Trees and shrubs bare and in leaf, conifers bare and with needles, herbs with simple and with

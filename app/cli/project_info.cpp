@@ -84,6 +84,7 @@ Json infoOnProject(const std::string& file) {
   json["edits"] = editsOf(history.value);
   json["scan"] = scanOf(project);
   json["points_set_aside"] = history.value.leftOut.size();
+  json["organs_by_hand"] = history.value.organs.all().size();
   json["review"] = reviewOf(review);
   json["nodes_to_do"] = review.nodes[0];
   json["signed_by"] = signerOf(project);

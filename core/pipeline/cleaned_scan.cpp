@@ -42,9 +42,7 @@ PipelineState startOf(const std::shared_ptr<const PointCloud>& cloud,
   requireKnown(options);
   if (cloud->size() < 2) throw Error("a plant needs at least 2 points: check the scan");
   requireNearRoot(*cloud, options);
-  PipelineState state = firstState(cloud, options.leftOut);
-  state.up = options.up;
-  state.chosenRoot = options.root;
+  PipelineState state = firstState(cloud, options);
   state.extent.scale = scaleOf(*cloud, options.leftOut, options.up, progress);
   if (state.extent.scale.spacing == 0)
     throw Error("all points of the scan are at the same place: check the scan");

@@ -18,9 +18,7 @@ std::vector<CleaningMethod> cleaningMethods() {
 PointSet leftOutBy(const Method& method, const std::vector<double>& values,
                    const std::shared_ptr<const PointCloud>& cloud, const PipelineOptions& options,
                    const Progress& progress) {
-  PipelineState state = firstState(cloud, options.leftOut);
-  state.up = options.up;
-  state.chosenRoot = options.root;
+  PipelineState state = firstState(cloud, options);
   const std::vector<bool> before = state.isLeftOut;
   method.run(state, values, progress);
   std::vector<bool> isFound(before.size());

@@ -61,6 +61,7 @@ Skeleton grownPart(const PointCloud& cloud, const std::vector<Eigen::Index>& poi
   const auto own = std::make_shared<const PointCloud>(partOf(cloud, points));
   PipelineOptions ofPart = options;
   ofPart.leftOut = {}; // columns of another cloud
+  ofPart.organs = {};
   ofPart.root = root;
   requireNearRoot(*own, ofPart);
   PipelineState state = cleanedState(own, ofPart, whole, progress.part(0, 0.1));

@@ -1,6 +1,10 @@
 #include "core/clean/organs.h"
+#include "core/cloud/repeated_points.h"
 #include "core/pipeline/clean_parts.h"
 #include "core/pipeline/methods.h"
+#include "core/pipeline/organs_of_scan.h"
+#include "core/pipeline/pipeline_start.h"
+#include "core/pipeline/step_graph.h"
 #include "core/reconstruct/blade_midlines.h"
 
 #include <algorithm>
@@ -60,15 +64,50 @@ std::optional<Eigen::Index> chosenRootAmong(const PipelineState& state,
   return nearestPoint(standing.positions, standing.fromFile(*state.chosenRoot).cast<float>());
 }
 
-void leaveOutLeaves(PipelineState& state, LeftOutOrgans which, const Progress& progress) {
+/// Sets those of `organs` that were set by hand; one per column, which ascend.
+/// @return how many
+std::size_t takeMarks(const OrganMarks& marks, const std::vector<Eigen::Index>& columns,
+                      std::vector<Organ>& organs) {
+  std::size_t count = 0;
+  if (columns.empty()) return 0;
+  const PointSet known = PointSet::firstOf(columns.back() + 1); // marks know no size of the cloud
+  for (const Organ organ : allOrgans)
+    for (const Eigen::Index point : (marks.of(organ) & known).points()) {
+      const auto at = std::ranges::lower_bound(columns, point);
+      if (*at != point) continue;
+      organs[static_cast<std::size_t>(at - columns.begin())] = organ;
+      ++count;
+    }
+  return count;
+}
+
+/// The kept points of a scan with their organs, one per column; of too few points none.
+struct ClassifiedPoints {
+  std::vector<Eigen::Index> columns;
+  std::vector<Organ> organs;
+  std::size_t byHand = 0;
+};
+
+/// Leaves out the few points that lie far from all others.
+ClassifiedPoints classified(PipelineState& state, const Progress& progress) {
   leaveOutFarPoints(state);
   const StandingPoints standing = standingOf(state);
-  if (standing.columns.empty()) return;
+  if (standing.columns.empty()) return {};
   const double spacing = pointSpacing(standing.positions, progress); // of these points alone
-  if (!(spacing > 0)) return;
-  const std::vector<Organ> organs =
-      organsAmong(standing.positions, chosenRootAmong(state, standing), spacing, progress).ofPoint;
-  state.notes.push_back(sharesText(organs));
+  if (!(spacing > 0)) return {};
+  ClassifiedPoints result{
+      .columns = standing.columns,
+      .organs = organsAmong(standing.positions, chosenRootAmong(state, standing), spacing, progress)
+                    .ofPoint};
+  result.byHand = takeMarks(state.organs, result.columns, result.organs);
+  return result;
+}
+
+void leaveOutLeaves(PipelineState& state, LeftOutOrgans which, const Progress& progress) {
+  const auto [columns, organs, byHand] = classified(state, progress);
+  if (columns.empty()) return;
+  state.notes.push_back(sharesText(organs) +
+                        (byHand > 0 ? "; " + std::to_string(byHand) + " were set by hand" : ""));
   std::vector<bool> isOut(organs.size());
   for (std::size_t i = 0; i < organs.size(); ++i)
     isOut[i] = isAmong(organs[i], which);
@@ -77,10 +116,10 @@ void leaveOutLeaves(PipelineState& state, LeftOutOrgans which, const Progress& p
     state.notes.emplace_back("no wood would be left: nothing is left out");
     return;
   }
-  leaveOut(state, standing.columns, isOut);
+  leaveOut(state, columns, isOut);
   std::vector<Eigen::Index> blades;
   for (std::size_t i = 0; i < organs.size(); ++i)
-    if (isOut[i] && organs[i] == Organ::blade) blades.push_back(standing.columns[i]);
+    if (isOut[i] && organs[i] == Organ::blade) blades.push_back(columns[i]);
   state.blades = std::make_shared<const std::vector<Eigen::Index>>(std::move(blades));
 }
 
@@ -103,6 +142,7 @@ Method shapesMethod() {
           .options = table.descriptions(),
           .seesRoot = true,
           .seesUp = true,
+          .seesOrgans = true,
           .changesScale = true,
           .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
             leaveOutLeaves(state, table.with(values).leaveOut, progress);
@@ -149,6 +189,32 @@ Method midlineMethod() {
 }
 
 } // namespace
+
+std::vector<std::optional<Organ>> organsOfScan(const std::shared_ptr<const PointCloud>& cloud,
+                                               const PipelineOptions& options,
+                                               const Progress& progress) {
+  requireKnown(options);
+  std::vector<const Step*> before;
+  for (const Step& step : pipelineSteps()) {
+    if (step.name == "leaves") break;
+    if (!isOff(step, options)) before.push_back(&step);
+  }
+  PipelineState state = firstState(cloud, options);
+  state.extent.scale = scaleOf(*cloud, options.leftOut, options.up, progress.part(0, 0.1));
+  runCleaning(before, state, options, progress.part(0.1, 0.4));
+  const ClassifiedPoints found = classified(state, progress.part(0.4, 1));
+  std::vector<std::optional<Organ>> organs(static_cast<std::size_t>(cloud->size()));
+  for (std::size_t i = 0; i < found.columns.size(); ++i)
+    organs[static_cast<std::size_t>(found.columns[i])] = found.organs[i];
+  forEachRepeated(
+      *cloud,
+      [&](Eigen::Index point) { return organs[static_cast<std::size_t>(point)].has_value(); },
+      [&](Eigen::Index point, Eigen::Index like) {
+        if (!options.leftOut.contains(point))
+          organs[static_cast<std::size_t>(point)] = organs[static_cast<std::size_t>(like)];
+      });
+  return organs;
+}
 
 std::vector<Method> bladeMethods() {
   return {noMethod(Shown::tr("Gives blades no axes.")), midlineMethod()};

@@ -15,6 +15,7 @@ struct AskedStep {
   std::optional<Eigen::Index> root = {};          // a point, if the method sees it
   std::optional<UpAxis> up = {};                  // likewise
   std::optional<Eigen::Vector3d> chosenRoot = {}; // of methods that clean, which see no other
+  OrganMarks organs = {};                         // set by hand, if the method sees them
   bool operator==(const AskedStep&) const = default;
 };
 
@@ -66,6 +67,7 @@ AskedStep askedOf(const Step& step, const PipelineOptions& options, const PlantS
   AskedStep asked{.choice = {&step, chosenFor(step, options, scale)}};
   const Method& method = *asked.choice.method.method;
   if (method.seesUp || method.changesScale) asked.up = options.up;
+  if (method.seesOrgans) asked.organs = options.organs;
   if (!method.seesRoot) return asked;
   if (step.makes == StepResult::cleaned)
     asked.chosenRoot = options.root;
@@ -154,10 +156,11 @@ struct Pipeline::Kept {
       result.steps.push_back(recordOf(choice, known == nullptr));
       result.steps.back().scale = now.scale;
       if (known == nullptr) {
-        PipelineState next = state == nullptr ? firstState(cloud, options.leftOut) : *state;
+        PipelineState next = state == nullptr ? firstState(cloud, options) : *state;
         next.root = root;
         next.up = options.up;
         next.chosenRoot = options.root;
+        next.organs = options.organs;
         next.extent = now;
         next.index = index;
         next.notes.clear();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/cloud/organ_marks.h"
 #include "core/cloud/point_set.h"
 #include "core/pipeline/registry.h"
 
@@ -19,6 +20,8 @@ struct PipelineOptions {
   /// Points that were set aside: no step sees them, but rules follow from the whole scan. Of one
   /// scan, so no preset has them.
   PointSet leftOut = {};
+  /// Organs of points that were set by hand, which methods that look for organs take. Likewise.
+  OrganMarks organs = {};
 
   /// Sets one option by its full name, "step.option".
   /// Lengths are in [L], or follow from the scan: "7.5 spacings", "0.01 heights"; or in mm, cm or

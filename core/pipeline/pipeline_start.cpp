@@ -30,13 +30,20 @@ PipelineState firstState(const std::shared_ptr<const PointCloud>& cloud, const P
           .root = 0};
 }
 
+PipelineState firstState(const std::shared_ptr<const PointCloud>& cloud,
+                         const PipelineOptions& options) {
+  PipelineState state = firstState(cloud, options.leftOut);
+  state.up = options.up;
+  state.chosenRoot = options.root;
+  state.organs = options.organs;
+  return state;
+}
+
 PipelineState cleanedState(const std::shared_ptr<const PointCloud>& cloud,
                            const PipelineOptions& options, const PlantScale& scale,
                            const Progress& progress) {
   requireKnown(options);
-  PipelineState state = firstState(cloud, options.leftOut);
-  state.up = options.up;
-  state.chosenRoot = options.root;
+  PipelineState state = firstState(cloud, options);
   state.extent.scale = scale;
   runCleaning(state, options, progress);
   return state;

@@ -17,6 +17,9 @@ namespace espalier {
 /// the place of one that was not: each place counts once (core/cloud/repeated_points.h).
 [[nodiscard]] PipelineState firstState(const std::shared_ptr<const PointCloud>& cloud,
                                        const PointSet& leftOut);
+/// The same with all that these options say of the scan.
+[[nodiscard]] PipelineState firstState(const std::shared_ptr<const PointCloud>& cloud,
+                                       const PipelineOptions& options);
 
 /// The same once the steps that clean have run; `extent` has the scale for what comes behind.
 /// @throws Error if an option of any step is unknown, or one of this step out of range

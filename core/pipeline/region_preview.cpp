@@ -209,7 +209,7 @@ private:
     }
     std::ranges::sort(region.columns);
     std::ranges::sort(region.preview.points);
-    region.state = firstState(someOf(*whole.cloud, region.columns), {});
+    region.state = firstState(someOf(*whole.cloud, region.columns), PointSet());
     region.state.made = StepResult::cleaned; // as the whole was
     return region;
   }

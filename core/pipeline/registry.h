@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/cloud/organ_marks.h"
 #include "core/cloud/point_cloud.h"
 #include "core/decide/decide_ends.h"
 #include "core/decide/decide_gaps.h"
@@ -56,6 +57,7 @@ struct PipelineState {
   /// method on that changes the scale.
   PlantExtent extent = {};
   std::shared_ptr<const PointSet> apart = {}; // left out by such methods; null: nothing
+  OrganMarks organs = {};                     // that were set by hand, by point of the cloud
   /// Points of blades that were left out; null: none were looked for.
   std::shared_ptr<const std::vector<Eigen::Index>> blades = {};
 
@@ -72,8 +74,9 @@ struct Method {
   std::string inManual = {}; // what the table of methods in the manual says of it
   std::string source;
   std::vector<Option> options;
-  bool seesRoot = true; // false: its result is the same wherever the plant has its root
-  bool seesUp = false;  // true: not only by the height of the plant
+  bool seesRoot = true;    // false: its result is the same wherever the plant has its root
+  bool seesUp = false;     // true: not only by the height of the plant
+  bool seesOrgans = false; // true: its result follows from organs that were set by hand
   /// True: what it leaves out is no stray of the plant, so that the rules of steps behind it follow
   /// from what is left.
   bool changesScale = false;

@@ -110,10 +110,12 @@ std::optional<std::string> envelopeAfter(const History& history) {
 }
 
 History beginningOf(const History& history) {
-  History beginning{.skeleton = history.skeleton, .leftOut = history.leftOut};
+  History beginning{
+      .skeleton = history.skeleton, .leftOut = history.leftOut, .organs = history.organs};
   for (std::size_t i = history.position; i-- > 0;) {
     history.steps[i].delta.inverse().apply(beginning.skeleton);
     beginning.leftOut = beginning.leftOut ^ history.steps[i].points;
+    beginning.organs = beginning.organs ^ history.steps[i].organs;
   }
   return beginning;
 }

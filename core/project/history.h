@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/cloud/organ_marks.h"
 #include "core/cloud/point_set.h"
 #include "core/skeleton/skeleton.h"
 #include "core/skeleton/skeleton_delta.h"
@@ -40,6 +41,7 @@ struct HistoryStep {
   /// Whether it replaced the contracted points, by others (ContractedPoints) or by none.
   bool replacesContracted = false;
   std::optional<EnvelopeChange> envelope = {}; // none: the step left it as it was
+  OrganMarks organs = {};                      // the change of those that were set by hand
 
   bool operator==(const HistoryStep&) const = default;
 };
@@ -50,6 +52,7 @@ struct History {
   PointSet leftOut = {}; // likewise: the points that are set aside
   std::vector<HistoryStep> steps;
   std::size_t position = 0; // <= steps.size()
+  OrganMarks organs = {};   // with the first `position` steps done: those that were set by hand
 
   bool operator==(const History&) const = default;
 };

@@ -17,9 +17,11 @@
 namespace espalier {
 namespace {
 
-/// 5 has origins of radii, 4 indices that are texts; where there are none, the version before is
-/// written, which older programs read. 2 had no points, 1 no reviews either; else all are the same.
-constexpr std::uint8_t bytesVersion = 5;
+/// 6 has organs of points, 5 origins of radii, 4 indices that are texts; where there are none, the
+/// version before is written, which older programs read. 2 had no points, 1 no reviews either; else
+/// all are the same.
+constexpr std::uint8_t bytesVersion = 6;
+constexpr std::uint8_t versionOfOrigins = 5;
 constexpr std::uint8_t versionOfTextIndices = 4;
 constexpr std::uint8_t leastVersion = 3; // that is written
 constexpr std::size_t hashSize = 8;
@@ -135,6 +137,13 @@ public:
     }
   }
 
+  void organs(const OrganMarks& organs) {
+    if (organs.isEmpty()) return;
+    needs(bytesVersion);
+    for (const PointSet& set : organs.sets())
+      points(set);
+  }
+
   [[nodiscard]] std::string finished() {
     number(contentHash(bytes_));
     return std::move(bytes_);
@@ -151,7 +160,7 @@ private:
     text(review.reviewer);
   }
   void origin(const RadiusOrigin& origin) {
-    needs(bytesVersion);
+    needs(versionOfOrigins);
     number(static_cast<std::uint8_t>(origin.source));
     number(std::bit_cast<std::uint32_t>(origin.least));
     number(std::bit_cast<std::uint32_t>(origin.most));
@@ -274,6 +283,15 @@ public:
     if (!set) throw Malformed{};
     return *std::move(set);
   }
+  OrganMarks organs() {
+    if (written_ < bytesVersion) return {};
+    OrganMarks::Sets sets;
+    for (PointSet& set : sets)
+      set = points();
+    OrganMarks result(std::move(sets));
+    if (result.isEmpty()) throw Malformed{}; // as it is never written
+    return result;
+  }
   void end() const {
     if (!rest_.empty()) throw Malformed{};
   }
@@ -317,7 +335,7 @@ SkeletonDelta readDelta(Reader& reader) {
 
 } // namespace
 
-std::string bytesOf(const SkeletonDelta& delta, const PointSet& points) {
+std::string bytesOf(const SkeletonDelta& delta, const PointSet& points, const OrganMarks& organs) {
   Writer writer;
   writer.size(delta.changes.size());
   for (const SkeletonDelta::Change& change : delta.changes) {
@@ -328,6 +346,7 @@ std::string bytesOf(const SkeletonDelta& delta, const PointSet& points) {
     if (change.after) writer.node(change.id, *change.after);
   }
   writer.points(points);
+  writer.organs(organs);
   return writer.finished();
 }
 
@@ -336,6 +355,7 @@ std::optional<StoredDelta> deltaFrom(std::string_view bytes) {
     Reader reader(bytes);
     StoredDelta stored{.delta = readDelta(reader)};
     stored.points = reader.points();
+    stored.organs = reader.organs();
     reader.end();
     return stored;
   } catch (const Malformed&) {
@@ -343,7 +363,7 @@ std::optional<StoredDelta> deltaFrom(std::string_view bytes) {
   }
 }
 
-std::string bytesOf(const Skeleton& skeleton, const PointSet& leftOut) {
+std::string bytesOf(const Skeleton& skeleton, const PointSet& leftOut, const OrganMarks& organs) {
   const std::vector<NodeId> ids = skeleton.ids();
   Writer writer;
   const std::size_t used = ids.empty() ? 0 : indexOf(*std::ranges::max_element(ids)) + 1;
@@ -354,6 +374,7 @@ std::string bytesOf(const Skeleton& skeleton, const PointSet& leftOut) {
     writer.node(id, skeleton[id]);
   }
   writer.points(leftOut);
+  writer.organs(organs);
   return writer.finished();
 }
 
@@ -362,6 +383,7 @@ std::optional<StoredPlant> plantFrom(std::string_view bytes) {
     Reader reader(bytes);
     StoredPlant stored{.skeleton = readSkeleton(reader)};
     stored.leftOut = reader.points();
+    stored.organs = reader.organs();
     reader.end();
     return stored;
   } catch (const Malformed&) {

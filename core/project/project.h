@@ -91,7 +91,7 @@ public:
   [[nodiscard]] bool needsSnapshot() const;
   /// Writes the plant at the position now beside the journal: less to lose if a step is damaged.
   /// For when nobody waits.
-  void takeSnapshot(const Skeleton& skeleton, const PointSet& leftOut);
+  void takeSnapshot(const Skeleton& skeleton, const PointSet& leftOut, const OrganMarks& organs);
 
   /// Texts by name: pipeline options, view, evaluation, frame of an MTG ... Empty removes it.
   void setDocument(std::string_view name, std::string_view text);

@@ -14,7 +14,7 @@ namespace {
 
 /// @return the bytes that it takes, of those that ids may follow from
 std::size_t insertStep(const Database& database, std::size_t step, const HistoryStep& content) {
-  const std::string delta = bytesOf(content.delta, content.points);
+  const std::string delta = bytesOf(content.delta, content.points, content.organs);
   Statement row = database.prepare("INSERT INTO journal VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)");
   row.bind(1, static_cast<std::int64_t>(step))
       .bind(2, content.time)
@@ -30,8 +30,8 @@ std::size_t insertStep(const Database& database, std::size_t step, const History
 }
 
 void insertSnapshot(const Database& database, std::size_t step, const Skeleton& skeleton,
-                    const PointSet& leftOut) {
-  const std::string nodes = bytesOf(skeleton, leftOut);
+                    const PointSet& leftOut, const OrganMarks& organs) {
+  const std::string nodes = bytesOf(skeleton, leftOut, organs);
   database.prepare("INSERT OR REPLACE INTO snapshot VALUES (?, ?)")
       .bind(1, static_cast<std::int64_t>(step))
       .bindBytes(2, nodes)
@@ -95,7 +95,8 @@ private:
                                                    .delta = std::move(stored->delta),
                                                    .points = std::move(stored->points),
                                                    .replacesContracted = rows.integer(6) != 0,
-                                                   .envelope = envelopeIn(rows)});
+                                                   .envelope = envelopeIn(rows),
+                                                   .organs = std::move(stored->organs)});
         else
           isDamaged = true;
       }
@@ -209,6 +210,7 @@ std::optional<std::int64_t> storedPosition(const Database& database) {
 struct Place {
   Skeleton skeleton;
   PointSet leftOut;
+  OrganMarks organs;
   std::int64_t at = 0;
 
   void moveTowards(std::int64_t target, const Journal& journal) {
@@ -219,6 +221,7 @@ struct Place {
       const SkeletonDelta& delta = step->second.delta;
       if (!tryToApply(isForward ? delta : delta.inverse(), skeleton)) return;
       leftOut = leftOut ^ step->second.points;
+      organs = organs ^ step->second.organs;
       at += isForward ? 1 : -1;
     }
   }
@@ -236,7 +239,8 @@ std::optional<Place> nearestPlace(const Database& database, const Journal& journ
     std::optional<StoredPlant> plant = snapshotAt(database, step);
     if (!plant) continue;
     ++tries;
-    Place place{std::move(plant->skeleton), std::move(plant->leftOut), step};
+    Place place{std::move(plant->skeleton), std::move(plant->leftOut), std::move(plant->organs),
+                step};
     place.moveTowards(target, journal);
     if (!best || std::abs(place.at - target) < std::abs(best->at - target)) best = std::move(place);
   }
@@ -269,6 +273,7 @@ Imported<History> Project::history() const {
   result.value.position = static_cast<std::size_t>(place->at - first);
   result.value.skeleton = std::move(place->skeleton);
   result.value.leftOut = std::move(place->leftOut);
+  result.value.organs = std::move(place->organs);
   for (std::int64_t step = first; step < last; ++step)
     result.value.steps.push_back(std::move(journal.steps.at(step)));
   for (const HistoryStep& step : result.value.steps) // what is redone needs its ids
@@ -299,10 +304,10 @@ void Project::record(std::size_t kept, std::span<const HistoryStep> added, std::
 
 void Project::insertHistory(const Database& database, const History& history) {
   const History beginning = beginningOf(history);
-  insertSnapshot(database, 0, beginning.skeleton, beginning.leftOut);
+  insertSnapshot(database, 0, beginning.skeleton, beginning.leftOut, beginning.organs);
   insertSteps(database, 0, history.steps, "the project");
   if (history.position > 0)
-    insertSnapshot(database, history.position, history.skeleton, history.leftOut);
+    insertSnapshot(database, history.position, history.skeleton, history.leftOut, history.organs);
   setPosition(database, history.position);
 }
 
@@ -314,7 +319,7 @@ void Project::growScan(const GrownReference& grown) const {
   for (const std::int64_t step : snapshotSteps(database_, isDamaged))
     if (const std::optional<StoredPlant> plant = snapshotAt(database_, step))
       insertSnapshot(database_, static_cast<std::size_t>(step), plant->skeleton,
-                     plant->leftOut | grown.added);
+                     plant->leftOut | grown.added, plant->organs);
 }
 
 bool Project::needsSnapshot() const {
@@ -323,11 +328,12 @@ bool Project::needsSnapshot() const {
                            "FROM journal WHERE step >= (SELECT max(step) FROM snapshot)") != 0;
 }
 
-void Project::takeSnapshot(const Skeleton& skeleton, const PointSet& leftOut) {
+void Project::takeSnapshot(const Skeleton& skeleton, const PointSet& leftOut,
+                           const OrganMarks& organs) {
   requireSameFile();
   Transaction transaction(database_);
   const std::int64_t position = database_.integer("SELECT step FROM position");
-  insertSnapshot(database_, static_cast<std::size_t>(position), skeleton, leftOut);
+  insertSnapshot(database_, static_cast<std::size_t>(position), skeleton, leftOut, organs);
   requireAllowed(idsAndBytes(database_, 0), path_.string());
   transaction.commit();
 }

@@ -33,7 +33,8 @@ namespace fs = std::filesystem;
       project.record(act.kept, act.added, act.position);
       if (::write(saved, "s", 1) != 1) ::_exit(3);
       if (project.needsSnapshot())
-        project.takeSnapshot(edits.history().skeleton, edits.history().leftOut);
+        project.takeSnapshot(edits.history().skeleton, edits.history().leftOut,
+                             edits.history().organs);
     }
   } catch (const std::exception& error) {
     (void)!::write(STDERR_FILENO, error.what(), std::string_view(error.what()).size());

@@ -8,7 +8,8 @@ namespace espalier::test {
 /// points name theirs by its place, and what the plant was made with by its time.
 void writeAsVersion01(const std::filesystem::path& project, const std::filesystem::path& older);
 
-/// Makes a project one of schema 5: its steps say nothing of the crown envelope.
+/// Makes a project one of schema 5: its steps say nothing of the crown envelope. Nothing in it may
+/// be of a later schema.
 void writeAsSchema5(const std::filesystem::path& project);
 
 } // namespace espalier::test

@@ -78,6 +78,7 @@ public:
   void redo() override { // QUndoStack::push calls it once for the edit that was made already
     if (contracted_) document_.applyContracted(contracted_->after);
     if (step_.envelope) document_.applyEnvelope(step_.envelope->after);
+    document_.applyOrgans(step_.organs);
     if (!document_.isRestoring_) {
       if (isNew_)
         document_.announce(step_.delta);
@@ -91,6 +92,7 @@ public:
   void undo() override {
     if (contracted_) document_.applyContracted(contracted_->before);
     if (step_.envelope) document_.applyEnvelope(step_.envelope->before);
+    document_.applyOrgans(step_.organs);
     if (document_.isRestoring_) return;
     document_.apply(step_.delta.inverse());
     document_.setLeftOut(document_.leftOut_ ^ step_.points);
@@ -102,6 +104,7 @@ public:
     step_.id = added.id; // what it was before is no step any more
     step_.delta = step_.delta.then(added.delta);
     step_.points = step_.points ^ added.points;
+    step_.organs = step_.organs ^ added.organs;
     if (added.envelope) goOnTo(added);
     setObsolete(isNothing()); // dragged back to where it was
     return true;
@@ -115,12 +118,14 @@ public:
   void forgetPoints() {
     step_.id = newStepId();
     step_.points = {};
+    step_.organs = {};
     setObsolete(isNothing());
   }
 
 private:
   [[nodiscard]] bool isNothing() const {
-    return step_.delta.isEmpty() && step_.points.isEmpty() && !step_.envelope;
+    return step_.delta.isEmpty() && step_.points.isEmpty() && step_.organs.isEmpty() &&
+           !step_.envelope;
   }
   /// The envelope is chosen further, and named by what it is last.
   void goOnTo(const HistoryStep& next) {
@@ -160,6 +165,13 @@ void PlantDocument::leaveOut(const QString& text, const PointSet& points) {
   if (points != leftOut_) push(text, {.points = points ^ leftOut_});
 }
 
+void PlantDocument::setOrgans(const QString& text, const PointSet& points,
+                              std::optional<Organ> organ) {
+  requireWritable();
+  const OrganMarks change = organs_.with(points, organ) ^ organs_;
+  if (!change.isEmpty()) push(text, {.organs = change});
+}
+
 StepId PlantDocument::reconstruct(const QString& text, const Skeleton& skeleton,
                                   std::shared_ptr<const Eigen::Matrix3Xf> contracted) {
   SkeletonEditor editor(structure_.skeleton);
@@ -197,7 +209,7 @@ void PlantDocument::cancel(Gesture gesture) {
 void PlantDocument::goTo(int index) {
   if (index == undoStack_.index()) return;
   requireEditable();
-  jump_ = Jump{std::abs(index - undoStack_.index()), {}, contracted_, envelope_};
+  jump_ = Jump{std::abs(index - undoStack_.index()), {}, contracted_, envelope_, organs_};
   undoStack_.setIndex(index);
   jump_.reset();
 }
@@ -255,12 +267,13 @@ void PlantDocument::replaceScan(std::unique_ptr<const Scan> scan, const QString&
 
 void PlantDocument::forgetPoints() {
   for (int i = 0; i < undoStack_.count(); ++i) {
-    if (step(i).points.isEmpty()) continue;
+    if (step(i).points.isEmpty() && step(i).organs.isEmpty()) continue;
     opened_ = std::min(opened_, i);
     // The stack hands its commands out to look at; they are this document's own.
     const_cast<EditSkeleton&>(command(i)).forgetPoints(); // NOLINT
   }
   setLeftOut({});
+  applyOrgans(organs_); // by themselves: none
 }
 
 void PlantDocument::setLeftOut(const PointSet& points) {
@@ -312,6 +325,7 @@ void PlantDocument::openHistory(History history, std::shared_ptr<const MtgFrame>
                                 const QString& path, const ContractedPoints& contracted) {
   openStructure({std::move(history.skeleton), std::move(frame)}, path);
   setLeftOut(history.leftOut);
+  applyOrgans(history.organs ^ organs_);
   const auto madeBy = [&](StepId step) {
     return step == contracted.step ? contracted.positions : nullptr;
   };
@@ -368,7 +382,7 @@ void PlantDocument::clear() {
 }
 
 History PlantDocument::history() const {
-  History history{.skeleton = skeleton(), .leftOut = leftOut_};
+  History history{.skeleton = skeleton(), .leftOut = leftOut_, .organs = organs_};
   for (int i = 0; i < undoStack_.count(); ++i)
     history.steps.push_back(step(i));
   history.position = static_cast<std::size_t>(undoStack_.index());
@@ -398,7 +412,8 @@ StepId PlantDocument::push(const QString& text, StepContent content, Gesture ges
                    .delta = std::move(content.delta),
                    .points = std::move(content.points),
                    .replacesContracted = content.contracted.has_value(),
-                   .envelope = std::move(content.envelope)};
+                   .envelope = std::move(content.envelope),
+                   .organs = std::move(content.organs)};
   opened_ = std::min(opened_, undoStack_.index()); // those undone are dropped
   undoStack_.push(                                 // which owns it
       new EditSkeleton(*this, std::move(step), gesture, std::move(content.contracted)));
@@ -412,6 +427,7 @@ void PlantDocument::apply(const SkeletonDelta& delta) {
   if (--jump_->left > 0) return;
   if (contracted_ != jump_->contractedBefore) emit contractedChanged();
   if (envelope_ != jump_->envelopeBefore) emit envelopeChanged();
+  if (organs_ != jump_->organsBefore) emit organsChanged();
   const SkeletonDelta all = joined(jump_->changes, structure_.skeleton);
   if (!all.isEmpty()) announce(all);
 }
@@ -427,6 +443,12 @@ void PlantDocument::applyEnvelope(const std::string& envelope) {
   if (envelope == envelope_) return;
   envelope_ = envelope;
   if (!jump_ && !isRestoring_) emit envelopeChanged(); // else at the end
+}
+
+void PlantDocument::applyOrgans(const OrganMarks& change) {
+  if (change.isEmpty() || isRestoring_) return; // what is restored has them already
+  organs_ = organs_ ^ change;
+  if (!jump_) emit organsChanged(); // else at the end
 }
 
 void PlantDocument::announce(const SkeletonDelta& delta) {

@@ -49,6 +49,8 @@ public:
   [[nodiscard]] const Structure& structure() const { return structure_; }
   /// The points that are set aside; kept also while the scan itself is not found.
   [[nodiscard]] const PointSet& leftOut() const { return leftOut_; }
+  /// Organs of points that were set by hand; likewise.
+  [[nodiscard]] const OrganMarks& organs() const { return organs_; }
   [[nodiscard]] Selection& selection() { return selection_; }
   [[nodiscard]] PointSelection& pointSelection() { return pointSelection_; }
   [[nodiscard]] QUndoStack& undoStack() { return undoStack_; }
@@ -76,6 +78,11 @@ public:
   /// Sets exactly these points aside, as one undo step named `text`; no step if they are already.
   /// @throws Error as requireWritable()
   void leaveOut(const QString& text, const PointSet& points);
+
+  /// Sets the organ of points by hand, or lets it be found again, as one undo step named `text`; no
+  /// step if it is so already.
+  /// @throws Error as requireWritable()
+  void setOrgans(const QString& text, const PointSet& points, std::optional<Organ> organ);
 
   /// Replaces the skeleton and the contracted points it was made from, as one undo step.
   StepId reconstruct(const QString& text, const Skeleton& skeleton,
@@ -159,6 +166,7 @@ signals:
   void skeletonReplaced(); // by that of a file: not an edit
   void scanChanged();
   void leftOutChanged(); // which points are set aside
+  void organsChanged();  // those that were set by hand
   void contractedChanged();
   void envelopeChanged();
   void unitChanged();
@@ -178,12 +186,14 @@ private:
     SkeletonDelta changes; // of those behind, one after the other
     std::shared_ptr<const Eigen::Matrix3Xf> contractedBefore;
     std::string envelopeBefore;
+    OrganMarks organsBefore;
   };
   struct StepContent { // what one step changes
     SkeletonDelta delta = {};
     PointSet points = {};
     std::optional<ContractedChange> contracted = {};
     std::optional<EnvelopeChange> envelope = {};
+    OrganMarks organs = {};
   };
   [[nodiscard]] const EditSkeleton& command(int index) const;
   StepId push(const QString& text, StepContent content, Gesture gesture = {});
@@ -194,11 +204,13 @@ private:
   void announce(const SkeletonDelta& delta);
   void applyContracted(const std::shared_ptr<const Eigen::Matrix3Xf>& positions);
   void applyEnvelope(const std::string& envelope);
+  void applyOrgans(const OrganMarks& change);
 
   std::unique_ptr<const Scan> scan_;
   std::shared_ptr<const Eigen::Matrix3Xf> contracted_;
   Structure structure_;
   PointSet leftOut_;
+  OrganMarks organs_;
   std::string envelope_;
   Selection selection_;
   PointSelection pointSelection_;

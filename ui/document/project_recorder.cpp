@@ -95,7 +95,7 @@ void ProjectRecorder::flush() {
                    return points ? bytesOf(*points) : std::string();
                  });
     if (project_->needsSnapshot())
-      project_->takeSnapshot(document_.skeleton(), document_.leftOut());
+      project_->takeSnapshot(document_.skeleton(), document_.leftOut(), document_.organs());
   } catch (const Error& error) {
     emit failed(QString::fromUtf8(error.what()));
   }

@@ -103,7 +103,8 @@ void PipelinePanel::showOptional() {
 }
 
 PipelineOptions PipelinePanel::options() const {
-  PipelineOptions options{.root = document_.root(), .up = document_.up()};
+  PipelineOptions options{
+      .root = document_.root(), .up = document_.up(), .organs = document_.organs()};
   for (const StepForm* step : steps_)
     step->addTo(options);
   return options;

@@ -150,7 +150,8 @@ void CleanFlow::find() {
       [choice = *choice, cloud = parts_.document.scan()->cloud(),
        options = PipelineOptions{.root = parts_.document.root(),
                                  .up = parts_.document.up(),
-                                 .leftOut = parts_.document.leftOut()}](const Progress& progress) {
+                                 .leftOut = parts_.document.leftOut(),
+                                 .organs = parts_.document.organs()}](const Progress& progress) {
         return leftOutBy(*choice.cleaning.method, choice.values, cloud, options, progress);
       };
   job_.start(tr("Finding points"), work,

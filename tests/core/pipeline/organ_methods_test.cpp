@@ -1,6 +1,7 @@
 #include "core/base/random.h"
 #include "core/pipeline/cleaned_scan.h"
 #include "core/pipeline/cleaning.h"
+#include "core/pipeline/organs_of_scan.h"
 #include "core/pipeline/pipeline.h"
 #include "tests/support/leafy_plants.h"
 
@@ -51,6 +52,73 @@ TEST(LeavesStep, FindsTheSameByItself) {
   alone.set("clean.method=none");
   EXPECT_EQ(found, cleanedScan(cloud, alone).leftOut);
   EXPECT_GT(found.size(), 1000U);
+}
+
+// Half of the stem is of blades and the lower blades are of wood, as a hand says.
+TEST(LeavesStep, TakesOrgansThatWereSetByHand) {
+  const test::LabeledCloud& herb = test::leafyHerb();
+  const auto cloud = std::make_shared<const PointCloud>(herb.cloud);
+  PipelineOptions options = withoutLeaves("foliage");
+  options.set("clean.method=none");
+  const PointSet before = cleanedScan(cloud, options).leftOut;
+  const PointSet in = PointSet::of(others(before, cloud->size()));
+  const PointSet some = PointSet::of({before.points()[5], before.points()[900]});
+  const PointSet stem = PointSet::of({in.points()[3], in.points()[400]});
+  options.organs = OrganMarks()
+                       .with(some, Organ::wood)
+                       .with(stem, Organ::blade)
+                       .with(PointSet::of({cloud->size() + 7}), Organ::blade); // of no point
+  const CleanedScan by = cleanedScan(cloud, options);
+  EXPECT_EQ(by.leftOut, (before - some) | stem);
+  EXPECT_THAT(by.steps.front().notes, testing::Contains(HasSubstr("4 were set by hand")));
+}
+
+TEST(LeavesStep, RunsAgainWhereOrgansAreSetByHand) {
+  const auto cloud = std::make_shared<const PointCloud>(test::leafyHerb().cloud);
+  PipelineOptions options = withoutLeaves("foliage");
+  Pipeline pipeline;
+  const Reconstruction first = pipeline.run(cloud, options, {}, "clean");
+  options.organs = OrganMarks().with(PointSet::firstOf(500), Organ::blade);
+  const Reconstruction second = pipeline.run(cloud, options, {}, "clean");
+  EXPECT_NE(*first.apart, *second.apart);
+  EXPECT_TRUE((PointSet::firstOf(500) - *second.apart).isEmpty());
+  options.organs = {};
+  EXPECT_EQ(*pipeline.run(cloud, options, {}, "clean").apart, *first.apart);
+}
+
+TEST(OrgansOfScan, AreWhatTheStepLeavesOut) {
+  const auto cloud = std::make_shared<const PointCloud>(test::leafyHerb().cloud);
+  PipelineOptions options = withoutLeaves("all");
+  options.set("clean.method=none");
+  options.leftOut = PointSet::firstOf(200);
+  options.organs = OrganMarks().with(PointSet::of({300, 301}), Organ::needle);
+  const auto organs = organsOfScan(cloud, options);
+  std::vector<Eigen::Index> notWood;
+  for (Eigen::Index i = 0; i < cloud->size(); ++i) {
+    const std::optional<Organ>& organ = organs[static_cast<std::size_t>(i)];
+    ASSERT_EQ(organ.has_value(), i >= 200);
+    if (organ != Organ::wood) notWood.push_back(i);
+  }
+  EXPECT_EQ(organs[300], Organ::needle);
+  EXPECT_EQ(PointSet::of(notWood), cleanedScan(cloud, options).leftOut);
+}
+
+TEST(OrgansOfScan, AreNotKnownOfPointsAtOnePlace) {
+  RawPoints raw;
+  raw.positions.assign(50, Eigen::Vector3d(1, 2, 3));
+  const auto cloud = std::make_shared<const PointCloud>(std::move(raw));
+  for (const std::optional<Organ>& organ : organsOfScan(cloud))
+    EXPECT_FALSE(organ);
+}
+
+TEST(OrgansOfScan, AreStoppedAndRefuseUnknownOptions) {
+  const auto cloud = std::make_shared<const PointCloud>(test::leafyHerb().cloud);
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_THROW((void)organsOfScan(cloud, {}, Progress(stop.get_token(), {})), Cancelled);
+  PipelineOptions unknown;
+  unknown.methods["leaves"] = "guesses";
+  EXPECT_THROW((void)organsOfScan(cloud, unknown), Error);
 }
 
 TEST(LeavesStep, IsOffByDefault) {

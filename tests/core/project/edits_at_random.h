@@ -31,6 +31,7 @@ private:
   [[nodiscard]] Act redo();
   [[nodiscard]] Act edit(bool isDrag);
   [[nodiscard]] PointSet pointsAtRandom();
+  [[nodiscard]] OrganMarks organsAtRandom();
   [[nodiscard]] std::optional<EnvelopeChange> envelopeAtRandom();
 
   History history_;

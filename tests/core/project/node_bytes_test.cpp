@@ -31,11 +31,14 @@ Skeleton plantWithEntities() {
 TEST(NodeBytes, OfASkeletonReadBackToTheSame) {
   const Skeleton plant = plantWithEntities();
   const PointSet leftOut = PointSet::of({0, 7, 8, 4'000'000'000});
-  const auto read = plantFrom(bytesOf(plant, leftOut));
+  const OrganMarks organs =
+      OrganMarks().with(PointSet::of({1, 2}), Organ::petiole).with(leftOut, Organ::needle);
+  const auto read = plantFrom(bytesOf(plant, leftOut, organs));
   ASSERT_TRUE(read);
   EXPECT_EQ(read->skeleton, plant);
   EXPECT_EQ(read->skeleton.idEnd(), plant.idEnd());
   EXPECT_EQ(read->leftOut, leftOut);
+  EXPECT_EQ(read->organs, organs);
   EXPECT_EQ(plantFrom(bytesOf(Skeleton())), StoredPlant());
 }
 
@@ -43,18 +46,20 @@ TEST(NodeBytes, OfADeltaReadBackToTheSame) {
   test::EditsAtRandom edits({.skeleton = plantWithEntities()}, 3);
   for (int i = 0; i < 200; ++i)
     for (const HistoryStep& step : edits.next().added)
-      ASSERT_EQ(deltaFrom(bytesOf(step.delta, step.points)),
-                (StoredDelta{step.delta, step.points}));
+      ASSERT_EQ(deltaFrom(bytesOf(step.delta, step.points, step.organs)),
+                (StoredDelta{step.delta, step.points, step.organs}));
 }
 
+const OrganMarks someBlades = OrganMarks().with(PointSet::of({3, 4, 6}), Organ::blade);
+
 TEST(NodeBytes, ThatWereCutAreNone) {
-  const std::string bytes = bytesOf(plantWithEntities(), PointSet::of({3, 4, 9}));
+  const std::string bytes = bytesOf(plantWithEntities(), PointSet::of({3, 4, 9}), someBlades);
   for (std::size_t size = 0; size < bytes.size(); ++size)
     ASSERT_FALSE(plantFrom(bytes.substr(0, size))) << size;
 }
 
 TEST(NodeBytes, ThatWereChangedAreNone) {
-  const std::string bytes = bytesOf(plantWithEntities(), PointSet::of({3, 4, 9}));
+  const std::string bytes = bytesOf(plantWithEntities(), PointSet::of({3, 4, 9}), someBlades);
   for (std::size_t i = 0; i < bytes.size(); ++i) {
     std::string changed = bytes;
     changed[i] = static_cast<char>(changed[i] ^ 0x10);
@@ -114,6 +119,13 @@ TEST(NodeBytes, WithRunsThatAreNoneAreNone) {
   ASSERT_TRUE(deltaFrom(withRun(5, 6)));
   EXPECT_FALSE(deltaFrom(withRun(6, 6)));
   EXPECT_FALSE(deltaFrom(withRun(6, 5)));
+}
+
+// Where there is no such organ, an older program may read them.
+TEST(NodeBytes, AreOfVersionSixWhereOrgansWereSetByHand) {
+  EXPECT_EQ(bytesOf(SkeletonDelta(), {}, someBlades).front(), 6);
+  EXPECT_EQ(bytesOf(Skeleton(), {}, someBlades).front(), 6);
+  EXPECT_EQ(bytesOf(SkeletonDelta(), PointSet::of({5})).front(), 3);
 }
 
 // A program that knows version 3 alone would misread the index; what it can read, it may.

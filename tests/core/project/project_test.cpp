@@ -77,7 +77,8 @@ TEST(Project, KeepsEachActAsItHappens) {
     project.record(act.kept, act.added, act.position);
     ASSERT_EQ(readBack(file), edits.history()) << "after act " << i; // while it is open
     if (project.needsSnapshot())
-      project.takeSnapshot(edits.history().skeleton, edits.history().leftOut);
+      project.takeSnapshot(edits.history().skeleton, edits.history().leftOut,
+                           edits.history().organs);
   }
 }
 
@@ -123,7 +124,8 @@ TEST(Project, RefusesAPlantThatCouldNotBeReadBack) {
     Skeleton plant;
     (void)plant.add(node);
     EXPECT_THAT(test::errorOf([&] { project.reset(plant); }), HasSubstr("not finite"));
-    EXPECT_THAT(test::errorOf([&] { project.takeSnapshot(plant, {}); }), HasSubstr("not finite"));
+    EXPECT_THAT(test::errorOf([&] { project.takeSnapshot(plant, {}, {}); }),
+                HasSubstr("not finite"));
     EXPECT_THAT(
         test::errorOf([&] { (void)Project::create(folder / "new.espalier", {.skeleton = plant}); }),
         HasSubstr("not finite"));
@@ -171,7 +173,7 @@ TEST(Project, AsksForASnapshotWhenItsJournalIsLongerThanThePlant) {
     const auto act = edits.next();
     project.record(act.kept, act.added, act.position);
   }
-  project.takeSnapshot(edits.history().skeleton, edits.history().leftOut);
+  project.takeSnapshot(edits.history().skeleton, edits.history().leftOut, edits.history().organs);
   EXPECT_FALSE(project.needsSnapshot());
   EXPECT_EQ(readBack(file), edits.history());
 }

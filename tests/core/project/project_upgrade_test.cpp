@@ -85,6 +85,14 @@ TEST(ProjectUpgrade, KeepsAnOldProgramFromReadingReviewMarksAsDamage) {
       << "a program that knows schema 1 says that a newer one wrote it";
 }
 
+/// As it was before organs could be set by hand.
+History withoutOrgans(History history) {
+  history.organs = {};
+  for (HistoryStep& step : history.steps)
+    step.organs = {};
+  return history;
+}
+
 /// A project of version 0.1, and what it holds; the steps as they are numbered once it is read.
 struct Version01 {
   fs::path file = test::freshFolder() / "older.espalier";
@@ -95,7 +103,7 @@ struct Version01 {
     test::EditsAtRandom edits({.skeleton = test::randomPlant(30, 4)}, 4);
     while (edits.history().position < 12)
       (void)edits.next();
-    history = edits.history();
+    history = withoutOrgans(edits.history());
     contractedAt = history.position - 2;
     for (std::size_t i = 0; i < history.steps.size(); ++i)
       history.steps[i].time = static_cast<std::int64_t>(1'700'000'000'000 + i);
@@ -165,7 +173,7 @@ TEST(ProjectUpgrade, KeepsEnvelopesInTheStepsThatFollowThoseOfSchema5) {
   test::EditsAtRandom edits({.skeleton = test::randomPlant(30, 4)}, 5);
   while (edits.history().position < 12)
     (void)edits.next();
-  History history = edits.history();
+  History history = withoutOrgans(edits.history());
   for (HistoryStep& step : history.steps)
     step.envelope.reset();
   (void)Project::create(file, history);
@@ -184,6 +192,30 @@ TEST(ProjectUpgrade, KeepsEnvelopesInTheStepsThatFollowThoseOfSchema5) {
   project.record(history.position, std::span(history.steps).last(2), history.position + 2);
   history.position += 2;
   EXPECT_EQ(historyOf(project), history);
+}
+
+// Before organs of points could be set by hand.
+TEST(ProjectUpgrade, KeepsOrgansInTheStepsThatFollowThoseOfSchema6) {
+  const fs::path file = test::freshFolder() / "older.espalier";
+  test::EditsAtRandom edits({.skeleton = test::randomPlant(30, 4)}, 6);
+  while (edits.history().position < 12)
+    (void)edits.next();
+  History history = withoutOrgans(edits.history());
+  (void)Project::create(file, history);
+  Database(file, Opening::readWrite).execute("PRAGMA user_version = 6");
+  EXPECT_EQ(historyOf(Project::open(file, Access::readOnly)), history);
+  EXPECT_EQ(Database(file, Opening::readOnly).integer("PRAGMA user_version"), 6) << "left alone";
+  Project project = Project::open(file, Access::readWrite);
+  EXPECT_EQ(Database(file, Opening::readOnly).integer("PRAGMA user_version"), 7)
+      << "older programs say that a newer one wrote it";
+  history.organs = OrganMarks().with(PointSet::of({3, 4, 9}), Organ::blade);
+  history.steps.resize(history.position);
+  history.steps.push_back(
+      {.id = StepId{77}, .text = "Set 3 points to blade", .organs = history.organs});
+  project.record(history.position, std::span(history.steps).last(1), history.position + 1);
+  ++history.position;
+  EXPECT_EQ(historyOf(project), history);
+  EXPECT_TRUE(beginningOf(historyOf(project)).organs.isEmpty());
 }
 
 // Version 0.1 reads the plant of such a file from its last snapshot, and so does this.

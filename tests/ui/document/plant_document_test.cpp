@@ -277,6 +277,58 @@ TEST_F(PlantDocumentTest, SetsPointsAsideAsAStep) {
   EXPECT_EQ(document.undoStack().count(), 1) << "nothing changed: no step";
 }
 
+TEST_F(PlantDocumentTest, SetsOrgansAsSteps) {
+  document.setScan(rowOfPoints(), "row.xyz");
+  const QSignalSpy changed(&document, &PlantDocument::organsChanged);
+  document.setOrgans("Blades", PointSet::of({1, 2, 7}), Organ::blade);
+  document.setOrgans("Wood", PointSet::of({2}), Organ::wood);
+  EXPECT_EQ(document.organs().of(Organ::blade), PointSet::of({1, 7}));
+  EXPECT_EQ(document.organs().of(Organ::wood), PointSet::of({2}));
+  document.setOrgans("Again", PointSet::of({2}), Organ::wood);
+  document.setOrgans("Nothing", PointSet::of({5}), std::nullopt);
+  EXPECT_EQ(document.undoStack().count(), 2) << "nothing changed: no step";
+  EXPECT_EQ(changed.size(), 2);
+  document.undoStack().undo();
+  EXPECT_EQ(document.organs().of(Organ::blade), PointSet::of({1, 2, 7}));
+  document.undoStack().redo();
+  EXPECT_EQ(document.organs().of(Organ::wood), PointSet::of({2}));
+  EXPECT_EQ(changed.size(), 4);
+  document.goTo(0);
+  EXPECT_TRUE(document.organs().isEmpty());
+  EXPECT_EQ(changed.size(), 5) << "several steps are one change";
+  document.goTo(2);
+  document.setOrgans("As found", PointSet::of({1, 2, 7}), std::nullopt);
+  EXPECT_TRUE(document.organs().isEmpty());
+}
+
+TEST_F(PlantDocumentTest, OpensTheOrgansThatItsStepsLeadTo) {
+  document.setScan(rowOfPoints(), "row.xyz");
+  document.setOrgans("Blades", PointSet::of({1, 2}), Organ::blade);
+  document.setOrgans("Needles", PointSet::of({2, 3}), Organ::needle);
+  document.undoStack().undo();
+  PlantDocument opened;
+  opened.openHistory(document.history(), nullptr, {});
+  EXPECT_EQ(opened.organs(), document.organs());
+  opened.undoStack().redo();
+  EXPECT_EQ(opened.organs().of(Organ::needle), PointSet::of({2, 3}));
+  opened.goTo(0);
+  EXPECT_TRUE(opened.organs().isEmpty());
+}
+
+TEST_F(PlantDocumentTest, ForgetsOrgansWhenAnotherScanComes) {
+  document.setScan(rowOfPoints(), "row.xyz");
+  document.setOrgans("Blades", PointSet::of({1, 2}), Organ::blade);
+  document.setFoundScan(rowOfPoints(), "elsewhere/row.xyz");
+  EXPECT_EQ(document.organs().of(Organ::blade), PointSet::of({1, 2}));
+  document.setScan(rowOfPoints(), "other.xyz");
+  EXPECT_TRUE(document.organs().isEmpty());
+  document.undoStack().setIndex(0);
+  document.undoStack().setIndex(document.undoStack().count());
+  EXPECT_TRUE(document.organs().isEmpty()) << "no step is of points of another scan";
+  document.setReadOnly("read-only");
+  EXPECT_THROW(document.setOrgans("Blades", PointSet::of({1}), Organ::blade), Error);
+}
+
 TEST_F(PlantDocumentTest, MixesStepsOfPointsAndOfNodes) {
   document.setScan(rowOfPoints(), "row.xyz");
   document.leaveOut("One", PointSet::of({1}));

@@ -73,6 +73,7 @@ private:
   void joinReview();
   void joinPipeline();
   void joinPreview();
+  void joinOrgans();
   void joinViews();
   [[nodiscard]] Reveal reveal();
 

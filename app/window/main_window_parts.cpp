@@ -6,6 +6,7 @@
 #include "app/window/edit/history_flow.h"
 #include "app/window/edit/inspector_flow.h"
 #include "app/window/edit/node_table_flow.h"
+#include "app/window/edit/organ_flow.h"
 #include "app/window/edit/point_states.h"
 #include "app/window/edit/points_flow.h"
 #include "app/window/edit/radius_flow.h"
@@ -53,6 +54,7 @@
 #include "ui/panels/pipeline_panel.h"
 #include "ui/panels/review_panel.h"
 #include "ui/panels/start_page.h"
+#include "ui/panels/status_line.h"
 #include "ui/view/plant_view.h"
 
 #include <QDateTime>
@@ -142,6 +144,8 @@ void MainWindow::makePoints(PipelinePanel& pipeline) {
   auto& editing = parts_.get<Editing>();
   auto& states = parts_.make<PointStates>(document_, *view_);
   auto& points = parts_.make<PointsFlow>(PointsFlow::Parts{document_, *actions_, editing, states});
+  parts_.make<OrganFlow>(OrganFlow::Parts{document_, queue_, *actions_, editing, points.tool(),
+                                          [&pipeline] { return pipeline.options(); }});
   parts_.make<CleanFlow>(
       CleanFlow::Parts{document_, queue_, points, {*actions_, settings_, *this}});
   parts_.make<PlotFlow>(
@@ -166,8 +170,9 @@ void MainWindow::makeViews() {
   auto& twoViews = parts_.make<TwoViewsFlow>(
       TwoViewsFlow::Parts{*view_, *views_, *actions_, editing, settings_});
   parts_.make<CloseLookFlow>(CloseLookFlow::Parts{document_, *view_, *actions_, editing, twoViews});
-  parts_.make<ValueColors>(ValueColors::Parts{
-      document_, *view_, *actions_, parts_.get<ViewOptions>(), parts_.get<ScanDistances>()});
+  parts_.make<ValueColors>(
+      ValueColors::Parts{document_, *view_, *actions_, parts_.get<ViewOptions>(),
+                         parts_.get<ScanDistances>(), parts_.get<OrganFlow>()});
   parts_.make<HistoryFlow>(HistoryFlow::Parts{document_, editing, window});
   parts_.make<NodeTableFlow>(NodeTableFlow::Parts{document_, editing, window});
 }
@@ -319,6 +324,24 @@ void MainWindow::joinPreview() {
   });
 }
 
+/// Its job blocks nothing, so a job that does is shown instead of it.
+void MainWindow::joinOrgans() {
+  JobSlot& job = parts_.get<OrganFlow>().job();
+  const auto isShown = [this] { return !jobs_.isBusy(); };
+  connect(&job, &JobSlot::started, this, [this, &job, isShown] {
+    if (isShown()) status_->showJob(job.name());
+  });
+  connect(&job, &JobSlot::progressed, this, [this, isShown](double done, const QString& stage) {
+    if (isShown()) status_->showProgress(done, stage);
+  });
+  connect(&job, &JobSlot::finished, this, [this, isShown] {
+    if (isShown()) status_->hideJob();
+  });
+  connect(status_, &StatusLine::cancelRequested, this, [this, isShown] {
+    if (isShown()) parts_.get<OrganFlow>().giveUp();
+  });
+}
+
 void MainWindow::joinViews() {
   auto& envelope = parts_.get<EnvelopeFlow>();
   connect(&envelope, &EnvelopeFlow::changed, &parts_.get<EvaluationFlow>(),
@@ -328,6 +351,7 @@ void MainWindow::joinViews() {
   connect(&theme, &ThemeFlow::changed, &parts_.get<EvaluationFlow>(), &EvaluationFlow::setDark);
   connect(&theme, &ThemeFlow::changed, &parts_.get<JudgeFlow>(), &JudgeFlow::setDark);
   theme.start();
+  joinOrgans();
 }
 
 } // namespace espalier

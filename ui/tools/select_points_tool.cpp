@@ -33,11 +33,14 @@ QPolygonF sweep(const QPointF& from, const QPointF& to, double radius) {
 QString SelectPointsTool::hint() const {
   if (isCanceled_) return tr("As before. Release the button");
   if (!document().scan()) return tr("There are no points to select: open the scan first");
+  if (how_ && !purpose_.isEmpty())
+    return tr("Release: these points are %1   Esc: leave it").arg(purpose_);
   if (how_)
     return shape_ == Shape::brush ? tr("Release: select the points painted   Esc: leave it")
                                   : tr("Release: select the points inside   Esc: leave it");
   if (clicks_.isBegun()) return clicks_.hint();
   QString hint = hintOfShape();
+  if (!purpose_.isEmpty()) return tr("Points become %1   ").arg(purpose_) + hint;
   if (!document().pointSelection().isEmpty())
     hint += tr("   {remove} set aside   {remove_subtree} keep only");
   return hint;
@@ -87,6 +90,12 @@ void SelectPointsTool::setShape(Shape shape) {
   emit hintChanged();
 }
 
+void SelectPointsTool::setPurpose(const QString& purpose) {
+  if (purpose == purpose_) return;
+  purpose_ = purpose;
+  emit hintChanged();
+}
+
 void SelectPointsTool::setBrushSize(double radius) {
   brush_ = std::clamp(radius, thinnest, widest);
   showBrush();
@@ -111,11 +120,14 @@ bool SelectPointsTool::act(const ToolInput& input) {
     else
       area_.drag(input);
     return true;
-  case ToolInput::Phase::release:
+  case ToolInput::Phase::release: {
     if (!isBusy()) return false;
     if (shape_ != Shape::brush) endArea(input);
+    const bool isDone = !isCanceled_;
     reset();
+    if (isDone) emit ended();
     return true;
+  }
   default:
     return false;
   }
@@ -136,6 +148,7 @@ bool SelectPointsTool::click(const ToolInput& input) {
       emit asked(*question, [this, how = howBy(input.modifiers)](const PointSet& points) {
         PointSelection& selection = document().pointSelection();
         selection.set(joined(selection.points(), points, how));
+        emit ended();
       });
   return false;
 }

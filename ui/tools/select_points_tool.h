@@ -38,7 +38,11 @@ public:
   /// Kept between 3 and 300.
   void setBrushSize(double radius);
 
+  /// What the points become that are selected, for the hint; empty: they are only selected.
+  void setPurpose(const QString& purpose);
+
 signals:
+  void ended(); // a gesture that selects, not canceled
   void asked(const espalier::PointQuestion& question, const espalier::PointAnswer& answer);
 
 private:
@@ -57,6 +61,7 @@ private:
   void reset();
 
   Shape shape_ = Shape::brush;
+  QString purpose_;
   double brush_ = 16; // logical pixels
   AreaGesture area_;
   ThingGesture clicks_;

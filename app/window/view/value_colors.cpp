@@ -1,5 +1,6 @@
 #include "app/window/view/value_colors.h"
 
+#include "app/window/edit/organ_flow.h"
 #include "app/window/frame/action_set.h"
 #include "app/window/view/view_options.h"
 #include "core/cloud/displacements.h"
@@ -19,6 +20,7 @@ namespace {
 
 const QString byDistance = QStringLiteral("color_distance"); // ids of actions
 const QString byDisplacement = QStringLiteral("color_displacement");
+const QString byOrgan = QStringLiteral("color_organ");
 constexpr float asUsual = std::numeric_limits<float>::quiet_NaN(); // drawn as usual
 
 const std::map<QString, NodeValue>& valuesById() {
@@ -66,8 +68,11 @@ ValueColors::ValueColors(const Parts& parts) : parts_(parts) {
   connect(&timer_, &QTimer::timeout, this, &ValueColors::show);
   for (const QAction* action : parts_.options.nodeColors())
     connect(action, &QAction::toggled, this, &ValueColors::choose);
-  for (const QString& id : {byDistance, byDisplacement})
+  for (const QString& id : {byDistance, byDisplacement, byOrgan})
     connect(parts_.actions[id], &QAction::toggled, this, &ValueColors::choose);
+  connect(parts_.actions[byOrgan], &QAction::triggered, this,
+          [this] { parts_.organs.setWanted(pointColor_ == byOrgan); }); // once more
+  connect(&parts_.organs, &OrganFlow::changed, &timer_, qOverload<>(&QTimer::start));
   connect(&parts_.distances, &ScanDistances::changed, &timer_, qOverload<>(&QTimer::start));
   PlantDocument& document = parts_.document;
   connect(&document, &PlantDocument::skeletonEdited, &timer_, qOverload<>(&QTimer::start));
@@ -82,12 +87,13 @@ void ValueColors::choose() {
   for (const QAction* action : parts_.options.nodeColors())
     if (action->isChecked()) nodeColor_ = action->objectName();
   pointColor_.clear();
-  for (const QString& id : {byDistance, byDisplacement})
+  for (const QString& id : {byDistance, byDisplacement, byOrgan})
     if (parts_.actions[id]->isChecked()) pointColor_ = id;
   parts_.distances.setWanted(ScanDistances::Use::nodeColors,
                              nodeColor_ == "node_color_distance" ||
                                  nodeColor_ == "node_color_confidence");
   parts_.distances.setWanted(ScanDistances::Use::pointColors, pointColor_ == byDistance);
+  parts_.organs.setWanted(pointColor_ == byOrgan);
   show();
 }
 
@@ -141,6 +147,7 @@ void ValueColors::colorPoints() {
 
 std::optional<PointValues> ValueColors::pointValues() const {
   if (pointColor_ == byDistance && parts_.distances.now()) return distances();
+  if (pointColor_ == byOrgan) return organs();
   const Scan* scan = parts_.document.scan();
   if (pointColor_ != byDisplacement || scan == nullptr) return std::nullopt;
   const auto& contracted = previewed_ ? previewed_ : parts_.document.contracted();
@@ -177,6 +184,21 @@ PointValues ValueColors::distances() const {
                 .histogram = histogramOf({values->begin(), values->end()}, {-most, most}),
                 .categories = {}};
   return {.values = values, .legend = std::move(legend)};
+}
+
+/// Colors of which each stands out from both backgrounds at 3 to 1, and from the others for those
+/// who see no red or green.
+std::optional<PointValues> ValueColors::organs() const {
+  auto values = parts_.organs.now();
+  if (!values) return std::nullopt;
+  return PointValues{.values = std::move(values),
+                     .legend = {.id = byOrgan,
+                                .title = tr("Organ"),
+                                .unit = {},
+                                .categories = {{tr("Wood"), {0x8c, 0x6d, 0x46}},
+                                               {tr("Petiole"), {0xcc, 0x79, 0xa7}},
+                                               {tr("Blade"), {0x00, 0x9e, 0x73}},
+                                               {tr("Needle"), {0x00, 0x72, 0xb2}}}}};
 }
 
 PointValues ValueColors::shownDisplacements(std::vector<float> lengths) const {

@@ -13,12 +13,14 @@
 namespace espalier {
 
 class ActionSet;
+class OrganFlow;
 class PlantDocument;
 class PlantView;
 class ViewOptions;
 
-/// Colors nodes by what they are, and points by how far they are from the skeleton or how far
-/// contraction moved them, as the options of the view say. Follows every edit and every preview.
+/// Colors nodes by what they are, and points by how far they are from the skeleton, how far
+/// contraction moved them or what they lie on, as the options of the view say. Follows every edit
+/// and every preview.
 class ValueColors : public WindowPart {
   Q_OBJECT
 
@@ -30,6 +32,7 @@ public:
     ActionSet& actions;
     ViewOptions& options;
     ScanDistances& distances;
+    OrganFlow& organs;
   };
   explicit ValueColors(const Parts& parts);
 
@@ -46,6 +49,7 @@ private:
   void colorPoints();
   [[nodiscard]] std::optional<PointValues> pointValues() const; // none: not colored by these
   [[nodiscard]] PointValues distances() const;
+  [[nodiscard]] std::optional<PointValues> organs() const;
   /// @param lengths one per point of the scan [L]; not a number: not known
   [[nodiscard]] PointValues shownDisplacements(std::vector<float> lengths) const;
   [[nodiscard]] std::vector<float> displacementsInPart() const; // of what is previewed

@@ -34,6 +34,8 @@ void ViewOptions::addColors() {
            tr("Colors points by how far they are from the surface of the wood"));
   addValue("color_displacement", tr("Displacement"),
            tr("Colors points by how far contraction moves them"));
+  addValue("color_organ", tr("Organ"),
+           tr("Finds what points lie on, wood, petiole, blade or needle, and colors them by it"));
   if (colors_->checkedAction() == nullptr) actions_["color_height"]->trigger();
 }
 

@@ -45,6 +45,32 @@ TEST_F(SelectPointsToolTest, ReplacesAddsAndTakesAwayWithEachShape) {
   }
 }
 
+TEST_F(SelectPointsToolTest, SaysWhenAGestureHasEndedUnlessItWasCanceled) {
+  int ended = 0;
+  QObject::connect(&tool, &SelectPointsTool::ended, [&] { ++ended; });
+  for (const Shape shape : {Shape::brush, Shape::box, Shape::lasso}) {
+    tool.setShape(shape);
+    stroke({1, 2, 3});
+  }
+  EXPECT_EQ(ended, 3);
+  mouse.press({}, {0, 0});
+  mouse.drag({1, 0});
+  tool.cancel();
+  mouse.release();
+  EXPECT_EQ(ended, 3);
+}
+
+TEST_F(SelectPointsToolTest, SaysWhatPointsBecome) {
+  EXPECT_FALSE(tool.hint().contains("become"));
+  tool.setPurpose("blade");
+  EXPECT_TRUE(tool.hint().startsWith("Points become blade   Drag: paint points"));
+  mouse.press({}, {0, 0});
+  EXPECT_EQ(tool.hint(), "Release: these points are blade   Esc: leave it");
+  mouse.release();
+  tool.setPurpose({});
+  EXPECT_FALSE(tool.hint().contains("blade"));
+}
+
 // One pixel of the mouse is 0.01.
 TEST_F(SelectPointsToolTest, PaintsWithADiscOfTheSizeOfTheBrush) {
   tool.setBrushSize(20);

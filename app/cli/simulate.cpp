@@ -33,6 +33,12 @@ struct SimulateFlags {
   double foliage = 0;       // as dense as the kind of plant bears it
   double foliageLength = 0; // in extents; 0: of the kind
   double foliageAngle = -1; // [degrees]; < 0: of the kind
+  double foliageWidth = -1; // in extents; < 0: of the kind
+  double foliageGap = 0;    // between needles or leaves along the wood, in extents; 0: of the kind
+  double foliageReach = -1; // from the apex, in extents; < 0: of the kind
+  double petiole = 0;       // in lengths of the blade
+  int leaflets = 0;         // pairs
+  double droop = 0;         // [degrees]
   int threads = 0;
   PlotOptions plot;
   bool isPlot = false;
@@ -44,7 +50,25 @@ Foliage foliageOf(const SimulateFlags& flags) {
   if (flags.foliageAngle >= 0)
     foliage.shortShoots.angle = foliage.blades.angle = flags.foliageAngle * std::numbers::pi / 180;
   if (flags.foliageLength > 0) foliage.blades.length = flags.foliageLength;
+  if (flags.foliageWidth >= 0) foliage.blades.width = flags.foliageWidth;
+  if (flags.foliageGap > 0) foliage.blades.spacing = flags.foliageGap;
+  if (flags.foliageReach >= 0) foliage.blades.reach = flags.foliageReach;
+  foliage.petiole = flags.petiole;
+  foliage.leaflets = flags.leaflets;
+  foliage.droop = flags.droop * std::numbers::pi / 180;
   return foliage;
+}
+
+/// @throws WrongUsage if flags are given that would change nothing
+void requireFoliage(const SimulateFlags& flags) {
+  const bool isShaped = flags.foliageLength > 0 || flags.foliageAngle >= 0 ||
+                        flags.foliageWidth >= 0 || flags.foliageGap > 0 ||
+                        flags.foliageReach >= 0 || flags.petiole > 0 || flags.leaflets > 0 ||
+                        flags.droop > 0;
+  if (isShaped && !(flags.foliage > 0))
+    throw WrongUsage("there are no needles or leaves to shape: add --foliage 1");
+  if (flags.leaflets > 0 && !(flags.petiole > 0))
+    throw WrongUsage("--leaflets stand along petioles: add --petiole 2");
 }
 
 std::string nameOf(PlotPart part) {
@@ -108,6 +132,7 @@ void simulatePlotOf(const SimulateFlags& flags) {
 /// Scan and truth next to each other: PREFIX.ply and PREFIX.mtg.
 void simulate(const SimulateFlags& flags) {
   const Threads threads(flags.threads);
+  requireFoliage(flags);
   if (flags.isPlot) return simulatePlotOf(flags);
   const bool isApart = !flags.apart.empty();
   const Displacement displacement = isApart ? displacementIn(flags.apart) : Displacement();
@@ -230,6 +255,28 @@ void addScanner(CLI::App& command, ScannerOptions& scanner) {
       ->capture_default_str();
 }
 
+void addLeaves(CLI::App& command, SimulateFlags& flags) {
+  command
+      .add_option("--petiole", flags.petiole,
+                  "Length of the petioles of leaves, in lengths of their blades, 0 to 10")
+      ->type_name("LENGTHS")
+      ->check(number(0, 10))
+      ->capture_default_str();
+  command
+      .add_option("--leaflets", flags.leaflets,
+                  "Pairs of leaflets along the petiole of a compound leaf, 0 to 100")
+      ->type_name("N")
+      ->check(wholeNumber(0, 100))
+      ->capture_default_str();
+  command
+      .add_option("--droop", flags.droop,
+                  "How far a blade bends to the ground along its length, 0 to 229; with it, blades "
+                  "are straps that are as wide all along")
+      ->type_name("DEGREES")
+      ->check(number(0, 229))
+      ->capture_default_str();
+}
+
 void addFoliage(CLI::App& command, SimulateFlags& flags) {
   command
       .add_option("--foliage", flags.foliage,
@@ -242,7 +289,7 @@ void addFoliage(CLI::App& command, SimulateFlags& flags) {
       .add_option("--foliage-length", flags.foliageLength,
                   "Length of needles and leaves, in heights or widths of the plant, the larger")
       ->type_name("SHARE")
-      ->check(number(1e-4, 0.2))
+      ->check(number(1e-4, 1))
       ->default_str("of the kind, 0.011 to 0.03");
   command
       .add_option("--foliage-angle", flags.foliageAngle,
@@ -250,6 +297,27 @@ void addFoliage(CLI::App& command, SimulateFlags& flags) {
       ->type_name("DEGREES")
       ->check(number(0, 180))
       ->default_str("of the kind, 45 to 60");
+  command
+      .add_option("--foliage-width", flags.foliageWidth,
+                  "Width of needles and leaves where they are widest, likewise")
+      ->type_name("SHARE")
+      ->check(number(0, 1))
+      ->default_str("of the kind, 0.0005 to 0.01");
+  command
+      .add_option("--foliage-gap", flags.foliageGap,
+                  "Between needles or leaves along the wood, likewise; --foliage 2 halves that of "
+                  "the kind")
+      ->type_name("SHARE")
+      ->check(number(1e-5, 1))
+      ->default_str("of the kind, 0.0015 to 0.04");
+  command
+      .add_option("--foliage-reach", flags.foliageReach,
+                  "How far from the tips of the wood needles and leaves stand, likewise; 10: "
+                  "everywhere")
+      ->type_name("SHARE")
+      ->check(number(0, 100))
+      ->default_str("of the kind, 0.12 to 0.5");
+  addLeaves(command, flags);
 }
 
 } // namespace
@@ -289,6 +357,9 @@ void addSimulate(CLI::App& app) {
   command->footer("Examples:\n"
                   "  espalier simulate -o maple --seed 7 --points 200000\n"
                   "  espalier simulate -o pine_again --from pine.mtg\n"
+                  "  espalier simulate -o maize --architecture herb --segments 1 --foliage 1 "
+                  "--foliage-length 0.5 --foliage-width 0.05 --foliage-gap 0.1 --foliage-reach 10 "
+                  "--droop 90\n"
                   "  espalier simulate -o orchard --plants 6 --points 1000000\n"
                   "  espalier simulate -o maple --stations 3 --apart 0.3,10");
 }

@@ -59,6 +59,87 @@ TEST_F(Subcommands, SimulateAddsFoliageToTheScanAlone) {
   EXPECT_GT(leafy.away, 2 * flat.away) << "along the wood, needles stay near it";
 }
 
+/// A stem of height 4 with few leaves, and how its points lie.
+struct LeafyStem {
+  double lowest = 0;
+  double widest = 0; // from the axis of the stem
+  Eigen::Index points = 0;
+};
+
+TEST_F(Subcommands, SimulateShapesLeaves) {
+  const auto simulated = [&](std::vector<std::string> flags) {
+    flags.insert(flags.begin(), {"simulate", "-o",
+                                 file("a"),  "--architecture",
+                                 "herb",     "--segments",
+                                 "1",        "--points",
+                                 "6000",     "--strays",
+                                 "0",        "--height",
+                                 "4",        "--foliage",
+                                 "1",        "--foliage-length",
+                                 "0.4",      "--foliage-width",
+                                 "0.04",     "--foliage-gap",
+                                 "0.2",      "--foliage-angle",
+                                 "90"});
+    const Outcome outcome = runProgram(flags);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const PointCloud cloud = readPoints(file("a.ply")).value;
+    LeafyStem stem{.lowest = cloud.bounds().min().z(), .points = cloud.size()};
+    for (Eigen::Index i = 0; i < cloud.size(); ++i)
+      stem.widest = std::max(stem.widest, cloud.position(i).head<2>().norm());
+    return stem;
+  };
+  const LeafyStem stiff = simulated({"--foliage-reach", "10"});
+  EXPECT_GT(stiff.widest, 0.7 * 0.4 * 4) << "0.7 to 1.3 times as long as they are asked for";
+  EXPECT_LT(stiff.widest, 1.3 * 0.4 * 4 + 0.6) << "from a stem that leans by up to 0.6";
+  const LeafyStem drooping = simulated({"--foliage-reach", "10", "--droop", "170"});
+  EXPECT_LT(drooping.widest, 0.85 * stiff.widest);
+  const LeafyStem stalked = simulated({"--foliage-reach", "10", "--petiole", "1"});
+  EXPECT_GT(stalked.widest, 1.5 * stiff.widest) << "its petiole is as long as the blade";
+  const LeafyStem atTop = simulated({"--foliage-reach", "0.01"});
+  EXPECT_LT(atTop.widest, 0.7 * stiff.widest) << "hardly any leaf";
+}
+
+TEST_F(Subcommands, SimulateAddsLeaflets) {
+  const auto sidewards = [&](const char* leaflets) { // points far from any straight petiole
+    const Outcome outcome = runProgram({"simulate", "-o",
+                                        file("a"),  "--architecture",
+                                        "herb",     "--segments",
+                                        "1",        "--points",
+                                        "6000",     "--strays",
+                                        "0",        "--height",
+                                        "4",        "--foliage",
+                                        "1",        "--foliage-length",
+                                        "0.2",      "--foliage-width",
+                                        "0.1",      "--foliage-gap",
+                                        "0.3",      "--foliage-reach",
+                                        "10",       "--petiole",
+                                        "2",        "--leaflets",
+                                        leaflets});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const PointCloud cloud = readPoints(file("a.ply")).value;
+    const Skeleton truth = readStructure(file("a.mtg")).value.skeleton;
+    std::ptrdiff_t near = 0; // along the petioles
+    for (const PointOnSkeleton& place : assignPoints(cloud.positions(), cloud.origin(), truth, {}))
+      near += place.distance > 0.3 && place.distance < 1.2;
+    return static_cast<double>(near) / static_cast<double>(cloud.size());
+  };
+  EXPECT_GT(sidewards("3"), 2 * sidewards("0"));
+}
+
+TEST_F(Subcommands, SimulateRefusesLeavesThatAreNone) {
+  const auto refusal = [&](std::vector<std::string> flags) {
+    flags.insert(flags.begin(), {"simulate", "-o", file("a"), "--points", "1000"});
+    const Outcome outcome = runProgram(flags);
+    EXPECT_NE(outcome.status, 0);
+    EXPECT_THAT(test::namesIn(folder_), testing::Not(testing::Contains("a.ply")));
+    return outcome.err;
+  };
+  EXPECT_THAT(refusal({"--droop", "40"}), testing::HasSubstr("add --foliage 1"));
+  EXPECT_THAT(refusal({"--foliage", "1", "--leaflets", "2"}), testing::HasSubstr("add --petiole"));
+  for (const char* flag : {"--petiole", "--leaflets", "--droop", "--foliage-gap"})
+    EXPECT_THAT(refusal({"--foliage", "1", flag, "1000"}), testing::HasSubstr(flag));
+}
+
 TEST_F(Subcommands, SimulateHidesWoodInClumpsOfLeaves) {
   const auto unseen = [&](const char* clumps) { // nodes of the truth without points nearby
     EXPECT_EQ(runProgram({"simulate", "-o", file("a"), "--points", "5000", "--segments", "40",

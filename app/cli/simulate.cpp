@@ -357,9 +357,7 @@ void addSimulate(CLI::App& app) {
   command->footer("Examples:\n"
                   "  espalier simulate -o maple --seed 7 --points 200000\n"
                   "  espalier simulate -o pine_again --from pine.mtg\n"
-                  "  espalier simulate -o maize --architecture herb --segments 1 --foliage 1 "
-                  "--foliage-length 0.5 --foliage-width 0.05 --foliage-gap 0.1 --foliage-reach 10 "
-                  "--droop 90\n"
+                  "  espalier simulate -o bean --architecture herb --foliage 1 --petiole 1\n"
                   "  espalier simulate -o orchard --plants 6 --points 1000000\n"
                   "  espalier simulate -o maple --stations 3 --apart 0.3,10");
 }

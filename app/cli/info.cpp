@@ -1,5 +1,6 @@
 #include "app/cli/commands.h"
 #include "app/cli/files.h"
+#include "app/cli/kind_info.h"
 #include "app/cli/project_info.h"
 #include "app/cli/read_flags.h"
 #include "app/cli/scan_info.h"
@@ -105,6 +106,7 @@ Json infoOnScan(const InfoFlags& flags) {
   json.erase("points_estimated");
   json.erase("bounds_of_sample");
   json.update(statistics(points.value));
+  addKind(points.value, terminal.progress(), json);
   if (points.isPart(reading)) json["part"] = partInfo(reading, points);
   return json;
 }

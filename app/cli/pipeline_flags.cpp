@@ -15,13 +15,21 @@
 namespace espalier {
 namespace {
 
+/// "default, thesis, ..., ".
+std::string presetNames() {
+  std::string names;
+  for (const NamedPreset& each : presets())
+    names += each.name + ", ";
+  return names;
+}
+
 /// A preset by its name, or else a file.
 PipelineOptions presetIn(const std::string& path, double meters) {
   if (const NamedPreset* known = presetNamed(path)) return known->options;
   std::error_code isMissing;
   if (!std::filesystem::exists(path, isMissing))
-    throw Error(path +
-                ": there is no such preset or file: name default, thesis, plot, or a JSON file");
+    throw Error(path + ": there is no such preset or file: name " + presetNames() +
+                "or a JSON file");
   std::istringstream in(readText(path));
   return readPreset(in, path, meters);
 }
@@ -69,10 +77,10 @@ void PipelineFlags::addOptionsTo(CLI::App& command) {
       ->type_name("SETTING")
       ->allow_extra_args(false);
   command
-      .add_option(
-          "--preset", preset,
-          "default, thesis, plot, or a JSON file of steps and options; --method and --set change "
-          "it, wherever they stand")
+      .add_option("--preset", preset,
+                  presetNames() +
+                      "or a JSON file of steps and options; --method and --set change it, "
+                      "wherever they stand")
       ->type_name("PRESET");
   addChoice(command, "--up", up, "Axis that points up",
             {{"x", UpAxis::x}, {"y", UpAxis::y}, {"z", UpAxis::z}});

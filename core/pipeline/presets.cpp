@@ -50,6 +50,15 @@ PipelineOptions leaves() {
   return options;
 }
 
+/// For one kind of plant: which ends stay. Neither the step Leaves nor Blades is on: on simulated
+/// plants each kind is found better without them (see the manual).
+PipelineOptions ofKind(const char* leastOdds) {
+  PipelineOptions options;
+  options.set(std::string("prune.least_odds=") + leastOdds);
+  options.set("prune.length=2.5 spacings");
+  return options;
+}
+
 /// What stands around plants is left out, and one of them is taken; all else by default.
 PipelineOptions plot() {
   PipelineOptions options;
@@ -76,6 +85,24 @@ const std::vector<NamedPreset>& presets() {
        Shown::tr("For herbs, seedlings and grasses with large leaves: only ends that are more "
                  "probably shoots or midribs than not; all else as by default."),
        "", leaves()},
+      {"bare", Shown::tr("Tree without Leaves"),
+       Shown::tr("For trees and shrubs in winter: fewer ends, of those that are hardly shoots."),
+       "", ofKind("0.5"), PlantKind::bareTree},
+      {"needles", Shown::tr("Tree with Needles"),
+       Shown::tr("For conifers with needles: fewer ends, of those that are hardly shoots."), "",
+       ofKind("0.4"), PlantKind::needleTree},
+      {"in_leaf", Shown::tr("Tree in Leaf"),
+       Shown::tr("For trees and shrubs in leaf: few ends, only the most probable shoots."), "",
+       ofKind("0.8"), PlantKind::leafyTree},
+      {"herb",
+       Shown::tr("Herb"),
+       Shown::tr("For herbs with leaves on petioles: as by default, which nothing betters there."),
+       "",
+       {},
+       PlantKind::herb},
+      {"grass", Shown::tr("Grass"),
+       Shown::tr("For grasses such as maize: fewer ends, of those that are hardly midribs."), "",
+       ofKind("0.6"), PlantKind::grass},
       {"plot", Shown::tr("From a Plot"),
        Shown::tr("Leaves out ground, poles, wires and other plants; all else as by default."), "",
        plot()}};

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "core/clean/plant_kind.h"
 #include "core/pipeline/pipeline.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +17,7 @@ struct NamedPreset {
   std::string help;  // one line
   std::string source;
   PipelineOptions options;
+  std::optional<PlantKind> kind = {}; // of the plants that it is for; none: any
 };
 
 /// The first is the default, in which nothing is chosen.

@@ -163,7 +163,9 @@ TEST(BadInput, APresetThatIsNoneIsNamed) {
   const std::string output = (folder / "result.mtg").string();
   expectRefusal(runProgram({"reconstruct", test::sample("young_tree.ply"), "-o", output, "--preset",
                             "thessis"}),
-                1, {"thessis: there is no such preset or file", "default, thesis, plot"});
+                1,
+                {"thessis: there is no such preset or file",
+                 "default, thesis, leaves, bare, needles, in_leaf, herb, grass, plot, or"});
   EXPECT_THAT(namesIn(folder), IsEmpty());
 }
 

@@ -39,6 +39,30 @@ TEST_F(Subcommands, InfoCountsPoints) {
   EXPECT_THAT(text, HasSubstr("\nbounds.minimum          [-"));
 }
 
+TEST_F(Subcommands, InfoSaysWhatThePlantProbablyIs) {
+  EXPECT_EQ(runProgram({"simulate",    "-o",
+                        file("maize"), "--architecture",
+                        "herb",        "--segments",
+                        "1",           "--points",
+                        "20000",       "--foliage",
+                        "1",           "--foliage-length",
+                        "0.5",         "--foliage-width",
+                        "0.05",        "--foliage-gap",
+                        "0.12",        "--foliage-reach",
+                        "10",          "--droop",
+                        "90"})
+                .status,
+            0);
+  const Outcome outcome = runProgram({"info", "--json", file("maize.ply")});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const auto kind = nlohmann::json::parse(outcome.out)["kind"];
+  EXPECT_EQ(kind["likely"], "Grass");
+  EXPECT_EQ(kind["preset"], "grass");
+  EXPECT_GT(kind["probability"], 0.4);
+  EXPECT_GT(kind["blades"], 0.5);
+  EXPECT_THAT(runProgram({"info", file("maize.ply")}).out, HasSubstr("kind.preset"));
+}
+
 TEST_F(Subcommands, InfoShowsTheHeaderWithoutReadingPoints) {
   const json info = json::parse(run({"info", scan_, "--header", "--json"}));
   const PointCloud cloud = readPoints(scan_).value;

@@ -31,6 +31,7 @@
 #include "app/window/preview/choices_flow.h"
 #include "app/window/preview/density_flow.h"
 #include "app/window/preview/judge_flow.h"
+#include "app/window/preview/kind_flow.h"
 #include "app/window/preview/pipeline_flow.h"
 #include "app/window/preview/preset_flow.h"
 #include "app/window/preview/preview_flow.h"
@@ -160,6 +161,7 @@ void MainWindow::makePoints(PipelinePanel& pipeline) {
   parts_.make<ExplainedFlow>(
       ExplainedFlow::Parts{document_, states, *actions_, distances, settings_, *this});
   parts_.make<PresetFlow>(PresetFlow::Parts{pipeline, *actions_, settings_, *this, document_});
+  parts_.make<KindFlow>(KindFlow::Parts{document_, queue_, pipeline, *actions_});
   parts_.make<PictureFlow>(PictureFlow::Parts{document_, *view_, *actions_, *this});
   parts_.make<HullFlow>(HullFlow::Parts{document_, queue_, *view_, *actions_, editing, distances});
 }

@@ -69,6 +69,7 @@ std::vector<Place> skeletonPlaces() {
   return {{"skeleton/make"},
           {"skeleton/stand", MainWindow::tr("R&oot and Up")},
           {"skeleton/settings", MainWindow::tr("Se&ttings of the Steps")},
+          {"skeleton/settings_for_kind"},
           {"",
            MainWindow::tr("Pre&view"),
            {{"preview/live"},

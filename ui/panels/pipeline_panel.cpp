@@ -58,13 +58,13 @@ PipelinePanel::PipelinePanel(PlantDocument& document, QWidget* parent)
   foot->setSpacing(8);
   foot->addWidget(live_);
   foot->addWidget(run_);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
+  column_ = new QVBoxLayout(this);
+  column_->setContentsMargins(0, 0, 0, 0);
+  column_->setSpacing(0);
   connect(scan, &ScanForm::rootAsked, this, &PipelinePanel::rootAsked);
-  column->addWidget(scan);
-  column->addWidget(scroll_, 1);
-  column->addLayout(foot);
+  column_->addWidget(scan);
+  column_->addWidget(scroll_, 1);
+  column_->addLayout(foot);
   connect(run_, &QPushButton::clicked, this, &PipelinePanel::reconstructRequested);
   live_->setObjectName("live_preview");
   live_->setToolTip(tr("Shows what each change of a step would make, at once"));
@@ -77,6 +77,10 @@ PipelinePanel::PipelinePanel(PlantDocument& document, QWidget* parent)
   connect(&document_, &PlantDocument::skeletonReplaced, this, &PipelinePanel::showIdle);
   refreshScale();
   showOptional();
+}
+
+void PipelinePanel::addBelowScan(QWidget* widget) {
+  column_->insertWidget(column_->indexOf(scroll_), widget);
 }
 
 /// Steps that few plants need: one line, until they are asked for or on.

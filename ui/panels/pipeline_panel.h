@@ -12,6 +12,7 @@ class QCheckBox;
 class QPushButton;
 class QScrollArea;
 class QToolButton;
+class QVBoxLayout;
 
 namespace espalier {
 
@@ -51,6 +52,7 @@ public:
   /// A stopped run: the step that was running, and those behind it, are to be run again.
   void showStopped();
   void setRunnable(bool isRunnable);
+  void addBelowScan(QWidget* widget); // above the steps; the panel owns it
   /// How dense the points lie, normalized to [0, 1]: shown where radii of this step follow it.
   void setDensities(const std::string& step, const std::vector<float>& densities);
   /// Whether each change is to be shown at once.
@@ -77,6 +79,7 @@ private:
 
   PlantDocument& document_;
   QScrollArea* scroll_;
+  QVBoxLayout* column_;
   std::vector<StepForm*> steps_;
   QToolButton* fold_ = nullptr; // shows the steps that are off by default
   QCheckBox* live_;

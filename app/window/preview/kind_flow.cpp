@@ -1,0 +1,88 @@
+#include "app/window/preview/kind_flow.h"
+
+#include "app/window/frame/action_set.h"
+#include "core/base/error.h"
+#include "ui/document/plant_document.h"
+#include "ui/document/shown_text.h"
+#include "ui/panels/kind_line.h"
+#include "ui/panels/pipeline_panel.h"
+
+#include <QAction>
+
+#include <cmath>
+
+namespace espalier {
+namespace {
+
+QString labelOf(const KindOfScan& kind) {
+  return shownText(presetFor(kind.likely.kind).label);
+}
+
+QString percentOf(double share) {
+  return QString::number(std::lround(100 * share));
+}
+
+} // namespace
+
+KindFlow::KindFlow(const Parts& parts) : parts_(parts), job_(parts.queue, JobPriority::background) {
+  parts_.actions.beginSection(tr("Settings of the Steps"));
+  QAction* take = parts_.actions.add(
+      {.id = "take_kind",
+       .text = tr("Settings for This Plant"),
+       .help = tr("Takes the settings for what the plant of the scan probably is, as the panel of "
+                  "the pipeline says"),
+       .menu = "skeleton/settings_for_kind"},
+      [this] { this->take(); });
+  line_ = new KindLine(*take);
+  parts_.pipeline.addBelowScan(line_);
+  PlantDocument& document = parts_.document;
+  for (auto signal : {&PlantDocument::scanChanged, &PlantDocument::leftOutChanged,
+                      &PlantDocument::upChanged, &PlantDocument::skeletonReplaced})
+    connect(&document, signal, this, &KindFlow::guess);
+  connect(&document, &PlantDocument::skeletonEdited, this, &KindFlow::refresh);
+  refresh();
+}
+
+void KindFlow::guess() {
+  job_.cancel();
+  kind_.reset();
+  refresh();
+  const Scan* scan = parts_.document.scan();
+  if (scan == nullptr || !parts_.document.skeleton().isEmpty()) return;
+  const PipelineOptions options{.root = parts_.document.root(),
+                                .up = parts_.document.up(),
+                                .leftOut = parts_.document.leftOut()};
+  job_.start(
+      tr("Looking at the plant"),
+      [cloud = scan->cloud(), options](const Progress& progress) {
+        return kindOfScan(cloud, options, progress);
+      },
+      [this](const std::optional<KindOfScan>& kind) {
+        kind_ = kind;
+        refresh();
+      });
+}
+
+void KindFlow::take() {
+  if (!kind_) throw Error(tr("nothing is known of the plant: open a scan").toStdString());
+  const NamedPreset& preset = presetFor(kind_->likely.kind);
+  parts_.actions["preset_" + QString::fromStdString(preset.name)]->trigger();
+  emit noted(tr("Settings: %1").arg(shownText(preset.label)));
+}
+
+void KindFlow::refresh() {
+  const bool isShown = kind_ && parts_.document.skeleton().isEmpty();
+  parts_.actions["take_kind"]->setEnabled(isShown);
+  if (!isShown) return line_->show({}, {});
+  const auto& shares = kind_->shares;
+  constexpr double sure = 0.8; // of simulated plants nearly all are right from there on
+  const QString likely =
+      kind_->likely.probability >= sure ? tr("Looks like: %1 (%2 %)") : tr("Perhaps: %1 (%2 %)");
+  line_->show(likely.arg(labelOf(*kind_), percentOf(kind_->likely.probability)),
+              tr("Of its points, %1 % are of wood, %2 % of petioles, %3 % of blades and %4 % of "
+                 "needles, as far as their shapes show")
+                  .arg(percentOf(shares[0]), percentOf(shares[1]), percentOf(shares[2]),
+                       percentOf(shares[3])));
+}
+
+} // namespace espalier

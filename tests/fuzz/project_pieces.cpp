@@ -49,15 +49,17 @@ void readSkeleton(const std::string& bytes) {
   if (!plant) return;
   for (const NodeId id : plant->skeleton.ids())
     require(plant->skeleton[id].radius >= 0, "a skeleton with a bad radius");
-  const auto again = plantFrom(bytesOf(plant->skeleton, plant->leftOut));
-  require(again && again->leftOut == plant->leftOut, "a plant that is not read again");
+  const auto again = plantFrom(bytesOf(plant->skeleton, plant->leftOut, plant->organs));
+  require(again && again->leftOut == plant->leftOut && again->organs == plant->organs,
+          "a plant that is not read again");
 }
 
 void readDelta(const std::string& bytes) {
   const std::optional<StoredDelta> stored = deltaFrom(bytes);
   if (!stored) return;
-  const auto again = deltaFrom(bytesOf(stored->delta, stored->points));
-  require(again && again->points == stored->points, "a delta that is not read again");
+  const auto again = deltaFrom(bytesOf(stored->delta, stored->points, stored->organs));
+  require(again && again->points == stored->points && again->organs == stored->organs,
+          "a delta that is not read again");
   const SkeletonDelta* const delta = &stored->delta;
   for (const SkeletonDelta::Change& change : delta->changes)
     if (indexOf(change.id) > largestId) return;

@@ -1,6 +1,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/files.h"
 #include "app/cli/kind_info.h"
+#include "app/cli/measure_info.h"
 #include "app/cli/project_info.h"
 #include "app/cli/read_flags.h"
 #include "app/cli/scan_info.h"
@@ -21,6 +22,7 @@
 #include <memory>
 #include <sstream>
 #include <string>
+#include <utility>
 
 namespace espalier {
 namespace {
@@ -95,30 +97,39 @@ Json infoOnMtg(const std::string& file, const Format& format) {
   return json;
 }
 
+/// What is to be printed: as JSON, and what text has beside its lines.
+struct Info {
+  Json json;
+  std::string table;
+};
+
 /// What a scan says of itself, and what its points do.
-Json infoOnScan(const InfoFlags& flags) {
+Info infoOnScan(const InfoFlags& flags) {
   const ReadOptions reading = flags.read.options();
   Json json = scanInfo(glanceAt(flags.file, reading.columns));
-  if (flags.isHeaderOnly) return json;
+  if (flags.isHeaderOnly) return {std::move(json), {}};
   const TerminalProgress terminal;
-  const auto points = readPoints(flags.file, reading, terminal.progress());
+  const auto points = readPoints(flags.file, reading, terminal.progress().part(0, 0.7));
   printNotes(points.notes);
   json.erase("points_estimated");
   json.erase("bounds_of_sample");
   json.update(statistics(points.value));
   addKind(points.value, terminal.progress(), json);
+  const ScanMeasures measures =
+      scanMeasures(points.value, {}, UpAxis::z, terminal.progress().part(0.7, 1, "Measure"));
   if (points.isPart(reading)) json["part"] = partInfo(reading, points);
-  return json;
+  if (flags.isJson) json["measures"] = measuresJson(measures);
+  return {std::move(json), measuresText(measures)};
 }
 
-Json infoOn(const InfoFlags& flags, const Format& format) {
+Info infoOn(const InfoFlags& flags, const Format& format) {
   const std::string& file = flags.file;
   if (format.content != Content::points) requireNoneOf(flags.read, file, "a structure");
-  if (format.readMtg != nullptr) return infoOnMtg(file, format);
+  if (format.readMtg != nullptr) return {infoOnMtg(file, format), {}};
   if (format.content == Content::structure) {
     const auto structure = readStructure(file);
     printNotes(structure.notes);
-    return statistics(structure.value.skeleton);
+    return {statistics(structure.value.skeleton), {}};
   }
   return infoOnScan(flags);
 }
@@ -126,6 +137,7 @@ Json infoOn(const InfoFlags& flags, const Format& format) {
 void info(const InfoFlags& flags) {
   requireReadable(flags.file);
   Json json = {{"file", flags.file}};
+  std::string table;
   if (isProject(flags.file)) {
     requireNoneOf(flags.read, flags.file, "a project");
     json["format"] = "Espalier project";
@@ -133,12 +145,16 @@ void info(const InfoFlags& flags) {
   } else {
     const Format& format = formatOf(flags.file);
     json["format"] = std::string(format.name);
-    json.update(infoOn(flags, format));
+    Info found = infoOn(flags, format);
+    json.update(found.json);
+    table = std::move(found.table);
   }
-  if (flags.isJson)
+  if (flags.isJson) {
     std::cout << textOf(json);
-  else
-    printLines(json);
+    return;
+  }
+  printLines(json);
+  std::cout << table;
 }
 
 } // namespace

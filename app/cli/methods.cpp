@@ -113,9 +113,9 @@ void addMethods(CLI::App& app) {
   command->footer(
       "A length is set in the unit of the scan, in spacings of its points (6sp, \"6\n"
       "spacings\"), in heights of the plant (0.02h, \"0.02 heights\"), in thicknesses of\n"
-      "its thin wood (3th, \"3 thicknesses\") or, where --unit\n"
-      "says what the scan is in, in mm, cm or m (38mm); an angle in degrees (30,\n"
-      "30deg).\n\n"
+      "its thin wood (3th, \"3 thicknesses\"), in scatters of its points across the\n"
+      "wood (2sc, \"2 scatters\") or, where --unit says what the scan is in, in mm, cm\n"
+      "or m (38mm); an angle in degrees (30, 30deg).\n\n"
       "Examples:\n"
       "  espalier methods contract\n"
       "  espalier reconstruct pine.las -o pine.mtg --set contract.radius=6sp");

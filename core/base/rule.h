@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <limits>
 #include <string>
 
@@ -13,6 +12,9 @@ struct PlantScale {
   /// How thick the thin wood is, as its points show (core/cloud/thin_wood.h) [L]; if that is not
   /// known, as thick as need be.
   double thickness = std::numeric_limits<double>::infinity();
+  /// Standard deviation of the points normal to the surface of the wood, as they show it (likewise)
+  /// [L].
+  double scatter = 0;
 };
 
 /// [spacings] Where the thin wood is as thick as this, thicker wood needs no longer lengths.
@@ -24,15 +26,19 @@ struct Rule {
   double spacings = 0;    // in point spacings
   double heights = 0;     // in plant heights
   double thicknesses = 0; // of the thin wood, each at most enoughThickness
+  double scatters = 0;    // of the points
 
-  [[nodiscard]] double value(const PlantScale& scale) const {
-    return fixed + spacings * scale.spacing + heights * scale.height +
-           thicknesses * std::min(scale.thickness, enoughThickness * scale.spacing);
+  [[nodiscard]] double value(const PlantScale& scale) const;
+  [[nodiscard]] bool isFixed() const {
+    return spacings == 0 && heights == 0 && thicknesses == 0 && scatters == 0;
   }
-  [[nodiscard]] bool isFixed() const { return spacings == 0 && heights == 0 && thicknesses == 0; }
   [[nodiscard]] std::string text() const; // "7.5 point spacings"
   bool operator==(const Rule&) const = default;
 };
+
+// Where points scatter wide, more than enoughThickness does no good either: on 28 simulated plants
+// that scatter by 0.9 to 3.9 spacings, the default lengths for wood 2.5, 4, 6 and 9 spacings thick
+// give F within 2.5 spacings .864, .853, .822 and .750, and T .911, .862, .883 and .837.
 
 [[nodiscard]] constexpr Rule fixedAt(double value) {
   return {.fixed = value};
@@ -47,11 +53,15 @@ struct Rule {
 [[nodiscard]] constexpr Rule thicknesses(double count) {
   return {.thicknesses = count};
 }
+[[nodiscard]] constexpr Rule scatters(double count) {
+  return {.scatters = count};
+}
 [[nodiscard]] constexpr Rule operator+(const Rule& a, const Rule& b) {
   return {.fixed = a.fixed + b.fixed,
           .spacings = a.spacings + b.spacings,
           .heights = a.heights + b.heights,
-          .thicknesses = a.thicknesses + b.thicknesses};
+          .thicknesses = a.thicknesses + b.thicknesses,
+          .scatters = a.scatters + b.scatters};
 }
 
 /// A length in an options struct [L], whose default may be a rule. The option table of a method

@@ -20,6 +20,7 @@ std::optional<Rule> ruleIn(std::string_view text) {
   if (typed.unit == ValueUnit::spacings) return spacings(typed.amount);
   if (typed.unit == ValueUnit::heights) return heights(typed.amount);
   if (typed.unit == ValueUnit::thicknesses) return thicknesses(typed.amount);
+  if (typed.unit == ValueUnit::scatters) return scatters(typed.amount);
   return std::nullopt;
 }
 

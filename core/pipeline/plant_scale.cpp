@@ -19,8 +19,8 @@ struct Places {
   const Eigen::Matrix3Xf& positions;
   const SpatialIndex& index; // finds these places alone, and far points
   std::vector<Eigen::Index> points;
-  double spacing;   // [L]
-  double thickness; // of thin wood [L]
+  double spacing; // [L]
+  ThinWood wood;
 
   [[nodiscard]] float height(Eigen::Index point, UpAxis up) const {
     return positions(static_cast<Eigen::Index>(up), point);
@@ -59,11 +59,11 @@ auto onPlaces(const PointCloud& cloud, const SpatialIndex& index, const PointSet
   const PointSet without = passed | PointSet::of(farPoints(cloud, leftOut, progress));
   const Eigen::Matrix3Xf& positions = cloud.positions();
   const auto measured = [&](const SpatialIndex& found) {
-    Places places{progress, positions, found, others(without, cloud.size()), 0, 0};
+    Places places{progress, positions, found, others(without, cloud.size()), 0, {}};
     progress.check();
     places.spacing = spacingOfPlaces(positions, found, places.points);
     progress.check();
-    places.thickness = thinWood(positions, found, places.points, places.spacing);
+    places.wood = thinWood(positions, found, places.points, places.spacing);
     return measure(places);
   };
   return passed.isEmpty() ? measured(index)
@@ -76,7 +76,8 @@ PlantExtent extentOf(const Places& places, UpAxis up) {
   const float highest = places.lowest(up, -1);
   return {.scale = {.spacing = places.spacing,
                     .height = static_cast<double>(highest) - static_cast<double>(lowest),
-                    .thickness = places.thickness},
+                    .thickness = places.wood.thickness,
+                    .scatter = places.wood.scatter},
           .lowest = lowest};
 }
 
@@ -91,7 +92,7 @@ PlantExtent plantExtent(const PointCloud& cloud, const SpatialIndex& index, cons
 PlantSides plantSides(const PointCloud& cloud, const SpatialIndex& index, const PointSet& leftOut,
                       const Progress& progress) {
   return onPlaces(cloud, index, leftOut, progress, [](const Places& places) {
-    PlantSides sides{.spacing = places.spacing, .thickness = places.thickness};
+    PlantSides sides{.spacing = places.spacing, .wood = places.wood};
     for (const UpAxis up : {UpAxis::x, UpAxis::y, UpAxis::z})
       sides.heights[static_cast<Eigen::Index>(up)] = extentOf(places, up).scale.height;
     return sides;

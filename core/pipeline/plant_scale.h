@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/cloud/point_set.h"
+#include "core/cloud/thin_wood.h"
 #include "core/graph/find_root.h"
 #include "core/pipeline/option_table.h"
 
@@ -26,8 +27,8 @@ struct PlantExtent {
 
 /// How large a plant is along each axis of the file.
 struct PlantSides {
-  double spacing = 0;                                // [L]
-  double thickness = 0;                              // of thin wood (core/cloud/thin_wood.h) [L]
+  double spacing = 0; // [L]
+  ThinWood wood;
   Eigen::Vector3d heights = Eigen::Vector3d::Zero(); // as plantExtent() has it along each axis [L]
 };
 

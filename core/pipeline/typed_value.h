@@ -12,6 +12,7 @@ enum class ValueUnit {
   spacings,
   heights,
   thicknesses,
+  scatters,
   millimeters,
   centimeters,
   meters,
@@ -21,7 +22,8 @@ enum class ValueUnit {
 [[nodiscard]] bool isMetric(ValueUnit unit);   // millimeters, centimeters, meters
 [[nodiscard]] double metersIn(ValueUnit unit); // pre: isMetric(unit)
 
-/// The units of which one of the names begins so: "sp" and "s" stand for spacings, all for nothing.
+/// The units of which one of the names begins so: "sp" stands for spacings, "s" for these and
+/// scatters, all for nothing.
 [[nodiscard]] std::vector<ValueUnit> unitsBeginning(std::string_view letters);
 
 /// A number and its unit, as people type them.
@@ -34,9 +36,9 @@ struct TypedValue {
   std::string_view letters; // what stands behind it, without blanks around
 };
 
-/// Reads "12.5", "6 spacings", "6sp", "0.02 heights", "3 thicknesses", "38mm", "3 cm", "30 deg":
-/// the form in the window and the command line take the same. Blanks, capital letters and a comma
-/// for the point are fine.
+/// Reads "12.5", "6 spacings", "6sp", "0.02 heights", "3 thicknesses", "2 scatters", "38mm", "3
+/// cm", "30 deg": the form in the window and the command line take the same. Blanks, capital
+/// letters and a comma for the point are fine.
 /// @return views of `text`
 [[nodiscard]] TypedValue typedValue(std::string_view text);
 

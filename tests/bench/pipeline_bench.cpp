@@ -8,6 +8,7 @@
 #include "core/graph/geodesic.h"
 #include "core/graph/neighborhood_graph.h"
 #include "core/pipeline/pipeline.h"
+#include "core/pipeline/scan_measures.h"
 #include "core/radius/assigned_radii.h"
 #include "core/radius/fused_radii.h"
 #include "core/radius/length_pipe_model.h"
@@ -73,6 +74,9 @@ void sortPoints(benchmark::State& state) {
 }
 void spacing(benchmark::State& state) {
   time(state, [](const Workpiece& piece) { return pointSpacing(piece.positions()); });
+}
+void measureScan(benchmark::State& state) {
+  time(state, [](const Workpiece& piece) { return scanMeasures(*piece.cloud, {}, UpAxis::z); });
 }
 void clean(benchmark::State& state) {
   time(state, [](const Workpiece& piece) {
@@ -168,6 +172,7 @@ void sizes(benchmark::internal::Benchmark* each) {
 
 BENCHMARK(sortPoints)->Apply(sizes);
 BENCHMARK(spacing)->Apply(sizes);
+BENCHMARK(measureScan)->Apply(sizes);
 BENCHMARK(clean)->Apply(sizes);
 BENCHMARK(graph12)->Apply(sizes);
 BENCHMARK(joinComponents)->Apply(sizes);

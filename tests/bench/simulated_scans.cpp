@@ -73,37 +73,70 @@ Skeleton withMidribs(const Skeleton& plant, const std::vector<Blade>& blades) {
   return all;
 }
 
-} // namespace
+/// What a scan is drawn from.
+struct Draws {
+  double fewest;        // points a segment
+  double most;          // likewise
+  double mostOfHerbs;   // likewise
+  double mostPoints;    // of a scan
+  bool isNoisy = false; // else: with little noise and with foliage, mostly
+};
 
-ScannedPlant scannedPlant(std::uint64_t number) {
+/// In extents. Some 3 mm is little of a tree, and much of a herb.
+double noiseOf(CountedRandom& random, bool isNoisy, bool isHerb) {
+  if (isNoisy)
+    return isHerb ? evenlyInLog(random, 1.0 / 1000, 1.0 / 60)
+                  : evenlyInLog(random, 1.0 / 2000, 1.0 / 200);
+  return std::pow(between(random, 0, 1), 2) / 500;
+}
+
+ScannedPlant drawnPlant(std::uint64_t number, const Draws& draws) {
   const Kind& kind = kinds[number % std::size(kinds)];
   CountedRandom random(number, 0);
   ScannedPlant plant{.name = std::string(kind.name) + " " + std::to_string(number),
                      .isLeafy = kind.isLeafy};
   plant.truth = plantOf(kind, random, number);
   const bool isHerb = kind.architecture == Architecture::herb;
-  plant.pointsPerSegment = evenlyInLog(random, 8, isHerb ? 10'000 : 600);
+  plant.pointsPerSegment =
+      evenlyInLog(random, draws.fewest, isHerb ? draws.mostOfHerbs : draws.most);
   Eigen::AlignedBox3d box;
   for (const NodeId id : plant.truth.ids())
     box.extend(plant.truth[id].position);
   constexpr int stations[] = {1, 2, 4, 4, 8};
   ScannerOptions scanner;
-  scanner.points = static_cast<Eigen::Index>(std::clamp(
-      plant.pointsPerSegment * static_cast<double>(segmentsOf(plant.truth)), 300.0, 300'000.0));
+  scanner.points = static_cast<Eigen::Index>(
+      std::clamp(plant.pointsPerSegment * static_cast<double>(segmentsOf(plant.truth)), 300.0,
+                 draws.mostPoints));
   scanner.stations = stations[static_cast<std::size_t>(between(random, 0, std::size(stations)))];
-  scanner.rangeNoise = std::pow(between(random, 0, 1), 2) / 500 * box.sizes().maxCoeff();
-  scanner.misalignment = std::min(*scanner.rangeNoise, box.sizes().maxCoeff() / 2500);
+  plant.noise = noiseOf(random, draws.isNoisy, isHerb) * box.sizes().maxCoeff();
+  scanner.rangeNoise = plant.noise;
+  scanner.misalignment = std::min(plant.noise, box.sizes().maxCoeff() / 2500);
   scanner.clumps = random.uniform() < 0.5 ? 10 : 0;
-  plant.foliage = random.uniform() < 0.6 ? 0 : between(random, 0.3, 2);
+  plant.foliage = random.uniform() < 0.6 || draws.isNoisy ? 0 : between(random, 0.3, 2);
   scanner.foliage = kind.isLeafy ? largeLeaves(random, plant.truth, box.sizes().maxCoeff())
                                  : foliageOf(kind.architecture, plant.foliage);
   const SimulatedScan scanned = scan(plant.truth, scanner, number);
   plant.cloud = std::make_shared<const PointCloud>(scanned.points);
+  for (const auto& node : scanned.nodes)
+    if (node) plant.diameters.push_back(2 * plant.truth[*node].radius);
   if (!kind.isLeafy) return plant;
   plant.truth = withMidribs(plant.truth, scanned.blades);
   plant.pointsPerSegment =
       static_cast<double>(plant.cloud->size()) / static_cast<double>(segmentsOf(plant.truth));
   return plant;
+}
+
+} // namespace
+
+ScannedPlant scannedPlant(std::uint64_t number) {
+  return drawnPlant(number,
+                    {.fewest = 8, .most = 600, .mostOfHerbs = 10'000, .mostPoints = 300'000});
+}
+
+ScannedPlant noisyPlant(std::uint64_t number) {
+  return drawnPlant(
+      number,
+      {.fewest = 100, .most = 1000, .mostOfHerbs = 10'000, .mostPoints = 100'000, .isNoisy = true});
 }
 
 } // namespace espalier

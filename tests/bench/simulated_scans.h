@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace espalier {
 
@@ -14,9 +15,11 @@ struct ScannedPlant {
   std::string name;
   Skeleton truth;
   std::shared_ptr<const PointCloud> cloud;
-  double pointsPerSegment = 0; // of the truth
-  bool isLeafy = false;        // a herb with few large leaves, whose midribs are in the truth
-  double foliage = 0;          // 1 is as dense as the kind of plant bears it
+  double pointsPerSegment = 0;   // of the truth
+  bool isLeafy = false;          // a herb with few large leaves, whose midribs are in the truth
+  double foliage = 0;            // 1 is as dense as the kind of plant bears it
+  double noise = 0;              // standard deviation along beams [L]
+  std::vector<double> diameters; // of the wood at each point that is on some [L]
 };
 
 /// A plant of any kind, scanned in any way: 8 to 600 points a segment, herbs to 10 000, from 1 to 8
@@ -26,5 +29,10 @@ struct ScannedPlant {
 ///
 /// The same for the same number and data.
 [[nodiscard]] ScannedPlant scannedPlant(std::uint64_t number);
+
+/// The same kinds, grown or measured, scanned densely with wide noise: 100 to 1000 points a
+/// segment, herbs to 10 000, 100 000 at most, with noise from 1 / 2000 to 1 / 200 of the extent, of
+/// herbs from 1 / 1000 to 1 / 60, bare but for the large leaves of some herbs.
+[[nodiscard]] ScannedPlant noisyPlant(std::uint64_t number);
 
 } // namespace espalier

@@ -222,8 +222,10 @@ StepId PlantDocument::contractedStep() const {
 
 PlantScale PlantDocument::scale() const {
   if (!scan_) return {};
-  return {
-      .spacing = scan_->spacing(), .height = scan_->height(up_), .thickness = scan_->thickness()};
+  return {.spacing = scan_->spacing(),
+          .height = scan_->height(up_),
+          .thickness = scan_->wood().thickness,
+          .scatter = scan_->wood().scatter};
 }
 
 void PlantDocument::setScan(std::unique_ptr<const Scan> scan, const QString& path) {

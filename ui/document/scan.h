@@ -30,8 +30,8 @@ public:
   [[nodiscard]] double height(UpAxis up) const { // along this axis, of those found [L]
     return sides_.heights[static_cast<Eigen::Index>(up)];
   }
-  [[nodiscard]] double spacing() const { return sides_.spacing; } // likewise (plant_scale.h) [L]
-  [[nodiscard]] double thickness() const { return sides_.thickness; } // of thin wood, likewise [L]
+  [[nodiscard]] double spacing() const { return sides_.spacing; }    // likewise (plant_scale.h) [L]
+  [[nodiscard]] const ThinWood& wood() const { return sides_.wood; } // likewise
   /// Of all points but the few far ones (plantBounds) [L], frame of the file.
   [[nodiscard]] const Eigen::AlignedBox3d& bounds() const { return bounds_; }
 

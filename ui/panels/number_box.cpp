@@ -21,6 +21,8 @@ std::optional<double> NumberBox::factorOf(ValueUnit unit) const {
   if (unit == ValueUnit::heights) return scale_ ? std::optional(scale_->height) : std::nullopt;
   if (unit == ValueUnit::thicknesses)
     return scale_ ? std::optional(thicknesses(1).value(*scale_)) : std::nullopt;
+  if (unit == ValueUnit::scatters)
+    return scale_ ? std::optional(scatters(1).value(*scale_)) : std::nullopt;
   const LengthUnit own = unitOfSymbol(suffix().trimmed());
   if (own == LengthUnit::unknown) return std::nullopt;
   return metersIn(unit) / metersIn(own);

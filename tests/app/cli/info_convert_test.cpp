@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <gmock/gmock.h>
@@ -19,6 +20,7 @@ using test::runProgram;
 using test::Subcommands;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 using testing::StartsWith;
 
 /// As a botanist types it: a title, places with a dot, no positions.
@@ -61,6 +63,30 @@ TEST_F(Subcommands, InfoSaysWhatThePlantProbablyIs) {
   EXPECT_GT(kind["probability"], 0.4);
   EXPECT_GT(kind["blades"], 0.5);
   EXPECT_THAT(runProgram({"info", file("maize.ply")}).out, HasSubstr("kind.preset"));
+}
+
+TEST_F(Subcommands, InfoSaysWhatTheScanIsLike) {
+  const json info = json::parse(run({"info", scan_, "--json"}));
+  const json& measures = info["measures"];
+  for (const char* key : {"spacing", "thickness", "thickness_in_spacings"}) {
+    EXPECT_LE(measures[key]["low"], measures[key]["median"]) << key;
+    EXPECT_LE(measures[key]["median"], measures[key]["high"]) << key;
+  }
+  EXPECT_GT(measures["scatter"], 0);
+  EXPECT_GE(info["scatter"], 0);
+  EXPECT_GE(measures["foliage"], 0);
+  EXPECT_LE(measures["foliage"], 1);
+  ASSERT_EQ(measures["slabs"].size(), 5U);
+  EXPECT_LT(measures["slabs"][0]["from"], measures["slabs"][4]["from"]);
+  std::int64_t points = 0;
+  for (const json& slab : measures["slabs"])
+    points += slab["points"].get<std::int64_t>();
+  EXPECT_EQ(points, info["points"].get<std::int64_t>() - info["far_points"].get<std::int64_t>() -
+                        info["repeated_points"].get<std::int64_t>());
+  const std::string text = run({"info", scan_});
+  EXPECT_THAT(text, HasSubstr("What the scan is like"));
+  EXPECT_THAT(text, HasSubstr("\nall "));
+  EXPECT_THAT(run({"info", scan_, "--header"}), Not(HasSubstr("What the scan is like")));
 }
 
 TEST_F(Subcommands, InfoShowsTheHeaderWithoutReadingPoints) {

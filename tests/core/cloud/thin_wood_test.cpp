@@ -33,16 +33,16 @@ std::vector<Eigen::Index> all(const Eigen::Matrix3Xf& points) {
 }
 
 double thicknessOf(const Eigen::Matrix3Xf& points, double spacing) {
-  return thinWood(points, SpatialIndex(points), all(points), spacing);
+  return thinWood(points, SpatialIndex(points), all(points), spacing).thickness;
 }
 
 TEST(ThinWood, IsAsThickAsItsPointsSay) {
-  for (const double diameter : {1.0, 1.5, 2.0, 3.0})
+  for (const double diameter : {1.0, 1.5, 2.0, 3.0, 6.0, 12.0})
     EXPECT_NEAR(thicknessOf(cylinder(diameter), 1), diameter, 0.2 * diameter) << diameter;
 }
 
 TEST(ThinWood, IsAtMostWhatCanBeToldApart) {
-  EXPECT_EQ(thicknessOf(cylinder(12), 1), thickestThinWood);
+  EXPECT_EQ(thicknessOf(cylinder(40), 1), thickestThinWood);
   EXPECT_EQ(thicknessOf(cylinder(12).leftCols(10), 1), thickestThinWood) << "few points";
 }
 
@@ -50,13 +50,26 @@ TEST(ThinWood, HasNoThicknessOnALine) {
   EXPECT_LT(thicknessOf(cylinder(0.01), 1), 0.1);
 }
 
-TEST(ThinWood, GrowsWithTheNoise) {
-  Eigen::Matrix3Xf points = cylinder(0.5);
+Eigen::Matrix3Xf withNoise(Eigen::Matrix3Xf points, double noise) {
   Random random(2);
   for (Eigen::Index i = 0; i < points.cols(); ++i)
     for (int axis = 0; axis < 2; ++axis)
-      points(axis, i) += static_cast<float>(random.normal());
-  EXPECT_GT(thicknessOf(points, 1), 2);
+      points(axis, i) += static_cast<float>(noise * random.normal());
+  return points;
+}
+
+TEST(ThinWood, GrowsWithTheNoise) {
+  EXPECT_GT(thicknessOf(withNoise(cylinder(0.5), 1), 1), 2);
+}
+
+TEST(ThinWood, SaysHowThePointsScatter) {
+  const auto scatterOf = [](const Eigen::Matrix3Xf& points) {
+    return thinWood(points, SpatialIndex(points), all(points), 1).scatter;
+  };
+  EXPECT_LT(scatterOf(cylinder(3)), 0.1);
+  EXPECT_NEAR(scatterOf(withNoise(cylinder(3), 0.3)), 0.3, 0.1);
+  EXPECT_NEAR(scatterOf(withNoise(cylinder(12), 0.6)), 0.6, 0.15);
+  EXPECT_EQ(scatterOf(cylinder(3).leftCols(10)), 0) << "few points";
 }
 
 TEST(ThinWood, FollowsTheUnit) {

@@ -55,6 +55,16 @@ TEST(Preset, HasLengthsThatFollowFromTheScan) {
   EXPECT_THROW(read(R"({"contract": {"neighbors": "6 spacings"}})"), Error) << "a count";
 }
 
+TEST(Preset, HasLengthsThatFollowFromWoodAndScatter) {
+  const PipelineOptions options =
+      read(R"({"contract": {"radius": "2.5 thicknesses"}, "prune": {"length": "9 scatters"}})");
+  EXPECT_EQ(options.settings.at("contract").at("radius"), thicknesses(2.5));
+  EXPECT_EQ(options.settings.at("prune").at("length"), scatters(9));
+  std::ostringstream out;
+  writePreset(out, options);
+  EXPECT_EQ(read(out.str()), options);
+}
+
 TEST(Preset, RuleIsTheSameLengthOnEachPlant) {
   PipelineOptions options;
   options.set("contract.radius=6 spacings");

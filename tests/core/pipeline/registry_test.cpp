@@ -114,6 +114,7 @@ TEST(Rule, SaysInWordsWhatItIs) {
             "1 point spacing + 0.01 plant heights");
   EXPECT_EQ((spacings(1.5) + thicknesses(2.4)).text(),
             "1.5 point spacings + 2.4 thicknesses of thin wood");
+  EXPECT_EQ((spacings(2) + scatters(1)).text(), "2 point spacings + 1 scatter of points");
   EXPECT_EQ(fixedAt(0).text(), "0");
 }
 
@@ -127,6 +128,14 @@ TEST(Rule, FollowsTheThinWoodUntilItIsThickEnough) {
   EXPECT_DOUBLE_EQ(at(60), 15);
   EXPECT_DOUBLE_EQ(rule.value({.spacing = 2, .height = 100}), 15) << "not known: thick enough";
   EXPECT_FALSE(rule.isFixed());
+}
+
+TEST(Rule, FollowsTheScatterOfPoints) {
+  const Rule rule = spacings(1.5) + scatters(2);
+  EXPECT_DOUBLE_EQ(rule.value({.spacing = 2, .height = 100, .scatter = 3}), 3 + 6);
+  EXPECT_DOUBLE_EQ(rule.value({.spacing = 2, .height = 100}), 3) << "none";
+  EXPECT_FALSE(rule.isFixed());
+  EXPECT_FALSE(scatters(1).isFixed());
 }
 
 } // namespace

@@ -38,6 +38,8 @@ TEST(TypedValue, TakesUnitsWithABlankAndWithout) {
     EXPECT_EQ(setTo(text), Rule{.heights = 0.02}) << text;
   for (const char* text : {"3 thicknesses", "3th", "3 thickness of thin wood"})
     EXPECT_EQ(setTo(text), thicknesses(3)) << text;
+  for (const char* text : {"2 scatters", "2sc", "2 scatter", "2 scatters of points"})
+    EXPECT_EQ(setTo(text), scatters(2)) << text;
   EXPECT_EQ(setTo("12.5"), fixedAt(12.5));
 }
 
@@ -63,6 +65,8 @@ TEST(TypedValue, RefusesOtherUnitsWithTheLineToType) {
        {"", "sp", "six spacings", "6 spaces", "1e999", "nan", "inf", "1.2.3", "6 deg", "6sp 7sp"})
     EXPECT_NE(refusalOf(std::string("prune.length=") + text), "") << text;
   EXPECT_THAT(refusalOf("contract.neighbors=6sp"), HasSubstr("write contract.neighbors=6"));
+  EXPECT_THAT(refusalOf("prune.length=6 scatterings"), HasSubstr("not '6 scatterings'"));
+  EXPECT_THAT(refusalOf("contract.neighbors=6sc"), HasSubstr("write contract.neighbors=6"));
 }
 
 // Where the unit of the scan is known, a length in mm is one, and never an angle or a share.

@@ -32,6 +32,7 @@
 #include "app/window/preview/density_flow.h"
 #include "app/window/preview/judge_flow.h"
 #include "app/window/preview/kind_flow.h"
+#include "app/window/preview/measure_flow.h"
 #include "app/window/preview/pipeline_flow.h"
 #include "app/window/preview/preset_flow.h"
 #include "app/window/preview/preview_flow.h"
@@ -203,6 +204,7 @@ void MainWindow::makePreview(PipelinePanel& pipeline) {
       StatesFlow::Parts{document_, queue_, *view_, *actions_, reconstruct, preview,
                         parts_.get<TwoViewsFlow>(), *centralWidget()});
   parts_.make<DensityFlow>(document_, queue_, pipeline);
+  parts_.make<MeasureFlow>(document_, queue_, pipeline);
   auto& judge = parts_.make<JudgeFlow>(JudgeFlow::Parts{
       document_, queue_, *view_, reconstruct, preview, states, reference, evaluation, window});
   auto& sweep = parts_.make<SweepFlow>(SweepFlow::Parts{

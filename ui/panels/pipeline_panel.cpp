@@ -1,6 +1,7 @@
 #include "ui/panels/pipeline_panel.h"
 
 #include "ui/document/plant_document.h"
+#include "ui/panels/measures_form.h"
 #include "ui/panels/scan_form.h"
 #include "ui/panels/step_form.h"
 #include "ui/panels/wide_enough.h"
@@ -29,6 +30,8 @@ PipelinePanel::PipelinePanel(PlantDocument& document, QWidget* parent)
   list->setContentsMargins(0, 0, 0, 8);
   list->setSpacing(0);
   int number = 0;
+  measures_ = new MeasuresForm(page);
+  list->addWidget(measures_);
   list->addWidget(makeFold(page));
   for (const Step& step : pipelineSteps()) {
     steps_.push_back(new StepForm(step, step.isOptional ? 0 : ++number, page));

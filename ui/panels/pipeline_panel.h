@@ -16,6 +16,7 @@ class QVBoxLayout;
 
 namespace espalier {
 
+class MeasuresForm;
 class PlantDocument;
 class StepForm;
 
@@ -55,6 +56,7 @@ public:
   void addBelowScan(QWidget* widget); // above the steps; the panel owns it
   /// How dense the points lie, normalized to [0, 1]: shown where radii of this step follow it.
   void setDensities(const std::string& step, const std::vector<float>& densities);
+  [[nodiscard]] MeasuresForm& measures() { return *measures_; } // of the scan
   /// Whether each change is to be shown at once.
   [[nodiscard]] bool isLive() const;
   void setLive(bool isLive);
@@ -80,6 +82,7 @@ private:
   PlantDocument& document_;
   QScrollArea* scroll_;
   QVBoxLayout* column_;
+  MeasuresForm* measures_ = nullptr;
   std::vector<StepForm*> steps_;
   QToolButton* fold_ = nullptr; // shows the steps that are off by default
   QCheckBox* live_;

@@ -1,7 +1,8 @@
 // What each method reaches on simulated scans, a row each: the presets first, then every other
 // method with all else as it is by default.
 //
-//   espalier_accuracy [--plants grown|structures|all|grid|any|organs] [--seeds N] [--first I]
+//   espalier_accuracy [--plants grown|structures|all|grid|any|noisy|organs] [--first NUMBER]
+//   [--seeds N]
 //                     [--foliage DENSITY] [--worst] [--radii] [ROW ...]
 //
 // A ROW is NAME:STEP.OPTION=VALUE,...; "6 spacings" is a length in point spacings. With rows,
@@ -11,8 +12,11 @@
 // grown plants: each at three densities (points a segment), with three noises (in extents), bare
 // and with foliage. "any" is 14 N plants of any kind, scanned in any way (simulated_scans.h), which
 // espalier_fit_odds has not seen; a row each for sparse, middle and dense scans, bare, with
-// foliage, and of herbs with large leaves. "organs" is 11 N plants from number I on, 1001 if it is
-// not said, which espalier_fit_organs has not seen (organ_scans.h); a row each for their kinds.
+// foliage, and of herbs with large leaves. "noisy" is 14 N of the same kinds, scanned densely with
+// wide noise; a row each by how far their points are measured to scatter. "organs" is 11 N plants
+// that espalier_fit_organs has not seen (organ_scans.h); a row each for their kinds. --first takes
+// other plants and scans, from this number on, 1, and of "organs" 1001, if it is not said: what is
+// chosen on some is judged on others.
 //
 // Columns: the authors' indices G and T; precision, recall and F within 4 spacings, and F within
 // 2.5; segments found per true one; the share of the length on the same axis; median error of the
@@ -20,6 +24,7 @@
 #include "core/base/error.h"
 #include "core/evaluate/comparison.h"
 #include "core/io/formats.h"
+#include "core/pipeline/plant_scale.h"
 #include "core/pipeline/presets.h"
 #include "core/simulate/laser_scanner.h"
 #include "core/simulate/plant_grower.h"
@@ -76,9 +81,9 @@ struct Reached {
 /// Which plants.
 struct Choice {
   std::string plants = "grown";
+  std::uint64_t first = 0; // of the seeds; 0: not said
   int seeds = 3;
   double foliage = 0;
-  std::uint64_t first = 1001;
 };
 
 Plant scanned(std::string name, Skeleton truth, const ScannerOptions& scanner, std::uint64_t seed) {
@@ -102,31 +107,32 @@ Quality qualityOf(std::uint64_t seed) {
 }
 
 /// @param quality none: another for each seed
-std::vector<Plant> grownPlants(int seeds, double foliage, std::optional<Quality> quality = {}) {
+std::vector<Plant> grownPlants(const Choice& choice, double foliage,
+                               std::optional<Quality> quality = {}) {
   std::vector<Plant> plants;
   const std::pair<const char*, Architecture> kinds[] = {{"broadleaf", Architecture::broadleaf},
                                                         {"conifer", Architecture::conifer},
                                                         {"shrub", Architecture::shrub},
                                                         {"herb", Architecture::herb}};
   for (const auto& [name, kind] : kinds)
-    for (int seed = 1; seed <= seeds; ++seed) {
+    for (int i = 0; i < choice.seeds; ++i) {
       const int segments = kind == Architecture::herb ? 25 : 150;
-      const auto number = static_cast<std::uint64_t>(seed);
+      const std::uint64_t number = choice.first + static_cast<std::uint64_t>(i);
       const Quality used = quality.value_or(qualityOf(number));
       ScannerOptions scanner;
       scanner.points = pointsPerSegment[used.density] * segments;
       scanner.rangeNoise = 4 * noises[used.noise];
-      scanner.clumps = seed % 2 == 0 ? 10 : 0; // of leaves that hid wood
+      scanner.clumps = number % 2 == 0 ? 10 : 0; // of leaves that hid wood
       scanner.foliage = foliageOf(kind, foliage);
       plants.push_back(
-          scanned(name + std::string(" ") + std::to_string(seed),
+          scanned(name + std::string(" ") + std::to_string(number),
                   growPlant({.architecture = kind, .height = 4, .segments = segments}, number),
                   scanner, number));
     }
   return plants;
 }
 
-std::vector<Plant> structurePlants(int seeds, double foliage) {
+std::vector<Plant> structurePlants(const Choice& choice) {
   std::vector<Plant> plants;
   const std::tuple<std::string, Architecture, Eigen::Index> structures[] = {
       {"puu3", Architecture::conifer, 120'000},
@@ -136,13 +142,13 @@ std::vector<Plant> structurePlants(int seeds, double foliage) {
     const auto file = test::sharedFile("structures/" + name + "_reference.mtg");
     if (!file) continue;
     const Skeleton truth = preparedPlant(readStructure(*file).value.skeleton);
-    for (int seed = 1; seed <= seeds; ++seed) {
+    for (int i = 0; i < choice.seeds; ++i) {
+      const std::uint64_t seed = choice.first + static_cast<std::uint64_t>(i);
       ScannerOptions scanner;
       scanner.points = points;
       if (seed % 2 == 0) scanner.clumps = 10;
-      scanner.foliage = foliageOf(kind, foliage);
-      plants.push_back(scanned(name + " " + std::to_string(seed), truth, scanner,
-                               static_cast<std::uint64_t>(seed)));
+      scanner.foliage = foliageOf(kind, choice.foliage);
+      plants.push_back(scanned(name + " " + std::to_string(seed), truth, scanner, seed));
     }
   }
   return plants;
@@ -249,11 +255,11 @@ void printRow(const Row& row, const std::vector<Plant>& plants, const Details& d
 }
 
 /// Each row at each density with each noise, bare and with foliage.
-void printGrid(const std::vector<Row>& rows, int seeds, const Details& details) {
+void printGrid(const std::vector<Row>& rows, const Choice& choice, const Details& details) {
   for (const double foliage : {0.0, 1.0})
     for (std::size_t density = 0; density < std::size(pointsPerSegment); ++density)
       for (std::size_t noise = 0; noise < std::size(noises); ++noise) {
-        const std::vector<Plant> plants = grownPlants(seeds, foliage, Quality{density, noise});
+        const std::vector<Plant> plants = grownPlants(choice, foliage, Quality{density, noise});
         for (Row row : rows) {
           row.name += foliage > 0 ? ", leafy, " : ", bare, ";
           row.name += std::to_string(pointsPerSegment[density]) + " pts, ";
@@ -264,18 +270,30 @@ void printGrid(const std::vector<Row>& rows, int seeds, const Details& details) 
       }
 }
 
+std::string cellByDensity(const ScannedPlant& plant) {
+  return std::string(plant.pointsPerSegment < 60    ? "1 sparse"
+                     : plant.pointsPerSegment < 300 ? "2 middle"
+                                                    : "3 dense") +
+         (plant.isLeafy       ? ", leaves"
+          : plant.foliage > 0 ? ", foliage"
+                              : ", bare");
+}
+
+std::string cellByScatter(const ScannedPlant& plant) {
+  const PlantScale scale = scaleOf(*plant.cloud, {}, UpAxis::z);
+  const double scatter = scale.scatter / scale.spacing;
+  return scatter < 1 ? "1 under 1 sp" : scatter < 2 ? "2 to 2 sp" : "3 over 2 sp";
+}
+
 /// Each row over plants of any kind that were scanned alike.
-void printAny(const std::vector<Row>& rows, int seeds, const Details& details) {
+void printAny(const std::vector<Row>& rows, const Choice& choice, const Details& details) {
   constexpr std::uint64_t unseen = 1000; // espalier_fit_odds takes lower numbers
+  const bool isNoisy = choice.plants == "noisy";
   std::map<std::string, std::vector<Plant>> cells;
-  for (std::uint64_t i = 1; i <= 14 * static_cast<std::uint64_t>(seeds); ++i) {
-    ScannedPlant plant = scannedPlant(unseen + i);
-    const std::string cell = std::string(plant.pointsPerSegment < 60    ? "1 sparse"
-                                         : plant.pointsPerSegment < 300 ? "2 middle"
-                                                                        : "3 dense") +
-                             (plant.isLeafy       ? ", leaves"
-                              : plant.foliage > 0 ? ", foliage"
-                                                  : ", bare");
+  for (std::uint64_t i = 0; i < 14 * static_cast<std::uint64_t>(choice.seeds); ++i) {
+    const std::uint64_t number = unseen + choice.first + i;
+    ScannedPlant plant = isNoisy ? noisyPlant(number) : scannedPlant(number);
+    const std::string cell = isNoisy ? cellByScatter(plant) : cellByDensity(plant);
     cells[cell].push_back({plant.name, std::move(plant.truth), std::move(plant.cloud)});
   }
   for (const auto& [cell, plants] : cells)
@@ -321,14 +339,15 @@ void run(const std::vector<std::string>& arguments) {
       rows.push_back(rowOf(arguments[i]));
   }
   if (rows.empty()) rows = allMethods();
+  if (choice.first == 0) choice.first = choice.plants == "organs" ? 1001 : 1;
   std::printf("%-34s %-5s %-5s  %-5s %-5s %-5s %-5s  %-5s  %-5s  %-5s %-5s %-6s  %6s\n", "", "G",
               "T", "P", "R", "F4", "F2.5", "segm.", "axis", "thick", "radii", "bias", "s");
   if (choice.plants == "grid") {
-    printGrid(rows, choice.seeds, details);
+    printGrid(rows, choice, details);
     return;
   }
-  if (choice.plants == "any") {
-    printAny(rows, choice.seeds, details);
+  if (choice.plants == "any" || choice.plants == "noisy") {
+    printAny(rows, choice, details);
     return;
   }
   if (choice.plants == "organs") {
@@ -336,9 +355,9 @@ void run(const std::vector<std::string>& arguments) {
     return;
   }
   std::vector<Plant> plants;
-  if (choice.plants != "structures") plants = grownPlants(choice.seeds, choice.foliage);
+  if (choice.plants != "structures") plants = grownPlants(choice, choice.foliage);
   if (choice.plants != "grown")
-    std::ranges::move(structurePlants(choice.seeds, choice.foliage), std::back_inserter(plants));
+    std::ranges::move(structurePlants(choice), std::back_inserter(plants));
   for (const Row& row : rows)
     printRow(row, plants, details);
 }

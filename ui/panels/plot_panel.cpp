@@ -6,6 +6,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QTableWidget>
 #include <QVBoxLayout>
 
@@ -57,8 +58,10 @@ PlotPanel::PlotPanel(QWidget* parent)
   words_->setMinimumWidth(72);
   cleans_->setObjectName("plot_cleans");
   cleans_->setChecked(true);
-  cleans_->setToolTip(tr("By cloth, cylinders and catenaries, where the pipeline chooses nothing "
-                         "else. Off: only what the pipeline leaves out, and what is set aside"));
+  cleans_->setToolTip(
+      tr("By cloth, cylinders and catenaries, where the pipeline chooses nothing "
+         "else. Off: only what the pipeline leaves out. Where points were set aside, it "
+         "is off at first: without ground, a cloth touches branches"));
   find_->setObjectName("plot_find");
   find_->setToolTip(tr("By the steps of the pipeline before Plant and the options of that step; "
                        "points that are set aside are of no plant"));
@@ -67,6 +70,7 @@ PlotPanel::PlotPanel(QWidget* parent)
   write_->setToolTip(tr("Chooses a folder, and writes the scan and a project of each plant with a "
                         "check mark there"));
   cancel_->setObjectName("plot_cancel");
+  connect(cleans_, &QCheckBox::toggled, this, &PlotPanel::cleansChanged);
   connect(find_, &QPushButton::clicked, this, &PlotPanel::findRequested);
   connect(write_, &QPushButton::clicked, this, &PlotPanel::writeRequested);
   connect(cancel_, &QPushButton::clicked, this, &PlotPanel::cancelRequested);
@@ -117,6 +121,11 @@ void PlotPanel::showWorking(const QString& words) {
 void PlotPanel::setFindable(bool isFindable) {
   isFindable_ = isFindable;
   refresh();
+}
+
+void PlotPanel::setCleans(bool isOn) {
+  const QSignalBlocker quiet(cleans_);
+  cleans_->setChecked(isOn);
 }
 
 bool PlotPanel::cleans() const {

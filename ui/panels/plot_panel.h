@@ -28,12 +28,14 @@ public:
   void showPlants(const std::vector<Plant>& plants, const QString& words);
   void showNone(const QString& words); // and why
   void showWorking(const QString& words);
-  void setFindable(bool isFindable);                     // with a scan
+  void setFindable(bool isFindable); // with a scan
+  void setCleans(bool isOn);
   [[nodiscard]] bool cleans() const;                     // leave out ground, poles and wires first
   [[nodiscard]] std::vector<std::size_t> chosen() const; // to be written: their places, ascending
 
 signals:
   void findRequested();
+  void cleansChanged(); // what was found is another's
   void writeRequested();
   void cancelRequested();
   void pointedAt(std::size_t plant); // its row is the current one

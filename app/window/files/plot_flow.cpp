@@ -63,6 +63,11 @@ void PlotFlow::makePanel() {
                          .menu = {}},
                         besideThePlant, panel_, this));
   connect(panel_, &PlotPanel::findRequested, this, &PlotFlow::find);
+  connect(panel_, &PlotPanel::cleansChanged, this, [this] {
+    plants_.clear();
+    words_.clear();
+    showPlants();
+  });
   connect(panel_, &PlotPanel::cancelRequested, &job_, &JobSlot::cancel);
   connect(panel_, &PlotPanel::pointedAt, this, &PlotFlow::select);
   connect(panel_, &PlotPanel::writeRequested, this, [this] {
@@ -169,6 +174,7 @@ void PlotFlow::forget() {
   job_.cancel();
   plants_.clear();
   words_.clear();
+  panel_->setCleans(parts_.document.leftOut().isEmpty());
   panel_->setFindable(parts_.document.scan() != nullptr);
   showPlants();
 }

@@ -116,11 +116,25 @@ TEST_F(PlotTest, LeavesOutGroundPolesAndWiresUnlessThatIsOff) {
   EXPECT_GT(table().rowCount(), 3) << "the pole stands like a stem";
 }
 
+TEST_F(PlotTest, LeavesOutNothingMoreOnceOneHasCleanedByHand) {
+  auto& cleans = find<QCheckBox>("plot_cleans");
+  EXPECT_TRUE(cleans.isChecked());
+  document().pointSelection().set(PointSet::firstOf(5));
+  action("set_points_aside").trigger();
+  EXPECT_FALSE(cleans.isChecked()) << "without ground, a cloth touches branches";
+  action("undo").trigger();
+  EXPECT_TRUE(cleans.isChecked());
+  findPlants();
+  cleans.setChecked(false);
+  EXPECT_EQ(table().rowCount(), 0) << "those were found otherwise";
+}
+
 TEST_F(PlotTest, ForgetsThePlantsOnceOtherPointsAreSetAside) {
   findPlants();
   table().setCurrentCell(0, 1);
   action("set_points_aside").trigger();
   EXPECT_EQ(table().rowCount(), 0);
+  find<QCheckBox>("plot_cleans").setChecked(true);
   findPlants();
   EXPECT_EQ(table().rowCount(), 2) << "those set aside are of no plant";
   action("undo").trigger();

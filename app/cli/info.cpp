@@ -114,9 +114,9 @@ Info infoOnScan(const InfoFlags& flags) {
   json.erase("points_estimated");
   json.erase("bounds_of_sample");
   json.update(statistics(points.value));
-  addKind(points.value, terminal.progress(), json);
+  addKind(points.value, terminal.progress().part(0.7, 0.85, "Measure"), json);
   const ScanMeasures measures =
-      scanMeasures(points.value, {}, UpAxis::z, terminal.progress().part(0.7, 1, "Measure"));
+      scanMeasures(points.value, {}, upIn(json), terminal.progress().part(0.85, 1, "Measure"));
   if (points.isPart(reading)) json["part"] = partInfo(reading, points);
   if (flags.isJson) json["measures"] = measuresJson(measures);
   return {std::move(json), measuresText(measures)};

@@ -15,12 +15,12 @@ double rounded(double share) { // to a percent: it is no measurement
   return std::round(100 * share) / 100;
 }
 
+} // namespace
+
 UpAxis upIn(const nlohmann::ordered_json& json) {
   if (!json.contains("up") || !json["up"].is_string()) return UpAxis::z;
   return json["up"] == "x" ? UpAxis::x : json["up"] == "y" ? UpAxis::y : UpAxis::z;
 }
-
-} // namespace
 
 void addKind(const PointCloud& cloud, const Progress& progress, nlohmann::ordered_json& json) {
   const std::optional<KindOfScan> kind = kindOfScan(std::make_shared<const PointCloud>(cloud),

@@ -2,10 +2,14 @@
 
 #include "core/base/progress.h"
 #include "core/cloud/point_cloud.h"
+#include "core/graph/find_root.h"
 
 #include <nlohmann/json_fwd.hpp>
 
 namespace espalier {
+
+/// The axis that is `up` by what is known of a scan; z where that is not known.
+[[nodiscard]] UpAxis upIn(const nlohmann::ordered_json& json);
 
 /// Adds to `json`, which says what axis is `up`, what the plant of a scan probably is:
 /// kind.{likely, probability, preset}, and the shares of its points:

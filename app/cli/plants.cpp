@@ -5,6 +5,7 @@
 #include "app/cli/terminal.h"
 #include "app/plot/plot_files.h"
 #include "core/base/counted.h"
+#include "core/base/text.h"
 #include "core/pipeline/cleaned_scan.h"
 
 #include <filesystem>

@@ -39,7 +39,7 @@ void smooth(benchmark::State& state, const Method& method) {
   const SmoothedTree& tree = treeOf(state);
   const std::vector<double> values = resolvedValues(smoothingStep(), method, {}, tree.scale);
   for (auto _ : state) {
-    PipelineState smoothed = firstState(tree.cloud, {});
+    PipelineState smoothed = firstState(tree.cloud, PointSet());
     method.run(smoothed, values, {});
     benchmark::DoNotOptimize(smoothed.contracted);
   }

@@ -12,7 +12,7 @@ namespace espalier {
 namespace {
 
 constexpr int cardMargin = 8;
-constexpr int rowHeight = 16;
+constexpr int cardRowHeight = 16;
 constexpr int headHeight = 20;
 constexpr int leastPicture = 64; // height
 
@@ -62,19 +62,19 @@ QSize SweepCard::minimumSizeHint() const {
 
 QSize SweepCard::sizeWith(int pictureHeight) const {
   return {side + 2 * cardMargin, cardMargin + pictureHeight + headHeight +
-                                     rowHeight * static_cast<int>(rows_) + cardMargin};
+                                     cardRowHeight * static_cast<int>(rows_) + cardMargin};
 }
 
 /// Of all scores, a row each.
 QRect SweepCard::scoreBox() const {
-  const int rows = rowHeight * static_cast<int>(rows_);
+  const int rows = cardRowHeight * static_cast<int>(rows_);
   return {cardMargin, height() - cardMargin - rows, side, rows};
 }
 
 bool SweepCard::event(QEvent* event) {
   if (event->type() != QEvent::ToolTip) return QAbstractButton::event(event);
   const auto* help = static_cast<QHelpEvent*>(event);
-  const int row = (help->pos().y() - scoreBox().top()) / rowHeight;
+  const int row = (help->pos().y() - scoreBox().top()) / cardRowHeight;
   const bool isOnScore = scoreBox().contains(help->pos()) && row < std::ssize(item_.scores);
   if (!isOnScore) return QAbstractButton::event(event);
   const QString& tip = item_.scores[static_cast<std::size_t>(row)].tip;
@@ -134,7 +134,7 @@ void SweepCard::paintPicture(QPainter& painter, const QRect& box) const {
 void SweepCard::paintScores(QPainter& painter, const QRect& box) const {
   QFont small = font();
   small.setPixelSize(11);
-  QRect row(box.left(), box.top(), box.width(), rowHeight);
+  QRect row(box.left(), box.top(), box.width(), cardRowHeight);
   for (const SweepScore& score : item_.scores) {
     small.setBold(score.isBest);
     painter.setFont(small);
@@ -151,7 +151,7 @@ void SweepCard::paintScores(QPainter& painter, const QRect& box) const {
       painter.setPen(palette().color(QPalette::Link));
       painter.drawText(row, Qt::AlignRight | Qt::AlignVCenter, QStringLiteral("★"));
     }
-    row.translate(0, rowHeight);
+    row.translate(0, cardRowHeight);
   }
 }
 

@@ -75,8 +75,21 @@ private:
   }
 };
 
-/// Whether at least two other points around a cell are about as high.
-bool isBorneOut(const GroundCells& cells, Eigen::Index column, Eigen::Index row, float height) {
+/// How many others bear out a height: two, but more where points are so dense that as many strays
+/// are near each other by chance.
+Eigen::Index fewestOthers(const GroundCells& cells) {
+  constexpr double share = 9.0 / 100; // of the points of a cell: it is looked at with those beside
+  std::vector<double> counts;
+  for (std::size_t i = 0; i + 1 < cells.begin.size(); ++i)
+    if (cells.begin[i + 1] > cells.begin[i])
+      counts.push_back(static_cast<double>(cells.begin[i + 1] - cells.begin[i]));
+  return std::max<Eigen::Index>(2,
+                                std::lround(share * quantile(std::move(counts), 0.5).value_or(0)));
+}
+
+/// Whether at least so many other points around a cell are about as high.
+bool isBorneOut(const GroundCells& cells, Eigen::Index column, Eigen::Index row, float height,
+                Eigen::Index others) {
   const auto band = static_cast<float>(1.5 * cells.cell);
   Eigen::Index found = -1; // itself
   for (Eigen::Index j = row - 1; j <= row + 1; ++j)
@@ -85,18 +98,19 @@ bool isBorneOut(const GroundCells& cells, Eigen::Index column, Eigen::Index row,
       found += std::ranges::upper_bound(near, height + band) -
                std::ranges::lower_bound(near, height - band);
     }
-  return found >= 2;
+  return found >= others;
 }
 
 /// The lowest height of each cell that others bear out; unsupported where there is none.
 Eigen::MatrixXd lowestOf(const GroundCells& cells, const Progress& progress) {
   Eigen::MatrixXd lowest = Eigen::MatrixXd::Constant(cells.columns, cells.rows, unsupported);
+  const Eigen::Index others = fewestOthers(cells);
   parallelFor(
       cells.rows,
       [&](Eigen::Index row) {
         for (Eigen::Index column = 0; column < cells.columns; ++column)
           for (const float height : cells.at(column, row))
-            if (isBorneOut(cells, column, row, height)) {
+            if (isBorneOut(cells, column, row, height, others)) {
               lowest(column, row) = static_cast<double>(height);
               break;
             }

@@ -34,8 +34,8 @@ struct GroundSurface {
 ///
 /// The plane through the lowest points of the cells is taken out first. Particles of a cloth, one
 /// per cell, then fall in the scan turned over, bound to their neighbors, until the points hold
-/// them; the lowest points of a cell that at least two more lie close above count, so that strays
-/// below the ground hold nothing.
+/// them; the lowest points of a cell that at least two more lie close above, in dense scans a
+/// hundredth of what nine cells hold, count, so that strays below the ground hold nothing.
 ///
 /// @param points  3 x N, z up [L]
 /// @throws Cancelled if `progress` asks to stop

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace espalier {
@@ -77,6 +78,26 @@ TEST(Ground, IsNotDrawnDownByStrays) {
   const auto [ground, above] = sharesBelow(hill);
   EXPECT_GT(ground, 0.99);
   EXPECT_NEAR(above, 8 / 5008.0, 1e-9) << "strays below the ground go with it";
+}
+
+// So many that some lie three by three, as in the scan of a plot.
+TEST(Ground, IsNotDrawnDownByManyStraysBelowDenseGround) {
+  constexpr Eigen::Index ground = 100000;
+  constexpr Eigen::Index strays = 150;
+  Random random(5);
+  Eigen::Matrix3Xf points(3, ground + strays);
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    const double x = random.uniform(-5, 5);
+    const double y = random.uniform(-5, 5);
+    const double height = i < ground ? 0.2 * x + 0.1 * std::sin(y) + 0.005 * random.normal()
+                                     : random.uniform(-4, -1.2);
+    points.col(i) = Eigen::Vector3d(x, y, height).cast<float>();
+  }
+  const GroundOptions options{.cell = 0.3, .tolerance = 0.06};
+  const std::vector<float> heights = heightsAbove(groundBelow(points, options), points);
+  const auto found = std::count_if(heights.begin(), heights.begin() + ground,
+                                   [](float height) { return std::abs(height) <= 0.06F; });
+  EXPECT_GT(static_cast<double>(found) / static_cast<double>(ground), 0.99);
 }
 
 TEST(Ground, IsTheSameMovedAndInAnotherUnit) {

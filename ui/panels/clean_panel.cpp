@@ -111,8 +111,8 @@ void CleanPanel::addResult(QVBoxLayout& column, const Actions& actions) {
   column.addSpacing(8);
   column.addWidget(aside_);
   QHBoxLayout* back = makeRow(column);
-  back->addWidget(sharingButton(*actions.showAside, tr("Show")));
-  back->addWidget(sharingButton(*actions.bringBack, tr("Bring Back")));
+  back->addWidget(sharingButton(*actions.showAside, tr("Show")), 1);
+  back->addWidget(sharingButton(*actions.bringBack, {}), 2); // with the longer text
 }
 
 void CleanPanel::setScale(const PlantScale& scale, const QString& unit) {

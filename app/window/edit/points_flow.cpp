@@ -135,10 +135,12 @@ void PointsFlow::addEdits() {
                .text = tr("Keep Only These Points"),
                .help = tr("Sets all points aside but the selected ones")},
               [this] { keepOnly(); });
-  actions.add({.id = "bring_points_back",
-               .text = tr("Bring Points Back"),
-               .help = tr("Those selected of the points set aside, or if none is, all of them")},
-              [this] { bringBack(); });
+  actions.add(
+      {.id = "bring_points_back",
+       .text = tr("Bring All Back"),
+       .help = tr("All points that are set aside; while they are shown, only those that are "
+                  "selected, if some are")},
+      [this] { bringBack(); });
 }
 
 void PointsFlow::addShown() {
@@ -147,7 +149,10 @@ void PointsFlow::addShown() {
                .text = tr("Show What Was Set Aside"),
                .help = tr("Draws the points that are set aside, so that they can be selected"),
                .isCheckable = true},
-              [this] { parts_.states.showAside(parts_.actions["show_set_aside"]->isChecked()); });
+              [this] {
+                parts_.states.showAside(parts_.actions["show_set_aside"]->isChecked());
+                refreshEnabled();
+              });
   actions.add({.id = "isolate_points",
                .text = tr("Isolate Points"),
                .help = tr("Hides all points but the selected ones, until all are shown again")},
@@ -180,10 +185,17 @@ void PointsFlow::keepOnly() {
   parts_.document.pointSelection().clear();
 }
 
+bool PointsFlow::bringsSomeBack() const {
+  return parts_.actions["show_set_aside"]->isChecked() &&
+         !parts_.document.pointSelection().isEmpty();
+}
+
 void PointsFlow::bringBack() {
   const PointSet aside = parts_.document.leftOut();
-  const PointSet some = aside & parts_.document.pointSelection().points();
-  const PointSet back = some.isEmpty() ? aside : some;
+  const PointSet back =
+      bringsSomeBack() ? aside & parts_.document.pointSelection().points() : aside;
+  if (back.isEmpty())
+    throw Error(tr("no selected point is set aside: select some of those, or none").toStdString());
   parts_.document.leaveOut(tr("Bring %1 back").arg(pointsText(back.size())), aside - back);
 }
 
@@ -222,8 +234,11 @@ void PointsFlow::refreshEnabled() {
   const QKeySequence shiftDel(Qt::SHIFT | Qt::Key_Delete);
   parts_.actions["set_points_aside"]->setShortcut(isTool ? del : QKeySequence());
   parts_.actions["keep_points"]->setShortcut(isTool ? shiftDel : QKeySequence());
+  QAction& showAside = *parts_.actions["show_set_aside"];
   enable("bring_points_back", !document.leftOut().isEmpty() && isIdle && !document.isReadOnly());
-  enable("show_set_aside", hasScan);
+  parts_.actions["bring_points_back"]->setText(bringsSomeBack() ? tr("Bring These Back")
+                                                                : tr("Bring All Back"));
+  showAside.setEnabled(hasScan && (!document.leftOut().isEmpty() || showAside.isChecked()));
   enable("isolate_points", hasChosen);
   enable("deselect_points", hasChosen);
   enable("invert_points", hasScan);

@@ -50,6 +50,7 @@ private:
   void addShown();
   void keepOnly();
   void bringBack();
+  [[nodiscard]] bool bringsSomeBack() const; // those that are selected, not all
   void isolate();
   void nextShape();
   void changeBrush(double factor);

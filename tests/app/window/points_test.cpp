@@ -189,7 +189,12 @@ TEST_F(PointsTest, PointsSetAsideAreNotSeenUnlessTheyAreShown) {
   waitForStates();
   const PointSet shown = PointSet::of(view().pointsInside(QPolygonF(box), Depth::through));
   EXPECT_FALSE(shown.isEmpty());
+  EXPECT_EQ(action("bring_points_back").text(), "Bring All Back");
+  document().pointSelection().set(PointSet::firstOf(cloud().size()) - branch());
+  action("bring_points_back").trigger();
+  EXPECT_EQ(document().leftOut(), branch()) << "none of those selected is set aside";
   document().pointSelection().set(shown);
+  EXPECT_EQ(action("bring_points_back").text(), "Bring These Back");
   action("bring_points_back").trigger();
   EXPECT_EQ(document().leftOut(), branch() - shown) << "those selected";
   action("show_set_aside").trigger();

@@ -12,7 +12,7 @@ namespace espalier {
 [[nodiscard]] UpAxis upIn(const nlohmann::ordered_json& json);
 
 /// Adds to `json`, which says what axis is `up`, what the plant of a scan probably is:
-/// kind.{likely, probability, preset}, and the shares of its points:
+/// kind.{likely, preset}, and the shares of its points:
 /// kind.{wood,petioles,blades,needles}. Nothing of too few points.
 void addKind(const PointCloud& cloud, const Progress& progress, nlohmann::ordered_json& json);
 

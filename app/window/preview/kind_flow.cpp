@@ -75,12 +75,11 @@ void KindFlow::refresh() {
   parts_.actions["take_kind"]->setEnabled(isShown);
   if (!isShown) return line_->show({}, {});
   const auto& shares = kind_->shares;
-  constexpr double sure = 0.8; // of simulated plants nearly all are right from there on
-  const QString likely =
-      kind_->likely.probability >= sure ? tr("Looks like: %1 (%2 %)") : tr("Perhaps: %1 (%2 %)");
-  line_->show(likely.arg(labelOf(*kind_), percentOf(kind_->likely.probability)),
-              tr("Of its points, %1 % are of wood, %2 % of petioles, %3 % of blades and %4 % of "
-                 "needles, as far as their shapes show")
+  line_->show(tr("Perhaps: %1").arg(labelOf(*kind_)),
+              tr("A guess that is good for simulated plants and often wrong for real ones: other "
+                 "settings are under Skeleton > Settings of the Steps.\n\nOf its points, %1 % are "
+                 "of wood, %2 % of petioles, %3 % of blades and %4 % of needles, as far as their "
+                 "shapes show")
                   .arg(percentOf(shares[0]), percentOf(shares[1]), percentOf(shares[2]),
                        percentOf(shares[3])));
 }

@@ -45,7 +45,7 @@ TEST_F(KindTest, IsSaidBeforeTheFirstReconstructionAndTakesNothingByItself) {
   EXPECT_FALSE(action("take_kind").isEnabled());
   open({writeLeafyHerb("herb.xyz")});
   ASSERT_TRUE(waitUntilSaid());
-  EXPECT_TRUE(find<QLabel>("kind_text").text().contains(": Herb ("));
+  EXPECT_TRUE(find<QLabel>("kind_text").text().endsWith(": Herb"));
   EXPECT_TRUE(find<QLabel>("kind_text").toolTip().contains("% of blades"));
   EXPECT_TRUE(options().settings.empty()) << "nothing is chosen by itself";
   action("reconstruct").trigger();
@@ -59,7 +59,7 @@ TEST_F(KindTest, IsSaidBeforeTheFirstReconstructionAndTakesNothingByItself) {
 TEST_F(KindTest, ItsSettingsAreTakenByOneClick) {
   open({writeMaize("maize.xyz")});
   ASSERT_TRUE(waitUntilSaid());
-  EXPECT_TRUE(find<QLabel>("kind_text").text().contains(": Grass ("));
+  EXPECT_TRUE(find<QLabel>("kind_text").text().endsWith(": Grass"));
   const PipelineOptions& wanted = presetFor(PlantKind::grass).options;
   ASSERT_NE(options().settings, wanted.settings);
   clickButton("kind_take");

@@ -38,7 +38,7 @@ void addMeasures(const WoodMeasures& measures, double spacing, Json& json) {
   json["thickness_told"] = measures.told;
   json["arc_degrees"] = orNull(inDegrees(measures.arc));
   json["gaps"] = measures.gaps.size();
-  json["widest_gap"] = measures.gaps.empty() ? Json() : Json(measures.gaps.back());
+  json["largest_gap"] = measures.gaps.empty() ? Json() : Json(measures.gaps.back());
   json["foliage"] = orNull(measures.foliage);
 }
 

@@ -32,6 +32,8 @@ const std::map<std::pair<std::string, std::string>, std::string> exceptions = {
      "a function beside it and the fit of the odds call it"},
     {{"core/decide/end_odds.h", "featuresOf"},
      "a function beside it and the fit of the odds call it"},
+    {{"core/decide/gap_odds.h", "featuresOf"},
+     "a function beside it and the fit of the odds call it"},
     {{"core/radius/radius_evidence.h", "featuresOf"},
      "a function beside it and the fit of the errors call it"},
     {{"core/evaluate/traits/strahler.h", "strahlerNumbers"}, "a step of another, tested by itself"},

@@ -9,8 +9,8 @@
 namespace espalier {
 
 /// Keys: spacing.{low,median,high}, scatter, scatter_in_spacings, thickness.{low,median,high},
-/// thickness_in_spacings.{low,median,high}, thickness_told, arc_degrees, gaps, largest_gap, foliage;
-/// slabs[].{from,to,points} with the same. Null is what the points do not show.
+/// thickness_in_spacings.{low,median,high}, thickness_told, arc_degrees, gaps, largest_gap,
+/// foliage; slabs[].{from,to,points} with the same. Null is what the points do not show.
 [[nodiscard]] nlohmann::ordered_json measuresJson(const ScanMeasures& measures);
 
 /// The same as a table with a row of the whole scan and one per slab, the lowest last, as it

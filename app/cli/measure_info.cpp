@@ -35,7 +35,7 @@ void addMeasures(const WoodMeasures& measures, double spacing, Json& json) {
   json["scatter_in_spacings"] = measures.scatter ? Json(*measures.scatter / spacing) : Json();
   json["thickness"] = spreadJson(measures.thickness, 1);
   json["thickness_in_spacings"] = spreadJson(measures.thickness, spacing);
-  json["thickness_told"] = measures.told;
+  json["thickness_measured"] = measures.measured;
   json["arc_degrees"] = orNull(inDegrees(measures.arc));
   json["gaps"] = measures.gaps.size();
   json["largest_gap"] = measures.gaps.empty() ? Json() : Json(measures.gaps.back());

@@ -9,7 +9,7 @@
 namespace espalier {
 
 /// Keys: spacing.{low,median,high}, scatter, scatter_in_spacings, thickness.{low,median,high},
-/// thickness_in_spacings.{low,median,high}, thickness_told, arc_degrees, gaps, largest_gap,
+/// thickness_in_spacings.{low,median,high}, thickness_measured, arc_degrees, gaps, largest_gap,
 /// foliage; slabs[].{from,to,points} with the same. Null is what the points do not show.
 [[nodiscard]] nlohmann::ordered_json measuresJson(const ScanMeasures& measures);
 

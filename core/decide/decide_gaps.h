@@ -14,11 +14,11 @@ struct GapAlternative {
   double probability = 0;                         // that the wood grew so
 };
 
-/// By which of several links some wood beyond a gap hangs on the rest of the plant.
+/// By which of several links some wood beyond a gap is attached to the rest of the plant.
 struct GapDecision {
   std::vector<GapAlternative> alternatives; // the most probable first; at most 4 and the chosen one
   std::size_t chosen = 0;                   // the most probable, unless another link forbids that
-  std::size_t nodes = 0;                    // that hang on it directly: of the fragment
+  std::size_t nodes = 0;                    // of the fragment that it attaches
 };
 
 struct DecidedGaps {

@@ -84,7 +84,7 @@ std::vector<ScanGap> scanGaps(const Eigen::Matrix3Xf& points, double spacing,
     const std::uint32_t a = sets.setOf(link.a);
     const std::uint32_t b = sets.setOf(link.b);
     if (a == b) continue;
-    const double width = static_cast<double>(link.length);
+    const auto width = static_cast<double>(link.length);
     if (width > narrowest * spacing && std::min(sets.size(a), sets.size(b)) >= least)
       gaps.push_back({(means.col(link.a) + means.col(link.b)) / 2, width});
     sets.join(a, b);

@@ -23,7 +23,7 @@ constexpr Eigen::Index mostClassified = 40'000; // or a fourth of all, if that i
 constexpr Eigen::Index mostNearest = 8000;      // whose nearest others are looked for
 constexpr Eigen::Index mostLookedAt = 800;
 constexpr std::size_t slabCount = 5;
-constexpr double leastTold = 0.2; // of the places: fewer lie along lines by chance
+constexpr double leastMeasured = 0.2; // of the places: fewer lie along lines by chance
 
 /// What is known of one of the points that stand for all.
 struct LookedAt {
@@ -73,8 +73,8 @@ WoodMeasures measuresOf(const std::vector<LookedAt>& places, const std::vector<S
   measures.scatter = quantile(scatters, 0.5);
   measures.arc = quantile(arcs, 0.5);
   if (looked > 0)
-    measures.told = static_cast<double>(thicknesses.size()) / static_cast<double>(looked);
-  if (measures.told >= leastTold) measures.thickness = spreadOf(thicknesses);
+    measures.measured = static_cast<double>(thicknesses.size()) / static_cast<double>(looked);
+  if (measures.measured >= leastMeasured) measures.thickness = spreadOf(thicknesses);
   if (seen > 0) measures.foliage = static_cast<double>(leaves) / static_cast<double>(seen);
   for (const ScanGap& gap : gaps)
     if (gap.middle.z() >= from && gap.middle.z() <= to) measures.gaps.push_back(gap.width);

@@ -22,11 +22,11 @@ struct WoodMeasures {
   Eigen::Index points = 0;       // that count
   std::optional<Spread> spacing; // from points to the nearest other [L], > 0; none: no two places
   std::optional<double> scatter; // normal to the surface of the wood, median [L], >= 0
-  /// Of the wood about points, noise included [L], > 0; none if it is told of too few.
+  /// Of the wood about points, noise included [L], > 0; none if too few show it.
   std::optional<Spread> thickness;
-  /// Share of the places looked at where a thickness is told, in [0, 1]. At the others the wood is
+  /// Share of the places looked at that show a thickness, in [0, 1]. At the others the wood is
   /// over some 16 spacings thick, or branches, or stands too close to other wood.
-  double told = 0;
+  double measured = 0;
   std::optional<double> arc;     // how far around thick wood has points, median [rad], (0, 2 pi]
   std::vector<double> gaps;      // widths of gaps, ascending [L]
   std::optional<double> foliage; // share of points of blades and needles, in [0, 1]

@@ -44,8 +44,8 @@ struct GapLink {
   GapEvidence evidence;
 };
 
-/// The fragments of a skeleton between its long edges, and the links by which they may hang on each
-/// other.
+/// The fragments of a skeleton between its long edges, and the links by which they may be attached
+/// to each other.
 struct Gaps {
   std::vector<NodeId> entries;    // of each fragment: its lowest node, as it is entered now
   std::vector<std::size_t> nodes; // in each
@@ -57,7 +57,7 @@ struct Gaps {
 [[nodiscard]] Gaps gapsIn(const Skeleton& skeleton, const GapOptions& options,
                           const Progress& progress = {});
 
-/// A skeleton whose fragments hang on each other by other links.
+/// A skeleton whose fragments are attached to each other by other links.
 struct LinkedFragments {
   Skeleton skeleton;
   std::vector<int> chosen; // by fragment: its link, a place in Gaps::links; -1: as it was

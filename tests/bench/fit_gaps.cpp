@@ -4,7 +4,7 @@
 //   espalier_fit_gaps [--plants N] [--others M]
 //
 // N plants, 120 if it is not said, are fitted on, the next M, 60, are judged by. A link is right if
-// in the truth the wood that it bears hangs on the place it comes from, with hardly any other
+// in the truth the wood that it bears is attached to the place it comes from, with hardly any other
 // scanned wood between; fragments that no link bears so are passed over. Each plant weighs as the
 // root of its fragments.
 #include "core/decide/gap_odds.h"

@@ -4,7 +4,7 @@
 //
 // First plants of any kind (simulated_scans.h): noise along beams and measured scatter, in point
 // spacings; diameters of the wood about its points, true and measured, at a tenth, half and nine
-// tenths of them; the share that is not told; the arc in degrees; gaps. Then plants in leaf
+// tenths of them; the share that shows none; the arc in degrees; gaps. Then plants in leaf
 // (organ_scans.h): the true share of foliage, that among all points, and that measured. Seconds
 // are of the measures, and in the last rows of finding organs among all points.
 #include "core/base/quantile.h"
@@ -46,7 +46,7 @@ void printWood(std::uint64_t number) {
               plant.name.c_str(), plant.cloud->size(), plant.pointsPerSegment,
               plant.noise / spacing, found.whole.scatter.value_or(0) / spacing, truth(0.1),
               truth(0.5), truth(0.9), thickness.low / spacing, thickness.median / spacing,
-              thickness.high / spacing, 1 - found.whole.told,
+              thickness.high / spacing, 1 - found.whole.measured,
               found.whole.arc.value_or(0) * 180 / std::numbers::pi, found.whole.gaps.size(),
               found.whole.foliage.value_or(0), seconds);
   std::fflush(stdout);

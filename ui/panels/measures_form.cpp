@@ -78,10 +78,10 @@ std::vector<MeasureText> measureTexts(const ScanMeasures& measures, LengthUnit u
     add(MeasuresForm::tr("Wood is thick"), textOf(*whole.thickness, unit),
         MeasuresForm::tr("How thick the wood around points is, noise included: at half of them "
                          "less than the first number; at a tenth less than the second, and at a "
-                         "tenth more than the third. It can be told at %1 of the points: "
+                         "tenth more than the third. It was measured at %1 of the points: "
                          "elsewhere the wood branches, is close to other wood, or is more than "
                          "some 16 point spacings thick.")
-            .arg(percent(whole.told)));
+            .arg(percent(whole.measured)));
   if (whole.arc)
     add(MeasuresForm::tr("Seen around"),
         QStringLiteral("%1°").arg(std::lround(*whole.arc * 180 / std::numbers::pi)),

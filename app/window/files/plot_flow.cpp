@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace espalier {
 namespace {
@@ -35,7 +36,7 @@ double heightOf(const CutPlant& plant, const PointCloud& cloud, UpAxis up) {
 
 } // namespace
 
-PlotFlow::PlotFlow(const Parts& parts) : parts_(parts) {
+PlotFlow::PlotFlow(Parts parts) : parts_(std::move(parts)) {
   makePanel();
   PlantDocument& document = parts_.document;
   connect(&document, &PlantDocument::scanChanged, this, &PlotFlow::forget);

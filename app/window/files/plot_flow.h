@@ -29,12 +29,10 @@ public:
     PanelDock::Parts window;
     std::function<PipelineOptions()> options; // as the form has them
   };
-  explicit PlotFlow(const Parts& parts);
+  explicit PlotFlow(Parts parts);
 
   [[nodiscard]] bool isBusy() const override { return job_.isBusy(); }
   void stop() override;
-  /// @throws Error if there are no plants to write
-  void write(const QString& folder);
 
 private:
   void makePanel();
@@ -43,6 +41,8 @@ private:
   void showPlants();
   void select(std::size_t plant);
   void chooseFolder();
+  /// @throws Error if there are no plants to write
+  void write(const QString& folder);
   void forget();
   [[nodiscard]] PipelineOptions howToCut() const;
 

@@ -66,21 +66,22 @@ struct LeafyStem {
   Eigen::Index points = 0;
 };
 
+/// Arguments of a stem of height 4 with leaves.
+std::vector<std::string> leafyStem(const std::string& prefix,
+                                   const std::vector<std::string>& leaves) {
+  std::vector<std::string> all = {
+      "simulate", "-o",       prefix, "--architecture", "herb", "--segments", "1", "--points",
+      "6000",     "--strays", "0",    "--height",       "4",    "--foliage",  "1"};
+  all.insert(all.end(), leaves.begin(), leaves.end());
+  return all;
+}
+
 TEST_F(Subcommands, SimulateShapesLeaves) {
   const auto simulated = [&](std::vector<std::string> flags) {
-    flags.insert(flags.begin(), {"simulate", "-o",
-                                 file("a"),  "--architecture",
-                                 "herb",     "--segments",
-                                 "1",        "--points",
-                                 "6000",     "--strays",
-                                 "0",        "--height",
-                                 "4",        "--foliage",
-                                 "1",        "--foliage-length",
-                                 "0.4",      "--foliage-width",
-                                 "0.04",     "--foliage-gap",
-                                 "0.2",      "--foliage-angle",
-                                 "90"});
-    const Outcome outcome = runProgram(flags);
+    for (const char* flag : {"--foliage-length", "0.4", "--foliage-width", "0.04", "--foliage-gap",
+                             "0.2", "--foliage-angle", "90"})
+      flags.emplace_back(flag);
+    const Outcome outcome = runProgram(leafyStem(file("a"), flags));
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     const PointCloud cloud = readPoints(file("a.ply")).value;
     LeafyStem stem{.lowest = cloud.bounds().min().z(), .points = cloud.size()};
@@ -101,20 +102,9 @@ TEST_F(Subcommands, SimulateShapesLeaves) {
 
 TEST_F(Subcommands, SimulateAddsLeaflets) {
   const auto sidewards = [&](const char* leaflets) { // points far from any straight petiole
-    const Outcome outcome = runProgram({"simulate", "-o",
-                                        file("a"),  "--architecture",
-                                        "herb",     "--segments",
-                                        "1",        "--points",
-                                        "6000",     "--strays",
-                                        "0",        "--height",
-                                        "4",        "--foliage",
-                                        "1",        "--foliage-length",
-                                        "0.2",      "--foliage-width",
-                                        "0.1",      "--foliage-gap",
-                                        "0.3",      "--foliage-reach",
-                                        "10",       "--petiole",
-                                        "2",        "--leaflets",
-                                        leaflets});
+    const Outcome outcome = runProgram(leafyStem(
+        file("a"), {"--foliage-length", "0.2", "--foliage-width", "0.1", "--foliage-gap", "0.3",
+                    "--foliage-reach", "10", "--petiole", "2", "--leaflets", leaflets}));
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     const PointCloud cloud = readPoints(file("a.ply")).value;
     const Skeleton truth = readStructure(file("a.mtg")).value.skeleton;

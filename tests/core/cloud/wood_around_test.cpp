@@ -59,13 +59,13 @@ TEST(WoodAround, IsAsThickAsTheCylinder) {
   }
 }
 
-/// At how many of 200 places a thickness is told.
+/// At how many of 200 places a thickness is measured.
 double toldOn(const Eigen::Matrix3Xf& points, const WoodLook& look) {
   const SpatialIndex index(points);
-  int told = 0;
+  int measured = 0;
   for (Eigen::Index i = 0; i < 200; ++i)
-    told += woodAround(points, index, i * points.cols() / 200, 1, look).thickness.has_value();
-  return told / 200.0;
+    measured += woodAround(points, index, i * points.cols() / 200, 1, look).thickness.has_value();
+  return measured / 200.0;
 }
 
 TEST(WoodAround, DoesNotSayHowThickWoodIsThatIsLargerThanItsBalls) {

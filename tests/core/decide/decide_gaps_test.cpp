@@ -27,8 +27,8 @@ std::vector<NodeId> growOn(Skeleton& plant, std::optional<NodeId> parent,
   return ids;
 }
 
-/// Two upright axes; the upper part of the first, beyond a gap, hangs on the second, which is
-/// nearer.
+/// Two upright axes; the upper part of the first, beyond a gap, is attached to the second,
+/// which is nearer.
 struct BesideTheGap {
   Skeleton plant;
   NodeId below;

@@ -60,7 +60,7 @@ TEST(ScanMeasures, SaysWhatTheWoodIsLike) {
   ASSERT_TRUE(measures.whole.scatter && measures.whole.thickness && measures.whole.arc);
   EXPECT_NEAR(*measures.whole.scatter, 0.2, 0.04);
   EXPECT_NEAR(measures.whole.thickness->median, 6, 0.4);
-  EXPECT_GT(measures.whole.told, 0.9);
+  EXPECT_GT(measures.whole.measured, 0.9);
   EXPECT_NEAR(*measures.whole.arc, 2 * std::numbers::pi, 1e-9);
   EXPECT_TRUE(measures.whole.gaps.empty());
 }
@@ -68,7 +68,7 @@ TEST(ScanMeasures, SaysWhatTheWoodIsLike) {
 TEST(ScanMeasures, DoesNotSayHowThickATrunkIs) {
   const ScanMeasures measures = measuresOf({.radius = 12});
   EXPECT_FALSE(measures.whole.thickness);
-  EXPECT_LT(measures.whole.told, 0.2);
+  EXPECT_LT(measures.whole.measured, 0.2);
   ASSERT_TRUE(measures.whole.scatter);
   EXPECT_NEAR(*measures.whole.scatter, 0.2, 0.04);
 }

@@ -18,7 +18,7 @@ ScanMeasures someMeasures() {
                     .spacing = Spread{0.002, 0.004, 0.008},
                     .scatter = 0.0021,
                     .thickness = Spread{0.005, 0.013, 0.062},
-                    .told = 0.84,
+                    .measured = 0.84,
                     .arc = 1.5 * std::numbers::pi,
                     .gaps = {0.04, 0.048},
                     .foliage = 0.031};

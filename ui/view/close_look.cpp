@@ -1,7 +1,7 @@
 #include "ui/view/close_look.h"
 
+#include "core/cloud/sight_grid.h"
 #include "ui/view/scene.h"
-#include "ui/view/visibility.h"
 
 #include <algorithm>
 #include <array>
@@ -12,11 +12,12 @@
 namespace espalier {
 namespace {
 
-constexpr int yaws = 12;
-constexpr std::array pitches = {0.25, 0.9, -0.4}; // [rad], beside that of now
-constexpr double steepest = 1.2;                  // [rad]: from above the plant is not recognized
-constexpr double edge = 12;                       // [logical pixels] of the screen are too far out
-constexpr std::size_t mostMeant = 200;            // nodes or places; of more some are looked at
+constexpr int yaws = 16;
+constexpr std::array pitches = {0.25, 0.6, 0.9, -0.1, -0.4}; // [rad], beside that of now
+constexpr double steepest = 1.2;        // [rad]: from above the plant is not recognized
+constexpr std::size_t mostMeant = 200;  // nodes or places; of more some are looked at
+constexpr std::size_t mostTargets = 40; // to which lines of sight go
+constexpr double cellsAcross = 48;      // from what is meant to the eye
 
 /// An even choice of at most `most`.
 template <class T> std::vector<T> some(const std::vector<T>& all, std::size_t most) {
@@ -36,8 +37,9 @@ Eigen::Vector3d parentEnd(const SkeletonGlyphs& glyphs, std::size_t slot) {
 class CloseLook {
 public:
   CloseLook(const Scene& scene, const Camera& now, const Sight& sight, const QSizeF& size)
-      : scene_(scene), now_(now), size_(std::max(1.0, size.width()), std::max(1.0, size.height())),
-        margin_(sight.margin), isOfOther_(sight.isOfOther), places_(some(sight.places, mostMeant)) {
+      : scene_(scene), now_(now),
+        aspect_(std::max(1.0, size.width()) / std::max(1.0, size.height())), margin_(sight.margin),
+        isOfOther_(sight.isOfOther), places_(some(sight.places, mostMeant)) {
     for (const NodeId id : some(sight.nodes, mostMeant))
       meant_.push_back(indexOf(id));
     outline_ = places_;
@@ -45,52 +47,110 @@ public:
       outline_.push_back(scene.skeleton.position(slot));
       outline_.push_back(parentEnd(scene.skeleton, slot));
     }
-    if (!isOfOther_) findAround();
+    for (const Eigen::Vector3d& place : outline_)
+      box_.extend(place);
+    if (isOfOther_) return; // nothing stands before it
+    addMeant();
+    addAround();
+    fillGrid();
   }
 
   [[nodiscard]] Camera best() const {
-    std::vector<Candidate> candidates = directions();
-    std::ranges::stable_sort(candidates, std::greater<>(), &Candidate::worth);
-    Candidate best = candidates.front();
+    Camera best = now_;
     double most = -1;
-    for (const Candidate& candidate : candidates) {
-      const Seen seen = look(candidate.camera);
-      constexpr double nearlyAll = 0.9;
-      if (seen.ofMeant >= 1 && seen.ofAround >= nearlyAll) return candidate.camera;
-      const double worth = 4 * seen.ofMeant + seen.ofAround + candidate.worth;
-      if (worth <= most) continue;
+    for (const Camera& camera : directions()) {
+      const double kept = (1 + camera.forward().dot(now_.forward())) / 2;
+      const double worth = 4 * seen(targets_, camera) + 0.5 * seen(around_, camera) +
+                           0.6 * lengthSeen(camera) + 0.4 * kept;
+      if (worth <= most + 1e-9) continue;
       most = worth;
-      best = candidate;
+      best = camera;
     }
-    return best.camera;
+    return best;
   }
 
 private:
-  struct Candidate {
-    Camera camera;
-    double worth; // before anything is known of what is hidden, in [0, 1]
-  };
-  struct Seen { // shares
-    double ofMeant;
-    double ofAround;
+  struct Target {
+    Eigen::Vector3d place; // [L]
+    double reach;          // of its own surface toward the eye [L]
   };
 
-  /// The nodes in the ball that is shown.
-  void findAround() {
-    Eigen::AlignedBox3d box;
-    for (const Eigen::Vector3d& place : outline_)
-      box.extend(place);
-    const double reach = box.diagonal().norm() / 2 + margin_;
-    std::vector<std::size_t> near;
-    for (std::size_t slot = 0; slot < scene_.skeleton.nodes().size(); ++slot)
-      if (scene_.skeleton.nodes()[slot].shape != NodeShape::none &&
-          (scene_.skeleton.position(slot) - box.center()).norm() <= reach)
-        near.push_back(slot);
-    around_ = some(near, mostMeant);
+  void addMeant() {
+    const double noise = 3 * scene_.points.spacing;
+    const auto edges = static_cast<double>(std::max<std::size_t>(meant_.size(), 1));
+    const int steps = std::clamp(static_cast<int>(mostTargets / edges), 1, 8);
+    for (const std::size_t slot : some(meant_, mostTargets)) {
+      const Eigen::Vector3d from = parentEnd(scene_.skeleton, slot);
+      const Eigen::Vector3d to = scene_.skeleton.position(slot);
+      const double radius = scene_.skeleton.nodes()[slot].radius;
+      for (int step = 1; step <= steps; ++step)
+        targets_.push_back({from + (to - from) * step / steps, 1.5 * radius + noise});
+    }
+    for (const Eigen::Vector3d& place : some(places_, mostTargets))
+      targets_.push_back({place, noise});
   }
 
-  [[nodiscard]] std::vector<Candidate> directions() const {
-    std::vector<Candidate> candidates;
+  /// The nodes in the ball that is shown.
+  void addAround() {
+    const double reach = box_.diagonal().norm() / 2 + margin_;
+    std::vector<Target> near;
+    for (std::size_t slot = 0; slot < scene_.skeleton.nodes().size(); ++slot) {
+      const NodeGlyph& node = scene_.skeleton.nodes()[slot];
+      if (node.shape != NodeShape::none &&
+          (scene_.skeleton.position(slot) - box_.center()).norm() <= reach)
+        near.push_back({scene_.skeleton.position(slot),
+                        1.5 * double(node.radius) + 3 * scene_.points.spacing});
+    }
+    around_ = some(near, mostTargets);
+  }
+
+  /// What may stand between it and the eye.
+  void fillGrid() {
+    Camera camera = now_;
+    aim(camera);
+    const double far = camera.distance + box_.diagonal().norm() / 2;
+    Eigen::AlignedBox3d reached(box_.center() - Eigen::Vector3d::Constant(far),
+                                box_.center() + Eigen::Vector3d::Constant(far));
+    if (!scene_.bounds().isEmpty()) reached = reached.intersection(scene_.bounds());
+    if (reached.isEmpty()) return;
+    const double leastCell = 2 * scene_.points.spacing; // or a surface has holes
+    grid_.emplace(reached, std::max({far / cellsAcross, leastCell, 1e-12}));
+    if (scene_.points.visible) addPoints(reached);
+    if (scene_.skeletonVisible && scene_.showRadii) addFrusta();
+  }
+
+  void addPoints(const Eigen::AlignedBox3d& reached) {
+    const PointLayer& points = scene_.points;
+    const Eigen::Vector3d origin = scene_.origin();
+    const Eigen::AlignedBox3f here((reached.min() - origin).cast<float>(),
+                                   (reached.max() - origin).cast<float>());
+    const double width = std::max(points.spacing, grid_->cell() / 8); // no point is a mere dot
+    points.boxes.forEachRun([&](const Eigen::AlignedBox3f& box) { return box.intersects(here); },
+                            [&](Eigen::Index begin, Eigen::Index end) {
+                              for (Eigen::Index i = begin; i < end; ++i)
+                                if (scene_.isPointShown(i))
+                                  grid_->add(points.positions->col(i).cast<double>() + origin,
+                                             width);
+                            });
+  }
+
+  void addFrusta() {
+    for (std::size_t slot = 0; slot < scene_.skeleton.edges().size(); ++slot) {
+      const EdgeGlyph& edge = scene_.skeleton.edges()[slot];
+      if (edge.shape == EdgeShape::none || std::ranges::find(meant_, slot) != meant_.end())
+        continue;
+      const Eigen::Vector3d from = parentEnd(scene_.skeleton, slot);
+      const Eigen::Vector3d to = scene_.skeleton.position(slot);
+      const int steps = 1 + static_cast<int>(std::min((to - from).norm() / grid_->cell(), 500.0));
+      const double length = (to - from).norm() / steps;
+      const double thick = double(edge.parentRadius) + double(edge.childRadius);
+      for (int step = 0; step < steps; ++step)
+        grid_->add(from + (to - from) * (step + 0.5) / steps, std::sqrt(length * thick));
+    }
+  }
+
+  [[nodiscard]] std::vector<Camera> directions() const {
+    std::vector<Camera> candidates;
     std::vector<double> heights(pitches.begin(), pitches.end());
     heights.insert(heights.begin(), std::clamp(now_.pitch, -steepest, steepest));
     for (const double pitch : heights)
@@ -100,8 +160,7 @@ private:
         camera.yaw =
             std::remainder(now_.yaw + 2 * std::numbers::pi * turn / yaws, 2 * std::numbers::pi);
         aim(camera);
-        const double kept = (1 + camera.forward().dot(now_.forward())) / 2;
-        candidates.push_back({camera, 0.6 * lengthSeen(camera) + 0.4 * kept});
+        candidates.push_back(camera);
       }
     return candidates;
   }
@@ -113,7 +172,7 @@ private:
         places.emplace_back(place + offset * camera.right());
         places.emplace_back(place + offset * camera.up());
       }
-    camera.frame(places, size_.x() / size_.y());
+    camera.frame(places, aspect_);
   }
 
   /// Of the edges, as a share of their length.
@@ -129,38 +188,32 @@ private:
     return whole > 0 ? seen / whole : 1;
   }
 
-  [[nodiscard]] Seen look(const Camera& camera) const {
-    const ScreenMap screen(camera, size_);
-    const QRectF covering = isOfOther_ ? QRectF() : QRectF(0, 0, size_.x(), size_.y());
-    const Visibility visibility(scene_, screen, covering);
-    const auto isOn = [&](const std::optional<ScreenMap::Place>& at) {
-      return at && at->pixel.x() > edge && at->pixel.y() > edge &&
-             at->pixel.x() < size_.x() - edge && at->pixel.y() < size_.y() - edge;
-    };
-    const auto isNodeSeen = [&](std::size_t slot) {
-      const auto at = screen.project(scene_.skeleton.position(slot));
-      return isOn(at) && !visibility.hidesNode(slot, *at);
-    };
-    const auto isPlaceSeen = [&](const Eigen::Vector3d& place) {
-      const auto at = screen.project(place);
-      return isOn(at) && (isOfOther_ || !visibility.hidesPoint(*at));
-    };
-    const auto share = [](double part, double whole) { return whole > 0 ? part / whole : 1; };
-    const auto meant = double(std::ranges::count_if(meant_, isNodeSeen) +
-                              std::ranges::count_if(places_, isPlaceSeen));
-    return {share(meant, double(meant_.size() + places_.size())),
-            share(double(std::ranges::count_if(around_, isNodeSeen)), double(around_.size()))};
+  /// The mean share of them that nothing hides.
+  [[nodiscard]] double seen(const std::vector<Target>& targets, const Camera& camera) const {
+    if (!grid_ || targets.empty()) return 1;
+    const double far = 1e3 * (grid_->cell() * cellsAcross); // parallel: from beyond the plant
+    double sum = 0;
+    for (const Target& target : targets) {
+      const bool isParallel = camera.projection == Projection::parallel;
+      const Eigen::Vector3d eye =
+          isParallel ? (target.place - far * camera.forward()).eval() : camera.eye();
+      sum += grid_->seen(target.place, eye, target.reach + 1.5 * grid_->cell());
+    }
+    return sum / static_cast<double>(targets.size());
   }
 
   const Scene& scene_;
   const Camera& now_;
-  Eigen::Vector2d size_; // [logical pixels]
-  double margin_;        // [L]
+  double aspect_; // of the screen
+  double margin_; // [L]
   bool isOfOther_;
   std::vector<std::size_t> meant_;
   std::vector<Eigen::Vector3d> places_;  // [L]
   std::vector<Eigen::Vector3d> outline_; // of all that is meant [L]
-  std::vector<std::size_t> around_;
+  Eigen::AlignedBox3d box_;              // about that
+  std::vector<Target> targets_;          // on what is meant
+  std::vector<Target> around_;
+  std::optional<SightGrid> grid_; // none: nothing hides anything
 };
 
 } // namespace

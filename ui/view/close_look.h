@@ -20,18 +20,20 @@ struct Sight {
   bool isOfOther = false; // than the plant, in its place: nothing of the plant stands before it
 
   [[nodiscard]] bool isEmpty() const { return nodes.empty() && places.empty(); }
+  bool operator==(const Sight&) const = default;
 };
 
 /// From where a part of the plant is seen best: it fills the screen, nothing stands before it, and
 /// its edges are seen at their full length rather than end on.
 ///
-/// Some fifty directions are tried, from below to steeply above. Of those from which all that is
-/// meant is seen, and most nodes around it, the one is taken that shows the edges longest and turns
-/// the camera least; if there is none, the one from which most is seen.
+/// Some hundred directions are tried, from below to steeply above. The one is taken from which most
+/// of what is meant is seen, then most nodes around it; of those that are alike, the one that shows
+/// the edges longest and turns the camera least. What hides something is taken from a SightGrid:
+/// points as wide as they are apart, and wood that is drawn with its radius.
 /// @param now  keeps its projection
 /// @param size of the screen [logical pixels]
 /// pre: the sight is not empty, and the scene has its nodes
-/// Time O(points on the screen) for each direction tried; mostly few are.
+/// Deterministic. Time O(points between it and the eye), once.
 [[nodiscard]] Camera cameraToSee(const Scene& scene, const Camera& now, const Sight& sight,
                                  const QSizeF& size);
 

@@ -96,6 +96,7 @@ PlantView::~PlantView() {
 
 void PlantView::setCloud(std::shared_ptr<const PointCloud> cloud) {
   parts_->scene.setCloud(std::move(cloud));
+  parts_->shared->knownViews.forget();
   parts_->redraw();
 }
 
@@ -178,7 +179,17 @@ void PlantView::flyTo(const Camera& camera) {
 }
 
 Camera PlantView::cameraToSee(const Sight& sight) const {
-  return espalier::cameraToSee(parts_->scene, camera(), sight, size());
+  KnownViews& known = parts_->shared->knownViews;
+  KnownViews::Situation now{.place = {},
+                            .projection = camera().projection,
+                            .up = parts_->scene.up,
+                            .aspect = width() / std::max(1.0, double(height()))};
+  for (const NodeId id : sight.nodes)
+    now.place.extend(parts_->scene.skeleton.position(indexOf(id)));
+  if (const auto before = known.find(sight, now)) return *before;
+  const Camera chosen = espalier::cameraToSee(parts_->scene, camera(), sight, size());
+  known.keep(sight, now, chosen);
+  return chosen;
 }
 
 bool PlantView::isStill() const {

@@ -128,7 +128,8 @@ public:
   [[nodiscard]] const Camera& currentCamera() const; // where it is
   void setCamera(const Camera& camera);              // at once
   void flyTo(const Camera& camera);                  // as look()
-  /// From where a part of the plant is seen best. pre: the sight is not empty
+  /// From where a part of the plant is seen best; of one that was asked for before, and has not
+  /// been moved, the same as then. pre: the sight is not empty
   [[nodiscard]] Camera cameraToSee(const Sight& sight) const;
 
   /// Is the view at rest: nothing moves, and all points are drawn? (Never, before it is shown.)

@@ -4,6 +4,7 @@
 #include "ui/view/color_bar.h"
 #include "ui/view/detail_budget.h"
 #include "ui/view/divider.h"
+#include "ui/view/known_views.h"
 #include "ui/view/minimap.h"
 #include "ui/view/navigator.h"
 #include "ui/view/overlay_widget.h"
@@ -30,6 +31,7 @@ struct PlantView::Shared {
   std::optional<ShownEnvelope> envelope;
   std::optional<ShownAttachment> attachment;
   std::optional<Eigen::Vector3d> rootMark; // as PlantView::setRootMark
+  KnownViews knownViews;
   std::vector<Parts*> views;
 
   [[nodiscard]] SeenSides seenSides() const; // in any view

@@ -166,16 +166,20 @@ void ErrorWalk::step(int by) {
 }
 
 /// Selects what differs, in the plant or in the reference, and marks where the reference attaches
-/// it; shows both with what is around them.
+/// it; shows both with what is around them, from their best side.
 void ErrorWalk::goTo(const DifferingPart& part) {
   const bool isOfReference = part.kind == Difference::missed;
   Eigen::AlignedBox3d box(part.at);
-  const auto select = [&box](const Skeleton& skeleton, std::vector<NodeId> nodes) {
+  Sight sight{.nodes = {}, .places = {part.at}};
+  const auto select = [&](const Skeleton& skeleton, std::vector<NodeId> nodes) {
     std::erase_if(nodes, [&](NodeId id) { return !skeleton.contains(id); }); // edited since
     for (const NodeId id : nodes) {
-      box.extend(skeleton[id].position);
-      if (const auto parent = skeleton[id].parent) box.extend(skeleton[*parent].position);
+      sight.places.push_back(skeleton[id].position);
+      if (const auto parent = skeleton[id].parent)
+        sight.places.push_back(skeleton[*parent].position);
     }
+    for (const Eigen::Vector3d& place : sight.places)
+      box.extend(place);
     return nodes;
   };
   parts_.document.selection().set(
@@ -186,11 +190,9 @@ void ErrorWalk::goTo(const DifferingPart& part) {
   static_cast<void>( // seen, but not selected: the plant is what is edited
       select(reference, referencePath(evaluation_->differences, reference, part)));
   mark(part);
-  const double margin =
-      std::max(0.5 * box.diagonal().norm(), 2 * meanEdgeLength(evaluation_->reference));
-  box.min().array() -= margin;
-  box.max().array() += margin;
-  parts_.view.frame(box);
+  sight.nodes = parts_.document.selection().nodes();
+  sight.margin = std::max(0.5 * box.diagonal().norm(), 2 * meanEdgeLength(evaluation_->reference));
+  parts_.view.flyTo(parts_.view.cameraToSee(sight));
 }
 
 DifferingPart ErrorWalk::chosen() const {

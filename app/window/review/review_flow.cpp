@@ -219,19 +219,21 @@ void ReviewFlow::goTo(const std::vector<Stretch>& all, std::size_t index) {
   frame(at_);
 }
 
-/// Shows nodes with some of what is around them.
+/// Shows nodes with some of what is around them, from their best side.
 void ReviewFlow::frame(const std::vector<NodeId>& nodes) {
   const Skeleton& skeleton = parts_.document.skeleton();
+  Sight sight{.nodes = nodes};
   Eigen::AlignedBox3d box;
   for (const NodeId id : nodes) {
     box.extend(skeleton[id].position);
-    if (skeleton[id].parent) box.extend(skeleton[*skeleton[id].parent].position);
+    const std::optional<NodeId> parent = skeleton[id].parent;
+    if (parent) box.extend(skeleton[*parent].position);
+    if (parent && std::ranges::find(nodes, *parent) == nodes.end()) sight.nodes.push_back(*parent);
   }
-  const double margin = std::max(0.3 * box.diagonal().norm(), 0.2 * longestStretch(skeleton));
-  box.min().array() -= margin;
-  box.max().array() += margin;
-  parts_.view.frame(box);
-  const QString note = parts_.reveal(nodes, {}, parts_.view.camera());
+  sight.margin = std::max(0.3 * box.diagonal().norm(), 0.2 * longestStretch(skeleton));
+  const Camera camera = parts_.view.cameraToSee(sight);
+  const QString note = parts_.reveal(nodes, {}, camera);
+  parts_.view.flyTo(camera);
   if (!note.isEmpty()) emit noted(note);
 }
 

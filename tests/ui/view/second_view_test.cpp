@@ -53,6 +53,20 @@ protected:
 
 const Eigen::Vector3d onStick{0, 0, 1.5};
 
+TEST_F(SecondViewTest, ComesBackToAPlaceFromTheSameSide) {
+  const Sight sight{.nodes = {NodeId{2}, NodeId{3}}, .margin = 0.5};
+  const Camera chosen = first_->cameraToSee(sight);
+  first_->look(StandardView::left);
+  waitFor(*first_);
+  EXPECT_NE(first_->camera().yaw, chosen.yaw);
+  EXPECT_EQ(first_->cameraToSee(sight), chosen);
+  EXPECT_NE(first_->cameraToSee({.nodes = {NodeId{2}}, .margin = 0.5}), chosen) << "another place";
+  SkeletonEditor editor(plant_);
+  editor.setPosition(NodeId{3}, {0.5, 0, 3});
+  first_->updateSkeleton(plant_, editor.commit());
+  EXPECT_NE(first_->cameraToSee(sight), chosen) << "it was moved";
+}
+
 TEST_F(SecondViewTest, ShowsThePlantFromACameraOfItsOwn) {
   second_->look(StandardView::right);
   waitFor(*second_);

@@ -81,17 +81,33 @@ private:
   char sign_ = ',';
 };
 
-/// Whether a spreadsheet would compute a field instead of showing it.
-bool isFormula(std::string_view field) {
+/// Whether a field begins as a formula does, and is no number.
+bool beginsAsFormula(std::string_view field) {
   const bool begins = field.size() > 1 && std::string_view("=+-@").find(field[0]) < 4;
   return begins && !numberIn(field);
 }
 
-/// Whether a field is a formula behind apostrophes: then one more is written before it, and taken
-/// off when it is read, so that each text reads back as it was.
+/// Whether a field is numbers with blanks between them: a position.
+bool areNumbers(std::string_view field) {
+  while (!field.empty()) {
+    const std::size_t end = std::min(field.find(' '), field.size());
+    if (!numberIn(field.substr(0, end))) return false;
+    field.remove_prefix(std::min(end + 1, field.size()));
+  }
+  return true;
+}
+
+/// Whether a spreadsheet would compute a field instead of showing it.
+bool isFormula(std::string_view field) {
+  return beginsAsFormula(field) && !areNumbers(field);
+}
+
+/// Whether a field looks like a formula behind apostrophes: then one more is written before it, and
+/// taken off when it is read, so that each text reads back as it was. Earlier files have one before
+/// numbers, too.
 bool isQuotedFormula(std::string_view field) {
   const std::size_t first = field.find_first_not_of('\'');
-  return first != std::string_view::npos && first > 0 && isFormula(field.substr(first));
+  return first != std::string_view::npos && first > 0 && beginsAsFormula(field.substr(first));
 }
 
 /// Fields without the apostrophes that csvLine has put before formulas.

@@ -73,6 +73,18 @@ TEST(Csv, ReadsFormulasBackAsTheyWere) {
   EXPECT_EQ(table.rows[0].fields, fields);
 }
 
+TEST(Csv, GuardsNoNumbers) {
+  const std::vector<std::string> fields = {"-1.25", "-3e-4", "-1.25 0.5 -3e-4", "'-1 2 3"};
+  const std::string line = csvLine(fields);
+  EXPECT_EQ(line, "-1.25,-3e-4,-1.25 0.5 -3e-4,''-1 2 3\n");
+  EXPECT_EQ(importCsv("a,b,c,d\n" + line).rows.at(0).fields, fields);
+  EXPECT_EQ(csvLine({"-1 2+3", "-1 -x"}), "'-1 2+3,'-1 -x\n");
+}
+
+TEST(Csv, ReadsPositionsThatWereGuardedOnce) {
+  EXPECT_THAT(importCsv("root\n'-1.25 0.5 2\n").rows.at(0).fields, ElementsAre("-1.25 0.5 2"));
+}
+
 TEST(Csv, ReadsNamesThatAreFormulasBackAsTheyWere) {
   const CsvTable table = importCsv(csvLine({"=1+1", "'@a", "-b"}));
   EXPECT_THAT(table.names, ElementsAre("=1+1", "'@a", "-b"));

@@ -22,7 +22,10 @@ public:
   explicit StagedFiles(fs::path folder)
       : folder_(std::move(folder)), stage_(folder_ / ".espalier-plants") {
     std::error_code problem;
-    isNew_ = fs::create_directories(folder_, problem);
+    for (fs::path made = folder_; !made.empty() && !fs::exists(made, problem);
+         made = made.parent_path())
+      made_.push_back(made);
+    fs::create_directories(folder_, problem);
     if (problem || !fs::is_directory(folder_))
       throw Error(folder_.string() + ": is no folder and cannot be made one: choose another");
     fs::remove_all(stage_, problem); // of a run that was killed
@@ -32,7 +35,8 @@ public:
   ~StagedFiles() {
     std::error_code ignored;
     fs::remove_all(stage_, ignored);
-    if (isNew_) fs::remove(folder_, ignored); // where nothing came to be in it
+    for (const fs::path& made : made_)
+      fs::remove(made, ignored); // where nothing came to be in it
   }
   StagedFiles(const StagedFiles&) = delete;
   StagedFiles& operator=(const StagedFiles&) = delete;
@@ -62,7 +66,7 @@ public:
 
 private:
   fs::path folder_, stage_;
-  bool isNew_ = false;
+  std::vector<fs::path> made_; // folders that were missing, the innermost first
   std::vector<std::string> names_;
 };
 

@@ -1,6 +1,7 @@
 #include "app/window/files/plot_flow.h"
 
 #include "app/plot/plot_files.h"
+#include "app/window/files/folder_dialog.h"
 #include "app/window/files/load_files.h"
 #include "app/window/frame/action_set.h"
 #include "core/base/error.h"
@@ -9,7 +10,6 @@
 #include "ui/document/plant_document.h"
 #include "ui/panels/plot_panel.h"
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMainWindow>
 
@@ -140,11 +140,9 @@ void PlotFlow::select(std::size_t plant) {
 }
 
 void PlotFlow::chooseFolder() {
-  QFileDialog dialog(&parts_.window.window, tr("Write a project of each plant to a folder"));
-  dialog.setFileMode(QFileDialog::Directory);
-  dialog.setOption(QFileDialog::ShowDirsOnly);
-  dialog.setDirectory(QFileInfo(parts_.document.scanPath()).absolutePath());
-  if (dialog.exec() == QDialog::Accepted) write(dialog.selectedFiles().front());
+  FolderDialog dialog(&parts_.window.window, tr("Write a project of each plant to a folder"),
+                      QFileInfo(parts_.document.scanPath()).absolutePath());
+  if (dialog.exec() == QDialog::Accepted) write(dialog.folder());
 }
 
 void PlotFlow::write(const QString& folder) {

@@ -5,8 +5,10 @@
 #include "ui/panels/plot_panel.h"
 
 #include <QCheckBox>
+#include <QDialogButtonBox>
 #include <QFile>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QTableWidget>
 #include <QTest>
@@ -78,6 +80,19 @@ TEST_F(PlotTest, WritesAProjectOfEachPlantWithACheckMark) {
   open({folder + "/plot_2.espalier"});
   EXPECT_EQ(static_cast<std::size_t>(document().scan()->cloud()->size()),
             static_cast<std::size_t>(readPoints(*scan).value.size()));
+}
+
+TEST_F(PlotTest, MakesAFolderOfANameThatIsTyped) {
+  findPlants();
+  const auto type = [](QDialog& dialog) {
+    dialog.findChild<QLineEdit*>("fileNameEdit")->setText("new/trees");
+    auto* choose = dialog.findChild<QDialogButtonBox*>("buttonBox")->button(QDialogButtonBox::Open);
+    EXPECT_TRUE(choose->isEnabled());
+    choose->click();
+  };
+  answer(type, [this] { clickButton("plot_write"); });
+  waitUntilDone();
+  EXPECT_TRUE(filesIn(path("new/trees")).contains("plants.csv")) << words().toStdString();
 }
 
 TEST_F(PlotTest, ReplacesNoFile) {

@@ -100,6 +100,14 @@ Pick besidePointer(const PlantView& view, const QPointF& pointer) {
   return {};
 }
 
+/// Of a point alone, with what is around it.
+Sight sightOfPoint(const Eigen::Vector3d& place, const Scan& scan, bool isOfOther) {
+  return {.nodes = {},
+          .places = {place},
+          .margin = spacingsAround * scan.spacing(),
+          .isOfOther = isOfOther};
+}
+
 } // namespace
 
 Sight sightOf(const Skeleton& skeleton, const Pick& pick, const Scan* scan) {
@@ -110,12 +118,11 @@ Sight sightOf(const Skeleton& skeleton, const Pick& pick, const Scan* scan) {
     sight.nodes.push_back(pick.edge->child);
     if (const auto parent = skeleton[pick.edge->child].parent) sight.nodes.push_back(*parent);
   } else if (pick.point && pick.isOfOther && scan != nullptr) {
-    sight = {.nodes = {},
-             .places = {*pick.point},
-             .margin = spacingsAround * scan->spacing(),
-             .isOfOther = true};
+    sight = sightOfPoint(*pick.point, *scan, true);
+  } else if (pick.point && skeleton.isEmpty() && scan != nullptr) {
+    sight = sightOfPoint(pick.pointOfThing.value_or(*pick.point), *scan, false);
   } else if (pick.point && !skeleton.isEmpty()) {
-    sight.places.push_back(*pick.point);
+    sight.places.push_back(pick.pointOfThing.value_or(*pick.point));
     if (scan != nullptr) addMissing(sight, skeleton, *scan);
   }
   return sight;

@@ -19,7 +19,8 @@ struct Pick;
 
 /// What of the plant to show around the pointer or a selection: a node, edge or point with what is
 /// near it; of a point that no wood explains, the branch that is missing there, as far as points
-/// are connected; of a point of a preview that alone. Empty: the pointer is on nothing.
+/// are connected; of a point of a preview, or without a skeleton, that alone. Empty: the pointer is
+/// on nothing.
 /// @param scan null: none
 [[nodiscard]] Sight sightOf(const Skeleton& skeleton, const Pick& pick, const Scan* scan);
 [[nodiscard]] Sight sightOf(const Skeleton& skeleton, const std::vector<NodeId>& nodes);

@@ -126,5 +126,15 @@ TEST_F(CloseLookTest, ShowsAllOfABranchThatIsMissing) {
   EXPECT_EQ(sightOf(trunk, onTrunk, document().scan()).places.size(), 1U);
 }
 
+TEST_F(CloseLookTest, ShowsAPointOfAScanWithoutASkeleton) {
+  const double spacing = document().scan()->spacing();
+  const Pick pick{.point = Eigen::Vector3d(0, 0, 1), .pointOfThing = Eigen::Vector3d(0, 0.5, 1)};
+  const Sight sight = sightOf(Skeleton(), pick, document().scan());
+  ASSERT_EQ(sight.places.size(), 1U);
+  EXPECT_EQ(sight.places.front(), Eigen::Vector3d(0, 0.5, 1)) << "the thing, not a stray before it";
+  EXPECT_EQ(sight.margin, 45 * spacing);
+  EXPECT_TRUE(sightOf(Skeleton(), {}, document().scan()).isEmpty());
+}
+
 } // namespace
 } // namespace espalier

@@ -25,7 +25,7 @@ FolderDialog::FolderDialog(QWidget* parent, const QString& title, const QString&
 
 void FolderDialog::accept() {
   if (!folder().isEmpty() && !QFileInfo::exists(folder()))
-    QDialog::accept(); // that of files would refuse it
+    done(QDialog::Accepted); // accept() of files would refuse it
   else
     QFileDialog::accept();
 }

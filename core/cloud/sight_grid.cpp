@@ -40,7 +40,7 @@ double SightGrid::seen(const Eigen::Vector3d& from, const Eigen::Vector3d& eye,
   constexpr double dark = 0.01;
   for (double along = beyond; along < away && seen > dark; along += cell_) {
     const float* covered = at(from + along * step);
-    if (covered == nullptr) break; // a box has one way out
+    if (covered == nullptr) break; // nothing covers anything beyond the box
     seen *= 1 - std::min(1.0F, *covered);
   }
   return seen;

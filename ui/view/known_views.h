@@ -11,8 +11,8 @@
 
 namespace espalier {
 
-/// From where parts of a plant were looked at closely: who comes back to one finds it as before,
-/// from wherever he comes.
+/// From where parts of a plant were looked at closely: what one comes back to is seen as before,
+/// from wherever one comes.
 class KnownViews {
 public:
   /// What else the view of a sight depends on.

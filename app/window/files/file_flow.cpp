@@ -128,13 +128,13 @@ void FileFlow::open(const QStringList& paths, Asking asking) {
 }
 
 void FileFlow::openScans(const QStringList& scans, const QStringList& structures, Asking asking) {
-  const bool hasScan = parts_.document.scan() != nullptr && asking != Asking::always;
   const bool areTwo = scans.size() == 2;
+  const bool isAsked = parts_.document.scan() != nullptr && asking != Asking::always &&
+                       scans != QStringList(parts_.document.scanPath()); // which is read again
   Opening opening{
       .paths = scans + structures, .request = scanRequest(parts_.settings), .asking = asking};
-  if (scans.size() > 2 || scans.isEmpty() || (!areTwo && !hasScan)) return read(opening);
-  const QString first = areTwo ? scans.front() : parts_.document.scanPath();
-  const Second answer = askAbout(scans.back(), first, scans.front());
+  if (scans.size() > 2 || scans.isEmpty() || (!areTwo && !isAsked)) return read(opening);
+  const Second answer = areTwo ? askAboutTwo(scans.front(), scans.back()) : askAbout(scans.front());
   if (answer == Second::left) return;
   if (answer == Second::registered && !areTwo) return emit registrationAsked(scans.back());
   opening.paths = QStringList(scans.front()) + structures;

@@ -96,9 +96,9 @@ private:
   void read(const Opening& opening);
   /// What is to be done with a second scan; left: nothing, the user went back.
   enum class Second : std::uint8_t { opened, registered, left };
-  [[nodiscard]] Second askAbout(const QString& second, const QString& first,
-                                const QString& alone); // file_questions.cpp
-  void ask(Opening opening, const ScanLook& look);     // likewise
+  [[nodiscard]] Second askAbout(const QString& another) const; // file_questions.cpp
+  [[nodiscard]] Second askAboutTwo(const QString& first, const QString& second) const; // likewise
+  void ask(Opening opening, const ScanLook& look);                                     // likewise
   void setPart(const ScanPart& part);
   void closePlant();
 

@@ -14,22 +14,39 @@
 
 namespace espalier {
 
-FileFlow::Second FileFlow::askAbout(const QString& second, const QString& first,
-                                    const QString& alone) {
-  const QString name = QFileInfo(second).fileName();
-  const QString open = QFileInfo(first).fileName();
-  QMessageBox box(QMessageBox::NoIcon, tr("Two scans"),
-                  tr("<b>Is %1 another scan of the same plant?</b>").arg(name),
-                  QMessageBox::NoButton, &parts_.window);
+FileFlow::Second FileFlow::askAbout(const QString& another) const {
+  const QString name = QFileInfo(another).fileName();
+  const QString open = QFileInfo(parts_.document.scanPath()).fileName();
+  QMessageBox box(QMessageBox::NoIcon, tr("Another scan"),
+                  tr("<b>Open %1 in place of %2?</b>").arg(name, open), QMessageBox::NoButton,
+                  &parts_.window);
   box.setInformativeText(
-      tr("Then register it: it is laid on %1, and the two can be joined. Or open %2 alone, as a "
-         "plant of its own.")
-          .arg(open, QFileInfo(alone).fileName()));
+      tr("If both are scans of the same plant, register %1: it is laid on %2, and "
+         "the two can be joined.")
+          .arg(name, open));
+  const QPushButton* registers = box.addButton(tr("Register"), QMessageBox::ActionRole);
+  QPushButton* opens = box.addButton(tr("Open"), QMessageBox::AcceptRole);
+  box.setEscapeButton(box.addButton(tr("Cancel"), QMessageBox::RejectRole));
+  box.setDefaultButton(opens);
+  box.exec();
+  if (box.clickedButton() == registers) return Second::registered;
+  return box.clickedButton() == opens ? Second::opened : Second::left;
+}
+
+FileFlow::Second FileFlow::askAboutTwo(const QString& first, const QString& second) const {
+  const QString stays = QFileInfo(first).fileName();
+  QMessageBox box(
+      QMessageBox::NoIcon, tr("Two scans"),
+      tr("<b>Is %1 another scan of the same plant?</b>").arg(QFileInfo(second).fileName()),
+      QMessageBox::NoButton, &parts_.window);
+  box.setInformativeText(
+      tr("Then register it: it is laid on %1, and the two can be joined. Or open "
+         "%1 alone, as a plant of its own.")
+          .arg(stays));
   QPushButton* registers = box.addButton(tr("Register"), QMessageBox::AcceptRole);
-  QPushButton* opens = box.addButton(tr("Open Alone"), QMessageBox::AcceptRole);
-  QPushButton* leaves = box.addButton(tr("Cancel"), QMessageBox::RejectRole);
+  const QPushButton* opens = box.addButton(tr("Open Alone"), QMessageBox::AcceptRole);
+  box.setEscapeButton(box.addButton(tr("Cancel"), QMessageBox::RejectRole));
   box.setDefaultButton(registers);
-  box.setEscapeButton(leaves);
   box.exec();
   if (box.clickedButton() == registers) return Second::registered;
   return box.clickedButton() == opens ? Second::opened : Second::left;

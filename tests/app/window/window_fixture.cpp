@@ -88,10 +88,12 @@ QAction& WindowTest::action(const QString& id) {
 }
 
 void WindowTest::open(const QStringList& paths) {
-  QTimer alone; // where it is asked whether a scan is another one of the same plant
+  QTimer alone; // where it is asked about another scan, or whether two are of the same plant
   QObject::connect(&alone, &QTimer::timeout, [] {
     auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
-    if (dialog != nullptr && dialog->windowTitle() == "Two scans") press("Open Alone")(*dialog);
+    if (dialog == nullptr) return;
+    if (dialog->windowTitle() == "Another scan") press("Open")(*dialog);
+    if (dialog->windowTitle() == "Two scans") press("Open Alone")(*dialog);
   });
   alone.start(0);
   window_->open(paths);

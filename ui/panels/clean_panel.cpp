@@ -4,6 +4,7 @@
 #include "ui/panels/focus_keys.h"
 #include "ui/panels/label_role.h"
 #include "ui/panels/method_form.h"
+#include "ui/panels/option_field.h"
 #include "ui/panels/panel_button.h"
 #include "ui/panels/wide_enough.h"
 
@@ -32,19 +33,30 @@ QLabel* makeLine(const char* name, const char* role) {
   return label;
 }
 
+void addButtons(QVBoxLayout& column, const QString& title,
+                const std::vector<std::pair<QAction*, QString>>& actions) {
+  column.addSpacing(8);
+  column.addWidget(new QLabel(title));
+  QHBoxLayout* row = makeRow(column);
+  for (const auto& [action, text] : actions)
+    row->addWidget(sharingButton(*action, text));
+}
+
 } // namespace
 
 CleanPanel::CleanPanel(const Actions& actions, QWidget* parent)
     : QWidget(parent), methods_(cleaningMethods()), chosen_(new QComboBox), body_(new QWidget),
-      result_(makeLine("clean_result", "quiet")), cancel_(new QPushButton(tr("Cancel"))),
-      setAside_(new QPushButton(tr("Set Aside"))), aside_(makeLine("clean_aside", "quiet")) {
+      again_(new QPushButton(tr("Find Again"))), result_(makeLine("clean_result", "quiet")),
+      cancel_(new QPushButton(tr("Cancel"))), setAside_(new QPushButton(tr("Set Aside"))),
+      aside_(makeLine("clean_aside", "quiet")) {
   setObjectName("clean_panel");
   auto* page = new QWidget;
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(12, 12, 8, 12);
   column->setSpacing(8);
   addChoice(*column);
-  addResult(*column, actions);
+  addButtons(*column, tr("Select by hand"), actions.byHand);
+  addButtons(*column, tr("Find by clicks"), actions.byClick);
   column->addStretch(1);
   auto* area = new QScrollArea;
   area->setWidget(page);
@@ -55,7 +67,13 @@ CleanPanel::CleanPanel(const Actions& actions, QWidget* parent)
   area->setAccessibleName(tr("Cleaning"));
   auto* whole = new QVBoxLayout(this);
   whole->setContentsMargins(0, 0, 0, 0);
-  whole->addWidget(area);
+  whole->setSpacing(0);
+  whole->addWidget(area, 1);
+  auto* foot = new QVBoxLayout; // in the same place, however long the form is
+  foot->setContentsMargins(12, 8, 8, 12);
+  foot->setSpacing(8);
+  whole->addLayout(foot);
+  addResult(*foot, actions);
 }
 
 void CleanPanel::addChoice(QVBoxLayout& column) {
@@ -76,6 +94,7 @@ void CleanPanel::addChoice(QVBoxLayout& column) {
   }
   chosen_->setCurrentIndex(-1);
   connect(chosen_, &QComboBox::activated, this, [this] {
+    keepOptions();
     showMethod();
     emit changed();
   });
@@ -89,26 +108,25 @@ void CleanPanel::addResult(QVBoxLayout& column, const Actions& actions) {
   result_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   result_->setMinimumHeight(3 * result_->fontMetrics().lineSpacing()); // buttons keep their place
   column.addWidget(result_);
+  again_->setObjectName("clean_again");
+  again_->setToolTip(tr("Selects once more what the method finds among the points in use"));
+  again_->setEnabled(false);
+  connect(again_, &QPushButton::clicked, this, &CleanPanel::changed);
   setAside_->setObjectName("clean_set_aside");
   setAside_->setProperty("role", "primary");
   setAside_->setToolTip(tr("The selected points take part in nothing until they are brought back"));
   setAside_->setEnabled(false);
   connect(setAside_, &QPushButton::clicked, this, &CleanPanel::setAsideRequested);
-  column.addWidget(setAside_);
   cancel_->setObjectName("clean_cancel");
   cancel_->hide();
   connect(cancel_, &QPushButton::clicked, this, &CleanPanel::cancelRequested);
-  column.addWidget(cancel_);
+  QHBoxLayout* found = makeRow(column);
+  found->addWidget(again_);
+  found->addWidget(setAside_, 1);
+  found->addWidget(cancel_, 1);
   QHBoxLayout* other = makeRow(column);
   other->addWidget(sharingButton(*actions.keepOnly, tr("Keep Only")));
   other->addWidget(sharingButton(*actions.invert, tr("Invert")));
-  column.addSpacing(8);
-  auto* byClick = new QLabel(tr("Find by clicks"));
-  column.addWidget(byClick);
-  QHBoxLayout* clicks = makeRow(column);
-  for (const auto& [action, text] : actions.byClick)
-    clicks->addWidget(sharingButton(*action, text));
-  column.addSpacing(8);
   column.addWidget(aside_);
   QHBoxLayout* back = makeRow(column);
   back->addWidget(sharingButton(*actions.showAside, tr("Show")), 1);
@@ -128,17 +146,30 @@ std::optional<CleanPanel::Choice> CleanPanel::choice() const {
 }
 
 void CleanPanel::forgetChoice() {
+  options_.clear();
   chosen_->setCurrentIndex(-1);
   showMethod();
+}
+
+void CleanPanel::keepOptions() {
+  if (form_ == nullptr) return;
+  std::vector<std::optional<Rule>>& options = options_[&form_->method()];
+  options.clear();
+  for (const OptionField* field : form_->fields())
+    options.push_back(field->chosen());
 }
 
 void CleanPanel::showMethod() {
   delete form_;
   form_ = nullptr;
+  again_->setEnabled(chosen_->currentIndex() >= 0);
   if (chosen_->currentIndex() < 0) return;
   form_ = new MethodForm(*methods_[static_cast<std::size_t>(chosen_->currentData().toInt())].method,
                          body_);
   form_->setScale(scale_, unit_);
+  if (const auto kept = options_.find(&form_->method()); kept != options_.end())
+    for (std::size_t i = 0; i < kept->second.size(); ++i)
+      form_->fields()[i]->choose(kept->second[i]);
   connect(form_, &MethodForm::changed, this, &CleanPanel::changed);
   body_->layout()->addWidget(form_);
 }

@@ -5,6 +5,7 @@
 #include <QString>
 #include <QWidget>
 
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -20,13 +21,15 @@ namespace espalier {
 class MethodForm;
 
 /// Finds points that are not of the plant by one of the methods of cleaning, and offers to set them
-/// aside. What it finds is the selection of points, which the brush may mend before.
+/// aside. What it finds is the selection of points, which the brush may mend before. The options of
+/// each method stay as they were set until the choice is forgotten.
 class CleanPanel : public QWidget {
   Q_OBJECT
 
 public:
   /// What its buttons do beside that.
   struct Actions {
+    std::vector<std::pair<QAction*, QString>> byHand;  // select what is painted, by name
     std::vector<std::pair<QAction*, QString>> byClick; // find what is clicked, by name
     QAction* keepOnly;
     QAction* invert;
@@ -51,7 +54,7 @@ public:
   void showAside(const QString& text); // what is set aside by now
 
 signals:
-  void changed(); // what is to be found
+  void changed(); // what is to be found, or it is to be found again
   void setAsideRequested();
   void cancelRequested(); // of what is looked for
 
@@ -59,6 +62,7 @@ private:
   void addChoice(QVBoxLayout& column);
   void addResult(QVBoxLayout& column, const Actions& actions);
   void showMethod();
+  void keepOptions(); // of the form that is shown
 
   std::vector<CleaningMethod> methods_;
   PlantScale scale_{.spacing = 1, .height = 100};
@@ -66,6 +70,8 @@ private:
   QComboBox* chosen_;
   QWidget* body_;
   MethodForm* form_ = nullptr; // of the method chosen, if one is
+  std::map<const Method*, std::vector<std::optional<Rule>>> options_; // that were chosen before
+  QPushButton* again_;
   QLabel* result_;
   QPushButton* cancel_;
   QPushButton* setAside_;

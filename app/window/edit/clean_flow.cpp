@@ -109,7 +109,10 @@ CleanFlow::CleanFlow(const Parts& parts) : parts_(parts) {
 void CleanFlow::makePanel() {
   ActionSet& actions = parts_.window.actions;
   actions.beginSection(tr("Points"));
-  panel_ = new CleanPanel({.byClick = {{actions["points_pole"], tr("Pole")},
+  panel_ = new CleanPanel({.byHand = {{actions["points_brush"], tr("Brush")},
+                                      {actions["points_box"], tr("Box")},
+                                      {actions["points_lasso"], tr("Lasso")}},
+                           .byClick = {{actions["points_pole"], tr("Pole")},
                                        {actions["points_wire"], tr("Wire")},
                                        {actions["points_plant"], tr("Plant")}},
                            .keepOnly = actions["keep_points"],

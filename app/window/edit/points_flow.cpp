@@ -32,7 +32,12 @@ PointsFlow::PointsFlow(const Parts& parts)
     connect(&document, signal, this, &PointsFlow::refreshEnabled);
   connect(&document.pointSelection(), &PointSelection::changed, this, &PointsFlow::refreshEnabled);
   connect(&parts_.editing, &Editing::hintChanged, this, &PointsFlow::refreshEnabled);
-  connect(&document, &PlantDocument::scanChanged, this, &PointsFlow::changed);
+  connect(&document, &PlantDocument::scanChanged, this, [this] {
+    parts_.actions["show_set_aside"]->setChecked(false); // another scan, nothing of it is asked for
+    parts_.states.showAside(false);
+    refreshEnabled();
+    emit changed();
+  });
   refreshEnabled();
 }
 
@@ -45,6 +50,9 @@ void PointsFlow::addActions() {
                                   "show_plot",
                                   "",
                                   "tool_points",
+                                  "points_brush",
+                                  "points_box",
+                                  "points_lasso",
                                   "points_shape",
                                   "brush_larger",
                                   "brush_smaller",
@@ -68,9 +76,10 @@ void PointsFlow::addActions() {
 
 void PointsFlow::addChoices() {
   ActionSet& actions = parts_.actions;
+  addShapes();
   actions.add({.id = "points_shape",
-               .text = tr("Brush, Box or Lasso"),
-               .help = tr("The next shape that points are selected with"),
+               .text = tr("Next Shape to Select With"),
+               .help = tr("From the brush to boxes, to lassos, and back to the brush"),
                .keys = QKeySequence(Qt::SHIFT | Qt::Key_C)},
               [this] { nextShape(); });
   constexpr double step = 1.25;
@@ -99,6 +108,30 @@ void PointsFlow::addChoices() {
                .help = tr("No point is selected any more"),
                .keys = QKeySequence(Qt::CTRL | Qt::Key_D)},
               [this] { parts_.document.pointSelection().clear(); });
+}
+
+void PointsFlow::addShapes() {
+  using Shape = SelectPointsTool::Shape;
+  const auto add = [this](const Command& command, Shape shape) {
+    QAction* action = parts_.actions.add(command, [this, shape] {
+      parts_.editing.useTool(toolId);
+      tool_->setShape(shape);
+    });
+    action->setCheckable(true);
+    shapes_.emplace_back(action, shape);
+  };
+  add({.id = "points_brush",
+       .text = tr("Select with Brush"),
+       .help = tr("Paint points with a round brush: they are selected")},
+      Shape::brush);
+  add({.id = "points_box",
+       .text = tr("Select with Box"),
+       .help = tr("Draw a box: the points in it are selected")},
+      Shape::box);
+  add({.id = "points_lasso",
+       .text = tr("Select with Lasso"),
+       .help = tr("Draw a line about points: they are selected")},
+      Shape::lasso);
 }
 
 void PointsFlow::addThings() {
@@ -243,6 +276,10 @@ void PointsFlow::refreshEnabled() {
   enable("deselect_points", hasChosen);
   enable("invert_points", hasScan);
   enable("points_shape", hasScan && isIdle);
+  for (const auto& [action, shape] : shapes_) {
+    action->setEnabled(hasScan && isIdle);
+    action->setChecked(isTool && tool_->shape() == shape);
+  }
   for (const auto& [action, thing] : things_) {
     action->setEnabled(hasScan && isIdle);
     action->setChecked(isTool && tool_->thing() == thing);

@@ -2,6 +2,7 @@
 
 #include "app/window/frame/window_part.h"
 #include "ui/tools/point_question.h"
+#include "ui/tools/select_points_tool.h"
 
 #include <utility>
 #include <vector>
@@ -16,7 +17,6 @@ class Editing;
 class PlantDocument;
 class PointSet;
 class PointStates;
-class SelectPointsTool;
 
 /// What is done with points of the scan: they are selected, set aside and brought back, and shown
 /// alone. To set them aside is a step of the history; what is shown is none.
@@ -45,6 +45,7 @@ private:
   void fillContextMenu(QMenu& menu) const; // with what may be done to selected points, if any
   void addActions();
   void addChoices();
+  void addShapes();
   void addThings();
   void addEdits();
   void addShown();
@@ -59,7 +60,8 @@ private:
 
   Parts parts_;
   SelectPointsTool* tool_;
-  std::vector<std::pair<QAction*, PointQuestion::Thing>> things_; // to be clicked
+  std::vector<std::pair<QAction*, SelectPointsTool::Shape>> shapes_; // to be drawn
+  std::vector<std::pair<QAction*, PointQuestion::Thing>> things_;    // to be clicked
 };
 
 } // namespace espalier

@@ -97,6 +97,7 @@ void ViewOptions::showRemembered() {
   isRemembering_ = false;
   for (QAction* layer : layers_)
     layer->setChecked(
+        ownLayers_.contains(layer) ||
         settings_.value("view/" + layer->objectName(), layer->objectName() != "true_radii")
             .toBool());
   const auto choose = [this](const QActionGroup& group, const QString& key,
@@ -122,27 +123,31 @@ void ViewOptions::remember(const QString& key, const QVariant& value) {
 
 void ViewOptions::addLayers() {
   actions_.place("view/layers_title", [](QMenu& menu) { addTitle(menu, tr("Layers")); });
-  const auto add = [this](Layer layer, Command command) {
+  enum class Begins : std::uint8_t { asLeft, shown };
+  const auto add = [this](Layer layer, Command command, Begins begins = Begins::shown) {
     command.menu = "view/layers";
     command.isCheckable = true;
     const QString key = "view/" + command.id;
     QAction* action = actions_.add(command, {});
-    connect(action, &QAction::toggled, this, [this, layer, key](bool isShown) {
+    if (begins == Begins::shown) ownLayers_.append(action);
+    connect(action, &QAction::toggled, this, [this, layer, key, begins](bool isShown) {
       view_.setLayerVisible(layer, isShown);
-      remember(key, isShown);
+      if (begins == Begins::asLeft) remember(key, isShown);
     });
     action->setChecked(true);
-    action->setChecked(settings_.value(key, true).toBool());
+    if (begins == Begins::asLeft) action->setChecked(settings_.value(key, true).toBool());
     layers_.append(action);
   };
   add(Layer::points, {.id = "layer_points",
                       .text = tr("Points"),
                       .help = tr("Shows the scan"),
                       .keys = QKeySequence(Qt::CTRL | Qt::Key_1)});
-  add(Layer::contracted, {.id = "layer_contracted",
-                          .text = tr("Contracted Points"),
-                          .help = tr("Shows where contraction has moved the points"),
-                          .keys = QKeySequence(Qt::CTRL | Qt::Key_2)});
+  add(Layer::contracted,
+      {.id = "layer_contracted",
+       .text = tr("Contracted Points"),
+       .help = tr("Shows where contraction has moved the points"),
+       .keys = QKeySequence(Qt::CTRL | Qt::Key_2)},
+      Begins::asLeft);
   add(Layer::skeleton, {.id = "layer_skeleton",
                         .text = tr("Skeleton"),
                         .help = tr("Shows nodes and edges"),

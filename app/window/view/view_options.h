@@ -22,7 +22,7 @@ struct Command;
 class PlantView;
 
 /// How the plant is drawn: layers, colors, sizes, projection, and where it is seen from. Remembered
-/// in the settings.
+/// in the settings, but for layers without which a plant would be opened and not be seen.
 class ViewOptions : public WindowPart {
   Q_OBJECT
 
@@ -73,6 +73,7 @@ private:
   QActionGroup* sizes_;
   QActionGroup* projections_;
   QList<QAction*> layers_;
+  QList<QAction*> ownLayers_; // of these, those that each plant begins with
 };
 
 } // namespace espalier

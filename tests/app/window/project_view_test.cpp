@@ -111,7 +111,7 @@ TEST_F(ProjectWindowTest, KeepsTheViewAndOpensItWithoutAJump) {
   const Camera camera = view().camera();
   window().close();
   restart();
-  action("layer_points").setChecked(true);
+  EXPECT_TRUE(action("layer_points").isChecked()) << "what one plant hides is shown of the next";
   action("perspective").trigger();
   action("point_size_1").trigger();
   action("color_height").trigger();
@@ -124,8 +124,10 @@ TEST_F(ProjectWindowTest, KeepsTheViewAndOpensItWithoutAJump) {
   EXPECT_TRUE(action("parallel").isChecked());
   EXPECT_TRUE(action("point_size_4").isChecked());
   EXPECT_TRUE(action("color_uniform").isChecked());
+  action("layer_skeleton").setChecked(false);
   open({writeScan("other.xyz")});
-  EXPECT_TRUE(action("layer_points").isChecked()) << "another plant is shown as plants were";
+  EXPECT_TRUE(action("layer_points").isChecked());
+  EXPECT_TRUE(action("layer_skeleton").isChecked());
   EXPECT_TRUE(action("point_size_1").isChecked());
   EXPECT_EQ(view().camera().projection, Projection::perspective);
 }

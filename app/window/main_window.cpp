@@ -238,7 +238,8 @@ void MainWindow::refreshTitle() {
 void MainWindow::refreshCounts() {
   QStringList counts;
   if (document_.scan() != nullptr) {
-    const auto points = std::size_t(document_.scan()->cloud()->size());
+    const std::size_t points =
+        std::size_t(document_.scan()->cloud()->size()) - document_.scan()->leftOut().size();
     counts.append(points == 1 ? tr("1 pt") : tr("%1 pts").arg(formatCount(points)));
   }
   if (const std::size_t nodes = document_.skeleton().size(); nodes > 0)

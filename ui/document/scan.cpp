@@ -31,7 +31,10 @@ Scan::Scan(PointCloud cloud, const Progress& progress)
 Scan::Scan(const Scan& whole, const PointSet& leftOut)
     : cloud_(whole.cloud_), leftOut_(leftOut & PointSet::firstOf(cloud_->size())),
       index_(whole.index_.passingOver(notCounted(*cloud_, leftOut_))),
-      sides_(measured(*cloud_, index_, leftOut_, whole.sides_)), bounds_(whole.bounds_) {}
+      sides_(measured(*cloud_, index_, leftOut_, whole.sides_)),
+      bounds_(plantBounds(*cloud_, leftOut_)) {
+  if (bounds_.isEmpty()) bounds_ = plantBounds(*cloud_); // all is set aside
+}
 
 Scan Scan::leavingOut(const PointSet& points) const {
   return {*this, points};

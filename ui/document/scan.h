@@ -32,7 +32,8 @@ public:
   }
   [[nodiscard]] double spacing() const { return sides_.spacing; }    // likewise (plant_scale.h) [L]
   [[nodiscard]] const ThinWood& wood() const { return sides_.wood; } // likewise
-  /// Of all points but the few far ones (plantBounds) [L], frame of the file.
+  /// Of those found but the few far ones (plantBounds) [L], frame of the file; of all if all are
+  /// set aside.
   [[nodiscard]] const Eigen::AlignedBox3d& bounds() const { return bounds_; }
 
   /// Centroid of the 5 points nearest to `place` [L]: one point alone is noise of the scanner.

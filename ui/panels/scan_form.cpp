@@ -14,6 +14,13 @@ namespace {
 
 enum RootRow { lowest, pick, picked }; // of the list; the last only once it is
 
+QString pointsText(const Scan& scan) {
+  const auto all = static_cast<std::size_t>(scan.cloud()->size());
+  const std::size_t aside = scan.leftOut().size();
+  return aside == 0 ? formatCount(all)
+                    : ScanForm::tr("%1 of %2").arg(formatCount(all - aside), formatCount(all));
+}
+
 } // namespace
 
 ScanForm::ScanForm(PlantDocument& document, QWidget* parent)
@@ -45,6 +52,8 @@ ScanForm::ScanForm(PlantDocument& document, QWidget* parent)
   form->setVerticalSpacing(4);
   form->setLabelAlignment(Qt::AlignLeft);
   form->addRow(tr("Scan"), name_);
+  points_->setObjectName("scan_points");
+  size_->setObjectName("scan_size");
   form->addRow(tr("Points"), points_);
   form->addRow(tr("Size"), size_);
   for (QComboBox* choice : {unit_, up_}) // they widen no panel
@@ -64,8 +73,9 @@ ScanForm::ScanForm(PlantDocument& document, QWidget* parent)
   connect(up_, &QComboBox::activated, this,
           [this](int axis) { document_.setUp(static_cast<UpAxis>(axis)); });
   connect(root_, &QComboBox::activated, this, &ScanForm::chooseRoot);
-  for (auto signal : {&PlantDocument::scanChanged, &PlantDocument::unitChanged,
-                      &PlantDocument::upChanged, &PlantDocument::rootChanged})
+  for (auto signal :
+       {&PlantDocument::scanChanged, &PlantDocument::leftOutChanged, &PlantDocument::unitChanged,
+        &PlantDocument::upChanged, &PlantDocument::rootChanged})
     connect(&document_, signal, this, &ScanForm::refresh);
   connect(&document_, &PlantDocument::skeletonReplaced, this, &ScanForm::refreshUp);
   connect(&document_, &PlantDocument::skeletonEdited, this, &ScanForm::refreshUp);
@@ -81,7 +91,7 @@ void ScanForm::refresh() {
   const QString none = QStringLiteral("–");
   name_->setText(scan ? QFileInfo(document_.scanPath()).fileName() : none);
   name_->setToolTip(document_.scanPath());
-  points_->setText(scan ? formatCount(std::size_t(scan->cloud()->size())) : none);
+  points_->setText(scan ? pointsText(*scan) : none);
   if (!scan) {
     size_->setText(none);
     return;

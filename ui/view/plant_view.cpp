@@ -100,6 +100,11 @@ void PlantView::setCloud(std::shared_ptr<const PointCloud> cloud) {
   parts_->redraw();
 }
 
+void PlantView::setPointsLeftOut(const PointSet& points) {
+  parts_->scene.setLeftOut(points);
+  parts_->redraw();
+}
+
 void PlantView::setContracted(std::shared_ptr<const Eigen::Matrix3Xf> positions) {
   parts_->scene.contracted.set(std::move(positions));
   parts_->redraw();

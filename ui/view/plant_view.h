@@ -51,6 +51,9 @@ public:
   ~PlantView() override;
 
   void setCloud(std::shared_ptr<const PointCloud> cloud); // null: none; does not move the camera
+  /// Points of the cloud that no bounds, colors by value or overview follow, until setCloud().
+  /// Which are drawn is up to setPointStates(). O(points).
+  void setPointsLeftOut(const PointSet& points);
   void setContracted(std::shared_ptr<const Eigen::Matrix3Xf> positions); // as cloud positions
   void setSkeleton(const Skeleton& skeleton);
   /// Redraws what an edit changed. Cost follows the size of the edit.

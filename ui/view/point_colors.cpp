@@ -39,7 +39,8 @@ QString titleOfHeights(UpAxis up) {
 
 } // namespace
 
-std::optional<Legend> pointLegend(const PointCloud& cloud, PointColor by, UpAxis up) {
+std::optional<Legend> pointLegend(const PointCloud& cloud, PointColor by, UpAxis up,
+                                  const PointSet& leftOut) {
   if (cloud.isEmpty()) return std::nullopt;
   const bool isHeight = by == PointColor::height;
   if (!isHeight && (by != PointColor::intensity || cloud.intensities().empty()))
@@ -47,16 +48,23 @@ std::optional<Legend> pointLegend(const PointCloud& cloud, PointColor by, UpAxis
   ValueRange range;
   std::vector<double> values;
   if (isHeight) {
-    const Eigen::AlignedBox3d box = plantBounds(cloud);
+    const Eigen::AlignedBox3d box = plantBounds(cloud, leftOut);
+    if (box.isEmpty()) return std::nullopt;
     range = {box.min()[static_cast<int>(up)], box.max()[static_cast<int>(up)]};
     values.resize(static_cast<std::size_t>(cloud.size()));
     for (std::size_t i = 0; i < values.size(); ++i)
       values[i] = heightOf(cloud, i, up);
-    for (const Eigen::Index far : farPoints(cloud))
+    for (const Eigen::Index far : farPoints(cloud, leftOut))
       values[static_cast<std::size_t>(far)] = std::numeric_limits<double>::quiet_NaN();
+    for (const Eigen::Index point : leftOut.points())
+      values[static_cast<std::size_t>(point)] = std::numeric_limits<double>::quiet_NaN();
   } else {
-    range = intensityRange(cloud.intensities());
-    values.assign(cloud.intensities().begin(), cloud.intensities().end());
+    std::vector<float> counted;
+    for (const Eigen::Index point : others(leftOut, cloud.size()))
+      counted.push_back(cloud.intensities()[static_cast<std::size_t>(point)]);
+    if (counted.empty()) return std::nullopt;
+    values.assign(counted.begin(), counted.end());
+    range = intensityRange(std::move(counted));
   }
   if (!(range.from < range.to)) return std::nullopt;
   return Legend{.id = isHeight ? "color_height" : "color_intensity",

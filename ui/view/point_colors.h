@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/cloud/point_cloud.h"
+#include "core/cloud/point_set.h"
 #include "core/graph/find_root.h"
 #include "ui/view/color_map.h"
 
@@ -14,8 +15,10 @@ enum class PointColor { uniform, height, intensity, rgb };
 /// What the colors of a cloud stand for; none if it is not colored by value, or if all values are
 /// equal. A height has the unit of the cloud, which is not known here. O(points).
 /// Intensities are cut at their 2nd and 98th percentile: scanners give some very bright ones.
+/// @param leftOut points that do not count
 [[nodiscard]] std::optional<Legend> pointLegend(const PointCloud& cloud, PointColor by,
-                                                UpAxis up = UpAxis::z);
+                                                UpAxis up = UpAxis::z,
+                                                const PointSet& leftOut = {});
 
 /// The color of each point; `plain` for all if the cloud has not what it is to be colored by.
 /// @param legend as pointLegend(), with another range or map if wanted

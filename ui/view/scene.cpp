@@ -38,7 +38,8 @@ void PointLayer::set(std::shared_ptr<const Eigen::Matrix3Xf> replacement) {
 
 void Scene::setCloud(std::shared_ptr<const PointCloud> replacement) {
   cloud = std::move(replacement);
-  plantBox = cloud && !farPoints(*cloud).empty() ? plantBounds(*cloud) : Eigen::AlignedBox3d();
+  leftOut = {};
+  measurePlant();
   pointStates.reset(); // they were those of other points
   pointValues.reset();
   // Shares the ownership of the cloud: its positions are not copied.
@@ -48,6 +49,19 @@ void Scene::setCloud(std::shared_ptr<const PointCloud> replacement) {
   reference.moveOrigin(origin());
   for (const Side side : {Side::left, Side::right})
     setOther(side, std::nullopt); // it was of other points
+}
+
+void Scene::setLeftOut(const PointSet& aside) {
+  if (aside == leftOut) return;
+  leftOut = aside;
+  measurePlant();
+  setPointColor(pointColor);
+}
+
+void Scene::measurePlant() {
+  plantBox = cloud && (!leftOut.isEmpty() || !farPoints(*cloud).empty())
+                 ? plantBounds(*cloud, leftOut)
+                 : Eigen::AlignedBox3d();
 }
 
 void Scene::setSkeleton(const Skeleton& replacement) {
@@ -109,7 +123,7 @@ Eigen::Isometry3d Scene::movedPlacement() const {
 
 void Scene::setPointColor(PointColor color) {
   pointColor = color;
-  colorLegend = cloud ? espalier::pointLegend(*cloud, color, up) : std::nullopt;
+  colorLegend = cloud ? espalier::pointLegend(*cloud, color, up, leftOut) : std::nullopt;
   ++colorRevision;
 }
 
@@ -231,11 +245,19 @@ std::vector<Eigen::Vector3d> Scene::outline() const {
   for (const SkeletonGlyphs* glyphs : {&skeleton, &reference})
     for (std::size_t slot = 0; slot < glyphs->nodes().size(); ++slot)
       if (glyphs->nodes()[slot].shape != NodeShape::none) places.push_back(glyphs->position(slot));
-  for (const PointLayer* layer : {&points, &contracted})
-    for (Eigen::Index i = 0; i < layer->size(); i += 1 + layer->size() / sample) {
+  for (const PointLayer* layer : {&points, &contracted}) {
+    const bool areAll = pointStates == nullptr || layer->size() != points.size();
+    const Eigen::Index hidden =
+        areAll ? 0
+               : static_cast<Eigen::Index>(std::ranges::count(*pointStates, PointState::hidden));
+    const Eigen::Index each = 1 + (layer->size() - hidden) / sample;
+    Eigen::Index shown = 0;
+    for (Eigen::Index i = 0; i < layer->size(); i += areAll ? each : 1) {
+      if (!areAll && (!isPointShown(i) || shown++ % each != 0)) continue;
       const Eigen::Vector3d place = layer->positions->col(i).cast<double>() + origin();
       if (plantBox.isEmpty() || plantBox.contains(place)) places.push_back(place);
     }
+  }
   if (moved.isShown())
     for (Eigen::Index i = 0; i < moved.size(); i += 1 + moved.size() / sample)
       places.emplace_back(moved.shown.motion * moved.shown.cloud->position(i));

@@ -66,7 +66,8 @@ struct MovedScan : DrawnPoints { // about the origin of its own cloud
 /// What the view shows. Read by the renderer, the overlay and the picker; knows none of them.
 struct Scene {
   std::shared_ptr<const PointCloud> cloud; // null: none
-  Eigen::AlignedBox3d plantBox;            // of the cloud without far points; empty: it has none
+  PointSet leftOut;             // of the cloud, which are set aside: they count for no measure
+  Eigen::AlignedBox3d plantBox; // of the cloud without these and far points; empty: it has none
   PointLayer points;
   PointLayer contracted;
   SkeletonGlyphs skeleton;
@@ -95,6 +96,7 @@ struct Scene {
   double depthFade = 0; // how far the back of the plant steps back, in [0, 1]
 
   void setCloud(std::shared_ptr<const PointCloud> replacement);
+  void setLeftOut(const PointSet& aside); // of the cloud, until setCloud()
   void setSkeleton(const Skeleton& replacement);
   void setReference(const Skeleton& replacement);                   // empty: none
   void setOther(Side side, const std::optional<PlantState>& state); // none: the plant itself
@@ -150,14 +152,15 @@ struct Scene {
 
   /// What float coordinates are counted from [L]: the cloud's origin, else that of the glyphs.
   [[nodiscard]] Eigen::Vector3d origin() const;
-  /// Encloses all there is, shown or not [L], frame of the file, but for the few far points of the
-  /// cloud: a plant beside one would be a dot. Empty if there is nothing.
+  /// Encloses all there is, shown or not [L], frame of the file, but for points set aside and the
+  /// few far points of the cloud: a plant beside one would be a dot. Empty if there is nothing.
   [[nodiscard]] Eigen::AlignedBox3d bounds() const;
-  /// All nodes and an even sample of these points [L], frame of the file: what a camera has to
-  /// frame to show the whole, tighter than the bounds.
+  /// All nodes and an even sample of these points that are not hidden [L], frame of the file: what
+  /// a camera has to frame to show the whole, tighter than the bounds.
   [[nodiscard]] std::vector<Eigen::Vector3d> outline() const;
 
 private:
+  void measurePlant();
   [[nodiscard]] Eigen::AlignedBox3d boundsWithin(const Eigen::AlignedBox3d& within) const;
   void recolorNodes();
   void recolorNodes(OtherState& shown) const;

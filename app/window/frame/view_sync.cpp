@@ -8,7 +8,10 @@ namespace espalier {
 ViewSync::ViewSync(PlantDocument& document, PlantView& view, QObject* parent) : QObject(parent) {
   connect(&document, &PlantDocument::scanChanged, &view, [&document, &view] {
     view.setCloud(document.scan() ? document.scan()->cloud() : nullptr);
+    view.setPointsLeftOut(document.leftOut());
   });
+  connect(&document, &PlantDocument::leftOutChanged, &view,
+          [&document, &view] { view.setPointsLeftOut(document.leftOut()); });
   connect(&document, &PlantDocument::contractedChanged, &view,
           [&document, &view] { view.setContracted(document.contracted()); });
   connect(&document, &PlantDocument::skeletonReplaced, &view,

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 namespace espalier {
@@ -72,6 +73,86 @@ TEST_F(CleaningTest, FollowsItsOptions) {
   distance.setValue(distance.minimum());
   waitUntilFound();
   EXPECT_GT(chosen().size(), 3);
+}
+
+TEST_F(CleaningTest, KeepsTheOptionsOfEachMethodUntilAnotherScan) {
+  const auto distance = [this] {
+    return find<CleanPanel>("clean_panel").findChild<QDoubleSpinBox*>("distance");
+  };
+  findIsolated();
+  const double usual = distance()->value();
+  distance()->setValue(2 * usual);
+  waitUntilFound();
+  clickButton("clean_set_aside");
+  choose("Ground: Cloth");
+  EXPECT_EQ(distance(), nullptr);
+  findIsolated();
+  EXPECT_DOUBLE_EQ(distance()->value(), 2 * usual);
+  open({writeScan("other.xyz")});
+  findIsolated();
+  EXPECT_LT(distance()->value(), 2 * usual);
+}
+
+TEST_F(CleaningTest, FindsAgainWhatTheHandHasChanged) {
+  EXPECT_FALSE(find<QPushButton>("clean_again").isEnabled()) << "nothing is chosen yet";
+  findIsolated();
+  const PointSet found = chosen();
+  document().pointSelection().clear();
+  clickButton("clean_again");
+  waitUntilFound();
+  EXPECT_EQ(chosen(), found);
+}
+
+TEST_F(CleaningTest, HasButtonsForBrushBoxAndLasso) {
+  for (const char* shape : {"points_box", "points_lasso", "points_brush"}) {
+    action(shape).trigger();
+    for (const char* other : {"points_box", "points_lasso", "points_brush"})
+      EXPECT_EQ(action(other).isChecked(), std::string_view(other) == shape) << other;
+  }
+  EXPECT_TRUE(action("tool_points").isChecked());
+  action("points_pole").trigger();
+  EXPECT_FALSE(action("points_brush").isChecked());
+}
+
+// What is set aside is not counted, measured, framed or colored.
+TEST_F(CleaningTest, CountsAndMeasuresThePointsInUse) {
+  QFile file(path("scan.xyz"));
+  ASSERT_TRUE(file.open(QIODevice::Append));
+  QTextStream text(&file);
+  for (int i = 0; i < 400; ++i) // ground that reaches far, all at once
+    text << 0.25 * (i % 20) - 2.5 << ' ' << 0.25 * (i / 20) - 2.5 << " -0.6\n";
+  file.close();
+  open({path("scan.xyz")});
+  action("show_cleaning").trigger();
+  const auto all = static_cast<std::size_t>(document().scan()->cloud()->size());
+  const QString size = find<QLabel>("scan_size").text();
+  EXPECT_EQ(find<QLabel>("scan_points").text(), formatCount(all));
+  std::vector<Eigen::Index> ground;
+  const PointCloud& cloud = *document().scan()->cloud();
+  for (Eigen::Index point = 0; point < cloud.size(); ++point)
+    if (cloud.position(point).z() < -0.5) ground.push_back(point);
+  ASSERT_EQ(ground.size(), 400);
+  const Eigen::AlignedBox3d before = view().bounds();
+  document().pointSelection().set(PointSet::of(ground));
+  action("set_points_aside").trigger();
+  waitForView();
+  EXPECT_EQ(find<QLabel>("scan_points").text(),
+            QString("%1 of %2").arg(formatCount(all - 400), formatCount(all)));
+  EXPECT_NE(find<QLabel>("scan_size").text(), size);
+  EXPECT_GT(view().bounds().min().z(), -0.5);
+  action("undo").trigger();
+  waitForView();
+  EXPECT_EQ(find<QLabel>("scan_size").text(), size);
+  EXPECT_TRUE(view().bounds().isApprox(before));
+}
+
+TEST_F(CleaningTest, ShowsNothingSetAsideOfTheNextScan) {
+  findIsolated();
+  clickButton("clean_set_aside");
+  action("show_set_aside").trigger();
+  ASSERT_TRUE(action("show_set_aside").isChecked());
+  open({writeScan("other.xyz")});
+  EXPECT_FALSE(action("show_set_aside").isChecked());
 }
 
 TEST_F(CleaningTest, SaysThatThereIsNothingLeft) {

@@ -57,6 +57,24 @@ TEST(PointColors, AreNotSpoiledByOneBrightPoint) {
   EXPECT_NEAR(scale->to, 98, 2);
 }
 
+TEST(PointColors, SpanThePointsInUse) {
+  const PointCloud cloud = column();
+  std::vector<Eigen::Index> upper;
+  for (Eigen::Index point = 0; point < cloud.size(); ++point)
+    if (cloud.position(point).z() > 500'040) upper.push_back(point);
+  const PointSet aside = PointSet::of(upper);
+  const auto heights = pointLegend(cloud, PointColor::height, UpAxis::z, aside);
+  ASSERT_TRUE(heights);
+  EXPECT_DOUBLE_EQ(heights->from, 500'000);
+  EXPECT_DOUBLE_EQ(heights->to, 500'040);
+  const auto intensities = pointLegend(cloud, PointColor::intensity, UpAxis::z, aside);
+  ASSERT_TRUE(intensities);
+  EXPECT_LE(intensities->to, 40);
+  const PointSet all = PointSet::firstOf(cloud.size());
+  for (const PointColor by : {PointColor::height, PointColor::intensity})
+    EXPECT_FALSE(pointLegend(cloud, by, UpAxis::z, all)) << "nothing is in use";
+}
+
 TEST(PointColors, AreNotSpoiledByAPointFarAway) {
   RawPoints raw;
   for (int z = 0; z <= 100; ++z)

@@ -83,7 +83,7 @@ Method poleMethod() {
   table.add(lengthOption("tolerance", Shown::tr("Tolerance"), 0.1, 1000,
                          Shown::tr("Points this near to the wall of a pole are of it.")),
             &Options::tolerance);
-  table.add(lengthOption("most_radius", Shown::tr("Most radius"), 0.1, 100000,
+  table.add(lengthOption("most_radius", Shown::tr("Largest radius"), 0.1, 100000,
                          Shown::tr("Thicker cylinders are no poles.")),
             &Options::mostRadius);
   table.add(lengthOption("least_length", Shown::tr("Least length"), 1, 1e6,
@@ -95,7 +95,7 @@ Method poleMethod() {
   table.add(lengthOption("gap", Shown::tr("Gap"), 0.1, 1e6,
                          Shown::tr("A pole goes on over gaps up to this.")),
             &Options::gap);
-  table.add(angleOption("most_lean", Shown::tr("Most lean"), 0, 80,
+  table.add(angleOption("most_lean", Shown::tr("Largest lean"), 0, 80,
                         Shown::tr("Cylinders that lean more are no poles.")),
             &Options::mostLean);
   table.add(countOption("trials", Shown::tr("Trials"), 10, 100000,
@@ -130,11 +130,11 @@ Method wireMethod() {
   table.add(lengthOption("gap", Shown::tr("Gap"), 0.1, 1e6,
                          Shown::tr("A wire goes on over gaps up to this.")),
             &Options::gap);
-  table.add(ratioOption("most_sag", Shown::tr("Most sag"), 0, 1,
+  table.add(ratioOption("most_sag", Shown::tr("Largest sag"), 0, 1,
                         Shown::tr("How deep a wire may hang, by its span.")),
             &Options::mostSag);
   return {.name = "catenaries",
-          .label = Shown::tr("Catenaries"),
+          .label = Shown::tr("Hanging curves"),
           .help = Shown::tr("Leaves out thin curves that hang free between two ends."),
           .source = "Y. Jwa, G. Sohn, Photogrammetric Engineering & Remote Sensing 78, 2012",
           .options = table.descriptions(),

@@ -59,7 +59,7 @@ PlotPanel::PlotPanel(QWidget* parent)
   cleans_->setObjectName("plot_cleans");
   cleans_->setChecked(true);
   cleans_->setToolTip(
-      tr("By cloth, cylinders and catenaries, where the pipeline chooses nothing "
+      tr("By cloth, cylinders and hanging curves, where the pipeline chooses nothing "
          "else. Off: only what the pipeline leaves out. Where points were set aside, it "
          "is off at first: without ground, a cloth touches branches"));
   find_->setObjectName("plot_find");

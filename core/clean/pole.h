@@ -13,9 +13,9 @@
 namespace espalier {
 
 struct PoleOptions {
-  Length tolerance =
-      Rule{.spacings = 0.75, .heights = 0.0018}; // [L] how far from its wall a point is of it still
-  Length mostRadius = heights(0.02);             // [L]
+  /// [L] how far from its wall a point is of it still
+  Length tolerance = Rule{.spacings = 0.75, .heights = 0.0018, .scatters = 2};
+  Length mostRadius = heights(0.02); // [L]
   Length reach = heights(0.06);      // [L] around the place, in which the cylinder is sought
   Length gap = heights(0.04);        // [L] it goes on over gaps up to this
   double mostLean = 0.35;            // from upright [rad]

@@ -75,6 +75,13 @@ double distanceToAxis(const Pole& pole, const Eigen::Vector3d& point) {
   return (d - d.dot(direction) * direction).norm();
 }
 
+bool isIn(const Pole& pole, const Eigen::Vector3d& place, double tolerance) {
+  const Eigen::Vector3d direction = (pole.top - pole.foot).normalized();
+  const double along = (place - pole.foot).dot(direction);
+  return along >= 0 && along <= (pole.top - pole.foot).norm() &&
+         distanceToAxis(pole, place) <= pole.radius + tolerance;
+}
+
 /// As thick above as below.
 bool isEven(const Pole& pole, const Eigen::Matrix3Xf& points, const PoleOptions& options) {
   const Eigen::Vector3d direction = (pole.top - pole.foot).normalized();
@@ -153,7 +160,7 @@ bool endsFree(const Pole& pole, const Eigen::Matrix3Xf& points, const PoleOption
 
 std::vector<Pole> polesIn(const Eigen::Matrix3Xf& points, const PoleOptions& options,
                           const Progress& progress) {
-  constexpr double mostError = 0.35; // of the radius
+  constexpr double mostError = 0.35; // of the radius, or of the tolerance where that is more
   std::vector<Pole> poles;
   if (points.cols() == 0) return poles;
   const double edge = std::max<double>(options.mostRadius, 4 * options.tolerance);
@@ -171,10 +178,14 @@ std::vector<Pole> polesIn(const Eigen::Matrix3Xf& points, const PoleOptions& opt
     progress.update(0.5 + 0.5 * static_cast<double>(cube) / static_cast<double>(voxels.count()));
     const auto place =
         middleOf(columnFrom(cube, voxels, isFree), voxels, points, 0.4 * options.leastLength);
-    if (!place) continue;
+    if (!place || std::ranges::any_of(poles, [&](const Pole& pole) {
+          return isIn(pole, *place, options.tolerance);
+        }))
+      continue;
     std::optional<Pole> pole = poleAt(points, *place, options, progress.part(0.5, 0.5));
     if (!pole || (pole->top - pole->foot).norm() < options.leastLength) continue;
-    if (pole->error > mostError * pole->radius) continue; // a branch, not a wall
+    const double width = std::max<double>(pole->radius, options.tolerance);
+    if (pole->error > mostError * width) continue; // a branch, not a wall
     if (isEven(*pole, points, options) && isBareWall(*pole, points, options) &&
         endsFree(*pole, points, options))
       poles.push_back(std::move(*pole));

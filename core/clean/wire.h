@@ -12,11 +12,11 @@
 namespace espalier {
 
 struct WireOptions {
-  Length tolerance =
-      Rule{.spacings = 1, .heights = 0.0025}; // [L] how far from its curve a point is of it still
-  Length gap = heights(0.1);                  // [L] it goes on over gaps up to this
-  double mostSag = 0.2;                       // of the span, in [0, 1]
-  Length leastLength = heights(0.5);          // [L] of those that are searched for
+  /// [L] how far from its curve a point is of it still
+  Length tolerance = Rule{.spacings = 1, .heights = 0.0025, .scatters = 2};
+  Length gap = heights(0.1);         // [L] it goes on over gaps up to this
+  double mostSag = 0.2;              // of the span, in [0, 1]
+  Length leastLength = heights(0.5); // [L] of those that are searched for
 };
 
 /// Lengths by rules become those for a plant of this scale.

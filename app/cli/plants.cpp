@@ -46,7 +46,8 @@ void plants(PlantsFlags flags) {
   });
   const PlotFiles files{.folder = flags.pipeline.output,
                         .name = std::filesystem::path(flags.pipeline.scan).stem().string(),
-                        .unit = flags.pipeline.unit};
+                        .unit = flags.pipeline.unit,
+                        .up = options.up};
   const auto written = writePlot(*cloud, cut.plants, files, terminal.progress().part(0.9, 1));
   terminal.clear();
   for (const CleaningRecord& record : cut.steps)

@@ -5,6 +5,7 @@
 #include "core/io/atomic_file.h"
 #include "core/io/csv.h"
 #include "core/io/formats.h"
+#include "core/pipeline/kept_options.h"
 #include "core/project/project.h"
 
 #include <ostream>
@@ -83,7 +84,7 @@ std::string placeText(const Eigen::Vector3d& place) {
 
 /// The scan of a plant and the project it is in.
 void writePlant(StagedFiles& staged, const std::string& name, const PointCloud& plant,
-                const PlotFiles& files, const Progress& progress) {
+                const Eigen::Vector3d& root, const PlotFiles& files, const Progress& progress) {
   const fs::path scan = staged.add(name + ".ply");
   writePoints(scan, plant, progress);
   ScanReference reference = ScanReference::of(scan, plant.bounds(), progress);
@@ -92,6 +93,7 @@ void writePlant(StagedFiles& staged, const std::string& name, const PointCloud& 
   Project project = Project::create(staged.add(name + ".espalier"), {});
   project.setScan(reference);
   project.setDocument("name", name);
+  project.setDocument(keptOptionsName, keptText({.root = root, .up = files.up}));
   if (!files.unit.empty()) project.setDocument("unit", files.unit);
 }
 
@@ -112,7 +114,8 @@ std::vector<PlantFile> writePlot(const PointCloud& cloud, const std::vector<CutP
     const std::string name = nameOf(files.name, i + 1, plants.size());
     const PointCloud plant =
         without(cloud, PointSet::firstOf(cloud.size()) - PointSet::of(plants[i].points));
-    writePlant(staged, name, plant, files, progress.part(done * share, (done + 1) * share));
+    writePlant(staged, name, plant, plants[i].root, files,
+               progress.part(done * share, (done + 1) * share));
     list += csvLine({name, name + ".ply", placeText(plants[i].root)});
     written.push_back({files.folder / (name + ".espalier"), plant.size()});
   }

@@ -14,6 +14,7 @@ struct PlotFiles {
   std::filesystem::path folder; // made if there is none
   std::string name;             // of the plot: that of a plant is "pines_03"
   std::string unit;             // of the projects, as "mm"; empty: not known
+  UpAxis up = UpAxis::z;        // of the plot
 };
 
 /// A plant of a plot, as it was written.
@@ -25,8 +26,8 @@ struct PlantFile {
 /// The list of plants in the folder, as `espalier batch` reads it.
 [[nodiscard]] std::filesystem::path plantList(const PlotFiles& files);
 
-/// Writes each plant as a scan, with colors and intensities, and as a project of it, and the list
-/// of all. They appear together at the end, or none does.
+/// Writes each plant as a scan, with colors and intensities, and as a project of it with its root,
+/// and the list of all. They appear together at the end, or none does.
 /// @throws Error     if the folder cannot be written to, or has a file of such a name: no file is
 ///                   replaced
 /// @throws Cancelled if `progress` asks to stop

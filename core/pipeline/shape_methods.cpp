@@ -5,6 +5,7 @@
 #include "core/radius/recenter_on_cylinders.h"
 #include "core/skeleton/assemble_axes.h"
 #include "core/skeleton/extend_ends.h"
+#include "core/skeleton/foot_on_axis.h"
 #include "core/skeleton/prune.h"
 #include "core/skeleton/recenter.h"
 
@@ -204,16 +205,20 @@ Method cylinderRecenterMethod() {
 }
 
 Method endsMethod() {
-  return {.name = "to_points",
-          .label = Shown::tr("Extend to the points"),
-          .help =
-              Shown::tr("Lengthens tips and roots to the points that contraction pulled inwards."),
-          .source = {},
-          .options = {},
-          .run = [](PipelineState& state, const Values&, const Progress& progress) {
-            state.setSkeleton(withExtendedEnds(*state.skeleton, keptPositions(state),
-                                               state.cloud->origin(), progress));
-          }};
+  return {
+      .name = "to_points",
+      .label = Shown::tr("Extend to the points"),
+      .help = Shown::tr("Lengthens tips and roots to the points that contraction pulled inwards, "
+                        "and lays the foot of thick wood on its axis."),
+      .source = {},
+      .options = {},
+      .run = [](PipelineState& state, const Values&, const Progress& progress) {
+        const Eigen::Matrix3Xf points = keptPositions(state);
+        const Eigen::Vector3d origin = state.cloud->origin();
+        state.setSkeleton(
+            withExtendedEnds(withFootOnAxis(*state.skeleton, points, origin, progress.part(0, 0.5)),
+                             points, origin, progress.part(0.5, 1)));
+      }};
 }
 
 } // namespace

@@ -153,7 +153,8 @@ void PlotFlow::write(const QString& folder) {
   if (plants.empty()) throw Error(tr("no plant has a check mark").toStdString());
   const PlotFiles files{.folder = toPath(folder),
                         .name = toPath(parts_.document.scanPath()).stem().string(),
-                        .unit = symbol(parts_.document.unit()).toStdString()};
+                        .unit = symbol(parts_.document.unit()).toStdString(),
+                        .up = parts_.document.up()};
   panel_->showWorking(tr("Writing projects… 0 %"));
   const auto work = [cloud = parts_.document.scan()->cloud(), plants = std::move(plants),
                      files](const Progress& progress) {

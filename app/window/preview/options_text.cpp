@@ -1,7 +1,5 @@
 #include "app/window/preview/options_text.h"
 
-#include "core/base/error.h"
-#include "core/pipeline/preset.h"
 #include "ui/document/number_scale.h"
 #include "ui/document/shown_text.h"
 
@@ -10,8 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <sstream>
 #include <string_view>
 
 namespace espalier {
@@ -46,19 +42,6 @@ QString changeOf(const Step& step, const PipelineOptions& before, const Pipeline
 
 constexpr std::string_view axisNames = "xyz"; // in the order of UpAxis
 
-UpAxis axisOf(const std::string& name) {
-  const std::size_t axis = name.size() == 1 ? axisNames.find(name) : std::string_view::npos;
-  if (axis == std::string_view::npos) throw Error("\"" + name + "\" is no axis that points up");
-  return static_cast<UpAxis>(axis);
-}
-
-Eigen::Vector3d rootIn(std::istream& in) {
-  Eigen::Vector3d root;
-  if (!(in >> root.x() >> root.y() >> root.z()) || !root.allFinite())
-    throw Error("the root of the plant is no place");
-  return root;
-}
-
 /// How the plant stands otherwise.
 QStringList changesOfScan(const PipelineOptions& before, const PipelineOptions& after) {
   QStringList parts;
@@ -70,35 +53,6 @@ QStringList changesOfScan(const PipelineOptions& before, const PipelineOptions& 
 }
 
 } // namespace
-
-std::string keptText(const PipelineOptions& options) {
-  std::ostringstream text;
-  if (options.up != UpAxis::z)
-    text << "up " << axisNames[static_cast<std::size_t>(options.up)] << '\n';
-  text.precision(std::numeric_limits<double>::max_digits10);
-  if (options.root) text << "root " << options.root->transpose() << '\n';
-  writePreset(text, options);
-  return text.str();
-}
-
-PipelineOptions keptOptions(const std::string& text) {
-  std::istringstream in(text);
-  PipelineOptions ofScan;
-  for (std::string name; in >> std::ws && in.peek() != '{' && in >> name;) {
-    std::string axis;
-    if (name == "up" && in >> axis)
-      ofScan.up = axisOf(axis);
-    else if (name == "root")
-      ofScan.root = rootIn(in);
-    else
-      throw Error("\"" + name + "\" is no option of a project");
-  }
-  PipelineOptions options = readPreset(in);
-  requireKnown(options);
-  options.up = ofScan.up;
-  options.root = ofScan.root;
-  return options;
-}
 
 QString changeText(const PipelineOptions& before, const PipelineOptions& after,
                    const PlantScale& scale, const QString& unit) {

@@ -1,7 +1,7 @@
 #include "app/window/preview/pipeline_flow.h"
 
-#include "app/window/preview/options_text.h"
 #include "app/window/preview/reconstruct_flow.h"
+#include "core/pipeline/kept_options.h"
 #include "ui/document/plant_document.h"
 #include "ui/panels/pipeline_panel.h"
 
@@ -23,7 +23,7 @@ PipelineFlow::PipelineFlow(const Parts& parts) : parts_(parts) {
 }
 
 void PipelineFlow::keepOptions() {
-  keepInProject({.name = "pipeline", // empty: all is as the rules say
+  keepInProject({.name = keptOptionsName, // empty: all is as the rules say
                  .text =
                      [this] {
                        const PipelineOptions options = parts_.panel.options();

@@ -3,6 +3,7 @@
 #include "app/window/frame/action_set.h"
 #include "app/window/preview/options_text.h"
 #include "core/base/error.h"
+#include "core/pipeline/kept_options.h"
 #include "ui/document/number_scale.h"
 #include "ui/document/plant_document.h"
 #include "ui/document/shown_text.h"

@@ -1,5 +1,4 @@
 #include "app/window/preview/options_text.h"
-#include "core/base/error.h"
 
 #include <gtest/gtest.h>
 
@@ -39,16 +38,6 @@ TEST(OptionsText, NamesRootAndUp) {
   options.root = Eigen::Vector3d(1, 2, 3);
   EXPECT_EQ(changeText({}, options, scale, {}), "Up: y; Root: picked; Contract: radius 12.5");
   EXPECT_EQ(changeText(options, {}, scale, {}), "Up: z; Root: lowest point; Contract: radius 15");
-}
-
-TEST(OptionsText, KeepsRootAndUpBesideTheSteps) {
-  PipelineOptions options = with({"contract.radius=12.5", "prune.method=none"});
-  EXPECT_EQ(keptOptions(keptText(options)), options);
-  options.up = UpAxis::x;
-  options.root = Eigen::Vector3d(500000.123456789, -1e-7, 1.0 / 3);
-  EXPECT_EQ(keptOptions(keptText(options)), options) << "to the last digit";
-  for (const char* text : {"up w\n{}", "root 1 2\n{}", "root 1 2 nan\n{}", "left 3\n{}", "up"})
-    EXPECT_THROW(keptOptions(text), Error) << text;
 }
 
 TEST(OptionsText, RoundsAsPeopleRead) {

@@ -121,12 +121,15 @@ void CleanPanel::addResult(QVBoxLayout& column, const Actions& actions) {
   cancel_->hide();
   connect(cancel_, &QPushButton::clicked, this, &CleanPanel::cancelRequested);
   QHBoxLayout* found = makeRow(column);
-  found->addWidget(again_);
-  found->addWidget(setAside_, 1);
-  found->addWidget(cancel_, 1);
+  for (QPushButton* button : {again_, setAside_, cancel_}) {
+    button->setMinimumWidth(40);
+    button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // they widen no panel
+    found->addWidget(button, 1);
+  }
   QHBoxLayout* other = makeRow(column);
   other->addWidget(sharingButton(*actions.keepOnly, tr("Keep Only")));
   other->addWidget(sharingButton(*actions.invert, tr("Invert")));
+  aside_->setMinimumHeight(2 * aside_->fontMetrics().lineSpacing());
   column.addWidget(aside_);
   QHBoxLayout* back = makeRow(column);
   back->addWidget(sharingButton(*actions.showAside, tr("Show")), 1);

@@ -68,7 +68,7 @@ public:
   [[nodiscard]] bool isAllowed(const FittedCylinder& pole) const {
     return pole.radius > 0 && pole.radius <= options_.mostRadius &&
            std::abs(pole.direction.z()) >= std::cos(options_.mostLean) &&
-           awayFrom(pole, place_) <= pole.radius + 3 * options_.tolerance;
+           awayFrom(pole, place_) <= pole.radius + 3 * options_.width();
   }
 
   [[nodiscard]] std::vector<Eigen::Vector3d> onWall(const FittedCylinder& pole,
@@ -85,8 +85,8 @@ private:
     double sum = 0;
     for (const Eigen::Vector3d& point : points_) {
       const double off = awayFrom(pole, point) - pole.radius;
-      if (std::abs(off) <= options_.tolerance) ++sum;
-      if (off < -2 * options_.tolerance) --sum;
+      if (std::abs(off) <= options_.width()) ++sum;
+      if (off < -2 * options_.width()) --sum;
     }
     return sum;
   }
@@ -151,7 +151,7 @@ struct PoleEnds {
 std::vector<Eigen::Index> pointsInCone(const Eigen::Matrix3Xf& points, const Eigen::Vector3d& place,
                                        const PoleOptions& options) {
   const double slope = std::tan(std::min(options.mostLean + 0.05, 1.5));
-  const double wide = 2 * options.mostRadius + 6 * options.tolerance;
+  const double wide = 2 * options.mostRadius + 6 * options.width();
   std::vector<Eigen::Index> found;
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
     const Eigen::Vector3d d = points.col(i).cast<double>() - place;
@@ -184,24 +184,24 @@ GrownPole grow(FittedCylinder pole, const Eigen::Vector3d& place,
                const std::vector<Eigen::Vector3d>& near, const PoleOptions& options,
                const Progress& progress) {
   Eigen::Vector3d middle = place;
-  PoleEnds ends{-options.tolerance / 2, options.tolerance / 2};
+  PoleEnds ends{-options.width() / 2, options.width() / 2};
   for (int round = 0; round < 16; ++round) {
     progress.check();
     pole.point += along(pole, middle) * pole.direction; // ends count from the middle
     std::vector<double> sorted;
     for (const Eigen::Vector3d& point : near)
-      if (std::abs(awayFrom(pole, point) - pole.radius) <= options.tolerance)
+      if (std::abs(awayFrom(pole, point) - pole.radius) <= options.width())
         sorted.push_back(along(pole, point));
     std::ranges::sort(sorted);
     const double step = std::max<double>(options.reach, ends.length() / 2);
     const PoleEnds next = followed(sorted, ends, options.gap, ends.low - step, ends.high + step);
-    const bool isDone = next.length() <= ends.length() + options.tolerance / 4;
+    const bool isDone = next.length() <= ends.length() + options.width() / 4;
     ends = next;
     std::vector<Eigen::Vector3d> wall;
     for (const Eigen::Vector3d& point : near) {
       const double t = along(pole, point);
       if (t >= ends.low && t <= ends.high &&
-          std::abs(awayFrom(pole, point) - pole.radius) <= 1.5 * options.tolerance)
+          std::abs(awayFrom(pole, point) - pole.radius) <= 1.5 * options.width())
         wall.push_back(point);
     }
     const Eigen::Vector3d from = pole.point;
@@ -228,8 +228,8 @@ Pole poleFrom(const GrownPole& grown, const Eigen::Matrix3Xf& points,
   for (const Eigen::Index column : columns) {
     const Eigen::Vector3d point = points.col(column).cast<double>();
     const double t = along(grown.pole, point);
-    if (t >= grown.ends.low - options.tolerance && t <= grown.ends.high + options.tolerance &&
-        awayFrom(grown.pole, point) <= pole.radius + options.tolerance)
+    if (t >= grown.ends.low - options.width() && t <= grown.ends.high + options.width() &&
+        awayFrom(grown.pole, point) <= pole.radius + options.width())
       pole.points.push_back(column);
   }
   return pole;
@@ -239,8 +239,8 @@ Pole poleFrom(const GrownPole& grown, const Eigen::Matrix3Xf& points,
 
 PoleOptions resolved(PoleOptions options, const PlantScale& scale) {
   for (Length PoleOptions::*length :
-       {&PoleOptions::tolerance, &PoleOptions::mostRadius, &PoleOptions::reach, &PoleOptions::gap,
-        &PoleOptions::leastLength})
+       {&PoleOptions::tolerance, &PoleOptions::noise, &PoleOptions::mostRadius, &PoleOptions::reach,
+        &PoleOptions::gap, &PoleOptions::leastLength})
     options.*length = lengthAt(options.*length, scale);
   return options;
 }
@@ -259,7 +259,7 @@ std::optional<Pole> poleAt(const Eigen::Matrix3Xf& points, const Eigen::Vector3d
   PoleDraws draws(someEvenly(around), place, options);
   std::optional<FittedCylinder> pole = draws.best(progress.part(0, 0.6));
   if (!pole || pole->points < static_cast<double>(fewest)) return std::nullopt;
-  if (const auto fitted = fitCylinder(draws.onWall(*pole, 2 * options.tolerance), *pole);
+  if (const auto fitted = fitCylinder(draws.onWall(*pole, 2 * options.width()), *pole);
       fitted && draws.isAllowed(*fitted))
     pole = fitted;
   if (pole->direction.z() < 0) pole->direction = -pole->direction;

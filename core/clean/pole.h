@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -13,8 +14,9 @@
 namespace espalier {
 
 struct PoleOptions {
-  /// [L] how far from its wall a point is of it still
-  Length tolerance = Rule{.spacings = 0.75, .heights = 0.0018, .scatters = 2};
+  /// [L] how far from its wall a point is of it still: the larger of the two
+  Length tolerance = Rule{.spacings = 0.75, .heights = 0.0018};
+  Length noise = scatters(6);
   Length mostRadius = heights(0.02); // [L]
   Length reach = heights(0.06);      // [L] around the place, in which the cylinder is sought
   Length gap = heights(0.04);        // [L] it goes on over gaps up to this
@@ -22,6 +24,8 @@ struct PoleOptions {
   Length leastLength = heights(0.2); // [L] of those that are searched for
   int trials = 400;                  // cylinders tried at a place, >= 1
   std::uint64_t seed = 1;
+
+  [[nodiscard]] double width() const { return std::max<double>(tolerance, noise); } // [L]
 };
 
 /// Lengths by rules become those for a plant of this scale.

@@ -97,7 +97,7 @@ bool isEven(const Pole& pole, const Eigen::Matrix3Xf& points, const PoleOptions&
   const auto low = quantile(std::move(below), 0.5);
   const auto high = quantile(std::move(above), 0.5);
   return low && high &&
-         std::abs(*low - *high) <= std::max(0.12 * pole.radius, 0.15 * options.tolerance);
+         std::abs(*low - *high) <= std::max(0.12 * pole.radius, 0.15 * options.width());
 }
 
 /// Most of its length has points on the wall, and few beside it.
@@ -105,19 +105,19 @@ bool isBareWall(const Pole& pole, const Eigen::Matrix3Xf& points, const PoleOpti
   constexpr double wanted = 0.75; // share of slices
   const Eigen::Vector3d direction = (pole.top - pole.foot).normalized();
   const double length = (pole.top - pole.foot).norm();
-  const double slice = std::max(2 * options.tolerance, length / 100);
+  const double slice = std::max(2 * options.width(), length / 100);
   const auto slices = static_cast<std::size_t>(length / slice) + 1;
   std::vector<double> onWall(slices, 0);
   std::vector<double> beside(slices, 0);
-  const double wide = 2 * pole.radius + 6 * options.tolerance;
+  const double wide = 2 * pole.radius + 6 * options.width();
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
     const Eigen::Vector3d d = points.col(i).cast<double>() - pole.foot;
     const double t = d.dot(direction);
     if (t < 0 || t > length) continue;
     const double away = (d - t * direction).norm();
     if (away > wide) continue;
-    (away <= pole.radius + options.tolerance ? onWall
-                                             : beside)[static_cast<std::size_t>(t / slice)] += 1;
+    (away <= pole.radius + options.width() ? onWall
+                                           : beside)[static_cast<std::size_t>(t / slice)] += 1;
   }
   const double usual = *quantile(onWall, 0.5);
   std::size_t bare = 0;
@@ -133,8 +133,8 @@ bool endsFree(const Eigen::Vector3d& end, const Eigen::Vector3d& away, const Pol
   constexpr double allowed = 0.4; // of that
   constexpr double opening = 0.5; // branches of a fork go on within such a cone
   const double length = beyond * (pole.top - pole.foot).norm();
-  const double wide = 2 * pole.radius + 4 * options.tolerance;
-  const double slice = 2 * options.tolerance;
+  const double wide = 2 * pole.radius + 4 * options.width();
+  const double slice = 2 * options.width();
   std::vector<char> isHeld(static_cast<std::size_t>(std::ceil(length / slice)) + 1, 0);
   const double most = std::hypot(length, wide + opening * length);
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
@@ -156,14 +156,11 @@ bool endsFree(const Pole& pole, const Eigen::Matrix3Xf& points, const PoleOption
          endsFree(pole.foot, -up, pole, points, options);
 }
 
-} // namespace
-
-std::vector<Pole> polesIn(const Eigen::Matrix3Xf& points, const PoleOptions& options,
-                          const Progress& progress) {
-  constexpr double mostError = 0.35; // of the radius, or of the tolerance where that is more
-  std::vector<Pole> poles;
-  if (points.cols() == 0) return poles;
-  const double edge = std::max<double>(options.mostRadius, 4 * options.tolerance);
+/// Adds the poles that are not among `poles` yet.
+void addPoles(std::vector<Pole>& poles, const Eigen::Matrix3Xf& points, const PoleOptions& options,
+              const Progress& progress) {
+  constexpr double mostError = 0.35; // of the radius, or of the width where that is more
+  const double edge = std::max<double>(options.mostRadius, 4 * options.width());
   const Voxels voxels(points, edge, progress.part(0, 0.3));
   std::vector<char> isFree(voxels.count(), 0);
   parallelFor(
@@ -178,17 +175,32 @@ std::vector<Pole> polesIn(const Eigen::Matrix3Xf& points, const PoleOptions& opt
     progress.update(0.5 + 0.5 * static_cast<double>(cube) / static_cast<double>(voxels.count()));
     const auto place =
         middleOf(columnFrom(cube, voxels, isFree), voxels, points, 0.4 * options.leastLength);
-    if (!place || std::ranges::any_of(poles, [&](const Pole& pole) {
-          return isIn(pole, *place, options.tolerance);
-        }))
+    if (!place || std::ranges::any_of(
+                      poles, [&](const Pole& pole) { return isIn(pole, *place, options.width()); }))
       continue;
     std::optional<Pole> pole = poleAt(points, *place, options, progress.part(0.5, 0.5));
     if (!pole || (pole->top - pole->foot).norm() < options.leastLength) continue;
-    const double width = std::max<double>(pole->radius, options.tolerance);
+    const double width = std::max<double>(pole->radius, options.width());
     if (pole->error > mostError * width) continue; // a branch, not a wall
     if (isEven(*pole, points, options) && isBareWall(*pole, points, options) &&
         endsFree(*pole, points, options))
       poles.push_back(std::move(*pole));
+  }
+}
+
+} // namespace
+
+std::vector<Pole> polesIn(const Eigen::Matrix3Xf& points, const PoleOptions& options,
+                          const Progress& progress) {
+  std::vector<Pole> poles;
+  if (points.cols() == 0) return poles;
+  // What is thin and near to something else is found with less width than the noise has.
+  PoleOptions narrower = options;
+  for (double from = 0; from < 1; from = (1 + from) / 2) {
+    const bool isLast = narrower.noise <= narrower.tolerance;
+    addPoles(poles, points, narrower, progress.part(from, isLast ? 1 : (1 + from) / 2));
+    if (isLast) break;
+    narrower.noise = narrower.noise / 2;
   }
   std::ranges::stable_sort(poles, std::greater<>(),
                            [](const Pole& pole) { return pole.points.size(); });

@@ -78,14 +78,14 @@ double filledOf(const Catenary& curve, const std::vector<Eigen::Vector3d>& point
 /// The bend with which most of the span has points, ends as they are.
 void chooseBend(Catenary& curve, const std::vector<Eigen::Vector3d>& points,
                 const WireOptions& options, const Progress& progress) {
-  const double sags = options.mostSag * curve.span / options.tolerance;
+  const double sags = options.mostSag * curve.span / options.width();
   const int count = std::clamp(static_cast<int>(std::ceil(sags)), 8, 400);
   double most = -1;
   Catenary tried = curve;
   for (int i = 0; i <= count; ++i) {
     progress.check();
     tried.bend = bendFor(options.mostSag * i / count);
-    const double filled = filledOf(tried, points, 0, curve.span, 1.5 * options.tolerance);
+    const double filled = filledOf(tried, points, 0, curve.span, 1.5 * options.width());
     if (filled <= most) continue;
     most = filled;
     curve = tried;
@@ -134,7 +134,7 @@ std::pair<double, double> followedEnds(const Catenary& curve,
                                        double to, double most, const WireOptions& options) {
   std::vector<double> places;
   for (const Eigen::Vector3d& point : points)
-    if (curve.off(point).norm() <= options.tolerance) places.push_back(point.x());
+    if (curve.off(point).norm() <= options.width()) places.push_back(point.x());
   std::ranges::sort(places);
   const double least = from - most;
   const double last = to + most;
@@ -164,13 +164,13 @@ Wire wireFrom(const Catenary& curve, const std::vector<Eigen::Vector3d>& points,
             .to = curve.at(to),
             .sag = depthBelowChord(curve, from, to),
             .error = 0,
-            .filled = filledOf(curve, points, from, to, options.tolerance),
+            .filled = filledOf(curve, points, from, to, options.width()),
             .points = {}};
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double x = points[i].x();
-    if (x < from - options.tolerance || x > to + options.tolerance) continue;
+    if (x < from - options.width() || x > to + options.width()) continue;
     const double off = curve.off(points[i]).norm();
-    if (off > options.tolerance) continue;
+    if (off > options.width()) continue;
     wire.points.push_back(columns[i]);
     wire.error += off * off;
   }
@@ -183,7 +183,7 @@ Wire wireFrom(const Catenary& curve, const std::vector<Eigen::Vector3d>& points,
 
 WireOptions resolved(WireOptions options, const PlantScale& scale) {
   for (Length WireOptions::*length :
-       {&WireOptions::tolerance, &WireOptions::gap, &WireOptions::leastLength})
+       {&WireOptions::tolerance, &WireOptions::noise, &WireOptions::gap, &WireOptions::leastLength})
     options.*length = lengthAt(options.*length, scale);
   return options;
 }
@@ -193,14 +193,14 @@ std::optional<Wire> wireBetween(const Eigen::Matrix3Xf& all, const Eigen::Vector
                                 const Progress& progress) {
   Catenary curve{.start = a, .endHeight = (b - a).z()};
   curve.span = (b - a).head<2>().norm();
-  if (curve.span <= 2 * options.tolerance) return std::nullopt;
+  if (curve.span <= 2 * options.width()) return std::nullopt;
   curve.ahead = (b - a).head<2>() / curve.span;
   const double sag = options.mostSag * curve.span;
   const double low = std::min(0.0, curve.endHeight) - sag;
   const double high = std::max(0.0, curve.endHeight);
   std::vector<Eigen::Vector3d> points; // in the frame of the curve
   std::vector<Eigen::Index> columns;
-  const double slack = 6 * options.tolerance;
+  const double slack = 6 * options.width();
   for (Eigen::Index i = 0; i < all.cols(); ++i) {
     const Eigen::Vector3d point = curve.local(all.col(i).cast<double>());
     const double outside = std::max({0.0, -point.x(), point.x() - curve.span});
@@ -214,16 +214,16 @@ std::optional<Wire> wireBetween(const Eigen::Matrix3Xf& all, const Eigen::Vector
   double from = 0;
   double to = curve.span;
   for (int i = 0; i < 10; ++i)
-    refine(curve, points, from, to, (i < 4 ? 4 : 2) * options.tolerance);
-  if (filledOf(curve, points, from, to, options.tolerance) < 0.5) return std::nullopt;
+    refine(curve, points, from, to, (i < 4 ? 4 : 2) * options.width());
+  if (filledOf(curve, points, from, to, options.width()) < 0.5) return std::nullopt;
   for (int round = 0; round < 12; ++round) {
     progress.update(0.6 + 0.4 * round / 12);
     const auto [lower, upper] = followedEnds(curve, points, from, to, (to - from) / 2, options);
-    const bool isDone = upper - lower <= to - from + options.tolerance;
+    const bool isDone = upper - lower <= to - from + options.width();
     from = lower;
     to = upper;
     for (int i = 0; i < 4; ++i)
-      refine(curve, points, from, to, 2 * options.tolerance);
+      refine(curve, points, from, to, 2 * options.width());
     if (isDone) break;
   }
   return wireFrom(curve, points, columns, from, to, options);

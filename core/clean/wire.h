@@ -6,17 +6,21 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
 namespace espalier {
 
 struct WireOptions {
-  /// [L] how far from its curve a point is of it still
-  Length tolerance = Rule{.spacings = 1, .heights = 0.0025, .scatters = 2};
+  /// [L] how far from its curve a point is of it still: the larger of the two
+  Length tolerance = Rule{.spacings = 1, .heights = 0.0025};
+  Length noise = scatters(6);
   Length gap = heights(0.1);         // [L] it goes on over gaps up to this
   double mostSag = 0.2;              // of the span, in [0, 1]
   Length leastLength = heights(0.5); // [L] of those that are searched for
+
+  [[nodiscard]] double width() const { return std::max<double>(tolerance, noise); } // [L]
 };
 
 /// Lengths by rules become those for a plant of this scale.

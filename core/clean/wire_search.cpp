@@ -106,7 +106,7 @@ bool hangsFree(const Wire& wire, const SpatialIndex& index, const Eigen::Matrix3
     sampled.push_back(wire.points[i]);
   std::size_t free = 0;
   for (const Eigen::Index point : sampled) {
-    const auto near = index.within(places.col(point), static_cast<float>(6 * options.tolerance));
+    const auto near = index.within(places.col(point), static_cast<float>(6 * options.width()));
     const auto isBeside = [&](const Neighbor& one) {
       return !std::ranges::binary_search(wire.points, one.index);
     };
@@ -125,14 +125,11 @@ bool isTaken(const std::vector<Wire>& wires, const Span& span, double tolerance)
   });
 }
 
-} // namespace
-
-std::vector<Wire> wiresIn(const Eigen::Matrix3Xf& points, const WireOptions& options,
-                          const Progress& progress) {
+/// Adds the wires that are not among `wires` yet.
+void addWires(std::vector<Wire>& wires, const Eigen::Matrix3Xf& points, const WireOptions& options,
+              const Progress& progress) {
   constexpr std::size_t mostTried = 200;
-  std::vector<Wire> wires;
-  if (points.cols() == 0 || options.tolerance <= 0) return wires;
-  const Voxels fine(points, 1.5 * options.tolerance, progress.part(0, 0.3));
+  const Voxels fine(points, 1.5 * options.width(), progress.part(0, 0.3));
   const Eigen::Matrix3Xf places = fine.means(points);
   const double radius = 4 * fine.edge();
   const Voxels coarse(places, radius, progress.part(0.3, 0.4));
@@ -157,7 +154,7 @@ std::vector<Wire> wiresIn(const Eigen::Matrix3Xf& points, const WireOptions& opt
                     progress.part(0.7, 0.75));
   for (std::size_t i = 0; i < std::min(spans.size(), mostTried); ++i) {
     progress.update(0.75 + 0.25 * static_cast<double>(i) / mostTried);
-    if (isTaken(wires, spans[i], options.tolerance)) continue;
+    if (isTaken(wires, spans[i], options.width())) continue;
     const auto found =
         wireBetween(places, spans[i].first, spans[i].second, options, progress.part(0.75, 0.75));
     if (!found || (found->to - found->from).norm() < options.leastLength || found->filled < 0.7 ||
@@ -166,6 +163,22 @@ std::vector<Wire> wiresIn(const Eigen::Matrix3Xf& points, const WireOptions& opt
     if (auto whole =
             wireBetween(points, found->from, found->to, options, progress.part(0.75, 0.75)))
       wires.push_back(std::move(*whole));
+  }
+}
+
+} // namespace
+
+std::vector<Wire> wiresIn(const Eigen::Matrix3Xf& points, const WireOptions& options,
+                          const Progress& progress) {
+  std::vector<Wire> wires;
+  if (points.cols() == 0 || options.width() <= 0) return wires;
+  // What is thin and near to something else is found with less width than the noise has.
+  WireOptions narrower = options;
+  for (double from = 0; from < 1; from = (1 + from) / 2) {
+    const bool isLast = narrower.noise <= narrower.tolerance;
+    addWires(wires, points, narrower, progress.part(from, isLast ? 1 : (1 + from) / 2));
+    if (isLast) break;
+    narrower.noise = narrower.noise / 2;
   }
   std::ranges::stable_sort(wires, std::greater<>(),
                            [](const Wire& wire) { return wire.points.size(); });

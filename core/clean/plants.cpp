@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <numeric>
+#include <set>
 
 namespace espalier {
 namespace {
@@ -15,6 +17,7 @@ namespace {
 struct Stem {
   Eigen::Vector3d base = Eigen::Vector3d::Zero(); // [L]
   std::vector<Eigen::Index> places;
+  double section = 0; // places in a layer one cube high; 0: not known
 };
 
 /// What of the slab is in one part.
@@ -60,6 +63,7 @@ std::vector<Stem> joinedStems(std::vector<Stem> stems, double together) {
       const auto a = static_cast<double>(stems[i].places.size());
       const auto b = static_cast<double>(stems[j].places.size());
       stems[i].base = (a * stems[i].base + b * stems[j].base) / (a + b);
+      stems[i].section += stems[j].section;
       stems[i].places.insert(stems[i].places.end(), stems[j].places.begin(), stems[j].places.end());
       stems.erase(stems.begin() + static_cast<std::ptrdiff_t>(j));
       j = i + 1; // its base has moved
@@ -84,6 +88,9 @@ std::vector<Stem> stemsIn(const Eigen::Matrix3Xf& places, const std::vector<floa
     if (static_cast<double>(part.lowest) <= from + margin * (to - from) &&
         static_cast<double>(part.highest) >= to - margin * (to - from)) {
       most = std::max(most, part.stem.places.size());
+      part.stem.section =
+          static_cast<double>(part.stem.places.size()) * edge /
+          std::max(edge, static_cast<double>(part.highest) - static_cast<double>(part.lowest));
       stems.push_back(std::move(part.stem));
     }
   std::erase_if(stems, [&](const Stem& stem) {
@@ -100,7 +107,74 @@ std::vector<Stem> stemsAt(const std::vector<Eigen::Vector3d>& bases,
   return stems;
 }
 
-/// The stem that each place is nearest to, from 1; 0: no path leads there, or over too wide a gap.
+using StemPair = std::pair<std::uint32_t, std::uint32_t>; // the lower number first
+
+/// How thickly the wood of two stems meets: the most places on either side of one spot.
+std::map<StemPair, double> meetings(const NeighborhoodGraph& graph,
+                                    const std::vector<std::uint32_t>& stemOf, double longest) {
+  std::map<StemPair, std::set<Eigen::Index>> borders;
+  for (Eigen::Index place = 0; place < graph.size(); ++place)
+    for (const NeighborhoodGraph::Link& link : graph.links(place)) {
+      const std::uint32_t a = stemOf[static_cast<std::size_t>(place)];
+      const std::uint32_t b = stemOf[link.to];
+      if (a != 0 && b != 0 && a != b && static_cast<double>(link.length) <= longest)
+        borders[std::minmax(a, b)].insert(place);
+    }
+  std::map<StemPair, double> thickness;
+  for (auto& [pair, border] : borders) {
+    std::size_t most = 0;
+    while (!border.empty()) {
+      std::vector<Eigen::Index> spot = {*border.begin()};
+      border.erase(border.begin());
+      for (std::size_t next = 0; next < spot.size(); ++next)
+        for (const NeighborhoodGraph::Link& link : graph.links(spot[next]))
+          if (static_cast<double>(link.length) <= longest && border.erase(link.to) > 0)
+            spot.push_back(link.to);
+      most = std::max(most, spot.size());
+    }
+    thickness[pair] = static_cast<double>(most) / 2; // of both sides
+  }
+  return thickness;
+}
+
+/// For each stem, from 1, the one whose plant it is of: those whose wood is one are joined, the
+/// surest first.
+/// @param sizes of what is of each, from 1; the larger one keeps its number
+std::vector<std::uint32_t> joinedByWood(const std::vector<Stem>& stems,
+                                        std::vector<Eigen::Index> sizes,
+                                        std::map<StemPair, double> meets, double oneWood) {
+  std::vector<double> sections = {0};
+  for (const Stem& stem : stems)
+    sections.push_back(stem.section);
+  std::vector<std::uint32_t> plantOf(stems.size() + 1);
+  std::iota(plantOf.begin(), plantOf.end(), 0U);
+  const auto shareOf = [&](const std::pair<const StemPair, double>& meeting) {
+    const double thinner = std::min(sections[meeting.first.first], sections[meeting.first.second]);
+    return thinner > 0 ? meeting.second / thinner : 0;
+  };
+  while (!meets.empty()) {
+    const auto surest = std::ranges::max_element(meets, {}, shareOf);
+    if (shareOf(*surest) < oneWood) break;
+    auto [kept, gone] = surest->first;
+    if (sizes[kept] < sizes[gone]) std::swap(kept, gone);
+    sizes[kept] += sizes[gone];
+    sections[kept] = std::max(sections[kept], sections[gone]);
+    std::ranges::replace(plantOf, gone, kept);
+    std::map<StemPair, double> joined;
+    for (const auto& [pair, thickness] : meets) {
+      const std::uint32_t a = pair.first == gone ? kept : pair.first;
+      const std::uint32_t b = pair.second == gone ? kept : pair.second;
+      if (a == b) continue;
+      double& most = joined[std::minmax(a, b)];
+      most = std::max(most, thickness);
+    }
+    meets = std::move(joined);
+  }
+  return plantOf;
+}
+
+/// The plant of each place, by the number of its stem, from 1; 0: no path leads there, or over too
+/// wide a gap.
 std::vector<std::uint32_t> nearestStems(const Eigen::Matrix3Xf& places,
                                         const std::vector<Stem>& stems,
                                         const PlantsOptions& options, const Progress& progress) {
@@ -133,6 +207,14 @@ std::vector<std::uint32_t> nearestStems(const Eigen::Matrix3Xf& places,
     for (; !chain.empty(); chain.pop_back())
       stemOf[chain.back()] = stemOf[at];
   }
+  std::vector<Eigen::Index> sizes(stems.size() + 1, 0);
+  for (const std::uint32_t stem : stemOf)
+    ++sizes[stem];
+  constexpr double touching = 2.5; // cubes
+  const std::vector<std::uint32_t> plantOf = joinedByWood(
+      stems, std::move(sizes), meetings(graph, stemOf, touching * options.voxel), options.oneWood);
+  for (std::uint32_t& stem : stemOf)
+    stem = plantOf[stem];
   return stemOf;
 }
 

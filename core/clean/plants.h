@@ -21,8 +21,9 @@ struct PlantsOptions {
   int neighbors = 8;                // links per place, >= 1
   double power = 1.5;               // a link costs its length to this, in [1, 4]
   double leastStem = 0.15;          // of the places of the thickest stem; thinner ones are twigs
-  double leastShare = 0.02;         // of the points of the greatest; smaller ones are none
-  GroundOptions ground;             // what the slab is measured from
+  double oneWood = 1.1;     // of the section of the thinner stem: wood that meets so thickly is one
+  double leastShare = 0.02; // of the points of the greatest; smaller ones are none
+  GroundOptions ground;     // what the slab is measured from
 };
 
 [[nodiscard]] PlantsOptions resolved(PlantsOptions options, const PlantScale& scale);
@@ -39,7 +40,9 @@ struct PlantParts {
 ///
 /// Stems are the parts of a slab above the ground that reach from its lower to its upper side,
 /// twigs that hang into it left out. From them shortest paths lead over the means of cubes of
-/// points, along the links of the nearest and over gaps.
+/// points, along the links of the nearest and over gaps. What comes from two stems and meets in one
+/// spot that is thicker than the thinner stem is one plant, as a low branch gets thicker from the
+/// ground on; crowns that touch do so in thin twigs.
 ///
 /// @param points  3 x N, z up, of plants alone [L]
 /// @param heights of the points above the ground [L]; those below zero are of no plant

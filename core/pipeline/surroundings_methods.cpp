@@ -77,12 +77,18 @@ void leaveOutAll(PipelineState& state, const StandingPoints& standing,
                         " left out");
 }
 
+Option noiseOption() {
+  return lengthOption("noise", Shown::tr("Noise"), 0, 1000,
+                      Shown::tr("Points this near are of it, too, where the scan scatters wide."));
+}
+
 Method poleMethod() {
   using Options = PoleOptions;
   OptionTable<Options> table;
   table.add(lengthOption("tolerance", Shown::tr("Tolerance"), 0.1, 1000,
                          Shown::tr("Points this near to the wall of a pole are of it.")),
             &Options::tolerance);
+  table.add(noiseOption(), &Options::noise);
   table.add(lengthOption("most_radius", Shown::tr("Largest radius"), 0.1, 100000,
                          Shown::tr("Thicker cylinders are no poles.")),
             &Options::mostRadius);
@@ -124,6 +130,7 @@ Method wireMethod() {
   table.add(lengthOption("tolerance", Shown::tr("Tolerance"), 0.1, 1000,
                          Shown::tr("Points this near to the curve of a wire are of it.")),
             &Options::tolerance);
+  table.add(noiseOption(), &Options::noise);
   table.add(lengthOption("least_length", Shown::tr("Least length"), 1, 1e6,
                          Shown::tr("Shorter curves are no wires.")),
             &Options::leastLength);
@@ -185,6 +192,10 @@ OptionTable<PlantOptions> plantTable() {
   table.add(lengthOption("together", Shown::tr("Together"), 0, 1e6,
                          Shown::tr("Stems nearer to each other than this are of one plant.")),
             plants, &PlantsOptions::together);
+  table.add(ratioOption("one_wood", Shown::tr("One wood"), 0, 10,
+                        Shown::tr("Where wood from two stems meets at least this thickly, as a "
+                                  "share of the section of the thinner stem, both are one plant.")),
+            plants, &PlantsOptions::oneWood);
   table.add(lengthOption("widest_gap", Shown::tr("Widest gap"), 0, 1e6,
                          Shown::tr("Parts farther off than this from all plants are of none.")),
             plants, &PlantsOptions::widestGap);

@@ -187,6 +187,24 @@ TEST(Plants, AreCutWhereTheyTouch) {
   EXPECT_EQ(parts.sizes[0] + parts.sizes[1], points.cols());
 }
 
+TEST(Plants, ReachTheGroundWithTheirBranches) {
+  Eigen::Matrix3Xf points = test::forkCloud();
+  const Eigen::Vector3d from(0, 0, 1.2);
+  const Eigen::Vector3d step(0.2, 0, -0.23);
+  for (int i = 0; i < 5; ++i) // gets thinner
+    points = test::both(
+        points, test::cylinder(from + i * step, from + (i + 1) * step, 0.05 - 0.008 * i, 0.015));
+  std::vector<float> heights;
+  for (Eigen::Index i = 0; i < points.cols(); ++i)
+    heights.push_back(points(2, i));
+  const PlantParts parts = plantsAmong(points, heights, {}, plotOptions);
+  ASSERT_EQ(parts.sizes.size(), 1U) << "the branch is no stem";
+  EXPECT_LT(parts.bases[0].head<2>().norm(), 0.05);
+  PlantsOptions apart = plotOptions;
+  apart.oneWood = 10;
+  EXPECT_EQ(plantsAmong(points, heights, {}, apart).sizes.size(), 2U);
+}
+
 TEST(Plants, StandWhereTheUserSays) {
   const Eigen::Matrix3Xf points = test::forkCloud();
   const std::vector<float> heights(static_cast<std::size_t>(points.cols()), 1);

@@ -45,6 +45,7 @@
 #include "app/window/review/seal_flow.h"
 #include "app/window/view/close_look_flow.h"
 #include "app/window/view/explained_flow.h"
+#include "app/window/view/hidden_points.h"
 #include "app/window/view/hull_flow.h"
 #include "app/window/view/saved_views.h"
 #include "app/window/view/shown_flow.h"
@@ -161,6 +162,8 @@ void MainWindow::makePoints(PipelinePanel& pipeline) {
                                                 settings_, *this, reveal()});
   parts_.make<ExplainedFlow>(
       ExplainedFlow::Parts{document_, states, *actions_, distances, settings_, *this});
+  parts_.make<HiddenPoints>(
+      HiddenPoints::Parts{document_, parts_.get<ShownFlow>(), distances, states});
   parts_.make<PresetFlow>(PresetFlow::Parts{pipeline, *actions_, settings_, *this, document_});
   parts_.make<KindFlow>(KindFlow::Parts{document_, queue_, pipeline, *actions_});
   parts_.make<PictureFlow>(PictureFlow::Parts{document_, *view_, *actions_, *this});

@@ -19,6 +19,7 @@ PointStates::PointStates(PlantDocument& document, PlantView& view)
   connect(&document, &PlantDocument::scanChanged, this, [this] {
     explained_.reset();
     isolated_.reset();
+    hidden_ = {};
     hasStates_ = false; // the view forgets them
   });
 }
@@ -38,6 +39,12 @@ void PointStates::isolate(std::optional<PointSet> points) {
   timer_.start();
 }
 
+void PointStates::hide(PointSet points) {
+  if (points == hidden_) return;
+  hidden_ = std::move(points);
+  timer_.start();
+}
+
 void PointStates::show() {
   auto all = states();
   const bool isPlain = all == nullptr;
@@ -48,7 +55,7 @@ void PointStates::show() {
 std::shared_ptr<const std::vector<PointState>> PointStates::states() const {
   const PointSet& leftOut = document_.leftOut();
   const PointSet& selected = document_.pointSelection().points();
-  const bool isPlain = leftOut.isEmpty() && selected.isEmpty() && !isolated_;
+  const bool isPlain = leftOut.isEmpty() && selected.isEmpty() && hidden_.isEmpty() && !isolated_;
   if (document_.scan() == nullptr || isPlain) return explained_;
   const Eigen::Index count = document_.scan()->cloud()->size();
   const PointSet all = PointSet::firstOf(count);
@@ -61,6 +68,7 @@ std::shared_ptr<const std::vector<PointState>> PointStates::states() const {
   };
   set(leftOut, isAsideShown_ ? PointState::aside : PointState::hidden);
   set(selected, PointState::selected);
+  set(hidden_, PointState::hidden);
   if (isolated_) set(all - *isolated_, PointState::hidden);
   return result;
 }

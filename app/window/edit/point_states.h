@@ -16,7 +16,7 @@ class PlantDocument;
 class PlantView;
 
 /// How the points of the scan look, by all that has a say in it: what the skeleton explains, what
-/// is set aside, what is shown alone, and what is selected.
+/// is set aside, what is shown alone or hidden, and what is selected.
 class PointStates : public WindowPart {
   Q_OBJECT
 
@@ -28,6 +28,7 @@ public:
   void setExplained(std::shared_ptr<const std::vector<PointState>> states);
   void showAside(bool areShown);                // the points that are set aside
   void isolate(std::optional<PointSet> points); // hides all others; until another scan
+  void hide(PointSet points);                   // these alone; until another scan
   [[nodiscard]] bool isIsolated() const { return isolated_.has_value(); }
 
 private:
@@ -38,6 +39,7 @@ private:
   PlantView& view_;
   std::shared_ptr<const std::vector<PointState>> explained_;
   std::optional<PointSet> isolated_;
+  PointSet hidden_;
   bool isAsideShown_ = false;
   bool hasStates_ = false; // the view shows them
   QTimer timer_;           // many changes at a time are shown at once

@@ -25,6 +25,7 @@ ShownFlow::ShownFlow(const Parts& parts)
   connect(&document_, &PlantDocument::skeletonReplaced, this, [this] {
     hidden_.clear(); // the view has forgotten them, too
     refreshEnabled();
+    emit hiddenChanged();
   });
   for (auto signal :
        {&PlantDocument::skeletonReplaced, &PlantDocument::scanChanged, &PlantDocument::unitChanged})
@@ -40,14 +41,16 @@ void ShownFlow::addActions() {
   actions_.beginSection(tr("View"));
   actions_.add({.id = "hide",
                 .text = tr("Hide"),
-                .help = tr("Hides the selected nodes, or the axis under the pointer"),
+                .help = tr("Hides the selected nodes, or the axis under the pointer, and the "
+                           "points of their wood"),
                 .keys = Qt::Key_H,
                 .refusal = Refusal::atPointer,
                 .menu = "view/hide"},
                [this] { hide(); });
   actions_.add({.id = "isolate",
                 .text = tr("Isolate"),
-                .help = tr("Hides all but the selected nodes, or the axis under the pointer"),
+                .help = tr("Hides all but the selected nodes, or the axis under the pointer, "
+                           "and the points of their wood"),
                 .keys = QKeySequence(Qt::SHIFT | Qt::Key_H),
                 .refusal = Refusal::atPointer,
                 .menu = "view/hide"},
@@ -129,6 +132,7 @@ void ShownFlow::setHidden(const std::vector<NodeId>& nodes) {
   document_.selection().set(std::move(chosen));
   view_.hoverAgain();
   refreshEnabled();
+  emit hiddenChanged();
 }
 
 void ShownFlow::showAll() {

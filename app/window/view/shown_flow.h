@@ -49,6 +49,9 @@ public:
   void setPointsIsolated(bool areIsolated); // points are hidden elsewhere
   void refreshPanel();                      // after the clip of the view was changed elsewhere
 
+signals:
+  void hiddenChanged(); // other nodes are hidden
+
 private:
   void addActions();
   void makePanel();

@@ -1,15 +1,18 @@
 #include "tests/app/window/window_fixture.h"
+#include "tests/support/clouds.h"
 #include "tests/support/plants.h"
 
 #include <QAction>
 #include <QCheckBox>
 #include <QDialog>
 #include <QDockWidget>
+#include <QFile>
 #include <QInputDialog>
 #include <QMenu>
 #include <QPushButton>
 #include <QSlider>
 #include <QTest>
+#include <QTextStream>
 #include <QUndoStack>
 
 #include <gmock/gmock.h>
@@ -64,6 +67,50 @@ TEST_F(ShownTest, HidesTheSelectedNodesAndUnselectsThem) {
   key(Qt::Key_H, Qt::AltModifier);
   EXPECT_EQ(seen().size(), document().skeleton().size());
   EXPECT_FALSE(action("show_all").isEnabled());
+}
+
+TEST_F(ShownTest, HidesThePointsOfTheWoodThatIsHidden) {
+  const Skeleton& plant = document().skeleton();
+  const auto edgeOf = [&](NodeId id) {
+    return std::pair(plant[*plant[id].parent].position, plant[id].position);
+  };
+  QFile file(path("scan.xyz"));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  QTextStream text(&file);
+  for (const NodeId id : plant.ids()) {
+    if (!plant[id].parent) continue;
+    const auto [from, to] = edgeOf(id);
+    const Eigen::Matrix3Xf bark = test::cylinder(from + 0.2 * (to - from), to, 0.05, 0.03);
+    for (const auto& point : bark.colwise())
+      text << point.x() << ' ' << point.y() << ' ' << point.z() << '\n';
+  }
+  file.close();
+  open({path("scan.xyz"), path("fork.mtg")});
+  const auto shownOf = [&](NodeId id) { // points about the middle of an edge
+    const auto [from, to] = edgeOf(id);
+    const Eigen::ParametrizedLine<double, 3> axis = {from, (to - from).normalized()};
+    const std::vector<Eigen::Index> shown = view().pointsShown();
+    return std::ranges::count_if(shown, [&](Eigen::Index point) {
+      const Eigen::Vector3d place = document().scan()->cloud()->position(point);
+      return axis.distance(place) < 0.06 &&
+             (place - (from + to) / 2).norm() < 0.25 * (to - from).norm();
+    });
+  };
+  const auto ofBranch = shownOf(branch_);
+  const auto ofTop = shownOf(top_);
+  ASSERT_GT(ofBranch, 50);
+  ASSERT_GT(ofTop, 50);
+  document().selection().set({branch_});
+  key(Qt::Key_H);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return shownOf(branch_) == 0; }, patience));
+  EXPECT_EQ(shownOf(top_), ofTop);
+  key(Qt::Key_H, Qt::AltModifier);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return shownOf(branch_) == ofBranch; }, patience));
+  document().selection().set({branch_});
+  key(Qt::Key_H, Qt::ShiftModifier);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return shownOf(top_) == 0; }, patience));
+  EXPECT_EQ(shownOf(branch_), ofBranch);
+  EXPECT_EQ(document().undoStack().count(), 0);
 }
 
 TEST_F(ShownTest, HidesTheAxisUnderThePointer) {

@@ -90,6 +90,14 @@ void paintPivot(QPainter& painter, const Scene& scene, const Camera& camera, con
   }
 }
 
+/// What is said in the middle of a view that shows nothing.
+void paintWord(QPainter& painter, const QString& word, bool dark, const QSizeF& size) {
+  if (word.isEmpty()) return;
+  const QRectF room = QRectF(QPointF(0, 0), size)
+                          .adjusted(overlayMargin, overlayMargin, -overlayMargin, -overlayMargin);
+  drawText(painter, room, Qt::AlignCenter | Qt::TextWordWrap, word, palette(dark));
+}
+
 /// Where another state of the plant is shown only in a ball: its outline.
 void paintBalls(QPainter& painter, const Scene& scene, double divider, const ScreenMap& screen) {
   for (const Side side : {Side::left, Side::right}) {
@@ -194,6 +202,7 @@ void Overlay::paint(QPainter& painter, const Scene& scene, const Camera& camera,
   paintScaleBar(painter, scene, camera, unit, size);
   paintAxes(painter, camera, size, scene.dark);
   if (pivotShown) paintPivot(painter, scene, camera, size);
+  paintWord(painter, word, scene.dark, size);
   paintStateNames(painter, scene, divider, seen, size);
   if (sight && hasLegends) paintSightKey(painter, *sight, scene.dark);
 }

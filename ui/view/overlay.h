@@ -49,6 +49,7 @@ struct Overlay {
   std::optional<ShownSight> sight;           // as PlantView::showSight
   std::optional<ShownAttachment> attachment; // as PlantView::showAttachment
   std::optional<Eigen::Vector3d> rootMark;   // as PlantView::setRootMark
+  QString word;                              // as PlantView::setWord
   QPolygonF band;                            // as Canvas::showBand
   Preview preview;                           // as Canvas::showPreview
 

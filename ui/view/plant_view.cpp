@@ -13,7 +13,8 @@
 namespace espalier {
 namespace {
 
-constexpr int restAfter = 120; // [ms] after the last move
+constexpr int restAfter = 120;    // [ms] after the last move
+constexpr int settledAfter = 200; // [ms] after the last change
 
 } // namespace
 
@@ -79,6 +80,9 @@ PlantView::PlantView(std::shared_ptr<Shared> shared, QWidget* parent)
   setAccessibleName(tr("Plant in 3D"));
   setMinimumSize(160, 120);
   parts_->surface->setAttribute(Qt::WA_TransparentForMouseEvents);
+  parts_->settling.setSingleShot(true);
+  parts_->settling.setInterval(settledAfter);
+  connect(&parts_->settling, &QTimer::timeout, this, &PlantView::settled);
   parts_->rest.setSingleShot(true);
   parts_->rest.setInterval(restAfter);
   connect(&parts_->rest, &QTimer::timeout, this, [this] {
@@ -98,6 +102,17 @@ void PlantView::setCloud(std::shared_ptr<const PointCloud> cloud) {
   parts_->scene.setCloud(std::move(cloud));
   parts_->shared->knownViews.forget();
   parts_->redraw();
+}
+
+InView PlantView::inView() const {
+  return espalier::inView(parts_->scene, parts_->pointer.screen());
+}
+
+void PlantView::setWord(const QString& word) {
+  if (word == parts_->overlay.word) return;
+  parts_->overlay.word = word;
+  setAccessibleDescription(word);
+  parts_->overlayWidget->update();
 }
 
 void PlantView::setPointsLeftOut(const PointSet& points) {

@@ -11,6 +11,7 @@
 #include "ui/view/close_look.h"
 #include "ui/view/envelope_overlay.h"
 #include "ui/view/hull_overlay.h"
+#include "ui/view/in_view.h"
 #include "ui/view/node_look.h"
 #include "ui/view/plant_state.h"
 #include "ui/view/point_colors.h"
@@ -175,7 +176,12 @@ public:
   [[nodiscard]] QImage paperOf(const PlantState& state, const QSize& size, Framing framing) const;
   [[nodiscard]] std::size_t graphicsBytes() const; // that all views of the plant hold together
 
+  /// Whether the view shows anything of the plant, as it is now.
+  [[nodiscard]] InView inView() const;
+  void setWord(const QString& word); // in the middle of the view; empty: none
+
 signals:
+  void settled(); // what is shown, and from where, has not changed for a moment
   void cameraMoved(const espalier::Camera& camera); // to where it is now
   void dividerMoved(double across);                 // by hand
   // Emitted by the first view of a plant:

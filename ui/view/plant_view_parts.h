@@ -68,6 +68,7 @@ struct PlantView::Parts {
   void redrawSurface() {
     complete = false;
     surface->update();
+    settling.start();
   }
   void redrawThis() {
     redrawSurface();
@@ -147,6 +148,7 @@ struct PlantView::Parts {
   DetailBudget sampleBudget; // a still picture, put together from steps, costs more
   DetailBudget pictureBudget;
   [[nodiscard]] DetailBudget& budget() { return moving ? sampleBudget : pictureBudget; }
+  QTimer settling;     // runs while anything changes, and a moment longer
   QTimer rest;         // runs while the camera, or what is shown, changes
   bool moving = false; // likewise
   Pace pace = turning; // while it runs

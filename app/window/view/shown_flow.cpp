@@ -3,6 +3,7 @@
 #include "app/window/edit/editing.h"
 #include "app/window/frame/action_set.h"
 #include "app/window/frame/key_hints.h"
+#include "app/window/view/empty_view.h"
 #include "core/base/error.h"
 #include "core/skeleton/axes.h"
 #include "ui/document/plant_document.h"
@@ -35,6 +36,7 @@ ShownFlow::ShownFlow(const Parts& parts)
     refreshEnabled();
   });
   refreshEnabled();
+  sayWhyEmpty(view_, actions_);
 }
 
 void ShownFlow::addActions() {

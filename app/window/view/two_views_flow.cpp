@@ -2,6 +2,7 @@
 
 #include "app/window/edit/editing.h"
 #include "app/window/frame/action_set.h"
+#include "app/window/view/empty_view.h"
 #include "ui/view/plant_view.h"
 
 #include <QAction>
@@ -92,6 +93,7 @@ void TwoViewsFlow::setTwo(bool areTwo) {
   connect(second_, &PlantView::cameraMoved, this, [this](const Camera& camera) {
     if (isLinked()) follow(parts_.view, camera, link_ == Link::side ? -quarterTurn : 0);
   });
+  sayWhyEmpty(*second_, parts_.actions);
   parts_.place.addWidget(second_);
   shareWidth();
   if (hasShownAll && !showsAll(parts_.view)) parts_.view.frameAll(); // it has half of its width

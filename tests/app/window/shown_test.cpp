@@ -20,6 +20,8 @@
 namespace espalier {
 namespace {
 
+using Eigen::Vector3d;
+
 /// What of the plant is shown, in the real window: test::fork(3), a trunk with three shoots, of
 /// which the first continues the trunk.
 class ShownTest : public test::WindowTest {
@@ -111,6 +113,37 @@ TEST_F(ShownTest, HidesThePointsOfTheWoodThatIsHidden) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return shownOf(top_) == 0; }, patience));
   EXPECT_EQ(shownOf(branch_), ofBranch);
   EXPECT_EQ(document().undoStack().count(), 0);
+}
+
+TEST_F(ShownTest, AnEmptyViewSaysWhyItIsEmpty) {
+  const auto says = [&](const char* word) {
+    const QString wanted = QString::fromUtf8(word);
+    return QTest::qWaitFor(
+        [&] {
+          const QString said = view().accessibleDescription();
+          return wanted.isEmpty() ? said.isEmpty() : said.contains(wanted);
+        },
+        patience);
+  };
+  waitForView();
+  EXPECT_TRUE(says(""));
+  view().setClip({.slab = {}, .box = Eigen::AlignedBox3d(Vector3d(5, 5, 5), Vector3d(6, 6, 6))});
+  EXPECT_TRUE(says("slab or the box")) << view().accessibleDescription().toStdString();
+  key(Qt::Key_H, Qt::AltModifier);
+  EXPECT_TRUE(says(""));
+  document().selection().set(document().skeleton().ids());
+  key(Qt::Key_H);
+  EXPECT_TRUE(says("hidden")) << view().accessibleDescription().toStdString();
+  key(Qt::Key_H, Qt::AltModifier);
+  action("layer_skeleton").setChecked(false);
+  EXPECT_TRUE(says("layers are off"));
+  action("layer_skeleton").setChecked(true);
+  Camera camera = view().camera();
+  camera.focus += 100 * Vector3d::UnitZ();
+  view().setCamera(camera);
+  EXPECT_TRUE(says("not in view"));
+  action("frame_all").trigger();
+  EXPECT_TRUE(says(""));
 }
 
 TEST_F(ShownTest, HidesTheAxisUnderThePointer) {

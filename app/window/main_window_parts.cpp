@@ -357,6 +357,7 @@ void MainWindow::joinViews() {
   connect(&theme, &ThemeFlow::changed, view_, &PlantView::setDark);
   connect(&theme, &ThemeFlow::changed, &parts_.get<EvaluationFlow>(), &EvaluationFlow::setDark);
   connect(&theme, &ThemeFlow::changed, &parts_.get<JudgeFlow>(), &JudgeFlow::setDark);
+  connect(&theme, &ThemeFlow::changed, &parts_.get<ValueColors>(), &ValueColors::setDark);
   theme.start();
   joinOrgans();
 }

@@ -13,11 +13,17 @@ bool isReviewed(const Skeleton& skeleton, NodeId id) {
   return skeleton[id].review.state == ReviewState::reviewed;
 }
 
+bool isToDo(const Skeleton& skeleton, NodeId id) {
+  return skeleton[id].review.state == ReviewState::toDo;
+}
+
 bool leadsTo(const Skeleton& skeleton, const Stretch& stretch, WalkTo to) {
   const NodeId last = stretch.back(); // a stretch ends where an end or a branching is
   switch (to) {
   case WalkTo::anyStretch:
     return true;
+  case WalkTo::toDo:
+    return std::ranges::any_of(stretch, [&](NodeId id) { return isToDo(skeleton, id); });
   case WalkTo::notReviewed:
     return !std::ranges::all_of(stretch, [&](NodeId id) { return isReviewed(skeleton, id); });
   case WalkTo::openEnd:

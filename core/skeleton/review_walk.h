@@ -35,7 +35,8 @@ using Stretch = std::vector<NodeId>; // not empty
 
 enum class WalkTo : std::uint8_t {
   anyStretch,
-  notReviewed, // in part at least: to do or doubtful
+  toDo,        // in part at least
+  notReviewed, // likewise: to do or doubtful
   openEnd,     // an apex that is not reviewed
   branching    // a node with several children that is not reviewed
 };

@@ -1,5 +1,6 @@
 #include "ui/panels/coverage_bar.h"
 
+#include "ui/document/review_look.h"
 #include "ui/panels/coverage_text.h"
 
 #include <QEvent>
@@ -55,15 +56,13 @@ void CoverageBar::paintEvent(QPaintEvent* event) {
 }
 
 void CoverageBar::fill(QPainter& painter, const QRectF& part, ReviewState state) const {
+  if (state == ReviewState::toDo) // what is missing is empty
+    return painter.fillRect(part, palette().color(QPalette::Mid));
   const bool isDark = palette().color(QPalette::Window).lightness() < 128;
-  if (state == ReviewState::toDo) { // what is missing is empty
-    painter.fillRect(part, palette().color(QPalette::Mid));
-  } else if (state == ReviewState::reviewed) { // Okabe and Ito's blues and orange
-    painter.fillRect(part, isDark ? QColor(0x56, 0xb4, 0xe9) : QColor(0x00, 0x72, 0xb2));
-  } else {
-    painter.fillRect(part, QColor(0xe6, 0x9f, 0x00));
-    painter.fillRect(part, QBrush(QColor(0x60, 0x40, 0x00), Qt::BDiagPattern));
-  }
+  const Color color = colorOf(state, isDark);
+  painter.fillRect(part, QColor(color[0], color[1], color[2]));
+  if (state == ReviewState::doubtful)
+    painter.fillRect(part, QBrush(palette().color(QPalette::Window), Qt::BDiagPattern));
 }
 
 } // namespace espalier

@@ -1,6 +1,7 @@
 #include "ui/panels/review_panel.h"
 
 #include "ui/document/plant_document.h"
+#include "ui/document/review_look.h"
 #include "ui/panels/axis_review_model.h"
 #include "ui/panels/coverage_bar.h"
 #include "ui/panels/coverage_text.h"
@@ -25,18 +26,6 @@ namespace {
 
 constexpr std::array shownStates = {ReviewState::reviewed, ReviewState::doubtful,
                                     ReviewState::toDo};
-
-QString headOf(ReviewState state) {
-  switch (state) {
-  case ReviewState::reviewed:
-    return ReviewPanel::tr("Reviewed");
-  case ReviewState::doubtful:
-    return ReviewPanel::tr("Doubtful");
-  case ReviewState::toDo:
-    break;
-  }
-  return ReviewPanel::tr("To do");
-}
 
 QGridLayout* makeGrid(QVBoxLayout& column) {
   auto* grid = new QGridLayout;
@@ -132,7 +121,7 @@ void ReviewPanel::addCoverage(QVBoxLayout& column) {
     lengths_[at]->setAlignment(Qt::AlignRight);
     const int row = grid->rowCount();
     grid->addWidget(samples_[at], row, 0);
-    grid->addWidget(new QLabel(headOf(state)), row, 1);
+    grid->addWidget(new QLabel(titleOf(state)), row, 1);
     grid->addWidget(lengths_[at], row, 2);
   }
   connect(bar_, &CoverageBar::colorsChanged, this, &ReviewPanel::showSamples);
@@ -264,7 +253,7 @@ void ReviewPanel::refreshChosen() {
     return std::ranges::all_of(
         nodes, [&](NodeId id) { return skeleton[id].review.*member == first.*member; });
   };
-  QString state = headOf(coverage(skeleton, nodes).state());
+  QString state = titleOf(coverage(skeleton, nodes).state());
   if (!all(&ReviewMark::state)) state += tr(", in part");
   if (all(&ReviewMark::reviewer) && !first.reviewer.empty())
     state += QStringLiteral(" · ") + QString::fromStdString(first.reviewer);

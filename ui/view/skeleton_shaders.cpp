@@ -28,7 +28,8 @@ namespace espalier::shaders {
   "}\n"                                                                                            \
   "vec3 dressed(vec3 usual, vec4 own, float isFaded, float z) {\n"                                 \
   "  vec3 color = faded(own.a > 0.5 ? own.rgb / 255.0 : usual, z);\n"                              \
-  "  return isFaded > 0.5 ? mix(color, backgroundColor, 0.82) : color;\n"                          \
+  "  float paleness = own.a > 0.5 ? 0.4 : 0.82;\n" /* a color that has a meaning is still read */  \
+  "  return isFaded > 0.5 ? mix(color, backgroundColor, paleness) : color;\n"                      \
   "}\n"
 
 /// An edge is cut where it leaves the clip, by the distance of each end to its sides.

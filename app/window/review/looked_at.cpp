@@ -29,13 +29,6 @@ QString nameOf(const QAction& action) {
   return keys.isEmpty() ? name : QString("%1 (%2)").arg(name, keys);
 }
 
-/// "node 12", or "3 of the 8 nodes selected"
-QString countOf(std::size_t unseen, const std::vector<NodeId>& nodes) {
-  if (nodes.size() == 1) return nodeName(nodes.front());
-  return LookedAtText::tr("%1 of the %2 nodes selected")
-      .arg(formatCount(unseen), formatCount(nodes.size()));
-}
-
 /// Why a node is not seen.
 enum class Unseen : std::uint8_t { hidden, clipped, offScreen };
 
@@ -60,27 +53,18 @@ std::optional<Unseen> whyUnseen(NodeId id, const Seen& seen) {
   return first;
 }
 
-QString whyNot(Unseen reason, const QString& which, const ActionSet& actions) {
-  switch (reason) {
-  case Unseen::hidden:
-    return LookedAtText::tr("nothing is marked, as %1 cannot be seen, being hidden: choose %2")
-        .arg(which, nameOf(*actions["show_all"]));
-  case Unseen::clipped:
-    return LookedAtText::tr(
-               "nothing is marked, as %1 cannot be seen, being clipped away: choose %2")
-        .arg(which, nameOf(*actions["show_all"]));
-  case Unseen::offScreen:
-    return LookedAtText::tr(
-               "nothing is marked, as %1 cannot be seen, being outside the view: choose %2")
-        .arg(which, nameOf(*actions["frame"]));
-  }
-  return {};
+/// A mark is of the edge, too: as what is seen is convex, so are the places of an edge.
+std::optional<Unseen> whyEdgeUnseen(NodeId id, const Seen& seen) {
+  if (const auto reason = whyUnseen(id, seen)) return reason;
+  const std::optional<NodeId> parent = seen.skeleton[id].parent;
+  return parent ? whyUnseen(*parent, seen) : std::nullopt;
 }
 
 } // namespace
 
-void requireLookedAt(const Seen& seen, const std::vector<NodeId>& nodes, const ActionSet& actions) {
-  if (!isOneLook(seen.skeleton, nodes))
+void requireOneLook(const Skeleton& skeleton, const std::vector<NodeId>& nodes,
+                    const ActionSet& actions) {
+  if (!isOneLook(skeleton, nodes))
     throw Error(LookedAtText::tr(
                     "nothing is marked, as %1 nodes are more than one looks at in one go: walk to "
                     "them by %2, or choose Review > %3")
@@ -91,12 +75,21 @@ void requireLookedAt(const Seen& seen, const std::vector<NodeId>& nodes, const A
     throw Error(LookedAtText::tr("nothing is marked, as the skeleton is not shown: choose %1")
                     .arg(nameOf(*actions["layer_skeleton"]))
                     .toStdString());
+}
+
+QString unseenText(const Seen& seen, const std::vector<NodeId>& nodes) {
   std::map<Unseen, std::size_t> unseen;
   for (const NodeId id : nodes)
-    if (const std::optional<Unseen> reason = whyUnseen(id, seen)) ++unseen[*reason];
-  if (unseen.empty()) return;
+    if (const std::optional<Unseen> reason = whyEdgeUnseen(id, seen)) ++unseen[*reason];
+  if (unseen.empty()) return {};
   const auto& [reason, count] = *unseen.begin();
-  throw Error(whyNot(reason, countOf(count, nodes), actions).toStdString());
+  const QString text = reason == Unseen::hidden    ? LookedAtText::tr("%1 hidden")
+                       : reason == Unseen::clipped ? LookedAtText::tr("%1 clipped away")
+                                                   : LookedAtText::tr("%1 outside the view");
+  if (nodes.size() == 1) return text.arg(LookedAtText::tr("%1 was").arg(nodeName(nodes.front())));
+  return text.arg((count == 1 ? LookedAtText::tr("%1 of the %2 nodes selected was")
+                              : LookedAtText::tr("%1 of the %2 nodes selected were"))
+                      .arg(formatCount(count), formatCount(nodes.size())));
 }
 
 } // namespace espalier

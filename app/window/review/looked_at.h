@@ -2,6 +2,8 @@
 
 #include "core/skeleton/skeleton.h"
 
+#include <QString>
+
 #include <vector>
 
 namespace espalier {
@@ -16,9 +18,14 @@ struct Seen {
   std::vector<const PlantView*> views; // nodes are seen in any of them; not empty
 };
 
-/// Nodes may be marked reviewed by a key if they are seen, be it behind wood, and are no more than
-/// one looks at in one go (isOneLook in core/skeleton/review_walk.h).
+/// Nodes may be marked reviewed by a key if they are no more than one looks at in one go (isOneLook
+/// in core/skeleton/review_walk.h), and the skeleton is shown.
 /// @throws Error that says why they may not, and what to choose. pre: the skeleton has the nodes
-void requireLookedAt(const Seen& seen, const std::vector<NodeId>& nodes, const ActionSet& actions);
+void requireOneLook(const Skeleton& skeleton, const std::vector<NodeId>& nodes,
+                    const ActionSet& actions);
+
+/// "3 of the 8 nodes selected were hidden": which nodes, each with the edge to its parent, are not
+/// seen, be it behind wood; empty: all are. pre: the skeleton has the nodes
+[[nodiscard]] QString unseenText(const Seen& seen, const std::vector<NodeId>& nodes);
 
 } // namespace espalier

@@ -2,9 +2,11 @@
 
 #include "app/window/edit/editing.h"
 #include "app/window/frame/action_set.h"
+#include "app/window/frame/key_hints.h"
 #include "app/window/frame/panel_dock.h"
 #include "app/window/review/looked_at.h"
 #include "core/base/error.h"
+#include "core/skeleton/review_coverage.h"
 #include "ui/document/plant_document.h"
 #include "ui/panels/review_panel.h"
 #include "ui/tools/node_edits.h"
@@ -19,6 +21,7 @@
 #include <QSettings>
 
 #include <algorithm>
+#include <utility>
 
 namespace espalier {
 namespace {
@@ -103,18 +106,18 @@ void ReviewFlow::addMarkActions() {
   const auto add = [this](const char* id, const QString& text, const QString& help,
                           const QKeySequence& keys, const std::function<void()>& act) {
     marks_.append(parts_.actions.add({.id = id, .text = text, .help = help, .keys = keys}, act));
+    marks_.last()->setAutoRepeat(false); // a key held down marks once
   };
   add("mark_reviewed", tr("Mark Reviewed and Go On"),
-      tr("What is selected and seen is right; shows the next stretch that is not reviewed. Unless "
-         "the panel is in front, it only begins the review"),
+      tr("What is selected and seen is right; shows the next stretch that is to do. Unless the "
+         "panel "
+         "is in front, it only begins the review"),
       Qt::Key_Enter, [this] { markReviewed(); });
   add("mark_doubtful", tr("Mark Doubtful"),
-      tr("What is selected needs another look; Enter then goes on and leaves the doubt"),
-      QKeySequence(Qt::SHIFT | Qt::Key_Enter), [this] {
-        requireToMark();
-        mark(ReviewState::doubtful, parts_.document.selection().nodes());
-        doubt_ = Doubt::isNew;
-      });
+      tr("What is selected needs another look; with the panel in front, shows the next stretch "
+         "that "
+         "is to do"),
+      QKeySequence(Qt::SHIFT | Qt::Key_Enter), [this] { markDoubtful(); });
   add("mark_to_do", tr("Mark To Do"), tr("What is selected is to be reviewed again"),
       Qt::Key_Backspace, [this] {
         requireToMark();
@@ -155,7 +158,7 @@ void ReviewFlow::connectParts() {
   connect(&document, &PlantDocument::skeletonEdited, this, &ReviewFlow::refreshEnabled);
   connect(&document, &PlantDocument::skeletonReplaced, this, [this] { at_.clear(); });
   connect(&document.selection(), &Selection::changed, this, [this] {
-    doubt_ = Doubt::old;
+    isDoubtAskedFor_ = false;
     showPlace();
     refreshEnabled();
   });
@@ -171,7 +174,7 @@ void ReviewFlow::connectParts() {
   connect(panel_, &ReviewPanel::axisChosen, this, [this](const Axis& axis) {
     at_.clear();
     parts_.document.selection().set(axis);
-    frame(axis);
+    if (const QString note = frame(axis); !note.isEmpty()) emit noted(note);
   });
   // Enter in a field takes what is typed there, and marks nothing.
   connect(qApp, &QApplication::focusChanged, this, [this](QWidget* before, QWidget* now) {
@@ -203,7 +206,7 @@ void ReviewFlow::step(WalkTo to, WalkDirection direction) {
                                               : walk(skeleton, all, from, to, direction);
   if (next)
     goTo(all, *next);
-  else if (to == WalkTo::notReviewed)
+  else if (to == WalkTo::toDo || to == WalkTo::notReviewed)
     emit noted(tr("All is reviewed: the structure can be signed"));
   else if (to == WalkTo::openEnd)
     emit noted(tr("Every end is reviewed"));
@@ -216,11 +219,12 @@ void ReviewFlow::goTo(const std::vector<Stretch>& all, std::size_t index) {
   placeText_ = tr("Stretch %1 of %2").arg(formatCount(index + 1), formatCount(all.size()));
   parts_.document.selection().set(at_);
   showPlace(); // the same nodes may be another stretch of more
-  frame(at_);
+  if (const QString note = frame(at_); !note.isEmpty()) emit noted(note);
 }
 
 /// Shows nodes with some of what is around them, from their best side.
-void ReviewFlow::frame(const std::vector<NodeId>& nodes) {
+/// @return what else had to be shown for that; empty: nothing
+QString ReviewFlow::frame(const std::vector<NodeId>& nodes) {
   const Skeleton& skeleton = parts_.document.skeleton();
   Sight sight{.nodes = nodes};
   Eigen::AlignedBox3d box;
@@ -232,35 +236,62 @@ void ReviewFlow::frame(const std::vector<NodeId>& nodes) {
   }
   sight.margin = std::max(0.3 * box.diagonal().norm(), 0.2 * longestStretch(skeleton));
   const Camera camera = parts_.view.cameraToSee(sight);
-  const QString note = parts_.reveal(nodes, {}, camera);
+  QString note = parts_.reveal(sight.nodes, {}, camera);
   parts_.view.flyTo(camera);
-  if (!note.isEmpty()) emit noted(note);
+  return note;
 }
 
 void ReviewFlow::markReviewed() {
   // Enter also accepts previews: one Enter too many must not review what nobody looks at.
-  if (!dock_->isInFront()) return step(WalkTo::notReviewed);
+  if (!dock_->isInFront()) return step(WalkTo::toDo);
   requireToMark();
-  if (isDoubtful() && doubt_ == Doubt::isNew) {
-    doubt_ = Doubt::old; // should the walk lead nowhere else
-    return step(WalkTo::notReviewed);
-  }
   const std::vector<NodeId> nodes = parts_.document.selection().nodes();
-  requireLookedAt({.skeleton = parts_.document.skeleton(),
-                   .hidden = parts_.hidden(),
-                   .views = {&parts_.view, &parts_.editing.activeView()}},
-                  nodes, parts_.actions);
-  if (isDoubtful() && doubt_ != Doubt::askedFor) return askForDoubt();
-  mark(ReviewState::reviewed, nodes);
-  step(WalkTo::notReviewed);
+  requireOneLook(parts_.document.skeleton(), nodes, parts_.actions);
+  const QString unseen = unseenText({.skeleton = parts_.document.skeleton(),
+                                     .hidden = parts_.hidden(),
+                                     .views = {&parts_.view, &parts_.editing.activeView()}},
+                                    nodes);
+  if (!unseen.isEmpty()) {
+    const QString note = frame(nodes);
+    emit noted(withKeys(tr("Nothing is marked yet, as %1: now it is shown, and {mark_reviewed} "
+                           "marks it"),
+                        parts_.actions)
+                   .arg(unseen) +
+               (note.isEmpty() ? note : QStringLiteral("   ") + note));
+    return;
+  }
+  const std::vector<NodeId> toDo = selected(ReviewState::toDo);
+  const std::vector<NodeId> doubtful = selected(ReviewState::doubtful);
+  const bool takesDoubtBack = toDo.empty() && !doubtful.empty();
+  if (takesDoubtBack && !std::exchange(isDoubtAskedFor_, false)) return askForDoubt(doubtful);
+  mark(ReviewState::reviewed, takesDoubtBack ? doubtful : toDo);
+  goOnAfter(takesDoubtBack);
+}
+
+void ReviewFlow::markDoubtful() {
+  requireToMark();
+  mark(ReviewState::doubtful, parts_.document.selection().nodes());
+  if (dock_->isInFront()) goOnAfter(false); // else one only notes it by the way
+}
+
+/// To what is to do; to what is doubtful only where one has looked at doubts before.
+void ReviewFlow::goOnAfter(bool wasDoubtful) {
+  const ReviewCoverage all = coverage(parts_.document.skeleton());
+  const std::size_t toDo = all.nodes[static_cast<std::size_t>(ReviewState::toDo)];
+  const std::size_t doubtful = all.nodes[static_cast<std::size_t>(ReviewState::doubtful)];
+  if (toDo > 0) return step(WalkTo::toDo);
+  if (wasDoubtful || doubtful == 0) return step(WalkTo::notReviewed);
+  emit noted(withKeys((doubtful == 1 ? tr("Nothing is to do; %1 node is doubtful: "
+                                          "{next_not_reviewed} goes there")
+                                     : tr("Nothing is to do; %1 nodes are doubtful: "
+                                          "{next_not_reviewed} walks to them"))
+                          .arg(formatCount(doubtful)),
+                      parts_.actions));
 }
 
 void ReviewFlow::markAllSelected() {
   requireToMark();
-  std::vector<NodeId> nodes = parts_.document.selection().nodes();
-  std::erase_if(nodes, [&](NodeId id) {
-    return parts_.document.skeleton()[id].review.state != ReviewState::toDo;
-  });
+  const std::vector<NodeId> nodes = selected(ReviewState::toDo);
   if (nodes.empty())
     throw Error(
         tr("nothing that is selected is to do: it is reviewed or doubtful already").toStdString());
@@ -268,18 +299,16 @@ void ReviewFlow::markAllSelected() {
   mark(ReviewState::reviewed, nodes);
 }
 
-bool ReviewFlow::isDoubtful() const {
-  return std::ranges::any_of(parts_.document.selection().nodes(), [&](NodeId id) {
-    return parts_.document.skeleton()[id].review.state == ReviewState::doubtful;
-  });
+/// Of what is selected, what is in a state.
+std::vector<NodeId> ReviewFlow::selected(ReviewState state) const {
+  std::vector<NodeId> nodes = parts_.document.selection().nodes();
+  std::erase_if(nodes,
+                [&](NodeId id) { return parts_.document.skeleton()[id].review.state != state; });
+  return nodes;
 }
 
 /// Says whose doubt Enter would take back, and why it was: the next Enter does so.
-void ReviewFlow::askForDoubt() {
-  std::vector<NodeId> doubtful = parts_.document.selection().nodes();
-  std::erase_if(doubtful, [&](NodeId id) {
-    return parts_.document.skeleton()[id].review.state != ReviewState::doubtful;
-  });
+void ReviewFlow::askForDoubt(const std::vector<NodeId>& doubtful) {
   const ReviewMark& mark = parts_.document.skeleton()[doubtful.front()].review;
   QString whose = QString::fromStdString(mark.reviewer);
   if (!mark.comment.empty())
@@ -290,7 +319,7 @@ void ReviewFlow::askForDoubt() {
   text += tr(": %1 once more takes that back and marks it reviewed")
               .arg(parts_.actions["mark_reviewed"]->shortcut().toString(QKeySequence::NativeText));
   text[0] = text[0].toUpper();
-  doubt_ = Doubt::askedFor;
+  isDoubtAskedFor_ = true;
   emit noted(text);
 }
 

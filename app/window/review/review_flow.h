@@ -7,7 +7,6 @@
 #include <QList>
 #include <QString>
 
-#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -28,7 +27,8 @@ class ReviewPanel;
 ///
 /// The stretch one is at is what is selected; so it can be changed by any selection before it is
 /// marked. The key that marks it reviewed does so only with what is seen and is looked at in one go
-/// (app/window/review/looked_at.h), and takes no doubt back unasked.
+/// (app/window/review/looked_at.h): what is not seen it shows first. It takes no doubt back
+/// unasked, and leads to none.
 class ReviewFlow : public WindowPart {
   Q_OBJECT
 
@@ -66,11 +66,13 @@ private:
 
   void step(WalkTo to, WalkDirection direction = WalkDirection::forward);
   void goTo(const std::vector<Stretch>& all, std::size_t index);
-  void frame(const std::vector<NodeId>& nodes);
+  [[nodiscard]] QString frame(const std::vector<NodeId>& nodes);
   void markReviewed();
+  void markDoubtful();
+  void goOnAfter(bool wasDoubtful);
   void markAllSelected();
-  [[nodiscard]] bool isDoubtful() const; // any node that is selected
-  void askForDoubt();
+  [[nodiscard]] std::vector<NodeId> selected(ReviewState state) const;
+  void askForDoubt(const std::vector<NodeId>& doubtful);
   void mark(ReviewState state, const std::vector<NodeId>& nodes);
   void comment(const QString& text);
   void beginComment();
@@ -85,15 +87,10 @@ private:
   QList<QAction*> walks_;
   QList<QAction*> marks_;
   QString reviewer_;
-  Stretch at_;        // where one is; may hold nodes that are gone
-  QString placeText_; // of at_
-  enum class Doubt : std::uint8_t {
-    old,     // Enter asks whether it is to be taken back
-    isNew,   // Enter leaves it and goes on
-    askedFor // Enter takes it back
-  };
-  Doubt doubt_ = Doubt::old; // of what is selected, if it is doubtful
-  bool isFading_ = false;    // all but at_, while it is what is selected
+  Stretch at_;                   // where one is; may hold nodes that are gone
+  QString placeText_;            // of at_
+  bool isDoubtAskedFor_ = false; // of what is selected: Enter takes it back
+  bool isFading_ = false;        // all but at_, while it is what is selected
   bool isEnabled_ = true;
   bool isInGesture_ = false;
 };

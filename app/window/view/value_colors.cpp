@@ -6,6 +6,7 @@
 #include "core/cloud/displacements.h"
 #include "core/skeleton/node_values.h"
 #include "ui/document/plant_document.h"
+#include "ui/document/review_look.h"
 #include "ui/view/plant_view.h"
 
 #include <QAction>
@@ -43,18 +44,12 @@ template <class Number> double nearlyLargest(std::vector<Number> numbers) {
   return *at > 0 ? double(*at) : 1;
 }
 
-Legend reviewLegend() {
-  return {.id = "node_color_review",
-          .title = ValueColors::tr("Review"),
-          .unit = {},
-          .categories = {{ValueColors::tr("To do"), {0x99, 0x99, 0x99}},
-                         {ValueColors::tr("Doubtful"), {0xe6, 0x9f, 0x00}},
-                         {ValueColors::tr("Reviewed"), {0x00, 0x72, 0xb2}}}};
-}
-
-NodeColors reviewColors(const Skeleton& skeleton) {
-  NodeColors colors{.values = std::vector<float>(skeleton.idEnd(), asUsual),
-                    .legend = reviewLegend()};
+NodeColors reviewColors(const Skeleton& skeleton, bool isDark) {
+  NodeColors colors{
+      .values = std::vector<float>(skeleton.idEnd(), asUsual),
+      .legend = {.id = "node_color_review", .title = ValueColors::tr("Review"), .unit = {}}};
+  for (const ReviewState state : {ReviewState::toDo, ReviewState::doubtful, ReviewState::reviewed})
+    colors.legend.categories.push_back({titleOf(state), colorOf(state, isDark)});
   for (const NodeId id : skeleton.ids())
     colors.values[indexOf(id)] = static_cast<float>(skeleton[id].review.state);
   return colors;
@@ -106,7 +101,8 @@ void ValueColors::show() {
 void ValueColors::colorNodes() {
   if (nodeColor_ == "node_color_comparison") return; // EvaluationFlow colors them
   const Skeleton& skeleton = parts_.document.skeleton();
-  if (nodeColor_ == "node_color_review") return parts_.view.setNodeColors(reviewColors(skeleton));
+  if (nodeColor_ == "node_color_review")
+    return parts_.view.setNodeColors(reviewColors(skeleton, isDark_));
   const auto value = valuesById().find(nodeColor_);
   if (value == valuesById().end() || skeleton.isEmpty())
     return parts_.view.setNodeColors(std::nullopt);
@@ -128,6 +124,11 @@ void ValueColors::colorNodes() {
   colors.legend.id = nodeColor_;
   colors.legend.histogram = histogramOf(known, {colors.legend.from, colors.legend.to});
   parts_.view.setNodeColors(std::move(colors));
+}
+
+void ValueColors::setDark(bool isDark) {
+  isDark_ = isDark;
+  colorNodes();
 }
 
 void ValueColors::setPreviewed(std::shared_ptr<const Eigen::Matrix3Xf> contracted,

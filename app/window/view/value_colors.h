@@ -41,6 +41,7 @@ public:
   /// @param points which points of the scan these are, ascending; empty: all
   void setPreviewed(std::shared_ptr<const Eigen::Matrix3Xf> contracted,
                     std::vector<Eigen::Index> points);
+  void setDark(bool isDark);
 
 private:
   void choose();
@@ -62,6 +63,7 @@ private:
   std::shared_ptr<const Eigen::Matrix3Xf> previewed_;
   std::vector<Eigen::Index> previewedPoints_; // as of setPreviewed()
   bool hasPointValues_ = false;
+  bool isDark_ = false;
   QTimer timer_;
 };
 

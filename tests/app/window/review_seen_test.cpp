@@ -25,42 +25,64 @@ namespace {
 
 using test::ReviewWindowTest;
 
-TEST_F(ReviewWindowTest, EnterMarksNothingThatIsNotSeen) {
+TEST_F(ReviewWindowTest, EnterShowsFirstWhatIsNotSeenAndMarksItTheNextTime) {
   openFork();
   key(Qt::Key_F9);
-  document().selection().set({shoot()});
-  const auto expectRefused = [&](const QString& why) {
+  const auto expectShownFirst = [&](const std::vector<NodeId>& nodes, const QString& why) {
+    document().selection().set(nodes);
     key(Qt::Key_Return);
-    EXPECT_EQ(markOf(shoot()).state, ReviewState::toDo) << why.toStdString();
-    EXPECT_EQ(
-        window().banner().text(),
-        QString("Nothing is marked, as node %1 cannot be seen, being ").arg(indexOf(shoot())) +
-            why);
+    for (const NodeId id : nodes)
+      EXPECT_EQ(markOf(id).state, ReviewState::toDo) << why.toStdString();
+    EXPECT_TRUE(window().statusLine().shownText().startsWith(
+        "Nothing is marked yet, as " + why + ": now it is shown, and Enter marks it"))
+        << window().statusLine().shownText().toStdString();
+    waitForView();
+    for (const NodeId id : nodes)
+      EXPECT_TRUE(isDrawn(id)) << why.toStdString();
+    EXPECT_EQ(chosen(), nodes);
+    key(Qt::Key_Return);
+    for (const NodeId id : nodes)
+      EXPECT_EQ(markOf(id).state, ReviewState::reviewed) << why.toStdString();
+    key(Qt::Key_Z, Qt::ControlModifier);
   };
-  const Eigen::Vector3d place = document().skeleton()[shoot()].position;
-  view().setClip({.slab = {},
-                  .box = Eigen::AlignedBox3d(Eigen::Vector3d(-1, -1, 0),
-                                             Eigen::Vector3d(1, 1, place.z() - 0.1))});
-  expectRefused("clipped away: choose Show All Again (Alt+H)");
+  const QString name = QString("node %1").arg(indexOf(shoot()));
+  const std::vector<NodeId> trunk{nodeAt({0, 0, 0}), nodeAt({0, 0, 1})};
+  const Eigen::Vector3d low(-2, -2, -1);
+  const Eigen::Vector3d high(2, 2, 3);
+  view().setClip({.slab = {}, .box = Eigen::AlignedBox3d(low, Eigen::Vector3d(2, 2, 1.9))});
+  expectShownFirst({shoot()}, name + " was clipped away");
+  view().setClip({.slab = {}, .box = Eigen::AlignedBox3d(Eigen::Vector3d(-2, -2, 1.5), high)});
+  expectShownFirst({shoot()}, name + " was clipped away"); // the foot of its edge
+  view().setClip({.slab = {}, .box = Eigen::AlignedBox3d(Eigen::Vector3d(-2, -2, 0.5), high)});
+  expectShownFirst(trunk, "2 of the 2 nodes selected were clipped away");
   view().setClip({});
   Camera aside = view().camera();
   aside.focus += 100 * aside.right();
   view().setCamera(aside);
-  expectRefused("outside the view: choose Frame Selection (F)");
-  action("frame").trigger();
-  waitForView();
+  expectShownFirst({shoot()}, name + " was outside the view");
+  document().selection().set({trunk.back()});
   action("hide").trigger();
-  document().selection().set({shoot()}); // as from the node table
-  expectRefused("hidden: choose Show All Again (Alt+H)");
-  action("show_all").trigger();
+  expectShownFirst(trunk, "1 of the 2 nodes selected was hidden");
+}
+
+TEST_F(ReviewWindowTest, EnterMarksNothingWhileTheSkeletonIsNotShown) {
+  openFork();
+  key(Qt::Key_F9);
+  document().selection().set({shoot()});
   action("layer_skeleton").trigger();
   key(Qt::Key_Return);
   EXPECT_EQ(window().banner().text(),
             "Nothing is marked, as the skeleton is not shown: choose Skeleton (Ctrl+3)");
-  action("layer_skeleton").trigger();
   EXPECT_EQ(document().undoStack().count(), 0);
+  action("layer_skeleton").trigger();
   key(Qt::Key_Return);
   EXPECT_EQ(markOf(shoot()).state, ReviewState::reviewed);
+}
+
+TEST_F(ReviewWindowTest, AKeyThatIsHeldDownMarksOnce) {
+  openFork();
+  for (const char* id : {"mark_reviewed", "mark_doubtful", "mark_to_do"})
+    EXPECT_FALSE(action(id).autoRepeat()) << id;
 }
 
 TEST_F(ReviewWindowTest, EnterMarksWhatLiesBehindWood) {
@@ -116,20 +138,39 @@ TEST_F(ReviewWindowTest, TheWalkShowsWhatWasHiddenAgain) {
   EXPECT_TRUE(isDrawn(shoot()));
 }
 
-TEST_F(ReviewWindowTest, EnterAfterADoubtGoesOnAndLeavesTheDoubt) {
+TEST_F(ReviewWindowTest, ADoubtGoesOnAndNoEnterLeadsBackToIt) {
   openFork();
   key(Qt::Key_Period);
   const std::vector<NodeId> trunk = chosen();
   key(Qt::Key_Return, Qt::ShiftModifier);
-  EXPECT_EQ(chosen(), trunk) << "a comment on it may follow";
-  key(Qt::Key_Return);
-  EXPECT_NE(chosen(), trunk);
-  for (int stretch = 0; stretch < 3; ++stretch)
+  EXPECT_EQ(chosen(), std::vector{shoot()});
+  for (int stretch = 0; stretch < 5; ++stretch) // two more than there are
     key(Qt::Key_Return);
-  EXPECT_EQ(chosen(), trunk) << "all others are reviewed";
   for (const NodeId id : document().skeleton().ids())
     EXPECT_EQ(markOf(id).state,
               std::ranges::count(trunk, id) > 0 ? ReviewState::doubtful : ReviewState::reviewed);
+  EXPECT_EQ(window().statusLine().shownText(),
+            "Nothing is to do; 2 nodes are doubtful: Ctrl+. walks to them");
+  key(Qt::Key_Period, Qt::ControlModifier);
+  EXPECT_EQ(chosen(), trunk);
+  key(Qt::Key_Return);
+  EXPECT_EQ(markOf(trunk.front()).state, ReviewState::doubtful) << "one is asked first";
+  key(Qt::Key_Return);
+  EXPECT_EQ(markOf(trunk.front()).state, ReviewState::reviewed);
+  EXPECT_EQ(window().statusLine().shownText(), "All is reviewed: the structure can be signed");
+}
+
+TEST_F(ReviewWindowTest, EnterMarksWhatIsToDoBesideADoubtAndLeavesThat) {
+  openFork();
+  key(Qt::Key_Period);
+  const std::vector<NodeId> trunk = chosen();
+  document().edit("Doubt", [&](SkeletonEditor& editor) {
+    editor.setReview(trunk.back(), {.state = ReviewState::doubtful});
+  });
+  key(Qt::Key_Return);
+  EXPECT_EQ(markOf(trunk.front()).state, ReviewState::reviewed);
+  EXPECT_EQ(markOf(trunk.back()).state, ReviewState::doubtful);
+  EXPECT_EQ(chosen(), std::vector{shoot()});
 }
 
 TEST_F(ReviewWindowTest, EnterTakesAnOldDoubtBackOnlyIfItIsPressedTwice) {

@@ -308,12 +308,6 @@ TEST_F(ReviewWindowTest, EnterInMidGestureMarksNothing) {
   EXPECT_EQ(markOf(shoot()).state, ReviewState::reviewed);
 }
 
-// What is hidden, clipped away or beside the view was not looked at.
-
-// Behind its own wood, or behind other wood, as most nodes are.
-
-// The slab shows the front of the plant; the walk leads to shoots in front and behind.
-
 TEST_F(ReviewWindowTest, AReviewedNodeThatIsDraggedIsToDoAgainUntilUndo) {
   openFork();
   key(Qt::Key_F9);

@@ -105,6 +105,7 @@ TEST(ReviewWalk, FindsWhatIsNotReviewed) {
   EXPECT_EQ(walk(plant, parts, 0, WalkTo::notReviewed), 2U) << "a doubtful one is not reviewed";
   EXPECT_EQ(walk(plant, parts, 2, WalkTo::notReviewed), 6U);
   EXPECT_EQ(walk(plant, parts, 6, WalkTo::notReviewed), 2U);
+  EXPECT_EQ(walk(plant, parts, 0, WalkTo::toDo), 6U) << "a doubtful one was looked at";
   review(plant, parts[2]);
   EXPECT_EQ(walk(plant, parts, 6, WalkTo::notReviewed), 6U) << "there is only the one it is at";
   review(plant, parts[6]);

@@ -1,12 +1,15 @@
 #include "tests/support/plants.h"
 #include "tests/ui/view/pictures.h"
 #include "tests/ui/view/stick_view.h"
+#include "ui/document/review_look.h"
 #include "ui/view/palette.h"
 #include "ui/view/plant_view.h"
 
 #include <QTest>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <gmock/gmock.h>
 #include <limits>
 #include <vector>
@@ -124,6 +127,34 @@ TEST_F(LooksTest, FadesAllButSome) {
   EXPECT_EQ(view_.pick(pixelOf(NodeId{3})).node, NodeId{3}) << "it can still be picked";
   view_.setFaded(std::nullopt);
   EXPECT_GT(count({0, 0, 2.5}, test::black), 0);
+}
+
+// 2 is what is still read as a color beside the ground, by the contrast of WCAG 2.1.
+TEST_F(LooksTest, FadesColorsWithAMeaningSoThatTheyAreStillRead) {
+  for (const bool dark : {false, true}) {
+    view_.setDark(dark);
+    for (const ReviewState state : {ReviewState::doubtful, ReviewState::reviewed}) {
+      view_.setNodeColors(NodeColors{
+          {0, 0, 0, 0, 0}, {.title = {}, .unit = {}, .categories = {{{}, colorOf(state, dark)}}}});
+      view_.setFaded(std::vector<NodeId>{NodeId{1}});
+      const QImage image = view_.picture({400, 300});
+      const auto light = [&](const QPoint& at) {
+        const QColor color = image.pixelColor(at);
+        const auto linear = [](double part) {
+          return part <= 0.03928 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4);
+        };
+        return 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF()) +
+               0.0722 * linear(color.blueF()) + 0.05;
+      };
+      const QPoint place = view_.project({0, 0, 2.5})->toPoint();
+      const double ground = light(place + QPoint(40, 0));
+      double contrast = 1;
+      for (int x = -3; x <= 3; ++x)
+        contrast = std::max(
+            {contrast, light(place + QPoint(x, 0)) / ground, ground / light(place + QPoint(x, 0))});
+      EXPECT_GT(contrast, 2) << dark << titleOf(state).toStdString();
+    }
+  }
 }
 
 TEST_F(LooksTest, FadesNoChildAddedToWhatIsNotFaded) {

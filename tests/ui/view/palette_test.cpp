@@ -1,3 +1,4 @@
+#include "ui/document/review_look.h"
 #include "ui/view/palette.h"
 
 #include <gtest/gtest.h>
@@ -51,6 +52,29 @@ TEST(Palette, DistinguishesWhatTheMethodSeesWithoutAConeToo) {
         EXPECT_GT((labOf(colors.normal, eye) - labOf(other, eye)).norm(), 15)
             << (dark ? "dark, " : "light, ") << int(other[0]) << ' ' << int(other[1]) << ' '
             << int(other[2]);
+  }
+}
+
+/// Relative luminance as WCAG 2.1 has it.
+double luminanceOf(const Color& color) {
+  return std::pow((labOf(color, Eigen::Matrix3d::Identity()).x() + 16) / 116, 3);
+}
+
+TEST(Palette, DistinguishesTheStatesOfAReviewFromEachOtherAndFromWhatIsSelected) {
+  for (const bool dark : {false, true}) {
+    const std::array shown = {colorOf(ReviewState::toDo, dark),
+                              colorOf(ReviewState::doubtful, dark),
+                              colorOf(ReviewState::reviewed, dark), palette(dark).selected};
+    for (const Eigen::Matrix3d& eye : eyes())
+      for (std::size_t i = 0; i < shown.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+          EXPECT_GT((labOf(shown[i], eye) - labOf(shown[j], eye)).norm(), 15)
+              << (dark ? "dark, " : "light, ") << i << ' ' << j;
+    const double ground = luminanceOf(palette(dark).backgroundTop) + 0.05;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double light = luminanceOf(shown[i]) + 0.05;
+      EXPECT_GT(std::max(light / ground, ground / light), 3) << dark << i; // WCAG, for graphics
+    }
   }
 }
 

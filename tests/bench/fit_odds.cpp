@@ -19,6 +19,7 @@
 #include "core/pipeline/cleaned_scan.h"
 #include "core/pipeline/method_parts.h"
 #include "core/pipeline/pipeline.h"
+#include "tests/bench/fitted_quadratic.h"
 #include "tests/bench/simulated_scans.h"
 
 #include <algorithm>
@@ -37,8 +38,7 @@
 namespace espalier {
 namespace {
 
-constexpr auto features = static_cast<Eigen::Index>(EndOdds().weights.size());
-constexpr Eigen::Index terms = 1 + 2 * features;
+constexpr std::size_t features = EndOdds().weights.size();
 constexpr double shortest = 2.5; // [spacings] shorter ends are not asked about
 
 struct Example {
@@ -90,89 +90,11 @@ void append(std::vector<Example>& all, std::vector<Example> some) {
   }
 }
 
-Eigen::VectorXd termsOf(const EndEvidence& evidence, const EndOdds& bounds) {
-  Eigen::VectorXd row(terms);
-  row[0] = 1;
-  const auto values = featuresOf(evidence);
-  for (Eigen::Index i = 0; i < features; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    row[1 + i] = std::clamp(values[k], bounds.least[k], bounds.most[k]);
-    row[1 + features + i] = row[1 + i] * row[1 + i];
-  }
-  return row;
-}
-
-/// Between which all but two in a hundred examples lie, by weight.
-EndOdds boundsOf(const std::vector<Example>& examples) {
-  EndOdds bounds;
-  double all = 0;
-  for (const Example& example : examples)
-    all += example.weight;
-  std::vector<std::pair<double, double>> values(examples.size()); // with their weights
-  for (std::size_t i = 0; i < bounds.least.size(); ++i) {
-    std::ranges::transform(examples, values.begin(), [&](const Example& example) {
-      return std::pair(featuresOf(example.evidence)[i], example.weight);
-    });
-    std::ranges::sort(values);
-    double below = 0;
-    for (const auto& [value, weight] : values) {
-      if (below <= 0.01 * all) bounds.least[i] = value;
-      if (below <= 0.99 * all) bounds.most[i] = value;
-      below += weight;
-    }
-  }
-  return bounds;
-}
-
-/// Maximum likelihood by Newton's method, with a ridge of a thousandth on scaled terms.
 EndOdds fitted(const std::vector<Example>& examples) {
-  const auto count = static_cast<Eigen::Index>(examples.size());
-  EndOdds odds = boundsOf(examples);
-  Eigen::MatrixXd rows(count, terms);
-  Eigen::VectorXd labels(count), weights(count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const Example& example = examples[static_cast<std::size_t>(i)];
-    rows.row(i) = termsOf(example.evidence, odds);
-    labels[i] = example.isShoot;
-    weights[i] = example.weight;
-  }
-  weights /= weights.mean();
-  Eigen::VectorXd scales = (rows.cwiseAbs2().colwise().mean()).cwiseSqrt().transpose();
-  rows = rows * scales.cwiseInverse().asDiagonal();
-  Eigen::VectorXd found = Eigen::VectorXd::Zero(terms);
-  const double ridge = 1e-4 * static_cast<double>(count);
-  for (int step = 0; step < 100; ++step) {
-    const Eigen::VectorXd shoots = 1 / (1 + (-(rows * found)).array().exp());
-    const Eigen::VectorXd slope =
-        rows.transpose() * (weights.array() * (labels - shoots).array()).matrix() - ridge * found;
-    const Eigen::VectorXd spread = weights.array() * shoots.array() * (1 - shoots.array());
-    Eigen::MatrixXd curvature = rows.transpose() * spread.asDiagonal() * rows;
-    curvature.diagonal().array() += ridge;
-    const Eigen::VectorXd change = curvature.ldlt().solve(slope);
-    found += change;
-    if (change.cwiseAbs().maxCoeff() < 1e-10) break;
-  }
-  found = found.cwiseQuotient(scales);
-  odds.constant = found[0];
-  for (Eigen::Index i = 0; i < features; ++i) {
-    odds.weights[static_cast<std::size_t>(i)] = found[1 + i];
-    odds.squareWeights[static_cast<std::size_t>(i)] = found[1 + features + i];
-  }
-  return odds;
-}
-
-void print(const EndOdds& odds) {
-  const auto list = [](const char* name, const auto& values) {
-    std::printf("      .%s = {", name);
-    for (std::size_t i = 0; i < values.size(); ++i)
-      std::printf("%s%.4f", i ? ", " : "", values[i]);
-    std::printf("},\n");
-  };
-  std::printf("      .constant = %.4f,\n", odds.constant);
-  list("weights", odds.weights);
-  list("squareWeights", odds.squareWeights);
-  list("least", odds.least);
-  list("most", odds.most);
+  std::vector<LabelledFeatures<features>> labelled;
+  for (const Example& example : examples)
+    labelled.push_back({featuresOf(example.evidence), example.isShoot ? 1.0 : 0.0, example.weight});
+  return fittedQuadratic(labelled);
 }
 
 /// A reliability diagram as a table, and the expected calibration error.
@@ -251,7 +173,7 @@ int fitOdds(int plants, int others, int rounds) {
     odds = fitted(examples);
   }
   std::printf("%zu examples of %zu plants\n", examples.size(), cases.size());
-  print(odds);
+  printQuadratic(odds);
   std::printf("of these plants, all examples:\n");
   printReliability(examples, odds);
   std::vector<Example> before, after;

@@ -1,0 +1,111 @@
+#pragma once
+
+#include "core/base/quadratic.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdio>
+#include <utility>
+#include <vector>
+
+namespace espalier {
+
+/// An example that a logistic regression is fitted to.
+template <std::size_t Features> struct LabelledFeatures {
+  std::array<double, Features> values;
+  double label = 0; // in [0, 1]: how much of it is what the odds are of
+  double weight = 1;
+};
+
+/// Between which all but two in a hundred examples lie, by weight.
+template <std::size_t Features>
+[[nodiscard]] Quadratic<Features>
+boundedQuadratic(const std::vector<LabelledFeatures<Features>>& examples) {
+  Quadratic<Features> bounds;
+  double all = 0;
+  for (const auto& example : examples)
+    all += example.weight;
+  std::vector<std::pair<double, double>> values(examples.size()); // with their weights
+  for (std::size_t i = 0; i < Features; ++i) {
+    std::ranges::transform(examples, values.begin(), [&](const auto& example) {
+      return std::pair(example.values[i], example.weight);
+    });
+    std::ranges::sort(values);
+    double below = 0;
+    for (const auto& [value, weight] : values) {
+      if (below <= 0.01 * all) bounds.least[i] = value;
+      if (below <= 0.99 * all) bounds.most[i] = value;
+      below += weight;
+    }
+  }
+  return bounds;
+}
+
+/// The logistic regression of examples on their features, each taken as it is and squared: maximum
+/// likelihood by Newton's method, with a ridge of a ten-thousandth on scaled terms.
+template <std::size_t Features>
+[[nodiscard]] Quadratic<Features>
+fittedQuadratic(const std::vector<LabelledFeatures<Features>>& examples) {
+  constexpr auto features = static_cast<Eigen::Index>(Features);
+  constexpr Eigen::Index terms = 1 + 2 * features;
+  const auto count = static_cast<Eigen::Index>(examples.size());
+  Quadratic<Features> odds = boundedQuadratic(examples);
+  Eigen::MatrixXd rows(count, terms);
+  Eigen::VectorXd labels(count), weights(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const auto& example = examples[static_cast<std::size_t>(i)];
+    rows(i, 0) = 1;
+    for (Eigen::Index k = 0; k < features; ++k) {
+      const auto at = static_cast<std::size_t>(k);
+      rows(i, 1 + k) = std::clamp(example.values[at], odds.least[at], odds.most[at]);
+      rows(i, 1 + features + k) = rows(i, 1 + k) * rows(i, 1 + k);
+    }
+    labels[i] = example.label;
+    weights[i] = example.weight;
+  }
+  weights /= weights.mean();
+  Eigen::VectorXd scales = (rows.cwiseAbs2().colwise().mean()).cwiseSqrt().transpose();
+  for (Eigen::Index k = 0; k < terms; ++k)
+    if (scales[k] == 0) scales[k] = 1; // nothing has it
+  rows = rows * scales.cwiseInverse().asDiagonal();
+  Eigen::VectorXd found = Eigen::VectorXd::Zero(terms);
+  const double ridge = 1e-4 * static_cast<double>(count);
+  for (int step = 0; step < 100; ++step) {
+    const Eigen::VectorXd said = 1 / (1 + (-(rows * found)).array().exp());
+    const Eigen::VectorXd slope =
+        rows.transpose() * (weights.array() * (labels - said).array()).matrix() - ridge * found;
+    const Eigen::VectorXd spread = weights.array() * said.array() * (1 - said.array());
+    Eigen::MatrixXd curvature = rows.transpose() * spread.asDiagonal() * rows;
+    curvature.diagonal().array() += ridge;
+    const Eigen::VectorXd change = curvature.ldlt().solve(slope);
+    found += change;
+    if (change.cwiseAbs().maxCoeff() < 1e-10) break;
+  }
+  found = found.cwiseQuotient(scales);
+  odds.constant = found[0];
+  for (Eigen::Index i = 0; i < features; ++i) {
+    odds.weights[static_cast<std::size_t>(i)] = found[1 + i];
+    odds.squareWeights[static_cast<std::size_t>(i)] = found[1 + features + i];
+  }
+  return odds;
+}
+
+/// As it stands in the sources.
+template <std::size_t Features> void printQuadratic(const Quadratic<Features>& odds) {
+  const auto list = [](const char* name, const auto& values) {
+    std::printf("      .%s = {", name);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      std::printf("%s%.4f", i ? ", " : "", values[i]);
+    std::printf("},\n");
+  };
+  std::printf("      .constant = %.4f,\n", odds.constant);
+  list("weights", odds.weights);
+  list("squareWeights", odds.squareWeights);
+  list("least", odds.least);
+  list("most", odds.most);
+}
+
+} // namespace espalier

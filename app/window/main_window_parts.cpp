@@ -40,6 +40,7 @@
 #include "app/window/preview/sight_flow.h"
 #include "app/window/preview/states_flow.h"
 #include "app/window/preview/sweep_flow.h"
+#include "app/window/review/expected_errors_flow.h"
 #include "app/window/review/findings_flow.h"
 #include "app/window/review/review_flow.h"
 #include "app/window/review/seal_flow.h"
@@ -126,12 +127,17 @@ void MainWindow::makeReview() {
   parts_.make<SealFlow>(
       SealFlow::Parts{document_, *actions_, parts_.get<ProjectFlow>(), *banner_, *this});
   auto& editing = parts_.get<Editing>();
-  parts_.make<ReviewFlow>(ReviewFlow::Parts{document_, *view_, *actions_, editing, settings_, *this,
-                                            reveal(),
-                                            [this]() -> const std::vector<NodeId>& {
-                                              return parts_.get<ShownFlow>().hidden();
-                                            }},
-                          (*actions_)["sign_structure"]);
+  auto& distances = parts_.make<ScanDistances>(document_, queue_);
+  auto& errors =
+      parts_.make<ExpectedErrorsFlow>(ExpectedErrorsFlow::Parts{document_, queue_, distances});
+  parts_.make<ReviewFlow>(
+      ReviewFlow::Parts{
+          document_, *view_, *actions_, editing, settings_, *this, reveal(),
+          [this]() -> const std::vector<NodeId>& { return parts_.get<ShownFlow>().hidden(); },
+          errors,
+          [this](const Finding& finding) { return parts_.get<FindingsFlow>().isIgnored(finding); },
+          [this](const Finding& finding) { parts_.get<FindingsFlow>().ignore(finding); }},
+      (*actions_)["sign_structure"]);
   const PanelDock::Parts window{*actions_, settings_, *this};
   parts_.make<ShownFlow>(ShownFlow::Parts{document_, *view_, *actions_, editing, window});
 }
@@ -157,7 +163,7 @@ void MainWindow::makePoints(PipelinePanel& pipeline) {
                       }});
   parts_.make<SavedViews>(SavedViews::Parts{*view_, parts_.get<ViewOptions>(),
                                             parts_.get<ShownFlow>(), *actions_, *this});
-  auto& distances = parts_.make<ScanDistances>(document_, queue_);
+  auto& distances = parts_.get<ScanDistances>();
   parts_.make<FindingsFlow>(FindingsFlow::Parts{document_, queue_, *view_, *actions_, distances,
                                                 settings_, *this, reveal()});
   parts_.make<ExplainedFlow>(

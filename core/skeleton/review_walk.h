@@ -2,9 +2,6 @@
 
 #include "core/skeleton/axes.h"
 
-#include <cstddef>
-#include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace espalier {
@@ -22,32 +19,18 @@ using Stretch = std::vector<NodeId>; // not empty
 /// @param longest  along the axis [L]; only an edge that alone is longer makes a longer stretch
 [[nodiscard]] std::vector<Stretch> stretches(const Skeleton& skeleton, double longest);
 
+/// Those of a part of an axis, neighboring nodes.
+[[nodiscard]] std::vector<Stretch> stretchesAlong(const Skeleton& skeleton, const Axis& part,
+                                                  double longest);
+
 /// What fits a screen together with its surroundings: a tenth of the diagonal of the plant [L].
 [[nodiscard]] double longestStretch(const Skeleton& skeleton);
+
+/// How much one looks at in one go: wood of several axes, and across, in the longest stretches.
+inline constexpr double longestLook = 2;
 
 /// Whether nodes are no more than one looks at in one go: all of one axis, or together no longer
 /// than two of the longest stretches. Each node counts with the edge to its parent. O(nodes).
 [[nodiscard]] bool isOneLook(const Skeleton& skeleton, const std::vector<NodeId>& nodes);
-
-/// The stretch that `id` is in; none: the node is gone. O(N).
-[[nodiscard]] std::optional<std::size_t> stretchOf(const std::vector<Stretch>& stretches,
-                                                   NodeId id);
-
-enum class WalkTo : std::uint8_t {
-  anyStretch,
-  toDo,        // in part at least
-  notReviewed, // likewise: to do or doubtful
-  openEnd,     // an apex that is not reviewed
-  branching    // a node with several children that is not reviewed
-};
-enum class WalkDirection : std::uint8_t { forward, backward };
-
-/// The next stretch of this kind after `from`, and from the other end on once the walk is through;
-/// `from` itself comes last. None: there is none of the kind. O(N).
-/// @param from  none: before the first, or behind the last if the direction is backward
-[[nodiscard]] std::optional<std::size_t> walk(const Skeleton& skeleton,
-                                              const std::vector<Stretch>& stretches,
-                                              std::optional<std::size_t> from, WalkTo to,
-                                              WalkDirection direction = WalkDirection::forward);
 
 } // namespace espalier

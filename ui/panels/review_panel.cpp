@@ -141,6 +141,7 @@ void ReviewPanel::addChosen(QVBoxLayout& column, const Actions& actions) {
   grid->addWidget(sharingButton(*actions.next, tr("Next ▸")), 0, 1);
   grid->addWidget(sharingButton(*actions.openEnd, tr("Open End")), 1, 0);
   grid->addWidget(sharingButton(*actions.branching, tr("Branching")), 1, 1);
+  grid->addWidget(sharingButton(*actions.riskiestFirst, tr("Riskiest First")), 2, 0, 1, 2);
   column.addWidget(sharingButton(*actions.reviewed, tr("Reviewed, Go On")));
   grid = makeGrid(column);
   grid->addWidget(sharingButton(*actions.doubtful, tr("Doubtful")), 0, 0);

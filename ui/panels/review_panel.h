@@ -32,6 +32,7 @@ public:
     QAction* next;
     QAction* openEnd;
     QAction* branching;
+    QAction* riskiestFirst;
     QAction* reviewed;
     QAction* doubtful;
     QAction* toDo;
@@ -39,7 +40,7 @@ public:
   };
   ReviewPanel(PlantDocument& document, const Actions& actions, QWidget* parent = nullptr);
 
-  void showPlace(const QString& text); // as "Stretch 12 of 87"
+  void showPlace(const QString& text); // as "Stop 12 of 87"
   void showSeal(const QString& text);
   void setReviewer(const QString& name);
   void focusComment();

@@ -26,7 +26,15 @@ class ScanDistances : public WindowPart {
 public:
   ScanDistances(PlantDocument& document, JobQueue& queue);
 
-  enum class Use : std::uint8_t { findings, explained, hidden, nodeColors, pointColors, hulls };
+  enum class Use : std::uint8_t {
+    findings,
+    explained,
+    hidden,
+    nodeColors,
+    pointColors,
+    hulls,
+    review
+  };
   void setWanted(Use use, bool isWanted);
 
   /// Null: there is no scan or no skeleton, nobody wants them, or they are not ready.

@@ -257,6 +257,13 @@ bool FindingsFlow::isIgnored(const Finding& finding) const {
                              [&](const Finding& other) { return isSame(other, finding); });
 }
 
+void FindingsFlow::ignore(const Finding& finding) {
+  if (isIgnored(finding)) return;
+  ignored_.push_back(finding);
+  list();
+  emit keptChanged();
+}
+
 void FindingsFlow::step(int by) {
   dock_->bringToFront();
   if (timer_.isActive()) refresh();

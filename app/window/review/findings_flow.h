@@ -51,6 +51,8 @@ public:
   /// Those that are not ignored, as they were last found.
   [[nodiscard]] const std::vector<Finding>& findings() const { return findings_; }
   [[nodiscard]] const std::vector<Finding>& ignored() const { return shownIgnored_; }
+  [[nodiscard]] bool isIgnored(const Finding& finding) const;
+  void ignore(const Finding& finding);        // that was looked at elsewhere
   [[nodiscard]] bool isBusy() const override; // the findings are not of the plant as it is
 
 private:
@@ -82,7 +84,6 @@ private:
   [[nodiscard]] double spacing() const; // between points [L]; 0: there is no scan
   [[nodiscard]] bool isAllChecked() const;
   void list(); // what was found last, without what is gone
-  [[nodiscard]] bool isIgnored(const Finding& finding) const;
   void step(int by);
   void noteNothing();
   void answer();

@@ -92,4 +92,11 @@ QString unseenText(const Seen& seen, const std::vector<NodeId>& nodes) {
                       .arg(formatCount(count), formatCount(nodes.size())));
 }
 
+bool areSeen(const Seen& seen, const std::vector<Eigen::Vector3d>& places) {
+  return std::ranges::all_of(places, [&](const Eigen::Vector3d& place) {
+    return std::ranges::any_of(seen.views,
+                               [&](const PlantView* view) { return !whyUnseen(place, *view); });
+  });
+}
+
 } // namespace espalier

@@ -2,6 +2,7 @@
 
 #include "core/skeleton/skeleton.h"
 
+#include <Eigen/Core>
 #include <QString>
 
 #include <vector>
@@ -27,5 +28,8 @@ void requireOneLook(const Skeleton& skeleton, const std::vector<NodeId>& nodes,
 /// "3 of the 8 nodes selected were hidden": which nodes, each with the edge to its parent, are not
 /// seen, be it behind wood; empty: all are. pre: the skeleton has the nodes
 [[nodiscard]] QString unseenText(const Seen& seen, const std::vector<NodeId>& nodes);
+
+/// Whether all of some places are in one view at least, be it behind wood [L].
+[[nodiscard]] bool areSeen(const Seen& seen, const std::vector<Eigen::Vector3d>& places);
 
 } // namespace espalier

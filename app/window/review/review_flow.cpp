@@ -4,6 +4,7 @@
 #include "app/window/frame/action_set.h"
 #include "app/window/frame/key_hints.h"
 #include "app/window/frame/panel_dock.h"
+#include "app/window/review/expected_errors_flow.h"
 #include "app/window/review/looked_at.h"
 #include "core/base/error.h"
 #include "core/skeleton/review_coverage.h"
@@ -53,6 +54,7 @@ ReviewFlow::ReviewFlow(const Parts& parts, QAction* sign)
   makePanel(sign);
   parts_.actions.place("review/walk", [this](QMenu& menu) {
     menu.addActions(walks_);
+    menu.addAction(parts_.actions["riskiest_first"]);
     menu.addSeparator();
     menu.addActions(marks_);
   });
@@ -89,17 +91,26 @@ void ReviewFlow::addWalkActions() {
     walks_.append(parts_.actions.add({.id = id, .text = text, .help = help, .keys = keys},
                                      [this, to, direction] { step(to, direction); }));
   };
-  add("next_stretch", tr("Next Stretch"),
-      tr("Walks on: along the trunk, then branch by branch with its twigs"), Qt::Key_Period,
-      WalkTo::anyStretch);
-  add("previous_stretch", tr("Previous Stretch"), tr("Walks back"), Qt::Key_Comma,
-      WalkTo::anyStretch, WalkDirection::backward);
+  add("next_stretch", tr("Next Stop"),
+      tr("Walks on: along the trunk, then branch by branch with its twigs, or by expected error"),
+      Qt::Key_Period, WalkTo::anyStop);
+  add("previous_stretch", tr("Previous Stop"), tr("Walks back"), Qt::Key_Comma, WalkTo::anyStop,
+      WalkDirection::backward);
   add("next_not_reviewed", tr("Next Not Reviewed"), tr("Walks on to what is to do or doubtful"),
       QKeySequence(Qt::CTRL | Qt::Key_Period), WalkTo::notReviewed);
   add("next_open_end", tr("Next Open End"), tr("Walks on to an apex that is not reviewed"),
       Qt::Key_O, WalkTo::openEnd);
   add("next_branching", tr("Next Branching"), tr("Walks on to a branching that is not reviewed"),
       Qt::Key_B, WalkTo::branching);
+  QAction* byError = parts_.actions.add(
+      {.id = "riskiest_first",
+       .text = tr("Riskiest First"),
+       .help = tr("Walks by expected error, most first, in place of along the plant"),
+       .keys = QKeySequence(Qt::SHIFT | Qt::Key_F9),
+       .isCheckable = true},
+      [this] { chooseOrder(parts_.actions["riskiest_first"]->isChecked()); });
+  byError->setChecked(parts_.settings.value("review/riskiest_first", false).toBool());
+  order_ = byError->isChecked() ? WalkOrder::byExpectedError : WalkOrder::alongPlant;
 }
 
 void ReviewFlow::addMarkActions() {
@@ -109,12 +120,12 @@ void ReviewFlow::addMarkActions() {
     marks_.last()->setAutoRepeat(false); // a key held down marks once
   };
   add("mark_reviewed", tr("Mark Reviewed and Go On"),
-      tr("What is selected and seen is right; shows the next stretch that is to do. Unless the "
+      tr("What is selected and seen is right; shows the next stop that is to do. Unless the "
          "panel "
          "is in front, it only begins the review"),
       Qt::Key_Enter, [this] { markReviewed(); });
   add("mark_doubtful", tr("Mark Doubtful"),
-      tr("What is selected needs another look; with the panel in front, shows the next stretch "
+      tr("What is selected needs another look; with the panel in front, shows the next stop "
          "that "
          "is to do"),
       QKeySequence(Qt::SHIFT | Qt::Key_Enter), [this] { markDoubtful(); });
@@ -137,6 +148,7 @@ void ReviewFlow::makePanel(QAction* sign) {
                                              .next = at("next_stretch"),
                                              .openEnd = at("next_open_end"),
                                              .branching = at("next_branching"),
+                                             .riskiestFirst = at("riskiest_first"),
                                              .reviewed = at("mark_reviewed"),
                                              .doubtful = at("mark_doubtful"),
                                              .toDo = at("mark_to_do"),
@@ -156,9 +168,18 @@ void ReviewFlow::connectParts() {
   for (auto signal : {&PlantDocument::skeletonReplaced, &PlantDocument::readOnlyChanged})
     connect(&document, signal, this, &ReviewFlow::refreshEnabled);
   connect(&document, &PlantDocument::skeletonEdited, this, &ReviewFlow::refreshEnabled);
-  connect(&document, &PlantDocument::skeletonReplaced, this, [this] { at_.clear(); });
+  connect(&document, &PlantDocument::skeletonReplaced, this, [this] {
+    at_.clear();
+    atPoints_.reset();
+    doubted_.clear();
+    awaited_.reset();
+  });
+  connect(dock_, &PanelDock::shown, &parts_.errors, &ExpectedErrorsFlow::setWanted);
+  connect(&parts_.errors, &ExpectedErrorsFlow::changed, this, &ReviewFlow::goOnWaiting);
   connect(&document.selection(), &Selection::changed, this, [this] {
     isDoubtAskedFor_ = false;
+    awaited_.reset();
+    if (!parts_.document.selection().isEmpty()) atPoints_.reset();
     showPlace();
     refreshEnabled();
   });
@@ -189,24 +210,39 @@ bool ReviewFlow::eventFilter(QObject* watched, QEvent* event) {
   return true;
 }
 
-void ReviewFlow::step(WalkTo to, WalkDirection direction) {
-  dock_->bringToFront();
-  const Skeleton& skeleton = parts_.document.skeleton();
-  const std::vector<Stretch> all = stretches(skeleton, longestStretch(skeleton));
+/// By what is known of errors; points that were taken for no wood are none any more.
+std::vector<ReviewStop> ReviewFlow::stops() const {
+  const ExpectedErrors* known = parts_.errors.now();
+  std::vector<ReviewStop> all = reviewStops(parts_.document.skeleton(), known, order_);
+  std::erase_if(all, [&](const ReviewStop& stop) {
+    return stop.cluster && parts_.isIgnored(known->clusters[*stop.cluster]);
+  });
+  for (ReviewStop& stop : all)
+    stop.isDoubtful = stop.cluster && std::ranges::any_of(doubted_, [&](const Finding& doubted) {
+                        return isSame(doubted, known->clusters[*stop.cluster]);
+                      });
+  return all;
+}
+
+/// At points, at what is selected, or where one was last.
+std::optional<std::size_t> ReviewFlow::placeIn(const std::vector<ReviewStop>& all) const {
   const std::vector<NodeId>& chosen = parts_.document.selection().nodes();
+  if (!chosen.empty()) return stopOf(all, chosen.back());
+  const ExpectedErrors* known = parts_.errors.now();
+  const auto isHere = [&](const ReviewStop& stop) {
+    return stop.cluster && isSame(known->clusters[*stop.cluster], *atPoints_);
+  };
+  if (atPoints_)
+    if (const auto here = std::ranges::find_if(all, isHere); here != all.end())
+      return static_cast<std::size_t>(here - all.begin());
+  const Skeleton& skeleton = parts_.document.skeleton();
   const auto left = std::ranges::find_if(at_, [&](NodeId id) { return skeleton.contains(id); });
-  std::optional<std::size_t> from;
-  if (!chosen.empty())
-    from = stretchOf(all, chosen.back());
-  else if (left != at_.end())
-    from = stretchOf(all, *left);
-  const bool isElsewhere = !chosen.empty() && chosen != at_; // one has clicked: begin there
-  const std::optional<std::size_t> next = isElsewhere && from && to == WalkTo::anyStretch
-                                              ? from
-                                              : walk(skeleton, all, from, to, direction);
-  if (next)
-    goTo(all, *next);
-  else if (to == WalkTo::toDo || to == WalkTo::notReviewed)
+  return left != at_.end() ? stopOf(all, *left) : std::nullopt;
+}
+
+void ReviewFlow::step(WalkTo to, WalkDirection direction) {
+  if (stepIfAny(to, direction)) return;
+  if (to == WalkTo::toDo || to == WalkTo::notReviewed)
     emit noted(tr("All is reviewed: the structure can be signed"));
   else if (to == WalkTo::openEnd)
     emit noted(tr("Every end is reviewed"));
@@ -214,29 +250,132 @@ void ReviewFlow::step(WalkTo to, WalkDirection direction) {
     emit noted(tr("Every branching is reviewed"));
 }
 
-void ReviewFlow::goTo(const std::vector<Stretch>& all, std::size_t index) {
-  at_ = all[index];
-  placeText_ = tr("Stretch %1 of %2").arg(formatCount(index + 1), formatCount(all.size()));
+/// @return false: there is nothing of the kind
+bool ReviewFlow::stepIfAny(WalkTo to, WalkDirection direction) {
+  dock_->bringToFront();
+  if (parts_.errors.now() == nullptr && parts_.errors.isBusy()) {
+    awaited_ = {to, direction};
+    emit noted(tr("Looking where errors are likely…"));
+    return true;
+  }
+  const std::vector<ReviewStop> all = stops();
+  const std::vector<NodeId>& chosen = parts_.document.selection().nodes();
+  const std::optional<std::size_t> from = placeIn(all);
+  const bool isElsewhere = !chosen.empty() && chosen != at_; // one has clicked: begin there
+  const std::optional<std::size_t> next =
+      isElsewhere && from && to == WalkTo::anyStop
+          ? from
+          : walk(parts_.document.skeleton(), all, from, to, direction);
+  if (next) goTo(all, *next);
+  return next.has_value();
+}
+
+/// What was asked for before errors were known.
+void ReviewFlow::goOnWaiting() {
+  if (parts_.errors.now() == nullptr && parts_.errors.isBusy()) return; // not yet
+  const auto awaited = std::exchange(awaited_, std::nullopt);
+  if (awaited) step(awaited->first, awaited->second);
+}
+
+/// Begins with the first that is to do, in the order that is chosen.
+void ReviewFlow::chooseOrder(bool isByError) {
+  order_ = isByError ? WalkOrder::byExpectedError : WalkOrder::alongPlant;
+  parts_.settings.setValue("review/riskiest_first", isByError);
+  if (!dock_->isInFront() || parts_.document.skeleton().isEmpty()) return;
+  at_.clear();
+  atPoints_.reset();
+  parts_.document.selection().clear();
+  step(WalkTo::toDo);
+  if (isByError && parts_.document.scan() == nullptr)
+    emit noted(tr("Without a scan nothing is known of errors: the walk goes along the plant"));
+}
+
+void ReviewFlow::goTo(const std::vector<ReviewStop>& all, std::size_t index) {
+  const ReviewStop& stop = all[index];
+  placeText_ = tr("Stop %1 of %2").arg(formatCount(index + 1), formatCount(all.size()));
+  if (stop.cluster)
+    placeText_ += tr(": no wood");
+  else if (stop.isClean)
+    placeText_ += tr(": clean");
+  else if (parts_.errors.now() != nullptr && stop.length > 0)
+    placeText_ += tr(": risk %1 %").arg(qRound(100 * stop.wrong / stop.length));
+  if (stop.cluster) return goToPoints(parts_.errors.now()->clusters[*stop.cluster]);
+  if (std::exchange(atPoints_, std::nullopt)) parts_.document.pointSelection().clear();
+  at_ = stop.nodes;
   parts_.document.selection().set(at_);
-  showPlace(); // the same nodes may be another stretch of more
+  showPlace(); // the same nodes may be another stop of more
   if (const QString note = frame(at_); !note.isEmpty()) emit noted(note);
+}
+
+void ReviewFlow::goToPoints(const Finding& cluster) {
+  parts_.document.selection().clear();
+  atPoints_ = cluster;
+  at_ = {cluster.node};
+  parts_.document.pointSelection().set(parts_.errors.pointsOf(cluster));
+  showPlace();
+  const QString note = frame({}, placesAt());
+  emit noted(note.isEmpty() ? withKeys(tr("No wood is near these points: add some, or press "
+                                          "{mark_reviewed} if there is none"),
+                                       parts_.actions)
+                            : note);
+}
+
+bool ReviewFlow::isAtPoints() const {
+  return atPoints_ && parts_.document.selection().isEmpty();
+}
+
+std::vector<Eigen::Vector3d> ReviewFlow::placesAt() const {
+  std::vector<Eigen::Vector3d> places;
+  const Scan* scan = parts_.document.scan();
+  if (scan == nullptr || !atPoints_) return places;
+  for (const Eigen::Index point : parts_.errors.pointsOf(*atPoints_).points())
+    places.push_back(scan->cloud()->position(point));
+  return places;
+}
+
+/// Takes the points one is at for no wood: they are no finding any more.
+void ReviewFlow::takePoints() {
+  const std::vector<Eigen::Vector3d> places = placesAt();
+  if (!areSeen({.skeleton = parts_.document.skeleton(),
+                .hidden = parts_.hidden(),
+                .views = {&parts_.view, &parts_.editing.activeView()}},
+               places)) {
+    const QString note = frame({}, places);
+    emit noted(tr("Nothing is marked yet, as not all of these points were seen: now they are") +
+               (note.isEmpty() ? note : QStringLiteral("   ") + note));
+    return;
+  }
+  const std::vector<ReviewStop> all = stops();
+  const auto from = placeIn(all);
+  const auto next = walk(parts_.document.skeleton(), all, from, WalkTo::toDo);
+  parts_.ignore(Finding(*atPoints_));
+  if (!next || !from || next == from) return goOnAfter(false);
+  goTo(stops(), *next - (*next > *from ? 1 : 0)); // without the one that was taken
 }
 
 /// Shows nodes with some of what is around them, from their best side.
 /// @return what else had to be shown for that; empty: nothing
-QString ReviewFlow::frame(const std::vector<NodeId>& nodes) {
+QString ReviewFlow::frame(const std::vector<NodeId>& nodes,
+                          const std::vector<Eigen::Vector3d>& places) {
   const Skeleton& skeleton = parts_.document.skeleton();
-  Sight sight{.nodes = nodes};
+  Sight sight{.nodes = nodes, .places = places};
+  if (sight.isEmpty()) return {};
   Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& place : places)
+    box.extend(place);
   for (const NodeId id : nodes) {
     box.extend(skeleton[id].position);
     const std::optional<NodeId> parent = skeleton[id].parent;
     if (parent) box.extend(skeleton[*parent].position);
     if (parent && std::ranges::find(nodes, *parent) == nodes.end()) sight.nodes.push_back(*parent);
   }
-  sight.margin = std::max(0.3 * box.diagonal().norm(), 0.2 * longestStretch(skeleton));
+  const double longest = longestStretch(skeleton);
+  const double across = box.diagonal().norm();
+  sight.margin = std::max(0.3 * across, 0.2 * longest);
+  if (across <= longestLook * longest) // a stop is drawn as large as that allows
+    sight.margin = std::min(sight.margin, 0.3 * longest);
   const Camera camera = parts_.view.cameraToSee(sight);
-  QString note = parts_.reveal(sight.nodes, {}, camera);
+  QString note = parts_.reveal(sight.nodes, places, camera);
   parts_.view.flyTo(camera);
   return note;
 }
@@ -244,6 +383,7 @@ QString ReviewFlow::frame(const std::vector<NodeId>& nodes) {
 void ReviewFlow::markReviewed() {
   // Enter also accepts previews: one Enter too many must not review what nobody looks at.
   if (!dock_->isInFront()) return step(WalkTo::toDo);
+  if (isAtPoints()) return takePoints();
   requireToMark();
   const std::vector<NodeId> nodes = parts_.document.selection().nodes();
   requireOneLook(parts_.document.skeleton(), nodes, parts_.actions);
@@ -269,6 +409,10 @@ void ReviewFlow::markReviewed() {
 }
 
 void ReviewFlow::markDoubtful() {
+  if (isAtPoints()) {
+    doubted_.push_back(*atPoints_);
+    return goOnAfter(false);
+  }
   requireToMark();
   mark(ReviewState::doubtful, parts_.document.selection().nodes());
   if (dock_->isInFront()) goOnAfter(false); // else one only notes it by the way
@@ -276,17 +420,17 @@ void ReviewFlow::markDoubtful() {
 
 /// To what is to do; to what is doubtful only where one has looked at doubts before.
 void ReviewFlow::goOnAfter(bool wasDoubtful) {
+  if (stepIfAny(WalkTo::toDo)) return;
   const ReviewCoverage all = coverage(parts_.document.skeleton());
-  const std::size_t toDo = all.nodes[static_cast<std::size_t>(ReviewState::toDo)];
-  const std::size_t doubtful = all.nodes[static_cast<std::size_t>(ReviewState::doubtful)];
-  if (toDo > 0) return step(WalkTo::toDo);
-  if (wasDoubtful || doubtful == 0) return step(WalkTo::notReviewed);
-  emit noted(withKeys((doubtful == 1 ? tr("Nothing is to do; %1 node is doubtful: "
-                                          "{next_not_reviewed} goes there")
-                                     : tr("Nothing is to do; %1 nodes are doubtful: "
-                                          "{next_not_reviewed} walks to them"))
-                          .arg(formatCount(doubtful)),
-                      parts_.actions));
+  const std::size_t nodes = all.nodes[static_cast<std::size_t>(ReviewState::doubtful)];
+  const std::vector<ReviewStop> left = stops();
+  const bool hasPoints = std::ranges::any_of(left, &ReviewStop::isDoubtful);
+  if (wasDoubtful || (nodes == 0 && !hasPoints)) return step(WalkTo::notReviewed);
+  const QString what = nodes > 1    ? tr("%1 nodes are doubtful").arg(formatCount(nodes))
+                       : nodes == 1 ? tr("1 node is doubtful")
+                                    : tr("points without wood are doubtful");
+  emit noted(withKeys(tr("Nothing is to do; %1: {next_not_reviewed} walks there"), parts_.actions)
+                 .arg(what));
 }
 
 void ReviewFlow::markAllSelected() {
@@ -367,7 +511,7 @@ void ReviewFlow::requireChosen(const QString& why) const {
 }
 
 void ReviewFlow::requireToMark() const {
-  requireChosen(tr("nothing is selected to mark: walk to a stretch, or select nodes"));
+  requireChosen(tr("nothing is selected to mark: walk to a stop, or select nodes"));
 }
 
 void ReviewFlow::showPlace() {
@@ -375,7 +519,7 @@ void ReviewFlow::showPlace() {
   QString text = nodes.empty() ? tr("Press . to walk") : nodeNames(nodes);
   if (!nodes.empty()) text[0] = text[0].toUpper();
   const bool isOnWalk = !nodes.empty() && nodes == at_;
-  panel_->showPlace(isOnWalk ? placeText_ : text);
+  panel_->showPlace(isOnWalk || isAtPoints() ? placeText_ : text);
   if (isOnWalk)
     parts_.view.setFaded(nodes);
   else if (isFading_)

@@ -2,12 +2,14 @@
 
 #include "app/window/frame/reveal.h"
 #include "app/window/frame/window_part.h"
-#include "core/skeleton/review_walk.h"
+#include "core/skeleton/review_stops.h"
 
 #include <QList>
 #include <QString>
 
 #include <functional>
+#include <optional>
+#include <utility>
 #include <vector>
 
 class QAction;
@@ -18,6 +20,7 @@ namespace espalier {
 
 class ActionSet;
 class Editing;
+class ExpectedErrorsFlow;
 class PanelDock;
 class PlantDocument;
 class PlantView;
@@ -25,9 +28,11 @@ class ReviewPanel;
 
 /// The review: the walk along the plant, the marks on what is selected, and the panel for both.
 ///
-/// The stretch one is at is what is selected; so it can be changed by any selection before it is
-/// marked. The key that marks it reviewed does so only with what is seen and is looked at in one go
-/// (app/window/review/looked_at.h): what is not seen it shows first. It takes no doubt back
+/// The walk goes from stop to stop (core/skeleton/review_stops.h), along the plant or by expected
+/// error. The stop one is at is what is selected; so it can be changed by any selection before it
+/// is marked. At points without wood, which are selected as points, Enter leaves them out of the
+/// findings. The key that marks it reviewed does so only with what is seen and is looked at in one
+/// go (app/window/review/looked_at.h): what is not seen it shows first. It takes no doubt back
 /// unasked, and leads to none.
 class ReviewFlow : public WindowPart {
   Q_OBJECT
@@ -43,6 +48,9 @@ public:
     QMainWindow& window;
     Reveal reveal;
     std::function<const std::vector<NodeId>&()> hidden; // in order
+    ExpectedErrorsFlow& errors;
+    std::function<bool(const Finding&)> isIgnored; // of points without wood: they are looked at
+    std::function<void(const Finding&)> ignore;
   };
   /// @param sign  the action that the panel offers at its foot
   ReviewFlow(const Parts& parts, QAction* sign);
@@ -64,9 +72,19 @@ private:
   void connectParts();
   bool eventFilter(QObject* watched, QEvent* event) override;
 
+  [[nodiscard]] std::vector<ReviewStop> stops() const;
+  [[nodiscard]] std::optional<std::size_t> placeIn(const std::vector<ReviewStop>& all) const;
   void step(WalkTo to, WalkDirection direction = WalkDirection::forward);
-  void goTo(const std::vector<Stretch>& all, std::size_t index);
-  [[nodiscard]] QString frame(const std::vector<NodeId>& nodes);
+  bool stepIfAny(WalkTo to, WalkDirection direction = WalkDirection::forward);
+  void goOnWaiting();
+  void chooseOrder(bool isByError);
+  void goTo(const std::vector<ReviewStop>& all, std::size_t index);
+  void goToPoints(const Finding& cluster);
+  [[nodiscard]] QString frame(const std::vector<NodeId>& nodes,
+                              const std::vector<Eigen::Vector3d>& places = {});
+  [[nodiscard]] std::vector<Eigen::Vector3d> placesAt() const; // of the points one is at
+  [[nodiscard]] bool isAtPoints() const;
+  void takePoints();
   void markReviewed();
   void markDoubtful();
   void goOnAfter(bool wasDoubtful);
@@ -87,8 +105,12 @@ private:
   QList<QAction*> walks_;
   QList<QAction*> marks_;
   QString reviewer_;
-  Stretch at_;                   // where one is; may hold nodes that are gone
-  QString placeText_;            // of at_
+  std::vector<NodeId> at_;          // where one is; may hold nodes that are gone
+  std::optional<Finding> atPoints_; // likewise, and at_ has the node near them
+  std::vector<Finding> doubted_;    // points that are doubtful, until the program ends
+  WalkOrder order_ = WalkOrder::alongPlant;
+  std::optional<std::pair<WalkTo, WalkDirection>> awaited_; // once errors are known
+  QString placeText_;                                       // of at_
   bool isDoubtAskedFor_ = false; // of what is selected: Enter takes it back
   bool isFading_ = false;        // all but at_, while it is what is selected
   bool isEnabled_ = true;

@@ -87,7 +87,7 @@ TEST_F(ReviewWindowTest, TheWalkGoesFromStretchToStretchAndShowsEach) {
   key(Qt::Key_Period);
   EXPECT_TRUE(find<QDockWidget>("review").isVisible());
   EXPECT_EQ(chosen(), (std::vector{nodeAt({0, 0, 0}), nodeAt({0, 0, 1})}));
-  EXPECT_EQ(label("review_place"), "Stretch 1 of 4");
+  EXPECT_EQ(label("review_place"), "Stop 1 of 4");
   key(Qt::Key_Period);
   EXPECT_EQ(chosen(), std::vector{shoot()}) << "the trunk goes on to its tip first";
   waitForView();
@@ -97,9 +97,9 @@ TEST_F(ReviewWindowTest, TheWalkGoesFromStretchToStretchAndShowsEach) {
     EXPECT_TRUE(view().rect().contains(shown->toPoint()));
   }
   key(Qt::Key_Comma);
-  EXPECT_EQ(label("review_place"), "Stretch 1 of 4");
+  EXPECT_EQ(label("review_place"), "Stop 1 of 4");
   key(Qt::Key_Comma);
-  EXPECT_EQ(label("review_place"), "Stretch 4 of 4") << "back from the first is the last";
+  EXPECT_EQ(label("review_place"), "Stop 4 of 4") << "back from the first is the last";
   EXPECT_EQ(document().undoStack().count(), 0) << "to look is no edit";
 }
 
@@ -129,9 +129,9 @@ TEST_F(ReviewWindowTest, TheWalkBeginsWhereOneHasClicked) {
   openFork();
   click(placeOf(shoot()));
   key(Qt::Key_Period);
-  EXPECT_EQ(label("review_place"), "Stretch 2 of 4");
+  EXPECT_EQ(label("review_place"), "Stop 2 of 4");
   key(Qt::Key_Period);
-  EXPECT_EQ(label("review_place"), "Stretch 3 of 4");
+  EXPECT_EQ(label("review_place"), "Stop 3 of 4");
 }
 
 TEST_F(ReviewWindowTest, EnterMarksAStretchAndGoesOnUntilAllIsReviewed) {

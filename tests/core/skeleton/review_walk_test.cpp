@@ -32,11 +32,6 @@ std::vector<std::vector<unsigned>> numbers(const std::vector<Stretch>& stretches
   return result;
 }
 
-void review(Skeleton& plant, const Stretch& stretch) {
-  for (const NodeId id : stretch)
-    plant.setReview(id, {.state = ReviewState::reviewed});
-}
-
 TEST(ReviewWalk, GoesUpTheTrunkAndThenBranchByBranchWithItsTwigs) {
   EXPECT_THAT(
       numbers(axesInWalkOrder(smallTree())),
@@ -84,59 +79,10 @@ TEST(ReviewWalk, LeavesOutNoNodeOfAnyPlant) {
   }
 }
 
-TEST(ReviewWalk, GoesOnAndBackAndBeginsAnewAtTheEnd) {
-  const Skeleton plant = smallTree();
-  const auto parts = stretches(plant, 100);
-  EXPECT_EQ(walk(plant, parts, std::nullopt, WalkTo::anyStretch), 0U);
-  EXPECT_EQ(walk(plant, parts, 0, WalkTo::anyStretch), 1U);
-  EXPECT_EQ(walk(plant, parts, 6, WalkTo::anyStretch), 0U);
-  EXPECT_EQ(walk(plant, parts, 0, WalkTo::anyStretch, WalkDirection::backward), 6U);
-  EXPECT_EQ(walk(plant, parts, std::nullopt, WalkTo::anyStretch, WalkDirection::backward), 6U);
-  EXPECT_EQ(stretchOf(parts, NodeId{5}), 4U);
-  EXPECT_EQ(stretchOf(parts, NodeId{99}), std::nullopt);
-}
-
-TEST(ReviewWalk, FindsWhatIsNotReviewed) {
-  Skeleton plant = smallTree();
-  const auto parts = stretches(plant, 100);
-  for (const std::size_t done : {0, 1, 3, 4, 5})
-    review(plant, parts[done]);
-  plant.setReview(NodeId{3}, {.state = ReviewState::doubtful});
-  EXPECT_EQ(walk(plant, parts, 0, WalkTo::notReviewed), 2U) << "a doubtful one is not reviewed";
-  EXPECT_EQ(walk(plant, parts, 2, WalkTo::notReviewed), 6U);
-  EXPECT_EQ(walk(plant, parts, 6, WalkTo::notReviewed), 2U);
-  EXPECT_EQ(walk(plant, parts, 0, WalkTo::toDo), 6U) << "a doubtful one was looked at";
-  review(plant, parts[2]);
-  EXPECT_EQ(walk(plant, parts, 6, WalkTo::notReviewed), 6U) << "there is only the one it is at";
-  review(plant, parts[6]);
-  EXPECT_EQ(walk(plant, parts, 6, WalkTo::notReviewed), std::nullopt);
-}
-
-TEST(ReviewWalk, FindsOpenEndsAndBranchings) {
-  Skeleton plant = smallTree();
-  const auto parts = stretches(plant, 100);
-  const auto endsAt = [&](std::optional<std::size_t> from, WalkTo to) {
-    return static_cast<unsigned>(parts[*walk(plant, parts, from, to)].back());
-  };
-  EXPECT_EQ(endsAt(std::nullopt, WalkTo::openEnd), 3U);
-  EXPECT_EQ(endsAt(2, WalkTo::openEnd), 5U);
-  EXPECT_EQ(endsAt(6, WalkTo::openEnd), 3U);
-  EXPECT_EQ(endsAt(std::nullopt, WalkTo::branching), 1U);
-  EXPECT_EQ(endsAt(0, WalkTo::branching), 2U);
-  EXPECT_EQ(endsAt(1, WalkTo::branching), 4U);
-  review(plant, parts[2]);
-  EXPECT_EQ(endsAt(std::nullopt, WalkTo::openEnd), 5U) << "the tip of the trunk is known";
-  for (const Stretch& part : parts)
-    review(plant, part);
-  EXPECT_EQ(walk(plant, parts, 0, WalkTo::openEnd), std::nullopt);
-  EXPECT_EQ(walk(plant, parts, 0, WalkTo::branching), std::nullopt);
-}
-
 TEST(ReviewWalk, OfNothingGoesNowhere) {
   const Skeleton nothing;
   EXPECT_TRUE(stretches(nothing, 1).empty());
   EXPECT_EQ(longestStretch(nothing), 0);
-  EXPECT_EQ(walk(nothing, {}, std::nullopt, WalkTo::anyStretch), std::nullopt);
 }
 
 } // namespace

@@ -1,0 +1,99 @@
+#include "app/window/review/expected_errors_flow.h"
+
+#include "core/base/spatial_index.h"
+#include "core/decide/error_probabilities.h"
+#include "core/graph/turn_upright.h"
+#include "core/skeleton/checks_of_scan.h"
+#include "ui/document/plant_document.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace espalier {
+namespace {
+
+/// Whether an edit changes more than marks, comments and what else errors do not follow from.
+bool changesWood(const SkeletonDelta& delta) {
+  return std::ranges::any_of(delta.changes, [](const SkeletonDelta::Change& change) {
+    if (!change.before || !change.after) return true;
+    const Node& a = *change.before;
+    const Node& b = *change.after;
+    return a.position != b.position || a.radius != b.radius || a.parent != b.parent ||
+           a.edge != b.edge;
+  });
+}
+
+} // namespace
+
+ExpectedErrorsFlow::ExpectedErrorsFlow(const Parts& parts)
+    : parts_(parts), job_(parts.queue, JobPriority::background) {
+  timer_.setSingleShot(true);
+  timer_.setInterval(200); // [ms]: a drag is looked at when it rests
+  connect(&timer_, &QTimer::timeout, this, &ExpectedErrorsFlow::refresh);
+  PlantDocument& document = parts_.document;
+  connect(&document, &PlantDocument::skeletonEdited, this, &ExpectedErrorsFlow::take);
+  for (auto signal : {&PlantDocument::skeletonReplaced, &PlantDocument::scanChanged,
+                      &PlantDocument::leftOutChanged, &PlantDocument::upChanged})
+    connect(&document, signal, this, &ExpectedErrorsFlow::dropAll);
+  connect(&parts_.distances, &ScanDistances::changed, this, [this] {
+    if (isWanted_ && isOutdated_) timer_.start();
+  });
+  connect(&job_, &JobSlot::failed, this, [this](const QString& message) {
+    isOutdated_ = false;
+    emit noted(message);
+  });
+  connect(&job_, &JobSlot::finished, this, &ExpectedErrorsFlow::changed);
+}
+
+bool ExpectedErrorsFlow::isBusy() const {
+  return isWanted_ && isOutdated_ && parts_.document.scan() != nullptr &&
+         !parts_.document.skeleton().isEmpty();
+}
+
+PointSet ExpectedErrorsFlow::pointsOf(const Finding& cluster) const {
+  return parts_.distances.now() ? parts_.distances.inScan(cluster.points) : PointSet();
+}
+
+void ExpectedErrorsFlow::setWanted(bool isWanted) {
+  if (isWanted == isWanted_) return;
+  isWanted_ = isWanted;
+  parts_.distances.setWanted(ScanDistances::Use::review, isWanted);
+  if (isWanted) timer_.start(0);
+}
+
+void ExpectedErrorsFlow::take(const SkeletonDelta& delta) {
+  if (!changesWood(delta)) return;
+  isOutdated_ = true;
+  ++changes_;
+  if (isWanted_) timer_.start(200);
+}
+
+void ExpectedErrorsFlow::dropAll() {
+  const bool hadSome = std::exchange(errors_, std::nullopt).has_value();
+  isOutdated_ = true;
+  ++changes_;
+  job_.cancel();
+  if (isWanted_) timer_.start(0);
+  if (hadSome) emit changed();
+}
+
+void ExpectedErrorsFlow::refresh() {
+  const std::shared_ptr<const PointDistances> distances = parts_.distances.now();
+  if (!isWanted_ || !isOutdated_ || !distances || parts_.document.scan() == nullptr) return;
+  job_.start(
+      tr("Where errors are likely"),
+      [distances, skeleton = parts_.document.skeleton(), scale = parts_.document.scale(),
+       up = Eigen::Vector3d(turnUpright(parts_.document.up()).row(2).transpose())](
+          const Progress& progress) {
+        const SpatialIndex index(distances->cloud()->positions(), progress);
+        return ExpectedErrors{
+            errorProbabilities(skeleton, *distances, index, scale, up, progress.part(0, 0.9)),
+            unexplainedClusters(*distances, scale.spacing, {}, progress.part(0.9, 1))};
+      },
+      [this, changes = changes_](ExpectedErrors errors) {
+        errors_ = std::move(errors);
+        isOutdated_ = changes != changes_; // it was edited meanwhile
+      });
+}
+
+} // namespace espalier

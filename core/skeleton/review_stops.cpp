@@ -25,10 +25,10 @@ bool leadsTo(const Skeleton& skeleton, const ReviewStop& stop, WalkTo to) {
   case WalkTo::anyStop:
     return true;
   case WalkTo::toDo:
-    return (stop.cluster && !stop.isDoubtful) ||
+    return (stop.isAtPoints() && !stop.isDoubtful) ||
            hasAny([&](NodeId id) { return isToDo(skeleton, id); });
   case WalkTo::notReviewed:
-    return stop.cluster || hasAny([&](NodeId id) { return !isReviewed(skeleton, id); });
+    return stop.isAtPoints() || hasAny([&](NodeId id) { return !isReviewed(skeleton, id); });
   case WalkTo::openEnd:
     return hasAny(
         [&](NodeId id) { return skeleton.children(id).empty() && !isReviewed(skeleton, id); });
@@ -76,6 +76,13 @@ private:
     Eigen::AlignedBox3d box = {}; // about these
   };
 
+  /// Points without wood that are looked at together.
+  struct Group {
+    std::size_t behind; // which stop
+    std::vector<std::size_t> clusters;
+    Eigen::AlignedBox3d box; // about these
+  };
+
   [[nodiscard]] double probability(NodeId id) const {
     if (!skeleton_[id].parent) return 0;
     return indexOf(id) < errors_->ofEdges.size() ? errors_->ofEdges[indexOf(id)] : 1;
@@ -104,14 +111,14 @@ private:
   void walkAlong(const Axis& axis) {
     if (errors_ == nullptr) {
       for (Stretch& stretch : stretchesAlong(skeleton_, axis, longest_))
-        stops_.push_back({.nodes = std::move(stretch), .cluster = {}});
+        stops_.push_back({.nodes = std::move(stretch), .clusters = {}});
       return;
     }
     for (const auto& [part, isClean] : partsOf(axis))
       take(part, isClean);
     takeBranches(axis);
     for (Wood& wood : std::exchange(open_, {}))
-      stops_.push_back({.nodes = std::move(wood.nodes), .cluster = {}});
+      stops_.push_back({.nodes = std::move(wood.nodes), .clusters = {}});
   }
 
   /// The clean and the risky parts of an axis in turn; a root goes with what follows.
@@ -206,22 +213,45 @@ private:
       stop.wrong += probability(id) * edgeLength(skeleton_, id);
   }
 
+  /// Points without wood in walk order: each cluster with the first that both fit one stretch with.
   void addClusters() {
     std::vector<std::vector<std::size_t>> near(skeleton_.idEnd()); // clusters, by node
     for (std::size_t i = 0; i < errors_->clusters.size(); ++i)
       if (skeleton_.contains(errors_->clusters[i].node))
         near[indexOf(errors_->clusters[i].node)].push_back(i);
-    std::vector<ReviewStop> all;
-    for (ReviewStop& stop : stops_) {
-      const std::vector<NodeId> nodes = stop.nodes;
-      all.push_back(std::move(stop));
-      for (const NodeId id : nodes)
+    std::vector<Group> groups;
+    for (std::size_t stop = 0; stop < stops_.size(); ++stop)
+      for (const NodeId id : stops_[stop].nodes)
         for (const std::size_t i : near[indexOf(id)])
-          all.push_back({.nodes = {},
-                         .cluster = i,
-                         .wrong = missedOfCluster * 2 * errors_->clusters[i].reach});
+          addTo(groups, {stop, {i}, boxOf(errors_->clusters[i])});
+    std::vector<ReviewStop> all;
+    auto group = groups.begin(); // by stop
+    for (std::size_t stop = 0; stop < stops_.size(); ++stop) {
+      all.push_back(std::move(stops_[stop]));
+      for (; group != groups.end() && group->behind == stop; ++group)
+        all.push_back(stopOfPoints(std::move(group->clusters)));
     }
     stops_ = std::move(all);
+  }
+
+  static Eigen::AlignedBox3d boxOf(const Finding& cluster) {
+    return {cluster.place.array() - cluster.reach, cluster.place.array() + cluster.reach};
+  }
+
+  void addTo(std::vector<Group>& groups, Group one) const {
+    const auto into = std::ranges::find_if(groups, [&](const Group& group) {
+      return group.box.merged(one.box).diagonal().norm() <= longest_;
+    });
+    if (into == groups.end()) return groups.push_back(std::move(one));
+    into->clusters.insert(into->clusters.end(), one.clusters.begin(), one.clusters.end());
+    into->box.extend(one.box);
+  }
+
+  [[nodiscard]] ReviewStop stopOfPoints(std::vector<std::size_t> clusters) const {
+    ReviewStop stop{.nodes = {}, .clusters = std::move(clusters)};
+    for (const std::size_t i : stop.clusters)
+      stop.wrong += missedOfCluster * 2 * errors_->clusters[i].reach;
+    return stop;
   }
 
   const Skeleton& skeleton_;

@@ -12,13 +12,14 @@ namespace espalier {
 
 /// Where a reviewer stops: at nodes, or at points that have no wood.
 struct ReviewStop {
-  std::vector<NodeId> nodes;          // each with the edge to its parent; empty: at points
-  std::optional<std::size_t> cluster; // of points: which one, as given
-  double wrong = 0;                   // [L] how much of it is probably wrong, or missed
-  double length = 0;                  // [L] of its edges
-  bool isClean = false;               // none of its edges is risky
+  std::vector<NodeId> nodes;              // each with the edge to its parent; empty: at points
+  std::vector<std::size_t> clusters = {}; // of points: which, as they are given
+  double wrong = 0;                       // [L] how much of it is probably wrong, or missed
+  double length = 0;                      // [L] of its edges
+  bool isClean = false;                   // none of its edges is risky
   bool isDoubtful = false; // at points that one has left in doubt: as it is set, not found
 
+  [[nodiscard]] bool isAtPoints() const { return !clusters.empty(); }
   bool operator==(const ReviewStop&) const = default;
 };
 
@@ -47,8 +48,9 @@ inline constexpr double riskyFrom = 0.1;
 /// shorter than half of a stretch goes with what is risky beside it. A branch that is clean with
 /// all that it carries, two stretches long together at most, goes with the first clean stop of the
 /// axis that bears it in which both are no longer and no wider than that, or begins one; a branch
-/// that is risky in part likewise, by one stretch, with what is risky. Points without wood come
-/// behind the stop with the node that they are nearest to.
+/// that is risky in part likewise, by one stretch, with what is risky. Clusters of points without
+/// wood that together are no wider than one stretch are one stop, behind that with the node that
+/// the first of them is nearest to.
 ///
 /// By expected error, those with the most length that is probably wrong come first; of clusters
 /// that is a share of how far they reach, as missed wood has it in simulated scans.

@@ -83,7 +83,7 @@ Counted counted(const Skeleton& skeleton, const std::shared_ptr<const PointCloud
   result.stops = double(stops.size());
   double all = 0;
   for (const ReviewStop& stop : stops) {
-    result.points += stop.cluster ? 1 : 0;
+    result.points += stop.isAtPoints() ? 1 : 0;
     result.clean += stop.isClean ? 1 : 0;
     result.cleanLength += stop.isClean ? stop.length : 0;
     all += stop.length;

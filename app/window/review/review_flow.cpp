@@ -170,7 +170,7 @@ void ReviewFlow::connectParts() {
   connect(&document, &PlantDocument::skeletonEdited, this, &ReviewFlow::refreshEnabled);
   connect(&document, &PlantDocument::skeletonReplaced, this, [this] {
     at_.clear();
-    atPoints_.reset();
+    atPoints_.clear();
     doubted_.clear();
     awaited_.reset();
   });
@@ -179,7 +179,7 @@ void ReviewFlow::connectParts() {
   connect(&document.selection(), &Selection::changed, this, [this] {
     isDoubtAskedFor_ = false;
     awaited_.reset();
-    if (!parts_.document.selection().isEmpty()) atPoints_.reset();
+    if (!parts_.document.selection().isEmpty()) atPoints_.clear();
     showPlace();
     refreshEnabled();
   });
@@ -214,13 +214,16 @@ bool ReviewFlow::eventFilter(QObject* watched, QEvent* event) {
 std::vector<ReviewStop> ReviewFlow::stops() const {
   const ExpectedErrors* known = parts_.errors.now();
   std::vector<ReviewStop> all = reviewStops(parts_.document.skeleton(), known, order_);
-  std::erase_if(all, [&](const ReviewStop& stop) {
-    return stop.cluster && parts_.isIgnored(known->clusters[*stop.cluster]);
+  const auto isOver = [&](std::size_t i) { return parts_.isIgnored(known->clusters[i]); };
+  std::erase_if(all, [&](ReviewStop& stop) {
+    return std::erase_if(stop.clusters, isOver) > 0 && stop.clusters.empty();
   });
+  const auto isDoubted = [&](std::size_t i) {
+    return std::ranges::any_of(
+        doubted_, [&](const Finding& doubted) { return isSame(doubted, known->clusters[i]); });
+  };
   for (ReviewStop& stop : all)
-    stop.isDoubtful = stop.cluster && std::ranges::any_of(doubted_, [&](const Finding& doubted) {
-                        return isSame(doubted, known->clusters[*stop.cluster]);
-                      });
+    stop.isDoubtful = stop.isAtPoints() && std::ranges::all_of(stop.clusters, isDoubted);
   return all;
 }
 
@@ -230,9 +233,11 @@ std::optional<std::size_t> ReviewFlow::placeIn(const std::vector<ReviewStop>& al
   if (!chosen.empty()) return stopOf(all, chosen.back());
   const ExpectedErrors* known = parts_.errors.now();
   const auto isHere = [&](const ReviewStop& stop) {
-    return stop.cluster && isSame(known->clusters[*stop.cluster], *atPoints_);
+    return std::ranges::any_of(stop.clusters, [&](std::size_t i) {
+      return isSame(known->clusters[i], atPoints_.front());
+    });
   };
-  if (atPoints_)
+  if (!atPoints_.empty())
     if (const auto here = std::ranges::find_if(all, isHere); here != all.end())
       return static_cast<std::size_t>(here - all.begin());
   const Skeleton& skeleton = parts_.document.skeleton();
@@ -283,7 +288,7 @@ void ReviewFlow::chooseOrder(bool isByError) {
   parts_.settings.setValue("review/riskiest_first", isByError);
   if (!dock_->isInFront() || parts_.document.skeleton().isEmpty()) return;
   at_.clear();
-  atPoints_.reset();
+  atPoints_.clear();
   parts_.document.selection().clear();
   step(WalkTo::toDo);
   if (isByError && parts_.document.scan() == nullptr)
@@ -293,25 +298,32 @@ void ReviewFlow::chooseOrder(bool isByError) {
 void ReviewFlow::goTo(const std::vector<ReviewStop>& all, std::size_t index) {
   const ReviewStop& stop = all[index];
   placeText_ = tr("Stop %1 of %2").arg(formatCount(index + 1), formatCount(all.size()));
-  if (stop.cluster)
+  if (stop.isAtPoints())
     placeText_ += tr(": no wood");
   else if (stop.isClean)
     placeText_ += tr(": clean");
   else if (parts_.errors.now() != nullptr && stop.length > 0)
     placeText_ += tr(": risk %1 %").arg(qRound(100 * stop.wrong / stop.length));
-  if (stop.cluster) return goToPoints(parts_.errors.now()->clusters[*stop.cluster]);
-  if (std::exchange(atPoints_, std::nullopt)) parts_.document.pointSelection().clear();
+  if (stop.isAtPoints()) return goToPoints(stop);
+  const bool wasAtPoints = !std::exchange(atPoints_, {}).empty();
+  if (wasAtPoints) parts_.document.pointSelection().clear();
   at_ = stop.nodes;
   parts_.document.selection().set(at_);
   showPlace(); // the same nodes may be another stop of more
-  if (const QString note = frame(at_); !note.isEmpty()) emit noted(note);
+  const QString note = frame(at_);
+  if (wasAtPoints || !note.isEmpty()) emit noted(note);
 }
 
-void ReviewFlow::goToPoints(const Finding& cluster) {
+void ReviewFlow::goToPoints(const ReviewStop& stop) {
   parts_.document.selection().clear();
-  atPoints_ = cluster;
-  at_ = {cluster.node};
-  parts_.document.pointSelection().set(parts_.errors.pointsOf(cluster));
+  atPoints_.clear();
+  PointSet points;
+  for (const std::size_t i : stop.clusters) {
+    atPoints_.push_back(parts_.errors.now()->clusters[i]);
+    points = points | parts_.errors.pointsOf(atPoints_.back());
+  }
+  at_ = {atPoints_.front().node};
+  parts_.document.pointSelection().set(points);
   showPlace();
   const QString note = frame({}, placesAt());
   emit noted(note.isEmpty() ? withKeys(tr("No wood is near these points: add some, or press "
@@ -321,15 +333,16 @@ void ReviewFlow::goToPoints(const Finding& cluster) {
 }
 
 bool ReviewFlow::isAtPoints() const {
-  return atPoints_ && parts_.document.selection().isEmpty();
+  return !atPoints_.empty() && parts_.document.selection().isEmpty();
 }
 
 std::vector<Eigen::Vector3d> ReviewFlow::placesAt() const {
   std::vector<Eigen::Vector3d> places;
   const Scan* scan = parts_.document.scan();
-  if (scan == nullptr || !atPoints_) return places;
-  for (const Eigen::Index point : parts_.errors.pointsOf(*atPoints_).points())
-    places.push_back(scan->cloud()->position(point));
+  if (scan == nullptr) return places;
+  for (const Finding& cluster : atPoints_)
+    for (const Eigen::Index point : parts_.errors.pointsOf(cluster).points())
+      places.push_back(scan->cloud()->position(point));
   return places;
 }
 
@@ -348,7 +361,8 @@ void ReviewFlow::takePoints() {
   const std::vector<ReviewStop> all = stops();
   const auto from = placeIn(all);
   const auto next = walk(parts_.document.skeleton(), all, from, WalkTo::toDo);
-  parts_.ignore(Finding(*atPoints_));
+  for (const Finding& cluster : std::vector<Finding>(atPoints_))
+    parts_.ignore(cluster);
   if (!next || !from || next == from) return goOnAfter(false);
   goTo(stops(), *next - (*next > *from ? 1 : 0)); // without the one that was taken
 }
@@ -410,7 +424,7 @@ void ReviewFlow::markReviewed() {
 
 void ReviewFlow::markDoubtful() {
   if (isAtPoints()) {
-    doubted_.push_back(*atPoints_);
+    doubted_.insert(doubted_.end(), atPoints_.begin(), atPoints_.end());
     return goOnAfter(false);
   }
   requireToMark();

@@ -79,7 +79,7 @@ private:
   void goOnWaiting();
   void chooseOrder(bool isByError);
   void goTo(const std::vector<ReviewStop>& all, std::size_t index);
-  void goToPoints(const Finding& cluster);
+  void goToPoints(const ReviewStop& stop);
   [[nodiscard]] QString frame(const std::vector<NodeId>& nodes,
                               const std::vector<Eigen::Vector3d>& places = {});
   [[nodiscard]] std::vector<Eigen::Vector3d> placesAt() const; // of the points one is at
@@ -105,9 +105,9 @@ private:
   QList<QAction*> walks_;
   QList<QAction*> marks_;
   QString reviewer_;
-  std::vector<NodeId> at_;          // where one is; may hold nodes that are gone
-  std::optional<Finding> atPoints_; // likewise, and at_ has the node near them
-  std::vector<Finding> doubted_;    // points that are doubtful, until the program ends
+  std::vector<NodeId> at_;        // where one is; may hold nodes that are gone
+  std::vector<Finding> atPoints_; // clusters of points, and at_ has the node near them
+  std::vector<Finding> doubted_;  // points that are doubtful, until the program ends
   WalkOrder order_ = WalkOrder::alongPlant;
   std::optional<std::pair<WalkTo, WalkDirection>> awaited_; // once errors are known
   QString placeText_;                                       // of at_

@@ -140,16 +140,25 @@ TEST(ReviewStops, AreEachOneLookAndLeaveOutNoNode) {
 TEST(ReviewStops, AreAlsoAtPointsWithoutWood) {
   const Skeleton plant = trunkWithBranch();
   ExpectedErrors errors = errorsAt(plant, {});
-  errors.clusters = {{.kind = Finding::Kind::unexplainedPoints, .node = NodeId{24}, .reach = 30},
-                     {.kind = Finding::Kind::unexplainedPoints, .node = NodeId{0}, .reach = 1},
-                     {.kind = Finding::Kind::unexplainedPoints, .node = NodeId{99}}}; // gone
+  const auto addCluster = [&](unsigned node, double z, double reach) {
+    errors.clusters.push_back({.kind = Finding::Kind::unexplainedPoints,
+                               .node = NodeId{node},
+                               .place = {3, 0, z},
+                               .reach = reach});
+  };
+  addCluster(24, 10, 30);
+  addCluster(0, 0, 0.1);
+  addCluster(99, 0, 0.1);  // whose node is gone
+  addCluster(5, 0.5, 0.1); // looked at with the one at the foot
+  addCluster(6, 5, 0.1);
   std::vector<ReviewStop> stops = reviewStops(plant, &errors);
-  EXPECT_EQ(stops[1].cluster, 1U);
+  EXPECT_THAT(stops[1].clusters, ElementsAre(1, 3));
   EXPECT_TRUE(stops[1].nodes.empty());
-  EXPECT_EQ(stops[*stopOf(stops, NodeId{24}) + 1].cluster, 0U);
-  EXPECT_EQ(std::ranges::count_if(stops, [](const auto& stop) { return stop.cluster.has_value(); }),
-            2);
-  EXPECT_EQ(reviewStops(plant, &errors, WalkOrder::byExpectedError).front().cluster, 0U);
+  EXPECT_THAT(stops[*stopOf(stops, NodeId{6}) + 1].clusters, ElementsAre(4));
+  EXPECT_THAT(stops[*stopOf(stops, NodeId{24}) + 1].clusters, ElementsAre(0));
+  EXPECT_EQ(std::ranges::count_if(stops, &ReviewStop::isAtPoints), 3);
+  EXPECT_THAT(reviewStops(plant, &errors, WalkOrder::byExpectedError).front().clusters,
+              ElementsAre(0));
   EXPECT_EQ(walk(plant, stops, 0, WalkTo::toDo), 1U);
   stops[1].isDoubtful = true;
   EXPECT_EQ(walk(plant, stops, 0, WalkTo::toDo), 2U) << "it was looked at";

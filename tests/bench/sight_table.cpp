@@ -1,17 +1,19 @@
 // How much of what one flies to is seen, in pictures of the view: of all findings of a structure
-// over its scan, and of stretches of the walk of the review.
+// over its scan, and of stops of the review by risk that are at wood.
 //
-//   espalier_sights SCAN STRUCTURE [STRETCHES [FINDINGS [FOLDER]]]   at most 100 and 1000
+//   espalier_sights SCAN STRUCTURE [STOPS [FINDINGS [FOLDER]]]   at most 100 and 1000
 //
 // Each is drawn alone and with all else; the share of its pixels that nothing else covers is what
 // is printed: the median and the worst tenth of all, for the camera that is only brought nearer
 // ("framed") and for the direction that is chosen ("turned"), and how long the choice took. With
 // FOLDER, five pictures of each go there.
+#include "core/decide/error_probabilities.h"
 #include "core/io/formats.h"
+#include "core/pipeline/plant_scale.h"
 #include "core/skeleton/checks.h"
 #include "core/skeleton/checks_of_scan.h"
 #include "core/skeleton/path_edits.h"
-#include "core/skeleton/review_walk.h"
+#include "core/skeleton/review_stops.h"
 #include "ui/view/close_look.h"
 #include "ui/view/offscreen_renderer.h"
 #include "ui/view/picture.h"
@@ -88,17 +90,22 @@ std::vector<Subject> findingsOf(const Plant& plant, std::size_t most) {
   return subjects;
 }
 
-std::vector<Subject> stretchesOf(const Plant& plant, std::size_t most) {
-  std::vector<Subject> subjects;
+std::vector<Subject> stopsOf(const Plant& plant, std::size_t most) {
   const double longest = longestStretch(plant.skeleton);
-  for (const Stretch& stretch : some(stretches(plant.skeleton, longest), most)) {
-    Sight sight{.nodes = stretch};
+  const ExpectedErrors errors{
+      errorProbabilities(plant.skeleton, plant.distances, SpatialIndex(plant.cloud->positions()),
+                         scaleOf(*plant.cloud, {}, UpAxis::z), Eigen::Vector3d::UnitZ())};
+  std::vector<Subject> subjects;
+  for (const ReviewStop& stop : some(reviewStops(plant.skeleton, &errors), most)) {
+    Sight sight{.nodes = stop.nodes};
     addParents(sight, plant.skeleton);
     Eigen::AlignedBox3d box;
     for (const NodeId id : sight.nodes)
       box.extend(plant.skeleton[id].position);
-    sight.margin = std::max(0.3 * box.diagonal().norm(), 0.2 * longest);
-    subjects.push_back({std::move(sight), stretch});
+    const double across = box.diagonal().norm(); // margins as ReviewFlow has them
+    sight.margin = std::max(0.3 * across, 0.2 * longest);
+    if (across <= longestLook * longest) sight.margin = std::min(sight.margin, 0.3 * longest);
+    subjects.push_back({std::move(sight), stop.nodes});
   }
   return subjects;
 }
@@ -253,7 +260,7 @@ void judge(const char* what, Pictures& pictures, const std::vector<Subject>& sub
 
 int run(const std::vector<std::string>& arguments) {
   if (arguments.size() < 2) {
-    std::puts("espalier_sights SCAN STRUCTURE [STRETCHES [FINDINGS [FOLDER]]]");
+    std::puts("espalier_sights SCAN STRUCTURE [STOPS [FINDINGS [FOLDER]]]");
     return 2;
   }
   const auto number = [&](std::size_t at, std::size_t usual) {
@@ -262,7 +269,7 @@ int run(const std::vector<std::string>& arguments) {
   const Plant plant = read(arguments[0].c_str(), arguments[1].c_str());
   const std::string folder = arguments.size() > 4 ? arguments[4] : std::string();
   Pictures pictures(plant);
-  judge("stretches", pictures, stretchesOf(plant, number(2, 100)), folder);
+  judge("stops", pictures, stopsOf(plant, number(2, 100)), folder);
   judge("findings", pictures, findingsOf(plant, number(3, 1000)), folder);
   return 0;
 }

@@ -279,7 +279,9 @@ bool ReviewFlow::stepIfAny(WalkTo to, WalkDirection direction) {
 void ReviewFlow::goOnWaiting() {
   if (parts_.errors.now() == nullptr && parts_.errors.isBusy()) return; // not yet
   const auto awaited = std::exchange(awaited_, std::nullopt);
-  if (awaited) step(awaited->first, awaited->second);
+  if (!awaited) return;
+  emit noted({}); // it is over
+  step(awaited->first, awaited->second);
 }
 
 /// Begins with the first that is to do, in the order that is chosen.

@@ -32,9 +32,9 @@ QString nameOf(const QAction& action) {
 /// Why a node is not seen.
 enum class Unseen : std::uint8_t { hidden, clipped, offScreen };
 
-/// Why a node is not in a view once its camera has arrived; none: it is.
+/// Why a node is not in a view as it is drawn now, be it in mid-flight; none: it is.
 std::optional<Unseen> whyUnseen(const Eigen::Vector3d& place, const PlantView& view) {
-  const Camera& camera = view.camera();
+  const Camera& camera = view.currentCamera();
   if (!ClipVolume(view.clip(), view.bounds(), place, camera).contains(Eigen::Vector3f::Zero()))
     return Unseen::clipped;
   const auto at = ScreenMap(camera, {view.width(), view.height()}).project(place);

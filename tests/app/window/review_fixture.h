@@ -14,6 +14,12 @@ namespace espalier::test {
 struct ReviewWindowTest : WindowTest {
   void openFork() { open({writeFork("fork.mtg")}); }
 
+  /// As a reviewer presses it: Enter once the view has come to what it marks.
+  void key(int key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+    if (key == Qt::Key_Return && modifiers == Qt::NoModifier) waitForView();
+    WindowTest::key(key, modifiers);
+  }
+
   NodeId shoot() { return nodeAt({1, 0, 2}); }
   const ReviewMark& markOf(NodeId id) { return document().skeleton()[id].review; }
   std::vector<NodeId> chosen() { return document().selection().nodes(); }

@@ -65,6 +65,19 @@ TEST_F(ReviewWindowTest, EnterShowsFirstWhatIsNotSeenAndMarksItTheNextTime) {
   expectShownFirst(trunk, "1 of the 2 nodes selected was hidden");
 }
 
+TEST_F(ReviewWindowTest, EnterMarksNothingThatTheViewStillFliesTo) {
+  openFork();
+  Camera aside = view().camera();
+  aside.focus += 100 * aside.right();
+  view().setCamera(aside);
+  WindowTest::key(Qt::Key_Period);
+  WindowTest::key(Qt::Key_Return); // at once
+  EXPECT_EQ(document().undoStack().count(), 0);
+  EXPECT_TRUE(window().statusLine().shownText().startsWith("Nothing is marked yet, as 2 of the 2"));
+  key(Qt::Key_Return);
+  EXPECT_EQ(document().undoStack().count(), 1);
+}
+
 TEST_F(ReviewWindowTest, EnterMarksNothingWhileTheSkeletonIsNotShown) {
   openFork();
   key(Qt::Key_F9);

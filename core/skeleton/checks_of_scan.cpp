@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace espalier {
@@ -164,7 +166,34 @@ struct Check {
   }
 };
 
+void append(std::vector<Finding>& all, std::vector<Finding> more) {
+  std::ranges::move(more, std::back_inserter(all));
+}
+
+/// Leaves out those at a node that another finding is at.
+void eraseReported(std::vector<Finding>& findings, const std::vector<Finding>& others) {
+  std::set<NodeId> reported;
+  for (const Finding& finding : others)
+    std::ranges::copy(nodesOf(finding), std::inserter(reported, reported.end()));
+  std::erase_if(findings, [&](const Finding& finding) {
+    return std::ranges::any_of(nodesOf(finding), [&](NodeId id) { return reported.contains(id); });
+  });
+}
+
 } // namespace
+
+std::vector<Finding> checkAgainstScan(const Skeleton& skeleton, const PointDistances& distances,
+                                      const SpatialIndex& index, double spacing,
+                                      const CheckOptions& options, const Progress& progress) {
+  std::vector<Finding> all =
+      edgesWithoutPoints(skeleton, *distances.cloud(), index, spacing, options, progress);
+  std::vector<Finding> own =
+      branchesWithoutOwnPoints(skeleton, distances, index, spacing, options, progress);
+  eraseReported(own, all);
+  append(all, std::move(own));
+  append(all, unexplainedClusters(distances, spacing, options, progress));
+  return all;
+}
 
 std::vector<Finding> unexplainedClusters(const PointDistances& distances, double spacing,
                                          const CheckOptions& options, const Progress& progress) {

@@ -13,6 +13,19 @@ namespace espalier {
 // What a scan says of a skeleton. Distances are to the surface of the wood (PointDistances), and in
 // spacings between the points of the scan. A skeleton without nodes has no findings.
 
+/// All findings that a scan shows, those of each check below together. A branch that no points are
+/// near to at all is not reported again for having none of its own.
+/// @param distances of the points of the scan to `skeleton`
+/// @param index     of the positions of their cloud
+/// @param spacing   between neighboring points [L]
+/// @throws Cancelled if `progress` asks to stop
+/// Uses all threads, deterministic. Time: the sum of all.
+[[nodiscard]] std::vector<Finding> checkAgainstScan(const Skeleton& skeleton,
+                                                    const PointDistances& distances,
+                                                    const SpatialIndex& index, double spacing,
+                                                    const CheckOptions& options = {},
+                                                    const Progress& progress = {});
+
 /// Clusters of points that are far from all wood: what the skeleton lacks. The largest first.
 /// @param spacing between neighboring points [L]
 /// @throws Cancelled if `progress` asks to stop

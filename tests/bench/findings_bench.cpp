@@ -69,9 +69,7 @@ void checkAgainstTheScan(benchmark::State& state) {
   const PointDistances distances(scan.cloud, scan.spacing, plant());
   const SpatialIndex index(scan.cloud->positions());
   for (auto _ : state) {
-    benchmark::DoNotOptimize(unexplainedClusters(distances, scan.spacing, {}));
-    benchmark::DoNotOptimize(edgesWithoutPoints(plant(), *scan.cloud, index, scan.spacing, {}));
-    benchmark::DoNotOptimize(branchesWithoutOwnPoints(plant(), distances, index, scan.spacing, {}));
+    benchmark::DoNotOptimize(checkAgainstScan(plant(), distances, index, scan.spacing));
   }
 }
 

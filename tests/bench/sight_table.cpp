@@ -72,11 +72,9 @@ void addParents(Sight& sight, const Skeleton& skeleton) {
 std::vector<Subject> findingsOf(const Plant& plant, std::size_t most) {
   const SpatialIndex index(plant.cloud->positions());
   std::vector<Finding> all = check(plant.skeleton, plant.spacing);
-  for (auto& found :
-       {edgesWithoutPoints(plant.skeleton, *plant.cloud, index, plant.spacing, {}),
-        branchesWithoutOwnPoints(plant.skeleton, plant.distances, index, plant.spacing, {}),
-        unexplainedClusters(plant.distances, plant.spacing, {})})
-    all.insert(all.end(), found.begin(), found.end());
+  const std::vector<Finding> ofScan =
+      checkAgainstScan(plant.skeleton, plant.distances, index, plant.spacing);
+  all.insert(all.end(), ofScan.begin(), ofScan.end());
   std::vector<Subject> subjects;
   for (const Finding& finding : some(all, most)) {
     Sight sight{.nodes = nodesOf(finding)};

@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <set>
 #include <utility>
 
 namespace espalier {
@@ -169,24 +168,6 @@ void FindingsFlow::refresh() {
   startJob();
 }
 
-/// Branches without points of their own, but for those that are reported already because no points
-/// are near at all.
-std::vector<Finding> FindingsFlow::ownFindings(const Skeleton& skeleton,
-                                               const PointDistances& distances, const Found& found,
-                                               double spacing, const CheckOptions& options,
-                                               const Progress& progress) {
-  std::vector<Finding> own = branchesWithoutOwnPoints(skeleton, distances, found.indexed->index,
-                                                      spacing, options, progress);
-  std::set<NodeId> reportedNodes;
-  for (const Finding& finding : found.ofScan)
-    std::ranges::copy(nodesOf(finding), std::inserter(reportedNodes, reportedNodes.end()));
-  std::erase_if(own, [&](const Finding& finding) {
-    return std::ranges::any_of(nodesOf(finding),
-                               [&](NodeId id) { return reportedNodes.contains(id); });
-  });
-  return own;
-}
-
 /// What takes longer: large skeletons, and the scan.
 void FindingsFlow::startJob() {
   const std::shared_ptr<const PointDistances> distances = parts_.distances.now();
@@ -208,12 +189,8 @@ void FindingsFlow::startJob() {
         if (!found.indexed || found.indexed->cloud != cloud)
           found.indexed =
               std::make_shared<const Indexed>(Indexed{cloud, SpatialIndex(cloud->positions())});
-        found.ofScan =
-            edgesWithoutPoints(skeleton, *cloud, found.indexed->index, spacing, options, progress);
-        std::ranges::move(ownFindings(skeleton, *distances, found, spacing, options, progress),
-                          std::back_inserter(found.ofScan));
-        std::ranges::move(unexplainedClusters(*distances, spacing, options, progress),
-                          std::back_inserter(found.ofScan));
+        found.ofScan = checkAgainstScan(skeleton, *distances, found.indexed->index, spacing,
+                                        options, progress);
         return found;
       },
       [this](Found found) { take(std::move(found)); });

@@ -77,9 +77,6 @@ private:
   void later();
   void refresh();
   void startJob();
-  [[nodiscard]] static std::vector<Finding>
-  ownFindings(const Skeleton& skeleton, const PointDistances& distances, const Found& found,
-              double spacing, const CheckOptions& options, const Progress& progress);
   void take(Found found);
   [[nodiscard]] double spacing() const; // between points [L]; 0: there is no scan
   [[nodiscard]] bool isAllChecked() const;

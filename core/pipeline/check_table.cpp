@@ -6,6 +6,10 @@ namespace {
 OptionTable<CheckOptions> makeTable() {
   using Options = CheckOptions;
   OptionTable<Options> table;
+  table.add(ratioOption("sensitivity", Shown::tr("Sensitivity"), 1.0 / 64, 64,
+                        Shown::tr("At 2, all limits below are half as high: more is reported. It "
+                                  "sets how near explained points are, too.")),
+            &Options::sensitivity);
   table.add(angleOption("sharp_turn", Shown::tr("Sharp turn"), 10, 180,
                         Shown::tr("An axis that turns by more at a node is reported.")),
             &Options::sharpTurn);
@@ -31,9 +35,13 @@ OptionTable<CheckOptions> makeTable() {
                 "detour", Shown::tr("Detour"), 1, 1000,
                 Shown::tr("Wood may touch that is within so many sums of radii along the plant.")),
             &Options::detour);
+  table.add(ratioOption("thicker", Shown::tr("Thicker than parent"), 0, 10,
+                        Shown::tr("Nodes thicker than their parent by this share are reported.")),
+            &Options::thicker);
   table.add(
       ratioOption("point_reach", Shown::tr("Reach of edges"), 0, 1000,
-                  Shown::tr("Points farther from the wood, in point spacings, are unexplained.")),
+                  Shown::tr("Points farther from the wood, in point spacings, or more where these "
+                            "scatter or the wood lies off them, are unexplained.")),
       &Options::pointReach);
   table.add(
       ratioOption("cluster_gap", Shown::tr("Cluster gap"), 0, 100,
@@ -42,6 +50,13 @@ OptionTable<CheckOptions> makeTable() {
   table.add(countOption("cluster_size", Shown::tr("Cluster size"), 1, 1e6,
                         Shown::tr("Clusters of fewer points are strays of the scanner.")),
             &Options::clusterSize);
+  table.add(ratioOption("cluster_rise", Shown::tr("Cluster stands out"), 0, 100,
+                        Shown::tr("The farthest point of a small cluster is so many times as far "
+                                  "off as the reach of edges.")),
+            &Options::clusterRise);
+  table.add(countOption("large_cluster", Shown::tr("Large cluster"), 1, 1e6,
+                        Shown::tr("Clusters of so many points need not stand out.")),
+            &Options::largeCluster);
   table.add(ratioOption("empty_reach", Shown::tr("Reach of points"), 0, 1000,
                         Shown::tr("Edges with no points within so many point spacings, along over "
                                   "a half, are reported.")),
@@ -64,6 +79,28 @@ OptionTable<CheckOptions> makeTable() {
           Shown::tr(
               "Branches that begin with more point spacings without own points are reported.")),
       &Options::ownLength);
+  table.add(ratioOption("fewest_expected", Shown::tr("Points expected"), 0, 1e6,
+                        Shown::tr("A stretch without points is reported if wood as thick has more "
+                                  "points than this elsewhere.")),
+            &Options::fewestExpected);
+  table.add(angleOption("hidden_turn", Shown::tr("Turn of hidden wood"), 0, 180,
+                        Shown::tr("Wood without points that goes on from wood with points and "
+                                  "turns by less was hidden from the scanner.")),
+            &Options::hiddenTurn);
+  table.add(ratioOption("beside_units", Shown::tr("Beside its points"), 0, 1000,
+                        Shown::tr("Wood that lies farther beside its points, in point spacings, or "
+                                  "more where these scatter, is reported.")),
+            &Options::besideUnits);
+  table.add(ratioOption("beside_radii", Shown::tr("Beside its points, in radii"), 0, 100,
+                        Shown::tr("Likewise, in radii of the wood; both must be exceeded.")),
+            &Options::besideRadii);
+  table.add(ratioOption("foot_spacings", Shown::tr("Short foot"), 0, 1000,
+                        Shown::tr("Points of a stem that go on farther below its root, in point "
+                                  "spacings, are reported.")),
+            &Options::footSpacings);
+  table.add(ratioOption("foot_radii", Shown::tr("Short foot, in radii"), 0, 100,
+                        Shown::tr("Likewise, in radii of the stem; both must be exceeded.")),
+            &Options::footRadii);
   return table;
 }
 

@@ -34,6 +34,8 @@ struct Part {
 };
 
 /// What grows: parts, each by itself, and then attached together.
+constexpr std::size_t fewestChosen = 5; // points that someone chose: a twig has few
+
 class Growth {
 public:
   /// @param whole  of the cloud
@@ -88,7 +90,7 @@ private:
           isMet[link.to] = true;
           met.push_back(link.to);
         }
-      if (met.size() < fewestPoints) continue;
+      if (met.size() < (isChosen_ ? fewestChosen : fewestPoints)) continue;
       std::ranges::sort(met);
       parts_.push_back({std::move(met)});
     }
@@ -185,7 +187,7 @@ std::vector<Eigen::Index> unexplained(const std::vector<Eigen::Index>& points,
   std::vector<Eigen::Index> left;
   for (std::size_t i = 0; i < points.size(); ++i)
     if (places[i].distance > tolerance) left.push_back(points[i]);
-  return left.size() < fewestPoints ? points : left;
+  return left.size() < std::min(fewestPoints, points.size()) ? points : left;
 }
 
 std::vector<GrownBranch> grown(const Skeleton& skeleton, const PointCloud& cloud,
@@ -194,7 +196,7 @@ std::vector<GrownBranch> grown(const Skeleton& skeleton, const PointCloud& cloud
                                const Progress& progress) {
   const Error nothing("nothing grows from these points: they are too few, or too far from the "
                       "plant; choose others, or trace the branch");
-  if (points.size() < fewestPoints) throw Error(nothing);
+  if (points.size() < fewestChosen) throw Error(nothing);
   std::vector<GrownBranch> branches =
       Growth(skeleton, cloud, points, options, whole, std::move(bark)).grow(progress);
   std::erase_if(branches, [](const GrownBranch& branch) { return branch.part.size() < 2; });

@@ -17,7 +17,7 @@ struct GrowOptions {
 
 /// Branches for points that a plant has none for.
 ///
-/// The points fall into parts where gaps are wide; fewer than 20 are dust. Each part is
+/// The points fall into parts where gaps are wide; fewer than 5 are dust. Each part is
 /// reconstructed by all steps of the pipeline, with the settings that its rules give for the whole
 /// scan, from its point that is nearest to the plant; of few points, a line along them. What grew
 /// is attached to the plant, and to other parts, where that is near and turns little (attached() in
@@ -39,7 +39,8 @@ struct GrowOptions {
 
 /// The same for all points that no edge explains, but for those set aside. Parts of which less than
 /// half and fewer than 20 points stand off the bark, as it is measured (wood_skin.h), grow nothing,
-/// and no lines are made of few points: whoever chose none does not want each cluster of them.
+/// and no lines are made of few points, fewer than 20 being dust: whoever chose none does not want
+/// each cluster of them.
 /// @throws Error also if the plant explains them all
 [[nodiscard]] std::vector<GrownBranch>
 grownFromUnexplained(const Skeleton& skeleton, const std::shared_ptr<const PointCloud>& cloud,

@@ -81,6 +81,14 @@ Skeleton lineAlong(const PointCloud& cloud, const std::vector<Eigen::Index>& poi
   const double length = (end - otherEnd).norm();
   Skeleton line;
   if (length == 0) return line;
+  if (points.size() < fewestPoints) { // their course is that of chance
+    const NodeId first = line.add({.position = end});
+    line.add({.position = otherEnd, .parent = first});
+    const double beside = meanDistance(cloud, points, line);
+    for (const NodeId id : line.ids())
+      line.setRadius(id, beside);
+    return line;
+  }
   const Trace trace =
       graph
           .between({end}, {otherEnd}, {.step = std::min(edge, length / 2), .alternatives = 0},
@@ -110,6 +118,7 @@ Skeleton grownOrLine(const PointCloud& cloud, const std::vector<Eigen::Index>& p
                      const Eigen::Vector3d& root, const PlantScale& whole,
                      const PipelineOptions& options, double edge, const Progress& progress) {
   constexpr std::size_t enough = 5; // nodes: what branches is not for a line
+  if (points.size() < fewestPoints) return lineAlong(cloud, points, root, edge, progress);
   Skeleton grown;
   try {
     grown = grownPart(cloud, points, root, whole, options, progress.part(0, 0.7));

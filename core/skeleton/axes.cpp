@@ -1,6 +1,9 @@
 #include "core/skeleton/axes.h"
 
+#include <Eigen/Geometry>
+
 #include <cassert>
+#include <cmath>
 
 namespace espalier {
 namespace {
@@ -57,6 +60,15 @@ Axis axisThrough(const Skeleton& skeleton, NodeId id) {
   for (std::optional<NodeId> at = first; at; at = nextOnAxis(skeleton, *at))
     axis.push_back(*at);
   return axis;
+}
+
+double turnAt(const Skeleton& skeleton, NodeId id) {
+  const auto next = nextOnAxis(skeleton, id);
+  const auto parent = skeleton[id].parent;
+  if (!next || !parent) return 0;
+  const Eigen::Vector3d before = skeleton[id].position - skeleton[*parent].position;
+  const Eigen::Vector3d after = skeleton[*next].position - skeleton[id].position;
+  return std::atan2(before.cross(after).norm(), before.dot(after));
 }
 
 double length(const Skeleton& skeleton, const Axis& axis) {

@@ -29,6 +29,10 @@ using Axis = std::vector<NodeId>;
 /// The axis that a node is part of. pre: contains(id). Time O(length of the axis).
 [[nodiscard]] Axis axisThrough(const Skeleton& skeleton, NodeId id);
 
+/// By how much an axis turns at a node, from the edge to it to the next one [rad]; 0 where it
+/// begins or ends, or an edge has no length. pre: contains(id)
+[[nodiscard]] double turnAt(const Skeleton& skeleton, NodeId id);
+
 /// Length of an axis along its nodes [L], with the edge to the node that bears it.
 [[nodiscard]] double length(const Skeleton& skeleton, const Axis& axis);
 

@@ -3,6 +3,7 @@
 #include "core/base/box_tree.h"
 #include "core/skeleton/axes.h"
 #include "core/skeleton/crossings.h"
+#include "core/skeleton/frustum.h"
 #include "core/skeleton/length_along.h"
 #include "core/skeleton/path_edits.h"
 
@@ -119,7 +120,8 @@ double turn(const Eigen::Vector3d& before, const Eigen::Vector3d& after) {
 /// The turns of edges that have a length.
 class Turns {
 public:
-  Turns(const Skeleton& skeleton, double shortest) : skeleton_(skeleton), shortest_(shortest) {}
+  Turns(const Skeleton& skeleton, double shortest, double spacing)
+      : skeleton_(skeleton), shortest_(shortest), spacing_(spacing) {}
 
   /// From the edge to a node to the next one of its axis, 0 if there is none.
   [[nodiscard]] double on(NodeId id) const {
@@ -127,12 +129,14 @@ public:
     return next ? between(edge(id), edge(*next)) : 0;
   }
 
-  /// How far a branch turns from what bears it: its first edge from the edge below, and its first
-  /// few edges from a few below. The less of the two: edges that begin amid wood stray, and a
-  /// branch may droop from its first edge on.
+  /// How far a branch turns from what bears it: its first edge, if that leads clear of its bearer.
+  /// Else edges that begin amid wood stray, and it is the less of that and of its first few edges
+  /// from a few below.
   [[nodiscard]] double off(NodeId branch) const {
     constexpr int reach = 4; // edges
     const NodeId foot = *skeleton_[branch].parent;
+    const double first = between(edge(foot), edge(branch));
+    if (leavesBearer(branch)) return first;
     NodeId lower = foot;
     NodeId upper = branch;
     for (int i = 0; i < reach; ++i) {
@@ -140,8 +144,25 @@ public:
       if (i > 0) upper = nextOnAxis(skeleton_, upper).value_or(upper);
     }
     const Eigen::Vector3d place = skeleton_[foot].position;
-    return std::min(between(edge(foot), edge(branch)),
+    return std::min(first,
                     between(place - skeleton_[lower].position, skeleton_[upper].position - place));
+  }
+
+  /// Whether the first edge of a branch ends clear of the wood of its bearer, by half as much as
+  /// that is thick and by some spacings of the points.
+  [[nodiscard]] bool leavesBearer(NodeId branch) const {
+    constexpr double spacings = 2;
+    const Eigen::Vector3d place = skeleton_[branch].position;
+    double left = edgeLength(skeleton_, branch);
+    NodeId at = *skeleton_[branch].parent;
+    const double margin = std::max(spacings * spacing_, skeleton_[at].radius / 2);
+    for (left += margin; left > 0 && skeleton_[at].parent; at = *skeleton_[at].parent) {
+      const Frustum body = *frustumOf(skeleton_, at);
+      const double share = body.nearestShare(place);
+      if ((body.at(share) - place).norm() - body.radiusAt(share) < margin) return false;
+      left -= body.length();
+    }
+    return true;
   }
 
 private:
@@ -158,11 +179,12 @@ private:
 
   const Skeleton& skeleton_;
   double shortest_; // [L]: shorter edges have no direction
+  double spacing_;  // [L]
 };
 
 std::vector<Finding> sharpTurns(const Skeleton& skeleton, const std::vector<NodeId>& ids,
-                                double shortest, const CheckOptions& options) {
-  const Turns turns(skeleton, shortest);
+                                double shortest, double spacing, const CheckOptions& options) {
+  const Turns turns(skeleton, shortest, spacing);
   std::vector<Finding> findings;
   for (const NodeId id : ids) {
     const Node& node = skeleton[id];
@@ -171,7 +193,9 @@ std::vector<Finding> sharpTurns(const Skeleton& skeleton, const std::vector<Node
     const double on = turns.on(id);
     const double off = isBranch ? turns.off(id) : 0;
     const double sharpest = std::max(on, off);
-    if (sharpest <= (isBranch ? options.branchTurn : options.sharpTurn)) continue;
+    const bool isFirst = isBranch && !turns.leavesBearer(id);
+    if (off <= options.branchTurn && on <= (isFirst ? options.branchTurn : options.sharpTurn))
+      continue;
     const NodeId other = off == sharpest ? *node.parent : *nextOnAxis(skeleton, id);
     findings.push_back(
         {.kind = Kind::sharpTurn, .node = id, .others = {other}, .amount = sharpest});
@@ -179,12 +203,12 @@ std::vector<Finding> sharpTurns(const Skeleton& skeleton, const std::vector<Node
   return findings;
 }
 
-std::vector<Finding> thickOnThin(const Skeleton& skeleton, const std::vector<NodeId>& ids) {
+std::vector<Finding> thickOnThin(const Skeleton& skeleton, const std::vector<NodeId>& ids,
+                                 double thicker) {
   std::vector<Finding> findings;
   for (const NodeId id : ids) {
     const Node& node = skeleton[id];
-    constexpr double rounding = 1 + 1e-9;
-    if (node.parent && node.radius > skeleton[*node.parent].radius * rounding)
+    if (node.parent && node.radius > skeleton[*node.parent].radius * (1 + thicker))
       findings.push_back({.kind = Kind::radiusAboveParent, .node = id, .amount = node.radius});
   }
   return findings;
@@ -204,9 +228,9 @@ std::vector<Finding> check(const Skeleton& skeleton, double spacing, const Check
   append(loneBranches(skeleton, ids));
   append(edgesWithoutLength(skeleton, ids, shortest));
   append(duplicatedEdges(skeleton, ids, shortest, options.duplicateShare));
-  append(sharpTurns(skeleton, ids, shortest, options));
+  append(sharpTurns(skeleton, ids, shortest, spacing, options));
   append(crossings(skeleton, spacing, options));
-  append(thickOnThin(skeleton, ids));
+  append(thickOnThin(skeleton, ids, options.thicker));
   return findings;
 }
 

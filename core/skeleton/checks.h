@@ -11,10 +11,11 @@ namespace espalier {
 /// All findings that need no scan, in the order of Finding::Kind, and of one kind parents before
 /// their children. Nothing is changed.
 ///
-/// A turn is reported between two successor edges. That of a branch is reported where it turns
-/// back, which is more of a turn: the first edge of a branch leads from the middle of its bearer to
-/// its own beginning, and may go almost anywhere. Of the places where two axes touch, the one where
-/// they are deepest in each other is reported (core/skeleton/crossings.h).
+/// A turn is reported between two successor edges. That of a branch from its bearer is reported
+/// where it turns back, which is more of a turn: the first edge of a branch leads from the middle
+/// of its bearer to its own beginning, and while it ends amid that wood, may go almost anywhere. Of
+/// the places where two axes touch, the one where they are deepest in each other is reported
+/// (core/skeleton/crossings.h).
 /// @param spacing between points of the scan [L]; 0: there is none, or it is not known
 /// Time O(n log n) unless much wood is in one place.
 [[nodiscard]] std::vector<Finding> check(const Skeleton& skeleton, double spacing = 0,

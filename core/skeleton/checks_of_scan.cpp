@@ -2,7 +2,11 @@
 
 #include "core/base/parallel.h"
 #include "core/skeleton/axes.h"
-#include "core/skeleton/edge_index.h"
+#include "core/skeleton/beside_points.h"
+#include "core/skeleton/frustum.h"
+#include "core/skeleton/own_points.h"
+#include "core/skeleton/short_foot.h"
+#include "core/skeleton/unseen_wood.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +48,6 @@ std::vector<std::vector<Eigen::Index>> clusters(const Eigen::Matrix3Xf& points, 
 
 /// What is reported of a cluster of points of a cloud.
 Finding clusterFinding(const std::vector<Eigen::Index>& points, const PointDistances& distances) {
-  const PointCloud& cloud = *distances.cloud();
   Finding finding{.kind = Kind::unexplainedPoints,
                   .node = {},
                   .others = {},
@@ -53,13 +56,11 @@ Finding clusterFinding(const std::vector<Eigen::Index>& points, const PointDista
   float nearest = std::numeric_limits<float>::infinity();
   for (const Eigen::Index point : points) {
     const auto k = static_cast<std::size_t>(point);
-    finding.place += cloud.position(point) / static_cast<double>(points.size());
     if (distances.toSurface()[k] >= nearest) continue;
     nearest = distances.toSurface()[k];
     finding.node = distances.nearest()[k];
   }
-  for (const Eigen::Index point : points)
-    finding.reach = std::max(finding.reach, (cloud.position(point) - finding.place).norm());
+  place(finding, *distances.cloud());
   return finding;
 }
 
@@ -79,95 +80,20 @@ bool hasPoints(const Frustum& body, const PointCloud& cloud, const SpatialIndex&
   return 2 * found >= steps + 1;
 }
 
-/// All wood of a skeleton, and what lies beyond a branch.
-class Wood {
-public:
-  explicit Wood(const Skeleton& skeleton)
-      : index_(bodiesOf(skeleton)), rank_(skeleton.idEnd(), 0), end_(skeleton.idEnd(), 0) {
-    number(skeleton);
-  }
-
-  /// Does `branch` carry `id`, or is it the same?
-  [[nodiscard]] bool carries(NodeId branch, NodeId id) const {
-    const std::size_t rank = rank_[indexOf(id)];
-    return rank >= rank_[indexOf(branch)] && rank < end_[indexOf(branch)];
-  }
-
-  /// From a place to the surface of the nearest wood that `branch` does not carry, 0 inside [L].
-  [[nodiscard]] double distanceBeside(NodeId branch, const Eigen::Vector3d& place) const {
-    return index_.distanceToSurface(place, [&](NodeId id) { return !carries(branch, id); });
-  }
-
-private:
-  /// Ranks in depth-first order, so that what a node carries is one run of them.
-  void number(const Skeleton& skeleton) {
-    std::vector<NodeId> open = skeleton.roots();
-    std::vector<NodeId> order; // parents before their children
-    while (!open.empty()) {
-      const NodeId id = open.back();
-      open.pop_back();
-      rank_[indexOf(id)] = order.size();
-      order.push_back(id);
-      end_[indexOf(id)] = order.size();
-      open.insert(open.end(), skeleton.children(id).begin(), skeleton.children(id).end());
-    }
-    for (auto id = order.rbegin(); id != order.rend(); ++id)
-      if (const auto parent = skeleton[*id].parent)
-        end_[indexOf(*parent)] = std::max(end_[indexOf(*parent)], end_[indexOf(*id)]);
-  }
-
-  EdgeIndex index_;
-  std::vector<std::size_t> rank_, end_; // by id
-};
-
-/// What branches are checked with.
-struct Check {
-  const Skeleton& skeleton;
-  const PointDistances& distances;
-  const SpatialIndex& index;
-  const Wood& wood;
-  double spacing; // [L]
-  const CheckOptions& options;
-
-  [[nodiscard]] bool isBeside(NodeId branch, const Eigen::Vector3d& place) const {
-    return wood.distanceBeside(branch, place) <= options.ownBeside * spacing;
-  }
-
-  [[nodiscard]] bool hasOwnPoints(NodeId branch, const Eigen::Vector3d& place,
-                                  double radius) const {
-    const PointCloud& cloud = *distances.cloud();
-    int count = 0;
-    const auto isEnough = [&](Eigen::Index point) {
-      return wood.carries(branch, distances.nearest()[static_cast<std::size_t>(point)]) &&
-             !isBeside(branch, cloud.position(point)) && ++count >= options.ownCount;
-    };
-    const auto reach = static_cast<float>(radius + options.ownReach * spacing);
-    return index.nearestIf((place - cloud.origin()).cast<float>(), reach, isEnough).has_value();
-  }
-
-  /// The stretch at the beginning of a branch, if it is worth reporting.
-  [[nodiscard]] std::optional<Finding> look(NodeId branch) const {
-    Finding finding{.kind = Finding::Kind::noOwnPoints, .node = branch};
-    bool isOver = false;
-    for (std::optional<NodeId> at = branch; at && !isOver; at = nextOnAxis(skeleton, *at)) {
-      if (*at != branch) finding.others.push_back(*at);
-      const Frustum body = *frustumOf(skeleton, *at);
-      constexpr double most = 1000; // steps: one edge across a plant of many points
-      const double steps = std::clamp(std::ceil(body.length() / spacing), 1.0, most);
-      for (double i = 1; i <= steps && !isOver; ++i) {
-        const Eigen::Vector3d place = body.at(i / steps);
-        if (isBeside(branch, place)) continue;
-        isOver = hasOwnPoints(branch, place, body.radiusAt(i / steps));
-        if (!isOver) finding.amount += body.length() / steps;
-      }
-    }
-    const bool isReported = finding.amount > options.ownLength * spacing;
-    return isReported ? std::optional(std::move(finding)) : std::nullopt;
-  }
-};
-
 void append(std::vector<Finding>& all, std::vector<Finding> more) {
   std::ranges::move(more, std::back_inserter(all));
+}
+
+/// Whether most points of a cluster are there because wood lies beside them, or a foot is short.
+bool explains(const Finding& other, const Finding& cluster, const PointDistances& distances) {
+  if (other.kind != Kind::besidePoints && other.kind != Kind::shortFoot) return false;
+  const std::vector<NodeId> nodes = nodesOf(other);
+  const auto count = std::ranges::count_if(cluster.points, [&](Eigen::Index point) {
+    if (other.kind == Kind::shortFoot) return std::ranges::binary_search(other.points, point);
+    const NodeId nearest = distances.nearest()[static_cast<std::size_t>(point)];
+    return std::ranges::find(nodes, nearest) != nodes.end();
+  });
+  return 2 * count > static_cast<std::ptrdiff_t>(cluster.points.size());
 }
 
 /// Leaves out those at a node that another finding is at.
@@ -191,18 +117,41 @@ std::vector<Finding> checkAgainstScan(const Skeleton& skeleton, const PointDista
       branchesWithoutOwnPoints(skeleton, distances, index, spacing, options, progress);
   eraseReported(own, all);
   append(all, std::move(own));
-  append(all, unexplainedClusters(distances, spacing, options, progress));
+  const UnseenWood unseen(skeleton, distances, index, spacing, options);
+  std::erase_if(all, [&](const Finding& finding) { return unseen.mayBeHidden(finding); });
+  const double unit = exactness(distances, spacing, options);
+  append(all, axesBesidePoints(skeleton, distances, spacing, unit, options, progress));
+  append(all, shortFeet(skeleton, distances, spacing, options));
+  std::vector<Finding> clusters = unexplainedClusters(distances, spacing, options, progress);
+  std::erase_if(clusters, [&](const Finding& cluster) {
+    return std::ranges::any_of(
+        all, [&](const Finding& other) { return explains(other, cluster, distances); });
+  });
+  append(all, std::move(clusters));
   return all;
+}
+
+double exactness(const PointDistances& distances, double spacing, const CheckOptions& options) {
+  std::vector<float> off;
+  off.reserve(distances.toSurface().size());
+  for (const float distance : distances.toSurface())
+    if (std::isfinite(distance)) off.push_back(std::abs(distance));
+  const double least = std::max(1.0, options.scatter) * spacing;
+  if (off.empty()) return least;
+  const auto middle = off.begin() + static_cast<std::ptrdiff_t>(off.size() / 2);
+  std::ranges::nth_element(off, middle);
+  return std::clamp(4.0 / 3 * *middle, least, 2 * least);
 }
 
 std::vector<Finding> unexplainedClusters(const PointDistances& distances, double spacing,
                                          const CheckOptions& options, const Progress& progress) {
   std::vector<Eigen::Index> far; // each place once
+  const double reach = options.pointReach * exactness(distances, spacing, options);
   const Eigen::Matrix3Xf& all = distances.cloud()->positions();
   for (std::size_t i = 0; i < distances.toSurface().size(); ++i) {
     const float distance = distances.toSurface()[i];
     const auto point = static_cast<Eigen::Index>(i);
-    if (!std::isfinite(distance) || !(distance > options.pointReach * spacing)) continue;
+    if (!std::isfinite(distance) || !(distance > reach)) continue;
     if (far.empty() || all.col(far.back()) != all.col(point)) far.push_back(point);
   }
   const Eigen::Matrix3Xf positions = all(Eigen::all, far);
@@ -210,8 +159,14 @@ std::vector<Finding> unexplainedClusters(const PointDistances& distances, double
   const auto gap = static_cast<float>(options.clusterGap * spacing);
   for (std::vector<Eigen::Index>& cluster : clusters(positions, gap, progress)) {
     if (cluster.size() < static_cast<std::size_t>(std::max(options.clusterSize, 1))) continue;
-    for (Eigen::Index& point : cluster)
+    double farthest = 0;
+    for (Eigen::Index& point : cluster) {
       point = far[static_cast<std::size_t>(point)];
+      farthest = std::max<double>(farthest, distances.toSurface()[static_cast<std::size_t>(point)]);
+    }
+    if (farthest < options.clusterRise * reach &&
+        static_cast<int>(cluster.size()) < options.largeCluster)
+      continue;
     findings.push_back(clusterFinding(cluster, distances));
   }
   std::ranges::stable_sort(findings, std::greater<>(), &Finding::amount);
@@ -256,8 +211,7 @@ std::vector<Finding> branchesWithoutOwnPoints(const Skeleton& skeleton,
                                               const CheckOptions& options,
                                               const Progress& progress) {
   if (distances.cloud()->isEmpty() || skeleton.isEmpty() || spacing <= 0) return {};
-  const Wood wood(skeleton);
-  const Check check{skeleton, distances, index, wood, spacing, options};
+  const OwnPoints own(skeleton, distances, index, spacing, options);
   std::vector<NodeId> branches;
   for (const NodeId id : skeleton.ids()) {
     const auto parent = skeleton[id].parent;
@@ -265,7 +219,7 @@ std::vector<Finding> branchesWithoutOwnPoints(const Skeleton& skeleton,
   }
   std::vector<std::optional<Finding>> found(branches.size());
   const auto look = [&](Eigen::Index i) {
-    found[static_cast<std::size_t>(i)] = check.look(branches[static_cast<std::size_t>(i)]);
+    found[static_cast<std::size_t>(i)] = own.missing(branches[static_cast<std::size_t>(i)]);
   };
   parallelFor(static_cast<Eigen::Index>(branches.size()), look, progress, 16);
   std::vector<Finding> findings;

@@ -13,8 +13,10 @@ namespace espalier {
 // What a scan says of a skeleton. Distances are to the surface of the wood (PointDistances), and in
 // spacings between the points of the scan. A skeleton without nodes has no findings.
 
-/// All findings that a scan shows, those of each check below together. A branch that no points are
-/// near to at all is not reported again for having none of its own.
+/// All findings that a scan shows: those of the checks below, of beside_points.h and short_foot.h. A
+/// branch that no points are near to at all is not reported again for having none of its own, nor
+/// wood that is likelier hidden (unseen_wood.h), nor points that are off because wood lies beside
+/// them or a foot is short.
 /// @param distances of the points of the scan to `skeleton`
 /// @param index     of the positions of their cloud
 /// @param spacing   between neighboring points [L]
@@ -26,7 +28,16 @@ namespace espalier {
                                                     const CheckOptions& options = {},
                                                     const Progress& progress = {});
 
-/// Clusters of points that are far from all wood: what the skeleton lacks. The largest first.
+/// What lengths of the checks against a scan count in: the spacing of the points, or where points
+/// scatter wider about the wood, or the skeleton was drawn less exactly, how far they are from it:
+/// the scatter, or 4/3 of the median distance to the surface, where that is more, but at most twice
+/// as much as without [L].
+/// Time O(N).
+[[nodiscard]] double exactness(const PointDistances& distances, double spacing,
+                               const CheckOptions& options);
+
+/// Clusters of points that are far from all wood: what the skeleton lacks. The largest first. Small
+/// ones are reported where they stand out, as twigs do and fuzz about wood does not.
 /// @param spacing between neighboring points [L]
 /// @throws Cancelled if `progress` asks to stop
 /// Deterministic. Time O(N log N) for N points that are far.

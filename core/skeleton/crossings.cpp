@@ -80,6 +80,11 @@ bool areNeighbors(const Skeleton& skeleton, NodeId a, NodeId b) {
   return underA == b || underB == a || (underA && underA == underB);
 }
 
+/// Whether no more than `rest` [L] of an axis follows a place of one of its edges.
+bool isEnd(const Skeleton& skeleton, NodeId id, double share, double rest) {
+  return skeleton.children(id).empty() && (1 - share) * edgeLength(skeleton, id) <= rest;
+}
+
 } // namespace
 
 std::vector<Finding> crossings(const Skeleton& skeleton, double spacing,
@@ -106,7 +111,7 @@ std::vector<Finding> crossings(const Skeleton& skeleton, double spacing,
     const auto look = [&](std::size_t k) {
       const NodeId a = edges[i].node;
       const NodeId b = edges[k].node;
-      if (k >= i || axis[indexOf(a)] == axis[indexOf(b)] || areNeighbors(skeleton, a, b)) return;
+      if (k >= i || areNeighbors(skeleton, a, b)) return;
       const NearestShares near = nearestShares(edges[i].body, edges[k].body);
       const double wood = edges[i].body.radiusAt(near.a) + edges[k].body.radiusAt(near.b);
       const double touching = std::max(wood, thin);
@@ -117,8 +122,12 @@ std::vector<Finding> crossings(const Skeleton& skeleton, double spacing,
       if (gap > touch.gap || (gap == touch.gap && i > touch.edge)) return;
       touch.gap = gap;
       touch.edge = i;
-      touch.finding.node = a;
-      touch.finding.others = {b};
+      const double rest = 2 * touching;
+      const bool endsA = isEnd(skeleton, a, near.a, rest);
+      const bool endsB = !endsA && isEnd(skeleton, b, near.b, rest);
+      touch.finding.kind = endsA || endsB ? Finding::Kind::loop : Finding::Kind::crossing;
+      touch.finding.node = endsB ? b : a;
+      touch.finding.others = {endsB ? a : b};
       touch.finding.amount = near.distance;
     };
     tree.within(boxes[i], thin, look, parents[i]); // without its siblings

@@ -30,13 +30,22 @@ std::vector<NodeId> nodesOf(const Finding& finding) {
   return nodes;
 }
 
+void place(Finding& finding, const PointCloud& cloud) {
+  finding.place.setZero();
+  for (const Eigen::Index point : finding.points)
+    finding.place += cloud.position(point) / static_cast<double>(finding.points.size());
+  finding.reach = 0;
+  for (const Eigen::Index point : finding.points)
+    finding.reach = std::max(finding.reach, (cloud.position(point) - finding.place).norm());
+}
+
 Eigen::AlignedBox3d boundsOf(const Finding& finding, const Skeleton& skeleton) {
   Eigen::AlignedBox3d box;
   for (const NodeId id : nodesOf(finding)) {
     box.extend(skeleton[id].position);
     if (skeleton[id].parent) box.extend(skeleton[*skeleton[id].parent].position);
   }
-  if (finding.kind == Kind::unexplainedPoints) {
+  if (!finding.points.empty()) {
     const Eigen::Vector3d reach = Eigen::Vector3d::Constant(finding.reach);
     box.extend(Eigen::AlignedBox3d(finding.place - reach, finding.place + reach));
   }
@@ -50,7 +59,7 @@ bool isSame(const Finding& a, const Finding& b) {
   const auto isOf = [](NodeId id, const Finding& finding) {
     return id == finding.node || std::ranges::find(finding.others, id) != finding.others.end();
   };
-  if (a.kind != Kind::crossing) return a.node == b.node;
+  if (a.kind != Kind::crossing && a.kind != Kind::loop) return a.node == b.node;
   return isOf(a.node, b) && isOf(b.node, a);
 }
 
@@ -81,6 +90,8 @@ std::string describe(const Finding& finding, const Skeleton& skeleton,
   case Kind::crossing:
     return node + " and " + other + " touch, but are not of one branch: " + length(finding.amount) +
            " apart";
+  case Kind::loop:
+    return "the axis that ends at " + node + " comes back onto the wood at " + other;
   case Kind::radiusAboveParent:
     if (const std::optional<NodeId> parent = skeleton[finding.node].parent)
       return node + " is thicker than its parent: radius " + length(skeleton[finding.node].radius) +
@@ -91,8 +102,13 @@ std::string describe(const Finding& finding, const Skeleton& skeleton,
   case Kind::noOwnPoints:
     return "the branch at " + node + " has no points of its own along its first " +
            length(finding.amount);
+  case Kind::besidePoints:
+    return "the wood at " + node + " lies " + length(finding.amount) + " beside its points";
+  case Kind::shortFoot:
+    return "the points of the stem go on by " + length(finding.amount) + " below " + node;
   case Kind::unexplainedPoints:
-    return counted(finding.amount, "point", "points") + " near " + node + " are far from any edge";
+    return "bare twig, " + counted(finding.amount, "point", "points") + ", " +
+           length(2 * finding.reach) + " long, near " + node;
   }
   return {};
 }
@@ -117,12 +133,18 @@ std::string nameOf(Kind kind) {
     return "sharp_turn";
   case Kind::crossing:
     return "crossing";
+  case Kind::loop:
+    return "loop";
   case Kind::radiusAboveParent:
     return "radius_above_parent";
   case Kind::edgesWithoutPoints:
     return "edges_without_points";
   case Kind::noOwnPoints:
     return "no_own_points";
+  case Kind::besidePoints:
+    return "beside_points";
+  case Kind::shortFoot:
+    return "short_foot";
   case Kind::unexplainedPoints:
     return "unexplained_points";
   }

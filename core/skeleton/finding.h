@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/cloud/point_cloud.h"
 #include "core/skeleton/skeleton.h"
 
 #include <Eigen/Core>
@@ -22,9 +23,12 @@ struct Finding {
     duplicatedEdge,     // the edge to the parent lies on another one
     sharpTurn,          // the axis turns back at the node, or the branch that begins there
     crossing,           // touches a branch that does not bear it
+    loop,               // an axis ends on wood that does not bear it, or on itself
     radiusAboveParent,  // thicker than what bears the node
     edgesWithoutPoints, // nothing of the scan is near
     noOwnPoints,        // a branch begins where all points are of other wood
+    besidePoints,       // the wood lies beside its points
+    shortFoot,          // the points of a stem go on below its root
     unexplainedPoints   // points of the scan that no edge is near
   };
   Kind kind;
@@ -38,10 +42,13 @@ struct Finding {
   bool operator==(const Finding&) const = default;
 };
 
-inline constexpr int findingKinds = 11;
+inline constexpr int findingKinds = 14;
 
 /// The nodes to look at: the one it is at first.
 [[nodiscard]] std::vector<NodeId> nodesOf(const Finding& finding);
+
+/// Sets `place` and `reach` to where its points are. pre: it has points, and `cloud` those
+void place(Finding& finding, const PointCloud& cloud);
 
 /// The box about all that takes part [L], frame of the file. pre: `skeleton` has its nodes
 [[nodiscard]] Eigen::AlignedBox3d boundsOf(const Finding& finding, const Skeleton& skeleton);

@@ -1,17 +1,25 @@
 // How many errors the checks find, and how much they report beside them: 60 errors of six kinds
 // (tests/support/planted_errors.h) are put into a structure that was right.
 //
-//   espalier_findings SCAN STRUCTURE [SEEDS]      seeds 1 to SEEDS, one by default
-//   espalier_findings --simulated FIRST COUNT     bare ones of scannedPlant(FIRST) and on
+//   espalier_findings SCAN STRUCTURE [SEEDS] [--list]    seeds 1 to SEEDS, one by default
+//   espalier_findings --simulated FIRST COUNT [--list]   bare ones of scannedPlant(FIRST) and on
+//   espalier_findings --noisy FIRST COUNT [--list]       those of noisyPlant()
+//   espalier_findings --rough FIRST COUNT [--list]       as simulated, drawn as people draw
+//
+// With --list, each false finding and each missed error is printed.
 //
 // An error is caught if there is a finding at it that was not there before. Of the findings of the
 // structure with the errors, the others are false: those that were there before ("before"), and
 // those that only came with the errors ("new"). For each kind of finding, how many are true is
 // printed, too.
+#include "core/base/random.h"
 #include "core/io/formats.h"
+#include "core/pipeline/plant_scale.h"
 #include "core/skeleton/checks.h"
 #include "core/skeleton/checks_of_scan.h"
+#include "core/skeleton/path_edits.h"
 #include "core/skeleton/shift_onto_cloud.h"
+#include "core/skeleton/skeleton_delta.h"
 #include "tests/bench/simulated_scans.h"
 #include "tests/support/planted_errors.h"
 
@@ -19,6 +27,7 @@
 #include <array>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -63,23 +72,26 @@ int sum(const auto& counts) {
 
 std::vector<Finding> findingsOf(const Skeleton& skeleton,
                                 const std::shared_ptr<const PointCloud>& cloud, double spacing,
-                                const SpatialIndex& index) {
-  std::vector<Finding> all = check(skeleton, spacing);
+                                const SpatialIndex& index, const CheckOptions& limits) {
+  std::vector<Finding> all = check(skeleton, spacing, limits);
   const PointDistances distances(cloud, spacing, skeleton);
-  for (Finding& finding : checkAgainstScan(skeleton, distances, index, spacing))
+  for (Finding& finding : checkAgainstScan(skeleton, distances, index, spacing, limits))
     all.push_back(std::move(finding));
   return all;
 }
 
 Tally judged(const Scanned& plant, std::uint64_t seed, bool isListed) {
-  const double spacing = pointSpacing(plant.cloud->positions());
+  const PlantScale scale = scaleOf(*plant.cloud, {}, UpAxis::z);
+  const double spacing = scale.spacing;
+  const CheckOptions limits{.scatter = scale.scatter / spacing};
   const SpatialIndex index(plant.cloud->positions());
-  const std::vector<Finding> before = findingsOf(plant.skeleton, plant.cloud, spacing, index);
+  const std::vector<Finding> before =
+      findingsOf(plant.skeleton, plant.cloud, spacing, index, limits);
   const test::PlantedPlant planted =
       test::withPlantedErrors(plant.skeleton, plant.cloud, spacing, seed);
   Tally tally;
   std::vector<char> isCaught(planted.errors.size(), 0);
-  for (const Finding& finding : findingsOf(planted.skeleton, plant.cloud, spacing, index)) {
+  for (const Finding& finding : findingsOf(planted.skeleton, plant.cloud, spacing, index, limits)) {
     const auto kind = static_cast<std::size_t>(finding.kind);
     const bool wasThere =
         std::ranges::any_of(before, [&](const Finding& other) { return isSame(other, finding); });
@@ -105,6 +117,22 @@ Tally judged(const Scanned& plant, std::uint64_t seed, bool isListed) {
                   planted.errors[i].points.size());
   }
   return tally;
+}
+
+/// As people draw it: with fewer nodes, which lie beside the middle, and radii that are estimated.
+Skeleton rough(Skeleton plant, double spacing, std::uint64_t seed) {
+  Random random(seed);
+  SkeletonEditor editor(plant);
+  resample(editor, plant.ids(), 6 * spacing);
+  const Eigen::Vector3d shift = spacing * random.direction();
+  const double thickness = std::exp(0.2 * random.normal());
+  for (const NodeId id : plant.ids()) {
+    editor.setPosition(id, plant[id].position + shift +
+                               0.8 * spacing * random.normal() * random.direction());
+    editor.setRadius(id, plant[id].radius * thickness);
+  }
+  static_cast<void>(editor.commit());
+  return plant;
 }
 
 void printLine(const std::string& name, const Tally& tally) {
@@ -135,39 +163,53 @@ void printHead() {
   std::printf("\n");
 }
 
-int run(const std::vector<std::string>& arguments) {
+/// A simulated plant, bare; none: another number is.
+std::optional<ScannedPlant> simulated(const std::string& how, std::uint64_t number) {
+  ScannedPlant plant = how == "--noisy" ? noisyPlant(number) : scannedPlant(number);
+  if (plant.isLeafy || plant.foliage > 0) return std::nullopt;
+  if (how == "--rough")
+    plant.truth = rough(plant.truth, pointSpacing(plant.cloud->positions()), number);
+  return plant;
+}
+
+Scanned read(const std::string& scan, const std::string& structure) {
+  Scanned plant{.skeleton = readStructure(structure).value.skeleton,
+                .cloud = std::make_shared<const PointCloud>(readPoints(scan).value)};
+  if (const auto shift = shiftOntoCloud(plant.skeleton, *plant.cloud))
+    for (const NodeId id : plant.skeleton.ids())
+      plant.skeleton.setPosition(id, plant.skeleton[id].position + *shift);
+  return plant;
+}
+
+int run(std::vector<std::string> arguments) {
+  const bool isListed = std::erase(arguments, "--list") > 0;
   if (arguments.size() < 2) {
-    std::puts("espalier_findings SCAN STRUCTURE [SEEDS]\n"
-              "espalier_findings --simulated FIRST COUNT");
+    std::puts("espalier_findings SCAN STRUCTURE [SEEDS] [--list]\n"
+              "espalier_findings --simulated|--noisy|--rough FIRST COUNT [--list]");
     return 2;
   }
   Tally all;
   printHead();
-  if (arguments[0] == "--simulated") {
-    const std::uint64_t first = std::stoull(arguments[1]);
-    const std::uint64_t count = arguments.size() > 2 ? std::stoull(arguments[2]) : 10;
-    std::uint64_t done = 0;
-    for (std::uint64_t number = first; done < count; ++number) {
-      ScannedPlant plant = scannedPlant(number);
-      if (plant.isLeafy || plant.foliage > 0) continue;
-      const Tally one = judged({plant.truth, plant.cloud}, number, arguments.size() > 3);
-      printLine(plant.name, one);
-      std::fflush(stdout);
-      all += one;
-      ++done;
-    }
+  const auto number = [&](std::size_t at, std::uint64_t usual) {
+    return arguments.size() > at ? std::stoull(arguments[at]) : usual;
+  };
+  const auto add = [&](const std::string& name, const Scanned& plant, std::uint64_t seed) {
+    const Tally one = judged(plant, seed, isListed);
+    printLine(name, one);
+    std::fflush(stdout);
+    all += one;
+  };
+  if (arguments[0].starts_with("--")) {
+    std::uint64_t left = number(2, 10);
+    for (std::uint64_t i = number(1, 0); left > 0; ++i)
+      if (const auto plant = simulated(arguments[0], i)) {
+        add(plant->name, {plant->truth, plant->cloud}, i);
+        --left;
+      }
   } else {
-    Scanned plant{.skeleton = readStructure(arguments[1]).value.skeleton,
-                  .cloud = std::make_shared<const PointCloud>(readPoints(arguments[0]).value)};
-    if (const auto shift = shiftOntoCloud(plant.skeleton, *plant.cloud))
-      for (const NodeId id : plant.skeleton.ids())
-        plant.skeleton.setPosition(id, plant.skeleton[id].position + *shift);
-    const std::uint64_t seeds = arguments.size() > 2 ? std::stoull(arguments[2]) : 1;
-    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-      const Tally one = judged(plant, seed, arguments.size() > 3);
-      printLine("seed " + std::to_string(seed), one);
-      all += one;
-    }
+    const Scanned plant = read(arguments[0], arguments[1]);
+    for (std::uint64_t seed = 1; seed <= number(2, 1); ++seed)
+      add("seed " + std::to_string(seed), plant, seed);
   }
   printLine("all", all);
   printKinds(all);

@@ -322,15 +322,16 @@ private:
     const NodeId next = low.back();
     const Eigen::Vector3d along = (clean_[next].position - clean_[at].position).normalized();
     const Eigen::Vector3d place = clean_[at].position + left * along;
+    PlantedError error{.kind = PlantedKind::shortFoot, .nodes = {at}};
+    for (const NodeId node : low)
+      for (const Eigen::Index point : pointsOf_[indexOf(node)])
+        if ((cloud_.position(point) - place).dot(along) < 0) error.points.push_back(point);
+    if (error.points.size() < 8) return std::nullopt;
     if (at != id) {
       plant_.makeRoot(at);
       eraseAll(id);
     }
     plant_.setPosition(at, place);
-    PlantedError error{.kind = PlantedKind::shortFoot, .nodes = {at}};
-    for (const NodeId node : low)
-      for (const Eigen::Index point : pointsOf_[indexOf(node)])
-        if ((cloud_.position(point) - place).dot(along) < 0) error.points.push_back(point);
     take(low);
     return error;
   }

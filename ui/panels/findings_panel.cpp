@@ -46,14 +46,20 @@ QString titleOf(Kind kind) {
     return FindingsPanel::tr("Sharp turns");
   case Kind::crossing:
     return FindingsPanel::tr("Touching branches");
+  case Kind::loop:
+    return FindingsPanel::tr("Loops");
   case Kind::radiusAboveParent:
     return FindingsPanel::tr("Thick on thin");
   case Kind::edgesWithoutPoints:
     return FindingsPanel::tr("Edges off the scan");
   case Kind::noOwnPoints:
     return FindingsPanel::tr("No points of their own");
+  case Kind::besidePoints:
+    return FindingsPanel::tr("Beside its points");
+  case Kind::shortFoot:
+    return FindingsPanel::tr("Short foot");
   case Kind::unexplainedPoints:
-    return FindingsPanel::tr("Unexplained points");
+    return FindingsPanel::tr("Bare twigs");
   }
   return {};
 }
@@ -226,14 +232,17 @@ QString FindingsPanel::textOf(const Finding& finding) const {
   case Kind::sharpTurn:
     return tr("%1 · %2°").arg(node).arg(std::lround(finding.amount * 180 / std::numbers::pi));
   case Kind::crossing:
+  case Kind::loop:
     return tr("%1 and %2").arg(node).arg(other);
   case Kind::radiusAboveParent:
   case Kind::edgesWithoutPoints:
   case Kind::noOwnPoints:
+  case Kind::besidePoints:
+  case Kind::shortFoot:
     return tr("%1 · %2").arg(node, length(finding.amount));
   case Kind::unexplainedPoints:
-    return count == 1 ? tr("1 point")
-                      : tr("%1 points").arg(formatCount(static_cast<std::size_t>(count)));
+    return tr("%1 points · %2")
+        .arg(formatCount(static_cast<std::size_t>(count)), length(2 * finding.reach));
   }
   return {};
 }

@@ -162,7 +162,7 @@ void FindingsFlow::refresh() {
   const Skeleton& skeleton = parts_.document.skeleton();
   isCheckedAtOnce_ = skeleton.size() <= most;
   if (isCheckedAtOnce_) {
-    ofSkeleton_ = check(skeleton, spacing(), panel_->checks().options());
+    ofSkeleton_ = check(skeleton, spacing(), limits());
     list();
   }
   startJob();
@@ -180,8 +180,7 @@ void FindingsFlow::startJob() {
   job_.start(
       tr("Check the plant"),
       [distances, indexed = indexed_, isCheckedAtOnce = isCheckedAtOnce_, spacing = spacing(),
-       options = panel_->checks().options(),
-       skeleton = parts_.document.skeleton()](const Progress& progress) {
+       options = limits(), skeleton = parts_.document.skeleton()](const Progress& progress) {
         Found found{.indexed = indexed};
         if (!isCheckedAtOnce) found.ofSkeleton = check(skeleton, spacing, options);
         if (!distances) return found;
@@ -216,6 +215,13 @@ bool FindingsFlow::isAllChecked() const {
 double FindingsFlow::spacing() const {
   const Scan* scan = parts_.document.scan();
   return scan != nullptr ? scan->spacing() : 0;
+}
+
+CheckOptions FindingsFlow::limits() const {
+  CheckOptions options = panel_->checks().options();
+  if (const Scan* scan = parts_.document.scan())
+    options.scatter = scan->wood().scatter / scan->spacing();
+  return atSensitivity(options);
 }
 
 void FindingsFlow::list() {

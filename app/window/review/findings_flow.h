@@ -78,7 +78,8 @@ private:
   void refresh();
   void startJob();
   void take(Found found);
-  [[nodiscard]] double spacing() const; // between points [L]; 0: there is no scan
+  [[nodiscard]] double spacing() const;      // between points [L]; 0: there is no scan
+  [[nodiscard]] CheckOptions limits() const; // at the sensitivity that is set
   [[nodiscard]] bool isAllChecked() const;
   void list(); // what was found last, without what is gone
   void step(int by);

@@ -311,7 +311,7 @@ TEST_F(FindingsWindowTest, SelectsTheNodesOfAllFindings) {
 TEST_F(FindingsWindowTest, ChecksAgainstTheScanAsAJobOfItsOwn) {
   openForkAndScan();
   key(Qt::Key_F8);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !countOf("Unexplained points").isEmpty(); }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !countOf("Bare twigs").isEmpty(); }));
   EXPECT_FALSE(countOf("Edges off the scan").isEmpty());
   EXPECT_FALSE(find<QLabel>("findings_note").isVisible());
   const QString before = title();
@@ -331,7 +331,7 @@ TEST_F(FindingsWindowTest, NothingIsSaidToBeWellBeforeTheScanWasChecked) {
   EXPECT_NE(title(), allIsWell);
   action("select_findings").trigger();
   EXPECT_NE(window().statusLine().shownText(), allIsWell);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !countOf("Unexplained points").isEmpty(); }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !countOf("Bare twigs").isEmpty(); }));
 }
 
 TEST_F(FindingsWindowTest, PointsWithoutABranchAreSelectedAndCanGrowOne) {
@@ -341,7 +341,7 @@ TEST_F(FindingsWindowTest, PointsWithoutABranchAreSelectedAndCanGrowOne) {
   writeStructure(toPath(path("trunk.mtg")), trunk);
   open({writeScan("plant.xyz"), path("trunk.mtg")});
   key(Qt::Key_F8);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return countOf("Unexplained points") == "3"; }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return countOf("Bare twigs") == "3"; }));
   key(Qt::Key_F4);
   const PointSet& points = document().pointSelection().points();
   EXPECT_GT(points.size(), 1000U) << "1900 of 2000 stand clear of the trunk";
@@ -351,7 +351,7 @@ TEST_F(FindingsWindowTest, PointsWithoutABranchAreSelectedAndCanGrowOne) {
   EXPECT_EQ(chosen().size(), 1U) << "the node they come nearest to";
 
   document().leaveOut("Set aside", points); // what is left is counted otherwise from here on
-  ASSERT_TRUE(QTest::qWaitFor([&] { return countOf("Unexplained points") == "2"; }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return countOf("Bare twigs") == "2"; }));
   key(Qt::Key_F4);
   EXPECT_FALSE(points.isEmpty());
   EXPECT_TRUE((points & document().leftOut()).isEmpty());
@@ -368,7 +368,7 @@ TEST_F(FindingsWindowTest, FollowsManyEditsInARowToTheLast) {
   }
   setRadiusOf(shoot(1), 0.2);
   EXPECT_TRUE(QTest::qWaitFor([&] { return countOf("Thick on thin") == "1"; }));
-  EXPECT_TRUE(QTest::qWaitFor([&] { return !countOf("Unexplained points").isEmpty(); }));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !countOf("Bare twigs").isEmpty(); }));
 }
 
 // A spur that ends within the 6 spacings in which an edge without points is looked for.

@@ -104,23 +104,22 @@ TEST(UnexplainedClusters, StateTheirSizeAndPlace) {
     EXPECT_NEAR(cloud->position(point).x(), 1.1, 1e-4);
   EXPECT_LT((found[0].place - Eigen::Vector3d(1.1, 0, 1)).norm(), 1e-4);
   EXPECT_NEAR(found[0].reach, 0.245, 1e-4);
-  EXPECT_EQ(describe(found[0], trunk), "50 points near node " +
-                                           std::to_string(indexOf(found[0].node)) +
-                                           " are far from any edge");
+  EXPECT_EQ(describe(found[0], trunk),
+            "bare twig, 50 points, 0.49 long, near node " + std::to_string(indexOf(found[0].node)));
   EXPECT_TRUE(boundsOf(found[0], trunk).contains(Eigen::Vector3d(1.1, 0, 1.2)));
   EXPECT_THAT(clustersIn(cloud, trunk, {.clusterSize = 51}), IsEmpty());
   EXPECT_THAT(clustersIn(cloud, trunk, {.pointReach = 1000}), IsEmpty());
 }
 
-// 10 places off the trunk are no cluster, however often each is there.
+// 5 places off the trunk are no cluster, however often each is there.
 TEST(UnexplainedClusters, CountEachPlaceOnce) {
   Eigen::Matrix3Xf line(3, 200);
   for (int i = 0; i < 200; ++i)
-    line.col(i) << 1.1F, 0, 1 + 0.01F * static_cast<float>(i / 20);
+    line.col(i) << 1.1F, 0, 1 + 0.01F * static_cast<float>(i / 40);
   const auto cloud = test::cloudAtOrigin(
       test::both(test::cylinder(Eigen::Vector3d::Zero(), trunkTop, 0.1, 0.02), line));
   EXPECT_THAT(clustersIn(cloud, test::stick(3)), IsEmpty());
-  EXPECT_THAT(clustersIn(cloud, test::stick(3), {.clusterSize = 10}), SizeIs(1));
+  EXPECT_THAT(clustersIn(cloud, test::stick(3), {.clusterSize = 5}), SizeIs(1));
 }
 
 TEST(UnexplainedClusters, AreNoneWithoutNodesOrPoints) {
@@ -148,6 +147,117 @@ TEST(EdgesWithoutPoints, AreNoneThatAreNearEnough) {
   EXPECT_THAT(emptyEdges(*trunkCloud(), plant), IsEmpty());
   EXPECT_THAT(emptyEdges(PointCloud(), plant), IsEmpty());
   EXPECT_THAT(emptyEdges(*trunkCloud(), {}), IsEmpty());
+}
+
+/// `count` points in a row, `step` apart, that begins at `from` and goes to the right.
+Eigen::Matrix3Xf row(const Eigen::Vector3f& from, int count, float step) {
+  Eigen::Matrix3Xf points(3, count);
+  for (int i = 0; i < count; ++i)
+    points.col(i) = from + Eigen::Vector3f(step * static_cast<float>(i), 0, 0);
+  return points;
+}
+
+std::vector<Finding> allOf(const std::shared_ptr<const PointCloud>& cloud, const Skeleton& skeleton,
+                           const CheckOptions& options = {}) {
+  const double spacing = pointSpacing(cloud->positions());
+  return checkAgainstScan(skeleton, PointDistances(cloud, spacing, skeleton),
+                          SpatialIndex(cloud->positions()), spacing, options);
+}
+
+const Eigen::Matrix3Xf trunkPoints = test::cylinder(Eigen::Vector3d::Zero(), trunkTop, 0.1, 0.02);
+
+TEST(UnexplainedClusters, AreBareTwigsOfFewPointsButNoFuzz) {
+  const Skeleton trunk = test::stick(3);
+  const Eigen::Matrix3Xf twig = row({0.17F, 0, 1}, 8, 0.02F); // to 8 spacings from the wood
+  const std::vector<Finding> found =
+      clustersIn(test::cloudAtOrigin(test::both(trunkPoints, twig)), trunk);
+  ASSERT_THAT(found, SizeIs(1));
+  EXPECT_EQ(found[0].amount, 8);
+  EXPECT_EQ(describe(found[0], trunk).substr(0, 26), "bare twig, 8 points, 0.14 ");
+  const Eigen::Matrix3Xf fuzz = row({0.145F, 0, 1}, 8, 0.003F); // to 5 spacings
+  EXPECT_THAT(clustersIn(test::cloudAtOrigin(test::both(trunkPoints, fuzz)), trunk), IsEmpty());
+}
+
+TEST(Exactness, IsTheSpacingOrHowFarPointsAreOffTheWood) {
+  const auto cloud = test::cloudAtOrigin(trunkPoints);
+  const auto of = [&](double radius) {
+    Skeleton plant = test::stick(3);
+    for (const NodeId id : plant.ids())
+      plant.setRadius(id, radius);
+    return exactness(PointDistances(cloud, 0.02, plant), 0.02, {});
+  };
+  EXPECT_NEAR(of(0.1), 0.02, 1e-9);
+  EXPECT_NEAR(of(0.076), 0.032, 1e-5);
+  EXPECT_NEAR(of(0.01), 0.04, 1e-9) << "at most twice as much: else nothing were missing";
+}
+
+TEST(BesidePoints, IsAStemThatWasMovedAside) {
+  const auto cloud = test::cloudAtOrigin(trunkPoints);
+  const auto moved = [](double shift) {
+    Skeleton plant = test::stick(9, 0.25);
+    for (const int i : {3, 4, 5})
+      plant.setPosition(NodeId(i), plant[NodeId(i)].position + Eigen::Vector3d(shift, 0, 0));
+    return plant;
+  };
+  EXPECT_THAT(allOf(cloud, moved(0)), IsEmpty());
+  EXPECT_THAT(allOf(cloud, moved(0.03)), IsEmpty()) << "under half a radius";
+  const std::vector<Finding> found = allOf(cloud, moved(0.12));
+  ASSERT_THAT(found, SizeIs(1)) << "its points are not reported once more";
+  EXPECT_EQ(found[0].kind, Kind::besidePoints);
+  EXPECT_THAT(nodesOf(found[0]), testing::IsSupersetOf({NodeId{3}, NodeId{4}, NodeId{5}}));
+  EXPECT_NEAR(found[0].amount, 0.12, 0.01);
+}
+
+// Half of the trunk has points: how far it is to be moved is known across them all the same.
+TEST(BesidePoints, AreToldFromOneSideToo) {
+  Eigen::Matrix3Xf half = trunkPoints;
+  Eigen::Index kept = 0;
+  for (Eigen::Index i = 0; i < half.cols(); ++i)
+    if (half(0, i) > 0) half.col(kept++) = half.col(i);
+  half.conservativeResize(3, kept);
+  Skeleton plant = test::stick(9, 0.25);
+  EXPECT_THAT(allOf(test::cloudAtOrigin(half), plant), IsEmpty());
+  for (const NodeId id : plant.ids())
+    plant.setPosition(id, plant[id].position - Eigen::Vector3d(0.12, 0, 0));
+  const std::vector<Finding> found = allOf(test::cloudAtOrigin(half), plant);
+  ASSERT_FALSE(found.empty());
+  EXPECT_EQ(found[0].kind, Kind::besidePoints);
+  EXPECT_NEAR(found[0].amount, 0.12, 0.02);
+}
+
+TEST(ShortFoot, IsWhereThePointsOfAStemGoOnBelowItsRoot) {
+  Skeleton plant = test::stick(9, 0.25);
+  const auto cloud = test::cloudAtOrigin(trunkPoints);
+  EXPECT_THAT(allOf(cloud, plant), IsEmpty());
+  plant.setPosition(NodeId{0}, {0, 0, 0.22});
+  const std::vector<Finding> found = allOf(cloud, plant);
+  ASSERT_THAT(found, SizeIs(1)) << "its points are not reported once more";
+  EXPECT_EQ(found[0].kind, Kind::shortFoot);
+  EXPECT_EQ(found[0].node, NodeId{0});
+  EXPECT_NEAR(found[0].amount, 0.22, 1e-3);
+  EXPECT_FALSE(found[0].points.empty());
+  plant.setPosition(NodeId{0}, {0, 0, 0.1});
+  EXPECT_THAT(allOf(cloud, plant), IsEmpty()) << "under 6 spacings";
+}
+
+/// A branch to the right of which points are seen up to x = 1.1 and from x = 1.6 on; its end is at
+/// x = 2.1.
+TEST(EdgesWithoutPoints, AreNotReportedWhereWoodGoesOnBehindWhatHidIt) {
+  const Eigen::Vector3d hidden(1.1, 0, 1);
+  const Eigen::Matrix3Xf branch = test::both(test::cylinder({0, 0, 1}, hidden, 0.03, 0.02),
+                                             test::cylinder({1.6, 0, 1}, {2.1, 0, 1}, 0.03, 0.02));
+  const auto cloud = test::cloudAtOrigin(test::both(trunkPoints, branch));
+  const auto leading = [&](double aside) {
+    Skeleton plant = test::stick(3);
+    NodeId last = plant.add(
+        {.position = hidden, .radius = 0.03, .parent = NodeId{1}, .edge = EdgeType::branching});
+    for (const double x : {1.6, 2.1})
+      last = plant.add({.position = {x, x < 2 ? aside : 0, 1}, .radius = 0.03, .parent = last});
+    return plant;
+  };
+  EXPECT_THAT(allOf(cloud, leading(0)), IsEmpty());
+  EXPECT_THAT(allOf(cloud, leading(0), {.hiddenTurn = -1}), SizeIs(1)) << "all is reported";
+  EXPECT_THAT(allOf(cloud, leading(0.6)), testing::Not(IsEmpty())) << "it turns by 50 degrees";
 }
 
 TEST(ChecksOfScan, StopWhenAsked) {

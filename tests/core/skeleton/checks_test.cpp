@@ -158,6 +158,79 @@ TEST(Check, FindsBranchesThatTurnBackFromTheirFirstEdge) {
   EXPECT_THAT(found[0].others, ElementsAre(tip));
 }
 
+// As regrown branches did: attached too high, it comes back by 150 degrees and goes on as it grew.
+TEST(Check, FindsABranchThatFoldsBackWhateverItDoesLater) {
+  Skeleton plant = test::stick(6);
+  NodeId last = plant.add(
+      {.position = {1, 0, 2.3}, .radius = 0.05, .parent = NodeId{4}, .edge = EdgeType::branching});
+  const NodeId first = last;
+  for (int i = 1; i <= 4; ++i)
+    last = plant.add({.position = {1.0 + i, 0, 2.3 + i}, .radius = 0.05, .parent = last});
+  const std::vector<Finding> found = ofKind(Kind::sharpTurn, plant);
+  ASSERT_THAT(found, ElementsAre(IsAt(Kind::sharpTurn, first)));
+  EXPECT_NEAR(found[0].amount, std::numbers::pi - std::atan2(1, 1.7), 1e-9);
+}
+
+TEST(Check, TakesAsThickAsItsParentWhatIsSoToATenth) {
+  Skeleton plant = test::stick(3);
+  plant.setRadius(NodeId{2}, 0.109);
+  EXPECT_THAT(check(plant), IsEmpty());
+  plant.setRadius(NodeId{2}, 0.111);
+  EXPECT_THAT(check(plant), ElementsAre(IsAt(Kind::radiusAboveParent, NodeId{2})));
+}
+
+/// A branch at the top of a trunk that comes down and ends `gap` from its axis.
+Skeleton comingBack(double gap) {
+  Skeleton plant = test::stick(9);
+  NodeId last = plant.add(
+      {.position = {3, 0, 8}, .radius = 0.1, .parent = NodeId{8}, .edge = EdgeType::branching});
+  for (const Eigen::Vector3d& place :
+       {Eigen::Vector3d(3, 0, 4.5), Eigen::Vector3d(1.5, 0, 3.5), Eigen::Vector3d(gap, 0, 3.5)})
+    last = plant.add({.position = place, .radius = 0.1, .parent = last});
+  return plant;
+}
+
+TEST(Check, FindsABranchWhoseEndComesBackOntoWood) {
+  const std::vector<Finding> found = ofKind(Kind::loop, comingBack(0.15)); // radii are 0.1
+  ASSERT_THAT(found, ElementsAre(IsAt(Kind::loop, NodeId{12})));
+  EXPECT_THAT(found[0].others, ElementsAre(NodeId{4}));
+  EXPECT_EQ(describe(found[0], comingBack(0.15)),
+            "the axis that ends at node 12 comes back onto the wood at node 4");
+  EXPECT_THAT(ofKind(Kind::loop, comingBack(0.25)), IsEmpty());
+}
+
+TEST(Check, FindsAnAxisThatComesBackToItself) {
+  Skeleton plant = test::stick(1);
+  NodeId last{0};
+  constexpr int around = 16;
+  for (int i = 1; i < 16; ++i) { // a ring, almost closed
+    const double angle = 2 * std::numbers::pi * i / around;
+    last = plant.add({.position = {std::cos(angle) - 1, 0, std::sin(angle)},
+                      .radius = i == 15 ? 0.3 : 0.1,
+                      .parent = last});
+  }
+  plant.setRadius(NodeId{1}, 0.3);
+  EXPECT_THAT(ofKind(Kind::loop, plant, 0, {.detour = 4}), ElementsAre(IsAt(Kind::loop, last)));
+}
+
+TEST(AtSensitivity, LowersAllLimitsAlike) {
+  const CheckOptions usual;
+  const CheckOptions twice = atSensitivity({.sensitivity = 2});
+  EXPECT_EQ(twice.clusterSize, usual.clusterSize / 2);
+  EXPECT_EQ(twice.pointReach, usual.pointReach / 2);
+  EXPECT_EQ(twice.fewestExpected, usual.fewestExpected / 2);
+  EXPECT_NEAR(std::tan(twice.branchTurn / 2), std::tan(usual.branchTurn / 2) / 2, 1e-12);
+  EXPECT_EQ(twice.ownReach, usual.ownReach) << "whose the points are stays";
+  const CheckOptions back = atSensitivity([&] {
+    CheckOptions options = twice;
+    options.sensitivity = 0.5;
+    return options;
+  }());
+  EXPECT_NEAR(back.sharpTurn, usual.sharpTurn, 1e-12);
+  EXPECT_EQ(back.clusterSize, usual.clusterSize);
+  EXPECT_GE(atSensitivity({.sensitivity = 64}).clusterSize, 1);
+}
+
 // It begins amid thick wood, a little below its bearer's node, and rises.
 TEST(Check, TakesNoFirstEdgeForABranchThatTurnsBack) {
   Skeleton plant = test::stick(4);
@@ -276,8 +349,9 @@ TEST(Finding, HasANameForEachKind) {
   for (int kind = 0; kind < findingKinds; ++kind)
     names.push_back(nameOf(static_cast<Kind>(kind)));
   EXPECT_THAT(names, ElementsAre("separate_piece", "two_successors", "lone_branch", "no_length",
-                                 "duplicated_edge", "sharp_turn", "crossing", "radius_above_parent",
-                                 "edges_without_points", "no_own_points", "unexplained_points"));
+                                 "duplicated_edge", "sharp_turn", "crossing", "loop",
+                                 "radius_above_parent", "edges_without_points", "no_own_points",
+                                 "beside_points", "short_foot", "unexplained_points"));
 }
 
 } // namespace

@@ -1,0 +1,174 @@
+#include "core/skeleton/beside_points.h"
+
+#include "core/base/parallel.h"
+#include "core/skeleton/axes.h"
+#include "core/skeleton/frustum.h"
+#include "core/skeleton/length_along.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace espalier {
+namespace {
+
+/// A point as its edge sees it.
+struct Aside {
+  Eigen::Vector3d offset; // from the center line, across it [L]
+  double radius;          // of the wood there [L]
+};
+
+/// By how much wood of a given radius is to be moved so that points lie on its surface.
+class Fit {
+public:
+  Fit(std::vector<Aside> points, const Eigen::Vector3d& along, double width)
+      : points_(std::move(points)), along_(along), width_(width) {}
+
+  /// Least squares, in which far points count less.
+  [[nodiscard]] Eigen::Vector3d shift() const {
+    Eigen::Vector3d shift = Eigen::Vector3d::Zero();
+    constexpr int steps = 12;
+    for (int step = 0; step < steps; ++step) {
+      Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
+      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+      double weights = 0;
+      for (const Aside& point : points_) {
+        const Eigen::Vector3d from = point.offset - shift;
+        const double length = from.norm();
+        if (length == 0) continue;
+        const Eigen::Vector3d outward = from / length;
+        const double error = length - point.radius;
+        const double weight = 1 / (1 + std::pow(error / width_, 2));
+        matrix += weight * outward * outward.transpose();
+        sum += weight * error * outward;
+        weights += weight;
+      }
+      // Points on one side alone say nothing of the direction along their surface.
+      matrix += weights * (0.05 * Eigen::Matrix3d::Identity() + along_ * along_.transpose());
+      const Eigen::Vector3d change = matrix.ldlt().solve(sum);
+      shift += change - change.dot(along_) * along_;
+    }
+    return shift;
+  }
+
+  /// The median distance of the points from the surface of wood that is moved [L].
+  [[nodiscard]] double distance(const Eigen::Vector3d& shift) const {
+    std::vector<double> errors;
+    errors.reserve(points_.size());
+    for (const Aside& point : points_)
+      errors.push_back(std::abs((point.offset - shift).norm() - point.radius));
+    const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
+    std::ranges::nth_element(errors, middle);
+    return *middle;
+  }
+
+private:
+  std::vector<Aside> points_;
+  Eigen::Vector3d along_;
+  double width_; // [L]: points this far from the surface count half
+};
+
+class Beside {
+public:
+  Beside(const Skeleton& skeleton, const PointDistances& distances, double spacing,
+         double exactness, const CheckOptions& options)
+      : skeleton_(skeleton), distances_(distances), spacing_(spacing), exactness_(exactness),
+        options_(options), pointsOf_(skeleton.idEnd()) {
+    for (std::size_t i = 0; i < distances.toSurface().size(); ++i)
+      if (std::isfinite(distances.toSurface()[i]))
+        pointsOf_[indexOf(distances.nearest()[i])].push_back(static_cast<Eigen::Index>(i));
+  }
+
+  /// How far the wood around a node is beside its points, if it is.
+  [[nodiscard]] std::optional<double> at(NodeId id) const {
+    const double radius = skeleton_[id].radius;
+    const double least = std::max(options_.besideUnits * exactness_, options_.besideRadii * radius);
+    const std::vector<NodeId> edges = around(id, std::max(4 * spacing_, radius));
+    std::vector<Aside> points;
+    const double farthest = 3 * std::max(radius, 4 * spacing_);
+    Eigen::Vector3d along = Eigen::Vector3d::Zero();
+    for (const NodeId edge : edges) {
+      const Frustum body = *frustumOf(skeleton_, edge);
+      if (body.length() == 0) continue;
+      const Eigen::Vector3d direction = (body.to - body.from) / body.length();
+      along += body.to - body.from;
+      for (const Eigen::Index point : pointsOf_[indexOf(edge)]) {
+        const Eigen::Vector3d place = distances_.cloud()->position(point);
+        const double share = body.nearestShare(place);
+        Eigen::Vector3d offset = place - body.at(share);
+        if (std::abs(offset.dot(direction)) > 0.7 * offset.norm()) continue; // beyond an end
+        if (offset.norm() > body.radiusAt(share) + farthest) continue;       // other wood
+        offset -= offset.dot(direction) * direction;
+        points.push_back({offset, body.radiusAt(share)});
+      }
+    }
+    constexpr std::size_t fewest = 6; // that say where the wood is
+    if (points.size() < fewest || along.isZero(0)) return std::nullopt;
+    const Fit fit(std::move(points), along.normalized(), least);
+    const Eigen::Vector3d shift = fit.shift();
+    if (shift.norm() <= least) return std::nullopt;
+    const double now = fit.distance(Eigen::Vector3d::Zero());
+    return 2 * fit.distance(shift) < now ? std::optional(shift.norm()) : std::nullopt;
+  }
+
+private:
+  /// The edges of an axis within `reach` [L] of a node along it, each way.
+  [[nodiscard]] std::vector<NodeId> around(NodeId id, double reach) const {
+    std::vector<NodeId> edges;
+    double length = 0;
+    for (std::optional<NodeId> at = id; at && skeleton_[*at].parent && length < reach;
+         at = previousOnAxis(skeleton_, *at)) {
+      edges.push_back(*at);
+      length += edgeLength(skeleton_, *at);
+    }
+    length = 0;
+    for (auto at = nextOnAxis(skeleton_, id); at && length < reach;
+         at = nextOnAxis(skeleton_, *at)) {
+      edges.push_back(*at);
+      length += edgeLength(skeleton_, *at);
+    }
+    return edges;
+  }
+
+  const Skeleton& skeleton_;
+  const PointDistances& distances_;
+  double spacing_;   // [L]
+  double exactness_; // [L]
+  const CheckOptions& options_;
+  std::vector<std::vector<Eigen::Index>> pointsOf_; // by id
+};
+
+} // namespace
+
+std::vector<Finding> axesBesidePoints(const Skeleton& skeleton, const PointDistances& distances,
+                                      double spacing, double exactness, const CheckOptions& options,
+                                      const Progress& progress) {
+  if (distances.cloud()->isEmpty() || skeleton.isEmpty() || spacing <= 0) return {};
+  const Beside beside(skeleton, distances, spacing, exactness, options);
+  const std::vector<NodeId> ids = skeleton.ids();
+  std::vector<double> shifts(skeleton.idEnd(), 0); // by id
+  const auto look = [&](Eigen::Index i) {
+    const NodeId id = ids[static_cast<std::size_t>(i)];
+    shifts[indexOf(id)] = beside.at(id).value_or(0);
+  };
+  parallelFor(static_cast<Eigen::Index>(ids.size()), look, progress, 16);
+  std::vector<Finding> findings;
+  std::vector<std::size_t> findingOf(skeleton.idEnd());
+  for (const NodeId id : ids) {
+    if (shifts[indexOf(id)] == 0) continue;
+    const auto before = previousOnAxis(skeleton, id);
+    const bool goesOn = before && shifts[indexOf(*before)] > 0;
+    findingOf[indexOf(id)] = goesOn ? findingOf[indexOf(*before)] : findings.size();
+    if (goesOn)
+      findings[findingOf[indexOf(id)]].others.push_back(id);
+    else
+      findings.push_back({.kind = Finding::Kind::besidePoints, .node = id});
+    double& amount = findings[findingOf[indexOf(id)]].amount;
+    amount = std::max(amount, shifts[indexOf(id)]);
+  }
+  return findings;
+}
+
+} // namespace espalier

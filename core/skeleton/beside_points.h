@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/skeleton/check_options.h"
+#include "core/skeleton/finding.h"
+#include "core/skeleton/point_distances.h"
+
+#include <vector>
+
+namespace espalier {
+
+/// Where an axis lies beside its points: the wood would fit them better if it were moved aside.
+///
+/// Around each node, the points nearest to the edges along some spacings or diameters of the axis
+/// say by how much, with the radius as it is. A place is reported if that is more than
+/// `besideUnits` times `exactness` and `besideRadii` radii, and if the points are then less than
+/// half as far from its surface. Nodes in a row are one finding.
+/// @param spacing   between neighboring points [L]
+/// @param exactness of the skeleton (core/skeleton/checks_of_scan.h) [L]
+/// @return parents before their children; `amount` is the farthest that any is to be moved [L]
+/// @throws Cancelled if `progress` asks to stop
+/// Uses all threads, deterministic. Time O(N + n w): points about w edges around each node.
+[[nodiscard]] std::vector<Finding> axesBesidePoints(const Skeleton& skeleton,
+                                                    const PointDistances& distances, double spacing,
+                                                    double exactness, const CheckOptions& options,
+                                                    const Progress& progress = {});
+
+} // namespace espalier

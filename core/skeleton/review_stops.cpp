@@ -152,7 +152,7 @@ private:
       extend(edge.box, id);
       const Wood& last = open_.back();
       const bool isLong = !isClean && last.length + edge.length > most(false);
-      if (!last.nodes.empty() && (isLong || isWide(last, edge)))
+      if (last.length > 0 && (isLong || isWide(last, edge))) // a root alone is nothing to look at
         open_.push_back({.isClean = isClean});
       add(std::move(edge), open_.back());
     }

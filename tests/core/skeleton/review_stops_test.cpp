@@ -67,6 +67,15 @@ TEST(ReviewStops, TakeWhatIsCleanWhole) {
                           ElementsAre(19), ElementsAre(20, 21, 22, 23, 24)));
 }
 
+TEST(ReviewStops, TakeARootWithItsFirstEdgeHoweverLong) {
+  Skeleton plant = test::stick(20);
+  plant.setPosition(NodeId{0}, {0, 0, -6});
+  for (const std::vector<unsigned>& risky : {std::vector<unsigned>{}, std::vector<unsigned>{1}}) {
+    const ExpectedErrors errors = errorsAt(plant, risky);
+    EXPECT_THAT(nodesOfStops(reviewStops(plant, &errors)).front(), ElementsAre(0, 1));
+  }
+}
+
 TEST(ReviewStops, TakeACleanBranchWithTheCleanWoodThatBearsIt) {
   Skeleton plant = trunkWithBranch();
   const NodeId twig =

@@ -164,10 +164,14 @@ void MainWindow::makePoints(PipelinePanel& pipeline) {
   parts_.make<SavedViews>(SavedViews::Parts{*view_, parts_.get<ViewOptions>(),
                                             parts_.get<ShownFlow>(), *actions_, *this});
   auto& distances = parts_.get<ScanDistances>();
-  parts_.make<FindingsFlow>(FindingsFlow::Parts{document_, queue_, *view_, *actions_, distances,
-                                                settings_, *this, reveal()});
-  parts_.make<ExplainedFlow>(
-      ExplainedFlow::Parts{document_, states, *actions_, distances, settings_, *this});
+  auto& findings = parts_.make<FindingsFlow>(
+      FindingsFlow::Parts{document_, queue_, *view_, *actions_, distances, settings_, *this,
+                          reveal(), [&editing] { editing.actOnSelected(); }});
+  auto& explained = parts_.make<ExplainedFlow>(ExplainedFlow::Parts{
+      document_, states, *actions_, distances, settings_, *this,
+      [&findings] { return findings.usualReach(); }, [&findings] { return findings.sensitivity(); },
+      [&findings](double value) { findings.setSensitivity(value); }});
+  connect(&findings, &FindingsFlow::limitsChanged, &explained, &ExplainedFlow::takeLimits);
   parts_.make<HiddenPoints>(
       HiddenPoints::Parts{document_, parts_.get<ShownFlow>(), distances, states});
   parts_.make<PresetFlow>(PresetFlow::Parts{pipeline, *actions_, settings_, *this, document_});

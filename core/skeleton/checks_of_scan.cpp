@@ -132,11 +132,11 @@ std::vector<Finding> checkAgainstScan(const Skeleton& skeleton, const PointDista
 }
 
 double exactness(const PointDistances& distances, double spacing, const CheckOptions& options) {
-  std::vector<float> off;
-  off.reserve(distances.toSurface().size());
-  for (const float distance : distances.toSurface())
-    if (std::isfinite(distance)) off.push_back(std::abs(distance));
   const double least = std::max(1.0, options.scatter) * spacing;
+  constexpr double farthest = 6; // what is farther off is missing, and says nothing of the rest
+  std::vector<float> off;
+  for (const float distance : distances.toSurface())
+    if (std::abs(distance) <= farthest * least) off.push_back(std::abs(distance));
   if (off.empty()) return least;
   const auto middle = off.begin() + static_cast<std::ptrdiff_t>(off.size() / 2);
   std::ranges::nth_element(off, middle);

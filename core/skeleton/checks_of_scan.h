@@ -13,8 +13,8 @@ namespace espalier {
 // What a scan says of a skeleton. Distances are to the surface of the wood (PointDistances), and in
 // spacings between the points of the scan. A skeleton without nodes has no findings.
 
-/// All findings that a scan shows: those of the checks below, of beside_points.h and short_foot.h. A
-/// branch that no points are near to at all is not reported again for having none of its own, nor
+/// All findings that a scan shows: those of the checks below, of beside_points.h and short_foot.h.
+/// A branch that no points are near to at all is not reported again for having none of its own, nor
 /// wood that is likelier hidden (unseen_wood.h), nor points that are off because wood lies beside
 /// them or a foot is short.
 /// @param distances of the points of the scan to `skeleton`
@@ -31,7 +31,7 @@ namespace espalier {
 /// What lengths of the checks against a scan count in: the spacing of the points, or where points
 /// scatter wider about the wood, or the skeleton was drawn less exactly, how far they are from it:
 /// the scatter, or 4/3 of the median distance to the surface, where that is more, but at most twice
-/// as much as without [L].
+/// as much as without [L]. Points over 6 spacings or scatters off are missed, and do not count.
 /// Time O(N).
 [[nodiscard]] double exactness(const PointDistances& distances, double spacing,
                                const CheckOptions& options);

@@ -15,12 +15,11 @@
 namespace espalier {
 namespace {
 
-constexpr double usual = 4;   // spacings
-constexpr double widest = 64; // spacings, at the end of the slider
+constexpr double most = 64; // times as sensitive as usual, or as little, at the ends of the slider
 
-/// Small distances get most of the slider.
-double placeOf(double spacings) {
-  return std::sqrt(std::clamp(spacings / widest, 0.0, 1.0));
+/// The usual distance is in the middle, and every step as many times as far.
+double placeOf(double timesUsual) {
+  return 0.5 + 0.5 * std::log(std::clamp(timesUsual, 1 / most, most)) / std::log(most);
 }
 
 } // namespace
@@ -34,12 +33,13 @@ ExplainedBar::ExplainedBar(QWidget* parent)
   row->setSpacing(8);
   row->addStretch();
   auto* title = new QLabel(tr("Explained within"));
-  title->setToolTip(tr("Points this near to the surface of the wood are explained by it"));
+  title->setToolTip(tr("Points this near to the surface of the wood are explained by it. "
+                       "Sets the sensitivity of all checks"));
   row->addWidget(title);
   slider_->setObjectName("explained_slider");
   slider_->setAccessibleName(tr("Distance to the skeleton"));
   slider_->setFixedWidth(120);
-  slider_->setDefaultPlace(placeOf(usual));
+  slider_->setDefaultPlace(placeOf(1));
   row->addWidget(slider_);
   number_->setObjectName("explained_number");
   number_->setAccessibleName(tr("Distance to the skeleton"));
@@ -63,35 +63,25 @@ ExplainedBar::ExplainedBar(QWidget* parent)
   close->setFlat(true);
   row->addStretch();
   row->addWidget(close);
-  connect(slider_, &QSlider::valueChanged, this, [this] {
-    const double place = slider_->place();
-    choose(place * place * widest * spacing_);
-  });
-  connect(slider_, &OptionSlider::defaultRequested, this, [this] { choose(std::nullopt); });
+  connect(slider_, &QSlider::valueChanged, this,
+          [this] { choose(usual_ * std::pow(most, 2 * slider_->place() - 1)); });
+  connect(slider_, &OptionSlider::defaultRequested, this, [this] { choose(usual_); });
   connect(number_, &QDoubleSpinBox::valueChanged, this, [this](double value) { choose(value); });
   connect(hide_, &QToolButton::toggled, this, &ExplainedBar::changed);
   connect(close, &QPushButton::clicked, this, &ExplainedBar::closeRequested);
   showDistance();
 }
 
-void ExplainedBar::setSpacing(double spacing, const QString& unit) {
-  if (spacing > 0) spacing_ = spacing;
+void ExplainedBar::setLimits(double usual, double sensitivity, const QString& unit) {
+  if (usual > 0) usual_ = usual;
+  sensitivity_ = sensitivity;
   const QSignalBlocker blocker(number_);
   number_->setSuffix(unit.isEmpty() ? QString() : QChar(0x202f) + unit);
-  const int decimals = std::clamp(2 - static_cast<int>(std::floor(std::log10(spacing_))), 0, 9);
+  const int decimals = std::clamp(2 - static_cast<int>(std::floor(std::log10(usual_ / 3))), 0, 9);
   number_->setDecimals(decimals);
-  number_->setRange(0, 1000 * spacing_);
-  number_->setSingleStep(std::pow(10, std::floor(std::log10(spacing_))));
+  number_->setRange(usual_ / most, usual_ * most);
+  number_->setSingleStep(std::pow(10, std::floor(std::log10(usual_ / 3))));
   showDistance();
-}
-
-void ExplainedBar::forgetDistance() {
-  chosen_.reset();
-  showDistance();
-}
-
-double ExplainedBar::distance() const {
-  return chosen_.value_or(usual * spacing_);
 }
 
 bool ExplainedBar::isHiding() const {
@@ -107,16 +97,17 @@ void ExplainedBar::showLeft(const QString& text) {
   left_->setVisible(!text.isEmpty());
 }
 
-void ExplainedBar::choose(std::optional<double> distance) {
-  chosen_ = distance;
+void ExplainedBar::choose(double distance) {
+  sensitivity_ = std::clamp(usual_ / distance, 1 / most, most);
   showDistance();
   emit changed();
+  emit sensitivityChosen(sensitivity_);
 }
 
 void ExplainedBar::showDistance() {
   const QSignalBlocker quietSlider(slider_);
   const QSignalBlocker quietNumber(number_);
-  slider_->setPlace(placeOf(distance() / spacing_));
+  slider_->setPlace(placeOf(distance() / usual_));
   number_->setValue(distance());
 }
 

@@ -3,8 +3,6 @@
 #include <QFrame>
 #include <QString>
 
-#include <optional>
-
 class QDoubleSpinBox;
 class QLabel;
 class QToolButton;
@@ -14,32 +12,33 @@ namespace espalier {
 class OptionSlider;
 
 /// A bar over the view: from what distance to the skeleton on points stay bright, and whether the
-/// others are dimmed or hidden.
+/// others are dimmed or hidden. The distance is set by the sensitivity of the checks.
 class ExplainedBar : public QFrame {
   Q_OBJECT
 
 public:
   explicit ExplainedBar(QWidget* parent = nullptr);
 
-  /// The default is 4 spacings between points [L]; what was chosen by hand stays.
-  void setSpacing(double spacing, const QString& unit);
-  void forgetDistance(); // back to the default: another plant
+  /// @param usual       distance at the usual sensitivity [L], > 0
+  /// @param sensitivity of the checks, by which it is divided
+  void setLimits(double usual, double sensitivity, const QString& unit);
 
-  [[nodiscard]] double distance() const; // [L]
-  [[nodiscard]] bool isHiding() const;   // else dimming
+  [[nodiscard]] double distance() const { return usual_ / sensitivity_; } // [L]
+  [[nodiscard]] bool isHiding() const;                                    // else dimming
   void setHiding(bool isHiding);
   void showLeft(const QString& text); // how much is left
 
 signals:
-  void changed();
+  void changed();                             // the distance, or whether to hide
+  void sensitivityChosen(double sensitivity); // by hand, in [1 / 64, 64]
   void closeRequested();
 
 private:
-  void choose(std::optional<double> distance);
+  void choose(double distance);
   void showDistance();
 
-  double spacing_ = 1;           // [L], > 0
-  std::optional<double> chosen_; // [L]; none: the default
+  double usual_ = 1; // [L]
+  double sensitivity_ = 1;
   OptionSlider* slider_;
   QDoubleSpinBox* number_;
   QToolButton* hide_;

@@ -66,11 +66,12 @@ QString titleOf(Kind kind) {
 
 FindingsPanel::FindingsPanel(const PlantDocument& document, const Actions& actions, QWidget* parent)
     : QWidget(parent), document_(document), title_(makeLabel("findings_title", "title")),
-      note_(makeLabel("findings_note", "quiet")), list_(new QTreeWidget), walk_(new QWidget),
-      checks_(new CheckForm) {
+      note_(makeLabel("findings_note", "quiet")),
+      sentence_(makeLabel("findings_sentence", "quiet")), list_(new QTreeWidget),
+      walk_(new QWidget), checks_(new CheckForm) {
   setObjectName("findings_panel");
   walk_->setObjectName("findings_walk");
-  for (QLabel* label : {title_, note_}) {
+  for (QLabel* label : {title_, note_, sentence_}) {
     label->setWordWrap(true);
     label->setMinimumWidth(72);
   }
@@ -93,6 +94,7 @@ FindingsPanel::FindingsPanel(const PlantDocument& document, const Actions& actio
   list_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
   onEnter(*list_, [this] { reportChosen(list_->currentItem()); });
   column->addWidget(list_, 2);
+  column->addWidget(sentence_);
   auto* walk = new QHBoxLayout(walk_);
   walk->setContentsMargins(0, 0, 0, 0);
   walk->setSpacing(4);
@@ -110,6 +112,7 @@ FindingsPanel::FindingsPanel(const PlantDocument& document, const Actions& actio
           [this](const QTreeWidgetItem* item) { reportChosen(item); });
   connect(list_, &QTreeWidget::currentItemChanged, this, &FindingsPanel::currentChanged);
   show({}, {});
+  showSentence({});
   setChecking(false);
 }
 
@@ -149,6 +152,11 @@ void FindingsPanel::setChecking(bool isChecking) {
 
 void FindingsPanel::setCurrent(const Finding& finding) {
   restoreCurrent(finding);
+}
+
+void FindingsPanel::showSentence(const QString& text) {
+  sentence_->setText(text);
+  sentence_->setVisible(!text.isEmpty());
 }
 
 std::optional<Finding> FindingsPanel::current() const {

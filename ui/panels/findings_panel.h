@@ -37,6 +37,7 @@ public:
   void setChecking(bool isChecking);                           // the scan: more may follow
   [[nodiscard]] CheckForm& checks() const { return *checks_; } // from where on they report
   void setCurrent(const Finding& finding);
+  void showSentence(const QString& text);               // of the current one; empty: none
   [[nodiscard]] std::optional<Finding> current() const; // of either list
 
 signals:
@@ -57,6 +58,7 @@ private:
   bool isChecking_ = false;
   QLabel* title_;
   QLabel* note_;
+  QLabel* sentence_; // what the current one is, and what can be done
   QTreeWidget* list_;
   QWidget* walk_; // from finding to finding; absent where there is none
   QToolButton* ignore_ = nullptr;

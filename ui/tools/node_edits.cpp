@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/mtg/unit_scales.h"
+#include "core/skeleton/axes.h"
 #include "core/skeleton/edits.h"
 #include "core/skeleton/path_edits.h"
 #include "core/skeleton/propose_child.h"
@@ -92,6 +93,29 @@ void makeBranching(PlantDocument& document, const NodeTarget& target) {
            [](SkeletonEditor& editor, NodeId id) { setEdgeType(editor, id, EdgeType::branching); });
 }
 
+/// How far the points of a stem go on below its root, along it; none where they do not.
+std::optional<Eigen::Vector3d> footOnPoints(const PlantDocument& document, const Skeleton& skeleton,
+                                            NodeId root) {
+  const auto above = skeleton[root].parent ? std::nullopt : nextOnAxis(skeleton, root);
+  if (!above) return std::nullopt;
+  const double radius = std::max(skeleton[root].radius, skeleton[*above].radius);
+  const double spacing = document.scan()->spacing();
+  const Eigen::Vector3d top = skeleton[root].position;
+  const Eigen::Vector3d down = top - skeleton[*above].position;
+  if (down.isZero(0)) return std::nullopt;
+  std::optional<Eigen::Vector3d> foot;
+  constexpr int most = 1000; // steps
+  for (int step = 0; step < most; ++step) {
+    const Eigen::Vector3d from = foot.value_or(top);
+    const auto ahead = document.scan()->along(
+        from, foot ? Eigen::Vector3d(*foot - top) : down,
+        {.step = std::max(radius, 4 * spacing), .reach = std::max(1.5 * radius, 3 * spacing)});
+    if (!ahead || (*ahead - from).dot(down) <= 0) break;
+    foot = ahead;
+  }
+  return foot;
+}
+
 void requireRadius(const Skeleton& skeleton, NodeId id) {
   if (skeleton[id].radius == 0)
     throw Error(NodeEditText::tr("%1 has no radius yet: type one in the inspector")
@@ -111,6 +135,22 @@ void requireScan(const PlantDocument& document) {
   if (!document.scan())
     throw Error(
         NodeEditText::tr("there are no points to stick to: open the scan first").toStdString());
+}
+
+void extendFoot(PlantDocument& document, const NodeTarget& target) {
+  requireScan(document);
+  bool isFound = false;
+  editEach(document, target, NodeEditText::tr("Extend the foot at %1"),
+           [&](SkeletonEditor& editor, NodeId id) {
+             const auto foot = footOnPoints(document, editor.skeleton(), id);
+             if (!foot) return;
+             isFound = true;
+             moveNode(editor, id, *foot);
+           });
+  if (!isFound)
+    throw Error(NodeEditText::tr("no points go on below %1: choose the root of a stem")
+                    .arg(nodeNames(target.nodes))
+                    .toStdString());
 }
 
 void stick(PlantDocument& document, const NodeTarget& target) {
@@ -226,6 +266,9 @@ std::vector<NodeEdit> nodeEdits() {
        .shortcut = Qt::Key_Space,
        .apply = newChild,
        .isOfSelected = true},
+      {"extend_foot", NodeEditText::tr("Extend Foot"),
+       NodeEditText::tr("Moves the root down along its stem, as far as its points go"), "",
+       QKeySequence(Qt::SHIFT | Qt::Key_Space), extendFoot},
       {"split_edge", NodeEditText::tr("Split Edge"),
        NodeEditText::tr("Puts a node on the edge: where the pointer is, or in the middle"), "split",
        Qt::Key_E, split},

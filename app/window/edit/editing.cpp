@@ -303,16 +303,23 @@ std::optional<NodeId> Editing::nodeUnder() const {
   return node;
 }
 
+void Editing::actOnSelected() {
+  restsAt_ = pointer_;
+  under_ = {};
+}
+
 bool Editing::handle(PlantView& view, const ToolInput& input) {
   // One view keeps the gesture it began; what comes from the others meanwhile is not for a tool.
   if (&canvas_.view() != &view && tool().isBusy()) return true;
   canvas_.activate(view);
-  under_ = input.pick;
+  const bool isHover = input.phase == ToolInput::Phase::hover;
+  if (!isHover || restsAt_ != input.screen) restsAt_.reset(); // else the camera moved, not it
+  under_ = restsAt_ ? Pick{} : input.pick;
   pointer_ = input.screen;
   viewDirection_ = input.viewDirection;
   emit pointed();
   if (borrower_) return borrower_(input);
-  if (input.phase == ToolInput::Phase::hover) view.setHovered(isEnabled_ ? input.pick : Pick{});
+  if (isHover) view.setHovered(isEnabled_ ? under_ : Pick{});
   if (!isEnabled_) return false;
   if (isMenuClick(input)) {
     emit contextMenuRequested(view.mapToGlobal(input.screen.toPoint()));

@@ -63,6 +63,9 @@ public:
   void
   escape(); // leaves the gesture or drops the preview, else leaves the tool, else the selection
 
+  /// Keys act on what is selected, whatever the pointer is on, until it moves.
+  void actOnSelected();
+
   [[nodiscard]] const Pick& under() const { return under_; } // the pointer, as last reported
   [[nodiscard]] std::optional<QPointF> pointer() const; // in the active view; none once it left
   [[nodiscard]] PlantView& activeView() const { return canvas_.view(); } // the pointer was in last
@@ -112,6 +115,7 @@ private:
   QObject* wheel_ = nullptr;  // filters the events of each view
   Borrower borrower_;         // of the mouse; empty: none
   bool isEnabled_ = true;
+  std::optional<QPointF> restsAt_; // the pointer, and is not meant by keys
   Pick under_;
   QPointF pointer_;                  // in the active view, as last reported
   std::optional<QPointF> menuPress_; // where the right button went down, until it is a drag

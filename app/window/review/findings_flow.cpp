@@ -2,10 +2,12 @@
 
 #include "app/window/frame/action_set.h"
 #include "app/window/frame/panel_dock.h"
+#include "app/window/review/finding_remedy.h"
 #include "app/window/review/findings_text.h"
 #include "core/skeleton/checks.h"
 #include "core/skeleton/checks_of_scan.h"
 #include "core/skeleton/path_edits.h"
+#include "core/skeleton/still_so.h"
 #include "ui/document/plant_document.h"
 #include "ui/panels/check_form.h"
 #include "ui/panels/findings_panel.h"
@@ -22,6 +24,33 @@ namespace {
 
 bool hasNodes(const Skeleton& skeleton, const Finding& finding) {
   return std::ranges::all_of(nodesOf(finding), [&](NodeId id) { return skeleton.contains(id); });
+}
+
+/// Adds to what the checks find what was reported and is mostly still so, and takes over what is
+/// reported from now on.
+/// @param weaker  what they find at twice the sensitivity, asked for where something is gone
+void keepStillSo(std::vector<Finding>& now, std::vector<Finding>& reported,
+                 const std::function<std::vector<Finding>()>& weaker,
+                 const PointDistances* distances = nullptr, double reach = 0) {
+  const auto sameIn = [](const std::vector<Finding>& findings, const Finding& finding) {
+    return std::ranges::find_if(findings,
+                                [&](const Finding& other) { return isSame(other, finding); });
+  };
+  const bool isAnyGone = std::ranges::any_of(
+      reported, [&](const Finding& before) { return sameIn(now, before) == now.end(); });
+  if (isAnyGone)
+    std::ranges::move(stillSo(reported, now, weaker(), distances, reach), std::back_inserter(now));
+  std::vector<Finding> from;
+  for (const Finding& finding : now) {
+    const auto before = sameIn(reported, finding);
+    from.push_back(before != reported.end() ? *before : finding);
+  }
+  reported = std::move(from);
+}
+
+CheckOptions twiceAsSensitive(CheckOptions limits) {
+  limits.sensitivity = 2;
+  return atSensitivity(limits);
 }
 
 } // namespace
@@ -58,6 +87,9 @@ void FindingsFlow::showLimits(const std::string& text) {
 
 void FindingsFlow::checkAnew() {
   isScanChecked_ = false;
+  reportedOfSkeleton_.clear(); // by other limits
+  reportedOfScan_.clear();
+  emit limitsChanged();
   later();
 }
 
@@ -116,6 +148,8 @@ void FindingsFlow::connectParts() {
   connect(&document, &PlantDocument::skeletonReplaced, this, [this] {
     ofSkeleton_.clear();
     ofScan_.clear();
+    reportedOfSkeleton_.clear();
+    reportedOfScan_.clear();
     isScanChecked_ = false;
     ignored_.clear(); // a project shows its own once its skeleton is there
     list();
@@ -124,6 +158,7 @@ void FindingsFlow::connectParts() {
   connect(&document, &PlantDocument::scanChanged, this, [this] {
     indexed_.reset();
     ofScan_.clear();
+    reportedOfScan_.clear();
     isScanChecked_ = false;
     list();
     later();
@@ -146,6 +181,7 @@ void FindingsFlow::connectParts() {
   });
   connect(panel_, &FindingsPanel::chosen, this, &FindingsFlow::goTo);
   connect(panel_, &FindingsPanel::currentChanged, this, &FindingsFlow::showAction);
+  connect(panel_, &FindingsPanel::currentChanged, this, &FindingsFlow::showSentence);
   connect(&panel_->checks(), &CheckForm::changed, this, [this] {
     checkAnew();
     emit keptChanged();
@@ -163,6 +199,8 @@ void FindingsFlow::refresh() {
   isCheckedAtOnce_ = skeleton.size() <= most;
   if (isCheckedAtOnce_) {
     ofSkeleton_ = check(skeleton, spacing(), limits());
+    keepStillSo(ofSkeleton_, reportedOfSkeleton_,
+                [&] { return check(skeleton, spacing(), twiceAsSensitive(limits())); });
     list();
   }
   startJob();
@@ -180,16 +218,30 @@ void FindingsFlow::startJob() {
   job_.start(
       tr("Check the plant"),
       [distances, indexed = indexed_, isCheckedAtOnce = isCheckedAtOnce_, spacing = spacing(),
-       options = limits(), skeleton = parts_.document.skeleton()](const Progress& progress) {
-        Found found{.indexed = indexed};
-        if (!isCheckedAtOnce) found.ofSkeleton = check(skeleton, spacing, options);
+       options = limits(), reportedOfSkeleton = reportedOfSkeleton_,
+       reportedOfScan = reportedOfScan_,
+       skeleton = parts_.document.skeleton()](const Progress& progress) {
+        Found found{.reportedOfSkeleton = reportedOfSkeleton, .indexed = indexed};
+        if (!isCheckedAtOnce) {
+          found.ofSkeleton = check(skeleton, spacing, options);
+          keepStillSo(*found.ofSkeleton, found.reportedOfSkeleton,
+                      [&] { return check(skeleton, spacing, twiceAsSensitive(options)); });
+        }
         if (!distances) return found;
         const std::shared_ptr<const PointCloud>& cloud = distances->cloud();
+        if (found.indexed && found.indexed->cloud == cloud) // else points are others
+          found.reportedOfScan = reportedOfScan;
         if (!found.indexed || found.indexed->cloud != cloud)
           found.indexed =
               std::make_shared<const Indexed>(Indexed{cloud, SpatialIndex(cloud->positions())});
         found.ofScan = checkAgainstScan(skeleton, *distances, found.indexed->index, spacing,
                                         options, progress);
+        const auto weaker = [&] {
+          return checkAgainstScan(skeleton, *distances, found.indexed->index, spacing,
+                                  twiceAsSensitive(options), progress);
+        };
+        keepStillSo(found.ofScan, found.reportedOfScan, weaker, distances.get(),
+                    options.pointReach * exactness(*distances, spacing, options));
         return found;
       },
       [this](Found found) { take(std::move(found)); });
@@ -197,9 +249,13 @@ void FindingsFlow::startJob() {
 }
 
 void FindingsFlow::take(Found found) {
-  if (found.ofSkeleton) ofSkeleton_ = std::move(*found.ofSkeleton);
+  if (found.ofSkeleton) {
+    ofSkeleton_ = std::move(*found.ofSkeleton);
+    reportedOfSkeleton_ = std::move(found.reportedOfSkeleton);
+  }
   const std::shared_ptr<const PointDistances> now = parts_.distances.now();
   if (now && found.indexed && now->cloud() == found.indexed->cloud) {
+    reportedOfScan_ = std::move(found.reportedOfScan);
     ofScan_ = std::move(found.ofScan); // else the points are others, or are measured again
     indexed_ = std::move(found.indexed);
     isScanChecked_ = !timer_.isActive(); // else it was edited meanwhile
@@ -280,18 +336,60 @@ void FindingsFlow::answer() {
   if (!isAwaited_ || (by == 0 && !isAllChecked())) return;
   isAwaited_ = false;
   if (findings_.empty()) return noteNothing();
-  if (isAllChecked())
-    emit noted(findings_.size() == 1
-                   ? tr("The checks ended: 1 finding")
-                   : tr("The checks ended: %1 findings").arg(formatCount(findings_.size())));
   if (by != 0) step(by);
+  if (!isAllChecked()) return;
+  const QString ended =
+      findings_.size() == 1
+          ? tr("The checks ended: 1 finding")
+          : tr("The checks ended: %1 findings").arg(formatCount(findings_.size()));
+  const std::optional<Finding> current = panel_->current();
+  emit noted(by != 0 && current ? ended + QStringLiteral(" · ") + sentenceOf(*current) : ended);
+}
+
+double FindingsFlow::usualReach() const {
+  CheckOptions options = panel_->checks().options();
+  options.scatter = limits().scatter;
+  const std::shared_ptr<const PointDistances> now = parts_.distances.now();
+  return options.pointReach * (now ? exactness(*now, spacing(), options) : spacing());
+}
+
+double FindingsFlow::sensitivity() const {
+  return panel_->checks().options().sensitivity;
+}
+
+void FindingsFlow::setSensitivity(double sensitivity) {
+  std::map<std::string, double> chosen = panel_->checks().chosen();
+  chosen.erase("sensitivity");
+  if (sensitivity != 1) chosen["sensitivity"] = sensitivity;
+  panel_->checks().choose(chosen);
+  checkAnew();
+  emit keptChanged();
+}
+
+/// What it is, its number, and the key that does something about it.
+QString FindingsFlow::sentenceOf(const Finding& finding) const {
+  const auto length = [this](double value) {
+    return formatLength(value, parts_.document.unit(), 3).toStdString();
+  };
+  QString whole = QString::fromStdString(describe(finding, parts_.document.skeleton(), length));
+  whole[0] = whole[0].toUpper();
+  const Remedy remedy = remedyOf(finding, parts_.document.skeleton(), spacing());
+  const QKeySequence key = parts_.actions[remedy.action]->shortcut();
+  return tr("%1: %2 %3").arg(whole, key.toString(QKeySequence::NativeText), remedy.does);
+}
+
+void FindingsFlow::showSentence() {
+  const std::optional<Finding> current = panel_->current();
+  const bool isThere = current && hasNodes(parts_.document.skeleton(), *current);
+  panel_->showSentence(isThere ? sentenceOf(*current) : QString());
 }
 
 /// Selects what takes part, and shows it, with some of what is around it, from its best side.
 void FindingsFlow::goTo(const Finding& finding) {
   const Skeleton& skeleton = parts_.document.skeleton();
   if (!hasNodes(skeleton, finding)) return;
-  parts_.document.selection().set(nodesOf(finding));
+  parts_.document.selection().set(remedyOf(finding, skeleton, spacing()).nodes);
+  parts_.actOnSelected();
   const std::shared_ptr<const PointDistances> now = parts_.distances.now();
   const bool isOfNow = now && indexed_ && now->cloud() == indexed_->cloud;
   parts_.document.pointSelection().set(isOfNow ? parts_.distances.inScan(finding.points)
@@ -307,7 +405,8 @@ void FindingsFlow::goTo(const Finding& finding) {
   const Camera camera = parts_.view.cameraToSee(sight);
   const QString note = parts_.reveal(nodesOf(finding), sight.places, camera);
   parts_.view.flyTo(camera);
-  if (!note.isEmpty()) emit noted(note);
+  const QString sentence = sentenceOf(finding);
+  emit noted(note.isEmpty() ? sentence : note + QStringLiteral(" · ") + sentence);
 }
 
 void FindingsFlow::toggleIgnored() {

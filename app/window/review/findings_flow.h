@@ -45,6 +45,7 @@ public:
     QSettings& settings;
     QMainWindow& window;
     Reveal reveal;
+    std::function<void()> actOnSelected; // keys, whatever the pointer is on, until it moves
   };
   explicit FindingsFlow(const Parts& parts);
 
@@ -55,6 +56,15 @@ public:
   void ignore(const Finding& finding);        // that was looked at elsewhere
   [[nodiscard]] bool isBusy() const override; // the findings are not of the plant as it is
 
+  /// How far from the wood points are unexplained at the usual sensitivity [L], and the sensitivity
+  /// that is set, of all checks.
+  [[nodiscard]] double usualReach() const;
+  [[nodiscard]] double sensitivity() const;
+  void setSensitivity(double sensitivity); // kept in the project
+
+signals:
+  void limitsChanged();
+
 private:
   struct Indexed { // what finds the points of a scan; the index refers to the cloud
     std::shared_ptr<const PointCloud> cloud;
@@ -63,6 +73,8 @@ private:
   struct Found {                                         // by a job
     std::optional<std::vector<Finding>> ofSkeleton = {}; // none: it is checked at once
     std::vector<Finding> ofScan = {};
+    std::vector<Finding> reportedOfSkeleton = {}; // as of now
+    std::vector<Finding> reportedOfScan = {};
     std::shared_ptr<const Indexed> indexed; // null: there is no scan
   };
   void addActions();
@@ -86,6 +98,8 @@ private:
   void noteNothing();
   void answer();
   void goTo(const Finding& finding);
+  void showSentence();
+  [[nodiscard]] QString sentenceOf(const Finding& finding) const;
   void toggleIgnored();
   void showAction();
   void selectAll();
@@ -103,6 +117,8 @@ private:
   std::shared_ptr<const Indexed> indexed_;
   std::vector<Finding> ofSkeleton_;
   std::vector<Finding> ofScan_;
+  std::vector<Finding> reportedOfSkeleton_; // as they were reported first, while they last
+  std::vector<Finding> reportedOfScan_;
   std::vector<Finding> findings_;
   std::vector<Finding> shownIgnored_; // that are still found
   std::vector<Finding> ignored_;      // all that one has ignored

@@ -27,12 +27,8 @@ ExplainedFlow::ExplainedFlow(const Parts& parts) : parts_(parts) {
   timer_.setInterval(15); // [ms]: many edits and moves of the slider are shown at once
   connect(&timer_, &QTimer::timeout, this, &ExplainedFlow::showStates);
   connect(&parts_.distances, &ScanDistances::changed, &timer_, qOverload<>(&QTimer::start));
-  connect(&parts_.document, &PlantDocument::scanChanged, this, [this] {
-    bar_->forgetDistance();
-    takeScan();
-    timer_.start();
-  });
-  connect(&parts_.document, &PlantDocument::unitChanged, this, &ExplainedFlow::takeScan);
+  connect(&parts_.document, &PlantDocument::scanChanged, this, [this] { takeLimits(); });
+  connect(&parts_.document, &PlantDocument::unitChanged, this, &ExplainedFlow::takeLimits);
 }
 
 void ExplainedFlow::setPlantShown(bool isShown) {
@@ -50,6 +46,7 @@ void ExplainedFlow::makeBar() {
     parts_.settings.setValue("view/explained_hidden", bar_->isHiding());
     timer_.start();
   });
+  connect(bar_, &ExplainedBar::sensitivityChosen, this, parts_.setSensitivity);
   connect(bar_, &ExplainedBar::closeRequested, this,
           [this] { parts_.actions["hide_explained"]->setChecked(false); });
 }
@@ -58,13 +55,13 @@ void ExplainedFlow::turn(bool isOn) {
   parts_.distances.setWanted(ScanDistances::Use::explained, isOn);
   bar_->setVisible(isOn && isPlantShown_);
   bar_->raise();
-  takeScan();
+  takeLimits();
   showStates();
 }
 
-void ExplainedFlow::takeScan() {
-  if (const Scan* scan = parts_.document.scan())
-    bar_->setSpacing(scan->spacing(), symbol(parts_.document.unit()));
+void ExplainedFlow::takeLimits() {
+  bar_->setLimits(parts_.usualReach(), parts_.sensitivity(), symbol(parts_.document.unit()));
+  timer_.start();
 }
 
 void ExplainedFlow::showStates() {
@@ -77,6 +74,7 @@ void ExplainedFlow::showStates() {
                                                           : tr("measuring…"));
     return;
   }
+  bar_->setLimits(parts_.usualReach(), parts_.sensitivity(), symbol(parts_.document.unit()));
   const PointState explained = bar_->isHiding() ? PointState::hidden : PointState::dim;
   const auto reach = static_cast<float>(bar_->distance());
   auto states = std::make_shared<std::vector<PointState>>();

@@ -5,6 +5,8 @@
 
 #include <QTimer>
 
+#include <functional>
+
 class QMainWindow;
 class QSettings;
 
@@ -28,16 +30,19 @@ public:
     ActionSet& actions;
     ScanDistances& distances;
     QSettings& settings;
-    QMainWindow& window; // its central layout gets the bar
+    QMainWindow& window;                 // its central layout gets the bar
+    std::function<double()> usualReach;  // of the checks [L]
+    std::function<double()> sensitivity; // likewise
+    std::function<void(double)> setSensitivity;
   };
   explicit ExplainedFlow(const Parts& parts);
 
   void setPlantShown(bool isShown) override;
+  void takeLimits(); // of the checks: they are others
 
 private:
   void makeBar();
   void turn(bool isOn);
-  void takeScan();
   void showStates();
 
   Parts parts_;

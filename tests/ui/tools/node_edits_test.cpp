@@ -38,7 +38,8 @@ struct NodeEditsTest : testing::Test {
 TEST_F(NodeEditsTest, AreEachUndoneAsOneStepWithTheNameOfTheNode) {
   openScan();
   const QStringList others = {"make_branching", // it branches already
-                              "center", "join", "swap_continuation", "merge"}; // refused
+                              "center",         "extend_foot", "join", "swap_continuation",
+                              "merge"}; // refused
   for (const NodeEdit& edit : nodeEdits()) {
     if (others.contains(edit.id) || edit.menu == pathMenu()) continue;
     edit.apply(document, {.nodes = {NodeId{3}}});
@@ -48,6 +49,23 @@ TEST_F(NodeEditsTest, AreEachUndoneAsOneStepWithTheNameOfTheNode) {
     document.undoStack().undo();
     EXPECT_EQ(document.skeleton(), test::fork(3)) << name;
   }
+}
+
+// A stem of radius 0.1 from z = 0 on, whose points begin at z = -1.5.
+TEST_F(NodeEditsTest, ExtendTheFootAsFarAsThePointsOfTheStemGo) {
+  RawPoints raw;
+  for (int i = 0; i <= 350; ++i)
+    for (int k = 0; k < 12; ++k)
+      raw.positions.emplace_back(0.1 * std::cos(k * M_PI / 6), 0.1 * std::sin(k * M_PI / 6),
+                                 -1.5 + 0.01 * i);
+  document.setScan(std::make_unique<Scan>(PointCloud(raw)), "scan.ply");
+  apply("extend_foot", {test::forkRoot});
+  const Eigen::Vector3d foot = document.skeleton()[test::forkRoot].position;
+  EXPECT_NEAR(foot.z(), -1.5, 0.1);
+  EXPECT_LT(foot.head<2>().norm(), 0.03);
+  EXPECT_EQ(document.skeleton()[forkTop].position, Eigen::Vector3d(0, 0, 1));
+  EXPECT_THROW(apply("extend_foot", {forkTop}), Error) << "no root";
+  EXPECT_EQ(document.undoStack().index(), 1);
 }
 
 TEST_F(NodeEditsTest, AddAChildAndChooseIt) {

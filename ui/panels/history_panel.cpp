@@ -48,6 +48,11 @@ void HistoryPanel::showPresent() {
   list_->scrollTo(present);
 }
 
+void HistoryPanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  showPresent(); // it has its size only now
+}
+
 void HistoryPanel::choose(int row) {
   const int position = model_->positionOf(row);
   if (position >= 0) emit chosen(position);

@@ -20,6 +20,9 @@ public:
 signals:
   void chosen(int position); // by a click or Enter: how many steps are to be done
 
+protected:
+  void showEvent(QShowEvent* event) override;
+
 private:
   void showPresent();
   void choose(int row);

@@ -93,7 +93,7 @@ std::vector<NodeChoice> nodeChoices() {
       {"select_path",
        NodeChoiceText::tr("Select &Path Between"),
        NodeChoiceText::tr("All nodes from the first to the last one selected"),
-       {},
+       {Qt::Key_8},
        path},
       {"select_similar",
        NodeChoiceText::tr("Select &Similar Radius"),

@@ -42,13 +42,18 @@ std::size_t fifthOf(std::size_t shown) {
   return std::max<std::size_t>(1, shown / 5);
 }
 
+QString newNodes(std::size_t count) {
+  return count == 1 ? RegrowTool::tr("1 new node")
+                    : RegrowTool::tr("%1 new nodes").arg(formatCount(count));
+}
+
 } // namespace
 
 QString RegrowTool::branchesHint() const {
   std::size_t nodes = 0;
   for (std::size_t i = 0; i < shown_; ++i)
     nodes += branches_[i].part.size() - 1;
-  const QString added = nodes == 1 ? tr("1 new node") : tr("%1 new nodes").arg(formatCount(nodes));
+  const QString added = newNodes(nodes);
   const QString end = tr("Enter accepts, Esc drops");
   if (branches_.size() == 1)
     return tr("%1 on %2   %3").arg(added, nodeName(branches_.front().on), end);
@@ -62,10 +67,8 @@ QString RegrowTool::hint() const {
   if (!branches_.empty()) return branchesHint();
   if (!node_) return tr("Click a node: what it carries is reconstructed again");
   const std::size_t carried = downstream(document().skeleton(), {*node_}).size() - 1;
-  return tr("%1 new nodes for the %2 that %3 carries   Enter accepts, Esc drops")
-      .arg(part_.size() - 1)
-      .arg(carried)
-      .arg(nodeName(*node_));
+  return tr("%1 for the %2 that %3 carries   Enter accepts, Esc drops")
+      .arg(newNodes(part_.size() - 1), formatCount(carried), nodeName(*node_));
 }
 
 void RegrowTool::accept() {

@@ -32,7 +32,7 @@ NodeTableFlow::NodeTableFlow(const Parts& parts)
                          .text = tr("Node Table"),
                          .help = tr("Shows or hides the table of nodes"),
                          .keys = Qt::Key_F11},
-                        panel_, this));
+                        {.size = 300}, panel_, this)); // some rows below its fields
   connectTable();
 }
 

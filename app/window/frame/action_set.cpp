@@ -50,6 +50,7 @@ QAction* ActionSet::add(const Command& command, std::function<void()> act) {
   action->setStatusTip(command.help);
   const QString name = QString(command.text).remove('&').remove(QChar(0x2026));
   action->setProperty("name", name); // for lists: its text may name what it acts on now
+  action->setProperty("inPalette", command.inPalette);
   refreshToolTip(*action);
   connect(action, &QAction::changed, action, [action] { refreshToolTip(*action); });
   if (act)

@@ -31,7 +31,8 @@ struct Command {
   QKeySequence keys = {};
   bool isCheckable = false;
   Refusal refusal = Refusal::inBanner;
-  QString menu = {}; // its place there, see menus.cpp; empty: in none, or its part places it
+  QString menu = {};      // its place there, see menus.cpp; empty: in none, or its part places it
+  QString inPalette = {}; // its text there, where a menu gives that of its group; empty: the same
 };
 
 /// All actions of the window, in sections, and their places in the menus. What an action throws as

@@ -189,7 +189,8 @@ void ViewOptions::addSizes() {
               {.id = QStringLiteral("point_size_%1").arg(pixels),
                .text = tr("%1 px").arg(pixels),
                .help = tr("Draws points of this size"),
-               .menu = "view/sizes"},
+               .menu = "view/sizes",
+               .inPalette = tr("Points of %1 Pixels").arg(pixels)},
               QStringLiteral("view/point_size"), [this, pixels] { view_.setPointSize(pixels); });
   if (sizes_->checkedAction() == nullptr) actions_["point_size_2"]->trigger();
 }

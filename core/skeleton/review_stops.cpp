@@ -41,7 +41,7 @@ bool leadsTo(const Skeleton& skeleton, const ReviewStop& stop, WalkTo to) {
 
 /// Of how far points without wood reach from end to end, how much is missed wood: in simulated
 /// scans, foliage included (espalier_fit_errors).
-constexpr double missedOfCluster = 0.24;
+constexpr double missedOfCluster = 0.57;
 
 /// Makes the stops of a plant along it.
 class StopsOfPlant {
@@ -214,6 +214,7 @@ private:
   }
 
   /// Points without wood in walk order: each cluster with the first that both fit one stretch with.
+  /// Few points are left to the findings.
   void addClusters() {
     std::vector<std::vector<std::size_t>> near(skeleton_.idEnd()); // clusters, by node
     for (std::size_t i = 0; i < errors_->clusters.size(); ++i)
@@ -229,7 +230,9 @@ private:
     for (std::size_t stop = 0; stop < stops_.size(); ++stop) {
       all.push_back(std::move(stops_[stop]));
       for (; group != groups.end() && group->behind == stop; ++group)
-        all.push_back(stopOfPoints(std::move(group->clusters)));
+        if (ReviewStop points = stopOfPoints(std::move(group->clusters));
+            points.wrong >= riskyFrom * longest_) // as much as in a stretch that is not clean
+          all.push_back(std::move(points));
     }
     stops_ = std::move(all);
   }

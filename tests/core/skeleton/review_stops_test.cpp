@@ -159,7 +159,8 @@ TEST(ReviewStops, AreAlsoAtPointsWithoutWood) {
   addCluster(0, 0, 0.1);
   addCluster(99, 0, 0.1);  // whose node is gone
   addCluster(5, 0.5, 0.1); // looked at with the one at the foot
-  addCluster(6, 5, 0.1);
+  addCluster(6, 5, 0.2);
+  addCluster(12, 12, 0.1); // small, and alone
   std::vector<ReviewStop> stops = reviewStops(plant, &errors);
   EXPECT_THAT(stops[1].clusters, ElementsAre(1, 3));
   EXPECT_TRUE(stops[1].nodes.empty());

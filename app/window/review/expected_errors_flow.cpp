@@ -36,7 +36,11 @@ ExpectedErrorsFlow::ExpectedErrorsFlow(const Parts& parts)
                       &PlantDocument::leftOutChanged, &PlantDocument::upChanged})
     connect(&document, signal, this, &ExpectedErrorsFlow::dropAll);
   connect(&parts_.distances, &ScanDistances::changed, this, [this] {
-    if (isWanted_ && isOutdated_) timer_.start();
+    if (!isWanted_) return;
+    if (isOutdated_)
+      timer_.start();
+    else
+      emit changed(); // its points are known again, or no longer
   });
   connect(&job_, &JobSlot::failed, this, [this](const QString& message) {
     isOutdated_ = false;
@@ -46,12 +50,12 @@ ExpectedErrorsFlow::ExpectedErrorsFlow(const Parts& parts)
 }
 
 bool ExpectedErrorsFlow::isBusy() const {
-  return isWanted_ && isOutdated_ && parts_.document.scan() != nullptr &&
-         !parts_.document.skeleton().isEmpty();
+  return isWanted_ && (isOutdated_ || !parts_.distances.now()) &&
+         parts_.document.scan() != nullptr && !parts_.document.skeleton().isEmpty();
 }
 
 PointSet ExpectedErrorsFlow::pointsOf(const Finding& cluster) const {
-  return parts_.distances.now() ? parts_.distances.inScan(cluster.points) : PointSet();
+  return now() != nullptr ? parts_.distances.inScan(cluster.points) : PointSet();
 }
 
 void ExpectedErrorsFlow::setWanted(bool isWanted) {

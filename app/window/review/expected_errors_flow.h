@@ -31,7 +31,9 @@ public:
 
   void setWanted(bool isWanted);
   /// Null: there is no scan or no skeleton, nobody wants them, or they are not found yet.
-  [[nodiscard]] const ExpectedErrors* now() const { return errors_ ? &*errors_ : nullptr; }
+  [[nodiscard]] const ExpectedErrors* now() const {
+    return errors_ && parts_.distances.now() ? &*errors_ : nullptr;
+  }
   /// Those of the plant as it is are being found.
   [[nodiscard]] bool isBusy() const override;
   /// The points of a cluster of now(), by their number in the scan.

@@ -174,6 +174,12 @@ void ReviewFlow::connectParts() {
     doubted_.clear();
     awaited_.reset();
   });
+  for (auto signal : {&PlantDocument::scanChanged, &PlantDocument::leftOutChanged})
+    connect(&document, signal, this, [this] { // points have other numbers
+      atPoints_.clear();
+      awaited_.reset();
+      showPlace();
+    });
   connect(dock_, &PanelDock::shown, &parts_.errors, &ExpectedErrorsFlow::setWanted);
   connect(&parts_.errors, &ExpectedErrorsFlow::changed, this, &ReviewFlow::goOnWaiting);
   connect(&document.selection(), &Selection::changed, this, [this] {
@@ -350,6 +356,13 @@ std::vector<Eigen::Vector3d> ReviewFlow::placesAt() const {
 
 /// Takes the points one is at for no wood: they are no finding any more.
 void ReviewFlow::takePoints() {
+  PointSet points;
+  for (const Finding& cluster : atPoints_)
+    points = points | parts_.errors.pointsOf(cluster);
+  if (points.isEmpty() || !(points - PointSet::of(parts_.view.pointsShown())).isEmpty())
+    return emit noted(withKeys(tr("Nothing is marked, as not all of these points are shown: choose "
+                                  "View > Layers > Points   {show_all} shows what is hidden"),
+                               parts_.actions));
   const std::vector<Eigen::Vector3d> places = placesAt();
   if (!areSeen({.skeleton = parts_.document.skeleton(),
                 .hidden = parts_.hidden(),
@@ -365,8 +378,13 @@ void ReviewFlow::takePoints() {
   const auto next = walk(parts_.document.skeleton(), all, from, WalkTo::toDo);
   for (const Finding& cluster : std::vector<Finding>(atPoints_))
     parts_.ignore(cluster);
-  if (!next || !from || next == from) return goOnAfter(false);
-  goTo(stops(), *next - (*next > *from ? 1 : 0)); // without the one that was taken
+  if (!next || next == from) return goOnAfter(false);
+  const std::vector<ReviewStop> left = stops();
+  const auto there = std::ranges::find_if(left, [&](const ReviewStop& stop) {
+    return stop.nodes == all[*next].nodes && stop.clusters == all[*next].clusters;
+  });
+  if (there == left.end()) return goOnAfter(false);
+  goTo(left, static_cast<std::size_t>(there - left.begin()));
 }
 
 /// Shows nodes with some of what is around them, from their best side.
@@ -425,7 +443,7 @@ void ReviewFlow::markReviewed() {
 }
 
 void ReviewFlow::markDoubtful() {
-  if (isAtPoints()) {
+  if (isAtPoints() && dock_->isInFront()) {
     doubted_.insert(doubted_.end(), atPoints_.begin(), atPoints_.end());
     return goOnAfter(false);
   }

@@ -1,8 +1,10 @@
 #include "app/window/view/empty_view.h"
 
+#include "app/window/frame/action_set.h"
 #include "app/window/frame/key_hints.h"
 #include "ui/view/plant_view.h"
 
+#include <QAction>
 #include <QCoreApplication>
 
 namespace espalier {
@@ -24,6 +26,9 @@ QString wordFor(InView seen, const ActionSet& actions) {
                                          "{show_all} shows all of the plant")),
                     actions);
   case InView::hidden:
+    if (!actions["show_all"]->isEnabled()) // points alone
+      return tr(QT_TRANSLATE_NOOP(
+          "espalier::EmptyView", "The points that are here are set aside, or hidden as explained"));
     return withKeys(tr(QT_TRANSLATE_NOOP("espalier::EmptyView",
                                          "What is here is hidden.   {show_all} shows all of the "
                                          "plant")),

@@ -12,7 +12,10 @@ HiddenPoints::HiddenPoints(const Parts& parts) : parts_(parts) {
     parts_.distances.setWanted(ScanDistances::Use::hidden, !parts_.shown.hidden().empty());
     refresh();
   });
-  connect(&parts_.distances, &ScanDistances::changed, this, &HiddenPoints::refresh);
+  timer_.setSingleShot(true);
+  timer_.setInterval(200); // [ms]: not while the mouse moves a node
+  connect(&timer_, &QTimer::timeout, this, &HiddenPoints::refresh);
+  connect(&parts_.distances, &ScanDistances::changed, &timer_, qOverload<>(&QTimer::start));
 }
 
 void HiddenPoints::refresh() {

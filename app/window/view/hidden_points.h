@@ -2,6 +2,8 @@
 
 #include "app/window/frame/window_part.h"
 
+#include <QTimer>
+
 namespace espalier {
 
 class PlantDocument;
@@ -28,6 +30,7 @@ private:
   void refresh();
 
   Parts parts_;
+  QTimer timer_; // many edits are shown at once
 };
 
 } // namespace espalier

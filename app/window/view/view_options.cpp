@@ -190,7 +190,7 @@ void ViewOptions::addSizes() {
                .text = tr("%1 px").arg(pixels),
                .help = tr("Draws points of this size"),
                .menu = "view/sizes",
-               .inPalette = tr("Points of %1 Pixels").arg(pixels)},
+               .inPalette = tr("Point Size %1 px").arg(pixels)},
               QStringLiteral("view/point_size"), [this, pixels] { view_.setPointSize(pixels); });
   if (sizes_->checkedAction() == nullptr) actions_["point_size_2"]->trigger();
 }

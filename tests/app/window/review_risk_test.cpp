@@ -28,7 +28,7 @@ struct ReviewByRiskTest : test::ReviewWindowTest {
       for (int k = 0; k < 12; ++k)
         add(0.02 * std::cos(k * 0.5236 + 0.1 * i), 0.02 * std::sin(k * 0.5236 + 0.1 * i),
             0.005 * i);
-    for (int i = 0; i < 60; ++i)
+    for (int i = 0; i < 160; ++i)
       add(-0.3 + 0.006 * (i % 4), 0.006 * (i / 4 % 4), 1.5 + 0.006 * (i / 16));
     scan.close();
     Skeleton plant;
@@ -60,7 +60,7 @@ TEST_F(ReviewByRiskTest, TakesWhatIsCleanWholeAndStopsAtPointsWithoutWood) {
   ASSERT_TRUE(isAtPoints());
   EXPECT_LT(stops, inStretches);
   EXPECT_TRUE(chosen().empty());
-  EXPECT_EQ(document().pointSelection().points().size(), 60U);
+  EXPECT_EQ(document().pointSelection().points().size(), 160U);
   waitForView();
   const auto seen = view().pointsInside(QRectF(view().rect()), Depth::through);
   for (const Eigen::Index point : document().pointSelection().points().points())
@@ -92,6 +92,33 @@ TEST_F(ReviewByRiskTest, LeavesPointsInDoubtUntilOneComesBackToThem) {
   EXPECT_TRUE(isAtPoints());
   key(Qt::Key_Return);
   EXPECT_EQ(window().statusLine().shownText(), "All is reviewed: the structure can be signed");
+}
+
+TEST_F(ReviewByRiskTest, TakesNoPointsThatAreNotShownAndLeavesThoseThatAreSetAside) {
+  open({path("scan.xyz"), path("stem.mtg")});
+  key(Qt::Key_Period);
+  ASSERT_TRUE(waitForStop());
+  for (int stop = 0; stop < 20 && !isAtPoints(); ++stop)
+    key(Qt::Key_Return);
+  ASSERT_TRUE(isAtPoints());
+  action("layer_points").setChecked(false);
+  key(Qt::Key_Return);
+  EXPECT_TRUE(isAtPoints()) << "nobody sees them";
+  EXPECT_TRUE(window().statusLine().shownText().startsWith("Nothing is marked"))
+      << window().statusLine().shownText().toStdString();
+  action("layer_points").setChecked(true);
+  document().leaveOut("Set aside", document().pointSelection().points());
+  for (int enter = 0; enter < 20; ++enter)
+    key(Qt::Key_Return);
+  EXPECT_FALSE(isAtPoints());
+  action("undo").trigger(); // they are points without wood again, that nobody has taken
+  key(Qt::Key_Period, Qt::ControlModifier);
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] {
+        key(Qt::Key_Period, Qt::ControlModifier);
+        return isAtPoints();
+      },
+      patience));
 }
 
 TEST_F(ReviewByRiskTest, LooksCloserAtWhatIsRiskyAndComesToItFirstIfAsked) {

@@ -128,8 +128,8 @@ void MainWindow::makeReview() {
       SealFlow::Parts{document_, *actions_, parts_.get<ProjectFlow>(), *banner_, *this});
   auto& editing = parts_.get<Editing>();
   auto& distances = parts_.make<ScanDistances>(document_, queue_);
-  auto& errors =
-      parts_.make<ExpectedErrorsFlow>(ExpectedErrorsFlow::Parts{document_, queue_, distances});
+  auto& errors = parts_.make<ExpectedErrorsFlow>(ExpectedErrorsFlow::Parts{
+      document_, queue_, distances, [this] { return parts_.get<FindingsFlow>().limits(); }});
   parts_.make<ReviewFlow>(
       ReviewFlow::Parts{
           document_, *view_, *actions_, editing, settings_, *this, reveal(),
@@ -172,6 +172,8 @@ void MainWindow::makePoints(PipelinePanel& pipeline) {
       [&findings] { return findings.usualReach(); }, [&findings] { return findings.sensitivity(); },
       [&findings](double value) { findings.setSensitivity(value); }});
   connect(&findings, &FindingsFlow::limitsChanged, &explained, &ExplainedFlow::takeLimits);
+  connect(&findings, &FindingsFlow::limitsChanged, &parts_.get<ExpectedErrorsFlow>(),
+          &ExpectedErrorsFlow::findAnew);
   parts_.make<HiddenPoints>(
       HiddenPoints::Parts{document_, parts_.get<ShownFlow>(), distances, states});
   parts_.make<PresetFlow>(PresetFlow::Parts{pipeline, *actions_, settings_, *this, document_});

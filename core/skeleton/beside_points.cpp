@@ -114,7 +114,7 @@ public:
   }
 
 private:
-  /// The edges of an axis within `reach` [L] of a node along it, each way.
+  /// The edges of an axis within `reach` [L] of a node along it, up and down.
   [[nodiscard]] std::vector<NodeId> around(NodeId id, double reach) const {
     std::vector<NodeId> edges;
     double length = 0;

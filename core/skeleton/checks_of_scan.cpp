@@ -106,6 +106,25 @@ void eraseReported(std::vector<Finding>& findings, const std::vector<Finding>& o
   });
 }
 
+/// What points show that are off all wood: wood that lies beside its points, short feet, and
+/// clusters of points that neither explains.
+std::vector<Finding> checkPointsOffWood(const Skeleton& skeleton, const PointDistances& distances,
+                                        double spacing, const CheckOptions& options,
+                                        const Progress& progress) {
+  const double unit = exactness(distances, spacing, options);
+  std::vector<Finding> all =
+      axesBesidePoints(skeleton, distances, spacing, unit, options, progress);
+  append(all, shortFeet(skeleton, distances, spacing, options, progress));
+  std::vector<Finding> clusters = unexplainedClusters(distances, spacing, options, progress);
+  std::erase_if(clusters, [&](const Finding& cluster) {
+    progress.check();
+    return std::ranges::any_of(
+        all, [&](const Finding& other) { return explains(other, cluster, distances); });
+  });
+  append(all, std::move(clusters));
+  return all;
+}
+
 } // namespace
 
 std::vector<Finding> checkAgainstScan(const Skeleton& skeleton, const PointDistances& distances,
@@ -119,16 +138,17 @@ std::vector<Finding> checkAgainstScan(const Skeleton& skeleton, const PointDista
   append(all, std::move(own));
   const UnseenWood unseen(skeleton, distances, index, spacing, options);
   std::erase_if(all, [&](const Finding& finding) { return unseen.mayBeHidden(finding); });
-  const double unit = exactness(distances, spacing, options);
-  append(all, axesBesidePoints(skeleton, distances, spacing, unit, options, progress));
-  append(all, shortFeet(skeleton, distances, spacing, options));
-  std::vector<Finding> clusters = unexplainedClusters(distances, spacing, options, progress);
-  std::erase_if(clusters, [&](const Finding& cluster) {
-    return std::ranges::any_of(
-        all, [&](const Finding& other) { return explains(other, cluster, distances); });
-  });
-  append(all, std::move(clusters));
+  append(all, checkPointsOffWood(skeleton, distances, spacing, options, progress));
   return all;
+}
+
+std::vector<Finding> pointsWithoutWood(const Skeleton& skeleton, const PointDistances& distances,
+                                       double spacing, const CheckOptions& options,
+                                       const Progress& progress) {
+  std::vector<Finding> found = checkPointsOffWood(skeleton, distances, spacing, options, progress);
+  std::erase_if(found,
+                [](const Finding& finding) { return finding.kind != Kind::unexplainedPoints; });
+  return found;
 }
 
 double exactness(const PointDistances& distances, double spacing, const CheckOptions& options) {

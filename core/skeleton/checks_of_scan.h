@@ -28,6 +28,13 @@ namespace espalier {
                                                     const CheckOptions& options = {},
                                                     const Progress& progress = {});
 
+/// Those of them that are clusters of points without wood.
+/// @throws Cancelled if `progress` asks to stop
+[[nodiscard]] std::vector<Finding> pointsWithoutWood(const Skeleton& skeleton,
+                                                     const PointDistances& distances,
+                                                     double spacing, const CheckOptions& options,
+                                                     const Progress& progress = {});
+
 /// What lengths of the checks against a scan count in: the spacing of the points, or where points
 /// scatter wider about the wood, or the skeleton was drawn less exactly, how far they are from it:
 /// the scatter, or 4/3 of the median distance to the surface, where that is more, but at most twice

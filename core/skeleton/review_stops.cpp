@@ -41,7 +41,7 @@ bool leadsTo(const Skeleton& skeleton, const ReviewStop& stop, WalkTo to) {
 
 /// Of how far points without wood reach from end to end, how much is missed wood: in simulated
 /// scans, foliage included (espalier_fit_errors).
-constexpr double missedOfCluster = 0.57;
+constexpr double missedOfCluster = 0.58;
 
 /// Makes the stops of a plant along it.
 class StopsOfPlant {

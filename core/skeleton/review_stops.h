@@ -29,7 +29,7 @@ enum class WalkOrder : std::uint8_t { alongPlant, byExpectedError };
 /// What is known of errors before a review.
 struct ExpectedErrors {
   std::vector<double> ofEdges; // probabilities, by id of the upper node; later ids are not known
-  std::vector<Finding> clusters = {}; // of points without wood (unexplainedClusters())
+  std::vector<Finding> clusters = {}; // of points without wood (pointsWithoutWood())
 
   bool operator==(const ExpectedErrors&) const = default;
 };

@@ -12,9 +12,11 @@ namespace espalier {
 /// spacings and `footRadii` radii.
 /// @param spacing between neighboring points [L]
 /// @return `amount` is how far the points go on [L], `points` are these
+/// @throws Cancelled if `progress` asks to stop
 /// Deterministic. Time O(N log N).
 [[nodiscard]] std::vector<Finding> shortFeet(const Skeleton& skeleton,
                                              const PointDistances& distances, double spacing,
-                                             const CheckOptions& options);
+                                             const CheckOptions& options,
+                                             const Progress& progress = {});
 
 } // namespace espalier

@@ -28,6 +28,8 @@ const std::map<std::pair<std::string, std::string>, std::string> exceptions = {
     {{"core/clean/wire.h", "resolved"}, "a function beside it calls it"},
     {{"core/skeleton/checks_of_scan.h", "edgesWithoutPoints"},
      "checkAgainstScan() beside it calls it"},
+    {{"core/skeleton/checks_of_scan.h", "unexplainedClusters"},
+     "checkAgainstScan() beside it calls it"},
     {{"core/clean/organ_odds.h", "featuresAround"},
      "a function beside it and the fit of the odds call it"},
     {{"core/clean/organ_odds.h", "sharesAlone"},

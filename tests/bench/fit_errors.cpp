@@ -79,7 +79,8 @@ Plant judged(const Skeleton& skeleton, const Skeleton& truth,
     piece.wrong = wrong / piece.length;
     plant.pieces.push_back(piece);
   }
-  const std::vector<Finding> clusters = unexplainedClusters(distances, scale.spacing, {});
+  const std::vector<Finding> clusters = pointsWithoutWood(
+      skeleton, distances, scale.spacing, {.scatter = scale.scatter / scale.spacing});
   plant.clusters = static_cast<int>(clusters.size());
   Eigen::Matrix3Xf far(3, 0);
   for (const Finding& cluster : clusters) {
@@ -113,9 +114,9 @@ std::vector<Plant> plantsOf(std::uint64_t from, std::uint64_t to) {
   for (std::uint64_t number = from; number < to; ++number) {
     try {
       const ScannedPlant plant = scannedPlant(number);
-      std::vector<PipelineOptions> ways = {{}};
-      if (number % 3 == 0) ways.push_back(presets().at(1).options);
-      for (const PipelineOptions& options : ways) {
+      std::vector<PipelineOptions> choices = {{}};
+      if (number % 3 == 0) choices.push_back(presets().at(1).options);
+      for (const PipelineOptions& options : choices) {
         const Reconstruction result = Pipeline().run(plant.cloud, options);
         plants.push_back(judged(*result.skeleton, plant.truth, plant.cloud, number));
       }

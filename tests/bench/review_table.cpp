@@ -65,7 +65,8 @@ ExpectedErrors errorsOf(const Skeleton& skeleton, const std::shared_ptr<const Po
   const SpatialIndex index(cloud->positions());
   const PointDistances distances(cloud, scale.spacing, skeleton);
   return {errorProbabilities(skeleton, distances, index, scale, Eigen::Vector3d::UnitZ()),
-          unexplainedClusters(distances, scale.spacing, {})};
+          pointsWithoutWood(skeleton, distances, scale.spacing,
+                            {.scatter = scale.scatter / scale.spacing})};
 }
 
 /// @param truth  null: not known

@@ -49,4 +49,16 @@ Skeleton randomPlant(int nodes, std::uint64_t seed) {
   return plant;
 }
 
+Skeleton walkedTree() {
+  Skeleton plant = stick(4);
+  const auto add = [&](double x, double z, unsigned parent, EdgeType edge) {
+    plant.add({.position = {x, 0, z}, .parent = NodeId{parent}, .edge = edge});
+  };
+  add(1, 1, 1, EdgeType::branching);
+  add(2, 1, 4, EdgeType::successor);
+  add(1, 2, 4, EdgeType::branching);
+  add(1, 3, 2, EdgeType::branching);
+  return plant;
+}
+
 } // namespace espalier::test

@@ -23,4 +23,7 @@ inline constexpr NodeId forkTop{1};
 /// A forest of `nodes` nodes (one to three trees) with arbitrary positions, radii and edges.
 [[nodiscard]] Skeleton randomPlant(int nodes, std::uint64_t seed);
 
+/// A trunk 0-1-2-3 along z, on 1 the branch 4-5, on 4 the twig 6, on 2 the branch 7.
+[[nodiscard]] Skeleton walkedTree();
+
 } // namespace espalier::test

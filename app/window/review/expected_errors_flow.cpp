@@ -58,6 +58,17 @@ PointSet ExpectedErrorsFlow::pointsOf(const Finding& cluster) const {
   return now() != nullptr ? parts_.distances.inScan(cluster.points) : PointSet();
 }
 
+std::vector<NodeId> ExpectedErrorsFlow::nodesAt(const Finding& cluster) const {
+  std::vector<NodeId> nodes;
+  if (now() == nullptr) return nodes;
+  for (const Eigen::Index point : cluster.points)
+    nodes.push_back(parts_.distances.now()->nearest()[static_cast<std::size_t>(point)]);
+  std::ranges::sort(nodes);
+  const auto [first, last] = std::ranges::unique(nodes);
+  nodes.erase(first, last);
+  return nodes;
+}
+
 void ExpectedErrorsFlow::setWanted(bool isWanted) {
   if (isWanted == isWanted_) return;
   isWanted_ = isWanted;
@@ -66,7 +77,10 @@ void ExpectedErrorsFlow::setWanted(bool isWanted) {
 }
 
 void ExpectedErrorsFlow::take(const SkeletonDelta& delta) {
-  if (!changesWood(delta)) return;
+  if (changesWood(delta)) findAnew();
+}
+
+void ExpectedErrorsFlow::findAnew() {
   isOutdated_ = true;
   ++changes_;
   if (isWanted_) timer_.start(200);
@@ -87,12 +101,13 @@ void ExpectedErrorsFlow::refresh() {
   job_.start(
       tr("Where errors are likely"),
       [distances, skeleton = parts_.document.skeleton(), scale = parts_.document.scale(),
+       limits = parts_.limits(),
        up = Eigen::Vector3d(turnUpright(parts_.document.up()).row(2).transpose())](
           const Progress& progress) {
         const SpatialIndex index(distances->cloud()->positions(), progress);
         return ExpectedErrors{
-            errorProbabilities(skeleton, *distances, index, scale, up, progress.part(0, 0.9)),
-            unexplainedClusters(*distances, scale.spacing, {}, progress.part(0.9, 1))};
+            errorProbabilities(skeleton, *distances, index, scale, up, progress.part(0, 0.8)),
+            pointsWithoutWood(skeleton, *distances, scale.spacing, limits, progress.part(0.8, 1))};
       },
       [this, changes = changes_](ExpectedErrors errors) {
         errors_ = std::move(errors);

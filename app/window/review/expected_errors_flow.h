@@ -2,13 +2,16 @@
 
 #include "app/window/frame/scan_distances.h"
 #include "app/window/frame/window_part.h"
+#include "core/skeleton/check_options.h"
 #include "core/skeleton/review_stops.h"
 #include "ui/jobs/job_slot.h"
 
 #include <QTimer>
 
+#include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace espalier {
 
@@ -26,6 +29,7 @@ public:
     PlantDocument& document;
     JobQueue& queue;
     ScanDistances& distances;
+    std::function<CheckOptions()> limits; // of the checks
   };
   explicit ExpectedErrorsFlow(const Parts& parts);
 
@@ -38,6 +42,9 @@ public:
   [[nodiscard]] bool isBusy() const override;
   /// The points of a cluster of now(), by their number in the scan.
   [[nodiscard]] PointSet pointsOf(const Finding& cluster) const;
+  /// The nodes whose wood is nearest to these.
+  [[nodiscard]] std::vector<NodeId> nodesAt(const Finding& cluster) const;
+  void findAnew(); // a moment later, as the plant or the limits are others
 
 signals:
   void changed(); // or they cannot be found

@@ -166,6 +166,7 @@ void FindingsFlow::connectParts() {
   connect(&document, &PlantDocument::unitChanged, this, &FindingsFlow::list);
   connect(&parts_.distances, &ScanDistances::changed, this, [this] {
     isScanChecked_ = false;
+    unit_.reset();
     later();
   });
   connect(&job_, &JobSlot::finished, this, [this] {
@@ -350,7 +351,8 @@ double FindingsFlow::usualReach() const {
   CheckOptions options = panel_->checks().options();
   options.scatter = limits().scatter;
   const std::shared_ptr<const PointDistances> now = parts_.distances.now();
-  return options.pointReach * (now ? exactness(*now, spacing(), options) : spacing());
+  if (!unit_ && now) unit_ = exactness(*now, spacing(), options); // of all points
+  return options.pointReach * unit_.value_or(spacing());
 }
 
 double FindingsFlow::sensitivity() const {

@@ -60,7 +60,8 @@ public:
   /// that is set, of all checks.
   [[nodiscard]] double usualReach() const;
   [[nodiscard]] double sensitivity() const;
-  void setSensitivity(double sensitivity); // kept in the project
+  [[nodiscard]] CheckOptions limits() const; // at that sensitivity
+  void setSensitivity(double sensitivity);   // kept in the project
 
 signals:
   void limitsChanged();
@@ -90,8 +91,7 @@ private:
   void refresh();
   void startJob();
   void take(Found found);
-  [[nodiscard]] double spacing() const;      // between points [L]; 0: there is no scan
-  [[nodiscard]] CheckOptions limits() const; // at the sensitivity that is set
+  [[nodiscard]] double spacing() const; // between points [L]; 0: there is no scan
   [[nodiscard]] bool isAllChecked() const;
   void list(); // what was found last, without what is gone
   void step(int by);
@@ -115,6 +115,7 @@ private:
   int awaitedStep_ = 0;        // where to then: as of step(); 0: one only waits for the result
   bool isScanChecked_ = false; // against the skeleton of now
   std::shared_ptr<const Indexed> indexed_;
+  mutable std::optional<double> unit_; // of lengths of the checks [L]; none: to be found anew
   std::vector<Finding> ofSkeleton_;
   std::vector<Finding> ofScan_;
   std::vector<Finding> reportedOfSkeleton_; // as they were reported first, while they last

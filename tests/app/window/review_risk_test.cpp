@@ -45,6 +45,13 @@ struct ReviewByRiskTest : test::ReviewWindowTest {
     writeStructure(toPath(path("invented.mtg")), plant);
   }
   bool isAtPoints() { return label("review_place").endsWith("no wood"); }
+  void walkToPoints() {
+    open({path("scan.xyz"), path("stem.mtg")});
+    key(Qt::Key_Period);
+    ASSERT_TRUE(waitForStop());
+    for (int stop = 0; stop < 20 && !isAtPoints(); ++stop)
+      key(Qt::Key_Return);
+  }
 };
 
 TEST_F(ReviewByRiskTest, TakesWhatIsCleanWholeAndStopsAtPointsWithoutWood) {
@@ -77,11 +84,7 @@ TEST_F(ReviewByRiskTest, TakesWhatIsCleanWholeAndStopsAtPointsWithoutWood) {
 }
 
 TEST_F(ReviewByRiskTest, LeavesPointsInDoubtUntilOneComesBackToThem) {
-  open({path("scan.xyz"), path("stem.mtg")});
-  key(Qt::Key_Period);
-  ASSERT_TRUE(waitForStop());
-  for (int stop = 0; stop < 20 && !isAtPoints(); ++stop)
-    key(Qt::Key_Return);
+  walkToPoints();
   ASSERT_TRUE(isAtPoints());
   key(Qt::Key_Return, Qt::ShiftModifier);
   for (int stop = 0; stop < 20; ++stop)
@@ -95,11 +98,7 @@ TEST_F(ReviewByRiskTest, LeavesPointsInDoubtUntilOneComesBackToThem) {
 }
 
 TEST_F(ReviewByRiskTest, TakesNoPointsThatAreNotShownAndLeavesThoseThatAreSetAside) {
-  open({path("scan.xyz"), path("stem.mtg")});
-  key(Qt::Key_Period);
-  ASSERT_TRUE(waitForStop());
-  for (int stop = 0; stop < 20 && !isAtPoints(); ++stop)
-    key(Qt::Key_Return);
+  walkToPoints();
   ASSERT_TRUE(isAtPoints());
   action("layer_points").setChecked(false);
   key(Qt::Key_Return);

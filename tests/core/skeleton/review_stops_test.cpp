@@ -181,26 +181,13 @@ TEST(ReviewStops, OfNothingAreNone) {
   EXPECT_EQ(walk(Skeleton(), {}, std::nullopt, WalkTo::anyStop), std::nullopt);
 }
 
-/// A trunk 0-1-2-3 along z, on 1 the branch 4-5, on 4 the twig 6, on 2 the branch 7.
-Skeleton walkedTree() {
-  Skeleton plant = test::stick(4);
-  const auto add = [&](double x, double z, unsigned parent, EdgeType edge) {
-    plant.add({.position = {x, 0, z}, .parent = NodeId{parent}, .edge = edge});
-  };
-  add(1, 1, 1, EdgeType::branching);
-  add(2, 1, 4, EdgeType::successor);
-  add(1, 2, 4, EdgeType::branching);
-  add(1, 3, 2, EdgeType::branching);
-  return plant;
-}
-
 void markReviewed(Skeleton& plant, const ReviewStop& stop) {
   for (const NodeId id : stop.nodes)
     plant.setReview(id, {.state = ReviewState::reviewed});
 }
 
 TEST(ReviewStops, GoesOnAndBackAndBeginsAnewAtTheEnd) {
-  const Skeleton plant = walkedTree();
+  const Skeleton plant = test::walkedTree();
   const auto parts = reviewStops(plant, nullptr);
   EXPECT_EQ(walk(plant, parts, std::nullopt, WalkTo::anyStop), 0U);
   EXPECT_EQ(walk(plant, parts, 0, WalkTo::anyStop), 1U);
@@ -212,7 +199,7 @@ TEST(ReviewStops, GoesOnAndBackAndBeginsAnewAtTheEnd) {
 }
 
 TEST(ReviewStops, FindsWhatIsNotReviewed) {
-  Skeleton plant = walkedTree();
+  Skeleton plant = test::walkedTree();
   const auto parts = reviewStops(plant, nullptr);
   for (const std::size_t done : {0, 1, 3, 4, 5})
     markReviewed(plant, parts[done]);
@@ -228,7 +215,7 @@ TEST(ReviewStops, FindsWhatIsNotReviewed) {
 }
 
 TEST(ReviewStops, FindsOpenEndsAndBranchings) {
-  Skeleton plant = walkedTree();
+  Skeleton plant = test::walkedTree();
   const auto parts = reviewStops(plant, nullptr);
   const auto endsAt = [&](std::optional<std::size_t> from, WalkTo to) {
     return static_cast<unsigned>(parts[*walk(plant, parts, from, to)].nodes.back());

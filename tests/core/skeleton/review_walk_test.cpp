@@ -9,19 +9,6 @@ namespace {
 
 using testing::ElementsAre;
 
-/// A trunk 0-1-2-3 along z, on 1 the branch 4-5, on 4 the twig 6, on 2 the branch 7.
-Skeleton smallTree() {
-  Skeleton plant = test::stick(4);
-  const auto add = [&](double x, double z, unsigned parent, EdgeType edge) {
-    plant.add({.position = {x, 0, z}, .parent = NodeId{parent}, .edge = edge});
-  };
-  add(1, 1, 1, EdgeType::branching);
-  add(2, 1, 4, EdgeType::successor);
-  add(1, 2, 4, EdgeType::branching);
-  add(1, 3, 2, EdgeType::branching);
-  return plant;
-}
-
 std::vector<std::vector<unsigned>> numbers(const std::vector<Stretch>& stretches) {
   std::vector<std::vector<unsigned>> result;
   for (const Stretch& stretch : stretches) {
@@ -34,12 +21,12 @@ std::vector<std::vector<unsigned>> numbers(const std::vector<Stretch>& stretches
 
 TEST(ReviewWalk, GoesUpTheTrunkAndThenBranchByBranchWithItsTwigs) {
   EXPECT_THAT(
-      numbers(axesInWalkOrder(smallTree())),
+      numbers(axesInWalkOrder(test::walkedTree())),
       ElementsAre(ElementsAre(0, 1, 2, 3), ElementsAre(4, 5), ElementsAre(6), ElementsAre(7)));
 }
 
 TEST(ReviewWalk, StretchesEndAtBranchings) {
-  EXPECT_THAT(numbers(stretches(smallTree(), 100)),
+  EXPECT_THAT(numbers(stretches(test::walkedTree(), 100)),
               ElementsAre(ElementsAre(0, 1), ElementsAre(2), ElementsAre(3), ElementsAre(4),
                           ElementsAre(5), ElementsAre(6), ElementsAre(7)));
 }
@@ -54,7 +41,7 @@ TEST(ReviewWalk, StretchesAreNoLongerThanAsked) {
 
 // The plant is 3 high and 2 wide: two of its longest stretches are 0.72.
 TEST(ReviewWalk, OneLookIsAnAxisOrAsMuchAsTwoStretches) {
-  Skeleton plant = smallTree();
+  Skeleton plant = test::walkedTree();
   const NodeId a =
       plant.add({.position = {0.3, 0, 3}, .parent = NodeId{3}, .edge = EdgeType::branching});
   const NodeId b =

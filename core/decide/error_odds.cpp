@@ -42,6 +42,13 @@ const ErrorOdds& fittedErrorOdds() {
   return odds;
 }
 
+const std::array<double, 16>& usualFeatures() {
+  static constexpr std::array<double, 16> usual = {3.2500, 4.0606, 3.9455, 0.8645, -0.4415, -3.3516,
+                                                   0.0000, 0.0000, 2.5908, 0.0124, 0.9757,  0.0000,
+                                                   0.0000, 1.6912, 1.0000, 0.0000};
+  return usual;
+}
+
 double probabilityOfError(const ErrorEvidence& evidence, const ErrorOdds& odds) {
   return 1 / (1 + std::exp(-odds.value(featuresOf(evidence))));
 }

@@ -17,6 +17,9 @@ using ErrorOdds = Quadratic<16>;
 /// scans.
 [[nodiscard]] const ErrorOdds& fittedErrorOdds();
 
+/// What features are of wood that is right: medians of the plants that the odds are fitted to.
+[[nodiscard]] const std::array<double, 16>& usualFeatures();
+
 /// How probable it is that an edge of a piece is wrong, in (0, 1).
 [[nodiscard]] double probabilityOfError(const ErrorEvidence& evidence,
                                         const ErrorOdds& odds = fittedErrorOdds());

@@ -13,7 +13,6 @@
 // --judge fits nothing: it shows the same of a real scan, whose reference is laid on what is found
 // by default, or on STRUCTURE.
 #include "core/decide/error_odds.h"
-#include "core/decide/error_probabilities.h"
 #include "core/evaluate/differences/differences.h"
 #include "core/evaluate/registration/registration.h"
 #include "core/io/formats.h"
@@ -236,8 +235,10 @@ void printReliability(const std::vector<Plant>& plants, const ErrorOdds& odds) {
   std::printf("expected calibration error %.3f\n", error);
 }
 
-ErrorOdds fitted(const std::vector<Plant>& plants) {
-  std::vector<LabelledFeatures<ErrorOdds().weights.size()>> examples;
+using Examples = std::vector<LabelledFeatures<ErrorOdds().weights.size()>>;
+
+Examples examplesOf(const std::vector<Plant>& plants) {
+  Examples examples;
   for (const Plant& plant : plants) {
     double all = 0;
     for (const Piece& piece : plant.pieces)
@@ -245,7 +246,17 @@ ErrorOdds fitted(const std::vector<Plant>& plants) {
     for (const Piece& piece : plant.pieces)
       examples.push_back({featuresOf(piece.evidence), piece.wrong, piece.length / std::sqrt(all)});
   }
-  return fittedQuadratic(examples);
+  return examples;
+}
+
+/// As usualFeatures() in the sources.
+void printUsual(Examples examples) {
+  for (auto& example : examples)
+    example.weight *= 1 - example.label; // the share of it that is right
+  std::printf("usual = {");
+  for (std::size_t i = 0; i < usualFeatures().size(); ++i)
+    std::printf("%s%.4f", i ? ", " : "", quantile(sortedValues(examples, i), 0.5));
+  std::printf("};\n");
 }
 
 constexpr double ErrorEvidence::*numbers[] = {
@@ -304,9 +315,11 @@ int fitErrors(std::uint64_t plants, std::uint64_t others, const std::string& kep
       std::ranges::find_if(all, [&](const Plant& plant) { return plant.number > plants; });
   const std::vector<Plant> ones(all.begin(), split);
   const std::vector<Plant> rest(split, all.end());
-  const ErrorOdds odds = fitted(ones);
+  const Examples examples = examplesOf(ones);
+  const ErrorOdds odds = fittedQuadratic(examples);
   std::printf("%zu skeletons\n", ones.size());
   printQuadratic(odds);
+  printUsual(examples);
   std::printf("of these:\n");
   printShares(ones, odds);
   printReliability(ones, odds);

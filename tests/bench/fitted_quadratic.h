@@ -20,26 +20,41 @@ template <std::size_t Features> struct LabelledFeatures {
   double weight = 1;
 };
 
+/// The values of a feature with the weights of their examples, least first.
+template <std::size_t Features>
+[[nodiscard]] std::vector<std::pair<double, double>>
+sortedValues(const std::vector<LabelledFeatures<Features>>& examples, std::size_t feature) {
+  std::vector<std::pair<double, double>> values;
+  values.reserve(examples.size());
+  for (const auto& example : examples)
+    values.emplace_back(example.values[feature], example.weight);
+  std::ranges::sort(values);
+  return values;
+}
+
+/// The value of a feature that a share of the examples is at or below, by weight.
+[[nodiscard]] inline double quantile(const std::vector<std::pair<double, double>>& sorted,
+                                     double share) {
+  double all = 0, below = 0, found = 0;
+  for (const auto& [value, weight] : sorted)
+    all += weight;
+  for (const auto& [value, weight] : sorted) {
+    if (below > share * all) break;
+    found = value;
+    below += weight;
+  }
+  return found;
+}
+
 /// Between which all but two in a hundred examples lie, by weight.
 template <std::size_t Features>
 [[nodiscard]] Quadratic<Features>
 boundedQuadratic(const std::vector<LabelledFeatures<Features>>& examples) {
   Quadratic<Features> bounds;
-  double all = 0;
-  for (const auto& example : examples)
-    all += example.weight;
-  std::vector<std::pair<double, double>> values(examples.size()); // with their weights
   for (std::size_t i = 0; i < Features; ++i) {
-    std::ranges::transform(examples, values.begin(), [&](const auto& example) {
-      return std::pair(example.values[i], example.weight);
-    });
-    std::ranges::sort(values);
-    double below = 0;
-    for (const auto& [value, weight] : values) {
-      if (below <= 0.01 * all) bounds.least[i] = value;
-      if (below <= 0.99 * all) bounds.most[i] = value;
-      below += weight;
-    }
+    const auto values = sortedValues(examples, i);
+    bounds.least[i] = quantile(values, 0.01);
+    bounds.most[i] = quantile(values, 0.99);
   }
   return bounds;
 }

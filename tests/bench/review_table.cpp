@@ -9,7 +9,7 @@
 // clean wood, of risky wood and of points without wood, each one Enter. Of simulated plants also
 // how much of what is wrong is in risky stops, and in the first tenth, fifth and half of the stops
 // by expected error.
-#include "core/decide/error_probabilities.h"
+#include "core/decide/error_ratings.h"
 #include "core/evaluate/differences/differences.h"
 #include "core/evaluate/registration/registration.h"
 #include "core/io/formats.h"
@@ -64,7 +64,7 @@ ExpectedErrors errorsOf(const Skeleton& skeleton, const std::shared_ptr<const Po
   const PlantScale scale = scaleOf(*cloud, {}, UpAxis::z);
   const SpatialIndex index(cloud->positions());
   const PointDistances distances(cloud, scale.spacing, skeleton);
-  return {errorProbabilities(skeleton, distances, index, scale, Eigen::Vector3d::UnitZ()),
+  return {errorRatings(skeleton, distances, index, scale, Eigen::Vector3d::UnitZ()).ofEdges,
           pointsWithoutWood(skeleton, distances, scale.spacing,
                             {.scatter = scale.scatter / scale.spacing})};
 }

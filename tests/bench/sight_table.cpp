@@ -7,7 +7,7 @@
 // is printed: the median and the worst tenth of all, for the camera that is only brought nearer
 // ("framed") and for the direction that is chosen ("turned"), and how long the choice took. With
 // FOLDER, five pictures of each go there.
-#include "core/decide/error_probabilities.h"
+#include "core/decide/error_ratings.h"
 #include "core/io/formats.h"
 #include "core/pipeline/plant_scale.h"
 #include "core/skeleton/checks.h"
@@ -91,8 +91,9 @@ std::vector<Subject> findingsOf(const Plant& plant, std::size_t most) {
 std::vector<Subject> stopsOf(const Plant& plant, std::size_t most) {
   const double longest = longestStretch(plant.skeleton);
   const ExpectedErrors errors{
-      errorProbabilities(plant.skeleton, plant.distances, SpatialIndex(plant.cloud->positions()),
-                         scaleOf(*plant.cloud, {}, UpAxis::z), Eigen::Vector3d::UnitZ())};
+      errorRatings(plant.skeleton, plant.distances, SpatialIndex(plant.cloud->positions()),
+                   scaleOf(*plant.cloud, {}, UpAxis::z), Eigen::Vector3d::UnitZ())
+          .ofEdges};
   std::vector<Subject> subjects;
   for (const ReviewStop& stop : some(reviewStops(plant.skeleton, &errors), most)) {
     Sight sight{.nodes = stop.nodes};

@@ -39,8 +39,9 @@ QGridLayout* makeGrid(QVBoxLayout& column) {
 
 ReviewPanel::ReviewPanel(PlantDocument& document, const Actions& actions, QWidget* parent)
     : QScrollArea(parent), document_(document), model_(new AxisReviewModel(this)),
-      bar_(new CoverageBar), share_(new QLabel), place_(new QLabel), state_(new QLabel),
-      comment_(new QLineEdit), axes_(new QTableView), reviewer_(new QLineEdit), seal_(new QLabel) {
+      bar_(new CoverageBar), share_(new QLabel), place_(new QLabel), why_(new QLabel),
+      state_(new QLabel), comment_(new QLineEdit), axes_(new QTableView), reviewer_(new QLineEdit),
+      seal_(new QLabel) {
   setObjectName("review_panel");
   setAccessibleName(tr("Review"));
   setFrameShape(QFrame::NoFrame);
@@ -68,13 +69,16 @@ ReviewPanel::ReviewPanel(PlantDocument& document, const Actions& actions, QWidge
   refreshChosen();
 }
 
-void ReviewPanel::showPlace(const QString& text) {
+void ReviewPanel::showPlace(const QString& text, const QString& why) {
   place_->setText(text);
+  why_->setText(why);
+  why_->setVisible(!why.isEmpty());
+  fitTexts();
 }
 
 void ReviewPanel::showSeal(const QString& text) {
   seal_->setText(text);
-  fitSeal();
+  fitTexts();
 }
 
 void ReviewPanel::setReviewer(const QString& name) {
@@ -93,16 +97,17 @@ void ReviewPanel::showEvent(QShowEvent* event) {
 
 void ReviewPanel::resizeEvent(QResizeEvent* event) {
   QScrollArea::resizeEvent(event);
-  fitSeal();
+  fitTexts();
 }
 
 /// A page in a scroll area does not ask how high wrapped text gets, and would cut it.
-void ReviewPanel::fitSeal() {
+void ReviewPanel::fitTexts() {
   const QMargins margins = widget()->layout()->contentsMargins();
   const int width = viewport()->width() - margins.left() - margins.right();
   const QRect room(0, 0, width, QWIDGETSIZE_MAX);
-  seal_->setMinimumHeight(
-      seal_->fontMetrics().boundingRect(room, Qt::TextWordWrap, seal_->text()).height());
+  for (QLabel* label : {why_, seal_})
+    label->setMinimumHeight(
+        label->fontMetrics().boundingRect(room, Qt::TextWordWrap, label->text()).height());
 }
 
 void ReviewPanel::addCoverage(QVBoxLayout& column) {
@@ -131,7 +136,9 @@ void ReviewPanel::addChosen(QVBoxLayout& column, const Actions& actions) {
   place_->setObjectName("review_place");
   state_->setObjectName("review_state");
   state_->setProperty("role", "quiet");
-  for (QLabel* label : {place_, state_}) { // must not widen the panel
+  why_->setObjectName("review_why");
+  why_->setWordWrap(true);
+  for (QLabel* label : {place_, why_, state_}) { // must not widen the panel
     label->setMinimumWidth(72);
     label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     column.addWidget(label);
@@ -232,7 +239,7 @@ void ReviewPanel::refresh() {
   axes_->horizontalHeader()->resizeSection(
       0, margins + std::max(letters.horizontalAdvance(model_->longestName()),
                             letters.horizontalAdvance(tr("Axis"))));
-  fitSeal();
+  fitTexts();
 }
 
 /// In the colors of the theme, as the bar.

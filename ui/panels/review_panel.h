@@ -40,7 +40,9 @@ public:
   };
   ReviewPanel(PlantDocument& document, const Actions& actions, QWidget* parent = nullptr);
 
-  void showPlace(const QString& text); // as "Stop 12 of 87"
+  /// @param text  as "Stop 12 of 87"
+  /// @param why   one should look closely there; empty: nothing is known of it
+  void showPlace(const QString& text, const QString& why = {});
   void showSeal(const QString& text);
   void setReviewer(const QString& name);
   void focusComment();
@@ -60,7 +62,7 @@ private:
   void addChosen(QVBoxLayout& column, const Actions& actions);
   void addAxes(QVBoxLayout& column);
   void addSeal(QVBoxLayout& column, const Actions& actions);
-  void fitSeal();
+  void fitTexts();
   void later(); // many edits, as of a drag, are shown at once
   void refresh();
   void showSamples();
@@ -73,6 +75,7 @@ private:
   std::array<QLabel*, 3> samples_{}; // by ReviewState
   std::array<QLabel*, 3> lengths_{}; // likewise
   QLabel* place_;
+  QLabel* why_;
   QLabel* state_;
   QLineEdit* comment_;
   QTableView* axes_;

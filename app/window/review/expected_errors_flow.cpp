@@ -1,7 +1,7 @@
 #include "app/window/review/expected_errors_flow.h"
 
 #include "core/base/spatial_index.h"
-#include "core/decide/error_probabilities.h"
+#include "core/decide/error_ratings.h"
 #include "core/graph/turn_upright.h"
 #include "core/skeleton/checks_of_scan.h"
 #include "ui/document/plant_document.h"
@@ -11,6 +11,11 @@
 
 namespace espalier {
 namespace {
+
+struct FoundErrors {
+  ErrorRatings ratings;
+  std::vector<Finding> clusters;
+};
 
 /// Whether an edit changes more than marks, comments and what else errors do not follow from.
 bool changesWood(const SkeletonDelta& delta) {
@@ -52,6 +57,12 @@ ExpectedErrorsFlow::ExpectedErrorsFlow(const Parts& parts)
 bool ExpectedErrorsFlow::isBusy() const {
   return isWanted_ && (isOutdated_ || !parts_.distances.now()) &&
          parts_.document.scan() != nullptr && !parts_.document.skeleton().isEmpty();
+}
+
+std::optional<ErrorEvidence>
+ExpectedErrorsFlow::riskiestOf(const std::vector<NodeId>& nodes) const {
+  const auto piece = now() != nullptr ? riskiestPiece(ratings_, nodes) : std::nullopt;
+  return piece ? std::optional(ratings_.evidence[*piece]) : std::nullopt;
 }
 
 PointSet ExpectedErrorsFlow::pointsOf(const Finding& cluster) const {
@@ -105,12 +116,13 @@ void ExpectedErrorsFlow::refresh() {
        up = Eigen::Vector3d(turnUpright(parts_.document.up()).row(2).transpose())](
           const Progress& progress) {
         const SpatialIndex index(distances->cloud()->positions(), progress);
-        return ExpectedErrors{
-            errorProbabilities(skeleton, *distances, index, scale, up, progress.part(0, 0.8)),
+        return FoundErrors{
+            errorRatings(skeleton, *distances, index, scale, up, progress.part(0, 0.8)),
             pointsWithoutWood(skeleton, *distances, scale.spacing, limits, progress.part(0.8, 1))};
       },
-      [this, changes = changes_](ExpectedErrors errors) {
-        errors_ = std::move(errors);
+      [this, changes = changes_](FoundErrors found) {
+        ratings_ = std::move(found.ratings);
+        errors_ = ExpectedErrors{ratings_.ofEdges, std::move(found.clusters)};
         isOutdated_ = changes != changes_; // it was edited meanwhile
       });
 }

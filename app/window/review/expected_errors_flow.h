@@ -2,6 +2,7 @@
 
 #include "app/window/frame/scan_distances.h"
 #include "app/window/frame/window_part.h"
+#include "core/decide/error_ratings.h"
 #include "core/skeleton/check_options.h"
 #include "core/skeleton/review_stops.h"
 #include "ui/jobs/job_slot.h"
@@ -38,6 +39,9 @@ public:
   [[nodiscard]] const ExpectedErrors* now() const {
     return errors_ && parts_.distances.now() ? &*errors_ : nullptr;
   }
+  /// What now() rates the riskiest of some nodes by, in spacings of document.scale(). None: there
+  /// is nothing of them in it, or no now().
+  [[nodiscard]] std::optional<ErrorEvidence> riskiestOf(const std::vector<NodeId>& nodes) const;
   /// Those of the plant as it is are being found.
   [[nodiscard]] bool isBusy() const override;
   /// The points of a cluster of now(), by their number in the scan.
@@ -57,6 +61,7 @@ private:
   Parts parts_;
   QTimer timer_;
   std::optional<ExpectedErrors> errors_;
+  ErrorRatings ratings_; // of errors_
   bool isWanted_ = false;
   bool isOutdated_ = true; // they are not of the plant as it is
   int changes_ = 0;        // of it

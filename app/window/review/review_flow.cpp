@@ -340,7 +340,10 @@ void ReviewFlow::showPlace() {
   QString text = nodes.empty() ? tr("Press . to walk") : nodeNames(nodes);
   if (!nodes.empty()) text[0] = text[0].toUpper();
   const bool isOnWalk = !nodes.empty() && nodes == at_;
-  panel_->showPlace(isOnWalk || isAtPoints() ? placeText_ : text);
+  if (isOnWalk || isAtPoints())
+    panel_->showPlace(placeText_, whyText_);
+  else
+    panel_->showPlace(text);
   if (isOnWalk)
     parts_.view.setFaded(nodes);
   else if (isFading_)

@@ -79,6 +79,7 @@ private:
   void goOnWaiting();
   void chooseOrder(bool isByError);
   void goTo(const std::vector<ReviewStop>& all, std::size_t index);
+  [[nodiscard]] QString whyRisky(const ReviewStop& stop) const;
   void goToPoints(const ReviewStop& stop);
   [[nodiscard]] QString frame(const std::vector<NodeId>& nodes,
                               const std::vector<Eigen::Vector3d>& places = {});
@@ -111,6 +112,7 @@ private:
   WalkOrder order_ = WalkOrder::alongPlant;
   std::optional<std::pair<WalkTo, WalkDirection>> awaited_; // once errors are known
   QString placeText_;                                       // of at_
+  QString whyText_;                                         // likewise
   bool isDoubtAskedFor_ = false; // of what is selected: Enter takes it back
   bool isFading_ = false;        // all but at_, while it is what is selected
   bool isEnabled_ = true;

@@ -3,6 +3,7 @@
 #include "app/window/frame/action_set.h"
 #include "app/window/frame/key_hints.h"
 #include "app/window/frame/panel_dock.h"
+#include "app/window/review/error_reason_text.h"
 #include "app/window/review/expected_errors_flow.h"
 #include "app/window/review/looked_at.h"
 #include "app/window/review/review_flow.h"
@@ -115,6 +116,7 @@ void ReviewFlow::goTo(const std::vector<ReviewStop>& all, std::size_t index) {
     placeText_ += tr(": clean");
   else if (parts_.errors.now() != nullptr && stop.length > 0)
     placeText_ += tr(": risk %1 %").arg(qRound(100 * stop.wrong / stop.length));
+  whyText_ = whyRisky(stop);
   if (stop.isAtPoints()) return goToPoints(stop);
   const bool wasAtPoints = !std::exchange(atPoints_, {}).empty();
   if (wasAtPoints) parts_.document.pointSelection().clear();
@@ -123,6 +125,16 @@ void ReviewFlow::goTo(const std::vector<ReviewStop>& all, std::size_t index) {
   showPlace(); // the same nodes may be another stop of more
   const QString note = frame(at_);
   if (wasAtPoints || !note.isEmpty()) emit noted(note);
+}
+
+/// What speaks most for an error there; empty: nothing, or nothing is known of it.
+QString ReviewFlow::whyRisky(const ReviewStop& stop) const {
+  if (stop.isClean || stop.isAtPoints()) return {};
+  const std::optional<ErrorEvidence> evidence = parts_.errors.riskiestOf(stop.nodes);
+  const QString reasons =
+      evidence ? textOfReasons(*evidence, parts_.document.scale().spacing, parts_.document.unit())
+               : QString();
+  return reasons.isEmpty() ? reasons : tr("Riskiest part: %1").arg(reasons);
 }
 
 void ReviewFlow::goToPoints(const ReviewStop& stop) {

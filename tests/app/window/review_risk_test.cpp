@@ -60,6 +60,7 @@ TEST_F(ReviewByRiskTest, TakesWhatIsCleanWholeAndStopsAtPointsWithoutWood) {
   key(Qt::Key_Period);
   ASSERT_TRUE(waitForStop());
   EXPECT_TRUE(label("review_place").endsWith(": clean")) << label("review_place").toStdString();
+  EXPECT_FALSE(find<QLabel>("review_why").isVisible());
   EXPECT_GT(chosen().size(), 3U) << "two stretches and more";
   std::size_t stops = 0;
   for (; stops < 20 && !isAtPoints(); ++stops)
@@ -132,6 +133,9 @@ TEST_F(ReviewByRiskTest, LooksCloserAtWhatIsRiskyAndComesToItFirstIfAsked) {
   EXPECT_TRUE(label("review_place").startsWith("Stop 1 of "))
       << label("review_place").toStdString();
   EXPECT_TRUE(label("review_place").contains(": risk "));
+  EXPECT_TRUE(find<QLabel>("review_why").isVisible());
+  EXPECT_TRUE(label("review_why").startsWith("Riskiest part: "))
+      << label("review_why").toStdString();
   restart();
   EXPECT_TRUE(action("riskiest_first").isChecked());
 }

@@ -1,4 +1,4 @@
-#include "core/decide/error_probabilities.h"
+#include "core/decide/error_ratings.h"
 #include "core/pipeline/plant_scale.h"
 #include "core/skeleton/length_along.h"
 #include "tests/support/cloud_of.h"
@@ -24,7 +24,7 @@ std::vector<double> ratedBy(const Skeleton& plant, const std::shared_ptr<const P
   const PlantScale scale = scaleOf(*cloud, {}, UpAxis::z);
   const SpatialIndex index(cloud->positions());
   const PointDistances distances(cloud, scale.spacing, plant);
-  return errorProbabilities(plant, distances, index, scale, Eigen::Vector3d::UnitZ(), progress);
+  return errorRatings(plant, distances, index, scale, Eigen::Vector3d::UnitZ(), progress).ofEdges;
 }
 
 /// The share of the length of some nodes that is as probably wrong as that, and more.
@@ -38,7 +38,7 @@ double shareFrom(double probability, const Skeleton& plant, const std::vector<No
   return risky / all;
 }
 
-TEST(ErrorProbabilities, RateWoodThatIsNotThereHigherThanWoodThatIs) {
+TEST(ErrorRatings, RateWoodThatIsNotThereHigherThanWoodThatIs) {
   const auto cloud = scanOfTree();
   Skeleton plant = test::simulatedTree().truth;
   const std::vector<NodeId> real = plant.ids();
@@ -58,7 +58,7 @@ TEST(ErrorProbabilities, RateWoodThatIsNotThereHigherThanWoodThatIs) {
   EXPECT_GT(shareFrom(0.5, plant, invented, ratedBy(plant, cloud)), 0.9);
 }
 
-TEST(ErrorProbabilities, AreTheSameInAnotherUnitAndPlace) {
+TEST(ErrorRatings, AreTheSameInAnotherUnitAndPlace) {
   const auto cloud = scanOfTree();
   const Skeleton plant = test::simulatedTree().truth;
   const Eigen::Vector3d place(3e5, -2e5, 100);
@@ -77,7 +77,7 @@ TEST(ErrorProbabilities, AreTheSameInAnotherUnitAndPlace) {
   EXPECT_LE(other, a.size() / 100);
 }
 
-TEST(ErrorProbabilities, CountWhatIsNearAPieceInSpacings) {
+TEST(ErrorRatings, CountWhatIsNearAPieceInSpacings) {
   // A stem of 40 with a branch of 10 to the side, and points along the stem alone, 1 apart.
   Skeleton plant = test::stick(5, 10);
   const NodeId tip =
@@ -118,14 +118,24 @@ TEST(ErrorProbabilities, CountWhatIsNearAPieceInSpacings) {
   EXPECT_FALSE(stem.isEnd);
 }
 
-TEST(ErrorProbabilities, CanBeStopped) {
+TEST(ErrorRatings, HaveThePieceOfSomeNodesThatIsProbablyWrongForMost) {
+  ErrorEvidence longOne{.length = 10}, shortOne{.length = 2};
+  const ErrorRatings ratings{.ofEdges = {0, 0.1, 0.1, 0.3, 0.9},
+                             .pieces = {{NodeId{1}, NodeId{2}}, {NodeId{3}}, {NodeId{4}}},
+                             .evidence = {longOne, longOne, shortOne}};
+  EXPECT_EQ(riskiestPiece(ratings, {NodeId{1}, NodeId{2}, NodeId{4}}), 2); // 1 and 1.8 spacings
+  EXPECT_EQ(riskiestPiece(ratings, {NodeId{1}, NodeId{3}, NodeId{4}}), 1);
+  EXPECT_EQ(riskiestPiece(ratings, {NodeId{0}, NodeId{7}}), std::nullopt) << "a root, a later node";
+}
+
+TEST(ErrorRatings, CanBeStopped) {
   const auto cloud = scanOfTree();
   EXPECT_TRUE(test::stopsWhenAsked([&](const Progress& progress) {
     static_cast<void>(ratedBy(test::simulatedTree().truth, cloud, progress));
   }));
 }
 
-TEST(ErrorProbabilities, OfNothingAreNone) {
+TEST(ErrorRatings, OfNothingAreNone) {
   EXPECT_TRUE(ratedBy(Skeleton(), scanOfTree()).empty());
 }
 

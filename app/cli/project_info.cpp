@@ -59,11 +59,11 @@ Json reviewOf(const ReviewCoverage& review) {
 }
 
 /// A seal that cannot be read must not keep the rest from being reported.
-Json signerOf(const Project& project) {
+Json sealOf(const Project& project) {
   const std::string text = project.document("seal");
   if (text.empty()) return nullptr;
   try {
-    return sealFrom(text).author;
+    return Json::parse(textOf(sealFrom(text)));
   } catch (const Error& error) {
     printNotes({project.path().string() + ": " + error.what()});
     return nullptr;
@@ -87,7 +87,8 @@ Json infoOnProject(const std::string& file) {
   json["organs_by_hand"] = history.value.organs.all().size();
   json["review"] = reviewOf(review);
   json["nodes_to_do"] = review.nodes[0];
-  json["signed_by"] = signerOf(project);
+  json["seal"] = sealOf(project);
+  json["signed_by"] = json["seal"].is_null() ? Json(nullptr) : json["seal"]["signed_by"];
   json["has_mtg"] = !project.document("mtg").empty();
   json["has_reference"] = !project.document("reference").empty();
   return json;

@@ -1,7 +1,10 @@
 #include "app/report/pdf_table.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
+#include <utility>
+#include <vector>
 
 namespace espalier {
 namespace {
@@ -41,10 +44,22 @@ struct Layout {
   }
 };
 
-/// As wide as the widest cell; columns of words get narrower where that is too wide in all.
+/// How wide columns may be for all to fit in `room`; those below that keep their width.
+double widestFitting(std::vector<double> widths, double room) {
+  std::ranges::sort(widths);
+  for (std::size_t i = 0; i < widths.size(); ++i) {
+    const double level = room / static_cast<double>(widths.size() - i);
+    if (widths[i] > level) return level;
+    room -= widths[i];
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+/// As wide as the widest cell; the widest columns of words get narrower where that is too wide.
 std::vector<double> widthsOf(const PdfPages& pages, const ReportTable& table) {
   std::vector<double> widths;
-  double words = 0;
+  std::vector<double> words;
+  double room = pages.width() - gap * static_cast<double>(table.columns.size() - 1);
   for (std::size_t column = 0; column < table.columns.size(); ++column) {
     double width = pages.widthOf(table.columns[column].title, headLook());
     for (const auto& row : table.rows) {
@@ -52,13 +67,14 @@ std::vector<double> widthsOf(const PdfPages& pages, const ReportTable& table) {
       if (row[column].bar) width = std::max(width, leastBar);
     }
     widths.push_back(width);
-    if (!table.columns[column].isNumber) words += width;
+    if (table.columns[column].isNumber)
+      room -= width;
+    else
+      words.push_back(width);
   }
-  const double gaps = gap * static_cast<double>(widths.size() - 1);
-  const double whole = std::accumulate(widths.begin(), widths.end(), gaps);
-  const double tooMuch = whole - pages.width();
-  for (std::size_t column = 0; column < widths.size() && tooMuch > 0 && words > 0; ++column)
-    if (!table.columns[column].isNumber) widths[column] -= tooMuch * widths[column] / words;
+  const double widest = widestFitting(std::move(words), room);
+  for (std::size_t column = 0; column < widths.size(); ++column)
+    if (!table.columns[column].isNumber) widths[column] = std::min(widths[column], widest);
   return widths;
 }
 

@@ -124,8 +124,18 @@ void MainWindow::makePanels(PipelinePanel& pipeline, InspectorPanel& inspector) 
 }
 
 void MainWindow::makeReview() {
-  parts_.make<SealFlow>(
-      SealFlow::Parts{document_, *actions_, parts_.get<ProjectFlow>(), *banner_, *this});
+  parts_.make<SealFlow>(SealFlow::Parts{
+      document_, *actions_, parts_.get<ProjectFlow>(), jobs_, *banner_, *this,
+      [this](ToSeal& from) {
+        const auto& findings = parts_.get<FindingsFlow>();
+        from.limits = findings.limits();
+        from.findings = findings.allKnown();
+        const auto& reference = parts_.get<ReferenceFlow>();
+        from.reference = reference.skeleton();
+        from.referenceName = reference.name().toStdString();
+        from.how = parts_.get<EvaluationFlow>().options();
+      },
+      [this](const Finding& finding) { return parts_.get<FindingsFlow>().isIgnored(finding); }});
   auto& editing = parts_.get<Editing>();
   auto& distances = parts_.make<ScanDistances>(document_, queue_);
   auto& errors = parts_.make<ExpectedErrorsFlow>(ExpectedErrorsFlow::Parts{

@@ -42,6 +42,15 @@ void count(const SkeletonDelta::Change& change, Corrections& to) {
 
 } // namespace
 
+PlantBeginning beginningOfHandWork(const History& history) {
+  const auto done = std::span(history.steps).first(history.position);
+  const std::size_t first = firstCorrection(done, history.skeleton.size());
+  PlantBeginning beginning{.skeleton = history.skeleton, .isReconstructed = first > 0};
+  for (std::size_t i = done.size(); i-- > first;)
+    done[i].delta.inverse().apply(beginning.skeleton);
+  return beginning;
+}
+
 HandWork handWork(std::span<const HistoryStep> done, const Skeleton& skeleton) {
   const std::size_t first = firstCorrection(done, skeleton.size());
   HandWork work;

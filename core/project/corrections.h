@@ -38,4 +38,14 @@ inline constexpr std::int64_t longestPause = std::int64_t{5} * 60 * 1000;
 /// was set back between two steps adds nothing. O(all changes).
 [[nodiscard]] HandWork handWork(std::span<const HistoryStep> done, const Skeleton& skeleton);
 
+/// Where a plant came from, before it was corrected by hand.
+struct PlantBeginning {
+  Skeleton skeleton;
+  bool isReconstructed = false; // by a step that made the whole plant anew; else it was opened
+};
+
+/// What the work by hand began with: see handWork(). Empty: the plant was drawn from nothing.
+/// O(all changes)
+[[nodiscard]] PlantBeginning beginningOfHandWork(const History& history);
+
 } // namespace espalier

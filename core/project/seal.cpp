@@ -10,6 +10,7 @@
 #include <charconv>
 #include <chrono>
 #include <cstdio>
+#include <utility>
 
 namespace espalier {
 namespace {
@@ -51,9 +52,81 @@ bool isBlank(const std::string& text) {
   return text.find_first_not_of(" \t\r\n") == std::string::npos;
 }
 
+Json jsonOf(const ReviewRecord& record) {
+  const auto amount = [](const ReviewRecord::Amount& each) {
+    return Json{{"nodes", each.nodes}, {"length", each.length}};
+  };
+  return {{"looked_at", amount(record.lookedAt)},
+          {"in_bulk", amount(record.inBulk)},
+          {"before", amount(record.before)},
+          {"doubted", amount(record.doubted)},
+          {"comments", record.comments}};
+}
+
+ReviewRecord recordFrom(const Json& json) {
+  const auto amount = [&](const char* key) {
+    return ReviewRecord::Amount{.nodes = json.at(key).at("nodes").get<std::size_t>(),
+                                .length = json.at(key).at("length").get<double>()};
+  };
+  return {.lookedAt = amount("looked_at"),
+          .inBulk = amount("in_bulk"),
+          .before = amount("before"),
+          .doubted = amount("doubted"),
+          .comments = json.at("comments").get<std::size_t>()};
+}
+
+Json jsonOf(const std::optional<SealedAgreement>& agreement) {
+  if (!agreement) return nullptr;
+  return {{"with", agreement->with},
+          {"distance", agreement->distance},
+          {"precision", agreement->precision},
+          {"recall", agreement->recall},
+          {"f", agreement->f},
+          {"structural", agreement->structural}};
+}
+
+std::optional<SealedAgreement> agreementFrom(const Json& json) {
+  if (json.is_null()) return std::nullopt;
+  const auto number = [&](const char* key) { return json.at(key).get<double>(); };
+  return SealedAgreement{.with = json.at("with").get<std::string>(),
+                         .distance = number("distance"),
+                         .precision = number("precision"),
+                         .recall = number("recall"),
+                         .f = number("f"),
+                         .structural = number("structural")};
+}
+
+Json jsonOf(const SealedState& state) {
+  return {{"findings", Json(state.findings)},
+          {"ignored", state.ignored},
+          {"points", state.points},
+          {"unexplained", state.unexplained},
+          {"automatic", jsonOf(state.automatic)},
+          {"other", jsonOf(state.other)},
+          {"reason", state.reason}};
+}
+
+SealedState stateFrom(const Json& json) {
+  return {.findings = json.at("findings").get<std::map<std::string, std::size_t>>(),
+          .ignored = json.at("ignored").get<std::size_t>(),
+          .points = json.at("points").get<std::size_t>(),
+          .unexplained = json.at("unexplained").get<std::size_t>(),
+          .automatic = agreementFrom(json.at("automatic")),
+          .other = agreementFrom(json.at("other")),
+          .reason = json.at("reason").get<std::string>()};
+}
+
 } // namespace
 
-Seal signedBy(const std::string& author, std::int64_t time, const History& history) {
+std::size_t SealedState::openFindings() const {
+  std::size_t sum = 0;
+  for (const auto& [kind, count] : findings)
+    sum += count;
+  return sum;
+}
+
+Seal signedBy(const std::string& author, std::int64_t time, const History& history,
+              std::optional<SealedState> state) {
   if (isBlank(author)) throw Error("a seal needs a name: type who signs");
   const ReviewCoverage seen = coverage(history.skeleton);
   if (seen.totalNodes() == 0) throw Error("there is no skeleton to sign: make one first");
@@ -61,32 +134,37 @@ Seal signedBy(const std::string& author, std::int64_t time, const History& histo
     throw Error(std::to_string(seen.totalNodes() - seen.nodes[2]) + " of " +
                 std::to_string(seen.totalNodes()) +
                 " nodes are not reviewed: walk there and review them first");
+  const auto done = std::span(history.steps).first(history.position);
   return {.author = author,
           .time = time,
-          .work = handWork(std::span(history.steps).first(history.position), history.skeleton),
+          .work = handWork(done, history.skeleton),
           .nodes = seen.totalNodes(),
           .length = seen.totalLength(),
-          .hash = StructureHash(history.skeleton).value()};
+          .hash = StructureHash(history.skeleton).value(),
+          .review = reviewRecord(done, history.skeleton),
+          .state = std::move(state)};
 }
 
 std::string textOf(const Seal& seal) {
   const Corrections& made = seal.work.corrections;
-  const Json json = {{"format", format},
-                     {"signed_by", seal.author},
-                     {"signed_at", dateOf(seal.time)},
-                     {"signed_at_ms", seal.time},
-                     {"worked_ms", seal.work.time},
-                     {"corrections",
-                      {{"edits", made.edits},
-                       {"added", made.added},
-                       {"removed", made.removed},
-                       {"moved", made.moved},
-                       {"reparented", made.reparented},
-                       {"retyped", made.retyped},
-                       {"radii", made.radii}}},
-                     {"nodes", seal.nodes},
-                     {"length", seal.length},
-                     {"hash", hexOf(seal.hash)}};
+  Json json = {{"format", format},
+               {"signed_by", seal.author},
+               {"signed_at", dateOf(seal.time)},
+               {"signed_at_ms", seal.time},
+               {"worked_ms", seal.work.time},
+               {"corrections",
+                {{"edits", made.edits},
+                 {"added", made.added},
+                 {"removed", made.removed},
+                 {"moved", made.moved},
+                 {"reparented", made.reparented},
+                 {"retyped", made.retyped},
+                 {"radii", made.radii}}},
+               {"nodes", seal.nodes},
+               {"length", seal.length},
+               {"hash", hexOf(seal.hash)}};
+  if (seal.review) json["review"] = jsonOf(*seal.review);
+  if (seal.state) json["state"] = jsonOf(*seal.state);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -97,19 +175,22 @@ Seal sealFrom(const std::string& text) {
   try {
     const Json& made = json.at("corrections");
     const auto count = [&](const char* key) { return made.at(key).get<std::size_t>(); };
-    return {.author = json.at("signed_by").get<std::string>(),
-            .time = json.at("signed_at_ms").get<std::int64_t>(),
-            .work = {.corrections = {.edits = count("edits"),
-                                     .added = count("added"),
-                                     .removed = count("removed"),
-                                     .moved = count("moved"),
-                                     .reparented = count("reparented"),
-                                     .retyped = count("retyped"),
-                                     .radii = count("radii")},
-                     .time = json.at("worked_ms").get<std::int64_t>()},
-            .nodes = json.at("nodes").get<std::size_t>(),
-            .length = json.at("length").get<double>(),
-            .hash = fromHex(json.at("hash").get<std::string>())};
+    Seal seal = {.author = json.at("signed_by").get<std::string>(),
+                 .time = json.at("signed_at_ms").get<std::int64_t>(),
+                 .work = {.corrections = {.edits = count("edits"),
+                                          .added = count("added"),
+                                          .removed = count("removed"),
+                                          .moved = count("moved"),
+                                          .reparented = count("reparented"),
+                                          .retyped = count("retyped"),
+                                          .radii = count("radii")},
+                          .time = json.at("worked_ms").get<std::int64_t>()},
+                 .nodes = json.at("nodes").get<std::size_t>(),
+                 .length = json.at("length").get<double>(),
+                 .hash = fromHex(json.at("hash").get<std::string>())};
+    if (json.contains("review")) seal.review = recordFrom(json["review"]);
+    if (json.contains("state")) seal.state = stateFrom(json["state"]);
+    return seal;
   } catch (const Json::exception&) {
     throw Error("the seal of this structure is not complete: sign it again");
   }

@@ -1,6 +1,6 @@
 #include "ui/dialogs/sign_dialog.h"
 
-#include "ui/document/hand_work_text.h"
+#include "ui/document/seal_text.h"
 
 #include <QDialogButtonBox>
 #include <QFormLayout>
@@ -12,7 +12,7 @@
 namespace espalier {
 
 SignDialog::SignDialog(const Seal& draft, LengthUnit unit, const QString& signer, QWidget* parent)
-    : QDialog(parent), signer_(new QLineEdit(signer, this)) {
+    : QDialog(parent), signer_(new QLineEdit(signer, this)), reason_(new QLineEdit(this)) {
   setObjectName("sign");
   setWindowTitle(tr("Sign Structure"));
   signer_->setObjectName("signer");
@@ -23,17 +23,17 @@ SignDialog::SignDialog(const Seal& draft, LengthUnit unit, const QString& signer
   auto* form = new QFormLayout;
   form->setHorizontalSpacing(16);
   form->setVerticalSpacing(8);
-  const auto addRow = [&](const QString& label, const QString& value) {
-    auto* text = new QLabel(value, this);
+  for (const SealRow& row : sealRows(draft, unit)) {
+    auto* text = new QLabel(row.text, this);
     text->setWordWrap(true);
-    form->addRow(label, text);
-  };
-  addRow(tr("Structure"),
-         tr("%1 nodes, %2").arg(formatCount(draft.nodes), formatLength(draft.length, unit)));
-  addRow(tr("At work"), tr("%1, pauses over %2 min left out")
-                            .arg(formatWorkTime(draft.work.time))
-                            .arg(longestPause / 60'000));
-  addRow(tr("Corrections"), describe(draft.work.corrections));
+    form->addRow(row.name, text);
+  }
+  const bool isOpen = draft.state && draft.state->openFindings() > 0;
+  reason_->setObjectName("reason");
+  reason_->setPlaceholderText(tr("Why the findings that are open are left"));
+  reason_->setVisible(isOpen);
+  reason_->setMaxLength(300); // for the page of a certificate
+  if (isOpen) form->addRow(tr("Why"), reason_);
   form->addRow(tr("Name"), signer_);
   auto* later = new QLabel(tr("A later edit breaks the seal, and undoing it mends it."), this);
   later->setWordWrap(true);
@@ -48,9 +48,12 @@ SignDialog::SignDialog(const Seal& draft, LengthUnit unit, const QString& signer
   column->addLayout(form);
   column->addWidget(later);
   column->addWidget(buttons);
-  setMinimumWidth(420);
-  const auto refresh = [this, sign] { sign->setEnabled(!this->signer().isEmpty()); };
-  connect(signer_, &QLineEdit::textChanged, this, refresh);
+  setMinimumWidth(480);
+  const auto refresh = [this, sign, isOpen] {
+    sign->setEnabled(!this->signer().isEmpty() && (!isOpen || !reason().isEmpty()));
+  };
+  for (QLineEdit* field : {signer_, reason_})
+    connect(field, &QLineEdit::textChanged, this, refresh);
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   refresh();
@@ -58,6 +61,10 @@ SignDialog::SignDialog(const Seal& draft, LengthUnit unit, const QString& signer
 
 QString SignDialog::signer() const {
   return signer_->text().trimmed();
+}
+
+QString SignDialog::reason() const {
+  return reason_->text().trimmed();
 }
 
 } // namespace espalier

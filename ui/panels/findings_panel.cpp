@@ -1,5 +1,6 @@
 #include "ui/panels/findings_panel.h"
 
+#include "ui/document/finding_title.h"
 #include "ui/document/plant_document.h"
 #include "ui/panels/check_form.h"
 #include "ui/panels/focus_keys.h"
@@ -29,40 +30,6 @@ constexpr int groupRole = Qt::UserRole + 1;
 constexpr int ignoredGroup = findingKinds;
 
 } // namespace
-
-QString titleOf(Kind kind) {
-  switch (kind) {
-  case Kind::separatePiece:
-    return FindingsPanel::tr("Separate pieces");
-  case Kind::twoSuccessors:
-    return FindingsPanel::tr("Two successors");
-  case Kind::loneBranch:
-    return FindingsPanel::tr("Lone branches");
-  case Kind::noLength:
-    return FindingsPanel::tr("Zero-length edges");
-  case Kind::duplicatedEdge:
-    return FindingsPanel::tr("Duplicated edges");
-  case Kind::sharpTurn:
-    return FindingsPanel::tr("Sharp turns");
-  case Kind::crossing:
-    return FindingsPanel::tr("Touching branches");
-  case Kind::loop:
-    return FindingsPanel::tr("Loops");
-  case Kind::radiusAboveParent:
-    return FindingsPanel::tr("Thick on thin");
-  case Kind::edgesWithoutPoints:
-    return FindingsPanel::tr("Edges off the scan");
-  case Kind::noOwnPoints:
-    return FindingsPanel::tr("No points of their own");
-  case Kind::besidePoints:
-    return FindingsPanel::tr("Beside its points");
-  case Kind::shortFoot:
-    return FindingsPanel::tr("Short foot");
-  case Kind::unexplainedPoints:
-    return FindingsPanel::tr("Bare twigs");
-  }
-  return {};
-}
 
 FindingsPanel::FindingsPanel(const PlantDocument& document, const Actions& actions, QWidget* parent)
     : QWidget(parent), document_(document), title_(makeLabel("findings_title", "title")),

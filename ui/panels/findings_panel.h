@@ -65,7 +65,4 @@ private:
   CheckForm* checks_;
 };
 
-/// "Sharp turns"
-[[nodiscard]] QString titleOf(Finding::Kind kind);
-
 } // namespace espalier

@@ -128,15 +128,6 @@ void EvaluationFlow::keepTexts() {
   connect(traits_.get(), &TraitsFlow::densityChanged, this, &EvaluationFlow::keptChanged);
 }
 
-void EvaluationFlow::offerToOpen(const QString& path) {
-  const QString file = QFileInfo(path).fileName();
-  emit reported({.text = tr("Wrote %1").arg(file),
-                 .actions = {{tr("Open"), [this, path, file] { // it took a while
-                                if (!QDesktopServices::openUrl(QUrl::fromLocalFile(path)))
-                                  emit failed(tr("No program opens %1 from here").arg(file));
-                              }}}});
-}
-
 void EvaluationFlow::setChoices(std::vector<ChoiceRecord> records) {
   report_->setChoices(std::move(records));
 }
@@ -250,9 +241,12 @@ void EvaluationFlow::connectPanel() {
   connect(panel_, &EvaluationPanel::compareRequested, this, &EvaluationFlow::start);
   connect(methods_.get(), &MethodsFlow::noted, this, &EvaluationFlow::noted);
   connect(report_.get(), &ReportFlow::noted, this, &EvaluationFlow::noted);
-  connect(report_.get(), &ReportFlow::written, this, &EvaluationFlow::offerToOpen);
+  const auto offer = [this](const QString& path) { // it took a while
+    emit reported(offerToOpen(path, [this](const QString& text) { emit failed(text); }));
+  };
+  connect(report_.get(), &ReportFlow::written, this, offer);
   connect(traits_.get(), &TraitsFlow::noted, this, &EvaluationFlow::noted);
-  connect(traits_.get(), &TraitsFlow::written, this, &EvaluationFlow::offerToOpen);
+  connect(traits_.get(), &TraitsFlow::written, this, offer);
   connect(errors_.get(), &ErrorWalk::noted, this, &EvaluationFlow::noted);
   connect(errors_.get(), &ErrorWalk::ignoredChanged, this, [this] {
     setOptions();

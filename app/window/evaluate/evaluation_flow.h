@@ -78,7 +78,6 @@ private:
   /// @throws Error if it is no such text; all is as at first then
   [[nodiscard]] std::string text() const;
   void show(const std::string& text);
-  void offerToOpen(const QString& path); // a report
   void connectDocument();
   void connectPanel();
   void take(const EvaluationText& chosen); // of all that is chosen here

@@ -3,8 +3,10 @@
 #include "core/base/error.h"
 #include "ui/jobs/job_slot.h"
 
+#include <QDesktopServices>
 #include <QFileInfo>
 #include <QTimer>
+#include <QUrl>
 
 #include <utility>
 
@@ -57,6 +59,15 @@ void ReportMaker::save() {
         emit noted(tr("Wrote %1").arg(file));
         emit written(path);
       });
+}
+
+Notice offerToOpen(const QString& path, std::function<void(const QString&)> fails) {
+  const QString file = QFileInfo(path).fileName();
+  return {.text = ReportMaker::tr("Wrote %1").arg(file),
+          .actions = {{ReportMaker::tr("Open"), [path, file, fails = std::move(fails)] {
+                         if (!QDesktopServices::openUrl(QUrl::fromLocalFile(path)))
+                           fails(ReportMaker::tr("No program opens %1 from here").arg(file));
+                       }}}};
 }
 
 } // namespace espalier

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/report/report_pictures.h"
+#include "app/window/frame/window_part.h"
 
 #include <QObject>
 #include <QString>
@@ -43,5 +44,8 @@ private:
   std::unique_ptr<PictureSession> pictures_;
   Write write_;
 };
+
+/// That a report was written, with an offer to open it; `fails` gets why that is not possible.
+[[nodiscard]] Notice offerToOpen(const QString& path, std::function<void(const QString&)> fails);
 
 } // namespace espalier

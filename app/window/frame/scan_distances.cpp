@@ -7,6 +7,11 @@
 
 namespace espalier {
 
+std::shared_ptr<const PointCloud> pointsWithout(const std::shared_ptr<const PointCloud>& cloud,
+                                                const PointSet& leftOut) {
+  return leftOut.isEmpty() ? cloud : std::make_shared<const PointCloud>(without(*cloud, leftOut));
+}
+
 ScanDistances::ScanDistances(PlantDocument& document, JobQueue& queue)
     : document_(document), job_(queue, JobPriority::background) {
   connect(&document, &PlantDocument::skeletonEdited, this, &ScanDistances::take);
@@ -81,10 +86,8 @@ void ScanDistances::start() {
       tr("Distances to the scan"),
       [cloud = scan->cloud(), leftOut = leftOut_, spacing = scan->spacing(),
        skeleton = document_.skeleton()](const Progress& progress) {
-        const auto kept = leftOut.isEmpty()
-                              ? cloud
-                              : std::make_shared<const PointCloud>(without(*cloud, leftOut));
-        return std::make_shared<PointDistances>(kept, spacing, skeleton, progress);
+        return std::make_shared<PointDistances>(pointsWithout(cloud, leftOut), spacing, skeleton,
+                                                progress);
       },
       [this](std::shared_ptr<PointDistances> measured) {
         if (!since_) return;

@@ -15,6 +15,10 @@ namespace espalier {
 
 class PlantDocument;
 
+/// A cloud but for some of its points; the cloud itself if these are none.
+[[nodiscard]] std::shared_ptr<const PointCloud>
+pointsWithout(const std::shared_ptr<const PointCloud>& cloud, const PointSet& leftOut);
+
 /// How far the points of the scan are from the skeleton of a document, as both are now. Points that
 /// are set aside are not measured.
 ///

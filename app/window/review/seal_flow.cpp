@@ -1,39 +1,36 @@
 #include "app/window/review/seal_flow.h"
 
+#include "app/report/certificate.h"
+#include "app/report/write_report.h"
+#include "app/window/evaluate/reported_plant.h"
 #include "app/window/files/file_filters.h"
 #include "app/window/files/load_files.h"
 #include "app/window/files/project_flow.h"
 #include "app/window/frame/action_set.h"
+#include "app/window/frame/scan_distances.h"
 #include "core/base/error.h"
 #include "core/io/atomic_file.h"
 #include "ui/dialogs/sign_dialog.h"
 #include "ui/document/hand_work_text.h"
 #include "ui/document/plant_document.h"
+#include "ui/document/seal_text.h"
+#include "ui/jobs/job_slot.h"
 #include "ui/panels/message_banner.h"
 
 #include <QAction>
+#include <QCoreApplication>
 #include <QDateTime>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QLocale>
 #include <QMainWindow>
 
+#include <memory>
 #include <ostream>
 #include <utility>
 
 namespace espalier {
-namespace {
 
-/// "Anna on 21 Nov 2026, 14:05"
-QString signature(const Seal& seal) {
-  const QDateTime time = QDateTime::fromMSecsSinceEpoch(seal.time);
-  return SealFlow::tr("%1 on %2")
-      .arg(QString::fromStdString(seal.author), QLocale::c().toString(time, "d MMM yyyy, HH:mm"));
-}
-
-} // namespace
-
-SealFlow::SealFlow(const Parts& parts) : parts_(parts) {
+SealFlow::SealFlow(const Parts& parts) : parts_(parts), maker_(parts.jobs) {
   parts_.actions.beginSection(tr("Review"));
   parts_.actions.add({.id = "sign_structure",
                       .text = tr("Sign Structure…"),
@@ -43,6 +40,11 @@ SealFlow::SealFlow(const Parts& parts) : parts_(parts) {
                       .text = tr("Export Seal…"),
                       .help = tr("Writes who signed, when, and after what work, as JSON")},
                      [this] { exportSeal(); });
+  parts_.actions.add({.id = "export_certificate",
+                      .text = tr("Export Certificate…"),
+                      .help = tr("Writes one page on the signed structure, with pictures: who "
+                                 "signed, what was open, how it agrees with others")},
+                     [this] { chooseCertificate(); });
   keepInProject({.name = "seal",
                  .text = [this] { return seal_ ? textOf(*seal_) : std::string(); },
                  .show =
@@ -56,6 +58,11 @@ SealFlow::SealFlow(const Parts& parts) : parts_(parts) {
           });
   connect(&parts_.document.undoStack(), &QUndoStack::indexChanged, this, &SealFlow::follow);
   connect(&parts_.document, &PlantDocument::titleChanged, this, &SealFlow::changed);
+  connect(&maker_, &ReportMaker::busyChanged, this, &SealFlow::refresh);
+  connect(&maker_, &ReportMaker::noted, this, &SealFlow::noted);
+  connect(&maker_, &ReportMaker::written, this, [this](const QString& path) {
+    emit reported(offerToOpen(path, [this](const QString& text) { emit failed(text); }));
+  });
   refresh();
 }
 
@@ -75,36 +82,85 @@ QString SealFlow::text() const {
     return (isBeforeSigned()
                 ? tr("✗ Undone to before it was signed by %1: redo leads back to the seal.")
                 : tr("✗ Seal broken: edited since it was signed by %1."))
-        .arg(signature(*seal_));
-  return tr("✓ Signed by %1.\nAt work: %2.\nCorrections: %3.")
-      .arg(signature(*seal_), formatWorkTime(seal_->work.time), describe(seal_->work.corrections));
+        .arg(signatureOf(*seal_));
+  QString text = tr("✓ Signed by %1.\nAt work: %2.\nCorrections: %3.")
+                     .arg(signatureOf(*seal_), formatWorkTime(seal_->work.time),
+                          describe(seal_->work.corrections));
+  if (seal_->state) text += tr("\nFindings: %1.").arg(findingsText(*seal_->state));
+  if (seal_->review && seal_->review->inBulk.nodes > 0)
+    text += tr("\nMarked in bulk: %1 of %2 nodes.")
+                .arg(formatCount(seal_->review->inBulk.nodes), formatCount(seal_->nodes));
+  return text;
 }
 
 void SealFlow::sign() {
   PlantDocument& document = parts_.document;
   document.requireEditable();
   const History history = document.history();
-  const auto now = [] { return QDateTime::currentMSecsSinceEpoch(); };
-  const Seal draft = signedBy("?", now(), history); // refused before anything is asked
-  SignDialog dialog(draft, document.unit(), signer_, &parts_.window);
-  if (dialog.exec() != QDialog::Accepted) return;
-  set(signedBy(dialog.signer().toStdString(), now(), history));
-  emit keptChanged();
-  emit signerChanged(dialog.signer());
-  const QString done = tr("Signed by %1").arg(signature(*seal_));
-  if (parts_.projects.isNamed())
-    parts_.banner.showResult(done);
-  else
-    parts_.banner.showOffer(
-        tr("%1. Only a project keeps the seal").arg(done),
-        {{tr("Save Project As…"), [this] { parts_.actions["save_project_as"]->trigger(); }}});
+  static_cast<void>(signedBy("?", 0, history)); // refused before anything is found or asked
+  ToSeal from{.plant = history.skeleton, .beginning = beginningOfHandWork(history)};
+  std::shared_ptr<const PointCloud> all;
+  PointSet leftOut;
+  if (const Scan* scan = document.scan()) {
+    all = scan->cloud();
+    leftOut = scan->leftOut();
+    from.spacing = scan->spacing();
+  }
+  parts_.addKnown(from);
+  parts_.jobs.start(
+      tr("Looking at what is signed"),
+      [from = std::move(from), all, leftOut](const Progress& progress) mutable {
+        if (all) from.points = pointsWithout(all, leftOut);
+        return sealedFacts(from, progress);
+      },
+      [this, hash = StructureHash(history.skeleton).value()](SealedFacts facts) {
+        parts_.jobs.afterwards([this, hash, facts = std::move(facts)]() mutable {
+          const auto ask = [&] {
+            if (StructureHash(parts_.document.skeleton()).value() != hash)
+              throw Error(tr("the structure was edited meanwhile: sign it again").toStdString());
+            askToSign(std::move(facts));
+            return true;
+          };
+          parts_.actions.guarded(ask, Refusal::inBanner);
+        });
+      });
 }
 
-void SealFlow::exportSeal() {
+void SealFlow::askToSign(SealedFacts facts) {
+  PlantDocument& document = parts_.document;
+  for (const Finding& finding : facts.findings)
+    ++(parts_.isIgnored(finding) ? facts.state.ignored
+                                 : facts.state.findings[nameOf(finding.kind)]);
+  const History history = document.history();
+  const auto now = [] { return QDateTime::currentMSecsSinceEpoch(); };
+  SignDialog dialog(signedBy("?", now(), history, facts.state), document.unit(), signer_,
+                    &parts_.window);
+  if (dialog.exec() != QDialog::Accepted) return;
+  facts.state.reason = dialog.reason().toStdString();
+  set(signedBy(dialog.signer().toStdString(), now(), history, std::move(facts.state)));
+  emit keptChanged();
+  emit signerChanged(dialog.signer());
+  const QString done = tr("Signed by %1").arg(signatureOf(*seal_));
+  const auto offer = [this](const char* action) {
+    return BannerAction{parts_.actions[action]->text(),
+                        [this, action] { parts_.actions[action]->trigger(); }};
+  };
+  if (parts_.projects.isNamed())
+    parts_.banner.showOffer(done, {offer("export_certificate")});
+  else
+    parts_.banner.showOffer(tr("%1. Only a project keeps the seal").arg(done),
+                            {offer("save_project_as"), offer("export_certificate")});
+}
+
+void SealFlow::requireIntact() const {
   if (!seal_) throw Error(tr("there is no seal yet: sign the structure first").toStdString());
   if (!isIntact())
     throw Error(
         tr("the seal does not hold: go back to what was signed, or sign again").toStdString());
+}
+
+void SealFlow::exportSeal() {
+  requireIntact();
   QFileDialog dialog(&parts_.window, tr("Export the seal"), {}, tr("Seals (*.json)"));
   dialog.setAcceptMode(QFileDialog::AcceptSave);
   dialog.setDefaultSuffix("json");
@@ -113,6 +169,46 @@ void SealFlow::exportSeal() {
   const QString path = dialog.selectedFiles().front();
   writeAtomically(toPath(path), [this](std::ostream& out) { out << textOf(*seal_); });
   parts_.banner.showResult(tr("Wrote %1").arg(QFileInfo(path).fileName()));
+}
+
+void SealFlow::chooseCertificate() {
+  requireIntact();
+  QFileDialog dialog(&parts_.window, tr("Export the certificate"), {},
+                     tr("PDF (*.pdf);;Web pages (*.html)"));
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setDefaultSuffix("pdf");
+  proposeBeside(dialog, parts_.document, ".certificate.pdf");
+  if (dialog.exec() == QDialog::Accepted) writeCertificate(dialog.selectedFiles().front());
+}
+
+void SealFlow::writeCertificate(const QString& path) {
+  maker_.requireIdle();
+  requireReportName(toPath(path));
+  requireWritable(toPath(path));
+  const PlantDocument& document = parts_.document;
+  const Scan* scan = document.scan();
+  auto about = std::make_shared<CertificateAbout>(
+      CertificateAbout{.plant = reportedPlant(document),
+                       .scan = reportedScan(document),
+                       .version = QCoreApplication::applicationVersion(),
+                       .unit = document.unit(),
+                       .comments = commentsOf(document.skeleton())});
+  parts_.jobs.start(
+      tr("Looking at the scan for the certificate"),
+      [about, file = toPath(document.scanPath())](const Progress& progress) {
+        identifyScan(about->scan, file, progress);
+        return 0;
+      },
+      [this, path, about, seal = *seal_, plant = document.skeleton(), up = document.up(),
+       points = scan != nullptr ? scan->cloud() : nullptr](int) {
+        parts_.jobs.afterwards([this, path, about, seal, plant, up, points] {
+          maker_.start(path,
+                       std::make_unique<PictureSession>(plant, points, up, symbol(about->unit)),
+                       [path, about, seal](const ReportPictures& pictures) {
+                         writeReport(toPath(path), certificate(seal, pictures, *about));
+                       });
+        });
+      });
 }
 
 void SealFlow::set(std::optional<Seal> seal) {
@@ -133,7 +229,7 @@ void SealFlow::follow() {
   if (hasBroken) warnOfBreak();
   if (isLost)
     parts_.banner.showOffer(tr("The seal of %1 is lost: what was signed can no longer be redone")
-                                .arg(signature(*seal_)),
+                                .arg(signatureOf(*seal_)),
                             {});
   refresh();
 }
@@ -142,7 +238,7 @@ void SealFlow::warnOfBreak() {
   const bool isBefore = isBeforeSigned();
   warning_ = (isBefore ? tr("This goes back to before the seal of %1. An edit from here loses it")
                        : tr("This breaks the seal of %1"))
-                 .arg(signature(*seal_));
+                 .arg(signatureOf(*seal_));
   parts_.banner.showOffer(warning_, {{isBefore ? tr("Redo") : tr("Undo"), [this] {
                                         const auto go = [this] {
                                           goToSigned();
@@ -181,6 +277,7 @@ void SealFlow::refresh() {
   const bool hasNodes = !parts_.document.skeleton().isEmpty();
   parts_.actions["sign_structure"]->setEnabled(isEnabled_ && hasNodes);
   parts_.actions["export_seal"]->setEnabled(isIntact());
+  parts_.actions["export_certificate"]->setEnabled(isIntact() && !maker_.isBusy());
   emit changed();
 }
 

@@ -1,11 +1,14 @@
 #pragma once
 
+#include "app/window/evaluate/report_maker.h"
 #include "app/window/frame/window_part.h"
+#include "app/window/review/sealed_facts.h"
 #include "core/project/seal.h"
 #include "core/project/structure_hash.h"
 
 #include <QString>
 
+#include <functional>
 #include <optional>
 
 class QMainWindow;
@@ -13,11 +16,16 @@ class QMainWindow;
 namespace espalier {
 
 class ActionSet;
+class JobSlot;
 class MessageBanner;
 class PlantDocument;
 class ProjectFlow;
 
-/// The seal of a structure: signing it, keeping it in the project, and warning when it breaks.
+/// The seal of a structure: signing it, keeping it in the project, its certificate, and warning
+/// when it breaks.
+///
+/// Before a name is asked for, a job finds what the seal states: what the checks find, and how the
+/// structure agrees with the reconstruction and with the reference.
 ///
 /// Whether it holds is a matter of the structure alone: undo or redo to what was signed mends it.
 class SealFlow : public WindowPart {
@@ -29,8 +37,11 @@ public:
     PlantDocument& document;
     ActionSet& actions;
     ProjectFlow& projects;
+    JobSlot& jobs;
     MessageBanner& banner;
     QMainWindow& window;
+    std::function<void(ToSeal&)> addKnown; // limits, findings and reference of the window
+    std::function<bool(const Finding&)> isIgnored;
   };
   explicit SealFlow(const Parts& parts);
 
@@ -46,7 +57,11 @@ signals:
 
 private:
   void sign();
+  void askToSign(SealedFacts facts);
+  void requireIntact() const;
   void exportSeal();
+  void chooseCertificate();
+  void writeCertificate(const QString& path);
   void set(std::optional<Seal> seal);
   void follow(); // a step was done or undone
   void warnOfBreak();
@@ -58,6 +73,7 @@ private:
   void refresh();
 
   Parts parts_;
+  ReportMaker maker_; // of the certificate
   QString signer_;
   std::optional<Seal> seal_;
   std::optional<StructureHash> hash_; // of the skeleton now, once there is a seal

@@ -3,6 +3,7 @@
 #include "app/report/comparison_report.h"
 #include "tests/support/plants.h"
 
+#include <QRegularExpression>
 #include <QStringList>
 
 namespace espalier::test {
@@ -64,6 +65,11 @@ inline QString cellOf(const ReportSection& section, const QString& row, std::siz
       for (const auto& cells : table->rows)
         if (cells.front().text == row && column < cells.size()) return cells[column].text;
   return {};
+}
+
+inline int pagesOf(const QByteArray& pdf) {
+  static const QRegularExpression page("/Type\\s*/Page\\b(?!s)");
+  return static_cast<int>(QString::fromLatin1(pdf).count(page));
 }
 
 } // namespace espalier::test

@@ -157,15 +157,10 @@ Report longTable(int rows) {
   return {"Long", {}, {{"Table", {std::move(table)}}}};
 }
 
-int pagesOf(const QByteArray& pdf) {
-  return static_cast<int>(
-      QString::fromLatin1(pdf).count(QRegularExpression("/Type\\s*/Page\\b(?!s)")));
-}
-
 TEST(PdfReport, GoesOnWithALongTableOnTheNextPage) {
-  EXPECT_EQ(pagesOf(pdfOf(longTable(10))), 1);
-  EXPECT_GE(pagesOf(pdfOf(longTable(200))), 4);
-  EXPECT_LE(pagesOf(pdfOf(longTable(200))), 8);
+  EXPECT_EQ(test::pagesOf(pdfOf(longTable(10))), 1);
+  EXPECT_GE(test::pagesOf(pdfOf(longTable(200))), 4);
+  EXPECT_LE(test::pagesOf(pdfOf(longTable(200))), 8);
 }
 
 TEST(WriteReport, WritesAsTheNameSays) {

@@ -19,15 +19,32 @@ struct SealWindowTest : test::ProjectWindowTest {
     view().frameAll();
     waitForView();
   }
-  void sign() {
+  void beginToSign() {
+    action("sign_structure").trigger();
+    waitForJob();
+  }
+  void sign(const QString& reason = {}) {
     answer(
-        [](QDialog& dialog) {
+        [reason](QDialog& dialog) {
           auto* signer = dialog.findChild<QLineEdit*>("signer");
           signer->selectAll();
           QTest::keyClicks(signer, "Anna");
+          QTest::keyClicks(dialog.findChild<QLineEdit*>("reason"), reason);
           press("Sign")(dialog);
         },
-        [this] { action("sign_structure").trigger(); });
+        [this] { beginToSign(); });
+  }
+  /// All that the dialog says, before it is left.
+  QString asked() {
+    QString text;
+    answer(
+        [&](QDialog& dialog) {
+          for (auto* label : dialog.findChildren<QLabel*>())
+            text += label->text() + "\n";
+          dialog.reject();
+        },
+        [this] { beginToSign(); });
+    return text;
   }
   void dragTheShoot() {
     const QPoint place = placeOf(nodeAt({1, 0, 2}));
@@ -175,14 +192,7 @@ TEST_F(SealWindowTest, SaysWhoWhenAndWhatWasCorrected) {
   key(Qt::Key_Period);
   for (int stretch = 0; stretch < 4; ++stretch)
     key(Qt::Key_Return);
-  QString asked;
-  answer(
-      [&](QDialog& dialog) {
-        for (auto* label : dialog.findChildren<QLabel*>())
-          asked += label->text() + "\n";
-        dialog.reject();
-      },
-      [this] { action("sign_structure").trigger(); });
+  const QString asked = this->asked();
   EXPECT_TRUE(asked.contains("5 nodes"));
   EXPECT_TRUE(asked.contains("1 edit; nodes: 1 moved"));
   EXPECT_FALSE(isIntact()) << "it was not signed";
@@ -190,6 +200,95 @@ TEST_F(SealWindowTest, SaysWhoWhenAndWhatWasCorrected) {
   EXPECT_TRUE(seal().contains("Corrections: 1 edit; nodes: 1 moved"));
   EXPECT_EQ(find<QLineEdit>("reviewer").text(), "Anna") << "who signs is the reviewer";
   EXPECT_TRUE(message().contains("Only a project keeps the seal"));
+}
+
+TEST_F(SealWindowTest, OverOpenFindingsAsksWhyAndKeepsTheAnswer) {
+  openAndReview();
+  const QString file = saveProject("fork.espalier");
+  document().edit("Fold back", [&](SkeletonEditor& editor) { // and two successors
+    editor.add({.position = {0, 0, 0.5}, .radius = 0.01, .parent = NodeId{1}});
+  });
+  action("select_all").trigger();
+  action("mark_all_selected").trigger();
+  const auto signIsOffered = [](QDialog& dialog) {
+    for (auto* button : dialog.findChildren<QPushButton*>())
+      if (button->text().remove('&') == "Sign") return button->isEnabled();
+    return false;
+  };
+  answer(
+      [&](QDialog& dialog) {
+        dialog.findChild<QLineEdit*>("signer")->setText("Anna");
+        EXPECT_TRUE(dialog.findChild<QLineEdit*>("reason")->isVisible());
+        EXPECT_FALSE(signIsOffered(dialog)) << "no reason is given";
+        dialog.findChild<QLineEdit*>("reason")->setText("a fold that is there");
+        EXPECT_TRUE(signIsOffered(dialog));
+        dialog.reject();
+      },
+      [this] { beginToSign(); });
+  EXPECT_TRUE(asked().contains(" open ("));
+  sign("a fold that is there");
+  ASSERT_TRUE(isIntact()) << seal().toStdString();
+  EXPECT_TRUE(seal().contains("Findings: ")) << seal().toStdString();
+  restart();
+  const Seal kept = sealFrom(Project::open(toPath(file), Access::readOnly).document("seal"));
+  ASSERT_TRUE(kept.state);
+  EXPECT_EQ(kept.state->reason, "a fold that is there");
+  EXPECT_GE(kept.state->openFindings(), 1U);
+}
+
+TEST_F(SealWindowTest, IgnoredFindingsAreNoneThatAreOpen) {
+  openAndReview();
+  document().edit("Fold back", [&](SkeletonEditor& editor) {
+    editor.add({.position = {0, 0, 0.5}, .radius = 0.01, .parent = NodeId{1}});
+  });
+  action("select_all").trigger();
+  action("mark_all_selected").trigger();
+  action("next_finding").trigger();
+  for (int i = 0; i < 9; ++i)
+    action("ignore_finding").trigger();
+  const QString text = asked();
+  EXPECT_TRUE(text.contains("none is open; ")) << text.toStdString();
+}
+
+TEST_F(SealWindowTest, StatesHowMuchWasMarkedInBulkAndHowItAgreesWithWhatWasOpened) {
+  openAndReview();
+  EXPECT_TRUE(asked().contains("Agreement with what was opened"));
+  EXPECT_TRUE(asked().contains("F 1.000 within ")) << asked().toStdString();
+  EXPECT_FALSE(asked().contains("Marked in bulk"));
+  action("select_all").trigger();
+  key(Qt::Key_Backspace); // all to do
+  action("mark_all_selected").trigger();
+  EXPECT_TRUE(asked().contains("Marked in bulk")) << asked().toStdString();
+}
+
+TEST_F(SealWindowTest, StatesHowItAgreesWithTheReferenceAndWhatPointsHaveNoWood) {
+  const QString file = writeFork("fork.mtg");
+  open({writeScan("scan.xyz"), file});
+  key(Qt::Key_Period);
+  action("select_all").trigger();
+  action("mark_all_selected").trigger();
+  answer(chooseFile(file), [this] { action("load_reference").trigger(); });
+  waitForJob();
+  const QString text = asked();
+  EXPECT_TRUE(text.contains("Agreement with fork.mtg")) << text.toStdString();
+  EXPECT_TRUE(text.contains("Points without wood"));
+}
+
+TEST_F(SealWindowTest, HasACertificateOfOnePage) {
+  openAndReview();
+  EXPECT_FALSE(action("export_certificate").isEnabled());
+  saveProject("fork.espalier");
+  sign();
+  EXPECT_EQ(find<QPushButton>("banner_action").text(), "Export Certificate…");
+  const QString file = path("fork.certificate.pdf");
+  answer(chooseFile(file), [this] { clickButton("banner_action"); });
+  EXPECT_TRUE(
+      QTest::qWaitFor([&] { return message().startsWith("Wrote fork.certificate.pdf"); }, 60'000));
+  QFile written(file);
+  ASSERT_TRUE(written.open(QIODevice::ReadOnly));
+  EXPECT_EQ(written.read(4), "%PDF");
+  dragTheShoot();
+  EXPECT_FALSE(action("export_certificate").isEnabled()) << "a broken seal has none";
 }
 
 TEST_F(SealWindowTest, IsExportedAsAFileBesideTheStructure) {

@@ -134,8 +134,44 @@ TEST(Seal, ReadsBackFromItsText) {
                   .nodes = 1204,
                   .length = 12.3456789,
                   .hash = 0x00fedcba98765432};
-  EXPECT_EQ(sealFrom(textOf(seal)), seal);
+  EXPECT_EQ(sealFrom(textOf(seal)), seal) << "as an older program wrote it";
   EXPECT_THAT(textOf(seal), HasSubstr("\"2025-11-21T14:05:09Z\""));
+  Seal whole = seal;
+  whole.review = {.lookedAt = {100, 2.5},
+                  .inBulk = {3, 0.5},
+                  .before = {1, 0.25},
+                  .doubted = {2, 0.125},
+                  .comments = 4};
+  whole.state = {.findings = {{"bare_twig", 7}, {"sharp_turn", 2}},
+                 .ignored = 3,
+                 .points = 148'000,
+                 .unexplained = 1200,
+                 .automatic = SealedAgreement{"the reconstruction", 0.01, 0.9, 0.8, 0.85, 0.7},
+                 .other = std::nullopt,
+                 .reason = "dead twigs are \"no\" wood"};
+  EXPECT_EQ(sealFrom(textOf(whole)), whole);
+  EXPECT_EQ(whole.state->openFindings(), 9U);
+}
+
+TEST(Seal, StatesHowItWasReviewed) {
+  Work work;
+  work.reviewAll(0);
+  const Seal seal = signedBy("Anna", 0, work.history, SealedState{.ignored = 1});
+  EXPECT_EQ(seal.review, reviewRecord(work.history.steps, work.history.skeleton));
+  EXPECT_EQ(seal.state, SealedState{.ignored = 1});
+}
+
+TEST(BeginningOfHandWork, IsWhatTheLastReconstructionMadeOrWhatWasOpened) {
+  Work work;
+  const Skeleton opened = work.history.skeleton;
+  work.step(0, [](SkeletonEditor& editor) { moveNode(editor, NodeId{3}, {9, 9, 9}); });
+  EXPECT_EQ(beginningOfHandWork(work.history).skeleton, opened);
+  EXPECT_FALSE(beginningOfHandWork(work.history).isReconstructed);
+  work.step(0, [](SkeletonEditor& editor) { replaceSkeleton(editor, test::stick(9)); });
+  const Skeleton reconstructed = work.history.skeleton;
+  work.step(0, [&](SkeletonEditor& editor) { removeNode(editor, editor.skeleton().ids().back()); });
+  EXPECT_EQ(beginningOfHandWork(work.history).skeleton, reconstructed);
+  EXPECT_TRUE(beginningOfHandWork(work.history).isReconstructed);
 }
 
 TEST(Seal, OfAnyOtherTextIsAnError) {

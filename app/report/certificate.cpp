@@ -1,0 +1,118 @@
+#include "app/report/certificate.h"
+
+#include "app/report/report_sections.h"
+#include "ui/document/seal_text.h"
+
+#include <algorithm>
+#include <map>
+
+namespace espalier {
+namespace {
+
+// More would not fit the page.
+constexpr std::size_t mostComments = 4;
+constexpr qsizetype longestComment = 80; // letters
+constexpr int figuresAcross = 5;
+
+QString shortened(const QString& text) {
+  return text.size() <= longestComment ? text : text.left(longestComment - 1) + QChar(0x2026);
+}
+
+ReportWarnings warningsOf(const Seal& seal) {
+  ReportWarnings warnings;
+  if (!seal.state)
+    warnings.lines.append(ReportText::tr(
+        "the seal is of an older program, which kept neither findings nor agreements"));
+  else if (const std::size_t open = seal.state->openFindings(); open > 0)
+    warnings.lines.append(
+        ReportText::tr("findings of the checks were open: %1. Below stands why they are left")
+            .arg(formatCount(open)));
+  if (seal.review && seal.review->inBulk.nodes > 0)
+    warnings.lines.append(
+        ReportText::tr("%1 of %2 nodes were marked as reviewed in bulk")
+            .arg(formatCount(seal.review->inBulk.nodes), formatCount(seal.nodes)));
+  return warnings;
+}
+
+ReportFigures figures(const ReportPictures& pictures) {
+  ReportFigures shown{.across = figuresAcross, .figures = {}};
+  const auto add = [&](const QImage& image, const QString& title) {
+    if (!image.isNull()) shown.figures.push_back({image, title, {}});
+  };
+  add(pictures.front, ReportText::tr("From the front"));
+  add(pictures.side, ReportText::tr("From the right"));
+  add(pictures.scan, ReportText::tr("The scan"));
+  return shown;
+}
+
+ReportTable sealTable(const Seal& seal, LengthUnit unit) {
+  ReportTable table;
+  table.caption = ReportText::tr("When it was signed");
+  table.columns = {{ReportText::tr("what"), false}, {ReportText::tr("how much"), false}};
+  for (const SealRow& row : sealRows(seal, unit))
+    table.rows.push_back({{row.name}, {row.text}});
+  return table;
+}
+
+ReportTable commentsTable(const std::vector<SealedComment>& comments) {
+  ReportTable table;
+  table.columns = {
+      {ReportText::tr("comment"), false}, {ReportText::tr("by"), false}, {ReportText::tr("nodes")}};
+  for (const SealedComment& comment : comments)
+    if (table.rows.size() < mostComments)
+      table.rows.push_back(
+          {{shortened(comment.text)}, {comment.reviewer}, {formatCount(comment.nodes)}});
+  if (comments.size() > mostComments)
+    table.rows.push_back(
+        {{ReportText::tr("and %1 more, in the project").arg(comments.size() - mostComments)},
+         {},
+         {}});
+  return table;
+}
+
+} // namespace
+
+std::vector<SealedComment> commentsOf(const Skeleton& skeleton) {
+  std::map<std::string, SealedComment> found;
+  for (const NodeId id : skeleton.ids()) {
+    const ReviewMark& mark = skeleton[id].review;
+    if (mark.comment.empty()) continue;
+    SealedComment& comment = found[mark.comment];
+    if (comment.nodes++ > 0) continue;
+    comment.text = QString::fromStdString(mark.comment);
+    comment.reviewer = QString::fromStdString(mark.reviewer);
+  }
+  std::vector<SealedComment> comments;
+  for (const auto& [text, comment] : found)
+    comments.push_back(comment);
+  std::ranges::stable_sort(comments, std::greater<>(), &SealedComment::nodes);
+  return comments;
+}
+
+Report certificate(const Seal& seal, const ReportPictures& pictures,
+                   const CertificateAbout& about) {
+  Report report{.title = ReportText::tr("Certificate of a reference"),
+                .facts = {about.plant.name, ReportText::tr("Espalier %1").arg(about.version)},
+                .sections = {}};
+  ReportSection statement{ReportText::tr("Signed by %1").arg(signatureOf(seal)), {}};
+  statement.blocks.emplace_back(ReportParagraph{ReportText::tr(
+      "The signer has looked at all of this structure, and to their knowledge it is right.")});
+  if (ReportWarnings warnings = warningsOf(seal); !warnings.lines.isEmpty())
+    statement.blocks.emplace_back(std::move(warnings));
+  if (ReportFigures shown = figures(pictures); !shown.figures.empty())
+    statement.blocks.emplace_back(std::move(shown));
+  statement.blocks.emplace_back(sealTable(seal, about.unit));
+  if (!about.comments.empty()) statement.blocks.emplace_back(commentsTable(about.comments));
+  std::vector<std::pair<QString, ReportedFile>> files = {
+      {ReportText::tr("structure"), about.plant}};
+  if (about.scan) files.emplace_back(ReportText::tr("scan"), *about.scan);
+  statement.blocks.emplace_back(inputsTable(files));
+  if (!pictures.problem.isEmpty())
+    statement.blocks.emplace_back(
+        ReportParagraph{ReportText::tr("There are no pictures: %1").arg(pictures.problem),
+                        ReportParagraph::Look::note});
+  report.sections.push_back(std::move(statement));
+  return report;
+}
+
+} // namespace espalier

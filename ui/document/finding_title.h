@@ -1,0 +1,12 @@
+#pragma once
+
+#include "core/skeleton/finding.h"
+
+#include <QString>
+
+namespace espalier {
+
+/// "Sharp turns"
+[[nodiscard]] QString titleOf(Finding::Kind kind);
+
+} // namespace espalier

@@ -95,8 +95,12 @@ Report certificate(const Seal& seal, const ReportPictures& pictures,
                 .facts = {about.plant.name, ReportText::tr("Espalier %1").arg(about.version)},
                 .sections = {}};
   ReportSection statement{ReportText::tr("Signed by %1").arg(signatureOf(seal)), {}};
-  statement.blocks.emplace_back(ReportParagraph{ReportText::tr(
-      "The signer has looked at all of this structure, and to their knowledge it is right.")});
+  const bool isInBulk = seal.review && seal.review->inBulk.nodes > 0;
+  statement.blocks.emplace_back(ReportParagraph{
+      isInBulk ? ReportText::tr("To the signer's knowledge this structure is right, also what was "
+                                "marked in bulk.")
+               : ReportText::tr("The signer has looked at all of this structure, and to their "
+                                "knowledge it is right.")});
   if (ReportWarnings warnings = warningsOf(seal); !warnings.lines.isEmpty())
     statement.blocks.emplace_back(std::move(warnings));
   if (ReportFigures shown = figures(pictures); !shown.figures.empty())

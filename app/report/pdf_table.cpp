@@ -25,7 +25,10 @@ PdfText captionLook() {
 }
 
 bool isHash(const QString& text) {
-  return text.size() == 64;
+  const auto isHex = [](QChar letter) {
+    return (letter >= '0' && letter <= '9') || (letter >= 'a' && letter <= 'f');
+  };
+  return text.size() == 64 && std::ranges::all_of(text, isHex);
 }
 
 PdfText lookOf(const ReportCell& cell) {

@@ -16,8 +16,11 @@ SignDialog::SignDialog(const Seal& draft, LengthUnit unit, const QString& signer
   setObjectName("sign");
   setWindowTitle(tr("Sign Structure"));
   signer_->setObjectName("signer");
+  const bool isInBulk = draft.review && draft.review->inBulk.nodes > 0;
   auto* statement = new QLabel(
-      tr("I have looked at all of this structure, and to my knowledge it is right."), this);
+      isInBulk ? tr("To my knowledge this structure is right, also what I marked in bulk.")
+               : tr("I have looked at all of this structure, and to my knowledge it is right."),
+      this);
   statement->setWordWrap(true);
   statement->setProperty("role", "title");
   auto* form = new QFormLayout;
@@ -30,10 +33,9 @@ SignDialog::SignDialog(const Seal& draft, LengthUnit unit, const QString& signer
   }
   const bool isOpen = draft.state && draft.state->openFindings() > 0;
   reason_->setObjectName("reason");
-  reason_->setPlaceholderText(tr("Why the findings that are open are left"));
   reason_->setVisible(isOpen);
   reason_->setMaxLength(300); // for the page of a certificate
-  if (isOpen) form->addRow(tr("Why"), reason_);
+  if (isOpen) form->addRow(tr("Why findings are left"), reason_);
   form->addRow(tr("Name"), signer_);
   auto* later = new QLabel(tr("A later edit breaks the seal, and undoing it mends it."), this);
   later->setWordWrap(true);
@@ -48,7 +50,7 @@ SignDialog::SignDialog(const Seal& draft, LengthUnit unit, const QString& signer
   column->addLayout(form);
   column->addWidget(later);
   column->addWidget(buttons);
-  setMinimumWidth(480);
+  setMinimumWidth(560);
   const auto refresh = [this, sign, isOpen] {
     sign->setEnabled(!this->signer().isEmpty() && (!isOpen || !reason().isEmpty()));
   };
@@ -56,6 +58,8 @@ SignDialog::SignDialog(const Seal& draft, LengthUnit unit, const QString& signer
     connect(field, &QLineEdit::textChanged, this, refresh);
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  setTabOrder(reason_, signer_);
+  (isOpen ? reason_ : signer_)->setFocus();
   refresh();
 }
 

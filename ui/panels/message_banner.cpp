@@ -114,7 +114,8 @@ QSize MessageBanner::sizeWithin(int width) {
   }
   text_->setWordWrap(true);
   row_->activate();
-  return {width, heightForWidth(width)};
+  const int least = std::max(width, row_->minimumSize().width()); // no button is cut
+  return {least, heightForWidth(least)};
 }
 
 void MessageBanner::place() {

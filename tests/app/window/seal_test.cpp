@@ -217,8 +217,10 @@ TEST_F(SealWindowTest, OverOpenFindingsAsksWhyAndKeepsTheAnswer) {
   };
   answer(
       [&](QDialog& dialog) {
+        EXPECT_EQ(dialog.focusWidget(), dialog.findChild<QLineEdit*>("reason"));
+        QTest::keyClick(dialog.focusWidget(), Qt::Key_Tab);
+        EXPECT_EQ(dialog.focusWidget(), dialog.findChild<QLineEdit*>("signer"));
         dialog.findChild<QLineEdit*>("signer")->setText("Anna");
-        EXPECT_TRUE(dialog.findChild<QLineEdit*>("reason")->isVisible());
         EXPECT_FALSE(signIsOffered(dialog)) << "no reason is given";
         dialog.findChild<QLineEdit*>("reason")->setText("a fold that is there");
         EXPECT_TRUE(signIsOffered(dialog));

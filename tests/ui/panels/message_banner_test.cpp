@@ -2,6 +2,8 @@
 
 #include <QCoreApplication>
 #include <QLabel>
+#include <QLayout>
+#include <QPushButton>
 #include <gtest/gtest.h>
 
 namespace espalier {
@@ -89,6 +91,16 @@ TEST_F(MessageBannerTest, KeepsItsTextInOneLineWhereThereIsRoom) {
   QCoreApplication::processEvents();
   EXPECT_GE(label->width(), label->fontMetrics().horizontalAdvance(text));
   EXPECT_LT(label->height(), 2 * line);
+}
+
+TEST_F(MessageBannerTest, CutsNoButtonWhereItIsNarrow) {
+  plant = {{320, 0, 680, 600}, {0, 0, 1000, 480}};
+  banner.showOffer("Signed by Anna on 26 Nov 2026, 13:55. Only a project keeps the seal",
+                   {{"Save Project As…", [] {}}, {"Export Certificate…", [] {}}});
+  QCoreApplication::processEvents();
+  banner.layout()->activate();
+  for (const auto* button : banner.findChildren<QPushButton*>())
+    EXPECT_GE(button->width(), button->sizeHint().width()) << button->text().toStdString();
 }
 
 TEST_F(MessageBannerTest, StaysOnAPageThatShrinks) {

@@ -5,8 +5,8 @@
 //
 // Each is drawn alone and with all else; the share of its pixels that nothing else covers is what
 // is printed: the median and the worst tenth of all, for the camera that is only brought nearer
-// ("framed") and for the direction that is chosen ("turned"), and how long the choice took. With
-// FOLDER, five pictures of each go there.
+// ("framed"), for the direction that is chosen ("turned"), for that with what is around stepped
+// back ("focused"), and how long the choice took. With FOLDER, five pictures of each go there.
 #include "core/decide/error_ratings.h"
 #include "core/io/formats.h"
 #include "core/pipeline/plant_scale.h"
@@ -121,6 +121,10 @@ public:
 
   [[nodiscard]] const Scene& scene() const { return scene_; }
   [[nodiscard]] const Camera& first() const { return first_; }
+  void focusOn(const std::optional<Sight>& sight) {
+    scene_.setFocus(sight ? std::optional(espalier::focusOn(plant_.skeleton, *sight))
+                          : std::nullopt);
+  }
 
   void mark(const Subject& subject) {
     constexpr float none = std::numeric_limits<float>::quiet_NaN();
@@ -236,7 +240,7 @@ void print(const char* what, std::vector<Column> columns, std::vector<double> ti
 
 void judge(const char* what, Pictures& pictures, const std::vector<Subject>& subjects,
            const std::string& folder) {
-  std::vector<Column> columns{{"framed"}, {"turned"}};
+  std::vector<Column> columns{{"framed"}, {"turned"}, {"focused"}};
   std::vector<double> times;
   Camera now = pictures.first(); // one goes on from where one is
   for (std::size_t i = 0; i < subjects.size(); ++i) {
@@ -246,8 +250,9 @@ void judge(const char* what, Pictures& pictures, const std::vector<Subject>& sub
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
     times.push_back(took.count());
     pictures.mark(subject);
-    const Camera cameras[] = {framed(pictures.scene(), pictures.first(), subject.sight), now};
+    const Camera cameras[] = {framed(pictures.scene(), pictures.first(), subject.sight), now, now};
     for (std::size_t c = 0; c < columns.size(); ++c) {
+      pictures.focusOn(c == 2 ? std::optional(subject.sight) : std::nullopt);
       if (const auto share = pictures.seen(cameras[c])) columns[c].shares.push_back(*share);
       if (!folder.empty() && i % (1 + subjects.size() / 5) == 0)
         pictures.last().save(QString::fromStdString(folder) +

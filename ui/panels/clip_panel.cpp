@@ -34,6 +34,10 @@ ClipPanel::ClipPanel(QWidget* parent) : QWidget(parent) {
   fade_ = addSlider(*grid, "clip_fade", tr("Fade"), 0);
   fade_->setToolTip(tr("The farther back, the paler"));
   fade_->setAccessibleName(tr("Fade by depth"));
+  around_ = addSlider(*grid, "clip_around", tr("Around"), 0);
+  around_->setToolTip(tr("How pale all gets that is neither near what one flew to in depth nor of "
+                         "its branch, as of a finding or a stop of the review"));
+  around_->setAccessibleName(tr("Fade around what one flew to"));
   auto* all = new QPushButton(tr("Show All Again"));
   all->setObjectName("clip_show_all");
   grid->addWidget(all, grid->rowCount(), 0, 1, 3);
@@ -158,6 +162,7 @@ void ClipPanel::setValues(const Values& values) {
     high_[std::size_t(axis)]->setValue(box.max()[axis]);
   }
   fade_->setValue(stepOf(values.fade));
+  around_->setValue(stepOf(values.around));
   refresh();
 }
 
@@ -174,7 +179,8 @@ ClipPanel::Values ClipPanel::values() const {
           .farthest = double(farthest_->value()) / clipSteps,
           .hasBox = box_->isChecked(),
           .box = box,
-          .fade = double(fade_->value()) / clipSteps};
+          .fade = double(fade_->value()) / clipSteps,
+          .around = double(around_->value()) / clipSteps};
 }
 
 } // namespace espalier

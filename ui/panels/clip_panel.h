@@ -25,6 +25,7 @@ public:
     bool hasBox = false;
     Eigen::AlignedBox3d box; // [L]; empty: not chosen yet
     double fade = 0;         // [0, 1]
+    double around = 0;       // what one flew to: how far all else fades, likewise
   };
 
   explicit ClipPanel(QWidget* parent = nullptr);
@@ -53,6 +54,7 @@ private:
   std::array<QDoubleSpinBox*, 3> low_{};
   std::array<QDoubleSpinBox*, 3> high_{};
   QSlider* fade_ = nullptr;
+  QSlider* around_ = nullptr;
   Eigen::AlignedBox3d bounds_;
 };
 

@@ -21,10 +21,11 @@ struct DrawSettings {
   Eigen::Vector2f size;   // [device pixels]
   float pixelRatio;       // device pixels a logical pixel
   bool perspective;
-  float pixelSize; // width of a device pixel [L]; in perspective at depth 1
-  ClipVolume clip; // what is drawn
-  float depthFade; // how far the back of the plant steps back, in [0, 1]
-  double divider;  // of the view, as PlantView::setDivider
+  float pixelSize;       // width of a device pixel [L]; in perspective at depth 1
+  ClipVolume clip;       // what is drawn
+  float depthFade;       // how far the back of the plant steps back, in [0, 1]
+  Eigen::Vector4f focus; // FocusDepths::forShaders()
+  double divider;        // of the view, as PlantView::setDivider
 };
 
 /// Memory of the graphics card. The context it was made in must be current at each call and

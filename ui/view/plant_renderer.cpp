@@ -116,6 +116,7 @@ DrawSettings PlantRenderer::Parts::settings(const Frame& frame) const {
           .pixelSize = static_cast<float>(perspective ? pixelSize / camera.distance : pixelSize),
           .clip = scene.clipVolume(camera),
           .depthFade = static_cast<float>(scene.depthFade),
+          .focus = scene.focusDepths(camera).forShaders(),
           .divider = frame.divider};
 }
 

@@ -82,7 +82,10 @@ PlantView::PlantView(std::shared_ptr<Shared> shared, QWidget* parent)
   parts_->surface->setAttribute(Qt::WA_TransparentForMouseEvents);
   parts_->settling.setSingleShot(true);
   parts_->settling.setInterval(settledAfter);
-  connect(&parts_->settling, &QTimer::timeout, this, &PlantView::settled);
+  connect(&parts_->settling, &QTimer::timeout, this, [this] {
+    parts_->spanSeen();
+    emit settled();
+  });
   parts_->rest.setSingleShot(true);
   parts_->rest.setInterval(restAfter);
   connect(&parts_->rest, &QTimer::timeout, this, [this] {
@@ -100,6 +103,7 @@ PlantView::~PlantView() {
 
 void PlantView::setCloud(std::shared_ptr<const PointCloud> cloud) {
   parts_->scene.setCloud(std::move(cloud));
+  parts_->scene.setFocus(std::nullopt);
   parts_->shared->knownViews.forget();
   parts_->redraw();
 }
@@ -127,6 +131,7 @@ void PlantView::setContracted(std::shared_ptr<const Eigen::Matrix3Xf> positions)
 
 void PlantView::setSkeleton(const Skeleton& skeleton) {
   parts_->scene.setSkeleton(skeleton);
+  parts_->scene.setFocus(std::nullopt);
   parts_->redraw();
 }
 
@@ -152,6 +157,7 @@ void PlantView::hoverAgain() {
 }
 
 void PlantView::frameAll() {
+  focusOff();
   const std::vector<Eigen::Vector3d> places = parts_->scene.outline();
   if (!places.empty()) parts_->frame(places, *this);
 }
@@ -165,6 +171,7 @@ void PlantView::faceAll() {
 }
 
 void PlantView::frame(const Eigen::AlignedBox3d& box) {
+  focusOff();
   if (!box.isEmpty()) parts_->frame(box, *this);
 }
 
@@ -194,6 +201,12 @@ void PlantView::setCamera(const Camera& camera) {
 }
 
 void PlantView::flyTo(const Camera& camera) {
+  flyTo(camera, std::nullopt);
+}
+
+void PlantView::flyTo(const Camera& camera, const std::optional<Focus>& focus) {
+  parts_->scene.setFocus(focus);
+  parts_->redraw();
   parts_->moveTo(parts_->upright(camera), isVisible());
   parts_->wasFramed = true;
 }

@@ -10,6 +10,7 @@
 #include "ui/view/clip.h"
 #include "ui/view/close_look.h"
 #include "ui/view/envelope_overlay.h"
+#include "ui/view/focus.h"
 #include "ui/view/hull_overlay.h"
 #include "ui/view/in_view.h"
 #include "ui/view/node_look.h"
@@ -103,10 +104,18 @@ public:
   void setClipHandlesShown(bool areShown); // at first: not
   void setDepthFade(double strength);      // [0, 1]: how far the back of the plant steps back
   [[nodiscard]] double depthFade() const;
+  /// How far what is neither near what one flew to in depth nor of its branch steps back, in
+  /// [0, 1]; at first 0.7. It ends where all of the plant is framed, or focusOff() is called.
+  void setFocusFade(double strength);
+  [[nodiscard]] double focusFade() const;
+  void focusOff();
   [[nodiscard]] Eigen::AlignedBox3d bounds() const; // of all there is [L]; empty: nothing
 
   void setLayerVisible(Layer layer, bool visible);
   void setPointColor(PointColor color);
+  /// Colors of points by height or intensity span what is seen, where that is a part of the plant
+  /// and no range was chosen by hand: anew once the view has settled. At first: on.
+  void setColorsSpanSeen(bool doSpan);
   void setPointSize(int pixels);               // 1 to 10
   void setShowRadii(bool trueRadii);           // edges as frusta of their radius instead of lines
   void setHulls(std::vector<ShownHull> hulls); // painted over the plant
@@ -132,6 +141,8 @@ public:
   [[nodiscard]] const Camera& currentCamera() const; // where it is
   void setCamera(const Camera& camera);              // at once
   void flyTo(const Camera& camera);                  // as look()
+  /// Likewise; what is neither near the focus in depth nor of its branch steps back.
+  void flyTo(const Camera& camera, const std::optional<Focus>& focus);
   /// From where a part of the plant is seen best; of one that was asked for before, and has not
   /// been moved, the same as then. pre: the sight is not empty
   [[nodiscard]] Camera cameraToSee(const Sight& sight) const;

@@ -30,6 +30,24 @@ double PlantView::depthFade() const {
   return parts_->scene.depthFade;
 }
 
+void PlantView::setFocusFade(double strength) {
+  const double fade = std::clamp(strength, 0.0, 1.0);
+  if (fade == parts_->scene.focusFade) return;
+  parts_->scene.focusFade = fade;
+  parts_->redraw();
+  emit parts_->shared->views.front()->owner.clipChanged();
+}
+
+double PlantView::focusFade() const {
+  return parts_->scene.focusFade;
+}
+
+void PlantView::focusOff() {
+  if (!parts_->scene.focus) return;
+  parts_->scene.setFocus(std::nullopt);
+  parts_->redraw();
+}
+
 void PlantView::setClipHandlesShown(bool areShown) {
   for (Parts* view : parts_->shared->views) {
     if (view->clipHandles.isDragging() && !areShown) setClip(view->clipHandles.cancel());

@@ -1,6 +1,8 @@
 #include "ui/view/plant_view_parts.h"
+#include "ui/view/seen_range.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace espalier {
@@ -103,6 +105,28 @@ Minimap* PlantView::Parts::makeMinimap() {
   });
   connect(map, &Minimap::canceled, &owner, [this](const Camera& before) { navigator.set(before); });
   return map;
+}
+
+/// Only where they would be clearly others: a small step of the camera changes no color.
+void PlantView::Parts::spanSeen() {
+  if (!isFirst()) return;
+  const std::optional<ValueRange> now = scene.seenRange;
+  const std::optional<ValueRange> seen =
+      shared->doColorsSpanSeen ? seenRange(scene, pointer.screen()) : std::nullopt;
+  if (!now && !seen) return;
+  constexpr double little = 0.15; // of the range
+  if (now && seen) {
+    const double change = std::abs(now->from - seen->from) + std::abs(now->to - seen->to);
+    if (change < little * (now->to - now->from)) return;
+  }
+  scene.setSeenRange(seen);
+  redraw();
+}
+
+void PlantView::setColorsSpanSeen(bool doSpan) {
+  if (doSpan == parts_->shared->doColorsSpanSeen) return;
+  parts_->shared->doColorsSpanSeen = doSpan;
+  parts_->spanSeen();
 }
 
 void PlantView::setColorScales(const ColorScales& scales) {

@@ -32,6 +32,7 @@ struct PlantView::Shared {
   std::optional<ShownAttachment> attachment;
   std::optional<Eigen::Vector3d> rootMark; // as PlantView::setRootMark
   KnownViews knownViews;
+  bool doColorsSpanSeen = true; // as PlantView::setColorsSpanSeen
   std::vector<Parts*> views;
 
   [[nodiscard]] SeenSides seenSides() const; // in any view
@@ -81,6 +82,7 @@ struct PlantView::Parts {
   /// How many share the time there is to draw.
   [[nodiscard]] double seenViews() const;
   void refreshColorBars(); // plant_view_looks.cpp
+  void spanSeen();         // likewise: has the colors of the points span what is seen
   void refreshMinimap();   // likewise
   void refreshDivider();
   /// Another scene as this view would draw it, without legends and names.

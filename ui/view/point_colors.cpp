@@ -25,11 +25,6 @@ ValueRange intensityRange(std::vector<float> values) {
   return {*least, *most};
 }
 
-double heightOf(const PointCloud& cloud, std::size_t point, UpAxis up) {
-  const auto row = static_cast<Eigen::Index>(up);
-  return cloud.positions()(row, static_cast<Eigen::Index>(point)) + cloud.origin()[row];
-}
-
 QString titleOfHeights(UpAxis up) {
   const char* title = up == UpAxis::x   ? QT_TRANSLATE_NOOP("espalier::Overlay", "Height x")
                       : up == UpAxis::y ? QT_TRANSLATE_NOOP("espalier::Overlay", "Height y")
@@ -38,6 +33,13 @@ QString titleOfHeights(UpAxis up) {
 }
 
 } // namespace
+
+double pointValue(const PointCloud& cloud, PointColor by, Eigen::Index point, UpAxis up) {
+  if (by == PointColor::intensity)
+    return static_cast<double>(cloud.intensities()[static_cast<std::size_t>(point)]);
+  const auto row = static_cast<Eigen::Index>(up);
+  return cloud.positions()(row, point) + cloud.origin()[row];
+}
 
 std::optional<Legend> pointLegend(const PointCloud& cloud, PointColor by, UpAxis up,
                                   const PointSet& leftOut) {
@@ -53,7 +55,7 @@ std::optional<Legend> pointLegend(const PointCloud& cloud, PointColor by, UpAxis
     range = {box.min()[static_cast<int>(up)], box.max()[static_cast<int>(up)]};
     values.resize(static_cast<std::size_t>(cloud.size()));
     for (std::size_t i = 0; i < values.size(); ++i)
-      values[i] = heightOf(cloud, i, up);
+      values[i] = pointValue(cloud, by, static_cast<Eigen::Index>(i), up);
     for (const Eigen::Index far : farPoints(cloud, leftOut))
       values[static_cast<std::size_t>(far)] = std::numeric_limits<double>::quiet_NaN();
     for (const Eigen::Index point : leftOut.points())
@@ -85,8 +87,7 @@ std::vector<Color> pointColors(const PointCloud& cloud, PointColor by,
   if (!legend) return colors;
   const LegendColors map(*legend, dark);
   for (std::size_t i = 0; i < colors.size(); ++i)
-    colors[i] = map(by == PointColor::intensity ? static_cast<double>(cloud.intensities()[i])
-                                                : heightOf(cloud, i, up));
+    colors[i] = map(pointValue(cloud, by, static_cast<Eigen::Index>(i), up));
   return colors;
 }
 

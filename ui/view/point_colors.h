@@ -20,6 +20,10 @@ enum class PointColor { uniform, height, intensity, rgb };
                                                 UpAxis up = UpAxis::z,
                                                 const PointSet& leftOut = {});
 
+/// What a point is colored by: its height, or its intensity. pre: `cloud` has it
+[[nodiscard]] double pointValue(const PointCloud& cloud, PointColor by, Eigen::Index point,
+                                UpAxis up);
+
 /// The color of each point; `plain` for all if the cloud has not what it is to be colored by.
 /// @param legend as pointLegend(), with another range or map if wanted
 [[nodiscard]] std::vector<Color> pointColors(const PointCloud& cloud, PointColor by,

@@ -1,6 +1,7 @@
 #include "ui/view/point_pass.h"
 
 #include "ui/view/clip_shader.h"
+#include "ui/view/focus_shader.h"
 #include "ui/view/palette.h"
 
 #include <algorithm>
@@ -10,7 +11,7 @@
 namespace espalier {
 namespace {
 
-constexpr const char* vertexShader = "#version 330 core\n" ESPALIER_CLIP R"(
+constexpr const char* vertexShader = "#version 330 core\n" ESPALIER_CLIP ESPALIER_FOCUS R"(
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec4 color; // alpha 0: hidden
 layout(location = 2) in vec3 scanned;
@@ -22,14 +23,18 @@ uniform vec4 toDepth;
 uniform vec2 depths;          // of the plant, nearest and farthest
 uniform float depthFade;
 uniform vec3 backgroundColor;
+uniform vec4 sizes;           // [device pixels] least and most; of a point at depth 1, and anywhere
 flat out vec3 pointColor;
 void main() {
   vec3 place = (placement * vec4(mix(scanned, position, blend), 1.0)).xyz;
   float depth = dot(toDepth, vec4(place, 1.0));
   gl_Position = color.a < 0.5 || isClipped(place, depth) ? vec4(2.0, 2.0, 2.0, 1.0)
-                                                         : toClip * vec4(place, 1.0);
+                                                         : behindFocus(toClip * vec4(place, 1.0), depth);
+  float own = sizes.z > 0.0 ? sizes.z / max(depth, 1e-30) : sizes.w;
+  gl_PointSize = clamp(round(own * (1.0 - outOfFocus(depth))), sizes.x, sizes.y);
   float part = clamp((depth - depths.x) / (depths.y - depths.x), 0.0, 1.0);
-  pointColor = mix(mix(color.rgb, tint.rgb, tint.a), backgroundColor, 0.92 * depthFade * part);
+  float paleness = max(depthFade * part, outOfFocus(depth));
+  pointColor = mix(mix(color.rgb, tint.rgb, tint.a), backgroundColor, 0.92 * paleness);
 })";
 
 constexpr const char* squareShader = R"(#version 330 core
@@ -73,6 +78,35 @@ Eigen::Vector3f unitColor(const Color& color) {
   return Eigen::Vector3f(color[0], color[1], color[2]) / 255.0F;
 }
 
+/// How large points are, by their depth.
+struct PointSizes {
+  float least = 1, most = 1; // [device pixels]
+  float atDepthOne = 0;      // in perspective; else
+  float anywhere = 0;
+
+  [[nodiscard]] float at(float depth) const {
+    const float own = atDepthOne > 0 ? atDepthOne / std::max(depth, 1e-30F) : anywhere;
+    return std::clamp(own, least, most);
+  }
+};
+
+/// `pointSize` as far off as all of the plant fits the screen, and farther; nearer points are as
+/// much wider as they are nearer, up to how far they are apart: so that near wood looks solid.
+/// @param spacing of points [L]; 0: all are alike
+PointSizes sizesOf(const Scene& scene, const DrawSettings& settings, float pointSize,
+                   double spacing) {
+  constexpr float largest = 8; // [logical pixels]
+  const float larger = pointSize / (static_cast<float>(scene.pointSize) * settings.pixelRatio);
+  const Eigen::AlignedBox3d box = scene.bounds();
+  const float whole = box.isEmpty() ? 0 : static_cast<float>(box.diagonal().norm());
+  const float width = std::min(static_cast<float>(spacing) / settings.pixelSize * larger,
+                               pointSize * whole / (settings.pixelSize * settings.size.y()));
+  return {.least = pointSize,
+          .most = std::max(pointSize, largest * settings.pixelRatio),
+          .atDepthOne = settings.perspective ? width : 0,
+          .anywhere = settings.perspective ? 0 : width};
+}
+
 double partOf(Eigen::Index all, Eigen::Index atMost) {
   return all > atMost ? static_cast<double>(atMost) / static_cast<double>(all) : 1;
 }
@@ -101,6 +135,7 @@ PointPass::Key PointPass::keyOf(const DrawSettings& settings, float pointSize) c
           scene_.moved.shown.motion.matrix(),
           settings.clip,
           settings.depthFade,
+          settings.focus,
           settings.divider,
           scene_.blend.value_or(-1)};
 }
@@ -190,6 +225,7 @@ PointPass::Drawn PointPass::pointsOf(const std::optional<Ball>& hole) const {
   const SceneBuffers::Points& cloud = buffers_.cloud();
   Drawn drawn{.points = scene_.points,
               .buffers = cloud,
+              .spacing = scene_.points.spacing,
               .colors = &cloud.colors,
               .hole = hole,
               .color = {},
@@ -232,16 +268,20 @@ void PointPass::drawPart(const DrawSettings& settings, const StatePart& part, fl
 }
 
 void PointPass::prepare(const DrawSettings& settings, const Drawn& layer, float pointSize) {
-  const bool isRound = pointSize >= 4;
+  const Eigen::Vector4f toDepth = -settings.toView.row(2).transpose();
+  const Eigen::Vector2f depths = depthsOf(scene_, toDepth);
+  const PointSizes sizes = sizesOf(scene_, settings, pointSize, layer.spacing);
+  const bool isRound = sizes.at(depths.x()) >= 4;
   vtkShaderProgram& program =
       readyProgram(*settings.window, vertexShader, isRound ? roundShader : squareShader);
   const Eigen::Matrix4f matrix = settings.toClip * settings.toView;
   program.SetUniformMatrix4x4("toClip", const_cast<float*>(matrix.data()));
   setClip(program, settings.clip);
   setHole(program, layer.hole, scene_.origin());
-  const Eigen::Vector4f toDepth = -settings.toView.row(2).transpose();
   program.SetUniform4f("toDepth", toDepth.data());
-  const Eigen::Vector2f depths = depthsOf(scene_, toDepth);
+  const float asUniform[] = {sizes.least, sizes.most, sizes.atDepthOne, sizes.anywhere};
+  program.SetUniform4f("sizes", asUniform);
+  setFocus(program, settings.focus);
   program.SetUniform2f("depths", depths.data());
   program.SetUniformf("depthFade", settings.depthFade);
   const bool travels = scene_.blend && layer.scanned != nullptr;
@@ -280,11 +320,12 @@ void PointPass::drawLayer(const DrawSettings& settings, const Drawn& layer, floa
   } else {
     setPointColor(palette(scene_.dark).contracted);
   }
-  glPointSize(pointSize);
+  glEnable(GL_PROGRAM_POINT_SIZE);
   constexpr double back = 0.99; // of the depth that there is
   if (layer.isBehind) glDepthRange(back, 1);
   glDrawArrays(GL_POINTS, first, last - first);
   if (layer.isBehind) glDepthRange(0, 1);
+  glDisable(GL_PROGRAM_POINT_SIZE);
   glBindVertexArray(0);
 }
 

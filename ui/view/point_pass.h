@@ -43,6 +43,7 @@ private:
     Eigen::Matrix4d placement; // of the other scan
     ClipVolume clip;
     float depthFade;
+    Eigen::Vector4f focus;
     double divider;
     double blend;
     bool operator==(const Key&) const = default;
@@ -59,6 +60,7 @@ private:
   struct Drawn {
     const DrawnPoints& points;
     const SceneBuffers::Points& buffers;
+    double spacing = 0;                // [L]: near points are drawn that wide; 0: all alike
     const GlBuffer* scanned = nullptr; // where the points come from; null: nothing moves
     const GlBuffer* colors = nullptr;  // null: the accent
     std::optional<Ball> hole;

@@ -152,6 +152,10 @@ Pick PointerInput::pick(const QPointF& position) const {
 void PointerInput::pickPoint(Pick& pick, const ScreenMap& map, const Eigen::Vector2d& pixel) const {
   const Eigen::Vector3d origin = scene_.origin();
   const ClipVolume clip = scene_.clipVolume(map.camera());
+  const FocusDepths focus = scene_.focusDepths(map.camera());
+  const auto isPassed = [&](const Eigen::Vector3d& place) {
+    return focus.isPassed((place - map.camera().eye()).dot(map.camera().forward()));
+  };
   const double across = pixel.x() / size_.width();
   const auto placeIn = [&](const DrawnPoints& points, Eigen::Index i) {
     return Eigen::Vector3d(points.positions->col(i).cast<double>() + origin);
@@ -161,6 +165,7 @@ void PointerInput::pickPoint(Pick& pick, const ScreenMap& map, const Eigen::Vect
     const Pickable scanned{points, points.boxes, [&](Eigen::Index i) {
                              return scene_.isPointShown(i) &&
                                     clip.contains(points.positions->col(i)) &&
+                                    !isPassed(placeIn(points, i)) &&
                                     scene_.showsScanned(placeIn(points, i), across, divider_);
                            }};
     pick.point = pointUnder(scanned, origin, map, pixel);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 namespace espalier {
 
@@ -123,7 +125,13 @@ Eigen::Isometry3d Scene::movedPlacement() const {
 
 void Scene::setPointColor(PointColor color) {
   pointColor = color;
+  seenRange.reset();
   colorLegend = cloud ? espalier::pointLegend(*cloud, color, up, leftOut) : std::nullopt;
+  ++colorRevision;
+}
+
+void Scene::setSeenRange(std::optional<ValueRange> range) {
+  seenRange = range;
   ++colorRevision;
 }
 
@@ -165,6 +173,15 @@ void Scene::setUp(UpAxis axis) {
   setPointColor(pointColor);
 }
 
+void Scene::setFocus(std::optional<Focus> replacement) {
+  skeleton.setWhole(replacement ? replacement->branch : std::vector<NodeId>());
+  focus = std::move(replacement);
+}
+
+FocusDepths Scene::focusDepths(const Camera& camera) const {
+  return focus ? FocusDepths(*focus, focusFade, camera) : FocusDepths();
+}
+
 void Scene::recolorNodes() {
   const std::optional<Legend> legend = nodeLegend();
   skeleton.setColorMap(legend ? std::optional(LegendColors(*legend, dark)) : std::nullopt);
@@ -181,7 +198,10 @@ void Scene::recolorNodes(OtherState& shown) const {
 
 std::optional<Legend> Scene::pointLegend() const {
   if (pointValues) return colorScales.ofPoints(pointValues->legend);
-  return colorLegend ? std::optional(colorScales.ofPoints(*colorLegend)) : std::nullopt;
+  if (!colorLegend) return std::nullopt;
+  Legend legend = *colorLegend;
+  if (seenRange) std::tie(legend.from, legend.to) = std::pair(seenRange->from, seenRange->to);
+  return colorScales.ofPoints(legend);
 }
 
 std::optional<Legend> Scene::movedLegend() const {

@@ -2,6 +2,7 @@
 
 #include "core/cloud/point_cloud.h"
 #include "ui/view/clip.h"
+#include "ui/view/focus.h"
 #include "ui/view/plant_state.h"
 #include "ui/view/point_colors.h"
 #include "ui/view/point_hierarchy.h"
@@ -84,6 +85,7 @@ struct Scene {
 
   PointColor pointColor = PointColor::height;
   std::optional<Legend> colorLegend;      // of `cloud` by `pointColor`, as given
+  std::optional<ValueRange> seenRange;    // of colorLegend, in place of the usual one (seenRange())
   std::optional<PointValues> pointValues; // color `cloud` in place of `pointColor`
   std::shared_ptr<const std::vector<PointState>> pointStates; // of `cloud`; null: all normal
   ColorScales colorScales;
@@ -93,7 +95,9 @@ struct Scene {
   UpAxis up = UpAxis::z; // along which heights are
   bool dark = false;
   Clip clip;
-  double depthFade = 0; // how far the back of the plant steps back, in [0, 1]
+  double depthFade = 0;       // how far the back of the plant steps back, in [0, 1]
+  std::optional<Focus> focus; // none: all of the plant is looked at
+  double focusFade = 0.7;     // how far what is out of focus steps back, in [0, 1]
 
   void setCloud(std::shared_ptr<const PointCloud> replacement);
   void setLeftOut(const PointSet& aside); // of the cloud, until setCloud()
@@ -102,6 +106,7 @@ struct Scene {
   void setOther(Side side, const std::optional<PlantState>& state); // none: the plant itself
   void setMovedScan(const std::optional<ShownScan>& scan);          // none: nothing
   void setPointColor(PointColor color);
+  void setSeenRange(std::optional<ValueRange> range); // until setPointColor()
   void setPointStates(std::shared_ptr<const std::vector<PointState>> states);
   void setPointValues(std::optional<PointValues> values);
   void setNodeColors(std::optional<NodeColors> colors);
@@ -109,6 +114,8 @@ struct Scene {
   void setColorScales(const ColorScales& scales);
   void setDark(bool isDark);
   void setUp(UpAxis axis);
+  void setFocus(std::optional<Focus> replacement);
+  [[nodiscard]] FocusDepths focusDepths(const Camera& camera) const;
 
   /// What points and nodes are colored by, on the scale that is chosen; none: not by value.
   [[nodiscard]] std::optional<Legend> pointLegend() const;

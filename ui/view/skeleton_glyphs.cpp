@@ -57,6 +57,7 @@ void SkeletonGlyphs::rebuild(const Skeleton& skeleton, const Eigen::Vector3d& or
   slots_.assign(skeleton.idEnd(), {});
   hidden_.clear();
   vivid_.reset();
+  whole_.clear();
   colors_.reset();
   colorMap_.reset();
   selected_.assign(skeleton.idEnd(), false);
@@ -84,6 +85,10 @@ void SkeletonGlyphs::update(const Skeleton& skeleton, const SkeletonDelta& delta
       vivid_->resize(std::max(vivid_->size(), nodes_.size()));
       const auto& parent = change.after->parent;
       if (!parent || !isFadedSlot(indexOf(*parent))) (*vivid_)[indexOf(change.id)] = true;
+    }
+    if (!whole_.empty() && !change.before && change.after && change.after->parent) {
+      whole_.resize(std::max(whole_.size(), nodes_.size()));
+      whole_[indexOf(change.id)] = whole_[indexOf(*change.after->parent)];
     }
     if (skeleton.contains(change.id)) place(skeleton, change.id);
     shapeNode(skeleton, change.id);
@@ -161,7 +166,7 @@ void SkeletonGlyphs::drawEdge(const Skeleton& skeleton, NodeId id) {
 void SkeletonGlyphs::dressNode(std::size_t slot) {
   NodeGlyph& node = nodes_[slot];
   node.shape = isHiddenSlot(slot) ? NodeShape::none : slots_[slot].node;
-  node.isFaded = isFadedSlot(slot);
+  node.fading = fadingOf(slot);
   node.color = colorOf(slot);
   changedNodes_.add(slot);
 }
@@ -170,7 +175,7 @@ void SkeletonGlyphs::dressEdge(std::size_t slot) {
   EdgeGlyph& edge = edges_[slot];
   const bool isHidden = isHiddenSlot(slot) || isHiddenSlot(slots_[slot].parent);
   edge.shape = isHidden ? EdgeShape::none : slots_[slot].edge;
-  edge.isFaded = isFadedSlot(slot);
+  edge.fading = fadingOf(slot);
   edge.color = colorOf(slot);
   changedEdges_.add(slot);
 }
@@ -188,6 +193,11 @@ bool SkeletonGlyphs::isHiddenSlot(std::size_t slot) const {
 
 bool SkeletonGlyphs::isFadedSlot(std::size_t slot) const {
   return vivid_ && !(slot < vivid_->size() && (*vivid_)[slot]);
+}
+
+Fading SkeletonGlyphs::fadingOf(std::size_t slot) const {
+  if (isFadedSlot(slot)) return Fading::faded;
+  return slot < whole_.size() && whole_[slot] ? Fading::whole : Fading::byDepth;
 }
 
 std::array<std::uint8_t, 4> SkeletonGlyphs::colorOf(std::size_t slot) const {
@@ -209,6 +219,11 @@ void SkeletonGlyphs::setHidden(const std::vector<NodeId>& nodes) {
 void SkeletonGlyphs::setFaded(const std::optional<std::vector<NodeId>>& allBut) {
   vivid_.reset();
   if (allBut) vivid_ = flagsOf(*allBut);
+  dressAll();
+}
+
+void SkeletonGlyphs::setWhole(const std::vector<NodeId>& nodes) {
+  whole_ = flagsOf(nodes);
   dressAll();
 }
 

@@ -18,6 +18,7 @@ namespace espalier {
 
 enum class NodeShape : std::uint8_t { none, plain, root, apex, branching };
 enum class EdgeShape : std::uint8_t { none, successor, branching };
+enum class Fading : std::uint8_t { byDepth, faded, whole }; // whole: whatever its depth
 enum class Mark : std::uint8_t { none, selected, hovered, both };
 
 /// A node as it is drawn. The layout is read by the shaders.
@@ -27,7 +28,7 @@ struct NodeGlyph {
   NodeShape shape = NodeShape::none;
   Mark mark = Mark::none;
   bool isUnitStart = false; // marked as one by hand
-  bool isFaded = false;
+  Fading fading = Fading::byDepth;
   std::array<std::uint8_t, 4> color{}; // its own, if the last is not 0
 
   bool operator==(const NodeGlyph&) const = default;
@@ -41,7 +42,7 @@ struct EdgeGlyph {
   float childRadius = 0;
   EdgeShape shape = EdgeShape::none;
   Mark mark = Mark::none;
-  bool isFaded = false;
+  Fading fading = Fading::byDepth;
   std::uint8_t unused = 0;
   std::array<std::uint8_t, 4> color{}; // as that of a node
 
@@ -61,7 +62,8 @@ struct SlotRange {
 /// touches the slots of its nodes and of their children only.
 class SkeletonGlyphs {
 public:
-  /// Keeps the marks, but not what is hidden, faded or colored: ids may mean other nodes now.
+  /// Keeps the marks, but not what is hidden, faded, whole or colored: ids may mean other nodes
+  /// now.
   void rebuild(const Skeleton& skeleton, const Eigen::Vector3d& origin);
   void update(const Skeleton& skeleton, const SkeletonDelta& delta);
   /// Draws about another origin, without the skeleton at hand; keeps 7 digits of the nodes' shift.
@@ -75,6 +77,8 @@ public:
   [[nodiscard]] bool isHidden(NodeId id) const;
   /// Fades all but some nodes; none: fades nothing. A child added to one of them is one of them.
   void setFaded(const std::optional<std::vector<NodeId>>& allBut);
+  /// Nodes that are not faded by depth where something is in focus, unless setFaded() fades them.
+  void setWhole(const std::vector<NodeId>& nodes);
   /// What is given is drawn once setColorMap() has said in which colors.
   void setColors(std::optional<NodeColors> colors) { colors_ = std::move(colors); }
   void setColorMap(std::optional<LegendColors> map);
@@ -102,6 +106,7 @@ private:
   void dressAll();
   [[nodiscard]] bool isHiddenSlot(std::size_t slot) const;
   [[nodiscard]] bool isFadedSlot(std::size_t slot) const;
+  [[nodiscard]] Fading fadingOf(std::size_t slot) const;
   [[nodiscard]] std::array<std::uint8_t, 4> colorOf(std::size_t slot) const;
   void mark(std::size_t slot, Mark mark);
   [[nodiscard]] Mark markOf(std::size_t slot) const;
@@ -117,6 +122,7 @@ private:
   std::vector<Slot> slots_;
   std::vector<bool> hidden_;               // by slot; may end before the last
   std::optional<std::vector<bool>> vivid_; // likewise: not faded; none: nothing is faded
+  std::vector<bool> whole_;                // likewise: not faded by depth
   std::optional<NodeColors> colors_;
   std::optional<LegendColors> colorMap_; // of what colors_ stand for
   std::vector<bool> selected_;           // by slot

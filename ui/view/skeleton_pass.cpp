@@ -1,6 +1,7 @@
 #include "ui/view/skeleton_pass.h"
 
 #include "ui/view/clip_shader.h"
+#include "ui/view/focus_shader.h"
 #include "ui/view/palette.h"
 #include "ui/view/skeleton_shaders.h"
 #include "ui/view/state_parts.h"
@@ -100,6 +101,7 @@ void SkeletonPass::setCommon(vtkShaderProgram& program, const DrawSettings& sett
   program.SetUniformf("roominess", roominess(settings));
   program.SetUniformf("depthFade", settings.depthFade);
   setClip(program, settings.clip);
+  setFocus(program, settings.focus);
   setHole(program, hole, scene_.origin());
 }
 

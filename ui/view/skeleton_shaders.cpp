@@ -1,6 +1,7 @@
 #include "ui/view/skeleton_shaders.h"
 
 #include "ui/view/clip_shader.h"
+#include "ui/view/focus_shader.h"
 
 namespace espalier::shaders {
 
@@ -25,11 +26,18 @@ namespace espalier::shaders {
   "vec3 faded(vec3 color, float z) {\n" /* the far side steps back */                              \
   "  float part = clamp((-z - depths.x) / (depths.y - depths.x), 0.0, 1.0);\n"                     \
   "  return mix(color, backgroundColor, mix(0.5 * part * part, 0.92 * part, depthFade));\n"        \
+  "}\n" ESPALIER_FOCUS                                                                             \
+  "float outside(float fading, float depth) {\n" /* of the focus; what is whole is not */          \
+  "  return fading > 1.5 ? 0.0 : outOfFocus(depth);\n"                                             \
   "}\n"                                                                                            \
-  "vec3 dressed(vec3 usual, vec4 own, float isFaded, float z) {\n"                                 \
+  "vec4 sunk(vec4 clip, float fading, float depth) {\n"                                            \
+  "  return fading > 1.5 ? clip : behindFocus(clip, depth);\n"                                     \
+  "}\n"                                                                                            \
+  "vec3 dressed(vec3 usual, vec4 own, float fading, float z) {\n"                                  \
   "  vec3 color = faded(own.a > 0.5 ? own.rgb / 255.0 : usual, z);\n"                              \
+  "  color = mix(color, backgroundColor, 0.92 * outside(fading, -z));\n"                           \
   "  float paleness = own.a > 0.5 ? 0.4 : 0.82;\n" /* a color that has a meaning is still read */  \
-  "  return isFaded > 0.5 ? mix(color, backgroundColor, paleness) : color;\n"                      \
+  "  return fading == 1.0 ? mix(color, backgroundColor, paleness) : color;\n"                      \
   "}\n"
 
 /// An edge is cut where it leaves the clip, by the distance of each end to its sides.
@@ -97,7 +105,7 @@ void main() {
   vec4 kept = atChild ? before(b, a) : before(a, b);
   float part = distance(a, b) > 0.0 ? distance(a.xyz, kept.xyz) / distance(a.xyz, b.xyz) : 0.0;
   clipAt(mix(parent.xyz, child.xyz, part), -kept.z);
-  gl_Position = vec4(screen / halfScreen * clip.w, clip.z, clip.w);
+  gl_Position = sunk(vec4(screen / halfScreen * clip.w, clip.z, clip.w), look.z, -kept.z);
 })";
 
 const char* const lineFragment = R"(#version 330 core
@@ -135,6 +143,7 @@ noperspective out float across;         // -1 to 1
 flat out float tilt;                    // sine of the angle between axis and line of sight
 out float toNearEnd;                    // along the axis, to its end nearer to the eye [L]
 flat out vec3 color;
+flat out float back;                    // how far it is drawn behind all, in [0, 1]
 
 void main() {
   gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
@@ -157,6 +166,8 @@ void main() {
   color = look.y > 1.5 ? hoveredColor
                        : dressed(look.x > 1.5 ? branchingColor : successorColor, own, look.z,
                             0.5 * (a.z + b.z));
+  float depth = -0.5 * (a.z + b.z);
+  back = depth < focus.x ? outside(look.z, depth) : 0.0;
   clipAt(atChild ? child.xyz : parent.xyz, -place.z);
   gl_Position = toClip * vec4(place + sideways / size * across * radius, 1.0);
 })";
@@ -169,13 +180,14 @@ noperspective in float across;
 flat in float tilt;
 in float toNearEnd;
 flat in vec3 color;
+flat in float back;
 out vec4 fragment;
 void main() {
   float facing = sqrt(max(0.0, 1.0 - across * across));
   // The front of a tilted cone belongs to a place farther along its axis, perhaps past its end.
   if (radius * facing * sqrt(1.0 - tilt * tilt) > toNearEnd * tilt) discard;
   vec4 front = toClip * vec4(place.xy, place.z + radius * facing / tilt, 1.0);
-  gl_FragDepth = clamp(0.5 * front.z / front.w + 0.5, 0.0, 1.0);
+  gl_FragDepth = mix(clamp(0.5 * front.z / front.w + 0.5, 0.0, 1.0), 0.9998, back);
   fragment = vec4(color * (0.4 + 0.6 * facing * tilt), 1.0);
 })";
 
@@ -193,6 +205,7 @@ flat out vec3 color;
 flat out vec3 rim;                      // color of its edge
 flat out int shape;
 flat out int isUnitStart;
+flat out float back;
 
 float halfWidthOf(int kind, int mark) {
   float width = kind == 2 ? 4.5 : kind == 4 ? 3.6 : kind == 3 ? 3.2 : 2.5;
@@ -229,7 +242,9 @@ void main() {
   float nearer = spheres != 0 ? 0.0 : pushed * center.w + pixel * (4.0 + 8.0 * float(mark));
   vec4 moved = toClip * vec4(place.xy, place.z + nearer, 1.0);
   float depth = moved.w > 0.0 ? moved.z / moved.w : -1.0;
-  gl_Position = vec4(clip.xy + offset / halfScreen * clip.w, max(depth, -1.0) * clip.w, clip.w);
+  back = -place.z < focus.x && mark == 0 ? outside(look.w, -place.z) : 0.0;
+  gl_Position = vec4(clip.xy + offset / halfScreen * clip.w,
+                     mix(max(depth, -1.0), 0.9995, back) * clip.w, clip.w);
 })";
 
 const char* const discFragment = R"(#version 330 core
@@ -263,6 +278,7 @@ noperspective in vec2 offset;
 flat in float halfWidth;
 flat in vec3 color;
 flat in vec3 rim;
+flat in float back;
 out vec4 fragment;
 void main() {
   float part = length(offset) / halfWidth;
@@ -270,7 +286,7 @@ void main() {
   float facing = sqrt(1.0 - part * part);
   vec3 fill = part > 0.7 ? rim : color;
   vec4 front = toClip * vec4(place.xy, place.z + radius * facing, 1.0);
-  gl_FragDepth = clamp(0.5 * front.z / front.w + 0.5, 0.0, 1.0);
+  gl_FragDepth = mix(clamp(0.5 * front.z / front.w + 0.5, 0.0, 1.0), 0.9998, back);
   fragment = vec4(fill * (0.4 + 0.6 * facing), 1.0);
 })";
 

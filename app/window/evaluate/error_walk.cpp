@@ -192,7 +192,7 @@ void ErrorWalk::goTo(const DifferingPart& part) {
   mark(part);
   sight.nodes = parts_.document.selection().nodes();
   sight.margin = std::max(0.5 * box.diagonal().norm(), 2 * meanEdgeLength(evaluation_->reference));
-  parts_.view.flyTo(parts_.view.cameraToSee(sight));
+  parts_.view.flyTo(parts_.view.cameraToSee(sight), focusOn(parts_.document.skeleton(), sight));
 }
 
 DifferingPart ErrorWalk::chosen() const {

@@ -413,7 +413,7 @@ void FindingsFlow::goTo(const Finding& finding) {
       std::max(boundsOf(finding, skeleton).diagonal().norm() / 2, 2 * meanEdgeLength(skeleton));
   const Camera camera = parts_.view.cameraToSee(sight);
   const QString note = parts_.reveal(nodesOf(finding), sight.places, camera);
-  parts_.view.flyTo(camera);
+  parts_.view.flyTo(camera, focusOn(skeleton, sight));
   const QString sentence = sentenceOf(finding);
   emit noted(note.isEmpty() ? sentence : note + QStringLiteral(" · ") + sentence);
 }

@@ -58,7 +58,8 @@ ReviewFlow::ReviewFlow(const Parts& parts, QAction* sign)
     menu.addSeparator();
     menu.addActions(marks_);
   });
-  parts_.actions.place("review/walk", {"", "sign_structure", "export_certificate", "export_seal", "", "show_review"});
+  parts_.actions.place("review/walk", {"", "sign_structure", "export_certificate", "export_seal",
+                                       "", "show_review"});
   connectParts();
   refreshEnabled();
   showPlace();

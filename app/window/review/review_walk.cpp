@@ -229,7 +229,7 @@ QString ReviewFlow::frame(const std::vector<NodeId>& nodes,
     for (const Finding& cluster : atPoints_)
       std::ranges::copy(parts_.errors.nodesAt(cluster), std::back_inserter(shown));
   QString note = parts_.reveal(shown, places, camera);
-  parts_.view.flyTo(camera);
+  parts_.view.flyTo(camera, focusOn(skeleton, sight));
   return note;
 }
 

@@ -170,7 +170,7 @@ void CloseLookFlow::look() {
   constexpr std::size_t most = 50;
   if (before_.size() == most) before_.erase(before_.begin());
   before_.push_back({&to, to.camera()});
-  to.flyTo(to.cameraToSee(sight));
+  to.flyTo(to.cameraToSee(sight), focusOn(skeleton, sight));
 }
 
 void CloseLookFlow::goBack() {

@@ -21,6 +21,7 @@ namespace espalier {
 ShownFlow::ShownFlow(const Parts& parts)
     : document_(parts.document), view_(parts.view), actions_(parts.actions),
       editing_(parts.editing), window_(parts.window) {
+  view_.setFocusFade(window_.settings.value("view/focus_fade", view_.focusFade()).toDouble());
   addActions();
   makePanel();
   connect(&document_, &PlantDocument::skeletonReplaced, this, [this] {
@@ -140,6 +141,7 @@ void ShownFlow::setHidden(const std::vector<NodeId>& nodes) {
 void ShownFlow::showAll() {
   view_.setClip({});
   view_.setDepthFade(0);
+  view_.focusOff();
   setHidden({});
   refreshPanel();
 }
@@ -177,6 +179,8 @@ void ShownFlow::clipAsPanelSays() {
   if (values.hasBox) clip.box = values.box;
   view_.setClip(clip);
   view_.setDepthFade(values.fade);
+  view_.setFocusFade(values.around);
+  window_.settings.setValue("view/focus_fade", values.around);
   refreshEnabled();
 }
 
@@ -190,7 +194,8 @@ void ShownFlow::refreshPanel() {
                      .farthest = slab.farthest,
                      .hasBox = clip.box.has_value(),
                      .box = clip.box.value_or(Eigen::AlignedBox3d()),
-                     .fade = view_.depthFade()});
+                     .fade = view_.depthFade(),
+                     .around = view_.focusFade()});
 }
 
 void ShownFlow::selectShownPoints() {

@@ -100,6 +100,19 @@ void ViewOptions::addColorRanges() {
                  setRanges({});
                  emit keptChanged();
                });
+  QAction* seen = actions_.add(
+      {.id = "colors_span_seen",
+       .text = tr("Colors Span What Is Seen"),
+       .help = tr("Close up, heights and intensities of the points that are seen take all colors"),
+       .isCheckable = true,
+       .menu = "view/color_ranges"},
+      [this] {
+        const bool isOn = actions_["colors_span_seen"]->isChecked();
+        view_.setColorsSpanSeen(isOn);
+        settings_.setValue("view/colors_span_seen", isOn);
+      });
+  seen->setChecked(settings_.value("view/colors_span_seen", true).toBool());
+  view_.setColorsSpanSeen(seen->isChecked());
   connect(&view_, &PlantView::colorScalesChanged, this, &ViewOptions::keptChanged);
 }
 

@@ -6,6 +6,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QEnterEvent>
+#include <QSlider>
 #include <QTest>
 
 #include <algorithm>
@@ -30,6 +31,34 @@ protected:
     QApplication::sendEvent(&view(), &event);
   }
 };
+
+TEST_F(CloseLookTest, FadesWhatIsAroundAsFarAsTheSliderSaysAndKeepsIt) {
+  document().edit("Grow to the back", [](SkeletonEditor& editor) {
+    for (const double x : {0.7, 1.0, 1.3}) { // behind the shoot that is looked at
+      const NodeId foot = editor.add({.position = {x, 6, 1.5}});
+      editor.add({.position = {x, 6, 2.5}, .parent = foot});
+    }
+  });
+  action("show_clipping").trigger();
+  auto& around = find<QSlider>("clip_around");
+  EXPECT_GT(around.value(), 0) << "at first";
+  hover(placeOf(nodeAt({1, 0, 2})));
+  key(Qt::Key_Z);
+  waitForView();
+  const QSize size(300, 200);
+  const QImage faded = view().picture(size);
+  around.setValue(0);
+  EXPECT_NE(view().picture(size), faded);
+  around.setValue(around.maximum());
+  EXPECT_DOUBLE_EQ(view().focusFade(), 1);
+  key(Qt::Key_Home);
+  waitForView();
+  const QImage all = view().picture(size);
+  around.setValue(0);
+  EXPECT_EQ(view().picture(size), all) << "nothing is in focus any more";
+  restart();
+  EXPECT_DOUBLE_EQ(view().focusFade(), 0);
+}
 
 TEST_F(CloseLookTest, ShowsTheNodeUnderThePointerAndItsNeighbors) {
   const NodeId root = nodeAt({0, 0, 0});

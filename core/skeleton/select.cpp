@@ -158,4 +158,19 @@ std::vector<NodeId> pathOf(const Skeleton& skeleton, const std::vector<NodeId>& 
   return pathBetween(skeleton, nodes.front(), nodes.back());
 }
 
+std::optional<NodeId> stepFrom(const Skeleton& skeleton, NodeId id, NodeStep step) {
+  const std::vector<NodeId>& children = skeleton.children(id);
+  if (step == NodeStep::child) {
+    const std::optional<NodeId> next = nextOnAxis(skeleton, id);
+    return next || children.empty() ? next : std::optional(children.front());
+  }
+  const std::optional<NodeId> parent = skeleton[id].parent;
+  if (step == NodeStep::parent || !parent) return parent;
+  const std::vector<NodeId>& siblings = skeleton.children(*parent);
+  const std::size_t count = siblings.size();
+  if (count < 2) return std::nullopt;
+  const auto at = static_cast<std::size_t>(std::ranges::find(siblings, id) - siblings.begin());
+  return siblings[(at + (step == NodeStep::nextSibling ? 1 : count - 1)) % count];
+}
+
 } // namespace espalier

@@ -2,6 +2,8 @@
 
 #include "core/skeleton/skeleton.h"
 
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace espalier {
@@ -58,5 +60,13 @@ namespace espalier {
 /// @throws Error if the first and the last belong to different trees
 [[nodiscard]] std::vector<NodeId> pathOf(const Skeleton& skeleton,
                                          const std::vector<NodeId>& nodes);
+
+/// Where a step from a node leads.
+enum class NodeStep : std::uint8_t { child, parent, nextSibling, previousSibling };
+
+/// The node one step away: the child that continues the axis, else the first one; the parent; or
+/// another child of the same parent, from the last on to the first. None: there is none.
+/// pre: contains(id)
+[[nodiscard]] std::optional<NodeId> stepFrom(const Skeleton& skeleton, NodeId id, NodeStep step);
 
 } // namespace espalier

@@ -3,8 +3,11 @@
 #include "core/base/error.h"
 #include "core/skeleton/duplicates.h"
 #include "core/skeleton/select.h"
+#include "ui/tools/node_edits.h"
 
 #include <QCoreApplication>
+
+#include <algorithm>
 
 namespace espalier {
 namespace {
@@ -46,6 +49,21 @@ Nodes twinBranches(const Skeleton& skeleton, const Nodes& /*nodes*/) {
   return required(
       duplicatedBranches(skeleton, 2 * duplicateTolerance(skeleton)),
       NodeChoiceText::tr("no branch runs along another one: there is nothing to select"));
+}
+
+/// From the last node selected; from none, to the root of the first tree.
+template <NodeStep step> Nodes stepped(const Skeleton& skeleton, const Nodes& nodes) {
+  if (nodes.empty()) {
+    const std::vector<NodeId> ids = skeleton.ids();
+    const auto root =
+        std::ranges::find_if(ids, [&](NodeId id) { return !skeleton[id].parent.has_value(); });
+    return {*root};
+  }
+  if (const auto next = stepFrom(skeleton, nodes.back(), step)) return {*next};
+  const QString none = step == NodeStep::child    ? NodeChoiceText::tr("%1 has no child")
+                       : step == NodeStep::parent ? NodeChoiceText::tr("%1 is a root")
+                                                  : NodeChoiceText::tr("%1 has no sibling");
+  throw Error(none.arg(nodeName(nodes.back())).toStdString());
 }
 
 } // namespace
@@ -110,6 +128,36 @@ std::vector<NodeChoice> nodeChoices() {
        NodeChoiceText::tr("Leaves out its nodes at the border"),
        {Qt::Key_Minus},
        shrunk},
+      {},
+      {"step_to_child",
+       NodeChoiceText::tr("To Child"),
+       NodeChoiceText::tr(
+           "On along the axis, from the node that is selected; from none, to a root"),
+       {Qt::Key_Up},
+       stepped<NodeStep::child>,
+       false,
+       true},
+      {"step_to_parent",
+       NodeChoiceText::tr("To Parent"),
+       NodeChoiceText::tr("Back along the axis, or to what bears it"),
+       {Qt::Key_Down},
+       stepped<NodeStep::parent>,
+       false,
+       true},
+      {"step_to_next_sibling",
+       NodeChoiceText::tr("To Next Sibling"),
+       NodeChoiceText::tr("To the next child of the same parent"),
+       {Qt::Key_Right},
+       stepped<NodeStep::nextSibling>,
+       false,
+       true},
+      {"step_to_previous_sibling",
+       NodeChoiceText::tr("To Previous Sibling"),
+       NodeChoiceText::tr("To the child before of the same parent"),
+       {Qt::Key_Left},
+       stepped<NodeStep::previousSibling>,
+       false,
+       true},
       {},
       {"select_duplicates",
        NodeChoiceText::tr("Select Duplicated Nodes"),

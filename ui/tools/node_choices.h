@@ -21,6 +21,7 @@ struct NodeChoice {
   /// @throws Error if it cannot choose any
   std::function<std::vector<NodeId>(const Skeleton&, const std::vector<NodeId>&)> choose;
   bool needsNodes = true; // to begin with; else it goes by those selected, if any
+  bool isStep = false;    // of a cursor: its key works in the view alone, and the view follows
 };
 
 /// All of them, in the order of the menu; an entry without id is a separator.

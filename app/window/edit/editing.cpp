@@ -52,7 +52,7 @@ void Editing::listenTo(PlantView& view) {
   view.setInputHandler([this, &view](const ToolInput& input) {
     return actions_.guarded([&] { return handle(view, input); }, Refusal::atPointer, true);
   });
-  view.addAction(actions_["extend_again"]);
+  view.addActions(ofViews_);
   view.installEventFilter(wheel_);
 }
 
@@ -111,7 +111,7 @@ void Editing::addNodeEdits() {
       document_, actions_, [this] { return chosenTarget().nodes; }, this);
   edits_.append(actions_["resample"]);
   // A button that has the keyboard keeps the space bar.
-  actions_["extend_again"]->setShortcutContext(Qt::WidgetShortcut);
+  keepToViews(actions_["extend_again"]);
   const auto nodes = [this] {
     return canEdit() && !tool().isBusy() ? target().nodes : std::vector<NodeId>();
   };
@@ -136,6 +136,7 @@ void Editing::addNodeChoices() {
       const std::vector<NodeId> nodes =
           choice.needsNodes ? chosenTarget().nodes : document_.selection().nodes();
       document_.selection().set(choice.choose(document_.skeleton(), nodes));
+      if (choice.isStep) showStep();
     };
     QAction* action = actions_.add({.id = choice.id,
                                     .text = choice.text,
@@ -144,8 +145,28 @@ void Editing::addNodeChoices() {
                                     .refusal = Refusal::atPointer},
                                    choose);
     action->setShortcuts(choice.shortcuts);
+    if (choice.isStep) keepToViews(action); // lists and sliders have arrow keys of their own
     choices_.append(action);
   }
+}
+
+/// Its keys work where a view has the keyboard.
+void Editing::keepToViews(QAction* action) {
+  action->setShortcutContext(Qt::WidgetShortcut);
+  ofViews_.append(action);
+}
+
+/// The node stepped to is what keys act on, and is on the screen, not at its rim.
+void Editing::showStep() {
+  actOnSelected();
+  constexpr int rim = 10; // in a side of the view
+  PlantView& view = canvas_.view();
+  const Eigen::Vector3d place = document_.skeleton()[document_.selection().nodes().back()].position;
+  const std::optional<QPointF> at = view.project(place);
+  const QRectF inner = QRectF(view.rect())
+                           .adjusted(view.width() / rim, view.height() / rim, -view.width() / rim,
+                                     -view.height() / rim);
+  if (!at || !inner.contains(*at)) view.setPivot(place);
 }
 
 void Editing::addDepth() {

@@ -84,6 +84,8 @@ private:
   void make(const NodeEdit& edit);
   void addNodeChoices();
   void addNavigation();
+  void keepToViews(QAction* action);
+  void showStep();
   void addDepth();
   void listenTo(PlantView& view);
   bool handle(PlantView& view, const ToolInput& input);
@@ -112,6 +114,7 @@ private:
   QAction* accept_ = nullptr; // off while there is no preview
   QList<QAction*> edits_;     // off while there is no skeleton, or it may not be edited
   QList<QAction*> choices_;   // of nodes: off while there is no skeleton
+  QList<QAction*> ofViews_;   // whose keys work in views alone
   QObject* wheel_ = nullptr;  // filters the events of each view
   Borrower borrower_;         // of the mouse; empty: none
   bool isEnabled_ = true;

@@ -4,6 +4,8 @@
 #include "app/window/preview/options_text.h"
 #include "core/base/error.h"
 #include "core/pipeline/kept_options.h"
+#include "core/skeleton/review_coverage.h"
+#include "ui/document/hand_work_text.h"
 #include "ui/document/number_scale.h"
 #include "ui/document/plant_document.h"
 #include "ui/document/shown_text.h"
@@ -71,6 +73,7 @@ void ReconstructFlow::start(const Step* last) {
     throw Error(tr("there is no scan to reconstruct from: open one first").toStdString());
   document_.requireWritable();
   jobs_.requireIdle();
+  if (asksFirst(last)) return;
   PipelineOptions ofKept = panel_.options();
   ofKept.leftOut = document_.leftOut();
   isRunning_ = true;
@@ -85,6 +88,34 @@ void ReconstructFlow::start(const Step* last) {
       [this, elapsed, last, options = ofKept](const Reconstruction& result) {
         show(result, last, options, static_cast<double>(elapsed.elapsed()) / 1000);
       });
+}
+
+bool ReconstructFlow::asksFirst(const Step* last) {
+  const bool makesSkeleton = last == nullptr || last->makes == StepResult::skeleton;
+  const Corrections work = handWork(document_).corrections;
+  const std::size_t reviewed =
+      coverage(document_.skeleton()).nodes[static_cast<std::size_t>(ReviewState::reviewed)];
+  if (!makesSkeleton || std::exchange(isConfirmed_, false) || (work.edits == 0 && reviewed == 0))
+    return false;
+  QStringList lost;
+  if (work.edits == 1) lost.append(tr("1 edit by hand"));
+  if (work.edits > 1) lost.append(tr("%1 edits by hand").arg(formatCount(work.edits)));
+  if (reviewed > 0) lost.append(tr("marks of %1 reviewed nodes").arg(formatCount(reviewed)));
+  emit reported({.text = tr("Reconstructing replaces the skeleton, with %1. Undo brings it back")
+                             .arg(lost.join(tr(" and "))),
+                 .actions = {{tr("Reconstruct"),
+                              [this, last] {
+                                isConfirmed_ = true;
+                                actions_.guarded(
+                                    [&] {
+                                      start(last);
+                                      return true;
+                                    },
+                                    Refusal::inBanner);
+                              }},
+                             {tr("Save a Copy First…"),
+                              [this] { actions_["export_structure"]->trigger(); }}}});
+  return true;
 }
 
 PipelinePanel::StepTexts ReconstructFlow::stepTexts() const {

@@ -142,5 +142,45 @@ TEST_F(NodeKeysTest, ARefusedEditSaysWhyAndChangesNothing) {
   EXPECT_EQ(document().undoStack().count(), 0);
 }
 
+TEST_F(NodeKeysTest, ArrowsStepFromNodeToNodeAndEditsFollow) {
+  view().setFocus();
+  const auto at = [this] { return document().selection().nodes(); };
+  key(Qt::Key_Up);
+  EXPECT_EQ(at(), std::vector{nodeAt({0, 0, 0})}) << "from none to the root";
+  key(Qt::Key_Up);
+  key(Qt::Key_Up);
+  const NodeId first = at().front();
+  key(Qt::Key_Right);
+  EXPECT_NE(at().front(), first);
+  EXPECT_EQ(document().skeleton()[at().front()].parent, document().skeleton()[first].parent);
+  key(Qt::Key_Left);
+  EXPECT_EQ(at(), std::vector{first});
+  key(Qt::Key_Down);
+  EXPECT_EQ(at(), std::vector{nodeAt({0, 0, 1})});
+  EXPECT_EQ(document().undoStack().count(), 0) << "nothing was edited";
+  hover(placeOf(nodeAt({0, 0, 0})));
+  key(Qt::Key_Up); // from what is selected, not from the pointer
+  EXPECT_EQ(at(), std::vector{first});
+  key(Qt::Key_Delete);
+  EXPECT_FALSE(document().skeleton().contains(first)) << "not the node under the pointer";
+  EXPECT_TRUE(document().skeleton().contains(nodeAt({0, 0, 0})));
+}
+
+TEST_F(NodeKeysTest, ArrowsEndWithAWordAndTheViewFollows) {
+  view().setFocus();
+  key(Qt::Key_Up);
+  key(Qt::Key_Down);
+  EXPECT_EQ(document().selection().nodes(), std::vector{nodeAt({0, 0, 0})}) << "a root stays";
+  Camera away = view().camera();
+  away.focus = away.pivot = {50, 0, 0};
+  view().setCamera(away);
+  key(Qt::Key_Up);
+  waitForView();
+  const std::optional<QPointF> place =
+      view().project(document().skeleton()[document().selection().nodes().front()].position);
+  ASSERT_TRUE(place);
+  EXPECT_TRUE(QRectF(view().rect()).contains(*place));
+}
+
 } // namespace
 } // namespace espalier

@@ -138,5 +138,32 @@ TEST_F(WholeWay, EditsTheNodeUnderThePointerByKeys) {
   }
 }
 
+TEST_F(WholeWay, ReconstructingOverWorkByHandAsksFirst) {
+  open({writeScan("scan.xyz")});
+  const auto reconstruct = [this] {
+    action("reconstruct").trigger();
+    waitForJob();
+  };
+  reconstruct();
+  const Skeleton first = document().skeleton();
+  ASSERT_FALSE(first.isEmpty());
+  reconstruct(); // nothing was done by hand
+  EXPECT_EQ(document().undoStack().count(), 2);
+  document().selection().set({visibleApices().front()});
+  key(Qt::Key_Delete);
+  const int steps = document().undoStack().count();
+  reconstruct();
+  EXPECT_EQ(document().undoStack().count(), steps) << "it asks";
+  EXPECT_TRUE(window().banner().text().startsWith(
+      "Reconstructing replaces the skeleton, with 1 edit by hand."))
+      << window().banner().text().toStdString();
+  EXPECT_EQ(find<QPushButton>("banner_other_action").text(), "Save a Copy First…");
+  clickButton("banner_action");
+  waitForJob();
+  EXPECT_EQ(document().undoStack().count(), steps + 1);
+  reconstruct(); // of what was made anew nothing is by hand
+  EXPECT_EQ(document().undoStack().count(), steps + 2);
+}
+
 } // namespace
 } // namespace espalier

@@ -149,5 +149,23 @@ TEST(Select, HoldsForAnyPlant) {
   }
 }
 
+TEST(StepFrom, LeadsAlongTheAxisAndToWhatBearsIt) {
+  const Skeleton plant = smallForest();
+  EXPECT_EQ(stepFrom(plant, NodeId{1}, NodeStep::child), NodeId{2}) << "not to the branch";
+  EXPECT_EQ(stepFrom(plant, NodeId{4}, NodeStep::child), NodeId{5});
+  EXPECT_EQ(stepFrom(plant, NodeId{3}, NodeStep::child), std::nullopt);
+  EXPECT_EQ(stepFrom(plant, NodeId{4}, NodeStep::parent), NodeId{1});
+  EXPECT_EQ(stepFrom(plant, NodeId{7}, NodeStep::parent), std::nullopt);
+}
+
+TEST(StepFrom, LeadsFromSiblingToSiblingAndAround) {
+  const Skeleton plant = smallForest();
+  EXPECT_EQ(stepFrom(plant, NodeId{2}, NodeStep::nextSibling), NodeId{4});
+  EXPECT_EQ(stepFrom(plant, NodeId{4}, NodeStep::nextSibling), NodeId{2});
+  EXPECT_EQ(stepFrom(plant, NodeId{2}, NodeStep::previousSibling), NodeId{4});
+  EXPECT_EQ(stepFrom(plant, NodeId{3}, NodeStep::nextSibling), std::nullopt);
+  EXPECT_EQ(stepFrom(plant, NodeId{0}, NodeStep::nextSibling), std::nullopt) << "roots have none";
+}
+
 } // namespace
 } // namespace espalier

@@ -23,6 +23,7 @@
 #include "app/window/files/plot_flow.h"
 #include "app/window/files/project_flow.h"
 #include "app/window/files/recent_files.h"
+#include "app/window/files/sample_flow.h"
 #include "app/window/frame/action_set.h"
 #include "app/window/frame/help_flow.h"
 #include "app/window/frame/panel_dock.h"
@@ -99,6 +100,9 @@ void MainWindow::makeFiles(PipelinePanel& pipeline) {
       FileFlow::Parts{document_, jobs_, *actions_, projects, *recent_, settings_, *this,
                       [this] { return view_->clip().box; },
                       [this] { return parts_.get<RegistrationFlow>().mayLose(); }});
+  auto& sample = parts_.make<SampleFlow>(*actions_, jobs_, settings_);
+  connect(&sample, &SampleFlow::made, this, [this](const QString& path) { open({path}); });
+  connect(start_, &StartPage::sampleRequested, (*actions_)["sample_plant"], &QAction::trigger);
   parts_.make<EditFlow>(document_, *actions_);
   parts_.make<ReconstructFlow>(ReconstructFlow::Parts{document_, jobs_, *actions_, pipeline});
 }

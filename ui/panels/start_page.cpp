@@ -37,6 +37,11 @@ StartPage::StartPage(QWidget* parent)
   open->setObjectName("open_button");
   open->setProperty("role", "primary");
   open->setCursor(Qt::PointingHandCursor);
+  auto* sample = new QPushButton(tr("Try a sample plant"), this);
+  sample->setObjectName("sample_button");
+  sample->setProperty("role", "link");
+  sample->setFlat(true);
+  sample->setCursor(Qt::PointingHandCursor);
   for (QVBoxLayout* list : {files_, sessions_}) {
     list->setContentsMargins(0, 0, 0, 0);
     list->setSpacing(0);
@@ -53,11 +58,13 @@ StartPage::StartPage(QWidget* parent)
       "quiet", this));
   column->addSpacing(12);
   column->addWidget(open, 0, Qt::AlignCenter);
+  column->addWidget(sample, 0, Qt::AlignCenter);
   column->addSpacing(28);
   column->addWidget(work_, 0, Qt::AlignCenter);
   column->addWidget(recent_, 0, Qt::AlignCenter);
   column->addStretch(4);
   connect(open, &QPushButton::clicked, this, &StartPage::openRequested);
+  connect(sample, &QPushButton::clicked, this, &StartPage::sampleRequested);
 }
 
 void StartPage::setIcon(const QIcon& icon) {

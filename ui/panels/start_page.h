@@ -22,6 +22,7 @@ public:
 
 signals:
   void openRequested();
+  void sampleRequested(); // a plant to try the program on
   void fileChosen(const QString& path);
 
 private:

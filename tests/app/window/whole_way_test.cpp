@@ -4,6 +4,8 @@
 #include "ui/panels/status_line.h"
 
 #include <QAction>
+#include <QDateTime>
+#include <QFileInfo>
 #include <QPushButton>
 
 #include <cmath>
@@ -163,6 +165,25 @@ TEST_F(WholeWay, ReconstructingOverWorkByHandAsksFirst) {
   EXPECT_EQ(document().undoStack().count(), steps + 1);
   reconstruct(); // of what was made anew nothing is by hand
   EXPECT_EQ(document().undoStack().count(), steps + 2);
+}
+
+TEST_F(WholeWay, ASamplePlantIsMadeOnceAndReconstructed) {
+  clickButton("sample_button");
+  waitForJob(); // grows it
+  waitForJob(); // reads it
+  ASSERT_NE(document().scan(), nullptr);
+  EXPECT_GT(document().scan()->cloud()->size(), 40'000);
+  EXPECT_TRUE(QFile::exists(path("samples/sample_tree.mtg")));
+  const QDateTime made = QFileInfo(path("samples/sample_tree.ply")).lastModified();
+  action("reconstruct").trigger();
+  waitForJob();
+  EXPECT_GT(document().skeleton().size(), 100U);
+  action("close_plant").trigger();
+  EXPECT_EQ(document().scan(), nullptr);
+  clickButton("sample_button");
+  waitForJob();
+  ASSERT_NE(document().scan(), nullptr);
+  EXPECT_EQ(QFileInfo(path("samples/sample_tree.ply")).lastModified(), made);
 }
 
 } // namespace

@@ -40,6 +40,7 @@ WindowTest::WindowTest()
     : settings_(
           std::make_unique<QSettings>(folder_.filePath("settings.ini"), QSettings::IniFormat)) {
   settings_->setValue("sessions_folder", path("sessions"));
+  settings_->setValue("sample_folder", path("samples"));
   restart();
 }
 
